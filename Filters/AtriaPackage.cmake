@@ -1,0 +1,44 @@
+# Builds the modules, their Python package and the CMake package `find_package(Atria)` finds.
+set(atria_package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/Atria")
+
+vtk_module_scan(
+  MODULE_FILES ${atria_module_files}
+  PROVIDES_MODULES atria_modules
+  REQUEST_MODULES Atria::FiltersMeshing Atria::FiltersQuality Atria::IOVRML Atria::IOCFD
+  ENABLE_TESTS OFF)
+vtk_module_build(
+  MODULES ${atria_modules}
+  PACKAGE Atria
+  INSTALL_EXPORT Atria
+  INSTALL_HEADERS ON
+  HEADERS_DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/atria"
+  CMAKE_DESTINATION "${atria_package_dir}"
+  LIBRARY_NAME_SUFFIX ""
+  VERSION "${PROJECT_VERSION}"
+  SOVERSION "0.1"
+  TEST_DIRECTORY_NAME NONE)
+
+set(atria_python_dir "${CMAKE_INSTALL_LIBDIR}/python3/dist-packages")
+vtk_module_wrap_python(
+  MODULES ${atria_modules}
+  INSTALL_EXPORT Atria
+  INSTALL_HEADERS OFF
+  PYTHON_PACKAGE "atria"
+  MODULE_DESTINATION "${atria_python_dir}"
+  CMAKE_DESTINATION "${atria_package_dir}"
+  LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
+  BUILD_STATIC OFF)
+
+file(CONFIGURE OUTPUT "${CMAKE_BINARY_DIR}/${atria_package_dir}/AtriaConfig.cmake" @ONLY CONTENT [=[
+include(CMakeFindDependencyMacro)
+find_dependency(VTK 9.1 COMPONENTS @atria_vtk_components@)
+include("${CMAKE_CURRENT_LIST_DIR}/Atria-targets.cmake")
+include("${CMAKE_CURRENT_LIST_DIR}/Atria-vtk-module-properties.cmake")
+]=])
+include(CMakePackageConfigHelpers)
+write_basic_package_version_file("${CMAKE_BINARY_DIR}/${atria_package_dir}/AtriaConfigVersion.cmake"
+  COMPATIBILITY SameMinorVersion)
+install(FILES
+  "${CMAKE_BINARY_DIR}/${atria_package_dir}/AtriaConfig.cmake"
+  "${CMAKE_BINARY_DIR}/${atria_package_dir}/AtriaConfigVersion.cmake"
+  DESTINATION "${atria_package_dir}")

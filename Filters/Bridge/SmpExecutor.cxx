@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "SmpExecutor.h"
+
+#include <vtkSMPTools.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <exception>
+#include <mutex>
+#include <string>
+#include <thread>
+
+namespace atria {
+
+namespace {
+
+/// The backend to use: VTK's own choice, but threads instead of a Sequential nobody asked for.
+std::string backendInUse()
+{
+  const std::string chosen = vtkSMPTools::GetBackend() ? vtkSMPTools::GetBackend() : "Sequential";
+  if (chosen == "Sequential" && !std::getenv("VTK_SMP_BACKEND_IN_USE"))
+  {
+    return "STDThread";
+  }
+  return chosen;
+}
+
+} // namespace
+
+int SmpExecutor::threads() const
+{
+  if (backendInUse() == "Sequential")
+  {
+    return 1;
+  }
+  const int estimated = vtkSMPTools::GetEstimatedNumberOfThreads();
+  const int wanted = std::string(vtkSMPTools::GetBackend()) == "Sequential"
+    ? static_cast<int>(std::thread::hardware_concurrency())
+    : estimated;
+  return std::max(wanted, 1);
+}
+
+void SmpExecutor::forRanges(std::size_t count, std::size_t grain, const Body& body) const
+{
+  std::exception_ptr failure;
+  std::mutex failureMutex;
+  const auto guarded = [&](vtkIdType begin, vtkIdType end) {
+    try
+    {
+      body(static_cast<std::size_t>(begin), static_cast<std::size_t>(end));
+    }
+    catch (...)
+    {
+      const std::lock_guard lock(failureMutex);
+      if (!failure)
+      {
+        failure = std::current_exception();
+      }
+    }
+  };
+  const auto run = [&] {
+    vtkSMPTools::For(0, static_cast<vtkIdType>(count), static_cast<vtkIdType>(std::max<std::size_t>(grain, 1)), guarded);
+  };
+  const std::string backend = backendInUse();
+  if (backend == vtkSMPTools::GetBackend())
+  {
+    run();
+  }
+  else
+  {
+    vtkSMPTools::LocalScope(vtkSMPTools::Config(threads(), backend, false), run);
+  }
+  if (failure)
+  {
+    std::rethrow_exception(failure);
+  }
+}
+
+} // namespace atria

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "VtkSurface.h"
+
+#include "Support/Error.h"
+#include "Surface/PolygonTriangulation.h"
+#include "VtkArrays.h"
+
+#include <vtkCellData.h>
+#include <vtkCellType.h>
+#include <vtkCompositeDataIterator.h>
+#include <vtkCompositeDataSet.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkIdList.h>
+#include <vtkInformation.h>
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkStringArray.h>
+
+#include <unordered_map>
+
+namespace atria {
+
+namespace {
+
+class Collector
+{
+public:
+  explicit Collector(VtkSurface& target) : out(target) {}
+
+  void add(vtkPolyData* data, const std::string& blockName)
+  {
+    const std::vector<Vec3> points = pointsFromVtk(data->GetPoints());
+    for (const Vec3& p : points)
+    {
+      if (!p.allFinite())
+      {
+        throw Error("surface '" + blockName + "' has a point that is not finite");
+      }
+    }
+    base = static_cast<Index>(out.surface.points.size());
+    out.surface.points.insert(out.surface.points.end(), points.begin(), points.end());
+    const std::vector<Index> ids = surfaceIdsOf(data, blockName);
+    vtkNew<vtkIdList> cell;
+    for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
+    {
+      data->GetCellPoints(i, cell);
+      addCell(data->GetCellType(i), cell, points, ids[i]);
+    }
+  }
+
+private:
+  Index idOf(const std::string& name)
+  {
+    const auto [found, isNew] = known.try_emplace(name, static_cast<Index>(out.surface.names.size()));
+    if (isNew)
+    {
+      out.surface.names.push_back(name);
+    }
+    return found->second;
+  }
+
+  std::vector<Index> surfaceIdsOf(vtkPolyData* data, const std::string& blockName)
+  {
+    vtkDataArray* ids = data->GetCellData()->GetArray("SurfaceId");
+    auto* names = vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray("SurfaceName"));
+    std::vector<Index> result(data->GetNumberOfCells());
+    if (!ids || !names)
+    {
+      std::fill(result.begin(), result.end(), result.empty() ? 0 : idOf(blockName));
+      return result;
+    }
+    std::vector<Index> ownIds(names->GetNumberOfValues());
+    for (std::size_t i = 0; i < ownIds.size(); ++i)
+    {
+      ownIds[i] = idOf(names->GetValue(static_cast<vtkIdType>(i)));
+    }
+    for (std::size_t i = 0; i < result.size(); ++i)
+    {
+      const double id = ids->GetComponent(static_cast<vtkIdType>(i), 0);
+      if (!(id >= 0 && id < static_cast<double>(ownIds.size())))
+      {
+        throw Error("cell " + std::to_string(i) + " of '" + blockName + "' has a SurfaceId without a SurfaceName");
+      }
+      result[i] = ownIds[static_cast<std::size_t>(id)];
+    }
+    return result;
+  }
+
+  void addTriangle(Index a, Index b, Index c, Index surface)
+  {
+    out.surface.triangles.push_back({base + a, base + b, base + c});
+    out.surface.surfaceIds.push_back(surface);
+  }
+
+  void addCell(int type, vtkIdList* cell, const std::vector<Vec3>& points, Index surface)
+  {
+    std::vector<Index> ids(cell->begin(), cell->end());
+    if (type == VTK_TRIANGLE)
+    {
+      addTriangle(ids[0], ids[1], ids[2], surface);
+    }
+    else if (type == VTK_TRIANGLE_STRIP)
+    {
+      for (std::size_t i = 2; i < ids.size(); ++i)
+      {
+        const bool odd = i % 2 != 0;
+        addTriangle(ids[i - 2], ids[odd ? i : i - 1], ids[odd ? i - 1 : i], surface);
+      }
+    }
+    else if (type == VTK_POLYGON || type == VTK_QUAD)
+    {
+      for (const auto& t : triangulatePolygon(points, ids).triangles)
+      {
+        addTriangle(t[0], t[1], t[2], surface);
+      }
+    }
+    else
+    {
+      ++out.ignoredCells;
+    }
+  }
+
+  VtkSurface& out;
+  Index base = 0;
+  std::unordered_map<std::string, Index> known;
+};
+
+void addObject(Collector& collector, vtkDataObject* object)
+{
+  if (auto* polyData = vtkPolyData::SafeDownCast(object))
+  {
+    collector.add(polyData, "surface");
+  }
+  else if (auto* composite = vtkCompositeDataSet::SafeDownCast(object))
+  {
+    vtkSmartPointer<vtkCompositeDataIterator> it;
+    it.TakeReference(composite->NewIterator());
+    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+    {
+      if (auto* block = vtkPolyData::SafeDownCast(it->GetCurrentDataObject()))
+      {
+        const bool named = it->HasCurrentMetaData() && it->GetCurrentMetaData()->Has(vtkCompositeDataSet::NAME());
+        collector.add(block, named ? it->GetCurrentMetaData()->Get(vtkCompositeDataSet::NAME()) : "surface");
+      }
+    }
+  }
+}
+
+} // namespace
+
+VtkSurface surfaceFromVtk(const std::vector<vtkDataObject*>& inputs)
+{
+  VtkSurface result;
+  Collector collector(result);
+  for (vtkDataObject* input : inputs)
+  {
+    addObject(collector, input);
+  }
+  return result;
+}
+
+} // namespace atria

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// A polyhedral mesh by its faces: what solvers' formats and metrics are made of.
+#pragma once
+
+#include "Support/Types.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace atria {
+
+/// Every face once, owner before neighbour, in the order OpenFOAM asks for: internal faces first, sorted by
+/// (owner, neighbour), then boundary faces sorted by owner. A face's normal (right-hand rule) points out of its owner.
+struct FaceMesh
+{
+  std::vector<Vec3> points;
+  /// Face f has the points facePoints[faceOffsets[f] .. faceOffsets[f + 1]).
+  std::vector<Index> faceOffsets{0};
+  std::vector<Index> facePoints;
+  std::vector<Index> owner;
+  /// One entry per internal face; internal faces are the first neighbour.size() faces.
+  std::vector<Index> neighbour;
+  std::size_t cellCount = 0;
+
+  std::size_t faceCount() const { return owner.size(); }
+  std::size_t internalFaceCount() const { return neighbour.size(); }
+  std::span<const Index> face(std::size_t f) const
+  {
+    return {facePoints.data() + faceOffsets[f], facePoints.data() + faceOffsets[f + 1]};
+  }
+};
+
+/// Cells as VTK lays them out (vtkCellArray and vtkUnstructuredGrid's face stream), without VTK's types.
+/// Cell types are VTK's numbers; known are tetrahedron 10, voxel 11, hexahedron 12, wedge 13, pyramid 14, polyhedron 42.
+struct CellArrays
+{
+  std::span<const unsigned char> types;
+  std::span<const std::int64_t> offsets;      ///< types.size() + 1
+  std::span<const std::int64_t> connectivity;
+  std::span<const std::int64_t> faceStream;    ///< nFaces, then per face nPoints and its points
+  std::span<const std::int64_t> faceLocations; ///< per cell, where its stream starts; unused for other types
+};
+
+/// A boundary face named by its cell and points: such a face stays on the boundary even where another cell
+/// has the same points (a zero-thickness sheet that is one face wide shares all of them).
+struct BoundaryFaceKey
+{
+  Index cell;
+  std::span<const std::int64_t> points;
+};
+
+/// Derives the faces of a mesh. Throws Error for an unknown cell type, and for a face that more than two
+/// cells share; names the cell. O(n log n) in the number of faces.
+FaceMesh makeFaceMesh(std::span<const Vec3> points, const CellArrays& cells,
+  std::span<const BoundaryFaceKey> boundaryFaces = {});
+
+} // namespace atria

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Support/Types.h"
+
+#include <string>
+#include <vector>
+
+namespace atria {
+
+/// The model as triangles, each belonging to a named surface. No manifoldness is assumed; points may
+/// repeat. A triangle's front is the side from which its points run counter-clockwise.
+struct TriangleSurface
+{
+  std::vector<Vec3> points;
+  std::vector<std::array<Index, 3>> triangles;
+  /// Per triangle, an index into `names`.
+  std::vector<Index> surfaceIds;
+  std::vector<std::string> names;
+};
+
+} // namespace atria
