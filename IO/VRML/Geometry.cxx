@@ -50,7 +50,7 @@ public:
       }
     };
     say(outOfRange, "with points that do not exist, skipped");
-    say(repeated, "with a point repeated in a row");
+    say(repeated, "with a point repeated in a row, taken once");
     say(builder.withoutArea(), "without area, skipped");
     say(builder.selfCrossing(), "whose outline crosses itself");
     return text;
