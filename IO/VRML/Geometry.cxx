@@ -33,11 +33,12 @@ public:
       }
       repeats = repeats || (i > 0 && face[i] == face[i - 1]);
     }
-    repeated += repeats ? 1 : 0;
     for (const int i : face) {
       ids.push_back(idOf(static_cast<std::size_t>(i)));
     }
+    const std::size_t flatBefore = builder.withoutArea();
     builder.polygon(ids);
+    repeated += repeats && builder.withoutArea() == flatBefore ? 1 : 0;
   }
 
   std::string complaints() const

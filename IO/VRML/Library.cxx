@@ -15,7 +15,7 @@ namespace {
 /// Refuses other languages. A VRML 1.0 evaluator would take over here.
 void checkVersion(const fs::path& file, std::string_view text)
 {
-  const std::string place = "'" + file.string() + "', line 1: ";
+  const std::string place = std::string("'").append(file.string()).append("', line 1: ");
   if (versionOf(text) == Version::vrml1) {
     throw Error(place + "VRML 1.0 is not read yet; save the model as VRML97 (VRML 2.0)");
   }
