@@ -20,19 +20,20 @@ constexpr LocalFace pyramidFaces[] = {
 
 CellShape shapeOf(unsigned char cellType)
 {
-  switch (cellType) {
-  case tetrahedronCell:
-    return {4, tetrahedronFaces};
-  case voxelCell:
-    return {8, voxelFaces};
-  case hexahedronCell:
-    return {8, hexahedronFaces};
-  case wedgeCell:
-    return {6, wedgeFaces};
-  case pyramidCell:
-    return {5, pyramidFaces};
-  default:
-    return {};
+  switch (cellType)
+  {
+    case tetrahedronCell:
+      return {4, tetrahedronFaces};
+    case voxelCell:
+      return {8, voxelFaces};
+    case hexahedronCell:
+      return {8, hexahedronFaces};
+    case wedgeCell:
+      return {6, wedgeFaces};
+    case pyramidCell:
+      return {5, pyramidFaces};
+    default:
+      return {};
   }
 }
 

@@ -26,9 +26,12 @@ struct Key
 std::array<Index, 4> smallestPoints(std::span<const Index> face)
 {
   std::array<Index, 4> smallest{noIndex, noIndex, noIndex, noIndex};
-  for (Index point : face) {
-    for (Index& held : smallest) {
-      if (point < held) {
+  for (Index point : face)
+  {
+    for (Index& held : smallest)
+    {
+      if (point < held)
+      {
         std::swap(point, held);
       }
     }
@@ -45,13 +48,17 @@ public:
   void keepApart(std::span<const BoundaryFaceKey> boundaryFaces)
   {
     std::vector<Index> points;
-    for (const BoundaryFaceKey& key : boundaryFaces) {
-      if (key.cell + std::size_t{1} >= halves.cellOffsets.size()) {
+    for (const BoundaryFaceKey& key : boundaryFaces)
+    {
+      if (key.cell + std::size_t{1} >= halves.cellOffsets.size())
+      {
         continue;
       }
       points.assign(key.points.begin(), key.points.end());
-      for (Index h = halves.cellOffsets[key.cell]; h < halves.cellOffsets[key.cell + 1]; ++h) {
-        if (samePoints(halves.face(h), points)) {
+      for (Index h = halves.cellOffsets[key.cell]; h < halves.cellOffsets[key.cell + 1]; ++h)
+      {
+        if (samePoints(halves.face(h), points))
+        {
           mates[h] = keptApart;
         }
       }
@@ -61,7 +68,8 @@ public:
   std::vector<Index> run(std::size_t pointCount)
   {
     sortIntoBuckets(pointCount);
-    for (std::size_t b = 0; b + 1 < bucketOffsets.size(); ++b) {
+    for (std::size_t b = 0; b + 1 < bucketOffsets.size(); ++b)
+    {
       matchBucket({keys.data() + bucketOffsets[b], keys.data() + bucketOffsets[b + 1]});
     }
     return std::move(mates);
@@ -74,18 +82,22 @@ private:
   {
     std::vector<Index> smallest(halves.count());
     bucketOffsets.assign(pointCount + 1, 0);
-    for (std::size_t h = 0; h < halves.count(); ++h) {
+    for (std::size_t h = 0; h < halves.count(); ++h)
+    {
       const auto face = halves.face(h);
       smallest[h] = *std::min_element(face.begin(), face.end());
       bucketOffsets[smallest[h] + 1] += mates[h] == keptApart ? 0 : 1;
     }
-    for (std::size_t b = 0; b < pointCount; ++b) {
+    for (std::size_t b = 0; b < pointCount; ++b)
+    {
       bucketOffsets[b + 1] += bucketOffsets[b];
     }
     keys.resize(bucketOffsets.back());
     std::vector<Index> next(bucketOffsets.begin(), bucketOffsets.end() - 1);
-    for (std::size_t h = 0; h < halves.count(); ++h) {
-      if (mates[h] != keptApart) {
+    for (std::size_t h = 0; h < halves.count(); ++h)
+    {
+      if (mates[h] != keptApart)
+      {
         const std::array<Index, 4> points = smallestPoints(halves.face(h));
         keys[next[smallest[h]]++] = {{points[1], points[2], points[3]}, static_cast<Index>(h)};
       }
@@ -104,7 +116,8 @@ private:
   {
     const std::size_t sizeA = halves.face(a).size();
     const std::size_t sizeB = halves.face(b).size();
-    if (sizeA != sizeB) {
+    if (sizeA != sizeB)
+    {
       return sizeA < sizeB;
     }
     return sizeA > 4 && sortedPoints(a) < sortedPoints(b);
@@ -118,15 +131,18 @@ private:
   void matchBucket(std::span<Key> bucket)
   {
     std::sort(bucket.begin(), bucket.end(), [this](const Key& a, const Key& b) {
-      if (a.points != b.points) {
+      if (a.points != b.points)
+      {
         return a.points < b.points;
       }
       const bool less = largerFacesLess(a.halfFace, b.halfFace);
       return less || (a.halfFace < b.halfFace && !largerFacesLess(b.halfFace, a.halfFace));
     });
-    for (std::size_t i = 0; i < bucket.size();) {
+    for (std::size_t i = 0; i < bucket.size();)
+    {
       std::size_t end = i + 1;
-      while (end < bucket.size() && sameFace(bucket[i], bucket[end])) {
+      while (end < bucket.size() && sameFace(bucket[i], bucket[end]))
+      {
         ++end;
       }
       join(bucket.subspan(i, end - i));
@@ -136,12 +152,14 @@ private:
 
   void join(std::span<const Key> sides)
   {
-    if (sides.size() == 1) {
+    if (sides.size() == 1)
+    {
       return;
     }
     const Index a = sides[0].halfFace;
     const Index b = sides[1].halfFace;
-    if (sides.size() > 2 || halves.cell[a] == halves.cell[b]) {
+    if (sides.size() > 2 || halves.cell[a] == halves.cell[b])
+    {
       fail(sides);
     }
     mates[a] = b;
@@ -151,11 +169,13 @@ private:
   [[noreturn]] void fail(std::span<const Key> sides) const
   {
     std::string text = "the mesh is not a manifold: the face of points";
-    for (const Index point : halves.face(sides[0].halfFace)) {
+    for (const Index point : halves.face(sides[0].halfFace))
+    {
       text += ' ' + std::to_string(point);
     }
     text += sides.size() > 2 ? " is shared by the cells" : " is there twice in the cells";
-    for (const Key& side : sides) {
+    for (const Key& side : sides)
+    {
       text += ' ' + std::to_string(halves.cell[side.halfFace]);
     }
     throw Error(text);
@@ -179,11 +199,14 @@ public:
   void run(FaceMesh& mesh)
   {
     reserve(mesh);
-    for (std::size_t cell = 0; cell < mesh.cellCount; ++cell) {
+    for (std::size_t cell = 0; cell < mesh.cellCount; ++cell)
+    {
       addInternalFaces(mesh, static_cast<Index>(cell));
     }
-    for (std::size_t h = 0; h < halves.count(); ++h) {
-      if (mates[h] >= keptApart) {
+    for (std::size_t h = 0; h < halves.count(); ++h)
+    {
+      if (mates[h] >= keptApart)
+      {
         add(mesh, static_cast<Index>(h));
       }
     }
@@ -197,9 +220,11 @@ private:
     std::size_t internal = 0;
     std::size_t faces = 0;
     std::size_t corners = 0;
-    for (std::size_t h = 0; h < halves.count(); ++h) {
+    for (std::size_t h = 0; h < halves.count(); ++h)
+    {
       const bool isInternal = ownsInternal(static_cast<Index>(h));
-      if (isInternal || mates[h] >= keptApart) {
+      if (isInternal || mates[h] >= keptApart)
+      {
         ++faces;
         internal += isInternal ? 1 : 0;
         corners += halves.face(h).size();
@@ -222,13 +247,16 @@ private:
   void addInternalFaces(FaceMesh& mesh, Index cell)
   {
     owned.clear();
-    for (Index h = halves.cellOffsets[cell]; h < halves.cellOffsets[cell + 1]; ++h) {
-      if (ownsInternal(h)) {
+    for (Index h = halves.cellOffsets[cell]; h < halves.cellOffsets[cell + 1]; ++h)
+    {
+      if (ownsInternal(h))
+      {
         owned.push_back({halves.cell[mates[h]], h});
       }
     }
     std::sort(owned.begin(), owned.end());
-    for (const auto& [neighbour, h] : owned) {
+    for (const auto& [neighbour, h] : owned)
+    {
       add(mesh, h);
       mesh.neighbour.push_back(neighbour);
     }
@@ -260,12 +288,15 @@ std::vector<Index> findBoundaryFaces(const FaceMesh& mesh, std::span<const Bound
   std::vector<Index> found(keys.size(), noIndex);
   std::vector<Index> points;
   const auto first = mesh.owner.begin() + static_cast<std::ptrdiff_t>(mesh.internalFaceCount());
-  for (std::size_t k = 0; k < keys.size(); ++k) {
+  for (std::size_t k = 0; k < keys.size(); ++k)
+  {
     points.assign(keys[k].points.begin(), keys[k].points.end());
     const auto range = std::equal_range(first, mesh.owner.end(), keys[k].cell);
-    for (auto it = range.first; it != range.second && found[k] == noIndex; ++it) {
+    for (auto it = range.first; it != range.second && found[k] == noIndex; ++it)
+    {
       const auto face = static_cast<std::size_t>(it - mesh.owner.begin());
-      if (samePoints(mesh.face(face), points)) {
+      if (samePoints(mesh.face(face), points))
+      {
         found[k] = static_cast<Index>(face);
       }
     }

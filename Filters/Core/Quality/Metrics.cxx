@@ -36,7 +36,8 @@ public:
   {
     const std::size_t cells = mesh.cellCount;
     for (auto* metric : {&out.cellSquish, &out.faceSquish, &out.aspectRatio, &out.inverseAspectRatio,
-                         &out.orthogonalQuality, &out.nonOrthogonality, &out.skewness, &out.facePyramids}) {
+                         &out.orthogonalQuality, &out.nonOrthogonality, &out.skewness, &out.facePyramids})
+    {
       metric->resize(cells);
     }
     out.valid.resize(cells);
@@ -54,7 +55,8 @@ public:
     const Vec3 normal = area / (area.norm() + tiny);
     const Vec3 d = internal ? Vec3(geometry.cellCentroids[mesh.neighbour[f]] - centre)
                             : Vec3(normal.dot(toFace) * normal);
-    if (internal) {
+    if (internal)
+    {
       const double c = cosine(area, d);
       out.squishOfFaces[f] = 1.0 - c;
       out.nonOrthogonalityOfFaces[f] = degrees(c);
@@ -77,18 +79,21 @@ public:
       nearest = std::min(nearest, distance);
       farthest = std::max(farthest, distance);
     };
-    for (const Index f : cellFaces.of(cell)) {
+    for (const Index f : cellFaces.of(cell))
+    {
       const Vec3 area = mesh.owner[f] == cell ? geometry.faceAreas[f] : Vec3(-geometry.faceAreas[f]);
       const Vec3 r = geometry.faceCentroids[f] - centre;
       worstCosine = std::min(worstCosine, cosine(area, r));
       leastPyramid = std::min(leastPyramid, area.dot(r) / 3.0);
       worstSkewness = std::max(worstSkewness, out.skewnessOfFaces[f]);
-      if (f < mesh.internalFaceCount()) {
+      if (f < mesh.internalFaceCount())
+      {
         worstSquish = std::max(worstSquish, out.squishOfFaces[f]);
         worstAngle = std::max(worstAngle, out.nonOrthogonalityOfFaces[f]);
       }
       measureDistance(geometry.faceCentroids[f]);
-      for (const Index point : mesh.face(f)) {
+      for (const Index point : mesh.face(f))
+      {
         measureDistance(mesh.points[point]);
       }
     }
@@ -111,7 +116,8 @@ private:
     const double distance = offset.norm();
     const Vec3 direction = offset / (distance + tiny);
     double extent = share * d.norm() + tiny;
-    for (const Index point : mesh.face(f)) {
+    for (const Index point : mesh.face(f))
+    {
       extent = std::max(extent, std::abs(direction.dot(mesh.points[point] - geometry.faceCentroids[f])));
     }
     return distance / extent;
@@ -121,7 +127,8 @@ private:
   {
     Vec3 sum = Vec3::Zero();
     Vec3 absolute = Vec3::Zero();
-    for (const Index f : cellFaces.of(cell)) {
+    for (const Index f : cellFaces.of(cell))
+    {
       sum += mesh.owner[f] == cell ? geometry.faceAreas[f] : Vec3(-geometry.faceAreas[f]);
       absolute += geometry.faceAreas[f].cwiseAbs();
     }
@@ -145,14 +152,16 @@ QualityMetrics computeQuality(const FaceMesh& mesh, const CellArrays& cells, con
   context.progress.report(0.4, "Judging faces");
   context.executor.forRanges(mesh.faceCount(), grain, [&](std::size_t begin, std::size_t end) {
     context.progress.check();
-    for (std::size_t f = begin; f < end; ++f) {
+    for (std::size_t f = begin; f < end; ++f)
+    {
       measurement.measureFace(f);
     }
   });
   context.progress.report(0.6, "Judging cells");
   context.executor.forRanges(mesh.cellCount, grain, [&](std::size_t begin, std::size_t end) {
     context.progress.check();
-    for (std::size_t c = begin; c < end; ++c) {
+    for (std::size_t c = begin; c < end; ++c)
+    {
       measurement.measureCell(c);
     }
   });

@@ -38,7 +38,8 @@ double ofHexahedron(const Corners& p)
   const Vec3 y = (p[2] + p[3] + p[6] + p[7]) - (p[0] + p[1] + p[4] + p[5]);
   const Vec3 z = (p[4] + p[5] + p[6] + p[7]) - (p[0] + p[1] + p[2] + p[3]);
   double least = normalisedDeterminant(x, y, z);
-  for (const auto& [corner, a, b, c] : stars) {
+  for (const auto& [corner, a, b, c] : stars)
+  {
     least = std::min(least, normalisedDeterminant(p[a] - p[corner], p[b] - p[corner], p[c] - p[corner]));
   }
   return least;
@@ -53,7 +54,8 @@ double ofTetrahedron(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
   const double bd = (d - b).norm();
   const double cd = (d - c).norm();
   const double greatest = std::max({ab * ac * ad, ab * bc * bd, bc * ac * cd, ad * bd * cd});
-  if (greatest <= std::numeric_limits<double>::min()) {
+  if (greatest <= std::numeric_limits<double>::min())
+  {
     return 0.0;
   }
   return std::sqrt(2.0) * (b - a).cross(c - a).dot(d - a) / greatest;
@@ -66,7 +68,8 @@ double ofWedge(const Corners& p)
   static constexpr std::array<std::array<int, 4>, 6> stars{
       {{0, 3, 2, 1}, {1, 4, 0, 2}, {2, 5, 1, 0}, {3, 0, 4, 5}, {4, 1, 5, 3}, {5, 2, 3, 4}}};
   double least = std::numeric_limits<double>::infinity();
-  for (const auto& [corner, a, b, c] : stars) {
+  for (const auto& [corner, a, b, c] : stars)
+  {
     least = std::min(least, normalisedDeterminant(p[a] - p[corner], p[b] - p[corner], p[c] - p[corner]));
   }
   return least * 2.0 / std::sqrt(3.0);
@@ -77,7 +80,8 @@ double ofPyramid(const Corners& p)
   const double least =
       std::min({ofTetrahedron(p[0], p[1], p[2], p[4]), ofTetrahedron(p[0], p[2], p[3], p[4]),
                 ofTetrahedron(p[0], p[1], p[3], p[4]), ofTetrahedron(p[1], p[2], p[3], p[4])});
-  if (least <= 0.0) {
+  if (least <= 0.0)
+  {
     return 0.0;
   }
   const double scaled = std::sqrt(2.0) * least;
@@ -87,24 +91,26 @@ double ofPyramid(const Corners& p)
 double ofCell(unsigned char type, std::span<const Vec3> points, std::span<const std::int64_t> ids)
 {
   Corners p;
-  for (std::size_t i = 0; i < std::min(ids.size(), p.size()); ++i) {
+  for (std::size_t i = 0; i < std::min(ids.size(), p.size()); ++i)
+  {
     p[i] = points[static_cast<std::size_t>(ids[i])];
   }
-  switch (type) {
-  case tetrahedronCell:
-    return ofTetrahedron(p[0], p[1], p[2], p[3]);
-  case voxelCell:
-    std::swap(p[2], p[3]);
-    std::swap(p[6], p[7]);
-    return ofHexahedron(p);
-  case hexahedronCell:
-    return ofHexahedron(p);
-  case wedgeCell:
-    return ofWedge(p);
-  case pyramidCell:
-    return ofPyramid(p);
-  default:
-    return std::numeric_limits<double>::quiet_NaN();
+  switch (type)
+  {
+    case tetrahedronCell:
+      return ofTetrahedron(p[0], p[1], p[2], p[3]);
+    case voxelCell:
+      std::swap(p[2], p[3]);
+      std::swap(p[6], p[7]);
+      return ofHexahedron(p);
+    case hexahedronCell:
+      return ofHexahedron(p);
+    case wedgeCell:
+      return ofWedge(p);
+    case pyramidCell:
+      return ofPyramid(p);
+    default:
+      return std::numeric_limits<double>::quiet_NaN();
   }
 }
 
@@ -116,7 +122,8 @@ std::vector<double> scaledJacobians(std::span<const Vec3> points, const CellArra
   std::vector<double> out(cells.types.size());
   context.executor.forRanges(out.size(), 4096, [&](std::size_t begin, std::size_t end) {
     context.progress.check();
-    for (std::size_t c = begin; c < end; ++c) {
+    for (std::size_t c = begin; c < end; ++c)
+    {
       const auto first = static_cast<std::size_t>(cells.offsets[c]);
       const auto size = static_cast<std::size_t>(cells.offsets[c + 1]) - first;
       out[c] = ofCell(cells.types[c], points, cells.connectivity.subspan(first, size));
