@@ -5,10 +5,12 @@
 #include "Support/SampleGrid.h"
 #include "Support/TestPaths.h"
 #include "Support/VtkErrorGuard.h"
+#include "VtkFaceMesh.h"
 #include "vtkAtriaOpenFOAMWriter.h"
 
 #include <vtkCellData.h>
 #include <vtkIdTypeArray.h>
+#include <vtkInformation.h>
 #include <vtkIntArray.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
@@ -35,6 +37,8 @@ using atria::FaceMesh;
 using atria::Vec3;
 using atria::testing::CheckMeshReport;
 using atria::testing::SampleMesh;
+using atria::testing::toGrid;
+using atria::testing::toPatches;
 using ::testing::HasSubstr;
 
 constexpr std::array<int, 3> size{5, 4, 4};
@@ -127,7 +131,8 @@ TEST_F(OpenFOAMWriter, CheckMeshFindsAMixedMeshSoundAndAgreesOnItsQuality)
     EXPECT_EQ(report.counts.at("faces"), static_cast<long>(mesh.faceCount()));
     EXPECT_EQ(report.counts.at("internal faces"), static_cast<long>(mesh.internalFaceCount()));
     EXPECT_EQ(report.counts.at("boundary patches"), 6);
-    EXPECT_EQ(report.failedChecks, 0) << report.log;
+    // Random cells next to coplanar triangles are not all convex, and a corner's pyramid has but one neighbour.
+    EXPECT_THAT(report.failures, ::testing::Each(::testing::AnyOf(HasSubstr("Concave"), HasSubstr("determinant"))));
     for (const char* type : {"hexahedra", "prisms", "pyramids", "tetrahedra", "polyhedra"})
     {
       EXPECT_GT(report.cellsByType.at(type), 0) << type;
@@ -156,6 +161,27 @@ TEST_F(OpenFOAMWriter, SidesOfASheetAreTwoWallsOfOneGroup)
       EXPECT_EQ(report.counts.at("boundary patches"), 8);
       EXPECT_EQ(report.counts.at("internal faces"), static_cast<long>(mesh.internalFaceCount()) - 4);
     }
+  }
+}
+
+TEST_F(OpenFOAMWriter, CubesAreAFlawlessMeshToCheckMeshAndFoamToVTKReadsThem)
+{
+  if (!atria::testing::haveCheckMesh())
+  {
+    GTEST_SKIP() << "checkMesh is not installed";
+  }
+  const SampleMesh sample = atria::testing::hexahedra(size);
+  const auto patches = toPatches(facesOf(sample), atria::testing::sidesOfBox(size));
+  for (const bool binary : {false, true})
+  {
+    const fs::path target = folder(binary ? "binary" : "ascii");
+    ASSERT_EQ(write(toGrid(sample), patches, binary, target), 1);
+    const CheckMeshReport report = atria::testing::runCheckMesh(target);
+    EXPECT_TRUE(report.completed && report.failedChecks == 0) << report.log;
+    EXPECT_EQ(report.maxNonOrthogonality, 0.0);
+    std::string log;
+    EXPECT_TRUE(atria::testing::runOpenFOAM("foamToVTK", target, log)) << log;
+    EXPECT_TRUE(fs::exists(target / "VTK")) << log;
   }
 }
 
@@ -213,6 +239,23 @@ std::map<std::string, vtkDataSet*> blocksOf(vtkMultiBlockDataSet* data)
   return blocks;
 }
 
+/// VTK's reader keeps the order of cells, but may begin a cell at another corner.
+void expectSameCells(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b)
+{
+  const atria::VtkFaceMesh meshes[]{atria::faceMeshFromVtk(a, nullptr), atria::faceMeshFromVtk(b, nullptr)};
+  atria::SilentMonitor silent;
+  const atria::SerialExecutor executor;
+  const atria::RunContext context{executor, atria::ProgressRange(silent)};
+  const atria::QualityMetrics qa = computeQuality(meshes[0].mesh, meshes[0].cells.view(), context);
+  const atria::QualityMetrics qb = computeQuality(meshes[1].mesh, meshes[1].cells.view(), context);
+  EXPECT_EQ(qa.invalidCells, 0u);
+  ASSERT_EQ(qa.volume.size(), qb.volume.size());
+  for (std::size_t c = 0; c < qa.volume.size(); ++c)
+  {
+    EXPECT_NEAR(qa.volume[c], qb.volume[c], 1e-6) << "cell " << c; // the reader keeps points in single precision
+  }
+}
+
 TEST_F(OpenFOAMWriter, VtkReadsTheSameMeshBack)
 {
   const SampleMesh sample = atria::testing::mixedCells(size, 8, 0.1);
@@ -244,10 +287,7 @@ TEST_F(OpenFOAMWriter, VtkReadsTheSameMeshBack)
       EXPECT_EQ(readBack->GetCell(c)->GetNumberOfPoints(), grid->GetCell(c)->GetNumberOfPoints());
       EXPECT_EQ(readBack->GetCell(c)->GetNumberOfFaces(), grid->GetCell(c)->GetNumberOfFaces());
     }
-    for (int axis = 0; axis < 6; ++axis)
-    {
-      EXPECT_DOUBLE_EQ(readBack->GetBounds()[axis], grid->GetBounds()[axis]);
-    }
+    expectSameCells(readBack, grid);
   }
 }
 

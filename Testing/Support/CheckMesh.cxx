@@ -12,24 +12,6 @@ namespace atria::testing {
 
 namespace {
 
-/// What a shell command writes to its two outputs.
-std::string outputOf(const std::string& command)
-{
-  std::string text;
-  std::FILE* pipe = popen(command.c_str(), "r");
-  if (!pipe)
-  {
-    return text;
-  }
-  char buffer[4096];
-  for (std::size_t n = 0; (n = std::fread(buffer, 1, sizeof buffer, pipe)) > 0;)
-  {
-    text.append(buffer, n);
-  }
-  pclose(pipe);
-  return text;
-}
-
 /// The number after the first occurrence of a text.
 double numberAfter(const std::string& log, const std::string& text)
 {
@@ -57,21 +39,53 @@ std::map<std::string, long> table(const std::string& log, std::string_view title
   return rows;
 }
 
+/// Lines that begin with checkMesh's mark of a failed check.
+std::vector<std::string> failuresIn(const std::string& log)
+{
+  std::vector<std::string> failures;
+  std::istringstream lines(log);
+  for (std::string line; std::getline(lines, line);)
+  {
+    if (line.starts_with(" ***"))
+    {
+      failures.push_back(line);
+    }
+  }
+  return failures;
+}
+
 } // namespace
 
 bool haveCheckMesh() { return std::system("command -v checkMesh > /dev/null 2>&1") == 0; }
 
+bool runOpenFOAM(const std::string& utility, const std::filesystem::path& caseFolder, std::string& log)
+{
+  // Debian's packages are called without OpenFOAM's environment; this alone they need.
+  const std::string command = "WM_PROJECT_DIR=${WM_PROJECT_DIR:-/usr/share/openfoam} " + utility + " -case '" +
+    caseFolder.string() + "' 2>&1";
+  std::FILE* pipe = popen(command.c_str(), "r");
+  if (!pipe)
+  {
+    return false;
+  }
+  char buffer[4096];
+  for (std::size_t n = 0; (n = std::fread(buffer, 1, sizeof buffer, pipe)) > 0;)
+  {
+    log.append(buffer, n);
+  }
+  return pclose(pipe) == 0;
+}
+
 CheckMeshReport runCheckMesh(const std::filesystem::path& caseFolder)
 {
   CheckMeshReport report;
-  // Debian's packages are called without OpenFOAM's environment; this alone they need.
-  report.log = outputOf("WM_PROJECT_DIR=${WM_PROJECT_DIR:-/usr/share/openfoam} checkMesh -allGeometry -allTopology -case '" +
-    caseFolder.string() + "' 2>&1");
+  runOpenFOAM("checkMesh -allGeometry -allTopology", caseFolder, report.log);
   const std::string& log = report.log;
   const bool ok = log.find("\nMesh OK.") != std::string::npos;
   const double failed = numberAfter(log, "\nFailed ");
   report.completed = ok || failed > 0;
   report.failedChecks = ok || !(failed > 0) ? 0 : static_cast<int>(failed);
+  report.failures = failuresIn(log);
   report.counts = table(log, "Mesh stats");
   report.cellsByType = table(log, "Overall number of cells of each type");
   report.maxNonOrthogonality = numberAfter(log, "Mesh non-orthogonality Max: ");
