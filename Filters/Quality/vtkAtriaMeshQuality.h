@@ -13,12 +13,10 @@
  * from the cell's centroid to the face's, d from the cell's centroid to its neighbour's:
  * - `CellSquish`: max 1 - A.r/(|A||r|); 0 is ideal, below 0.99 usable
  * - `FaceSquish`: max 1 - A.d/(|A||d|) over internal faces; 0 is ideal
- * - `AspectRatio`: max/min of the distances from the centroid to face centroids and points; a cube has 1.732
- * (Fluent)
+ * - `AspectRatio`: max/min distance from the centroid to face centroids and points; a cube has 1.732 (Fluent)
  * - `InverseAspectRatio`: its reciprocal; a cube has 0.577
  * - `OrthogonalQuality`: min of the cosines of A to r and of A to d; 1 is ideal (Fluent)
- * - `NonOrthogonality`: max angle in degrees between A and d over internal faces; 0 is ideal, up to 65 usual
- * (OpenFOAM)
+ * - `NonOrthogonality`: max angle in degrees between A and d over internal faces; 0 is ideal, 65 usual
  * - `Skewness`: max over faces, as OpenFOAM's checkMesh; 0 is ideal, up to 4 accepted
  * - `Volume`: cubic model units
  * - `FacePyramids`: volume of the smallest pyramid from a face to the centroid, cubic model units
