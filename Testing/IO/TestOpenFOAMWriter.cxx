@@ -147,6 +147,49 @@ TEST_F(OpenFOAMWriter, CheckMeshFindsAMixedMeshSoundAndAgreesOnItsQuality)
   }
 }
 
+TEST_F(OpenFOAMWriter, CheckMeshAgreesOnTheQualityOfDistortedMeshes)
+{
+  if (!atria::testing::haveCheckMesh())
+  {
+    GTEST_SKIP() << "checkMesh is not installed";
+  }
+  for (unsigned seed = 1; seed <= 5; ++seed)
+  {
+    const SampleMesh sample = atria::testing::mixedCells(size, seed, 0.3);
+    const fs::path target = folder(("case" + std::to_string(seed)).c_str());
+    ASSERT_EQ(write(toGrid(sample), nullptr, seed % 2 == 0, target), 1);
+    const CheckMeshReport report = atria::testing::runCheckMesh(target);
+    ASSERT_TRUE(report.completed) << report.log;
+    const atria::QualityMetrics ours = qualityOf(sample, facesOf(sample));
+    EXPECT_EQ(ours.invalidCells, 0u);
+    expectSameQuality(ours, report);
+  }
+}
+
+TEST_F(OpenFOAMWriter, CheckMeshAgreesOnWhichMeshesAreInvalid)
+{
+  if (!atria::testing::haveCheckMesh())
+  {
+    GTEST_SKIP() << "checkMesh is not installed";
+  }
+  int invalidMeshes = 0;
+  for (unsigned seed = 1; seed <= 8; ++seed)
+  {
+    const SampleMesh sample = atria::testing::mixedCells({3, 3, 3}, seed, 0.75);
+    const fs::path target = folder(("case" + std::to_string(seed)).c_str());
+    ASSERT_EQ(write(toGrid(sample), nullptr, false, target), 1);
+    const CheckMeshReport report = atria::testing::runCheckMesh(target);
+    ASSERT_TRUE(report.completed) << report.log;
+    const auto invalid = ::testing::AnyOf(HasSubstr("face pyramids"), HasSubstr("negative cell volume"));
+    const bool theirs = std::any_of(report.failures.begin(), report.failures.end(),
+                                    [&](const std::string& line) { return ::testing::Value(line, invalid); });
+    EXPECT_EQ(qualityOf(sample, facesOf(sample)).invalidCells > 0, theirs) << report.log;
+    invalidMeshes += theirs ? 1 : 0;
+  }
+  EXPECT_GT(invalidMeshes, 0);
+  EXPECT_LT(invalidMeshes, 8);
+}
+
 TEST_F(OpenFOAMWriter, SidesOfASheetAreTwoWallsOfOneGroup)
 {
   const SampleMesh sample = atria::testing::hexahedra(size);

@@ -15,8 +15,8 @@ namespace atria {
 /// - wedge: least normalised determinant at the 6 corners, times 2/√3
 /// - pyramid: least of the four tetrahedra of three base corners and the apex, times √2; 0 when inverted
 /// - polyhedron: not a number
-/// Where Verdict returns its largest number, for cells with an edge of no length, this is 0. Wedges are read in
-/// VTK's order, base outward, so a good one is positive; vtkMeshQuality 9.2 gives those the other sign.
+/// Where Verdict returns its largest number, for cells with an edge of no length, this is 0. Wedges are read
+/// in VTK's order, base outward, so a good one is positive; vtkMeshQuality 9.2 gives those the other sign.
 std::vector<double> scaledJacobians(std::span<const Vec3> points, const CellArrays& cells,
                                     const RunContext& context);
 
