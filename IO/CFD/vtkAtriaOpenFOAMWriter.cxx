@@ -1,8 +1,116 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkAtriaOpenFOAMWriter.h"
 
+#include "AlgorithmProgress.h"
+#include "OpenFOAMCase.h"
+#include "VtkFaceMesh.h"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkErrorCode.h>
+#include <vtkInformation.h>
 #include <vtkObjectFactory.h>
+#include <vtkPartitionedDataSetCollection.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <exception>
 
 vtkStandardNewMacro(vtkAtriaOpenFOAMWriter);
 
-vtkAtriaOpenFOAMWriter::vtkAtriaOpenFOAMWriter() = default;
+namespace {
+
+std::vector<std::int64_t> zoneIdsOf(vtkUnstructuredGrid* volume)
+{
+  vtkDataArray* array = volume->GetCellData()->GetArray("ZoneId");
+  std::vector<std::int64_t> ids(array ? static_cast<std::size_t>(array->GetNumberOfTuples()) : 0);
+  for (std::size_t cell = 0; cell < ids.size(); ++cell)
+  {
+    ids[cell] = static_cast<std::int64_t>(array->GetComponent(static_cast<vtkIdType>(cell), 0));
+  }
+  return ids;
+}
+
+std::vector<atria::BoundaryPatch> patchesOf(const atria::VtkFaceMesh& source)
+{
+  std::vector<atria::BoundaryPatch> patches;
+  for (const atria::VtkPatches::Patch& patch : source.patches.patches)
+  {
+    const auto first = source.patchFaces.begin() + static_cast<std::ptrdiff_t>(patch.firstFace);
+    patches.push_back({patch.name, {first, first + static_cast<std::ptrdiff_t>(patch.faceCount)}});
+  }
+  return patches;
+}
+
+} // namespace
+
+vtkAtriaOpenFOAMWriter::vtkAtriaOpenFOAMWriter() { this->SetNumberOfInputPorts(2); }
+
+vtkAtriaOpenFOAMWriter::~vtkAtriaOpenFOAMWriter() { this->SetCaseDirectory(nullptr); }
+
+void vtkAtriaOpenFOAMWriter::SetPatchesConnection(vtkAlgorithmOutput* patches)
+{
+  this->SetInputConnection(1, patches);
+}
+
+void vtkAtriaOpenFOAMWriter::SetPatchesData(vtkPartitionedDataSetCollection* patches)
+{
+  this->SetInputDataInternal(1, patches);
+}
+
+int vtkAtriaOpenFOAMWriter::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 0)
+  {
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+    return 1;
+  }
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPartitionedDataSetCollection");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+void vtkAtriaOpenFOAMWriter::WriteData()
+{
+  auto* volume = vtkUnstructuredGrid::SafeDownCast(this->GetInputDataObject(0, 0));
+  auto* patches = vtkPartitionedDataSetCollection::SafeDownCast(
+      this->GetNumberOfInputConnections(1) > 0 ? this->GetInputDataObject(1, 0) : nullptr);
+  if (!this->CaseDirectory || !*this->CaseDirectory)
+  {
+    vtkErrorMacro("No CaseDirectory was given.");
+    this->SetErrorCode(vtkErrorCode::NoFileNameError);
+    return;
+  }
+  try
+  {
+    this->WriteCase(volume, patches);
+  }
+  catch (const atria::Aborted&)
+  {
+    this->SetErrorCode(vtkErrorCode::UserError);
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro("Cannot write an OpenFOAM case to '" << this->CaseDirectory << "': " << error.what());
+    this->SetErrorCode(vtkErrorCode::UnknownError);
+  }
+}
+
+void vtkAtriaOpenFOAMWriter::WriteCase(vtkUnstructuredGrid* volume, vtkPartitionedDataSetCollection* patches)
+{
+  atria::AlgorithmProgress monitor(*this);
+  const atria::ProgressRange progress(monitor);
+  progress.report(0.0, "Finding faces");
+  const atria::VtkFaceMesh source = atria::faceMeshFromVtk(volume, patches);
+  progress.report(0.5, "Writing the mesh");
+  const auto format = this->WriteBinary ? atria::OpenFOAMFormat::Binary : atria::OpenFOAMFormat::Ascii;
+  atria::writePolyMesh(this->CaseDirectory, source.mesh, patchesOf(source), zoneIdsOf(volume), format);
+  atria::completeCase(this->CaseDirectory);
+  progress.report(1.0, "Case written");
+}
+
+void vtkAtriaOpenFOAMWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "CaseDirectory: " << (this->CaseDirectory ? this->CaseDirectory : "(none)") << "\n";
+  os << indent << "WriteBinary: " << (this->WriteBinary ? "on" : "off") << "\n";
+}

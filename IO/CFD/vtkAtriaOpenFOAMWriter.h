@@ -1,23 +1,88 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class   vtkAtriaOpenFOAMWriter
+ * @brief   writes a volume mesh and its patches as an OpenFOAM case
+ *
+ * Input port 0 takes the volume mesh (vtkUnstructuredGrid of tetrahedra, voxels, hexahedra, wedges, pyramids
+ * and polyhedra). Input port 1, optional, takes its boundary patches: a vtkPartitionedDataSetCollection of
+ * named vtkPolyData with the cell array `OwnerCellId` and the point array `VolumePointId`, such as
+ * vtkAtriaDualMesher's second output.
+ *
+ * Written are constant/polyMesh (points, faces, owner, neighbour, boundary; cellZones where the mesh has a
+ * cell array `ZoneId` of more than one value), the files in `system` without which OpenFOAM's utilities do
+ * not start, where these are missing, and an empty file `<case>.foam` to open in ParaView. Cells keep their
+ * order. Faces are in upper-triangular order, internal ones first, then patch by patch.
+ *
+ * Patches named after the domain's sides (xMin, xMax, yMin, yMax, zMin, zMax) become OpenFOAM patches of type
+ * `patch`, all others of type `wall`. Names are made valid and unique; a comment in `boundary` keeps what
+ * they were. The two sides of a sheet, `<name>_front` and `<name>_back`, share the group `<name>`, so one
+ * entry in a field's boundaryField serves both. Boundary faces in no patch go to `defaultFaces`, of type
+ * `patch`.
+ *
+ * An input without cells, a mesh that is not a manifold, a patch face that is not a face of its owner cell
+ * and a folder that cannot be written are errors: Write() returns 0.
+ *
+ * @sa vtkAtriaDualMesher vtkAtriaMeshQuality
+ */
 #ifndef vtkAtriaOpenFOAMWriter_h
 #define vtkAtriaOpenFOAMWriter_h
 
 #include "AtriaIOCFDModule.h"
-#include "vtkAlgorithm.h"
+#include "vtkWriter.h"
 
-class ATRIAIOCFD_EXPORT vtkAtriaOpenFOAMWriter : public vtkAlgorithm
+class vtkPartitionedDataSetCollection;
+class vtkUnstructuredGrid;
+
+class ATRIAIOCFD_EXPORT vtkAtriaOpenFOAMWriter : public vtkWriter
 {
 public:
   static vtkAtriaOpenFOAMWriter* New();
-  vtkTypeMacro(vtkAtriaOpenFOAMWriter, vtkAlgorithm);
+  vtkTypeMacro(vtkAtriaOpenFOAMWriter, vtkWriter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Folder of the case; made if missing. A mesh that is there already is replaced. No default.
+   */
+  vtkSetFilePathMacro(CaseDirectory);
+  vtkGetFilePathMacro(CaseDirectory);
+  ///@}
+
+  ///@{
+  /**
+   * Write lists in OpenFOAM's binary format (32-bit labels, 64-bit scalars) instead of text. Both read back
+   * to the same bits; binary is smaller and faster. Off by default.
+   */
+  vtkSetMacro(WriteBinary, bool);
+  vtkGetMacro(WriteBinary, bool);
+  vtkBooleanMacro(WriteBinary, bool);
+  ///@}
+
+  /**
+   * Connect the patches (input port 1).
+   */
+  void SetPatchesConnection(vtkAlgorithmOutput* patches);
+
+  /**
+   * Set the patches (input port 1) without a pipeline.
+   */
+  void SetPatchesData(vtkPartitionedDataSetCollection* patches);
 
 protected:
   vtkAtriaOpenFOAMWriter();
-  ~vtkAtriaOpenFOAMWriter() override = default;
+  ~vtkAtriaOpenFOAMWriter() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  void WriteData() override;
 
 private:
   vtkAtriaOpenFOAMWriter(const vtkAtriaOpenFOAMWriter&) = delete;
   void operator=(const vtkAtriaOpenFOAMWriter&) = delete;
+
+  void WriteCase(vtkUnstructuredGrid* volume, vtkPartitionedDataSetCollection* patches);
+
+  char* CaseDirectory = nullptr;
+  bool WriteBinary = false;
 };
 
 #endif

@@ -11,7 +11,8 @@
 namespace atria {
 
 /// Every face once, owner before neighbour, in the order OpenFOAM asks for: internal faces first, sorted by
-/// (owner, neighbour), then boundary faces sorted by owner. A face's normal (right-hand rule) points out of its owner.
+/// (owner, neighbour), then boundary faces sorted by owner. A face's normal (right-hand rule) points out of
+/// its owner.
 struct FaceMesh
 {
   std::vector<Vec3> points;
@@ -32,11 +33,12 @@ struct FaceMesh
 };
 
 /// Cells as VTK lays them out (vtkCellArray and vtkUnstructuredGrid's face stream), without VTK's types.
-/// Cell types are VTK's numbers; known are tetrahedron 10, voxel 11, hexahedron 12, wedge 13, pyramid 14, polyhedron 42.
+/// Cell types are VTK's numbers; known are tetrahedron 10, voxel 11, hexahedron 12, wedge 13, pyramid 14,
+/// polyhedron 42.
 struct CellArrays
 {
   std::span<const unsigned char> types;
-  std::span<const std::int64_t> offsets;      ///< types.size() + 1
+  std::span<const std::int64_t> offsets; ///< types.size() + 1
   std::span<const std::int64_t> connectivity;
   std::span<const std::int64_t> faceStream;    ///< nFaces, then per face nPoints and its points
   std::span<const std::int64_t> faceLocations; ///< per cell, where its stream starts; unused for other types
@@ -50,9 +52,14 @@ struct BoundaryFaceKey
   std::span<const std::int64_t> points;
 };
 
-/// Derives the faces of a mesh. Throws Error for an unknown cell type, and for a face that more than two
-/// cells share; names the cell. O(n log n) in the number of faces.
+/// Derives the faces of a mesh. Throws Error for an unknown cell type, for a point that does not exist, for a
+/// face that more than two cells share and for one that a cell has twice; names the cells. O(n log n) in the
+/// number of faces. A key that is no face of its cell has no effect here; findBoundaryFaces() finds such
+/// keys.
 FaceMesh makeFaceMesh(std::span<const Vec3> points, const CellArrays& cells,
-  std::span<const BoundaryFaceKey> boundaryFaces = {});
+                      std::span<const BoundaryFaceKey> boundaryFaces = {});
+
+/// Per key the boundary face of its cell that has its points, or noIndex.
+std::vector<Index> findBoundaryFaces(const FaceMesh& mesh, std::span<const BoundaryFaceKey> keys);
 
 } // namespace atria

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "VtkFaceMesh.h"
+
+#include "Support/Error.h"
+
+#include <vtkUnstructuredGrid.h>
+
+#include <string>
+
+namespace atria {
+
+namespace {
+
+const VtkPatches::Patch& patchOf(const VtkPatches& patches, std::size_t face)
+{
+  std::size_t p = 0;
+  while (face >= patches.patches[p].firstFace + patches.patches[p].faceCount)
+  {
+    ++p;
+  }
+  return patches.patches[p];
+}
+
+std::string describe(const VtkPatches& patches, std::size_t face)
+{
+  const VtkPatches::Patch& patch = patchOf(patches, face);
+  return "face " + std::to_string(face - patch.firstFace) + " of patch '" + patch.name + "'";
+}
+
+void checkPatchFaces(const VtkFaceMesh& result)
+{
+  std::vector<Index> taken(result.mesh.faceCount(), noIndex);
+  for (std::size_t f = 0; f < result.patchFaces.size(); ++f)
+  {
+    const Index face = result.patchFaces[f];
+    if (face == noIndex)
+    {
+      throw Error(describe(result.patches, f) + " is no face of its owner, cell " +
+                  std::to_string(result.patches.owners[f]));
+    }
+    if (taken[face] != noIndex)
+    {
+      throw Error(describe(result.patches, f) + " is already " + describe(result.patches, taken[face]));
+    }
+    taken[face] = static_cast<Index>(f);
+  }
+}
+
+} // namespace
+
+VtkFaceMesh faceMeshFromVtk(vtkUnstructuredGrid* volume, vtkPartitionedDataSetCollection* patches)
+{
+  if (!volume || volume->GetNumberOfCells() == 0)
+  {
+    throw Error("the volume mesh has no cells");
+  }
+  VtkFaceMesh result;
+  result.cells = cellsFromVtk(volume);
+  if (patches)
+  {
+    result.patches = patchesFromVtk(patches, volume);
+  }
+  const std::vector<BoundaryFaceKey> keys = result.patches.keys();
+  result.mesh = makeFaceMesh(pointsFromVtk(volume->GetPoints()), result.cells.view(), keys);
+  result.patchFaces = findBoundaryFaces(result.mesh, keys);
+  checkPatchFaces(result);
+  return result;
+}
+
+} // namespace atria

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The faces of a volume mesh and of its patches, from VTK.
+#pragma once
+
+#include "Quality/FaceMesh.h"
+#include "VtkArrays.h"
+
+#include <vector>
+
+namespace atria {
+
+/// A volume mesh by its faces, with the faces of its patches found in it.
+struct VtkFaceMesh
+{
+  FaceMesh mesh;
+  VtkCells cells;                ///< what `mesh` was made of
+  VtkPatches patches;            ///< empty without patches
+  std::vector<Index> patchFaces; ///< for each face of `patches` the face of `mesh`
+};
+
+/// `patches` may be null. Throws Error as makeFaceMesh() and patchesFromVtk() do, for a mesh without cells,
+/// for a patch face that is no face of its owner cell and for one that is in two patches; names the patches
+/// and the face.
+VtkFaceMesh faceMeshFromVtk(vtkUnstructuredGrid* volume, vtkPartitionedDataSetCollection* patches);
+
+} // namespace atria

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Quality/Geometry.h"
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+
+namespace atria {
+
+namespace {
+
+/// Below these a sum is taken for zero, as OpenFOAM does (its ROOTVSMALL and VSMALL).
+constexpr double tinyArea = 1e-150;
+constexpr double tinyVolume = 1e-300;
+constexpr std::size_t grain = 4096;
+
+void measureFace(const FaceMesh& mesh, std::size_t f, MeshGeometry& out)
+{
+  const auto face = mesh.face(f);
+  const std::size_t size = face.size();
+  const auto point = [&](std::size_t i) -> const Vec3& { return mesh.points[face[i]]; };
+  if (size == 3)
+  {
+    out.faceCentroids[f] = (1.0 / 3.0) * (point(0) + point(1) + point(2));
+    out.faceAreas[f] = 0.5 * (point(1) - point(0)).cross(point(2) - point(0));
+    return;
+  }
+  Vec3 mean = Vec3::Zero();
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    mean += point(i);
+  }
+  mean /= static_cast<double>(size);
+  Vec3 areaSum = Vec3::Zero();
+  Vec3 momentSum = Vec3::Zero();
+  double magnitudeSum = 0.0;
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    const Vec3& here = point(i);
+    const Vec3& next = point(i + 1 < size ? i + 1 : 0);
+    const Vec3 area = (next - here).cross(mean - here);
+    const double magnitude = area.norm();
+    areaSum += area;
+    magnitudeSum += magnitude;
+    momentSum += magnitude * (here + next + mean);
+  }
+  const bool flat = magnitudeSum < tinyArea;
+  out.faceCentroids[f] = flat ? mean : Vec3((1.0 / 3.0) * momentSum / magnitudeSum);
+  out.faceAreas[f] = flat ? Vec3(Vec3::Zero()) : Vec3(0.5 * areaSum);
+}
+
+void measureCell(const FaceMesh& mesh, std::span<const Index> faces, std::size_t cell, MeshGeometry& out)
+{
+  Vec3 estimate = Vec3::Zero();
+  for (const Index f : faces)
+  {
+    estimate += out.faceCentroids[f];
+  }
+  estimate /= std::max<double>(1.0, static_cast<double>(faces.size()));
+  Vec3 moment = Vec3::Zero();
+  double tripleVolume = 0.0;
+  for (const Index f : faces)
+  {
+    const double sign = mesh.owner[f] == cell ? 1.0 : -1.0;
+    const double pyramid = sign * out.faceAreas[f].dot(out.faceCentroids[f] - estimate);
+    moment += pyramid * (0.75 * out.faceCentroids[f] + 0.25 * estimate);
+    tripleVolume += pyramid;
+  }
+  out.cellCentroids[cell] = std::abs(tripleVolume) > tinyVolume ? Vec3(moment / tripleVolume) : estimate;
+  out.cellVolumes[cell] = tripleVolume / 3.0;
+}
+
+} // namespace
+
+CellFaces makeCellFaces(const FaceMesh& mesh)
+{
+  CellFaces out;
+  out.offsets.assign(mesh.cellCount + 1, 0);
+  for (const auto* cells : {&mesh.owner, &mesh.neighbour})
+  {
+    for (const Index cell : *cells)
+    {
+      ++out.offsets[cell + 1];
+    }
+  }
+  for (std::size_t c = 0; c < mesh.cellCount; ++c)
+  {
+    out.offsets[c + 1] += out.offsets[c];
+  }
+  out.faces.resize(out.offsets.back());
+  std::vector<Index> next(out.offsets.begin(), out.offsets.end() - 1);
+  for (const auto* cells : {&mesh.owner, &mesh.neighbour})
+  {
+    for (std::size_t f = 0; f < cells->size(); ++f)
+    {
+      out.faces[next[(*cells)[f]]++] = static_cast<Index>(f);
+    }
+  }
+  return out;
+}
+
+MeshGeometry computeGeometry(const FaceMesh& mesh, const CellFaces& cellFaces, const RunContext& context)
+{
+  MeshGeometry out;
+  out.faceAreas.resize(mesh.faceCount());
+  out.faceCentroids.resize(mesh.faceCount());
+  out.cellCentroids.resize(mesh.cellCount);
+  out.cellVolumes.resize(mesh.cellCount);
+  context.progress.report(0.0, "Measuring faces");
+  context.executor.forRanges(mesh.faceCount(), grain, [&](std::size_t begin, std::size_t end) {
+    context.progress.check();
+    for (std::size_t f = begin; f < end; ++f)
+    {
+      measureFace(mesh, f, out);
+    }
+  });
+  context.progress.report(0.5, "Measuring cells");
+  context.executor.forRanges(mesh.cellCount, grain, [&](std::size_t begin, std::size_t end) {
+    context.progress.check();
+    for (std::size_t c = begin; c < end; ++c)
+    {
+      measureCell(mesh, cellFaces.of(c), c, out);
+    }
+  });
+  return out;
+}
+
+} // namespace atria

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Areas, volumes and centroids of faces and cells, computed as OpenFOAM's primitiveMesh does.
+#pragma once
+
+#include "Quality/FaceMesh.h"
+#include "Support/RunContext.h"
+
+#include <vector>
+
+namespace atria {
+
+/// The faces of every cell: first those it owns, then those it is the neighbour of, each in rising order.
+struct CellFaces
+{
+  std::vector<Index> offsets{0};
+  std::vector<Index> faces;
+
+  std::span<const Index> of(std::size_t cell) const
+  {
+    return {faces.data() + offsets[cell], faces.data() + offsets[cell + 1]};
+  }
+};
+
+CellFaces makeCellFaces(const FaceMesh& mesh);
+
+/// Units: those of the points, squared for areas, cubed for volumes.
+struct MeshGeometry
+{
+  std::vector<Vec3> faceAreas; ///< area vectors, out of the owner
+  std::vector<Vec3> faceCentroids;
+  std::vector<Vec3> cellCentroids;
+  std::vector<double> cellVolumes; ///< negative where a cell is inside out
+};
+
+/// A face is cut into triangles about the mean of its points: its area vector is their sum, its centroid the
+/// mean of theirs weighted by area. A cell is cut into pyramids from the mean of its face centroids: its
+/// volume is their sum, its centroid the mean of theirs weighted by volume. Throws Aborted when asked to.
+MeshGeometry computeGeometry(const FaceMesh& mesh, const CellFaces& cellFaces, const RunContext& context);
+
+} // namespace atria

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Faces as each cell sees them: an internal face is two of these.
+#pragma once
+
+#include "Quality/FaceMesh.h"
+
+#include <span>
+#include <vector>
+
+namespace atria {
+
+/// The faces of every cell, cell by cell, each with its normal out of its cell.
+struct HalfFaces
+{
+  std::vector<Index> cellOffsets{0}; ///< cell c has the half-faces cellOffsets[c] .. cellOffsets[c + 1]
+  std::vector<Index> offsets{0}; ///< half-face h has the points points[offsets[h]] .. points[offsets[h + 1]]
+  std::vector<Index> points;
+  std::vector<Index> cell; ///< per half-face
+
+  std::size_t count() const { return cell.size(); }
+  std::span<const Index> face(std::size_t h) const
+  {
+    return {points.data() + offsets[h], points.data() + offsets[h + 1]};
+  }
+};
+
+/// Takes cells apart. A corner that repeats the one before it is left out of a face, and a face with fewer
+/// than three corners left is no face: so a hexahedron with coinciding corners is taken for what it is.
+/// Throws Error naming the cell for an unknown type and for points or faces that do not exist.
+HalfFaces takeApart(const CellArrays& cells, std::size_t pointCount);
+
+/// Whether two polygons have the same points, in whatever order.
+bool samePoints(std::span<const Index> a, std::span<const Index> b);
+
+} // namespace atria

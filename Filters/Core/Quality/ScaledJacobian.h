@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Quality/FaceMesh.h"
+#include "Support/RunContext.h"
+
+#include <vector>
+
+namespace atria {
+
+/// Verdict's scaled Jacobian of every cell (Knupp et al., The Verdict Geometric Quality Library, 2006; for
+/// wedges and pyramids the definitions of Verdict 1.4 and later). Dimensionless; 1 for the ideal cell; not
+/// above 0 for an inverted one.
+/// - hexahedron, voxel: the least of the normalised determinants at the 8 corners and of the principal axes;
+/// [-1, 1]
+/// - tetrahedron: the determinant over the greatest product of three edge lengths at a corner, times √2; [-1,
+/// 1]
+/// - wedge: the least normalised determinant at the 6 corners, times 2/√3
+/// - pyramid: the least of the four tetrahedra of three base corners and the apex, times √2; 0 when inverted
+/// - polyhedron: not a number
+/// Where Verdict returns its largest number, for cells with an edge of no length, this is 0.
+std::vector<double> scaledJacobians(std::span<const Vec3> points, const CellArrays& cells,
+                                    const RunContext& context);
+
+} // namespace atria

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace atria {
+
+/// Summary of a sample. Values that are not numbers are left out. An infinite value shows in minimum or
+/// maximum, but neither in count, mean and deviation nor in histograms.
+struct Statistics
+{
+  std::size_t count = 0; ///< finite values
+  double minimum;        ///< not a number when the sample is empty, as are all below
+  double maximum;
+  double mean;
+  double standardDeviation; ///< of the population: divided by count
+};
+
+Statistics summarise(std::span<const double> values);
+
+/// A histogram of equal bins from the smallest to the greatest finite value. A sample of one value has bins
+/// one wide in all.
+struct Histogram
+{
+  std::vector<double> centres;
+  std::vector<double> density;    ///< integrates to 1 (PDF)
+  std::vector<double> cumulative; ///< share of the values up to the bin's upper end; the last is 1 (CDF)
+  double binWidth = 0.0;
+};
+
+/// All zero for an empty sample. At least one bin is made.
+Histogram makeHistogram(std::span<const double> values, std::size_t bins);
+
+} // namespace atria

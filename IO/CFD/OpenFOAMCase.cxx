@@ -1,0 +1,422 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "OpenFOAMCase.h"
+
+#include "OpenFOAMNames.h"
+#include "Support/Error.h"
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+#include <map>
+
+namespace atria {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const char* const meshLocation = "constant/polyMesh";
+const char* const defaultPatchName = "defaultFaces";
+
+void makeFolder(const fs::path& folder)
+{
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+  {
+    throw Error("cannot make the folder '" + folder.string() + "': " + error.message());
+  }
+}
+
+/// An earlier mesh's zones or compressed files would be read along with, or instead of, the new ones.
+void removeEarlierMesh(const fs::path& folder)
+{
+  for (const char* name : {"points", "faces", "owner", "neighbour", "boundary", "cellZones", "faceZones",
+                           "pointZones", "cellLevel", "pointLevel", "level0Edge", "surfaceIndex"})
+  {
+    for (const char* extension : {"", ".gz"})
+    {
+      const fs::path file = folder / (std::string(name) + extension);
+      std::error_code error;
+      fs::remove(file, error);
+      if (error)
+      {
+        throw Error("cannot remove '" + file.string() + "': " + error.message());
+      }
+    }
+  }
+}
+
+/// The mesh's parts in the order in which they are written.
+struct Layout
+{
+  struct Patch
+  {
+    std::string word;
+    std::string original;
+    std::string group;
+    std::string type;
+    std::size_t start;
+    std::size_t count;
+  };
+  std::vector<Index> faces;
+  std::vector<Patch> patches;
+  std::vector<Index> points;   ///< ids of those that faces have, rising
+  std::vector<Index> newPoint; ///< old id to new
+};
+
+std::string typeOf(const std::string& name)
+{
+  return std::find(sideNames.begin(), sideNames.end(), name) != sideNames.end() ? "patch" : "wall";
+}
+
+void addPatch(Layout& layout, std::vector<Index> faces, Layout::Patch patch)
+{
+  std::sort(faces.begin(), faces.end());
+  patch.start = layout.faces.size();
+  patch.count = faces.size();
+  layout.faces.insert(layout.faces.end(), faces.begin(), faces.end());
+  layout.patches.push_back(std::move(patch));
+}
+
+/// The boundary faces that are in no patch.
+std::vector<Index> unclaimedFaces(const FaceMesh& mesh, std::span<const BoundaryPatch> patches)
+{
+  std::vector<bool> claimed(mesh.faceCount(), false);
+  for (const BoundaryPatch& patch : patches)
+  {
+    for (const Index face : patch.faces)
+    {
+      if (face < mesh.internalFaceCount() || face >= mesh.faceCount() || claimed[face])
+      {
+        throw Error("face " + std::to_string(face) + " of patch '" + patch.name +
+                    "' is not on the boundary or in another patch too");
+      }
+      claimed[face] = true;
+    }
+  }
+  std::vector<Index> rest;
+  for (std::size_t f = mesh.internalFaceCount(); f < mesh.faceCount(); ++f)
+  {
+    if (!claimed[f])
+    {
+      rest.push_back(static_cast<Index>(f));
+    }
+  }
+  return rest;
+}
+
+void layOutFaces(Layout& layout, const FaceMesh& mesh, std::span<const BoundaryPatch> patches)
+{
+  std::vector<Index> rest = unclaimedFaces(mesh, patches);
+  layout.faces.resize(mesh.internalFaceCount());
+  for (std::size_t f = 0; f < layout.faces.size(); ++f)
+  {
+    layout.faces[f] = static_cast<Index>(f);
+  }
+  std::vector<std::string> names;
+  for (const BoundaryPatch& patch : patches)
+  {
+    names.push_back(patch.name);
+  }
+  if (!rest.empty())
+  {
+    // First, so that it is the one to keep its name.
+    names.insert(names.begin(), defaultPatchName);
+  }
+  std::vector<OpenFOAMName> words = makeOpenFOAMNames(names);
+  const std::size_t first = rest.empty() ? 0 : 1;
+  for (std::size_t p = 0; p < patches.size(); ++p)
+  {
+    const OpenFOAMName& name = words[first + p];
+    addPatch(layout, patches[p].faces,
+             {name.word, patches[p].name, name.group, typeOf(patches[p].name), 0, 0});
+  }
+  if (!rest.empty())
+  {
+    addPatch(layout, std::move(rest), {words[0].word, defaultPatchName, "", "patch", 0, 0});
+  }
+}
+
+void layOutPoints(Layout& layout, const FaceMesh& mesh)
+{
+  layout.newPoint.assign(mesh.points.size(), noIndex);
+  for (const Index point : mesh.facePoints)
+  {
+    layout.newPoint[point] = 0;
+  }
+  for (std::size_t p = 0; p < mesh.points.size(); ++p)
+  {
+    if (layout.newPoint[p] == 0)
+    {
+      layout.newPoint[p] = static_cast<Index>(layout.points.size());
+      layout.points.push_back(static_cast<Index>(p));
+    }
+  }
+}
+
+void checkLabels(const FaceMesh& mesh)
+{
+  constexpr std::size_t most = std::numeric_limits<std::int32_t>::max();
+  if (mesh.facePoints.size() > most || mesh.faceCount() >= most || mesh.points.size() > most)
+  {
+    throw Error("the mesh is too large for OpenFOAM's 32-bit labels");
+  }
+}
+
+class PolyMeshWriter
+{
+public:
+  PolyMeshWriter(const fs::path& target, const FaceMesh& source, const Layout& order,
+                 OpenFOAMFormat listFormat)
+      : folder(target), mesh(source), layout(order), format(listFormat)
+  {
+    note = "nPoints:" + std::to_string(layout.points.size()) + "  nCells:" + std::to_string(mesh.cellCount) +
+           "  nFaces:" + std::to_string(mesh.faceCount()) +
+           "  nInternalFaces:" + std::to_string(mesh.internalFaceCount());
+  }
+
+  void writePoints() const
+  {
+    OpenFOAMFile file = open("points", "vectorField");
+    file.number(size(layout.points)).text("\n(");
+    if (binary())
+    {
+      for (const Index p : layout.points)
+      {
+        file.raw(mesh.points[p].data(), 3 * sizeof(double));
+      }
+    }
+    else
+    {
+      for (const Index p : layout.points)
+      {
+        const Vec3& x = mesh.points[p];
+        file.text("\n(").number(x[0]).text(" ").number(x[1]).text(" ").number(x[2]).text(")");
+      }
+      file.text("\n");
+    }
+    file.text(")\n").close();
+  }
+
+  void writeFaces() const
+  {
+    OpenFOAMFile file = open("faces", binary() ? "faceCompactList" : "faceList");
+    if (binary())
+    {
+      writeCompactFaces(file);
+    }
+    else
+    {
+      file.number(size(layout.faces)).text("\n(");
+      for (const Index f : layout.faces)
+      {
+        const auto face = mesh.face(f);
+        file.text("\n").number(static_cast<std::int64_t>(face.size())).text("(");
+        for (std::size_t i = 0; i < face.size(); ++i)
+        {
+          file.text(i == 0 ? "" : " ").number(std::int64_t{layout.newPoint[face[i]]});
+        }
+        file.text(")");
+      }
+      file.text("\n)\n");
+    }
+    file.close();
+  }
+
+  void writeCells() const
+  {
+    std::vector<Index> owner(layout.faces.size());
+    for (std::size_t f = 0; f < owner.size(); ++f)
+    {
+      owner[f] = mesh.owner[layout.faces[f]];
+    }
+    writeLabelFile("owner", owner);
+    writeLabelFile("neighbour", mesh.neighbour);
+  }
+
+  void writeBoundary() const
+  {
+    // Always text, as OpenFOAM itself writes it.
+    OpenFOAMFile file(folder / "boundary", {"polyBoundaryMesh", meshLocation, "", OpenFOAMFormat::Ascii});
+    file.number(size(layout.patches)).text("\n(\n");
+    for (const Layout::Patch& patch : layout.patches)
+    {
+      file.text("    // ").text(comment(patch.original)).text("\n    ").text(patch.word).text("\n    {\n");
+      file.text("        type            ").text(patch.type).text(";\n");
+      writeGroups(file, patch);
+      file.text("        nFaces          ").number(static_cast<std::int64_t>(patch.count)).text(";\n");
+      file.text("        startFace       ").number(static_cast<std::int64_t>(patch.start)).text(";\n    }\n");
+    }
+    file.text(")\n").close();
+  }
+
+  void writeCellZones(const std::map<std::int64_t, std::vector<Index>>& zones) const
+  {
+    OpenFOAMFile file = open("cellZones", "regIOobject");
+    file.number(size(zones)).text("\n(\n");
+    for (const auto& [id, cells] : zones)
+    {
+      const std::string sign = id < 0 ? "_" : ""; // a word such as zone-1 reads badly in expressions
+      file.text("zone" + sign)
+          .number(id < 0 ? -id : id)
+          .text("\n{\n    type cellZone;\n    cellLabels List<label>\n");
+      writeLabels(file, cells);
+      file.text(";\n}\n");
+    }
+    file.text(")\n").close();
+  }
+
+private:
+  bool binary() const { return format == OpenFOAMFormat::Binary; }
+  template <typename Container> static std::int64_t size(const Container& container)
+  {
+    return static_cast<std::int64_t>(container.size());
+  }
+
+  OpenFOAMFile open(const char* name, const char* className, const std::string& itsNote = {}) const
+  {
+    return OpenFOAMFile(folder / name, {className, meshLocation, itsNote, format});
+  }
+
+  void writeLabels(OpenFOAMFile& file, const std::vector<Index>& labels) const
+  {
+    file.number(size(labels)).text("\n(");
+    if (binary())
+    {
+      file.raw(labels.data(), labels.size() * sizeof(Index)).text(")");
+      return;
+    }
+    for (const Index label : labels)
+    {
+      file.text("\n").number(std::int64_t{label});
+    }
+    file.text("\n)");
+  }
+
+  void writeLabelFile(const char* name, const std::vector<Index>& labels) const
+  {
+    OpenFOAMFile file = open(name, "labelList", note);
+    writeLabels(file, labels);
+    file.text("\n").close();
+  }
+
+  /// Two lists: where each face's points begin, and the points of all.
+  void writeCompactFaces(OpenFOAMFile& file) const
+  {
+    std::vector<Index> offsets{0};
+    std::vector<Index> points;
+    offsets.reserve(layout.faces.size() + 1);
+    points.reserve(mesh.facePoints.size());
+    for (const Index f : layout.faces)
+    {
+      for (const Index p : mesh.face(f))
+      {
+        points.push_back(layout.newPoint[p]);
+      }
+      offsets.push_back(static_cast<Index>(points.size()));
+    }
+    writeLabels(file, offsets);
+    file.text("\n\n");
+    writeLabels(file, points);
+    file.text("\n");
+  }
+
+  static void writeGroups(OpenFOAMFile& file, const Layout::Patch& patch)
+  {
+    // OpenFOAM puts a wall into the group `wall` only where no other groups are given.
+    if (!patch.group.empty())
+    {
+      const bool addWall = patch.type == "wall" && patch.group != "wall";
+      file.text("        inGroups        ").text(addWall ? "2(wall " : "1(").text(patch.group).text(");\n");
+    }
+  }
+
+  /// A name as it may stand in a comment of one line.
+  static std::string comment(std::string name)
+  {
+    std::replace_if(
+        name.begin(), name.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F || c == '\\'; }, ' ');
+    return '"' + name + '"';
+  }
+
+  fs::path folder;
+  const FaceMesh& mesh;
+  const Layout& layout;
+  OpenFOAMFormat format;
+  std::string note;
+};
+
+std::map<std::int64_t, std::vector<Index>> cellsOfZones(std::span<const std::int64_t> zoneIds)
+{
+  std::map<std::int64_t, std::vector<Index>> zones;
+  for (std::size_t cell = 0; cell < zoneIds.size(); ++cell)
+  {
+    zones[zoneIds[cell]].push_back(static_cast<Index>(cell));
+  }
+  return zones;
+}
+
+void writeDictionary(const fs::path& caseFolder, const char* name, std::string_view content)
+{
+  const fs::path path = caseFolder / "system" / name;
+  if (!fs::exists(path))
+  {
+    OpenFOAMFile file(path, {"dictionary", "system", "", OpenFOAMFormat::Ascii});
+    file.text(content).close();
+  }
+}
+
+} // namespace
+
+void writePolyMesh(const fs::path& caseFolder, const FaceMesh& mesh, std::span<const BoundaryPatch> patches,
+                   std::span<const std::int64_t> zoneIds, OpenFOAMFormat format)
+{
+  checkLabels(mesh);
+  if (!zoneIds.empty() && zoneIds.size() != mesh.cellCount)
+  {
+    throw Error("there are " + std::to_string(zoneIds.size()) + " zone ids for " +
+                std::to_string(mesh.cellCount) + " cells");
+  }
+  Layout layout;
+  layOutFaces(layout, mesh, patches);
+  layOutPoints(layout, mesh);
+  const fs::path folder = caseFolder / "constant" / "polyMesh";
+  makeFolder(folder);
+  removeEarlierMesh(folder);
+  const PolyMeshWriter writer(folder, mesh, layout, format);
+  writer.writePoints();
+  writer.writeFaces();
+  writer.writeCells();
+  writer.writeBoundary();
+  const auto zones = cellsOfZones(zoneIds);
+  if (zones.size() > 1)
+  {
+    writer.writeCellZones(zones);
+  }
+}
+
+void completeCase(const fs::path& caseFolder)
+{
+  makeFolder(caseFolder / "system");
+  writeDictionary(
+      caseFolder, "controlDict",
+      "application     simpleFoam;\nstartFrom       startTime;\nstartTime       0;\nstopAt          "
+      "endTime;\n"
+      "endTime         1000;\ndeltaT          1;\nwriteControl    timeStep;\nwriteInterval   100;\n"
+      "writeFormat     ascii;\nwritePrecision  12;\ntimePrecision   6;\n");
+  writeDictionary(caseFolder, "fvSchemes",
+                  "ddtSchemes { default steadyState; }\ngradSchemes { default Gauss linear; }\n"
+                  "divSchemes { default none; }\nlaplacianSchemes { default Gauss linear corrected; }\n"
+                  "interpolationSchemes { default linear; }\nsnGradSchemes { default corrected; }\n");
+  writeDictionary(caseFolder, "fvSolution", "solvers {}\nSIMPLE { nNonOrthogonalCorrectors 0; }\n");
+  const fs::path whole = fs::absolute(caseFolder).lexically_normal();
+  const fs::path named = whole.has_filename() ? whole : whole.parent_path(); // "case/" means "case"
+  const fs::path marker = caseFolder / (named.filename().string() + ".foam");
+  if (!std::ofstream(marker, std::ios::app))
+  {
+    throw Error("cannot write '" + marker.string() + "'");
+  }
+}
+
+} // namespace atria

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Quality/Statistics.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <random>
+
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double inf = std::numeric_limits<double>::infinity();
+
+double integral(const atria::Histogram& h)
+{
+  return std::accumulate(h.density.begin(), h.density.end(), 0.0) * h.binWidth;
+}
+
+TEST(Statistics, OfAKnownSample)
+{
+  const std::vector<double> values{2, 4, 4, 4, 5, 5, 7, 9};
+  const atria::Statistics s = atria::summarise(values);
+  EXPECT_EQ(s.count, 8u);
+  EXPECT_EQ(s.minimum, 2.0);
+  EXPECT_EQ(s.maximum, 9.0);
+  EXPECT_DOUBLE_EQ(s.mean, 5.0);
+  EXPECT_DOUBLE_EQ(s.standardDeviation, 2.0);
+}
+
+TEST(Statistics, LeaveOutWhatIsNotANumber)
+{
+  const std::vector<double> values{nan, 1, nan, 3};
+  const atria::Statistics s = atria::summarise(values);
+  EXPECT_EQ(s.count, 2u);
+  EXPECT_DOUBLE_EQ(s.mean, 2.0);
+  EXPECT_EQ(s.minimum, 1.0);
+  EXPECT_EQ(s.maximum, 3.0);
+}
+
+TEST(Statistics, ShowAnInfiniteExtremeButKeepTheMeanFinite)
+{
+  const std::vector<double> values{1, 3, inf};
+  const atria::Statistics s = atria::summarise(values);
+  EXPECT_EQ(s.maximum, inf);
+  EXPECT_EQ(s.count, 2u);
+  EXPECT_DOUBLE_EQ(s.mean, 2.0);
+}
+
+TEST(Statistics, OfNothingAreNoNumbers)
+{
+  const atria::Statistics s = atria::summarise({});
+  EXPECT_EQ(s.count, 0u);
+  EXPECT_TRUE(std::isnan(s.minimum) && std::isnan(s.maximum) && std::isnan(s.mean) && std::isnan(s.standardDeviation));
+}
+
+TEST(Statistics, KeepTheDigitsOfManySmallDifferences)
+{
+  std::vector<double> values(1000000, 1e8);
+  for (std::size_t i = 0; i < values.size(); i += 2)
+  {
+    values[i] += 1.0;
+  }
+  const atria::Statistics s = atria::summarise(values);
+  EXPECT_DOUBLE_EQ(s.mean, 1e8 + 0.5);
+  EXPECT_NEAR(s.standardDeviation, 0.5, 1e-9);
+}
+
+TEST(Histogram, IntegratesToOneAndEndsAtOne)
+{
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal(3.0, 2.0);
+  for (const std::size_t bins : {1u, 2u, 50u, 10000u})
+  {
+    std::vector<double> values(5000);
+    std::generate(values.begin(), values.end(), [&] { return normal(random); });
+    values.push_back(nan);
+    const atria::Histogram h = atria::makeHistogram(values, bins);
+    ASSERT_EQ(h.centres.size(), bins);
+    EXPECT_NEAR(integral(h), 1.0, 1e-12);
+    EXPECT_EQ(h.cumulative.back(), 1.0);
+    EXPECT_TRUE(std::is_sorted(h.cumulative.begin(), h.cumulative.end()));
+    EXPECT_TRUE(std::is_sorted(h.centres.begin(), h.centres.end()));
+  }
+}
+
+TEST(Histogram, PutsTheGreatestValueIntoTheLastBin)
+{
+  const std::vector<double> values{0, 1, 2, 3, 4};
+  const atria::Histogram h = atria::makeHistogram(values, 4);
+  EXPECT_DOUBLE_EQ(h.binWidth, 1.0);
+  EXPECT_DOUBLE_EQ(h.centres[0], 0.5);
+  EXPECT_DOUBLE_EQ(h.density[0], 0.2);
+  EXPECT_DOUBLE_EQ(h.density[3], 0.4);
+  EXPECT_DOUBLE_EQ(h.cumulative[2], 0.6);
+}
+
+TEST(Histogram, OfOneValueIsCentredOnIt)
+{
+  for (const double value : {0.0, 1e20, -5e-300})
+  {
+    const std::vector<double> values(7, value);
+    const atria::Histogram h = atria::makeHistogram(values, 10);
+    EXPECT_NEAR(integral(h), 1.0, 1e-12);
+    EXPECT_EQ(h.cumulative.back(), 1.0);
+  }
+}
+
+TEST(Histogram, OfNothingIsZero)
+{
+  const atria::Histogram h = atria::makeHistogram({}, 5);
+  EXPECT_EQ(h.density, std::vector<double>(5, 0.0));
+  EXPECT_EQ(h.cumulative, std::vector<double>(5, 0.0));
+}
+
+} // namespace
