@@ -6,6 +6,8 @@
 
 #include <vtkAtriaOpenFOAMWriter.h>
 #include <vtkAtriaVRMLReader.h>
+#include <vtkCallbackCommand.h>
+#include <vtkCommand.h>
 #include <vtkNew.h>
 #include <vtkPartitionedDataSetCollection.h>
 #include <vtkPolyData.h>
@@ -15,6 +17,7 @@
 #include <vtkXMLUnstructuredGridReader.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -56,21 +59,34 @@ void checkReadable(const std::string& file)
   }
 }
 
+void printWarnings(vtkAtriaVRMLReader* reader, const std::string& file, Console& console)
+{
+  constexpr vtkIdType most = 20;
+  vtkStringArray* warnings = reader->GetWarnings();
+  for (vtkIdType i = 0; i < std::min(most, warnings->GetNumberOfValues()); ++i)
+  {
+    console.warning(file + ": " + warnings->GetValue(i));
+  }
+  if (const vtkIdType all = reader->GetNumberOfWarnings(); all > most)
+  {
+    console.warning(file + ": and " + std::to_string(all - most) + " more; see atria inspect --json");
+  }
+}
+
 } // namespace
 
 vtkSmartPointer<vtkAtriaVRMLReader> readModel(const std::string& file, Console& console)
 {
   checkReadable(file);
   auto reader = vtkSmartPointer<vtkAtriaVRMLReader>::New();
+  // An observer keeps the reader's one summarising warning away from the console: printWarnings tells more.
+  vtkNew<vtkCallbackCommand> silence;
+  reader->AddObserver(vtkCommand::WarningEvent, silence);
   reader->SetFileName(file.c_str());
   console.follow(reader, 0.0, 0.05);
   reader->Update();
   throwIfErrors(console, BadInput, file);
-  vtkStringArray* warnings = reader->GetWarnings();
-  for (vtkIdType i = 0; warnings && i < warnings->GetNumberOfValues(); ++i)
-  {
-    console.warning(file + ": " + warnings->GetValue(i));
-  }
+  printWarnings(reader, file, console);
   if (reader->GetOutput()->GetNumberOfCells() == 0)
   {
     throw Failure(BadInput, file + " holds no surfaces; export the model with its faces");

@@ -11,9 +11,11 @@ namespace atria {
 /// Triangulates a polygon that may be concave, not quite planar, degenerate or self-touching.
 ///
 /// `polygon` holds indices into `points`. The triangles keep the polygon's winding and use its indices only.
-/// Convex polygons of up to four points are cut directly; all others go through a constrained Delaunay triangulation
-/// (CGAL) of their projection along the Newell normal. Points repeated in a row are dropped. A polygon without
-/// area gives no triangle. O(n log n).
+/// Triangles and quads are cut directly, a quad along its shorter valid diagonal; all others go through a
+/// constrained Delaunay triangulation (CGAL) of their projection along the Newell normal. Points repeated in
+/// a row are dropped, and edges walked both ways (bridges to holes) cancel out. A polygon without area, or
+/// with a point that is not finite, gives no triangle. Never throws but for lack of memory. O(n log n);
+/// O(n^2) where the outline crosses itself.
 ///
 /// Where the outline crosses itself the even-odd inside is triangulated as far as existing points
 /// allow; `simple` is then set to false.

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace atria::vrml {
+
+/// Warnings in the order they came up. All are counted; the first `keptAtMost` are kept.
+class Diagnostics
+{
+public:
+  static constexpr std::size_t keptAtMost = 1000;
+
+  void warn(std::string text)
+  {
+    ++total;
+    if (kept.size() < keptAtMost) {
+      kept.push_back(std::move(text));
+    }
+  }
+  const std::vector<std::string>& texts() const { return kept; }
+  std::size_t count() const { return total; }
+
+private:
+  std::vector<std::string> kept;
+  std::size_t total = 0;
+};
+
+} // namespace atria::vrml

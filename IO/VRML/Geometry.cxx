@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Geometry.h"
+
+#include "Input.h"
+#include "NodeTypes.h"
+#include "Primitives.h"
+#include "Sweeps.h"
+
+#include <algorithm>
+#include <unordered_map>
+
+namespace atria::vrml {
+
+namespace {
+
+/// The faces of an IndexedFaceSet, with the points they use.
+class FaceSet
+{
+public:
+  FaceSet(const std::vector<double>& coordinates, bool turned)
+      : points(coordinates), count(coordinates.size() / 3), builder(turned), newIds(count, noIndex)
+  {
+  }
+
+  void add(std::span<const int> face)
+  {
+    ids.clear();
+    bool repeats = face.size() > 1 && face.front() == face.back();
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      if (static_cast<std::size_t>(face[i]) >= count) {
+        ++outOfRange;
+        return;
+      }
+      repeats = repeats || (i > 0 && face[i] == face[i - 1]);
+    }
+    for (const int i : face) {
+      ids.push_back(idOf(static_cast<std::size_t>(i)));
+    }
+    const std::size_t flatBefore = builder.withoutArea();
+    builder.polygon(ids);
+    repeated += repeats && builder.withoutArea() == flatBefore ? 1 : 0;
+  }
+
+  std::string complaints() const
+  {
+    std::string text;
+    const auto say = [&](std::size_t faces, const char* what) {
+      if (faces > 0) {
+        text +=
+            (text.empty() ? "" : "; ") + std::to_string(faces) + (faces == 1 ? " face " : " faces ") + what;
+      }
+    };
+    say(outOfRange, "with points that do not exist, skipped");
+    say(repeated, "with a point repeated in a row, taken once");
+    say(builder.withoutArea(), "without area, skipped");
+    say(builder.selfCrossing(), "whose outline crosses itself");
+    return text;
+  }
+
+  LocalSurface take() { return builder.take(); }
+
+private:
+  Index idOf(std::size_t i)
+  {
+    if (newIds[i] == noIndex) {
+      newIds[i] = builder.point({points[3 * i], points[3 * i + 1], points[3 * i + 2]});
+    }
+    return newIds[i];
+  }
+
+  const std::vector<double>& points;
+  std::size_t count;
+  SurfaceBuilder builder;
+  std::vector<Index> newIds;
+  std::vector<Index> ids;
+  std::size_t outOfRange = 0;
+  std::size_t repeated = 0;
+};
+
+std::vector<Eigen::Vector2d> pairs(const std::vector<double>& numbers)
+{
+  std::vector<Eigen::Vector2d> out;
+  for (std::size_t i = 0; i + 1 < numbers.size(); i += 2) {
+    out.emplace_back(numbers[i], numbers[i + 1]);
+  }
+  return out;
+}
+
+} // namespace
+
+Geometry::Geometry(Instances& access, Diagnostics& messages, double degrees)
+    : instances(access), diagnostics(messages), segments(segmentsOf(degrees))
+{
+}
+
+LocalSurface Geometry::make(const NodeRef& node)
+{
+  using Maker = LocalSurface (Geometry::*)(const NodeRef&);
+  static const std::unordered_map<std::string_view, Maker> makers{{"Box", &Geometry::box},
+                                                                  {"Sphere", &Geometry::sphere},
+                                                                  {"Cylinder", &Geometry::cylinder},
+                                                                  {"Cone", &Geometry::cone},
+                                                                  {"ElevationGrid", &Geometry::elevationGrid},
+                                                                  {"Extrusion", &Geometry::extrusion},
+                                                                  {"IndexedFaceSet", &Geometry::faceSet}};
+  return (this->*makers.at(node.node->type->name))(node);
+}
+
+void Geometry::warn(const NodeRef& node, const std::string& text)
+{
+  diagnostics.warn(node.node->document->displayName() + ":" + std::to_string(node.node->line) + ": " +
+                   toUtf8(node.node->typeName) +
+                   (node.node->name.empty() ? "" : " '" + toUtf8(node.node->name) + "'") + ": " + text);
+}
+
+bool Geometry::positive(const NodeRef& node, std::initializer_list<double> sizes)
+{
+  const bool all = std::all_of(sizes.begin(), sizes.end(), [](double size) { return size > 0.0; });
+  if (!all) {
+    warn(node, "a size is not positive; skipped");
+  }
+  return all;
+}
+
+LocalSurface Geometry::box(const NodeRef& node)
+{
+  const std::vector<double> size = instances.numbers(node, "size", {2, 2, 2});
+  if (size.size() < 3 || !positive(node, {size[0], size[1], size[2]})) {
+    return {};
+  }
+  return makeBox({size[0], size[1], size[2]});
+}
+
+LocalSurface Geometry::sphere(const NodeRef& node)
+{
+  const double radius = instances.number(node, "radius", 1.0);
+  return positive(node, {radius}) ? makeSphere(radius, segments) : LocalSurface{};
+}
+
+LocalSurface Geometry::cylinder(const NodeRef& node)
+{
+  Cylinder in;
+  in.radius = instances.number(node, "radius", in.radius);
+  in.height = instances.number(node, "height", in.height);
+  in.side = instances.flag(node, "side", in.side);
+  in.bottom = instances.flag(node, "bottom", in.bottom);
+  in.top = instances.flag(node, "top", in.top);
+  return positive(node, {in.radius, in.height}) ? makeCylinder(in, segments) : LocalSurface{};
+}
+
+LocalSurface Geometry::cone(const NodeRef& node)
+{
+  Cone in;
+  in.bottomRadius = instances.number(node, "bottomRadius", in.bottomRadius);
+  in.height = instances.number(node, "height", in.height);
+  in.side = instances.flag(node, "side", in.side);
+  in.bottom = instances.flag(node, "bottom", in.bottom);
+  return positive(node, {in.bottomRadius, in.height}) ? makeCone(in, segments) : LocalSurface{};
+}
+
+LocalSurface Geometry::elevationGrid(const NodeRef& node)
+{
+  ElevationGrid in;
+  in.xDimension = instances.integer(node, "xDimension", 0);
+  in.zDimension = instances.integer(node, "zDimension", 0);
+  in.xSpacing = instances.number(node, "xSpacing", in.xSpacing);
+  in.zSpacing = instances.number(node, "zSpacing", in.zSpacing);
+  in.height = instances.numbers(node, "height", {});
+  in.ccw = instances.flag(node, "ccw", in.ccw);
+  if (in.xDimension < 2 || in.zDimension < 2) {
+    return {}; // legal: no cells
+  }
+  const double wanted = static_cast<double>(in.xDimension) * in.zDimension;
+  if (static_cast<double>(in.height.size()) < wanted) {
+    warn(node, std::to_string(in.height.size()) + " heights for a grid of " + std::to_string(in.xDimension) +
+                   " by " + std::to_string(in.zDimension) + "; skipped");
+    return {};
+  }
+  return positive(node, {in.xSpacing, in.zSpacing}) ? makeElevationGrid(in) : LocalSurface{};
+}
+
+LocalSurface Geometry::extrusion(const NodeRef& node)
+{
+  Extrusion in;
+  if (const auto* section = instances.get<std::vector<double>>(node, "crossSection")) {
+    in.crossSection = pairs(*section);
+  }
+  if (const auto* spine = instances.get<std::vector<double>>(node, "spine")) {
+    in.spine.clear();
+    for (std::size_t i = 0; i + 2 < spine->size(); i += 3) {
+      in.spine.emplace_back((*spine)[i], (*spine)[i + 1], (*spine)[i + 2]);
+    }
+  }
+  const auto* scale = instances.get<std::vector<double>>(node, "scale");
+  if (scale && scale->size() > 1) {
+    in.scale = pairs(*scale);
+  }
+  const auto* orientation = instances.get<std::vector<double>>(node, "orientation");
+  if (orientation && orientation->size() > 3) {
+    in.orientation.clear();
+    for (std::size_t i = 0; i + 3 < orientation->size(); i += 4) {
+      in.orientation.push_back(rotationOf(orientation->data() + i));
+    }
+  }
+  in.beginCap = instances.flag(node, "beginCap", in.beginCap);
+  in.endCap = instances.flag(node, "endCap", in.endCap);
+  in.ccw = instances.flag(node, "ccw", in.ccw);
+  if (in.crossSection.size() < 2 || in.spine.size() < 2) {
+    warn(node, "needs two points of cross-section and spine at least; skipped");
+    return {};
+  }
+  return makeExtrusion(in);
+}
+
+LocalSurface Geometry::faceSet(const NodeRef& node)
+{
+  const NodeRef coord = instances.expand(instances.node(node, "coord"));
+  const auto* points =
+      coord && !coord.node->damaged ? instances.get<std::vector<double>>(coord, "point") : nullptr;
+  const auto* index = instances.get<std::vector<int>>(node, "coordIndex");
+  if (!points || !index) {
+    return {};
+  }
+  FaceSet faces(*points, !instances.flag(node, "ccw", true));
+  for (auto start = index->begin(); start != index->end();) {
+    const auto stop = std::find_if(start, index->end(), [](int i) { return i < 0; });
+    if (stop != start) {
+      faces.add({start, stop});
+    }
+    start = stop == index->end() ? stop : stop + 1;
+  }
+  const std::string complaints = faces.complaints();
+  if (!complaints.empty()) {
+    warn(node, complaints);
+  }
+  return faces.take();
+}
+
+} // namespace atria::vrml

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Diagnostics.h"
+#include "Instances.h"
+#include "SurfaceBuilder.h"
+
+#include <optional>
+
+namespace atria::vrml {
+
+/// Turns geometry nodes into triangles.
+class Geometry
+{
+public:
+  /// `degrees`: between neighbouring points of round primitives.
+  Geometry(Instances& access, Diagnostics& messages, double degrees);
+
+  /// The triangles of a node of kind `surface`; none, with a warning, where its fields make no sense.
+  LocalSurface make(const NodeRef& node);
+
+private:
+  LocalSurface box(const NodeRef& node);
+  LocalSurface sphere(const NodeRef& node);
+  LocalSurface cylinder(const NodeRef& node);
+  LocalSurface cone(const NodeRef& node);
+  LocalSurface elevationGrid(const NodeRef& node);
+  LocalSurface extrusion(const NodeRef& node);
+  LocalSurface faceSet(const NodeRef& node);
+  void warn(const NodeRef& node, const std::string& text);
+  bool positive(const NodeRef& node, std::initializer_list<double> sizes);
+
+  Instances& instances;
+  Diagnostics& diagnostics;
+  int segments;
+};
+
+} // namespace atria::vrml

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Input.h"
+
+#include "Support/Error.h"
+
+#include <zlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <fstream>
+#include <iterator>
+
+namespace atria::vrml {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string readBytes(const fs::path& file)
+{
+  std::error_code ignored;
+  if (!fs::is_regular_file(file, ignored)) {
+    throw Error("'" + file.string() + "' does not exist or is not a file");
+  }
+  std::ifstream in(file, std::ios::binary);
+  std::string bytes(static_cast<std::size_t>(fs::file_size(file)), '\0');
+  in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  if (!in && !bytes.empty()) {
+    throw Error("cannot read '" + file.string() + "'");
+  }
+  return bytes;
+}
+
+/// Unpacks all members of a gzip stream.
+FileText unpack(const std::string& packed)
+{
+  FileText out;
+  z_stream stream{};
+  constexpr int gzipOnly = 16 + MAX_WBITS;
+  if (inflateInit2(&stream, gzipOnly) != Z_OK) {
+    throw Error("zlib cannot start");
+  }
+  std::array<char, 1 << 16> buffer;
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));
+  std::size_t left = packed.size();
+  int state = Z_OK;
+  while (state == Z_OK || (state == Z_STREAM_END && left + stream.avail_in > 0)) {
+    if (state == Z_STREAM_END && inflateReset(&stream) != Z_OK) {
+      break;
+    }
+    if (stream.avail_in == 0) {
+      stream.avail_in = static_cast<uInt>(std::min<std::size_t>(left, 1u << 30));
+      left -= stream.avail_in;
+    }
+    stream.next_out = reinterpret_cast<Bytef*>(buffer.data());
+    stream.avail_out = static_cast<uInt>(buffer.size());
+    state = inflate(&stream, Z_NO_FLUSH);
+    out.text.append(buffer.data(), buffer.size() - stream.avail_out);
+  }
+  // Bytes after the last member that are not gzip are padding, not damage.
+  out.truncated = state != Z_STREAM_END && stream.total_out > 0;
+  inflateEnd(&stream);
+  return out;
+}
+
+bool startsWith(std::string_view text, std::string_view start)
+{
+  return text.substr(0, start.size()) == start;
+}
+
+bool equalButForCase(std::string_view a, std::string_view b)
+{
+  const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [&](char x, char y) { return lower(x) == lower(y); });
+}
+
+/// `folder / name`, or the entry that differs from it in case only.
+std::optional<fs::path> findEntry(const fs::path& folder, const fs::path& name)
+{
+  std::error_code error;
+  if (fs::exists(folder / name, error)) {
+    return folder / name;
+  }
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    if (equalButForCase(entry->path().filename().string(), name.string())) {
+      return entry->path();
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<fs::path> findPath(const fs::path& folder, const fs::path& relative)
+{
+  fs::path at = relative.is_absolute() ? relative.root_path() : folder.empty() ? fs::path(".") : folder;
+  for (const fs::path& part : relative.relative_path()) {
+    const std::optional<fs::path> next = findEntry(at, part);
+    if (!next) {
+      return std::nullopt;
+    }
+    at = *next;
+  }
+  std::error_code error;
+  return fs::is_regular_file(at, error) ? std::optional(at) : std::nullopt;
+}
+
+/// The path within a URL.
+std::string pathOf(std::string_view url)
+{
+  for (const std::string_view scheme : {"file://localhost", "file://", "file:"}) {
+    if (startsWith(url, scheme)) {
+      url.remove_prefix(scheme.size());
+      break;
+    }
+  }
+  std::string path;
+  for (std::size_t i = 0; i < url.size() && url[i] != '#'; ++i) {
+    const bool escaped = url[i] == '%' && i + 2 < url.size() &&
+                         std::isxdigit(static_cast<unsigned char>(url[i + 1])) &&
+                         std::isxdigit(static_cast<unsigned char>(url[i + 2]));
+    if (escaped) {
+      path += static_cast<char>(std::stoi(std::string(url.substr(i + 1, 2)), nullptr, 16));
+      i += 2;
+    } else {
+      path += url[i] == '\\' ? '/' : url[i];
+    }
+  }
+  return path;
+}
+
+/// Length of the UTF-8 character at `i`, 0 where there is none.
+std::size_t utf8Length(std::string_view text, std::size_t i)
+{
+  const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
+  const unsigned char first = byte(i);
+  const std::size_t length = first < 0x80                    ? 1
+                             : first >= 0xc2 && first < 0xe0 ? 2
+                             : first >= 0xe0 && first < 0xf0 ? 3
+                             : first >= 0xf0 && first < 0xf5 ? 4
+                                                             : 0;
+  if (length == 0 || i + length > text.size()) {
+    return 0;
+  }
+  for (std::size_t k = 1; k < length; ++k) {
+    if ((byte(i + k) & 0xc0) != 0x80) {
+      return 0;
+    }
+  }
+  return length;
+}
+
+} // namespace
+
+FileText readText(const fs::path& file)
+{
+  FileText out;
+  out.text = readBytes(file);
+  if (startsWith(out.text, "\x1f\x8b")) {
+    out = unpack(out.text);
+  }
+  if (startsWith(out.text, "\xff\xfe") || startsWith(out.text, "\xfe\xff")) {
+    throw Error("'" + file.string() + "' is encoded in UTF-16; save it as UTF-8");
+  }
+  if (startsWith(out.text, "\xef\xbb\xbf")) {
+    out.text.erase(0, 3);
+  }
+  return out;
+}
+
+std::optional<fs::path> findFile(const fs::path& folder, const std::string& url)
+{
+  const std::size_t colon = url.find(':');
+  const bool network = colon != std::string::npos && colon > 1 && !startsWith(url, "file:");
+  const std::string path = pathOf(url);
+  if (network || path.empty() || path.find('\0') != std::string::npos) {
+    return std::nullopt;
+  }
+  const std::optional<fs::path> found = findPath(folder, path);
+  return found ? found : findPath(folder, fs::path(path).filename());
+}
+
+std::string toUtf8(std::string_view text)
+{
+  bool valid = true;
+  for (std::size_t i = 0, length = 0; valid && i < text.size(); i += length) {
+    length = utf8Length(text, i);
+    valid = length != 0;
+  }
+  if (valid) {
+    return std::string(text);
+  }
+  std::string out;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x80) {
+      out += c;
+    } else {
+      out += static_cast<char>(0xc0 | (byte >> 6));
+      out += static_cast<char>(0x80 | (byte & 0x3f));
+    }
+  }
+  return out;
+}
+
+} // namespace atria::vrml

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Instances.h"
+
+#include "Input.h"
+
+namespace atria::vrml {
+
+namespace {
+
+/// Prototypes of several files can contain each other.
+constexpr int deepestContext = 200;
+constexpr int longestChainOfFiles = 16;
+
+const Value none;
+
+const Prototype* findIn(const Document& document, std::string_view name)
+{
+  for (const Prototype& prototype : document.prototypes) {
+    if (name.empty() || prototype.name == name) {
+      return &prototype;
+    }
+  }
+  return nullptr;
+}
+
+std::string placeOf(const Node& node)
+{
+  return node.document->displayName() + ":" + std::to_string(node.line) + ": " + toUtf8(node.typeName);
+}
+
+} // namespace
+
+/// Follows EXTERNPROTO into other files.
+const Prototype* Instances::resolve(const Prototype& prototype, const Node& instance)
+{
+  const Prototype* found = &prototype;
+  for (int i = 0; found && found->external; ++i) {
+    const Document* document =
+        i < longestChainOfFiles
+            ? library.openBeside(*found->document, found->urls, instance.line, std::string(found->name))
+            : nullptr;
+    if (!document) {
+      return nullptr;
+    }
+    std::string_view name;
+    for (const std::string& url : found->urls) {
+      const std::size_t hash = url.rfind('#');
+      name = hash == std::string::npos ? name : std::string_view(url).substr(hash + 1);
+    }
+    found = findIn(*document, name);
+  }
+  return found;
+}
+
+NodeRef Instances::enter(const NodeRef& instance)
+{
+  const int depth = instance.context ? instance.context->depth + 1 : 0;
+  if (depth > deepestContext) {
+    diagnostics.warn(placeOf(*instance.node) + ": prototypes contain each other; skipped");
+    return {};
+  }
+  const Prototype* prototype = resolve(*instance.node->prototype, *instance.node);
+  if (!prototype || !prototype->body) {
+    return {};
+  }
+  const auto* body = std::get_if<std::vector<Node*>>(&prototype->body->fields[0].value);
+  if (!body || body->empty() || !body->front()) {
+    return {};
+  }
+  contexts.push_back({instance.node, prototype, instance.context, depth});
+  return {body->front(), &contexts.back()};
+}
+
+NodeRef Instances::expand(NodeRef ref, std::string_view* name)
+{
+  while (ref) {
+    if (name && name->empty()) {
+      *name = ref.node->name;
+    }
+    if (!ref.node->prototype) {
+      break;
+    }
+    ref = ref.node->damaged ? NodeRef{} : enter(ref);
+  }
+  return ref;
+}
+
+std::pair<const Value*, const Context*> Instances::find(NodeRef ref, std::string_view name) const
+{
+  const Field* field = ref.node->find(name);
+  while (field && !field->is.empty()) {
+    const Context* context = ref.context;
+    if (!context) {
+      return {&none, nullptr};
+    }
+    const std::string_view wanted = field->is;
+    ref = {context->instance, context->outer};
+    field = ref.node->find(wanted);
+    if (!field) {
+      const Field* given = context->prototype->defaults->find(wanted);
+      return {given ? &given->value : &none, nullptr};
+    }
+  }
+  return {field ? &field->value : &none, ref.context};
+}
+
+bool Instances::flag(const NodeRef& ref, std::string_view field, bool otherwise) const
+{
+  const bool* value = get<bool>(ref, field);
+  return value ? *value : otherwise;
+}
+
+int Instances::integer(const NodeRef& ref, std::string_view field, int otherwise) const
+{
+  const auto* value = get<std::vector<int>>(ref, field);
+  return value && !value->empty() ? value->front() : otherwise;
+}
+
+double Instances::number(const NodeRef& ref, std::string_view field, double otherwise) const
+{
+  const auto* value = get<std::vector<double>>(ref, field);
+  return value && !value->empty() ? value->front() : otherwise;
+}
+
+std::vector<double> Instances::numbers(const NodeRef& ref, std::string_view field,
+                                       std::vector<double> otherwise) const
+{
+  const auto* value = get<std::vector<double>>(ref, field);
+  return value ? *value : otherwise;
+}
+
+std::vector<NodeRef> Instances::nodes(const NodeRef& ref, std::string_view field) const
+{
+  const auto [value, context] = find(ref, field);
+  std::vector<NodeRef> out;
+  if (const auto* list = std::get_if<std::vector<Node*>>(value)) {
+    for (const Node* node : *list) {
+      out.push_back({node, context});
+    }
+  }
+  return out;
+}
+
+NodeRef Instances::node(const NodeRef& ref, std::string_view field) const
+{
+  const auto [value, context] = find(ref, field);
+  const auto* list = std::get_if<std::vector<Node*>>(value);
+  return list && !list->empty() ? NodeRef{list->front(), context} : NodeRef{};
+}
+
+} // namespace atria::vrml

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Values of fields, seen through prototypes.
+#pragma once
+
+#include "Library.h"
+#include "SceneGraph.h"
+
+#include <deque>
+
+namespace atria::vrml {
+
+/// One use of a prototype: IS in the body means the fields of `instance`, whose own values belong to `outer`.
+/// The body is not copied, so that a thousand instances cost a thousand of these.
+struct Context
+{
+  const Node* instance = nullptr;
+  const Prototype* prototype = nullptr;
+  const Context* outer = nullptr;
+  int depth = 0;
+};
+
+/// A node as met on one path through the scene.
+struct NodeRef
+{
+  const Node* node = nullptr;
+  const Context* context = nullptr;
+
+  explicit operator bool() const { return node != nullptr; }
+  bool operator==(const NodeRef&) const = default;
+};
+
+class Instances
+{
+public:
+  Instances(Library& files, Diagnostics& messages) : library(files), diagnostics(messages) {}
+
+  /// One step into a prototype's body: its first node. Nothing, and a warning, where there is none.
+  NodeRef enter(const NodeRef& instance);
+
+  /// The node itself, or what instances of prototypes stand for in the end. `name` receives the first DEF
+  /// name met.
+  NodeRef expand(NodeRef ref, std::string_view* name = nullptr);
+
+  /// A field's value of the wanted type; null where it is not given, or of another type.
+  template <class T> const T* get(const NodeRef& ref, std::string_view field) const
+  {
+    return std::get_if<T>(find(ref, field).first);
+  }
+  bool flag(const NodeRef& ref, std::string_view field, bool otherwise) const;
+  int integer(const NodeRef& ref, std::string_view field, int otherwise) const;
+  double number(const NodeRef& ref, std::string_view field, double otherwise) const;
+  std::vector<double> numbers(const NodeRef& ref, std::string_view field,
+                              std::vector<double> otherwise) const;
+  std::vector<NodeRef> nodes(const NodeRef& ref, std::string_view field) const;
+  /// The single node of an SFNode; empty for NULL.
+  NodeRef node(const NodeRef& ref, std::string_view field) const;
+
+private:
+  std::pair<const Value*, const Context*> find(NodeRef ref, std::string_view field) const;
+  const Prototype* resolve(const Prototype& prototype, const Node& instance);
+
+  Library& library;
+  Diagnostics& diagnostics;
+  std::deque<Context> contexts;
+};
+
+} // namespace atria::vrml

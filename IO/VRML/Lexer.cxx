@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Lexer.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace atria::vrml {
+
+namespace {
+
+constexpr std::array<bool, 256> makeDelimiters()
+{
+  std::array<bool, 256> table{};
+  for (int c = 0; c <= 0x20; ++c) {
+    table[c] = true;
+  }
+  for (const char c : {',', '{', '}', '[', ']', '"', '#', '\x7f'}) {
+    table[static_cast<unsigned char>(c)] = true;
+  }
+  return table;
+}
+constexpr std::array<bool, 256> delimiters = makeDelimiters();
+
+bool isDelimiter(char c) { return delimiters[static_cast<unsigned char>(c)]; }
+bool isBlank(char c) { return static_cast<unsigned char>(c) <= 0x20 || c == ',' || c == '\x7f'; }
+bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
+const char* wordEnd(const char* from, const char* end)
+{
+  while (from != end && !isDelimiter(*from)) {
+    ++from;
+  }
+  return from;
+}
+
+bool startsNumber(std::string_view word)
+{
+  std::size_t i = word[0] == '+' || word[0] == '-' ? 1 : 0;
+  i += i < word.size() && word[i] == '.' ? 1 : 0;
+  return i < word.size() && isDigit(word[i]);
+}
+
+/// Why from_chars calls a number out of range: too small counts as zero.
+bool underflows(std::string_view text)
+{
+  const std::size_t e = text.find_first_of("eE");
+  return e == std::string_view::npos
+             ? text.find('.') != std::string_view::npos && text.find_first_of("123456789") > text.find('.')
+             : e + 1 < text.size() && text[e + 1] == '-';
+}
+
+} // namespace
+
+std::optional<double> toNumber(std::string_view text)
+{
+  if (text.empty() || !startsNumber(text)) {
+    return std::nullopt;
+  }
+  const char* first = text.data() + (text[0] == '+' ? 1 : 0);
+  const char* last = text.data() + text.size();
+  double value = 0.0;
+  const auto [stop, error] = std::from_chars(first, last, value);
+  if (stop != last) {
+    return std::nullopt;
+  }
+  if (error == std::errc::result_out_of_range) {
+    return underflows(text) ? std::optional(0.0) : std::nullopt;
+  }
+  return value;
+}
+
+std::string unescaped(std::string_view text)
+{
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const bool escape = text[i] == '\\' && i + 1 < text.size() && (text[i + 1] == '"' || text[i + 1] == '\\');
+    out += text[escape ? ++i : i];
+  }
+  return out;
+}
+
+Lexer::Lexer(std::string_view source)
+    : begin(source.data()), end(source.data() + source.size()), at(begin), counted(begin)
+{
+}
+
+void Lexer::skipBlanks()
+{
+  while (at != end) {
+    if (isBlank(*at)) {
+      ++at;
+    } else if (*at == '#') {
+      while (at != end && *at != '\n' && *at != '\r') {
+        ++at;
+      }
+    } else {
+      return;
+    }
+  }
+}
+
+Token Lexer::readString()
+{
+  const char* start = ++at;
+  while (at != end && *at != '"') {
+    at += *at == '\\' && at + 1 != end ? 2 : 1;
+  }
+  if (at == end) {
+    // The closing quote is missing: rather lose the rest of a line than the rest of the file.
+    at = start;
+    while (at != end && *at != '\n' && *at != '\r') {
+      ++at;
+    }
+    return {TokenKind::string, {start, static_cast<std::size_t>(at - start)}};
+  }
+  const Token token{TokenKind::string, {start, static_cast<std::size_t>(at - start)}};
+  ++at;
+  return token;
+}
+
+Token Lexer::next()
+{
+  skipBlanks();
+  if (at == end) {
+    return {TokenKind::end, {end, 0}};
+  }
+  const auto single = [&](TokenKind kind) { return Token{kind, {at++, 1}}; };
+  switch (*at) {
+  case '{':
+    return single(TokenKind::openBrace);
+  case '}':
+    return single(TokenKind::closeBrace);
+  case '[':
+    return single(TokenKind::openBracket);
+  case ']':
+    return single(TokenKind::closeBracket);
+  case '"':
+    return readString();
+  default:
+    break;
+  }
+  const char* start = at;
+  at = wordEnd(at, end);
+  const std::string_view text(start, static_cast<std::size_t>(at - start));
+  return {startsNumber(text) ? TokenKind::number : TokenKind::word, text};
+}
+
+Token Lexer::peek()
+{
+  skipBlanks();
+  const char* saved = at;
+  const Token token = next();
+  at = saved;
+  return token;
+}
+
+Token Lexer::peekSecond()
+{
+  skipBlanks();
+  const char* saved = at;
+  next();
+  const Token token = next();
+  at = saved;
+  return token;
+}
+
+std::optional<std::string_view> Lexer::nextName()
+{
+  const Token token = peek();
+  if (token.kind != TokenKind::word && token.kind != TokenKind::number) {
+    return std::nullopt;
+  }
+  return next().text;
+}
+
+bool Lexer::nextNumber(double& value)
+{
+  skipBlanks();
+  const char* stop = wordEnd(at, end);
+  const std::optional<double> number = toNumber({at, static_cast<std::size_t>(stop - at)});
+  if (!number) {
+    return false;
+  }
+  value = *number;
+  at = stop;
+  return true;
+}
+
+bool Lexer::nextInteger(int& value)
+{
+  skipBlanks();
+  const char* stop = wordEnd(at, end);
+  const char* first = at != stop && *at == '+' ? at + 1 : at;
+  const auto [last, error] = std::from_chars(first, stop, value);
+  if (error == std::errc() && last == stop) {
+    at = stop;
+    return true;
+  }
+  const std::string_view text(at, static_cast<std::size_t>(stop - at));
+  unsigned int bits = 0;
+  if (text.size() > 2 && text[0] == '0' && (text[1] == 'x' || text[1] == 'X') &&
+      std::from_chars(at + 2, stop, bits, 16).ptr == stop) {
+    value = static_cast<int>(bits);
+    at = stop;
+    return true;
+  }
+  const std::optional<double> number = toNumber(text);
+  if (!number || *number != std::floor(*number) || std::abs(*number) > std::numeric_limits<int>::max()) {
+    return false;
+  }
+  value = static_cast<int>(*number);
+  at = stop;
+  return true;
+}
+
+Place Lexer::place()
+{
+  skipBlanks();
+  return placeOf({at, 0});
+}
+
+int Lexer::lineOf(std::string_view token)
+{
+  const char* target = token.data();
+  const auto lineEnds = [&] {
+    return *counted == '\n' || (*counted == '\r' && (counted + 1 == end || counted[1] != '\n'));
+  };
+  for (; counted < target; ++counted) {
+    countedLine += lineEnds() ? 1 : 0;
+  }
+  while (counted > target) {
+    --counted;
+    countedLine -= lineEnds() ? 1 : 0;
+  }
+  return countedLine;
+}
+
+Place Lexer::placeOf(std::string_view token)
+{
+  const char* target = token.data();
+  const char* lineStart = target;
+  while (lineStart != begin && lineStart[-1] != '\n' && lineStart[-1] != '\r') {
+    --lineStart;
+  }
+  return {lineOf(token), static_cast<int>(target - lineStart) + 1};
+}
+
+} // namespace atria::vrml

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Characters to tokens. The lexical rules are those of VRML 1.0 and VRML97 alike, but for names, which are
+/// taken more generously: exporters write dots, slashes and leading digits.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace atria::vrml {
+
+enum class TokenKind
+{
+  end,
+  word,   ///< a name or keyword
+  number, ///< a word that starts like a number, not checked further
+  string, ///< `text` is what stands between the quotes, escapes untouched
+  openBrace,
+  closeBrace,
+  openBracket,
+  closeBracket
+};
+
+struct Token
+{
+  TokenKind kind = TokenKind::end;
+  std::string_view text;
+
+  bool is(std::string_view word) const { return kind == TokenKind::word && text == word; }
+};
+
+/// Line and column, both counted from 1.
+struct Place
+{
+  int line = 1;
+  int column = 1;
+};
+
+/// Reads tokens off a text that must outlive it. White space, commas and comments separate tokens; a line
+/// ends with LF, CR or both.
+class Lexer
+{
+public:
+  explicit Lexer(std::string_view source);
+
+  Token next();
+  Token peek();
+  /// The token after the next one.
+  Token peekSecond();
+  /// Reads a name after DEF, USE and the like, where something that looks like a number is a name too.
+  std::optional<std::string_view> nextName();
+  /// Reads a finite number, or leaves the text where it is and says false.
+  bool nextNumber(double& value);
+  /// Reads a whole number in the range of int, also in hexadecimal or written like 3.0.
+  bool nextInteger(int& value);
+
+  /// Where the next token starts.
+  Place place();
+  Place placeOf(std::string_view token);
+  /// The line alone: cheap also where a whole file is one line.
+  int lineOf(std::string_view token);
+  std::size_t position() const { return static_cast<std::size_t>(at - begin); }
+
+private:
+  void skipBlanks();
+  Token readString();
+
+  const char* begin;
+  const char* end;
+  const char* at;
+  // Lines are counted only when somebody asks, from where they were counted last.
+  const char* counted;
+  int countedLine = 1;
+};
+
+/// The value of a number's text; nothing where it is none, or too large.
+std::optional<double> toNumber(std::string_view text);
+/// The text of a string token with its escapes resolved.
+std::string unescaped(std::string_view text);
+
+} // namespace atria::vrml

@@ -1,0 +1,452 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Parser.h"
+
+#include "Input.h"
+#include "NodeTypes.h"
+
+#include <algorithm>
+
+namespace atria::vrml {
+
+Parser::Parser(Document& target, std::string_view text, Diagnostics& messages, const ProgressRange& monitor)
+    : document(target), lexer(text), length(text.size()), diagnostics(messages), progress(monitor)
+{
+}
+
+void Parser::run()
+{
+  document.root = &document.nodes.emplace_back();
+  document.root->document = &document;
+  scopes.emplace_back();
+  frames.push_back({Open::file, slotOf(*document.root, "children")});
+  while (!frames.empty()) {
+    step();
+  }
+}
+
+void Parser::step()
+{
+  tick();
+  switch (frames.back().what) {
+  case Open::node:
+    return stepNode();
+  case Open::interface:
+    return stepInterface();
+  default:
+    return stepList();
+  }
+}
+
+void Parser::stepList()
+{
+  const Open what = frames.back().what;
+  const Token token = lexer.peek();
+  if (token.kind == TokenKind::end) {
+    return unexpectedEnd();
+  }
+  if (token.kind == TokenKind::closeBracket || token.kind == TokenKind::closeBrace) {
+    return closeList();
+  }
+  if (readStatement()) {
+    return;
+  }
+  if (startsNode()) {
+    return readNode(frames.back().slot);
+  }
+  const Node* owner = frames.back().slot.node;
+  if (what == Open::list && owner && token.kind == TokenKind::word && fieldType(*owner, token.text)) {
+    expected("a node or ']'"); // the list was not closed before the next field
+    frames.pop_back();
+    return;
+  }
+  expected(what == Open::file   ? "a node, PROTO or ROUTE"
+           : what == Open::list ? "a node or ']'"
+                                : "a node or '}'");
+  if (token.kind == TokenKind::openBrace || token.kind == TokenKind::openBracket) {
+    return skipGroup();
+  }
+  lexer.next();
+}
+
+/// At a closing bracket or brace among nodes.
+void Parser::closeList()
+{
+  const Open what = frames.back().what;
+  const bool bracket = lexer.peek().kind == TokenKind::closeBracket;
+  if (what == Open::body && !bracket) {
+    return closeBody();
+  }
+  if (what == Open::list) {
+    if (bracket) {
+      lexer.next();
+    } else {
+      expected("a node or ']'");
+    }
+    frames.pop_back();
+    return;
+  }
+  expected(what == Open::file ? "a node, PROTO or ROUTE" : "a node or '}'");
+  lexer.next();
+}
+
+void Parser::stepNode()
+{
+  const Token token = lexer.peek();
+  Node& node = *frames.back().node;
+  switch (token.kind) {
+  case TokenKind::end:
+    return unexpectedEnd();
+  case TokenKind::closeBrace:
+    lexer.next();
+    frames.pop_back();
+    return;
+  case TokenKind::closeBracket:
+    expected("a field or '}'");
+    if (frames[frames.size() - 2].what == Open::list) {
+      frames.pop_back(); // the brace is missing: the bracket belongs to the list around
+      return;
+    }
+    lexer.next();
+    return;
+  case TokenKind::openBracket:
+    if (node.type && node.type->kind == NodeKind::group && node.type->fieldType("children")) {
+      warn("expected a field of " + std::string(node.typeName) +
+           ", found a list of nodes; taken as its children");
+      return readNodes(slotOf(node, "children"), true);
+    }
+    expected("a field or '}'");
+    return skipGroup();
+  case TokenKind::openBrace:
+    expected("a field or '}'");
+    return skipGroup();
+  case TokenKind::word:
+    break;
+  default:
+    expected("a field or '}'");
+    lexer.next();
+    return;
+  }
+  if (readStatement()) {
+    return;
+  }
+  startsNode() ? readNodeWithoutField() : readField();
+}
+
+/// PROTO, EXTERNPROTO and ROUTE may stand wherever a node or a field may.
+bool Parser::readStatement()
+{
+  const Token token = lexer.peek();
+  if (token.is("ROUTE")) {
+    readRoute();
+    return true;
+  }
+  if (token.is("PROTO") || token.is("EXTERNPROTO")) {
+    readPrototype(token.text == "EXTERNPROTO");
+    return true;
+  }
+  return false;
+}
+
+bool Parser::startsNode()
+{
+  const Token token = lexer.peek();
+  return token.is("DEF") || token.is("USE") || token.is("NULL") ||
+         (token.kind == TokenKind::word && lexer.peekSecond().kind == TokenKind::openBrace);
+}
+
+void Parser::readNode(Slot slot)
+{
+  const Token token = lexer.peek();
+  if (token.is("NULL")) {
+    lexer.next();
+    return put(slot, nullptr); // keeps its place among the choices of a Switch
+  }
+  if (token.is("USE")) {
+    return readUse(slot);
+  }
+  std::vector<std::string_view> names;
+  readNames(names);
+  if (lexer.peek().is("USE")) {
+    expected("a node type after DEF");
+    return readUse(slot);
+  }
+  if (lexer.peek().kind != TokenKind::word || lexer.peekSecond().kind != TokenKind::openBrace) {
+    expected("a node type and '{'");
+    return;
+  }
+  openNode(slot, names);
+}
+
+/// DEF and its name, which some exporters write twice.
+void Parser::readNames(std::vector<std::string_view>& names)
+{
+  while (lexer.peek().is("DEF")) {
+    if (!names.empty()) {
+      warn("expected a node type, found a second DEF; both names are kept");
+    }
+    lexer.next();
+    // `DEF Transform {` lacks the name.
+    if (lexer.peek().kind == TokenKind::word && lexer.peekSecond().kind == TokenKind::openBrace) {
+      expected("a name after DEF");
+      return;
+    }
+    if (const auto name = lexer.nextName()) {
+      names.push_back(document.keep(*name));
+    }
+  }
+}
+
+void Parser::openNode(Slot slot, const std::vector<std::string_view>& names)
+{
+  const Token type = lexer.next();
+  lexer.next();
+  Node& node = document.nodes.emplace_back();
+  node.typeName = document.keep(type.text);
+  node.document = &document;
+  node.line = lexer.lineOf(type.text);
+  node.prototype = findPrototype(type.text);
+  node.type = node.prototype ? nullptr : findNodeType(type.text);
+  quiet = quiet && !node.prototype && !node.type;
+  for (const std::string_view name : names) {
+    node.name = name;
+    scopes.back().nodes[name] = &node;
+  }
+  put(slot, &node);
+  const Frame& around = frames.back();
+  const bool inUnknown = around.node && !around.node->type && !around.node->prototype;
+  if (!node.type && !node.prototype && !inUnknown) {
+    diagnostics.warn(document.displayName() + ":" + std::to_string(node.line) + ": unknown node '" +
+                     toUtf8(type.text) + "' is skipped");
+  }
+  frames.push_back({Open::node, {}, &node, nullptr, node.line});
+}
+
+void Parser::readUse(Slot slot)
+{
+  lexer.next();
+  const auto name = lexer.nextName();
+  if (!name) {
+    return expected("a name after USE");
+  }
+  const auto found = scopes.back().nodes.find(*name);
+  if (found == scopes.back().nodes.end()) {
+    warn("USE of '" + toUtf8(*name) + "', which no DEF before it defines");
+    return put(slot, nullptr);
+  }
+  found->second->shared = true;
+  put(slot, found->second);
+}
+
+void Parser::put(Slot slot, Node* node)
+{
+  if (slot.node) {
+    std::get<std::vector<Node*>>(slot.node->fields[slot.field].value).push_back(node);
+  }
+}
+
+/// `ROUTE a.b TO c.d`, where blanks may surround the dots.
+void Parser::readRoute()
+{
+  ++document.routes;
+  lexer.next();
+  for (const bool untilTo : {true, false}) {
+    bool goOn = true;
+    while (goOn) {
+      const auto word = lexer.nextName();
+      const Token next = lexer.peek();
+      if (!word) {
+        return expected("names and TO after ROUTE");
+      }
+      const bool dots = word->back() == '.' || (next.kind == TokenKind::word && next.text.front() == '.');
+      goOn = untilTo ? *word != "TO" : dots;
+    }
+  }
+}
+
+void Parser::readPrototype(bool external)
+{
+  const int line = lexer.place().line;
+  lexer.next();
+  const auto name = lexer.nextName();
+  if (!name || lexer.peek().kind != TokenKind::openBracket) {
+    return expected("the name of a prototype and '['");
+  }
+  lexer.next();
+  Prototype& prototype = document.prototypes.emplace_back();
+  prototype.name = document.keep(*name);
+  prototype.external = external;
+  prototype.document = &document;
+  prototype.defaults = &document.nodes.emplace_back();
+  prototype.defaults->document = &document;
+  prototype.defaults->typeName = prototype.name;
+  frames.push_back({Open::interface, {}, nullptr, &prototype, line});
+}
+
+void Parser::stepInterface()
+{
+  Prototype& prototype = *frames.back().prototype;
+  const Token token = lexer.peek();
+  if (token.kind == TokenKind::end) {
+    return unexpectedEnd();
+  }
+  if (token.kind == TokenKind::closeBracket) {
+    lexer.next();
+    frames.pop_back();
+    return openBody(prototype);
+  }
+  const bool event = token.is("eventIn") || token.is("eventOut");
+  if (!event && !token.is("field") && !token.is("exposedField")) {
+    expected("field, exposedField, eventIn, eventOut or ']'");
+    token.kind == TokenKind::openBrace || token.kind == TokenKind::openBracket ? skipGroup()
+                                                                               : void(lexer.next());
+    return;
+  }
+  lexer.next();
+  const auto type = findFieldType(lexer.peek().text);
+  if (!type) {
+    expected("the type of a field");
+  }
+  lexer.next();
+  const auto name = lexer.nextName();
+  if (!name) {
+    return expected("the name of a field");
+  }
+  if (!event) {
+    const std::string_view kept = document.keep(*name);
+    prototype.interface[kept] = type.value_or(FieldType::unknown);
+    if (!prototype.external) {
+      const Slot slot = slotOf(*prototype.defaults, kept);
+      readValue(*slot.node, slot.field, type.value_or(FieldType::unknown), true);
+    }
+  }
+}
+
+void Parser::openBody(Prototype& prototype)
+{
+  if (prototype.external) {
+    scopes.back().prototypes[prototype.name] = &prototype;
+    Value urls;
+    if (!readStrings(urls, true)) {
+      return expected("the URL of the prototype");
+    }
+    prototype.urls = std::get<std::vector<std::string>>(urls);
+    return;
+  }
+  if (lexer.peek().kind != TokenKind::openBrace) {
+    return expected("'{' and the body of the prototype");
+  }
+  const int line = lexer.place().line;
+  lexer.next();
+  prototype.body = &document.nodes.emplace_back();
+  prototype.body->document = &document;
+  scopes.emplace_back(); // names inside are unknown outside, and the other way round
+  frames.push_back({Open::body, slotOf(*prototype.body, "children"), nullptr, &prototype, line});
+}
+
+void Parser::closeBody()
+{
+  lexer.next();
+  const Prototype* prototype = frames.back().prototype;
+  frames.pop_back();
+  scopes.pop_back();
+  scopes.back().prototypes[prototype->name] = prototype;
+}
+
+/// A node where a field should be: children without the word, or a part whose place its type tells.
+void Parser::readNodeWithoutField()
+{
+  Node& node = *frames.back().node;
+  const Token token = lexer.peek();
+  if (node.type && node.type->kind == NodeKind::group && node.type->fieldType("children")) {
+    warn("expected a field of " + std::string(node.typeName) + ", found " + tell(token) +
+         "; taken as its child");
+    return readNode(slotOf(node, "children"));
+  }
+  const NodeType* type = findNodeType(token.text);
+  if (node.type && node.type->kind == NodeKind::shape && type) {
+    warn("expected a field of Shape, found " + tell(token) + "; taken as its " +
+         (type->kind == NodeKind::property ? "appearance" : "geometry"));
+    return readNode(slotOf(node, type->kind == NodeKind::property ? "appearance" : "geometry"));
+  }
+  expected("a field or '}'");
+  readNode({});
+}
+
+void Parser::readField()
+{
+  Node& node = *frames.back().node;
+  const Token token = lexer.peek();
+  const auto type = fieldType(node, token.text);
+  const bool declares =
+      token.is("field") || token.is("exposedField") || token.is("eventIn") || token.is("eventOut");
+  if (declares && !(type && *type != FieldType::unknown)) {
+    return readDeclaration();
+  }
+  const bool is = lexer.peekSecond().is("IS");
+  if (!type && !is && (node.type || node.prototype) && !node.damaged) {
+    warn(std::string(node.typeName) + " has no field '" + toUtf8(token.text) + "'");
+  }
+  const std::string_view name = document.keep(lexer.next().text);
+  if (is) {
+    lexer.next();
+    const Slot slot = slotOf(node, name);
+    node.fields[slot.field].is = document.keep(lexer.nextName().value_or(""));
+    return;
+  }
+  if (!type || *type == FieldType::unknown) {
+    return readByLook();
+  }
+  const Slot slot = slotOf(node, name);
+  readValue(node, slot.field, *type, false);
+}
+
+/// `field SFNode name value` in a Script and in node types of others.
+void Parser::readDeclaration()
+{
+  const std::string_view keyword = lexer.next().text;
+  lexer.nextName();
+  lexer.nextName();
+  if (lexer.peek().is("IS")) {
+    lexer.next();
+    lexer.nextName();
+  } else if (keyword == "field" || keyword == "exposedField") {
+    readByLook();
+  }
+}
+
+Parser::Slot Parser::slotOf(Node& node, std::string_view field)
+{
+  const auto found =
+      std::find_if(node.fields.begin(), node.fields.end(), [&](const Field& f) { return f.name == field; });
+  const auto index = static_cast<std::size_t>(found - node.fields.begin());
+  if (found == node.fields.end()) {
+    node.fields.push_back({field, {}, {}});
+  }
+  Value& value = node.fields[index].value;
+  if (!std::holds_alternative<std::vector<Node*>>(value)) {
+    value = std::vector<Node*>{}; // other values replace this when they are read
+  }
+  return {&node, index};
+}
+
+std::optional<FieldType> Parser::fieldType(const Node& node, std::string_view field) const
+{
+  if (node.prototype) {
+    const auto found = node.prototype->interface.find(field);
+    return found == node.prototype->interface.end() ? std::nullopt : std::optional(found->second);
+  }
+  return node.type ? node.type->fieldType(field) : std::nullopt;
+}
+
+const Prototype* Parser::findPrototype(std::string_view name) const
+{
+  for (auto scope = scopes.rbegin(); scope != scopes.rend(); ++scope) {
+    const auto found = scope->prototypes.find(name);
+    if (found != scope->prototypes.end()) {
+      return found->second;
+    }
+  }
+  return nullptr;
+}
+
+} // namespace atria::vrml

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Diagnostics.h"
+#include "Lexer.h"
+#include "SceneGraph.h"
+
+#include "Support/Progress.h"
+
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+namespace atria::vrml {
+
+/// Reads a VRML97 text into `document`. Does not recurse: open brackets and braces are kept on a stack of its
+/// own, so that models nested many thousand levels deep are read.
+///
+/// A syntax error is a warning that says where and what was expected. The node it is in is marked damaged,
+/// and reading goes on with the next field. Common slips are understood: nodes without the word `children`, a
+/// doubled DEF, closing brackets that are missing or too many.
+class Parser
+{
+public:
+  Parser(Document& target, std::string_view text, Diagnostics& messages, const ProgressRange& monitor);
+  /// Throws Aborted only.
+  void run();
+
+private:
+  /// Where a node goes when it has been read: a field of a node, or nowhere.
+  struct Slot
+  {
+    Node* node = nullptr;
+    std::size_t field = 0;
+  };
+  enum class Open
+  {
+    file,
+    list,      ///< nodes between brackets
+    node,      ///< fields between braces
+    interface, ///< declarations of a prototype
+    body       ///< nodes of a prototype
+  };
+  struct Frame
+  {
+    Open what;
+    Slot slot;                      ///< of file, list and body
+    Node* node = nullptr;           ///< of node
+    Prototype* prototype = nullptr; ///< of interface and body
+    int line = 0;
+  };
+  struct Scope
+  {
+    std::unordered_map<std::string_view, Node*> nodes;
+    std::unordered_map<std::string_view, const Prototype*> prototypes;
+  };
+
+  // Steps, one for each kind of open construct. They always read something or close a frame.
+  void step();
+  void stepList();
+  void stepNode();
+  void stepInterface();
+  void closeList();
+
+  // Statements
+  bool readStatement();
+  bool startsNode();
+  void readNode(Slot slot);
+  void readNames(std::vector<std::string_view>& names);
+  void openNode(Slot slot, const std::vector<std::string_view>& names);
+  void readUse(Slot slot);
+  static void put(Slot slot, Node* node);
+  void readRoute();
+  void readPrototype(bool external);
+  void openBody(Prototype& prototype);
+  void closeBody();
+  void readNodeWithoutField();
+  void readField();
+  void readDeclaration();
+
+  // Values, in ParserValues.cxx
+  void readValue(Node& owner, std::size_t field, FieldType type, bool inInterface);
+  void readNodes(Slot slot, bool many);
+  bool readScalars(Value& value, FieldType type);
+  bool readBool(Value& value);
+  bool readIntegers(Value& value, bool many);
+  bool readNumbers(Value& value, std::size_t arity, bool many);
+  bool readStrings(Value& value, bool many);
+  void readByLook();
+  void skipGroup();
+  void resume(const Node* owner, bool inBrackets);
+
+  // Messages
+  void expected(std::string_view what);
+  void warn(const std::string& text);
+  void unexpectedEnd();
+  std::string where();
+  std::string tell(const Token& token) const;
+  void tick();
+
+  Slot slotOf(Node& node, std::string_view field);
+  std::optional<FieldType> fieldType(const Node& node, std::string_view field) const;
+  const Prototype* findPrototype(std::string_view name) const;
+  static bool isList(Open what) { return what != Open::node && what != Open::interface; }
+
+  Document& document;
+  Lexer lexer;
+  std::size_t length;
+  Diagnostics& diagnostics;
+  ProgressRange progress;
+  std::size_t reported = 0;
+  bool quiet = false; ///< after an error, until a node was recognised: one slip is one warning
+  std::vector<Frame> frames;
+  std::vector<Scope> scopes;
+};
+
+} // namespace atria::vrml

@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The parser's reading of field values, what it skips, and its messages.
+#include "Input.h"
+#include "NodeTypes.h"
+#include "Parser.h"
+
+namespace atria::vrml {
+
+namespace {
+
+constexpr std::size_t tickInterval = 1 << 16;
+
+/// Numbers in one value of a type.
+std::size_t arityOf(FieldType type)
+{
+  switch (type) {
+  case FieldType::sfVec2f:
+  case FieldType::mfVec2f:
+    return 2;
+  case FieldType::sfVec3f:
+  case FieldType::mfVec3f:
+    return 3;
+  case FieldType::sfRotation:
+  case FieldType::mfRotation:
+    return 4;
+  default:
+    return 1;
+  }
+}
+
+std::string expectationOf(FieldType type)
+{
+  switch (type) {
+  case FieldType::sfBool:
+    return "TRUE or FALSE";
+  case FieldType::sfInt32:
+    return "a whole number";
+  case FieldType::mfInt32:
+    return "a whole number or ']'";
+  case FieldType::sfString:
+  case FieldType::mfString:
+    return "a string in quotes";
+  case FieldType::sfFloat:
+    return "a number";
+  case FieldType::sfVec2f:
+  case FieldType::sfVec3f:
+  case FieldType::sfRotation:
+    return std::to_string(arityOf(type)) + " numbers";
+  default:
+    return "a number or ']'";
+  }
+}
+
+} // namespace
+
+/// Reads the value of `owner`'s field. An error marks the node as damaged and leaves the field empty.
+void Parser::readValue(Node& owner, std::size_t field, FieldType type, bool inInterface)
+{
+  if (type == FieldType::unknown) {
+    owner.fields[field].value = std::monostate{};
+    return readByLook();
+  }
+  if (type == FieldType::sfNode || type == FieldType::mfNode) {
+    return readNodes({&owner, field}, type == FieldType::mfNode);
+  }
+  Value value;
+  const bool bracket = lexer.peek().kind == TokenKind::openBracket;
+  if (readScalars(value, type)) {
+    owner.fields[field].value = std::move(value);
+    return;
+  }
+  expected(expectationOf(type) +
+           (inInterface ? "" : " for the field " + std::string(owner.fields[field].name)));
+  owner.fields[field].value = std::monostate{};
+  owner.damaged = owner.damaged || !inInterface;
+  resume(inInterface ? nullptr : &owner, bracket);
+}
+
+void Parser::readNodes(Slot slot, bool many)
+{
+  Value& value = slot.node->fields[slot.field].value;
+  if (!many) {
+    std::get<std::vector<Node*>>(value).clear();
+  }
+  if (lexer.peek().kind == TokenKind::openBracket) {
+    const int line = lexer.lineOf(lexer.next().text);
+    frames.push_back({Open::list, slot, nullptr, nullptr, line});
+  } else if (startsNode()) {
+    readNode(slot);
+  } else {
+    expected("a node for the field " + std::string(slot.node->fields[slot.field].name));
+  }
+}
+
+bool Parser::readScalars(Value& value, FieldType type)
+{
+  switch (type) {
+  case FieldType::sfBool:
+    return readBool(value);
+  case FieldType::sfInt32:
+  case FieldType::mfInt32:
+    return readIntegers(value, type == FieldType::mfInt32);
+  case FieldType::sfString:
+  case FieldType::mfString:
+    return readStrings(value, type == FieldType::mfString);
+  case FieldType::mfFloat:
+  case FieldType::mfVec2f:
+  case FieldType::mfVec3f:
+  case FieldType::mfRotation:
+    return readNumbers(value, arityOf(type), true);
+  default:
+    return readNumbers(value, arityOf(type), false);
+  }
+}
+
+bool Parser::readBool(Value& value)
+{
+  const Token token = lexer.peek();
+  const bool yes = token.is("TRUE") || token.is("true");
+  if (!yes && !token.is("FALSE") && !token.is("false")) {
+    return false;
+  }
+  lexer.next();
+  value = yes;
+  return true;
+}
+
+bool Parser::readIntegers(Value& value, bool many)
+{
+  auto& out = value.emplace<std::vector<int>>();
+  int number = 0;
+  if (!many || lexer.peek().kind != TokenKind::openBracket) {
+    const bool read = lexer.nextInteger(number);
+    out.assign(read ? 1 : 0, number);
+    return read;
+  }
+  lexer.next();
+  while (lexer.nextInteger(number)) {
+    out.push_back(number);
+    tick();
+  }
+  return lexer.peek().kind == TokenKind::closeBracket && lexer.next().kind == TokenKind::closeBracket;
+}
+
+/// A list whose length is no multiple of `arity` loses its incomplete end.
+bool Parser::readNumbers(Value& value, std::size_t arity, bool many)
+{
+  auto& out = value.emplace<std::vector<double>>();
+  double number = 0.0;
+  if (!many || lexer.peek().kind != TokenKind::openBracket) {
+    while (out.size() < arity && lexer.nextNumber(number)) {
+      out.push_back(number);
+    }
+    return out.size() == arity;
+  }
+  lexer.next();
+  while (lexer.nextNumber(number)) {
+    out.push_back(number);
+    tick();
+  }
+  if (lexer.peek().kind != TokenKind::closeBracket) {
+    return false;
+  }
+  if (out.size() % arity != 0) {
+    expected("numbers in groups of " + std::to_string(arity));
+    out.resize(out.size() - out.size() % arity);
+  }
+  lexer.next();
+  return true;
+}
+
+bool Parser::readStrings(Value& value, bool many)
+{
+  auto& out = value.emplace<std::vector<std::string>>();
+  const bool bracket = many && lexer.peek().kind == TokenKind::openBracket;
+  if (bracket) {
+    lexer.next();
+  }
+  while (lexer.peek().kind == TokenKind::string && (bracket || out.empty())) {
+    out.push_back(unescaped(lexer.next().text));
+  }
+  return bracket ? lexer.next().kind == TokenKind::closeBracket : !out.empty();
+}
+
+/// Reads past a value whose type is not known or of no interest. Nodes in it are still read: a USE may want
+/// them.
+void Parser::readByLook()
+{
+  const Token token = lexer.peek();
+  if (token.kind == TokenKind::openBracket) {
+    const Token second = lexer.peekSecond();
+    const bool nodes = second.kind == TokenKind::word && !second.is("TRUE") && !second.is("FALSE");
+    if (!nodes) {
+      return skipGroup();
+    }
+    lexer.next();
+    frames.push_back({Open::list, {}, nullptr, nullptr, lexer.lineOf(token.text)});
+  } else if (startsNode()) {
+    readNode({});
+  } else if (token.is("TRUE") || token.is("FALSE")) {
+    lexer.next();
+  } else {
+    while (lexer.peek().kind == TokenKind::number || lexer.peek().kind == TokenKind::string) {
+      lexer.next();
+      tick();
+    }
+  }
+}
+
+/// Skips from an opening bracket or brace to its counterpart. Arrays that nobody wants pass through here, so
+/// the brackets of another kind only matter where they enclose it.
+void Parser::skipGroup()
+{
+  std::vector<TokenKind> closing;
+  do {
+    const Token token = lexer.peek();
+    tick();
+    if (token.kind == TokenKind::end) {
+      return;
+    }
+    if (token.kind == TokenKind::openBrace || token.kind == TokenKind::openBracket) {
+      closing.push_back(token.kind == TokenKind::openBrace ? TokenKind::closeBrace : TokenKind::closeBracket);
+    } else if (token.kind == closing.back()) {
+      closing.pop_back();
+    } else if (token.kind == TokenKind::closeBrace) {
+      expected("']'"); // of a list that was not closed; the brace is its node's
+      return;
+    }
+    lexer.next();
+  } while (!closing.empty());
+}
+
+/// After an error in a value: goes to where the next field may start.
+void Parser::resume(const Node* owner, bool inBrackets)
+{
+  for (;;) {
+    tick();
+    const Token token = lexer.peek();
+    switch (token.kind) {
+    case TokenKind::end:
+    case TokenKind::closeBrace:
+      return;
+    case TokenKind::closeBracket:
+      if (inBrackets) {
+        lexer.next();
+      }
+      return;
+    case TokenKind::openBrace:
+    case TokenKind::openBracket:
+      skipGroup();
+      inBrackets = false;
+      continue;
+    case TokenKind::word:
+      if (owner ? fieldType(*owner, token.text).has_value()
+                : token.is("field") || token.is("exposedField") || token.is("eventIn") ||
+                      token.is("eventOut")) {
+        return;
+      }
+      break;
+    default:
+      break;
+    }
+    lexer.next();
+  }
+}
+
+void Parser::expected(std::string_view what)
+{
+  if (!quiet) {
+    warn("expected " + std::string(what) + ", found " + tell(lexer.peek()));
+  }
+  quiet = true;
+}
+
+void Parser::warn(const std::string& text)
+{
+  // Finding the column is slow in files of one line, so only for warnings somebody can read.
+  diagnostics.warn(diagnostics.count() < Diagnostics::keptAtMost ? where() + ": " + text : text);
+}
+
+/// The file ends while something is open: what was read of it is kept.
+void Parser::unexpectedEnd()
+{
+  if (frames.size() > 1) {
+    const Frame& frame = frames.back();
+    const std::string what = frame.node        ? std::string(frame.node->typeName)
+                             : frame.prototype ? "PROTO " + std::string(frame.prototype->name)
+                                               : "list of nodes";
+    warn("the file ends within the " + toUtf8(what) + " that begins in line " + std::to_string(frame.line));
+  }
+  frames.clear();
+}
+
+std::string Parser::where()
+{
+  const Place place = lexer.place();
+  return document.displayName() + ":" + std::to_string(place.line) + ":" + std::to_string(place.column);
+}
+
+std::string Parser::tell(const Token& token) const
+{
+  constexpr std::size_t longest = 40;
+  switch (token.kind) {
+  case TokenKind::end:
+    return "the end of the file";
+  case TokenKind::string:
+    return "a string";
+  default:
+    return "'" + toUtf8(token.text.substr(0, longest)) + "'";
+  }
+}
+
+/// Lets the caller see progress and stop, every now and then.
+void Parser::tick()
+{
+  if (lexer.position() - reported >= tickInterval) {
+    reported = lexer.position();
+    progress.report(static_cast<double>(reported) / static_cast<double>(length), "Reading the model");
+  }
+}
+
+} // namespace atria::vrml

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// What a VRML file says, as read: nodes with their fields, prototypes, nothing evaluated.
+#pragma once
+
+#include <deque>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <unordered_set>
+#include <variant>
+#include <vector>
+
+namespace atria::vrml {
+
+struct Document;
+struct Node;
+struct NodeType;
+struct Prototype;
+
+/// A field's value; numbers of every kind of vector, colour or rotation are one flat list. A single node is a
+/// list of one. `monostate` stands for a field that was not given or not kept.
+using Value = std::variant<std::monostate, bool, std::vector<int>, std::vector<double>,
+                           std::vector<std::string>, std::vector<Node*>>;
+
+enum class FieldType
+{
+  unknown, ///< read by the look of its value and not kept, apart from nodes
+  sfBool,
+  sfInt32,
+  sfFloat,
+  sfVec2f,
+  sfVec3f,
+  sfRotation,
+  sfString,
+  sfNode,
+  mfInt32,
+  mfFloat,
+  mfVec2f,
+  mfVec3f,
+  mfRotation,
+  mfString,
+  mfNode
+};
+
+struct Field
+{
+  std::string_view name;
+  Value value;
+  std::string_view is; ///< the field of the surrounding prototype's interface that gives the value instead
+};
+
+struct Node
+{
+  std::string_view typeName;
+  const NodeType* type = nullptr;       ///< null for unknown types
+  const Prototype* prototype = nullptr; ///< set where the node is an instance of one
+  std::string_view name;                ///< by DEF; empty without
+  const Document* document = nullptr;
+  int line = 0;
+  bool damaged = false; ///< a syntax error cost part of it
+  bool shared = false;  ///< mentioned by some USE
+  std::vector<Field> fields;
+
+  const Field* find(std::string_view field) const
+  {
+    for (const Field& f : fields) {
+      if (f.name == field) {
+        return &f;
+      }
+    }
+    return nullptr;
+  }
+};
+
+/// PROTO or EXTERNPROTO.
+struct Prototype
+{
+  std::string_view name;
+  std::map<std::string_view, FieldType> interface;
+  Node* defaults = nullptr; ///< its fields are the interface's defaults
+  Node* body = nullptr;     ///< its only field lists the nodes of the body; the first one is drawn
+  bool external = false;
+  std::vector<std::string> urls; ///< of an EXTERNPROTO
+  const Document* document = nullptr;
+};
+
+enum class Version
+{
+  vrml97,
+  vrml1,
+  x3d,
+  missing
+};
+
+/// One file. Nodes refer to its strings and to each other, so it stays where it is.
+struct Document
+{
+  explicit Document(std::filesystem::path path) : file(std::move(path)) {}
+  Document(const Document&) = delete;
+  Document& operator=(const Document&) = delete;
+
+  std::filesystem::path file;
+  Version version = Version::vrml97;
+  Node* root = nullptr; ///< its only field lists the file's nodes
+  std::deque<Node> nodes;
+  std::deque<Prototype> prototypes;
+  std::size_t routes = 0;
+
+  std::string_view keep(std::string_view text) { return *strings.emplace(text).first; }
+  std::string displayName() const { return file.filename().string(); }
+
+private:
+  std::unordered_set<std::string> strings;
+};
+
+} // namespace atria::vrml

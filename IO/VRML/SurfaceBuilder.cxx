@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "SurfaceBuilder.h"
+
+#include "Surface/PolygonTriangulation.h"
+
+namespace atria::vrml {
+
+void SurfaceBuilder::polygon(std::span<const Index> ids)
+{
+  const PolygonTriangles cut = triangulatePolygon(surface.points, ids);
+  for (const auto& t : cut.triangles) {
+    triangle(t[0], t[1], t[2]);
+  }
+  flat += cut.triangles.empty() ? 1 : 0;
+  crossing += cut.simple ? 0 : 1;
+}
+
+} // namespace atria::vrml

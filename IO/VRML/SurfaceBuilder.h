@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Support/Types.h"
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace atria::vrml {
+
+/// Triangles of one shape in its own coordinates.
+struct LocalSurface
+{
+  std::vector<Vec3> points;
+  std::vector<std::array<Index, 3>> triangles;
+};
+
+/// Collects polygons as triangles.
+class SurfaceBuilder
+{
+public:
+  explicit SurfaceBuilder(bool turned = false) : flip(turned) {}
+
+  Index point(const Vec3& p)
+  {
+    surface.points.push_back(p);
+    return static_cast<Index>(surface.points.size() - 1);
+  }
+  /// Polygons without area are dropped and counted.
+  void polygon(std::span<const Index> ids);
+  void quad(Index a, Index b, Index c, Index d) { polygon(std::array<Index, 4>{a, b, c, d}); }
+
+  std::size_t withoutArea() const { return flat; }
+  std::size_t selfCrossing() const { return crossing; }
+  LocalSurface take() { return std::move(surface); }
+
+private:
+  void triangle(Index a, Index b, Index c)
+  {
+    surface.triangles.push_back(flip ? std::array<Index, 3>{a, c, b} : std::array<Index, 3>{a, b, c});
+  }
+
+  LocalSurface surface;
+  bool flip;
+  std::size_t flat = 0;
+  std::size_t crossing = 0;
+};
+
+} // namespace atria::vrml

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The reader's geometry nodes.
+#include "VRMLModel.h"
+
+#include "Support/TestPaths.h"
+#include "Support/VtkErrorGuard.h"
+
+#include <vtkPolyData.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace {
+
+using atria::testing::joined;
+using atria::testing::VRMLModel;
+using atria::testing::writeFile;
+using std::numbers::pi;
+
+class VRMLGeometry : public atria::testing::VtkTest
+{
+protected:
+  /// A model of one geometry node.
+  VRMLModel read(const std::string& geometry, double angle = 10.0)
+  {
+    const std::string text = "#VRML V2.0 utf8\nShape { geometry " + geometry + " }\n";
+    return VRMLModel(writeFile(scratch.path(), "model.wrl", text), angle);
+  }
+  static std::string faces(const std::string& points, const std::string& index, const std::string& more = "")
+  {
+    return "IndexedFaceSet { coord Coordinate { point [" + points + "] } coordIndex [" + index + "] " + more +
+           "}";
+  }
+  void expectBounds(const VRMLModel& model, const std::vector<double>& wanted)
+  {
+    const std::vector<double> actual = model.bounds();
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      EXPECT_NEAR(actual[i], wanted[i], 1e-12) << "bound " << i;
+    }
+  }
+
+  atria::testing::ScratchFolder scratch;
+};
+
+const std::string square = "0 0 0, 1 0 0, 1 1 0, 0 1 0";
+
+/// The sum of the fronts' z components; tells which way a flat surface looks.
+double facing(const VRMLModel& model)
+{
+  double sum = 0.0;
+  for (vtkIdType i = 0; i < model.output()->GetNumberOfCells(); ++i) {
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    model.output()->GetCellPoints(i, count, ids);
+    double p[3][3];
+    for (int k = 0; k < 3; ++k) {
+      model.output()->GetPoint(ids[k], p[k]);
+    }
+    sum += (p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[1][1] - p[0][1]) * (p[2][0] - p[0][0]);
+  }
+  return sum / 2.0;
+}
+
+TEST_F(VRMLGeometry, MakesABox)
+{
+  const VRMLModel model = read("Box { size 2 3 4 }");
+  EXPECT_EQ(model.triangles(), 12);
+  EXPECT_EQ(model.output()->GetNumberOfPoints(), 8);
+  EXPECT_NEAR(model.volume(), 24.0, 1e-12);
+  expectBounds(model, {-1, 1, -1.5, 1.5, -2, 2});
+}
+
+TEST_F(VRMLGeometry, MakesClosedRoundSolidsThatConvergeToTheRealOnes)
+{
+  EXPECT_NEAR(read("Sphere { radius 2 }", 2).area(), 16 * pi, 0.03);
+  EXPECT_NEAR(read("Sphere { radius 2 }", 2).volume(), 32 * pi / 3, 0.05);
+  EXPECT_NEAR(read("Cylinder { radius 2 height 3 }", 2).volume(), 12 * pi, 0.03);
+  EXPECT_NEAR(read("Cylinder { radius 2 height 3 }", 2).area(), 20 * pi, 0.05);
+  EXPECT_NEAR(read("Cone { bottomRadius 2 height 3 }", 2).volume(), 4 * pi, 0.01);
+  EXPECT_NEAR(read("Cone { bottomRadius 2 height 3 }", 2).area(), 4 * pi + 2 * pi * std::sqrt(13.0), 0.03);
+}
+
+TEST_F(VRMLGeometry, TessellatesByTheAngleAskedFor)
+{
+  EXPECT_EQ(read("Cylinder { bottom FALSE top FALSE }", 10).triangles(), 72);
+  EXPECT_EQ(read("Cylinder { bottom FALSE top FALSE }", 7).triangles(), 104);
+  EXPECT_EQ(read("Cone { bottom FALSE }", 90).triangles(), 4);
+  expectBounds(read("Sphere {}", 10), {-1, 1, -1, 1, -1, 1});
+}
+
+TEST_F(VRMLGeometry, LeavesOutPartsSwitchedOff)
+{
+  const double disc = 36.0 / 2.0 * std::sin(2 * pi / 36);
+  EXPECT_NEAR(read("Cylinder { side FALSE top FALSE }").area(), disc, 1e-12);
+  EXPECT_NEAR(read("Cylinder { side FALSE bottom FALSE }").area(), disc, 1e-12);
+  EXPECT_NEAR(read("Cone { side FALSE }").area(), disc, 1e-12);
+}
+
+TEST_F(VRMLGeometry, SharesPointsAsTheFileDoesAndDropsUnusedOnes)
+{
+  const VRMLModel model = read(faces(square + ", 9 9 9", "0 1 2 -1 0 2 3 -1"));
+  EXPECT_EQ(model.output()->GetNumberOfPoints(), 4);
+  EXPECT_EQ(model.triangles(), 2);
+}
+
+TEST_F(VRMLGeometry, KeepsDoublePrecision)
+{
+  const VRMLModel model =
+      read(faces("2600123.4567890123 1200987.654321 0, 2600124 1200987 0, 2600124 1200988 0", "0 1 2"));
+  EXPECT_EQ(model.output()->GetPoint(0)[0], 2600123.4567890123);
+}
+
+TEST_F(VRMLGeometry, TurnsClockwiseFaces)
+{
+  EXPECT_NEAR(facing(read(faces(square, "0 1 2 3 -1"))), 1.0, 1e-12);
+  EXPECT_NEAR(facing(read(faces(square, "0 1 2 3 -1", "ccw FALSE"))), -1.0, 1e-12);
+}
+
+TEST_F(VRMLGeometry, TriangulatesConcaveFacesWhateverTheFileSays)
+{
+  const std::string arrow = "0 0 0, 4 0 0, 4 4 0, 2 1 0, 0 4 0";
+  EXPECT_NEAR(read(faces(arrow, "0 1 2 3 4 -1")).area(), 10.0, 1e-12);
+  EXPECT_NEAR(read(faces(arrow, "0 1 2 3 4 -1", "convex FALSE solid FALSE")).area(), 10.0, 1e-12);
+}
+
+TEST_F(VRMLGeometry, ReadsTheLastFaceWithoutItsEndAndCommasAnywhere)
+{
+  EXPECT_EQ(read(faces(square, ",0,1,2,,-1,\n0 2 3")).triangles(), 2);
+}
+
+TEST_F(VRMLGeometry, WarnsOfFacesThatCannotBe)
+{
+  const VRMLModel model = read(faces(square, "0 1 2 -1 0 1 9 -1 0 0 0 -1 -1 0 2 2 3 -1 1 2 -1"));
+  EXPECT_EQ(model.triangles(), 2);
+  EXPECT_EQ(messages.takeWarnings().size(), 1u);
+  ASSERT_EQ(model.warnings().size(), 1u);
+  EXPECT_EQ(model.warnings()[0], "model.wrl:2: IndexedFaceSet: 1 face with points that do not exist, "
+                                 "skipped; 1 face with a point repeated in a row, "
+                                 "taken once; 2 faces without area, skipped");
+}
+
+TEST_F(VRMLGeometry, WarnsOfSizesThatAreNotPositive)
+{
+  for (const char* geometry :
+       {"Box { size 1 0 1 }", "Sphere { radius -1 }", "Cone { height 0 }", "Cylinder { radius 0 }"}) {
+    const VRMLModel model = read(geometry);
+    EXPECT_EQ(model.triangles(), 0);
+    EXPECT_NE(joined(model.warnings()).find("a size is not positive"), std::string::npos) << geometry;
+    messages.takeWarnings();
+    messages.takeErrors();
+  }
+}
+
+TEST_F(VRMLGeometry, MakesAnElevationGridThatLooksUp)
+{
+  const std::string grid =
+      "ElevationGrid { xDimension 3 zDimension 2 xSpacing 2 zSpacing 5 height [0 1 0, 0 1 0] ";
+  const VRMLModel model = read(grid + "}");
+  EXPECT_EQ(model.triangles(), 4);
+  expectBounds(model, {0, 4, 0, 1, 0, 5});
+  EXPECT_NEAR(model.area(), 2 * 5 * std::sqrt(5.0), 1e-12);
+  EXPECT_GT(read("ElevationGrid { xDimension 2 zDimension 2 height [1 1 1 1] }").volume(), 0.0);
+  EXPECT_LT(read("ElevationGrid { xDimension 2 zDimension 2 height [1 1 1 1] ccw FALSE }").volume(), 0.0);
+}
+
+TEST_F(VRMLGeometry, RefusesAnElevationGridThatLacksHeights)
+{
+  const VRMLModel model = read("ElevationGrid { xDimension 3 zDimension 2 height [0 1 0] }");
+  EXPECT_EQ(model.triangles(), 0);
+  EXPECT_EQ(messages.takeWarnings().size(), 1u);
+  EXPECT_FALSE(messages.takeErrors().empty());
+}
+
+TEST_F(VRMLGeometry, MakesTheDefaultExtrusion)
+{
+  const VRMLModel model = read("Extrusion {}");
+  EXPECT_EQ(model.triangles(), 12);
+  EXPECT_EQ(model.output()->GetNumberOfPoints(), 8);
+  EXPECT_NEAR(model.volume(), 4.0, 1e-12);
+  expectBounds(model, {-1, 1, 0, 1, -1, 1});
+  EXPECT_NEAR(read("Extrusion { ccw FALSE }").volume(), -4.0, 1e-12);
+  EXPECT_EQ(read("Extrusion { beginCap FALSE endCap FALSE }").triangles(), 8);
+}
+
+TEST_F(VRMLGeometry, ExtrudesConcaveSectionsAlongABend)
+{
+  const std::string section = "crossSection [1 1, 1 -1, 0 0, -1 -1, -1 1, 1 1]";
+  EXPECT_NEAR(read("Extrusion {" + section + "}").volume(), 3.0, 1e-12);
+  // A pipe with a mitred right angle keeps the volume of its centre line.
+  const VRMLModel pipe = read("Extrusion { spine [0 0 0, 0 5 0, 5 5 0] scale [1 1, 1 1, 1 1] }");
+  EXPECT_GT(pipe.volume(), 30.0);
+  EXPECT_LT(pipe.volume(), 41.0);
+}
+
+TEST_F(VRMLGeometry, ScalesAndTurnsSectionsOfAnExtrusion)
+{
+  const VRMLModel tip = read("Extrusion { spine [0 0 0, 0 3 0] scale [1 1, 0 0] }");
+  EXPECT_NEAR(tip.volume(), 4.0, 1e-12);
+  EXPECT_NEAR(read("Extrusion { orientation 0 1 0 0.78539816339744831 }").bounds()[1], std::sqrt(2.0), 1e-12);
+}
+
+TEST_F(VRMLGeometry, JoinsTheEndsOfAClosedSpineWithoutCaps)
+{
+  const VRMLModel ring = read("Extrusion { crossSection [.1 .1, .1 -.1, -.1 -.1, -.1 .1, .1 .1]"
+                              " spine [2 0 0, 0 0 -2, -2 0 0, 0 0 2, 2 0 0] }");
+  EXPECT_EQ(ring.triangles(), 4 * 4 * 2);
+  EXPECT_GT(ring.volume(), 0.0);
+}
+
+TEST_F(VRMLGeometry, WarnsOfGeometryOutsideOfAShape)
+{
+  const VRMLModel model(writeFile(scratch.path(), "model.wrl", "#VRML V2.0 utf8\nDEF Loose Box {}"));
+  EXPECT_EQ(model.names(), std::vector<std::string>{"Loose"});
+  EXPECT_EQ(messages.takeWarnings().size(), 1u);
+}
+
+} // namespace
