@@ -4,7 +4,9 @@ paraview_plugin_scan(
   PROVIDES_PLUGINS atria_plugins
   ENABLE_BY_DEFAULT ON
   HIDE_PLUGINS_FROM_CACHE ON)
+set(atria_plugins_subdirectory "paraview-${ParaView_VERSION_MAJOR}.${ParaView_VERSION_MINOR}/plugins")
 paraview_plugin_build(
   PLUGINS ${atria_plugins}
+  LIBRARY_SUBDIRECTORY "${atria_plugins_subdirectory}"
   PLUGINS_FILE_NAME "atria.xml"
   AUTOLOAD ${atria_plugins})

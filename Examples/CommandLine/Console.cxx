@@ -3,6 +3,7 @@
 
 #include <vtkAlgorithm.h>
 #include <vtkCommand.h>
+#include <vtkLogger.h>
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
 
@@ -77,6 +78,7 @@ Console::Console()
   : window(vtkSmartPointer<Window>::New()), previous(vtkOutputWindow::GetInstance()), terminal(isatty(STDERR_FILENO))
 {
   window->console = this;
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // VTK also logs what it tells the window
   vtkOutputWindow::SetInstance(window);
 }
 

@@ -65,7 +65,7 @@ void printWarnings(vtkAtriaVRMLReader* reader, const std::string& file, Console&
   vtkStringArray* warnings = reader->GetWarnings();
   for (vtkIdType i = 0; i < std::min(most, warnings->GetNumberOfValues()); ++i)
   {
-    console.warning(file + ": " + warnings->GetValue(i));
+    console.warning(warnings->GetValue(i)); // names file and line
   }
   if (const vtkIdType all = reader->GetNumberOfWarnings(); all > most)
   {
