@@ -18,16 +18,12 @@ vtk_module_build(
   SOVERSION "0.1"
   TEST_DIRECTORY_NAME NONE)
 
-set(atria_python_dir "${CMAKE_INSTALL_LIBDIR}/python3/dist-packages")
-vtk_module_wrap_python(
+include(Filters/AtriaPython.cmake)
+atria_wrap_python(
   MODULES ${atria_modules}
   INSTALL_EXPORT Atria
-  INSTALL_HEADERS OFF
-  PYTHON_PACKAGE "atria"
-  MODULE_DESTINATION "${atria_python_dir}"
   CMAKE_DESTINATION "${atria_package_dir}"
-  LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
-  BUILD_STATIC OFF)
+  LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}")
 
 file(CONFIGURE OUTPUT "${CMAKE_BINARY_DIR}/${atria_package_dir}/AtriaConfig.cmake" @ONLY CONTENT [=[
 include(CMakeFindDependencyMacro)

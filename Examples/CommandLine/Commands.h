@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The subcommands. Each declares its options on the application and, when it is the one asked for, runs.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace atria::tool {
+
+class Console;
+
+/// What the program's exit status means. 1 is left to failures that are nobody's input, such as a full disk.
+enum ExitStatus : int
+{
+  Done = 0,
+  Failed = 1,
+  Usage = 2,
+  BadInput = 3,
+  MeshNotValid = 4
+};
+
+/// Ends the program with a status and a message for people.
+class Failure : public std::runtime_error
+{
+public:
+  Failure(ExitStatus withStatus, const std::string& message) : std::runtime_error(message), status(withStatus) {}
+  ExitStatus status;
+};
+
+/// A subcommand stores its result in `status` from CLI11's callback.
+void addMeshCommand(CLI::App& app, Console& console, ExitStatus& status);
+void addInspectCommand(CLI::App& app, Console& console, ExitStatus& status);
+void addQualityCommand(CLI::App& app, Console& console, ExitStatus& status);
+
+} // namespace atria::tool

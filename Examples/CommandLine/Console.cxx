@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Console.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkCommand.h>
+#include <vtkLogger.h>
+#include <vtkObjectFactory.h>
+#include <vtkOutputWindow.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iostream>
+#include <mutex>
+#include <regex>
+#include <utility>
+
+#include <unistd.h>
+
+namespace atria::tool {
+
+namespace {
+
+/// VTK writes "ERROR: In <file>, line <n>\n<class> (<address>): <text>\n\n".
+std::string plainText(const std::string& message)
+{
+  static const std::regex prefix(R"(^\s*(ERROR|[A-Za-z ]*Warning): In [^\n]*, line \d+\n(\w+ \((0x)?[0-9a-fA-F]+\): )?)");
+  std::string text = std::regex_replace(message, prefix, "", std::regex_constants::format_first_only);
+  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back())))
+  {
+    text.pop_back();
+  }
+  return text;
+}
+
+/// The pipeline adds this to an error that the filter itself already explained.
+bool isPipelineEcho(const std::string& text) { return text.rfind("Algorithm vtk", 0) == 0; }
+
+class ProgressCommand : public vtkCommand
+{
+public:
+  static ProgressCommand* New() { return new ProgressCommand; }
+  void Execute(vtkObject* caller, unsigned long, void* data) override
+  {
+    auto* algorithm = static_cast<vtkAlgorithm*>(caller);
+    show(*static_cast<double*>(data), algorithm->GetProgressText() ? algorithm->GetProgressText() : "");
+  }
+  std::function<void(double, const std::string&)> show;
+};
+
+} // namespace
+
+class Console::Window : public vtkOutputWindow
+{
+public:
+  static Window* New();
+  vtkTypeMacro(Window, vtkOutputWindow);
+
+  void DisplayText(const char* text) override { console->warning(plainText(text)); }
+  void DisplayWarningText(const char* text) override { console->warning(plainText(text)); }
+  void DisplayGenericWarningText(const char* text) override { console->warning(plainText(text)); }
+  void DisplayDebugText(const char*) override {}
+  void DisplayErrorText(const char* text) override
+  {
+    const std::lock_guard lock(mutex);
+    errors.push_back(plainText(text));
+  }
+
+  Console* console = nullptr;
+  std::vector<std::string> errors;
+
+private:
+  std::mutex mutex;
+};
+vtkStandardNewMacro(Console::Window);
+
+Console::Console()
+  : window(vtkSmartPointer<Window>::New()), previous(vtkOutputWindow::GetInstance()), terminal(isatty(STDERR_FILENO))
+{
+  window->console = this;
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // VTK also logs what it tells the window
+  vtkOutputWindow::SetInstance(window);
+}
+
+Console::~Console()
+{
+  clearBar();
+  vtkOutputWindow::SetInstance(previous);
+}
+
+void Console::error(const std::string& text)
+{
+  clearBar();
+  std::cerr << "atria: error: " << text << '\n';
+}
+
+void Console::warning(const std::string& text)
+{
+  clearBar();
+  std::cerr << "atria: warning: " << text << '\n';
+}
+
+void Console::follow(vtkAlgorithm* algorithm, double first, double last)
+{
+  if (!terminal)
+  {
+    return;
+  }
+  vtkNew<ProgressCommand> command;
+  command->show = [this, first, last](double fraction, const std::string& phase) {
+    progress(first + fraction * (last - first), phase);
+  };
+  algorithm->AddObserver(vtkCommand::ProgressEvent, command);
+}
+
+void Console::progress(double fraction, const std::string& phase)
+{
+  if (!terminal)
+  {
+    return;
+  }
+  constexpr int width = 30;
+  const double done = std::clamp(fraction, 0.0, 1.0);
+  const int filled = static_cast<int>(std::lround(done * width));
+  const std::string percent = std::to_string(static_cast<int>(std::lround(100 * done)));
+  const std::string line = "[" + std::string(filled, '#') + std::string(width - filled, ' ') + "] " +
+    std::string(3 - std::min<std::size_t>(percent.size(), 3), ' ') + percent + " % " + phase.substr(0, 36);
+  if (line != shown)
+  {
+    std::cerr << '\r' << line << "\033[K" << std::flush;
+    shown = line;
+  }
+}
+
+void Console::clearBar()
+{
+  if (!shown.empty())
+  {
+    std::cerr << "\r\033[K" << std::flush;
+    shown.clear();
+  }
+}
+
+std::vector<std::string> Console::takeErrors()
+{
+  std::vector<std::string> errors = std::exchange(window->errors, {});
+  const bool explained = std::any_of(errors.begin(), errors.end(), std::not_fn(isPipelineEcho));
+  if (explained)
+  {
+    errors.erase(std::remove_if(errors.begin(), errors.end(), isPipelineEcho), errors.end());
+  }
+  return errors;
+}
+
+} // namespace atria::tool

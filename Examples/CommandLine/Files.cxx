@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Files.h"
+
+#include "Commands.h"
+#include "Console.h"
+
+#include <vtkAtriaOpenFOAMWriter.h>
+#include <vtkAtriaVRMLReader.h>
+#include <vtkCallbackCommand.h>
+#include <vtkCommand.h>
+#include <vtkNew.h>
+#include <vtkPartitionedDataSetCollection.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+#include <vtkUnstructuredGrid.h>
+#include <vtkXMLPartitionedDataSetCollectionWriter.h>
+#include <vtkXMLUnstructuredGridReader.h>
+#include <vtkXMLUnstructuredGridWriter.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+namespace atria::tool {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+void throwIfErrors(Console& console, ExitStatus status, const std::string& about)
+{
+  const std::vector<std::string> errors = console.takeErrors();
+  if (errors.empty())
+  {
+    return;
+  }
+  // An error that already names its file is not prefixed with it again.
+  std::string text = errors.front().find(about) == std::string::npos ? about + ": " : "";
+  for (std::size_t i = 0; i < errors.size(); ++i)
+  {
+    text += (i == 0 ? "" : "\n") + errors[i];
+  }
+  throw Failure(status, text);
+}
+
+void checkReadable(const std::string& file)
+{
+  if (fs::is_directory(file))
+  {
+    throw Failure(BadInput, file + " is a folder; name a file");
+  }
+  if (!fs::exists(file))
+  {
+    throw Failure(BadInput, file + " does not exist; check the path");
+  }
+  if (!std::ifstream(file).good())
+  {
+    throw Failure(BadInput, file + " cannot be opened; check its permissions");
+  }
+}
+
+void printWarnings(vtkAtriaVRMLReader* reader, const std::string& file, Console& console)
+{
+  constexpr vtkIdType most = 20;
+  vtkStringArray* warnings = reader->GetWarnings();
+  for (vtkIdType i = 0; i < std::min(most, warnings->GetNumberOfValues()); ++i)
+  {
+    console.warning(warnings->GetValue(i)); // names file and line
+  }
+  if (const vtkIdType all = reader->GetNumberOfWarnings(); all > most)
+  {
+    console.warning(file + ": and " + std::to_string(all - most) + " more; see atria inspect --json");
+  }
+}
+
+} // namespace
+
+vtkSmartPointer<vtkAtriaVRMLReader> readModel(const std::string& file, Console& console)
+{
+  checkReadable(file);
+  auto reader = vtkSmartPointer<vtkAtriaVRMLReader>::New();
+  // An observer keeps the reader's one summarising warning away from the console: printWarnings tells more.
+  vtkNew<vtkCallbackCommand> silence;
+  reader->AddObserver(vtkCommand::WarningEvent, silence);
+  reader->SetFileName(file.c_str());
+  console.follow(reader, 0.0, 0.05);
+  reader->Update();
+  throwIfErrors(console, BadInput, file);
+  printWarnings(reader, file, console);
+  if (reader->GetOutput()->GetNumberOfCells() == 0)
+  {
+    throw Failure(BadInput, file + " holds no surfaces; export the model with its faces");
+  }
+  return reader;
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> readMesh(const std::string& file, Console& console)
+{
+  checkReadable(file);
+  vtkNew<vtkXMLUnstructuredGridReader> reader;
+  if (!reader->CanReadFile(file.c_str()))
+  {
+    console.takeErrors();
+    throw Failure(BadInput, file + " is not a VTK XML unstructured grid; give a .vtu file, such as `atria mesh` writes");
+  }
+  reader->SetFileName(file.c_str());
+  console.follow(reader, 0.0, 0.5);
+  reader->Update();
+  throwIfErrors(console, BadInput, file);
+  return reader->GetOutput();
+}
+
+void writeMesh(const std::string& file, vtkUnstructuredGrid* mesh, Console& console)
+{
+  vtkNew<vtkXMLUnstructuredGridWriter> writer;
+  writer->SetFileName(file.c_str());
+  writer->SetInputData(mesh);
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOff();
+  writer->SetCompressorTypeToZLib();
+  const bool written = writer->Write() != 0;
+  throwIfErrors(console, Failed, file);
+  if (!written || !fs::exists(file))
+  {
+    throw Failure(Failed, file + " could not be written; check permissions and space");
+  }
+}
+
+void writePatches(const std::string& file, vtkPartitionedDataSetCollection* patches, Console& console)
+{
+  vtkNew<vtkXMLPartitionedDataSetCollectionWriter> writer;
+  writer->SetFileName(file.c_str());
+  writer->SetInputDataObject(patches);
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOff();
+  writer->SetCompressorTypeToZLib();
+  const bool written = writer->Write() != 0;
+  throwIfErrors(console, Failed, file);
+  if (!written || !fs::exists(file))
+  {
+    throw Failure(Failed, file + " could not be written; check permissions and space");
+  }
+}
+
+void writeOpenFOAM(const std::string& folder, vtkUnstructuredGrid* mesh, vtkPartitionedDataSetCollection* patches,
+  Console& console)
+{
+  vtkNew<vtkAtriaOpenFOAMWriter> writer;
+  writer->SetInputDataObject(0, mesh);
+  writer->SetInputDataObject(1, patches);
+  writer->SetCaseDirectory(folder.c_str());
+  const bool written = writer->Write() != 0;
+  throwIfErrors(console, Failed, folder);
+  if (!written)
+  {
+    throw Failure(Failed, folder + ": the OpenFOAM case could not be written; check permissions and space");
+  }
+}
+
+void writeText(const std::string& file, const std::string& text)
+{
+  std::ofstream stream(file);
+  stream << text;
+  stream.close();
+  if (!stream)
+  {
+    throw Failure(Failed, file + " could not be written; check permissions and space");
+  }
+}
+
+void checkOutput(const std::string& option, const std::string& file, const std::string& ending)
+{
+  const fs::path path(file);
+  if (path.extension() != ending)
+  {
+    throw Failure(Usage, option + " " + file + ": the file's name must end in " + ending);
+  }
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  if (!fs::is_directory(folder))
+  {
+    throw Failure(Usage, option + " " + file + ": the folder " + folder.string() + " does not exist; make it first");
+  }
+}
+
+void updateOrFail(vtkAlgorithm* algorithm, const std::string& about, Console& console)
+{
+  algorithm->Update();
+  throwIfErrors(console, BadInput, about);
+}
+
+} // namespace atria::tool

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Reading and writing files, with errors that name the file and say what to do.
+#pragma once
+
+#include <vtkSmartPointer.h>
+
+#include <string>
+
+class vtkAlgorithm;
+class vtkAtriaVRMLReader;
+class vtkPartitionedDataSetCollection;
+class vtkUnstructuredGrid;
+
+namespace atria::tool {
+
+class Console;
+
+/// A reader that has read `file`. Its warnings have been printed. Throws Failure(BadInput).
+vtkSmartPointer<vtkAtriaVRMLReader> readModel(const std::string& file, Console& console);
+vtkSmartPointer<vtkUnstructuredGrid> readMesh(const std::string& file, Console& console);
+
+/// Appended binary data, compressed. Throws Failure(Failed).
+void writeMesh(const std::string& file, vtkUnstructuredGrid* mesh, Console& console);
+void writePatches(const std::string& file, vtkPartitionedDataSetCollection* patches, Console& console);
+void writeOpenFOAM(const std::string& folder, vtkUnstructuredGrid* mesh, vtkPartitionedDataSetCollection* patches,
+  Console& console);
+void writeText(const std::string& file, const std::string& text);
+
+/// Throws Failure(Usage) unless `file` ends in `ending`, such as ".vtu", and its folder exists.
+void checkOutput(const std::string& option, const std::string& file, const std::string& ending);
+
+/// Updates an algorithm. If VTK reported errors, throws Failure with them, prefixed by `about`.
+void updateOrFail(vtkAlgorithm* algorithm, const std::string& about, Console& console);
+
+} // namespace atria::tool

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The parts of the JSON reports.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+class vtkPartitionedDataSetCollection;
+class vtkPolyData;
+class vtkTable;
+class vtkUnstructuredGrid;
+
+namespace atria::tool {
+
+/// Keeps the order in which keys are added.
+using Json = nlohmann::ordered_json;
+
+/// vertices, elements, and elements by shape.
+Json countsOf(vtkUnstructuredGrid* mesh);
+
+/// [{id, elements, volume}] from the cell arrays ZoneId and Volume; one zone 0 where ZoneId is absent.
+Json zonesOf(vtkUnstructuredGrid* meshWithQuality);
+
+/// [{name, faces, area}], area in square model units.
+Json patchesOf(vtkPartitionedDataSetCollection* patches);
+
+/// {metric: {min, max, mean, std}} from the summary table of vtkAtriaMeshQuality.
+Json qualityOf(vtkTable* summary);
+
+/// {stage: seconds} from the field arrays StageName and StageSeconds.
+Json stageSecondsOf(vtkUnstructuredGrid* mesh);
+
+/// {name: cells} from the cell array Diagnostic and the field array DiagnosticName.
+Json diagnosticsOf(vtkPolyData* diagnostics);
+
+/// The field array MaxLevel; null where it is absent.
+Json maxLevelOf(vtkUnstructuredGrid* mesh);
+
+/// Largest resident memory of this process so far.
+long long peakMemoryBytes();
+
+} // namespace atria::tool

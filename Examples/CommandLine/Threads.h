@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace atria::tool {
+
+/// Limits VTK's threads; 0 leaves the choice to VTK.
+void setThreads(int count);
+int threadsInUse();
+
+} // namespace atria::tool

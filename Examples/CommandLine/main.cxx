@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Commands.h"
+#include "Console.h"
+
+#include <CLI/CLI.hpp>
+
+#include <exception>
+#include <new>
+#include <string>
+
+namespace {
+
+std::string usageMessage(const CLI::App*, const CLI::Error& error)
+{
+  return std::string("atria: error: ") + error.what() + "\nSee atria --help, or atria mesh --help and the like.\n";
+}
+
+int usageStatus(const CLI::App& app, const CLI::ParseError& error)
+{
+  // CLI11 also reports --help this way, with status 0. Its other statuses are numbers of its own.
+  return app.exit(error) == 0 ? atria::tool::Done : atria::tool::Usage;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  using namespace atria::tool;
+  CLI::App app("Meshes architecture for flow simulation: a VRML model in, a hexahedral-dominant mesh with named patches "
+               "out.\nExit status: 0 done, 2 usage, 3 bad input, 4 the mesh has elements that are not valid, 1 any other "
+               "failure.");
+  app.name("atria");
+  app.set_version_flag("--version", ATRIA_TOOL_VERSION);
+  app.require_subcommand(1);
+  app.failure_message(usageMessage);
+
+  Console console;
+  ExitStatus status = Done;
+  addMeshCommand(app, console, status);
+  addInspectCommand(app, console, status);
+  addQualityCommand(app, console, status);
+  try
+  {
+    app.parse(argc, argv);
+    return status;
+  }
+  catch (const CLI::ParseError& error)
+  {
+    console.clearBar();
+    return usageStatus(app, error);
+  }
+  catch (const Failure& failure)
+  {
+    console.error(failure.what());
+    return failure.status;
+  }
+  catch (const std::bad_alloc&)
+  {
+    console.error("out of memory; choose larger sizes or a smaller domain");
+  }
+  catch (const std::exception& error)
+  {
+    console.error(error.what());
+  }
+  return Failed;
+}

@@ -1,0 +1,12 @@
+# Builds the ParaView plugin. The plugin holds the same modules as the package made against VTK.
+paraview_plugin_scan(
+  PLUGIN_FILES "${CMAKE_CURRENT_SOURCE_DIR}/ParaViewPlugin/paraview.plugin"
+  PROVIDES_PLUGINS atria_plugins
+  ENABLE_BY_DEFAULT ON
+  HIDE_PLUGINS_FROM_CACHE ON)
+set(atria_plugins_subdirectory "paraview-${ParaView_VERSION_MAJOR}.${ParaView_VERSION_MINOR}/plugins")
+paraview_plugin_build(
+  PLUGINS ${atria_plugins}
+  LIBRARY_SUBDIRECTORY "${atria_plugins_subdirectory}"
+  PLUGINS_FILE_NAME "atria.xml"
+  AUTOLOAD ${atria_plugins})

@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Draws a cut through the mesh, coloured by a metric, and checks that there is something to see."""
+
+import os
+import pathlib
+
+from paraview import simple
+from paraview.vtk.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
+import numpy
+
+from house_pipeline import house
+
+
+def draw(quality, file):
+    view = simple.CreateRenderView(ViewSize=[1200, 800])
+    cut = simple.Slice(Input=quality, Crinkleslice=1)
+    cut.SliceType.Origin = [12.3, 7.1, 5.0]
+    cut.SliceType.Normal = [0.0, 1.0, 0.0]
+    display = simple.Show(cut, view)
+    display.SetRepresentationType("Surface With Edges")
+    simple.ColorBy(display, ("CELLS", "CellSquish"))
+    display.RescaleTransferFunctionToDataRange()
+    display.SetScalarBarVisibility(view, True)
+    view.CameraPosition = [12.0, -120.0, 20.0]
+    view.CameraFocalPoint = [25.0, 7.0, 12.0]
+    view.CameraViewUp = [0.0, 0.0, 1.0]
+    simple.Render(view)
+    simple.SaveScreenshot(str(file), view)
+
+
+def colours_in(file):
+    reader = vtkPNGReader()
+    reader.SetFileName(str(file))
+    reader.Update()
+    pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
+    return len(numpy.unique(pixels[:, :3], axis=0))
+
+
+def main():
+    file = pathlib.Path(os.environ["ATRIA_OUTPUT"]) / "cut.png"
+    file.unlink(missing_ok=True)
+    draw(house().quality, file)
+    colours = colours_in(file)
+    assert colours > 100, f"{file} has only {colours} colours"
+    print(f"{file}: {colours} colours")
+
+
+main()

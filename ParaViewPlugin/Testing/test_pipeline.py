@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The pipeline of the plugin gives the arrays, patches and tables it promises. Needs no display."""
+
+import os
+import pathlib
+import shutil
+
+from paraview import servermanager, simple
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
+
+from house_pipeline import house
+
+METRICS = [
+    "CellSquish", "FaceSquish", "AspectRatio", "InverseAspectRatio", "OrthogonalQuality", "NonOrthogonality",
+    "Skewness", "Volume", "FacePyramids", "ScaledJacobian",
+]
+
+
+def fetch(source, port=0):
+    source.UpdatePipeline()
+    return servermanager.Fetch(simple.OutputPort(source, port))
+
+
+def names(attributes):
+    return {attributes.GetArrayName(i) for i in range(attributes.GetNumberOfArrays())}
+
+
+def check_surfaces(reader):
+    assert "AtriaVRMLReader" in reader.GetXMLName(), f"the model was opened by {reader.GetXMLName()}"
+    surfaces = fetch(reader)
+    assert surfaces.GetNumberOfCells() > 50
+    assert "SurfaceId" in names(surfaces.GetCellData())
+    found = surfaces.GetFieldData().GetAbstractArray("SurfaceName")
+    found = {found.GetValue(i) for i in range(found.GetNumberOfValues())}
+    assert {"Site", "WallSouth", "RoofNorth", "PartitionA", "Neighbour"} <= found, found
+
+
+def check_octree(octree):
+    leaves = fetch(octree)
+    assert leaves.GetClassName() == "vtkUnstructuredGrid"
+    assert {"Level", "FeatureType"} <= names(leaves.GetCellData())
+    octree.OutputType = "Hyper Tree Grid"
+    assert fetch(octree).GetClassName() == "vtkHyperTreeGrid"
+    octree.OutputType = "Unstructured Grid"
+
+
+def check_mesh(mesher):
+    mesh = fetch(mesher)
+    assert mesh.GetNumberOfCells() > 1000
+    assert {"ZoneId", "Level"} <= names(mesh.GetCellData())
+    patches = fetch(mesher, 1)
+    blocks = {
+        patches.GetMetaData(i).Get(vtkCompositeDataSet.NAME())
+        for i in range(patches.GetNumberOfPartitionedDataSets())
+    }
+    assert {"WallSouth_front", "WallSouth_back", "Neighbour", "xMin", "zMax"} <= blocks, blocks
+    diagnostics = fetch(mesher, 2)
+    assert diagnostics.GetFieldData().GetAbstractArray("DiagnosticName") is not None
+
+
+def check_quality(quality):
+    measured = fetch(quality)
+    assert set(METRICS) | {"Valid"} <= names(measured.GetCellData())
+    assert fetch(quality, 1).GetNumberOfRows() == len(METRICS)
+    histogram = fetch(quality, 2)
+    assert {"CellSquish", "CellSquish_PDF", "CellSquish_CDF"} <= names(histogram.GetRowData())
+    assert histogram.GetNumberOfRows() == quality.NumberOfBins
+    valid = measured.GetCellData().GetArray("Valid")
+    invalid = sum(1 for i in range(valid.GetNumberOfTuples()) if not valid.GetTuple1(i))
+    quality.UpdatePropertyInformation()
+    assert quality.GetPropertyValue("NumberOfInvalidCells") == invalid
+
+
+def check_writer(mesher, patches):
+    folder = pathlib.Path(os.environ["ATRIA_OUTPUT"]) / "case"
+    shutil.rmtree(folder, ignore_errors=True)
+    writer = simple.AtriaOpenFOAMWriter(Input=mesher, Patches=patches, CaseDirectory=str(folder))
+    writer.UpdateVTKObjects()
+    writer.InvokeCommand("Write")
+    boundary = (folder / "constant" / "polyMesh" / "boundary").read_text()
+    assert "WallSouth_front" in boundary
+
+
+def main():
+    pipeline = house()
+    check_surfaces(pipeline.reader)
+    check_octree(pipeline.octree)
+    check_mesh(pipeline.mesher)
+    check_quality(pipeline.quality)
+    check_writer(pipeline.mesher, pipeline.patches)
+    print("the pipeline gives what it promises")
+
+
+main()
