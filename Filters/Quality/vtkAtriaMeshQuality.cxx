@@ -39,7 +39,9 @@ struct NamedMetric
 std::vector<NamedMetric> listMetrics(const atria::QualityMetrics& q)
 {
   std::vector<NamedMetric> metrics;
-  const auto add = [&](const char* name, const std::vector<double>& cells) { metrics.push_back({name, &cells, &cells}); };
+  const auto add = [&](const char* name, const std::vector<double>& cells) {
+    metrics.push_back({name, &cells, &cells});
+  };
   add("CellSquish", q.cellSquish);
   metrics.push_back({"FaceSquish", &q.faceSquish, &q.squishOfFaces});
   add("AspectRatio", q.aspectRatio);
@@ -123,7 +125,10 @@ vtkAtriaMeshQuality::vtkAtriaMeshQuality()
   this->SetNumberOfOutputPorts(3);
 }
 
-void vtkAtriaMeshQuality::SetPatchesConnection(vtkAlgorithmOutput* patches) { this->SetInputConnection(1, patches); }
+void vtkAtriaMeshQuality::SetPatchesConnection(vtkAlgorithmOutput* patches)
+{
+  this->SetInputConnection(1, patches);
+}
 
 void vtkAtriaMeshQuality::SetPatchesData(vtkPartitionedDataSetCollection* patches)
 {
@@ -152,7 +157,8 @@ int vtkAtriaMeshQuality::FillOutputPortInformation(int port, vtkInformation* inf
   return 1;
 }
 
-int vtkAtriaMeshQuality::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+int vtkAtriaMeshQuality::RequestData(vtkInformation*, vtkInformationVector** inputs,
+                                     vtkInformationVector* outputs)
 {
   vtkUnstructuredGrid* volume = vtkUnstructuredGrid::GetData(inputs[0], 0);
   vtkPartitionedDataSetCollection* patches = vtkPartitionedDataSetCollection::GetData(inputs[1], 0);
@@ -165,7 +171,7 @@ int vtkAtriaMeshQuality::RequestData(vtkInformation*, vtkInformationVector** inp
     context.progress.report(0.0, "Finding faces");
     const atria::VtkFaceMesh source = atria::faceMeshFromVtk(volume, patches);
     const atria::QualityMetrics quality =
-      atria::computeQuality(source.mesh, source.cells.view(), context.part(0.4, 0.9));
+        atria::computeQuality(source.mesh, source.cells.view(), context.part(0.4, 0.9));
     vtkNew<vtkTable> summary;
     vtkNew<vtkTable> histogram;
     fillSummary(summary, quality);

@@ -3,19 +3,20 @@
  * @class   vtkAtriaMeshQuality
  * @brief   quality of every cell of a volume mesh, with summary and histograms
  *
- * Input port 0 takes a volume mesh of tetrahedra, voxels, hexahedra, wedges, pyramids and polyhedra. Input port 1,
- * optional, takes its boundary patches (vtkPartitionedDataSetCollection of vtkPolyData with the cell array `OwnerCellId`
- * and the point array `VolumePointId`, such as vtkAtriaDualMesher's second output). With them the two sides of a
- * sheet of zero thickness count as boundary, as they do for a solver, even where both have the same points.
+ * Input port 0 takes a volume mesh of tetrahedra, voxels, hexahedra, wedges, pyramids and polyhedra. Input
+ * port 1, optional, takes its boundary patches (vtkPartitionedDataSetCollection of vtkPolyData with the cell
+ * array `OwnerCellId` and the point array `VolumePointId`, such as vtkAtriaDualMesher's second output). With
+ * them the two sides of a sheet of zero thickness count as boundary, as they do for a solver, even where both
+ * have the same points.
  *
- * Output port 0 is the mesh with these cell arrays (double). A is the outward area vector of a face, r goes from
- * the cell's centroid to the face's, d from the cell's centroid to its neighbour's:
+ * Output port 0 is the mesh with these cell arrays (double). A is the outward area vector of a face, r goes
+ * from the cell's centroid to the face's, d from the cell's centroid to its neighbour's:
  * - `CellSquish`: max 1 - A.r/(|A||r|); 0 is ideal, below 0.99 usable
  * - `FaceSquish`: max 1 - A.d/(|A||d|) over internal faces; 0 is ideal
- * - `AspectRatio`: max/min of the distances from the centroid to face centroids and points; a cube has 1.732 (Fluent)
+ * - `AspectRatio`: max/min distance from the centroid to face centroids and points; a cube has 1.732 (Fluent)
  * - `InverseAspectRatio`: its reciprocal; a cube has 0.577
  * - `OrthogonalQuality`: min of the cosines of A to r and of A to d; 1 is ideal (Fluent)
- * - `NonOrthogonality`: max angle in degrees between A and d over internal faces; 0 is ideal, up to 65 usual (OpenFOAM)
+ * - `NonOrthogonality`: max angle in degrees between A and d over internal faces; 0 is ideal, 65 usual
  * - `Skewness`: max over faces, as OpenFOAM's checkMesh; 0 is ideal, up to 4 accepted
  * - `Volume`: cubic model units
  * - `FacePyramids`: volume of the smallest pyramid from a face to the centroid, cubic model units
@@ -23,12 +24,14 @@
  * - `Valid` (unsigned char): 1 where volume and face pyramids are positive and the cell is closed, else 0
  *
  * Output port 1 is a vtkTable with one row per metric: `Metric` (string), `Minimum`, `Maximum`, `Mean`,
- * `StandardDeviation` (of the population), `Count`. Output port 2 is a vtkTable with NumberOfBins rows and for each
- * metric the columns `<Metric>` (bin centre), `<Metric>_PDF` (integrates to 1) and `<Metric>_CDF` (ends at 1). Both
- * tables take `FaceSquish` face by face, all else cell by cell; what is not a number is not counted.
+ * `StandardDeviation` (of the population), `Count`. Output port 2 is a vtkTable with NumberOfBins rows and
+ * for each metric the columns `<Metric>` (bin centre), `<Metric>_PDF` (integrates to 1) and `<Metric>_CDF`
+ * (ends at 1). Both tables take `FaceSquish` face by face, all else cell by cell; what is not a number is not
+ * counted.
  *
- * Areas, volumes and centroids are those of OpenFOAM's primitiveMesh, so figures agree with checkMesh's. A mesh
- * without cells, of other cell types or whose faces more than two cells share is an error; the outputs are then empty.
+ * Areas, volumes and centroids are those of OpenFOAM's primitiveMesh, so figures agree with checkMesh's. A
+ * mesh without cells, of other cell types or whose faces more than two cells share is an error; the outputs
+ * are then empty.
  *
  * @sa vtkAtriaDualMesher vtkAtriaOpenFOAMWriter vtkMeshQuality
  */

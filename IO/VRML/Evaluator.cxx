@@ -14,7 +14,7 @@ namespace atria::vrml {
 namespace {
 
 /// A few USEs of USEs can stand for more nodes than any machine has memory for.
-constexpr std::size_t mostVisits = 20'000'000;
+constexpr std::size_t mostVisits = 5'000'000;
 constexpr std::size_t visitsBetweenReports = 1024;
 
 Vec3 vectorOr(const std::vector<double>& v, const Vec3& otherwise)
@@ -33,6 +33,7 @@ Evaluator::Evaluator(Library& files, Diagnostics& messages, const ProgressRange&
 
 Model Evaluator::run(const Document& document)
 {
+  path.insert({document.root, nullptr});
   pushChildren({{}, Transform::Identity(), {}}, instances.nodes({document.root, nullptr}, "children"));
   for (std::size_t count = 0; !open.empty(); ++count) {
     if (count % visitsBetweenReports == 0) {
@@ -63,8 +64,7 @@ bool Evaluator::enter(const Visit& at)
   if (!node || node->damaged) {
     return false;
   }
-  const bool inlines = node->type && node->type->name == "Inline";
-  if (!node->shared && !inlines) {
+  if (!node->shared) {
     return true;
   }
   if (!path.insert({node, at.ref.context}).second) {
@@ -136,9 +136,15 @@ void Evaluator::visitInline(const Visit& at)
   const Node& node = *at.ref.node;
   const Document* document =
       library.openBeside(*node.document, urls ? *urls : std::vector<std::string>{}, node.line, "Inline");
-  if (document) {
-    pushChildren(at, instances.nodes({document->root, nullptr}, "children"));
+  if (!document) {
+    return;
   }
+  if (!path.insert({document->root, nullptr}).second) {
+    warn(node, "the file contains itself; skipped");
+    return;
+  }
+  open.push_back({{document->root, nullptr}, at.transform, {}, true});
+  pushChildren(at, instances.nodes({document->root, nullptr}, "children"));
 }
 
 /// In reverse, so that they are visited in the order of the file.

@@ -65,8 +65,9 @@ private:
   Instances instances;
   Geometry geometries;
   std::vector<Visit> open;
-  std::set<std::pair<const Node*, const Context*>> path; ///< shared nodes being visited, against cycles
-  std::unordered_map<const Node*, LocalSurface> cache;   ///< of geometry used more than once
+  std::set<std::pair<const Node*, const Context*>>
+      path; ///< shared nodes and files being visited, against cycles
+  std::unordered_map<const Node*, LocalSurface> cache; ///< of geometry used more than once
   LocalSurface current;
   std::unordered_map<std::string, int> names; ///< names in use, with the last number given to each
   Model model;

@@ -168,6 +168,20 @@ FileText readText(const fs::path& file)
   return out;
 }
 
+std::string readStart(const fs::path& file)
+{
+  std::error_code ignored;
+  std::string start(512, '\0');
+  // zlib passes plain files through.
+  const gzFile in = fs::is_regular_file(file, ignored) ? gzopen(file.c_str(), "rb") : nullptr;
+  const int length = in ? gzread(in, start.data(), static_cast<unsigned>(start.size())) : 0;
+  start.resize(static_cast<std::size_t>(std::max(length, 0)));
+  if (in) {
+    gzclose(in);
+  }
+  return startsWith(start, "\xef\xbb\xbf") ? start.substr(3) : start;
+}
+
 std::optional<fs::path> findFile(const fs::path& folder, const std::string& url)
 {
   const std::size_t colon = url.find(':');

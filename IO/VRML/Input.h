@@ -19,6 +19,9 @@ struct FileText
 /// Throws Error where the file cannot be read or is encoded in UTF-16.
 FileText readText(const std::filesystem::path& file);
 
+/// The first few hundred characters of the text; empty where the file cannot be read.
+std::string readStart(const std::filesystem::path& file);
+
 /// The file a URL in a model of `folder` means; nothing for network addresses and files that are not there.
 /// Accepts backslashes, file: URLs, %20 and the like, a trailing #Name, and names that differ in case; a file
 /// that is not where the URL says is also looked for in `folder` itself, since exporters write paths of the

@@ -8,7 +8,7 @@ namespace atria::vrml {
 namespace {
 
 /// Prototypes of several files can contain each other.
-constexpr int deepestContext = 200;
+constexpr int deepestContext = 50;
 constexpr int longestChainOfFiles = 16;
 
 const Value none;

@@ -91,7 +91,7 @@ private:
   void resume(const Node* owner, bool inBrackets);
 
   // Messages
-  void expected(std::string_view what);
+  void expected(std::string_view what, const std::string& consequence = {});
   void warn(const std::string& text);
   void unexpectedEnd();
   std::string where();

@@ -69,8 +69,8 @@ void Parser::readValue(Node& owner, std::size_t field, FieldType type, bool inIn
     owner.fields[field].value = std::move(value);
     return;
   }
-  expected(expectationOf(type) +
-           (inInterface ? "" : " for the field " + std::string(owner.fields[field].name)));
+  const std::string consequence = inInterface ? "" : "; this " + toUtf8(owner.typeName) + " is left out";
+  expected(expectationOf(type) + " for the field " + toUtf8(owner.fields[field].name), consequence);
   owner.fields[field].value = std::monostate{};
   owner.damaged = owner.damaged || !inInterface;
   resume(inInterface ? nullptr : &owner, bracket);
@@ -264,10 +264,10 @@ void Parser::resume(const Node* owner, bool inBrackets)
   }
 }
 
-void Parser::expected(std::string_view what)
+void Parser::expected(std::string_view what, const std::string& consequence)
 {
   if (!quiet) {
-    warn("expected " + std::string(what) + ", found " + tell(lexer.peek()));
+    warn("expected " + std::string(what) + ", found " + tell(lexer.peek()) + consequence);
   }
   quiet = true;
 }
@@ -306,7 +306,7 @@ std::string Parser::tell(const Token& token) const
   case TokenKind::string:
     return "a string";
   default:
-    return "'" + toUtf8(token.text.substr(0, longest)) + "'";
+    return std::string("'").append(toUtf8(token.text.substr(0, longest))).append("'");
   }
 }
 

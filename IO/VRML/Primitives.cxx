@@ -35,12 +35,19 @@ void addFan(SurfaceBuilder& builder, const std::vector<Index>& ring, Index tip)
   }
 }
 
+/// Cuts a disc into a zigzag of triangles from side to side: no point gets many.
 void addCap(SurfaceBuilder& builder, std::vector<Index> ring, bool upwards)
 {
   if (!upwards) {
     std::reverse(ring.begin(), ring.end());
   }
-  builder.polygon(ring);
+  std::size_t low = 0;
+  std::size_t high = ring.size() - 1;
+  for (bool fromLow = true; high - low > 1; fromLow = !fromLow) {
+    const std::size_t middle = fromLow ? low + 1 : high - 1;
+    builder.polygon(std::array<Index, 3>{ring[low], ring[middle], ring[high]});
+    (fromLow ? low : high) = middle;
+  }
 }
 
 } // namespace

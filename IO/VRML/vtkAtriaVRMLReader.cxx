@@ -107,15 +107,7 @@ vtkAtriaVRMLReader::~vtkAtriaVRMLReader() { delete[] this->FileName; }
 
 bool vtkAtriaVRMLReader::CanReadFile(const char* fileName)
 {
-  if (!fileName) {
-    return false;
-  }
-  try {
-    const atria::vrml::FileText source = atria::vrml::readText(fileName);
-    return atria::vrml::versionOf(source.text) == atria::vrml::Version::vrml97;
-  } catch (const std::exception&) {
-    return false;
-  }
+  return fileName && atria::vrml::versionOf(atria::vrml::readStart(fileName)) == atria::vrml::Version::vrml97;
 }
 
 vtkStringArray* vtkAtriaVRMLReader::GetWarnings() { return this->Warnings; }

@@ -31,7 +31,7 @@
  * read, that is VRML 1.0 (another language), or that holds no surface at all.
  *
  * Limits: only files are inlined, no network addresses; animations stay at their initial state; a scene
- * that repeats its nodes more than 20 million times is refused.
+ * that repeats its nodes more than five million times is refused.
  */
 #ifndef vtkAtriaVRMLReader_h
 #define vtkAtriaVRMLReader_h

@@ -116,21 +116,22 @@ TEST(FaceMesh, CountsTheFacesOfABlockOfCubes)
 TEST(FaceMesh, FacesOfEveryCellTypePointOutward)
 {
   const std::vector<SampleMesh> cells{
-    singleCell(atria::tetrahedronCell, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}),
-    singleCell(atria::voxelCell,
-      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}}),
-    singleCell(atria::hexahedronCell,
-      {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}),
-    singleCell(atria::wedgeCell, {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1}, {0, 1, 1}, {1, 0, 1}}),
-    singleCell(atria::pyramidCell, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 1}})};
+      singleCell(atria::tetrahedronCell, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}),
+      singleCell(atria::voxelCell,
+                 {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {1, 0, 1}, {0, 1, 1}, {1, 1, 1}}),
+      singleCell(atria::hexahedronCell,
+                 {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}}),
+      singleCell(atria::wedgeCell, {{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {0, 0, 1}, {0, 1, 1}, {1, 0, 1}}),
+      singleCell(atria::pyramidCell, {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 1}})};
   for (const SampleMesh& cell : cells)
   {
     const FaceMesh mesh = makeFaceMesh(cell.points, cell.view());
-    const Vec3 centre =
-      std::accumulate(mesh.points.begin(), mesh.points.end(), Vec3(0, 0, 0)) / static_cast<double>(mesh.points.size());
+    const Vec3 centre = std::accumulate(mesh.points.begin(), mesh.points.end(), Vec3(0, 0, 0)) /
+                        static_cast<double>(mesh.points.size());
     for (std::size_t f = 0; f < mesh.faceCount(); ++f)
     {
-      EXPECT_GT(normalOf(mesh, f).dot(mesh.points[mesh.face(f)[0]] - centre), 0) << "type " << int(cell.types[0]);
+      EXPECT_GT(normalOf(mesh, f).dot(mesh.points[mesh.face(f)[0]] - centre), 0)
+          << "type " << int(cell.types[0]);
     }
     expectClosedCells(mesh);
   }
@@ -165,7 +166,7 @@ TEST(FaceMesh, IsTheSameMeshForAnyCellOrder)
   for (const std::size_t c : order)
   {
     shuffled.addCell(sample.types[c], {sample.connectivity.begin() + sample.offsets[c],
-                                        sample.connectivity.begin() + sample.offsets[c + 1]});
+                                       sample.connectivity.begin() + sample.offsets[c + 1]});
     shuffled.faceLocations.back() = sample.faceLocations[c];
   }
   const FaceMesh a = makeFaceMesh(sample.points, sample.view());
@@ -177,7 +178,8 @@ TEST(FaceMesh, IsTheSameMeshForAnyCellOrder)
   for (std::size_t f = 0; f < b.internalFaceCount(); ++f)
   {
     pairsA.insert(std::minmax(a.owner[f], a.neighbour[f]));
-    pairsB.insert(std::minmax(static_cast<Index>(order[b.owner[f]]), static_cast<Index>(order[b.neighbour[f]])));
+    pairsB.insert(
+        std::minmax(static_cast<Index>(order[b.owner[f]]), static_cast<Index>(order[b.neighbour[f]])));
   }
   EXPECT_EQ(pairsA, pairsB);
 }
@@ -264,7 +266,7 @@ TEST(FaceMeshError, NamesTheCellsThatShareAFace)
   const FaceMesh joined = makeFaceMesh(mesh.points, mesh.view());
   mesh.points.emplace_back(3, 3, 3);
   mesh.addCell(atria::pyramidCell,
-    {joined.face(0)[0], joined.face(0)[1], joined.face(0)[2], joined.face(0)[3], 12});
+               {joined.face(0)[0], joined.face(0)[1], joined.face(0)[2], joined.face(0)[3], 12});
   EXPECT_THAT(errorOf(mesh), ::testing::HasSubstr("is shared by the cells 0 1 2"));
 }
 

@@ -47,7 +47,7 @@ SampleMesh idealTetrahedron()
 SampleMesh idealWedge()
 {
   return singleCell(atria::wedgeCell,
-    {{0, 0, 0}, {0.5, root3 / 2, 0}, {1, 0, 0}, {0, 0, 1}, {0.5, root3 / 2, 1}, {1, 0, 1}});
+                    {{0, 0, 0}, {0.5, root3 / 2, 0}, {1, 0, 0}, {0, 0, 1}, {0.5, root3 / 2, 1}, {1, 0, 1}});
 }
 
 SampleMesh idealPyramid()
@@ -58,8 +58,8 @@ SampleMesh idealPyramid()
 /// Every metric with one value a cell that does not change when a mesh is moved or turned.
 std::vector<const std::vector<double>*> cellMetrics(const QualityMetrics& q)
 {
-  return {&q.cellSquish, &q.faceSquish, &q.aspectRatio, &q.inverseAspectRatio, &q.orthogonalQuality,
-    &q.nonOrthogonality, &q.skewness, &q.volume, &q.facePyramids, &q.scaledJacobian};
+  return {&q.cellSquish,       &q.faceSquish, &q.aspectRatio, &q.inverseAspectRatio, &q.orthogonalQuality,
+          &q.nonOrthogonality, &q.skewness,   &q.volume,      &q.facePyramids,       &q.scaledJacobian};
 }
 
 TEST(Metrics, CubesHaveTheirKnownValues)
@@ -96,6 +96,60 @@ TEST(Metrics, IdealCellsHaveAScaledJacobianOfOne)
   polyhedron.points = idealTetrahedron().points;
   polyhedron.addPolyhedron({{0, 1, 3}, {1, 2, 3}, {2, 0, 3}, {0, 2, 1}});
   EXPECT_TRUE(std::isnan(measure(polyhedron).scaledJacobian[0]));
+}
+
+TEST(Metrics, ScaledJacobiansOfWedgesAndPyramidsAreVerdicts)
+{
+  struct Reference
+  {
+    unsigned char type;
+    std::vector<Vec3> points;
+    double value; ///< from vtkMeshQuality of VTK 9.2, its wedges turned to Verdict's order
+  };
+  const std::vector<Reference> references{
+      {atria::wedgeCell,
+       {{-0.21, 0.04, -0.1},
+        {0.08, 1.1, -0.35},
+        {0.61, 0.27, -0.19},
+        {-0.21, 0.4, 0.98},
+        {0.27, 0.98, 1.11},
+        {0.72, 0.11, 1.29}},
+       0.741538538299933},
+      {atria::pyramidCell,
+       {{0.02, 0.19, 0.14}, {0.65, 0.21, 0.07}, {0.84, 0.62, 0.29}, {-0.02, 1.18, 0.3}, {0.67, 0.84, 0.62}},
+       0.14570183980555432},
+      {atria::wedgeCell,
+       {{0.24, -0.04, 0.35},
+        {0.3, 0.68, -0.29},
+        {0.77, 0.37, -0.05},
+        {0.1, -0.16, 1.01},
+        {-0.09, 0.88, 1.07},
+        {1.07, 0.32, 1.15}},
+       0.4344682039285272},
+      {atria::wedgeCell,
+       {{0.28, 0.39, -0.33},
+        {0.24, 0.93, -0.28},
+        {0.84, 0.22, 0.3},
+        {-0.36, 0.09, 0.64},
+        {0.17, 0.86, 1.3},
+        {1.38, 0.0, 1.4}},
+       0.14625211135330457},
+      {atria::pyramidCell,
+       {{-0.15, -0.34, 0.08},
+        {0.63, -0.24, -0.07},
+        {1.09, 0.72, -0.37},
+        {0.29, 0.85, 0.37},
+        {0.82, 0.4, 0.67}},
+       0.6170128558277208},
+      {atria::pyramidCell,
+       {{0.09, 0.11, -0.35}, {1.1, -0.03, 0.14}, {0.88, 1.17, 0.19}, {-0.38, 0.65, 0.14}, {0.87, 0.3, 0.67}},
+       0.09237915521437885},
+  };
+  for (const Reference& reference : references)
+  {
+    EXPECT_NEAR(measure(singleCell(reference.type, reference.points)).scaledJacobian[0], reference.value,
+                1e-12);
+  }
 }
 
 TEST(Metrics, KnownVolumes)
@@ -137,7 +191,8 @@ TEST(Metrics, SkewnessIsTheOffsetOverTheFacesExtent)
     }
   }
   const QualityMetrics q = measure(sample);
-  // d goes from (0.5, 0.5) to (1.5, 0.7): it meets the face at 0.6, 0.1 off its centre; the face extends by 0.5.
+  // d goes from (0.5, 0.5) to (1.5, 0.7): it meets the face at 0.6, 0.1 off its centre; the face extends by
+  // 0.5.
   EXPECT_NEAR(q.skewnessOfFaces[0], 0.2, 1e-12);
 }
 
@@ -189,7 +244,7 @@ TEST(Metrics, DoNotChangeWhenTheMeshIsMovedAndTurned)
     {
       const double x = (*metricsA[m])[c];
       EXPECT_TRUE(std::isnan(x) ? std::isnan((*metricsB[m])[c]) : std::abs(x - (*metricsB[m])[c]) < 1e-5)
-        << "metric " << m << " of cell " << c;
+          << "metric " << m << " of cell " << c;
     }
   }
   EXPECT_EQ(a.valid, b.valid);
@@ -290,7 +345,8 @@ TEST(Metrics, StopWhenAsked)
   const FaceMesh mesh = makeFaceMesh(sample.points, sample.view());
   Impatient monitor;
   const atria::SerialExecutor executor;
-  EXPECT_THROW(computeQuality(mesh, sample.view(), {executor, atria::ProgressRange(monitor)}), atria::Aborted);
+  EXPECT_THROW(computeQuality(mesh, sample.view(), {executor, atria::ProgressRange(monitor)}),
+               atria::Aborted);
 }
 
 } // namespace

@@ -30,8 +30,9 @@ using atria::testing::toPatches;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-const std::vector<std::string> metricNames{"CellSquish", "FaceSquish", "AspectRatio", "InverseAspectRatio",
-  "OrthogonalQuality", "NonOrthogonality", "Skewness", "Volume", "FacePyramids", "ScaledJacobian"};
+const std::vector<std::string> metricNames{
+    "CellSquish",       "FaceSquish", "AspectRatio", "InverseAspectRatio", "OrthogonalQuality",
+    "NonOrthogonality", "Skewness",   "Volume",      "FacePyramids",       "ScaledJacobian"};
 
 class MeshQuality : public atria::testing::VtkTest
 {
@@ -142,10 +143,12 @@ TEST_F(MeshQuality, SummaryDescribesTheArrays)
     double range[2];
     output->GetCellData()->GetArray(name.c_str())->GetRange(range);
     EXPECT_EQ(summary(name, "Maximum"), range[1]) << name;
-    if (name != "FaceSquish") // by face in the table: the least of all faces is below the least of the cells' greatest
+    if (name != "FaceSquish") // by face in the table: the least of all faces is below the least of the cells'
+                              // greatest
     {
       EXPECT_EQ(summary(name, "Minimum"), range[0]) << name;
-      EXPECT_EQ(summary(name, "Count"), name == "ScaledJacobian" ? output->GetNumberOfCells() - 8 : output->GetNumberOfCells());
+      EXPECT_EQ(summary(name, "Count"),
+                name == "ScaledJacobian" ? output->GetNumberOfCells() - 8 : output->GetNumberOfCells());
     }
   }
   EXPECT_GT(summary("FaceSquish", "Count"), output->GetNumberOfCells());
@@ -161,7 +164,7 @@ TEST_F(MeshQuality, HistogramsIntegrateToOne)
   for (const std::string& name : metricNames)
   {
     const double width =
-      table->GetValueByName(1, name.c_str()).ToDouble() - table->GetValueByName(0, name.c_str()).ToDouble();
+        table->GetValueByName(1, name.c_str()).ToDouble() - table->GetValueByName(0, name.c_str()).ToDouble();
     double sum = 0.0;
     for (vtkIdType row = 0; row < 17; ++row)
     {
@@ -285,7 +288,8 @@ TEST_F(MeshQualityError, AFailedRunAfterAGoodOneLeavesNothing)
 TEST_F(MeshQualityError, PatchesOfAnotherMesh)
 {
   const SampleMesh other = atria::testing::hexahedra({2, 2, 2});
-  const auto patches = toPatches(makeFaceMesh(other.points, other.view()), atria::testing::sidesOfBox({2, 2, 2}));
+  const auto patches =
+      toPatches(makeFaceMesh(other.points, other.view()), atria::testing::sidesOfBox({2, 2, 2}));
   run(toGrid(atria::testing::hexahedra({1, 1, 1})), patches);
   EXPECT_THAT(messages.takeErrors(), ::testing::Contains(HasSubstr("the volume mesh does not have")));
   expectNoOutput();

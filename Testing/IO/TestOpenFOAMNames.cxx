@@ -25,12 +25,14 @@ TEST(OpenFOAMNames, ValidNamesStayAsTheyAre)
 TEST(OpenFOAMNames, ReplacesWhatAWordMayNotHold)
 {
   EXPECT_EQ(wordsFor({"Wall 1", "SketchUp/group_0/ID12", "a;b{c}\"d\"", "(x)", "$v", "tab\tnew\nline"}),
-    (Words{"Wall_1", "SketchUp_group_0_ID12", "a_b_c__d_", "_x_", "_v", "tab_new_line"}));
+            (Words{"Wall_1", "SketchUp_group_0_ID12", "a_b_c__d_", "_x_", "_v", "tab_new_line"}));
 }
 
 TEST(OpenFOAMNames, ReplacesACharacterOfSeveralBytesByOneUnderscore)
 {
-  EXPECT_EQ(wordsFor({"S\xC3\xBC" "d"}), Words{"S_d"});
+  EXPECT_EQ(wordsFor({"S\xC3\xBC"
+                      "d"}),
+            Words{"S_d"});
 }
 
 TEST(OpenFOAMNames, DoesNotBeginLikeANumber)

@@ -46,7 +46,8 @@ constexpr std::array<int, 3> size{5, 4, 4};
 /// A piece of the plane z = 2 that ends inside the box.
 std::string sheetAtTwo(const Vec3& centre)
 {
-  const bool on = std::abs(centre[2] - 2.0) < 1e-9 && centre[0] > 1 && centre[0] < 3 && centre[1] > 1 && centre[1] < 3;
+  const bool on =
+      std::abs(centre[2] - 2.0) < 1e-9 && centre[0] > 1 && centre[0] < 3 && centre[1] > 1 && centre[1] < 3;
   return on ? "canopy 1" : "";
 }
 
@@ -54,7 +55,8 @@ class OpenFOAMWriter : public atria::testing::VtkTest
 {
 protected:
   /// Both formats write the same mesh, so all is asked of both.
-  int write(vtkUnstructuredGrid* volume, vtkPartitionedDataSetCollection* patches, bool binary, const fs::path& folder)
+  int write(vtkUnstructuredGrid* volume, vtkPartitionedDataSetCollection* patches, bool binary,
+            const fs::path& folder)
   {
     vtkNew<vtkAtriaOpenFOAMWriter> writer;
     writer->SetInputDataObject(volume);
@@ -105,9 +107,11 @@ void expectSameQuality(const atria::QualityMetrics& ours, const CheckMeshReport&
   const double mean = std::acos(cosines / ours.nonOrthogonalityOfFaces.size()) * 180 / std::numbers::pi;
   expectSameDigits(mean, theirs.averageNonOrthogonality, "average non-orthogonality");
   expectSameDigits(greatest(ours.skewness), theirs.maxSkewness, "skewness");
-  expectSameDigits(*std::min_element(ours.volume.begin(), ours.volume.end()), theirs.minVolume, "least volume");
+  expectSameDigits(*std::min_element(ours.volume.begin(), ours.volume.end()), theirs.minVolume,
+                   "least volume");
   expectSameDigits(greatest(ours.volume), theirs.maxVolume, "greatest volume");
-  expectSameDigits(std::accumulate(ours.volume.begin(), ours.volume.end(), 0.0), theirs.totalVolume, "volume");
+  expectSameDigits(std::accumulate(ours.volume.begin(), ours.volume.end(), 0.0), theirs.totalVolume,
+                   "volume");
 }
 
 TEST_F(OpenFOAMWriter, CheckMeshFindsAMixedMeshSoundAndAgreesOnItsQuality)
@@ -131,14 +135,59 @@ TEST_F(OpenFOAMWriter, CheckMeshFindsAMixedMeshSoundAndAgreesOnItsQuality)
     EXPECT_EQ(report.counts.at("faces"), static_cast<long>(mesh.faceCount()));
     EXPECT_EQ(report.counts.at("internal faces"), static_cast<long>(mesh.internalFaceCount()));
     EXPECT_EQ(report.counts.at("boundary patches"), 6);
-    // Random cells next to coplanar triangles are not all convex, and a corner's pyramid has but one neighbour.
-    EXPECT_THAT(report.failures, ::testing::Each(::testing::AnyOf(HasSubstr("Concave"), HasSubstr("determinant"))));
+    // Random cells next to coplanar triangles are not all convex, and a corner's pyramid has but one
+    // neighbour.
+    EXPECT_THAT(report.failures,
+                ::testing::Each(::testing::AnyOf(HasSubstr("Concave"), HasSubstr("determinant"))));
     for (const char* type : {"hexahedra", "prisms", "pyramids", "tetrahedra", "polyhedra"})
     {
       EXPECT_GT(report.cellsByType.at(type), 0) << type;
     }
     expectSameQuality(ours, report);
   }
+}
+
+TEST_F(OpenFOAMWriter, CheckMeshAgreesOnTheQualityOfDistortedMeshes)
+{
+  if (!atria::testing::haveCheckMesh())
+  {
+    GTEST_SKIP() << "checkMesh is not installed";
+  }
+  for (unsigned seed = 1; seed <= 5; ++seed)
+  {
+    const SampleMesh sample = atria::testing::mixedCells(size, seed, 0.3);
+    const fs::path target = folder(("case" + std::to_string(seed)).c_str());
+    ASSERT_EQ(write(toGrid(sample), nullptr, seed % 2 == 0, target), 1);
+    const CheckMeshReport report = atria::testing::runCheckMesh(target);
+    ASSERT_TRUE(report.completed) << report.log;
+    const atria::QualityMetrics ours = qualityOf(sample, facesOf(sample));
+    EXPECT_EQ(ours.invalidCells, 0u);
+    expectSameQuality(ours, report);
+  }
+}
+
+TEST_F(OpenFOAMWriter, CheckMeshAgreesOnWhichMeshesAreInvalid)
+{
+  if (!atria::testing::haveCheckMesh())
+  {
+    GTEST_SKIP() << "checkMesh is not installed";
+  }
+  int invalidMeshes = 0;
+  for (unsigned seed = 1; seed <= 8; ++seed)
+  {
+    const SampleMesh sample = atria::testing::mixedCells({3, 3, 3}, seed, 0.75);
+    const fs::path target = folder(("case" + std::to_string(seed)).c_str());
+    ASSERT_EQ(write(toGrid(sample), nullptr, false, target), 1);
+    const CheckMeshReport report = atria::testing::runCheckMesh(target);
+    ASSERT_TRUE(report.completed) << report.log;
+    const auto invalid = ::testing::AnyOf(HasSubstr("face pyramids"), HasSubstr("negative cell volume"));
+    const bool theirs = std::any_of(report.failures.begin(), report.failures.end(),
+                                    [&](const std::string& line) { return ::testing::Value(line, invalid); });
+    EXPECT_EQ(qualityOf(sample, facesOf(sample)).invalidCells > 0, theirs) << report.log;
+    invalidMeshes += theirs ? 1 : 0;
+  }
+  EXPECT_GT(invalidMeshes, 0);
+  EXPECT_LT(invalidMeshes, 8);
 }
 
 TEST_F(OpenFOAMWriter, SidesOfASheetAreTwoWallsOfOneGroup)
@@ -252,7 +301,8 @@ void expectSameCells(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b)
   ASSERT_EQ(qa.volume.size(), qb.volume.size());
   for (std::size_t c = 0; c < qa.volume.size(); ++c)
   {
-    EXPECT_NEAR(qa.volume[c], qb.volume[c], 1e-6) << "cell " << c; // the reader keeps points in single precision
+    EXPECT_NEAR(qa.volume[c], qb.volume[c], 1e-6)
+        << "cell " << c; // the reader keeps points in single precision
   }
 }
 
@@ -299,8 +349,10 @@ TEST_F(OpenFOAMWriter, FacesInNoPatchGoToDefaultFaces)
   });
   ASSERT_EQ(write(toGrid(sample), patches, false, folder("case")), 1);
   const std::string boundary = textOf(folder("case") / "constant/polyMesh/boundary");
-  EXPECT_THAT(boundary, HasSubstr("ground\n    {\n        type            wall;\n        nFaces          4;"));
-  EXPECT_THAT(boundary, HasSubstr("defaultFaces\n    {\n        type            patch;\n        nFaces          20;"));
+  EXPECT_THAT(boundary,
+              HasSubstr("ground\n    {\n        type            wall;\n        nFaces          4;"));
+  EXPECT_THAT(boundary,
+              HasSubstr("defaultFaces\n    {\n        type            patch;\n        nFaces          20;"));
 }
 
 TEST_F(OpenFOAMWriter, PointsThatNoCellHasAreLeftOut)

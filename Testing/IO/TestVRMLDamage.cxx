@@ -152,8 +152,9 @@ TEST_F(VRMLDamage, NeedsAFileName)
 TEST_F(VRMLDamage, LosesOnlyTheNodeASyntaxErrorIsIn)
 {
   const std::string bad = "Shape { geometry Box { size 1 x 1 } }\n";
-  const VRMLModel model = readWithWarning("DEF A " + box + "\n" + bad + "DEF B " + box,
-                                          "model.wrl:3:31: expected 3 numbers for the field size, found 'x'");
+  const VRMLModel model = readWithWarning(
+      "DEF A " + box + "\n" + bad + "DEF B " + box,
+      "model.wrl:3:31: expected 3 numbers for the field size, found 'x'; this Box is left out");
   EXPECT_EQ(model.names(), (Names{"A", "B"}));
 }
 

@@ -172,7 +172,15 @@ TEST_F(VRMLReader, WarnsOfInlinedFilesThatAreMissingOldOrCyclic)
   const std::string warnings = joined(model.warnings());
   EXPECT_NE(warnings.find("model.wrl:2: Inline: cannot read 'gone.wrl'"), std::string::npos) << warnings;
   EXPECT_NE(warnings.find("VRML 1.0 is not read yet"), std::string::npos) << warnings;
-  EXPECT_NE(warnings.find("model.wrl:3: Inline: contains itself"), std::string::npos) << warnings;
+  EXPECT_NE(warnings.find("model.wrl:3: Inline: the file contains itself"), std::string::npos) << warnings;
+  EXPECT_EQ(model.triangles(), 12);
+}
+
+TEST_F(VRMLReader, FindsCyclesOfFilesThroughPrototypes)
+{
+  const VRMLModel model =
+      read("PROTO P [] { Group { children [" + box + " Inline { url \"model.wrl\" } ] } } P {} P {}");
+  EXPECT_EQ(messages.takeWarnings().size(), 1u);
   EXPECT_EQ(model.triangles(), 24);
 }
 

@@ -95,13 +95,14 @@ vtkSmartPointer<vtkUnstructuredGrid> toGrid(const SampleMesh& mesh)
   {
     if (mesh.types[c] == polyhedronCell)
     {
-      const std::vector<vtkIdType> stream(mesh.faceStream.begin() + mesh.faceLocations[c], mesh.faceStream.end());
+      const std::vector<vtkIdType> stream(mesh.faceStream.begin() + mesh.faceLocations[c],
+                                          mesh.faceStream.end());
       grid->InsertNextCell(polyhedronCell, stream[0], stream.data() + 1);
     }
     else
     {
       const std::vector<vtkIdType> ids(mesh.connectivity.begin() + mesh.offsets[c],
-        mesh.connectivity.begin() + mesh.offsets[c + 1]);
+                                       mesh.connectivity.begin() + mesh.offsets[c + 1]);
       grid->InsertNextCell(mesh.types[c], static_cast<vtkIdType>(ids.size()), ids.data());
     }
   }
@@ -114,7 +115,7 @@ vtkSmartPointer<vtkPartitionedDataSetCollection> toPatches(const FaceMesh& mesh,
 }
 
 vtkSmartPointer<vtkPartitionedDataSetCollection> toPatches(const FaceMesh& mesh, const NameOfFace& boundary,
-  const NameOfFace& sheet)
+                                                           const NameOfFace& sheet)
 {
   std::map<std::string, PatchFaces> patches;
   for (std::size_t f = 0; f < mesh.faceCount(); ++f)

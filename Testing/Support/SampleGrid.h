@@ -23,10 +23,10 @@ using NameOfFace = std::function<std::string(const Vec3& centre)>;
 /// VolumePointId. Patches come in the order of their names.
 vtkSmartPointer<vtkPartitionedDataSetCollection> toPatches(const FaceMesh& mesh, const NameOfFace& boundary);
 
-/// The same with sheets: an internal face that `sheet` names goes with its owner's side to <name>_front and with
-/// its neighbour's to <name>_back.
+/// The same with sheets: an internal face that `sheet` names goes with its owner's side to <name>_front and
+/// with its neighbour's to <name>_back.
 vtkSmartPointer<vtkPartitionedDataSetCollection> toPatches(const FaceMesh& mesh, const NameOfFace& boundary,
-  const NameOfFace& sheet);
+                                                           const NameOfFace& sheet);
 
 /// Names the sides of the box [0, n0] x [0, n1] x [0, n2] xMin to zMax.
 NameOfFace sidesOfBox(std::array<int, 3> n);

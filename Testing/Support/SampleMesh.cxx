@@ -74,8 +74,8 @@ private:
 
   Ids cube(int i, int j, int k) const
   {
-    return {node(i, j, k), node(i + 1, j, k), node(i + 1, j + 1, k), node(i, j + 1, k), node(i, j, k + 1),
-      node(i + 1, j, k + 1), node(i + 1, j + 1, k + 1), node(i, j + 1, k + 1)};
+    return {node(i, j, k),     node(i + 1, j, k),     node(i + 1, j + 1, k),     node(i, j + 1, k),
+            node(i, j, k + 1), node(i + 1, j, k + 1), node(i + 1, j + 1, k + 1), node(i, j + 1, k + 1)};
   }
 
   std::int64_t addMiddle(const Ids& ids)
@@ -124,7 +124,8 @@ private:
     }
   }
 
-  /// Wedges on top of each other, some cut further; the topmost cube is one polyhedron with its lower face in two.
+  /// Wedges on top of each other, some cut further; the topmost cube is one polyhedron with its lower face in
+  /// two.
   void addSplitColumn(int i, int j)
   {
     for (int k = 0; k + 1 < n[2]; ++k)
@@ -144,8 +145,13 @@ private:
       }
     }
     const Ids c = cube(i, j, n[2] - 1);
-    mesh.addPolyhedron({{c[0], c[4], c[7], c[3]}, {c[1], c[2], c[6], c[5]}, {c[0], c[1], c[5], c[4]},
-      {c[3], c[7], c[6], c[2]}, {c[0], c[2], c[1]}, {c[0], c[3], c[2]}, {c[4], c[5], c[6], c[7]}});
+    mesh.addPolyhedron({{c[0], c[4], c[7], c[3]},
+                        {c[1], c[2], c[6], c[5]},
+                        {c[0], c[1], c[5], c[4]},
+                        {c[3], c[7], c[6], c[2]},
+                        {c[0], c[2], c[1]},
+                        {c[0], c[3], c[2]},
+                        {c[4], c[5], c[6], c[7]}});
   }
 
   std::array<int, 3> n;

@@ -28,9 +28,9 @@ struct SampleMesh
 /// Hexahedra of edge 1 that fill [0, n0] x [0, n1] x [0, n2].
 SampleMesh hexahedra(std::array<int, 3> n);
 
-/// The same cubes, each whole (a hexahedron or voxel) or cut into pyramids, wedges or tetrahedra, with polyhedra
-/// where cut and whole faces meet. Which, follows from the seed; every type is there from 3 x 3 x 3 cubes on.
-/// Grid points inside the box are moved by at most `distance` in each direction.
+/// The same cubes, each whole (a hexahedron or voxel) or cut into pyramids, wedges or tetrahedra, with
+/// polyhedra where cut and whole faces meet. Which, follows from the seed; every type is there from 3 x 3 x 3
+/// cubes on. Grid points inside the box are moved by at most `distance` in each direction.
 SampleMesh mixedCells(std::array<int, 3> n, unsigned seed, double distance = 0.0);
 
 } // namespace atria::testing

@@ -70,38 +70,42 @@ public:
     sortIntoBuckets(pointCount);
     for (std::size_t b = 0; b + 1 < bucketOffsets.size(); ++b)
     {
-      matchBucket({keys.data() + bucketOffsets[b], keys.data() + bucketOffsets[b + 1]});
+      matchBucket({bucketed.data() + bucketOffsets[b], bucketed.data() + bucketOffsets[b + 1]});
     }
     return std::move(mates);
   }
 
 private:
+  Index smallestPoint(std::size_t h) const
+  {
+    const auto face = halves.face(h);
+    return *std::min_element(face.begin(), face.end());
+  }
+
   /// Counting sort by the smallest point. A bucket holds a handful of faces, so sorting it costs next to
   /// nothing.
   void sortIntoBuckets(std::size_t pointCount)
   {
-    std::vector<Index> smallest(halves.count());
-    bucketOffsets.assign(pointCount + 1, 0);
+    // Counted two places up and summed one place up, an offset serves as its bucket's cursor, and ends as its
+    // begin.
+    bucketOffsets.assign(pointCount + 2, 0);
     for (std::size_t h = 0; h < halves.count(); ++h)
     {
-      const auto face = halves.face(h);
-      smallest[h] = *std::min_element(face.begin(), face.end());
-      bucketOffsets[smallest[h] + 1] += mates[h] == keptApart ? 0 : 1;
+      bucketOffsets[smallestPoint(h) + 2] += mates[h] == keptApart ? 0 : 1;
     }
-    for (std::size_t b = 0; b < pointCount; ++b)
+    for (std::size_t b = 2; b < bucketOffsets.size(); ++b)
     {
-      bucketOffsets[b + 1] += bucketOffsets[b];
+      bucketOffsets[b] += bucketOffsets[b - 1];
     }
-    keys.resize(bucketOffsets.back());
-    std::vector<Index> next(bucketOffsets.begin(), bucketOffsets.end() - 1);
+    bucketed.resize(bucketOffsets.back());
     for (std::size_t h = 0; h < halves.count(); ++h)
     {
       if (mates[h] != keptApart)
       {
-        const std::array<Index, 4> points = smallestPoints(halves.face(h));
-        keys[next[smallest[h]]++] = {{points[1], points[2], points[3]}, static_cast<Index>(h)};
+        bucketed[bucketOffsets[smallestPoint(h) + 1]++] = static_cast<Index>(h);
       }
     }
+    bucketOffsets.pop_back();
   }
 
   std::vector<Index> sortedPoints(Index h) const
@@ -128,8 +132,14 @@ private:
     return a.points == b.points && samePoints(halves.face(a.halfFace), halves.face(b.halfFace));
   }
 
-  void matchBucket(std::span<Key> bucket)
+  void matchBucket(std::span<const Index> halfFaces)
   {
+    bucket.clear();
+    for (const Index h : halfFaces)
+    {
+      const std::array<Index, 4> points = smallestPoints(halves.face(h));
+      bucket.push_back({{points[1], points[2], points[3]}, h});
+    }
     std::sort(bucket.begin(), bucket.end(), [this](const Key& a, const Key& b) {
       if (a.points != b.points)
       {
@@ -145,7 +155,7 @@ private:
       {
         ++end;
       }
-      join(bucket.subspan(i, end - i));
+      join({bucket.data() + i, bucket.data() + end});
       i = end;
     }
   }
@@ -184,8 +194,17 @@ private:
   const HalfFaces& halves;
   std::vector<Index> mates;
   std::vector<Index> bucketOffsets;
-  std::vector<Key> keys;
+  std::vector<Index> bucketed; ///< half-faces by their smallest point
+  std::vector<Key> bucket;     ///< the one at hand
 };
+
+std::vector<Index> findMates(const HalfFaces& halves, std::size_t pointCount,
+                             std::span<const BoundaryFaceKey> boundaryFaces)
+{
+  Matcher matcher(halves);
+  matcher.keepApart(boundaryFaces);
+  return matcher.run(pointCount);
+}
 
 /// Appends half-faces to a mesh as its faces.
 class Assembler
@@ -273,9 +292,7 @@ FaceMesh makeFaceMesh(std::span<const Vec3> points, const CellArrays& cells,
                       std::span<const BoundaryFaceKey> boundaryFaces)
 {
   const HalfFaces halves = takeApart(cells, points.size());
-  Matcher matcher(halves);
-  matcher.keepApart(boundaryFaces);
-  const std::vector<Index> mates = matcher.run(points.size());
+  const std::vector<Index> mates = findMates(halves, points.size(), boundaryFaces);
   FaceMesh mesh;
   mesh.points.assign(points.begin(), points.end());
   mesh.cellCount = cells.types.size();

@@ -11,8 +11,7 @@ namespace atria {
 
 /// Below, A is the outward area vector of a face, r goes from the cell's centroid to the face's, d from the
 /// centroid of a face's owner to that of its neighbour; see Geometry.h for how these are measured. Everything
-/// is dimensionless unless a unit is given. A cell without internal faces has the ideal value of what needs
-/// d.
+/// is dimensionless unless a unit is given. A cell without internal faces is ideal in what needs d.
 struct QualityMetrics
 {
   /// Greatest 1 - A·r/(|A||r|) over the cell's faces; [0, 2], 0 is ideal (Fluent's volume squish index).
@@ -24,12 +23,11 @@ struct QualityMetrics
   std::vector<double> aspectRatio;
   /// The reciprocal of aspectRatio; [0, 1], a cube has 1/√3.
   std::vector<double> inverseAspectRatio;
-  /// Smallest cosine of A to r over all faces and of A to d over the internal ones; [-1, 1], 1 is ideal
-  /// (Fluent).
+  /// Smallest cosine of A to r over all faces and to d over internal ones; [-1, 1], 1 is ideal (Fluent).
   std::vector<double> orthogonalQuality;
   /// Greatest angle in degrees between A and d over the internal faces; [0, 180], 0 is ideal (OpenFOAM).
   std::vector<double> nonOrthogonality;
-  /// Greatest faceSkewness over the cell's faces; [0, ∞), 0 is ideal (OpenFOAM).
+  /// Greatest skewnessOfFaces over the cell's faces; [0, ∞), 0 is ideal (OpenFOAM).
   std::vector<double> skewness;
   /// Cubic model units.
   std::vector<double> volume;

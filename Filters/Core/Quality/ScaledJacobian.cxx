@@ -90,8 +90,13 @@ double ofPyramid(const Corners& p)
 
 double ofCell(unsigned char type, std::span<const Vec3> points, std::span<const std::int64_t> ids)
 {
+  const std::size_t corners = shapeOf(type).corners;
+  if (corners == 0)
+  {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
   Corners p;
-  for (std::size_t i = 0; i < std::min(ids.size(), p.size()); ++i)
+  for (std::size_t i = 0; i < corners; ++i)
   {
     p[i] = points[static_cast<std::size_t>(ids[i])];
   }
@@ -107,10 +112,8 @@ double ofCell(unsigned char type, std::span<const Vec3> points, std::span<const 
       return ofHexahedron(p);
     case wedgeCell:
       return ofWedge(p);
-    case pyramidCell:
-      return ofPyramid(p);
     default:
-      return std::numeric_limits<double>::quiet_NaN();
+      return ofPyramid(p);
   }
 }
 

@@ -214,8 +214,7 @@ private:
   /// From the outside inwards: each boundary crossed changes sides.
   void flood()
   {
-    for (const Face face : cdt.all_face_handles())
-    {
+    for (const Face face : cdt.all_face_handles()) {
       face->info() = Side::unknown;
     }
     std::vector<Face> open{cdt.infinite_face()};

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Octree/GeometryLists.h"
+
+#include "Support/UnionFind.h"
+
+#include <algorithm>
+
+namespace atria {
+
+namespace {
+
+bool touchesPiece(const LatticeBox& box, ModelItem piece, const SurfaceModel& model)
+{
+  switch (piece.kind)
+  {
+    case ModelItem::triangle:
+      return touches(box, model.corner(piece.index, 0), model.corner(piece.index, 1), model.corner(piece.index, 2));
+    case ModelItem::featureEdge:
+      return touches(box, model.points[model.featureEdges[piece.index].a], model.points[model.featureEdges[piece.index].b]);
+    default:
+      return box.contains(model.points[model.corners[piece.index]]);
+  }
+}
+
+void appendChildren(GeometryLists& out, const GeometryLists& parents, std::size_t parent, int level, bool onlyOccupied,
+                    const SurfaceModel& model, const GridFrame& frame)
+{
+  const std::span<const ModelItem> pieces = parents.of(parent);
+  for (unsigned k = 0; k < 8; ++k)
+  {
+    const MortonKey key = parents.keys[parent] << 3 | k;
+    const LatticeBox box = domainBoxOf(frame, level + 1, key);
+    if (box.empty())
+    {
+      continue;
+    }
+    const std::size_t before = out.items.size();
+    std::copy_if(pieces.begin(), pieces.end(), std::back_inserter(out.items),
+                 [&](ModelItem piece) { return touchesPiece(box, piece, model); });
+    if (out.items.size() > before || !onlyOccupied)
+    {
+      out.keys.push_back(key);
+      out.offsets.push_back(out.items.size());
+    }
+  }
+}
+
+/// One end of a shared edge or point, to find which triangles of an octant meet there.
+struct Contact
+{
+  std::array<Index, 2> points;
+  Index triangle; ///< position among the octant's triangles
+};
+
+std::vector<Contact> contactsIn(const LatticeBox& box, std::span<const Index> triangles, const SurfaceModel& model)
+{
+  std::vector<Contact> contacts;
+  for (Index i = 0; i < triangles.size(); ++i)
+  {
+    const auto& t = model.triangles[triangles[i]];
+    for (int e = 0; e < 3; ++e)
+    {
+      const Index a = t[e];
+      const Index b = t[(e + 1) % 3];
+      contacts.push_back({{std::min(a, b), std::max(a, b)}, i});
+      if (box.contains(model.points[a]))
+      {
+        contacts.push_back({{a, a}, i});
+      }
+    }
+  }
+  std::sort(contacts.begin(), contacts.end(), [](const Contact& l, const Contact& r) {
+    return std::tie(l.points, l.triangle) < std::tie(r.points, r.triangle);
+  });
+  return contacts;
+}
+
+} // namespace
+
+void GeometryLists::append(MortonKey key, std::span<const ModelItem> pieces)
+{
+  keys.push_back(key);
+  items.insert(items.end(), pieces.begin(), pieces.end());
+  offsets.push_back(items.size());
+}
+
+void GeometryLists::append(const GeometryLists& other)
+{
+  const std::size_t shift = items.size();
+  keys.insert(keys.end(), other.keys.begin(), other.keys.end());
+  items.insert(items.end(), other.items.begin(), other.items.end());
+  for (std::size_t i = 1; i < other.offsets.size(); ++i)
+  {
+    offsets.push_back(other.offsets[i] + shift);
+  }
+}
+
+LatticeBox domainBoxOf(const GridFrame& frame, int level, MortonKey key)
+{
+  const GridCell cell = gridCell(key);
+  const std::int64_t size = frame.latticeSize(level);
+  LatticeBox box;
+  bool apart = false;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    box.low[axis] = std::max(cell[axis] * size, frame.domainLow[axis]);
+    box.high[axis] = std::min((cell[axis] + 1) * size, frame.domainHigh[axis]);
+    apart = apart || box.low[axis] >= box.high[axis];
+  }
+  return apart ? LatticeBox{{1, 1, 1}, {0, 0, 0}} : box;
+}
+
+GeometryLists rootLists(const SurfaceModel& model, const GridFrame& frame)
+{
+  const LatticeBox box = domainBoxOf(frame, 0, 0);
+  std::vector<ModelItem> pieces;
+  const auto add = [&](ModelItem::Kind kind, std::size_t count) {
+    for (std::uint32_t i = 0; i < count; ++i)
+    {
+      const ModelItem piece{kind, i};
+      if (touchesPiece(box, piece, model))
+      {
+        pieces.push_back(piece);
+      }
+    }
+  };
+  add(ModelItem::triangle, model.triangles.size());
+  add(ModelItem::featureEdge, model.featureEdges.size());
+  add(ModelItem::corner, model.corners.size());
+  GeometryLists lists;
+  lists.append(0, pieces);
+  return lists;
+}
+
+GeometryLists childLists(const GeometryLists& parents, int level, const std::vector<char>& chosen, bool onlyOccupied,
+                         const SurfaceModel& model, const GridFrame& frame, const RunContext& context)
+{
+  // Pieces of a fixed length, joined in order: the same lists whatever the threads do.
+  constexpr std::size_t grain = 512;
+  std::vector<GeometryLists> parts((parents.size() + grain - 1) / grain);
+  context.executor.forEach(parts.size(), 1, [&](std::size_t part) {
+    context.progress.check();
+    for (std::size_t i = part * grain; i < std::min((part + 1) * grain, parents.size()); ++i)
+    {
+      if (chosen[i])
+      {
+        appendChildren(parts[part], parents, i, level, onlyOccupied, model, frame);
+      }
+    }
+  });
+  GeometryLists children;
+  for (GeometryLists& part : parts)
+  {
+    children.append(part);
+    part = {};
+  }
+  return children;
+}
+
+bool severalSurfaces(const LatticeBox& box, std::span<const ModelItem> pieces, const SurfaceModel& model)
+{
+  std::vector<Index> triangles;
+  for (const ModelItem piece : pieces)
+  {
+    if (piece.kind == ModelItem::triangle)
+    {
+      triangles.push_back(piece.index);
+    }
+  }
+  if (triangles.size() < 2)
+  {
+    return false;
+  }
+  const std::vector<Contact> contacts = contactsIn(box, triangles, model);
+  UnionFind sets(triangles.size());
+  for (std::size_t i = 1; i < contacts.size(); ++i)
+  {
+    const Contact& l = contacts[i - 1];
+    const Contact& r = contacts[i];
+    if (l.points == r.points && touches(box, model.points[l.points[0]], model.points[l.points[1]]))
+    {
+      sets.join(l.triangle, r.triangle);
+    }
+  }
+  for (Index i = 1; i < triangles.size(); ++i)
+  {
+    if (sets.find(i) != 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+FeatureType featureTypeOf(const LatticeBox& box, std::span<const ModelItem> pieces, const SurfaceModel& model)
+{
+  FeatureType type = FeatureType::none;
+  for (const ModelItem piece : pieces)
+  {
+    const auto found = static_cast<FeatureType>(piece.kind + 1);
+    type = std::max(type, found);
+  }
+  return type == FeatureType::surface && severalSurfaces(box, pieces, model) ? FeatureType::several : type;
+}
+
+} // namespace atria

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The pieces of the model octants hold, handed down from parents to children.
+#pragma once
+
+#include "Octree/BoxTests.h"
+#include "Octree/Octree.h"
+#include "Support/RunContext.h"
+#include "Surface/SurfaceModel.h"
+
+namespace atria {
+
+/// Octants of one level, sorted by key, each with its pieces of the model.
+struct GeometryLists
+{
+  std::vector<MortonKey> keys;
+  std::vector<std::size_t> offsets{0};
+  std::vector<ModelItem> items;
+
+  std::size_t size() const { return keys.size(); }
+  std::span<const ModelItem> of(std::size_t i) const
+  {
+    return std::span(items).subspan(offsets[i], offsets[i + 1] - offsets[i]);
+  }
+  void append(MortonKey key, std::span<const ModelItem> pieces);
+  void append(const GeometryLists& other);
+};
+
+/// The octant `key` of `level`, cut to the domain; empty where they do not overlap.
+LatticeBox domainBoxOf(const GridFrame& frame, int level, MortonKey key);
+
+/// The whole model for the root, as far as the domain sees it.
+GeometryLists rootLists(const SurfaceModel& model, const GridFrame& frame);
+
+/// The children (level + 1) of the octants of `parents` chosen by `chosen`; each inherits what touches it. Children outside
+/// the domain are left out; so are, if `onlyOccupied`, those that inherit nothing.
+GeometryLists childLists(const GeometryLists& parents, int level, const std::vector<char>& chosen, bool onlyOccupied,
+                         const SurfaceModel& model, const GridFrame& frame, const RunContext& context);
+
+/// Whether the triangles among `pieces` form more than one surface inside the box: sets connected through edges and points that
+/// lie in it.
+bool severalSurfaces(const LatticeBox& box, std::span<const ModelItem> pieces, const SurfaceModel& model);
+
+/// The dearest feature among `pieces`.
+FeatureType featureTypeOf(const LatticeBox& box, std::span<const ModelItem> pieces, const SurfaceModel& model);
+
+} // namespace atria

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Support/Types.h"
+
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace atria {
+
+/// Disjoint sets of indices. A set's root is its smallest member, so the result does not depend on the order of joins.
+class UnionFind
+{
+public:
+  explicit UnionFind(std::size_t count) : parents(count) { std::iota(parents.begin(), parents.end(), Index{0}); }
+
+  Index find(Index i)
+  {
+    while (parents[i] != i)
+    {
+      parents[i] = parents[parents[i]];
+      i = parents[i];
+    }
+    return i;
+  }
+
+  void join(Index a, Index b)
+  {
+    a = find(a);
+    b = find(b);
+    if (a > b)
+    {
+      std::swap(a, b);
+    }
+    parents[b] = a;
+  }
+
+private:
+  std::vector<Index> parents;
+};
+
+} // namespace atria

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The model as the mesher sees it: on the lattice, welded, with its feature graph.
+#pragma once
+
+#include "Domain/GridFrame.h"
+#include "Surface/TriangleSurface.h"
+
+#include <string>
+#include <vector>
+
+namespace atria {
+
+/// Why an edge of the model must be kept.
+enum class CurveKind : std::uint8_t
+{
+  rim,      ///< one triangle ends there
+  crease,   ///< two triangles meet at more than the feature angle
+  junction, ///< three or more triangles meet
+  border    ///< two named surfaces meet
+};
+
+/// An edge of the model on a feature curve.
+struct FeatureEdge
+{
+  Index a;
+  Index b;
+  CurveKind kind;
+  /// Two of the charts that meet there; equal at a rim.
+  std::array<Index, 2> charts;
+};
+
+struct SurfaceModel
+{
+  static constexpr std::int8_t noSide = -1;
+
+  std::vector<LatticePoint> points;
+  std::vector<std::array<Index, 3>> triangles;
+  /// Per triangle: index into `names`.
+  std::vector<Index> surfaceIds;
+  /// Per triangle: the smooth piece between feature curves it belongs to.
+  std::vector<Index> charts;
+  /// Per triangle: the Direction of the domain side it lies on, or noSide. Such triangles refine and name the side;
+  /// they are no obstacle.
+  std::vector<std::int8_t> domainSides;
+  std::vector<FeatureEdge> featureEdges;
+  /// Points where curves end, meet or turn sharply.
+  std::vector<Index> corners;
+  std::vector<std::string> names;
+
+  std::size_t degenerateTriangles = 0;
+  std::size_t duplicateTriangles = 0;
+
+  const LatticePoint& corner(Index triangle, int i) const { return points[triangles[triangle][i]]; }
+};
+
+struct FeatureOptions
+{
+  /// Degrees between normals (creases) or tangents (corners) above which they are kept.
+  double featureAngle = 30.0;
+  /// Points closer than this (model units) are one.
+  double weldDistance = 1e-5;
+  /// Triangles with all points closer than this to a domain plane lie on that side.
+  double sideDistance = 1e-4;
+};
+
+/// Puts a surface on the lattice: welds points, drops triangles without area and repeated ones (whatever their winding; the
+/// first is kept), finds what lies on the domain's sides, charts, curves and corners. Edges of the domain box are not features: the
+/// mesh has them anyway. O(n log n).
+SurfaceModel makeSurfaceModel(const TriangleSurface& surface, const GridFrame& frame, const FeatureOptions& options);
+
+} // namespace atria
