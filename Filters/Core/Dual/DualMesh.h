@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The one mesh structure: hexahedra some of whose corners coincide.
+#pragma once
+
+#include "Support/Types.h"
+
+#include <string>
+#include <vector>
+
+namespace atria {
+
+/// Corners of an element in VTK's order of a hexahedron, as bits x 1, y 2, z 4 of the direction from the grid point.
+inline constexpr std::array<std::uint8_t, 8> hexahedronCorner{0, 1, 3, 2, 4, 5, 7, 6};
+
+/// The four corners of an element's face in each Direction, in VTK's order, normal outwards.
+inline constexpr std::array<std::array<std::uint8_t, 4>, 6> hexahedronFace{
+  {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4}, {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}}};
+
+/// The side of a sheet an element lies on: the front is where the triangle's points run counter-clockwise.
+enum class SheetSide : std::uint8_t
+{
+  front,
+  back
+};
+
+/// A face on which the mesh ends: on a surface, or on a side of the domain.
+struct BoundaryFace
+{
+  Index element;
+  /// A surface id; or the number of surfaces plus a Direction for a bare domain side.
+  Index tag;
+  /// The element on the other side of the sheet, if that is in the mesh; else noIndex.
+  Index opposite;
+  std::uint8_t direction;
+  SheetSide side;
+  /// The face is a side of the domain, bare or named by a surface that lies on it.
+  bool onDomainSide;
+};
+
+/// An element is the dual of a grid point; its corners are the vertices of the octants about the point, one an octant
+/// direction, and its faces the duals of the octree's edges in the six axis directions. A face is the quad of its four
+/// corners, less those that coincide; with fewer than three left it is none. Layer elements have the same form.
+/// 56 bytes an element.
+struct DualMesh
+{
+  /// Neighbour code of a face that is an edge or a point only.
+  static constexpr std::int32_t noFace = std::numeric_limits<std::int32_t>::min();
+  static constexpr bool isBoundary(std::int32_t neighbour) { return neighbour < 0 && neighbour != noFace; }
+  static constexpr Index boundaryFaceOf(std::int32_t neighbour) { return static_cast<Index>(~neighbour); }
+
+  std::vector<Vec3> points;
+  /// Per element, eight points in VTK's order of a hexahedron.
+  std::vector<std::array<Index, 8>> corners;
+  /// Per element and Direction: the element across, or ~i for boundary face i, or noFace.
+  std::vector<std::array<std::int32_t, 6>> neighbours;
+  std::vector<BoundaryFace> boundaryFaces;
+  /// Per element: the level of the finest octant about it; its zone.
+  std::vector<std::uint8_t> levels;
+  std::vector<std::int32_t> zones;
+
+  std::size_t elementCount() const { return corners.size(); }
+};
+
+/// A face with coinciding corners taken out; `count` is below 3 where there is no face.
+struct ReducedFace
+{
+  std::array<Index, 4> points;
+  int count = 0;
+};
+
+inline ReducedFace faceOf(const std::array<Index, 8>& corners, int direction)
+{
+  ReducedFace face;
+  for (const std::uint8_t c : hexahedronFace[direction])
+  {
+    const Index p = corners[c];
+    if (face.count == 0 || (face.points[face.count - 1] != p && (face.count < 3 || face.points[0] != p)))
+    {
+      face.points[face.count++] = p;
+    }
+  }
+  while (face.count > 1 && face.points[face.count - 1] == face.points[0])
+  {
+    --face.count;
+  }
+  return face;
+}
+
+} // namespace atria

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Dual/DualMesher.h"
+
+#include "Dual/DualVertices.h"
+#include "Dual/Sheets.h"
+
+#include <algorithm>
+
+namespace atria {
+
+namespace {
+
+/// New numbers of the grid points that become elements; noIndex for the others.
+std::vector<Index> numberElements(const Zones& zones, const std::vector<char>& kept)
+{
+  std::vector<Index> numbers(zones.ofPoint.size(), noIndex);
+  Index count = 0;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    if (kept[zones.ofPoint[i]])
+    {
+      numbers[i] = count++;
+    }
+  }
+  return numbers;
+}
+
+/// The leaves kept elements have, in order; `numbers` becomes their vertex numbers.
+std::vector<Index> numberVertices(const GridPoints& points, const std::vector<Index>& elements, std::size_t leafCount,
+                                  std::vector<Index>& numbers)
+{
+  numbers.assign(leafCount, noIndex);
+  for (std::size_t i = 0; i < elements.size(); ++i)
+  {
+    if (elements[i] != noIndex)
+    {
+      for (const Index leaf : points.leaves[i])
+      {
+        numbers[leaf] = 0;
+      }
+    }
+  }
+  std::vector<Index> used;
+  for (Index leaf = 0; leaf < leafCount; ++leaf)
+  {
+    if (numbers[leaf] != noIndex)
+    {
+      numbers[leaf] = static_cast<Index>(used.size());
+      used.push_back(leaf);
+    }
+  }
+  return used;
+}
+
+void fillBoundary(DualMesh& mesh, Crossings& crossings, const std::vector<Index>& elements)
+{
+  for (std::size_t f = 0; f < crossings.boundaryFaces.size(); ++f)
+  {
+    BoundaryFace face = crossings.boundaryFaces[f];
+    const Index point = face.element;
+    if (elements[point] == noIndex)
+    {
+      continue;
+    }
+    face.element = elements[point];
+    face.opposite = face.opposite == noIndex ? noIndex : elements[face.opposite];
+    crossings.neighbours[point][face.direction] = ~static_cast<std::int32_t>(mesh.boundaryFaces.size());
+    mesh.boundaryFaces.push_back(face);
+  }
+}
+
+void fillElements(DualMesh& mesh, const Octree& octree, const GridPoints& points, const Crossings& crossings,
+                  const Zones& zones, const std::vector<Index>& elements, const std::vector<Index>& vertices,
+                  const RunContext& context)
+{
+  const std::size_t count = std::count_if(elements.begin(), elements.end(), [](Index e) { return e != noIndex; });
+  mesh.corners.resize(count);
+  mesh.neighbours.resize(count);
+  mesh.levels.resize(count);
+  mesh.zones.resize(count);
+  context.executor.forEach(elements.size(), 8192, [&](std::size_t i) {
+    const Index e = elements[i];
+    if (e == noIndex)
+    {
+      return;
+    }
+    int finest = 0;
+    for (int c = 0; c < 8; ++c)
+    {
+      const Index leaf = points.leaves[i][hexahedronCorner[c]];
+      mesh.corners[e][c] = vertices[leaf];
+      finest = std::max(finest, octree.level(leaf));
+    }
+    for (int direction = 0; direction < 6; ++direction)
+    {
+      const std::int32_t neighbour = crossings.neighbours[i][direction];
+      mesh.neighbours[e][direction] = neighbour >= 0 ? static_cast<std::int32_t>(elements[neighbour]) : neighbour;
+    }
+    mesh.levels[e] = static_cast<std::uint8_t>(finest);
+    mesh.zones[e] = zones.ofPoint[i];
+  });
+}
+
+std::vector<Diagnostic> diagnose(const Crossings& crossings, const std::vector<Index>& elements, const GridFrame& frame)
+{
+  std::vector<Diagnostic> out;
+  for (const CrossedEdge& edge : crossings.crossedEdges)
+  {
+    const Index here = elements[edge.point];
+    const Index there = edge.other == noIndex ? noIndex : elements[edge.other];
+    if (edge.count < 2 || (here == noIndex && there == noIndex))
+    {
+      continue;
+    }
+    const int axis = axisOf(edge.direction);
+    Diagnostic merged{Diagnostic::mergedSheets, frame.toModel(edge.start), frame.toModel(edge.start),
+                      here != noIndex ? here : there};
+    merged.begin[axis] = frame.toModel(axis, edge.nearest.coordinate);
+    merged.end[axis] = frame.toModel(axis, edge.farthest.coordinate);
+    out.push_back(merged);
+  }
+  return out;
+}
+
+} // namespace
+
+DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, const DualMeshOptions& options,
+                            StageClock& clock, const RunContext& context)
+{
+  DualMeshResult result;
+  context.progress.report(0.0, "Finding grid points");
+  GridPoints points = findGridPoints(octree, context);
+  clock.lap("dual");
+  context.progress.report(0.3, "Finding crossings");
+  Crossings crossings = findCrossings(octree, model, points, context);
+  clock.lap("crossings");
+  context.progress.report(0.6, "Finding zones");
+  const Zones zones = findZones(crossings, context);
+  result.keptZones = keptZones(zones, options.zoneRule, options.seeds, octree, points);
+  const std::vector<Index> elements = numberElements(zones, result.keptZones);
+  points.atCorner = {};
+  clock.lap("zones");
+  context.progress.report(0.7, "Placing vertices");
+  std::vector<Index> vertexOfLeaf;
+  const std::vector<Index> leaves = numberVertices(points, elements, octree.leafCount(), vertexOfLeaf);
+  DualMesh& mesh = result.mesh;
+  mesh.points = placeVertices(octree, model, crossings, leaves, context);
+  clock.lap("vertices");
+  context.progress.report(0.9, "Making elements");
+  fillBoundary(mesh, crossings, elements);
+  fillElements(mesh, octree, points, crossings, zones, elements, vertexOfLeaf, context);
+  result.diagnostics = diagnose(crossings, elements, octree.frame());
+  splitSheets(mesh, context);
+  clock.lap("elements");
+  context.progress.report(1.0, "Meshed");
+  return result;
+}
+
+} // namespace atria

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Support/DualMeshChecks.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cstring>
+#include <map>
+#include <numeric>
+#include <set>
+
+namespace atria::testing {
+
+namespace {
+
+using Edge = std::pair<Index, Index>;
+
+std::vector<Index> sorted(const ReducedFace& face)
+{
+  std::vector<Index> points(face.points.begin(), face.points.begin() + face.count);
+  std::sort(points.begin(), points.end());
+  return points;
+}
+
+template <typename F> void eachEdge(const ReducedFace& face, F&& f)
+{
+  for (int i = 0; face.count >= 3 && i < face.count; ++i)
+  {
+    f(face.points[i], face.points[(i + 1) % face.count]);
+  }
+}
+
+template <typename T> bool sameBits(const std::vector<T>& a, const std::vector<T>& b)
+{
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+}
+
+bool sameFaces(const std::vector<BoundaryFace>& a, const std::vector<BoundaryFace>& b)
+{
+  const auto key = [](const BoundaryFace& f) {
+    return std::tuple(f.element, f.tag, f.opposite, f.direction, f.side, f.onDomainSide);
+  };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [&](const BoundaryFace& l, const BoundaryFace& r) { return key(l) == key(r); });
+}
+
+} // namespace
+
+::testing::AssertionResult isConformal(const DualMesh& mesh)
+{
+  for (Index e = 0; e < mesh.elementCount(); ++e)
+  {
+    for (int d = 0; d < 6; ++d)
+    {
+      const std::int32_t neighbour = mesh.neighbours[e][d];
+      const ReducedFace face = faceOf(mesh.corners[e], d);
+      const auto fail = [&](const char* why) {
+        return ::testing::AssertionFailure() << "element " << e << ", direction " << d << ": " << why;
+      };
+      if ((face.count < 3) != (neighbour == DualMesh::noFace))
+      {
+        return fail("a face without area, or an area without face");
+      }
+      if (DualMesh::isBoundary(neighbour))
+      {
+        const BoundaryFace& boundary = mesh.boundaryFaces.at(DualMesh::boundaryFaceOf(neighbour));
+        if (boundary.element != e || boundary.direction != d)
+        {
+          return fail("its boundary face belongs to another");
+        }
+      }
+      else if (neighbour >= 0)
+      {
+        const auto& back = mesh.neighbours.at(neighbour);
+        if (back[opposite(d)] != static_cast<std::int32_t>(e))
+        {
+          return fail("its neighbour has another neighbour");
+        }
+        if (sorted(face) != sorted(faceOf(mesh.corners[neighbour], opposite(d))))
+        {
+          return fail("its neighbour has another face");
+        }
+      }
+    }
+  }
+  return ::testing::AssertionSuccess();
+}
+
+::testing::AssertionResult elementsAreClosed(const DualMesh& mesh)
+{
+  for (Index e = 0; e < mesh.elementCount(); ++e)
+  {
+    std::map<Edge, int> edges;
+    int faces = 0;
+    for (int d = 0; d < 6; ++d)
+    {
+      const ReducedFace face = faceOf(mesh.corners[e], d);
+      faces += face.count >= 3 ? 1 : 0;
+      eachEdge(face, [&](Index a, Index b) { ++edges[{a, b}]; });
+    }
+    for (const auto& [edge, uses] : edges)
+    {
+      const auto back = edges.find({edge.second, edge.first});
+      if (uses != 1 || back == edges.end() || back->second != 1)
+      {
+        return ::testing::AssertionFailure() << "element " << e << " is not closed";
+      }
+    }
+    const std::set<Index> points(mesh.corners[e].begin(), mesh.corners[e].end());
+    if (static_cast<int>(points.size()) - static_cast<int>(edges.size() / 2) + faces != 2)
+    {
+      return ::testing::AssertionFailure() << "element " << e << " is no ball";
+    }
+  }
+  return ::testing::AssertionSuccess();
+}
+
+::testing::AssertionResult boundaryIsWatertight(const DualMesh& mesh)
+{
+  std::map<Edge, int> balance;
+  for (const BoundaryFace& face : mesh.boundaryFaces)
+  {
+    eachEdge(faceOf(mesh.corners[face.element], face.direction),
+             [&](Index a, Index b) { balance[std::minmax(a, b)] += a < b ? 1 : -1; });
+  }
+  for (const auto& [edge, sum] : balance)
+  {
+    if (sum != 0)
+    {
+      return ::testing::AssertionFailure() << "the boundary is open at the edge " << edge.first << ", " << edge.second;
+    }
+  }
+  return ::testing::AssertionSuccess();
+}
+
+std::vector<double> volumes(const DualMesh& mesh)
+{
+  std::vector<double> out(mesh.elementCount(), 0.0);
+  for (Index e = 0; e < mesh.elementCount(); ++e)
+  {
+    const Vec3 origin = mesh.points[mesh.corners[e][0]];
+    for (int d = 0; d < 6; ++d)
+    {
+      const ReducedFace face = faceOf(mesh.corners[e], d);
+      Vec3 center = Vec3::Zero();
+      for (int i = 0; i < face.count; ++i)
+      {
+        center += mesh.points[face.points[i]] - origin;
+      }
+      center /= face.count;
+      eachEdge(face, [&](Index a, Index b) {
+        out[e] += center.dot((mesh.points[a] - origin).cross(mesh.points[b] - origin)) / 6.0;
+      });
+    }
+  }
+  return out;
+}
+
+double totalVolume(const DualMesh& mesh)
+{
+  const std::vector<double> all = volumes(mesh);
+  return std::accumulate(all.begin(), all.end(), 0.0);
+}
+
+bool identical(const DualMesh& a, const DualMesh& b)
+{
+  return sameBits(a.points, b.points) && sameBits(a.corners, b.corners) && sameBits(a.neighbours, b.neighbours) &&
+         sameBits(a.levels, b.levels) && sameBits(a.zones, b.zones) && sameFaces(a.boundaryFaces, b.boundaryFaces);
+}
+
+} // namespace atria::testing

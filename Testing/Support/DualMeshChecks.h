@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// What must hold of every mesh, whatever it was made from.
+#pragma once
+
+#include "Dual/DualMesher.h"
+
+#include <gtest/gtest.h>
+
+namespace atria::testing {
+
+/// Neighbours agree from both sides and share the very same face; absent faces have no area; boundary faces and elements name each other.
+::testing::AssertionResult isConformal(const DualMesh& mesh);
+
+/// Every element's faces meet two by two in opposite senses (closed, oriented), and Euler's relation V - E + F = 2 holds.
+::testing::AssertionResult elementsAreClosed(const DualMesh& mesh);
+
+/// Every edge of the mesh's whole boundary is run through as often one way as the other.
+::testing::AssertionResult boundaryIsWatertight(const DualMesh& mesh);
+
+/// Signed volume of each element, faces as triangles about the mean of their points.
+std::vector<double> volumes(const DualMesh& mesh);
+double totalVolume(const DualMesh& mesh);
+
+/// Every array of both is the same, bit for bit.
+bool identical(const DualMesh& a, const DualMesh& b);
+
+/// How many elements have how many distinct corners, and of which kind.
+struct ElementCounts
+{
+  std::size_t hexahedra = 0;
+  std::size_t pyramids = 0;
+  std::size_t wedges = 0;
+  std::size_t polyhedra = 0;
+};
+
+} // namespace atria::testing

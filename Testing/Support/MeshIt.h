@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The whole core pipeline in one call.
+#pragma once
+
+#include "Dual/DualMesher.h"
+#include "Octree/Octree.h"
+#include "Surface/SurfaceModel.h"
+
+namespace atria::testing {
+
+struct Meshed
+{
+  GridFrame frame;
+  SurfaceModel model;
+  Octree octree;
+  DualMeshResult result;
+  const DualMesh& mesh() const { return result.mesh; }
+};
+
+Meshed meshIt(const TriangleSurface& surface, const GridOptions& grid, const DualMeshOptions& options = {}, int threads = 1);
+
+} // namespace atria::testing

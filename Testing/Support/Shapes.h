@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Surfaces tests are made of.
+#pragma once
+
+#include "Surface/TriangleSurface.h"
+
+#include <string>
+
+namespace atria::testing {
+
+/// Appends a surface of its own; triangles index into `points`.
+void addSurface(TriangleSurface& to, const std::string& name, const std::vector<Vec3>& points,
+                const std::vector<std::array<Index, 3>>& triangles);
+
+/// Two triangles over the parallelogram at `corner` spanned by `u` and `v`; the front is where u x v points.
+void addSheet(TriangleSurface& to, const std::string& name, const Vec3& corner, const Vec3& u, const Vec3& v);
+
+/// Closed box, normals outwards.
+void addBox(TriangleSurface& to, const std::string& name, const Box3& box);
+
+/// Subdivided icosahedron, normals outwards; 20 * 4^subdivisions triangles with all points at `radius`.
+void addSphere(TriangleSurface& to, const std::string& name, const Vec3& center, double radius, int subdivisions);
+
+/// Turns all points about the vertical through the origin.
+void turn(TriangleSurface& surface, double degrees);
+
+/// A box 10 m long with a sphere of radius 2 m in it.
+TriangleSurface sphereInCube(int subdivisions);
+
+/// Random sheets, boxes and spheres in the cube of 8 m about the origin, some of them on round coordinates, turned, or repeated. The same for the same seed.
+TriangleSurface randomSoup(unsigned seed);
+
+} // namespace atria::testing
