@@ -178,6 +178,13 @@ Json diagnosticsOf(vtkPolyData* diagnostics)
   for (vtkIdType i = 0; names && i < names->GetNumberOfValues(); ++i) {
     counts[names->GetValue(i)] = cells[static_cast<int>(i)];
   }
+  Json missing = Json::array();
+  vtkStringArray* without = stringsOf(diagnostics, "SurfaceWithoutFaces");
+  for (vtkIdType i = 0; without && i < without->GetNumberOfValues(); ++i)
+  {
+    missing.push_back(without->GetValue(i));
+  }
+  counts["SurfaceWithoutFaces"] = missing;
   return counts;
 }
 

@@ -95,6 +95,7 @@ def check_documentation(element, where, complain):
 def check_all_there(instance, properties, where, complain):
     """Every pair of Set and Get of Atria's own classes is a property."""
     known = {e.get("command", "")[3:] for e in properties}
+    known |= {"NumberOf" + e.get("name") for e in properties if e.get("repeat_command") == "1"}
     for cls in type(instance).__mro__:
         if not cls.__name__.startswith("vtkAtria"):
             continue
