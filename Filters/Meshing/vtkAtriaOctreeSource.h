@@ -1,19 +1,57 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class   vtkAtriaOctreeSource
+ * @brief   the 2:1 balanced octree of a domain, fitted to surfaces
+ *
+ * Every octant in the domain goes down to the level of SizeMax, one that a surface passes through to that of SizeMid, one with a feature
+ * curve or corner, or with surfaces that do not meet inside it, to SizeMin. Leaves that share a face, an edge or a corner
+ * differ by one level at most. The grid's phase puts the domain's lower planes through the centres of finest octants.
+ *
+ * Input port 0 (optional): surfaces; see vtkAtriaGridAlgorithm. Without, DomainMode must be Explicit.
+ *
+ * Output: leaves that share volume with the domain, as vtkUnstructuredGrid of voxels or as vtkHyperTreeGrid. Cell arrays:
+ * `Level` (unsigned char, root 0), `FeatureType` (unsigned char: 0 none, 1 surface, 2 curve, 3 corner, 4 several
+ * surfaces that do not meet). Field array `OctreeFrame`, with which vtkAtriaDualMesher takes the octree as its input.
+ */
 #ifndef vtkAtriaOctreeSource_h
 #define vtkAtriaOctreeSource_h
 
-#include "AtriaFiltersMeshingModule.h"
-#include "vtkAlgorithm.h"
+#include "vtkAtriaGridAlgorithm.h"
 
-class ATRIAFILTERSMESHING_EXPORT vtkAtriaOctreeSource : public vtkAlgorithm
+class ATRIAFILTERSMESHING_EXPORT vtkAtriaOctreeSource : public vtkAtriaGridAlgorithm
 {
 public:
   static vtkAtriaOctreeSource* New();
-  vtkTypeMacro(vtkAtriaOctreeSource, vtkAlgorithm);
+  vtkTypeMacro(vtkAtriaOctreeSource, vtkAtriaGridAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Type of the output.
+   */
+  enum OutputTypes
+  {
+    UnstructuredGrid = 0,
+    HyperTreeGrid = 1
+  };
+
+  ///@{
+  /**
+   * Type of the output. Default UnstructuredGrid.
+   */
+  vtkSetClampMacro(OutputType, int, UnstructuredGrid, HyperTreeGrid);
+  vtkGetMacro(OutputType, int);
+  ///@}
 
 protected:
   vtkAtriaOctreeSource();
-  ~vtkAtriaOctreeSource() override = default;
+  ~vtkAtriaOctreeSource() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  int OutputType = UnstructuredGrid;
 
 private:
   vtkAtriaOctreeSource(const vtkAtriaOctreeSource&) = delete;

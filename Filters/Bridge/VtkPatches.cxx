@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Patches and diagnostics of VtkDualMesh.h.
+#include "VtkDualMesh.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkCompositeDataSet.h>
+#include <vtkFieldData.h>
+#include <vtkIdTypeArray.h>
+#include <vtkInformation.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPartitionedDataSet.h>
+#include <vtkPartitionedDataSetCollection.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+
+#include <algorithm>
+#include <set>
+
+namespace atria {
+
+namespace {
+
+struct Patch
+{
+  std::string name;
+  std::vector<Index> faces;
+};
+
+std::vector<char> twoSidedSurfaces(const DualMesh& mesh, std::size_t surfaceCount)
+{
+  std::vector<char> twoSided(surfaceCount, 0);
+  for (const BoundaryFace& face : mesh.boundaryFaces)
+  {
+    if (face.opposite != noIndex && face.tag < surfaceCount)
+    {
+      twoSided[face.tag] = 1;
+    }
+  }
+  return twoSided;
+}
+
+/// Makes a name its own by a number, should a surface be called like another's side or like a side of the domain.
+std::string uniqueName(std::string name, std::set<std::string>& taken)
+{
+  const std::string base = name;
+  for (int i = 2; !taken.insert(name).second; ++i)
+  {
+    name = base + "_" + std::to_string(i);
+  }
+  return name;
+}
+
+/// Two slots a tag, front and back; one-sided surfaces and domain sides use the first.
+std::vector<Patch> sortFaces(const DualMesh& mesh, const std::vector<std::string>& names)
+{
+  const std::vector<char> twoSided = twoSidedSurfaces(mesh, names.size());
+  std::vector<Patch> patches(2 * (names.size() + sideNames.size()));
+  for (Index f = 0; f < mesh.boundaryFaces.size(); ++f)
+  {
+    const BoundaryFace& face = mesh.boundaryFaces[f];
+    const bool second = face.tag < names.size() && twoSided[face.tag] && face.side == SheetSide::back;
+    patches[2 * face.tag + (second ? 1 : 0)].faces.push_back(f);
+  }
+  std::set<std::string> taken;
+  for (std::size_t i = 0; i < patches.size(); ++i)
+  {
+    const std::size_t tag = i / 2;
+    if (!patches[i].faces.empty())
+    {
+      const std::string name = tag < names.size() ? names[tag] : sideNames[tag - names.size()];
+      const char* side = tag < names.size() && twoSided[tag] ? (i % 2 == 0 ? "_front" : "_back") : "";
+      patches[i].name = uniqueName(name + side, taken);
+    }
+  }
+  std::erase_if(patches, [](const Patch& p) { return p.faces.empty(); });
+  return patches;
+}
+
+class PatchWriter
+{
+public:
+  PatchWriter(const DualMesh& source, std::size_t surfaceCount)
+    : mesh(source), surfaces(surfaceCount), local(source.points.size(), noIndex)
+  {
+  }
+
+  void write(const Patch& patch, vtkPolyData* out)
+  {
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    vtkNew<vtkIdTypeArray> ids;
+    ids->SetName("VolumePointId");
+    vtkNew<vtkCellArray> polys;
+    vtkNew<vtkIntArray> surfaceIds;
+    surfaceIds->SetName("SurfaceId");
+    vtkNew<vtkIdTypeArray> owners;
+    owners->SetName("OwnerCellId");
+    vtkNew<vtkIntArray> sides;
+    sides->SetName("Side");
+    for (const Index f : patch.faces)
+    {
+      const BoundaryFace& face = mesh.boundaryFaces[f];
+      const ReducedFace corners = faceOf(mesh.corners[face.element], face.direction);
+      polys->InsertNextCell(corners.count);
+      for (int i = 0; i < corners.count; ++i)
+      {
+        polys->InsertCellPoint(localPoint(corners.points[i], points, ids));
+      }
+      surfaceIds->InsertNextValue(face.tag < surfaces ? static_cast<int>(face.tag) : -1);
+      owners->InsertNextValue(face.element);
+      sides->InsertNextValue(static_cast<int>(face.side));
+    }
+    for (vtkIdType i = 0; i < ids->GetNumberOfValues(); ++i)
+    {
+      local[ids->GetValue(i)] = noIndex;
+    }
+    out->SetPoints(points);
+    out->SetPolys(polys);
+    out->GetPointData()->AddArray(ids);
+    out->GetCellData()->AddArray(surfaceIds);
+    out->GetCellData()->AddArray(owners);
+    out->GetCellData()->AddArray(sides);
+  }
+
+private:
+  vtkIdType localPoint(Index p, vtkPoints* points, vtkIdTypeArray* ids)
+  {
+    if (local[p] == noIndex)
+    {
+      local[p] = static_cast<Index>(points->InsertNextPoint(mesh.points[p].data()));
+      ids->InsertNextValue(p);
+    }
+    return local[p];
+  }
+
+  const DualMesh& mesh;
+  std::size_t surfaces;
+  std::vector<Index> local;
+};
+
+} // namespace
+
+void patchesToVtk(const DualMesh& mesh, const std::vector<std::string>& surfaceNames, vtkPartitionedDataSetCollection* out)
+{
+  PatchWriter writer(mesh, surfaceNames.size());
+  const std::vector<Patch> patches = sortFaces(mesh, surfaceNames);
+  out->SetNumberOfPartitionedDataSets(static_cast<unsigned>(patches.size()));
+  for (unsigned i = 0; i < patches.size(); ++i)
+  {
+    vtkNew<vtkPolyData> polyData;
+    writer.write(patches[i], polyData);
+    out->SetPartition(i, 0, polyData);
+    out->GetMetaData(i)->Set(vtkCompositeDataSet::NAME(), patches[i].name.c_str());
+  }
+}
+
+void diagnosticsToVtk(const DualMeshResult& result, const std::vector<std::string>& surfaceNames, vtkPolyData* out)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> lines;
+  vtkNew<vtkIntArray> kinds;
+  kinds->SetName("Diagnostic");
+  vtkNew<vtkIdTypeArray> elements;
+  elements->SetName("CellId");
+  for (const Diagnostic& diagnostic : result.diagnostics)
+  {
+    lines->InsertNextCell(2);
+    lines->InsertCellPoint(points->InsertNextPoint(diagnostic.begin.data()));
+    lines->InsertCellPoint(points->InsertNextPoint(diagnostic.end.data()));
+    kinds->InsertNextValue(diagnostic.kind);
+    elements->InsertNextValue(diagnostic.element);
+  }
+  out->SetPoints(points);
+  out->SetLines(lines);
+  out->GetCellData()->AddArray(kinds);
+  out->GetCellData()->AddArray(elements);
+  vtkNew<vtkStringArray> names;
+  names->SetName("DiagnosticName");
+  for (const char* name : diagnosticNames)
+  {
+    names->InsertNextValue(name);
+  }
+  out->GetFieldData()->AddArray(names);
+  std::vector<char> met(surfaceNames.size(), 0);
+  for (const BoundaryFace& face : result.mesh.boundaryFaces)
+  {
+    if (face.tag < met.size())
+    {
+      met[face.tag] = 1;
+    }
+  }
+  vtkNew<vtkStringArray> lost;
+  lost->SetName("SurfaceWithoutFaces");
+  for (std::size_t i = 0; i < met.size(); ++i)
+  {
+    if (!met[i])
+    {
+      lost->InsertNextValue(surfaceNames[i]);
+    }
+  }
+  out->GetFieldData()->AddArray(lost);
+}
+
+} // namespace atria

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Domain/Domain.h"
+
+#include "Support/Error.h"
+
+#include <algorithm>
+
+namespace atria {
+
+namespace {
+
+std::string listed(const std::vector<std::string>& names)
+{
+  constexpr std::size_t most = 20;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), most); ++i)
+  {
+    text += (i > 0 ? ", " : "") + names[i];
+  }
+  return names.size() > most ? text + ", …" : text;
+}
+
+} // namespace
+
+Box3 boundsOf(const TriangleSurface& surface)
+{
+  Box3 box;
+  for (const auto& t : surface.triangles)
+  {
+    for (const Index p : t)
+    {
+      box.extend(surface.points[p]);
+    }
+  }
+  return box;
+}
+
+Box3 siteDomain(const TriangleSurface& surface, std::string_view site)
+{
+  const auto found = std::find(surface.names.begin(), surface.names.end(), site);
+  if (found == surface.names.end())
+  {
+    throw Error("there is no surface '" + std::string(site) + "' to be the site; there are: " + listed(surface.names));
+  }
+  const auto id = static_cast<Index>(found - surface.names.begin());
+  Box3 box;
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i)
+  {
+    for (const Index p : surface.triangles[i])
+    {
+      if (surface.surfaceIds[i] == id)
+      {
+        box.extend(surface.points[p]);
+      }
+    }
+  }
+  if (box.empty() || !(box.size()[0] > 0.0) || !(box.size()[1] > 0.0))
+  {
+    throw Error("the site '" + std::string(site) + "' has no extent in x and y");
+  }
+  constexpr double heightRatio = 0.3;
+  box.max[2] += heightRatio * std::max(box.size()[0], box.size()[1]);
+  return box;
+}
+
+} // namespace atria

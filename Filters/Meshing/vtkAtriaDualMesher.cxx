@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkAtriaDualMesher.h"
+
+#include "AlgorithmProgress.h"
+#include "Dual/DualMesher.h"
+#include "GridInput.h"
+#include "Octree/Balance.h"
+#include "Octree/Refinement.h"
+#include "SmpExecutor.h"
+#include "VtkDualMesh.h"
+#include "VtkOctree.h"
+
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPartitionedDataSetCollection.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+#include <vtkUnstructuredGrid.h>
+
+vtkStandardNewMacro(vtkAtriaDualMesher);
+
+namespace {
+
+void addFieldData(vtkUnstructuredGrid* out, const atria::StageClock& clock, int maximumLevel)
+{
+  vtkNew<vtkStringArray> names;
+  names->SetName("StageName");
+  vtkNew<vtkDoubleArray> seconds;
+  seconds->SetName("StageSeconds");
+  for (const auto& [name, time] : clock.stages())
+  {
+    names->InsertNextValue(name);
+    seconds->InsertNextValue(time);
+  }
+  vtkNew<vtkIntArray> level;
+  level->SetName("MaxLevel");
+  level->InsertNextValue(maximumLevel);
+  out->GetFieldData()->AddArray(names);
+  out->GetFieldData()->AddArray(seconds);
+  out->GetFieldData()->AddArray(level);
+}
+
+atria::Octree rebuildOctree(vtkDataObject* data, const atria::GridInput& input, vtkAtriaGridAlgorithm& filter,
+                            atria::SurfaceModel& model, const atria::RunContext& context)
+{
+  atria::OctreeSets sets = atria::octreeFromVtk(data);
+  model = input.model(filter, sets.frame);
+  atria::balance(sets.refined, sets.frame, context);
+  atria::Octree octree(sets.frame, sets.refined);
+  atria::locateModel(octree, model, context);
+  return octree;
+}
+
+} // namespace
+
+vtkAtriaDualMesher::vtkAtriaDualMesher()
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(3);
+}
+
+vtkAtriaDualMesher::~vtkAtriaDualMesher() = default;
+
+void vtkAtriaDualMesher::AddSeed(double x, double y, double z)
+{
+  this->SeedPoints.push_back({ x, y, z });
+  this->Modified();
+}
+
+void vtkAtriaDualMesher::SetSeed(int i, double x, double y, double z)
+{
+  if (i < 0)
+  {
+    vtkErrorMacro("There is no seed " << i << ".");
+    return;
+  }
+  if (i >= this->GetNumberOfSeeds())
+  {
+    this->SeedPoints.resize(i + 1, { 0.0, 0.0, 0.0 });
+  }
+  this->SeedPoints[i] = { x, y, z };
+  this->Modified();
+}
+
+void vtkAtriaDualMesher::SetNumberOfSeeds(int count)
+{
+  this->SeedPoints.resize(std::max(count, 0), { 0.0, 0.0, 0.0 });
+  this->Modified();
+}
+
+int vtkAtriaDualMesher::GetNumberOfSeeds()
+{
+  return static_cast<int>(this->SeedPoints.size());
+}
+
+void vtkAtriaDualMesher::GetSeed(int i, double seed[3])
+{
+  if (i < 0 || i >= this->GetNumberOfSeeds())
+  {
+    vtkErrorMacro("There is no seed " << i << ".");
+    return;
+  }
+  std::copy(this->SeedPoints[i].begin(), this->SeedPoints[i].end(), seed);
+}
+
+void vtkAtriaDualMesher::RemoveAllSeeds()
+{
+  this->SetNumberOfSeeds(0);
+}
+
+int vtkAtriaDualMesher::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 1)
+  {
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+    info->Append(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkHyperTreeGrid");
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+    return 1;
+  }
+  return this->Superclass::FillInputPortInformation(port, info);
+}
+
+int vtkAtriaDualMesher::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  static const char* const types[3] = { "vtkUnstructuredGrid", "vtkPartitionedDataSetCollection", "vtkPolyData" };
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), types[port]);
+  return 1;
+}
+
+int vtkAtriaDualMesher::RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  const auto ensure = [&](int port, auto* fresh) {
+    vtkInformation* info = outputs->GetInformationObject(port);
+    vtkDataObject* present = vtkDataObject::GetData(info);
+    if (!present || !present->IsA(fresh->GetClassName()))
+    {
+      info->Set(vtkDataObject::DATA_OBJECT(), fresh);
+    }
+  };
+  ensure(0, vtkNew<vtkUnstructuredGrid>().Get());
+  ensure(1, vtkNew<vtkPartitionedDataSetCollection>().Get());
+  ensure(2, vtkNew<vtkPolyData>().Get());
+  return 1;
+}
+
+int vtkAtriaDualMesher::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  auto* volume = vtkUnstructuredGrid::GetData(outputs, 0);
+  auto* patches = vtkPartitionedDataSetCollection::GetData(outputs, 1);
+  auto* diagnostics = vtkPolyData::GetData(outputs, 2);
+  const auto clear = [&] {
+    volume->Initialize();
+    patches->Initialize();
+    diagnostics->Initialize();
+  };
+  clear();
+  atria::AlgorithmProgress progress(*this);
+  const atria::SmpExecutor executor;
+  const atria::RunContext context{ executor, atria::ProgressRange(progress) };
+  try
+  {
+    atria::StageClock clock;
+    const atria::GridInput input = atria::readGridInput(vtkDataObject::GetData(inputs[0]));
+    vtkDataObject* givenOctree = vtkDataObject::GetData(inputs[1]);
+    atria::SurfaceModel model;
+    atria::Octree octree;
+    if (givenOctree)
+    {
+      octree = rebuildOctree(givenOctree, input, *this, model, context.part(0.05, 0.4));
+    }
+    else
+    {
+      const atria::GridFrame frame = input.frame(*this);
+      model = input.model(*this, frame);
+      clock.lap("surface");
+      octree = atria::buildOctree(model, frame, context.part(0.05, 0.4));
+    }
+    clock.lap("octree");
+    atria::DualMeshOptions options;
+    options.zoneRule = static_cast<atria::ZoneRule>(this->ZoneRule);
+    for (const auto& seed : this->SeedPoints)
+    {
+      options.seeds.emplace_back(seed[0], seed[1], seed[2]);
+    }
+    const atria::DualMeshResult result =
+      atria::makeDualMesh(octree, model, options, clock, context.part(0.4, 0.9));
+    atria::volumeToVtk(result.mesh, volume);
+    atria::patchesToVtk(result.mesh, model.names, patches);
+    atria::diagnosticsToVtk(result, model.names, diagnostics);
+    clock.lap("output");
+    addFieldData(volume, clock, octree.maximumLevel());
+    this->UpdateProgress(1.0);
+  }
+  catch (const atria::Aborted&)
+  {
+    clear();
+  }
+  catch (const std::exception& error)
+  {
+    clear();
+    vtkErrorMacro(<< error.what());
+    return 0;
+  }
+  return 1;
+}
+
+void vtkAtriaDualMesher::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ZoneRule: " << this->ZoneRule << "\n";
+  os << indent << "NumberOfSeeds: " << this->SeedPoints.size() << "\n";
+  for (const auto& seed : this->SeedPoints)
+  {
+    os << indent << "  " << seed[0] << " " << seed[1] << " " << seed[2] << "\n";
+  }
+}

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class   vtkAtriaDualMesher
+ * @brief   conformal hexahedral-dominant mesh of the space about surfaces
+ *
+ * The mesh is the dual of a 2:1 balanced octree: a vertex in each octant, an element about each grid point. Octants that
+ * surfaces pass through have their vertex on them, and a face whose octree edge a surface cuts is a piece of that surface, so that open
+ * sheets without thickness, T-junctions and closed solids are all the same. The mesh is conformal by construction.
+ *
+ * Input port 0: surfaces; see vtkAtriaGridAlgorithm. Input port 1 (optional): an octree from vtkAtriaOctreeSource; sizes and domain are
+ * then taken from it. A surface that lies on a side of the domain is that side: it refines it and names it.
+ *
+ * Output port 0: vtkUnstructuredGrid of hexahedra, wedges, pyramids and polyhedra. Cell arrays: `ZoneId` (int; zones are
+ * numbered from the largest, those left out included), `Level` (unsigned char, of the finest octant about the element). Field arrays:
+ * `StageName`, `StageSeconds`, `MaxLevel`.
+ *
+ * Output port 1: vtkPartitionedDataSetCollection, one named vtkPolyData a patch. A surface with elements on both sides is two
+ * patches, `<name>_front` and `<name>_back`; the two sides have points of their own, but at rims. Bare domain sides are `xMin` …
+ * `zMax`. Cell arrays: `SurfaceId` (int; -1 on bare domain sides), `OwnerCellId` (vtkIdType, cell of port 0), `Side` (int; 0 front, 1
+ * back). Point array: `VolumePointId` (vtkIdType, point of port 0). Every face is a face of its owner, seen
+ * counter-clockwise from outside of the mesh.
+ *
+ * Output port 2: vtkPolyData with a line for each place where the mesh could not follow the model. Cell arrays: `Diagnostic`
+ * (int, index into the field array `DiagnosticName`), `CellId` (vtkIdType). Field array `SurfaceWithoutFaces`: names of surfaces that
+ * got no face.
+ *
+ * Elements may still be inverted where the model is finer than the octants: vtkAtriaMeshQuality tells which.
+ */
+#ifndef vtkAtriaDualMesher_h
+#define vtkAtriaDualMesher_h
+
+#include "vtkAtriaGridAlgorithm.h"
+
+#include <array>  // for seeds
+#include <vector> // for seeds
+
+class ATRIAFILTERSMESHING_EXPORT vtkAtriaDualMesher : public vtkAtriaGridAlgorithm
+{
+public:
+  static vtkAtriaDualMesher* New();
+  vtkTypeMacro(vtkAtriaDualMesher, vtkAtriaGridAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Which zones are meshed.
+   */
+  enum ZoneRules
+  {
+    Outside = 0, ///< those that reach a side of the domain other than its bottom (if none does: the bottom)
+    All = 1,
+    Seeds = 2 ///< those that hold a seed
+  };
+
+  ///@{
+  /**
+   * Which zones are meshed. A zone is a part of the space that surfaces separate from the rest: outdoors with the rooms that are
+   * open to it, a closed room, the inside of a solid. Default Outside.
+   */
+  vtkSetClampMacro(ZoneRule, int, Outside, Seeds);
+  vtkGetMacro(ZoneRule, int);
+  ///@}
+
+  ///@{
+  /**
+   * Points inside the zones to mesh if ZoneRule is Seeds. SetSeed takes the place of seed `i`, and makes room for it.
+   */
+  void AddSeed(double x, double y, double z);
+  void SetSeed(int i, double x, double y, double z);
+  void SetNumberOfSeeds(int count);
+  int GetNumberOfSeeds();
+  void GetSeed(int i, double seed[3]);
+  void RemoveAllSeeds();
+  ///@}
+
+protected:
+  vtkAtriaDualMesher();
+  ~vtkAtriaDualMesher() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  int ZoneRule = Outside;
+  std::vector<std::array<double, 3>> SeedPoints;
+
+private:
+  vtkAtriaDualMesher(const vtkAtriaDualMesher&) = delete;
+  void operator=(const vtkAtriaDualMesher&) = delete;
+};
+
+#endif
