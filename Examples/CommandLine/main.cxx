@@ -12,7 +12,8 @@ namespace {
 
 std::string usageMessage(const CLI::App*, const CLI::Error& error)
 {
-  return std::string("atria: error: ") + error.what() + "\nSee atria --help, or atria mesh --help and the like.\n";
+  return std::string("atria: error: ") + error.what() +
+         "\nSee atria --help, or atria mesh --help and the like.\n";
 }
 
 int usageStatus(const CLI::App& app, const CLI::ParseError& error)
@@ -26,8 +27,10 @@ int usageStatus(const CLI::App& app, const CLI::ParseError& error)
 int main(int argc, char** argv)
 {
   using namespace atria::tool;
-  CLI::App app("Meshes architecture for flow simulation: a VRML model in, a hexahedral-dominant mesh with named patches "
-               "out.\nExit status: 0 done, 2 usage, 3 bad input, 4 the mesh has elements that are not valid, 1 any other "
+  CLI::App app("Meshes architecture for flow simulation: a VRML model in, a hexahedral-dominant mesh with "
+               "named patches "
+               "out.\nExit status: 0 done, 2 usage, 3 bad input, 4 the mesh has elements that are not valid, "
+               "1 any other "
                "failure.");
   app.name("atria");
   app.set_version_flag("--version", ATRIA_TOOL_VERSION);
@@ -39,27 +42,18 @@ int main(int argc, char** argv)
   addMeshCommand(app, console, status);
   addInspectCommand(app, console, status);
   addQualityCommand(app, console, status);
-  try
-  {
+  try {
     app.parse(argc, argv);
     return status;
-  }
-  catch (const CLI::ParseError& error)
-  {
+  } catch (const CLI::ParseError& error) {
     console.clearBar();
     return usageStatus(app, error);
-  }
-  catch (const Failure& failure)
-  {
+  } catch (const Failure& failure) {
     console.error(failure.what());
     return failure.status;
-  }
-  catch (const std::bad_alloc&)
-  {
+  } catch (const std::bad_alloc&) {
     console.error("out of memory; choose larger sizes or a smaller domain");
-  }
-  catch (const std::exception& error)
-  {
+  } catch (const std::exception& error) {
     console.error(error.what());
   }
   return Failed;

@@ -19,8 +19,7 @@
 
 int main(int argc, char** argv)
 {
-  if (argc != 3)
-  {
+  if (argc != 3) {
     std::cerr << "usage: ComposePipeline MODEL.wrl FOLDER\n";
     return EXIT_FAILURE;
   }
@@ -29,7 +28,8 @@ int main(int argc, char** argv)
   vtkNew<vtkAtriaVRMLReader> reader;
   reader->SetFileName(argv[1]);
 
-  // The octree may be left out: the mesher then builds the same one. Shown here, it can be looked at or changed.
+  // The octree may be left out: the mesher then builds the same one. Shown here, it can be looked at or
+  // changed.
   vtkNew<vtkAtriaOctreeSource> octree;
   octree->SetInputConnection(reader->GetOutputPort());
   octree->SetSizeMin(1.0); // metres
@@ -59,7 +59,8 @@ int main(int argc, char** argv)
 
   const bool written = meshWriter->Write() && patchWriter->Write() && caseWriter->Write();
   auto* mesh = vtkUnstructuredGrid::SafeDownCast(quality->GetOutputDataObject(0));
-  std::cout << mesh->GetNumberOfCells() << " elements, " << quality->GetNumberOfInvalidCells() << " not valid\n";
+  std::cout << mesh->GetNumberOfCells() << " elements, " << quality->GetNumberOfInvalidCells()
+            << " not valid\n";
   quality->GetSummary()->Dump(20);
   return written && mesh->GetNumberOfCells() > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
