@@ -133,7 +133,8 @@ private:
     std::optional<Vec3> best;
     for (const ModelItem piece : octree.items(leaf))
     {
-      if (piece.kind == ModelItem::corner && owns(model.points[model.corners[piece.index]]))
+      if (piece.kind == ModelItem::corner && owns(model.points[model.corners[piece.index]]) &&
+          endsOwnCurve(leaf, model.corners[piece.index]))
       {
         const Vec3 p = modelPoint(model.corners[piece.index]);
         if (!best || (p - mean).squaredNorm() < (*best - mean).squaredNorm())
@@ -145,14 +146,28 @@ private:
     return best;
   }
 
-  /// A point on the border of octants belongs to one of them only: the upper one, like the grid's symbolic shift has it; but
-  /// to the lower one on an upper domain plane.
+  /// Whether a curve of a piece that cuts the leaf ends or turns at the point.
+  bool endsOwnCurve(Index leaf, Index point) const
+  {
+    const auto items = octree.items(leaf);
+    return std::any_of(items.begin(), items.end(), [&](ModelItem piece) {
+      if (piece.kind != ModelItem::featureEdge)
+      {
+        return false;
+      }
+      const FeatureEdge& edge = model.featureEdges[piece.index];
+      return (edge.a == point || edge.b == point) && (hasChart(edge.charts[0]) || hasChart(edge.charts[1]));
+    });
+  }
+
+  /// A point on the border of octants belongs to one of them only: the lower one, as the grid's symbolic shift has it; but to the
+  /// upper one on a lower domain plane.
   bool owns(const LatticePoint& p) const
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      const bool atTop = p[axis] == box.high[axis] && p[axis] == frame.domainHigh[axis];
-      if (p[axis] < box.low[axis] || (p[axis] >= box.high[axis] && !atTop))
+      const bool atBottom = p[axis] == box.low[axis] && p[axis] == frame.domainLow[axis];
+      if (p[axis] > box.high[axis] || (p[axis] <= box.low[axis] && !atBottom))
       {
         return false;
       }
