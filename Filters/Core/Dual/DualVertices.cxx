@@ -5,6 +5,7 @@
 #include "Surface/Distance.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -159,6 +160,17 @@ private:
     return true;
   }
 
+  LatticePoint pointAlong(const FeatureEdge& edge, double t) const
+  {
+    LatticePoint p = model.points[edge.a];
+    const LatticePoint& end = model.points[edge.b];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      p[axis] += std::llround(t * static_cast<double>(end[axis] - p[axis]));
+    }
+    return p;
+  }
+
   /// The middle of the feature curves in the leaf, on the one that is nearest to it.
   std::optional<Vec3> middleOfCurve(Index leaf, bool cut)
   {
@@ -176,6 +188,10 @@ private:
       const bool second = hasChart(edge.charts[1]);
       const SegmentRange range = clipSegment(box, model.points[edge.a], model.points[edge.b]);
       if (range.begin >= range.end || !(cut ? first || second : first && second))
+      {
+        continue;
+      }
+      if (!owns(pointAlong(edge, 0.5 * (range.begin + range.end))))
       {
         continue;
       }
