@@ -27,9 +27,7 @@ enum ExitStatus : int
 class Failure : public std::runtime_error
 {
 public:
-  Failure(ExitStatus withStatus, const std::string& message) : std::runtime_error(message), status(withStatus)
-  {
-  }
+  Failure(ExitStatus withStatus, const std::string& message) : std::runtime_error(message), status(withStatus) {}
   ExitStatus status;
 };
 

@@ -10,9 +10,11 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iomanip>
 #include <iostream>
 #include <mutex>
 #include <regex>
+#include <sstream>
 #include <utility>
 
 #include <unistd.h>
@@ -27,7 +29,8 @@ std::string plainText(const std::string& message)
   static const std::regex prefix(
       R"(^\s*(ERROR|[A-Za-z ]*Warning): In [^\n]*, line \d+\n(\w+ \((0x)?[0-9a-fA-F]+\): )?)");
   std::string text = std::regex_replace(message, prefix, "", std::regex_constants::format_first_only);
-  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back()))) {
+  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back())))
+  {
     text.pop_back();
   }
   return text;
@@ -75,8 +78,7 @@ private:
 vtkStandardNewMacro(Console::Window);
 
 Console::Console()
-    : window(vtkSmartPointer<Window>::New()), previous(vtkOutputWindow::GetInstance()),
-      terminal(isatty(STDERR_FILENO))
+    : window(vtkSmartPointer<Window>::New()), previous(vtkOutputWindow::GetInstance()), terminal(isatty(STDERR_FILENO))
 {
   window->console = this;
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // VTK also logs what it tells the window
@@ -103,7 +105,8 @@ void Console::warning(const std::string& text)
 
 void Console::follow(vtkAlgorithm* algorithm, double first, double last)
 {
-  if (!terminal) {
+  if (!terminal)
+  {
     return;
   }
   vtkNew<ProgressCommand> command;
@@ -115,17 +118,19 @@ void Console::follow(vtkAlgorithm* algorithm, double first, double last)
 
 void Console::progress(double fraction, const std::string& phase)
 {
-  if (!terminal) {
+  if (!terminal)
+  {
     return;
   }
   constexpr int width = 30;
   const double done = std::clamp(fraction, 0.0, 1.0);
   const int filled = static_cast<int>(std::lround(done * width));
-  const std::string percent = std::to_string(static_cast<int>(std::lround(100 * done)));
-  const std::string line = "[" + std::string(filled, '#') + std::string(width - filled, ' ') + "] " +
-                           std::string(3 - std::min<std::size_t>(percent.size(), 3), ' ') + percent + " % " +
-                           phase.substr(0, 36);
-  if (line != shown) {
+  std::ostringstream text;
+  text << '[' << std::string(filled, '#') << std::string(width - filled, ' ') << "] " << std::setw(3)
+       << std::lround(100 * done) << " % " << phase.substr(0, 36);
+  const std::string line = text.str();
+  if (line != shown)
+  {
     std::cerr << '\r' << line << "\033[K" << std::flush;
     shown = line;
   }
@@ -133,7 +138,8 @@ void Console::progress(double fraction, const std::string& phase)
 
 void Console::clearBar()
 {
-  if (!shown.empty()) {
+  if (!shown.empty())
+  {
     std::cerr << "\r\033[K" << std::flush;
     shown.clear();
   }
@@ -143,7 +149,8 @@ std::vector<std::string> Console::takeErrors()
 {
   std::vector<std::string> errors = std::exchange(window->errors, {});
   const bool explained = std::any_of(errors.begin(), errors.end(), std::not_fn(isPipelineEcho));
-  if (explained) {
+  if (explained)
+  {
     errors.erase(std::remove_if(errors.begin(), errors.end(), isPipelineEcho), errors.end());
   }
   return errors;

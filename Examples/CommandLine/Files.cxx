@@ -30,12 +30,14 @@ namespace {
 void throwIfErrors(Console& console, ExitStatus status, const std::string& about)
 {
   const std::vector<std::string> errors = console.takeErrors();
-  if (errors.empty()) {
+  if (errors.empty())
+  {
     return;
   }
   // An error that already names its file is not prefixed with it again.
   std::string text = errors.front().find(about) == std::string::npos ? about + ": " : "";
-  for (std::size_t i = 0; i < errors.size(); ++i) {
+  for (std::size_t i = 0; i < errors.size(); ++i)
+  {
     text += (i == 0 ? "" : "\n") + errors[i];
   }
   throw Failure(status, text);
@@ -43,13 +45,16 @@ void throwIfErrors(Console& console, ExitStatus status, const std::string& about
 
 void checkReadable(const std::string& file)
 {
-  if (fs::is_directory(file)) {
+  if (fs::is_directory(file))
+  {
     throw Failure(BadInput, file + " is a folder; name a file");
   }
-  if (!fs::exists(file)) {
+  if (!fs::exists(file))
+  {
     throw Failure(BadInput, file + " does not exist; check the path");
   }
-  if (!std::ifstream(file).good()) {
+  if (!std::ifstream(file).good())
+  {
     throw Failure(BadInput, file + " cannot be opened; check its permissions");
   }
 }
@@ -58,10 +63,12 @@ void printWarnings(vtkAtriaVRMLReader* reader, const std::string& file, Console&
 {
   constexpr vtkIdType most = 20;
   vtkStringArray* warnings = reader->GetWarnings();
-  for (vtkIdType i = 0; i < std::min(most, warnings->GetNumberOfValues()); ++i) {
+  for (vtkIdType i = 0; i < std::min(most, warnings->GetNumberOfValues()); ++i)
+  {
     console.warning(warnings->GetValue(i)); // names file and line
   }
-  if (const vtkIdType all = reader->GetNumberOfWarnings(); all > most) {
+  if (const vtkIdType all = reader->GetNumberOfWarnings(); all > most)
+  {
     console.warning(file + ": and " + std::to_string(all - most) + " more; see atria inspect --json");
   }
 }
@@ -80,7 +87,8 @@ vtkSmartPointer<vtkAtriaVRMLReader> readModel(const std::string& file, Console& 
   reader->Update();
   throwIfErrors(console, BadInput, file);
   printWarnings(reader, file, console);
-  if (reader->GetOutput()->GetNumberOfCells() == 0) {
+  if (reader->GetOutput()->GetNumberOfCells() == 0)
+  {
     throw Failure(BadInput, file + " holds no surfaces; export the model with its faces");
   }
   return reader;
@@ -90,11 +98,11 @@ vtkSmartPointer<vtkUnstructuredGrid> readMesh(const std::string& file, Console& 
 {
   checkReadable(file);
   vtkNew<vtkXMLUnstructuredGridReader> reader;
-  if (!reader->CanReadFile(file.c_str())) {
+  if (!reader->CanReadFile(file.c_str()))
+  {
     console.takeErrors();
     throw Failure(BadInput,
-                  file +
-                      " is not a VTK XML unstructured grid; give a .vtu file, such as `atria mesh` writes");
+                  file + " is not a VTK XML unstructured grid; give a .vtu file, such as `atria mesh` writes");
   }
   reader->SetFileName(file.c_str());
   console.follow(reader, 0.0, 0.5);
@@ -113,7 +121,8 @@ void writeMesh(const std::string& file, vtkUnstructuredGrid* mesh, Console& cons
   writer->SetCompressorTypeToZLib();
   const bool written = writer->Write() != 0;
   throwIfErrors(console, Failed, file);
-  if (!written || !fs::exists(file)) {
+  if (!written || !fs::exists(file))
+  {
     throw Failure(Failed, file + " could not be written; check permissions and space");
   }
 }
@@ -128,13 +137,14 @@ void writePatches(const std::string& file, vtkPartitionedDataSetCollection* patc
   writer->SetCompressorTypeToZLib();
   const bool written = writer->Write() != 0;
   throwIfErrors(console, Failed, file);
-  if (!written || !fs::exists(file)) {
+  if (!written || !fs::exists(file))
+  {
     throw Failure(Failed, file + " could not be written; check permissions and space");
   }
 }
 
-void writeOpenFOAM(const std::string& folder, vtkUnstructuredGrid* mesh,
-                   vtkPartitionedDataSetCollection* patches, Console& console)
+void writeOpenFOAM(const std::string& folder, vtkUnstructuredGrid* mesh, vtkPartitionedDataSetCollection* patches,
+                   Console& console)
 {
   vtkNew<vtkAtriaOpenFOAMWriter> writer;
   writer->SetInputDataObject(0, mesh);
@@ -142,7 +152,8 @@ void writeOpenFOAM(const std::string& folder, vtkUnstructuredGrid* mesh,
   writer->SetCaseDirectory(folder.c_str());
   const bool written = writer->Write() != 0;
   throwIfErrors(console, Failed, folder);
-  if (!written) {
+  if (!written)
+  {
     throw Failure(Failed, folder + ": the OpenFOAM case could not be written; check permissions and space");
   }
 }
@@ -152,7 +163,8 @@ void writeText(const std::string& file, const std::string& text)
   std::ofstream stream(file);
   stream << text;
   stream.close();
-  if (!stream) {
+  if (!stream)
+  {
     throw Failure(Failed, file + " could not be written; check permissions and space");
   }
 }
@@ -160,13 +172,14 @@ void writeText(const std::string& file, const std::string& text)
 void checkOutput(const std::string& option, const std::string& file, const std::string& ending)
 {
   const fs::path path(file);
-  if (path.extension() != ending) {
+  if (path.extension() != ending)
+  {
     throw Failure(Usage, option + " " + file + ": the file's name must end in " + ending);
   }
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-  if (!fs::is_directory(folder)) {
-    throw Failure(Usage,
-                  option + " " + file + ": the folder " + folder.string() + " does not exist; make it first");
+  if (!fs::is_directory(folder))
+  {
+    throw Failure(Usage, option + " " + file + ": the folder " + folder.string() + " does not exist; make it first");
   }
 }
 

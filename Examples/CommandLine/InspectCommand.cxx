@@ -34,15 +34,18 @@ TriangleSurface trianglesOf(vtkPolyData* model)
 {
   TriangleSurface surface;
   auto* names = vtkStringArray::SafeDownCast(model->GetFieldData()->GetAbstractArray("SurfaceName"));
-  for (vtkIdType i = 0; i < names->GetNumberOfValues(); ++i) {
+  for (vtkIdType i = 0; i < names->GetNumberOfValues(); ++i)
+  {
     surface.names.push_back(names->GetValue(i));
   }
-  for (vtkIdType i = 0; i < model->GetNumberOfPoints(); ++i) {
+  for (vtkIdType i = 0; i < model->GetNumberOfPoints(); ++i)
+  {
     surface.points.emplace_back(model->GetPoint(i));
   }
   vtkDataArray* ids = model->GetCellData()->GetArray("SurfaceId");
   auto cells = vtk::TakeSmartPointer(model->GetPolys()->NewIterator());
-  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell()) {
+  for (cells->GoToFirstCell(); !cells->IsDoneWithTraversal(); cells->GoToNextCell())
+  {
     vtkIdType count = 0;
     const vtkIdType* points = nullptr;
     cells->GetCurrentCell(count, points);
@@ -56,7 +59,8 @@ TriangleSurface trianglesOf(vtkPolyData* model)
 Json jsonOf(const SurfaceSummary& summary)
 {
   Json bounds; // null for a surface without triangles
-  if (!summary.bounds.empty()) {
+  if (!summary.bounds.empty())
+  {
     const Vec3& low = summary.bounds.min;
     const Vec3& high = summary.bounds.max;
     bounds = {low.x(), high.x(), low.y(), high.y(), low.z(), high.z()};
@@ -74,14 +78,16 @@ Json jsonOf(const Inspection& inspection, vtkStringArray* warnings)
 {
   Json report;
   report["surfaces"] = Json::array();
-  for (const SurfaceSummary& summary : inspection.surfaces) {
+  for (const SurfaceSummary& summary : inspection.surfaces)
+  {
     report["surfaces"].push_back(jsonOf(summary));
   }
   report["total"] = jsonOf(inspection.total);
   report["total"].erase("name");
   report["total"]["points"] = inspection.points;
   report["warnings"] = Json::array();
-  for (vtkIdType i = 0; i < warnings->GetNumberOfValues(); ++i) {
+  for (vtkIdType i = 0; i < warnings->GetNumberOfValues(); ++i)
+  {
     report["warnings"].push_back(warnings->GetValue(i));
   }
   return report;
@@ -89,9 +95,10 @@ Json jsonOf(const Inspection& inspection, vtkStringArray* warnings)
 
 void printLine(const SurfaceSummary& summary, const std::string& name, int width)
 {
-  std::printf("%-*s %10zu %14.6g %8zu %8zu", width, name.c_str(), summary.triangles, summary.area,
-              summary.openEdges, summary.nonManifoldEdges);
-  for (int axis = 0; axis < 3 && !summary.bounds.empty(); ++axis) {
+  std::printf("%-*s %10zu %14.6g %8zu %8zu", width, name.c_str(), summary.triangles, summary.area, summary.openEdges,
+              summary.nonManifoldEdges);
+  for (int axis = 0; axis < 3 && !summary.bounds.empty(); ++axis)
+  {
     std::printf("  %g..%g", summary.bounds.min[axis], summary.bounds.max[axis]);
   }
   std::printf("\n");
@@ -100,13 +107,14 @@ void printLine(const SurfaceSummary& summary, const std::string& name, int width
 void printTable(const Inspection& inspection)
 {
   std::size_t longest = 5;
-  for (const SurfaceSummary& summary : inspection.surfaces) {
+  for (const SurfaceSummary& summary : inspection.surfaces)
+  {
     longest = std::max(longest, std::min<std::size_t>(summary.name.size(), 48));
   }
   const int width = static_cast<int>(longest);
-  std::printf("%-*s %10s %14s %8s %8s  %s\n", width, "name", "triangles", "area", "open", "non-man.",
-              "bounds x, y, z");
-  for (const SurfaceSummary& summary : inspection.surfaces) {
+  std::printf("%-*s %10s %14s %8s %8s  %s\n", width, "name", "triangles", "area", "open", "non-man.", "bounds x, y, z");
+  for (const SurfaceSummary& summary : inspection.surfaces)
+  {
     printLine(summary, summary.name, width);
   }
   printLine(inspection.total, "total", width);
@@ -119,9 +127,12 @@ ExitStatus runInspect(const std::string& file, bool asJson, Console& console)
   const auto reader = readModel(file, console);
   const Inspection inspection = inspect(trianglesOf(reader->GetOutput()));
   console.clearBar();
-  if (asJson) {
+  if (asJson)
+  {
     std::cout << jsonOf(inspection, reader->GetWarnings()).dump(2) << '\n';
-  } else {
+  }
+  else
+  {
     printTable(inspection);
   }
   return Done;
@@ -140,8 +151,7 @@ void addInspectCommand(CLI::App& app, Console& console, ExitStatus& status)
   auto options = std::make_shared<Options>();
   command->add_option("IN.wrl", options->file, "VRML model (.wrl, .wrz, .wrl.gz)")->required();
   command->add_flag("--json", options->json, "Print JSON");
-  command->callback(
-      [options, &console, &status] { status = runInspect(options->file, options->json, console); });
+  command->callback([options, &console, &status] { status = runInspect(options->file, options->json, console); });
 }
 
 } // namespace atria::tool

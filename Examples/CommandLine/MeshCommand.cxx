@@ -51,10 +51,7 @@ struct MeshOptions
 class Stopwatch
 {
 public:
-  double seconds() const
-  {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  }
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(); }
 
 private:
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
@@ -68,8 +65,7 @@ void declareOptions(CLI::App& command, MeshOptions& options)
   options.sizeMid = mesher->GetSizeMid();
   options.sizeMin = mesher->GetSizeMin();
 
-  command.add_option("IN.wrl", options.input, "VRML model (.wrl, .wrz, .wrl.gz), in metres, Z up")
-      ->required();
+  command.add_option("IN.wrl", options.input, "VRML model (.wrl, .wrz, .wrl.gz), in metres, Z up")->required();
   command.add_option("-o,--output", options.output, "Where the mesh goes, a .vtu file")
       ->required()
       ->type_name("OUT.vtu");
@@ -78,33 +74,27 @@ void declareOptions(CLI::App& command, MeshOptions& options)
   };
   size("--size-max", options.sizeMax, "Element size away from surfaces, metres");
   size("--size-mid", options.sizeMid, "Element size at surfaces, metres");
-  size("--size-min", options.sizeMin,
-       "Element size at edges, corners and close surfaces, metres; the grid's unit");
-  auto* domain = command
-                     .add_option("--domain", options.domain,
-                                 "Bounds of the domain, metres (default: those of the model)")
-                     ->expected(6)
-                     ->type_name("X0 X1 Y0 Y1 Z0 Z1");
+  size("--size-min", options.sizeMin, "Element size at edges, corners and close surfaces, metres; the grid's unit");
+  auto* domain =
+      command.add_option("--domain", options.domain, "Bounds of the domain, metres (default: those of the model)")
+          ->expected(6)
+          ->type_name("X0 X1 Y0 Y1 Z0 Z1");
   command
       .add_option("--site", options.site,
                   "Surface whose rectangle is the domain's ground; height 0.3 of its longer side")
       ->type_name("NAME")
       ->excludes(domain);
-  auto* zone =
-      command.add_option("--zone", options.zone, "Fluid is what the domain's sides reach, or all there is")
-          ->capture_default_str()
-          ->check(CLI::IsMember({"outside", "all"}))
-          ->type_name("outside|all");
+  auto* zone = command.add_option("--zone", options.zone, "Fluid is what the domain's sides reach, or all there is")
+                   ->capture_default_str()
+                   ->check(CLI::IsMember({"outside", "all"}))
+                   ->type_name("outside|all");
   command.add_option("--seed", options.seeds, "Fluid is what this point reaches; may be repeated")
       ->allow_extra_args(false)
       ->type_name("X Y Z")
       ->excludes(zone);
-  command.add_option("--patches", options.patches, "Also write the named boundary patches")
-      ->type_name("OUT.vtpc");
-  command.add_option("--openfoam", options.openfoam, "Also write an OpenFOAM case with the mesh")
-      ->type_name("DIR");
-  command
-      .add_option("--report", options.report, "Also write counts, zones, patches, quality and times as JSON")
+  command.add_option("--patches", options.patches, "Also write the named boundary patches")->type_name("OUT.vtpc");
+  command.add_option("--openfoam", options.openfoam, "Also write an OpenFOAM case with the mesh")->type_name("DIR");
+  command.add_option("--report", options.report, "Also write counts, zones, patches, quality and times as JSON")
       ->type_name("OUT.json");
   command.add_option("--threads", options.threads, "Number of threads (default: all cores)")
       ->check(CLI::PositiveNumber)
@@ -114,19 +104,23 @@ void declareOptions(CLI::App& command, MeshOptions& options)
 void checkOptions(const MeshOptions& options)
 {
   checkOutput("--output", options.output, ".vtu");
-  if (!options.patches.empty()) {
+  if (!options.patches.empty())
+  {
     checkOutput("--patches", options.patches, ".vtpc");
   }
-  if (!options.report.empty()) {
+  if (!options.report.empty())
+  {
     checkOutput("--report", options.report, ".json");
   }
-  if (options.sizeMid < options.sizeMin || options.sizeMax < options.sizeMid) {
+  if (options.sizeMid < options.sizeMin || options.sizeMax < options.sizeMid)
+  {
     throw Failure(Usage, "sizes must not fall from --size-min over --size-mid to --size-max; give all three");
   }
-  for (int axis = 0; axis < 3 && !options.domain.empty(); ++axis) {
-    if (options.domain[2 * axis] >= options.domain[2 * axis + 1]) {
-      throw Failure(Usage,
-                    std::string("--domain: ") + "xyz"[axis] + "0 must be less than " + "xyz"[axis] + "1");
+  for (int axis = 0; axis < 3 && !options.domain.empty(); ++axis)
+  {
+    if (options.domain[2 * axis] >= options.domain[2 * axis + 1])
+    {
+      throw Failure(Usage, std::string("--domain: ") + "xyz"[axis] + "0 must be less than " + "xyz"[axis] + "1");
     }
   }
 }
@@ -135,8 +129,10 @@ void checkSite(const std::string& site, vtkPolyData* model)
 {
   auto* names = vtkStringArray::SafeDownCast(model->GetFieldData()->GetAbstractArray("SurfaceName"));
   std::string known;
-  for (vtkIdType i = 0; names && i < names->GetNumberOfValues(); ++i) {
-    if (names->GetValue(i) == site) {
+  for (vtkIdType i = 0; names && i < names->GetNumberOfValues(); ++i)
+  {
+    if (names->GetValue(i) == site)
+    {
       return;
     }
     known += (known.empty() ? "" : ", ") + names->GetValue(i);
@@ -149,18 +145,22 @@ void configure(vtkAtriaDualMesher* mesher, const MeshOptions& options)
   mesher->SetSizeMax(options.sizeMax);
   mesher->SetSizeMid(options.sizeMid);
   mesher->SetSizeMin(options.sizeMin);
-  if (!options.domain.empty()) {
+  if (!options.domain.empty())
+  {
     mesher->SetDomainMode(vtkAtriaDualMesher::Explicit);
     mesher->SetDomainBounds(options.domain.data());
   }
-  if (!options.site.empty()) {
+  if (!options.site.empty())
+  {
     mesher->SetDomainMode(vtkAtriaDualMesher::Site);
     mesher->SetSiteName(options.site.c_str());
   }
   mesher->SetZoneRule(options.zone == "all" ? vtkAtriaDualMesher::All : vtkAtriaDualMesher::Outside);
-  if (!options.seeds.empty()) {
+  if (!options.seeds.empty())
+  {
     mesher->SetZoneRule(vtkAtriaDualMesher::Seeds);
-    for (const auto& [x, y, z] : options.seeds) {
+    for (const auto& [x, y, z] : options.seeds)
+    {
       mesher->AddSeed(x, y, z);
     }
   }
@@ -172,8 +172,7 @@ Json makeReport(vtkAtriaDualMesher* mesher, vtkAtriaMeshQuality* quality, const 
   Json report;
   report["counts"] = countsOf(mesh);
   report["zones"] = zonesOf(mesh);
-  report["patches"] =
-      patchesOf(vtkPartitionedDataSetCollection::SafeDownCast(mesher->GetOutputDataObject(1)));
+  report["patches"] = patchesOf(vtkPartitionedDataSetCollection::SafeDownCast(mesher->GetOutputDataObject(1)));
   report["quality"] = qualityOf(vtkTable::SafeDownCast(quality->GetOutputDataObject(1)));
   report["invalid_elements"] = quality->GetNumberOfInvalidCells();
   report["max_level"] = maxLevelOf(mesh);
@@ -184,15 +183,17 @@ Json makeReport(vtkAtriaDualMesher* mesher, vtkAtriaMeshQuality* quality, const 
   return report;
 }
 
-void writeOutputs(const MeshOptions& options, vtkUnstructuredGrid* mesh,
-                  vtkPartitionedDataSetCollection* patches, Console& console)
+void writeOutputs(const MeshOptions& options, vtkUnstructuredGrid* mesh, vtkPartitionedDataSetCollection* patches,
+                  Console& console)
 {
   console.progress(0.9, "Writing");
   writeMesh(options.output, mesh, console);
-  if (!options.patches.empty()) {
+  if (!options.patches.empty())
+  {
     writePatches(options.patches, patches, console);
   }
-  if (!options.openfoam.empty()) {
+  if (!options.openfoam.empty())
+  {
     writeOpenFOAM(options.openfoam, mesh, patches, console);
   }
   console.progress(1.0, "Writing");
@@ -207,7 +208,8 @@ ExitStatus runMesh(const MeshOptions& options, Console& console)
   const Stopwatch reading;
   const auto reader = readModel(options.input, console);
   const double readSeconds = reading.seconds();
-  if (!options.site.empty()) {
+  if (!options.site.empty())
+  {
     checkSite(options.site, reader->GetOutput());
   }
 
@@ -217,9 +219,9 @@ ExitStatus runMesh(const MeshOptions& options, Console& console)
   console.follow(mesher, 0.05, 0.75);
   updateOrFail(mesher, options.input, console);
   auto* plainMesh = vtkUnstructuredGrid::SafeDownCast(mesher->GetOutputDataObject(0));
-  if (!plainMesh || plainMesh->GetNumberOfCells() == 0) {
-    throw Failure(BadInput,
-                  options.input + ": no element of the domain is fluid; check --domain, --zone and --seed");
+  if (!plainMesh || plainMesh->GetNumberOfCells() == 0)
+  {
+    throw Failure(BadInput, options.input + ": no element of the domain is fluid; check --domain, --zone and --seed");
   }
 
   const Stopwatch measuring;
@@ -239,11 +241,13 @@ ExitStatus runMesh(const MeshOptions& options, Console& console)
   seconds["Quality"] = qualitySeconds;
   seconds["Write"] = writing.seconds();
   seconds["Total"] = total.seconds();
-  if (!options.report.empty()) {
+  if (!options.report.empty())
+  {
     writeText(options.report, makeReport(mesher, quality, seconds).dump(2) + "\n");
   }
   console.clearBar();
-  if (const auto invalid = quality->GetNumberOfInvalidCells(); invalid > 0) {
+  if (const auto invalid = quality->GetNumberOfInvalidCells(); invalid > 0)
+  {
     console.warning(options.output + ": " + std::to_string(invalid) + " of " +
                     std::to_string(plainMesh->GetNumberOfCells()) +
                     " elements are not valid; see the cell array Valid");

@@ -22,12 +22,14 @@ namespace {
 
 void printTable(const Json& report)
 {
-  for (const auto& [name, count] : report["counts"].items()) {
+  for (const auto& [name, count] : report["counts"].items())
+  {
     std::printf("%-20s %14lld\n", name.c_str(), count.get<long long>());
   }
   std::printf("%-20s %14lld\n\n", "invalid elements", report["invalid_elements"].get<long long>());
   std::printf("%-20s %14s %14s %14s %14s\n", "metric", "min", "max", "mean", "std");
-  for (const auto& [name, value] : report["quality"].items()) {
+  for (const auto& [name, value] : report["quality"].items())
+  {
     std::printf("%-20s %14.6g %14.6g %14.6g %14.6g\n", name.c_str(), value["min"].get<double>(),
                 value["max"].get<double>(), value["mean"].get<double>(), value["std"].get<double>());
   }
@@ -46,9 +48,12 @@ ExitStatus runQuality(const std::string& file, bool asJson, Console& console)
   report["counts"] = countsOf(mesh);
   report["quality"] = qualityOf(vtkTable::SafeDownCast(quality->GetOutputDataObject(1)));
   report["invalid_elements"] = quality->GetNumberOfInvalidCells();
-  if (asJson) {
+  if (asJson)
+  {
     std::cout << report.dump(2) << '\n';
-  } else {
+  }
+  else
+  {
     printTable(report);
   }
   return quality->GetNumberOfInvalidCells() > 0 ? MeshNotValid : Done;
@@ -68,8 +73,7 @@ void addQualityCommand(CLI::App& app, Console& console, ExitStatus& status)
   auto options = std::make_shared<Options>();
   command->add_option("MESH.vtu", options->file, "Mesh to measure")->required();
   command->add_flag("--json", options->json, "Print JSON");
-  command->callback(
-      [options, &console, &status] { status = runQuality(options->file, options->json, console); });
+  command->callback([options, &console, &status] { status = runQuality(options->file, options->json, console); });
 }
 
 } // namespace atria::tool

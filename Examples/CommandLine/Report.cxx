@@ -34,10 +34,12 @@ double polygonArea(vtkPoints* points, vtkIdType count, const vtkIdType* ids)
   double origin[3], p[3], q[3];
   double sum[3] = {0, 0, 0};
   points->GetPoint(ids[0], origin);
-  for (vtkIdType i = 1; i + 1 < count; ++i) {
+  for (vtkIdType i = 1; i + 1 < count; ++i)
+  {
     points->GetPoint(ids[i], p);
     points->GetPoint(ids[i + 1], q);
-    for (int axis = 0; axis < 3; ++axis) {
+    for (int axis = 0; axis < 3; ++axis)
+    {
       const int j = (axis + 1) % 3, k = (axis + 2) % 3;
       sum[axis] += (p[j] - origin[j]) * (q[k] - origin[k]) - (p[k] - origin[k]) * (q[j] - origin[j]);
     }
@@ -49,11 +51,13 @@ double areaOf(vtkPolyData* surface)
 {
   double area = 0.0;
   auto faces = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
-  for (faces->GoToFirstCell(); !faces->IsDoneWithTraversal(); faces->GoToNextCell()) {
+  for (faces->GoToFirstCell(); !faces->IsDoneWithTraversal(); faces->GoToNextCell())
+  {
     vtkIdType count = 0;
     const vtkIdType* ids = nullptr;
     faces->GetCurrentCell(count, ids);
-    if (count > 2) {
+    if (count > 2)
+    {
       area += polygonArea(surface->GetPoints(), count, ids);
     }
   }
@@ -70,26 +74,28 @@ vtkStringArray* stringsOf(vtkDataObject* data, const char* name)
 Json countsOf(vtkUnstructuredGrid* mesh)
 {
   vtkIdType hexahedra = 0, wedges = 0, pyramids = 0, tetrahedra = 0, polyhedra = 0;
-  for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i) {
-    switch (mesh->GetCellType(i)) {
-    case VTK_HEXAHEDRON:
-    case VTK_VOXEL:
-      ++hexahedra;
-      break;
-    case VTK_WEDGE:
-      ++wedges;
-      break;
-    case VTK_PYRAMID:
-      ++pyramids;
-      break;
-    case VTK_TETRA:
-      ++tetrahedra;
-      break;
-    case VTK_POLYHEDRON:
-      ++polyhedra;
-      break;
-    default:
-      break;
+  for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
+  {
+    switch (mesh->GetCellType(i))
+    {
+      case VTK_HEXAHEDRON:
+      case VTK_VOXEL:
+        ++hexahedra;
+        break;
+      case VTK_WEDGE:
+        ++wedges;
+        break;
+      case VTK_PYRAMID:
+        ++pyramids;
+        break;
+      case VTK_TETRA:
+        ++tetrahedra;
+        break;
+      case VTK_POLYHEDRON:
+        ++polyhedra;
+        break;
+      default:
+        break;
     }
   }
   return {{"vertices", mesh->GetNumberOfPoints()},
@@ -111,13 +117,15 @@ Json zonesOf(vtkUnstructuredGrid* meshWithQuality)
   vtkDataArray* ids = meshWithQuality->GetCellData()->GetArray("ZoneId");
   vtkDataArray* volumes = meshWithQuality->GetCellData()->GetArray("Volume");
   std::map<int, Zone> zones;
-  for (vtkIdType i = 0; i < meshWithQuality->GetNumberOfCells(); ++i) {
+  for (vtkIdType i = 0; i < meshWithQuality->GetNumberOfCells(); ++i)
+  {
     Zone& zone = zones[ids ? static_cast<int>(ids->GetTuple1(i)) : 0];
     ++zone.elements;
     zone.volume += volumes ? volumes->GetTuple1(i) : 0.0;
   }
   Json list = Json::array();
-  for (const auto& [id, zone] : zones) {
+  for (const auto& [id, zone] : zones)
+  {
     list.push_back({{"id", id}, {"elements", zone.elements}, {"volume", zone.volume}});
   }
   return list;
@@ -126,11 +134,14 @@ Json zonesOf(vtkUnstructuredGrid* meshWithQuality)
 Json patchesOf(vtkPartitionedDataSetCollection* patches)
 {
   Json list = Json::array();
-  for (unsigned int i = 0; i < patches->GetNumberOfPartitionedDataSets(); ++i) {
+  for (unsigned int i = 0; i < patches->GetNumberOfPartitionedDataSets(); ++i)
+  {
     vtkIdType faces = 0;
     double area = 0.0;
-    for (unsigned int j = 0; j < patches->GetNumberOfPartitions(i); ++j) {
-      if (auto* part = vtkPolyData::SafeDownCast(patches->GetPartition(i, j))) {
+    for (unsigned int j = 0; j < patches->GetNumberOfPartitions(i); ++j)
+    {
+      if (auto* part = vtkPolyData::SafeDownCast(patches->GetPartition(i, j)))
+      {
         faces += part->GetNumberOfCells();
         area += areaOf(part);
       }
@@ -145,7 +156,8 @@ Json patchesOf(vtkPartitionedDataSetCollection* patches)
 Json qualityOf(vtkTable* summary)
 {
   Json metrics = Json::object();
-  for (vtkIdType row = 0; row < summary->GetNumberOfRows(); ++row) {
+  for (vtkIdType row = 0; row < summary->GetNumberOfRows(); ++row)
+  {
     const auto number = [&](const char* column) { return summary->GetValueByName(row, column).ToDouble(); };
     metrics[summary->GetValueByName(row, "Metric").ToString()] = {{"min", number("Minimum")},
                                                                   {"max", number("Maximum")},
@@ -160,7 +172,8 @@ Json stageSecondsOf(vtkUnstructuredGrid* mesh)
   Json stages = Json::object();
   vtkStringArray* names = stringsOf(mesh, "StageName");
   vtkDataArray* seconds = mesh->GetFieldData()->GetArray("StageSeconds");
-  for (vtkIdType i = 0; names && seconds && i < names->GetNumberOfValues(); ++i) {
+  for (vtkIdType i = 0; names && seconds && i < names->GetNumberOfValues(); ++i)
+  {
     stages[names->GetValue(i)] = seconds->GetTuple1(i);
   }
   return stages;
@@ -172,10 +185,12 @@ Json diagnosticsOf(vtkPolyData* diagnostics)
   vtkStringArray* names = stringsOf(diagnostics, "DiagnosticName");
   vtkDataArray* values = diagnostics->GetCellData()->GetArray("Diagnostic");
   std::map<int, vtkIdType> cells;
-  for (vtkIdType i = 0; values && i < values->GetNumberOfTuples(); ++i) {
+  for (vtkIdType i = 0; values && i < values->GetNumberOfTuples(); ++i)
+  {
     ++cells[static_cast<int>(values->GetTuple1(i))];
   }
-  for (vtkIdType i = 0; names && i < names->GetNumberOfValues(); ++i) {
+  for (vtkIdType i = 0; names && i < names->GetNumberOfValues(); ++i)
+  {
     counts[names->GetValue(i)] = cells[static_cast<int>(i)];
   }
   Json missing = Json::array();

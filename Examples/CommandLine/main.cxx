@@ -12,8 +12,7 @@ namespace {
 
 std::string usageMessage(const CLI::App*, const CLI::Error& error)
 {
-  return std::string("atria: error: ") + error.what() +
-         "\nSee atria --help, or atria mesh --help and the like.\n";
+  return std::string("atria: error: ") + error.what() + "\nSee atria --help, or atria mesh --help and the like.\n";
 }
 
 int usageStatus(const CLI::App& app, const CLI::ParseError& error)
@@ -42,18 +41,27 @@ int main(int argc, char** argv)
   addMeshCommand(app, console, status);
   addInspectCommand(app, console, status);
   addQualityCommand(app, console, status);
-  try {
+  try
+  {
     app.parse(argc, argv);
     return status;
-  } catch (const CLI::ParseError& error) {
+  }
+  catch (const CLI::ParseError& error)
+  {
     console.clearBar();
     return usageStatus(app, error);
-  } catch (const Failure& failure) {
+  }
+  catch (const Failure& failure)
+  {
     console.error(failure.what());
     return failure.status;
-  } catch (const std::bad_alloc&) {
+  }
+  catch (const std::bad_alloc&)
+  {
     console.error("out of memory; choose larger sizes or a smaller domain");
-  } catch (const std::exception& error) {
+  }
+  catch (const std::exception& error)
+  {
     console.error(error.what());
   }
   return Failed;

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws a mesh cut open: elements behind a plane coloured by size, and in front of it the model's patches.
+"""Draws a mesh cut open: elements behind a plane coloured by size, and before it the patches without the house's front.
 
 Usage: picture.py MESH.vtu PATCHES.vtpc PICTURE.png    (needs a display, such as xvfb-run gives)
 """
@@ -14,19 +14,21 @@ from vtkmodules.vtkCommonCore import vtkLookupTable
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet, vtkPlane
 from vtkmodules.vtkFiltersExtraction import vtkExtractGeometry
 from vtkmodules.vtkFiltersGeometry import vtkGeometryFilter
+from vtkmodules.vtkImagingColor import vtkImageQuantizeRGBToIndex
+from vtkmodules.vtkImagingCore import vtkImageMapToColors
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkIOXML import vtkXMLPartitionedDataSetCollectionReader, vtkXMLUnstructuredGridReader
 from vtkmodules.vtkRenderingCore import (
     vtkActor, vtkDataSetMapper, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter,
 )
 
-SIDES = {"xMin", "xMax", "yMin", "yMax", "zMin", "zMax"}
 # Colours of patches by the beginning of their name; the first that fits.
 PATCH_COLOURS = {
-    "Roof": "indianred", "Gable": "peru", "Wall": "antiquewhite", "Partition": "lightsteelblue",
-    "Floor": "burlywood", "Neighbour": "lightgrey", "Site": "darkseagreen", "zMin": "darkseagreen",
+    "Roof": "salmon", "Gable": "sandybrown", "Wall": "linen", "Partition": "lightsteelblue",
+    "Floor": "burlywood", "Neighbour": "gainsboro", "Site": "honeydew", "zMin": "honeydew",
 }
-CUT_Y = 9.0  # the mesh is shown behind this plane, the patches on either side of it
+HIDDEN = ("RoofSouth", "WallSouth")  # so that the rooms are seen
+CUT_Y = 16.5  # the mesh is shown behind this plane, metres
 
 
 def read(reader, file):
@@ -44,7 +46,6 @@ def behind(mesh):
     part.SetInputData(mesh)
     part.SetImplicitFunction(plane)
     part.ExtractInsideOff()
-    part.ExtractBoundaryCellsOn()
     surface = vtkGeometryFilter()
     surface.SetInputConnection(part.GetOutputPort())
     surface.Update()
@@ -63,12 +64,11 @@ def level_colours(levels):
     return table
 
 
-def with_edges(actor, width=1.0):
+def with_edges(actor):
     actor.GetProperty().EdgeVisibilityOn()
-    actor.GetProperty().SetEdgeColor(0.25, 0.28, 0.32)
-    actor.GetProperty().SetLineWidth(width)
-    actor.GetProperty().SetAmbient(0.35)
-    actor.GetProperty().SetDiffuse(0.7)
+    actor.GetProperty().SetEdgeColor(0.35, 0.38, 0.42)
+    actor.GetProperty().SetAmbient(0.55)
+    actor.GetProperty().SetDiffuse(0.5)
     return actor
 
 
@@ -78,6 +78,7 @@ def cut_actor(mesh):
     mapper.SetInputData(behind(mesh))
     mapper.SetScalarModeToUseCellFieldData()
     mapper.SelectColorArray("Level")
+    mapper.SetColorModeToMapScalars()  # Level is of unsigned char, which would be taken for grey values
     mapper.SetLookupTable(level_colours(levels))
     mapper.UseLookupTableScalarRangeOn()
     actor = vtkActor()
@@ -90,7 +91,7 @@ def patch_actors(patches):
     for i in range(patches.GetNumberOfPartitionedDataSets()):
         name = patches.GetMetaData(i).Get(vtkCompositeDataSet.NAME())
         colour = next((c for start, c in PATCH_COLOURS.items() if name.startswith(start)), None)
-        if colour is None or (name in SIDES and name != "zMin"):
+        if colour is None or name.startswith(HIDDEN):
             continue
         mapper = vtkPolyDataMapper()
         mapper.SetInputDataObject(patches.GetPartition(i, 0))
@@ -98,7 +99,7 @@ def patch_actors(patches):
         actor = vtkActor()
         actor.SetMapper(mapper)
         actor.GetProperty().SetColor(colours.GetColor3d(colour))
-        yield with_edges(actor, 1.5)
+        yield with_edges(actor)
 
 
 def draw(actors, file):
@@ -108,21 +109,30 @@ def draw(actors, file):
         renderer.AddActor(actor)
     camera = renderer.GetActiveCamera()
     camera.SetViewUp(0.0, 0.0, 1.0)
-    camera.SetPosition(-22.0, -62.0, 34.0)
-    camera.SetFocalPoint(30.0, 8.0, 6.0)
-    camera.SetViewAngle(32.0)
+    camera.SetPosition(-18.0, -50.0, 27.0)
+    camera.SetFocalPoint(29.5, 8.0, 5.5)
+    camera.SetViewAngle(24.0)
     renderer.ResetCameraClippingRange()
     window = vtkRenderWindow()
     window.SetOffScreenRendering(1)
     window.SetMultiSamples(8)
-    window.SetSize(1400, 800)
+    window.SetSize(1120, 520)
     window.AddRenderer(renderer)
     window.Render()
     image = vtkWindowToImageFilter()
     image.SetInput(window)
     image.ReadFrontBufferOff()
+    # A few hundred colours are enough, and make a much smaller file.
+    indices = vtkImageQuantizeRGBToIndex()
+    indices.SetInputConnection(image.GetOutputPort())
+    indices.SetNumberOfColors(256)
+    indices.Update()
+    colours = vtkImageMapToColors()
+    colours.SetInputConnection(indices.GetOutputPort())
+    colours.SetLookupTable(indices.GetLookupTable())
+    colours.SetOutputFormatToRGB()
     writer = vtkPNGWriter()
-    writer.SetInputConnection(image.GetOutputPort())
+    writer.SetInputConnection(colours.GetOutputPort())
     writer.SetFileName(file)
     writer.SetCompressionLevel(9)
     writer.Write()

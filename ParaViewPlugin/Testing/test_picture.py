@@ -22,6 +22,7 @@ def draw(quality, file):
     simple.ColorBy(display, ("CELLS", "CellSquish"))
     display.RescaleTransferFunctionToDataRange()
     display.SetScalarBarVisibility(view, True)
+    simple.Render(view)  # the first rendering moves the camera
     view.CameraPosition = [25.0, -75.0, 24.0]
     view.CameraFocalPoint = [25.0, 7.0, 14.0]
     view.CameraViewUp = [0.0, 0.0, 1.0]

@@ -19,7 +19,8 @@
 
 int main(int argc, char** argv)
 {
-  if (argc != 3) {
+  if (argc != 3)
+  {
     std::cerr << "usage: ComposePipeline MODEL.wrl FOLDER\n";
     return EXIT_FAILURE;
   }
@@ -59,8 +60,7 @@ int main(int argc, char** argv)
 
   const bool written = meshWriter->Write() && patchWriter->Write() && caseWriter->Write();
   auto* mesh = vtkUnstructuredGrid::SafeDownCast(quality->GetOutputDataObject(0));
-  std::cout << mesh->GetNumberOfCells() << " elements, " << quality->GetNumberOfInvalidCells()
-            << " not valid\n";
+  std::cout << mesh->GetNumberOfCells() << " elements, " << quality->GetNumberOfInvalidCells() << " not valid\n";
   quality->GetSummary()->Dump(20);
   return written && mesh->GetNumberOfCells() > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
