@@ -66,6 +66,17 @@ public:
     return onPlanes(found.value_or(center));
   }
 
+  /// Whether some piece that cuts the leaf placed last is farther from p than rounding explains.
+  bool missesPiece(Index leaf, const Vec3& p)
+  {
+    constexpr double ratio = 1e-4;
+    const double allowed = ratio * frame.finestSize;
+    return charts.size() > 1 && std::any_of(charts.begin(), charts.end(), [&](Index chart) {
+             const Vec3 nearest = nearestOnPieces(leaf, p, [&](Index c) { return c == chart; });
+             return (nearest - p).norm() > allowed;
+           });
+  }
+
 private:
   Vec3 modelPoint(Index i) const { return frame.toModel(model.points[i]); }
 
@@ -247,18 +258,19 @@ private:
     constexpr int turns = 8;
     for (int i = 0; i < (planes != 0 ? turns : 1); ++i)
     {
-      p = onPlanes(nearestOnPieces(leaf, p));
+      p = onPlanes(nearestOnPieces(leaf, p, [&](Index chart) { return hasChart(chart); }));
     }
     return p;
   }
 
-  Vec3 nearestOnPieces(Index leaf, const Vec3& p) const
+  /// The nearest point of the triangles in the leaf whose chart is `wanted`.
+  template <typename Wanted> Vec3 nearestOnPieces(Index leaf, const Vec3& p, Wanted&& wanted) const
   {
     Vec3 best = p;
     double bestDistance = std::numeric_limits<double>::infinity();
     for (const ModelItem piece : octree.items(leaf))
     {
-      if (piece.kind != ModelItem::triangle || !hasChart(model.charts[piece.index]))
+      if (piece.kind != ModelItem::triangle || !wanted(model.charts[piece.index]))
       {
         continue;
       }
@@ -285,11 +297,13 @@ private:
 
 } // namespace
 
-std::vector<Vec3> placeVertices(const Octree& octree, const SurfaceModel& model, const Crossings& crossings,
-                                const std::vector<Index>& leaves, const RunContext& context)
+DualVertices placeVertices(const Octree& octree, const SurfaceModel& model, const Crossings& crossings,
+                           const std::vector<Index>& leaves, const RunContext& context)
 {
   const auto byLeaf = crossingsByLeaf(crossings);
-  std::vector<Vec3> vertices(leaves.size());
+  DualVertices vertices;
+  vertices.positions.resize(leaves.size());
+  vertices.compromised.resize(leaves.size());
   context.executor.forRanges(leaves.size(), 4096, [&](std::size_t begin, std::size_t end) {
     context.progress.check();
     VertexPlacer placer(octree, model);
@@ -298,7 +312,8 @@ std::vector<Vec3> placeVertices(const Octree& octree, const SurfaceModel& model,
       const auto [first, last] =
         std::equal_range(byLeaf.begin(), byLeaf.end(), std::pair(leaves[i], Index{0}),
                          [](const auto& l, const auto& r) { return l.first < r.first; });
-      vertices[i] = placer.place(leaves[i], {first, last}, crossings.crossedEdges);
+      vertices.positions[i] = placer.place(leaves[i], {first, last}, crossings.crossedEdges);
+      vertices.compromised[i] = first != last && placer.missesPiece(leaves[i], vertices.positions[i]) ? 1 : 0;
     }
   });
   return vertices;
