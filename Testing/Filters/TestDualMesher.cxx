@@ -264,6 +264,17 @@ TEST_F(DualMesher, FrontOfASheetIsWhereItsTrianglesRunCounterClockwise)
   }
 }
 
+TEST_F(DualMesher, ASolidThinnerThanTheOctantsIsASheetOfOnePatch)
+{
+  TriangleSurface slab;
+  addBox(slab, "Slab", {Vec3(-2.1, 0.3, 1.7), Vec3(2.3, 0.35, 4.3)});
+  mesh(slab);
+  const auto all = namedPatches();
+  EXPECT_THAT(namesOf(all), ElementsAre("Slab", "xMax", "xMin", "yMax", "yMin", "zMax", "zMin"));
+  EXPECT_NEAR(meshVolume(), volumeOf(domain), 1e-9 * volumeOf(domain));
+  EXPECT_NEAR(areaOf(all.at("Slab")), 2 * 4.4 * 2.6, 0.05 * 2 * 4.4 * 2.6);
+}
+
 TEST_F(DualMesher, RandomSurfacesGiveConformalMeshesThatFillTheDomain)
 {
   domain = {atria::Vec3::Constant(-4.3), atria::Vec3::Constant(4.1)};
