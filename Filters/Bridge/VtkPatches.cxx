@@ -30,17 +30,25 @@ struct Patch
   std::vector<Index> faces;
 };
 
+/// Surfaces with elements on both sides at once somewhere, on the front and on the back. The front alone can have them where
+/// a solid is thinner than the octants and became a sheet.
 std::vector<char> twoSidedSurfaces(const DualMesh& mesh, std::size_t surfaceCount)
 {
-  std::vector<char> twoSided(surfaceCount, 0);
+  constexpr char both = 1, front = 2, back = 4;
+  std::vector<char> met(surfaceCount, 0);
   for (const BoundaryFace& face : mesh.boundaryFaces)
   {
-    if (face.opposite != noIndex && face.tag < surfaceCount)
+    if (face.tag < surfaceCount)
     {
-      twoSided[face.tag] = 1;
+      met[face.tag] |= face.side == SheetSide::front ? front : back;
+      met[face.tag] |= face.opposite != noIndex ? both : 0;
     }
   }
-  return twoSided;
+  for (char& surface : met)
+  {
+    surface = surface == (both | front | back);
+  }
+  return met;
 }
 
 /// Makes a name its own by a number, should a surface be called like another's side or like a side of the domain.

@@ -14,8 +14,8 @@
  * numbered from the largest, those left out included), `Level` (unsigned char, of the finest octant about the element). Field arrays:
  * `StageName`, `StageSeconds`, `MaxLevel`.
  *
- * Output port 1: vtkPartitionedDataSetCollection, one named vtkPolyData a patch. A surface with elements on both sides is two
- * patches, `<name>_front` and `<name>_back`; the two sides have points of their own, but at rims. Bare domain sides are `xMin` …
+ * Output port 1: vtkPartitionedDataSetCollection, one named vtkPolyData a patch. A surface with elements on its front and its back
+ * is two patches, `<name>_front` and `<name>_back`; the two sides have points of their own, but at rims. Bare domain sides are `xMin` …
  * `zMax`. Cell arrays: `SurfaceId` (int; -1 on bare domain sides), `OwnerCellId` (vtkIdType, cell of port 0), `Side` (int; 0 front, 1
  * back). Point array: `VolumePointId` (vtkIdType, point of port 0). Every face is a face of its owner, seen
  * counter-clockwise from outside of the mesh.

@@ -76,10 +76,10 @@ bool runOpenFOAM(const std::string& utility, const std::filesystem::path& caseFo
   return pclose(pipe) == 0;
 }
 
-CheckMeshReport runCheckMesh(const std::filesystem::path& caseFolder)
+CheckMeshReport runCheckMesh(const std::filesystem::path& caseFolder, const std::string& checks)
 {
   CheckMeshReport report;
-  runOpenFOAM("checkMesh -allGeometry -allTopology", caseFolder, report.log);
+  runOpenFOAM("checkMesh " + checks, caseFolder, report.log);
   const std::string& log = report.log;
   const bool ok = log.find("\nMesh OK.") != std::string::npos;
   const double failed = numberAfter(log, "\nFailed ");

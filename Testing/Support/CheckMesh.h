@@ -35,7 +35,8 @@ bool haveCheckMesh();
 /// Runs one of OpenFOAM's utilities on a case; returns whether it succeeded. Its output is appended to `log`.
 bool runOpenFOAM(const std::string& utility, const std::filesystem::path& caseFolder, std::string& log);
 
-/// Runs `checkMesh -allGeometry -allTopology` on a case. As many digits as the case's writePrecision.
-CheckMeshReport runCheckMesh(const std::filesystem::path& caseFolder);
+/// Runs checkMesh on a case, by default with all checks. As many digits as the case's writePrecision.
+CheckMeshReport runCheckMesh(const std::filesystem::path& caseFolder,
+                             const std::string& checks = "-allGeometry -allTopology");
 
 } // namespace atria::testing

@@ -168,4 +168,31 @@ bool identical(const DualMesh& a, const DualMesh& b)
          sameBits(a.levels, b.levels) && sameBits(a.zones, b.zones) && sameFaces(a.boundaryFaces, b.boundaryFaces);
 }
 
+FaceCounts faceCounts(const DualMesh& mesh, Index element)
+{
+  FaceCounts counts;
+  for (int d = 0; d < 6; ++d)
+  {
+    const ReducedFace face = faceOf(mesh.corners[element], d);
+    counts.quads += face.count == 4 ? 1 : 0;
+    counts.triangles += face.count == 3 ? 1 : 0;
+  }
+  return counts;
+}
+
+ElementCounts countElements(const DualMesh& mesh, const std::vector<Index>& elements)
+{
+  ElementCounts counts;
+  for (const Index e : elements)
+  {
+    const FaceCounts faces = faceCounts(mesh, e);
+    std::size_t& kind = faces == FaceCounts{6, 0}   ? counts.hexahedra
+                        : faces == FaceCounts{3, 2} ? counts.wedges
+                        : faces == FaceCounts{1, 4} ? counts.pyramids
+                                                    : counts.polyhedra;
+    ++kind;
+  }
+  return counts;
+}
+
 } // namespace atria::testing

@@ -24,7 +24,16 @@ double totalVolume(const DualMesh& mesh);
 /// Every array of both is the same, bit for bit.
 bool identical(const DualMesh& a, const DualMesh& b);
 
-/// How many elements have how many distinct corners, and of which kind.
+/// How many faces of an element have four and three corners: (6, 0) is a hexahedron, (3, 2) a wedge, (1, 4) a pyramid, all else
+/// a polyhedron.
+struct FaceCounts
+{
+  int quads = 0;
+  int triangles = 0;
+  bool operator==(const FaceCounts&) const = default;
+};
+FaceCounts faceCounts(const DualMesh& mesh, Index element);
+
 struct ElementCounts
 {
   std::size_t hexahedra = 0;
@@ -32,5 +41,6 @@ struct ElementCounts
   std::size_t wedges = 0;
   std::size_t polyhedra = 0;
 };
+ElementCounts countElements(const DualMesh& mesh, const std::vector<Index>& elements);
 
 } // namespace atria::testing

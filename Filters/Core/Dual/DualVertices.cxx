@@ -54,7 +54,7 @@ public:
     {
       gatherSides(leaf);
     }
-    std::optional<Vec3> found = cut ? nearestCorner(leaf, mean) : std::nullopt;
+    std::optional<Vec3> found = nearestCorner(leaf, mean, cut);
     if (!found)
     {
       found = middleOfCurve(leaf, cut);
@@ -137,15 +137,25 @@ private:
     return side != SurfaceModel::noSide && (planes >> side & 1);
   }
 
+  bool onOwnPlane(Index leaf, Index point) const
+  {
+    const auto pieces = octree.items(leaf);
+    return std::any_of(pieces.begin(), pieces.end(), [&](const ModelItem piece) {
+      return piece.kind == ModelItem::triangle && onOwnPlane(piece.index) &&
+             std::ranges::find(model.triangles[piece.index], point) != model.triangles[piece.index].end();
+    });
+  }
+
   bool hasChart(Index chart) const { return std::binary_search(charts.begin(), charts.end(), chart); }
 
-  std::optional<Vec3> nearestCorner(Index leaf, const Vec3& mean) const
+  /// In a leaf that is not cut, corners of what lies on its domain sides only.
+  std::optional<Vec3> nearestCorner(Index leaf, const Vec3& mean, bool cut) const
   {
     std::optional<Vec3> best;
     for (const ModelItem piece : octree.items(leaf))
     {
       if (piece.kind == ModelItem::corner && owns(model.points[model.corners[piece.index]]) &&
-          endsOwnCurve(leaf, model.corners[piece.index]))
+          (cut ? endsOwnCurve(leaf, model.corners[piece.index]) : onOwnPlane(leaf, model.corners[piece.index])))
       {
         const Vec3 p = modelPoint(model.corners[piece.index]);
         if (!best || (p - mean).squaredNorm() < (*best - mean).squaredNorm())

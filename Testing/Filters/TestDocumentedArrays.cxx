@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// docs/arrays.md lists the arrays of the outputs, all of them and no others.
+#include "DualMesherTest.h"
+#include "Support/TestPaths.h"
+#include "vtkAtriaOctreeSource.h"
+
+#include <vtkCellData.h>
+#include <vtkFieldData.h>
+#include <vtkPointData.h>
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+
+namespace {
+
+using ::testing::UnorderedElementsAreArray;
+
+/// Text between grave accents and bars of a row `| a | b | c |`.
+std::vector<std::string> cellsOf(const std::string& row)
+{
+  std::vector<std::string> cells;
+  std::string cell;
+  for (const char c : row.substr(1))
+  {
+    if (c == '|')
+    {
+      cells.push_back(cell.substr(cell.find_first_not_of(' '), cell.find_last_not_of(' ') - cell.find_first_not_of(' ') + 1));
+      cell.clear();
+    }
+    else if (c != '`')
+    {
+      cell += c;
+    }
+  }
+  return cells;
+}
+
+/// "name on type" of the table under the heading that has this text.
+std::vector<std::string> documented(const std::string& heading)
+{
+  std::ifstream file(atria::testing::dataFolder().parent_path().parent_path() / "docs" / "arrays.md");
+  std::vector<std::string> rows;
+  bool inside = false;
+  for (std::string line; std::getline(file, line);)
+  {
+    inside = line.starts_with("## ") ? line.find(heading) != std::string::npos : inside;
+    if (inside && line.starts_with("| `"))
+    {
+      const std::vector<std::string> cells = cellsOf(line);
+      rows.push_back(cells.at(0) + " " + cells.at(1) + " " + cells.at(2));
+    }
+  }
+  return rows;
+}
+
+void appendArrays(vtkFieldData* data, const std::string& on, std::vector<std::string>& rows)
+{
+  for (int i = 0; data && i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = data->GetAbstractArray(i);
+    const std::string type = array->GetDataTypeAsString();
+    rows.push_back(std::string(array->GetName()) + " " + on + " " + (type == "idtype" ? "id" : type));
+  }
+}
+
+std::vector<std::string> present(vtkDataObject* data)
+{
+  std::vector<std::string> rows;
+  appendArrays(data->GetAttributes(vtkDataObject::POINT), "points", rows);
+  appendArrays(data->GetAttributes(vtkDataObject::CELL), "cells", rows);
+  appendArrays(data->GetFieldData(), "field", rows);
+  return rows;
+}
+
+class DocumentedArrays : public atria::testing::DualMesherTest
+{
+protected:
+  static atria::TriangleSurface building()
+  {
+    atria::TriangleSurface surface;
+    atria::testing::addBox(surface, "Building", {atria::Vec3(-1.7, -1.9, 0), atria::Vec3(1.1, 1.4, 2.6)});
+    return surface;
+  }
+};
+
+TEST_F(DocumentedArrays, OfModels)
+{
+  EXPECT_THAT(present(atria::testing::exampleModel("house.wrl")), UnorderedElementsAreArray(documented("vtkAtriaVRMLReader")));
+}
+
+TEST_F(DocumentedArrays, OfOctrees)
+{
+  vtkNew<vtkAtriaOctreeSource> source;
+  atria::testing::setGrid(source, domain, 0.5, 1.0, 2.0);
+  source->SetInputDataObject(atria::testing::toPolyData(building()));
+  source->Update();
+  EXPECT_THAT(present(source->GetOutputDataObject(0)), UnorderedElementsAreArray(documented("vtkAtriaOctreeSource")));
+  source->SetOutputType(vtkAtriaOctreeSource::HyperTreeGrid);
+  source->Update();
+  EXPECT_THAT(present(source->GetOutputDataObject(0)), UnorderedElementsAreArray(documented("vtkAtriaOctreeSource")));
+}
+
+TEST_F(DocumentedArrays, OfMeshes)
+{
+  setSurface(building());
+  mesher->Update();
+  EXPECT_THAT(present(volume()), UnorderedElementsAreArray(documented("port 0")));
+  EXPECT_THAT(present(diagnostics()), UnorderedElementsAreArray(documented("port 2")));
+  for (const auto& [name, patch] : namedPatches())
+  {
+    EXPECT_THAT(present(patch), UnorderedElementsAreArray(documented("port 1"))) << name;
+  }
+}
+
+} // namespace

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The dual mesher as a filter: inputs, repetition, threads, abort and errors.
+#include "DualMesherTest.h"
+#include "SmpThreads.h"
+#include "vtkAtriaOctreeSource.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkMultiBlockDataSet.h>
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace {
+
+using atria::Box3;
+using atria::TriangleSurface;
+using atria::Vec3;
+using ::testing::HasSubstr;
+
+/// A building with a canopy whose rim ends in the open, next to a dome, on a ground.
+TriangleSurface scene()
+{
+  TriangleSurface surface;
+  atria::testing::addBox(surface, "Building", {Vec3(-1.7, -1.9, 0), Vec3(1.1, 1.4, 2.6)});
+  atria::testing::addSheet(surface, "Canopy", Vec3(-1.7, -3.2, 2.1), Vec3(2.8, 0, 0), Vec3(0, 1.3, 0));
+  atria::testing::addSphere(surface, "Dome", Vec3(4.1, 1.3, 2.2), 1.4, 3);
+  atria::testing::addSheet(surface, "Ground", Vec3(-5, -4, 0), Vec3(12, 0, 0), Vec3(0, 9, 0));
+  return surface;
+}
+
+class DualMesherRuns : public atria::testing::DualMesherTest
+{
+protected:
+  DualMesherRuns() { setSurface(scene()); }
+
+  void expectError(const ::testing::Matcher<const std::string&>& message)
+  {
+    mesher->Update();
+    expectEmpty();
+    const std::vector<std::string> errors = messages.takeErrors();
+    EXPECT_THAT(atria::testing::firstOf(errors), message);
+    EXPECT_LE(errors.size(), 2u); // the second is the executive's
+  }
+};
+
+TEST_F(DualMesherRuns, AnOctreeOfTheSameSizesGivesTheSameMesh)
+{
+  const auto own = copiesOfOutputs();
+  vtkNew<vtkAtriaOctreeSource> source;
+  atria::testing::setGrid(source, domain, 0.5, 1.0, 2.0);
+  source->SetInputDataObject(atria::testing::toPolyData(scene()));
+  mesher->SetInputConnection(1, source->GetOutputPort());
+  // Sizes and domain are the octree's.
+  atria::testing::setGrid(mesher, {Vec3::Zero(), Vec3::Ones()}, 8, 8, 8);
+  for (const int type : {vtkAtriaOctreeSource::UnstructuredGrid, vtkAtriaOctreeSource::HyperTreeGrid})
+  {
+    SCOPED_TRACE(type);
+    source->SetOutputType(type);
+    expectOutputs(own);
+  }
+}
+
+TEST_F(DualMesherRuns, GivesTheSameTwice)
+{
+  const auto first = copiesOfOutputs();
+  mesher->Modified();
+  expectOutputs(first);
+}
+
+TEST_F(DualMesherRuns, GivesTheSameWithAnyNumberOfThreads)
+{
+  atria::testing::setGrid(mesher, domain, 0.2, 0.4, 0.8);
+  atria::testing::useThreads(1);
+  const auto serial = copiesOfOutputs();
+  for (const int threads : {2, 7})
+  {
+    SCOPED_TRACE(threads);
+    atria::testing::useThreads(threads);
+    mesher->Modified();
+    expectOutputs(serial);
+  }
+}
+
+TEST_F(DualMesherRuns, NamedBlocksAreTheSameAsNamedCells)
+{
+  const auto cells = copiesOfOutputs();
+  mesher->SetInputDataObject(atria::testing::toBlocks(scene()));
+  expectOutputs(cells);
+}
+
+TEST_F(DualMesherRuns, TheInputIsNotModified)
+{
+  const auto input = atria::testing::toPolyData(scene());
+  vtkNew<vtkPolyData> before;
+  before->DeepCopy(input);
+  const vtkMTimeType time = input->GetMTime();
+  mesher->SetInputDataObject(input);
+  mesher->Update();
+  EXPECT_EQ(input->GetMTime(), time);
+  EXPECT_TRUE(atria::testing::identical(before, input));
+}
+
+TEST_F(DualMesherRuns, AbortLeavesNothingAndTheNextRunIsWhole)
+{
+  const auto whole = copiesOfOutputs();
+  for (const double when : {0.1, 0.5, 0.8})
+  {
+    SCOPED_TRACE(when);
+    double limit = when;
+    vtkNew<vtkCallbackCommand> observer;
+    observer->SetClientData(&limit);
+    observer->SetCallback([](vtkObject* caller, unsigned long, void* data, void* fraction) {
+      if (*static_cast<double*>(fraction) > *static_cast<double*>(data))
+      {
+        vtkAlgorithm::SafeDownCast(caller)->AbortExecuteOn();
+      }
+    });
+    const unsigned long tag = mesher->AddObserver(vtkCommand::ProgressEvent, observer);
+    mesher->Modified();
+    mesher->Update();
+    expectEmpty();
+    mesher->RemoveObserver(tag);
+    mesher->Modified();
+    expectOutputs(whole);
+  }
+}
+
+TEST_F(DualMesherRuns, ProgressRisesToOneWithText)
+{
+  struct Seen
+  {
+    std::vector<double> fractions;
+    std::vector<std::string> texts;
+  } seen;
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetClientData(&seen);
+  observer->SetCallback([](vtkObject* caller, unsigned long, void* data, void* fraction) {
+    auto* all = static_cast<Seen*>(data);
+    all->fractions.push_back(*static_cast<double*>(fraction));
+    const char* text = vtkAlgorithm::SafeDownCast(caller)->GetProgressText();
+    all->texts.emplace_back(text ? text : "");
+  });
+  mesher->AddObserver(vtkCommand::ProgressEvent, observer);
+  mesher->Update();
+  EXPECT_TRUE(std::is_sorted(seen.fractions.begin(), seen.fractions.end()));
+  ASSERT_FALSE(seen.fractions.empty());
+  EXPECT_EQ(seen.fractions.back(), 1.0);
+  EXPECT_THAT(seen.texts, ::testing::Contains("Finding grid points"));
+}
+
+TEST_F(DualMesherRuns, SeedsAreAList)
+{
+  mesher->SetSeed(1, 4, 5, 6);
+  ASSERT_EQ(mesher->GetNumberOfSeeds(), 2);
+  double seed[3];
+  mesher->GetSeed(1, seed);
+  EXPECT_EQ(Vec3(seed), Vec3(4, 5, 6));
+  mesher->RemoveAllSeeds();
+  EXPECT_EQ(mesher->GetNumberOfSeeds(), 0);
+  mesher->SetSeed(-1, 0, 0, 0);
+  mesher->GetSeed(0, seed);
+  EXPECT_THAT(messages.takeErrors(), ::testing::Each(HasSubstr("There is no seed")));
+}
+
+TEST_F(DualMesherRuns, PrintsItsSettings)
+{
+  mesher->AddSeed(1, 2, 3);
+  std::ostringstream text;
+  mesher->Print(text);
+  for (const char* part : {"SizeMin: 0.5", "FeatureAngle: 30", "ZoneRule: 0", "NumberOfSeeds: 1", "1 2 3", "SiteName: Site"})
+  {
+    EXPECT_THAT(text.str(), HasSubstr(part));
+  }
+}
+
+using DualMesherError = DualMesherRuns;
+
+TEST_F(DualMesherError, SeedOutsideTheDomain)
+{
+  mesher->SetZoneRule(vtkAtriaDualMesher::Seeds);
+  mesher->AddSeed(0, 0, 5);
+  mesher->AddSeed(0, 0, 50);
+  expectError(::testing::AllOf(HasSubstr("seed"), HasSubstr("domain"), HasSubstr("50")));
+}
+
+TEST_F(DualMesherError, SeedsWithoutSeeds)
+{
+  mesher->SetZoneRule(vtkAtriaDualMesher::Seeds);
+  expectError(HasSubstr("seed"));
+}
+
+TEST_F(DualMesherError, AGridThatIsNoOctree)
+{
+  mesher->SetInputDataObject(1, vtkNew<vtkUnstructuredGrid>());
+  expectError(HasSubstr("OctreeFrame"));
+}
+
+TEST_F(DualMesherError, SizesInTheWrongOrder)
+{
+  mesher->SetSizeMid(0.1);
+  expectError(HasSubstr("SizeMin"));
+}
+
+TEST_F(DualMesherError, UnknownSiteNamesThoseThereAre)
+{
+  mesher->SetDomainMode(vtkAtriaDualMesher::Site);
+  expectError(::testing::AllOf(HasSubstr("'Site'"), HasSubstr("Building, Canopy, Dome, Ground")));
+}
+
+TEST_F(DualMesherError, AFailedRunAfterAGoodOneLeavesNothingAndTheNextIsWhole)
+{
+  const auto whole = copiesOfOutputs();
+  mesher->SetSizeMid(0.1);
+  expectError(HasSubstr("SizeMin"));
+  mesher->SetSizeMid(1.0);
+  expectOutputs(whole);
+}
+
+} // namespace

@@ -1,0 +1,393 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "MeshOutput.h"
+#include "OctreeLeaves.h"
+#include "Support/Shapes.h"
+#include "Support/VtkErrorGuard.h"
+#include "SurfaceInput.h"
+#include "vtkAtriaOctreeSource.h"
+
+#include <vtkCallbackCommand.h>
+#include <vtkHyperTreeGrid.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <random>
+
+namespace {
+
+using atria::Box3;
+using atria::TriangleSurface;
+using atria::Vec3;
+using atria::testing::LeafMap;
+using atria::testing::leavesOf;
+using atria::testing::OctreeLeaf;
+using atria::testing::toPolyData;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+const Box3 domain{Vec3(-10, -9, 0), Vec3(12, 9, 14)};
+const Box3 building{Vec3(-6.2, -4.1, 1.3), Vec3(-1.7, 3.3, 6.9)};
+const Vec3 domeCenter(5.1, 0.3, 6.2);
+constexpr double domeRadius = 2.6;
+constexpr double sizeMin = 0.5;
+constexpr double sizeMid = 1.0;
+constexpr double sizeMax = 4.0;
+
+TriangleSurface buildingAndDome()
+{
+  TriangleSurface surface;
+  atria::testing::addBox(surface, "Building", building);
+  atria::testing::addSphere(surface, "Dome", domeCenter, domeRadius, 3);
+  return surface;
+}
+
+class OctreeSource : public atria::testing::VtkTest
+{
+protected:
+  OctreeSource()
+  {
+    atria::testing::setGrid(source, domain, sizeMin, sizeMid, sizeMax);
+    source->SetStartLevel(2);
+  }
+
+  std::vector<OctreeLeaf> leaves()
+  {
+    source->Update();
+    return leavesOf(source->GetOutputDataObject(0));
+  }
+
+  vtkSmartPointer<vtkDataObject> copyOfOutput()
+  {
+    source->Update();
+    vtkDataObject* output = source->GetOutputDataObject(0);
+    auto copy = vtkSmartPointer<vtkDataObject>::Take(output->NewInstance());
+    copy->DeepCopy(output);
+    return copy;
+  }
+
+  /// The run fails with one message of the filter's own, and leaves nothing.
+  void expectError(const ::testing::Matcher<const std::string&>& message)
+  {
+    EXPECT_TRUE(leaves().empty());
+    EXPECT_EQ(source->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::CELL), 0);
+    const std::vector<std::string> errors = messages.takeErrors();
+    EXPECT_THAT(atria::testing::firstOf(errors), message);
+    EXPECT_LE(errors.size(), 2u); // the second is the executive's
+  }
+
+  vtkNew<vtkAtriaOctreeSource> source;
+};
+
+/// The leaves a point lies in or on.
+std::vector<OctreeLeaf> leavesAt(const std::vector<OctreeLeaf>& leaves, const Vec3& p)
+{
+  std::vector<OctreeLeaf> found;
+  std::copy_if(leaves.begin(), leaves.end(), std::back_inserter(found), [&](const auto& leaf) { return leaf.touches(p); });
+  return found;
+}
+
+TEST_F(OctreeSource, LeavesTileTheDomainAndAreBalanced)
+{
+  source->SetInputDataObject(toPolyData(buildingAndDome()));
+  const std::vector<OctreeLeaf> all = leaves();
+  ASSERT_FALSE(all.empty());
+  const LeafMap map(all);
+  EXPECT_TRUE(map.tiles(domain));
+  EXPECT_TRUE(map.isBalanced());
+}
+
+TEST_F(OctreeSource, LeavesOfRandomSurfacesTileTheDomainAndAreBalanced)
+{
+  const Box3 cube{Vec3::Constant(-4.3), Vec3::Constant(4.1)};
+  atria::testing::setGrid(source, cube, 0.2, 0.4, 1.6);
+  for (unsigned seed = 1; seed <= 12; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    source->SetInputDataObject(toPolyData(atria::testing::randomSoup(seed)));
+    const std::vector<OctreeLeaf> all = leaves();
+    ASSERT_FALSE(all.empty());
+    const LeafMap map(all);
+    EXPECT_TRUE(map.tiles(cube));
+    EXPECT_TRUE(map.isBalanced());
+  }
+}
+
+TEST_F(OctreeSource, LevelsAreHalvesOfTheRoot)
+{
+  source->SetInputDataObject(toPolyData(buildingAndDome()));
+  const std::vector<OctreeLeaf> all = leaves();
+  const double root = all.front().edge() * (1 << all.front().level);
+  for (const OctreeLeaf& leaf : all)
+  {
+    EXPECT_NEAR(leaf.edge() * (1 << leaf.level), root, 1e-9);
+    EXPECT_NEAR(leaf.box.size().minCoeff(), leaf.box.size().maxCoeff(), 1e-12);
+  }
+}
+
+TEST_F(OctreeSource, OpenOctantsHaveSizeMaxAndTheFinestSizeMinExactly)
+{
+  source->SetInputDataObject(toPolyData(buildingAndDome()));
+  double finest = sizeMax;
+  double coarsest = 0.0;
+  for (const OctreeLeaf& leaf : leaves())
+  {
+    finest = std::min(finest, leaf.edge());
+    coarsest = std::max(coarsest, leaf.edge());
+    EXPECT_LE(leaf.featureType, 4);
+  }
+  EXPECT_NEAR(finest, sizeMin, 1e-12);
+  EXPECT_NEAR(coarsest, sizeMax, 1e-12);
+}
+
+TEST_F(OctreeSource, OddSizesAreExactToo)
+{
+  atria::testing::setGrid(source, domain, 0.37, 0.74, 2.96);
+  source->SetInputDataObject(toPolyData(buildingAndDome()));
+  double finest = sizeMax;
+  for (const OctreeLeaf& leaf : leaves())
+  {
+    finest = std::min(finest, leaf.edge());
+  }
+  EXPECT_NEAR(finest, 0.37, 1e-12);
+}
+
+TEST_F(OctreeSource, OctantsOnASurfaceHaveAtMostSizeMid)
+{
+  const TriangleSurface surface = buildingAndDome();
+  source->SetInputDataObject(toPolyData(surface));
+  const std::vector<OctreeLeaf> all = leaves();
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> unit(0.05, 0.45);
+  for (std::size_t i = 0; i < surface.triangles.size(); i += 3)
+  {
+    const double u = unit(random);
+    const double v = unit(random);
+    const auto& [a, b, c] = surface.triangles[i];
+    const auto found = leavesAt(all, u * surface.points[a] + v * surface.points[b] + (1 - u - v) * surface.points[c]);
+    ASSERT_FALSE(found.empty());
+    for (const OctreeLeaf& leaf : found)
+    {
+      EXPECT_LE(leaf.edge(), sizeMid + 1e-12);
+      EXPECT_GE(leaf.featureType, 1);
+    }
+  }
+}
+
+TEST_F(OctreeSource, OctantsOnFeatureCurvesHaveSizeMin)
+{
+  source->SetInputDataObject(toPolyData(buildingAndDome()));
+  const std::vector<OctreeLeaf> all = leaves();
+  const auto corner = [](int bits) {
+    return Vec3(bits & 1 ? building.max[0] : building.min[0], bits & 2 ? building.max[1] : building.min[1],
+                bits & 4 ? building.max[2] : building.min[2]);
+  };
+  for (int from = 0; from < 8; ++from)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      for (const double t : {0.0, 0.13, 0.37, 0.5, 0.88})
+      {
+        for (const OctreeLeaf& leaf : leavesAt(all, (1 - t) * corner(from) + t * corner(from ^ 1 << axis)))
+        {
+          EXPECT_NEAR(leaf.edge(), sizeMin, 1e-12);
+          EXPECT_GE(leaf.featureType, t == 0.0 ? 3 : 2);
+        }
+      }
+    }
+  }
+}
+
+TEST_F(OctreeSource, SheetsThatDoNotMeetAreToldApartDownToSizeMin)
+{
+  TriangleSurface surface;
+  atria::testing::addSheet(surface, "A", Vec3(-20, -20, 7.0), Vec3(40, 0, 0), Vec3(0, 40, 0));
+  atria::testing::addSheet(surface, "B", Vec3(-20, -20, 7.1), Vec3(40, 0, 0), Vec3(0, 40, 0));
+  source->SetInputDataObject(toPolyData(surface));
+  const auto found = leavesAt(leaves(), Vec3(0.3, 0.3, 7.05));
+  ASSERT_FALSE(found.empty());
+  EXPECT_EQ(found.front().featureType, 4);
+  EXPECT_NEAR(found.front().edge(), sizeMin, 1e-12);
+}
+
+TEST_F(OctreeSource, BothOutputTypesHaveTheSameLeaves)
+{
+  source->SetInputDataObject(toPolyData(buildingAndDome()));
+  const std::vector<OctreeLeaf> voxels = leaves();
+  source->SetOutputType(vtkAtriaOctreeSource::HyperTreeGrid);
+  const std::vector<OctreeLeaf> trees = leaves();
+  ASSERT_NE(vtkHyperTreeGrid::SafeDownCast(source->GetOutputDataObject(0)), nullptr);
+  ASSERT_EQ(voxels.size(), trees.size());
+  for (std::size_t i = 0; i < voxels.size(); ++i)
+  {
+    EXPECT_LT((voxels[i].box.min - trees[i].box.min).norm() + (voxels[i].box.max - trees[i].box.max).norm(), 1e-9);
+    EXPECT_EQ(voxels[i].level, trees[i].level);
+    EXPECT_EQ(voxels[i].featureType, trees[i].featureType);
+  }
+}
+
+TEST_F(OctreeSource, WithoutSurfacesAnExplicitDomainIsUniform)
+{
+  const std::vector<OctreeLeaf> all = leaves();
+  ASSERT_FALSE(all.empty());
+  for (const OctreeLeaf& leaf : all)
+  {
+    EXPECT_NEAR(leaf.edge(), sizeMax, 1e-12);
+    EXPECT_EQ(leaf.featureType, 0);
+  }
+  EXPECT_TRUE(LeafMap(all).tiles(domain));
+}
+
+TEST_F(OctreeSource, StartLevelIsReachedEverywhere)
+{
+  source->SetStartLevel(5);
+  for (const OctreeLeaf& leaf : leaves())
+  {
+    EXPECT_EQ(leaf.level, 5);
+  }
+}
+
+TEST_F(OctreeSource, TheDomainCanBeTheBoundsOfTheSurfacesOrASite)
+{
+  TriangleSurface surface = buildingAndDome();
+  atria::testing::addSheet(surface, "Site", Vec3(-10, -9, 1), Vec3(22, 0, 0), Vec3(0, 18, 0));
+  source->SetInputDataObject(toPolyData(surface));
+  source->SetDomainMode(vtkAtriaOctreeSource::FromSurfaces);
+  EXPECT_TRUE(LeafMap(leaves()).tiles({Vec3(-10, -9, 1), Vec3(12, 9, domeCenter[2] + domeRadius)}));
+  source->SetDomainMode(vtkAtriaOctreeSource::Site);
+  EXPECT_TRUE(LeafMap(leaves()).tiles({Vec3(-10, -9, 1), Vec3(12, 9, 1 + 0.3 * 22)}));
+}
+
+TEST_F(OctreeSource, TheInputIsNotModified)
+{
+  const auto input = toPolyData(buildingAndDome());
+  vtkNew<vtkPolyData> before;
+  before->DeepCopy(input);
+  const vtkMTimeType time = input->GetMTime();
+  source->SetInputDataObject(input);
+  source->Update();
+  EXPECT_EQ(input->GetMTime(), time);
+  EXPECT_TRUE(atria::testing::identical(before, input));
+}
+
+TEST_F(OctreeSource, GivesTheSameTwice)
+{
+  source->SetInputDataObject(toPolyData(buildingAndDome()));
+  for (const int type : {vtkAtriaOctreeSource::UnstructuredGrid, vtkAtriaOctreeSource::HyperTreeGrid})
+  {
+    source->SetOutputType(type);
+    const auto first = copyOfOutput();
+    source->Modified();
+    EXPECT_TRUE(atria::testing::identical(first, copyOfOutput()));
+  }
+}
+
+TEST_F(OctreeSource, NamedBlocksAreTheSameAsNamedCells)
+{
+  source->SetInputDataObject(toPolyData(buildingAndDome()));
+  const auto cells = copyOfOutput();
+  source->SetInputDataObject(atria::testing::toBlocks(buildingAndDome()));
+  EXPECT_TRUE(atria::testing::identical(cells, copyOfOutput()));
+}
+
+TEST_F(OctreeSource, AbortLeavesNothingAndTheNextRunIsWhole)
+{
+  source->SetInputDataObject(toPolyData(buildingAndDome()));
+  const auto whole = copyOfOutput();
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetCallback([](vtkObject* caller, unsigned long, void*, void* fraction) {
+    if (*static_cast<double*>(fraction) > 0.2)
+    {
+      vtkAlgorithm::SafeDownCast(caller)->AbortExecuteOn();
+    }
+  });
+  const unsigned long tag = source->AddObserver(vtkCommand::ProgressEvent, observer);
+  source->Modified();
+  EXPECT_TRUE(leaves().empty());
+  EXPECT_EQ(vtkUnstructuredGrid::SafeDownCast(source->GetOutputDataObject(0))->GetNumberOfPoints(), 0);
+  source->RemoveObserver(tag);
+  source->Modified();
+  EXPECT_TRUE(atria::testing::identical(whole, copyOfOutput()));
+}
+
+TEST_F(OctreeSource, ProgressRisesToOne)
+{
+  std::vector<double> seen;
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetClientData(&seen);
+  observer->SetCallback([](vtkObject*, unsigned long, void* data, void* fraction) {
+    static_cast<std::vector<double>*>(data)->push_back(*static_cast<double*>(fraction));
+  });
+  source->AddObserver(vtkCommand::ProgressEvent, observer);
+  source->SetInputDataObject(toPolyData(buildingAndDome()));
+  source->Update();
+  EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
+  EXPECT_GT(seen.size(), 3u);
+  EXPECT_EQ(seen.back(), 1.0);
+}
+
+using OctreeSourceError = OctreeSource;
+
+TEST_F(OctreeSourceError, NoSurfacesToTakeTheDomainFrom)
+{
+  source->SetDomainMode(vtkAtriaOctreeSource::FromSurfaces);
+  expectError(AllOf(HasSubstr("no surfaces"), HasSubstr("DomainBounds")));
+  source->SetInputDataObject(vtkNew<vtkPolyData>());
+  expectError(HasSubstr("no surfaces"));
+}
+
+TEST_F(OctreeSourceError, UnknownSiteNamesThoseThereAre)
+{
+  source->SetInputDataObject(toPolyData(buildingAndDome()));
+  source->SetDomainMode(vtkAtriaOctreeSource::Site);
+  source->SetSiteName("Garden");
+  expectError(AllOf(HasSubstr("'Garden'"), HasSubstr("Building, Dome")));
+}
+
+TEST_F(OctreeSourceError, SizesInTheWrongOrder)
+{
+  source->SetSizeMin(3.0);
+  expectError(AllOf(HasSubstr("SizeMin"), HasSubstr("SizeMid"), HasSubstr("3, 1, 4")));
+}
+
+TEST_F(OctreeSourceError, InvertedBounds)
+{
+  source->SetDomainBounds(1, 0, 0, 10, 0, 10);
+  expectError(AllOf(HasSubstr("domain"), HasSubstr("min < max")));
+}
+
+TEST_F(OctreeSourceError, PointThatIsNotFinite)
+{
+  TriangleSurface surface = buildingAndDome();
+  surface.points[3][1] = std::numeric_limits<double>::quiet_NaN();
+  source->SetInputDataObject(toPolyData(surface));
+  expectError(HasSubstr("not finite"));
+}
+
+TEST_F(OctreeSourceError, DomainFarLargerThanTheFinestOctant)
+{
+  source->SetSizeMin(1e-7);
+  expectError(AllOf(HasSubstr("SizeMin"), HasSubstr("domain")));
+}
+
+TEST_F(OctreeSourceError, HyperTreeGridIsEmptyToo)
+{
+  source->SetOutputType(vtkAtriaOctreeSource::HyperTreeGrid);
+  source->Update();
+  source->SetSizeMin(3.0);
+  expectError(HasSubstr("SizeMin"));
+}
+
+TEST_F(OctreeSourceError, TheFilterWorksAgainOnceTheCauseIsGone)
+{
+  source->SetSizeMin(3.0);
+  expectError(HasSubstr("SizeMin"));
+  source->SetSizeMin(sizeMin);
+  EXPECT_FALSE(leaves().empty());
+}
+
+} // namespace
