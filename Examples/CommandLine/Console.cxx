@@ -10,9 +10,11 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iomanip>
 #include <iostream>
 #include <mutex>
 #include <regex>
+#include <sstream>
 #include <utility>
 
 #include <unistd.h>
@@ -24,7 +26,8 @@ namespace {
 /// VTK writes "ERROR: In <file>, line <n>\n<class> (<address>): <text>\n\n".
 std::string plainText(const std::string& message)
 {
-  static const std::regex prefix(R"(^\s*(ERROR|[A-Za-z ]*Warning): In [^\n]*, line \d+\n(\w+ \((0x)?[0-9a-fA-F]+\): )?)");
+  static const std::regex prefix(
+      R"(^\s*(ERROR|[A-Za-z ]*Warning): In [^\n]*, line \d+\n(\w+ \((0x)?[0-9a-fA-F]+\): )?)");
   std::string text = std::regex_replace(message, prefix, "", std::regex_constants::format_first_only);
   while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back())))
   {
@@ -75,7 +78,7 @@ private:
 vtkStandardNewMacro(Console::Window);
 
 Console::Console()
-  : window(vtkSmartPointer<Window>::New()), previous(vtkOutputWindow::GetInstance()), terminal(isatty(STDERR_FILENO))
+    : window(vtkSmartPointer<Window>::New()), previous(vtkOutputWindow::GetInstance()), terminal(isatty(STDERR_FILENO))
 {
   window->console = this;
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // VTK also logs what it tells the window
@@ -122,9 +125,10 @@ void Console::progress(double fraction, const std::string& phase)
   constexpr int width = 30;
   const double done = std::clamp(fraction, 0.0, 1.0);
   const int filled = static_cast<int>(std::lround(done * width));
-  const std::string percent = std::to_string(static_cast<int>(std::lround(100 * done)));
-  const std::string line = "[" + std::string(filled, '#') + std::string(width - filled, ' ') + "] " +
-    std::string(3 - std::min<std::size_t>(percent.size(), 3), ' ') + percent + " % " + phase.substr(0, 36);
+  std::ostringstream text;
+  text << '[' << std::string(filled, '#') << std::string(width - filled, ' ') << "] " << std::setw(3)
+       << std::lround(100 * done) << " % " << phase.substr(0, 36);
+  const std::string line = text.str();
   if (line != shown)
   {
     std::cerr << '\r' << line << "\033[K" << std::flush;

@@ -30,7 +30,8 @@ public:
   /// Removes the bar, so that text can follow.
   void clearBar();
 
-  /// VTK's errors since the last call, freed from addresses and source lines. Warnings are printed as they come.
+  /// VTK's errors since the last call, freed from addresses and source lines. Warnings are printed as they
+  /// come.
   std::vector<std::string> takeErrors();
 
 private:

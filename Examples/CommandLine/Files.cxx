@@ -73,6 +73,23 @@ void printWarnings(vtkAtriaVRMLReader* reader, const std::string& file, Console&
   }
 }
 
+/// A VTK XML file, appended and compressed. VTK's writers share these methods, but not all of them a base.
+template <typename Writer>
+void writeCompressed(Writer* writer, const std::string& file, vtkDataObject* data, Console& console)
+{
+  writer->SetFileName(file.c_str());
+  writer->SetInputDataObject(data);
+  writer->SetDataModeToAppended();
+  writer->EncodeAppendedDataOff();
+  writer->SetCompressorTypeToZLib();
+  const bool written = writer->Write() != 0;
+  throwIfErrors(console, Failed, file);
+  if (!written || !fs::exists(file))
+  {
+    throw Failure(Failed, file + " could not be written; check permissions and space");
+  }
+}
+
 } // namespace
 
 vtkSmartPointer<vtkAtriaVRMLReader> readModel(const std::string& file, Console& console)
@@ -101,7 +118,8 @@ vtkSmartPointer<vtkUnstructuredGrid> readMesh(const std::string& file, Console& 
   if (!reader->CanReadFile(file.c_str()))
   {
     console.takeErrors();
-    throw Failure(BadInput, file + " is not a VTK XML unstructured grid; give a .vtu file, such as `atria mesh` writes");
+    throw Failure(BadInput,
+                  file + " is not a VTK XML unstructured grid; give a .vtu file, such as `atria mesh` writes");
   }
   reader->SetFileName(file.c_str());
   console.follow(reader, 0.0, 0.5);
@@ -113,37 +131,17 @@ vtkSmartPointer<vtkUnstructuredGrid> readMesh(const std::string& file, Console& 
 void writeMesh(const std::string& file, vtkUnstructuredGrid* mesh, Console& console)
 {
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
-  writer->SetFileName(file.c_str());
-  writer->SetInputData(mesh);
-  writer->SetDataModeToAppended();
-  writer->EncodeAppendedDataOff();
-  writer->SetCompressorTypeToZLib();
-  const bool written = writer->Write() != 0;
-  throwIfErrors(console, Failed, file);
-  if (!written || !fs::exists(file))
-  {
-    throw Failure(Failed, file + " could not be written; check permissions and space");
-  }
+  writeCompressed(writer.Get(), file, mesh, console);
 }
 
 void writePatches(const std::string& file, vtkPartitionedDataSetCollection* patches, Console& console)
 {
   vtkNew<vtkXMLPartitionedDataSetCollectionWriter> writer;
-  writer->SetFileName(file.c_str());
-  writer->SetInputDataObject(patches);
-  writer->SetDataModeToAppended();
-  writer->EncodeAppendedDataOff();
-  writer->SetCompressorTypeToZLib();
-  const bool written = writer->Write() != 0;
-  throwIfErrors(console, Failed, file);
-  if (!written || !fs::exists(file))
-  {
-    throw Failure(Failed, file + " could not be written; check permissions and space");
-  }
+  writeCompressed(writer.Get(), file, patches, console);
 }
 
 void writeOpenFOAM(const std::string& folder, vtkUnstructuredGrid* mesh, vtkPartitionedDataSetCollection* patches,
-  Console& console)
+                   Console& console)
 {
   vtkNew<vtkAtriaOpenFOAMWriter> writer;
   writer->SetInputDataObject(0, mesh);

@@ -23,7 +23,7 @@ vtkSmartPointer<vtkUnstructuredGrid> readMesh(const std::string& file, Console& 
 void writeMesh(const std::string& file, vtkUnstructuredGrid* mesh, Console& console);
 void writePatches(const std::string& file, vtkPartitionedDataSetCollection* patches, Console& console);
 void writeOpenFOAM(const std::string& folder, vtkUnstructuredGrid* mesh, vtkPartitionedDataSetCollection* patches,
-  Console& console);
+                   Console& console);
 void writeText(const std::string& file, const std::string& text);
 
 /// Throws Failure(Usage) unless `file` ends in `ending`, such as ".vtu", and its folder exists.

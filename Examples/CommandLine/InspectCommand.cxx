@@ -49,7 +49,8 @@ TriangleSurface trianglesOf(vtkPolyData* model)
     vtkIdType count = 0;
     const vtkIdType* points = nullptr;
     cells->GetCurrentCell(count, points);
-    surface.triangles.push_back({static_cast<Index>(points[0]), static_cast<Index>(points[1]), static_cast<Index>(points[2])});
+    surface.triangles.push_back(
+        {static_cast<Index>(points[0]), static_cast<Index>(points[1]), static_cast<Index>(points[2])});
     surface.surfaceIds.push_back(static_cast<Index>(ids->GetTuple1(cells->GetCurrentCellId())));
   }
   return surface;
@@ -64,9 +65,13 @@ Json jsonOf(const SurfaceSummary& summary)
     const Vec3& high = summary.bounds.max;
     bounds = {low.x(), high.x(), low.y(), high.y(), low.z(), high.z()};
   }
-  return {{"name", summary.name}, {"triangles", summary.triangles}, {"degenerate", summary.degenerate},
-    {"area", summary.area}, {"bounds", bounds}, {"open_edges", summary.openEdges},
-    {"non_manifold_edges", summary.nonManifoldEdges}};
+  return {{"name", summary.name},
+          {"triangles", summary.triangles},
+          {"degenerate", summary.degenerate},
+          {"area", summary.area},
+          {"bounds", bounds},
+          {"open_edges", summary.openEdges},
+          {"non_manifold_edges", summary.nonManifoldEdges}};
 }
 
 Json jsonOf(const Inspection& inspection, vtkStringArray* warnings)
@@ -91,7 +96,7 @@ Json jsonOf(const Inspection& inspection, vtkStringArray* warnings)
 void printLine(const SurfaceSummary& summary, const std::string& name, int width)
 {
   std::printf("%-*s %10zu %14.6g %8zu %8zu", width, name.c_str(), summary.triangles, summary.area, summary.openEdges,
-    summary.nonManifoldEdges);
+              summary.nonManifoldEdges);
   for (int axis = 0; axis < 3 && !summary.bounds.empty(); ++axis)
   {
     std::printf("  %g..%g", summary.bounds.min[axis], summary.bounds.max[axis]);
@@ -113,7 +118,8 @@ void printTable(const Inspection& inspection)
     printLine(summary, summary.name, width);
   }
   printLine(inspection.total, "total", width);
-  std::printf("open, non-man.: edges that one triangle uses, or three and more; the total sees all surfaces together\n");
+  std::printf("open, non-man.: edges that one triangle uses, or three and more; the total sees all surfaces "
+              "together\n");
 }
 
 ExitStatus runInspect(const std::string& file, bool asJson, Console& console)

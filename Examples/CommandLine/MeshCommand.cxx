@@ -66,7 +66,9 @@ void declareOptions(CLI::App& command, MeshOptions& options)
   options.sizeMin = mesher->GetSizeMin();
 
   command.add_option("IN.wrl", options.input, "VRML model (.wrl, .wrz, .wrl.gz), in metres, Z up")->required();
-  command.add_option("-o,--output", options.output, "Where the mesh goes, a .vtu file")->required()->type_name("OUT.vtu");
+  command.add_option("-o,--output", options.output, "Where the mesh goes, a .vtu file")
+      ->required()
+      ->type_name("OUT.vtu");
   const auto size = [&](const char* name, double& value, const char* text) {
     command.add_option(name, value, text)->capture_default_str()->check(CLI::PositiveNumber)->type_name("M");
   };
@@ -74,27 +76,29 @@ void declareOptions(CLI::App& command, MeshOptions& options)
   size("--size-mid", options.sizeMid, "Element size at surfaces, metres");
   size("--size-min", options.sizeMin, "Element size at edges, corners and close surfaces, metres; the grid's unit");
   auto* domain =
-    command.add_option("--domain", options.domain, "Bounds of the domain, metres (default: those of the model)")
-      ->expected(6)
-      ->type_name("X0 X1 Y0 Y1 Z0 Z1");
-  command.add_option("--site", options.site, "Surface whose rectangle is the domain's ground; height 0.3 of its longer side")
-    ->type_name("NAME")
-    ->excludes(domain);
+      command.add_option("--domain", options.domain, "Bounds of the domain, metres (default: those of the model)")
+          ->expected(6)
+          ->type_name("X0 X1 Y0 Y1 Z0 Z1");
+  command
+      .add_option("--site", options.site,
+                  "Surface whose rectangle is the domain's ground; height 0.3 of its longer side")
+      ->type_name("NAME")
+      ->excludes(domain);
   auto* zone = command.add_option("--zone", options.zone, "Fluid is what the domain's sides reach, or all there is")
-                 ->capture_default_str()
-                 ->check(CLI::IsMember({"outside", "all"}))
-                 ->type_name("outside|all");
+                   ->capture_default_str()
+                   ->check(CLI::IsMember({"outside", "all"}))
+                   ->type_name("outside|all");
   command.add_option("--seed", options.seeds, "Fluid is what this point reaches; may be repeated")
-    ->allow_extra_args(false)
-    ->type_name("X Y Z")
-    ->excludes(zone);
+      ->allow_extra_args(false)
+      ->type_name("X Y Z")
+      ->excludes(zone);
   command.add_option("--patches", options.patches, "Also write the named boundary patches")->type_name("OUT.vtpc");
   command.add_option("--openfoam", options.openfoam, "Also write an OpenFOAM case with the mesh")->type_name("DIR");
   command.add_option("--report", options.report, "Also write counts, zones, patches, quality and times as JSON")
-    ->type_name("OUT.json");
+      ->type_name("OUT.json");
   command.add_option("--threads", options.threads, "Number of threads (default: all cores)")
-    ->check(CLI::PositiveNumber)
-    ->type_name("N");
+      ->check(CLI::PositiveNumber)
+      ->type_name("N");
 }
 
 void checkOptions(const MeshOptions& options)
@@ -180,7 +184,7 @@ Json makeReport(vtkAtriaDualMesher* mesher, vtkAtriaMeshQuality* quality, const 
 }
 
 void writeOutputs(const MeshOptions& options, vtkUnstructuredGrid* mesh, vtkPartitionedDataSetCollection* patches,
-  Console& console)
+                  Console& console)
 {
   console.progress(0.9, "Writing");
   writeMesh(options.output, mesh, console);
@@ -230,7 +234,7 @@ ExitStatus runMesh(const MeshOptions& options, Console& console)
 
   const Stopwatch writing;
   writeOutputs(options, vtkUnstructuredGrid::SafeDownCast(quality->GetOutputDataObject(0)),
-    vtkPartitionedDataSetCollection::SafeDownCast(mesher->GetOutputDataObject(1)), console);
+               vtkPartitionedDataSetCollection::SafeDownCast(mesher->GetOutputDataObject(1)), console);
 
   Json seconds = {{"Read", readSeconds}};
   seconds.update(stageSecondsOf(plainMesh));
@@ -245,7 +249,8 @@ ExitStatus runMesh(const MeshOptions& options, Console& console)
   if (const auto invalid = quality->GetNumberOfInvalidCells(); invalid > 0)
   {
     console.warning(options.output + ": " + std::to_string(invalid) + " of " +
-      std::to_string(plainMesh->GetNumberOfCells()) + " elements are not valid; see the cell array Valid");
+                    std::to_string(plainMesh->GetNumberOfCells()) +
+                    " elements are not valid; see the cell array Valid");
     return MeshNotValid;
   }
   return Done;

@@ -31,7 +31,7 @@ void printTable(const Json& report)
   for (const auto& [name, value] : report["quality"].items())
   {
     std::printf("%-20s %14.6g %14.6g %14.6g %14.6g\n", name.c_str(), value["min"].get<double>(),
-      value["max"].get<double>(), value["mean"].get<double>(), value["std"].get<double>());
+                value["max"].get<double>(), value["mean"].get<double>(), value["std"].get<double>());
   }
 }
 
@@ -68,7 +68,8 @@ void addQualityCommand(CLI::App& app, Console& console, ExitStatus& status)
     std::string file;
     bool json = false;
   };
-  CLI::App* command = app.add_subcommand("quality", "Measure a mesh; exit status 4 if it has elements that are not valid");
+  CLI::App* command =
+      app.add_subcommand("quality", "Measure a mesh; exit status 4 if it has elements that are not valid");
   auto options = std::make_shared<Options>();
   command->add_option("MESH.vtu", options->file, "Mesh to measure")->required();
   command->add_flag("--json", options->json, "Print JSON");

@@ -79,16 +79,32 @@ Json countsOf(vtkUnstructuredGrid* mesh)
     switch (mesh->GetCellType(i))
     {
       case VTK_HEXAHEDRON:
-      case VTK_VOXEL: ++hexahedra; break;
-      case VTK_WEDGE: ++wedges; break;
-      case VTK_PYRAMID: ++pyramids; break;
-      case VTK_TETRA: ++tetrahedra; break;
-      case VTK_POLYHEDRON: ++polyhedra; break;
-      default: break;
+      case VTK_VOXEL:
+        ++hexahedra;
+        break;
+      case VTK_WEDGE:
+        ++wedges;
+        break;
+      case VTK_PYRAMID:
+        ++pyramids;
+        break;
+      case VTK_TETRA:
+        ++tetrahedra;
+        break;
+      case VTK_POLYHEDRON:
+        ++polyhedra;
+        break;
+      default:
+        break;
     }
   }
-  return {{"vertices", mesh->GetNumberOfPoints()}, {"elements", mesh->GetNumberOfCells()}, {"hexahedra", hexahedra},
-    {"wedges", wedges}, {"pyramids", pyramids}, {"tetrahedra", tetrahedra}, {"polyhedra", polyhedra}};
+  return {{"vertices", mesh->GetNumberOfPoints()},
+          {"elements", mesh->GetNumberOfCells()},
+          {"hexahedra", hexahedra},
+          {"wedges", wedges},
+          {"pyramids", pyramids},
+          {"tetrahedra", tetrahedra},
+          {"polyhedra", polyhedra}};
 }
 
 Json zonesOf(vtkUnstructuredGrid* meshWithQuality)
@@ -144,7 +160,9 @@ Json qualityOf(vtkTable* summary)
   {
     const auto number = [&](const char* column) { return summary->GetValueByName(row, column).ToDouble(); };
     metrics[summary->GetValueByName(row, "Metric").ToString()] = {{"min", number("Minimum")},
-      {"max", number("Maximum")}, {"mean", number("Mean")}, {"std", number("StandardDeviation")}};
+                                                                  {"max", number("Maximum")},
+                                                                  {"mean", number("Mean")},
+                                                                  {"std", number("StandardDeviation")}};
   }
   return metrics;
 }
@@ -175,6 +193,13 @@ Json diagnosticsOf(vtkPolyData* diagnostics)
   {
     counts[names->GetValue(i)] = cells[static_cast<int>(i)];
   }
+  Json missing = Json::array();
+  vtkStringArray* without = stringsOf(diagnostics, "SurfaceWithoutFaces");
+  for (vtkIdType i = 0; without && i < without->GetNumberOfValues(); ++i)
+  {
+    missing.push_back(without->GetValue(i));
+  }
+  counts["SurfaceWithoutFaces"] = missing;
   return counts;
 }
 

@@ -29,7 +29,8 @@ Json qualityOf(vtkTable* summary);
 /// {stage: seconds} from the field arrays StageName and StageSeconds.
 Json stageSecondsOf(vtkUnstructuredGrid* mesh);
 
-/// {name: cells} from the cell array Diagnostic and the field array DiagnosticName.
+/// {name: cells} from the cell array Diagnostic and the field array DiagnosticName, and the names in the field array
+/// SurfaceWithoutFaces.
 Json diagnosticsOf(vtkPolyData* diagnostics);
 
 /// The field array MaxLevel; null where it is absent.

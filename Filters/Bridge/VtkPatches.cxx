@@ -170,20 +170,34 @@ void diagnosticsToVtk(const DualMeshResult& result, const std::vector<std::strin
 {
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> vertices;
   vtkNew<vtkCellArray> lines;
   vtkNew<vtkIntArray> kinds;
   kinds->SetName("Diagnostic");
   vtkNew<vtkIdTypeArray> elements;
   elements->SetName("CellId");
-  for (const Diagnostic& diagnostic : result.diagnostics)
+  // Polydata keeps the data of vertices before those of lines.
+  for (const bool asLines : {false, true})
   {
-    lines->InsertNextCell(2);
-    lines->InsertCellPoint(points->InsertNextPoint(diagnostic.begin.data()));
-    lines->InsertCellPoint(points->InsertNextPoint(diagnostic.end.data()));
-    kinds->InsertNextValue(diagnostic.kind);
-    elements->InsertNextValue(diagnostic.element);
+    for (const Diagnostic& diagnostic : result.diagnostics)
+    {
+      if ((diagnostic.begin != diagnostic.end) != asLines)
+      {
+        continue;
+      }
+      vtkCellArray* cells = asLines ? lines.Get() : vertices.Get();
+      cells->InsertNextCell(asLines ? 2 : 1);
+      cells->InsertCellPoint(points->InsertNextPoint(diagnostic.begin.data()));
+      if (asLines)
+      {
+        cells->InsertCellPoint(points->InsertNextPoint(diagnostic.end.data()));
+      }
+      kinds->InsertNextValue(diagnostic.kind);
+      elements->InsertNextValue(diagnostic.element);
+    }
   }
   out->SetPoints(points);
+  out->SetVerts(vertices);
   out->SetLines(lines);
   out->GetCellData()->AddArray(kinds);
   out->GetCellData()->AddArray(elements);

@@ -20,7 +20,9 @@
  * back). Point array: `VolumePointId` (vtkIdType, point of port 0). Every face is a face of its owner, seen
  * counter-clockwise from outside of the mesh.
  *
- * Output port 2: vtkPolyData with a line for each place where the mesh could not follow the model. Cell arrays: `Diagnostic`
+ * Output port 2: vtkPolyData with a line or vertex for each place where the mesh could not follow the model: MergedSheets, where an octree
+ * edge is cut more than once and the sheets became one (line from the first to the last); UnresolvedFeature, where pieces that do not
+ * meet share a vertex. Cell arrays: `Diagnostic`
  * (int, index into the field array `DiagnosticName`), `CellId` (vtkIdType). Field array `SurfaceWithoutFaces`: names of surfaces that
  * got no face.
  *

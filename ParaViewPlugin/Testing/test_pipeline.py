@@ -5,7 +5,7 @@ import os
 import pathlib
 import shutil
 
-from paraview import servermanager, simple
+from paraview import simple
 from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
 
 from house_pipeline import house
@@ -17,8 +17,9 @@ METRICS = [
 
 
 def fetch(source, port=0):
-    source.UpdatePipeline()
-    return servermanager.Fetch(simple.OutputPort(source, port))
+    """The data itself. (servermanager.Fetch would turn collections into multi-blocks.)"""
+    simple.UpdatePipeline(proxy=simple.OutputPort(source, port))
+    return source.GetClientSideObject().GetOutputDataObject(port)
 
 
 def names(attributes):
@@ -72,11 +73,9 @@ def check_quality(quality):
 
 
 def check_writer(mesher, patches):
-    folder = pathlib.Path(os.environ["ATRIA_OUTPUT"]) / "case"
+    folder = pathlib.Path(os.environ["ATRIA_OUTPUT"]) / "house.openfoam"
     shutil.rmtree(folder, ignore_errors=True)
-    writer = simple.AtriaOpenFOAMWriter(Input=mesher, Patches=patches, CaseDirectory=str(folder))
-    writer.UpdateVTKObjects()
-    writer.InvokeCommand("Write")
+    simple.SaveData(str(folder), proxy=mesher, Patches=patches)
     boundary = (folder / "constant" / "polyMesh" / "boundary").read_text()
     assert "WallSouth_front" in boundary
 

@@ -29,7 +29,8 @@ int main(int argc, char** argv)
   vtkNew<vtkAtriaVRMLReader> reader;
   reader->SetFileName(argv[1]);
 
-  // The octree may be left out: the mesher then builds the same one. Shown here, it can be looked at or changed.
+  // The octree may be left out: the mesher then builds the same one. Shown here, it can be looked at or
+  // changed.
   vtkNew<vtkAtriaOctreeSource> octree;
   octree->SetInputConnection(reader->GetOutputPort());
   octree->SetSizeMin(1.0); // metres

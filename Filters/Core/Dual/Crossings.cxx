@@ -33,9 +33,10 @@ class EdgeProbe
 public:
   EdgeProbe(const Octree& tree, const SurfaceModel& surfaces) : octree(tree), model(surfaces) {}
 
-  /// Crossings of the edge from p to q along `axis` with the leaf's triangles, sorted from p to q. Triangles on domain sides are not
-  /// asked.
-  const std::vector<SurfaceCrossing>& cut(Index leaf, const LatticePoint& p, const LatticePoint& q, int axis)
+  /// Crossings of the edge from p to q along `axis` with the triangles of `leaf`, the finest of the leaves `about` it, sorted from p to
+  /// q. Triangles on domain sides are not asked.
+  const std::vector<SurfaceCrossing>& cut(Index leaf, const std::array<Index, 4>& about, const LatticePoint& p,
+                                          const LatticePoint& q, int axis)
   {
     found.clear();
     for (const ModelItem piece : octree.items(leaf))
@@ -50,7 +51,7 @@ public:
       const double along = up ? l.coordinate - r.coordinate : r.coordinate - l.coordinate;
       return along < 0.0 || (along == 0.0 && l.triangle < r.triangle);
     });
-    dropBulges();
+    dropBulges(about);
     return found;
   }
 
@@ -104,16 +105,41 @@ private:
     return (p[1] - p[0]).cross(p[2] - p[0]);
   }
 
-  /// Takes out neighbouring crossings in opposite senses of one smooth piece that faces the same way: a bulge thinner than
-  /// the octant. The two sides of a thin wall face opposite ways, and stay.
-  void dropBulges()
+  /// Whether two neighbouring crossings are a surface that reaches through the edge and back, with both ends of the edge on the
+  /// same side: a bulge of a smooth piece, which faces the same way twice while the two sides of a thin wall face opposite ways;
+  /// or the crease between two pieces, seen in a leaf beside the edge. Not where three pieces meet: there the ends may lie
+  /// in different zones.
+  bool isBulge(const SurfaceCrossing& l, const SurfaceCrossing& r, const std::array<Index, 4>& about) const
+  {
+    const Index a = model.charts[l.triangle];
+    const Index b = model.charts[r.triangle];
+    if (a == b)
+    {
+      return l.orientation != r.orientation && normalOf(l.triangle).dot(normalOf(r.triangle)) > 0.0;
+    }
+    return std::any_of(about.begin(), about.end(), [&](Index leaf) { return hasCrease(leaf, a, b); });
+  }
+
+  bool hasCrease(Index leaf, Index a, Index b) const
+  {
+    const auto items = octree.items(leaf);
+    return std::any_of(items.begin(), items.end(), [&](ModelItem piece) {
+      if (piece.kind != ModelItem::featureEdge)
+      {
+        return false;
+      }
+      const FeatureEdge& edge = model.featureEdges[piece.index];
+      return (edge.kind == CurveKind::crease || edge.kind == CurveKind::border) &&
+             ((edge.charts[0] == a && edge.charts[1] == b) || (edge.charts[0] == b && edge.charts[1] == a));
+    });
+  }
+
+  /// Taking out pairs keeps the parity of crossings along every closed path, so that closed surfaces stay closed.
+  void dropBulges(const std::array<Index, 4>& about)
   {
     for (std::size_t i = 0; i + 1 < found.size();)
     {
-      const SurfaceCrossing& l = found[i];
-      const SurfaceCrossing& r = found[i + 1];
-      if (l.orientation != r.orientation && model.charts[l.triangle] == model.charts[r.triangle] &&
-          normalOf(l.triangle).dot(normalOf(r.triangle)) > 0.0)
+      if (isBulge(found[i], found[i + 1], about))
       {
         found.erase(found.begin() + static_cast<std::ptrdiff_t>(i), found.begin() + static_cast<std::ptrdiff_t>(i) + 2);
         i = i > 0 ? i - 1 : 0;
@@ -187,7 +213,7 @@ private:
     const int axis = axisOf(direction);
     LatticePoint end = p;
     end[axis] = isUpper(direction) ? octree.frame().domainHigh[axis] : octree.frame().domainLow[axis];
-    const auto& found = probe.cut(edge.leaf, p, end, axis);
+    const auto& found = probe.cut(edge.leaf, leavesAbout(point, direction), p, end, axis);
     if (!found.empty())
     {
       record(point, noIndex, direction, p, found, part);
@@ -205,7 +231,7 @@ private:
     const int axis = axisOf(direction);
     const LatticePoint p = octree.cornerOf(edge.leaf, edge.corner);
     const LatticePoint q = octree.cornerOf(edge.leaf, edge.corner ^ (1u << axis));
-    const auto& found = probe.cut(edge.leaf, p, q, axis);
+    const auto& found = probe.cut(edge.leaf, leavesAbout(point, direction), p, q, axis);
     if (found.empty())
     {
       return;
@@ -217,20 +243,25 @@ private:
             sideSeen(opposite(direction), found.back().orientation), part);
   }
 
-  void record(Index point, Index other, int direction, const LatticePoint& start,
-              const std::vector<SurfaceCrossing>& found, Part& part)
+  std::array<Index, 4> leavesAbout(Index point, int direction) const
   {
-    CrossedEdge edge{point,         other,        static_cast<std::uint8_t>(direction),           start,
-                     found.front(), found.back(), static_cast<std::uint32_t>(found.size()), {}};
+    std::array<Index, 4> leaves;
     const unsigned bit = 1u << axisOf(direction);
     for (unsigned slot = 0, i = 0; slot < 8; ++slot)
     {
       if (((slot & bit) != 0) == isUpper(direction))
       {
-        edge.leaves[i++] = points.leaves[point][slot];
+        leaves[i++] = points.leaves[point][slot];
       }
     }
-    part.edges.push_back(edge);
+    return leaves;
+  }
+
+  void record(Index point, Index other, int direction, const LatticePoint& start,
+              const std::vector<SurfaceCrossing>& found, Part& part)
+  {
+    part.edges.push_back({point, other, static_cast<std::uint8_t>(direction), start, found.front(), found.back(),
+                          static_cast<std::uint32_t>(found.size()), leavesAbout(point, direction)});
   }
 
   static void addFace(Index element, Index other, int direction, Index tag, SheetSide side, Part& part)

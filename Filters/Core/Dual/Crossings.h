@@ -45,7 +45,7 @@ struct Crossings
 };
 
 /// Joins grid points across edges, and finds which edges are cut by surfaces or by the domain's sides. Decisions are exact; see
-/// Predicates.h. A surface that bulges through an edge and back (both crossings in one smooth piece) does not cut it.
+/// Predicates.h. A surface that reaches through an edge and back, by a bulge or a crease, does not cut it.
 /// Cost: O(1) an edge, plus the triangles in the leaf beside it.
 Crossings findCrossings(const Octree& octree, const SurfaceModel& model, const GridPoints& points,
                         const RunContext& context);

@@ -101,9 +101,25 @@ void fillElements(DualMesh& mesh, const Octree& octree, const GridPoints& points
   });
 }
 
-std::vector<Diagnostic> diagnose(const Crossings& crossings, const std::vector<Index>& elements, const GridFrame& frame)
+/// Vertices that stand between pieces, each told once with an element that has it.
+void appendUnresolved(const DualMesh& mesh, std::vector<char>& compromised, std::vector<Diagnostic>& out)
 {
-  std::vector<Diagnostic> out;
+  for (Index e = 0; e < mesh.elementCount(); ++e)
+  {
+    for (const Index p : mesh.corners[e])
+    {
+      if (compromised[p])
+      {
+        compromised[p] = 0;
+        out.push_back({Diagnostic::unresolvedFeature, mesh.points[p], mesh.points[p], e});
+      }
+    }
+  }
+}
+
+void appendMerged(const Crossings& crossings, const std::vector<Index>& elements, const GridFrame& frame,
+                  std::vector<Diagnostic>& out)
+{
   for (const CrossedEdge& edge : crossings.crossedEdges)
   {
     const Index here = elements[edge.point];
@@ -119,7 +135,6 @@ std::vector<Diagnostic> diagnose(const Crossings& crossings, const std::vector<I
     merged.end[axis] = frame.toModel(axis, edge.farthest.coordinate);
     out.push_back(merged);
   }
-  return out;
 }
 
 } // namespace
@@ -144,12 +159,14 @@ DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, con
   std::vector<Index> vertexOfLeaf;
   const std::vector<Index> leaves = numberVertices(points, elements, octree.leafCount(), vertexOfLeaf);
   DualMesh& mesh = result.mesh;
-  mesh.points = placeVertices(octree, model, crossings, leaves, context);
+  DualVertices placed = placeVertices(octree, model, crossings, leaves, context);
+  mesh.points = std::move(placed.positions);
   clock.lap("vertices");
   context.progress.report(0.9, "Making elements");
   fillBoundary(mesh, crossings, elements);
   fillElements(mesh, octree, points, crossings, zones, elements, vertexOfLeaf, context);
-  result.diagnostics = diagnose(crossings, elements, octree.frame());
+  appendMerged(crossings, elements, octree.frame(), result.diagnostics);
+  appendUnresolved(mesh, placed.compromised, result.diagnostics);
   splitSheets(mesh, context);
   clock.lap("elements");
   context.progress.report(1.0, "Meshed");

@@ -19,14 +19,16 @@ struct Diagnostic
 {
   enum Kind : std::uint8_t
   {
-    mergedSheets ///< an octree edge is cut more than once: the sheets there became one
+    mergedSheets,     ///< an octree edge is cut more than once: the sheets there became one
+    unresolvedFeature ///< pieces that do not meet share a vertex, which is not on all of them
   };
   Kind kind;
   Vec3 begin;
   Vec3 end;
-  Index element; ///< the element beside it
+  /// An element beside it.
+  Index element;
 };
-inline constexpr std::array<const char*, 1> diagnosticNames{"MergedSheets"};
+inline constexpr std::array<const char*, 2> diagnosticNames{"MergedSheets", "UnresolvedFeature"};
 
 struct DualMeshResult
 {

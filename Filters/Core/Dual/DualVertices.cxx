@@ -5,6 +5,7 @@
 #include "Surface/Distance.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -66,6 +67,17 @@ public:
       found = onSurface(leaf, mean);
     }
     return onPlanes(found.value_or(center));
+  }
+
+  /// Whether some piece that cuts the leaf placed last is farther from p than rounding explains.
+  bool missesPiece(Index leaf, const Vec3& p)
+  {
+    constexpr double ratio = 1e-4;
+    const double allowed = ratio * frame.finestSize;
+    return charts.size() > 1 && std::any_of(charts.begin(), charts.end(), [&](Index chart) {
+             const Vec3 nearest = nearestOnPieces(leaf, p, [&](Index c) { return c == chart; });
+             return (nearest - p).norm() > allowed;
+           });
   }
 
 private:
@@ -156,7 +168,7 @@ private:
     for (const ModelItem piece : octree.items(leaf))
     {
       if (piece.kind == ModelItem::corner && owns(model.points[model.corners[piece.index]]) &&
-          (cut || onOwnPlane(leaf, model.corners[piece.index])))
+          (cut ? endsOwnCurve(leaf, model.corners[piece.index]) : onOwnPlane(leaf, model.corners[piece.index])))
       {
         const Vec3 p = modelPoint(model.corners[piece.index]);
         if (!best || (p - mean).squaredNorm() < (*best - mean).squaredNorm())
@@ -168,19 +180,44 @@ private:
     return best;
   }
 
-  /// A point on the border of octants belongs to one of them only: the upper one, like the grid's symbolic shift has it; but
-  /// to the lower one on an upper domain plane.
+  /// Whether a curve of a piece that cuts the leaf ends or turns at the point.
+  bool endsOwnCurve(Index leaf, Index point) const
+  {
+    const auto items = octree.items(leaf);
+    return std::any_of(items.begin(), items.end(), [&](ModelItem piece) {
+      if (piece.kind != ModelItem::featureEdge)
+      {
+        return false;
+      }
+      const FeatureEdge& edge = model.featureEdges[piece.index];
+      return (edge.a == point || edge.b == point) && (hasChart(edge.charts[0]) || hasChart(edge.charts[1]));
+    });
+  }
+
+  /// A point on the border of octants belongs to one of them only: the lower one, as the grid's symbolic shift has it; but to the
+  /// upper one on a lower domain plane.
   bool owns(const LatticePoint& p) const
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      const bool atTop = p[axis] == box.high[axis] && p[axis] == frame.domainHigh[axis];
-      if (p[axis] < box.low[axis] || (p[axis] >= box.high[axis] && !atTop))
+      const bool atBottom = p[axis] == box.low[axis] && p[axis] == frame.domainLow[axis];
+      if (p[axis] > box.high[axis] || (p[axis] <= box.low[axis] && !atBottom))
       {
         return false;
       }
     }
     return true;
+  }
+
+  LatticePoint pointAlong(const FeatureEdge& edge, double t) const
+  {
+    LatticePoint p = model.points[edge.a];
+    const LatticePoint& end = model.points[edge.b];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      p[axis] += std::llround(t * static_cast<double>(end[axis] - p[axis]));
+    }
+    return p;
   }
 
   /// The middle of the feature curves in the leaf, on the one that is nearest to it.
@@ -200,6 +237,10 @@ private:
       const bool second = hasChart(edge.charts[1]);
       const SegmentRange range = clipSegment(box, model.points[edge.a], model.points[edge.b]);
       if (range.begin >= range.end || !(cut ? first || second : first && second))
+      {
+        continue;
+      }
+      if (!owns(pointAlong(edge, 0.5 * (range.begin + range.end))))
       {
         continue;
       }
@@ -240,18 +281,19 @@ private:
     constexpr int turns = 8;
     for (int i = 0; i < (planes != 0 ? turns : 1); ++i)
     {
-      p = onPlanes(nearestOnPieces(leaf, p));
+      p = onPlanes(nearestOnPieces(leaf, p, [&](Index chart) { return hasChart(chart); }));
     }
     return p;
   }
 
-  Vec3 nearestOnPieces(Index leaf, const Vec3& p) const
+  /// The nearest point of the triangles in the leaf whose chart is `wanted`.
+  template <typename Wanted> Vec3 nearestOnPieces(Index leaf, const Vec3& p, Wanted&& wanted) const
   {
     Vec3 best = p;
     double bestDistance = std::numeric_limits<double>::infinity();
     for (const ModelItem piece : octree.items(leaf))
     {
-      if (piece.kind != ModelItem::triangle || !hasChart(model.charts[piece.index]))
+      if (piece.kind != ModelItem::triangle || !wanted(model.charts[piece.index]))
       {
         continue;
       }
@@ -278,11 +320,13 @@ private:
 
 } // namespace
 
-std::vector<Vec3> placeVertices(const Octree& octree, const SurfaceModel& model, const Crossings& crossings,
-                                const std::vector<Index>& leaves, const RunContext& context)
+DualVertices placeVertices(const Octree& octree, const SurfaceModel& model, const Crossings& crossings,
+                           const std::vector<Index>& leaves, const RunContext& context)
 {
   const auto byLeaf = crossingsByLeaf(crossings);
-  std::vector<Vec3> vertices(leaves.size());
+  DualVertices vertices;
+  vertices.positions.resize(leaves.size());
+  vertices.compromised.resize(leaves.size());
   context.executor.forRanges(leaves.size(), 4096, [&](std::size_t begin, std::size_t end) {
     context.progress.check();
     VertexPlacer placer(octree, model);
@@ -291,7 +335,8 @@ std::vector<Vec3> placeVertices(const Octree& octree, const SurfaceModel& model,
       const auto [first, last] =
         std::equal_range(byLeaf.begin(), byLeaf.end(), std::pair(leaves[i], Index{0}),
                          [](const auto& l, const auto& r) { return l.first < r.first; });
-      vertices[i] = placer.place(leaves[i], {first, last}, crossings.crossedEdges);
+      vertices.positions[i] = placer.place(leaves[i], {first, last}, crossings.crossedEdges);
+      vertices.compromised[i] = first != last && placer.missesPiece(leaves[i], vertices.positions[i]) ? 1 : 0;
     }
   });
   return vertices;

@@ -1,0 +1,75 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""docs/arrays.md lists the arrays of every output: no more, no fewer.
+
+Usage: test_arrays.py docs/arrays.md MODEL.wrl
+"""
+
+import pathlib
+import re
+import sys
+
+from vtkmodules.vtkCommonDataModel import vtkPartitionedDataSetCollection, vtkTable
+
+from atria import vtkAtriaDualMesher, vtkAtriaMeshQuality, vtkAtriaOctreeSource, vtkAtriaVRMLReader
+
+
+def documented(file):
+    """{beginning of heading: names in the first column of the section's tables}"""
+    sections = {}
+    for section in file.read_text().split("\n## ")[1:]:
+        heading, _, body = section.partition("\n")
+        rows = re.findall(r"^\| (`[^|]*`) \|", body, re.MULTILINE)
+        sections[heading.split(" (")[0]] = {name for row in rows for name in re.findall(r"`(\w+)`", row)}
+    return sections
+
+
+def names_of(data):
+    """Names of all arrays of an output."""
+    if isinstance(data, vtkTable):
+        return {data.GetColumnName(i) for i in range(data.GetNumberOfColumns())}
+    if isinstance(data, vtkPartitionedDataSetCollection):
+        return set().union(*(names_of(data.GetPartition(i, 0)) for i in range(data.GetNumberOfPartitionedDataSets())))
+    return {
+        attributes.GetArrayName(i)
+        for attributes in (data.GetCellData(), data.GetPointData(), data.GetFieldData())
+        for i in range(attributes.GetNumberOfArrays())
+    }
+
+
+def outputs(model):
+    reader = vtkAtriaVRMLReader()
+    reader.SetFileName(model)
+    octree, mesher, quality = vtkAtriaOctreeSource(), vtkAtriaDualMesher(), vtkAtriaMeshQuality()
+    for grid in (octree, mesher):
+        grid.SetInputConnection(reader.GetOutputPort())
+        grid.SetSizeMax(16.0)
+        grid.SetSizeMid(4.0)
+        grid.SetSizeMin(2.0)
+        grid.SetDomainMode(vtkAtriaDualMesher.Site)
+        grid.SetSiteName("Site")
+    quality.SetInputConnection(mesher.GetOutputPort())
+    octree.Update()
+    quality.Update()
+    mesh = names_of(mesher.GetOutputDataObject(0))
+    return {
+        "Surfaces": names_of(reader.GetOutput()),
+        "Octree": names_of(octree.GetOutputDataObject(0)),
+        "Mesh": mesh,
+        "Patches": names_of(mesher.GetOutputDataObject(1)),
+        "Diagnostics": names_of(mesher.GetOutputDataObject(2)),
+        "Quality": (names_of(quality.GetOutput()) - mesh) | names_of(quality.GetOutputDataObject(1)),
+    }
+
+
+def main(file, model):
+    sections = documented(file)
+    wrong = False
+    for heading, names in outputs(model).items():
+        for kind, difference in (("not documented", names - sections[heading]), ("not there", sections[heading] - names)):
+            if difference:
+                print(f"{heading}: {kind}: {', '.join(sorted(difference))}", file=sys.stderr)
+                wrong = True
+    sys.exit(1 if wrong else 0)
+
+
+main(pathlib.Path(sys.argv[1]), sys.argv[2])
