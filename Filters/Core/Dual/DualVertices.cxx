@@ -13,6 +13,9 @@ namespace atria {
 
 namespace {
 
+/// Cuts closer together than this part of a leaf's edge are one point.
+constexpr double tipRatio = 1e-3;
+
 /// Which crossed edges each leaf has, sorted by leaf.
 std::vector<std::pair<Index, Index>> crossingsByLeaf(const Crossings& crossings)
 {
@@ -96,6 +99,7 @@ private:
   Vec3 gatherCuts(std::span<const std::pair<Index, Index>> cuts, const std::vector<CrossedEdge>& edges, const Vec3& center)
   {
     Vec3 sum = Vec3::Zero();
+    Box3 extent;
     double count = 0.0;
     for (const auto& [leaf, e] : cuts)
     {
@@ -103,13 +107,22 @@ private:
       for (const SurfaceCrossing* crossing : {&edge.nearest, &edge.farthest})
       {
         charts.push_back(model.charts[crossing->triangle]);
-        sum += crossingPoint(edge, *crossing);
+        const Vec3 p = crossingPoint(edge, *crossing);
+        sum += p;
+        extent.extend(p);
         count += 1.0;
       }
     }
     std::sort(charts.begin(), charts.end());
     charts.erase(std::unique(charts.begin(), charts.end()), charts.end());
-    return count > 0.0 ? Vec3(sum / count) : center;
+    if (count == 0.0)
+    {
+      return center;
+    }
+    // A tip that reaches a grid point or edge only: the other leaves about it have the same cuts, but must not share the vertex.
+    const double edgeLength = frame.latticeUnit() * static_cast<double>(box.high[0] - box.low[0]);
+    const bool isTip = extent.size().maxCoeff() < tipRatio * edgeLength;
+    return isTip ? Vec3(0.5 * (sum / count + center)) : Vec3(sum / count);
   }
 
   Vec3 crossingPoint(const CrossedEdge& edge, const SurfaceCrossing& crossing) const

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The mesher's outputs and the polyMesh written from them are the same mesh, to VTK's reader and to checkMesh.
+#include "DualMesherTest.h"
+#include "Quality/Geometry.h"
+#include "Support/CheckMesh.h"
+#include "Support/TestPaths.h"
+#include "VtkFaceMesh.h"
+#include "vtkAtriaMeshQuality.h"
+#include "vtkAtriaOpenFOAMWriter.h"
+
+#include <vtkCellType.h>
+#include <vtkCompositeDataSet.h>
+#include <vtkInformation.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkOpenFOAMReader.h>
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace {
+
+namespace fs = std::filesystem;
+using atria::Index;
+using atria::testing::CheckMeshReport;
+using ::testing::AnyOf;
+using ::testing::Each;
+using ::testing::HasSubstr;
+
+/// The patches by name, and the internal mesh as "internalMesh".
+void collectBlocks(vtkMultiBlockDataSet* data, std::map<std::string, vtkDataSet*>& blocks)
+{
+  for (unsigned i = 0; i < data->GetNumberOfBlocks(); ++i)
+  {
+    if (auto* inner = vtkMultiBlockDataSet::SafeDownCast(data->GetBlock(i)))
+    {
+      collectBlocks(inner, blocks);
+    }
+    else if (auto* leaf = vtkDataSet::SafeDownCast(data->GetBlock(i)))
+    {
+      blocks[data->GetMetaData(i)->Get(vtkCompositeDataSet::NAME())] = leaf;
+    }
+  }
+}
+
+class PolyMeshAgrees : public atria::testing::DualMesherTest
+{
+protected:
+  void meshHouse(const char* model)
+  {
+    mesher->SetInputDataObject(atria::testing::exampleModel(model));
+    mesher->SetDomainMode(vtkAtriaDualMesher::Site);
+    mesher->SetSizeMax(8.0);
+    mesher->SetSizeMid(2.0);
+    mesher->SetSizeMin(1.0);
+    write();
+  }
+
+  void meshSphere(double sizeMin, double sizeMax)
+  {
+    mesher->SetInputDataObject(atria::testing::exampleModel("sphere_in_cube.wrl"));
+    mesher->SetDomainMode(vtkAtriaDualMesher::FromSurfaces);
+    mesher->SetSizeMax(sizeMax);
+    mesher->SetSizeMid(sizeMin);
+    mesher->SetSizeMin(sizeMin);
+    write();
+  }
+
+  void expectReaderAgrees();
+  void expectCheckMeshCountsTheSame(const CheckMeshReport& report);
+
+  /// Faces with a pyramid to the centroid of a cell beside them whose volume is below `smallest`.
+  long facesWithPyramidsBelow(double smallest);
+
+  atria::testing::ScratchFolder scratch;
+
+private:
+  void write()
+  {
+    vtkNew<vtkAtriaOpenFOAMWriter> writer;
+    writer->SetInputConnection(mesher->GetOutputPort(0));
+    writer->SetPatchesConnection(mesher->GetOutputPort(1));
+    writer->SetCaseDirectory(scratch.path().c_str());
+    ASSERT_EQ(writer->Write(), 1);
+    ASSERT_GT(volume()->GetNumberOfCells(), 0);
+  }
+};
+
+void PolyMeshAgrees::expectReaderAgrees()
+{
+  vtkNew<vtkOpenFOAMReader> reader;
+  reader->SetFileName((scratch.path() / (scratch.path().filename().string() + ".foam")).c_str());
+  reader->SetUse64BitLabels(false);
+  reader->UpdateInformation();
+  reader->EnableAllPatchArrays();
+  reader->DecomposePolyhedraOff();
+  reader->Update();
+  std::map<std::string, vtkDataSet*> blocks;
+  collectBlocks(reader->GetOutput(), blocks);
+  const auto all = namedPatches();
+  for (const auto& [name, patch] : all)
+  {
+    ASSERT_EQ(blocks.count(name), 1u) << name;
+    EXPECT_EQ(blocks.at(name)->GetNumberOfCells(), patch->GetNumberOfCells()) << name;
+  }
+  auto* readBack = vtkUnstructuredGrid::SafeDownCast(blocks.at("internalMesh"));
+  ASSERT_NE(readBack, nullptr);
+  ASSERT_EQ(readBack->GetNumberOfCells(), volume()->GetNumberOfCells());
+  const std::vector<double> ours = atria::testing::volumesOf(volume(), patches());
+  const std::vector<double> theirs = atria::testing::volumesOf(readBack, nullptr);
+  for (vtkIdType cell = 0; cell < volume()->GetNumberOfCells(); ++cell)
+  {
+    // The reader keeps points in single precision.
+    double bounds[6];
+    volume()->GetCellBounds(cell, bounds);
+    const double edge = std::max({bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]});
+    ASSERT_NEAR(ours[cell], theirs[cell], 1e-4 * edge * edge) << "cell " << cell;
+  }
+}
+
+void PolyMeshAgrees::expectCheckMeshCountsTheSame(const CheckMeshReport& report)
+{
+  const atria::VtkFaceMesh faces = atria::faceMeshFromVtk(volume(), patches());
+  EXPECT_EQ(report.counts.at("cells"), volume()->GetNumberOfCells());
+  EXPECT_EQ(report.counts.at("faces"), static_cast<long>(faces.mesh.faceCount()));
+  EXPECT_EQ(report.counts.at("internal faces"), static_cast<long>(faces.mesh.internalFaceCount()));
+  EXPECT_EQ(report.counts.at("boundary patches"), patches()->GetNumberOfPartitionedDataSets());
+  std::map<int, long> types;
+  for (vtkIdType cell = 0; cell < volume()->GetNumberOfCells(); ++cell)
+  {
+    ++types[volume()->GetCellType(cell)];
+  }
+  EXPECT_EQ(report.cellsByType.at("hexahedra"), types[VTK_HEXAHEDRON]);
+  EXPECT_EQ(report.cellsByType.at("prisms"), types[VTK_WEDGE]);
+  EXPECT_EQ(report.cellsByType.at("pyramids"), types[VTK_PYRAMID]);
+  // Two of our polyhedra have names there.
+  EXPECT_EQ(report.cellsByType.at("polyhedra") + report.cellsByType.at("wedges") + report.cellsByType.at("tet wedges"),
+            types[VTK_POLYHEDRON]);
+  const std::vector<double> volumes = atria::testing::volumesOf(volume(), patches());
+  const double total = std::accumulate(volumes.begin(), volumes.end(), 0.0);
+  if (!std::isnan(report.totalVolume)) // not printed where some are negative
+  {
+    EXPECT_NEAR(report.totalVolume, total, 1e-9 * total);
+  }
+}
+
+long PolyMeshAgrees::facesWithPyramidsBelow(double smallest)
+{
+  const atria::FaceMesh mesh = atria::faceMeshFromVtk(volume(), patches()).mesh;
+  atria::SilentMonitor silent;
+  const atria::SerialExecutor executor;
+  const atria::MeshGeometry geometry =
+    computeGeometry(mesh, makeCellFaces(mesh), {executor, atria::ProgressRange(silent)});
+  const auto pyramid = [&](std::size_t face, Index cell) {
+    return geometry.faceAreas[face].dot(geometry.faceCentroids[face] - geometry.cellCentroids[cell]) / 3.0;
+  };
+  long count = 0;
+  for (std::size_t f = 0; f < mesh.faceCount(); ++f)
+  {
+    const bool wrong = pyramid(f, mesh.owner[f]) < smallest ||
+                       (f < mesh.internalFaceCount() && -pyramid(f, mesh.neighbour[f]) < smallest);
+    count += wrong ? 1 : 0;
+  }
+  return count;
+}
+
+TEST_F(PolyMeshAgrees, OnTheHouse)
+{
+  meshHouse("house.wrl");
+  expectReaderAgrees();
+}
+
+TEST_F(PolyMeshAgrees, OnTheTurnedHouse)
+{
+  meshHouse("house_turned17.wrl");
+  expectReaderAgrees();
+}
+
+TEST_F(PolyMeshAgrees, OnTheSphereUniformAndAdaptive)
+{
+  for (const double sizeMax : {0.4, 3.2})
+  {
+    meshSphere(0.4, sizeMax);
+    expectReaderAgrees();
+  }
+}
+
+class CheckMeshAgrees : public PolyMeshAgrees
+{
+protected:
+  void SetUp() override
+  {
+    if (!atria::testing::haveCheckMesh())
+    {
+      GTEST_SKIP() << "checkMesh is not installed";
+    }
+  }
+
+  /// Nothing to object to but concave cells, of which the check of all geometry tells.
+  void expectSound()
+  {
+    const CheckMeshReport plain = atria::testing::runCheckMesh(scratch.path(), "-allTopology");
+    ASSERT_TRUE(plain.completed) << plain.log;
+    EXPECT_EQ(plain.failedChecks, 0) << plain.log;
+    expectCheckMeshCountsTheSame(plain);
+    const CheckMeshReport all = atria::testing::runCheckMesh(scratch.path());
+    EXPECT_THAT(all.failures, Each(HasSubstr("Concave"))) << all.log;
+  }
+
+  /// The number after a text in what checkMesh printed, 0 without.
+  static long numberAfter(const CheckMeshReport& report, const std::string& text)
+  {
+    const std::size_t at = report.log.find(text);
+    return at == std::string::npos ? 0 : std::stol(report.log.substr(at + text.size()));
+  }
+
+  /// checkMesh finds no more wrong than is counted as invalid. Where elements are flat, rounding decides what it finds.
+  void expectNothingHidden()
+  {
+    vtkNew<vtkAtriaMeshQuality> quality;
+    quality->SetInputConnection(mesher->GetOutputPort(0));
+    quality->SetPatchesConnection(mesher->GetOutputPort(1));
+    quality->Update();
+    const CheckMeshReport report = atria::testing::runCheckMesh(scratch.path());
+    ASSERT_TRUE(report.completed) << report.log;
+    expectCheckMeshCountsTheSame(report);
+    constexpr double rounding = 1e-9;
+    const long wrongFaces = numberAfter(report, "Error in face pyramids: ");
+    EXPECT_GE(wrongFaces, facesWithPyramidsBelow(-rounding));
+    EXPECT_LE(wrongFaces, facesWithPyramidsBelow(rounding));
+    constexpr long mostFaces = 6;
+    EXPECT_LE(wrongFaces, mostFaces * quality->GetNumberOfInvalidCells());
+    EXPECT_LE(numberAfter(report, "Number of negative volume cells: "), quality->GetNumberOfInvalidCells());
+    EXPECT_LE(numberAfter(report, "number of open cells "), quality->GetNumberOfInvalidCells());
+  }
+};
+
+TEST_F(CheckMeshAgrees, TheUniformSphereIsSound)
+{
+  meshSphere(0.5, 0.5);
+  expectSound();
+}
+
+TEST_F(CheckMeshAgrees, TheAdaptiveSphereIsSound)
+{
+  meshSphere(0.5, 4.0);
+  expectSound();
+}
+
+TEST_F(CheckMeshAgrees, ASphereWhosePoleIsAGridPointHasNoFaceWithoutArea)
+{
+  meshSphere(0.4, 3.2);
+  const CheckMeshReport report = atria::testing::runCheckMesh(scratch.path());
+  EXPECT_THAT(report.failures, Each(AnyOf(HasSubstr("Concave"), HasSubstr("skewness")))) << report.log;
+}
+
+TEST_F(CheckMeshAgrees, NoInvalidElementOfTheHouseIsHidden)
+{
+  meshHouse("house.wrl");
+  expectNothingHidden();
+}
+
+TEST_F(CheckMeshAgrees, NoInvalidElementOfTheTurnedHouseIsHidden)
+{
+  meshHouse("house_turned17.wrl");
+  expectNothingHidden();
+}
+
+} // namespace
