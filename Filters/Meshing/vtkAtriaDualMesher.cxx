@@ -2,6 +2,7 @@
 #include "vtkAtriaDualMesher.h"
 
 #include "AlgorithmProgress.h"
+#include "Domain/Domain.h"
 #include "Dual/DualMesher.h"
 #include "GridInput.h"
 #include "Octree/Balance.h"
@@ -49,6 +50,7 @@ atria::Octree rebuildOctree(vtkDataObject* data, const atria::GridInput& input, 
                             atria::SurfaceModel& model, const atria::RunContext& context)
 {
   atria::OctreeSets sets = atria::octreeFromVtk(data);
+  atria::fitLattice(sets.frame, atria::boundsOf(input.surface));
   model = input.model(filter, sets.frame);
   atria::balance(sets.refined, sets.frame, context);
   atria::Octree octree(sets.frame, sets.refined);
@@ -165,6 +167,7 @@ int vtkAtriaDualMesher::RequestData(vtkInformation*, vtkInformationVector** inpu
     atria::Octree octree;
     if (givenOctree)
     {
+      clock.lap("surface");
       octree = rebuildOctree(givenOctree, input, *this, model, context.part(0.05, 0.4));
     }
     else

@@ -4,7 +4,7 @@
  * @brief   conformal hexahedral-dominant mesh of the space about surfaces
  *
  * The mesh is the dual of a 2:1 balanced octree: a vertex in each octant, an element about each grid point. Octants
- * that surfaces pass through have their vertex on them, and a face whose octree edge a surface cuts is a piece of that
+ * whose edges surfaces cut have their vertex on them, and a face whose octree edge a surface cuts is a piece of that
  * surface, so that open sheets without thickness, T-junctions and closed solids are all the same. The mesh is conformal
  * by construction.
  *

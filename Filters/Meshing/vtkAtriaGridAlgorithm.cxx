@@ -13,6 +13,10 @@ vtkAtriaGridAlgorithm::vtkAtriaGridAlgorithm()
 
 vtkAtriaGridAlgorithm::~vtkAtriaGridAlgorithm() = default;
 
+void vtkAtriaGridAlgorithm::SetInputData(vtkDataObject* data) { this->SetInputDataInternal(0, data); }
+
+void vtkAtriaGridAlgorithm::SetInputData(int port, vtkDataObject* data) { this->SetInputDataInternal(port, data); }
+
 vtkTypeBool vtkAtriaGridAlgorithm::ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
                                                   vtkInformationVector* outputs)
 {

@@ -72,7 +72,7 @@ public:
   {
     FromSurfaces = 0, ///< the bounds of the surfaces
     Explicit = 1,     ///< DomainBounds
-    Site = 2          ///< above the surface SiteName: its bounds, and 0.3 times its longer side high
+    Site = 2          ///< above the surface SiteName: its bounds, and 0.3 times its longer side above its highest point
   };
 
   ///@{
@@ -98,6 +98,14 @@ public:
    */
   vtkSetMacro(SiteName, std::string);
   vtkGetMacro(SiteName, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * Sets the data of an input port, without a pipeline before it.
+   */
+  void SetInputData(vtkDataObject* data);
+  void SetInputData(int port, vtkDataObject* data);
   ///@}
 
   vtkTypeBool ProcessRequest(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;

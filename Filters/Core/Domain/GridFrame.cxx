@@ -108,6 +108,27 @@ unsigned GridFrame::domainPlanes(const LatticePoint& low, const LatticePoint& hi
   return planes;
 }
 
+void fitLattice(GridFrame& frame, const Box3& extent)
+{
+  Box3 all{frame.origin, frame.origin + Vec3::Constant(frame.rootSize())};
+  if (!extent.empty())
+  {
+    all.extend(extent.min);
+    all.extend(extent.max);
+  }
+  const double reach = all.size().maxCoeff();
+  const double reachOctants = 2.0 * reach / frame.finestSize;
+  frame.subBits = latticeBits - static_cast<int>(std::ceil(std::log2(std::max(reachOctants, 2.0)))) - 1;
+  if (frame.subBits < 8)
+  {
+    throw Error(text("the surfaces and the domain reach over ", reach, ", too far for SizeMin ", frame.finestSize,
+                     ": remove stray geometry, raise SizeMin, or move the model to the origin"));
+  }
+  frame.subBits = std::min(frame.subBits, 30);
+  frame.domainLow = frame.toLattice(frame.domain.min);
+  frame.domainHigh = frame.toLattice(frame.domain.max);
+}
+
 GridFrame makeGridFrame(const GridOptions& options, const Box3& extent)
 {
   checkOptions(options);
@@ -136,20 +157,7 @@ GridFrame makeGridFrame(const GridOptions& options, const Box3& extent)
   frame.midLevel = std::max(levelClosestTo(options.sizeMid, frame), frame.startLevel);
   frame.topLevel = std::max(levelClosestTo(std::min(options.sizeMax, frame.rootSize()), frame), frame.startLevel);
 
-  const Vec3 corner = frame.origin + Vec3::Constant(frame.rootSize());
-  const double reach =
-      std::max((extent.empty() ? corner : extent.max.cwiseMax(corner)).maxCoeff() - frame.origin.minCoeff(),
-               (corner - (extent.empty() ? frame.origin : extent.min.cwiseMin(frame.origin))).maxCoeff());
-  const double reachOctants = 2.0 * reach / options.sizeMin;
-  frame.subBits = latticeBits - static_cast<int>(std::ceil(std::log2(std::max(reachOctants, 2.0)))) - 1;
-  if (frame.subBits < 8)
-  {
-    throw Error(text("the surfaces reach ", reach, " from the domain's root, too far for SizeMin ", options.sizeMin,
-                     ": remove stray geometry, raise SizeMin, or move the model to the origin"));
-  }
-  frame.subBits = std::min(frame.subBits, 30);
-  frame.domainLow = frame.toLattice(options.domain.min);
-  frame.domainHigh = frame.toLattice(options.domain.max);
+  fitLattice(frame, extent);
   return frame;
 }
 

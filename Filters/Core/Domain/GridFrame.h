@@ -64,6 +64,10 @@ struct GridFrame
   }
 };
 
+/// Chooses the lattice of a frame whose root and domain are set, so that it holds `extent` too. Throws Error where that is too
+/// far for it. The octree's keys do not depend on the lattice.
+void fitLattice(GridFrame& frame, const Box3& extent);
+
 /// Chooses root, levels and lattice. `extent` must hold every surface point. Throws Error where the domain is empty or
 /// thinner than two finest octants, sizes are not positive and ordered, or the ratio of extent to sizeMin is beyond
 /// what 20 levels hold.

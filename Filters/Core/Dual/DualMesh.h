@@ -40,7 +40,7 @@ struct BoundaryFace
 /// An element is the dual of a grid point; its corners are the vertices of the octants about the point, one an octant
 /// direction, and its faces the duals of the octree's edges in the six axis directions. A face is the quad of its four
 /// corners, less those that coincide; with fewer than three left it is none. Layer elements have the same form.
-/// 56 bytes an element.
+/// 61 bytes an element: 56 for corners and neighbours, 5 for level and zone.
 struct DualMesh
 {
   /// Neighbour code of a face that is an edge or a point only.

@@ -194,14 +194,12 @@ private:
     });
   }
 
-  /// A point on the border of octants belongs to one of them only: the lower one, as the grid's symbolic shift has it;
-  /// but to the upper one on a lower domain plane.
+  /// A point on the border of octants belongs to one of them only: the lower one, as the grid's symbolic shift has it.
   bool owns(const LatticePoint& p) const
   {
     for (int axis = 0; axis < 3; ++axis)
     {
-      const bool atBottom = p[axis] == box.low[axis] && p[axis] == frame.domainLow[axis];
-      if (p[axis] > box.high[axis] || (p[axis] <= box.low[axis] && !atBottom))
+      if (p[axis] > box.high[axis] || p[axis] <= box.low[axis])
       {
         return false;
       }

@@ -135,7 +135,9 @@ std::vector<char> keptZones(const Zones& zones, ZoneRule rule, const std::vector
   }
   if (std::find(kept.begin(), kept.end(), 1) == kept.end())
   {
-    throw Error("no zone is left to mesh: no zone reaches a side of the domain; keep all zones, or give seeds");
+    throw Error(rule == ZoneRule::all ? "there is nothing to mesh: no grid point is inside the domain"
+                                        : "no zone is left to mesh: none reaches a side of the domain; keep all "
+                                          "zones, or give seeds");
   }
   return kept;
 }

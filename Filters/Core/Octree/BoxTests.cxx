@@ -90,7 +90,10 @@ bool touches(const LatticeBox& box, const LatticePoint& pa, const LatticePoint& 
 
 bool touches(const LatticeBox& box, const LatticePoint& a, const LatticePoint& b)
 {
-  return !clipSegment(box, a, b).empty();
+  constexpr auto margin = static_cast<std::int64_t>(roundingUnits);
+  const LatticeBox wider{{box.low[0] - margin, box.low[1] - margin, box.low[2] - margin},
+                         {box.high[0] + margin, box.high[1] + margin, box.high[2] + margin}};
+  return !clipSegment(wider, a, b).empty();
 }
 
 SegmentRange clipSegment(const LatticeBox& box, const LatticePoint& a, const LatticePoint& b)

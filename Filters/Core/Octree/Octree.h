@@ -38,7 +38,7 @@ struct ModelItem
   std::uint32_t index : 30;
 };
 
-/// Leaves in Morton order, and above them the refined octants with their children. About 25 bytes a leaf.
+/// Leaves in Morton order, and above them the refined octants with their children. About 19 bytes a leaf, and 4 for each piece of the model in it.
 /// The whole root cube is covered; leaves outside of the domain are as coarse as the domain's refinement leaves them.
 class Octree
 {
@@ -56,6 +56,8 @@ public:
   const GridFrame& frame() const { return frame_; }
   std::size_t leafCount() const { return levels_.size(); }
   int level(Index leaf) const { return levels_[leaf]; }
+  /// Morton key in the grid of the leaf's own level.
+  MortonKey key(Index leaf) const { return keys_[leaf] >> (3 * (frame_.depth - levels_[leaf])); }
   int maximumLevel() const;
   Node root() const { return root_; }
   /// Children of a refined octant, in Morton order.
