@@ -138,7 +138,8 @@ PointSet centresAboutEdge(const GridFrame& frame, int axis, const std::array<boo
   return centres;
 }
 
-/// Refines some of the four octants about an edge, in each of the three directions, and looks at the element about its middle.
+/// Refines some of the four octants about an edge, in each of the three directions, and looks at the element about its
+/// middle.
 void expectElementAtEdge(const std::array<bool, 4>& isRefined, std::size_t points, const FaceCounts& faces)
 {
   const GridFrame frame = frameOfEight();
@@ -196,7 +197,10 @@ TEST(DualElements, ARefinedOctantIsNineHexahedraSixPyramidsAndTwelvePolyhedra)
   EXPECT_EQ(coarse.hexahedra, uniform.elementCount() - 8);
 }
 
-TEST(DualElements, OneOfFourAboutAnEdgeIsAPolyhedronOfFivePoints) { expectElementAtEdge({true, false, false, false}, 5, {2, 2}); }
+TEST(DualElements, OneOfFourAboutAnEdgeIsAPolyhedronOfFivePoints)
+{
+  expectElementAtEdge({true, false, false, false}, 5, {2, 2});
+}
 
 TEST(DualElements, TwoAdjacentOfFourAboutAnEdgeAreAWedge)
 {
@@ -210,7 +214,10 @@ TEST(DualElements, TwoOppositeOfFourAboutAnEdgeAreAPolyhedronOfSixPoints)
   expectElementAtEdge({false, true, true, false}, 6, {2, 4});
 }
 
-TEST(DualElements, ThreeOfFourAboutAnEdgeAreAPolyhedronOfSevenPoints) { expectElementAtEdge({true, true, true, false}, 7, {4, 2}); }
+TEST(DualElements, ThreeOfFourAboutAnEdgeAreAPolyhedronOfSevenPoints)
+{
+  expectElementAtEdge({true, true, true, false}, 7, {4, 2});
+}
 
 TEST(DualElements, FourOfFourAboutAnEdgeAreAHexahedron) { expectElementAtEdge({true, true, true, true}, 8, {6, 0}); }
 

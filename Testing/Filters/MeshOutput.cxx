@@ -106,8 +106,7 @@ std::vector<std::string> namesOf(const std::map<std::string, vtkPolyData*>& patc
 double areaOf(vtkPolyData* patch)
 {
   double area = 0.0;
-  eachTriangle(patch,
-               [&](const Vec3& m, const Vec3& a, const Vec3& b) { area += 0.5 * (a - m).cross(b - m).norm(); });
+  eachTriangle(patch, [&](const Vec3& m, const Vec3& a, const Vec3& b) { area += 0.5 * (a - m).cross(b - m).norm(); });
   return area;
 }
 
@@ -158,7 +157,8 @@ double volumeOf(const Box3& box) { return box.size().prod(); }
     }
     if (faces.mesh.owner[f] != faces.patches.owners[i] || !sameRing(ring, faces.mesh.face(f)))
     {
-      return ::testing::AssertionFailure() << "patch face " << i << " is not the face of its owner as seen from outside";
+      return ::testing::AssertionFailure()
+             << "patch face " << i << " is not the face of its owner as seen from outside";
     }
   }
   return ::testing::AssertionSuccess();

@@ -26,7 +26,8 @@ struct OctreeLeaf
   }
 };
 
-/// Cells of an unstructured grid of voxels, or leaves of a hyper tree grid that are not masked; by z, y, x of their lower corners.
+/// Cells of an unstructured grid of voxels, or leaves of a hyper tree grid that are not masked; by z, y, x of their
+/// lower corners.
 std::vector<OctreeLeaf> leavesOf(vtkDataObject* octree);
 
 /// Which leaf is where: each is painted into the grid of finest octants.

@@ -25,7 +25,8 @@ std::vector<std::string> cellsOf(const std::string& row)
   {
     if (c == '|')
     {
-      cells.push_back(cell.substr(cell.find_first_not_of(' '), cell.find_last_not_of(' ') - cell.find_first_not_of(' ') + 1));
+      cells.push_back(
+          cell.substr(cell.find_first_not_of(' '), cell.find_last_not_of(' ') - cell.find_first_not_of(' ') + 1));
       cell.clear();
     }
     else if (c != '`')
@@ -86,7 +87,8 @@ protected:
 
 TEST_F(DocumentedArrays, OfModels)
 {
-  EXPECT_THAT(present(atria::testing::exampleModel("house.wrl")), UnorderedElementsAreArray(documented("vtkAtriaVRMLReader")));
+  EXPECT_THAT(present(atria::testing::exampleModel("house.wrl")),
+              UnorderedElementsAreArray(documented("vtkAtriaVRMLReader")));
 }
 
 TEST_F(DocumentedArrays, OfOctrees)

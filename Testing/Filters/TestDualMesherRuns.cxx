@@ -169,7 +169,8 @@ TEST_F(DualMesherRuns, PrintsItsSettings)
   mesher->AddSeed(1, 2, 3);
   std::ostringstream text;
   mesher->Print(text);
-  for (const char* part : {"SizeMin: 0.5", "FeatureAngle: 30", "ZoneRule: 0", "NumberOfSeeds: 1", "1 2 3", "SiteName: Site"})
+  for (const char* part :
+       {"SizeMin: 0.5", "FeatureAngle: 30", "ZoneRule: 0", "NumberOfSeeds: 1", "1 2 3", "SiteName: Site"})
   {
     EXPECT_THAT(text.str(), HasSubstr(part));
   }

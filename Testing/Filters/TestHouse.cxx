@@ -128,11 +128,12 @@ TEST_P(House, FewElementsAreInvalidAndQualityCountsThem)
 }
 
 INSTANTIATE_TEST_SUITE_P(AlignedAndTurned, House,
-                         ::testing::Values(Case{"house.wrl", 2.0}, Case{"house.wrl", 1.0}, Case{"house_turned17.wrl", 2.0},
-                                           Case{"house_turned17.wrl", 1.0}),
+                         ::testing::Values(Case{"house.wrl", 2.0}, Case{"house.wrl", 1.0},
+                                           Case{"house_turned17.wrl", 2.0}, Case{"house_turned17.wrl", 1.0}),
                          [](const auto& test) {
                            const std::string name = test.param.model;
-                           return name.substr(0, name.find('.')) + "_SizeMid" + std::to_string(static_cast<int>(test.param.sizeMid));
+                           return name.substr(0, name.find('.')) + "_SizeMid" +
+                                  std::to_string(static_cast<int>(test.param.sizeMid));
                          });
 
 } // namespace

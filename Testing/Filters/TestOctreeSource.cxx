@@ -87,7 +87,8 @@ protected:
 std::vector<OctreeLeaf> leavesAt(const std::vector<OctreeLeaf>& leaves, const Vec3& p)
 {
   std::vector<OctreeLeaf> found;
-  std::copy_if(leaves.begin(), leaves.end(), std::back_inserter(found), [&](const auto& leaf) { return leaf.touches(p); });
+  std::copy_if(leaves.begin(), leaves.end(), std::back_inserter(found),
+               [&](const auto& leaf) { return leaf.touches(p); });
   return found;
 }
 

@@ -152,7 +152,7 @@ long PolyMeshAgrees::facesWithPyramidsBelow(double smallest)
   atria::SilentMonitor silent;
   const atria::SerialExecutor executor;
   const atria::MeshGeometry geometry =
-    computeGeometry(mesh, makeCellFaces(mesh), {executor, atria::ProgressRange(silent)});
+      computeGeometry(mesh, makeCellFaces(mesh), {executor, atria::ProgressRange(silent)});
   const auto pyramid = [&](std::size_t face, Index cell) {
     return geometry.faceAreas[face].dot(geometry.faceCentroids[face] - geometry.cellCentroids[cell]) / 3.0;
   };
