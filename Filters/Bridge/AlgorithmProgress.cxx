@@ -8,10 +8,7 @@
 
 namespace atria {
 
-AlgorithmProgress::AlgorithmProgress(vtkAlgorithm& target)
-  : algorithm(target), home(std::this_thread::get_id())
-{
-}
+AlgorithmProgress::AlgorithmProgress(vtkAlgorithm& target) : algorithm(target), home(std::this_thread::get_id()) {}
 
 void AlgorithmProgress::report(double fraction, const char* phase)
 {

@@ -35,8 +35,8 @@ int SmpExecutor::threads() const
   }
   const int estimated = vtkSMPTools::GetEstimatedNumberOfThreads();
   const int wanted = std::string(vtkSMPTools::GetBackend()) == "Sequential"
-    ? static_cast<int>(std::thread::hardware_concurrency())
-    : estimated;
+                         ? static_cast<int>(std::thread::hardware_concurrency())
+                         : estimated;
   return std::max(wanted, 1);
 }
 
@@ -59,7 +59,8 @@ void SmpExecutor::forRanges(std::size_t count, std::size_t grain, const Body& bo
     }
   };
   const auto run = [&] {
-    vtkSMPTools::For(0, static_cast<vtkIdType>(count), static_cast<vtkIdType>(std::max<std::size_t>(grain, 1)), guarded);
+    vtkSMPTools::For(0, static_cast<vtkIdType>(count), static_cast<vtkIdType>(std::max<std::size_t>(grain, 1)),
+                     guarded);
   };
   const std::string backend = backendInUse();
   if (backend == vtkSMPTools::GetBackend())

@@ -5,8 +5,8 @@
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
-#include <vtkDataArray.h>
 #include <vtkCompositeDataSet.h>
+#include <vtkDataArray.h>
 #include <vtkInformation.h>
 #include <vtkPartitionedDataSet.h>
 #include <vtkPartitionedDataSetCollection.h>
@@ -36,8 +36,9 @@ void appendPatch(VtkPatches& out, const std::string& name, vtkPolyData* patch, v
   vtkDataArray* pointIds = patch->GetPointData()->GetArray("VolumePointId");
   if (!owners || !pointIds)
   {
-    throw Error("patch '" + name + "' lacks the cell array OwnerCellId or the point array VolumePointId; "
-      "patches must come from the mesher");
+    throw Error("patch '" + name +
+                "' lacks the cell array OwnerCellId or the point array VolumePointId; "
+                "patches must come from the mesher");
   }
   const std::vector<std::int64_t> ids = integers(pointIds);
   vtkNew<vtkIdList> face;
@@ -46,8 +47,8 @@ void appendPatch(VtkPatches& out, const std::string& name, vtkPolyData* patch, v
     const auto owner = static_cast<vtkIdType>(owners->GetComponent(cell, 0));
     if (owner < 0 || owner >= volume->GetNumberOfCells())
     {
-      throw Error("patch '" + name + "': face " + std::to_string(cell) + " belongs to cell " +
-        std::to_string(owner) + ", which the volume mesh does not have");
+      throw Error("patch '" + name + "': face " + std::to_string(cell) + " belongs to cell " + std::to_string(owner) +
+                  ", which the volume mesh does not have");
     }
     out.owners.push_back(static_cast<Index>(owner));
     patch->GetCellPoints(cell, face);
@@ -57,7 +58,7 @@ void appendPatch(VtkPatches& out, const std::string& name, vtkPolyData* patch, v
       if (id < 0 || id >= volume->GetNumberOfPoints())
       {
         throw Error("patch '" + name + "': face " + std::to_string(cell) + " has point " + std::to_string(id) +
-          ", which the volume mesh does not have");
+                    ", which the volume mesh does not have");
       }
       out.points.push_back(id);
     }

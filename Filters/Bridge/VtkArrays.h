@@ -38,9 +38,9 @@ struct VtkPatches
     std::size_t faceCount = 0;
   };
   std::vector<Patch> patches;
-  std::vector<Index> owners;              ///< per face
-  std::vector<std::int64_t> offsets{0};   ///< per face, into points
-  std::vector<std::int64_t> points;       ///< ids of the volume mesh's points
+  std::vector<Index> owners;            ///< per face
+  std::vector<std::int64_t> offsets{0}; ///< per face, into points
+  std::vector<std::int64_t> points;     ///< ids of the volume mesh's points
 
   std::vector<BoundaryFaceKey> keys() const;
 };

@@ -115,7 +115,8 @@ VtkElement translate(const std::array<Index, 8>& corners)
 /// Appends a polyhedron to VTK's face stream.
 void appendFaces(const VtkElement& element, vtkIdTypeArray* stream)
 {
-  const auto count = std::count_if(element.faces.begin(), element.faces.end(), [](const ReducedFace& f) { return f.count >= 3; });
+  const auto count =
+      std::count_if(element.faces.begin(), element.faces.end(), [](const ReducedFace& f) { return f.count >= 3; });
   stream->InsertNextValue(static_cast<vtkIdType>(count));
   for (const ReducedFace& face : element.faces)
   {

@@ -13,10 +13,11 @@ namespace atria {
 /// Hexahedra, wedges, pyramids where corners coincide so, polyhedra otherwise. Cell i is element i.
 void volumeToVtk(const DualMesh& mesh, vtkUnstructuredGrid* out);
 
-/// One polydata a patch: surfaces in order of their ids, then bare domain sides. A surface that has elements of the mesh on its
-/// front and on its back, somewhere on both at once, is two patches, `<name>_front` and `<name>_back`. Faces are seen
-/// counter-clockwise from outside of the mesh.
-void patchesToVtk(const DualMesh& mesh, const std::vector<std::string>& surfaceNames, vtkPartitionedDataSetCollection* out);
+/// One polydata a patch: surfaces in order of their ids, then bare domain sides. A surface that has elements of the
+/// mesh on its front and on its back, somewhere on both at once, is two patches, `<name>_front` and `<name>_back`.
+/// Faces are seen counter-clockwise from outside of the mesh.
+void patchesToVtk(const DualMesh& mesh, const std::vector<std::string>& surfaceNames,
+                  vtkPartitionedDataSetCollection* out);
 
 /// A line or point for each diagnostic; surfaces that got no face are listed in the field array SurfaceWithoutFaces.
 void diagnosticsToVtk(const DualMeshResult& result, const std::vector<std::string>& surfaceNames, vtkPolyData* out);

@@ -120,7 +120,8 @@ RefinedSets setsOf(vtkUnstructuredGrid* grid, const GridFrame& frame)
     const int level = frame.depth - static_cast<int>(std::lround(ratio));
     const double size = frame.sizeOf(std::clamp(level, 0, frame.depth));
     GridCell cell;
-    bool fits = grid->GetCellType(i) == VTK_VOXEL && level >= 0 && level <= frame.depth && std::abs(ratio - std::round(ratio)) < 1e-3;
+    bool fits = grid->GetCellType(i) == VTK_VOXEL && level >= 0 && level <= frame.depth &&
+                std::abs(ratio - std::round(ratio)) < 1e-3;
     for (int axis = 0; axis < 3; ++axis)
     {
       const double position = (bounds[2 * axis] - frame.origin[axis]) / size;
@@ -206,7 +207,8 @@ private:
 };
 
 /// Grid points of the leaves, each once.
-std::vector<std::array<vtkIdType, 8>> numberCorners(const Octree& octree, const std::vector<Index>& leaves, vtkPoints* points)
+std::vector<std::array<vtkIdType, 8>> numberCorners(const Octree& octree, const std::vector<Index>& leaves,
+                                                    vtkPoints* points)
 {
   struct Use
   {

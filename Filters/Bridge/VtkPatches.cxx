@@ -30,8 +30,8 @@ struct Patch
   std::vector<Index> faces;
 };
 
-/// Surfaces with elements on both sides at once somewhere, on the front and on the back. The front alone can have them where
-/// a solid is thinner than the octants and became a sheet.
+/// Surfaces with elements on both sides at once somewhere, on the front and on the back. The front alone can have them
+/// where a solid is thinner than the octants and became a sheet.
 std::vector<char> twoSidedSurfaces(const DualMesh& mesh, std::size_t surfaceCount)
 {
   constexpr char both = 1, front = 2, back = 4;
@@ -92,7 +92,7 @@ class PatchWriter
 {
 public:
   PatchWriter(const DualMesh& source, std::size_t surfaceCount)
-    : mesh(source), surfaces(surfaceCount), local(source.points.size(), noIndex)
+      : mesh(source), surfaces(surfaceCount), local(source.points.size(), noIndex)
   {
   }
 
@@ -152,7 +152,8 @@ private:
 
 } // namespace
 
-void patchesToVtk(const DualMesh& mesh, const std::vector<std::string>& surfaceNames, vtkPartitionedDataSetCollection* out)
+void patchesToVtk(const DualMesh& mesh, const std::vector<std::string>& surfaceNames,
+                  vtkPartitionedDataSetCollection* out)
 {
   PatchWriter writer(mesh, surfaceNames.size());
   const std::vector<Patch> patches = sortFaces(mesh, surfaceNames);

@@ -35,8 +35,7 @@ Box3 GridInput::domain(vtkAtriaGridAlgorithm& filter) const
   Box3 box;
   switch (filter.GetDomainMode())
   {
-    case vtkAtriaGridAlgorithm::Explicit:
-    {
+    case vtkAtriaGridAlgorithm::Explicit: {
       const double* b = filter.GetDomainBounds();
       box.min = Vec3(b[0], b[2], b[4]);
       box.max = Vec3(b[1], b[3], b[5]);
@@ -48,7 +47,8 @@ Box3 GridInput::domain(vtkAtriaGridAlgorithm& filter) const
       box = boundsOf(surface);
       if (box.empty())
       {
-        throw Error("there are no surfaces to take the domain from: connect some, or give DomainBounds with DomainMode Explicit");
+        throw Error("there are no surfaces to take the domain from: connect some, or give DomainBounds with DomainMode "
+                    "Explicit");
       }
       return box;
   }

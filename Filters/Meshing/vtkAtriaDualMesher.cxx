@@ -68,7 +68,7 @@ vtkAtriaDualMesher::~vtkAtriaDualMesher() = default;
 
 void vtkAtriaDualMesher::AddSeed(double x, double y, double z)
 {
-  this->SeedPoints.push_back({ x, y, z });
+  this->SeedPoints.push_back({x, y, z});
   this->Modified();
 }
 
@@ -81,22 +81,19 @@ void vtkAtriaDualMesher::SetSeed(int i, double x, double y, double z)
   }
   if (i >= this->GetNumberOfSeeds())
   {
-    this->SeedPoints.resize(i + 1, { 0.0, 0.0, 0.0 });
+    this->SeedPoints.resize(i + 1, {0.0, 0.0, 0.0});
   }
-  this->SeedPoints[i] = { x, y, z };
+  this->SeedPoints[i] = {x, y, z};
   this->Modified();
 }
 
 void vtkAtriaDualMesher::SetNumberOfSeeds(int count)
 {
-  this->SeedPoints.resize(std::max(count, 0), { 0.0, 0.0, 0.0 });
+  this->SeedPoints.resize(std::max(count, 0), {0.0, 0.0, 0.0});
   this->Modified();
 }
 
-int vtkAtriaDualMesher::GetNumberOfSeeds()
-{
-  return static_cast<int>(this->SeedPoints.size());
-}
+int vtkAtriaDualMesher::GetNumberOfSeeds() { return static_cast<int>(this->SeedPoints.size()); }
 
 void vtkAtriaDualMesher::GetSeed(int i, double seed[3])
 {
@@ -108,10 +105,7 @@ void vtkAtriaDualMesher::GetSeed(int i, double seed[3])
   std::copy(this->SeedPoints[i].begin(), this->SeedPoints[i].end(), seed);
 }
 
-void vtkAtriaDualMesher::RemoveAllSeeds()
-{
-  this->SetNumberOfSeeds(0);
-}
+void vtkAtriaDualMesher::RemoveAllSeeds() { this->SetNumberOfSeeds(0); }
 
 int vtkAtriaDualMesher::FillInputPortInformation(int port, vtkInformation* info)
 {
@@ -127,7 +121,7 @@ int vtkAtriaDualMesher::FillInputPortInformation(int port, vtkInformation* info)
 
 int vtkAtriaDualMesher::FillOutputPortInformation(int port, vtkInformation* info)
 {
-  static const char* const types[3] = { "vtkUnstructuredGrid", "vtkPartitionedDataSetCollection", "vtkPolyData" };
+  static const char* const types[3] = {"vtkUnstructuredGrid", "vtkPartitionedDataSetCollection", "vtkPolyData"};
   info->Set(vtkDataObject::DATA_TYPE_NAME(), types[port]);
   return 1;
 }
@@ -161,7 +155,7 @@ int vtkAtriaDualMesher::RequestData(vtkInformation*, vtkInformationVector** inpu
   clear();
   atria::AlgorithmProgress progress(*this);
   const atria::SmpExecutor executor;
-  const atria::RunContext context{ executor, atria::ProgressRange(progress) };
+  const atria::RunContext context{executor, atria::ProgressRange(progress)};
   try
   {
     atria::StageClock clock;
@@ -187,8 +181,7 @@ int vtkAtriaDualMesher::RequestData(vtkInformation*, vtkInformationVector** inpu
     {
       options.seeds.emplace_back(seed[0], seed[1], seed[2]);
     }
-    const atria::DualMeshResult result =
-      atria::makeDualMesh(octree, model, options, clock, context.part(0.4, 0.9));
+    const atria::DualMeshResult result = atria::makeDualMesh(octree, model, options, clock, context.part(0.4, 0.9));
     atria::volumeToVtk(result.mesh, volume);
     atria::patchesToVtk(result.mesh, model.names, patches);
     atria::diagnosticsToVtk(result, model.names, diagnostics);

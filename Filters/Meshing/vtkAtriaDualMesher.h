@@ -3,28 +3,29 @@
  * @class   vtkAtriaDualMesher
  * @brief   conformal hexahedral-dominant mesh of the space about surfaces
  *
- * The mesh is the dual of a 2:1 balanced octree: a vertex in each octant, an element about each grid point. Octants that
- * surfaces pass through have their vertex on them, and a face whose octree edge a surface cuts is a piece of that surface, so that open
- * sheets without thickness, T-junctions and closed solids are all the same. The mesh is conformal by construction.
+ * The mesh is the dual of a 2:1 balanced octree: a vertex in each octant, an element about each grid point. Octants
+ * that surfaces pass through have their vertex on them, and a face whose octree edge a surface cuts is a piece of that
+ * surface, so that open sheets without thickness, T-junctions and closed solids are all the same. The mesh is conformal
+ * by construction.
  *
- * Input port 0: surfaces; see vtkAtriaGridAlgorithm. Input port 1 (optional): an octree from vtkAtriaOctreeSource; sizes and domain are
- * then taken from it. A surface that lies on a side of the domain is that side: it refines it and names it.
+ * Input port 0: surfaces; see vtkAtriaGridAlgorithm. Input port 1 (optional): an octree from vtkAtriaOctreeSource;
+ * sizes and domain are then taken from it. A surface that lies on a side of the domain is that side: it refines it and
+ * names it.
  *
- * Output port 0: vtkUnstructuredGrid of hexahedra, wedges, pyramids and polyhedra. Cell arrays: `ZoneId` (int; zones are
- * numbered from the largest, those left out included), `Level` (unsigned char, of the finest octant about the element). Field arrays:
- * `StageName`, `StageSeconds`, `MaxLevel`.
+ * Output port 0: vtkUnstructuredGrid of hexahedra, wedges, pyramids and polyhedra. Cell arrays: `ZoneId` (int; zones
+ * are numbered from the largest, those left out included), `Level` (unsigned char, of the finest octant about the
+ * element). Field arrays: `StageName`, `StageSeconds`, `MaxLevel`.
  *
- * Output port 1: vtkPartitionedDataSetCollection, one named vtkPolyData a patch. A surface with elements on its front and its back
- * is two patches, `<name>_front` and `<name>_back`; the two sides have points of their own, but at rims. Bare domain sides are `xMin` …
- * `zMax`. Cell arrays: `SurfaceId` (int; -1 on bare domain sides), `OwnerCellId` (vtkIdType, cell of port 0), `Side` (int; 0 front, 1
- * back). Point array: `VolumePointId` (vtkIdType, point of port 0). Every face is a face of its owner, seen
- * counter-clockwise from outside of the mesh.
+ * Output port 1: vtkPartitionedDataSetCollection, one named vtkPolyData a patch. A surface with elements on its front
+ * and its back is two patches, `<name>_front` and `<name>_back`; the two sides have points of their own, but at rims.
+ * Bare domain sides are `xMin` … `zMax`. Cell arrays: `SurfaceId` (int; -1 on bare domain sides), `OwnerCellId`
+ * (vtkIdType, cell of port 0), `Side` (int; 0 front, 1 back). Point array: `VolumePointId` (vtkIdType, point of port
+ * 0). Every face is a face of its owner, seen counter-clockwise from outside of the mesh.
  *
- * Output port 2: vtkPolyData with a line or vertex for each place where the mesh could not follow the model: MergedSheets, where an octree
- * edge is cut more than once and the sheets became one (line from the first to the last); UnresolvedFeature, where pieces that do not
- * meet share a vertex. Cell arrays: `Diagnostic`
- * (int, index into the field array `DiagnosticName`), `CellId` (vtkIdType). Field array `SurfaceWithoutFaces`: names of surfaces that
- * got no face.
+ * Output port 2: vtkPolyData with a line or vertex for each place where the mesh could not follow the model:
+ * MergedSheets, where an octree edge is cut more than once and the sheets became one (line from the first to the last);
+ * UnresolvedFeature, where pieces that do not meet share a vertex. Cell arrays: `Diagnostic` (int, index into the field
+ * array `DiagnosticName`), `CellId` (vtkIdType). Field array `SurfaceWithoutFaces`: names of surfaces that got no face.
  *
  * Elements may still be inverted where the model is finer than the octants: vtkAtriaMeshQuality tells which.
  */
@@ -55,8 +56,8 @@ public:
 
   ///@{
   /**
-   * Which zones are meshed. A zone is a part of the space that surfaces separate from the rest: outdoors with the rooms that are
-   * open to it, a closed room, the inside of a solid. Default Outside.
+   * Which zones are meshed. A zone is a part of the space that surfaces separate from the rest: outdoors with the rooms
+   * that are open to it, a closed room, the inside of a solid. Default Outside.
    */
   vtkSetClampMacro(ZoneRule, int, Outside, Seeds);
   vtkGetMacro(ZoneRule, int);

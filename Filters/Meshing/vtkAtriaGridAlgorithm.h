@@ -4,8 +4,8 @@
  * @brief   sizes, domain and features, common to the octree source and the dual mesher
  *
  * Lengths are in the model's units; defaults suit a building in metres. Input port 0 takes the surface model: a
- * vtkPolyData, or a composite of named vtkPolyData blocks. A vtkPolyData names its surfaces by the cell array `SurfaceId` and
- * the field array `SurfaceName`, as vtkAtriaVRMLReader writes them.
+ * vtkPolyData, or a composite of named vtkPolyData blocks. A vtkPolyData names its surfaces by the cell array
+ * `SurfaceId` and the field array `SurfaceName`, as vtkAtriaVRMLReader writes them.
  */
 #ifndef vtkAtriaGridAlgorithm_h
 #define vtkAtriaGridAlgorithm_h
@@ -49,7 +49,8 @@ public:
 
   ///@{
   /**
-   * Level to which every octant of the domain is refined at least; the root cube is level 0. Default 4; clamped to [0, 20].
+   * Level to which every octant of the domain is refined at least; the root cube is level 0. Default 4; clamped to [0,
+   * 20].
    */
   vtkSetClampMacro(StartLevel, int, 0, 20);
   vtkGetMacro(StartLevel, int);
@@ -57,8 +58,8 @@ public:
 
   ///@{
   /**
-   * Degrees between the normals of two triangles above which their edge is a crease, and between two pieces of a curve above
-   * which their point is a corner. Default 30; clamped to [0, 180].
+   * Degrees between the normals of two triangles above which their edge is a crease, and between two pieces of a curve
+   * above which their point is a corner. Default 30; clamped to [0, 180].
    */
   vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
   vtkGetMacro(FeatureAngle, double);
@@ -84,8 +85,8 @@ public:
 
   ///@{
   /**
-   * xMin, xMax, yMin, yMax, zMin, zMax of the domain if DomainMode is Explicit. Default: the cube of 100 about the origin
-   * in x and y, from 0 to 50 in z.
+   * xMin, xMax, yMin, yMax, zMin, zMax of the domain if DomainMode is Explicit. Default: the cube of 100 about the
+   * origin in x and y, from 0 to 50 in z.
    */
   vtkSetVector6Macro(DomainBounds, double);
   vtkGetVector6Macro(DomainBounds, double);
@@ -115,7 +116,7 @@ protected:
   int StartLevel = 4;
   double FeatureAngle = 30.0;
   int DomainMode = FromSurfaces;
-  double DomainBounds[6] = { -50.0, 50.0, -50.0, 50.0, 0.0, 50.0 };
+  double DomainBounds[6] = {-50.0, 50.0, -50.0, 50.0, 0.0, 50.0};
   std::string SiteName = "Site";
 
 private:

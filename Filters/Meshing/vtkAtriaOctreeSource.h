@@ -3,15 +3,17 @@
  * @class   vtkAtriaOctreeSource
  * @brief   the 2:1 balanced octree of a domain, fitted to surfaces
  *
- * Every octant in the domain goes down to the level of SizeMax, one that a surface passes through to that of SizeMid, one with a feature
- * curve or corner, or with surfaces that do not meet inside it, to SizeMin. Leaves that share a face, an edge or a corner
- * differ by one level at most. The grid's phase puts the domain's lower planes through the centres of finest octants.
+ * Every octant in the domain goes down to the level of SizeMax, one that a surface passes through to that of SizeMid,
+ * one with a feature curve or corner, or with surfaces that do not meet inside it, to SizeMin. Leaves that share a
+ * face, an edge or a corner differ by one level at most. The grid's phase puts the domain's lower planes through the
+ * centres of finest octants.
  *
  * Input port 0 (optional): surfaces; see vtkAtriaGridAlgorithm. Without, DomainMode must be Explicit.
  *
- * Output: leaves that share volume with the domain, as vtkUnstructuredGrid of voxels or as vtkHyperTreeGrid. Cell arrays:
- * `Level` (unsigned char, root 0), `FeatureType` (unsigned char: 0 none, 1 surface, 2 curve, 3 corner, 4 several
- * surfaces that do not meet). Field array `OctreeFrame`, with which vtkAtriaDualMesher takes the octree as its input.
+ * Output: leaves that share volume with the domain, as vtkUnstructuredGrid of voxels or as vtkHyperTreeGrid. Cell
+ * arrays: `Level` (unsigned char, root 0), `FeatureType` (unsigned char: 0 none, 1 surface, 2 curve, 3 corner, 4
+ * several surfaces that do not meet). Field array `OctreeFrame`, with which vtkAtriaDualMesher takes the octree as its
+ * input.
  */
 #ifndef vtkAtriaOctreeSource_h
 #define vtkAtriaOctreeSource_h

@@ -125,10 +125,7 @@ vtkAtriaMeshQuality::vtkAtriaMeshQuality()
   this->SetNumberOfOutputPorts(3);
 }
 
-void vtkAtriaMeshQuality::SetPatchesConnection(vtkAlgorithmOutput* patches)
-{
-  this->SetInputConnection(1, patches);
-}
+void vtkAtriaMeshQuality::SetPatchesConnection(vtkAlgorithmOutput* patches) { this->SetInputConnection(1, patches); }
 
 void vtkAtriaMeshQuality::SetPatchesData(vtkPartitionedDataSetCollection* patches)
 {
@@ -157,8 +154,7 @@ int vtkAtriaMeshQuality::FillOutputPortInformation(int port, vtkInformation* inf
   return 1;
 }
 
-int vtkAtriaMeshQuality::RequestData(vtkInformation*, vtkInformationVector** inputs,
-                                     vtkInformationVector* outputs)
+int vtkAtriaMeshQuality::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkUnstructuredGrid* volume = vtkUnstructuredGrid::GetData(inputs[0], 0);
   vtkPartitionedDataSetCollection* patches = vtkPartitionedDataSetCollection::GetData(inputs[1], 0);

@@ -31,8 +31,8 @@ void makeFolder(const fs::path& folder)
 /// An earlier mesh's zones or compressed files would be read along with, or instead of, the new ones.
 void removeEarlierMesh(const fs::path& folder)
 {
-  for (const char* name : {"points", "faces", "owner", "neighbour", "boundary", "cellZones", "faceZones",
-                           "pointZones", "cellLevel", "pointLevel", "level0Edge", "surfaceIndex"})
+  for (const char* name : {"points", "faces", "owner", "neighbour", "boundary", "cellZones", "faceZones", "pointZones",
+                           "cellLevel", "pointLevel", "level0Edge", "surfaceIndex"})
   {
     for (const char* extension : {"", ".gz"})
     {
@@ -129,8 +129,7 @@ void layOutFaces(Layout& layout, const FaceMesh& mesh, std::span<const BoundaryP
   for (std::size_t p = 0; p < patches.size(); ++p)
   {
     const OpenFOAMName& name = words[first + p];
-    addPatch(layout, patches[p].faces,
-             {name.word, patches[p].name, name.group, typeOf(patches[p].name), 0, 0});
+    addPatch(layout, patches[p].faces, {name.word, patches[p].name, name.group, typeOf(patches[p].name), 0, 0});
   }
   if (!rest.empty())
   {
@@ -167,8 +166,7 @@ void checkLabels(const FaceMesh& mesh)
 class PolyMeshWriter
 {
 public:
-  PolyMeshWriter(const fs::path& target, const FaceMesh& source, const Layout& order,
-                 OpenFOAMFormat listFormat)
+  PolyMeshWriter(const fs::path& target, const FaceMesh& source, const Layout& order, OpenFOAMFormat listFormat)
       : folder(target), mesh(source), layout(order), format(listFormat)
   {
     note = "nPoints:" + std::to_string(layout.points.size()) + "  nCells:" + std::to_string(mesh.cellCount) +
@@ -258,9 +256,7 @@ public:
     for (const auto& [id, cells] : zones)
     {
       const std::string sign = id < 0 ? "_" : ""; // a word such as zone-1 reads badly in expressions
-      file.text("zone" + sign)
-          .number(id < 0 ? -id : id)
-          .text("\n{\n    type cellZone;\n    cellLabels List<label>\n");
+      file.text("zone" + sign).number(id < 0 ? -id : id).text("\n{\n    type cellZone;\n    cellLabels List<label>\n");
       writeLabels(file, cells);
       file.text(";\n}\n");
     }
@@ -375,8 +371,8 @@ void writePolyMesh(const fs::path& caseFolder, const FaceMesh& mesh, std::span<c
   checkLabels(mesh);
   if (!zoneIds.empty() && zoneIds.size() != mesh.cellCount)
   {
-    throw Error("there are " + std::to_string(zoneIds.size()) + " zone ids for " +
-                std::to_string(mesh.cellCount) + " cells");
+    throw Error("there are " + std::to_string(zoneIds.size()) + " zone ids for " + std::to_string(mesh.cellCount) +
+                " cells");
   }
   Layout layout;
   layOutFaces(layout, mesh, patches);
@@ -399,12 +395,11 @@ void writePolyMesh(const fs::path& caseFolder, const FaceMesh& mesh, std::span<c
 void completeCase(const fs::path& caseFolder)
 {
   makeFolder(caseFolder / "system");
-  writeDictionary(
-      caseFolder, "controlDict",
-      "application     simpleFoam;\nstartFrom       startTime;\nstartTime       0;\nstopAt          "
-      "endTime;\n"
-      "endTime         1000;\ndeltaT          1;\nwriteControl    timeStep;\nwriteInterval   100;\n"
-      "writeFormat     ascii;\nwritePrecision  12;\ntimePrecision   6;\n");
+  writeDictionary(caseFolder, "controlDict",
+                  "application     simpleFoam;\nstartFrom       startTime;\nstartTime       0;\nstopAt          "
+                  "endTime;\n"
+                  "endTime         1000;\ndeltaT          1;\nwriteControl    timeStep;\nwriteInterval   100;\n"
+                  "writeFormat     ascii;\nwritePrecision  12;\ntimePrecision   6;\n");
   writeDictionary(caseFolder, "fvSchemes",
                   "ddtSchemes { default steadyState; }\ngradSchemes { default Gauss linear; }\n"
                   "divSchemes { default none; }\nlaplacianSchemes { default Gauss linear corrected; }\n"

@@ -36,10 +36,7 @@ OpenFOAMFile::OpenFOAMFile(const std::filesystem::path& path, const Header& head
   text("    object      ").text(path.filename().string()).text(";\n}\n\n");
 }
 
-OpenFOAMFile& OpenFOAMFile::text(std::string_view characters)
-{
-  return raw(characters.data(), characters.size());
-}
+OpenFOAMFile& OpenFOAMFile::text(std::string_view characters) { return raw(characters.data(), characters.size()); }
 
 OpenFOAMFile& OpenFOAMFile::number(std::int64_t value)
 {
@@ -98,9 +95,6 @@ void OpenFOAMFile::flush()
   used = 0;
 }
 
-void OpenFOAMFile::fail() const
-{
-  throw Error("cannot write '" + path_.string() + "': " + std::strerror(errno));
-}
+void OpenFOAMFile::fail() const { throw Error("cannot write '" + path_.string() + "': " + std::strerror(errno)); }
 
 } // namespace atria

@@ -12,10 +12,7 @@ namespace {
 
 constexpr std::array<std::string_view, 2> sideSuffixes{"_front", "_back"};
 
-bool isLetterOrDigit(char c)
-{
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-}
+bool isLetterOrDigit(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9'); }
 
 /// OpenFOAM's own rule is wider, but what is special in a regular expression or in a number is better
 /// avoided.
@@ -122,9 +119,7 @@ private:
   template <typename Suffixes> std::string unique(const std::string& word, const Suffixes& suffixes) const
   {
     std::string candidate = word;
-    const auto taken = [&](std::string_view suffix) {
-      return used.count(candidate + std::string(suffix)) != 0;
-    };
+    const auto taken = [&](std::string_view suffix) { return used.count(candidate + std::string(suffix)) != 0; };
     for (int n = 2; std::any_of(suffixes.begin(), suffixes.end(), taken); ++n)
     {
       candidate = word + '_' + std::to_string(n);
@@ -144,9 +139,6 @@ private:
 
 } // namespace
 
-std::vector<OpenFOAMName> makeOpenFOAMNames(std::span<const std::string> names)
-{
-  return NameMaker(names).run();
-}
+std::vector<OpenFOAMName> makeOpenFOAMNames(std::span<const std::string> names) { return NameMaker(names).run(); }
 
 } // namespace atria

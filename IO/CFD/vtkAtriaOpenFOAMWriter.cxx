@@ -47,10 +47,7 @@ vtkAtriaOpenFOAMWriter::vtkAtriaOpenFOAMWriter() { this->SetNumberOfInputPorts(2
 
 vtkAtriaOpenFOAMWriter::~vtkAtriaOpenFOAMWriter() { this->SetCaseDirectory(nullptr); }
 
-void vtkAtriaOpenFOAMWriter::SetPatchesConnection(vtkAlgorithmOutput* patches)
-{
-  this->SetInputConnection(1, patches);
-}
+void vtkAtriaOpenFOAMWriter::SetPatchesConnection(vtkAlgorithmOutput* patches) { this->SetInputConnection(1, patches); }
 
 void vtkAtriaOpenFOAMWriter::SetPatchesData(vtkPartitionedDataSetCollection* patches)
 {

@@ -16,7 +16,8 @@ public:
   void warn(std::string text)
   {
     ++total;
-    if (kept.size() < keptAtMost) {
+    if (kept.size() < keptAtMost)
+    {
       kept.push_back(std::move(text));
     }
   }

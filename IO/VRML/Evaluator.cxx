@@ -24,8 +24,7 @@ Vec3 vectorOr(const std::vector<double>& v, const Vec3& otherwise)
 
 } // namespace
 
-Evaluator::Evaluator(Library& files, Diagnostics& messages, const ProgressRange& monitor,
-                     double tessellationDegrees)
+Evaluator::Evaluator(Library& files, Diagnostics& messages, const ProgressRange& monitor, double tessellationDegrees)
     : library(files), diagnostics(messages), progress(monitor), instances(files, messages),
       geometries(instances, messages, tessellationDegrees)
 {
@@ -35,23 +34,30 @@ Model Evaluator::run(const Document& document)
 {
   path.insert({document.root, nullptr});
   pushChildren({{}, Transform::Identity(), {}}, instances.nodes({document.root, nullptr}, "children"));
-  for (std::size_t count = 0; !open.empty(); ++count) {
-    if (count % visitsBetweenReports == 0) {
+  for (std::size_t count = 0; !open.empty(); ++count)
+  {
+    if (count % visitsBetweenReports == 0)
+    {
       progress.report(0.0, "Evaluating the scene");
     }
-    if (count > mostVisits) {
+    if (count > mostVisits)
+    {
       throw Error("the scene repeats its nodes more than " + std::to_string(mostVisits) +
                   " times; nodes probably USE each other without end");
     }
     const Visit at = open.back();
     open.pop_back();
-    if (at.leave) {
+    if (at.leave)
+    {
       path.erase({at.ref.node, at.ref.context});
-    } else if (enter(at)) {
+    }
+    else if (enter(at))
+    {
       visit(at);
     }
   }
-  if (library.routes() > 0) {
+  if (library.routes() > 0)
+  {
     model.skipped["ROUTE"] = library.routes();
   }
   return std::move(model);
@@ -61,13 +67,16 @@ Model Evaluator::run(const Document& document)
 bool Evaluator::enter(const Visit& at)
 {
   const Node* node = at.ref.node;
-  if (!node || node->damaged) {
+  if (!node || node->damaged)
+  {
     return false;
   }
-  if (!node->shared) {
+  if (!node->shared)
+  {
     return true;
   }
-  if (!path.insert({node, at.ref.context}).second) {
+  if (!path.insert({node, at.ref.context}).second)
+  {
     warn(*node, "contains itself; skipped");
     return false;
   }
@@ -78,29 +87,32 @@ bool Evaluator::enter(const Visit& at)
 void Evaluator::visit(const Visit& at)
 {
   const Node& node = *at.ref.node;
-  if (node.prototype) {
+  if (node.prototype)
+  {
     const std::string_view name = node.name.empty() ? at.name : node.name;
     open.push_back({instances.enter(at.ref), at.transform, name});
     return;
   }
-  if (!node.type) {
+  if (!node.type)
+  {
     ++model.skipped[toUtf8(node.typeName)];
     return;
   }
-  switch (node.type->kind) {
-  case NodeKind::group:
-    return visitGroup(at);
-  case NodeKind::shape:
-    return addShape(at);
-  case NodeKind::surface:
-    warn(node, "stands outside of a Shape; taken as one");
-    return addGeometry(at, at.ref, node.name.empty() ? at.name : node.name, {});
-  case NodeKind::drawing:
-  case NodeKind::other:
-    ++model.skipped[std::string(node.typeName)];
-    return;
-  case NodeKind::property:
-    return;
+  switch (node.type->kind)
+  {
+    case NodeKind::group:
+      return visitGroup(at);
+    case NodeKind::shape:
+      return addShape(at);
+    case NodeKind::surface:
+      warn(node, "stands outside of a Shape; taken as one");
+      return addGeometry(at, at.ref, node.name.empty() ? at.name : node.name, {});
+    case NodeKind::drawing:
+    case NodeKind::other:
+      ++model.skipped[std::string(node.typeName)];
+      return;
+    case NodeKind::property:
+      return;
   }
 }
 
@@ -109,22 +121,25 @@ void Evaluator::visitGroup(const Visit& at)
   const std::string_view type = at.ref.node->type->name;
   Visit inner = at;
   inner.name = at.ref.node->name.empty() ? at.name : at.ref.node->name;
-  if (type == "Inline") {
+  if (type == "Inline")
+  {
     return visitInline(inner);
   }
   const bool choice = type == "Switch";
   const bool levels = type == "LOD";
   std::vector<NodeRef> children = instances.nodes(at.ref, choice ? "choice" : levels ? "level" : "children");
-  if ((choice || levels) && children.empty()) {
+  if ((choice || levels) && children.empty())
+  {
     children = instances.nodes(at.ref, "children"); // as in X3D
   }
-  if (choice || levels) {
+  if (choice || levels)
+  {
     const int chosen = choice ? instances.integer(at.ref, "whichChoice", -1) : 0;
     const bool exists = chosen >= 0 && static_cast<std::size_t>(chosen) < children.size();
-    children =
-        exists ? std::vector<NodeRef>{children[static_cast<std::size_t>(chosen)]} : std::vector<NodeRef>{};
+    children = exists ? std::vector<NodeRef>{children[static_cast<std::size_t>(chosen)]} : std::vector<NodeRef>{};
   }
-  if (type == "Transform") {
+  if (type == "Transform")
+  {
     inner.transform = at.transform * transformOf(at.ref);
   }
   pushChildren(inner, children);
@@ -136,10 +151,12 @@ void Evaluator::visitInline(const Visit& at)
   const Node& node = *at.ref.node;
   const Document* document =
       library.openBeside(*node.document, urls ? *urls : std::vector<std::string>{}, node.line, "Inline");
-  if (!document) {
+  if (!document)
+  {
     return;
   }
-  if (!path.insert({document->root, nullptr}).second) {
+  if (!path.insert({document->root, nullptr}).second)
+  {
     warn(node, "the file contains itself; skipped");
     return;
   }
@@ -150,7 +167,8 @@ void Evaluator::visitInline(const Visit& at)
 /// In reverse, so that they are visited in the order of the file.
 void Evaluator::pushChildren(const Visit& at, const std::vector<NodeRef>& children)
 {
-  for (auto child = children.rbegin(); child != children.rend(); ++child) {
+  for (auto child = children.rbegin(); child != children.rend(); ++child)
+  {
     open.push_back({*child, at.transform, at.name});
   }
 }
@@ -179,16 +197,19 @@ void Evaluator::addShape(const Visit& at)
   std::string_view geometryName;
   std::string_view materialName;
   const NodeRef geometry = instances.expand(instances.node(at.ref, "geometry"), &geometryName);
-  if (!geometry || geometry.node->damaged) {
+  if (!geometry || geometry.node->damaged)
+  {
     return;
   }
   const NodeRef appearance = instances.expand(instances.node(at.ref, "appearance"), &materialName);
-  if (appearance) {
+  if (appearance)
+  {
     std::string_view own;
     instances.expand(instances.node(appearance, "material"), &own);
     materialName = own.empty() ? materialName : own;
   }
-  if (!geometry.node->type || geometry.node->type->kind != NodeKind::surface) {
+  if (!geometry.node->type || geometry.node->type->kind != NodeKind::surface)
+  {
     ++model.skipped[toUtf8(geometry.node->typeName)];
     return;
   }
@@ -200,30 +221,34 @@ void Evaluator::addShape(const Visit& at)
 /// Geometry without context is the same wherever it is used.
 const LocalSurface& Evaluator::localSurface(const NodeRef& geometry)
 {
-  if (!geometry.node->shared || geometry.context) {
+  if (!geometry.node->shared || geometry.context)
+  {
     current = geometries.make(geometry);
     return current;
   }
   const auto found = cache.find(geometry.node);
-  return found != cache.end() ? found->second
-                              : cache.emplace(geometry.node, geometries.make(geometry)).first->second;
+  return found != cache.end() ? found->second : cache.emplace(geometry.node, geometries.make(geometry)).first->second;
 }
 
 void Evaluator::addGeometry(const Visit& at, const NodeRef& geometry, std::string_view name,
                             const std::string& material)
 {
   const LocalSurface& local = localSurface(geometry);
-  if (local.triangles.empty()) {
+  if (local.triangles.empty())
+  {
     ++model.skipped[toUtf8(geometry.node->typeName) + " without faces"];
     return;
   }
   const std::size_t first = model.points.size();
-  if (first + local.points.size() >= noIndex) {
+  if (first + local.points.size() >= noIndex)
+  {
     throw Error("the model has more points than can be numbered");
   }
-  for (const Vec3& p : local.points) {
+  for (const Vec3& p : local.points)
+  {
     const Vec3 moved = at.transform * p;
-    if (!moved.allFinite()) {
+    if (!moved.allFinite())
+    {
       model.points.resize(first);
       warn(*geometry.node, "its coordinates grow beyond all numbers; skipped");
       return;
@@ -233,25 +258,27 @@ void Evaluator::addGeometry(const Visit& at, const NodeRef& geometry, std::strin
   const bool mirrored = at.transform.linear().determinant() < 0.0;
   const auto id = static_cast<Index>(model.surfaceNames.size());
   const auto base = static_cast<Index>(first);
-  for (const auto& [a, b, c] : local.triangles) {
+  for (const auto& [a, b, c] : local.triangles)
+  {
     model.triangles.push_back({base + a, base + (mirrored ? c : b), base + (mirrored ? b : c)});
     model.surfaceIds.push_back(id);
   }
-  model.surfaceNames.push_back(uniqueName(!name.empty()       ? toUtf8(name)
-                                          : !material.empty() ? material
-                                                              : "Shape"));
+  model.surfaceNames.push_back(uniqueName(!name.empty() ? toUtf8(name) : !material.empty() ? material : "Shape"));
   model.materialNames.push_back(material);
 }
 
 /// `Name`, then `Name_2`, `Name_3`, …, passing over names the file itself has given to something before.
 std::string Evaluator::uniqueName(const std::string& wanted)
 {
-  if (names.try_emplace(wanted, 1).second) {
+  if (names.try_emplace(wanted, 1).second)
+  {
     return wanted;
   }
-  for (;;) {
+  for (;;)
+  {
     const std::string numbered = wanted + "_" + std::to_string(++names[wanted]);
-    if (names.try_emplace(numbered, 1).second) {
+    if (names.try_emplace(numbered, 1).second)
+    {
       return numbered;
     }
   }
@@ -259,9 +286,8 @@ std::string Evaluator::uniqueName(const std::string& wanted)
 
 void Evaluator::warn(const Node& node, const std::string& text)
 {
-  diagnostics.warn(node.document->displayName() + ":" + std::to_string(node.line) + ": " +
-                   toUtf8(node.typeName) + (node.name.empty() ? "" : " '" + toUtf8(node.name) + "'") + ": " +
-                   text);
+  diagnostics.warn(node.document->displayName() + ":" + std::to_string(node.line) + ": " + toUtf8(node.typeName) +
+                   (node.name.empty() ? "" : " '" + toUtf8(node.name) + "'") + ": " + text);
 }
 
 } // namespace atria::vrml

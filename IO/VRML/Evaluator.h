@@ -53,8 +53,7 @@ private:
   void pushChildren(const Visit& at, const std::vector<NodeRef>& children);
   Transform transformOf(const NodeRef& ref) const;
   void addShape(const Visit& at);
-  void addGeometry(const Visit& at, const NodeRef& geometry, std::string_view name,
-                   const std::string& material);
+  void addGeometry(const Visit& at, const NodeRef& geometry, std::string_view name, const std::string& material);
   const LocalSurface& localSurface(const NodeRef& geometry);
   std::string uniqueName(const std::string& wanted);
   void warn(const Node& node, const std::string& text);
@@ -65,9 +64,8 @@ private:
   Instances instances;
   Geometry geometries;
   std::vector<Visit> open;
-  std::set<std::pair<const Node*, const Context*>>
-      path; ///< shared nodes and files being visited, against cycles
-  std::unordered_map<const Node*, LocalSurface> cache; ///< of geometry used more than once
+  std::set<std::pair<const Node*, const Context*>> path; ///< shared nodes and files being visited, against cycles
+  std::unordered_map<const Node*, LocalSurface> cache;   ///< of geometry used more than once
   LocalSurface current;
   std::unordered_map<std::string, int> names; ///< names in use, with the last number given to each
   Model model;

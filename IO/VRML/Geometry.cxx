@@ -26,14 +26,17 @@ public:
   {
     ids.clear();
     bool repeats = face.size() > 1 && face.front() == face.back();
-    for (std::size_t i = 0; i < face.size(); ++i) {
-      if (static_cast<std::size_t>(face[i]) >= count) {
+    for (std::size_t i = 0; i < face.size(); ++i)
+    {
+      if (static_cast<std::size_t>(face[i]) >= count)
+      {
         ++outOfRange;
         return;
       }
       repeats = repeats || (i > 0 && face[i] == face[i - 1]);
     }
-    for (const int i : face) {
+    for (const int i : face)
+    {
       ids.push_back(idOf(static_cast<std::size_t>(i)));
     }
     const std::size_t flatBefore = builder.withoutArea();
@@ -45,9 +48,9 @@ public:
   {
     std::string text;
     const auto say = [&](std::size_t faces, const char* what) {
-      if (faces > 0) {
-        text +=
-            (text.empty() ? "" : "; ") + std::to_string(faces) + (faces == 1 ? " face " : " faces ") + what;
+      if (faces > 0)
+      {
+        text += (text.empty() ? "" : "; ") + std::to_string(faces) + (faces == 1 ? " face " : " faces ") + what;
       }
     };
     say(outOfRange, "with points that do not exist, skipped");
@@ -62,7 +65,8 @@ public:
 private:
   Index idOf(std::size_t i)
   {
-    if (newIds[i] == noIndex) {
+    if (newIds[i] == noIndex)
+    {
       newIds[i] = builder.point({points[3 * i], points[3 * i + 1], points[3 * i + 2]});
     }
     return newIds[i];
@@ -80,7 +84,8 @@ private:
 std::vector<Eigen::Vector2d> pairs(const std::vector<double>& numbers)
 {
   std::vector<Eigen::Vector2d> out;
-  for (std::size_t i = 0; i + 1 < numbers.size(); i += 2) {
+  for (std::size_t i = 0; i + 1 < numbers.size(); i += 2)
+  {
     out.emplace_back(numbers[i], numbers[i + 1]);
   }
   return out;
@@ -109,14 +114,15 @@ LocalSurface Geometry::make(const NodeRef& node)
 void Geometry::warn(const NodeRef& node, const std::string& text)
 {
   diagnostics.warn(node.node->document->displayName() + ":" + std::to_string(node.node->line) + ": " +
-                   toUtf8(node.node->typeName) +
-                   (node.node->name.empty() ? "" : " '" + toUtf8(node.node->name) + "'") + ": " + text);
+                   toUtf8(node.node->typeName) + (node.node->name.empty() ? "" : " '" + toUtf8(node.node->name) + "'") +
+                   ": " + text);
 }
 
 bool Geometry::positive(const NodeRef& node, std::initializer_list<double> sizes)
 {
   const bool all = std::all_of(sizes.begin(), sizes.end(), [](double size) { return size > 0.0; });
-  if (!all) {
+  if (!all)
+  {
     warn(node, "a size is not positive; skipped");
   }
   return all;
@@ -125,7 +131,8 @@ bool Geometry::positive(const NodeRef& node, std::initializer_list<double> sizes
 LocalSurface Geometry::box(const NodeRef& node)
 {
   const std::vector<double> size = instances.numbers(node, "size", {2, 2, 2});
-  if (size.size() < 3 || !positive(node, {size[0], size[1], size[2]})) {
+  if (size.size() < 3 || !positive(node, {size[0], size[1], size[2]}))
+  {
     return {};
   }
   return makeBox({size[0], size[1], size[2]});
@@ -167,13 +174,15 @@ LocalSurface Geometry::elevationGrid(const NodeRef& node)
   in.zSpacing = instances.number(node, "zSpacing", in.zSpacing);
   in.height = instances.numbers(node, "height", {});
   in.ccw = instances.flag(node, "ccw", in.ccw);
-  if (in.xDimension < 2 || in.zDimension < 2) {
+  if (in.xDimension < 2 || in.zDimension < 2)
+  {
     return {}; // legal: no cells
   }
   const double wanted = static_cast<double>(in.xDimension) * in.zDimension;
-  if (static_cast<double>(in.height.size()) < wanted) {
-    warn(node, std::to_string(in.height.size()) + " heights for a grid of " + std::to_string(in.xDimension) +
-                   " by " + std::to_string(in.zDimension) + "; skipped");
+  if (static_cast<double>(in.height.size()) < wanted)
+  {
+    warn(node, std::to_string(in.height.size()) + " heights for a grid of " + std::to_string(in.xDimension) + " by " +
+                   std::to_string(in.zDimension) + "; skipped");
     return {};
   }
   return positive(node, {in.xSpacing, in.zSpacing}) ? makeElevationGrid(in) : LocalSurface{};
@@ -182,30 +191,37 @@ LocalSurface Geometry::elevationGrid(const NodeRef& node)
 LocalSurface Geometry::extrusion(const NodeRef& node)
 {
   Extrusion in;
-  if (const auto* section = instances.get<std::vector<double>>(node, "crossSection")) {
+  if (const auto* section = instances.get<std::vector<double>>(node, "crossSection"))
+  {
     in.crossSection = pairs(*section);
   }
-  if (const auto* spine = instances.get<std::vector<double>>(node, "spine")) {
+  if (const auto* spine = instances.get<std::vector<double>>(node, "spine"))
+  {
     in.spine.clear();
-    for (std::size_t i = 0; i + 2 < spine->size(); i += 3) {
+    for (std::size_t i = 0; i + 2 < spine->size(); i += 3)
+    {
       in.spine.emplace_back((*spine)[i], (*spine)[i + 1], (*spine)[i + 2]);
     }
   }
   const auto* scale = instances.get<std::vector<double>>(node, "scale");
-  if (scale && scale->size() > 1) {
+  if (scale && scale->size() > 1)
+  {
     in.scale = pairs(*scale);
   }
   const auto* orientation = instances.get<std::vector<double>>(node, "orientation");
-  if (orientation && orientation->size() > 3) {
+  if (orientation && orientation->size() > 3)
+  {
     in.orientation.clear();
-    for (std::size_t i = 0; i + 3 < orientation->size(); i += 4) {
+    for (std::size_t i = 0; i + 3 < orientation->size(); i += 4)
+    {
       in.orientation.push_back(rotationOf(orientation->data() + i));
     }
   }
   in.beginCap = instances.flag(node, "beginCap", in.beginCap);
   in.endCap = instances.flag(node, "endCap", in.endCap);
   in.ccw = instances.flag(node, "ccw", in.ccw);
-  if (in.crossSection.size() < 2 || in.spine.size() < 2) {
+  if (in.crossSection.size() < 2 || in.spine.size() < 2)
+  {
     warn(node, "needs two points of cross-section and spine at least; skipped");
     return {};
   }
@@ -215,22 +231,25 @@ LocalSurface Geometry::extrusion(const NodeRef& node)
 LocalSurface Geometry::faceSet(const NodeRef& node)
 {
   const NodeRef coord = instances.expand(instances.node(node, "coord"));
-  const auto* points =
-      coord && !coord.node->damaged ? instances.get<std::vector<double>>(coord, "point") : nullptr;
+  const auto* points = coord && !coord.node->damaged ? instances.get<std::vector<double>>(coord, "point") : nullptr;
   const auto* index = instances.get<std::vector<int>>(node, "coordIndex");
-  if (!points || !index) {
+  if (!points || !index)
+  {
     return {};
   }
   FaceSet faces(*points, !instances.flag(node, "ccw", true));
-  for (auto start = index->begin(); start != index->end();) {
+  for (auto start = index->begin(); start != index->end();)
+  {
     const auto stop = std::find_if(start, index->end(), [](int i) { return i < 0; });
-    if (stop != start) {
+    if (stop != start)
+    {
       faces.add({start, stop});
     }
     start = stop == index->end() ? stop : stop + 1;
   }
   const std::string complaints = faces.complaints();
-  if (!complaints.empty()) {
+  if (!complaints.empty())
+  {
     warn(node, complaints);
   }
   return faces.take();

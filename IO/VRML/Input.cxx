@@ -20,13 +20,15 @@ namespace {
 std::string readBytes(const fs::path& file)
 {
   std::error_code ignored;
-  if (!fs::is_regular_file(file, ignored)) {
+  if (!fs::is_regular_file(file, ignored))
+  {
     throw Error("'" + file.string() + "' does not exist or is not a file");
   }
   std::ifstream in(file, std::ios::binary);
   std::string bytes(static_cast<std::size_t>(fs::file_size(file)), '\0');
   in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  if (!in && !bytes.empty()) {
+  if (!in && !bytes.empty())
+  {
     throw Error("cannot read '" + file.string() + "'");
   }
   return bytes;
@@ -38,18 +40,22 @@ FileText unpack(const std::string& packed)
   FileText out;
   z_stream stream{};
   constexpr int gzipOnly = 16 + MAX_WBITS;
-  if (inflateInit2(&stream, gzipOnly) != Z_OK) {
+  if (inflateInit2(&stream, gzipOnly) != Z_OK)
+  {
     throw Error("zlib cannot start");
   }
   std::array<char, 1 << 16> buffer;
   stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));
   std::size_t left = packed.size();
   int state = Z_OK;
-  while (state == Z_OK || (state == Z_STREAM_END && left + stream.avail_in > 0)) {
-    if (state == Z_STREAM_END && inflateReset(&stream) != Z_OK) {
+  while (state == Z_OK || (state == Z_STREAM_END && left + stream.avail_in > 0))
+  {
+    if (state == Z_STREAM_END && inflateReset(&stream) != Z_OK)
+    {
       break;
     }
-    if (stream.avail_in == 0) {
+    if (stream.avail_in == 0)
+    {
       stream.avail_in = static_cast<uInt>(std::min<std::size_t>(left, 1u << 30));
       left -= stream.avail_in;
     }
@@ -64,27 +70,26 @@ FileText unpack(const std::string& packed)
   return out;
 }
 
-bool startsWith(std::string_view text, std::string_view start)
-{
-  return text.substr(0, start.size()) == start;
-}
+bool startsWith(std::string_view text, std::string_view start) { return text.substr(0, start.size()) == start; }
 
 bool equalButForCase(std::string_view a, std::string_view b)
 {
   const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [&](char x, char y) { return lower(x) == lower(y); });
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](char x, char y) { return lower(x) == lower(y); });
 }
 
 /// `folder / name`, or the entry that differs from it in case only.
 std::optional<fs::path> findEntry(const fs::path& folder, const fs::path& name)
 {
   std::error_code error;
-  if (fs::exists(folder / name, error)) {
+  if (fs::exists(folder / name, error))
+  {
     return folder / name;
   }
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
-    if (equalButForCase(entry->path().filename().string(), name.string())) {
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+  {
+    if (equalButForCase(entry->path().filename().string(), name.string()))
+    {
       return entry->path();
     }
   }
@@ -94,9 +99,11 @@ std::optional<fs::path> findEntry(const fs::path& folder, const fs::path& name)
 std::optional<fs::path> findPath(const fs::path& folder, const fs::path& relative)
 {
   fs::path at = relative.is_absolute() ? relative.root_path() : folder.empty() ? fs::path(".") : folder;
-  for (const fs::path& part : relative.relative_path()) {
+  for (const fs::path& part : relative.relative_path())
+  {
     const std::optional<fs::path> next = findEntry(at, part);
-    if (!next) {
+    if (!next)
+    {
       return std::nullopt;
     }
     at = *next;
@@ -108,21 +115,26 @@ std::optional<fs::path> findPath(const fs::path& folder, const fs::path& relativ
 /// The path within a URL.
 std::string pathOf(std::string_view url)
 {
-  for (const std::string_view scheme : {"file://localhost", "file://", "file:"}) {
-    if (startsWith(url, scheme)) {
+  for (const std::string_view scheme : {"file://localhost", "file://", "file:"})
+  {
+    if (startsWith(url, scheme))
+    {
       url.remove_prefix(scheme.size());
       break;
     }
   }
   std::string path;
-  for (std::size_t i = 0; i < url.size() && url[i] != '#'; ++i) {
-    const bool escaped = url[i] == '%' && i + 2 < url.size() &&
-                         std::isxdigit(static_cast<unsigned char>(url[i + 1])) &&
+  for (std::size_t i = 0; i < url.size() && url[i] != '#'; ++i)
+  {
+    const bool escaped = url[i] == '%' && i + 2 < url.size() && std::isxdigit(static_cast<unsigned char>(url[i + 1])) &&
                          std::isxdigit(static_cast<unsigned char>(url[i + 2]));
-    if (escaped) {
+    if (escaped)
+    {
       path += static_cast<char>(std::stoi(std::string(url.substr(i + 1, 2)), nullptr, 16));
       i += 2;
-    } else {
+    }
+    else
+    {
       path += url[i] == '\\' ? '/' : url[i];
     }
   }
@@ -139,11 +151,14 @@ std::size_t utf8Length(std::string_view text, std::size_t i)
                              : first >= 0xe0 && first < 0xf0 ? 3
                              : first >= 0xf0 && first < 0xf5 ? 4
                                                              : 0;
-  if (length == 0 || i + length > text.size()) {
+  if (length == 0 || i + length > text.size())
+  {
     return 0;
   }
-  for (std::size_t k = 1; k < length; ++k) {
-    if ((byte(i + k) & 0xc0) != 0x80) {
+  for (std::size_t k = 1; k < length; ++k)
+  {
+    if ((byte(i + k) & 0xc0) != 0x80)
+    {
       return 0;
     }
   }
@@ -156,13 +171,16 @@ FileText readText(const fs::path& file)
 {
   FileText out;
   out.text = readBytes(file);
-  if (startsWith(out.text, "\x1f\x8b")) {
+  if (startsWith(out.text, "\x1f\x8b"))
+  {
     out = unpack(out.text);
   }
-  if (startsWith(out.text, "\xff\xfe") || startsWith(out.text, "\xfe\xff")) {
+  if (startsWith(out.text, "\xff\xfe") || startsWith(out.text, "\xfe\xff"))
+  {
     throw Error("'" + file.string() + "' is encoded in UTF-16; save it as UTF-8");
   }
-  if (startsWith(out.text, "\xef\xbb\xbf")) {
+  if (startsWith(out.text, "\xef\xbb\xbf"))
+  {
     out.text.erase(0, 3);
   }
   return out;
@@ -176,7 +194,8 @@ std::string readStart(const fs::path& file)
   const gzFile in = fs::is_regular_file(file, ignored) ? gzopen(file.c_str(), "rb") : nullptr;
   const int length = in ? gzread(in, start.data(), static_cast<unsigned>(start.size())) : 0;
   start.resize(static_cast<std::size_t>(std::max(length, 0)));
-  if (in) {
+  if (in)
+  {
     gzclose(in);
   }
   return startsWith(start, "\xef\xbb\xbf") ? start.substr(3) : start;
@@ -187,7 +206,8 @@ std::optional<fs::path> findFile(const fs::path& folder, const std::string& url)
   const std::size_t colon = url.find(':');
   const bool network = colon != std::string::npos && colon > 1 && !startsWith(url, "file:");
   const std::string path = pathOf(url);
-  if (network || path.empty() || path.find('\0') != std::string::npos) {
+  if (network || path.empty() || path.find('\0') != std::string::npos)
+  {
     return std::nullopt;
   }
   const std::optional<fs::path> found = findPath(folder, path);
@@ -197,19 +217,25 @@ std::optional<fs::path> findFile(const fs::path& folder, const std::string& url)
 std::string toUtf8(std::string_view text)
 {
   bool valid = true;
-  for (std::size_t i = 0, length = 0; valid && i < text.size(); i += length) {
+  for (std::size_t i = 0, length = 0; valid && i < text.size(); i += length)
+  {
     length = utf8Length(text, i);
     valid = length != 0;
   }
-  if (valid) {
+  if (valid)
+  {
     return std::string(text);
   }
   std::string out;
-  for (const char c : text) {
+  for (const char c : text)
+  {
     const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x80) {
+    if (byte < 0x80)
+    {
       out += c;
-    } else {
+    }
+    else
+    {
       out += static_cast<char>(0xc0 | (byte >> 6));
       out += static_cast<char>(0x80 | (byte & 0x3f));
     }

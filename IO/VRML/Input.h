@@ -12,8 +12,7 @@ namespace atria::vrml {
 struct FileText
 {
   std::string text;
-  bool truncated =
-      false; ///< the compressed stream ends early or is damaged; `text` holds what could be unpacked
+  bool truncated = false; ///< the compressed stream ends early or is damaged; `text` holds what could be unpacked
 };
 
 /// Throws Error where the file cannot be read or is encoded in UTF-16.

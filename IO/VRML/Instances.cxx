@@ -15,8 +15,10 @@ const Value none;
 
 const Prototype* findIn(const Document& document, std::string_view name)
 {
-  for (const Prototype& prototype : document.prototypes) {
-    if (name.empty() || prototype.name == name) {
+  for (const Prototype& prototype : document.prototypes)
+  {
+    if (name.empty() || prototype.name == name)
+    {
       return &prototype;
     }
   }
@@ -34,16 +36,18 @@ std::string placeOf(const Node& node)
 const Prototype* Instances::resolve(const Prototype& prototype, const Node& instance)
 {
   const Prototype* found = &prototype;
-  for (int i = 0; found && found->external; ++i) {
-    const Document* document =
-        i < longestChainOfFiles
-            ? library.openBeside(*found->document, found->urls, instance.line, std::string(found->name))
-            : nullptr;
-    if (!document) {
+  for (int i = 0; found && found->external; ++i)
+  {
+    const Document* document = i < longestChainOfFiles ? library.openBeside(*found->document, found->urls,
+                                                                            instance.line, std::string(found->name))
+                                                       : nullptr;
+    if (!document)
+    {
       return nullptr;
     }
     std::string_view name;
-    for (const std::string& url : found->urls) {
+    for (const std::string& url : found->urls)
+    {
       const std::size_t hash = url.rfind('#');
       name = hash == std::string::npos ? name : std::string_view(url).substr(hash + 1);
     }
@@ -55,16 +59,19 @@ const Prototype* Instances::resolve(const Prototype& prototype, const Node& inst
 NodeRef Instances::enter(const NodeRef& instance)
 {
   const int depth = instance.context ? instance.context->depth + 1 : 0;
-  if (depth > deepestContext) {
+  if (depth > deepestContext)
+  {
     diagnostics.warn(placeOf(*instance.node) + ": prototypes contain each other; skipped");
     return {};
   }
   const Prototype* prototype = resolve(*instance.node->prototype, *instance.node);
-  if (!prototype || !prototype->body) {
+  if (!prototype || !prototype->body)
+  {
     return {};
   }
   const auto* body = std::get_if<std::vector<Node*>>(&prototype->body->fields[0].value);
-  if (!body || body->empty() || !body->front()) {
+  if (!body || body->empty() || !body->front())
+  {
     return {};
   }
   contexts.push_back({instance.node, prototype, instance.context, depth});
@@ -73,11 +80,14 @@ NodeRef Instances::enter(const NodeRef& instance)
 
 NodeRef Instances::expand(NodeRef ref, std::string_view* name)
 {
-  while (ref) {
-    if (name && name->empty()) {
+  while (ref)
+  {
+    if (name && name->empty())
+    {
       *name = ref.node->name;
     }
-    if (!ref.node->prototype) {
+    if (!ref.node->prototype)
+    {
       break;
     }
     ref = ref.node->damaged ? NodeRef{} : enter(ref);
@@ -88,15 +98,18 @@ NodeRef Instances::expand(NodeRef ref, std::string_view* name)
 std::pair<const Value*, const Context*> Instances::find(NodeRef ref, std::string_view name) const
 {
   const Field* field = ref.node->find(name);
-  while (field && !field->is.empty()) {
+  while (field && !field->is.empty())
+  {
     const Context* context = ref.context;
-    if (!context) {
+    if (!context)
+    {
       return {&none, nullptr};
     }
     const std::string_view wanted = field->is;
     ref = {context->instance, context->outer};
     field = ref.node->find(wanted);
-    if (!field) {
+    if (!field)
+    {
       const Field* given = context->prototype->defaults->find(wanted);
       return {given ? &given->value : &none, nullptr};
     }
@@ -122,8 +135,7 @@ double Instances::number(const NodeRef& ref, std::string_view field, double othe
   return value && !value->empty() ? value->front() : otherwise;
 }
 
-std::vector<double> Instances::numbers(const NodeRef& ref, std::string_view field,
-                                       std::vector<double> otherwise) const
+std::vector<double> Instances::numbers(const NodeRef& ref, std::string_view field, std::vector<double> otherwise) const
 {
   const auto* value = get<std::vector<double>>(ref, field);
   return value ? *value : otherwise;
@@ -133,8 +145,10 @@ std::vector<NodeRef> Instances::nodes(const NodeRef& ref, std::string_view field
 {
   const auto [value, context] = find(ref, field);
   std::vector<NodeRef> out;
-  if (const auto* list = std::get_if<std::vector<Node*>>(value)) {
-    for (const Node* node : *list) {
+  if (const auto* list = std::get_if<std::vector<Node*>>(value))
+  {
+    for (const Node* node : *list)
+    {
       out.push_back({node, context});
     }
   }

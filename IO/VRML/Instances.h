@@ -49,8 +49,7 @@ public:
   bool flag(const NodeRef& ref, std::string_view field, bool otherwise) const;
   int integer(const NodeRef& ref, std::string_view field, int otherwise) const;
   double number(const NodeRef& ref, std::string_view field, double otherwise) const;
-  std::vector<double> numbers(const NodeRef& ref, std::string_view field,
-                              std::vector<double> otherwise) const;
+  std::vector<double> numbers(const NodeRef& ref, std::string_view field, std::vector<double> otherwise) const;
   std::vector<NodeRef> nodes(const NodeRef& ref, std::string_view field) const;
   /// The single node of an SFNode; empty for NULL.
   NodeRef node(const NodeRef& ref, std::string_view field) const;

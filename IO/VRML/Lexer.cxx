@@ -13,10 +13,12 @@ namespace {
 constexpr std::array<bool, 256> makeDelimiters()
 {
   std::array<bool, 256> table{};
-  for (int c = 0; c <= 0x20; ++c) {
+  for (int c = 0; c <= 0x20; ++c)
+  {
     table[c] = true;
   }
-  for (const char c : {',', '{', '}', '[', ']', '"', '#', '\x7f'}) {
+  for (const char c : {',', '{', '}', '[', ']', '"', '#', '\x7f'})
+  {
     table[static_cast<unsigned char>(c)] = true;
   }
   return table;
@@ -29,7 +31,8 @@ bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
 const char* wordEnd(const char* from, const char* end)
 {
-  while (from != end && !isDelimiter(*from)) {
+  while (from != end && !isDelimiter(*from))
+  {
     ++from;
   }
   return from;
@@ -55,17 +58,20 @@ bool underflows(std::string_view text)
 
 std::optional<double> toNumber(std::string_view text)
 {
-  if (text.empty() || !startsNumber(text)) {
+  if (text.empty() || !startsNumber(text))
+  {
     return std::nullopt;
   }
   const char* first = text.data() + (text[0] == '+' ? 1 : 0);
   const char* last = text.data() + text.size();
   double value = 0.0;
   const auto [stop, error] = std::from_chars(first, last, value);
-  if (stop != last) {
+  if (stop != last)
+  {
     return std::nullopt;
   }
-  if (error == std::errc::result_out_of_range) {
+  if (error == std::errc::result_out_of_range)
+  {
     return underflows(text) ? std::optional(0.0) : std::nullopt;
   }
   return value;
@@ -74,7 +80,8 @@ std::optional<double> toNumber(std::string_view text)
 std::string unescaped(std::string_view text)
 {
   std::string out;
-  for (std::size_t i = 0; i < text.size(); ++i) {
+  for (std::size_t i = 0; i < text.size(); ++i)
+  {
     const bool escape = text[i] == '\\' && i + 1 < text.size() && (text[i + 1] == '"' || text[i + 1] == '\\');
     out += text[escape ? ++i : i];
   }
@@ -88,14 +95,21 @@ Lexer::Lexer(std::string_view source)
 
 void Lexer::skipBlanks()
 {
-  while (at != end) {
-    if (isBlank(*at)) {
+  while (at != end)
+  {
+    if (isBlank(*at))
+    {
       ++at;
-    } else if (*at == '#') {
-      while (at != end && *at != '\n' && *at != '\r') {
+    }
+    else if (*at == '#')
+    {
+      while (at != end && *at != '\n' && *at != '\r')
+      {
         ++at;
       }
-    } else {
+    }
+    else
+    {
       return;
     }
   }
@@ -104,13 +118,16 @@ void Lexer::skipBlanks()
 Token Lexer::readString()
 {
   const char* start = ++at;
-  while (at != end && *at != '"') {
+  while (at != end && *at != '"')
+  {
     at += *at == '\\' && at + 1 != end ? 2 : 1;
   }
-  if (at == end) {
+  if (at == end)
+  {
     // The closing quote is missing: rather lose the rest of a line than the rest of the file.
     at = start;
-    while (at != end && *at != '\n' && *at != '\r') {
+    while (at != end && *at != '\n' && *at != '\r')
+    {
       ++at;
     }
     return {TokenKind::string, {start, static_cast<std::size_t>(at - start)}};
@@ -123,23 +140,25 @@ Token Lexer::readString()
 Token Lexer::next()
 {
   skipBlanks();
-  if (at == end) {
+  if (at == end)
+  {
     return {TokenKind::end, {end, 0}};
   }
   const auto single = [&](TokenKind kind) { return Token{kind, {at++, 1}}; };
-  switch (*at) {
-  case '{':
-    return single(TokenKind::openBrace);
-  case '}':
-    return single(TokenKind::closeBrace);
-  case '[':
-    return single(TokenKind::openBracket);
-  case ']':
-    return single(TokenKind::closeBracket);
-  case '"':
-    return readString();
-  default:
-    break;
+  switch (*at)
+  {
+    case '{':
+      return single(TokenKind::openBrace);
+    case '}':
+      return single(TokenKind::closeBrace);
+    case '[':
+      return single(TokenKind::openBracket);
+    case ']':
+      return single(TokenKind::closeBracket);
+    case '"':
+      return readString();
+    default:
+      break;
   }
   const char* start = at;
   at = wordEnd(at, end);
@@ -169,7 +188,8 @@ Token Lexer::peekSecond()
 std::optional<std::string_view> Lexer::nextName()
 {
   const Token token = peek();
-  if (token.kind != TokenKind::word && token.kind != TokenKind::number) {
+  if (token.kind != TokenKind::word && token.kind != TokenKind::number)
+  {
     return std::nullopt;
   }
   return next().text;
@@ -180,7 +200,8 @@ bool Lexer::nextNumber(double& value)
   skipBlanks();
   const char* stop = wordEnd(at, end);
   const std::optional<double> number = toNumber({at, static_cast<std::size_t>(stop - at)});
-  if (!number) {
+  if (!number)
+  {
     return false;
   }
   value = *number;
@@ -194,20 +215,23 @@ bool Lexer::nextInteger(int& value)
   const char* stop = wordEnd(at, end);
   const char* first = at != stop && *at == '+' ? at + 1 : at;
   const auto [last, error] = std::from_chars(first, stop, value);
-  if (error == std::errc() && last == stop) {
+  if (error == std::errc() && last == stop)
+  {
     at = stop;
     return true;
   }
   const std::string_view text(at, static_cast<std::size_t>(stop - at));
   unsigned int bits = 0;
   if (text.size() > 2 && text[0] == '0' && (text[1] == 'x' || text[1] == 'X') &&
-      std::from_chars(at + 2, stop, bits, 16).ptr == stop) {
+      std::from_chars(at + 2, stop, bits, 16).ptr == stop)
+  {
     value = static_cast<int>(bits);
     at = stop;
     return true;
   }
   const std::optional<double> number = toNumber(text);
-  if (!number || *number != std::floor(*number) || std::abs(*number) > std::numeric_limits<int>::max()) {
+  if (!number || *number != std::floor(*number) || std::abs(*number) > std::numeric_limits<int>::max())
+  {
     return false;
   }
   value = static_cast<int>(*number);
@@ -227,10 +251,12 @@ int Lexer::lineOf(std::string_view token)
   const auto lineEnds = [&] {
     return *counted == '\n' || (*counted == '\r' && (counted + 1 == end || counted[1] != '\n'));
   };
-  for (; counted < target; ++counted) {
+  for (; counted < target; ++counted)
+  {
     countedLine += lineEnds() ? 1 : 0;
   }
-  while (counted > target) {
+  while (counted > target)
+  {
     --counted;
     countedLine -= lineEnds() ? 1 : 0;
   }
@@ -241,7 +267,8 @@ Place Lexer::placeOf(std::string_view token)
 {
   const char* target = token.data();
   const char* lineStart = target;
-  while (lineStart != begin && lineStart[-1] != '\n' && lineStart[-1] != '\r') {
+  while (lineStart != begin && lineStart[-1] != '\n' && lineStart[-1] != '\r')
+  {
     --lineStart;
   }
   return {lineOf(token), static_cast<int>(target - lineStart) + 1};

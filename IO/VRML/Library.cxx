@@ -16,10 +16,12 @@ namespace {
 void checkVersion(const fs::path& file, std::string_view text)
 {
   const std::string place = std::string("'").append(file.string()).append("', line 1: ");
-  if (versionOf(text) == Version::vrml1) {
+  if (versionOf(text) == Version::vrml1)
+  {
     throw Error(place + "VRML 1.0 is not read yet; save the model as VRML97 (VRML 2.0)");
   }
-  if (text.find('\0') != std::string_view::npos && versionOf(text) == Version::missing) {
+  if (text.find('\0') != std::string_view::npos && versionOf(text) == Version::missing)
+  {
     throw Error(place + "this is not a VRML file");
   }
 }
@@ -27,9 +29,12 @@ void checkVersion(const fs::path& file, std::string_view text)
 void warnOfVersion(Diagnostics& diagnostics, const Document& document)
 {
   const std::string place = document.displayName() + ":1: ";
-  if (document.version == Version::missing) {
+  if (document.version == Version::missing)
+  {
     diagnostics.warn(place + "the first line is not '#VRML V2.0 utf8'; read as VRML97");
-  } else if (document.version == Version::x3d) {
+  }
+  else if (document.version == Version::x3d)
+  {
     diagnostics.warn(place + "the file declares X3D; read as VRML97");
   }
 }
@@ -41,10 +46,12 @@ Version versionOf(std::string_view text)
   const std::size_t start = text.find_first_not_of(" \t\r\n");
   const std::string_view line = start == std::string_view::npos ? "" : text.substr(start, 20);
   const auto starts = [&](std::string_view header) { return line.substr(0, header.size()) == header; };
-  if (starts("#VRML V2")) {
+  if (starts("#VRML V2"))
+  {
     return Version::vrml97;
   }
-  if (starts("#VRML V1") || starts("#Inventor")) {
+  if (starts("#VRML V1") || starts("#Inventor"))
+  {
     return Version::vrml1;
   }
   return starts("#X3D") ? Version::x3d : Version::missing;
@@ -56,7 +63,8 @@ std::unique_ptr<Document> Library::read(const fs::path& file)
   checkVersion(file, source.text);
   auto document = std::make_unique<Document>(file);
   document->version = versionOf(source.text);
-  if (source.truncated) {
+  if (source.truncated)
+  {
     diagnostics.warn(document->displayName() +
                      ": the compressed file is damaged or ends early; read as far as possible");
   }
@@ -79,21 +87,28 @@ const Document* Library::openBeside(const Document& from, const std::vector<std:
 {
   const std::string place = from.displayName() + ":" + std::to_string(line) + ": " + what;
   std::string tried;
-  for (const std::string& url : urls) {
+  for (const std::string& url : urls)
+  {
     tried += (tried.empty() ? "'" : ", '") + toUtf8(url) + "'";
     const std::optional<fs::path> file = findFile(from.file.parent_path(), url);
-    if (!file) {
+    if (!file)
+    {
       continue;
     }
     const auto [found, isNew] = documents.try_emplace(fs::weakly_canonical(*file));
-    if (isNew) {
-      try {
+    if (isNew)
+    {
+      try
+      {
         found->second = read(*file);
-      } catch (const Error& error) {
+      }
+      catch (const Error& error)
+      {
         diagnostics.warn(place + ": " + error.what());
       }
     }
-    if (found->second) {
+    if (found->second)
+    {
       return found->second.get();
     }
   }
@@ -104,7 +119,8 @@ const Document* Library::openBeside(const Document& from, const std::vector<std:
 std::size_t Library::routes() const
 {
   std::size_t sum = 0;
-  for (const auto& [path, document] : documents) {
+  for (const auto& [path, document] : documents)
+  {
     sum += document ? document->routes : 0;
   }
   return sum;

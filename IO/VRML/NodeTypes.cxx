@@ -84,14 +84,16 @@ const std::unordered_map<std::string_view, NodeType>& table()
 {
   static const std::unordered_map<std::string_view, NodeType> all = [] {
     std::unordered_map<std::string_view, NodeType> types;
-    for (const auto& part : {groups(), shapes()}) {
-      for (const NodeType& type : part) {
+    for (const auto& part : {groups(), shapes()})
+    {
+      for (const NodeType& type : part)
+      {
         types.emplace(type.name, type);
       }
     }
-    for (const std::string_view name :
-         {"Material", "ImageTexture", "PixelTexture", "MovieTexture", "TextureTransform", "TextureCoordinate",
-          "Normal", "Color", "FontStyle"}) {
+    for (const std::string_view name : {"Material", "ImageTexture", "PixelTexture", "MovieTexture", "TextureTransform",
+                                        "TextureCoordinate", "Normal", "Color", "FontStyle"})
+    {
       types.emplace(name, NodeType{name, NodeKind::property, {}, {}, true});
     }
     for (const std::string_view name : {"AudioClip",
@@ -117,7 +119,8 @@ const std::unordered_map<std::string_view, NodeType>& table()
                                         "TouchSensor",
                                         "Viewpoint",
                                         "VisibilitySensor",
-                                        "WorldInfo"}) {
+                                        "WorldInfo"})
+    {
       types.emplace(name, NodeType{name, NodeKind::other, {}, {}, true});
     }
     return types;
@@ -129,13 +132,17 @@ const std::unordered_map<std::string_view, NodeType>& table()
 
 std::optional<FieldType> NodeType::fieldType(std::string_view field) const
 {
-  for (const auto& [known, fieldType] : fields) {
-    if (known == field) {
+  for (const auto& [known, fieldType] : fields)
+  {
+    if (known == field)
+    {
       return fieldType;
     }
   }
-  for (const std::string_view known : ignored) {
-    if (known == field) {
+  for (const std::string_view known : ignored)
+  {
+    if (known == field)
+    {
       return FieldType::unknown;
     }
   }

@@ -27,7 +27,7 @@ struct NodeType
   NodeKind kind;
   std::vector<std::pair<std::string_view, FieldType>> fields; ///< those that are kept
   std::vector<std::string_view> ignored;                      ///< known but of no use here
-  bool anyField = false; ///< fields are not looked at: nothing of it is used
+  bool anyField = false;                                      ///< fields are not looked at: nothing of it is used
 
   std::optional<FieldType> fieldType(std::string_view field) const;
 };

@@ -19,7 +19,8 @@ void Parser::run()
   document.root->document = &document;
   scopes.emplace_back();
   frames.push_back({Open::file, slotOf(*document.root, "children")});
-  while (!frames.empty()) {
+  while (!frames.empty())
+  {
     step();
   }
 }
@@ -27,13 +28,14 @@ void Parser::run()
 void Parser::step()
 {
   tick();
-  switch (frames.back().what) {
-  case Open::node:
-    return stepNode();
-  case Open::interface:
-    return stepInterface();
-  default:
-    return stepList();
+  switch (frames.back().what)
+  {
+    case Open::node:
+      return stepNode();
+    case Open::interface:
+      return stepInterface();
+    default:
+      return stepList();
   }
 }
 
@@ -41,28 +43,32 @@ void Parser::stepList()
 {
   const Open what = frames.back().what;
   const Token token = lexer.peek();
-  if (token.kind == TokenKind::end) {
+  if (token.kind == TokenKind::end)
+  {
     return unexpectedEnd();
   }
-  if (token.kind == TokenKind::closeBracket || token.kind == TokenKind::closeBrace) {
+  if (token.kind == TokenKind::closeBracket || token.kind == TokenKind::closeBrace)
+  {
     return closeList();
   }
-  if (readStatement()) {
+  if (readStatement())
+  {
     return;
   }
-  if (startsNode()) {
+  if (startsNode())
+  {
     return readNode(frames.back().slot);
   }
   const Node* owner = frames.back().slot.node;
-  if (what == Open::list && owner && token.kind == TokenKind::word && fieldType(*owner, token.text)) {
+  if (what == Open::list && owner && token.kind == TokenKind::word && fieldType(*owner, token.text))
+  {
     expected("a node or ']'"); // the list was not closed before the next field
     frames.pop_back();
     return;
   }
-  expected(what == Open::file   ? "a node, PROTO or ROUTE"
-           : what == Open::list ? "a node or ']'"
-                                : "a node or '}'");
-  if (token.kind == TokenKind::openBrace || token.kind == TokenKind::openBracket) {
+  expected(what == Open::file ? "a node, PROTO or ROUTE" : what == Open::list ? "a node or ']'" : "a node or '}'");
+  if (token.kind == TokenKind::openBrace || token.kind == TokenKind::openBracket)
+  {
     return skipGroup();
   }
   lexer.next();
@@ -73,13 +79,18 @@ void Parser::closeList()
 {
   const Open what = frames.back().what;
   const bool bracket = lexer.peek().kind == TokenKind::closeBracket;
-  if (what == Open::body && !bracket) {
+  if (what == Open::body && !bracket)
+  {
     return closeBody();
   }
-  if (what == Open::list) {
-    if (bracket) {
+  if (what == Open::list)
+  {
+    if (bracket)
+    {
       lexer.next();
-    } else {
+    }
+    else
+    {
       expected("a node or ']'");
     }
     frames.pop_back();
@@ -93,40 +104,43 @@ void Parser::stepNode()
 {
   const Token token = lexer.peek();
   Node& node = *frames.back().node;
-  switch (token.kind) {
-  case TokenKind::end:
-    return unexpectedEnd();
-  case TokenKind::closeBrace:
-    lexer.next();
-    frames.pop_back();
-    return;
-  case TokenKind::closeBracket:
-    expected("a field or '}'");
-    if (frames[frames.size() - 2].what == Open::list) {
-      frames.pop_back(); // the brace is missing: the bracket belongs to the list around
+  switch (token.kind)
+  {
+    case TokenKind::end:
+      return unexpectedEnd();
+    case TokenKind::closeBrace:
+      lexer.next();
+      frames.pop_back();
       return;
-    }
-    lexer.next();
-    return;
-  case TokenKind::openBracket:
-    if (node.type && node.type->kind == NodeKind::group && node.type->fieldType("children")) {
-      warn("expected a field of " + std::string(node.typeName) +
-           ", found a list of nodes; taken as its children");
-      return readNodes(slotOf(node, "children"), true);
-    }
-    expected("a field or '}'");
-    return skipGroup();
-  case TokenKind::openBrace:
-    expected("a field or '}'");
-    return skipGroup();
-  case TokenKind::word:
-    break;
-  default:
-    expected("a field or '}'");
-    lexer.next();
-    return;
+    case TokenKind::closeBracket:
+      expected("a field or '}'");
+      if (frames[frames.size() - 2].what == Open::list)
+      {
+        frames.pop_back(); // the brace is missing: the bracket belongs to the list around
+        return;
+      }
+      lexer.next();
+      return;
+    case TokenKind::openBracket:
+      if (node.type && node.type->kind == NodeKind::group && node.type->fieldType("children"))
+      {
+        warn("expected a field of " + std::string(node.typeName) + ", found a list of nodes; taken as its children");
+        return readNodes(slotOf(node, "children"), true);
+      }
+      expected("a field or '}'");
+      return skipGroup();
+    case TokenKind::openBrace:
+      expected("a field or '}'");
+      return skipGroup();
+    case TokenKind::word:
+      break;
+    default:
+      expected("a field or '}'");
+      lexer.next();
+      return;
   }
-  if (readStatement()) {
+  if (readStatement())
+  {
     return;
   }
   startsNode() ? readNodeWithoutField() : readField();
@@ -136,11 +150,13 @@ void Parser::stepNode()
 bool Parser::readStatement()
 {
   const Token token = lexer.peek();
-  if (token.is("ROUTE")) {
+  if (token.is("ROUTE"))
+  {
     readRoute();
     return true;
   }
-  if (token.is("PROTO") || token.is("EXTERNPROTO")) {
+  if (token.is("PROTO") || token.is("EXTERNPROTO"))
+  {
     readPrototype(token.text == "EXTERNPROTO");
     return true;
   }
@@ -157,20 +173,24 @@ bool Parser::startsNode()
 void Parser::readNode(Slot slot)
 {
   const Token token = lexer.peek();
-  if (token.is("NULL")) {
+  if (token.is("NULL"))
+  {
     lexer.next();
     return put(slot, nullptr); // keeps its place among the choices of a Switch
   }
-  if (token.is("USE")) {
+  if (token.is("USE"))
+  {
     return readUse(slot);
   }
   std::vector<std::string_view> names;
   readNames(names);
-  if (lexer.peek().is("USE")) {
+  if (lexer.peek().is("USE"))
+  {
     expected("a node type after DEF");
     return readUse(slot);
   }
-  if (lexer.peek().kind != TokenKind::word || lexer.peekSecond().kind != TokenKind::openBrace) {
+  if (lexer.peek().kind != TokenKind::word || lexer.peekSecond().kind != TokenKind::openBrace)
+  {
     expected("a node type and '{'");
     return;
   }
@@ -180,17 +200,21 @@ void Parser::readNode(Slot slot)
 /// DEF and its name, which some exporters write twice.
 void Parser::readNames(std::vector<std::string_view>& names)
 {
-  while (lexer.peek().is("DEF")) {
-    if (!names.empty()) {
+  while (lexer.peek().is("DEF"))
+  {
+    if (!names.empty())
+    {
       warn("expected a node type, found a second DEF; both names are kept");
     }
     lexer.next();
     // `DEF Transform {` lacks the name.
-    if (lexer.peek().kind == TokenKind::word && lexer.peekSecond().kind == TokenKind::openBrace) {
+    if (lexer.peek().kind == TokenKind::word && lexer.peekSecond().kind == TokenKind::openBrace)
+    {
       expected("a name after DEF");
       return;
     }
-    if (const auto name = lexer.nextName()) {
+    if (const auto name = lexer.nextName())
+    {
       names.push_back(document.keep(*name));
     }
   }
@@ -207,16 +231,18 @@ void Parser::openNode(Slot slot, const std::vector<std::string_view>& names)
   node.prototype = findPrototype(type.text);
   node.type = node.prototype ? nullptr : findNodeType(type.text);
   quiet = quiet && !node.prototype && !node.type;
-  for (const std::string_view name : names) {
+  for (const std::string_view name : names)
+  {
     node.name = name;
     scopes.back().nodes[name] = &node;
   }
   put(slot, &node);
   const Frame& around = frames.back();
   const bool inUnknown = around.node && !around.node->type && !around.node->prototype;
-  if (!node.type && !node.prototype && !inUnknown) {
-    diagnostics.warn(document.displayName() + ":" + std::to_string(node.line) + ": unknown node '" +
-                     toUtf8(type.text) + "' is skipped");
+  if (!node.type && !node.prototype && !inUnknown)
+  {
+    diagnostics.warn(document.displayName() + ":" + std::to_string(node.line) + ": unknown node '" + toUtf8(type.text) +
+                     "' is skipped");
   }
   frames.push_back({Open::node, {}, &node, nullptr, node.line});
 }
@@ -225,11 +251,13 @@ void Parser::readUse(Slot slot)
 {
   lexer.next();
   const auto name = lexer.nextName();
-  if (!name) {
+  if (!name)
+  {
     return expected("a name after USE");
   }
   const auto found = scopes.back().nodes.find(*name);
-  if (found == scopes.back().nodes.end()) {
+  if (found == scopes.back().nodes.end())
+  {
     warn("USE of '" + toUtf8(*name) + "', which no DEF before it defines");
     return put(slot, nullptr);
   }
@@ -239,7 +267,8 @@ void Parser::readUse(Slot slot)
 
 void Parser::put(Slot slot, Node* node)
 {
-  if (slot.node) {
+  if (slot.node)
+  {
     std::get<std::vector<Node*>>(slot.node->fields[slot.field].value).push_back(node);
   }
 }
@@ -249,12 +278,15 @@ void Parser::readRoute()
 {
   ++document.routes;
   lexer.next();
-  for (const bool untilTo : {true, false}) {
+  for (const bool untilTo : {true, false})
+  {
     bool goOn = true;
-    while (goOn) {
+    while (goOn)
+    {
       const auto word = lexer.nextName();
       const Token next = lexer.peek();
-      if (!word) {
+      if (!word)
+      {
         return expected("names and TO after ROUTE");
       }
       const bool dots = word->back() == '.' || (next.kind == TokenKind::word && next.text.front() == '.');
@@ -268,7 +300,8 @@ void Parser::readPrototype(bool external)
   const int line = lexer.place().line;
   lexer.next();
   const auto name = lexer.nextName();
-  if (!name || lexer.peek().kind != TokenKind::openBracket) {
+  if (!name || lexer.peek().kind != TokenKind::openBracket)
+  {
     return expected("the name of a prototype and '['");
   }
   lexer.next();
@@ -286,35 +319,41 @@ void Parser::stepInterface()
 {
   Prototype& prototype = *frames.back().prototype;
   const Token token = lexer.peek();
-  if (token.kind == TokenKind::end) {
+  if (token.kind == TokenKind::end)
+  {
     return unexpectedEnd();
   }
-  if (token.kind == TokenKind::closeBracket) {
+  if (token.kind == TokenKind::closeBracket)
+  {
     lexer.next();
     frames.pop_back();
     return openBody(prototype);
   }
   const bool event = token.is("eventIn") || token.is("eventOut");
-  if (!event && !token.is("field") && !token.is("exposedField")) {
+  if (!event && !token.is("field") && !token.is("exposedField"))
+  {
     expected("field, exposedField, eventIn, eventOut or ']'");
-    token.kind == TokenKind::openBrace || token.kind == TokenKind::openBracket ? skipGroup()
-                                                                               : void(lexer.next());
+    token.kind == TokenKind::openBrace || token.kind == TokenKind::openBracket ? skipGroup() : void(lexer.next());
     return;
   }
   lexer.next();
   const auto type = findFieldType(lexer.peek().text);
-  if (!type) {
+  if (!type)
+  {
     expected("the type of a field");
   }
   lexer.next();
   const auto name = lexer.nextName();
-  if (!name) {
+  if (!name)
+  {
     return expected("the name of a field");
   }
-  if (!event) {
+  if (!event)
+  {
     const std::string_view kept = document.keep(*name);
     prototype.interface[kept] = type.value_or(FieldType::unknown);
-    if (!prototype.external) {
+    if (!prototype.external)
+    {
       const Slot slot = slotOf(*prototype.defaults, kept);
       readValue(*slot.node, slot.field, type.value_or(FieldType::unknown), true);
     }
@@ -323,16 +362,19 @@ void Parser::stepInterface()
 
 void Parser::openBody(Prototype& prototype)
 {
-  if (prototype.external) {
+  if (prototype.external)
+  {
     scopes.back().prototypes[prototype.name] = &prototype;
     Value urls;
-    if (!readStrings(urls, true)) {
+    if (!readStrings(urls, true))
+    {
       return expected("the URL of the prototype");
     }
     prototype.urls = std::get<std::vector<std::string>>(urls);
     return;
   }
-  if (lexer.peek().kind != TokenKind::openBrace) {
+  if (lexer.peek().kind != TokenKind::openBrace)
+  {
     return expected("'{' and the body of the prototype");
   }
   const int line = lexer.place().line;
@@ -357,13 +399,14 @@ void Parser::readNodeWithoutField()
 {
   Node& node = *frames.back().node;
   const Token token = lexer.peek();
-  if (node.type && node.type->kind == NodeKind::group && node.type->fieldType("children")) {
-    warn("expected a field of " + std::string(node.typeName) + ", found " + tell(token) +
-         "; taken as its child");
+  if (node.type && node.type->kind == NodeKind::group && node.type->fieldType("children"))
+  {
+    warn("expected a field of " + std::string(node.typeName) + ", found " + tell(token) + "; taken as its child");
     return readNode(slotOf(node, "children"));
   }
   const NodeType* type = findNodeType(token.text);
-  if (node.type && node.type->kind == NodeKind::shape && type) {
+  if (node.type && node.type->kind == NodeKind::shape && type)
+  {
     warn("expected a field of Shape, found " + tell(token) + "; taken as its " +
          (type->kind == NodeKind::property ? "appearance" : "geometry"));
     return readNode(slotOf(node, type->kind == NodeKind::property ? "appearance" : "geometry"));
@@ -377,23 +420,26 @@ void Parser::readField()
   Node& node = *frames.back().node;
   const Token token = lexer.peek();
   const auto type = fieldType(node, token.text);
-  const bool declares =
-      token.is("field") || token.is("exposedField") || token.is("eventIn") || token.is("eventOut");
-  if (declares && !(type && *type != FieldType::unknown)) {
+  const bool declares = token.is("field") || token.is("exposedField") || token.is("eventIn") || token.is("eventOut");
+  if (declares && !(type && *type != FieldType::unknown))
+  {
     return readDeclaration();
   }
   const bool is = lexer.peekSecond().is("IS");
-  if (!type && !is && (node.type || node.prototype) && !node.damaged) {
+  if (!type && !is && (node.type || node.prototype) && !node.damaged)
+  {
     warn(std::string(node.typeName) + " has no field '" + toUtf8(token.text) + "'");
   }
   const std::string_view name = document.keep(lexer.next().text);
-  if (is) {
+  if (is)
+  {
     lexer.next();
     const Slot slot = slotOf(node, name);
     node.fields[slot.field].is = document.keep(lexer.nextName().value_or(""));
     return;
   }
-  if (!type || *type == FieldType::unknown) {
+  if (!type || *type == FieldType::unknown)
+  {
     return readByLook();
   }
   const Slot slot = slotOf(node, name);
@@ -406,10 +452,13 @@ void Parser::readDeclaration()
   const std::string_view keyword = lexer.next().text;
   lexer.nextName();
   lexer.nextName();
-  if (lexer.peek().is("IS")) {
+  if (lexer.peek().is("IS"))
+  {
     lexer.next();
     lexer.nextName();
-  } else if (keyword == "field" || keyword == "exposedField") {
+  }
+  else if (keyword == "field" || keyword == "exposedField")
+  {
     readByLook();
   }
 }
@@ -419,11 +468,13 @@ Parser::Slot Parser::slotOf(Node& node, std::string_view field)
   const auto found =
       std::find_if(node.fields.begin(), node.fields.end(), [&](const Field& f) { return f.name == field; });
   const auto index = static_cast<std::size_t>(found - node.fields.begin());
-  if (found == node.fields.end()) {
+  if (found == node.fields.end())
+  {
     node.fields.push_back({field, {}, {}});
   }
   Value& value = node.fields[index].value;
-  if (!std::holds_alternative<std::vector<Node*>>(value)) {
+  if (!std::holds_alternative<std::vector<Node*>>(value))
+  {
     value = std::vector<Node*>{}; // other values replace this when they are read
   }
   return {&node, index};
@@ -431,7 +482,8 @@ Parser::Slot Parser::slotOf(Node& node, std::string_view field)
 
 std::optional<FieldType> Parser::fieldType(const Node& node, std::string_view field) const
 {
-  if (node.prototype) {
+  if (node.prototype)
+  {
     const auto found = node.prototype->interface.find(field);
     return found == node.prototype->interface.end() ? std::nullopt : std::optional(found->second);
   }
@@ -440,9 +492,11 @@ std::optional<FieldType> Parser::fieldType(const Node& node, std::string_view fi
 
 const Prototype* Parser::findPrototype(std::string_view name) const
 {
-  for (auto scope = scopes.rbegin(); scope != scopes.rend(); ++scope) {
+  for (auto scope = scopes.rbegin(); scope != scopes.rend(); ++scope)
+  {
     const auto found = scope->prototypes.find(name);
-    if (found != scope->prototypes.end()) {
+    if (found != scope->prototypes.end())
+    {
       return found->second;
     }
   }

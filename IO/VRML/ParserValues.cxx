@@ -13,41 +13,43 @@ constexpr std::size_t tickInterval = 1 << 16;
 /// Numbers in one value of a type.
 std::size_t arityOf(FieldType type)
 {
-  switch (type) {
-  case FieldType::sfVec2f:
-  case FieldType::mfVec2f:
-    return 2;
-  case FieldType::sfVec3f:
-  case FieldType::mfVec3f:
-    return 3;
-  case FieldType::sfRotation:
-  case FieldType::mfRotation:
-    return 4;
-  default:
-    return 1;
+  switch (type)
+  {
+    case FieldType::sfVec2f:
+    case FieldType::mfVec2f:
+      return 2;
+    case FieldType::sfVec3f:
+    case FieldType::mfVec3f:
+      return 3;
+    case FieldType::sfRotation:
+    case FieldType::mfRotation:
+      return 4;
+    default:
+      return 1;
   }
 }
 
 std::string expectationOf(FieldType type)
 {
-  switch (type) {
-  case FieldType::sfBool:
-    return "TRUE or FALSE";
-  case FieldType::sfInt32:
-    return "a whole number";
-  case FieldType::mfInt32:
-    return "a whole number or ']'";
-  case FieldType::sfString:
-  case FieldType::mfString:
-    return "a string in quotes";
-  case FieldType::sfFloat:
-    return "a number";
-  case FieldType::sfVec2f:
-  case FieldType::sfVec3f:
-  case FieldType::sfRotation:
-    return std::to_string(arityOf(type)) + " numbers";
-  default:
-    return "a number or ']'";
+  switch (type)
+  {
+    case FieldType::sfBool:
+      return "TRUE or FALSE";
+    case FieldType::sfInt32:
+      return "a whole number";
+    case FieldType::mfInt32:
+      return "a whole number or ']'";
+    case FieldType::sfString:
+    case FieldType::mfString:
+      return "a string in quotes";
+    case FieldType::sfFloat:
+      return "a number";
+    case FieldType::sfVec2f:
+    case FieldType::sfVec3f:
+    case FieldType::sfRotation:
+      return std::to_string(arityOf(type)) + " numbers";
+    default:
+      return "a number or ']'";
   }
 }
 
@@ -56,16 +58,19 @@ std::string expectationOf(FieldType type)
 /// Reads the value of `owner`'s field. An error marks the node as damaged and leaves the field empty.
 void Parser::readValue(Node& owner, std::size_t field, FieldType type, bool inInterface)
 {
-  if (type == FieldType::unknown) {
+  if (type == FieldType::unknown)
+  {
     owner.fields[field].value = std::monostate{};
     return readByLook();
   }
-  if (type == FieldType::sfNode || type == FieldType::mfNode) {
+  if (type == FieldType::sfNode || type == FieldType::mfNode)
+  {
     return readNodes({&owner, field}, type == FieldType::mfNode);
   }
   Value value;
   const bool bracket = lexer.peek().kind == TokenKind::openBracket;
-  if (readScalars(value, type)) {
+  if (readScalars(value, type))
+  {
     owner.fields[field].value = std::move(value);
     return;
   }
@@ -79,37 +84,44 @@ void Parser::readValue(Node& owner, std::size_t field, FieldType type, bool inIn
 void Parser::readNodes(Slot slot, bool many)
 {
   Value& value = slot.node->fields[slot.field].value;
-  if (!many) {
+  if (!many)
+  {
     std::get<std::vector<Node*>>(value).clear();
   }
-  if (lexer.peek().kind == TokenKind::openBracket) {
+  if (lexer.peek().kind == TokenKind::openBracket)
+  {
     const int line = lexer.lineOf(lexer.next().text);
     frames.push_back({Open::list, slot, nullptr, nullptr, line});
-  } else if (startsNode()) {
+  }
+  else if (startsNode())
+  {
     readNode(slot);
-  } else {
+  }
+  else
+  {
     expected("a node for the field " + std::string(slot.node->fields[slot.field].name));
   }
 }
 
 bool Parser::readScalars(Value& value, FieldType type)
 {
-  switch (type) {
-  case FieldType::sfBool:
-    return readBool(value);
-  case FieldType::sfInt32:
-  case FieldType::mfInt32:
-    return readIntegers(value, type == FieldType::mfInt32);
-  case FieldType::sfString:
-  case FieldType::mfString:
-    return readStrings(value, type == FieldType::mfString);
-  case FieldType::mfFloat:
-  case FieldType::mfVec2f:
-  case FieldType::mfVec3f:
-  case FieldType::mfRotation:
-    return readNumbers(value, arityOf(type), true);
-  default:
-    return readNumbers(value, arityOf(type), false);
+  switch (type)
+  {
+    case FieldType::sfBool:
+      return readBool(value);
+    case FieldType::sfInt32:
+    case FieldType::mfInt32:
+      return readIntegers(value, type == FieldType::mfInt32);
+    case FieldType::sfString:
+    case FieldType::mfString:
+      return readStrings(value, type == FieldType::mfString);
+    case FieldType::mfFloat:
+    case FieldType::mfVec2f:
+    case FieldType::mfVec3f:
+    case FieldType::mfRotation:
+      return readNumbers(value, arityOf(type), true);
+    default:
+      return readNumbers(value, arityOf(type), false);
   }
 }
 
@@ -117,7 +129,8 @@ bool Parser::readBool(Value& value)
 {
   const Token token = lexer.peek();
   const bool yes = token.is("TRUE") || token.is("true");
-  if (!yes && !token.is("FALSE") && !token.is("false")) {
+  if (!yes && !token.is("FALSE") && !token.is("false"))
+  {
     return false;
   }
   lexer.next();
@@ -129,13 +142,15 @@ bool Parser::readIntegers(Value& value, bool many)
 {
   auto& out = value.emplace<std::vector<int>>();
   int number = 0;
-  if (!many || lexer.peek().kind != TokenKind::openBracket) {
+  if (!many || lexer.peek().kind != TokenKind::openBracket)
+  {
     const bool read = lexer.nextInteger(number);
     out.assign(read ? 1 : 0, number);
     return read;
   }
   lexer.next();
-  while (lexer.nextInteger(number)) {
+  while (lexer.nextInteger(number))
+  {
     out.push_back(number);
     tick();
   }
@@ -147,21 +162,26 @@ bool Parser::readNumbers(Value& value, std::size_t arity, bool many)
 {
   auto& out = value.emplace<std::vector<double>>();
   double number = 0.0;
-  if (!many || lexer.peek().kind != TokenKind::openBracket) {
-    while (out.size() < arity && lexer.nextNumber(number)) {
+  if (!many || lexer.peek().kind != TokenKind::openBracket)
+  {
+    while (out.size() < arity && lexer.nextNumber(number))
+    {
       out.push_back(number);
     }
     return out.size() == arity;
   }
   lexer.next();
-  while (lexer.nextNumber(number)) {
+  while (lexer.nextNumber(number))
+  {
     out.push_back(number);
     tick();
   }
-  if (lexer.peek().kind != TokenKind::closeBracket) {
+  if (lexer.peek().kind != TokenKind::closeBracket)
+  {
     return false;
   }
-  if (out.size() % arity != 0) {
+  if (out.size() % arity != 0)
+  {
     expected("numbers in groups of " + std::to_string(arity));
     out.resize(out.size() - out.size() % arity);
   }
@@ -173,10 +193,12 @@ bool Parser::readStrings(Value& value, bool many)
 {
   auto& out = value.emplace<std::vector<std::string>>();
   const bool bracket = many && lexer.peek().kind == TokenKind::openBracket;
-  if (bracket) {
+  if (bracket)
+  {
     lexer.next();
   }
-  while (lexer.peek().kind == TokenKind::string && (bracket || out.empty())) {
+  while (lexer.peek().kind == TokenKind::string && (bracket || out.empty()))
+  {
     out.push_back(unescaped(lexer.next().text));
   }
   return bracket ? lexer.next().kind == TokenKind::closeBracket : !out.empty();
@@ -187,20 +209,29 @@ bool Parser::readStrings(Value& value, bool many)
 void Parser::readByLook()
 {
   const Token token = lexer.peek();
-  if (token.kind == TokenKind::openBracket) {
+  if (token.kind == TokenKind::openBracket)
+  {
     const Token second = lexer.peekSecond();
     const bool nodes = second.kind == TokenKind::word && !second.is("TRUE") && !second.is("FALSE");
-    if (!nodes) {
+    if (!nodes)
+    {
       return skipGroup();
     }
     lexer.next();
     frames.push_back({Open::list, {}, nullptr, nullptr, lexer.lineOf(token.text)});
-  } else if (startsNode()) {
+  }
+  else if (startsNode())
+  {
     readNode({});
-  } else if (token.is("TRUE") || token.is("FALSE")) {
+  }
+  else if (token.is("TRUE") || token.is("FALSE"))
+  {
     lexer.next();
-  } else {
-    while (lexer.peek().kind == TokenKind::number || lexer.peek().kind == TokenKind::string) {
+  }
+  else
+  {
+    while (lexer.peek().kind == TokenKind::number || lexer.peek().kind == TokenKind::string)
+    {
       lexer.next();
       tick();
     }
@@ -212,17 +243,24 @@ void Parser::readByLook()
 void Parser::skipGroup()
 {
   std::vector<TokenKind> closing;
-  do {
+  do
+  {
     const Token token = lexer.peek();
     tick();
-    if (token.kind == TokenKind::end) {
+    if (token.kind == TokenKind::end)
+    {
       return;
     }
-    if (token.kind == TokenKind::openBrace || token.kind == TokenKind::openBracket) {
+    if (token.kind == TokenKind::openBrace || token.kind == TokenKind::openBracket)
+    {
       closing.push_back(token.kind == TokenKind::openBrace ? TokenKind::closeBrace : TokenKind::closeBracket);
-    } else if (token.kind == closing.back()) {
+    }
+    else if (token.kind == closing.back())
+    {
       closing.pop_back();
-    } else if (token.kind == TokenKind::closeBrace) {
+    }
+    else if (token.kind == TokenKind::closeBrace)
+    {
       expected("']'"); // of a list that was not closed; the brace is its node's
       return;
     }
@@ -233,32 +271,35 @@ void Parser::skipGroup()
 /// After an error in a value: goes to where the next field may start.
 void Parser::resume(const Node* owner, bool inBrackets)
 {
-  for (;;) {
+  for (;;)
+  {
     tick();
     const Token token = lexer.peek();
-    switch (token.kind) {
-    case TokenKind::end:
-    case TokenKind::closeBrace:
-      return;
-    case TokenKind::closeBracket:
-      if (inBrackets) {
-        lexer.next();
-      }
-      return;
-    case TokenKind::openBrace:
-    case TokenKind::openBracket:
-      skipGroup();
-      inBrackets = false;
-      continue;
-    case TokenKind::word:
-      if (owner ? fieldType(*owner, token.text).has_value()
-                : token.is("field") || token.is("exposedField") || token.is("eventIn") ||
-                      token.is("eventOut")) {
+    switch (token.kind)
+    {
+      case TokenKind::end:
+      case TokenKind::closeBrace:
         return;
-      }
-      break;
-    default:
-      break;
+      case TokenKind::closeBracket:
+        if (inBrackets)
+        {
+          lexer.next();
+        }
+        return;
+      case TokenKind::openBrace:
+      case TokenKind::openBracket:
+        skipGroup();
+        inBrackets = false;
+        continue;
+      case TokenKind::word:
+        if (owner ? fieldType(*owner, token.text).has_value()
+                  : token.is("field") || token.is("exposedField") || token.is("eventIn") || token.is("eventOut"))
+        {
+          return;
+        }
+        break;
+      default:
+        break;
     }
     lexer.next();
   }
@@ -266,7 +307,8 @@ void Parser::resume(const Node* owner, bool inBrackets)
 
 void Parser::expected(std::string_view what, const std::string& consequence)
 {
-  if (!quiet) {
+  if (!quiet)
+  {
     warn("expected " + std::string(what) + ", found " + tell(lexer.peek()) + consequence);
   }
   quiet = true;
@@ -281,7 +323,8 @@ void Parser::warn(const std::string& text)
 /// The file ends while something is open: what was read of it is kept.
 void Parser::unexpectedEnd()
 {
-  if (frames.size() > 1) {
+  if (frames.size() > 1)
+  {
     const Frame& frame = frames.back();
     const std::string what = frame.node        ? std::string(frame.node->typeName)
                              : frame.prototype ? "PROTO " + std::string(frame.prototype->name)
@@ -300,20 +343,22 @@ std::string Parser::where()
 std::string Parser::tell(const Token& token) const
 {
   constexpr std::size_t longest = 40;
-  switch (token.kind) {
-  case TokenKind::end:
-    return "the end of the file";
-  case TokenKind::string:
-    return "a string";
-  default:
-    return std::string("'").append(toUtf8(token.text.substr(0, longest))).append("'");
+  switch (token.kind)
+  {
+    case TokenKind::end:
+      return "the end of the file";
+    case TokenKind::string:
+      return "a string";
+    default:
+      return std::string("'").append(toUtf8(token.text.substr(0, longest))).append("'");
   }
 }
 
 /// Lets the caller see progress and stop, every now and then.
 void Parser::tick()
 {
-  if (lexer.position() - reported >= tickInterval) {
+  if (lexer.position() - reported >= tickInterval)
+  {
     reported = lexer.position();
     progress.report(static_cast<double>(reported) / static_cast<double>(length), "Reading the model");
   }

@@ -13,7 +13,8 @@ namespace {
 std::vector<Index> addRing(SurfaceBuilder& builder, double radius, double y, int segments)
 {
   std::vector<Index> ring;
-  for (int i = 0; i < segments; ++i) {
+  for (int i = 0; i < segments; ++i)
+  {
     const double angle = 2.0 * std::numbers::pi * i / segments;
     ring.push_back(builder.point({radius * std::sin(angle), y, radius * std::cos(angle)}));
   }
@@ -22,7 +23,8 @@ std::vector<Index> addRing(SurfaceBuilder& builder, double radius, double y, int
 
 void addBand(SurfaceBuilder& builder, const std::vector<Index>& lower, const std::vector<Index>& upper)
 {
-  for (std::size_t i = 0; i < lower.size(); ++i) {
+  for (std::size_t i = 0; i < lower.size(); ++i)
+  {
     const std::size_t next = (i + 1) % lower.size();
     builder.quad(lower[i], lower[next], upper[next], upper[i]);
   }
@@ -30,7 +32,8 @@ void addBand(SurfaceBuilder& builder, const std::vector<Index>& lower, const std
 
 void addFan(SurfaceBuilder& builder, const std::vector<Index>& ring, Index tip)
 {
-  for (std::size_t i = 0; i < ring.size(); ++i) {
+  for (std::size_t i = 0; i < ring.size(); ++i)
+  {
     builder.polygon(std::array<Index, 3>{ring[i], ring[(i + 1) % ring.size()], tip});
   }
 }
@@ -38,12 +41,14 @@ void addFan(SurfaceBuilder& builder, const std::vector<Index>& ring, Index tip)
 /// Cuts a disc into a zigzag of triangles from side to side: no point gets many.
 void addCap(SurfaceBuilder& builder, std::vector<Index> ring, bool upwards)
 {
-  if (!upwards) {
+  if (!upwards)
+  {
     std::reverse(ring.begin(), ring.end());
   }
   std::size_t low = 0;
   std::size_t high = ring.size() - 1;
-  for (bool fromLow = true; high - low > 1; fromLow = !fromLow) {
+  for (bool fromLow = true; high - low > 1; fromLow = !fromLow)
+  {
     const std::size_t middle = fromLow ? low + 1 : high - 1;
     builder.polygon(std::array<Index, 3>{ring[low], ring[middle], ring[high]});
     (fromLow ? low : high) = middle;
@@ -62,7 +67,8 @@ LocalSurface makeBox(const Vec3& size)
 {
   SurfaceBuilder builder;
   const Vec3 h = 0.5 * size;
-  for (int i = 0; i < 8; ++i) {
+  for (int i = 0; i < 8; ++i)
+  {
     builder.point({i & 1 ? h.x() : -h.x(), i & 2 ? h.y() : -h.y(), i & 4 ? h.z() : -h.z()});
   }
   builder.quad(0, 4, 6, 2);
@@ -80,14 +86,17 @@ LocalSurface makeSphere(double radius, int segments)
   const int bands = std::max(2, (segments + 1) / 2);
   const Index bottom = builder.point({0.0, -radius, 0.0});
   std::vector<Index> below;
-  for (int i = 1; i < bands; ++i) {
+  for (int i = 1; i < bands; ++i)
+  {
     const double angle = std::numbers::pi * (static_cast<double>(i) / bands - 0.5);
-    const std::vector<Index> ring =
-        addRing(builder, radius * std::cos(angle), radius * std::sin(angle), segments);
-    if (below.empty()) {
+    const std::vector<Index> ring = addRing(builder, radius * std::cos(angle), radius * std::sin(angle), segments);
+    if (below.empty())
+    {
       std::vector<Index> reversed(ring.rbegin(), ring.rend());
       addFan(builder, reversed, bottom);
-    } else {
+    }
+    else
+    {
       addBand(builder, below, ring);
     }
     below = ring;
@@ -102,19 +111,24 @@ LocalSurface makeCylinder(const Cylinder& cylinder, int segments)
   const double h = 0.5 * cylinder.height;
   std::vector<Index> lower;
   std::vector<Index> upper;
-  if (cylinder.side || cylinder.bottom) {
+  if (cylinder.side || cylinder.bottom)
+  {
     lower = addRing(builder, cylinder.radius, -h, segments);
   }
-  if (cylinder.side || cylinder.top) {
+  if (cylinder.side || cylinder.top)
+  {
     upper = addRing(builder, cylinder.radius, h, segments);
   }
-  if (cylinder.side) {
+  if (cylinder.side)
+  {
     addBand(builder, lower, upper);
   }
-  if (cylinder.bottom) {
+  if (cylinder.bottom)
+  {
     addCap(builder, lower, false);
   }
-  if (cylinder.top) {
+  if (cylinder.top)
+  {
     addCap(builder, upper, true);
   }
   return builder.take();
@@ -124,14 +138,17 @@ LocalSurface makeCone(const Cone& cone, int segments)
 {
   SurfaceBuilder builder;
   const double h = 0.5 * cone.height;
-  if (!cone.side && !cone.bottom) {
+  if (!cone.side && !cone.bottom)
+  {
     return {};
   }
   const std::vector<Index> ring = addRing(builder, cone.bottomRadius, -h, segments);
-  if (cone.side) {
+  if (cone.side)
+  {
     addFan(builder, ring, builder.point({0.0, h, 0.0}));
   }
-  if (cone.bottom) {
+  if (cone.bottom)
+  {
     addCap(builder, ring, false);
   }
   return builder.take();

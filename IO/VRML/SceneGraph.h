@@ -20,8 +20,8 @@ struct Prototype;
 
 /// A field's value; numbers of every kind of vector, colour or rotation are one flat list. A single node is a
 /// list of one. `monostate` stands for a field that was not given or not kept.
-using Value = std::variant<std::monostate, bool, std::vector<int>, std::vector<double>,
-                           std::vector<std::string>, std::vector<Node*>>;
+using Value = std::variant<std::monostate, bool, std::vector<int>, std::vector<double>, std::vector<std::string>,
+                           std::vector<Node*>>;
 
 enum class FieldType
 {
@@ -64,8 +64,10 @@ struct Node
 
   const Field* find(std::string_view field) const
   {
-    for (const Field& f : fields) {
-      if (f.name == field) {
+    for (const Field& f : fields)
+    {
+      if (f.name == field)
+      {
         return &f;
       }
     }

@@ -8,7 +8,8 @@ namespace atria::vrml {
 void SurfaceBuilder::polygon(std::span<const Index> ids)
 {
   const PolygonTriangles cut = triangulatePolygon(surface.points, ids);
-  for (const auto& t : cut.triangles) {
+  for (const auto& t : cut.triangles)
+  {
     triangle(t[0], t[1], t[2]);
   }
   flat += cut.triangles.empty() ? 1 : 0;

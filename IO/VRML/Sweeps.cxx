@@ -40,7 +40,8 @@ std::vector<Vec3> tangents(const std::vector<Vec3>& spine, bool closed)
 {
   std::vector<Vec3> out(spine.size());
   Vec3 known = Vec3::Zero();
-  for (std::size_t i = 0; i < spine.size(); ++i) {
+  for (std::size_t i = 0; i < spine.size(); ++i)
+  {
     const auto [before, after] = neighboursOf(spine, i, closed);
     out[i] = unitOrZero(after - before);
     out[i] = out[i].isZero() ? known : out[i];
@@ -58,17 +59,20 @@ std::vector<Vec3> bends(const std::vector<Vec3>& spine, bool closed)
 {
   constexpr double straight = 1e-9;
   std::vector<Vec3> out(spine.size(), Vec3::Zero());
-  for (std::size_t i = 0; i < spine.size(); ++i) {
+  for (std::size_t i = 0; i < spine.size(); ++i)
+  {
     const auto [before, after] = neighboursOf(spine, i, closed);
     const Vec3 z = unitOrZero(after - spine[i]).cross(unitOrZero(before - spine[i]));
     out[i] = z.norm() > straight ? z.normalized() : Vec3(Vec3::Zero());
   }
   const auto first = std::find_if(out.begin(), out.end(), [](const Vec3& z) { return !z.isZero(); });
-  if (first == out.end()) {
+  if (first == out.end())
+  {
     return out;
   }
   std::fill(out.begin(), first, *first);
-  for (std::size_t i = 1; i < out.size(); ++i) {
+  for (std::size_t i = 1; i < out.size(); ++i)
+  {
     out[i] = out[i].isZero() ? out[i - 1] : out[i];
     out[i] = out[i].dot(out[i - 1]) < 0.0 ? Vec3(-out[i]) : out[i];
   }
@@ -80,14 +84,17 @@ std::vector<Frame> framesOf(const std::vector<Vec3>& spine, bool closed)
   const std::vector<Vec3> y = tangents(spine, closed);
   const std::vector<Vec3> z = bends(spine, closed);
   std::vector<Frame> out(spine.size());
-  for (std::size_t i = 0; i < spine.size(); ++i) {
-    if (z[i].isZero()) {
+  for (std::size_t i = 0; i < spine.size(); ++i)
+  {
+    if (z[i].isZero())
+    {
       out[i] = straightFrame(y[0]);
       continue;
     }
     // A bend taken over from a neighbour need not be normal to the direction here.
     const Vec3 x = unitOrZero(y[i].cross(z[i]));
-    if (x.isZero()) {
+    if (x.isZero())
+    {
       out[i] = straightFrame(y[i]);
       continue;
     }
@@ -106,8 +113,7 @@ class Sweep
 public:
   explicit Sweep(const Extrusion& source)
       : in(source), builder(!source.ccw),
-        sectionClosed(source.crossSection.size() > 2 &&
-                      source.crossSection.front() == source.crossSection.back()),
+        sectionClosed(source.crossSection.size() > 2 && source.crossSection.front() == source.crossSection.back()),
         width(source.crossSection.size() - (sectionClosed ? 1 : 0))
   {
   }
@@ -116,22 +122,26 @@ public:
   {
     const bool spineClosed = in.spine.size() > 2 && in.spine.front() == in.spine.back();
     const std::vector<Frame> frames = framesOf(in.spine, spineClosed);
-    for (std::size_t i = 0; i < in.spine.size(); ++i) {
+    for (std::size_t i = 0; i < in.spine.size(); ++i)
+    {
       rings.push_back(ring(i, frames[i]));
     }
-    const bool joined =
-        spineClosed && atOrLast(in.scale, rings.size() - 1) == in.scale.front() &&
-        atOrLast(in.orientation, rings.size() - 1).coeffs() == in.orientation.front().coeffs();
-    if (joined) {
+    const bool joined = spineClosed && atOrLast(in.scale, rings.size() - 1) == in.scale.front() &&
+                        atOrLast(in.orientation, rings.size() - 1).coeffs() == in.orientation.front().coeffs();
+    if (joined)
+    {
       rings.back() = rings.front();
     }
-    for (std::size_t i = 1; i < rings.size(); ++i) {
+    for (std::size_t i = 1; i < rings.size(); ++i)
+    {
       band(rings[i - 1], rings[i]);
     }
-    if (in.beginCap && !joined) {
+    if (in.beginCap && !joined)
+    {
       builder.polygon(std::vector<Index>(rings.front().rbegin(), rings.front().rend()));
     }
-    if (in.endCap && !joined) {
+    if (in.endCap && !joined)
+    {
       builder.polygon(rings.back());
     }
     return builder.take();
@@ -143,7 +153,8 @@ private:
     const Eigen::Matrix3d turn = frame * atOrLast(in.orientation, i).toRotationMatrix();
     const Eigen::Vector2d scale = atOrLast(in.scale, i);
     std::vector<Index> ids;
-    for (std::size_t k = 0; k < width; ++k) {
+    for (std::size_t k = 0; k < width; ++k)
+    {
       const Eigen::Vector2d p = in.crossSection[k].cwiseProduct(scale);
       ids.push_back(builder.point(in.spine[i] + turn * Vec3(p.x(), 0.0, p.y())));
     }
@@ -152,7 +163,8 @@ private:
 
   void band(const std::vector<Index>& lower, const std::vector<Index>& upper)
   {
-    for (std::size_t k = 0; k + (sectionClosed ? 0 : 1) < width; ++k) {
+    for (std::size_t k = 0; k + (sectionClosed ? 0 : 1) < width; ++k)
+    {
       const std::size_t next = (k + 1) % width;
       builder.quad(lower[k], lower[next], upper[next], upper[k]);
     }
@@ -170,22 +182,25 @@ private:
 Eigen::Quaterniond rotationOf(const double* axisAndAngle)
 {
   const Vec3 axis = unitOrZero(Vec3(axisAndAngle[0], axisAndAngle[1], axisAndAngle[2]));
-  return axis.isZero() ? Eigen::Quaterniond::Identity()
-                       : Eigen::Quaterniond(Eigen::AngleAxisd(axisAndAngle[3], axis));
+  return axis.isZero() ? Eigen::Quaterniond::Identity() : Eigen::Quaterniond(Eigen::AngleAxisd(axisAndAngle[3], axis));
 }
 
 LocalSurface makeElevationGrid(const ElevationGrid& grid)
 {
   SurfaceBuilder builder(!grid.ccw);
-  for (int z = 0; z < grid.zDimension; ++z) {
-    for (int x = 0; x < grid.xDimension; ++x) {
+  for (int z = 0; z < grid.zDimension; ++z)
+  {
+    for (int x = 0; x < grid.xDimension; ++x)
+    {
       const std::size_t i = static_cast<std::size_t>(z) * grid.xDimension + x;
       builder.point({x * grid.xSpacing, grid.height[i], z * grid.zSpacing});
     }
   }
   const auto width = static_cast<Index>(grid.xDimension);
-  for (Index z = 0; z + 1 < static_cast<Index>(grid.zDimension); ++z) {
-    for (Index x = 0; x + 1 < width; ++x) {
+  for (Index z = 0; z + 1 < static_cast<Index>(grid.zDimension); ++z)
+  {
+    for (Index x = 0; x + 1 < width; ++x)
+    {
       const Index a = z * width + x;
       builder.quad(a, a + width, a + width + 1, a + 1);
     }

@@ -36,7 +36,8 @@ vtkNew<vtkStringArray> toStrings(const std::vector<std::string>& texts, const ch
 {
   vtkNew<vtkStringArray> array;
   array->SetName(name);
-  for (const std::string& text : texts) {
+  for (const std::string& text : texts)
+  {
     array->InsertNextValue(text);
   }
   return array;
@@ -47,7 +48,8 @@ vtkNew<vtkPoints> toPoints(const std::vector<atria::Vec3>& source)
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   points->SetNumberOfPoints(static_cast<vtkIdType>(source.size()));
-  for (std::size_t i = 0; i < source.size(); ++i) {
+  for (std::size_t i = 0; i < source.size(); ++i)
+  {
     points->SetPoint(static_cast<vtkIdType>(i), source[i].data());
   }
   return points;
@@ -60,9 +62,11 @@ vtkNew<vtkCellArray> toCells(const std::vector<std::array<atria::Index, 3>>& tri
   const auto count = static_cast<vtkIdType>(triangles.size());
   offsets->SetNumberOfValues(count + 1);
   connectivity->SetNumberOfValues(3 * count);
-  for (vtkIdType i = 0; i < count; ++i) {
+  for (vtkIdType i = 0; i < count; ++i)
+  {
     offsets->SetValue(i, 3 * i);
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < 3; ++k)
+    {
       connectivity->SetValue(3 * i + k, triangles[static_cast<std::size_t>(i)][k]);
     }
   }
@@ -89,7 +93,8 @@ void fill(vtkPolyData* output, const atria::vrml::Model& model)
 std::string describe(const std::map<std::string, std::size_t>& skipped)
 {
   std::string text;
-  for (const auto& [type, count] : skipped) {
+  for (const auto& [type, count] : skipped)
+  {
     text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + type;
   }
   return text.empty() ? "it is empty" : "it holds " + text;
@@ -116,29 +121,32 @@ vtkStringArray* vtkAtriaVRMLReader::GetSkippedNodes() { return this->SkippedNode
 
 void vtkAtriaVRMLReader::ReportWarnings()
 {
-  if (this->NumberOfWarnings == 0) {
+  if (this->NumberOfWarnings == 0)
+  {
     return;
   }
   std::string text;
   const vtkIdType shown = std::min(shownWarnings, this->Warnings->GetNumberOfValues());
-  for (vtkIdType i = 0; i < shown; ++i) {
+  for (vtkIdType i = 0; i < shown; ++i)
+  {
     text += "\n  " + this->Warnings->GetValue(i);
   }
-  if (this->NumberOfWarnings > shown) {
+  if (this->NumberOfWarnings > shown)
+  {
     text += "\n  and " + std::to_string(this->NumberOfWarnings - shown) + " more";
   }
   vtkWarningMacro("'" << this->FileName << "' was read with " << this->NumberOfWarnings
                       << (this->NumberOfWarnings == 1 ? " warning:" : " warnings:") << text);
 }
 
-int vtkAtriaVRMLReader::RequestData(vtkInformation*, vtkInformationVector**,
-                                    vtkInformationVector* outputVector)
+int vtkAtriaVRMLReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   this->Warnings = vtkSmartPointer<vtkStringArray>::New();
   this->SkippedNodes = vtkSmartPointer<vtkStringArray>::New();
   this->NumberOfWarnings = 0;
-  if (!this->FileName || !*this->FileName) {
+  if (!this->FileName || !*this->FileName)
+  {
     vtkErrorMacro("FileName is not set");
     return 0;
   }
@@ -148,18 +156,21 @@ int vtkAtriaVRMLReader::RequestData(vtkInformation*, vtkInformationVector**,
     this->Warnings = toStrings(diagnostics.texts(), "Warnings").Get();
     this->ReportWarnings();
   };
-  try {
+  try
+  {
     atria::AlgorithmProgress monitor(*this);
     const atria::ProgressRange progress(monitor);
     atria::vrml::Library library(diagnostics, progress.part(0.0, 0.6));
     const atria::vrml::Document& document = library.open(this->FileName);
     atria::vrml::Evaluator evaluator(library, diagnostics, progress.part(0.6, 0.9), this->TessellationAngle);
     const atria::vrml::Model model = evaluator.run(document);
-    for (const auto& [type, count] : model.skipped) {
+    for (const auto& [type, count] : model.skipped)
+    {
       this->SkippedNodes->InsertNextValue(type + ": " + std::to_string(count));
     }
     keepWarnings();
-    if (model.triangles.empty()) {
+    if (model.triangles.empty())
+    {
       vtkErrorMacro("'" << this->FileName << "' holds no surfaces: " << describe(model.skipped));
       return 0;
     }
@@ -167,12 +178,18 @@ int vtkAtriaVRMLReader::RequestData(vtkInformation*, vtkInformationVector**,
     fill(output, model);
     progress.report(1.0, "Model read");
     return 1;
-  } catch (const atria::Aborted&) {
+  }
+  catch (const atria::Aborted&)
+  {
     output->Initialize();
     return 1;
-  } catch (const std::bad_alloc&) {
+  }
+  catch (const std::bad_alloc&)
+  {
     vtkErrorMacro("not enough memory to read '" << this->FileName << "'");
-  } catch (const std::exception& error) {
+  }
+  catch (const std::exception& error)
+  {
     keepWarnings();
     vtkErrorMacro(<< error.what());
   }

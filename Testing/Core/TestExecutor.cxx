@@ -41,13 +41,13 @@ TEST(Executor, PassesOnAnExceptionAfterAllPiecesEnded)
   for (const auto& executor : executors())
   {
     EXPECT_THROW(executor->forEach(100, 10,
-                   [](std::size_t i) {
-                     if (i == 55)
-                     {
-                       throw std::runtime_error("piece");
-                     }
-                   }),
-      std::runtime_error);
+                                   [](std::size_t i) {
+                                     if (i == 55)
+                                     {
+                                       throw std::runtime_error("piece");
+                                     }
+                                   }),
+                 std::runtime_error);
   }
 }
 

@@ -130,8 +130,7 @@ TEST(FaceMesh, FacesOfEveryCellTypePointOutward)
                         static_cast<double>(mesh.points.size());
     for (std::size_t f = 0; f < mesh.faceCount(); ++f)
     {
-      EXPECT_GT(normalOf(mesh, f).dot(mesh.points[mesh.face(f)[0]] - centre), 0)
-          << "type " << int(cell.types[0]);
+      EXPECT_GT(normalOf(mesh, f).dot(mesh.points[mesh.face(f)[0]] - centre), 0) << "type " << int(cell.types[0]);
     }
     expectClosedCells(mesh);
   }
@@ -178,8 +177,7 @@ TEST(FaceMesh, IsTheSameMeshForAnyCellOrder)
   for (std::size_t f = 0; f < b.internalFaceCount(); ++f)
   {
     pairsA.insert(std::minmax(a.owner[f], a.neighbour[f]));
-    pairsB.insert(
-        std::minmax(static_cast<Index>(order[b.owner[f]]), static_cast<Index>(order[b.neighbour[f]])));
+    pairsB.insert(std::minmax(static_cast<Index>(order[b.owner[f]]), static_cast<Index>(order[b.neighbour[f]])));
   }
   EXPECT_EQ(pairsA, pairsB);
 }
@@ -265,8 +263,7 @@ TEST(FaceMeshError, NamesTheCellsThatShareAFace)
   SampleMesh mesh = atria::testing::hexahedra({2, 1, 1});
   const FaceMesh joined = makeFaceMesh(mesh.points, mesh.view());
   mesh.points.emplace_back(3, 3, 3);
-  mesh.addCell(atria::pyramidCell,
-               {joined.face(0)[0], joined.face(0)[1], joined.face(0)[2], joined.face(0)[3], 12});
+  mesh.addCell(atria::pyramidCell, {joined.face(0)[0], joined.face(0)[1], joined.face(0)[2], joined.face(0)[3], 12});
   EXPECT_THAT(errorOf(mesh), ::testing::HasSubstr("is shared by the cells 0 1 2"));
 }
 

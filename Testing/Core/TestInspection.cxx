@@ -21,9 +21,11 @@ TriangleSurface tetrahedron()
   const std::array<atria::Vec3, 4> corners{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   TriangleSurface surface;
   surface.names = {"base", "sides"};
-  for (const std::array<int, 3>& t : {std::array{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}) {
+  for (const std::array<int, 3>& t : {std::array{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}})
+  {
     const auto first = static_cast<Index>(surface.points.size());
-    for (const int corner : t) {
+    for (const int corner : t)
+    {
       surface.points.push_back(corners[corner]);
     }
     surface.triangles.push_back({first, first + 1, first + 2});
@@ -65,7 +67,8 @@ TEST(Inspection, CountsEdgesOfThreeTrianglesOnce)
 TEST(Inspection, MergesPointsWithinTheToleranceOnly)
 {
   TriangleSurface surface = tetrahedron();
-  for (std::size_t i = 0; i < surface.points.size(); ++i) {
+  for (std::size_t i = 0; i < surface.points.size(); ++i)
+  {
     surface.points[i].x() += 1e-6 * static_cast<double>(i % 3);
   }
   EXPECT_GT(inspect(surface).total.openEdges, 0u);

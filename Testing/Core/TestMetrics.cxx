@@ -135,11 +135,7 @@ TEST(Metrics, ScaledJacobiansOfWedgesAndPyramidsAreVerdicts)
         {1.38, 0.0, 1.4}},
        0.14625211135330457},
       {atria::pyramidCell,
-       {{-0.15, -0.34, 0.08},
-        {0.63, -0.24, -0.07},
-        {1.09, 0.72, -0.37},
-        {0.29, 0.85, 0.37},
-        {0.82, 0.4, 0.67}},
+       {{-0.15, -0.34, 0.08}, {0.63, -0.24, -0.07}, {1.09, 0.72, -0.37}, {0.29, 0.85, 0.37}, {0.82, 0.4, 0.67}},
        0.6170128558277208},
       {atria::pyramidCell,
        {{0.09, 0.11, -0.35}, {1.1, -0.03, 0.14}, {0.88, 1.17, 0.19}, {-0.38, 0.65, 0.14}, {0.87, 0.3, 0.67}},
@@ -147,8 +143,7 @@ TEST(Metrics, ScaledJacobiansOfWedgesAndPyramidsAreVerdicts)
   };
   for (const Reference& reference : references)
   {
-    EXPECT_NEAR(measure(singleCell(reference.type, reference.points)).scaledJacobian[0], reference.value,
-                1e-12);
+    EXPECT_NEAR(measure(singleCell(reference.type, reference.points)).scaledJacobian[0], reference.value, 1e-12);
   }
 }
 
@@ -345,8 +340,7 @@ TEST(Metrics, StopWhenAsked)
   const FaceMesh mesh = makeFaceMesh(sample.points, sample.view());
   Impatient monitor;
   const atria::SerialExecutor executor;
-  EXPECT_THROW(computeQuality(mesh, sample.view(), {executor, atria::ProgressRange(monitor)}),
-               atria::Aborted);
+  EXPECT_THROW(computeQuality(mesh, sample.view(), {executor, atria::ProgressRange(monitor)}), atria::Aborted);
 }
 
 } // namespace

@@ -34,9 +34,10 @@ PolygonTriangles triangulateAll(const std::vector<Vec3>& points)
 Vec3 areaOf(const std::vector<Vec3>& points, const std::vector<Index>& polygon)
 {
   Vec3 sum = Vec3::Zero();
-  for (std::size_t i = 0; i < polygon.size(); ++i) {
-    sum += (points[polygon[i]] - points[polygon[0]])
-               .cross(points[polygon[(i + 1) % polygon.size()]] - points[polygon[0]]);
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+  {
+    sum +=
+        (points[polygon[i]] - points[polygon[0]]).cross(points[polygon[(i + 1) % polygon.size()]] - points[polygon[0]]);
   }
   return 0.5 * sum;
 }
@@ -50,19 +51,20 @@ Vec3 areaOf(const std::vector<Vec3>& points, const std::array<Index, 3>& t)
 double totalArea(const std::vector<Vec3>& points, const PolygonTriangles& result)
 {
   double sum = 0.0;
-  for (const auto& t : result.triangles) {
+  for (const auto& t : result.triangles)
+  {
     sum += areaOf(points, t).norm();
   }
   return sum;
 }
 
-void expectValid(const std::vector<Vec3>& points, const std::vector<Index>& polygon,
-                 const PolygonTriangles& result)
+void expectValid(const std::vector<Vec3>& points, const std::vector<Index>& polygon, const PolygonTriangles& result)
 {
   const Vec3 area = areaOf(points, polygon);
   const std::set<Index> given(polygon.begin(), polygon.end());
   EXPECT_NEAR(totalArea(points, result), area.norm(), 1e-9 * area.norm());
-  for (const auto& t : result.triangles) {
+  for (const auto& t : result.triangles)
+  {
     EXPECT_TRUE(given.count(t[0]) && given.count(t[1]) && given.count(t[2]));
     EXPECT_GT(areaOf(points, t).dot(area), -1e-9 * area.squaredNorm());
   }
@@ -79,7 +81,8 @@ public:
   std::vector<Vec3> star(int count)
   {
     std::vector<Vec3> points;
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0; i < count; ++i)
+    {
       const double angle = 2.0 * std::numbers::pi * (i + in(0.0, 0.8)) / count;
       const double radius = in(0.1, 1.0);
       points.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0.0);
@@ -91,7 +94,8 @@ public:
   std::vector<Vec3> comb(int teeth)
   {
     std::vector<Vec3> points{{static_cast<double>(teeth), -1.0, 0.0}};
-    for (int i = teeth; i > 0; --i) {
+    for (int i = teeth; i > 0; --i)
+    {
       points.emplace_back(i, in(0.5, 3.0), 0.0);
       points.emplace_back(i - 0.5, 0.0, 0.0);
     }
@@ -101,11 +105,11 @@ public:
 
   void place(std::vector<Vec3>& points)
   {
-    const Eigen::Quaterniond turn =
-        Eigen::Quaterniond(in(-1, 1), in(-1, 1), in(-1, 1), in(-1, 1)).normalized();
+    const Eigen::Quaterniond turn = Eigen::Quaterniond(in(-1, 1), in(-1, 1), in(-1, 1), in(-1, 1)).normalized();
     const double size = std::pow(10.0, in(-3.0, 3.0));
     const Vec3 shift(in(-100, 100) * size, in(-100, 100) * size, in(-100, 100) * size);
-    for (Vec3& p : points) {
+    for (Vec3& p : points)
+    {
       p = turn * (size * p) + shift;
     }
   }
@@ -117,11 +121,13 @@ private:
 TEST(PolygonTriangulation, CutsRandomConcavePolygonsInRandomPlanes)
 {
   Shapes shapes(7);
-  for (int round = 0; round < 400; ++round) {
+  for (int round = 0; round < 400; ++round)
+  {
     const int count = 3 + round % 40;
     std::vector<Vec3> points = round % 3 == 0 ? shapes.comb(1 + count / 2) : shapes.star(count);
     shapes.place(points);
-    if (round % 2 == 0) {
+    if (round % 2 == 0)
+    {
       std::reverse(points.begin(), points.end());
     }
     const PolygonTriangles result = triangulateAll(points);
@@ -151,7 +157,8 @@ TEST(PolygonTriangulation, CutsAConcaveQuadAtItsReflexCorner)
 TEST(PolygonTriangulation, CutsAConvexQuadAlongItsShorterDiagonal)
 {
   const std::vector<Vec3> points{{0, 0, 0}, {1, 0, 0}, {3, 1, 0}, {0, 1, 0}};
-  for (const auto& t : triangulateAll(points).triangles) {
+  for (const auto& t : triangulateAll(points).triangles)
+  {
     EXPECT_TRUE(std::count(t.begin(), t.end(), 1u) && std::count(t.begin(), t.end(), 3u));
   }
 }
@@ -215,7 +222,8 @@ TEST(PolygonTriangulation, GivesNothingForPolygonsWithoutArea)
                                             {0, 1, 0, 1},
                                             {0, 1, 2, 1},
                                             {0, 1, 2, 0, 1, 2},
-                                            {1, 3, 4}}) {
+                                            {1, 3, 4}})
+  {
     EXPECT_TRUE(triangulatePolygon(points, polygon).triangles.empty());
   }
 }
@@ -230,9 +238,11 @@ TEST(PolygonTriangulation, SkipsPolygonsWithPointsThatAreNotFinite)
 TEST(PolygonTriangulation, TakesSlightlyWarpedPolygons)
 {
   Shapes shapes(3);
-  for (int round = 0; round < 50; ++round) {
+  for (int round = 0; round < 50; ++round)
+  {
     std::vector<Vec3> points = shapes.star(5 + round);
-    for (Vec3& p : points) {
+    for (Vec3& p : points)
+    {
       p.z() = shapes.in(-1e-3, 1e-3);
     }
     const PolygonTriangles result = triangulateAll(points);
@@ -253,17 +263,22 @@ TEST(PolygonTriangulation, SurvivesRandomWalksThroughFewPoints)
 {
   std::mt19937 random(11);
   std::vector<Vec3> grid;
-  for (int i = 0; i < 16; ++i) {
+  for (int i = 0; i < 16; ++i)
+  {
     grid.emplace_back(i % 4, i / 4, 0.01 * (i % 3));
   }
-  for (int round = 0; round < 3000; ++round) {
+  for (int round = 0; round < 3000; ++round)
+  {
     std::vector<Index> polygon(3 + random() % 20);
-    for (Index& id : polygon) {
+    for (Index& id : polygon)
+    {
       id = static_cast<Index>(random() % grid.size());
     }
     const PolygonTriangles result = triangulatePolygon(grid, polygon);
-    for (const auto& t : result.triangles) {
-      for (const Index id : t) {
+    for (const auto& t : result.triangles)
+    {
+      for (const Index id : t)
+      {
         EXPECT_NE(std::find(polygon.begin(), polygon.end(), id), polygon.end());
       }
     }

@@ -53,8 +53,7 @@ TEST(Statistics, OfNothingAreNoNumbers)
 {
   const atria::Statistics s = atria::summarise({});
   EXPECT_EQ(s.count, 0u);
-  EXPECT_TRUE(std::isnan(s.minimum) && std::isnan(s.maximum) && std::isnan(s.mean) &&
-              std::isnan(s.standardDeviation));
+  EXPECT_TRUE(std::isnan(s.minimum) && std::isnan(s.maximum) && std::isnan(s.mean) && std::isnan(s.standardDeviation));
 }
 
 TEST(Statistics, KeepTheDigitsOfManySmallDifferences)

@@ -30,9 +30,9 @@ using atria::testing::toPatches;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-const std::vector<std::string> metricNames{
-    "CellSquish",       "FaceSquish", "AspectRatio", "InverseAspectRatio", "OrthogonalQuality",
-    "NonOrthogonality", "Skewness",   "Volume",      "FacePyramids",       "ScaledJacobian"};
+const std::vector<std::string> metricNames{"CellSquish",        "FaceSquish",       "AspectRatio", "InverseAspectRatio",
+                                           "OrthogonalQuality", "NonOrthogonality", "Skewness",    "Volume",
+                                           "FacePyramids",      "ScaledJacobian"};
 
 class MeshQuality : public atria::testing::VtkTest
 {
@@ -288,8 +288,7 @@ TEST_F(MeshQualityError, AFailedRunAfterAGoodOneLeavesNothing)
 TEST_F(MeshQualityError, PatchesOfAnotherMesh)
 {
   const SampleMesh other = atria::testing::hexahedra({2, 2, 2});
-  const auto patches =
-      toPatches(makeFaceMesh(other.points, other.view()), atria::testing::sidesOfBox({2, 2, 2}));
+  const auto patches = toPatches(makeFaceMesh(other.points, other.view()), atria::testing::sidesOfBox({2, 2, 2}));
   run(toGrid(atria::testing::hexahedra({1, 1, 1})), patches);
   EXPECT_THAT(messages.takeErrors(), ::testing::Contains(HasSubstr("the volume mesh does not have")));
   expectNoOutput();

@@ -46,8 +46,7 @@ constexpr std::array<int, 3> size{5, 4, 4};
 /// A piece of the plane z = 2 that ends inside the box.
 std::string sheetAtTwo(const Vec3& centre)
 {
-  const bool on =
-      std::abs(centre[2] - 2.0) < 1e-9 && centre[0] > 1 && centre[0] < 3 && centre[1] > 1 && centre[1] < 3;
+  const bool on = std::abs(centre[2] - 2.0) < 1e-9 && centre[0] > 1 && centre[0] < 3 && centre[1] > 1 && centre[1] < 3;
   return on ? "canopy 1" : "";
 }
 
@@ -55,8 +54,7 @@ class OpenFOAMWriter : public atria::testing::VtkTest
 {
 protected:
   /// Both formats write the same mesh, so all is asked of both.
-  int write(vtkUnstructuredGrid* volume, vtkPartitionedDataSetCollection* patches, bool binary,
-            const fs::path& folder)
+  int write(vtkUnstructuredGrid* volume, vtkPartitionedDataSetCollection* patches, bool binary, const fs::path& folder)
   {
     vtkNew<vtkAtriaOpenFOAMWriter> writer;
     writer->SetInputDataObject(volume);
@@ -107,11 +105,9 @@ void expectSameQuality(const atria::QualityMetrics& ours, const CheckMeshReport&
   const double mean = std::acos(cosines / ours.nonOrthogonalityOfFaces.size()) * 180 / std::numbers::pi;
   expectSameDigits(mean, theirs.averageNonOrthogonality, "average non-orthogonality");
   expectSameDigits(greatest(ours.skewness), theirs.maxSkewness, "skewness");
-  expectSameDigits(*std::min_element(ours.volume.begin(), ours.volume.end()), theirs.minVolume,
-                   "least volume");
+  expectSameDigits(*std::min_element(ours.volume.begin(), ours.volume.end()), theirs.minVolume, "least volume");
   expectSameDigits(greatest(ours.volume), theirs.maxVolume, "greatest volume");
-  expectSameDigits(std::accumulate(ours.volume.begin(), ours.volume.end(), 0.0), theirs.totalVolume,
-                   "volume");
+  expectSameDigits(std::accumulate(ours.volume.begin(), ours.volume.end(), 0.0), theirs.totalVolume, "volume");
 }
 
 TEST_F(OpenFOAMWriter, CheckMeshFindsAMixedMeshSoundAndAgreesOnItsQuality)
@@ -137,8 +133,7 @@ TEST_F(OpenFOAMWriter, CheckMeshFindsAMixedMeshSoundAndAgreesOnItsQuality)
     EXPECT_EQ(report.counts.at("boundary patches"), 6);
     // Random cells next to coplanar triangles are not all convex, and a corner's pyramid has but one
     // neighbour.
-    EXPECT_THAT(report.failures,
-                ::testing::Each(::testing::AnyOf(HasSubstr("Concave"), HasSubstr("determinant"))));
+    EXPECT_THAT(report.failures, ::testing::Each(::testing::AnyOf(HasSubstr("Concave"), HasSubstr("determinant"))));
     for (const char* type : {"hexahedra", "prisms", "pyramids", "tetrahedra", "polyhedra"})
     {
       EXPECT_GT(report.cellsByType.at(type), 0) << type;
@@ -301,8 +296,7 @@ void expectSameCells(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b)
   ASSERT_EQ(qa.volume.size(), qb.volume.size());
   for (std::size_t c = 0; c < qa.volume.size(); ++c)
   {
-    EXPECT_NEAR(qa.volume[c], qb.volume[c], 1e-6)
-        << "cell " << c; // the reader keeps points in single precision
+    EXPECT_NEAR(qa.volume[c], qb.volume[c], 1e-6) << "cell " << c; // the reader keeps points in single precision
   }
 }
 
@@ -344,15 +338,12 @@ TEST_F(OpenFOAMWriter, VtkReadsTheSameMeshBack)
 TEST_F(OpenFOAMWriter, FacesInNoPatchGoToDefaultFaces)
 {
   const SampleMesh sample = atria::testing::hexahedra({2, 2, 2});
-  const auto patches = toPatches(facesOf(sample), [](const Vec3& centre) {
-    return centre[2] < 1e-9 ? std::string("ground") : std::string();
-  });
+  const auto patches = toPatches(
+      facesOf(sample), [](const Vec3& centre) { return centre[2] < 1e-9 ? std::string("ground") : std::string(); });
   ASSERT_EQ(write(toGrid(sample), patches, false, folder("case")), 1);
   const std::string boundary = textOf(folder("case") / "constant/polyMesh/boundary");
-  EXPECT_THAT(boundary,
-              HasSubstr("ground\n    {\n        type            wall;\n        nFaces          4;"));
-  EXPECT_THAT(boundary,
-              HasSubstr("defaultFaces\n    {\n        type            patch;\n        nFaces          20;"));
+  EXPECT_THAT(boundary, HasSubstr("ground\n    {\n        type            wall;\n        nFaces          4;"));
+  EXPECT_THAT(boundary, HasSubstr("defaultFaces\n    {\n        type            patch;\n        nFaces          20;"));
 }
 
 TEST_F(OpenFOAMWriter, PointsThatNoCellHasAreLeftOut)

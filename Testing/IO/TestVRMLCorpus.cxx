@@ -33,12 +33,18 @@ std::vector<std::string> splitRow(const std::string& line)
 {
   std::vector<std::string> cells(1);
   bool quoted = false;
-  for (const char c : line) {
-    if (c == '"') {
+  for (const char c : line)
+  {
+    if (c == '"')
+    {
       quoted = !quoted;
-    } else if (c == ',' && !quoted) {
+    }
+    else if (c == ',' && !quoted)
+    {
       cells.emplace_back();
-    } else {
+    }
+    else
+    {
       cells.back() += c;
     }
   }
@@ -54,13 +60,16 @@ References readReferences(const fs::path& folder)
   std::ifstream in(folder / "reference.csv");
   std::string line;
   std::getline(in, line);
-  while (std::getline(in, line)) {
+  while (std::getline(in, line))
+  {
     const std::vector<std::string> cells = splitRow(line);
-    if (cells.size() < 9) {
+    if (cells.size() < 9)
+    {
       continue;
     }
     auto& tools = all[cells[1]];
-    if (cells[3] != "1") {
+    if (cells[3] != "1")
+    {
       continue;
     }
     Reference r;
@@ -68,7 +77,8 @@ References readReferences(const fs::path& folder)
     r.area = std::stod(cells[5]);
     std::istringstream box(cells[6]);
     std::array<double, 6> b{};
-    if (box >> b[0] >> b[1] >> b[2] >> b[3] >> b[4] >> b[5]) {
+    if (box >> b[0] >> b[1] >> b[2] >> b[3] >> b[4] >> b[5])
+    {
       r.bounds = {b[0], b[3], b[1], b[4], b[2], b[5]};
     }
     r.note = cells[8];
@@ -154,7 +164,8 @@ double difference(const std::vector<double>& actual, const std::vector<double>& 
 {
   double most = 0.0;
   double diagonal = 0.0;
-  for (std::size_t i = 0; i < 6; ++i) {
+  for (std::size_t i = 0; i < 6; ++i)
+  {
     most = std::max(most, std::abs(actual[i] - wanted[i]));
     diagonal += i % 2 ? std::pow(wanted[i] - wanted[i - 1], 2) : 0.0;
   }
@@ -163,8 +174,7 @@ double difference(const std::vector<double>& actual, const std::vector<double>& 
 
 /// Agreement with the evaluator of polygons, and with Coin about primitives, which each tool tessellates its
 /// own way.
-void expectAgreement(const std::string& file, const VRMLModel& model,
-                     const std::map<std::string, Reference>& tools)
+void expectAgreement(const std::string& file, const VRMLModel& model, const std::map<std::string, Reference>& tools)
 {
   constexpr double roundTolerance = 2e-2;
   constexpr double roundBounds = 5e-3;
@@ -173,19 +183,23 @@ void expectAgreement(const std::string& file, const VRMLModel& model,
   const Special special = specialOf(file);
   const bool round = leavesOutPrimitives(polygons);
   double area = polygons.area;
-  if (special.primitiveArea) {
+  if (special.primitiveArea)
+  {
     area += *special.primitiveArea;
-  } else if (round) {
+  }
+  else if (round)
+  {
     ASSERT_TRUE(tools.count("Coin"));
     area += tools.at("Coin").area - polygonArea(tools.at("Coin"));
   }
   EXPECT_NEAR(model.area(), area, std::max(special.areaTolerance, round ? roundTolerance : 0.0) * area);
-  if (special.sameBounds) {
+  if (special.sameBounds)
+  {
     const std::vector<double> bounds = model.bounds();
     double least = difference(bounds, polygons.bounds);
-    if (round && tools.count("Coin")) {
-      least = std::min(least,
-                       difference(bounds, tools.at("Coin").bounds)); // the evaluator boxes primitives roughly
+    if (round && tools.count("Coin"))
+    {
+      least = std::min(least, difference(bounds, tools.at("Coin").bounds)); // the evaluator boxes primitives roughly
     }
     EXPECT_LT(least, round ? roundBounds : 1e-3);
   }
@@ -197,7 +211,8 @@ protected:
   void SetUp() override
   {
     folder = atria::testing::corpusFolder();
-    if (!folder) {
+    if (!folder)
+    {
       GTEST_SKIP() << "no corpus";
     }
   }
@@ -209,19 +224,23 @@ TEST_F(VRMLCorpus, AgreesWithOtherToolsOrRefusesClearly)
 {
   const References references = readReferences(*folder);
   ASSERT_GT(references.size(), 30u);
-  for (const auto& [file, tools] : references) {
+  for (const auto& [file, tools] : references)
+  {
     SCOPED_TRACE(file);
     atria::testing::VtkErrorGuard messages;
     const VRMLModel model(*folder / file);
     messages.takeWarnings(); // that there are any is the file's fault
     const std::vector<std::string> errors = messages.takeErrors();
     const Special special = specialOf(file);
-    if (special.error.empty()) {
+    if (special.error.empty())
+    {
       EXPECT_TRUE(errors.empty()) << atria::testing::joined(errors);
       ASSERT_GT(model.triangles(), 0);
       EXPECT_EQ(model.brokenPromise(), "");
       expectAgreement(file, model, tools);
-    } else {
+    }
+    else
+    {
       EXPECT_EQ(model.triangles(), 0);
       EXPECT_NE(atria::testing::joined(errors).find(special.error), std::string::npos);
     }
@@ -231,15 +250,18 @@ TEST_F(VRMLCorpus, AgreesWithOtherToolsOrRefusesClearly)
 TEST_F(VRMLCorpus, ReadsSmallFilesOfAParsersTestSuiteWithoutSurfaces)
 {
   std::size_t count = 0;
-  for (const char* part : {"good", "bad"}) {
-    for (const auto& entry : fs::directory_iterator(*folder / "d12_openvrml" / "conformance" / part)) {
+  for (const char* part : {"good", "bad"})
+  {
+    for (const auto& entry : fs::directory_iterator(*folder / "d12_openvrml" / "conformance" / part))
+    {
       SCOPED_TRACE(entry.path());
       atria::testing::VtkErrorGuard messages;
       const VRMLModel model(entry.path());
       const bool anyWarning = !messages.takeWarnings().empty();
       const std::vector<std::string> errors = messages.takeErrors();
       EXPECT_NE(atria::testing::joined(errors).find("holds no surfaces"), std::string::npos);
-      if (std::string(part) == "good") {
+      if (std::string(part) == "good")
+      {
         const bool externalPrototype = entry.path().string().find("externproto") != std::string::npos;
         EXPECT_EQ(anyWarning, externalPrototype) << atria::testing::joined(model.warnings());
       }
@@ -251,7 +273,8 @@ TEST_F(VRMLCorpus, ReadsSmallFilesOfAParsersTestSuiteWithoutSurfaces)
 
 TEST_F(VRMLCorpus, GivesTheSameTwice)
 {
-  for (const char* file : {"d01_castle_blender_v97.wrl", "d23_rotterdam_lod2.wrl"}) {
+  for (const char* file : {"d01_castle_blender_v97.wrl", "d23_rotterdam_lod2.wrl"})
+  {
     atria::testing::VtkErrorGuard messages;
     const VRMLModel first(*folder / file);
     const VRMLModel second(*folder / file);

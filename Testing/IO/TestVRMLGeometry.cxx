@@ -30,13 +30,13 @@ protected:
   }
   static std::string faces(const std::string& points, const std::string& index, const std::string& more = "")
   {
-    return "IndexedFaceSet { coord Coordinate { point [" + points + "] } coordIndex [" + index + "] " + more +
-           "}";
+    return "IndexedFaceSet { coord Coordinate { point [" + points + "] } coordIndex [" + index + "] " + more + "}";
   }
   void expectBounds(const VRMLModel& model, const std::vector<double>& wanted)
   {
     const std::vector<double> actual = model.bounds();
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+    {
       EXPECT_NEAR(actual[i], wanted[i], 1e-12) << "bound " << i;
     }
   }
@@ -50,12 +50,14 @@ const std::string square = "0 0 0, 1 0 0, 1 1 0, 0 1 0";
 double facing(const VRMLModel& model)
 {
   double sum = 0.0;
-  for (vtkIdType i = 0; i < model.output()->GetNumberOfCells(); ++i) {
+  for (vtkIdType i = 0; i < model.output()->GetNumberOfCells(); ++i)
+  {
     vtkIdType count = 0;
     const vtkIdType* ids = nullptr;
     model.output()->GetCellPoints(i, count, ids);
     double p[3][3];
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < 3; ++k)
+    {
       model.output()->GetPoint(ids[k], p[k]);
     }
     sum += (p[1][0] - p[0][0]) * (p[2][1] - p[0][1]) - (p[1][1] - p[0][1]) * (p[2][0] - p[0][0]);
@@ -144,7 +146,8 @@ TEST_F(VRMLGeometry, WarnsOfFacesThatCannotBe)
 TEST_F(VRMLGeometry, WarnsOfSizesThatAreNotPositive)
 {
   for (const char* geometry :
-       {"Box { size 1 0 1 }", "Sphere { radius -1 }", "Cone { height 0 }", "Cylinder { radius 0 }"}) {
+       {"Box { size 1 0 1 }", "Sphere { radius -1 }", "Cone { height 0 }", "Cylinder { radius 0 }"})
+  {
     const VRMLModel model = read(geometry);
     EXPECT_EQ(model.triangles(), 0);
     EXPECT_NE(joined(model.warnings()).find("a size is not positive"), std::string::npos) << geometry;
@@ -155,8 +158,7 @@ TEST_F(VRMLGeometry, WarnsOfSizesThatAreNotPositive)
 
 TEST_F(VRMLGeometry, MakesAnElevationGridThatLooksUp)
 {
-  const std::string grid =
-      "ElevationGrid { xDimension 3 zDimension 2 xSpacing 2 zSpacing 5 height [0 1 0, 0 1 0] ";
+  const std::string grid = "ElevationGrid { xDimension 3 zDimension 2 xSpacing 2 zSpacing 5 height [0 1 0, 0 1 0] ";
   const VRMLModel model = read(grid + "}");
   EXPECT_EQ(model.triangles(), 4);
   expectBounds(model, {0, 4, 0, 1, 0, 5});

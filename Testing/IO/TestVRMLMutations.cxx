@@ -22,14 +22,18 @@ namespace fs = std::filesystem;
 std::vector<fs::path> models()
 {
   std::vector<fs::path> folders{atria::testing::dataFolder() / "VRML"};
-  if (const auto corpus = atria::testing::corpusFolder()) {
+  if (const auto corpus = atria::testing::corpusFolder())
+  {
     folders.push_back(*corpus);
   }
   std::vector<fs::path> files;
-  for (const fs::path& folder : folders) {
-    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+  for (const fs::path& folder : folders)
+  {
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+    {
       const std::string name = entry.path().filename().string();
-      if (entry.is_regular_file() && name.find(".wr") != std::string::npos) {
+      if (entry.is_regular_file() && name.find(".wr") != std::string::npos)
+      {
         files.push_back(entry.path());
       }
     }
@@ -54,7 +58,8 @@ public:
   std::string damage(std::string text)
   {
     const int times = 1 + static_cast<int>(random() % 6);
-    for (int i = 0; i < times && !text.empty(); ++i) {
+    for (int i = 0; i < times && !text.empty(); ++i)
+    {
       damageOnce(text);
     }
     return text;
@@ -100,26 +105,28 @@ private:
                                                  "\xff\xfe"};
     const std::size_t at = below(text.size());
     const std::size_t length = std::min(below(200), text.size() - at);
-    switch (random() % 6) {
-    case 0:
-      text[at] = static_cast<char>(random());
-      break;
-    case 1:
-      text.erase(at, length);
-      break;
-    case 2:
-      text.insert(at, " " + pieces[below(pieces.size())] + " ");
-      break;
-    case 3:
-      text.insert(below(text.size()), text.substr(at, length));
-      break;
-    case 4:
-      removeOne(text, at);
-      break;
-    default:
-      if (random() % 8 == 0) {
-        text.resize(at);
-      }
+    switch (random() % 6)
+    {
+      case 0:
+        text[at] = static_cast<char>(random());
+        break;
+      case 1:
+        text.erase(at, length);
+        break;
+      case 2:
+        text.insert(at, " " + pieces[below(pieces.size())] + " ");
+        break;
+      case 3:
+        text.insert(below(text.size()), text.substr(at, length));
+        break;
+      case 4:
+        removeOne(text, at);
+        break;
+      default:
+        if (random() % 8 == 0)
+        {
+          text.resize(at);
+        }
     }
   }
 
@@ -127,7 +134,8 @@ private:
   void removeOne(std::string& text, std::size_t from)
   {
     const std::size_t at = text.find_first_of("{}[]\"DUI", from);
-    if (at != std::string::npos) {
+    if (at != std::string::npos)
+    {
       text.erase(at, 1);
     }
   }
@@ -143,10 +151,12 @@ TEST(VRMLMutations, NeitherCrashNorHang)
   const char* seed = std::getenv("ATRIA_MUTATION_SEED");
   Mutator mutator(seed ? static_cast<unsigned>(std::atoi(seed)) : 1);
   const atria::testing::ScratchFolder scratch;
-  for (const fs::path& file : models()) {
+  for (const fs::path& file : models())
+  {
     const std::string text = textOf(file);
     const int rounds = text.size() > largest ? std::max(1, copies / 20) : copies;
-    for (int i = 0; i < rounds; ++i) {
+    for (int i = 0; i < rounds; ++i)
+    {
       const std::string name = file.extension() == ".wrl" ? "mutant.wrl" : "mutant.wrz";
       const fs::path mutant = atria::testing::writeFile(scratch.path(), name, mutator.damage(text));
       SCOPED_TRACE(file.string() + ", copy " + std::to_string(i));
@@ -156,12 +166,14 @@ TEST(VRMLMutations, NeitherCrashNorHang)
       messages.takeWarnings();
       const bool failed = !messages.takeErrors().empty();
       EXPECT_EQ(failed, model.triangles() == 0);
-      if (!failed) {
+      if (!failed)
+      {
         EXPECT_EQ(model.brokenPromise(), "");
       }
       const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
       EXPECT_LT(seconds, 20.0);
-      if (::testing::Test::HasFailure()) {
+      if (::testing::Test::HasFailure())
+      {
         fs::copy_file(mutant, "failed-" + name, fs::copy_options::overwrite_existing);
         return;
       }

@@ -30,18 +30,13 @@ protected:
   static fs::path data(const std::string& name) { return atria::testing::dataFolder() / "VRML" / name; }
 
   /// A model of the text after the header.
-  VRMLModel read(const std::string& body)
-  {
-    return VRMLModel(write("model.wrl", "#VRML V2.0 utf8\n" + body));
-  }
-  fs::path write(const std::string& name, const std::string& text)
-  {
-    return writeFile(scratch.path(), name, text);
-  }
+  VRMLModel read(const std::string& body) { return VRMLModel(write("model.wrl", "#VRML V2.0 utf8\n" + body)); }
+  fs::path write(const std::string& name, const std::string& text) { return writeFile(scratch.path(), name, text); }
 
   void expectBounds(const std::vector<double>& actual, const std::vector<double>& wanted)
   {
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+    {
       EXPECT_NEAR(actual[i], wanted[i], 1e-12) << "bound " << i;
     }
   }
@@ -99,10 +94,10 @@ TEST_F(VRMLReader, IgnoresRotationsAboutNoAxis)
 TEST_F(VRMLReader, NamesSurfacesByTheNearestDef)
 {
   const std::string appearance = "appearance DEF Look Appearance { material DEF Paint Material {} }";
-  const VRMLModel model = read(
-      "DEF Hall Transform { children [" + box + ", DEF Door Shape { geometry DEF Leaf Box {} }" +
-      ", Shape { geometry DEF Window Box {} }, Group { children " + box + " } ] }" + "Shape { " + appearance +
-      " geometry Box {} } Shape { appearance DEF Plain Appearance {} geometry Box {} }" + box + box);
+  const VRMLModel model =
+      read("DEF Hall Transform { children [" + box + ", DEF Door Shape { geometry DEF Leaf Box {} }" +
+           ", Shape { geometry DEF Window Box {} }, Group { children " + box + " } ] }" + "Shape { " + appearance +
+           " geometry Box {} } Shape { appearance DEF Plain Appearance {} geometry Box {} }" + box + box);
   EXPECT_EQ(model.names(), (Names{"Hall", "Door", "Window", "Hall_2", "Paint", "Plain", "Shape", "Shape_2"}));
   EXPECT_EQ(model.materials(), (Names{"", "", "", "", "Paint", "Plain", "", ""}));
 }
@@ -126,9 +121,8 @@ TEST_F(VRMLReader, MakesEachUseASurfaceOfItsOwn)
 
 TEST_F(VRMLReader, TakesTheLastOfSeveralNodesOfOneName)
 {
-  const VRMLModel model =
-      read("DEF A Shape { geometry Box { size 1 1 1 } } DEF A Shape { geometry Box { size 3 3 3 } }"
-           "Transform { translation 10 0 0 children USE A }");
+  const VRMLModel model = read("DEF A Shape { geometry Box { size 1 1 1 } } DEF A Shape { geometry Box { size 3 3 3 } }"
+                               "Transform { translation 10 0 0 children USE A }");
   EXPECT_EQ(model.names(), (Names{"A", "A_2", "A_3"}));
   EXPECT_NEAR(model.area("A_3"), 54.0, 1e-12);
 }
@@ -136,11 +130,8 @@ TEST_F(VRMLReader, TakesTheLastOfSeveralNodesOfOneName)
 TEST_F(VRMLReader, ShowsTheChosenBranchesOnly)
 {
   EXPECT_EQ(read("Switch { whichChoice 1 choice [ NULL, DEF Second " + box + "] }").names(), Names{"Second"});
-  EXPECT_EQ(
-      read(box + "Switch { choice [" + box + "] } Switch { whichChoice 7 choice " + box + "}").triangles(),
-      12);
-  EXPECT_EQ(read("LOD { range [10] level [ DEF Fine " + box + " DEF Coarse " + box + "] }").names(),
-            Names{"Fine"});
+  EXPECT_EQ(read(box + "Switch { choice [" + box + "] } Switch { whichChoice 7 choice " + box + "}").triangles(), 12);
+  EXPECT_EQ(read("LOD { range [10] level [ DEF Fine " + box + " DEF Coarse " + box + "] }").names(), Names{"Fine"});
   EXPECT_EQ(read("Collision { proxy " + box + " children DEF Real " + box + "}").names(), Names{"Real"});
   EXPECT_EQ(read("Anchor { url \"x\" children Billboard { children " + box + "} }").triangles(), 12);
 }
@@ -194,7 +185,8 @@ TEST_F(VRMLReader, SurvivesNodesThatContainThemselves)
 TEST_F(VRMLReader, RefusesScenesThatMultiplyWithoutEnd)
 {
   std::string body = "DEF N0 Shape {} ";
-  for (int i = 1; i < 40; ++i) {
+  for (int i = 1; i < 40; ++i)
+  {
     const std::string below = "USE N" + std::to_string(i - 1);
     body += "DEF N" + std::to_string(i) + " Group { children [" + below + " " + below + "] }\n";
   }
@@ -208,11 +200,13 @@ TEST_F(VRMLReader, ReadsNestingOfAnyDepth)
 {
   constexpr int depth = 200'000;
   std::string body;
-  for (int i = 0; i < depth; ++i) {
+  for (int i = 0; i < depth; ++i)
+  {
     body += "Group{children[";
   }
   body += box;
-  for (int i = 0; i < depth; ++i) {
+  for (int i = 0; i < depth; ++i)
+  {
     body += "]}";
   }
   EXPECT_EQ(read(body).triangles(), 12);
@@ -261,8 +255,8 @@ TEST_F(VRMLReader, PrintsItsProperties)
   reader->SetFileName("a.wrl");
   std::ostringstream text;
   reader->Print(text);
-  for (const char* property :
-       {"FileName: a.wrl", "TessellationAngle: 90", "NumberOfWarnings: 0", "SkippedNodes: 0"}) {
+  for (const char* property : {"FileName: a.wrl", "TessellationAngle: 90", "NumberOfWarnings: 0", "SkippedNodes: 0"})
+  {
     EXPECT_NE(text.str().find(property), std::string::npos) << property;
   }
 }

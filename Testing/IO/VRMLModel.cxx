@@ -31,7 +31,8 @@ using Corners = std::array<std::array<double, 3>, 3>;
 std::vector<std::string> toVector(vtkStringArray* array)
 {
   std::vector<std::string> out;
-  for (vtkIdType i = 0; array && i < array->GetNumberOfValues(); ++i) {
+  for (vtkIdType i = 0; array && i < array->GetNumberOfValues(); ++i)
+  {
     out.push_back(array->GetValue(i));
   }
   return out;
@@ -68,13 +69,16 @@ template <class Visitor> void VRMLModel::forTriangles(int surface, Visitor&& vis
 {
   auto* ids = vtkIntArray::SafeDownCast(output()->GetCellData()->GetArray("SurfaceId"));
   vtkNew<vtkIdList> cell;
-  for (vtkIdType i = 0; i < output()->GetNumberOfCells(); ++i) {
-    if (surface >= 0 && ids->GetValue(i) != surface) {
+  for (vtkIdType i = 0; i < output()->GetNumberOfCells(); ++i)
+  {
+    if (surface >= 0 && ids->GetValue(i) != surface)
+    {
       continue;
     }
     output()->GetCellPoints(i, cell);
     Corners corners;
-    for (int k = 0; k < 3; ++k) {
+    for (int k = 0; k < 3; ++k)
+    {
       output()->GetPoint(cell->GetId(k), corners[k].data());
     }
     visit(corners);
@@ -85,7 +89,8 @@ int VRMLModel::idOf(const std::string& surface) const
 {
   const std::vector<std::string> all = names();
   const auto found = std::find(all.begin(), all.end(), surface);
-  if (found == all.end()) {
+  if (found == all.end())
+  {
     throw std::runtime_error("no surface '" + surface + "'");
   }
   return static_cast<int>(found - all.begin());
@@ -108,9 +113,8 @@ double VRMLModel::area(const std::string& surface) const
 double VRMLModel::volume() const
 {
   double sum = 0.0;
-  forTriangles(-1, [&](const Corners& t) {
-    sum += vtkMath::Determinant3x3(t[0].data(), t[1].data(), t[2].data()) / 6.0;
-  });
+  forTriangles(-1,
+               [&](const Corners& t) { sum += vtkMath::Determinant3x3(t[0].data(), t[1].data(), t[2].data()) / 6.0; });
   return sum;
 }
 
@@ -121,8 +125,10 @@ std::vector<double> VRMLModel::bounds(const std::string& surface) const
   constexpr double inf = std::numeric_limits<double>::infinity();
   std::vector<double> box{inf, -inf, inf, -inf, inf, -inf};
   forTriangles(surface.empty() ? -1 : idOf(surface), [&](const Corners& t) {
-    for (const auto& p : t) {
-      for (int axis = 0; axis < 3; ++axis) {
+    for (const auto& p : t)
+    {
+      for (int axis = 0; axis < 3; ++axis)
+      {
         box[2 * axis] = std::min(box[2 * axis], p[axis]);
         box[2 * axis + 1] = std::max(box[2 * axis + 1], p[axis]);
       }
@@ -145,29 +151,36 @@ std::string VRMLModel::brokenPromise() const
 {
   const std::vector<std::string> all = names();
   auto* ids = vtkIntArray::SafeDownCast(output()->GetCellData()->GetArray("SurfaceId"));
-  if (!ids || ids->GetNumberOfTuples() != output()->GetNumberOfCells() || ids->GetNumberOfComponents() != 1) {
+  if (!ids || ids->GetNumberOfTuples() != output()->GetNumberOfCells() || ids->GetNumberOfComponents() != 1)
+  {
     return "SurfaceId is missing or of another length than the cells";
   }
-  if (std::set<std::string>(all.begin(), all.end()).size() != all.size() ||
-      materials().size() != all.size()) {
+  if (std::set<std::string>(all.begin(), all.end()).size() != all.size() || materials().size() != all.size())
+  {
     return "names repeat, or materials are not one a surface";
   }
-  if (output()->GetPoints()->GetDataType() != VTK_DOUBLE) {
+  if (output()->GetPoints()->GetDataType() != VTK_DOUBLE)
+  {
     return "points are not double";
   }
   std::set<int> used;
-  for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i) {
+  for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
+  {
     used.insert(ids->GetValue(i));
-    if (output()->GetCellType(i) != VTK_TRIANGLE) {
+    if (output()->GetCellType(i) != VTK_TRIANGLE)
+    {
       return "a cell is no triangle";
     }
   }
-  if (used.size() != all.size() || *used.begin() != 0 || *used.rbegin() != static_cast<int>(all.size()) - 1) {
+  if (used.size() != all.size() || *used.begin() != 0 || *used.rbegin() != static_cast<int>(all.size()) - 1)
+  {
     return "surface ids and names do not match";
   }
-  for (vtkIdType i = 0; i < output()->GetNumberOfPoints(); ++i) {
+  for (vtkIdType i = 0; i < output()->GetNumberOfPoints(); ++i)
+  {
     const double* p = output()->GetPoint(i);
-    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2])) {
+    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
+    {
       return "a point is not finite";
     }
   }
@@ -177,14 +190,14 @@ std::string VRMLModel::brokenPromise() const
 std::string joined(const std::vector<std::string>& lines)
 {
   std::string text;
-  for (const std::string& line : lines) {
+  for (const std::string& line : lines)
+  {
     text += line + "\n";
   }
   return text;
 }
 
-std::filesystem::path writeFile(const std::filesystem::path& folder, const std::string& name,
-                                const std::string& text)
+std::filesystem::path writeFile(const std::filesystem::path& folder, const std::string& name, const std::string& text)
 {
   const std::filesystem::path file = folder / name;
   std::ofstream(file, std::ios::binary) << text;

@@ -48,7 +48,6 @@ private:
 std::string joined(const std::vector<std::string>& lines);
 
 /// Writes `text` to a file of the scratch folder and returns its path.
-std::filesystem::path writeFile(const std::filesystem::path& folder, const std::string& name,
-                                const std::string& text);
+std::filesystem::path writeFile(const std::filesystem::path& folder, const std::string& name, const std::string& text);
 
 } // namespace atria::testing

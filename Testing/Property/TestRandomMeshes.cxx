@@ -98,7 +98,7 @@ void expectBalanced(const Octree& octree)
         }
         const Index other = inside ? leafAt(p) : leaf;
         ASSERT_TRUE(!octree.inDomain(other) || std::abs(octree.level(leaf) - octree.level(other)) <= 1)
-          << "leaves " << leaf << " and " << other;
+            << "leaves " << leaf << " and " << other;
       }
     }
   }
@@ -157,7 +157,8 @@ long eulerCharacteristic(const DualMesh& mesh)
       }
     }
   }
-  return static_cast<long>(points.size()) - static_cast<long>(edges.size()) + faces - static_cast<long>(mesh.elementCount());
+  return static_cast<long>(points.size()) - static_cast<long>(edges.size()) + faces -
+         static_cast<long>(mesh.elementCount());
 }
 
 TEST(RandomOctrees, DualIsABall)
@@ -201,7 +202,8 @@ TEST(RandomSoups, MeshesAreConformalClosedAndFillTheDomain)
     EXPECT_TRUE(isConformal(mesh));
     EXPECT_TRUE(elementsAreClosed(mesh));
     EXPECT_TRUE(boundaryIsWatertight(mesh));
-    EXPECT_NEAR(totalVolume(mesh) / 512.0, 1.0, 1e-9) << "what elements gain their neighbours lose, inverted ones included";
+    EXPECT_NEAR(totalVolume(mesh) / 512.0, 1.0, 1e-9)
+        << "what elements gain their neighbours lose, inverted ones included";
     // Tags partition the faces: each boundary face has one tag, and both faces of a sheet name each other.
     for (Index f = 0; f < mesh.boundaryFaces.size(); ++f)
     {

@@ -25,10 +25,7 @@ struct Row
   bool large; ///< only in the full campaign
 };
 
-void PrintTo(const Row& row, std::ostream* os)
-{
-  *os << (row.adaptive ? "adaptive " : "uniform ") << row.size << " m";
-}
+void PrintTo(const Row& row, std::ostream* os) { *os << (row.adaptive ? "adaptive " : "uniform ") << row.size << " m"; }
 
 class SphereRow : public ::testing::TestWithParam<Row>
 {
@@ -80,8 +77,8 @@ TEST_P(SphereRow, HasThePublishedCountsAndIsValid)
   }
   const std::vector<double> all = volumes(mesh);
   EXPECT_GT(*std::min_element(all.begin(), all.end()), 0.0);
-  // What holds exactly: elements fill what their boundary encloses. That boundary is flat on the cube; on the sphere it is an
-  // inscribed polyhedron, whose volume differs from the ball's in the second order of the size.
+  // What holds exactly: elements fill what their boundary encloses. That boundary is flat on the cube; on the sphere it
+  // is an inscribed polyhedron, whose volume differs from the ball's in the second order of the size.
   EXPECT_NEAR(totalVolume(mesh) / enclosedVolume(mesh), 1.0, 1e-9);
   const double ball = 4.0 / 3.0 * std::numbers::pi * 8.0;
   EXPECT_NEAR(totalVolume(mesh), 1000.0 - ball, 1.5 * ball * row.size * row.size / 4.0);
@@ -105,8 +102,10 @@ TEST_P(SphereRow, HasThePublishedCountsAndIsValid)
 }
 
 INSTANTIATE_TEST_SUITE_P(Published, SphereRow,
-                         ::testing::Values(Row{0.2, false, 129371, 120837, false}, Row{0.1, false, 1000984, 966536, false},
-                                           Row{0.05, false, 7869492, 7731934, true}, Row{0.2, true, 32435, 31161, false},
-                                           Row{0.1, true, 132443, 129207, false}, Row{0.05, true, 540140, 533562, false}));
+                         ::testing::Values(Row{0.2, false, 129371, 120837, false},
+                                           Row{0.1, false, 1000984, 966536, false},
+                                           Row{0.05, false, 7869492, 7731934, true},
+                                           Row{0.2, true, 32435, 31161, false}, Row{0.1, true, 132443, 129207, false},
+                                           Row{0.05, true, 540140, 533562, false}));
 
 } // namespace

@@ -61,8 +61,8 @@ bool haveCheckMesh() { return std::system("command -v checkMesh > /dev/null 2>&1
 bool runOpenFOAM(const std::string& utility, const std::filesystem::path& caseFolder, std::string& log)
 {
   // Debian's packages are called without OpenFOAM's environment; this alone they need.
-  const std::string command = "WM_PROJECT_DIR=${WM_PROJECT_DIR:-/usr/share/openfoam} " + utility +
-                              " -case '" + caseFolder.string() + "' 2>&1";
+  const std::string command =
+      "WM_PROJECT_DIR=${WM_PROJECT_DIR:-/usr/share/openfoam} " + utility + " -case '" + caseFolder.string() + "' 2>&1";
   std::FILE* pipe = popen(command.c_str(), "r");
   if (!pipe)
   {

@@ -13,15 +13,13 @@ namespace atria::testing {
 struct CheckMeshReport
 {
   std::string log;
-  bool completed = false;            ///< it read the mesh and came to a verdict
-  int failedChecks = 0;              ///< 0 where it said "Mesh OK."
-  std::vector<std::string> failures; ///< a line for each failed check
-  std::map<std::string, long>
-      counts; ///< points, faces, internal faces, cells, boundary patches, cell zones …
-  std::map<std::string, long>
-      cellsByType;                ///< hexahedra, prisms, wedges, pyramids, tet wedges, tetrahedra, polyhedra
-  double maxNonOrthogonality;     ///< degrees
-  double averageNonOrthogonality; ///< arc cosine of the mean cosine, degrees
+  bool completed = false;                  ///< it read the mesh and came to a verdict
+  int failedChecks = 0;                    ///< 0 where it said "Mesh OK."
+  std::vector<std::string> failures;       ///< a line for each failed check
+  std::map<std::string, long> counts;      ///< points, faces, internal faces, cells, boundary patches, cell zones …
+  std::map<std::string, long> cellsByType; ///< hexahedra, prisms, wedges, pyramids, tet wedges, tetrahedra, polyhedra
+  double maxNonOrthogonality;              ///< degrees
+  double averageNonOrthogonality;          ///< arc cosine of the mean cosine, degrees
   double maxSkewness;
   double minVolume;
   double maxVolume;

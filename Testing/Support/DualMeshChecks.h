@@ -8,10 +8,12 @@
 
 namespace atria::testing {
 
-/// Neighbours agree from both sides and share the very same face; absent faces have no area; boundary faces and elements name each other.
+/// Neighbours agree from both sides and share the very same face; absent faces have no area; boundary faces and
+/// elements name each other.
 ::testing::AssertionResult isConformal(const DualMesh& mesh);
 
-/// Every element's faces meet two by two in opposite senses (closed, oriented), and Euler's relation V - E + F = 2 holds.
+/// Every element's faces meet two by two in opposite senses (closed, oriented), and Euler's relation V - E + F = 2
+/// holds.
 ::testing::AssertionResult elementsAreClosed(const DualMesh& mesh);
 
 /// Every edge of the mesh's whole boundary is run through as often one way as the other.
@@ -24,8 +26,8 @@ double totalVolume(const DualMesh& mesh);
 /// Every array of both is the same, bit for bit.
 bool identical(const DualMesh& a, const DualMesh& b);
 
-/// How many faces of an element have four and three corners: (6, 0) is a hexahedron, (3, 2) a wedge, (1, 4) a pyramid, all else
-/// a polyhedron.
+/// How many faces of an element have four and three corners: (6, 0) is a hexahedron, (3, 2) a wedge, (1, 4) a pyramid,
+/// all else a polyhedron.
 struct FaceCounts
 {
   int quads = 0;

@@ -17,6 +17,7 @@ struct Meshed
   const DualMesh& mesh() const { return result.mesh; }
 };
 
-Meshed meshIt(const TriangleSurface& surface, const GridOptions& grid, const DualMeshOptions& options = {}, int threads = 1);
+Meshed meshIt(const TriangleSurface& surface, const GridOptions& grid, const DualMeshOptions& options = {},
+              int threads = 1);
 
 } // namespace atria::testing

@@ -95,8 +95,7 @@ vtkSmartPointer<vtkUnstructuredGrid> toGrid(const SampleMesh& mesh)
   {
     if (mesh.types[c] == polyhedronCell)
     {
-      const std::vector<vtkIdType> stream(mesh.faceStream.begin() + mesh.faceLocations[c],
-                                          mesh.faceStream.end());
+      const std::vector<vtkIdType> stream(mesh.faceStream.begin() + mesh.faceLocations[c], mesh.faceStream.end());
       grid->InsertNextCell(polyhedronCell, stream[0], stream.data() + 1);
     }
     else

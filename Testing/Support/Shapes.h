@@ -27,7 +27,8 @@ void turn(TriangleSurface& surface, double degrees);
 /// A box 10 m long with a sphere of radius 2 m in it.
 TriangleSurface sphereInCube(int subdivisions);
 
-/// Random sheets, boxes and spheres in the cube of 8 m about the origin, some of them on round coordinates, turned, or repeated. The same for the same seed.
+/// Random sheets, boxes and spheres in the cube of 8 m about the origin, some of them on round coordinates, turned, or
+/// repeated. The same for the same seed.
 TriangleSurface randomSoup(unsigned seed);
 
 } // namespace atria::testing

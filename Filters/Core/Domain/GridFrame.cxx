@@ -137,9 +137,9 @@ GridFrame makeGridFrame(const GridOptions& options, const Box3& extent)
   frame.topLevel = std::max(levelClosestTo(std::min(options.sizeMax, frame.rootSize()), frame), frame.startLevel);
 
   const Vec3 corner = frame.origin + Vec3::Constant(frame.rootSize());
-  const double reach = std::max((extent.empty() ? corner : extent.max.cwiseMax(corner)).maxCoeff() -
-                                  frame.origin.minCoeff(),
-                                (corner - (extent.empty() ? frame.origin : extent.min.cwiseMin(frame.origin))).maxCoeff());
+  const double reach =
+      std::max((extent.empty() ? corner : extent.max.cwiseMax(corner)).maxCoeff() - frame.origin.minCoeff(),
+               (corner - (extent.empty() ? frame.origin : extent.min.cwiseMin(frame.origin))).maxCoeff());
   const double reachOctants = 2.0 * reach / options.sizeMin;
   frame.subBits = latticeBits - static_cast<int>(std::ceil(std::log2(std::max(reachOctants, 2.0)))) - 1;
   if (frame.subBits < 8)

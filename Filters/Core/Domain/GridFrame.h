@@ -54,8 +54,8 @@ struct GridFrame
 
   /// Strictly inside the domain box.
   bool inDomain(const LatticePoint& p) const;
-  /// Domain planes (by Direction, as bits) that pass through the octant [low, high]. A plane on the border of two octants
-  /// belongs to the one inside the domain.
+  /// Domain planes (by Direction, as bits) that pass through the octant [low, high]. A plane on the border of two
+  /// octants belongs to the one inside the domain.
   unsigned domainPlanes(const LatticePoint& low, const LatticePoint& high) const;
   /// Model coordinate of a domain plane.
   double planeOf(int direction) const
@@ -65,8 +65,8 @@ struct GridFrame
 };
 
 /// Chooses root, levels and lattice. `extent` must hold every surface point. Throws Error where the domain is empty or
-/// thinner than two finest octants, sizes are not positive and ordered, or the ratio of extent to sizeMin is beyond what
-/// 20 levels hold.
+/// thinner than two finest octants, sizes are not positive and ordered, or the ratio of extent to sizeMin is beyond
+/// what 20 levels hold.
 GridFrame makeGridFrame(const GridOptions& options, const Box3& extent);
 
 } // namespace atria

@@ -33,8 +33,8 @@ class EdgeProbe
 public:
   EdgeProbe(const Octree& tree, const SurfaceModel& surfaces) : octree(tree), model(surfaces) {}
 
-  /// Crossings of the edge from p to q along `axis` with the triangles of `leaf`, the finest of the leaves `about` it, sorted from p to
-  /// q. Triangles on domain sides are not asked.
+  /// Crossings of the edge from p to q along `axis` with the triangles of `leaf`, the finest of the leaves `about` it,
+  /// sorted from p to q. Triangles on domain sides are not asked.
   const std::vector<SurfaceCrossing>& cut(Index leaf, const std::array<Index, 4>& about, const LatticePoint& p,
                                           const LatticePoint& q, int axis)
   {
@@ -105,10 +105,10 @@ private:
     return (p[1] - p[0]).cross(p[2] - p[0]);
   }
 
-  /// Whether two neighbouring crossings are a surface that reaches through the edge and back, with both ends of the edge on the
-  /// same side: a bulge of a smooth piece, which faces the same way twice while the two sides of a thin wall face opposite ways;
-  /// or the crease between two pieces, seen in a leaf beside the edge. Not where three pieces meet: there the ends may lie
-  /// in different zones.
+  /// Whether two neighbouring crossings are a surface that reaches through the edge and back, with both ends of the
+  /// edge on the same side: a bulge of a smooth piece, which faces the same way twice while the two sides of a thin
+  /// wall face opposite ways; or the crease between two pieces, seen in a leaf beside the edge. Not where three pieces
+  /// meet: there the ends may lie in different zones.
   bool isBulge(const SurfaceCrossing& l, const SurfaceCrossing& r, const std::array<Index, 4>& about) const
   {
     const Index a = model.charts[l.triangle];
@@ -173,12 +173,12 @@ class CrossingFinder
 {
 public:
   CrossingFinder(const Octree& tree, const SurfaceModel& surfaces, const GridPoints& grid, Crossings& target)
-    : octree(tree), model(surfaces), points(grid), out(target), probe(tree, surfaces)
+      : octree(tree), model(surfaces), points(grid), out(target), probe(tree, surfaces)
   {
   }
 
-  /// Sets the neighbours of one point. Edges between two points are cut from their lower end; the codes of boundary faces are
-  /// positions in `part` until the parts are joined.
+  /// Sets the neighbours of one point. Edges between two points are cut from their lower end; the codes of boundary
+  /// faces are positions in `part` until the parts are joined.
   void process(Index point, Part& part)
   {
     const std::array<Index, 8>& leaves = points.leaves[point];
@@ -222,7 +222,8 @@ private:
       return;
     }
     const Index triangle = probe.sideTriangle(edge.leaf, p, direction);
-    const Index tag = triangle == noIndex ? static_cast<Index>(model.names.size()) + direction : model.surfaceIds[triangle];
+    const Index tag =
+        triangle == noIndex ? static_cast<Index>(model.names.size()) + direction : model.surfaceIds[triangle];
     part.faces.push_back({point, tag, noIndex, static_cast<std::uint8_t>(direction), SheetSide::front, true});
   }
 
@@ -278,7 +279,8 @@ private:
 
 } // namespace
 
-Crossings findCrossings(const Octree& octree, const SurfaceModel& model, const GridPoints& points, const RunContext& context)
+Crossings findCrossings(const Octree& octree, const SurfaceModel& model, const GridPoints& points,
+                        const RunContext& context)
 {
   Crossings out;
   out.neighbours.resize(points.size());

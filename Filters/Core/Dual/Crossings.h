@@ -44,8 +44,8 @@ struct Crossings
   std::vector<CrossedEdge> crossedEdges;
 };
 
-/// Joins grid points across edges, and finds which edges are cut by surfaces or by the domain's sides. Decisions are exact; see
-/// Predicates.h. A surface that reaches through an edge and back, by a bulge or a crease, does not cut it.
+/// Joins grid points across edges, and finds which edges are cut by surfaces or by the domain's sides. Decisions are
+/// exact; see Predicates.h. A surface that reaches through an edge and back, by a bulge or a crease, does not cut it.
 /// Cost: O(1) an edge, plus the triangles in the leaf beside it.
 Crossings findCrossings(const Octree& octree, const SurfaceModel& model, const GridPoints& points,
                         const RunContext& context);

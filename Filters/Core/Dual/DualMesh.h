@@ -14,7 +14,7 @@ inline constexpr std::array<std::uint8_t, 8> hexahedronCorner{0, 1, 3, 2, 4, 5, 
 
 /// The four corners of an element's face in each Direction, in VTK's order, normal outwards.
 inline constexpr std::array<std::array<std::uint8_t, 4>, 6> hexahedronFace{
-  {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4}, {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}}};
+    {{0, 4, 7, 3}, {1, 2, 6, 5}, {0, 1, 5, 4}, {3, 7, 6, 2}, {0, 3, 2, 1}, {4, 5, 6, 7}}};
 
 /// The side of a sheet an element lies on: the front is where the triangle's points run counter-clockwise.
 enum class SheetSide : std::uint8_t

@@ -38,7 +38,8 @@ struct DualMeshResult
   std::vector<char> keptZones;
 };
 
-/// The dual of an octree whose leaves know their pieces of the model. Throws Error where no zone is left, Aborted on demand.
+/// The dual of an octree whose leaves know their pieces of the model. Throws Error where no zone is left, Aborted on
+/// demand.
 DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, const DualMeshOptions& options,
                             StageClock& clock, const RunContext& context);
 

@@ -37,9 +37,7 @@ std::vector<std::pair<Index, Index>> crossingsByLeaf(const Crossings& crossings)
 class VertexPlacer
 {
 public:
-  VertexPlacer(const Octree& tree, const SurfaceModel& surfaces) : octree(tree), frame(tree.frame()), model(surfaces)
-  {
-  }
+  VertexPlacer(const Octree& tree, const SurfaceModel& surfaces) : octree(tree), frame(tree.frame()), model(surfaces) {}
 
   Vec3 place(Index leaf, std::span<const std::pair<Index, Index>> cuts, const std::vector<CrossedEdge>& edges)
   {
@@ -96,7 +94,8 @@ private:
   }
 
   /// Mean of the points where the leaf's edges are cut; notes the smooth pieces that cut them.
-  Vec3 gatherCuts(std::span<const std::pair<Index, Index>> cuts, const std::vector<CrossedEdge>& edges, const Vec3& center)
+  Vec3 gatherCuts(std::span<const std::pair<Index, Index>> cuts, const std::vector<CrossedEdge>& edges,
+                  const Vec3& center)
   {
     Vec3 sum = Vec3::Zero();
     Box3 extent;
@@ -119,7 +118,8 @@ private:
     {
       return center;
     }
-    // A tip that reaches a grid point or edge only: the other leaves about it have the same cuts, but must not share the vertex.
+    // A tip that reaches a grid point or edge only: the other leaves about it have the same cuts, but must not share
+    // the vertex.
     const double edgeLength = frame.latticeUnit() * static_cast<double>(box.high[0] - box.low[0]);
     const bool isTip = extent.size().maxCoeff() < tipRatio * edgeLength;
     return isTip ? Vec3(0.5 * (sum / count + center)) : Vec3(sum / count);
@@ -194,8 +194,8 @@ private:
     });
   }
 
-  /// A point on the border of octants belongs to one of them only: the lower one, as the grid's symbolic shift has it; but to the
-  /// upper one on a lower domain plane.
+  /// A point on the border of octants belongs to one of them only: the lower one, as the grid's symbolic shift has it;
+  /// but to the upper one on a lower domain plane.
   bool owns(const LatticePoint& p) const
   {
     for (int axis = 0; axis < 3; ++axis)
@@ -332,9 +332,8 @@ DualVertices placeVertices(const Octree& octree, const SurfaceModel& model, cons
     VertexPlacer placer(octree, model);
     for (std::size_t i = begin; i < end; ++i)
     {
-      const auto [first, last] =
-        std::equal_range(byLeaf.begin(), byLeaf.end(), std::pair(leaves[i], Index{0}),
-                         [](const auto& l, const auto& r) { return l.first < r.first; });
+      const auto [first, last] = std::equal_range(byLeaf.begin(), byLeaf.end(), std::pair(leaves[i], Index{0}),
+                                                  [](const auto& l, const auto& r) { return l.first < r.first; });
       vertices.positions[i] = placer.place(leaves[i], {first, last}, crossings.crossedEdges);
       vertices.compromised[i] = first != last && placer.missesPiece(leaves[i], vertices.positions[i]) ? 1 : 0;
     }

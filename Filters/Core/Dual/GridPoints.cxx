@@ -10,8 +10,8 @@ namespace atria {
 
 namespace {
 
-/// A cell, face, edge or point between octants, as the octants in its eight directions. Along axes in `extent` (bits) it has an
-/// extent of its own, and the octants below and above are the same.
+/// A cell, face, edge or point between octants, as the octants in its eight directions. Along axes in `extent` (bits)
+/// it has an extent of its own, and the octants below and above are the same.
 struct Region
 {
   std::array<Octree::Node, 8> nodes;
@@ -28,8 +28,8 @@ struct Region
   }
 };
 
-/// Calls `visit(part)` for each of the 3^d parts into which the children of a region's octants divide it, where d axes have an extent:
-/// along each of those a part lies in the lower half, in the upper, or in the plane between.
+/// Calls `visit(part)` for each of the 3^d parts into which the children of a region's octants divide it, where d axes
+/// have an extent: along each of those a part lies in the lower half, in the upper, or in the plane between.
 template <typename Visit> void divide(const Octree& octree, const Region& region, Visit&& visit)
 {
   const unsigned fixed = ~region.extent & 7u;
@@ -43,9 +43,8 @@ template <typename Visit> void divide(const Octree& octree, const Region& region
       for (unsigned slot = 0; slot < 8; ++slot)
       {
         const Octree::Node node = region.nodes[slot];
-        part.nodes[slot] = Octree::isLeaf(node)
-                             ? node
-                             : octree.children(node)[(slot & middle) | upper | (~slot & fixed)];
+        part.nodes[slot] =
+            Octree::isLeaf(node) ? node : octree.children(node)[(slot & middle) | upper | (~slot & fixed)];
       }
       visit(part);
       if (upper == 0)
@@ -151,7 +150,8 @@ GridPoints findGridPoints(const Octree& octree, const RunContext& context)
     });
   };
   eachPoint([&](const Region&, const Owner& owner) {
-    std::atomic_ref(owned[owner.leaf]).fetch_or(static_cast<std::uint8_t>(1u << owner.corner), std::memory_order_relaxed);
+    std::atomic_ref(owned[owner.leaf])
+        .fetch_or(static_cast<std::uint8_t>(1u << owner.corner), std::memory_order_relaxed);
   });
 
   std::vector<Index> first(octree.leafCount() + 1, 0);

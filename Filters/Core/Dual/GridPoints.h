@@ -18,11 +18,12 @@ struct GridPoints
   std::size_t size() const { return leaves.size(); }
 };
 
-/// O(n): one walk over the octree and the faces, edges and points between its octants (Schaefer and Warren 2004), twice.
+/// O(n): one walk over the octree and the faces, edges and points between its octants (Schaefer and Warren 2004),
+/// twice.
 GridPoints findGridPoints(const Octree& octree, const RunContext& context);
 
-/// The octree edge that leaves a grid point in a direction: the finest leaf that has it, and which corner of that leaf the
-/// point is. `leaf` is noIndex where there is no edge (a leaf's face or inside is there).
+/// The octree edge that leaves a grid point in a direction: the finest leaf that has it, and which corner of that leaf
+/// the point is. `leaf` is noIndex where there is no edge (a leaf's face or inside is there).
 struct GridEdge
 {
   Index leaf = noIndex;

@@ -18,8 +18,8 @@ struct BoundaryStars
   std::vector<Index> elements;
 };
 
-/// Only where both sides of some sheet are in the mesh, or zones touch, can there be more than one sector; all boundary points are
-/// looked at nevertheless, as zones may touch at a point.
+/// Only where both sides of some sheet are in the mesh, or zones touch, can there be more than one sector; all boundary
+/// points are looked at nevertheless, as zones may touch at a point.
 BoundaryStars findStars(const DualMesh& mesh)
 {
   std::vector<char> marked(mesh.points.size(), 0);
@@ -67,8 +67,8 @@ std::vector<Index> sectorsOf(const DualMesh& mesh, Index point, std::span<const 
     {
       const std::int32_t neighbour = mesh.neighbours[star[i]][direction];
       const auto& face = hexahedronFace[direction];
-      const bool here = std::any_of(face.begin(), face.end(),
-                                    [&](std::uint8_t c) { return mesh.corners[star[i]][c] == point; });
+      const bool here =
+          std::any_of(face.begin(), face.end(), [&](std::uint8_t c) { return mesh.corners[star[i]][c] == point; });
       if (neighbour < 0 || !here)
       {
         continue;

@@ -115,7 +115,8 @@ std::vector<char> keptZones(const Zones& zones, ZoneRule rule, const std::vector
   if (rule == ZoneRule::outside)
   {
     constexpr unsigned bottom = 1u << zMin;
-    const bool anyOpen = std::any_of(zones.sides.begin(), zones.sides.end(), [](unsigned s) { return (s & ~bottom) != 0; });
+    const bool anyOpen =
+        std::any_of(zones.sides.begin(), zones.sides.end(), [](unsigned s) { return (s & ~bottom) != 0; });
     for (std::size_t i = 0; i < kept.size(); ++i)
     {
       kept[i] = (anyOpen ? zones.sides[i] & ~bottom : zones.sides[i]) != 0;

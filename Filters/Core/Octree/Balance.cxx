@@ -9,8 +9,8 @@ namespace atria {
 
 namespace {
 
-/// Keys of the octants of level - 1 that must be refined because octant `key` of `level` is: the parents of its 26 neighbours,
-/// which are the seven octants about the parent's corner nearest to it.
+/// Keys of the octants of level - 1 that must be refined because octant `key` of `level` is: the parents of its 26
+/// neighbours, which are the seven octants about the parent's corner nearest to it.
 void appendRequired(MortonKey key, int level, const GridFrame& frame, const std::vector<MortonKey>& present,
                     std::vector<MortonKey>& out)
 {
@@ -64,8 +64,8 @@ void balance(RefinedSets& refined, const GridFrame& frame, const RunContext& con
     {
       above.insert(above.end(), part.begin(), part.end());
     }
-    // Parents of the level above must be refined as well for these to exist; the next turn of the loop sees to that, as an
-    // octant's own parent is required like its neighbours' parents.
+    // Parents of the level above must be refined as well for these to exist; the next turn of the loop sees to that, as
+    // an octant's own parent is required like its neighbours' parents.
     std::sort(above.begin(), above.end());
     above.erase(std::unique(above.begin(), above.end()), above.end());
     if (level - 1 > 0)

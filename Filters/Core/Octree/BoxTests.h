@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Which pieces of the model touch an octant. Conservative: what touches the box is never missed; what is farther away than rounding
-/// (some lattice units) is never found.
+/// Which pieces of the model touch an octant. Conservative: what touches the box is never missed; what is farther away
+/// than rounding (some lattice units) is never found.
 #pragma once
 
 #include "Domain/GridFrame.h"

@@ -16,7 +16,8 @@ bool touchesPiece(const LatticeBox& box, ModelItem piece, const SurfaceModel& mo
     case ModelItem::triangle:
       return touches(box, model.corner(piece.index, 0), model.corner(piece.index, 1), model.corner(piece.index, 2));
     case ModelItem::featureEdge:
-      return touches(box, model.points[model.featureEdges[piece.index].a], model.points[model.featureEdges[piece.index].b]);
+      return touches(box, model.points[model.featureEdges[piece.index].a],
+                     model.points[model.featureEdges[piece.index].b]);
     default:
       return box.contains(model.points[model.corners[piece.index]]);
   }

@@ -31,13 +31,13 @@ LatticeBox domainBoxOf(const GridFrame& frame, int level, MortonKey key);
 /// The whole model for the root, as far as the domain sees it.
 GeometryLists rootLists(const SurfaceModel& model, const GridFrame& frame);
 
-/// The children (level + 1) of the octants of `parents` chosen by `chosen`; each inherits what touches it. Children outside
-/// the domain are left out; so are, if `onlyOccupied`, those that inherit nothing.
+/// The children (level + 1) of the octants of `parents` chosen by `chosen`; each inherits what touches it. Children
+/// outside the domain are left out; so are, if `onlyOccupied`, those that inherit nothing.
 GeometryLists childLists(const GeometryLists& parents, int level, const std::vector<char>& chosen, bool onlyOccupied,
                          const SurfaceModel& model, const GridFrame& frame, const RunContext& context);
 
-/// Whether the triangles among `pieces` form more than one surface inside the box: sets connected through edges and points that
-/// lie in it.
+/// Whether the triangles among `pieces` form more than one surface inside the box: sets connected through edges and
+/// points that lie in it.
 bool severalSurfaces(const LatticeBox& box, std::span<const ModelItem> pieces, const SurfaceModel& model);
 
 /// The dearest feature among `pieces`.

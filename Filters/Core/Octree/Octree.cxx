@@ -41,8 +41,7 @@ void linkLevel(std::span<const MortonKey> parents, std::span<const MortonKey> ne
 
 } // namespace
 
-Octree::Octree(const GridFrame& frame, const RefinedSets& refined)
-  : frame_(frame), levelBegins_(beginsOf(refined))
+Octree::Octree(const GridFrame& frame, const RefinedSets& refined) : frame_(frame), levelBegins_(beginsOf(refined))
 {
   if (refined.empty() || refined[0].empty())
   {
@@ -96,10 +95,7 @@ Octree::Octree(const GridFrame& frame, const RefinedSets& refined)
   root_ = 0;
 }
 
-int Octree::maximumLevel() const
-{
-  return levels_.empty() ? 0 : *std::max_element(levels_.begin(), levels_.end());
-}
+int Octree::maximumLevel() const { return levels_.empty() ? 0 : *std::max_element(levels_.begin(), levels_.end()); }
 
 LatticePoint Octree::cornerOf(Index leaf, unsigned which) const
 {

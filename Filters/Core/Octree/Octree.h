@@ -75,8 +75,9 @@ public:
   /// The pieces of the model in a leaf (touching it counts).
   std::span<const ModelItem> items(Index leaf) const
   {
-    return itemOffsets_.empty() ? std::span<const ModelItem>()
-                                : std::span(items_).subspan(itemOffsets_[leaf], itemOffsets_[leaf + 1] - itemOffsets_[leaf]);
+    return itemOffsets_.empty()
+               ? std::span<const ModelItem>()
+               : std::span(items_).subspan(itemOffsets_[leaf], itemOffsets_[leaf + 1] - itemOffsets_[leaf]);
   }
   FeatureType featureType(Index leaf) const { return featureTypes_.empty() ? FeatureType::none : featureTypes_[leaf]; }
   void setItems(std::vector<Index> offsets, std::vector<ModelItem> items, std::vector<FeatureType> types);

@@ -135,8 +135,7 @@ void locateModel(Octree& octree, const SurfaceModel& model, const RunContext& co
   context.executor.forEach(found.entries.size(), 256, [&](std::size_t i) {
     const LeafLists::Entry& entry = found.entries[i];
     const LatticeBox box{octree.lowCorner(entry.leaf), octree.highCorner(entry.leaf)};
-    types[entry.leaf] =
-      featureTypeOf(box, std::span(found.items).subspan(entry.begin, entry.end - entry.begin), model);
+    types[entry.leaf] = featureTypeOf(box, std::span(found.items).subspan(entry.begin, entry.end - entry.begin), model);
   });
   octree.setItems(std::move(offsets), std::move(items), std::move(types));
 }

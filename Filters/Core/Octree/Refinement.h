@@ -8,8 +8,8 @@
 namespace atria {
 
 /// Builds the balanced octree of a model: in the domain every octant goes down to the top level, one with a surface
-/// to the mid level, one with a feature or with surfaces that do not meet inside it to the finest. Leaves know their pieces
-/// of the model.
+/// to the mid level, one with a feature or with surfaces that do not meet inside it to the finest. Leaves know their
+/// pieces of the model.
 Octree buildOctree(const SurfaceModel& model, const GridFrame& frame, const RunContext& context);
 
 /// Gives the leaves of an octree from elsewhere their pieces of the model.

@@ -210,10 +210,7 @@ std::vector<Index> findMates(const HalfFaces& halves, std::size_t pointCount,
 class Assembler
 {
 public:
-  Assembler(const HalfFaces& faces, const std::vector<Index>& matesOfFaces)
-      : halves(faces), mates(matesOfFaces)
-  {
-  }
+  Assembler(const HalfFaces& faces, const std::vector<Index>& matesOfFaces) : halves(faces), mates(matesOfFaces) {}
 
   void run(FaceMesh& mesh)
   {

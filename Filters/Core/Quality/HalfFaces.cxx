@@ -15,9 +15,7 @@ namespace {
 class Collector
 {
 public:
-  Collector(const CellArrays& source, std::size_t numberOfPoints) : cells(source), pointCount(numberOfPoints)
-  {
-  }
+  Collector(const CellArrays& source, std::size_t numberOfPoints) : cells(source), pointCount(numberOfPoints) {}
 
   HalfFaces run()
   {
@@ -164,10 +162,7 @@ private:
 
 } // namespace
 
-HalfFaces takeApart(const CellArrays& cells, std::size_t pointCount)
-{
-  return Collector(cells, pointCount).run();
-}
+HalfFaces takeApart(const CellArrays& cells, std::size_t pointCount) { return Collector(cells, pointCount).run(); }
 
 bool samePoints(std::span<const Index> a, std::span<const Index> b)
 {

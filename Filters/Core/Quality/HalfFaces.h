@@ -13,7 +13,7 @@ namespace atria {
 struct HalfFaces
 {
   std::vector<Index> cellOffsets{0}; ///< cell c has the half-faces cellOffsets[c] .. cellOffsets[c + 1]
-  std::vector<Index> offsets{0}; ///< half-face h has the points points[offsets[h]] .. points[offsets[h + 1]]
+  std::vector<Index> offsets{0};     ///< half-face h has the points points[offsets[h]] .. points[offsets[h + 1]]
   std::vector<Index> points;
   std::vector<Index> cell; ///< per half-face
 

@@ -19,10 +19,7 @@ constexpr double tiny = 1e-150;
 constexpr double maxOpenness = 1e-6;
 constexpr std::size_t grain = 4096;
 
-double cosine(const Vec3& a, const Vec3& b)
-{
-  return std::clamp(a.dot(b) / (a.norm() * b.norm() + tiny), -1.0, 1.0);
-}
+double cosine(const Vec3& a, const Vec3& b) { return std::clamp(a.dot(b) / (a.norm() * b.norm() + tiny), -1.0, 1.0); }
 
 double degrees(double cosineOfAngle) { return std::acos(cosineOfAngle) * 180.0 / std::numbers::pi; }
 
@@ -53,8 +50,8 @@ public:
     const bool internal = f < mesh.internalFaceCount();
     const Vec3 toFace = geometry.faceCentroids[f] - centre;
     const Vec3 normal = area / (area.norm() + tiny);
-    const Vec3 d = internal ? Vec3(geometry.cellCentroids[mesh.neighbour[f]] - centre)
-                            : Vec3(normal.dot(toFace) * normal);
+    const Vec3 d =
+        internal ? Vec3(geometry.cellCentroids[mesh.neighbour[f]] - centre) : Vec3(normal.dot(toFace) * normal);
     if (internal)
     {
       const double c = cosine(area, d);

@@ -26,14 +26,8 @@ double normalisedDeterminant(const Vec3& a, const Vec3& b, const Vec3& c)
 double ofHexahedron(const Corners& p)
 {
   // Per corner its neighbours in right-handed order.
-  static constexpr std::array<std::array<int, 4>, 8> stars{{{0, 1, 3, 4},
-                                                            {1, 2, 0, 5},
-                                                            {2, 3, 1, 6},
-                                                            {3, 0, 2, 7},
-                                                            {4, 7, 5, 0},
-                                                            {5, 4, 6, 1},
-                                                            {6, 5, 7, 2},
-                                                            {7, 6, 4, 3}}};
+  static constexpr std::array<std::array<int, 4>, 8> stars{
+      {{0, 1, 3, 4}, {1, 2, 0, 5}, {2, 3, 1, 6}, {3, 0, 2, 7}, {4, 7, 5, 0}, {5, 4, 6, 1}, {6, 5, 7, 2}, {7, 6, 4, 3}}};
   const Vec3 x = (p[1] + p[2] + p[5] + p[6]) - (p[0] + p[3] + p[4] + p[7]);
   const Vec3 y = (p[2] + p[3] + p[6] + p[7]) - (p[0] + p[1] + p[4] + p[5]);
   const Vec3 z = (p[4] + p[5] + p[6] + p[7]) - (p[0] + p[1] + p[2] + p[3]);
@@ -77,9 +71,8 @@ double ofWedge(const Corners& p)
 
 double ofPyramid(const Corners& p)
 {
-  const double least =
-      std::min({ofTetrahedron(p[0], p[1], p[2], p[4]), ofTetrahedron(p[0], p[2], p[3], p[4]),
-                ofTetrahedron(p[0], p[1], p[3], p[4]), ofTetrahedron(p[1], p[2], p[3], p[4])});
+  const double least = std::min({ofTetrahedron(p[0], p[1], p[2], p[4]), ofTetrahedron(p[0], p[2], p[3], p[4]),
+                                 ofTetrahedron(p[0], p[1], p[3], p[4]), ofTetrahedron(p[1], p[2], p[3], p[4])});
   if (least <= 0.0)
   {
     return 0.0;
@@ -119,8 +112,7 @@ double ofCell(unsigned char type, std::span<const Vec3> points, std::span<const 
 
 } // namespace
 
-std::vector<double> scaledJacobians(std::span<const Vec3> points, const CellArrays& cells,
-                                    const RunContext& context)
+std::vector<double> scaledJacobians(std::span<const Vec3> points, const CellArrays& cells, const RunContext& context)
 {
   std::vector<double> out(cells.types.size());
   context.executor.forRanges(out.size(), 4096, [&](std::size_t begin, std::size_t end) {

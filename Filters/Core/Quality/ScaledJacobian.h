@@ -17,7 +17,6 @@ namespace atria {
 /// - polyhedron: not a number
 /// Where Verdict returns its largest number, for cells with an edge of no length, this is 0. Wedges are read
 /// in VTK's order, base outward, so a good one is positive; vtkMeshQuality 9.2 gives those the other sign.
-std::vector<double> scaledJacobians(std::span<const Vec3> points, const CellArrays& cells,
-                                    const RunContext& context);
+std::vector<double> scaledJacobians(std::span<const Vec3> points, const CellArrays& cells, const RunContext& context);
 
 } // namespace atria

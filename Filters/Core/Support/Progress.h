@@ -30,7 +30,7 @@ class ProgressRange
 {
 public:
   explicit ProgressRange(ProgressMonitor& target, double first = 0.0, double last = 1.0)
-    : monitor(&target), begin(first), end(last)
+      : monitor(&target), begin(first), end(last)
   {
   }
 

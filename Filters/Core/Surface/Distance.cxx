@@ -30,9 +30,8 @@ Vec3 nearestOnTriangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& 
     }
   }
   const std::array<Vec3, 3> candidates{nearestOnSegment(p, a, b), nearestOnSegment(p, b, c), nearestOnSegment(p, c, a)};
-  return *std::min_element(candidates.begin(), candidates.end(), [&](const Vec3& l, const Vec3& r) {
-    return (l - p).squaredNorm() < (r - p).squaredNorm();
-  });
+  return *std::min_element(candidates.begin(), candidates.end(),
+                           [&](const Vec3& l, const Vec3& r) { return (l - p).squaredNorm() < (r - p).squaredNorm(); });
 }
 
 } // namespace atria

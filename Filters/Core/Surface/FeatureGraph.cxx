@@ -71,7 +71,8 @@ bool onDomainEdge(const SurfaceModel& model, const GridFrame& frame, const EdgeU
 }
 
 /// The kind of curve that the uses [first, last) of one edge make; nothing where the surface is smooth there.
-std::optional<CurveKind> kindOf(const SurfaceModel& model, const EdgeUse* first, const EdgeUse* last, double minimumCosine)
+std::optional<CurveKind> kindOf(const SurfaceModel& model, const EdgeUse* first, const EdgeUse* last,
+                                double minimumCosine)
 {
   const auto count = last - first;
   if (count == 1)
@@ -119,8 +120,10 @@ void findCorners(SurfaceModel& model, double minimumCosine)
     {
       continue;
     }
-    const bool turns = degree[p] == 2 && vectorBetween(model, along[p][0], p).normalized().dot(
-                                           vectorBetween(model, p, along[p][1]).normalized()) < minimumCosine;
+    const bool turns =
+        degree[p] == 2 &&
+        vectorBetween(model, along[p][0], p).normalized().dot(vectorBetween(model, p, along[p][1]).normalized()) <
+            minimumCosine;
     if (degree[p] != 2 || turns)
     {
       model.corners.push_back(p);

@@ -5,7 +5,8 @@
 
 namespace atria {
 
-/// Fills `charts`, `featureEdges` and `corners` of a model whose points, triangles, surface ids and domain sides are set.
+/// Fills `charts`, `featureEdges` and `corners` of a model whose points, triangles, surface ids and domain sides are
+/// set.
 void findFeatures(SurfaceModel& model, const GridFrame& frame, const FeatureOptions& options);
 
 } // namespace atria

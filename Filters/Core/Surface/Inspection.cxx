@@ -18,20 +18,26 @@ namespace {
 
 void validate(const TriangleSurface& surface, double tolerance)
 {
-  if (!(tolerance >= 0.0) || !std::isfinite(tolerance)) {
+  if (!(tolerance >= 0.0) || !std::isfinite(tolerance))
+  {
     throw Error("the tolerance for merging points must be zero or more, not " + std::to_string(tolerance));
   }
-  if (surface.surfaceIds.size() != surface.triangles.size()) {
+  if (surface.surfaceIds.size() != surface.triangles.size())
+  {
     throw Error("the model has " + std::to_string(surface.triangles.size()) + " triangles but " +
                 std::to_string(surface.surfaceIds.size()) + " surface ids");
   }
-  for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
-    for (const Index p : surface.triangles[i]) {
-      if (p >= surface.points.size() || !surface.points[p].allFinite()) {
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i)
+  {
+    for (const Index p : surface.triangles[i])
+    {
+      if (p >= surface.points.size() || !surface.points[p].allFinite())
+      {
         throw Error("triangle " + std::to_string(i) + " has a point that does not exist or is not finite");
       }
     }
-    if (surface.surfaceIds[i] >= surface.names.size()) {
+    if (surface.surfaceIds[i] >= surface.names.size())
+    {
       throw Error("triangle " + std::to_string(i) + " belongs to a surface without a name");
     }
   }
@@ -52,7 +58,8 @@ public:
 
   Index of(Index point)
   {
-    while (parents[point] != point) {
+    while (parents[point] != point)
+    {
       parents[point] = parents[parents[point]];
       point = parents[point];
     }
@@ -69,8 +76,10 @@ private:
 
   void mergeEqual()
   {
-    for (std::size_t i = 1; i < order.size(); ++i) {
-      if (points[order[i]] == points[order[i - 1]]) {
+    for (std::size_t i = 1; i < order.size(); ++i)
+    {
+      if (points[order[i]] == points[order[i - 1]])
+      {
         parents[order[i]] = of(order[i - 1]);
       }
     }
@@ -79,27 +88,31 @@ private:
   /// Cells of the tolerance's size hold the candidates: neighbours are in the 27 cells around.
   void mergeNear()
   {
-    using Cell =
-        std::array<double, 3>; // whole numbers; doubles, since a cell number may exceed every integer type
+    using Cell = std::array<double, 3>; // whole numbers; doubles, since a cell number may exceed every integer type
     const auto cellOf = [&](Index i) {
       const Vec3& p = points[i];
-      return Cell{std::floor(p.x() / tolerance), std::floor(p.y() / tolerance),
-                  std::floor(p.z() / tolerance)};
+      return Cell{std::floor(p.x() / tolerance), std::floor(p.y() / tolerance), std::floor(p.z() / tolerance)};
     };
     std::vector<std::pair<Cell, Index>> cells;
-    for (const Index i : order) {
+    for (const Index i : order)
+    {
       cells.emplace_back(cellOf(i), i);
     }
     std::sort(cells.begin(), cells.end());
-    for (const auto& [cell, i] : cells) {
-      for (double x = -1; x <= 1; ++x) {
-        for (double y = -1; y <= 1; ++y) {
+    for (const auto& [cell, i] : cells)
+    {
+      for (double x = -1; x <= 1; ++x)
+      {
+        for (double y = -1; y <= 1; ++y)
+        {
           // Cells that differ in z only follow each other.
           const Cell first{cell[0] + x, cell[1] + y, cell[2] - 1};
           const Cell last{cell[0] + x, cell[1] + y, cell[2] + 1};
           for (auto it = std::lower_bound(cells.begin(), cells.end(), std::pair(first, Index{0}));
-               it != cells.end() && it->first <= last; ++it) {
-            if (it->second < i && (points[it->second] - points[i]).norm() <= tolerance) {
+               it != cells.end() && it->first <= last; ++it)
+          {
+            if (it->second < i && (points[it->second] - points[i]).norm() <= tolerance)
+            {
               join(it->second, i);
             }
           }
@@ -137,11 +150,14 @@ void countUses(SurfaceSummary& summary, std::size_t uses)
 void countEdges(Inspection& out, std::vector<Edge>& edges)
 {
   std::sort(edges.begin(), edges.end());
-  for (std::size_t i = 0; i < edges.size();) {
+  for (std::size_t i = 0; i < edges.size();)
+  {
     const std::size_t first = i;
-    while (i < edges.size() && edges[i].a == edges[first].a && edges[i].b == edges[first].b) {
+    while (i < edges.size() && edges[i].a == edges[first].a && edges[i].b == edges[first].b)
+    {
       const std::size_t ofSurface = i;
-      while (i < edges.size() && edges[i] == edges[ofSurface]) {
+      while (i < edges.size() && edges[i] == edges[ofSurface])
+      {
         ++i;
       }
       countUses(out.surfaces[edges[ofSurface].surface], i - ofSurface);
@@ -155,7 +171,8 @@ void addTriangle(SurfaceSummary& summary, const std::array<Vec3, 3>& corners, do
   ++summary.triangles;
   summary.degenerate += degenerate ? 1 : 0;
   summary.area += area;
-  for (const Vec3& p : corners) {
+  for (const Vec3& p : corners)
+  {
     summary.bounds.extend(p);
   }
 }
@@ -166,13 +183,15 @@ Inspection inspect(const TriangleSurface& surface, double tolerance)
 {
   validate(surface, tolerance);
   Inspection out;
-  for (const std::string& name : surface.names) {
+  for (const std::string& name : surface.names)
+  {
     out.surfaces.emplace_back().name = name;
   }
   Places places(surface.points, tolerance);
   std::vector<Edge> edges;
   std::vector<Index> used;
-  for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
+  for (std::size_t i = 0; i < surface.triangles.size(); ++i)
+  {
     const auto& t = surface.triangles[i];
     const Index id = surface.surfaceIds[i];
     const std::array<Index, 3> at{places.of(t[0]), places.of(t[1]), places.of(t[2])};
@@ -182,7 +201,8 @@ Inspection inspect(const TriangleSurface& surface, double tolerance)
     addTriangle(out.surfaces[id], corners, area, degenerate);
     addTriangle(out.total, corners, area, degenerate);
     used.insert(used.end(), at.begin(), at.end());
-    for (int k = 0; k < 3 && !degenerate; ++k) {
+    for (int k = 0; k < 3 && !degenerate; ++k)
+    {
       const auto [a, b] = std::minmax(at[k], at[(k + 1) % 3]);
       edges.push_back({a, b, id});
     }

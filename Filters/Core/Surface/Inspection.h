@@ -16,8 +16,7 @@ struct SurfaceSummary
 {
   std::string name;
   std::size_t triangles = 0;
-  std::size_t degenerate =
-      0; ///< triangles with two corners in one place, or without area; they make no edges
+  std::size_t degenerate = 0; ///< triangles with two corners in one place, or without area; they make no edges
   double area = 0.0;
   Box3 bounds; ///< of the points its triangles use; empty without triangles
   std::size_t openEdges = 0;

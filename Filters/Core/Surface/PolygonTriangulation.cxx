@@ -29,8 +29,7 @@ enum class Side : std::uint8_t
 
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<Index, Kernel>;
 using FaceBase =
-    CGAL::Triangulation_face_base_with_info_2<Side, Kernel,
-                                              CGAL::Constrained_triangulation_face_base_2<Kernel>>;
+    CGAL::Triangulation_face_base_with_info_2<Side, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
 using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
 using Triangulation =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure,
@@ -52,28 +51,34 @@ Outline normalised(std::span<const Vec3> points, std::span<const Index> polygon)
 {
   Outline out;
   Box3 box;
-  for (const Index id : polygon) {
-    if (id >= points.size() || !points[id].allFinite()) {
+  for (const Index id : polygon)
+  {
+    if (id >= points.size() || !points[id].allFinite())
+    {
       return {};
     }
-    if (out.ids.empty() || points[id] != points[out.ids.back()]) {
+    if (out.ids.empty() || points[id] != points[out.ids.back()])
+    {
       out.ids.push_back(id);
       box.extend(points[id]);
     }
   }
-  while (out.ids.size() > 1 && points[out.ids.front()] == points[out.ids.back()]) {
+  while (out.ids.size() > 1 && points[out.ids.front()] == points[out.ids.back()])
+  {
     out.ids.pop_back();
   }
   const double extent = out.ids.size() < 3 ? 0.0 : box.size().maxCoeff();
-  if (!(extent > 0.0) || !std::isfinite(extent)) {
+  if (!(extent > 0.0) || !std::isfinite(extent))
+  {
     return {};
   }
-  for (const Index id : out.ids) {
+  for (const Index id : out.ids)
+  {
     out.points.push_back((points[id] - box.min) / extent);
   }
-  for (std::size_t i = 0; i < out.points.size(); ++i) {
-    out.normal +=
-        (out.points[i] - out.points[0]).cross(out.points[(i + 1) % out.points.size()] - out.points[0]);
+  for (std::size_t i = 0; i < out.points.size(); ++i)
+  {
+    out.normal += (out.points[i] - out.points[0]).cross(out.points[(i + 1) % out.points.size()] - out.points[0]);
   }
   return out;
 }
@@ -83,9 +88,7 @@ constexpr double noArea = 1e-14;
 
 double cornerArea(const Outline& outline, int a, int b, int c)
 {
-  return (outline.points[b] - outline.points[a])
-      .cross(outline.points[c] - outline.points[a])
-      .dot(outline.normal);
+  return (outline.points[b] - outline.points[a]).cross(outline.points[c] - outline.points[a]).dot(outline.normal);
 }
 
 /// Cuts a quad in two where one of its diagonals lies inside; false otherwise.
@@ -98,7 +101,8 @@ bool cutQuad(const Outline& outline, PolygonTriangles& out)
   };
   const bool first = valid(0);
   const bool second = valid(1);
-  if (!first && !second) {
+  if (!first && !second)
+  {
     return false;
   }
   const double length0 = (outline.points[2] - outline.points[0]).squaredNorm();
@@ -121,7 +125,8 @@ public:
     project();
     insertPoints();
     insertEdges();
-    if (cdt.dimension() == 2) {
+    if (cdt.dimension() == 2)
+    {
       countEdges();
       out.simple ? flood() : classifyByRays();
       collect();
@@ -137,7 +142,8 @@ private:
     n.cwiseAbs().minCoeff(&axis);
     const Vec3 u = n.cross(Vec3::Unit(axis)).normalized();
     const Vec3 v = n.cross(u);
-    for (const Vec3& p : outline.points) {
+    for (const Vec3& p : outline.points)
+    {
       flat.emplace_back(p.dot(u), p.dot(v));
     }
   }
@@ -145,10 +151,12 @@ private:
   void insertPoints()
   {
     Face hint;
-    for (std::size_t i = 0; i < flat.size(); ++i) {
+    for (std::size_t i = 0; i < flat.size(); ++i)
+    {
       const std::size_t before = cdt.number_of_vertices();
       const Vertex v = cdt.insert(flat[i], hint);
-      if (cdt.number_of_vertices() > before) {
+      if (cdt.number_of_vertices() > before)
+      {
         v->info() = static_cast<Index>(i); // of points that fall together the first stands for all
       }
       vertices.push_back(v);
@@ -161,7 +169,8 @@ private:
 
   static void toggle(std::set<Edge>& edges, const Edge& edge)
   {
-    if (!edges.erase(edge)) {
+    if (!edges.erase(edge))
+    {
       edges.insert(edge);
     }
   }
@@ -170,17 +179,23 @@ private:
   void insertEdges()
   {
     std::set<Edge> odd;
-    for (std::size_t i = 0; i < vertices.size(); ++i) {
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+    {
       const Vertex next = vertices[(i + 1) % vertices.size()];
-      if (vertices[i] != next) {
+      if (vertices[i] != next)
+      {
         toggle(odd, edgeOf(vertices[i], next));
       }
     }
-    for (const Edge& e : odd) {
+    for (const Edge& e : odd)
+    {
       edges.emplace_back(vertices[e.first], vertices[e.second]);
-      try {
+      try
+      {
         cdt.insert_constraint(edges.back().first, edges.back().second);
-      } catch (const Triangulation::Intersection_of_constraints_exception&) {
+      }
+      catch (const Triangulation::Intersection_of_constraints_exception&)
+      {
         out.simple = false;
       }
     }
@@ -189,12 +204,15 @@ private:
   /// Splits the edges at points that lie on them, and counts the pieces: overlaps cancel out.
   void countEdges()
   {
-    for (auto [from, to] : edges) {
-      while (from != to) {
+    for (auto [from, to] : edges)
+    {
+      while (from != to)
+      {
         Vertex next;
         Face face;
         int i = 0;
-        if (!cdt.includes_edge(from, to, next, face, i)) {
+        if (!cdt.includes_edge(from, to, next, face, i))
+        {
           out.simple = false;
           break;
         }
@@ -214,17 +232,21 @@ private:
   /// From the outside inwards: each boundary crossed changes sides.
   void flood()
   {
-    for (const Face face : cdt.all_face_handles()) {
+    for (const Face face : cdt.all_face_handles())
+    {
       face->info() = Side::unknown;
     }
     std::vector<Face> open{cdt.infinite_face()};
     open.back()->info() = Side::outside;
-    while (!open.empty()) {
+    while (!open.empty())
+    {
       const Face face = open.back();
       open.pop_back();
-      for (int i = 0; i < 3; ++i) {
+      for (int i = 0; i < 3; ++i)
+      {
         const Face next = face->neighbor(i);
-        if (next->info() == Side::unknown) {
+        if (next->info() == Side::unknown)
+        {
           const bool inside = (face->info() == Side::inside) != isBoundary(face, i);
           next->info() = inside ? Side::inside : Side::outside;
           open.push_back(next);
@@ -237,7 +259,8 @@ private:
   /// centre.
   void classifyByRays()
   {
-    for (const Face face : cdt.finite_face_handles()) {
+    for (const Face face : cdt.finite_face_handles())
+    {
       const Point2 center = CGAL::centroid(cdt.triangle(face));
       face->info() = insideOutline(center) ? Side::inside : Side::outside;
     }
@@ -246,11 +269,12 @@ private:
   bool insideOutline(const Point2& p) const
   {
     bool inside = false;
-    for (std::size_t i = 0; i < flat.size(); ++i) {
+    for (std::size_t i = 0; i < flat.size(); ++i)
+    {
       const Point2& a = flat[i];
       const Point2& b = flat[(i + 1) % flat.size()];
-      if ((a.y() > p.y()) != (b.y() > p.y()) &&
-          p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x())) {
+      if ((a.y() > p.y()) != (b.y() > p.y()) && p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
+      {
         inside = !inside;
       }
     }
@@ -259,8 +283,10 @@ private:
 
   void collect()
   {
-    for (const Face face : cdt.finite_face_handles()) {
-      if (face->info() == Side::inside) {
+    for (const Face face : cdt.finite_face_handles())
+    {
+      if (face->info() == Side::inside)
+      {
         out.triangles.push_back({outline.ids[face->vertex(0)->info()], outline.ids[face->vertex(1)->info()],
                                  outline.ids[face->vertex(2)->info()]});
       }
@@ -281,15 +307,18 @@ private:
 PolygonTriangles triangulatePolygon(std::span<const Vec3> points, std::span<const Index> polygon)
 {
   const Outline outline = normalised(points, polygon);
-  if (outline.ids.size() < 3 || !(outline.normal.norm() > noArea)) {
+  if (outline.ids.size() < 3 || !(outline.normal.norm() > noArea))
+  {
     return {};
   }
   PolygonTriangles out;
-  if (outline.ids.size() == 3) {
+  if (outline.ids.size() == 3)
+  {
     out.triangles.push_back({outline.ids[0], outline.ids[1], outline.ids[2]});
     return out;
   }
-  if (outline.ids.size() == 4 && cutQuad(outline, out)) {
+  if (outline.ids.size() == 4 && cutQuad(outline, out))
+  {
     return out;
   }
   return Triangulator(outline).run();

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Exact predicates on lattice points, without ties.
 ///
-/// All grid points are thought to be shifted by one and the same symbolic (e, e^2, e^3), e infinitesimal and positive (simulation
-/// of simplicity, Edelsbrunner and Mücke 1990). No grid point then lies on a surface and no grid edge meets a
-/// triangle's edge, and every decision is that of one real, generic configuration: a closed surface is crossed an even
-/// number of times by every closed path of grid edges, whatever coincides.
+/// All grid points are thought to be shifted by one and the same symbolic (e, e^2, e^3), e infinitesimal and positive
+/// (simulation of simplicity, Edelsbrunner and Mücke 1990). No grid point then lies on a surface and no grid edge meets
+/// a triangle's edge, and every decision is that of one real, generic configuration: a closed surface is crossed an
+/// even number of times by every closed path of grid edges, whatever coincides.
 #pragma once
 
 #include "Domain/GridFrame.h"
@@ -23,8 +23,8 @@ inline Wide projectedArea(const LatticePoint& a, const LatticePoint& b, const La
   return Wide(b[u] - a[u]) * (c[v] - a[v]) - Wide(b[v] - a[v]) * (c[u] - a[u]);
 }
 
-/// On which side of the line a-b, projected along `axis`, the shifted grid point p lies. Zero only where a and b project to one
-/// point.
+/// On which side of the line a-b, projected along `axis`, the shifted grid point p lies. Zero only where a and b
+/// project to one point.
 inline int sideOfLine(const LatticePoint& a, const LatticePoint& b, const LatticePoint& p, int axis)
 {
   const int sign = signOf(projectedArea(a, b, p, axis));
@@ -46,7 +46,7 @@ struct LatticeNormal
   std::array<Wide, 3> n;
 
   LatticeNormal(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c)
-    : n{projectedArea(a, b, c, 0), projectedArea(a, b, c, 1), projectedArea(a, b, c, 2)}
+      : n{projectedArea(a, b, c, 0), projectedArea(a, b, c, 1), projectedArea(a, b, c, 2)}
   {
   }
 
@@ -66,8 +66,8 @@ struct LatticeNormal
 };
 
 /// Whether the line through the shifted grid point p along `axis` passes through the triangle.
-inline bool lineMeetsTriangle(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c, const LatticePoint& p,
-                              int axis)
+inline bool lineMeetsTriangle(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c,
+                              const LatticePoint& p, int axis)
 {
   const int winding = signOf(projectedArea(a, b, c, axis));
   return winding != 0 && sideOfLine(a, b, p, axis) == winding && sideOfLine(b, c, p, axis) == winding &&

@@ -63,9 +63,9 @@ struct FeatureOptions
   double sideDistance = 1e-4;
 };
 
-/// Puts a surface on the lattice: welds points, drops triangles without area and repeated ones (whatever their winding; the
-/// first is kept), finds what lies on the domain's sides, charts, curves and corners. Edges of the domain box are not features: the
-/// mesh has them anyway. O(n log n).
+/// Puts a surface on the lattice: welds points, drops triangles without area and repeated ones (whatever their winding;
+/// the first is kept), finds what lies on the domain's sides, charts, curves and corners. Edges of the domain box are
+/// not features: the mesh has them anyway. O(n log n).
 SurfaceModel makeSurfaceModel(const TriangleSurface& surface, const GridFrame& frame, const FeatureOptions& options);
 
 } // namespace atria

@@ -8,8 +8,8 @@
 
 namespace atria {
 
-/// For each point the index of the first point that it is one with: itself, or an earlier kept point within `distance` lattice
-/// units in each coordinate. O(n) on average.
+/// For each point the index of the first point that it is one with: itself, or an earlier kept point within `distance`
+/// lattice units in each coordinate. O(n) on average.
 std::vector<Index> weldPoints(std::span<const LatticePoint> points, std::int64_t distance);
 
 } // namespace atria
