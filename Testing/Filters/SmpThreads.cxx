@@ -3,11 +3,16 @@
 
 #include <vtkSMPTools.h>
 
+#include <string>
+
 namespace atria::testing {
 
 void useThreads(int count)
 {
-  vtkSMPTools::SetBackend("STDThread");
+  if (std::string(vtkSMPTools::GetBackend()) == "Sequential")
+  {
+    vtkSMPTools::SetBackend("STDThread");
+  }
   vtkSMPTools::Initialize(count);
 }
 

@@ -3,7 +3,8 @@
 
 namespace atria::testing {
 
-/// Makes filters run on so many threads, whatever VTK was built with.
+/// Asks VTK to run filters on so many threads, also where its backend is Sequential. The backend STDThread takes no
+/// more than the machine has.
 void useThreads(int count);
 
 } // namespace atria::testing
