@@ -5,6 +5,7 @@
 #include "vtkAtriaDualMesher.h"
 #include "vtkAtriaMeshQuality.h"
 
+#include <vtkPolyData.h>
 #include <vtkTable.h>
 #include <vtkVariant.h>
 
