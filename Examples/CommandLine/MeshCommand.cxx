@@ -237,7 +237,7 @@ ExitStatus runMesh(const MeshOptions& options, Console& console)
                vtkPartitionedDataSetCollection::SafeDownCast(mesher->GetOutputDataObject(1)), console);
 
   Json seconds = {{"Read", readSeconds}};
-  seconds.update(stageSecondsOf(plainMesh));
+  seconds.update(stageSecondsOf(mesher));
   seconds["Quality"] = qualitySeconds;
   seconds["Write"] = writing.seconds();
   seconds["Total"] = total.seconds();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Report.h"
 
+#include <vtkAtriaDualMesher.h>
 #include <vtkCell.h>
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
@@ -167,14 +168,12 @@ Json qualityOf(vtkTable* summary)
   return metrics;
 }
 
-Json stageSecondsOf(vtkUnstructuredGrid* mesh)
+Json stageSecondsOf(vtkAtriaDualMesher* mesher)
 {
   Json stages = Json::object();
-  vtkStringArray* names = stringsOf(mesh, "StageName");
-  vtkDataArray* seconds = mesh->GetFieldData()->GetArray("StageSeconds");
-  for (vtkIdType i = 0; names && seconds && i < names->GetNumberOfValues(); ++i)
+  for (int i = 0; i < mesher->GetNumberOfStages(); ++i)
   {
-    stages[names->GetValue(i)] = seconds->GetTuple1(i);
+    stages[mesher->GetStageName(i)] = mesher->GetStageSeconds(i);
   }
   return stages;
 }

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+class vtkAtriaDualMesher;
 class vtkPartitionedDataSetCollection;
 class vtkPolyData;
 class vtkTable;
@@ -26,8 +27,8 @@ Json patchesOf(vtkPartitionedDataSetCollection* patches);
 /// {metric: {min, max, mean, std}} from the summary table of vtkAtriaMeshQuality.
 Json qualityOf(vtkTable* summary);
 
-/// {stage: seconds} from the field arrays StageName and StageSeconds.
-Json stageSecondsOf(vtkUnstructuredGrid* mesh);
+/// {stage: seconds} of the mesher's last run.
+Json stageSecondsOf(vtkAtriaDualMesher* mesher);
 
 /// {name: cells} from the cell array Diagnostic and the field array DiagnosticName, and the names in the field array
 /// SurfaceWithoutFaces.

@@ -11,7 +11,6 @@
 #include "VtkDualMesh.h"
 #include "VtkOctree.h"
 
-#include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -20,29 +19,17 @@
 #include <vtkObjectFactory.h>
 #include <vtkPartitionedDataSetCollection.h>
 #include <vtkPolyData.h>
-#include <vtkStringArray.h>
 #include <vtkUnstructuredGrid.h>
 
 vtkStandardNewMacro(vtkAtriaDualMesher);
 
 namespace {
 
-void addFieldData(vtkUnstructuredGrid* out, const atria::StageClock& clock, int maximumLevel)
+void addFieldData(vtkUnstructuredGrid* out, int maximumLevel)
 {
-  vtkNew<vtkStringArray> names;
-  names->SetName("StageName");
-  vtkNew<vtkDoubleArray> seconds;
-  seconds->SetName("StageSeconds");
-  for (const auto& [name, time] : clock.stages())
-  {
-    names->InsertNextValue(name);
-    seconds->InsertNextValue(time);
-  }
   vtkNew<vtkIntArray> level;
   level->SetName("MaxLevel");
   level->InsertNextValue(maximumLevel);
-  out->GetFieldData()->AddArray(names);
-  out->GetFieldData()->AddArray(seconds);
   out->GetFieldData()->AddArray(level);
 }
 
@@ -109,6 +96,18 @@ void vtkAtriaDualMesher::GetSeed(int i, double seed[3])
 
 void vtkAtriaDualMesher::RemoveAllSeeds() { this->SetNumberOfSeeds(0); }
 
+int vtkAtriaDualMesher::GetNumberOfStages() { return static_cast<int>(this->Stages.size()); }
+
+std::string vtkAtriaDualMesher::GetStageName(int i)
+{
+  return i >= 0 && i < this->GetNumberOfStages() ? this->Stages[i].first : std::string();
+}
+
+double vtkAtriaDualMesher::GetStageSeconds(int i)
+{
+  return i >= 0 && i < this->GetNumberOfStages() ? this->Stages[i].second : 0.0;
+}
+
 int vtkAtriaDualMesher::FillInputPortInformation(int port, vtkInformation* info)
 {
   if (port == 1)
@@ -155,6 +154,7 @@ int vtkAtriaDualMesher::RequestData(vtkInformation*, vtkInformationVector** inpu
     diagnostics->Initialize();
   };
   clear();
+  this->Stages.clear();
   atria::AlgorithmProgress progress(*this);
   const atria::SmpExecutor executor;
   const atria::RunContext context{executor, atria::ProgressRange(progress)};
@@ -189,7 +189,8 @@ int vtkAtriaDualMesher::RequestData(vtkInformation*, vtkInformationVector** inpu
     atria::patchesToVtk(result.mesh, model.names, patches);
     atria::diagnosticsToVtk(result, model.names, diagnostics);
     clock.lap("output");
-    addFieldData(volume, clock, octree.maximumLevel());
+    addFieldData(volume, octree.maximumLevel());
+    this->Stages = clock.stages();
     this->UpdateProgress(1.0);
   }
   catch (const atria::Aborted&)

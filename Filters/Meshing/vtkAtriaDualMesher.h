@@ -14,7 +14,7 @@
  *
  * Output port 0: vtkUnstructuredGrid of hexahedra, wedges, pyramids and polyhedra. Cell arrays: `ZoneId` (int; zones
  * are numbered from the largest, those left out included), `Level` (unsigned char, of the finest octant about the
- * element). Field arrays: `StageName`, `StageSeconds`, `MaxLevel`.
+ * element). Field array: `MaxLevel`. The same input and properties give the same bits, whatever the number of threads.
  *
  * Output port 1: vtkPartitionedDataSetCollection, one named vtkPolyData a patch. A surface with elements on its front
  * and its back is two patches, `<name>_front` and `<name>_back`; the two sides have points of their own, but at rims.
@@ -34,8 +34,10 @@
 
 #include "vtkAtriaGridAlgorithm.h"
 
-#include <array>  // for seeds
-#include <vector> // for seeds
+#include <array>   // for seeds
+#include <string>  // for stages
+#include <utility> // for stages
+#include <vector>  // for seeds
 
 class ATRIAFILTERSMESHING_EXPORT vtkAtriaDualMesher : public vtkAtriaGridAlgorithm
 {
@@ -75,6 +77,16 @@ public:
   void RemoveAllSeeds();
   ///@}
 
+  ///@{
+  /**
+   * Name and wall time, in seconds, of the stages of the last run that came to its end. They are not in the output,
+   * which does not differ from run to run. An index out of range gives an empty name and 0.
+   */
+  int GetNumberOfStages();
+  std::string GetStageName(int i);
+  double GetStageSeconds(int i);
+  ///@}
+
 protected:
   vtkAtriaDualMesher();
   ~vtkAtriaDualMesher() override;
@@ -86,6 +98,7 @@ protected:
 
   int ZoneRule = Outside;
   std::vector<std::array<double, 3>> SeedPoints;
+  std::vector<std::pair<std::string, double>> Stages;
 
 private:
   vtkAtriaDualMesher(const vtkAtriaDualMesher&) = delete;

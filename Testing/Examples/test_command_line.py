@@ -72,6 +72,15 @@ class CommandLine(unittest.TestCase):
         self.refuses(3, "text.wrl", "quality", text)
         self.assertFalse(out.exists())
 
+    def test_the_same_files_whatever_the_threads(self):
+        written = []
+        for threads in (1, 2, 7):
+            out = self.folder / f"threads{threads}.vtu"
+            self.assertIn(self.atria("mesh", HOUSE, "-o", out, "--site", "Site", "--threads", threads).returncode, (0, 4))
+            written.append(out.read_bytes())
+        self.assertEqual(written[0], written[1])
+        self.assertEqual(written[0], written[2])
+
     def test_inspect(self):
         report = json.loads(self.atria("inspect", HOUSE, "--json").stdout)
         surfaces = {surface["name"]: surface for surface in report["surfaces"]}

@@ -58,10 +58,7 @@ public:
     for (int i = 0; i < a->GetNumberOfArrays() && same(); ++i)
     {
       const std::string name = a->GetAbstractArray(i)->GetName();
-      if (!name.starts_with("Stage"))
-      {
-        arrays(a->GetAbstractArray(i), b->GetAbstractArray(name.c_str()), name);
-      }
+      arrays(a->GetAbstractArray(i), b->GetAbstractArray(name.c_str()), name);
     }
   }
 
