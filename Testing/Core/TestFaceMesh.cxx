@@ -18,6 +18,7 @@ using atria::FaceMesh;
 using atria::Index;
 using atria::Vec3;
 using atria::testing::SampleMesh;
+using atria::testing::singleCell;
 
 /// What every face mesh must keep.
 void expectWellOrdered(const FaceMesh& mesh)
@@ -90,16 +91,6 @@ std::string errorOf(const SampleMesh& mesh)
     return error.what();
   }
   return {};
-}
-
-SampleMesh singleCell(unsigned char type, const std::vector<Vec3>& points)
-{
-  SampleMesh mesh;
-  mesh.points = points;
-  std::vector<std::int64_t> ids(points.size());
-  std::iota(ids.begin(), ids.end(), 0);
-  mesh.addCell(type, ids);
-  return mesh;
 }
 
 TEST(FaceMesh, CountsTheFacesOfABlockOfCubes)

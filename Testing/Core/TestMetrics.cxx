@@ -18,22 +18,13 @@ using atria::FaceMesh;
 using atria::QualityMetrics;
 using atria::Vec3;
 using atria::testing::SampleMesh;
+using atria::testing::singleCell;
 
 QualityMetrics measure(const SampleMesh& sample, const atria::Executor& executor = atria::SerialExecutor())
 {
   atria::SilentMonitor silent;
   const FaceMesh mesh = makeFaceMesh(sample.points, sample.view());
   return computeQuality(mesh, sample.view(), {executor, atria::ProgressRange(silent)});
-}
-
-SampleMesh singleCell(unsigned char type, const std::vector<Vec3>& points)
-{
-  SampleMesh mesh;
-  mesh.points = points;
-  std::vector<std::int64_t> ids(points.size());
-  std::iota(ids.begin(), ids.end(), 0);
-  mesh.addCell(type, ids);
-  return mesh;
 }
 
 const double root2 = std::sqrt(2.0);

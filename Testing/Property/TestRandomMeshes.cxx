@@ -65,22 +65,10 @@ void expectBalanced(const Octree& octree)
 {
   // Every point next to a corner of a leaf lies in a leaf at most one level away.
   const GridFrame& frame = octree.frame();
-  const auto leafAt = [&](const LatticePoint& p) {
-    Octree::Node node = octree.root();
-    for (int level = 1; !Octree::isLeaf(node); ++level)
-    {
-      unsigned child = 0;
-      for (int axis = 0; axis < 3; ++axis)
-      {
-        child |= static_cast<unsigned>(p[axis] >> (frame.depth - level + frame.subBits) & 1) << axis;
-      }
-      node = octree.children(node)[child];
-    }
-    return Octree::leafOf(node);
-  };
   const std::int64_t end = frame.latticeSize(0);
   for (Index leaf = 0; leaf < octree.leafCount(); ++leaf)
   {
+    ASSERT_EQ(octree.leafAt(octree.lowCorner(leaf)), leaf);
     if (!octree.inDomain(leaf))
     {
       continue;
@@ -96,7 +84,7 @@ void expectBalanced(const Octree& octree)
           p[axis] -= way >> axis & 1 ? 1 : 0;
           inside = inside && p[axis] >= 0 && p[axis] < end;
         }
-        const Index other = inside ? leafAt(p) : leaf;
+        const Index other = inside ? octree.leafAt(p) : leaf;
         ASSERT_TRUE(!octree.inDomain(other) || std::abs(octree.level(leaf) - octree.level(other)) <= 1)
             << "leaves " << leaf << " and " << other;
       }

@@ -4,6 +4,7 @@
 #include "Quality/CellShapes.h"
 
 #include <algorithm>
+#include <numeric>
 #include <random>
 
 namespace atria::testing {
@@ -185,6 +186,16 @@ void SampleMesh::addPolyhedron(const std::vector<std::vector<std::int64_t>>& fac
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   addCell(polyhedronCell, ids);
   faceLocations.back() = location;
+}
+
+SampleMesh singleCell(unsigned char type, const std::vector<Vec3>& points)
+{
+  SampleMesh mesh;
+  mesh.points = points;
+  std::vector<std::int64_t> ids(points.size());
+  std::iota(ids.begin(), ids.end(), 0);
+  mesh.addCell(type, ids);
+  return mesh;
 }
 
 SampleMesh hexahedra(std::array<int, 3> n) { return Builder(n, 0, 0.0).hexahedra(); }

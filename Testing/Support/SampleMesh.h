@@ -25,6 +25,9 @@ struct SampleMesh
   void addPolyhedron(const std::vector<std::vector<std::int64_t>>& faces);
 };
 
+/// One cell, its points in the order given.
+SampleMesh singleCell(unsigned char type, const std::vector<Vec3>& points);
+
 /// Hexahedra of edge 1 that fill [0, n0] x [0, n1] x [0, n2].
 SampleMesh hexahedra(std::array<int, 3> n);
 

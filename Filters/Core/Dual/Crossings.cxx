@@ -3,8 +3,6 @@
 
 #include "Surface/Predicates.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 
 namespace atria {
@@ -94,17 +92,6 @@ private:
     found.push_back({triangle, std::clamp(static_cast<double>(a[axis]) - offset, low, high), signOf(normal.n[axis])});
   }
 
-  Vec3 normalOf(Index triangle) const
-  {
-    std::array<Vec3, 3> p;
-    for (int i = 0; i < 3; ++i)
-    {
-      const LatticePoint& c = model.corner(triangle, i);
-      p[i] = Vec3(static_cast<double>(c[0]), static_cast<double>(c[1]), static_cast<double>(c[2]));
-    }
-    return (p[1] - p[0]).cross(p[2] - p[0]);
-  }
-
   /// Whether two neighbouring crossings are a surface that reaches through the edge and back, with both ends of the
   /// edge on the same side: a bulge of a smooth piece, which faces the same way twice while the two sides of a thin
   /// wall face opposite ways; or the crease between two pieces, seen in a leaf beside the edge. Not where three pieces
@@ -115,7 +102,7 @@ private:
     const Index b = model.charts[r.triangle];
     if (a == b)
     {
-      return l.orientation != r.orientation && normalOf(l.triangle).dot(normalOf(r.triangle)) > 0.0;
+      return l.orientation != r.orientation && model.normal(l.triangle).dot(model.normal(r.triangle)) > 0.0;
     }
     return std::any_of(about.begin(), about.end(), [&](Index leaf) { return hasCrease(leaf, a, b); });
   }

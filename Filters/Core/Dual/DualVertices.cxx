@@ -328,10 +328,12 @@ DualVertices placeVertices(const Octree& octree, const SurfaceModel& model, cons
   context.executor.forRanges(leaves.size(), 4096, [&](std::size_t begin, std::size_t end) {
     context.progress.check();
     VertexPlacer placer(octree, model);
+    // Both lists are in order of leaves: they are walked side by side.
+    auto last = std::lower_bound(byLeaf.begin(), byLeaf.end(), std::pair(leaves[begin], Index{0}));
     for (std::size_t i = begin; i < end; ++i)
     {
-      const auto [first, last] = std::equal_range(byLeaf.begin(), byLeaf.end(), std::pair(leaves[i], Index{0}),
-                                                  [](const auto& l, const auto& r) { return l.first < r.first; });
+      const auto first = std::find_if(last, byLeaf.end(), [&](const auto& pair) { return pair.first >= leaves[i]; });
+      last = std::find_if(first, byLeaf.end(), [&](const auto& pair) { return pair.first > leaves[i]; });
       vertices.positions[i] = placer.place(leaves[i], {first, last}, crossings.crossedEdges);
       vertices.compromised[i] = first != last && placer.missesPiece(leaves[i], vertices.positions[i]) ? 1 : 0;
     }

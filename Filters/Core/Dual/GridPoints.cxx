@@ -98,31 +98,34 @@ std::vector<Region> tasksOf(const Octree& octree, int level)
   return tasks;
 }
 
-/// Bits of the directions in which `slots` has the same leaf as in `slot`.
-unsigned sameLeaf(const std::array<Octree::Node, 8>& nodes, unsigned slot)
+/// Bits of the directions whose leaf fills no other direction: such a leaf has the grid point as a corner.
+unsigned singleDirections(const std::array<Octree::Node, 8>& nodes)
 {
-  unsigned same = 0;
-  for (unsigned other = 0; other < 8; ++other)
+  unsigned shared = 0;
+  for (unsigned slot = 0; slot < 8; ++slot)
   {
-    same |= nodes[other] == nodes[slot] ? 1u << other : 0u;
+    for (unsigned other = slot + 1; other < 8; ++other)
+    {
+      shared |= nodes[slot] == nodes[other] ? 1u << slot | 1u << other : 0u;
+    }
   }
-  return same;
+  return ~shared & 0xffu;
 }
 
-/// The first leaf that has the grid point as a corner: it fills one direction only.
+/// The first leaf that has the grid point as a corner.
 struct Owner
 {
   Index leaf = noIndex;
   unsigned corner = 0;
 };
 
-Owner ownerOf(const std::array<Octree::Node, 8>& nodes)
+Owner ownerOf(const std::array<Octree::Node, 8>& nodes, unsigned singles)
 {
   Owner owner;
   for (unsigned slot = 0; slot < 8; ++slot)
   {
     const Index leaf = Octree::leafOf(nodes[slot]);
-    if (std::has_single_bit(sameLeaf(nodes, slot)) && leaf < owner.leaf)
+    if ((singles >> slot & 1) != 0 && leaf < owner.leaf)
     {
       owner = {leaf, 7 - slot};
     }
@@ -141,15 +144,16 @@ GridPoints findGridPoints(const Octree& octree, const RunContext& context)
     context.executor.forEach(tasks.size(), 16, [&](std::size_t i) {
       context.progress.check();
       walk(octree, tasks[i], [&](const Region& point) {
-        const Owner owner = ownerOf(point.nodes);
+        const unsigned singles = singleDirections(point.nodes);
+        const Owner owner = ownerOf(point.nodes, singles);
         if (owner.leaf != noIndex && frame.inDomain(octree.cornerOf(owner.leaf, owner.corner)))
         {
-          visit(point, owner);
+          visit(point, owner, singles);
         }
       });
     });
   };
-  eachPoint([&](const Region&, const Owner& owner) {
+  eachPoint([&](const Region&, const Owner& owner, unsigned) {
     std::atomic_ref(owned[owner.leaf])
         .fetch_or(static_cast<std::uint8_t>(1u << owner.corner), std::memory_order_relaxed);
   });
@@ -167,14 +171,14 @@ GridPoints findGridPoints(const Octree& octree, const RunContext& context)
   points.leaves.resize(first.back());
   points.atCorner.resize(octree.leafCount());
   context.executor.forEach(points.atCorner.size(), 65536, [&](std::size_t i) { points.atCorner[i].fill(noIndex); });
-  eachPoint([&](const Region& point, const Owner& owner) {
+  eachPoint([&](const Region& point, const Owner& owner, unsigned singles) {
     const unsigned before = owned[owner.leaf] & ((1u << owner.corner) - 1);
     const Index id = first[owner.leaf] + static_cast<Index>(std::popcount(before));
     for (unsigned slot = 0; slot < 8; ++slot)
     {
       const Index leaf = Octree::leafOf(point.nodes[slot]);
       points.leaves[id][slot] = leaf;
-      if (std::has_single_bit(sameLeaf(point.nodes, slot)))
+      if ((singles >> slot & 1) != 0)
       {
         points.atCorner[leaf][7 - slot] = id;
       }

@@ -11,23 +11,6 @@ namespace atria {
 
 namespace {
 
-/// The leaf of the octree that holds a lattice point.
-Index leafAt(const Octree& octree, const LatticePoint& p)
-{
-  const GridFrame& frame = octree.frame();
-  Octree::Node node = octree.root();
-  for (int level = 1; !Octree::isLeaf(node); ++level)
-  {
-    unsigned child = 0;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      child |= (p[axis] >> (frame.depth - level + frame.subBits) & 1) != 0 ? 1u << axis : 0u;
-    }
-    node = octree.children(node)[child];
-  }
-  return Octree::leafOf(node);
-}
-
 std::int32_t zoneOfSeed(const Vec3& seed, const Zones& zones, const Octree& octree, const GridPoints& points)
 {
   const GridFrame& frame = octree.frame();
@@ -36,7 +19,7 @@ std::int32_t zoneOfSeed(const Vec3& seed, const Zones& zones, const Octree& octr
   {
     throw Error((std::ostringstream() << "the seed " << seed.transpose() << " is outside the domain").str());
   }
-  const Index leaf = leafAt(octree, p);
+  const Index leaf = octree.leafAt(p);
   Index best = noIndex;
   double bestDistance = 0.0;
   for (unsigned corner = 0; corner < 8; ++corner)
@@ -75,7 +58,7 @@ Zones findZones(const Crossings& crossings, const RunContext& context)
   }
   context.progress.check();
   std::vector<Index> roots;
-  std::vector<std::size_t> sizes(count, 0);
+  std::vector<Index> sizes(count, 0);
   for (Index point = 0; point < count; ++point)
   {
     const Index root = sets.find(point);
@@ -92,11 +75,11 @@ Zones findZones(const Crossings& crossings, const RunContext& context)
   for (std::size_t i = 0; i < roots.size(); ++i)
   {
     zones.sizes.push_back(sizes[roots[i]]);
-    sizes[roots[i]] = i;
+    zones.ofPoint[roots[i]] = static_cast<std::int32_t>(i);
   }
   for (Index point = 0; point < count; ++point)
   {
-    zones.ofPoint[point] = static_cast<std::int32_t>(sizes[sets.find(point)]);
+    zones.ofPoint[point] = zones.ofPoint[sets.find(point)];
   }
   for (const BoundaryFace& face : crossings.boundaryFaces)
   {
@@ -136,8 +119,8 @@ std::vector<char> keptZones(const Zones& zones, ZoneRule rule, const std::vector
   if (std::find(kept.begin(), kept.end(), 1) == kept.end())
   {
     throw Error(rule == ZoneRule::all ? "there is nothing to mesh: no grid point is inside the domain"
-                                        : "no zone is left to mesh: none reaches a side of the domain; keep all "
-                                          "zones, or give seeds");
+                                      : "no zone is left to mesh: none reaches a side of the domain; keep all "
+                                        "zones, or give seeds");
   }
   return kept;
 }

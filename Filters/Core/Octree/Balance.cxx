@@ -9,14 +9,14 @@ namespace atria {
 
 namespace {
 
-/// Keys of the octants of level - 1 that must be refined because octant `key` of `level` is: the parents of its 26
-/// neighbours, which are the seven octants about the parent's corner nearest to it.
+/// Keys of the octants of level - 1 that must be refined because octant `key` of `level` is: its own parent, and the
+/// parents of its 26 neighbours, which are the seven other octants about the parent's corner nearest to it.
 void appendRequired(MortonKey key, int level, const GridFrame& frame, const std::vector<MortonKey>& present,
                     std::vector<MortonKey>& out)
 {
   const GridCell parent = gridCell(key >> 3);
   const std::int64_t end = std::int64_t{1} << (level - 1);
-  for (unsigned which = 1; which < 8; ++which)
+  for (unsigned which = 0; which < 8; ++which)
   {
     GridCell cell = parent;
     bool inside = true;
@@ -64,24 +64,8 @@ void balance(RefinedSets& refined, const GridFrame& frame, const RunContext& con
     {
       above.insert(above.end(), part.begin(), part.end());
     }
-    // Parents of the level above must be refined as well for these to exist; the next turn of the loop sees to that, as
-    // an octant's own parent is required like its neighbours' parents.
     std::sort(above.begin(), above.end());
     above.erase(std::unique(above.begin(), above.end()), above.end());
-    if (level - 1 > 0)
-    {
-      std::vector<MortonKey>& parents = refined[level - 2];
-      const std::size_t before = parents.size();
-      for (const MortonKey key : above)
-      {
-        if (!std::binary_search(parents.begin(), parents.begin() + before, key >> 3))
-        {
-          parents.push_back(key >> 3);
-        }
-      }
-      std::sort(parents.begin(), parents.end());
-      parents.erase(std::unique(parents.begin(), parents.end()), parents.end());
-    }
   }
 }
 

@@ -97,6 +97,26 @@ Octree::Octree(const GridFrame& frame, const RefinedSets& refined) : frame_(fram
 
 int Octree::maximumLevel() const { return levels_.empty() ? 0 : *std::max_element(levels_.begin(), levels_.end()); }
 
+Octree::Node Octree::nodeAt(MortonKey key, int level) const
+{
+  Node node = root_;
+  for (int l = 1; l <= level && !isLeaf(node); ++l)
+  {
+    node = children_[node][key >> (3 * (level - l)) & 7];
+  }
+  return node;
+}
+
+Index Octree::leafAt(const LatticePoint& p) const
+{
+  GridCell cell;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    cell[axis] = static_cast<std::uint32_t>(p[axis] >> frame_.subBits);
+  }
+  return leafOf(nodeAt(mortonKey(cell), frame_.depth));
+}
+
 LatticePoint Octree::cornerOf(Index leaf, unsigned which) const
 {
   const GridCell cell = anchor(leaf);

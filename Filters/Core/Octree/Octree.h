@@ -38,8 +38,9 @@ struct ModelItem
   std::uint32_t index : 30;
 };
 
-/// Leaves in Morton order, and above them the refined octants with their children. About 19 bytes a leaf, and 4 for each piece of the model in it.
-/// The whole root cube is covered; leaves outside of the domain are as coarse as the domain's refinement leaves them.
+/// Leaves in Morton order, and above them the refined octants with their children. About 19 bytes a leaf, and 4 for
+/// each piece of the model in it. The whole root cube is covered; leaves outside of the domain are as coarse as the
+/// domain's refinement leaves them.
 class Octree
 {
 public:
@@ -63,6 +64,11 @@ public:
   /// Children of a refined octant, in Morton order.
   const std::array<Node, 8>& children(Node node) const { return children_[node]; }
   std::size_t refinedCount() const { return children_.size(); }
+
+  /// The octant `key` of the grid of `level`, or the leaf that holds it.
+  Node nodeAt(MortonKey key, int level) const;
+  /// The leaf that holds a lattice point of the root cube; the upper one on a border.
+  Index leafAt(const LatticePoint& p) const;
 
   /// Lower corner in cells of the finest grid.
   GridCell anchor(Index leaf) const { return gridCell(keys_[leaf]); }

@@ -58,16 +58,6 @@ RefinedSets sizeOctants(const SurfaceModel& model, const GridFrame& frame, const
   return refined;
 }
 
-Octree::Node childNode(const Octree& octree, MortonKey key, int level)
-{
-  Octree::Node node = octree.root();
-  for (int l = 1; l <= level; ++l)
-  {
-    node = octree.children(node)[key >> (3 * (level - l)) & 7];
-  }
-  return node;
-}
-
 /// What the leaves hold, as found level by level.
 struct LeafLists
 {
@@ -92,7 +82,7 @@ LeafLists descend(const Octree& octree, const SurfaceModel& model, const RunCont
     std::vector<char> refined(lists.size());
     for (std::size_t i = 0; i < lists.size(); ++i)
     {
-      const Octree::Node node = childNode(octree, lists.keys[i], level);
+      const Octree::Node node = octree.nodeAt(lists.keys[i], level);
       refined[i] = !Octree::isLeaf(node);
       if (!refined[i])
       {

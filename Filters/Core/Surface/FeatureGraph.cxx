@@ -3,8 +3,6 @@
 
 #include "Support/UnionFind.h"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -51,12 +49,6 @@ Vec3 vectorBetween(const SurfaceModel& model, Index from, Index to)
   return {static_cast<double>(q[0] - p[0]), static_cast<double>(q[1] - p[1]), static_cast<double>(q[2] - p[2])};
 }
 
-Vec3 unitNormal(const SurfaceModel& model, Index triangle)
-{
-  const auto& t = model.triangles[triangle];
-  return vectorBetween(model, t[0], t[1]).cross(vectorBetween(model, t[0], t[2])).normalized();
-}
-
 /// Both ends of the edge lie on the same two domain planes.
 bool onDomainEdge(const SurfaceModel& model, const GridFrame& frame, const EdgeUse& edge)
 {
@@ -87,7 +79,7 @@ std::optional<CurveKind> kindOf(const SurfaceModel& model, const EdgeUse* first,
   const Index t = first[1].triangle;
   // Triangles wound alike run through their edge in opposite senses.
   const double orientation = first[0].forward != first[1].forward ? 1.0 : -1.0;
-  if (orientation * unitNormal(model, s).dot(unitNormal(model, t)) < minimumCosine)
+  if (orientation * model.normal(s).normalized().dot(model.normal(t).normalized()) < minimumCosine)
   {
     return CurveKind::crease;
   }

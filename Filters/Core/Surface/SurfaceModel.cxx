@@ -84,6 +84,12 @@ void addTriangles(SurfaceModel& model, const TriangleSurface& surface, const std
 
 } // namespace
 
+Vec3 SurfaceModel::normal(Index triangle) const
+{
+  const LatticeNormal exact(corner(triangle, 0), corner(triangle, 1), corner(triangle, 2));
+  return {static_cast<double>(exact.n[0]), static_cast<double>(exact.n[1]), static_cast<double>(exact.n[2])};
+}
+
 SurfaceModel makeSurfaceModel(const TriangleSurface& surface, const GridFrame& frame, const FeatureOptions& options)
 {
   const auto units = [&](double distance) {

@@ -51,6 +51,8 @@ struct SurfaceModel
   std::size_t duplicateTriangles = 0;
 
   const LatticePoint& corner(Index triangle, int i) const { return points[triangles[triangle][i]]; }
+  /// Twice the triangle's area vector, in lattice units.
+  Vec3 normal(Index triangle) const;
 };
 
 struct FeatureOptions
