@@ -27,7 +27,7 @@ namespace atria {
 namespace {
 
 constexpr const char* frameArrayName = "OctreeFrame";
-constexpr vtkIdType frameValueCount = 15;
+constexpr vtkIdType frameValueCount = 22;
 
 void addFrame(const GridFrame& f, vtkDataObject* out)
 {
@@ -36,6 +36,12 @@ void addFrame(const GridFrame& f, vtkDataObject* out)
   for (const double v : {f.origin[0], f.origin[1], f.origin[2], f.finestSize, double(f.depth), double(f.startLevel),
                          double(f.midLevel), double(f.topLevel), double(f.subBits), f.domain.min[0], f.domain.max[0],
                          f.domain.min[1], f.domain.max[1], f.domain.min[2], f.domain.max[2]})
+  {
+    values->InsertNextValue(v);
+  }
+  const PlacedBox turned = f.turnedDomain.value_or(PlacedBox{f.placement, f.domain});
+  for (const double v : {f.placement.angle(), f.turnedDomain ? 1.0 : 0.0, turned.axes.angle(), turned.bounds.min[0],
+                         turned.bounds.max[0], turned.bounds.min[1], turned.bounds.max[1]})
   {
     values->InsertNextValue(v);
   }
@@ -64,6 +70,11 @@ GridFrame frameOf(vtkDataObject* data)
       f.domain.empty())
   {
     throw Error("the octree's field array OctreeFrame is damaged");
+  }
+  f.placement = Placement(at(15));
+  if (at(16) != 0.0)
+  {
+    f.turnedDomain = PlacedBox{Placement(at(17)), {{at(18), at(20), at(13)}, {at(19), at(21), at(14)}}};
   }
   f.domainLow = f.toLattice(f.domain.min);
   f.domainHigh = f.toLattice(f.domain.max);
@@ -109,18 +120,39 @@ private:
   RefinedSets sets;
 };
 
+/// Bounds of a cell along the grid's axes.
+std::array<double, 6> boundsInGrid(vtkUnstructuredGrid* grid, vtkIdType cell, const Placement& placement)
+{
+  std::array<double, 6> bounds;
+  if (placement.angle() == 0.0)
+  {
+    grid->GetCellBounds(cell, bounds.data());
+    return bounds;
+  }
+  Box3 box;
+  vtkIdType count = 0;
+  const vtkIdType* ids = nullptr;
+  grid->GetCellPoints(cell, count, ids);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    box.extend(placement.fromModel(Vec3(grid->GetPoint(ids[i]))));
+  }
+  return {box.min[0], box.max[0], box.min[1], box.max[1], box.min[2], box.max[2]};
+}
+
 RefinedSets setsOf(vtkUnstructuredGrid* grid, const GridFrame& frame)
 {
   SetBuilder builder(frame.depth);
-  double bounds[6];
+  const bool turned = frame.placement.angle() != 0.0;
+  const int wanted = turned ? VTK_HEXAHEDRON : VTK_VOXEL;
   for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
   {
-    grid->GetCellBounds(i, bounds);
+    const std::array<double, 6> bounds = boundsInGrid(grid, i, frame.placement);
     const double ratio = std::log2((bounds[1] - bounds[0]) / frame.finestSize);
     const int level = frame.depth - static_cast<int>(std::lround(ratio));
     const double size = frame.sizeOf(std::clamp(level, 0, frame.depth));
     GridCell cell;
-    bool fits = grid->GetCellType(i) == VTK_VOXEL && level >= 0 && level <= frame.depth &&
+    bool fits = grid->GetCellType(i) == wanted && level >= 0 && level <= frame.depth &&
                 std::abs(ratio - std::round(ratio)) < 1e-3;
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -233,7 +265,8 @@ std::vector<std::array<vtkIdType, 8>> numberCorners(const Octree& octree, const 
   {
     if (i == 0 || uses[i].at != uses[i - 1].at)
     {
-      points->InsertNextPoint(octree.frame().toModel(uses[i].at).data());
+      const GridFrame& frame = octree.frame();
+      points->InsertNextPoint(frame.placement.toModel(frame.toModel(uses[i].at)).data());
     }
     corners[uses[i].cell][uses[i].corner] = points->GetNumberOfPoints() - 1;
   }
@@ -254,7 +287,9 @@ void octreeToVtk(const Octree& octree, vtkUnstructuredGrid* out)
   }
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  const auto corners = numberCorners(octree, leaves, points);
+  auto corners = numberCorners(octree, leaves, points);
+  // A voxel stands along the axes; turned octants are hexahedra.
+  const bool turned = octree.frame().placement.angle() != 0.0;
   vtkNew<vtkCellArray> cells;
   cells->AllocateExact(static_cast<vtkIdType>(leaves.size()), static_cast<vtkIdType>(8 * leaves.size()));
   vtkNew<vtkUnsignedCharArray> levels;
@@ -263,12 +298,17 @@ void octreeToVtk(const Octree& octree, vtkUnstructuredGrid* out)
   types->SetName("FeatureType");
   for (std::size_t i = 0; i < leaves.size(); ++i)
   {
+    if (turned)
+    {
+      std::swap(corners[i][2], corners[i][3]);
+      std::swap(corners[i][6], corners[i][7]);
+    }
     cells->InsertNextCell(8, corners[i].data());
     levels->InsertNextValue(static_cast<unsigned char>(octree.level(leaves[i])));
     types->InsertNextValue(static_cast<unsigned char>(octree.featureType(leaves[i])));
   }
   out->SetPoints(points);
-  out->SetCells(VTK_VOXEL, cells);
+  out->SetCells(turned ? VTK_HEXAHEDRON : VTK_VOXEL, cells);
   out->GetCellData()->AddArray(levels);
   out->GetCellData()->AddArray(types);
   addFrame(octree.frame(), out);
@@ -276,6 +316,11 @@ void octreeToVtk(const Octree& octree, vtkUnstructuredGrid* out)
 
 void octreeToVtk(const Octree& octree, vtkHyperTreeGrid* out)
 {
+  if (octree.frame().placement.angle() != 0.0)
+  {
+    throw Error("a hyper tree grid stands along the axes and cannot be turned: choose OutputType UnstructuredGrid, or "
+                "AlignGrid ToAxes");
+  }
   out->Initialize();
   out->SetDimensions(2, 2, 2);
   out->SetBranchFactor(2);

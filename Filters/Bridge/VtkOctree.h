@@ -10,11 +10,11 @@ class vtkUnstructuredGrid;
 
 namespace atria {
 
-/// Leaves in the domain as voxels, with cell arrays Level and FeatureType. The field array OctreeFrame (15 values)
-/// keeps what octreeFromVtk needs.
+/// Leaves in the domain as voxels, or as hexahedra where the grid is turned, with cell arrays Level and FeatureType.
+/// The field array OctreeFrame (22 values) keeps what octreeFromVtk needs.
 void octreeToVtk(const Octree& octree, vtkUnstructuredGrid* out);
 
-/// The whole root cube as one hyper tree; leaves outside the domain are masked.
+/// The whole root cube as one hyper tree; leaves outside the domain are masked. Throws Error where the grid is turned.
 void octreeToVtk(const Octree& octree, vtkHyperTreeGrid* out);
 
 /// Frame and refined octants of what octreeToVtk made, possibly with cells removed since: they come back as coarse as

@@ -1,22 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "GridInput.h"
 
-#include "Domain/Domain.h"
-#include "Support/Error.h"
 #include "VtkSurface.h"
 #include "vtkAtriaGridAlgorithm.h"
 
 #include <utility>
 
 namespace atria {
-
-namespace {
-
-/// How exactly points are taken for one, and for lying on a side, against the finest octant.
-constexpr double weldRatio = 1e-5;
-constexpr double sideRatio = 1e-4;
-
-} // namespace
 
 GridInput readGridInput(vtkDataObject* data)
 {
@@ -30,48 +20,48 @@ GridInput readGridInput(vtkDataObject* data)
   return input;
 }
 
-Box3 GridInput::domain(vtkAtriaGridAlgorithm& filter) const
+SiteOptions siteOptionsOf(vtkAtriaGridAlgorithm& filter)
 {
-  Box3 box;
-  switch (filter.GetDomainMode())
-  {
-    case vtkAtriaGridAlgorithm::Explicit: {
-      const double* b = filter.GetDomainBounds();
-      box.min = Vec3(b[0], b[2], b[4]);
-      box.max = Vec3(b[1], b[3], b[5]);
-      return box;
-    }
-    case vtkAtriaGridAlgorithm::Site:
-      return siteDomain(surface, filter.GetSiteName());
-    default:
-      box = boundsOf(surface);
-      if (box.empty())
-      {
-        throw Error("there are no surfaces to take the domain from: connect some, or give DomainBounds with DomainMode "
-                    "Explicit");
-      }
-      return box;
-  }
+  SiteOptions options;
+  options.mode = static_cast<DomainMode>(filter.GetDomainMode());
+  const double* b = filter.GetDomainBounds();
+  options.bounds = {Vec3(b[0], b[2], b[4]), Vec3(b[1], b[3], b[5])};
+  options.domainAngle = filter.GetDomainAngle();
+  options.windAngle = filter.GetWindAngle();
+  options.site = filter.GetSiteName();
+  options.terrain = filter.GetTerrainName();
+  options.alignment = static_cast<GridAlignment>(filter.GetAlignGrid());
+  return options;
 }
 
-GridFrame GridInput::frame(vtkAtriaGridAlgorithm& filter) const
+GridOptions sizesOf(vtkAtriaGridAlgorithm& filter)
 {
   GridOptions options;
-  options.domain = this->domain(filter);
   options.sizeMin = filter.GetSizeMin();
   options.sizeMid = filter.GetSizeMid();
   options.sizeMax = filter.GetSizeMax();
   options.startLevel = filter.GetStartLevel();
-  return makeGridFrame(options, boundsOf(surface));
+  return options;
 }
 
-SurfaceModel GridInput::model(vtkAtriaGridAlgorithm& filter, const GridFrame& frame) const
+PlacedModel GridInput::placed(vtkAtriaGridAlgorithm& filter) const
+{
+  const GridOptions sizes = sizesOf(filter);
+  return placeModel(surface, planSite(surface, siteOptionsOf(filter), sizes), sizes);
+}
+
+PlacedModel GridInput::placed(vtkAtriaGridAlgorithm& filter, const GridFrame& frame) const
+{
+  return placeModel(surface, siteOptionsOf(filter), frame);
+}
+
+SurfaceModel surfaceModelOf(vtkAtriaGridAlgorithm& filter, const PlacedModel& placed)
 {
   FeatureOptions options;
   options.featureAngle = filter.GetFeatureAngle();
-  options.weldDistance = weldRatio * frame.finestSize;
-  options.sideDistance = sideRatio * frame.finestSize;
-  return makeSurfaceModel(surface, frame, options);
+  options.weldDistance = weldRatio * placed.frame.finestSize;
+  options.sideDistance = sideRatio * placed.frame.finestSize;
+  return makeSurfaceModel(placed.surface, placed.frame, options);
 }
 
 } // namespace atria

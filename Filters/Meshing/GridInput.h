@@ -2,7 +2,7 @@
 /// What both filters take from their properties and input: the surface, the frame, the model.
 #pragma once
 
-#include "Domain/GridFrame.h"
+#include "Domain/PlacedModel.h"
 #include "Surface/SurfaceModel.h"
 
 class vtkAtriaGridAlgorithm;
@@ -15,11 +15,15 @@ struct GridInput
   TriangleSurface surface;
   std::size_t ignoredCells = 0;
 
-  /// The domain as the properties say. Throws Error where they cannot be met.
-  Box3 domain(vtkAtriaGridAlgorithm& filter) const;
-  GridFrame frame(vtkAtriaGridAlgorithm& filter) const;
-  SurfaceModel model(vtkAtriaGridAlgorithm& filter, const GridFrame& frame) const;
+  /// The model in its grid. Throws Error where the properties cannot be met.
+  PlacedModel placed(vtkAtriaGridAlgorithm& filter) const;
+  /// In a grid that is given.
+  PlacedModel placed(vtkAtriaGridAlgorithm& filter, const GridFrame& frame) const;
 };
+
+SiteOptions siteOptionsOf(vtkAtriaGridAlgorithm& filter);
+GridOptions sizesOf(vtkAtriaGridAlgorithm& filter);
+SurfaceModel surfaceModelOf(vtkAtriaGridAlgorithm& filter, const PlacedModel& placed);
 
 /// `data` may be null: a domain without surfaces.
 GridInput readGridInput(vtkDataObject* data);

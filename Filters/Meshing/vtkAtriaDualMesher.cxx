@@ -2,7 +2,6 @@
 #include "vtkAtriaDualMesher.h"
 
 #include "AlgorithmProgress.h"
-#include "Domain/Domain.h"
 #include "Dual/DualMesher.h"
 #include "GridInput.h"
 #include "Octree/Balance.h"
@@ -37,10 +36,10 @@ atria::Octree rebuildOctree(vtkDataObject* data, const atria::GridInput& input, 
                             atria::SurfaceModel& model, const atria::RunContext& context)
 {
   atria::OctreeSets sets = atria::octreeFromVtk(data);
-  atria::fitLattice(sets.frame, atria::boundsOf(input.surface));
-  model = input.model(filter, sets.frame);
-  atria::balance(sets.refined, sets.frame, context);
-  atria::Octree octree(sets.frame, sets.refined);
+  const atria::PlacedModel placed = input.placed(filter, sets.frame);
+  model = atria::surfaceModelOf(filter, placed);
+  atria::balance(sets.refined, placed.frame, context);
+  atria::Octree octree(placed.frame, sets.refined);
   atria::locateModel(octree, model, context);
   return octree;
 }
@@ -172,10 +171,10 @@ int vtkAtriaDualMesher::RequestData(vtkInformation*, vtkInformationVector** inpu
     }
     else
     {
-      const atria::GridFrame frame = input.frame(*this);
-      model = input.model(*this, frame);
+      const atria::PlacedModel placed = input.placed(*this);
+      model = atria::surfaceModelOf(*this, placed);
       clock.lap("surface");
-      octree = atria::buildOctree(model, frame, context.part(0.05, 0.4));
+      octree = atria::buildOctree(model, placed.frame, context.part(0.05, 0.4));
     }
     clock.lap("octree");
     atria::DualMeshOptions options;

@@ -56,5 +56,9 @@ void vtkAtriaGridAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   {
     os << " " << bound;
   }
-  os << "\n" << indent << "SiteName: " << this->SiteName << "\n";
+  os << "\n" << indent << "DomainAngle: " << this->DomainAngle << "\n";
+  os << indent << "WindAngle: " << this->WindAngle << "\n";
+  os << indent << "SiteName: " << this->SiteName << "\n";
+  os << indent << "TerrainName: " << this->TerrainName << "\n";
+  os << indent << "AlignGrid: " << this->AlignGrid << "\n";
 }

@@ -13,7 +13,7 @@
 #include "AtriaFiltersMeshingModule.h"
 #include "vtkAlgorithm.h"
 
-#include <string> // for SiteName
+#include <string> // for names
 
 class ATRIAFILTERSMESHING_EXPORT vtkAtriaGridAlgorithm : public vtkAlgorithm
 {
@@ -72,14 +72,16 @@ public:
   {
     FromSurfaces = 0, ///< the bounds of the surfaces
     Explicit = 1,     ///< DomainBounds
-    Site = 2          ///< above the surface SiteName: its bounds, and 0.3 times its longer side above its highest point
+    Site = 2,         ///< above the surface SiteName: its bounds, and 0.3 times its longer side above its highest point
+    Automatic =
+        3 ///< from the buildings' height H: 5 H to inlet, sides and top, 15 H to the outlet, blockage at most 3 %
   };
 
   ///@{
   /**
    * Where the domain box comes from. Default FromSurfaces.
    */
-  vtkSetClampMacro(DomainMode, int, FromSurfaces, Site);
+  vtkSetClampMacro(DomainMode, int, FromSurfaces, Automatic);
   vtkGetMacro(DomainMode, int);
   ///@}
 
@@ -94,10 +96,61 @@ public:
 
   ///@{
   /**
-   * Name of the surface that is the site, if DomainMode is Site. Default "Site".
+   * Degrees, anticlockwise seen from above, by which the domain is turned: DomainBounds about their middle; from
+   * surfaces and site it is the smallest box along the turned axes. Not used if DomainMode is Automatic. Default 0;
+   * clamped to
+   * [-180, 180].
+   */
+  vtkSetClampMacro(DomainAngle, double, -180.0, 180.0);
+  vtkGetMacro(DomainAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * Where the wind blows to if DomainMode is Automatic, in degrees from the x axis, anticlockwise seen from above. With
+   * x to the east and y to the north, a wind from the meteorological direction D has the angle 270 - D. The side xMin
+   * of the domain is the inlet. Default 0, along +x; clamped to [-360, 360].
+   */
+  vtkSetClampMacro(WindAngle, double, -360.0, 360.0);
+  vtkGetMacro(WindAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * Name of the surface that is the site: the domain's ground if DomainMode is Site, and no building if it is
+   * Automatic. Default "Site".
    */
   vtkSetMacro(SiteName, std::string);
   vtkGetMacro(SiteName, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * Pattern of the names of surfaces that are terrain; `*` stands for any characters, `?` for one. Terrain is extended
+   * level to the domain's sides, and the domain's bottom is put below it. Default empty: the surface SiteName, where it
+   * is not flat.
+   */
+  vtkSetMacro(TerrainName, std::string);
+  vtkGetMacro(TerrainName, std::string);
+  ///@}
+
+  /**
+   * What the grid stands along.
+   */
+  enum GridAlignments
+  {
+    ToAxes = 0,  ///< x and y
+    ToWalls = 1, ///< the direction most walls have
+    ToDomain = 2 ///< the sides of the domain
+  };
+
+  ///@{
+  /**
+   * What the grid stands along. Where that is not the direction of the domain's sides, these are meshed as surfaces
+   * are. Default ToAxes.
+   */
+  vtkSetClampMacro(AlignGrid, int, ToAxes, ToDomain);
+  vtkGetMacro(AlignGrid, int);
   ///@}
 
   ///@{
@@ -125,7 +178,11 @@ protected:
   double FeatureAngle = 30.0;
   int DomainMode = FromSurfaces;
   double DomainBounds[6] = {-50.0, 50.0, -50.0, 50.0, 0.0, 50.0};
+  double DomainAngle = 0.0;
+  double WindAngle = 0.0;
   std::string SiteName = "Site";
+  std::string TerrainName;
+  int AlignGrid = ToAxes;
 
 private:
   vtkAtriaGridAlgorithm(const vtkAtriaGridAlgorithm&) = delete;

@@ -63,9 +63,9 @@ int vtkAtriaOctreeSource::RequestData(vtkInformation*, vtkInformationVector** in
   try
   {
     const atria::GridInput input = atria::readGridInput(vtkDataObject::GetData(inputs[0]));
-    const atria::GridFrame frame = input.frame(*this);
-    const atria::SurfaceModel model = input.model(*this, frame);
-    const atria::Octree octree = atria::buildOctree(model, frame, context.part(0.1, 0.8));
+    const atria::PlacedModel placed = input.placed(*this);
+    const atria::SurfaceModel model = atria::surfaceModelOf(*this, placed);
+    const atria::Octree octree = atria::buildOctree(model, placed.frame, context.part(0.1, 0.8));
     if (auto* trees = vtkHyperTreeGrid::SafeDownCast(output))
     {
       atria::octreeToVtk(octree, trees);

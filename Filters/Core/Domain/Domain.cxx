@@ -7,9 +7,7 @@
 
 namespace atria {
 
-namespace {
-
-std::string listed(const std::vector<std::string>& names)
+std::string listOfNames(const std::vector<std::string>& names)
 {
   constexpr std::size_t most = 20;
   std::string text;
@@ -20,27 +18,26 @@ std::string listed(const std::vector<std::string>& names)
   return names.size() > most ? text + ", …" : text;
 }
 
-} // namespace
-
-Box3 boundsOf(const TriangleSurface& surface)
+Box3 boundsOf(const TriangleSurface& surface, const Placement& axes)
 {
   Box3 box;
   for (const auto& t : surface.triangles)
   {
     for (const Index p : t)
     {
-      box.extend(surface.points[p]);
+      box.extend(axes.fromModel(surface.points[p]));
     }
   }
   return box;
 }
 
-Box3 siteDomain(const TriangleSurface& surface, std::string_view site)
+Box3 siteDomain(const TriangleSurface& surface, std::string_view site, const Placement& axes)
 {
   const auto found = std::find(surface.names.begin(), surface.names.end(), site);
   if (found == surface.names.end())
   {
-    throw Error("there is no surface '" + std::string(site) + "' to be the site; there are: " + listed(surface.names));
+    throw Error("there is no surface '" + std::string(site) +
+                "' to be the site; there are: " + listOfNames(surface.names));
   }
   const auto id = static_cast<Index>(found - surface.names.begin());
   Box3 box;
@@ -50,7 +47,7 @@ Box3 siteDomain(const TriangleSurface& surface, std::string_view site)
     {
       if (surface.surfaceIds[i] == id)
       {
-        box.extend(surface.points[p]);
+        box.extend(axes.fromModel(surface.points[p]));
       }
     }
   }

@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Domain/Placement.h"
 #include "Surface/TriangleSurface.h"
 
 #include <string_view>
 
 namespace atria {
 
-/// Bounds of all points that triangles use; empty if there are none.
-Box3 boundsOf(const TriangleSurface& surface);
+/// Bounds, along `axes`, of all points that triangles use; empty if there are none.
+Box3 boundsOf(const TriangleSurface& surface, const Placement& axes = {});
 
-/// The domain above a site: the bounds of the surface named `site`, from its lowest point to 0.3 times its longer side
-/// above its highest. Throws Error where there is no such surface (naming those there are), or where it has no extent.
-Box3 siteDomain(const TriangleSurface& surface, std::string_view site);
+/// The domain above a site: the bounds, along `axes`, of the surface named `site`, from its lowest point to 0.3 times
+/// its longer side above its highest. Throws Error where there is no such surface (naming those there are), or where it
+/// has no extent.
+Box3 siteDomain(const TriangleSurface& surface, std::string_view site, const Placement& axes = {});
+
+/// The first of the names, for messages.
+std::string listOfNames(const std::vector<std::string>& names);
 
 } // namespace atria

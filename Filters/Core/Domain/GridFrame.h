@@ -2,7 +2,9 @@
 /// Where the octree stands in the model, and the integer lattice on which all decisions are taken.
 #pragma once
 
-#include "Support/Types.h"
+#include "Domain/Placement.h"
+
+#include <optional>
 
 namespace atria {
 
@@ -26,6 +28,8 @@ struct GridOptions
 /// The root cube `[origin, origin + finestSize * 2^depth]^3` that holds the domain. Its phase puts the domain's lower
 /// planes through the centres of finest octants: the upper ones follow where the domain is a multiple of `finestSize`.
 ///
+/// All coordinates are along the axes of `placement`, to which the model was turned.
+///
 /// Lattice coordinates count from `origin` in units of `finestSize / 2^subBits`.
 struct GridFrame
 {
@@ -41,6 +45,10 @@ struct GridFrame
   Box3 domain;
   LatticePoint domainLow{};
   LatticePoint domainHigh{};
+  Placement placement;
+  /// The domain proper where it stands at an angle to the grid: its sides then are surfaces, and `domain` is a box of
+  /// the grid about it, with the same bottom and top.
+  std::optional<PlacedBox> turnedDomain;
 
   double rootSize() const { return finestSize * static_cast<double>(std::int64_t{1} << depth); }
   double latticeUnit() const { return finestSize / static_cast<double>(std::int64_t{1} << subBits); }
@@ -64,8 +72,8 @@ struct GridFrame
   }
 };
 
-/// Chooses the lattice of a frame whose root and domain are set, so that it holds `extent` too. Throws Error where that is too
-/// far for it. The octree's keys do not depend on the lattice.
+/// Chooses the lattice of a frame whose root and domain are set, so that it holds `extent` too. Throws Error where that
+/// is too far for it. The octree's keys do not depend on the lattice.
 void fitLattice(GridFrame& frame, const Box3& extent);
 
 /// Chooses root, levels and lattice. `extent` must hold every surface point. Throws Error where the domain is empty or

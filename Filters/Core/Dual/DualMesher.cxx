@@ -3,6 +3,7 @@
 
 #include "Dual/DualVertices.h"
 #include "Dual/Sheets.h"
+#include "Dual/TurnedDomain.h"
 
 #include <algorithm>
 
@@ -148,10 +149,12 @@ DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, con
   clock.lap("dual");
   context.progress.report(0.3, "Finding crossings");
   Crossings crossings = findCrossings(octree, model, points, context);
+  markTurnedSides(crossings, model.names.size());
   clock.lap("crossings");
   context.progress.report(0.6, "Finding zones");
   const Zones zones = findZones(crossings, context);
   result.keptZones = keptZones(zones, options.zoneRule, options.seeds, octree, points);
+  dropBeyondSides(result.keptZones, zones, octree, points);
   const std::vector<Index> elements = numberElements(zones, result.keptZones);
   points.atCorner = {};
   clock.lap("zones");
@@ -165,9 +168,11 @@ DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, con
   context.progress.report(0.9, "Making elements");
   fillBoundary(mesh, crossings, elements);
   fillElements(mesh, octree, points, crossings, zones, elements, vertexOfLeaf, context);
+  sharpenTurnedEdges(mesh, octree.frame(), model.names.size());
   appendMerged(crossings, elements, octree.frame(), result.diagnostics);
   appendUnresolved(mesh, placed.compromised, result.diagnostics);
   splitSheets(mesh, context);
+  placeInModel(result, octree.frame().placement, context);
   clock.lap("elements");
   context.progress.report(1.0, "Meshed");
   return result;

@@ -11,6 +11,7 @@ namespace atria {
 struct DualMeshOptions
 {
   ZoneRule zoneRule = ZoneRule::outside;
+  /// Along the model's axes.
   std::vector<Vec3> seeds;
 };
 
@@ -38,7 +39,9 @@ struct DualMeshResult
   std::vector<char> keptZones;
 };
 
-/// The dual of an octree whose leaves know their pieces of the model. Throws Error where no zone is left, Aborted on
+/// The dual of an octree whose leaves know their pieces of the model. The octree and its model are along the grid's
+/// axes
+/// (`GridFrame::placement`), the mesh is along the model's. Throws Error where no zone is left, Aborted on
 /// demand.
 DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, const DualMeshOptions& options,
                             StageClock& clock, const RunContext& context);

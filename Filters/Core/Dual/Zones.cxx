@@ -14,8 +14,9 @@ namespace {
 std::int32_t zoneOfSeed(const Vec3& seed, const Zones& zones, const Octree& octree, const GridPoints& points)
 {
   const GridFrame& frame = octree.frame();
-  const LatticePoint p = frame.toLattice(seed);
-  if (!frame.inDomain(p))
+  const Vec3 placed = frame.placement.fromModel(seed);
+  const LatticePoint p = frame.toLattice(placed);
+  if (!frame.inDomain(p) || (frame.turnedDomain && !frame.turnedDomain->contains(seed)))
   {
     throw Error((std::ostringstream() << "the seed " << seed.transpose() << " is outside the domain").str());
   }
@@ -25,8 +26,12 @@ std::int32_t zoneOfSeed(const Vec3& seed, const Zones& zones, const Octree& octr
   for (unsigned corner = 0; corner < 8; ++corner)
   {
     const Index point = points.atCorner[leaf][corner];
-    const double distance = (frame.toModel(octree.cornerOf(leaf, corner)) - seed).squaredNorm();
-    if (point != noIndex && (best == noIndex || distance < bestDistance))
+    const double distance = (frame.toModel(octree.cornerOf(leaf, corner)) - placed).squaredNorm();
+    const bool inside =
+        point != noIndex &&
+        (!frame.turnedDomain ||
+         frame.turnedDomain->contains(frame.placement.toModel(frame.toModel(octree.cornerOf(leaf, corner)))));
+    if (inside && (best == noIndex || distance < bestDistance))
     {
       best = point;
       bestDistance = distance;

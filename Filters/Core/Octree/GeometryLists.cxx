@@ -76,6 +76,26 @@ std::vector<Contact> contactsIn(const LatticeBox& box, std::span<const Index> tr
   return contacts;
 }
 
+std::vector<ModelItem> allPieces(const SurfaceModel& model, const GridFrame& frame)
+{
+  const LatticeBox box = domainBoxOf(frame, 0, 0);
+  std::vector<ModelItem> pieces;
+  const auto add = [&](ModelItem::Kind kind, std::size_t count) {
+    for (std::uint32_t i = 0; i < count; ++i)
+    {
+      const ModelItem piece{kind, i};
+      if (touchesPiece(box, piece, model))
+      {
+        pieces.push_back(piece);
+      }
+    }
+  };
+  add(ModelItem::triangle, model.triangles.size());
+  add(ModelItem::featureEdge, model.featureEdges.size());
+  add(ModelItem::corner, model.corners.size());
+  return pieces;
+}
+
 } // namespace
 
 void GeometryLists::append(MortonKey key, std::span<const ModelItem> pieces)
@@ -113,21 +133,43 @@ LatticeBox domainBoxOf(const GridFrame& frame, int level, MortonKey key)
 
 GeometryLists rootLists(const SurfaceModel& model, const GridFrame& frame)
 {
-  const LatticeBox box = domainBoxOf(frame, 0, 0);
-  std::vector<ModelItem> pieces;
-  const auto add = [&](ModelItem::Kind kind, std::size_t count) {
-    for (std::uint32_t i = 0; i < count; ++i)
+  GeometryLists lists;
+  lists.append(0, allPieces(model, frame));
+  return lists;
+}
+
+GeometryLists sizingLists(const SurfaceModel& model, const GridFrame& frame)
+{
+  std::vector<ModelItem> pieces = allPieces(model, frame);
+  std::vector<char> sideCharts(model.triangles.size(), 0);
+  std::vector<char> sidePoints(model.points.size(), 0);
+  bool anySide = false;
+  for (Index t = 0; t < model.triangles.size(); ++t)
+  {
+    if (model.isTurnedSide(t))
     {
-      const ModelItem piece{kind, i};
-      if (touchesPiece(box, piece, model))
-      {
-        pieces.push_back(piece);
+      anySide = true;
+      sideCharts[model.charts[t]] = 1;
+      std::ranges::for_each(model.triangles[t], [&](Index p) { sidePoints[p] = 1; });
+    }
+  }
+  const auto onSide = [&](ModelItem piece) {
+    switch (piece.kind)
+    {
+      case ModelItem::triangle:
+        return model.isTurnedSide(piece.index);
+      case ModelItem::featureEdge: {
+        const FeatureEdge& edge = model.featureEdges[piece.index];
+        return sideCharts[edge.charts[0]] || sideCharts[edge.charts[1]];
       }
+      default:
+        return sidePoints[model.corners[piece.index]] != 0;
     }
   };
-  add(ModelItem::triangle, model.triangles.size());
-  add(ModelItem::featureEdge, model.featureEdges.size());
-  add(ModelItem::corner, model.corners.size());
+  if (anySide)
+  {
+    std::erase_if(pieces, onSide);
+  }
   GeometryLists lists;
   lists.append(0, pieces);
   return lists;

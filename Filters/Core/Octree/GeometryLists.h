@@ -31,6 +31,10 @@ LatticeBox domainBoxOf(const GridFrame& frame, int level, MortonKey key);
 /// The whole model for the root, as far as the domain sees it.
 GeometryLists rootLists(const SurfaceModel& model, const GridFrame& frame);
 
+/// The same, without the sides of a turned domain and what meets on them: the sides of a domain ask for no small
+/// octants.
+GeometryLists sizingLists(const SurfaceModel& model, const GridFrame& frame);
+
 /// The children (level + 1) of the octants of `parents` chosen by `chosen`; each inherits what touches it. Children
 /// outside the domain are left out; so are, if `onlyOccupied`, those that inherit nothing.
 GeometryLists childLists(const GeometryLists& parents, int level, const std::vector<char>& chosen, bool onlyOccupied,

@@ -32,7 +32,7 @@ bool mustRefine(const GeometryLists& lists, std::size_t i, int level, const Surf
 RefinedSets sizeOctants(const SurfaceModel& model, const GridFrame& frame, const RunContext& context)
 {
   RefinedSets refined;
-  GeometryLists lists = rootLists(model, frame);
+  GeometryLists lists = sizingLists(model, frame);
   for (int level = 0; level < frame.depth; ++level)
   {
     context.progress.report(static_cast<double>(level) / frame.depth, "Sizing octants");

@@ -35,7 +35,7 @@ struct SurfaceModel
 
   std::vector<LatticePoint> points;
   std::vector<std::array<Index, 3>> triangles;
-  /// Per triangle: index into `names`.
+  /// Per triangle: index into `names`; or the number of names plus a Direction on the sides of a turned domain.
   std::vector<Index> surfaceIds;
   /// Per triangle: the smooth piece between feature curves it belongs to.
   std::vector<Index> charts;
@@ -50,6 +50,8 @@ struct SurfaceModel
   std::size_t degenerateTriangles = 0;
   std::size_t duplicateTriangles = 0;
 
+  /// Whether a triangle is a side of a domain that stands turned in the grid (see TurnedSides.h).
+  bool isTurnedSide(Index triangle) const { return surfaceIds[triangle] >= names.size(); }
   const LatticePoint& corner(Index triangle, int i) const { return points[triangles[triangle][i]]; }
   /// Twice the triangle's area vector, in lattice units.
   Vec3 normal(Index triangle) const;

@@ -14,7 +14,7 @@ struct TriangleSurface
 {
   std::vector<Vec3> points;
   std::vector<std::array<Index, 3>> triangles;
-  /// Per triangle, an index into `names`.
+  /// Per triangle, an index into `names`; beyond them on sides of the domain (see TurnedSides.h).
   std::vector<Index> surfaceIds;
   std::vector<std::string> names;
 };

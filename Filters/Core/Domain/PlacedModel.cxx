@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Domain/PlacedModel.h"
+
+#include "Domain/Alignment.h"
+#include "Domain/Domain.h"
+#include "Domain/TurnedSides.h"
+#include "Support/Error.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace atria {
+
+namespace {
+
+/// Terrain is as good as flat, and the domain along the grid, within this part of the finest octant.
+constexpr double flatRatio = 1e-3;
+
+PlacedBox domainOf(const TriangleSurface& surface, const SiteOptions& options, SitePlan& plan)
+{
+  PlacedBox domain{Placement(options.domainAngle), {}};
+  switch (options.mode)
+  {
+    case DomainMode::bounds:
+      return turnedAboutMiddle(options.bounds, options.domainAngle);
+    case DomainMode::site:
+      domain.bounds = siteDomain(surface, options.site, domain.axes);
+      return domain;
+    case DomainMode::automatic: {
+      const WindDomain wind = windDomain(surface, plan.isGround, options.windAngle);
+      plan.widened = wind.widened;
+      return wind.box;
+    }
+    default:
+      domain.bounds = boundsOf(surface, domain.axes);
+      if (domain.bounds.empty())
+      {
+        throw Error("there are no surfaces to take the domain from: connect some, or give DomainBounds with DomainMode "
+                    "Explicit");
+      }
+      return domain;
+  }
+}
+
+/// The axes nearest to the domain's that quarter turns make of an angle, so that the domain's sides keep their names.
+Placement gridAxes(const TriangleSurface& surface, GridAlignment alignment, const PlacedBox& domain, double sizeMin)
+{
+  if (alignment == GridAlignment::domain)
+  {
+    return domain.axes;
+  }
+  const double angle = alignment == GridAlignment::walls ? dominantWallAngle(surface) : 0.0;
+  const double wanted = domain.axes.angle();
+  const Placement grid(angle + 90.0 * std::round((wanted - angle) / 90.0));
+  constexpr double perDegree = std::numbers::pi / 180.0;
+  const double difference = std::remainder(grid.angle() - wanted, 360.0);
+  const bool along = std::abs(difference) * perDegree * domain.bounds.size().norm() <= sideRatio * sizeMin;
+  return along ? domain.axes : grid;
+}
+
+void turnAll(TriangleSurface& surface, const Placement& axes)
+{
+  for (Vec3& p : surface.points)
+  {
+    p = axes.fromModel(p);
+  }
+}
+
+/// Terrain, turn and sides, in this order; all but the frame.
+PlacedModel inGrid(const TriangleSurface& surface, const SitePlan& plan, const GridOptions& sizes)
+{
+  PlacedModel out;
+  out.surface = surface;
+  turnAll(out.surface, plan.domain.axes);
+  const double beyond = 2.0 * sizes.sizeMax;
+  Box3 reach = plan.domain.bounds;
+  reach.min -= Vec3::Constant(beyond);
+  reach.max += Vec3::Constant(beyond);
+  if (plan.hasTerrain)
+  {
+    out.terrain = extendTerrain(out.surface, plan.isTerrain, reach, weldRatio * sizes.sizeMin);
+  }
+  if (plan.grid.angle() != plan.domain.axes.angle())
+  {
+    cutToSides(out.surface, plan.domain.bounds, beyond, sideRatio * sizes.sizeMin);
+    turnAll(out.surface, Placement(plan.grid.angle() - plan.domain.axes.angle()));
+  }
+  return out;
+}
+
+} // namespace
+
+SitePlan groundOf(const TriangleSurface& surface, const SiteOptions& options, double sizeMin)
+{
+  SitePlan plan;
+  plan.isTerrain = terrainSurfaces(surface, options.terrain, options.site, flatRatio * sizeMin);
+  plan.isGround = plan.isTerrain;
+  for (std::size_t i = 0; i < plan.isGround.size(); ++i)
+  {
+    plan.hasTerrain = plan.hasTerrain || plan.isTerrain[i];
+    plan.isGround[i] |= surface.names[i] == options.site ? 1 : 0;
+  }
+  return plan;
+}
+
+SitePlan planSite(const TriangleSurface& surface, const SiteOptions& options, const GridOptions& sizes)
+{
+  SitePlan plan = groundOf(surface, options, sizes.sizeMin);
+  plan.domain = domainOf(surface, options, plan);
+  if (plan.hasTerrain)
+  {
+    const double lowest = Ground(surface, plan.isTerrain, 0.0).bounds().min[2];
+    plan.domain.bounds.min[2] = std::min(plan.domain.bounds.min[2], lowest - 2.0 * sizes.sizeMax);
+  }
+  plan.grid = gridAxes(surface, options.alignment, plan.domain, sizes.sizeMin);
+  return plan;
+}
+
+PlacedModel placeModel(const TriangleSurface& surface, const SitePlan& plan, const GridOptions& sizes)
+{
+  GridOptions options = sizes;
+  options.domain = boundsAlong(plan.grid, plan.domain);
+  const bool turned = plan.grid.angle() != plan.domain.axes.angle();
+  makeGridFrame({plan.domain.bounds, sizes.sizeMin, sizes.sizeMid, sizes.sizeMax, sizes.startLevel}, {}); // checks
+  if (turned)
+  {
+    // No octant at a corner of the domain may reach a plane of the box about it.
+    const Vec3 margin(2.0 * sizes.sizeMax, 2.0 * sizes.sizeMax, 0.0);
+    options.domain = {options.domain.min - margin, options.domain.max + margin};
+  }
+  PlacedModel out = inGrid(surface, plan, sizes);
+  out.frame = makeGridFrame(options, boundsOf(out.surface));
+  out.frame.placement = plan.grid;
+  if (turned)
+  {
+    out.frame.turnedDomain = plan.domain;
+  }
+  return out;
+}
+
+PlacedModel placeModel(const TriangleSurface& surface, const SiteOptions& options, const GridFrame& frame)
+{
+  SitePlan plan = groundOf(surface, options, frame.finestSize);
+  plan.grid = frame.placement;
+  plan.domain = frame.turnedDomain.value_or(PlacedBox{frame.placement, frame.domain});
+  GridOptions sizes;
+  sizes.sizeMin = frame.finestSize;
+  sizes.sizeMax = frame.sizeOf(frame.topLevel);
+  PlacedModel out = inGrid(surface, plan, sizes);
+  out.frame = frame;
+  fitLattice(out.frame, boundsOf(out.surface));
+  return out;
+}
+
+} // namespace atria

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// From the model as read to the model in the grid: domain, terrain, alignment.
+#pragma once
+
+#include "Domain/GridFrame.h"
+#include "Domain/Terrain.h"
+#include "Domain/WindDomain.h"
+
+namespace atria {
+
+enum class DomainMode : std::uint8_t
+{
+  surfaces, ///< the bounds of the surfaces
+  bounds,   ///< given
+  site,     ///< above the site surface
+  automatic ///< from the buildings' height; see WindDomain.h
+};
+
+/// What the grid stands along.
+enum class GridAlignment : std::uint8_t
+{
+  axes,  ///< the model's
+  walls, ///< most walls
+  domain
+};
+
+struct SiteOptions
+{
+  DomainMode mode = DomainMode::surfaces;
+  /// Used in mode `bounds`.
+  Box3 bounds;
+  /// Degrees by which the domain stands turned (see Placement): given bounds about their middle; from surfaces and site
+  /// it is the smallest box along the turned axes. Not in mode `automatic`.
+  double domainAngle = 0.0;
+  /// Direction in which the wind blows, in mode `automatic`; see Placement.
+  double windAngle = 0.0;
+  std::string site = "Site";
+  /// Pattern; see terrainSurfaces.
+  std::string terrain;
+  GridAlignment alignment = GridAlignment::axes;
+};
+
+/// How exactly points are taken for one, and for lying on a side, against the finest octant.
+inline constexpr double weldRatio = 1e-5;
+inline constexpr double sideRatio = 1e-4;
+
+/// Domain and ground of a model.
+struct SitePlan
+{
+  PlacedBox domain;
+  Placement grid;
+  SurfaceFlags isTerrain;
+  /// Terrain, or the site: what is no building.
+  SurfaceFlags isGround;
+  bool hasTerrain = false;
+  /// As WindDomain; 1 in other modes.
+  double widened = 1.0;
+};
+
+/// The domain, as the options say, and how the grid stands. Where there is a terrain, the domain's bottom is lowered to
+/// two of the largest octants below it, so that the bottom cuts nothing. Throws Error where the options cannot be met.
+SitePlan planSite(const TriangleSurface& surface, const SiteOptions& options, const GridOptions& sizes);
+
+/// A model in the grid's coordinates: terrain extended, and where the domain stands turned in the grid, cut to it and
+/// closed by sides (see TurnedSides.h).
+struct PlacedModel
+{
+  TriangleSurface surface;
+  GridFrame frame;
+  TerrainOutline terrain;
+};
+
+/// `sizes.domain` is not used.
+PlacedModel placeModel(const TriangleSurface& surface, const SitePlan& plan, const GridOptions& sizes);
+
+/// For a frame that is given, such as that of an octree made before: its lattice is fitted to the surface.
+PlacedModel placeModel(const TriangleSurface& surface, const SiteOptions& options, const GridFrame& frame);
+
+/// Ground surfaces by the options; those that fit no name are none.
+SitePlan groundOf(const TriangleSurface& surface, const SiteOptions& options, double sizeMin);
+
+} // namespace atria

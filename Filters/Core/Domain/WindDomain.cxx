@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Domain/WindDomain.h"
+
+#include "Support/Error.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace atria {
+
+namespace {
+
+struct Span
+{
+  double low;
+  double high;
+};
+
+/// Projected triangle, and its range along y.
+struct Shadow
+{
+  std::array<Eigen::Vector2d, 3> points;
+  double left;
+  double right;
+};
+
+std::vector<Shadow> shadowsOf(const TriangleSurface& surface, const SurfaceFlags& isGround, const Placement& axes)
+{
+  std::vector<Shadow> shadows;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    if (isGround[surface.surfaceIds[t]])
+    {
+      continue;
+    }
+    Shadow shadow;
+    for (int i = 0; i < 3; ++i)
+    {
+      shadow.points[i] = axes.fromModel(surface.points[surface.triangles[t][i]]).tail<2>();
+    }
+    const auto [left, right] = std::minmax({shadow.points[0][0], shadow.points[1][0], shadow.points[2][0]});
+    shadow.left = left;
+    shadow.right = right;
+    if (right > left)
+    {
+      shadows.push_back(shadow);
+    }
+  }
+  std::sort(shadows.begin(), shadows.end(), [](const Shadow& l, const Shadow& r) { return l.left < r.left; });
+  return shadows;
+}
+
+/// Where the upright line at y meets the triangle, which it does.
+Span spanAt(const Shadow& shadow, double y)
+{
+  Span span{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (int i = 0; i < 3; ++i)
+  {
+    const auto& p = shadow.points[i];
+    const auto& q = shadow.points[(i + 1) % 3];
+    if (std::min(p[0], q[0]) <= y && y <= std::max(p[0], q[0]) && p[0] != q[0])
+    {
+      const double z = p[1] + (y - p[0]) / (q[0] - p[0]) * (q[1] - p[1]);
+      span = {std::min(span.low, z), std::max(span.high, z)};
+    }
+  }
+  return span;
+}
+
+/// Length of the union of the spans above `floor`.
+double covered(std::vector<Span>& spans, double floor)
+{
+  std::sort(spans.begin(), spans.end(), [](const Span& l, const Span& r) { return l.low < r.low; });
+  double length = 0.0;
+  double reached = floor;
+  for (const Span& span : spans)
+  {
+    length += std::max(0.0, span.high - std::max(span.low, reached));
+    reached = std::max(reached, span.high);
+  }
+  return length;
+}
+
+/// Ends of the strips to integrate over.
+std::vector<double> stripsOf(const std::vector<Shadow>& shadows)
+{
+  constexpr int most = 2048;
+  std::vector<double> stops;
+  for (const Shadow& shadow : shadows)
+  {
+    for (const auto& p : shadow.points)
+    {
+      stops.push_back(p[0]);
+    }
+  }
+  const auto [low, high] = std::minmax_element(stops.begin(), stops.end());
+  const double first = *low;
+  const double step = (*high - *low) / most;
+  for (int i = 1; i < most; ++i)
+  {
+    stops.push_back(first + i * step);
+  }
+  std::sort(stops.begin(), stops.end());
+  stops.erase(std::unique(stops.begin(), stops.end()), stops.end());
+  return stops;
+}
+
+} // namespace
+
+Box3 boundsOfBuildings(const TriangleSurface& surface, const SurfaceFlags& isGround, const Placement& axes)
+{
+  Box3 box;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    for (const Index p : surface.triangles[t])
+    {
+      if (!isGround[surface.surfaceIds[t]])
+      {
+        box.extend(axes.fromModel(surface.points[p]));
+      }
+    }
+  }
+  return box;
+}
+
+double heightOfBuildings(const TriangleSurface& surface, const SurfaceFlags& isGround)
+{
+  const Box3 box = boundsOfBuildings(surface, isGround, {});
+  if (box.empty())
+  {
+    return 0.0;
+  }
+  const Ground ground(surface, isGround, box.min[2]);
+  std::vector<char> seen(surface.points.size(), 0);
+  double height = 0.0;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    for (const Index p : surface.triangles[t])
+    {
+      if (!isGround[surface.surfaceIds[t]] && !seen[p])
+      {
+        seen[p] = 1;
+        const Vec3& q = surface.points[p];
+        height = std::max(height, q[2] - ground.heightAt(q[0], q[1]));
+      }
+    }
+  }
+  return height;
+}
+
+double frontalArea(const TriangleSurface& surface, const SurfaceFlags& isGround, const Placement& axes, double floor)
+{
+  const std::vector<Shadow> shadows = shadowsOf(surface, isGround, axes);
+  if (shadows.empty())
+  {
+    return 0.0;
+  }
+  const std::vector<double> strips = stripsOf(shadows);
+  std::vector<Index> active;
+  std::vector<Span> spans;
+  std::size_t next = 0;
+  double area = 0.0;
+  for (std::size_t i = 0; i + 1 < strips.size(); ++i)
+  {
+    const double y = 0.5 * (strips[i] + strips[i + 1]);
+    for (; next < shadows.size() && shadows[next].left <= strips[i]; ++next)
+    {
+      active.push_back(static_cast<Index>(next));
+    }
+    std::erase_if(active, [&](Index s) { return shadows[s].right <= strips[i]; });
+    spans.clear();
+    for (const Index s : active)
+    {
+      spans.push_back(spanAt(shadows[s], y));
+    }
+    area += covered(spans, floor) * (strips[i + 1] - strips[i]);
+  }
+  return area;
+}
+
+WindDomain windDomain(const TriangleSurface& surface, const SurfaceFlags& isGround, double windAngle,
+                      const WindRules& rules)
+{
+  WindDomain out;
+  out.box.axes = Placement(windAngle);
+  out.buildings = boundsOfBuildings(surface, isGround, out.box.axes);
+  out.height = heightOfBuildings(surface, isGround);
+  if (!(out.height > 0.0))
+  {
+    throw Error("there are no buildings to take the domain from: every surface is ground or lies flat; connect the "
+                "buildings, correct SiteName and TerrainName, or choose another DomainMode");
+  }
+  const Ground ground(surface, isGround, out.buildings.min[2]);
+  const double floor = ground.empty() ? out.buildings.min[2] : ground.bounds().min[2];
+  const Box3& b = out.buildings;
+  const double width = b.size()[1];
+  const double rise = b.max[2] - floor;
+  double side = rules.sideHeights * out.height;
+  double top = rules.topHeights * out.height;
+  const double needed = frontalArea(surface, isGround, out.box.axes, floor) / rules.mostBlockage;
+  if ((width + 2.0 * side) * (rise + top) < needed)
+  {
+    // (width + 2 s f)(rise + t f) = needed, for the factor f.
+    const double square = 2.0 * side * top;
+    const double linear = width * top + 2.0 * side * rise;
+    const double constant = width * rise - needed;
+    out.widened = (-linear + std::sqrt(linear * linear - 4.0 * square * constant)) / (2.0 * square);
+    side *= out.widened;
+    top *= out.widened;
+  }
+  out.box.bounds.min = {b.min[0] - rules.inletHeights * out.height, b.min[1] - side, floor};
+  out.box.bounds.max = {b.max[0] + rules.outletHeights * out.height, b.max[1] + side, b.max[2] + top};
+  return out;
+}
+
+} // namespace atria

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The domain by the rules of wind engineering.
+#pragma once
+
+#include "Domain/Ground.h"
+#include "Domain/Placement.h"
+
+namespace atria {
+
+/// Distances from the buildings in their heights, after COST 732 (Franke et al. 2007) and AIJ (Tominaga et al. 2008).
+struct WindRules
+{
+  double inletHeights = 5.0;
+  double sideHeights = 5.0;
+  double topHeights = 5.0; ///< above the highest point of the buildings
+  double outletHeights = 15.0;
+  double mostBlockage = 0.03;
+};
+
+struct WindDomain
+{
+  PlacedBox box;
+  /// Bounds of the buildings along the box's axes.
+  Box3 buildings;
+  /// Largest height of a point of the buildings above the ground below it.
+  double height = 0.0;
+  /// Factor by which the distances to the sides and the top were made larger to keep the blockage.
+  double widened = 1.0;
+};
+
+/// The domain for wind towards `windAngle` (see Placement): along the box's x axis, so that xMin is the inlet.
+/// Buildings are all surfaces that are no ground; without ground they stand on their lowest point. Throws Error where
+/// there are none or they have no height.
+WindDomain windDomain(const TriangleSurface& surface, const SurfaceFlags& isGround, double windAngle,
+                      const WindRules& rules = {});
+
+/// Bounds along `axes` of all surfaces that are no ground.
+Box3 boundsOfBuildings(const TriangleSurface& surface, const SurfaceFlags& isGround, const Placement& axes);
+
+/// Largest height of a point of the buildings above the ground below it; 0 without buildings.
+double heightOfBuildings(const TriangleSurface& surface, const SurfaceFlags& isGround);
+
+/// Area of the buildings' projection along `axes`' x, above the height `floor`: each place counts once, however
+/// many walls stand behind each other. Integrated along y between the projected points; exact where projected edges
+/// do not cross between those, else to about 1/2048 of the width.
+double frontalArea(const TriangleSurface& surface, const SurfaceFlags& isGround, const Placement& axes, double floor);
+
+} // namespace atria

@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Meshes of domains that stand turned, of grids that are turned, and above terrain.
+#include "DualMesherTest.h"
+#include "vtkAtriaOctreeSource.h"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+
+#include <gmock/gmock.h>
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <numbers>
+
+namespace {
+
+using atria::Box3;
+using atria::TriangleSurface;
+using atria::Vec3;
+using atria::testing::addBox;
+using atria::testing::addSheet;
+using atria::testing::addSurface;
+using atria::testing::areaOf;
+using atria::testing::identical;
+using atria::testing::namesOf;
+using atria::testing::setGrid;
+using atria::testing::volumeOf;
+using ::testing::Contains;
+using ::testing::ElementsAre;
+
+Vec3 turned(const Vec3& p, double degrees)
+{
+  return Eigen::AngleAxisd(degrees * std::numbers::pi / 180.0, Vec3::UnitZ()) * p;
+}
+
+class SiteMeshes : public atria::testing::DualMesherTest
+{
+protected:
+  void mesh(const TriangleSurface& surface)
+  {
+    setSurface(surface);
+    mesher->Update();
+    ASSERT_GT(volume()->GetNumberOfCells(), 0);
+    EXPECT_TRUE(atria::testing::patchesAreTheBoundary(volume(), patches()));
+    EXPECT_NEAR(atria::testing::enclosedVolume(patches()), meshVolume(), 1e-9 * volumeOf(domain));
+  }
+
+  /// The bare sides are there under their names, with the areas of the domain's box.
+  void expectSides(double tolerance)
+  {
+    const auto all = namedPatches();
+    const Vec3 s = domain.size();
+    for (const auto& [name, area] :
+         {std::pair("xMin", s[1] * s[2]), std::pair("xMax", s[1] * s[2]), std::pair("yMin", s[0] * s[2]),
+          std::pair("yMax", s[0] * s[2]), std::pair("zMax", s[0] * s[1])})
+    {
+      ASSERT_THAT(namesOf(all), Contains(name));
+      EXPECT_NEAR(areaOf(all.at(name)), area, tolerance * area) << name;
+      EXPECT_EQ(all.at(name)->GetCellData()->GetArray("SurfaceId")->GetRange()[1], -1.0);
+    }
+  }
+};
+
+TEST_F(SiteMeshes, ATurnedBareDomainIsExact)
+{
+  TriangleSurface beyond;
+  addSheet(beyond, "Beyond", Vec3(40, 40, 20), Vec3(1, 0, 0), Vec3(0, 1, 0));
+  for (const double angle : {10.0, 45.0, -30.0, 90.0, 137.0})
+  {
+    SCOPED_TRACE(angle);
+    mesher->SetDomainAngle(angle);
+    mesh(beyond);
+    EXPECT_EQ(namesOf(namedPatches()).size(), 6u);
+    expectSides(1e-7);
+    EXPECT_NEAR(meshVolume(), volumeOf(domain), 1e-7 * volumeOf(domain));
+    // xMin looks against the domain's x axis.
+    Box3 side;
+    vtkPolyData* patch = namedPatches().at("xMin");
+    for (vtkIdType i = 0; i < patch->GetNumberOfPoints(); ++i)
+    {
+      side.extend(turned(Vec3(patch->GetPoint(i)) - domain.center(), -angle));
+    }
+    EXPECT_NEAR(side.min[0], -0.5 * domain.size()[0], 1e-6);
+    EXPECT_NEAR(side.max[0], -0.5 * domain.size()[0], 1e-6);
+  }
+}
+
+TEST_F(SiteMeshes, ATurnedDomainKeepsBuildingsAndItsGround)
+{
+  domain = {Vec3(-10, -10, 0), Vec3(10, 10, 8)};
+  setGrid(mesher, domain, 0.5, 1.0, 2.0);
+  const Box3 building{Vec3(-1.7, -1.9, -1), Vec3(2.6, 1.4, 4.1)};
+  TriangleSurface surface;
+  addSheet(surface, "Site", Vec3(-30, -30, 0), Vec3(60, 0, 0), Vec3(0, 60, 0));
+  addBox(surface, "Building", building);
+  mesher->SetDomainAngle(25.0);
+  mesh(surface);
+  expectSides(1e-6);
+  const double inside = 4.3 * 3.3 * 4.1;
+  EXPECT_NEAR(meshVolume(), volumeOf(domain) - inside, 1e-3 * inside);
+  EXPECT_NEAR(areaOf(namedPatches().at("Site")), 400.0 - 4.3 * 3.3, 1e-6 * 400.0);
+  EXPECT_THAT(atria::testing::fieldStrings(diagnostics(), "SurfaceWithoutFaces"), ::testing::IsEmpty());
+}
+
+TEST_F(SiteMeshes, SidesOfATurnedDomainDoNotRefine)
+{
+  domain = {Vec3(-32, -32, 0), Vec3(32, 32, 32)};
+  setGrid(mesher, domain, 0.5, 1.0, 4.0);
+  TriangleSurface beyond;
+  addSheet(beyond, "Beyond", Vec3(400, 40, 20), Vec3(1, 0, 0), Vec3(0, 1, 0));
+  mesh(beyond);
+  const vtkIdType straight = volume()->GetNumberOfCells();
+  mesher->SetDomainAngle(30.0);
+  mesh(beyond);
+  EXPECT_LT(std::abs(static_cast<double>(volume()->GetNumberOfCells() - straight)),
+            0.3 * static_cast<double>(straight));
+}
+
+TEST_F(SiteMeshes, ADomainThatIsNoMultipleOfTheOctantsIsExact)
+{
+  domain = {Vec3(-5.1, -4.27, 0), Vec3(7.03, 5.4, 6.33)};
+  setGrid(mesher, domain, 0.5, 1.0, 2.0);
+  TriangleSurface beyond;
+  addSheet(beyond, "Beyond", Vec3(40, 40, 20), Vec3(1, 0, 0), Vec3(0, 1, 0));
+  mesh(beyond);
+  expectSides(1e-9);
+  EXPECT_NEAR(meshVolume(), volumeOf(domain), 1e-9 * volumeOf(domain));
+}
+
+TEST_F(SiteMeshes, AlignedToWallsAHouseIsMeshedAlikeWhateverItsDirection)
+{
+  TriangleSurface house;
+  const Box3 walls{Vec3(-3, -2, 0), Vec3(3, 2, 3)};
+  addBox(house, "House", walls);
+  addSheet(house, "Canopy", Vec3(3, -1, 2.3), Vec3(1.6, 0, 0), Vec3(0, 2, 0));
+  addSheet(house, "Site", Vec3(-12, -9, 0), Vec3(24, 0, 0), Vec3(0, 18, 0));
+  domain = {Vec3(-12, -9, 0), Vec3(12, 9, 8)};
+  setGrid(mesher, domain, 0.5, 1.0, 2.0);
+  mesher->SetAlignGrid(vtkAtriaDualMesher::ToWalls);
+  mesh(house);
+  const vtkIdType cells = volume()->GetNumberOfCells();
+  std::vector<Vec3> straight;
+  for (vtkIdType i = 0; i < volume()->GetNumberOfPoints(); ++i)
+  {
+    straight.emplace_back(volume()->GetPoint(i));
+  }
+  for (const double angle : {17.0, 30.0, -41.0})
+  {
+    SCOPED_TRACE(angle);
+    TriangleSurface other = house;
+    atria::testing::turn(other, angle);
+    mesher->SetDomainAngle(angle);
+    mesh(other);
+    EXPECT_EQ(volume()->GetNumberOfCells(), cells);
+    ASSERT_EQ(volume()->GetNumberOfPoints(), static_cast<vtkIdType>(straight.size()));
+    double farthest = 0.0;
+    for (vtkIdType i = 0; i < volume()->GetNumberOfPoints(); ++i)
+    {
+      farthest = std::max(farthest, (Vec3(volume()->GetPoint(i)) - turned(straight[i], angle)).norm());
+    }
+    EXPECT_LT(farthest, 1e-8);
+    expectSides(1e-9);
+    // The model's corners are points of the mesh, along the model's axes.
+    vtkPolyData* patch = namedPatches().at("House");
+    for (int corner = 4; corner < 8; ++corner)
+    {
+      const Vec3 wanted = turned({corner & 1 ? 3.0 : -3.0, corner & 2 ? 2.0 : -2.0, 3.0}, angle);
+      double nearest = 1.0;
+      for (vtkIdType i = 0; i < patch->GetNumberOfPoints(); ++i)
+      {
+        nearest = std::min(nearest, (Vec3(patch->GetPoint(i)) - wanted).norm());
+      }
+      EXPECT_LT(nearest, 1e-8);
+    }
+  }
+}
+
+TEST_F(SiteMeshes, AlignedToWallsInAStraightDomainTheSidesStandTurned)
+{
+  domain = {Vec3(-12, -9, 0), Vec3(12, 9, 8)};
+  setGrid(mesher, domain, 0.5, 1.0, 2.0);
+  TriangleSurface house;
+  addBox(house, "House", {Vec3(-3, -2, 0), Vec3(3, 2, 3)});
+  atria::testing::turn(house, 17.0);
+  mesher->SetAlignGrid(vtkAtriaDualMesher::ToWalls);
+  mesh(house);
+  expectSides(1e-6);
+  EXPECT_NEAR(meshVolume(), volumeOf(domain) - 6 * 4 * 3, 1e-6 * volumeOf(domain));
+  // Seeds are along the model's axes.
+  const vtkIdType cells = volume()->GetNumberOfCells();
+  mesher->SetZoneRule(vtkAtriaDualMesher::Seeds);
+  mesher->AddSeed(11.5, 8.5, 7.5);
+  mesher->Update();
+  EXPECT_EQ(volume()->GetNumberOfCells(), cells);
+}
+
+TEST_F(SiteMeshes, AnOctreeOfATurnedGridGivesTheSameMesh)
+{
+  domain = {Vec3(-12, -9, 0), Vec3(12, 9, 8)};
+  TriangleSurface house;
+  addBox(house, "House", {Vec3(-3, -2, 0), Vec3(3, 2, 3)});
+  atria::testing::turn(house, 17.0);
+  vtkNew<vtkAtriaOctreeSource> source;
+  source->SetInputDataObject(atria::testing::toPolyData(house));
+  for (auto* filter : {static_cast<vtkAtriaGridAlgorithm*>(source), static_cast<vtkAtriaGridAlgorithm*>(mesher)})
+  {
+    setGrid(filter, domain, 0.5, 1.0, 2.0);
+    filter->SetAlignGrid(vtkAtriaDualMesher::ToWalls);
+  }
+  setSurface(house);
+  const auto alone = copiesOfOutputs();
+  vtkNew<vtkAtriaDualMesher> second;
+  second->SetInputDataObject(0, atria::testing::toPolyData(house));
+  second->SetInputConnection(1, source->GetOutputPort());
+  second->Update();
+  ASSERT_GT(volume()->GetNumberOfCells(), 0);
+  EXPECT_TRUE(identical(alone[0], second->GetOutputDataObject(0)));
+  EXPECT_TRUE(identical(alone[1], second->GetOutputDataObject(1)));
+}
+
+TEST_F(SiteMeshes, AHyperTreeGridIsNotTurned)
+{
+  vtkNew<vtkAtriaOctreeSource> source;
+  setGrid(source, domain, 0.5, 1.0, 2.0);
+  source->SetDomainAngle(17.0);
+  source->SetAlignGrid(vtkAtriaOctreeSource::ToDomain);
+  source->SetOutputType(vtkAtriaOctreeSource::HyperTreeGrid);
+  source->Update();
+  EXPECT_THAT(atria::testing::firstOf(messages.takeErrors()), ::testing::HasSubstr("cannot be turned"));
+}
+
+/// A ridge along x at y = 3, with slopes to both sides, on a square that stops short of the domain.
+TriangleSurface ridge()
+{
+  TriangleSurface surface;
+  addSurface(surface, "Terrain", {{-6, -6, 0}, {6, -6, 0}, {6, 3, 3}, {-6, 3, 3}, {6, 6, 1.5}, {-6, 6, 1.5}},
+             {{0, 1, 2}, {0, 2, 3}, {3, 2, 4}, {3, 4, 5}});
+  return surface;
+}
+
+/// Of the space above the ridge, extended level, in a box of height h from 0 that reaches from -a to a in x, -b to b in
+/// y.
+double volumeAboveRidge(double a, double b, double height)
+{
+  const double below = 9.0 * 1.5 + 3.0 * 2.25 + (b - 6.0) * 1.5;
+  return 2.0 * a * (2.0 * b * height - below);
+}
+
+TEST_F(SiteMeshes, AboveTerrainTheVolumeIsExactAndNothingIsBelow)
+{
+  domain = {Vec3(-10, -9, 0), Vec3(10, 9, 12)};
+  setGrid(mesher, domain, 0.5, 1.0, 2.0);
+  mesher->SetTerrainName("Terr*");
+  mesher->SetZoneRule(vtkAtriaDualMesher::Seeds);
+  mesher->AddSeed(0, 0, 11);
+  for (const auto alignment : {vtkAtriaDualMesher::ToAxes, vtkAtriaDualMesher::ToDomain})
+  {
+    mesher->SetAlignGrid(alignment);
+    mesh(ridge());
+    EXPECT_NEAR(meshVolume(), volumeAboveRidge(10, 9, 12), 1e-3 * meshVolume());
+    EXPECT_THAT(namesOf(namedPatches()), ElementsAre("Terrain", "xMax", "xMin", "yMax", "yMin", "zMax"));
+  }
+}
+
+TEST_F(SiteMeshes, TerrainClosesOffTurnedSides)
+{
+  domain = {Vec3(-10, -9, 0), Vec3(10, 9, 12)};
+  setGrid(mesher, domain, 0.5, 1.0, 2.0);
+  mesher->SetTerrainName("Terrain");
+  mesher->SetZoneRule(vtkAtriaDualMesher::Seeds);
+  mesher->AddSeed(0, 0, 11);
+  TriangleSurface surface = ridge();
+  atria::testing::turn(surface, 20.0);
+  mesher->SetDomainAngle(20.0);
+  mesh(surface);
+  EXPECT_THAT(namesOf(namedPatches()), ElementsAre("Terrain", "xMax", "xMin", "yMax", "yMin", "zMax"));
+  EXPECT_NEAR(meshVolume(), volumeAboveRidge(10, 9, 12), 2e-3 * meshVolume());
+}
+
+TEST_F(SiteMeshes, AnAutomaticDomainStandsAlongTheWind)
+{
+  TriangleSurface surface;
+  addBox(surface, "House", {Vec3(-3, -2, 0), Vec3(3, 2, 3)});
+  addSheet(surface, "Site", Vec3(-300, -300, 0), Vec3(600, 0, 0), Vec3(0, 600, 0));
+  mesher->SetDomainMode(vtkAtriaDualMesher::Automatic);
+  mesher->SetWindAngle(30.0);
+  const double c = std::cos(std::numbers::pi / 6.0), s = 0.5;
+  const Vec3 half(3 * c + 2 * s, 3 * s + 2 * c, 0);
+  domain = {Vec3(-half[0] - 15, -half[1] - 15, 0), Vec3(half[0] + 45, half[1] + 15, 18)};
+  mesh(surface);
+  // At an upright edge the mesh may cut off a piece where levels change.
+  expectSides(1e-3);
+  EXPECT_NEAR(meshVolume(), volumeOf(domain) - 6 * 4 * 3, 1e-4 * volumeOf(domain));
+}
+
+TEST_F(SiteMeshes, AnAutomaticDomainNeedsBuildings)
+{
+  TriangleSurface surface;
+  addSheet(surface, "Site", Vec3(-3, -3, 0), Vec3(6, 0, 0), Vec3(0, 6, 0));
+  setSurface(surface);
+  mesher->SetDomainMode(vtkAtriaDualMesher::Automatic);
+  mesher->Update();
+  EXPECT_THAT(atria::testing::firstOf(messages.takeErrors()), ::testing::HasSubstr("no buildings"));
+  expectEmpty();
+}
+
+} // namespace
