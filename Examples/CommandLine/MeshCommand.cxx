@@ -8,6 +8,7 @@
 
 #include <vtkAtriaDualMesher.h>
 #include <vtkAtriaMeshQuality.h>
+#include <vtkAtriaPreflight.h>
 #include <vtkAtriaVRMLReader.h>
 #include <vtkFieldData.h>
 #include <vtkNew.h>
@@ -40,6 +41,12 @@ struct MeshOptions
   double sizeMin = 0.0;
   std::vector<double> domain;
   std::string site;
+  bool automatic = false;
+  double domainAngle = 0.0;
+  double wind = 0.0;
+  std::string terrain;
+  std::string align = "axes";
+  bool preflight = false;
   std::string zone = "outside";
   std::vector<std::tuple<double, double, double>> seeds;
   std::string patches;
@@ -57,6 +64,35 @@ private:
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
 };
 
+void declareSiteOptions(CLI::App& command, MeshOptions& options, CLI::Option* domain, CLI::Option* site)
+{
+  auto* automatic =
+      command.add_flag("--automatic", options.automatic,
+                       "Domain from the buildings' height H: 5 H, behind them 15 H, blockage at most 3 %");
+  automatic->excludes(domain)->excludes(site);
+  command
+      .add_option("--wind", options.wind,
+                  "Where the wind blows to, degrees from x, anticlockwise from above; for --automatic")
+      ->needs(automatic)
+      ->check(CLI::Range(-360.0, 360.0))
+      ->type_name("DEG");
+  command.add_option("--domain-angle", options.domainAngle, "Turns the domain, degrees anticlockwise from above")
+      ->excludes(automatic)
+      ->check(CLI::Range(-180.0, 180.0))
+      ->type_name("DEG");
+  command
+      .add_option("--terrain", options.terrain,
+                  "Names of terrain surfaces, with * and ?; extended to the domain's sides")
+      ->type_name("PATTERN");
+  command.add_option("--align", options.align, "What the grid stands along")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"axes", "walls", "domain"}))
+      ->type_name("axes|walls|domain");
+  command.add_flag(
+      "--preflight", options.preflight,
+      "Print domain, blockage, narrowest places and elements to expect, and make no mesh; --report writes them");
+}
+
 void declareOptions(CLI::App& command, MeshOptions& options)
 {
   // The filter is the one home of the defaults.
@@ -66,8 +102,7 @@ void declareOptions(CLI::App& command, MeshOptions& options)
   options.sizeMin = mesher->GetSizeMin();
 
   command.add_option("IN.wrl", options.input, "VRML model (.wrl, .wrz, .wrl.gz), in metres, Z up")->required();
-  command.add_option("-o,--output", options.output, "Where the mesh goes, a .vtu file")
-      ->required()
+  command.add_option("-o,--output", options.output, "Where the mesh goes, a .vtu file (not for --preflight)")
       ->type_name("OUT.vtu");
   const auto size = [&](const char* name, double& value, const char* text) {
     command.add_option(name, value, text)->capture_default_str()->check(CLI::PositiveNumber)->type_name("M");
@@ -79,11 +114,12 @@ void declareOptions(CLI::App& command, MeshOptions& options)
       command.add_option("--domain", options.domain, "Bounds of the domain, metres (default: those of the model)")
           ->expected(6)
           ->type_name("X0 X1 Y0 Y1 Z0 Z1");
-  command
-      .add_option("--site", options.site,
-                  "Surface whose rectangle is the domain's ground; height 0.3 of its longer side")
-      ->type_name("NAME")
-      ->excludes(domain);
+  auto* site = command
+                   .add_option("--site", options.site,
+                               "Surface whose rectangle is the domain's ground; height 0.3 of its longer side")
+                   ->type_name("NAME");
+  site->excludes(domain);
+  declareSiteOptions(command, options, domain, site);
   auto* zone = command.add_option("--zone", options.zone, "Fluid is what the domain's sides reach, or all there is")
                    ->capture_default_str()
                    ->check(CLI::IsMember({"outside", "all"}))
@@ -103,7 +139,14 @@ void declareOptions(CLI::App& command, MeshOptions& options)
 
 void checkOptions(const MeshOptions& options)
 {
-  checkOutput("--output", options.output, ".vtu");
+  if (options.output.empty() && !options.preflight)
+  {
+    throw Failure(Usage, "--output is required, unless --preflight is given");
+  }
+  if (!options.output.empty())
+  {
+    checkOutput("--output", options.output, ".vtu");
+  }
   if (!options.patches.empty())
   {
     checkOutput("--patches", options.patches, ".vtpc");
@@ -140,21 +183,36 @@ void checkSite(const std::string& site, vtkPolyData* model)
   throw Failure(Usage, "--site " + site + ": the model has no surface of that name; it has " + known);
 }
 
-void configure(vtkAtriaDualMesher* mesher, const MeshOptions& options)
+void configureGrid(vtkAtriaGridAlgorithm* filter, const MeshOptions& options)
 {
-  mesher->SetSizeMax(options.sizeMax);
-  mesher->SetSizeMid(options.sizeMid);
-  mesher->SetSizeMin(options.sizeMin);
+  filter->SetSizeMax(options.sizeMax);
+  filter->SetSizeMid(options.sizeMid);
+  filter->SetSizeMin(options.sizeMin);
   if (!options.domain.empty())
   {
-    mesher->SetDomainMode(vtkAtriaDualMesher::Explicit);
-    mesher->SetDomainBounds(options.domain.data());
+    filter->SetDomainMode(vtkAtriaGridAlgorithm::Explicit);
+    filter->SetDomainBounds(options.domain.data());
   }
   if (!options.site.empty())
   {
-    mesher->SetDomainMode(vtkAtriaDualMesher::Site);
-    mesher->SetSiteName(options.site.c_str());
+    filter->SetDomainMode(vtkAtriaGridAlgorithm::Site);
+    filter->SetSiteName(options.site.c_str());
   }
+  if (options.automatic)
+  {
+    filter->SetDomainMode(vtkAtriaGridAlgorithm::Automatic);
+    filter->SetWindAngle(options.wind);
+  }
+  filter->SetDomainAngle(options.domainAngle);
+  filter->SetTerrainName(options.terrain.c_str());
+  filter->SetAlignGrid(options.align == "walls"    ? vtkAtriaGridAlgorithm::ToWalls
+                       : options.align == "domain" ? vtkAtriaGridAlgorithm::ToDomain
+                                                   : vtkAtriaGridAlgorithm::ToAxes);
+}
+
+void configure(vtkAtriaDualMesher* mesher, const MeshOptions& options)
+{
+  configureGrid(mesher, options);
   mesher->SetZoneRule(options.zone == "all" ? vtkAtriaDualMesher::All : vtkAtriaDualMesher::Outside);
   if (!options.seeds.empty())
   {
@@ -199,6 +257,27 @@ void writeOutputs(const MeshOptions& options, vtkUnstructuredGrid* mesh, vtkPart
   console.progress(1.0, "Writing");
 }
 
+ExitStatus runPreflight(const MeshOptions& options, vtkAtriaVRMLReader* reader, Console& console)
+{
+  vtkNew<vtkAtriaPreflight> preflight;
+  configureGrid(preflight, options);
+  preflight->SetInputConnection(0, reader->GetOutputPort());
+  console.follow(preflight, 0.05, 1.0);
+  updateOrFail(preflight, options.input, console);
+  const Json report = preflightOf(preflight->GetOutput());
+  console.clearBar();
+  printPreflight(preflight->GetOutput());
+  for (const Json& warning : report["warnings"])
+  {
+    console.warning(options.input + ": " + warning.get<std::string>());
+  }
+  if (!options.report.empty())
+  {
+    writeText(options.report, report.dump(2) + "\n");
+  }
+  return Done;
+}
+
 ExitStatus runMesh(const MeshOptions& options, Console& console)
 {
   checkOptions(options);
@@ -211,6 +290,10 @@ ExitStatus runMesh(const MeshOptions& options, Console& console)
   if (!options.site.empty())
   {
     checkSite(options.site, reader->GetOutput());
+  }
+  if (options.preflight)
+  {
+    return runPreflight(options, reader, console);
   }
 
   vtkNew<vtkAtriaDualMesher> mesher;

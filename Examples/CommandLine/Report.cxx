@@ -21,6 +21,7 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <cmath>
+#include <cstdio>
 #include <map>
 
 #include <sys/resource.h>
@@ -206,6 +207,37 @@ Json maxLevelOf(vtkUnstructuredGrid* mesh)
 {
   vtkDataArray* level = mesh->GetFieldData()->GetArray("MaxLevel");
   return level && level->GetNumberOfTuples() > 0 ? Json(static_cast<int>(level->GetTuple1(0))) : Json();
+}
+
+Json preflightOf(vtkTable* table)
+{
+  Json report = Json::object();
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    report[table->GetValueByName(row, "Quantity").ToString()] = table->GetValueByName(row, "Value").ToDouble();
+  }
+  const auto strings = [&](const char* name) {
+    Json list = Json::array();
+    vtkStringArray* texts = stringsOf(table, name);
+    for (vtkIdType i = 0; texts && i < texts->GetNumberOfValues(); ++i)
+    {
+      list.push_back(texts->GetValue(i));
+    }
+    return list;
+  };
+  report["opening_surfaces"] = strings("OpeningSurface");
+  report["gap_surfaces"] = strings("GapSurface");
+  report["warnings"] = strings("Warning");
+  return report;
+}
+
+void printPreflight(vtkTable* table)
+{
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    std::printf("%-22s %14.6g %s\n", table->GetValueByName(row, "Quantity").ToString().c_str(),
+                table->GetValueByName(row, "Value").ToDouble(), table->GetValueByName(row, "Unit").ToString().c_str());
+  }
 }
 
 long long peakMemoryBytes()

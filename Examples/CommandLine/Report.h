@@ -37,6 +37,10 @@ Json diagnosticsOf(vtkPolyData* diagnostics);
 /// The field array MaxLevel; null where it is absent.
 Json maxLevelOf(vtkUnstructuredGrid* mesh);
 
+/// {quantity: value} of vtkAtriaPreflight's table, what the narrowest places lie between, and warnings.
+Json preflightOf(vtkTable* table);
+void printPreflight(vtkTable* table);
+
 /// Largest resident memory of this process so far.
 long long peakMemoryBytes();
 

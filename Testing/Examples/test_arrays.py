@@ -10,7 +10,7 @@ import sys
 
 from vtkmodules.vtkCommonDataModel import vtkPartitionedDataSetCollection, vtkTable
 
-from atria import vtkAtriaDualMesher, vtkAtriaMeshQuality, vtkAtriaOctreeSource, vtkAtriaVRMLReader
+from atria import vtkAtriaDualMesher, vtkAtriaMeshQuality, vtkAtriaOctreeSource, vtkAtriaPreflight, vtkAtriaVRMLReader
 
 
 def documented(file):
@@ -40,7 +40,8 @@ def outputs(model):
     reader = vtkAtriaVRMLReader()
     reader.SetFileName(model)
     octree, mesher, quality = vtkAtriaOctreeSource(), vtkAtriaDualMesher(), vtkAtriaMeshQuality()
-    for grid in (octree, mesher):
+    preflight = vtkAtriaPreflight()
+    for grid in (octree, mesher, preflight):
         grid.SetInputConnection(reader.GetOutputPort())
         grid.SetSizeMax(16.0)
         grid.SetSizeMid(4.0)
@@ -49,6 +50,10 @@ def outputs(model):
         grid.SetSiteName("Site")
     quality.SetInputConnection(mesher.GetOutputPort())
     octree.Update()
+    preflight.Update()
+    report = preflight.GetOutput()
+    fields = {report.GetFieldData().GetArrayName(i) or report.GetFieldData().GetAbstractArray(i).GetName()
+              for i in range(report.GetFieldData().GetNumberOfArrays())}
     quality.Update()
     mesh = names_of(mesher.GetOutputDataObject(0))
     return {
@@ -57,6 +62,7 @@ def outputs(model):
         "Mesh": mesh,
         "Patches": names_of(mesher.GetOutputDataObject(1)),
         "Diagnostics": names_of(mesher.GetOutputDataObject(2)),
+        "Preflight": names_of(report) | fields,
         "Quality": (names_of(quality.GetOutput()) - mesh) | names_of(quality.GetOutputDataObject(1)),
     }
 

@@ -94,6 +94,32 @@ class CommandLine(unittest.TestCase):
         self.assertEqual((table.returncode, table.stderr), (0, ""))
         self.assertIn("PartitionB", table.stdout)
 
+    def test_preflight(self):
+        report = self.folder / "preflight.json"
+        run = self.atria("mesh", HOUSE, *COARSE, "--preflight", "--report", report)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIn("BuildingHeight", run.stdout)
+        self.assertIn("narrowest opening", run.stderr)
+        data = json.loads(report.read_text())
+        self.assertAlmostEqual(data["BuildingHeight"], 11)
+        self.assertAlmostEqual(data["OpeningWidth"], 1.0)
+        self.assertAlmostEqual(data["DomainZMax"], 68.1)
+        self.assertAlmostEqual(data["Blockage"], (14 * 7 + 14 * 2) / (182 * 68.1), places=6)
+        self.assertTrue(data["warnings"])
+
+    def test_domain_and_grid_options(self):
+        turned = DATA / "house_turned17.wrl"
+        report, out = self.folder / "turned.json", self.folder / "turned.vtu"
+        run = self.atria("mesh", turned, "-o", out, "--automatic", "--wind", "30", "--align", "walls", "--size-max", "16",
+                         "--size-mid", "4", "--size-min", "2", "--report", report)
+        self.assertIn(run.returncode, (0, 4), run.stderr)
+        areas = {patch["name"]: patch["area"] for patch in json.loads(report.read_text())["patches"]}
+        self.assertAlmostEqual(areas["xMin"] / areas["xMax"], 1, places=2)
+        self.refuses(2, "--automatic", "mesh", HOUSE, "-o", out, "--automatic", "--site", "Site")
+        self.refuses(2, "--wind", "mesh", HOUSE, "-o", out, "--wind", "10")
+        self.refuses(2, "--align", "mesh", HOUSE, "-o", out, "--align", "roof")
+        self.refuses(3, "dgm*", "mesh", HOUSE, "-o", out, "--terrain", "dgm*")
+
     def test_turned_model_has_the_same_area(self):
         straight, turned = (
             json.loads(self.atria("inspect", DATA / name, "--json").stdout)["total"]
