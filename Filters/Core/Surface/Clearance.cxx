@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Surface/Clearance.h"
 
+#include "Support/UnionFind.h"
 #include "Surface/Distance.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
+#include <set>
 
 namespace atria {
 
@@ -51,6 +52,8 @@ struct Rim
   std::array<Index, 2> ids;
   std::array<Vec3, 2> ends;
   Vec3 outward; ///< in the plane of its triangle, away from it
+  Index loop;   ///< the same for rims that are joined end to end
+  double length;
   Index surface;
 };
 
@@ -98,12 +101,14 @@ std::vector<Face> facesOf(const SurfaceModel& model, const GridFrame& frame)
 
 std::vector<Rim> rimsOf(const SurfaceModel& model, const GridFrame& frame, const std::vector<Face>& faces)
 {
-  std::map<std::array<Index, 2>, bool> isRim;
+  std::set<std::array<Index, 2>> isRim;
+  UnionFind loops(model.points.size());
   for (const FeatureEdge& edge : model.featureEdges)
   {
     if (edge.kind == CurveKind::rim)
     {
-      isRim[{std::min(edge.a, edge.b), std::max(edge.a, edge.b)}] = true;
+      isRim.insert({std::min(edge.a, edge.b), std::max(edge.a, edge.b)});
+      loops.join(edge.a, edge.b);
     }
   }
   std::vector<Rim> rims;
@@ -117,7 +122,8 @@ std::vector<Rim> rimsOf(const SurfaceModel& model, const GridFrame& frame, const
       {
         continue;
       }
-      Rim rim{{}, {a, b}, {face.points[i], face.points[(i + 1) % 3]}, {}, face.surface};
+      Rim rim{{}, {a, b}, {face.points[i], face.points[(i + 1) % 3]}, {}, loops.find(a), 0.0, face.surface};
+      rim.length = (rim.ends[1] - rim.ends[0]).norm();
       const Vec3 along = (rim.ends[1] - rim.ends[0]).normalized();
       const Vec3 inward = face.points[(i + 2) % 3] - rim.ends[0];
       rim.outward = -(inward - inward.dot(along) * along).normalized();
@@ -143,7 +149,8 @@ void measureRims(const Rim& a, const Rim& b, double least, Narrow& best)
     const Vec3 q = nearestOnSegment(p, other.ends[0], other.ends[1]);
     const Vec3 way = q - p;
     const double width = way.norm();
-    if (width >= least && way.dot(own.outward) >= cos45 * width && -way.dot(other.outward) >= cos45 * width)
+    const bool belongs = own.loop == other.loop || width <= std::max(own.length, other.length);
+    if (width >= least && belongs && way.dot(own.outward) >= cos45 * width && -way.dot(other.outward) >= cos45 * width)
     {
       shorten(best, p, q, own.surface, other.surface);
     }
