@@ -9,6 +9,100 @@
 
 namespace atria {
 
+namespace {
+
+using Edge = std::array<Index, 2>;
+
+/// By the two sides, as bits by Direction: the mesh edges in which faces of one lateral side meet those of another.
+std::map<unsigned, std::vector<Edge>> edgesBetweenSides(const DualMesh& mesh, std::size_t surfaceCount)
+{
+  std::map<Edge, unsigned> sidesOf;
+  for (const BoundaryFace& face : mesh.boundaryFaces)
+  {
+    if (face.tag < surfaceCount || face.tag - surfaceCount > yMax)
+    {
+      continue;
+    }
+    const ReducedFace reduced = faceOf(mesh.corners[face.element], face.direction);
+    for (int i = 0; i < reduced.count; ++i)
+    {
+      const Index p = reduced.points[i];
+      const Index q = reduced.points[(i + 1) % reduced.count];
+      sidesOf[{std::min(p, q), std::max(p, q)}] |= 1u << (face.tag - surfaceCount);
+    }
+  }
+  std::map<unsigned, std::vector<Edge>> between;
+  for (const auto& [edge, sides] : sidesOf)
+  {
+    constexpr unsigned alongX = 1u << xMin | 1u << xMax;
+    if ((sides & alongX) != 0 && (sides & ~alongX) != 0)
+    {
+      between[sides].push_back(edge);
+    }
+  }
+  return between;
+}
+
+/// The chains that edges form, each from its lower end up. Rings and what branches are left out.
+std::vector<std::vector<Index>> chainsOf(const std::vector<Edge>& edges, const std::vector<Vec3>& points)
+{
+  std::map<Index, std::vector<Index>> next;
+  for (const auto& [a, b] : edges)
+  {
+    next[a].push_back(b);
+    next[b].push_back(a);
+  }
+  std::vector<std::vector<Index>> chains;
+  for (const auto& [start, ahead] : next)
+  {
+    if (ahead.size() != 1)
+    {
+      continue;
+    }
+    std::vector<Index> chain{start};
+    for (Index at = ahead.front(); at != noIndex;)
+    {
+      const Index before = chain.back();
+      chain.push_back(at);
+      const std::vector<Index>& around = next[at];
+      at = around.size() == 2 ? around[around[0] == before ? 1 : 0] : noIndex;
+    }
+    // Each is found from both ends.
+    const auto key = [&](Index p) { return std::pair(points[p][2], p); };
+    if (next[chain.back()].size() == 1 && key(chain.front()) < key(chain.back()))
+    {
+      chains.push_back(std::move(chain));
+    }
+  }
+  return chains;
+}
+
+/// The heights of a chain's points; where they do not rise, as where the chain runs level from one octant to the next,
+/// they are spread up to the next that does.
+std::vector<double> risingHeights(const std::vector<Index>& chain, const std::vector<Vec3>& points)
+{
+  std::vector<double> heights(chain.size());
+  std::transform(chain.begin(), chain.end(), heights.begin(), [&](Index p) { return points[p][2]; });
+  const double top = heights.back();
+  for (std::size_t i = 1; i + 1 < heights.size(); ++i)
+  {
+    const double below = heights[i - 1];
+    std::size_t j = i;
+    while (j + 1 < heights.size() && !(heights[j] > below && heights[j] < top))
+    {
+      ++j;
+    }
+    const double step = (heights[j] - below) / static_cast<double>(j - i + 1);
+    for (; i < j; ++i)
+    {
+      heights[i] = heights[i - 1] + step;
+    }
+  }
+  return heights;
+}
+
+} // namespace
+
 void markTurnedSides(Crossings& crossings, std::size_t surfaceCount)
 {
   for (BoundaryFace& face : crossings.boundaryFaces)
@@ -58,46 +152,22 @@ void sharpenTurnedEdges(DualMesh& mesh, const GridFrame& frame, std::size_t surf
   {
     return;
   }
-  std::map<Index, unsigned> sidesOf; // of points on the boundary, as bits by Direction
-  for (const BoundaryFace& face : mesh.boundaryFaces)
-  {
-    if (face.tag < surfaceCount || face.tag - surfaceCount > yMax)
-    {
-      continue;
-    }
-    const ReducedFace reduced = faceOf(mesh.corners[face.element], face.direction);
-    for (int i = 0; i < reduced.count; ++i)
-    {
-      sidesOf[reduced.points[i]] |= 1u << (face.tag - surfaceCount);
-    }
-  }
   const Box3& box = frame.turnedDomain->bounds;
   const Placement relative(frame.turnedDomain->axes.angle() - frame.placement.angle());
-  std::map<std::pair<unsigned, double>, std::pair<double, Index>> nearest; // by edge and height: distance, point
-  const auto onEdge = [&](Index point, unsigned sides) {
-    Vec3 p = relative.fromModel(mesh.points[point]);
-    p[0] = sides & 1u << xMax ? box.max[0] : box.min[0];
-    p[1] = sides & 1u << yMax ? box.max[1] : box.min[1];
-    return relative.toModel(p);
-  };
-  for (const auto& [point, sides] : sidesOf)
+  for (auto& [sides, edges] : edgesBetweenSides(mesh, surfaceCount))
   {
-    constexpr unsigned alongX = 1u << xMin | 1u << xMax;
-    if ((sides & alongX) == 0 || (sides & ~alongX) == 0)
+    Vec3 upright = Vec3::Zero();
+    upright[0] = sides & 1u << xMax ? box.max[0] : box.min[0];
+    upright[1] = sides & 1u << yMax ? box.max[1] : box.min[1];
+    upright = relative.toModel(upright);
+    for (const std::vector<Index>& chain : chainsOf(edges, mesh.points))
     {
-      continue;
+      const std::vector<double> heights = risingHeights(chain, mesh.points);
+      for (std::size_t i = 0; i < chain.size(); ++i)
+      {
+        mesh.points[chain[i]] = {upright[0], upright[1], heights[i]};
+      }
     }
-    // Of two at one height the nearest, as they would become one.
-    const double distance = (onEdge(point, sides) - mesh.points[point]).norm();
-    const auto [known, isNew] = nearest.try_emplace({sides, mesh.points[point][2]}, std::pair(distance, point));
-    if (!isNew)
-    {
-      known->second = std::min(known->second, std::pair(distance, point));
-    }
-  }
-  for (const auto& [edge, found] : nearest)
-  {
-    mesh.points[found.second] = onEdge(found.second, edge.first);
   }
 }
 

@@ -14,7 +14,7 @@ void markTurnedSides(Crossings& crossings, std::size_t surfaceCount);
 void dropBeyondSides(std::vector<char>& kept, const Zones& zones, const Octree& octree, const GridPoints& points);
 
 /// Puts the vertices where faces of two turned sides meet on the domain's upright edges. An edge may lie in octants of
-/// which no corner is inside the domain; without this the mesh would cut it off there. O(boundary faces).
+/// which no corner is inside the domain; without this the mesh would cut it off there. O(n log n) in boundary faces.
 void sharpenTurnedEdges(DualMesh& mesh, const GridFrame& frame, std::size_t surfaceCount);
 
 /// Puts mesh and diagnostics back along the model's axes.

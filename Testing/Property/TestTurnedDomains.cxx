@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// What must hold of every mesh holds in turned domains and grids, whatever the surfaces.
+#include "Domain/PlacedModel.h"
+#include "Octree/Refinement.h"
+#include "Support/DualMeshChecks.h"
+#include "Support/Shapes.h"
+
+#include <random>
+#include <set>
+
+namespace {
+
+using atria::Box3;
+using atria::DualMeshResult;
+using atria::TriangleSurface;
+using atria::Vec3;
+
+struct Case
+{
+  atria::SiteOptions options;
+  atria::GridOptions sizes;
+  TriangleSurface surface;
+};
+
+/// A soup, on ground that is bumpy in every second case, in a domain at any angle to walls and axes.
+Case randomCase(unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> unit(0.0, 1.0);
+  Case out;
+  out.surface = atria::testing::randomSoup(seed);
+  if (seed % 2 == 0)
+  {
+    std::vector<Vec3> points;
+    std::vector<std::array<atria::Index, 3>> triangles;
+    constexpr atria::Index side = 6;
+    for (atria::Index i = 0; i < side * side; ++i)
+    {
+      points.emplace_back(2.0 * (i % side) - 5.0 + unit(random), 2.0 * (i / side) - 5.0 + unit(random),
+                          -3.0 + 1.5 * unit(random));
+      if (i % side + 1 < side && i + side < side * side)
+      {
+        triangles.push_back({i, i + 1, i + side + 1});
+        triangles.push_back({i, i + side + 1, i + side});
+      }
+    }
+    atria::testing::addSurface(out.surface, "Site", points, triangles);
+  }
+  const Vec3 half(3.0 + 3.0 * unit(random), 3.0 + 3.0 * unit(random), 3.0);
+  out.options.mode = atria::DomainMode::bounds;
+  out.options.bounds = {-half, half};
+  out.options.domainAngle = 360.0 * unit(random) - 180.0;
+  out.options.alignment = static_cast<atria::GridAlignment>(seed % 3);
+  out.sizes.sizeMin = 0.25 + 0.25 * unit(random);
+  out.sizes.sizeMid = 2.0 * out.sizes.sizeMin;
+  out.sizes.sizeMax = 4.0 * out.sizes.sizeMin;
+  return out;
+}
+
+DualMeshResult meshOf(const Case& c, int threads)
+{
+  const atria::ThreadExecutor executor(threads);
+  atria::SilentMonitor silent;
+  const atria::RunContext context{executor, atria::ProgressRange(silent)};
+  const atria::SitePlan plan = atria::planSite(c.surface, c.options, c.sizes);
+  const atria::PlacedModel placed = atria::placeModel(c.surface, plan, c.sizes);
+  const atria::SurfaceModel model = atria::makeSurfaceModel(placed.surface, placed.frame, {});
+  const atria::Octree octree = atria::buildOctree(model, placed.frame, context);
+  atria::DualMeshOptions options;
+  options.zoneRule = atria::ZoneRule::all;
+  atria::StageClock clock;
+  return atria::makeDualMesh(octree, model, options, clock, context);
+}
+
+class TurnedDomains : public ::testing::TestWithParam<unsigned>
+{
+};
+
+TEST_P(TurnedDomains, AreConformalAndWatertightAndTheSameForAnyThreads)
+{
+  const Case c = randomCase(GetParam());
+  const DualMeshResult result = meshOf(c, 1);
+  ASSERT_GT(result.mesh.elementCount(), 0u);
+  EXPECT_TRUE(atria::testing::isConformal(result.mesh));
+  EXPECT_TRUE(atria::testing::elementsAreClosed(result.mesh));
+  EXPECT_TRUE(atria::testing::boundaryIsWatertight(result.mesh));
+  EXPECT_TRUE(atria::testing::identical(result.mesh, meshOf(c, 3).mesh));
+}
+
+TEST_P(TurnedDomains, EndAtTheirSidesOnly)
+{
+  const Case c = randomCase(GetParam());
+  const DualMeshResult result = meshOf(c, 1);
+  const auto names = static_cast<atria::Index>(c.surface.names.size());
+  const atria::SitePlan plan = atria::planSite(c.surface, c.options, c.sizes);
+  std::set<atria::Index> sides;
+  for (const atria::BoundaryFace& face : result.mesh.boundaryFaces)
+  {
+    if (face.tag >= names)
+    {
+      sides.insert(face.tag - names);
+      EXPECT_TRUE(face.onDomainSide);
+      EXPECT_EQ(face.opposite, atria::noIndex);
+    }
+  }
+  EXPECT_EQ(sides, (std::set<atria::Index>{0, 1, 2, 3, 4, 5}));
+  const double slack = 1e-4 * c.sizes.sizeMin;
+  Box3 along;
+  for (const Vec3& p : result.mesh.points)
+  {
+    along.extend(plan.domain.axes.fromModel(p));
+  }
+  EXPECT_TRUE((along.min.array() >= plan.domain.bounds.min.array() - slack).all());
+  EXPECT_TRUE((along.max.array() <= plan.domain.bounds.max.array() + slack).all());
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, TurnedDomains, ::testing::Range(0u, 60u));
+
+} // namespace
