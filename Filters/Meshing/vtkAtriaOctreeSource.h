@@ -10,10 +10,11 @@
  *
  * Input port 0 (optional): surfaces; see vtkAtriaGridAlgorithm. Without, DomainMode must be Explicit.
  *
- * Output: leaves that share volume with the domain, as vtkUnstructuredGrid of voxels or as vtkHyperTreeGrid. Cell
- * arrays: `Level` (unsigned char, root 0), `FeatureType` (unsigned char: 0 none, 1 surface, 2 curve, 3 corner, 4
- * several surfaces that do not meet). Field array `OctreeFrame`, with which vtkAtriaDualMesher takes the octree as its
- * input.
+ * Output: leaves that share volume with the domain (or, if that stands turned in the grid, with a box of the grid about
+ * it), as vtkUnstructuredGrid of voxels, of hexahedra if the grid is turned, or as vtkHyperTreeGrid, which cannot be
+ * turned: that is an error. Cell arrays: `Level` (unsigned char, root 0), `FeatureType` (unsigned char: 0 none, 1
+ * surface, 2 curve, 3 corner, 4 several surfaces that do not meet). Field array `OctreeFrame`, with which
+ * vtkAtriaDualMesher takes the octree as its input.
  */
 #ifndef vtkAtriaOctreeSource_h
 #define vtkAtriaOctreeSource_h
