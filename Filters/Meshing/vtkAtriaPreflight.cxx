@@ -111,13 +111,13 @@ void preflightToVtk(const atria::Preflight& report, const std::vector<std::strin
     table.add("Blockage", report.blockage, "");
     table.add("Widened", report.widened, "");
   }
-  table.addNarrow("Opening", report.clearance.opening, report.octantsAcrossOpening);
-  table.addNarrow("Gap", report.clearance.gap, report.octantsAcrossGap);
+  table.addNarrow("Opening", report.narrow.opening, report.octantsAcrossOpening);
+  table.addNarrow("Gap", report.narrow.gap, report.octantsAcrossGap);
   table.add("EstimatedElements", static_cast<double>(report.estimatedElements), "");
   table.finish(out);
   addStrings(out, "Warning", report.warnings);
-  addStrings(out, "OpeningSurface", surfacesOf(report.clearance.opening, names));
-  addStrings(out, "GapSurface", surfacesOf(report.clearance.gap, names));
+  addStrings(out, "OpeningSurface", surfacesOf(report.narrow.opening, names));
+  addStrings(out, "GapSurface", surfacesOf(report.narrow.gap, names));
 }
 
 } // namespace

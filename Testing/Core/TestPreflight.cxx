@@ -11,9 +11,9 @@
 namespace {
 
 using atria::Box3;
-using atria::Clearance;
 using atria::DomainMode;
 using atria::Index;
+using atria::NarrowPlaces;
 using atria::Preflight;
 using atria::TriangleSurface;
 using atria::Vec3;
@@ -73,10 +73,10 @@ TEST(Preflight, FindsTheNarrowestOpeningAndGap)
     TriangleSurface turned = surface;
     atria::testing::turn(turned, angle);
     const Preflight report = reportOn(turned, within(around));
-    EXPECT_NEAR(report.clearance.opening.width, 0.9, rounding);
+    EXPECT_NEAR(report.narrow.opening.width, 0.9, rounding);
     EXPECT_NEAR(report.octantsAcrossOpening, 1.8, rounding);
-    EXPECT_EQ(report.clearance.opening.surfaces[0], 1u);
-    EXPECT_NEAR(report.clearance.gap.width, 3.0, rounding);
+    EXPECT_EQ(report.narrow.opening.surfaces[0], 1u);
+    EXPECT_NEAR(report.narrow.gap.width, 3.0, rounding);
     EXPECT_NEAR(report.octantsAcrossGap, 6.0, rounding);
     EXPECT_THAT(report.warnings, Contains(HasSubstr("narrowest opening")));
     EXPECT_THAT(report.warnings, Contains(HasSubstr("'Back'")));
@@ -88,11 +88,11 @@ TEST(Preflight, ASlotBetweenSheetsIsAnOpeningAndEdgesOfOneSheetAreNone)
 {
   TriangleSurface surface;
   addSheet(surface, "Left", Vec3(0, 0, 0), Vec3(4, 0, 0), Vec3(0, 0, 5));
-  EXPECT_FALSE(reportOn(surface, within(around)).clearance.opening.found());
-  EXPECT_FALSE(reportOn(surface, within(around)).clearance.gap.found());
+  EXPECT_FALSE(reportOn(surface, within(around)).narrow.opening.found());
+  EXPECT_FALSE(reportOn(surface, within(around)).narrow.gap.found());
   addSheet(surface, "Right", Vec3(4.3, 0, 0), Vec3(4, 0, 0), Vec3(0, 0, 5));
   const Preflight report = reportOn(surface, within(around));
-  EXPECT_NEAR(report.clearance.opening.width, 0.3, rounding);
+  EXPECT_NEAR(report.narrow.opening.width, 0.3, rounding);
   EXPECT_NEAR(report.octantsAcrossOpening, 0.6, rounding);
 }
 

@@ -131,18 +131,18 @@ Preflight preflight(const TriangleSurface& surface, const SitePlan& plan, const 
   measureSite(surface, plan, out);
   // Closer than this surfaces become one anyhow.
   constexpr double seamRatio = 1e-3;
-  out.clearance = findClearance(model, frame, seamRatio * frame.finestSize);
-  for (Narrow* narrow : {&out.clearance.opening, &out.clearance.gap})
+  out.narrow = findNarrowPlaces(model, frame, seamRatio * frame.finestSize);
+  for (Narrow* narrow : {&out.narrow.opening, &out.narrow.gap})
   {
     narrow->from = frame.placement.toModel(narrow->from);
     narrow->to = frame.placement.toModel(narrow->to);
   }
-  out.octantsAcrossOpening = out.clearance.opening.width / frame.finestSize;
-  out.octantsAcrossGap = out.clearance.gap.width / frame.finestSize;
+  out.octantsAcrossOpening = out.narrow.opening.width / frame.finestSize;
+  out.octantsAcrossGap = out.narrow.gap.width / frame.finestSize;
   out.estimatedElements = leavesInside(octree);
   warnOfDomain(out);
-  warnOfNarrow("opening", out.clearance.opening, out.octantsAcrossOpening, surface.names, out.warnings);
-  warnOfNarrow("gap or wall", out.clearance.gap, out.octantsAcrossGap, surface.names, out.warnings);
+  warnOfNarrow("opening", out.narrow.opening, out.octantsAcrossOpening, surface.names, out.warnings);
+  warnOfNarrow("gap or wall", out.narrow.gap, out.octantsAcrossGap, surface.names, out.warnings);
   warnOfTerrain(placed.terrain, out.warnings);
   return out;
 }

@@ -5,7 +5,7 @@
 #include "Domain/PlacedModel.h"
 #include "Octree/Octree.h"
 #include "Support/RunContext.h"
-#include "Surface/Clearance.h"
+#include "Surface/NarrowPlaces.h"
 
 namespace atria {
 
@@ -24,7 +24,7 @@ struct Preflight
   double blockage = 0.0;
   /// As in WindDomain.
   double widened = 1.0;
-  Clearance clearance;
+  NarrowPlaces narrow;
   /// How many finest octants lie across; infinite without an opening or a gap.
   double octantsAcrossOpening = 0.0;
   double octantsAcrossGap = 0.0;

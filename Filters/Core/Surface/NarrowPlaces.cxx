@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Surface/Clearance.h"
+#include "Surface/NarrowPlaces.h"
 
 #include "Support/UnionFind.h"
 #include "Surface/Distance.h"
@@ -192,11 +192,11 @@ void measureFaces(const Face& a, const Face& b, double least, Narrow& best)
 
 } // namespace
 
-Clearance findClearance(const SurfaceModel& model, const GridFrame& frame, double least)
+NarrowPlaces findNarrowPlaces(const SurfaceModel& model, const GridFrame& frame, double least)
 {
   std::vector<Face> faces = facesOf(model, frame);
   std::vector<Rim> rims = rimsOf(model, frame, faces);
-  Clearance out;
+  NarrowPlaces out;
   forClosePairs(rims, out.opening, [&](const Rim& a, const Rim& b) { measureRims(a, b, least, out.opening); });
   forClosePairs(faces, out.gap, [&](const Face& a, const Face& b) { measureFaces(a, b, least, out.gap); });
   return out;

@@ -19,7 +19,7 @@ struct Narrow
   bool found() const { return width < std::numeric_limits<double>::infinity(); }
 };
 
-struct Clearance
+struct NarrowPlaces
 {
   /// The shortest way across an opening: between two rims that do not share a point and face each other, so that the
   /// way leads away from the surface at either within 45 degrees; between rims that are not joined end to end only
@@ -34,6 +34,6 @@ struct Clearance
 
 /// Measures what lies in the domain; ways shorter than `least` (model units), which are seams rather than spaces, do
 /// not count, nor does what lies on sides of a turned domain. O(n log n) for models of even spread, O(n^2) at worst.
-Clearance findClearance(const SurfaceModel& model, const GridFrame& frame, double least);
+NarrowPlaces findNarrowPlaces(const SurfaceModel& model, const GridFrame& frame, double least);
 
 } // namespace atria
