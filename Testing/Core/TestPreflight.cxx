@@ -13,7 +13,6 @@ namespace {
 using atria::Box3;
 using atria::DomainMode;
 using atria::Index;
-using atria::NarrowPlaces;
 using atria::Preflight;
 using atria::TriangleSurface;
 using atria::Vec3;
