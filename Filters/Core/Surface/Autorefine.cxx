@@ -6,6 +6,8 @@
 #include "Surface/Predicates.h"
 #include "Surface/Weld.h"
 
+#include <Eigen/Geometry>
+
 #include <map>
 #include <set>
 #include <span>

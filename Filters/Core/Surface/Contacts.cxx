@@ -204,8 +204,9 @@ private:
       for (int j = 0; j < 3; ++j)
       {
         // The same two edges cut each other in the same point, whichever triangles are looked at.
-        const auto [e, f] = std::minmax(edgeKey(soup.triangles[first], i), edgeKey(soup.triangles[second], j));
-        cutEdge(e, f);
+        const EdgeKey e = edgeKey(soup.triangles[first], i);
+        const EdgeKey f = edgeKey(soup.triangles[second], j);
+        cutEdge(std::min(e, f), std::max(e, f));
       }
     }
   }

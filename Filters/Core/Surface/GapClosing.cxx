@@ -57,7 +57,7 @@ private:
   std::vector<Index> triangles;
 };
 
-/// The parts that hang together: for each point its part's lowest point, and the volume of each part's box.
+/// The parts that hang together: for each point its part's lowest point, and the greatest face of each part's box.
 struct Parts
 {
   std::vector<Index> of;
@@ -79,8 +79,8 @@ struct Parts
     }
     for (Index p = 0; p < soup.points.size(); ++p)
     {
-      // Flat parts have a volume too, so that a large sheet outweighs a small one.
-      size[p] = of[p] == p ? (boxes[p].size() + Vec3::Constant(1.0)).prod() : 0.0;
+      const Vec3 length = boxes[p].size();
+      size[p] = of[p] == p ? std::max({length[0] * length[1], length[1] * length[2], length[2] * length[0]}) : 0.0;
     }
   }
 
@@ -176,10 +176,6 @@ private:
       return;
     }
     const bool toLighter = !(foreign && parts.lighter(p, corners[0]));
-    if (toLighter && !onRim[p])
-    {
-      return;
-    }
     const std::optional<Target> target = targetOf(p, t);
     if (target && (foreign || !hangsTogether(p, t)))
     {
