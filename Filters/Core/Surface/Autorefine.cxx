@@ -3,6 +3,7 @@
 
 #include "Surface/Contacts.h"
 #include "Surface/FaceTriangulation.h"
+#include "Surface/LatticeSegments.h"
 #include "Surface/Predicates.h"
 #include "Surface/Weld.h"
 
@@ -15,10 +16,6 @@
 namespace atria {
 
 namespace {
-
-/// Points on a triangle within its plane and those within an edge differ by a few units: two that fall together in the
-/// projection a face is triangulated in are never further apart than this.
-constexpr std::int64_t weldReaches = 4;
 
 /// What a round puts on the triangles.
 class Round
@@ -43,14 +40,14 @@ public:
     std::vector<std::array<Index, 3>> pieces;
     for (Index t = 0; t < soup.triangles.size(); ++t)
     {
-      const DividedFace face = dividedFace(t);
+      DividedFace face = dividedFace(t);
       const bool whole = face.inside.empty() && face.segments.empty() && face.alongEdges[0].empty() &&
                          face.alongEdges[1].empty() && face.alongEdges[2].empty();
       pieces.assign(1, face.corners);
       if (!whole)
       {
         pieces.clear();
-        triangulateFace(next.points, face, pieces);
+        triangulateFace(next.points, face, reach, pieces);
         sourceIsSplit[soup.sources[t]] = 1;
       }
       for (const auto& piece : pieces)
@@ -257,7 +254,7 @@ private:
     }
     const double length = along.norm();
     // Points on edges and faces are within the reach of them, and moved by welding.
-    const double width = (2.0 + 2.0 * weldReaches) * reach;
+    const double width = static_cast<double>(2 + 2 * weldReaches) * reach;
     const bool straight = std::all_of(row.begin(), row.end(), [&](const CommonPoint& p) {
       return at(p).cross(along).norm() <= width * length;
     });

@@ -2,6 +2,7 @@
 #include "Surface/Contacts.h"
 
 #include "Surface/BoxPairs.h"
+#include "Surface/LatticeSegments.h"
 #include "Surface/Predicates.h"
 
 #include <Eigen/Geometry>
@@ -12,18 +13,6 @@
 namespace atria {
 
 namespace {
-
-/// On the way from p to q, the share `part / whole` of it; exact but for the last rounding.
-LatticePoint partWay(const LatticePoint& p, const LatticePoint& q, Wide part, Wide whole)
-{
-  const long double t = static_cast<long double>(part) / static_cast<long double>(whole);
-  LatticePoint out;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    out[axis] = p[axis] + std::llroundl(t * static_cast<long double>(q[axis] - p[axis]));
-  }
-  return out;
-}
 
 /// One object a search.
 class ContactFinder
@@ -124,21 +113,7 @@ private:
 
   bool liesOn(const LatticePoint& p, const EdgeKey& edge) const
   {
-    const LatticePoint& a = point(edge.first);
-    const LatticePoint& b = point(edge.second);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      if (static_cast<double>(p[axis] - std::max(a[axis], b[axis])) > reach ||
-          static_cast<double>(std::min(a[axis], b[axis]) - p[axis]) > reach)
-      {
-        return false;
-      }
-    }
-    const Vec3 along = between(a, b);
-    const Vec3 to = between(a, p);
-    const double t = along.dot(to);
-    const double squared = along.squaredNorm();
-    return t > 0.0 && t < squared && along.cross(to).squaredNorm() <= reach * reach * squared;
+    return liesOnSegment(p, point(edge.first), point(edge.second), reach);
   }
 
   /// Whether p, which lies on the triangle's plane but for rounding, lies inside of it.

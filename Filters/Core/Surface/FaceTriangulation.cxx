@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Surface/FaceTriangulation.h"
 
+#include "Surface/LatticeSegments.h"
 #include "Surface/Predicates.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
@@ -51,15 +52,40 @@ std::vector<Index> outlineOf(const DividedFace& face)
   return outline;
 }
 
+int dominantAxis(const LatticeNormal& normal)
+{
+  const auto size = [&](int i) { return normal.n[i] < 0 ? -normal.n[i] : normal.n[i]; };
+  return size(0) > size(1) ? (size(0) > size(2) ? 0 : 2) : (size(1) > size(2) ? 1 : 2);
+}
+
+/// Triangles of the fan that have the same points bound nothing together, and are left out in pairs.
+void cutIntoFan(const DividedFace& face, std::vector<std::array<Index, 3>>& out)
+{
+  const std::vector<Index> outline = outlineOf(face);
+  std::map<std::array<Index, 3>, std::array<Index, 3>> fan;
+  for (std::size_t i = 1; i + 1 < outline.size(); ++i)
+  {
+    const std::array<Index, 3> triangle{outline[0], outline[i], outline[i + 1]};
+    std::array<Index, 3> key = triangle;
+    std::sort(key.begin(), key.end());
+    if (!fan.erase(key))
+    {
+      fan.emplace(key, triangle);
+    }
+  }
+  for (const auto& [key, triangle] : fan)
+  {
+    out.push_back(triangle);
+  }
+}
+
 /// One object a face.
 class Triangulator
 {
 public:
   Triangulator(std::vector<LatticePoint>& points_, const DividedFace& face_, const LatticeNormal& normal_)
-      : points(points_), face(face_), normal(normal_)
+      : points(points_), face(face_), normal(normal_), axis(dominantAxis(normal_))
   {
-    const auto size = [&](int i) { return std::abs(static_cast<double>(normal.n[i])); };
-    axis = size(0) > size(1) ? (size(0) > size(2) ? 0 : 2) : (size(1) > size(2) ? 1 : 2);
   }
 
   void run(std::vector<std::array<Index, 3>>& out)
@@ -216,7 +242,7 @@ private:
   std::vector<LatticePoint>& points;
   const DividedFace& face;
   const LatticeNormal& normal;
-  int axis = 0;
+  int axis;
   Triangulation cdt;
   Vertex last;
   std::map<Index, Vertex> vertices;
@@ -225,18 +251,16 @@ private:
 
 } // namespace
 
-void triangulateFace(std::vector<LatticePoint>& points, const DividedFace& face, std::vector<std::array<Index, 3>>& out)
+void triangulateFace(std::vector<LatticePoint>& points, DividedFace& face, double reach,
+                     std::vector<std::array<Index, 3>>& out)
 {
   const LatticeNormal normal(points[face.corners[0]], points[face.corners[1]], points[face.corners[2]]);
   if (normal.n[0] == 0 && normal.n[1] == 0 && normal.n[2] == 0)
   {
-    const std::vector<Index> outline = outlineOf(face);
-    for (std::size_t i = 1; i + 1 < outline.size(); ++i)
-    {
-      out.push_back({outline[0], outline[i], outline[i + 1]});
-    }
+    cutIntoFan(face, out);
     return;
   }
+  cutSegments(points, face, dominantAxis(normal), reach);
   Triangulator(points, face, normal).run(out);
 }
 

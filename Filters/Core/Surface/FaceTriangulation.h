@@ -19,10 +19,11 @@ struct DividedFace
 };
 
 /// Triangulates a divided face by a constrained Delaunay triangulation (CGAL) of its projection along an axis, and
-/// appends the triangles, in the winding of the face, to `out`. Where segments cross, a point is added to `points`. The
-/// boundary of the result is the outline of the face, edge by edge, which keeps a closed surface closed. A face without
-/// area is cut into a fan.
-void triangulateFace(std::vector<LatticePoint>& points, const DividedFace& face,
+/// appends the triangles, in the winding of the face, to `out`. Segments are cut first where they cross and at points
+/// within the reach (see cutSegments); points this takes are added to `points`. The boundary of the result is the
+/// outline of the face, edge by edge, which keeps a closed surface closed. A face without area is cut into a fan, of
+/// which triangles that cover each other are left out.
+void triangulateFace(std::vector<LatticePoint>& points, DividedFace& face, double reach,
                      std::vector<std::array<Index, 3>>& out);
 
 } // namespace atria
