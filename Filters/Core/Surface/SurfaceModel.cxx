@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Surface/SurfaceModel.h"
 
+#include "Surface/Autorefine.h"
 #include "Surface/FeatureGraph.h"
 #include "Surface/Predicates.h"
 #include "Surface/Weld.h"
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <set>
 
 namespace atria {
 
@@ -46,40 +46,38 @@ std::int8_t sideOf(const SurfaceModel& model, const std::array<Index, 3>& t, con
   return SurfaceModel::noSide;
 }
 
-bool hasArea(const SurfaceModel& model, const std::array<Index, 3>& t)
+bool hasArea(const TriangleSoup& soup, const std::array<Index, 3>& t)
 {
-  if (t[0] == t[1] || t[1] == t[2] || t[2] == t[0])
-  {
-    return false;
-  }
-  const LatticeNormal normal(model.points[t[0]], model.points[t[1]], model.points[t[2]]);
+  const LatticeNormal normal(soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]);
   return normal.n[0] != 0 || normal.n[1] != 0 || normal.n[2] != 0;
 }
 
-void addTriangles(SurfaceModel& model, const TriangleSurface& surface, const std::vector<Index>& pointOf,
-                  const GridFrame& frame)
+/// The triangles on the lattice, without those that have no area or repeat an earlier one.
+TriangleSoup weldedSoup(const TriangleSurface& surface, const GridFrame& frame, std::int64_t weldDistance,
+                        std::int64_t sideDistance, SurfaceRepairReport& report)
 {
-  std::set<std::array<Index, 3>> seen;
-  for (std::size_t i = 0; i < surface.triangles.size(); ++i)
+  TriangleSoup soup;
+  soup.points.resize(surface.points.size());
+  std::transform(surface.points.begin(), surface.points.end(), soup.points.begin(),
+                 [&](const Vec3& p) { return frame.toLattice(p); });
+  const std::vector<Index> pointOf = weldPoints(soup.points, weldDistance);
+  snapToSides(soup.points, frame, sideDistance);
+  for (Index p = 0; p < pointOf.size(); ++p)
+  {
+    report.weldedPoints += pointOf[p] != p ? 1 : 0;
+  }
+  for (Index i = 0; i < surface.triangles.size(); ++i)
   {
     std::array<Index, 3> t = surface.triangles[i];
     std::transform(t.begin(), t.end(), t.begin(), [&](Index p) { return pointOf[p]; });
-    if (!hasArea(model, t))
+    if (hasArea(soup, t))
     {
-      ++model.degenerateTriangles;
-      continue;
+      soup.add(t, surface.surfaceIds[i], i);
     }
-    std::array<Index, 3> sorted = t;
-    std::sort(sorted.begin(), sorted.end());
-    if (!seen.insert(sorted).second)
-    {
-      ++model.duplicateTriangles;
-      continue;
-    }
-    model.triangles.push_back(t);
-    model.surfaceIds.push_back(surface.surfaceIds[i]);
-    model.domainSides.push_back(sideOf(model, t, frame));
   }
+  report.degenerateTriangles = surface.triangles.size() - soup.triangles.size();
+  report.duplicateTriangles = dropRepeated(soup);
+  return soup;
 }
 
 } // namespace
@@ -97,12 +95,19 @@ SurfaceModel makeSurfaceModel(const TriangleSurface& surface, const GridFrame& f
   };
   SurfaceModel model;
   model.names = surface.names;
-  model.points.resize(surface.points.size());
-  std::transform(surface.points.begin(), surface.points.end(), model.points.begin(),
-                 [&](const Vec3& p) { return frame.toLattice(p); });
-  const std::vector<Index> pointOf = weldPoints(model.points, units(options.weldDistance));
-  snapToSides(model.points, frame, units(options.sideDistance));
-  addTriangles(model, surface, pointOf, frame);
+  SurfaceRepairOptions repair;
+  repair.weldDistance = units(options.weldDistance);
+  repair.gapTolerance = options.gapTolerance / frame.latticeUnit();
+  TriangleSoup soup =
+      weldedSoup(surface, frame, repair.weldDistance, units(options.sideDistance), model.repair);
+  repairSurface(soup, frame, repair, model.repair);
+  model.points = std::move(soup.points);
+  model.triangles = std::move(soup.triangles);
+  model.surfaceIds = std::move(soup.surfaceIds);
+  for (const auto& t : model.triangles)
+  {
+    model.domainSides.push_back(sideOf(model, t, frame));
+  }
   findFeatures(model, frame, options);
   return model;
 }

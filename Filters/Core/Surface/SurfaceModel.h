@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Domain/GridFrame.h"
+#include "Surface/SurfaceRepair.h"
 #include "Surface/TriangleSurface.h"
 
 #include <string>
@@ -47,8 +48,8 @@ struct SurfaceModel
   std::vector<Index> corners;
   std::vector<std::string> names;
 
-  std::size_t degenerateTriangles = 0;
-  std::size_t duplicateTriangles = 0;
+  /// What of the model was changed.
+  SurfaceRepairReport repair;
 
   /// Whether a triangle is a side of a domain that stands turned in the grid (see TurnedSides.h).
   bool isTurnedSide(Index triangle) const { return surfaceIds[triangle] >= names.size(); }
@@ -65,11 +66,13 @@ struct FeatureOptions
   double weldDistance = 1e-5;
   /// Triangles with all points closer than this to a domain plane lie on that side.
   double sideDistance = 1e-4;
+  /// Gaps narrower than this (model units) are closed.
+  double gapTolerance = 0.05;
 };
 
 /// Puts a surface on the lattice: welds points, drops triangles without area and repeated ones (whatever their winding;
-/// the first is kept), finds what lies on the domain's sides, charts, curves and corners. Edges of the domain box are
-/// not features: the mesh has them anyway. O(n log n).
+/// the first is kept), makes the model sound (repairSurface), finds what lies on the domain's sides, charts, curves and
+/// corners. Edges of the domain box are not features: the mesh has them anyway.
 SurfaceModel makeSurfaceModel(const TriangleSurface& surface, const GridFrame& frame, const FeatureOptions& options);
 
 } // namespace atria

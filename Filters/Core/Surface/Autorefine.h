@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Surface/TriangleSoup.h"
+
+#include <cstddef>
+
+namespace atria {
+
+struct AutorefineOptions
+{
+  /// A point this close to an edge or a triangle, in lattice units, lies on it. At least 3, as points are rounded.
+  std::int64_t reach = 4;
+  /// Rounds after which what is still found is left and counted.
+  int maximumRounds = 16;
+};
+
+struct AutorefineReport
+{
+  /// Points that became one with an earlier one because it was within four times the reach.
+  std::size_t mergedPoints = 0;
+  /// Triangles that fell together with an earlier one, after both were cut.
+  std::size_t overlappingTriangles = 0;
+  /// Triangles without area that were dropped.
+  std::size_t degenerateTriangles = 0;
+  /// Triangles that were cut.
+  std::size_t splitTriangles = 0;
+  /// Edges on which triangles now meet that only touched or cut each other before.
+  std::size_t intersectionEdges = 0;
+  /// Contacts left after the last round.
+  std::size_t unresolvedContacts = 0;
+};
+
+/// Cuts triangles until they meet in common edges and points only.
+///
+/// In rounds: points on edges and faces are found, and points where edges cut edges or faces are added; the triangles
+/// they lie on are triangulated anew with these points, and with the segments that two triangles have in common as
+/// edges; points closer than the reach allows become one; of triangles with the same points the first is kept. New
+/// points are rounded to the lattice, which can make new contacts; the next round looks at the cut triangles only.
+/// Pieces take the place of their triangle, with its winding, surface and source. O(n log n) where little is cut.
+AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options);
+
+/// Drops triangles with repeated points, and those with the same points as an earlier one. Returns how many of the
+/// second sort.
+std::size_t dropRepeated(TriangleSoup& soup);
+
+} // namespace atria

@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Surface/Contacts.h"
+
+#include "Surface/BoxPairs.h"
+#include "Surface/LatticeSegments.h"
+#include "Surface/Predicates.h"
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+#include <numeric>
+
+namespace atria {
+
+namespace {
+
+/// One object a search.
+class ContactFinder
+{
+public:
+  ContactFinder(const TriangleSoup& soup_, double reach_) : soup(soup_), reach(reach_) {}
+
+  /// Points on the long edge of a triangle without width.
+  void look(Index t)
+  {
+    const auto& corners = soup.triangles[t];
+    for (int i = 0; i < 3; ++i)
+    {
+      const EdgeKey edge = edgeKey(corners, i);
+      if (liesOn(point(corners[(i + 2) % 3]), edge))
+      {
+        out.edges.push_back({edge, corners[(i + 2) % 3]});
+      }
+    }
+  }
+
+  void look(Index first, Index second)
+  {
+    const Side a(*this, first, second);
+    if (a.apart)
+    {
+      return;
+    }
+    const Side b(*this, second, first);
+    if (b.apart)
+    {
+      return;
+    }
+    const std::size_t before = out.edges.size() + out.faces.size();
+    std::array<bool, 3> aTouches = touchCorners(first, second, a);
+    std::array<bool, 3> bTouches = touchCorners(second, first, b);
+    cutEdges(first, second);
+    cutFace(first, second, a, aTouches);
+    cutFace(second, first, b, bTouches);
+    if (out.edges.size() + out.faces.size() != before)
+    {
+      out.pairs.push_back(std::minmax(first, second));
+    }
+  }
+
+  Contacts take()
+  {
+    numberNewPoints();
+    sortUnique(out.edges);
+    sortUnique(out.faces);
+    sortUnique(out.pairs);
+    return std::move(out);
+  }
+
+private:
+  /// Where the corners of a triangle lie as seen from the plane of another.
+  struct Side
+  {
+    std::array<Wide, 3> exact{};
+    std::array<double, 3> distance{};
+    LatticeNormal normal;
+    bool apart = false;
+
+    Side(const ContactFinder& finder, Index of, Index from)
+        : normal(finder.soup.corner(from, 0), finder.soup.corner(from, 1), finder.soup.corner(from, 2))
+    {
+      const double length = std::hypot(static_cast<double>(normal.n[0]), static_cast<double>(normal.n[1]),
+                                       static_cast<double>(normal.n[2]));
+      if (length == 0.0)
+      {
+        return;
+      }
+      const LatticePoint& origin = finder.soup.corner(from, 0);
+      int above = 0;
+      int below = 0;
+      int shared = 0;
+      for (int i = 0; i < 3; ++i)
+      {
+        if (contains(finder.soup.triangles[from], finder.soup.triangles[of][i]))
+        {
+          ++shared;
+          continue;
+        }
+        const LatticePoint& p = finder.soup.corner(of, i);
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          exact[i] += normal.n[axis] * (p[axis] - origin[axis]);
+        }
+        distance[i] = static_cast<double>(exact[i]) / length;
+        above += distance[i] > finder.reach ? 1 : 0;
+        below += distance[i] < -finder.reach ? 1 : 0;
+      }
+      apart = above + shared == 3 || below + shared == 3;
+    }
+  };
+
+  const LatticePoint& point(Index p) const { return soup.points[p]; }
+
+  bool liesOn(const LatticePoint& p, const EdgeKey& edge) const
+  {
+    return liesOnSegment(p, point(edge.first), point(edge.second), reach);
+  }
+
+  /// Whether p, which lies on the triangle's plane but for rounding, lies inside of it.
+  bool isInside(const LatticePoint& p, Index t, const LatticeNormal& normal) const
+  {
+    const auto size = [&](int i) { return normal.n[i] < 0 ? -normal.n[i] : normal.n[i]; };
+    const int axis = size(0) > size(1) ? (size(0) > size(2) ? 0 : 2) : (size(1) > size(2) ? 1 : 2);
+    const int winding = signOf(normal.n[axis]);
+    for (int i = 0; i < 3; ++i)
+    {
+      if (signOf(projectedArea(soup.corner(t, i), soup.corner(t, (i + 1) % 3), p, axis)) == -winding)
+      {
+        return false;
+      }
+    }
+    return winding != 0;
+  }
+
+  /// Corners of `of` on edges or the face of `on`.
+  std::array<bool, 3> touchCorners(Index of, Index on, const Side& side)
+  {
+    std::array<bool, 3> touches{};
+    const auto& other = soup.triangles[on];
+    for (int i = 0; i < 3; ++i)
+    {
+      const Index p = soup.triangles[of][i];
+      if (contains(other, p))
+      {
+        touches[i] = true;
+        continue;
+      }
+      if (std::abs(side.distance[i]) > reach)
+      {
+        continue;
+      }
+      for (int j = 0; j < 3; ++j)
+      {
+        if (liesOn(point(p), edgeKey(other, j)))
+        {
+          touches[i] = true;
+          out.edges.push_back({edgeKey(other, j), p});
+        }
+      }
+      if (!touches[i] && isInside(point(p), on, side.normal))
+      {
+        touches[i] = true;
+        out.faces.push_back({on, p});
+      }
+    }
+    return touches;
+  }
+
+  Index addPoint(const LatticePoint& p)
+  {
+    out.newPoints.push_back(p);
+    return static_cast<Index>(soup.points.size() + out.newPoints.size() - 1);
+  }
+
+  void cutEdges(Index first, Index second)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      for (int j = 0; j < 3; ++j)
+      {
+        // The same two edges cut each other in the same point, whichever triangles are looked at.
+        const EdgeKey e = edgeKey(soup.triangles[first], i);
+        const EdgeKey f = edgeKey(soup.triangles[second], j);
+        cutEdge(std::min(e, f), std::max(e, f));
+      }
+    }
+  }
+
+  void cutEdge(const EdgeKey& e, const EdgeKey& f)
+  {
+    if (e.first == f.first || e.first == f.second || e.second == f.first || e.second == f.second)
+    {
+      return;
+    }
+    const LatticePoint &a = point(e.first), &b = point(e.second), &c = point(f.first), &d = point(f.second);
+    int axis = 0;
+    if (!(between(a, b).cross(between(c, d)).cwiseAbs().maxCoeff(&axis) > 0.0))
+    {
+      return;
+    }
+    const Wide ofA = projectedArea(c, d, a, axis), ofB = projectedArea(c, d, b, axis);
+    const Wide ofC = projectedArea(a, b, c, axis), ofD = projectedArea(a, b, d, axis);
+    if (signOf(ofA) * signOf(ofB) >= 0 || signOf(ofC) * signOf(ofD) >= 0)
+    {
+      return;
+    }
+    const LatticePoint p = partWay(a, b, ofA, ofA - ofB);
+    const LatticePoint q = partWay(c, d, ofC, ofC - ofD);
+    if (between(p, q).squaredNorm() > 4.0 * reach * reach || liesOn(a, f) || liesOn(b, f) || liesOn(c, e) ||
+        liesOn(d, e))
+    {
+      return;
+    }
+    LatticePoint middle;
+    for (int i = 0; i < 3; ++i)
+    {
+      middle[i] = p[i] + (q[i] - p[i]) / 2;
+    }
+    const Index id = addPoint(middle);
+    out.edges.push_back({e, id});
+    out.edges.push_back({f, id});
+  }
+
+  /// Edges of `of` that pass through the face of `through`.
+  void cutFace(Index of, Index through, const Side& side, const std::array<bool, 3>& touches)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      const int next = (i + 1) % 3;
+      if (touches[i] || touches[next] || signOf(side.exact[i]) * signOf(side.exact[next]) >= 0)
+      {
+        continue;
+      }
+      const EdgeKey edge = edgeKey(soup.triangles[of], i);
+      const bool forward = edge.first == soup.triangles[of][i];
+      const Wide begin = side.exact[forward ? i : next];
+      const Wide end = side.exact[forward ? next : i];
+      const LatticePoint p = partWay(point(edge.first), point(edge.second), begin, begin - end);
+      cutAt(p, edge, through, side);
+    }
+  }
+
+  void cutAt(const LatticePoint& p, const EdgeKey& edge, Index through, const Side& side)
+  {
+    std::array<EdgeKey, 3> met;
+    int count = 0;
+    for (int j = 0; j < 3; ++j)
+    {
+      const EdgeKey other = edgeKey(soup.triangles[through], j);
+      if (liesOn(p, other))
+      {
+        met[count++] = other;
+      }
+    }
+    if (count == 0 && !isInside(p, through, side.normal))
+    {
+      return;
+    }
+    const Index id = addPoint(p);
+    out.edges.push_back({edge, id});
+    for (int j = 0; j < count; ++j)
+    {
+      out.edges.push_back({met[j], id});
+    }
+    if (count == 0)
+    {
+      out.faces.push_back({through, id});
+    }
+  }
+
+  /// Equal points become one, numbered by their coordinates: the order in which they were found does not matter.
+  void numberNewPoints()
+  {
+    std::vector<LatticePoint> sorted = out.newPoints;
+    sortUnique(sorted);
+    const auto base = static_cast<Index>(soup.points.size());
+    const auto renumber = [&](auto& contacts) {
+      for (auto& contact : contacts)
+      {
+        if (contact.point >= base)
+        {
+          const auto at = std::lower_bound(sorted.begin(), sorted.end(), out.newPoints[contact.point - base]);
+          contact.point = base + static_cast<Index>(at - sorted.begin());
+        }
+      }
+    };
+    renumber(out.edges);
+    renumber(out.faces);
+    out.newPoints = std::move(sorted);
+  }
+
+  template <typename T> static void sortUnique(std::vector<T>& list)
+  {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  }
+
+  const TriangleSoup& soup;
+  double reach;
+  Contacts out;
+};
+
+} // namespace
+
+Contacts findContacts(const TriangleSoup& soup, const std::vector<char>& changed, std::int64_t reach)
+{
+  std::vector<LatticeBox> all;
+  std::vector<LatticeBox> asking;
+  all.reserve(soup.triangles.size());
+  ContactFinder finder(soup, static_cast<double>(reach));
+  for (Index t = 0; t < soup.triangles.size(); ++t)
+  {
+    all.push_back(boxOf(soup, t, reach));
+    if (changed[t])
+    {
+      asking.push_back(all.back());
+      finder.look(t);
+    }
+  }
+  forBoxPairs(asking, all, [&](Index a, Index b) {
+    if (a < b || !changed[b]) // two that are changed meet twice
+    {
+      finder.look(std::min(a, b), std::max(a, b));
+    }
+  });
+  return finder.take();
+}
+
+} // namespace atria
