@@ -42,6 +42,7 @@ struct MeshOptions
   std::string site;
   std::string zone = "outside";
   std::vector<std::tuple<double, double, double>> seeds;
+  std::vector<std::tuple<double, double, double>> sealedSeeds;
   std::string patches;
   std::string openfoam;
   std::string report;
@@ -84,17 +85,23 @@ void declareOptions(CLI::App& command, MeshOptions& options)
                   "Surface whose rectangle is the domain's ground; height 0.3 of its longer side")
       ->type_name("NAME")
       ->excludes(domain);
-  auto* zone = command.add_option("--zone", options.zone, "Fluid is what the domain's sides reach, or all there is")
-                   ->capture_default_str()
-                   ->check(CLI::IsMember({"outside", "all"}))
-                   ->type_name("outside|all");
+  auto* zone =
+      command.add_option("--zone", options.zone, "Fluid is what the domain's open top or sides reach, or all there is")
+          ->capture_default_str()
+          ->check(CLI::IsMember({"outside", "all"}))
+          ->type_name("outside|all");
   command.add_option("--seed", options.seeds, "Fluid is what this point reaches; may be repeated")
       ->allow_extra_args(false)
       ->type_name("X Y Z")
       ->excludes(zone);
+  command
+      .add_option("--sealed-seed", options.sealedSeeds,
+                  "Point in a space that should be closed; a way out is warned of; may be repeated")
+      ->allow_extra_args(false)
+      ->type_name("X Y Z");
   command.add_option("--patches", options.patches, "Also write the named boundary patches")->type_name("OUT.vtpc");
   command.add_option("--openfoam", options.openfoam, "Also write an OpenFOAM case with the mesh")->type_name("DIR");
-  command.add_option("--report", options.report, "Also write counts, zones, patches, quality and times as JSON")
+  command.add_option("--report", options.report, "Also write counts, zones, leaks, patches, quality and times as JSON")
       ->type_name("OUT.json");
   command.add_option("--threads", options.threads, "Number of threads (default: all cores)")
       ->check(CLI::PositiveNumber)
@@ -164,14 +171,20 @@ void configure(vtkAtriaDualMesher* mesher, const MeshOptions& options)
       mesher->AddSeed(x, y, z);
     }
   }
+  for (const auto& [x, y, z] : options.sealedSeeds)
+  {
+    mesher->AddSealedSeed(x, y, z);
+  }
 }
 
 Json makeReport(vtkAtriaDualMesher* mesher, vtkAtriaMeshQuality* quality, const Json& seconds)
 {
   auto* mesh = vtkUnstructuredGrid::SafeDownCast(quality->GetOutputDataObject(0));
+  auto* diagnostics = vtkPolyData::SafeDownCast(mesher->GetOutputDataObject(2));
   Json report;
   report["counts"] = countsOf(mesh);
-  report["zones"] = zonesOf(mesh);
+  report["zones"] = zonesOf(mesh, diagnostics);
+  report["leaks"] = leaksOf(diagnostics);
   report["patches"] = patchesOf(vtkPartitionedDataSetCollection::SafeDownCast(mesher->GetOutputDataObject(1)));
   report["quality"] = qualityOf(vtkTable::SafeDownCast(quality->GetOutputDataObject(1)));
   report["invalid_elements"] = quality->GetNumberOfInvalidCells();
@@ -179,8 +192,16 @@ Json makeReport(vtkAtriaDualMesher* mesher, vtkAtriaMeshQuality* quality, const 
   report["seconds"] = seconds;
   report["peak_memory_bytes"] = peakMemoryBytes();
   report["threads"] = threadsInUse();
-  report["diagnostics"] = diagnosticsOf(vtkPolyData::SafeDownCast(mesher->GetOutputDataObject(2)));
+  report["diagnostics"] = diagnosticsOf(diagnostics);
   return report;
+}
+
+void warnOfLeaks(vtkPolyData* diagnostics, const std::string& input, Console& console)
+{
+  for (const Json& leak : leaksOf(diagnostics))
+  {
+    console.warning(input + ": " + leak["message"].get<std::string>());
+  }
 }
 
 void writeOutputs(const MeshOptions& options, vtkUnstructuredGrid* mesh, vtkPartitionedDataSetCollection* patches,
@@ -246,6 +267,7 @@ ExitStatus runMesh(const MeshOptions& options, Console& console)
     writeText(options.report, makeReport(mesher, quality, seconds).dump(2) + "\n");
   }
   console.clearBar();
+  warnOfLeaks(vtkPolyData::SafeDownCast(mesher->GetOutputDataObject(2)), options.input, console);
   if (const auto invalid = quality->GetNumberOfInvalidCells(); invalid > 0)
   {
     console.warning(options.output + ": " + std::to_string(invalid) + " of " +
