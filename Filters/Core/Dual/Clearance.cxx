@@ -103,6 +103,30 @@ public:
     return planes;
   }
 
+  /// Whether surfaces within `reach` of p are on opposite sides of it, seen in a plane.
+  bool isBetween(const Vec3& p, double reach, const Plane& plane) const
+  {
+    constexpr double leastInPlane = 0.7;
+    constexpr double opposite = -0.3;
+    std::vector<Vec3> directions;
+    const auto add = [&](const Vec3& contact) {
+      const Vec3 towards = contact - p;
+      const Vec3 inPlane = towards - plane.normal * plane.normal.dot(towards);
+      if (towards.norm() <= reach && inPlane.norm() >= leastInPlane * towards.norm())
+      {
+        directions.push_back(inPlane.normalized());
+      }
+    };
+    add(Vec3(p[0], p[1], frame.domain.min[2]));
+    for (const Corners& c : corners)
+    {
+      add(nearestOnTriangle(p, c[0], c[1], c[2]));
+    }
+    return std::any_of(directions.begin(), directions.end(), [&](const Vec3& a) {
+      return std::any_of(directions.begin(), directions.end(), [&](const Vec3& b) { return a.dot(b) <= opposite; });
+    });
+  }
+
   /// Surfaces within `reach` of p, nearest first, each once.
   std::vector<Index> within(const Vec3& p, double reach) const
   {
@@ -149,7 +173,7 @@ struct Ball
 };
 
 /// Climbs in a plane from the point nearest to `place` to where surfaces are farthest. The ball is infinite where that
-/// leads farther than `reach`: the plane is not that of a gap then.
+/// leads farther than `reach`, or to where it touches nothing on opposite sides: the plane is not that of a gap then.
 Ball largestBall(const Surroundings& about, const Vec3& place, const Plane& plane, double size, double reach)
 {
   constexpr double finestStep = 1e-3;
@@ -175,7 +199,8 @@ Ball largestBall(const Surroundings& about, const Vec3& place, const Plane& plan
     }
     step = moved ? step : 0.5 * step;
   }
-  return ball;
+  const bool isGap = about.isBetween(ball.center, ball.radius + 4.0 * finestStep * size, plane);
+  return isGap ? ball : Ball{place, std::numeric_limits<double>::infinity()};
 }
 
 /// The largest ball in the gap about a place: in the plane in which there is least room, as long as the gap is open at
@@ -326,34 +351,28 @@ Clearance::OfEdge Clearance::ofEdge(Index from, Index to) const
   return least;
 }
 
-Passage passageAlong(const std::vector<Vec3>& way, double size, const Octree& octree, const SurfaceModel& model)
+Passage passageBetween(const Vec3& p, const Vec3& q, double size, const Octree& octree, const SurfaceModel& model)
 {
   constexpr double farthestMove = 2.0;
   constexpr int samples = 5;
-  double reach = size;
-  for (const Vec3& p : way)
+  const double clearance = Surroundings(p, 2.0 * size, octree, model).clearance(p);
+  const double reach = std::min(clearance, octree.frame().rootSize()) + (q - p).norm();
+  const Surroundings about(p, reach + (2.0 * farthestMove + 1.0) * size, octree, model);
+  Passage passage;
+  passage.center = p;
+  for (int k = 0; k < samples; ++k)
   {
-    const double clearance = Surroundings(p, 2.0 * size, octree, model).clearance(p);
-    reach = std::max(reach, (p - way.front()).norm() + std::min(clearance, octree.frame().rootSize()));
-  }
-  const Surroundings about(way.front(), reach + (2.0 * farthestMove + 1.0) * size, octree, model);
-  Ball least{way.front(), std::numeric_limits<double>::infinity()};
-  for (std::size_t i = 0; i + 1 < way.size(); ++i)
-  {
-    for (int k = 0; k < samples; ++k)
+    const Vec3 place = p + (k + 0.5) / samples * (q - p);
+    const Ball ball = gapAt(about, place, q - p, size, farthestMove * size);
+    if (2.0 * ball.radius < passage.width)
     {
-      const Vec3 place = way[i] + (k + 0.5) / samples * (way[i + 1] - way[i]);
-      const Ball ball = gapAt(about, place, way[i + 1] - way[i], size, farthestMove * size);
-      least = ball.radius < least.radius ? ball : least;
+      passage.center = ball.center;
+      passage.width = 2.0 * ball.radius;
     }
   }
-  if (!std::isfinite(least.radius))
-  {
-    const Vec3 middle = 0.5 * (way.front() + way.back());
-    least = {middle, about.clearance(middle)};
-  }
   constexpr double allButTouches = 1.05;
-  return {least.center, 2.0 * least.radius, about.within(least.center, allButTouches * least.radius)};
+  passage.surfaces = about.within(passage.center, 0.5 * allButTouches * passage.width);
+  return passage;
 }
 
 } // namespace atria

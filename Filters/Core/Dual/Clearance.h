@@ -45,12 +45,14 @@ struct Passage
 {
   /// The centre of the largest ball that fits there, and its diameter.
   Vec3 center;
-  double width;
+  double width = std::numeric_limits<double>::infinity();
   /// The surfaces that the ball all but touches, nearest first; noIndex for the bare bottom of the domain.
   std::vector<Index> surfaces;
 };
-/// The narrowest passage along a part of a way, not longer than some octants of `size`. At points along it, the ball is
-/// moved to where surfaces are farthest: in the plane of the gap, and by two octants at most.
-Passage passageAlong(const std::vector<Vec3>& way, double size, const Octree& octree, const SurfaceModel& model);
+/// The narrowest passage on the way from p to q, if they are neighbouring grid points with octants of `size`. At places
+/// between them, a ball is moved away from surfaces in the planes in which a gap may lie, by two octants at most, until
+/// it touches some on opposite sides; the smallest is the passage. Infinitely wide, with `p` as its centre, where there
+/// is none.
+Passage passageBetween(const Vec3& p, const Vec3& q, double size, const Octree& octree, const SurfaceModel& model);
 
 } // namespace atria

@@ -4,6 +4,7 @@
 #include "Dual/Clearance.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <queue>
 #include <set>
@@ -147,31 +148,53 @@ std::vector<Clearance::OfEdge> clearancesAlong(const std::vector<Index>& way, co
   return edges;
 }
 
-/// The edge of a way that is its neck: the narrowest of those that are clearly narrower than the way was before. So a
-/// seed close to a wall is no neck. Where the way narrows nowhere so, the edge that is narrowest against the way
-/// before.
-std::size_t neckOf(const std::vector<Clearance::OfEdge>& edges)
+/// The edges of a way among which its narrowest place is looked for, narrowest first: those that are clearly narrower
+/// than the way was before, so that a seed close to a wall is none; where the way narrows nowhere so, the one that is
+/// narrowest against the way before. Of the former those that are nearly as narrow as the narrowest, and the neighbours
+/// of that: a grid point close to a wall makes edges seem narrow that are beside the gap.
+std::vector<std::size_t> narrowEdges(const std::vector<Clearance::OfEdge>& edges)
 {
   constexpr double clearlyNarrower = 0.75;
+  constexpr double nearlyAsNarrow = 1.3;
+  constexpr std::size_t most = 64;
+  std::vector<std::size_t> narrow;
   double widest = 0.0;
   double leastRatio = std::numeric_limits<double>::infinity();
   std::size_t tightest = 0;
-  std::size_t neck = edges.size();
   for (std::size_t i = 0; i < edges.size(); ++i)
   {
-    const double width = edges[i].distance;
-    widest = std::max(widest, width);
-    if (width <= clearlyNarrower * widest && (neck == edges.size() || width < edges[neck].distance))
+    const double clearance = edges[i].distance;
+    widest = std::max(widest, clearance);
+    if (clearance <= clearlyNarrower * widest)
     {
-      neck = i;
+      narrow.push_back(i);
     }
-    if (widest > 0.0 && width / widest < leastRatio)
+    if (widest > 0.0 && clearance / widest < leastRatio)
     {
-      leastRatio = width / widest;
+      leastRatio = clearance / widest;
       tightest = i;
     }
   }
-  return neck < edges.size() ? neck : tightest;
+  if (narrow.empty())
+  {
+    narrow.push_back(tightest);
+  }
+  std::stable_sort(narrow.begin(), narrow.end(),
+                   [&](std::size_t l, std::size_t r) { return edges[l].distance < edges[r].distance; });
+  const std::size_t neck = narrow.front();
+  const auto wider = std::find_if(narrow.begin(), narrow.end(), [&](std::size_t i) {
+    return edges[i].distance > nearlyAsNarrow * edges[neck].distance;
+  });
+  narrow.erase(wider, narrow.end());
+  narrow.resize(std::min(narrow.size(), most));
+  for (const std::size_t i : {neck - 1, neck + 1})
+  {
+    if (i < edges.size() && std::find(narrow.begin(), narrow.end(), i) == narrow.end())
+    {
+      narrow.push_back(i);
+    }
+  }
+  return narrow;
 }
 
 double leastOf(const std::vector<Clearance::OfEdge>& edges, std::size_t begin, std::size_t end)
@@ -226,34 +249,51 @@ double sizeAt(Index point, const Octree& octree, const GridPoints& points)
   return size;
 }
 
+/// Finds the narrowest place of the way, and shortens the way on both sides of it.
+void narrowDown(Leak& leak, const Clearance& clearance, WayFinder& finder, const Octree& octree,
+                const GridPoints& points, const SurfaceModel& model)
+{
+  const std::vector<Clearance::OfEdge> edges = clearancesAlong(leak.points, clearance);
+  const std::vector<std::size_t> candidates = narrowEdges(edges);
+  std::size_t neck = candidates.front();
+  Passage narrowest;
+  narrowest.center = edges[neck].place;
+  for (const std::size_t i : candidates)
+  {
+    const Index from = leak.points[i];
+    Passage passage = passageBetween(clearance.position(from), clearance.position(leak.points[i + 1]),
+                                     sizeAt(from, octree, points), octree, model);
+    if (passage.width < narrowest.width)
+    {
+      narrowest = std::move(passage);
+      neck = i;
+    }
+  }
+  leak.place = narrowest.center;
+  leak.width = std::isfinite(narrowest.width) ? narrowest.width : 2.0 * edges[neck].distance;
+  leak.surfaces = std::move(narrowest.surfaces);
+  leak.point = leak.points[neck];
+  leak.points = shorten(leak.points, edges, neck, finder);
+}
+
 Leak leakFrom(Index start, const Clearance& clearance, const Crossings& crossings, const Octree& octree,
               const GridPoints& points, const SurfaceModel& model)
 {
   WayFinder finder(crossings, clearance, model.names.size());
   Leak leak{};
   leak.points = finder.widest(start);
-  const std::vector<Clearance::OfEdge> edges = clearancesAlong(leak.points, clearance);
-  leak.side = finder.sideAt(leak.points.back());
-  leak.point = start;
-  std::vector<Vec3> narrow{clearance.position(start), clearance.position(start)};
-  narrow[1][axisOf(leak.side)] = octree.frame().planeOf(leak.side);
-  if (!edges.empty())
+  if (leak.points.size() > 1)
   {
-    const std::size_t neck = neckOf(edges);
-    leak.point = leak.points[neck];
-    narrow.clear();
-    for (std::size_t i = std::max<std::size_t>(neck, 1) - 1; i < std::min(neck + 3, leak.points.size()); ++i)
-    {
-      narrow.push_back(clearance.position(leak.points[i]));
-    }
-    leak.points = shorten(leak.points, edges, neck, finder);
-    leak.side = finder.sideAt(leak.points.back());
+    narrowDown(leak, clearance, finder, octree, points, model);
   }
+  else
+  {
+    leak.point = start;
+    leak.place = clearance.position(start);
+    leak.width = 2.0 * clearance.ofPoint(start);
+  }
+  leak.side = finder.sideAt(leak.points.back());
   drawPath(leak, clearance, octree.frame());
-  Passage passage = passageAlong(narrow, sizeAt(leak.point, octree, points), octree, model);
-  leak.place = passage.center;
-  leak.width = passage.width;
-  leak.surfaces = std::move(passage.surfaces);
   return leak;
 }
 
