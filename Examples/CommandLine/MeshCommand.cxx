@@ -19,11 +19,13 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <tuple>
 #include <vector>
 
@@ -86,7 +88,9 @@ void declareOptions(CLI::App& command, MeshOptions& options)
       ->type_name("NAME")
       ->excludes(domain);
   auto* zone =
-      command.add_option("--zone", options.zone, "Fluid is what the domain's open top or sides reach, or all there is")
+      command
+          .add_option("--zone", options.zone,
+                      "Fluid is what the domain's top reaches, or its other sides if nothing does, or all there is")
           ->capture_default_str()
           ->check(CLI::IsMember({"outside", "all"}))
           ->type_name("outside|all");
@@ -196,6 +200,29 @@ Json makeReport(vtkAtriaDualMesher* mesher, vtkAtriaMeshQuality* quality, const 
   return report;
 }
 
+/// Zones at lateral sides are left out as what is under terrain; they may be under a roof.
+void warnOfDropped(vtkAtriaDualMesher* mesher, const std::string& input, Console& console)
+{
+  auto* diagnostics = vtkPolyData::SafeDownCast(mesher->GetOutputDataObject(2));
+  for (const Json& zone : zonesOf(vtkUnstructuredGrid::SafeDownCast(mesher->GetOutputDataObject(0)), diagnostics))
+  {
+    const bool lateral = std::any_of(zone["sides"].begin(), zone["sides"].end(),
+                                     [](const Json& side) { return side != "zMin" && side != "zMax"; });
+    if (mesher->GetZoneRule() == vtkAtriaDualMesher::Outside && !zone["kept"].get<bool>() && lateral)
+    {
+      std::ostringstream text;
+      text << input << ": a space of " << zone["elements"]
+           << " elements reaches lateral sides of the domain but not its "
+           << "top, and is left out as under terrain; if it is not, give --seed";
+      for (const Json& coordinate : zone["inside"])
+      {
+        text << " " << coordinate;
+      }
+      console.warning(text.str());
+    }
+  }
+}
+
 void warnOfLeaks(vtkPolyData* diagnostics, const std::string& input, Console& console)
 {
   for (const Json& leak : leaksOf(diagnostics))
@@ -267,6 +294,7 @@ ExitStatus runMesh(const MeshOptions& options, Console& console)
     writeText(options.report, makeReport(mesher, quality, seconds).dump(2) + "\n");
   }
   console.clearBar();
+  warnOfDropped(mesher, options.input, console);
   warnOfLeaks(vtkPolyData::SafeDownCast(mesher->GetOutputDataObject(2)), options.input, console);
   if (const auto invalid = quality->GetNumberOfInvalidCells(); invalid > 0)
   {

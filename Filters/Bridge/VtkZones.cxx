@@ -62,7 +62,7 @@ std::string messageOf(const Leak& leak, const std::vector<std::string>& beside)
   text << ", " << leak.width << " wide";
   if (!beside.empty())
   {
-    text << ", beside " << joined(beside, " and ");
+    text << ", beside " << joined(beside, ", ");
   }
   return text.str();
 }

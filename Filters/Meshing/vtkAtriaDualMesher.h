@@ -55,8 +55,8 @@ public:
    */
   enum ZoneRules
   {
-    /// Those that reach the open top of the domain; if none does, its open lateral sides; if none does, any side but
-    /// the bottom; if none does, the bottom. A side is open where no surface lies on it.
+    /// Those that reach the top of the domain; if none does, or if surfaces lie on all of its sides but the bottom,
+    /// those that reach any side but the bottom; if none does, the bottom.
     Outside = 0,
     All = 1,
     Seeds = 2 ///< those that hold a seed

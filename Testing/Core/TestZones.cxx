@@ -37,15 +37,39 @@ TEST(Zones, UnderATerrainToTheLateralSidesIsDropped)
   EXPECT_EQ(std::count(kept.begin(), kept.end(), 1), 1);
 }
 
+TEST(Zones, UnderALidThatIsTheTopIsKeptAndUnderTheTerrainIsNot)
+{
+  TriangleSurface surface = terrain();
+  addSheet(surface, "Lid", Vec3(-8, -8, 7), Vec3(16, 0, 0), Vec3(0, 16, 0));
+  FoundZones found(surface, uniformGrid(domain, 0.5));
+  const std::vector<char> kept = found.kept(ZoneRule::outside);
+  EXPECT_TRUE(kept[found.zoneAt(sky)]);
+  EXPECT_FALSE(kept[found.zoneAt(Vec3(1, 1, 0.6))]);
+  EXPECT_FALSE(kept[found.zoneAt(Vec3(0, 0, 4))]);
+}
+
 TEST(Zones, WhereNothingReachesTheTopTheLateralSidesCount)
 {
   TriangleSurface surface;
-  addSheet(surface, "Lid", Vec3(-8, -8, 7), Vec3(16, 0, 0), Vec3(0, 16, 0)); // is the top
+  addSheet(surface, "Lid", Vec3(-8, -8, 6.9), Vec3(16, 0, 0), Vec3(0, 16, 0)); // above the last grid points
   addBox(surface, "House", {Vec3(-2, -2, 1.2), Vec3(2, 2, 5)});
   FoundZones found(surface, uniformGrid(domain, 0.5));
   const std::vector<char> kept = found.kept(ZoneRule::outside);
   EXPECT_TRUE(kept[found.zoneAt(sky)]);
   EXPECT_FALSE(kept[found.zoneAt(Vec3(0, 0, 4))]);
+}
+
+TEST(Zones, ARoomBelowTheFlatRoofThatIsTheTopIsKept)
+{
+  // The bounds of a house with two wings are the domain: beside the lower wing the top is open.
+  TriangleSurface surface;
+  addBox(surface, "High", {domain.min, Vec3(1.2, 6, 7)});
+  addBox(surface, "Low", {Vec3(1.2, -6, 0), Vec3(6, 6, 3.2)});
+  FoundZones found(surface, uniformGrid(domain, 0.5));
+  const std::vector<char> kept = found.kept(ZoneRule::outside);
+  EXPECT_TRUE(kept[found.zoneAt(Vec3(-3, 0, 3))]);
+  EXPECT_TRUE(kept[found.zoneAt(Vec3(4, 0, 5))]);
+  EXPECT_FALSE(kept[found.zoneAt(Vec3(4, 0, 1.5))]);
 }
 
 TEST(Zones, InADomainThatIsABuildingAllRoomsAtItsWallsAreKept)

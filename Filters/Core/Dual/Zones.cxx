@@ -23,10 +23,10 @@ bool keepReaching(unsigned sides, const std::vector<std::uint8_t>& reached, std:
 
 void keepOutside(const Zones& zones, std::vector<char>& kept)
 {
-  // The ground lies below the open top, so what reaches only the lateral sides is under it. Where nothing is open, the
-  // domain is a room or a building, and its sides are the walls.
-  if (!keepReaching(top, zones.openSides, kept) && !keepReaching(~(bottom | top), zones.openSides, kept) &&
-      !keepReaching(~bottom, zones.sides, kept))
+  // Where no side is open, the domain is a room or a building, and its sides are the walls. Otherwise what reaches only
+  // the lateral sides is under the ground, if anything reaches the top.
+  const bool anyOpen = keepReaching(~bottom, zones.openSides, kept);
+  if (!(anyOpen && keepReaching(top, zones.sides, kept)) && !keepReaching(~bottom, zones.sides, kept))
   {
     keepReaching(bottom, zones.sides, kept);
   }

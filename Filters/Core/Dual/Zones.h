@@ -10,8 +10,8 @@ namespace atria {
 /// Which zones are kept.
 enum class ZoneRule : std::uint8_t
 {
-  /// Those that reach the open top of the domain. If none does, those that reach its open lateral sides; if none does,
-  /// any side but the bottom; if none does, the bottom. A side is open where no surface lies on it.
+  /// Those that reach the top of the domain. If none does, or if surfaces lie on all of its sides but the bottom, those
+  /// that reach any side but the bottom; if none does, the bottom.
   outside,
   all,
   seeds ///< those that hold one of given points
