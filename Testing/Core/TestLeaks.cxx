@@ -256,6 +256,38 @@ TEST(Leaks, AGapOverTheBareGroundIsBesideTheGround)
   EXPECT_THAT(names, UnorderedElementsAre("East", "bottom"));
 }
 
+TEST(Leaks, ThroughAThickWallTheNarrowestPlaceIsInTheReveal)
+{
+  for (const double degrees : {0.0, 23.0, 45.0})
+  {
+    SCOPED_TRACE(degrees);
+    const std::array<double, 2> low{1.1, 0.9};
+    const std::array<double, 2> high{2.0, 2.1};
+    const double depth = 0.6;
+    TriangleSurface surface;
+    addRoom(surface, "", roomBox, low, high);
+    const Vec3 corner(roomBox.max[0], roomBox.min[1] + low[0], roomBox.min[2] + low[1]);
+    const Vec3 x(depth, 0, 0), y(0, high[0] - low[0], 0), z(0, 0, high[1] - low[1]);
+    addSheet(surface, "Sill", corner, x, y);
+    addSheet(surface, "Lintel", corner + z, x, y);
+    addSheet(surface, "Left", corner, x, z);
+    addSheet(surface, "Right", corner + y, x, z);
+    atria::testing::turn(surface, degrees);
+    FoundZones found(surface, uniformGrid(domain, 0.25));
+    const Vec3 seed = turned(inRoom, degrees);
+    const auto leaks = found.leaks({seed});
+    ASSERT_EQ(leaks.size(), 1u);
+    expectWay(leaks[0], found, seed);
+    EXPECT_NEAR(leaks[0].width, 0.9, 0.02);
+    const Vec3 place = turned(leaks[0].place, -degrees);
+    EXPECT_GT(place[0], corner[0] - 0.05);
+    EXPECT_LT(place[0], corner[0] + depth + 0.05);
+    EXPECT_NEAR(place[1], corner[1] + 0.45, 0.02);
+    EXPECT_GT(place[2], corner[2]);
+    EXPECT_LT(place[2], corner[2] + z[2]);
+  }
+}
+
 TEST(Leaks, ClosedRoomsDoNotLeakAndTheBottomIsNoWayOut)
 {
   TriangleSurface surface;

@@ -152,6 +152,25 @@ class CommandLine(unittest.TestCase):
         self.assertIn(run.returncode, (0, 4), run.stderr)
         self.assertGreater(json.loads(report.read_text())["counts"]["elements"], 1000)
 
+    def test_what_is_left_out_at_lateral_sides_is_warned_of(self):
+        model, out, report = (self.folder / name for name in ("terrain.wrl", "terrain.vtu", "terrain.json"))
+        model.write_text("""#VRML V2.0 utf8
+DEF Terrain Shape { geometry IndexedFaceSet {
+  coord Coordinate { point [ -30 -30 6, 30 -30 7, 30 30 9, -30 30 8 ] } coordIndex [ 0 1 2 3 -1 ] } }
+""")
+        run = self.atria("mesh", model, "-o", out, "--report", report, "--domain", -20, 20, -20, 20, 0, 30)
+        self.assertIn(run.returncode, (0, 4), run.stderr)
+        kept, left_out = json.loads(report.read_text())["zones"]
+        self.assertTrue(kept["kept"])
+        self.assertFalse(left_out["kept"])
+        self.assertEqual(left_out["surfaces"], ["Terrain"])
+        self.assertIn("--seed " + " ".join(str(x) for x in left_out["inside"]), run.stderr)
+        run = self.atria("mesh", model, "-o", out, "--report", report, "--domain", -20, 20, -20, 20, 0, 30, "--seed",
+                         *left_out["inside"])
+        self.assertIn(run.returncode, (0, 4), run.stderr)
+        self.assertNotIn("left out", run.stderr)
+        self.assertEqual(json.loads(report.read_text())["counts"]["elements"], left_out["elements"])
+
     def test_a_leak_is_a_warning_that_names_place_and_surfaces(self):
         out, report = self.folder / "leak.vtu", self.folder / "leak.json"
         run = self.atria("mesh", "--sealed-seed", "12", "7", "2", HOUSE, "-o", out, *FINE, "--report", report)
