@@ -25,11 +25,11 @@
  * Output port 2: vtkPolyData with a line or vertex for each place where the mesh could not follow the model, or where
  * one should look: MergedSheets, where an octree edge is cut more than once and the sheets became one (line from the
  * first to the last); UnresolvedFeature, where pieces that do not meet share a vertex; LeakPath, the way by which a
- * sealed seed reaches the outside; ClosedCrack, a gap beside a rim that the mesh closes. Cell arrays: `Diagnostic`
- * (int, index into the field array `DiagnosticName`), `CellId` (vtkIdType; -1 for a leak that is not in the mesh),
- * `Width` (double, of leaks and cracks). Field array `SurfaceWithoutFaces`: names of surfaces that got no face. Field
- * arrays `Zone...` have an entry for each zone, those left out included, by ZoneId; `Leak...` one for each leak: see
- * docs/arrays.md.
+ * sealed seed reaches the outside; ClosedCrack, a gap beside a rim, narrower than an octant, that the mesh closes;
+ * OpenCrack, one that stays open. Cell arrays: `Diagnostic` (int, index into the field array `DiagnosticName`),
+ * `CellId` (vtkIdType; -1 for a leak that is not in the mesh), `Width` (double, of leaks and cracks). Field array
+ * `SurfaceWithoutFaces`: names of surfaces that got no face. Field arrays `Zone...` have an entry for each zone, those
+ * left out included, by ZoneId; `Leak...` one for each leak: see docs/arrays.md.
  *
  * Elements may still be inverted where the model is finer than the octants: vtkAtriaMeshQuality tells which.
  */

@@ -40,9 +40,9 @@ struct FoundZones
   {
     return findLeaks(sealed, zones, crossings, octree, points, model, context());
   }
-  std::vector<ClosedCrack> cracks(ZoneRule rule = ZoneRule::all)
+  std::vector<Crack> cracks(ZoneRule rule = ZoneRule::all)
   {
-    return findClosedCracks(zones, kept(rule), crossings, octree, points, model, context());
+    return findCracks(zones, kept(rule), crossings, octree, points, model, context());
   }
   Vec3 position(Index point) const { return octree.frame().toModel(positionOf(octree, points.leaves[point])); }
 

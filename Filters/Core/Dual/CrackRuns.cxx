@@ -149,26 +149,27 @@ std::vector<char> openLinks(const Chain& chain, const std::vector<CrackStep>& st
 /// A crack before its line is thinned out.
 struct LongCrack
 {
-  ClosedCrack crack;
+  Crack crack;
   double size = 0.0;
   double length = 0.0;
 };
 
-std::vector<LongCrack> closedParts(const Chain& chain, const std::vector<CrackStep>& steps)
+/// The parts of a chain that are open, or those that are closed.
+std::vector<LongCrack> partsOf(const Chain& chain, bool wanted, const std::vector<CrackStep>& steps)
 {
   const std::vector<char> open = openLinks(chain, steps);
   std::vector<LongCrack> parts;
   for (std::size_t i = 0; i < chain.links.size(); ++i)
   {
-    if (open[i])
+    if ((open[i] != 0) != wanted)
     {
       continue;
     }
     const CrackStep& step = steps[chain.links[i].step];
     const bool forwards = chain.links[i].forwards;
-    if (i == 0 || open[i - 1])
+    if (i == 0 || open[i - 1] != open[i])
     {
-      parts.push_back({{{forwards ? step.begin : step.end}, step.width, step.point}});
+      parts.push_back({{{forwards ? step.begin : step.end}, step.width, step.point, wanted}});
     }
     LongCrack& part = parts.back();
     part.crack.path.push_back(forwards ? step.end : step.begin);
@@ -256,27 +257,31 @@ private:
 
 } // namespace
 
-std::vector<ClosedCrack> joinSteps(const std::vector<CrackStep>& steps, const SurfaceModel& model)
+std::vector<Crack> joinSteps(const std::vector<CrackStep>& steps, const SurfaceModel& model)
 {
   std::vector<Run> runs = findRuns(steps);
   linkRuns(runs, steps, model);
-  std::vector<LongCrack> found;
-  for (const Chain& chain : chainRuns(runs, steps))
+  const std::vector<Chain> chains = chainRuns(runs, steps);
+  std::vector<Crack> cracks;
+  for (const bool open : {false, true})
   {
-    const std::vector<LongCrack> parts = closedParts(chain, steps);
-    found.insert(found.end(), parts.begin(), parts.end());
-  }
-  std::stable_sort(found.begin(), found.end(),
-                   [](const LongCrack& l, const LongCrack& r) { return l.length > r.length; });
-  ToldCracks told;
-  std::vector<ClosedCrack> cracks;
-  for (LongCrack& part : found)
-  {
-    if (!told.covers(part))
+    std::vector<LongCrack> found;
+    for (const Chain& chain : chains)
     {
-      straighten(part);
-      told.add(part.crack.path);
-      cracks.push_back(std::move(part.crack));
+      const std::vector<LongCrack> parts = partsOf(chain, open, steps);
+      found.insert(found.end(), parts.begin(), parts.end());
+    }
+    std::stable_sort(found.begin(), found.end(),
+                     [](const LongCrack& l, const LongCrack& r) { return l.length > r.length; });
+    ToldCracks told;
+    for (LongCrack& part : found)
+    {
+      if (!told.covers(part))
+      {
+        straighten(part);
+        told.add(part.crack.path);
+        cracks.push_back(std::move(part.crack));
+      }
     }
   }
   return cracks;

@@ -19,8 +19,8 @@ struct CrackStep
   bool open; ///< an uncut octree edge passes through the gap
 };
 
-/// Joins the steps, sorted by edge and step, to cracks, longest first; those that lie along others are left out. An
-/// open step opens the gap as far as the dual face of the edge reaches that passes through it.
-std::vector<ClosedCrack> joinSteps(const std::vector<CrackStep>& steps, const SurfaceModel& model);
+/// Joins the steps, sorted by edge and step, to cracks, closed and long ones first; those that lie along others are
+/// left out. An open step opens the gap as far as the dual face of the edge reaches that passes through it.
+std::vector<Crack> joinSteps(const std::vector<CrackStep>& steps, const SurfaceModel& model);
 
 } // namespace atria

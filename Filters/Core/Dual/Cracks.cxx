@@ -252,9 +252,9 @@ private:
 
 } // namespace
 
-std::vector<ClosedCrack> findClosedCracks(const Zones& zones, const std::vector<char>& kept, const Crossings& crossings,
-                                          const Octree& octree, const GridPoints& points, const SurfaceModel& model,
-                                          const RunContext& context)
+std::vector<Crack> findCracks(const Zones& zones, const std::vector<char>& kept, const Crossings& crossings,
+                              const Octree& octree, const GridPoints& points, const SurfaceModel& model,
+                              const RunContext& context)
 {
   std::vector<Index> rims;
   for (Index e = 0; e < model.featureEdges.size(); ++e)

@@ -154,9 +154,10 @@ void inspectZones(const Octree& octree, const SurfaceModel& model, const GridPoi
   {
     result.diagnostics.push_back(lineOf(Diagnostic::leakPath, leak.path, elements[leak.point], leak.width));
   }
-  for (const ClosedCrack& crack : findClosedCracks(zones, result.keptZones, crossings, octree, points, model, context))
+  for (const Crack& crack : findCracks(zones, result.keptZones, crossings, octree, points, model, context))
   {
-    result.diagnostics.push_back(lineOf(Diagnostic::closedCrack, crack.path, elements[crack.point], crack.width));
+    result.diagnostics.push_back(lineOf(crack.open ? Diagnostic::openCrack : Diagnostic::closedCrack, crack.path,
+                                        elements[crack.point], crack.width));
   }
 }
 

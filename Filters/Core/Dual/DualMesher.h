@@ -25,7 +25,8 @@ struct Diagnostic
     mergedSheets,      ///< an octree edge is cut more than once: the sheets there became one
     unresolvedFeature, ///< pieces that do not meet share a vertex, which is not on all of them
     leakPath,          ///< a way from a sealed seed to the outside
-    closedCrack        ///< a gap beside a rim that no octree edge passes
+    closedCrack,       ///< a gap beside a rim, narrower than an octant, that no octree edge passes
+    openCrack          ///< one that octree edges pass
   };
   Kind kind;
   Vec3 begin;
@@ -37,8 +38,8 @@ struct Diagnostic
   /// The points of a line between its begin and end, in order.
   std::vector<Vec3> between = {};
 };
-inline constexpr std::array<const char*, 4> diagnosticNames{"MergedSheets", "UnresolvedFeature", "LeakPath",
-                                                            "ClosedCrack"};
+inline constexpr std::array<const char*, 5> diagnosticNames{"MergedSheets", "UnresolvedFeature", "LeakPath",
+                                                            "ClosedCrack", "OpenCrack"};
 
 struct DualMeshResult
 {
