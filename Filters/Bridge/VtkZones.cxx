@@ -9,6 +9,7 @@
 #include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <cmath>
 #include <sstream>
 
 namespace atria {
@@ -49,9 +50,11 @@ template <typename Array> Array* added(vtkFieldData* to, const char* name, int c
   return array;
 }
 
+/// Without the digits that rounding leaves.
 std::string at(const Vec3& p)
 {
-  return (std::ostringstream() << "(" << p[0] << ", " << p[1] << ", " << p[2] << ")").str();
+  const auto plain = [](double x) { return std::abs(x) < 1e-9 ? 0.0 : x; };
+  return (std::ostringstream() << "(" << plain(p[0]) << ", " << plain(p[1]) << ", " << plain(p[2]) << ")").str();
 }
 
 std::string messageOf(const Leak& leak, const std::vector<std::string>& beside)
