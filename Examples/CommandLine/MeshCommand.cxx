@@ -20,11 +20,13 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <sstream>
 #include <tuple>
 #include <vector>
 
@@ -49,6 +51,7 @@ struct MeshOptions
   bool preflight = false;
   std::string zone = "outside";
   std::vector<std::tuple<double, double, double>> seeds;
+  std::vector<std::tuple<double, double, double>> sealedSeeds;
   std::string patches;
   std::string openfoam;
   std::string report;
@@ -120,17 +123,25 @@ void declareOptions(CLI::App& command, MeshOptions& options)
                    ->type_name("NAME");
   site->excludes(domain);
   declareSiteOptions(command, options, domain, site);
-  auto* zone = command.add_option("--zone", options.zone, "Fluid is what the domain's sides reach, or all there is")
-                   ->capture_default_str()
-                   ->check(CLI::IsMember({"outside", "all"}))
-                   ->type_name("outside|all");
+  auto* zone =
+      command
+          .add_option("--zone", options.zone,
+                      "Fluid is what the domain's top reaches, or its other sides if nothing does, or all there is")
+          ->capture_default_str()
+          ->check(CLI::IsMember({"outside", "all"}))
+          ->type_name("outside|all");
   command.add_option("--seed", options.seeds, "Fluid is what this point reaches; may be repeated")
       ->allow_extra_args(false)
       ->type_name("X Y Z")
       ->excludes(zone);
+  command
+      .add_option("--sealed-seed", options.sealedSeeds,
+                  "Point in a space that should be closed; a way out is warned of; may be repeated")
+      ->allow_extra_args(false)
+      ->type_name("X Y Z");
   command.add_option("--patches", options.patches, "Also write the named boundary patches")->type_name("OUT.vtpc");
   command.add_option("--openfoam", options.openfoam, "Also write an OpenFOAM case with the mesh")->type_name("DIR");
-  command.add_option("--report", options.report, "Also write counts, zones, patches, quality and times as JSON")
+  command.add_option("--report", options.report, "Also write counts, zones, leaks, patches, quality and times as JSON")
       ->type_name("OUT.json");
   command.add_option("--threads", options.threads, "Number of threads (default: all cores)")
       ->check(CLI::PositiveNumber)
@@ -222,14 +233,20 @@ void configure(vtkAtriaDualMesher* mesher, const MeshOptions& options)
       mesher->AddSeed(x, y, z);
     }
   }
+  for (const auto& [x, y, z] : options.sealedSeeds)
+  {
+    mesher->AddSealedSeed(x, y, z);
+  }
 }
 
 Json makeReport(vtkAtriaDualMesher* mesher, vtkAtriaMeshQuality* quality, const Json& seconds)
 {
   auto* mesh = vtkUnstructuredGrid::SafeDownCast(quality->GetOutputDataObject(0));
+  auto* diagnostics = vtkPolyData::SafeDownCast(mesher->GetOutputDataObject(2));
   Json report;
   report["counts"] = countsOf(mesh);
-  report["zones"] = zonesOf(mesh);
+  report["zones"] = zonesOf(mesh, diagnostics);
+  report["leaks"] = leaksOf(diagnostics);
   report["patches"] = patchesOf(vtkPartitionedDataSetCollection::SafeDownCast(mesher->GetOutputDataObject(1)));
   report["quality"] = qualityOf(vtkTable::SafeDownCast(quality->GetOutputDataObject(1)));
   report["invalid_elements"] = quality->GetNumberOfInvalidCells();
@@ -237,8 +254,39 @@ Json makeReport(vtkAtriaDualMesher* mesher, vtkAtriaMeshQuality* quality, const 
   report["seconds"] = seconds;
   report["peak_memory_bytes"] = peakMemoryBytes();
   report["threads"] = threadsInUse();
-  report["diagnostics"] = diagnosticsOf(vtkPolyData::SafeDownCast(mesher->GetOutputDataObject(2)));
+  report["diagnostics"] = diagnosticsOf(diagnostics);
   return report;
+}
+
+/// Zones at lateral sides are left out as what is under terrain; they may be under a roof.
+void warnOfDropped(vtkAtriaDualMesher* mesher, const std::string& input, Console& console)
+{
+  auto* diagnostics = vtkPolyData::SafeDownCast(mesher->GetOutputDataObject(2));
+  for (const Json& zone : zonesOf(vtkUnstructuredGrid::SafeDownCast(mesher->GetOutputDataObject(0)), diagnostics))
+  {
+    const bool lateral = std::any_of(zone["sides"].begin(), zone["sides"].end(),
+                                     [](const Json& side) { return side != "zMin" && side != "zMax"; });
+    if (mesher->GetZoneRule() == vtkAtriaDualMesher::Outside && !zone["kept"].get<bool>() && lateral)
+    {
+      std::ostringstream text;
+      text << input << ": a space of " << zone["elements"]
+           << " elements reaches lateral sides of the domain but not its "
+           << "top, and is left out as under terrain; if it is not, give --seed";
+      for (const Json& coordinate : zone["inside"])
+      {
+        text << " " << coordinate;
+      }
+      console.warning(text.str());
+    }
+  }
+}
+
+void warnOfLeaks(vtkPolyData* diagnostics, const std::string& input, Console& console)
+{
+  for (const Json& leak : leaksOf(diagnostics))
+  {
+    console.warning(input + ": " + leak["message"].get<std::string>());
+  }
 }
 
 void writeOutputs(const MeshOptions& options, vtkUnstructuredGrid* mesh, vtkPartitionedDataSetCollection* patches,
@@ -329,6 +377,8 @@ ExitStatus runMesh(const MeshOptions& options, Console& console)
     writeText(options.report, makeReport(mesher, quality, seconds).dump(2) + "\n");
   }
   console.clearBar();
+  warnOfDropped(mesher, options.input, console);
+  warnOfLeaks(vtkPolyData::SafeDownCast(mesher->GetOutputDataObject(2)), options.input, console);
   if (const auto invalid = quality->GetNumberOfInvalidCells(); invalid > 0)
   {
     console.warning(options.output + ": " + std::to_string(invalid) + " of " +

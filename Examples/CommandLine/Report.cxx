@@ -23,6 +23,8 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <sstream>
+#include <string>
 
 #include <sys/resource.h>
 
@@ -71,6 +73,27 @@ vtkStringArray* stringsOf(vtkDataObject* data, const char* name)
   return vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray(name));
 }
 
+Json tupleOf(vtkDataArray* array, vtkIdType i)
+{
+  Json values = Json::array();
+  for (int component = 0; component < array->GetNumberOfComponents(); ++component)
+  {
+    values.push_back(array->GetComponent(i, component));
+  }
+  return values;
+}
+
+Json linesOf(const std::string& text)
+{
+  Json lines = Json::array();
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);)
+  {
+    lines.push_back(line);
+  }
+  return lines;
+}
+
 } // namespace
 
 Json countsOf(vtkUnstructuredGrid* mesh)
@@ -109,26 +132,52 @@ Json countsOf(vtkUnstructuredGrid* mesh)
           {"polyhedra", polyhedra}};
 }
 
-Json zonesOf(vtkUnstructuredGrid* meshWithQuality)
+Json zonesOf(vtkUnstructuredGrid* meshWithQuality, vtkPolyData* diagnostics)
 {
-  struct Zone
-  {
-    vtkIdType elements = 0;
-    double volume = 0.0;
-  };
   vtkDataArray* ids = meshWithQuality->GetCellData()->GetArray("ZoneId");
-  vtkDataArray* volumes = meshWithQuality->GetCellData()->GetArray("Volume");
-  std::map<int, Zone> zones;
-  for (vtkIdType i = 0; i < meshWithQuality->GetNumberOfCells(); ++i)
+  vtkDataArray* cellVolumes = meshWithQuality->GetCellData()->GetArray("Volume");
+  std::map<int, double> volumes;
+  for (vtkIdType i = 0; ids && cellVolumes && i < meshWithQuality->GetNumberOfCells(); ++i)
   {
-    Zone& zone = zones[ids ? static_cast<int>(ids->GetTuple1(i)) : 0];
-    ++zone.elements;
-    zone.volume += volumes ? volumes->GetTuple1(i) : 0.0;
+    volumes[static_cast<int>(ids->GetTuple1(i))] += cellVolumes->GetTuple1(i);
   }
+  vtkFieldData* zones = diagnostics->GetFieldData();
+  vtkDataArray* elements = zones->GetArray("ZoneElements");
   Json list = Json::array();
-  for (const auto& [id, zone] : zones)
+  for (int i = 0; i < elements->GetNumberOfTuples(); ++i)
   {
-    list.push_back({{"id", id}, {"elements", zone.elements}, {"volume", zone.volume}});
+    const bool kept = zones->GetArray("ZoneKept")->GetTuple1(i) != 0.0;
+    list.push_back({{"id", i},
+                    {"elements", static_cast<vtkIdType>(elements->GetTuple1(i))},
+                    {"kept", kept},
+                    {"volume", kept ? Json(volumes[i]) : Json()},
+                    {"inside", tupleOf(zones->GetArray("ZonePoint"), i)},
+                    {"sides", linesOf(stringsOf(diagnostics, "ZoneSides")->GetValue(i))},
+                    {"surfaces", linesOf(stringsOf(diagnostics, "ZoneSurfaces")->GetValue(i))}});
+  }
+  return list;
+}
+
+Json leaksOf(vtkPolyData* diagnostics)
+{
+  vtkStringArray* kinds = stringsOf(diagnostics, "DiagnosticName");
+  vtkDataArray* kindOf = diagnostics->GetCellData()->GetArray("Diagnostic");
+  vtkDataArray* widths = diagnostics->GetCellData()->GetArray("Width");
+  vtkFieldData* fields = diagnostics->GetFieldData();
+  Json list = Json::array();
+  for (vtkIdType cell = 0; cell < diagnostics->GetNumberOfCells(); ++cell)
+  {
+    if (kinds->GetValue(static_cast<vtkIdType>(kindOf->GetTuple1(cell))) != "LeakPath")
+    {
+      continue;
+    }
+    const auto i = static_cast<vtkIdType>(list.size());
+    list.push_back({{"seed", tupleOf(fields->GetArray("LeakSeed"), i)},
+                    {"side", stringsOf(diagnostics, "LeakSide")->GetValue(i)},
+                    {"place", tupleOf(fields->GetArray("LeakPlace"), i)},
+                    {"width", widths->GetTuple1(cell)},
+                    {"surfaces", linesOf(stringsOf(diagnostics, "LeakSurfaces")->GetValue(i))},
+                    {"message", stringsOf(diagnostics, "LeakMessage")->GetValue(i)}});
   }
   return list;
 }

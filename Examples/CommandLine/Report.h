@@ -18,8 +18,12 @@ using Json = nlohmann::ordered_json;
 /// vertices, elements, and elements by shape.
 Json countsOf(vtkUnstructuredGrid* mesh);
 
-/// [{id, elements, volume}] from the cell arrays ZoneId and Volume; one zone 0 where ZoneId is absent.
-Json zonesOf(vtkUnstructuredGrid* meshWithQuality);
+/// [{id, elements, kept, volume, inside, sides, surfaces}]: all zones there are, from the mesher's diagnostics. The
+/// volume is from the cell arrays ZoneId and Volume, and null for zones that are not in the mesh.
+Json zonesOf(vtkUnstructuredGrid* meshWithQuality, vtkPolyData* diagnostics);
+
+/// [{seed, side, place, width, surfaces, message}] from the field arrays Leak… of the mesher's diagnostics.
+Json leaksOf(vtkPolyData* diagnostics);
 
 /// [{name, faces, area}], area in square model units.
 Json patchesOf(vtkPartitionedDataSetCollection* patches);

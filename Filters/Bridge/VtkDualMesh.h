@@ -4,6 +4,7 @@
 
 #include "Dual/DualMesher.h"
 
+class vtkFieldData;
 class vtkPartitionedDataSetCollection;
 class vtkPolyData;
 class vtkUnstructuredGrid;
@@ -20,6 +21,13 @@ void patchesToVtk(const DualMesh& mesh, const std::vector<std::string>& surfaceN
                   vtkPartitionedDataSetCollection* out);
 
 /// A line or point for each diagnostic; surfaces that got no face are listed in the field array SurfaceWithoutFaces.
+/// Zones and leaks are field arrays too.
 void diagnosticsToVtk(const DualMeshResult& result, const std::vector<std::string>& surfaceNames, vtkPolyData* out);
+
+/// The field arrays Zone…, an entry for each zone.
+void zonesToVtk(const std::vector<ZoneSummary>& zones, const std::vector<std::string>& surfaceNames, vtkFieldData* out);
+
+/// The field arrays Leak…, an entry for each leak.
+void leaksToVtk(const std::vector<Leak>& leaks, const std::vector<std::string>& surfaceNames, vtkFieldData* out);
 
 } // namespace atria

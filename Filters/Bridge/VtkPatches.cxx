@@ -5,6 +5,7 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCompositeDataSet.h>
+#include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
 #include <vtkInformation.h>
@@ -177,6 +178,8 @@ void diagnosticsToVtk(const DualMeshResult& result, const std::vector<std::strin
   kinds->SetName("Diagnostic");
   vtkNew<vtkIdTypeArray> elements;
   elements->SetName("CellId");
+  vtkNew<vtkDoubleArray> widths;
+  widths->SetName("Width");
   // Polydata keeps the data of vertices before those of lines.
   for (const bool asLines : {false, true})
   {
@@ -187,14 +190,19 @@ void diagnosticsToVtk(const DualMeshResult& result, const std::vector<std::strin
         continue;
       }
       vtkCellArray* cells = asLines ? lines.Get() : vertices.Get();
-      cells->InsertNextCell(asLines ? 2 : 1);
+      cells->InsertNextCell(asLines ? static_cast<int>(diagnostic.between.size()) + 2 : 1);
       cells->InsertCellPoint(points->InsertNextPoint(diagnostic.begin.data()));
+      for (const Vec3& p : diagnostic.between)
+      {
+        cells->InsertCellPoint(points->InsertNextPoint(p.data()));
+      }
       if (asLines)
       {
         cells->InsertCellPoint(points->InsertNextPoint(diagnostic.end.data()));
       }
       kinds->InsertNextValue(diagnostic.kind);
-      elements->InsertNextValue(diagnostic.element);
+      elements->InsertNextValue(diagnostic.element == noIndex ? -1 : static_cast<vtkIdType>(diagnostic.element));
+      widths->InsertNextValue(diagnostic.width);
     }
   }
   out->SetPoints(points);
@@ -202,6 +210,7 @@ void diagnosticsToVtk(const DualMeshResult& result, const std::vector<std::strin
   out->SetLines(lines);
   out->GetCellData()->AddArray(kinds);
   out->GetCellData()->AddArray(elements);
+  out->GetCellData()->AddArray(widths);
   vtkNew<vtkStringArray> names;
   names->SetName("DiagnosticName");
   for (const char* name : diagnosticNames)
@@ -227,6 +236,8 @@ void diagnosticsToVtk(const DualMeshResult& result, const std::vector<std::strin
     }
   }
   out->GetFieldData()->AddArray(lost);
+  zonesToVtk(result.zones, surfaceNames, out->GetFieldData());
+  leaksToVtk(result.leaks, surfaceNames, out->GetFieldData());
 }
 
 } // namespace atria

@@ -24,6 +24,35 @@ vtkStandardNewMacro(vtkAtriaDualMesher);
 
 namespace {
 
+using Points = std::vector<std::array<double, 3>>;
+
+void setPoint(Points& points, int i, double x, double y, double z)
+{
+  if (i >= static_cast<int>(points.size()))
+  {
+    points.resize(i + 1, {0.0, 0.0, 0.0});
+  }
+  points[i] = {x, y, z};
+}
+
+void printPoints(const Points& points, ostream& os, vtkIndent indent)
+{
+  for (const auto& p : points)
+  {
+    os << indent << "  " << p[0] << " " << p[1] << " " << p[2] << "\n";
+  }
+}
+
+std::vector<atria::Vec3> toCore(const Points& points)
+{
+  std::vector<atria::Vec3> out;
+  for (const auto& p : points)
+  {
+    out.emplace_back(p[0], p[1], p[2]);
+  }
+  return out;
+}
+
 void addFieldData(vtkUnstructuredGrid* out, int maximumLevel)
 {
   vtkNew<vtkIntArray> level;
@@ -67,11 +96,7 @@ void vtkAtriaDualMesher::SetSeed(int i, double x, double y, double z)
     vtkErrorMacro("There is no seed " << i << ".");
     return;
   }
-  if (i >= this->GetNumberOfSeeds())
-  {
-    this->SeedPoints.resize(i + 1, {0.0, 0.0, 0.0});
-  }
-  this->SeedPoints[i] = {x, y, z};
+  setPoint(this->SeedPoints, i, x, y, z);
   this->Modified();
 }
 
@@ -94,6 +119,43 @@ void vtkAtriaDualMesher::GetSeed(int i, double seed[3])
 }
 
 void vtkAtriaDualMesher::RemoveAllSeeds() { this->SetNumberOfSeeds(0); }
+
+void vtkAtriaDualMesher::AddSealedSeed(double x, double y, double z)
+{
+  this->SealedSeedPoints.push_back({x, y, z});
+  this->Modified();
+}
+
+void vtkAtriaDualMesher::SetSealedSeed(int i, double x, double y, double z)
+{
+  if (i < 0)
+  {
+    vtkErrorMacro("There is no sealed seed " << i << ".");
+    return;
+  }
+  setPoint(this->SealedSeedPoints, i, x, y, z);
+  this->Modified();
+}
+
+void vtkAtriaDualMesher::SetNumberOfSealedSeeds(int count)
+{
+  this->SealedSeedPoints.resize(std::max(count, 0), {0.0, 0.0, 0.0});
+  this->Modified();
+}
+
+int vtkAtriaDualMesher::GetNumberOfSealedSeeds() { return static_cast<int>(this->SealedSeedPoints.size()); }
+
+void vtkAtriaDualMesher::GetSealedSeed(int i, double seed[3])
+{
+  if (i < 0 || i >= this->GetNumberOfSealedSeeds())
+  {
+    vtkErrorMacro("There is no sealed seed " << i << ".");
+    return;
+  }
+  std::copy(this->SealedSeedPoints[i].begin(), this->SealedSeedPoints[i].end(), seed);
+}
+
+void vtkAtriaDualMesher::RemoveAllSealedSeeds() { this->SetNumberOfSealedSeeds(0); }
 
 int vtkAtriaDualMesher::GetNumberOfStages() { return static_cast<int>(this->Stages.size()); }
 
@@ -179,10 +241,8 @@ int vtkAtriaDualMesher::RequestData(vtkInformation*, vtkInformationVector** inpu
     clock.lap("octree");
     atria::DualMeshOptions options;
     options.zoneRule = static_cast<atria::ZoneRule>(this->ZoneRule);
-    for (const auto& seed : this->SeedPoints)
-    {
-      options.seeds.emplace_back(seed[0], seed[1], seed[2]);
-    }
+    options.seeds = toCore(this->SeedPoints);
+    options.sealedSeeds = toCore(this->SealedSeedPoints);
     const atria::DualMeshResult result = atria::makeDualMesh(octree, model, options, clock, context.part(0.4, 0.9));
     atria::volumeToVtk(result.mesh, volume);
     atria::patchesToVtk(result.mesh, model.names, patches);
@@ -210,8 +270,7 @@ void vtkAtriaDualMesher::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "ZoneRule: " << this->ZoneRule << "\n";
   os << indent << "NumberOfSeeds: " << this->SeedPoints.size() << "\n";
-  for (const auto& seed : this->SeedPoints)
-  {
-    os << indent << "  " << seed[0] << " " << seed[1] << " " << seed[2] << "\n";
-  }
+  printPoints(this->SeedPoints, os, indent);
+  os << indent << "NumberOfSealedSeeds: " << this->SealedSeedPoints.size() << "\n";
+  printPoints(this->SealedSeedPoints, os, indent);
 }

@@ -22,10 +22,14 @@
  * (vtkIdType, cell of port 0), `Side` (int; 0 front, 1 back). Point array: `VolumePointId` (vtkIdType, point of port
  * 0). Every face is a face of its owner, seen counter-clockwise from outside of the mesh.
  *
- * Output port 2: vtkPolyData with a line or vertex for each place where the mesh could not follow the model:
- * MergedSheets, where an octree edge is cut more than once and the sheets became one (line from the first to the last);
- * UnresolvedFeature, where pieces that do not meet share a vertex. Cell arrays: `Diagnostic` (int, index into the field
- * array `DiagnosticName`), `CellId` (vtkIdType). Field array `SurfaceWithoutFaces`: names of surfaces that got no face.
+ * Output port 2: vtkPolyData with a line or vertex for each place where the mesh could not follow the model, or where
+ * one should look: MergedSheets, where an octree edge is cut more than once and the sheets became one (line from the
+ * first to the last); UnresolvedFeature, where pieces that do not meet share a vertex; LeakPath, the way by which a
+ * sealed seed reaches the outside; ClosedCrack, a gap beside a rim, narrower than an octant, that the mesh closes;
+ * OpenCrack, one that stays open. Cell arrays: `Diagnostic` (int, index into the field array `DiagnosticName`),
+ * `CellId` (vtkIdType; -1 for a leak that is not in the mesh), `Width` (double, of leaks and cracks). Field array
+ * `SurfaceWithoutFaces`: names of surfaces that got no face. Field arrays `Zone...` have an entry for each zone, those
+ * left out included, by ZoneId; `Leak...` one for each leak: see docs/arrays.md.
  *
  * Elements may still be inverted where the model is finer than the octants: vtkAtriaMeshQuality tells which.
  */
@@ -51,7 +55,9 @@ public:
    */
   enum ZoneRules
   {
-    Outside = 0, ///< those that reach a side of the domain other than its bottom (if none does: the bottom)
+    /// Those that reach the top of the domain; if none does, or if surfaces lie on all of its sides but the bottom,
+    /// those that reach any side but the bottom; if none does, the bottom.
+    Outside = 0,
     All = 1,
     Seeds = 2 ///< those that hold a seed
   };
@@ -79,6 +85,20 @@ public:
 
   ///@{
   /**
+   * Points in zones that should be closed, such as rooms with their doors shut. They do not choose what is meshed.
+   * Where such a zone reaches an open side of the domain other than its bottom, the way there is a LeakPath of output
+   * port 2, and the field array `LeakMessage` names its narrowest place and the surfaces beside it.
+   */
+  void AddSealedSeed(double x, double y, double z);
+  void SetSealedSeed(int i, double x, double y, double z);
+  void SetNumberOfSealedSeeds(int count);
+  int GetNumberOfSealedSeeds();
+  void GetSealedSeed(int i, double seed[3]);
+  void RemoveAllSealedSeeds();
+  ///@}
+
+  ///@{
+  /**
    * Name and wall time, in seconds, of the stages of the last run that came to its end. They are not in the output,
    * which does not differ from run to run. An index out of range gives an empty name and 0.
    */
@@ -98,6 +118,7 @@ protected:
 
   int ZoneRule = Outside;
   std::vector<std::array<double, 3>> SeedPoints;
+  std::vector<std::array<double, 3>> SealedSeedPoints;
   std::vector<std::pair<std::string, double>> Stages;
 
 private:

@@ -20,7 +20,7 @@ UNITS = re.compile(r"metres|degrees|no unit")
 UNLIMITED = 1e30
 INT_MAX = 2**31 - 1
 # Set in C++ by methods that have no getter.
-WITHOUT_GETTER = {"Seeds"}
+WITHOUT_GETTER = {"Seeds", "SealedSeeds"}
 
 
 def read_proxies(folder):

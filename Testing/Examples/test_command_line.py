@@ -15,8 +15,9 @@ ATRIA = pathlib.Path(sys.argv[1])
 DATA = pathlib.Path(sys.argv[2])
 HOUSE = DATA / "house.wrl"
 COARSE = ["--size-max", "16", "--size-mid", "4", "--size-min", "2", "--site", "Site"]
+FINE = ["--size-max", "16", "--size-mid", "2", "--size-min", "1", "--site", "Site"]
 REPORT_KEYS = [
-    "counts", "zones", "patches", "quality", "invalid_elements", "max_level", "seconds", "peak_memory_bytes",
+    "counts", "zones", "leaks", "patches", "quality", "invalid_elements", "max_level", "seconds", "peak_memory_bytes",
     "threads", "diagnostics",
 ]
 
@@ -143,8 +144,8 @@ class CommandLine(unittest.TestCase):
         shapes = ["hexahedra", "wedges", "pyramids", "tetrahedra", "polyhedra"]
         self.assertEqual(list(counts), ["vertices", "elements", *shapes])
         self.assertEqual(sum(counts[shape] for shape in shapes), counts["elements"])
-        self.assertEqual(sum(zone["elements"] for zone in data["zones"]), counts["elements"])
-        self.assertLess(abs(sum(zone["volume"] for zone in data["zones"]) / (227 * 182 * 68.1) - 1), 0.01)
+        self.assertEqual(sum(zone["elements"] for zone in data["zones"] if zone["kept"]), counts["elements"])
+        self.assertLess(abs(sum(zone["volume"] for zone in data["zones"] if zone["kept"]) / (227 * 182 * 68.1) - 1), 0.01)
         areas = {patch["name"]: patch["area"] for patch in data["patches"]}
         self.assertAlmostEqual(areas["zMax"], 227 * 182, places=3)
         self.assertEqual(data["threads"], 2)
@@ -176,6 +177,40 @@ class CommandLine(unittest.TestCase):
                          "--report", report)
         self.assertIn(run.returncode, (0, 4), run.stderr)
         self.assertGreater(json.loads(report.read_text())["counts"]["elements"], 1000)
+
+    def test_what_is_left_out_at_lateral_sides_is_warned_of(self):
+        model, out, report = (self.folder / name for name in ("terrain.wrl", "terrain.vtu", "terrain.json"))
+        model.write_text("""#VRML V2.0 utf8
+DEF Terrain Shape { geometry IndexedFaceSet {
+  coord Coordinate { point [ -30 -30 6, 30 -30 7, 30 30 9, -30 30 8 ] } coordIndex [ 0 1 2 3 -1 ] } }
+""")
+        run = self.atria("mesh", model, "-o", out, "--report", report, "--domain", -20, 20, -20, 20, 0, 30)
+        self.assertIn(run.returncode, (0, 4), run.stderr)
+        kept, left_out = json.loads(report.read_text())["zones"]
+        self.assertTrue(kept["kept"])
+        self.assertFalse(left_out["kept"])
+        self.assertEqual(left_out["surfaces"], ["Terrain"])
+        self.assertIn("--seed " + " ".join(str(x) for x in left_out["inside"]), run.stderr)
+        run = self.atria("mesh", model, "-o", out, "--report", report, "--domain", -20, 20, -20, 20, 0, 30, "--seed",
+                         *left_out["inside"])
+        self.assertIn(run.returncode, (0, 4), run.stderr)
+        self.assertNotIn("left out", run.stderr)
+        self.assertEqual(json.loads(report.read_text())["counts"]["elements"], left_out["elements"])
+
+    def test_a_leak_is_a_warning_that_names_place_and_surfaces(self):
+        out, report = self.folder / "leak.vtu", self.folder / "leak.json"
+        run = self.atria("mesh", "--sealed-seed", "12", "7", "2", HOUSE, "-o", out, *FINE, "--report", report)
+        self.assertIn(run.returncode, (0, 4), run.stderr)
+        self.assertIn("atria: warning: ", run.stderr)
+        self.assertIn("should be sealed", run.stderr)
+        data = json.loads(report.read_text())
+        (leak,) = data["leaks"]
+        self.assertEqual(leak["seed"], [12, 7, 2])
+        self.assertGreater(leak["width"], 0)
+        self.assertTrue(leak["surfaces"])
+        self.assertIn(leak["surfaces"][0], run.stderr)
+        self.assertEqual(data["diagnostics"]["LeakPath"], 1)
+        self.refuses(3, "sealed seed", "mesh", "--sealed-seed", "0", "0", "999", HOUSE, "-o", out, *COARSE)
 
 
 if __name__ == "__main__":

@@ -252,8 +252,6 @@ TEST_F(SiteMeshes, AboveTerrainTheVolumeIsExactAndNothingIsBelow)
   domain = {Vec3(-10, -9, 0), Vec3(10, 9, 12)};
   setGrid(mesher, domain, 0.5, 1.0, 2.0);
   mesher->SetTerrainName("Terr*");
-  mesher->SetZoneRule(vtkAtriaDualMesher::Seeds);
-  mesher->AddSeed(0, 0, 11);
   for (const auto alignment : {vtkAtriaDualMesher::ToAxes, vtkAtriaDualMesher::ToDomain})
   {
     mesher->SetAlignGrid(alignment);
@@ -268,8 +266,6 @@ TEST_F(SiteMeshes, TerrainClosesOffTurnedSides)
   domain = {Vec3(-10, -9, 0), Vec3(10, 9, 12)};
   setGrid(mesher, domain, 0.5, 1.0, 2.0);
   mesher->SetTerrainName("Terrain");
-  mesher->SetZoneRule(vtkAtriaDualMesher::Seeds);
-  mesher->AddSeed(0, 0, 11);
   TriangleSurface surface = ridge();
   atria::testing::turn(surface, 20.0);
   mesher->SetDomainAngle(20.0);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Dual/DualMesher.h"
 
+#include "Dual/Cracks.h"
 #include "Dual/DualVertices.h"
 #include "Dual/Sheets.h"
 #include "Dual/TurnedDomain.h"
@@ -138,6 +139,29 @@ void appendMerged(const Crossings& crossings, const std::vector<Index>& elements
   }
 }
 
+Diagnostic lineOf(Diagnostic::Kind kind, const std::vector<Vec3>& path, Index element, double width)
+{
+  return {kind, path.front(), path.back(), element, width, {path.begin() + 1, path.end() - 1}};
+}
+
+/// Sums up the zones and looks for ways through which they leak, and for gaps through which they do not.
+void inspectZones(const Octree& octree, const SurfaceModel& model, const GridPoints& points, const Crossings& crossings,
+                  const Zones& zones, const std::vector<Index>& elements, const DualMeshOptions& options,
+                  DualMeshResult& result, const RunContext& context)
+{
+  result.zones = summariseZones(zones, result.keptZones, crossings, octree, points, model.names.size());
+  result.leaks = findLeaks(options.sealedSeeds, zones, crossings, octree, points, model, context);
+  for (const Leak& leak : result.leaks)
+  {
+    result.diagnostics.push_back(lineOf(Diagnostic::leakPath, leak.path, elements[leak.point], leak.width));
+  }
+  for (const Crack& crack : findCracks(zones, result.keptZones, crossings, octree, points, model, context))
+  {
+    result.diagnostics.push_back(lineOf(crack.open ? Diagnostic::openCrack : Diagnostic::closedCrack, crack.path,
+                                        elements[crack.point], crack.width));
+  }
+}
+
 } // namespace
 
 DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, const DualMeshOptions& options,
@@ -152,10 +176,11 @@ DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, con
   markTurnedSides(crossings, model.names.size());
   clock.lap("crossings");
   context.progress.report(0.6, "Finding zones");
-  const Zones zones = findZones(crossings, context);
+  const Zones zones = findZones(crossings, model.names.size(), context);
   result.keptZones = keptZones(zones, options.zoneRule, options.seeds, octree, points);
   dropBeyondSides(result.keptZones, zones, octree, points);
   const std::vector<Index> elements = numberElements(zones, result.keptZones);
+  inspectZones(octree, model, points, crossings, zones, elements, options, result, context);
   points.atCorner = {};
   clock.lap("zones");
   context.progress.report(0.7, "Placing vertices");

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Dual/DualMesh.h"
+#include "Dual/Leaks.h"
 #include "Dual/Zones.h"
 #include "Support/StageClock.h"
 
@@ -13,23 +14,33 @@ struct DualMeshOptions
   ZoneRule zoneRule = ZoneRule::outside;
   /// Along the model's axes.
   std::vector<Vec3> seeds;
+  /// Points in zones that should be closed: see findLeaks.
+  std::vector<Vec3> sealedSeeds;
 };
 
-/// Something the mesh could not follow.
+/// Something the mesh could not follow, or that a user should know of it.
 struct Diagnostic
 {
   enum Kind : std::uint8_t
   {
-    mergedSheets,     ///< an octree edge is cut more than once: the sheets there became one
-    unresolvedFeature ///< pieces that do not meet share a vertex, which is not on all of them
+    mergedSheets,      ///< an octree edge is cut more than once: the sheets there became one
+    unresolvedFeature, ///< pieces that do not meet share a vertex, which is not on all of them
+    leakPath,          ///< a way from a sealed seed to the outside
+    closedCrack,       ///< a gap beside a rim, narrower than an octant, that no octree edge passes
+    openCrack          ///< one that octree edges pass
   };
   Kind kind;
   Vec3 begin;
   Vec3 end;
-  /// An element beside it.
+  /// An element beside it; noIndex for a leak of a zone that is not meshed.
   Index element;
+  /// How wide a gap is: a leak at its narrowest place, a crack at its widest. 0 for the other kinds.
+  double width = 0.0;
+  /// The points of a line between its begin and end, in order.
+  std::vector<Vec3> between = {};
 };
-inline constexpr std::array<const char*, 2> diagnosticNames{"MergedSheets", "UnresolvedFeature"};
+inline constexpr std::array<const char*, 5> diagnosticNames{"MergedSheets", "UnresolvedFeature", "LeakPath",
+                                                            "ClosedCrack", "OpenCrack"};
 
 struct DualMeshResult
 {
@@ -37,6 +48,9 @@ struct DualMeshResult
   std::vector<Diagnostic> diagnostics;
   /// Zones found, and which of them the mesh keeps; `zones` of the mesh are indices into these.
   std::vector<char> keptZones;
+  std::vector<ZoneSummary> zones;
+  /// In the order of the diagnostics of their kind.
+  std::vector<Leak> leaks;
 };
 
 /// The dual of an octree whose leaves know their pieces of the model. The octree and its model are along the grid's

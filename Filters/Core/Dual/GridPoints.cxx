@@ -3,6 +3,7 @@
 
 #include "Support/Error.h"
 
+#include <algorithm>
 #include <atomic>
 #include <bit>
 
@@ -185,6 +186,16 @@ GridPoints findGridPoints(const Octree& octree, const RunContext& context)
     }
   });
   return points;
+}
+
+LatticePoint positionOf(const Octree& octree, const std::array<Index, 8>& leaves)
+{
+  unsigned slot = 0;
+  while (slot < 7 && std::count(leaves.begin(), leaves.end(), leaves[slot]) > 1)
+  {
+    ++slot;
+  }
+  return octree.cornerOf(leaves[slot], 7 - slot);
 }
 
 GridEdge edgeFrom(const Octree& octree, const std::array<Index, 8>& leaves, int direction)

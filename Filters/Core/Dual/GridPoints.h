@@ -22,6 +22,9 @@ struct GridPoints
 /// twice.
 GridPoints findGridPoints(const Octree& octree, const RunContext& context);
 
+/// Where a grid point is.
+LatticePoint positionOf(const Octree& octree, const std::array<Index, 8>& leaves);
+
 /// The octree edge that leaves a grid point in a direction: the finest leaf that has it, and which corner of that leaf
 /// the point is. `leaf` is noIndex where there is no edge (a leaf's face or inside is there).
 struct GridEdge

@@ -101,6 +101,11 @@ std::vector<double> risingHeights(const std::vector<Index>& chain, const std::ve
   return heights;
 }
 
+void placeAll(std::vector<Vec3>& points, const Placement& placement)
+{
+  std::transform(points.begin(), points.end(), points.begin(), [&](const Vec3& p) { return placement.toModel(p); });
+}
+
 } // namespace
 
 void markTurnedSides(Crossings& crossings, std::size_t surfaceCount)
@@ -183,6 +188,16 @@ void placeInModel(DualMeshResult& result, const Placement& placement, const RunC
   {
     diagnostic.begin = placement.toModel(diagnostic.begin);
     diagnostic.end = placement.toModel(diagnostic.end);
+    placeAll(diagnostic.between, placement);
+  }
+  for (ZoneSummary& zone : result.zones)
+  {
+    zone.inside = placement.toModel(zone.inside);
+  }
+  for (Leak& leak : result.leaks)
+  {
+    placeAll(leak.path, placement);
+    leak.place = placement.toModel(leak.place);
   }
 }
 

@@ -11,16 +11,133 @@ namespace atria {
 
 namespace {
 
-std::int32_t zoneOfSeed(const Vec3& seed, const Zones& zones, const Octree& octree, const GridPoints& points)
+constexpr unsigned bottom = 1u << zMin;
+constexpr unsigned top = 1u << zMax;
+
+/// Keeps the zones that reach one of `sides`, by their bits in `reached`. Returns whether there are any.
+bool keepReaching(unsigned sides, const std::vector<std::uint8_t>& reached, std::vector<char>& kept)
+{
+  std::transform(reached.begin(), reached.end(), kept.begin(), [&](unsigned r) { return (r & sides) != 0 ? 1 : 0; });
+  return std::find(kept.begin(), kept.end(), 1) != kept.end();
+}
+
+void keepOutside(const Zones& zones, std::vector<char>& kept)
+{
+  // Where no side is open, the domain is a room or a building, and its sides are the walls. Otherwise what reaches only
+  // the lateral sides is under the ground, if anything reaches the top.
+  const bool anyOpen = keepReaching(~bottom, zones.openSides, kept);
+  if (!(anyOpen && keepReaching(top, zones.sides, kept)) && !keepReaching(~bottom, zones.sides, kept))
+  {
+    keepReaching(bottom, zones.sides, kept);
+  }
+}
+
+/// Whether nothing of the model is in any leaf about a point.
+bool isFree(const Octree& octree, const std::array<Index, 8>& leaves)
+{
+  return std::all_of(leaves.begin(), leaves.end(), [&](Index leaf) { return octree.items(leaf).empty(); });
+}
+
+/// A place near a grid point from which pointOfSeed finds that point again.
+Vec3 placeAt(Index point, const Octree& octree, const GridPoints& points)
+{
+  const GridFrame& frame = octree.frame();
+  const std::array<Index, 8>& leaves = points.leaves[point];
+  const Vec3 at = frame.toModel(positionOf(octree, leaves));
+  // Well inside an octant that has the point as its corner; nearer to the point where surfaces or the domain's sides
+  // pass.
+  for (const double part : {0.25, 1e-3})
+  {
+    for (unsigned slot = 0; slot < 8; ++slot)
+    {
+      const Vec3 place = at + part * (octree.center(leaves[slot]) - at);
+      if (points.atCorner[leaves[slot]][7 - slot] == point && frame.inDomain(frame.toLattice(place)) &&
+          (part < 0.01 || octree.items(leaves[slot]).empty()))
+      {
+        return place;
+      }
+    }
+  }
+  return at;
+}
+
+/// For each zone, the point with the largest octants about it and nothing of the model in them; else its first point.
+std::vector<Index> roomiestPoints(const Zones& zones, const Octree& octree, const GridPoints& points)
+{
+  std::vector<Index> best(zones.count(), noIndex);
+  std::vector<int> finestThere(zones.count(), 0);
+  for (Index point = 0; point < zones.ofPoint.size(); ++point)
+  {
+    const std::int32_t zone = zones.ofPoint[point];
+    const auto& leaves = points.leaves[point];
+    int finest = std::numeric_limits<int>::max();
+    if (isFree(octree, leaves))
+    {
+      finest = 0;
+      for (const Index leaf : leaves)
+      {
+        finest = std::max(finest, octree.level(leaf));
+      }
+    }
+    if (best[zone] == noIndex || finest < finestThere[zone])
+    {
+      best[zone] = point;
+      finestThere[zone] = finest;
+    }
+  }
+  return best;
+}
+
+void nameSurfaces(std::vector<ZoneSummary>& summaries, const Zones& zones, const Crossings& crossings,
+                  std::size_t surfaceCount)
+{
+  std::vector<std::pair<std::int32_t, Index>> uses;
+  for (const BoundaryFace& face : crossings.boundaryFaces)
+  {
+    if (face.tag < surfaceCount)
+    {
+      uses.emplace_back(zones.ofPoint[face.element], face.tag);
+    }
+  }
+  std::sort(uses.begin(), uses.end());
+  struct Count
+  {
+    std::int32_t zone;
+    std::size_t faces;
+    Index surface;
+  };
+  std::vector<Count> counts;
+  for (const auto& [zone, surface] : uses)
+  {
+    if (counts.empty() || counts.back().zone != zone || counts.back().surface != surface)
+    {
+      counts.push_back({zone, 0, surface});
+    }
+    ++counts.back().faces;
+  }
+  std::stable_sort(counts.begin(), counts.end(), [](const Count& l, const Count& r) { return l.faces > r.faces; });
+  for (const Count& count : counts)
+  {
+    summaries[count.zone].surfaces.push_back(count.surface);
+  }
+}
+
+} // namespace
+
+Index pointOfSeed(const Vec3& seed, const char* kind, const Octree& octree, const GridPoints& points)
 {
   const GridFrame& frame = octree.frame();
   const Vec3 placed = frame.placement.fromModel(seed);
-  const LatticePoint p = frame.toLattice(placed);
-  if (!frame.inDomain(p) || (frame.turnedDomain && !frame.turnedDomain->contains(seed)))
+  if (!seed.allFinite() || (placed.array() < frame.domain.min.array()).any() ||
+      (placed.array() > frame.domain.max.array()).any() || !frame.inDomain(frame.toLattice(placed)) ||
+      (frame.turnedDomain && !frame.turnedDomain->contains(seed)))
   {
-    throw Error((std::ostringstream() << "the seed " << seed.transpose() << " is outside the domain").str());
+    throw Error((std::ostringstream() << "the " << kind << " " << seed.transpose()
+                                      << " is outside the domain: give a point between " << frame.domain.min.transpose()
+                                      << " and " << frame.domain.max.transpose())
+                    .str());
   }
-  const Index leaf = octree.leafAt(p);
+  const Index leaf = octree.leafAt(frame.toLattice(placed));
   Index best = noIndex;
   double bestDistance = 0.0;
   for (unsigned corner = 0; corner < 8; ++corner)
@@ -39,14 +156,13 @@ std::int32_t zoneOfSeed(const Vec3& seed, const Zones& zones, const Octree& octr
   }
   if (best == noIndex)
   {
-    throw Error((std::ostringstream() << "the seed " << seed.transpose() << " has no element about it").str());
+    throw Error(
+        (std::ostringstream() << "the " << kind << " " << seed.transpose() << " has no element about it").str());
   }
-  return zones.ofPoint[best];
+  return best;
 }
 
-} // namespace
-
-Zones findZones(const Crossings& crossings, const RunContext& context)
+Zones findZones(const Crossings& crossings, std::size_t surfaceCount, const RunContext& context)
 {
   const std::size_t count = crossings.neighbours.size();
   UnionFind sets(count);
@@ -76,6 +192,7 @@ Zones findZones(const Crossings& crossings, const RunContext& context)
   std::stable_sort(roots.begin(), roots.end(), [&](Index l, Index r) { return sizes[l] > sizes[r]; });
   Zones zones;
   zones.sides.resize(roots.size(), 0);
+  zones.openSides.resize(roots.size(), 0);
   zones.ofPoint.resize(count);
   for (std::size_t i = 0; i < roots.size(); ++i)
   {
@@ -90,7 +207,10 @@ Zones findZones(const Crossings& crossings, const RunContext& context)
   {
     if (face.onDomainSide)
     {
-      zones.sides[zones.ofPoint[face.element]] |= static_cast<std::uint8_t>(1u << face.direction);
+      const auto bit = static_cast<std::uint8_t>(1u << face.direction);
+      const std::int32_t zone = zones.ofPoint[face.element];
+      zones.sides[zone] |= bit;
+      zones.openSides[zone] |= face.tag >= surfaceCount ? bit : std::uint8_t{0};
     }
   }
   return zones;
@@ -102,13 +222,7 @@ std::vector<char> keptZones(const Zones& zones, ZoneRule rule, const std::vector
   std::vector<char> kept(zones.count(), rule == ZoneRule::all ? 1 : 0);
   if (rule == ZoneRule::outside)
   {
-    constexpr unsigned bottom = 1u << zMin;
-    const bool anyOpen =
-        std::any_of(zones.sides.begin(), zones.sides.end(), [](unsigned s) { return (s & ~bottom) != 0; });
-    for (std::size_t i = 0; i < kept.size(); ++i)
-    {
-      kept[i] = (anyOpen ? zones.sides[i] & ~bottom : zones.sides[i]) != 0;
-    }
+    keepOutside(zones, kept);
   }
   else if (rule == ZoneRule::seeds)
   {
@@ -118,7 +232,7 @@ std::vector<char> keptZones(const Zones& zones, ZoneRule rule, const std::vector
     }
     for (const Vec3& seed : seeds)
     {
-      kept[zoneOfSeed(seed, zones, octree, points)] = 1;
+      kept[zones.ofPoint[pointOfSeed(seed, "seed", octree, points)]] = 1;
     }
   }
   if (std::find(kept.begin(), kept.end(), 1) == kept.end())
@@ -128,6 +242,22 @@ std::vector<char> keptZones(const Zones& zones, ZoneRule rule, const std::vector
                                         "zones, or give seeds");
   }
   return kept;
+}
+
+std::vector<ZoneSummary> summariseZones(const Zones& zones, const std::vector<char>& kept, const Crossings& crossings,
+                                        const Octree& octree, const GridPoints& points, std::size_t surfaceCount)
+{
+  std::vector<ZoneSummary> summaries(zones.count());
+  const std::vector<Index> roomiest = roomiestPoints(zones, octree, points);
+  for (std::size_t i = 0; i < zones.count(); ++i)
+  {
+    summaries[i].elements = zones.sizes[i];
+    summaries[i].kept = kept[i] != 0;
+    summaries[i].sides = zones.sides[i];
+    summaries[i].inside = placeAt(roomiest[i], octree, points);
+  }
+  nameSurfaces(summaries, zones, crossings, surfaceCount);
+  return summaries;
 }
 
 } // namespace atria

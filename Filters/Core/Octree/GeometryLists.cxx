@@ -96,6 +96,29 @@ std::vector<ModelItem> allPieces(const SurfaceModel& model, const GridFrame& fra
   return pieces;
 }
 
+void appendLeaves(const Octree& octree, const LatticeBox& box, Octree::Node node, int level, MortonKey key,
+                  std::vector<Index>& out)
+{
+  const GridCell cell = gridCell(key);
+  const std::int64_t size = octree.frame().latticeSize(level);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (cell[axis] * size > box.high[axis] || (cell[axis] + 1) * size < box.low[axis])
+    {
+      return;
+    }
+  }
+  if (Octree::isLeaf(node))
+  {
+    out.push_back(Octree::leafOf(node));
+    return;
+  }
+  for (unsigned k = 0; k < 8; ++k)
+  {
+    appendLeaves(octree, box, octree.children(node)[k], level + 1, key << 3 | k, out);
+  }
+}
+
 } // namespace
 
 void GeometryLists::append(MortonKey key, std::span<const ModelItem> pieces)
@@ -198,6 +221,31 @@ GeometryLists childLists(const GeometryLists& parents, int level, const std::vec
     part = {};
   }
   return children;
+}
+
+std::vector<Index> leavesTouching(const Octree& octree, const LatticeBox& box)
+{
+  std::vector<Index> leaves;
+  appendLeaves(octree, box, octree.root(), 0, 0, leaves);
+  return leaves;
+}
+
+std::vector<Index> trianglesNear(const Octree& octree, const LatticeBox& box)
+{
+  std::vector<Index> triangles;
+  for (const Index leaf : leavesTouching(octree, box))
+  {
+    for (const ModelItem piece : octree.items(leaf))
+    {
+      if (piece.kind == ModelItem::triangle)
+      {
+        triangles.push_back(piece.index);
+      }
+    }
+  }
+  std::sort(triangles.begin(), triangles.end());
+  triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+  return triangles;
 }
 
 bool severalSurfaces(const LatticeBox& box, std::span<const ModelItem> pieces, const SurfaceModel& model)

@@ -40,6 +40,10 @@ GeometryLists sizingLists(const SurfaceModel& model, const GridFrame& frame);
 GeometryLists childLists(const GeometryLists& parents, int level, const std::vector<char>& chosen, bool onlyOccupied,
                          const SurfaceModel& model, const GridFrame& frame, const RunContext& context);
 
+/// The leaves that touch a box, in Morton order; and the triangles in them, sorted.
+std::vector<Index> leavesTouching(const Octree& octree, const LatticeBox& box);
+std::vector<Index> trianglesNear(const Octree& octree, const LatticeBox& box);
+
 /// Whether the triangles among `pieces` form more than one surface inside the box: sets connected through edges and
 /// points that lie in it.
 bool severalSurfaces(const LatticeBox& box, std::span<const ModelItem> pieces, const SurfaceModel& model);

@@ -9,4 +9,14 @@ namespace atria {
 Vec3 nearestOnTriangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
 Vec3 nearestOnSegment(const Vec3& p, const Vec3& a, const Vec3& b);
 
+/// The nearest points of two segments, or of a segment and a triangle that it does not pass through.
+struct NearestPair
+{
+  Vec3 first;
+  Vec3 second;
+  double distance() const { return (first - second).norm(); }
+};
+NearestPair nearestOfSegments(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b);
+NearestPair nearestOfSegmentAndTriangle(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b, const Vec3& c);
+
 } // namespace atria

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Zones and leaks of VtkDualMesh.h.
+#include "VtkDualMesh.h"
+
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkIdTypeArray.h>
+#include <vtkNew.h>
+#include <vtkStringArray.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace atria {
+
+namespace {
+
+std::string nameOf(Index surface, const std::vector<std::string>& names)
+{
+  return surface < names.size() ? names[surface] : sideNames[zMin];
+}
+
+std::string joined(const std::vector<std::string>& parts, const char* between)
+{
+  std::string text;
+  for (const std::string& part : parts)
+  {
+    text += (text.empty() ? "" : between) + part;
+  }
+  return text;
+}
+
+std::vector<std::string> namesOf(const std::vector<Index>& surfaces, const std::vector<std::string>& names)
+{
+  std::vector<std::string> out;
+  for (const Index surface : surfaces)
+  {
+    out.push_back(nameOf(surface, names));
+  }
+  return out;
+}
+
+template <typename Array> Array* added(vtkFieldData* to, const char* name, int components = 1)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  to->AddArray(array);
+  return array;
+}
+
+/// Without the digits that rounding leaves.
+std::string at(const Vec3& p)
+{
+  const auto plain = [](double x) { return std::abs(x) < 1e-9 ? 0.0 : x; };
+  return (std::ostringstream() << "(" << plain(p[0]) << ", " << plain(p[1]) << ", " << plain(p[2]) << ")").str();
+}
+
+std::string messageOf(const Leak& leak, const std::vector<std::string>& beside)
+{
+  std::ostringstream text;
+  text << "the zone at " << at(leak.seed) << " should be sealed but reaches the side " << sideNames[leak.side]
+       << "; the narrowest place on the widest way is at " << at(leak.place);
+  text << ", " << leak.width << " wide";
+  if (!beside.empty())
+  {
+    text << ", beside " << joined(beside, ", ");
+  }
+  return text.str();
+}
+
+} // namespace
+
+void zonesToVtk(const std::vector<ZoneSummary>& zones, const std::vector<std::string>& surfaceNames, vtkFieldData* out)
+{
+  auto* elements = added<vtkIdTypeArray>(out, "ZoneElements");
+  auto* kept = added<vtkUnsignedCharArray>(out, "ZoneKept");
+  auto* places = added<vtkDoubleArray>(out, "ZonePoint", 3);
+  auto* sides = added<vtkStringArray>(out, "ZoneSides");
+  auto* surfaces = added<vtkStringArray>(out, "ZoneSurfaces");
+  for (const ZoneSummary& zone : zones)
+  {
+    elements->InsertNextValue(static_cast<vtkIdType>(zone.elements));
+    kept->InsertNextValue(zone.kept ? 1 : 0);
+    places->InsertNextTuple(zone.inside.data());
+    std::vector<std::string> reached;
+    for (int direction = 0; direction < 6; ++direction)
+    {
+      if ((zone.sides >> direction & 1) != 0)
+      {
+        reached.emplace_back(sideNames[direction]);
+      }
+    }
+    sides->InsertNextValue(joined(reached, "\n"));
+    surfaces->InsertNextValue(joined(namesOf(zone.surfaces, surfaceNames), "\n"));
+  }
+}
+
+void leaksToVtk(const std::vector<Leak>& leaks, const std::vector<std::string>& surfaceNames, vtkFieldData* out)
+{
+  auto* seeds = added<vtkDoubleArray>(out, "LeakSeed", 3);
+  auto* places = added<vtkDoubleArray>(out, "LeakPlace", 3);
+  auto* surfaces = added<vtkStringArray>(out, "LeakSurfaces");
+  auto* sides = added<vtkStringArray>(out, "LeakSide");
+  auto* messages = added<vtkStringArray>(out, "LeakMessage");
+  for (const Leak& leak : leaks)
+  {
+    const std::vector<std::string> beside = namesOf(leak.surfaces, surfaceNames);
+    seeds->InsertNextTuple(leak.seed.data());
+    places->InsertNextTuple(leak.place.data());
+    surfaces->InsertNextValue(joined(beside, "\n"));
+    sides->InsertNextValue(sideNames[leak.side]);
+    messages->InsertNextValue(messageOf(leak, beside));
+  }
+}
+
+} // namespace atria

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Gaps narrower than an octant.
+#include "FoundZones.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+namespace {
+
+using namespace atria;
+using atria::testing::addSheet;
+using atria::testing::FoundZones;
+using atria::testing::turned;
+using atria::testing::uniformGrid;
+
+const Box3 domain{Vec3(-4, -4, 0), Vec3(4, 4, 6)};
+constexpr double size = 0.5;
+/// Half way between two planes of the grid across y: these pass through -4 + (i + 0.5) * size.
+constexpr double between = 0.5;
+
+/// A wall through the whole domain at x = 0.13, in two parts with a crack at `y`.
+TriangleSurface crackedWall(double y, double width, double degrees = 0.0)
+{
+  TriangleSurface surface;
+  addSheet(surface, "South", Vec3(0.13, -9, -1), Vec3(0, 9 + y - 0.5 * width, 0), Vec3(0, 0, 9));
+  addSheet(surface, "North", Vec3(0.13, y + 0.5 * width, -1), Vec3(0, 9, 0), Vec3(0, 0, 9));
+  atria::testing::turn(surface, degrees);
+  return surface;
+}
+
+TEST(Cracks, BelowAnOctantBetweenGridLinesDoNotLeakAndAreListedWhereTheyAre)
+{
+  for (const double part : {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9})
+  {
+    SCOPED_TRACE(part);
+    FoundZones found(crackedWall(between, part * size), uniformGrid(domain, size));
+    EXPECT_NE(found.zoneAt(Vec3(-3, 0, 3)), found.zoneAt(Vec3(3, 0, 3)));
+    const auto cracks = found.cracks();
+    ASSERT_EQ(cracks.size(), 1u);
+    const Crack& crack = cracks.front();
+    EXPECT_FALSE(crack.open);
+    EXPECT_NEAR(crack.width, part * size, 1e-6);
+    ASSERT_EQ(crack.path.size(), 2u);
+    const auto [low, high] = std::minmax(crack.path.front()[2], crack.path.back()[2]);
+    EXPECT_NEAR(low, 0.0, 0.25 * size);
+    EXPECT_NEAR(high, 6.0, 0.25 * size);
+    for (const Vec3& p : crack.path)
+    {
+      EXPECT_NEAR(p[0], 0.13, 1e-6);
+      EXPECT_NEAR(p[1], between, 1e-6);
+    }
+    const Vec3 beside = found.position(crack.point);
+    EXPECT_LT(std::hypot(beside[0] - 0.13, beside[1] - between), 2.0 * size);
+  }
+}
+
+TEST(Cracks, ThoseThroughWhichAnEdgePassesLeakAndAreListedAsOpen)
+{
+  for (const double part : {0.1, 0.5, 0.9})
+  {
+    SCOPED_TRACE(part);
+    FoundZones found(crackedWall(between + 0.5 * size, part * size), uniformGrid(domain, size));
+    EXPECT_EQ(found.zoneAt(Vec3(-3, 0, 3)), found.zoneAt(Vec3(3, 0, 3)));
+    const auto cracks = found.cracks();
+    ASSERT_EQ(cracks.size(), 1u);
+    EXPECT_TRUE(cracks[0].open);
+    EXPECT_NEAR(cracks[0].width, part * size, 1e-6);
+    EXPECT_NEAR((cracks[0].path.front() - cracks[0].path.back()).norm(), 6.0, 0.5 * size);
+  }
+}
+
+TEST(Cracks, WidthsOfAnOctantAndMoreAreNotListed)
+{
+  EXPECT_TRUE(FoundZones(crackedWall(between, 1.01 * size), uniformGrid(domain, size)).cracks().empty());
+  EXPECT_TRUE(FoundZones(crackedWall(between, 2.4 * size), uniformGrid(domain, size)).cracks().empty());
+}
+
+TEST(Cracks, AlongATurnedWallEveryPlaceIsListedAsClosedOrOpen)
+{
+  for (const double degrees : {13.0, 29.0, 45.0})
+  {
+    for (const double part : {0.15, 0.4, 0.8})
+    {
+      SCOPED_TRACE(degrees);
+      SCOPED_TRACE(part);
+      const double width = part * size;
+      FoundZones found(crackedWall(0.2, width, degrees), uniformGrid(domain, size));
+      const auto cracks = found.cracks();
+      double open = 0.0, closed = 0.0;
+      for (const Crack& crack : cracks)
+      {
+        EXPECT_NEAR(crack.width, width, 1e-6);
+        for (std::size_t i = 0; i + 1 < crack.path.size(); ++i)
+        {
+          const Vec3 middle = turned(Vec3(0.13, 0.2, 0.5 * (crack.path[i][2] + crack.path[i + 1][2])), degrees);
+          EXPECT_LT((0.5 * (crack.path[i] + crack.path[i + 1]) - middle).norm(), 1e-6);
+          (crack.open ? open : closed) += (crack.path[i + 1] - crack.path[i]).norm();
+        }
+      }
+      EXPECT_NEAR(open + closed, domain.size()[2], 0.5 * size);
+      EXPECT_EQ(found.zoneAt(Vec3(-3, 0, 3)) == found.zoneAt(Vec3(3, 0, 3)), open > 0.0);
+    }
+  }
+}
+
+TEST(Cracks, BetweenARimAndAFaceAndOverTheGround)
+{
+  TriangleSurface surface;
+  // Grid planes across z are at 0.25 + i * 0.5: the wall hangs between the ground and a slab, near to both.
+  addSheet(surface, "Wall", Vec3(0.13, -1.6, 0.2), Vec3(0, 3.2, 0), Vec3(0, 0, 2.7));
+  addSheet(surface, "Slab", Vec3(-2, -2, 3.1), Vec3(4, 0, 0), Vec3(0, 4, 0));
+  FoundZones found(surface, uniformGrid(domain, size));
+  auto cracks = found.cracks();
+  ASSERT_EQ(cracks.size(), 2u);
+  EXPECT_FALSE(cracks[0].open || cracks[1].open);
+  std::sort(cracks.begin(), cracks.end(), [](const auto& l, const auto& r) { return l.path[0][2] < r.path[0][2]; });
+  EXPECT_NEAR(cracks[0].width, 0.2, 1e-6);
+  EXPECT_NEAR(cracks[0].path[0][2], 0.1, 1e-6);
+  EXPECT_NEAR(cracks[1].width, 0.2, 1e-6);
+  EXPECT_NEAR(cracks[1].path[0][2], 3.0, 1e-6);
+  for (const Crack& crack : cracks)
+  {
+    EXPECT_NEAR((crack.path.back() - crack.path.front()).norm(), 3.2, 1e-6);
+  }
+}
+
+TEST(Cracks, FreeSheetsTheirCornersAndSheetsThatMeetHaveNone)
+{
+  TriangleSurface surface;
+  addSheet(surface, "Strip", Vec3(-2, -2, 1), Vec3(0.2, 0, 0), Vec3(0, 4, 0)); // narrower than an octant
+  addSheet(surface, "Wall", Vec3(1, -2, 2), Vec3(0, 4, 0), Vec3(0, 0, 2));
+  addSheet(surface, "Other", Vec3(1, -2, 2), Vec3(2, 0, 0), Vec3(0, 0, 2));      // at an edge of the wall
+  addSheet(surface, "Partition", Vec3(1, 0.7, 2), Vec3(2, 0, 0), Vec3(0, 0, 2)); // ends on the wall's face
+  const Box3 wide{Vec3(-5, -5, 0), Vec3(5, 5, 6)};
+  EXPECT_TRUE(FoundZones(surface, uniformGrid(wide, size)).cracks().empty());
+  atria::testing::turn(surface, 31.0);
+  EXPECT_TRUE(FoundZones(surface, uniformGrid(wide, size)).cracks().empty());
+}
+
+TEST(Cracks, RunsGoOnOverThePointsOfARim)
+{
+  // A wall in eight parts, one beside another, each welded to the next: the rim is a chain of edges.
+  TriangleSurface surface;
+  for (int i = 0; i < 8; ++i)
+  {
+    addSheet(surface, "Wall" + std::to_string(i), Vec3(0.13, -2 + 0.5 * i, 0.6), Vec3(0, 0.5, 0), Vec3(0, 0, 2.3));
+  }
+  addSheet(surface, "Slab", Vec3(-2, -2.5, 3.1), Vec3(4, 0, 0), Vec3(0, 5, 0));
+  FoundZones found(surface, uniformGrid(domain, size));
+  const auto cracks = found.cracks();
+  ASSERT_EQ(cracks.size(), 1u);
+  EXPECT_EQ(cracks[0].path.size(), 2u);
+  EXPECT_NEAR((cracks[0].path.back() - cracks[0].path.front()).norm(), 4.0, 1e-6);
+}
+
+TEST(Cracks, TheSameForOneTwoAndSevenThreads)
+{
+  for (unsigned seed = 1; seed <= 5; ++seed)
+  {
+    const GridOptions grid = uniformGrid({Vec3::Constant(-4.3), Vec3::Constant(4.1)}, 0.25);
+    const TriangleSurface soup = atria::testing::randomSoup(seed);
+    const auto wanted = FoundZones(soup, grid, 1).cracks();
+    for (const int threads : {2, 7})
+    {
+      const auto cracks = FoundZones(soup, grid, threads).cracks();
+      ASSERT_EQ(cracks.size(), wanted.size());
+      for (std::size_t i = 0; i < cracks.size(); ++i)
+      {
+        EXPECT_EQ(cracks[i].path, wanted[i].path);
+        EXPECT_EQ(cracks[i].width, wanted[i].width);
+        EXPECT_EQ(cracks[i].point, wanted[i].point);
+        EXPECT_EQ(cracks[i].open, wanted[i].open);
+      }
+    }
+  }
+}
+
+} // namespace

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Which zones are kept, and what is said of them.
+#include "FoundZones.h"
+
+#include <gmock/gmock.h>
+
+namespace {
+
+using namespace atria;
+using atria::testing::addBox;
+using atria::testing::addRoom;
+using atria::testing::addSheet;
+using atria::testing::FoundZones;
+using atria::testing::uniformGrid;
+using ::testing::Contains;
+using ::testing::UnorderedElementsAre;
+
+const Box3 domain{Vec3(-6, -6, 0), Vec3(6, 6, 7)};
+const Vec3 sky(1, 1, 6.4);
+
+/// A terrain over the whole domain, and beyond it, with a cellar in it and a house on it.
+TriangleSurface terrain()
+{
+  TriangleSurface surface;
+  addSheet(surface, "Terrain", Vec3(-8, -8, 1.3), Vec3(16, 0, 0.9), Vec3(0, 16, 1.1));
+  addBox(surface, "House", {Vec3(-2, -2, 2), Vec3(2, 2, 5)});
+  return surface;
+}
+
+TEST(Zones, UnderATerrainToTheLateralSidesIsDropped)
+{
+  FoundZones found(terrain(), uniformGrid(domain, 0.5));
+  const std::vector<char> kept = found.kept(ZoneRule::outside);
+  EXPECT_TRUE(kept[found.zoneAt(sky)]);
+  EXPECT_FALSE(kept[found.zoneAt(Vec3(1, 1, 0.6))]);
+  EXPECT_FALSE(kept[found.zoneAt(Vec3(0, 0, 4))]);
+  EXPECT_EQ(std::count(kept.begin(), kept.end(), 1), 1);
+}
+
+TEST(Zones, UnderALidThatIsTheTopIsKeptAndUnderTheTerrainIsNot)
+{
+  TriangleSurface surface = terrain();
+  addSheet(surface, "Lid", Vec3(-8, -8, 7), Vec3(16, 0, 0), Vec3(0, 16, 0));
+  FoundZones found(surface, uniformGrid(domain, 0.5));
+  const std::vector<char> kept = found.kept(ZoneRule::outside);
+  EXPECT_TRUE(kept[found.zoneAt(sky)]);
+  EXPECT_FALSE(kept[found.zoneAt(Vec3(1, 1, 0.6))]);
+  EXPECT_FALSE(kept[found.zoneAt(Vec3(0, 0, 4))]);
+}
+
+TEST(Zones, WhereNothingReachesTheTopTheLateralSidesCount)
+{
+  TriangleSurface surface;
+  addSheet(surface, "Lid", Vec3(-8, -8, 6.9), Vec3(16, 0, 0), Vec3(0, 16, 0)); // above the last grid points
+  addBox(surface, "House", {Vec3(-2, -2, 1.2), Vec3(2, 2, 5)});
+  FoundZones found(surface, uniformGrid(domain, 0.5));
+  const std::vector<char> kept = found.kept(ZoneRule::outside);
+  EXPECT_TRUE(kept[found.zoneAt(sky)]);
+  EXPECT_FALSE(kept[found.zoneAt(Vec3(0, 0, 4))]);
+}
+
+TEST(Zones, ARoomBelowTheFlatRoofThatIsTheTopIsKept)
+{
+  // The bounds of a house with two wings are the domain: beside the lower wing the top is open.
+  TriangleSurface surface;
+  addBox(surface, "High", {domain.min, Vec3(1.2, 6, 7)});
+  addBox(surface, "Low", {Vec3(1.2, -6, 0), Vec3(6, 6, 3.2)});
+  FoundZones found(surface, uniformGrid(domain, 0.5));
+  const std::vector<char> kept = found.kept(ZoneRule::outside);
+  EXPECT_TRUE(kept[found.zoneAt(Vec3(-3, 0, 3))]);
+  EXPECT_TRUE(kept[found.zoneAt(Vec3(4, 0, 5))]);
+  EXPECT_FALSE(kept[found.zoneAt(Vec3(4, 0, 1.5))]);
+}
+
+TEST(Zones, InADomainThatIsABuildingAllRoomsAtItsWallsAreKept)
+{
+  TriangleSurface surface;
+  addBox(surface, "Walls", domain);
+  addSheet(surface, "Storey", Vec3(-6, -6, 3.2), Vec3(12, 0, 0), Vec3(0, 12, 0));
+  addBox(surface, "Shaft", {Vec3(-1, -1, 1.1), Vec3(1, 1, 2.3)});
+  FoundZones found(surface, uniformGrid(domain, 0.5));
+  const std::vector<char> kept = found.kept(ZoneRule::outside);
+  EXPECT_TRUE(kept[found.zoneAt(sky)]);
+  EXPECT_TRUE(kept[found.zoneAt(Vec3(3, 3, 1))]);
+  EXPECT_FALSE(kept[found.zoneAt(Vec3(0.1, 0.1, 1.8))]);
+}
+
+TEST(Zones, SummariesTellPlaceSizeAndSurfacesOfEveryZone)
+{
+  TriangleSurface surface = terrain();
+  addRoom(surface, "Shed", {Vec3(3.1, 2.2, 3.3), Vec3(5.2, 4.4, 4.9)}, {0.3, 0.3}, {0.35, 0.35});
+  GridOptions grid = uniformGrid(domain, 0.25);
+  grid.sizeMid = 0.5;
+  grid.sizeMax = 1.0;
+  FoundZones found(surface, grid);
+  const std::vector<char> kept = found.kept(ZoneRule::outside);
+  const auto zones = summariseZones(found.zones, kept, found.crossings, found.octree, found.points, 8);
+  ASSERT_EQ(zones.size(), found.zones.count());
+  std::size_t total = 0;
+  for (std::size_t i = 0; i < zones.size(); ++i)
+  {
+    total += zones[i].elements;
+    EXPECT_EQ(zones[i].kept, kept[i] != 0);
+    EXPECT_EQ(found.zoneAt(zones[i].inside), static_cast<std::int32_t>(i)) << "the point is a seed of the zone";
+  }
+  EXPECT_EQ(total, found.points.size());
+  const ZoneSummary& shed = zones[found.zoneAt(Vec3(4.1, 3.3, 4.1))];
+  EXPECT_FALSE(shed.kept);
+  EXPECT_EQ(shed.sides, 0);
+  std::vector<std::string> names;
+  for (const Index s : shed.surfaces)
+  {
+    names.push_back(found.model.names[s]);
+  }
+  EXPECT_THAT(names, UnorderedElementsAre("ShedWest", "ShedEast", "ShedSouth", "ShedNorth", "ShedFloor", "ShedRoof"));
+  const ZoneSummary& under = zones[found.zoneAt(Vec3(1, 1, 0.6))];
+  EXPECT_EQ(under.sides, 1u << xMin | 1u << xMax | 1u << yMin | 1u << yMax | 1u << zMin);
+}
+
+TEST(Zones, SummariesPointsAreSeedsWhateverTheSurfaces)
+{
+  for (unsigned seed = 1; seed <= 20; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    GridOptions grid = uniformGrid({Vec3::Constant(-4.3), Vec3::Constant(4.1)}, 0.25);
+    grid.sizeMid = 0.5;
+    grid.sizeMax = 1.0;
+    FoundZones found(atria::testing::randomSoup(seed), grid);
+    const auto zones = summariseZones(found.zones, found.kept(ZoneRule::all), found.crossings, found.octree,
+                                      found.points, found.model.names.size());
+    for (std::size_t i = 0; i < zones.size(); ++i)
+    {
+      EXPECT_EQ(found.zoneAt(zones[i].inside), static_cast<std::int32_t>(i));
+    }
+  }
+}
+
+} // namespace
