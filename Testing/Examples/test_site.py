@@ -56,7 +56,7 @@ class Site(unittest.TestCase):
             for patch in ([name + "_front", name + "_back"] if name in details else [name]):
                 self.assertIn(patch, areas)
         # The air and the buildings, which stand on the part of the site that is not in the mesh, fill the domain.
-        air = sum(zone["volume"] for zone in data["zones"])
+        air = sum(zone["volume"] or 0 for zone in data["zones"])
         footprints = size[0] * size[1] - areas["Site"]
         self.assertLess(air, size[0] * size[1] * height - 5.0 * footprints)
         self.assertGreater(air, size[0] * size[1] * height - 60.0 * footprints)
