@@ -4,10 +4,12 @@
 #include "Console.h"
 #include "Files.h"
 #include "Report.h"
+#include "SizeOptions.h"
 #include "Threads.h"
 
 #include <vtkAtriaDualMesher.h>
 #include <vtkAtriaMeshQuality.h>
+#include <vtkAtriaOctreeSource.h>
 #include <vtkAtriaVRMLReader.h>
 #include <vtkFieldData.h>
 #include <vtkNew.h>
@@ -38,6 +40,8 @@ struct MeshOptions
   double sizeMax = 0.0;
   double sizeMid = 0.0;
   double sizeMin = 0.0;
+  SizeOptions sizes;
+  bool estimate = false;
   std::vector<double> domain;
   std::string site;
   std::string zone = "outside";
@@ -66,8 +70,7 @@ void declareOptions(CLI::App& command, MeshOptions& options)
   options.sizeMin = mesher->GetSizeMin();
 
   command.add_option("IN.wrl", options.input, "VRML model (.wrl, .wrz, .wrl.gz), in metres, Z up")->required();
-  command.add_option("-o,--output", options.output, "Where the mesh goes, a .vtu file")
-      ->required()
+  command.add_option("-o,--output", options.output, "Where the mesh goes, a .vtu file (not for --estimate)")
       ->type_name("OUT.vtu");
   const auto size = [&](const char* name, double& value, const char* text) {
     command.add_option(name, value, text)->capture_default_str()->check(CLI::PositiveNumber)->type_name("M");
@@ -75,6 +78,8 @@ void declareOptions(CLI::App& command, MeshOptions& options)
   size("--size-max", options.sizeMax, "Element size away from surfaces, metres");
   size("--size-mid", options.sizeMid, "Element size at surfaces, metres");
   size("--size-min", options.sizeMin, "Element size at edges, corners and close surfaces, metres; the grid's unit");
+  declareSizeOptions(command, options.sizes);
+  command.add_flag("--estimate", options.estimate, "Print octants by size, elements and memory, and make no mesh");
   auto* domain =
       command.add_option("--domain", options.domain, "Bounds of the domain, metres (default: those of the model)")
           ->expected(6)
@@ -103,7 +108,14 @@ void declareOptions(CLI::App& command, MeshOptions& options)
 
 void checkOptions(const MeshOptions& options)
 {
-  checkOutput("--output", options.output, ".vtu");
+  if (options.output.empty() && !options.estimate)
+  {
+    throw Failure(Usage, "--output is required, unless --estimate is given");
+  }
+  if (!options.output.empty())
+  {
+    checkOutput("--output", options.output, ".vtu");
+  }
   if (!options.patches.empty())
   {
     checkOutput("--patches", options.patches, ".vtpc");
@@ -140,21 +152,27 @@ void checkSite(const std::string& site, vtkPolyData* model)
   throw Failure(Usage, "--site " + site + ": the model has no surface of that name; it has " + known);
 }
 
-void configure(vtkAtriaDualMesher* mesher, const MeshOptions& options)
+void configureGrid(vtkAtriaGridAlgorithm* filter, const MeshOptions& options)
 {
-  mesher->SetSizeMax(options.sizeMax);
-  mesher->SetSizeMid(options.sizeMid);
-  mesher->SetSizeMin(options.sizeMin);
+  filter->SetSizeMax(options.sizeMax);
+  filter->SetSizeMid(options.sizeMid);
+  filter->SetSizeMin(options.sizeMin);
+  configureSizes(filter, options.sizes);
   if (!options.domain.empty())
   {
-    mesher->SetDomainMode(vtkAtriaDualMesher::Explicit);
-    mesher->SetDomainBounds(options.domain.data());
+    filter->SetDomainMode(vtkAtriaGridAlgorithm::Explicit);
+    filter->SetDomainBounds(options.domain.data());
   }
   if (!options.site.empty())
   {
-    mesher->SetDomainMode(vtkAtriaDualMesher::Site);
-    mesher->SetSiteName(options.site.c_str());
+    filter->SetDomainMode(vtkAtriaGridAlgorithm::Site);
+    filter->SetSiteName(options.site.c_str());
   }
+}
+
+void configure(vtkAtriaDualMesher* mesher, const MeshOptions& options)
+{
+  configureGrid(mesher, options);
   mesher->SetZoneRule(options.zone == "all" ? vtkAtriaDualMesher::All : vtkAtriaDualMesher::Outside);
   if (!options.seeds.empty())
   {
@@ -199,6 +217,23 @@ void writeOutputs(const MeshOptions& options, vtkUnstructuredGrid* mesh, vtkPart
   console.progress(1.0, "Writing");
 }
 
+ExitStatus printEstimate(const MeshOptions& options, vtkAtriaVRMLReader* reader, Console& console)
+{
+  vtkNew<vtkAtriaOctreeSource> source;
+  configureGrid(source, options);
+  source->SetInputConnection(reader->GetOutputPort());
+  if (!source->Estimate())
+  {
+    throwIfErrors(console, BadInput, options.input);
+  }
+  if (!source->GetEstimateWarning().empty())
+  {
+    console.warning(source->GetEstimateWarning());
+  }
+  std::cout << estimateText(source);
+  return Done;
+}
+
 ExitStatus runMesh(const MeshOptions& options, Console& console)
 {
   checkOptions(options);
@@ -211,6 +246,10 @@ ExitStatus runMesh(const MeshOptions& options, Console& console)
   if (!options.site.empty())
   {
     checkSite(options.site, reader->GetOutput());
+  }
+  if (options.estimate)
+  {
+    return printEstimate(options, reader, console);
   }
 
   vtkNew<vtkAtriaDualMesher> mesher;

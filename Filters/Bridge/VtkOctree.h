@@ -10,7 +10,7 @@ class vtkUnstructuredGrid;
 
 namespace atria {
 
-/// Leaves in the domain as voxels, with cell arrays Level and FeatureType. The field array OctreeFrame (15 values)
+/// Leaves in the domain as voxels, with cell arrays Level and FeatureType. The field array OctreeFrame (16 values)
 /// keeps what octreeFromVtk needs.
 void octreeToVtk(const Octree& octree, vtkUnstructuredGrid* out);
 

@@ -2,9 +2,15 @@
 #include "GridInput.h"
 
 #include "Domain/Domain.h"
+#include "Octree/SizeRules.h"
 #include "Support/Error.h"
 #include "VtkSurface.h"
 #include "vtkAtriaGridAlgorithm.h"
+
+#include <vtkDataObject.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkStringArray.h>
 
 #include <utility>
 
@@ -12,7 +18,7 @@ namespace atria {
 
 namespace {
 
-/// How exactly points are taken for one, and for lying on a side, against the finest octant.
+/// How exactly points are taken for one, and for lying on a side, against octants of SizeMin.
 constexpr double weldRatio = 1e-5;
 constexpr double sideRatio = 1e-4;
 
@@ -28,6 +34,43 @@ GridInput readGridInput(vtkDataObject* data)
     input.ignoredCells = read.ignoredCells;
   }
   return input;
+}
+
+SizingOptions sizingOf(vtkAtriaGridAlgorithm& filter)
+{
+  SizingOptions options;
+  for (int i = 0; i < filter.GetNumberOfSurfaceSizes(); ++i)
+  {
+    options.surfaceSizes.push_back(surfaceSizeFrom(filter.GetSurfaceSize(i)));
+  }
+  for (int i = 0; i < filter.GetNumberOfRefinementBoxes(); ++i)
+  {
+    double v[7];
+    filter.GetRefinementBox(i, v);
+    options.boxes.push_back({{Vec3(v[0], v[2], v[4]), Vec3(v[1], v[3], v[5])}, v[6]});
+  }
+  for (int i = 0; i < filter.GetNumberOfDistanceSizes(); ++i)
+  {
+    const std::vector<DistanceSize> sizes = distanceSizesFrom(filter.GetDistanceSize(i));
+    options.distanceSizes.insert(options.distanceSizes.end(), sizes.begin(), sizes.end());
+  }
+  options.curvatureAngle = filter.GetCurvatureAngle();
+  options.cellsAcrossGap = filter.GetCellsAcrossGap();
+  options.cellsPerLevel = filter.GetCellsPerLevel();
+  options.maxElements = static_cast<std::size_t>(filter.GetMaxElements());
+  return options;
+}
+
+void addSizingWarning(const std::string& warning, vtkAtriaGridAlgorithm& filter, vtkDataObject* out)
+{
+  vtkNew<vtkStringArray> texts;
+  texts->SetName("SizingWarning");
+  if (!warning.empty())
+  {
+    texts->InsertNextValue(warning);
+    vtkWarningWithObjectMacro(&filter, << warning);
+  }
+  out->GetFieldData()->AddArray(texts);
 }
 
 Box3 GridInput::domain(vtkAtriaGridAlgorithm& filter) const
@@ -62,6 +105,7 @@ GridFrame GridInput::frame(vtkAtriaGridAlgorithm& filter) const
   options.sizeMid = filter.GetSizeMid();
   options.sizeMax = filter.GetSizeMax();
   options.startLevel = filter.GetStartLevel();
+  options.finestAsked = finestSizeOf(sizingOf(filter));
   return makeGridFrame(options, boundsOf(surface));
 }
 
@@ -69,8 +113,8 @@ SurfaceModel GridInput::model(vtkAtriaGridAlgorithm& filter, const GridFrame& fr
 {
   FeatureOptions options;
   options.featureAngle = filter.GetFeatureAngle();
-  options.weldDistance = weldRatio * frame.finestSize;
-  options.sideDistance = sideRatio * frame.finestSize;
+  options.weldDistance = weldRatio * frame.sizeOf(frame.featureLevel);
+  options.sideDistance = sideRatio * frame.sizeOf(frame.featureLevel);
   return makeSurfaceModel(surface, frame, options);
 }
 

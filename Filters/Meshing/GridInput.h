@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Domain/GridFrame.h"
+#include "Octree/Sizing.h"
 #include "Surface/SurfaceModel.h"
 
 class vtkAtriaGridAlgorithm;
@@ -21,7 +22,13 @@ struct GridInput
   SurfaceModel model(vtkAtriaGridAlgorithm& filter, const GridFrame& frame) const;
 };
 
+/// The rules of the filter's properties. Throws Error for those that are no rules.
+SizingOptions sizingOf(vtkAtriaGridAlgorithm& filter);
+
 /// `data` may be null: a domain without surfaces.
 GridInput readGridInput(vtkDataObject* data);
+
+/// Adds the field array SizingWarning, with one text or none, and warns.
+void addSizingWarning(const std::string& warning, vtkAtriaGridAlgorithm& filter, vtkDataObject* out);
 
 } // namespace atria

@@ -165,6 +165,7 @@ int vtkAtriaDualMesher::RequestData(vtkInformation*, vtkInformationVector** inpu
     vtkDataObject* givenOctree = vtkDataObject::GetData(inputs[1]);
     atria::SurfaceModel model;
     atria::Octree octree;
+    std::string warning;
     if (givenOctree)
     {
       clock.lap("surface");
@@ -175,7 +176,10 @@ int vtkAtriaDualMesher::RequestData(vtkInformation*, vtkInformationVector** inpu
       const atria::GridFrame frame = input.frame(*this);
       model = input.model(*this, frame);
       clock.lap("surface");
-      octree = atria::buildOctree(model, frame, context.part(0.05, 0.4));
+      const atria::SizedOctants sized =
+          atria::sizeOctants(model, frame, atria::sizingOf(*this), context.part(0.05, 0.25));
+      warning = sized.warning;
+      octree = atria::buildOctree(model, frame, sized, context.part(0.25, 0.4));
     }
     clock.lap("octree");
     atria::DualMeshOptions options;
@@ -188,6 +192,7 @@ int vtkAtriaDualMesher::RequestData(vtkInformation*, vtkInformationVector** inpu
     atria::volumeToVtk(result.mesh, volume);
     atria::patchesToVtk(result.mesh, model.names, patches);
     atria::diagnosticsToVtk(result, model.names, diagnostics);
+    atria::addSizingWarning(warning, *this, diagnostics);
     clock.lap("output");
     addFieldData(volume, octree.maximumLevel());
     this->Stages = clock.stages();
