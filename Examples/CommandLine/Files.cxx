@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Files.h"
 
-#include "Commands.h"
 #include "Console.h"
 
 #include <vtkAtriaOpenFOAMWriter.h>
@@ -26,22 +25,6 @@ namespace atria::tool {
 namespace fs = std::filesystem;
 
 namespace {
-
-void throwIfErrors(Console& console, ExitStatus status, const std::string& about)
-{
-  const std::vector<std::string> errors = console.takeErrors();
-  if (errors.empty())
-  {
-    return;
-  }
-  // An error that already names its file is not prefixed with it again.
-  std::string text = errors.front().find(about) == std::string::npos ? about + ": " : "";
-  for (std::size_t i = 0; i < errors.size(); ++i)
-  {
-    text += (i == 0 ? "" : "\n") + errors[i];
-  }
-  throw Failure(status, text);
-}
 
 void checkReadable(const std::string& file)
 {
@@ -91,6 +74,22 @@ void writeCompressed(Writer* writer, const std::string& file, vtkDataObject* dat
 }
 
 } // namespace
+
+void throwIfErrors(Console& console, ExitStatus status, const std::string& about)
+{
+  const std::vector<std::string> errors = console.takeErrors();
+  if (errors.empty())
+  {
+    return;
+  }
+  // An error that already names its file is not prefixed with it again.
+  std::string text = errors.front().find(about) == std::string::npos ? about + ": " : "";
+  for (std::size_t i = 0; i < errors.size(); ++i)
+  {
+    text += (i == 0 ? "" : "\n") + errors[i];
+  }
+  throw Failure(status, text);
+}
 
 vtkSmartPointer<vtkAtriaVRMLReader> readModel(const std::string& file, Console& console)
 {

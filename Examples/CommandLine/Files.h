@@ -2,6 +2,8 @@
 /// Reading and writing files, with errors that name the file and say what to do.
 #pragma once
 
+#include "Commands.h"
+
 #include <vtkSmartPointer.h>
 
 #include <string>
@@ -28,6 +30,9 @@ void writeText(const std::string& file, const std::string& text);
 
 /// Throws Failure(Usage) unless `file` ends in `ending`, such as ".vtu", and its folder exists.
 void checkOutput(const std::string& option, const std::string& file, const std::string& ending);
+
+/// If VTK reported errors, throws Failure with them, prefixed by `about`.
+void throwIfErrors(Console& console, ExitStatus status, const std::string& about);
 
 /// Updates an algorithm. If VTK reported errors, throws Failure with them, prefixed by `about`.
 void updateOrFail(vtkAlgorithm* algorithm, const std::string& about, Console& console);

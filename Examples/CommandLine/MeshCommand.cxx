@@ -4,10 +4,12 @@
 #include "Console.h"
 #include "Files.h"
 #include "Report.h"
+#include "SizeOptions.h"
 #include "Threads.h"
 
 #include <vtkAtriaDualMesher.h>
 #include <vtkAtriaMeshQuality.h>
+#include <vtkAtriaOctreeSource.h>
 #include <vtkAtriaPreflight.h>
 #include <vtkAtriaVRMLReader.h>
 #include <vtkFieldData.h>
@@ -41,6 +43,8 @@ struct MeshOptions
   double sizeMax = 0.0;
   double sizeMid = 0.0;
   double sizeMin = 0.0;
+  SizeOptions sizes;
+  bool estimate = false;
   std::vector<double> domain;
   std::string site;
   bool automatic = false;
@@ -105,7 +109,9 @@ void declareOptions(CLI::App& command, MeshOptions& options)
   options.sizeMin = mesher->GetSizeMin();
 
   command.add_option("IN.wrl", options.input, "VRML model (.wrl, .wrz, .wrl.gz), in metres, Z up")->required();
-  command.add_option("-o,--output", options.output, "Where the mesh goes, a .vtu file (not for --preflight)")
+  command
+      .add_option("-o,--output", options.output,
+                  "Where the mesh goes, a .vtu file (not for --preflight and --estimate)")
       ->type_name("OUT.vtu");
   const auto size = [&](const char* name, double& value, const char* text) {
     command.add_option(name, value, text)->capture_default_str()->check(CLI::PositiveNumber)->type_name("M");
@@ -113,6 +119,8 @@ void declareOptions(CLI::App& command, MeshOptions& options)
   size("--size-max", options.sizeMax, "Element size away from surfaces, metres");
   size("--size-mid", options.sizeMid, "Element size at surfaces, metres");
   size("--size-min", options.sizeMin, "Element size at edges, corners and close surfaces, metres; the grid's unit");
+  declareSizeOptions(command, options.sizes);
+  command.add_flag("--estimate", options.estimate, "Print octants by size, elements and memory, and make no mesh");
   auto* domain =
       command.add_option("--domain", options.domain, "Bounds of the domain, metres (default: those of the model)")
           ->expected(6)
@@ -150,9 +158,9 @@ void declareOptions(CLI::App& command, MeshOptions& options)
 
 void checkOptions(const MeshOptions& options)
 {
-  if (options.output.empty() && !options.preflight)
+  if (options.output.empty() && !options.preflight && !options.estimate)
   {
-    throw Failure(Usage, "--output is required, unless --preflight is given");
+    throw Failure(Usage, "--output is required, unless --preflight or --estimate is given");
   }
   if (!options.output.empty())
   {
@@ -199,6 +207,7 @@ void configureGrid(vtkAtriaGridAlgorithm* filter, const MeshOptions& options)
   filter->SetSizeMax(options.sizeMax);
   filter->SetSizeMid(options.sizeMid);
   filter->SetSizeMin(options.sizeMin);
+  configureSizes(filter, options.sizes);
   if (!options.domain.empty())
   {
     filter->SetDomainMode(vtkAtriaGridAlgorithm::Explicit);
@@ -326,6 +335,23 @@ ExitStatus runPreflight(const MeshOptions& options, vtkAtriaVRMLReader* reader, 
   return Done;
 }
 
+ExitStatus printEstimate(const MeshOptions& options, vtkAtriaVRMLReader* reader, Console& console)
+{
+  vtkNew<vtkAtriaOctreeSource> source;
+  configureGrid(source, options);
+  source->SetInputConnection(reader->GetOutputPort());
+  if (!source->Estimate())
+  {
+    throwIfErrors(console, BadInput, options.input);
+  }
+  if (!source->GetEstimateWarning().empty())
+  {
+    console.warning(source->GetEstimateWarning());
+  }
+  std::cout << estimateText(source);
+  return Done;
+}
+
 ExitStatus runMesh(const MeshOptions& options, Console& console)
 {
   checkOptions(options);
@@ -342,6 +368,10 @@ ExitStatus runMesh(const MeshOptions& options, Console& console)
   if (options.preflight)
   {
     return runPreflight(options, reader, console);
+  }
+  if (options.estimate)
+  {
+    return printEstimate(options, reader, console);
   }
 
   vtkNew<vtkAtriaDualMesher> mesher;

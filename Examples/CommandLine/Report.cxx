@@ -249,6 +249,13 @@ Json diagnosticsOf(vtkPolyData* diagnostics)
     missing.push_back(without->GetValue(i));
   }
   counts["SurfaceWithoutFaces"] = missing;
+  Json warnings = Json::array();
+  vtkStringArray* texts = stringsOf(diagnostics, "SizingWarning");
+  for (vtkIdType i = 0; texts && i < texts->GetNumberOfValues(); ++i)
+  {
+    warnings.push_back(texts->GetValue(i));
+  }
+  counts["SizingWarning"] = warnings;
   return counts;
 }
 

@@ -34,8 +34,8 @@ Json qualityOf(vtkTable* summary);
 /// {stage: seconds} of the mesher's last run.
 Json stageSecondsOf(vtkAtriaDualMesher* mesher);
 
-/// {name: cells} from the cell array Diagnostic and the field array DiagnosticName, and the names in the field array
-/// SurfaceWithoutFaces.
+/// {name: cells} from the cell array Diagnostic and the field array DiagnosticName, and the names in the field arrays
+/// SurfaceWithoutFaces and SizingWarning.
 Json diagnosticsOf(vtkPolyData* diagnostics);
 
 /// The field array MaxLevel; null where it is absent.

@@ -27,7 +27,7 @@ namespace atria {
 namespace {
 
 constexpr const char* frameArrayName = "OctreeFrame";
-constexpr vtkIdType frameValueCount = 22;
+constexpr vtkIdType frameValueCount = 23;
 
 void addFrame(const GridFrame& f, vtkDataObject* out)
 {
@@ -35,7 +35,7 @@ void addFrame(const GridFrame& f, vtkDataObject* out)
   values->SetName(frameArrayName);
   for (const double v : {f.origin[0], f.origin[1], f.origin[2], f.finestSize, double(f.depth), double(f.startLevel),
                          double(f.midLevel), double(f.topLevel), double(f.subBits), f.domain.min[0], f.domain.max[0],
-                         f.domain.min[1], f.domain.max[1], f.domain.min[2], f.domain.max[2]})
+                         f.domain.min[1], f.domain.max[1], f.domain.min[2], f.domain.max[2], double(f.featureLevel)})
   {
     values->InsertNextValue(v);
   }
@@ -64,17 +64,18 @@ GridFrame frameOf(vtkDataObject* data)
   f.midLevel = static_cast<int>(at(6));
   f.topLevel = static_cast<int>(at(7));
   f.subBits = static_cast<int>(at(8));
+  f.featureLevel = static_cast<int>(at(15));
   f.domain.min = Vec3(at(9), at(11), at(13));
   f.domain.max = Vec3(at(10), at(12), at(14));
   if (!(f.finestSize > 0.0) || f.depth < 0 || f.depth > GridFrame::maximumDepth || f.subBits < 1 || f.subBits > 39 ||
-      f.domain.empty())
+      f.featureLevel < 0 || f.featureLevel > f.depth || f.domain.empty())
   {
     throw Error("the octree's field array OctreeFrame is damaged");
   }
-  f.placement = Placement(at(15));
-  if (at(16) != 0.0)
+  f.placement = Placement(at(16));
+  if (at(17) != 0.0)
   {
-    f.turnedDomain = PlacedBox{Placement(at(17)), {{at(18), at(20), at(13)}, {at(19), at(21), at(14)}}};
+    f.turnedDomain = PlacedBox{Placement(at(18)), {{at(19), at(21), at(13)}, {at(20), at(22), at(14)}}};
   }
   f.domainLow = f.toLattice(f.domain.min);
   f.domainHigh = f.toLattice(f.domain.max);

@@ -11,7 +11,7 @@ class vtkUnstructuredGrid;
 namespace atria {
 
 /// Leaves in the domain as voxels, or as hexahedra where the grid is turned, with cell arrays Level and FeatureType.
-/// The field array OctreeFrame (22 values) keeps what octreeFromVtk needs.
+/// The field array OctreeFrame (23 values) keeps what octreeFromVtk needs.
 void octreeToVtk(const Octree& octree, vtkUnstructuredGrid* out);
 
 /// The whole root cube as one hyper tree; leaves outside the domain are masked. Throws Error where the grid is turned.

@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "GridInput.h"
 
+#include "Octree/SizeRules.h"
 #include "VtkSurface.h"
 #include "vtkAtriaGridAlgorithm.h"
+
+#include <vtkDataObject.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkStringArray.h>
 
 #include <utility>
 
@@ -18,6 +24,45 @@ GridInput readGridInput(vtkDataObject* data)
     input.ignoredCells = read.ignoredCells;
   }
   return input;
+}
+
+SizingOptions sizingOf(vtkAtriaGridAlgorithm& filter, const Placement& grid)
+{
+  SizingOptions options;
+  for (int i = 0; i < filter.GetNumberOfSurfaceSizes(); ++i)
+  {
+    options.surfaceSizes.push_back(surfaceSizeFrom(filter.GetSurfaceSize(i)));
+  }
+  for (int i = 0; i < filter.GetNumberOfRefinementBoxes(); ++i)
+  {
+    double v[7];
+    filter.GetRefinementBox(i, v);
+    // In a turned grid, the box along its axes that holds the one given.
+    const PlacedBox box{Placement(), {Vec3(v[0], v[2], v[4]), Vec3(v[1], v[3], v[5])}};
+    options.boxes.push_back({boundsAlong(grid, box), v[6]});
+  }
+  for (int i = 0; i < filter.GetNumberOfDistanceSizes(); ++i)
+  {
+    const std::vector<DistanceSize> sizes = distanceSizesFrom(filter.GetDistanceSize(i));
+    options.distanceSizes.insert(options.distanceSizes.end(), sizes.begin(), sizes.end());
+  }
+  options.curvatureAngle = filter.GetCurvatureAngle();
+  options.cellsAcrossGap = filter.GetCellsAcrossGap();
+  options.cellsPerLevel = filter.GetCellsPerLevel();
+  options.maxElements = static_cast<std::size_t>(filter.GetMaxElements());
+  return options;
+}
+
+void addSizingWarning(const std::string& warning, vtkAtriaGridAlgorithm& filter, vtkDataObject* out)
+{
+  vtkNew<vtkStringArray> texts;
+  texts->SetName("SizingWarning");
+  if (!warning.empty())
+  {
+    texts->InsertNextValue(warning);
+    vtkWarningWithObjectMacro(&filter, << warning);
+  }
+  out->GetFieldData()->AddArray(texts);
 }
 
 SiteOptions siteOptionsOf(vtkAtriaGridAlgorithm& filter)
@@ -41,6 +86,7 @@ GridOptions sizesOf(vtkAtriaGridAlgorithm& filter)
   options.sizeMid = filter.GetSizeMid();
   options.sizeMax = filter.GetSizeMax();
   options.startLevel = filter.GetStartLevel();
+  options.finestAsked = finestSizeOf(sizingOf(filter, {}));
   return options;
 }
 
@@ -59,8 +105,8 @@ SurfaceModel surfaceModelOf(vtkAtriaGridAlgorithm& filter, const PlacedModel& pl
 {
   FeatureOptions options;
   options.featureAngle = filter.GetFeatureAngle();
-  options.weldDistance = weldRatio * placed.frame.finestSize;
-  options.sideDistance = sideRatio * placed.frame.finestSize;
+  options.weldDistance = weldRatio * placed.frame.sizeOf(placed.frame.featureLevel);
+  options.sideDistance = sideRatio * placed.frame.sizeOf(placed.frame.featureLevel);
   return makeSurfaceModel(placed.surface, placed.frame, options);
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Domain/PlacedModel.h"
+#include "Octree/Sizing.h"
 #include "Surface/SurfaceModel.h"
 
 class vtkAtriaGridAlgorithm;
@@ -24,8 +25,13 @@ struct GridInput
 SiteOptions siteOptionsOf(vtkAtriaGridAlgorithm& filter);
 GridOptions sizesOf(vtkAtriaGridAlgorithm& filter);
 SurfaceModel surfaceModelOf(vtkAtriaGridAlgorithm& filter, const PlacedModel& placed);
+/// The rules of the filter's properties, with boxes along the grid's axes. Throws Error for those that are no rules.
+SizingOptions sizingOf(vtkAtriaGridAlgorithm& filter, const Placement& grid);
 
 /// `data` may be null: a domain without surfaces.
 GridInput readGridInput(vtkDataObject* data);
+
+/// Adds the field array SizingWarning, with one text or none, and warns.
+void addSizingWarning(const std::string& warning, vtkAtriaGridAlgorithm& filter, vtkDataObject* out);
 
 } // namespace atria

@@ -226,6 +226,7 @@ int vtkAtriaDualMesher::RequestData(vtkInformation*, vtkInformationVector** inpu
     vtkDataObject* givenOctree = vtkDataObject::GetData(inputs[1]);
     atria::SurfaceModel model;
     atria::Octree octree;
+    std::string warning;
     if (givenOctree)
     {
       clock.lap("surface");
@@ -236,7 +237,10 @@ int vtkAtriaDualMesher::RequestData(vtkInformation*, vtkInformationVector** inpu
       const atria::PlacedModel placed = input.placed(*this);
       model = atria::surfaceModelOf(*this, placed);
       clock.lap("surface");
-      octree = atria::buildOctree(model, placed.frame, context.part(0.05, 0.4));
+      const atria::SizedOctants sized = atria::sizeOctants(
+          model, placed.frame, atria::sizingOf(*this, placed.frame.placement), context.part(0.05, 0.25));
+      warning = sized.warning;
+      octree = atria::buildOctree(model, placed.frame, sized, context.part(0.25, 0.4));
     }
     clock.lap("octree");
     atria::DualMeshOptions options;
@@ -247,6 +251,7 @@ int vtkAtriaDualMesher::RequestData(vtkInformation*, vtkInformationVector** inpu
     atria::volumeToVtk(result.mesh, volume);
     atria::patchesToVtk(result.mesh, model.names, patches);
     atria::diagnosticsToVtk(result, model.names, diagnostics);
+    atria::addSizingWarning(warning, *this, diagnostics);
     clock.lap("output");
     addFieldData(volume, octree.maximumLevel());
     this->Stages = clock.stages();

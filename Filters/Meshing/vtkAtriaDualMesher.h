@@ -30,6 +30,7 @@
  * `CellId` (vtkIdType; -1 for a leak that is not in the mesh), `Width` (double, of leaks and cracks). Field array
  * `SurfaceWithoutFaces`: names of surfaces that got no face. Field arrays `Zone...` have an entry for each zone, those
  * left out included, by ZoneId; `Leak...` one for each leak: see docs/arrays.md.
+ * Field array `SizingWarning`: what MaxElements left out, if anything.
  *
  * Elements may still be inverted where the model is finer than the octants: vtkAtriaMeshQuality tells which.
  */

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkAtriaGridAlgorithm.h"
 
+#include "Octree/SizeRules.h"
+
 #include <vtkDemandDrivenPipeline.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
+
+#include <algorithm>
 
 vtkAtriaGridAlgorithm::vtkAtriaGridAlgorithm()
 {
@@ -42,6 +46,90 @@ int vtkAtriaGridAlgorithm::FillInputPortInformation(int port, vtkInformation* in
   return 1;
 }
 
+void vtkAtriaGridAlgorithm::AddSurfaceSize(const std::string& pattern, double size)
+{
+  this->AddSurfaceSizeRule(atria::textOf(atria::SurfaceSize{pattern, size, {}}).c_str());
+}
+
+void vtkAtriaGridAlgorithm::AddSurfaceSize(const std::string& pattern, double size, double featureSize)
+{
+  this->AddSurfaceSizeRule(atria::textOf(atria::SurfaceSize{pattern, size, featureSize}).c_str());
+}
+
+void vtkAtriaGridAlgorithm::AddSurfaceSizeRule(const char* rule)
+{
+  this->SurfaceSizes.emplace_back(rule ? rule : "");
+  this->Modified();
+}
+
+int vtkAtriaGridAlgorithm::GetNumberOfSurfaceSizes() { return static_cast<int>(this->SurfaceSizes.size()); }
+
+std::string vtkAtriaGridAlgorithm::GetSurfaceSize(int i)
+{
+  return i >= 0 && i < this->GetNumberOfSurfaceSizes() ? this->SurfaceSizes[i] : std::string();
+}
+
+void vtkAtriaGridAlgorithm::RemoveAllSurfaceSizes()
+{
+  this->SurfaceSizes.clear();
+  this->Modified();
+}
+
+void vtkAtriaGridAlgorithm::AddRefinementBox(const double b[6], double size)
+{
+  this->RefinementBoxes.push_back({b[0], b[1], b[2], b[3], b[4], b[5], size});
+  this->Modified();
+}
+
+void vtkAtriaGridAlgorithm::AddRefinementBox(double x0, double x1, double y0, double y1, double z0, double z1,
+                                             double size)
+{
+  const double bounds[6] = {x0, x1, y0, y1, z0, z1};
+  this->AddRefinementBox(bounds, size);
+}
+
+int vtkAtriaGridAlgorithm::GetNumberOfRefinementBoxes() { return static_cast<int>(this->RefinementBoxes.size()); }
+
+void vtkAtriaGridAlgorithm::GetRefinementBox(int i, double boundsAndSize[7])
+{
+  if (i < 0 || i >= this->GetNumberOfRefinementBoxes())
+  {
+    vtkErrorMacro("There is no refinement box " << i << ".");
+    return;
+  }
+  std::copy(this->RefinementBoxes[i].begin(), this->RefinementBoxes[i].end(), boundsAndSize);
+}
+
+void vtkAtriaGridAlgorithm::RemoveAllRefinementBoxes()
+{
+  this->RefinementBoxes.clear();
+  this->Modified();
+}
+
+void vtkAtriaGridAlgorithm::AddDistanceSize(const std::string& pattern, double distance, double size)
+{
+  this->AddDistanceSizeRule(atria::textOf(atria::DistanceSize{pattern, distance, size}).c_str());
+}
+
+void vtkAtriaGridAlgorithm::AddDistanceSizeRule(const char* rule)
+{
+  this->DistanceSizes.emplace_back(rule ? rule : "");
+  this->Modified();
+}
+
+int vtkAtriaGridAlgorithm::GetNumberOfDistanceSizes() { return static_cast<int>(this->DistanceSizes.size()); }
+
+std::string vtkAtriaGridAlgorithm::GetDistanceSize(int i)
+{
+  return i >= 0 && i < this->GetNumberOfDistanceSizes() ? this->DistanceSizes[i] : std::string();
+}
+
+void vtkAtriaGridAlgorithm::RemoveAllDistanceSizes()
+{
+  this->DistanceSizes.clear();
+  this->Modified();
+}
+
 void vtkAtriaGridAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -50,6 +138,24 @@ void vtkAtriaGridAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SizeMin: " << this->SizeMin << "\n";
   os << indent << "StartLevel: " << this->StartLevel << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
+  for (const std::string& rule : this->SurfaceSizes)
+  {
+    os << indent << "SurfaceSize: " << rule << "\n";
+  }
+  for (const auto& box : this->RefinementBoxes)
+  {
+    os << indent << "RefinementBox:";
+    std::for_each(box.begin(), box.end(), [&](double value) { os << " " << value; });
+    os << "\n";
+  }
+  for (const std::string& rule : this->DistanceSizes)
+  {
+    os << indent << "DistanceSize: " << rule << "\n";
+  }
+  os << indent << "CurvatureAngle: " << this->CurvatureAngle << "\n";
+  os << indent << "CellsAcrossGap: " << this->CellsAcrossGap << "\n";
+  os << indent << "CellsPerLevel: " << this->CellsPerLevel << "\n";
+  os << indent << "MaxElements: " << this->MaxElements << "\n";
   os << indent << "DomainMode: " << this->DomainMode << "\n";
   os << indent << "DomainBounds:";
   for (const double bound : this->DomainBounds)

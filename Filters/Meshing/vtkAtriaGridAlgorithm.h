@@ -13,7 +13,9 @@
 #include "AtriaFiltersMeshingModule.h"
 #include "vtkAlgorithm.h"
 
+#include <array>  // for RefinementBoxes
 #include <string> // for names
+#include <vector> // for SurfaceSizes
 
 class ATRIAFILTERSMESHING_EXPORT vtkAtriaGridAlgorithm : public vtkAlgorithm
 {
@@ -40,8 +42,8 @@ public:
 
   ///@{
   /**
-   * Edge length of the finest octants, those with a feature curve, a corner, or surfaces that do not meet inside
-   * them. Default 1; clamped to at least 1e-9.
+   * Edge length of octants with a feature curve, a corner, or surfaces that do not meet inside them, and the grid's
+   * unit: the finest octants unless a rule below asks for finer ones. Default 1; clamped to at least 1e-9.
    */
   vtkSetClampMacro(SizeMin, double, 1e-9, VTK_DOUBLE_MAX);
   vtkGetMacro(SizeMin, double);
@@ -63,6 +65,85 @@ public:
    */
   vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
   vtkGetMacro(FeatureAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * Sizes at the surfaces whose name matches `pattern` (`*` any text, `?` any one character): octants that touch them
+   * are at most `size` large, those with their feature curves and corners, or where they come close to others, at most
+   * `featureSize` (default: SizeMin, or `size` where that is finer). They take the place of SizeMid and SizeMin there.
+   * Octants have a size of SizeMin * 2^j: the largest of these that is not above the size asked for is taken. Of
+   * several rules for a surface the finest holds. AddSurfaceSizeRule takes a rule as text, `PATTERN SIZE
+   * [FEATURESIZE]`, the pattern in double quotes where it holds blanks; GetSurfaceSize gives it so. A pattern that
+   * matches no surface, or a size that is not positive, is an error of the run. None by default.
+   */
+  void AddSurfaceSize(const std::string& pattern, double size);
+  void AddSurfaceSize(const std::string& pattern, double size, double featureSize);
+  void AddSurfaceSizeRule(const char* rule);
+  int GetNumberOfSurfaceSizes();
+  std::string GetSurfaceSize(int i);
+  void RemoveAllSurfaceSizes();
+  ///@}
+
+  ///@{
+  /**
+   * Octants that share volume with the box are at most `size` large. The box must reach into the domain. None by
+   * default.
+   */
+  void AddRefinementBox(const double bounds[6], double size);
+  void AddRefinementBox(double x0, double x1, double y0, double y1, double z0, double z1, double size);
+  int GetNumberOfRefinementBoxes();
+  void GetRefinementBox(int i, double boundsAndSize[7]);
+  void RemoveAllRefinementBoxes();
+  ///@}
+
+  ///@{
+  /**
+   * Octants nearer than `distance` to a surface that matches `pattern` are at most `size` large. AddDistanceSizeRule
+   * takes a rule as text, `PATTERN DISTANCE SIZE [DISTANCE SIZE ...]`. None by default.
+   */
+  void AddDistanceSize(const std::string& pattern, double distance, double size);
+  void AddDistanceSizeRule(const char* rule);
+  int GetNumberOfDistanceSizes();
+  std::string GetDistanceSize(int i);
+  void RemoveAllDistanceSizes();
+  ///@}
+
+  ///@{
+  /**
+   * Degrees by which the normals of a smooth surface may differ in an octant before it is refined, down to the size of
+   * the surface's features at most. Default 0: curved surfaces are treated like flat ones; clamped to [0, 90].
+   */
+  vtkSetClampMacro(CurvatureAngle, double, 0.0, 90.0);
+  vtkGetMacro(CurvatureAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * Octants across the space between two surfaces that face each other, down to the size of their features at most.
+   * Walls count as well as passages, as it is not known yet which of them is fluid. Default 0: gaps are not looked for;
+   * clamped to [0, 64].
+   */
+  vtkSetClampMacro(CellsAcrossGap, int, 0, 64);
+  vtkGetMacro(CellsAcrossGap, int);
+  ///@}
+
+  ///@{
+  /**
+   * Layers of octants of each size between the next finer and the next coarser ones. Default 1, the 2:1 balance alone;
+   * clamped to [1, 8].
+   */
+  vtkSetClampMacro(CellsPerLevel, int, 1, 8);
+  vtkGetMacro(CellsPerLevel, int);
+  ///@}
+
+  ///@{
+  /**
+   * Where the mesh would have more elements (those of all zones counted), the finest octants are left out, level by
+   * level, those at features last; a warning says so. Default 0: no limit.
+   */
+  vtkSetClampMacro(MaxElements, vtkIdType, 0, VTK_ID_MAX);
+  vtkGetMacro(MaxElements, vtkIdType);
   ///@}
 
   /**
@@ -176,6 +257,13 @@ protected:
   double SizeMin = 1.0;
   int StartLevel = 4;
   double FeatureAngle = 30.0;
+  std::vector<std::string> SurfaceSizes;
+  std::vector<std::array<double, 7>> RefinementBoxes;
+  std::vector<std::string> DistanceSizes;
+  double CurvatureAngle = 0.0;
+  int CellsAcrossGap = 0;
+  int CellsPerLevel = 1;
+  vtkIdType MaxElements = 0;
   int DomainMode = FromSurfaces;
   double DomainBounds[6] = {-50.0, 50.0, -50.0, 50.0, 0.0, 50.0};
   double DomainAngle = 0.0;

@@ -3,6 +3,7 @@
 
 #include "AlgorithmProgress.h"
 #include "GridInput.h"
+#include "Octree/Estimate.h"
 #include "Octree/Refinement.h"
 #include "SmpExecutor.h"
 #include "VtkOctree.h"
@@ -65,7 +66,9 @@ int vtkAtriaOctreeSource::RequestData(vtkInformation*, vtkInformationVector** in
     const atria::GridInput input = atria::readGridInput(vtkDataObject::GetData(inputs[0]));
     const atria::PlacedModel placed = input.placed(*this);
     const atria::SurfaceModel model = atria::surfaceModelOf(*this, placed);
-    const atria::Octree octree = atria::buildOctree(model, placed.frame, context.part(0.1, 0.8));
+    const atria::SizedOctants sized =
+        atria::sizeOctants(model, placed.frame, atria::sizingOf(*this, placed.frame.placement), context.part(0.1, 0.5));
+    const atria::Octree octree = atria::buildOctree(model, placed.frame, sized, context.part(0.5, 0.8));
     if (auto* trees = vtkHyperTreeGrid::SafeDownCast(output))
     {
       atria::octreeToVtk(octree, trees);
@@ -74,6 +77,7 @@ int vtkAtriaOctreeSource::RequestData(vtkInformation*, vtkInformationVector** in
     {
       atria::octreeToVtk(octree, vtkUnstructuredGrid::SafeDownCast(output));
     }
+    atria::addSizingWarning(sized.warning, *this, output);
   }
   catch (const atria::Aborted&)
   {
@@ -86,6 +90,55 @@ int vtkAtriaOctreeSource::RequestData(vtkInformation*, vtkInformationVector** in
     return 0;
   }
   return 1;
+}
+
+bool vtkAtriaOctreeSource::Estimate()
+{
+  this->EstimatedOctants.clear();
+  this->EstimatedElements = 0;
+  this->EstimatedBytes = 0;
+  this->EstimateWarning.clear();
+  try
+  {
+    vtkDataObject* surfaces = nullptr;
+    if (this->GetNumberOfInputConnections(0) > 0)
+    {
+      this->GetInputAlgorithm(0, 0)->Update();
+      surfaces = this->GetInputDataObject(0, 0);
+    }
+    const atria::SmpExecutor executor;
+    atria::SilentMonitor silent;
+    const atria::RunContext context{executor, atria::ProgressRange(silent)};
+    const atria::GridInput input = atria::readGridInput(surfaces);
+    const atria::PlacedModel placed = input.placed(*this);
+    const atria::GridFrame& frame = placed.frame;
+    const atria::MeshEstimate estimate = atria::estimateElements(atria::surfaceModelOf(*this, placed), frame,
+                                                                 atria::sizingOf(*this, frame.placement), context);
+    for (std::size_t level = 0; level < estimate.octants.size(); ++level)
+    {
+      this->EstimatedOctants.emplace_back(frame.sizeOf(static_cast<int>(level)),
+                                          static_cast<vtkIdType>(estimate.octants[level]));
+    }
+    this->EstimatedElements = static_cast<vtkIdType>(estimate.elements);
+    this->EstimatedBytes = static_cast<vtkTypeInt64>(estimate.bytes);
+    this->EstimateWarning = estimate.warning;
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< error.what());
+    return false;
+  }
+  return true;
+}
+
+vtkIdType vtkAtriaOctreeSource::GetEstimatedOctants(int level)
+{
+  return level >= 0 && level < this->GetNumberOfEstimatedLevels() ? this->EstimatedOctants[level].second : 0;
+}
+
+double vtkAtriaOctreeSource::GetEstimatedOctantSize(int level)
+{
+  return level >= 0 && level < this->GetNumberOfEstimatedLevels() ? this->EstimatedOctants[level].first : 0.0;
 }
 
 void vtkAtriaOctreeSource::PrintSelf(ostream& os, vtkIndent indent)

@@ -13,13 +13,17 @@
  * Output: leaves that share volume with the domain (or, if that stands turned in the grid, with a box of the grid about
  * it), as vtkUnstructuredGrid of voxels, of hexahedra if the grid is turned, or as vtkHyperTreeGrid, which cannot be
  * turned: that is an error. Cell arrays: `Level` (unsigned char, root 0), `FeatureType` (unsigned char: 0 none, 1
- * surface, 2 curve, 3 corner, 4 several surfaces that do not meet). Field array `OctreeFrame`, with which
- * vtkAtriaDualMesher takes the octree as its input.
+ * surface, 2 curve, 3 corner, 4 several surfaces that do not meet). Field arrays: `OctreeFrame`, with which
+ * vtkAtriaDualMesher takes the octree as its input; `SizingWarning`, what MaxElements left out, if anything.
  */
 #ifndef vtkAtriaOctreeSource_h
 #define vtkAtriaOctreeSource_h
 
 #include "vtkAtriaGridAlgorithm.h"
+
+#include <string>  // for EstimateWarning
+#include <utility> // for EstimatedOctants
+#include <vector>  // for EstimatedOctants
 
 class ATRIAFILTERSMESHING_EXPORT vtkAtriaOctreeSource : public vtkAtriaGridAlgorithm
 {
@@ -45,6 +49,26 @@ public:
   vtkGetMacro(OutputType, int);
   ///@}
 
+  /**
+   * Sizes the octants for the present input and properties and counts what a mesh of them has, without building
+   * octree or mesh. The counts are exact for a mesh of all zones; what a zone rule leaves out has no elements. Returns
+   * false, after an error, where sizes or domain cannot be met.
+   */
+  bool Estimate();
+
+  ///@{
+  /**
+   * What Estimate() found: elements; bytes of memory that meshing takes at its peak, roughly; by level of the octree
+   * the number and edge length of the leaves in the domain (0 out of range); what MaxElements leaves out, if anything.
+   */
+  vtkGetMacro(EstimatedElements, vtkIdType);
+  vtkGetMacro(EstimatedBytes, vtkTypeInt64);
+  int GetNumberOfEstimatedLevels() { return static_cast<int>(this->EstimatedOctants.size()); }
+  vtkIdType GetEstimatedOctants(int level);
+  double GetEstimatedOctantSize(int level);
+  std::string GetEstimateWarning() { return this->EstimateWarning; }
+  ///@}
+
 protected:
   vtkAtriaOctreeSource();
   ~vtkAtriaOctreeSource() override;
@@ -55,6 +79,10 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   int OutputType = UnstructuredGrid;
+  std::vector<std::pair<double, vtkIdType>> EstimatedOctants; ///< size and number
+  vtkIdType EstimatedElements = 0;
+  vtkTypeInt64 EstimatedBytes = 0;
+  std::string EstimateWarning;
 
 private:
   vtkAtriaOctreeSource(const vtkAtriaOctreeSource&) = delete;

@@ -24,7 +24,7 @@ struct FoundZones
     }
     const GridFrame frame = makeGridFrame(grid, extent);
     model = makeSurfaceModel(surface, frame, {});
-    octree = buildOctree(model, frame, context());
+    octree = buildOctree(model, frame, SizingOptions{}, context());
     points = findGridPoints(octree, context());
     crossings = findCrossings(octree, model, points, context());
     zones = findZones(crossings, model.names.size(), context());

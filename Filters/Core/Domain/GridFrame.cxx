@@ -70,6 +70,33 @@ int coarsestLevelFor(const GridFrame& frame)
   return level;
 }
 
+/// How often sizeMin is halved to reach the finest size asked for.
+int levelsBelow(const GridOptions& o)
+{
+  constexpr double rounding = 1.0 + 1e-9;
+  int levels = 0;
+  while (levels <= GridFrame::maximumDepth && std::ldexp(o.sizeMin, -levels) > o.finestAsked * rounding)
+  {
+    ++levels;
+  }
+  return levels;
+}
+
+/// Finest octants between the root's and the domain's lower plane: half of those to spare. With levels below SizeMin
+/// they are chosen, where there is room, such that the plane is next to the centres of octants of SizeMin.
+double marginOf(double octants, double rootOctants, int below)
+{
+  const double spare = rootOctants - octants - 1.0;
+  double margin = std::max(0.0, std::floor(0.5 * spare + 1e-9));
+  if (below > 0)
+  {
+    const double period = std::ldexp(1.0, below);
+    const double centred = period * std::floor(margin / period) + 0.5 * period;
+    margin = centred <= spare + 1e-9 ? centred : margin;
+  }
+  return margin;
+}
+
 } // namespace
 
 LatticePoint GridFrame::toLattice(const Vec3& p) const
@@ -121,8 +148,9 @@ void fitLattice(GridFrame& frame, const Box3& extent)
   frame.subBits = latticeBits - static_cast<int>(std::ceil(std::log2(std::max(reachOctants, 2.0)))) - 1;
   if (frame.subBits < 8)
   {
-    throw Error(text("the surfaces and the domain reach over ", reach, ", too far for SizeMin ", frame.finestSize,
-                     ": remove stray geometry, raise SizeMin, or move the model to the origin"));
+    throw Error(
+        text("the surfaces and the domain reach over ", reach, ", too far for octants of ", frame.finestSize,
+             ": remove stray geometry, raise SizeMin or the finer size asked for, or move the model to the origin"));
   }
   frame.subBits = std::min(frame.subBits, 30);
   frame.domainLow = frame.toLattice(frame.domain.min);
@@ -134,8 +162,9 @@ GridFrame makeGridFrame(const GridOptions& options, const Box3& extent)
   checkOptions(options);
   GridFrame frame;
   frame.domain = options.domain;
-  frame.finestSize = options.sizeMin;
-  const Vec3 octants = options.domain.size() / options.sizeMin;
+  const int below = levelsBelow(options);
+  frame.finestSize = std::ldexp(options.sizeMin, -below);
+  const Vec3 octants = options.domain.size() / frame.finestSize;
   // One octant more than the length, as half of one sticks out at either end.
   const double needed = octants.maxCoeff() + 1.0 - 1e-9 * octants.maxCoeff();
   while (frame.depth <= GridFrame::maximumDepth && static_cast<double>(std::int64_t{1} << frame.depth) < needed)
@@ -144,15 +173,17 @@ GridFrame makeGridFrame(const GridOptions& options, const Box3& extent)
   }
   if (frame.depth > GridFrame::maximumDepth)
   {
-    throw Error(text("the domain is ", octants.maxCoeff(), " times as long as SizeMin; at most ",
-                     std::int64_t{1} << GridFrame::maximumDepth, " is possible: raise SizeMin or shrink the domain"));
+    throw Error(text("the domain is ", octants.maxCoeff(), " times as long as the finest octants of ", frame.finestSize,
+                     " (SizeMin, or a finer size asked for); at most ", std::int64_t{1} << GridFrame::maximumDepth,
+                     " is possible: raise the size or shrink the domain"));
   }
   const double rootOctants = static_cast<double>(std::int64_t{1} << frame.depth);
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double margin = std::max(0.0, std::floor(0.5 * (rootOctants - octants[axis] - 1.0) + 1e-9));
-    frame.origin[axis] = options.domain.min[axis] - (margin + 0.5) * options.sizeMin;
+    const double margin = marginOf(octants[axis], rootOctants, below);
+    frame.origin[axis] = options.domain.min[axis] - (margin + 0.5) * frame.finestSize;
   }
+  frame.featureLevel = std::max(frame.depth - below, 0);
   frame.startLevel = std::clamp(std::max(options.startLevel, coarsestLevelFor(frame)), 0, frame.depth);
   frame.midLevel = std::max(levelClosestTo(options.sizeMid, frame), frame.startLevel);
   frame.topLevel = std::max(levelClosestTo(std::min(options.sizeMax, frame.rootSize()), frame), frame.startLevel);

@@ -15,7 +15,7 @@ using LatticePoint = std::array<std::int64_t, 3>;
 struct GridOptions
 {
   Box3 domain;
-  /// Edge length of the finest octants; positive.
+  /// Edge length of octants at features, and the grid's unit: octants have sizes sizeMin * 2^j; positive.
   double sizeMin = 1.0;
   /// Size of octants that a surface passes through; at least sizeMin.
   double sizeMid = 2.0;
@@ -23,10 +23,14 @@ struct GridOptions
   double sizeMax = 8.0;
   /// Every octant in the domain is refined at least to this level (the root is level 0).
   int startLevel = 4;
+  /// The finest size asked for anywhere (finestSizeOf in Octree/Sizing.h). Below sizeMin it adds levels to the grid.
+  double finestAsked = std::numeric_limits<double>::infinity();
 };
 
 /// The root cube `[origin, origin + finestSize * 2^depth]^3` that holds the domain. Its phase puts the domain's lower
 /// planes through the centres of finest octants: the upper ones follow where the domain is a multiple of `finestSize`.
+/// `finestSize` is SizeMin, or SizeMin / 2^k where a rule asks for finer octants; features then are at k levels above
+/// the finest unless a rule says otherwise.
 ///
 /// All coordinates are along the axes of `placement`, to which the model was turned.
 ///
@@ -41,6 +45,8 @@ struct GridFrame
   int startLevel = 0;
   int midLevel = 0;
   int topLevel = 0;
+  /// Level of SizeMin: that of features without a rule of their own.
+  int featureLevel = 0;
   int subBits = 0;
   Box3 domain;
   LatticePoint domainLow{};
@@ -77,8 +83,8 @@ struct GridFrame
 void fitLattice(GridFrame& frame, const Box3& extent);
 
 /// Chooses root, levels and lattice. `extent` must hold every surface point. Throws Error where the domain is empty or
-/// thinner than two finest octants, sizes are not positive and ordered, or the ratio of extent to sizeMin is beyond
-/// what 20 levels hold.
+/// thinner than two octants of sizeMin, sizes are not positive and ordered, or the ratio of extent to the finest size
+/// is beyond what 20 levels hold.
 GridFrame makeGridFrame(const GridOptions& options, const Box3& extent);
 
 } // namespace atria

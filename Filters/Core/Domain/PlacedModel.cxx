@@ -121,7 +121,9 @@ PlacedModel placeModel(const TriangleSurface& surface, const SitePlan& plan, con
   GridOptions options = sizes;
   options.domain = boundsAlong(plan.grid, plan.domain);
   const bool turned = plan.grid.angle() != plan.domain.axes.angle();
-  makeGridFrame({plan.domain.bounds, sizes.sizeMin, sizes.sizeMid, sizes.sizeMax, sizes.startLevel}, {}); // checks
+  GridOptions upright = sizes;
+  upright.domain = plan.domain.bounds;
+  makeGridFrame(upright, {}); // checks
   if (turned)
   {
     // No octant at a corner of the domain may reach a plane of the box about it.
@@ -140,11 +142,11 @@ PlacedModel placeModel(const TriangleSurface& surface, const SitePlan& plan, con
 
 PlacedModel placeModel(const TriangleSurface& surface, const SiteOptions& options, const GridFrame& frame)
 {
-  SitePlan plan = groundOf(surface, options, frame.finestSize);
+  SitePlan plan = groundOf(surface, options, frame.sizeOf(frame.featureLevel));
   plan.grid = frame.placement;
   plan.domain = frame.turnedDomain.value_or(PlacedBox{frame.placement, frame.domain});
   GridOptions sizes;
-  sizes.sizeMin = frame.finestSize;
+  sizes.sizeMin = frame.sizeOf(frame.featureLevel);
   sizes.sizeMax = frame.sizeOf(frame.topLevel);
   PlacedModel out = inGrid(surface, plan, sizes);
   out.frame = frame;

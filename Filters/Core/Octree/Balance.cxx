@@ -9,41 +9,52 @@ namespace atria {
 
 namespace {
 
+/// Parents of the octants within `layers` of `cell` along an axis.
+struct ParentRange
+{
+  std::int64_t first;
+  std::int64_t last;
+};
+
+ParentRange parentsAbout(std::int64_t cell, int layers, std::int64_t end)
+{
+  return {std::max<std::int64_t>((cell - layers) >> 1, 0), std::min((cell + layers) >> 1, end - 1)};
+}
+
 /// Keys of the octants of level - 1 that must be refined because octant `key` of `level` is: its own parent, and the
-/// parents of its 26 neighbours, which are the seven other octants about the parent's corner nearest to it.
-void appendRequired(MortonKey key, int level, const GridFrame& frame, const std::vector<MortonKey>& present,
+/// parents of all octants up to `layers` away. For one layer these are the eight octants about the parent's corner
+/// nearest to it.
+void appendRequired(MortonKey key, int level, int layers, const GridFrame& frame, const std::vector<MortonKey>& present,
                     std::vector<MortonKey>& out)
 {
-  const GridCell parent = gridCell(key >> 3);
+  const GridCell cell = gridCell(key);
   const std::int64_t end = std::int64_t{1} << (level - 1);
-  for (unsigned which = 0; which < 8; ++which)
+  std::array<ParentRange, 3> range;
+  for (int axis = 0; axis < 3; ++axis)
   {
-    GridCell cell = parent;
-    bool inside = true;
-    for (int axis = 0; axis < 3; ++axis)
+    range[axis] = parentsAbout(cell[axis], layers, end);
+  }
+  for (std::int64_t z = range[2].first; z <= range[2].last; ++z)
+  {
+    for (std::int64_t y = range[1].first; y <= range[1].last; ++y)
     {
-      if (which >> axis & 1)
+      for (std::int64_t x = range[0].first; x <= range[0].last; ++x)
       {
-        const std::int64_t c = std::int64_t{parent[axis]} + ((key >> axis & 1) ? 1 : -1);
-        inside = inside && c >= 0 && c < end;
-        cell[axis] = static_cast<std::uint32_t>(c);
+        const MortonKey wanted =
+            mortonKey({static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), static_cast<std::uint32_t>(z)});
+        if (!std::binary_search(present.begin(), present.end(), wanted) &&
+            !domainBoxOf(frame, level - 1, wanted).empty())
+        {
+          out.push_back(wanted);
+        }
       }
-    }
-    if (!inside)
-    {
-      continue;
-    }
-    const MortonKey wanted = mortonKey(cell);
-    if (!std::binary_search(present.begin(), present.end(), wanted) && !domainBoxOf(frame, level - 1, wanted).empty())
-    {
-      out.push_back(wanted);
     }
   }
 }
 
 } // namespace
 
-void balance(RefinedSets& refined, const GridFrame& frame, const RunContext& context)
+void balance(RefinedSets& refined, const GridFrame& frame, const RunContext& context, int cellsPerLevel)
 {
   constexpr std::size_t grain = 4096;
   for (int level = static_cast<int>(refined.size()) - 1; level > 0; --level)
@@ -55,7 +66,7 @@ void balance(RefinedSets& refined, const GridFrame& frame, const RunContext& con
       context.progress.check();
       for (std::size_t i = part * grain; i < std::min((part + 1) * grain, keys.size()); ++i)
       {
-        appendRequired(keys[i], level, frame, above, parts[part]);
+        appendRequired(keys[i], level, cellsPerLevel, frame, above, parts[part]);
       }
       std::sort(parts[part].begin(), parts[part].end());
       parts[part].erase(std::unique(parts[part].begin(), parts[part].end()), parts[part].end());

@@ -125,20 +125,21 @@ Preflight preflight(const TriangleSurface& surface, const SitePlan& plan, const 
 {
   Preflight out;
   const GridFrame& frame = placed.frame;
+  const double sizeMin = frame.sizeOf(frame.featureLevel);
   out.domain = plan.domain;
   out.gridAngle = plan.grid.angle();
   out.widened = plan.widened;
   measureSite(surface, plan, out);
   // Closer than this surfaces become one anyhow.
   constexpr double seamRatio = 1e-3;
-  out.narrow = findNarrowPlaces(model, frame, seamRatio * frame.finestSize);
+  out.narrow = findNarrowPlaces(model, frame, seamRatio * sizeMin);
   for (Narrow* narrow : {&out.narrow.opening, &out.narrow.gap})
   {
     narrow->from = frame.placement.toModel(narrow->from);
     narrow->to = frame.placement.toModel(narrow->to);
   }
-  out.octantsAcrossOpening = out.narrow.opening.width / frame.finestSize;
-  out.octantsAcrossGap = out.narrow.gap.width / frame.finestSize;
+  out.octantsAcrossOpening = out.narrow.opening.width / sizeMin;
+  out.octantsAcrossGap = out.narrow.gap.width / sizeMin;
   out.estimatedElements = leavesInside(octree);
   warnOfDomain(out);
   warnOfNarrow("opening", out.narrow.opening, out.octantsAcrossOpening, surface.names, out.warnings);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Octree/Refinement.h"
 
-#include "Octree/Balance.h"
 #include "Octree/GeometryLists.h"
 #include "Support/Error.h"
 
@@ -10,53 +9,6 @@
 namespace atria {
 
 namespace {
-
-bool mustRefine(const GeometryLists& lists, std::size_t i, int level, const SurfaceModel& model, const GridFrame& frame)
-{
-  if (level < frame.startLevel || level < frame.topLevel)
-  {
-    return true;
-  }
-  const std::span<const ModelItem> pieces = lists.of(i);
-  if (pieces.empty() || level >= frame.depth)
-  {
-    return false;
-  }
-  if (level < frame.midLevel)
-  {
-    return true;
-  }
-  return featureTypeOf(domainBoxOf(frame, level, lists.keys[i]), pieces, model) > FeatureType::surface;
-}
-
-RefinedSets sizeOctants(const SurfaceModel& model, const GridFrame& frame, const RunContext& context)
-{
-  RefinedSets refined;
-  GeometryLists lists = sizingLists(model, frame);
-  for (int level = 0; level < frame.depth; ++level)
-  {
-    context.progress.report(static_cast<double>(level) / frame.depth, "Sizing octants");
-    std::vector<char> chosen(lists.size());
-    context.executor.forEach(lists.size(), 1024,
-                             [&](std::size_t i) { chosen[i] = mustRefine(lists, i, level, model, frame); });
-    std::vector<MortonKey> keys;
-    for (std::size_t i = 0; i < lists.size(); ++i)
-    {
-      if (chosen[i])
-      {
-        keys.push_back(lists.keys[i]);
-      }
-    }
-    if (keys.empty())
-    {
-      break;
-    }
-    refined.push_back(std::move(keys));
-    const bool onlyOccupied = level + 1 >= std::max(frame.topLevel, frame.startLevel);
-    lists = childLists(lists, level, chosen, onlyOccupied, model, frame, context);
-  }
-  return refined;
-}
 
 /// What the leaves hold, as found level by level.
 struct LeafLists
@@ -130,16 +82,20 @@ void locateModel(Octree& octree, const SurfaceModel& model, const RunContext& co
   octree.setItems(std::move(offsets), std::move(items), std::move(types));
 }
 
-Octree buildOctree(const SurfaceModel& model, const GridFrame& frame, const RunContext& context)
+Octree buildOctree(const SurfaceModel& model, const GridFrame& frame, const SizedOctants& sized,
+                   const RunContext& context)
 {
-  const RunContext sizing = context.part(0.0, 0.5);
-  RefinedSets refined = sizeOctants(model, frame, sizing);
-  context.progress.report(0.5, "Balancing");
-  balance(refined, frame, context);
-  context.progress.report(0.6, "Linking octants");
-  Octree octree(frame, refined);
-  locateModel(octree, model, context.part(0.7, 1.0));
+  context.progress.report(0.0, "Linking octants");
+  Octree octree(frame, sized.refined);
+  locateModel(octree, model, context.part(0.2, 1.0));
   return octree;
+}
+
+Octree buildOctree(const SurfaceModel& model, const GridFrame& frame, const SizingOptions& sizing,
+                   const RunContext& context)
+{
+  const SizedOctants sized = sizeOctants(model, frame, sizing, context.part(0.0, 0.6));
+  return buildOctree(model, frame, sized, context.part(0.6, 1.0));
 }
 
 } // namespace atria

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "SizeOptions.h"
+
+#include "Commands.h"
+
+#include <vtkAtriaOctreeSource.h>
+#include <vtkNew.h>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <iomanip>
+#include <optional>
+#include <sstream>
+
+namespace atria::tool {
+
+namespace {
+
+/// The two numbers of SIZE[:FEATURE].
+std::pair<double, std::optional<double>> sizesFrom(const std::string& text)
+{
+  std::istringstream in(text);
+  double size = 0.0;
+  double feature = 0.0;
+  char colon = 0;
+  if (in >> size && in.eof())
+  {
+    return {size, {}};
+  }
+  if (in >> colon >> feature && colon == ':' && in.peek() == std::istringstream::traits_type::eof())
+  {
+    return {size, feature};
+  }
+  throw Failure(Usage, "--size: " + text + " is not of the form SIZE or SIZE:FEATURE");
+}
+
+} // namespace
+
+void declareSizeOptions(CLI::App& command, SizeOptions& options)
+{
+  // The filter is the one home of the defaults.
+  vtkNew<vtkAtriaOctreeSource> filter;
+  options.curvatureAngle = filter->GetCurvatureAngle();
+  options.gapCells = filter->GetCellsAcrossGap();
+  options.cellsPerLevel = filter->GetCellsPerLevel();
+  options.maxElements = filter->GetMaxElements();
+
+  command
+      .add_option("--size", options.surfaces,
+                  "Element size at the surfaces whose name matches the pattern (* and ? stand for text), and at their "
+                  "edges, metres; may be repeated")
+      ->allow_extra_args(false)
+      ->type_name("PATTERN SIZE[:FEATURE]");
+  command.add_option("--refine-box", options.boxes, "Element size in a box, metres; may be repeated")
+      ->allow_extra_args(false)
+      ->type_name("X0 X1 Y0 Y1 Z0 Z1 SIZE");
+  command
+      .add_option("--refine-near", options.near,
+                  "Element size up to a distance from the surfaces that match, metres; may be repeated")
+      ->allow_extra_args(false)
+      ->type_name("PATTERN DISTANCE SIZE");
+  command
+      .add_option("--curvature-angle", options.curvatureAngle,
+                  "Refine where a smooth surface turns by more in an element, degrees; 0 for nowhere")
+      ->capture_default_str()
+      ->check(CLI::Range(filter->GetCurvatureAngleMinValue(), filter->GetCurvatureAngleMaxValue()))
+      ->type_name("DEG");
+  command
+      .add_option("--gap-cells", options.gapCells,
+                  "Elements across gaps between surfaces, down to --size-min; 0 for any")
+      ->capture_default_str()
+      ->check(CLI::Range(filter->GetCellsAcrossGapMinValue(), filter->GetCellsAcrossGapMaxValue()))
+      ->type_name("N");
+  command.add_option("--cells-per-level", options.cellsPerLevel, "Layers of elements of each size where sizes grow")
+      ->capture_default_str()
+      ->check(CLI::Range(filter->GetCellsPerLevelMinValue(), filter->GetCellsPerLevelMaxValue()))
+      ->type_name("N");
+  command
+      .add_option("--max-elements", options.maxElements,
+                  "Leave out the finest sizes where there would be more elements; 0 for no limit")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("N");
+}
+
+void configureSizes(vtkAtriaGridAlgorithm* filter, const SizeOptions& options)
+{
+  for (const auto& [pattern, text] : options.surfaces)
+  {
+    const auto [size, feature] = sizesFrom(text);
+    feature ? filter->AddSurfaceSize(pattern, size, *feature) : filter->AddSurfaceSize(pattern, size);
+  }
+  for (const auto& [x0, x1, y0, y1, z0, z1, size] : options.boxes)
+  {
+    filter->AddRefinementBox(x0, x1, y0, y1, z0, z1, size);
+  }
+  for (const auto& [pattern, distance, size] : options.near)
+  {
+    filter->AddDistanceSize(pattern, distance, size);
+  }
+  filter->SetCurvatureAngle(options.curvatureAngle);
+  filter->SetCellsAcrossGap(options.gapCells);
+  filter->SetCellsPerLevel(options.cellsPerLevel);
+  filter->SetMaxElements(options.maxElements);
+}
+
+std::string estimateText(vtkAtriaOctreeSource* source)
+{
+  std::ostringstream out;
+  out << "level  size/m      octants\n";
+  for (int level = 0; level < source->GetNumberOfEstimatedLevels(); ++level)
+  {
+    if (const vtkIdType octants = source->GetEstimatedOctants(level); octants > 0)
+    {
+      out << std::setw(5) << level << "  " << std::left << std::setw(9) << source->GetEstimatedOctantSize(level)
+          << std::right << std::setw(10) << octants << '\n';
+    }
+  }
+  out << "elements: " << source->GetEstimatedElements() << " (all zones)\n";
+  out << "memory: about " << std::max<long long>(1, source->GetEstimatedBytes() / 1000000) << " MB\n";
+  return out.str();
+}
+
+} // namespace atria::tool

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The options of `atria mesh` for sizes beyond the three of the grid.
+#pragma once
+
+#include <array>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+class vtkAtriaGridAlgorithm;
+class vtkAtriaOctreeSource;
+
+namespace CLI {
+class App;
+}
+
+namespace atria::tool {
+
+struct SizeOptions
+{
+  std::vector<std::pair<std::string, std::string>> surfaces; ///< pattern, SIZE[:FEATURE]
+  std::vector<std::tuple<double, double, double, double, double, double, double>> boxes;
+  std::vector<std::tuple<std::string, double, double>> near; ///< pattern, distance, size
+  double curvatureAngle = 0.0;
+  int gapCells = 0;
+  int cellsPerLevel = 1;
+  long long maxElements = 0;
+};
+
+void declareSizeOptions(CLI::App& command, SizeOptions& options);
+
+/// Throws Failure(Usage) for a --size that is no size.
+void configureSizes(vtkAtriaGridAlgorithm* filter, const SizeOptions& options);
+
+/// Octants by size, elements and memory, as people read them.
+std::string estimateText(vtkAtriaOctreeSource* source);
+
+} // namespace atria::tool

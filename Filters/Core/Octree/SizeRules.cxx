@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Octree/SizeRules.h"
+
+#include "Support/Error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <map>
+#include <sstream>
+
+namespace atria {
+
+namespace {
+
+constexpr std::size_t mostNamesListed = 20;
+
+std::string listed(const std::vector<std::string>& names)
+{
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), mostNamesListed); ++i)
+  {
+    text += (i > 0 ? ", " : "") + names[i];
+  }
+  return names.size() > mostNamesListed ? text + ", …" : text;
+}
+
+/// A pattern and the numbers behind it.
+struct ParsedRule
+{
+  std::string pattern;
+  std::vector<double> numbers;
+};
+
+ParsedRule parseRule(const std::string& text, const char* form)
+{
+  std::istringstream in(text);
+  ParsedRule rule;
+  in >> std::quoted(rule.pattern);
+  double number = 0.0;
+  while (in >> number)
+  {
+    rule.numbers.push_back(number);
+  }
+  if (rule.pattern.empty() || !in.eof())
+  {
+    throw Error("the size rule '" + text + "' is not of the form " + form);
+  }
+  return rule;
+}
+
+std::ostringstream ruleStream(const std::string& pattern)
+{
+  std::ostringstream out;
+  out << std::setprecision(17) << std::quoted(pattern);
+  return out;
+}
+
+/// The levels that are the finest of their surfaces', for each feature edge.
+std::vector<int> edgeLevels(const SurfaceModel& model, const std::vector<int>& featureOfSurface)
+{
+  std::map<std::array<Index, 2>, std::size_t> edges;
+  for (std::size_t e = 0; e < model.featureEdges.size(); ++e)
+  {
+    const auto& [a, b] = std::minmax(model.featureEdges[e].a, model.featureEdges[e].b);
+    edges.emplace(std::array{a, b}, e);
+  }
+  std::vector<int> levels(model.featureEdges.size(), 0);
+  for (Index t = 0; t < model.triangles.size(); ++t)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      const auto& [a, b] = std::minmax(model.triangles[t][i], model.triangles[t][(i + 1) % 3]);
+      if (const auto found = edges.find(std::array{a, b}); found != edges.end())
+      {
+        levels[found->second] = std::max(levels[found->second], featureOfSurface[model.surfaceIds[t]]);
+      }
+    }
+  }
+  return levels;
+}
+
+std::vector<int> cornerLevels(const SurfaceModel& model, const std::vector<int>& ofFeatureEdge)
+{
+  std::vector<int> ofPoint(model.points.size(), 0);
+  for (std::size_t e = 0; e < model.featureEdges.size(); ++e)
+  {
+    for (const Index p : {model.featureEdges[e].a, model.featureEdges[e].b})
+    {
+      ofPoint[p] = std::max(ofPoint[p], ofFeatureEdge[e]);
+    }
+  }
+  std::vector<int> levels(model.corners.size());
+  std::transform(model.corners.begin(), model.corners.end(), levels.begin(), [&](Index p) { return ofPoint[p]; });
+  return levels;
+}
+
+} // namespace
+
+bool matchesPattern(std::string_view pattern, std::string_view name)
+{
+  std::size_t p = 0;
+  std::size_t n = 0;
+  std::size_t star = std::string_view::npos;
+  std::size_t resume = 0;
+  while (n < name.size())
+  {
+    if (p < pattern.size() && pattern[p] == '*')
+    {
+      star = p++;
+      resume = n;
+    }
+    else if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == name[n]))
+    {
+      ++p;
+      ++n;
+    }
+    else if (star != std::string_view::npos)
+    {
+      p = star + 1; // let the last star take one character more
+      n = ++resume;
+    }
+    else
+    {
+      return false;
+    }
+  }
+  return std::all_of(pattern.begin() + static_cast<std::ptrdiff_t>(p), pattern.end(), [](char c) { return c == '*'; });
+}
+
+std::vector<char> matchingNames(const std::string& pattern, const std::vector<std::string>& names)
+{
+  std::vector<char> matching(names.size());
+  std::transform(names.begin(), names.end(), matching.begin(),
+                 [&](const std::string& name) { return matchesPattern(pattern, name); });
+  if (std::find(matching.begin(), matching.end(), 1) == matching.end())
+  {
+    throw Error("no surface matches '" + pattern + "', for which a size is asked; there are: " + listed(names));
+  }
+  return matching;
+}
+
+SurfaceSize surfaceSizeFrom(const std::string& text)
+{
+  constexpr const char* form = "PATTERN SIZE [FEATURESIZE]";
+  const ParsedRule rule = parseRule(text, form);
+  if (rule.numbers.empty() || rule.numbers.size() > 2)
+  {
+    throw Error("the size rule '" + text + "' is not of the form " + form);
+  }
+  SurfaceSize size{rule.pattern, rule.numbers[0], std::nullopt};
+  if (rule.numbers.size() == 2)
+  {
+    size.featureSize = rule.numbers[1];
+  }
+  return size;
+}
+
+std::vector<DistanceSize> distanceSizesFrom(const std::string& text)
+{
+  constexpr const char* form = "PATTERN DISTANCE SIZE [DISTANCE SIZE ...]";
+  const ParsedRule rule = parseRule(text, form);
+  if (rule.numbers.empty() || rule.numbers.size() % 2 != 0)
+  {
+    throw Error("the size rule '" + text + "' is not of the form " + form);
+  }
+  std::vector<DistanceSize> sizes;
+  for (std::size_t i = 0; i < rule.numbers.size(); i += 2)
+  {
+    sizes.push_back({rule.pattern, rule.numbers[i], rule.numbers[i + 1]});
+  }
+  return sizes;
+}
+
+std::string textOf(const SurfaceSize& rule)
+{
+  std::ostringstream out = ruleStream(rule.pattern);
+  out << ' ' << rule.size;
+  if (rule.featureSize)
+  {
+    out << ' ' << *rule.featureSize;
+  }
+  return out.str();
+}
+
+std::string textOf(const DistanceSize& rule)
+{
+  std::ostringstream out = ruleStream(rule.pattern);
+  out << ' ' << rule.distance << ' ' << rule.size;
+  return out.str();
+}
+
+double finestSizeOf(const SizingOptions& options)
+{
+  double finest = std::numeric_limits<double>::infinity();
+  const auto ask = [&](double size, const std::string& rule) {
+    if (!(size > 0.0) || !std::isfinite(size))
+    {
+      throw Error("the size " + std::to_string(size) + " asked for at " + rule + " is not positive");
+    }
+    finest = std::min(finest, size);
+  };
+  for (const SurfaceSize& rule : options.surfaceSizes)
+  {
+    ask(rule.size, "surfaces '" + rule.pattern + "'");
+    ask(rule.featureSize.value_or(rule.size), "features of surfaces '" + rule.pattern + "'");
+  }
+  for (const RefinementBox& box : options.boxes)
+  {
+    ask(box.size, "a refinement box");
+  }
+  for (const DistanceSize& rule : options.distanceSizes)
+  {
+    ask(rule.size, "a distance from surfaces '" + rule.pattern + "'");
+  }
+  return finest;
+}
+
+int levelNotAbove(double size, const GridFrame& frame)
+{
+  constexpr double rounding = 1.0 + 1e-9;
+  int level = 0;
+  while (level < frame.depth && frame.sizeOf(level) > size * rounding)
+  {
+    ++level;
+  }
+  return level;
+}
+
+ModelLevels modelLevels(const SurfaceModel& model, const GridFrame& frame, const SizingOptions& options)
+{
+  constexpr int unset = -1;
+  ModelLevels levels;
+  levels.ofSurface.assign(model.names.size(), unset);
+  levels.featureOfSurface.assign(model.names.size(), unset);
+  for (const SurfaceSize& rule : options.surfaceSizes)
+  {
+    const std::vector<char> matching = matchingNames(rule.pattern, model.names);
+    for (std::size_t s = 0; s < matching.size(); ++s)
+    {
+      if (matching[s])
+      {
+        levels.ofSurface[s] = std::max(levels.ofSurface[s], levelNotAbove(rule.size, frame));
+        if (rule.featureSize)
+        {
+          levels.featureOfSurface[s] = std::max(levels.featureOfSurface[s], levelNotAbove(*rule.featureSize, frame));
+        }
+      }
+    }
+  }
+  for (std::size_t s = 0; s < model.names.size(); ++s)
+  {
+    levels.ofSurface[s] = levels.ofSurface[s] == unset ? frame.midLevel : levels.ofSurface[s];
+    const int feature = levels.featureOfSurface[s] == unset ? frame.featureLevel : levels.featureOfSurface[s];
+    levels.featureOfSurface[s] = std::max(feature, levels.ofSurface[s]);
+  }
+  // Sides of a turned domain, whose ids follow the surfaces', ask for nothing.
+  levels.ofSurface.resize(model.names.size() + sideNames.size(), 0);
+  levels.featureOfSurface.resize(model.names.size() + sideNames.size(), 0);
+  levels.ofFeatureEdge = edgeLevels(model, levels.featureOfSurface);
+  levels.ofCorner = cornerLevels(model, levels.ofFeatureEdge);
+  return levels;
+}
+
+} // namespace atria

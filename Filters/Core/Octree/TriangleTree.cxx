@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Octree/TriangleTree.h"
+
+#include "Octree/BoxDistance.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+
+namespace atria {
+
+namespace {
+
+/// The ray's parameter where it enters the box; infinity where it misses it before `farthest`.
+double entry(const Box3& box, const Vec3& origin, const Vec3& direction, double farthest)
+{
+  double begin = 0.0;
+  double end = farthest;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double low = box.min[axis] - origin[axis];
+    const double high = box.max[axis] - origin[axis];
+    if (direction[axis] == 0.0)
+    {
+      end = low > 0.0 || high < 0.0 ? -1.0 : end;
+      continue;
+    }
+    begin = std::max(begin, std::min(low / direction[axis], high / direction[axis]));
+    end = std::min(end, std::max(low / direction[axis], high / direction[axis]));
+  }
+  return begin <= end ? begin : std::numeric_limits<double>::infinity();
+}
+
+/// Möller and Trumbore 1997; edges count.
+double rayParameter(const Vec3& origin, const Vec3& direction, const Vec3& a, const Vec3& b, const Vec3& c)
+{
+  constexpr double none = std::numeric_limits<double>::infinity();
+  constexpr double rounding = 1e-9;
+  const Vec3 ab = b - a;
+  const Vec3 ac = c - a;
+  const Vec3 p = direction.cross(ac);
+  const double determinant = ab.dot(p);
+  if (determinant == 0.0)
+  {
+    return none;
+  }
+  const Vec3 s = origin - a;
+  const double u = s.dot(p) / determinant;
+  const Vec3 q = s.cross(ab);
+  const double v = direction.dot(q) / determinant;
+  return u < -rounding || v < -rounding || u + v > 1.0 + rounding ? none : ac.dot(q) / determinant;
+}
+
+} // namespace
+
+TriangleTree::TriangleTree(const SurfaceModel& model)
+    : model_(model), centers_(model.triangles.size()), order_(model.triangles.size())
+{
+  std::iota(order_.begin(), order_.end(), Index{0});
+  for (Index t = 0; t < order_.size(); ++t)
+  {
+    centers_[t] = (toVector(model.corner(t, 0)) + toVector(model.corner(t, 1)) + toVector(model.corner(t, 2))) / 3.0;
+  }
+  if (!order_.empty())
+  {
+    build(0, static_cast<Index>(order_.size()));
+  }
+}
+
+Index TriangleTree::build(Index begin, Index end)
+{
+  constexpr Index leafSize = 4;
+  const auto id = static_cast<Index>(nodes_.size());
+  Box3 box;
+  Box3 ofCenters;
+  for (Index i = begin; i < end; ++i)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      box.extend(toVector(model_.corner(order_[i], k)));
+    }
+    ofCenters.extend(centers_[order_[i]]);
+  }
+  nodes_.push_back({box, begin, end, noIndex});
+  if (end - begin > leafSize)
+  {
+    Eigen::Index axis = 0;
+    ofCenters.size().maxCoeff(&axis);
+    const Index middle = begin + (end - begin) / 2;
+    std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
+                     [&](Index l, Index r) { return std::tie(centers_[l][axis], l) < std::tie(centers_[r][axis], r); });
+    build(begin, middle);
+    const Index upper = build(middle, end);
+    nodes_[id].upper = upper;
+  }
+  return id;
+}
+
+TriangleTree::Hit TriangleTree::firstHit(const Vec3& origin, const Vec3& direction, double nearest,
+                                         double farthest) const
+{
+  Hit hit;
+  hit.distance = farthest;
+  std::vector<Index> open;
+  if (!nodes_.empty())
+  {
+    open.push_back(0);
+  }
+  while (!open.empty())
+  {
+    const Index id = open.back();
+    open.pop_back();
+    const Node& node = nodes_[id];
+    if (entry(node.box, origin, direction, hit.distance) > hit.distance)
+    {
+      continue;
+    }
+    if (node.upper != noIndex)
+    {
+      open.push_back(node.upper);
+      open.push_back(id + 1);
+      continue;
+    }
+    for (Index i = node.begin; i < node.end; ++i)
+    {
+      const Index t = order_[i];
+      const double distance = rayParameter(origin, direction, toVector(model_.corner(t, 0)),
+                                           toVector(model_.corner(t, 1)), toVector(model_.corner(t, 2)));
+      if (distance > nearest && std::tie(distance, t) < std::tie(hit.distance, hit.triangle))
+      {
+        hit = {distance, t};
+      }
+    }
+  }
+  return hit.triangle == noIndex ? Hit{} : hit;
+}
+
+} // namespace atria
