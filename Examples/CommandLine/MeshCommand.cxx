@@ -38,6 +38,7 @@ struct MeshOptions
   double sizeMax = 0.0;
   double sizeMid = 0.0;
   double sizeMin = 0.0;
+  double gap = 0.0;
   std::vector<double> domain;
   std::string site;
   std::string zone = "outside";
@@ -64,6 +65,7 @@ void declareOptions(CLI::App& command, MeshOptions& options)
   options.sizeMax = mesher->GetSizeMax();
   options.sizeMid = mesher->GetSizeMid();
   options.sizeMin = mesher->GetSizeMin();
+  options.gap = mesher->GetGapTolerance();
 
   command.add_option("IN.wrl", options.input, "VRML model (.wrl, .wrz, .wrl.gz), in metres, Z up")->required();
   command.add_option("-o,--output", options.output, "Where the mesh goes, a .vtu file")
@@ -75,6 +77,11 @@ void declareOptions(CLI::App& command, MeshOptions& options)
   size("--size-max", options.sizeMax, "Element size away from surfaces, metres");
   size("--size-mid", options.sizeMid, "Element size at surfaces, metres");
   size("--size-min", options.sizeMin, "Element size at edges, corners and close surfaces, metres; the grid's unit");
+  command
+      .add_option("--gap", options.gap,
+                  "Gaps narrower than this are closed, metres; 0 closes none (default: 0.05 of --size-min)")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("M");
   auto* domain =
       command.add_option("--domain", options.domain, "Bounds of the domain, metres (default: those of the model)")
           ->expected(6)
@@ -94,7 +101,7 @@ void declareOptions(CLI::App& command, MeshOptions& options)
       ->excludes(zone);
   command.add_option("--patches", options.patches, "Also write the named boundary patches")->type_name("OUT.vtpc");
   command.add_option("--openfoam", options.openfoam, "Also write an OpenFOAM case with the mesh")->type_name("DIR");
-  command.add_option("--report", options.report, "Also write counts, zones, patches, quality and times as JSON")
+  command.add_option("--report", options.report, "Also write counts, zones, patches, quality, repairs and times as JSON")
       ->type_name("OUT.json");
   command.add_option("--threads", options.threads, "Number of threads (default: all cores)")
       ->check(CLI::PositiveNumber)
@@ -145,6 +152,7 @@ void configure(vtkAtriaDualMesher* mesher, const MeshOptions& options)
   mesher->SetSizeMax(options.sizeMax);
   mesher->SetSizeMid(options.sizeMid);
   mesher->SetSizeMin(options.sizeMin);
+  mesher->SetGapTolerance(options.gap);
   if (!options.domain.empty())
   {
     mesher->SetDomainMode(vtkAtriaDualMesher::Explicit);
@@ -179,6 +187,7 @@ Json makeReport(vtkAtriaDualMesher* mesher, vtkAtriaMeshQuality* quality, const 
   report["seconds"] = seconds;
   report["peak_memory_bytes"] = peakMemoryBytes();
   report["threads"] = threadsInUse();
+  report["repair"] = repairOf(vtkPolyData::SafeDownCast(mesher->GetOutputDataObject(2)));
   report["diagnostics"] = diagnosticsOf(vtkPolyData::SafeDownCast(mesher->GetOutputDataObject(2)));
   return report;
 }

@@ -15,6 +15,8 @@ namespace {
 /// How exactly points are taken for one, and for lying on a side, against the finest octant.
 constexpr double weldRatio = 1e-5;
 constexpr double sideRatio = 1e-4;
+/// Gaps closed where the filter says none, against the finest octant.
+constexpr double gapRatio = 0.05;
 
 } // namespace
 
@@ -71,6 +73,7 @@ SurfaceModel GridInput::model(vtkAtriaGridAlgorithm& filter, const GridFrame& fr
   options.featureAngle = filter.GetFeatureAngle();
   options.weldDistance = weldRatio * frame.finestSize;
   options.sideDistance = sideRatio * frame.finestSize;
+  options.gapTolerance = filter.GetGapTolerance() < 0.0 ? gapRatio * frame.finestSize : filter.GetGapTolerance();
   return makeSurfaceModel(surface, frame, options);
 }
 

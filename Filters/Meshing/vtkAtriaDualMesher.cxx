@@ -188,6 +188,7 @@ int vtkAtriaDualMesher::RequestData(vtkInformation*, vtkInformationVector** inpu
     atria::volumeToVtk(result.mesh, volume);
     atria::patchesToVtk(result.mesh, model.names, patches);
     atria::diagnosticsToVtk(result, model.names, diagnostics);
+    atria::repairToVtk(model.repair, diagnostics);
     clock.lap("output");
     addFieldData(volume, octree.maximumLevel());
     this->Stages = clock.stages();

@@ -26,6 +26,7 @@
  * MergedSheets, where an octree edge is cut more than once and the sheets became one (line from the first to the last);
  * UnresolvedFeature, where pieces that do not meet share a vertex. Cell arrays: `Diagnostic` (int, index into the field
  * array `DiagnosticName`), `CellId` (vtkIdType). Field array `SurfaceWithoutFaces`: names of surfaces that got no face.
+ * Field arrays `RepairName` and `RepairValue`: what was changed to make the surfaces sound, see docs/arrays.md.
  *
  * Elements may still be inverted where the model is finer than the octants: vtkAtriaMeshQuality tells which.
  */

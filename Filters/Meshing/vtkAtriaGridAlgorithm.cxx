@@ -50,6 +50,7 @@ void vtkAtriaGridAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SizeMin: " << this->SizeMin << "\n";
   os << indent << "StartLevel: " << this->StartLevel << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
+  os << indent << "GapTolerance: " << this->GapTolerance << "\n";
   os << indent << "DomainMode: " << this->DomainMode << "\n";
   os << indent << "DomainBounds:";
   for (const double bound : this->DomainBounds)

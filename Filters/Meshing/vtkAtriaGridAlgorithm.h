@@ -65,6 +65,15 @@ public:
   vtkGetMacro(FeatureAngle, double);
   ///@}
 
+  ///@{
+  /**
+   * Points closer than this to another point, an edge or a face that they do not hang together with are moved onto it,
+   * so that parts that nearly touch do. 0 closes no gap; a negative value means 0.05 times SizeMin. Default -1.
+   */
+  vtkSetMacro(GapTolerance, double);
+  vtkGetMacro(GapTolerance, double);
+  ///@}
+
   /**
    * Where the domain box comes from.
    */
@@ -123,6 +132,7 @@ protected:
   double SizeMin = 1.0;
   int StartLevel = 4;
   double FeatureAngle = 30.0;
+  double GapTolerance = -1.0;
   int DomainMode = FromSurfaces;
   double DomainBounds[6] = {-50.0, 50.0, -50.0, 50.0, 0.0, 50.0};
   std::string SiteName = "Site";

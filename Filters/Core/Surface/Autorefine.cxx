@@ -433,6 +433,9 @@ std::size_t countEdges(const TriangleSoup& soup, const std::set<EdgeKey>& edges)
 
 std::size_t dropRepeated(TriangleSoup& soup) { return dropRepeated(soup, nullptr); }
 
+/// Rounds in a row that may find more than the one before them: the first, and those that find what it brought together.
+constexpr int patience = 3;
+
 AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options)
 {
   AutorefineReport report;
@@ -441,6 +444,8 @@ AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options
   std::set<EdgeKey> edges;
   std::vector<char> changed(soup.triangles.size(), 1);
   std::vector<char> split(soup.sources.empty() ? 0 : soup.sources.back() + 1, 0);
+  std::size_t foundBefore = 0;
+  int growing = 0;
   for (int round = 0;; ++round)
   {
     const std::vector<Index> became = mergePoints(soup, weldDistance, changed);
@@ -450,13 +455,18 @@ AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options
       {
         report.mergedPoints += became[p] != p ? 1 : 0;
       }
+      report.degenerateTriangles = static_cast<std::size_t>(
+          std::count_if(soup.triangles.begin(), soup.triangles.end(), [](const auto& t) { return hasRepeatedPoint(t); }));
     }
     renumber(edges, became);
     report.overlappingTriangles += dropRepeated(soup, &changed);
     Contacts contacts = findContacts(soup, changed, options.reach);
-    if (contacts.empty() || round == options.maximumRounds)
+    const std::size_t found = contacts.edges.size() + contacts.faces.size();
+    growing = found > foundBefore ? growing + 1 : 0;
+    foundBefore = found;
+    if (found == 0 || round == options.maximumRounds || growing > patience)
     {
-      report.unresolvedContacts = contacts.edges.size() + contacts.faces.size();
+      report.unresolvedContacts = found;
       break;
     }
     addNewPoints(soup, contacts, weldDistance);
@@ -466,7 +476,7 @@ AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options
   }
   const std::size_t before = soup.triangles.size();
   filter(soup, nullptr, [&](const auto& t) { return hasArea(soup, t); });
-  report.degenerateTriangles = before - soup.triangles.size();
+  report.degenerateTriangles += before - soup.triangles.size();
   report.splitTriangles = static_cast<std::size_t>(std::count(split.begin(), split.end(), 1));
   report.intersectionEdges = countEdges(soup, edges);
   return report;
