@@ -101,7 +101,8 @@ void declareOptions(CLI::App& command, MeshOptions& options)
       ->excludes(zone);
   command.add_option("--patches", options.patches, "Also write the named boundary patches")->type_name("OUT.vtpc");
   command.add_option("--openfoam", options.openfoam, "Also write an OpenFOAM case with the mesh")->type_name("DIR");
-  command.add_option("--report", options.report, "Also write counts, zones, patches, quality, repairs and times as JSON")
+  command
+      .add_option("--report", options.report, "Also write counts, zones, patches, quality, repairs and times as JSON")
       ->type_name("OUT.json");
   command.add_option("--threads", options.threads, "Number of threads (default: all cores)")
       ->check(CLI::PositiveNumber)

@@ -17,7 +17,7 @@ HOUSE = DATA / "house.wrl"
 COARSE = ["--size-max", "16", "--size-mid", "4", "--size-min", "2", "--site", "Site"]
 REPORT_KEYS = [
     "counts", "zones", "patches", "quality", "invalid_elements", "max_level", "seconds", "peak_memory_bytes",
-    "threads", "diagnostics",
+    "threads", "repair", "diagnostics",
 ]
 
 

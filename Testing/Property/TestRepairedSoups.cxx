@@ -75,7 +75,8 @@ double area(const TriangleSoup& soup, Index surface)
   double sum = 0.0;
   for (Index t = 0; t < soup.triangles.size(); ++t)
   {
-    const Vec3 normal = between(soup.corner(t, 0), soup.corner(t, 1)).cross(between(soup.corner(t, 0), soup.corner(t, 2)));
+    const Vec3 normal =
+        between(soup.corner(t, 0), soup.corner(t, 1)).cross(between(soup.corner(t, 0), soup.corner(t, 2)));
     sum += soup.surfaceIds[t] == surface ? 0.5 * normal.norm() : 0.0;
   }
   return sum;
@@ -151,18 +152,6 @@ double deepestCut(const TriangleSoup& soup)
     }
   }
   return deepest;
-}
-
-std::vector<std::array<LatticePoint, 3>> places(const TriangleSoup& soup)
-{
-  std::vector<std::array<LatticePoint, 3>> out;
-  for (Index t = 0; t < soup.triangles.size(); ++t)
-  {
-    out.push_back({soup.corner(t, 0), soup.corner(t, 1), soup.corner(t, 2)});
-    std::sort(out.back().begin(), out.back().end());
-  }
-  std::sort(out.begin(), out.end());
-  return out;
 }
 
 /// Triangles in general position.
@@ -323,7 +312,8 @@ TEST(RepairedSoups, SurvivesHostileInput)
   {
     atria::testing::addSurface(pile, "P", {a, b, c}, {{0, 1, 2}});
   }
-  for (const auto& [name, surface] : {std::pair("star", star), {"needles", needles}, {"pile", pile}, {"coplanar", coplanar}})
+  for (const auto& [name, surface] :
+       {std::pair("star", star), {"needles", needles}, {"pile", pile}, {"coplanar", coplanar}})
   {
     const Repaired out = repair(onLattice(surface, frame), frame, usualWeld);
     EXPECT_EQ(out.report.unresolvedContacts, 0u) << name;

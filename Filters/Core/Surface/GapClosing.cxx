@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Surface/GapClosing.h"
 
+#include "Support/UnionFind.h"
 #include "Surface/BoxPairs.h"
 #include "Surface/Distance.h"
-#include "Support/UnionFind.h"
 
 #include <Eigen/Geometry>
 
@@ -84,10 +84,7 @@ struct Parts
     }
   }
 
-  bool lighter(Index a, Index b) const
-  {
-    return std::tuple(size[of[a]], ~of[a]) < std::tuple(size[of[b]], ~of[b]);
-  }
+  bool lighter(Index a, Index b) const { return std::tuple(size[of[a]], ~of[a]) < std::tuple(size[of[b]], ~of[b]); }
 };
 
 /// One pass over a soup.
@@ -101,8 +98,8 @@ public:
     const std::vector<SoupEdgeUse> uses = sortedEdgeUses(soup);
     for (std::size_t i = 0; i < uses.size(); ++i)
     {
-      const bool alone = (i == 0 || uses[i - 1].edge != uses[i].edge) &&
-                         (i + 1 == uses.size() || uses[i + 1].edge != uses[i].edge);
+      const bool alone =
+          (i == 0 || uses[i - 1].edge != uses[i].edge) && (i + 1 == uses.size() || uses[i + 1].edge != uses[i].edge);
       if (alone)
       {
         onRim[uses[i].edge.first] = onRim[uses[i].edge.second] = 1;
