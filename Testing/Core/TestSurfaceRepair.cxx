@@ -234,6 +234,21 @@ TEST(SurfaceRepair, ClosedBoxesStandOnTheGroundToo)
   EXPECT_NEAR(lengthOf(model, CurveKind::junction), 12.0, 1e-7);
 }
 
+TEST(SurfaceRepair, ClosesGapsAlongTheGroundToWallsThatAreNotQuiteUpright)
+{
+  TriangleSurface surface;
+  addSheet(surface, "Ground", {-10, -10, -10}, {20, 0, 0}, {0, 20, 0});
+  addSheet(surface, "Wall", {-5, 0, -10}, {10, 0, 0}, {0, 0.001, 5});
+  addSheet(surface, "Partition", {0, 0.02, -10}, {0, 4, 0}, {0, 0, 3});
+  const SurfaceModel model = repaired(surface);
+  EXPECT_EQ(model.repair.closedGaps, 2u);
+  EXPECT_NEAR(lengthOf(model, CurveKind::junction), 10.0 + 4.02 + 3.0, 1e-3);
+  for (Index t = 0; t < model.triangles.size(); ++t)
+  {
+    EXPECT_EQ(model.domainSides[t] == atria::zMin, model.surfaceIds[t] == 0);
+  }
+}
+
 TEST(SurfaceRepair, ClosesGapsBetweenWallsOnSlopes)
 {
   TriangleSurface surface;
