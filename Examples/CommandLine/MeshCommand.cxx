@@ -45,6 +45,7 @@ struct MeshOptions
   double sizeMin = 0.0;
   SizeOptions sizes;
   bool estimate = false;
+  double gap = 0.0;
   std::vector<double> domain;
   std::string site;
   bool automatic = false;
@@ -107,6 +108,7 @@ void declareOptions(CLI::App& command, MeshOptions& options)
   options.sizeMax = mesher->GetSizeMax();
   options.sizeMid = mesher->GetSizeMid();
   options.sizeMin = mesher->GetSizeMin();
+  options.gap = mesher->GetGapTolerance();
 
   command.add_option("IN.wrl", options.input, "VRML model (.wrl, .wrz, .wrl.gz), in metres, Z up")->required();
   command
@@ -121,6 +123,11 @@ void declareOptions(CLI::App& command, MeshOptions& options)
   size("--size-min", options.sizeMin, "Element size at edges, corners and close surfaces, metres; the grid's unit");
   declareSizeOptions(command, options.sizes);
   command.add_flag("--estimate", options.estimate, "Print octants by size, elements and memory, and make no mesh");
+  command
+      .add_option("--gap", options.gap,
+                  "Gaps narrower than this are closed, metres; 0 closes none (default: 0.05 of --size-min)")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("M");
   auto* domain =
       command.add_option("--domain", options.domain, "Bounds of the domain, metres (default: those of the model)")
           ->expected(6)
@@ -149,7 +156,9 @@ void declareOptions(CLI::App& command, MeshOptions& options)
       ->type_name("X Y Z");
   command.add_option("--patches", options.patches, "Also write the named boundary patches")->type_name("OUT.vtpc");
   command.add_option("--openfoam", options.openfoam, "Also write an OpenFOAM case with the mesh")->type_name("DIR");
-  command.add_option("--report", options.report, "Also write counts, zones, leaks, patches, quality and times as JSON")
+  command
+      .add_option("--report", options.report,
+                  "Also write counts, zones, leaks, patches, quality, repairs and times as JSON")
       ->type_name("OUT.json");
   command.add_option("--threads", options.threads, "Number of threads (default: all cores)")
       ->check(CLI::PositiveNumber)
@@ -208,6 +217,7 @@ void configureGrid(vtkAtriaGridAlgorithm* filter, const MeshOptions& options)
   filter->SetSizeMid(options.sizeMid);
   filter->SetSizeMin(options.sizeMin);
   configureSizes(filter, options.sizes);
+  filter->SetGapTolerance(options.gap);
   if (!options.domain.empty())
   {
     filter->SetDomainMode(vtkAtriaGridAlgorithm::Explicit);
@@ -263,6 +273,7 @@ Json makeReport(vtkAtriaDualMesher* mesher, vtkAtriaMeshQuality* quality, const 
   report["seconds"] = seconds;
   report["peak_memory_bytes"] = peakMemoryBytes();
   report["threads"] = threadsInUse();
+  report["repair"] = repairOf(diagnostics);
   report["diagnostics"] = diagnosticsOf(diagnostics);
   return report;
 }

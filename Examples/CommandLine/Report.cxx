@@ -259,6 +259,21 @@ Json diagnosticsOf(vtkPolyData* diagnostics)
   return counts;
 }
 
+Json repairOf(vtkPolyData* diagnostics)
+{
+  Json repair = Json::object();
+  vtkStringArray* names = stringsOf(diagnostics, "RepairName");
+  vtkDataArray* values = diagnostics->GetFieldData()->GetArray("RepairValue");
+  for (vtkIdType i = 0; names && values && i < names->GetNumberOfValues(); ++i)
+  {
+    // Counts are numbers without a fraction; the largest gap is a length.
+    const double value = values->GetTuple1(i);
+    const bool isCount = names->GetValue(i) != "LargestGap";
+    repair[names->GetValue(i)] = isCount ? Json(static_cast<long long>(value)) : Json(value);
+  }
+  return repair;
+}
+
 Json maxLevelOf(vtkUnstructuredGrid* mesh)
 {
   vtkDataArray* level = mesh->GetFieldData()->GetArray("MaxLevel");

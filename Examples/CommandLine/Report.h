@@ -38,6 +38,9 @@ Json stageSecondsOf(vtkAtriaDualMesher* mesher);
 /// SurfaceWithoutFaces and SizingWarning.
 Json diagnosticsOf(vtkPolyData* diagnostics);
 
+/// {name: number} from the field arrays RepairName and RepairValue: what of the surfaces was changed.
+Json repairOf(vtkPolyData* diagnostics);
+
 /// The field array MaxLevel; null where it is absent.
 Json maxLevelOf(vtkUnstructuredGrid* mesh);
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Dual/DualMesher.h"
+#include "Surface/SurfaceRepair.h"
 
 class vtkFieldData;
 class vtkPartitionedDataSetCollection;
@@ -19,6 +20,9 @@ void volumeToVtk(const DualMesh& mesh, vtkUnstructuredGrid* out);
 /// Faces are seen counter-clockwise from outside of the mesh.
 void patchesToVtk(const DualMesh& mesh, const std::vector<std::string>& surfaceNames,
                   vtkPartitionedDataSetCollection* out);
+
+/// What the repair of the surfaces changed, as field arrays `RepairName` and `RepairValue`: a name and a number each.
+void repairToVtk(const SurfaceRepairReport& report, vtkPolyData* out);
 
 /// A line or point for each diagnostic; surfaces that got no face are listed in the field array SurfaceWithoutFaces.
 /// Zones and leaks are field arrays too.

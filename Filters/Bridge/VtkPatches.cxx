@@ -168,6 +168,32 @@ void patchesToVtk(const DualMesh& mesh, const std::vector<std::string>& surfaceN
   }
 }
 
+void repairToVtk(const SurfaceRepairReport& report, vtkPolyData* out)
+{
+  const std::pair<const char*, double> entries[] = {
+      {"WeldedPoints", static_cast<double>(report.weldedPoints)},
+      {"DegenerateTriangles", static_cast<double>(report.degenerateTriangles)},
+      {"DuplicateTriangles", static_cast<double>(report.duplicateTriangles)},
+      {"OverlappingTriangles", static_cast<double>(report.overlappingTriangles)},
+      {"SplitTriangles", static_cast<double>(report.splitTriangles)},
+      {"IntersectionEdges", static_cast<double>(report.intersectionEdges)},
+      {"ClosedGaps", static_cast<double>(report.closedGaps)},
+      {"LargestGap", report.largestGap},
+      {"FlippedTriangles", static_cast<double>(report.flippedTriangles)},
+      {"UnresolvedContacts", static_cast<double>(report.unresolvedContacts)}};
+  vtkNew<vtkStringArray> names;
+  names->SetName("RepairName");
+  vtkNew<vtkDoubleArray> values;
+  values->SetName("RepairValue");
+  for (const auto& [name, value] : entries)
+  {
+    names->InsertNextValue(name);
+    values->InsertNextValue(value);
+  }
+  out->GetFieldData()->AddArray(names);
+  out->GetFieldData()->AddArray(values);
+}
+
 void diagnosticsToVtk(const DualMeshResult& result, const std::vector<std::string>& surfaceNames, vtkPolyData* out)
 {
   vtkNew<vtkPoints> points;

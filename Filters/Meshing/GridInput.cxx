@@ -14,6 +14,13 @@
 
 namespace atria {
 
+namespace {
+
+/// Gaps closed where the filter says none, against SizeMin.
+constexpr double gapRatio = 0.05;
+
+} // namespace
+
 GridInput readGridInput(vtkDataObject* data)
 {
   GridInput input;
@@ -105,8 +112,10 @@ SurfaceModel surfaceModelOf(vtkAtriaGridAlgorithm& filter, const PlacedModel& pl
 {
   FeatureOptions options;
   options.featureAngle = filter.GetFeatureAngle();
-  options.weldDistance = weldRatio * placed.frame.sizeOf(placed.frame.featureLevel);
-  options.sideDistance = sideRatio * placed.frame.sizeOf(placed.frame.featureLevel);
+  const double size = placed.frame.sizeOf(placed.frame.featureLevel);
+  options.weldDistance = weldRatio * size;
+  options.sideDistance = sideRatio * size;
+  options.gapTolerance = filter.GetGapTolerance() < 0.0 ? gapRatio * size : filter.GetGapTolerance();
   return makeSurfaceModel(placed.surface, placed.frame, options);
 }
 

@@ -252,6 +252,7 @@ int vtkAtriaDualMesher::RequestData(vtkInformation*, vtkInformationVector** inpu
     atria::patchesToVtk(result.mesh, model.names, patches);
     atria::diagnosticsToVtk(result, model.names, diagnostics);
     atria::addSizingWarning(warning, *this, diagnostics);
+    atria::repairToVtk(model.repair, diagnostics);
     clock.lap("output");
     addFieldData(volume, octree.maximumLevel());
     this->Stages = clock.stages();

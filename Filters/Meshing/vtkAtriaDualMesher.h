@@ -31,6 +31,7 @@
  * `SurfaceWithoutFaces`: names of surfaces that got no face. Field arrays `Zone...` have an entry for each zone, those
  * left out included, by ZoneId; `Leak...` one for each leak: see docs/arrays.md.
  * Field array `SizingWarning`: what MaxElements left out, if anything.
+ * Field arrays `RepairName` and `RepairValue`: what was changed to make the surfaces sound, see docs/arrays.md.
  *
  * Elements may still be inverted where the model is finer than the octants: vtkAtriaMeshQuality tells which.
  */

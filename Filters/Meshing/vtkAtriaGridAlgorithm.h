@@ -146,6 +146,15 @@ public:
   vtkGetMacro(MaxElements, vtkIdType);
   ///@}
 
+  ///@{
+  /**
+   * Points closer than this to another point, an edge or a face that they do not hang together with are moved onto it,
+   * so that parts that nearly touch do. 0 closes no gap; a negative value means 0.05 times SizeMin. Default -1.
+   */
+  vtkSetMacro(GapTolerance, double);
+  vtkGetMacro(GapTolerance, double);
+  ///@}
+
   /**
    * Where the domain box comes from.
    */
@@ -264,6 +273,7 @@ protected:
   int CellsAcrossGap = 0;
   int CellsPerLevel = 1;
   vtkIdType MaxElements = 0;
+  double GapTolerance = -1.0;
   int DomainMode = FromSurfaces;
   double DomainBounds[6] = {-50.0, 50.0, -50.0, 50.0, 0.0, 50.0};
   double DomainAngle = 0.0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Surface/SurfaceModel.h"
 #include "Support/Shapes.h"
+#include "Surface/SurfaceModel.h"
 
 #include <gtest/gtest.h>
 
@@ -234,6 +234,21 @@ TEST(SurfaceRepair, ClosedBoxesStandOnTheGroundToo)
   EXPECT_NEAR(lengthOf(model, CurveKind::junction), 12.0, 1e-7);
 }
 
+TEST(SurfaceRepair, ClosesGapsAlongTheGroundToWallsThatAreNotQuiteUpright)
+{
+  TriangleSurface surface;
+  addSheet(surface, "Ground", {-10, -10, -10}, {20, 0, 0}, {0, 20, 0});
+  addSheet(surface, "Wall", {-5, 0, -10}, {10, 0, 0}, {0, 0.001, 5});
+  addSheet(surface, "Partition", {0, 0.02, -10}, {0, 4, 0}, {0, 0, 3});
+  const SurfaceModel model = repaired(surface);
+  EXPECT_EQ(model.repair.closedGaps, 2u);
+  EXPECT_NEAR(lengthOf(model, CurveKind::junction), 10.0 + 4.02 + 3.0, 1e-3);
+  for (Index t = 0; t < model.triangles.size(); ++t)
+  {
+    EXPECT_EQ(model.domainSides[t] == atria::zMin, model.surfaceIds[t] == 0);
+  }
+}
+
 TEST(SurfaceRepair, ClosesGapsBetweenWallsOnSlopes)
 {
   TriangleSurface surface;
@@ -289,6 +304,22 @@ TEST(SurfaceRepair, OpenSheetsKeepTheWindingOfTheGreaterPart)
   const SurfaceModel model = repaired(surface);
   EXPECT_EQ(model.repair.flippedTriangles, 1u);
   EXPECT_GT(model.normal(0).z(), 0.0);
+}
+
+TEST(SurfaceRepair, FarFromTheOriginNothingChanges)
+{
+  TriangleSurface surface;
+  addSheet(surface, "Ground", {-9, -9, 0}, {18, 0, 0}, {0, 18, 0});
+  addBox(surface, "House", {{-2, -1, -1}, {2, 1, 3}});
+  const SurfaceModel near = repaired(surface);
+  const Vec3 shift(3.5e6, 5.8e6, 128.0);
+  for (Vec3& p : surface.points)
+  {
+    p += shift;
+  }
+  const SurfaceModel far = repaired(surface, {domain.min + shift, domain.max + shift});
+  EXPECT_EQ(far.triangles, near.triangles);
+  EXPECT_EQ(far.points, near.points);
 }
 
 } // namespace

@@ -119,9 +119,9 @@ private:
 
   std::span<const FaceContact> pointsIn(Index triangle) const
   {
-    const auto range = std::equal_range(
-        contacts.faces.begin(), contacts.faces.end(), FaceContact{triangle, 0},
-        [](const FaceContact& l, const FaceContact& r) { return l.triangle < r.triangle; });
+    const auto range =
+        std::equal_range(contacts.faces.begin(), contacts.faces.end(), FaceContact{triangle, 0},
+                         [](const FaceContact& l, const FaceContact& r) { return l.triangle < r.triangle; });
     return {range.first, range.second};
   }
 
@@ -147,8 +147,7 @@ private:
     {
       list.push_back({contact.point, 0});
     }
-    std::sort(list.begin(), list.end(),
-              [](const PlacedPoint& l, const PlacedPoint& r) { return l.point < r.point; });
+    std::sort(list.begin(), list.end(), [](const PlacedPoint& l, const PlacedPoint& r) { return l.point < r.point; });
     std::size_t size = 0;
     for (const PlacedPoint& p : list)
     {
@@ -184,9 +183,8 @@ private:
     std::vector<CommonPoint> common;
     for (const PlacedPoint& p : small)
     {
-      const auto at = std::lower_bound(large.begin(), large.end(), p, [](const PlacedPoint& l, const PlacedPoint& r) {
-        return l.point < r.point;
-      });
+      const auto at = std::lower_bound(large.begin(), large.end(), p,
+                                       [](const PlacedPoint& l, const PlacedPoint& r) { return l.point < r.point; });
       if (at != large.end() && at->point == p.point)
       {
         common.push_back({p.point, swapped ? at->edges : p.edges, swapped ? p.edges : at->edges});
@@ -255,9 +253,8 @@ private:
     const double length = along.norm();
     // Points on edges and faces are within the reach of them, and moved by welding.
     const double width = static_cast<double>(2 + 2 * weldReaches) * reach;
-    const bool straight = std::all_of(row.begin(), row.end(), [&](const CommonPoint& p) {
-      return at(p).cross(along).norm() <= width * length;
-    });
+    const bool straight = std::all_of(
+        row.begin(), row.end(), [&](const CommonPoint& p) { return at(p).cross(along).norm() <= width * length; });
     std::vector<std::pair<double, CommonPoint>> keyed;
     for (const CommonPoint& p : row)
     {
@@ -433,6 +430,10 @@ std::size_t countEdges(const TriangleSoup& soup, const std::set<EdgeKey>& edges)
 
 std::size_t dropRepeated(TriangleSoup& soup) { return dropRepeated(soup, nullptr); }
 
+/// Rounds in a row that may find more than the one before. The first does; where a second does too, many triangles lie
+/// closer together than the reach can tell apart, and cutting them only makes more of them.
+constexpr int patience = 1;
+
 AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options)
 {
   AutorefineReport report;
@@ -441,6 +442,8 @@ AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options
   std::set<EdgeKey> edges;
   std::vector<char> changed(soup.triangles.size(), 1);
   std::vector<char> split(soup.sources.empty() ? 0 : soup.sources.back() + 1, 0);
+  std::size_t foundBefore = 0;
+  int growing = 0;
   for (int round = 0;; ++round)
   {
     const std::vector<Index> became = mergePoints(soup, weldDistance, changed);
@@ -450,13 +453,18 @@ AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options
       {
         report.mergedPoints += became[p] != p ? 1 : 0;
       }
+      report.degenerateTriangles = static_cast<std::size_t>(std::count_if(
+          soup.triangles.begin(), soup.triangles.end(), [](const auto& t) { return hasRepeatedPoint(t); }));
     }
     renumber(edges, became);
     report.overlappingTriangles += dropRepeated(soup, &changed);
     Contacts contacts = findContacts(soup, changed, options.reach);
-    if (contacts.empty() || round == options.maximumRounds)
+    const std::size_t found = contacts.edges.size() + contacts.faces.size();
+    growing = found > foundBefore ? growing + 1 : 0;
+    foundBefore = found;
+    if (found == 0 || round == options.maximumRounds || growing > patience)
     {
-      report.unresolvedContacts = contacts.edges.size() + contacts.faces.size();
+      report.unresolvedContacts = found;
       break;
     }
     addNewPoints(soup, contacts, weldDistance);
@@ -466,7 +474,7 @@ AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options
   }
   const std::size_t before = soup.triangles.size();
   filter(soup, nullptr, [&](const auto& t) { return hasArea(soup, t); });
-  report.degenerateTriangles = before - soup.triangles.size();
+  report.degenerateTriangles += before - soup.triangles.size();
   report.splitTriangles = static_cast<std::size_t>(std::count(split.begin(), split.end(), 1));
   report.intersectionEdges = countEdges(soup, edges);
   return report;

@@ -38,6 +38,7 @@ using FaceBase =
 using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
 using Triangulation = CGAL::Constrained_triangulation_plus_2<
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::Exact_predicates_tag>>;
+using Point2 = Kernel::Point_2;
 using Vertex = Triangulation::Vertex_handle;
 using Face = Triangulation::Face_handle;
 
@@ -83,8 +84,9 @@ void cutIntoFan(const DividedFace& face, std::vector<std::array<Index, 3>>& out)
 class Triangulator
 {
 public:
-  Triangulator(std::vector<LatticePoint>& points_, const DividedFace& face_, const LatticeNormal& normal_)
-      : points(points_), face(face_), normal(normal_), axis(dominantAxis(normal_))
+  Triangulator(std::vector<LatticePoint>& points_, const DividedFace& face_, const LatticeNormal& normal_,
+               double reach_)
+      : points(points_), face(face_), normal(normal_), axis(dominantAxis(normal_)), reach(reach_)
   {
   }
 
@@ -113,14 +115,36 @@ private:
     {
       return known->second;
     }
-    // Measured from the corner: small numbers leave the filters of the predicates more to decide.
+    return addVertex(id, project(id));
+  }
+
+  /// Measured from the corner: small numbers leave the filters of the predicates less to decide exactly.
+  Point2 project(Index id) const
+  {
     const LatticePoint& origin = points[face.corners[0]];
     const LatticePoint& p = points[id];
     const int u = (axis + 1) % 3;
     const int v = (axis + 2) % 3;
-    const Vertex vertex =
-        cdt.insert({static_cast<double>(p[u] - origin[u]), static_cast<double>(p[v] - origin[v])},
-                   vertices.empty() ? Face() : last->face());
+    return {static_cast<double>(p[u] - origin[u]), static_cast<double>(p[v] - origin[v])};
+  }
+
+  /// A place for a point along edge i, on an arc that bends in from the edge a little. Rounded points may lie beyond
+  /// their edge; taken as they are, they would be joined to both of its ends, in a triangle without width.
+  Point2 placeAlong(int i, Index id) const
+  {
+    const Point2 a = project(face.corners[i]);
+    const Point2 b = project(face.corners[(i + 1) % 3]);
+    const Kernel::Vector_2 edge = b - a;
+    const Kernel::Vector_2 inward = project(face.corners[(i + 2) % 3]) - a;
+    const double t = std::clamp((project(id) - a) * edge / edge.squared_length(), 0.0, 1.0);
+    const double height = std::abs(edge.x() * inward.y() - edge.y() * inward.x()) / std::sqrt(edge.squared_length());
+    const double bend = std::min(0.25 * reach / height, 0.05);
+    return a + t * edge + 4.0 * t * (1.0 - t) * bend * (inward - (inward * edge) / edge.squared_length() * edge);
+  }
+
+  Vertex addVertex(Index id, const Point2& place)
+  {
+    const Vertex vertex = cdt.insert(place, vertices.empty() ? Face() : last->face());
     if (vertex->info().id == noIndex)
     {
       vertex->info().id = id; // of points that fall together the first stands for all
@@ -140,9 +164,19 @@ private:
   void insertOutline()
   {
     const std::vector<Index> outline = outlineOf(face);
-    for (const Index p : outline)
+    for (int i = 0; i < 3; ++i)
     {
-      vertexOf(p);
+      vertexOf(face.corners[i]);
+    }
+    for (int i = 0; i < 3; ++i)
+    {
+      for (const Index p : face.alongEdges[i])
+      {
+        if (vertices.count(p) == 0)
+        {
+          addVertex(p, placeAlong(i, p));
+        }
+      }
     }
     for (std::size_t i = 0; i < outline.size(); ++i)
     {
@@ -243,6 +277,7 @@ private:
   const DividedFace& face;
   const LatticeNormal& normal;
   int axis;
+  double reach;
   Triangulation cdt;
   Vertex last;
   std::map<Index, Vertex> vertices;
@@ -261,7 +296,7 @@ void triangulateFace(std::vector<LatticePoint>& points, DividedFace& face, doubl
     return;
   }
   cutSegments(points, face, dominantAxis(normal), reach);
-  Triangulator(points, face, normal).run(out);
+  Triangulator(points, face, normal, reach).run(out);
 }
 
 } // namespace atria

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Surface/GapClosing.h"
 
+#include "Support/UnionFind.h"
 #include "Surface/BoxPairs.h"
 #include "Surface/Distance.h"
-#include "Support/UnionFind.h"
 
 #include <Eigen/Geometry>
 
@@ -84,10 +84,7 @@ struct Parts
     }
   }
 
-  bool lighter(Index a, Index b) const
-  {
-    return std::tuple(size[of[a]], ~of[a]) < std::tuple(size[of[b]], ~of[b]);
-  }
+  bool lighter(Index a, Index b) const { return std::tuple(size[of[a]], ~of[a]) < std::tuple(size[of[b]], ~of[b]); }
 };
 
 /// One pass over a soup.
@@ -101,8 +98,8 @@ public:
     const std::vector<SoupEdgeUse> uses = sortedEdgeUses(soup);
     for (std::size_t i = 0; i < uses.size(); ++i)
     {
-      const bool alone = (i == 0 || uses[i - 1].edge != uses[i].edge) &&
-                         (i + 1 == uses.size() || uses[i + 1].edge != uses[i].edge);
+      const bool alone =
+          (i == 0 || uses[i - 1].edge != uses[i].edge) && (i + 1 == uses.size() || uses[i + 1].edge != uses[i].edge);
       if (alone)
       {
         onRim[uses[i].edge.first] = onRim[uses[i].edge.second] = 1;
@@ -258,17 +255,39 @@ private:
   {
     // Earlier moves may have changed the place.
     const std::optional<Target> target = targetOf(gap.point, gap.triangle);
-    if (!target || !mayMove(gap.point, target->place))
+    if (!target)
     {
       return false;
     }
-    soup.points[gap.point] = target->place;
+    const LatticePoint place = keptOnSides(gap.point, *target);
+    if (!mayMove(gap.point, place))
+    {
+      return false;
+    }
+    soup.points[gap.point] = place;
     fixed[gap.point] = 1;
     for (const Index corner : soup.triangles[gap.triangle])
     {
       fixed[corner] = 1;
     }
     return true;
+  }
+
+  /// The foot on a wall that is not quite upright is a little off the side: the point slides along its side instead.
+  LatticePoint keptOnSides(Index p, const Target& target) const
+  {
+    constexpr double slope = 0.1;
+    const LatticePoint& from = soup.points[p];
+    LatticePoint place = target.place;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const bool onSide = from[axis] == frame.domainLow[axis] || from[axis] == frame.domainHigh[axis];
+      if (onSide && static_cast<double>(std::abs(place[axis] - from[axis])) <= slope * target.distance)
+      {
+        place[axis] = from[axis];
+      }
+    }
+    return place;
   }
 
   bool mayMove(Index p, const LatticePoint& to) const

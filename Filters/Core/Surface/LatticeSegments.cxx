@@ -27,9 +27,8 @@ public:
 
   void run()
   {
-    std::sort(face.segments.begin(), face.segments.end(), [&](const EdgeKey& l, const EdgeKey& r) {
-      return std::pair(low(l), l) < std::pair(low(r), r);
-    });
+    std::sort(face.segments.begin(), face.segments.end(),
+              [&](const EdgeKey& l, const EdgeKey& r) { return std::pair(low(l), l) < std::pair(low(r), r); });
     addCrossings();
     cut();
   }
@@ -77,9 +76,8 @@ private:
 
   void cut()
   {
-    std::sort(known.begin(), known.end(), [&](Index l, Index r) {
-      return std::pair(points[l][sweep], l) < std::pair(points[r][sweep], r);
-    });
+    std::sort(known.begin(), known.end(),
+              [&](Index l, Index r) { return std::pair(points[l][sweep], l) < std::pair(points[r][sweep], r); });
     std::vector<EdgeKey> pieces;
     for (const EdgeKey& segment : face.segments)
     {
@@ -93,9 +91,8 @@ private:
     const LatticePoint& a = points[segment.first];
     const LatticePoint& b = points[segment.second];
     const auto margin = static_cast<std::int64_t>(reach) + 1;
-    const auto begin = std::partition_point(known.begin(), known.end(), [&](Index p) {
-      return points[p][sweep] < low(segment) - margin;
-    });
+    const auto begin = std::partition_point(known.begin(), known.end(),
+                                            [&](Index p) { return points[p][sweep] < low(segment) - margin; });
     std::vector<std::pair<double, Index>> on;
     for (auto p = begin; p != known.end() && points[*p][sweep] <= high(segment) + margin; ++p)
     {

@@ -52,6 +52,21 @@ bool hasArea(const TriangleSoup& soup, const std::array<Index, 3>& t)
   return normal.n[0] != 0 || normal.n[1] != 0 || normal.n[2] != 0;
 }
 
+/// Places whose points became one with a point at another place; points repeated in one place are no fault.
+std::size_t countWelded(const std::vector<LatticePoint>& points, const std::vector<Index>& pointOf)
+{
+  std::vector<LatticePoint> left;
+  for (Index p = 0; p < pointOf.size(); ++p)
+  {
+    if (points[p] != points[pointOf[p]])
+    {
+      left.push_back(points[p]);
+    }
+  }
+  std::sort(left.begin(), left.end());
+  return static_cast<std::size_t>(std::unique(left.begin(), left.end()) - left.begin());
+}
+
 /// The triangles on the lattice, without those that have no area or repeat an earlier one.
 TriangleSoup weldedSoup(const TriangleSurface& surface, const GridFrame& frame, std::int64_t weldDistance,
                         std::int64_t sideDistance, SurfaceRepairReport& report)
@@ -61,11 +76,8 @@ TriangleSoup weldedSoup(const TriangleSurface& surface, const GridFrame& frame, 
   std::transform(surface.points.begin(), surface.points.end(), soup.points.begin(),
                  [&](const Vec3& p) { return frame.toLattice(p); });
   const std::vector<Index> pointOf = weldPoints(soup.points, weldDistance);
+  report.weldedPoints = countWelded(soup.points, pointOf);
   snapToSides(soup.points, frame, sideDistance);
-  for (Index p = 0; p < pointOf.size(); ++p)
-  {
-    report.weldedPoints += pointOf[p] != p ? 1 : 0;
-  }
   for (Index i = 0; i < surface.triangles.size(); ++i)
   {
     std::array<Index, 3> t = surface.triangles[i];
@@ -98,8 +110,7 @@ SurfaceModel makeSurfaceModel(const TriangleSurface& surface, const GridFrame& f
   SurfaceRepairOptions repair;
   repair.weldDistance = units(options.weldDistance);
   repair.gapTolerance = options.gapTolerance / frame.latticeUnit();
-  TriangleSoup soup =
-      weldedSoup(surface, frame, repair.weldDistance, units(options.sideDistance), model.repair);
+  TriangleSoup soup = weldedSoup(surface, frame, repair.weldDistance, units(options.sideDistance), model.repair);
   repairSurface(soup, frame, repair, model.repair);
   model.points = std::move(soup.points);
   model.triangles = std::move(soup.triangles);

@@ -10,7 +10,7 @@ namespace atria {
 /// What was changed to make a model sound.
 struct SurfaceRepairReport
 {
-  /// Points that became one with an earlier point.
+  /// Places whose points became one with a point at another place.
   std::size_t weldedPoints = 0;
   /// Triangles without area that were dropped.
   std::size_t degenerateTriangles = 0;
@@ -41,8 +41,8 @@ struct SurfaceRepairOptions
 
 /// Makes a soup sound: closes gaps, cuts triangles where they touch or pass through each other, drops all but the first
 /// of pieces that overlap, makes the winding consistent. Afterwards triangles meet in common edges and points only, but
-/// for the contacts that the report counts. Surfaces and sources of pieces are those of their triangles; points not used
-/// are dropped, and the others keep their order.
+/// for the contacts that the report counts. Surfaces and sources of pieces are those of their triangles; points not
+/// used are dropped, and the others keep their order.
 void repairSurface(TriangleSoup& soup, const GridFrame& frame, const SurfaceRepairOptions& options,
                    SurfaceRepairReport& report);
 
