@@ -25,7 +25,7 @@ struct SizeOptions
   double curvatureAngle = 0.0;
   int gapCells = 0;
   int cellsPerLevel = 1;
-  long long maxElements = 0;
+  int maxElements = 0;
 };
 
 void declareSizeOptions(CLI::App& command, SizeOptions& options);

@@ -140,10 +140,10 @@ public:
   ///@{
   /**
    * Where the mesh would have more elements (those of all zones counted), the finest octants are left out, level by
-   * level, those at features last; a warning says so. Default 0: no limit.
+   * level, those at features last; a warning says so. Default 0: no limit; clamped to at least 0.
    */
-  vtkSetClampMacro(MaxElements, vtkIdType, 0, VTK_ID_MAX);
-  vtkGetMacro(MaxElements, vtkIdType);
+  vtkSetClampMacro(MaxElements, int, 0, VTK_INT_MAX);
+  vtkGetMacro(MaxElements, int);
   ///@}
 
   ///@{
@@ -272,8 +272,8 @@ protected:
   double CurvatureAngle = 0.0;
   int CellsAcrossGap = 0;
   int CellsPerLevel = 1;
-  vtkIdType MaxElements = 0;
   double GapTolerance = -1.0;
+  int MaxElements = 0;
   int DomainMode = FromSurfaces;
   double DomainBounds[6] = {-50.0, 50.0, -50.0, 50.0, 0.0, 50.0};
   double DomainAngle = 0.0;

@@ -419,9 +419,7 @@ TEST(Sizing, GapsDoNotGetFinerThanFeatures)
   sizing.cellsAcrossGap = 8;
   sizing.boxes = {{{Vec3::Constant(9.0), Vec3::Constant(9.5)}, 0.125}};
   const Sized s = sized(surface, gridOf(32.0, 0.5, 1.0, 4.0), sizing);
-  eachLeaf(s.octree, [&](Index leaf) {
-    EXPECT_TRUE(s.octree.center(leaf)[0] > 5.0 || sizeOf(s.octree, leaf) >= 0.5);
-  });
+  eachLeaf(s.octree, [&](Index leaf) { EXPECT_TRUE(s.octree.center(leaf)[0] > 5.0 || sizeOf(s.octree, leaf) >= 0.5); });
 }
 
 /// All rules at once.
@@ -480,7 +478,8 @@ TEST(Estimate, CountsExactlyWhatAMeshOfAllZonesHas)
   for (unsigned seed = 0; seed < 10; ++seed)
   {
     SCOPED_TRACE(seed);
-    const Sized s = sized(randomSoup(seed), gridOf(8.0 + 0.37 * seed, 0.25, 0.5, 1.0), seed % 2 ? everything() : SizingOptions{});
+    const Sized s =
+        sized(randomSoup(seed), gridOf(8.0 + 0.37 * seed, 0.25, 0.5, 1.0), seed % 2 ? everything() : SizingOptions{});
     const SerialExecutor executor;
     SilentMonitor silent;
     const RunContext context{executor, ProgressRange(silent)};
@@ -489,7 +488,8 @@ TEST(Estimate, CountsExactlyWhatAMeshOfAllZonesHas)
     options.zoneRule = ZoneRule::all;
     const DualMeshResult result = makeDualMesh(s.octree, s.model, options, clock, context);
     EXPECT_EQ(s.octants.elements, result.mesh.elementCount());
-    const MeshEstimate estimate = estimateElements(s.model, s.frame, seed % 2 ? everything() : SizingOptions{}, context);
+    const MeshEstimate estimate =
+        estimateElements(s.model, s.frame, seed % 2 ? everything() : SizingOptions{}, context);
     EXPECT_EQ(estimate.elements, result.mesh.elementCount());
     std::vector<std::size_t> octants(estimate.octants.size(), 0);
     eachLeaf(s.octree, [&](Index leaf) { ++octants[s.octree.level(leaf)]; });
@@ -565,13 +565,17 @@ TEST(SizingErrors, SayWhatIsWrong)
       sized(twoBoxes(), grid, sizing);
     });
   };
-  EXPECT_THAT(with([](auto& s) { s.surfaceSizes = {{"Roof*", 1.0, {}}}; }),
+  EXPECT_THAT(with([](auto& s) {
+                s.surfaceSizes = {{"Roof*", 1.0, {}}};
+              }),
               AllOf(HasSubstr("'Roof*'"), HasSubstr("Wall north, Detail")));
   EXPECT_THAT(with([](auto& s) { s.distanceSizes = {{"Roof", 1.0, 1.0}}; }), HasSubstr("'Roof'"));
   EXPECT_THAT(with([](auto& s) { s.surfaceSizes = {{"*", 0.0, {}}}; }), HasSubstr("not positive"));
   EXPECT_THAT(with([](auto& s) { s.distanceSizes = {{"*", -1.0, 1.0}}; }), HasSubstr("distance"));
   EXPECT_THAT(with([](auto& s) { s.boxes = {{{Vec3::Constant(1.0), Vec3(2, 0, 2)}, 1.0}}; }), HasSubstr("min < max"));
-  EXPECT_THAT(with([](auto& s) { s.boxes = {{{Vec3::Constant(50.0), Vec3::Constant(60.0)}, 1.0}}; }),
+  EXPECT_THAT(with([](auto& s) {
+                s.boxes = {{{Vec3::Constant(50.0), Vec3::Constant(60.0)}, 1.0}};
+              }),
               HasSubstr("outside of the domain"));
   EXPECT_THAT(with([](auto& s) { s.maxElements = 10; }), AllOf(HasSubstr("MaxElements 10"), HasSubstr("StartLevel")));
   EXPECT_THAT(with([](auto& s) { s.surfaceSizes = {{"*", 1e-9, {}}}; }), HasSubstr("finer size"));

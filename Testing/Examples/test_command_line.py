@@ -56,6 +56,9 @@ class CommandLine(unittest.TestCase):
         self.refuses(2, "--domain", "mesh", HOUSE, "-o", out, "--domain", "1", "0", "0", "1", "0", "1")
         self.refuses(2, "--site", "mesh", HOUSE, "-o", out, "--site", "Site", "--domain", "0", "1", "0", "1", "0", "1")
         self.refuses(2, "--zone", "mesh", HOUSE, "-o", out, "--zone", "inside")
+        self.refuses(2, "--size", "mesh", HOUSE, "-o", out, "--size", "Wall*", "0.5:x")
+        self.refuses(2, "--gap-cells", "mesh", HOUSE, "-o", out, "--gap-cells", "-1")
+        self.refuses(2, "--cells-per-level", "mesh", HOUSE, "-o", out, "--cells-per-level", "0")
         self.refuses(2, "--threads", "mesh", HOUSE, "-o", out, "--threads", "0")
         self.refuses(2, ".vtu", "mesh", HOUSE, "-o", self.folder / "out.vtk")
         self.refuses(2, ".vtpc", "mesh", HOUSE, "-o", out, "--patches", self.folder / "out.vtm")
@@ -170,6 +173,45 @@ class CommandLine(unittest.TestCase):
     def without_seconds(self, file):
         """Counts and metrics to the last digit. (The files differ in the seconds they hold.)"""
         return self.atria("quality", file, "--json").stdout
+
+    def elements_estimated(self, *options):
+        run = self.atria("mesh", HOUSE, *COARSE, *options, "--estimate")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        return int(run.stdout.split("elements: ")[1].split()[0]), run
+
+    def test_estimate_is_the_mesh_of_all_zones(self):
+        options = ["--zone", "all", "--size", "Wall*", "1:0.5", "--size", "Roof*", "2", "--refine-box", *"-1 1 -1 1 0 2 1".split(),
+                   "--refine-near", "Neighbour", "3", "2", "--curvature-angle", "20", "--gap-cells", "2", "--cells-per-level", "2"]
+        report = self.folder / "estimate.json"
+        out = self.folder / "estimate.vtu"
+        elements, run = self.elements_estimated(*options)
+        self.assertIn(self.atria("mesh", HOUSE, *COARSE, *options, "-o", out, "--report", report).returncode, (0, 4))
+        self.assertEqual(json.loads(report.read_text())["counts"]["elements"], elements)
+        self.assertIn("memory: about", run.stdout)
+        sizes = [float(line.split()[1]) for line in run.stdout.splitlines() if line[:5].strip().isdigit()]
+        self.assertEqual(sizes[-1], 0.5)
+        plain, _ = self.elements_estimated()
+        self.assertGreater(elements, plain)
+
+    def test_max_elements_is_kept_to_and_said(self):
+        size = ["--size", "*", "0.5:0.25"]
+        wanted, _ = self.elements_estimated(*size)
+        limit = wanted // 2
+        report = self.folder / "limit.json"
+        run = self.atria("mesh", HOUSE, *COARSE, *size, "--max-elements", limit, "-o", self.folder / "limit.vtu", "--report", report)
+        self.assertIn(run.returncode, (0, 4), run.stderr)
+        self.assertIn(f"MaxElements {limit}", run.stderr)
+        written = json.loads(report.read_text())
+        self.assertLessEqual(written["counts"]["elements"], limit)
+        self.assertIn(f"MaxElements {limit}", written["diagnostics"]["SizingWarning"][0])
+        estimated, run = self.elements_estimated(*size, "--max-elements", limit)
+        self.assertLessEqual(estimated, limit)
+        self.assertIn(f"MaxElements {limit}", run.stderr)
+
+    def test_sizes_of_unknown_surfaces_are_refused(self):
+        self.refuses(3, "WallSouth", "mesh", HOUSE, "-o", self.folder / "out.vtu", "--size", "Wand*", "1")
+        self.refuses(3, "WallSouth", "mesh", HOUSE, "--estimate", "--refine-near", "Wand*", "1", "1")
+        self.refuses(3, "domain", "mesh", HOUSE, "--estimate", "--refine-box", *"900 901 0 1 0 1 1".split())
 
     def test_seeds_may_be_repeated(self):
         out, report = self.folder / "seeds.vtu", self.folder / "seeds.json"

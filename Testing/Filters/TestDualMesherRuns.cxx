@@ -5,7 +5,9 @@
 #include "vtkAtriaOctreeSource.h"
 
 #include <vtkCallbackCommand.h>
+#include <vtkFieldData.h>
 #include <vtkMultiBlockDataSet.h>
+#include <vtkStringArray.h>
 
 #include <gmock/gmock.h>
 
@@ -60,6 +62,41 @@ TEST_F(DualMesherRuns, AnOctreeOfTheSameSizesGivesTheSameMesh)
     source->SetOutputType(type);
     expectOutputs(own);
   }
+}
+
+TEST_F(DualMesherRuns, AnOctreeWithSizesOfItsOwnGivesTheSameMeshAsThoseSizes)
+{
+  vtkNew<vtkAtriaOctreeSource> source;
+  atria::testing::setGrid(source, domain, 0.5, 1.0, 2.0);
+  source->SetInputDataObject(atria::testing::toPolyData(scene()));
+  for (vtkAtriaGridAlgorithm* filter :
+       {static_cast<vtkAtriaGridAlgorithm*>(source), static_cast<vtkAtriaGridAlgorithm*>(mesher)})
+  {
+    filter->AddSurfaceSize("*", 0.5, 0.25);
+    filter->SetCellsPerLevel(2);
+  }
+  const auto own = copiesOfOutputs();
+  mesher->RemoveAllSurfaceSizes();
+  mesher->SetCellsPerLevel(1);
+  mesher->SetInputConnection(1, source->GetOutputPort());
+  expectOutputs(own);
+}
+
+TEST_F(DualMesherRuns, MaxElementsIsKeptToAndSaid)
+{
+  mesher->AddSurfaceSize("*", 0.25, 0.125);
+  mesher->Update();
+  const int limit = static_cast<int>(volume()->GetNumberOfCells() / 2);
+  mesher->SetMaxElements(limit);
+  mesher->Update();
+  EXPECT_LE(volume()->GetNumberOfCells(), limit);
+  EXPECT_GT(volume()->GetNumberOfCells(), 0);
+  auto* texts = vtkStringArray::SafeDownCast(diagnostics()->GetFieldData()->GetAbstractArray("SizingWarning"));
+  ASSERT_NE(texts, nullptr);
+  ASSERT_EQ(texts->GetNumberOfValues(), 1);
+  const std::string said = "MaxElements " + std::to_string(limit);
+  EXPECT_THAT(texts->GetValue(0), HasSubstr(said));
+  EXPECT_THAT(messages.takeWarnings(), ::testing::ElementsAre(HasSubstr(said)));
 }
 
 TEST_F(DualMesherRuns, GivesTheSameTwice)

@@ -331,7 +331,88 @@ TEST_F(OctreeSource, ProgressRisesToOne)
   EXPECT_EQ(seen.back(), 1.0);
 }
 
+/// Largest leaf among those that touch points of a surface's triangles.
+double coarsestOn(const std::vector<OctreeLeaf>& leaves, const TriangleSurface& surface, atria::Index id)
+{
+  double coarsest = 0.0;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    for (const atria::Index p : surface.triangles[t])
+    {
+      if (surface.surfaceIds[t] == id)
+      {
+        for (const OctreeLeaf& leaf : leavesAt(leaves, surface.points[p]))
+        {
+          coarsest = std::max(coarsest, leaf.edge());
+        }
+      }
+    }
+  }
+  return coarsest;
+}
+
+TEST_F(OctreeSource, RulesAsCallsAndAsTextAreTheSame)
+{
+  const TriangleSurface surface = buildingAndDome();
+  source->SetInputDataObject(toPolyData(surface));
+  source->AddSurfaceSize("Do*", 0.25, 0.25);
+  source->AddDistanceSize("Building", 1.0, 1.0);
+  source->AddDistanceSize("Building", 2.0, 2.0);
+  source->AddRefinementBox(-1, 1, -1, 1, 1, 2, 0.5);
+  const std::vector<OctreeLeaf> all = leaves();
+  EXPECT_NEAR(coarsestOn(all, surface, 1), 0.25, 1e-12);
+  EXPECT_NEAR(coarsestOn(all, surface, 0), sizeMin, 1e-12);
+  EXPECT_TRUE(LeafMap(all).tiles(domain));
+  EXPECT_TRUE(LeafMap(all).isBalanced());
+  const auto calls = copyOfOutput();
+  source->RemoveAllSurfaceSizes();
+  source->RemoveAllDistanceSizes();
+  source->RemoveAllRefinementBoxes();
+  EXPECT_EQ(
+      source->GetNumberOfSurfaceSizes() + source->GetNumberOfDistanceSizes() + source->GetNumberOfRefinementBoxes(), 0);
+  source->AddSurfaceSizeRule("Do* 0.25 0.25");
+  source->AddDistanceSizeRule("\"Building\" 1 1 2 2");
+  const double box[6] = {-1, 1, -1, 1, 1, 2};
+  source->AddRefinementBox(box, 0.5);
+  EXPECT_TRUE(atria::testing::identical(calls, copyOfOutput()));
+}
+
+TEST_F(OctreeSource, EstimateCountsTheLeavesOfTheOutput)
+{
+  source->SetInputDataObject(toPolyData(buildingAndDome()));
+  source->AddSurfaceSize("Dome", 0.25);
+  source->SetCellsPerLevel(3);
+  source->SetCellsAcrossGap(2);
+  source->SetCurvatureAngle(30);
+  ASSERT_TRUE(source->Estimate());
+  std::vector<vtkIdType> counts(source->GetNumberOfEstimatedLevels(), 0);
+  for (const OctreeLeaf& leaf : leaves())
+  {
+    ++counts.at(leaf.level);
+    EXPECT_NEAR(source->GetEstimatedOctantSize(leaf.level), leaf.edge(), 1e-12);
+  }
+  for (int level = 0; level < source->GetNumberOfEstimatedLevels(); ++level)
+  {
+    EXPECT_EQ(source->GetEstimatedOctants(level), counts[level]);
+  }
+  EXPECT_GT(source->GetEstimatedElements(), 0);
+  EXPECT_GT(source->GetEstimatedBytes(), 100 * source->GetEstimatedElements());
+  EXPECT_TRUE(source->GetEstimateWarning().empty());
+}
+
 using OctreeSourceError = OctreeSource;
+
+TEST_F(OctreeSourceError, SizeRulesThatAreNone)
+{
+  source->SetInputDataObject(toPolyData(buildingAndDome()));
+  source->AddSurfaceSizeRule("Building");
+  expectError(AllOf(HasSubstr("'Building'"), HasSubstr("PATTERN SIZE")));
+  EXPECT_FALSE(source->Estimate());
+  EXPECT_FALSE(messages.takeErrors().empty());
+  source->RemoveAllSurfaceSizes();
+  source->AddDistanceSizeRule("Garden* 1 1");
+  expectError(AllOf(HasSubstr("'Garden*'"), HasSubstr("Building, Dome")));
+}
 
 TEST_F(OctreeSourceError, NoSurfacesToTakeTheDomainFrom)
 {

@@ -126,16 +126,20 @@ std::string OctantSets::warning() const
   {
     return {};
   }
-  std::ostringstream text;
-  text << "the sizes asked for make more elements than MaxElements " << limit << ": octants of ";
+  // Refined octants of this level are the finest that may be kept, if at all; their children are one level finer.
   const int level = kept_ / 2;
-  if (kept_ % 2 != 0)
+  const bool featuresOnly = kept_ % 2 != 0;
+  const double finest = frame_.sizeOf(featuresOnly ? level + 1 : level);
+  std::ostringstream text;
+  text << "the sizes asked for make more elements than MaxElements " << limit << ": ";
+  if (featuresOnly)
   {
-    text << frame_.sizeOf(level + 1) << " were made for feature curves, corners and close surfaces only";
+    text << "octants of " << finest << " were made for feature curves, corners and close surfaces only, finer ones not "
+         << "at all";
   }
   else
   {
-    text << frame_.sizeOf(level + 1) << " were left out, the finest are " << frame_.sizeOf(level);
+    text << "octants finer than " << finest << " were left out";
   }
   text << "; there are up to " << elements_ << " elements";
   return text.str();
