@@ -202,7 +202,7 @@ TEST_P(Fan, HasItsWedgesDownToATenthOfAnOctant)
   };
   for (const Index sheet : {0u, 1u, 2u})
   {
-    addSheet(surface, "S" + std::to_string(sheet), Vec3::Zero(), along(sheet, 8.0), {0, 0, 7});
+    addSheet(surface, std::to_string(sheet), Vec3::Zero(), along(sheet, 8.0), {0, 0, 7});
   }
   const double nearest = 0.1 / std::sin(radians(degrees));
   for (const Vec3& offset : offsets)

@@ -10,7 +10,9 @@ import sys
 
 from vtkmodules.vtkCommonDataModel import vtkPartitionedDataSetCollection, vtkTable
 
-from atria import vtkAtriaDualMesher, vtkAtriaMeshQuality, vtkAtriaOctreeSource, vtkAtriaVRMLReader
+from atria import (
+    vtkAtriaDualMesher, vtkAtriaFeatureGraph, vtkAtriaMeshQuality, vtkAtriaOctreeSource, vtkAtriaVRMLReader
+)
 
 
 def documented(file):
@@ -40,7 +42,8 @@ def outputs(model):
     reader = vtkAtriaVRMLReader()
     reader.SetFileName(model)
     octree, mesher, quality = vtkAtriaOctreeSource(), vtkAtriaDualMesher(), vtkAtriaMeshQuality()
-    for grid in (octree, mesher):
+    features = vtkAtriaFeatureGraph()
+    for grid in (features, octree, mesher):
         grid.SetInputConnection(reader.GetOutputPort())
         grid.SetSizeMax(16.0)
         grid.SetSizeMid(4.0)
@@ -48,11 +51,14 @@ def outputs(model):
         grid.SetDomainMode(vtkAtriaDualMesher.Site)
         grid.SetSiteName("Site")
     quality.SetInputConnection(mesher.GetOutputPort())
+    features.Update()
     octree.Update()
     quality.Update()
     mesh = names_of(mesher.GetOutputDataObject(0))
     return {
         "Surfaces": names_of(reader.GetOutput()),
+        "Feature curves": names_of(features.GetOutputDataObject(0)),
+        "Model": names_of(features.GetOutputDataObject(1)),
         "Octree": names_of(octree.GetOutputDataObject(0)),
         "Mesh": mesh,
         "Patches": names_of(mesher.GetOutputDataObject(1)),

@@ -138,7 +138,6 @@ private:
   Vec3 modelPoint(Index point) const { return frame_.toModel(model_.points[point]); }
   double distanceTo(const Piece& piece, const Vec3& p) const;
   bool covers(const Piece& piece, const Vec3& p, const Vec3& normal) const;
-  std::string namesAlong(const FeatureEdge& edge) const;
   BoxIndex indexOfPieces(double margin) const;
   /// f(a, b, c) for the triangles about the mean of its points.
   template <typename F> void eachTriangle(const Piece& piece, F&& f) const

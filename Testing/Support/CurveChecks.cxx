@@ -2,12 +2,12 @@
 #include "Support/BoxIndex.h"
 #include "Support/FeatureChecks.h"
 #include "Surface/Distance.h"
+#include "Surface/FeatureCurves.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace atria::testing {
 
@@ -98,29 +98,10 @@ private:
   BoxIndex index_;
 };
 
-std::string FeatureChecks::namesAlong(const FeatureEdge& edge) const
-{
-  std::set<std::string> names;
-  for (Index t = 0; t < model_.triangles.size(); ++t)
-  {
-    const auto& points = model_.triangles[t];
-    const auto has = [&](Index p) { return std::find(points.begin(), points.end(), p) != points.end(); };
-    if (has(edge.a) && has(edge.b))
-    {
-      names.insert(model_.names[model_.surfaceIds[t]]);
-    }
-  }
-  std::string text;
-  for (const std::string& name : names)
-  {
-    text += (text.empty() ? "" : " + ") + name;
-  }
-  return text;
-}
-
 CurveCoverage FeatureChecks::curves() const
 {
   const SegmentIndex segments(*this);
+  const std::vector<std::vector<Index>> surfaces = findFeatureCurves(model_).surfaces;
   CurveCoverage out;
   for (Index e = 0; e < model_.featureEdges.size(); ++e)
   {
@@ -147,7 +128,10 @@ CurveCoverage FeatureChecks::curves() const
     if (miss.missed > 0.0)
     {
       miss.middle /= miss.missed;
-      miss.names = namesAlong(edge);
+      for (const Index s : surfaces[e])
+      {
+        miss.names += (miss.names.empty() ? "" : " + ") + model_.names[s];
+      }
       out.misses.push_back(miss);
     }
   }
