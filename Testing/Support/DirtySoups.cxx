@@ -220,8 +220,9 @@ void Builder::addRoom(const Box3& box, const std::string& name, int sharedSide, 
     }
     if (doubled)
     {
-      addRectangle(addName(name + "Again" + sideNames[side]), axis, at + (chance(0.5) ? 0.0 : 1e-3 * h), r, {});
-      note("doubled wall");
+      const bool inPlace = chance(0.5);
+      addRectangle(addName(name + "Again" + sideNames[side]), axis, at + (inPlace ? 0.0 : 1e-3 * h), r, {});
+      note(inPlace ? "wall doubled in place" : "wall doubled beside");
     }
   }
   if (divided)

@@ -73,9 +73,18 @@ void FeatureChecks::findPieces()
     const ReducedFace corners = faceOf(mesh_.corners[face.element], face.direction);
     Piece piece;
     piece.points.fill(noIndex);
+    int count = 0;
     for (int i = 0; i < corners.count; ++i)
     {
-      piece.points[i] = placeOf[corners.points[i]];
+      const Index place = placeOf[corners.points[i]];
+      if (std::find(piece.points.begin(), piece.points.end(), place) == piece.points.end())
+      {
+        piece.points[count++] = place;
+      }
+    }
+    if (count < 3)
+    {
+      continue; // its neighbours meet in its place
     }
     eachTriangle(piece, [&](const Vec3& m, const Vec3& a, const Vec3& b) {
       const Vec3 twice = (a - m).cross(b - m);
