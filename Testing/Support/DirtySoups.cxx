@@ -22,7 +22,6 @@ using Rectangle = std::array<double, 4>;
 
 enum class Weakness
 {
-  none,
   opening, ///< a hole of three octants or more
   crack,   ///< far below an octant: closed
   gap      ///< well above an octant: open
@@ -59,7 +58,8 @@ private:
                Index neighbour);
   void addPartition(const Box3& box, const std::string& name, Index low, Index high);
   void addSheets(const Box3& box, const std::string& name);
-  std::optional<Rectangle> holeIn(const Rectangle& r);
+  Rectangle holeIn(const Rectangle& r);
+  std::optional<Rectangle> weaken(Rectangle& wall, Index inside);
   void place();
 
   std::mt19937 random_;
@@ -146,7 +146,7 @@ void Builder::addRectangle(Index name, int axis, double at, const Rectangle& r, 
 }
 
 /// Three octants or more, and one and more away from the rectangle's sides.
-std::optional<Rectangle> Builder::holeIn(const Rectangle& r)
+Rectangle Builder::holeIn(const Rectangle& r)
 {
   Rectangle hole{};
   for (int i = 0; i < 2; ++i)
@@ -157,6 +157,31 @@ std::optional<Rectangle> Builder::holeIn(const Rectangle& r)
     hole[i + 2] = hole[i] + size;
   }
   return hole;
+}
+
+/// Gives a wall of a space a hole, or cuts it short on one side by little or by much.
+std::optional<Rectangle> Builder::weaken(Rectangle& wall, Index inside)
+{
+  const auto weakness = static_cast<Weakness>(below(3));
+  if (weakness != Weakness::crack)
+  {
+    connect(inside, 0);
+  }
+  switch (weakness)
+  {
+    case Weakness::opening:
+      note("opening");
+      return holeIn(wall);
+    case Weakness::crack:
+      note("crack");
+      wall[2 + below(2)] -= uniform(0.002, 0.02) * h;
+      break;
+    case Weakness::gap:
+      note("gap");
+      wall[2 + below(2)] -= uniform(2.5, 4.0) * h;
+      break;
+  }
+  return {};
 }
 
 /// Six walls about a space, which a partition across x may divide in two. Walls across x may be open. `sharedSide` is
@@ -194,23 +219,7 @@ void Builder::addRoom(const Box3& box, const std::string& name, int sharedSide, 
     }
     else if (axis == 0 && chance(0.4))
     {
-      const auto weakness = static_cast<Weakness>(1 + below(3));
-      if (weakness == Weakness::opening)
-      {
-        hole = holeIn(r);
-        connect(inside, 0);
-        note("opening");
-      }
-      else
-      {
-        const bool open = weakness == Weakness::gap;
-        r[2 + below(2)] -= open ? uniform(2.5, 4.0) * h : uniform(0.002, 0.02) * h;
-        note(open ? "gap" : "crack");
-        if (open)
-        {
-          connect(inside, 0);
-        }
-      }
+      hole = weaken(r, inside);
     }
     addRectangle(wall, axis, at, r, hole);
     const bool doubled = !hole && chance(0.15);
