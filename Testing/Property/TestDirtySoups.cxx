@@ -3,8 +3,11 @@
 #include "Support/DirtySoups.h"
 #include "Support/DualMeshChecks.h"
 #include "Support/MeshIt.h"
+#include "Support/Shapes.h"
 #include "Support/Watchdog.h"
 #include "VtkDualMesh.h"
+
+#include <Eigen/Geometry>
 
 #include <vtkAbstractArray.h>
 #include <vtkFieldData.h>
@@ -104,6 +107,43 @@ void expectNothingLost(const DirtySoup& soup, const Meshed& meshed)
   for (Index s = 0; s < soup.surface.names.size(); ++s)
   {
     EXPECT_EQ(listed.count(soup.surface.names[s]) > 0, tags.count(s) == 0) << soup.surface.names[s];
+  }
+}
+
+/// A room of 2 m, one of whose walls is there twice, cut along one diagonal and along the other. Its neighbours are cut
+/// elsewhere, so that along its sides both copies meet each other alone, as the two halves of a fold do.
+TEST(DoubledWall, KeepsItsRoomClosed)
+{
+  TriangleSurface room;
+  addSheet(room, "Wall", {2, 0, 0}, {0, 2, 0}, {0, 0, 2});
+  addSurface(room, "Again", {{2, 0, 0}, {2, 2, 0}, {2, 2, 2}, {2, 0, 2}}, {{0, 1, 3}, {1, 2, 3}});
+  for (const auto& [a, u] : {std::pair(0.0, 0.7), std::pair(0.7, 1.3)})
+  {
+    for (const auto& [b, v] : {std::pair(0.0, 0.9), std::pair(0.9, 1.1)})
+    {
+      addSheet(room, "Opposite", {0, a, b}, {0, u, 0}, {0, 0, v});
+      for (const double at : {0.0, 2.0})
+      {
+        addSheet(room, "Side", {a, at, b}, {u, 0, 0}, {0, 0, v});
+        addSheet(room, "Floor", {a, b, at}, {u, 0, 0}, {0, v, 0});
+      }
+    }
+  }
+  for (int i = 0; i < 20; ++i)
+  {
+    SCOPED_TRACE(i);
+    const Eigen::AngleAxisd turn(0.37 * i, Vec3(0.3 + 0.01 * i, 0.5, 0.7).normalized());
+    TriangleSurface turned = room;
+    for (Vec3& p : turned.points)
+    {
+      p = turn * (p - Vec3::Ones());
+    }
+    GridOptions grid;
+    grid.domain = {Vec3::Constant(-4.0), Vec3::Constant(4.0)};
+    grid.sizeMin = grid.sizeMid = grid.sizeMax = 0.25;
+    DualMeshOptions options;
+    options.zoneRule = ZoneRule::all;
+    EXPECT_GE(meshIt(turned, grid, options).result.keptZones.size(), 2u) << "the room is open";
   }
 }
 
