@@ -13,6 +13,7 @@
 #include <vtkStringArray.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLPartitionedDataSetCollectionWriter.h>
+#include <vtkXMLPolyDataWriter.h>
 #include <vtkXMLUnstructuredGridReader.h>
 #include <vtkXMLUnstructuredGridWriter.h>
 
@@ -131,6 +132,12 @@ void writeMesh(const std::string& file, vtkUnstructuredGrid* mesh, Console& cons
 {
   vtkNew<vtkXMLUnstructuredGridWriter> writer;
   writeCompressed(writer.Get(), file, mesh, console);
+}
+
+void writePolyData(const std::string& file, vtkPolyData* data, Console& console)
+{
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writeCompressed(writer.Get(), file, data, console);
 }
 
 void writePatches(const std::string& file, vtkPartitionedDataSetCollection* patches, Console& console)

@@ -11,6 +11,7 @@
 class vtkAlgorithm;
 class vtkAtriaVRMLReader;
 class vtkPartitionedDataSetCollection;
+class vtkPolyData;
 class vtkUnstructuredGrid;
 
 namespace atria::tool {
@@ -23,6 +24,7 @@ vtkSmartPointer<vtkUnstructuredGrid> readMesh(const std::string& file, Console& 
 
 /// Appended binary data, compressed. Throws Failure(Failed).
 void writeMesh(const std::string& file, vtkUnstructuredGrid* mesh, Console& console);
+void writePolyData(const std::string& file, vtkPolyData* data, Console& console);
 void writePatches(const std::string& file, vtkPartitionedDataSetCollection* patches, Console& console);
 void writeOpenFOAM(const std::string& folder, vtkUnstructuredGrid* mesh, vtkPartitionedDataSetCollection* patches,
                    Console& console);

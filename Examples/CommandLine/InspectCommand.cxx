@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// atria inspect: what a model holds, surface by surface.
+/// atria inspect: what a model holds, surface by surface, and its features.
 #include "Commands.h"
 #include "Console.h"
 #include "Files.h"
@@ -7,12 +7,14 @@
 
 #include <Surface/Inspection.h>
 
+#include <vtkAtriaFeatureGraph.h>
 #include <vtkAtriaVRMLReader.h>
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
+#include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
@@ -122,9 +124,36 @@ void printTable(const Inspection& inspection)
               "together\n");
 }
 
-ExitStatus runInspect(const std::string& file, bool asJson, Console& console)
+/// The curves of the whole model: a domain some way off it cuts none.
+void writeFeatures(const std::string& file, vtkAtriaVRMLReader* reader, Console& console)
 {
+  vtkNew<vtkAtriaFeatureGraph> features;
+  features->SetInputConnection(reader->GetOutputPort());
+  std::array<double, 6> bounds;
+  reader->GetOutput()->GetBounds(bounds.data());
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    bounds[2 * axis] -= features->GetSizeMax();
+    bounds[2 * axis + 1] += features->GetSizeMax();
+  }
+  features->SetDomainMode(vtkAtriaFeatureGraph::Explicit);
+  features->SetDomainBounds(bounds.data());
+  console.follow(features, 0.05, 0.9);
+  updateOrFail(features, file, console);
+  writePolyData(file, vtkPolyData::SafeDownCast(features->GetOutputDataObject(0)), console);
+}
+
+ExitStatus runInspect(const std::string& file, const std::string& features, bool asJson, Console& console)
+{
+  if (!features.empty())
+  {
+    checkOutput("--features", features, ".vtp");
+  }
   const auto reader = readModel(file, console);
+  if (!features.empty())
+  {
+    writeFeatures(features, reader, console);
+  }
   const Inspection inspection = inspect(trianglesOf(reader->GetOutput()));
   console.clearBar();
   if (asJson)
@@ -145,13 +174,19 @@ void addInspectCommand(CLI::App& app, Console& console, ExitStatus& status)
   struct Options
   {
     std::string file;
+    std::string features;
     bool json = false;
   };
   CLI::App* command = app.add_subcommand("inspect", "List the surfaces of a model by name");
   auto options = std::make_shared<Options>();
   command->add_option("IN.wrl", options->file, "VRML model (.wrl, .wrz, .wrl.gz)")->required();
+  command
+      ->add_option("--features", options->features,
+                   "Also write the curves and corners that a mesh is to keep: rims, creases, junctions, borders")
+      ->type_name("OUT.vtp");
   command->add_flag("--json", options->json, "Print JSON");
-  command->callback([options, &console, &status] { status = runInspect(options->file, options->json, console); });
+  command->callback(
+      [options, &console, &status] { status = runInspect(options->file, options->features, options->json, console); });
 }
 
 } // namespace atria::tool

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class   vtkAtriaGridAlgorithm
- * @brief   sizes, domain and features, common to the octree source and the dual mesher
+ * @brief   sizes, domain and features, common to the feature graph, the octree source and the dual mesher
  *
  * Lengths are in the model's units; defaults suit a building in metres. Input port 0 takes the surface model: a
  * vtkPolyData, or a composite of named vtkPolyData blocks. A vtkPolyData names its surfaces by the cell array

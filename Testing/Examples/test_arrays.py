@@ -10,7 +10,10 @@ import sys
 
 from vtkmodules.vtkCommonDataModel import vtkPartitionedDataSetCollection, vtkTable
 
-from atria import vtkAtriaDualMesher, vtkAtriaMeshQuality, vtkAtriaOctreeSource, vtkAtriaPreflight, vtkAtriaVRMLReader
+from atria import (
+    vtkAtriaDualMesher, vtkAtriaFeatureGraph, vtkAtriaMeshQuality, vtkAtriaOctreeSource, vtkAtriaPreflight,
+    vtkAtriaVRMLReader,
+)
 
 
 def documented(file):
@@ -40,8 +43,8 @@ def outputs(model):
     reader = vtkAtriaVRMLReader()
     reader.SetFileName(model)
     octree, mesher, quality = vtkAtriaOctreeSource(), vtkAtriaDualMesher(), vtkAtriaMeshQuality()
-    preflight = vtkAtriaPreflight()
-    for grid in (octree, mesher, preflight):
+    features, preflight = vtkAtriaFeatureGraph(), vtkAtriaPreflight()
+    for grid in (features, octree, mesher, preflight):
         grid.SetInputConnection(reader.GetOutputPort())
         grid.SetSizeMax(16.0)
         grid.SetSizeMid(4.0)
@@ -49,6 +52,7 @@ def outputs(model):
         grid.SetDomainMode(vtkAtriaDualMesher.Site)
         grid.SetSiteName("Site")
     quality.SetInputConnection(mesher.GetOutputPort())
+    features.Update()
     octree.Update()
     preflight.Update()
     report = preflight.GetOutput()
@@ -58,6 +62,8 @@ def outputs(model):
     mesh = names_of(mesher.GetOutputDataObject(0))
     return {
         "Surfaces": names_of(reader.GetOutput()),
+        "Feature curves": names_of(features.GetOutputDataObject(0)),
+        "Model": names_of(features.GetOutputDataObject(1)),
         "Octree": names_of(octree.GetOutputDataObject(0)),
         "Mesh": mesh,
         "Patches": names_of(mesher.GetOutputDataObject(1)),

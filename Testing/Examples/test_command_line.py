@@ -124,6 +124,14 @@ class CommandLine(unittest.TestCase):
         self.refuses(2, "--align", "mesh", HOUSE, "-o", out, "--align", "roof")
         self.refuses(3, "dgm*", "mesh", HOUSE, "-o", out, "--terrain", "dgm*")
 
+    def test_inspect_writes_features(self):
+        out = self.folder / "features.vtp"
+        run = self.atria("inspect", HOUSE, "--features", out)
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        self.assertIn("PartitionB", run.stdout)
+        self.assertIn(b"CurveKind", out.read_bytes())
+        self.refuses(2, ".vtp", "inspect", HOUSE, "--features", self.folder / "features.vtu")
+
     def test_turned_model_has_the_same_area(self):
         straight, turned = (
             json.loads(self.atria("inspect", DATA / name, "--json").stdout)["total"]

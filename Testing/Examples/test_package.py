@@ -4,9 +4,15 @@
 import vtk
 
 import atria
-from atria import vtkAtriaDualMesher, vtkAtriaMeshQuality, vtkAtriaOctreeSource, vtkAtriaOpenFOAMWriter, vtkAtriaPreflight, vtkAtriaVRMLReader
+from atria import (
+    vtkAtriaDualMesher, vtkAtriaFeatureGraph, vtkAtriaMeshQuality, vtkAtriaOctreeSource, vtkAtriaOpenFOAMWriter,
+    vtkAtriaPreflight, vtkAtriaVRMLReader,
+)
 
-for cls in (vtkAtriaDualMesher, vtkAtriaMeshQuality, vtkAtriaOctreeSource, vtkAtriaOpenFOAMWriter, vtkAtriaPreflight, vtkAtriaVRMLReader):
+for cls in (
+    vtkAtriaDualMesher, vtkAtriaFeatureGraph, vtkAtriaMeshQuality, vtkAtriaOctreeSource, vtkAtriaOpenFOAMWriter,
+    vtkAtriaPreflight, vtkAtriaVRMLReader,
+):
     instance = cls()
     assert isinstance(instance, vtk.vtkAlgorithm), cls
     assert cls.__name__ in atria.__all__, cls

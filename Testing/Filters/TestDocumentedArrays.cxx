@@ -2,6 +2,7 @@
 /// docs/arrays.md lists the arrays of the outputs, all of them and no others.
 #include "DualMesherTest.h"
 #include "Support/TestPaths.h"
+#include "vtkAtriaFeatureGraph.h"
 #include "vtkAtriaOctreeSource.h"
 
 #include <vtkCellData.h>
@@ -89,6 +90,16 @@ TEST_F(DocumentedArrays, OfModels)
 {
   EXPECT_THAT(present(atria::testing::exampleModel("house.wrl")),
               UnorderedElementsAreArray(documented("vtkAtriaVRMLReader")));
+}
+
+TEST_F(DocumentedArrays, OfFeatures)
+{
+  vtkNew<vtkAtriaFeatureGraph> features;
+  atria::testing::setGrid(features, domain, 0.5, 1.0, 2.0);
+  features->SetInputDataObject(atria::testing::toPolyData(building()));
+  features->Update();
+  EXPECT_THAT(present(features->GetOutputDataObject(0)), UnorderedElementsAreArray(documented("Feature curves")));
+  EXPECT_THAT(present(features->GetOutputDataObject(1)), UnorderedElementsAreArray(documented("Model")));
 }
 
 TEST_F(DocumentedArrays, OfOctrees)

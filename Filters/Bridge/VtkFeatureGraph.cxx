@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "VtkFeatureGraph.h"
+
+#include "Surface/FeatureCurves.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkFieldData.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+namespace atria {
+
+namespace {
+
+constexpr std::array<const char*, 5> curveKindNames{"rim", "crease", "junction", "border", "corner"};
+constexpr int cornerKind = 4;
+
+/// The points of the model that are in use, in VTK's numbers.
+class PointNumbers
+{
+public:
+  PointNumbers(const SurfaceModel& model, const GridFrame& frame)
+      : model_(model), frame_(frame), numbers_(model.points.size(), -1)
+  {
+    points_->SetDataTypeToDouble();
+  }
+  vtkIdType operator()(Index p)
+  {
+    if (numbers_[p] < 0)
+    {
+      numbers_[p] = points_->InsertNextPoint(frame_.toModel(model_.points[p]).data());
+    }
+    return numbers_[p];
+  }
+  vtkPoints* points() { return points_; }
+
+private:
+  const SurfaceModel& model_;
+  const GridFrame& frame_;
+  std::vector<vtkIdType> numbers_;
+  vtkNew<vtkPoints> points_;
+};
+
+vtkIntArray* addArray(vtkPolyData* out, const char* name, int components)
+{
+  vtkNew<vtkIntArray> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  out->GetCellData()->AddArray(array);
+  return array; // held by the data
+}
+
+template <typename Names> void addStrings(vtkPolyData* out, const char* name, const Names& names)
+{
+  vtkNew<vtkStringArray> array;
+  array->SetName(name);
+  for (const auto& text : names)
+  {
+    array->InsertNextValue(text);
+  }
+  out->GetFieldData()->AddArray(array);
+}
+
+/// Names of surfaces, parted by " + ".
+std::string joined(const SurfaceModel& model, const std::vector<Index>& surfaces)
+{
+  std::string text;
+  for (const Index s : surfaces)
+  {
+    text += (text.empty() ? "" : " + ") + model.names[s];
+  }
+  return text;
+}
+
+/// Per point: how many feature edges end there, and the surfaces along them.
+struct Meeting
+{
+  int edges = 0;
+  std::vector<Index> surfaces;
+};
+
+std::vector<Meeting> meetingsOf(const SurfaceModel& model, const FeatureCurves& curves)
+{
+  std::vector<Meeting> out(model.points.size());
+  for (std::size_t e = 0; e < model.featureEdges.size(); ++e)
+  {
+    for (const Index p : {model.featureEdges[e].a, model.featureEdges[e].b})
+    {
+      ++out[p].edges;
+      out[p].surfaces.insert(out[p].surfaces.end(), curves.surfaces[e].begin(), curves.surfaces[e].end());
+    }
+  }
+  for (const Index p : model.corners)
+  {
+    std::sort(out[p].surfaces.begin(), out[p].surfaces.end());
+    out[p].surfaces.erase(std::unique(out[p].surfaces.begin(), out[p].surfaces.end()), out[p].surfaces.end());
+  }
+  return out;
+}
+
+} // namespace
+
+void featureCurvesToVtk(const SurfaceModel& model, const GridFrame& frame, vtkPolyData* out)
+{
+  const FeatureCurves curves = findFeatureCurves(model);
+  const std::vector<Meeting> meetings = meetingsOf(model, curves);
+  PointNumbers numbers(model, frame);
+  vtkIntArray* kinds = addArray(out, "CurveKind", 1);
+  vtkIntArray* ids = addArray(out, "CurveId", 1);
+  vtkIntArray* charts = addArray(out, "ChartId", 2);
+  vtkIntArray* degrees = addArray(out, "EdgeCount", 1);
+  vtkNew<vtkStringArray> surfaces;
+  surfaces->SetName("Surfaces");
+  const auto addCell = [&](int kind, int curve, int chart, int otherChart, int degree,
+                           const std::vector<Index>& names) {
+    kinds->InsertNextValue(kind);
+    ids->InsertNextValue(curve);
+    charts->InsertNextValue(chart);
+    charts->InsertNextValue(otherChart);
+    degrees->InsertNextValue(degree);
+    surfaces->InsertNextValue(joined(model, names));
+  };
+  vtkNew<vtkCellArray> corners;
+  for (const Index p : model.corners)
+  {
+    corners->InsertNextCell({numbers(p)});
+    addCell(cornerKind, -1, -1, -1, meetings[p].edges, meetings[p].surfaces);
+  }
+  vtkNew<vtkCellArray> lines;
+  for (std::size_t e = 0; e < model.featureEdges.size(); ++e)
+  {
+    const FeatureEdge& edge = model.featureEdges[e];
+    lines->InsertNextCell({numbers(edge.a), numbers(edge.b)});
+    addCell(static_cast<int>(edge.kind), static_cast<int>(curves.curveOf[e]), static_cast<int>(edge.charts[0]),
+            static_cast<int>(edge.charts[1]), 1, curves.surfaces[e]);
+  }
+  out->GetCellData()->AddArray(surfaces);
+  out->SetPoints(numbers.points());
+  out->SetVerts(corners);
+  out->SetLines(lines);
+  addStrings(out, "CurveKindName", curveKindNames);
+}
+
+void modelToVtk(const SurfaceModel& model, const GridFrame& frame, vtkPolyData* out)
+{
+  PointNumbers numbers(model, frame);
+  vtkIntArray* surfaceIds = addArray(out, "SurfaceId", 1);
+  vtkIntArray* charts = addArray(out, "ChartId", 1);
+  vtkNew<vtkCellArray> triangles;
+  for (Index t = 0; t < model.triangles.size(); ++t)
+  {
+    const auto& [a, b, c] = model.triangles[t];
+    triangles->InsertNextCell({numbers(a), numbers(b), numbers(c)});
+    surfaceIds->InsertNextValue(static_cast<int>(model.surfaceIds[t]));
+    charts->InsertNextValue(static_cast<int>(model.charts[t]));
+  }
+  out->SetPoints(numbers.points());
+  out->SetPolys(triangles);
+  addStrings(out, "SurfaceName", model.names);
+}
+
+} // namespace atria

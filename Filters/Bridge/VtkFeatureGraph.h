@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Features of the model from the core to VTK; docs/arrays.md lists the arrays.
+#pragma once
+
+#include "Surface/SurfaceModel.h"
+
+class vtkPolyData;
+
+namespace atria {
+
+/// A vertex for each corner, then a line for each feature edge.
+void featureCurvesToVtk(const SurfaceModel& model, const GridFrame& frame, vtkPolyData* out);
+
+/// The triangles as the mesher sees them.
+void modelToVtk(const SurfaceModel& model, const GridFrame& frame, vtkPolyData* out);
+
+} // namespace atria

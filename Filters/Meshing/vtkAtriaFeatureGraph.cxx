@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkAtriaFeatureGraph.h"
+
+#include "AlgorithmProgress.h"
+#include "GridInput.h"
+#include "VtkFeatureGraph.h"
+
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+
+vtkStandardNewMacro(vtkAtriaFeatureGraph);
+
+vtkAtriaFeatureGraph::vtkAtriaFeatureGraph() { this->SetNumberOfOutputPorts(2); }
+
+vtkAtriaFeatureGraph::~vtkAtriaFeatureGraph() = default;
+
+int vtkAtriaFeatureGraph::FillOutputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkPolyData");
+  return 1;
+}
+
+int vtkAtriaFeatureGraph::RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputs)
+{
+  for (int port = 0; port < 2; ++port)
+  {
+    vtkInformation* info = outputs->GetInformationObject(port);
+    if (!vtkPolyData::SafeDownCast(vtkDataObject::GetData(info)))
+    {
+      info->Set(vtkDataObject::DATA_OBJECT(), vtkNew<vtkPolyData>());
+    }
+  }
+  return 1;
+}
+
+int vtkAtriaFeatureGraph::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkPolyData* curves = vtkPolyData::GetData(outputs, 0);
+  vtkPolyData* triangles = vtkPolyData::GetData(outputs, 1);
+  const auto clear = [&] {
+    curves->Initialize();
+    triangles->Initialize();
+  };
+  clear();
+  atria::AlgorithmProgress progress(*this);
+  const atria::ProgressRange range(progress);
+  try
+  {
+    range.report(0.0, "Reading surfaces");
+    const atria::GridInput input = atria::readGridInput(vtkDataObject::GetData(inputs[0]));
+    const atria::GridFrame frame = input.frame(*this);
+    range.report(0.3, "Finding features");
+    const atria::SurfaceModel model = input.model(*this, frame);
+    range.report(0.8, "Converting");
+    atria::featureCurvesToVtk(model, frame, curves);
+    atria::modelToVtk(model, frame, triangles);
+    range.report(1.0, "Found features");
+  }
+  catch (const atria::Aborted&)
+  {
+    clear();
+  }
+  catch (const std::exception& error)
+  {
+    clear();
+    vtkErrorMacro(<< error.what());
+    return 0;
+  }
+  return 1;
+}
+
+void vtkAtriaFeatureGraph::PrintSelf(ostream& os, vtkIndent indent) { this->Superclass::PrintSelf(os, indent); }
