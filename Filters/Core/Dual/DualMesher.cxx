@@ -128,12 +128,11 @@ void appendMerged(const Crossings& crossings, const std::vector<Index>& elements
     {
       continue;
     }
-    const int axis = axisOf(edge.direction);
-    Diagnostic merged{Diagnostic::mergedSheets, frame.toModel(edge.start), frame.toModel(edge.start),
-                      here != noIndex ? here : there};
-    merged.begin[axis] = frame.toModel(axis, edge.nearest.coordinate);
-    merged.end[axis] = frame.toModel(axis, edge.farthest.coordinate);
-    out.push_back(merged);
+    const auto at = [&](const SurfaceCrossing& cut) {
+      return Vec3(frame.origin + frame.latticeUnit() * pointOn(edge.segment, cut.parameter));
+    };
+    const auto cuts = crossings.of(edge);
+    out.push_back({Diagnostic::mergedSheets, at(cuts.front()), at(cuts.back()), here != noIndex ? here : there});
   }
 }
 
@@ -147,13 +146,13 @@ DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, con
   GridPoints points = findGridPoints(octree, context);
   clock.lap("dual");
   context.progress.report(0.3, "Finding crossings");
-  Crossings crossings = findCrossings(octree, model, points, context);
+  GridPlaces grid(octree, points);
+  Crossings crossings = findCrossings(grid, model, context);
   clock.lap("crossings");
   context.progress.report(0.6, "Finding zones");
   const Zones zones = findZones(crossings, context);
   result.keptZones = keptZones(zones, options.zoneRule, options.seeds, octree, points);
   const std::vector<Index> elements = numberElements(zones, result.keptZones);
-  points.atCorner = {};
   clock.lap("zones");
   context.progress.report(0.7, "Placing vertices");
   std::vector<Index> vertexOfLeaf;
