@@ -13,6 +13,7 @@ import math
 import pathlib
 import sys
 
+from polygons import area, with_points_in_between
 from vrml_text import surface
 
 LENGTH, WIDTH, EAVES, RIDGE = 24.0, 14.0, 7.0, 11.0
@@ -117,37 +118,6 @@ HOUSE = {
     "PartitionB": (partition(PARTITION_B, DOOR_B, up_to_roof=False), "Plaster"),
 }
 COLOURS = {"Boards": "0.62 0.45 0.30", "Plaster": "0.93 0.91 0.85", "Tiles": "0.68 0.30 0.22", "Grass": "0.50 0.62 0.40"}
-
-
-def with_points_in_between(surfaces):
-    """Puts into every edge the points of the model that lie on it, so that neighbours share whole edges."""
-    points = {p for polygons, _ in surfaces.values() for polygon in polygons for p in polygon}
-    result = {}
-    for name, (polygons, material) in surfaces.items():
-        result[name] = ([[q for edge in edges(p) for q in on_edge(edge, points)] for p in polygons], material)
-    return result
-
-
-def edges(polygon):
-    return zip(polygon, polygon[1:] + polygon[:1])
-
-
-def on_edge(edge, points):
-    """The edge's first point and the points strictly inside of it, in order."""
-    a, b = edge
-    length = math.dist(a, b)
-    inside = [p for p in points if p not in edge and math.dist(a, p) + math.dist(p, b) < length + 1e-12]
-    return [a, *sorted(inside, key=lambda p: math.dist(a, p))]
-
-
-def area(polygon):
-    """Newell's formula."""
-    total = [0.0, 0.0, 0.0]
-    for p, q in edges(polygon):
-        for axis in range(3):
-            j, k = (axis + 1) % 3, (axis + 2) % 3
-            total[axis] += p[j] * q[k] - p[k] * q[j]
-    return 0.5 * math.hypot(*total)
 
 
 def model(turned):
