@@ -125,8 +125,8 @@ CurveCoverage FeatureChecks::curves() const
   for (Index e = 0; e < model_.featureEdges.size(); ++e)
   {
     const FeatureEdge& edge = model_.featureEdges[e];
-    CurveFigures& kind = out.ofKind[static_cast<int>(edge.kind)];
-    CurveMiss miss{e, edge.kind, 0.0, 0.0, 0.0, modelPoint(edge.a), modelPoint(edge.b), Vec3::Zero(), {}};
+    CurveFigures& kind = out.ofKind[static_cast<int>(model_.curves[edge.curve].kind)];
+    CurveMiss miss{e, model_.curves[edge.curve].kind, 0.0, 0.0, 0.0, modelPoint(edge.a), modelPoint(edge.b), Vec3::Zero(), {}};
     sampleSegment(miss.begin, miss.end, tolerances_.curveSpacing, [&](const Vec3& p, double length) {
       if (outsideOrOnDomainEdge(frame_, p))
       {
