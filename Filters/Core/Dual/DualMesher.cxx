@@ -2,6 +2,7 @@
 #include "Dual/DualMesher.h"
 
 #include "Dual/DualVertices.h"
+#include "Dual/ModifiedGrid.h"
 #include "Dual/Sheets.h"
 
 #include <algorithm>
@@ -148,6 +149,11 @@ DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, con
   context.progress.report(0.3, "Finding crossings");
   GridPlaces grid(octree, points);
   Crossings crossings = findCrossings(grid, model, context);
+  modifyGrid(grid, model, crossings, context);
+  if (grid.movedCount() > 0)
+  {
+    crossings = findCrossings(grid, model, context);
+  }
   clock.lap("crossings");
   context.progress.report(0.6, "Finding zones");
   const Zones zones = findZones(crossings, context);

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Dual/ModifiedGrid.h"
+
+#include "Dual/LeafTopology.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace atria {
+
+namespace {
+
+/// How far a point may move, against its shortest edge.
+constexpr double farthestMove = 0.55;
+/// How far beyond a single cut a point is put, against the edge, if nothing else limits it.
+constexpr double stepBeyond = 0.1;
+constexpr int mostSweeps = 12;
+/// What a move of a point by its shortest edge counts against one surplus.
+constexpr double moveCost = 0.05;
+
+/// A cut edge, kept up to date while points move.
+struct LiveEdge
+{
+  EdgeSegment segment;
+  std::vector<SurfaceCrossing> cuts;
+};
+
+Vec3 asVector(const LatticePoint& p)
+{
+  return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
+}
+
+class Search
+{
+public:
+  Search(GridPlaces& places, const SurfaceModel& surfaces, const Crossings& crossings)
+      : grid(places), octree(places.octree()), probe(octree, surfaces), topology(octree, surfaces)
+  {
+    for (const CrossedEdge& edge : crossings.crossedEdges)
+    {
+      const auto cuts = crossings.of(edge);
+      const Index id = add(edge.point, edge.direction, edge.segment);
+      edges[id].cuts.assign(cuts.begin(), cuts.end());
+    }
+  }
+
+  /// Points of edges with surplus cuts and of leaves with surplus sheets.
+  std::set<Index> pointsInQuestion()
+  {
+    std::set<Index> points;
+    std::vector<Index> leaves;
+    for (const auto& [leaf, ids] : edgesOfLeaf)
+    {
+      leaves.push_back(leaf);
+    }
+    std::sort(leaves.begin(), leaves.end());
+    for (const Index leaf : leaves)
+    {
+      const auto& ids = edgesOfLeaf.at(leaf);
+      const bool surplus = std::any_of(ids.begin(), ids.end(), [&](Index id) { return edges[id].cuts.size() > 1; });
+      if (surplus || surplusSheets(leaf) > 0)
+      {
+        addCorners(leaf, points);
+      }
+    }
+    return points;
+  }
+
+  /// Whether the point was moved to a better place.
+  bool improve(Index point)
+  {
+    const double before = costAt(point);
+    if (before < 1.0 && !grid.isMoved(point))
+    {
+      return false;
+    }
+    const LatticePoint from = grid.place(point);
+    LatticePoint best = from;
+    double bestCost = before;
+    for (const LatticePoint& place : candidates(point))
+    {
+      moveTo(point, place);
+      const double cost = costAt(point);
+      if (cost < bestCost - 1e-9)
+      {
+        bestCost = cost;
+        best = place;
+      }
+    }
+    moveTo(point, best);
+    return best != from;
+  }
+
+  void addNeighbours(Index point, std::set<Index>& points) const
+  {
+    for (const Index leaf : grid.points().leaves[point])
+    {
+      addCorners(leaf, points);
+    }
+  }
+
+private:
+  static std::uint64_t keyOf(Index point, int direction) { return std::uint64_t{point} << 3 | direction; }
+
+  /// The edge as it is stored: from its lower point if it has two.
+  std::pair<Index, int> stored(Index point, int direction, const GridPlaces::Edge& edge) const
+  {
+    return edge.other != noIndex && !isUpper(direction) ? std::pair(edge.other, opposite(direction))
+                                                        : std::pair(point, direction);
+  }
+
+  Index add(Index point, int direction, const EdgeSegment& segment)
+  {
+    const auto [found, isNew] = idOf.try_emplace(keyOf(point, direction), static_cast<Index>(edges.size()));
+    if (isNew)
+    {
+      edges.push_back({segment, {}});
+      for (const Index leaf : std::set<Index>(segment.about.begin(), segment.about.end()))
+      {
+        edgesOfLeaf[leaf].push_back(found->second);
+      }
+    }
+    return found->second;
+  }
+
+  void addCorners(Index leaf, std::set<Index>& points) const
+  {
+    for (const Index corner : grid.points().atCorner[leaf])
+    {
+      if (corner != noIndex)
+      {
+        points.insert(corner);
+      }
+    }
+  }
+
+  void moveTo(Index point, const LatticePoint& place)
+  {
+    if (place == grid.home(point))
+    {
+      grid.moveHome(point);
+    }
+    else
+    {
+      grid.move(point, place);
+    }
+    for (int direction = 0; direction < 6; ++direction)
+    {
+      const GridPlaces::Edge edge = grid.edge(point, direction);
+      if (!edge.exists())
+      {
+        continue;
+      }
+      const auto [start, along] = stored(point, direction, edge);
+      const GridPlaces::Edge same = start == point ? edge : grid.edge(start, along);
+      const EdgeSegment segment = grid.segment(start, along, same);
+      const auto cuts = cutEdge(grid, probe, start, same, segment);
+      const auto found = idOf.find(keyOf(start, along));
+      if (cuts.empty() && found == idOf.end())
+      {
+        continue;
+      }
+      const Index id = found == idOf.end() ? add(start, along, segment) : found->second;
+      edges[id].segment = segment;
+      edges[id].cuts.assign(cuts.begin(), cuts.end());
+    }
+  }
+
+  int surplusSheets(Index leaf)
+  {
+    const auto found = edgesOfLeaf.find(leaf);
+    if (found == edgesOfLeaf.end())
+    {
+      return 0;
+    }
+    seen.clear();
+    for (const Index id : found->second)
+    {
+      if (!edges[id].cuts.empty())
+      {
+        seen.push_back(seenFrom(leaf, edges[id].segment, edges[id].cuts));
+      }
+    }
+    topology.analyse(leaf, seen);
+    return std::max(topology.sheets() - 1, 0);
+  }
+
+  double costAt(Index point)
+  {
+    double cost = 0.0;
+    for (int direction = 0; direction < 6; ++direction)
+    {
+      const GridPlaces::Edge edge = grid.edge(point, direction);
+      if (const LiveEdge* live = edge.exists() ? find(point, direction, edge) : nullptr)
+      {
+        cost += live->cuts.size() > 1 ? static_cast<double>(live->cuts.size() - 1) : 0.0;
+      }
+    }
+    const auto& leaves = grid.points().leaves[point];
+    for (std::size_t i = 0; i < leaves.size(); ++i)
+    {
+      if (std::find(leaves.begin(), leaves.begin() + static_cast<std::ptrdiff_t>(i), leaves[i]) ==
+          leaves.begin() + static_cast<std::ptrdiff_t>(i))
+      {
+        cost += surplusSheets(leaves[i]);
+      }
+    }
+    const double moved = (asVector(grid.place(point)) - asVector(grid.home(point))).norm();
+    return cost + moveCost * moved / static_cast<double>(shortestEdge(point));
+  }
+
+  const LiveEdge* find(Index point, int direction, const GridPlaces::Edge& edge) const
+  {
+    const auto [start, along] = stored(point, direction, edge);
+    const auto found = idOf.find(keyOf(start, along));
+    return found == idOf.end() ? nullptr : &edges[found->second];
+  }
+
+  std::int64_t shortestEdge(Index point) const
+  {
+    int level = 0;
+    for (const Index leaf : grid.points().leaves[point])
+    {
+      level = std::max(level, octree.level(leaf));
+    }
+    return octree.frame().latticeSize(level);
+  }
+
+  /// Places between the cuts of the point's edges and a step beyond them, as far as it may move; and its home.
+  std::vector<LatticePoint> candidates(Index point) const
+  {
+    const LatticePoint home = grid.home(point);
+    const auto reach = static_cast<std::int64_t>(farthestMove * static_cast<double>(shortestEdge(point)));
+    std::vector<LatticePoint> places{home};
+    for (int direction = 0; direction < 6; ++direction)
+    {
+      const GridPlaces::Edge edge = grid.edge(point, direction);
+      const LiveEdge* live = edge.exists() ? find(point, direction, edge) : nullptr;
+      if (!live || live->cuts.empty())
+      {
+        continue;
+      }
+      const bool fromStart = stored(point, direction, edge).first == point;
+      std::vector<double> cuts;
+      for (const SurfaceCrossing& cut : live->cuts)
+      {
+        cuts.push_back(fromStart ? cut.parameter : 1.0 - cut.parameter);
+      }
+      std::sort(cuts.begin(), cuts.end());
+      for (std::size_t i = 0; i < cuts.size(); ++i)
+      {
+        const double next = i + 1 < cuts.size() ? cuts[i + 1] : 1.0;
+        const double middle = 0.5 * (cuts[i] + next);
+        for (const double t : {middle, std::min(middle, cuts[i] + stepBeyond)})
+        {
+          const Vec3 p = pointOn(live->segment, fromStart ? t : 1.0 - t);
+          const LatticePoint place{std::llround(p[0]), std::llround(p[1]), std::llround(p[2])};
+          const bool near = std::abs(place[0] - home[0]) <= reach && std::abs(place[1] - home[1]) <= reach &&
+                            std::abs(place[2] - home[2]) <= reach;
+          if (near && std::find(places.begin(), places.end(), place) == places.end())
+          {
+            places.push_back(place);
+          }
+        }
+      }
+    }
+    return places;
+  }
+
+  GridPlaces& grid;
+  const Octree& octree;
+  EdgeProbe probe;
+  LeafTopology topology;
+  std::vector<LiveEdge> edges;
+  std::unordered_map<std::uint64_t, Index> idOf;
+  std::unordered_map<Index, std::vector<Index>> edgesOfLeaf;
+  std::vector<CutEdge> seen;
+};
+
+} // namespace
+
+void modifyGrid(GridPlaces& grid, const SurfaceModel& model, const Crossings& crossings, const RunContext& context)
+{
+  Search search(grid, model, crossings);
+  std::set<Index> points = search.pointsInQuestion();
+  for (int sweep = 0; sweep < mostSweeps && !points.empty(); ++sweep)
+  {
+    std::set<Index> next;
+    for (const Index point : points)
+    {
+      context.progress.check();
+      if (search.improve(point))
+      {
+        search.addNeighbours(point, next);
+      }
+    }
+    points = std::move(next);
+  }
+}
+
+} // namespace atria
