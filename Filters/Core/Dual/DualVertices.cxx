@@ -64,7 +64,7 @@ public:
     look(leaf, cuts);
     if (!topology.links().empty())
     {
-      part.chain.push_back({vertex, leaf, kindOfLinks(), curvesOfLinks()});
+      part.chain.push_back({vertex, leaf, kindOfLinks(), topology.curves()});
       return;
     }
     out.positions[vertex] = geometry.surfacePosition();
@@ -106,28 +106,13 @@ private:
     geometry.setCharts(topology.charts());
   }
 
-  std::vector<std::vector<Index>> curvesOfLinks() const
-  {
-    std::vector<std::vector<Index>> curves;
-    for (const LeafTopology::Link& link : topology.links())
-    {
-      curves.push_back(link.ending);
-    }
-    std::sort(curves.begin(), curves.end());
-    curves.erase(std::unique(curves.begin(), curves.end()), curves.end());
-    return curves;
-  }
-
   ChainVertex::Kind kindOfLinks() const
   {
-    const auto& links = topology.links();
-    const bool one =
-        std::all_of(links.begin(), links.end(), [&](const auto& link) { return link.ending == links[0].ending; });
-    if (one && links.size() == 2)
+    if (!topology.isKnot())
     {
       return ChainVertex::along;
     }
-    return one && links.size() == 1 && geometry.isOnSide() ? ChainVertex::sideEnd : ChainVertex::knot;
+    return topology.isEnd() && geometry.isOnSide() ? ChainVertex::sideEnd : ChainVertex::knot;
   }
 
   const Crossings& crossings;

@@ -10,33 +10,6 @@ namespace {
 
 using Ending = std::vector<Index>;
 
-/// The curves that meet at each corner of the model, by the charts that end there.
-std::vector<std::vector<Ending>> curvesAtCorners(const SurfaceModel& model)
-{
-  std::vector<Index> cornerOf(model.points.size(), noIndex);
-  for (Index c = 0; c < model.corners.size(); ++c)
-  {
-    cornerOf[model.corners[c]] = c;
-  }
-  std::vector<std::vector<Ending>> curves(model.corners.size());
-  for (const FeatureEdge& edge : model.featureEdges)
-  {
-    for (const Index p : {edge.a, edge.b})
-    {
-      if (cornerOf[p] != noIndex)
-      {
-        curves[cornerOf[p]].push_back(model.curves[edge.curve].ending);
-      }
-    }
-  }
-  for (auto& list : curves)
-  {
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-  }
-  return curves;
-}
-
 /// Leaves about a point, out to 0.6 of the size of the one that holds it.
 std::vector<Index> leavesAbout(const Octree& octree, const LatticePoint& p, Index holder)
 {
@@ -145,6 +118,32 @@ std::vector<Claim> findClaims(const Octree& octree, const SurfaceModel& model, c
 }
 
 } // namespace
+
+std::vector<std::vector<Ending>> curvesAtCorners(const SurfaceModel& model)
+{
+  std::vector<Index> cornerOf(model.points.size(), noIndex);
+  for (Index c = 0; c < model.corners.size(); ++c)
+  {
+    cornerOf[model.corners[c]] = c;
+  }
+  std::vector<std::vector<Ending>> curves(model.corners.size());
+  for (const FeatureEdge& edge : model.featureEdges)
+  {
+    for (const Index p : {edge.a, edge.b})
+    {
+      if (cornerOf[p] != noIndex)
+      {
+        curves[cornerOf[p]].push_back(model.curves[edge.curve].ending);
+      }
+    }
+  }
+  for (auto& list : curves)
+  {
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+  }
+  return curves;
+}
 
 std::vector<Index> assignCorners(const Octree& octree, const SurfaceModel& model,
                                  const std::vector<ChainVertex>& vertices)

@@ -23,6 +23,9 @@ struct ChainVertex
   std::vector<std::vector<Index>> curves;
 };
 
+/// The curves that meet at each corner of the model, by the charts that end there; sorted, without repeats.
+std::vector<std::vector<std::vector<Index>>> curvesAtCorners(const SurfaceModel& model);
+
 /// Which corner of the model (index into its points) each chain vertex takes; noIndex for none. `vertices` are in order
 /// of leaves. A corner goes to one vertex at most, and a vertex to one corner: the one whose curves agree best and
 /// whose octant is nearest, up to 0.6 of the octant's size away.

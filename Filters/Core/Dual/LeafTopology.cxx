@@ -32,7 +32,7 @@ CutEdge seenFrom(Index leaf, const EdgeSegment& edge, std::span<const SurfaceCro
 void LeafTopology::analyse(Index leaf, std::span<const CutEdge> edges)
 {
   gather(leaf, edges);
-  curves.clear();
+  nearCurves.clear();
   if (charts_.size() > 1)
   {
     gatherCurves(leaf, edges);
@@ -62,6 +62,25 @@ void LeafTopology::analyse(Index leaf, std::span<const CutEdge> edges)
   {
     sheets_ += sets.find(u) == u ? 1 : 0;
   }
+}
+
+std::vector<std::vector<Index>> LeafTopology::curves() const
+{
+  std::vector<std::vector<Index>> endings;
+  for (const Link& link : links_)
+  {
+    endings.push_back(link.ending);
+  }
+  std::sort(endings.begin(), endings.end());
+  endings.erase(std::unique(endings.begin(), endings.end()), endings.end());
+  return endings;
+}
+
+bool LeafTopology::isKnot() const
+{
+  return !links_.empty() &&
+         (links_.size() != 2 || std::any_of(links_.begin(), links_.end(),
+                                            [&](const Link& link) { return link.ending != links_[0].ending; }));
 }
 
 void LeafTopology::gather(Index leaf, std::span<const CutEdge> edges)
@@ -101,11 +120,11 @@ void LeafTopology::gatherCurves(Index leaf, std::span<const CutEdge> edges)
     {
       if (piece.kind == ModelItem::featureEdge)
       {
-        curves.push_back(model.featureEdges[piece.index].curve);
+        nearCurves.push_back(model.featureEdges[piece.index].curve);
       }
     }
   }
-  sortUnique(curves);
+  sortUnique(nearCurves);
 }
 
 /// Looks at the mesh edge whose uses are [begin, end).
@@ -144,7 +163,7 @@ void LeafTopology::look(Index leaf, std::size_t begin, std::size_t end, UnionFin
 /// Whether two charts at a mesh edge, where `ending` end, meet in a curve of the model.
 bool LeafTopology::meet(Index a, Index b, const std::vector<Index>& ending) const
 {
-  return a == b || std::any_of(curves.begin(), curves.end(), [&](Index c) {
+  return a == b || std::any_of(nearCurves.begin(), nearCurves.end(), [&](Index c) {
            const FeatureCurve& curve = model.curves[c];
            return std::includes(ending.begin(), ending.end(), curve.ending.begin(), curve.ending.end()) &&
                   std::binary_search(curve.charts.begin(), curve.charts.end(), a) &&

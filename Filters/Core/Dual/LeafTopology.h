@@ -41,6 +41,12 @@ public:
   const std::vector<Index>& charts() const { return charts_; }
   /// Links inside the domain, sorted by leaf. Mesh edges in a domain side, where all charts end, are none.
   const std::vector<Link>& links() const { return links_; }
+  /// The different curves among the links, by the charts that end there; sorted.
+  std::vector<std::vector<Index>> curves() const;
+  /// Whether the links are more than one curve that passes by: curves meet or end at the vertex.
+  bool isKnot() const;
+  /// Whether one curve ends at the vertex.
+  bool isEnd() const { return links_.size() == 1; }
   /// The number of sheets at the vertex that do not meet in a curve of the model near it. Above one, the vertex cannot
   /// be on all of them.
   int sheets() const { return sheets_; }
@@ -64,7 +70,7 @@ private:
   const SurfaceModel& model;
   std::vector<Use> uses;
   std::vector<Index> charts_;
-  std::vector<Index> curves;
+  std::vector<Index> nearCurves;
   std::vector<Link> links_;
   int sheets_ = 0;
 };

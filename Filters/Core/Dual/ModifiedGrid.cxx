@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Dual/ModifiedGrid.h"
 
+#include "Dual/FeatureCorners.h"
 #include "Dual/LeafTopology.h"
+#include "Surface/Distance.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 
 namespace atria {
@@ -35,7 +38,8 @@ class Search
 {
 public:
   Search(GridPlaces& places, const SurfaceModel& surfaces, const Crossings& crossings)
-      : grid(places), octree(places.octree()), probe(octree, surfaces), topology(octree, surfaces)
+      : grid(places), octree(places.octree()), model(surfaces), probe(octree, surfaces), topology(octree, surfaces),
+        atCorners(curvesAtCorners(surfaces))
   {
     for (const CrossedEdge& edge : crossings.crossedEdges)
     {
@@ -58,8 +62,8 @@ public:
     for (const Index leaf : leaves)
     {
       const auto& ids = edgesOfLeaf.at(leaf);
-      const bool surplus = std::any_of(ids.begin(), ids.end(), [&](Index id) { return edges[id].cuts.size() > 1; });
-      if (surplus || surplusSheets(leaf) > 0)
+      const bool cutTwice = std::any_of(ids.begin(), ids.end(), [&](Index id) { return edges[id].cuts.size() > 1; });
+      if (cutTwice || surplus(leaf) > 0)
       {
         addCorners(leaf, points);
       }
@@ -167,7 +171,8 @@ private:
     }
   }
 
-  int surplusSheets(Index leaf)
+  /// Sheets in the leaf that do not meet, and curves that do not, beyond the one it can hold.
+  int surplus(Index leaf)
   {
     const auto found = edgesOfLeaf.find(leaf);
     if (found == edgesOfLeaf.end())
@@ -183,7 +188,35 @@ private:
       }
     }
     topology.analyse(leaf, seen);
-    return std::max(topology.sheets() - 1, 0);
+    return std::max(topology.sheets() - 1, 0) + (isTangle(leaf) ? 1 : 0);
+  }
+
+  /// Whether curves meet or end at the vertex of the leaf looked at last, but at no corner near it.
+  bool isTangle(Index leaf) const
+  {
+    if (!topology.isKnot() || (topology.isEnd() && isOnSide(leaf)))
+    {
+      return false;
+    }
+    const auto curves = topology.curves();
+    std::vector<Index> leaves{leaf};
+    for (const CutEdge& edge : seen)
+    {
+      leaves.insert(leaves.end(), edge.beside.begin(), edge.beside.end());
+    }
+    return std::none_of(leaves.begin(), leaves.end(), [&](Index near) {
+      const auto items = octree.items(near);
+      return std::any_of(items.begin(), items.end(), [&](ModelItem piece) {
+        return piece.kind == ModelItem::corner &&
+               std::includes(atCorners[piece.index].begin(), atCorners[piece.index].end(), curves.begin(),
+                             curves.end());
+      });
+    });
+  }
+
+  bool isOnSide(Index leaf) const
+  {
+    return octree.frame().domainPlanes(octree.lowCorner(leaf), octree.highCorner(leaf)) != 0;
   }
 
   double costAt(Index point)
@@ -203,7 +236,7 @@ private:
       if (std::find(leaves.begin(), leaves.begin() + static_cast<std::ptrdiff_t>(i), leaves[i]) ==
           leaves.begin() + static_cast<std::ptrdiff_t>(i))
       {
-        cost += surplusSheets(leaves[i]);
+        cost += surplus(leaves[i]);
       }
     }
     const double moved = (asVector(grid.place(point)) - asVector(grid.home(point))).norm();
@@ -227,51 +260,132 @@ private:
     return octree.frame().latticeSize(level);
   }
 
-  /// Places between the cuts of the point's edges and a step beyond them, as far as it may move; and its home.
-  std::vector<LatticePoint> candidates(Index point) const
+  /// Collects places for a point that are not too far.
+  struct Candidates
+  {
+    LatticePoint home;
+    std::int64_t reach;
+    std::vector<LatticePoint> places;
+
+    void add(const Vec3& p)
+    {
+      const LatticePoint place{std::llround(p[0]), std::llround(p[1]), std::llround(p[2])};
+      const bool near = std::abs(place[0] - home[0]) <= reach && std::abs(place[1] - home[1]) <= reach &&
+                        std::abs(place[2] - home[2]) <= reach;
+      if (near && std::find(places.begin(), places.end(), place) == places.end())
+      {
+        places.push_back(place);
+      }
+    }
+  };
+
+  std::vector<LatticePoint> candidates(Index point)
   {
     const LatticePoint home = grid.home(point);
     const auto reach = static_cast<std::int64_t>(farthestMove * static_cast<double>(shortestEdge(point)));
-    std::vector<LatticePoint> places{home};
+    Candidates found{home, reach, {home}};
     for (int direction = 0; direction < 6; ++direction)
     {
-      const GridPlaces::Edge edge = grid.edge(point, direction);
-      const LiveEdge* live = edge.exists() ? find(point, direction, edge) : nullptr;
-      if (!live || live->cuts.empty())
+      addBetweenCuts(point, direction, found);
+    }
+    const auto& leaves = grid.points().leaves[point];
+    for (const Index leaf : std::set<Index>(leaves.begin(), leaves.end()))
+    {
+      addBetweenCurves(point, leaf, found);
+    }
+    return std::move(found.places);
+  }
+
+  /// Places between the cuts of an edge of the point, and a step beyond them.
+  void addBetweenCuts(Index point, int direction, Candidates& found) const
+  {
+    const GridPlaces::Edge edge = grid.edge(point, direction);
+    const LiveEdge* live = edge.exists() ? find(point, direction, edge) : nullptr;
+    if (!live)
+    {
+      return;
+    }
+    const bool fromStart = stored(point, direction, edge).first == point;
+    std::vector<double> cuts;
+    for (const SurfaceCrossing& cut : live->cuts)
+    {
+      cuts.push_back(fromStart ? cut.parameter : 1.0 - cut.parameter);
+    }
+    std::sort(cuts.begin(), cuts.end());
+    for (std::size_t i = 0; i < cuts.size(); ++i)
+    {
+      const double middle = 0.5 * (cuts[i] + (i + 1 < cuts.size() ? cuts[i + 1] : 1.0));
+      for (const double t : {middle, std::min(middle, cuts[i] + stepBeyond)})
       {
-        continue;
+        found.add(pointOn(live->segment, fromStart ? t : 1.0 - t));
       }
-      const bool fromStart = stored(point, direction, edge).first == point;
-      std::vector<double> cuts;
-      for (const SurfaceCrossing& cut : live->cuts)
+    }
+  }
+
+  /// Places in the middle between curves that the leaf's vertex cannot both be on.
+  void addBetweenCurves(Index point, Index leaf, Candidates& found)
+  {
+    if (surplus(leaf) == 0)
+    {
+      return;
+    }
+    const auto curves = topology.curves();
+    const Vec3 p = asVector(grid.place(point));
+    std::vector<Vec3> nearest;
+    for (const auto& ending : curves)
+    {
+      if (const auto q = nearestOnCurve(leaf, p, ending))
       {
-        cuts.push_back(fromStart ? cut.parameter : 1.0 - cut.parameter);
+        nearest.push_back(*q);
       }
-      std::sort(cuts.begin(), cuts.end());
-      for (std::size_t i = 0; i < cuts.size(); ++i)
+    }
+    for (std::size_t i = 1; i < nearest.size(); ++i)
+    {
+      for (std::size_t k = 0; k < i; ++k)
       {
-        const double next = i + 1 < cuts.size() ? cuts[i + 1] : 1.0;
-        const double middle = 0.5 * (cuts[i] + next);
-        for (const double t : {middle, std::min(middle, cuts[i] + stepBeyond)})
+        const Vec3 apart = nearest[i] - nearest[k];
+        if (apart.squaredNorm() > 1.0)
         {
-          const Vec3 p = pointOn(live->segment, fromStart ? t : 1.0 - t);
-          const LatticePoint place{std::llround(p[0]), std::llround(p[1]), std::llround(p[2])};
-          const bool near = std::abs(place[0] - home[0]) <= reach && std::abs(place[1] - home[1]) <= reach &&
-                            std::abs(place[2] - home[2]) <= reach;
-          if (near && std::find(places.begin(), places.end(), place) == places.end())
-          {
-            places.push_back(place);
-          }
+          const Vec3 along = apart.normalized();
+          found.add(p - along * along.dot(p - 0.5 * (nearest[i] + nearest[k])));
         }
       }
     }
-    return places;
+  }
+
+  std::optional<Vec3> nearestOnCurve(Index leaf, const Vec3& p, const std::vector<Index>& ending) const
+  {
+    std::optional<Vec3> best;
+    std::vector<Index> leaves{leaf};
+    for (const CutEdge& edge : seen)
+    {
+      leaves.insert(leaves.end(), edge.beside.begin(), edge.beside.end());
+    }
+    for (const Index near : leaves)
+    {
+      for (const ModelItem piece : octree.items(near))
+      {
+        if (piece.kind != ModelItem::featureEdge)
+        {
+          continue;
+        }
+        const FeatureEdge& edge = model.featureEdges[piece.index];
+        if (model.curves[edge.curve].ending == ending)
+        {
+          const Vec3 q = nearestOnSegment(p, asVector(model.points[edge.a]), asVector(model.points[edge.b]));
+          best = !best || (q - p).squaredNorm() < (*best - p).squaredNorm() ? q : *best;
+        }
+      }
+    }
+    return best;
   }
 
   GridPlaces& grid;
   const Octree& octree;
+  const SurfaceModel& model;
   EdgeProbe probe;
   LeafTopology topology;
+  std::vector<std::vector<std::vector<Index>>> atCorners;
   std::vector<LiveEdge> edges;
   std::unordered_map<std::uint64_t, Index> idOf;
   std::unordered_map<Index, std::vector<Index>> edgesOfLeaf;
