@@ -198,6 +198,11 @@ std::optional<Vec3> LeafGeometry::curvePosition(const std::vector<std::vector<In
   }
   if (!found)
   {
+    addNeighbours();
+    found = nearestOnCurves(mean, wanted);
+  }
+  if (!found)
+  {
     found = nearestOnCurves(mean, [&](const FeatureEdge& edge) {
       const std::vector<Index>& ending = model.curves[edge.curve].ending;
       return std::ranges::any_of(endings, [&](const std::vector<Index>& e) {
@@ -206,6 +211,26 @@ std::optional<Vec3> LeafGeometry::curvePosition(const std::vector<std::vector<In
     });
   }
   return found ? std::optional(onPlanes(*found)) : std::nullopt;
+}
+
+/// The 26 places beside the leaf.
+void LeafGeometry::addNeighbours()
+{
+  const std::int64_t size = box.high[0] - box.low[0];
+  const std::int64_t end = frame.latticeSize(0);
+  for (int i = 0; i < 27; ++i)
+  {
+    const LatticePoint p{box.low[0] + size / 2 + (i % 3 - 1) * size, box.low[1] + size / 2 + (i / 3 % 3 - 1) * size,
+                         box.low[2] + size / 2 + (i / 9 - 1) * size};
+    if (std::ranges::all_of(p, [&](std::int64_t c) { return c >= 0 && c < end; }))
+    {
+      const Index leaf = octree.leafAt(p);
+      if (std::ranges::find(leaves, leaf) == leaves.end())
+      {
+        leaves.push_back(leaf);
+      }
+    }
+  }
 }
 
 bool LeafGeometry::misses(const Vec3& p) const

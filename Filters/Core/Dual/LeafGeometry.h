@@ -40,6 +40,7 @@ private:
   Vec3 modelPoint(Index i) const { return frame.toModel(model.points[i]); }
   Vec3 onPlanes(Vec3 p) const;
   Vec3 meanOfCuts() const;
+  void addNeighbours();
   Vec3 tipOrMean() const;
   bool hasChart(Index chart) const;
   bool owns(const LatticePoint& p) const;

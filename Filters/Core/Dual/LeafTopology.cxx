@@ -78,9 +78,9 @@ std::vector<std::vector<Index>> LeafTopology::curves() const
 
 bool LeafTopology::isKnot() const
 {
-  return !links_.empty() &&
-         (links_.size() != 2 || std::any_of(links_.begin(), links_.end(),
-                                            [&](const Link& link) { return link.ending != links_[0].ending; }));
+  return !links_.empty() && (links_.size() != 2 || std::any_of(links_.begin(), links_.end(), [&](const Link& link) {
+                               return link.ending != links_[0].ending;
+                             }));
 }
 
 void LeafTopology::gather(Index leaf, std::span<const CutEdge> edges)

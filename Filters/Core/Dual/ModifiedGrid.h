@@ -5,8 +5,8 @@
 
 namespace atria {
 
-/// Moves grid points, virtually, where the octree is too coarse for the model: where an edge is cut more than once, or an
-/// octant holds sheets that do not meet in it. A point of an edge that passes through both sides of a thin wall goes
+/// Moves grid points, virtually, where the octree is too coarse for the model: where an edge is cut more than once, or
+/// an octant holds sheets that do not meet in it. A point of an edge that passes through both sides of a thin wall goes
 /// between them, so that the wall has a layer of octants on either side, at no extra level. Points move by up to 0.55
 /// of their shortest edge. The topology of the grid stays; crossings, zones and vertices are those of the moved grid.
 ///
