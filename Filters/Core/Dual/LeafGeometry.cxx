@@ -129,8 +129,7 @@ Vec3 LeafGeometry::uncutPosition()
   {
     return onPlanes(*corner);
   }
-  const auto middle = middleOfPieces(
-      [&](const FeatureEdge& edge) { return model.curves[edge.curve].charts.size() > 1 && onOwnPlane(edge); });
+  const auto middle = middleOfPieces([&](const FeatureEdge& edge) { return onOwnPlane(edge); });
   return onPlanes(middle.value_or(center));
 }
 

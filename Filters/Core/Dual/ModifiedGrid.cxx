@@ -18,6 +18,8 @@ namespace {
 constexpr double farthestMove = 0.55;
 /// How far beyond a single cut a point is put, against the edge, if nothing else limits it.
 constexpr double stepBeyond = 0.1;
+/// Sheets closer than this part of an edge are left to merge.
+constexpr double thinnestGap = 0.02;
 constexpr int mostSweeps = 12;
 /// What a move of a point by its shortest edge counts against one surplus.
 constexpr double moveCost = 0.05;
@@ -314,7 +316,12 @@ private:
     std::sort(cuts.begin(), cuts.end());
     for (std::size_t i = 0; i < cuts.size(); ++i)
     {
-      const double middle = 0.5 * (cuts[i] + (i + 1 < cuts.size() ? cuts[i + 1] : 1.0));
+      const double next = i + 1 < cuts.size() ? cuts[i + 1] : 1.0;
+      const double middle = 0.5 * (cuts[i] + next);
+      if (next - cuts[i] < thinnestGap)
+      {
+        continue;
+      }
       for (const double t : {middle, std::min(middle, cuts[i] + stepBeyond)})
       {
         found.add(pointOn(live->segment, fromStart ? t : 1.0 - t));
