@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Dirty models with known spaces: what must hold of their meshes.
+#include "Support/DirtySoups.h"
+#include "Support/DualMeshChecks.h"
+#include "Support/MeshIt.h"
+#include "Support/Watchdog.h"
+#include "VtkDualMesh.h"
+
+#include <vtkAbstractArray.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <set>
+
+namespace {
+
+using namespace atria;
+using namespace atria::testing;
+
+constexpr int parts = 20;
+int soupsInPart() { return std::getenv("ATRIA_TEST_FULL") ? 50 : 3; }
+
+/// The element whose corners' mean is nearest.
+Index elementAt(const DualMesh& mesh, const Vec3& p)
+{
+  Index best = 0;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (Index e = 0; e < mesh.elementCount(); ++e)
+  {
+    Vec3 middle = Vec3::Zero();
+    for (const Index c : mesh.corners[e])
+    {
+      middle += mesh.points[c] / 8.0;
+    }
+    const double distance = (middle - p).squaredNorm();
+    if (distance < nearest)
+    {
+      nearest = distance;
+      best = e;
+    }
+  }
+  return best;
+}
+
+/// Whether a point lies in the box about an element. Seeds are two octants away from walls, so that none of a space
+/// left out does.
+bool isNearElement(const DualMesh& mesh, const Vec3& p)
+{
+  return std::any_of(mesh.corners.begin(), mesh.corners.end(), [&](const std::array<Index, 8>& corners) {
+    Box3 box;
+    for (const Index c : corners)
+    {
+      box.extend(mesh.points[c]);
+    }
+    return (p.array() >= box.min.array()).all() && (p.array() <= box.max.array()).all();
+  });
+}
+
+void expectSpaces(const DirtySoup& soup, const DualMesh& mesh)
+{
+  std::vector<std::int32_t> zones;
+  for (const DirtySoup::Seed& seed : soup.seeds)
+  {
+    zones.push_back(mesh.zones[elementAt(mesh, seed.point)]);
+  }
+  for (std::size_t i = 0; i < zones.size(); ++i)
+  {
+    for (std::size_t j = 0; j < i; ++j)
+    {
+      const bool wanted = soup.seeds[i].space == soup.seeds[j].space;
+      EXPECT_EQ(zones[i] == zones[j], wanted)
+          << (wanted ? "a way is closed between " : "a leak between ") << soup.seeds[i].point.transpose() << " and "
+          << soup.seeds[j].point.transpose();
+    }
+  }
+}
+
+void expectNothingLost(const DirtySoup& soup, const Meshed& meshed)
+{
+  std::set<Index> tags;
+  for (const BoundaryFace& face : meshed.mesh().boundaryFaces)
+  {
+    tags.insert(face.tag);
+  }
+  for (const Index large : soup.large)
+  {
+    EXPECT_TRUE(tags.count(large) > 0) << soup.surface.names[large] << " has no face";
+  }
+  vtkNew<vtkPolyData> diagnostics;
+  diagnosticsToVtk(meshed.result, meshed.model.names, diagnostics);
+  auto* without = vtkStringArray::SafeDownCast(diagnostics->GetFieldData()->GetAbstractArray("SurfaceWithoutFaces"));
+  ASSERT_NE(without, nullptr);
+  std::set<std::string> listed;
+  for (vtkIdType i = 0; i < without->GetNumberOfValues(); ++i)
+  {
+    listed.insert(without->GetValue(i));
+  }
+  for (Index s = 0; s < soup.surface.names.size(); ++s)
+  {
+    EXPECT_EQ(listed.count(soup.surface.names[s]) > 0, tags.count(s) == 0) << soup.surface.names[s];
+  }
+}
+
+class DirtySoups : public ::testing::TestWithParam<int>
+{
+};
+
+TEST_P(DirtySoups, AreMeshedSoundlyAndKeepTheirSpaces)
+{
+  for (int i = 0; i < soupsInPart(); ++i)
+  {
+    const auto seed = static_cast<unsigned>(GetParam() + parts * i);
+    const DirtySoup soup = dirtySoup(seed);
+    const std::string what = "soup " + std::to_string(seed) + ": " + soup.description;
+    SCOPED_TRACE(what);
+    const Watchdog watchdog(what, std::chrono::seconds(120));
+    DualMeshOptions options;
+    options.zoneRule = ZoneRule::all;
+    const Meshed meshed = meshIt(soup.surface, soup.grid, options);
+    EXPECT_TRUE(isConformal(meshed.mesh()));
+    EXPECT_TRUE(elementsAreClosed(meshed.mesh()));
+    EXPECT_TRUE(boundaryIsWatertight(meshed.mesh()));
+    EXPECT_NEAR(totalVolume(meshed.mesh()) / soup.grid.domain.size().prod(), 1.0, 1e-6);
+    expectSpaces(soup, meshed.mesh());
+    expectNothingLost(soup, meshed);
+  }
+}
+
+TEST_P(DirtySoups, LeaveOutSealedRoomsWhereTheOpenIsMeshed)
+{
+  const auto seed = static_cast<unsigned>(GetParam());
+  const DirtySoup soup = dirtySoup(seed);
+  const std::string what = "soup " + std::to_string(seed) + ": " + soup.description;
+  SCOPED_TRACE(what);
+  const Watchdog watchdog(what, std::chrono::seconds(120));
+  const Meshed meshed = meshIt(soup.surface, soup.grid);
+  const DualMesh& mesh = meshed.mesh();
+  EXPECT_TRUE(isConformal(mesh));
+  EXPECT_TRUE(elementsAreClosed(mesh));
+  EXPECT_TRUE(boundaryIsWatertight(mesh));
+  for (const DirtySoup::Seed& place : soup.seeds)
+  {
+    EXPECT_EQ(isNearElement(mesh, place.point), place.space == 0) << place.point.transpose();
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Part, DirtySoups, ::testing::Range(0, parts));
+
+} // namespace
