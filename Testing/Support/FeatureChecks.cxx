@@ -204,6 +204,7 @@ std::vector<NameCoverage> FeatureChecks::names() const
       hits[1] += front <= enough ? 1 : 0;
       hits[2] += back <= enough ? 1 : 0;
       hits[3] += std::min(front, back) <= enough ? 1 : 0;
+      out[tag].deviation = std::max(out[tag].deviation, std::min({front, back, search}));
     });
     const double weight = model_.normal(t).norm() / static_cast<double>(hits[0]);
     total[tag] += model_.normal(t).norm();

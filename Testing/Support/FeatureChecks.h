@@ -76,6 +76,8 @@ struct NameCoverage
   double front = 0.0;
   double back = 0.0;
   double either = 0.0;
+  /// Largest distance of a sample to faces of its own on either side, metres; at most the size of the finest octants.
+  double deviation = 0.0;
 };
 
 /// Lengths in metres.
