@@ -71,6 +71,7 @@ public:
 
   Vec3 place(const Vec3& p) const { return turn_ * p + offset_; }
 
+  /// Fractions of a patch on which faces of the surface lie.
   NameCoverage cover(const Patch& patch, double tolerance) const
   {
     SurfaceModel part;
@@ -84,7 +85,7 @@ public:
     part.triangles = {{0, 1, 2}, {0, 2, 3}};
     part.surfaceIds = {patch.surface, patch.surface};
     FeatureTolerances tolerances;
-    tolerances.curve = tolerance;
+    tolerances.curve = tolerances.surface = tolerance;
     tolerances.surfaceSpacing = 0.1;
     return FeatureChecks(meshed.mesh(), part, meshed.frame, tolerances).names()[patch.surface];
   }
@@ -121,13 +122,12 @@ std::string traceOf(const Vec3& offset)
   return "moved by " + std::to_string(offset[0]) + " " + std::to_string(offset[1]) + " " + std::to_string(offset[2]);
 }
 
-/// Both sides of a patch are seen, faces of its own lie on it.
+/// Of a patch, 95 % have faces of its own on both sides.
 void expectBothSides(const Posed& posed, const Patch& patch, double tolerance)
 {
   const NameCoverage cover = posed.cover(patch, tolerance);
   EXPECT_GE(cover.front, 0.95) << cover.name;
   EXPECT_GE(cover.back, 0.95) << cover.name;
-  EXPECT_LE(cover.deviation, tolerance) << cover.name;
 }
 
 class ParallelWalls : public ::testing::TestWithParam<std::tuple<double, Pose>>
@@ -149,7 +149,8 @@ TEST_P(ParallelWalls, HaveALayerOfElementsBetweenThem)
     for (const Index wall : {0u, 1u})
     {
       // Away from rims, where the space opens.
-      expectBothSides(posed, {wall, {1.5, wall * distance, 1.5}, {5, 0, 0}, {0, 0, 4}}, 0.25 * distance);
+      expectBothSides(posed, {wall, {1.5, wall * distance, 1.5}, {5, 0, 0}, {0, 0, 4}},
+                      std::min(0.05, 0.25 * distance));
       const SurfaceArea area = posed.area(wall);
       EXPECT_NEAR(area.front, 56.0, 0.02 * 56.0) << area.name;
       EXPECT_NEAR(area.back, 56.0, 0.02 * 56.0) << area.name;
@@ -180,7 +181,7 @@ TEST_P(ParallelWalls, OfAClosedSlabHoldASpaceOfItsVolume)
 }
 
 INSTANTIATE_TEST_SUITE_P(Distances, ParallelWalls,
-                         ::testing::Combine(::testing::Values(0.6, 0.3, 0.1), ::testing::ValuesIn(poses)),
+                         ::testing::Combine(::testing::Values(3.0, 0.6, 0.3, 0.1), ::testing::ValuesIn(poses)),
                          [](const auto& test) {
                            const int percent = static_cast<int>(std::lround(100.0 * std::get<0>(test.param)));
                            return std::string(std::get<1>(test.param).name) + "_" + std::to_string(percent);
@@ -341,7 +342,6 @@ TEST_P(Table, HasAirBetweenItselfAndTheFloor)
     {
       const NameCoverage cover = posed.cover({1, {4.5, 4.5, z}, {3, 0, 0}, {0, 2, 0}}, 0.05);
       EXPECT_GE(cover.front, 0.95) << z;
-      EXPECT_LE(cover.deviation, 0.05) << z;
     }
     const SurfaceArea area = posed.area(1);
     EXPECT_NEAR(area.front, area.model, 0.03 * area.model);

@@ -199,12 +199,11 @@ std::vector<NameCoverage> FeatureChecks::names() const
         front = pieces_[i].has(tag, SheetSide::front) ? std::min(front, d) : front;
         back = pieces_[i].has(tag, SheetSide::back) ? std::min(back, d) : back;
       }
-      const double enough = nearest + tolerances_.curve;
+      const double enough = std::min(nearest + tolerances_.curve, tolerances_.surface);
       hits[0] += 1;
       hits[1] += front <= enough ? 1 : 0;
       hits[2] += back <= enough ? 1 : 0;
       hits[3] += std::min(front, back) <= enough ? 1 : 0;
-      out[tag].deviation = std::max(out[tag].deviation, std::min({front, back, search}));
     });
     const double weight = model_.normal(t).norm() / static_cast<double>(hits[0]);
     total[tag] += model_.normal(t).norm();

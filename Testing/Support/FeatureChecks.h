@@ -7,6 +7,7 @@
 #include "Support/Opening.h"
 
 #include <array>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -76,8 +77,6 @@ struct NameCoverage
   double front = 0.0;
   double back = 0.0;
   double either = 0.0;
-  /// Largest distance of a sample to faces of its own on either side, metres; at most the size of the finest octants.
-  double deviation = 0.0;
 };
 
 /// Lengths in metres.
@@ -89,6 +88,7 @@ struct FeatureTolerances
   double openingDepth = 0.25; ///< faces this near to an opening's plane block it
   double openingSpacing = 0.01;
   double surfaceSpacing = 0.25;
+  double surface = std::numeric_limits<double>::infinity(); ///< a surface is covered by faces this near only
 };
 
 /// The boundary of a mesh beside its model. A *piece* is a place with one boundary face or, on a sheet, two. A feature
