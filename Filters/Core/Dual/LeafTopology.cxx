@@ -46,6 +46,11 @@ void LeafTopology::analyse(Index leaf, std::span<const CutEdge> edges)
     }
     look(leaf, begin, end, sets);
   }
+  countSheets(sets);
+}
+
+void LeafTopology::countSheets(UnionFind& sets)
+{
   // A face is at two mesh edges of the vertex, and joins what is there.
   for (std::size_t u = 0; u < uses.size(); ++u)
   {
@@ -58,10 +63,20 @@ void LeafTopology::analyse(Index leaf, std::span<const CutEdge> edges)
     }
   }
   sheets_ = 0;
+  apart_.clear();
   for (Index u = 0; u < uses.size(); ++u)
   {
     sheets_ += sets.find(u) == u ? 1 : 0;
+    for (Index w = 0; w < u; ++w)
+    {
+      if (uses[u].chart != uses[w].chart && sets.find(u) != sets.find(w))
+      {
+        apart_.push_back(std::minmax(uses[u].chart, uses[w].chart));
+      }
+    }
   }
+  std::sort(apart_.begin(), apart_.end());
+  apart_.erase(std::unique(apart_.begin(), apart_.end()), apart_.end());
 }
 
 std::vector<std::vector<Index>> LeafTopology::curves() const

@@ -50,6 +50,8 @@ public:
   /// The number of sheets at the vertex that do not meet in a curve of the model near it. Above one, the vertex cannot
   /// be on all of them.
   int sheets() const { return sheets_; }
+  /// Charts of different sheets, two by two; the smaller first, sorted.
+  const std::vector<std::pair<Index, Index>>& apart() const { return apart_; }
 
 private:
   /// A face on a chart at a mesh edge.
@@ -62,6 +64,7 @@ private:
   };
   void gather(Index leaf, std::span<const CutEdge> edges);
   void gatherCurves(Index leaf, std::span<const CutEdge> edges);
+  void countSheets(UnionFind& sets);
   void look(Index leaf, std::size_t begin, std::size_t end, UnionFind& sets);
   bool meet(Index a, Index b, const std::vector<Index>& ending) const;
   bool onOneSide(Index a, Index b) const;
@@ -73,6 +76,7 @@ private:
   std::vector<Index> nearCurves;
   std::vector<Link> links_;
   int sheets_ = 0;
+  std::vector<std::pair<Index, Index>> apart_;
 };
 
 } // namespace atria

@@ -8,7 +8,9 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <map>
 #include <set>
+#include <unordered_set>
 
 namespace atria {
 
@@ -20,7 +22,9 @@ constexpr double farthestMove = 0.55;
 constexpr double stepBeyond = 0.1;
 /// Sheets closer than this part of an edge are left to merge.
 constexpr double thinnestGap = 0.02;
-constexpr int mostSweeps = 12;
+constexpr double surplusCutCost = 2.0;
+constexpr int mostSweeps = 100;
+constexpr double smallestGain = 1e-9;
 /// What a move of a point by its shortest edge counts against one surplus.
 constexpr double moveCost = 0.05;
 
@@ -39,6 +43,14 @@ Vec3 asVector(const LatticePoint& p)
 class Search
 {
 public:
+  /// A better place for a point.
+  struct Move
+  {
+    double gain = 0.0;
+    Index point = noIndex;
+    LatticePoint place{};
+  };
+
   Search(GridPlaces& places, const SurfaceModel& surfaces, const Crossings& crossings)
       : grid(places), octree(places.octree()), model(surfaces), probe(octree, surfaces), topology(octree, surfaces),
         atCorners(curvesAtCorners(surfaces))
@@ -55,49 +67,90 @@ public:
   std::set<Index> pointsInQuestion()
   {
     std::set<Index> points;
-    std::vector<Index> leaves;
-    for (const auto& [leaf, ids] : edgesOfLeaf)
+    for (const Index leaf : leavesInQuestion())
     {
-      leaves.push_back(leaf);
-    }
-    std::sort(leaves.begin(), leaves.end());
-    for (const Index leaf : leaves)
-    {
-      const auto& ids = edgesOfLeaf.at(leaf);
-      const bool cutTwice = std::any_of(ids.begin(), ids.end(), [&](Index id) { return edges[id].cuts.size() > 1; });
-      if (cutTwice || surplus(leaf) > 0)
-      {
-        addCorners(leaf, points);
-      }
+      addCorners(leaf, points);
     }
     return points;
   }
 
-  /// Whether the point was moved to a better place.
-  bool improve(Index point)
+  /// Moves points onto the middle between two sheets that run side by side through their leaves. A plane of grid points
+  /// is gap-free, no octant having points on both its sides, if it holds all that are within half the sum of its
+  /// normal's components (a standard digital plane; Reveillès 1991); so these are moved.
+  bool enterGaps()
   {
+    std::map<Index, Move> moves;
+    for (const Index leaf : leavesInQuestion())
+    {
+      surplus(leaf);
+      std::vector<std::pair<Index, Index>> pairs = topology.apart();
+      for (const CutEdge& edge : seen)
+      {
+        for (std::size_t i = 1; i < edge.cuts.size(); ++i)
+        {
+          pairs.push_back(std::minmax(model.charts[edge.cuts[i - 1].triangle], model.charts[edge.cuts[i].triangle]));
+        }
+      }
+      std::sort(pairs.begin(), pairs.end());
+      pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+      for (const auto& [a, b] : pairs)
+      {
+        for (const Index point : grid.points().atCorner[leaf])
+        {
+          if (point != noIndex && !grid.isMoved(point))
+          {
+            noteGap(point, leaf, a, b, moves);
+          }
+        }
+      }
+    }
+    for (const auto& [point, move] : moves)
+    {
+      moveTo(point, move.place);
+    }
+    return !moves.empty();
+  }
+
+  /// The best place for a point, found by trying; it stays where it is.
+  Move bestMove(Index point)
+  {
+    Move best{0.0, point, {}};
     const double before = costAt(point);
     if (before < 1.0 && !grid.isMoved(point))
     {
-      return false;
+      return best;
     }
     const LatticePoint from = grid.place(point);
-    LatticePoint best = from;
-    double bestCost = before;
     for (const LatticePoint& place : candidates(point))
     {
-      moveTo(point, place);
-      const double cost = costAt(point);
-      if (cost < bestCost - 1e-9)
+      if (place != from)
       {
-        bestCost = cost;
-        best = place;
+        moveTo(point, place);
+        const double gain = before - costAt(point);
+        if (gain > best.gain + smallestGain)
+        {
+          best.gain = gain;
+          best.place = place;
+        }
       }
     }
-    moveTo(point, best);
-    return best != from;
+    moveTo(point, from);
+    return best;
   }
 
+  void apply(const Move& move) { moveTo(move.point, move.place); }
+
+  void dump(Index point)
+  {
+    double c=costAt(point); if(c<1.0) return;
+    Vec3 h=octree.frame().toModel(grid.home(point)), q=octree.frame().toModel(grid.place(point));
+    fprintf(stderr,"COST %.2f home %.2f %.2f %.2f at %.2f %.2f %.2f:",c,h[0],h[1],h[2],q[0],q[1],q[2]);
+    for(int d=0;d<6;++d){auto e=grid.edge(point,d); if(!e.exists())continue; if(auto*l=find(point,d,e)) {fprintf(stderr," d%d{",d); for(auto&k:l->cuts)fprintf(stderr,"%d(%.2f) ",(int)model.charts[k.triangle],k.parameter);fprintf(stderr,"}");}}
+    auto& ls=grid.points().leaves[point]; for(Index l: std::set<Index>(ls.begin(),ls.end())){int k=surplus(l); if(k){Vec3 cc=octree.center(l);fprintf(stderr," leaf(%.2f %.2f %.2f) sheets %d links %zu tangle %d",cc[0],cc[1],cc[2],topology.sheets(),topology.links().size(),isTangle(l));}}
+    fprintf(stderr,"\n");
+  }
+
+  /// Points whose costs a move of this one changes.
   void addNeighbours(Index point, std::set<Index>& points) const
   {
     for (const Index leaf : grid.points().leaves[point])
@@ -107,6 +160,72 @@ public:
   }
 
 private:
+  std::vector<Index> leavesInQuestion()
+  {
+    std::vector<Index> leaves;
+    for (const auto& [leaf, ids] : edgesOfLeaf)
+    {
+      const bool cutTwice = std::any_of(ids.begin(), ids.end(), [&](Index id) { return edges[id].cuts.size() > 1; });
+      if (cutTwice || surplus(leaf) > 0)
+      {
+        leaves.push_back(leaf);
+      }
+    }
+    std::sort(leaves.begin(), leaves.end());
+    return leaves;
+  }
+
+  /// Notes the place of a point between two charts, if they lie to the same side of it.
+  void noteGap(Index point, Index leaf, Index a, Index b, std::map<Index, Move>& moves) const
+  {
+    const Vec3 p = asVector(grid.place(point));
+    const auto onA = nearestOnChart(leaf, p, a);
+    const auto onB = nearestOnChart(leaf, p, b);
+    const auto size = static_cast<double>(shortestEdge(point));
+    if (!onA || !onB || (*onA - *onB).norm() < thinnestGap * size)
+    {
+      return;
+    }
+    const Vec3 normal = (*onB - *onA).normalized();
+    const double toA = normal.dot(*onA - p);
+    const double toB = normal.dot(*onB - p);
+    const double step = 0.5 * (toA + toB);
+    if (toA * toB <= 0.0 || std::abs(step) > 0.5 * size * normal.lpNorm<1>())
+    {
+      return;
+    }
+    const Vec3 place = p + step * normal;
+    const auto [found, isNew] = moves.try_emplace(point, Move{-std::abs(step), point, {}});
+    if (isNew || found->second.gain < -std::abs(step))
+    {
+      found->second = {-std::abs(step), point, {std::llround(place[0]), std::llround(place[1]), std::llround(place[2])}};
+    }
+  }
+
+  std::optional<Vec3> nearestOnChart(Index leaf, const Vec3& p, Index chart) const
+  {
+    std::optional<Vec3> best;
+    std::vector<Index> leaves{leaf};
+    for (const CutEdge& edge : seen)
+    {
+      leaves.insert(leaves.end(), edge.beside.begin(), edge.beside.end());
+    }
+    for (const Index near : leaves)
+    {
+      for (const ModelItem piece : octree.items(near))
+      {
+        if (piece.kind == ModelItem::triangle && model.charts[piece.index] == chart)
+        {
+          const Vec3 q = nearestOnTriangle(p, asVector(model.corner(piece.index, 0)),
+                                           asVector(model.corner(piece.index, 1)),
+                                           asVector(model.corner(piece.index, 2)));
+          best = !best || (q - p).squaredNorm() < (*best - p).squaredNorm() ? q : *best;
+        }
+      }
+    }
+    return best;
+  }
+
   static std::uint64_t keyOf(Index point, int direction) { return std::uint64_t{point} << 3 | direction; }
 
   /// The edge as it is stored: from its lower point if it has two.
@@ -229,7 +348,7 @@ private:
       const GridPlaces::Edge edge = grid.edge(point, direction);
       if (const LiveEdge* live = edge.exists() ? find(point, direction, edge) : nullptr)
       {
-        cost += live->cuts.size() > 1 ? static_cast<double>(live->cuts.size() - 1) : 0.0;
+        cost += live->cuts.size() > 1 ? surplusCutCost * static_cast<double>(live->cuts.size() - 1) : 0.0;
       }
     }
     const auto& leaves = grid.points().leaves[point];
@@ -399,25 +518,67 @@ private:
   std::vector<CutEdge> seen;
 };
 
+/// Of all moves that gain something, in the order of gain, those that do not touch the same leaves.
+std::vector<Search::Move> independent(std::vector<Search::Move> moves, const GridPoints& points)
+{
+  std::sort(moves.begin(), moves.end(), [](const Search::Move& l, const Search::Move& r) {
+    return l.gain != r.gain ? l.gain > r.gain : l.point < r.point;
+  });
+  std::unordered_set<Index> touched;
+  std::vector<Search::Move> chosen;
+  for (const Search::Move& move : moves)
+  {
+    const auto& leaves = points.leaves[move.point];
+    if (move.gain > 0.0 && std::none_of(leaves.begin(), leaves.end(), [&](Index l) { return touched.contains(l); }))
+    {
+      touched.insert(leaves.begin(), leaves.end());
+      chosen.push_back(move);
+    }
+  }
+  return chosen;
+}
+
 } // namespace
 
 void modifyGrid(GridPlaces& grid, const SurfaceModel& model, const Crossings& crossings, const RunContext& context)
 {
   Search search(grid, model, crossings);
-  std::set<Index> points = search.pointsInQuestion();
-  for (int sweep = 0; sweep < mostSweeps && !points.empty(); ++sweep)
+  constexpr int mostRounds = 4;
+  for (int round = 0; round < mostRounds && search.enterGaps(); ++round)
   {
-    std::set<Index> next;
-    for (const Index point : points)
+    context.progress.check();
+  }
+  std::set<Index> dirty = search.pointsInQuestion();
+  std::map<Index, Search::Move> moves;
+  for (int sweep = 0; sweep < mostSweeps && !dirty.empty(); ++sweep)
+  {
+    for (const Index point : dirty)
     {
       context.progress.check();
-      if (search.improve(point))
+      const Search::Move move = search.bestMove(point);
+      if (move.gain > 0.0)
       {
-        search.addNeighbours(point, next);
+        moves[point] = move;
+      }
+      else
+      {
+        moves.erase(point);
       }
     }
-    points = std::move(next);
+    dirty.clear();
+    std::vector<Search::Move> open;
+    for (const auto& [point, move] : moves)
+    {
+      open.push_back(move);
+    }
+    for (const Search::Move& move : independent(std::move(open), grid.points()))
+    {
+      search.apply(move);
+      search.addNeighbours(move.point, dirty);
+    }
+    if(getenv("DBG")) fprintf(stderr,"sweep %d moves %zu moved %zu next %zu\n",sweep,moves.size(),grid.movedCount(),dirty.size());
   }
+  if(getenv("DBG")) for(Index p: search.pointsInQuestion()) search.dump(p);
 }
 
 } // namespace atria
