@@ -25,6 +25,7 @@ constexpr double thinnestGap = 0.02;
 constexpr double surplusCutCost = 2.0;
 constexpr int mostSweeps = 100;
 constexpr double smallestGain = 1e-9;
+constexpr double rounding = 1e-6;
 /// What a move of a point by its shortest edge counts against one surplus.
 constexpr double moveCost = 0.05;
 
@@ -190,7 +191,9 @@ private:
     const double toA = normal.dot(*onA - p);
     const double toB = normal.dot(*onB - p);
     const double step = 0.5 * (toA + toB);
-    if (toA * toB <= 0.0 || std::abs(step) > 0.5 * size * normal.lpNorm<1>())
+    // Half-open, so that of two planes of points at the same distance one is taken.
+    const double limit = 0.5 * size * normal.lpNorm<1>();
+    if (toA * toB <= 0.0 || step < -limit * (1.0 + rounding) || step >= limit * (1.0 - rounding))
     {
       return;
     }
