@@ -5,6 +5,7 @@
 #include "Surface/Predicates.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace atria {
 
@@ -12,6 +13,9 @@ namespace {
 
 /// How far beyond an edge, against the edge's length, the tip of a crease may reach for the edge to count as uncut.
 constexpr double nickDepth = 0.3;
+
+/// Of 30 degrees: creases more acute than that are sheets side by side.
+constexpr double foldCosine = 0.866;
 
 Vec3 asVector(const LatticePoint& p)
 {
@@ -134,6 +138,11 @@ bool EdgeProbe::isBulge(const EdgeSegment& edge, const SurfaceCrossing& l, const
 /// in different zones.
 bool EdgeProbe::isNick(const EdgeSegment& edge, const SurfaceCrossing& l, const SurfaceCrossing& r) const
 {
+  // The two sides of a fold, such as a wall that is there twice, are no tip.
+  if (std::abs(model.normal(l.triangle).normalized().dot(model.normal(r.triangle).normalized())) > foldCosine)
+  {
+    return false;
+  }
   const auto [low, high] = std::minmax(model.charts[l.triangle], model.charts[r.triangle]);
   const Vec3 middle = pointOn(edge, 0.5 * (l.parameter + r.parameter));
   const double reach = nickDepth * static_cast<double>(edge.size);

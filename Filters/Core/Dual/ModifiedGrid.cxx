@@ -7,8 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <map>
+#include <optional>
 #include <set>
 #include <unordered_set>
 
@@ -17,7 +17,7 @@ namespace atria {
 namespace {
 
 /// How far a point may move, against its shortest edge.
-constexpr double farthestMove = 0.55;
+constexpr double farthestMove = 0.95;
 /// How far beyond a single cut a point is put, against the edge, if nothing else limits it.
 constexpr double stepBeyond = 0.1;
 /// Sheets closer than this part of an edge are left to merge.
@@ -33,6 +33,7 @@ constexpr double moveCost = 0.05;
 struct LiveEdge
 {
   EdgeSegment segment;
+  bool leavesDomain;
   std::vector<SurfaceCrossing> cuts;
 };
 
@@ -59,7 +60,7 @@ public:
     for (const CrossedEdge& edge : crossings.crossedEdges)
     {
       const auto cuts = crossings.of(edge);
-      const Index id = add(edge.point, edge.direction, edge.segment);
+      const Index id = add(edge.point, edge.direction, edge.segment, edge.other == noIndex);
       edges[id].cuts.assign(cuts.begin(), cuts.end());
     }
   }
@@ -94,14 +95,16 @@ public:
       }
       std::sort(pairs.begin(), pairs.end());
       pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-      for (const auto& [a, b] : pairs)
+      for (const Index point : grid.points().atCorner[leaf])
       {
-        for (const Index point : grid.points().atCorner[leaf])
+        if (point != noIndex && !grid.isMoved(point))
         {
-          if (point != noIndex && !grid.isMoved(point))
+          const Vec3 p = asVector(grid.place(point));
+          for (const auto& [a, b] : pairs)
           {
-            noteGap(point, leaf, a, b, moves);
+            noteGap(point, nearestOnChart(leaf, p, a), nearestOnChart(leaf, p, b), moves);
           }
+          noteSideGaps(point, leaf, moves);
         }
       }
     }
@@ -141,16 +144,6 @@ public:
 
   void apply(const Move& move) { moveTo(move.point, move.place); }
 
-  void dump(Index point)
-  {
-    double c=costAt(point); if(c<1.0) return;
-    Vec3 h=octree.frame().toModel(grid.home(point)), q=octree.frame().toModel(grid.place(point));
-    fprintf(stderr,"COST %.2f home %.2f %.2f %.2f at %.2f %.2f %.2f:",c,h[0],h[1],h[2],q[0],q[1],q[2]);
-    for(int d=0;d<6;++d){auto e=grid.edge(point,d); if(!e.exists())continue; if(auto*l=find(point,d,e)) {fprintf(stderr," d%d{",d); for(auto&k:l->cuts)fprintf(stderr,"%d(%.2f) ",(int)model.charts[k.triangle],k.parameter);fprintf(stderr,"}");}}
-    auto& ls=grid.points().leaves[point]; for(Index l: std::set<Index>(ls.begin(),ls.end())){int k=surplus(l); if(k){Vec3 cc=octree.center(l);fprintf(stderr," leaf(%.2f %.2f %.2f) sheets %d links %zu tangle %d",cc[0],cc[1],cc[2],topology.sheets(),topology.links().size(),isTangle(l));}}
-    fprintf(stderr,"\n");
-  }
-
   /// Points whose costs a move of this one changes.
   void addNeighbours(Index point, std::set<Index>& points) const
   {
@@ -166,7 +159,7 @@ private:
     std::vector<Index> leaves;
     for (const auto& [leaf, ids] : edgesOfLeaf)
     {
-      const bool cutTwice = std::any_of(ids.begin(), ids.end(), [&](Index id) { return edges[id].cuts.size() > 1; });
+      const bool cutTwice = std::any_of(ids.begin(), ids.end(), [&](Index id) { return surplusCuts(edges[id]) > 0; });
       if (cutTwice || surplus(leaf) > 0)
       {
         leaves.push_back(leaf);
@@ -176,12 +169,28 @@ private:
     return leaves;
   }
 
-  /// Notes the place of a point between two charts, if they lie to the same side of it.
-  void noteGap(Index point, Index leaf, Index a, Index b, std::map<Index, Move>& moves) const
+  /// Notes the place of a point between a chart that cuts an edge out of the domain, and the side it leads to.
+  void noteSideGaps(Index point, Index leaf, std::map<Index, Move>& moves) const
+  {
+    for (int direction = 0; direction < 6; ++direction)
+    {
+      const GridPlaces::Edge edge = grid.edge(point, direction);
+      const LiveEdge* live = edge.exists() && edge.other == noIndex ? find(point, direction, edge) : nullptr;
+      if (live && !live->cuts.empty())
+      {
+        const Vec3 p = asVector(grid.place(point));
+        Vec3 onSide = p;
+        onSide[axisOf(direction)] = static_cast<double>(live->segment.end[axisOf(direction)]);
+        noteGap(point, nearestOnChart(leaf, p, model.charts[live->cuts.back().triangle]), onSide, moves);
+      }
+    }
+  }
+
+  /// Notes the place of a point between its nearest points on two sheets, if they lie to the same side of it.
+  void noteGap(Index point, const std::optional<Vec3>& onA, const std::optional<Vec3>& onB,
+               std::map<Index, Move>& moves) const
   {
     const Vec3 p = asVector(grid.place(point));
-    const auto onA = nearestOnChart(leaf, p, a);
-    const auto onB = nearestOnChart(leaf, p, b);
     const auto size = static_cast<double>(shortestEdge(point));
     if (!onA || !onB || (*onA - *onB).norm() < thinnestGap * size)
     {
@@ -201,7 +210,8 @@ private:
     const auto [found, isNew] = moves.try_emplace(point, Move{-std::abs(step), point, {}});
     if (isNew || found->second.gain < -std::abs(step))
     {
-      found->second = {-std::abs(step), point, {std::llround(place[0]), std::llround(place[1]), std::llround(place[2])}};
+      found->second = {
+          -std::abs(step), point, {std::llround(place[0]), std::llround(place[1]), std::llround(place[2])}};
     }
   }
 
@@ -219,9 +229,9 @@ private:
       {
         if (piece.kind == ModelItem::triangle && model.charts[piece.index] == chart)
         {
-          const Vec3 q = nearestOnTriangle(p, asVector(model.corner(piece.index, 0)),
-                                           asVector(model.corner(piece.index, 1)),
-                                           asVector(model.corner(piece.index, 2)));
+          const Vec3 q =
+              nearestOnTriangle(p, asVector(model.corner(piece.index, 0)), asVector(model.corner(piece.index, 1)),
+                                asVector(model.corner(piece.index, 2)));
           best = !best || (q - p).squaredNorm() < (*best - p).squaredNorm() ? q : *best;
         }
       }
@@ -238,12 +248,12 @@ private:
                                                         : std::pair(point, direction);
   }
 
-  Index add(Index point, int direction, const EdgeSegment& segment)
+  Index add(Index point, int direction, const EdgeSegment& segment, bool leavesDomain)
   {
     const auto [found, isNew] = idOf.try_emplace(keyOf(point, direction), static_cast<Index>(edges.size()));
     if (isNew)
     {
-      edges.push_back({segment, {}});
+      edges.push_back({segment, leavesDomain, {}});
       for (const Index leaf : std::set<Index>(segment.about.begin(), segment.about.end()))
       {
         edgesOfLeaf[leaf].push_back(found->second);
@@ -289,7 +299,7 @@ private:
       {
         continue;
       }
-      const Index id = found == idOf.end() ? add(start, along, segment) : found->second;
+      const Index id = found == idOf.end() ? add(start, along, segment, same.other == noIndex) : found->second;
       edges[id].segment = segment;
       edges[id].cuts.assign(cuts.begin(), cuts.end());
     }
@@ -351,7 +361,7 @@ private:
       const GridPlaces::Edge edge = grid.edge(point, direction);
       if (const LiveEdge* live = edge.exists() ? find(point, direction, edge) : nullptr)
       {
-        cost += live->cuts.size() > 1 ? surplusCutCost * static_cast<double>(live->cuts.size() - 1) : 0.0;
+        cost += surplusCutCost * static_cast<double>(surplusCuts(*live));
       }
     }
     const auto& leaves = grid.points().leaves[point];
@@ -372,6 +382,12 @@ private:
     const auto [start, along] = stored(point, direction, edge);
     const auto found = idOf.find(keyOf(start, along));
     return found == idOf.end() ? nullptr : &edges[found->second];
+  }
+
+  /// Cuts beyond the one an edge can hold. A domain side is a sheet too.
+  static std::size_t surplusCuts(const LiveEdge& edge)
+  {
+    return edge.cuts.empty() ? 0 : edge.cuts.size() - (edge.leavesDomain ? 0 : 1);
   }
 
   std::int64_t shortestEdge(Index point) const
@@ -579,9 +595,7 @@ void modifyGrid(GridPlaces& grid, const SurfaceModel& model, const Crossings& cr
       search.apply(move);
       search.addNeighbours(move.point, dirty);
     }
-    if(getenv("DBG")) fprintf(stderr,"sweep %d moves %zu moved %zu next %zu\n",sweep,moves.size(),grid.movedCount(),dirty.size());
   }
-  if(getenv("DBG")) for(Index p: search.pointsInQuestion()) search.dump(p);
 }
 
 } // namespace atria
