@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <vector>
 
 namespace atria {
@@ -36,7 +37,7 @@ public:
   {
     if (numbers_[p] < 0)
     {
-      numbers_[p] = points_->InsertNextPoint(frame_.toModel(model_.points[p]).data());
+      numbers_[p] = points_->InsertNextPoint(frame_.placement.toModel(frame_.toModel(model_.points[p])).data());
     }
     return numbers_[p];
   }
@@ -75,7 +76,8 @@ std::string joined(const SurfaceModel& model, const std::vector<Index>& surfaces
   std::string text;
   for (const Index s : surfaces)
   {
-    text += (text.empty() ? "" : " + ") + model.names[s];
+    text += (text.empty() ? "" : " + ") +
+            (s < model.names.size() ? model.names[s] : std::string(sideNames[s - model.names.size()]));
   }
   return text;
 }
@@ -139,8 +141,9 @@ void featureCurvesToVtk(const SurfaceModel& model, const GridFrame& frame, vtkPo
   {
     const FeatureEdge& edge = model.featureEdges[e];
     lines->InsertNextCell({numbers(edge.a), numbers(edge.b)});
-    addCell(static_cast<int>(edge.kind), static_cast<int>(curves.curveOf[e]), static_cast<int>(edge.charts[0]),
-            static_cast<int>(edge.charts[1]), 1, curves.surfaces[e]);
+    addCell(static_cast<int>(edge.kind), static_cast<int>(curves.curveOf[e]),
+            static_cast<int>(model.curves[edge.curve].charts.front()),
+            static_cast<int>(model.curves[edge.curve].charts.back()), 1, curves.surfaces[e]);
   }
   out->GetCellData()->AddArray(surfaces);
   out->SetPoints(numbers.points());
@@ -164,7 +167,12 @@ void modelToVtk(const SurfaceModel& model, const GridFrame& frame, vtkPolyData* 
   }
   out->SetPoints(numbers.points());
   out->SetPolys(triangles);
-  addStrings(out, "SurfaceName", model.names);
+  std::vector<std::string> names = model.names;
+  if (std::ranges::any_of(model.surfaceIds, [&](Index id) { return id >= model.names.size(); }))
+  {
+    names.insert(names.end(), sideNames.begin(), sideNames.end()); // of a turned domain
+  }
+  addStrings(out, "SurfaceName", names);
 }
 
 } // namespace atria

@@ -51,12 +51,12 @@ int vtkAtriaFeatureGraph::RequestData(vtkInformation*, vtkInformationVector** in
   {
     range.report(0.0, "Reading surfaces");
     const atria::GridInput input = atria::readGridInput(vtkDataObject::GetData(inputs[0]));
-    const atria::GridFrame frame = input.frame(*this);
+    const atria::PlacedModel placed = input.placed(*this);
     range.report(0.3, "Finding features");
-    const atria::SurfaceModel model = input.model(*this, frame);
+    const atria::SurfaceModel model = atria::surfaceModelOf(*this, placed);
     range.report(0.8, "Converting");
-    atria::featureCurvesToVtk(model, frame, curves);
-    atria::modelToVtk(model, frame, triangles);
+    atria::featureCurvesToVtk(model, placed.frame, curves);
+    atria::modelToVtk(model, placed.frame, triangles);
     range.report(1.0, "Found features");
   }
   catch (const atria::Aborted&)

@@ -26,7 +26,7 @@ struct FoundZones
     model = makeSurfaceModel(surface, frame, {});
     octree = buildOctree(model, frame, SizingOptions{}, context());
     points = findGridPoints(octree, context());
-    crossings = findCrossings(octree, model, points, context());
+    crossings = findCrossings(GridPlaces(octree, points), model, context());
     zones = findZones(crossings, model.names.size(), context());
   }
 

@@ -2,37 +2,23 @@
 #pragma once
 
 #include "Dual/DualMesh.h"
-#include "Dual/GridPoints.h"
-#include "Surface/SurfaceModel.h"
+#include "Dual/EdgeProbe.h"
+#include "Dual/GridPlaces.h"
 
 namespace atria {
-
-/// Where a surface cuts an octree edge.
-struct SurfaceCrossing
-{
-  Index triangle;
-  /// Lattice coordinate along the edge's axis.
-  double coordinate;
-  /// +1 where the triangle's normal points along the axis, -1 against it.
-  int orientation;
-};
 
 /// An octree edge that surfaces cut: between grid points, or from one to outside the domain.
 struct CrossedEdge
 {
-  /// The grid point the edge was found from, and the one at the other end or noIndex.
+  /// The grid point the edge starts from, and the one at its end or noIndex. Edges between two points start from the
+  /// lower one.
   Index point;
   Index other;
   std::uint8_t direction;
-  /// Where `point` is.
-  LatticePoint start;
-  /// The crossings next to `point` and next to the other end; the same if there is one only.
-  SurfaceCrossing nearest;
-  SurfaceCrossing farthest;
-  /// Number of crossings; above 1 sheets are merged into one.
+  EdgeSegment segment;
+  /// Its crossings are [begin, begin + count) of Crossings::cuts. Above one, sheets are merged.
+  std::uint32_t begin;
   std::uint32_t count;
-  /// Leaves about the edge.
-  std::array<Index, 4> leaves;
 };
 
 /// What stands between elements.
@@ -42,12 +28,21 @@ struct Crossings
   std::vector<std::array<std::int32_t, 6>> neighbours;
   std::vector<BoundaryFace> boundaryFaces;
   std::vector<CrossedEdge> crossedEdges;
+  std::vector<SurfaceCrossing> cuts;
+
+  std::span<const SurfaceCrossing> of(const CrossedEdge& edge) const
+  {
+    return std::span(cuts).subspan(edge.begin, edge.count);
+  }
 };
 
+/// Crossings of one edge of the grid; see EdgeProbe.
+std::span<const SurfaceCrossing> cutEdge(const GridPlaces& grid, EdgeProbe& probe, Index point,
+                                         const GridPlaces::Edge& edge, const EdgeSegment& segment);
+
 /// Joins grid points across edges, and finds which edges are cut by surfaces or by the domain's sides. Decisions are
-/// exact; see Predicates.h. A surface that reaches through an edge and back, by a bulge or a crease, does not cut it.
-/// Cost: O(1) an edge, plus the triangles in the leaf beside it.
-Crossings findCrossings(const Octree& octree, const SurfaceModel& model, const GridPoints& points,
-                        const RunContext& context);
+/// exact; see Predicates.h. A surface that reaches through an edge and back, by a bulge or the tip of a crease, does
+/// not cut it. Cost: O(1) an edge, plus the triangles in the leaf beside it.
+Crossings findCrossings(const GridPlaces& grid, const SurfaceModel& model, const RunContext& context);
 
 } // namespace atria

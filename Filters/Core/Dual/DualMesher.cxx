@@ -3,6 +3,7 @@
 
 #include "Dual/Cracks.h"
 #include "Dual/DualVertices.h"
+#include "Dual/ModifiedGrid.h"
 #include "Dual/Sheets.h"
 #include "Dual/TurnedDomain.h"
 
@@ -130,12 +131,11 @@ void appendMerged(const Crossings& crossings, const std::vector<Index>& elements
     {
       continue;
     }
-    const int axis = axisOf(edge.direction);
-    Diagnostic merged{Diagnostic::mergedSheets, frame.toModel(edge.start), frame.toModel(edge.start),
-                      here != noIndex ? here : there};
-    merged.begin[axis] = frame.toModel(axis, edge.nearest.coordinate);
-    merged.end[axis] = frame.toModel(axis, edge.farthest.coordinate);
-    out.push_back(merged);
+    const auto at = [&](const SurfaceCrossing& cut) {
+      return Vec3(frame.origin + frame.latticeUnit() * pointOn(edge.segment, cut.parameter));
+    };
+    const auto cuts = crossings.of(edge);
+    out.push_back({Diagnostic::mergedSheets, at(cuts.front()), at(cuts.back()), here != noIndex ? here : there});
   }
 }
 
@@ -172,7 +172,13 @@ DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, con
   GridPoints points = findGridPoints(octree, context);
   clock.lap("dual");
   context.progress.report(0.3, "Finding crossings");
-  Crossings crossings = findCrossings(octree, model, points, context);
+  GridPlaces grid(octree, points);
+  Crossings crossings = findCrossings(grid, model, context);
+  modifyGrid(grid, model, crossings, context);
+  if (grid.movedCount() > 0)
+  {
+    crossings = findCrossings(grid, model, context);
+  }
   markTurnedSides(crossings, model.names.size());
   clock.lap("crossings");
   context.progress.report(0.6, "Finding zones");
@@ -181,7 +187,6 @@ DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, con
   dropBeyondSides(result.keptZones, zones, octree, points);
   const std::vector<Index> elements = numberElements(zones, result.keptZones);
   inspectZones(octree, model, points, crossings, zones, elements, options, result, context);
-  points.atCorner = {};
   clock.lap("zones");
   context.progress.report(0.7, "Placing vertices");
   std::vector<Index> vertexOfLeaf;

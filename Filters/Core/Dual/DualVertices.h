@@ -9,16 +9,19 @@ namespace atria {
 struct DualVertices
 {
   std::vector<Vec3> positions;
-  /// Whether the vertex serves several smooth pieces of the model and does not lie on all of them: they do not meet in
+  /// Whether the vertex should be on several pieces of the model, or at a corner, and is not: they do not meet near
   /// the octant, which is as fine as was allowed.
   std::vector<char> compromised;
+  /// Corners of the model, as indices into its points, at which no vertex is although curves of the mesh pass by.
+  std::vector<Index> missedCorners;
 };
 
-/// Places the vertex of each of `leaves`, which are in order. An octant that no surface cuts keeps its centre. One that
-/// is cut goes to, in this order: a corner of the model in it, where a curve of a piece that cuts it ends or turns; the
-/// middle of the feature curve in it that bounds such a piece; the mean of the points where the surfaces cut its edges,
-/// projected to them. On a domain side the vertex lies exactly in the side's plane, and on corners and curves of the
-/// surfaces that lie there.
+/// Places the vertex of each of `leaves`, which are in order. The faces round a vertex say what it is (LeafTopology):
+/// on a corner of the model, on a feature curve, on a surface, or free. A free one keeps the centre of its octant; one
+/// on a curve goes to the middle of the curve's piece in the octant, one on a surface to the mean of the points where
+/// the octant's edges are cut, projected. Corners go to the vertices of their curves that are nearest to them, one
+/// each. On a domain side the vertex lies exactly in the side's plane, and on corners and curves of the surfaces that
+/// lie there.
 DualVertices placeVertices(const Octree& octree, const SurfaceModel& model, const Crossings& crossings,
                            const std::vector<Index>& leaves, const RunContext& context);
 

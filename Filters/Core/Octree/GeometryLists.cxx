@@ -183,7 +183,8 @@ GeometryLists sizingLists(const SurfaceModel& model, const GridFrame& frame)
         return model.isTurnedSide(piece.index);
       case ModelItem::featureEdge: {
         const FeatureEdge& edge = model.featureEdges[piece.index];
-        return sideCharts[edge.charts[0]] || sideCharts[edge.charts[1]];
+        return std::ranges::any_of(model.curves[edge.curve].charts,
+                                   [&](Index chart) { return sideCharts[chart] != 0; });
       }
       default:
         return sidePoints[model.corners[piece.index]] != 0;

@@ -90,36 +90,96 @@ std::optional<CurveKind> kindOf(const SurfaceModel& model, const EdgeUse* first,
   return std::nullopt;
 }
 
-void findCorners(SurfaceModel& model, double minimumCosine)
+/// What meets at one edge before curves are named: its kind and its triangles' charts.
+using EdgeProfile = std::pair<CurveKind, std::vector<Index>>;
+
+/// The feature edges at each point, up to two; more than two make it a corner at once.
+struct PointCurves
 {
-  // Up to two neighbours along curves for each point; a third makes it a corner at once.
-  std::vector<std::array<Index, 2>> along(model.points.size(), {noIndex, noIndex});
-  std::vector<std::uint32_t> degree(model.points.size(), 0);
-  for (const FeatureEdge& edge : model.featureEdges)
+  std::array<Index, 2> edges{noIndex, noIndex};
+  std::uint32_t degree = 0;
+};
+
+std::vector<PointCurves> curvesAtPoints(const SurfaceModel& model)
+{
+  std::vector<PointCurves> at(model.points.size());
+  for (Index e = 0; e < model.featureEdges.size(); ++e)
   {
-    for (const auto& [p, q] : {std::pair(edge.a, edge.b), std::pair(edge.b, edge.a)})
+    for (const Index p : {model.featureEdges[e].a, model.featureEdges[e].b})
     {
-      if (degree[p] < 2)
+      if (at[p].degree < 2)
       {
-        along[p][degree[p]] = q;
+        at[p].edges[at[p].degree] = e;
       }
-      ++degree[p];
+      ++at[p].degree;
     }
   }
+  return at;
+}
+
+/// Whether the two curves at a point go on as one through it.
+bool runsThrough(const SurfaceModel& model, Index p, const PointCurves& at, const std::vector<EdgeProfile>& profiles,
+                 double minimumCosine)
+{
+  if (at.degree != 2 || profiles[at.edges[0]] != profiles[at.edges[1]])
+  {
+    return false;
+  }
+  const auto otherEnd = [&](Index e) {
+    const FeatureEdge& edge = model.featureEdges[e];
+    return edge.a == p ? edge.b : edge.a;
+  };
+  const Vec3 before = vectorBetween(model, otherEnd(at.edges[0]), p).normalized();
+  const Vec3 after = vectorBetween(model, p, otherEnd(at.edges[1])).normalized();
+  return before.dot(after) >= minimumCosine;
+}
+
+std::vector<Index> endingCharts(const std::vector<Index>& charts)
+{
+  std::vector<Index> ending;
+  for (const Index chart : charts)
+  {
+    if (!ending.empty() && ending.back() == chart)
+    {
+      ending.pop_back();
+    }
+    else
+    {
+      ending.push_back(chart);
+    }
+  }
+  return ending;
+}
+
+/// Names corners, and the curves between them.
+void findCurves(SurfaceModel& model, const std::vector<EdgeProfile>& profiles, double minimumCosine)
+{
+  const std::vector<PointCurves> at = curvesAtPoints(model);
+  UnionFind sets(model.featureEdges.size());
   for (Index p = 0; p < model.points.size(); ++p)
   {
-    if (degree[p] == 0)
+    if (at[p].degree == 0)
     {
       continue;
     }
-    const bool turns =
-        degree[p] == 2 &&
-        vectorBetween(model, along[p][0], p).normalized().dot(vectorBetween(model, p, along[p][1]).normalized()) <
-            minimumCosine;
-    if (degree[p] != 2 || turns)
+    if (runsThrough(model, p, at[p], profiles, minimumCosine))
+    {
+      sets.join(at[p].edges[0], at[p].edges[1]);
+    }
+    else
     {
       model.corners.push_back(p);
     }
+  }
+  for (Index e = 0; e < model.featureEdges.size(); ++e)
+  {
+    const Index root = sets.find(e); // the smallest of its set, so named before
+    if (root == e)
+    {
+      model.curves.push_back({profiles[e].first, profiles[e].second, endingCharts(profiles[e].second)});
+    }
+    model.featureEdges[e].curve =
+        root == e ? static_cast<Index>(model.curves.size() - 1) : model.featureEdges[root].curve;
   }
 }
 
@@ -141,30 +201,42 @@ void findFeatures(SurfaceModel& model, const GridFrame& frame, const FeatureOpti
   const double minimumCosine = std::cos(options.featureAngle * std::numbers::pi / 180.0);
   const std::vector<EdgeUse> uses = edgeUses(model);
   UnionFind sets(model.triangles.size());
-  std::vector<std::array<Index, 2>> curveTriangles;
+  struct Range
+  {
+    std::size_t begin;
+    std::size_t end;
+    CurveKind kind;
+  };
+  std::vector<Range> featureUses;
   for (std::size_t begin = 0, end = 0; begin < uses.size(); begin = end)
   {
     for (end = begin + 1; end < uses.size() && uses[end].sameEdge(uses[begin]); ++end)
     {
     }
-    const EdgeUse& edge = uses[begin];
     const auto kind = kindOf(model, uses.data() + begin, uses.data() + end, minimumCosine);
     if (!kind)
     {
       sets.join(uses[begin].triangle, uses[begin + 1].triangle);
     }
-    else if (!onDomainEdge(model, frame, edge))
+    else if (!onDomainEdge(model, frame, uses[begin]))
     {
-      model.featureEdges.push_back({edge.a, edge.b, *kind, {}});
-      curveTriangles.push_back({edge.triangle, uses[end - 1].triangle});
+      featureUses.push_back({begin, end, *kind});
     }
   }
   nameCharts(model, sets);
-  for (std::size_t i = 0; i < curveTriangles.size(); ++i)
+  std::vector<EdgeProfile> profiles;
+  for (const Range& range : featureUses)
   {
-    model.featureEdges[i].charts = {model.charts[curveTriangles[i][0]], model.charts[curveTriangles[i][1]]};
+    model.featureEdges.push_back({uses[range.begin].a, uses[range.begin].b, range.kind, noIndex});
+    std::vector<Index> charts;
+    for (std::size_t u = range.begin; u < range.end; ++u)
+    {
+      charts.push_back(model.charts[uses[u].triangle]);
+    }
+    std::sort(charts.begin(), charts.end());
+    profiles.emplace_back(range.kind, std::move(charts));
   }
-  findCorners(model, minimumCosine);
+  findCurves(model, profiles, minimumCosine);
 }
 
 } // namespace atria

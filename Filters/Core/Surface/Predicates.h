@@ -74,4 +74,33 @@ inline bool lineMeetsTriangle(const LatticePoint& a, const LatticePoint& b, cons
          sideOfLine(c, a, p, axis) == winding;
 }
 
+/// On which side of the line a-b the line from p to q passes, both shifted alike. Zero only where they are parallel.
+inline int sideOfSegment(const LatticePoint& p, const LatticePoint& q, const LatticePoint& a, const LatticePoint& b)
+{
+  const auto minus = [](const LatticePoint& l, const LatticePoint& r) {
+    return LatticePoint{l[0] - r[0], l[1] - r[1], l[2] - r[2]};
+  };
+  const auto cross = [](const LatticePoint& l, const LatticePoint& r) {
+    return std::array<Wide, 3>{Wide(l[1]) * r[2] - Wide(l[2]) * r[1], Wide(l[2]) * r[0] - Wide(l[0]) * r[2],
+                               Wide(l[0]) * r[1] - Wide(l[1]) * r[0]};
+  };
+  const LatticePoint along = minus(q, p);
+  const std::array<Wide, 3> n = cross(minus(a, p), minus(b, p));
+  int sign = signOf(n[0] * along[0] + n[1] * along[1] + n[2] * along[2]);
+  const std::array<Wide, 3> shift = cross(minus(a, b), along);
+  for (int axis = 0; sign == 0 && axis < 3; ++axis)
+  {
+    sign = signOf(shift[axis]);
+  }
+  return sign;
+}
+
+/// Whether the line through the shifted grid points p and q passes through the triangle.
+inline bool lineMeetsTriangle(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c,
+                              const LatticePoint& p, const LatticePoint& q)
+{
+  const int first = sideOfSegment(p, q, a, b);
+  return first != 0 && sideOfSegment(p, q, b, c) == first && sideOfSegment(p, q, c, a) == first;
+}
+
 } // namespace atria

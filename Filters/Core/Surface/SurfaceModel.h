@@ -26,8 +26,19 @@ struct FeatureEdge
   Index a;
   Index b;
   CurveKind kind;
-  /// Two of the charts that meet there; equal at a rim.
-  std::array<Index, 2> charts;
+  /// Index into `curves`.
+  Index curve;
+};
+
+/// A feature curve: edges joined at points that are no corners, where the same charts meet all along.
+struct FeatureCurve
+{
+  CurveKind kind;
+  /// The charts that meet there, sorted, one entry for each triangle: a chart that goes on across the curve is there
+  /// twice.
+  std::vector<Index> charts;
+  /// Those of them that end there: the ones with an odd number of entries. Empty for a fold within a chart.
+  std::vector<Index> ending;
 };
 
 struct SurfaceModel
@@ -44,6 +55,7 @@ struct SurfaceModel
   /// they are no obstacle.
   std::vector<std::int8_t> domainSides;
   std::vector<FeatureEdge> featureEdges;
+  std::vector<FeatureCurve> curves;
   /// Points where curves end, meet or turn sharply.
   std::vector<Index> corners;
   std::vector<std::string> names;

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Dual/GridPlaces.h"
+
+#include <algorithm>
+
+namespace atria {
+
+LatticePoint GridPlaces::home(Index point) const
+{
+  const std::array<Index, 8>& leaves = points_.leaves[point];
+  for (unsigned slot = 0; slot < 8; ++slot)
+  {
+    if (points_.atCorner[leaves[slot]][7 - slot] == point)
+    {
+      return octree_.cornerOf(leaves[slot], 7 - slot);
+    }
+  }
+  return {};
+}
+
+GridPlaces::Edge GridPlaces::edge(Index point, int direction) const
+{
+  Edge edge;
+  edge.at = edgeFrom(octree_, points_.leaves[point], direction);
+  if (edge.exists())
+  {
+    edge.other = points_.atCorner[edge.at.leaf][edge.at.corner ^ (1u << axisOf(direction))];
+  }
+  return edge;
+}
+
+EdgeSegment GridPlaces::segment(Index point, int direction, const Edge& edge) const
+{
+  const int axis = axisOf(direction);
+  const unsigned bit = 1u << axis;
+  EdgeSegment segment;
+  segment.start = octree_.cornerOf(edge.at.leaf, edge.at.corner);
+  segment.end = octree_.cornerOf(edge.at.leaf, edge.at.corner ^ bit);
+  segment.axis = axis;
+  segment.size = octree_.frame().latticeSize(octree_.level(edge.at.leaf));
+  if (edge.other == noIndex)
+  {
+    segment.end[axis] = isUpper(direction) ? octree_.frame().domainHigh[axis] : octree_.frame().domainLow[axis];
+  }
+  if (isMoved(point, edge))
+  {
+    segment.start = place(point);
+    segment.end = edge.other == noIndex ? segment.end : place(edge.other);
+    segment.axis = -1;
+  }
+  // Round the edge: 0, 1, 3, 2 of the slots counted in bits of the other two axes.
+  constexpr std::array<unsigned, 4> round{0, 1, 3, 2};
+  const unsigned u = 1u << ((axis + 1) % 3);
+  const unsigned v = 1u << ((axis + 2) % 3);
+  for (unsigned i = 0; i < 4; ++i)
+  {
+    const unsigned slot = (isUpper(direction) ? bit : 0u) | (round[i] & 1 ? u : 0u) | (round[i] & 2 ? v : 0u);
+    segment.about[i] = points_.leaves[point][slot];
+  }
+  return segment;
+}
+
+std::vector<Index> GridPlaces::leavesNear(Index point, const Edge& edge) const
+{
+  const auto& here = points_.leaves[point];
+  std::vector<Index> leaves(here.begin(), here.end());
+  if (edge.other != noIndex)
+  {
+    const auto& there = points_.leaves[edge.other];
+    leaves.insert(leaves.end(), there.begin(), there.end());
+  }
+  std::sort(leaves.begin(), leaves.end());
+  leaves.erase(std::unique(leaves.begin(), leaves.end()), leaves.end());
+  return leaves;
+}
+
+} // namespace atria
