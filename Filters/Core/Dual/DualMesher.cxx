@@ -173,12 +173,7 @@ DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, con
   clock.lap("dual");
   context.progress.report(0.3, "Finding crossings");
   GridPlaces grid(octree, points);
-  Crossings crossings = findCrossings(grid, model, context);
-  modifyGrid(grid, model, crossings, context);
-  if (grid.movedCount() > 0)
-  {
-    crossings = findCrossings(grid, model, context);
-  }
+  Crossings crossings = modifyGrid(grid, model, findCrossings(grid, model, context), context);
   markTurnedSides(crossings, model.names.size());
   clock.lap("crossings");
   context.progress.report(0.6, "Finding zones");

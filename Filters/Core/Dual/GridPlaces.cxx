@@ -18,6 +18,17 @@ LatticePoint GridPlaces::home(Index point) const
   return {};
 }
 
+std::vector<Index> GridPlaces::movedPoints() const
+{
+  std::vector<Index> points;
+  for (const auto& [point, place] : moved_)
+  {
+    points.push_back(point);
+  }
+  std::sort(points.begin(), points.end());
+  return points;
+}
+
 GridPlaces::Edge GridPlaces::edge(Index point, int direction) const
 {
   Edge edge;

@@ -28,6 +28,9 @@ public:
   bool isMoved(Index point) const { return !moved_.empty() && moved_.contains(point); }
   std::size_t movedCount() const { return moved_.size(); }
   void move(Index point, const LatticePoint& to) { moved_[point] = to; }
+  void moveAllHome() { moved_.clear(); }
+  /// Sorted.
+  std::vector<Index> movedPoints() const;
   void moveHome(Index point) { moved_.erase(point); }
 
   /// The edge that leaves a grid point in a direction.

@@ -476,25 +476,31 @@ private:
     }
     const auto curves = topology.curves();
     const Vec3 p = asVector(grid.place(point));
-    std::vector<Vec3> nearest;
-    for (const auto& ending : curves)
-    {
-      if (const auto q = nearestOnCurve(leaf, p, ending))
-      {
-        nearest.push_back(*q);
-      }
-    }
-    for (std::size_t i = 1; i < nearest.size(); ++i)
+    for (std::size_t i = 1; i < curves.size(); ++i)
     {
       for (std::size_t k = 0; k < i; ++k)
       {
-        const Vec3 apart = nearest[i] - nearest[k];
-        if (apart.squaredNorm() > 1.0)
+        if (haveCommon(curves[i], curves[k]))
         {
-          const Vec3 along = apart.normalized();
-          found.add(p - along * along.dot(p - 0.5 * (nearest[i] + nearest[k])));
+          addBetween(p, nearestOnCurve(leaf, p, curves[i]), nearestOnCurve(leaf, p, curves[k]), found);
         }
       }
+    }
+  }
+
+  /// Curves that bound a chart in common have a strip of it between them. Others have a gap between them, and a grid
+  /// edge put through it would let through what the octants keep apart.
+  static bool haveCommon(const std::vector<Index>& a, const std::vector<Index>& b)
+  {
+    return std::any_of(a.begin(), a.end(), [&](Index chart) { return std::binary_search(b.begin(), b.end(), chart); });
+  }
+
+  static void addBetween(const Vec3& p, const std::optional<Vec3>& a, const std::optional<Vec3>& b, Candidates& found)
+  {
+    if (a && b && (*a - *b).squaredNorm() > 1.0)
+    {
+      const Vec3 along = (*a - *b).normalized();
+      found.add(p - along * along.dot(p - 0.5 * (*a + *b)));
     }
   }
 
@@ -557,13 +563,134 @@ std::vector<Search::Move> independent(std::vector<Search::Move> moves, const Gri
   return chosen;
 }
 
+/// Per grid point, the first point of its zone; noIndex in zones so thin that surfaces cut the octants about all of
+/// their points, as the pieces are in which the space between two walls is seen by a coarse grid.
+std::vector<Index> wideZones(const GridPoints& points, const Crossings& crossings)
+{
+  const auto count = static_cast<Index>(crossings.neighbours.size());
+  UnionFind sets(count);
+  for (Index point = 0; point < count; ++point)
+  {
+    for (const std::int32_t neighbour : crossings.neighbours[point])
+    {
+      if (neighbour >= 0)
+      {
+        sets.join(point, static_cast<Index>(neighbour));
+      }
+    }
+  }
+  std::vector<char> isCut(points.atCorner.size(), 0);
+  for (const CrossedEdge& edge : crossings.crossedEdges)
+  {
+    std::for_each(edge.segment.about.begin(), edge.segment.about.end(), [&](Index leaf) { isCut[leaf] = 1; });
+  }
+  std::vector<char> isWide(count, 0);
+  for (Index point = 0; point < count; ++point)
+  {
+    const auto& leaves = points.leaves[point];
+    if (std::none_of(leaves.begin(), leaves.end(), [&](Index leaf) { return isCut[leaf] != 0; }))
+    {
+      isWide[sets.find(point)] = 1;
+    }
+  }
+  std::vector<Index> zones(count);
+  for (Index point = 0; point < count; ++point)
+  {
+    const Index root = sets.find(point);
+    zones[point] = isWide[root] ? root : noIndex;
+  }
+  return zones;
+}
+
+/// Moved points through which zones meet that are apart in the octree's own grid. Zones are followed, breadth first,
+/// from points that keep theirs through those that were moved and those of no zone.
+class JoiningPoints
+{
+public:
+  JoiningPoints(const GridPlaces& places, const Crossings& found, const std::vector<Index>& zones)
+      : grid(places), crossings(found), apart(zones)
+  {
+  }
+
+  std::vector<Index> find()
+  {
+    for (const Index point : grid.movedPoints())
+    {
+      for (const std::int32_t neighbour : crossings.neighbours[point])
+      {
+        if (neighbour >= 0 && isFixed(static_cast<Index>(neighbour)))
+        {
+          visit(static_cast<Index>(neighbour), point);
+        }
+      }
+    }
+    for (std::size_t i = 0; i < front.size(); ++i)
+    {
+      for (const std::int32_t neighbour : crossings.neighbours[front[i]])
+      {
+        if (neighbour >= 0)
+        {
+          visit(front[i], static_cast<Index>(neighbour));
+        }
+      }
+    }
+    return {joining.begin(), joining.end()};
+  }
+
+private:
+  struct Reached
+  {
+    Index zone;
+    Index from;
+  };
+
+  bool isFixed(Index point) const { return apart[point] != noIndex && !grid.isMoved(point); }
+
+  void visit(Index from, Index point)
+  {
+    const Index zone = isFixed(from) ? apart[from] : reached.at(from).zone;
+    if (!isFixed(point) && reached.try_emplace(point, Reached{zone, from}).second)
+    {
+      front.push_back(point);
+      return;
+    }
+    const Index there = isFixed(point) ? apart[point] : reached.at(point).zone;
+    if (there != zone)
+    {
+      addMoved(point);
+      addMoved(from);
+    }
+  }
+
+  /// The last moved point on the way to a point.
+  void addMoved(Index point)
+  {
+    while (!isFixed(point) && !grid.isMoved(point))
+    {
+      point = reached.at(point).from;
+    }
+    if (grid.isMoved(point))
+    {
+      joining.insert(point);
+    }
+  }
+
+  const GridPlaces& grid;
+  const Crossings& crossings;
+  const std::vector<Index>& apart;
+  std::unordered_map<Index, Reached> reached;
+  std::vector<Index> front;
+  std::set<Index> joining;
+};
+
 } // namespace
 
-void modifyGrid(GridPlaces& grid, const SurfaceModel& model, const Crossings& crossings, const RunContext& context)
+Crossings modifyGrid(GridPlaces& grid, const SurfaceModel& model, Crossings home, const RunContext& context)
 {
-  Search search(grid, model, crossings);
-  constexpr int mostRounds = 4;
-  for (int round = 0; round < mostRounds && search.enterGaps(); ++round)
+  Search search(grid, model, home);
+  constexpr int gapRounds = 4;
+  constexpr int mostRounds = 20;
+  for (int round = 0; round < gapRounds && search.enterGaps(); ++round)
   {
     context.progress.check();
   }
@@ -596,6 +723,23 @@ void modifyGrid(GridPlaces& grid, const SurfaceModel& model, const Crossings& cr
       search.addNeighbours(move.point, dirty);
     }
   }
+  if (grid.movedCount() == 0)
+  {
+    return home;
+  }
+  const std::vector<Index> apart = wideZones(grid.points(), home);
+  for (int round = 0; round < mostRounds; ++round)
+  {
+    Crossings crossings = findCrossings(grid, model, context);
+    const std::vector<Index> joining = JoiningPoints(grid, crossings, apart).find();
+    if (joining.empty())
+    {
+      return crossings;
+    }
+    std::for_each(joining.begin(), joining.end(), [&](Index point) { grid.moveHome(point); });
+  }
+  grid.moveAllHome();
+  return home;
 }
 
 } // namespace atria

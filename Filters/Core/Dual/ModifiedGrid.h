@@ -12,7 +12,9 @@ namespace atria {
 ///
 /// A search: each point in question tries the places between the cuts of its edges, and keeps the one with the fewest
 /// surplus cuts of its edges and surplus sheets of its octants; its neighbours are asked again, until nothing is
-/// gained. Serial, in the order of points; the cost is that of the places in question.
-void modifyGrid(GridPlaces& grid, const SurfaceModel& model, const Crossings& crossings, const RunContext& context);
+/// gained. No move opens a way between zones that the octree's own grid keeps apart: points through which they would
+/// meet go home again. Returns the crossings of the moved grid; `home` are those of the octree's own. Serial, in the
+/// order of points; the cost is that of the places in question.
+Crossings modifyGrid(GridPlaces& grid, const SurfaceModel& model, Crossings home, const RunContext& context);
 
 } // namespace atria
