@@ -6,6 +6,7 @@
 #include "Dual/LeafTopology.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace atria {
 
@@ -64,14 +65,18 @@ public:
     look(leaf, cuts);
     if (!topology.links().empty())
     {
-      part.chain.push_back({vertex, leaf, kindOfLinks(), topology.curves()});
+      part.chain.push_back({vertex, leaf, kindOfLinks(), topology.curves(), {}});
+      for (const LeafTopology::Link& link : topology.links())
+      {
+        part.chain.back().links.push_back(link.to);
+      }
       return;
     }
     out.positions[vertex] = geometry.surfacePosition();
     out.compromised[vertex] = topology.sheets() > 1 && geometry.misses(out.positions[vertex]) ? 1 : 0;
   }
 
-  void placeOnChain(const ChainVertex& vertex, Index corner, LeafCuts cuts, DualVertices& out)
+  void placeOnChain(ChainVertex& vertex, Index corner, LeafCuts cuts, DualVertices& out)
   {
     geometry.enter(vertex.leaf);
     look(vertex.leaf, cuts);
@@ -88,8 +93,18 @@ public:
     {
       position = geometry.surfacePosition();
     }
+    vertex.isDiverted = corner == noIndex && vertex.kind == ChainVertex::along && geometry.isDiverted();
     const bool lost = corner == noIndex && vertex.kind == ChainVertex::knot;
     out.compromised[vertex.vertex] = (lost || topology.sheets() > 1) && geometry.misses(position) ? 1 : 0;
+  }
+
+  /// Puts a vertex whose octant the curve does not pass between its neighbours on the curve.
+  void placeBetween(const ChainVertex& vertex, const Vec3& middle, LeafCuts cuts, DualVertices& out)
+  {
+    geometry.enter(vertex.leaf);
+    look(vertex.leaf, cuts);
+    const auto found = geometry.nearestCurvePosition(vertex.curves, middle);
+    out.positions[vertex.vertex] = found.value_or(out.positions[vertex.vertex]);
   }
 
 private:
@@ -132,6 +147,25 @@ std::vector<Index> missedCorners(const SurfaceModel& model, const std::vector<In
   return missed;
 }
 
+/// The middle between the two vertices a vertex is linked with.
+std::optional<Vec3> middleOfLinks(const ChainVertex& vertex, const std::vector<ChainVertex>& chain,
+                                  const std::vector<Vec3>& positions)
+{
+  Vec3 sum = Vec3::Zero();
+  int count = 0;
+  for (const Index leaf : vertex.links)
+  {
+    const auto found =
+        std::lower_bound(chain.begin(), chain.end(), leaf, [](const ChainVertex& v, Index l) { return v.leaf < l; });
+    if (found != chain.end() && found->leaf == leaf)
+    {
+      sum += positions[found->vertex];
+      ++count;
+    }
+  }
+  return count == 2 ? std::optional<Vec3>(0.5 * sum) : std::nullopt;
+}
+
 } // namespace
 
 DualVertices placeVertices(const Octree& octree, const SurfaceModel& model, const Crossings& crossings,
@@ -165,6 +199,14 @@ DualVertices placeVertices(const Octree& octree, const SurfaceModel& model, cons
       placer.placeOnChain(chain[i], corners[i], cutsOf(byLeaf, chain[i].leaf), vertices);
     }
   });
+  VertexPlacer placer(octree, model, crossings);
+  for (const ChainVertex& vertex : chain)
+  {
+    if (const auto middle = vertex.isDiverted ? middleOfLinks(vertex, chain, vertices.positions) : std::nullopt)
+    {
+      placer.placeBetween(vertex, *middle, cutsOf(byLeaf, vertex.leaf), vertices);
+    }
+  }
   return vertices;
 }
 

@@ -21,6 +21,10 @@ struct ChainVertex
   Kind kind;
   /// The charts that end along each different curve at the vertex (LeafTopology::Link::ending), sorted.
   std::vector<std::vector<Index>> curves;
+  /// Leaves of the vertices it is linked with along them.
+  std::vector<Index> links;
+  /// The octant holds no piece of the curves; set when it is placed.
+  bool isDiverted = false;
 };
 
 /// The curves that meet at each corner of the model, by the charts that end there; sorted, without repeats.

@@ -33,6 +33,7 @@ void LeafGeometry::enter(Index leaf)
   planes = frame.domainPlanes(box.low, box.high);
   leaves = {leaf};
   isMoved = false;
+  diverted = false;
   center = onPlanes(octree.center(leaf));
   sum = Vec3::Zero();
   extent = Box3();
@@ -179,30 +180,36 @@ Vec3 LeafGeometry::surfacePosition()
 
 std::optional<Vec3> LeafGeometry::curvePosition(const std::vector<std::vector<Index>>& endings)
 {
-  const auto wanted = [&](const FeatureEdge& edge) {
-    const std::vector<Index>& ending = model.curves[edge.curve].ending;
-    return std::ranges::find(endings, ending) != endings.end() &&
-           (!ending.empty() ||
-            std::ranges::all_of(model.curves[edge.curve].charts, [&](Index chart) { return hasChart(chart); }));
-  };
-  const Vec3 mean = meanOfCuts();
-  std::optional<Vec3> found;
   if (planes == 0)
   {
-    found = middleOfPieces(wanted);
+    if (const auto found = middleOfPieces([&](const FeatureEdge& edge) { return isOneOf(edge, endings); }))
+    {
+      return found;
+    }
   }
-  if (!found)
-  {
-    found = nearestOnCurves(mean, wanted);
-  }
+  diverted = true;
+  return nearestCurvePosition(endings, meanOfCuts());
+}
+
+bool LeafGeometry::isOneOf(const FeatureEdge& edge, const std::vector<std::vector<Index>>& endings) const
+{
+  const FeatureCurve& curve = model.curves[edge.curve];
+  return std::ranges::find(endings, curve.ending) != endings.end() &&
+         (!curve.ending.empty() || std::ranges::all_of(curve.charts, [&](Index chart) { return hasChart(chart); }));
+}
+
+std::optional<Vec3> LeafGeometry::nearestCurvePosition(const std::vector<std::vector<Index>>& endings, const Vec3& p)
+{
+  const auto wanted = [&](const FeatureEdge& edge) { return isOneOf(edge, endings); };
+  std::optional<Vec3> found = nearestOnCurves(p, wanted);
   if (!found)
   {
     addNeighbours();
-    found = nearestOnCurves(mean, wanted);
+    found = nearestOnCurves(p, wanted);
   }
   if (!found)
   {
-    found = nearestOnCurves(mean, [&](const FeatureEdge& edge) {
+    found = nearestOnCurves(p, [&](const FeatureEdge& edge) {
       const std::vector<Index>& ending = model.curves[edge.curve].ending;
       return std::ranges::any_of(endings, [&](const std::vector<Index>& e) {
         return std::ranges::any_of(e, [&](Index chart) { return std::ranges::binary_search(ending, chart); });

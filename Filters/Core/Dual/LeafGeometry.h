@@ -30,6 +30,10 @@ public:
   Vec3 cornerPosition(Index point) const { return onPlanes(modelPoint(point)); }
   /// The middle of the curves at which exactly these charts end; or their nearest point, where they pass by.
   std::optional<Vec3> curvePosition(const std::vector<std::vector<Index>>& endings);
+  /// The point of these curves nearest to p, in the leaf or about it.
+  std::optional<Vec3> nearestCurvePosition(const std::vector<std::vector<Index>>& endings, const Vec3& p);
+  /// Whether curvePosition found no piece of the curves in the leaf itself.
+  bool isDiverted() const { return diverted; }
 
   /// Whether p is farther from some of the charts than rounding explains.
   bool misses(const Vec3& p) const;
@@ -40,6 +44,7 @@ private:
   Vec3 modelPoint(Index i) const { return frame.toModel(model.points[i]); }
   Vec3 onPlanes(Vec3 p) const;
   Vec3 meanOfCuts() const;
+  bool isOneOf(const FeatureEdge& edge, const std::vector<std::vector<Index>>& endings) const;
   void addNeighbours();
   Vec3 tipOrMean() const;
   bool hasChart(Index chart) const;
@@ -62,6 +67,7 @@ private:
   /// The leaf, then those about its cut edges; the latter only where they are needed.
   std::vector<Index> leaves;
   bool isMoved = false;
+  bool diverted = false;
   Vec3 center;
   Vec3 sum;
   Box3 extent;

@@ -78,8 +78,9 @@ public:
 
   /// Moves points onto the middle between two sheets that run side by side through their leaves. A plane of grid points
   /// is gap-free, no octant having points on both its sides, if it holds all that are within half the sum of its
-  /// normal's components (a standard digital plane; Reveillès 1991); so these are moved.
-  bool enterGaps()
+  /// normal's components (a standard digital plane; Reveillès 1991); so these are moved. A gap beside another one,
+  /// whose points are taken, needs those of the next plane: up to the whole sum.
+  bool enterGaps(double reach)
   {
     std::map<Index, Move> moves;
     for (const Index leaf : leavesInQuestion())
@@ -102,9 +103,9 @@ public:
           const Vec3 p = asVector(grid.place(point));
           for (const auto& [a, b] : pairs)
           {
-            noteGap(point, nearestOnChart(leaf, p, a), nearestOnChart(leaf, p, b), moves);
+            noteGap(point, nearestOnChart(leaf, p, a), nearestOnChart(leaf, p, b), reach, moves);
           }
-          noteSideGaps(point, leaf, moves);
+          noteSideGaps(point, leaf, reach, moves);
         }
       }
     }
@@ -170,7 +171,7 @@ private:
   }
 
   /// Notes the place of a point between a chart that cuts an edge out of the domain, and the side it leads to.
-  void noteSideGaps(Index point, Index leaf, std::map<Index, Move>& moves) const
+  void noteSideGaps(Index point, Index leaf, double reach, std::map<Index, Move>& moves) const
   {
     for (int direction = 0; direction < 6; ++direction)
     {
@@ -181,13 +182,13 @@ private:
         const Vec3 p = asVector(grid.place(point));
         Vec3 onSide = p;
         onSide[axisOf(direction)] = static_cast<double>(live->segment.end[axisOf(direction)]);
-        noteGap(point, nearestOnChart(leaf, p, model.charts[live->cuts.back().triangle]), onSide, moves);
+        noteGap(point, nearestOnChart(leaf, p, model.charts[live->cuts.back().triangle]), onSide, reach, moves);
       }
     }
   }
 
   /// Notes the place of a point between its nearest points on two sheets, if they lie to the same side of it.
-  void noteGap(Index point, const std::optional<Vec3>& onA, const std::optional<Vec3>& onB,
+  void noteGap(Index point, const std::optional<Vec3>& onA, const std::optional<Vec3>& onB, double reach,
                std::map<Index, Move>& moves) const
   {
     const Vec3 p = asVector(grid.place(point));
@@ -201,7 +202,7 @@ private:
     const double toB = normal.dot(*onB - p);
     const double step = 0.5 * (toA + toB);
     // Half-open, so that of two planes of points at the same distance one is taken.
-    const double limit = 0.5 * size * normal.lpNorm<1>();
+    const double limit = reach * size * normal.lpNorm<1>();
     if (toA * toB <= 0.0 || step < -limit * (1.0 + rounding) || step >= limit * (1.0 - rounding))
     {
       return;
@@ -690,9 +691,12 @@ Crossings modifyGrid(GridPlaces& grid, const SurfaceModel& model, Crossings home
   Search search(grid, model, home);
   constexpr int gapRounds = 4;
   constexpr int mostRounds = 20;
-  for (int round = 0; round < gapRounds && search.enterGaps(); ++round)
+  for (const double reach : {0.5, 1.0})
   {
-    context.progress.check();
+    for (int round = 0; round < gapRounds && search.enterGaps(reach); ++round)
+    {
+      context.progress.check();
+    }
   }
   std::set<Index> dirty = search.pointsInQuestion();
   std::map<Index, Search::Move> moves;
