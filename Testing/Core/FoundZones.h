@@ -23,7 +23,9 @@ struct FoundZones
       extent.extend(p);
     }
     const GridFrame frame = makeGridFrame(grid, extent);
-    model = makeSurfaceModel(surface, frame, {});
+    FeatureOptions options;
+    options.gapTolerance = 0.0; // gaps are what is asked for
+    model = makeSurfaceModel(surface, frame, options);
     octree = buildOctree(model, frame, SizingOptions{}, context());
     points = findGridPoints(octree, context());
     crossings = findCrossings(GridPlaces(octree, points), model, context());

@@ -110,8 +110,10 @@ TEST_P(TurnedDomains, EndAtTheirSidesOnly)
   {
     along.extend(plan.domain.axes.fromModel(p));
   }
-  EXPECT_TRUE((along.min.array() >= plan.domain.bounds.min.array() - slack).all());
-  EXPECT_TRUE((along.max.array() <= plan.domain.bounds.max.array() + slack).all());
+  EXPECT_TRUE((along.min.array() >= plan.domain.bounds.min.array() - slack).all())
+      << (along.min - plan.domain.bounds.min).transpose();
+  EXPECT_TRUE((along.max.array() <= plan.domain.bounds.max.array() + slack).all())
+      << (along.max - plan.domain.bounds.max).transpose();
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, TurnedDomains, ::testing::Range(0u, 60u));

@@ -196,6 +196,7 @@ DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, con
   sharpenTurnedEdges(mesh, octree.frame(), model.names.size());
   appendMerged(crossings, elements, octree.frame(), result.diagnostics);
   appendUnresolved(mesh, placed.compromised, result.diagnostics);
+  keepWithinSides(mesh.points, octree.frame());
   splitSheets(mesh, context);
   placeInModel(result, octree.frame().placement, context);
   clock.lap("elements");

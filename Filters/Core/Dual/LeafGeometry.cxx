@@ -69,7 +69,8 @@ Vec3 LeafGeometry::onPlanes(Vec3 p) const
       p[axisOf(direction)] = frame.planeOf(direction);
     }
   }
-  return p;
+  // Curves beside the leaf may lead out of the domain.
+  return p.cwiseMax(frame.domain.min).cwiseMin(frame.domain.max);
 }
 
 Vec3 LeafGeometry::meanOfCuts() const { return count > 0.0 ? Vec3(sum / count) : center; }

@@ -98,7 +98,7 @@ public:
       pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
       for (const Index point : grid.points().atCorner[leaf])
       {
-        if (point != noIndex && !grid.isMoved(point))
+        if (point != noIndex && !grid.isMoved(point) && !isBesideTurnedSide(point))
         {
           const Vec3 p = asVector(grid.place(point));
           for (const auto& [a, b] : pairs)
@@ -121,7 +121,7 @@ public:
   {
     Move best{0.0, point, {}};
     const double before = costAt(point);
-    if (before < 1.0 && !grid.isMoved(point))
+    if ((before < 1.0 && !grid.isMoved(point)) || isBesideTurnedSide(point))
     {
       return best;
     }
@@ -155,6 +155,18 @@ public:
   }
 
 private:
+  /// Points there stay: what is beyond the sides of a turned domain is told by where the points stand.
+  bool isBesideTurnedSide(Index point) const
+  {
+    const auto& leaves = grid.points().leaves[point];
+    return octree.frame().turnedDomain && std::any_of(leaves.begin(), leaves.end(), [&](Index leaf) {
+             const auto items = octree.items(leaf);
+             return std::any_of(items.begin(), items.end(), [&](ModelItem piece) {
+               return piece.kind == ModelItem::triangle && model.isTurnedSide(piece.index);
+             });
+           });
+  }
+
   std::vector<Index> leavesInQuestion()
   {
     std::vector<Index> leaves;

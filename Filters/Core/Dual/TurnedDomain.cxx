@@ -151,6 +151,26 @@ void dropBeyondSides(std::vector<char>& kept, const Zones& zones, const Octree& 
   }
 }
 
+void keepWithinSides(std::vector<Vec3>& positions, const GridFrame& frame)
+{
+  if (!frame.turnedDomain)
+  {
+    return;
+  }
+  const Box3& box = frame.turnedDomain->bounds;
+  const Placement relative(frame.turnedDomain->axes.angle() - frame.placement.angle());
+  for (Vec3& position : positions)
+  {
+    const Vec3 p = relative.fromModel(position);
+    Vec3 inside = p;
+    inside.head<2>() = p.head<2>().cwiseMax(box.min.head<2>()).cwiseMin(box.max.head<2>());
+    if (inside != p)
+    {
+      position = relative.toModel(inside);
+    }
+  }
+}
+
 void sharpenTurnedEdges(DualMesh& mesh, const GridFrame& frame, std::size_t surfaceCount)
 {
   if (!frame.turnedDomain)

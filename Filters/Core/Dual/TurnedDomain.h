@@ -20,4 +20,7 @@ void sharpenTurnedEdges(DualMesh& mesh, const GridFrame& frame, std::size_t surf
 /// Puts mesh and diagnostics back along the model's axes.
 void placeInModel(DualMeshResult& result, const Placement& placement, const RunContext& context);
 
+/// Moves vertices that follow a curve or corner of the model beyond the sides of a turned domain back onto the sides.
+void keepWithinSides(std::vector<Vec3>& positions, const GridFrame& frame);
+
 } // namespace atria
