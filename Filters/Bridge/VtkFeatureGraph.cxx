@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "VtkFeatureGraph.h"
 
-#include "Surface/FeatureCurves.h"
+#include "Surface/FeatureGraph.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -89,15 +89,16 @@ struct Meeting
   std::vector<Index> surfaces;
 };
 
-std::vector<Meeting> meetingsOf(const SurfaceModel& model, const FeatureCurves& curves)
+std::vector<Meeting> meetingsOf(const SurfaceModel& model, const std::vector<std::vector<Index>>& surfacesOf)
 {
   std::vector<Meeting> out(model.points.size());
-  for (std::size_t e = 0; e < model.featureEdges.size(); ++e)
+  for (const FeatureEdge& edge : model.featureEdges)
   {
-    for (const Index p : {model.featureEdges[e].a, model.featureEdges[e].b})
+    const std::vector<Index>& along = surfacesOf[edge.curve];
+    for (const Index p : {edge.a, edge.b})
     {
       ++out[p].edges;
-      out[p].surfaces.insert(out[p].surfaces.end(), curves.surfaces[e].begin(), curves.surfaces[e].end());
+      out[p].surfaces.insert(out[p].surfaces.end(), along.begin(), along.end());
     }
   }
   for (const Index p : model.corners)
@@ -112,8 +113,8 @@ std::vector<Meeting> meetingsOf(const SurfaceModel& model, const FeatureCurves& 
 
 void featureCurvesToVtk(const SurfaceModel& model, const GridFrame& frame, vtkPolyData* out)
 {
-  const FeatureCurves curves = findFeatureCurves(model);
-  const std::vector<Meeting> meetings = meetingsOf(model, curves);
+  const std::vector<std::vector<Index>> surfacesOf = surfacesOfCurves(model);
+  const std::vector<Meeting> meetings = meetingsOf(model, surfacesOf);
   PointNumbers numbers(model, frame);
   vtkIntArray* kinds = addArray(out, "CurveKind", 1);
   vtkIntArray* ids = addArray(out, "CurveId", 1);
@@ -137,13 +138,12 @@ void featureCurvesToVtk(const SurfaceModel& model, const GridFrame& frame, vtkPo
     addCell(cornerKind, -1, -1, -1, meetings[p].edges, meetings[p].surfaces);
   }
   vtkNew<vtkCellArray> lines;
-  for (std::size_t e = 0; e < model.featureEdges.size(); ++e)
+  for (const FeatureEdge& edge : model.featureEdges)
   {
-    const FeatureEdge& edge = model.featureEdges[e];
+    const FeatureCurve& curve = model.curves[edge.curve];
     lines->InsertNextCell({numbers(edge.a), numbers(edge.b)});
-    addCell(static_cast<int>(edge.kind), static_cast<int>(curves.curveOf[e]),
-            static_cast<int>(model.curves[edge.curve].charts.front()),
-            static_cast<int>(model.curves[edge.curve].charts.back()), 1, curves.surfaces[e]);
+    addCell(static_cast<int>(curve.kind), static_cast<int>(edge.curve), static_cast<int>(curve.charts.front()),
+            static_cast<int>(curve.charts.back()), 1, surfacesOf[edge.curve]);
   }
   out->GetCellData()->AddArray(surfaces);
   out->SetPoints(numbers.points());

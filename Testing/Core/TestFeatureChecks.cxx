@@ -133,7 +133,7 @@ TEST(FeatureEdges, AreNotInsideASmoothSheet)
     return static_cast<Index>(meshed.model.points.size() - 1);
   };
   meshed.model.curves = {{CurveKind::crease, {0, 0}, {}}};
-  meshed.model.featureEdges = {{at(-2.0, 0.0), at(2.0, 0.0), CurveKind::crease, 0}};
+  meshed.model.featureEdges = {{at(-2.0, 0.0), at(2.0, 0.0), 0}};
   const CurveCoverage curves = FeatureChecks(meshed).curves();
   EXPECT_EQ(curves.total.anyRatio(), 1.0);
   EXPECT_EQ(curves.total.featureRatio(), 0.0);

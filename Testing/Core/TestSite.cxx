@@ -4,6 +4,7 @@
 #include "Domain/Domain.h"
 #include "Domain/PlacedModel.h"
 #include "Support/Error.h"
+#include "Support/NamePattern.h"
 #include "Support/Shapes.h"
 #include "Surface/SurfaceModel.h"
 
@@ -210,10 +211,10 @@ TEST(Terrain, IsFoundByPatternOrIsTheSiteThatIsNotFlat)
   EXPECT_THAT(atria::terrainSurfaces(surface, "", "Lawn", 1e-3), ElementsAre(0, 0, 0));
   EXPECT_THAT(atria::terrainSurfaces(surface, "terr*n_?", "Site", 1e-3), ElementsAre(0, 0, 1));
   EXPECT_THROW(atria::terrainSurfaces(surface, "dgm*", "Site", 1e-3), atria::Error);
-  EXPECT_TRUE(atria::fitsPattern("a.b", "*"));
-  EXPECT_TRUE(atria::fitsPattern("abcbc", "a*bc"));
-  EXPECT_FALSE(atria::fitsPattern("abcb", "a*bc"));
-  EXPECT_FALSE(atria::fitsPattern("ab", "a?b"));
+  EXPECT_TRUE(atria::matchesPattern("*", "a.b"));
+  EXPECT_TRUE(atria::matchesPattern("a*bc", "abcbc"));
+  EXPECT_FALSE(atria::matchesPattern("a*bc", "abcb"));
+  EXPECT_FALSE(atria::matchesPattern("a?b", "ab"));
 }
 
 TEST(Terrain, IsExtendedLevelToTheRectangle)
@@ -328,7 +329,7 @@ TEST(TurnedSides, CloseTheDomainAndShareEdgesWithWhatTheyCut)
   // Around the terrain's edge three or more triangles meet; nothing but the sides' ends is open.
   for (const atria::FeatureEdge& edge : model.featureEdges)
   {
-    if (edge.kind == atria::CurveKind::rim)
+    if (model.kindOf(edge) == atria::CurveKind::rim)
     {
       const Vec3 p = placed.frame.toModel(model.points[edge.a]);
       EXPECT_TRUE(p[2] < placed.frame.domain.min[2] || p[2] > placed.frame.domain.max[2]);

@@ -6,6 +6,7 @@
 #include "Octree/SizeRules.h"
 #include "Support/Error.h"
 #include "Support/MeshIt.h"
+#include "Support/NamePattern.h"
 #include "Support/Shapes.h"
 
 #include <gmock/gmock.h>

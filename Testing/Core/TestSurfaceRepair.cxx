@@ -76,7 +76,7 @@ double lengthOf(const SurfaceModel& model, CurveKind kind)
   double length = 0.0;
   for (const atria::FeatureEdge& edge : model.featureEdges)
   {
-    if (edge.kind == kind)
+    if (model.kindOf(edge) == kind)
     {
       length += atria::between(model.points[edge.a], model.points[edge.b]).norm();
     }

@@ -2,7 +2,7 @@
 #include "Support/BoxIndex.h"
 #include "Support/FeatureChecks.h"
 #include "Surface/Distance.h"
-#include "Surface/FeatureCurves.h"
+#include "Surface/FeatureGraph.h"
 
 #include <Eigen/Geometry>
 
@@ -101,13 +101,13 @@ private:
 CurveCoverage FeatureChecks::curves() const
 {
   const SegmentIndex segments(*this);
-  const std::vector<std::vector<Index>> surfaces = findFeatureCurves(model_).surfaces;
+  const std::vector<std::vector<Index>> surfaces = surfacesOfCurves(model_);
   CurveCoverage out;
   for (Index e = 0; e < model_.featureEdges.size(); ++e)
   {
     const FeatureEdge& edge = model_.featureEdges[e];
-    CurveFigures& kind = out.ofKind[static_cast<int>(edge.kind)];
-    CurveMiss miss{e, edge.kind, 0.0, 0.0, 0.0, modelPoint(edge.a), modelPoint(edge.b), Vec3::Zero(), {}};
+    CurveFigures& kind = out.ofKind[static_cast<int>(model_.kindOf(edge))];
+    CurveMiss miss{e, model_.kindOf(edge), 0.0, 0.0, 0.0, modelPoint(edge.a), modelPoint(edge.b), Vec3::Zero(), {}};
     sampleSegment(miss.begin, miss.end, tolerances_.curveSpacing, [&](const Vec3& p, double length) {
       if (outsideOrOnDomainEdge(frame_, p))
       {
@@ -128,7 +128,7 @@ CurveCoverage FeatureChecks::curves() const
     if (miss.missed > 0.0)
     {
       miss.middle /= miss.missed;
-      for (const Index s : surfaces[e])
+      for (const Index s : surfaces[edge.curve])
       {
         miss.names += (miss.names.empty() ? "" : " + ") + model_.names[s];
       }

@@ -11,6 +11,11 @@ namespace atria {
 /// A point of the lattice: integers, so that predicates are exact. Differences stay below 2^40.
 using LatticePoint = std::array<std::int64_t, 3>;
 
+inline Vec3 toVector(const LatticePoint& p)
+{
+  return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
+}
+
 /// The domain and the sizes an octree is made for.
 struct GridOptions
 {

@@ -3,6 +3,7 @@
 
 #include "Domain/Domain.h"
 #include "Support/Error.h"
+#include "Support/NamePattern.h"
 #include "Surface/PlanarTriangulation.h"
 
 #include <algorithm>
@@ -303,41 +304,13 @@ private:
 
 } // namespace
 
-bool fitsPattern(std::string_view name, std::string_view pattern)
-{
-  std::size_t n = 0, p = 0, star = std::string_view::npos, from = 0;
-  while (n < name.size())
-  {
-    if (p < pattern.size() && (pattern[p] == '?' || (pattern[p] == name[n] && pattern[p] != '*')))
-    {
-      ++n;
-      ++p;
-    }
-    else if (p < pattern.size() && pattern[p] == '*')
-    {
-      star = p++;
-      from = n;
-    }
-    else if (star != std::string_view::npos)
-    {
-      p = star + 1;
-      n = ++from;
-    }
-    else
-    {
-      return false;
-    }
-  }
-  return pattern.find_first_not_of('*', p) == std::string_view::npos;
-}
-
 SurfaceFlags terrainSurfaces(const TriangleSurface& surface, const std::string& pattern, const std::string& site,
                              double flatness)
 {
   SurfaceFlags flags(surface.names.size(), 0);
   for (std::size_t i = 0; i < flags.size(); ++i)
   {
-    flags[i] = pattern.empty() ? surface.names[i] == site : fitsPattern(surface.names[i], pattern);
+    flags[i] = pattern.empty() ? surface.names[i] == site : matchesPattern(pattern, surface.names[i]);
   }
   if (pattern.empty())
   {

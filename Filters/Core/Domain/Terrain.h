@@ -7,9 +7,6 @@
 
 namespace atria {
 
-/// Whether a name fits a pattern in which `*` stands for any characters and `?` for one.
-bool fitsPattern(std::string_view name, std::string_view pattern);
-
 /// Which surfaces are terrain: those whose names fit `pattern`; if it is empty, the surface named `site` where its
 /// triangles span more than `flatness` in height. Throws Error where a given pattern fits no surface.
 SurfaceFlags terrainSurfaces(const TriangleSurface& surface, const std::string& pattern, const std::string& site,

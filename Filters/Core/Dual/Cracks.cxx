@@ -259,7 +259,7 @@ std::vector<Crack> findCracks(const Zones& zones, const std::vector<char>& kept,
   std::vector<Index> rims;
   for (Index e = 0; e < model.featureEdges.size(); ++e)
   {
-    if (model.featureEdges[e].kind == CurveKind::rim)
+    if (model.kindOf(model.featureEdges[e]) == CurveKind::rim)
     {
       rims.push_back(e);
     }

@@ -17,11 +17,6 @@ constexpr double nickDepth = 0.3;
 /// Of 30 degrees: creases more acute than that are sheets side by side.
 constexpr double foldCosine = 0.866;
 
-Vec3 asVector(const LatticePoint& p)
-{
-  return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
-}
-
 bool boundsMiss(const SurfaceModel& model, Index triangle, const EdgeSegment& edge)
 {
   for (int a = 0; a < 3; ++a)
@@ -42,7 +37,7 @@ bool boundsMiss(const SurfaceModel& model, Index triangle, const EdgeSegment& ed
 
 Vec3 pointOn(const EdgeSegment& edge, double parameter)
 {
-  return asVector(edge.start) + parameter * (asVector(edge.end) - asVector(edge.start));
+  return toVector(edge.start) + parameter * (toVector(edge.end) - toVector(edge.start));
 }
 
 std::span<const SurfaceCrossing> EdgeProbe::cut(const EdgeSegment& edge, std::span<const Index> leaves)
@@ -116,8 +111,8 @@ void EdgeProbe::test(Index triangle, const EdgeSegment& edge)
     return;
   }
   const Vec3 n(static_cast<double>(normal.n[0]), static_cast<double>(normal.n[1]), static_cast<double>(normal.n[2]));
-  const double along = n.dot(asVector(edge.end) - asVector(edge.start));
-  const double parameter = n.dot(asVector(a) - asVector(edge.start)) / along;
+  const double along = n.dot(toVector(edge.end) - toVector(edge.start));
+  const double parameter = n.dot(toVector(a) - toVector(edge.start)) / along;
   // From the back to the front the edge runs along the normal.
   found.push_back({triangle, -side, std::isfinite(parameter) ? std::clamp(parameter, 0.0, 1.0) : 0.5});
 }
@@ -161,7 +156,7 @@ bool EdgeProbe::isNick(const EdgeSegment& edge, const SurfaceCrossing& l, const 
         continue;
       }
       const Vec3 nearest =
-          nearestOnSegment(middle, asVector(model.points[feature.a]), asVector(model.points[feature.b]));
+          nearestOnSegment(middle, toVector(model.points[feature.a]), toVector(model.points[feature.b]));
       if ((nearest - middle).squaredNorm() <= reach * reach)
       {
         return true;

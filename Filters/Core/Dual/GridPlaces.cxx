@@ -5,19 +5,6 @@
 
 namespace atria {
 
-LatticePoint GridPlaces::home(Index point) const
-{
-  const std::array<Index, 8>& leaves = points_.leaves[point];
-  for (unsigned slot = 0; slot < 8; ++slot)
-  {
-    if (points_.atCorner[leaves[slot]][7 - slot] == point)
-    {
-      return octree_.cornerOf(leaves[slot], 7 - slot);
-    }
-  }
-  return {};
-}
-
 std::vector<Index> GridPlaces::movedPoints() const
 {
   std::vector<Index> points;

@@ -19,7 +19,7 @@ public:
   const GridPoints& points() const { return points_; }
 
   /// The octants' corner a grid point is.
-  LatticePoint home(Index point) const;
+  LatticePoint home(Index point) const { return positionOf(octree_, points_.leaves[point]); }
   LatticePoint place(Index point) const
   {
     const auto found = moved_.find(point);

@@ -37,11 +37,6 @@ struct LiveEdge
   std::vector<SurfaceCrossing> cuts;
 };
 
-Vec3 asVector(const LatticePoint& p)
-{
-  return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
-}
-
 class Search
 {
 public:
@@ -100,7 +95,7 @@ public:
       {
         if (point != noIndex && !grid.isMoved(point) && !isBesideTurnedSide(point))
         {
-          const Vec3 p = asVector(grid.place(point));
+          const Vec3 p = toVector(grid.place(point));
           for (const auto& [a, b] : pairs)
           {
             noteGap(point, nearestOnChart(leaf, p, a), nearestOnChart(leaf, p, b), reach, moves);
@@ -191,7 +186,7 @@ private:
       const LiveEdge* live = edge.exists() && edge.other == noIndex ? find(point, direction, edge) : nullptr;
       if (live && !live->cuts.empty())
       {
-        const Vec3 p = asVector(grid.place(point));
+        const Vec3 p = toVector(grid.place(point));
         Vec3 onSide = p;
         onSide[axisOf(direction)] = static_cast<double>(live->segment.end[axisOf(direction)]);
         noteGap(point, nearestOnChart(leaf, p, model.charts[live->cuts.back().triangle]), onSide, reach, moves);
@@ -203,7 +198,7 @@ private:
   void noteGap(Index point, const std::optional<Vec3>& onA, const std::optional<Vec3>& onB, double reach,
                std::map<Index, Move>& moves) const
   {
-    const Vec3 p = asVector(grid.place(point));
+    const Vec3 p = toVector(grid.place(point));
     const auto size = static_cast<double>(shortestEdge(point));
     if (!onA || !onB || (*onA - *onB).norm() < thinnestGap * size)
     {
@@ -243,8 +238,8 @@ private:
         if (piece.kind == ModelItem::triangle && model.charts[piece.index] == chart)
         {
           const Vec3 q =
-              nearestOnTriangle(p, asVector(model.corner(piece.index, 0)), asVector(model.corner(piece.index, 1)),
-                                asVector(model.corner(piece.index, 2)));
+              nearestOnTriangle(p, toVector(model.corner(piece.index, 0)), toVector(model.corner(piece.index, 1)),
+                                toVector(model.corner(piece.index, 2)));
           best = !best || (q - p).squaredNorm() < (*best - p).squaredNorm() ? q : *best;
         }
       }
@@ -386,7 +381,7 @@ private:
         cost += surplus(leaves[i]);
       }
     }
-    const double moved = (asVector(grid.place(point)) - asVector(grid.home(point))).norm();
+    const double moved = (toVector(grid.place(point)) - toVector(grid.home(point))).norm();
     return cost + moveCost * moved / static_cast<double>(shortestEdge(point));
   }
 
@@ -488,7 +483,7 @@ private:
       return;
     }
     const auto curves = topology.curves();
-    const Vec3 p = asVector(grid.place(point));
+    const Vec3 p = toVector(grid.place(point));
     for (std::size_t i = 1; i < curves.size(); ++i)
     {
       for (std::size_t k = 0; k < i; ++k)
@@ -536,7 +531,7 @@ private:
         const FeatureEdge& edge = model.featureEdges[piece.index];
         if (model.curves[edge.curve].ending == ending)
         {
-          const Vec3 q = nearestOnSegment(p, asVector(model.points[edge.a]), asVector(model.points[edge.b]));
+          const Vec3 q = nearestOnSegment(p, toVector(model.points[edge.a]), toVector(model.points[edge.b]));
           best = !best || (q - p).squaredNorm() < (*best - p).squaredNorm() ? q : *best;
         }
       }

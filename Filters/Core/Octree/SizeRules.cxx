@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Octree/SizeRules.h"
 
+#include "Domain/Domain.h"
 #include "Support/Error.h"
+#include "Support/NamePattern.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,18 +14,6 @@
 namespace atria {
 
 namespace {
-
-constexpr std::size_t mostNamesListed = 20;
-
-std::string listed(const std::vector<std::string>& names)
-{
-  std::string text;
-  for (std::size_t i = 0; i < std::min(names.size(), mostNamesListed); ++i)
-  {
-    text += (i > 0 ? ", " : "") + names[i];
-  }
-  return names.size() > mostNamesListed ? text + ", …" : text;
-}
 
 /// A pattern and the numbers behind it.
 struct ParsedRule
@@ -97,37 +87,6 @@ std::vector<int> cornerLevels(const SurfaceModel& model, const std::vector<int>&
 
 } // namespace
 
-bool matchesPattern(std::string_view pattern, std::string_view name)
-{
-  std::size_t p = 0;
-  std::size_t n = 0;
-  std::size_t star = std::string_view::npos;
-  std::size_t resume = 0;
-  while (n < name.size())
-  {
-    if (p < pattern.size() && pattern[p] == '*')
-    {
-      star = p++;
-      resume = n;
-    }
-    else if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == name[n]))
-    {
-      ++p;
-      ++n;
-    }
-    else if (star != std::string_view::npos)
-    {
-      p = star + 1; // let the last star take one character more
-      n = ++resume;
-    }
-    else
-    {
-      return false;
-    }
-  }
-  return std::all_of(pattern.begin() + static_cast<std::ptrdiff_t>(p), pattern.end(), [](char c) { return c == '*'; });
-}
-
 std::vector<char> matchingNames(const std::string& pattern, const std::vector<std::string>& names)
 {
   std::vector<char> matching(names.size());
@@ -135,7 +94,7 @@ std::vector<char> matchingNames(const std::string& pattern, const std::vector<st
                  [&](const std::string& name) { return matchesPattern(pattern, name); });
   if (std::find(matching.begin(), matching.end(), 1) == matching.end())
   {
-    throw Error("no surface matches '" + pattern + "', for which a size is asked; there are: " + listed(names));
+    throw Error("no surface matches '" + pattern + "', for which a size is asked; there are: " + listOfNames(names));
   }
   return matching;
 }

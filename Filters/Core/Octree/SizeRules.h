@@ -8,9 +8,6 @@
 
 namespace atria {
 
-/// Whether `name` as a whole matches `pattern`: `*` any text, `?` any one character.
-bool matchesPattern(std::string_view pattern, std::string_view name);
-
 /// For each name whether it matches. Throws Error where none does.
 std::vector<char> matchingNames(const std::string& pattern, const std::vector<std::string>& names);
 

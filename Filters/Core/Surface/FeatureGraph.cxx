@@ -196,6 +196,26 @@ void nameCharts(SurfaceModel& model, UnionFind& sets)
 
 } // namespace
 
+std::vector<std::vector<Index>> surfacesOfCurves(const SurfaceModel& model)
+{
+  // Borders part charts, so a chart is of one surface.
+  std::vector<Index> surfaceOf(model.triangles.size(), noIndex);
+  for (Index t = 0; t < model.triangles.size(); ++t)
+  {
+    surfaceOf[model.charts[t]] = model.surfaceIds[t];
+  }
+  std::vector<std::vector<Index>> surfaces;
+  for (const FeatureCurve& curve : model.curves)
+  {
+    std::vector<Index>& found = surfaces.emplace_back();
+    std::transform(curve.charts.begin(), curve.charts.end(), std::back_inserter(found),
+                   [&](Index chart) { return surfaceOf[chart]; });
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+  }
+  return surfaces;
+}
+
 void findFeatures(SurfaceModel& model, const GridFrame& frame, const FeatureOptions& options)
 {
   const double minimumCosine = std::cos(options.featureAngle * std::numbers::pi / 180.0);
@@ -227,7 +247,7 @@ void findFeatures(SurfaceModel& model, const GridFrame& frame, const FeatureOpti
   std::vector<EdgeProfile> profiles;
   for (const Range& range : featureUses)
   {
-    model.featureEdges.push_back({uses[range.begin].a, uses[range.begin].b, range.kind, noIndex});
+    model.featureEdges.push_back({uses[range.begin].a, uses[range.begin].b, noIndex});
     std::vector<Index> charts;
     for (std::size_t u = range.begin; u < range.end; ++u)
     {

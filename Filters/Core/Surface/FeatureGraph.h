@@ -5,8 +5,11 @@
 
 namespace atria {
 
-/// Fills `charts`, `featureEdges` and `corners` of a model whose points, triangles, surface ids and domain sides are
-/// set.
+/// Fills `charts`, `featureEdges`, `curves` and `corners` of a model whose points, triangles, surface ids and domain
+/// sides are set.
 void findFeatures(SurfaceModel& model, const GridFrame& frame, const FeatureOptions& options);
+
+/// Per curve, the surfaces of the charts that meet there, sorted, each once.
+std::vector<std::vector<Index>> surfacesOfCurves(const SurfaceModel& model);
 
 } // namespace atria

@@ -105,7 +105,7 @@ std::vector<Rim> rimsOf(const SurfaceModel& model, const GridFrame& frame, const
   UnionFind loops(model.points.size());
   for (const FeatureEdge& edge : model.featureEdges)
   {
-    if (edge.kind == CurveKind::rim)
+    if (model.kindOf(edge) == CurveKind::rim)
     {
       isRim.insert({std::min(edge.a, edge.b), std::max(edge.a, edge.b)});
       loops.join(edge.a, edge.b);

@@ -25,7 +25,6 @@ struct FeatureEdge
 {
   Index a;
   Index b;
-  CurveKind kind;
   /// Index into `curves`.
   Index curve;
 };
@@ -65,6 +64,7 @@ struct SurfaceModel
 
   /// Whether a triangle is a side of a domain that stands turned in the grid (see TurnedSides.h).
   bool isTurnedSide(Index triangle) const { return surfaceIds[triangle] >= names.size(); }
+  CurveKind kindOf(const FeatureEdge& edge) const { return curves[edge.curve].kind; }
   const LatticePoint& corner(Index triangle, int i) const { return points[triangles[triangle][i]]; }
   /// Twice the triangle's area vector, in lattice units.
   Vec3 normal(Index triangle) const;

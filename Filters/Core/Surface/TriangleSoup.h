@@ -44,11 +44,6 @@ inline bool contains(const std::array<Index, 3>& triangle, Index point)
 
 inline bool hasRepeatedPoint(const std::array<Index, 3>& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
 
-inline Vec3 toVector(const LatticePoint& p)
-{
-  return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
-}
-
 /// From p to q; differences are exact in double.
 inline Vec3 between(const LatticePoint& p, const LatticePoint& q)
 {
