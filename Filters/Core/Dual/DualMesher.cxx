@@ -4,8 +4,8 @@
 #include "Dual/Cracks.h"
 #include "Dual/DualVertices.h"
 #include "Dual/ModifiedGrid.h"
-#include "Dual/Sheets.h"
 #include "Dual/TurnedDomain.h"
+#include "Optimise/DualImprover.h"
 
 #include <algorithm>
 
@@ -197,9 +197,13 @@ DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, con
   appendMerged(crossings, elements, octree.frame(), result.diagnostics);
   appendUnresolved(mesh, placed.compromised, result.diagnostics);
   keepWithinSides(mesh.points, octree.frame());
-  splitSheets(mesh, context);
-  placeInModel(result, octree.frame().placement, context);
+  DualImprover improver(octree, model, std::move(placed.anchors), result, context);
+  improver.removeFlat();
+  improver.splitPoints();
   clock.lap("elements");
+  improver.improve();
+  clock.lap("optimise");
+  placeInModel(result, octree.frame().placement, context);
   context.progress.report(1.0, "Meshed");
   return result;
 }

@@ -6,6 +6,7 @@
 #include "Dual/LeafTopology.h"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 
 namespace atria {
@@ -43,6 +44,8 @@ LeafCuts cutsOf(const std::vector<std::pair<Index, Index>>& byLeaf, Index leaf)
 struct Part
 {
   std::vector<ChainVertex> chain;
+  /// Charts of vertices on surfaces.
+  std::vector<std::pair<Index, Index>> charts;
 };
 
 class VertexPlacer
@@ -60,12 +63,13 @@ public:
     if (cuts.empty())
     {
       out.positions[vertex] = geometry.uncutPosition();
+      out.anchors.freedom[vertex] = geometry.isCentre(out.positions[vertex]) ? Freedom::free : Freedom::fixed;
       return;
     }
     look(leaf, cuts);
     if (!topology.links().empty())
     {
-      part.chain.push_back({vertex, leaf, kindOfLinks(), topology.curves(), {}});
+      part.chain.push_back({vertex, leaf, kindOfLinks(), topology.curves(), {}, topology.charts()});
       for (const LeafTopology::Link& link : topology.links())
       {
         part.chain.back().links.push_back(link.to);
@@ -74,6 +78,14 @@ public:
     }
     out.positions[vertex] = geometry.surfacePosition();
     out.compromised[vertex] = topology.sheets() > 1 && geometry.misses(out.positions[vertex]) ? 1 : 0;
+    out.anchors.freedom[vertex] = out.compromised[vertex] ? Freedom::loose : Freedom::surface;
+    if (!out.compromised[vertex])
+    {
+      for (const Index chart : topology.charts())
+      {
+        part.charts.emplace_back(vertex, chart);
+      }
+    }
   }
 
   void placeOnChain(ChainVertex& vertex, Index corner, LeafCuts cuts, DualVertices& out)
@@ -96,6 +108,10 @@ public:
     vertex.isDiverted = corner == noIndex && vertex.kind == ChainVertex::along && geometry.isDiverted();
     const bool lost = corner == noIndex && vertex.kind == ChainVertex::knot;
     out.compromised[vertex.vertex] = (lost || topology.sheets() > 1) && geometry.misses(position) ? 1 : 0;
+    const bool onCurve = corner == noIndex && vertex.kind == ChainVertex::along && !geometry.isOnSide();
+    out.anchors.freedom[vertex.vertex] = out.compromised[vertex.vertex] ? Freedom::loose
+                                         : onCurve                      ? Freedom::curve
+                                                                        : Freedom::fixed;
   }
 
   /// Puts a vertex whose octant the curve does not pass between its neighbours on the curve.
@@ -166,6 +182,98 @@ std::optional<Vec3> middleOfLinks(const ChainVertex& vertex, const std::vector<C
   return count == 2 ? std::optional<Vec3>(0.5 * sum) : std::nullopt;
 }
 
+/// The model's curves by the charts that end there.
+std::map<std::vector<Index>, std::vector<Index>> curvesByEnding(const SurfaceModel& model)
+{
+  std::map<std::vector<Index>, std::vector<Index>> curves;
+  for (Index c = 0; c < model.curves.size(); ++c)
+  {
+    if (!model.curves[c].ending.empty())
+    {
+      curves[model.curves[c].ending].push_back(c);
+    }
+  }
+  return curves;
+}
+
+/// Where a curve ends on a domain side, several vertices may come to lie in the one place. All but the first, or the
+/// one that has the corner, may leave the curve for its charts. Returns their positions in the chain.
+std::vector<Index> releaseCoincident(const std::vector<ChainVertex>& chain, const std::vector<Index>& corners,
+                                     DualVertices& vertices)
+{
+  std::map<std::array<double, 3>, std::vector<Index>> byPlace;
+  for (Index i = 0; i < chain.size(); ++i)
+  {
+    if (vertices.anchors.freedom[chain[i].vertex] == Freedom::fixed)
+    {
+      const Vec3& p = vertices.positions[chain[i].vertex];
+      byPlace[{p[0], p[1], p[2]}].push_back(i);
+    }
+  }
+  std::vector<Index> released;
+  for (const auto& [place, members] : byPlace)
+  {
+    const auto holder = std::ranges::find_if(members, [&](Index i) { return corners[i] != noIndex; });
+    const Index kept = holder != members.end() ? *holder : members.front();
+    for (const Index i : members)
+    {
+      if (i != kept)
+      {
+        vertices.anchors.freedom[chain[i].vertex] = Freedom::surface;
+        released.push_back(i);
+      }
+    }
+  }
+  return released;
+}
+
+void fillPieces(VertexAnchors& anchors, const std::vector<Part>& parts, const std::vector<ChainVertex>& chain,
+                const std::vector<Index>& parted, const SurfaceModel& model)
+{
+  std::vector<std::pair<Index, Index>> pieces;
+  for (const Part& part : parts)
+  {
+    pieces.insert(pieces.end(), part.charts.begin(), part.charts.end());
+  }
+  for (const Index v : parted)
+  {
+    for (const Index chart : chain[v].charts)
+    {
+      pieces.emplace_back(chain[v].vertex, chart);
+    }
+  }
+  const auto curves = chain.empty() ? decltype(curvesByEnding(model)){} : curvesByEnding(model);
+  for (const ChainVertex& vertex : chain)
+  {
+    if (anchors.freedom[vertex.vertex] != Freedom::curve)
+    {
+      continue;
+    }
+    const std::size_t before = pieces.size();
+    for (const std::vector<Index>& ending : vertex.curves)
+    {
+      const auto found = curves.find(ending);
+      for (const Index curve : found != curves.end() ? found->second : std::vector<Index>())
+      {
+        pieces.emplace_back(vertex.vertex, curve);
+      }
+    }
+    // Folds within a chart have no name to find them by.
+    anchors.freedom[vertex.vertex] = pieces.size() > before ? Freedom::curve : Freedom::fixed;
+  }
+  std::sort(pieces.begin(), pieces.end());
+  anchors.offsets.assign(anchors.freedom.size() + 1, 0);
+  for (const auto& [vertex, piece] : pieces)
+  {
+    ++anchors.offsets[vertex + 1];
+    anchors.pieces.push_back(piece);
+  }
+  for (std::size_t v = 0; v < anchors.freedom.size(); ++v)
+  {
+    anchors.offsets[v + 1] += anchors.offsets[v];
+  }
+}
+
 } // namespace
 
 DualVertices placeVertices(const Octree& octree, const SurfaceModel& model, const Crossings& crossings,
@@ -175,6 +283,8 @@ DualVertices placeVertices(const Octree& octree, const SurfaceModel& model, cons
   DualVertices vertices;
   vertices.positions.resize(leaves.size());
   vertices.compromised.resize(leaves.size());
+  vertices.anchors.freedom.resize(leaves.size());
+  vertices.anchors.leaves = leaves;
   constexpr std::size_t grain = 4096;
   std::vector<Part> parts((leaves.size() + grain - 1) / grain);
   context.executor.forEach(parts.size(), 1, [&](std::size_t part) {
@@ -207,6 +317,7 @@ DualVertices placeVertices(const Octree& octree, const SurfaceModel& model, cons
       placer.placeBetween(vertex, *middle, cutsOf(byLeaf, vertex.leaf), vertices);
     }
   }
+  fillPieces(vertices.anchors, parts, chain, releaseCoincident(chain, corners, vertices), model);
   return vertices;
 }
 

@@ -5,10 +5,37 @@
 
 namespace atria {
 
+/// Where a vertex may be moved.
+enum class Freedom : std::uint8_t
+{
+  free,    ///< anywhere, in the domain's planes through its octant
+  surface, ///< on charts
+  curve,   ///< on feature curves
+  beside,  ///< on the charts that meet at its curves: released from these
+  loose,   ///< near its place: it is on nothing it should be on, or released from it
+  fixed
+};
+
+/// What vertices belong to.
+struct VertexAnchors
+{
+  std::vector<Freedom> freedom;
+  std::vector<Index> leaves;
+  /// Charts of vertices on surfaces, curves of those on curves.
+  std::vector<Index> offsets;
+  std::vector<Index> pieces;
+
+  std::span<const Index> piecesOf(Index vertex) const
+  {
+    return {pieces.data() + offsets[vertex], pieces.data() + offsets[vertex + 1]};
+  }
+};
+
 /// Vertices of leaves.
 struct DualVertices
 {
   std::vector<Vec3> positions;
+  VertexAnchors anchors;
   /// Whether the vertex should be on several pieces of the model, or at a corner, and is not: they do not meet near
   /// the octant, which is as fine as was allowed.
   std::vector<char> compromised;

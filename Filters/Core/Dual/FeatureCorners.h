@@ -23,6 +23,8 @@ struct ChainVertex
   std::vector<std::vector<Index>> curves;
   /// Leaves of the vertices it is linked with along them.
   std::vector<Index> links;
+  /// Charts whose faces it has, sorted.
+  std::vector<Index> charts;
   /// The octant holds no piece of the curves; set when it is placed.
   bool isDiverted = false;
 };

@@ -22,6 +22,8 @@ public:
   void setCharts(const std::vector<Index>& charts) { charts_ = charts; }
 
   bool isOnSide() const { return planes != 0; }
+  /// Whether p is the leaf's centre, put on the domain planes through it.
+  bool isCentre(const Vec3& p) const { return p == center; }
 
   /// The centre; on a domain side, a corner or curve of what lies on the side.
   Vec3 uncutPosition();

@@ -92,7 +92,7 @@ std::vector<Index> sectorsOf(const DualMesh& mesh, Index point, std::span<const 
 
 } // namespace
 
-void splitSheets(DualMesh& mesh, const RunContext& context)
+std::vector<Index> splitSheets(DualMesh& mesh, const RunContext& context)
 {
   const BoundaryStars stars = findStars(mesh);
   std::vector<Index> sectors(stars.elements.size());
@@ -110,6 +110,7 @@ void splitSheets(DualMesh& mesh, const RunContext& context)
   context.progress.check();
   const auto before = static_cast<Index>(mesh.points.size());
   mesh.points.resize(before + copies.back());
+  std::vector<Index> sources(copies.back());
   for (std::size_t i = 0; i < stars.points.size(); ++i)
   {
     const Index point = stars.points[i];
@@ -121,10 +122,12 @@ void splitSheets(DualMesh& mesh, const RunContext& context)
       }
       const Index copy = before + copies[i] + sectors[s] - 1;
       mesh.points[copy] = mesh.points[point];
+      sources[copy - before] = point;
       auto& corners = mesh.corners[stars.elements[s]];
       std::replace(corners.begin(), corners.end(), point, copy);
     }
   }
+  return sources;
 }
 
 } // namespace atria

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Optimise/Judge.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace atria {
+
+namespace {
+
+constexpr std::size_t grain = 1024;
+constexpr double tiny = 1e-150;
+/// Over the cube of the mean edge.
+constexpr double flatVolume = 0.02;
+
+double tetrahedron(const Vec3& o, const Vec3& a, const Vec3& b, const Vec3& c)
+{
+  return (a - o).cross(b - o).dot(c - o) / 6.0;
+}
+
+} // namespace
+
+Judge::Judge(Region& region, const QualityTargets& targets, const RunContext& context)
+    : region_(region), targets_(targets), faces(region.faceCount()), cells(region.cellCount()),
+      sizes(region.judgedCount())
+{
+  context.executor.forEach(faces.size(), grain, [&](std::size_t f) { measure(static_cast<Index>(f)); });
+  context.executor.forEach(sizes.size(), grain, [&](std::size_t c) {
+    measureOne(static_cast<Index>(c));
+    double length = 0.0;
+    double count = 0.0;
+    for (const Index f : region_.facesOf(c))
+    {
+      const auto points = region_.face(f);
+      for (std::size_t i = 0; i < points.size(); ++i)
+      {
+        length += (region_.points[points[i]] - region_.points[points[(i + 1) % points.size()]]).norm();
+        count += 1.0;
+      }
+    }
+    sizes[c] = length / std::max(count, 1.0);
+  });
+  for (std::size_t g = 0; g < region.ghostVolumes.size(); ++g)
+  {
+    cells[sizes.size() + g] = {region.ghostCentroids[g], region.ghostVolumes[g]};
+  }
+}
+
+void Judge::measure(Index face)
+{
+  const auto points = region_.face(face);
+  faces[face] = measureFace(points.size(), [&](std::size_t i) -> const Vec3& { return region_.points[points[i]]; });
+}
+
+void Judge::measureOne(Index cell)
+{
+  cells[cell] = measureCell([&](auto&& visit) {
+    for (const Index f : region_.facesOf(cell))
+    {
+      visit(faces[f].centroid, sign(cell, f) * faces[f].area);
+    }
+  });
+}
+
+void Judge::enter(std::size_t movable, Star& star) const
+{
+  star.point = region_.movable[movable];
+  const auto about = region_.cellsAbout(movable);
+  star.cells.assign(about.begin(), about.end());
+  star.faces.clear();
+  star.moving.clear();
+  star.size = 0.0;
+  for (const Index cell : about)
+  {
+    const auto own = region_.facesOf(cell);
+    star.faces.insert(star.faces.end(), own.begin(), own.end());
+    star.size += sizes[cell] / static_cast<double>(about.size());
+  }
+  std::sort(star.faces.begin(), star.faces.end());
+  star.faces.erase(std::unique(star.faces.begin(), star.faces.end()), star.faces.end());
+  for (const Index face : star.faces)
+  {
+    if (std::ranges::find(region_.face(face), star.point) != region_.face(face).end())
+    {
+      star.moving.push_back(face);
+    }
+  }
+}
+
+void Judge::move(const Star& star, const Vec3& p)
+{
+  region_.points[star.point] = p;
+  for (const Index face : star.moving)
+  {
+    measure(face);
+  }
+  for (const Index cell : star.cells)
+  {
+    measureOne(cell);
+  }
+}
+
+Score Judge::scoreOf(const Star& star) const
+{
+  Score score;
+  for (const Index cell : star.cells)
+  {
+    score.add(scoreOfCell(cell));
+  }
+  for (const Index face : star.faces)
+  {
+    score.add(scoreOfFace(face));
+  }
+  return score;
+}
+
+Score Judge::scoreOfCell(Index cell) const
+{
+  Score score;
+  const auto own = region_.facesOf(cell);
+  const CellMeasure& measure = cells[cell];
+  const double cube = sizes[cell] * sizes[cell] * sizes[cell];
+  Vec3 middle = measure.centroid;
+  if (measure.volume < flatVolume * cube || !targets_.faceTetrahedra)
+  {
+    // The centroid of a cell that is nearly flat or inside out may lie anywhere.
+    middle.setZero();
+    for (const Index f : own)
+    {
+      middle += faces[f].centroid / static_cast<double>(own.size());
+    }
+  }
+  for (const Index f : own)
+  {
+    const double side = sign(cell, f);
+    const Vec3 normal = side * faces[f].normal;
+    const Vec3 toFace = faces[f].centroid - measure.centroid;
+    score.add(normal.dot(toFace) / (toFace.norm() + tiny) / targets_.pyramidCosine);
+    scoreCorners(f, middle, side, cube, score);
+    for (const Index g : own)
+    {
+      if (f == g || (region_.neighbour[f] == noIndex && region_.neighbour[g] == noIndex))
+      {
+        continue;
+      }
+      const Vec3 between = faces[g].centroid - faces[f].centroid;
+      const double inside = -normal.dot(between);
+      // Most pairs are far from the target; this spares the root.
+      if (inside < 0.0 || inside * inside < targets_.convexity * targets_.convexity * between.squaredNorm())
+      {
+        score.addShape(inside / (between.norm() + tiny) / targets_.convexity);
+      }
+    }
+  }
+  return score;
+}
+
+/// OpenFOAM takes a face apart into triangles about its centroid, and again into those of a fan about one of its
+/// corners, whichever is best; in a quadrilateral there are two such fans.
+void Judge::scoreCorners(Index face, const Vec3& middle, double sign, double cube, Score& score) const
+{
+  const auto points = region_.face(face);
+  const std::size_t size = points.size();
+  const auto at = [&](std::size_t i) -> const Vec3& { return region_.points[points[i]]; };
+  const double scale = 12.0 * sign / (cube + tiny) / targets_.cornerVolume;
+  if (size == 3)
+  {
+    score.add(scale * tetrahedron(middle, at(0), at(1), at(2)));
+    return;
+  }
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    least = std::min(least, tetrahedron(middle, faces[face].centroid, at(i), at(i + 1 < size ? i + 1 : 0)));
+  }
+  if (targets_.faceTetrahedra || size > 4)
+  {
+    score.add(0.5 * static_cast<double>(size) * scale * least);
+  }
+  if (size == 4)
+  {
+    const double first = std::min(tetrahedron(middle, at(0), at(1), at(2)), tetrahedron(middle, at(0), at(2), at(3)));
+    const double second = std::min(tetrahedron(middle, at(1), at(2), at(3)), tetrahedron(middle, at(1), at(3), at(0)));
+    score.add(scale * std::max(first, second));
+  }
+}
+
+Score Judge::scoreOfFace(Index face) const
+{
+  Score score;
+  const FaceMeasure& f = faces[face];
+  const CellMeasure& own = cells[region_.owner[face]];
+  const Index across = region_.neighbour[face];
+  if (across == noIndex)
+  {
+    const double height = f.normal.dot(f.centroid - own.centroid);
+    score.add(2.0 - skewnessOf(face, height * f.normal) / targets_.skewness);
+    return score;
+  }
+  const CellMeasure& other = cells[across];
+  const Vec3 d = other.centroid - own.centroid;
+  score.add(f.normal.dot(d) / (d.norm() + tiny) / targets_.faceCosine);
+  score.add(2.0 - skewnessOf(face, d) / targets_.skewness);
+  const double nearer = std::abs(f.normal.dot(f.centroid - own.centroid));
+  const double farther = std::abs(f.normal.dot(other.centroid - f.centroid));
+  score.add(std::min(nearer, farther) / (nearer + farther + tiny) / targets_.weight);
+  const double smaller = std::min(own.volume, other.volume);
+  const double larger = std::max(std::abs(own.volume), std::abs(other.volume));
+  score.add(smaller / (larger + tiny) / targets_.volumeRatio);
+  return score;
+}
+
+/// As in Quality/Metrics.h; at most 8, so that one wild face does not drown the others.
+double Judge::skewnessOf(Index face, const Vec3& d) const
+{
+  const FaceMeasure& f = faces[face];
+  const bool internal = region_.neighbour[face] != noIndex;
+  const Vec3 toFace = f.centroid - cells[region_.owner[face]].centroid;
+  const double along = f.normal.dot(d);
+  if (std::abs(along) < tiny)
+  {
+    return 8.0;
+  }
+  const Vec3 offset = toFace - (f.normal.dot(toFace) / along) * d;
+  const double distance = offset.norm();
+  double extent = (internal ? 0.2 : 0.4) * d.norm() + tiny;
+  if (distance <= targets_.skewness * extent)
+  {
+    return distance / extent;
+  }
+  for (const Index point : region_.face(face))
+  {
+    extent = std::max(extent, std::abs(offset.dot(region_.points[point] - f.centroid)) / distance);
+  }
+  return std::min(distance / extent, 8.0);
+}
+
+} // namespace atria

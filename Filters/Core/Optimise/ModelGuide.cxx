@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Optimise/ModelGuide.h"
+
+#include "Octree/GeometryLists.h"
+#include "Surface/Distance.h"
+
+#include <algorithm>
+
+namespace atria {
+
+namespace {
+
+/// How far a loose vertex may go from its place, as a part of its octant.
+constexpr double looseReach = 0.3;
+
+} // namespace
+
+ModelGuide::ModelGuide(const Octree& octree, const SurfaceModel& model, const VertexAnchors& anchors,
+                       const std::vector<Vec3>& points, std::vector<Index> vertexOf)
+    : octree_(octree), model_(model), anchors_(anchors), points_(points), vertexOf_(std::move(vertexOf))
+{
+}
+
+void ModelGuide::prepare(std::span<const Index> points, const RunContext& context)
+{
+  slotOf_.resize(vertexOf_.size(), noIndex);
+  std::vector<Index> fresh;
+  for (const Index point : points)
+  {
+    if (slotOf_[point] == noIndex && freedomOf(point) != Freedom::free)
+    {
+      slotOf_[point] = static_cast<Index>(targets_.size() + fresh.size());
+      fresh.push_back(point);
+    }
+  }
+  const std::size_t before = targets_.size();
+  targets_.resize(before + fresh.size());
+  context.executor.forEach(fresh.size(), 256, [&](std::size_t i) { targets_[before + i] = findTarget(fresh[i]); });
+}
+
+std::vector<Index> ModelGuide::wantedPieces(Index vertex) const
+{
+  const auto pieces = anchors_.piecesOf(vertex);
+  if (anchors_.freedom[vertex] != Freedom::beside)
+  {
+    return {pieces.begin(), pieces.end()};
+  }
+  std::vector<Index> charts;
+  for (const Index curve : pieces)
+  {
+    charts.insert(charts.end(), model_.curves[curve].charts.begin(), model_.curves[curve].charts.end());
+  }
+  std::ranges::sort(charts);
+  return charts;
+}
+
+ModelGuide::Target ModelGuide::findTarget(Index point) const
+{
+  Target target{points_[point], {}};
+  const Index vertex = vertexOf_[point];
+  const Index leaf = anchors_.leaves[vertex];
+  const std::vector<Index> wanted = wantedPieces(vertex);
+  LatticeBox box{octree_.lowCorner(leaf), octree_.highCorner(leaf)};
+  const std::int64_t reach = (box.high[0] - box.low[0]) / 2;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    box.low[axis] -= reach;
+    box.high[axis] += reach;
+  }
+  const auto at = [&](Index p) { return octree_.frame().toModel(model_.points[p]); };
+  std::vector<ModelItem> found;
+  for (const Index near : wanted.empty() ? std::vector<Index>() : leavesTouching(octree_, box))
+  {
+    for (const ModelItem item : octree_.items(near))
+    {
+      const bool isOnCurve = freedomOf(point) == Freedom::curve;
+      const bool fits =
+          isOnCurve ? item.kind == ModelItem::featureEdge &&
+                          std::ranges::binary_search(wanted, model_.featureEdges[item.index].curve)
+                    : item.kind == ModelItem::triangle && std::ranges::binary_search(wanted, model_.charts[item.index]);
+      if (fits)
+      {
+        found.push_back(item);
+      }
+    }
+  }
+  std::ranges::sort(found, {}, [](ModelItem item) { return item.index; });
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    if (i > 0 && found[i].index == found[i - 1].index)
+    {
+      continue;
+    }
+    if (found[i].kind == ModelItem::triangle)
+    {
+      const auto& t = model_.triangles[found[i].index];
+      target.pieces.push_back({at(t[0]), at(t[1]), at(t[2])});
+    }
+    else
+    {
+      const FeatureEdge& edge = model_.featureEdges[found[i].index];
+      target.pieces.push_back({at(edge.a), at(edge.b), at(edge.b)});
+    }
+  }
+  return target;
+}
+
+unsigned ModelGuide::planesOf(Index leaf) const
+{
+  return octree_.frame().domainPlanes(octree_.lowCorner(leaf), octree_.highCorner(leaf));
+}
+
+Vec3 ModelGuide::onPlanes(Vec3 p, unsigned planes) const
+{
+  const GridFrame& frame = octree_.frame();
+  for (int direction = 0; direction < 6; ++direction)
+  {
+    if (planes >> direction & 1)
+    {
+      p[axisOf(direction)] = frame.planeOf(direction);
+    }
+  }
+  return p.cwiseMax(frame.domain.min).cwiseMin(frame.domain.max);
+}
+
+Vec3 ModelGuide::place(Index point, const Vec3& p) const
+{
+  const Index leaf = anchors_.leaves[vertexOf_[point]];
+  const unsigned planes = planesOf(leaf);
+  if (freedomOf(point) == Freedom::free)
+  {
+    return onPlanes(p, planes);
+  }
+  const Target& target = targets_[slotOf_[point]];
+  if (freedomOf(point) == Freedom::loose || target.pieces.empty())
+  {
+    const double reach =
+        freedomOf(point) == Freedom::loose ? looseReach * octree_.frame().sizeOf(octree_.level(leaf)) : 0.0;
+    const double distance = (p - target.start).norm();
+    return distance <= reach ? onPlanes(p, planes)
+                             : onPlanes(target.start + (reach / distance) * (p - target.start), planes);
+  }
+  // On a domain side, surface and plane in turn.
+  constexpr int turns = 8;
+  Vec3 q = p;
+  for (int i = 0; i < (planes != 0 ? turns : 1); ++i)
+  {
+    Vec3 best = q;
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& [a, b, c] : target.pieces)
+    {
+      const Vec3 near = b == c ? nearestOnSegment(q, a, b) : nearestOnTriangle(q, a, b, c);
+      const double distance = (near - q).squaredNorm();
+      if (distance < least)
+      {
+        least = distance;
+        best = near;
+      }
+    }
+    q = onPlanes(best, planes);
+  }
+  return q;
+}
+
+} // namespace atria

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Dual/DualVertices.h"
+#include "Optimise/VertexGuide.h"
+
+namespace atria {
+
+/// Keeps vertices where the model wants them: on its surfaces and curves, in the planes of the domain.
+class ModelGuide : public VertexGuide
+{
+public:
+  /// `vertexOf` gives, for each point of the mesh, the vertex it stands for.
+  ModelGuide(const Octree& octree, const SurfaceModel& model, const VertexAnchors& anchors,
+             const std::vector<Vec3>& points, std::vector<Index> vertexOf);
+
+  /// Looks up the pieces of the model near points, before these are moved.
+  void prepare(std::span<const Index> points, const RunContext& context) override;
+  bool isMovable(Index point) const override { return freedomOf(point) != Freedom::fixed; }
+  Vec3 place(Index point, const Vec3& p) const override;
+
+private:
+  /// Triangles or, with c equal to b, segments.
+  using Piece = std::array<Vec3, 3>;
+  struct Target
+  {
+    Vec3 start;
+    std::vector<Piece> pieces;
+  };
+
+  Freedom freedomOf(Index point) const { return anchors_.freedom[vertexOf_[point]]; }
+  std::vector<Index> wantedPieces(Index vertex) const;
+  Target findTarget(Index point) const;
+  Vec3 onPlanes(Vec3 p, unsigned planes) const;
+  unsigned planesOf(Index leaf) const;
+
+  const Octree& octree_;
+  const SurfaceModel& model_;
+  const VertexAnchors& anchors_;
+  const std::vector<Vec3>& points_;
+  std::vector<Index> vertexOf_;
+  std::vector<Index> slotOf_;
+  std::vector<Target> targets_;
+};
+
+} // namespace atria

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Optimise/Optimiser.h"
+
+#include "Optimise/Colouring.h"
+#include "Optimise/PointSearch.h"
+
+#include <algorithm>
+
+namespace atria {
+
+namespace {
+
+/// Marks the points of cells marked, or of those that have a marked point.
+void spread(const CellSource& source, const std::vector<char>& cells, std::vector<char>& points)
+{
+  CellSource::Scratch scratch;
+  for (Index c = 0; c < cells.size(); ++c)
+  {
+    if (cells[c])
+    {
+      source.facesOf(c, scratch);
+      for (const Index p : scratch.points)
+      {
+        points[p] = 1;
+      }
+    }
+  }
+}
+
+std::vector<char> pointsToMove(const CellSource& source, const std::vector<ShortCell>& shortCells,
+                               const VertexGuide& guide, int rings)
+{
+  std::vector<char> cells(source.cellCount(), 0);
+  for (const ShortCell& found : shortCells)
+  {
+    cells[found.cell] = 1;
+  }
+  std::vector<char> points(source.points().size(), 0);
+  spread(source, cells, points);
+  for (int ring = 0; ring < rings; ++ring)
+  {
+    for (Index c = 0; c < cells.size(); ++c)
+    {
+      cells[c] = source.hasMarked(c, points) ? 1 : 0;
+    }
+    spread(source, cells, points);
+  }
+  for (Index p = 0; p < points.size(); ++p)
+  {
+    points[p] = points[p] && guide.isMovable(p) ? 1 : 0;
+  }
+  return points;
+}
+
+/// One pass over the points of a region that fall short.
+class Sweeper
+{
+public:
+  Sweeper(Judge& qualities, const VertexGuide& vertexGuide, const RunContext& runContext)
+      : judge(qualities), region(qualities.region()), guide(vertexGuide), context(runContext),
+        colours(colourPoints(region)), trust(region.movable.size(), 0.1), awake(region.movable.size(), 1)
+  {
+    findNeighbours();
+  }
+
+  /// The number of points moved.
+  std::size_t sweep()
+  {
+    std::vector<char> moved(region.movable.size(), 0);
+    for (std::size_t c = 0; c + 1 < colours.offsets.size(); ++c)
+    {
+      const std::size_t begin = colours.offsets[c];
+      context.progress.check();
+      const std::size_t length = colours.isParallel(c) ? 16 : region.movable.size();
+      context.executor.forRanges(colours.offsets[c + 1] - begin, length, [&](std::size_t first, std::size_t last) {
+        PointSearch search(judge, guide);
+        for (std::size_t i = begin + first; i < begin + last; ++i)
+        {
+          const Index m = colours.order[i];
+          moved[m] = awake[m] && search.improve(m, trust[m]) ? 1 : 0;
+        }
+      });
+    }
+    wake(moved);
+    return static_cast<std::size_t>(std::count(moved.begin(), moved.end(), 1));
+  }
+
+private:
+  /// By cell the movable points it has.
+  void findNeighbours()
+  {
+    offsets.assign(region.judgedCount() + 1, 0);
+    for (const Index cell : region.about)
+    {
+      ++offsets[cell + 1];
+    }
+    for (std::size_t c = 0; c < region.judgedCount(); ++c)
+    {
+      offsets[c + 1] += offsets[c];
+    }
+    pointsOf.resize(region.about.size());
+    std::vector<Index> next(offsets.begin(), offsets.end() - 1);
+    for (Index m = 0; m < region.movable.size(); ++m)
+    {
+      for (const Index cell : region.cellsAbout(m))
+      {
+        pointsOf[next[cell]++] = m;
+      }
+    }
+  }
+
+  /// A point is looked at again once a point of its cells has moved.
+  void wake(const std::vector<char>& moved)
+  {
+    std::fill(awake.begin(), awake.end(), 0);
+    for (Index m = 0; m < moved.size(); ++m)
+    {
+      if (moved[m])
+      {
+        for (const Index cell : region.cellsAbout(m))
+        {
+          for (Index i = offsets[cell]; i < offsets[cell + 1]; ++i)
+          {
+            awake[pointsOf[i]] = 1;
+          }
+        }
+      }
+    }
+  }
+
+  Judge& judge;
+  const Region& region;
+  const VertexGuide& guide;
+  const RunContext& context;
+  Colours colours;
+  std::vector<double> trust;
+  std::vector<char> awake;
+  std::vector<Index> offsets;
+  std::vector<Index> pointsOf;
+};
+
+/// Per judged cell its measures, those of its faces included.
+std::vector<Score> scoresOfCells(const Judge& judge, const RunContext& context)
+{
+  const Region& region = judge.region();
+  std::vector<Score> ofFaces(region.faceCount());
+  context.executor.forEach(ofFaces.size(), 1024,
+                           [&](std::size_t f) { ofFaces[f] = judge.scoreOfFace(static_cast<Index>(f)); });
+  std::vector<Score> scores(region.judgedCount());
+  context.executor.forEach(scores.size(), 1024, [&](std::size_t c) {
+    scores[c] = judge.scoreOfCell(static_cast<Index>(c));
+    for (const Index f : region.facesOf(c))
+    {
+      scores[c].add(ofFaces[f]);
+    }
+  });
+  return scores;
+}
+
+struct Shortcoming
+{
+  std::vector<ShortCell> cells;
+  double worst = std::numeric_limits<double>::infinity();
+};
+
+/// The cells about marked points that fall short, and the worst measure of all.
+Shortcoming findShort(const CellSource& source, const std::vector<char>& marked, const QualityTargets& targets,
+                      const RunContext& context)
+{
+  Shortcoming result;
+  Region region = extractRegion(source, marked, context);
+  const std::vector<Score> scores = scoresOfCells(Judge(region, targets, context), context);
+  for (Index c = 0; c < scores.size(); ++c)
+  {
+    result.worst = std::min(result.worst, scores[c].worst);
+    if (scores[c].worst < 1.0)
+    {
+      result.cells.push_back(
+          {region.cellIds[c], static_cast<float>(scores[c].worst), static_cast<float>(scores[c].sound)});
+    }
+  }
+  return result;
+}
+
+void prepareGuide(const Region& region, VertexGuide& guide, const RunContext& context)
+{
+  std::vector<Index> ids(region.movable.size());
+  std::ranges::transform(region.movable, ids.begin(), [&](Index local) { return region.pointIds[local]; });
+  guide.prepare(ids, context);
+}
+
+} // namespace
+
+OptimiserReport optimise(const CellSource& source, std::vector<Vec3>& points, const std::vector<char>& marked,
+                         VertexGuide& guide, const OptimiserOptions& options, const RunContext& context)
+{
+  OptimiserReport report;
+  const Shortcoming before = findShort(source, marked, options.targets, context);
+  report.shortBefore = before.cells.size();
+  report.worstBefore = before.worst;
+  report.shortCells = before.cells;
+  report.worstAfter = before.worst;
+  const std::vector<char> moving = pointsToMove(source, before.cells, guide, options.rings);
+  if (std::find(moving.begin(), moving.end(), 1) != moving.end())
+  {
+    Region region = extractRegion(source, moving, context);
+    Judge judge(region, options.targets, context);
+    prepareGuide(region, guide, context);
+    Sweeper sweeper(judge, guide, context);
+    // The last few points that creep on are not worth a sweep.
+    constexpr double worthwhile = 0.02;
+    std::size_t most = 1;
+    for (std::size_t moved = most; report.sweeps < options.sweeps && static_cast<double>(moved) > worthwhile * static_cast<double>(most); ++report.sweeps)
+    {
+      moved = sweeper.sweep();
+      most = std::max(most, moved);
+    }
+    report.cells = region.judgedCount();
+    for (const Index local : region.movable)
+    {
+      Vec3& p = points[region.pointIds[local]];
+      report.moved += p != region.points[local] ? 1 : 0;
+      p = region.points[local];
+    }
+    const Shortcoming after = findShort(source, marked, options.targets, context);
+    report.shortCells = after.cells;
+    report.worstAfter = after.worst;
+  }
+  report.shortAfter = report.shortCells.size();
+  return report;
+}
+
+} // namespace atria

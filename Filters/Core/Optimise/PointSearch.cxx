@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Optimise/PointSearch.h"
+
+#include <algorithm>
+
+namespace atria {
+
+namespace {
+
+constexpr double difference = 1e-3; ///< of the cells' size, for derivatives
+constexpr double leastTrust = 1e-3;
+constexpr double mostTrust = 0.5;
+constexpr double leastGain = 0.01;
+constexpr int tries = 4;
+/// Of measures that are nothing but rounding.
+constexpr double noise = 1e-6;
+
+} // namespace
+
+Score PointSearch::scoreAt(const Vec3& p)
+{
+  judge.move(star, guide.place(pointId, p));
+  return judge.scoreOf(star);
+}
+
+bool PointSearch::isBetter(const Score& there, const Score& here) const
+{
+  return there.penalty < here.penalty * (1.0 - leastGain) && (there.worst >= here.worst - noise || there.worst >= 1.0);
+}
+
+bool PointSearch::improve(Index movable, double& trust)
+{
+  judge.enter(movable, star);
+  pointId = judge.region().pointIds[star.point];
+  origin = judge.region().points[star.point];
+  const Score here = judge.scoreOf(star);
+  if (here.penalty == 0.0)
+  {
+    return false;
+  }
+  const Vec3 step = newtonStep(here, trust * star.size);
+  double scale = 1.0;
+  for (int i = 0; i < tries; ++i, scale *= 0.4)
+  {
+    if (isBetter(scoreAt(origin + scale * step), here))
+    {
+      trust = std::clamp(i == 0 ? 1.6 * trust : scale * trust, leastTrust, mostTrust);
+      return true;
+    }
+  }
+  if (const Vec3 probe = bestProbe(here, trust * star.size); probe != origin)
+  {
+    judge.move(star, probe);
+    return true;
+  }
+  judge.move(star, origin);
+  trust = std::max(leastTrust, 0.3 * trust);
+  return false;
+}
+
+/// The best place among those at this distance along the axes, or where the point is. Where points coincide the
+/// gradient says nothing.
+Vec3 PointSearch::bestProbe(const Score& here, double reach)
+{
+  Vec3 best = origin;
+  Score least = here;
+  for (int i = 0; i < 6; ++i)
+  {
+    const Score there = scoreAt(origin + (i < 3 ? reach : -reach) * Vec3::Unit(i % 3));
+    if (isBetter(there, here) && there.penalty < least.penalty)
+    {
+      least = there;
+      best = judge.region().points[star.point];
+    }
+  }
+  return best;
+}
+
+/// Down the gradient, along each axis as far as the curvature there says, at most `reach` in all.
+Vec3 PointSearch::newtonStep(const Score& here, double reach)
+{
+  const double h = difference * star.size;
+  Vec3 gradient;
+  Vec3 curvature;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double up = scoreAt(origin + h * Vec3::Unit(axis)).penalty;
+    const double down = scoreAt(origin - h * Vec3::Unit(axis)).penalty;
+    gradient[axis] = (up - down) / (2.0 * h);
+    curvature[axis] = std::abs(up + down - 2.0 * here.penalty) / (h * h);
+  }
+  const double slope = gradient.norm();
+  if (slope == 0.0)
+  {
+    return Vec3::Zero();
+  }
+  Vec3 step = -gradient.cwiseQuotient(curvature.cwiseMax(slope / reach));
+  const double length = step.norm();
+  return length > reach ? Vec3(step * (reach / length)) : step;
+}
+
+} // namespace atria

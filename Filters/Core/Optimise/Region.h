@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The part of a mesh that is optimised, in arrays of its own.
+#pragma once
+
+#include "Dual/DualMesh.h"
+#include "Quality/Geometry.h"
+
+#include <span>
+#include <vector>
+
+namespace atria {
+
+/// Cells about points that may move, and beside them cells that only lend their centroids. Every cell about a point
+/// that may move is judged, so what is outside the region does not change. Cells are any closed polyhedra.
+struct Region
+{
+  /// Points of the judged cells, and their numbers in the mesh.
+  std::vector<Vec3> points;
+  std::vector<Index> pointIds;
+  /// Faces of judged cells, once each; the normal points out of the owner, which is judged. `neighbour` is a cell of
+  /// either kind, or noIndex on the mesh's boundary.
+  std::vector<Index> faceOffsets{0};
+  std::vector<Index> facePoints;
+  std::vector<Index> owner;
+  std::vector<Index> neighbour;
+  /// Faces of each judged cell; the judged cells are the first, in the order of the mesh.
+  std::vector<Index> cellOffsets{0};
+  std::vector<Index> cellFaces;
+  std::vector<Index> cellIds;
+  /// Centroid and volume of the others, after the judged ones.
+  std::vector<Vec3> ghostCentroids;
+  std::vector<double> ghostVolumes;
+  /// Points that may move, and the cells about each.
+  std::vector<Index> movable;
+  std::vector<Index> aboutOffsets{0};
+  std::vector<Index> about;
+
+  std::size_t judgedCount() const { return cellOffsets.size() - 1; }
+  std::size_t cellCount() const { return judgedCount() + ghostVolumes.size(); }
+  std::size_t faceCount() const { return owner.size(); }
+  std::span<const Index> face(std::size_t f) const
+  {
+    return {facePoints.data() + faceOffsets[f], facePoints.data() + faceOffsets[f + 1]};
+  }
+  std::span<const Index> facesOf(std::size_t cell) const
+  {
+    return {cellFaces.data() + cellOffsets[cell], cellFaces.data() + cellOffsets[cell + 1]};
+  }
+  std::span<const Index> cellsAbout(std::size_t movablePoint) const
+  {
+    return {about.data() + aboutOffsets[movablePoint], about.data() + aboutOffsets[movablePoint + 1]};
+  }
+};
+
+/// A cell's face: its points with the normal outwards, and the cell across or noIndex.
+struct CellFace
+{
+  std::span<const Index> points;
+  Index across;
+};
+
+/// The cells of a mesh one at a time, whatever arrays it is kept in.
+class CellSource
+{
+public:
+  virtual ~CellSource() = default;
+  virtual std::size_t cellCount() const = 0;
+  virtual const std::vector<Vec3>& points() const = 0;
+  /// Fills `out`, whose spans are good until the next call with the same scratch.
+  struct Scratch
+  {
+    std::vector<CellFace> faces;
+    std::vector<Index> points;
+  };
+  virtual void facesOf(Index cell, Scratch& out) const = 0;
+  /// Whether the cell has one of the points marked.
+  virtual bool hasMarked(Index cell, const std::vector<char>& marked) const = 0;
+};
+
+class DualSource : public CellSource
+{
+public:
+  explicit DualSource(const DualMesh& mesh) : mesh_(mesh) {}
+  std::size_t cellCount() const override { return mesh_.elementCount(); }
+  const std::vector<Vec3>& points() const override { return mesh_.points; }
+  void facesOf(Index cell, Scratch& out) const override;
+  bool hasMarked(Index cell, const std::vector<char>& marked) const override;
+
+private:
+  const DualMesh& mesh_;
+};
+
+class FaceMeshSource : public CellSource
+{
+public:
+  FaceMeshSource(const FaceMesh& mesh, const CellFaces& cellFaces) : mesh_(mesh), cellFaces_(cellFaces) {}
+  std::size_t cellCount() const override { return mesh_.cellCount; }
+  const std::vector<Vec3>& points() const override { return mesh_.points; }
+  void facesOf(Index cell, Scratch& out) const override;
+  bool hasMarked(Index cell, const std::vector<char>& marked) const override;
+
+private:
+  const FaceMesh& mesh_;
+  const CellFaces& cellFaces_;
+};
+
+/// The region in which the points marked may move. O(cells) to find it, the rest in the region's size.
+Region extractRegion(const CellSource& source, const std::vector<char>& marked, const RunContext& context);
+
+} // namespace atria
