@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Where layers can grow, as far as the mesh's topology has to say.
+#pragma once
+
+#include "Layer/BoundaryGraph.h"
+
+#include <string>
+
+namespace atria {
+
+/// What is asked for on the faces of one tag.
+struct WallLayers
+{
+  /// Layers of elements; 0 for none.
+  int layers = 0;
+  /// Height of the first one in model units; 0 leaves it to the size of the elements beside the wall.
+  double firstHeight = 0.0;
+  /// Height of each further one relative to the one below it.
+  double growth = 1.2;
+  bool operator==(const WallLayers&) const = default;
+};
+
+/// Layers on the surfaces whose names match a pattern (`*` any text, `?` any character). A bare side of the domain is a
+/// wall only if a rule has exactly its name.
+struct LayerRule
+{
+  std::string pattern;
+  WallLayers layers;
+};
+
+/// What holds for each tag: the surfaces, then the six sides. The last rule that matches holds; without one there are
+/// no layers. Throws Error for counts, heights or growth that make no sense.
+std::vector<WallLayers> resolveLayerRules(const std::vector<LayerRule>& rules,
+                                          const std::vector<std::string>& surfaceNames);
+
+struct LayerOptions
+{
+  /// By tag: see resolveLayerRules.
+  std::vector<WallLayers> ofTag;
+  /// Normals of the domain's sides by Direction, unit vectors; along the axes unless the domain is turned.
+  std::array<Vec3, 6> sideNormals{-Vec3::UnitX(), Vec3::UnitX(),  -Vec3::UnitY(),
+                                  Vec3::UnitY(),  -Vec3::UnitZ(), Vec3::UnitZ()};
+  /// Thickness of a layer without a height of its own, relative to the shortest way from the wall point along edges of
+  /// elements.
+  double relativeThickness = 0.3;
+
+  Index surfaceCount() const { return static_cast<Index>(ofTag.size()) - 6; }
+};
+
+enum class FaceRole : std::uint8_t
+{
+  wall,  ///< layers grow on it
+  slide, ///< a side of the domain: layers of walls that meet it end on it
+  fixed  ///< a surface without layers: those beside it taper to nothing
+};
+
+/// The boundary of a mesh that has one sector at each of its points (splitSheets).
+struct LayerWalls
+{
+  BoundaryGraph graph;
+  std::vector<FaceRole> roles;
+  /// Per point: the layers that its walls ask for, the least of them; 0 where no layer can be.
+  std::vector<Index> counts;
+};
+
+/// A point has layers if the faces about it are one closed fan and the walls in it one run, so that every edge of a
+/// wall has one face across; if no other face has the very same points as one of its walls; and if it is on no surface
+/// without layers.
+LayerWalls findLayerWalls(const DualMesh& mesh, const LayerOptions& options, const RunContext& context);
+
+/// The plane a face of role `slide` lies in.
+Vec3 sideNormal(const BoundaryFace& face, const LayerOptions& options);
+
+} // namespace atria
