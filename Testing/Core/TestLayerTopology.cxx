@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Layers are conformal on every mesh, whatever points they leave out.
-#include "Layer/LayerTopology.h"
+#include "Layer/BoundaryLayers.h"
 #include "Support/DualMeshChecks.h"
 #include "Support/MeshIt.h"
 #include "Support/Shapes.h"
@@ -116,6 +116,32 @@ TEST(LayerTopology, IsConformalOnRandomSoupsForAnyCounts)
     }
   }
   EXPECT_GT(prisms, 10000u);
+}
+
+TEST(LayerTopology, GrownLayersAreSoundOnRandomSoups)
+{
+  for (unsigned seed = 0; seed < campaign(20, 500); ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Meshed meshed = meshSoup(randomSoup(seed), seed);
+    const DualMesh& plain = meshed.mesh();
+    const LayerOptions options = layersEverywhere(meshed, 3);
+    const LayerWalls walls = findLayerWalls(plain, options, context());
+    std::mt19937 random(seed);
+    std::vector<char> excluded(plain.points.size());
+    std::generate(excluded.begin(), excluded.end(), [&] { return random() % (2 + seed) == 0; });
+    const LayerMesh one = growLayer(plain, walls, options, excluded, context());
+    const LayerMesh divided = divideLayer(plain, walls, one, options);
+    for (const LayerMesh* layer : {&one, &divided})
+    {
+      expectSound(*layer, plain, static_cast<Index>(meshed.model.names.size()));
+      EXPECT_NEAR(totalVolume(layer->mesh) / totalVolume(plain), 1.0, 1e-9);
+      for (std::size_t p = 0; p < excluded.size(); ++p)
+      {
+        ASSERT_TRUE(!excluded[p] || layer->copies[p] == noIndex);
+      }
+    }
+  }
 }
 
 } // namespace

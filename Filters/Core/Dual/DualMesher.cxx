@@ -6,6 +6,7 @@
 #include "Dual/ModifiedGrid.h"
 #include "Dual/Sheets.h"
 #include "Dual/TurnedDomain.h"
+#include "Layer/BoundaryLayers.h"
 
 #include <algorithm>
 
@@ -139,6 +140,19 @@ void appendMerged(const Crossings& crossings, const std::vector<Index>& elements
   }
 }
 
+void addLayers(DualMesh& mesh, const SurfaceModel& model, const GridFrame& frame, const std::vector<LayerRule>& rules,
+               const RunContext& context)
+{
+  if (rules.empty())
+  {
+    return;
+  }
+  LayerOptions options;
+  options.ofTag = resolveLayerRules(rules, model.names);
+  options.sideNormals = sideNormalsOf(frame);
+  mesh = layWalls(mesh, options, context).mesh;
+}
+
 Diagnostic lineOf(Diagnostic::Kind kind, const std::vector<Vec3>& path, Index element, double width)
 {
   return {kind, path.front(), path.back(), element, width, {path.begin() + 1, path.end() - 1}};
@@ -198,6 +212,7 @@ DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, con
   appendUnresolved(mesh, placed.compromised, result.diagnostics);
   keepWithinSides(mesh.points, octree.frame());
   splitSheets(mesh, context);
+  addLayers(mesh, model, octree.frame(), options.layers, context);
   placeInModel(result, octree.frame().placement, context);
   clock.lap("elements");
   context.progress.report(1.0, "Meshed");

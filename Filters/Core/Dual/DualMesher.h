@@ -5,6 +5,7 @@
 #include "Dual/DualMesh.h"
 #include "Dual/Leaks.h"
 #include "Dual/Zones.h"
+#include "Layer/LayerWalls.h"
 #include "Support/StageClock.h"
 
 namespace atria {
@@ -16,6 +17,8 @@ struct DualMeshOptions
   std::vector<Vec3> seeds;
   /// Points in zones that should be closed: see findLeaks.
   std::vector<Vec3> sealedSeeds;
+  /// Layers of elements on walls; none without a rule.
+  std::vector<LayerRule> layers = {};
 };
 
 /// Something the mesh could not follow, or that a user should know of it.
