@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Layer/BoundaryLayers.h"
 
+#include "Layer/ElementShape.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -30,6 +32,63 @@ double growthFor(int count, double length, double low)
     (sumOf(count, middle) < length ? low : high) = middle;
   }
   return high;
+}
+
+/// Puts the points of chains on their ways.
+void placeChains(LayerMesh& layer, const LayerMesh& one, const std::vector<WallLayers>& asked)
+{
+  std::copy_n(one.mesh.points.begin(), one.plainPoints, layer.mesh.points.begin());
+  std::vector<double> shares;
+  for (std::size_t i = 0; i < layer.wallPoints.size(); ++i)
+  {
+    const Index p = layer.wallPoints[i];
+    const Index point = layer.plainPoints + static_cast<Index>(i);
+    const Vec3& wall = one.mesh.points[p];
+    const Vec3& copy = one.mesh.points[one.copies[p]];
+    if (layer.places[i] == 1)
+    {
+      WallLayers layers = asked[p];
+      layers.layers = static_cast<int>(layer.copies[p] - point) + 1;
+      shares = divideWay(layers, (copy - wall).norm());
+    }
+    layer.mesh.points[point] =
+        point == layer.copies[p] ? copy : Vec3(wall + shares[layer.places[i] - 1] * (copy - wall));
+  }
+}
+
+/// Halves the counts of stacks that hold a prism which is not valid although the undivided one is. Tells whether there
+/// was any.
+bool halveSpoiled(const DualMesh& plain, const LayerMesh& layer, const LayerMesh& one, std::vector<Index>& counts,
+                  const RunContext& context)
+{
+  std::vector<Index> prismOn(plain.boundaryFaces.size(), noIndex);
+  for (std::size_t i = 0; i < one.wallFaces.size(); ++i)
+  {
+    prismOn[one.wallFaces[i]] = one.plainElements + static_cast<Index>(i);
+  }
+  const auto isValid = [](const LayerMesh& of, Index element) {
+    return shapeOf(of.mesh.points, of.mesh.corners[element]).pyramid > 0.0;
+  };
+  std::vector<char> spoiled(layer.wallFaces.size(), 0);
+  context.executor.forEach(spoiled.size(), 2048, [&](std::size_t i) {
+    spoiled[i] =
+        !isValid(layer, layer.plainElements + static_cast<Index>(i)) && isValid(one, prismOn[layer.wallFaces[i]]);
+  });
+  std::vector<char> halved(counts.size(), 0);
+  for (std::size_t i = 0; i < spoiled.size(); ++i)
+  {
+    for (int c = 0; c < 4 && spoiled[i]; ++c)
+    {
+      halved[cornerOf(plain, plain.boundaryFaces[layer.wallFaces[i]], c)] = 1;
+    }
+  }
+  bool any = false;
+  for (std::size_t p = 0; p < counts.size(); ++p)
+  {
+    any = any || (halved[p] && counts[p] > 1);
+    counts[p] = halved[p] ? (counts[p] + 1) / 2 : counts[p];
+  }
+  return any;
 }
 
 } // namespace
@@ -76,7 +135,8 @@ std::vector<WallLayers> layersOfPoints(const DualMesh& mesh, const LayerWalls& w
   return out;
 }
 
-LayerMesh divideLayer(const DualMesh& plain, const LayerWalls& walls, const LayerMesh& one, const LayerOptions& options)
+LayerMesh divideLayer(const DualMesh& plain, const LayerWalls& walls, const LayerMesh& one, const LayerOptions& options,
+                      const RunContext& context)
 {
   const std::vector<WallLayers> asked = layersOfPoints(plain, walls, options);
   std::vector<Index> counts(one.copies.size());
@@ -84,21 +144,13 @@ LayerMesh divideLayer(const DualMesh& plain, const LayerWalls& walls, const Laye
   {
     counts[p] = one.copies[p] == noIndex ? 0 : static_cast<Index>(asked[p].layers);
   }
-  LayerMesh out = buildLayer(plain, walls, counts);
-  std::copy_n(one.mesh.points.begin(), one.plainPoints, out.mesh.points.begin());
-  std::vector<double> shares;
-  for (std::size_t i = 0; i < out.wallPoints.size(); ++i)
+  LayerMesh out;
+  do
   {
-    const Index p = out.wallPoints[i];
-    const Vec3& wall = one.mesh.points[p];
-    const Vec3& copy = one.mesh.points[one.copies[p]];
-    if (out.places[i] == 1)
-    {
-      shares = divideWay(asked[p], (copy - wall).norm());
-    }
-    out.mesh.points[out.plainPoints + i] =
-        out.places[i] == counts[p] ? copy : Vec3(wall + shares[out.places[i] - 1] * (copy - wall));
-  }
+    context.progress.check();
+    out = buildLayer(plain, walls, counts);
+    placeChains(out, one, asked);
+  } while (halveSpoiled(plain, out, one, counts, context));
   return out;
 }
 
@@ -118,7 +170,7 @@ LayerMesh layWalls(const DualMesh& plain, const LayerOptions& options, const Run
   }
   const bool divided = std::any_of(options.ofTag.begin(), options.ofTag.end(),
                                    [](const WallLayers& layers) { return layers.layers > 1; });
-  return divided ? divideLayer(plain, walls, one, options) : std::move(one);
+  return divided ? divideLayer(plain, walls, one, options, context) : std::move(one);
 }
 
 } // namespace atria

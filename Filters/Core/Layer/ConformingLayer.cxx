@@ -10,8 +10,11 @@ namespace atria {
 
 namespace {
 
-/// An element is crowded where its shape's cosine is below this, and was better without the layer.
+/// An element is crowded where its shape's cosine is below this, and was not without the layer. What was flat or
+/// inverted then is not helped by less height: copies that lift it off the wall by more are what opens it.
 constexpr double crowdedCosine = 0.05;
+/// Below this an element counts as flat.
+constexpr double flatCosine = 1e-3;
 /// What a crowded element's copies keep of their height in a round, and how many rounds there are.
 constexpr double shrinkFactor = 0.7;
 constexpr int shrinkRounds = 8;
@@ -160,9 +163,8 @@ private:
 
   bool isCrowded(Index e) const
   {
-    const double cosine = shapeOf(layer.mesh.points, layer.mesh.corners[e]).cosine;
-    return cosine < crowdedCosine &&
-           (e >= layer.plainElements || cosine < shapeOf(plain.points, plain.corners[e]).cosine);
+    return shapeOf(layer.mesh.points, layer.mesh.corners[e]).cosine < crowdedCosine &&
+           (e >= layer.plainElements || shapeOf(plain.points, plain.corners[e]).cosine >= crowdedCosine);
   }
 
   /// Lowers the copies of crowded elements; tells at which points.

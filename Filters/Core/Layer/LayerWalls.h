@@ -42,7 +42,7 @@ struct LayerOptions
                                   Vec3::UnitY(),  -Vec3::UnitZ(), Vec3::UnitZ()};
   /// Thickness of a layer without a height of its own, relative to the shortest way from the wall point along edges of
   /// elements.
-  double relativeThickness = 0.3;
+  double relativeThickness = 0.35;
 
   Index surfaceCount() const { return static_cast<Index>(ofTag.size()) - 6; }
 };
