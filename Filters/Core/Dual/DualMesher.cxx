@@ -140,17 +140,24 @@ void appendMerged(const Crossings& crossings, const std::vector<Index>& elements
   }
 }
 
-void addLayers(DualMesh& mesh, const SurfaceModel& model, const GridFrame& frame, const std::vector<LayerRule>& rules,
-               const RunContext& context)
+void addLayers(DualMeshResult& result, const SurfaceModel& model, const GridFrame& frame,
+               const std::vector<LayerRule>& rules, const RunContext& context)
 {
-  if (rules.empty())
-  {
-    return;
-  }
   LayerOptions options;
   options.ofTag = resolveLayerRules(rules, model.names);
   options.sideNormals = sideNormalsOf(frame);
-  mesh = layWalls(mesh, options, context).mesh;
+  if (std::all_of(options.ofTag.begin(), options.ofTag.end(), [](const WallLayers& l) { return l.layers == 0; }))
+  {
+    return;
+  }
+  const LayerWalls walls = findLayerWalls(result.mesh, options, context);
+  LayerMesh layer = layWalls(result.mesh, walls, options, context);
+  result.layers = reportLayers(result.mesh, walls, layer, options, model.names);
+  result.mesh = std::move(layer.mesh);
+  for (std::size_t e = layer.plainElements; e < result.mesh.elementCount(); ++e)
+  {
+    ++result.zones[result.mesh.zones[e]].elements;
+  }
 }
 
 Diagnostic lineOf(Diagnostic::Kind kind, const std::vector<Vec3>& path, Index element, double width)
@@ -212,9 +219,11 @@ DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, con
   appendUnresolved(mesh, placed.compromised, result.diagnostics);
   keepWithinSides(mesh.points, octree.frame());
   splitSheets(mesh, context);
-  addLayers(mesh, model, octree.frame(), options.layers, context);
-  placeInModel(result, octree.frame().placement, context);
   clock.lap("elements");
+  context.progress.report(0.95, "Growing layers");
+  addLayers(result, model, octree.frame(), options.layers, context);
+  placeInModel(result, octree.frame().placement, context);
+  clock.lap("layers");
   context.progress.report(1.0, "Meshed");
   return result;
 }

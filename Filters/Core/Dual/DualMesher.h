@@ -5,7 +5,7 @@
 #include "Dual/DualMesh.h"
 #include "Dual/Leaks.h"
 #include "Dual/Zones.h"
-#include "Layer/LayerWalls.h"
+#include "Layer/LayerCoverage.h"
 #include "Support/StageClock.h"
 
 namespace atria {
@@ -54,6 +54,8 @@ struct DualMeshResult
   std::vector<ZoneSummary> zones;
   /// In the order of the diagnostics of their kind.
   std::vector<Leak> leaks;
+  /// Empty where no layers were asked for.
+  LayerReport layers = {};
 };
 
 /// The dual of an octree whose leaves know their pieces of the model. The octree and its model are along the grid's

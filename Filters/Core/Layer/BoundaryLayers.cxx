@@ -154,9 +154,9 @@ LayerMesh divideLayer(const DualMesh& plain, const LayerWalls& walls, const Laye
   return out;
 }
 
-LayerMesh layWalls(const DualMesh& plain, const LayerOptions& options, const RunContext& context)
+LayerMesh layWalls(const DualMesh& plain, const LayerWalls& walls, const LayerOptions& options,
+                   const RunContext& context)
 {
-  const LayerWalls walls = findLayerWalls(plain, options, context);
   std::vector<char> excluded(plain.points.size(), 0);
   LayerMesh one = growLayer(plain, walls, options, excluded, context);
   for (std::vector<Index> points = pointsWithoutRoom(plain, one, context); !points.empty();

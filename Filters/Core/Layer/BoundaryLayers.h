@@ -27,6 +27,7 @@ std::vector<WallLayers> layersOfPoints(const DualMesh& mesh, const LayerWalls& w
 
 /// Grows the layer, excludes the points where it has no room, and does so again until all elements are as valid as they
 /// were; then divides it. For use without an optimiser.
-LayerMesh layWalls(const DualMesh& plain, const LayerOptions& options, const RunContext& context);
+LayerMesh layWalls(const DualMesh& plain, const LayerWalls& walls, const LayerOptions& options,
+                   const RunContext& context);
 
 } // namespace atria

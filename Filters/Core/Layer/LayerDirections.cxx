@@ -213,11 +213,8 @@ LayerDirection solveDirection(const DirectionProblem& problem)
 std::vector<Vec3> wallNormals(const DualMesh& mesh, const RunContext& context)
 {
   std::vector<Vec3> normals(mesh.boundaryFaces.size());
-  context.executor.forEach(normals.size(), 4096, [&](std::size_t f) {
-    const BoundaryFace& face = mesh.boundaryFaces[f];
-    const auto at = [&](int i) -> const Vec3& { return mesh.points[cornerOf(mesh, face, i)]; };
-    normals[f] = -0.5 * (at(2) - at(0)).cross(at(3) - at(1));
-  });
+  context.executor.forEach(normals.size(), 4096,
+                           [&](std::size_t f) { normals[f] = wallNormal(mesh, mesh.boundaryFaces[f]); });
   return normals;
 }
 

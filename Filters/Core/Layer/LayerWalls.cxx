@@ -1,28 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Layer/LayerWalls.h"
 
-#include "Support/Error.h"
-#include "Support/NamePattern.h"
+#include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cmath>
 
 namespace atria {
 
 namespace {
-
-void checkRule(const LayerRule& rule)
-{
-  const auto& [layers, firstHeight, growth] = rule.layers;
-  const char* wrong = layers < 0 || layers > 100 ? "the number of layers must be from 0 to 100"
-                      : !(firstHeight >= 0.0) || !std::isfinite(firstHeight) ? "the first height must not be negative"
-                      : !(growth >= 0.5 && growth <= 5.0)                    ? "growth must be from 0.5 to 5"
-                                                                             : nullptr;
-  if (wrong)
-  {
-    throw Error("layers on " + rule.pattern + ": " + wrong);
-  }
-}
 
 std::array<Index, 4> sortedPoints(const DualMesh& mesh, Index f)
 {
@@ -88,23 +73,6 @@ private:
 
 } // namespace
 
-std::vector<WallLayers> resolveLayerRules(const std::vector<LayerRule>& rules,
-                                          const std::vector<std::string>& surfaceNames)
-{
-  std::for_each(rules.begin(), rules.end(), checkRule);
-  std::vector<WallLayers> ofTag(surfaceNames.size() + sideNames.size());
-  for (const LayerRule& rule : rules)
-  {
-    for (std::size_t tag = 0; tag < ofTag.size(); ++tag)
-    {
-      const bool matches = tag < surfaceNames.size() ? matchesPattern(rule.pattern, surfaceNames[tag])
-                                                     : rule.pattern == sideNames[tag - surfaceNames.size()];
-      ofTag[tag] = matches ? rule.layers : ofTag[tag];
-    }
-  }
-  return ofTag;
-}
-
 LayerWalls findLayerWalls(const DualMesh& mesh, const LayerOptions& options, const RunContext& context)
 {
   LayerWalls walls;
@@ -122,6 +90,12 @@ LayerWalls findLayerWalls(const DualMesh& mesh, const LayerOptions& options, con
   context.executor.forEach(mesh.points.size(), 2048,
                            [&](std::size_t p) { walls.counts[p] = counter.at(static_cast<Index>(p)); });
   return walls;
+}
+
+Vec3 wallNormal(const DualMesh& mesh, const BoundaryFace& face)
+{
+  const auto at = [&](int i) -> const Vec3& { return mesh.points[cornerOf(mesh, face, i)]; };
+  return -0.5 * (at(2) - at(0)).cross(at(3) - at(1));
 }
 
 Vec3 sideNormal(const BoundaryFace& face, const LayerOptions& options)

@@ -3,35 +3,9 @@
 #pragma once
 
 #include "Layer/BoundaryGraph.h"
-
-#include <string>
+#include "Layer/LayerRules.h"
 
 namespace atria {
-
-/// What is asked for on the faces of one tag.
-struct WallLayers
-{
-  /// Layers of elements; 0 for none.
-  int layers = 0;
-  /// Height of the first one in model units; 0 leaves it to the size of the elements beside the wall.
-  double firstHeight = 0.0;
-  /// Height of each further one relative to the one below it.
-  double growth = 1.2;
-  bool operator==(const WallLayers&) const = default;
-};
-
-/// Layers on the surfaces whose names match a pattern (`*` any text, `?` any character). A bare side of the domain is a
-/// wall only if a rule has exactly its name.
-struct LayerRule
-{
-  std::string pattern;
-  WallLayers layers;
-};
-
-/// What holds for each tag: the surfaces, then the six sides. The last rule that matches holds; without one there are
-/// no layers. Throws Error for counts, heights or growth that make no sense.
-std::vector<WallLayers> resolveLayerRules(const std::vector<LayerRule>& rules,
-                                          const std::vector<std::string>& surfaceNames);
 
 struct LayerOptions
 {
@@ -67,6 +41,9 @@ struct LayerWalls
 /// wall has one face across; if no other face has the very same points as one of its walls; and if it is on no surface
 /// without layers.
 LayerWalls findLayerWalls(const DualMesh& mesh, const LayerOptions& options, const RunContext& context);
+
+/// Area vector of a boundary face, into the fluid.
+Vec3 wallNormal(const DualMesh& mesh, const BoundaryFace& face);
 
 /// The plane a face of role `slide` lies in.
 Vec3 sideNormal(const BoundaryFace& face, const LayerOptions& options);
