@@ -4,7 +4,6 @@
 #include "Layer/ConformingLayer.h"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace atria {
 
@@ -106,29 +105,6 @@ LayerReport reportLayers(const DualMesh& plain, const LayerWalls& walls, const L
                          const LayerOptions& options, const std::vector<std::string>& surfaceNames)
 {
   return Reporter(plain, walls, layer, options).report(surfaceNames);
-}
-
-std::string coverageTable(const std::vector<LayerCoverage>& surfaces)
-{
-  std::size_t widest = 7;
-  for (const LayerCoverage& surface : surfaces)
-  {
-    widest = std::max(widest, std::min<std::size_t>(surface.surface.size(), 48));
-  }
-  const int width = static_cast<int>(widest);
-  std::array<char, 160> line;
-  std::string text;
-  const auto append = [&](const auto&... values) {
-    std::snprintf(line.data(), line.size(), values...);
-    text += line.data();
-  };
-  append("%-*s layers      area/m2  layered     full  thickness\n", width, "surface");
-  for (const LayerCoverage& s : surfaces)
-  {
-    append("%-*.48s %6d %12.2f  %6.2f%%  %6.2f%%  %8.1f%%\n", width, s.surface.c_str(), s.layers, s.area,
-           100.0 * s.layered / s.area, 100.0 * s.full / s.area, 100.0 * s.thickness);
-  }
-  return text;
 }
 
 } // namespace atria

@@ -36,7 +36,4 @@ struct LayerReport
 LayerReport reportLayers(const DualMesh& plain, const LayerWalls& walls, const LayerMesh& layer,
                          const LayerOptions& options, const std::vector<std::string>& surfaceNames);
 
-/// A line for each surface, as people read it.
-std::string coverageTable(const std::vector<LayerCoverage>& surfaces);
-
 } // namespace atria
