@@ -3,6 +3,7 @@
 #include "Commands.h"
 #include "Console.h"
 #include "Files.h"
+#include "LayerOptions.h"
 #include "Report.h"
 #include "SizeOptions.h"
 #include "Threads.h"
@@ -44,6 +45,7 @@ struct MeshOptions
   double sizeMid = 0.0;
   double sizeMin = 0.0;
   SizeOptions sizes;
+  LayerOptions layers;
   bool estimate = false;
   double gap = 0.0;
   std::vector<double> domain;
@@ -122,6 +124,7 @@ void declareOptions(CLI::App& command, MeshOptions& options)
   size("--size-mid", options.sizeMid, "Element size at surfaces, metres");
   size("--size-min", options.sizeMin, "Element size at edges, corners and close surfaces, metres; the grid's unit");
   declareSizeOptions(command, options.sizes);
+  declareLayerOptions(command, options.layers);
   command.add_flag("--estimate", options.estimate, "Print octants by size, elements and memory, and make no mesh");
   command
       .add_option("--gap", options.gap,
@@ -256,6 +259,7 @@ void configure(vtkAtriaDualMesher* mesher, const MeshOptions& options)
   {
     mesher->AddSealedSeed(x, y, z);
   }
+  configureLayers(mesher, options.layers);
 }
 
 Json makeReport(vtkAtriaDualMesher* mesher, vtkAtriaMeshQuality* quality, const Json& seconds)
@@ -274,6 +278,7 @@ Json makeReport(vtkAtriaDualMesher* mesher, vtkAtriaMeshQuality* quality, const 
   report["peak_memory_bytes"] = peakMemoryBytes();
   report["threads"] = threadsInUse();
   report["repair"] = repairOf(diagnostics);
+  report["layers"] = layersOf(diagnostics);
   report["diagnostics"] = diagnosticsOf(diagnostics);
   return report;
 }
@@ -418,6 +423,7 @@ ExitStatus runMesh(const MeshOptions& options, Console& console)
     writeText(options.report, makeReport(mesher, quality, seconds).dump(2) + "\n");
   }
   console.clearBar();
+  printLayers(vtkPolyData::SafeDownCast(mesher->GetOutputDataObject(2)));
   warnOfDropped(mesher, options.input, console);
   warnOfLeaks(vtkPolyData::SafeDownCast(mesher->GetOutputDataObject(2)), options.input, console);
   if (const auto invalid = quality->GetNumberOfInvalidCells(); invalid > 0)

@@ -274,6 +274,41 @@ Json repairOf(vtkPolyData* diagnostics)
   return repair;
 }
 
+Json layersOf(vtkPolyData* diagnostics)
+{
+  vtkFieldData* fields = diagnostics->GetFieldData();
+  vtkStringArray* names = stringsOf(diagnostics, "LayerSurface");
+  Json list = Json::array();
+  for (vtkIdType i = 0; names && i < names->GetNumberOfValues(); ++i)
+  {
+    const auto number = [&](const char* name) { return fields->GetArray(name)->GetTuple1(i); };
+    list.push_back({{"surface", names->GetValue(i)},
+                    {"layers", static_cast<int>(number("LayersAsked"))},
+                    {"area", number("LayerArea")},
+                    {"covered", number("LayerCoverage")},
+                    {"covered_in_full", number("LayerFullCoverage")},
+                    {"thickness", number("LayerThicknessRatio")}});
+  }
+  return list;
+}
+
+void printLayers(vtkPolyData* diagnostics)
+{
+  const Json list = layersOf(diagnostics);
+  if (list.empty())
+  {
+    return;
+  }
+  std::printf("%-24s %6s %12s %9s %9s %9s\n", "surface", "layers", "area/m2", "covered", "in full", "thickness");
+  for (const Json& entry : list)
+  {
+    const auto percent = [&](const char* key) { return 100.0 * entry[key].get<double>(); };
+    std::printf("%-24s %6d %12.2f %8.2f%% %8.2f%% %8.1f%%\n", entry["surface"].get<std::string>().c_str(),
+                entry["layers"].get<int>(), entry["area"].get<double>(), percent("covered"), percent("covered_in_full"),
+                percent("thickness"));
+  }
+}
+
 Json maxLevelOf(vtkUnstructuredGrid* mesh)
 {
   vtkDataArray* level = mesh->GetFieldData()->GetArray("MaxLevel");

@@ -41,6 +41,12 @@ Json diagnosticsOf(vtkPolyData* diagnostics);
 /// {name: number} from the field arrays RepairName and RepairValue: what of the surfaces was changed.
 Json repairOf(vtkPolyData* diagnostics);
 
+/// [{surface, layers, area, covered, covered_in_full, thickness}] from the field arrays Layer… of the mesher's
+/// diagnostics: shares of the area, and the thickness got relative to that asked for.
+Json layersOf(vtkPolyData* diagnostics);
+/// As a table; nothing where no layers were asked for.
+void printLayers(vtkPolyData* diagnostics);
+
 /// The field array MaxLevel; null where it is absent.
 Json maxLevelOf(vtkUnstructuredGrid* mesh);
 

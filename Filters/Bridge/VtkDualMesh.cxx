@@ -29,19 +29,19 @@ struct VtkElement
   std::array<ReducedFace, 6> faces;
 };
 
-/// The base's normal points to the apex, against the outward face's.
+/// Also a tetrahedron. The base's normal points to the apex, against the outward face's.
 void setPyramid(VtkElement& element, const ReducedFace& base)
 {
-  for (int i = 0; i < 5; ++i)
+  const auto end = base.points.begin() + base.count;
+  for (int i = 0; i < element.pointCount; ++i)
   {
-    const auto end = base.points.begin() + 4;
     if (std::find(base.points.begin(), end, element.points[i]) == end)
     {
-      element.points[4] = element.points[i];
+      element.points[base.count] = element.points[i];
       break;
     }
   }
-  std::reverse_copy(base.points.begin(), base.points.end(), element.points.begin());
+  std::reverse_copy(base.points.begin(), end, element.points.begin());
   element.type = VTK_PYRAMID;
 }
 
@@ -94,6 +94,11 @@ VtkElement translate(const std::array<Index, 8>& corners)
   else if (quads == 1 && triangles == 4)
   {
     setPyramid(element, *aQuad);
+  }
+  else if (quads == 0 && triangles == 4)
+  {
+    setPyramid(element, *aTriangle);
+    element.type = VTK_TETRA;
   }
   else if (quads == 3 && triangles == 2)
   {

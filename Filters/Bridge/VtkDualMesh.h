@@ -12,14 +12,18 @@ class vtkUnstructuredGrid;
 
 namespace atria {
 
-/// Hexahedra, wedges, pyramids where corners coincide so, polyhedra otherwise. Cell i is element i.
+/// Hexahedra, wedges, pyramids, tetrahedra where corners coincide so, polyhedra otherwise. Cell i is element i.
 void volumeToVtk(const DualMesh& mesh, vtkUnstructuredGrid* out);
 
 /// One polydata a patch: surfaces in order of their ids, then bare domain sides. A surface that has elements of the
 /// mesh on its front and on its back, somewhere on both at once, is two patches, `<name>_front` and `<name>_back`.
-/// Faces are seen counter-clockwise from outside of the mesh.
-void patchesToVtk(const DualMesh& mesh, const std::vector<std::string>& surfaceNames,
+/// Faces are seen counter-clockwise from outside of the mesh. LayerCount and LayerThickness are from the report; zero
+/// where that is empty.
+void patchesToVtk(const DualMesh& mesh, const std::vector<std::string>& surfaceNames, const LayerReport& layers,
                   vtkPartitionedDataSetCollection* out);
+
+/// What became of the layers on each surface, as field arrays Layer…, an entry for each.
+void layersToVtk(const LayerReport& layers, vtkPolyData* out);
 
 /// What the repair of the surfaces changed, as field arrays `RepairName` and `RepairValue`: a name and a number each.
 void repairToVtk(const SurfaceRepairReport& report, vtkPolyData* out);

@@ -92,8 +92,8 @@ std::vector<Patch> sortFaces(const DualMesh& mesh, const std::vector<std::string
 class PatchWriter
 {
 public:
-  PatchWriter(const DualMesh& source, std::size_t surfaceCount)
-      : mesh(source), surfaces(surfaceCount), local(source.points.size(), noIndex)
+  PatchWriter(const DualMesh& source, std::size_t surfaceCount, const LayerReport& report)
+      : mesh(source), surfaces(surfaceCount), layers(report), local(source.points.size(), noIndex)
   {
   }
 
@@ -110,6 +110,10 @@ public:
     owners->SetName("OwnerCellId");
     vtkNew<vtkIntArray> sides;
     sides->SetName("Side");
+    vtkNew<vtkIntArray> counts;
+    counts->SetName("LayerCount");
+    vtkNew<vtkDoubleArray> thicknesses;
+    thicknesses->SetName("LayerThickness");
     for (const Index f : patch.faces)
     {
       const BoundaryFace& face = mesh.boundaryFaces[f];
@@ -122,6 +126,8 @@ public:
       surfaceIds->InsertNextValue(face.tag < surfaces ? static_cast<int>(face.tag) : -1);
       owners->InsertNextValue(face.element);
       sides->InsertNextValue(static_cast<int>(face.side));
+      counts->InsertNextValue(f < layers.counts.size() ? layers.counts[f] : 0);
+      thicknesses->InsertNextValue(f < layers.thicknesses.size() ? layers.thicknesses[f] : 0.0);
     }
     for (vtkIdType i = 0; i < ids->GetNumberOfValues(); ++i)
     {
@@ -133,6 +139,8 @@ public:
     out->GetCellData()->AddArray(surfaceIds);
     out->GetCellData()->AddArray(owners);
     out->GetCellData()->AddArray(sides);
+    out->GetCellData()->AddArray(counts);
+    out->GetCellData()->AddArray(thicknesses);
   }
 
 private:
@@ -148,15 +156,16 @@ private:
 
   const DualMesh& mesh;
   std::size_t surfaces;
+  const LayerReport& layers;
   std::vector<Index> local;
 };
 
 } // namespace
 
-void patchesToVtk(const DualMesh& mesh, const std::vector<std::string>& surfaceNames,
+void patchesToVtk(const DualMesh& mesh, const std::vector<std::string>& surfaceNames, const LayerReport& layers,
                   vtkPartitionedDataSetCollection* out)
 {
-  PatchWriter writer(mesh, surfaceNames.size());
+  PatchWriter writer(mesh, surfaceNames.size(), layers);
   const std::vector<Patch> patches = sortFaces(mesh, surfaceNames);
   out->SetNumberOfPartitionedDataSets(static_cast<unsigned>(patches.size()));
   for (unsigned i = 0; i < patches.size(); ++i)
@@ -166,6 +175,34 @@ void patchesToVtk(const DualMesh& mesh, const std::vector<std::string>& surfaceN
     out->SetPartition(i, 0, polyData);
     out->GetMetaData(i)->Set(vtkCompositeDataSet::NAME(), patches[i].name.c_str());
   }
+}
+
+void layersToVtk(const LayerReport& layers, vtkPolyData* out)
+{
+  vtkNew<vtkStringArray> names;
+  names->SetName("LayerSurface");
+  vtkNew<vtkIntArray> asked;
+  asked->SetName("LayersAsked");
+  for (const LayerCoverage& surface : layers.surfaces)
+  {
+    names->InsertNextValue(surface.surface);
+    asked->InsertNextValue(surface.layers);
+  }
+  out->GetFieldData()->AddArray(names);
+  out->GetFieldData()->AddArray(asked);
+  const auto add = [&](const char* name, auto&& value) {
+    vtkNew<vtkDoubleArray> values;
+    values->SetName(name);
+    for (const LayerCoverage& surface : layers.surfaces)
+    {
+      values->InsertNextValue(value(surface));
+    }
+    out->GetFieldData()->AddArray(values);
+  };
+  add("LayerArea", [](const LayerCoverage& s) { return s.area; });
+  add("LayerCoverage", [](const LayerCoverage& s) { return s.layered / s.area; });
+  add("LayerFullCoverage", [](const LayerCoverage& s) { return s.full / s.area; });
+  add("LayerThicknessRatio", [](const LayerCoverage& s) { return s.thickness; });
 }
 
 void repairToVtk(const SurfaceRepairReport& report, vtkPolyData* out)

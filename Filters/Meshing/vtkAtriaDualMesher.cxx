@@ -7,6 +7,7 @@
 #include "Octree/Balance.h"
 #include "Octree/Refinement.h"
 #include "SmpExecutor.h"
+#include "Support/PatternRule.h"
 #include "VtkDualMesh.h"
 #include "VtkOctree.h"
 
@@ -59,6 +60,18 @@ void addFieldData(vtkUnstructuredGrid* out, int maximumLevel)
   level->SetName("MaxLevel");
   level->InsertNextValue(maximumLevel);
   out->GetFieldData()->AddArray(level);
+}
+
+/// What holds for all surfaces, then the rules.
+std::vector<atria::LayerRule> layerRulesOf(vtkAtriaDualMesher& filter)
+{
+  const atria::WallLayers all{filter.GetNumberOfLayers(), filter.GetFirstLayerHeight(), filter.GetLayerGrowth()};
+  std::vector<atria::LayerRule> rules{{"*", all}};
+  for (int i = 0; i < filter.GetNumberOfLayerRules(); ++i)
+  {
+    rules.push_back(atria::layerRuleFrom(filter.GetLayerRule(i), all));
+  }
+  return rules;
 }
 
 atria::Octree rebuildOctree(vtkDataObject* data, const atria::GridInput& input, vtkAtriaGridAlgorithm& filter,
@@ -157,6 +170,36 @@ void vtkAtriaDualMesher::GetSealedSeed(int i, double seed[3])
 
 void vtkAtriaDualMesher::RemoveAllSealedSeeds() { this->SetNumberOfSealedSeeds(0); }
 
+void vtkAtriaDualMesher::AddLayers(const std::string& pattern, int layers)
+{
+  this->AddLayerRule(atria::textOf(atria::PatternRule{pattern, {static_cast<double>(layers)}}).c_str());
+}
+
+void vtkAtriaDualMesher::AddLayers(const std::string& pattern, int layers, double firstHeight, double growth)
+{
+  const atria::PatternRule rule{pattern, {static_cast<double>(layers), firstHeight, growth}};
+  this->AddLayerRule(atria::textOf(rule).c_str());
+}
+
+void vtkAtriaDualMesher::AddLayerRule(const char* rule)
+{
+  this->LayerRules.emplace_back(rule ? rule : "");
+  this->Modified();
+}
+
+int vtkAtriaDualMesher::GetNumberOfLayerRules() { return static_cast<int>(this->LayerRules.size()); }
+
+std::string vtkAtriaDualMesher::GetLayerRule(int i)
+{
+  return i >= 0 && i < this->GetNumberOfLayerRules() ? this->LayerRules[i] : std::string();
+}
+
+void vtkAtriaDualMesher::RemoveAllLayerRules()
+{
+  this->LayerRules.clear();
+  this->Modified();
+}
+
 int vtkAtriaDualMesher::GetNumberOfStages() { return static_cast<int>(this->Stages.size()); }
 
 std::string vtkAtriaDualMesher::GetStageName(int i)
@@ -247,12 +290,14 @@ int vtkAtriaDualMesher::RequestData(vtkInformation*, vtkInformationVector** inpu
     options.zoneRule = static_cast<atria::ZoneRule>(this->ZoneRule);
     options.seeds = toCore(this->SeedPoints);
     options.sealedSeeds = toCore(this->SealedSeedPoints);
+    options.layers = layerRulesOf(*this);
     const atria::DualMeshResult result = atria::makeDualMesh(octree, model, options, clock, context.part(0.4, 0.9));
     atria::volumeToVtk(result.mesh, volume);
-    atria::patchesToVtk(result.mesh, model.names, patches);
+    atria::patchesToVtk(result.mesh, model.names, result.layers, patches);
     atria::diagnosticsToVtk(result, model.names, diagnostics);
     atria::addSizingWarning(warning, *this, diagnostics);
     atria::repairToVtk(model.repair, diagnostics);
+    atria::layersToVtk(result.layers, diagnostics);
     clock.lap("output");
     addFieldData(volume, octree.maximumLevel());
     this->Stages = clock.stages();
@@ -279,4 +324,11 @@ void vtkAtriaDualMesher::PrintSelf(ostream& os, vtkIndent indent)
   printPoints(this->SeedPoints, os, indent);
   os << indent << "NumberOfSealedSeeds: " << this->SealedSeedPoints.size() << "\n";
   printPoints(this->SealedSeedPoints, os, indent);
+  os << indent << "NumberOfLayers: " << this->NumberOfLayers << "\n";
+  os << indent << "FirstLayerHeight: " << this->FirstLayerHeight << "\n";
+  os << indent << "LayerGrowth: " << this->LayerGrowth << "\n";
+  for (const std::string& rule : this->LayerRules)
+  {
+    os << indent << "LayerRule: " << rule << "\n";
+  }
 }

@@ -16,10 +16,14 @@
  * are numbered from the largest, those left out included), `Level` (unsigned char, of the finest octant about the
  * element). Field array: `MaxLevel`. The same input and properties give the same bits, whatever the number of threads.
  *
+ * With layers, a layer of elements lies about all walls (surfaces), one prism on each side of every wall, or several on
+ * top of each other; prisms are the last elements. They taper to nothing where there is no room.
+ *
  * Output port 1: vtkPartitionedDataSetCollection, one named vtkPolyData a patch. A surface with elements on its front
  * and its back is two patches, `<name>_front` and `<name>_back`; the two sides have points of their own, but at rims.
  * Bare domain sides are `xMin` … `zMax`. Cell arrays: `SurfaceId` (int; -1 on bare domain sides), `OwnerCellId`
- * (vtkIdType, cell of port 0), `Side` (int; 0 front, 1 back). Point array: `VolumePointId` (vtkIdType, point of port
+ * (vtkIdType, cell of port 0), `Side` (int; 0 front, 1 back), `LayerCount` (int) and `LayerThickness` (double): layers
+ * at the face. Point array: `VolumePointId` (vtkIdType, point of port
  * 0). Every face is a face of its owner, seen counter-clockwise from outside of the mesh.
  *
  * Output port 2: vtkPolyData with a line or vertex for each place where the mesh could not follow the model, or where
@@ -30,6 +34,8 @@
  * `CellId` (vtkIdType; -1 for a leak that is not in the mesh), `Width` (double, of leaks and cracks). Field array
  * `SurfaceWithoutFaces`: names of surfaces that got no face. Field arrays `Zone...` have an entry for each zone, those
  * left out included, by ZoneId; `Leak...` one for each leak: see docs/arrays.md.
+ * Field arrays `LayerSurface`, `LayersAsked`, `LayerArea`, `LayerCoverage`, `LayerFullCoverage`, `LayerThicknessRatio`:
+ * what became of layers, an entry for each surface that was to have some.
  * Field array `SizingWarning`: what MaxElements left out, if anything.
  * Field arrays `RepairName` and `RepairValue`: what was changed to make the surfaces sound, see docs/arrays.md.
  *
@@ -101,6 +107,49 @@ public:
 
   ///@{
   /**
+   * Layers of elements along all surfaces. 1 is the conforming layer alone; more are made by dividing it. Default 0: no
+   * layer; clamped to [0, 100].
+   */
+  vtkSetClampMacro(NumberOfLayers, int, 0, 100);
+  vtkGetMacro(NumberOfLayers, int);
+  ///@}
+
+  ///@{
+  /**
+   * Height of the first layer on the wall; it and all others are less where there is no room. Default 0: all layers
+   * together are about a third of the elements beside the wall; clamped to at least 0.
+   */
+  vtkSetClampMacro(FirstLayerHeight, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(FirstLayerHeight, double);
+  ///@}
+
+  ///@{
+  /**
+   * Height of each further layer relative to the one below it. Default 1.2; clamped to [0.5, 5].
+   */
+  vtkSetClampMacro(LayerGrowth, double, 0.5, 5.0);
+  vtkGetMacro(LayerGrowth, double);
+  ///@}
+
+  ///@{
+  /**
+   * Layers on the surfaces whose name matches `pattern` (`*` any text, `?` any one character) in place of
+   * NumberOfLayers: 0 for none, which the layers beside them taper to. Height and growth are FirstLayerHeight and
+   * LayerGrowth where not given. The last rule that matches holds; where surfaces meet, the least. A bare side of the
+   * domain has layers if a rule has its very name, `xMin` … `zMax`. AddLayerRule takes a rule as text, `PATTERN LAYERS
+   * [FIRSTHEIGHT [GROWTH]]`, the pattern in double quotes where it holds blanks; GetLayerRule gives it so. A pattern
+   * that matches nothing, or a number out of range, is an error of the run. None by default.
+   */
+  void AddLayers(const std::string& pattern, int layers);
+  void AddLayers(const std::string& pattern, int layers, double firstHeight, double growth);
+  void AddLayerRule(const char* rule);
+  int GetNumberOfLayerRules();
+  std::string GetLayerRule(int i);
+  void RemoveAllLayerRules();
+  ///@}
+
+  ///@{
+  /**
    * Name and wall time, in seconds, of the stages of the last run that came to its end. They are not in the output,
    * which does not differ from run to run. An index out of range gives an empty name and 0.
    */
@@ -119,6 +168,10 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   int ZoneRule = Outside;
+  int NumberOfLayers = 0;
+  double FirstLayerHeight = 0.0;
+  double LayerGrowth = 1.2;
+  std::vector<std::string> LayerRules;
   std::vector<std::array<double, 3>> SeedPoints;
   std::vector<std::array<double, 3>> SealedSeedPoints;
   std::vector<std::pair<std::string, double>> Stages;

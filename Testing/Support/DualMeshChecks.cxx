@@ -46,7 +46,7 @@ bool sameFaces(const std::vector<BoundaryFace>& a, const std::vector<BoundaryFac
 
 } // namespace
 
-::testing::AssertionResult isConformal(const DualMesh& mesh)
+::testing::AssertionResult isConformal(const DualMesh& mesh, Index plainElements)
 {
   for (Index e = 0; e < mesh.elementCount(); ++e)
   {
@@ -71,16 +71,52 @@ bool sameFaces(const std::vector<BoundaryFace>& a, const std::vector<BoundaryFac
       }
       else if (neighbour >= 0)
       {
-        const auto& back = mesh.neighbours.at(neighbour);
-        if (back[opposite(d)] != static_cast<std::int32_t>(e))
+        const bool along = std::max(e, static_cast<Index>(neighbour)) < plainElements;
+        int found = 0;
+        for (int back = 0; back < 6; ++back)
         {
-          return fail("its neighbour has another neighbour");
+          found += (back == opposite(d) || !along) &&
+                           mesh.neighbours.at(neighbour)[back] == static_cast<std::int32_t>(e) &&
+                           sorted(face) == sorted(faceOf(mesh.corners[neighbour], back))
+                       ? 1
+                       : 0;
         }
-        if (sorted(face) != sorted(faceOf(mesh.corners[neighbour], opposite(d))))
+        if (found != 1)
         {
-          return fail("its neighbour has another face");
+          return fail("its neighbour has another neighbour or another face");
         }
       }
+    }
+  }
+  return ::testing::AssertionSuccess();
+}
+
+::testing::AssertionResult facesAreUnique(const DualMesh& mesh)
+{
+  std::map<std::vector<Index>, std::vector<std::pair<Index, int>>> users;
+  for (Index e = 0; e < mesh.elementCount(); ++e)
+  {
+    for (int d = 0; d < 6; ++d)
+    {
+      const ReducedFace face = faceOf(mesh.corners[e], d);
+      if (face.count >= 3)
+      {
+        users[sorted(face)].push_back({e, d});
+      }
+    }
+  }
+  for (const auto& [points, at] : users)
+  {
+    const auto [e, d] = at.front();
+    const std::int32_t code = mesh.neighbours[e][d];
+    const bool alone = at.size() == 1 && DualMesh::isBoundary(code);
+    const bool pair = at.size() == 2 && code == static_cast<std::int32_t>(at.back().first);
+    const bool sheet = at.size() == 2 && DualMesh::isBoundary(code) &&
+                       mesh.boundaryFaces[DualMesh::boundaryFaceOf(code)].opposite == at.back().first;
+    if (!alone && !pair && !sheet)
+    {
+      return ::testing::AssertionFailure()
+             << "a face of element " << e << ", direction " << d << ", has " << at.size() << " users";
     }
   }
   return ::testing::AssertionSuccess();

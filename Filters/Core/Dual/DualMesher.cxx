@@ -199,11 +199,15 @@ DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, con
   keepWithinSides(mesh.points, octree.frame());
   DualImprover improver(octree, model, std::move(placed.anchors), result, context);
   improver.removeFlat();
-  improver.splitPoints();
   clock.lap("elements");
+  context.progress.report(0.92, "Improving elements");
   improver.improve();
+  improver.splitPoints();
   clock.lap("optimise");
+  context.progress.report(0.95, "Growing layers");
+  improver.growLayers(options.layers);
   placeInModel(result, octree.frame().placement, context);
+  clock.lap("layers");
   context.progress.report(1.0, "Meshed");
   return result;
 }

@@ -5,6 +5,7 @@
 #include "Dual/DualMesh.h"
 #include "Dual/Leaks.h"
 #include "Dual/Zones.h"
+#include "Layer/LayerCoverage.h"
 #include "Support/StageClock.h"
 
 namespace atria {
@@ -16,6 +17,8 @@ struct DualMeshOptions
   std::vector<Vec3> seeds;
   /// Points in zones that should be closed: see findLeaks.
   std::vector<Vec3> sealedSeeds;
+  /// Layers of elements on walls; none without a rule.
+  std::vector<LayerRule> layers = {};
 };
 
 /// Something the mesh could not follow, or that a user should know of it.
@@ -51,6 +54,8 @@ struct DualMeshResult
   std::vector<ZoneSummary> zones;
   /// In the order of the diagnostics of their kind.
   std::vector<Leak> leaks;
+  /// Empty where no layers were asked for.
+  LayerReport layers = {};
 };
 
 /// The dual of an octree whose leaves know their pieces of the model. The octree and its model are along the grid's

@@ -18,7 +18,7 @@ struct MeshRenumbering
 struct Flatness
 {
   /// Height over longest edge.
-  double thickness = 1e-3;
+  double thickness = 1e-6;
   /// Area of faces that are turned the wrong way over that of all.
   double fold = 1e-6;
 };

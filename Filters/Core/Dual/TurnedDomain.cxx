@@ -196,6 +196,17 @@ void sharpenTurnedEdges(DualMesh& mesh, const GridFrame& frame, std::size_t surf
   }
 }
 
+std::array<Vec3, 6> sideNormalsOf(const GridFrame& frame)
+{
+  const Placement relative(frame.turnedDomain ? frame.turnedDomain->axes.angle() - frame.placement.angle() : 0.0);
+  std::array<Vec3, 6> normals;
+  for (int side = 0; side < 6; ++side)
+  {
+    normals[side] = relative.toModel((isUpper(side) ? 1.0 : -1.0) * Vec3::Unit(axisOf(side)));
+  }
+  return normals;
+}
+
 void placeInModel(DualMeshResult& result, const Placement& placement, const RunContext& context)
 {
   if (placement.angle() == 0.0)

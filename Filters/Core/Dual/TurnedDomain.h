@@ -17,6 +17,9 @@ void dropBeyondSides(std::vector<char>& kept, const Zones& zones, const Octree& 
 /// which no corner is inside the domain; without this the mesh would cut it off there. O(n log n) in boundary faces.
 void sharpenTurnedEdges(DualMesh& mesh, const GridFrame& frame, std::size_t surfaceCount);
 
+/// Outward normals of the domain's sides, along the grid's axes.
+std::array<Vec3, 6> sideNormalsOf(const GridFrame& frame);
+
 /// Puts mesh and diagnostics back along the model's axes.
 void placeInModel(DualMeshResult& result, const Placement& placement, const RunContext& context);
 

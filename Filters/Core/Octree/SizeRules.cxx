@@ -4,47 +4,15 @@
 #include "Domain/Domain.h"
 #include "Support/Error.h"
 #include "Support/NamePattern.h"
+#include "Support/PatternRule.h"
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <map>
-#include <sstream>
 
 namespace atria {
 
 namespace {
-
-/// A pattern and the numbers behind it.
-struct ParsedRule
-{
-  std::string pattern;
-  std::vector<double> numbers;
-};
-
-ParsedRule parseRule(const std::string& text, const char* form)
-{
-  std::istringstream in(text);
-  ParsedRule rule;
-  in >> std::quoted(rule.pattern);
-  double number = 0.0;
-  while (in >> number)
-  {
-    rule.numbers.push_back(number);
-  }
-  if (rule.pattern.empty() || !in.eof())
-  {
-    throw Error("the size rule '" + text + "' is not of the form " + form);
-  }
-  return rule;
-}
-
-std::ostringstream ruleStream(const std::string& pattern)
-{
-  std::ostringstream out;
-  out << std::setprecision(17) << std::quoted(pattern);
-  return out;
-}
 
 /// The levels that are the finest of their surfaces', for each feature edge.
 std::vector<int> edgeLevels(const SurfaceModel& model, const std::vector<int>& featureOfSurface)
@@ -101,12 +69,7 @@ std::vector<char> matchingNames(const std::string& pattern, const std::vector<st
 
 SurfaceSize surfaceSizeFrom(const std::string& text)
 {
-  constexpr const char* form = "PATTERN SIZE [FEATURESIZE]";
-  const ParsedRule rule = parseRule(text, form);
-  if (rule.numbers.empty() || rule.numbers.size() > 2)
-  {
-    throw Error("the size rule '" + text + "' is not of the form " + form);
-  }
+  const PatternRule rule = patternRuleFrom(text, 1, 2, "size", "PATTERN SIZE [FEATURESIZE]");
   SurfaceSize size{rule.pattern, rule.numbers[0], std::nullopt};
   if (rule.numbers.size() == 2)
   {
@@ -118,8 +81,8 @@ SurfaceSize surfaceSizeFrom(const std::string& text)
 std::vector<DistanceSize> distanceSizesFrom(const std::string& text)
 {
   constexpr const char* form = "PATTERN DISTANCE SIZE [DISTANCE SIZE ...]";
-  const ParsedRule rule = parseRule(text, form);
-  if (rule.numbers.empty() || rule.numbers.size() % 2 != 0)
+  const PatternRule rule = patternRuleFrom(text, 2, std::string::npos, "size", form);
+  if (rule.numbers.size() % 2 != 0)
   {
     throw Error("the size rule '" + text + "' is not of the form " + form);
   }
@@ -133,21 +96,15 @@ std::vector<DistanceSize> distanceSizesFrom(const std::string& text)
 
 std::string textOf(const SurfaceSize& rule)
 {
-  std::ostringstream out = ruleStream(rule.pattern);
-  out << ' ' << rule.size;
+  PatternRule text{rule.pattern, {rule.size}};
   if (rule.featureSize)
   {
-    out << ' ' << *rule.featureSize;
+    text.numbers.push_back(*rule.featureSize);
   }
-  return out.str();
+  return textOf(text);
 }
 
-std::string textOf(const DistanceSize& rule)
-{
-  std::ostringstream out = ruleStream(rule.pattern);
-  out << ' ' << rule.distance << ' ' << rule.size;
-  return out.str();
-}
+std::string textOf(const DistanceSize& rule) { return textOf(PatternRule{rule.pattern, {rule.distance, rule.size}}); }
 
 double finestSizeOf(const SizingOptions& options)
 {

@@ -17,6 +17,8 @@ struct CellMeasure
 {
   Vec3 centroid;
   double volume;
+  /// The mean of the faces' centroids, which says more than the centroid where a cell is nearly flat.
+  Vec3 mean;
 };
 
 /// `pointOf(i)` is the face's i-th corner.
@@ -75,7 +77,7 @@ template <typename EachFace> CellMeasure measureCell(EachFace&& eachFace)
     triple += pyramid;
   });
   constexpr double tiny = 1e-300;
-  return {std::abs(triple) > tiny ? Vec3(moment / triple) : estimate, triple / 3.0};
+  return {std::abs(triple) > tiny ? Vec3(moment / triple) : estimate, triple / 3.0, estimate};
 }
 
 CellMeasure measureCell(const CellSource& source, Index cell, CellSource::Scratch& scratch);

@@ -2,9 +2,13 @@
 #include "Optimise/DualImprover.h"
 
 #include "Dual/Sheets.h"
+#include "Dual/TurnedDomain.h"
+#include "Optimise/LayerGuide.h"
 #include "Optimise/ModelGuide.h"
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 #include <numeric>
 #include <span>
 
@@ -27,6 +31,22 @@ std::vector<char> boundaryPoints(const DualMesh& mesh)
     }
   }
   return marked;
+}
+
+void print(const char* what, const OptimiserReport& r)
+{
+  if (std::getenv("ATRIA_OPT"))
+  {
+    std::size_t bad = 0;
+    double sound = 1;
+    for (auto& c : r.shortCells)
+    {
+      bad += c.sound < soundEnough;
+      sound = std::min<double>(sound, c.sound);
+    }
+    std::fprintf(stderr, "cells %s %zu moved %zu short %zu -> %zu bad %zu worst %g -> %g sound %g sweeps %d\n", what,
+                 r.cells, r.moved, r.shortBefore, r.shortAfter, bad, r.worstBefore, r.worstAfter, sound, r.sweeps);
+  }
 }
 
 } // namespace
@@ -80,29 +100,17 @@ void DualImprover::renumber(const MeshRenumbering& numbers)
   }
 }
 
-void DualImprover::splitPoints()
-{
-  for (const Index source : splitSheets(mesh_, context_))
-  {
-    vertexOf_.push_back(vertexOf_[source]);
-  }
-}
-
-OptimiserReport DualImprover::optimiseOnce(int rings)
-{
-  ModelGuide guide(octree_, model_, anchors_, mesh_.points, vertexOf_);
-  OptimiserOptions options;
-  options.targets.faceTetrahedra = false;
-  options.rings = rings;
-  return optimise(DualSource(mesh_), mesh_.points, boundaryPoints(mesh_), guide, options, context_);
-}
-
 void DualImprover::improve()
 {
   constexpr int rounds = 6;
   for (int round = 0; round < rounds; ++round)
   {
-    const OptimiserReport report = optimiseOnce(round < 2 ? 1 : 2);
+    ModelGuide guide(octree_, model_, anchors_, mesh_.points, vertexOf_);
+    OptimiserOptions options;
+    options.targets.faceTetrahedra = false;
+    const OptimiserReport report =
+        optimise(DualSource(mesh_), mesh_.points, boundaryPoints(mesh_), guide, options, context_);
+    print("plain", report);
     std::vector<char> bad(mesh_.elementCount(), 0);
     for (const ShortCell& found : report.shortCells)
     {
@@ -112,11 +120,28 @@ void DualImprover::improve()
     {
       return;
     }
-    if (removeFlat(nearlyFlat, &bad))
-    {
-      splitPoints();
-    }
-    else
+    if (std::getenv("ATRIA_BAD") && round == 5)
+      for (const ShortCell& found : report.shortCells)
+        if (found.sound < soundEnough)
+        {
+          std::fprintf(stderr, " el %u sound %g\n", found.cell, found.sound);
+          for (int i = 0; i < 8; ++i)
+          {
+            const Index p = mesh_.corners[found.cell][i];
+            const Vec3& x = mesh_.points[p];
+            std::fprintf(stderr, "   %u %c (%.4f %.4f %.4f) home %d\n", p,
+                         "fscbLx"[static_cast<int>(anchors_.freedom[vertexOf_[p]])], x[0], x[1], x[2],
+                         (int)boundaryPoints(mesh_)[p]);
+          }
+          for (const auto n : mesh_.neighbours[found.cell])
+            std::fprintf(stderr, " %s",
+                         n >= 0 ? "n"
+                         : n == DualMesh::noFace
+                             ? "-"
+                             : std::to_string(mesh_.boundaryFaces[DualMesh::boundaryFaceOf(n)].tag).c_str());
+          std::fprintf(stderr, "\n");
+        }
+    if (!removeFlat(nearlyFlat, &bad))
     {
       release(bad, round > 2);
     }
@@ -141,6 +166,86 @@ void DualImprover::release(const std::vector<char>& bad, bool all)
       }
     }
   }
+}
+
+void DualImprover::splitPoints()
+{
+  for (const Index source : splitSheets(mesh_, context_))
+  {
+    vertexOf_.push_back(vertexOf_[source]);
+  }
+}
+
+void DualImprover::growLayers(const std::vector<LayerRule>& rules)
+{
+  LayerOptions options;
+  options.ofTag = resolveLayerRules(rules, model_.names);
+  options.sideNormals = sideNormalsOf(octree_.frame());
+  const auto most = std::ranges::max_element(options.ofTag, {}, &WallLayers::layers);
+  if (most->layers == 0)
+  {
+    return;
+  }
+  const DualMesh plain = std::move(mesh_);
+  const LayerWalls walls = findLayerWalls(plain, options, context_);
+  LayerMesh layer = growOptimised(plain, walls, options);
+  if (most->layers > 1)
+  {
+    layer = divideLayer(plain, walls, layer, options, context_);
+  }
+  result_.layers = reportLayers(plain, walls, layer, options, model_.names);
+  mesh_ = std::move(layer.mesh);
+  for (std::size_t e = layer.plainElements; e < mesh_.elementCount(); ++e)
+  {
+    ++result_.zones[mesh_.zones[e]].elements;
+  }
+}
+
+LayerMesh DualImprover::growOptimised(const DualMesh& plain, const LayerWalls& walls, const LayerOptions& options)
+{
+  constexpr int rounds = 5;
+  std::vector<char> excluded(plain.points.size(), 0);
+  LayerMesh layer;
+  for (int round = 0; round < rounds; ++round)
+  {
+    layer = growLayer(plain, walls, options, excluded, context_);
+    const OptimiserReport report = optimiseLayer(layer, walls, options);
+    print("layer", report);
+    bool crowded = false;
+    for (const ShortCell& found : report.shortCells)
+    {
+      for (const Index p : layer.mesh.corners[found.cell])
+      {
+        if (found.sound < soundEnough && p >= layer.plainPoints)
+        {
+          excluded[layer.wallPoints[p - layer.plainPoints]] = 1;
+          crowded = true;
+        }
+      }
+    }
+    if (!crowded)
+    {
+      break;
+    }
+  }
+  return layer;
+}
+
+OptimiserReport DualImprover::optimiseLayer(LayerMesh& layer, const LayerWalls& walls, const LayerOptions& options)
+{
+  std::vector<char> marked = boundaryPoints(layer.mesh);
+  std::fill(marked.begin() + layer.plainPoints, marked.end(), 1);
+  ModelGuide model(octree_, model_, anchors_, layer.mesh.points, vertexOf_);
+  std::vector<Index> leaders(vertexOf_.size());
+  std::vector<Index> first(anchors_.freedom.size(), noIndex);
+  for (Index p = 0; p < leaders.size(); ++p)
+  {
+    Index& of = first[vertexOf_[p]];
+    of = of == noIndex ? p : of;
+    leaders[p] = of;
+  }
+  LayerGuide guide(layer, walls, options, leaders, model);
+  return optimise(DualSource(layer.mesh), layer.mesh.points, marked, guide, {}, context_);
 }
 
 } // namespace atria

@@ -5,6 +5,7 @@
 #include "Dual/DualMesher.h"
 #include "Dual/DualVertices.h"
 #include "Dual/FlatElements.h"
+#include "Layer/BoundaryLayers.h"
 #include "Optimise/Optimiser.h"
 
 namespace atria {
@@ -19,17 +20,20 @@ public:
 
   /// Leaves out elements that lie flat in the boundary, and those that do once these are gone.
   void removeFlat();
+  /// Moves points where elements at the boundary fall short. The two sides of a sheet still are one. Vertices of
+  /// elements that cannot be made valid may leave the curves they should be on.
+  void improve();
   /// See splitSheets.
   void splitPoints();
-  /// Moves points where elements at the boundary fall short. Of those that cannot be made valid, flat ones are left
-  /// out, and the vertices of the others may leave the curves and then the surfaces they should be on.
-  void improve();
+  /// Grows layers on walls, moves points so that elements have room, and leaves the layer out where they have not.
+  void growLayers(const std::vector<LayerRule>& rules);
 
 private:
-  OptimiserReport optimiseOnce(int rings);
   bool removeFlat(const Flatness& flatness, const std::vector<char>* among);
   void renumber(const MeshRenumbering& numbers);
   void release(const std::vector<char>& bad, bool all);
+  LayerMesh growOptimised(const DualMesh& plain, const LayerWalls& walls, const LayerOptions& options);
+  OptimiserReport optimiseLayer(LayerMesh& layer, const LayerWalls& walls, const LayerOptions& options);
 
   const Octree& octree_;
   const SurfaceModel& model_;

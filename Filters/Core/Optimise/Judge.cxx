@@ -2,6 +2,7 @@
 #include "Optimise/Judge.h"
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -44,7 +45,7 @@ Judge::Judge(Region& region, const QualityTargets& targets, const RunContext& co
   });
   for (std::size_t g = 0; g < region.ghostVolumes.size(); ++g)
   {
-    cells[sizes.size() + g] = {region.ghostCentroids[g], region.ghostVolumes[g]};
+    cells[sizes.size() + g] = {region.ghostCentroids[g], region.ghostVolumes[g], region.ghostCentroids[g]};
   }
 }
 
@@ -67,6 +68,8 @@ void Judge::measureOne(Index cell)
 void Judge::enter(std::size_t movable, Star& star) const
 {
   star.point = region_.movable[movable];
+  const auto members = region_.membersOf(movable);
+  star.points.assign(members.begin(), members.end());
   const auto about = region_.cellsAbout(movable);
   star.cells.assign(about.begin(), about.end());
   star.faces.clear();
@@ -82,7 +85,7 @@ void Judge::enter(std::size_t movable, Star& star) const
   star.faces.erase(std::unique(star.faces.begin(), star.faces.end()), star.faces.end());
   for (const Index face : star.faces)
   {
-    if (std::ranges::find(region_.face(face), star.point) != region_.face(face).end())
+    if (std::ranges::find_first_of(region_.face(face), star.points) != region_.face(face).end())
     {
       star.moving.push_back(face);
     }
@@ -91,7 +94,10 @@ void Judge::enter(std::size_t movable, Star& star) const
 
 void Judge::move(const Star& star, const Vec3& p)
 {
-  region_.points[star.point] = p;
+  for (const Index point : star.points)
+  {
+    region_.points[point] = p;
+  }
   for (const Index face : star.moving)
   {
     measure(face);
@@ -121,24 +127,13 @@ Score Judge::scoreOfCell(Index cell) const
   Score score;
   const auto own = region_.facesOf(cell);
   const CellMeasure& measure = cells[cell];
-  const double cube = sizes[cell] * sizes[cell] * sizes[cell];
-  Vec3 middle = measure.centroid;
-  if (measure.volume < flatVolume * cube || !targets_.faceTetrahedra)
-  {
-    // The centroid of a cell that is nearly flat or inside out may lie anywhere.
-    middle.setZero();
-    for (const Index f : own)
-    {
-      middle += faces[f].centroid / static_cast<double>(own.size());
-    }
-  }
   for (const Index f : own)
   {
     const double side = sign(cell, f);
     const Vec3 normal = side * faces[f].normal;
     const Vec3 toFace = faces[f].centroid - measure.centroid;
     score.add(normal.dot(toFace) / (toFace.norm() + tiny) / targets_.pyramidCosine);
-    scoreCorners(f, middle, side, cube, score);
+    scoreCorners(f, cell, score);
     for (const Index g : own)
     {
       if (f == g || (region_.neighbour[f] == noIndex && region_.neighbour[g] == noIndex))
@@ -154,37 +149,97 @@ Score Judge::scoreOfCell(Index cell) const
       }
     }
   }
+  if (targets_.faceTetrahedra)
+  {
+    score.addShape(determinantOf(cell) / targets_.determinant);
+  }
   return score;
 }
 
-/// OpenFOAM takes a face apart into triangles about its centroid, and again into those of a fan about one of its
-/// corners, whichever is best; in a quadrilateral there are two such fans.
-void Judge::scoreCorners(Index face, const Vec3& middle, double sign, double cube, Score& score) const
+double Judge::determinantOf(Index cell) const
+{
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  double mean = 0.0;
+  int count = 0;
+  for (const Index f : region_.facesOf(cell))
+  {
+    if (region_.neighbour[f] != noIndex)
+    {
+      sum += faces[f].area * faces[f].area.transpose();
+      mean += faces[f].area.norm();
+      ++count;
+    }
+  }
+  mean /= std::max(count, 1);
+  return mean > tiny ? std::abs((sum / (mean * mean)).determinant()) / 8.0 : 0.0;
+}
+
+/// The centroid of a cell that is nearly flat or inside out may lie anywhere.
+const Vec3& Judge::middleOf(Index cell) const
+{
+  const bool trusted =
+      cell >= sizes.size() || (targets_.faceTetrahedra && cells[cell].volume >= flatVolume * std::pow(sizes[cell], 3));
+  return trusted ? cells[cell].centroid : cells[cell].mean;
+}
+
+double Judge::cornerScale(Index cell) const { return 12.0 / (std::pow(sizes[cell], 3) + tiny) / targets_.cornerVolume; }
+
+/// OpenFOAM takes a face apart into triangles about its centroid. In the tetrahedra of these, a parallelepiped has 24.
+void Judge::scoreCorners(Index face, Index cell, Score& score) const
 {
   const auto points = region_.face(face);
   const std::size_t size = points.size();
   const auto at = [&](std::size_t i) -> const Vec3& { return region_.points[points[i]]; };
-  const double scale = 12.0 * sign / (cube + tiny) / targets_.cornerVolume;
+  const Vec3& middle = middleOf(cell);
+  const double scale = sign(cell, face) * cornerScale(cell);
   if (size == 3)
   {
     score.add(scale * tetrahedron(middle, at(0), at(1), at(2)));
+  }
+  else if (targets_.faceTetrahedra || size > 4)
+  {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < size; ++i)
+    {
+      least = std::min(least, scale * tetrahedron(middle, faces[face].centroid, at(i), at(i + 1 < size ? i + 1 : 0)));
+    }
+    score.add(0.5 * static_cast<double>(size) * least);
+  }
+  else
+  {
+    const auto part = [&](std::size_t a, std::size_t b, std::size_t c) {
+      return scale * tetrahedron(middle, at(a), at(b), at(c));
+    };
+    score.add(std::max(std::min(part(0, 1, 2), part(0, 2, 3)), std::min(part(1, 2, 3), part(1, 3, 0))));
+  }
+}
+
+/// OpenFOAM also takes a face apart into triangles about one of its corners, the same for the cells on both sides. In
+/// a quadrilateral there are two ways.
+void Judge::scoreFans(Index face, Score& score) const
+{
+  const auto points = region_.face(face);
+  if (points.size() != 4 || !targets_.faceTetrahedra)
+  {
     return;
   }
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < size; ++i)
+  const auto at = [&](std::size_t i) -> const Vec3& { return region_.points[points[i & 3]]; };
+  std::array<double, 2> least{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  const auto look = [&](const Vec3& middle, double scale) {
+    for (std::size_t fan = 0; fan < 2; ++fan)
+    {
+      least[fan] = std::min({least[fan], scale * tetrahedron(middle, at(fan), at(fan + 1), at(fan + 2)),
+                             scale * tetrahedron(middle, at(fan), at(fan + 2), at(fan + 3))});
+    }
+  };
+  const Index own = region_.owner[face];
+  const Index across = region_.neighbour[face];
+  look(middleOf(own), cornerScale(own));
+  if (across != noIndex)
   {
-    least = std::min(least, tetrahedron(middle, faces[face].centroid, at(i), at(i + 1 < size ? i + 1 : 0)));
+    look(middleOf(across), -cornerScale(across < sizes.size() ? across : own));
   }
-  if (targets_.faceTetrahedra || size > 4)
-  {
-    score.add(0.5 * static_cast<double>(size) * scale * least);
-  }
-  if (size == 4)
-  {
-    const double first = std::min(tetrahedron(middle, at(0), at(1), at(2)), tetrahedron(middle, at(0), at(2), at(3)));
-    const double second = std::min(tetrahedron(middle, at(1), at(2), at(3)), tetrahedron(middle, at(1), at(3), at(0)));
-    score.add(scale * std::max(first, second));
-  }
+  score.add(std::max(least[0], least[1]));
 }
 
 Score Judge::scoreOfFace(Index face) const
@@ -193,10 +248,12 @@ Score Judge::scoreOfFace(Index face) const
   const FaceMeasure& f = faces[face];
   const CellMeasure& own = cells[region_.owner[face]];
   const Index across = region_.neighbour[face];
+  scoreFans(face, score);
   if (across == noIndex)
   {
     const double height = f.normal.dot(f.centroid - own.centroid);
     score.add(2.0 - skewnessOf(face, height * f.normal) / targets_.skewness);
+    scoreBoundary(face, score);
     return score;
   }
   const CellMeasure& other = cells[across];
@@ -210,6 +267,19 @@ Score Judge::scoreOfFace(Index face) const
   const double larger = std::max(std::abs(own.volume), std::abs(other.volume));
   score.add(smaller / (larger + tiny) / targets_.volumeRatio);
   return score;
+}
+
+void Judge::scoreBoundary(Index face, Score& score) const
+{
+  const auto points = region_.face(face);
+  const FaceMeasure& f = faces[face];
+  const double mean = f.area.norm() / static_cast<double>(points.size()) + tiny;
+  for (std::size_t i = 0; i < points.size() && points.size() > 3; ++i)
+  {
+    const Vec3 a = region_.points[points[i]] - f.centroid;
+    const Vec3 b = region_.points[points[i + 1 < points.size() ? i + 1 : 0]] - f.centroid;
+    score.add(0.5 * a.cross(b).dot(f.normal) / mean / targets_.boundaryShape);
+  }
 }
 
 /// As in Quality/Metrics.h; at most 8, so that one wild face does not drown the others.

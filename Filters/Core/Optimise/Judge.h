@@ -26,6 +26,10 @@ struct QualityTargets
   /// Twelve times the least volume of a tetrahedron from the mean of the cell's face centroids to a corner of a face,
   /// over the cube of the cell's mean edge.
   double cornerVolume = 0.02;
+  /// Least of a boundary face's triangles about its mean, along its normal, over their mean.
+  double boundaryShape = 0.1;
+  /// Of the sum of the dyads of a cell's internal face areas over their mean: OpenFOAM's cell determinant.
+  double determinant = 0.01;
   /// Whether faces must be star-shaped about their centroids, as OpenFOAM's decomposition into tetrahedra asks.
   bool faceTetrahedra = true;
 };
@@ -62,10 +66,11 @@ struct Score
 /// The cells about a point that may move, and what depends on it.
 struct Star
 {
-  Index point = noIndex;
+  Index point = noIndex; ///< the leader
+  std::vector<Index> points;
   double size = 0.0; ///< mean edge of the cells
   std::vector<Index> cells;
-  std::vector<Index> moving; ///< faces that have the point
+  std::vector<Index> moving; ///< faces that have one of the points
   std::vector<Index> faces;  ///< all faces of the cells
 };
 
@@ -90,7 +95,12 @@ public:
 private:
   void measure(Index face);
   void measureOne(Index cell);
-  void scoreCorners(Index face, const Vec3& middle, double sign, double cube, Score& score) const;
+  void scoreCorners(Index face, Index cell, Score& score) const;
+  void scoreFans(Index face, Score& score) const;
+  double cornerScale(Index cell) const;
+  const Vec3& middleOf(Index cell) const;
+  double determinantOf(Index cell) const;
+  void scoreBoundary(Index face, Score& score) const;
   double skewnessOf(Index face, const Vec3& d) const;
   double sign(Index cell, Index face) const { return region_.owner[face] == cell ? 1.0 : -1.0; }
 

@@ -45,9 +45,17 @@ std::vector<char> pointsToMove(const CellSource& source, const std::vector<Short
     }
     spread(source, cells, points);
   }
+  std::vector<char> leaders(points.size(), 0);
   for (Index p = 0; p < points.size(); ++p)
   {
-    points[p] = points[p] && guide.isMovable(p) ? 1 : 0;
+    if (points[p] && guide.isMovable(p))
+    {
+      leaders[guide.leaderOf(p)] = 1;
+    }
+  }
+  for (Index p = 0; p < points.size(); ++p)
+  {
+    points[p] = leaders[guide.leaderOf(p)] && guide.isMovable(p) ? 1 : 0;
   }
   return points;
 }
@@ -164,11 +172,11 @@ struct Shortcoming
 };
 
 /// The cells about marked points that fall short, and the worst measure of all.
-Shortcoming findShort(const CellSource& source, const std::vector<char>& marked, const QualityTargets& targets,
-                      const RunContext& context)
+Shortcoming findShort(const CellSource& source, const std::vector<char>& marked, const VertexGuide& guide,
+                      const QualityTargets& targets, const RunContext& context)
 {
   Shortcoming result;
-  Region region = extractRegion(source, marked, context);
+  Region region = extractRegion(source, marked, guide, context);
   const std::vector<Score> scores = scoresOfCells(Judge(region, targets, context), context);
   for (Index c = 0; c < scores.size(); ++c)
   {
@@ -195,7 +203,7 @@ OptimiserReport optimise(const CellSource& source, std::vector<Vec3>& points, co
                          VertexGuide& guide, const OptimiserOptions& options, const RunContext& context)
 {
   OptimiserReport report;
-  const Shortcoming before = findShort(source, marked, options.targets, context);
+  const Shortcoming before = findShort(source, marked, guide, options.targets, context);
   report.shortBefore = before.cells.size();
   report.worstBefore = before.worst;
   report.shortCells = before.cells;
@@ -203,26 +211,28 @@ OptimiserReport optimise(const CellSource& source, std::vector<Vec3>& points, co
   const std::vector<char> moving = pointsToMove(source, before.cells, guide, options.rings);
   if (std::find(moving.begin(), moving.end(), 1) != moving.end())
   {
-    Region region = extractRegion(source, moving, context);
+    Region region = extractRegion(source, moving, guide, context);
     Judge judge(region, options.targets, context);
     prepareGuide(region, guide, context);
     Sweeper sweeper(judge, guide, context);
     // The last few points that creep on are not worth a sweep.
     constexpr double worthwhile = 0.02;
     std::size_t most = 1;
-    for (std::size_t moved = most; report.sweeps < options.sweeps && static_cast<double>(moved) > worthwhile * static_cast<double>(most); ++report.sweeps)
+    for (std::size_t moved = most;
+         report.sweeps<options.sweeps&& static_cast<double>(moved)> worthwhile * static_cast<double>(most);
+         ++report.sweeps)
     {
       moved = sweeper.sweep();
       most = std::max(most, moved);
     }
     report.cells = region.judgedCount();
-    for (const Index local : region.movable)
+    for (const Index local : region.members)
     {
       Vec3& p = points[region.pointIds[local]];
       report.moved += p != region.points[local] ? 1 : 0;
       p = region.points[local];
     }
-    const Shortcoming after = findShort(source, marked, options.targets, context);
+    const Shortcoming after = findShort(source, marked, guide, options.targets, context);
     report.shortCells = after.cells;
     report.worstAfter = after.worst;
   }

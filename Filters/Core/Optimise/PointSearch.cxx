@@ -14,6 +14,7 @@ constexpr double leastGain = 0.01;
 constexpr int tries = 4;
 /// Of measures that are nothing but rounding.
 constexpr double noise = 1e-6;
+constexpr double badAnyway = 0.3;
 
 } // namespace
 
@@ -25,7 +26,8 @@ Score PointSearch::scoreAt(const Vec3& p)
 
 bool PointSearch::isBetter(const Score& there, const Score& here) const
 {
-  return there.penalty < here.penalty * (1.0 - leastGain) && (there.worst >= here.worst - noise || there.worst >= 1.0);
+  return there.penalty < here.penalty * (1.0 - leastGain) &&
+         (there.worst >= here.worst - noise || there.worst >= 1.0 || here.worst < badAnyway);
 }
 
 bool PointSearch::improve(Index movable, double& trust)

@@ -15,7 +15,10 @@ constexpr std::size_t grain = 4096;
 class Extraction
 {
 public:
-  Extraction(const CellSource& mesh, const std::vector<char>& mayMove) : source(mesh), marked(mayMove) {}
+  Extraction(const CellSource& mesh, const std::vector<char>& mayMove, const VertexGuide& vertexGuide)
+      : source(mesh), marked(mayMove), guide(vertexGuide)
+  {
+  }
 
   Region run(const RunContext& context)
   {
@@ -134,15 +137,16 @@ private:
   {
     for (const Index cell : ghosts)
     {
-      const auto [centroid, volume] = measureCell(source, cell, scratch);
-      region.ghostCentroids.push_back(centroid);
-      region.ghostVolumes.push_back(volume);
+      const CellMeasure ghost = measureCell(source, cell, scratch);
+      region.ghostCentroids.push_back(ghost.centroid);
+      region.ghostVolumes.push_back(ghost.volume);
     }
   }
 
   void addStars()
   {
     std::vector<std::pair<Index, Index>> uses;
+    std::vector<std::pair<Index, Index>> sets;
     for (Index local = 0; local < region.cellIds.size(); ++local)
     {
       source.facesOf(region.cellIds[local], scratch);
@@ -150,26 +154,40 @@ private:
       {
         if (marked[p])
         {
-          uses.emplace_back(localPoint[p], local);
+          const Index leader = localPoint[guide.leaderOf(p)];
+          uses.emplace_back(leader, local);
+          sets.emplace_back(leader, localPoint[p]);
         }
       }
     }
-    std::sort(uses.begin(), uses.end());
-    uses.erase(std::unique(uses.begin(), uses.end()), uses.end());
+    for (auto* pairs : {&uses, &sets})
+    {
+      std::sort(pairs->begin(), pairs->end());
+      pairs->erase(std::unique(pairs->begin(), pairs->end()), pairs->end());
+    }
     for (const auto& [point, cell] : uses)
     {
       if (region.movable.empty() || region.movable.back() != point)
       {
         region.movable.push_back(point);
         region.aboutOffsets.push_back(region.aboutOffsets.back());
+        region.memberOffsets.push_back(0);
       }
       region.about.push_back(cell);
       ++region.aboutOffsets.back();
+    }
+    std::size_t m = 0;
+    for (const auto& [leader, member] : sets)
+    {
+      m += region.movable[m] != leader ? 1 : 0;
+      region.members.push_back(member);
+      region.memberOffsets[m + 1] = static_cast<Index>(region.members.size());
     }
   }
 
   const CellSource& source;
   const std::vector<char>& marked;
+  const VertexGuide& guide;
   Region region;
   std::vector<Index> localCell;
   std::vector<Index> localPoint;
@@ -236,9 +254,10 @@ bool FaceMeshSource::hasMarked(Index cell, const std::vector<char>& marked) cons
   });
 }
 
-Region extractRegion(const CellSource& source, const std::vector<char>& marked, const RunContext& context)
+Region extractRegion(const CellSource& source, const std::vector<char>& marked, const VertexGuide& guide,
+                     const RunContext& context)
 {
-  return Extraction(source, marked).run(context);
+  return Extraction(source, marked, guide).run(context);
 }
 
 } // namespace atria

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Dual/DualMesh.h"
+#include "Optimise/VertexGuide.h"
 #include "Quality/Geometry.h"
 
 #include <span>
@@ -30,8 +31,10 @@ struct Region
   /// Centroid and volume of the others, after the judged ones.
   std::vector<Vec3> ghostCentroids;
   std::vector<double> ghostVolumes;
-  /// Points that may move, and the cells about each.
+  /// Points that may move, in sets that move as one: the leader of each set, its members, and the cells about them.
   std::vector<Index> movable;
+  std::vector<Index> memberOffsets{0};
+  std::vector<Index> members;
   std::vector<Index> aboutOffsets{0};
   std::vector<Index> about;
 
@@ -45,6 +48,10 @@ struct Region
   std::span<const Index> facesOf(std::size_t cell) const
   {
     return {cellFaces.data() + cellOffsets[cell], cellFaces.data() + cellOffsets[cell + 1]};
+  }
+  std::span<const Index> membersOf(std::size_t movablePoint) const
+  {
+    return {members.data() + memberOffsets[movablePoint], members.data() + memberOffsets[movablePoint + 1]};
   }
   std::span<const Index> cellsAbout(std::size_t movablePoint) const
   {
@@ -104,7 +111,9 @@ private:
   const CellFaces& cellFaces_;
 };
 
-/// The region in which the points marked may move. O(cells) to find it, the rest in the region's size.
-Region extractRegion(const CellSource& source, const std::vector<char>& marked, const RunContext& context);
+/// The region in which the points marked may move, each with all others that have the same leader; these are marked,
+/// too, and their leader is one of them. O(cells) to find it, the rest in the region's size.
+Region extractRegion(const CellSource& source, const std::vector<char>& marked, const VertexGuide& guide,
+                     const RunContext& context);
 
 } // namespace atria

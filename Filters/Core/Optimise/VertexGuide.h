@@ -17,6 +17,8 @@ public:
   virtual void prepare(std::span<const Index> /*points*/, const RunContext& /*context*/) {}
   /// Whether the point may move at all.
   virtual bool isMovable(Index point) const = 0;
+  /// Points with the same leader are in one place and move as one.
+  virtual Index leaderOf(Index point) const { return point; }
   /// The allowed place nearest to p. Called by several threads.
   virtual Vec3 place(Index point, const Vec3& p) const = 0;
 };

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "LayerOptions.h"
+
+#include "Commands.h"
+
+#include <vtkAtriaDualMesher.h>
+#include <vtkNew.h>
+
+#include <CLI/CLI.hpp>
+
+#include <sstream>
+
+namespace atria::tool {
+
+namespace {
+
+/// Numbers with colons between them, at most `most`; none where the text is something else.
+std::vector<double> numbersFrom(const std::string& text, std::size_t most)
+{
+  std::vector<double> numbers;
+  std::istringstream in(text);
+  for (std::string word; std::getline(in, word, ':');)
+  {
+    std::istringstream part(word);
+    double number = 0.0;
+    if (!(part >> number) || !part.eof() || numbers.size() == most)
+    {
+      return {};
+    }
+    numbers.push_back(number);
+  }
+  return numbers;
+}
+
+} // namespace
+
+void declareLayerOptions(CLI::App& command, LayerOptions& options)
+{
+  // The filter is the one home of the defaults.
+  vtkNew<vtkAtriaDualMesher> filter;
+  options.firstHeight = filter->GetFirstLayerHeight();
+  options.growth = filter->GetLayerGrowth();
+  command
+      .add_option("--layers", options.layers,
+                  "Layers of elements on all surfaces, or on those whose name matches the pattern (* and ? stand for "
+                  "text) and on domain sides of that name; may be repeated, the last that matches holds")
+      ->allow_extra_args(false)
+      ->type_name("N|PATTERN=N[:FIRST[:GROWTH]]");
+  command.add_option("--first-layer", options.firstHeight, "Height of the layer on the wall, metres; 0 for any")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("M");
+  command.add_option("--layer-growth", options.growth, "Height of each layer relative to the one below it")
+      ->capture_default_str()
+      ->check(CLI::Range(filter->GetLayerGrowthMinValue(), filter->GetLayerGrowthMaxValue()))
+      ->type_name("X");
+}
+
+void configureLayers(vtkAtriaDualMesher* mesher, const LayerOptions& options)
+{
+  mesher->SetFirstLayerHeight(options.firstHeight);
+  mesher->SetLayerGrowth(options.growth);
+  for (const std::string& text : options.layers)
+  {
+    const auto equals = text.rfind('=');
+    const bool forAll = equals == std::string::npos;
+    const std::vector<double> numbers = numbersFrom(forAll ? text : text.substr(equals + 1), forAll ? 1 : 3);
+    if (numbers.empty() || numbers[0] < 0.0 || numbers[0] > 100.0 || numbers[0] != static_cast<int>(numbers[0]))
+    {
+      throw Failure(Usage,
+                    "--layers: " + text + " is not of the form N or PATTERN=N[:FIRST[:GROWTH]], N from 0 to 100");
+    }
+    const int layers = static_cast<int>(numbers[0]);
+    if (forAll)
+    {
+      mesher->SetNumberOfLayers(layers);
+    }
+    else if (numbers.size() == 1)
+    {
+      mesher->AddLayers(text.substr(0, equals), layers);
+    }
+    else
+    {
+      mesher->AddLayers(text.substr(0, equals), layers, numbers[1], numbers.size() > 2 ? numbers[2] : options.growth);
+    }
+  }
+}
+
+} // namespace atria::tool

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The options of `atria mesh` for layers of elements along walls.
+#pragma once
+
+#include <string>
+#include <vector>
+
+class vtkAtriaDualMesher;
+
+namespace CLI {
+class App;
+}
+
+namespace atria::tool {
+
+struct LayerOptions
+{
+  std::vector<std::string> layers; ///< N or PATTERN=N[:FIRST[:GROWTH]]
+  double firstHeight = 0.0;
+  double growth = 0.0;
+};
+
+void declareLayerOptions(CLI::App& command, LayerOptions& options);
+
+/// Throws Failure(Usage) for a --layers that has neither form.
+void configureLayers(vtkAtriaDualMesher* mesher, const LayerOptions& options);
+
+} // namespace atria::tool

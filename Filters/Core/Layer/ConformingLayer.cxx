@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Layer/ConformingLayer.h"
+
+#include "Layer/ElementShape.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace atria {
+
+namespace {
+
+/// An element is crowded where its shape's cosine is below this, and was not without the layer. What was flat or
+/// inverted then is not helped by less height: copies that lift it off the wall by more are what opens it.
+constexpr double crowdedCosine = 0.05;
+/// Below this an element counts as flat.
+constexpr double flatCosine = 1e-3;
+/// What a crowded element's copies keep of their height in a round, and how many rounds there are.
+constexpr double shrinkFactor = 0.7;
+constexpr int shrinkRounds = 8;
+/// A copy lifts a prism off its wall if its direction's cosine to the wall's normal is above this.
+constexpr double liftingCosine = 0.02;
+
+constexpr std::array<std::array<std::uint8_t, 2>, 12> hexahedronEdge{
+    {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
+
+/// Takes the layer from points of faces on which it would lie flat, and again as others lose their last support.
+void dropFlat(const DualMesh& mesh, const LayerWalls& walls, const std::vector<Vec3>& normals,
+              const std::vector<LayerDirection>& directions, std::vector<Index>& counts)
+{
+  const auto isFlat = [&](Index f) {
+    const double area = normals[f].norm();
+    bool doubled = false;
+    for (int i = 0; i < 4; ++i)
+    {
+      const Index p = cornerOf(mesh, mesh.boundaryFaces[f], i);
+      doubled = doubled || counts[p] > 0;
+      if (counts[p] > 0 && directions[p].direction.dot(normals[f]) > liftingCosine * area)
+      {
+        return false;
+      }
+    }
+    return doubled;
+  };
+  for (bool changed = true; changed;)
+  {
+    changed = false;
+    std::vector<Index> flat;
+    for (Index f = 0; f < walls.roles.size(); ++f)
+    {
+      if (walls.roles[f] == FaceRole::wall && isFlat(f))
+      {
+        flat.push_back(f);
+      }
+    }
+    for (const Index f : flat)
+    {
+      for (int i = 0; i < 4; ++i)
+      {
+        counts[cornerOf(mesh, mesh.boundaryFaces[f], i)] = 0;
+        changed = true;
+      }
+    }
+  }
+}
+
+/// Whether an edge is one of a wall's.
+bool liesOnWall(const DualMesh& mesh, const LayerWalls& walls, Index p, Index q)
+{
+  const auto star = walls.graph.facesAt(p);
+  if (walls.graph.facesAt(q).empty())
+  {
+    return false;
+  }
+  return std::any_of(star.begin(), star.end(), [&](Index f) {
+    bool found = false;
+    for (int i = 0; i < 4; ++i)
+    {
+      const Index a = cornerOf(mesh, mesh.boundaryFaces[f], i);
+      const Index b = cornerOf(mesh, mesh.boundaryFaces[f], i + 1);
+      found = found || (a == p && b == q) || (a == q && b == p);
+    }
+    return found && walls.roles[f] != FaceRole::slide;
+  });
+}
+
+/// The least that any wall about a point asks for.
+std::vector<double> thicknesses(const DualMesh& mesh, const LayerWalls& walls, const std::vector<Index>& counts,
+                                const LayerOptions& options)
+{
+  const std::vector<double> sizes = findWallSizes(mesh, walls, counts);
+  std::vector<double> out(counts.size(), std::numeric_limits<double>::infinity());
+  for (Index f = 0; f < walls.roles.size(); ++f)
+  {
+    for (int i = 0; i < 4 && walls.roles[f] == FaceRole::wall; ++i)
+    {
+      const Index p = cornerOf(mesh, mesh.boundaryFaces[f], i);
+      out[p] = std::min(out[p], thicknessAsked(options.ofTag[mesh.boundaryFaces[f].tag], sizes[p], options));
+    }
+  }
+  return out;
+}
+
+/// Moves copies off the wall and draws them back in where they crowd.
+class Spacing
+{
+public:
+  Spacing(const DualMesh& p, LayerMesh& l, const std::vector<LayerDirection>& d, const std::vector<double>& t,
+          const RunContext& c)
+      : plain(p), layer(l), directions(d), heights(l.copies.size(), 0.0), context(c)
+  {
+    for (Index point = 0; point < heights.size(); ++point)
+    {
+      if (layer.copies[point] != noIndex)
+      {
+        // The thickness is meant across the wall.
+        const double cosine = directions[point].cosine;
+        heights[point] = cosine > 0.1 ? t[point] / std::max(cosine, 0.5) : t[point];
+      }
+    }
+  }
+
+  void run()
+  {
+    std::vector<Index> active = touched();
+    place();
+    for (int round = 0; round < shrinkRounds && !active.empty(); ++round)
+    {
+      context.progress.check();
+      const std::vector<char> changed = shrink(active);
+      place();
+      const auto& corners = layer.mesh.corners;
+      std::erase_if(active, [&](Index e) {
+        return std::none_of(corners[e].begin(), corners[e].end(), [&](Index p) { return changed[wallPointOf(p)]; });
+      });
+    }
+  }
+
+private:
+  Index wallPointOf(Index p) const { return p < layer.plainPoints ? p : layer.wallPoints[p - layer.plainPoints]; }
+
+  std::vector<Index> touched() const
+  {
+    std::vector<Index> out;
+    for (Index e = 0; e < layer.mesh.elementCount(); ++e)
+    {
+      const auto& corners = layer.mesh.corners[e];
+      if (std::any_of(corners.begin(), corners.end(), [&](Index p) { return p >= layer.plainPoints; }))
+      {
+        out.push_back(e);
+      }
+    }
+    return out;
+  }
+
+  void place()
+  {
+    context.executor.forEach(layer.wallPoints.size(), 8192, [&](std::size_t i) {
+      const Index p = layer.wallPoints[i];
+      layer.mesh.points[layer.plainPoints + i] = plain.points[p] + heights[p] * directions[p].direction;
+    });
+  }
+
+  bool isCrowded(Index e) const
+  {
+    return shapeOf(layer.mesh.points, layer.mesh.corners[e]).cosine < crowdedCosine &&
+           (e >= layer.plainElements || shapeOf(plain.points, plain.corners[e]).cosine >= crowdedCosine);
+  }
+
+  /// Lowers the copies of crowded elements; tells at which points.
+  std::vector<char> shrink(const std::vector<Index>& active)
+  {
+    std::vector<char> crowded(active.size());
+    context.executor.forEach(active.size(), 1024, [&](std::size_t i) { crowded[i] = isCrowded(active[i]); });
+    std::vector<char> changed(heights.size(), 0);
+    for (std::size_t i = 0; i < active.size(); ++i)
+    {
+      for (const Index p : layer.mesh.corners[active[i]])
+      {
+        if (crowded[i] && p >= layer.plainPoints && !changed[wallPointOf(p)])
+        {
+          changed[wallPointOf(p)] = 1;
+          heights[wallPointOf(p)] *= shrinkFactor;
+        }
+      }
+    }
+    return changed;
+  }
+
+  const DualMesh& plain;
+  LayerMesh& layer;
+  const std::vector<LayerDirection>& directions;
+  std::vector<double> heights;
+  const RunContext& context;
+};
+
+} // namespace
+
+double thicknessAsked(const WallLayers& layers, double wallSize, const LayerOptions& options)
+{
+  if (layers.firstHeight == 0.0)
+  {
+    return options.relativeThickness * wallSize;
+  }
+  const double g = layers.growth;
+  return layers.firstHeight * (g == 1.0 ? layers.layers : (std::pow(g, layers.layers) - 1.0) / (g - 1.0));
+}
+
+std::vector<double> findWallSizes(const DualMesh& mesh, const LayerWalls& walls, const std::vector<Index>& counts)
+{
+  constexpr double none = std::numeric_limits<double>::infinity();
+  std::vector<double> sizes(mesh.points.size(), none);
+  std::vector<double> along(mesh.points.size(), none);
+  for (const auto& corners : mesh.corners)
+  {
+    for (const auto& [c, d] : hexahedronEdge)
+    {
+      const Index p = corners[c];
+      const Index q = corners[d];
+      if (p == q || (counts[p] == 0 && counts[q] == 0))
+      {
+        continue;
+      }
+      const double length = (mesh.points[q] - mesh.points[p]).norm();
+      auto& to = liesOnWall(mesh, walls, p, q) ? along : sizes;
+      const double share = &to == &sizes && counts[p] > 0 && counts[q] > 0 ? 0.5 : 1.0;
+      to[p] = std::min(to[p], share * length);
+      to[q] = std::min(to[q], share * length);
+    }
+  }
+  for (std::size_t p = 0; p < sizes.size(); ++p)
+  {
+    sizes[p] = counts[p] == 0 ? none : sizes[p] < none ? sizes[p] : along[p];
+  }
+  return sizes;
+}
+
+LayerMesh growLayer(const DualMesh& plain, const LayerWalls& walls, const LayerOptions& options,
+                    const std::vector<char>& excluded, const RunContext& context)
+{
+  std::vector<Index> counts(walls.counts.size());
+  for (std::size_t p = 0; p < counts.size(); ++p)
+  {
+    counts[p] = walls.counts[p] > 0 && (excluded.empty() || !excluded[p]) ? 1 : 0;
+  }
+  const std::vector<Vec3> normals = wallNormals(plain, context);
+  const std::vector<LayerDirection> directions = findDirections(plain, walls, normals, counts, options, context);
+  for (std::size_t p = 0; p < counts.size(); ++p)
+  {
+    counts[p] = directions[p].cosine < feasibleCosine ? 0 : counts[p];
+  }
+  dropFlat(plain, walls, normals, directions, counts);
+  LayerMesh layer = buildLayer(plain, walls, counts);
+  Spacing(plain, layer, directions, thicknesses(plain, walls, counts, options), context).run();
+  return layer;
+}
+
+std::vector<Index> pointsWithoutRoom(const DualMesh& plain, const LayerMesh& layer, const RunContext& context)
+{
+  const DualMesh& mesh = layer.mesh;
+  std::vector<char> bad(mesh.elementCount(), 0);
+  context.executor.forEach(mesh.elementCount(), 2048, [&](std::size_t e) {
+    const auto& corners = mesh.corners[e];
+    const bool touched = std::any_of(corners.begin(), corners.end(), [&](Index p) { return p >= layer.plainPoints; });
+    bad[e] = touched && shapeOf(mesh.points, corners).pyramid <= 0.0 &&
+             (e >= layer.plainElements || shapeOf(plain.points, plain.corners[e]).pyramid > 0.0);
+  });
+  std::vector<Index> out;
+  for (std::size_t e = 0; e < bad.size(); ++e)
+  {
+    for (const Index p : mesh.corners[e])
+    {
+      if (bad[e] && p >= layer.plainPoints)
+      {
+        out.push_back(layer.wallPoints[p - layer.plainPoints]);
+      }
+    }
+  }
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
+}
+
+} // namespace atria

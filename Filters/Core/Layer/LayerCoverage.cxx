@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Layer/LayerCoverage.h"
+
+#include "Layer/ConformingLayer.h"
+
+#include <algorithm>
+
+namespace atria {
+
+namespace {
+
+class Reporter
+{
+public:
+  Reporter(const DualMesh& p, const LayerWalls& w, const LayerMesh& l, const LayerOptions& o)
+      : plain(p), walls(w), layer(l), options(o)
+  {
+    std::vector<Index> onWall(plain.points.size(), 0);
+    for (Index f = 0; f < walls.roles.size(); ++f)
+    {
+      for (int i = 0; i < 4 && walls.roles[f] == FaceRole::wall; ++i)
+      {
+        onWall[cornerOf(plain, plain.boundaryFaces[f], i)] = 1;
+      }
+    }
+    sizes = findWallSizes(plain, walls, onWall);
+    out.counts.assign(layer.mesh.boundaryFaces.size(), 0);
+    out.thicknesses.assign(layer.mesh.boundaryFaces.size(), 0.0);
+  }
+
+  LayerReport report(const std::vector<std::string>& names)
+  {
+    std::vector<LayerCoverage> ofTag(options.ofTag.size());
+    for (Index f = 0; f < walls.roles.size(); ++f)
+    {
+      if (walls.roles[f] == FaceRole::wall)
+      {
+        add(f, ofTag[plain.boundaryFaces[f].tag]);
+      }
+    }
+    for (std::size_t tag = 0; tag < ofTag.size(); ++tag)
+    {
+      LayerCoverage& surface = ofTag[tag];
+      if (surface.area > 0.0)
+      {
+        surface.surface = tag < names.size() ? names[tag] : sideNames[tag - names.size()];
+        surface.layers = options.ofTag[tag].layers;
+        surface.thickness = surface.layered > 0.0 ? surface.thickness / surface.layered : 0.0;
+        out.surfaces.push_back(std::move(surface));
+      }
+    }
+    return std::move(out);
+  }
+
+private:
+  Index countAt(Index point) const
+  {
+    const Index copy = layer.copies[point];
+    return copy == noIndex ? 0 : layer.places[copy - layer.plainPoints];
+  }
+
+  void add(Index f, LayerCoverage& surface)
+  {
+    const BoundaryFace& face = plain.boundaryFaces[f];
+    const WallLayers& asked = options.ofTag[face.tag];
+    const ReducedFace reduced = faceOf(plain.corners[face.element], face.direction);
+    const std::vector<Vec3>& points = layer.mesh.points;
+    Vec3 areaVector = wallNormal(layer.mesh, layer.mesh.boundaryFaces[f]);
+    const double area = areaVector.norm();
+    Index least = noIndex;
+    double got = 0.0;
+    double wanted = 0.0;
+    for (int i = 0; i < reduced.count; ++i)
+    {
+      const Index p = reduced.points[i];
+      least = std::min(least, countAt(p));
+      wanted += thicknessAsked(asked, sizes[p], options) / reduced.count;
+      if (layer.copies[p] != noIndex && area > 0.0)
+      {
+        got += (points[layer.copies[p]] - points[p]).dot(areaVector) / (area * reduced.count);
+      }
+    }
+    out.counts[f] = static_cast<std::int32_t>(least);
+    out.thicknesses[f] = got;
+    surface.area += area;
+    if (least > 0)
+    {
+      surface.layered += area;
+      surface.full += least >= static_cast<Index>(asked.layers) ? area : 0.0;
+      surface.thickness += wanted > 0.0 ? area * got / wanted : 0.0;
+    }
+  }
+
+  const DualMesh& plain;
+  const LayerWalls& walls;
+  const LayerMesh& layer;
+  const LayerOptions& options;
+  std::vector<double> sizes;
+  LayerReport out;
+};
+
+} // namespace
+
+LayerReport reportLayers(const DualMesh& plain, const LayerWalls& walls, const LayerMesh& layer,
+                         const LayerOptions& options, const std::vector<std::string>& surfaceNames)
+{
+  return Reporter(plain, walls, layer, options).report(surfaceNames);
+}
+
+} // namespace atria

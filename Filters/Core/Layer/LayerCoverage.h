@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// What became of the layers that were asked for.
+#pragma once
+
+#include "Layer/LayerTopology.h"
+
+namespace atria {
+
+/// Of one surface, both sides together.
+struct LayerCoverage
+{
+  std::string surface;
+  /// What was asked for.
+  int layers = 0;
+  /// Area of its faces; of those that have a layer at all of their corners; of those that have all layers there. Square
+  /// model units.
+  double area = 0.0;
+  double layered = 0.0;
+  double full = 0.0;
+  /// Thickness got over thickness asked for, mean over the layered area; 0 where there is none.
+  double thickness = 0.0;
+};
+
+struct LayerReport
+{
+  /// Per boundary face of the mesh: the least number of layers at a corner, and the thickness of all of them across the
+  /// face, mean of the corners; 0 where there are none.
+  std::vector<std::int32_t> counts;
+  std::vector<double> thicknesses;
+  /// Surfaces, and bare sides, on which layers were asked for and that have faces.
+  std::vector<LayerCoverage> surfaces;
+};
+
+/// `plain` is the mesh the layers were grown from; its sizes beside the walls say how thick layers should be that have
+/// no height of their own.
+LayerReport reportLayers(const DualMesh& plain, const LayerWalls& walls, const LayerMesh& layer,
+                         const LayerOptions& options, const std::vector<std::string>& surfaceNames);
+
+} // namespace atria

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Layer/LayerDirections.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+
+namespace atria {
+
+namespace {
+
+/// Vectors shorter than this, of unit ones cut to a plane, have no direction.
+constexpr double tiny = 1e-6;
+
+/// Takes directions out of space until a plane, a line or a point is left.
+class Subspace
+{
+public:
+  /// Leaves the plane across `normal`, unless that has nothing new.
+  void cut(const Vec3& normal)
+  {
+    const Vec3 rest = project(normal);
+    if (rest.norm() > 1e-3 && count < 3)
+    {
+      cuts[count++] = rest.normalized();
+    }
+  }
+
+  Vec3 project(Vec3 v) const
+  {
+    for (int i = 0; i < count; ++i)
+    {
+      v -= cuts[i].dot(v) * cuts[i];
+    }
+    return v;
+  }
+
+private:
+  std::array<Vec3, 3> cuts;
+  int count = 0;
+};
+
+/// Normals of one sheet differ a little from face to face; only what most of them agree on is a plane.
+void cutSheets(Subspace& space, const std::vector<Vec3>& sheets)
+{
+  if (sheets.empty())
+  {
+    return;
+  }
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (const Vec3& normal : sheets)
+  {
+    const Vec3 inside = space.project(normal);
+    spread += inside * inside.transpose() / static_cast<double>(sheets.size());
+  }
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
+  for (int i = 2; i >= 0; --i)
+  {
+    if (solver.eigenvalues()[i] > sheetSpread)
+    {
+      space.cut(solver.eigenvectors().col(i));
+    }
+  }
+}
+
+void appendDistinct(std::vector<Vec3>& out, const Vec3& v)
+{
+  if (v.norm() > tiny && std::none_of(out.begin(), out.end(), [&](const Vec3& o) { return (o - v).norm() < tiny; }))
+  {
+    out.push_back(v);
+  }
+}
+
+/// The direction that maximises the least product with `vectors`.
+class Search
+{
+public:
+  explicit Search(const std::vector<Vec3>& v) : vectors(v) {}
+
+  Vec3 run()
+  {
+    const std::size_t count = vectors.size();
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      take(vectors[i]);
+    }
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      for (std::size_t j = i + 1; j < count; ++j)
+      {
+        // Across the line through both, in their plane.
+        const Vec3 along = vectors[j] - vectors[i];
+        take(vectors[i] - along * (vectors[i].dot(along) / along.squaredNorm()));
+        for (std::size_t k = j + 1; k < count; ++k)
+        {
+          const Vec3 across = along.cross(vectors[k] - vectors[i]);
+          take(across);
+          take(-across);
+        }
+      }
+    }
+    return best;
+  }
+
+private:
+  void take(const Vec3& candidate)
+  {
+    const double length = candidate.norm();
+    if (length < tiny * tiny)
+    {
+      return;
+    }
+    const Vec3 d = candidate / length;
+    double least = 2.0;
+    for (const Vec3& v : vectors)
+    {
+      least = std::min(least, v.dot(d));
+      if (least <= bestLeast)
+      {
+        return;
+      }
+    }
+    bestLeast = least;
+    best = d;
+  }
+
+  const std::vector<Vec3>& vectors;
+  Vec3 best = Vec3::Zero();
+  double bestLeast = -2.0;
+};
+
+/// What the faces about a point ask for.
+DirectionProblem problemAt(const DualMesh& mesh, const LayerWalls& walls, const std::vector<Vec3>& normals, Index point,
+                           const LayerOptions& options)
+{
+  DirectionProblem problem;
+  const auto star = walls.graph.facesAt(point);
+  for (const Index f : star)
+  {
+    const BoundaryFace& face = mesh.boundaryFaces[f];
+    const double area = normals[f].norm();
+    if (walls.roles[f] == FaceRole::slide)
+    {
+      problem.sides.push_back(sideNormal(face, options));
+    }
+    if (walls.roles[f] != FaceRole::wall || area == 0.0)
+    {
+      continue;
+    }
+    const Vec3 normal = normals[f] / area;
+    const Index behind = faceBehind(mesh, face);
+    if (behind == noIndex || std::find(star.begin(), star.end(), behind) == star.end())
+    {
+      problem.walls.push_back(normal);
+      continue;
+    }
+    problem.sheets.push_back(normal);
+    for (int i = 0; i < 4; ++i)
+    {
+      const Index a = cornerOf(mesh, face, i);
+      const Index b = cornerOf(mesh, face, i + 1);
+      const Index code = walls.graph.across[f][i];
+      const bool rim = BoundaryGraph::isEdge(code) && BoundaryGraph::faceOf(code) == behind;
+      if (rim && (a == point || b == point))
+      {
+        // The face runs round the normal out of the fluid.
+        const Vec3 out = normal.cross(mesh.points[b] - mesh.points[a]);
+        appendDistinct(problem.ways, out.norm() > 0.0 ? Vec3(out.normalized()) : Vec3(Vec3::Zero()));
+      }
+    }
+  }
+  return problem;
+}
+
+} // namespace
+
+LayerDirection solveDirection(const DirectionProblem& problem)
+{
+  Subspace space;
+  for (const Vec3& side : problem.sides)
+  {
+    space.cut(side);
+  }
+  cutSheets(space, problem.sheets);
+  std::vector<Vec3> vectors;
+  for (const auto* group : {&problem.walls, &problem.ways})
+  {
+    for (const Vec3& v : *group)
+    {
+      appendDistinct(vectors, space.project(v));
+    }
+  }
+  LayerDirection out;
+  // Once more, as rounding must not take a point off its side.
+  out.direction = space.project(Search(vectors).run());
+  if (out.direction.norm() < tiny)
+  {
+    return {};
+  }
+  out.direction.normalize();
+  out.cosine = 1.0;
+  for (const auto* group : {&problem.walls, &problem.sheets})
+  {
+    for (const Vec3& v : *group)
+    {
+      out.cosine = std::min(out.cosine, v.dot(out.direction));
+    }
+  }
+  return out;
+}
+
+std::vector<Vec3> wallNormals(const DualMesh& mesh, const RunContext& context)
+{
+  std::vector<Vec3> normals(mesh.boundaryFaces.size());
+  context.executor.forEach(normals.size(), 4096,
+                           [&](std::size_t f) { normals[f] = wallNormal(mesh, mesh.boundaryFaces[f]); });
+  return normals;
+}
+
+std::vector<LayerDirection> findDirections(const DualMesh& mesh, const LayerWalls& walls,
+                                           const std::vector<Vec3>& normals, const std::vector<Index>& counts,
+                                           const LayerOptions& options, const RunContext& context)
+{
+  std::vector<LayerDirection> out(counts.size());
+  context.executor.forRanges(counts.size(), 1024, [&](std::size_t begin, std::size_t end) {
+    context.progress.check();
+    for (std::size_t p = begin; p < end; ++p)
+    {
+      if (counts[p] > 0)
+      {
+        out[p] = solveDirection(problemAt(mesh, walls, normals, static_cast<Index>(p), options));
+      }
+    }
+  });
+  return out;
+}
+
+} // namespace atria

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Which way a layer grows from each point of a wall.
+#pragma once
+
+#include "Layer/LayerWalls.h"
+
+namespace atria {
+
+/// What the direction at a point has to look to. All are unit vectors.
+struct DirectionProblem
+{
+  /// Normals into the fluid of the walls about the point.
+  std::vector<Vec3> walls;
+  /// Normals of sheets that have a rim there: the layer wraps round it, in the sheet's plane.
+  std::vector<Vec3> sheets;
+  /// Ways out of those sheets across their rims.
+  std::vector<Vec3> ways;
+  /// Planes of the domain's sides the point must stay in.
+  std::vector<Vec3> sides;
+};
+
+/// A copy whose direction has a cosine to a wall's normal below this is not made. So the layer tapers to nothing at
+/// rims, where the cosine is 0: wrapped round them, a prism would have two faces in the plane of the sheet.
+inline constexpr double feasibleCosine = 0.1;
+
+/// Sheets whose normals spread over a rim point by less than this share of their squares are one plane (37 degrees
+/// between two).
+inline constexpr double sheetSpread = 0.1;
+
+struct LayerDirection
+{
+  /// Unit vector, or zero where there is none in the planes asked for.
+  Vec3 direction = Vec3::Zero();
+  /// The least cosine to a wall's normal.
+  double cosine = -1.0;
+};
+
+/// The direction in the planes of sides and rim sheets that is farthest inside all half spaces of walls and ways: the
+/// point of their convex hull that is nearest to the origin (best of single vectors, pairs and triples, which is exact
+/// where some direction is inside all of them). Sheets themselves do not count, as they lie along it.
+LayerDirection solveDirection(const DirectionProblem& problem);
+
+/// Area vectors of boundary faces, into the fluid.
+std::vector<Vec3> wallNormals(const DualMesh& mesh, const RunContext& context);
+
+/// For each point with a count the direction; for others zero.
+std::vector<LayerDirection> findDirections(const DualMesh& mesh, const LayerWalls& walls,
+                                           const std::vector<Vec3>& normals, const std::vector<Index>& counts,
+                                           const LayerOptions& options, const RunContext& context);
+
+} // namespace atria

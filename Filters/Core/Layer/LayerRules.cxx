@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Layer/LayerRules.h"
+
+#include "Domain/Domain.h"
+#include "Support/Error.h"
+#include "Support/NamePattern.h"
+#include "Support/PatternRule.h"
+#include "Support/Types.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace atria {
+
+namespace {
+
+void checkRule(const LayerRule& rule)
+{
+  const auto& [layers, firstHeight, growth] = rule.layers;
+  const char* wrong = layers < 0 || layers > 100                             ? "the number of layers must be 0 to 100"
+                      : !(firstHeight >= 0.0) || !std::isfinite(firstHeight) ? "the first height must not be negative"
+                      : !(growth >= 0.5 && growth <= 5.0)                    ? "the growth must be 0.5 to 5"
+                                                                             : nullptr;
+  if (wrong)
+  {
+    throw Error("layers on '" + rule.pattern + "': " + wrong);
+  }
+}
+
+} // namespace
+
+LayerRule layerRuleFrom(const std::string& text, const WallLayers& otherwise)
+{
+  constexpr const char* form = "PATTERN LAYERS [FIRSTHEIGHT [GROWTH]]";
+  const PatternRule parsed = patternRuleFrom(text, 1, 3, "layer", form);
+  LayerRule rule{parsed.pattern, otherwise};
+  const std::vector<double>& numbers = parsed.numbers;
+  if (numbers[0] != std::floor(numbers[0]) || std::abs(numbers[0]) > 1e6)
+  {
+    throw Error("the layer rule '" + text + "' is not of the form " + form + ": LAYERS is a whole number");
+  }
+  rule.layers.layers = static_cast<int>(numbers[0]);
+  rule.layers.firstHeight = numbers.size() > 1 ? numbers[1] : otherwise.firstHeight;
+  rule.layers.growth = numbers.size() > 2 ? numbers[2] : otherwise.growth;
+  checkRule(rule);
+  return rule;
+}
+
+std::vector<WallLayers> resolveLayerRules(const std::vector<LayerRule>& rules,
+                                          const std::vector<std::string>& surfaceNames)
+{
+  std::vector<WallLayers> ofTag(surfaceNames.size() + sideNames.size());
+  for (const LayerRule& rule : rules)
+  {
+    checkRule(rule);
+    bool met = rule.pattern == "*";
+    for (std::size_t tag = 0; tag < ofTag.size(); ++tag)
+    {
+      const bool matches = tag < surfaceNames.size() ? matchesPattern(rule.pattern, surfaceNames[tag])
+                                                     : rule.pattern == sideNames[tag - surfaceNames.size()];
+      ofTag[tag] = matches ? rule.layers : ofTag[tag];
+      met = met || matches;
+    }
+    if (!met)
+    {
+      throw Error("no surface matches '" + rule.pattern + "', for which layers are asked; there are: " +
+                  listOfNames(surfaceNames) + ", and the domain's sides xMin to zMax");
+    }
+  }
+  return ofTag;
+}
+
+} // namespace atria

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Layer/LayerTopology.h"
+
+#include <algorithm>
+
+namespace atria {
+
+namespace {
+
+/// The corner across the element along an axis.
+constexpr std::uint8_t acrossAxis(std::uint8_t corner, int axis)
+{
+  return hexahedronCorner[hexahedronCorner[corner] ^ (1u << axis)];
+}
+
+constexpr bool hasCorner(int direction, std::uint8_t corner)
+{
+  for (const std::uint8_t c : hexahedronFace[direction])
+  {
+    if (c == corner)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// The face beside that of `direction` along its edge i.
+constexpr int besideEdge(int direction, int edge)
+{
+  for (int d = 0; d < 6; ++d)
+  {
+    if (axisOf(d) != axisOf(direction) && hasCorner(d, hexahedronFace[direction][edge]) &&
+        hasCorner(d, hexahedronFace[direction][(edge + 1) % 4]))
+    {
+      return d;
+    }
+  }
+  return -1;
+}
+
+class Builder
+{
+public:
+  Builder(const DualMesh& p, const LayerWalls& w, const std::vector<Index>& c) : plain(p), walls(w), counts(c) {}
+
+  LayerMesh build()
+  {
+    addPoints();
+    countPrisms();
+    for (Index f = 0; f < plain.boundaryFaces.size(); ++f)
+    {
+      for (Index height = 0; height < stackOf(f); ++height)
+      {
+        addPrism(f, height);
+      }
+    }
+    for (Index f = 0; f < plain.boundaryFaces.size(); ++f)
+    {
+      moveBoundary(f);
+    }
+    return std::move(out);
+  }
+
+private:
+  Index stackOf(Index face) const { return firstPrism[face + 1] - firstPrism[face]; }
+  Index prismAt(Index face, Index height) const { return out.plainElements + firstPrism[face] + height; }
+
+  /// The point of a chain; beyond its end the last.
+  Index chainPoint(Index point, Index place) const
+  {
+    const Index reached = std::min(place, counts[point]);
+    return reached == 0 ? point : firstNew[point] + reached - 1;
+  }
+
+  void addPoints()
+  {
+    out.mesh = plain;
+    out.plainPoints = static_cast<Index>(plain.points.size());
+    out.plainElements = static_cast<Index>(plain.elementCount());
+    out.copies.assign(out.plainPoints, noIndex);
+    firstNew.assign(out.plainPoints, noIndex);
+    for (Index p = 0; p < out.plainPoints; ++p)
+    {
+      firstNew[p] = static_cast<Index>(out.mesh.points.size());
+      for (Index place = 1; place <= counts[p]; ++place)
+      {
+        out.mesh.points.push_back(plain.points[p]);
+        out.wallPoints.push_back(p);
+        out.places.push_back(place);
+      }
+      out.copies[p] = counts[p] > 0 ? chainPoint(p, counts[p]) : noIndex;
+    }
+    for (auto& corners : out.mesh.corners)
+    {
+      for (Index& p : corners)
+      {
+        p = out.copies[p] == noIndex ? p : out.copies[p];
+      }
+    }
+  }
+
+  void countPrisms()
+  {
+    firstPrism.assign(plain.boundaryFaces.size() + 1, 0);
+    for (Index f = 0; f < plain.boundaryFaces.size(); ++f)
+    {
+      Index most = 0;
+      for (int i = 0; i < 4 && walls.roles[f] == FaceRole::wall; ++i)
+      {
+        most = std::max(most, counts[cornerOf(plain, plain.boundaryFaces[f], i)]);
+      }
+      firstPrism[f + 1] = firstPrism[f] + most;
+    }
+    const std::size_t total = plain.elementCount() + firstPrism.back();
+    out.mesh.corners.reserve(total);
+    out.mesh.neighbours.reserve(total);
+    out.mesh.levels.reserve(total);
+    out.mesh.zones.reserve(total);
+  }
+
+  void addPrism(Index f, Index height)
+  {
+    const BoundaryFace& face = plain.boundaryFaces[f];
+    const auto prism = static_cast<Index>(out.mesh.corners.size());
+    std::array<Index, 8> corners;
+    std::array<std::int32_t, 6> neighbours;
+    neighbours.fill(DualMesh::noFace);
+    for (const std::uint8_t c : hexahedronFace[face.direction])
+    {
+      const Index p = plain.corners[face.element][c];
+      corners[c] = chainPoint(p, height);
+      corners[acrossAxis(c, axisOf(face.direction))] = chainPoint(p, height + 1);
+    }
+    const bool last = height + 1 == stackOf(f);
+    neighbours[face.direction] = height == 0 ? ~static_cast<std::int32_t>(f) : static_cast<std::int32_t>(prism) - 1;
+    neighbours[opposite(face.direction)] = static_cast<std::int32_t>(last ? face.element : prism + 1);
+    for (int edge = 0; edge < 4; ++edge)
+    {
+      neighbours[besideEdge(face.direction, edge)] = lateral(f, edge, height, prism);
+    }
+    out.mesh.corners.push_back(corners);
+    out.mesh.neighbours.push_back(neighbours);
+    out.mesh.levels.push_back(plain.levels[face.element]);
+    out.mesh.zones.push_back(plain.zones[face.element]);
+    out.wallFaces.push_back(f);
+    out.heights.push_back(height);
+  }
+
+  /// What is beside a prism across an edge of its wall.
+  std::int32_t lateral(Index f, int edge, Index height, Index prism)
+  {
+    const BoundaryFace& face = plain.boundaryFaces[f];
+    const Index most = std::max(counts[cornerOf(plain, face, edge)], counts[cornerOf(plain, face, edge + 1)]);
+    const Index code = walls.graph.across[f][edge];
+    if (code == BoundaryGraph::noEdge || height >= most)
+    {
+      return DualMesh::noFace;
+    }
+    const Index other = BoundaryGraph::faceOf(code);
+    if (walls.roles[other] == FaceRole::wall)
+    {
+      return static_cast<std::int32_t>(prismAt(other, height));
+    }
+    BoundaryFace side = plain.boundaryFaces[other];
+    side.element = prism;
+    side.direction = static_cast<std::uint8_t>(besideEdge(face.direction, edge));
+    side.opposite = noIndex;
+    out.mesh.boundaryFaces.push_back(side);
+    return ~static_cast<std::int32_t>(out.mesh.boundaryFaces.size() - 1);
+  }
+
+  /// Gives a wall's boundary face to the lowest prism on it.
+  void moveBoundary(Index f)
+  {
+    BoundaryFace& face = out.mesh.boundaryFaces[f];
+    const Index behind = faceBehind(plain, plain.boundaryFaces[f]);
+    if (behind != noIndex && stackOf(behind) > 0)
+    {
+      face.opposite = prismAt(behind, 0);
+    }
+    if (stackOf(f) > 0)
+    {
+      out.mesh.neighbours[face.element][face.direction] = static_cast<std::int32_t>(prismAt(f, stackOf(f) - 1));
+      face.element = prismAt(f, 0);
+    }
+  }
+
+  const DualMesh& plain;
+  const LayerWalls& walls;
+  const std::vector<Index>& counts;
+  LayerMesh out;
+  /// Per point the first of its chain, per boundary face the first of its stack.
+  std::vector<Index> firstNew;
+  std::vector<Index> firstPrism;
+};
+
+} // namespace
+
+LayerMesh buildLayer(const DualMesh& plain, const LayerWalls& walls, const std::vector<Index>& counts)
+{
+  return Builder(plain, walls, counts).build();
+}
+
+} // namespace atria

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Elements between walls and the mesh beside them.
+#pragma once
+
+#include "Layer/LayerWalls.h"
+
+namespace atria {
+
+/// A mesh with layers, and how it hangs together with the plain one it was grown from. Points and elements of the plain
+/// mesh keep their numbers; its boundary faces too, those of the domain's sides that layers end on follow them. The
+/// plain points are the wall's; elements that were at the wall use the last point above it, the copy.
+struct LayerMesh
+{
+  DualMesh mesh;
+  Index plainPoints = 0;
+  Index plainElements = 0;
+  /// Per point of the plain mesh: its copy, or noIndex where it has none.
+  std::vector<Index> copies;
+  /// Per new point, from plainPoints on: the point of the wall it stands above, and its place in the chain from there,
+  /// 1 and up.
+  std::vector<Index> wallPoints;
+  std::vector<Index> places;
+  /// Per new element, from plainElements on: the boundary face it stands on, and its place in the stack, 0 and up.
+  std::vector<Index> wallFaces;
+  std::vector<Index> heights;
+};
+
+/// Builds stacks of prisms on the walls. `counts` gives each point the number of its new points, at most that of
+/// `walls.counts`; 0 leaves it single. New points lie on the wall yet. A prism is a hexahedron in the axes of the
+/// element that had the wall: the lower face in that direction, the upper one against it. Prisms on faces that share an
+/// edge are neighbours through the face between them, whose directions then need not be opposite. Where a chain has
+/// ended, prisms above it have its last point in their lower and upper face.
+///
+/// Conformal for any counts, as between two walls (or a wall and a side) there is one face across each edge, and both
+/// have it at the same heights.
+LayerMesh buildLayer(const DualMesh& plain, const LayerWalls& walls, const std::vector<Index>& counts);
+
+} // namespace atria

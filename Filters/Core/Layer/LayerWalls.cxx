@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Layer/LayerWalls.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+
+namespace atria {
+
+namespace {
+
+std::array<Index, 4> sortedPoints(const DualMesh& mesh, Index f)
+{
+  const BoundaryFace& face = mesh.boundaryFaces[f];
+  std::array<Index, 4> points{cornerOf(mesh, face, 0), cornerOf(mesh, face, 1), cornerOf(mesh, face, 2),
+                              cornerOf(mesh, face, 3)};
+  std::sort(points.begin(), points.end());
+  // A triangle has one point twice, whichever; the points alone count.
+  std::fill(std::unique(points.begin(), points.end()), points.end(), noIndex);
+  return points;
+}
+
+/// Whether a face beside this one has the very same points.
+bool isDoubled(const DualMesh& mesh, const BoundaryGraph& graph, Index f)
+{
+  const auto& across = graph.across[f];
+  return std::any_of(across.begin(), across.end(), [&](Index code) {
+    return BoundaryGraph::isEdge(code) && sortedPoints(mesh, f) == sortedPoints(mesh, BoundaryGraph::faceOf(code));
+  });
+}
+
+class Counter
+{
+public:
+  Counter(const DualMesh& m, const LayerOptions& o, const LayerWalls& w) : mesh(m), options(o), walls(w) {}
+
+  Index at(Index point) const
+  {
+    Index least = noIndex;
+    for (const Index f : walls.graph.facesAt(point))
+    {
+      if (walls.roles[f] == FaceRole::fixed)
+      {
+        return 0;
+      }
+      if (walls.roles[f] == FaceRole::wall)
+      {
+        least = std::min(least, static_cast<Index>(options.ofTag[mesh.boundaryFaces[f].tag].layers));
+        if (isDoubled(mesh, walls.graph, f))
+        {
+          return 0;
+        }
+      }
+    }
+    return least != noIndex && isOneRun(fanAt(mesh, walls.graph, point)) ? least : 0;
+  }
+
+private:
+  bool isOneRun(const std::vector<Index>& fan) const
+  {
+    int changes = 0;
+    for (std::size_t i = 0; i < fan.size(); ++i)
+    {
+      changes += walls.roles[fan[i]] != walls.roles[fan[(i + 1) % fan.size()]] ? 1 : 0;
+    }
+    return !fan.empty() && changes <= 2;
+  }
+
+  const DualMesh& mesh;
+  const LayerOptions& options;
+  const LayerWalls& walls;
+};
+
+} // namespace
+
+LayerWalls findLayerWalls(const DualMesh& mesh, const LayerOptions& options, const RunContext& context)
+{
+  LayerWalls walls;
+  walls.graph = findBoundaryGraph(mesh, context);
+  walls.roles.resize(mesh.boundaryFaces.size());
+  for (std::size_t f = 0; f < walls.roles.size(); ++f)
+  {
+    const BoundaryFace& face = mesh.boundaryFaces[f];
+    walls.roles[f] = options.ofTag[face.tag].layers > 0 ? FaceRole::wall
+                     : face.onDomainSide                ? FaceRole::slide
+                                                        : FaceRole::fixed;
+  }
+  walls.counts.resize(mesh.points.size());
+  const Counter counter(mesh, options, walls);
+  context.executor.forEach(mesh.points.size(), 2048,
+                           [&](std::size_t p) { walls.counts[p] = counter.at(static_cast<Index>(p)); });
+  return walls;
+}
+
+Vec3 wallNormal(const DualMesh& mesh, const BoundaryFace& face)
+{
+  const auto at = [&](int i) -> const Vec3& { return mesh.points[cornerOf(mesh, face, i)]; };
+  return -0.5 * (at(2) - at(0)).cross(at(3) - at(1));
+}
+
+Vec3 sideNormal(const BoundaryFace& face, const LayerOptions& options)
+{
+  // Surfaces that lie on a side do so on sides along the grid only.
+  return face.tag >= options.surfaceCount()
+             ? options.sideNormals[face.tag - options.surfaceCount()]
+             : Vec3((isUpper(face.direction) ? 1.0 : -1.0) * Vec3::Unit(axisOf(face.direction)));
+}
+
+} // namespace atria

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Where layers can grow, as far as the mesh's topology has to say.
+#pragma once
+
+#include "Layer/BoundaryGraph.h"
+#include "Layer/LayerRules.h"
+
+namespace atria {
+
+struct LayerOptions
+{
+  /// By tag: see resolveLayerRules.
+  std::vector<WallLayers> ofTag;
+  /// Normals of the domain's sides by Direction, unit vectors; along the axes unless the domain is turned.
+  std::array<Vec3, 6> sideNormals{-Vec3::UnitX(), Vec3::UnitX(),  -Vec3::UnitY(),
+                                  Vec3::UnitY(),  -Vec3::UnitZ(), Vec3::UnitZ()};
+  /// Thickness of a layer without a height of its own, relative to the shortest way from the wall point along edges of
+  /// elements.
+  double relativeThickness = 0.35;
+
+  Index surfaceCount() const { return static_cast<Index>(ofTag.size()) - 6; }
+};
+
+enum class FaceRole : std::uint8_t
+{
+  wall,  ///< layers grow on it
+  slide, ///< a side of the domain: layers of walls that meet it end on it
+  fixed  ///< a surface without layers: those beside it taper to nothing
+};
+
+/// The boundary of a mesh that has one sector at each of its points (splitSheets).
+struct LayerWalls
+{
+  BoundaryGraph graph;
+  std::vector<FaceRole> roles;
+  /// Per point: the layers that its walls ask for, the least of them; 0 where no layer can be.
+  std::vector<Index> counts;
+};
+
+/// A point has layers if the faces about it are one closed fan and the walls in it one run, so that every edge of a
+/// wall has one face across; if no other face has the very same points as one of its walls; and if it is on no surface
+/// without layers.
+LayerWalls findLayerWalls(const DualMesh& mesh, const LayerOptions& options, const RunContext& context);
+
+/// Area vector of a boundary face, into the fluid.
+Vec3 wallNormal(const DualMesh& mesh, const BoundaryFace& face);
+
+/// The plane a face of role `slide` lies in.
+Vec3 sideNormal(const BoundaryFace& face, const LayerOptions& options);
+
+} // namespace atria

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Layer/LayerTopology.h"
+#include "Optimise/VertexGuide.h"
+
+namespace atria {
+
+/// Where the points of a mesh with a layer may go: copies keep to the domain's sides their wall points are on, the
+/// others go where another guide lets them. Wall points on the two sides of a sheet stay together.
+class LayerGuide : public VertexGuide
+{
+public:
+  /// `leaders` gives for each point of the plain mesh the first of those in its place.
+  LayerGuide(const LayerMesh& layer, const LayerWalls& walls, const LayerOptions& options,
+             const std::vector<Index>& leaders, VertexGuide& plain);
+
+  void prepare(std::span<const Index> points, const RunContext& context) override;
+  bool isMovable(Index point) const override;
+  Index leaderOf(Index point) const override { return point < layer_.plainPoints ? leaders_[point] : point; }
+  Vec3 place(Index point, const Vec3& p) const override;
+
+private:
+  const LayerMesh& layer_;
+  const LayerOptions& options_;
+  VertexGuide& plain_;
+  const std::vector<Index>& leaders_;
+  /// Per point of the plain mesh: the domain sides it slides on, as bits by Direction.
+  std::vector<std::uint8_t> sides_;
+};
+
+} // namespace atria

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Support/PatternRule.h"
+
+#include "Support/Error.h"
+
+#include <iomanip>
+#include <sstream>
+
+namespace atria {
+
+PatternRule patternRuleFrom(const std::string& text, std::size_t least, std::size_t most, const char* kind,
+                            const char* form)
+{
+  std::istringstream in(text);
+  PatternRule rule;
+  in >> std::quoted(rule.pattern);
+  double number = 0.0;
+  while (in >> number)
+  {
+    rule.numbers.push_back(number);
+  }
+  if (rule.pattern.empty() || !in.eof() || rule.numbers.size() < least || rule.numbers.size() > most)
+  {
+    throw Error("the " + std::string(kind) + " rule '" + text + "' is not of the form " + form);
+  }
+  return rule;
+}
+
+std::string textOf(const PatternRule& rule)
+{
+  std::ostringstream out;
+  out << std::setprecision(17) << std::quoted(rule.pattern);
+  for (const double number : rule.numbers)
+  {
+    out << ' ' << number;
+  }
+  return out.str();
+}
+
+} // namespace atria
