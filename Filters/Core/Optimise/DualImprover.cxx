@@ -49,6 +49,44 @@ void print(const char* what, const OptimiserReport& r)
   }
 }
 
+/// Puts the points of a layer where they are in another one of the same mesh.
+void takePlaces(const LayerMesh& from, LayerMesh& to)
+{
+  std::copy_n(from.mesh.points.begin(), from.plainPoints, to.mesh.points.begin());
+  for (Index p = 0; p < to.plainPoints; ++p)
+  {
+    if (to.copies[p] != noIndex && from.copies[p] != noIndex)
+    {
+      to.mesh.points[to.copies[p]] = from.mesh.points[from.copies[p]];
+    }
+  }
+}
+
+/// Excludes the wall points of elements that have no room. Marks those elements that have no copies; empty where all
+/// have room.
+std::vector<char> excludeCrowded(const LayerMesh& layer, const OptimiserReport& report, std::vector<char>& excluded)
+{
+  std::vector<char> stuck;
+  for (const ShortCell& found : report.shortCells)
+  {
+    if (found.sound >= soundEnough)
+    {
+      continue;
+    }
+    stuck.resize(layer.mesh.elementCount(), 0);
+    stuck[found.cell] = 1;
+    for (const Index p : layer.mesh.corners[found.cell])
+    {
+      if (p >= layer.plainPoints)
+      {
+        excluded[layer.wallPoints[p - layer.plainPoints]] = 1;
+        stuck[found.cell] = 0;
+      }
+    }
+  }
+  return stuck;
+}
+
 } // namespace
 
 DualImprover::DualImprover(const Octree& octree, const SurfaceModel& model, VertexAnchors anchors,
@@ -143,17 +181,17 @@ void DualImprover::improve()
         }
     if (!removeFlat(nearlyFlat, &bad))
     {
-      release(bad, round > 2);
+      release(mesh_, bad, round > 2);
     }
   }
 }
 
 /// Lets the vertices of elements leave what they should be on: curves for the surfaces that meet there; or all.
-void DualImprover::release(const std::vector<char>& bad, bool all)
+void DualImprover::release(const DualMesh& mesh, const std::vector<char>& bad, bool all)
 {
   for (Index e = 0; e < bad.size(); ++e)
   {
-    for (const Index p : bad[e] ? std::span<const Index>(mesh_.corners[e]) : std::span<const Index>())
+    for (const Index p : bad[e] ? std::span<const Index>(mesh.corners[e]) : std::span<const Index>())
     {
       Freedom& freedom = anchors_.freedom[vertexOf_[p]];
       if (freedom == Freedom::curve && !all)
@@ -208,30 +246,26 @@ LayerMesh DualImprover::growOptimised(const DualMesh& plain, const LayerWalls& w
   LayerMesh layer;
   for (int round = 0; round < rounds; ++round)
   {
-    layer = growLayer(plain, walls, options, excluded, context_);
-    const OptimiserReport report = optimiseLayer(layer, walls, options);
-    print("layer", report);
-    bool crowded = false;
-    for (const ShortCell& found : report.shortCells)
+    LayerMesh grown = growLayer(plain, walls, options, excluded, context_);
+    if (round > 0)
     {
-      for (const Index p : layer.mesh.corners[found.cell])
-      {
-        if (found.sound < soundEnough && p >= layer.plainPoints)
-        {
-          excluded[layer.wallPoints[p - layer.plainPoints]] = 1;
-          crowded = true;
-        }
-      }
+      takePlaces(layer, grown);
     }
-    if (!crowded)
+    layer = std::move(grown);
+    const OptimiserReport report = optimiseLayer(layer, walls, options, round == 0 ? 1 : 2);
+    print("layer", report);
+    const std::vector<char> stuck = excludeCrowded(layer, report, excluded);
+    if (stuck.empty())
     {
       break;
     }
+    release(layer.mesh, stuck, round > 0);
   }
   return layer;
 }
 
-OptimiserReport DualImprover::optimiseLayer(LayerMesh& layer, const LayerWalls& walls, const LayerOptions& options)
+OptimiserReport DualImprover::optimiseLayer(LayerMesh& layer, const LayerWalls& walls, const LayerOptions& options,
+                                            int rings)
 {
   std::vector<char> marked = boundaryPoints(layer.mesh);
   std::fill(marked.begin() + layer.plainPoints, marked.end(), 1);
@@ -245,7 +279,9 @@ OptimiserReport DualImprover::optimiseLayer(LayerMesh& layer, const LayerWalls& 
     leaders[p] = of;
   }
   LayerGuide guide(layer, walls, options, leaders, model);
-  return optimise(DualSource(layer.mesh), layer.mesh.points, marked, guide, {}, context_);
+  OptimiserOptions optimiser;
+  optimiser.rings = rings;
+  return optimise(DualSource(layer.mesh), layer.mesh.points, marked, guide, optimiser, context_);
 }
 
 } // namespace atria

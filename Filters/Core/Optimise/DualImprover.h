@@ -31,9 +31,10 @@ public:
 private:
   bool removeFlat(const Flatness& flatness, const std::vector<char>* among);
   void renumber(const MeshRenumbering& numbers);
-  void release(const std::vector<char>& bad, bool all);
+  void release(const DualMesh& mesh, const std::vector<char>& bad, bool all);
   LayerMesh growOptimised(const DualMesh& plain, const LayerWalls& walls, const LayerOptions& options);
-  OptimiserReport optimiseLayer(LayerMesh& layer, const LayerWalls& walls, const LayerOptions& options);
+  OptimiserReport optimiseLayer(LayerMesh& layer, const LayerWalls& walls, const LayerOptions& options,
+                                int rings);
 
   const Octree& octree_;
   const SurfaceModel& model_;
