@@ -198,7 +198,6 @@ DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, con
   appendUnresolved(mesh, placed.compromised, result.diagnostics);
   keepWithinSides(mesh.points, octree.frame());
   DualImprover improver(octree, model, std::move(placed.anchors), result, context);
-  improver.removeFlat();
   clock.lap("elements");
   context.progress.report(0.92, "Improving elements");
   improver.improve();

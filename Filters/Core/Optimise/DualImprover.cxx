@@ -18,7 +18,6 @@ namespace {
 
 /// Elements below this share of a target are no better than not valid.
 constexpr float soundEnough = 0.05F;
-constexpr Flatness nearlyFlat{0.2, 0.25};
 
 std::vector<char> boundaryPoints(const DualMesh& mesh)
 {
@@ -97,93 +96,12 @@ DualImprover::DualImprover(const Octree& octree, const SurfaceModel& model, Vert
   std::iota(vertexOf_.begin(), vertexOf_.end(), Index{0});
 }
 
-void DualImprover::removeFlat()
-{
-  constexpr int mostLayers = 8;
-  for (int i = 0; i < mostLayers && removeFlat({}, nullptr); ++i)
-  {
-  }
-}
-
-bool DualImprover::removeFlat(const Flatness& flatness, const std::vector<char>* among)
-{
-  std::vector<char> flat = findFlatElements(mesh_, flatness, context_);
-  for (std::size_t e = 0; among && e < flat.size(); ++e)
-  {
-    flat[e] = flat[e] && (*among)[e] ? 1 : 0;
-  }
-  const MeshRenumbering numbers = removeElements(mesh_, flat);
-  if (numbers.isIdentity())
-  {
-    return false;
-  }
-  renumber(numbers);
-  return true;
-}
-
-void DualImprover::renumber(const MeshRenumbering& numbers)
-{
-  std::vector<Index> vertices(mesh_.points.size());
-  for (std::size_t p = 0; p < vertexOf_.size(); ++p)
-  {
-    if (numbers.points[p] != noIndex)
-    {
-      vertices[numbers.points[p]] = vertexOf_[p];
-    }
-  }
-  vertexOf_ = std::move(vertices);
-  for (Diagnostic& diagnostic : result_.diagnostics)
-  {
-    diagnostic.element = diagnostic.element == noIndex ? noIndex : numbers.elements[diagnostic.element];
-  }
-}
-
 void DualImprover::improve()
 {
-  constexpr int rounds = 6;
-  for (int round = 0; round < rounds; ++round)
-  {
-    ModelGuide guide(octree_, model_, anchors_, mesh_.points, vertexOf_);
-    OptimiserOptions options;
-    options.targets.faceTetrahedra = false;
-    const OptimiserReport report =
-        optimise(DualSource(mesh_), mesh_.points, boundaryPoints(mesh_), guide, options, context_);
-    print("plain", report);
-    std::vector<char> bad(mesh_.elementCount(), 0);
-    for (const ShortCell& found : report.shortCells)
-    {
-      bad[found.cell] = found.sound < soundEnough ? 1 : 0;
-    }
-    if (std::find(bad.begin(), bad.end(), 1) == bad.end())
-    {
-      return;
-    }
-    if (std::getenv("ATRIA_BAD") && round == 5)
-      for (const ShortCell& found : report.shortCells)
-        if (found.sound < soundEnough)
-        {
-          std::fprintf(stderr, " el %u sound %g\n", found.cell, found.sound);
-          for (int i = 0; i < 8; ++i)
-          {
-            const Index p = mesh_.corners[found.cell][i];
-            const Vec3& x = mesh_.points[p];
-            std::fprintf(stderr, "   %u %c (%.4f %.4f %.4f) home %d\n", p,
-                         "fscbLx"[static_cast<int>(anchors_.freedom[vertexOf_[p]])], x[0], x[1], x[2],
-                         (int)boundaryPoints(mesh_)[p]);
-          }
-          for (const auto n : mesh_.neighbours[found.cell])
-            std::fprintf(stderr, " %s",
-                         n >= 0 ? "n"
-                         : n == DualMesh::noFace
-                             ? "-"
-                             : std::to_string(mesh_.boundaryFaces[DualMesh::boundaryFaceOf(n)].tag).c_str());
-          std::fprintf(stderr, "\n");
-        }
-    if (!removeFlat(nearlyFlat, &bad))
-    {
-      release(mesh_, bad, round > 2);
-    }
-  }
+  ModelGuide guide(octree_, model_, anchors_, mesh_.points, vertexOf_);
+  OptimiserOptions options;
+  options.targets.faceTetrahedra = false;
+  print("plain", optimise(DualSource(mesh_), mesh_.points, boundaryPoints(mesh_), guide, options, context_));
 }
 
 /// Lets the vertices of elements leave what they should be on: curves for the surfaces that meet there; or all.

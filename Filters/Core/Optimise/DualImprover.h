@@ -4,7 +4,6 @@
 
 #include "Dual/DualMesher.h"
 #include "Dual/DualVertices.h"
-#include "Dual/FlatElements.h"
 #include "Layer/BoundaryLayers.h"
 #include "Optimise/Optimiser.h"
 
@@ -18,10 +17,8 @@ public:
   DualImprover(const Octree& octree, const SurfaceModel& model, VertexAnchors anchors, DualMeshResult& result,
                const RunContext& context);
 
-  /// Leaves out elements that lie flat in the boundary, and those that do once these are gone.
-  void removeFlat();
-  /// Moves points where elements at the boundary fall short. The two sides of a sheet still are one. Vertices of
-  /// elements that cannot be made valid may leave the curves they should be on.
+  /// Moves points where elements at the boundary fall short, along what they are on. The two sides of a sheet still are
+  /// one. Elements all of whose points are on one plane of a sheet stay flat; the layer opens them.
   void improve();
   /// See splitSheets.
   void splitPoints();
@@ -29,8 +26,6 @@ public:
   void growLayers(const std::vector<LayerRule>& rules);
 
 private:
-  bool removeFlat(const Flatness& flatness, const std::vector<char>* among);
-  void renumber(const MeshRenumbering& numbers);
   void release(const DualMesh& mesh, const std::vector<char>& bad, bool all);
   LayerMesh growOptimised(const DualMesh& plain, const LayerWalls& walls, const LayerOptions& options);
   OptimiserReport optimiseLayer(LayerMesh& layer, const LayerWalls& walls, const LayerOptions& options,
