@@ -5,6 +5,7 @@
 #include "Support/DualMeshChecks.h"
 #include "Support/Shapes.h"
 
+#include <cmath>
 #include <random>
 #include <set>
 
@@ -57,7 +58,7 @@ Case randomCase(unsigned seed)
   return out;
 }
 
-DualMeshResult meshOf(const Case& c, int threads)
+DualMeshResult meshOf(const Case& c, int threads, int layers = 0)
 {
   const atria::ThreadExecutor executor(threads);
   atria::SilentMonitor silent;
@@ -68,6 +69,7 @@ DualMeshResult meshOf(const Case& c, int threads)
   const atria::Octree octree = atria::buildOctree(model, placed.frame, atria::SizingOptions{}, context);
   atria::DualMeshOptions options;
   options.zoneRule = atria::ZoneRule::all;
+  options.layers = {{"*", {layers}}};
   atria::StageClock clock;
   return atria::makeDualMesh(octree, model, options, clock, context);
 }
@@ -114,6 +116,38 @@ TEST_P(TurnedDomains, EndAtTheirSidesOnly)
       << (along.min - plan.domain.bounds.min).transpose();
   EXPECT_TRUE((along.max.array() <= plan.domain.bounds.max.array() + slack).all())
       << (along.max - plan.domain.bounds.max).transpose();
+}
+
+TEST_P(TurnedDomains, HaveLayersThatEndOnTheirSides)
+{
+  const Case c = randomCase(GetParam());
+  const atria::DualMesh plain = meshOf(c, 1).mesh;
+  const atria::DualMesh mesh = meshOf(c, 1, 2).mesh;
+  EXPECT_GT(mesh.elementCount(), plain.elementCount());
+  EXPECT_TRUE(atria::testing::isConformal(mesh, static_cast<atria::Index>(plain.elementCount())));
+  EXPECT_TRUE(atria::testing::facesAreUnique(mesh));
+  EXPECT_TRUE(atria::testing::elementsAreClosed(mesh));
+  EXPECT_TRUE(atria::testing::boundaryIsWatertight(mesh));
+  EXPECT_NEAR(atria::testing::totalVolume(mesh) / atria::testing::totalVolume(plain), 1.0, 1e-9);
+  const auto names = static_cast<atria::Index>(c.surface.names.size());
+  const atria::SitePlan plan = atria::planSite(c.surface, c.options, c.sizes);
+  double farthest = 0.0;
+  for (const atria::BoundaryFace& face : mesh.boundaryFaces)
+  {
+    for (const std::uint8_t corner : atria::hexahedronFace[face.direction])
+    {
+      if (face.tag < names)
+      {
+        continue;
+      }
+      const int side = static_cast<int>(face.tag - names);
+      const Box3& bounds = plan.domain.bounds;
+      const Vec3 p = plan.domain.axes.fromModel(mesh.points[mesh.corners[face.element][corner]]);
+      const double plane = (atria::isUpper(side) ? bounds.max : bounds.min)[atria::axisOf(side)];
+      farthest = std::max(farthest, std::abs(p[atria::axisOf(side)] - plane));
+    }
+  }
+  EXPECT_LT(farthest, 1e-4 * c.sizes.sizeMin);
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, TurnedDomains, ::testing::Range(0u, 60u));
