@@ -18,8 +18,8 @@ namespace atria {
 LayerMesh growLayer(const DualMesh& plain, const LayerWalls& walls, const LayerOptions& options,
                     const std::vector<char>& excluded, const RunContext& context);
 
-/// The points that have to go for the mesh to be no less valid than the plain one: those with copies of elements that
-/// are not valid but were (prisms never were), by point of the plain mesh. Empty where all is well.
+/// The points that have to go for the layer to spoil nothing: those with copies at elements that are not valid although
+/// they are prisms, or were valid and not flat without the layer. By point of the plain mesh; empty where all is well.
 std::vector<Index> pointsWithoutRoom(const DualMesh& plain, const LayerMesh& layer, const RunContext& context);
 
 /// For each point that has a count the longest edge of an element that leaves its walls, half of it where another wall
