@@ -114,7 +114,8 @@ class CommandLine(unittest.TestCase):
         self.assertNotIn("Site", layers)
         for entry in layers.values():
             self.assertGreaterEqual(entry["covered"], entry["covered_in_full"])
-            self.assertGreater(entry["covered"], 0.5, entry)
+            self.assertTrue(0.0 < entry["covered"] <= 1.0, entry)
+        self.assertGreater(layers["WallSouth"]["covered"], 0.5)
         plain = self.atria("mesh", HOUSE, "-o", out, *COARSE, "--report", report)
         self.assertEqual(plain.stdout, "")
         self.assertEqual(json.loads(report.read_text())["layers"], [])
