@@ -59,6 +59,10 @@ class CommandLine(unittest.TestCase):
         self.refuses(2, "--size", "mesh", HOUSE, "-o", out, "--size", "Wall*", "0.5:x")
         self.refuses(2, "--gap-cells", "mesh", HOUSE, "-o", out, "--gap-cells", "-1")
         self.refuses(2, "--cells-per-level", "mesh", HOUSE, "-o", out, "--cells-per-level", "0")
+        for wrong in ("x", "-1", "1.5", "101", "1:2", "Wall*=", "Wall*=1:x", "Wall*=1:1:1:1"):
+            self.refuses(2, "--layers", "mesh", HOUSE, "-o", out, f"--layers={wrong}")
+        self.refuses(2, "--layer-growth", "mesh", HOUSE, "-o", out, "--layer-growth", "0")
+        self.refuses(2, "--first-layer", "mesh", HOUSE, "-o", out, "--first-layer", "-1")
         self.refuses(2, "--threads", "mesh", HOUSE, "-o", out, "--threads", "0")
         self.refuses(2, ".vtu", "mesh", HOUSE, "-o", self.folder / "out.vtk")
         self.refuses(2, ".vtpc", "mesh", HOUSE, "-o", out, "--patches", self.folder / "out.vtm")
@@ -97,6 +101,25 @@ class CommandLine(unittest.TestCase):
         table = self.atria("inspect", HOUSE)
         self.assertEqual((table.returncode, table.stderr), (0, ""))
         self.assertIn("PartitionB", table.stdout)
+
+    def test_layers(self):
+        out, report, case = self.folder / "layers.vtu", self.folder / "layers.json", self.folder / "layers"
+        options = ["--layers", "1", "--layers", "Wall*=3:0.05:1.5", "--layers", "Site=0", "--report", report]
+        run = self.atria("mesh", HOUSE, "-o", out, *COARSE, *options, "--openfoam", case)
+        self.assertIn(run.returncode, (0, 4), run.stderr)
+        self.assertIn("WallSouth", run.stdout)
+        layers = {entry["surface"]: entry for entry in json.loads(report.read_text())["layers"]}
+        self.assertEqual(layers["WallSouth"]["layers"], 3)
+        self.assertEqual(layers["RoofSouth"]["layers"], 1)
+        self.assertNotIn("Site", layers)
+        for entry in layers.values():
+            self.assertGreaterEqual(entry["covered"], entry["covered_in_full"])
+            self.assertTrue(0.0 < entry["covered"] <= 1.0, entry)
+        self.assertGreater(layers["WallSouth"]["covered"], 0.5)
+        plain = self.atria("mesh", HOUSE, "-o", out, *COARSE, "--report", report)
+        self.assertEqual(plain.stdout, "")
+        self.assertEqual(json.loads(report.read_text())["layers"], [])
+        self.refuses(3, "no surface matches 'Wal'", "mesh", HOUSE, "-o", out, *COARSE, "--layers", "Wal=1")
 
     def test_preflight(self):
         report = self.folder / "preflight.json"

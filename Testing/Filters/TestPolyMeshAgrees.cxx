@@ -138,6 +138,7 @@ void PolyMeshAgrees::expectCheckMeshCountsTheSame(const CheckMeshReport& report)
   // Two of our polyhedra have names there.
   EXPECT_EQ(report.cellsByType.at("polyhedra") + report.cellsByType.at("wedges") + report.cellsByType.at("tet wedges"),
             types[VTK_POLYHEDRON]);
+  EXPECT_EQ(report.cellsByType.at("tetrahedra"), types[VTK_TETRA]);
   const std::vector<double> volumes = atria::testing::volumesOf(volume(), patches());
   const double total = std::accumulate(volumes.begin(), volumes.end(), 0.0);
   if (!std::isnan(report.totalVolume)) // not printed where some are negative
@@ -247,6 +248,23 @@ TEST_F(CheckMeshAgrees, TheAdaptiveSphereIsSound)
 {
   meshSphere(0.5, 4.0);
   expectSound();
+}
+
+TEST_F(CheckMeshAgrees, ASphereWithALayerIsSoundConcaveCellsIncluded)
+{
+  mesher->SetNumberOfLayers(1);
+  meshSphere(0.5, 0.5);
+  const CheckMeshReport report = atria::testing::runCheckMesh(scratch.path());
+  ASSERT_TRUE(report.completed) << report.log;
+  EXPECT_EQ(report.failedChecks, 0) << report.log;
+  expectCheckMeshCountsTheSame(report);
+}
+
+TEST_F(CheckMeshAgrees, NoInvalidElementOfTheTurnedHouseWithLayersIsHidden)
+{
+  mesher->SetNumberOfLayers(3);
+  meshHouse("house_turned17.wrl");
+  expectNothingHidden();
 }
 
 TEST_F(CheckMeshAgrees, ASphereWhosePoleIsAGridPointHasNoFaceWithoutArea)

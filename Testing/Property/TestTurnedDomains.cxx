@@ -5,6 +5,7 @@
 #include "Support/DualMeshChecks.h"
 #include "Support/Shapes.h"
 
+#include <cmath>
 #include <random>
 #include <set>
 
@@ -57,7 +58,7 @@ Case randomCase(unsigned seed)
   return out;
 }
 
-DualMeshResult meshOf(const Case& c, int threads)
+DualMeshResult meshOf(const Case& c, int threads, int layers = 0)
 {
   const atria::ThreadExecutor executor(threads);
   atria::SilentMonitor silent;
@@ -68,6 +69,7 @@ DualMeshResult meshOf(const Case& c, int threads)
   const atria::Octree octree = atria::buildOctree(model, placed.frame, atria::SizingOptions{}, context);
   atria::DualMeshOptions options;
   options.zoneRule = atria::ZoneRule::all;
+  options.layers = {{"*", {layers}}};
   atria::StageClock clock;
   return atria::makeDualMesh(octree, model, options, clock, context);
 }
@@ -114,6 +116,39 @@ TEST_P(TurnedDomains, EndAtTheirSidesOnly)
       << (along.min - plan.domain.bounds.min).transpose();
   EXPECT_TRUE((along.max.array() <= plan.domain.bounds.max.array() + slack).all())
       << (along.max - plan.domain.bounds.max).transpose();
+}
+
+TEST_P(TurnedDomains, HaveLayersThatEndOnTheirSides)
+{
+  const Case c = randomCase(GetParam());
+  const atria::DualMesh plain = meshOf(c, 1).mesh;
+  const atria::DualMesh mesh = meshOf(c, 1, 2).mesh;
+  EXPECT_GT(mesh.elementCount(), plain.elementCount());
+  EXPECT_TRUE(atria::testing::isConformal(mesh, static_cast<atria::Index>(plain.elementCount())));
+  EXPECT_TRUE(atria::testing::facesAreUnique(mesh));
+  EXPECT_TRUE(atria::testing::elementsAreClosed(mesh));
+  EXPECT_TRUE(atria::testing::boundaryIsWatertight(mesh));
+  EXPECT_NEAR(atria::testing::totalVolume(mesh) / atria::testing::totalVolume(plain), 1.0, 1e-9);
+  const auto names = static_cast<atria::Index>(c.surface.names.size());
+  const atria::SitePlan plan = atria::planSite(c.surface, c.options, c.sizes);
+  // What of a side is off its plane in the plain mesh may stay so.
+  std::array<double, 2> off{0.0, 0.0};
+  for (const atria::DualMesh* of : {&plain, &mesh})
+  {
+    for (const atria::BoundaryFace& face : of->boundaryFaces)
+    {
+      const int side = static_cast<int>(face.tag) - static_cast<int>(names);
+      for (const std::uint8_t corner : atria::hexahedronFace[face.direction])
+      {
+        const Vec3 p = plan.domain.axes.fromModel(of->points[of->corners[face.element][corner]]);
+        const Box3& box = plan.domain.bounds;
+        const double plane = side < 0 ? 0.0 : (atria::isUpper(side) ? box.max : box.min)[atria::axisOf(side)];
+        double& most = off[of == &mesh ? 1 : 0];
+        most = side < 0 ? most : std::max(most, std::abs(p[atria::axisOf(side)] - plane));
+      }
+    }
+  }
+  EXPECT_LE(off[1], off[0] + 1e-6 * c.sizes.sizeMin);
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, TurnedDomains, ::testing::Range(0u, 60u));

@@ -25,8 +25,8 @@ std::vector<double> divideWay(const WallLayers& layers, double way);
 /// What all walls about each point ask for: the least number, first height (of those that are given) and growth.
 std::vector<WallLayers> layersOfPoints(const DualMesh& mesh, const LayerWalls& walls, const LayerOptions& options);
 
-/// Grows the layer, excludes the points where it has no room, and does so again until all elements are as valid as they
-/// were; then divides it. For use without an optimiser.
+/// Grows the layer, excludes the points where it has no room (pointsWithoutRoom), and does so again until there are none;
+/// then divides it. For use without an optimiser.
 LayerMesh layWalls(const DualMesh& plain, const LayerWalls& walls, const LayerOptions& options,
                    const RunContext& context);
 

@@ -209,7 +209,7 @@ double thicknessAsked(const WallLayers& layers, double wallSize, const LayerOpti
 std::vector<double> findWallSizes(const DualMesh& mesh, const LayerWalls& walls, const std::vector<Index>& counts)
 {
   constexpr double none = std::numeric_limits<double>::infinity();
-  std::vector<double> sizes(mesh.points.size(), none);
+  std::vector<double> off(mesh.points.size(), 0.0);
   std::vector<double> along(mesh.points.size(), none);
   for (const auto& corners : mesh.corners)
   {
@@ -222,15 +222,19 @@ std::vector<double> findWallSizes(const DualMesh& mesh, const LayerWalls& walls,
         continue;
       }
       const double length = (mesh.points[q] - mesh.points[p]).norm();
-      auto& to = liesOnWall(mesh, walls, p, q) ? along : sizes;
-      const double share = &to == &sizes && counts[p] > 0 && counts[q] > 0 ? 0.5 : 1.0;
-      to[p] = std::min(to[p], share * length);
-      to[q] = std::min(to[q], share * length);
+      const bool onWall = liesOnWall(mesh, walls, p, q);
+      const double share = counts[p] > 0 && counts[q] > 0 ? 0.5 : 1.0;
+      for (const Index end : {p, q})
+      {
+        off[end] = onWall ? off[end] : std::max(off[end], share * length);
+        along[end] = onWall ? std::min(along[end], length) : along[end];
+      }
     }
   }
+  std::vector<double> sizes(mesh.points.size(), none);
   for (std::size_t p = 0; p < sizes.size(); ++p)
   {
-    sizes[p] = counts[p] == 0 ? none : sizes[p] < none ? sizes[p] : along[p];
+    sizes[p] = counts[p] == 0 ? none : off[p] > 0.0 ? off[p] : along[p];
   }
   return sizes;
 }

@@ -18,13 +18,16 @@ namespace atria {
 LayerMesh growLayer(const DualMesh& plain, const LayerWalls& walls, const LayerOptions& options,
                     const std::vector<char>& excluded, const RunContext& context);
 
-/// The points that have to go for the mesh to be no less valid than the plain one: those with copies of elements that
-/// are not valid but were (prisms never were), by point of the plain mesh. Empty where all is well.
+/// The points that have to go for the layer to spoil nothing: those with copies at elements that are not valid although
+/// they are prisms, or were valid and not flat without the layer. By point of the plain mesh; empty where all is well.
 std::vector<Index> pointsWithoutRoom(const DualMesh& plain, const LayerMesh& layer, const RunContext& context);
 
-/// The shortest way from each point that has a count along edges of elements that leave its walls, half of it where
-/// another wall is at the other end; along the walls where no edge leaves them, as in the corner of a room. Infinite
-/// for other points.
+/// For each point that has a count the longest edge of an element that leaves its walls, half of it where another wall
+/// is at the other end; where none leaves them, as in the corner of a room, the shortest edge along them. Infinite for
+/// other points.
+///
+/// The longest, as the layer then is thicker at the vertices of large octants than at those of small ones beside them,
+/// which opens elements between the two that lie flat on the wall.
 std::vector<double> findWallSizes(const DualMesh& mesh, const LayerWalls& walls, const std::vector<Index>& counts);
 
 /// How thick the layers of one point should be in all, its size being known.

@@ -12,6 +12,8 @@ namespace {
 
 /// Vectors shorter than this, of unit ones cut to a plane, have no direction.
 constexpr double tiny = 1e-6;
+/// Faces of a side that slope by more are off its plane.
+constexpr double sideSlope = 1e-5;
 
 /// Takes directions out of space until a plane, a line or a point is left.
 class Subspace
@@ -130,6 +132,18 @@ private:
   double bestLeast = -2.0;
 };
 
+/// Whether a side's faces about a point lie in its plane. Where a surface is close to a turned side their other points
+/// may be on the surface, and copies that slide along the side would change the space inside.
+bool liesInSides(const DualMesh& mesh, const LayerWalls& walls, const std::vector<Vec3>& normals, Index point,
+                 const LayerOptions& options)
+{
+  const auto star = walls.graph.facesAt(point);
+  return std::all_of(star.begin(), star.end(), [&](Index f) {
+    return walls.roles[f] != FaceRole::slide ||
+           normals[f].cross(sideNormal(mesh.boundaryFaces[f], options)).norm() <= sideSlope * normals[f].norm();
+  });
+}
+
 /// What the faces about a point ask for.
 DirectionProblem problemAt(const DualMesh& mesh, const LayerWalls& walls, const std::vector<Vec3>& normals, Index point,
                            const LayerOptions& options)
@@ -227,7 +241,7 @@ std::vector<LayerDirection> findDirections(const DualMesh& mesh, const LayerWall
     context.progress.check();
     for (std::size_t p = begin; p < end; ++p)
     {
-      if (counts[p] > 0)
+      if (counts[p] > 0 && liesInSides(mesh, walls, normals, static_cast<Index>(p), options))
       {
         out[p] = solveDirection(problemAt(mesh, walls, normals, static_cast<Index>(p), options));
       }

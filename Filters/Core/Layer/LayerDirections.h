@@ -43,7 +43,8 @@ LayerDirection solveDirection(const DirectionProblem& problem);
 /// Area vectors of boundary faces, into the fluid.
 std::vector<Vec3> wallNormals(const DualMesh& mesh, const RunContext& context);
 
-/// For each point with a count the direction; for others zero.
+/// For each point with a count the direction; zero for others, and where faces of the domain's sides are off their
+/// planes.
 std::vector<LayerDirection> findDirections(const DualMesh& mesh, const LayerWalls& walls,
                                            const std::vector<Vec3>& normals, const std::vector<Index>& counts,
                                            const LayerOptions& options, const RunContext& context);

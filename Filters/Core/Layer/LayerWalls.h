@@ -14,9 +14,9 @@ struct LayerOptions
   /// Normals of the domain's sides by Direction, unit vectors; along the axes unless the domain is turned.
   std::array<Vec3, 6> sideNormals{-Vec3::UnitX(), Vec3::UnitX(),  -Vec3::UnitY(),
                                   Vec3::UnitY(),  -Vec3::UnitZ(), Vec3::UnitZ()};
-  /// Thickness of a layer without a height of its own, relative to the shortest way from the wall point along edges of
-  /// elements.
-  double relativeThickness = 0.35;
+  /// Thickness of a layer without a height of its own, relative to the size of the elements beside the wall
+  /// (findWallSizes).
+  double relativeThickness = 0.3;
 
   Index surfaceCount() const { return static_cast<Index>(ofTag.size()) - 6; }
 };

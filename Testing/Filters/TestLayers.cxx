@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Layers of the mesher's output.
+#include "DualMesherTest.h"
+#include "vtkAtriaMeshQuality.h"
+
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkStringArray.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace {
+
+using atria::Vec3;
+
+class Layers : public atria::testing::DualMesherTest
+{
+protected:
+  Layers()
+  {
+    atria::testing::addBox(surface, "Building", {Vec3(-1.7, -1.9, 0), Vec3(1.1, 1.4, 2.6)});
+    atria::testing::addSheet(surface, "Screen", {2.6, -1.9, 0.0}, {0.0, 3.1, 0.0}, {0.0, 0.0, 2.1});
+    setSurface(surface);
+  }
+
+  vtkIdType invalidCells()
+  {
+    vtkNew<vtkAtriaMeshQuality> quality;
+    quality->SetInputConnection(0, mesher->GetOutputPort(0));
+    quality->SetInputConnection(1, mesher->GetOutputPort(1));
+    quality->Update();
+    return quality->GetNumberOfInvalidCells();
+  }
+
+  /// Least and greatest of a patch's array.
+  std::array<double, 2> rangeOf(const std::string& patch, const char* array)
+  {
+    std::array<double, 2> range{};
+    namedPatches().at(patch)->GetCellData()->GetArray(array)->GetRange(range.data());
+    return range;
+  }
+
+  atria::TriangleSurface surface;
+};
+
+TEST_F(Layers, FillTheSameSpaceWithOneAndFive)
+{
+  mesher->Update();
+  const double space = meshVolume();
+  const vtkIdType plain = volume()->GetNumberOfCells();
+  vtkIdType faces = 0;
+  for (const auto& [name, patch] : namedPatches())
+  {
+    faces += name.starts_with("x") || name.starts_with("y") || name.starts_with("z") ? 0 : patch->GetNumberOfCells();
+    EXPECT_EQ(rangeOf(name, "LayerCount"), (std::array{0.0, 0.0}));
+  }
+  for (const int layers : {1, 5})
+  {
+    SCOPED_TRACE(layers);
+    mesher->SetNumberOfLayers(layers);
+    mesher->Update();
+    EXPECT_EQ(volume()->GetNumberOfCells(), plain + layers * faces);
+    EXPECT_NEAR(meshVolume() / space, 1.0, 1e-9);
+    EXPECT_EQ(invalidCells(), 0);
+    for (const char* patch : {"Building", "Screen_front", "Screen_back"})
+    {
+      EXPECT_EQ(rangeOf(patch, "LayerCount")[0], layers) << patch;
+      EXPECT_GT(rangeOf(patch, "LayerThickness")[1], 0.0) << patch;
+    }
+    EXPECT_EQ(rangeOf("zMin", "LayerCount")[1], 0.0);
+  }
+}
+
+TEST_F(Layers, FollowTheRules)
+{
+  mesher->SetNumberOfLayers(2);
+  mesher->SetFirstLayerHeight(0.02);
+  mesher->AddLayers("Scr*", 3, 0.01, 1.5);
+  mesher->AddLayers("zMin", 1);
+  mesher->Update();
+  EXPECT_EQ(rangeOf("Building", "LayerCount")[1], 2.0);
+  EXPECT_EQ(rangeOf("Screen_front", "LayerCount")[1], 3.0);
+  // All faces of the screen have corners on its rim, where the layer lies in its plane.
+  EXPECT_LT(rangeOf("Screen_front", "LayerThickness")[1], 0.01 * (1.0 + 1.5 + 2.25));
+  EXPECT_GT(rangeOf("Screen_front", "LayerThickness")[1], 0.01);
+  EXPECT_NEAR(rangeOf("Building", "LayerThickness")[1], 0.02 * 2.2, 1e-9);
+  EXPECT_EQ(rangeOf("zMin", "LayerCount")[1], 1.0);
+  auto* names = vtkStringArray::SafeDownCast(diagnostics()->GetFieldData()->GetAbstractArray("LayerSurface"));
+  ASSERT_EQ(names->GetNumberOfValues(), 3);
+  EXPECT_EQ(names->GetValue(1), "Screen");
+  EXPECT_EQ(diagnostics()->GetFieldData()->GetArray("LayersAsked")->GetTuple1(1), 3.0);
+  EXPECT_GT(diagnostics()->GetFieldData()->GetArray("LayerCoverage")->GetTuple1(1), 0.9);
+  mesher->RemoveAllLayerRules();
+  mesher->Update();
+  EXPECT_EQ(rangeOf("Screen_front", "LayerCount")[1], 2.0);
+}
+
+TEST_F(Layers, RefuseRulesThatMeanNothing)
+{
+  for (const char* rule : {"Roof 1", "Screen", "Screen 1.5", "Screen -1", ""})
+  {
+    mesher->RemoveAllLayerRules();
+    mesher->AddLayerRule(rule);
+    mesher->Update();
+    const std::vector<std::string> errors = messages.takeErrors();
+    ASSERT_FALSE(errors.empty()) << rule;
+    EXPECT_NE(errors[0].find(rule[0] == 'R' ? "no surface matches 'Roof'" : "layer"), std::string::npos) << errors[0];
+    expectEmpty();
+  }
+}
+
+} // namespace
