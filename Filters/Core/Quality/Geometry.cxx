@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Quality/Geometry.h"
 
+#include "Quality/InOrder.h"
+
 #include <Eigen/Geometry>
 
 #include <cmath>
@@ -39,7 +41,7 @@ void measureFace(const FaceMesh& mesh, std::size_t f, MeshGeometry& out)
     const Vec3& here = point(i);
     const Vec3& next = point(i + 1 < size ? i + 1 : 0);
     const Vec3 area = (next - here).cross(mean - here);
-    const double magnitude = area.norm();
+    const double magnitude = lengthInOrder(area);
     areaSum += area;
     magnitudeSum += magnitude;
     momentSum += magnitude * (here + next + mean);
@@ -62,12 +64,12 @@ void measureCell(const FaceMesh& mesh, std::span<const Index> faces, std::size_t
   for (const Index f : faces)
   {
     const double sign = mesh.owner[f] == cell ? 1.0 : -1.0;
-    const double pyramid = sign * out.faceAreas[f].dot(out.faceCentroids[f] - estimate);
+    const double pyramid = sign * dotInOrder(out.faceAreas[f], out.faceCentroids[f] - estimate);
     moment += pyramid * (0.75 * out.faceCentroids[f] + 0.25 * estimate);
     tripleVolume += pyramid;
   }
   out.cellCentroids[cell] = std::abs(tripleVolume) > tinyVolume ? Vec3(moment / tripleVolume) : estimate;
-  out.cellVolumes[cell] = tripleVolume / 3.0;
+  out.cellVolumes[cell] = tripleVolume * (1.0 / 3.0);
 }
 
 } // namespace
@@ -122,6 +124,13 @@ MeshGeometry computeGeometry(const FaceMesh& mesh, const CellFaces& cellFaces, c
       measureCell(mesh, cellFaces.of(c), c, out);
     }
   });
+  return out;
+}
+
+MeasuredMesh measureMesh(const FaceMesh& mesh, const RunContext& context)
+{
+  MeasuredMesh out{mesh, makeCellFaces(mesh), {}};
+  out.geometry = computeGeometry(mesh, out.cellFaces, context);
   return out;
 }
 

@@ -37,4 +37,14 @@ struct MeshGeometry
 /// volume is their sum, its centroid the mean of theirs weighted by volume. Throws Aborted when asked to.
 MeshGeometry computeGeometry(const FaceMesh& mesh, const CellFaces& cellFaces, const RunContext& context);
 
+/// A mesh with all that metrics and checks start from. The mesh must outlive it.
+struct MeasuredMesh
+{
+  const FaceMesh& mesh;
+  CellFaces cellFaces;
+  MeshGeometry geometry;
+};
+
+MeasuredMesh measureMesh(const FaceMesh& mesh, const RunContext& context);
+
 } // namespace atria
