@@ -24,16 +24,16 @@ constexpr double leastConcaveDegrees = 10.0;
 constexpr std::size_t grain = 4096;
 
 constexpr std::array<CheckQuantityInfo, checkQuantityCount> infos{{
-    {CheckQuantity::Openness, "Openness", false, true},
-    {CheckQuantity::AreaAspectRatio, "AreaAspectRatio", false, true},
-    {CheckQuantity::Determinant, "Determinant", false, false},
-    {CheckQuantity::Concavity, "Concavity", false, true},
-    {CheckQuantity::FaceWeight, "FaceWeight", true, false},
-    {CheckQuantity::VolumeRatio, "VolumeRatio", true, false},
-    {CheckQuantity::FaceFlatness, "FaceFlatness", true, false},
-    {CheckQuantity::FaceConcaveAngle, "FaceConcaveAngle", true, true},
-    {CheckQuantity::TetQuality, "TetQuality", true, false},
-    {CheckQuantity::EdgeLength, "EdgeLength", true, false},
+    {CheckQuantity::Openness, "Openness", false, true, false},
+    {CheckQuantity::AreaAspectRatio, "AreaAspectRatio", false, true, false},
+    {CheckQuantity::Determinant, "Determinant", false, false, false},
+    {CheckQuantity::Concavity, "Concavity", false, true, false},
+    {CheckQuantity::FaceWeight, "FaceWeight", true, false, true},
+    {CheckQuantity::VolumeRatio, "VolumeRatio", true, false, true},
+    {CheckQuantity::FaceFlatness, "FaceFlatness", true, false, false},
+    {CheckQuantity::FaceConcaveAngle, "FaceConcaveAngle", true, true, false},
+    {CheckQuantity::TetQuality, "TetQuality", true, false, false},
+    {CheckQuantity::EdgeLength, "EdgeLength", true, false, false},
 }};
 
 /// Sums over the faces of a cell: of A, outward, and of its components' sizes.

@@ -51,6 +51,7 @@ struct CheckQuantityInfo
   const char* name;
   bool ofFaces;        ///< by face, else by cell
   bool greaterIsWorse; ///< else smaller is
+  bool needsTwoCells;  ///< is 1 on boundary faces, which tables and checks leave out
 };
 
 /// All of them, in order.

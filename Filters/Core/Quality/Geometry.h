@@ -21,7 +21,7 @@ struct CellFaces
   }
 };
 
-CellFaces makeCellFaces(const FaceMesh& mesh);
+CellFaces makeCellFaces(const FaceMesh& mesh, const Executor& executor = SerialExecutor());
 
 /// Units: those of the points, squared for areas, cubed for volumes.
 struct MeshGeometry

@@ -113,9 +113,9 @@ private:
   void judgeQuantity(const Limit& limit, CheckQuantity quantity)
   {
     const std::vector<double> values = measure(m, quantity, context);
-    const bool needsTwoCells = quantity == CheckQuantity::FaceWeight || quantity == CheckQuantity::VolumeRatio;
-    judge(limit, describe(quantity).ofFaces ? MeshPart::Faces : MeshPart::Cells, values,
-          needsTwoCells ? m.mesh.internalFaceCount() : values.size());
+    const CheckQuantityInfo& info = describe(quantity);
+    judge(limit, info.ofFaces ? MeshPart::Faces : MeshPart::Cells, values,
+          info.needsTwoCells ? m.mesh.internalFaceCount() : values.size());
   }
 
   void judgeBoundary()
