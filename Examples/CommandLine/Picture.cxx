@@ -45,7 +45,7 @@ std::string svgOf(const Text& text)
 {
   const char* const anchors[] = {"start", "middle", "end"};
   return "<text x=\"" + number(text.x) + "\" y=\"" + number(text.y) + "\" font-size=\"" + number(text.size) +
-         "\" text-anchor=\"" + anchors[static_cast<int>(text.anchor)] + "\" dominant-baseline=\"central\" fill=\"" +
+         "\" text-anchor=\"" + anchors[static_cast<int>(text.anchor)] + "\" dy=\"0.35em\" fill=\"" +
          rgb(text.colour) + '"' + (text.bold ? " font-weight=\"bold\">" : ">") + escaped(text.text) + "</text>";
 }
 
