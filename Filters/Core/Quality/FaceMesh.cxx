@@ -25,9 +25,11 @@ struct Key
   Index halfFace;
 };
 
-std::array<Index, 4> smallestPoints(std::span<const Index> face)
+constexpr std::size_t smallestCount = 4;
+
+std::array<Index, smallestCount> smallestPoints(std::span<const Index> face)
 {
-  std::array<Index, 4> smallest{noIndex, noIndex, noIndex, noIndex};
+  std::array<Index, smallestCount> smallest{noIndex, noIndex, noIndex, noIndex};
   for (Index point : face)
   {
     for (Index& held : smallest)
@@ -147,12 +149,19 @@ private:
     {
       return sizeA < sizeB;
     }
-    return sizeA > 4 && sortedPoints(a) < sortedPoints(b);
+    return sizeA > smallestCount && sortedPoints(a) < sortedPoints(b);
   }
 
   bool sameFace(const Key& a, const Key& b) const
   {
-    return a.points == b.points && samePoints(halves.face(a.halfFace), halves.face(b.halfFace));
+    if (a.points != b.points)
+    {
+      return false;
+    }
+    const auto faceA = halves.face(a.halfFace);
+    const auto faceB = halves.face(b.halfFace);
+    const bool keysTellAll = faceA.size() <= smallestCount && faceB.size() <= smallestCount;
+    return keysTellAll || samePoints(faceA, faceB);
   }
 
   void matchBucket(std::span<const Index> halfFaces, std::vector<Key>& bucket)
@@ -160,7 +169,7 @@ private:
     bucket.clear();
     for (const Index h : halfFaces)
     {
-      const std::array<Index, 4> points = smallestPoints(halves.face(h));
+      const std::array<Index, smallestCount> points = smallestPoints(halves.face(h));
       bucket.push_back({{points[1], points[2], points[3]}, h});
     }
     std::sort(bucket.begin(), bucket.end(), [this](const Key& a, const Key& b) {

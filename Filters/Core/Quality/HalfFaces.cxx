@@ -90,9 +90,21 @@ private:
     }
     for (const LocalFace& local : shape.faces)
     {
+      std::array<Index, 4> points{};
+      bool distinct = true;
       for (int i = 0; i < local.size; ++i)
       {
-        addPoint(corners[local.corners[i]]);
+        points[i] = corners[local.corners[i]];
+        distinct = distinct && (i == 0 || points[i] != points[i - 1]);
+      }
+      if (distinct && points[0] != points[local.size - 1])
+      {
+        use(std::span<const Index>(points.data(), local.size));
+        continue;
+      }
+      for (int i = 0; i < local.size; ++i)
+      {
+        addPoint(points[i]);
       }
       closeFace(use);
     }

@@ -61,35 +61,47 @@ template <typename F> double sumOfFinite(std::span<const double> values, const E
   return sum.value;
 }
 
-/// Count of the finite values; extremes of all that are numbers, and of the finite ones.
+/// Count and extremes of the finite values; whether there are infinite ones.
 struct Extremes
 {
+  static constexpr double infinity = std::numeric_limits<double>::infinity();
+
   std::size_t count = 0;
-  double minimum = std::numeric_limits<double>::quiet_NaN();
-  double maximum = minimum;
-  double finiteMinimum = std::numeric_limits<double>::infinity();
-  double finiteMaximum = -finiteMinimum;
+  double minimum = infinity;
+  double maximum = -infinity;
+  bool hasInfinite[2] = {false, false}; ///< below, above
 
   void add(double value)
   {
     if (std::isfinite(value))
     {
       ++count;
-      finiteMinimum = std::min(finiteMinimum, value);
-      finiteMaximum = std::max(finiteMaximum, value);
+      minimum = std::min(minimum, value);
+      maximum = std::max(maximum, value);
     }
-    // fmin and fmax prefer a number to none.
-    minimum = std::fmin(minimum, value);
-    maximum = std::fmax(maximum, value);
+    else if (!std::isnan(value))
+    {
+      hasInfinite[value > 0.0] = true;
+    }
   }
 
   void add(const Extremes& other)
   {
     count += other.count;
-    minimum = std::fmin(minimum, other.minimum);
-    maximum = std::fmax(maximum, other.maximum);
-    finiteMinimum = std::min(finiteMinimum, other.finiteMinimum);
-    finiteMaximum = std::max(finiteMaximum, other.finiteMaximum);
+    minimum = std::min(minimum, other.minimum);
+    maximum = std::max(maximum, other.maximum);
+    hasInfinite[0] = hasInfinite[0] || other.hasInfinite[0];
+    hasInfinite[1] = hasInfinite[1] || other.hasInfinite[1];
+  }
+
+  /// With the infinite values; not a number where there is no value.
+  double leastOfAll() const
+  {
+    return hasInfinite[0] ? -infinity : count > 0 ? minimum : hasInfinite[1] ? infinity : std::nan("");
+  }
+  double greatestOfAll() const
+  {
+    return hasInfinite[1] ? infinity : count > 0 ? maximum : hasInfinite[0] ? -infinity : std::nan("");
   }
 };
 
@@ -138,7 +150,7 @@ Statistics summarise(std::span<const double> values, const Executor& executor)
 {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const Extremes extremes = extremesOf(values, executor);
-  Statistics out{extremes.count, extremes.minimum, extremes.maximum, none, none};
+  Statistics out{extremes.count, extremes.leastOfAll(), extremes.greatestOfAll(), none, none};
   if (out.count > 0)
   {
     const auto count = static_cast<double>(out.count);
@@ -153,8 +165,8 @@ Histogram makeHistogram(std::span<const double> values, std::size_t bins, const 
 {
   const std::size_t binCount = std::max<std::size_t>(bins, 1);
   const Extremes extremes = extremesOf(values, executor);
-  const double low = extremes.finiteMinimum;
-  const double high = extremes.finiteMaximum;
+  const double low = extremes.minimum;
+  const double high = extremes.maximum;
   Histogram out;
   out.centres.assign(binCount, 0.0);
   out.density.assign(binCount, 0.0);
