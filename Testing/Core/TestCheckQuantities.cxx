@@ -3,12 +3,14 @@
 /// filters.
 #include "Quality/CheckQuantities.h"
 #include "Quality/MeshChecks.h"
+#include "Quality/Metrics.h"
 #include "Support/Error.h"
 #include "Support/SampleMesh.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -196,6 +198,30 @@ TEST(MeshChecks, CellsKnowTheChecksTheyFail)
     {
       EXPECT_EQ((bits[c] >> i & 1U) != 0, wanted[c]) << check.name << ", cell " << c;
     }
+  }
+}
+
+TEST(MeshChecks, AgreeWithTheMetrics)
+{
+  const SampleMesh cells = atria::testing::mixedCells({5, 5, 5}, 9, 0.3);
+  Sample sample(cells);
+  const MeshVerdict verdict = sample.verdict();
+  const QualityMetrics metrics = computeQuality(sample.measured, cells.view(), sample.context());
+  EXPECT_EQ(verdict["Skewness"].worst, *std::max_element(metrics.skewness.begin(), metrics.skewness.end()));
+  EXPECT_EQ(verdict["Volume"].worst, *std::min_element(metrics.volume.begin(), metrics.volume.end()));
+  EXPECT_NEAR(verdict["NonOrthogonality"].worst,
+              *std::max_element(metrics.nonOrthogonality.begin(), metrics.nonOrthogonality.end()), 1e-9);
+  EXPECT_NEAR(verdict["FacePyramids"].worst,
+              *std::min_element(metrics.facePyramids.begin(), metrics.facePyramids.end()), 1e-14);
+  for (std::size_t c = 0; c < metrics.valid.size(); ++c)
+  {
+    // A cell is valid where its volume and pyramids are positive and it is closed, whichever function says so.
+    bool sound = metrics.volume[c] > 0.0 && sample.values(CheckQuantity::Openness)[c] <= 1e-6;
+    for (const Index f : sample.measured.cellFaces.of(c))
+    {
+      sound = sound && pyramidVolume(sample.measured, f, static_cast<Index>(c)) > 0.0;
+    }
+    EXPECT_EQ(metrics.valid[c] == 1, sound) << c;
   }
 }
 

@@ -141,6 +141,32 @@ TEST_F(MeshQuality, ScaledJacobianIsVerdicts)
   EXPECT_GT(compared, 50);
 }
 
+TEST_F(MeshQuality, VolumesAreVerdicts)
+{
+  // Verdict cuts hexahedra otherwise, which is the same where their faces are flat.
+  for (const double distance : {0.0, 0.35})
+  {
+    const auto volume = toGrid(atria::testing::mixedCells({5, 5, 5}, 12, distance));
+    vtkUnstructuredGrid* output = run(volume);
+    int compared = 0;
+    for (vtkIdType c = 0; c < output->GetNumberOfCells(); ++c)
+    {
+      const int type = volume->GetCellType(c);
+      if (type == VTK_TETRA)
+      {
+        EXPECT_NEAR(valueOf(output, "Volume", c), vtkMeshQuality::TetVolume(volume->GetCell(c)), 1e-14);
+        ++compared;
+      }
+      else if (type == VTK_HEXAHEDRON && distance == 0.0)
+      {
+        EXPECT_NEAR(valueOf(output, "Volume", c), vtkMeshQuality::HexVolume(volume->GetCell(c)), 1e-14);
+        ++compared;
+      }
+    }
+    EXPECT_GT(compared, 20);
+  }
+}
+
 TEST_F(MeshQuality, SummaryDescribesTheArrays)
 {
   vtkUnstructuredGrid* output = run(toGrid(atria::testing::mixedCells({4, 4, 4}, 2, 0.2)));
