@@ -45,8 +45,8 @@ std::string svgOf(const Text& text)
 {
   const char* const anchors[] = {"start", "middle", "end"};
   return "<text x=\"" + number(text.x) + "\" y=\"" + number(text.y) + "\" font-size=\"" + number(text.size) +
-         "\" text-anchor=\"" + anchors[static_cast<int>(text.anchor)] + "\" dy=\"0.35em\" fill=\"" +
-         rgb(text.colour) + '"' + (text.bold ? " font-weight=\"bold\">" : ">") + escaped(text.text) + "</text>";
+         "\" text-anchor=\"" + anchors[static_cast<int>(text.anchor)] + "\" dy=\"0.35em\" fill=\"" + rgb(text.colour) +
+         '"' + (text.bold ? " font-weight=\"bold\">" : ">") + escaped(text.text) + "</text>";
 }
 
 void move(Bar& bar, double x, double y)

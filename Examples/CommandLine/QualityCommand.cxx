@@ -9,6 +9,7 @@
 #include <vtkAtriaMeshQuality.h>
 #include <vtkAtriaWorstElements.h>
 #include <vtkNew.h>
+#include <vtkPartitionedDataSetCollection.h>
 #include <vtkTable.h>
 #include <vtkUnstructuredGrid.h>
 
@@ -27,6 +28,7 @@ namespace {
 struct Options
 {
   std::string file;
+  std::string patches;
   bool json = false;
   bool checks = false;
   std::vector<std::string> plots;
@@ -125,6 +127,10 @@ ExitStatus runQuality(const Options& options, Console& console)
   const auto mesh = readMesh(options.file, console);
   vtkNew<vtkAtriaMeshQuality> quality;
   quality->SetInputDataObject(0, mesh);
+  if (!options.patches.empty())
+  {
+    quality->SetInputDataObject(1, readPatches(options.patches, console));
+  }
   quality->SetCheckMesh(options.checks);
   console.follow(quality, 0.5, 1.0);
   updateOrFail(quality, options.file, console);
@@ -159,6 +165,8 @@ void addQualityCommand(CLI::App& app, Console& console, ExitStatus& status)
       app.add_subcommand("quality", "Measure a mesh; exit status 4 if it has elements that are not valid");
   auto options = std::make_shared<Options>();
   command->add_option("MESH.vtu", options->file, "Mesh to measure")->required();
+  command->add_option("--patches", options->patches,
+                      "FILE.vtpc with the mesh's patches: parts the two sides of sheets one element wide");
   command->add_flag("--json", options->json, "Print JSON");
   command->add_flag("--checks", options->checks, "Judge the mesh as OpenFOAM's checkMesh -allGeometry does");
   command

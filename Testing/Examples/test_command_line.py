@@ -173,6 +173,9 @@ class CommandLine(unittest.TestCase):
         measured = json.loads(again.stdout)
         self.assertEqual(measured["counts"], counts)
         self.assertEqual(measured["quality"]["CellSquish"], data["quality"]["CellSquish"])
+        parted = self.atria("quality", out, "--patches", patches, "--json")
+        self.assertEqual(json.loads(parted.stdout)["quality"], data["quality"], parted.stderr)
+        self.refuses(3, "atria mesh --patches", "quality", out, "--patches", out)
 
     def small_mesh(self):
         out = self.folder / "small.vtu"
