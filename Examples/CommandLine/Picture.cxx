@@ -35,7 +35,7 @@ std::string svgOf(const Line& line)
   std::string points;
   for (const auto& [x, y] : line.points)
   {
-    points += (points.empty() ? "" : " ") + number(x) + ',' + number(y);
+    points += number(x) + ',' + number(y) + ' ';
   }
   return "<polyline points=\"" + points + "\" fill=\"none\" stroke=\"" + rgb(line.colour) + "\" stroke-width=\"" +
          number(line.width) + "\"/>";
