@@ -12,6 +12,7 @@
 #include <vtkPolyData.h>
 #include <vtkStringArray.h>
 #include <vtkUnstructuredGrid.h>
+#include <vtkXMLPartitionedDataSetCollectionReader.h>
 #include <vtkXMLPartitionedDataSetCollectionWriter.h>
 #include <vtkXMLPolyDataWriter.h>
 #include <vtkXMLUnstructuredGridReader.h>
@@ -126,6 +127,23 @@ vtkSmartPointer<vtkUnstructuredGrid> readMesh(const std::string& file, Console& 
   reader->Update();
   throwIfErrors(console, BadInput, file);
   return reader->GetOutput();
+}
+
+vtkSmartPointer<vtkPartitionedDataSetCollection> readPatches(const std::string& file, Console& console)
+{
+  checkReadable(file);
+  vtkNew<vtkXMLPartitionedDataSetCollectionReader> reader;
+  if (!reader->CanReadFile(file.c_str()))
+  {
+    console.takeErrors();
+    throw Failure(BadInput, file + " holds no patches; give a .vtpc file, such as `atria mesh --patches` writes");
+  }
+  reader->SetFileName(file.c_str());
+  reader->Update();
+  throwIfErrors(console, BadInput, file);
+  vtkSmartPointer<vtkPartitionedDataSetCollection> patches =
+      vtkPartitionedDataSetCollection::SafeDownCast(reader->GetOutputDataObject(0));
+  return patches;
 }
 
 void writeMesh(const std::string& file, vtkUnstructuredGrid* mesh, Console& console)

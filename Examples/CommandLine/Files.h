@@ -21,6 +21,8 @@ class Console;
 /// A reader that has read `file`. Its warnings have been printed. Throws Failure(BadInput).
 vtkSmartPointer<vtkAtriaVRMLReader> readModel(const std::string& file, Console& console);
 vtkSmartPointer<vtkUnstructuredGrid> readMesh(const std::string& file, Console& console);
+/// What writePatches() wrote.
+vtkSmartPointer<vtkPartitionedDataSetCollection> readPatches(const std::string& file, Console& console);
 
 /// Appended binary data, compressed. Throws Failure(Failed).
 void writeMesh(const std::string& file, vtkUnstructuredGrid* mesh, Console& console);

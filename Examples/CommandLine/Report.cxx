@@ -218,6 +218,23 @@ Json qualityOf(vtkTable* summary)
   return metrics;
 }
 
+Json checksOf(vtkTable* checks)
+{
+  Json list = Json::object();
+  for (vtkIdType row = 0; row < checks->GetNumberOfRows(); ++row)
+  {
+    const auto value = [&](const char* column) { return checks->GetValueByName(row, column); };
+    list[value("Check").ToString()] = {{"of", value("Of").ToString()},
+                                       {"limit", value("Limit").ToDouble()},
+                                       {"worst", value("Worst").ToDouble()},
+                                       {"mean", value("Mean").ToDouble()},
+                                       {"failing", value("Failing").ToLongLong()},
+                                       {"is_error", value("IsError").ToInt() != 0},
+                                       {"set", value("Set").ToString()}};
+  }
+  return list;
+}
+
 Json stageSecondsOf(vtkAtriaDualMesher* mesher)
 {
   Json stages = Json::object();

@@ -31,6 +31,9 @@ Json patchesOf(vtkPartitionedDataSetCollection* patches);
 /// {metric: {min, max, mean, std}} from the summary table of vtkAtriaMeshQuality.
 Json qualityOf(vtkTable* summary);
 
+/// {check: {of, limit, worst, mean, failing, is_error, set}} from the table of checks of vtkAtriaMeshQuality.
+Json checksOf(vtkTable* checks);
+
 /// {stage: seconds} of the mesher's last run.
 Json stageSecondsOf(vtkAtriaDualMesher* mesher);
 

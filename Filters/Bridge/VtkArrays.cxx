@@ -7,13 +7,17 @@
 #include <vtkCellData.h>
 #include <vtkCompositeDataSet.h>
 #include <vtkDataArray.h>
+#include <vtkDoubleArray.h>
 #include <vtkInformation.h>
 #include <vtkPartitionedDataSet.h>
 #include <vtkPartitionedDataSetCollection.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
 
 namespace atria {
 
@@ -80,6 +84,12 @@ std::string nameOf(vtkPartitionedDataSetCollection* patches, unsigned int i)
 std::vector<Vec3> pointsFromVtk(vtkPoints* points)
 {
   std::vector<Vec3> out(points ? points->GetNumberOfPoints() : 0);
+  if (auto* doubles = points ? vtkDoubleArray::SafeDownCast(points->GetData()) : nullptr)
+  {
+    const double* values = doubles->GetPointer(0);
+    std::copy(values, values + 3 * out.size(), out.empty() ? nullptr : out.front().data());
+    return out;
+  }
   for (std::size_t i = 0; i < out.size(); ++i)
   {
     points->GetPoint(static_cast<vtkIdType>(i), out[i].data());
@@ -87,26 +97,35 @@ std::vector<Vec3> pointsFromVtk(vtkPoints* points)
   return out;
 }
 
-VtkCells cellsFromVtk(vtkUnstructuredGrid* grid)
+std::span<const std::int64_t> VtkCells::viewOrCopy(vtkDataArray* array)
 {
-  VtkCells cells;
-  const vtkIdType count = grid->GetNumberOfCells();
-  cells.types.resize(count);
-  for (vtkIdType i = 0; i < count; ++i)
+  const bool sameLayout = array && array->GetDataTypeSize() == sizeof(std::int64_t) &&
+                          array->HasStandardMemoryLayout() && array->GetDataType() != VTK_DOUBLE;
+  if (sameLayout)
   {
-    cells.types[i] = static_cast<unsigned char>(grid->GetCellType(i));
+    return {static_cast<const std::int64_t*>(array->GetVoidPointer(0)),
+            static_cast<std::size_t>(array->GetNumberOfValues())};
   }
-  if (count == 0)
-  {
-    cells.offsets = {0};
-    return cells;
-  }
-  cells.offsets = integers(grid->GetCells()->GetOffsetsArray());
-  cells.connectivity = integers(grid->GetCells()->GetConnectivityArray());
-  cells.faceStream = integers(grid->GetFaces());
-  cells.faceLocations = integers(grid->GetFaceLocations());
-  return cells;
+  return copies.emplace_back(integers(array));
 }
+
+VtkCells::VtkCells(vtkUnstructuredGrid* grid)
+{
+  static const std::int64_t none[] = {0};
+  arrays.offsets = none;
+  if (grid->GetNumberOfCells() == 0)
+  {
+    return;
+  }
+  vtkUnsignedCharArray* cellTypes = grid->GetCellTypesArray();
+  arrays.types = {cellTypes->GetPointer(0), static_cast<std::size_t>(cellTypes->GetNumberOfValues())};
+  arrays.offsets = viewOrCopy(grid->GetCells()->GetOffsetsArray());
+  arrays.connectivity = viewOrCopy(grid->GetCells()->GetConnectivityArray());
+  arrays.faceStream = viewOrCopy(grid->GetFaces());
+  arrays.faceLocations = viewOrCopy(grid->GetFaceLocations());
+}
+
+VtkCells cellsFromVtk(vtkUnstructuredGrid* grid) { return VtkCells(grid); }
 
 std::vector<BoundaryFaceKey> VtkPatches::keys() const
 {

@@ -6,6 +6,7 @@
 
 #include <vector>
 
+class vtkDataArray;
 class vtkPartitionedDataSetCollection;
 class vtkPoints;
 class vtkUnstructuredGrid;
@@ -15,16 +16,22 @@ namespace atria {
 /// The points in double precision.
 std::vector<Vec3> pointsFromVtk(vtkPoints* points);
 
-/// Copies of a grid's cell arrays where VTK's own cannot be viewed directly.
-struct VtkCells
+/// A grid's cell arrays: VTK's own where they can be viewed directly, else copies. The grid must outlive it, unchanged.
+class VtkCells
 {
-  std::vector<unsigned char> types;
-  std::vector<std::int64_t> offsets;
-  std::vector<std::int64_t> connectivity;
-  std::vector<std::int64_t> faceStream;
-  std::vector<std::int64_t> faceLocations;
+public:
+  explicit VtkCells(vtkUnstructuredGrid* grid);
+  VtkCells() = default;
+  VtkCells(VtkCells&&) = default;
+  VtkCells& operator=(VtkCells&&) = default;
 
-  CellArrays view() const { return {types, offsets, connectivity, faceStream, faceLocations}; }
+  const CellArrays& view() const { return arrays; }
+
+private:
+  std::span<const std::int64_t> viewOrCopy(vtkDataArray* array);
+
+  CellArrays arrays;
+  std::vector<std::vector<std::int64_t>> copies;
 };
 VtkCells cellsFromVtk(vtkUnstructuredGrid* grid);
 

@@ -48,7 +48,8 @@ void checkPatchFaces(const VtkFaceMesh& result)
 
 } // namespace
 
-VtkFaceMesh faceMeshFromVtk(vtkUnstructuredGrid* volume, vtkPartitionedDataSetCollection* patches)
+VtkFaceMesh faceMeshFromVtk(vtkUnstructuredGrid* volume, vtkPartitionedDataSetCollection* patches,
+                            const Executor& executor)
 {
   if (!volume || volume->GetNumberOfCells() == 0)
   {
@@ -61,7 +62,7 @@ VtkFaceMesh faceMeshFromVtk(vtkUnstructuredGrid* volume, vtkPartitionedDataSetCo
     result.patches = patchesFromVtk(patches, volume);
   }
   const std::vector<BoundaryFaceKey> keys = result.patches.keys();
-  result.mesh = makeFaceMesh(pointsFromVtk(volume->GetPoints()), result.cells.view(), keys);
+  result.mesh = makeFaceMesh(pointsFromVtk(volume->GetPoints()), result.cells.view(), keys, executor);
   result.patchFaces = findBoundaryFaces(result.mesh, keys);
   checkPatchFaces(result);
   return result;

@@ -18,9 +18,10 @@ struct VtkFaceMesh
   std::vector<Index> patchFaces; ///< for each face of `patches` the face of `mesh`
 };
 
-/// `patches` may be null. Throws Error as makeFaceMesh() and patchesFromVtk() do, for a mesh without cells,
-/// for a patch face that is no face of its owner cell and for one that is in two patches; names the patches
-/// and the face.
-VtkFaceMesh faceMeshFromVtk(vtkUnstructuredGrid* volume, vtkPartitionedDataSetCollection* patches);
+/// `patches` may be null. `volume` must outlive the result. Throws Error as makeFaceMesh() and patchesFromVtk() do, for
+/// a mesh without cells, for a patch face that is no face of its owner cell and for one that is in two patches; names
+/// the patches and the face.
+VtkFaceMesh faceMeshFromVtk(vtkUnstructuredGrid* volume, vtkPartitionedDataSetCollection* patches,
+                            const Executor& executor = SerialExecutor());
 
 } // namespace atria

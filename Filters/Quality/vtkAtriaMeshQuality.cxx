@@ -2,6 +2,8 @@
 #include "vtkAtriaMeshQuality.h"
 
 #include "AlgorithmProgress.h"
+#include "Quality/CheckQuantities.h"
+#include "Quality/MeshChecks.h"
 #include "Quality/Metrics.h"
 #include "Quality/Statistics.h"
 #include "SmpExecutor.h"
@@ -18,42 +20,18 @@
 #include <vtkStringArray.h>
 #include <vtkTable.h>
 #include <vtkUnsignedCharArray.h>
+#include <vtkUnsignedIntArray.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
 #include <exception>
+#include <span>
 #include <string>
+#include <vector>
 
 vtkStandardNewMacro(vtkAtriaMeshQuality);
 
 namespace {
-
-/// A metric with its cell values and the values that the tables are made of.
-struct NamedMetric
-{
-  const char* name;
-  const std::vector<double>* cells;
-  const std::vector<double>* sample;
-};
-
-std::vector<NamedMetric> listMetrics(const atria::QualityMetrics& q)
-{
-  std::vector<NamedMetric> metrics;
-  const auto add = [&](const char* name, const std::vector<double>& cells) {
-    metrics.push_back({name, &cells, &cells});
-  };
-  add("CellSquish", q.cellSquish);
-  metrics.push_back({"FaceSquish", &q.faceSquish, &q.squishOfFaces});
-  add("AspectRatio", q.aspectRatio);
-  add("InverseAspectRatio", q.inverseAspectRatio);
-  add("OrthogonalQuality", q.orthogonalQuality);
-  add("NonOrthogonality", q.nonOrthogonality);
-  add("Skewness", q.skewness);
-  add("Volume", q.volume);
-  add("FacePyramids", q.facePyramids);
-  add("ScaledJacobian", q.scaledJacobian);
-  return metrics;
-}
 
 vtkSmartPointer<vtkDoubleArray> makeColumn(const std::string& name, const std::vector<double>& values)
 {
@@ -64,57 +42,178 @@ vtkSmartPointer<vtkDoubleArray> makeColumn(const std::string& name, const std::v
   return column;
 }
 
-void addCellArrays(vtkUnstructuredGrid* grid, const atria::QualityMetrics& quality)
+/// The values of a metric that the tables are made of, and whether they are those of faces.
+struct Sample
 {
-  for (const NamedMetric& metric : listMetrics(quality))
-  {
-    grid->GetCellData()->AddArray(makeColumn(metric.name, *metric.cells));
-  }
-  vtkNew<vtkUnsignedCharArray> valid;
-  valid->SetName("Valid");
-  valid->SetNumberOfValues(static_cast<vtkIdType>(quality.valid.size()));
-  std::copy(quality.valid.begin(), quality.valid.end(), valid->GetPointer(0));
-  grid->GetCellData()->AddArray(valid);
-}
+  const char* name;
+  bool ofFaces;
+  std::span<const double> values;
+};
 
-void fillSummary(vtkTable* table, const atria::QualityMetrics& quality)
+/// Collects cell arrays and the two tables of metrics.
+class Outputs
 {
-  vtkNew<vtkStringArray> names;
-  names->SetName("Metric");
-  vtkNew<vtkIdTypeArray> counts;
-  counts->SetName("Count");
-  std::vector<double> minima;
-  std::vector<double> maxima;
-  std::vector<double> means;
-  std::vector<double> deviations;
-  for (const NamedMetric& metric : listMetrics(quality))
+public:
+  Outputs(int numberOfBins, const atria::Executor& threads)
+      : bins(static_cast<std::size_t>(numberOfBins)), executor(threads)
   {
-    const atria::Statistics s = atria::summarise(*metric.sample);
-    names->InsertNextValue(metric.name);
+    names->SetName("Metric");
+    parts->SetName("Of");
+    counts->SetName("Count");
+  }
+
+  void addCells(const char* name, const std::vector<double>& values) { arrays.push_back(makeColumn(name, values)); }
+
+  void addSample(const Sample& sample)
+  {
+    const atria::Statistics s = atria::summarise(sample.values, executor);
+    names->InsertNextValue(sample.name);
+    parts->InsertNextValue(sample.ofFaces ? "faces" : "cells");
     counts->InsertNextValue(static_cast<vtkIdType>(s.count));
     minima.push_back(s.minimum);
     maxima.push_back(s.maximum);
     means.push_back(s.mean);
     deviations.push_back(s.standardDeviation);
+    const std::string name = sample.name;
+    const atria::Histogram h = atria::makeHistogram(sample.values, bins, executor);
+    histogram->AddColumn(makeColumn(name, h.centres));
+    histogram->AddColumn(makeColumn(name + "_PDF", h.density));
+    histogram->AddColumn(makeColumn(name + "_CDF", h.cumulative));
   }
-  table->AddColumn(names);
-  table->AddColumn(makeColumn("Minimum", minima));
-  table->AddColumn(makeColumn("Maximum", maxima));
-  table->AddColumn(makeColumn("Mean", means));
-  table->AddColumn(makeColumn("StandardDeviation", deviations));
-  table->AddColumn(counts);
+
+  /// Frees the values once they are copied.
+  void addBoth(const char* name, std::vector<double>& values)
+  {
+    addCells(name, values);
+    addSample({name, false, values});
+    std::vector<double>().swap(values);
+  }
+
+  void fill(vtkUnstructuredGrid* grid, vtkTable* summary, vtkTable* histograms)
+  {
+    for (const auto& array : arrays)
+    {
+      grid->GetCellData()->AddArray(array);
+    }
+    summary->AddColumn(names);
+    summary->AddColumn(parts);
+    summary->AddColumn(makeColumn("Minimum", minima));
+    summary->AddColumn(makeColumn("Maximum", maxima));
+    summary->AddColumn(makeColumn("Mean", means));
+    summary->AddColumn(makeColumn("StandardDeviation", deviations));
+    summary->AddColumn(counts);
+    histograms->ShallowCopy(histogram);
+  }
+
+  std::vector<vtkSmartPointer<vtkDataArray>> arrays;
+
+private:
+  std::size_t bins;
+  const atria::Executor& executor;
+  vtkNew<vtkStringArray> names;
+  vtkNew<vtkStringArray> parts;
+  vtkNew<vtkIdTypeArray> counts;
+  vtkNew<vtkTable> histogram;
+  std::vector<double> minima, maxima, means, deviations;
+};
+
+void addMetrics(Outputs& outputs, atria::QualityMetrics& q)
+{
+  outputs.addBoth("CellSquish", q.cellSquish);
+  outputs.addCells("FaceSquish", q.faceSquish);
+  outputs.addSample({"FaceSquish", true, q.squishOfFaces});
+  outputs.addBoth("AspectRatio", q.aspectRatio);
+  outputs.addBoth("InverseAspectRatio", q.inverseAspectRatio);
+  outputs.addBoth("OrthogonalQuality", q.orthogonalQuality);
+  outputs.addBoth("NonOrthogonality", q.nonOrthogonality);
+  outputs.addSample({"FaceNonOrthogonality", true, q.nonOrthogonalityOfFaces});
+  outputs.addBoth("Skewness", q.skewness);
+  outputs.addSample({"FaceSkewness", true, q.skewnessOfFaces});
+  outputs.addBoth("Volume", q.volume);
+  outputs.addBoth("FacePyramids", q.facePyramids);
+  outputs.addBoth("ScaledJacobian", q.scaledJacobian);
+  vtkNew<vtkUnsignedCharArray> valid;
+  valid->SetName("Valid");
+  valid->SetNumberOfValues(static_cast<vtkIdType>(q.valid.size()));
+  std::copy(q.valid.begin(), q.valid.end(), valid->GetPointer(0));
+  outputs.arrays.emplace_back(valid);
 }
 
-void fillHistogram(vtkTable* table, const atria::QualityMetrics& quality, int bins)
+/// One quantity after the other, as each has up to one value a face.
+void addCheckQuantities(Outputs& outputs, const atria::MeasuredMesh& mesh, const atria::RunContext& context)
 {
-  for (const NamedMetric& metric : listMetrics(quality))
+  double done = 0.0;
+  for (const atria::CheckQuantityInfo& info : atria::checkQuantities())
   {
-    const std::string name = metric.name;
-    const atria::Histogram h = atria::makeHistogram(*metric.sample, static_cast<std::size_t>(bins));
-    table->AddColumn(makeColumn(name, h.centres));
-    table->AddColumn(makeColumn(name + "_PDF", h.density));
-    table->AddColumn(makeColumn(name + "_CDF", h.cumulative));
+    context.progress.report(done / atria::checkQuantityCount, "Measuring what checkMesh does");
+    done += 1.0;
+    const std::vector<double> values = atria::measure(mesh, info.quantity, context);
+    outputs.addCells(info.name,
+                     info.ofFaces ? atria::worstOverFaces(mesh, values, info.greaterIsWorse, context) : values);
+    const std::span<const double> all(values);
+    outputs.addSample({info.name, info.ofFaces, info.needsTwoCells ? all.first(mesh.mesh.internalFaceCount()) : all});
   }
+}
+
+const char* nameOf(atria::MeshPart part)
+{
+  switch (part)
+  {
+    case atria::MeshPart::Cells:
+      return "cells";
+    case atria::MeshPart::Faces:
+      return "faces";
+    case atria::MeshPart::Points:
+      return "points";
+    case atria::MeshPart::Mesh:
+      break;
+  }
+  return "mesh";
+}
+
+void fillChecks(vtkTable* table, const atria::MeshVerdict& verdict)
+{
+  vtkNew<vtkStringArray> names;
+  names->SetName("Check");
+  vtkNew<vtkStringArray> parts;
+  parts->SetName("Of");
+  vtkNew<vtkIdTypeArray> failing;
+  failing->SetName("Failing");
+  vtkNew<vtkUnsignedCharArray> isError;
+  isError->SetName("IsError");
+  vtkNew<vtkStringArray> sets;
+  sets->SetName("Set");
+  std::vector<double> limits;
+  std::vector<double> worst;
+  std::vector<double> means;
+  for (const atria::MeshCheck& check : verdict.checks)
+  {
+    names->InsertNextValue(check.name);
+    parts->InsertNextValue(nameOf(check.part));
+    failing->InsertNextValue(static_cast<vtkIdType>(check.failing.size()));
+    isError->InsertNextValue(check.isError ? 1 : 0);
+    sets->InsertNextValue(check.set);
+    limits.push_back(check.limit);
+    worst.push_back(check.worst);
+    means.push_back(check.mean);
+  }
+  table->AddColumn(names);
+  table->AddColumn(parts);
+  table->AddColumn(makeColumn("Limit", limits));
+  table->AddColumn(makeColumn("Worst", worst));
+  table->AddColumn(makeColumn("Mean", means));
+  table->AddColumn(failing);
+  table->AddColumn(isError);
+  table->AddColumn(sets);
+}
+
+vtkSmartPointer<vtkDataArray> failedChecksArray(const std::vector<std::uint32_t>& bits)
+{
+  auto array = vtkSmartPointer<vtkUnsignedIntArray>::New();
+  array->SetName("FailedChecks");
+  array->SetNumberOfValues(static_cast<vtkIdType>(bits.size()));
+  std::copy(bits.begin(), bits.end(), array->GetPointer(0));
+  return array;
 }
 
 } // namespace
@@ -122,7 +221,7 @@ void fillHistogram(vtkTable* table, const atria::QualityMetrics& quality, int bi
 vtkAtriaMeshQuality::vtkAtriaMeshQuality()
 {
   this->SetNumberOfInputPorts(2);
-  this->SetNumberOfOutputPorts(3);
+  this->SetNumberOfOutputPorts(4);
 }
 
 void vtkAtriaMeshQuality::SetPatchesConnection(vtkAlgorithmOutput* patches) { this->SetInputConnection(1, patches); }
@@ -135,6 +234,8 @@ void vtkAtriaMeshQuality::SetPatchesData(vtkPartitionedDataSetCollection* patche
 vtkTable* vtkAtriaMeshQuality::GetSummary() { return vtkTable::SafeDownCast(this->GetOutputDataObject(1)); }
 
 vtkTable* vtkAtriaMeshQuality::GetHistogram() { return vtkTable::SafeDownCast(this->GetOutputDataObject(2)); }
+
+vtkTable* vtkAtriaMeshQuality::GetChecks() { return vtkTable::SafeDownCast(this->GetOutputDataObject(3)); }
 
 int vtkAtriaMeshQuality::FillInputPortInformation(int port, vtkInformation* info)
 {
@@ -159,27 +260,41 @@ int vtkAtriaMeshQuality::RequestData(vtkInformation*, vtkInformationVector** inp
   vtkUnstructuredGrid* volume = vtkUnstructuredGrid::GetData(inputs[0], 0);
   vtkPartitionedDataSetCollection* patches = vtkPartitionedDataSetCollection::GetData(inputs[1], 0);
   this->NumberOfInvalidCells = 0;
+  this->NumberOfFailedChecks = 0;
   try
   {
     atria::AlgorithmProgress monitor(*this);
     const atria::SmpExecutor executor;
     const atria::RunContext context{executor, atria::ProgressRange(monitor)};
     context.progress.report(0.0, "Finding faces");
-    const atria::VtkFaceMesh source = atria::faceMeshFromVtk(volume, patches);
-    const atria::QualityMetrics quality =
-        atria::computeQuality(source.mesh, source.cells.view(), context.part(0.4, 0.9));
-    vtkNew<vtkTable> summary;
-    vtkNew<vtkTable> histogram;
-    fillSummary(summary, quality);
-    context.progress.report(0.95, "Counting");
-    fillHistogram(histogram, quality, this->NumberOfBins);
+    const atria::VtkFaceMesh source = atria::faceMeshFromVtk(volume, patches, executor);
+    const double metricsEnd = this->CheckMesh ? 0.6 : 0.95;
+    const atria::MeasuredMesh measured = atria::measureMesh(source.mesh, context.part(0.3, 0.5));
+    Outputs collected(this->NumberOfBins, executor);
+    vtkIdType invalidCells = 0;
+    {
+      atria::QualityMetrics quality =
+          atria::computeQuality(measured, source.cells.view(), context.part(0.5, metricsEnd));
+      addMetrics(collected, quality);
+      invalidCells = static_cast<vtkIdType>(quality.invalidCells);
+    }
+    vtkNew<vtkTable> checks;
+    int failedChecks = 0;
+    if (this->CheckMesh)
+    {
+      addCheckQuantities(collected, measured, context.part(metricsEnd, 0.8));
+      const atria::MeshVerdict verdict = atria::checkMesh(measured, context.part(0.8, 0.98));
+      collected.arrays.push_back(failedChecksArray(atria::failedChecksOfCells(measured, verdict)));
+      fillChecks(checks, verdict);
+      failedChecks = verdict.failedChecks();
+    }
     context.progress.report(1.0, "Quality known");
     vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs, 0);
     output->ShallowCopy(volume);
-    addCellArrays(output, quality);
-    vtkTable::GetData(outputs, 1)->ShallowCopy(summary);
-    vtkTable::GetData(outputs, 2)->ShallowCopy(histogram);
-    this->NumberOfInvalidCells = static_cast<vtkIdType>(quality.invalidCells);
+    collected.fill(output, vtkTable::GetData(outputs, 1), vtkTable::GetData(outputs, 2));
+    vtkTable::GetData(outputs, 3)->ShallowCopy(checks);
+    this->NumberOfInvalidCells = invalidCells;
+    this->NumberOfFailedChecks = failedChecks;
   }
   catch (const atria::Aborted&)
   {
@@ -197,5 +312,7 @@ void vtkAtriaMeshQuality::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfBins: " << this->NumberOfBins << "\n";
+  os << indent << "CheckMesh: " << this->CheckMesh << "\n";
+  os << indent << "NumberOfFailedChecks: " << this->NumberOfFailedChecks << "\n";
   os << indent << "NumberOfInvalidCells: " << this->NumberOfInvalidCells << "\n";
 }

@@ -23,17 +23,34 @@
  * - `ScaledJacobian`: Verdict's; 1 is ideal, not a number for polyhedra
  * - `Valid` (unsigned char): 1 where volume and face pyramids are positive and the cell is closed, else 0
  *
- * Output port 1 is a vtkTable with one row per metric: `Metric` (string), `Minimum`, `Maximum`, `Mean`,
- * `StandardDeviation` (of the population), `Count`. Output port 2 is a vtkTable with NumberOfBins rows and
- * for each metric the columns `<Metric>` (bin centre), `<Metric>_PDF` (integrates to 1) and `<Metric>_CDF`
- * (ends at 1). Both tables take `FaceSquish` face by face, all else cell by cell; what is not a number is not
- * counted.
+ * With CheckMesh on, these too, as OpenFOAM 1912 defines them:
+ * - `Openness`, `AreaAspectRatio`: max over x, y, z of |sum of A| / sum of |A|; checkMesh's aspect ratio
+ * - `Determinant`: of the internal faces' A; below 0.001 a cell is under-determined
+ * - `Concavity`: max cosine of a face's normal to the way to another face's centroid; above -1e-6 a cell is concave
+ * - `FaceWeight`, `VolumeRatio`, `FaceFlatness`, `TetQuality`, `EdgeLength`: min over the faces of the interpolation
+ *   weight, the ratio of both cells' volumes, |A| over the sum of its triangles, the quality of the tetrahedra from
+ *   centroid to face, and the edges' length in model units
+ * - `FaceConcaveAngle`: max over the faces of the angle in degrees by which they turn the wrong way
+ * - `FailedChecks` (unsigned int): bit i is set where the cell, a face or a point of it fails the check in row i of
+ *   output port 3
+ *
+ * Output port 1 is a vtkTable with one row per metric: `Metric` (string), `Of` (string: cells or faces), `Minimum`,
+ * `Maximum`, `Mean`, `StandardDeviation` (of the population), `Count`. Output port 2 is a vtkTable with NumberOfBins
+ * rows and for each metric the columns `<Metric>` (bin centre), `<Metric>_PDF` (integrates to 1) and `<Metric>_CDF`
+ * (ends at 1), which charts take as they are. Both tables take what begins with Face, `VolumeRatio`, `TetQuality` and
+ * `EdgeLength` face by face (FacePyramids excepted), all else cell by cell; `FaceNonOrthogonality` and `FaceSkewness`
+ * are there only. What is not a number is not counted.
+ *
+ * Output port 3 is a vtkTable, empty unless CheckMesh is on, with one row per check of `checkMesh -allGeometry`:
+ * `Check` (string), `Of` (string: cells, faces, points or mesh), `Limit`, `Worst`, `Mean`, `Failing` (number of those
+ * beyond the limit), `IsError` (1 where checkMesh counts it as failed, 0 where it only tells), `Set` (string:
+ * checkMesh's name for the set of those failing). The numbers are checkMesh's own.
  *
  * Areas, volumes and centroids are those of OpenFOAM's primitiveMesh, so figures agree with checkMesh's. A
  * mesh without cells, of other cell types or whose faces more than two cells share is an error; the outputs
  * are then empty.
  *
- * @sa vtkAtriaDualMesher vtkAtriaOpenFOAMWriter vtkMeshQuality
+ * @sa vtkAtriaWorstElements vtkAtriaDualMesher vtkAtriaOpenFOAMWriter vtkMeshQuality
  */
 #ifndef vtkAtriaMeshQuality_h
 #define vtkAtriaMeshQuality_h
@@ -59,6 +76,21 @@ public:
   vtkGetMacro(NumberOfBins, int);
   ///@}
 
+  ///@{
+  /**
+   * Judge the mesh as OpenFOAM's `checkMesh -allGeometry` does: more cell arrays, and output port 3. Default off, as it
+   * takes about twice the time and memory.
+   */
+  vtkSetMacro(CheckMesh, bool);
+  vtkGetMacro(CheckMesh, bool);
+  vtkBooleanMacro(CheckMesh, bool);
+  ///@}
+
+  /**
+   * Number of checks that failed in the last run, as checkMesh counts them. 0 if CheckMesh is off.
+   */
+  vtkGetMacro(NumberOfFailedChecks, int);
+
   /**
    * Number of cells of the last run that are not valid. 0 before the first run and after a failed one.
    */
@@ -76,10 +108,11 @@ public:
 
   ///@{
   /**
-   * Output ports 1 and 2.
+   * Output ports 1, 2 and 3.
    */
   vtkTable* GetSummary();
   vtkTable* GetHistogram();
+  vtkTable* GetChecks();
   ///@}
 
 protected:
@@ -95,6 +128,8 @@ private:
   void operator=(const vtkAtriaMeshQuality&) = delete;
 
   int NumberOfBins = 50;
+  bool CheckMesh = false;
+  int NumberOfFailedChecks = 0;
   vtkIdType NumberOfInvalidCells = 0;
 };
 

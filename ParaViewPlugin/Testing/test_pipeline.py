@@ -16,6 +16,10 @@ METRICS = [
 ]
 
 
+# What the tables have of faces alone.
+OF_FACES = ["FaceNonOrthogonality", "FaceSkewness"]
+
+
 def fetch(source, port=0):
     """The data itself. (servermanager.Fetch would turn collections into multi-blocks.)"""
     simple.UpdatePipeline(proxy=simple.OutputPort(source, port))
@@ -62,7 +66,7 @@ def check_mesh(mesher):
 def check_quality(quality):
     measured = fetch(quality)
     assert set(METRICS) | {"Valid"} <= names(measured.GetCellData())
-    assert fetch(quality, 1).GetNumberOfRows() == len(METRICS)
+    assert fetch(quality, 1).GetNumberOfRows() == len(METRICS) + len(OF_FACES)
     histogram = fetch(quality, 2)
     assert {"CellSquish", "CellSquish_PDF", "CellSquish_CDF"} <= names(histogram.GetRowData())
     assert histogram.GetNumberOfRows() == quality.NumberOfBins
@@ -70,6 +74,27 @@ def check_quality(quality):
     invalid = sum(1 for i in range(valid.GetNumberOfTuples()) if not valid.GetTuple1(i))
     quality.UpdatePropertyInformation()
     assert quality.GetPropertyValue("NumberOfInvalidCells") == invalid
+
+
+def check_checks(quality):
+    quality.CheckMesh = 1
+    checks = fetch(quality, 3)
+    assert checks.GetNumberOfRows() > 10
+    quality.UpdatePropertyInformation()
+    rows = range(checks.GetNumberOfRows())
+    failed = sum(1 for i in rows if checks.GetValueByName(i, "Failing").ToInt() and checks.GetValueByName(i, "IsError").ToInt())
+    assert 0 < quality.GetPropertyValue("NumberOfFailedChecks") <= failed
+    assert "FailedChecks" in names(fetch(quality).GetCellData())
+    quality.CheckMesh = 0
+
+
+def check_worst(quality):
+    worst = simple.AtriaWorstElements(Input=quality, MetricName="NonOrthogonality", NumberOfElements=5)
+    elements = fetch(worst)
+    ranks = [elements.GetCellData().GetArray("WorstRank").GetTuple1(i) for i in range(5)]
+    assert ranks == [1, 2, 3, 4, 5], ranks
+    greatest = fetch(quality).GetCellData().GetArray("NonOrthogonality").GetRange()[1]
+    assert elements.GetCellData().GetArray("NonOrthogonality").GetTuple1(0) == greatest
 
 
 def check_writer(mesher, patches):
@@ -86,6 +111,8 @@ def main():
     check_octree(pipeline.octree)
     check_mesh(pipeline.mesher)
     check_quality(pipeline.quality)
+    check_checks(pipeline.quality)
+    check_worst(pipeline.quality)
     check_writer(pipeline.mesher, pipeline.patches)
     print("the pipeline gives what it promises")
 

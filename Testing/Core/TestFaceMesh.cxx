@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Quality/CellShapes.h"
 #include "Quality/FaceMesh.h"
+#include "Quality/Geometry.h"
 #include "Support/Error.h"
 #include "Support/SampleMesh.h"
 
@@ -173,6 +174,43 @@ TEST(FaceMesh, IsTheSameMeshForAnyCellOrder)
   EXPECT_EQ(pairsA, pairsB);
 }
 
+TEST(FaceMesh, IsTheSameForAnyNumberOfThreads)
+{
+  const SampleMesh sample = atria::testing::mixedCells({25, 25, 25}, 11, 0.3);
+  const FaceMesh one = makeFaceMesh(sample.points, sample.view());
+  const atria::CellFaces facesOfOne = makeCellFaces(one);
+  for (const int threads : {2, 7})
+  {
+    const FaceMesh many = makeFaceMesh(sample.points, sample.view(), {}, atria::ThreadExecutor(threads));
+    EXPECT_EQ(many.owner, one.owner);
+    EXPECT_EQ(many.neighbour, one.neighbour);
+    EXPECT_EQ(many.faceOffsets, one.faceOffsets);
+    EXPECT_EQ(many.facePoints, one.facePoints);
+    const atria::CellFaces cellFaces = makeCellFaces(many, atria::ThreadExecutor(threads));
+    EXPECT_EQ(cellFaces.offsets, facesOfOne.offsets);
+    EXPECT_EQ(cellFaces.faces, facesOfOne.faces);
+  }
+}
+
+TEST(FaceMesh, CellsKnowTheFacesTheyOwnFirst)
+{
+  const SampleMesh sample = atria::testing::mixedCells({6, 6, 6}, 3, 0.2);
+  const FaceMesh mesh = makeFaceMesh(sample.points, sample.view());
+  const atria::CellFaces cellFaces = makeCellFaces(mesh);
+  std::size_t sides = 0;
+  for (Index c = 0; c < mesh.cellCount; ++c)
+  {
+    const auto faces = cellFaces.of(c);
+    sides += faces.size();
+    const auto owned = [&](Index f) { return mesh.owner[f] == c; };
+    EXPECT_TRUE(std::is_partitioned(faces.begin(), faces.end(), owned));
+    const auto others = std::find_if_not(faces.begin(), faces.end(), owned);
+    EXPECT_TRUE(std::is_sorted(faces.begin(), others) && std::is_sorted(others, faces.end()));
+    EXPECT_TRUE(std::all_of(others, faces.end(), [&](Index f) { return mesh.neighbour[f] == c; }));
+  }
+  EXPECT_EQ(sides, mesh.faceCount() + mesh.internalFaceCount());
+}
+
 TEST(FaceMesh, KeysKeepBothSidesOfASheetOnTheBoundary)
 {
   const SampleMesh sample = atria::testing::hexahedra({2, 1, 1});
@@ -256,6 +294,27 @@ TEST(FaceMeshError, NamesTheCellsThatShareAFace)
   mesh.points.emplace_back(3, 3, 3);
   mesh.addCell(atria::pyramidCell, {joined.face(0)[0], joined.face(0)[1], joined.face(0)[2], joined.face(0)[3], 12});
   EXPECT_THAT(errorOf(mesh), ::testing::HasSubstr("is shared by the cells 0 1 2"));
+}
+
+TEST(FaceMeshError, IsTheFirstForAnyNumberOfThreads)
+{
+  SampleMesh sample = atria::testing::hexahedra({30, 30, 30});
+  for (const std::size_t cell : {25000, 9001, 14000})
+  {
+    sample.connectivity[8 * cell + 3] = 1000000 + static_cast<std::int64_t>(cell);
+  }
+  for (const int threads : {1, 7})
+  {
+    try
+    {
+      makeFaceMesh(sample.points, sample.view(), {}, atria::ThreadExecutor(threads));
+      ADD_FAILURE() << "no error";
+    }
+    catch (const atria::Error& error)
+    {
+      EXPECT_THAT(error.what(), ::testing::HasSubstr("cell 9001 "));
+    }
+  }
 }
 
 TEST(FaceMeshError, NamesACellOfUnknownType)

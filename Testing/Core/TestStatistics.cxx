@@ -68,6 +68,24 @@ TEST(Statistics, KeepTheDigitsOfManySmallDifferences)
   EXPECT_NEAR(s.standardDeviation, 0.5, 1e-9);
 }
 
+TEST(Statistics, AndHistogramsHaveTheSameBitsForAnyNumberOfThreads)
+{
+  std::vector<double> values(300000);
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    values[i] = std::sin(static_cast<double>(i)) + 1e-3 * static_cast<double>(i % 1000);
+  }
+  const atria::Statistics one = atria::summarise(values);
+  const atria::Statistics many = atria::summarise(values, atria::ThreadExecutor(7));
+  EXPECT_EQ(one.count, many.count);
+  EXPECT_EQ(one.minimum, many.minimum);
+  EXPECT_EQ(one.maximum, many.maximum);
+  EXPECT_EQ(one.mean, many.mean);
+  EXPECT_EQ(one.standardDeviation, many.standardDeviation);
+  EXPECT_EQ(atria::makeHistogram(values, 33).density,
+            atria::makeHistogram(values, 33, atria::ThreadExecutor(7)).density);
+}
+
 TEST(Histogram, IntegratesToOneAndEndsAtOne)
 {
   std::mt19937 random(1);

@@ -12,7 +12,7 @@ from vtkmodules.vtkCommonDataModel import vtkPartitionedDataSetCollection, vtkTa
 
 from atria import (
     vtkAtriaDualMesher, vtkAtriaFeatureGraph, vtkAtriaMeshQuality, vtkAtriaOctreeSource, vtkAtriaPreflight,
-    vtkAtriaVRMLReader,
+    vtkAtriaVRMLReader, vtkAtriaWorstElements,
 )
 
 
@@ -52,13 +52,16 @@ def outputs(model):
         grid.SetDomainMode(vtkAtriaDualMesher.Site)
         grid.SetSiteName("Site")
     quality.SetInputConnection(mesher.GetOutputPort())
+    quality.CheckMeshOn()
+    worst = vtkAtriaWorstElements()
+    worst.SetInputConnection(quality.GetOutputPort())
     features.Update()
     octree.Update()
     preflight.Update()
     report = preflight.GetOutput()
     fields = {report.GetFieldData().GetArrayName(i) or report.GetFieldData().GetAbstractArray(i).GetName()
               for i in range(report.GetFieldData().GetNumberOfArrays())}
-    quality.Update()
+    worst.Update()
     mesh = names_of(mesher.GetOutputDataObject(0))
     return {
         "Surfaces": names_of(reader.GetOutput()),
@@ -69,7 +72,8 @@ def outputs(model):
         "Patches": names_of(mesher.GetOutputDataObject(1)),
         "Diagnostics": names_of(mesher.GetOutputDataObject(2)),
         "Preflight": names_of(report) | fields,
-        "Quality": (names_of(quality.GetOutput()) - mesh) | names_of(quality.GetOutputDataObject(1)),
+        "Quality": (names_of(quality.GetOutput()) - mesh) | names_of(quality.GetSummary()) | names_of(quality.GetChecks()),
+        "Worst elements": names_of(worst.GetOutput()) - names_of(quality.GetOutput()),
     }
 
 

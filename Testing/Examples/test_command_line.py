@@ -5,11 +5,15 @@ Usage: test_command_line.py ATRIA FOLDER_OF_MODELS
 """
 
 import json
+import os
 import pathlib
+import re
+import struct
 import subprocess
 import sys
 import tempfile
 import unittest
+import xml.etree.ElementTree
 
 ATRIA = pathlib.Path(sys.argv[1])
 DATA = pathlib.Path(sys.argv[2])
@@ -192,6 +196,73 @@ class CommandLine(unittest.TestCase):
         measured = json.loads(again.stdout)
         self.assertEqual(measured["counts"], counts)
         self.assertEqual(measured["quality"]["CellSquish"], data["quality"]["CellSquish"])
+        parted = self.atria("quality", out, "--patches", patches, "--json")
+        self.assertEqual(json.loads(parted.stdout)["quality"], data["quality"], parted.stderr)
+        self.refuses(3, "atria mesh --patches", "quality", out, "--patches", out)
+
+    def small_mesh(self):
+        out = self.folder / "small.vtu"
+        if not out.exists():
+            self.assertIn(self.atria("mesh", HOUSE, "-o", out, *COARSE).returncode, (0, 4))
+        return out
+
+    def test_quality_judges_as_checkmesh_does(self):
+        mesh = self.small_mesh()
+        report = json.loads(self.atria("quality", mesh, "--json", "--checks").stdout)
+        failed = [name for name, check in report["checks"].items() if check["is_error"] and check["failing"]]
+        self.assertLessEqual(report["failed_checks"], len(failed))
+        self.assertIn("Concavity", report["checks"])
+        self.assertIn("Determinant", report["quality"])
+        table = self.atria("quality", mesh, "--checks").stdout
+        self.assertIn("failed checks of checkMesh -allGeometry: " + str(report["failed_checks"]), table)
+        self.assertNotIn("checks", json.loads(self.atria("quality", mesh, "--json").stdout))
+
+    def test_quality_extracts_the_worst(self):
+        mesh, worst, all_worse = self.small_mesh(), self.folder / "worst.vtu", self.folder / "worse.vtu"
+        run = self.atria("quality", mesh, "--worst", 5, "--metric", "NonOrthogonality", "--rings", 2, "-o", worst)
+        self.assertIn(run.returncode, (0, 4), run.stderr)
+        content = worst.read_bytes()
+        for name in (b"WorstRank", b"Ring", b"vtkOriginalCellIds", b"NonOrthogonality"):
+            self.assertIn(b'Name="' + name, content)
+        whole = json.loads(self.atria("quality", mesh, "--json").stdout)
+        part = json.loads(self.atria("quality", worst, "--json").stdout)
+        self.assertLess(part["counts"]["elements"], whole["counts"]["elements"])
+        self.assertAlmostEqual(part["quality"]["NonOrthogonality"]["max"], whole["quality"]["NonOrthogonality"]["max"])
+        run = self.atria("quality", mesh, "--beyond", 0.3, "--rings", 0, "-o", all_worse)
+        self.assertIn(run.returncode, (0, 4), run.stderr)
+        self.assertGreater(json.loads(self.atria("quality", all_worse, "--json").stdout)["quality"]["CellSquish"]["min"], 0.3)
+        self.refuses(2, "--output", "quality", mesh, "--worst", 5)
+        self.refuses(2, "--beyond", "quality", mesh, "--worst", 5, "--beyond", 1, "-o", worst)
+        self.refuses(3, "CellSquish", "quality", mesh, "--worst", 5, "--metric", "Beauty", "-o", worst)
+
+    def test_quality_is_drawn_without_a_display(self):
+        mesh, page, image = self.small_mesh(), self.folder / "plot.html", self.folder / "plot.png"
+        environment = {name: value for name, value in os.environ.items() if name != "DISPLAY"}
+        run = subprocess.run([ATRIA, "quality", mesh, "--plot", page, "--plot", image], capture_output=True, text=True,
+                             check=False, env=environment)
+        self.assertIn(run.returncode, (0, 4), run.stderr)
+        metrics = json.loads(self.atria("quality", mesh, "--json").stdout)["quality"]
+        text = page.read_text()
+        charts = re.findall(r"<svg.*?</svg>", text, re.DOTALL)
+        self.assertEqual(len(charts), len(metrics))
+        for chart, name in zip(charts, metrics):
+            drawing = xml.etree.ElementTree.fromstring(chart)
+            self.assertIn(name, "".join(drawing.itertext()))
+            bars = [e for e in drawing if e.tag.endswith("rect")]
+            self.assertEqual(len(bars), 50)
+            bottoms = {round(float(bar.get("y")) + float(bar.get("height")), 1) for bar in bars}
+            self.assertLessEqual(max(bottoms) - min(bottoms), 0.2)
+            cdf = [e for e in drawing if e.tag.endswith("polyline")][-1].get("points").split()
+            heights = [float(point.split(",")[1]) for point in cdf]
+            self.assertEqual(heights, sorted(heights, reverse=True))
+        self.assertNotIn("http", text.replace("http://www.w3.org/2000/svg", ""))
+        data = image.read_bytes()
+        self.assertEqual(data[:8], b"\x89PNG\r\n\x1a\n")
+        width, height = struct.unpack(">II", data[16:24])
+        self.assertGreater(width, 1000)
+        self.assertGreater(height, 1000)
+        self.refuses(2, ".html", "quality", mesh, "--plot", self.folder / "plot.jpg")
+        self.refuses(2, "does not exist", "quality", mesh, "--plot", self.folder / "absent" / "plot.png")
 
     def test_same_mesh_from_any_number_of_threads(self):
         files = []

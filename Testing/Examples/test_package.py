@@ -6,12 +6,12 @@ import vtk
 import atria
 from atria import (
     vtkAtriaDualMesher, vtkAtriaFeatureGraph, vtkAtriaMeshQuality, vtkAtriaOctreeSource, vtkAtriaOpenFOAMWriter,
-    vtkAtriaPreflight, vtkAtriaVRMLReader,
+    vtkAtriaPreflight, vtkAtriaVRMLReader, vtkAtriaWorstElements,
 )
 
 for cls in (
     vtkAtriaDualMesher, vtkAtriaFeatureGraph, vtkAtriaMeshQuality, vtkAtriaOctreeSource, vtkAtriaOpenFOAMWriter,
-    vtkAtriaPreflight, vtkAtriaVRMLReader,
+    vtkAtriaPreflight, vtkAtriaVRMLReader, vtkAtriaWorstElements,
 ):
     instance = cls()
     assert isinstance(instance, vtk.vtkAlgorithm), cls

@@ -34,6 +34,19 @@ const std::vector<std::string> metricNames{"CellSquish",        "FaceSquish",   
                                            "OrthogonalQuality", "NonOrthogonality", "Skewness",    "Volume",
                                            "FacePyramids",      "ScaledJacobian"};
 
+const std::vector<std::string> checkNames{"Openness",   "AreaAspectRatio", "Determinant",  "Concavity",
+                                          "FaceWeight", "VolumeRatio",     "FaceFlatness", "FaceConcaveAngle",
+                                          "TetQuality", "EdgeLength"};
+
+/// What the tables have of faces alone.
+const std::vector<std::string> ofFacesOnly{"FaceNonOrthogonality", "FaceSkewness"};
+
+std::vector<std::string> joined(std::vector<std::string> a, const std::vector<std::string>& b)
+{
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
 class MeshQuality : public atria::testing::VtkTest
 {
 protected:
@@ -53,7 +66,9 @@ protected:
     EXPECT_EQ(filter->GetOutput()->GetNumberOfCells(), 0);
     EXPECT_EQ(filter->GetSummary()->GetNumberOfRows(), 0);
     EXPECT_EQ(filter->GetHistogram()->GetNumberOfRows(), 0);
+    EXPECT_EQ(filter->GetChecks()->GetNumberOfRows(), 0);
     EXPECT_EQ(filter->GetNumberOfInvalidCells(), 0);
+    EXPECT_EQ(filter->GetNumberOfFailedChecks(), 0);
   }
 
   /// The row of a metric in the summary.
@@ -126,6 +141,32 @@ TEST_F(MeshQuality, ScaledJacobianIsVerdicts)
   EXPECT_GT(compared, 50);
 }
 
+TEST_F(MeshQuality, VolumesAreVerdicts)
+{
+  // Verdict cuts hexahedra otherwise, which is the same where their faces are flat.
+  for (const double distance : {0.0, 0.35})
+  {
+    const auto volume = toGrid(atria::testing::mixedCells({5, 5, 5}, 12, distance));
+    vtkUnstructuredGrid* output = run(volume);
+    int compared = 0;
+    for (vtkIdType c = 0; c < output->GetNumberOfCells(); ++c)
+    {
+      const int type = volume->GetCellType(c);
+      if (type == VTK_TETRA)
+      {
+        EXPECT_NEAR(valueOf(output, "Volume", c), vtkMeshQuality::TetVolume(volume->GetCell(c)), 1e-14);
+        ++compared;
+      }
+      else if (type == VTK_HEXAHEDRON && distance == 0.0)
+      {
+        EXPECT_NEAR(valueOf(output, "Volume", c), vtkMeshQuality::HexVolume(volume->GetCell(c)), 1e-14);
+        ++compared;
+      }
+    }
+    EXPECT_GT(compared, 20);
+  }
+}
+
 TEST_F(MeshQuality, SummaryDescribesTheArrays)
 {
   vtkUnstructuredGrid* output = run(toGrid(atria::testing::mixedCells({4, 4, 4}, 2, 0.2)));
@@ -135,8 +176,8 @@ TEST_F(MeshQuality, SummaryDescribesTheArrays)
   {
     columns.emplace_back(table->GetColumnName(i));
   }
-  EXPECT_THAT(columns, ElementsAre("Metric", "Minimum", "Maximum", "Mean", "StandardDeviation", "Count"));
-  ASSERT_EQ(table->GetNumberOfRows(), static_cast<vtkIdType>(metricNames.size()));
+  EXPECT_THAT(columns, ElementsAre("Metric", "Of", "Minimum", "Maximum", "Mean", "StandardDeviation", "Count"));
+  ASSERT_EQ(table->GetNumberOfRows(), static_cast<vtkIdType>(metricNames.size() + ofFacesOnly.size()));
   EXPECT_NEAR(summary("Volume", "Mean") * summary("Volume", "Count"), 64.0, 1e-10);
   for (const std::string& name : metricNames)
   {
@@ -152,6 +193,15 @@ TEST_F(MeshQuality, SummaryDescribesTheArrays)
     }
   }
   EXPECT_GT(summary("FaceSquish", "Count"), output->GetNumberOfCells());
+  EXPECT_EQ(summary("FaceNonOrthogonality", "Maximum"), summary("NonOrthogonality", "Maximum"));
+  EXPECT_EQ(summary("FaceNonOrthogonality", "Count"), summary("FaceSquish", "Count"));
+  EXPECT_EQ(summary("FaceSkewness", "Maximum"), summary("Skewness", "Maximum"));
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    const std::string metric = table->GetValueByName(row, "Metric").ToString();
+    const bool ofFaces = metric == "FaceSquish" || metric == ofFacesOnly[0] || metric == ofFacesOnly[1];
+    EXPECT_EQ(table->GetValueByName(row, "Of").ToString(), ofFaces ? "faces" : "cells") << metric;
+  }
 }
 
 TEST_F(MeshQuality, HistogramsIntegrateToOne)
@@ -160,8 +210,9 @@ TEST_F(MeshQuality, HistogramsIntegrateToOne)
   run(toGrid(atria::testing::mixedCells({4, 4, 4}, 2, 0.2)));
   vtkTable* table = filter->GetHistogram();
   ASSERT_EQ(table->GetNumberOfRows(), 17);
-  ASSERT_EQ(table->GetNumberOfColumns(), static_cast<vtkIdType>(3 * metricNames.size()));
-  for (const std::string& name : metricNames)
+  const std::vector<std::string> names = joined(metricNames, ofFacesOnly);
+  ASSERT_EQ(table->GetNumberOfColumns(), static_cast<vtkIdType>(3 * names.size()));
+  for (const std::string& name : names)
   {
     const double width =
         table->GetValueByName(1, name.c_str()).ToDouble() - table->GetValueByName(0, name.c_str()).ToDouble();
@@ -172,6 +223,72 @@ TEST_F(MeshQuality, HistogramsIntegrateToOne)
     }
     EXPECT_NEAR(sum, 1.0, 1e-9) << name;
     EXPECT_EQ(table->GetValueByName(16, (name + "_CDF").c_str()).ToDouble(), 1.0) << name;
+  }
+}
+
+TEST_F(MeshQuality, HistogramsAreWhatBarAndLineChartsTake)
+{
+  // A chart takes any column of numbers as x and any others as its series, all of one length; x rises in equal steps.
+  filter->CheckMeshOn();
+  run(toGrid(atria::testing::mixedCells({4, 4, 4}, 2, 0.2)));
+  vtkTable* table = filter->GetHistogram();
+  for (vtkIdType i = 0; i < table->GetNumberOfColumns(); ++i)
+  {
+    auto* column = vtkDoubleArray::SafeDownCast(table->GetColumn(i));
+    ASSERT_NE(column, nullptr) << table->GetColumnName(i);
+    ASSERT_EQ(column->GetNumberOfTuples(), filter->GetNumberOfBins());
+    ASSERT_EQ(column->GetNumberOfComponents(), 1);
+    const double step = column->GetValue(1) - column->GetValue(0);
+    for (vtkIdType row = 0; row + 1 < column->GetNumberOfTuples(); ++row)
+    {
+      ASSERT_TRUE(std::isfinite(column->GetValue(row)));
+      if (i % 3 == 0)
+      {
+        EXPECT_GT(step, 0.0);
+        EXPECT_NEAR(column->GetValue(row + 1) - column->GetValue(row), step, 1e-9 * step + 1e-12);
+      }
+      else
+      {
+        EXPECT_GE(column->GetValue(row), i % 3 == 1 || row == 0 ? 0.0 : column->GetValue(row - 1));
+      }
+    }
+  }
+}
+
+TEST_F(MeshQuality, JudgesAsCheckMeshDoesWhenAsked)
+{
+  EXPECT_FALSE(filter->GetCheckMesh());
+  const auto volume = toGrid(atria::testing::mixedCells({4, 4, 4}, 2, 0.45));
+  EXPECT_EQ(run(volume)->GetCellData()->GetArray("Determinant"), nullptr);
+  EXPECT_EQ(filter->GetChecks()->GetNumberOfRows(), 0);
+  filter->CheckMeshOn();
+  vtkUnstructuredGrid* output = run(volume);
+  vtkTable* checks = filter->GetChecks();
+  ASSERT_GT(checks->GetNumberOfRows(), 10);
+  int failed = 0;
+  for (vtkIdType row = 0; row < checks->GetNumberOfRows(); ++row)
+  {
+    const std::string name = checks->GetValueByName(row, "Check").ToString();
+    const vtkIdType failing = checks->GetValueByName(row, "Failing").ToLongLong();
+    failed += failing > 0 && checks->GetValueByName(row, "IsError").ToInt() != 0 ? 1 : 0;
+    vtkIdType cells = 0;
+    for (vtkIdType c = 0; c < output->GetNumberOfCells(); ++c)
+    {
+      cells += static_cast<unsigned>(valueOf(output, "FailedChecks", c)) >> row & 1U;
+    }
+    const std::string of = checks->GetValueByName(row, "Of").ToString();
+    EXPECT_TRUE(of != "cells" || cells == failing) << name;
+    EXPECT_TRUE(of != "faces" || (cells <= 2 * failing && (cells > 0) == (failing > 0))) << name;
+  }
+  EXPECT_GT(failed, 0);
+  EXPECT_EQ(filter->GetNumberOfFailedChecks(), failed);
+  for (const std::string& name : checkNames)
+  {
+    double range[2];
+    ASSERT_NE(output->GetCellData()->GetArray(name.c_str()), nullptr) << name;
+    output->GetCellData()->GetArray(name.c_str())->GetRange(range);
+    const bool oneIsWorst = range[0] == summary(name, "Minimum") || range[1] == summary(name, "Maximum");
+    EXPECT_TRUE(oneIsWorst) << name;
   }
 }
 
@@ -248,6 +365,8 @@ TEST_F(MeshQuality, PrintsItsSettings)
   filter->Print(text);
   EXPECT_THAT(text.str(), HasSubstr("NumberOfBins: 50"));
   EXPECT_THAT(text.str(), HasSubstr("NumberOfInvalidCells: 0"));
+  EXPECT_THAT(text.str(), HasSubstr("CheckMesh: 0"));
+  EXPECT_THAT(text.str(), HasSubstr("NumberOfFailedChecks: 0"));
 }
 
 using MeshQualityError = MeshQuality;

@@ -3,9 +3,11 @@
 
 #include "Quality/HalfFaces.h"
 #include "Support/Error.h"
+#include "Support/Pieces.h"
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <string>
 
 namespace atria {
@@ -23,9 +25,11 @@ struct Key
   Index halfFace;
 };
 
-std::array<Index, 4> smallestPoints(std::span<const Index> face)
+constexpr std::size_t smallestCount = 4;
+
+std::array<Index, smallestCount> smallestPoints(std::span<const Index> face)
 {
-  std::array<Index, 4> smallest{noIndex, noIndex, noIndex, noIndex};
+  std::array<Index, smallestCount> smallest{noIndex, noIndex, noIndex, noIndex};
   for (Index point : face)
   {
     for (Index& held : smallest)
@@ -43,7 +47,10 @@ std::array<Index, 4> smallestPoints(std::span<const Index> face)
 class Matcher
 {
 public:
-  explicit Matcher(const HalfFaces& faces) : halves(faces), mates(faces.count(), noIndex) {}
+  Matcher(const HalfFaces& faces, const Executor& threads)
+      : halves(faces), executor(threads), mates(faces.count(), noIndex)
+  {
+  }
 
   void keepApart(std::span<const BoundaryFaceKey> boundaryFaces)
   {
@@ -68,10 +75,23 @@ public:
   std::vector<Index> run(std::size_t pointCount)
   {
     sortIntoBuckets(pointCount);
-    for (std::size_t b = 0; b + 1 < bucketOffsets.size(); ++b)
-    {
-      matchBucket({bucketed.data() + bucketOffsets[b], bucketed.data() + bucketOffsets[b + 1]});
-    }
+    FirstError error;
+    executor.forRanges(pointCount, Pieces::length, [&](std::size_t begin, std::size_t end) {
+      std::vector<Key> bucket;
+      std::size_t b = begin;
+      try
+      {
+        for (; b < end; ++b)
+        {
+          matchBucket({bucketed.data() + bucketOffsets[b], bucketed.data() + bucketOffsets[b + 1]}, bucket);
+        }
+      }
+      catch (const Error& problem)
+      {
+        error.note(b, problem.what());
+      }
+    });
+    error.rethrow();
     return std::move(mates);
   }
 
@@ -82,31 +102,36 @@ private:
     return *std::min_element(face.begin(), face.end());
   }
 
-  /// Counting sort by the smallest point. A bucket holds a handful of faces, so sorting it costs next to
-  /// nothing.
+  /// Counting sort by the smallest point. The order within a bucket is left to chance: a bucket holds a handful of
+  /// faces, which are sorted when they are matched.
   void sortIntoBuckets(std::size_t pointCount)
   {
     // Counted two places up and summed one place up, an offset serves as its bucket's cursor, and ends as its
     // begin.
     bucketOffsets.assign(pointCount + 2, 0);
-    for (std::size_t h = 0; h < halves.count(); ++h)
-    {
-      bucketOffsets[smallestPoint(h) + 2] += mates[h] == keptApart ? 0 : 1;
-    }
+    forFreeHalfFaces([this](std::size_t h) { increment(bucketOffsets[smallestPoint(h) + 2]); });
     for (std::size_t b = 2; b < bucketOffsets.size(); ++b)
     {
       bucketOffsets[b] += bucketOffsets[b - 1];
     }
     bucketed.resize(bucketOffsets.back());
-    for (std::size_t h = 0; h < halves.count(); ++h)
-    {
-      if (mates[h] != keptApart)
-      {
-        bucketed[bucketOffsets[smallestPoint(h) + 1]++] = static_cast<Index>(h);
-      }
-    }
+    forFreeHalfFaces(
+        [this](std::size_t h) { bucketed[increment(bucketOffsets[smallestPoint(h) + 1])] = static_cast<Index>(h); });
     bucketOffsets.pop_back();
   }
+
+  template <typename F> void forFreeHalfFaces(F&& use) const
+  {
+    executor.forEach(halves.count(), Pieces::length, [&](std::size_t h) {
+      if (mates[h] != keptApart)
+      {
+        use(h);
+      }
+    });
+  }
+
+  /// Returns the value before.
+  static Index increment(Index& value) { return std::atomic_ref<Index>(value).fetch_add(1, std::memory_order_relaxed); }
 
   std::vector<Index> sortedPoints(Index h) const
   {
@@ -124,20 +149,27 @@ private:
     {
       return sizeA < sizeB;
     }
-    return sizeA > 4 && sortedPoints(a) < sortedPoints(b);
+    return sizeA > smallestCount && sortedPoints(a) < sortedPoints(b);
   }
 
   bool sameFace(const Key& a, const Key& b) const
   {
-    return a.points == b.points && samePoints(halves.face(a.halfFace), halves.face(b.halfFace));
+    if (a.points != b.points)
+    {
+      return false;
+    }
+    const auto faceA = halves.face(a.halfFace);
+    const auto faceB = halves.face(b.halfFace);
+    const bool keysTellAll = faceA.size() <= smallestCount && faceB.size() <= smallestCount;
+    return keysTellAll || samePoints(faceA, faceB);
   }
 
-  void matchBucket(std::span<const Index> halfFaces)
+  void matchBucket(std::span<const Index> halfFaces, std::vector<Key>& bucket)
   {
     bucket.clear();
     for (const Index h : halfFaces)
     {
-      const std::array<Index, 4> points = smallestPoints(halves.face(h));
+      const std::array<Index, smallestCount> points = smallestPoints(halves.face(h));
       bucket.push_back({{points[1], points[2], points[3]}, h});
     }
     std::sort(bucket.begin(), bucket.end(), [this](const Key& a, const Key& b) {
@@ -192,108 +224,135 @@ private:
   }
 
   const HalfFaces& halves;
+  const Executor& executor;
   std::vector<Index> mates;
   std::vector<Index> bucketOffsets;
   std::vector<Index> bucketed; ///< half-faces by their smallest point
-  std::vector<Key> bucket;     ///< the one at hand
 };
 
 std::vector<Index> findMates(const HalfFaces& halves, std::size_t pointCount,
-                             std::span<const BoundaryFaceKey> boundaryFaces)
+                             std::span<const BoundaryFaceKey> boundaryFaces, const Executor& executor)
 {
-  Matcher matcher(halves);
+  Matcher matcher(halves, executor);
   matcher.keepApart(boundaryFaces);
   return matcher.run(pointCount);
 }
 
-/// Appends half-faces to a mesh as its faces.
+/// Numbers of faces and of their corners, internal and on the boundary; or where the next ones go.
+struct Place
+{
+  std::size_t internalFaces = 0;
+  std::size_t internalCorners = 0;
+  std::size_t boundaryFaces = 0;
+  std::size_t boundaryCorners = 0;
+
+  Place operator+(const Place& other) const
+  {
+    return {internalFaces + other.internalFaces, internalCorners + other.internalCorners,
+            boundaryFaces + other.boundaryFaces, boundaryCorners + other.boundaryCorners};
+  }
+};
+
+/// Makes half-faces the faces of a mesh.
 class Assembler
 {
 public:
-  Assembler(const HalfFaces& faces, const std::vector<Index>& matesOfFaces) : halves(faces), mates(matesOfFaces) {}
-
-  void run(FaceMesh& mesh)
+  Assembler(const HalfFaces& faces, const std::vector<Index>& matesOfFaces, FaceMesh& target)
+      : halves(faces), mates(matesOfFaces), mesh(target)
   {
-    reserve(mesh);
-    for (std::size_t cell = 0; cell < mesh.cellCount; ++cell)
-    {
-      addInternalFaces(mesh, static_cast<Index>(cell));
-    }
-    for (std::size_t h = 0; h < halves.count(); ++h)
-    {
-      if (mates[h] >= keptApart)
-      {
-        add(mesh, static_cast<Index>(h));
-      }
-    }
+  }
+
+  void run(const Executor& executor)
+  {
+    const Pieces pieces(mesh.cellCount);
+    std::vector<Place> places(pieces.count);
+    executor.forEach(pieces.count, 1,
+                     [&](std::size_t piece) { places[piece] = count(pieces.begin(piece), pieces.end(piece)); });
+    const Place all = scan(places);
+    mesh.owner.resize(all.internalFaces + all.boundaryFaces);
+    mesh.neighbour.resize(all.internalFaces);
+    mesh.faceOffsets.resize(mesh.owner.size() + 1);
+    mesh.facePoints.resize(all.internalCorners + all.boundaryCorners);
+    executor.forEach(pieces.count, 1, [&](std::size_t piece) {
+      Place place = places[piece];
+      place.boundaryFaces += all.internalFaces;
+      place.boundaryCorners += all.internalCorners;
+      fill(pieces.begin(piece), pieces.end(piece), place);
+    });
   }
 
 private:
   bool ownsInternal(Index h) const { return mates[h] < keptApart && halves.cell[h] < halves.cell[mates[h]]; }
 
-  void reserve(FaceMesh& mesh) const
+  Place count(std::size_t firstCell, std::size_t lastCell) const
   {
-    std::size_t internal = 0;
-    std::size_t faces = 0;
-    std::size_t corners = 0;
-    for (std::size_t h = 0; h < halves.count(); ++h)
-    {
-      const bool isInternal = ownsInternal(static_cast<Index>(h));
-      if (isInternal || mates[h] >= keptApart)
-      {
-        ++faces;
-        internal += isInternal ? 1 : 0;
-        corners += halves.face(h).size();
-      }
-    }
-    mesh.owner.reserve(faces);
-    mesh.neighbour.reserve(internal);
-    mesh.faceOffsets.reserve(faces + 1);
-    mesh.facePoints.reserve(corners);
-  }
-
-  void add(FaceMesh& mesh, Index h) const
-  {
-    const auto face = halves.face(h);
-    mesh.facePoints.insert(mesh.facePoints.end(), face.begin(), face.end());
-    mesh.faceOffsets.push_back(static_cast<Index>(mesh.facePoints.size()));
-    mesh.owner.push_back(halves.cell[h]);
-  }
-
-  void addInternalFaces(FaceMesh& mesh, Index cell)
-  {
-    owned.clear();
-    for (Index h = halves.cellOffsets[cell]; h < halves.cellOffsets[cell + 1]; ++h)
+    Place sum;
+    for (Index h = halves.cellOffsets[firstCell]; h < halves.cellOffsets[lastCell]; ++h)
     {
       if (ownsInternal(h))
       {
-        owned.push_back({halves.cell[mates[h]], h});
+        sum = sum + Place{1, halves.face(h).size(), 0, 0};
+      }
+      else if (mates[h] >= keptApart)
+      {
+        sum = sum + Place{0, 0, 1, halves.face(h).size()};
       }
     }
-    std::sort(owned.begin(), owned.end());
-    for (const auto& [neighbour, h] : owned)
+    return sum;
+  }
+
+  void fill(std::size_t firstCell, std::size_t lastCell, Place place) const
+  {
+    std::vector<std::pair<Index, Index>> owned;
+    for (std::size_t cell = firstCell; cell < lastCell; ++cell)
     {
-      add(mesh, h);
-      mesh.neighbour.push_back(neighbour);
+      owned.clear();
+      for (Index h = halves.cellOffsets[cell]; h < halves.cellOffsets[cell + 1]; ++h)
+      {
+        if (ownsInternal(h))
+        {
+          owned.push_back({halves.cell[mates[h]], h});
+        }
+        else if (mates[h] >= keptApart)
+        {
+          put(h, place.boundaryFaces, place.boundaryCorners);
+        }
+      }
+      std::sort(owned.begin(), owned.end());
+      for (const auto& [neighbour, h] : owned)
+      {
+        mesh.neighbour[place.internalFaces] = neighbour;
+        put(h, place.internalFaces, place.internalCorners);
+      }
     }
+  }
+
+  /// Writes a face and moves on.
+  void put(Index h, std::size_t& face, std::size_t& corner) const
+  {
+    const auto points = halves.face(h);
+    std::copy(points.begin(), points.end(), mesh.facePoints.begin() + static_cast<std::ptrdiff_t>(corner));
+    mesh.owner[face] = halves.cell[h];
+    corner += points.size();
+    mesh.faceOffsets[++face] = static_cast<Index>(corner);
   }
 
   const HalfFaces& halves;
   const std::vector<Index>& mates;
-  std::vector<std::pair<Index, Index>> owned;
+  FaceMesh& mesh;
 };
 
 } // namespace
 
 FaceMesh makeFaceMesh(std::span<const Vec3> points, const CellArrays& cells,
-                      std::span<const BoundaryFaceKey> boundaryFaces)
+                      std::span<const BoundaryFaceKey> boundaryFaces, const Executor& executor)
 {
-  const HalfFaces halves = takeApart(cells, points.size());
-  const std::vector<Index> mates = findMates(halves, points.size(), boundaryFaces);
+  const HalfFaces halves = takeApart(cells, points.size(), executor);
+  const std::vector<Index> mates = findMates(halves, points.size(), boundaryFaces, executor);
   FaceMesh mesh;
   mesh.points.assign(points.begin(), points.end());
   mesh.cellCount = cells.types.size();
-  Assembler(halves, mates).run(mesh);
+  Assembler(halves, mates, mesh).run(executor);
   return mesh;
 }
 

@@ -2,6 +2,7 @@
 /// A polyhedral mesh by its faces: what solvers' formats and metrics are made of.
 #pragma once
 
+#include "Support/Executor.h"
 #include "Support/Types.h"
 
 #include <cstdint>
@@ -54,10 +55,10 @@ struct BoundaryFaceKey
 
 /// Derives the faces of a mesh. Throws Error for an unknown cell type, for a point that does not exist, for a
 /// face that more than two cells share and for one that a cell has twice; names the cells. O(n log n) in the
-/// number of faces. A key that is no face of its cell has no effect here; findBoundaryFaces() finds such
-/// keys.
+/// number of faces; the same bits, and the same error, for any number of threads. A key that is no face of its cell has
+/// no effect here; findBoundaryFaces() finds such keys.
 FaceMesh makeFaceMesh(std::span<const Vec3> points, const CellArrays& cells,
-                      std::span<const BoundaryFaceKey> boundaryFaces = {});
+                      std::span<const BoundaryFaceKey> boundaryFaces = {}, const Executor& executor = SerialExecutor());
 
 /// Per key the boundary face of its cell that has its points, or noIndex.
 std::vector<Index> findBoundaryFaces(const FaceMesh& mesh, std::span<const BoundaryFaceKey> keys);

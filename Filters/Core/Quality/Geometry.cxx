@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Quality/Geometry.h"
 
+#include "Quality/InOrder.h"
+
 #include <Eigen/Geometry>
 
+#include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <numeric>
 
 namespace atria {
 
@@ -39,7 +44,7 @@ void measureFace(const FaceMesh& mesh, std::size_t f, MeshGeometry& out)
     const Vec3& here = point(i);
     const Vec3& next = point(i + 1 < size ? i + 1 : 0);
     const Vec3 area = (next - here).cross(mean - here);
-    const double magnitude = area.norm();
+    const double magnitude = lengthInOrder(area);
     areaSum += area;
     magnitudeSum += magnitude;
     momentSum += magnitude * (here + next + mean);
@@ -62,40 +67,47 @@ void measureCell(const FaceMesh& mesh, std::span<const Index> faces, std::size_t
   for (const Index f : faces)
   {
     const double sign = mesh.owner[f] == cell ? 1.0 : -1.0;
-    const double pyramid = sign * out.faceAreas[f].dot(out.faceCentroids[f] - estimate);
+    const double pyramid = sign * dotInOrder(out.faceAreas[f], out.faceCentroids[f] - estimate);
     moment += pyramid * (0.75 * out.faceCentroids[f] + 0.25 * estimate);
     tripleVolume += pyramid;
   }
   out.cellCentroids[cell] = std::abs(tripleVolume) > tinyVolume ? Vec3(moment / tripleVolume) : estimate;
-  out.cellVolumes[cell] = tripleVolume / 3.0;
+  out.cellVolumes[cell] = tripleVolume * (1.0 / 3.0);
 }
 
 } // namespace
 
-CellFaces makeCellFaces(const FaceMesh& mesh)
+CellFaces makeCellFaces(const FaceMesh& mesh, const Executor& executor)
 {
+  const auto forSides = [&](auto&& use) {
+    executor.forEach(mesh.faceCount(), grain, [&](std::size_t f) {
+      use(mesh.owner[f], static_cast<Index>(f));
+      if (f < mesh.internalFaceCount())
+      {
+        use(mesh.neighbour[f], static_cast<Index>(f));
+      }
+    });
+  };
+  const auto increment = [](Index& value) {
+    return std::atomic_ref<Index>(value).fetch_add(1, std::memory_order_relaxed);
+  };
+  // Counted two places up and summed one place up, an offset serves as its cell's cursor, and ends as its begin.
   CellFaces out;
-  out.offsets.assign(mesh.cellCount + 1, 0);
-  for (const auto* cells : {&mesh.owner, &mesh.neighbour})
-  {
-    for (const Index cell : *cells)
-    {
-      ++out.offsets[cell + 1];
-    }
-  }
-  for (std::size_t c = 0; c < mesh.cellCount; ++c)
-  {
-    out.offsets[c + 1] += out.offsets[c];
-  }
+  out.offsets.assign(mesh.cellCount + 2, 0);
+  forSides([&](Index cell, Index) { increment(out.offsets[cell + 2]); });
+  std::partial_sum(out.offsets.begin(), out.offsets.end(), out.offsets.begin());
   out.faces.resize(out.offsets.back());
-  std::vector<Index> next(out.offsets.begin(), out.offsets.end() - 1);
-  for (const auto* cells : {&mesh.owner, &mesh.neighbour})
-  {
-    for (std::size_t f = 0; f < cells->size(); ++f)
-    {
-      out.faces[next[(*cells)[f]]++] = static_cast<Index>(f);
-    }
-  }
+  forSides([&](Index cell, Index f) { out.faces[increment(out.offsets[cell + 1])] = f; });
+  out.offsets.pop_back();
+  executor.forEach(mesh.cellCount, grain, [&](std::size_t cell) {
+    const auto first = out.faces.begin() + out.offsets[cell];
+    const auto last = out.faces.begin() + out.offsets[cell + 1];
+    std::sort(first, last, [&](Index a, Index b) {
+      const bool ownsA = mesh.owner[a] == cell;
+      const bool ownsB = mesh.owner[b] == cell;
+      return ownsA != ownsB ? ownsA : a < b;
+    });
+  });
   return out;
 }
 
@@ -122,6 +134,13 @@ MeshGeometry computeGeometry(const FaceMesh& mesh, const CellFaces& cellFaces, c
       measureCell(mesh, cellFaces.of(c), c, out);
     }
   });
+  return out;
+}
+
+MeasuredMesh measureMesh(const FaceMesh& mesh, const RunContext& context)
+{
+  MeasuredMesh out{mesh, makeCellFaces(mesh, context.executor), {}};
+  out.geometry = computeGeometry(mesh, out.cellFaces, context);
   return out;
 }
 

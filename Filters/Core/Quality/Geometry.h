@@ -21,7 +21,7 @@ struct CellFaces
   }
 };
 
-CellFaces makeCellFaces(const FaceMesh& mesh);
+CellFaces makeCellFaces(const FaceMesh& mesh, const Executor& executor = SerialExecutor());
 
 /// Units: those of the points, squared for areas, cubed for volumes.
 struct MeshGeometry
@@ -36,5 +36,15 @@ struct MeshGeometry
 /// mean of theirs weighted by area. A cell is cut into pyramids from the mean of its face centroids: its
 /// volume is their sum, its centroid the mean of theirs weighted by volume. Throws Aborted when asked to.
 MeshGeometry computeGeometry(const FaceMesh& mesh, const CellFaces& cellFaces, const RunContext& context);
+
+/// A mesh with all that metrics and checks start from. The mesh must outlive it.
+struct MeasuredMesh
+{
+  const FaceMesh& mesh;
+  CellFaces cellFaces;
+  MeshGeometry geometry;
+};
+
+MeasuredMesh measureMesh(const FaceMesh& mesh, const RunContext& context);
 
 } // namespace atria

@@ -3,6 +3,7 @@
 
 #include "Quality/CellShapes.h"
 #include "Support/Error.h"
+#include "Support/Pieces.h"
 
 #include <algorithm>
 #include <array>
@@ -12,61 +13,30 @@ namespace atria {
 
 namespace {
 
-class Collector
+/// Goes through the faces of one cell after the other. A cell that is wrong throws Error.
+class FaceReader
 {
 public:
-  Collector(const CellArrays& source, std::size_t numberOfPoints) : cells(source), pointCount(numberOfPoints) {}
+  FaceReader(const CellArrays& source, std::size_t numberOfPoints) : cells(source), pointCount(numberOfPoints) {}
 
-  HalfFaces run()
+  /// Calls use(points) for each face of a cell, repeated corners left out.
+  template <typename F> void read(std::size_t ofCell, F&& use)
   {
-    reserve();
-    for (cell = 0; cell < cells.types.size(); ++cell)
+    cell = ofCell;
+    if (cells.types[cell] == polyhedronCell)
     {
-      if (cells.types[cell] == polyhedronCell)
-      {
-        addPolyhedron();
-      }
-      else
-      {
-        addFixedShape();
-      }
-      out.cellOffsets.push_back(static_cast<Index>(out.cell.size()));
+      readPolyhedron(use);
     }
-    return std::move(out);
+    else
+    {
+      readFixedShape(use);
+    }
   }
 
 private:
   [[noreturn]] void fail(const std::string& what) const
   {
     throw Error("cell " + std::to_string(cell) + " (type " + std::to_string(cells.types[cell]) + ") " + what);
-  }
-
-  void reserve()
-  {
-    if (cells.types.size() >= noIndex || cells.offsets.size() != cells.types.size() + 1)
-    {
-      throw Error("the cell arrays do not fit together or hold more than 4294967294 cells");
-    }
-    std::size_t faces = 0;
-    std::size_t corners = 0;
-    for (const unsigned char type : cells.types)
-    {
-      const CellShape shape = shapeOf(type);
-      faces += shape.faces.size();
-      for (const LocalFace& face : shape.faces)
-      {
-        corners += face.size;
-      }
-    }
-    corners += cells.faceStream.size();
-    if (corners >= noIndex)
-    {
-      throw Error("the mesh is too large: its cells have more than 4294967294 face corners");
-    }
-    out.cellOffsets.reserve(cells.types.size() + 1);
-    out.offsets.reserve(faces + 1);
-    out.cell.reserve(faces);
-    out.points.reserve(corners);
   }
 
   Index pointOf(std::int64_t id) const
@@ -80,29 +50,26 @@ private:
 
   void addPoint(Index point)
   {
-    if (out.points.size() == out.offsets.back() || out.points.back() != point)
+    if (face.empty() || face.back() != point)
     {
-      out.points.push_back(point);
+      face.push_back(point);
     }
   }
 
-  void closeFace()
+  template <typename F> void closeFace(F&& use)
   {
-    const std::size_t first = out.offsets.back();
-    if (out.points.size() > first + 1 && out.points.back() == out.points[first])
+    if (face.size() > 1 && face.back() == face.front())
     {
-      out.points.pop_back();
+      face.pop_back();
     }
-    if (out.points.size() < first + 3)
+    if (face.size() > 2)
     {
-      out.points.resize(first);
-      return;
+      use(std::span<const Index>(face));
     }
-    out.offsets.push_back(static_cast<Index>(out.points.size()));
-    out.cell.push_back(static_cast<Index>(cell));
+    face.clear();
   }
 
-  void addFixedShape()
+  template <typename F> void readFixedShape(F&& use)
   {
     const CellShape shape = shapeOf(cells.types[cell]);
     if (shape.corners == 0)
@@ -121,17 +88,29 @@ private:
     {
       corners[i] = pointOf(cells.connectivity[first + i]);
     }
-    for (const LocalFace& face : shape.faces)
+    for (const LocalFace& local : shape.faces)
     {
-      for (int i = 0; i < face.size; ++i)
+      std::array<Index, 4> points{};
+      bool distinct = true;
+      for (int i = 0; i < local.size; ++i)
       {
-        addPoint(corners[face.corners[i]]);
+        points[i] = corners[local.corners[i]];
+        distinct = distinct && (i == 0 || points[i] != points[i - 1]);
       }
-      closeFace();
+      if (distinct && points[0] != points[local.size - 1])
+      {
+        use(std::span<const Index>(points.data(), local.size));
+        continue;
+      }
+      for (int i = 0; i < local.size; ++i)
+      {
+        addPoint(points[i]);
+      }
+      closeFace(use);
     }
   }
 
-  void addPolyhedron()
+  template <typename F> void readPolyhedron(F&& use)
   {
     const auto streamSize = static_cast<std::int64_t>(cells.faceStream.size());
     std::int64_t at = cell < cells.faceLocations.size() ? cells.faceLocations[cell] : -1;
@@ -150,19 +129,89 @@ private:
       {
         addPoint(pointOf(next()));
       }
-      closeFace();
+      closeFace(use);
     }
   }
 
   const CellArrays& cells;
   std::size_t pointCount;
   std::size_t cell = 0;
-  HalfFaces out;
+  std::vector<Index> face;
 };
+
+/// Numbers of faces and of their corners.
+struct Size
+{
+  std::size_t faces = 0;
+  std::size_t corners = 0;
+  Size operator+(const Size& other) const { return {faces + other.faces, corners + other.corners}; }
+};
+
+void checkArrays(const CellArrays& cells)
+{
+  if (cells.types.size() >= noIndex || cells.offsets.size() != cells.types.size() + 1)
+  {
+    throw Error("the cell arrays do not fit together or hold more than 4294967294 cells");
+  }
+}
+
+std::vector<Size> countFaces(const CellArrays& cells, std::size_t pointCount, const Executor& executor)
+{
+  const Pieces pieces(cells.types.size());
+  std::vector<Size> sizes(pieces.count);
+  FirstError error;
+  executor.forEach(pieces.count, 1, [&](std::size_t piece) {
+    FaceReader reader(cells, pointCount);
+    std::size_t cell = pieces.begin(piece);
+    try
+    {
+      for (; cell < pieces.end(piece); ++cell)
+      {
+        reader.read(cell, [&](std::span<const Index> face) { sizes[piece] = sizes[piece] + Size{1, face.size()}; });
+      }
+    }
+    catch (const Error& problem)
+    {
+      error.note(cell, problem.what());
+    }
+  });
+  error.rethrow();
+  return sizes;
+}
 
 } // namespace
 
-HalfFaces takeApart(const CellArrays& cells, std::size_t pointCount) { return Collector(cells, pointCount).run(); }
+HalfFaces takeApart(const CellArrays& cells, std::size_t pointCount, const Executor& executor)
+{
+  checkArrays(cells);
+  const Pieces pieces(cells.types.size());
+  std::vector<Size> starts = countFaces(cells, pointCount, executor);
+  const Size all = scan(starts);
+  if (all.corners >= noIndex)
+  {
+    throw Error("the mesh is too large: its cells have more than 4294967294 face corners");
+  }
+  HalfFaces out;
+  out.cellOffsets.resize(cells.types.size() + 1);
+  out.offsets.resize(all.faces + 1);
+  out.cell.resize(all.faces);
+  out.points.resize(all.corners);
+  executor.forEach(pieces.count, 1, [&](std::size_t piece) {
+    FaceReader reader(cells, pointCount);
+    Size at = starts[piece];
+    for (std::size_t cell = pieces.begin(piece); cell < pieces.end(piece); ++cell)
+    {
+      reader.read(cell, [&](std::span<const Index> face) {
+        std::copy(face.begin(), face.end(), out.points.begin() + static_cast<std::ptrdiff_t>(at.corners));
+        out.cell[at.faces] = static_cast<Index>(cell);
+        at = at + Size{1, face.size()};
+        out.offsets[at.faces] = static_cast<Index>(at.corners);
+      });
+      out.cellOffsets[cell + 1] = static_cast<Index>(at.faces);
+    }
+  });
+  return out;
+}
 
 bool samePoints(std::span<const Index> a, std::span<const Index> b)
 {

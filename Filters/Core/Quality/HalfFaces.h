@@ -26,8 +26,8 @@ struct HalfFaces
 
 /// Takes cells apart. A corner that repeats the one before it is left out of a face, and a face with fewer
 /// than three corners left is no face: so a hexahedron with coinciding corners is taken for what it is.
-/// Throws Error naming the cell for an unknown type and for points or faces that do not exist.
-HalfFaces takeApart(const CellArrays& cells, std::size_t pointCount);
+/// Throws Error naming the first cell of an unknown type or with points or faces that do not exist.
+HalfFaces takeApart(const CellArrays& cells, std::size_t pointCount, const Executor& executor);
 
 /// Whether two polygons have the same points, in whatever order.
 bool samePoints(std::span<const Index> a, std::span<const Index> b);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Quality/Metrics.h"
 
-#include "Quality/Geometry.h"
+#include "Quality/InOrder.h"
 #include "Quality/ScaledJacobian.h"
 
 #include <algorithm>
@@ -19,17 +19,27 @@ constexpr double tiny = 1e-150;
 constexpr double maxOpenness = 1e-6;
 constexpr std::size_t grain = 4096;
 
-double cosine(const Vec3& a, const Vec3& b) { return std::clamp(a.dot(b) / (a.norm() * b.norm() + tiny), -1.0, 1.0); }
+double cosine(const Vec3& a, const Vec3& b)
+{
+  return std::clamp(dotInOrder(a, b) / (lengthInOrder(a) * lengthInOrder(b) + tiny), -1.0, 1.0);
+}
 
 double degrees(double cosineOfAngle) { return std::acos(cosineOfAngle) * 180.0 / std::numbers::pi; }
+
+/// The component of v along an area vector.
+Vec3 normalPart(const Vec3& v, const Vec3& area)
+{
+  const double size = lengthInOrder(area);
+  const Vec3 normal = size < tiny ? Vec3(Vec3::Zero()) : Vec3(area / size);
+  return dotInOrder(normal, v) * normal;
+}
 
 /// Fills the metrics of faces, then those of cells, which take the worst over their faces.
 class Measurement
 {
 public:
-  Measurement(const FaceMesh& source, const CellFaces& facesOfCells, const MeshGeometry& measured,
-              QualityMetrics& target)
-      : mesh(source), cellFaces(facesOfCells), geometry(measured), out(target)
+  Measurement(const MeasuredMesh& source, QualityMetrics& target)
+      : measured(source), mesh(source.mesh), cellFaces(source.cellFaces), geometry(source.geometry), out(target)
   {
     const std::size_t cells = mesh.cellCount;
     for (auto* metric : {&out.cellSquish, &out.faceSquish, &out.aspectRatio, &out.inverseAspectRatio,
@@ -47,18 +57,13 @@ public:
   {
     const Vec3& area = geometry.faceAreas[f];
     const Vec3& centre = geometry.cellCentroids[mesh.owner[f]];
-    const bool internal = f < mesh.internalFaceCount();
-    const Vec3 toFace = geometry.faceCentroids[f] - centre;
-    const Vec3 normal = area / (area.norm() + tiny);
-    const Vec3 d =
-        internal ? Vec3(geometry.cellCentroids[mesh.neighbour[f]] - centre) : Vec3(normal.dot(toFace) * normal);
-    if (internal)
+    if (f < mesh.internalFaceCount())
     {
-      const double c = cosine(area, d);
+      const double c = cosine(area, geometry.cellCentroids[mesh.neighbour[f]] - centre);
       out.squishOfFaces[f] = 1.0 - c;
       out.nonOrthogonalityOfFaces[f] = degrees(c);
     }
-    out.skewnessOfFaces[f] = skewness(f, toFace, d, internal ? 0.2 : 0.4);
+    out.skewnessOfFaces[f] = faceSkewness(measured, f);
   }
 
   void measureCell(std::size_t cell)
@@ -81,7 +86,7 @@ public:
       const Vec3 area = mesh.owner[f] == cell ? geometry.faceAreas[f] : Vec3(-geometry.faceAreas[f]);
       const Vec3 r = geometry.faceCentroids[f] - centre;
       worstCosine = std::min(worstCosine, cosine(area, r));
-      leastPyramid = std::min(leastPyramid, area.dot(r) / 3.0);
+      leastPyramid = std::min(leastPyramid, dotInOrder(area, r) / 3.0);
       worstSkewness = std::max(worstSkewness, out.skewnessOfFaces[f]);
       if (f < mesh.internalFaceCount())
       {
@@ -106,20 +111,6 @@ public:
   }
 
 private:
-  double skewness(std::size_t f, const Vec3& toFace, const Vec3& d, double share) const
-  {
-    const Vec3& area = geometry.faceAreas[f];
-    const Vec3 offset = toFace - (area.dot(toFace) / (area.dot(d) + tiny)) * d;
-    const double distance = offset.norm();
-    const Vec3 direction = offset / (distance + tiny);
-    double extent = share * d.norm() + tiny;
-    for (const Index point : mesh.face(f))
-    {
-      extent = std::max(extent, std::abs(direction.dot(mesh.points[point] - geometry.faceCentroids[f])));
-    }
-    return distance / extent;
-  }
-
   bool closed(std::size_t cell) const
   {
     Vec3 sum = Vec3::Zero();
@@ -132,6 +123,7 @@ private:
     return (sum.array().abs() <= maxOpenness * absolute.array()).all();
   }
 
+  const MeasuredMesh& measured;
   const FaceMesh& mesh;
   const CellFaces& cellFaces;
   const MeshGeometry& geometry;
@@ -140,13 +132,32 @@ private:
 
 } // namespace
 
-QualityMetrics computeQuality(const FaceMesh& mesh, const CellArrays& cells, const RunContext& context)
+double faceSkewness(const MeasuredMesh& measured, std::size_t f)
+{
+  const FaceMesh& mesh = measured.mesh;
+  const MeshGeometry& geometry = measured.geometry;
+  const Vec3& area = geometry.faceAreas[f];
+  const Vec3& centre = geometry.cellCentroids[mesh.owner[f]];
+  const bool internal = f < mesh.internalFaceCount();
+  const Vec3 toFace = geometry.faceCentroids[f] - centre;
+  const Vec3 d = internal ? Vec3(geometry.cellCentroids[mesh.neighbour[f]] - centre) : normalPart(toFace, area);
+  const Vec3 offset = toFace - (dotInOrder(area, toFace) / (dotInOrder(area, d) + tiny)) * d;
+  const double distance = lengthInOrder(offset);
+  const Vec3 direction = offset / (distance + tiny);
+  double extent = (internal ? 0.2 : 0.4) * lengthInOrder(d) + tiny;
+  for (const Index point : mesh.face(f))
+  {
+    extent = std::max(extent, std::abs(dotInOrder(direction, mesh.points[point] - geometry.faceCentroids[f])));
+  }
+  return distance / extent;
+}
+
+QualityMetrics computeQuality(const MeasuredMesh& measured, const CellArrays& cells, const RunContext& context)
 {
   QualityMetrics out;
-  const CellFaces cellFaces = makeCellFaces(mesh);
-  MeshGeometry geometry = computeGeometry(mesh, cellFaces, context.part(0.0, 0.4));
-  Measurement measurement(mesh, cellFaces, geometry, out);
-  context.progress.report(0.4, "Judging faces");
+  const FaceMesh& mesh = measured.mesh;
+  Measurement measurement(measured, out);
+  context.progress.report(0.0, "Judging faces");
   context.executor.forRanges(mesh.faceCount(), grain, [&](std::size_t begin, std::size_t end) {
     context.progress.check();
     for (std::size_t f = begin; f < end; ++f)
@@ -154,7 +165,7 @@ QualityMetrics computeQuality(const FaceMesh& mesh, const CellArrays& cells, con
       measurement.measureFace(f);
     }
   });
-  context.progress.report(0.6, "Judging cells");
+  context.progress.report(0.4, "Judging cells");
   context.executor.forRanges(mesh.cellCount, grain, [&](std::size_t begin, std::size_t end) {
     context.progress.check();
     for (std::size_t c = begin; c < end; ++c)
@@ -162,12 +173,17 @@ QualityMetrics computeQuality(const FaceMesh& mesh, const CellArrays& cells, con
       measurement.measureCell(c);
     }
   });
-  context.progress.report(0.9, "Judging corners");
-  out.scaledJacobian = scaledJacobians(mesh.points, cells, context.part(0.9, 1.0));
-  out.volume = std::move(geometry.cellVolumes);
+  context.progress.report(0.8, "Judging corners");
+  out.scaledJacobian = scaledJacobians(mesh.points, cells, context.part(0.8, 1.0));
+  out.volume = measured.geometry.cellVolumes;
   out.invalidCells = static_cast<std::size_t>(std::count(out.valid.begin(), out.valid.end(), 0));
   context.progress.report(1.0, "Quality known");
   return out;
+}
+
+QualityMetrics computeQuality(const FaceMesh& mesh, const CellArrays& cells, const RunContext& context)
+{
+  return computeQuality(measureMesh(mesh, context.part(0.0, 0.4)), cells, context.part(0.4, 1.0));
 }
 
 } // namespace atria

@@ -2,7 +2,7 @@
 /// Quality of every cell of a mesh, as solvers and their mesh checkers measure it.
 #pragma once
 
-#include "Quality/FaceMesh.h"
+#include "Quality/Geometry.h"
 #include "Support/RunContext.h"
 
 #include <vector>
@@ -51,8 +51,12 @@ struct QualityMetrics
   std::vector<double> skewnessOfFaces;
 };
 
+/// What skewnessOfFaces holds, for one face.
+double faceSkewness(const MeasuredMesh& mesh, std::size_t face);
+
 /// Measures all of the above. `cells` are those the mesh was made of. The result has the same bits for any
 /// number of threads. Throws Aborted when asked to.
 QualityMetrics computeQuality(const FaceMesh& mesh, const CellArrays& cells, const RunContext& context);
+QualityMetrics computeQuality(const MeasuredMesh& measured, const CellArrays& cells, const RunContext& context);
 
 } // namespace atria

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Support/Executor.h"
+
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -18,7 +20,8 @@ struct Statistics
   double standardDeviation; ///< of the population: divided by count
 };
 
-Statistics summarise(std::span<const double> values);
+/// The same bits for any number of threads.
+Statistics summarise(std::span<const double> values, const Executor& executor = SerialExecutor());
 
 /// A histogram of equal bins from the smallest to the greatest finite value. A sample of one value has bins
 /// one wide in all.
@@ -31,6 +34,6 @@ struct Histogram
 };
 
 /// All zero for an empty sample. At least one bin is made.
-Histogram makeHistogram(std::span<const double> values, std::size_t bins);
+Histogram makeHistogram(std::span<const double> values, std::size_t bins, const Executor& executor = SerialExecutor());
 
 } // namespace atria

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Drawings of bars, lines and text, written as SVG or, without a display, as PNG.
+#pragma once
+
+#include <array>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace atria::tool {
+
+/// Red, green, blue, 0 to 255.
+using Colour = std::array<unsigned char, 3>;
+
+struct Bar
+{
+  double x, y, width, height;
+  Colour colour;
+  std::string tip; ///< what a browser shows when pointed at; empty for nothing
+};
+
+struct Line
+{
+  std::vector<std::pair<double, double>> points;
+  double width;
+  Colour colour;
+};
+
+enum class Anchor
+{
+  Left,
+  Middle,
+  Right
+};
+
+/// `y` is the middle of the line of text.
+struct Text
+{
+  double x, y;
+  std::string text;
+  double size;
+  Anchor anchor;
+  Colour colour;
+  bool bold;
+};
+
+/// Lengths in pixels; y points down. Later shapes cover earlier ones.
+struct Picture
+{
+  double width = 0.0;
+  double height = 0.0;
+  std::vector<std::variant<Bar, Line, Text>> shapes;
+
+  /// Adds the shapes of another picture, its corner at x, y.
+  void add(const Picture& other, double x, double y);
+};
+
+/// An <svg> element that may stand in a page of HTML.
+std::string toSvg(const Picture& picture);
+
+/// `text` with what HTML would take for markup replaced.
+std::string escaped(const std::string& text);
+
+/// Needs no display. Throws Failure(Failed) where the file cannot be written.
+void writePng(const Picture& picture, const std::string& file);
+
+} // namespace atria::tool

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Products of vectors added from the first component to the last, as OpenFOAM adds them. Eigen adds in another order,
+/// which differs in the last digit; where a figure lies on a limit of checkMesh, that decides.
+#pragma once
+
+#include "Support/Types.h"
+
+#include <cmath>
+
+namespace atria {
+
+inline double dotInOrder(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
+
+inline double lengthInOrder(const Vec3& a) { return std::sqrt(dotInOrder(a, a)); }
+
+} // namespace atria

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class   vtkAtriaWorstElements
+ * @brief   the worst elements of a mesh by a cell array, with those about them
+ *
+ * Takes an unstructured grid with a cell array of numbers, such as vtkAtriaMeshQuality makes, and gives the elements
+ * that are worst by it together with Rings rings of elements about them. Elements are neighbours that share a point. A
+ * sheet with fluid on both sides has points of its own on either side, so a ring does not reach across it.
+ *
+ * The array is chosen with SetMetricName(), by default `CellSquish`. What of it is worst follows Order: by default the
+ * metrics of vtkAtriaMeshQuality know it, and of any other array the greatest is worst. Elements whose value is not a
+ * number are never among the worst.
+ *
+ * The output is an unstructured grid with the cells in the order of their rank, then ring by ring. It keeps all cell,
+ * point and field arrays of the input, and adds
+ * - `WorstRank` (int, cells): 1 for the worst, and so on; 0 in the rings
+ * - `Ring` (int, cells): 0 for the worst, 1 for those that touch them, and so on
+ * - `vtkOriginalCellIds`, `vtkOriginalPointIds` (id): the cell and point in the input
+ *
+ * A mesh without the array is an error that names the arrays there are. Nothing beyond the limit gives an empty output.
+ *
+ * @sa vtkAtriaMeshQuality
+ */
+#ifndef vtkAtriaWorstElements_h
+#define vtkAtriaWorstElements_h
+
+#include "AtriaFiltersQualityModule.h"
+#include "vtkUnstructuredGridAlgorithm.h"
+
+#include <string>
+
+class ATRIAFILTERSQUALITY_EXPORT vtkAtriaWorstElements : public vtkUnstructuredGridAlgorithm
+{
+public:
+  static vtkAtriaWorstElements* New();
+  vtkTypeMacro(vtkAtriaWorstElements, vtkUnstructuredGridAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum Orders
+  {
+    Automatic = 0,     ///< as the metric has it
+    GreatestFirst = 1, ///< the greatest is worst
+    SmallestFirst = 2  ///< the smallest is worst
+  };
+
+  ///@{
+  /**
+   * Name of the cell array to go by. Of an array with several components the first counts. Default `CellSquish`.
+   */
+  vtkSetMacro(MetricName, std::string);
+  vtkGetMacro(MetricName, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * Which values are worst. Default Automatic.
+   */
+  vtkSetClampMacro(Order, int, Automatic, SmallestFirst);
+  vtkGetMacro(Order, int);
+  ///@}
+
+  ///@{
+  /**
+   * How many of the worst elements, at least 1. Not used if UseLimit is on. Default 10.
+   */
+  vtkSetClampMacro(NumberOfElements, int, 1, VTK_INT_MAX);
+  vtkGetMacro(NumberOfElements, int);
+  ///@}
+
+  ///@{
+  /**
+   * Take all elements whose value is beyond Limit: above it where the greatest is worst, else below it. Default off:
+   * the worst NumberOfElements.
+   */
+  vtkSetMacro(UseLimit, bool);
+  vtkGetMacro(UseLimit, bool);
+  vtkBooleanMacro(UseLimit, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The limit, in the unit of the array. Not used if UseLimit is off. Default 0.9.
+   */
+  vtkSetMacro(Limit, double);
+  vtkGetMacro(Limit, double);
+  ///@}
+
+  ///@{
+  /**
+   * Rings of elements about the worst, from 0 to 100. Default 1.
+   */
+  vtkSetClampMacro(Rings, int, 0, 100);
+  vtkGetMacro(Rings, int);
+  ///@}
+
+protected:
+  vtkAtriaWorstElements() = default;
+  ~vtkAtriaWorstElements() override = default;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkAtriaWorstElements(const vtkAtriaWorstElements&) = delete;
+  void operator=(const vtkAtriaWorstElements&) = delete;
+
+  std::string MetricName = "CellSquish";
+  int Order = Automatic;
+  int NumberOfElements = 10;
+  bool UseLimit = false;
+  double Limit = 0.9;
+  int Rings = 1;
+};
+
+#endif
