@@ -119,7 +119,8 @@ class CommandLine(unittest.TestCase):
         for entry in layers.values():
             self.assertGreaterEqual(entry["covered"], entry["covered_in_full"])
             self.assertTrue(0.0 < entry["covered"] <= 1.0, entry)
-        self.assertGreater(layers["WallSouth"]["covered"], 0.5)
+        # The layer tapers to nothing at openings, which are many in faces of two metres.
+        self.assertGreater(layers["Neighbour"]["covered"], 0.9)
         plain = self.atria("mesh", HOUSE, "-o", out, *COARSE, "--report", report)
         self.assertEqual(plain.stdout, "")
         self.assertEqual(json.loads(report.read_text())["layers"], [])

@@ -162,6 +162,15 @@ void inspectZones(const Octree& octree, const SurfaceModel& model, const GridPoi
   }
 }
 
+/// Vertices that the sides of a turned domain have put where they are stay there.
+void fixMoved(const std::vector<Vec3>& before, const std::vector<Vec3>& points, VertexAnchors& anchors)
+{
+  for (std::size_t v = 0; v < before.size(); ++v)
+  {
+    anchors.freedom[v] = before[v] != points[v] ? Freedom::fixed : anchors.freedom[v];
+  }
+}
+
 } // namespace
 
 DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, const DualMeshOptions& options,
@@ -193,10 +202,12 @@ DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, con
   context.progress.report(0.9, "Making elements");
   fillBoundary(mesh, crossings, elements);
   fillElements(mesh, octree, points, crossings, zones, elements, vertexOfLeaf, context);
+  const std::vector<Vec3> before = octree.frame().turnedDomain ? mesh.points : std::vector<Vec3>();
   sharpenTurnedEdges(mesh, octree.frame(), model.names.size());
   appendMerged(crossings, elements, octree.frame(), result.diagnostics);
   appendUnresolved(mesh, placed.compromised, result.diagnostics);
   keepWithinSides(mesh.points, octree.frame());
+  fixMoved(before, mesh.points, placed.anchors);
   DualImprover improver(octree, model, std::move(placed.anchors), result, context);
   clock.lap("elements");
   context.progress.report(0.92, "Improving elements");

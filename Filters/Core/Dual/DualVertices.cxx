@@ -78,13 +78,12 @@ public:
     }
     out.positions[vertex] = geometry.surfacePosition();
     out.compromised[vertex] = topology.sheets() > 1 && geometry.misses(out.positions[vertex]) ? 1 : 0;
-    out.anchors.freedom[vertex] = out.compromised[vertex] ? Freedom::loose : Freedom::surface;
-    if (!out.compromised[vertex])
+    // Between two sheets it would slide from one to the other.
+    const bool onOne = topology.charts().size() == 1;
+    out.anchors.freedom[vertex] = onOne && !out.compromised[vertex] ? Freedom::surface : Freedom::fixed;
+    if (out.anchors.freedom[vertex] == Freedom::surface)
     {
-      for (const Index chart : topology.charts())
-      {
-        part.charts.emplace_back(vertex, chart);
-      }
+      part.charts.emplace_back(vertex, topology.charts().front());
     }
   }
 
@@ -109,9 +108,7 @@ public:
     const bool lost = corner == noIndex && vertex.kind == ChainVertex::knot;
     out.compromised[vertex.vertex] = (lost || topology.sheets() > 1) && geometry.misses(position) ? 1 : 0;
     const bool onCurve = corner == noIndex && vertex.kind == ChainVertex::along && !geometry.isOnSide();
-    out.anchors.freedom[vertex.vertex] = out.compromised[vertex.vertex] ? Freedom::loose
-                                         : onCurve                      ? Freedom::curve
-                                                                        : Freedom::fixed;
+    out.anchors.freedom[vertex.vertex] = onCurve && !out.compromised[vertex.vertex] ? Freedom::curve : Freedom::fixed;
   }
 
   /// Puts a vertex whose octant the curve does not pass between its neighbours on the curve.

@@ -151,7 +151,7 @@ void dropBeyondSides(std::vector<char>& kept, const Zones& zones, const Octree& 
   }
 }
 
-void keepWithinSides(std::vector<Vec3>& positions, const GridFrame& frame)
+void keepWithinSides(std::span<Vec3> positions, const GridFrame& frame)
 {
   if (!frame.turnedDomain)
   {

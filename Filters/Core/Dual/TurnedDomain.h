@@ -4,6 +4,8 @@
 
 #include "Dual/DualMesher.h"
 
+#include <span>
+
 namespace atria {
 
 /// Marks faces of turned sides as sides of the domain, as faces on the planes of a box are.
@@ -24,6 +26,6 @@ std::array<Vec3, 6> sideNormalsOf(const GridFrame& frame);
 void placeInModel(DualMeshResult& result, const Placement& placement, const RunContext& context);
 
 /// Moves vertices that follow a curve or corner of the model beyond the sides of a turned domain back onto the sides.
-void keepWithinSides(std::vector<Vec3>& positions, const GridFrame& frame);
+void keepWithinSides(std::span<Vec3> positions, const GridFrame& frame);
 
 } // namespace atria

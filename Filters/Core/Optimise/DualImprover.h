@@ -28,8 +28,7 @@ public:
 private:
   void release(const DualMesh& mesh, const std::vector<char>& bad, bool all);
   LayerMesh growOptimised(const DualMesh& plain, const LayerWalls& walls, const LayerOptions& options);
-  OptimiserReport optimiseLayer(LayerMesh& layer, const LayerWalls& walls, const LayerOptions& options,
-                                int rings);
+  OptimiserReport optimiseLayer(LayerMesh& layer, const LayerWalls& walls, const LayerOptions& options, int rings);
 
   const Octree& octree_;
   const SurfaceModel& model_;

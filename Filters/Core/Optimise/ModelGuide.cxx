@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Optimise/ModelGuide.h"
 
+#include "Dual/TurnedDomain.h"
 #include "Octree/GeometryLists.h"
 #include "Surface/Distance.h"
 
@@ -120,7 +121,9 @@ Vec3 ModelGuide::onPlanes(Vec3 p, unsigned planes) const
       p[axisOf(direction)] = frame.planeOf(direction);
     }
   }
-  return p.cwiseMax(frame.domain.min).cwiseMin(frame.domain.max);
+  p = p.cwiseMax(frame.domain.min).cwiseMin(frame.domain.max);
+  keepWithinSides({&p, 1}, frame);
+  return p;
 }
 
 Vec3 ModelGuide::place(Index point, const Vec3& p) const
