@@ -12,6 +12,9 @@
 
 namespace atria {
 
+/// Sheets closer than this part of an edge are left to merge.
+inline constexpr double thinnestGap = 0.02;
+
 /// The grid while its points move: the cuts of its edges kept up to date, and what they say about its leaves. Edges
 /// that did not move are read from the octree's own crossings. Not for several threads at once.
 class MovingGrid

@@ -15,8 +15,10 @@ namespace {
 constexpr double farthestMove = 0.95;
 /// How far beyond a single cut a point is put, against the edge, if nothing else limits it.
 constexpr double stepBeyond = 0.1;
-/// Sheets closer than this part of an edge are left to merge.
-constexpr double thinnestGap = 0.02;
+/// Where an edge passes a curve nearer to its other end than this part of it, its end is not moved for that.
+constexpr double leastPart = 0.2;
+/// Of 45 degrees: sheets that meet at less have a wedge between them.
+constexpr double wedgeCosine = 0.707;
 constexpr double surplusCutCost = 2.0;
 constexpr int mostSweeps = 100;
 constexpr double smallestGain = 1e-9;
@@ -185,6 +187,7 @@ private:
     for (int direction = 0; direction < 6; ++direction)
     {
       addBetweenCuts(point, direction, found);
+      addPastCurves(point, direction, found);
     }
     const auto& leaves = grid.points().leaves[point];
     for (const Index leaf : std::set<Index>(leaves.begin(), leaves.end()))
@@ -222,6 +225,54 @@ private:
         found.add(pointOn(edge->segment, fromStart ? t : 1.0 - t));
       }
     }
+  }
+
+  /// Places from which an edge that two sheets cut passes on the other side of the curve in which they meet.
+  void addPastCurves(Index point, int direction, Candidates& found) const
+  {
+    const auto edge = grid.cutEdge(point, direction);
+    if (!edge || edge->surplus() == 0)
+    {
+      return;
+    }
+    const SurfaceModel& model = grid.model();
+    const Vec3 p = toVector(grid.places().place(point));
+    const Vec3 q = toVector(grid.startsAt(point, direction) ? edge->segment.end : edge->segment.start);
+    const double step = stepBeyond * static_cast<double>(grid.shortestEdge(point));
+    const auto& about = grid.points().leaves[point];
+    for (const Index leaf : std::set<Index>(about.begin(), about.end()))
+    {
+      for (const ModelItem piece : grid.octree().items(leaf))
+      {
+        if (piece.kind != ModelItem::featureEdge || !joinsCuts(edge->cuts, model.featureEdges[piece.index]))
+        {
+          continue;
+        }
+        const FeatureEdge& curve = model.featureEdges[piece.index];
+        const NearestPair way =
+            nearestOfSegments(p, q, toVector(model.points[curve.a]), toVector(model.points[curve.b]));
+        const double part = (way.first - q).norm() / (p - q).norm();
+        if (part > leastPart && way.distance() > 1.0)
+        {
+          found.add(p + (1.0 + step / way.distance()) / part * (way.second - way.first));
+        }
+      }
+    }
+  }
+
+  /// Whether neighbouring cuts are of sheets that meet there in a wedge.
+  bool joinsCuts(std::span<const SurfaceCrossing> cuts, const FeatureEdge& edge) const
+  {
+    const SurfaceModel& model = grid.model();
+    const std::vector<Index>& charts = model.curves[edge.curve].charts;
+    const auto isThere = [&](const SurfaceCrossing& cut) {
+      return std::binary_search(charts.begin(), charts.end(), model.charts[cut.triangle]);
+    };
+    return std::adjacent_find(cuts.begin(), cuts.end(), [&](const SurfaceCrossing& l, const SurfaceCrossing& r) {
+             const double cosine = model.normal(l.triangle).normalized().dot(model.normal(r.triangle).normalized());
+             return model.charts[l.triangle] != model.charts[r.triangle] && std::abs(cosine) > wedgeCosine &&
+                    isThere(l) && isThere(r);
+           }) != cuts.end();
   }
 
   /// Places in the middle between curves that the leaf's vertex cannot both be on.
