@@ -409,6 +409,16 @@ bool hasArea(const TriangleSoup& soup, const std::array<Index, 3>& t)
   return normal.n[0] != 0 || normal.n[1] != 0 || normal.n[2] != 0;
 }
 
+std::size_t countUsed(const TriangleSoup& soup)
+{
+  std::vector<char> used(soup.points.size(), 0);
+  for (const auto& t : soup.triangles)
+  {
+    used[t[0]] = used[t[1]] = used[t[2]] = 1;
+  }
+  return static_cast<std::size_t>(std::count(used.begin(), used.end(), 1));
+}
+
 std::size_t countEdges(const TriangleSoup& soup, const std::set<EdgeKey>& edges)
 {
   std::set<EdgeKey> found;
@@ -437,26 +447,28 @@ constexpr int patience = 1;
 AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options)
 {
   AutorefineReport report;
+  report.isSplit.resize(soup.sources.empty() ? 0 : soup.sources.back() + 1, 0);
+  refineAgain(soup, options, std::vector<char>(soup.triangles.size(), 1), report);
+  return report;
+}
+
+void refineAgain(TriangleSoup& soup, const AutorefineOptions& options, std::vector<char> changed,
+                 AutorefineReport& report)
+{
   const std::int64_t weldDistance = weldReaches * options.reach;
-  const std::size_t inputPoints = soup.points.size();
-  std::set<EdgeKey> edges;
-  std::vector<char> changed(soup.triangles.size(), 1);
-  std::vector<char> split(soup.sources.empty() ? 0 : soup.sources.back() + 1, 0);
   std::size_t foundBefore = 0;
   int growing = 0;
   for (int round = 0;; ++round)
   {
+    const std::size_t usedBefore = round == 0 ? countUsed(soup) : 0;
     const std::vector<Index> became = mergePoints(soup, weldDistance, changed);
     if (round == 0)
     {
-      for (Index p = 0; p < inputPoints; ++p)
-      {
-        report.mergedPoints += became[p] != p ? 1 : 0;
-      }
-      report.degenerateTriangles = static_cast<std::size_t>(std::count_if(
+      report.mergedPoints += usedBefore - countUsed(soup);
+      report.degenerateTriangles += static_cast<std::size_t>(std::count_if(
           soup.triangles.begin(), soup.triangles.end(), [](const auto& t) { return hasRepeatedPoint(t); }));
     }
-    renumber(edges, became);
+    renumber(report.meetings, became);
     report.overlappingTriangles += dropRepeated(soup, &changed);
     Contacts contacts = findContacts(soup, changed, options.reach);
     const std::size_t found = contacts.edges.size() + contacts.faces.size();
@@ -469,15 +481,14 @@ AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options
     }
     addNewPoints(soup, contacts, weldDistance);
     Round work(soup, contacts, static_cast<double>(options.reach));
-    work.updateEdges(edges);
-    work.apply(changed, split);
+    work.updateEdges(report.meetings);
+    work.apply(changed, report.isSplit);
   }
   const std::size_t before = soup.triangles.size();
   filter(soup, nullptr, [&](const auto& t) { return hasArea(soup, t); });
   report.degenerateTriangles += before - soup.triangles.size();
-  report.splitTriangles = static_cast<std::size_t>(std::count(split.begin(), split.end(), 1));
-  report.intersectionEdges = countEdges(soup, edges);
-  return report;
+  report.splitTriangles = static_cast<std::size_t>(std::count(report.isSplit.begin(), report.isSplit.end(), 1));
+  report.intersectionEdges = countEdges(soup, report.meetings);
 }
 
 } // namespace atria

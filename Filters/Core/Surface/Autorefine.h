@@ -4,6 +4,7 @@
 #include "Surface/TriangleSoup.h"
 
 #include <cstddef>
+#include <set>
 
 namespace atria {
 
@@ -29,6 +30,9 @@ struct AutorefineReport
   std::size_t intersectionEdges = 0;
   /// Contacts left after the last round.
   std::size_t unresolvedContacts = 0;
+  /// What the counts are of: per source, whether it was cut; the edges on which triangles now meet.
+  std::vector<char> isSplit;
+  std::set<EdgeKey> meetings;
 };
 
 /// Cuts triangles until they meet in common edges and points only.
@@ -39,6 +43,11 @@ struct AutorefineReport
 /// points are rounded to the lattice, which can make new contacts; the next round looks at the cut triangles only.
 /// Pieces take the place of their triangle, with its winding, surface and source. O(n log n) where little is cut.
 AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options);
+
+/// The same for a soup that was cut before and in which triangles marked in `changed` were changed since; goes on with
+/// the report.
+void refineAgain(TriangleSoup& soup, const AutorefineOptions& options, std::vector<char> changed,
+                 AutorefineReport& report);
 
 /// Drops triangles with repeated points, and those with the same points as an earlier one. Returns how many of the
 /// second sort.

@@ -41,15 +41,23 @@ void repairSurface(TriangleSoup& soup, const GridFrame& frame, const SurfaceRepa
                    SurfaceRepairReport& report)
 {
   dropUnusedPoints(soup);
-  const GapReport gaps = closeGaps(soup, frame, options.gapTolerance);
-  report.closedGaps = gaps.closedGaps;
-  report.largestGap = gaps.largestMove * frame.latticeUnit();
   // Pieces are closed as they were drawn; where they are cut they share edges with others.
   report.flippedTriangles = orientTriangles(soup);
-
+  const std::vector<Index> parts = partsOf(soup);
   AutorefineOptions refining;
   refining.reach = std::max(refining.reach, options.weldDistance / 4);
-  const AutorefineReport refined = autorefine(soup, refining);
+  AutorefineReport refined = autorefine(soup, refining);
+  GapReport gaps = closeGaps(soup, frame, options.gapTolerance, parts);
+  report.closedGaps = gaps.closedGaps;
+  report.largestGap = gaps.largestMove * frame.latticeUnit();
+  if (gaps.closedGaps > 0)
+  {
+    if (refined.unresolvedContacts > 0)
+    {
+      std::fill(gaps.movedTriangles.begin(), gaps.movedTriangles.end(), 1);
+    }
+    refineAgain(soup, refining, std::move(gaps.movedTriangles), refined);
+  }
   report.weldedPoints += refined.mergedPoints;
   report.degenerateTriangles += refined.degenerateTriangles;
   report.overlappingTriangles = refined.overlappingTriangles;
