@@ -436,24 +436,15 @@ std::size_t countEdges(const TriangleSoup& soup, const std::set<EdgeKey>& edges)
   return found.size();
 }
 
-} // namespace
-
-std::size_t dropRepeated(TriangleSoup& soup) { return dropRepeated(soup, nullptr); }
-
 /// Rounds in a row that may find more than the one before. The first does; where a second does too, many triangles lie
 /// closer together than the reach can tell apart, and cutting them only makes more of them.
 constexpr int patience = 1;
+/// Where rounds do not end, the reach is made this many times as wide, and they begin anew.
+constexpr std::int64_t widening = 4;
 
-AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options)
-{
-  AutorefineReport report;
-  report.isSplit.resize(soup.sources.empty() ? 0 : soup.sources.back() + 1, 0);
-  refineAgain(soup, options, std::vector<char>(soup.triangles.size(), 1), report);
-  return report;
-}
-
-void refineAgain(TriangleSoup& soup, const AutorefineOptions& options, std::vector<char> changed,
-                 AutorefineReport& report)
+/// One after the other, until nothing is found or ever more. What then is left is in the report.
+void runRounds(TriangleSoup& soup, std::vector<char> changed, const AutorefineOptions& options,
+               AutorefineReport& report)
 {
   const std::int64_t weldDistance = weldReaches * options.reach;
   std::size_t foundBefore = 0;
@@ -477,12 +468,40 @@ void refineAgain(TriangleSoup& soup, const AutorefineOptions& options, std::vect
     if (found == 0 || round == options.maximumRounds || growing > patience)
     {
       report.unresolvedContacts = found;
-      break;
+      return;
     }
     addNewPoints(soup, contacts, weldDistance);
     Round work(soup, contacts, static_cast<double>(options.reach));
     work.updateEdges(report.meetings);
     work.apply(changed, report.isSplit);
+  }
+}
+
+} // namespace
+
+std::size_t dropRepeated(TriangleSoup& soup) { return dropRepeated(soup, nullptr); }
+
+AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options)
+{
+  AutorefineReport report;
+  report.isSplit.resize(soup.sources.empty() ? 0 : soup.sources.back() + 1, 0);
+  refineAgain(soup, options, std::vector<char>(soup.triangles.size(), 1), report);
+  return report;
+}
+
+void refineAgain(TriangleSoup& soup, const AutorefineOptions& options, std::vector<char> changed,
+                 AutorefineReport& report)
+{
+  const TriangleSoup soupBefore = soup;
+  const AutorefineReport reportBefore = report;
+  runRounds(soup, std::move(changed), options, report);
+  AutorefineOptions wider = options;
+  while (report.unresolvedContacts > 0 && wider.reach * widening <= options.largestReach)
+  {
+    wider.reach *= widening;
+    soup = soupBefore;
+    report = reportBefore;
+    runRounds(soup, std::vector<char>(soup.triangles.size(), 1), wider, report);
   }
   const std::size_t before = soup.triangles.size();
   filter(soup, nullptr, [&](const auto& t) { return hasArea(soup, t); });

@@ -12,6 +12,8 @@ struct AutorefineOptions
 {
   /// A point this close to an edge or a triangle, in lattice units, lies on it. At least 3, as points are rounded.
   std::int64_t reach = 4;
+  /// Where ever more is found, all begins anew with a reach four times as wide, up to this.
+  std::int64_t largestReach = 4;
   /// Rounds after which what is still found is left and counted; fewer where ever more is found.
   int maximumRounds = 16;
 };

@@ -17,13 +17,16 @@ namespace atria {
 
 namespace {
 
-constexpr int maximumPasses = 4;
+/// A point or edge is preferred to the face up to this many times its distance.
+constexpr double sideways = 2.0;
 /// Details within this many tolerances hang together and are no gap.
 constexpr double detailReach = 3.0;
 /// A point may move by this much in all, in tolerances.
 constexpr double maximumDrift = 2.0;
 /// Below this cosine a move turns a triangle too far, or does not lead on from a sheet.
 constexpr double minimumCosine = 0.5;
+/// What is this near, in lattice units, is there but for rounding.
+constexpr double there = 2.0;
 /// A triangle no higher than this, in lattice units, has no area but for rounding.
 constexpr double flat = 2.0;
 
@@ -179,21 +182,49 @@ private:
       }
     }
     forBoxPairs(places, boxes, [&](Index place, Index t) { consider(place - base, t); });
+    addForeignGaps();
   }
 
   void consider(Index p, Index t)
   {
-    const std::optional<Target> target = contains(soup.triangles[t], p) ? std::nullopt : targetOf(p, t);
+    if (contains(soup.triangles[t], p))
+    {
+      return;
+    }
+    if (offsetTo(p, t).norm() <= there)
+    {
+      touches.emplace_back(p, partOfTriangle(t));
+      return;
+    }
+    const std::optional<Target> target = targetOf(p, t);
     if (!target)
     {
       return;
     }
     const bool foreign = isForeign(p, t);
-    if (foreign || isAhead(p, between(soup.points[p], target->place)) || (!rimsAt(p).empty() && !hangsTogether(p, t)))
+    if (isAhead(p, between(soup.points[p], target->place)) || (!rimsAt(p).empty() && !hangsTogether(p, t)))
     {
-      const bool toLighter = !(foreign && partOf[p] < partOfTriangle(t));
-      gaps.push_back({toLighter, target->kind, target->distance, p, t});
+      gaps.push_back({!(foreign && partOf[p] < partOfTriangle(t)), target->kind, target->distance, p, t});
     }
+    else if (foreign)
+    {
+      foreignGaps.push_back({partOf[p] > partOfTriangle(t), target->kind, target->distance, p, t});
+    }
+  }
+
+  /// What touches another part already is done, but for its free edges.
+  void addForeignGaps()
+  {
+    std::sort(touches.begin(), touches.end());
+    std::copy_if(foreignGaps.begin(), foreignGaps.end(), std::back_inserter(gaps), [&](const Gap& gap) {
+      return !std::binary_search(touches.begin(), touches.end(), std::pair(gap.point, partOfTriangle(gap.triangle)));
+    });
+  }
+
+  bool isRim(Index p, Index q) const
+  {
+    const auto here = rimsAt(p);
+    return std::any_of(here.begin(), here.end(), [&](const RimEnd& rim) { return rim.other == q; });
   }
 
   /// Whether a sheet that ends at the point would go on in this direction.
@@ -208,17 +239,24 @@ private:
     });
   }
 
+  std::array<Vec3, 3> cornersFrom(Index p, Index t) const
+  {
+    return {between(soup.points[p], soup.corner(t, 0)), between(soup.points[p], soup.corner(t, 1)),
+            between(soup.points[p], soup.corner(t, 2))};
+  }
+  /// To the nearest point of the triangle.
+  Vec3 offsetTo(Index p, Index t) const
+  {
+    const auto [a, b, c] = cornersFrom(p, t);
+    return nearestOnTriangle(Vec3::Zero(), a, b, c);
+  }
+
   /// Where on the triangle the point belongs; nothing where it is too far or there already.
   std::optional<Target> targetOf(Index p, Index t) const
   {
     const Vec3 origin = Vec3::Zero();
-    std::array<Vec3, 3> corners;
-    for (int i = 0; i < 3; ++i)
-    {
-      corners[i] = between(soup.points[p], soup.corner(t, i));
-    }
-    const Vec3 nearest = nearestOnTriangle(origin, corners[0], corners[1], corners[2]);
-    constexpr double there = 2.0; // rounded to the lattice it is there
+    const std::array<Vec3, 3> corners = cornersFrom(p, t);
+    const Vec3 nearest = offsetTo(p, t);
     if (nearest.norm() > tolerance || nearest.norm() <= there)
     {
       return std::nullopt;
@@ -226,7 +264,7 @@ private:
     std::optional<Target> best;
     const auto offer = [&](int kind, const Vec3& place) {
       const bool better = !best || (kind == best->kind && place.norm() < best->distance);
-      if (place.norm() <= tolerance && better)
+      if (place.norm() <= std::min(tolerance, sideways * nearest.norm()) && better)
       {
         best = Target{kind, place.norm(), placeOf(p, place)};
       }
@@ -348,7 +386,8 @@ private:
     const bool hasB = contains(soup.triangles[onto], b);
     if (after.norm() <= flat * between(soup.points[a], soup.points[b]).norm())
     {
-      return (hasA && hasB) || (hasA && to == soup.points[a]) || (hasB && to == soup.points[b]);
+      return (hasA && hasB) || (hasA && to == soup.points[a]) || (hasB && to == soup.points[b]) ||
+             !(isRim(p, a) || isRim(p, b) || isRim(a, b));
     }
     return std::abs(after.dot(before)) >= minimumCosine * after.norm() * before.norm();
   }
@@ -364,6 +403,9 @@ private:
   /// Per point, the smallest of the parts it belongs to.
   std::vector<Index> partOf;
   std::vector<Gap> gaps;
+  std::vector<Gap> foreignGaps;
+  /// Points with the parts they lie on without having a corner there.
+  std::vector<std::pair<Index, Index>> touches;
 };
 
 } // namespace
@@ -407,35 +449,18 @@ std::vector<Index> partsOf(const TriangleSoup& soup)
   return parts;
 }
 
-GapReport closeGaps(TriangleSoup& soup, const GridFrame& frame, double tolerance, const std::vector<Index>& parts)
+std::vector<char> closeGaps(TriangleSoup& soup, const GridFrame& frame, double tolerance,
+                            const std::vector<Index>& parts, const std::vector<LatticePoint>& start)
 {
-  GapReport report;
-  report.movedTriangles.resize(soup.triangles.size(), 0);
-  if (!(tolerance >= 1.0))
+  std::vector<char> isMoved(soup.points.size(), 0);
+  if (tolerance >= 1.0)
   {
-    return report;
-  }
-  const std::vector<LatticePoint> start = soup.points;
-  for (int pass = 0; pass < maximumPasses; ++pass)
-  {
-    if (GapCloser(soup, frame, tolerance, parts, start).run().empty())
+    for (const Index p : GapCloser(soup, frame, tolerance, parts, start).run())
     {
-      break;
+      isMoved[p] = 1;
     }
   }
-  for (Index p = 0; p < soup.points.size(); ++p)
-  {
-    const double move = between(start[p], soup.points[p]).norm();
-    report.closedGaps += move > 0.0 ? 1 : 0;
-    report.largestMove = std::max(report.largestMove, move);
-  }
-  for (Index t = 0; t < soup.triangles.size(); ++t)
-  {
-    const auto& corners = soup.triangles[t];
-    report.movedTriangles[t] =
-        std::any_of(corners.begin(), corners.end(), [&](Index p) { return start[p] != soup.points[p]; }) ? 1 : 0;
-  }
-  return report;
+  return isMoved;
 }
 
 } // namespace atria
