@@ -2,6 +2,7 @@
 /// The stages up to the zones, and a room with a hole.
 #pragma once
 
+#include "Dual/CrackClosing.h"
 #include "Dual/Cracks.h"
 #include "Dual/Leaks.h"
 #include "Octree/Refinement.h"
@@ -29,6 +30,12 @@ struct FoundZones
     octree = buildOctree(model, frame, SizingOptions{}, context());
     points = findGridPoints(octree, context());
     crossings = findCrossings(GridPlaces(octree, points), model, context());
+    zones = findZones(crossings, model.names.size(), context());
+  }
+
+  void closeCracksUpTo(double tolerance)
+  {
+    closeCracks(crossings, GridPlaces(octree, points), model, tolerance, context());
     zones = findZones(crossings, model.names.size(), context());
   }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Dual/DualMesher.h"
 
+#include "Dual/CrackClosing.h"
 #include "Dual/Cracks.h"
 #include "Dual/DualVertices.h"
 #include "Dual/ModifiedGrid.h"
@@ -174,6 +175,7 @@ DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, con
   context.progress.report(0.3, "Finding crossings");
   GridPlaces grid(octree, points);
   Crossings crossings = modifyGrid(grid, model, findCrossings(grid, model, context), context);
+  closeCracks(crossings, grid, model, options.crackTolerance, context);
   markTurnedSides(crossings, model.names.size());
   clock.lap("crossings");
   context.progress.report(0.6, "Finding zones");
