@@ -264,6 +264,62 @@ TEST(SurfaceRepair, ClosesGapsBetweenWallsOnSlopes)
   EXPECT_EQ(model.repair.unresolvedContacts, 0u);
 }
 
+/// Two walls at a right angle; one is cut into two where the other is whole, and beside that cut, nearer than the
+/// tolerance, the other has a point.
+TEST(SurfaceRepair, ClosingGapsLosesNoContact)
+{
+  TriangleSurface surface;
+  addSheet(surface, "Low", {0, 0, 0}, {4, 0, 0}, {0, 0, 1.5});
+  addSheet(surface, "High", {0, 0, 1.5}, {4, 0, 0}, {0, 0, 1.5});
+  addSheet(surface, "SideLow", {0, 0, 0}, {0, 4, 0}, {0, 0, 1.53});
+  addSheet(surface, "SideHigh", {0, 0, 1.53}, {0, 4, 0}, {0, 0, 1.47});
+  for (const double degrees : {0.0, 17.0})
+  {
+    atria::testing::turn(surface, degrees);
+    const SurfaceModel model = repaired(surface);
+    EXPECT_NEAR(lengthOf(model, CurveKind::rim), 2.0 * (4.0 + 4.0 + 3.0), 0.1) << degrees; // the outline alone
+    EXPECT_EQ(model.repair.unresolvedContacts, 0u);
+  }
+}
+
+TEST(SurfaceRepair, ClosesGapsBetweenPartsThatHangTogetherAtTheGapsEnds)
+{
+  // A room whose east wall, welded to floor and roof, stops short of the north wall.
+  TriangleSurface surface;
+  addSheet(surface, "Floor", {0, 0, 0}, {3, 0, 0}, {0, 3, 0});
+  addSheet(surface, "Roof", {0, 0, 3}, {3, 0, 0}, {0, 3, 0});
+  addSheet(surface, "South", {0, 0, 0}, {3, 0, 0}, {0, 0, 3});
+  addSheet(surface, "North", {0, 3, 0}, {3, 0, 0}, {0, 0, 3});
+  addSheet(surface, "West", {0, 0, 0}, {0, 3, 0}, {0, 0, 3});
+  addSheet(surface, "East", {3, 0, 0}, {0, 2.97, 0}, {0, 0, 3});
+  for (const double degrees : {0.0, 23.0})
+  {
+    atria::testing::turn(surface, degrees);
+    const SurfaceModel model = repaired(surface);
+    EXPECT_EQ(edgesOfUse(model, 1), 0) << degrees;
+    EXPECT_EQ(lengthOf(model, CurveKind::rim), 0.0) << degrees;
+  }
+}
+
+TEST(SurfaceRepair, WallsDrawnTwiceALittleApartBecomeOne)
+{
+  for (const double apart : {1e-4, 1e-3, 0.01, 0.03})
+  {
+    for (const double degrees : {0.0, 31.0})
+    {
+      TriangleSurface surface;
+      addBox(surface, "Box", {{-2, -2, -2}, {2, 2, 2}});
+      addSheet(surface, "AgainLow", {-2, 2 + apart, -2}, {4, 0, 0}, {0, 0, 1.3});
+      addSheet(surface, "AgainHigh", {-2, 2 + apart, -0.7}, {4, 0, 0}, {0, 0, 2.7});
+      addSheet(surface, "Side", {2 + apart, -2, -2}, {0, 4, 0}, {0, 0, 4});
+      atria::testing::turn(surface, degrees);
+      const SurfaceModel model = repaired(surface);
+      EXPECT_EQ(model.repair.unresolvedContacts, 0u) << apart << " at " << degrees;
+      EXPECT_EQ(lengthOf(model, CurveKind::rim), 0.0) << apart << " at " << degrees;
+    }
+  }
+}
+
 TEST(SurfaceRepair, KeepsDetailsSmallerThanTheTolerance)
 {
   TriangleSurface surface;
