@@ -27,7 +27,7 @@ struct FoundZones
     const GridFrame frame = makeGridFrame(options, extent);
     FeatureOptions features;
     features.gapTolerance = 0.0; // gaps are what is asked for
-    model = makeSurfaceModel(surface, frame, features);
+    model = makeSurfaceModel(surface, frame, features, context());
     octree = buildOctree(model, frame, SizingOptions{}, context());
     points = findGridPoints(octree, context());
     crossings = findCrossings(grid, model, context());

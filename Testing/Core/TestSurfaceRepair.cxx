@@ -23,7 +23,8 @@ using atria::testing::addSurface;
 
 const atria::Box3 domain{Vec3::Constant(-10.0), Vec3::Constant(10.0)};
 
-SurfaceModel repaired(const TriangleSurface& surface, const atria::Box3& in = domain, double gapTolerance = 0.05)
+SurfaceModel repaired(const TriangleSurface& surface, const atria::Box3& in = domain, double gapTolerance = 0.05,
+                      int threads = 1)
 {
   atria::GridOptions grid;
   grid.domain = in;
@@ -35,7 +36,10 @@ SurfaceModel repaired(const TriangleSurface& surface, const atria::Box3& in = do
   const atria::GridFrame frame = makeGridFrame(grid, extent);
   atria::FeatureOptions options;
   options.gapTolerance = gapTolerance;
-  return makeSurfaceModel(surface, frame, options);
+  const atria::ThreadExecutor executor(threads);
+  atria::SilentMonitor silent;
+  const atria::RunContext context{executor, atria::ProgressRange(silent)};
+  return makeSurfaceModel(surface, frame, options, context);
 }
 
 double area(const SurfaceModel& model, Index surface)
@@ -376,6 +380,35 @@ TEST(SurfaceRepair, FarFromTheOriginNothingChanges)
   const SurfaceModel far = repaired(surface, {domain.min + shift, domain.max + shift});
   EXPECT_EQ(far.triangles, near.triangles);
   EXPECT_EQ(far.points, near.points);
+}
+
+TEST(SurfaceRepair, TheSameForOneTwoAndSevenThreads)
+{
+  for (unsigned seed = 1; seed <= 5; ++seed)
+  {
+    const TriangleSurface soup = atria::testing::randomSoup(seed);
+    const SurfaceModel wanted = repaired(soup);
+    for (const int threads : {2, 7})
+    {
+      const SurfaceModel model = repaired(soup, domain, 0.05, threads);
+      EXPECT_EQ(model.points, wanted.points);
+      EXPECT_EQ(model.triangles, wanted.triangles);
+    }
+  }
+}
+
+TEST(SurfaceRepair, StopsOnDemand)
+{
+  struct : atria::SilentMonitor
+  {
+    bool aborted() const override { return true; }
+  } stopped;
+  const atria::SerialExecutor executor;
+  const atria::RunContext context{executor, atria::ProgressRange(stopped)};
+  atria::GridOptions grid;
+  grid.domain = domain;
+  EXPECT_THROW(makeSurfaceModel(atria::testing::randomSoup(1), makeGridFrame(grid, domain), {}, context),
+               atria::Aborted);
 }
 
 } // namespace

@@ -143,7 +143,8 @@ TEST(Zones, ASeedInAThinGapMeansTheGap)
   {
     for (const double at : {0.03, 0.14, 0.27, 0.41})
     {
-      SCOPED_TRACE(std::to_string(degrees) + " degrees at " + std::to_string(at));
+      SCOPED_TRACE(degrees);
+      SCOPED_TRACE(at);
       TriangleSurface surface;
       addSheet(surface, "West", Vec3(at, -12, -1), Vec3(0, 24, 0), Vec3(0, 0, 9));
       addSheet(surface, "East", Vec3(at + 0.3 * size, -12, -1), Vec3(0, 24, 0), Vec3(0, 0, 9));

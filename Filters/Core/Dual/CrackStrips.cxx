@@ -96,23 +96,25 @@ public:
     const Vec3 inward = between(a, model.points[rim.third]);
     const Vec3 outward = (inward.dot(along) / along.squaredNorm() * along - inward).normalized();
     LatticePoint from = a;
-    std::optional<Vec3> across;
+    bool isBridged = false;
+    Vec3 across = Vec3::Zero();
     for (std::uint32_t i = 0; i <= count; ++i)
     {
       const LatticePoint to = i == count ? model.points[rim.b] : moved(a, along * (static_cast<double>(i) / count));
       const double inside = std::clamp(static_cast<double>(i), beforeEnd, count - beforeEnd) / count;
       const std::optional<Vec3> next = acrossFrom(moved(a, along * inside), rim.triangle, outward);
-      if (i > 0 && across && next)
+      if (isBridged && next)
       {
-        add(out.strip, rim.triangle, {to, from, moved(from, *across)});
-        add(out.strip, rim.triangle, {to, moved(from, *across), moved(to, *next)});
+        add(out.strip, rim.triangle, {to, from, moved(from, across)});
+        add(out.strip, rim.triangle, {to, moved(from, across), moved(to, *next)});
       }
       if (i == 0 || i == count)
       {
         out.atEnd[i == 0 ? 0 : 1] = next;
       }
       from = to;
-      across = next;
+      isBridged = next.has_value();
+      across = next.value_or(Vec3::Zero());
     }
     return out;
   }

@@ -16,7 +16,7 @@ struct DualMeshOptions
   std::vector<Vec3> seeds;
   /// Points in zones that should be closed: see findLeaks.
   std::vector<Vec3> sealedSeeds;
-  /// Gaps beside rims that are no wider than this part of the octants there are closed; 0 closes none. Wider ones are
+  /// Cracks beside rims that are no wider than this part of the octants there are closed; 0 closes none. Wider ones are
   /// open where an edge of the grid passes.
   double crackTolerance = 0.5;
 };

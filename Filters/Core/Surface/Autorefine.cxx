@@ -32,7 +32,7 @@ public:
   }
 
   /// The triangles after the round; `changed` marks the pieces of those that were cut.
-  void apply(std::vector<char>& changed, std::vector<char>& sourceIsSplit)
+  void apply(std::vector<char>& changed, std::vector<char>& sourceIsSplit, const RunContext& context)
   {
     TriangleSoup next;
     next.points = std::move(soup.points);
@@ -40,6 +40,10 @@ public:
     std::vector<std::array<Index, 3>> pieces;
     for (Index t = 0; t < soup.triangles.size(); ++t)
     {
+      if (t % 1024 == 0)
+      {
+        context.progress.check();
+      }
       DividedFace face = dividedFace(t);
       const bool whole = face.inside.empty() && face.segments.empty() && face.alongEdges[0].empty() &&
                          face.alongEdges[1].empty() && face.alongEdges[2].empty();
@@ -444,7 +448,7 @@ constexpr std::int64_t widening = 4;
 
 /// One after the other, until nothing is found or ever more. What then is left is in the report.
 void runRounds(TriangleSoup& soup, std::vector<char> changed, const AutorefineOptions& options,
-               AutorefineReport& report)
+               AutorefineReport& report, const RunContext& context)
 {
   const std::int64_t weldDistance = weldReaches * options.reach;
   std::size_t foundBefore = 0;
@@ -461,7 +465,7 @@ void runRounds(TriangleSoup& soup, std::vector<char> changed, const AutorefineOp
     }
     renumber(report.meetings, became);
     report.overlappingTriangles += dropRepeated(soup, &changed);
-    Contacts contacts = findContacts(soup, changed, options.reach);
+    Contacts contacts = findContacts(soup, changed, options.reach, context);
     const std::size_t found = contacts.edges.size() + contacts.faces.size();
     growing = found > foundBefore ? growing + 1 : 0;
     foundBefore = found;
@@ -473,7 +477,7 @@ void runRounds(TriangleSoup& soup, std::vector<char> changed, const AutorefineOp
     addNewPoints(soup, contacts, weldDistance);
     Round work(soup, contacts, static_cast<double>(options.reach));
     work.updateEdges(report.meetings);
-    work.apply(changed, report.isSplit);
+    work.apply(changed, report.isSplit, context);
   }
 }
 
@@ -481,27 +485,27 @@ void runRounds(TriangleSoup& soup, std::vector<char> changed, const AutorefineOp
 
 std::size_t dropRepeated(TriangleSoup& soup) { return dropRepeated(soup, nullptr); }
 
-AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options)
+AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options, const RunContext& context)
 {
   AutorefineReport report;
   report.isSplit.resize(soup.sources.empty() ? 0 : soup.sources.back() + 1, 0);
-  refineAgain(soup, options, std::vector<char>(soup.triangles.size(), 1), report);
+  refineAgain(soup, options, std::vector<char>(soup.triangles.size(), 1), report, context);
   return report;
 }
 
 void refineAgain(TriangleSoup& soup, const AutorefineOptions& options, std::vector<char> changed,
-                 AutorefineReport& report)
+                 AutorefineReport& report, const RunContext& context)
 {
   const TriangleSoup soupBefore = soup;
   const AutorefineReport reportBefore = report;
-  runRounds(soup, std::move(changed), options, report);
+  runRounds(soup, std::move(changed), options, report, context);
   AutorefineOptions wider = options;
   while (report.unresolvedContacts > 0 && wider.reach * widening <= options.largestReach)
   {
     wider.reach *= widening;
     soup = soupBefore;
     report = reportBefore;
-    runRounds(soup, std::vector<char>(soup.triangles.size(), 1), wider, report);
+    runRounds(soup, std::vector<char>(soup.triangles.size(), 1), wider, report, context);
   }
   const std::size_t before = soup.triangles.size();
   filter(soup, nullptr, [&](const auto& t) { return hasArea(soup, t); });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Support/RunContext.h"
 #include "Surface/TriangleSoup.h"
 
 #include <cstddef>
@@ -44,12 +45,12 @@ struct AutorefineReport
 /// edges; points closer than the reach allows become one; of triangles with the same points the first is kept. New
 /// points are rounded to the lattice, which can make new contacts; the next round looks at the cut triangles only.
 /// Pieces take the place of their triangle, with its winding, surface and source. O(n log n) where little is cut.
-AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options);
+AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options, const RunContext& context);
 
 /// The same for a soup that was cut before and in which triangles marked in `changed` were changed since; goes on with
 /// the report.
 void refineAgain(TriangleSoup& soup, const AutorefineOptions& options, std::vector<char> changed,
-                 AutorefineReport& report);
+                 AutorefineReport& report, const RunContext& context);
 
 /// Drops triangles with repeated points, and those with the same points as an earlier one. Returns how many of the
 /// second sort.

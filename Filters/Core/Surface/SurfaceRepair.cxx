@@ -53,12 +53,14 @@ std::vector<char> trianglesAt(const TriangleSoup& soup, const std::vector<char>&
 
 /// Closes gaps and cuts what moved, in turn, until nothing moves.
 void closeAllGaps(TriangleSoup& soup, const GridFrame& frame, double tolerance, const std::vector<Index>& parts,
-                  const AutorefineOptions& refining, AutorefineReport& refined, SurfaceRepairReport& report)
+                  const AutorefineOptions& refining, AutorefineReport& refined, SurfaceRepairReport& report,
+                  const RunContext& context)
 {
   std::vector<LatticePoint> start = soup.points;
   std::vector<char> everMoved(soup.points.size(), 0);
   for (int pass = 0; pass < maximumPasses; ++pass)
   {
+    context.progress.check();
     const std::vector<char> isMoved = closeGaps(soup, frame, tolerance, parts, start);
     if (std::find(isMoved.begin(), isMoved.end(), 1) == isMoved.end())
     {
@@ -81,14 +83,22 @@ void closeAllGaps(TriangleSoup& soup, const GridFrame& frame, double tolerance, 
     }
     report.overlappingTriangles += dropRepeated(soup);
   }
-  refineAgain(soup, refining, trianglesAt(soup, everMoved), refined);
+  std::vector<char> changed = trianglesAt(soup, everMoved);
+  if (std::find(changed.begin(), changed.end(), 1) != changed.end())
+  {
+    if (refined.unresolvedContacts > 0)
+    {
+      std::fill(changed.begin(), changed.end(), 1);
+    }
+    refineAgain(soup, refining, std::move(changed), refined, context);
+  }
   report.closedGaps = static_cast<std::size_t>(std::count(everMoved.begin(), everMoved.end(), 1));
 }
 
 } // namespace
 
 void repairSurface(TriangleSoup& soup, const GridFrame& frame, const SurfaceRepairOptions& options,
-                   SurfaceRepairReport& report)
+                   SurfaceRepairReport& report, const RunContext& context)
 {
   dropUnusedPoints(soup);
   // Pieces are closed as they were drawn; where they are cut they share edges with others.
@@ -97,8 +107,8 @@ void repairSurface(TriangleSoup& soup, const GridFrame& frame, const SurfaceRepa
   AutorefineOptions refining;
   refining.reach = std::max(refining.reach, options.weldDistance / 4);
   refining.largestReach = std::max(refining.reach, static_cast<std::int64_t>(largestReach * options.gapTolerance));
-  AutorefineReport refined = autorefine(soup, refining);
-  closeAllGaps(soup, frame, options.gapTolerance, parts, refining, refined, report);
+  AutorefineReport refined = autorefine(soup, refining, context);
+  closeAllGaps(soup, frame, options.gapTolerance, parts, refining, refined, report, context);
   report.weldedPoints += refined.mergedPoints;
   report.degenerateTriangles += refined.degenerateTriangles;
   report.overlappingTriangles += refined.overlappingTriangles;
