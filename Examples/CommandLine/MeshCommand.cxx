@@ -48,6 +48,7 @@ struct MeshOptions
   LayerOptions layers;
   bool estimate = false;
   double gap = 0.0;
+  double crack = 0.0;
   std::vector<double> domain;
   std::string site;
   bool automatic = false;
@@ -111,6 +112,7 @@ void declareOptions(CLI::App& command, MeshOptions& options)
   options.sizeMid = mesher->GetSizeMid();
   options.sizeMin = mesher->GetSizeMin();
   options.gap = mesher->GetGapTolerance();
+  options.crack = mesher->GetCrackTolerance();
 
   command.add_option("IN.wrl", options.input, "VRML model (.wrl, .wrz, .wrl.gz), in metres, Z up")->required();
   command
@@ -131,6 +133,12 @@ void declareOptions(CLI::App& command, MeshOptions& options)
                   "Gaps narrower than this are closed, metres; 0 closes none (default: 0.05 of --size-min)")
       ->check(CLI::NonNegativeNumber)
       ->type_name("M");
+  command
+      .add_option("--crack", options.crack,
+                  "Gaps beside free edges no wider than this part of the octants there are closed; 0 closes none")
+      ->capture_default_str()
+      ->check(CLI::Range(0.0, 0.9))
+      ->type_name("PART");
   auto* domain =
       command.add_option("--domain", options.domain, "Bounds of the domain, metres (default: those of the model)")
           ->expected(6)
@@ -246,6 +254,7 @@ void configureGrid(vtkAtriaGridAlgorithm* filter, const MeshOptions& options)
 void configure(vtkAtriaDualMesher* mesher, const MeshOptions& options)
 {
   configureGrid(mesher, options);
+  mesher->SetCrackTolerance(options.crack);
   mesher->SetZoneRule(options.zone == "all" ? vtkAtriaDualMesher::All : vtkAtriaDualMesher::Outside);
   if (!options.seeds.empty())
   {

@@ -108,7 +108,7 @@ PlacedModel GridInput::placed(vtkAtriaGridAlgorithm& filter, const GridFrame& fr
   return placeModel(surface, siteOptionsOf(filter), frame);
 }
 
-SurfaceModel surfaceModelOf(vtkAtriaGridAlgorithm& filter, const PlacedModel& placed)
+SurfaceModel surfaceModelOf(vtkAtriaGridAlgorithm& filter, const PlacedModel& placed, const RunContext& context)
 {
   FeatureOptions options;
   options.featureAngle = filter.GetFeatureAngle();
@@ -116,7 +116,7 @@ SurfaceModel surfaceModelOf(vtkAtriaGridAlgorithm& filter, const PlacedModel& pl
   options.weldDistance = weldRatio * size;
   options.sideDistance = sideRatio * size;
   options.gapTolerance = filter.GetGapTolerance() < 0.0 ? gapRatio * size : filter.GetGapTolerance();
-  return makeSurfaceModel(placed.surface, placed.frame, options);
+  return makeSurfaceModel(placed.surface, placed.frame, options, context);
 }
 
 } // namespace atria

@@ -24,7 +24,7 @@ struct GridInput
 
 SiteOptions siteOptionsOf(vtkAtriaGridAlgorithm& filter);
 GridOptions sizesOf(vtkAtriaGridAlgorithm& filter);
-SurfaceModel surfaceModelOf(vtkAtriaGridAlgorithm& filter, const PlacedModel& placed);
+SurfaceModel surfaceModelOf(vtkAtriaGridAlgorithm& filter, const PlacedModel& placed, const RunContext& context);
 /// The rules of the filter's properties, with boxes along the grid's axes. Throws Error for those that are no rules.
 SizingOptions sizingOf(vtkAtriaGridAlgorithm& filter, const Placement& grid);
 

@@ -79,7 +79,7 @@ atria::Octree rebuildOctree(vtkDataObject* data, const atria::GridInput& input, 
 {
   atria::OctreeSets sets = atria::octreeFromVtk(data);
   const atria::PlacedModel placed = input.placed(filter, sets.frame);
-  model = atria::surfaceModelOf(filter, placed);
+  model = atria::surfaceModelOf(filter, placed, context);
   atria::balance(sets.refined, placed.frame, context);
   atria::Octree octree(placed.frame, sets.refined);
   atria::locateModel(octree, model, context);
@@ -88,7 +88,7 @@ atria::Octree rebuildOctree(vtkDataObject* data, const atria::GridInput& input, 
 
 } // namespace
 
-vtkAtriaDualMesher::vtkAtriaDualMesher()
+vtkAtriaDualMesher::vtkAtriaDualMesher() : CrackTolerance(atria::DualMeshOptions{}.crackTolerance)
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(3);
@@ -278,7 +278,7 @@ int vtkAtriaDualMesher::RequestData(vtkInformation*, vtkInformationVector** inpu
     else
     {
       const atria::PlacedModel placed = input.placed(*this);
-      model = atria::surfaceModelOf(*this, placed);
+      model = atria::surfaceModelOf(*this, placed, context);
       clock.lap("surface");
       const atria::SizedOctants sized = atria::sizeOctants(
           model, placed.frame, atria::sizingOf(*this, placed.frame.placement), context.part(0.05, 0.25));
@@ -291,6 +291,7 @@ int vtkAtriaDualMesher::RequestData(vtkInformation*, vtkInformationVector** inpu
     options.seeds = toCore(this->SeedPoints);
     options.sealedSeeds = toCore(this->SealedSeedPoints);
     options.layers = layerRulesOf(*this);
+    options.crackTolerance = this->CrackTolerance;
     const atria::DualMeshResult result = atria::makeDualMesh(octree, model, options, clock, context.part(0.4, 0.9));
     atria::volumeToVtk(result.mesh, volume);
     atria::patchesToVtk(result.mesh, model.names, result.layers, patches);
@@ -322,6 +323,7 @@ void vtkAtriaDualMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ZoneRule: " << this->ZoneRule << "\n";
   os << indent << "NumberOfSeeds: " << this->SeedPoints.size() << "\n";
   printPoints(this->SeedPoints, os, indent);
+  os << indent << "CrackTolerance: " << this->CrackTolerance << "\n";
   os << indent << "NumberOfSealedSeeds: " << this->SealedSeedPoints.size() << "\n";
   printPoints(this->SealedSeedPoints, os, indent);
   os << indent << "NumberOfLayers: " << this->NumberOfLayers << "\n";

@@ -150,6 +150,16 @@ public:
 
   ///@{
   /**
+   * Gaps beside free edges of the surfaces that are no wider than this part of the octants there are closed, and listed
+   * as ClosedCrack on output port 2. Wider ones, and windows and doors with them, are open where an edge of the grid
+   * passes. 0 leaves all as the grid has them. In [0, 0.9]; default 0.5.
+   */
+  vtkSetClampMacro(CrackTolerance, double, 0.0, 0.9);
+  vtkGetMacro(CrackTolerance, double);
+  ///@}
+
+  ///@{
+  /**
    * Name and wall time, in seconds, of the stages of the last run that came to its end. They are not in the output,
    * which does not differ from run to run. An index out of range gives an empty name and 0.
    */
@@ -172,6 +182,7 @@ protected:
   double FirstLayerHeight = 0.0;
   double LayerGrowth = 1.2;
   std::vector<std::string> LayerRules;
+  double CrackTolerance;
   std::vector<std::array<double, 3>> SeedPoints;
   std::vector<std::array<double, 3>> SealedSeedPoints;
   std::vector<std::pair<std::string, double>> Stages;

@@ -3,6 +3,7 @@
 
 #include "AlgorithmProgress.h"
 #include "GridInput.h"
+#include "SmpExecutor.h"
 #include "VtkFeatureGraph.h"
 
 #include <vtkInformation.h>
@@ -47,13 +48,14 @@ int vtkAtriaFeatureGraph::RequestData(vtkInformation*, vtkInformationVector** in
   clear();
   atria::AlgorithmProgress progress(*this);
   const atria::ProgressRange range(progress);
+  const atria::SmpExecutor executor;
   try
   {
     range.report(0.0, "Reading surfaces");
     const atria::GridInput input = atria::readGridInput(vtkDataObject::GetData(inputs[0]));
     const atria::PlacedModel placed = input.placed(*this);
     range.report(0.3, "Finding features");
-    const atria::SurfaceModel model = atria::surfaceModelOf(*this, placed);
+    const atria::SurfaceModel model = atria::surfaceModelOf(*this, placed, {executor, range});
     range.report(0.8, "Converting");
     atria::featureCurvesToVtk(model, placed.frame, curves);
     atria::modelToVtk(model, placed.frame, triangles);

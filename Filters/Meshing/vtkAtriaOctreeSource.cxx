@@ -65,7 +65,7 @@ int vtkAtriaOctreeSource::RequestData(vtkInformation*, vtkInformationVector** in
   {
     const atria::GridInput input = atria::readGridInput(vtkDataObject::GetData(inputs[0]));
     const atria::PlacedModel placed = input.placed(*this);
-    const atria::SurfaceModel model = atria::surfaceModelOf(*this, placed);
+    const atria::SurfaceModel model = atria::surfaceModelOf(*this, placed, context);
     const atria::SizedOctants sized =
         atria::sizeOctants(model, placed.frame, atria::sizingOf(*this, placed.frame.placement), context.part(0.1, 0.5));
     const atria::Octree octree = atria::buildOctree(model, placed.frame, sized, context.part(0.5, 0.8));
@@ -112,7 +112,7 @@ bool vtkAtriaOctreeSource::Estimate()
     const atria::GridInput input = atria::readGridInput(surfaces);
     const atria::PlacedModel placed = input.placed(*this);
     const atria::GridFrame& frame = placed.frame;
-    const atria::MeshEstimate estimate = atria::estimateElements(atria::surfaceModelOf(*this, placed), frame,
+    const atria::MeshEstimate estimate = atria::estimateElements(atria::surfaceModelOf(*this, placed, context), frame,
                                                                  atria::sizingOf(*this, frame.placement), context);
     for (std::size_t level = 0; level < estimate.octants.size(); ++level)
     {

@@ -155,7 +155,7 @@ int vtkAtriaPreflight::RequestData(vtkInformation*, vtkInformationVector** input
     const atria::GridOptions sizes = atria::sizesOf(*this);
     const atria::SitePlan plan = atria::planSite(input.surface, atria::siteOptionsOf(*this), sizes);
     const atria::PlacedModel placed = atria::placeModel(input.surface, plan, sizes);
-    const atria::SurfaceModel model = atria::surfaceModelOf(*this, placed);
+    const atria::SurfaceModel model = atria::surfaceModelOf(*this, placed, context);
     const atria::Octree octree =
         atria::buildOctree(model, placed.frame, atria::sizingOf(*this, placed.frame.placement), context.part(0.1, 0.7));
     const atria::Preflight report = atria::preflight(input.surface, plan, placed, model, octree);

@@ -2,8 +2,10 @@
 /// The stages up to the zones, and a room with a hole.
 #pragma once
 
+#include "Dual/CrackClosing.h"
 #include "Dual/Cracks.h"
 #include "Dual/Leaks.h"
+#include "Dual/ModifiedGrid.h"
 #include "Octree/Refinement.h"
 #include "Support/Shapes.h"
 
@@ -15,44 +17,56 @@ namespace atria::testing {
 
 struct FoundZones
 {
-  FoundZones(const TriangleSurface& surface, const GridOptions& grid, int threads = 1) : executor(threads)
+  FoundZones(const TriangleSurface& surface, const GridOptions& options, int threads = 1) : executor(threads)
   {
     Box3 extent;
     for (const Vec3& p : surface.points)
     {
       extent.extend(p);
     }
-    const GridFrame frame = makeGridFrame(grid, extent);
-    FeatureOptions options;
-    options.gapTolerance = 0.0; // gaps are what is asked for
-    model = makeSurfaceModel(surface, frame, options);
+    const GridFrame frame = makeGridFrame(options, extent);
+    FeatureOptions features;
+    features.gapTolerance = 0.0; // gaps are what is asked for
+    model = makeSurfaceModel(surface, frame, features, context());
     octree = buildOctree(model, frame, SizingOptions{}, context());
     points = findGridPoints(octree, context());
-    crossings = findCrossings(GridPlaces(octree, points), model, context());
+    crossings = findCrossings(grid, model, context());
+    zones = findZones(crossings, model.names.size(), context());
+  }
+
+  void modify()
+  {
+    crossings = modifyGrid(grid, model, std::move(crossings), context());
+    zones = findZones(crossings, model.names.size(), context());
+  }
+  void closeCracksUpTo(double tolerance)
+  {
+    closeCracks(crossings, grid, model, tolerance, context());
     zones = findZones(crossings, model.names.size(), context());
   }
 
   RunContext context() { return {executor, ProgressRange(silent)}; }
-  std::int32_t zoneAt(const Vec3& seed) const { return zones.ofPoint[pointOfSeed(seed, "seed", octree, points)]; }
+  std::int32_t zoneAt(const Vec3& seed) const { return zones.ofPoint[pointOfSeed(seed, "seed", grid, model)]; }
   std::vector<char> kept(ZoneRule rule, const std::vector<Vec3>& seeds = {}) const
   {
-    return keptZones(zones, rule, seeds, octree, points);
+    return keptZones(zones, rule, seeds, grid, model);
   }
   std::vector<Leak> leaks(const std::vector<Vec3>& sealed)
   {
-    return findLeaks(sealed, zones, crossings, octree, points, model, context());
+    return findLeaks(sealed, zones, crossings, grid, model, context());
   }
   std::vector<Crack> cracks(ZoneRule rule = ZoneRule::all)
   {
-    return findCracks(zones, kept(rule), crossings, octree, points, model, context());
+    return findCracks(zones, kept(rule), crossings, grid, model, context());
   }
-  Vec3 position(Index point) const { return octree.frame().toModel(positionOf(octree, points.leaves[point])); }
+  Vec3 position(Index point) const { return octree.frame().toModel(grid.place(point)); }
 
   ThreadExecutor executor;
   SilentMonitor silent;
   SurfaceModel model;
   Octree octree;
   GridPoints points;
+  GridPlaces grid{octree, points};
   Crossings crossings;
   Zones zones;
 };

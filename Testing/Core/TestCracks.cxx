@@ -10,6 +10,7 @@ namespace {
 
 using namespace atria;
 using atria::testing::addSheet;
+using atria::testing::addSurface;
 using atria::testing::FoundZones;
 using atria::testing::turned;
 using atria::testing::uniformGrid;
@@ -152,6 +153,136 @@ TEST(Cracks, RunsGoOnOverThePointsOfARim)
   ASSERT_EQ(cracks.size(), 1u);
   EXPECT_EQ(cracks[0].path.size(), 2u);
   EXPECT_NEAR((cracks[0].path.back() - cracks[0].path.front()).norm(), 4.0, 1e-6);
+}
+
+/// All of what a model has that divides its domain across x.
+void expectClosed(FoundZones& found, bool closed)
+{
+  EXPECT_EQ(found.zoneAt(Vec3(-3, 0, 3)) != found.zoneAt(Vec3(3, 0, 3)), closed);
+  for (const Crack& crack : found.cracks())
+  {
+    EXPECT_NE(crack.open, closed);
+  }
+}
+
+TEST(ClosedCracks, AreThoseWithinTheToleranceWhereverTheGridIs)
+{
+  for (const double degrees : {0.0, 13.0, 45.0})
+  {
+    for (const double part : {0.1, 0.3, 0.49})
+    {
+      for (const double y : {between, between + 0.25 * size, between + 0.5 * size})
+      {
+        SCOPED_TRACE(std::to_string(degrees) + " degrees, " + std::to_string(part) + " at " + std::to_string(y));
+        FoundZones found(crackedWall(y, part * size, degrees), uniformGrid(domain, size));
+        found.closeCracksUpTo(0.5);
+        expectClosed(found, true);
+      }
+    }
+  }
+}
+
+TEST(ClosedCracks, WiderGapsStayOpenAndAtZeroAllDo)
+{
+  for (const auto& [part, tolerance] : {std::pair(0.51, 0.5), std::pair(0.3, 0.25), std::pair(0.1, 0.0)})
+  {
+    SCOPED_TRACE(part);
+    FoundZones found(crackedWall(between + 0.5 * size, part * size), uniformGrid(domain, size));
+    found.closeCracksUpTo(tolerance);
+    expectClosed(found, false);
+  }
+}
+
+/// A wall across the whole domain but for a gap about it, and a frame in which it stands.
+TriangleSurface framedPanel(double gap, double aside, double degrees)
+{
+  TriangleSurface surface;
+  atria::testing::addPierced(surface, "Frame", Vec3(0.13, -9, -9), Vec3(0, 18, 0), Vec3(0, 0, 24),
+                             {0.5 - 1.37 / 18, (9 + 1.21) / 24}, {0.5 + 1.37 / 18, (9 + 4.63) / 24});
+  addSheet(surface, "Panel", Vec3(0.13 + aside, -1.37 + gap, 1.21 + gap), Vec3(0, 2.74 - 2 * gap, 0),
+           Vec3(0, 0, 3.42 - 2 * gap));
+  atria::testing::turn(surface, degrees);
+  return surface;
+}
+
+TEST(ClosedCracks, GoRoundCornersAndBetweenSheetsThatAreOutOfLine)
+{
+  for (const double degrees : {0.0, 17.0, 31.0})
+  {
+    for (const double gap : {0.1, 0.25, 0.35})
+    {
+      for (const double aside : {0.0, 0.5})
+      {
+        SCOPED_TRACE(std::to_string(degrees) + " degrees, gap " + std::to_string(gap) + ", " + std::to_string(aside));
+        const TriangleSurface surface = framedPanel(gap * size, aside * gap * size, degrees);
+        FoundZones open(surface, uniformGrid(domain, size));
+        EXPECT_EQ(open.zoneAt(Vec3(-3, 0, 3)), open.zoneAt(Vec3(3, 0, 3)));
+        FoundZones found(surface, uniformGrid(domain, size));
+        found.closeCracksUpTo(0.5);
+        expectClosed(found, true);
+      }
+    }
+  }
+}
+
+TEST(ClosedCracks, LeaveWindowsAsTheyAreDownToTheTolerance)
+{
+  for (const double degrees : {0.0, 17.0, 31.0, 45.0})
+  {
+    for (const double width : {0.6, 1.0, 2.0})
+    {
+      SCOPED_TRACE(std::to_string(degrees) + " degrees, " + std::to_string(width));
+      TriangleSurface surface;
+      const double half = 0.5 * width * size;
+      atria::testing::addPierced(surface, "Wall", Vec3(0.13, -9, -9), Vec3(0, 18, 0), Vec3(0, 0, 24),
+                                 {0.5 + (0.11 - half) / 18, 10.21 / 24}, {0.5 + (0.11 + half) / 18, 13.63 / 24});
+      atria::testing::turn(surface, degrees);
+      FoundZones found(surface, uniformGrid(domain, size));
+      const auto neighbours = found.crossings.neighbours;
+      found.closeCracksUpTo(0.5);
+      EXPECT_EQ(found.crossings.neighbours, neighbours);
+    }
+  }
+}
+
+TEST(ClosedCracks, BetweenARimAndAFaceOverTheGroundAndInAWedge)
+{
+  for (const double z : {0.0, 0.1, 0.23, 0.31})
+  {
+    TriangleSurface surface;
+    // Upright through the domain, over its bare bottom by a gap that narrows to nothing at one end of the lower rim.
+    addSurface(surface, "Wall", {Vec3(0.13, -9, z), Vec3(0.13, 9, 0.24), Vec3(0.13, 9, 2.9), Vec3(0.13, -9, 2.9)},
+               {{0, 1, 2}, {0, 2, 3}});
+    addSheet(surface, "Slab", Vec3(-9, -9, 3.1), Vec3(18, 0, 0), Vec3(0, 18, 0));
+    for (const double rise : {0.0, 0.07, 0.13, 0.19})
+    {
+      GridOptions grid = uniformGrid(domain, size);
+      grid.domain.min[2] -= rise; // the gaps lie elsewhere in the octants
+      grid.domain.max[2] -= rise;
+      FoundZones found(surface, grid);
+      const double widest = std::max(z, 0.24) + rise;
+      found.closeCracksUpTo(widest / size + 0.01);
+      EXPECT_NE(found.zoneAt(Vec3(-3, 0, 1.5)), found.zoneAt(Vec3(3, 0, 1.5))) << z << ", " << rise;
+    }
+  }
+}
+
+TEST(ClosedCracks, TheSameForOneTwoAndSevenThreads)
+{
+  for (unsigned seed = 1; seed <= 5; ++seed)
+  {
+    const GridOptions grid = uniformGrid({Vec3::Constant(-4.3), Vec3::Constant(4.1)}, 0.25);
+    const TriangleSurface soup = atria::testing::randomSoup(seed);
+    FoundZones wanted(soup, grid, 1);
+    wanted.closeCracksUpTo(0.5);
+    for (const int threads : {2, 7})
+    {
+      FoundZones found(soup, grid, threads);
+      found.closeCracksUpTo(0.5);
+      EXPECT_EQ(found.crossings.neighbours, wanted.crossings.neighbours);
+      EXPECT_EQ(found.zones.ofPoint, wanted.zones.ofPoint);
+    }
+  }
 }
 
 TEST(Cracks, TheSameForOneTwoAndSevenThreads)

@@ -120,7 +120,7 @@ bool gridPasses(const Room& room, const GridFrame& frame)
 void expectWay(const Leak& leak, const FoundZones& found, const Vec3& seed)
 {
   ASSERT_FALSE(leak.points.empty());
-  EXPECT_EQ(leak.points.front(), pointOfSeed(seed, "seed", found.octree, found.points));
+  EXPECT_EQ(leak.points.front(), pointOfSeed(seed, "seed", found.grid, found.model));
   for (std::size_t i = 0; i + 1 < leak.points.size(); ++i)
   {
     const auto& neighbours = found.crossings.neighbours[leak.points[i]];

@@ -45,7 +45,7 @@ Preflight reportOn(const TriangleSurface& surface, const atria::SiteOptions& opt
   const atria::RunContext context{executor, atria::ProgressRange(silent)};
   const atria::SitePlan plan = atria::planSite(surface, options, sizes);
   const atria::PlacedModel placed = atria::placeModel(surface, plan, sizes);
-  const atria::SurfaceModel model = atria::makeSurfaceModel(placed.surface, placed.frame, {});
+  const atria::SurfaceModel model = atria::makeSurfaceModel(placed.surface, placed.frame, {}, context);
   const atria::Octree octree = atria::buildOctree(model, placed.frame, atria::SizingOptions{}, context);
   return atria::preflight(surface, plan, placed, model, octree);
 }

@@ -57,7 +57,7 @@ Sized sized(const TriangleSurface& surface, GridOptions grid, const SizingOption
   Sized out;
   grid.finestAsked = finestSizeOf(sizing);
   out.frame = makeGridFrame(grid, extent);
-  out.model = makeSurfaceModel(surface, out.frame, {});
+  out.model = makeSurfaceModel(surface, out.frame, {}, context);
   out.octants = sizeOctants(out.model, out.frame, sizing, context);
   out.octree = buildOctree(out.model, out.frame, out.octants, context);
   return out;

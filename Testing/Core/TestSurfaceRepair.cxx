@@ -23,7 +23,8 @@ using atria::testing::addSurface;
 
 const atria::Box3 domain{Vec3::Constant(-10.0), Vec3::Constant(10.0)};
 
-SurfaceModel repaired(const TriangleSurface& surface, const atria::Box3& in = domain, double gapTolerance = 0.05)
+SurfaceModel repaired(const TriangleSurface& surface, const atria::Box3& in = domain, double gapTolerance = 0.05,
+                      int threads = 1)
 {
   atria::GridOptions grid;
   grid.domain = in;
@@ -35,7 +36,10 @@ SurfaceModel repaired(const TriangleSurface& surface, const atria::Box3& in = do
   const atria::GridFrame frame = makeGridFrame(grid, extent);
   atria::FeatureOptions options;
   options.gapTolerance = gapTolerance;
-  return makeSurfaceModel(surface, frame, options);
+  const atria::ThreadExecutor executor(threads);
+  atria::SilentMonitor silent;
+  const atria::RunContext context{executor, atria::ProgressRange(silent)};
+  return makeSurfaceModel(surface, frame, options, context);
 }
 
 double area(const SurfaceModel& model, Index surface)
@@ -264,6 +268,62 @@ TEST(SurfaceRepair, ClosesGapsBetweenWallsOnSlopes)
   EXPECT_EQ(model.repair.unresolvedContacts, 0u);
 }
 
+/// Two walls at a right angle; one is cut into two where the other is whole, and beside that cut, nearer than the
+/// tolerance, the other has a point.
+TEST(SurfaceRepair, ClosingGapsLosesNoContact)
+{
+  TriangleSurface surface;
+  addSheet(surface, "Low", {0, 0, 0}, {4, 0, 0}, {0, 0, 1.5});
+  addSheet(surface, "High", {0, 0, 1.5}, {4, 0, 0}, {0, 0, 1.5});
+  addSheet(surface, "SideLow", {0, 0, 0}, {0, 4, 0}, {0, 0, 1.53});
+  addSheet(surface, "SideHigh", {0, 0, 1.53}, {0, 4, 0}, {0, 0, 1.47});
+  for (const double degrees : {0.0, 17.0})
+  {
+    atria::testing::turn(surface, degrees);
+    const SurfaceModel model = repaired(surface);
+    EXPECT_NEAR(lengthOf(model, CurveKind::rim), 2.0 * (4.0 + 4.0 + 3.0), 0.1) << degrees; // the outline alone
+    EXPECT_EQ(model.repair.unresolvedContacts, 0u);
+  }
+}
+
+TEST(SurfaceRepair, ClosesGapsBetweenPartsThatHangTogetherAtTheGapsEnds)
+{
+  // A room whose east wall, welded to floor and roof, stops short of the north wall.
+  TriangleSurface surface;
+  addSheet(surface, "Floor", {0, 0, 0}, {3, 0, 0}, {0, 3, 0});
+  addSheet(surface, "Roof", {0, 0, 3}, {3, 0, 0}, {0, 3, 0});
+  addSheet(surface, "South", {0, 0, 0}, {3, 0, 0}, {0, 0, 3});
+  addSheet(surface, "North", {0, 3, 0}, {3, 0, 0}, {0, 0, 3});
+  addSheet(surface, "West", {0, 0, 0}, {0, 3, 0}, {0, 0, 3});
+  addSheet(surface, "East", {3, 0, 0}, {0, 2.97, 0}, {0, 0, 3});
+  for (const double degrees : {0.0, 23.0})
+  {
+    atria::testing::turn(surface, degrees);
+    const SurfaceModel model = repaired(surface);
+    EXPECT_EQ(edgesOfUse(model, 1), 0) << degrees;
+    EXPECT_EQ(lengthOf(model, CurveKind::rim), 0.0) << degrees;
+  }
+}
+
+TEST(SurfaceRepair, WallsDrawnTwiceALittleApartBecomeOne)
+{
+  for (const double apart : {1e-4, 1e-3, 0.01, 0.03})
+  {
+    for (const double degrees : {0.0, 31.0})
+    {
+      TriangleSurface surface;
+      addBox(surface, "Box", {{-2, -2, -2}, {2, 2, 2}});
+      addSheet(surface, "AgainLow", {-2, 2 + apart, -2}, {4, 0, 0}, {0, 0, 1.3});
+      addSheet(surface, "AgainHigh", {-2, 2 + apart, -0.7}, {4, 0, 0}, {0, 0, 2.7});
+      addSheet(surface, "Side", {2 + apart, -2, -2}, {0, 4, 0}, {0, 0, 4});
+      atria::testing::turn(surface, degrees);
+      const SurfaceModel model = repaired(surface);
+      EXPECT_EQ(model.repair.unresolvedContacts, 0u) << apart << " at " << degrees;
+      EXPECT_EQ(lengthOf(model, CurveKind::rim), 0.0) << apart << " at " << degrees;
+    }
+  }
+}
+
 TEST(SurfaceRepair, KeepsDetailsSmallerThanTheTolerance)
 {
   TriangleSurface surface;
@@ -320,6 +380,35 @@ TEST(SurfaceRepair, FarFromTheOriginNothingChanges)
   const SurfaceModel far = repaired(surface, {domain.min + shift, domain.max + shift});
   EXPECT_EQ(far.triangles, near.triangles);
   EXPECT_EQ(far.points, near.points);
+}
+
+TEST(SurfaceRepair, TheSameForOneTwoAndSevenThreads)
+{
+  for (unsigned seed = 1; seed <= 5; ++seed)
+  {
+    const TriangleSurface soup = atria::testing::randomSoup(seed);
+    const SurfaceModel wanted = repaired(soup);
+    for (const int threads : {2, 7})
+    {
+      const SurfaceModel model = repaired(soup, domain, 0.05, threads);
+      EXPECT_EQ(model.points, wanted.points);
+      EXPECT_EQ(model.triangles, wanted.triangles);
+    }
+  }
+}
+
+TEST(SurfaceRepair, StopsOnDemand)
+{
+  struct : atria::SilentMonitor
+  {
+    bool aborted() const override { return true; }
+  } stopped;
+  const atria::SerialExecutor executor;
+  const atria::RunContext context{executor, atria::ProgressRange(stopped)};
+  atria::GridOptions grid;
+  grid.domain = domain;
+  EXPECT_THROW(makeSurfaceModel(atria::testing::randomSoup(1), makeGridFrame(grid, domain), {}, context),
+               atria::Aborted);
 }
 
 } // namespace

@@ -94,7 +94,7 @@ TEST(Zones, SummariesTellPlaceSizeAndSurfacesOfEveryZone)
   grid.sizeMax = 1.0;
   FoundZones found(surface, grid);
   const std::vector<char> kept = found.kept(ZoneRule::outside);
-  const auto zones = summariseZones(found.zones, kept, found.crossings, found.octree, found.points, 8);
+  const auto zones = summariseZones(found.zones, kept, found.crossings, found.grid, 8);
   ASSERT_EQ(zones.size(), found.zones.count());
   std::size_t total = 0;
   for (std::size_t i = 0; i < zones.size(); ++i)
@@ -126,11 +126,46 @@ TEST(Zones, SummariesPointsAreSeedsWhateverTheSurfaces)
     grid.sizeMid = 0.5;
     grid.sizeMax = 1.0;
     FoundZones found(atria::testing::randomSoup(seed), grid);
-    const auto zones = summariseZones(found.zones, found.kept(ZoneRule::all), found.crossings, found.octree,
-                                      found.points, found.model.names.size());
+    const auto zones =
+        summariseZones(found.zones, found.kept(ZoneRule::all), found.crossings, found.grid, found.model.names.size());
     for (std::size_t i = 0; i < zones.size(); ++i)
     {
       EXPECT_EQ(found.zoneAt(zones[i].inside), static_cast<std::int32_t>(i));
+    }
+  }
+}
+
+/// Two walls through the whole domain, 0.3 of an octant apart; the grid points between them were moved there.
+TEST(Zones, ASeedInAThinGapMeansTheGap)
+{
+  constexpr double size = 0.5;
+  for (const double degrees : {0.0, 11.0, 30.0})
+  {
+    for (const double at : {0.03, 0.14, 0.27, 0.41})
+    {
+      SCOPED_TRACE(degrees);
+      SCOPED_TRACE(at);
+      TriangleSurface surface;
+      addSheet(surface, "West", Vec3(at, -12, -1), Vec3(0, 24, 0), Vec3(0, 0, 9));
+      addSheet(surface, "East", Vec3(at + 0.3 * size, -12, -1), Vec3(0, 24, 0), Vec3(0, 0, 9));
+      atria::testing::turn(surface, degrees);
+      FoundZones found(surface, uniformGrid(domain, size));
+      found.modify();
+      const auto zoneAt = [&](double x, double y) {
+        return found.zoneAt(atria::testing::turned(Vec3(at + x, y, 3.1), degrees));
+      };
+      const std::int32_t west = zoneAt(-0.02, 0.2), gap = zoneAt(0.15 * size, 0.2), east = zoneAt(0.17, 0.2);
+      EXPECT_NE(west, gap);
+      EXPECT_NE(gap, east);
+      EXPECT_NE(east, west);
+      for (const double y : {-1.3, -0.4, 0.1, 0.6, 1.7})
+      {
+        EXPECT_EQ(zoneAt(-0.02, y), west) << y;
+        EXPECT_EQ(zoneAt(0.15 * size, y), gap) << y;
+        EXPECT_EQ(zoneAt(0.3 * size + 0.02, y), east) << y;
+      }
+      const auto zones = summariseZones(found.zones, found.kept(ZoneRule::all), found.crossings, found.grid, 2);
+      EXPECT_EQ(found.zoneAt(zones[gap].inside), gap);
     }
   }
 }

@@ -66,7 +66,10 @@ Repaired repair(TriangleSoup soup, const atria::GridFrame& frame, std::int64_t w
   }
   atria::SurfaceRepairOptions options;
   options.weldDistance = weldDistance;
-  repairSurface(out.soup, frame, options, out.report);
+  const atria::SerialExecutor executor;
+  atria::SilentMonitor silent;
+  const atria::RunContext context{executor, atria::ProgressRange(silent)};
+  repairSurface(out.soup, frame, options, out.report, context);
   return out;
 }
 

@@ -65,7 +65,7 @@ DualMeshResult meshOf(const Case& c, int threads, int layers = 0)
   const atria::RunContext context{executor, atria::ProgressRange(silent)};
   const atria::SitePlan plan = atria::planSite(c.surface, c.options, c.sizes);
   const atria::PlacedModel placed = atria::placeModel(c.surface, plan, c.sizes);
-  const atria::SurfaceModel model = atria::makeSurfaceModel(placed.surface, placed.frame, {});
+  const atria::SurfaceModel model = atria::makeSurfaceModel(placed.surface, placed.frame, {}, context);
   const atria::Octree octree = atria::buildOctree(model, placed.frame, atria::SizingOptions{}, context);
   atria::DualMeshOptions options;
   options.zoneRule = atria::ZoneRule::all;

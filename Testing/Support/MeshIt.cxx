@@ -17,7 +17,7 @@ Meshed meshIt(const TriangleSurface& surface, const GridOptions& grid, const Dua
   }
   Meshed out;
   out.frame = makeGridFrame(grid, extent);
-  out.model = makeSurfaceModel(surface, out.frame, {});
+  out.model = makeSurfaceModel(surface, out.frame, {}, context);
   out.octree = buildOctree(out.model, out.frame, SizingOptions{}, context);
   StageClock clock;
   out.result = makeDualMesh(out.octree, out.model, options, clock, context);

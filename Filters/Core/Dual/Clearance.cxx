@@ -220,10 +220,10 @@ Ball gapAt(const Surroundings& about, const Vec3& place, const Vec3& along, doub
 
 } // namespace
 
-Clearance::Clearance(std::int32_t zone, const Zones& zones, const Crossings& crossings, const Octree& tree,
-                     const GridPoints& grid, const SurfaceModel& surfaces, const RunContext& context)
-    : octree(tree), points(grid), model(surfaces), nearest(grid.size(), noIndex),
-      distances(grid.size(), std::numeric_limits<double>::infinity())
+Clearance::Clearance(std::int32_t zone, const Zones& zones, const Crossings& crossings, const GridPlaces& places,
+                     const SurfaceModel& surfaces, const RunContext& context)
+    : grid(places), octree(places.octree()), points(places.points()), model(surfaces), nearest(points.size(), noIndex),
+      distances(points.size(), std::numeric_limits<double>::infinity())
 {
   context.executor.forRanges(points.size(), 4096, [&](std::size_t begin, std::size_t end) {
     context.progress.check();
@@ -259,7 +259,7 @@ Clearance::Clearance(std::int32_t zone, const Zones& zones, const Crossings& cro
   spread(seeds, crossings);
 }
 
-Vec3 Clearance::position(Index point) const { return octree.frame().toModel(positionOf(octree, points.leaves[point])); }
+Vec3 Clearance::position(Index point) const { return octree.frame().toModel(grid.place(point)); }
 
 double Clearance::distanceTo(Index triangle, const Vec3& p) const
 {

@@ -14,8 +14,8 @@ class Clearance
 {
 public:
   /// O(n log n) in the zone's points.
-  Clearance(std::int32_t zone, const Zones& zones, const Crossings& crossings, const Octree& octree,
-            const GridPoints& points, const SurfaceModel& model, const RunContext& context);
+  Clearance(std::int32_t zone, const Zones& zones, const Crossings& crossings, const GridPlaces& grid,
+            const SurfaceModel& model, const RunContext& context);
 
   Vec3 position(Index point) const;
   double ofPoint(Index point) const;
@@ -33,6 +33,7 @@ private:
   void collect(Index point, std::vector<Index>& triangles) const;
   void spread(const std::vector<Index>& seeds, const Crossings& crossings);
 
+  const GridPlaces& grid;
   const Octree& octree;
   const GridPoints& points;
   const SurfaceModel& model;

@@ -43,9 +43,10 @@ bool passes(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& u, const Ve
 class RimProbe
 {
 public:
-  RimProbe(const Zones& z, const std::vector<char>& keptZones, const Crossings& found, const Octree& tree,
-           const GridPoints& grid, const SurfaceModel& surfaces)
-      : zones(z), kept(keptZones), crossings(found), octree(tree), frame(tree.frame()), points(grid), model(surfaces)
+  RimProbe(const Zones& z, const std::vector<char>& keptZones, const Crossings& found, const GridPlaces& places,
+           const SurfaceModel& surfaces)
+      : zones(z), kept(keptZones), crossings(found), grid(places), octree(places.octree()), frame(octree.frame()),
+        points(places.points()), model(surfaces)
   {
   }
 
@@ -97,7 +98,7 @@ private:
     }
     const double size = frame.sizeOf(octree.level(leaf));
     const std::optional<Vec3> across = acrossFrom(middle, size);
-    return across ? std::optional(Gap{*across, size, point, isOpen(begin, end - begin, *across)}) : std::nullopt;
+    return across ? std::optional(Gap{*across, size, point, isOpen(begin, end - begin, *across, size)}) : std::nullopt;
   }
 
   Index keptCorner(Index leaf) const
@@ -194,12 +195,14 @@ private:
   }
 
   /// Whether an uncut octree edge passes between the rim and what is across.
-  bool isOpen(const Vec3& begin, const Vec3& along, const Vec3& across)
+  bool isOpen(const Vec3& begin, const Vec3& along, const Vec3& across, double size)
   {
     const Vec3 far = begin + along + across;
     const Vec3 low = begin.cwiseMin(begin + along).cwiseMin(begin + across).cwiseMin(far);
     const Vec3 high = begin.cwiseMax(begin + along).cwiseMax(begin + across).cwiseMax(far);
-    const LatticeBox box{frame.toLattice(low), frame.toLattice(high)};
+    // Edges with an end that was moved lie off their leaves, by up to an octant.
+    const Vec3 margin = Vec3::Constant(grid.movedCount() == 0 ? 0.0 : size);
+    const LatticeBox box{frame.toLattice(low - margin), frame.toLattice(high + margin)};
     // As the predicates have it, grid points are shifted by little, so that none lies on the gap's border.
     const Vec3 shift = Vec3(1e-5, 1e-7, 1e-9) * frame.finestSize;
     for (const Index leaf : leavesTouching(octree, box))
@@ -208,9 +211,14 @@ private:
       {
         for (int axis = 0; axis < 3; ++axis)
         {
-          const Vec3 p = frame.toModel(octree.cornerOf(leaf, corner)) + shift;
-          const Vec3 q = frame.toModel(octree.cornerOf(leaf, corner ^ (1u << axis))) + shift;
-          if (isUncut(leaf, corner, axis) && passes(p, q, begin, along, across))
+          if (!isUncut(leaf, corner, axis))
+          {
+            continue;
+          }
+          const Index point = points.atCorner[leaf][corner];
+          const int direction = directionOf(corner, axis);
+          const EdgeSegment edge = grid.segment(point, direction, grid.edge(point, direction));
+          if (passes(frame.toModel(edge.start) + shift, frame.toModel(edge.end) + shift, begin, along, across))
           {
             return true;
           }
@@ -219,6 +227,8 @@ private:
     }
     return false;
   }
+
+  static int directionOf(unsigned corner, int axis) { return 2 * axis + ((corner >> axis & 1) != 0 ? 0 : 1); }
 
   /// Whether the leaf's edge from a corner along an axis joins grid points, or one to an end of the domain. An edge
   /// divided by finer leaves counts with those.
@@ -229,7 +239,7 @@ private:
     {
       return false;
     }
-    const int direction = 2 * axis + ((corner >> axis & 1) != 0 ? 0 : 1);
+    const int direction = directionOf(corner, axis);
     const std::int32_t code = crossings.neighbours[point][direction];
     if (DualMesh::isBoundary(code))
     {
@@ -241,6 +251,7 @@ private:
   const Zones& zones;
   const std::vector<char>& kept;
   const Crossings& crossings;
+  const GridPlaces& grid;
   const Octree& octree;
   const GridFrame& frame;
   const GridPoints& points;
@@ -253,8 +264,7 @@ private:
 } // namespace
 
 std::vector<Crack> findCracks(const Zones& zones, const std::vector<char>& kept, const Crossings& crossings,
-                              const Octree& octree, const GridPoints& points, const SurfaceModel& model,
-                              const RunContext& context)
+                              const GridPlaces& grid, const SurfaceModel& model, const RunContext& context)
 {
   std::vector<Index> rims;
   for (Index e = 0; e < model.featureEdges.size(); ++e)
@@ -267,7 +277,7 @@ std::vector<Crack> findCracks(const Zones& zones, const std::vector<char>& kept,
   std::vector<std::vector<CrackStep>> found(rims.size());
   context.executor.forRanges(rims.size(), 16, [&](std::size_t begin, std::size_t end) {
     context.progress.check();
-    RimProbe probe(zones, kept, crossings, octree, points, model);
+    RimProbe probe(zones, kept, crossings, grid, model);
     for (std::size_t i = begin; i < end; ++i)
     {
       found[i] = probe.walk(rims[i]);

@@ -29,7 +29,6 @@ struct Crack
 /// the points of the rim too, are one crack; what both of its rims tell is told once. Closed cracks come first, and
 /// long ones. The result does not depend on threads.
 std::vector<Crack> findCracks(const Zones& zones, const std::vector<char>& kept, const Crossings& crossings,
-                              const Octree& octree, const GridPoints& points, const SurfaceModel& model,
-                              const RunContext& context);
+                              const GridPlaces& grid, const SurfaceModel& model, const RunContext& context);
 
 } // namespace atria

@@ -15,10 +15,6 @@ struct Part
   std::vector<SurfaceCrossing> cuts;
 };
 
-/// The front is seen from where the normal points to.
-SheetSide seenFromStart(const SurfaceCrossing& cut) { return cut.orientation < 0 ? SheetSide::front : SheetSide::back; }
-SheetSide seenFromEnd(const SurfaceCrossing& cut) { return cut.orientation > 0 ? SheetSide::front : SheetSide::back; }
-
 class CrossingFinder
 {
 public:

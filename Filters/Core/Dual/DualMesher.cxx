@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Dual/DualMesher.h"
 
+#include "Dual/CrackClosing.h"
 #include "Dual/Cracks.h"
 #include "Dual/DualVertices.h"
 #include "Dual/ModifiedGrid.h"
@@ -145,17 +146,17 @@ Diagnostic lineOf(Diagnostic::Kind kind, const std::vector<Vec3>& path, Index el
 }
 
 /// Sums up the zones and looks for ways through which they leak, and for gaps through which they do not.
-void inspectZones(const Octree& octree, const SurfaceModel& model, const GridPoints& points, const Crossings& crossings,
-                  const Zones& zones, const std::vector<Index>& elements, const DualMeshOptions& options,
-                  DualMeshResult& result, const RunContext& context)
+void inspectZones(const GridPlaces& grid, const SurfaceModel& model, const Crossings& crossings, const Zones& zones,
+                  const std::vector<Index>& elements, const DualMeshOptions& options, DualMeshResult& result,
+                  const RunContext& context)
 {
-  result.zones = summariseZones(zones, result.keptZones, crossings, octree, points, model.names.size());
-  result.leaks = findLeaks(options.sealedSeeds, zones, crossings, octree, points, model, context);
+  result.zones = summariseZones(zones, result.keptZones, crossings, grid, model.names.size());
+  result.leaks = findLeaks(options.sealedSeeds, zones, crossings, grid, model, context);
   for (const Leak& leak : result.leaks)
   {
     result.diagnostics.push_back(lineOf(Diagnostic::leakPath, leak.path, elements[leak.point], leak.width));
   }
-  for (const Crack& crack : findCracks(zones, result.keptZones, crossings, octree, points, model, context))
+  for (const Crack& crack : findCracks(zones, result.keptZones, crossings, grid, model, context))
   {
     result.diagnostics.push_back(lineOf(crack.open ? Diagnostic::openCrack : Diagnostic::closedCrack, crack.path,
                                         elements[crack.point], crack.width));
@@ -183,14 +184,15 @@ DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, con
   context.progress.report(0.3, "Finding crossings");
   GridPlaces grid(octree, points);
   Crossings crossings = modifyGrid(grid, model, findCrossings(grid, model, context), context);
+  closeCracks(crossings, grid, model, options.crackTolerance, context);
   markTurnedSides(crossings, model.names.size());
   clock.lap("crossings");
   context.progress.report(0.6, "Finding zones");
   const Zones zones = findZones(crossings, model.names.size(), context);
-  result.keptZones = keptZones(zones, options.zoneRule, options.seeds, octree, points);
-  dropBeyondSides(result.keptZones, zones, octree, points);
+  result.keptZones = keptZones(zones, options.zoneRule, options.seeds, grid, model);
+  dropBeyondSides(result.keptZones, zones, grid);
   const std::vector<Index> elements = numberElements(zones, result.keptZones);
-  inspectZones(octree, model, points, crossings, zones, elements, options, result, context);
+  inspectZones(grid, model, crossings, zones, elements, options, result, context);
   clock.lap("zones");
   context.progress.report(0.7, "Placing vertices");
   std::vector<Index> vertexOfLeaf;

@@ -19,6 +19,9 @@ struct DualMeshOptions
   std::vector<Vec3> sealedSeeds;
   /// Layers of elements on walls; none without a rule.
   std::vector<LayerRule> layers = {};
+  /// Cracks beside rims that are no wider than this part of the octants there are closed; 0 closes none. Wider ones are
+  /// open where an edge of the grid passes.
+  double crackTolerance = 0.5;
 };
 
 /// Something the mesh could not follow, or that a user should know of it.

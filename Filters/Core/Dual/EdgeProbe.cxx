@@ -17,15 +17,12 @@ constexpr double nickDepth = 0.3;
 /// Of 30 degrees: creases more acute than that are sheets side by side.
 constexpr double foldCosine = 0.866;
 
-bool boundsMiss(const SurfaceModel& model, Index triangle, const EdgeSegment& edge)
+bool boundsMiss(const EdgeSegment& edge, const LatticePoint& p, const LatticePoint& q, const LatticePoint& r)
 {
   for (int a = 0; a < 3; ++a)
   {
-    const std::int64_t x = model.corner(triangle, 0)[a];
-    const std::int64_t y = model.corner(triangle, 1)[a];
-    const std::int64_t z = model.corner(triangle, 2)[a];
-    if (std::max(edge.start[a], edge.end[a]) < std::min({x, y, z}) ||
-        std::min(edge.start[a], edge.end[a]) > std::max({x, y, z}))
+    if (std::max(edge.start[a], edge.end[a]) < std::min({p[a], q[a], r[a]}) ||
+        std::min(edge.start[a], edge.end[a]) > std::max({p[a], q[a], r[a]}))
     {
       return true;
     }
@@ -38,6 +35,32 @@ bool boundsMiss(const SurfaceModel& model, Index triangle, const EdgeSegment& ed
 Vec3 pointOn(const EdgeSegment& edge, double parameter)
 {
   return toVector(edge.start) + parameter * (toVector(edge.end) - toVector(edge.start));
+}
+
+std::optional<SurfaceCrossing> crossingOf(const EdgeSegment& edge, const LatticePoint& a, const LatticePoint& b,
+                                          const LatticePoint& c, Index triangle)
+{
+  if (boundsMiss(edge, a, b, c))
+  {
+    return std::nullopt;
+  }
+  const bool meets = edge.axis >= 0 ? lineMeetsTriangle(a, b, c, edge.start, edge.axis)
+                                    : lineMeetsTriangle(a, b, c, edge.start, edge.end);
+  if (!meets)
+  {
+    return std::nullopt;
+  }
+  const LatticeNormal normal(a, b, c);
+  const int side = normal.sideOf(a, edge.start);
+  if (side == normal.sideOf(a, edge.end))
+  {
+    return std::nullopt;
+  }
+  const Vec3 n(static_cast<double>(normal.n[0]), static_cast<double>(normal.n[1]), static_cast<double>(normal.n[2]));
+  const double along = n.dot(toVector(edge.end) - toVector(edge.start));
+  const double parameter = n.dot(toVector(a) - toVector(edge.start)) / along;
+  // From the back to the front the edge runs along the normal.
+  return SurfaceCrossing{triangle, -side, std::isfinite(parameter) ? std::clamp(parameter, 0.0, 1.0) : 0.5};
 }
 
 std::span<const SurfaceCrossing> EdgeProbe::cut(const EdgeSegment& edge, std::span<const Index> leaves)
@@ -91,30 +114,12 @@ void EdgeProbe::gather(const EdgeSegment& edge, std::span<const Index> leaves)
 
 void EdgeProbe::test(Index triangle, const EdgeSegment& edge)
 {
-  const LatticePoint& a = model.corner(triangle, 0);
-  const LatticePoint& b = model.corner(triangle, 1);
-  const LatticePoint& c = model.corner(triangle, 2);
-  if (boundsMiss(model, triangle, edge))
+  const auto cut =
+      crossingOf(edge, model.corner(triangle, 0), model.corner(triangle, 1), model.corner(triangle, 2), triangle);
+  if (cut)
   {
-    return;
+    found.push_back(*cut);
   }
-  const bool meets = edge.axis >= 0 ? lineMeetsTriangle(a, b, c, edge.start, edge.axis)
-                                    : lineMeetsTriangle(a, b, c, edge.start, edge.end);
-  if (!meets)
-  {
-    return;
-  }
-  const LatticeNormal normal(a, b, c);
-  const int side = normal.sideOf(a, edge.start);
-  if (side == normal.sideOf(a, edge.end))
-  {
-    return;
-  }
-  const Vec3 n(static_cast<double>(normal.n[0]), static_cast<double>(normal.n[1]), static_cast<double>(normal.n[2]));
-  const double along = n.dot(toVector(edge.end) - toVector(edge.start));
-  const double parameter = n.dot(toVector(a) - toVector(edge.start)) / along;
-  // From the back to the front the edge runs along the normal.
-  found.push_back({triangle, -side, std::isfinite(parameter) ? std::clamp(parameter, 0.0, 1.0) : 0.5});
 }
 
 /// Whether two neighbouring crossings are a surface that reaches through the edge and back, with both ends of the edge

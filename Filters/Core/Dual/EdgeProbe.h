@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Dual/DualMesh.h"
 #include "Octree/Octree.h"
 #include "Surface/SurfaceModel.h"
 
+#include <optional>
 #include <span>
 
 namespace atria {
@@ -30,6 +32,20 @@ struct EdgeSegment
   /// Leaves about the edge, in order round it; a large one may be there twice in a row.
   std::array<Index, 4> about;
 };
+
+/// Where an edge cuts the triangle a, b, c, which stands for `triangle` of the model; nothing where it does not.
+std::optional<SurfaceCrossing> crossingOf(const EdgeSegment& edge, const LatticePoint& a, const LatticePoint& b,
+                                          const LatticePoint& c, Index triangle);
+
+/// The side of a sheet seen from an edge's start, and from its end. The front is seen from where the normal points to.
+inline SheetSide seenFromStart(const SurfaceCrossing& cut)
+{
+  return cut.orientation < 0 ? SheetSide::front : SheetSide::back;
+}
+inline SheetSide seenFromEnd(const SurfaceCrossing& cut)
+{
+  return cut.orientation > 0 ? SheetSide::front : SheetSide::back;
+}
 
 /// Finds crossings of grid edges with the model. Not for several threads at once: it keeps its memory.
 class EdgeProbe

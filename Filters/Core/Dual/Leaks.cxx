@@ -300,15 +300,14 @@ Leak leakFrom(Index start, const Clearance& clearance, const Crossings& crossing
 } // namespace
 
 std::vector<Leak> findLeaks(const std::vector<Vec3>& sealedSeeds, const Zones& zones, const Crossings& crossings,
-                            const Octree& octree, const GridPoints& points, const SurfaceModel& model,
-                            const RunContext& context)
+                            const GridPlaces& grid, const SurfaceModel& model, const RunContext& context)
 {
   std::vector<Leak> leaks;
   std::optional<Clearance> clearance;
   std::int32_t measured = -1;
   for (std::size_t i = 0; i < sealedSeeds.size(); ++i)
   {
-    const Index start = pointOfSeed(sealedSeeds[i], "sealed seed", octree, points);
+    const Index start = pointOfSeed(sealedSeeds[i], "sealed seed", grid, model);
     const std::int32_t zone = zones.ofPoint[start];
     if ((zones.openSides[zone] & ~(1u << zMin)) == 0)
     {
@@ -317,10 +316,10 @@ std::vector<Leak> findLeaks(const std::vector<Vec3>& sealedSeeds, const Zones& z
     context.progress.check();
     if (zone != measured)
     {
-      clearance.emplace(zone, zones, crossings, octree, points, model, context);
+      clearance.emplace(zone, zones, crossings, grid, model, context);
       measured = zone;
     }
-    leaks.push_back(leakFrom(start, *clearance, crossings, octree, points, model));
+    leaks.push_back(leakFrom(start, *clearance, crossings, grid.octree(), grid.points(), model));
     leaks.back().index = i;
     leaks.back().seed = sealedSeeds[i];
   }

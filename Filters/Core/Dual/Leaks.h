@@ -30,7 +30,6 @@ struct Leak
 /// whose narrowest edge is as far from surfaces as possible (maximum capacity path; Pollack 1960). Throws Error for a
 /// seed outside the domain. Cost where there is a leak: O(n log n) in the points of its zone.
 std::vector<Leak> findLeaks(const std::vector<Vec3>& sealedSeeds, const Zones& zones, const Crossings& crossings,
-                            const Octree& octree, const GridPoints& points, const SurfaceModel& model,
-                            const RunContext& context);
+                            const GridPlaces& grid, const SurfaceModel& model, const RunContext& context);
 
 } // namespace atria

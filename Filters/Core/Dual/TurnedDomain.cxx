@@ -116,9 +116,9 @@ void markTurnedSides(Crossings& crossings, std::size_t surfaceCount)
   }
 }
 
-void dropBeyondSides(std::vector<char>& kept, const Zones& zones, const Octree& octree, const GridPoints& points)
+void dropBeyondSides(std::vector<char>& kept, const Zones& zones, const GridPlaces& grid)
 {
-  const GridFrame& frame = octree.frame();
+  const GridFrame& frame = grid.octree().frame();
   if (!frame.turnedDomain)
   {
     return;
@@ -126,20 +126,12 @@ void dropBeyondSides(std::vector<char>& kept, const Zones& zones, const Octree& 
   const Box3& box = frame.turnedDomain->bounds;
   const Placement relative(frame.turnedDomain->axes.angle() - frame.placement.angle());
   std::vector<double> farthest(zones.count(), 0.0);
-  for (Index leaf = 0; leaf < octree.leafCount(); ++leaf)
+  for (Index point = 0; point < grid.points().size(); ++point)
   {
-    for (unsigned corner = 0; corner < 8; ++corner)
-    {
-      const Index point = points.atCorner[leaf][corner];
-      if (point == noIndex)
-      {
-        continue;
-      }
-      const Vec3 p = relative.fromModel(frame.toModel(octree.cornerOf(leaf, corner)));
-      const double beyond = std::max({box.min[0] - p[0], p[0] - box.max[0], box.min[1] - p[1], p[1] - box.max[1]});
-      double& known = farthest[zones.ofPoint[point]];
-      known = std::abs(beyond) > std::abs(known) ? beyond : known;
-    }
+    const Vec3 p = relative.fromModel(frame.toModel(grid.place(point)));
+    const double beyond = std::max({box.min[0] - p[0], p[0] - box.max[0], box.min[1] - p[1], p[1] - box.max[1]});
+    double& known = farthest[zones.ofPoint[point]];
+    known = std::abs(beyond) > std::abs(known) ? beyond : known;
   }
   for (std::size_t zone = 0; zone < kept.size(); ++zone)
   {

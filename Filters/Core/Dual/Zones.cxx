@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Dual/Zones.h"
 
+#include "Octree/GeometryLists.h"
 #include "Support/Error.h"
 #include "Support/UnionFind.h"
 
@@ -39,11 +40,16 @@ bool isFree(const Octree& octree, const std::array<Index, 8>& leaves)
 }
 
 /// A place near a grid point from which pointOfSeed finds that point again.
-Vec3 placeAt(Index point, const Octree& octree, const GridPoints& points)
+Vec3 placeAt(Index point, const GridPlaces& grid)
 {
+  const Octree& octree = grid.octree();
   const GridFrame& frame = octree.frame();
-  const std::array<Index, 8>& leaves = points.leaves[point];
-  const Vec3 at = frame.toModel(positionOf(octree, leaves));
+  const Vec3 at = frame.toModel(grid.place(point));
+  if (grid.isMoved(point))
+  {
+    return at;
+  }
+  const std::array<Index, 8>& leaves = grid.points().leaves[point];
   // Well inside an octant that has the point as its corner; nearer to the point where surfaces or the domain's sides
   // pass.
   for (const double part : {0.25, 1e-3})
@@ -51,7 +57,7 @@ Vec3 placeAt(Index point, const Octree& octree, const GridPoints& points)
     for (unsigned slot = 0; slot < 8; ++slot)
     {
       const Vec3 place = at + part * (octree.center(leaves[slot]) - at);
-      if (points.atCorner[leaves[slot]][7 - slot] == point && frame.inDomain(frame.toLattice(place)) &&
+      if (grid.points().atCorner[leaves[slot]][7 - slot] == point && frame.inDomain(frame.toLattice(place)) &&
           (part < 0.01 || octree.items(leaves[slot]).empty()))
       {
         return place;
@@ -86,6 +92,55 @@ std::vector<Index> roomiestPoints(const Zones& zones, const Octree& octree, cons
     }
   }
   return best;
+}
+
+/// The grid points of a leaf and of those that touch it, by distance from p; only those inside a turned domain.
+std::vector<std::pair<double, Index>> pointsAround(Index leaf, const Vec3& p, const GridPlaces& grid)
+{
+  const Octree& octree = grid.octree();
+  const GridFrame& frame = octree.frame();
+  std::vector<Index> points;
+  for (const Index near : leavesTouching(octree, {octree.cornerOf(leaf, 0), octree.cornerOf(leaf, 7)}))
+  {
+    const auto& corners = grid.points().atCorner[near];
+    std::copy_if(corners.begin(), corners.end(), std::back_inserter(points), [](Index i) { return i != noIndex; });
+  }
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  std::vector<std::pair<double, Index>> out;
+  for (const Index point : points)
+  {
+    const Vec3 at = frame.toModel(grid.place(point));
+    if (!frame.turnedDomain || frame.turnedDomain->contains(frame.placement.toModel(at)))
+    {
+      out.emplace_back((at - p).squaredNorm(), point);
+    }
+  }
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+/// Whether no surface is between a place and a grid point near it.
+bool seesPlace(const LatticePoint& from, Index point, const GridPlaces& grid, const SurfaceModel& model)
+{
+  EdgeSegment sight;
+  sight.start = from;
+  sight.end = grid.place(point);
+  sight.axis = -1;
+  const Octree& octree = grid.octree();
+  sight.about.fill(octree.leafAt(from));
+  sight.size = octree.frame().latticeSize(octree.level(sight.about[0]));
+  if (sight.start == sight.end)
+  {
+    return true;
+  }
+  LatticeBox box{from, from};
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    box.low[axis] = std::min(sight.start[axis], sight.end[axis]);
+    box.high[axis] = std::max(sight.start[axis], sight.end[axis]);
+  }
+  return EdgeProbe(octree, model).cut(sight, leavesTouching(octree, box)).empty();
 }
 
 void nameSurfaces(std::vector<ZoneSummary>& summaries, const Zones& zones, const Crossings& crossings,
@@ -124,8 +179,9 @@ void nameSurfaces(std::vector<ZoneSummary>& summaries, const Zones& zones, const
 
 } // namespace
 
-Index pointOfSeed(const Vec3& seed, const char* kind, const Octree& octree, const GridPoints& points)
+Index pointOfSeed(const Vec3& seed, const char* kind, const GridPlaces& grid, const SurfaceModel& model)
 {
+  const Octree& octree = grid.octree();
   const GridFrame& frame = octree.frame();
   const Vec3 placed = frame.placement.fromModel(seed);
   if (!seed.allFinite() || (placed.array() < frame.domain.min.array()).any() ||
@@ -138,28 +194,24 @@ Index pointOfSeed(const Vec3& seed, const char* kind, const Octree& octree, cons
                     .str());
   }
   const Index leaf = octree.leafAt(frame.toLattice(placed));
-  Index best = noIndex;
-  double bestDistance = 0.0;
-  for (unsigned corner = 0; corner < 8; ++corner)
+  const auto around = pointsAround(leaf, placed, grid);
+  const auto visible = std::find_if(around.begin(), around.end(), [&](const auto& candidate) {
+    return seesPlace(frame.toLattice(placed), candidate.second, grid, model);
+  });
+  if (visible != around.end())
   {
-    const Index point = points.atCorner[leaf][corner];
-    const double distance = (frame.toModel(octree.cornerOf(leaf, corner)) - placed).squaredNorm();
-    const bool inside =
-        point != noIndex &&
-        (!frame.turnedDomain ||
-         frame.turnedDomain->contains(frame.placement.toModel(frame.toModel(octree.cornerOf(leaf, corner)))));
-    if (inside && (best == noIndex || distance < bestDistance))
-    {
-      best = point;
-      bestDistance = distance;
-    }
+    return visible->second;
   }
-  if (best == noIndex)
+  const auto& corners = grid.points().atCorner[leaf];
+  const auto corner = std::find_if(around.begin(), around.end(), [&](const auto& candidate) {
+    return std::find(corners.begin(), corners.end(), candidate.second) != corners.end();
+  });
+  if (corner == around.end())
   {
     throw Error(
         (std::ostringstream() << "the " << kind << " " << seed.transpose() << " has no element about it").str());
   }
-  return best;
+  return corner->second;
 }
 
 Zones findZones(const Crossings& crossings, std::size_t surfaceCount, const RunContext& context)
@@ -216,8 +268,8 @@ Zones findZones(const Crossings& crossings, std::size_t surfaceCount, const RunC
   return zones;
 }
 
-std::vector<char> keptZones(const Zones& zones, ZoneRule rule, const std::vector<Vec3>& seeds, const Octree& octree,
-                            const GridPoints& points)
+std::vector<char> keptZones(const Zones& zones, ZoneRule rule, const std::vector<Vec3>& seeds, const GridPlaces& grid,
+                            const SurfaceModel& model)
 {
   std::vector<char> kept(zones.count(), rule == ZoneRule::all ? 1 : 0);
   if (rule == ZoneRule::outside)
@@ -232,7 +284,7 @@ std::vector<char> keptZones(const Zones& zones, ZoneRule rule, const std::vector
     }
     for (const Vec3& seed : seeds)
     {
-      kept[zones.ofPoint[pointOfSeed(seed, "seed", octree, points)]] = 1;
+      kept[zones.ofPoint[pointOfSeed(seed, "seed", grid, model)]] = 1;
     }
   }
   if (std::find(kept.begin(), kept.end(), 1) == kept.end())
@@ -245,16 +297,16 @@ std::vector<char> keptZones(const Zones& zones, ZoneRule rule, const std::vector
 }
 
 std::vector<ZoneSummary> summariseZones(const Zones& zones, const std::vector<char>& kept, const Crossings& crossings,
-                                        const Octree& octree, const GridPoints& points, std::size_t surfaceCount)
+                                        const GridPlaces& grid, std::size_t surfaceCount)
 {
   std::vector<ZoneSummary> summaries(zones.count());
-  const std::vector<Index> roomiest = roomiestPoints(zones, octree, points);
+  const std::vector<Index> roomiest = roomiestPoints(zones, grid.octree(), grid.points());
   for (std::size_t i = 0; i < zones.count(); ++i)
   {
     summaries[i].elements = zones.sizes[i];
     summaries[i].kept = kept[i] != 0;
     summaries[i].sides = zones.sides[i];
-    summaries[i].inside = placeAt(roomiest[i], octree, points);
+    summaries[i].inside = placeAt(roomiest[i], grid);
   }
   nameSurfaces(summaries, zones, crossings, surfaceCount);
   return summaries;

@@ -31,13 +31,14 @@ struct Zones
 
 Zones findZones(const Crossings& crossings, std::size_t surfaceCount, const RunContext& context);
 
-/// The grid point whose zone a seed means: the nearest corner of the leaf it lies in. Throws Error for a seed outside
-/// the domain; `kind` names it there, such as "seed".
-Index pointOfSeed(const Vec3& seed, const char* kind, const Octree& octree, const GridPoints& points);
+/// The grid point whose zone a seed means: the nearest one, where it stands in the modified grid, that no surface hides
+/// from the seed, of those at the leaf it lies in and its neighbours; where all are hidden, the nearest corner of that
+/// leaf. Throws Error for a seed outside the domain; `kind` names it there, such as "seed".
+Index pointOfSeed(const Vec3& seed, const char* kind, const GridPlaces& grid, const SurfaceModel& model);
 
 /// Whether each zone is kept. Throws Error for a seed outside the domain, and where no zone is left.
-std::vector<char> keptZones(const Zones& zones, ZoneRule rule, const std::vector<Vec3>& seeds, const Octree& octree,
-                            const GridPoints& points);
+std::vector<char> keptZones(const Zones& zones, ZoneRule rule, const std::vector<Vec3>& seeds, const GridPlaces& grid,
+                            const SurfaceModel& model);
 
 /// What there is to say of a zone, kept or not.
 struct ZoneSummary
@@ -52,6 +53,6 @@ struct ZoneSummary
   std::vector<Index> surfaces;
 };
 std::vector<ZoneSummary> summariseZones(const Zones& zones, const std::vector<char>& kept, const Crossings& crossings,
-                                        const Octree& octree, const GridPoints& points, std::size_t surfaceCount);
+                                        const GridPlaces& grid, std::size_t surfaceCount);
 
 } // namespace atria

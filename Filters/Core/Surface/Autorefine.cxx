@@ -32,7 +32,7 @@ public:
   }
 
   /// The triangles after the round; `changed` marks the pieces of those that were cut.
-  void apply(std::vector<char>& changed, std::vector<char>& sourceIsSplit)
+  void apply(std::vector<char>& changed, std::vector<char>& sourceIsSplit, const RunContext& context)
   {
     TriangleSoup next;
     next.points = std::move(soup.points);
@@ -40,6 +40,10 @@ public:
     std::vector<std::array<Index, 3>> pieces;
     for (Index t = 0; t < soup.triangles.size(); ++t)
     {
+      if (t % 1024 == 0)
+      {
+        context.progress.check();
+      }
       DividedFace face = dividedFace(t);
       const bool whole = face.inside.empty() && face.segments.empty() && face.alongEdges[0].empty() &&
                          face.alongEdges[1].empty() && face.alongEdges[2].empty();
@@ -409,6 +413,16 @@ bool hasArea(const TriangleSoup& soup, const std::array<Index, 3>& t)
   return normal.n[0] != 0 || normal.n[1] != 0 || normal.n[2] != 0;
 }
 
+std::size_t countUsed(const TriangleSoup& soup)
+{
+  std::vector<char> used(soup.points.size(), 0);
+  for (const auto& t : soup.triangles)
+  {
+    used[t[0]] = used[t[1]] = used[t[2]] = 1;
+  }
+  return static_cast<std::size_t>(std::count(used.begin(), used.end(), 1));
+}
+
 std::size_t countEdges(const TriangleSoup& soup, const std::set<EdgeKey>& edges)
 {
   std::set<EdgeKey> found;
@@ -426,58 +440,78 @@ std::size_t countEdges(const TriangleSoup& soup, const std::set<EdgeKey>& edges)
   return found.size();
 }
 
-} // namespace
-
-std::size_t dropRepeated(TriangleSoup& soup) { return dropRepeated(soup, nullptr); }
-
 /// Rounds in a row that may find more than the one before. The first does; where a second does too, many triangles lie
 /// closer together than the reach can tell apart, and cutting them only makes more of them.
 constexpr int patience = 1;
+/// Where rounds do not end, the reach is made this many times as wide, and they begin anew.
+constexpr std::int64_t widening = 4;
 
-AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options)
+/// One after the other, until nothing is found or ever more. What then is left is in the report.
+void runRounds(TriangleSoup& soup, std::vector<char> changed, const AutorefineOptions& options,
+               AutorefineReport& report, const RunContext& context)
 {
-  AutorefineReport report;
   const std::int64_t weldDistance = weldReaches * options.reach;
-  const std::size_t inputPoints = soup.points.size();
-  std::set<EdgeKey> edges;
-  std::vector<char> changed(soup.triangles.size(), 1);
-  std::vector<char> split(soup.sources.empty() ? 0 : soup.sources.back() + 1, 0);
   std::size_t foundBefore = 0;
   int growing = 0;
   for (int round = 0;; ++round)
   {
+    const std::size_t usedBefore = round == 0 ? countUsed(soup) : 0;
     const std::vector<Index> became = mergePoints(soup, weldDistance, changed);
     if (round == 0)
     {
-      for (Index p = 0; p < inputPoints; ++p)
-      {
-        report.mergedPoints += became[p] != p ? 1 : 0;
-      }
-      report.degenerateTriangles = static_cast<std::size_t>(std::count_if(
+      report.mergedPoints += usedBefore - countUsed(soup);
+      report.degenerateTriangles += static_cast<std::size_t>(std::count_if(
           soup.triangles.begin(), soup.triangles.end(), [](const auto& t) { return hasRepeatedPoint(t); }));
     }
-    renumber(edges, became);
+    renumber(report.meetings, became);
     report.overlappingTriangles += dropRepeated(soup, &changed);
-    Contacts contacts = findContacts(soup, changed, options.reach);
+    Contacts contacts = findContacts(soup, changed, options.reach, context);
     const std::size_t found = contacts.edges.size() + contacts.faces.size();
     growing = found > foundBefore ? growing + 1 : 0;
     foundBefore = found;
     if (found == 0 || round == options.maximumRounds || growing > patience)
     {
       report.unresolvedContacts = found;
-      break;
+      return;
     }
     addNewPoints(soup, contacts, weldDistance);
     Round work(soup, contacts, static_cast<double>(options.reach));
-    work.updateEdges(edges);
-    work.apply(changed, split);
+    work.updateEdges(report.meetings);
+    work.apply(changed, report.isSplit, context);
+  }
+}
+
+} // namespace
+
+std::size_t dropRepeated(TriangleSoup& soup) { return dropRepeated(soup, nullptr); }
+
+AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options, const RunContext& context)
+{
+  AutorefineReport report;
+  report.isSplit.resize(soup.sources.empty() ? 0 : soup.sources.back() + 1, 0);
+  refineAgain(soup, options, std::vector<char>(soup.triangles.size(), 1), report, context);
+  return report;
+}
+
+void refineAgain(TriangleSoup& soup, const AutorefineOptions& options, std::vector<char> changed,
+                 AutorefineReport& report, const RunContext& context)
+{
+  const TriangleSoup soupBefore = soup;
+  const AutorefineReport reportBefore = report;
+  runRounds(soup, std::move(changed), options, report, context);
+  AutorefineOptions wider = options;
+  while (report.unresolvedContacts > 0 && wider.reach * widening <= options.largestReach)
+  {
+    wider.reach *= widening;
+    soup = soupBefore;
+    report = reportBefore;
+    runRounds(soup, std::vector<char>(soup.triangles.size(), 1), wider, report, context);
   }
   const std::size_t before = soup.triangles.size();
   filter(soup, nullptr, [&](const auto& t) { return hasArea(soup, t); });
   report.degenerateTriangles += before - soup.triangles.size();
-  report.splitTriangles = static_cast<std::size_t>(std::count(split.begin(), split.end(), 1));
-  report.intersectionEdges = countEdges(soup, edges);
-  return report;
+  report.splitTriangles = static_cast<std::size_t>(std::count(report.isSplit.begin(), report.isSplit.end(), 1));
+  report.intersectionEdges = countEdges(soup, report.meetings);
 }
 
 } // namespace atria

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Support/RunContext.h"
 #include "Surface/TriangleSoup.h"
 
 #include <cstddef>
+#include <set>
 
 namespace atria {
 
@@ -11,6 +13,8 @@ struct AutorefineOptions
 {
   /// A point this close to an edge or a triangle, in lattice units, lies on it. At least 3, as points are rounded.
   std::int64_t reach = 4;
+  /// Where ever more is found, all begins anew with a reach four times as wide, up to this.
+  std::int64_t largestReach = 4;
   /// Rounds after which what is still found is left and counted; fewer where ever more is found.
   int maximumRounds = 16;
 };
@@ -29,6 +33,9 @@ struct AutorefineReport
   std::size_t intersectionEdges = 0;
   /// Contacts left after the last round.
   std::size_t unresolvedContacts = 0;
+  /// What the counts are of: per source, whether it was cut; the edges on which triangles now meet.
+  std::vector<char> isSplit;
+  std::set<EdgeKey> meetings;
 };
 
 /// Cuts triangles until they meet in common edges and points only.
@@ -38,7 +45,12 @@ struct AutorefineReport
 /// edges; points closer than the reach allows become one; of triangles with the same points the first is kept. New
 /// points are rounded to the lattice, which can make new contacts; the next round looks at the cut triangles only.
 /// Pieces take the place of their triangle, with its winding, surface and source. O(n log n) where little is cut.
-AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options);
+AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options, const RunContext& context);
+
+/// The same for a soup that was cut before and in which triangles marked in `changed` were changed since; goes on with
+/// the report.
+void refineAgain(TriangleSoup& soup, const AutorefineOptions& options, std::vector<char> changed,
+                 AutorefineReport& report, const RunContext& context);
 
 /// Drops triangles with repeated points, and those with the same points as an earlier one. Returns how many of the
 /// second sort.

@@ -58,6 +58,24 @@ public:
     }
   }
 
+  /// Adds what another search has found.
+  void append(const ContactFinder& other)
+  {
+    const auto base = static_cast<Index>(soup.points.size());
+    const auto shift = static_cast<Index>(out.newPoints.size());
+    const auto add = [&](auto& to, const auto& from) {
+      for (auto contact : from)
+      {
+        contact.point += contact.point >= base ? shift : 0;
+        to.push_back(contact);
+      }
+    };
+    add(out.edges, other.out.edges);
+    add(out.faces, other.out.faces);
+    out.newPoints.insert(out.newPoints.end(), other.out.newPoints.begin(), other.out.newPoints.end());
+    out.pairs.insert(out.pairs.end(), other.out.pairs.begin(), other.out.pairs.end());
+  }
+
   Contacts take()
   {
     numberNewPoints();
@@ -302,7 +320,8 @@ private:
 
 } // namespace
 
-Contacts findContacts(const TriangleSoup& soup, const std::vector<char>& changed, std::int64_t reach)
+Contacts findContacts(const TriangleSoup& soup, const std::vector<char>& changed, std::int64_t reach,
+                      const RunContext& context)
 {
   std::vector<LatticeBox> all;
   std::vector<LatticeBox> asking;
@@ -317,12 +336,27 @@ Contacts findContacts(const TriangleSoup& soup, const std::vector<char>& changed
       finder.look(t);
     }
   }
+  std::vector<std::pair<Index, Index>> pairs;
   forBoxPairs(asking, all, [&](Index a, Index b) {
     if (a < b || !changed[b]) // two that are changed meet twice
     {
-      finder.look(std::min(a, b), std::max(a, b));
+      pairs.push_back(std::minmax(a, b));
     }
   });
+  context.progress.check();
+  constexpr std::size_t grain = 4096;
+  std::vector<ContactFinder> parts((pairs.size() + grain - 1) / grain, ContactFinder(soup, static_cast<double>(reach)));
+  context.executor.forEach(parts.size(), 1, [&](std::size_t part) {
+    context.progress.check();
+    for (std::size_t i = part * grain; i < std::min((part + 1) * grain, pairs.size()); ++i)
+    {
+      parts[part].look(pairs[i].first, pairs[i].second);
+    }
+  });
+  for (const ContactFinder& part : parts)
+  {
+    finder.append(part);
+  }
   return finder.take();
 }
 

@@ -17,13 +17,18 @@ namespace atria {
 
 namespace {
 
-constexpr int maximumPasses = 4;
+/// A point or edge is preferred to the face up to this many times its distance.
+constexpr double sideways = 2.0;
 /// Details within this many tolerances hang together and are no gap.
 constexpr double detailReach = 3.0;
 /// A point may move by this much in all, in tolerances.
 constexpr double maximumDrift = 2.0;
-/// Below this cosine a move turns a triangle too far.
+/// Below this cosine a move turns a triangle too far, or does not lead on from a sheet.
 constexpr double minimumCosine = 0.5;
+/// What is this near, in lattice units, is there but for rounding.
+constexpr double there = 2.0;
+/// A triangle no higher than this, in lattice units, has no area but for rounding.
+constexpr double flat = 2.0;
 
 /// Triangles at each point.
 class Fans
@@ -57,52 +62,53 @@ private:
   std::vector<Index> triangles;
 };
 
-/// The parts that hang together: for each point its part's lowest point, and the greatest face of each part's box.
-struct Parts
+/// A free edge, from one of its ends.
+struct RimEnd
 {
-  std::vector<Index> of;
-  std::vector<double> size;
+  Index point;
+  Index other;
+  Index third; ///< of the edge's triangle
+  friend auto operator<=>(const RimEnd&, const RimEnd&) = default;
+};
 
-  explicit Parts(const TriangleSoup& soup) : of(soup.points.size()), size(soup.points.size(), 0.0)
+std::vector<RimEnd> rimEnds(const TriangleSoup& soup)
+{
+  std::vector<RimEnd> ends;
+  const std::vector<SoupEdgeUse> uses = sortedEdgeUses(soup);
+  for (std::size_t i = 0; i < uses.size(); ++i)
   {
-    UnionFind sets(soup.points.size());
-    for (const auto& t : soup.triangles)
+    const EdgeKey& edge = uses[i].edge;
+    if ((i > 0 && uses[i - 1].edge == edge) || (i + 1 < uses.size() && uses[i + 1].edge == edge))
     {
-      sets.join(t[0], t[1]);
-      sets.join(t[0], t[2]);
+      continue;
     }
-    std::vector<Box3> boxes(soup.points.size());
-    for (Index p = 0; p < soup.points.size(); ++p)
+    for (const Index p : soup.triangles[uses[i].triangle])
     {
-      of[p] = sets.find(p);
-      boxes[of[p]].extend(toVector(soup.points[p]));
-    }
-    for (Index p = 0; p < soup.points.size(); ++p)
-    {
-      const Vec3 length = boxes[p].size();
-      size[p] = of[p] == p ? std::max({length[0] * length[1], length[1] * length[2], length[2] * length[0]}) : 0.0;
+      if (p != edge.first && p != edge.second)
+      {
+        ends.push_back({edge.first, edge.second, p});
+        ends.push_back({edge.second, edge.first, p});
+      }
     }
   }
-
-  bool lighter(Index a, Index b) const { return std::tuple(size[of[a]], ~of[a]) < std::tuple(size[of[b]], ~of[b]); }
-};
+  std::sort(ends.begin(), ends.end());
+  return ends;
+}
 
 /// One pass over a soup.
 class GapCloser
 {
 public:
-  GapCloser(TriangleSoup& soup_, const GridFrame& frame_, double tolerance_, const std::vector<LatticePoint>& start_)
-      : soup(soup_), frame(frame_), tolerance(tolerance_), start(start_), fans(soup), parts(soup),
-        onRim(soup.points.size(), 0), fixed(soup.points.size(), 0)
+  GapCloser(TriangleSoup& soup_, const GridFrame& frame_, double tolerance_, const std::vector<Index>& parts_,
+            const std::vector<LatticePoint>& start_)
+      : soup(soup_), frame(frame_), tolerance(tolerance_), parts(parts_), start(start_), fans(soup),
+        rims(rimEnds(soup)), fixed(soup.points.size(), 0), partOf(soup.points.size(), noIndex)
   {
-    const std::vector<SoupEdgeUse> uses = sortedEdgeUses(soup);
-    for (std::size_t i = 0; i < uses.size(); ++i)
+    for (Index t = 0; t < soup.triangles.size(); ++t)
     {
-      const bool alone =
-          (i == 0 || uses[i - 1].edge != uses[i].edge) && (i + 1 == uses.size() || uses[i + 1].edge != uses[i].edge);
-      if (alone)
+      for (const Index p : soup.triangles[t])
       {
-        onRim[uses[i].edge.first] = onRim[uses[i].edge.second] = 1;
+        partOf[p] = std::min(partOf[p], partOfTriangle(t));
       }
     }
   }
@@ -143,6 +149,20 @@ private:
   };
 
   bool used(Index p) const { return !fans.at(p).empty(); }
+  Index partOfTriangle(Index t) const { return parts[soup.sources[t]]; }
+  /// Whether no triangle at the point is of the triangle's part.
+  bool isForeign(Index p, Index t) const
+  {
+    const auto around = fans.at(p);
+    return std::none_of(around.begin(), around.end(),
+                        [&](Index other) { return partOfTriangle(other) == partOfTriangle(t); });
+  }
+  std::span<const RimEnd> rimsAt(Index p) const
+  {
+    const auto before = [](const RimEnd& l, const RimEnd& r) { return l.point < r.point; };
+    const auto range = std::equal_range(rims.begin(), rims.end(), RimEnd{p, 0, 0}, before);
+    return {range.first, range.second};
+  }
 
   void findPairs()
   {
@@ -162,35 +182,81 @@ private:
       }
     }
     forBoxPairs(places, boxes, [&](Index place, Index t) { consider(place - base, t); });
+    addForeignGaps();
   }
 
   void consider(Index p, Index t)
   {
-    const auto& corners = soup.triangles[t];
-    const bool foreign = parts.of[p] != parts.of[corners[0]];
-    if (contains(corners, p) || (!foreign && !onRim[p]))
+    if (contains(soup.triangles[t], p))
     {
       return;
     }
-    const bool toLighter = !(foreign && parts.lighter(p, corners[0]));
-    const std::optional<Target> target = targetOf(p, t);
-    if (target && (foreign || !hangsTogether(p, t)))
+    if (offsetTo(p, t).norm() <= there)
     {
-      gaps.push_back({toLighter, target->kind, target->distance, p, t});
+      touches.emplace_back(p, partOfTriangle(t));
+      return;
     }
+    const std::optional<Target> target = targetOf(p, t);
+    if (!target)
+    {
+      return;
+    }
+    const bool foreign = isForeign(p, t);
+    if (isAhead(p, between(soup.points[p], target->place)) || (!rimsAt(p).empty() && !hangsTogether(p, t)))
+    {
+      gaps.push_back({!(foreign && partOf[p] < partOfTriangle(t)), target->kind, target->distance, p, t});
+    }
+    else if (foreign)
+    {
+      foreignGaps.push_back({partOf[p] > partOfTriangle(t), target->kind, target->distance, p, t});
+    }
+  }
+
+  /// What touches another part already is done, but for its free edges.
+  void addForeignGaps()
+  {
+    std::sort(touches.begin(), touches.end());
+    std::copy_if(foreignGaps.begin(), foreignGaps.end(), std::back_inserter(gaps), [&](const Gap& gap) {
+      return !std::binary_search(touches.begin(), touches.end(), std::pair(gap.point, partOfTriangle(gap.triangle)));
+    });
+  }
+
+  bool isRim(Index p, Index q) const
+  {
+    const auto here = rimsAt(p);
+    return std::any_of(here.begin(), here.end(), [&](const RimEnd& rim) { return rim.other == q; });
+  }
+
+  /// Whether a sheet that ends at the point would go on in this direction.
+  bool isAhead(Index p, const Vec3& offset) const
+  {
+    const auto here = rimsAt(p);
+    return std::any_of(here.begin(), here.end(), [&](const RimEnd& rim) {
+      const Vec3 along = between(soup.points[p], soup.points[rim.other]).normalized();
+      const Vec3 inward = between(soup.points[p], soup.points[rim.third]);
+      const Vec3 outward = (along.dot(inward) * along - inward).normalized();
+      return offset.dot(outward) >= minimumCosine * offset.norm();
+    });
+  }
+
+  std::array<Vec3, 3> cornersFrom(Index p, Index t) const
+  {
+    return {between(soup.points[p], soup.corner(t, 0)), between(soup.points[p], soup.corner(t, 1)),
+            between(soup.points[p], soup.corner(t, 2))};
+  }
+  /// To the nearest point of the triangle.
+  Vec3 offsetTo(Index p, Index t) const
+  {
+    const auto [a, b, c] = cornersFrom(p, t);
+    return nearestOnTriangle(Vec3::Zero(), a, b, c);
   }
 
   /// Where on the triangle the point belongs; nothing where it is too far or there already.
   std::optional<Target> targetOf(Index p, Index t) const
   {
     const Vec3 origin = Vec3::Zero();
-    std::array<Vec3, 3> corners;
-    for (int i = 0; i < 3; ++i)
-    {
-      corners[i] = between(soup.points[p], soup.corner(t, i));
-    }
-    const Vec3 nearest = nearestOnTriangle(origin, corners[0], corners[1], corners[2]);
-    constexpr double there = 2.0; // rounded to the lattice it is there
+    const std::array<Vec3, 3> corners = cornersFrom(p, t);
+    const Vec3 nearest = offsetTo(p, t);
     if (nearest.norm() > tolerance || nearest.norm() <= there)
     {
       return std::nullopt;
@@ -198,7 +264,7 @@ private:
     std::optional<Target> best;
     const auto offer = [&](int kind, const Vec3& place) {
       const bool better = !best || (kind == best->kind && place.norm() < best->distance);
-      if (place.norm() <= tolerance && better)
+      if (place.norm() <= std::min(tolerance, sideways * nearest.norm()) && better)
       {
         best = Target{kind, place.norm(), placeOf(p, place)};
       }
@@ -260,7 +326,7 @@ private:
       return false;
     }
     const LatticePoint place = keptOnSides(gap.point, *target);
-    if (!mayMove(gap.point, place))
+    if (!mayMove(gap.point, place, gap.triangle))
     {
       return false;
     }
@@ -290,7 +356,7 @@ private:
     return place;
   }
 
-  bool mayMove(Index p, const LatticePoint& to) const
+  bool mayMove(Index p, const LatticePoint& to, Index onto) const
   {
     const LatticePoint& from = soup.points[p];
     for (int axis = 0; axis < 3; ++axis)
@@ -303,56 +369,98 @@ private:
     }
     const auto around = fans.at(p);
     return between(start[p], to).norm() <= maximumDrift * tolerance &&
-           std::all_of(around.begin(), around.end(), [&](Index t) { return keepsItsShape(t, p, to); });
+           std::all_of(around.begin(), around.end(), [&](Index t) { return keepsItsShape(t, p, to, onto); });
   }
 
-  bool keepsItsShape(Index t, Index p, const LatticePoint& to) const
+  /// A triangle may turn over in its plane, as those beside it then cover more; and it may vanish in the edge or point
+  /// of its own that the point moves onto.
+  bool keepsItsShape(Index t, Index p, const LatticePoint& to, Index onto) const
   {
     const auto& corners = soup.triangles[t];
     const int i = corners[0] == p ? 0 : (corners[1] == p ? 1 : 2);
-    const LatticePoint& a = soup.points[corners[(i + 1) % 3]];
-    const LatticePoint& b = soup.points[corners[(i + 2) % 3]];
-    const Vec3 before = between(soup.points[p], a).cross(between(soup.points[p], b));
-    const Vec3 after = between(to, a).cross(between(to, b));
-    return to != a && to != b && after.norm() > 0.0 &&
-           after.dot(before) >= minimumCosine * after.norm() * before.norm();
+    const Index a = corners[(i + 1) % 3];
+    const Index b = corners[(i + 2) % 3];
+    const Vec3 before = between(soup.points[p], soup.points[a]).cross(between(soup.points[p], soup.points[b]));
+    const Vec3 after = between(to, soup.points[a]).cross(between(to, soup.points[b]));
+    const bool hasA = contains(soup.triangles[onto], a);
+    const bool hasB = contains(soup.triangles[onto], b);
+    if (after.norm() <= flat * between(soup.points[a], soup.points[b]).norm())
+    {
+      return (hasA && hasB) || (hasA && to == soup.points[a]) || (hasB && to == soup.points[b]) ||
+             !(isRim(p, a) || isRim(p, b) || isRim(a, b));
+    }
+    return std::abs(after.dot(before)) >= minimumCosine * after.norm() * before.norm();
   }
 
   TriangleSoup& soup;
   const GridFrame& frame;
   double tolerance;
+  const std::vector<Index>& parts;
   const std::vector<LatticePoint>& start;
   Fans fans;
-  Parts parts;
-  std::vector<char> onRim;
+  std::vector<RimEnd> rims;
   std::vector<char> fixed;
+  /// Per point, the smallest of the parts it belongs to.
+  std::vector<Index> partOf;
   std::vector<Gap> gaps;
+  std::vector<Gap> foreignGaps;
+  /// Points with the parts they lie on without having a corner there.
+  std::vector<std::pair<Index, Index>> touches;
 };
 
 } // namespace
 
-GapReport closeGaps(TriangleSoup& soup, const GridFrame& frame, double tolerance)
+std::vector<Index> partsOf(const TriangleSoup& soup)
 {
-  GapReport report;
-  if (!(tolerance >= 1.0))
+  UnionFind sets(soup.points.size());
+  for (const auto& t : soup.triangles)
   {
-    return report;
+    sets.join(t[0], t[1]);
+    sets.join(t[0], t[2]);
   }
-  const std::vector<LatticePoint> start = soup.points;
-  for (int pass = 0; pass < maximumPasses; ++pass)
+  std::vector<Box3> boxes(soup.points.size());
+  for (const auto& t : soup.triangles)
   {
-    if (GapCloser(soup, frame, tolerance, start).run().empty())
+    for (const Index p : t)
     {
-      break;
+      boxes[sets.find(p)].extend(toVector(soup.points[p]));
     }
   }
+  std::vector<std::pair<double, Index>> sizes; // with the lowest point from high to low
   for (Index p = 0; p < soup.points.size(); ++p)
   {
-    const double move = between(start[p], soup.points[p]).norm();
-    report.closedGaps += move > 0.0 ? 1 : 0;
-    report.largestMove = std::max(report.largestMove, move);
+    const Vec3 length = boxes[p].empty() ? Vec3::Zero() : boxes[p].size();
+    if (!boxes[p].empty())
+    {
+      sizes.emplace_back(std::max({length[0] * length[1], length[1] * length[2], length[2] * length[0]}), ~p);
+    }
   }
-  return report;
+  std::sort(sizes.begin(), sizes.end());
+  std::vector<Index> rank(soup.points.size(), 0);
+  for (Index i = 0; i < sizes.size(); ++i)
+  {
+    rank[~sizes[i].second] = i;
+  }
+  std::vector<Index> parts(soup.sources.empty() ? 0 : soup.sources.back() + 1, 0);
+  for (Index t = 0; t < soup.triangles.size(); ++t)
+  {
+    parts[soup.sources[t]] = rank[sets.find(soup.triangles[t][0])];
+  }
+  return parts;
+}
+
+std::vector<char> closeGaps(TriangleSoup& soup, const GridFrame& frame, double tolerance,
+                            const std::vector<Index>& parts, const std::vector<LatticePoint>& start)
+{
+  std::vector<char> isMoved(soup.points.size(), 0);
+  if (tolerance >= 1.0)
+  {
+    for (const Index p : GapCloser(soup, frame, tolerance, parts, start).run())
+    {
+      isMoved[p] = 1;
+    }
+  }
+  return isMoved;
 }
 
 } // namespace atria

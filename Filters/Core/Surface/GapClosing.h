@@ -7,24 +7,25 @@
 
 namespace atria {
 
-struct GapReport
-{
-  /// Points that were moved.
-  std::size_t closedGaps = 0;
-  /// The longest of these moves, in lattice units.
-  double largestMove = 0.0;
-};
+/// The parts of a soup that hang together by common points, by the source of their triangles: numbers that grow with
+/// the greatest face of the part's box.
+std::vector<Index> partsOf(const TriangleSoup& soup);
 
 /// Moves points onto what they nearly touch, so that no gap narrower than `tolerance` (lattice units) is left between
-/// them.
+/// them. The soup should be cut already (autorefine), so that what touches has common points: these move together, and
+/// no contact is lost; and it should be cut again afterwards. One pass: what moves onto what stands still meanwhile.
 ///
 /// A point is moved onto the nearest point within the tolerance, else onto the nearest edge, else onto the nearest
-/// face; the nearest pairs first. Points of a part that hangs together move onto a larger part (by the greatest face of
-/// its box), then those of a larger one onto a smaller one. Points at free edges, those of one triangle, also move onto
-/// their own part, but not onto what hangs together with them within three times the tolerance: details stay. A move is
-/// left out that would take a point off a side of the domain it lies on, leave a triangle without area, or turn one by
-/// more than 60 degrees. Points only move: triangles are not cut. O(n log^3 n + pairs of points and triangles that are
-/// near).
-GapReport closeGaps(TriangleSoup& soup, const GridFrame& frame, double tolerance);
+/// face; the nearest pairs first, and points and edges only up to twice as far away as the face. `parts` are those of
+/// the soup as it was drawn, see partsOf. Points of a part move onto a larger part, then those of a larger one onto a
+/// smaller one. Points at free edges, those of one triangle, also move onto their own part: in the direction in which
+/// the triangle would go on, to 60 degrees; in other ones not onto what hangs together with them within three times the
+/// tolerance, so that details stay. A move is left out that would take a point off a side of the domain it lies on, or
+/// by more than twice the tolerance from its place in `start`, or turn a triangle by more than 60 degrees out of its
+/// plane, or leave one without area that has a free edge, but for those between the point and what it moves onto.
+/// Points only move: triangles are not cut. Returns for each point whether it was moved. O(n log^3 n + pairs of points
+/// and triangles that are near).
+std::vector<char> closeGaps(TriangleSoup& soup, const GridFrame& frame, double tolerance,
+                            const std::vector<Index>& parts, const std::vector<LatticePoint>& start);
 
 } // namespace atria

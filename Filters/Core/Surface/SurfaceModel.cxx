@@ -100,7 +100,8 @@ Vec3 SurfaceModel::normal(Index triangle) const
   return {static_cast<double>(exact.n[0]), static_cast<double>(exact.n[1]), static_cast<double>(exact.n[2])};
 }
 
-SurfaceModel makeSurfaceModel(const TriangleSurface& surface, const GridFrame& frame, const FeatureOptions& options)
+SurfaceModel makeSurfaceModel(const TriangleSurface& surface, const GridFrame& frame, const FeatureOptions& options,
+                              const RunContext& context)
 {
   const auto units = [&](double distance) {
     return static_cast<std::int64_t>(std::llround(distance / frame.latticeUnit()));
@@ -111,7 +112,7 @@ SurfaceModel makeSurfaceModel(const TriangleSurface& surface, const GridFrame& f
   repair.weldDistance = units(options.weldDistance);
   repair.gapTolerance = options.gapTolerance / frame.latticeUnit();
   TriangleSoup soup = weldedSoup(surface, frame, repair.weldDistance, units(options.sideDistance), model.repair);
-  repairSurface(soup, frame, repair, model.repair);
+  repairSurface(soup, frame, repair, model.repair, context);
   model.points = std::move(soup.points);
   model.triangles = std::move(soup.triangles);
   model.surfaceIds = std::move(soup.surfaceIds);

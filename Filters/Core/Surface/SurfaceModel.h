@@ -85,6 +85,8 @@ struct FeatureOptions
 /// Puts a surface on the lattice: welds points, drops triangles without area and repeated ones (whatever their winding;
 /// the first is kept), makes the model sound (repairSurface), finds what lies on the domain's sides, charts, curves and
 /// corners. Edges of the domain box are not features: the mesh has them anyway.
-SurfaceModel makeSurfaceModel(const TriangleSurface& surface, const GridFrame& frame, const FeatureOptions& options);
+/// The result does not depend on threads. Throws Aborted on demand.
+SurfaceModel makeSurfaceModel(const TriangleSurface& surface, const GridFrame& frame, const FeatureOptions& options,
+                              const RunContext& context);
 
 } // namespace atria

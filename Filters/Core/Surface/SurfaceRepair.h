@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Support/RunContext.h"
 #include "Surface/TriangleSoup.h"
 
 #include <cstddef>
@@ -42,8 +43,8 @@ struct SurfaceRepairOptions
 /// Makes a soup sound: closes gaps, cuts triangles where they touch or pass through each other, drops all but the first
 /// of pieces that overlap, makes the winding consistent. Afterwards triangles meet in common edges and points only, but
 /// for the contacts that the report counts. Surfaces and sources of pieces are those of their triangles; points not
-/// used are dropped, and the others keep their order.
+/// used are dropped, and the others keep their order. The result does not depend on threads. Throws Aborted on demand.
 void repairSurface(TriangleSoup& soup, const GridFrame& frame, const SurfaceRepairOptions& options,
-                   SurfaceRepairReport& report);
+                   SurfaceRepairReport& report, const RunContext& context);
 
 } // namespace atria
