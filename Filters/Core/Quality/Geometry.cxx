@@ -19,16 +19,15 @@ constexpr double tinyArea = 1e-150;
 constexpr double tinyVolume = 1e-300;
 constexpr std::size_t grain = 4096;
 
-void measureFace(const FaceMesh& mesh, std::size_t f, MeshGeometry& out)
+} // namespace
+
+PolygonMeasure measurePolygon(std::span<const Vec3> points, std::span<const Index> face)
 {
-  const auto face = mesh.face(f);
   const std::size_t size = face.size();
-  const auto point = [&](std::size_t i) -> const Vec3& { return mesh.points[face[i]]; };
+  const auto point = [&](std::size_t i) -> const Vec3& { return points[face[i]]; };
   if (size == 3)
   {
-    out.faceCentroids[f] = (1.0 / 3.0) * (point(0) + point(1) + point(2));
-    out.faceAreas[f] = 0.5 * (point(1) - point(0)).cross(point(2) - point(0));
-    return;
+    return {0.5 * (point(1) - point(0)).cross(point(2) - point(0)), (1.0 / 3.0) * (point(0) + point(1) + point(2))};
   }
   Vec3 mean = Vec3::Zero();
   for (std::size_t i = 0; i < size; ++i)
@@ -50,9 +49,10 @@ void measureFace(const FaceMesh& mesh, std::size_t f, MeshGeometry& out)
     momentSum += magnitude * (here + next + mean);
   }
   const bool flat = magnitudeSum < tinyArea;
-  out.faceCentroids[f] = flat ? mean : Vec3((1.0 / 3.0) * momentSum / magnitudeSum);
-  out.faceAreas[f] = flat ? Vec3(Vec3::Zero()) : Vec3(0.5 * areaSum);
+  return {flat ? Vec3(Vec3::Zero()) : Vec3(0.5 * areaSum), flat ? mean : Vec3((1.0 / 3.0) * momentSum / magnitudeSum)};
 }
+
+namespace {
 
 void measureCell(const FaceMesh& mesh, std::span<const Index> faces, std::size_t cell, MeshGeometry& out)
 {
@@ -123,7 +123,9 @@ MeshGeometry computeGeometry(const FaceMesh& mesh, const CellFaces& cellFaces, c
     context.progress.check();
     for (std::size_t f = begin; f < end; ++f)
     {
-      measureFace(mesh, f, out);
+      const PolygonMeasure face = measurePolygon(mesh.points, mesh.face(f));
+      out.faceAreas[f] = face.area;
+      out.faceCentroids[f] = face.centroid;
     }
   });
   context.progress.report(0.5, "Measuring cells");

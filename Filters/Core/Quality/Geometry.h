@@ -5,9 +5,21 @@
 #include "Quality/FaceMesh.h"
 #include "Support/RunContext.h"
 
+#include <span>
 #include <vector>
 
 namespace atria {
+
+/// A polygon's area vector (right-hand rule) and its centroid.
+struct PolygonMeasure
+{
+  Vec3 area;
+  Vec3 centroid;
+};
+
+/// Cuts the polygon into triangles about the mean of its points: its area vector is their sum, its centroid the mean of
+/// theirs weighted by area.
+PolygonMeasure measurePolygon(std::span<const Vec3> points, std::span<const Index> face);
 
 /// The faces of every cell: first those it owns, then those it is the neighbour of, each in rising order.
 struct CellFaces
@@ -32,8 +44,7 @@ struct MeshGeometry
   std::vector<double> cellVolumes; ///< negative where a cell is inside out
 };
 
-/// A face is cut into triangles about the mean of its points: its area vector is their sum, its centroid the
-/// mean of theirs weighted by area. A cell is cut into pyramids from the mean of its face centroids: its
+/// Faces are measured by measurePolygon(). A cell is cut into pyramids from the mean of its face centroids: its
 /// volume is their sum, its centroid the mean of theirs weighted by volume. Throws Aborted when asked to.
 MeshGeometry computeGeometry(const FaceMesh& mesh, const CellFaces& cellFaces, const RunContext& context);
 

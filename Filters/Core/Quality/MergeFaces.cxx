@@ -1,0 +1,313 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Quality/MergeFaces.h"
+
+#include "Quality/Geometry.h"
+#include "Quality/PolygonUnion.h"
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <numeric>
+#include <optional>
+
+namespace atria {
+
+namespace {
+
+constexpr std::size_t fewestFaces = 4;
+
+class FaceMerger
+{
+public:
+  FaceMerger(FaceMesh& faceMesh, std::span<const Index> patchOfFace, const MergeFacesOptions& mergeOptions)
+      : mesh(faceMesh), patchOf(patchOfFace), options(mergeOptions), into(faceMesh.faceCount())
+  {
+    std::iota(into.begin(), into.end(), Index{0});
+  }
+
+  MergedFaces run(const RunContext& context)
+  {
+    context.progress.report(0.0, "Merging coplanar faces");
+    const std::vector<Index> firstFaces = findCandidates();
+    if (firstFaces.empty())
+    {
+      return {std::move(into), 0};
+    }
+    cellFaces = makeCellFaces(mesh);
+    cellCentroids = computeGeometry(mesh, cellFaces, context.part(0.1, 0.7)).cellCentroids;
+    uses.assign(mesh.points.size(), 0);
+    count(mesh.facePoints, 1);
+    for (const Index first : firstFaces)
+    {
+      context.progress.check();
+      mergeCell(first, endOfOwner(first));
+    }
+    context.progress.report(0.9, "Merging coplanar faces");
+    return renumber();
+  }
+
+private:
+  std::span<const Index> loopOf(Index face) const
+  {
+    const auto found = loops.find(face);
+    return found == loops.end() ? mesh.face(face) : std::span<const Index>(found->second);
+  }
+
+  bool samePatch(Index a, Index b) const
+  {
+    const std::size_t internal = mesh.internalFaceCount();
+    return patchOf.empty() || patchOf[a - internal] == patchOf[b - internal];
+  }
+
+  Index endOfOwner(Index first) const
+  {
+    Index end = first;
+    while (end < mesh.faceCount() && mesh.owner[end] == mesh.owner[first])
+    {
+      ++end;
+    }
+    return end;
+  }
+
+  bool areCoplanar(Index a, Index b) const
+  {
+    return samePatch(a, b) && shareAnEdge(loopOf(a), loopOf(b)) &&
+           coplanar(mesh.points, loopOf(a), loopOf(b), options.planarSine);
+  }
+
+  /// The first boundary face of each cell that owns two coplanar ones. Most meshes have few, many have none.
+  std::vector<Index> findCandidates() const
+  {
+    std::vector<Index> found;
+    Index end = 0;
+    for (auto first = static_cast<Index>(mesh.internalFaceCount()); first < mesh.faceCount(); first = end)
+    {
+      end = endOfOwner(first);
+      bool any = false;
+      for (Index a = first; a < end && !any; ++a)
+      {
+        for (Index b = a + 1; b < end && !any; ++b)
+        {
+          any = areCoplanar(a, b);
+        }
+      }
+      if (any)
+      {
+        found.push_back(first);
+      }
+    }
+    return found;
+  }
+
+  /// Larger unions first: about a point inside of three faces, two of them alone are not star-shaped.
+  void mergeCell(Index first, Index end)
+  {
+    bool merged = true;
+    while (merged)
+    {
+      merged = false;
+      for (const std::vector<Index>& group : coplanarGroups(first, end))
+      {
+        merged = merged || merge(group) || mergeThree(group) || mergeTwo(group);
+      }
+    }
+  }
+
+  /// Faces that can be reached from each other over edges between coplanar ones, two or more.
+  std::vector<std::vector<Index>> coplanarGroups(Index first, Index end) const
+  {
+    std::vector<Index> left;
+    for (Index face = first; face < end; ++face)
+    {
+      if (into[face] == face)
+      {
+        left.push_back(face);
+      }
+    }
+    std::vector<std::vector<Index>> groups;
+    while (!left.empty())
+    {
+      std::vector<Index> group{left.front()};
+      left.erase(left.begin());
+      for (std::size_t i = 0; i < group.size(); ++i)
+      {
+        const auto joins = [&](Index face) { return areCoplanar(group[i], face); };
+        std::copy_if(left.begin(), left.end(), std::back_inserter(group), joins);
+        std::erase_if(left, joins);
+      }
+      if (group.size() > 1)
+      {
+        std::sort(group.begin(), group.end());
+        groups.push_back(std::move(group));
+      }
+    }
+    return groups;
+  }
+
+  bool mergeThree(const std::vector<Index>& group)
+  {
+    for (std::size_t i = 0; i < group.size(); ++i)
+    {
+      for (std::size_t j = i + 1; j < group.size(); ++j)
+      {
+        for (std::size_t k = j + 1; k < group.size(); ++k)
+        {
+          if (merge({group[i], group[j], group[k]}))
+          {
+            return true;
+          }
+        }
+      }
+    }
+    return false;
+  }
+
+  bool mergeTwo(const std::vector<Index>& group)
+  {
+    for (std::size_t i = 0; i < group.size(); ++i)
+    {
+      for (std::size_t j = i + 1; j < group.size(); ++j)
+      {
+        if (merge({group[i], group[j]}))
+        {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  /// The union of all faces of a group; nothing where it is not one simple flat polygon.
+  std::optional<std::vector<Index>> unionOf(const std::vector<Index>& group) const
+  {
+    const auto firstLoop = loopOf(group[0]);
+    std::optional<std::vector<Index>> loop{std::in_place, firstLoop.begin(), firstLoop.end()};
+    std::vector<bool> joined(group.size(), false);
+    joined[0] = true;
+    for (std::size_t count = 1; count < group.size() && loop; ++count)
+    {
+      std::optional<std::vector<Index>> more;
+      for (std::size_t i = 1; i < group.size() && !more; ++i)
+      {
+        if (!joined[i] && coplanar(mesh.points, *loop, loopOf(group[i]), options.planarSine))
+        {
+          more = unite(*loop, loopOf(group[i]));
+          joined[i] = more.has_value();
+        }
+      }
+      loop = std::move(more);
+    }
+    return loop;
+  }
+
+  /// Whether no face outside of the group has a point that the union leaves out.
+  bool leavesOutOnlyOwnPoints(const std::vector<Index>& group, const std::vector<Index>& loop) const
+  {
+    std::map<Index, Index> own;
+    for (const Index face : group)
+    {
+      for (const Index point : loopOf(face))
+      {
+        ++own[point];
+      }
+    }
+    for (const Index point : loop)
+    {
+      own.erase(point);
+    }
+    return std::all_of(own.begin(), own.end(), [&](const auto& left) { return uses[left.first] == left.second; });
+  }
+
+  /// Whether the union fits in with the other faces of its cell.
+  bool fits(const std::vector<Index>& group, const std::vector<Index>& loop) const
+  {
+    std::size_t left = 1;
+    for (const Index face : cellFaces.of(mesh.owner[group[0]]))
+    {
+      if (into[face] != face || std::find(group.begin(), group.end(), face) != group.end())
+      {
+        continue;
+      }
+      ++left;
+      if (!shareOneRun(loop, loopOf(face)))
+      {
+        return false;
+      }
+    }
+    return left >= fewestFaces;
+  }
+
+  bool merge(const std::vector<Index>& group)
+  {
+    std::optional<std::vector<Index>> loop = unionOf(group);
+    if (!loop || !leavesOutOnlyOwnPoints(group, *loop) || !fits(group, *loop) ||
+        !isStarShaped(mesh.points, *loop, cellCentroids[mesh.owner[group[0]]], options.planarSine))
+    {
+      return false;
+    }
+    for (const Index face : group)
+    {
+      count(loopOf(face), -1);
+      loops.erase(face);
+      into[face] = group[0];
+    }
+    count(*loop, 1);
+    loops[group[0]] = std::move(*loop);
+    return true;
+  }
+
+  void count(std::span<const Index> loop, int change)
+  {
+    for (const Index point : loop)
+    {
+      uses[point] += static_cast<Index>(change);
+    }
+  }
+
+  MergedFaces renumber()
+  {
+    const std::size_t before = mesh.faceCount();
+    FaceMesh out;
+    out.faceOffsets.assign(1, mesh.faceOffsets[mesh.internalFaceCount()]);
+    for (auto f = static_cast<Index>(mesh.internalFaceCount()); f < before; ++f)
+    {
+      if (into[f] != f)
+      {
+        into[f] = into[into[f]]; // a lower face, which has its new number already
+        continue;
+      }
+      into[f] = static_cast<Index>(mesh.internalFaceCount() + out.owner.size());
+      const auto loop = loopOf(f);
+      out.facePoints.insert(out.facePoints.end(), loop.begin(), loop.end());
+      out.faceOffsets.push_back(out.faceOffsets.front() + static_cast<Index>(out.facePoints.size()));
+      out.owner.push_back(mesh.owner[f]);
+    }
+    const auto replaceTail = [](std::vector<Index>& all, std::size_t kept, const std::vector<Index>& tail) {
+      all.resize(kept);
+      all.insert(all.end(), tail.begin(), tail.end());
+    };
+    replaceTail(mesh.facePoints, out.faceOffsets.front(), out.facePoints);
+    replaceTail(mesh.faceOffsets, mesh.internalFaceCount(), out.faceOffsets);
+    replaceTail(mesh.owner, mesh.internalFaceCount(), out.owner);
+    return {std::move(into), before - mesh.faceCount()};
+  }
+
+  FaceMesh& mesh;
+  std::span<const Index> patchOf;
+  const MergeFacesOptions& options;
+  std::vector<Index> into; ///< the face each became a part of, itself where none
+  CellFaces cellFaces;
+  std::vector<Vec3> cellCentroids;
+  std::vector<Index> uses;                   ///< how many faces have each point
+  std::map<Index, std::vector<Index>> loops; ///< of faces that others became a part of
+};
+
+} // namespace
+
+MergedFaces mergeCoplanarFaces(FaceMesh& mesh, std::span<const Index> patchOf, const RunContext& context,
+                               const MergeFacesOptions& options)
+{
+  return FaceMerger(mesh, patchOf, options).run(context);
+}
+
+} // namespace atria
