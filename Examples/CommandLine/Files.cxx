@@ -164,8 +164,8 @@ void writePatches(const std::string& file, vtkPartitionedDataSetCollection* patc
   writeCompressed(writer.Get(), file, patches, console);
 }
 
-void writeOpenFOAM(const std::string& folder, vtkUnstructuredGrid* mesh, vtkPartitionedDataSetCollection* patches,
-                   Console& console)
+long long writeOpenFOAM(const std::string& folder, vtkUnstructuredGrid* mesh, vtkPartitionedDataSetCollection* patches,
+                        Console& console)
 {
   vtkNew<vtkAtriaOpenFOAMWriter> writer;
   writer->SetInputDataObject(0, mesh);
@@ -177,6 +177,7 @@ void writeOpenFOAM(const std::string& folder, vtkUnstructuredGrid* mesh, vtkPart
   {
     throw Failure(Failed, folder + ": the OpenFOAM case could not be written; check permissions and space");
   }
+  return writer->GetNumberOfMergedFaces();
 }
 
 void writeText(const std::string& file, const std::string& text)

@@ -323,9 +323,11 @@ void warnOfLeaks(vtkPolyData* diagnostics, const std::string& input, Console& co
   }
 }
 
-void writeOutputs(const MeshOptions& options, vtkUnstructuredGrid* mesh, vtkPartitionedDataSetCollection* patches,
-                  Console& console)
+/// Returns how many faces were merged with others in the OpenFOAM case; 0 without one.
+long long writeOutputs(const MeshOptions& options, vtkUnstructuredGrid* mesh, vtkPartitionedDataSetCollection* patches,
+                       Console& console)
 {
+  long long mergedFaces = 0;
   console.progress(0.9, "Writing");
   writeMesh(options.output, mesh, console);
   if (!options.patches.empty())
@@ -334,9 +336,10 @@ void writeOutputs(const MeshOptions& options, vtkUnstructuredGrid* mesh, vtkPart
   }
   if (!options.openfoam.empty())
   {
-    writeOpenFOAM(options.openfoam, mesh, patches, console);
+    mergedFaces = writeOpenFOAM(options.openfoam, mesh, patches, console);
   }
   console.progress(1.0, "Writing");
+  return mergedFaces;
 }
 
 ExitStatus runPreflight(const MeshOptions& options, vtkAtriaVRMLReader* reader, Console& console)
@@ -419,8 +422,9 @@ ExitStatus runMesh(const MeshOptions& options, Console& console)
   const double qualitySeconds = measuring.seconds();
 
   const Stopwatch writing;
-  writeOutputs(options, vtkUnstructuredGrid::SafeDownCast(quality->GetOutputDataObject(0)),
-               vtkPartitionedDataSetCollection::SafeDownCast(mesher->GetOutputDataObject(1)), console);
+  const long long mergedFaces =
+      writeOutputs(options, vtkUnstructuredGrid::SafeDownCast(quality->GetOutputDataObject(0)),
+                   vtkPartitionedDataSetCollection::SafeDownCast(mesher->GetOutputDataObject(1)), console);
 
   Json seconds = {{"Read", readSeconds}};
   seconds.update(stageSecondsOf(mesher));
@@ -429,9 +433,16 @@ ExitStatus runMesh(const MeshOptions& options, Console& console)
   seconds["Total"] = total.seconds();
   if (!options.report.empty())
   {
-    writeText(options.report, makeReport(mesher, quality, seconds).dump(2) + "\n");
+    Json report = makeReport(mesher, quality, seconds);
+    report["openfoam"] = options.openfoam.empty() ? Json() : Json{{"merged_faces", mergedFaces}};
+    writeText(options.report, report.dump(2) + "\n");
   }
   console.clearBar();
+  if (mergedFaces > 0)
+  {
+    std::cout << options.openfoam << ": " << mergedFaces
+              << " faces fewer, as coplanar ones of an element were merged\n";
+  }
   printLayers(vtkPolyData::SafeDownCast(mesher->GetOutputDataObject(2)));
   warnOfDropped(mesher, options.input, console);
   warnOfLeaks(vtkPolyData::SafeDownCast(mesher->GetOutputDataObject(2)), options.input, console);

@@ -3,6 +3,8 @@
 
 #include "AlgorithmProgress.h"
 #include "OpenFOAMCase.h"
+#include "Quality/MergeFaces.h"
+#include "SmpExecutor.h"
 #include "VtkFaceMesh.h"
 
 #include <vtkCellData.h>
@@ -13,6 +15,7 @@
 #include <vtkPartitionedDataSetCollection.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <algorithm>
 #include <exception>
 
 vtkStandardNewMacro(vtkAtriaOpenFOAMWriter);
@@ -39,6 +42,32 @@ std::vector<atria::BoundaryPatch> patchesOf(const atria::VtkFaceMesh& source)
     patches.push_back({patch.name, {first, first + static_cast<std::ptrdiff_t>(patch.faceCount)}});
   }
   return patches;
+}
+
+/// Merges faces of `source`, and has patches name the faces that are left.
+std::size_t mergeFaces(atria::VtkFaceMesh& source, std::vector<atria::BoundaryPatch>& patches,
+                       const atria::RunContext& context)
+{
+  const std::size_t internal = source.mesh.internalFaceCount();
+  std::vector<atria::Index> patchOf(source.mesh.faceCount() - internal, atria::noIndex);
+  for (std::size_t p = 0; p < patches.size(); ++p)
+  {
+    for (const atria::Index face : patches[p].faces)
+    {
+      patchOf[face - internal] = static_cast<atria::Index>(p);
+    }
+  }
+  const atria::MergedFaces merged = atria::mergeCoplanarFaces(source.mesh, patchOf, context);
+  for (atria::BoundaryPatch& patch : patches)
+  {
+    for (atria::Index& face : patch.faces)
+    {
+      face = merged.faceOf[face];
+    }
+    std::sort(patch.faces.begin(), patch.faces.end());
+    patch.faces.erase(std::unique(patch.faces.begin(), patch.faces.end()), patch.faces.end());
+  }
+  return merged.count;
 }
 
 } // namespace
@@ -97,10 +126,18 @@ void vtkAtriaOpenFOAMWriter::WriteCase(vtkUnstructuredGrid* volume, vtkPartition
   atria::AlgorithmProgress monitor(*this);
   const atria::ProgressRange progress(monitor);
   progress.report(0.0, "Finding faces");
-  const atria::VtkFaceMesh source = atria::faceMeshFromVtk(volume, patches);
+  atria::VtkFaceMesh source = atria::faceMeshFromVtk(volume, patches);
+  std::vector<atria::BoundaryPatch> boundary = patchesOf(source);
+  this->NumberOfMergedFaces = 0;
+  if (this->MergeCoplanarFaces)
+  {
+    const atria::SmpExecutor executor;
+    this->NumberOfMergedFaces =
+        static_cast<vtkIdType>(mergeFaces(source, boundary, {executor, progress.part(0.4, 0.5)}));
+  }
   progress.report(0.5, "Writing the mesh");
   const auto format = this->WriteBinary ? atria::OpenFOAMFormat::Binary : atria::OpenFOAMFormat::Ascii;
-  atria::writePolyMesh(this->CaseDirectory, source.mesh, patchesOf(source), zoneIdsOf(volume), format);
+  atria::writePolyMesh(this->CaseDirectory, source.mesh, boundary, zoneIdsOf(volume), format);
   atria::completeCase(this->CaseDirectory);
   progress.report(1.0, "Case written");
 }
@@ -110,4 +147,6 @@ void vtkAtriaOpenFOAMWriter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "CaseDirectory: " << (this->CaseDirectory ? this->CaseDirectory : "(none)") << "\n";
   os << indent << "WriteBinary: " << (this->WriteBinary ? "on" : "off") << "\n";
+  os << indent << "MergeCoplanarFaces: " << (this->MergeCoplanarFaces ? "on" : "off") << "\n";
+  os << indent << "NumberOfMergedFaces: " << this->NumberOfMergedFaces << "\n";
 }

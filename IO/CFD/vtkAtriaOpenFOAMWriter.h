@@ -19,6 +19,9 @@
  * entry in a field's boundaryField serves both. Boundary faces in no patch go to `defaultFaces`, of type
  * `patch`.
  *
+ * Coplanar faces of one patch that one cell owns are written as one face where that is possible (see
+ * MergeCoplanarFaces): checkMesh takes such a cell for concave.
+ *
  * An input without cells, a mesh that is not a manifold, a patch face that is not a face of its owner cell
  * and a folder that cannot be written are errors: Write() returns 0.
  *
@@ -58,6 +61,21 @@ public:
   vtkBooleanMacro(WriteBinary, bool);
   ///@}
 
+  ///@{
+  /**
+   * Write coplanar faces of one cell and one patch that share edges as one polygon. A patch keeps its area, a cell at
+   * least four faces. The input's cells and patches stay as they are. On by default.
+   */
+  vtkSetMacro(MergeCoplanarFaces, bool);
+  vtkGetMacro(MergeCoplanarFaces, bool);
+  vtkBooleanMacro(MergeCoplanarFaces, bool);
+  ///@}
+
+  /**
+   * How many faces fewer were written than the input has, as coplanar ones were merged. 0 before the first Write().
+   */
+  vtkGetMacro(NumberOfMergedFaces, vtkIdType);
+
   /**
    * Connect the patches (input port 1).
    */
@@ -83,6 +101,8 @@ private:
 
   char* CaseDirectory = nullptr;
   bool WriteBinary = false;
+  bool MergeCoplanarFaces = true;
+  vtkIdType NumberOfMergedFaces = 0;
 };
 
 #endif

@@ -75,6 +75,9 @@ protected:
   long facesWithPyramidsBelow(double smallest);
 
   atria::testing::ScratchFolder scratch;
+  /// Merged faces are no longer those of the mesher's outputs.
+  bool mergeFaces = false;
+  vtkIdType mergedFaces = 0;
 
 private:
   void write()
@@ -83,8 +86,10 @@ private:
     writer->SetInputConnection(mesher->GetOutputPort(0));
     writer->SetPatchesConnection(mesher->GetOutputPort(1));
     writer->SetCaseDirectory(scratch.path().c_str());
+    writer->SetMergeCoplanarFaces(mergeFaces);
     ASSERT_EQ(writer->Write(), 1);
     ASSERT_GT(volume()->GetNumberOfCells(), 0);
+    mergedFaces = writer->GetNumberOfMergedFaces();
   }
 };
 
@@ -272,6 +277,37 @@ TEST_F(CheckMeshAgrees, ASphereWhosePoleIsAGridPointHasNoFaceWithoutArea)
   meshSphere(0.4, 3.2);
   const CheckMeshReport report = atria::testing::runCheckMesh(scratch.path());
   EXPECT_THAT(report.failures, Each(AnyOf(HasSubstr("Concave"), HasSubstr("skewness")))) << report.log;
+}
+
+TEST_F(CheckMeshAgrees, MergedFacesLeaveFewerConcaveCellsAndNothingNewToObjectTo)
+{
+  for (const char* model : {"house.wrl", "house_turned17.wrl"})
+  {
+    SCOPED_TRACE(model);
+    mergeFaces = false;
+    meshHouse(model);
+    EXPECT_EQ(mergedFaces, 0);
+    const CheckMeshReport plain = atria::testing::runCheckMesh(scratch.path());
+    mergeFaces = true;
+    meshHouse(model);
+    EXPECT_GT(mergedFaces, 0);
+    const CheckMeshReport merged = atria::testing::runCheckMesh(scratch.path());
+    ASSERT_TRUE(plain.completed && merged.completed) << merged.log;
+    EXPECT_EQ(merged.counts.at("cells"), plain.counts.at("cells"));
+    EXPECT_EQ(merged.counts.at("internal faces"), plain.counts.at("internal faces"));
+    EXPECT_EQ(merged.counts.at("faces"), plain.counts.at("faces") - mergedFaces);
+    const std::string concave = "Concave cells (using face planes) found, number of cells: ";
+    EXPECT_GT(numberAfter(plain, concave), 50);
+    // Flat elements and those with coplanar faces inside the mesh are left.
+    EXPECT_LT(numberAfter(merged, concave), 0.5 * numberAfter(plain, concave));
+    EXPECT_LE(merged.failedChecks, plain.failedChecks) << merged.log;
+    for (const char* text :
+         {"Error in face tets: ", "Error in face pyramids: ", "small determinant (< 0.001) found, number of cells: ",
+          "Number of negative volume cells: ", "number of open cells "})
+    {
+      EXPECT_LE(numberAfter(merged, text), numberAfter(plain, text)) << text;
+    }
+  }
 }
 
 TEST_F(CheckMeshAgrees, NoInvalidElementOfTheHouseIsHidden)

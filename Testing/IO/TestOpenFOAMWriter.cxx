@@ -64,7 +64,10 @@ protected:
     }
     writer->SetCaseDirectory(folder.c_str());
     writer->SetWriteBinary(binary);
-    return writer->Write();
+    writer->SetMergeCoplanarFaces(mergeFaces);
+    const int written = writer->Write();
+    mergedFaces = writer->GetNumberOfMergedFaces();
+    return written;
   }
 
   fs::path folder(const char* name) const { return scratch.path() / name; }
@@ -77,6 +80,9 @@ protected:
   }
 
   atria::testing::ScratchFolder scratch;
+  /// Most tests ask for the faces of the input, one by one.
+  bool mergeFaces = false;
+  vtkIdType mergedFaces = 0;
 };
 
 FaceMesh facesOf(const SampleMesh& mesh) { return makeFaceMesh(mesh.points, mesh.view()); }
@@ -297,6 +303,76 @@ void expectSameCells(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b)
   for (std::size_t c = 0; c < qa.volume.size(); ++c)
   {
     EXPECT_NEAR(qa.volume[c], qb.volume[c], 1e-6) << "cell " << c; // the reader keeps points in single precision
+  }
+}
+
+/// One cell, a box 2 x 1 x 1 whose faces are unit squares.
+SampleMesh boxOfSquares()
+{
+  SampleMesh box;
+  box.points = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {1, 1, 0}, {2, 1, 0},
+                {0, 0, 1}, {1, 0, 1}, {2, 0, 1}, {0, 1, 1}, {1, 1, 1}, {2, 1, 1}};
+  box.addPolyhedron({{0, 6, 9, 3},
+                     {2, 5, 11, 8},
+                     {0, 1, 7, 6},
+                     {1, 2, 8, 7},
+                     {3, 9, 10, 4},
+                     {4, 10, 11, 5},
+                     {0, 3, 4, 1},
+                     {1, 4, 5, 2},
+                     {6, 7, 10, 9},
+                     {7, 8, 11, 10}});
+  return box;
+}
+
+TEST_F(OpenFOAMWriter, MergesCoplanarFacesOfACellPatchByPatch)
+{
+  // All of the bottom is one patch, the two halves of the top are one each, the rest is none.
+  const auto patches = toPatches(facesOf(boxOfSquares()), [](const Vec3& centre) {
+    const bool top = centre[2] > 0.9;
+    return std::string(centre[2] < 0.1 ? "ground" : top && centre[0] < 1 ? "left" : top ? "right" : "");
+  });
+  EXPECT_TRUE(vtkNew<vtkAtriaOpenFOAMWriter>()->GetMergeCoplanarFaces());
+  const auto patchOfOneFace = [](const char* name, const char* type) {
+    return std::string(name) + "\n    {\n        type            " + type + ";\n        nFaces          1;";
+  };
+  for (const bool binary : {false, true})
+  {
+    mergeFaces = true;
+    const fs::path target = folder(binary ? "binary" : "ascii");
+    ASSERT_EQ(write(toGrid(boxOfSquares()), patches, binary, target), 1);
+    EXPECT_EQ(mergedFaces, 3) << "front, back and bottom";
+    const std::string boundary = textOf(target / "constant/polyMesh/boundary");
+    for (const char* name : {"ground", "left", "right"})
+    {
+      EXPECT_THAT(boundary, HasSubstr(patchOfOneFace(name, "wall")));
+    }
+    EXPECT_THAT(boundary, HasSubstr("defaultFaces\n    {\n        type            patch;\n        nFaces          4;"));
+    if (atria::testing::haveCheckMesh())
+    {
+      const CheckMeshReport report = atria::testing::runCheckMesh(target);
+      ASSERT_TRUE(report.completed) << report.log;
+      EXPECT_EQ(report.counts.at("points"), 12);
+      EXPECT_EQ(report.counts.at("faces"), 7);
+    }
+  }
+}
+
+TEST_F(OpenFOAMWriter, ACellWhoseSidesAreMergedIsConvexToCheckMesh)
+{
+  if (!atria::testing::haveCheckMesh())
+  {
+    GTEST_SKIP() << "checkMesh is not installed";
+  }
+  for (const bool merge : {false, true})
+  {
+    mergeFaces = merge;
+    ASSERT_EQ(write(toGrid(boxOfSquares()), nullptr, false, folder("case")), 1);
+    EXPECT_EQ(mergedFaces, merge ? 4 : 0);
+    const CheckMeshReport report = atria::testing::runCheckMesh(folder("case"));
+    ASSERT_TRUE(report.completed) << report.log;
+    EXPECT_EQ(report.log.find("Concave cells") == std::string::npos, merge) << report.log;
+    EXPECT_EQ(report.log.find("Error in face tets"), std::string::npos) << report.log;
   }
 }
 
