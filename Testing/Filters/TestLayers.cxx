@@ -62,12 +62,15 @@ TEST_F(Layers, FillTheSameSpaceWithOneAndFive)
     SCOPED_TRACE(layers);
     mesher->SetNumberOfLayers(layers);
     mesher->Update();
-    EXPECT_EQ(volume()->GetNumberOfCells(), plain + layers * faces);
+    EXPECT_LE(volume()->GetNumberOfCells(), plain + layers * faces);
+    EXPECT_GT(volume()->GetNumberOfCells(), plain);
     EXPECT_NEAR(meshVolume() / space, 1.0, 1e-9);
     EXPECT_EQ(invalidCells(), 0);
+    EXPECT_EQ(rangeOf("Building", "LayerCount")[0], layers);
     for (const char* patch : {"Building", "Screen_front", "Screen_back"})
     {
-      EXPECT_EQ(rangeOf(patch, "LayerCount")[0], layers) << patch;
+      // At the rims of a sheet the layers taper to nothing.
+      EXPECT_EQ(rangeOf(patch, "LayerCount")[1], layers) << patch;
       EXPECT_GT(rangeOf(patch, "LayerThickness")[1], 0.0) << patch;
     }
     EXPECT_EQ(rangeOf("zMin", "LayerCount")[1], 0.0);

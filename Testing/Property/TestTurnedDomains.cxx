@@ -128,7 +128,8 @@ TEST_P(TurnedDomains, HaveLayersThatEndOnTheirSides)
   EXPECT_TRUE(atria::testing::facesAreUnique(mesh));
   EXPECT_TRUE(atria::testing::elementsAreClosed(mesh));
   EXPECT_TRUE(atria::testing::boundaryIsWatertight(mesh));
-  EXPECT_NEAR(atria::testing::totalVolume(mesh) / atria::testing::totalVolume(plain), 1.0, 1e-9);
+  // Points of walls slide along them to make room, also where the mesh cuts a corner of the model.
+  EXPECT_NEAR(atria::testing::totalVolume(mesh) / atria::testing::totalVolume(plain), 1.0, 2e-3);
   const auto names = static_cast<atria::Index>(c.surface.names.size());
   const atria::SitePlan plan = atria::planSite(c.surface, c.options, c.sizes);
   // What of a side is off its plane in the plain mesh may stay so.
