@@ -12,7 +12,6 @@ enum class Freedom : std::uint8_t
   surface, ///< on charts
   curve,   ///< on feature curves
   beside,  ///< on the charts that meet at its curves: released from these
-  loose,   ///< near its place: released from what it should be on
   fixed    ///< at a corner, or where it is on several pieces or on none it should be on
 };
 

@@ -5,10 +5,9 @@
 #include "Dual/TurnedDomain.h"
 #include "Optimise/LayerGuide.h"
 #include "Optimise/ModelGuide.h"
+#include "Surface/FeatureGraph.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 #include <numeric>
 #include <span>
 
@@ -30,22 +29,6 @@ std::vector<char> boundaryPoints(const DualMesh& mesh)
     }
   }
   return marked;
-}
-
-void print(const char* what, const OptimiserReport& r)
-{
-  if (std::getenv("ATRIA_OPT"))
-  {
-    std::size_t bad = 0;
-    double sound = 1;
-    for (auto& c : r.shortCells)
-    {
-      bad += c.sound < soundEnough;
-      sound = std::min<double>(sound, c.sound);
-    }
-    std::fprintf(stderr, "cells %s %zu moved %zu short %zu -> %zu bad %zu worst %g -> %g sound %g sweeps %d\n", what,
-                 r.cells, r.moved, r.shortBefore, r.shortAfter, bad, r.worstBefore, r.worstAfter, sound, r.sweeps);
-  }
 }
 
 /// Puts the points of a layer where they are in another one of the same mesh.
@@ -94,6 +77,14 @@ DualImprover::DualImprover(const Octree& octree, const SurfaceModel& model, Vert
       context_(context), vertexOf_(result.mesh.points.size())
 {
   std::iota(vertexOf_.begin(), vertexOf_.end(), Index{0});
+  if (octree.frame().turnedDomain)
+  {
+    // Sides have numbers above those of the names.
+    for (const std::vector<Index>& surfaces : surfacesOfCurves(model))
+    {
+      onTurnedSide_.push_back(!surfaces.empty() && surfaces.back() >= model.names.size() ? 1 : 0);
+    }
+  }
 }
 
 void DualImprover::improve()
@@ -101,27 +92,29 @@ void DualImprover::improve()
   ModelGuide guide(octree_, model_, anchors_, mesh_.points, vertexOf_);
   OptimiserOptions options;
   options.targets.faceTetrahedra = false;
-  print("plain", optimise(DualSource(mesh_), mesh_.points, boundaryPoints(mesh_), guide, options, context_));
+  optimise(DualSource(mesh_), mesh_.points, boundaryPoints(mesh_), guide, options, context_);
 }
 
-/// Lets the vertices of elements leave what they should be on: curves for the surfaces that meet there; or all.
-void DualImprover::release(const DualMesh& mesh, const std::vector<char>& bad, bool all)
+/// Lets the vertices of elements leave curves for the surfaces that meet there.
+void DualImprover::release(const DualMesh& mesh, const std::vector<char>& bad)
 {
   for (Index e = 0; e < bad.size(); ++e)
   {
     for (const Index p : bad[e] ? std::span<const Index>(mesh.corners[e]) : std::span<const Index>())
     {
-      Freedom& freedom = anchors_.freedom[vertexOf_[p]];
-      if (freedom == Freedom::curve && !all)
+      if (p < vertexOf_.size() && anchors_.freedom[vertexOf_[p]] == Freedom::curve && !isOnTurnedSide(vertexOf_[p]))
       {
-        freedom = Freedom::beside;
-      }
-      else if (freedom != Freedom::free && all)
-      {
-        freedom = Freedom::loose;
+        anchors_.freedom[vertexOf_[p]] = Freedom::beside;
       }
     }
   }
+}
+
+/// Whether a curve the vertex is on lies on a side of a turned domain.
+bool DualImprover::isOnTurnedSide(Index vertex) const
+{
+  return !onTurnedSide_.empty() &&
+         std::ranges::any_of(anchors_.piecesOf(vertex), [&](Index curve) { return onTurnedSide_[curve] != 0; });
 }
 
 void DualImprover::splitPoints()
@@ -171,13 +164,12 @@ LayerMesh DualImprover::growOptimised(const DualMesh& plain, const LayerWalls& w
     }
     layer = std::move(grown);
     const OptimiserReport report = optimiseLayer(layer, walls, options, round == 0 ? 1 : 2);
-    print("layer", report);
     const std::vector<char> stuck = excludeCrowded(layer, report, excluded);
     if (stuck.empty())
     {
       break;
     }
-    release(layer.mesh, stuck, round > 0);
+    release(layer.mesh, stuck);
   }
   return layer;
 }

@@ -26,7 +26,8 @@ public:
   void growLayers(const std::vector<LayerRule>& rules);
 
 private:
-  void release(const DualMesh& mesh, const std::vector<char>& bad, bool all);
+  void release(const DualMesh& mesh, const std::vector<char>& bad);
+  bool isOnTurnedSide(Index vertex) const;
   LayerMesh growOptimised(const DualMesh& plain, const LayerWalls& walls, const LayerOptions& options);
   OptimiserReport optimiseLayer(LayerMesh& layer, const LayerWalls& walls, const LayerOptions& options, int rings);
 
@@ -37,6 +38,8 @@ private:
   DualMesh& mesh_;
   const RunContext& context_;
   std::vector<Index> vertexOf_;
+  /// By curve; empty unless the domain is turned.
+  std::vector<char> onTurnedSide_;
 };
 
 } // namespace atria

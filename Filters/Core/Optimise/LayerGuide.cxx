@@ -5,7 +5,8 @@ namespace atria {
 
 LayerGuide::LayerGuide(const LayerMesh& layer, const LayerWalls& walls, const LayerOptions& options,
                        const std::vector<Index>& leaders, VertexGuide& plain)
-    : layer_(layer), options_(options), plain_(plain), leaders_(leaders), sides_(layer.plainPoints, 0)
+    : layer_(layer), options_(options), plain_(plain), leaders_(leaders), pinned_(layer.plainPoints, 0),
+      sides_(layer.plainPoints, 0)
 {
   const DualMesh& mesh = layer.mesh;
   for (std::size_t f = 0; f < mesh.boundaryFaces.size(); ++f)
@@ -18,9 +19,18 @@ LayerGuide::LayerGuide(const LayerMesh& layer, const LayerWalls& walls, const La
       const Index p = cornerOf(mesh, face, i);
       if (p < layer.plainPoints)
       {
+        pinned_[p] = pinned_[p] || options.ofTag[face.tag].firstHeight > 0.0;
         sides_[p] |= slides ? 1U << (isBare ? face.tag - options.surfaceCount() : face.direction) : 0U;
       }
     }
+  }
+  for (Index p = 0; p < layer.plainPoints; ++p)
+  {
+    pinned_[leaders_[p]] = pinned_[leaders_[p]] || pinned_[p];
+  }
+  for (Index p = 0; p < layer.plainPoints; ++p)
+  {
+    pinned_[p] = pinned_[leaders_[p]];
   }
 }
 
@@ -37,7 +47,11 @@ void LayerGuide::prepare(std::span<const Index> points, const RunContext& contex
   plain_.prepare(plain, context);
 }
 
-bool LayerGuide::isMovable(Index point) const { return point >= layer_.plainPoints || plain_.isMovable(point); }
+bool LayerGuide::isMovable(Index point) const
+{
+  return point < layer_.plainPoints ? !pinned_[leaders_[point]] && plain_.isMovable(point)
+                                    : !pinned_[layer_.wallPoints[point - layer_.plainPoints]];
+}
 
 Vec3 LayerGuide::place(Index point, const Vec3& p) const
 {

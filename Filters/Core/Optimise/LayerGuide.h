@@ -7,7 +7,8 @@
 namespace atria {
 
 /// Where the points of a mesh with a layer may go: copies keep to the domain's sides their wall points are on, the
-/// others go where another guide lets them. Wall points on the two sides of a sheet stay together.
+/// others go where another guide lets them. Wall points on the two sides of a sheet stay together. Layers whose height
+/// was asked for keep it: their points stay.
 class LayerGuide : public VertexGuide
 {
 public:
@@ -25,7 +26,9 @@ private:
   const LayerOptions& options_;
   VertexGuide& plain_;
   const std::vector<Index>& leaders_;
-  /// Per point of the plain mesh: the domain sides it slides on, as bits by Direction.
+  /// Per point of the plain mesh: whether its layers have a height of their own; the domain sides it slides on, as bits
+  /// by Direction.
+  std::vector<char> pinned_;
   std::vector<std::uint8_t> sides_;
 };
 

@@ -9,13 +9,6 @@
 
 namespace atria {
 
-namespace {
-
-/// How far a loose vertex may go from its place, as a part of its octant.
-constexpr double looseReach = 0.3;
-
-} // namespace
-
 ModelGuide::ModelGuide(const Octree& octree, const SurfaceModel& model, const VertexAnchors& anchors,
                        const std::vector<Vec3>& points, std::vector<Index> vertexOf)
     : octree_(octree), model_(model), anchors_(anchors), points_(points), vertexOf_(std::move(vertexOf))
@@ -135,13 +128,9 @@ Vec3 ModelGuide::place(Index point, const Vec3& p) const
     return onPlanes(p, planes);
   }
   const Target& target = targets_[slotOf_[point]];
-  if (freedomOf(point) == Freedom::loose || target.pieces.empty())
+  if (target.pieces.empty())
   {
-    const double reach =
-        freedomOf(point) == Freedom::loose ? looseReach * octree_.frame().sizeOf(octree_.level(leaf)) : 0.0;
-    const double distance = (p - target.start).norm();
-    return distance <= reach ? onPlanes(p, planes)
-                             : onPlanes(target.start + (reach / distance) * (p - target.start), planes);
+    return target.start;
   }
   // On a domain side, surface and plane in turn.
   constexpr int turns = 8;
