@@ -151,7 +151,11 @@ Vec3 ModelGuide::place(Index point, const Vec3& p) const
     }
     q = onPlanes(best, planes);
   }
-  return q;
+  // Where a corner has no vertex of its own, those beside it must not cut it off.
+  constexpr double reach = 0.6;
+  const bool strays = freedomOf(point) == Freedom::curve && (q - octree_.center(leaf)).cwiseAbs().maxCoeff() >
+                                                                reach * octree_.frame().sizeOf(octree_.level(leaf));
+  return strays ? target.start : q;
 }
 
 } // namespace atria
