@@ -46,10 +46,11 @@ void takePlaces(const LayerMesh& from, LayerMesh& to)
 
 /// Excludes the wall points of elements that have no room. Marks those elements that have no copies; empty where all
 /// have room.
-std::vector<char> excludeCrowded(const LayerMesh& layer, const OptimiserReport& report, std::vector<char>& excluded)
+std::vector<char> excludeCrowded(const LayerMesh& layer, const std::vector<ShortCell>& shortCells,
+                                 std::vector<char>& excluded)
 {
   std::vector<char> stuck;
-  for (const ShortCell& found : report.shortCells)
+  for (const ShortCell& found : shortCells)
   {
     if (found.sound >= soundEnough)
     {
@@ -163,8 +164,8 @@ LayerMesh DualImprover::growOptimised(const DualMesh& plain, const LayerWalls& w
       takePlaces(layer, grown);
     }
     layer = std::move(grown);
-    const OptimiserReport report = optimiseLayer(layer, walls, options, round == 0 ? 1 : 2);
-    const std::vector<char> stuck = excludeCrowded(layer, report, excluded);
+    const std::vector<ShortCell> shortCells = optimiseLayer(layer, walls, options, round == 0 ? 1 : 2);
+    const std::vector<char> stuck = excludeCrowded(layer, shortCells, excluded);
     if (stuck.empty())
     {
       break;
@@ -174,8 +175,9 @@ LayerMesh DualImprover::growOptimised(const DualMesh& plain, const LayerWalls& w
   return layer;
 }
 
-OptimiserReport DualImprover::optimiseLayer(LayerMesh& layer, const LayerWalls& walls, const LayerOptions& options,
-                                            int rings)
+/// Returns the elements that still fall short.
+std::vector<ShortCell> DualImprover::optimiseLayer(LayerMesh& layer, const LayerWalls& walls,
+                                                   const LayerOptions& options, int rings)
 {
   std::vector<char> marked = boundaryPoints(layer.mesh);
   std::fill(marked.begin() + layer.plainPoints, marked.end(), 1);
@@ -191,7 +193,9 @@ OptimiserReport DualImprover::optimiseLayer(LayerMesh& layer, const LayerWalls& 
   LayerGuide guide(layer, walls, options, leaders, model);
   OptimiserOptions optimiser;
   optimiser.rings = rings;
-  return optimise(DualSource(layer.mesh), layer.mesh.points, marked, guide, optimiser, context_);
+  const DualSource source(layer.mesh);
+  optimise(source, layer.mesh.points, marked, guide, optimiser, context_);
+  return findShortCells(source, marked, guide, optimiser.targets, context_);
 }
 
 } // namespace atria

@@ -29,7 +29,8 @@ private:
   void release(const DualMesh& mesh, const std::vector<char>& bad);
   bool isOnTurnedSide(Index vertex) const;
   LayerMesh growOptimised(const DualMesh& plain, const LayerWalls& walls, const LayerOptions& options);
-  OptimiserReport optimiseLayer(LayerMesh& layer, const LayerWalls& walls, const LayerOptions& options, int rings);
+  std::vector<ShortCell> optimiseLayer(LayerMesh& layer, const LayerWalls& walls, const LayerOptions& options,
+                                       int rings);
 
   const Octree& octree_;
   const SurfaceModel& model_;

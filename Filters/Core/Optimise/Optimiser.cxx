@@ -165,31 +165,6 @@ std::vector<Score> scoresOfCells(const Judge& judge, const RunContext& context)
   return scores;
 }
 
-struct Shortcoming
-{
-  std::vector<ShortCell> cells;
-  double worst = std::numeric_limits<double>::infinity();
-};
-
-/// The cells about marked points that fall short, and the worst measure of all.
-Shortcoming findShort(const CellSource& source, const std::vector<char>& marked, const VertexGuide& guide,
-                      const QualityTargets& targets, const RunContext& context)
-{
-  Shortcoming result;
-  Region region = extractRegion(source, marked, guide, context);
-  const std::vector<Score> scores = scoresOfCells(Judge(region, targets, context), context);
-  for (Index c = 0; c < scores.size(); ++c)
-  {
-    result.worst = std::min(result.worst, scores[c].worst);
-    if (scores[c].worst < 1.0)
-    {
-      result.cells.push_back(
-          {region.cellIds[c], static_cast<float>(scores[c].worst), static_cast<float>(scores[c].sound)});
-    }
-  }
-  return result;
-}
-
 void prepareGuide(const Region& region, VertexGuide& guide, const RunContext& context)
 {
   std::vector<Index> ids(region.movable.size());
@@ -197,47 +172,59 @@ void prepareGuide(const Region& region, VertexGuide& guide, const RunContext& co
   guide.prepare(ids, context);
 }
 
+/// The last few points that creep on are not worth a sweep.
+void sweepWhileWorthwhile(Sweeper& sweeper, int mostSweeps)
+{
+  constexpr double worthwhile = 0.02;
+  std::size_t most = 1;
+  for (int i = 0; i < mostSweeps; ++i)
+  {
+    const std::size_t moved = sweeper.sweep();
+    most = std::max(most, moved);
+    if (static_cast<double>(moved) <= worthwhile * static_cast<double>(most))
+    {
+      return;
+    }
+  }
+}
+
 } // namespace
 
-OptimiserReport optimise(const CellSource& source, std::vector<Vec3>& points, const std::vector<char>& marked,
-                         VertexGuide& guide, const OptimiserOptions& options, const RunContext& context)
+std::vector<ShortCell> findShortCells(const CellSource& source, const std::vector<char>& marked,
+                                      const VertexGuide& guide, const QualityTargets& targets,
+                                      const RunContext& context)
 {
-  OptimiserReport report;
-  const Shortcoming before = findShort(source, marked, guide, options.targets, context);
-  report.shortBefore = before.cells.size();
-  report.worstBefore = before.worst;
-  report.shortCells = before.cells;
-  report.worstAfter = before.worst;
-  const std::vector<char> moving = pointsToMove(source, before.cells, guide, options.rings);
-  if (std::find(moving.begin(), moving.end(), 1) != moving.end())
+  std::vector<ShortCell> cells;
+  Region region = extractRegion(source, marked, guide, context);
+  const std::vector<Score> scores = scoresOfCells(Judge(region, targets, context), context);
+  for (Index c = 0; c < scores.size(); ++c)
   {
-    Region region = extractRegion(source, moving, guide, context);
-    Judge judge(region, options.targets, context);
-    prepareGuide(region, guide, context);
-    Sweeper sweeper(judge, guide, context);
-    // The last few points that creep on are not worth a sweep.
-    constexpr double worthwhile = 0.02;
-    std::size_t most = 1;
-    for (std::size_t moved = most;
-         report.sweeps<options.sweeps&& static_cast<double>(moved)> worthwhile * static_cast<double>(most);
-         ++report.sweeps)
+    if (scores[c].worst < 1.0)
     {
-      moved = sweeper.sweep();
-      most = std::max(most, moved);
+      cells.push_back({region.cellIds[c], static_cast<float>(scores[c].worst), static_cast<float>(scores[c].sound)});
     }
-    report.cells = region.judgedCount();
-    for (const Index local : region.members)
-    {
-      Vec3& p = points[region.pointIds[local]];
-      report.moved += p != region.points[local] ? 1 : 0;
-      p = region.points[local];
-    }
-    const Shortcoming after = findShort(source, marked, guide, options.targets, context);
-    report.shortCells = after.cells;
-    report.worstAfter = after.worst;
   }
-  report.shortAfter = report.shortCells.size();
-  return report;
+  return cells;
+}
+
+void optimise(const CellSource& source, std::vector<Vec3>& points, const std::vector<char>& marked, VertexGuide& guide,
+              const OptimiserOptions& options, const RunContext& context)
+{
+  const std::vector<char> moving =
+      pointsToMove(source, findShortCells(source, marked, guide, options.targets, context), guide, options.rings);
+  if (std::find(moving.begin(), moving.end(), 1) == moving.end())
+  {
+    return;
+  }
+  Region region = extractRegion(source, moving, guide, context);
+  Judge judge(region, options.targets, context);
+  prepareGuide(region, guide, context);
+  Sweeper sweeper(judge, guide, context);
+  sweepWhileWorthwhile(sweeper, options.sweeps);
+  for (const Index local : region.members)
+  {
+    points[region.pointIds[local]] = region.points[local];
+  }
 }
 
 } // namespace atria

@@ -25,24 +25,16 @@ struct ShortCell
   float sound;
 };
 
-struct OptimiserReport
-{
-  std::size_t cells = 0;       ///< in the region
-  std::size_t moved = 0;       ///< points
-  std::size_t shortBefore = 0; ///< cells that fall short of some target, before and after
-  std::size_t shortAfter = 0;
-  double worstBefore = 1.0; ///< least measure over its target
-  double worstAfter = 1.0;
-  int sweeps = 0;
-  /// The cells that still fall short, in order.
-  std::vector<ShortCell> shortCells;
-};
+/// The cells about marked points that fall short, in order.
+std::vector<ShortCell> findShortCells(const CellSource& source, const std::vector<char>& marked,
+                                      const VertexGuide& guide, const QualityTargets& targets,
+                                      const RunContext& context);
 
 /// Improves the cells that fall short of the targets by moving points, one after the other, each to where the penalty
-/// of the cells about it is less and their worst is no worse. `points` are those of the source, which must see changes
-/// to them; only cells about the points marked are looked at. The same bits for any number of threads: points that
-/// depend on each other are moved in a fixed order.
-OptimiserReport optimise(const CellSource& source, std::vector<Vec3>& points, const std::vector<char>& marked,
-                         VertexGuide& guide, const OptimiserOptions& options, const RunContext& context);
+/// of the cells about it is less and their worst, unless it is bad already, no worse. `points` are those of the source,
+/// which must see changes to them; only cells about the points marked are looked at. The same bits for any number of
+/// threads: points that depend on each other are moved in a fixed order.
+void optimise(const CellSource& source, std::vector<Vec3>& points, const std::vector<char>& marked, VertexGuide& guide,
+              const OptimiserOptions& options, const RunContext& context);
 
 } // namespace atria
