@@ -30,7 +30,8 @@
  * one should look: MergedSheets, where an octree edge is cut more than once and the sheets became one (line from the
  * first to the last); UnresolvedFeature, where pieces that do not meet share a vertex; LeakPath, the way by which a
  * sealed seed reaches the outside; ClosedCrack, a gap beside a rim, narrower than an octant, that the mesh closes;
- * OpenCrack, one that stays open. Cell arrays: `Diagnostic` (int, index into the field array `DiagnosticName`),
+ * OpenCrack, one that stays open; ReleasedVertex, a vertex that had to leave the
+ * model for elements to be valid, with the way to where it should be. Cell arrays: `Diagnostic` (int, index into the field array `DiagnosticName`),
  * `CellId` (vtkIdType; -1 for a leak that is not in the mesh), `Width` (double, of leaks and cracks). Field array
  * `SurfaceWithoutFaces`: names of surfaces that got no face. Field arrays `Zone...` have an entry for each zone, those
  * left out included, by ZoneId; `Leak...` one for each leak: see docs/arrays.md.

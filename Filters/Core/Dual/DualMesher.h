@@ -33,7 +33,8 @@ struct Diagnostic
     unresolvedFeature, ///< pieces that do not meet share a vertex, which is not on all of them
     leakPath,          ///< a way from a sealed seed to the outside
     closedCrack,       ///< a gap beside a rim, narrower than an octant, that no octree edge passes
-    openCrack          ///< one that octree edges pass
+    openCrack,         ///< one that octree edges pass
+    releasedVertex     ///< a vertex that is not where the model wants it, as no valid element could be there
   };
   Kind kind;
   Vec3 begin;
@@ -45,8 +46,8 @@ struct Diagnostic
   /// The points of a line between its begin and end, in order.
   std::vector<Vec3> between = {};
 };
-inline constexpr std::array<const char*, 5> diagnosticNames{"MergedSheets", "UnresolvedFeature", "LeakPath",
-                                                            "ClosedCrack", "OpenCrack"};
+inline constexpr std::array<const char*, 6> diagnosticNames{"MergedSheets", "UnresolvedFeature", "LeakPath",
+                                                            "ClosedCrack",  "OpenCrack",         "ReleasedVertex"};
 
 struct DualMeshResult
 {

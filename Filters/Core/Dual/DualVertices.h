@@ -12,7 +12,8 @@ enum class Freedom : std::uint8_t
   surface, ///< on charts
   curve,   ///< on feature curves
   beside,  ///< on the charts that meet at its curves: released from these
-  fixed    ///< at a corner, or where it is on several pieces or on none it should be on
+  fixed,   ///< at a corner, or where it is on several pieces or on none it should be on
+  released ///< near its octant, although it should be on some piece
 };
 
 /// What vertices belong to.

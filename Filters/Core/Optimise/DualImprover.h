@@ -5,7 +5,7 @@
 #include "Dual/DualMesher.h"
 #include "Dual/DualVertices.h"
 #include "Layer/BoundaryLayers.h"
-#include "Optimise/Optimiser.h"
+#include "Optimise/LayerImprover.h"
 
 namespace atria {
 
@@ -22,15 +22,11 @@ public:
   void improve();
   /// See splitSheets.
   void splitPoints();
-  /// Grows layers on walls, moves points so that elements have room, and leaves the layer out where they have not.
+  /// Grows layers on walls and makes the elements at the boundary valid (see LayerImprover), also where there are none.
   void growLayers(const std::vector<LayerRule>& rules);
 
 private:
-  void release(const DualMesh& mesh, const std::vector<char>& bad);
-  bool isOnTurnedSide(Index vertex) const;
-  LayerMesh growOptimised(const DualMesh& plain, const LayerWalls& walls, const LayerOptions& options);
-  std::vector<ShortCell> optimiseLayer(LayerMesh& layer, const LayerWalls& walls, const LayerOptions& options,
-                                       int rings);
+  void reportReleased(const std::vector<ReleasedVertex>& released);
 
   const Octree& octree_;
   const SurfaceModel& model_;
@@ -39,8 +35,6 @@ private:
   DualMesh& mesh_;
   const RunContext& context_;
   std::vector<Index> vertexOf_;
-  /// By curve; empty unless the domain is turned.
-  std::vector<char> onTurnedSide_;
 };
 
 } // namespace atria

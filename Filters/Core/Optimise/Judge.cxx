@@ -25,7 +25,7 @@ double tetrahedron(const Vec3& o, const Vec3& a, const Vec3& b, const Vec3& c)
 
 Judge::Judge(Region& region, const QualityTargets& targets, const RunContext& context)
     : region_(region), targets_(targets), faces(region.faceCount()), cells(region.cellCount()),
-      sizes(region.judgedCount())
+      sizes(region.judgedCount()), cornerScales(sizes.size()), flatVolumes(sizes.size())
 {
   context.executor.forEach(faces.size(), grain, [&](std::size_t f) { measure(static_cast<Index>(f)); });
   context.executor.forEach(sizes.size(), grain, [&](std::size_t c) {
@@ -42,6 +42,9 @@ Judge::Judge(Region& region, const QualityTargets& targets, const RunContext& co
       }
     }
     sizes[c] = length / std::max(count, 1.0);
+    const double cube = sizes[c] * sizes[c] * sizes[c];
+    cornerScales[c] = 12.0 / (cube + tiny) / targets_.cornerVolume.target;
+    flatVolumes[c] = flatVolume * cube;
   });
   for (std::size_t g = 0; g < region.ghostVolumes.size(); ++g)
   {
@@ -108,16 +111,16 @@ void Judge::move(const Star& star, const Vec3& p)
   }
 }
 
-Score Judge::scoreOf(const Star& star) const
+Score Judge::scoreOf(const Star& star, double enough) const
 {
   Score score;
-  for (const Index cell : star.cells)
+  for (std::size_t i = 0; i < star.cells.size() && score.penalty <= enough; ++i)
   {
-    score.add(scoreOfCell(cell));
+    score.add(scoreOfCell(star.cells[i]));
   }
-  for (const Index face : star.faces)
+  for (std::size_t i = 0; i < star.faces.size() && score.penalty <= enough; ++i)
   {
-    score.add(scoreOfFace(face));
+    score.add(scoreOfFace(star.faces[i]));
   }
   return score;
 }
@@ -127,14 +130,15 @@ Score Judge::scoreOfCell(Index cell) const
   Score score;
   const auto own = region_.facesOf(cell);
   const CellMeasure& measure = cells[cell];
+  const double convex = targets_.convexity.target;
   for (const Index f : own)
   {
     const double side = sign(cell, f);
     const Vec3 normal = side * faces[f].normal;
     const Vec3 toFace = faces[f].centroid - measure.centroid;
-    score.add(normal.dot(toFace) / (toFace.norm() + tiny) / targets_.pyramidCosine);
+    score.add(targets_.pyramidCosine.of(normal.dot(toFace) / (toFace.norm() + tiny)));
     scoreCorners(f, cell, score);
-    for (const Index g : own)
+    for (const Index g : targets_.convex ? own : std::span<const Index>())
     {
       if (f == g || (region_.neighbour[f] == noIndex && region_.neighbour[g] == noIndex))
       {
@@ -143,15 +147,16 @@ Score Judge::scoreOfCell(Index cell) const
       const Vec3 between = faces[g].centroid - faces[f].centroid;
       const double inside = -normal.dot(between);
       // Most pairs are far from the target; this spares the root.
-      if (inside < 0.0 || inside * inside < targets_.convexity * targets_.convexity * between.squaredNorm())
+      if (inside < 0.0 || inside * inside < convex * convex * between.squaredNorm())
       {
-        score.addShape(inside / (between.norm() + tiny) / targets_.convexity);
+        score.add(targets_.convexity.of(inside / (between.norm() + tiny)));
       }
     }
   }
-  if (targets_.faceTetrahedra)
+  if (targets_.decomposed)
   {
-    score.addShape(determinantOf(cell) / targets_.determinant);
+    const double q = targets_.determinant.of(determinantOf(cell));
+    targets_.determinants ? score.add(q) : score.addPenalty(q);
   }
   return score;
 }
@@ -177,12 +182,9 @@ double Judge::determinantOf(Index cell) const
 /// The centroid of a cell that is nearly flat or inside out may lie anywhere.
 const Vec3& Judge::middleOf(Index cell) const
 {
-  const bool trusted =
-      cell >= sizes.size() || (targets_.faceTetrahedra && cells[cell].volume >= flatVolume * std::pow(sizes[cell], 3));
+  const bool trusted = cell >= sizes.size() || (targets_.decomposed && cells[cell].volume >= flatVolumes[cell]);
   return trusted ? cells[cell].centroid : cells[cell].mean;
 }
-
-double Judge::cornerScale(Index cell) const { return 12.0 / (std::pow(sizes[cell], 3) + tiny) / targets_.cornerVolume; }
 
 /// OpenFOAM takes a face apart into triangles about its centroid. In the tetrahedra of these, a parallelepiped has 24.
 void Judge::scoreCorners(Index face, Index cell, Score& score) const
@@ -191,12 +193,12 @@ void Judge::scoreCorners(Index face, Index cell, Score& score) const
   const std::size_t size = points.size();
   const auto at = [&](std::size_t i) -> const Vec3& { return region_.points[points[i]]; };
   const Vec3& middle = middleOf(cell);
-  const double scale = sign(cell, face) * cornerScale(cell);
+  const double scale = sign(cell, face) * cornerScales[cell];
   if (size == 3)
   {
     score.add(scale * tetrahedron(middle, at(0), at(1), at(2)));
   }
-  else if (targets_.faceTetrahedra || size > 4)
+  else if (targets_.decomposed || size > 4)
   {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < size; ++i)
@@ -219,7 +221,7 @@ void Judge::scoreCorners(Index face, Index cell, Score& score) const
 void Judge::scoreFans(Index face, Score& score) const
 {
   const auto points = region_.face(face);
-  if (points.size() != 4 || !targets_.faceTetrahedra)
+  if (points.size() != 4 || !targets_.decomposed)
   {
     return;
   }
@@ -234,10 +236,10 @@ void Judge::scoreFans(Index face, Score& score) const
   };
   const Index own = region_.owner[face];
   const Index across = region_.neighbour[face];
-  look(middleOf(own), cornerScale(own));
+  look(middleOf(own), cornerScales[own]);
   if (across != noIndex)
   {
-    look(middleOf(across), -cornerScale(across < sizes.size() ? across : own));
+    look(middleOf(across), -cornerScales[across < sizes.size() ? across : own]);
   }
   score.add(std::max(least[0], least[1]));
 }
@@ -252,20 +254,20 @@ Score Judge::scoreOfFace(Index face) const
   if (across == noIndex)
   {
     const double height = f.normal.dot(f.centroid - own.centroid);
-    score.add(2.0 - skewnessOf(face, height * f.normal) / targets_.skewness);
+    score.add(targets_.skewness.of(skewnessOf(face, height * f.normal)));
     scoreBoundary(face, score);
     return score;
   }
   const CellMeasure& other = cells[across];
   const Vec3 d = other.centroid - own.centroid;
-  score.add(f.normal.dot(d) / (d.norm() + tiny) / targets_.faceCosine);
-  score.add(2.0 - skewnessOf(face, d) / targets_.skewness);
+  score.add(targets_.faceCosine.of(f.normal.dot(d) / (d.norm() + tiny)));
+  score.add(targets_.skewness.of(skewnessOf(face, d)));
   const double nearer = std::abs(f.normal.dot(f.centroid - own.centroid));
   const double farther = std::abs(f.normal.dot(other.centroid - f.centroid));
-  score.add(std::min(nearer, farther) / (nearer + farther + tiny) / targets_.weight);
+  score.add(targets_.weight.of(std::min(nearer, farther) / (nearer + farther + tiny)));
   const double smaller = std::min(own.volume, other.volume);
   const double larger = std::max(std::abs(own.volume), std::abs(other.volume));
-  score.add(smaller / (larger + tiny) / targets_.volumeRatio);
+  score.add(targets_.volumeRatio.of(smaller / (larger + tiny)));
   return score;
 }
 
@@ -278,7 +280,7 @@ void Judge::scoreBoundary(Index face, Score& score) const
   {
     const Vec3 a = region_.points[points[i]] - f.centroid;
     const Vec3 b = region_.points[points[i + 1 < points.size() ? i + 1 : 0]] - f.centroid;
-    score.add(0.5 * a.cross(b).dot(f.normal) / mean / targets_.boundaryShape);
+    score.add(targets_.boundaryShape.of(0.5 * a.cross(b).dot(f.normal) / mean));
   }
 }
 
@@ -296,7 +298,7 @@ double Judge::skewnessOf(Index face, const Vec3& d) const
   const Vec3 offset = toFace - (f.normal.dot(toFace) / along) * d;
   const double distance = offset.norm();
   double extent = (internal ? 0.2 : 0.4) * d.norm() + tiny;
-  if (distance <= targets_.skewness * extent)
+  if (distance <= targets_.skewness.target * extent)
   {
     return distance / extent;
   }

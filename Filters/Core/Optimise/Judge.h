@@ -6,32 +6,47 @@
 
 namespace atria {
 
-/// What a good cell has at least. Each measure is divided by its target, so that 1 is good enough and 0 is the limit
-/// of what is valid; see Judge for the measures.
+/// What of a measure is valid, and what is good enough.
+struct QualityRange
+{
+  double limit;
+  double target;
+
+  /// 0 at the limit, 1 at the target.
+  double of(double measure) const { return (measure - limit) / (target - limit); }
+};
+
+/// What good cells have. The limits leave a little room to those of OpenFOAM's checkMesh. See Judge for the measures.
 struct QualityTargets
 {
   /// Cosine between a face's normal and the way from the cell's centroid to the face's: 1 - CellSquish.
-  double pyramidCosine = 0.2;
+  QualityRange pyramidCosine{0.02, 0.2};
   /// Sine of the angle by which the centroid of a face lies behind the plane of another of the cell's faces. Two faces
   /// on the mesh's boundary are not compared: what is flat there stays flat.
-  double convexity = 0.04;
+  QualityRange convexity{0.0005, 0.04};
+  /// Whether cells have to be convex.
+  bool convex = true;
   /// Cosine between a face's normal and the way between the cells' centroids: 1 - FaceSquish.
-  double faceCosine = 0.5;
-  /// OpenFOAM's skewness, which may be at most this.
-  double skewness = 2.0;
+  QualityRange faceCosine{0.1, 0.5};
+  /// OpenFOAM's skewness.
+  QualityRange skewness{3.8, 2.0};
   /// OpenFOAM's interpolation weight.
-  double weight = 0.1;
+  QualityRange weight{0.06, 0.15};
   /// Volumes of neighbours, the smaller over the larger.
-  double volumeRatio = 0.04;
+  QualityRange volumeRatio{0.015, 0.05};
   /// Twelve times the least volume of a tetrahedron from the mean of the cell's face centroids to a corner of a face,
   /// over the cube of the cell's mean edge.
-  double cornerVolume = 0.02;
+  QualityRange cornerVolume{0.0, 0.02};
   /// Least of a boundary face's triangles about its mean, along its normal, over their mean.
-  double boundaryShape = 0.1;
-  /// Of the sum of the dyads of a cell's internal face areas over their mean: OpenFOAM's cell determinant.
-  double determinant = 0.01;
-  /// Whether faces must be star-shaped about their centroids, as OpenFOAM's decomposition into tetrahedra asks.
-  bool faceTetrahedra = true;
+  QualityRange boundaryShape{0.0, 0.1};
+  /// Of the sum of the dyads of a cell's internal face areas over their mean: OpenFOAM's cell determinant. A cell with
+  /// other cells beside it on two axes only has none, whatever its shape.
+  QualityRange determinant{0.0015, 0.01};
+  /// Whether it counts for the worst; if not, it is improved where that is possible.
+  bool determinants = true;
+  /// Whether faces must be star-shaped about their centroids, as OpenFOAM's decomposition into tetrahedra asks, and
+  /// determinants are looked at.
+  bool decomposed = true;
 };
 
 /// Sum of (1 - q)² over all measures q below 1, and the least q.
@@ -39,17 +54,14 @@ struct Score
 {
   double penalty = 0.0;
   double worst = std::numeric_limits<double>::infinity();
-  /// The least of all measures but convexity: above 0 in a cell that is valid.
-  double sound = std::numeric_limits<double>::infinity();
 
   void add(double q)
   {
-    sound = std::min(sound, q);
-    addShape(q);
-  }
-  void addShape(double q)
-  {
     worst = std::min(worst, q);
+    addPenalty(q);
+  }
+  void addPenalty(double q)
+  {
     if (q < 1.0)
     {
       penalty += (1.0 - q) * (1.0 - q);
@@ -59,7 +71,6 @@ struct Score
   {
     penalty += other.penalty;
     worst = std::min(worst, other.worst);
-    sound = std::min(sound, other.sound);
   }
 };
 
@@ -87,7 +98,8 @@ public:
   void enter(std::size_t movable, Star& star) const;
   /// Moves the star's point and measures all that depends on it.
   void move(const Star& star, const Vec3& p);
-  Score scoreOf(const Star& star) const;
+  /// As soon as the penalty is above `enough` the rest is not looked at.
+  Score scoreOf(const Star& star, double enough = std::numeric_limits<double>::infinity()) const;
 
   Score scoreOfCell(Index cell) const;
   Score scoreOfFace(Index face) const;
@@ -97,7 +109,6 @@ private:
   void measureOne(Index cell);
   void scoreCorners(Index face, Index cell, Score& score) const;
   void scoreFans(Index face, Score& score) const;
-  double cornerScale(Index cell) const;
   const Vec3& middleOf(Index cell) const;
   double determinantOf(Index cell) const;
   void scoreBoundary(Index face, Score& score) const;
@@ -109,6 +120,10 @@ private:
   std::vector<FaceMeasure> faces;
   std::vector<CellMeasure> cells;
   std::vector<double> sizes;
+  /// Factors that make volumes of a cell's tetrahedra relative to its size and the target.
+  std::vector<double> cornerScales;
+  /// Volumes below which a cell counts as flat.
+  std::vector<double> flatVolumes;
 };
 
 } // namespace atria

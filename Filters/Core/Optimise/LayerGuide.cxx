@@ -4,7 +4,7 @@
 namespace atria {
 
 LayerGuide::LayerGuide(const LayerMesh& layer, const LayerWalls& walls, const LayerOptions& options,
-                       const std::vector<Index>& leaders, VertexGuide& plain)
+                       const std::vector<Index>& leaders, const std::vector<char>& letGo, VertexGuide& plain)
     : layer_(layer), options_(options), plain_(plain), leaders_(leaders), pinned_(layer.plainPoints, 0),
       sides_(layer.plainPoints, 0)
 {
@@ -30,7 +30,7 @@ LayerGuide::LayerGuide(const LayerMesh& layer, const LayerWalls& walls, const La
   }
   for (Index p = 0; p < layer.plainPoints; ++p)
   {
-    pinned_[p] = pinned_[leaders_[p]];
+    pinned_[p] = pinned_[leaders_[p]] && !letGo[leaders_[p]];
   }
 }
 

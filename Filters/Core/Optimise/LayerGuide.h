@@ -8,13 +8,14 @@ namespace atria {
 
 /// Where the points of a mesh with a layer may go: copies keep to the domain's sides their wall points are on, the
 /// others go where another guide lets them. Wall points on the two sides of a sheet stay together. Layers whose height
-/// was asked for keep it: their points stay.
+/// was asked for keep it: their points stay unless they are let go.
 class LayerGuide : public VertexGuide
 {
 public:
-  /// `leaders` gives for each point of the plain mesh the first of those in its place.
+  /// `leaders` gives for each point of the plain mesh the first of those in its place; leaders of which `letGo` is set
+  /// may move in layers of an asked height, too.
   LayerGuide(const LayerMesh& layer, const LayerWalls& walls, const LayerOptions& options,
-             const std::vector<Index>& leaders, VertexGuide& plain);
+             const std::vector<Index>& leaders, const std::vector<char>& letGo, VertexGuide& plain);
 
   void prepare(std::span<const Index> points, const RunContext& context) override;
   bool isMovable(Index point) const override;

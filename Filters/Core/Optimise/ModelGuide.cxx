@@ -21,7 +21,7 @@ void ModelGuide::prepare(std::span<const Index> points, const RunContext& contex
   std::vector<Index> fresh;
   for (const Index point : points)
   {
-    if (slotOf_[point] == noIndex && freedomOf(point) != Freedom::free)
+    if (slotOf_[point] == noIndex && hasPieces(point))
     {
       slotOf_[point] = static_cast<Index>(targets_.size() + fresh.size());
       fresh.push_back(point);
@@ -119,6 +119,12 @@ Vec3 ModelGuide::onPlanes(Vec3 p, unsigned planes) const
   return p;
 }
 
+Vec3 ModelGuide::centreOf(Index point) const
+{
+  const Index leaf = anchors_.leaves[vertexOf_[point]];
+  return onPlanes(octree_.center(leaf), planesOf(leaf));
+}
+
 Vec3 ModelGuide::place(Index point, const Vec3& p) const
 {
   const Index leaf = anchors_.leaves[vertexOf_[point]];
@@ -127,11 +133,29 @@ Vec3 ModelGuide::place(Index point, const Vec3& p) const
   {
     return onPlanes(p, planes);
   }
+  if (freedomOf(point) == Freedom::released)
+  {
+    constexpr double leash = 0.75;
+    const Vec3 reach = Vec3::Constant(leash * octree_.frame().sizeOf(octree_.level(leaf)));
+    const Vec3 centre = octree_.center(leaf);
+    return onPlanes(p.cwiseMax(centre - reach).cwiseMin(centre + reach), planes);
+  }
+  const Vec3 q = nearest(point, p);
+  // Where a corner has no vertex of its own, those beside it must not cut it off.
+  constexpr double reach = 0.6;
+  const bool strays = freedomOf(point) == Freedom::curve && (q - octree_.center(leaf)).cwiseAbs().maxCoeff() >
+                                                                reach * octree_.frame().sizeOf(octree_.level(leaf));
+  return strays ? targets_[slotOf_[point]].start : q;
+}
+
+Vec3 ModelGuide::nearest(Index point, const Vec3& p) const
+{
   const Target& target = targets_[slotOf_[point]];
   if (target.pieces.empty())
   {
     return target.start;
   }
+  const unsigned planes = planesOf(anchors_.leaves[vertexOf_[point]]);
   // On a domain side, surface and plane in turn.
   constexpr int turns = 8;
   Vec3 q = p;
@@ -151,11 +175,7 @@ Vec3 ModelGuide::place(Index point, const Vec3& p) const
     }
     q = onPlanes(best, planes);
   }
-  // Where a corner has no vertex of its own, those beside it must not cut it off.
-  constexpr double reach = 0.6;
-  const bool strays = freedomOf(point) == Freedom::curve && (q - octree_.center(leaf)).cwiseAbs().maxCoeff() >
-                                                                reach * octree_.frame().sizeOf(octree_.level(leaf));
-  return strays ? target.start : q;
+  return q;
 }
 
 } // namespace atria

@@ -18,6 +18,10 @@ public:
   void prepare(std::span<const Index> points, const RunContext& context) override;
   bool isMovable(Index point) const override { return freedomOf(point) != Freedom::fixed; }
   Vec3 place(Index point, const Vec3& p) const override;
+  /// The place nearest to p on the pieces of the model the point is for, on the domain's planes. After prepare.
+  Vec3 nearest(Index point, const Vec3& p) const;
+  /// The centre of the point's octant, on the domain's planes through it.
+  Vec3 centreOf(Index point) const;
 
 private:
   /// Triangles or, with c equal to b, segments.
@@ -28,6 +32,10 @@ private:
     std::vector<Piece> pieces;
   };
 
+  bool hasPieces(Index point) const
+  {
+    return freedomOf(point) != Freedom::free && freedomOf(point) != Freedom::released;
+  }
   Freedom freedomOf(Index point) const { return anchors_.freedom[vertexOf_[point]]; }
   std::vector<Index> wantedPieces(Index vertex) const;
   Target findTarget(Index point) const;

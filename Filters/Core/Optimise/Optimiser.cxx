@@ -188,43 +188,79 @@ void sweepWhileWorthwhile(Sweeper& sweeper, int mostSweeps)
   }
 }
 
+std::vector<ShortCell> shortCellsOf(const Judge& judge, const RunContext& context)
+{
+  std::vector<ShortCell> cells;
+  const std::vector<Score> scores = scoresOfCells(judge, context);
+  for (Index c = 0; c < scores.size(); ++c)
+  {
+    if (scores[c].worst < 1.0)
+    {
+      cells.push_back({judge.region().cellIds[c], static_cast<float>(scores[c].worst)});
+    }
+  }
+  return cells;
+}
+
+void takePoints(const Region& region, std::vector<Vec3>& points)
+{
+  for (const Index local : region.members)
+  {
+    points[region.pointIds[local]] = region.points[local];
+  }
+}
+
 } // namespace
 
 std::vector<ShortCell> findShortCells(const CellSource& source, const std::vector<char>& marked,
                                       const VertexGuide& guide, const QualityTargets& targets,
                                       const RunContext& context)
 {
-  std::vector<ShortCell> cells;
   Region region = extractRegion(source, marked, guide, context);
-  const std::vector<Score> scores = scoresOfCells(Judge(region, targets, context), context);
-  for (Index c = 0; c < scores.size(); ++c)
-  {
-    if (scores[c].worst < 1.0)
-    {
-      cells.push_back({region.cellIds[c], static_cast<float>(scores[c].worst), static_cast<float>(scores[c].sound)});
-    }
-  }
-  return cells;
+  return shortCellsOf(Judge(region, targets, context), context);
 }
 
-void optimise(const CellSource& source, std::vector<Vec3>& points, const std::vector<char>& marked, VertexGuide& guide,
-              const OptimiserOptions& options, const RunContext& context)
+std::vector<ShortCell> optimise(const CellSource& source, std::vector<Vec3>& points,
+                                const std::vector<ShortCell>& cells, VertexGuide& guide,
+                                const OptimiserOptions& options, const RunContext& context)
 {
-  const std::vector<char> moving =
-      pointsToMove(source, findShortCells(source, marked, guide, options.targets, context), guide, options.rings);
+  const std::vector<char> moving = pointsToMove(source, cells, guide, options.rings);
   if (std::find(moving.begin(), moving.end(), 1) == moving.end())
   {
-    return;
+    return cells;
   }
   Region region = extractRegion(source, moving, guide, context);
   Judge judge(region, options.targets, context);
   prepareGuide(region, guide, context);
   Sweeper sweeper(judge, guide, context);
   sweepWhileWorthwhile(sweeper, options.sweeps);
-  for (const Index local : region.members)
+  takePoints(region, points);
+  return shortCellsOf(judge, context);
+}
+
+std::vector<ShortCell> approach(const CellSource& source, std::vector<Vec3>& points,
+                                const std::vector<WantedPlace>& wanted, const VertexGuide& guide, double least,
+                                const QualityTargets& targets, const RunContext& context)
+{
+  std::vector<char> leaders(points.size(), 0);
+  for (const WantedPlace& one : wanted)
   {
-    points[region.pointIds[local]] = region.points[local];
+    leaders[one.point] = 1;
   }
+  std::vector<char> moving(points.size(), 0);
+  for (Index p = 0; p < points.size(); ++p)
+  {
+    moving[p] = leaders[guide.leaderOf(p)];
+  }
+  Region region = extractRegion(source, moving, guide, context);
+  Judge judge(region, targets, context);
+  PointSearch search(judge, guide);
+  for (Index m = 0; m < region.movable.size(); ++m)
+  {
+    search.approach(m, wanted[m].place, least);
+  }
+  takePoints(region, points);
+  return shortCellsOf(judge, context);
 }
 
 } // namespace atria

@@ -12,17 +12,15 @@ struct OptimiserOptions
   QualityTargets targets;
   /// Passes over the points whose cells fall short of the targets.
   int sweeps = 20;
-  /// Rings of points about a cell that falls short that may move with its own.
+  /// Rings of cells about one that falls short whose points may move with its own.
   int rings = 1;
 };
 
-/// A cell that falls short of some target: its least measure, and its least but for convexity. One that is sound
-/// (above 0) is valid.
+/// A cell that falls short of some target, and its least measure: 0 at the limit of what is valid.
 struct ShortCell
 {
   Index cell;
   float worst;
-  float sound;
 };
 
 /// The cells about marked points that fall short, in order.
@@ -30,11 +28,27 @@ std::vector<ShortCell> findShortCells(const CellSource& source, const std::vecto
                                       const VertexGuide& guide, const QualityTargets& targets,
                                       const RunContext& context);
 
-/// Improves the cells that fall short of the targets by moving points, one after the other, each to where the penalty
-/// of the cells about it is less and their worst, unless it is bad already, no worse. `points` are those of the source,
-/// which must see changes to them; only cells about the points marked are looked at. The same bits for any number of
+/// Improves cells that fall short of the targets by moving points, those of the cells and of `rings` of cells about
+/// them, one after the other, each to where the penalty of the cells about it is less and their worst, unless it is bad
+/// already, no worse. `points` are those of the source, which must see changes to them. Returns those of all cells
+/// about moved points that fall short then, in order; other cells are as before. The same bits for any number of
 /// threads: points that depend on each other are moved in a fixed order.
-void optimise(const CellSource& source, std::vector<Vec3>& points, const std::vector<char>& marked, VertexGuide& guide,
-              const OptimiserOptions& options, const RunContext& context);
+std::vector<ShortCell> optimise(const CellSource& source, std::vector<Vec3>& points,
+                                const std::vector<ShortCell>& cells, VertexGuide& guide,
+                                const OptimiserOptions& options, const RunContext& context);
+
+/// Where a point ought to be.
+struct WantedPlace
+{
+  Index point;
+  Vec3 place;
+};
+
+/// Moves points towards where they ought to be, one after the other, each as far as no cell about it falls below
+/// `least` (see ShortCell) or, where one is below already, further. Points must be leaders, in rising order. Returns
+/// the cells about them that fall short then.
+std::vector<ShortCell> approach(const CellSource& source, std::vector<Vec3>& points,
+                                const std::vector<WantedPlace>& wanted, const VertexGuide& guide, double least,
+                                const QualityTargets& targets, const RunContext& context);
 
 } // namespace atria

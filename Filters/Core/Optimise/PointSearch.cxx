@@ -18,10 +18,10 @@ constexpr double badAnyway = 0.3;
 
 } // namespace
 
-Score PointSearch::scoreAt(const Vec3& p)
+Score PointSearch::scoreAt(const Vec3& p, double enough)
 {
   judge.move(star, guide.place(pointId, p));
-  return judge.scoreOf(star);
+  return judge.scoreOf(star, enough);
 }
 
 bool PointSearch::isBetter(const Score& there, const Score& here) const
@@ -44,7 +44,7 @@ bool PointSearch::improve(Index movable, double& trust)
   double scale = 1.0;
   for (int i = 0; i < tries; ++i, scale *= 0.4)
   {
-    if (isBetter(scoreAt(origin + scale * step), here))
+    if (isBetter(scoreAt(origin + scale * step, here.penalty), here))
     {
       trust = std::clamp(i == 0 ? 1.6 * trust : scale * trust, leastTrust, mostTrust);
       return true;
@@ -60,6 +60,24 @@ bool PointSearch::improve(Index movable, double& trust)
   return false;
 }
 
+void PointSearch::approach(Index movable, const Vec3& place, double least)
+{
+  judge.enter(movable, star);
+  origin = judge.region().points[star.point];
+  const double floor = std::min(judge.scoreOf(star).worst, least);
+  constexpr int halvings = 4;
+  double share = 1.0;
+  for (int i = 0; i < halvings; ++i, share *= 0.5)
+  {
+    judge.move(star, i == 0 ? place : Vec3(origin + share * (place - origin)));
+    if (judge.scoreOf(star).worst >= floor)
+    {
+      return;
+    }
+  }
+  judge.move(star, origin);
+}
+
 /// The best place among those at this distance along the axes, or where the point is. Where points coincide the
 /// gradient says nothing.
 Vec3 PointSearch::bestProbe(const Score& here, double reach)
@@ -68,7 +86,7 @@ Vec3 PointSearch::bestProbe(const Score& here, double reach)
   Score least = here;
   for (int i = 0; i < 6; ++i)
   {
-    const Score there = scoreAt(origin + (i < 3 ? reach : -reach) * Vec3::Unit(i % 3));
+    const Score there = scoreAt(origin + (i < 3 ? reach : -reach) * Vec3::Unit(i % 3), least.penalty);
     if (isBetter(there, here) && there.penalty < least.penalty)
     {
       least = there;

@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Optimise/LayerImprover.h"
+
+#include "Optimise/LayerGuide.h"
+
+#include <algorithm>
+
+namespace atria {
+
+namespace {
+
+/// Elements below this share of a target are no better than not valid.
+constexpr float soundEnough = 0.02F;
+
+std::vector<char> boundaryPoints(const LayerMesh& layer)
+{
+  const DualMesh& mesh = layer.mesh;
+  std::vector<char> marked(mesh.points.size(), 0);
+  for (const BoundaryFace& face : mesh.boundaryFaces)
+  {
+    for (const std::uint8_t c : hexahedronFace[face.direction])
+    {
+      marked[mesh.corners[face.element][c]] = 1;
+    }
+  }
+  std::fill(marked.begin() + layer.plainPoints, marked.end(), 1);
+  return marked;
+}
+
+/// Puts the copies of a layer where they are in another one of the same mesh, but for those of `fresh` points.
+void takeCopies(const LayerMesh& from, const std::vector<char>& fresh, LayerMesh& to)
+{
+  for (Index p = 0; p < to.plainPoints; ++p)
+  {
+    if (to.copies[p] != noIndex && from.copies[p] != noIndex && !fresh[p])
+    {
+      to.mesh.points[to.copies[p]] = from.mesh.points[from.copies[p]];
+    }
+  }
+}
+
+std::vector<ShortCell> badOf(const std::vector<ShortCell>& cells)
+{
+  std::vector<ShortCell> bad;
+  std::ranges::copy_if(cells, std::back_inserter(bad), [](const ShortCell& cell) { return cell.worst < soundEnough; });
+  return bad;
+}
+
+} // namespace
+
+enum class LayerImprover::Step : std::uint8_t
+{
+  widen,
+  leaveCurves,
+  leaveSurfaces,
+  startAgain,
+  exclude
+};
+
+/// Where points of the layer as it is now may go.
+struct LayerImprover::Guides
+{
+  explicit Guides(const LayerImprover& owner)
+      : model(owner.octree_, owner.model_, owner.anchors_, owner.layer_.mesh.points, owner.vertexOf_),
+        layer(owner.layer_, owner.walls_, owner.options_, owner.leaders_, owner.letGo_, model)
+  {
+  }
+
+  ModelGuide model;
+  LayerGuide layer;
+};
+
+LayerImprover::LayerImprover(const Octree& octree, const SurfaceModel& model, const VertexAnchors& anchors,
+                             const std::vector<Index>& vertexOf, DualMesh& plain, const LayerWalls& walls,
+                             const LayerOptions& options, const RunContext& context)
+    : octree_(octree), model_(model), wanted_(anchors), anchors_(anchors), vertexOf_(vertexOf), plain_(plain),
+      walls_(walls), options_(options), context_(context),
+      layered_(std::ranges::any_of(options.ofTag, [](const WallLayers& wall) { return wall.layers > 0; })),
+      leaders_(vertexOf.size()), mayLeave_(vertexOf.size(), 1), letGo_(vertexOf.size(), 0),
+      excluded_(vertexOf.size(), 0)
+{
+  std::vector<Index> first(anchors.freedom.size(), noIndex);
+  for (Index p = 0; p < leaders_.size(); ++p)
+  {
+    Index& of = first[vertexOf_[p]];
+    of = of == noIndex ? p : of;
+    leaders_[p] = of;
+  }
+  if (!octree.frame().turnedDomain)
+  {
+    return;
+  }
+  // Octants know the planes of an upright domain's sides, not of a turned one's.
+  for (const BoundaryFace& face : plain.boundaryFaces)
+  {
+    for (int i = 0; i < 4 && face.tag >= options.surfaceCount(); ++i)
+    {
+      mayLeave_[leaders_[cornerOf(plain, face, i)]] = 0;
+    }
+  }
+}
+
+QualityTargets LayerImprover::targets() const
+{
+  QualityTargets targets;
+  targets.convex = layered_;
+  targets.determinants = layered_;
+  return targets;
+}
+
+LayerMesh LayerImprover::run()
+{
+  grow();
+  improve(findAll(), 1);
+  mend();
+  putBack();
+  return std::move(layer_);
+}
+
+void LayerImprover::grow() { layer_ = growLayer(plain_, walls_, options_, excluded_, context_); }
+
+std::vector<ShortCell> LayerImprover::findAll() const
+{
+  return findShortCells(DualSource(layer_.mesh), boundaryPoints(layer_), Guides(*this).layer, targets(), context_);
+}
+
+std::vector<ShortCell> LayerImprover::improve(const std::vector<ShortCell>& cells, int rings)
+{
+  Guides guides(*this);
+  OptimiserOptions options;
+  options.targets = targets();
+  options.rings = rings;
+  return optimise(DualSource(layer_.mesh), layer_.mesh.points, cells, guides.layer, options, context_);
+}
+
+void LayerImprover::mend()
+{
+  constexpr std::array steps{Step::widen,         Step::leaveCurves, Step::leaveSurfaces,
+                             Step::leaveSurfaces, Step::startAgain,  Step::exclude,
+                             Step::leaveSurfaces, Step::exclude,     Step::leaveSurfaces};
+  std::vector<ShortCell> bad = badOf(findAll());
+  for (const Step step : steps)
+  {
+    if (bad.empty())
+    {
+      return;
+    }
+    context_.progress.check();
+    if (prepare(step, bad))
+    {
+      bad = badOf(findAll());
+    }
+    bad = badOf(improve(bad, 2));
+  }
+}
+
+/// Calls visit(leader) for the points of cells, or those their copies stand on; more than once for some.
+template <typename Visit> void LayerImprover::eachLeaderOf(const std::vector<ShortCell>& cells, Visit&& visit) const
+{
+  for (const ShortCell& cell : cells)
+  {
+    for (const Index p : layer_.mesh.corners[cell.cell])
+    {
+      visit(leaders_[p < layer_.plainPoints ? p : layer_.wallPoints[p - layer_.plainPoints]]);
+    }
+  }
+}
+
+/// Whether other cells may have become bad.
+bool LayerImprover::prepare(Step step, const std::vector<ShortCell>& bad)
+{
+  if (step == Step::exclude)
+  {
+    exclude(bad);
+    return true;
+  }
+  if (step != Step::widen)
+  {
+    eachLeaderOf(bad, [&](Index leader) {
+      letGo_[leader] = 1;
+      release(leader, step == Step::leaveCurves ? Freedom::beside : Freedom::released);
+    });
+  }
+  if (step == Step::startAgain)
+  {
+    startAgain(bad);
+    return true;
+  }
+  return false;
+}
+
+void LayerImprover::release(Index leader, Freedom to)
+{
+  Freedom& freedom = anchors_.freedom[vertexOf_[leader]];
+  if (!mayLeave_[leader] || freedom == Freedom::free || freedom == Freedom::released ||
+      (to == Freedom::beside && freedom != Freedom::curve))
+  {
+    return;
+  }
+  if (freedom != Freedom::beside)
+  {
+    left_.push_back({leader, layer_.mesh.points[leader]});
+  }
+  freedom = to;
+}
+
+/// Puts the points of cells, and of those about them, in the centres of their octants.
+void LayerImprover::startAgain(const std::vector<ShortCell>& bad)
+{
+  std::vector<char> fresh(plain_.points.size(), 0);
+  eachLeaderOf(bad, [&](Index leader) { fresh[leader] = mayLeave_[leader]; });
+  const Guides guides(*this);
+  for (Index p = 0; p < fresh.size(); ++p)
+  {
+    fresh[p] = fresh[leaders_[p]];
+    if (fresh[p])
+    {
+      layer_.mesh.points[p] = guides.model.centreOf(p);
+    }
+  }
+  growAgain(fresh);
+}
+
+/// Leaves the layer out at the points of cells.
+void LayerImprover::exclude(const std::vector<ShortCell>& bad)
+{
+  for (const ShortCell& cell : bad)
+  {
+    for (const Index p : layer_.mesh.corners[cell.cell])
+    {
+      if (p >= layer_.plainPoints)
+      {
+        excluded_[layer_.wallPoints[p - layer_.plainPoints]] = 1;
+      }
+    }
+  }
+  growAgain(std::vector<char>(plain_.points.size(), 0));
+}
+
+/// Grows the layer from the walls as they are now; copies but those of `fresh` points stay where they are.
+void LayerImprover::growAgain(const std::vector<char>& fresh)
+{
+  const LayerMesh before = std::move(layer_);
+  std::copy_n(before.mesh.points.begin(), before.plainPoints, plain_.points.begin());
+  grow();
+  takeCopies(before, fresh, layer_);
+}
+
+/// Where the points that left their pieces of the model ought to be, seen from where they are.
+std::vector<WantedPlace> LayerImprover::wantedPlaces() const
+{
+  ModelGuide guide(octree_, model_, wanted_, layer_.mesh.points, vertexOf_);
+  std::vector<Index> points;
+  std::ranges::transform(left_, std::back_inserter(points), &WantedPlace::point);
+  guide.prepare(points, context_);
+  std::vector<WantedPlace> places(left_.size());
+  context_.executor.forEach(left_.size(), 64, [&](std::size_t i) {
+    const Index p = left_[i].point;
+    const bool was = wanted_.freedom[vertexOf_[p]] == Freedom::fixed;
+    places[i] = {p, was ? left_[i].place : guide.nearest(p, layer_.mesh.points[p])};
+  });
+  return places;
+}
+
+/// Takes points back to where the model wants them, as far as elements stay valid; their neighbours make room.
+void LayerImprover::putBack()
+{
+  constexpr int passes = 3;
+  constexpr double leastShape = 0.1;
+  std::ranges::sort(left_, {}, &WantedPlace::point);
+  for (int pass = 0; pass < passes && !left_.empty(); ++pass)
+  {
+    context_.progress.check();
+    const std::vector<ShortCell> cells = approach(DualSource(layer_.mesh), layer_.mesh.points, wantedPlaces(),
+                                                  Guides(*this).layer, leastShape, targets(), context_);
+    const std::size_t before = left_.size();
+    keepThoseAway();
+    if (pass + 1 < passes && before != left_.size())
+    {
+      improve(cells, 1);
+    }
+  }
+}
+
+/// Forgets the points that are back; the others stay where they are.
+void LayerImprover::keepThoseAway()
+{
+  constexpr double nearlyThere = 1e-6;
+  std::vector<WantedPlace> away;
+  released_.clear();
+  const std::vector<WantedPlace> wanted = wantedPlaces();
+  for (std::size_t i = 0; i < left_.size(); ++i)
+  {
+    const Index p = left_[i].point;
+    const Index vertex = vertexOf_[p];
+    const double size = octree_.frame().sizeOf(octree_.level(wanted_.leaves[vertex]));
+    const bool back = (layer_.mesh.points[p] - wanted[i].place).norm() <= nearlyThere * size;
+    anchors_.freedom[vertex] = back ? wanted_.freedom[vertex] : Freedom::fixed;
+    if (!back)
+    {
+      away.push_back(left_[i]);
+      released_.push_back({p, wanted[i].place});
+    }
+  }
+  left_ = std::move(away);
+}
+
+} // namespace atria

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Grows the layer on walls and sees to it that every element at the boundary is valid.
+#pragma once
+
+#include "Dual/DualVertices.h"
+#include "Layer/ConformingLayer.h"
+#include "Optimise/ModelGuide.h"
+#include "Optimise/Optimiser.h"
+
+namespace atria {
+
+/// A vertex that is not where the model wants it, as no element would be valid there otherwise.
+struct ReleasedVertex
+{
+  Index point;
+  Vec3 wanted;
+};
+
+/// Elements that the optimiser cannot mend get more room step by step: points farther about them move; vertices leave
+/// curves for the surfaces that meet there; they leave surfaces; they start again from the centres of their octants,
+/// where the plain mesh is valid; the layer is left out. Then each vertex that left goes back as far as it can.
+class LayerImprover
+{
+public:
+  /// `vertexOf` gives for each point of the plain mesh the vertex of the anchors it stands for; points of one vertex
+  /// are in one place and stay together. The plain mesh's points follow those of the layer's walls.
+  LayerImprover(const Octree& octree, const SurfaceModel& model, const VertexAnchors& anchors,
+                const std::vector<Index>& vertexOf, DualMesh& plain, const LayerWalls& walls,
+                const LayerOptions& options, const RunContext& context);
+
+  /// Without layers asked for, the plain mesh made valid; its elements may be concave then.
+  LayerMesh run();
+  /// Those that did not get back, in rising order of points.
+  const std::vector<ReleasedVertex>& released() const { return released_; }
+
+private:
+  struct Guides;
+  enum class Step : std::uint8_t;
+
+  void grow();
+  void mend();
+  bool prepare(Step step, const std::vector<ShortCell>& bad);
+  void release(Index leader, Freedom to);
+  void startAgain(const std::vector<ShortCell>& bad);
+  void growAgain(const std::vector<char>& fresh);
+  void exclude(const std::vector<ShortCell>& bad);
+  void putBack();
+  void keepThoseAway();
+  std::vector<WantedPlace> wantedPlaces() const;
+  std::vector<ShortCell> improve(const std::vector<ShortCell>& cells, int rings);
+  std::vector<ShortCell> findAll() const;
+  template <typename Visit> void eachLeaderOf(const std::vector<ShortCell>& cells, Visit&& visit) const;
+  QualityTargets targets() const;
+
+  const Octree& octree_;
+  const SurfaceModel& model_;
+  /// What the model wants, and what is allowed now.
+  const VertexAnchors& wanted_;
+  VertexAnchors anchors_;
+  const std::vector<Index>& vertexOf_;
+  DualMesh& plain_;
+  const LayerWalls& walls_;
+  const LayerOptions& options_;
+  const RunContext& context_;
+  bool layered_;
+  LayerMesh layer_;
+  /// By point of the plain mesh.
+  std::vector<Index> leaders_;
+  std::vector<char> mayLeave_;
+  std::vector<char> letGo_;
+  std::vector<char> excluded_;
+  /// Leaders that were released, and where they were.
+  std::vector<WantedPlace> left_;
+  std::vector<ReleasedVertex> released_;
+};
+
+} // namespace atria
