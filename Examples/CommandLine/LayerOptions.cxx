@@ -43,7 +43,7 @@ void declareLayerOptions(CLI::App& command, LayerOptions& options)
   command
       .add_option("--layers", options.layers,
                   "Layers of elements on all surfaces, or on those whose name matches the pattern (* and ? stand for "
-                  "text) and on domain sides of that name; may be repeated, the last that matches holds")
+                  "text) and on domain sides of that name; may be repeated, the last that matches holds (default: 1)")
       ->allow_extra_args(false)
       ->type_name("N|PATTERN=N[:FIRST[:GROWTH]]");
   command.add_option("--first-layer", options.firstHeight, "Height of the layer on the wall, metres; 0 for any")

@@ -108,8 +108,8 @@ public:
 
   ///@{
   /**
-   * Layers of elements along all surfaces. 1 is the conforming layer alone; more are made by dividing it. Default 0: no
-   * layer; clamped to [0, 100].
+   * Layers of elements along all surfaces. 1, the default, is the conforming layer alone, which lets elements at creases
+   * and on sheets be convex; more are made by dividing it; 0 gives the plain dual. Clamped to [0, 100].
    */
   vtkSetClampMacro(NumberOfLayers, int, 0, 100);
   vtkGetMacro(NumberOfLayers, int);
@@ -179,7 +179,7 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   int ZoneRule = Outside;
-  int NumberOfLayers = 0;
+  int NumberOfLayers = 1;
   double FirstLayerHeight = 0.0;
   double LayerGrowth = 1.2;
   std::vector<std::string> LayerRules;

@@ -37,6 +37,7 @@ TEST_P(SphereQuality, IsValidAndNotSquished)
     GTEST_SKIP() << "set ATRIA_TEST_FULL for the largest mesh";
   }
   vtkNew<vtkAtriaDualMesher> mesher;
+  mesher->SetNumberOfLayers(0);
   mesher->SetInputData(atria::testing::exampleModel("sphere_in_cube.wrl"));
   mesher->SetSizeMin(row.size);
   mesher->SetSizeMid(row.size);

@@ -3,6 +3,8 @@
 
 #include "Dual/Crossings.h"
 
+#include <unordered_map>
+
 namespace atria {
 
 /// Where a vertex may be moved.
@@ -13,7 +15,14 @@ enum class Freedom : std::uint8_t
   curve,   ///< on feature curves
   beside,  ///< on the charts that meet at its curves: released from these
   fixed,   ///< at a corner, or where it is on several pieces or on none it should be on
-  released ///< near its octant, although it should be on some piece
+  released ///< near where it was, although it should be on some piece
+};
+
+/// How far a released vertex may be, along each axis, from where it was.
+struct Leash
+{
+  Vec3 home;
+  double reach;
 };
 
 /// What vertices belong to.
@@ -24,6 +33,8 @@ struct VertexAnchors
   /// Charts of vertices on surfaces, curves of those on curves.
   std::vector<Index> offsets;
   std::vector<Index> pieces;
+  /// Of released vertices.
+  std::unordered_map<Index, Leash> leashes = {};
 
   std::span<const Index> piecesOf(Index vertex) const
   {

@@ -9,8 +9,9 @@ namespace atria {
 struct FaceMeasure
 {
   Vec3 centroid;
-  Vec3 area;   ///< out of the owner
-  Vec3 normal; ///< of length 1; nothing for a face without area
+  Vec3 area;     ///< out of the owner
+  Vec3 normal;   ///< of length 1; nothing for a face without area
+  double length; ///< the area vector's
 };
 
 struct CellMeasure
@@ -56,7 +57,7 @@ template <typename PointOf> FaceMeasure measureFace(std::size_t size, PointOf&& 
   constexpr double tiny = 1e-150;
   const double length = area.norm();
   return {magnitude > tiny ? Vec3(moment / (3.0 * magnitude)) : mean, 0.5 * area,
-          length > tiny ? Vec3(area / length) : Vec3(Vec3::Zero())};
+          length > tiny ? Vec3(area / length) : Vec3(Vec3::Zero()), 0.5 * length};
 }
 
 /// `eachFace(visit)` calls visit(centroid, outward area) for every face, each time in the same order.

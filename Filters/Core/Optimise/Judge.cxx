@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Optimise/Judge.h"
 
-#include <Eigen/Geometry>
-#include <Eigen/LU>
-
 #include <algorithm>
 #include <cmath>
 
@@ -16,16 +13,27 @@ constexpr double tiny = 1e-150;
 /// Over the cube of the mean edge.
 constexpr double flatVolume = 0.02;
 
-double tetrahedron(const Vec3& o, const Vec3& a, const Vec3& b, const Vec3& c)
+/// Whether a component along a unit vector is above this share of the vector's length: most measures are far above
+/// their target, and this spares the root.
+bool isAbove(double along, double share, const Vec3& vector)
 {
-  return (a - o).cross(b - o).dot(c - o) / 6.0;
+  return along > 0.0 && along * along >= share * share * vector.squaredNorm();
+}
+
+/// Twice the area vector.
+Vec3 triangle(const Vec3& a, const Vec3& b, const Vec3& c)
+{
+  const Vec3 u = b - a;
+  const Vec3 v = c - a;
+  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
 }
 
 } // namespace
 
 Judge::Judge(Region& region, const QualityTargets& targets, const RunContext& context)
-    : region_(region), targets_(targets), faces(region.faceCount()), cells(region.cellCount()),
-      sizes(region.judgedCount()), cornerScales(sizes.size()), flatVolumes(sizes.size())
+    : region_(region), targets_(targets), faces(region.faceCount()), fans(region.facePoints.size()),
+      halves(region.facePoints.size()), cells(region.cellCount()), sizes(region.judgedCount()),
+      cornerScales(sizes.size()), flatVolumes(sizes.size())
 {
   context.executor.forEach(faces.size(), grain, [&](std::size_t f) { measure(static_cast<Index>(f)); });
   context.executor.forEach(sizes.size(), grain, [&](std::size_t c) {
@@ -43,7 +51,7 @@ Judge::Judge(Region& region, const QualityTargets& targets, const RunContext& co
     }
     sizes[c] = length / std::max(count, 1.0);
     const double cube = sizes[c] * sizes[c] * sizes[c];
-    cornerScales[c] = 12.0 / (cube + tiny) / targets_.cornerVolume.target;
+    cornerScales[c] = 2.0 / (cube + tiny) / targets_.cornerVolume.target;
     flatVolumes[c] = flatVolume * cube;
   });
   for (std::size_t g = 0; g < region.ghostVolumes.size(); ++g)
@@ -55,7 +63,22 @@ Judge::Judge(Region& region, const QualityTargets& targets, const RunContext& co
 void Judge::measure(Index face)
 {
   const auto points = region_.face(face);
-  faces[face] = measureFace(points.size(), [&](std::size_t i) -> const Vec3& { return region_.points[points[i]]; });
+  const std::size_t size = points.size();
+  const auto at = [&](std::size_t i) -> const Vec3& { return region_.points[points[i]]; };
+  faces[face] = measureFace(size, at);
+  Vec3* fan = fans.data() + region_.faceOffsets[face];
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    fan[i] = triangle(faces[face].centroid, at(i), at(i + 1 < size ? i + 1 : 0));
+  }
+  if (size == 4)
+  {
+    Vec3* half = halves.data() + region_.faceOffsets[face];
+    half[0] = triangle(at(0), at(1), at(2));
+    half[1] = triangle(at(0), at(2), at(3));
+    half[2] = triangle(at(1), at(2), at(3));
+    half[3] = triangle(at(1), at(3), at(0));
+  }
 }
 
 void Judge::measureOne(Index cell)
@@ -130,13 +153,15 @@ Score Judge::scoreOfCell(Index cell) const
   Score score;
   const auto own = region_.facesOf(cell);
   const CellMeasure& measure = cells[cell];
-  const double convex = targets_.convexity.target;
   for (const Index f : own)
   {
     const double side = sign(cell, f);
     const Vec3 normal = side * faces[f].normal;
     const Vec3 toFace = faces[f].centroid - measure.centroid;
-    score.add(targets_.pyramidCosine.of(normal.dot(toFace) / (toFace.norm() + tiny)));
+    if (!isAbove(normal.dot(toFace), targets_.pyramidCosine.target, toFace))
+    {
+      score.add(targets_.pyramidCosine.of(normal.dot(toFace) / (toFace.norm() + tiny)));
+    }
     scoreCorners(f, cell, score);
     for (const Index g : targets_.convex ? own : std::span<const Index>())
     {
@@ -146,8 +171,7 @@ Score Judge::scoreOfCell(Index cell) const
       }
       const Vec3 between = faces[g].centroid - faces[f].centroid;
       const double inside = -normal.dot(between);
-      // Most pairs are far from the target; this spares the root.
-      if (inside < 0.0 || inside * inside < convex * convex * between.squaredNorm())
+      if (!isAbove(inside, targets_.convexity.target, between))
       {
         score.add(targets_.convexity.of(inside / (between.norm() + tiny)));
       }
@@ -163,20 +187,33 @@ Score Judge::scoreOfCell(Index cell) const
 
 double Judge::determinantOf(Index cell) const
 {
-  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+  std::array<double, 6> sum{};
   double mean = 0.0;
   int count = 0;
   for (const Index f : region_.facesOf(cell))
   {
     if (region_.neighbour[f] != noIndex)
     {
-      sum += faces[f].area * faces[f].area.transpose();
-      mean += faces[f].area.norm();
+      const Vec3& a = faces[f].area;
+      sum[0] += a[0] * a[0];
+      sum[1] += a[1] * a[1];
+      sum[2] += a[2] * a[2];
+      sum[3] += a[1] * a[2];
+      sum[4] += a[0] * a[2];
+      sum[5] += a[0] * a[1];
+      mean += faces[f].length;
       ++count;
     }
   }
-  mean /= std::max(count, 1);
-  return mean > tiny ? std::abs((sum / (mean * mean)).determinant()) / 8.0 : 0.0;
+  if (mean <= tiny)
+  {
+    return 0.0;
+  }
+  mean /= count;
+  const double square = mean * mean;
+  const auto& [xx, yy, zz, yz, xz, xy] = sum;
+  const double determinant = xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz);
+  return std::abs(determinant) / (8.0 * square * square * square);
 }
 
 /// The centroid of a cell that is nearly flat or inside out may lie anywhere.
@@ -186,33 +223,41 @@ const Vec3& Judge::middleOf(Index cell) const
   return trusted ? cells[cell].centroid : cells[cell].mean;
 }
 
+/// Six times the volumes over the halves of a quadrilateral.
+std::array<double, 4> Judge::halfVolumes(Index face, const Vec3& middle) const
+{
+  const auto points = region_.face(face);
+  const Vec3* half = halves.data() + region_.faceOffsets[face];
+  const Vec3 first = region_.points[points[0]] - middle;
+  const Vec3 second = region_.points[points[1]] - middle;
+  return {half[0].dot(first), half[1].dot(first), half[2].dot(second), half[3].dot(second)};
+}
+
 /// OpenFOAM takes a face apart into triangles about its centroid. In the tetrahedra of these, a parallelepiped has 24.
 void Judge::scoreCorners(Index face, Index cell, Score& score) const
 {
-  const auto points = region_.face(face);
-  const std::size_t size = points.size();
-  const auto at = [&](std::size_t i) -> const Vec3& { return region_.points[points[i]]; };
+  const std::size_t size = region_.face(face).size();
   const Vec3& middle = middleOf(cell);
   const double scale = sign(cell, face) * cornerScales[cell];
+  const Vec3 toFace = faces[face].centroid - middle;
   if (size == 3)
   {
-    score.add(scale * tetrahedron(middle, at(0), at(1), at(2)));
+    score.add(scale * 2.0 * faces[face].area.dot(toFace));
   }
   else if (targets_.decomposed || size > 4)
   {
+    const Vec3* fan = fans.data() + region_.faceOffsets[face];
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < size; ++i)
     {
-      least = std::min(least, scale * tetrahedron(middle, faces[face].centroid, at(i), at(i + 1 < size ? i + 1 : 0)));
+      least = std::min(least, scale * fan[i].dot(toFace));
     }
     score.add(0.5 * static_cast<double>(size) * least);
   }
   else
   {
-    const auto part = [&](std::size_t a, std::size_t b, std::size_t c) {
-      return scale * tetrahedron(middle, at(a), at(b), at(c));
-    };
-    score.add(std::max(std::min(part(0, 1, 2), part(0, 2, 3)), std::min(part(1, 2, 3), part(1, 3, 0))));
+    const std::array<double, 4> part = halfVolumes(face, middle);
+    score.add(std::max(std::min(scale * part[0], scale * part[1]), std::min(scale * part[2], scale * part[3])));
   }
 }
 
@@ -220,18 +265,16 @@ void Judge::scoreCorners(Index face, Index cell, Score& score) const
 /// a quadrilateral there are two ways.
 void Judge::scoreFans(Index face, Score& score) const
 {
-  const auto points = region_.face(face);
-  if (points.size() != 4 || !targets_.decomposed)
+  if (region_.face(face).size() != 4 || !targets_.decomposed)
   {
     return;
   }
-  const auto at = [&](std::size_t i) -> const Vec3& { return region_.points[points[i & 3]]; };
   std::array<double, 2> least{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   const auto look = [&](const Vec3& middle, double scale) {
+    const std::array<double, 4> part = halfVolumes(face, middle);
     for (std::size_t fan = 0; fan < 2; ++fan)
     {
-      least[fan] = std::min({least[fan], scale * tetrahedron(middle, at(fan), at(fan + 1), at(fan + 2)),
-                             scale * tetrahedron(middle, at(fan), at(fan + 2), at(fan + 3))});
+      least[fan] = std::min({least[fan], scale * part[2 * fan], scale * part[2 * fan + 1]});
     }
   };
   const Index own = region_.owner[face];
@@ -260,7 +303,10 @@ Score Judge::scoreOfFace(Index face) const
   }
   const CellMeasure& other = cells[across];
   const Vec3 d = other.centroid - own.centroid;
-  score.add(targets_.faceCosine.of(f.normal.dot(d) / (d.norm() + tiny)));
+  if (!isAbove(f.normal.dot(d), targets_.faceCosine.target, d))
+  {
+    score.add(targets_.faceCosine.of(f.normal.dot(d) / (d.norm() + tiny)));
+  }
   score.add(targets_.skewness.of(skewnessOf(face, d)));
   const double nearer = std::abs(f.normal.dot(f.centroid - own.centroid));
   const double farther = std::abs(f.normal.dot(other.centroid - f.centroid));
@@ -275,12 +321,10 @@ void Judge::scoreBoundary(Index face, Score& score) const
 {
   const auto points = region_.face(face);
   const FaceMeasure& f = faces[face];
-  const double mean = f.area.norm() / static_cast<double>(points.size()) + tiny;
+  const double mean = f.length / static_cast<double>(points.size()) + tiny;
   for (std::size_t i = 0; i < points.size() && points.size() > 3; ++i)
   {
-    const Vec3 a = region_.points[points[i]] - f.centroid;
-    const Vec3 b = region_.points[points[i + 1 < points.size() ? i + 1 : 0]] - f.centroid;
-    score.add(targets_.boundaryShape.of(0.5 * a.cross(b).dot(f.normal) / mean));
+    score.add(targets_.boundaryShape.of(0.5 * fans[region_.faceOffsets[face] + i].dot(f.normal) / mean));
   }
 }
 

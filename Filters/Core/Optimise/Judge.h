@@ -20,14 +20,14 @@ struct QualityRange
 struct QualityTargets
 {
   /// Cosine between a face's normal and the way from the cell's centroid to the face's: 1 - CellSquish.
-  QualityRange pyramidCosine{0.02, 0.2};
+  QualityRange pyramidCosine{0.01, 0.2};
   /// Sine of the angle by which the centroid of a face lies behind the plane of another of the cell's faces. Two faces
   /// on the mesh's boundary are not compared: what is flat there stays flat.
   QualityRange convexity{0.0005, 0.04};
   /// Whether cells have to be convex.
   bool convex = true;
   /// Cosine between a face's normal and the way between the cells' centroids: 1 - FaceSquish.
-  QualityRange faceCosine{0.1, 0.5};
+  QualityRange faceCosine{0.03, 0.5};
   /// OpenFOAM's skewness.
   QualityRange skewness{3.8, 2.0};
   /// OpenFOAM's interpolation weight.
@@ -109,6 +109,7 @@ private:
   void measureOne(Index cell);
   void scoreCorners(Index face, Index cell, Score& score) const;
   void scoreFans(Index face, Score& score) const;
+  std::array<double, 4> halfVolumes(Index face, const Vec3& middle) const;
   const Vec3& middleOf(Index cell) const;
   double determinantOf(Index cell) const;
   void scoreBoundary(Index face, Score& score) const;
@@ -118,6 +119,10 @@ private:
   Region& region_;
   QualityTargets targets_;
   std::vector<FaceMeasure> faces;
+  /// In the order of the region's face points, twice the area vectors of triangles: those about the face's centroid,
+  /// and, of quadrilaterals, 012, 023, 123 and 130 of the corners.
+  std::vector<Vec3> fans;
+  std::vector<Vec3> halves;
   std::vector<CellMeasure> cells;
   std::vector<double> sizes;
   /// Factors that make volumes of a cell's tetrahedra relative to its size and the target.

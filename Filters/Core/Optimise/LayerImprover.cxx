@@ -50,9 +50,10 @@ std::vector<ShortCell> badOf(const std::vector<ShortCell>& cells)
 
 enum class LayerImprover::Step : std::uint8_t
 {
-  widen,
   leaveCurves,
+  leaveALittle,
   leaveSurfaces,
+  goHalfway,
   startAgain,
   exclude
 };
@@ -76,6 +77,7 @@ LayerImprover::LayerImprover(const Octree& octree, const SurfaceModel& model, co
     : octree_(octree), model_(model), wanted_(anchors), anchors_(anchors), vertexOf_(vertexOf), plain_(plain),
       walls_(walls), options_(options), context_(context),
       layered_(std::ranges::any_of(options.ofTag, [](const WallLayers& wall) { return wall.layers > 0; })),
+      hasHeights_(std::ranges::any_of(options.ofTag, [](const WallLayers& wall) { return wall.firstHeight > 0.0; })),
       leaders_(vertexOf.size()), mayLeave_(vertexOf.size(), 1), letGo_(vertexOf.size(), 0),
       excluded_(vertexOf.size(), 0)
 {
@@ -105,6 +107,13 @@ QualityTargets LayerImprover::targets() const
   QualityTargets targets;
   targets.convex = layered_;
   targets.determinants = layered_;
+  if (hasHeights_)
+  {
+    // Users who ask for a height have the jump in size that comes with it.
+    targets.weight.limit = 0.0;
+    targets.volumeRatio.limit = 0.0;
+    targets.determinants = false;
+  }
   return targets;
 }
 
@@ -135,12 +144,13 @@ std::vector<ShortCell> LayerImprover::improve(const std::vector<ShortCell>& cell
 
 void LayerImprover::mend()
 {
-  constexpr std::array steps{Step::widen,         Step::leaveCurves, Step::leaveSurfaces,
-                             Step::leaveSurfaces, Step::startAgain,  Step::exclude,
-                             Step::leaveSurfaces, Step::exclude,     Step::leaveSurfaces};
+  constexpr std::array steps{Step::leaveCurves, Step::leaveALittle, Step::leaveSurfaces, Step::goHalfway, Step::startAgain,
+                             Step::exclude, Step::leaveSurfaces, Step::goHalfway, Step::startAgain, Step::exclude, Step::leaveSurfaces};
   std::vector<ShortCell> bad = badOf(findAll());
   for (const Step step : steps)
   {
+    if (getenv("ATRIA_DBG"))
+      fprintf(stderr, "step %d bad %zu left %zu\n", (int)step, bad.size(), left_.size());
     if (bad.empty())
     {
       return;
@@ -174,38 +184,50 @@ bool LayerImprover::prepare(Step step, const std::vector<ShortCell>& bad)
     exclude(bad);
     return true;
   }
-  if (step != Step::widen)
+  constexpr double aLittle = 0.2;
+  constexpr double anOctant = 0.75;
+  eachLeaderOf(bad, [&](Index leader) {
+    letGo_[leader] = 1;
+    step == Step::leaveCurves ? leaveCurve(leader) : leaveSurface(leader, step == Step::leaveALittle ? aLittle : anOctant);
+  });
+  if (step == Step::goHalfway || step == Step::startAgain)
   {
-    eachLeaderOf(bad, [&](Index leader) {
-      letGo_[leader] = 1;
-      release(leader, step == Step::leaveCurves ? Freedom::beside : Freedom::released);
-    });
-  }
-  if (step == Step::startAgain)
-  {
-    startAgain(bad);
+    startAgain(bad, step == Step::startAgain ? 1.0 : 0.3);
     return true;
   }
   return false;
 }
 
-void LayerImprover::release(Index leader, Freedom to)
+void LayerImprover::leaveCurve(Index leader)
 {
   Freedom& freedom = anchors_.freedom[vertexOf_[leader]];
-  if (!mayLeave_[leader] || freedom == Freedom::free || freedom == Freedom::released ||
-      (to == Freedom::beside && freedom != Freedom::curve))
+  if (mayLeave_[leader] && freedom == Freedom::curve)
+  {
+    left_.push_back({leader, layer_.mesh.points[leader]});
+    freedom = Freedom::beside;
+  }
+}
+
+/// By `reach` times the size of the vertex's octant.
+void LayerImprover::leaveSurface(Index leader, double reach)
+{
+  const Index vertex = vertexOf_[leader];
+  Freedom& freedom = anchors_.freedom[vertex];
+  if (!mayLeave_[leader] || freedom == Freedom::free)
   {
     return;
   }
-  if (freedom != Freedom::beside)
+  if (freedom != Freedom::beside && freedom != Freedom::released)
   {
     left_.push_back({leader, layer_.mesh.points[leader]});
   }
-  freedom = to;
+  freedom = Freedom::released;
+  const double size = octree_.frame().sizeOf(octree_.level(anchors_.leaves[vertex]));
+  anchors_.leashes.try_emplace(vertex, Leash{layer_.mesh.points[leader], 0.0}).first->second.reach = reach * size;
 }
 
-/// Puts the points of cells, and of those about them, in the centres of their octants.
-void LayerImprover::startAgain(const std::vector<ShortCell>& bad)
+/// Takes the points of cells towards the centres of their octants.
+void LayerImprover::startAgain(const std::vector<ShortCell>& bad, double share)
 {
   std::vector<char> fresh(plain_.points.size(), 0);
   eachLeaderOf(bad, [&](Index leader) { fresh[leader] = mayLeave_[leader]; });
@@ -215,7 +237,12 @@ void LayerImprover::startAgain(const std::vector<ShortCell>& bad)
     fresh[p] = fresh[leaders_[p]];
     if (fresh[p])
     {
-      layer_.mesh.points[p] = guides.model.centreOf(p);
+      const Vec3 centre = guides.model.centreOf(p);
+      layer_.mesh.points[p] += share * (centre - layer_.mesh.points[p]);
+      if (const auto found = anchors_.leashes.find(vertexOf_[p]); found != anchors_.leashes.end())
+      {
+        found->second.home = centre;
+      }
     }
   }
   growAgain(fresh);
@@ -265,8 +292,8 @@ std::vector<WantedPlace> LayerImprover::wantedPlaces() const
 /// Takes points back to where the model wants them, as far as elements stay valid; their neighbours make room.
 void LayerImprover::putBack()
 {
-  constexpr int passes = 3;
-  constexpr double leastShape = 0.1;
+  constexpr int passes = 6;
+  constexpr double leastShape = soundEnough;
   std::ranges::sort(left_, {}, &WantedPlace::point);
   for (int pass = 0; pass < passes && !left_.empty(); ++pass)
   {
@@ -275,10 +302,12 @@ void LayerImprover::putBack()
                                                   Guides(*this).layer, leastShape, targets(), context_);
     const std::size_t before = left_.size();
     keepThoseAway();
-    if (pass + 1 < passes && before != left_.size())
+    if (getenv("ATRIA_DBG")) { double d = 0, m = 0; for (auto& r : released_) { double x = (layer_.mesh.points[r.point] - r.wanted).norm(); d += x; m = std::max(m, x); } fprintf(stderr, "away %zu mean %g max %g\n", left_.size(), d / std::max<size_t>(1, left_.size()), m); }
+    if (before == left_.size() || pass + 1 == passes)
     {
-      improve(cells, 1);
+      break;
     }
+    improve(cells, 1);
   }
 }
 

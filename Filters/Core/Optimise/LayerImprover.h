@@ -40,8 +40,9 @@ private:
   void grow();
   void mend();
   bool prepare(Step step, const std::vector<ShortCell>& bad);
-  void release(Index leader, Freedom to);
-  void startAgain(const std::vector<ShortCell>& bad);
+  void leaveCurve(Index leader);
+  void leaveSurface(Index leader, double reach);
+  void startAgain(const std::vector<ShortCell>& bad, double share);
   void growAgain(const std::vector<char>& fresh);
   void exclude(const std::vector<ShortCell>& bad);
   void putBack();
@@ -63,6 +64,7 @@ private:
   const LayerOptions& options_;
   const RunContext& context_;
   bool layered_;
+  bool hasHeights_;
   LayerMesh layer_;
   /// By point of the plain mesh.
   std::vector<Index> leaders_;

@@ -135,10 +135,8 @@ Vec3 ModelGuide::place(Index point, const Vec3& p) const
   }
   if (freedomOf(point) == Freedom::released)
   {
-    constexpr double leash = 0.75;
-    const Vec3 reach = Vec3::Constant(leash * octree_.frame().sizeOf(octree_.level(leaf)));
-    const Vec3 centre = octree_.center(leaf);
-    return onPlanes(p.cwiseMax(centre - reach).cwiseMin(centre + reach), planes);
+    const auto& [home, reach] = anchors_.leashes.at(vertexOf_[point]);
+    return onPlanes(p.cwiseMax(home - Vec3::Constant(reach)).cwiseMin(home + Vec3::Constant(reach)), planes);
   }
   const Vec3 q = nearest(point, p);
   // Where a corner has no vertex of its own, those beside it must not cut it off.

@@ -66,7 +66,8 @@ class Sweeper
 public:
   Sweeper(Judge& qualities, const VertexGuide& vertexGuide, const RunContext& runContext)
       : judge(qualities), region(qualities.region()), guide(vertexGuide), context(runContext),
-        colours(colourPoints(region)), trust(region.movable.size(), 0.1), awake(region.movable.size(), 1)
+        colours(colourPoints(region)), trust(region.movable.size(), 0.1), awake(region.movable.size(), 1),
+        failures(region.movable.size(), 0)
   {
     findNeighbours();
   }
@@ -85,7 +86,11 @@ public:
         for (std::size_t i = begin + first; i < begin + last; ++i)
         {
           const Index m = colours.order[i];
-          moved[m] = awake[m] && search.improve(m, trust[m]) ? 1 : 0;
+          if (awake[m] && failures[m] < mostFailures)
+          {
+            moved[m] = search.improve(m, trust[m]) ? 1 : 0;
+            failures[m] = moved[m] ? 0 : failures[m] + 1;
+          }
         }
       });
     }
@@ -143,6 +148,9 @@ private:
   Colours colours;
   std::vector<double> trust;
   std::vector<char> awake;
+  /// In a row; most points that failed so often never find a better place.
+  static constexpr char mostFailures = 3;
+  std::vector<char> failures;
   std::vector<Index> offsets;
   std::vector<Index> pointsOf;
 };
@@ -175,7 +183,7 @@ void prepareGuide(const Region& region, VertexGuide& guide, const RunContext& co
 /// The last few points that creep on are not worth a sweep.
 void sweepWhileWorthwhile(Sweeper& sweeper, int mostSweeps)
 {
-  constexpr double worthwhile = 0.02;
+  constexpr double worthwhile = 0.05;
   std::size_t most = 1;
   for (int i = 0; i < mostSweeps; ++i)
   {

@@ -10,7 +10,9 @@ namespace {
 constexpr double difference = 1e-3; ///< of the cells' size, for derivatives
 constexpr double leastTrust = 1e-3;
 constexpr double mostTrust = 0.5;
-constexpr double leastGain = 0.01;
+constexpr double leastGain = 0.02;
+/// Not worth a search.
+constexpr double leastPenalty = 1e-3;
 constexpr int tries = 4;
 /// Of measures that are nothing but rounding.
 constexpr double noise = 1e-6;
@@ -36,7 +38,7 @@ bool PointSearch::improve(Index movable, double& trust)
   pointId = judge.region().pointIds[star.point];
   origin = judge.region().points[star.point];
   const Score here = judge.scoreOf(star);
-  if (here.penalty == 0.0)
+  if (here.penalty < leastPenalty)
   {
     return false;
   }
