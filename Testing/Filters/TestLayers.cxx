@@ -46,8 +46,15 @@ protected:
   atria::TriangleSurface surface;
 };
 
+TEST_F(Layers, AreOneByDefault)
+{
+  mesher->Update();
+  EXPECT_EQ(rangeOf("Building", "LayerCount"), (std::array{1.0, 1.0}));
+}
+
 TEST_F(Layers, FillTheSameSpaceWithOneAndFive)
 {
+  mesher->SetNumberOfLayers(0);
   mesher->Update();
   const double space = meshVolume();
   const vtkIdType plain = volume()->GetNumberOfCells();
@@ -69,7 +76,6 @@ TEST_F(Layers, FillTheSameSpaceWithOneAndFive)
     EXPECT_EQ(rangeOf("Building", "LayerCount")[0], layers);
     for (const char* patch : {"Building", "Screen_front", "Screen_back"})
     {
-      // At the rims of a sheet the layers taper to nothing.
       EXPECT_EQ(rangeOf(patch, "LayerCount")[1], layers) << patch;
       EXPECT_GT(rangeOf(patch, "LayerThickness")[1], 0.0) << patch;
     }

@@ -62,8 +62,9 @@ public:
     geometry.enter(leaf);
     if (cuts.empty())
     {
-      out.positions[vertex] = geometry.uncutPosition();
-      out.anchors.freedom[vertex] = geometry.isCentre(out.positions[vertex]) ? Freedom::free : Freedom::fixed;
+      const std::optional<Vec3> onSide = geometry.sidePosition();
+      out.positions[vertex] = onSide.value_or(geometry.centre());
+      out.anchors.freedom[vertex] = onSide ? Freedom::fixed : Freedom::free;
       return;
     }
     look(leaf, cuts);

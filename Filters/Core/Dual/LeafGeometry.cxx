@@ -121,18 +121,18 @@ bool LeafGeometry::onOwnPlane(const FeatureEdge& edge) const
   return onPlane == wanted.size();
 }
 
-Vec3 LeafGeometry::uncutPosition()
+std::optional<Vec3> LeafGeometry::sidePosition()
 {
   if (planes == 0)
   {
-    return center;
+    return std::nullopt;
   }
   if (const auto corner = sideCorner())
   {
     return onPlanes(*corner);
   }
   const auto middle = middleOfPieces([&](const FeatureEdge& edge) { return onOwnPlane(edge); });
-  return onPlanes(middle.value_or(center));
+  return middle ? std::optional(onPlanes(*middle)) : std::nullopt;
 }
 
 /// The corner, nearest to the centre, of what lies on the domain sides through the leaf.

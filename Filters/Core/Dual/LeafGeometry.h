@@ -23,10 +23,11 @@ public:
 
   bool isOnSide() const { return planes != 0; }
   /// Whether p is the leaf's centre, put on the domain planes through it.
-  bool isCentre(const Vec3& p) const { return p == center; }
+  /// The octant's centre, on the domain sides through it.
+  Vec3 centre() const { return onPlanes(center); }
 
-  /// The centre; on a domain side, a corner or curve of what lies on the side.
-  Vec3 uncutPosition();
+  /// On a domain side, a corner or curve of what lies on the side; if there is one.
+  std::optional<Vec3> sidePosition();
   /// The mean of the cuts, put on the charts; or the middle of a fold within a chart.
   Vec3 surfacePosition();
   Vec3 cornerPosition(Index point) const { return onPlanes(modelPoint(point)); }

@@ -68,22 +68,24 @@ private:
     Vec3 areaVector = wallNormal(layer.mesh, layer.mesh.boundaryFaces[f]);
     const double area = areaVector.norm();
     Index least = noIndex;
+    Index most = 0;
     double got = 0.0;
     double wanted = 0.0;
     for (int i = 0; i < reduced.count; ++i)
     {
       const Index p = reduced.points[i];
       least = std::min(least, countAt(p));
+      most = std::max(most, countAt(p));
       wanted += thicknessAsked(asked, sizes[p], options) / reduced.count;
       if (layer.copies[p] != noIndex && area > 0.0)
       {
         got += (points[layer.copies[p]] - points[p]).dot(areaVector) / (area * reduced.count);
       }
     }
-    out.counts[f] = static_cast<std::int32_t>(least);
+    out.counts[f] = static_cast<std::int32_t>(most);
     out.thicknesses[f] = got;
     surface.area += area;
-    if (least > 0)
+    if (most > 0)
     {
       surface.layered += area;
       surface.full += least >= static_cast<Index>(asked.layers) ? area : 0.0;

@@ -12,8 +12,8 @@ struct LayerCoverage
   std::string surface;
   /// What was asked for.
   int layers = 0;
-  /// Area of its faces; of those that have a layer at all of their corners; of those that have all layers there. Square
-  /// model units.
+  /// Area of its faces; of those on which elements of a layer stand, which may thin out to nothing at a corner or edge;
+  /// of those that have all layers at all corners. Square model units.
   double area = 0.0;
   double layered = 0.0;
   double full = 0.0;
@@ -23,8 +23,8 @@ struct LayerCoverage
 
 struct LayerReport
 {
-  /// Per boundary face of the mesh: the least number of layers at a corner, and the thickness of all of them across the
-  /// face, mean of the corners; 0 where there are none.
+  /// Per boundary face of the mesh: the number of elements in the stack on it, and the thickness of all of them across
+  /// the face, mean of the corners; 0 where there are none.
   std::vector<std::int32_t> counts;
   std::vector<double> thicknesses;
   /// Surfaces, and bare sides, on which layers were asked for and that have faces.

@@ -144,8 +144,9 @@ std::vector<ShortCell> LayerImprover::improve(const std::vector<ShortCell>& cell
 
 void LayerImprover::mend()
 {
-  constexpr std::array steps{Step::leaveCurves, Step::leaveALittle, Step::leaveSurfaces, Step::goHalfway, Step::startAgain,
-                             Step::exclude, Step::leaveSurfaces, Step::goHalfway, Step::startAgain, Step::exclude, Step::leaveSurfaces};
+  constexpr std::array steps{Step::leaveCurves, Step::leaveALittle, Step::leaveSurfaces, Step::goHalfway,
+                             Step::startAgain,  Step::exclude,      Step::leaveSurfaces, Step::goHalfway,
+                             Step::startAgain,  Step::exclude,      Step::leaveSurfaces};
   std::vector<ShortCell> bad = badOf(findAll());
   for (const Step step : steps)
   {
@@ -188,7 +189,8 @@ bool LayerImprover::prepare(Step step, const std::vector<ShortCell>& bad)
   constexpr double anOctant = 0.75;
   eachLeaderOf(bad, [&](Index leader) {
     letGo_[leader] = 1;
-    step == Step::leaveCurves ? leaveCurve(leader) : leaveSurface(leader, step == Step::leaveALittle ? aLittle : anOctant);
+    step == Step::leaveCurves ? leaveCurve(leader)
+                              : leaveSurface(leader, step == Step::leaveALittle ? aLittle : anOctant);
   });
   if (step == Step::goHalfway || step == Step::startAgain)
   {
@@ -302,7 +304,17 @@ void LayerImprover::putBack()
                                                   Guides(*this).layer, leastShape, targets(), context_);
     const std::size_t before = left_.size();
     keepThoseAway();
-    if (getenv("ATRIA_DBG")) { double d = 0, m = 0; for (auto& r : released_) { double x = (layer_.mesh.points[r.point] - r.wanted).norm(); d += x; m = std::max(m, x); } fprintf(stderr, "away %zu mean %g max %g\n", left_.size(), d / std::max<size_t>(1, left_.size()), m); }
+    if (getenv("ATRIA_DBG"))
+    {
+      double d = 0, m = 0;
+      for (auto& r : released_)
+      {
+        double x = (layer_.mesh.points[r.point] - r.wanted).norm();
+        d += x;
+        m = std::max(m, x);
+      }
+      fprintf(stderr, "away %zu mean %g max %g\n", left_.size(), d / std::max<size_t>(1, left_.size()), m);
+    }
     if (before == left_.size() || pass + 1 == passes)
     {
       break;
