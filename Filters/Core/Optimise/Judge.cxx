@@ -12,6 +12,8 @@ constexpr std::size_t grain = 1024;
 constexpr double tiny = 1e-150;
 /// Over the cube of the mean edge.
 constexpr double flatVolume = 0.02;
+/// Of what is flat but for rounding.
+constexpr double flatSine = 1e-7;
 
 /// Whether a component along a unit vector is above this share of the vector's length: most measures are far above
 /// their target, and this spares the root.
@@ -165,13 +167,15 @@ Score Judge::scoreOfCell(Index cell) const
     scoreCorners(f, cell, score);
     for (const Index g : targets_.convex ? own : std::span<const Index>())
     {
-      if (f == g || (region_.neighbour[f] == noIndex && region_.neighbour[g] == noIndex))
+      if (f == g)
       {
         continue;
       }
       const Vec3 between = faces[g].centroid - faces[f].centroid;
       const double inside = -normal.dot(between);
-      if (!isAbove(inside, targets_.convexity.target, between))
+      // Two faces on the boundary may lie in one plane.
+      const bool mayBeFlat = region_.neighbour[f] == noIndex && region_.neighbour[g] == noIndex;
+      if (mayBeFlat ? inside < -flatSine * between.norm() : !isAbove(inside, targets_.convexity.target, between))
       {
         score.add(targets_.convexity.of(inside / (between.norm() + tiny)));
       }

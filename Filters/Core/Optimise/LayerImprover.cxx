@@ -123,6 +123,8 @@ LayerMesh LayerImprover::run()
   improve(findAll(), 1);
   mend();
   putBack();
+  mend();
+  keepThoseAway();
   return std::move(layer_);
 }
 
