@@ -50,7 +50,7 @@ struct Layered
   }
 
   const DualMesh& plain() const { return meshed.mesh(); }
-  LayerMesh divided() const { return divideLayer(plain(), walls, one, options, context()); }
+  LayerMesh divided() const { return divideLayer(plain(), walls, one, options, {}, context()); }
   Vec3 wayOf(Index point) const { return one.mesh.points[one.copies[point]] - plain().points[point]; }
 
   /// Points with faces of this tag.

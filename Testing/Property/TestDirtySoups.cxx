@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Dirty models with known spaces: what must hold of their meshes.
+#include "Quality/CheckQuantities.h"
+#include "Quality/MeshChecks.h"
 #include "Support/DirtySoups.h"
 #include "Support/DualMeshChecks.h"
 #include "Support/MeshIt.h"
 #include "Support/Shapes.h"
 #include "Support/Watchdog.h"
 #include "VtkDualMesh.h"
+#include "VtkFaceMesh.h"
 
 #include <Eigen/Geometry>
 
@@ -14,6 +17,7 @@
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkStringArray.h>
+#include <vtkUnstructuredGrid.h>
 
 #include <gtest/gtest.h>
 
@@ -171,6 +175,35 @@ TEST_P(DirtySoups, AreMeshedSoundlyAndKeepTheirSpaces)
     EXPECT_NEAR(totalVolume(meshed.mesh()) / soup.grid.domain.size().prod(), 1.0, 1e-6);
     expectSpaces(soup, meshed.mesh());
     expectNothingLost(soup, meshed);
+  }
+}
+
+TEST_P(DirtySoups, HaveALayerAndNothingToObjectTo)
+{
+  const SerialExecutor serial;
+  SilentMonitor silent;
+  const RunContext context{serial, ProgressRange(silent)};
+  for (int i = 0; i < soupsInPart(); ++i)
+  {
+    const auto seed = static_cast<unsigned>(GetParam() + parts * i);
+    const DirtySoup soup = dirtySoup(seed);
+    const std::string what = "soup " + std::to_string(seed) + ": " + soup.description;
+    SCOPED_TRACE(what);
+    const Watchdog watchdog(what, std::chrono::seconds(120));
+    DualMeshOptions options;
+    options.zoneRule = ZoneRule::all;
+    options.layers = {{"*", {1}}};
+    const Meshed meshed = meshIt(soup.surface, soup.grid, options);
+    EXPECT_TRUE(elementsAreClosed(meshed.mesh()));
+    EXPECT_TRUE(boundaryIsWatertight(meshed.mesh()));
+    EXPECT_NEAR(totalVolume(meshed.mesh()) / soup.grid.domain.size().prod(), 1.0, 1e-6);
+    vtkNew<vtkUnstructuredGrid> volume;
+    volumeToVtk(meshed.mesh(), volume);
+    const MeshVerdict verdict = checkMesh(measureMesh(faceMeshFromVtk(volume, nullptr).mesh, context), context);
+    for (const MeshCheck& check : verdict.checks)
+    {
+      EXPECT_TRUE(!check.isError || check.failing.empty()) << check.name << ": " << check.failing.size();
+    }
   }
 }
 

@@ -136,13 +136,14 @@ std::vector<WallLayers> layersOfPoints(const DualMesh& mesh, const LayerWalls& w
 }
 
 LayerMesh divideLayer(const DualMesh& plain, const LayerWalls& walls, const LayerMesh& one, const LayerOptions& options,
-                      const RunContext& context)
+                      const std::vector<Index>& most, const RunContext& context)
 {
   const std::vector<WallLayers> asked = layersOfPoints(plain, walls, options);
   std::vector<Index> counts(one.copies.size());
   for (std::size_t p = 0; p < counts.size(); ++p)
   {
     counts[p] = one.copies[p] == noIndex ? 0 : static_cast<Index>(asked[p].layers);
+    counts[p] = most.empty() ? counts[p] : std::min(counts[p], most[p]);
   }
   LayerMesh out;
   do
@@ -170,7 +171,7 @@ LayerMesh layWalls(const DualMesh& plain, const LayerWalls& walls, const LayerOp
   }
   const bool divided = std::any_of(options.ofTag.begin(), options.ofTag.end(),
                                    [](const WallLayers& layers) { return layers.layers > 1; });
-  return divided ? divideLayer(plain, walls, one, options, context) : std::move(one);
+  return divided ? divideLayer(plain, walls, one, options, {}, context) : std::move(one);
 }
 
 } // namespace atria

@@ -14,9 +14,9 @@ namespace atria {
 /// The layers fill the way. If it is shorter than they should be in all, all heights are scaled down alike; if it is
 /// longer, the first height is kept and growth is raised, to `maximumGrowth` at most, then all are scaled up. Without a
 /// first height they grow as asked. Where a part of a valid prism would not be valid, its points get half as many
-/// layers, and so on.
+/// layers, and so on. `most` is the most layers each point may have; empty for any.
 LayerMesh divideLayer(const DualMesh& plain, const LayerWalls& walls, const LayerMesh& one, const LayerOptions& options,
-                      const RunContext& context);
+                      const std::vector<Index>& most, const RunContext& context);
 inline constexpr double maximumGrowth = 2.0;
 
 /// The shares of a way of length `way` at which its layers end: count entries, rising, the last 1.

@@ -200,7 +200,7 @@ double thicknessAsked(const WallLayers& layers, double wallSize, const LayerOpti
 {
   if (layers.firstHeight == 0.0)
   {
-    return options.relativeThickness * wallSize;
+    return (layers.layers > 1 ? options.dividedThickness : options.relativeThickness) * wallSize;
   }
   const double g = layers.growth;
   return layers.firstHeight * (g == 1.0 ? layers.layers : (std::pow(g, layers.layers) - 1.0) / (g - 1.0));

@@ -17,6 +17,8 @@ struct LayerOptions
   /// Thickness of a layer without a height of its own, relative to the size of the elements beside the wall
   /// (findWallSizes).
   double relativeThickness = 0.3;
+  /// The same for more layers than one, which else would be very thin.
+  double dividedThickness = 0.5;
 
   Index surfaceCount() const { return static_cast<Index>(ofTag.size()) - 6; }
 };

@@ -66,7 +66,7 @@ void DualImprover::growLayers(const std::vector<LayerRule>& rules)
   LayerMesh layer = improver.run();
   if (most->layers > 1)
   {
-    layer = divideLayer(plain, walls, layer, options, context_);
+    layer = improver.divide(layer);
   }
   if (most->layers > 0)
   {

@@ -41,7 +41,7 @@ struct QualityTargets
   QualityRange boundaryShape{0.0, 0.1};
   /// Of the sum of the dyads of a cell's internal face areas over their mean: OpenFOAM's cell determinant. A cell with
   /// other cells beside it on two axes only has none, whatever its shape.
-  QualityRange determinant{0.0015, 0.01};
+  QualityRange determinant{0.0011, 0.01};
   /// Whether it counts for the worst; if not, it is improved where that is possible.
   bool determinants = true;
   /// Whether faces must be star-shaped about their centroids, as OpenFOAM's decomposition into tetrahedra asks, and

@@ -46,6 +46,37 @@ std::vector<ShortCell> badOf(const std::vector<ShortCell>& cells)
   return bad;
 }
 
+/// Of points that only are looked at.
+class AnyPlace : public VertexGuide
+{
+public:
+  bool isMovable(Index) const override { return true; }
+  Vec3 place(Index, const Vec3& p) const override { return p; }
+};
+
+/// Halves the layers at the points of cells. Tells whether there was any to halve.
+bool halve(const LayerMesh& layer, const std::vector<ShortCell>& cells, std::vector<Index>& most)
+{
+  std::vector<Index> walls;
+  for (const ShortCell& cell : cells)
+  {
+    for (const Index p : layer.mesh.corners[cell.cell])
+    {
+      walls.push_back(p < layer.plainPoints ? p : layer.wallPoints[p - layer.plainPoints]);
+    }
+  }
+  std::ranges::sort(walls);
+  walls.erase(std::unique(walls.begin(), walls.end()), walls.end());
+  bool any = false;
+  for (const Index p : walls)
+  {
+    const Index has = layer.copies[p] == noIndex ? 0 : layer.places[layer.copies[p] - layer.plainPoints];
+    most[p] = has > 1 ? (has + 1) / 2 : most[p];
+    any = any || has > 1;
+  }
+  return any;
+}
+
 } // namespace
 
 enum class LayerImprover::Step : std::uint8_t
@@ -128,6 +159,25 @@ LayerMesh LayerImprover::run()
   return std::move(layer_);
 }
 
+LayerMesh LayerImprover::divide(const LayerMesh& one) const
+{
+  const auto greatest = std::ranges::max_element(options_.ofTag, {}, &WallLayers::layers);
+  std::vector<Index> most(plain_.points.size(), static_cast<Index>(greatest->layers));
+  QualityTargets limits = targets();
+  limits.decomposed = false;
+  for (;;)
+  {
+    context_.progress.check();
+    LayerMesh divided = divideLayer(plain_, walls_, one, options_, most, context_);
+    const std::vector<ShortCell> bad =
+        badOf(findShortCells(DualSource(divided.mesh), boundaryPoints(divided), AnyPlace(), limits, context_));
+    if (!halve(divided, bad, most))
+    {
+      return divided;
+    }
+  }
+}
+
 void LayerImprover::grow() { layer_ = growLayer(plain_, walls_, options_, excluded_, context_); }
 
 std::vector<ShortCell> LayerImprover::findAll() const
@@ -152,8 +202,6 @@ void LayerImprover::mend()
   std::vector<ShortCell> bad = badOf(findAll());
   for (const Step step : steps)
   {
-    if (getenv("ATRIA_DBG"))
-      fprintf(stderr, "step %d bad %zu left %zu\n", (int)step, bad.size(), left_.size());
     if (bad.empty())
     {
       return;
@@ -297,29 +345,17 @@ std::vector<WantedPlace> LayerImprover::wantedPlaces() const
 void LayerImprover::putBack()
 {
   constexpr int passes = 6;
-  constexpr double leastShape = soundEnough;
   std::ranges::sort(left_, {}, &WantedPlace::point);
   for (int pass = 0; pass < passes && !left_.empty(); ++pass)
   {
     context_.progress.check();
     const std::vector<ShortCell> cells = approach(DualSource(layer_.mesh), layer_.mesh.points, wantedPlaces(),
-                                                  Guides(*this).layer, leastShape, targets(), context_);
+                                                  Guides(*this).layer, soundEnough, targets(), context_);
     const std::size_t before = left_.size();
     keepThoseAway();
-    if (getenv("ATRIA_DBG"))
-    {
-      double d = 0, m = 0;
-      for (auto& r : released_)
-      {
-        double x = (layer_.mesh.points[r.point] - r.wanted).norm();
-        d += x;
-        m = std::max(m, x);
-      }
-      fprintf(stderr, "away %zu mean %g max %g\n", left_.size(), d / std::max<size_t>(1, left_.size()), m);
-    }
     if (before == left_.size() || pass + 1 == passes)
     {
-      break;
+      return;
     }
     improve(cells, 1);
   }

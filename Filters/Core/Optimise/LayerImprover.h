@@ -3,7 +3,7 @@
 #pragma once
 
 #include "Dual/DualVertices.h"
-#include "Layer/ConformingLayer.h"
+#include "Layer/BoundaryLayers.h"
 #include "Optimise/ModelGuide.h"
 #include "Optimise/Optimiser.h"
 
@@ -30,6 +30,8 @@ public:
 
   /// Without layers asked for, the plain mesh made valid; its elements may be concave then.
   LayerMesh run();
+  /// Divides the layer into those asked for; fewer at points where elements would not be valid.
+  LayerMesh divide(const LayerMesh& one) const;
   /// Those that did not get back, in rising order of points.
   const std::vector<ReleasedVertex>& released() const { return released_; }
 
