@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Commands.h"
+#include "ModelOptions.h"
 
 #include <vtkSmartPointer.h>
 
@@ -18,8 +19,8 @@ namespace atria::tool {
 
 class Console;
 
-/// A reader that has read `file`. Its warnings have been printed. Throws Failure(BadInput).
-vtkSmartPointer<vtkAtriaVRMLReader> readModel(const std::string& file, Console& console);
+/// A reader that has read `file`. Its warnings and notes have been printed. Throws Failure(BadInput).
+vtkSmartPointer<vtkAtriaVRMLReader> readModel(const std::string& file, const ModelOptions& options, Console& console);
 vtkSmartPointer<vtkUnstructuredGrid> readMesh(const std::string& file, Console& console);
 /// What writePatches() wrote.
 vtkSmartPointer<vtkPartitionedDataSetCollection> readPatches(const std::string& file, Console& console);

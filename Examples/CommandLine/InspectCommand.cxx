@@ -31,6 +31,14 @@ namespace atria::tool {
 
 namespace {
 
+struct InspectOptions
+{
+  std::string file;
+  ModelOptions model;
+  std::string features;
+  bool json = false;
+};
+
 /// The reader's output, which is triangles only.
 TriangleSurface trianglesOf(vtkPolyData* model)
 {
@@ -76,7 +84,17 @@ Json jsonOf(const SurfaceSummary& summary)
           {"non_manifold_edges", summary.nonManifoldEdges}};
 }
 
-Json jsonOf(const Inspection& inspection, vtkStringArray* warnings)
+Json jsonOf(vtkStringArray* texts)
+{
+  Json list = Json::array();
+  for (vtkIdType i = 0; i < texts->GetNumberOfValues(); ++i)
+  {
+    list.push_back(texts->GetValue(i));
+  }
+  return list;
+}
+
+Json jsonOf(const Inspection& inspection, vtkAtriaVRMLReader* reader)
 {
   Json report;
   report["surfaces"] = Json::array();
@@ -87,11 +105,9 @@ Json jsonOf(const Inspection& inspection, vtkStringArray* warnings)
   report["total"] = jsonOf(inspection.total);
   report["total"].erase("name");
   report["total"]["points"] = inspection.points;
-  report["warnings"] = Json::array();
-  for (vtkIdType i = 0; i < warnings->GetNumberOfValues(); ++i)
-  {
-    report["warnings"].push_back(warnings->GetValue(i));
-  }
+  report["warnings"] = jsonOf(reader->GetWarnings());
+  report["notes"] = jsonOf(reader->GetNotes());
+  report["merged_faces"] = reader->GetNumberOfMergedFaces();
   return report;
 }
 
@@ -143,22 +159,22 @@ void writeFeatures(const std::string& file, vtkAtriaVRMLReader* reader, Console&
   writePolyData(file, vtkPolyData::SafeDownCast(features->GetOutputDataObject(0)), console);
 }
 
-ExitStatus runInspect(const std::string& file, const std::string& features, bool asJson, Console& console)
+ExitStatus runInspect(const InspectOptions& options, Console& console)
 {
-  if (!features.empty())
+  if (!options.features.empty())
   {
-    checkOutput("--features", features, ".vtp");
+    checkOutput("--features", options.features, ".vtp");
   }
-  const auto reader = readModel(file, console);
-  if (!features.empty())
+  const auto reader = readModel(options.file, options.model, console);
+  if (!options.features.empty())
   {
-    writeFeatures(features, reader, console);
+    writeFeatures(options.features, reader, console);
   }
   const Inspection inspection = inspect(trianglesOf(reader->GetOutput()));
   console.clearBar();
-  if (asJson)
+  if (options.json)
   {
-    std::cout << jsonOf(inspection, reader->GetWarnings()).dump(2) << '\n';
+    std::cout << jsonOf(inspection, reader).dump(2) << '\n';
   }
   else
   {
@@ -171,22 +187,16 @@ ExitStatus runInspect(const std::string& file, const std::string& features, bool
 
 void addInspectCommand(CLI::App& app, Console& console, ExitStatus& status)
 {
-  struct Options
-  {
-    std::string file;
-    std::string features;
-    bool json = false;
-  };
   CLI::App* command = app.add_subcommand("inspect", "List the surfaces of a model by name");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<InspectOptions>();
   command->add_option("IN.wrl", options->file, "VRML model (.wrl, .wrz, .wrl.gz)")->required();
+  declareModelOptions(*command, options->model);
   command
       ->add_option("--features", options->features,
                    "Also write the curves and corners that a mesh is to keep: rims, creases, junctions, borders")
       ->type_name("OUT.vtp");
   command->add_flag("--json", options->json, "Print JSON");
-  command->callback(
-      [options, &console, &status] { status = runInspect(options->file, options->features, options->json, console); });
+  command->callback([options, &console, &status] { status = runInspect(*options, console); });
 }
 
 } // namespace atria::tool

@@ -40,6 +40,7 @@ namespace {
 struct MeshOptions
 {
   std::string input;
+  ModelOptions model;
   std::string output;
   double sizeMax = 0.0;
   double sizeMid = 0.0;
@@ -114,7 +115,8 @@ void declareOptions(CLI::App& command, MeshOptions& options)
   options.gap = mesher->GetGapTolerance();
   options.crack = mesher->GetCrackTolerance();
 
-  command.add_option("IN.wrl", options.input, "VRML model (.wrl, .wrz, .wrl.gz), in metres, Z up")->required();
+  command.add_option("IN.wrl", options.input, "VRML model (.wrl, .wrz, .wrl.gz)")->required();
+  declareModelOptions(command, options.model);
   command
       .add_option("-o,--output", options.output,
                   "Where the mesh goes, a .vtu file (not for --preflight and --estimate)")
@@ -387,7 +389,7 @@ ExitStatus runMesh(const MeshOptions& options, Console& console)
   const Stopwatch total;
 
   const Stopwatch reading;
-  const auto reader = readModel(options.input, console);
+  const auto reader = readModel(options.input, options.model, console);
   const double readSeconds = reading.seconds();
   if (!options.site.empty())
   {

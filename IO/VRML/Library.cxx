@@ -2,6 +2,7 @@
 #include "Library.h"
 
 #include "Input.h"
+#include "Lexer.h"
 #include "Parser.h"
 
 #include "Support/Error.h"
@@ -12,28 +13,45 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Refuses other languages. A VRML 1.0 evaluator would take over here.
-void checkVersion(const fs::path& file, std::string_view text)
+void checkLanguage(const fs::path& file, std::string_view text)
 {
-  const std::string place = std::string("'").append(file.string()).append("', line 1: ");
-  if (versionOf(text) == Version::vrml1)
-  {
-    throw Error(place + "VRML 1.0 is not read yet; save the model as VRML97 (VRML 2.0)");
-  }
   if (text.find('\0') != std::string_view::npos && versionOf(text) == Version::missing)
   {
-    throw Error(place + "this is not a VRML file");
+    throw Error(std::string("'").append(file.string()).append("', line 1: this is not a VRML file"));
   }
 }
 
-void warnOfVersion(Diagnostics& diagnostics, const Document& document)
+/// Files without a header: VRML 1.0 has nodes that VRML97 has not, and no file goes far without one of them.
+Version guessVersion(std::string_view text)
+{
+  constexpr std::size_t farEnough = 1 << 20;
+  Lexer lexer(text.substr(0, farEnough));
+  for (Token token = lexer.next(); token.kind != TokenKind::end; token = lexer.next())
+  {
+    for (const std::string_view name : {"Separator", "Coordinate3", "ShapeHints", "MaterialBinding", "WWWInline"})
+    {
+      if (token.is(name) && lexer.peek().kind == TokenKind::openBrace)
+      {
+        return Version::vrml1;
+      }
+    }
+    if (token.is("Shape") || token.is("children"))
+    {
+      break;
+    }
+  }
+  return Version::missing;
+}
+
+void warnOfVersion(Diagnostics& diagnostics, const Document& document, Version declared)
 {
   const std::string place = document.displayName() + ":1: ";
-  if (document.version == Version::missing)
+  if (declared == Version::missing)
   {
-    diagnostics.warn(place + "the first line is not '#VRML V2.0 utf8'; read as VRML97");
+    diagnostics.warn(place + "the first line is not '#VRML V2.0 utf8'; read as " +
+                     (document.version == Version::vrml1 ? "VRML 1.0" : "VRML97"));
   }
-  else if (document.version == Version::x3d)
+  else if (declared == Version::x3d)
   {
     diagnostics.warn(place + "the file declares X3D; read as VRML97");
   }
@@ -60,15 +78,18 @@ Version versionOf(std::string_view text)
 std::unique_ptr<Document> Library::read(const fs::path& file)
 {
   const FileText source = readText(file);
-  checkVersion(file, source.text);
+  checkLanguage(file, source.text);
   auto document = std::make_unique<Document>(file);
-  document->version = versionOf(source.text);
+  const Version declared = versionOf(source.text);
+  document->version = declared == Version::missing ? guessVersion(source.text) : declared;
+  constexpr std::size_t headLength = 4096;
+  document->head = source.text.substr(0, headLength);
   if (source.truncated)
   {
     diagnostics.warn(document->displayName() +
                      ": the compressed file is damaged or ends early; read as far as possible");
   }
-  warnOfVersion(diagnostics, *document);
+  warnOfVersion(diagnostics, *document, declared);
   Parser(*document, source.text, diagnostics, progress).run();
   return document;
 }

@@ -229,7 +229,11 @@ void Parser::openNode(Slot slot, const std::vector<std::string_view>& names)
   node.document = &document;
   node.line = lexer.lineOf(type.text);
   node.prototype = findPrototype(type.text);
-  node.type = node.prototype ? nullptr : findNodeType(type.text);
+  node.type = node.prototype ? nullptr : findNodeType(type.text, document.version);
+  if (isVersion1() && !node.type)
+  {
+    node.type = declaredBase();
+  }
   quiet = quiet && !node.prototype && !node.type;
   for (const std::string_view name : names)
   {
@@ -245,6 +249,31 @@ void Parser::openNode(Slot slot, const std::vector<std::string_view>& names)
                      "' is skipped");
   }
   frames.push_back({Open::node, {}, &node, nullptr, node.line});
+}
+
+/// Nodes of others tell in VRML 1.0 which known type they may be taken for: `fields [ … ] isA [ "Separator" ]`, ahead
+/// of everything else.
+const NodeType* Parser::declaredBase()
+{
+  const Lexer start = lexer;
+  if (lexer.peek().is("fields") && lexer.peekSecond().kind == TokenKind::openBracket)
+  {
+    lexer.next();
+    skipGroup();
+  }
+  const NodeType* base = nullptr;
+  Value names;
+  if (lexer.peek().is("isA"))
+  {
+    lexer.next();
+    readStrings(names, true);
+    for (const std::string& name : std::get<std::vector<std::string>>(names))
+    {
+      base = base ? base : findNodeType(name, Version::vrml1);
+    }
+  }
+  lexer = start;
+  return base;
 }
 
 void Parser::readUse(Slot slot)
@@ -399,12 +428,16 @@ void Parser::readNodeWithoutField()
 {
   Node& node = *frames.back().node;
   const Token token = lexer.peek();
+  if (isVersion1() && (!node.type || (node.type->kind == NodeKind::group && node.type->fieldType("children"))))
+  {
+    return readNode(slotOf(node, "children"));
+  }
   if (node.type && node.type->kind == NodeKind::group && node.type->fieldType("children"))
   {
     warn("expected a field of " + std::string(node.typeName) + ", found " + tell(token) + "; taken as its child");
     return readNode(slotOf(node, "children"));
   }
-  const NodeType* type = findNodeType(token.text);
+  const NodeType* type = findNodeType(token.text, document.version);
   if (node.type && node.type->kind == NodeKind::shape && type)
   {
     warn("expected a field of Shape, found " + tell(token) + "; taken as its " +
@@ -420,13 +453,19 @@ void Parser::readField()
   Node& node = *frames.back().node;
   const Token token = lexer.peek();
   const auto type = fieldType(node, token.text);
+  if (isVersion1() && (token.is("fields") || token.is("isA")))
+  {
+    lexer.next();
+    return lexer.peek().kind == TokenKind::openBracket ? skipGroup() : void(lexer.next());
+  }
   const bool declares = token.is("field") || token.is("exposedField") || token.is("eventIn") || token.is("eventOut");
   if (declares && !(type && *type != FieldType::unknown))
   {
     return readDeclaration();
   }
   const bool is = lexer.peekSecond().is("IS");
-  if (!type && !is && (node.type || node.prototype) && !node.damaged)
+  const bool known = node.prototype || (node.type && node.type->name == node.typeName);
+  if (!type && !is && known && !node.damaged)
   {
     warn(std::string(node.typeName) + " has no field '" + toUtf8(token.text) + "'");
   }
@@ -487,7 +526,11 @@ std::optional<FieldType> Parser::fieldType(const Node& node, std::string_view fi
     const auto found = node.prototype->interface.find(field);
     return found == node.prototype->interface.end() ? std::nullopt : std::optional(found->second);
   }
-  return node.type ? node.type->fieldType(field) : std::nullopt;
+  if (!node.type)
+  {
+    return field == "children" ? std::optional(FieldType::mfNode) : std::nullopt;
+  }
+  return node.type->fieldType(field);
 }
 
 const Prototype* Parser::findPrototype(std::string_view name) const

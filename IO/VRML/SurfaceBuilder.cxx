@@ -12,6 +12,7 @@ void SurfaceBuilder::polygon(std::span<const Index> ids)
   {
     triangle(t[0], t[1], t[2]);
   }
+  ++polygons;
   flat += cut.triangles.empty() ? 1 : 0;
   crossing += cut.simple ? 0 : 1;
 }

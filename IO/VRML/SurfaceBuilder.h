@@ -14,6 +14,7 @@ struct LocalSurface
 {
   std::vector<Vec3> points;
   std::vector<std::array<Index, 3>> triangles;
+  std::vector<Index> faceIds; ///< per triangle: the polygon it was cut from, counted from 0; ascending
 };
 
 /// Collects polygons as triangles.
@@ -38,11 +39,13 @@ public:
 private:
   void triangle(Index a, Index b, Index c)
   {
+    surface.faceIds.push_back(polygons);
     surface.triangles.push_back(flip ? std::array<Index, 3>{a, c, b} : std::array<Index, 3>{a, b, c});
   }
 
   LocalSurface surface;
   bool flip;
+  Index polygons = 0;
   std::size_t flat = 0;
   std::size_t crossing = 0;
 };

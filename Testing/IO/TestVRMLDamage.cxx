@@ -115,8 +115,6 @@ TEST_F(VRMLDamage, WarnsOfAMissingHeader)
 
 TEST_F(VRMLDamage, RefusesWhatItCannotRead)
 {
-  EXPECT_NE(errorOf("#VRML V1.0 ascii\nCube {}").find("model.wrl', line 1: VRML 1.0 is not read yet"),
-            std::string::npos);
   EXPECT_NE(errorOf(std::string("\x7f"
                                 "ELF\0\0\0",
                                 7))
@@ -134,9 +132,9 @@ TEST_F(VRMLDamage, SaysWhatAFileWithoutSurfacesHolds)
   EXPECT_NE(errorOf("#VRML V2.0 utf8\n").find("holds no surfaces: it is empty"), std::string::npos);
   EXPECT_NE(errorOf("").find("holds no surfaces: it is empty"), std::string::npos);
   EXPECT_NE(errorOf("#VRML V2.0 utf8\nShape { geometry IndexedLineSet {} } Viewpoint {} Shape { geometry PointSet {} }")
-                .find("it holds 1 IndexedLineSet, 1 PointSet, 1 Viewpoint"),
+                .find("it holds IndexedLineSet: 1, PointSet: 1, Viewpoint: 1"),
             std::string::npos);
-  EXPECT_NE(errorOf("#VRML V2.0 utf8\nShape { geometry IndexedFaceSet {} }").find("1 IndexedFaceSet without faces"),
+  EXPECT_NE(errorOf("#VRML V2.0 utf8\nShape { geometry IndexedFaceSet {} }").find("IndexedFaceSet without faces: 1"),
             std::string::npos);
 }
 

@@ -154,15 +154,12 @@ TEST_F(VRMLReader, FindsInlinedFilesByBackslashCaseAndBareName)
   EXPECT_EQ(model.names(), (Names{"Wall", "Roof", "Roof_2"}));
 }
 
-TEST_F(VRMLReader, WarnsOfInlinedFilesThatAreMissingOldOrCyclic)
+TEST_F(VRMLReader, WarnsOfInlinedFilesThatAreMissingOrCyclic)
 {
-  write("old.wrl", "#VRML V1.0 ascii\nCube {}");
-  const VRMLModel model =
-      read(box + "Inline { url \"gone.wrl\" } Inline { url \"old.wrl\" }\nInline { url \"model.wrl\" }");
+  const VRMLModel model = read(box + "Inline { url \"gone.wrl\" }\nInline { url \"model.wrl\" }");
   EXPECT_EQ(messages.takeWarnings().size(), 1u);
   const std::string warnings = joined(model.warnings());
   EXPECT_NE(warnings.find("model.wrl:2: Inline: cannot read 'gone.wrl'"), std::string::npos) << warnings;
-  EXPECT_NE(warnings.find("VRML 1.0 is not read yet"), std::string::npos) << warnings;
   EXPECT_NE(warnings.find("model.wrl:3: Inline: the file contains itself"), std::string::npos) << warnings;
   EXPECT_EQ(model.triangles(), 12);
 }
@@ -265,7 +262,7 @@ TEST_F(VRMLReader, TellsWhichFilesItCanRead)
 {
   EXPECT_TRUE(vtkAtriaVRMLReader::CanReadFile(data("house.wrl").c_str()));
   EXPECT_TRUE(vtkAtriaVRMLReader::CanReadFile(data("house.wrz").c_str()));
-  EXPECT_FALSE(vtkAtriaVRMLReader::CanReadFile(write("old.wrl", "#VRML V1.0 ascii\n").c_str()));
+  EXPECT_TRUE(vtkAtriaVRMLReader::CanReadFile(write("old.wrl", "#VRML V1.0 ascii\n").c_str()));
   EXPECT_FALSE(vtkAtriaVRMLReader::CanReadFile(write("empty.wrl", "").c_str()));
   EXPECT_FALSE(vtkAtriaVRMLReader::CanReadFile(scratch.path().c_str()));
   EXPECT_FALSE(vtkAtriaVRMLReader::CanReadFile(nullptr));
