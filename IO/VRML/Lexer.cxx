@@ -198,6 +198,18 @@ std::optional<std::string_view> Lexer::nextName()
 bool Lexer::nextNumber(double& value)
 {
   skipBlanks();
+  // What most numbers are, without looking for their ends first.
+  if (at != end && (isDigit(*at) || *at == '-'))
+  {
+    double plain = 0.0;
+    const auto [stop, error] = std::from_chars(at, end, plain);
+    if (error == std::errc() && (stop == end || isDelimiter(*stop)) && std::isfinite(plain))
+    {
+      value = plain;
+      at = stop;
+      return true;
+    }
+  }
   const char* stop = wordEnd(at, end);
   const std::optional<double> number = toNumber({at, static_cast<std::size_t>(stop - at)});
   if (!number)
@@ -212,6 +224,12 @@ bool Lexer::nextNumber(double& value)
 bool Lexer::nextInteger(int& value)
 {
   skipBlanks();
+  const auto [quick, none] = std::from_chars(at, end, value);
+  if (none == std::errc() && (quick == end || isDelimiter(*quick)))
+  {
+    at = quick;
+    return true;
+  }
   const char* stop = wordEnd(at, end);
   const char* first = at != stop && *at == '+' ? at + 1 : at;
   const auto [last, error] = std::from_chars(first, stop, value);

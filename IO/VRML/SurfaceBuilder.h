@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Support/Types.h"
+#include "Surface/PolygonTriangulation.h"
 
 #include <array>
 #include <span>
@@ -44,6 +45,7 @@ private:
   }
 
   LocalSurface surface;
+  PolygonTriangles cut; ///< of the last polygon
   bool flip;
   Index polygons = 0;
   std::size_t flat = 0;

@@ -163,14 +163,20 @@ std::vector<Index> keysOf(const Scene& scene, SurfaceBy by, double splitAngle)
 Surfaces makeSurfaces(const Scene& scene, SurfaceBy by, double splitAngle)
 {
   Surfaces out;
-  out.ids = keysOf(scene, by, splitAngle);
+  const std::vector<Index> keys = keysOf(scene, by, splitAngle);
+  out.ids.resize(keys.size());
   std::vector<Wanted> wanted;
   std::vector<Index> materials;
   std::unordered_map<Index, Index> idOfKey;
-  for (std::size_t i = 0; i < out.ids.size(); ++i)
+  for (std::size_t i = 0, last = 0; i < out.ids.size(); ++i)
   {
+    if (i > 0 && keys[i] == keys[i - 1] && scene.shapeIds[i] == scene.shapeIds[i - 1])
+    {
+      out.ids[i] = static_cast<Index>(last);
+      continue;
+    }
     const Shape& shape = scene.shapes[scene.shapeIds[i]];
-    const auto [found, isNew] = idOfKey.try_emplace(out.ids[i], static_cast<Index>(wanted.size()));
+    const auto [found, isNew] = idOfKey.try_emplace(keys[i], static_cast<Index>(wanted.size()));
     if (isNew)
     {
       wanted.push_back(by == SurfaceBy::group      ? groupName(scene, shape.group)
@@ -178,6 +184,7 @@ Surfaces makeSurfaces(const Scene& scene, SurfaceBy by, double splitAngle)
                                                    : shapeName(scene, shape));
       materials.push_back(shape.material);
     }
+    last = found->second;
     out.ids[i] = found->second;
     Index& material = materials[found->second];
     material = material == noIndex ? shape.material : material;

@@ -51,9 +51,10 @@ vtkNew<vtkPoints> toPoints(const std::vector<atria::Vec3>& source)
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   points->SetNumberOfPoints(static_cast<vtkIdType>(source.size()));
-  for (std::size_t i = 0; i < source.size(); ++i)
+  static_assert(sizeof(atria::Vec3) == 3 * sizeof(double));
+  if (!source.empty())
   {
-    points->SetPoint(static_cast<vtkIdType>(i), source[i].data());
+    std::copy_n(source[0].data(), 3 * source.size(), static_cast<double*>(points->GetVoidPointer(0)));
   }
   return points;
 }
@@ -65,15 +66,15 @@ vtkNew<vtkCellArray> toCells(const std::vector<std::array<atria::Index, 3>>& tri
   const auto count = static_cast<vtkIdType>(triangles.size());
   offsets->SetNumberOfValues(count + 1);
   connectivity->SetNumberOfValues(3 * count);
-  for (vtkIdType i = 0; i < count; ++i)
+  vtkIdType* corner = connectivity->GetPointer(0);
+  for (const auto& t : triangles)
+  {
+    corner = std::copy(t.begin(), t.end(), corner);
+  }
+  for (vtkIdType i = 0; i <= count; ++i)
   {
     offsets->SetValue(i, 3 * i);
-    for (int k = 0; k < 3; ++k)
-    {
-      connectivity->SetValue(3 * i + k, triangles[static_cast<std::size_t>(i)][k]);
-    }
   }
-  offsets->SetValue(count, 3 * count);
   vtkNew<vtkCellArray> cells;
   cells->SetData(offsets, connectivity);
   return cells;

@@ -50,9 +50,11 @@
 class vtkPolyData;
 class vtkStringArray;
 
-namespace atria::vrml {
+namespace atria {
+namespace vrml {
 class Diagnostics;
 }
+} // namespace atria
 
 class ATRIAIOVRML_EXPORT vtkAtriaVRMLReader : public vtkPolyDataAlgorithm
 {
