@@ -15,7 +15,7 @@ namespace {
 
 void checkLanguage(const fs::path& file, std::string_view text)
 {
-  if (text.find('\0') != std::string_view::npos && versionOf(text) == Version::missing)
+  if (versionOf(text) == Version::missing && text.find('\0') != std::string_view::npos)
   {
     throw Error(std::string("'").append(file.string()).append("', line 1: this is not a VRML file"));
   }
@@ -78,19 +78,19 @@ Version versionOf(std::string_view text)
 std::unique_ptr<Document> Library::read(const fs::path& file)
 {
   const FileText source = readText(file);
-  checkLanguage(file, source.text);
+  checkLanguage(file, source.text());
   auto document = std::make_unique<Document>(file);
-  const Version declared = versionOf(source.text);
-  document->version = declared == Version::missing ? guessVersion(source.text) : declared;
+  const Version declared = versionOf(source.text());
+  document->version = declared == Version::missing ? guessVersion(source.text()) : declared;
   constexpr std::size_t headLength = 4096;
-  document->head = source.text.substr(0, headLength);
+  document->head = source.text().substr(0, headLength);
   if (source.truncated)
   {
     diagnostics.warn(document->displayName() +
                      ": the compressed file is damaged or ends early; read as far as possible");
   }
   warnOfVersion(diagnostics, *document, declared);
-  Parser(*document, source.text, diagnostics, progress).run();
+  Parser(*document, source.text(), diagnostics, progress).run();
   return document;
 }
 

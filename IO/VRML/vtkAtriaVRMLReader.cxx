@@ -116,10 +116,13 @@ void addOffset(vtkFieldData* data, const atria::Vec3& offset)
   data->AddArray(array);
 }
 
-void fill(vtkPolyData* output, const atria::vrml::Scene& scene, const atria::vrml::Surfaces& surfaces)
+/// What has been copied goes at once.
+void fill(vtkPolyData* output, atria::vrml::Scene scene, const atria::vrml::Surfaces& surfaces)
 {
   output->SetPoints(toPoints(scene.points));
+  scene.points = {};
   output->SetPolys(toCells(scene.triangles));
+  scene.triangles = {};
   vtkNew<vtkIntArray> ids;
   ids->SetName("SurfaceId");
   ids->SetNumberOfValues(static_cast<vtkIdType>(surfaces.ids.size()));
@@ -210,10 +213,17 @@ bool vtkAtriaVRMLReader::ReadModel(vtkPolyData* output, atria::vrml::Diagnostics
   namespace vrml = atria::vrml;
   atria::AlgorithmProgress monitor(*this);
   const atria::ProgressRange progress(monitor);
-  vrml::Library library(diagnostics, progress.part(0.0, 0.6));
-  const vrml::Document& document = library.open(this->FileName);
-  vrml::Evaluator evaluator(library, diagnostics, progress.part(0.6, 0.9), this->TessellationAngle);
-  vrml::Scene scene = evaluator.run(document);
+  vrml::Scene scene;
+  std::string head;
+  std::string name;
+  {
+    vrml::Library library(diagnostics, progress.part(0.0, 0.6));
+    const vrml::Document& document = library.open(this->FileName);
+    head = document.head;
+    name = document.displayName();
+    vrml::Evaluator evaluator(library, diagnostics, progress.part(0.6, 0.9), this->TessellationAngle);
+    scene = evaluator.run(document);
+  } // the files' values go before the output comes
   for (const auto& [type, count] : scene.skipped)
   {
     this->SkippedNodes->InsertNextValue(type + ": " + std::to_string(count));
@@ -229,13 +239,14 @@ bool vtkAtriaVRMLReader::ReadModel(vtkPolyData* output, atria::vrml::Diagnostics
     this->NumberOfMergedFaces = static_cast<vtkIdType>(vrml::mergeDuplicateFaces(scene, diagnostics));
   }
   const bool unitStated = this->LengthUnit != UnstatedUnit || this->Scale != 1.0;
-  for (const std::string& hint :
-       vrml::hintsOf(scene, document.head, {unitStated, this->UpAxis != UnstatedUp, this->Recentre}))
+  for (const std::string& hint : vrml::hintsOf(scene, head, {unitStated, this->UpAxis != UnstatedUp, this->Recentre}))
   {
-    diagnostics.warn(document.displayName() + ": " + hint);
+    diagnostics.warn(name + ": " + hint);
   }
   progress.report(0.95, "Naming surfaces");
-  fill(output, scene, vrml::makeSurfaces(scene, static_cast<vrml::SurfaceBy>(this->SurfaceBy), this->SplitAngle));
+  scene.faceIds = {};
+  const auto surfaces = vrml::makeSurfaces(scene, static_cast<vrml::SurfaceBy>(this->SurfaceBy), this->SplitAngle);
+  fill(output, std::move(scene), surfaces);
   addOffset(output->GetFieldData(), offset);
   progress.report(1.0, "Model read");
   return true;

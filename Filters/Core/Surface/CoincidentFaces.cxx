@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Surface/CoincidentFaces.h"
 
-#include "Support/IndexTable.h"
 #include "Surface/PointPlaces.h"
 
 #include <algorithm>
@@ -26,13 +25,11 @@ std::vector<Index> placesOfModel(std::span<const Vec3> points)
 
 bool isFlat(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
 
-std::uint64_t hashOf(Index a, Index b) { return mixed((std::uint64_t{a} << 32) | b); }
-
 class Search
 {
 public:
   Search(std::span<const Vec3> points, std::span<const Triangle> triangles, std::span<const Index> faceIds)
-      : faces(faceIds), corners(triangles.begin(), triangles.end())
+      : faces(faceIds), corners(triangles.begin(), triangles.end()), numberOfPoints(points.size())
   {
     const std::vector<Index> places = placesOfModel(points);
     for (Triangle& t : corners)
@@ -79,77 +76,123 @@ private:
     return outline;
   }
 
-  static bool sameEnds(const std::vector<Edge>& a, const std::vector<Edge>& b)
+  /// By ends alone, whichever way they are run through.
+  static std::vector<Edge> endsOf(std::vector<Edge> outline)
   {
-    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Edge& x, const Edge& y) {
-      return std::minmax(x.first, x.second) == std::minmax(y.first, y.second);
-    });
+    for (Edge& e : outline)
+    {
+      e = {std::min(e.first, e.second), std::max(e.first, e.second)};
+    }
+    return outline;
   }
 
   void comparePolygons()
   {
     std::vector<Index> starts;
-    for (std::size_t i = 0; i < faces.size(); ++i)
+    std::vector<Index> lowest;
+    for (std::size_t i = 0, next = 0; i < faces.size(); i = next)
     {
-      const bool isStart = i == 0 || faces[i] != faces[i - 1];
-      if (isStart && i + 1 < faces.size() && faces[i + 1] == faces[i])
+      Index low = noIndex;
+      for (next = i; next < faces.size() && faces[next] == faces[i]; ++next)
+      {
+        low = std::min(low, *std::min_element(corners[next].begin(), corners[next].end()));
+      }
+      if (next - i > 1)
       {
         starts.push_back(static_cast<Index>(i));
+        lowest.push_back(low);
       }
     }
-    IndexTable table(starts.size());
-    for (const Index start : starts)
-    {
-      const std::vector<Edge> outline = outlineOf(start);
-      std::uint64_t hash = 0;
-      for (const auto& [a, b] : outline)
+    using Candidate = std::pair<std::vector<Edge>, Index>;
+    std::vector<Candidate> candidates;
+    forBuckets(lowest, [&](std::span<const Index> bucket) {
+      candidates.clear();
+      for (const Index i : bucket)
       {
-        hash += hashOf(std::min(a, b), std::max(a, b));
+        candidates.emplace_back(endsOf(outlineOf(starts[i])), starts[i]);
       }
-      const Index same = outline.empty() ? start : table.findOrAdd(mixed(hash), start, [&](Index i) {
-        return sameEnds(outlineOf(i), outline);
-      });
-      if (same != start)
+      std::sort(candidates.begin(), candidates.end());
+      for (std::size_t i = 1, first = 0; i < candidates.size(); ++i)
       {
-        replace(start, same, outlineOf(same).front() != outline.front());
+        first = candidates[i].first == candidates[first].first ? first : i;
+        if (first != i && !candidates[i].first.empty())
+        {
+          replace(candidates[i].second, candidates[first].second);
+        }
+      }
+    });
+  }
+
+  /// Calls `visit` for every set of items of the same lowest place, ascending. A polygon or triangle coincides with one
+  /// of its set only, and sets are small and mostly of neighbours: this takes a fraction of the time of hashing.
+  template <class Visit> void forBuckets(const std::vector<Index>& lowest, Visit&& visit) const
+  {
+    std::vector<Index> begins(numberOfPoints + 1, 0);
+    for (const Index low : lowest)
+    {
+      ++begins[low + 1];
+    }
+    std::partial_sum(begins.begin(), begins.end(), begins.begin());
+    std::vector<Index> items(lowest.size());
+    std::vector<Index> next(begins.begin(), begins.end() - 1);
+    for (Index i = 0; i < lowest.size(); ++i)
+    {
+      items[next[lowest[i]]++] = i;
+    }
+    for (std::size_t i = 0; i < numberOfPoints; ++i)
+    {
+      if (begins[i + 1] - begins[i] > 1)
+      {
+        visit(std::span<const Index>(items).subspan(begins[i], begins[i + 1] - begins[i]));
       }
     }
   }
 
-  void replace(Index first, Index by, bool turned)
+  void replace(Index first, Index by)
   {
     for (std::size_t i = first; i < corners.size() && faces[i] == faces[first]; ++i)
     {
       out.kept[i] = by;
     }
     ++out.faces;
-    out.opposite += turned ? 1 : 0;
+    out.opposite += outlineOf(by).front() != outlineOf(first).front() ? 1 : 0;
   }
 
   void compareTriangles()
   {
-    const auto sorted = [&](Index i) {
-      Triangle t = corners[i];
-      std::sort(t.begin(), t.end());
-      return t;
-    };
-    IndexTable table(corners.size());
+    std::vector<Index> left;
+    std::vector<Index> lowest;
     for (Index i = 0; i < corners.size(); ++i)
     {
-      if (out.kept[i] != i || isFlat(corners[i]))
+      if (out.kept[i] == i && !isFlat(corners[i]))
       {
-        continue;
-      }
-      const Triangle key = sorted(i);
-      const Index same =
-          table.findOrAdd(hashOf(key[0], key[1]) ^ mixed(key[2]), i, [&](Index other) { return sorted(other) == key; });
-      if (same != i)
-      {
-        out.kept[i] = same;
-        ++out.faces;
-        out.opposite += isTurned(corners[i], corners[same]) ? 1 : 0;
+        left.push_back(i);
+        lowest.push_back(*std::min_element(corners[i].begin(), corners[i].end()));
       }
     }
+    std::vector<std::pair<Triangle, Index>> candidates;
+    forBuckets(lowest, [&](std::span<const Index> bucket) {
+      candidates.clear();
+      for (const Index i : bucket)
+      {
+        Triangle t = corners[left[i]];
+        std::sort(t.begin(), t.end());
+        candidates.emplace_back(t, left[i]);
+      }
+      std::sort(candidates.begin(), candidates.end());
+      for (std::size_t i = 1, first = 0; i < candidates.size(); ++i)
+      {
+        first = candidates[i].first == candidates[first].first ? first : i;
+        if (first != i)
+        {
+          const Index same = candidates[first].second;
+          const Index triangle = candidates[i].second;
+          out.kept[triangle] = same;
+          ++out.faces;
+          out.opposite += isTurned(corners[triangle], corners[same]) ? 1 : 0;
+        }
+      }
+    });
   }
 
   /// Of triangles with the same corners.
@@ -161,6 +204,7 @@ private:
 
   std::span<const Index> faces;
   std::vector<Triangle> corners; ///< by place
+  std::size_t numberOfPoints;
   CoincidentFaces out;
 };
 
