@@ -181,9 +181,10 @@ void writePatches(const std::string& file, vtkPartitionedDataSetCollection* patc
 }
 
 long long writeOpenFOAM(const std::string& folder, vtkUnstructuredGrid* mesh, vtkPartitionedDataSetCollection* patches,
-                        Console& console)
+                        bool restoreOffset, Console& console)
 {
   vtkNew<vtkAtriaOpenFOAMWriter> writer;
+  writer->SetRestoreOffset(restoreOffset);
   writer->SetInputDataObject(0, mesh);
   writer->SetInputDataObject(1, patches);
   writer->SetCaseDirectory(folder.c_str());

@@ -31,7 +31,7 @@ void writePolyData(const std::string& file, vtkPolyData* data, Console& console)
 void writePatches(const std::string& file, vtkPartitionedDataSetCollection* patches, Console& console);
 /// Returns how many faces fewer the case has than the mesh, as coplanar ones were merged.
 long long writeOpenFOAM(const std::string& folder, vtkUnstructuredGrid* mesh, vtkPartitionedDataSetCollection* patches,
-                        Console& console);
+                        bool restoreOffset, Console& console);
 void writeText(const std::string& file, const std::string& text);
 
 /// Throws Failure(Usage) unless `file` ends in `ending`, such as ".vtu", and its folder exists.

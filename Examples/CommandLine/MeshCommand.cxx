@@ -63,6 +63,7 @@ struct MeshOptions
   std::vector<std::tuple<double, double, double>> sealedSeeds;
   std::string patches;
   std::string openfoam;
+  bool restoreOffset = false;
   std::string report;
   int threads = 0;
 };
@@ -169,6 +170,8 @@ void declareOptions(CLI::App& command, MeshOptions& options)
       ->type_name("X Y Z");
   command.add_option("--patches", options.patches, "Also write the named boundary patches")->type_name("OUT.vtpc");
   command.add_option("--openfoam", options.openfoam, "Also write an OpenFOAM case with the mesh")->type_name("DIR");
+  command.add_flag("--restore-offset", options.restoreOffset,
+                   "Write the OpenFOAM case where the model was before --recentre moved it");
   command
       .add_option("--report", options.report,
                   "Also write counts, zones, leaks, patches, quality, repairs and times as JSON")
@@ -338,7 +341,7 @@ long long writeOutputs(const MeshOptions& options, vtkUnstructuredGrid* mesh, vt
   }
   if (!options.openfoam.empty())
   {
-    mergedFaces = writeOpenFOAM(options.openfoam, mesh, patches, console);
+    mergedFaces = writeOpenFOAM(options.openfoam, mesh, patches, options.restoreOffset, console);
   }
   console.progress(1.0, "Writing");
   return mergedFaces;

@@ -4,6 +4,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace atria::vrml {
@@ -195,6 +196,13 @@ std::optional<std::string_view> Lexer::nextName()
   return next().text;
 }
 
+std::size_t Lexer::lengthOfList()
+{
+  skipBlanks();
+  const void* bracket = at == end ? nullptr : std::memchr(at, ']', static_cast<std::size_t>(end - at));
+  return bracket ? static_cast<std::size_t>(static_cast<const char*>(bracket) - at) : 0;
+}
+
 bool Lexer::nextNumber(double& value)
 {
   skipBlanks();
@@ -266,19 +274,23 @@ Place Lexer::place()
 int Lexer::lineOf(std::string_view token)
 {
   const char* target = token.data();
-  const auto lineEnds = [&] {
-    return *counted == '\n' || (*counted == '\r' && (counted + 1 == end || counted[1] != '\n'));
-  };
-  for (; counted < target; ++counted)
-  {
-    countedLine += lineEnds() ? 1 : 0;
-  }
-  while (counted > target)
-  {
-    --counted;
-    countedLine -= lineEnds() ? 1 : 0;
-  }
+  countedLine += counted < target ? countLineEnds(counted, target) : -countLineEnds(target, counted);
+  counted = target;
   return countedLine;
+}
+
+/// Of the characters from `first` to before `last`. Written so that compilers make vector instructions of it: in files
+/// of many nodes all of the text comes through here.
+int Lexer::countLineEnds(const char* first, const char* last) const
+{
+  const bool toEnd = last == end && first != last;
+  const char* stop = toEnd ? last - 1 : last;
+  int count = toEnd && (*stop == '\n' || *stop == '\r') ? 1 : 0;
+  for (const char* c = first; c < stop; ++c)
+  {
+    count += static_cast<int>(*c == '\n') | (static_cast<int>(*c == '\r') & static_cast<int>(c[1] != '\n'));
+  }
+  return count;
 }
 
 Place Lexer::placeOf(std::string_view token)

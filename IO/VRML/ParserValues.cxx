@@ -158,6 +158,9 @@ bool Parser::readIntegers(Value& value, bool many)
     return read;
   }
   lexer.next();
+  // Room for numbers of the usual length: growing in steps would copy, and touch, twice as much memory.
+  constexpr std::size_t usualLength = 6;
+  out.reserve(lexer.lengthOfList() / usualLength);
   while (lexer.nextInteger(number))
   {
     out.push_back(number);
@@ -180,6 +183,8 @@ bool Parser::readNumbers(Value& value, std::size_t arity, bool many)
     return out.size() == arity;
   }
   lexer.next();
+  constexpr std::size_t usualLength = 8;
+  out.reserve(lexer.lengthOfList() / usualLength);
   while (lexer.nextNumber(number))
   {
     out.push_back(number);

@@ -10,9 +10,12 @@ namespace atria {
 
 std::vector<Index> placesOf(std::span<const Vec3> points, double step)
 {
+  // Adding and taking away 1.5 * 2^52 rounds, many times faster than std::round. Adding zero makes one of both zeros.
+  constexpr double rounder = 6755399441055744.0;
+  const double scale = step > 0.0 ? 1.0 / step : 1.0;
   const auto rounded = [&](const Vec3& p) -> Vec3 {
-    // Adding zero makes one of both zeros.
-    return (step > 0.0 ? Vec3((p / step).array().round()) : p) + Vec3::Zero();
+    const Vec3 q = step > 0.0 ? Vec3(((p * scale).array() + rounder) - rounder) : p;
+    return q + Vec3::Zero();
   };
   const auto hash = [&](const Vec3& p) {
     std::uint64_t h = 0;

@@ -306,8 +306,38 @@ private:
 
 } // namespace
 
+namespace {
+
+/// Whether a triangle passes as a polygon does, in a fraction of the time.
+bool hasArea(std::span<const Vec3> points, std::span<const Index> t)
+{
+  const std::size_t last = std::max({t[0], t[1], t[2]});
+  if (last >= points.size())
+  {
+    return false;
+  }
+  const Vec3 u = points[t[1]] - points[t[0]];
+  const Vec3 v = points[t[2]] - points[t[0]];
+  const Vec3 high = u.cwiseMax(v).cwiseMax(Vec3::Zero());
+  const Vec3 low = u.cwiseMin(v).cwiseMin(Vec3::Zero());
+  const double extent = (high - low).maxCoeff();
+  return extent > 0.0 && std::isfinite(extent) && (u / extent).cross(v / extent).norm() > noArea;
+}
+
+} // namespace
+
 void triangulatePolygon(std::span<const Vec3> points, std::span<const Index> polygon, PolygonTriangles& out)
 {
+  if (polygon.size() == 3)
+  {
+    out.triangles.clear();
+    out.simple = true;
+    if (hasArea(points, polygon))
+    {
+      out.triangles.push_back({polygon[0], polygon[1], polygon[2]});
+    }
+    return;
+  }
   static thread_local Outline outline; // asking for memory would take most of the time
   out.triangles.clear();
   out.simple = true;
