@@ -90,7 +90,8 @@ std::string unescaped(std::string_view text)
 }
 
 Lexer::Lexer(std::string_view source)
-    : begin(source.data()), end(source.data() + source.size()), at(begin), counted(begin)
+    : begin(source.data()), end(source.data() + source.size()), at(begin), counted(begin), lineStart(begin),
+      lineStartOf(begin)
 {
 }
 
@@ -296,11 +297,15 @@ int Lexer::countLineEnds(const char* first, const char* last) const
 Place Lexer::placeOf(std::string_view token)
 {
   const char* target = token.data();
-  const char* lineStart = target;
-  while (lineStart != begin && lineStart[-1] != '\n' && lineStart[-1] != '\r')
+  // Not further back than to the place asked for last, as all of a file may be one line.
+  const char* known = lineStartOf <= target ? lineStartOf : begin;
+  const char* start = target;
+  while (start != known && start[-1] != '\n' && start[-1] != '\r')
   {
-    --lineStart;
+    --start;
   }
+  lineStart = start == known && known == lineStartOf ? lineStart : start;
+  lineStartOf = target;
   return {lineOf(token), static_cast<int>(target - lineStart) + 1};
 }
 

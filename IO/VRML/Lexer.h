@@ -74,6 +74,8 @@ private:
   // Lines are counted only when somebody asks, from where they were counted last.
   const char* counted;
   int countedLine = 1;
+  const char* lineStart;   ///< of the line that holds
+  const char* lineStartOf; ///< this
 };
 
 /// The value of a number's text; nothing where it is none, or too large.

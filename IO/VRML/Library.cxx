@@ -21,40 +21,64 @@ void checkLanguage(const fs::path& file, std::string_view text)
   }
 }
 
-/// Files without a header: VRML 1.0 has nodes that VRML97 has not, and no file goes far without one of them.
-Version guessVersion(std::string_view text)
+/// What the nodes say where the header is missing or wrong: VRML 1.0 has some that VRML97 has not, and the other way
+/// round, and no file goes far without one of them.
+Version versionOfNodes(std::string_view text)
 {
-  constexpr std::size_t farEnough = 1 << 20;
+  constexpr std::size_t farEnough = 1 << 16;
   Lexer lexer(text.substr(0, farEnough));
   for (Token token = lexer.next(); token.kind != TokenKind::end; token = lexer.next())
   {
+    if (token.is("PROTO") || token.is("EXTERNPROTO") || token.is("fields"))
+    {
+      break; // whose names may be any
+    }
+    if (token.kind != TokenKind::word || lexer.peek().kind != TokenKind::openBrace)
+    {
+      continue;
+    }
     for (const std::string_view name : {"Separator", "Coordinate3", "ShapeHints", "MaterialBinding", "WWWInline"})
     {
-      if (token.is(name) && lexer.peek().kind == TokenKind::openBrace)
+      if (token.text == name)
       {
         return Version::vrml1;
       }
     }
-    if (token.is("Shape") || token.is("children"))
+    for (const std::string_view name : {"Shape", "Appearance", "Coordinate", "WorldInfo", "Viewpoint", "Inline"})
     {
-      break;
+      if (token.text == name)
+      {
+        return Version::vrml97;
+      }
     }
   }
   return Version::missing;
 }
 
-void warnOfVersion(Diagnostics& diagnostics, const Document& document, Version declared)
+/// The language to read a file as, with a warning where its header does not say so.
+Version chooseVersion(Diagnostics& diagnostics, const Document& document, std::string_view text)
 {
   const std::string place = document.displayName() + ":1: ";
+  const Version declared = versionOf(text);
+  const Version used = versionOfNodes(text);
+  const auto nameOf = [](Version version) { return version == Version::vrml1 ? "VRML 1.0" : "VRML97"; };
   if (declared == Version::missing)
   {
-    diagnostics.warn(place + "the first line is not '#VRML V2.0 utf8'; read as " +
-                     (document.version == Version::vrml1 ? "VRML 1.0" : "VRML97"));
+    diagnostics.warn(place + "the first line is not '#VRML V2.0 utf8'; read as " + nameOf(used));
+    return used;
   }
-  else if (declared == Version::x3d)
+  if (declared == Version::x3d)
   {
     diagnostics.warn(place + "the file declares X3D; read as VRML97");
+    return declared;
   }
+  if (used != Version::missing && used != declared)
+  {
+    diagnostics.warn(place + "the file declares " + nameOf(declared) + ", but its nodes are those of " + nameOf(used) +
+                     "; read as such");
+    return used;
+  }
+  return declared;
 }
 
 } // namespace
@@ -80,8 +104,7 @@ std::unique_ptr<Document> Library::read(const fs::path& file)
   const FileText source = readText(file);
   checkLanguage(file, source.text());
   auto document = std::make_unique<Document>(file);
-  const Version declared = versionOf(source.text());
-  document->version = declared == Version::missing ? guessVersion(source.text()) : declared;
+  document->version = chooseVersion(diagnostics, *document, source.text());
   constexpr std::size_t headLength = 4096;
   document->head = source.text().substr(0, headLength);
   if (source.truncated)
@@ -89,7 +112,6 @@ std::unique_ptr<Document> Library::read(const fs::path& file)
     diagnostics.warn(document->displayName() +
                      ": the compressed file is damaged or ends early; read as far as possible");
   }
-  warnOfVersion(diagnostics, *document, declared);
   Parser(*document, source.text(), diagnostics, progress).run();
   return document;
 }

@@ -178,6 +178,20 @@ TEST_F(VRML1, IsKnownByItsNodesWhereTheHeaderIsMissing)
   messages.takeWarnings();
 }
 
+TEST_F(VRML1, IsKnownByItsNodesWhereTheHeaderIsWrong)
+{
+  const VRMLModel model(writeFile(scratch.path(), "wrong.wrl", "#VRML V2.0 utf8\nDEF A Separator { Cube {} }"));
+  EXPECT_EQ(model.names(), Names{"A"});
+  EXPECT_NE(joined(model.warnings()).find("declares VRML97, but its nodes are those of VRML 1.0"), std::string::npos);
+  const VRMLModel newer = read("DEF B Transform { children Shape { geometry Box {} } }");
+  EXPECT_EQ(newer.names(), Names{"B"});
+  EXPECT_EQ(messages.takeWarnings().size(), 2u);
+  const VRMLModel prototype(
+      writeFile(scratch.path(), "prototype.wrl",
+                "#VRML V2.0 utf8\nPROTO Separator [] { Shape { geometry Box {} } } Separator {}"));
+  EXPECT_EQ(prototype.triangles(), 12);
+}
+
 TEST_F(VRML1, ReadsNestingOfAnyDepth)
 {
   constexpr int depth = 100'000;

@@ -164,6 +164,30 @@ TEST_F(VRMLReader, WarnsOfInlinedFilesThatAreMissingOrCyclic)
   EXPECT_EQ(model.triangles(), 12);
 }
 
+TEST_F(VRMLReader, FollowsFilesInFilesInFoldersOfTheirOwn)
+{
+  fs::create_directories(scratch.path() / "a" / "b");
+  write("a/a.wrl", "#VRML V2.0 utf8\nTransform { translation 10 0 0 children Inline { url \"b/b.wrl\" } }");
+  write("a/b/b.wrl", "#VRML V2.0 utf8\nDEF Deep " + box + "Inline { url \"../../c.wrl\" }");
+  write("c.wrl", "#VRML V2.0 utf8\nDEF Back " + box);
+  const VRMLModel model = read("Transform { translation 1 0 0 children Inline { url \"a/a.wrl\" } }");
+  EXPECT_EQ(model.names(), (Names{"Deep", "Back"}));
+  expectBounds(model.bounds("Back"), {10, 12, -1, 1, -1, 1});
+}
+
+TEST_F(VRMLReader, FollowsChainsOfFilesOfAnyLength)
+{
+  constexpr int files = 300;
+  for (int i = 0; i < files; ++i)
+  {
+    write("f" + std::to_string(i) + ".wrl",
+          "#VRML V2.0 utf8\n" + box + "Inline { url \"f" + std::to_string(i + 1) + ".wrl\" }");
+  }
+  const VRMLModel model = read("Inline { url \"f0.wrl\" }");
+  EXPECT_EQ(model.triangles(), 12 * files);
+  EXPECT_EQ(messages.takeWarnings().size(), 1u); // the last file is missing
+}
+
 TEST_F(VRMLReader, FindsCyclesOfFilesThroughPrototypes)
 {
   const VRMLModel model =
