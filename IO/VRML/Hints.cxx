@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <regex>
+#include <initializer_list>
 
 namespace atria::vrml {
 
@@ -32,31 +32,91 @@ Box3 boundsOf(const Scene& scene)
   return box;
 }
 
-/// The unit a header mentions, such as "# Units: inches" or "exported in mm".
-std::string mentionedUnit(const std::string& head)
+std::string lowered(std::string_view text)
 {
-  static const std::regex pattern(
-      "(units?|scale|exported|measured|dimensions?|coordinates)[ \t]*(are)?[ \t]*[:=(]?[ \t]*(in)?"
-      "[ \t\"]*(millimet(er|re)s?|mm|centimet(er|re)s?|cm|inch(es)?|f(oo|ee)t|ft|met(er|re)s?|m)\\b",
-      std::regex::icase);
-  std::smatch match;
-  return std::regex_search(head, match, pattern) ? match[4].str() : "";
+  std::string out(text);
+  std::transform(out.begin(), out.end(), out.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return out;
 }
 
-bool isMetres(const std::string& unit)
+/// Runs of letters and digits.
+std::vector<std::string_view> wordsOf(std::string_view text)
 {
-  return std::tolower(static_cast<unsigned char>(unit[0])) == 'm' &&
-         (unit.size() == 1 || std::tolower(static_cast<unsigned char>(unit[1])) == 'e');
+  const auto inWord = [](unsigned char c) { return std::isalnum(c) != 0; };
+  std::vector<std::string_view> words;
+  for (std::size_t i = 0; i < text.size();)
+  {
+    std::size_t end = i;
+    while (end < text.size() && inWord(static_cast<unsigned char>(text[end])))
+    {
+      ++end;
+    }
+    if (end > i)
+    {
+      words.push_back(text.substr(i, end - i));
+    }
+    i = end + 1;
+  }
+  return words;
 }
 
-void judgeUnit(const std::string& head, const Vec3& size, std::vector<std::string>& hints)
+using WordList = std::initializer_list<std::string_view>;
+
+bool isOneOf(std::string_view word, WordList list) { return std::find(list.begin(), list.end(), word) != list.end(); }
+
+/// The unit a header mentions, such as "units: inches" or "exported in mm".
+std::string mentionedUnit(const std::vector<std::string_view>& words)
+{
+  const WordList units{"m",           "meter",      "meters",      "metre", "metres",     "mm",          "millimeter",
+                       "millimeters", "millimetre", "millimetres", "cm",    "centimeter", "centimeters", "centimetre",
+                       "centimetres", "inch",       "inches",      "ft",    "foot",       "feet"};
+  for (std::size_t i = 0; i + 1 < words.size(); ++i)
+  {
+    if (!isOneOf(words[i],
+                 {"unit", "units", "exported", "measured", "dimension", "dimensions", "coordinates", "lengths"}))
+    {
+      continue;
+    }
+    std::size_t next = i + 1;
+    while (next < words.size() && next < i + 3 && isOneOf(words[next], {"are", "in", "is", "of", "length"}))
+    {
+      ++next;
+    }
+    if (next < words.size() && isOneOf(words[next], units))
+    {
+      return std::string(words[next]);
+    }
+  }
+  return {};
+}
+
+bool isMetres(std::string_view unit) { return isOneOf(unit, {"m", "meter", "meters", "metre", "metres"}); }
+
+bool mentionsYUp(const std::vector<std::string_view>& words)
+{
+  for (std::size_t i = 0; i < words.size(); ++i)
+  {
+    const auto follow = [&](WordList list) {
+      return i + list.size() <= words.size() && std::equal(list.begin(), list.end(), words.begin() + i);
+    };
+    if (follow({"y", "up"}) || follow({"yup"}) || follow({"up", "axis", "y"}) || follow({"upaxis", "y"}))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+void judgeUnit(const std::string& head, const std::vector<std::string_view>& words, const Vec3& size,
+               std::vector<std::string>& hints)
 {
   constexpr double tallest = 1000.0; // no building is
   constexpr double longest = 20000.0;
   constexpr double shortest = 0.5;
   const std::string advice =
       "; lengths are taken to be metres: set LengthUnit, if only to Metres, to say which they are";
-  const std::string unit = mentionedUnit(head);
+  const std::string unit = mentionedUnit(words);
   if (!unit.empty())
   {
     if (!isMetres(unit))
@@ -65,9 +125,8 @@ void judgeUnit(const std::string& head, const Vec3& size, std::vector<std::strin
     }
     return;
   }
-  static const std::regex sketchUp("sketchup", std::regex::icase);
-  static const std::regex inchScale("0?\\.0254");
-  if (std::regex_search(head, sketchUp) && !std::regex_search(head, inchScale))
+  const auto contains = [&](const char* text) { return head.find(text) != std::string::npos; };
+  if (contains("sketchup") && !contains(".0254"))
   {
     hints.push_back("the file comes from SketchUp, which writes inches without saying so" + advice);
     return;
@@ -103,11 +162,11 @@ bool looksYUp(const Scene& scene, const Vec3& size)
          area.z() > 0.03 * all && area.y() > 1.5 * std::max(area.x(), area.z());
 }
 
-void judgeUpAxis(const Scene& scene, const std::string& head, const Vec3& size, std::vector<std::string>& hints)
+void judgeUpAxis(const Scene& scene, const std::vector<std::string_view>& words, const Vec3& size,
+                 std::vector<std::string>& hints)
 {
-  static const std::regex pattern("(\\by[ -]?up\\b|up[ -]?axis[ \t]*[:=]?[ \t]*\"?\\+?y\\b)", std::regex::icase);
   const std::string advice = "; z is taken to be up: set UpAxis, if only to Z, to say which is";
-  if (std::regex_search(head, pattern))
+  if (mentionsYUp(words))
   {
     hints.push_back("the file mentions that y is up" + advice);
   }
@@ -127,14 +186,15 @@ std::vector<std::string> hintsOf(const Scene& scene, std::string_view head, cons
   {
     return hints;
   }
-  const std::string text(head);
+  const std::string text = lowered(head);
+  const std::vector<std::string_view> words = wordsOf(text);
   if (!stated.unit)
   {
-    judgeUnit(text, box.size(), hints);
+    judgeUnit(text, words, box.size(), hints);
   }
   if (!stated.upAxis)
   {
-    judgeUpAxis(scene, text, box.size(), hints);
+    judgeUpAxis(scene, words, box.size(), hints);
   }
   // Single precision, which viewers and some solvers use, has seven digits.
   constexpr double far = 1e5;

@@ -59,7 +59,7 @@ private:
   void step();
   void stepList();
   void stepNode();
-  void stepInterface();
+  void stepInterface(); // in ParserPrototypes.cxx
   void closeList();
 
   // Statements
@@ -71,14 +71,16 @@ private:
   void readUse(Slot slot);
   static void put(Slot slot, Node* node);
   void readRoute();
-  void readPrototype(bool external);
-  void openBody(Prototype& prototype);
-  void closeBody();
   void readNodeWithoutField();
   void readField();
   void readDeclaration();
   const NodeType* declaredBase();
   bool isVersion1() const { return document.version == Version::vrml1; }
+
+  // Prototypes, in ParserPrototypes.cxx
+  void readPrototype(bool external);
+  void openBody(Prototype& prototype);
+  void closeBody();
 
   // Values, in ParserValues.cxx
   void readValue(Node& owner, std::size_t field, FieldType type, bool inInterface);
