@@ -103,6 +103,12 @@ void Console::warning(const std::string& text)
   std::cerr << "atria: warning: " << text << '\n';
 }
 
+void Console::note(const std::string& text)
+{
+  clearBar();
+  std::cerr << "atria: note: " << text << '\n';
+}
+
 void Console::follow(vtkAlgorithm* algorithm, double first, double last)
 {
   if (!terminal)

@@ -22,6 +22,7 @@ public:
 
   void error(const std::string& text);
   void warning(const std::string& text);
+  void note(const std::string& text);
 
   /// Shows the progress of `algorithm` as the part [first, last] of the whole.
   void follow(vtkAlgorithm* algorithm, double first, double last);

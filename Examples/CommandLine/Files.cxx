@@ -58,6 +58,20 @@ void printWarnings(vtkAtriaVRMLReader* reader, const std::string& file, Console&
   }
 }
 
+void printNotes(vtkAtriaVRMLReader* reader, const std::string& file, Console& console)
+{
+  constexpr vtkIdType most = 5;
+  vtkStringArray* notes = reader->GetNotes();
+  for (vtkIdType i = 0; i < std::min(most, notes->GetNumberOfValues()); ++i)
+  {
+    console.note(file + ": " + notes->GetValue(i));
+  }
+  if (const vtkIdType all = notes->GetNumberOfValues(); all > most)
+  {
+    console.note(file + ": and " + std::to_string(all - most) + " more notes; see atria inspect --json");
+  }
+}
+
 /// A VTK XML file, appended and compressed. VTK's writers share these methods, but not all of them a base.
 template <typename Writer>
 void writeCompressed(Writer* writer, const std::string& file, vtkDataObject* data, Console& console)
@@ -93,7 +107,7 @@ void throwIfErrors(Console& console, ExitStatus status, const std::string& about
   throw Failure(status, text);
 }
 
-vtkSmartPointer<vtkAtriaVRMLReader> readModel(const std::string& file, Console& console)
+vtkSmartPointer<vtkAtriaVRMLReader> readModel(const std::string& file, const ModelOptions& options, Console& console)
 {
   checkReadable(file);
   auto reader = vtkSmartPointer<vtkAtriaVRMLReader>::New();
@@ -101,10 +115,12 @@ vtkSmartPointer<vtkAtriaVRMLReader> readModel(const std::string& file, Console& 
   vtkNew<vtkCallbackCommand> silence;
   reader->AddObserver(vtkCommand::WarningEvent, silence);
   reader->SetFileName(file.c_str());
+  configure(reader, options);
   console.follow(reader, 0.0, 0.05);
   reader->Update();
   throwIfErrors(console, BadInput, file);
   printWarnings(reader, file, console);
+  printNotes(reader, file, console);
   if (reader->GetOutput()->GetNumberOfCells() == 0)
   {
     throw Failure(BadInput, file + " holds no surfaces; export the model with its faces");
@@ -165,9 +181,10 @@ void writePatches(const std::string& file, vtkPartitionedDataSetCollection* patc
 }
 
 long long writeOpenFOAM(const std::string& folder, vtkUnstructuredGrid* mesh, vtkPartitionedDataSetCollection* patches,
-                        Console& console)
+                        bool restoreOffset, Console& console)
 {
   vtkNew<vtkAtriaOpenFOAMWriter> writer;
+  writer->SetRestoreOffset(restoreOffset);
   writer->SetInputDataObject(0, mesh);
   writer->SetInputDataObject(1, patches);
   writer->SetCaseDirectory(folder.c_str());

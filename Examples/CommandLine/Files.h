@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Commands.h"
+#include "ModelOptions.h"
 
 #include <vtkSmartPointer.h>
 
@@ -18,8 +19,8 @@ namespace atria::tool {
 
 class Console;
 
-/// A reader that has read `file`. Its warnings have been printed. Throws Failure(BadInput).
-vtkSmartPointer<vtkAtriaVRMLReader> readModel(const std::string& file, Console& console);
+/// A reader that has read `file`. Its warnings and notes have been printed. Throws Failure(BadInput).
+vtkSmartPointer<vtkAtriaVRMLReader> readModel(const std::string& file, const ModelOptions& options, Console& console);
 vtkSmartPointer<vtkUnstructuredGrid> readMesh(const std::string& file, Console& console);
 /// What writePatches() wrote.
 vtkSmartPointer<vtkPartitionedDataSetCollection> readPatches(const std::string& file, Console& console);
@@ -30,7 +31,7 @@ void writePolyData(const std::string& file, vtkPolyData* data, Console& console)
 void writePatches(const std::string& file, vtkPartitionedDataSetCollection* patches, Console& console);
 /// Returns how many faces fewer the case has than the mesh, as coplanar ones were merged.
 long long writeOpenFOAM(const std::string& folder, vtkUnstructuredGrid* mesh, vtkPartitionedDataSetCollection* patches,
-                        Console& console);
+                        bool restoreOffset, Console& console);
 void writeText(const std::string& file, const std::string& text);
 
 /// Throws Failure(Usage) unless `file` ends in `ending`, such as ".vtu", and its folder exists.

@@ -6,6 +6,7 @@
 #include "Report.h"
 
 #include <Surface/Inspection.h>
+#include <Surface/Problems.h>
 
 #include <vtkAtriaFeatureGraph.h>
 #include <vtkAtriaVRMLReader.h>
@@ -26,10 +27,22 @@
 #include <cstdio>
 #include <iostream>
 #include <memory>
+#include <thread>
+#include <vector>
 
 namespace atria::tool {
 
 namespace {
+
+struct InspectOptions
+{
+  std::string file;
+  ModelOptions model;
+  std::string features;
+  double gap = ProblemOptions{}.gapTolerance;
+  bool json = false;
+  bool noProblems = false;
+};
 
 /// The reader's output, which is triangles only.
 TriangleSurface trianglesOf(vtkPolyData* model)
@@ -76,7 +89,36 @@ Json jsonOf(const SurfaceSummary& summary)
           {"non_manifold_edges", summary.nonManifoldEdges}};
 }
 
-Json jsonOf(const Inspection& inspection, vtkStringArray* warnings)
+Json jsonOf(vtkStringArray* texts)
+{
+  Json list = Json::array();
+  for (vtkIdType i = 0; i < texts->GetNumberOfValues(); ++i)
+  {
+    list.push_back(texts->GetValue(i));
+  }
+  return list;
+}
+
+Json jsonOf(const std::vector<Problem>& problems, const TriangleSurface& surface)
+{
+  Json list = Json::array();
+  for (const Problem& problem : problems)
+  {
+    Json names = Json::array();
+    for (const Index id : problem.surfaces)
+    {
+      names.push_back(surface.names[id]);
+    }
+    list.push_back({{"kind", problemNames[static_cast<int>(problem.kind)]},
+                    {"count", problem.count},
+                    {"size", problem.size},
+                    {"place", {problem.place.x(), problem.place.y(), problem.place.z()}},
+                    {"surfaces", names}});
+  }
+  return list;
+}
+
+Json jsonOf(const Inspection& inspection, vtkAtriaVRMLReader* reader)
 {
   Json report;
   report["surfaces"] = Json::array();
@@ -87,11 +129,9 @@ Json jsonOf(const Inspection& inspection, vtkStringArray* warnings)
   report["total"] = jsonOf(inspection.total);
   report["total"].erase("name");
   report["total"]["points"] = inspection.points;
-  report["warnings"] = Json::array();
-  for (vtkIdType i = 0; i < warnings->GetNumberOfValues(); ++i)
-  {
-    report["warnings"].push_back(warnings->GetValue(i));
-  }
+  report["warnings"] = jsonOf(reader->GetWarnings());
+  report["notes"] = jsonOf(reader->GetNotes());
+  report["merged_faces"] = reader->GetNumberOfMergedFaces();
   return report;
 }
 
@@ -124,6 +164,52 @@ void printTable(const Inspection& inspection)
               "together\n");
 }
 
+/// At most `most` of a kind, those with the highest counts first.
+void printProblems(std::vector<Problem> problems, const TriangleSurface& surface)
+{
+  constexpr std::size_t most = 10;
+  if (problems.empty())
+  {
+    std::printf("\nno problems\n");
+    return;
+  }
+  std::stable_sort(problems.begin(), problems.end(), [](const Problem& a, const Problem& b) {
+    return std::pair(a.kind, b.count) < std::pair(b.kind, a.count);
+  });
+  std::printf("\n%-18s %8s %12s  %-32s %s\n", "problem", "count", "size", "at x y z", "surfaces");
+  for (std::size_t i = 0, ofKind = 0; i < problems.size(); ++i)
+  {
+    const Problem& problem = problems[i];
+    const char* kind = problemNames[static_cast<int>(problem.kind)];
+    ofKind = i > 0 && problems[i - 1].kind == problem.kind ? ofKind + 1 : 0;
+    const bool isLast = i + 1 == problems.size() || problems[i + 1].kind != problem.kind;
+    if (ofKind < most)
+    {
+      std::array<char, 64> place;
+      std::snprintf(place.data(), place.size(), "%.6g %.6g %.6g", problem.place.x(), problem.place.y(),
+                    problem.place.z());
+      std::printf("%-18s %8zu %12.4g  %-32s", kind, problem.count, problem.size, place.data());
+      for (std::size_t k = 0; k < problem.surfaces.size() && k < 3; ++k)
+      {
+        std::printf("%s%s", k == 0 ? " " : " + ", surface.names[problem.surfaces[k]].c_str());
+      }
+      std::printf(problem.surfaces.size() > 3 ? " + %zu more\n" : "\n", problem.surfaces.size() - 3);
+    }
+    if (isLast && ofKind >= most)
+    {
+      std::printf("%-18s and %zu more places; --json lists them\n", kind, ofKind + 1 - most);
+    }
+  }
+  std::printf("size: length of edges, area of duplicates, height of the thinnest sliver, width of the widest gap\n");
+}
+
+std::vector<Problem> findProblems(const TriangleSurface& surface, const InspectOptions& options)
+{
+  const ThreadExecutor executor(static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
+  SilentMonitor monitor;
+  return atria::findProblems(surface, {options.gap}, {executor, ProgressRange(monitor)});
+}
+
 /// The curves of the whole model: a domain some way off it cuts none.
 void writeFeatures(const std::string& file, vtkAtriaVRMLReader* reader, Console& console)
 {
@@ -143,26 +229,34 @@ void writeFeatures(const std::string& file, vtkAtriaVRMLReader* reader, Console&
   writePolyData(file, vtkPolyData::SafeDownCast(features->GetOutputDataObject(0)), console);
 }
 
-ExitStatus runInspect(const std::string& file, const std::string& features, bool asJson, Console& console)
+ExitStatus runInspect(const InspectOptions& options, Console& console)
 {
-  if (!features.empty())
+  if (!options.features.empty())
   {
-    checkOutput("--features", features, ".vtp");
+    checkOutput("--features", options.features, ".vtp");
   }
-  const auto reader = readModel(file, console);
-  if (!features.empty())
+  const auto reader = readModel(options.file, options.model, console);
+  if (!options.features.empty())
   {
-    writeFeatures(features, reader, console);
+    writeFeatures(options.features, reader, console);
   }
-  const Inspection inspection = inspect(trianglesOf(reader->GetOutput()));
+  const TriangleSurface surface = trianglesOf(reader->GetOutput());
+  const Inspection inspection = inspect(surface);
+  const std::vector<Problem> problems = options.noProblems ? std::vector<Problem>{} : findProblems(surface, options);
   console.clearBar();
-  if (asJson)
+  if (options.json)
   {
-    std::cout << jsonOf(inspection, reader->GetWarnings()).dump(2) << '\n';
+    Json report = jsonOf(inspection, reader);
+    report["problems"] = options.noProblems ? Json() : jsonOf(problems, surface);
+    std::cout << report.dump(2) << '\n';
   }
   else
   {
     printTable(inspection);
+    if (!options.noProblems)
+    {
+      printProblems(problems, surface);
+    }
   }
   return Done;
 }
@@ -171,22 +265,22 @@ ExitStatus runInspect(const std::string& file, const std::string& features, bool
 
 void addInspectCommand(CLI::App& app, Console& console, ExitStatus& status)
 {
-  struct Options
-  {
-    std::string file;
-    std::string features;
-    bool json = false;
-  };
-  CLI::App* command = app.add_subcommand("inspect", "List the surfaces of a model by name");
-  auto options = std::make_shared<Options>();
+  CLI::App* command =
+      app.add_subcommand("inspect", "List the surfaces of a model by name, and what may be wrong with it");
+  auto options = std::make_shared<InspectOptions>();
   command->add_option("IN.wrl", options->file, "VRML model (.wrl, .wrz, .wrl.gz)")->required();
+  declareModelOptions(*command, options->model);
   command
       ->add_option("--features", options->features,
                    "Also write the curves and corners that a mesh is to keep: rims, creases, junctions, borders")
       ->type_name("OUT.vtp");
+  command->add_option("--gap", options->gap, "Width in metres up to which gaps are looked for; 0 for none")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("M");
+  command->add_flag("--no-problems", options->noProblems, "List surfaces only, which is quicker");
   command->add_flag("--json", options->json, "Print JSON");
-  command->callback(
-      [options, &console, &status] { status = runInspect(options->file, options->features, options->json, console); });
+  command->callback([options, &console, &status] { status = runInspect(*options, console); });
 }
 
 } // namespace atria::tool

@@ -40,6 +40,7 @@ namespace {
 struct MeshOptions
 {
   std::string input;
+  ModelOptions model;
   std::string output;
   double sizeMax = 0.0;
   double sizeMid = 0.0;
@@ -62,6 +63,7 @@ struct MeshOptions
   std::vector<std::tuple<double, double, double>> sealedSeeds;
   std::string patches;
   std::string openfoam;
+  bool restoreOffset = false;
   std::string report;
   int threads = 0;
 };
@@ -114,7 +116,8 @@ void declareOptions(CLI::App& command, MeshOptions& options)
   options.gap = mesher->GetGapTolerance();
   options.crack = mesher->GetCrackTolerance();
 
-  command.add_option("IN.wrl", options.input, "VRML model (.wrl, .wrz, .wrl.gz), in metres, Z up")->required();
+  command.add_option("IN.wrl", options.input, "VRML model (.wrl, .wrz, .wrl.gz)")->required();
+  declareModelOptions(command, options.model);
   command
       .add_option("-o,--output", options.output,
                   "Where the mesh goes, a .vtu file (not for --preflight and --estimate)")
@@ -167,6 +170,8 @@ void declareOptions(CLI::App& command, MeshOptions& options)
       ->type_name("X Y Z");
   command.add_option("--patches", options.patches, "Also write the named boundary patches")->type_name("OUT.vtpc");
   command.add_option("--openfoam", options.openfoam, "Also write an OpenFOAM case with the mesh")->type_name("DIR");
+  command.add_flag("--restore-offset", options.restoreOffset,
+                   "Write the OpenFOAM case where the model was before --recentre moved it");
   command
       .add_option("--report", options.report,
                   "Also write counts, zones, leaks, patches, quality, repairs and times as JSON")
@@ -336,7 +341,7 @@ long long writeOutputs(const MeshOptions& options, vtkUnstructuredGrid* mesh, vt
   }
   if (!options.openfoam.empty())
   {
-    mergedFaces = writeOpenFOAM(options.openfoam, mesh, patches, console);
+    mergedFaces = writeOpenFOAM(options.openfoam, mesh, patches, options.restoreOffset, console);
   }
   console.progress(1.0, "Writing");
   return mergedFaces;
@@ -387,7 +392,7 @@ ExitStatus runMesh(const MeshOptions& options, Console& console)
   const Stopwatch total;
 
   const Stopwatch reading;
-  const auto reader = readModel(options.input, console);
+  const auto reader = readModel(options.input, options.model, console);
   const double readSeconds = reading.seconds();
   if (!options.site.empty())
   {

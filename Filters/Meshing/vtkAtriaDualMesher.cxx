@@ -11,6 +11,7 @@
 #include "VtkDualMesh.h"
 #include "VtkOctree.h"
 
+#include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -60,6 +61,22 @@ void addFieldData(vtkUnstructuredGrid* out, int maximumLevel)
   level->SetName("MaxLevel");
   level->InsertNextValue(maximumLevel);
   out->GetFieldData()->AddArray(level);
+}
+
+/// What a reader subtracted from the model's points, so that writers can add it again.
+void addModelOffset(vtkUnstructuredGrid* out, vtkDataObject* surfaces)
+{
+  constexpr const char* name = "ModelOffset";
+  vtkDataArray* given = surfaces->GetFieldData()->GetArray(name);
+  vtkNew<vtkDoubleArray> offset;
+  offset->SetName(name);
+  offset->SetNumberOfComponents(3);
+  offset->InsertNextTuple3(0.0, 0.0, 0.0);
+  if (given && given->GetNumberOfValues() == 3)
+  {
+    offset->SetTuple(0, given->GetTuple(0));
+  }
+  out->GetFieldData()->AddArray(offset);
 }
 
 /// What holds for all surfaces, then the rules.
@@ -301,6 +318,7 @@ int vtkAtriaDualMesher::RequestData(vtkInformation*, vtkInformationVector** inpu
     atria::layersToVtk(result.layers, diagnostics);
     clock.lap("output");
     addFieldData(volume, octree.maximumLevel());
+    addModelOffset(volume, vtkDataObject::GetData(inputs[0]));
     this->Stages = clock.stages();
     this->UpdateProgress(1.0);
   }

@@ -10,6 +10,7 @@
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkErrorCode.h>
+#include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkObjectFactory.h>
 #include <vtkPartitionedDataSetCollection.h>
@@ -135,6 +136,15 @@ void vtkAtriaOpenFOAMWriter::WriteCase(vtkUnstructuredGrid* volume, vtkPartition
     this->NumberOfMergedFaces =
         static_cast<vtkIdType>(mergeFaces(source, boundary, {executor, progress.part(0.4, 0.5)}));
   }
+  vtkDataArray* offset = volume->GetFieldData()->GetArray("ModelOffset");
+  if (this->RestoreOffset && offset && offset->GetNumberOfValues() == 3)
+  {
+    const atria::Vec3 moved(offset->GetTuple3(0));
+    for (atria::Vec3& p : source.mesh.points)
+    {
+      p += moved;
+    }
+  }
   progress.report(0.5, "Writing the mesh");
   const auto format = this->WriteBinary ? atria::OpenFOAMFormat::Binary : atria::OpenFOAMFormat::Ascii;
   atria::writePolyMesh(this->CaseDirectory, source.mesh, boundary, zoneIdsOf(volume), format);
@@ -148,5 +158,6 @@ void vtkAtriaOpenFOAMWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CaseDirectory: " << (this->CaseDirectory ? this->CaseDirectory : "(none)") << "\n";
   os << indent << "WriteBinary: " << (this->WriteBinary ? "on" : "off") << "\n";
   os << indent << "MergeCoplanarFaces: " << (this->MergeCoplanarFaces ? "on" : "off") << "\n";
+  os << indent << "RestoreOffset: " << (this->RestoreOffset ? "on" : "off") << "\n";
   os << indent << "NumberOfMergedFaces: " << this->NumberOfMergedFaces << "\n";
 }

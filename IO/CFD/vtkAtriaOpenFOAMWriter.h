@@ -71,6 +71,16 @@ public:
   vtkBooleanMacro(MergeCoplanarFaces, bool);
   ///@}
 
+  ///@{
+  /**
+   * Add to all points what the reader subtracted when it moved the model to the origin (field array `ModelOffset` of
+   * the mesh), so that the case is where the model was. Off by default.
+   */
+  vtkSetMacro(RestoreOffset, bool);
+  vtkGetMacro(RestoreOffset, bool);
+  vtkBooleanMacro(RestoreOffset, bool);
+  ///@}
+
   /**
    * How many faces fewer were written than the input has, as coplanar ones were merged. 0 before the first Write().
    */
@@ -102,6 +112,7 @@ private:
   char* CaseDirectory = nullptr;
   bool WriteBinary = false;
   bool MergeCoplanarFaces = true;
+  bool RestoreOffset = false;
   vtkIdType NumberOfMergedFaces = 0;
 };
 

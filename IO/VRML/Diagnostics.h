@@ -7,7 +7,8 @@
 
 namespace atria::vrml {
 
-/// Warnings in the order they came up. All are counted; the first `keptAtMost` are kept.
+/// Warnings in the order they came up, and notes of what was done that nobody need worry about. All warnings are
+/// counted; the first `keptAtMost` of either are kept.
 class Diagnostics
 {
 public:
@@ -21,11 +22,20 @@ public:
       kept.push_back(std::move(text));
     }
   }
+  void note(std::string text)
+  {
+    if (remarks.size() < keptAtMost)
+    {
+      remarks.push_back(std::move(text));
+    }
+  }
+  const std::vector<std::string>& notes() const { return remarks; }
   const std::vector<std::string>& texts() const { return kept; }
   std::size_t count() const { return total; }
 
 private:
   std::vector<std::string> kept;
+  std::vector<std::string> remarks;
   std::size_t total = 0;
 };
 

@@ -7,8 +7,6 @@
 
 #include "Support/Error.h"
 
-#include <limits>
-
 namespace atria::vrml {
 
 namespace {
@@ -30,10 +28,9 @@ Evaluator::Evaluator(Library& files, Diagnostics& messages, const ProgressRange&
 {
 }
 
-Model Evaluator::run(const Document& document)
+Scene Evaluator::run(const Document& document)
 {
-  path.insert({document.root, nullptr});
-  pushChildren({{}, Transform::Identity(), {}}, instances.nodes({document.root, nullptr}, "children"));
+  openDocument(document, Transform::Identity(), noIndex);
   for (std::size_t count = 0; !open.empty(); ++count)
   {
     if (count % visitsBetweenReports == 0)
@@ -47,20 +44,35 @@ Model Evaluator::run(const Document& document)
     }
     const Visit at = open.back();
     open.pop_back();
-    if (at.leave)
-    {
-      path.erase({at.ref.node, at.ref.context});
-    }
-    else if (enter(at))
-    {
-      visit(at);
-    }
+    perform(at);
   }
   if (library.routes() > 0)
   {
-    model.skipped["ROUTE"] = library.routes();
+    scene.skip("ROUTE", library.routes());
   }
-  return std::move(model);
+  return scene.take();
+}
+
+void Evaluator::perform(const Visit& at)
+{
+  switch (at.task)
+  {
+    case Task::leave:
+      path.erase({at.ref.node, at.ref.context});
+      return;
+    case Task::restoreState:
+      states.pop_back();
+      return;
+    case Task::restoreTransform:
+      states.back().transform = at.transform;
+      return;
+    case Task::visit:
+      if (enter(at))
+      {
+        at.ref.node->document->version == Version::vrml1 ? visit1(at) : visit(at);
+      }
+      return;
+  }
 }
 
 /// False for nodes to leave out: none, damaged ones, and ones that contain themselves.
@@ -80,7 +92,7 @@ bool Evaluator::enter(const Visit& at)
     warn(*node, "contains itself; skipped");
     return false;
   }
-  open.push_back({at.ref, at.transform, {}, true});
+  open.push_back({at.ref, Transform::Identity(), noIndex, Task::leave});
   return true;
 }
 
@@ -89,14 +101,12 @@ void Evaluator::visit(const Visit& at)
   const Node& node = *at.ref.node;
   if (node.prototype)
   {
-    const std::string_view name = node.name.empty() ? at.name : node.name;
-    open.push_back({instances.enter(at.ref), at.transform, name});
+    open.push_back({instances.enter(at.ref), at.transform, groupOf(at)});
     return;
   }
   if (!node.type)
   {
-    ++model.skipped[toUtf8(node.typeName)];
-    return;
+    return visitUnknown(at);
   }
   switch (node.type->kind)
   {
@@ -106,25 +116,44 @@ void Evaluator::visit(const Visit& at)
       return addShape(at);
     case NodeKind::surface:
       warn(node, "stands outside of a Shape; taken as one");
-      return addGeometry(at, at.ref, node.name.empty() ? at.name : node.name, {});
+      return addGeometry(at, at.ref, node.name, noIndex);
     case NodeKind::drawing:
     case NodeKind::other:
-      ++model.skipped[std::string(node.typeName)];
-      return;
+      return scene.skip(std::string(node.typeName));
     case NodeKind::property:
+    case NodeKind::state:
       return;
   }
+}
+
+/// The group that holds what is inside of a node.
+Index Evaluator::groupOf(const Visit& at)
+{
+  const std::string_view name = at.ref.node->name;
+  return name.empty() ? at.group : scene.group(name, at.group);
+}
+
+void Evaluator::visitUnknown(const Visit& at)
+{
+  const Node& node = *at.ref.node;
+  const std::vector<NodeRef> children = instances.nodes(at.ref, "children");
+  if (children.empty())
+  {
+    return scene.skip(toUtf8(node.typeName));
+  }
+  warn(node, "is unknown, but its children are read as those of a Group");
+  pushChildren({at.ref, at.transform, groupOf(at)}, children);
 }
 
 void Evaluator::visitGroup(const Visit& at)
 {
   const std::string_view type = at.ref.node->type->name;
-  Visit inner = at;
-  inner.name = at.ref.node->name.empty() ? at.name : at.ref.node->name;
   if (type == "Inline")
   {
-    return visitInline(inner);
+    return visitInline(at, "url");
   }
+  Visit inner = at;
+  inner.group = groupOf(at);
   const bool choice = type == "Switch";
   const bool levels = type == "LOD";
   std::vector<NodeRef> children = instances.nodes(at.ref, choice ? "choice" : levels ? "level" : "children");
@@ -140,28 +169,43 @@ void Evaluator::visitGroup(const Visit& at)
   }
   if (type == "Transform")
   {
-    inner.transform = at.transform * transformOf(at.ref);
+    inner.transform = at.transform * transformOf(at.ref, "scale");
   }
   pushChildren(inner, children);
 }
 
-void Evaluator::visitInline(const Visit& at)
+void Evaluator::visitInline(const Visit& at, const char* field)
 {
-  const auto* urls = instances.get<std::vector<std::string>>(at.ref, "url");
+  const auto* urls = instances.get<std::vector<std::string>>(at.ref, field);
   const Node& node = *at.ref.node;
-  const Document* document =
-      library.openBeside(*node.document, urls ? *urls : std::vector<std::string>{}, node.line, "Inline");
+  const Document* document = library.openBeside(*node.document, urls ? *urls : std::vector<std::string>{}, node.line,
+                                                std::string(node.type->name));
   if (!document)
   {
     return;
   }
-  if (!path.insert({document->root, nullptr}).second)
+  if (path.count({document->root, nullptr}) != 0)
   {
     warn(node, "the file contains itself; skipped");
     return;
   }
-  open.push_back({{document->root, nullptr}, at.transform, {}, true});
-  pushChildren(at, instances.nodes({document->root, nullptr}, "children"));
+  // Without a name of its own the node goes by that of the file.
+  const std::string name = node.name.empty() ? document->file.stem().string() : std::string(node.name);
+  openDocument(*document, at.transform, scene.group(name, at.group));
+}
+
+/// Visits a file's nodes. Those of VRML 1.0 begin with a state of their own.
+void Evaluator::openDocument(const Document& document, const Transform& transform, Index group)
+{
+  const Visit root{{document.root, nullptr}, transform, group};
+  path.insert({document.root, nullptr});
+  open.push_back({root.ref, transform, group, Task::leave});
+  if (document.version == Version::vrml1)
+  {
+    states.push_back({transform});
+    open.push_back({root.ref, transform, group, Task::restoreState});
+  }
+  pushChildren(root, instances.nodes(root.ref, "children"));
 }
 
 /// In reverse, so that they are visited in the order of the file.
@@ -169,16 +213,16 @@ void Evaluator::pushChildren(const Visit& at, const std::vector<NodeRef>& childr
 {
   for (auto child = children.rbegin(); child != children.rend(); ++child)
   {
-    open.push_back({*child, at.transform, at.name});
+    open.push_back({*child, at.transform, at.group});
   }
 }
 
 /// T C R SR S -SR -C, whatever the order of the fields.
-Evaluator::Transform Evaluator::transformOf(const NodeRef& ref) const
+Evaluator::Transform Evaluator::transformOf(const NodeRef& ref, std::string_view scaleField) const
 {
   const Vec3 center = vectorOr(instances.numbers(ref, "center", {}), Vec3::Zero());
   const Vec3 translation = vectorOr(instances.numbers(ref, "translation", {}), Vec3::Zero());
-  const Vec3 scale = vectorOr(instances.numbers(ref, "scale", {}), Vec3::Ones());
+  const Vec3 scale = vectorOr(instances.numbers(ref, scaleField, {}), Vec3::Ones());
   const auto rotation = [&](std::string_view field) {
     const std::vector<double> r = instances.numbers(ref, field, {});
     return r.size() < 4 ? Eigen::Quaterniond::Identity() : rotationOf(r.data());
@@ -195,27 +239,42 @@ void Evaluator::addShape(const Visit& at)
 {
   const Node& shape = *at.ref.node;
   std::string_view geometryName;
-  std::string_view materialName;
   const NodeRef geometry = instances.expand(instances.node(at.ref, "geometry"), &geometryName);
   if (!geometry || geometry.node->damaged)
   {
     return;
   }
-  const NodeRef appearance = instances.expand(instances.node(at.ref, "appearance"), &materialName);
-  if (appearance)
-  {
-    std::string_view own;
-    instances.expand(instances.node(appearance, "material"), &own);
-    materialName = own.empty() ? materialName : own;
-  }
   if (!geometry.node->type || geometry.node->type->kind != NodeKind::surface)
   {
-    ++model.skipped[toUtf8(geometry.node->typeName)];
-    return;
+    return scene.skip(toUtf8(geometry.node->typeName));
   }
-  std::string_view name = !shape.name.empty() ? shape.name : geometryName;
-  name = name.empty() ? at.name : name;
-  addGeometry(at, geometry, name, toUtf8(materialName));
+  addGeometry(at, geometry, !shape.name.empty() ? shape.name : geometryName,
+              materialOf(instances.node(at.ref, "appearance")));
+}
+
+Index Evaluator::materialOf(const NodeRef& ref)
+{
+  std::string_view name;
+  const NodeRef appearance = instances.expand(ref, &name);
+  if (!appearance)
+  {
+    return noIndex;
+  }
+  std::string_view own;
+  const NodeRef node = instances.expand(instances.node(appearance, "material"), &own);
+  name = own.empty() ? name : own;
+  if (!node && name.empty())
+  {
+    return noIndex;
+  }
+  Material material;
+  material.name = toUtf8(name);
+  if (node)
+  {
+    material.diffuse = vectorOr(instances.numbers(node, "diffuseColor", {}), material.diffuse);
+    material.transparency = instances.number(node, "transparency", material.transparency);
+  }
+  return scene.material(material);
 }
 
 /// Geometry without context is the same wherever it is used.
@@ -230,57 +289,21 @@ const LocalSurface& Evaluator::localSurface(const NodeRef& geometry)
   return found != cache.end() ? found->second : cache.emplace(geometry.node, geometries.make(geometry)).first->second;
 }
 
-void Evaluator::addGeometry(const Visit& at, const NodeRef& geometry, std::string_view name,
-                            const std::string& material)
+void Evaluator::addGeometry(const Visit& at, const NodeRef& geometry, std::string_view name, Index material)
 {
-  const LocalSurface& local = localSurface(geometry);
-  if (local.triangles.empty())
-  {
-    ++model.skipped[toUtf8(geometry.node->typeName) + " without faces"];
-    return;
-  }
-  const std::size_t first = model.points.size();
-  if (first + local.points.size() >= noIndex)
-  {
-    throw Error("the model has more points than can be numbered");
-  }
-  for (const Vec3& p : local.points)
-  {
-    const Vec3 moved = at.transform * p;
-    if (!moved.allFinite())
-    {
-      model.points.resize(first);
-      warn(*geometry.node, "its coordinates grow beyond all numbers; skipped");
-      return;
-    }
-    model.points.push_back(moved);
-  }
-  const bool mirrored = at.transform.linear().determinant() < 0.0;
-  const auto id = static_cast<Index>(model.surfaceNames.size());
-  const auto base = static_cast<Index>(first);
-  for (const auto& [a, b, c] : local.triangles)
-  {
-    model.triangles.push_back({base + a, base + (mirrored ? c : b), base + (mirrored ? b : c)});
-    model.surfaceIds.push_back(id);
-  }
-  model.surfaceNames.push_back(uniqueName(!name.empty() ? toUtf8(name) : !material.empty() ? material : "Shape"));
-  model.materialNames.push_back(material);
+  add(geometry, localSurface(geometry), at.transform, {toUtf8(name), at.group, material});
 }
 
-/// `Name`, then `Name_2`, `Name_3`, …, passing over names the file itself has given to something before.
-std::string Evaluator::uniqueName(const std::string& wanted)
+void Evaluator::add(const NodeRef& geometry, const LocalSurface& surface, const Transform& transform,
+                    const Shape& shape)
 {
-  if (names.try_emplace(wanted, 1).second)
+  if (surface.triangles.empty())
   {
-    return wanted;
+    return scene.skip(toUtf8(geometry.node->typeName) + " without faces");
   }
-  for (;;)
+  if (!scene.add(surface, transform, shape))
   {
-    const std::string numbered = wanted + "_" + std::to_string(++names[wanted]);
-    if (names.try_emplace(numbered, 1).second)
-    {
-      return numbered;
-    }
+    warn(*geometry.node, "its coordinates grow beyond all numbers; skipped");
   }
 }
 

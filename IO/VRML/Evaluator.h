@@ -4,10 +4,10 @@
 #include "Geometry.h"
 #include "Instances.h"
 #include "Library.h"
+#include "SceneBuilder.h"
 
 #include <Eigen/Geometry>
 
-#include <map>
 #include <set>
 #include <string>
 #include <unordered_map>
@@ -15,48 +15,64 @@
 
 namespace atria::vrml {
 
-/// A model as one list of triangles in the coordinates of the file.
-struct Model
-{
-  std::vector<Vec3> points;
-  std::vector<std::array<Index, 3>> triangles;
-  std::vector<Index> surfaceIds; ///< per triangle
-  std::vector<std::string> surfaceNames;
-  std::vector<std::string> materialNames;
-  /// Nodes met that make no surface, by type.
-  std::map<std::string, std::size_t> skipped;
-};
-
-/// Walks through a VRML97 scene and collects its surfaces, one for each Shape met. Does not recurse.
+/// Walks through a scene and collects its shapes, one for each Shape met, or for each geometry node of VRML 1.0. Files
+/// of both languages may contain each other. Does not recurse.
 class Evaluator
 {
 public:
   Evaluator(Library& files, Diagnostics& messages, const ProgressRange& monitor, double tessellationDegrees);
 
   /// Throws Error where nodes multiply without end, Aborted where the caller stops it.
-  Model run(const Document& document);
+  Scene run(const Document& document);
 
 private:
   using Transform = Eigen::Affine3d;
+  /// What to do with a node on the stack.
+  enum class Task
+  {
+    visit,
+    leave,            ///< the end of a visit: the node is no longer on the path
+    restoreState,     ///< of VRML 1.0: the end of a Separator
+    restoreTransform, ///< of VRML 1.0: the end of a TransformSeparator
+  };
   struct Visit
   {
     NodeRef ref;
+    Transform transform; ///< of VRML97; to restore after a TransformSeparator
+    Index group;         ///< the innermost one around
+    Task task = Task::visit;
+  };
+  /// What VRML 1.0's nodes leave to those that follow them.
+  struct State
+  {
     Transform transform;
-    std::string_view name; ///< the nearest DEF name above
-    bool leave = false;    ///< the end of a visit: the node is no longer on the path
+    const Node* coordinates = nullptr;
+    const Node* material = nullptr;
+    bool clockwise = false;
   };
 
-  void visit(const Visit& at);
+  void perform(const Visit& at);
   bool enter(const Visit& at);
+  void visit(const Visit& at);
   void visitGroup(const Visit& at);
-  void visitInline(const Visit& at);
+  void visitInline(const Visit& at, const char* field);
+  void visitUnknown(const Visit& at);
+  void openDocument(const Document& document, const Transform& transform, Index group);
   void pushChildren(const Visit& at, const std::vector<NodeRef>& children);
-  Transform transformOf(const NodeRef& ref) const;
+  Index groupOf(const Visit& at);
+  Transform transformOf(const NodeRef& ref, std::string_view scaleField) const;
   void addShape(const Visit& at);
-  void addGeometry(const Visit& at, const NodeRef& geometry, std::string_view name, const std::string& material);
+  void addGeometry(const Visit& at, const NodeRef& geometry, std::string_view name, Index material);
+  void add(const NodeRef& geometry, const LocalSurface& surface, const Transform& transform, const Shape& shape);
+  Index materialOf(const NodeRef& appearance);
   const LocalSurface& localSurface(const NodeRef& geometry);
-  std::string uniqueName(const std::string& wanted);
   void warn(const Node& node, const std::string& text);
+
+  // VRML 1.0, in StateNodes.cxx
+  void visit1(const Visit& at);
+  void visitGroup1(const Visit& at);
+  void changeState(const NodeRef& ref);
+  void addGeometry1(const Visit& at);
 
   Library& library;
   Diagnostics& diagnostics;
@@ -64,11 +80,11 @@ private:
   Instances instances;
   Geometry geometries;
   std::vector<Visit> open;
+  std::vector<State> states;
   std::set<std::pair<const Node*, const Context*>> path; ///< shared nodes and files being visited, against cycles
   std::unordered_map<const Node*, LocalSurface> cache;   ///< of geometry used more than once
   LocalSurface current;
-  std::unordered_map<std::string, int> names; ///< names in use, with the last number given to each
-  Model model;
+  SceneBuilder scene;
 };
 
 } // namespace atria::vrml

@@ -233,26 +233,77 @@ LocalSurface Geometry::faceSet(const NodeRef& node)
   const NodeRef coord = instances.expand(instances.node(node, "coord"));
   const auto* points = coord && !coord.node->damaged ? instances.get<std::vector<double>>(coord, "point") : nullptr;
   const auto* index = instances.get<std::vector<int>>(node, "coordIndex");
-  if (!points || !index)
+  return points && index ? faces(node, *points, *index, !instances.flag(node, "ccw", true)) : LocalSurface{};
+}
+
+LocalSurface Geometry::faces(const NodeRef& node, const std::vector<double>& points, const std::vector<int>& index,
+                             bool turned)
+{
+  FaceSet set(points, turned);
+  for (auto start = index.begin(); start != index.end();)
   {
-    return {};
-  }
-  FaceSet faces(*points, !instances.flag(node, "ccw", true));
-  for (auto start = index->begin(); start != index->end();)
-  {
-    const auto stop = std::find_if(start, index->end(), [](int i) { return i < 0; });
+    const auto stop = std::find_if(start, index.end(), [](int i) { return i < 0; });
     if (stop != start)
     {
-      faces.add({start, stop});
+      set.add({start, stop});
     }
-    start = stop == index->end() ? stop : stop + 1;
+    start = stop == index.end() ? stop : stop + 1;
   }
-  const std::string complaints = faces.complaints();
+  const std::string complaints = set.complaints();
   if (!complaints.empty())
   {
     warn(node, complaints);
   }
-  return faces.take();
+  return set.take();
+}
+
+LocalSurface Geometry::make(const NodeRef& node, const State& state)
+{
+  const std::string_view type = node.node->type->name;
+  if (type == "IndexedFaceSet")
+  {
+    const auto* index = instances.get<std::vector<int>>(node, "coordIndex");
+    return state.points && index ? faces(node, *state.points, *index, state.clockwise) : LocalSurface{};
+  }
+  return type == "Cube"       ? cube1(node)
+         : type == "Cylinder" ? cylinder1(node)
+         : type == "Cone"     ? cone1(node)
+                              : sphere(node);
+}
+
+LocalSurface Geometry::cube1(const NodeRef& node)
+{
+  const Vec3 size(instances.number(node, "width", 2.0), instances.number(node, "height", 2.0),
+                  instances.number(node, "depth", 2.0));
+  return positive(node, {size.x(), size.y(), size.z()}) ? makeBox(size) : LocalSurface{};
+}
+
+LocalSurface Geometry::cylinder1(const NodeRef& node)
+{
+  Cylinder in;
+  in.radius = instances.number(node, "radius", in.radius);
+  in.height = instances.number(node, "height", in.height);
+  in.side = hasPart(node, "SIDES");
+  in.bottom = hasPart(node, "BOTTOM");
+  in.top = hasPart(node, "TOP");
+  return positive(node, {in.radius, in.height}) ? makeCylinder(in, segments) : LocalSurface{};
+}
+
+LocalSurface Geometry::cone1(const NodeRef& node)
+{
+  Cone in;
+  in.bottomRadius = instances.number(node, "bottomRadius", in.bottomRadius);
+  in.height = instances.number(node, "height", in.height);
+  in.side = hasPart(node, "SIDES");
+  in.bottom = hasPart(node, "BOTTOM");
+  return positive(node, {in.bottomRadius, in.height}) ? makeCone(in, segments) : LocalSurface{};
+}
+
+bool Geometry::hasPart(const NodeRef& node, std::string_view part) const
+{
+  const auto* words = instances.get<std::vector<std::string>>(node, "parts");
+  return !words || std::any_of(words->begin(), words->end(),
+                               [&](const std::string& word) { return word == part || word == "ALL"; });
 }
 
 } // namespace atria::vrml

@@ -19,6 +19,15 @@ public:
   /// The triangles of a node of kind `surface`; none, with a warning, where its fields make no sense.
   LocalSurface make(const NodeRef& node);
 
+  /// What holds for geometry nodes of VRML 1.0 where they stand.
+  struct State
+  {
+    const std::vector<double>* points = nullptr;
+    bool clockwise = false;
+  };
+  /// The same for VRML 1.0.
+  LocalSurface make(const NodeRef& node, const State& state);
+
 private:
   LocalSurface box(const NodeRef& node);
   LocalSurface sphere(const NodeRef& node);
@@ -27,6 +36,12 @@ private:
   LocalSurface elevationGrid(const NodeRef& node);
   LocalSurface extrusion(const NodeRef& node);
   LocalSurface faceSet(const NodeRef& node);
+  LocalSurface faces(const NodeRef& node, const std::vector<double>& points, const std::vector<int>& index,
+                     bool turned);
+  LocalSurface cube1(const NodeRef& node);
+  LocalSurface cylinder1(const NodeRef& node);
+  LocalSurface cone1(const NodeRef& node);
+  bool hasPart(const NodeRef& node, std::string_view part) const;
   void warn(const NodeRef& node, const std::string& text);
   bool positive(const NodeRef& node, std::initializer_list<double> sizes);
 

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string readBytes(const fs::path& file)
+FileText readBytes(const fs::path& file)
 {
   std::error_code ignored;
   if (!fs::is_regular_file(file, ignored))
@@ -25,19 +25,22 @@ std::string readBytes(const fs::path& file)
     throw Error("'" + file.string() + "' does not exist or is not a file");
   }
   std::ifstream in(file, std::ios::binary);
-  std::string bytes(static_cast<std::size_t>(fs::file_size(file)), '\0');
-  in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  if (!in && !bytes.empty())
+  FileText out;
+  out.size = static_cast<std::size_t>(fs::file_size(file));
+  out.bytes = std::make_unique_for_overwrite<char[]>(out.size);
+  in.read(out.bytes.get(), static_cast<std::streamsize>(out.size));
+  if (!in && out.size > 0)
   {
     throw Error("cannot read '" + file.string() + "'");
   }
-  return bytes;
+  return out;
 }
 
 /// Unpacks all members of a gzip stream.
-FileText unpack(const std::string& packed)
+FileText unpack(std::string_view packed)
 {
   FileText out;
+  out.isPacked = true;
   z_stream stream{};
   constexpr int gzipOnly = 16 + MAX_WBITS;
   if (inflateInit2(&stream, gzipOnly) != Z_OK)
@@ -62,7 +65,7 @@ FileText unpack(const std::string& packed)
     stream.next_out = reinterpret_cast<Bytef*>(buffer.data());
     stream.avail_out = static_cast<uInt>(buffer.size());
     state = inflate(&stream, Z_NO_FLUSH);
-    out.text.append(buffer.data(), buffer.size() - stream.avail_out);
+    out.unpacked.append(buffer.data(), buffer.size() - stream.avail_out);
   }
   // Bytes after the last member that are not gzip are padding, not damage.
   out.truncated = state != Z_STREAM_END && stream.total_out > 0;
@@ -169,20 +172,16 @@ std::size_t utf8Length(std::string_view text, std::size_t i)
 
 FileText readText(const fs::path& file)
 {
-  FileText out;
-  out.text = readBytes(file);
-  if (startsWith(out.text, "\x1f\x8b"))
+  FileText out = readBytes(file);
+  if (startsWith(out.text(), "\x1f\x8b"))
   {
-    out = unpack(out.text);
+    out = unpack(out.text());
   }
-  if (startsWith(out.text, "\xff\xfe") || startsWith(out.text, "\xfe\xff"))
+  if (startsWith(out.text(), "\xff\xfe") || startsWith(out.text(), "\xfe\xff"))
   {
     throw Error("'" + file.string() + "' is encoded in UTF-16; save it as UTF-8");
   }
-  if (startsWith(out.text, "\xef\xbb\xbf"))
-  {
-    out.text.erase(0, 3);
-  }
+  out.start = startsWith(out.text(), "\xef\xbb\xbf") ? 3 : 0;
   return out;
 }
 

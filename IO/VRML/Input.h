@@ -3,16 +3,27 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace atria::vrml {
 
-/// The text of a file, unpacked where its first bytes say gzip, without a UTF-8 byte order mark.
 struct FileText
 {
-  std::string text;
-  bool truncated = false; ///< the compressed stream ends early or is damaged; `text` holds what could be unpacked
+  std::unique_ptr<char[]> bytes; ///< of the file; not a string, which would be filled with zeros first
+  std::size_t size = 0;
+  std::string unpacked;
+  bool isPacked = false;
+  std::size_t start = 0;  ///< after a UTF-8 byte order mark
+  bool truncated = false; ///< the compressed stream ends early or is damaged; `unpacked` is what there was
+
+  /// The text of the file, unpacked where its first bytes say gzip, without a byte order mark.
+  std::string_view text() const
+  {
+    return (isPacked ? std::string_view(unpacked) : std::string_view(bytes.get(), size)).substr(start);
+  }
 };
 
 /// Throws Error where the file cannot be read or is encoded in UTF-16.

@@ -49,6 +49,8 @@ public:
   Token peekSecond();
   /// Reads a name after DEF, USE and the like, where something that looks like a number is a name too.
   std::optional<std::string_view> nextName();
+  /// Characters up to the next closing bracket, zero without one: how much a list may hold.
+  std::size_t lengthOfList();
   /// Reads a finite number, or leaves the text where it is and says false.
   bool nextNumber(double& value);
   /// Reads a whole number in the range of int, also in hexadecimal or written like 3.0.
@@ -64,6 +66,7 @@ public:
 private:
   void skipBlanks();
   Token readString();
+  int countLineEnds(const char* first, const char* last) const;
 
   const char* begin;
   const char* end;
@@ -71,6 +74,8 @@ private:
   // Lines are counted only when somebody asks, from where they were counted last.
   const char* counted;
   int countedLine = 1;
+  const char* lineStart;   ///< of the line that holds
+  const char* lineStartOf; ///< this
 };
 
 /// The value of a number's text; nothing where it is none, or too large.

@@ -2,6 +2,7 @@
 #include "Library.h"
 
 #include "Input.h"
+#include "Lexer.h"
 #include "Parser.h"
 
 #include "Support/Error.h"
@@ -12,31 +13,72 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Refuses other languages. A VRML 1.0 evaluator would take over here.
-void checkVersion(const fs::path& file, std::string_view text)
+void checkLanguage(const fs::path& file, std::string_view text)
 {
-  const std::string place = std::string("'").append(file.string()).append("', line 1: ");
-  if (versionOf(text) == Version::vrml1)
+  if (versionOf(text) == Version::missing && text.find('\0') != std::string_view::npos)
   {
-    throw Error(place + "VRML 1.0 is not read yet; save the model as VRML97 (VRML 2.0)");
-  }
-  if (text.find('\0') != std::string_view::npos && versionOf(text) == Version::missing)
-  {
-    throw Error(place + "this is not a VRML file");
+    throw Error(std::string("'").append(file.string()).append("', line 1: this is not a VRML file"));
   }
 }
 
-void warnOfVersion(Diagnostics& diagnostics, const Document& document)
+/// What the nodes say where the header is missing or wrong: VRML 1.0 has some that VRML97 has not, and the other way
+/// round, and no file goes far without one of them.
+Version versionOfNodes(std::string_view text)
+{
+  constexpr std::size_t farEnough = 1 << 16;
+  Lexer lexer(text.substr(0, farEnough));
+  for (Token token = lexer.next(); token.kind != TokenKind::end; token = lexer.next())
+  {
+    if (token.is("PROTO") || token.is("EXTERNPROTO") || token.is("fields"))
+    {
+      break; // whose names may be any
+    }
+    if (token.kind != TokenKind::word || lexer.peek().kind != TokenKind::openBrace)
+    {
+      continue;
+    }
+    for (const std::string_view name : {"Separator", "Coordinate3", "ShapeHints", "MaterialBinding", "WWWInline"})
+    {
+      if (token.text == name)
+      {
+        return Version::vrml1;
+      }
+    }
+    for (const std::string_view name : {"Shape", "Appearance", "Coordinate", "WorldInfo", "Viewpoint", "Inline"})
+    {
+      if (token.text == name)
+      {
+        return Version::vrml97;
+      }
+    }
+  }
+  return Version::missing;
+}
+
+/// The language to read a file as, with a warning where its header does not say so.
+Version chooseVersion(Diagnostics& diagnostics, const Document& document, std::string_view text)
 {
   const std::string place = document.displayName() + ":1: ";
-  if (document.version == Version::missing)
+  const Version declared = versionOf(text);
+  const Version used = versionOfNodes(text);
+  const auto nameOf = [](Version version) { return version == Version::vrml1 ? "VRML 1.0" : "VRML97"; };
+  if (declared == Version::missing)
   {
-    diagnostics.warn(place + "the first line is not '#VRML V2.0 utf8'; read as VRML97");
+    diagnostics.warn(place + "the first line is not '#VRML V2.0 utf8'; read as " + nameOf(used));
+    return used;
   }
-  else if (document.version == Version::x3d)
+  if (declared == Version::x3d)
   {
     diagnostics.warn(place + "the file declares X3D; read as VRML97");
+    return declared;
   }
+  if (used != Version::missing && used != declared)
+  {
+    diagnostics.warn(place + "the file declares " + nameOf(declared) + ", but its nodes are those of " + nameOf(used) +
+                     "; read as such");
+    return used;
+  }
+  return declared;
 }
 
 } // namespace
@@ -60,16 +102,17 @@ Version versionOf(std::string_view text)
 std::unique_ptr<Document> Library::read(const fs::path& file)
 {
   const FileText source = readText(file);
-  checkVersion(file, source.text);
+  checkLanguage(file, source.text());
   auto document = std::make_unique<Document>(file);
-  document->version = versionOf(source.text);
+  document->version = chooseVersion(diagnostics, *document, source.text());
+  constexpr std::size_t headLength = 4096;
+  document->head = source.text().substr(0, headLength);
   if (source.truncated)
   {
     diagnostics.warn(document->displayName() +
                      ": the compressed file is damaged or ends early; read as far as possible");
   }
-  warnOfVersion(diagnostics, *document);
-  Parser(*document, source.text, diagnostics, progress).run();
+  Parser(*document, source.text(), diagnostics, progress).run();
   return document;
 }
 

@@ -23,7 +23,7 @@ class Library
 public:
   Library(Diagnostics& messages, const ProgressRange& monitor) : diagnostics(messages), progress(monitor) {}
 
-  /// Throws Error where the file cannot be read or is not VRML97, Aborted where the caller stops it.
+  /// Throws Error where the file cannot be read or is not VRML, Aborted where the caller stops it.
   const Document& open(const std::filesystem::path& file);
 
   /// The first of `urls` that can be read, relative to the document that mentions them; null and a warning if

@@ -77,13 +77,97 @@ std::vector<NodeType> shapes()
       {"Text", NodeKind::drawing, {}, {}, true},
       {"Coordinate", NodeKind::property, {{"point", mfVec3f}}, {}},
       {"Appearance", NodeKind::property, {{"material", sfNode}}, {"texture", "textureTransform"}},
+      {"Material", NodeKind::property, {{"diffuseColor", sfVec3f}, {"transparency", sfFloat}}, {}, true},
   };
 }
 
-const std::unordered_map<std::string_view, NodeType>& table()
+/// Children of VRML 1.0's groups stand between the braces; they are kept as if a field `children` held them.
+std::vector<NodeType> groups1()
 {
-  static const std::unordered_map<std::string_view, NodeType> all = [] {
-    std::unordered_map<std::string_view, NodeType> types;
+  return {
+      {"Group", NodeKind::group, {{"children", mfNode}}, {}},
+      {"LOD", NodeKind::group, {{"children", mfNode}}, {"center", "range"}},
+      {"Separator", NodeKind::group, {{"children", mfNode}}, {"renderCulling"}},
+      {"Switch", NodeKind::group, {{"children", mfNode}, {"whichChild", sfInt32}}, {}},
+      {"TransformSeparator", NodeKind::group, {{"children", mfNode}}, {}},
+      {"WWWAnchor", NodeKind::group, {{"children", mfNode}}, {"name", "description", "map"}},
+      {"WWWInline", NodeKind::group, {{"name", mfString}}, {"bboxCenter", "bboxSize"}},
+  };
+}
+
+std::vector<NodeType> states1()
+{
+  return {
+      {"Coordinate3", NodeKind::state, {{"point", mfVec3f}}, {}},
+      {"Material", NodeKind::state, {{"diffuseColor", mfVec3f}, {"transparency", mfFloat}}, {}, true},
+      {"MatrixTransform", NodeKind::state, {{"matrix", sfMatrix}}, {}},
+      {"Rotation", NodeKind::state, {{"rotation", sfRotation}}, {}},
+      {"Scale", NodeKind::state, {{"scaleFactor", sfVec3f}}, {}},
+      {"ShapeHints", NodeKind::state, {{"vertexOrdering", sfWord}}, {"shapeType", "faceType", "creaseAngle"}},
+      {"Transform",
+       NodeKind::state,
+       {{"center", sfVec3f},
+        {"rotation", sfRotation},
+        {"scaleFactor", sfVec3f},
+        {"scaleOrientation", sfRotation},
+        {"translation", sfVec3f}},
+       {}},
+      {"Translation", NodeKind::state, {{"translation", sfVec3f}}, {}},
+  };
+}
+
+std::vector<NodeType> shapes1()
+{
+  return {
+      {"Cone", NodeKind::surface, {{"parts", sfWord}, {"bottomRadius", sfFloat}, {"height", sfFloat}}, {}},
+      {"Cube", NodeKind::surface, {{"width", sfFloat}, {"height", sfFloat}, {"depth", sfFloat}}, {}},
+      {"Cylinder", NodeKind::surface, {{"parts", sfWord}, {"radius", sfFloat}, {"height", sfFloat}}, {}},
+      {"IndexedFaceSet",
+       NodeKind::surface,
+       {{"coordIndex", mfInt32}},
+       {"materialIndex", "normalIndex", "textureCoordIndex"}},
+      {"Sphere", NodeKind::surface, {{"radius", sfFloat}}, {}},
+      {"AsciiText", NodeKind::drawing, {}, {}, true},
+      {"IndexedLineSet", NodeKind::drawing, {}, {}, true},
+      {"PointSet", NodeKind::drawing, {}, {}, true},
+  };
+}
+
+using Table = std::unordered_map<std::string_view, NodeType>;
+
+void addWithoutFields(Table& types, NodeKind kind, std::initializer_list<std::string_view> names)
+{
+  for (const std::string_view name : names)
+  {
+    types.emplace(name, NodeType{name, kind, {}, {}, true});
+  }
+}
+
+const Table& table1()
+{
+  static const Table all = [] {
+    Table types;
+    for (const auto& part : {groups1(), states1(), shapes1()})
+    {
+      for (const NodeType& type : part)
+      {
+        types.emplace(type.name, type);
+      }
+    }
+    addWithoutFields(types, NodeKind::property,
+                     {"FontStyle", "Info", "MaterialBinding", "Normal", "NormalBinding", "Texture2",
+                      "Texture2Transform", "TextureCoordinate2"});
+    addWithoutFields(types, NodeKind::other,
+                     {"DirectionalLight", "OrthographicCamera", "PerspectiveCamera", "PointLight", "SpotLight"});
+    return types;
+  }();
+  return all;
+}
+
+const Table& table97()
+{
+  static const Table all = [] {
+    Table types;
     for (const auto& part : {groups(), shapes()})
     {
       for (const NodeType& type : part)
@@ -91,38 +175,34 @@ const std::unordered_map<std::string_view, NodeType>& table()
         types.emplace(type.name, type);
       }
     }
-    for (const std::string_view name : {"Material", "ImageTexture", "PixelTexture", "MovieTexture", "TextureTransform",
-                                        "TextureCoordinate", "Normal", "Color", "FontStyle"})
-    {
-      types.emplace(name, NodeType{name, NodeKind::property, {}, {}, true});
-    }
-    for (const std::string_view name : {"AudioClip",
-                                        "Background",
-                                        "ColorInterpolator",
-                                        "CoordinateInterpolator",
-                                        "CylinderSensor",
-                                        "DirectionalLight",
-                                        "Fog",
-                                        "NavigationInfo",
-                                        "NormalInterpolator",
-                                        "OrientationInterpolator",
-                                        "PlaneSensor",
-                                        "PointLight",
-                                        "PositionInterpolator",
-                                        "ProximitySensor",
-                                        "ScalarInterpolator",
-                                        "Script",
-                                        "Sound",
-                                        "SphereSensor",
-                                        "SpotLight",
-                                        "TimeSensor",
-                                        "TouchSensor",
-                                        "Viewpoint",
-                                        "VisibilitySensor",
-                                        "WorldInfo"})
-    {
-      types.emplace(name, NodeType{name, NodeKind::other, {}, {}, true});
-    }
+    addWithoutFields(types, NodeKind::property,
+                     {"ImageTexture", "PixelTexture", "MovieTexture", "TextureTransform", "TextureCoordinate", "Normal",
+                      "Color", "FontStyle"});
+    addWithoutFields(types, NodeKind::other,
+                     {"AudioClip",
+                      "Background",
+                      "ColorInterpolator",
+                      "CoordinateInterpolator",
+                      "CylinderSensor",
+                      "DirectionalLight",
+                      "Fog",
+                      "NavigationInfo",
+                      "NormalInterpolator",
+                      "OrientationInterpolator",
+                      "PlaneSensor",
+                      "PointLight",
+                      "PositionInterpolator",
+                      "ProximitySensor",
+                      "ScalarInterpolator",
+                      "Script",
+                      "Sound",
+                      "SphereSensor",
+                      "SpotLight",
+                      "TimeSensor",
+                      "TouchSensor",
+                      "Viewpoint",
+                      "VisibilitySensor",
+                      "WorldInfo"});
     return types;
   }();
   return all;
@@ -149,10 +229,11 @@ std::optional<FieldType> NodeType::fieldType(std::string_view field) const
   return anyField ? std::optional(FieldType::unknown) : std::nullopt;
 }
 
-const NodeType* findNodeType(std::string_view name)
+const NodeType* findNodeType(std::string_view name, Version version)
 {
-  const auto found = table().find(name);
-  return found == table().end() ? nullptr : &found->second;
+  const Table& table = version == Version::vrml1 ? table1() : table97();
+  const auto found = table.find(name);
+  return found == table.end() ? nullptr : &found->second;
 }
 
 std::optional<FieldType> findFieldType(std::string_view name)

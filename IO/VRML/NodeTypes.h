@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The nodes of VRML97 and what they mean to a reader of surfaces.
+/// The nodes of VRML97 and VRML 1.0 and what they mean to a reader of surfaces.
 #pragma once
 
 #include "SceneGraph.h"
@@ -16,6 +16,7 @@ enum class NodeKind
   group, ///< has children to visit
   shape,
   surface,  ///< geometry that makes triangles
+  state,    ///< of VRML 1.0: holds for the nodes that follow
   drawing,  ///< geometry without a surface: lines, points, text
   property, ///< part of a shape: coordinates, appearance, …
   other     ///< sensors, scripts, lights, viewpoints, interpolators, …
@@ -32,8 +33,8 @@ struct NodeType
   std::optional<FieldType> fieldType(std::string_view field) const;
 };
 
-/// Null for a name VRML97 does not know.
-const NodeType* findNodeType(std::string_view name);
+/// Null for a name the language does not know. All languages but VRML 1.0 are read as VRML97.
+const NodeType* findNodeType(std::string_view name, Version version);
 
 /// By its name in a prototype's interface, such as MFVec3f; nothing for a name that is none.
 std::optional<FieldType> findFieldType(std::string_view name);

@@ -229,7 +229,11 @@ void Parser::openNode(Slot slot, const std::vector<std::string_view>& names)
   node.document = &document;
   node.line = lexer.lineOf(type.text);
   node.prototype = findPrototype(type.text);
-  node.type = node.prototype ? nullptr : findNodeType(type.text);
+  node.type = node.prototype ? nullptr : findNodeType(type.text, document.version);
+  if (isVersion1() && !node.type)
+  {
+    node.type = declaredBase();
+  }
   quiet = quiet && !node.prototype && !node.type;
   for (const std::string_view name : names)
   {
@@ -245,6 +249,31 @@ void Parser::openNode(Slot slot, const std::vector<std::string_view>& names)
                      "' is skipped");
   }
   frames.push_back({Open::node, {}, &node, nullptr, node.line});
+}
+
+/// Nodes of others tell in VRML 1.0 which known type they may be taken for: `fields [ … ] isA [ "Separator" ]`, ahead
+/// of everything else.
+const NodeType* Parser::declaredBase()
+{
+  const Lexer start = lexer;
+  if (lexer.peek().is("fields") && lexer.peekSecond().kind == TokenKind::openBracket)
+  {
+    lexer.next();
+    skipGroup();
+  }
+  const NodeType* base = nullptr;
+  Value names;
+  if (lexer.peek().is("isA"))
+  {
+    lexer.next();
+    readStrings(names, true);
+    for (const std::string& name : std::get<std::vector<std::string>>(names))
+    {
+      base = base ? base : findNodeType(name, Version::vrml1);
+    }
+  }
+  lexer = start;
+  return base;
 }
 
 void Parser::readUse(Slot slot)
@@ -295,116 +324,21 @@ void Parser::readRoute()
   }
 }
 
-void Parser::readPrototype(bool external)
-{
-  const int line = lexer.place().line;
-  lexer.next();
-  const auto name = lexer.nextName();
-  if (!name || lexer.peek().kind != TokenKind::openBracket)
-  {
-    return expected("the name of a prototype and '['");
-  }
-  lexer.next();
-  Prototype& prototype = document.prototypes.emplace_back();
-  prototype.name = document.keep(*name);
-  prototype.external = external;
-  prototype.document = &document;
-  prototype.defaults = &document.nodes.emplace_back();
-  prototype.defaults->document = &document;
-  prototype.defaults->typeName = prototype.name;
-  frames.push_back({Open::interface, {}, nullptr, &prototype, line});
-}
-
-void Parser::stepInterface()
-{
-  Prototype& prototype = *frames.back().prototype;
-  const Token token = lexer.peek();
-  if (token.kind == TokenKind::end)
-  {
-    return unexpectedEnd();
-  }
-  if (token.kind == TokenKind::closeBracket)
-  {
-    lexer.next();
-    frames.pop_back();
-    return openBody(prototype);
-  }
-  const bool event = token.is("eventIn") || token.is("eventOut");
-  if (!event && !token.is("field") && !token.is("exposedField"))
-  {
-    expected("field, exposedField, eventIn, eventOut or ']'");
-    token.kind == TokenKind::openBrace || token.kind == TokenKind::openBracket ? skipGroup() : void(lexer.next());
-    return;
-  }
-  lexer.next();
-  const auto type = findFieldType(lexer.peek().text);
-  if (!type)
-  {
-    expected("the type of a field");
-  }
-  lexer.next();
-  const auto name = lexer.nextName();
-  if (!name)
-  {
-    return expected("the name of a field");
-  }
-  if (!event)
-  {
-    const std::string_view kept = document.keep(*name);
-    prototype.interface[kept] = type.value_or(FieldType::unknown);
-    if (!prototype.external)
-    {
-      const Slot slot = slotOf(*prototype.defaults, kept);
-      readValue(*slot.node, slot.field, type.value_or(FieldType::unknown), true);
-    }
-  }
-}
-
-void Parser::openBody(Prototype& prototype)
-{
-  if (prototype.external)
-  {
-    scopes.back().prototypes[prototype.name] = &prototype;
-    Value urls;
-    if (!readStrings(urls, true))
-    {
-      return expected("the URL of the prototype");
-    }
-    prototype.urls = std::get<std::vector<std::string>>(urls);
-    return;
-  }
-  if (lexer.peek().kind != TokenKind::openBrace)
-  {
-    return expected("'{' and the body of the prototype");
-  }
-  const int line = lexer.place().line;
-  lexer.next();
-  prototype.body = &document.nodes.emplace_back();
-  prototype.body->document = &document;
-  scopes.emplace_back(); // names inside are unknown outside, and the other way round
-  frames.push_back({Open::body, slotOf(*prototype.body, "children"), nullptr, &prototype, line});
-}
-
-void Parser::closeBody()
-{
-  lexer.next();
-  const Prototype* prototype = frames.back().prototype;
-  frames.pop_back();
-  scopes.pop_back();
-  scopes.back().prototypes[prototype->name] = prototype;
-}
-
 /// A node where a field should be: children without the word, or a part whose place its type tells.
 void Parser::readNodeWithoutField()
 {
   Node& node = *frames.back().node;
   const Token token = lexer.peek();
+  if (isVersion1() && (!node.type || (node.type->kind == NodeKind::group && node.type->fieldType("children"))))
+  {
+    return readNode(slotOf(node, "children"));
+  }
   if (node.type && node.type->kind == NodeKind::group && node.type->fieldType("children"))
   {
     warn("expected a field of " + std::string(node.typeName) + ", found " + tell(token) + "; taken as its child");
     return readNode(slotOf(node, "children"));
   }
-  const NodeType* type = findNodeType(token.text);
+  const NodeType* type = findNodeType(token.text, document.version);
   if (node.type && node.type->kind == NodeKind::shape && type)
   {
     warn("expected a field of Shape, found " + tell(token) + "; taken as its " +
@@ -420,13 +354,19 @@ void Parser::readField()
   Node& node = *frames.back().node;
   const Token token = lexer.peek();
   const auto type = fieldType(node, token.text);
+  if (isVersion1() && (token.is("fields") || token.is("isA")))
+  {
+    lexer.next();
+    return lexer.peek().kind == TokenKind::openBracket ? skipGroup() : void(lexer.next());
+  }
   const bool declares = token.is("field") || token.is("exposedField") || token.is("eventIn") || token.is("eventOut");
   if (declares && !(type && *type != FieldType::unknown))
   {
     return readDeclaration();
   }
   const bool is = lexer.peekSecond().is("IS");
-  if (!type && !is && (node.type || node.prototype) && !node.damaged)
+  const bool known = node.prototype || (node.type && node.type->name == node.typeName);
+  if (!type && !is && known && !node.damaged)
   {
     warn(std::string(node.typeName) + " has no field '" + toUtf8(token.text) + "'");
   }
@@ -487,7 +427,11 @@ std::optional<FieldType> Parser::fieldType(const Node& node, std::string_view fi
     const auto found = node.prototype->interface.find(field);
     return found == node.prototype->interface.end() ? std::nullopt : std::optional(found->second);
   }
-  return node.type ? node.type->fieldType(field) : std::nullopt;
+  if (!node.type)
+  {
+    return field == "children" ? std::optional(FieldType::mfNode) : std::nullopt;
+  }
+  return node.type->fieldType(field);
 }
 
 const Prototype* Parser::findPrototype(std::string_view name) const

@@ -13,8 +13,8 @@
 
 namespace atria::vrml {
 
-/// Reads a VRML97 text into `document`. Does not recurse: open brackets and braces are kept on a stack of its
-/// own, so that models nested many thousand levels deep are read.
+/// Reads a text in VRML97, or in VRML 1.0 where the document says so, into `document`. Does not recurse: open brackets
+/// and braces are kept on a stack of its own, so that models nested many thousand levels deep are read.
 ///
 /// A syntax error is a warning that says where and what was expected. The node it is in is marked damaged,
 /// and reading goes on with the next field. Common slips are understood: nodes without the word `children`, a
@@ -59,7 +59,7 @@ private:
   void step();
   void stepList();
   void stepNode();
-  void stepInterface();
+  void stepInterface(); // in ParserPrototypes.cxx
   void closeList();
 
   // Statements
@@ -71,12 +71,16 @@ private:
   void readUse(Slot slot);
   static void put(Slot slot, Node* node);
   void readRoute();
-  void readPrototype(bool external);
-  void openBody(Prototype& prototype);
-  void closeBody();
   void readNodeWithoutField();
   void readField();
   void readDeclaration();
+  const NodeType* declaredBase();
+  bool isVersion1() const { return document.version == Version::vrml1; }
+
+  // Prototypes, in ParserPrototypes.cxx
+  void readPrototype(bool external);
+  void openBody(Prototype& prototype);
+  void closeBody();
 
   // Values, in ParserValues.cxx
   void readValue(Node& owner, std::size_t field, FieldType type, bool inInterface);
@@ -86,6 +90,7 @@ private:
   bool readIntegers(Value& value, bool many);
   bool readNumbers(Value& value, std::size_t arity, bool many);
   bool readStrings(Value& value, bool many);
+  bool readWords(Value& value);
   void readByLook();
   void skipGroup();
   void resume(const Node* owner, bool inBrackets);

@@ -4,6 +4,8 @@
 #include "NodeTypes.h"
 #include "Parser.h"
 
+#include <algorithm>
+
 namespace atria::vrml {
 
 namespace {
@@ -24,6 +26,8 @@ std::size_t arityOf(FieldType type)
     case FieldType::sfRotation:
     case FieldType::mfRotation:
       return 4;
+    case FieldType::sfMatrix:
+      return 16;
     default:
       return 1;
   }
@@ -42,11 +46,14 @@ std::string expectationOf(FieldType type)
     case FieldType::sfString:
     case FieldType::mfString:
       return "a string in quotes";
+    case FieldType::sfWord:
+      return "a word";
     case FieldType::sfFloat:
       return "a number";
     case FieldType::sfVec2f:
     case FieldType::sfVec3f:
     case FieldType::sfRotation:
+    case FieldType::sfMatrix:
       return std::to_string(arityOf(type)) + " numbers";
     default:
       return "a number or ']'";
@@ -115,6 +122,8 @@ bool Parser::readScalars(Value& value, FieldType type)
     case FieldType::sfString:
     case FieldType::mfString:
       return readStrings(value, type == FieldType::mfString);
+    case FieldType::sfWord:
+      return readWords(value);
     case FieldType::mfFloat:
     case FieldType::mfVec2f:
     case FieldType::mfVec3f:
@@ -128,8 +137,8 @@ bool Parser::readScalars(Value& value, FieldType type)
 bool Parser::readBool(Value& value)
 {
   const Token token = lexer.peek();
-  const bool yes = token.is("TRUE") || token.is("true");
-  if (!yes && !token.is("FALSE") && !token.is("false"))
+  const bool yes = token.is("TRUE") || token.is("true") || (isVersion1() && token.text == "1");
+  if (!yes && !token.is("FALSE") && !token.is("false") && !(isVersion1() && token.text == "0"))
   {
     return false;
   }
@@ -149,6 +158,9 @@ bool Parser::readIntegers(Value& value, bool many)
     return read;
   }
   lexer.next();
+  // Room for numbers of the usual length: growing in steps would copy, and touch, twice as much memory.
+  constexpr std::size_t usualLength = 6;
+  out.reserve(lexer.lengthOfList() / usualLength);
   while (lexer.nextInteger(number))
   {
     out.push_back(number);
@@ -171,6 +183,8 @@ bool Parser::readNumbers(Value& value, std::size_t arity, bool many)
     return out.size() == arity;
   }
   lexer.next();
+  constexpr std::size_t usualLength = 8;
+  out.reserve(lexer.lengthOfList() / usualLength);
   while (lexer.nextNumber(number))
   {
     out.push_back(number);
@@ -201,7 +215,37 @@ bool Parser::readStrings(Value& value, bool many)
   {
     out.push_back(unescaped(lexer.next().text));
   }
+  if (isVersion1() && !bracket && out.empty() && lexer.peek().kind == TokenKind::word)
+  {
+    out.emplace_back(lexer.next().text); // VRML 1.0 has no quotes about strings without blanks
+  }
   return bracket ? lexer.next().kind == TokenKind::closeBracket : !out.empty();
+}
+
+/// `SIDES`, or `(SIDES | TOP)`.
+bool Parser::readWords(Value& value)
+{
+  auto& out = value.emplace<std::vector<std::string>>();
+  if (lexer.peek().kind != TokenKind::word)
+  {
+    return false;
+  }
+  bool inside = false;
+  do
+  {
+    const std::string_view text = lexer.next().text;
+    inside = (inside || text.front() == '(') && text.back() != ')';
+    for (std::size_t start = 0; start < text.size();)
+    {
+      const std::size_t stop = std::min(text.find_first_of("(|)", start), text.size());
+      if (stop > start)
+      {
+        out.emplace_back(text.substr(start, stop - start));
+      }
+      start = stop + 1;
+    }
+  } while (inside && lexer.peek().kind == TokenKind::word);
+  return !inside;
 }
 
 /// Reads past a value whose type is not known or of no interest. Nodes in it are still read: a USE may want
@@ -227,6 +271,11 @@ void Parser::readByLook()
   else if (token.is("TRUE") || token.is("FALSE"))
   {
     lexer.next();
+  }
+  else if (isVersion1() && token.kind == TokenKind::word)
+  {
+    Value words;
+    readWords(words);
   }
   else
   {

@@ -32,7 +32,9 @@ enum class FieldType
   sfVec2f,
   sfVec3f,
   sfRotation,
+  sfMatrix,
   sfString,
+  sfWord, ///< of VRML 1.0: an enumeration's value, or several of them as (A | B)
   sfNode,
   mfInt32,
   mfFloat,
@@ -108,6 +110,7 @@ struct Document
   std::deque<Node> nodes;
   std::deque<Prototype> prototypes;
   std::size_t routes = 0;
+  std::string head; ///< the first characters of the file, where programs say who they are
 
   std::string_view keep(std::string_view text) { return *strings.emplace(text).first; }
   std::string displayName() const { return file.filename().string(); }

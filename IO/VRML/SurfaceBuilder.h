@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Support/Types.h"
+#include "Surface/PolygonTriangulation.h"
 
 #include <array>
 #include <span>
@@ -14,6 +15,7 @@ struct LocalSurface
 {
   std::vector<Vec3> points;
   std::vector<std::array<Index, 3>> triangles;
+  std::vector<Index> faceIds; ///< per triangle: the polygon it was cut from, counted from 0; ascending
 };
 
 /// Collects polygons as triangles.
@@ -38,11 +40,14 @@ public:
 private:
   void triangle(Index a, Index b, Index c)
   {
+    surface.faceIds.push_back(polygons);
     surface.triangles.push_back(flip ? std::array<Index, 3>{a, c, b} : std::array<Index, 3>{a, b, c});
   }
 
   LocalSurface surface;
+  PolygonTriangles cut; ///< of the last polygon
   bool flip;
+  Index polygons = 0;
   std::size_t flat = 0;
   std::size_t crossing = 0;
 };

@@ -2,8 +2,11 @@
 #include "vtkAtriaVRMLReader.h"
 
 #include "Evaluator.h"
+#include "Hints.h"
 #include "Input.h"
 #include "Library.h"
+#include "SceneChanges.h"
+#include "Surfaces.h"
 
 #include "AlgorithmProgress.h"
 #include "Support/Error.h"
@@ -48,9 +51,10 @@ vtkNew<vtkPoints> toPoints(const std::vector<atria::Vec3>& source)
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   points->SetNumberOfPoints(static_cast<vtkIdType>(source.size()));
-  for (std::size_t i = 0; i < source.size(); ++i)
+  static_assert(sizeof(atria::Vec3) == 3 * sizeof(double));
+  if (!source.empty())
   {
-    points->SetPoint(static_cast<vtkIdType>(i), source[i].data());
+    std::copy_n(source[0].data(), 3 * source.size(), static_cast<double*>(points->GetVoidPointer(0)));
   }
   return points;
 }
@@ -62,40 +66,78 @@ vtkNew<vtkCellArray> toCells(const std::vector<std::array<atria::Index, 3>>& tri
   const auto count = static_cast<vtkIdType>(triangles.size());
   offsets->SetNumberOfValues(count + 1);
   connectivity->SetNumberOfValues(3 * count);
-  for (vtkIdType i = 0; i < count; ++i)
+  vtkIdType* corner = connectivity->GetPointer(0);
+  for (const auto& t : triangles)
+  {
+    corner = std::copy(t.begin(), t.end(), corner);
+  }
+  for (vtkIdType i = 0; i <= count; ++i)
   {
     offsets->SetValue(i, 3 * i);
-    for (int k = 0; k < 3; ++k)
-    {
-      connectivity->SetValue(3 * i + k, triangles[static_cast<std::size_t>(i)][k]);
-    }
   }
-  offsets->SetValue(count, 3 * count);
   vtkNew<vtkCellArray> cells;
   cells->SetData(offsets, connectivity);
   return cells;
 }
 
-void fill(vtkPolyData* output, const atria::vrml::Model& model)
+/// Names and looks of the surfaces.
+void addSurfaces(vtkFieldData* data, const std::vector<atria::vrml::Surface>& surfaces)
 {
-  output->SetPoints(toPoints(model.points));
-  output->SetPolys(toCells(model.triangles));
+  vtkNew<vtkStringArray> names;
+  vtkNew<vtkStringArray> materials;
+  vtkNew<vtkDoubleArray> colours;
+  vtkNew<vtkDoubleArray> transparencies;
+  names->SetName("SurfaceName");
+  materials->SetName("MaterialName");
+  colours->SetName("DiffuseColor");
+  colours->SetNumberOfComponents(3);
+  transparencies->SetName("Transparency");
+  for (const atria::vrml::Surface& surface : surfaces)
+  {
+    names->InsertNextValue(surface.name);
+    materials->InsertNextValue(surface.material.name);
+    colours->InsertNextTuple(surface.material.diffuse.data());
+    transparencies->InsertNextValue(surface.material.transparency);
+  }
+  for (vtkAbstractArray* array :
+       {static_cast<vtkAbstractArray*>(names), static_cast<vtkAbstractArray*>(materials),
+        static_cast<vtkAbstractArray*>(colours), static_cast<vtkAbstractArray*>(transparencies)})
+  {
+    data->AddArray(array);
+  }
+}
+
+void addOffset(vtkFieldData* data, const atria::Vec3& offset)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName("ModelOffset");
+  array->SetNumberOfComponents(3);
+  array->InsertNextTuple(offset.data());
+  data->AddArray(array);
+}
+
+/// What has been copied goes at once.
+void fill(vtkPolyData* output, atria::vrml::Scene scene, const atria::vrml::Surfaces& surfaces)
+{
+  output->SetPoints(toPoints(scene.points));
+  scene.points = {};
+  output->SetPolys(toCells(scene.triangles));
+  scene.triangles = {};
   vtkNew<vtkIntArray> ids;
   ids->SetName("SurfaceId");
-  ids->SetNumberOfValues(static_cast<vtkIdType>(model.surfaceIds.size()));
-  std::copy(model.surfaceIds.begin(), model.surfaceIds.end(), ids->GetPointer(0));
+  ids->SetNumberOfValues(static_cast<vtkIdType>(surfaces.ids.size()));
+  std::copy(surfaces.ids.begin(), surfaces.ids.end(), ids->GetPointer(0));
   output->GetCellData()->AddArray(ids);
-  output->GetFieldData()->AddArray(toStrings(model.surfaceNames, "SurfaceName"));
-  output->GetFieldData()->AddArray(toStrings(model.materialNames, "MaterialName"));
+  addSurfaces(output->GetFieldData(), surfaces.surfaces);
 }
 
 /// What a file without surfaces holds instead.
-std::string describe(const std::map<std::string, std::size_t>& skipped)
+std::string describe(vtkStringArray* skipped)
 {
   std::string text;
-  for (const auto& [type, count] : skipped)
+  for (vtkIdType i = 0; i < skipped->GetNumberOfValues(); ++i)
   {
-    text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + type;
+    text += (i == 0 ? "" : ", ") + skipped->GetValue(i);
   }
   return text.empty() ? "it is empty" : "it holds " + text;
 }
@@ -103,7 +145,8 @@ std::string describe(const std::map<std::string, std::size_t>& skipped)
 } // namespace
 
 vtkAtriaVRMLReader::vtkAtriaVRMLReader()
-    : Warnings(vtkSmartPointer<vtkStringArray>::New()), SkippedNodes(vtkSmartPointer<vtkStringArray>::New())
+    : Warnings(vtkSmartPointer<vtkStringArray>::New()), Notes(vtkSmartPointer<vtkStringArray>::New()),
+      SkippedNodes(vtkSmartPointer<vtkStringArray>::New())
 {
   this->SetNumberOfInputPorts(0);
 }
@@ -112,15 +155,23 @@ vtkAtriaVRMLReader::~vtkAtriaVRMLReader() { delete[] this->FileName; }
 
 bool vtkAtriaVRMLReader::CanReadFile(const char* fileName)
 {
-  return fileName && atria::vrml::versionOf(atria::vrml::readStart(fileName)) == atria::vrml::Version::vrml97;
+  using atria::vrml::Version;
+  const Version version = fileName ? atria::vrml::versionOf(atria::vrml::readStart(fileName)) : Version::missing;
+  return version == Version::vrml97 || version == Version::vrml1;
 }
 
 vtkStringArray* vtkAtriaVRMLReader::GetWarnings() { return this->Warnings; }
 
+vtkStringArray* vtkAtriaVRMLReader::GetNotes() { return this->Notes; }
+
 vtkStringArray* vtkAtriaVRMLReader::GetSkippedNodes() { return this->SkippedNodes; }
 
-void vtkAtriaVRMLReader::ReportWarnings()
+/// Keeps the messages of a run, and shows warnings.
+void vtkAtriaVRMLReader::Report(const atria::vrml::Diagnostics& diagnostics)
 {
+  this->NumberOfWarnings = static_cast<vtkIdType>(diagnostics.count());
+  this->Warnings = toStrings(diagnostics.texts(), "Warnings").Get();
+  this->Notes = toStrings(diagnostics.notes(), "Notes").Get();
   if (this->NumberOfWarnings == 0)
   {
     return;
@@ -139,44 +190,91 @@ void vtkAtriaVRMLReader::ReportWarnings()
                       << (this->NumberOfWarnings == 1 ? " warning:" : " warnings:") << text);
 }
 
+double vtkAtriaVRMLReader::MetresPerUnit() const
+{
+  switch (this->LengthUnit)
+  {
+    case Millimetres:
+      return 0.001 * this->Scale;
+    case Centimetres:
+      return 0.01 * this->Scale;
+    case Inches:
+      return 0.0254 * this->Scale;
+    case Feet:
+      return 0.3048 * this->Scale;
+    default:
+      return this->Scale;
+  }
+}
+
+/// False where the file has no surfaces.
+bool vtkAtriaVRMLReader::ReadModel(vtkPolyData* output, atria::vrml::Diagnostics& diagnostics)
+{
+  namespace vrml = atria::vrml;
+  atria::AlgorithmProgress monitor(*this);
+  const atria::ProgressRange progress(monitor);
+  vrml::Scene scene;
+  std::string head;
+  std::string name;
+  {
+    vrml::Library library(diagnostics, progress.part(0.0, 0.6));
+    const vrml::Document& document = library.open(this->FileName);
+    head = document.head;
+    name = document.displayName();
+    vrml::Evaluator evaluator(library, diagnostics, progress.part(0.6, 0.9), this->TessellationAngle);
+    scene = evaluator.run(document);
+  } // the files' values go before the output comes
+  for (const auto& [type, count] : scene.skipped)
+  {
+    this->SkippedNodes->InsertNextValue(type + ": " + std::to_string(count));
+  }
+  if (scene.triangles.empty())
+  {
+    return false;
+  }
+  progress.report(0.9, "Merging faces");
+  const atria::Vec3 offset = vrml::place(scene, {this->UpAxis == YUp ? 1 : 2, this->MetresPerUnit(), this->Recentre});
+  if (this->MergeDuplicateFaces)
+  {
+    this->NumberOfMergedFaces = static_cast<vtkIdType>(vrml::mergeDuplicateFaces(scene, diagnostics));
+  }
+  const bool unitStated = this->LengthUnit != UnstatedUnit || this->Scale != 1.0;
+  for (const std::string& hint : vrml::hintsOf(scene, head, {unitStated, this->UpAxis != UnstatedUp, this->Recentre}))
+  {
+    diagnostics.warn(name + ": " + hint);
+  }
+  progress.report(0.95, "Naming surfaces");
+  scene.faceIds = {};
+  const auto surfaces = vrml::makeSurfaces(scene, static_cast<vrml::SurfaceBy>(this->SurfaceBy), this->SplitAngle);
+  fill(output, std::move(scene), surfaces);
+  addOffset(output->GetFieldData(), offset);
+  progress.report(1.0, "Model read");
+  return true;
+}
+
 int vtkAtriaVRMLReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
 {
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   this->Warnings = vtkSmartPointer<vtkStringArray>::New();
   this->SkippedNodes = vtkSmartPointer<vtkStringArray>::New();
+  this->Notes = vtkSmartPointer<vtkStringArray>::New();
   this->NumberOfWarnings = 0;
+  this->NumberOfMergedFaces = 0;
   if (!this->FileName || !*this->FileName)
   {
     vtkErrorMacro("FileName is not set");
     return 0;
   }
   atria::vrml::Diagnostics diagnostics;
-  const auto keepWarnings = [&] {
-    this->NumberOfWarnings = static_cast<vtkIdType>(diagnostics.count());
-    this->Warnings = toStrings(diagnostics.texts(), "Warnings").Get();
-    this->ReportWarnings();
-  };
   try
   {
-    atria::AlgorithmProgress monitor(*this);
-    const atria::ProgressRange progress(monitor);
-    atria::vrml::Library library(diagnostics, progress.part(0.0, 0.6));
-    const atria::vrml::Document& document = library.open(this->FileName);
-    atria::vrml::Evaluator evaluator(library, diagnostics, progress.part(0.6, 0.9), this->TessellationAngle);
-    const atria::vrml::Model model = evaluator.run(document);
-    for (const auto& [type, count] : model.skipped)
+    const bool found = this->ReadModel(output, diagnostics);
+    this->Report(diagnostics);
+    if (!found)
     {
-      this->SkippedNodes->InsertNextValue(type + ": " + std::to_string(count));
-    }
-    keepWarnings();
-    if (model.triangles.empty())
-    {
-      vtkErrorMacro("'" << this->FileName << "' holds no surfaces: " << describe(model.skipped));
+      vtkErrorMacro("'" << this->FileName << "' holds no surfaces: " << describe(this->SkippedNodes));
       return 0;
     }
-    progress.report(0.9, "Writing triangles");
-    fill(output, model);
-    progress.report(1.0, "Model read");
     return 1;
   }
   catch (const atria::Aborted&)
@@ -190,7 +288,7 @@ int vtkAtriaVRMLReader::RequestData(vtkInformation*, vtkInformationVector**, vtk
   }
   catch (const std::exception& error)
   {
-    keepWarnings();
+    this->Report(diagnostics);
     vtkErrorMacro(<< error.what());
   }
   output->Initialize();
@@ -202,6 +300,15 @@ void vtkAtriaVRMLReader::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "TessellationAngle: " << this->TessellationAngle << "\n";
+  os << indent << "SurfaceBy: " << this->SurfaceBy << "\n";
+  os << indent << "SplitAngle: " << this->SplitAngle << "\n";
+  os << indent << "MergeDuplicateFaces: " << (this->MergeDuplicateFaces ? "on" : "off") << "\n";
+  os << indent << "UpAxis: " << this->UpAxis << "\n";
+  os << indent << "LengthUnit: " << this->LengthUnit << "\n";
+  os << indent << "Scale: " << this->Scale << "\n";
+  os << indent << "Recentre: " << (this->Recentre ? "on" : "off") << "\n";
+  os << indent << "NumberOfMergedFaces: " << this->NumberOfMergedFaces << "\n";
+  os << indent << "Notes: " << this->Notes->GetNumberOfValues() << " strings\n";
   os << indent << "NumberOfWarnings: " << this->NumberOfWarnings << "\n";
   os << indent << "Warnings: " << this->Warnings->GetNumberOfValues() << " strings\n";
   os << indent << "SkippedNodes: " << this->SkippedNodes->GetNumberOfValues() << " strings\n";

@@ -102,9 +102,38 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(surfaces["Neighbour"]["open_edges"], 0)
         self.assertEqual(surfaces["Site"]["open_edges"], 4)
         self.assertGreater(report["total"]["non_manifold_edges"], 0)
+        edges = [problem for problem in report["problems"] if problem["kind"] == "open edges"]
+        self.assertEqual(sum(problem["count"] for problem in edges), report["total"]["open_edges"])
+        self.assertTrue(any(problem["kind"] == "non-manifold edges" for problem in report["problems"]))
+        for problem in report["problems"]:
+            self.assertEqual(len(problem["place"]), 3)
+            self.assertLessEqual(set(problem["surfaces"]), set(surfaces))
         table = self.atria("inspect", HOUSE)
         self.assertEqual((table.returncode, table.stderr), (0, ""))
         self.assertIn("PartitionB", table.stdout)
+        self.assertIn("open edges", table.stdout)
+        self.assertNotIn("open edges", self.atria("inspect", HOUSE, "--no-problems").stdout)
+
+    def test_model_options(self):
+        model = self.folder / "options.wrl"
+        square = "coord Coordinate { point [0 0 0, 400 0 0, 400 400 0, 0 400 0] } coordIndex [0 1 2 3]"
+        shape = "Shape { appearance Appearance { material DEF %s Material {} } geometry IndexedFaceSet { %s } }"
+        model.write_text("#VRML V2.0 utf8\n# Exported by SketchUp\nDEF G Group { children [" + shape % ("Front", square) +
+                         shape % ("Back", square) + "] }")
+        run = self.atria("inspect", model, "--json")
+        self.assertIn("SketchUp", run.stderr)
+        self.assertIn("note: ", run.stderr)
+        report = json.loads(run.stdout)
+        self.assertEqual(report["merged_faces"], 1)
+        self.assertEqual([surface["name"] for surface in report["surfaces"]], ["G"])
+        run = self.atria("inspect", model, "--json", "--unit", "in", "--up", "y", "--scale", "2", "--keep-duplicates",
+                         "--surfaces-by", "material")
+        self.assertEqual(run.stderr, "")
+        report = json.loads(run.stdout)
+        self.assertEqual([surface["name"] for surface in report["surfaces"]], ["Front", "Back"])
+        for value, expected in zip(report["total"]["bounds"], [0, 20.32, 0, 0, 0, 20.32]):
+            self.assertAlmostEqual(value, expected, places=9)
+        self.refuses(2, "--unit", "inspect", model, "--unit", "yd")
 
     def test_layers(self):
         out, report, case = self.folder / "layers.vtu", self.folder / "layers.json", self.folder / "layers"

@@ -9,6 +9,8 @@
 #include "vtkAtriaOpenFOAMWriter.h"
 
 #include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
 #include <vtkInformation.h>
 #include <vtkIntArray.h>
@@ -449,6 +451,26 @@ TEST_F(OpenFOAMWriter, ReplacesAnEarlierMeshButNoSettings)
   EXPECT_FALSE(fs::exists(mesh / "cellZones"));
   EXPECT_EQ(textOf(folder("case") / "system/controlDict"), "mine");
   EXPECT_TRUE(fs::exists(folder("case") / "system/fvSchemes"));
+}
+
+TEST_F(OpenFOAMWriter, PutsTheMeshBackWhereTheModelWasIfAsked)
+{
+  const auto grid = toGrid(atria::testing::hexahedra({1, 1, 1}));
+  vtkNew<vtkDoubleArray> offset;
+  offset->SetName("ModelOffset");
+  offset->SetNumberOfComponents(3);
+  offset->InsertNextTuple3(92300.0, 437000.0, -7.0);
+  grid->GetFieldData()->AddArray(offset);
+  const auto pointsOf = [&](bool restore) {
+    vtkNew<vtkAtriaOpenFOAMWriter> writer;
+    writer->SetInputDataObject(grid);
+    writer->SetCaseDirectory(folder("case").c_str());
+    writer->SetRestoreOffset(restore);
+    EXPECT_EQ(writer->Write(), 1);
+    return textOf(folder("case") / "constant/polyMesh/points");
+  };
+  EXPECT_THAT(pointsOf(true), HasSubstr("(92301 437001 -6)"));
+  EXPECT_THAT(pointsOf(false), HasSubstr("(1 1 1)"));
 }
 
 TEST_F(OpenFOAMWriter, LeavesItsInputAsItWas)

@@ -112,6 +112,7 @@ TEST_F(VRMLGeometry, KeepsDoublePrecision)
   const VRMLModel model =
       read(faces("2600123.4567890123 1200987.654321 0, 2600124 1200987 0, 2600124 1200988 0", "0 1 2"));
   EXPECT_EQ(model.output()->GetPoint(0)[0], 2600123.4567890123);
+  EXPECT_EQ(messages.takeWarnings().size(), 1u); // the hint at its distance
 }
 
 TEST_F(VRMLGeometry, TurnsClockwiseFaces)

@@ -2,6 +2,7 @@
 /// Damaged copies of models: whatever is in a file, the reader ends, keeps its promises or says why not.
 /// ATRIA_MUTATIONS sets the number of copies made of each model (default 20).
 #include "VRMLModel.h"
+#include "vtkAtriaVRMLReader.h"
 
 #include "Support/TestPaths.h"
 #include "Support/VtkErrorGuard.h"
@@ -162,7 +163,13 @@ TEST(VRMLMutations, NeitherCrashNorHang)
       SCOPED_TRACE(file.string() + ", copy " + std::to_string(i));
       const auto start = std::chrono::steady_clock::now();
       atria::testing::VtkErrorGuard messages;
-      const atria::testing::VRMLModel model(mutant);
+      const atria::testing::VRMLModel model(mutant, [&](vtkAtriaVRMLReader& reader) {
+        reader.MergeDuplicateFacesOn();
+        reader.SetUpAxis(vtkAtriaVRMLReader::UnstatedUp);
+        reader.SetLengthUnit(vtkAtriaVRMLReader::UnstatedUnit);
+        reader.SetRecentre(i % 2 == 0);
+        reader.SetSurfaceBy(i % 4);
+      });
       messages.takeWarnings();
       const bool failed = !messages.takeErrors().empty();
       EXPECT_EQ(failed, model.triangles() == 0);

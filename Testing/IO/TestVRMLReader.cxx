@@ -154,17 +154,38 @@ TEST_F(VRMLReader, FindsInlinedFilesByBackslashCaseAndBareName)
   EXPECT_EQ(model.names(), (Names{"Wall", "Roof", "Roof_2"}));
 }
 
-TEST_F(VRMLReader, WarnsOfInlinedFilesThatAreMissingOldOrCyclic)
+TEST_F(VRMLReader, WarnsOfInlinedFilesThatAreMissingOrCyclic)
 {
-  write("old.wrl", "#VRML V1.0 ascii\nCube {}");
-  const VRMLModel model =
-      read(box + "Inline { url \"gone.wrl\" } Inline { url \"old.wrl\" }\nInline { url \"model.wrl\" }");
+  const VRMLModel model = read(box + "Inline { url \"gone.wrl\" }\nInline { url \"model.wrl\" }");
   EXPECT_EQ(messages.takeWarnings().size(), 1u);
   const std::string warnings = joined(model.warnings());
   EXPECT_NE(warnings.find("model.wrl:2: Inline: cannot read 'gone.wrl'"), std::string::npos) << warnings;
-  EXPECT_NE(warnings.find("VRML 1.0 is not read yet"), std::string::npos) << warnings;
   EXPECT_NE(warnings.find("model.wrl:3: Inline: the file contains itself"), std::string::npos) << warnings;
   EXPECT_EQ(model.triangles(), 12);
+}
+
+TEST_F(VRMLReader, FollowsFilesInFilesInFoldersOfTheirOwn)
+{
+  fs::create_directories(scratch.path() / "a" / "b");
+  write("a/a.wrl", "#VRML V2.0 utf8\nTransform { translation 10 0 0 children Inline { url \"b/b.wrl\" } }");
+  write("a/b/b.wrl", "#VRML V2.0 utf8\nDEF Deep " + box + "Inline { url \"../../c.wrl\" }");
+  write("c.wrl", "#VRML V2.0 utf8\nDEF Back " + box);
+  const VRMLModel model = read("Transform { translation 1 0 0 children Inline { url \"a/a.wrl\" } }");
+  EXPECT_EQ(model.names(), (Names{"Deep", "Back"}));
+  expectBounds(model.bounds("Back"), {10, 12, -1, 1, -1, 1});
+}
+
+TEST_F(VRMLReader, FollowsChainsOfFilesOfAnyLength)
+{
+  constexpr int files = 300;
+  for (int i = 0; i < files; ++i)
+  {
+    write("f" + std::to_string(i) + ".wrl",
+          "#VRML V2.0 utf8\n" + box + "Inline { url \"f" + std::to_string(i + 1) + ".wrl\" }");
+  }
+  const VRMLModel model = read("Inline { url \"f0.wrl\" }");
+  EXPECT_EQ(model.triangles(), 12 * files);
+  EXPECT_EQ(messages.takeWarnings().size(), 1u); // the last file is missing
 }
 
 TEST_F(VRMLReader, FindsCyclesOfFilesThroughPrototypes)
@@ -255,7 +276,9 @@ TEST_F(VRMLReader, PrintsItsProperties)
   reader->SetFileName("a.wrl");
   std::ostringstream text;
   reader->Print(text);
-  for (const char* property : {"FileName: a.wrl", "TessellationAngle: 90", "NumberOfWarnings: 0", "SkippedNodes: 0"})
+  for (const char* property : {"FileName: a.wrl", "TessellationAngle: 90", "NumberOfWarnings: 0", "SkippedNodes: 0",
+                               "SurfaceBy: 0", "SplitAngle: 30", "MergeDuplicateFaces: on", "UpAxis: 0",
+                               "LengthUnit: 0", "Scale: 1", "Recentre: off", "NumberOfMergedFaces: 0", "Notes: 0"})
   {
     EXPECT_NE(text.str().find(property), std::string::npos) << property;
   }
@@ -265,7 +288,7 @@ TEST_F(VRMLReader, TellsWhichFilesItCanRead)
 {
   EXPECT_TRUE(vtkAtriaVRMLReader::CanReadFile(data("house.wrl").c_str()));
   EXPECT_TRUE(vtkAtriaVRMLReader::CanReadFile(data("house.wrz").c_str()));
-  EXPECT_FALSE(vtkAtriaVRMLReader::CanReadFile(write("old.wrl", "#VRML V1.0 ascii\n").c_str()));
+  EXPECT_TRUE(vtkAtriaVRMLReader::CanReadFile(write("old.wrl", "#VRML V1.0 ascii\n").c_str()));
   EXPECT_FALSE(vtkAtriaVRMLReader::CanReadFile(write("empty.wrl", "").c_str()));
   EXPECT_FALSE(vtkAtriaVRMLReader::CanReadFile(scratch.path().c_str()));
   EXPECT_FALSE(vtkAtriaVRMLReader::CanReadFile(nullptr));

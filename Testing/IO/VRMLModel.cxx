@@ -52,10 +52,19 @@ double areaOf(const Corners& t)
 } // namespace
 
 VRMLModel::VRMLModel(const std::filesystem::path& file, double tessellationAngle)
+    : VRMLModel(file, [&](vtkAtriaVRMLReader& to) { to.SetTessellationAngle(tessellationAngle); })
+{
+}
+
+VRMLModel::VRMLModel(const std::filesystem::path& file, const Settings& settings)
     : reader(vtkSmartPointer<vtkAtriaVRMLReader>::New())
 {
   reader->SetFileName(file.c_str());
-  reader->SetTessellationAngle(tessellationAngle);
+  // Everything as the file has it.
+  reader->SetMergeDuplicateFaces(false);
+  reader->SetUpAxis(vtkAtriaVRMLReader::ZUp);
+  reader->SetLengthUnit(vtkAtriaVRMLReader::Metres);
+  settings(*reader);
   reader->Update();
 }
 
@@ -142,9 +151,22 @@ std::vector<std::string> VRMLModel::fieldStrings(const char* array) const
   return toVector(vtkStringArray::SafeDownCast(output()->GetFieldData()->GetAbstractArray(array)));
 }
 
+std::vector<double> VRMLModel::numbers(const char* array) const
+{
+  std::vector<double> out;
+  vtkDataArray* values = output()->GetFieldData()->GetArray(array);
+  for (vtkIdType i = 0; values && i < values->GetNumberOfValues(); ++i)
+  {
+    out.push_back(values->GetComponent(i / values->GetNumberOfComponents(),
+                                       static_cast<int>(i % values->GetNumberOfComponents())));
+  }
+  return out;
+}
+
 std::vector<std::string> VRMLModel::names() const { return fieldStrings("SurfaceName"); }
 std::vector<std::string> VRMLModel::materials() const { return fieldStrings("MaterialName"); }
 std::vector<std::string> VRMLModel::warnings() const { return toVector(reader->GetWarnings()); }
+std::vector<std::string> VRMLModel::notes() const { return toVector(reader->GetNotes()); }
 std::vector<std::string> VRMLModel::skipped() const { return toVector(reader->GetSkippedNodes()); }
 
 std::string VRMLModel::brokenPromise() const
@@ -158,6 +180,10 @@ std::string VRMLModel::brokenPromise() const
   if (std::set<std::string>(all.begin(), all.end()).size() != all.size() || materials().size() != all.size())
   {
     return "names repeat, or materials are not one a surface";
+  }
+  if (numbers("DiffuseColor").size() != 3 * all.size() || numbers("Transparency").size() != all.size())
+  {
+    return "colours or transparencies are not one a surface";
   }
   if (output()->GetPoints()->GetDataType() != VTK_DOUBLE)
   {

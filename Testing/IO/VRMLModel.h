@@ -4,6 +4,7 @@
 #include <vtkSmartPointer.h>
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -12,11 +13,15 @@ class vtkPolyData;
 
 namespace atria::testing {
 
-/// A model run through the reader, with what tests ask about it.
+/// A model run through the reader, with what tests ask about it. Unless the settings say otherwise, duplicate faces
+/// stay and the unit and axis are stated, so that everything comes as the file has it.
 class VRMLModel
 {
 public:
+  using Settings = std::function<void(vtkAtriaVRMLReader&)>;
+
   explicit VRMLModel(const std::filesystem::path& file, double tessellationAngle = 10.0);
+  VRMLModel(const std::filesystem::path& file, const Settings& settings);
   ~VRMLModel();
 
   vtkPolyData* output() const;
@@ -31,7 +36,10 @@ public:
   std::vector<double> bounds(const std::string& surface) const;
   std::vector<std::string> names() const;
   std::vector<std::string> materials() const;
+  /// A field array's values, all components in a row.
+  std::vector<double> numbers(const char* array) const;
   std::vector<std::string> warnings() const;
+  std::vector<std::string> notes() const;
   std::vector<std::string> skipped() const;
   /// What is wrong with the output's arrays; empty if it keeps the reader's promises.
   std::string brokenPromise() const;

@@ -46,16 +46,18 @@ struct Outline
   Vec3 normal = Vec3::Zero(); ///< Newell's: twice the vector area
 };
 
-/// Empty where there is nothing to triangulate.
-Outline normalised(std::span<const Vec3> points, std::span<const Index> polygon)
+/// Fills `out`; its memory is used again. False where there is nothing to triangulate.
+bool normalise(std::span<const Vec3> points, std::span<const Index> polygon, Outline& out)
 {
-  Outline out;
+  out.ids.clear();
+  out.points.clear();
+  out.normal = Vec3::Zero();
   Box3 box;
   for (const Index id : polygon)
   {
     if (id >= points.size() || !points[id].allFinite())
     {
-      return {};
+      return false;
     }
     if (out.ids.empty() || points[id] != points[out.ids.back()])
     {
@@ -70,7 +72,7 @@ Outline normalised(std::span<const Vec3> points, std::span<const Index> polygon)
   const double extent = out.ids.size() < 3 ? 0.0 : box.size().maxCoeff();
   if (!(extent > 0.0) || !std::isfinite(extent))
   {
-    return {};
+    return false;
   }
   for (const Index id : out.ids)
   {
@@ -80,7 +82,7 @@ Outline normalised(std::span<const Vec3> points, std::span<const Index> polygon)
   {
     out.normal += (out.points[i] - out.points[0]).cross(out.points[(i + 1) % out.points.size()] - out.points[0]);
   }
-  return out;
+  return true;
 }
 
 /// Rounding alone gives areas of this order in the unit box.
@@ -304,24 +306,60 @@ private:
 
 } // namespace
 
-PolygonTriangles triangulatePolygon(std::span<const Vec3> points, std::span<const Index> polygon)
+namespace {
+
+/// Whether a triangle passes as a polygon does, in a fraction of the time.
+bool hasArea(std::span<const Vec3> points, std::span<const Index> t)
 {
-  const Outline outline = normalised(points, polygon);
-  if (outline.ids.size() < 3 || !(outline.normal.norm() > noArea))
+  const std::size_t last = std::max({t[0], t[1], t[2]});
+  if (last >= points.size())
   {
-    return {};
+    return false;
   }
-  PolygonTriangles out;
+  const Vec3 u = points[t[1]] - points[t[0]];
+  const Vec3 v = points[t[2]] - points[t[0]];
+  const Vec3 high = u.cwiseMax(v).cwiseMax(Vec3::Zero());
+  const Vec3 low = u.cwiseMin(v).cwiseMin(Vec3::Zero());
+  const double extent = (high - low).maxCoeff();
+  return extent > 0.0 && std::isfinite(extent) && (u / extent).cross(v / extent).norm() > noArea;
+}
+
+} // namespace
+
+void triangulatePolygon(std::span<const Vec3> points, std::span<const Index> polygon, PolygonTriangles& out)
+{
+  if (polygon.size() == 3)
+  {
+    out.triangles.clear();
+    out.simple = true;
+    if (hasArea(points, polygon))
+    {
+      out.triangles.push_back({polygon[0], polygon[1], polygon[2]});
+    }
+    return;
+  }
+  static thread_local Outline outline; // asking for memory would take most of the time
+  out.triangles.clear();
+  out.simple = true;
+  if (!normalise(points, polygon, outline) || !(outline.normal.norm() > noArea))
+  {
+    return;
+  }
   if (outline.ids.size() == 3)
   {
     out.triangles.push_back({outline.ids[0], outline.ids[1], outline.ids[2]});
-    return out;
   }
-  if (outline.ids.size() == 4 && cutQuad(outline, out))
+  else if (outline.ids.size() != 4 || !cutQuad(outline, out))
   {
-    return out;
+    out = Triangulator(outline).run();
   }
-  return Triangulator(outline).run();
+}
+
+PolygonTriangles triangulatePolygon(std::span<const Vec3> points, std::span<const Index> polygon)
+{
+  PolygonTriangles out;
+  triangulatePolygon(points, polygon, out);
+  return out;
 }
 
 } // namespace atria

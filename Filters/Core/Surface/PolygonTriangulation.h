@@ -26,4 +26,7 @@ struct PolygonTriangles
 };
 PolygonTriangles triangulatePolygon(std::span<const Vec3> points, std::span<const Index> polygon);
 
+/// The same into a value whose memory is used again, for callers with many polygons.
+void triangulatePolygon(std::span<const Vec3> points, std::span<const Index> polygon, PolygonTriangles& out);
+
 } // namespace atria

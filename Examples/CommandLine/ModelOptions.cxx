@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ModelOptions.h"
+
+#include <vtkAtriaVRMLReader.h>
+
+#include <CLI/CLI.hpp>
+
+#include <map>
+
+namespace atria::tool {
+
+namespace {
+
+const std::map<std::string, int> units{{"m", vtkAtriaVRMLReader::Metres},
+                                       {"mm", vtkAtriaVRMLReader::Millimetres},
+                                       {"cm", vtkAtriaVRMLReader::Centimetres},
+                                       {"in", vtkAtriaVRMLReader::Inches},
+                                       {"ft", vtkAtriaVRMLReader::Feet}};
+const std::map<std::string, int> axes{{"y", vtkAtriaVRMLReader::YUp}, {"z", vtkAtriaVRMLReader::ZUp}};
+const std::map<std::string, int> rules{{"shape", vtkAtriaVRMLReader::Shape},
+                                       {"group", vtkAtriaVRMLReader::Group},
+                                       {"material", vtkAtriaVRMLReader::Material},
+                                       {"connected", vtkAtriaVRMLReader::Connected}};
+
+} // namespace
+
+void declareModelOptions(CLI::App& command, ModelOptions& options)
+{
+  command.add_option("--unit", options.unit, "Unit of length in the file; metres unless given")
+      ->check(CLI::IsMember({"m", "mm", "cm", "in", "ft"}))
+      ->type_name("m|mm|cm|in|ft");
+  command.add_option("--scale", options.scale, "A further factor for all lengths")
+      ->capture_default_str()
+      ->check(CLI::Range(1e-9, 1e9));
+  command.add_option("--up", options.up, "The axis that is up in the file; z unless given. With y the model is turned")
+      ->check(CLI::IsMember({"y", "z"}))
+      ->type_name("y|z");
+  command.add_flag("--recentre", options.recentre,
+                   "Move a model that is far from the origin there, by whole hundreds of metres");
+  command.add_flag("--keep-duplicates", options.keepDuplicates,
+                   "Keep faces that coincide with earlier ones, such as the backs of sheets");
+  command.add_option("--surfaces-by", options.surfacesBy, "What makes a named surface")
+      ->capture_default_str()
+      ->check(CLI::IsMember({"shape", "group", "material", "connected"}))
+      ->type_name("shape|group|material|connected");
+}
+
+void configure(vtkAtriaVRMLReader* reader, const ModelOptions& options)
+{
+  if (!options.unit.empty())
+  {
+    reader->SetLengthUnit(units.at(options.unit));
+  }
+  if (!options.up.empty())
+  {
+    reader->SetUpAxis(axes.at(options.up));
+  }
+  reader->SetScale(options.scale);
+  reader->SetRecentre(options.recentre);
+  reader->SetMergeDuplicateFaces(!options.keepDuplicates);
+  reader->SetSurfaceBy(rules.at(options.surfacesBy));
+}
+
+} // namespace atria::tool

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Options on how a model is read, shared by subcommands.
+#pragma once
+
+#include <string>
+
+namespace CLI {
+class App;
+}
+class vtkAtriaVRMLReader;
+
+namespace atria::tool {
+
+struct ModelOptions
+{
+  std::string unit;
+  double scale = 1.0;
+  std::string up;
+  bool recentre = false;
+  bool keepDuplicates = false;
+  std::string surfacesBy = "shape";
+};
+
+void declareModelOptions(CLI::App& command, ModelOptions& options);
+void configure(vtkAtriaVRMLReader* reader, const ModelOptions& options);
+
+} // namespace atria::tool

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Surface/CoincidentFaces.h"
+
+#include "Surface/PointPlaces.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace atria {
+
+namespace {
+
+using Triangle = std::array<Index, 3>;
+using Edge = std::pair<Index, Index>;
+
+std::vector<Index> placesOfModel(std::span<const Vec3> points)
+{
+  Box3 bounds;
+  for (const Vec3& p : points)
+  {
+    bounds.extend(p);
+  }
+  return placesOf(points, placeStep(bounds));
+}
+
+bool isFlat(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
+
+class Search
+{
+public:
+  Search(std::span<const Vec3> points, std::span<const Triangle> triangles, std::span<const Index> faceIds)
+      : faces(faceIds), corners(triangles.begin(), triangles.end()), numberOfPoints(points.size())
+  {
+    const std::vector<Index> places = placesOfModel(points);
+    for (Triangle& t : corners)
+    {
+      t = {places[t[0]], places[t[1]], places[t[2]]};
+    }
+    out.kept.resize(corners.size());
+    std::iota(out.kept.begin(), out.kept.end(), Index{0});
+  }
+
+  CoincidentFaces run()
+  {
+    comparePolygons();
+    compareTriangles();
+    return std::move(out);
+  }
+
+private:
+  /// Edges of a polygon that bound it, those of its triangles that are there once, each in its direction and sorted by
+  /// ends.
+  std::vector<Edge> outlineOf(std::size_t first) const
+  {
+    std::vector<Edge> edges;
+    for (std::size_t i = first; i < corners.size() && faces[i] == faces[first]; ++i)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        edges.emplace_back(corners[i][k], corners[i][(k + 1) % 3]);
+      }
+    }
+    const auto ends = [](const Edge& e) { return std::minmax(e.first, e.second); };
+    std::sort(edges.begin(), edges.end(),
+              [&](const Edge& a, const Edge& b) { return std::pair(ends(a), a.first) < std::pair(ends(b), b.first); });
+    std::vector<Edge> outline;
+    for (std::size_t i = 0; i < edges.size(); ++i)
+    {
+      if (i + 1 < edges.size() && ends(edges[i]) == ends(edges[i + 1]))
+      {
+        ++i;
+        continue;
+      }
+      outline.push_back(edges[i]);
+    }
+    return outline;
+  }
+
+  /// By ends alone, whichever way they are run through.
+  static std::vector<Edge> endsOf(std::vector<Edge> outline)
+  {
+    for (Edge& e : outline)
+    {
+      e = {std::min(e.first, e.second), std::max(e.first, e.second)};
+    }
+    return outline;
+  }
+
+  void comparePolygons()
+  {
+    std::vector<Index> starts;
+    std::vector<Index> lowest;
+    for (std::size_t i = 0, next = 0; i < faces.size(); i = next)
+    {
+      Index low = noIndex;
+      for (next = i; next < faces.size() && faces[next] == faces[i]; ++next)
+      {
+        low = std::min(low, *std::min_element(corners[next].begin(), corners[next].end()));
+      }
+      if (next - i > 1)
+      {
+        starts.push_back(static_cast<Index>(i));
+        lowest.push_back(low);
+      }
+    }
+    using Candidate = std::pair<std::vector<Edge>, Index>;
+    std::vector<Candidate> candidates;
+    forBuckets(lowest, [&](std::span<const Index> bucket) {
+      candidates.clear();
+      for (const Index i : bucket)
+      {
+        candidates.emplace_back(endsOf(outlineOf(starts[i])), starts[i]);
+      }
+      std::sort(candidates.begin(), candidates.end());
+      for (std::size_t i = 1, first = 0; i < candidates.size(); ++i)
+      {
+        first = candidates[i].first == candidates[first].first ? first : i;
+        if (first != i && !candidates[i].first.empty())
+        {
+          replace(candidates[i].second, candidates[first].second);
+        }
+      }
+    });
+  }
+
+  /// Calls `visit` for every set of items of the same lowest place, ascending. A polygon or triangle coincides with one
+  /// of its set only, and sets are small and mostly of neighbours: this takes a fraction of the time of hashing.
+  template <class Visit> void forBuckets(const std::vector<Index>& lowest, Visit&& visit) const
+  {
+    std::vector<Index> begins(numberOfPoints + 1, 0);
+    for (const Index low : lowest)
+    {
+      ++begins[low + 1];
+    }
+    std::partial_sum(begins.begin(), begins.end(), begins.begin());
+    std::vector<Index> items(lowest.size());
+    std::vector<Index> next(begins.begin(), begins.end() - 1);
+    for (Index i = 0; i < lowest.size(); ++i)
+    {
+      items[next[lowest[i]]++] = i;
+    }
+    for (std::size_t i = 0; i < numberOfPoints; ++i)
+    {
+      if (begins[i + 1] - begins[i] > 1)
+      {
+        visit(std::span<const Index>(items).subspan(begins[i], begins[i + 1] - begins[i]));
+      }
+    }
+  }
+
+  void replace(Index first, Index by)
+  {
+    for (std::size_t i = first; i < corners.size() && faces[i] == faces[first]; ++i)
+    {
+      out.kept[i] = by;
+    }
+    ++out.faces;
+    out.opposite += outlineOf(by).front() != outlineOf(first).front() ? 1 : 0;
+  }
+
+  void compareTriangles()
+  {
+    std::vector<Index> left;
+    std::vector<Index> lowest;
+    for (Index i = 0; i < corners.size(); ++i)
+    {
+      if (out.kept[i] == i && !isFlat(corners[i]))
+      {
+        left.push_back(i);
+        lowest.push_back(*std::min_element(corners[i].begin(), corners[i].end()));
+      }
+    }
+    std::vector<std::pair<Triangle, Index>> candidates;
+    forBuckets(lowest, [&](std::span<const Index> bucket) {
+      candidates.clear();
+      for (const Index i : bucket)
+      {
+        Triangle t = corners[left[i]];
+        std::sort(t.begin(), t.end());
+        candidates.emplace_back(t, left[i]);
+      }
+      std::sort(candidates.begin(), candidates.end());
+      for (std::size_t i = 1, first = 0; i < candidates.size(); ++i)
+      {
+        first = candidates[i].first == candidates[first].first ? first : i;
+        if (first != i)
+        {
+          const Index same = candidates[first].second;
+          const Index triangle = candidates[i].second;
+          out.kept[triangle] = same;
+          ++out.faces;
+          out.opposite += isTurned(corners[triangle], corners[same]) ? 1 : 0;
+        }
+      }
+    });
+  }
+
+  /// Of triangles with the same corners.
+  static bool isTurned(const Triangle& a, const Triangle& b)
+  {
+    const auto at = std::find(b.begin(), b.end(), a[0]) - b.begin();
+    return a[1] != b[(at + 1) % 3];
+  }
+
+  std::span<const Index> faces;
+  std::vector<Triangle> corners; ///< by place
+  std::size_t numberOfPoints;
+  CoincidentFaces out;
+};
+
+} // namespace
+
+CoincidentFaces findCoincidentFaces(std::span<const Vec3> points, std::span<const Triangle> triangles,
+                                    std::span<const Index> faceIds)
+{
+  return Search(points, triangles, faceIds).run();
+}
+
+} // namespace atria

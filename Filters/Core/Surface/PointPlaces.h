@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Support/Types.h"
+
+#include <span>
+#include <vector>
+
+namespace atria {
+
+/// For each point the first point in the same place. With a `step` of zero, places are equal coordinates; else points
+/// are in one place where their coordinates round to the same multiples of it. Points closer than a step but on either
+/// side of a border are then not; with a power of ten well below the digits that matter, borders fall between the
+/// numbers that people and programs write. Points must be finite, and within 2^51 steps of the origin. O(n) on average.
+std::vector<Index> placesOf(std::span<const Vec3> points, double step);
+
+/// A step for models of this size: what rounding in transforms may cost, and less than any exporter's last digit.
+double placeStep(const Box3& bounds);
+
+} // namespace atria

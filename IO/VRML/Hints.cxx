@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Hints.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <initializer_list>
+
+namespace atria::vrml {
+
+namespace {
+
+std::string shortNumber(double value)
+{
+  std::array<char, 32> text;
+  std::snprintf(text.data(), text.size(), "%.3g", value);
+  return text.data();
+}
+
+Box3 boundsOf(const Scene& scene)
+{
+  Box3 box;
+  for (const auto& t : scene.triangles)
+  {
+    for (const Index p : t)
+    {
+      box.extend(scene.points[p]);
+    }
+  }
+  return box;
+}
+
+std::string lowered(std::string_view text)
+{
+  std::string out(text);
+  std::transform(out.begin(), out.end(), out.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return out;
+}
+
+/// Runs of letters and digits.
+std::vector<std::string_view> wordsOf(std::string_view text)
+{
+  const auto inWord = [](unsigned char c) { return std::isalnum(c) != 0; };
+  std::vector<std::string_view> words;
+  for (std::size_t i = 0; i < text.size();)
+  {
+    std::size_t end = i;
+    while (end < text.size() && inWord(static_cast<unsigned char>(text[end])))
+    {
+      ++end;
+    }
+    if (end > i)
+    {
+      words.push_back(text.substr(i, end - i));
+    }
+    i = end + 1;
+  }
+  return words;
+}
+
+using WordList = std::initializer_list<std::string_view>;
+
+bool isOneOf(std::string_view word, WordList list) { return std::find(list.begin(), list.end(), word) != list.end(); }
+
+/// The unit a header mentions, such as "units: inches" or "exported in mm".
+std::string mentionedUnit(const std::vector<std::string_view>& words)
+{
+  const WordList units{"m",           "meter",      "meters",      "metre", "metres",     "mm",          "millimeter",
+                       "millimeters", "millimetre", "millimetres", "cm",    "centimeter", "centimeters", "centimetre",
+                       "centimetres", "inch",       "inches",      "ft",    "foot",       "feet"};
+  for (std::size_t i = 0; i + 1 < words.size(); ++i)
+  {
+    if (!isOneOf(words[i],
+                 {"unit", "units", "exported", "measured", "dimension", "dimensions", "coordinates", "lengths"}))
+    {
+      continue;
+    }
+    std::size_t next = i + 1;
+    while (next < words.size() && next < i + 3 && isOneOf(words[next], {"are", "in", "is", "of", "length"}))
+    {
+      ++next;
+    }
+    if (next < words.size() && isOneOf(words[next], units))
+    {
+      return std::string(words[next]);
+    }
+  }
+  return {};
+}
+
+bool isMetres(std::string_view unit) { return isOneOf(unit, {"m", "meter", "meters", "metre", "metres"}); }
+
+bool mentionsYUp(const std::vector<std::string_view>& words)
+{
+  for (std::size_t i = 0; i < words.size(); ++i)
+  {
+    const auto follow = [&](WordList list) {
+      return i + list.size() <= words.size() && std::equal(list.begin(), list.end(), words.begin() + i);
+    };
+    if (follow({"y", "up"}) || follow({"yup"}) || follow({"up", "axis", "y"}) || follow({"upaxis", "y"}))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+void judgeUnit(const std::string& head, const std::vector<std::string_view>& words, const Vec3& size,
+               std::vector<std::string>& hints)
+{
+  constexpr double tallest = 1000.0; // no building is
+  constexpr double longest = 20000.0;
+  constexpr double shortest = 0.5;
+  const std::string advice =
+      "; lengths are taken to be metres: set LengthUnit, if only to Metres, to say which they are";
+  const std::string unit = mentionedUnit(words);
+  if (!unit.empty())
+  {
+    if (!isMetres(unit))
+    {
+      hints.push_back("the file mentions the unit '" + unit + "'" + advice);
+    }
+    return;
+  }
+  const auto contains = [&](const char* text) { return head.find(text) != std::string::npos; };
+  if (contains("sketchup") && !contains(".0254"))
+  {
+    hints.push_back("the file comes from SketchUp, which writes inches without saying so" + advice);
+    return;
+  }
+  const std::string extents =
+      shortNumber(size.x()) + " by " + shortNumber(size.y()) + " by " + shortNumber(size.z()) + " m";
+  if (size.z() > tallest || size.maxCoeff() > longest)
+  {
+    hints.push_back("the model would measure " + extents + ", which millimetres or inches would explain" + advice);
+  }
+  else if (size.maxCoeff() < shortest)
+  {
+    hints.push_back("the model would measure " + extents + ", less than anything with rooms" + advice);
+  }
+}
+
+/// Ground, floors and roofs share one axis, walls have the two others. Where the first is y, and the model is flat
+/// along it, it was drawn y up.
+bool looksYUp(const Scene& scene, const Vec3& size)
+{
+  Vec3 area = Vec3::Zero();
+  double all = 0.0;
+  for (const auto& [a, b, c] : scene.triangles)
+  {
+    const Vec3 n = (scene.points[b] - scene.points[a]).cross(scene.points[c] - scene.points[a]);
+    const double length = n.norm();
+    int axis = 0;
+    const bool along = n.cwiseAbs().maxCoeff(&axis) > 0.99 * length;
+    area[axis] += along ? length : 0.0;
+    all += length;
+  }
+  return size.y() < 0.6 * std::min(size.x(), size.z()) && area.y() > 0.4 * all && area.x() > 0.03 * all &&
+         area.z() > 0.03 * all && area.y() > 1.5 * std::max(area.x(), area.z());
+}
+
+void judgeUpAxis(const Scene& scene, const std::vector<std::string_view>& words, const Vec3& size,
+                 std::vector<std::string>& hints)
+{
+  const std::string advice = "; z is taken to be up: set UpAxis, if only to Z, to say which is";
+  if (mentionsYUp(words))
+  {
+    hints.push_back("the file mentions that y is up" + advice);
+  }
+  else if (looksYUp(scene, size))
+  {
+    hints.push_back("most horizontal faces would be walls, as if y were up" + advice);
+  }
+}
+
+} // namespace
+
+std::vector<std::string> hintsOf(const Scene& scene, std::string_view head, const Stated& stated)
+{
+  std::vector<std::string> hints;
+  const Box3 box = boundsOf(scene);
+  if (box.empty())
+  {
+    return hints;
+  }
+  const std::string text = lowered(head);
+  const std::vector<std::string_view> words = wordsOf(text);
+  if (!stated.unit)
+  {
+    judgeUnit(text, words, box.size(), hints);
+  }
+  if (!stated.upAxis)
+  {
+    judgeUpAxis(scene, words, box.size(), hints);
+  }
+  // Single precision, which viewers and some solvers use, has seven digits.
+  constexpr double far = 1e5;
+  const double distance = std::max(box.min.cwiseAbs().maxCoeff(), box.max.cwiseAbs().maxCoeff());
+  if (!stated.recentred && distance > far && distance > 10.0 * box.size().norm())
+  {
+    hints.push_back("the model lies " + shortNumber(distance) +
+                    " m from the origin, where single precision loses centimetres; Recentre moves it there");
+  }
+  return hints;
+}
+
+} // namespace atria::vrml

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The evaluator's part for VRML 1.0, where nodes change a state that those after them find.
+#include "Evaluator.h"
+#include "Input.h"
+#include "NodeTypes.h"
+#include "Sweeps.h"
+
+#include <algorithm>
+
+namespace atria::vrml {
+
+void Evaluator::visit1(const Visit& at)
+{
+  const Node& node = *at.ref.node;
+  if (!node.type)
+  {
+    return visitUnknown(at);
+  }
+  switch (node.type->kind)
+  {
+    case NodeKind::group:
+      return visitGroup1(at);
+    case NodeKind::surface:
+      return addGeometry1(at);
+    case NodeKind::state:
+      return changeState(at.ref);
+    case NodeKind::drawing:
+    case NodeKind::other:
+      return scene.skip(std::string(node.type->name));
+    case NodeKind::shape:
+    case NodeKind::property:
+      return;
+  }
+}
+
+void Evaluator::visitGroup1(const Visit& at)
+{
+  const std::string_view type = at.ref.node->type->name;
+  Visit inner = at;
+  inner.transform = states.back().transform;
+  if (type == "WWWInline")
+  {
+    return visitInline(inner, "name");
+  }
+  inner.group = groupOf(at);
+  std::vector<NodeRef> children = instances.nodes(at.ref, "children");
+  if (type == "Separator" || type == "WWWAnchor")
+  {
+    states.push_back(State(states.back()));
+    open.push_back({at.ref, inner.transform, noIndex, Task::restoreState});
+  }
+  else if (type == "TransformSeparator")
+  {
+    open.push_back({at.ref, inner.transform, noIndex, Task::restoreTransform});
+  }
+  else if (type == "Switch" || type == "LOD")
+  {
+    constexpr int all = -3;
+    const int chosen = type == "LOD" ? 0 : instances.integer(at.ref, "whichChild", -1);
+    if (chosen != all)
+    {
+      const bool exists = chosen >= 0 && static_cast<std::size_t>(chosen) < children.size();
+      children = exists ? std::vector<NodeRef>{children[static_cast<std::size_t>(chosen)]} : std::vector<NodeRef>{};
+    }
+  }
+  pushChildren(inner, children);
+}
+
+void Evaluator::changeState(const NodeRef& ref)
+{
+  State& state = states.back();
+  const std::string_view type = ref.node->type->name;
+  if (type == "Coordinate3")
+  {
+    state.coordinates = ref.node;
+  }
+  else if (type == "Material")
+  {
+    state.material = ref.node;
+  }
+  else if (type == "ShapeHints")
+  {
+    const auto* order = instances.get<std::vector<std::string>>(ref, "vertexOrdering");
+    state.clockwise = order && !order->empty() && order->front() == "CLOCKWISE";
+  }
+  else if (type == "MatrixTransform")
+  {
+    // Written for row vectors: the last row is the translation.
+    const std::vector<double> m = instances.numbers(ref, "matrix", {});
+    if (m.size() == 16)
+    {
+      Transform own = Transform::Identity();
+      own.matrix().topRows<3>() = Eigen::Map<const Eigen::Matrix4d>(m.data()).topRows<3>();
+      state.transform = state.transform * own;
+    }
+  }
+  else
+  {
+    state.transform = state.transform * transformOf(ref, "scaleFactor"); // all others have some of its fields
+  }
+}
+
+void Evaluator::addGeometry1(const Visit& at)
+{
+  const State& state = states.back();
+  Geometry::State local;
+  if (state.coordinates)
+  {
+    local.points = instances.get<std::vector<double>>({state.coordinates, nullptr}, "point");
+  }
+  local.clockwise = state.clockwise;
+  Index material = noIndex;
+  if (state.material)
+  {
+    const NodeRef ref{state.material, nullptr};
+    Material look;
+    look.name = toUtf8(state.material->name);
+    const std::vector<double> diffuse = instances.numbers(ref, "diffuseColor", {});
+    look.diffuse = diffuse.size() < 3 ? look.diffuse : Vec3(diffuse[0], diffuse[1], diffuse[2]);
+    look.transparency = instances.number(ref, "transparency", look.transparency);
+    material = scene.material(look);
+  }
+  add(at.ref, geometries.make(at.ref, local), state.transform, {toUtf8(at.ref.node->name), at.group, material});
+}
+
+} // namespace atria::vrml

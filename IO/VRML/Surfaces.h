@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Scene.h"
+
+namespace atria::vrml {
+
+/// What makes a surface.
+enum class SurfaceBy
+{
+  shape,
+  group,    ///< the innermost named group
+  material, ///< shapes of one look
+  connected ///< pieces of shapes that are smooth in themselves
+};
+
+struct Surface
+{
+  std::string name;
+  Material material; ///< of its first shape that has one
+};
+
+struct Surfaces
+{
+  std::vector<Index> ids; ///< per triangle
+  std::vector<Surface> surfaces;
+};
+
+/// Divides the scene's triangles into surfaces, numbered in the order of their first triangles, and names them.
+///
+/// A surface goes by the DEF name of its shape or geometry, else of the innermost named group, else of the material,
+/// else `Shape`. Names that repeat get the name of the outermost group in which they differ ahead of them, as in
+/// `East/Wall` and `West/Wall`; those that still repeat are numbered in the order of the file: `Wall`, `Wall_2`.
+/// Made-up names keep clear of the file's own. `splitAngle`, in degrees, is the angle between neighbours above which
+/// SurfaceBy::connected parts them.
+Surfaces makeSurfaces(const Scene& scene, SurfaceBy by, double splitAngle);
+
+} // namespace atria::vrml

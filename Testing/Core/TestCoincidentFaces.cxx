@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// What of a model as read belongs together: places, coincident faces, smooth pieces.
+#include "Surface/CoincidentFaces.h"
+#include "Surface/PointPlaces.h"
+#include "Surface/SmoothPieces.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace {
+
+using atria::findCoincidentFaces;
+using atria::Index;
+using atria::placesOf;
+using atria::smoothPieces;
+using atria::Vec3;
+using Triangles = std::vector<std::array<Index, 3>>;
+
+TEST(PointPlaces, AreEqualCoordinatesWithoutAStep)
+{
+  const std::vector<Vec3> points{{0, 0, 0}, {-0.0, 0, -0.0}, {1e-300, 0, 0}, {0, 0, 0}};
+  EXPECT_EQ(placesOf(points, 0.0), (std::vector<Index>{0, 0, 2, 0}));
+}
+
+TEST(PointPlaces, TakeInWhatRoundingParts)
+{
+  const double third = 0.1 + 0.2; // not 0.3
+  const std::vector<Vec3> points{{0.3, 5, 0}, {third, 5, -1e-17}, {0.3001, 5, 0}};
+  EXPECT_EQ(placesOf(points, 1e-8), (std::vector<Index>{0, 0, 2}));
+}
+
+TEST(PointPlaces, HaveAStepThatGoesWithTheCoordinates)
+{
+  atria::Box3 box;
+  EXPECT_EQ(atria::placeStep(box), 0.0);
+  box.extend({0, 0, 0});
+  EXPECT_EQ(atria::placeStep(box), 0.0);
+  box.extend({50, -700, 0});
+  EXPECT_NEAR(atria::placeStep(box), 1e-6, 1e-12);
+  box.extend({1e300, 0, 0});
+  EXPECT_TRUE(std::isfinite(atria::placeStep(box)));
+}
+
+const std::vector<Vec3> square{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+
+TEST(CoincidentFaces, ArePolygonsOfOneOutlineHoweverCut)
+{
+  const Triangles triangles{
+      {0, 1, 2}, {0, 2, 3}, {3, 1, 0}, {3, 2, 1}}; // the second one from behind, cut the other way
+  const auto found = findCoincidentFaces(square, triangles, std::vector<Index>{0, 0, 1, 1});
+  EXPECT_EQ(found.kept, (std::vector<Index>{0, 1, 0, 0}));
+  EXPECT_EQ(found.faces, 1u);
+  EXPECT_EQ(found.opposite, 1u);
+}
+
+TEST(CoincidentFaces, AreTrianglesOfOtherPolygonsToo)
+{
+  const Triangles triangles{{0, 1, 2}, {0, 2, 3}, {1, 2, 0}, {3, 2, 0}};
+  const auto found = findCoincidentFaces(square, triangles, std::vector<Index>{0, 0, 1, 2});
+  EXPECT_EQ(found.kept, (std::vector<Index>{0, 1, 0, 1}));
+  EXPECT_EQ(found.faces, 2u);
+  EXPECT_EQ(found.opposite, 1u);
+}
+
+TEST(CoincidentFaces, AreNotThoseThatShareSomeCorners)
+{
+  const Triangles triangles{{0, 1, 2}, {0, 1, 3}, {0, 0, 1}, {0, 0, 1}};
+  EXPECT_EQ(findCoincidentFaces(square, triangles, std::vector<Index>{0, 1, 2, 3}).faces, 0u);
+}
+
+TEST(SmoothPieces, EndAtAnglesAndGroups)
+{
+  // Three strips about the x axis, 20 and 40 degrees apart.
+  std::vector<Vec3> points;
+  double y = 0;
+  double z = 0;
+  for (const double degrees : {0.0, 0.0, 20.0, 60.0})
+  {
+    y += points.empty() ? 0.0 : std::cos(degrees * std::numbers::pi / 180);
+    z += points.empty() ? 0.0 : std::sin(degrees * std::numbers::pi / 180);
+    points.insert(points.end(), {{0, y, z}, {1, y, z}});
+  }
+  Triangles triangles;
+  for (Index i = 0; i < 6; i += 2)
+  {
+    triangles.push_back({i, i + 1, i + 3});
+    triangles.push_back({i + 2, i + 3, i}); // wound the other way
+  }
+  const std::vector<Index> one(6, 0);
+  EXPECT_EQ(smoothPieces(points, triangles, one, 30.0), (std::vector<Index>{0, 0, 0, 0, 1, 1}));
+  EXPECT_EQ(smoothPieces(points, triangles, one, 40.0), std::vector<Index>(6, 0));
+  EXPECT_EQ(smoothPieces(points, triangles, one, 0.0), (std::vector<Index>{0, 0, 1, 1, 2, 2}));
+  EXPECT_EQ(smoothPieces(points, triangles, std::vector<Index>{0, 0, 1, 1, 1, 1}, 180.0),
+            (std::vector<Index>{0, 0, 1, 1, 1, 1}));
+}
+
+} // namespace

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Faces that are there twice, units, axes and far-off models.
+#include "VRMLModel.h"
+#include "vtkAtriaVRMLReader.h"
+
+#include "Support/TestPaths.h"
+#include "Support/VtkErrorGuard.h"
+
+#include <gtest/gtest.h>
+
+#include <iomanip>
+#include <sstream>
+
+namespace {
+
+using atria::testing::joined;
+using atria::testing::VRMLModel;
+using atria::testing::writeFile;
+using Names = std::vector<std::string>;
+
+class VRMLPlacement : public atria::testing::VtkTest
+{
+protected:
+  VRMLModel read(const std::string& text, const VRMLModel::Settings& settings)
+  {
+    return VRMLModel(writeFile(scratch.path(), "model.wrl", "#VRML V2.0 utf8\n" + text), settings);
+  }
+  VRMLModel merged(const std::string& text)
+  {
+    return read(text, [](vtkAtriaVRMLReader& reader) { reader.MergeDuplicateFacesOn(); });
+  }
+  /// The warnings of a model about whose unit and axis nothing is stated.
+  std::string hints(const std::string& text)
+  {
+    const VRMLModel model = read(text, [](vtkAtriaVRMLReader& reader) {
+      reader.SetUpAxis(vtkAtriaVRMLReader::UnstatedUp);
+      reader.SetLengthUnit(vtkAtriaVRMLReader::UnstatedUnit);
+    });
+    messages.takeWarnings();
+    return joined(model.warnings());
+  }
+  void expectBounds(const VRMLModel& model, const std::vector<double>& wanted, double tolerance = 1e-12)
+  {
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+    {
+      EXPECT_NEAR(model.bounds()[i], wanted[i], tolerance) << "bound " << i;
+    }
+  }
+
+  atria::testing::ScratchFolder scratch;
+};
+
+std::string faceSet(const std::string& name, const std::string& points, const std::string& index)
+{
+  return "DEF " + name + " Shape { geometry IndexedFaceSet { coord Coordinate { point [" + points + "] } coordIndex [" +
+         index + "] } }\n";
+}
+
+const std::string square = "0 0 0, 1 0 0, 1 1 0, 0 1 0";
+
+std::string box(double x, double y, double z)
+{
+  std::ostringstream text;
+  text << "Shape { geometry Box { size " << x << " " << y << " " << z << " } } ";
+  return text.str();
+}
+
+TEST_F(VRMLPlacement, MergesTheBackOfASheetIntoItsFront)
+{
+  const VRMLModel model = merged(faceSet("Front", square, "0 1 2 3") + faceSet("Back", square, "3 2 1 0") +
+                                 faceSet("Other", "5 0 0, 6 0 0, 6 1 0", "0 1 2"));
+  EXPECT_EQ(model.names(), (Names{"Front", "Other"}));
+  EXPECT_NEAR(model.area(), 1.5, 1e-12);
+  ASSERT_EQ(model.notes().size(), 2u);
+  EXPECT_NE(model.notes()[0].find("1 faces coincide with earlier ones and were merged with them, 1 of them facing"),
+            std::string::npos)
+      << model.notes()[0];
+  EXPECT_NE(model.notes()[1].find("all faces of 'Back' coincide with others, first with those of 'Front'"),
+            std::string::npos);
+  EXPECT_TRUE(model.warnings().empty());
+}
+
+TEST_F(VRMLPlacement, KeepsDuplicatesWhereAsked)
+{
+  const std::string two = faceSet("Front", square, "0 1 2 3") + faceSet("Back", square, "3 2 1 0");
+  const VRMLModel model = read(two, [](vtkAtriaVRMLReader& reader) { reader.MergeDuplicateFacesOff(); });
+  EXPECT_EQ(model.names(), (Names{"Front", "Back"}));
+  EXPECT_TRUE(model.notes().empty());
+}
+
+TEST_F(VRMLPlacement, MergesPolygonsWhoseCornersBeginElsewhere)
+{
+  const std::string star = "0 0 0, 2 1 0, 4 0 0, 3 2 0, 4 4 0, 2 3 0, 0 4 0, 1 2 0";
+  EXPECT_NEAR(merged(faceSet("A", star, "0 1 2 3 4 5 6 7 -1 5 4 3 2 1 0 7 6 -1")).area(), 8.0, 1e-12);
+}
+
+TEST_F(VRMLPlacement, MergesTheTrianglesOfAPolygonThatStandElsewhere)
+{
+  EXPECT_NEAR(merged(faceSet("A", square, "0 1 2 -1 0 2 3 -1") + faceSet("B", square, "0 2 1 -1 3 2 0 -1")).area(), 1.0,
+              1e-12);
+}
+
+TEST_F(VRMLPlacement, MergesWhatTransformsBringTogether)
+{
+  const std::string shape = faceSet("A", square, "0 1 2 3");
+  const VRMLModel model =
+      merged("Transform { scale 0.1 0.1 0.1 translation 0.3 0 0 children " + shape +
+             "} Transform { scale 0.1 0.1 0.1 translation 0.1 0 0 children Transform { translation 2 0 "
+             "0 children USE A } }");
+  EXPECT_NEAR(model.area(), 0.01, 1e-12);
+}
+
+TEST_F(VRMLPlacement, KeepsFacesThatOnlyTouchOrOverlap)
+{
+  const std::string points = "0 0 0, 1 0 0, 1 1 0, 0 1 0, 0.00001 0 0";
+  EXPECT_NEAR(merged(faceSet("A", points, "0 1 2 -1 0 2 3 -1 4 1 2 -1")).area(), 1.5, 1e-4);
+  // The other two triangles of the same four points.
+  EXPECT_NEAR(merged(faceSet("A", "0 0 0, 2 0 0, 2 2 0, 0.5 1 0", "0 1 2 -1 0 1 3 -1 1 2 3 -1")).area(), 4.5, 1e-12);
+}
+
+TEST_F(VRMLPlacement, TurnsModelsDrawnYUp)
+{
+  const VRMLModel model = read("Transform { translation 10 20 30 children " + box(2, 4, 6) + "}",
+                               [](vtkAtriaVRMLReader& reader) { reader.SetUpAxis(vtkAtriaVRMLReader::YUp); });
+  expectBounds(model, {9, 11, -33, -27, 18, 22});
+  EXPECT_NEAR(model.volume(), 48.0, 1e-9);
+}
+
+TEST_F(VRMLPlacement, ConvertsUnits)
+{
+  for (const auto& [unit, metres] : std::vector<std::pair<int, double>>{{vtkAtriaVRMLReader::Metres, 1.0},
+                                                                        {vtkAtriaVRMLReader::Millimetres, 0.001},
+                                                                        {vtkAtriaVRMLReader::Centimetres, 0.01},
+                                                                        {vtkAtriaVRMLReader::Inches, 0.0254},
+                                                                        {vtkAtriaVRMLReader::Feet, 0.3048}})
+  {
+    const VRMLModel model = read(box(2, 4, 6), [&](vtkAtriaVRMLReader& reader) {
+      reader.SetLengthUnit(unit);
+      reader.SetScale(10.0);
+    });
+    expectBounds(model, {-10 * metres, 10 * metres, -20 * metres, 20 * metres, -30 * metres, 30 * metres});
+  }
+}
+
+TEST_F(VRMLPlacement, MovesFarModelsToTheOriginAndSaysByHowMuch)
+{
+  const std::string far = "Transform { translation 92345.25 437012.5 3 children " + box(10, 10, 10) + "}";
+  const VRMLModel moved = read(far, [](vtkAtriaVRMLReader& reader) { reader.RecentreOn(); });
+  EXPECT_EQ(moved.numbers("ModelOffset"), (std::vector<double>{92300, 437000, 0}));
+  expectBounds(moved, {40.25, 50.25, 7.5, 17.5, -2, 8}, 1e-9);
+  const VRMLModel near = read("Transform { translation 7 0 0 children " + box(10, 10, 10) + "}",
+                              [](vtkAtriaVRMLReader& reader) { reader.RecentreOn(); });
+  EXPECT_EQ(near.numbers("ModelOffset"), (std::vector<double>{0, 0, 0}));
+  expectBounds(near, {2, 12, -5, 5, -5, 5});
+}
+
+TEST_F(VRMLPlacement, HintsAtUnitsTheFileMentions)
+{
+  EXPECT_NE(hints("# Units: inches\n" + box(9, 9, 9)).find("mentions the unit 'inches'"), std::string::npos);
+  EXPECT_NE(hints("# exported in mm by X\n" + box(9, 9, 9)).find("mentions the unit 'mm'"), std::string::npos);
+  EXPECT_EQ(hints("# units = meters, SketchUp\n" + box(9, 9, 9)), "");
+  EXPECT_EQ(hints("# many units of housing\n" + box(9, 9, 9)), "");
+}
+
+TEST_F(VRMLPlacement, HintsAtSketchUpsInchesUnlessTheyWereConverted)
+{
+  EXPECT_NE(hints("# Exported by SketchUp\n" + box(400, 300, 200)).find("SketchUp, which writes inches"),
+            std::string::npos);
+  EXPECT_EQ(hints("DEF SketchUp Transform { scale 0.0254 0.0254 0.0254 children " + box(400, 300, 200) + "}"), "");
+}
+
+TEST_F(VRMLPlacement, HintsAtSizesNothingHas)
+{
+  EXPECT_NE(hints(box(12000, 9000, 8000)).find("would measure 1.2e+04 by 9e+03 by 8e+03 m"), std::string::npos);
+  EXPECT_NE(hints(box(0.1, 0.1, 0.1)).find("less than anything with rooms"), std::string::npos);
+  EXPECT_EQ(hints(box(12, 9, 8)), "");
+  EXPECT_EQ(hints(box(3000, 3000, 300)), "");
+}
+
+TEST_F(VRMLPlacement, HintsAtTheAxisThatIsUp)
+{
+  const std::string site = box(100, 1, 100) + "Transform { translation 0 8 0 children " + box(20, 15, 30) + " }" +
+                           "Transform { translation 30 8 0 children " + box(10, 15, 30) + " }";
+  EXPECT_NE(hints(site).find("as if y were up"), std::string::npos);
+  EXPECT_EQ(hints("Transform { rotation 1 0 0 1.5707963267948966 children [" + site + "] }"), "");
+  EXPECT_NE(hints("# up axis: y\n" + box(9, 9, 9)).find("mentions that y is up"), std::string::npos);
+}
+
+TEST_F(VRMLPlacement, HintsAtModelsFarFromTheOrigin)
+{
+  EXPECT_NE(hints("Transform { translation 92345 437012 0 children " + box(10, 10, 10) + "}").find("Recentre"),
+            std::string::npos);
+}
+
+TEST_F(VRMLPlacement, DoesNotHintAtWhatIsStated)
+{
+  const VRMLModel model =
+      read("# SketchUp, y up\n" + box(90000, 1, 90000), [](vtkAtriaVRMLReader& reader) { reader.SetScale(0.5); });
+  EXPECT_TRUE(model.warnings().empty()) << joined(model.warnings());
+  expectBounds(model, {-22500, 22500, -0.25, 0.25, -22500, 22500});
+}
+
+TEST_F(VRMLPlacement, RefusesToScaleBeyondAllNumbers)
+{
+  EXPECT_EQ(read(box(1e305, 1, 1), [](vtkAtriaVRMLReader& reader) { reader.SetScale(1e9); }).triangles(), 0);
+  EXPECT_NE(joined(messages.takeErrors()).find("check Scale"), std::string::npos);
+}
+
+} // namespace
