@@ -55,11 +55,8 @@ public:
 private:
   struct Place
   {
-    /// A gap whose sheets run along it goes before one that ends at an edge.
-    bool atEdge;
     double step;
     LatticePoint at;
-    bool operator<(const Place& other) const { return std::tie(atEdge, step) < std::tie(other.atEdge, other.step); }
   };
 
   /// The point of a chart nearest to a grid point, and the triangle it is on.
@@ -151,7 +148,6 @@ private:
     Index a;
     Index b;
     Vec3 normal;
-    bool atEdge;
   };
 
   /// The gap between two sheets near p, from the point nearest to p on one, across to the other and back. Where one
@@ -172,8 +168,11 @@ private:
     const Nearest lastB = fromA ? acrossA : *nearestOn(b, acrossB.at);
     const Vec3 back = (lastB.at - lastA.at).normalized();
     const Vec3 there = fromA ? (acrossA.at - onA->at).normalized() : (onB->at - acrossB.at).normalized();
-    const bool atEdge = std::min(cosineTo(lastA, back), cosineTo(lastB, back)) < alongCosine;
-    return Gap{lastA.at, lastB.at, a, b, atEdge ? back : Vec3((back + there).normalized()), atEdge};
+    if (std::min(cosineTo(lastA, back), cosineTo(lastB, back)) < alongCosine)
+    {
+      return std::nullopt;
+    }
+    return Gap{lastA.at, lastB.at, a, b, (back + there).normalized()};
   }
 
   void noteGaps(Index point, const std::vector<std::pair<Index, Index>>& pairs)
@@ -181,25 +180,11 @@ private:
     const Vec3 p = toVector(grid.places().place(point));
     for (const auto& [a, b] : pairs)
     {
-      const auto gap = gapNear(p, a, b);
-      if (gap && !(gap->atEdge && isBehindSheet(*gap, static_cast<double>(grid.shortestEdge(point)))))
+      if (const auto gap = gapNear(p, a, b))
       {
         noteStack(point, *gap);
       }
     }
-  }
-
-  /// Whether another sheet passes where a way across ends, as a floor does between a wall below it and what is above:
-  /// then the gap is that sheet's.
-  bool isBehindSheet(const Gap& gap, double size) const
-  {
-    const auto passes = [&](const Vec3& end) {
-      const auto sheets = nearestOnAll(end);
-      return std::any_of(sheets.begin(), sheets.end(), [&](const auto& sheet) {
-        return sheet.first != gap.a && sheet.first != gap.b && (sheet.second.at - end).norm() < thinnestGap * size;
-      });
-    };
-    return passes(gap.onA) || passes(gap.onB);
   }
 
   /// Charts that cut edges out of the domain at the leaf's corners, and the directions of these edges.
@@ -230,7 +215,7 @@ private:
       const LatticePoint end = grid.places().segment(point, direction, edge).end;
       Vec3 onSide = sheet->at;
       onSide[axisOf(direction)] = static_cast<double>(end[axisOf(direction)]);
-      noteStack(point, {sheet->at, onSide, chart, noIndex, (onSide - sheet->at).normalized(), false});
+      noteStack(point, {sheet->at, onSide, chart, noIndex, (onSide - sheet->at).normalized()});
     }
   }
 
@@ -323,7 +308,7 @@ private:
     {
       if (reach > 0.5 && toA * toB > 0.0 && std::abs(toA + toB) < 2.0 * reach * thickness)
       {
-        note(point, middleBetween(p, 0.5 * (toA + toB), normal, gap.a, gap.b), normal, gap.atEdge);
+        note(point, middleBetween(p, 0.5 * (toA + toB), normal, gap.a, gap.b), normal);
       }
       return;
     }
@@ -333,8 +318,7 @@ private:
     const double inside = thinnestClearance * (after.at - before.at);
     if (before.at > -inside || after.at < inside)
     {
-      note(point, middleBetween(p, 0.5 * (before.at + after.at), normal, before.chart, after.chart), normal,
-           gap.atEdge);
+      note(point, middleBetween(p, 0.5 * (before.at + after.at), normal, before.chart, after.chart), normal);
     }
   }
 
@@ -351,7 +335,7 @@ private:
     return step;
   }
 
-  void note(Index point, double step, const Vec3& normal, bool atEdge)
+  void note(Index point, double step, const Vec3& normal)
   {
     const auto way = wayAlong(normal, step, static_cast<double>(grid.shortestEdge(point)));
     if (!way)
@@ -364,9 +348,9 @@ private:
     {
       return;
     }
-    const Place place{atEdge, std::abs(step), at};
+    const Place place{std::abs(step), at};
     const auto [found, isNew] = nearest.try_emplace(point, place);
-    if (!isNew && place < found->second)
+    if (!isNew && place.step < found->second.step)
     {
       found->second = place;
     }
