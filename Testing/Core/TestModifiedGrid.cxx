@@ -161,10 +161,6 @@ TEST_P(ParallelWalls, HaveALayerOfElementsBetweenThem)
 TEST_P(ParallelWalls, OfAClosedSlabHoldASpaceOfItsVolume)
 {
   const auto& [distance, pose] = GetParam();
-  if (distance == 0.1 && pose.name == std::string("Turned45"))
-  {
-    GTEST_SKIP() << "not reached: the space holds 86 % of its volume at one of five offsets";
-  }
   TriangleSurface surface;
   addBox(surface, "Slab", {Vec3::Zero(), Vec3(8.0, distance, 7.0)});
   for (const Vec3& offset : offsets)
@@ -198,8 +194,12 @@ class Fan : public ::testing::TestWithParam<std::tuple<double, Pose>>
 /// Three sheets meet in a line; the spaces between them are there down to a tenth of an octant.
 TEST_P(Fan, HasItsWedgesDownToATenthOfAnOctant)
 {
-  GTEST_SKIP() << "not reached: where two wedges are thinner than an octant together, their sheets still merge";
   const auto& [degrees, pose] = GetParam();
+  if (pose.aboutX != 0.0 || (pose.aboutZ == 45.0 && degrees == 20.0))
+  {
+    GTEST_SKIP()
+        << "not reached: at one or two of five offsets 93 to 94.9 % of the middle sheet, less than 95 %, is there";
+  }
   TriangleSurface surface;
   const auto along = [&](Index sheet, double radius) {
     const double angle = radians(degrees) * (static_cast<double>(sheet) - 1.0);
@@ -291,9 +291,9 @@ class ThinSolid : public ::testing::TestWithParam<Pose>
 
 TEST_P(ThinSolid, WallWithAWindowHasTwoFacesAndIsOpenThere)
 {
-  if (GetParam().aboutX != 0.0 || GetParam().aboutZ == 45.0)
+  if (GetParam().aboutX != 0.0)
   {
-    GTEST_SKIP() << "not reached: up to 0.08 m2 of the window is blocked, or 3 % of a face missing, at some offsets";
+    GTEST_SKIP() << "not reached: up to 0.08 m2 of the window is blocked at two of five offsets";
   }
   const SolidWall wall;
   for (const Vec3& offset : offsets)
@@ -337,10 +337,6 @@ class Table : public ::testing::TestWithParam<Pose>
 
 TEST_P(Table, HasAirBetweenItselfAndTheFloor)
 {
-  if (GetParam().aboutX == 0.0)
-  {
-    GTEST_SKIP() << "not reached: at the first offset, all on grid planes, the top's underside merges with the floor";
-  }
   TriangleSurface surface;
   addSheet(surface, "Floor", {0, 0, 0}, {12, 0, 0}, {0, 11, 0});
   addBox(surface, "Top", {Vec3(3.0, 3.0, 0.4), Vec3(9.0, 8.0, 0.6)});
@@ -364,8 +360,7 @@ TEST_P(Table, HasAirBetweenItselfAndTheFloor)
 
 TEST(TableOnTheSite, HasAirBelow)
 {
-  // Nearer to a side than 0.3 octants a sheet is still closed in at its rims.
-  for (const double height : {0.4, 0.7})
+  for (const double height : {0.25, 0.4, 0.7})
   {
     SCOPED_TRACE(height);
     TriangleSurface surface;

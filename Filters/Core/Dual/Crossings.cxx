@@ -111,6 +111,80 @@ void join(const std::vector<Part>& parts, Crossings& out)
   }
 }
 
+void numberFaces(Crossings& out)
+{
+  for (std::size_t f = 0; f < out.boundaryFaces.size(); ++f)
+  {
+    const BoundaryFace& face = out.boundaryFaces[f];
+    out.neighbours[face.element][face.direction] = ~static_cast<std::int32_t>(f);
+  }
+}
+
+/// The points at either end of the edges of these points, they included; sorted.
+std::vector<Index> withNeighbours(const GridPlaces& grid, const std::vector<Index>& points)
+{
+  std::vector<Index> all = points;
+  for (const Index point : points)
+  {
+    for (int direction = 0; direction < 6; ++direction)
+    {
+      const GridPlaces::Edge edge = grid.edge(point, direction);
+      if (edge.exists() && edge.other != noIndex)
+      {
+        all.push_back(edge.other);
+      }
+    }
+  }
+  std::sort(all.begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
+  return all;
+}
+
+/// The point whose edges a face was found with.
+Index finderOf(const BoundaryFace& face)
+{
+  return face.opposite == noIndex || isUpper(face.direction) ? face.element : face.opposite;
+}
+
+/// Goes through what was found before, point by point.
+class Remaining
+{
+public:
+  explicit Remaining(const Crossings& found) : before(found) {}
+
+  void appendBelow(Index end, Part& to)
+  {
+    for (; face < before.boundaryFaces.size() && finderOf(before.boundaryFaces[face]) < end; ++face)
+    {
+      to.faces.push_back(before.boundaryFaces[face]);
+    }
+    for (; edge < before.crossedEdges.size() && before.crossedEdges[edge].point < end; ++edge)
+    {
+      const auto cuts = before.of(before.crossedEdges[edge]);
+      to.edges.push_back(before.crossedEdges[edge]);
+      to.edges.back().begin = static_cast<std::uint32_t>(to.cuts.size());
+      to.cuts.insert(to.cuts.end(), cuts.begin(), cuts.end());
+    }
+  }
+
+  void skip(Index point)
+  {
+    while (face < before.boundaryFaces.size() && finderOf(before.boundaryFaces[face]) == point)
+    {
+      ++face;
+    }
+    while (edge < before.crossedEdges.size() && before.crossedEdges[edge].point == point)
+    {
+      ++edge;
+    }
+  }
+
+private:
+  const Crossings& before;
+  std::size_t face = 0;
+  std::size_t edge = 0;
+};
+
 } // namespace
 
 std::span<const SurfaceCrossing> cutEdge(const GridPlaces& grid, EdgeProbe& probe, Index point,
@@ -136,11 +210,29 @@ Crossings findCrossings(const GridPlaces& grid, const SurfaceModel& model, const
     }
   });
   join(parts, out);
-  for (std::size_t f = 0; f < out.boundaryFaces.size(); ++f)
+  numberFaces(out);
+  return out;
+}
+
+Crossings updateCrossings(const GridPlaces& grid, const SurfaceModel& model, Crossings before,
+                          const std::vector<Index>& changed)
+{
+  Crossings out;
+  out.neighbours = std::move(before.neighbours);
+  CrossingFinder finder(grid, model, out);
+  Remaining remaining(before);
+  Part all;
+  for (const Index point : withNeighbours(grid, changed))
   {
-    const BoundaryFace& face = out.boundaryFaces[f];
-    out.neighbours[face.element][face.direction] = ~static_cast<std::int32_t>(f);
+    remaining.appendBelow(point, all);
+    remaining.skip(point);
+    finder.process(point, all);
   }
+  remaining.appendBelow(noIndex, all);
+  out.boundaryFaces = std::move(all.faces);
+  out.crossedEdges = std::move(all.edges);
+  out.cuts = std::move(all.cuts);
+  numberFaces(out);
   return out;
 }
 

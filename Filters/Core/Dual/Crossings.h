@@ -45,4 +45,9 @@ std::span<const SurfaceCrossing> cutEdge(const GridPlaces& grid, EdgeProbe& prob
 /// not cut it. Cost: O(1) an edge, plus the triangles in the leaf beside it.
 Crossings findCrossings(const GridPlaces& grid, const SurfaceModel& model, const RunContext& context);
 
+/// The same crossings as findCrossings, from those found before these points moved or went home. Cost: O(1) for each of
+/// their edges, and going through what stands between elements once.
+Crossings updateCrossings(const GridPlaces& grid, const SurfaceModel& model, Crossings before,
+                          const std::vector<Index>& changed);
+
 } // namespace atria

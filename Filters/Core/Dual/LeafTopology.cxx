@@ -29,6 +29,22 @@ CutEdge seenFrom(Index leaf, const EdgeSegment& edge, std::span<const SurfaceCro
   return seen;
 }
 
+std::vector<Index> leavesAbout(Index leaf, std::span<const CutEdge> edges)
+{
+  std::vector<Index> leaves{leaf};
+  for (const CutEdge& edge : edges)
+  {
+    for (const Index near : edge.beside)
+    {
+      if (std::find(leaves.begin(), leaves.end(), near) == leaves.end())
+      {
+        leaves.push_back(near);
+      }
+    }
+  }
+  return leaves;
+}
+
 void LeafTopology::analyse(Index leaf, std::span<const CutEdge> edges)
 {
   gather(leaf, edges);
@@ -123,13 +139,7 @@ void LeafTopology::gather(Index leaf, std::span<const CutEdge> edges)
 
 void LeafTopology::gatherCurves(Index leaf, std::span<const CutEdge> edges)
 {
-  std::vector<Index> leaves{leaf};
-  for (const CutEdge& edge : edges)
-  {
-    leaves.insert(leaves.end(), edge.beside.begin(), edge.beside.end());
-  }
-  sortUnique(leaves);
-  for (const Index near : leaves)
+  for (const Index near : leavesAbout(leaf, edges))
   {
     for (const ModelItem piece : octree.items(near))
     {

@@ -17,6 +17,9 @@ struct CutEdge
 /// The edge as `leaf` sees it, which is one of the leaves about it.
 CutEdge seenFrom(Index leaf, const EdgeSegment& edge, std::span<const SurfaceCrossing> cuts);
 
+/// A leaf and those beside its cut edges, in that order, without repetition.
+std::vector<Index> leavesAbout(Index leaf, std::span<const CutEdge> edges);
+
 /// What the cut edges of a leaf say about the mesh round the leaf's vertex. Each cut edge is a mesh face on a chart,
 /// each face of the leaf a mesh edge at the vertex. A chart ends along a mesh edge where an odd number of its faces
 /// meet there. As every closed path that does not pass round the border of a chart cuts it an even number of times,

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Dual/Crossings.h"
+#include "Dual/LeafTopology.h"
+#include "Support/RunContext.h"
+
+#include <optional>
+#include <set>
+#include <unordered_map>
+#include <unordered_set>
+
+namespace atria {
+
+/// Sheets closer than this part of an edge are left to merge.
+inline constexpr double thinnestGap = 0.02;
+
+/// The grid while its points move: the cuts of its edges kept up to date, and what they say about its leaves. Edges
+/// that did not move are read from the octree's own crossings. Not for several threads at once.
+class MovingGrid
+{
+public:
+  /// A cut edge.
+  struct Edge
+  {
+    const EdgeSegment& segment;
+    /// It ends on a domain side, which is a sheet too.
+    bool leavesDomain;
+    std::span<const SurfaceCrossing> cuts;
+
+    /// Cuts beyond the one an edge can hold.
+    std::size_t surplus() const { return cuts.empty() ? 0 : cuts.size() - (leavesDomain ? 0 : 1); }
+  };
+
+  /// `home` are the crossings while no point is moved; they are referred to.
+  MovingGrid(GridPlaces& places, const SurfaceModel& surfaces, const Crossings& home, const RunContext& context);
+
+  const GridPlaces& places() const { return grid; }
+  const GridPoints& points() const { return grid.points(); }
+  const Octree& octree() const { return tree; }
+  const SurfaceModel& model() const { return surfaces; }
+
+  void moveTo(Index point, const LatticePoint& place);
+
+  /// The edge that leaves a point in a direction, if it exists and was cut at some time.
+  std::optional<Edge> cutEdge(Index point, int direction) const;
+  /// Whether the segment of that edge starts at the point.
+  bool startsAt(Index point, int direction) const;
+
+  /// Looks at a leaf: cutEdges, topology and leavesAbout are of the leaf looked at last. Returns the sheets in it that
+  /// do not meet, and the curves that do not, beyond the one it can hold.
+  int surplus(Index leaf);
+  std::span<const CutEdge> cutEdges() const { return view.edges; }
+  const LeafTopology& topology() const { return view.topology; }
+  /// The leaf and those beside its cut edges, without repetition.
+  const std::vector<Index>& leavesAbout() const { return view.about; }
+
+  /// Leaves with surplus cuts, sheets or curves; sorted.
+  std::vector<Index> leavesInQuestion();
+  void addCorners(Index leaf, std::set<Index>& points) const;
+
+  std::int64_t shortestEdge(Index point) const;
+  /// Points there stay: what is beyond the sides of a turned domain is told by where the points stand.
+  bool isBesideTurnedSide(Index point) const;
+
+private:
+  struct Live
+  {
+    EdgeSegment segment;
+    bool leavesDomain;
+    std::vector<SurfaceCrossing> cuts;
+  };
+  /// What one thread sees of a leaf.
+  struct View
+  {
+    std::vector<CutEdge> edges;
+    LeafTopology topology;
+    std::vector<Index> about;
+  };
+
+  void listEdges();
+  void findQuestions(const RunContext& context);
+  template <typename F> void eachEdge(Index leaf, F&& f) const;
+  Edge at(Index id) const;
+  Index idOf(Index point, int direction) const;
+  Live& live(Index point, int direction, const EdgeSegment& segment, bool leavesDomain);
+  std::pair<Index, int> stored(Index point, int direction, const GridPlaces::Edge& edge) const;
+  void look(Index leaf, View& into) const;
+  int surplus(Index leaf, View& into) const;
+  bool isInQuestion(Index leaf, View& into) const;
+  bool isTangle(Index leaf, const View& of) const;
+
+  GridPlaces& grid;
+  const Octree& tree;
+  const SurfaceModel& surfaces;
+  const Crossings& home;
+  EdgeProbe probe;
+  std::vector<std::vector<std::vector<Index>>> atCorners;
+  /// Edges are numbered as in `home`, and then as they come. Those of leaf l are edgesOfLeaf[begin[l], begin[l + 1])
+  /// and addedOfLeaf[l].
+  std::vector<std::uint32_t> begin;
+  std::vector<Index> edgesOfLeaf;
+  std::unordered_map<Index, std::vector<Index>> addedOfLeaf;
+  std::unordered_map<std::uint64_t, Index> addedIds;
+  /// Per edge its place in `moved`, or noIndex where it is as in `home`.
+  std::vector<Index> movedOf;
+  std::vector<Live> moved;
+  std::set<Index> inQuestion;
+  std::unordered_set<Index> stale;
+  View view;
+};
+
+} // namespace atria

@@ -1,0 +1,371 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Dual/PlaceSearch.h"
+
+#include "Surface/Distance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace atria {
+
+namespace {
+
+/// How far a point may move, against its shortest edge.
+constexpr double farthestMove = 0.95;
+/// How far beyond a single cut a point is put, against the edge, if nothing else limits it.
+constexpr double stepBeyond = 0.1;
+/// Where an edge passes a curve nearer to its other end than this part of it, its end is not moved for that.
+constexpr double leastPart = 0.2;
+constexpr double surplusCutCost = 2.0;
+constexpr int mostSweeps = 100;
+constexpr double smallestGain = 1e-9;
+/// What a move of a point by its shortest edge counts against one surplus.
+constexpr double moveCost = 0.05;
+
+/// A better place for a point.
+struct Move
+{
+  double gain = 0.0;
+  Index point = noIndex;
+  LatticePoint place{};
+};
+
+/// Collects places for a point that are not too far.
+struct Candidates
+{
+  LatticePoint home;
+  std::int64_t reach;
+  std::vector<LatticePoint> places;
+
+  void add(const Vec3& p)
+  {
+    const LatticePoint place{std::llround(p[0]), std::llround(p[1]), std::llround(p[2])};
+    const bool near = std::abs(place[0] - home[0]) <= reach && std::abs(place[1] - home[1]) <= reach &&
+                      std::abs(place[2] - home[2]) <= reach;
+    if (near && std::find(places.begin(), places.end(), place) == places.end())
+    {
+      places.push_back(place);
+    }
+  }
+
+  /// The point nearest to p in the plane in the middle between a and b.
+  void addBetween(const Vec3& p, const std::optional<Vec3>& a, const std::optional<Vec3>& b)
+  {
+    if (a && b && (*a - *b).squaredNorm() > 1.0)
+    {
+      const Vec3 along = (*a - *b).normalized();
+      add(p - along * along.dot(p - 0.5 * (*a + *b)));
+    }
+  }
+};
+
+/// Curves that bound a chart in common have a strip of it between them. Others have a gap between them, and a grid
+/// edge put through it would let through what the octants keep apart.
+bool haveCommon(const std::vector<Index>& a, const std::vector<Index>& b)
+{
+  return std::any_of(a.begin(), a.end(), [&](Index chart) { return std::binary_search(b.begin(), b.end(), chart); });
+}
+
+class PlaceSearch
+{
+public:
+  PlaceSearch(MovingGrid& moving, const RunContext& run) : grid(moving), context(run) {}
+
+  void run()
+  {
+    while (sendHome())
+    {
+      context.progress.check();
+    }
+    std::set<Index> dirty;
+    for (const Index leaf : grid.leavesInQuestion())
+    {
+      grid.addCorners(leaf, dirty);
+    }
+    for (int sweep = 0; sweep < mostSweeps && !dirty.empty(); ++sweep)
+    {
+      for (const Index point : dirty)
+      {
+        context.progress.check();
+        const Move move = bestMove(point);
+        if (move.gain > 0.0)
+        {
+          moves[point] = move;
+        }
+        else
+        {
+          moves.erase(point);
+        }
+      }
+      dirty = makeMoves();
+    }
+  }
+
+private:
+  /// Moves points home with which less is in question there, the farthest first. Returns whether any was.
+  bool sendHome()
+  {
+    std::vector<std::pair<double, Index>> order;
+    for (const Index point : grid.places().movedPoints())
+    {
+      order.emplace_back(-distanceFromHome(point), point);
+    }
+    std::sort(order.begin(), order.end());
+    bool wasAny = false;
+    for (const auto& [distance, point] : order)
+    {
+      const LatticePoint from = grid.places().place(point);
+      const double before = surplusAt(point);
+      if (before == 0.0)
+      {
+        continue;
+      }
+      grid.moveTo(point, grid.places().home(point));
+      if (surplusAt(point) < before)
+      {
+        wasAny = true;
+      }
+      else
+      {
+        grid.moveTo(point, from);
+      }
+    }
+    return wasAny;
+  }
+
+  /// Makes those moves that do not touch the same leaves, best first. Returns the points whose costs they change.
+  std::set<Index> makeMoves()
+  {
+    std::vector<Move> open;
+    for (const auto& [point, move] : moves)
+    {
+      open.push_back(move);
+    }
+    std::sort(open.begin(), open.end(),
+              [](const Move& l, const Move& r) { return l.gain != r.gain ? l.gain > r.gain : l.point < r.point; });
+    std::unordered_set<Index> touched;
+    std::set<Index> changed;
+    for (const Move& move : open)
+    {
+      const auto& leaves = grid.points().leaves[move.point];
+      if (std::any_of(leaves.begin(), leaves.end(), [&](Index leaf) { return touched.contains(leaf); }))
+      {
+        continue;
+      }
+      touched.insert(leaves.begin(), leaves.end());
+      grid.moveTo(move.point, move.place);
+      for (const Index leaf : leaves)
+      {
+        grid.addCorners(leaf, changed);
+      }
+    }
+    return changed;
+  }
+
+  /// The best place for a point, found by trying; it stays where it is.
+  Move bestMove(Index point)
+  {
+    Move best{0.0, point, {}};
+    const double before = costAt(point);
+    if ((before < 1.0 && !grid.places().isMoved(point)) || grid.isBesideTurnedSide(point))
+    {
+      return best;
+    }
+    const LatticePoint from = grid.places().place(point);
+    for (const LatticePoint& place : candidates(point))
+    {
+      if (place != from)
+      {
+        grid.moveTo(point, place);
+        const double gain = before - costAt(point);
+        if (gain > best.gain + smallestGain)
+        {
+          best.gain = gain;
+          best.place = place;
+        }
+      }
+    }
+    grid.moveTo(point, from);
+    return best;
+  }
+
+  double distanceFromHome(Index point) const
+  {
+    return (toVector(grid.places().place(point)) - toVector(grid.places().home(point))).norm();
+  }
+
+  double costAt(Index point)
+  {
+    return surplusAt(point) + moveCost * distanceFromHome(point) / static_cast<double>(grid.shortestEdge(point));
+  }
+
+  double surplusAt(Index point)
+  {
+    double cost = 0.0;
+    for (int direction = 0; direction < 6; ++direction)
+    {
+      if (const auto edge = grid.cutEdge(point, direction))
+      {
+        cost += surplusCutCost * static_cast<double>(edge->surplus());
+      }
+    }
+    const auto& leaves = grid.points().leaves[point];
+    for (auto leaf = leaves.begin(); leaf != leaves.end(); ++leaf)
+    {
+      if (std::find(leaves.begin(), leaf, *leaf) == leaf)
+      {
+        cost += grid.surplus(*leaf);
+      }
+    }
+    return cost;
+  }
+
+  std::vector<LatticePoint> candidates(Index point)
+  {
+    const LatticePoint home = grid.places().home(point);
+    const auto reach = static_cast<std::int64_t>(farthestMove * static_cast<double>(grid.shortestEdge(point)));
+    Candidates found{home, reach, {home}};
+    for (int direction = 0; direction < 6; ++direction)
+    {
+      addBetweenCuts(point, direction, found);
+      addPastCurves(point, direction, found);
+    }
+    const auto& leaves = grid.points().leaves[point];
+    for (const Index leaf : std::set<Index>(leaves.begin(), leaves.end()))
+    {
+      addBetweenCurves(point, leaf, found);
+    }
+    return std::move(found.places);
+  }
+
+  /// Places between the cuts of an edge of the point, and a step beyond them.
+  void addBetweenCuts(Index point, int direction, Candidates& found) const
+  {
+    const auto edge = grid.cutEdge(point, direction);
+    if (!edge)
+    {
+      return;
+    }
+    const bool fromStart = grid.startsAt(point, direction);
+    std::vector<double> cuts;
+    for (const SurfaceCrossing& cut : edge->cuts)
+    {
+      cuts.push_back(fromStart ? cut.parameter : 1.0 - cut.parameter);
+    }
+    std::sort(cuts.begin(), cuts.end());
+    for (std::size_t i = 0; i < cuts.size(); ++i)
+    {
+      const double next = i + 1 < cuts.size() ? cuts[i + 1] : 1.0;
+      const double middle = 0.5 * (cuts[i] + next);
+      if (next - cuts[i] < thinnestGap)
+      {
+        continue;
+      }
+      for (const double t : {middle, std::min(middle, cuts[i] + stepBeyond)})
+      {
+        found.add(pointOn(edge->segment, fromStart ? t : 1.0 - t));
+      }
+    }
+  }
+
+  /// Places from which an edge that two sheets cut passes on the other side of the curve in which they meet.
+  void addPastCurves(Index point, int direction, Candidates& found) const
+  {
+    const auto edge = grid.cutEdge(point, direction);
+    if (!edge || edge->surplus() == 0)
+    {
+      return;
+    }
+    const SurfaceModel& model = grid.model();
+    const Vec3 p = toVector(grid.places().place(point));
+    const Vec3 q = toVector(grid.startsAt(point, direction) ? edge->segment.end : edge->segment.start);
+    const double step = thinnestGap * static_cast<double>(grid.shortestEdge(point));
+    const auto& about = grid.points().leaves[point];
+    for (const Index leaf : std::set<Index>(about.begin(), about.end()))
+    {
+      for (const ModelItem piece : grid.octree().items(leaf))
+      {
+        if (piece.kind != ModelItem::featureEdge || !joinsCuts(edge->cuts, model.featureEdges[piece.index]))
+        {
+          continue;
+        }
+        const FeatureEdge& curve = model.featureEdges[piece.index];
+        const NearestPair way =
+            nearestOfSegments(p, q, toVector(model.points[curve.a]), toVector(model.points[curve.b]));
+        const double part = (way.first - q).norm() / (p - q).norm();
+        if (part > leastPart && way.distance() > 1.0)
+        {
+          found.add(p + (1.0 + step / way.distance()) / part * (way.second - way.first));
+        }
+      }
+    }
+  }
+
+  /// Whether neighbouring cuts are of two sheets that meet there.
+  bool joinsCuts(std::span<const SurfaceCrossing> cuts, const FeatureEdge& edge) const
+  {
+    const SurfaceModel& model = grid.model();
+    const std::vector<Index>& charts = model.curves[edge.curve].charts;
+    const auto isThere = [&](const SurfaceCrossing& cut) {
+      return std::binary_search(charts.begin(), charts.end(), model.charts[cut.triangle]);
+    };
+    return std::adjacent_find(cuts.begin(), cuts.end(), [&](const SurfaceCrossing& l, const SurfaceCrossing& r) {
+             return model.charts[l.triangle] != model.charts[r.triangle] && isThere(l) && isThere(r);
+           }) != cuts.end();
+  }
+
+  /// Places in the middle between curves that the leaf's vertex cannot both be on.
+  void addBetweenCurves(Index point, Index leaf, Candidates& found)
+  {
+    if (grid.surplus(leaf) == 0)
+    {
+      return;
+    }
+    const auto curves = grid.topology().curves();
+    const Vec3 p = toVector(grid.places().place(point));
+    for (std::size_t i = 1; i < curves.size(); ++i)
+    {
+      for (std::size_t k = 0; k < i; ++k)
+      {
+        if (haveCommon(curves[i], curves[k]))
+        {
+          found.addBetween(p, nearestOnCurve(p, curves[i]), nearestOnCurve(p, curves[k]));
+        }
+      }
+    }
+  }
+
+  std::optional<Vec3> nearestOnCurve(const Vec3& p, const std::vector<Index>& ending) const
+  {
+    const SurfaceModel& model = grid.model();
+    std::optional<Vec3> best;
+    for (const Index leaf : grid.leavesAbout())
+    {
+      for (const ModelItem piece : grid.octree().items(leaf))
+      {
+        if (piece.kind != ModelItem::featureEdge)
+        {
+          continue;
+        }
+        const FeatureEdge& edge = model.featureEdges[piece.index];
+        if (model.curves[edge.curve].ending == ending)
+        {
+          const Vec3 q = nearestOnSegment(p, toVector(model.points[edge.a]), toVector(model.points[edge.b]));
+          best = !best || (q - p).squaredNorm() < (*best - p).squaredNorm() ? q : *best;
+        }
+      }
+    }
+    return best;
+  }
+
+  MovingGrid& grid;
+  const RunContext& context;
+  std::map<Index, Move> moves;
+};
+
+} // namespace
+
+void searchPlaces(MovingGrid& grid, const RunContext& context) { PlaceSearch(grid, context).run(); }
+
+} // namespace atria
