@@ -3,6 +3,7 @@
 
 #include "Console.h"
 
+#include <vtkAtriaModelReader.h>
 #include <vtkAtriaOpenFOAMWriter.h>
 #include <vtkAtriaVRMLReader.h>
 #include <vtkCallbackCommand.h>
@@ -19,8 +20,10 @@
 #include <vtkXMLUnstructuredGridWriter.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
+#include <string_view>
 
 namespace atria::tool {
 
@@ -44,7 +47,7 @@ void checkReadable(const std::string& file)
   }
 }
 
-void printWarnings(vtkAtriaVRMLReader* reader, const std::string& file, Console& console)
+void printWarnings(vtkAtriaSurfaceReader* reader, const std::string& file, Console& console)
 {
   constexpr vtkIdType most = 20;
   vtkStringArray* warnings = reader->GetWarnings();
@@ -58,7 +61,7 @@ void printWarnings(vtkAtriaVRMLReader* reader, const std::string& file, Console&
   }
 }
 
-void printNotes(vtkAtriaVRMLReader* reader, const std::string& file, Console& console)
+void printNotes(vtkAtriaSurfaceReader* reader, const std::string& file, Console& console)
 {
   constexpr vtkIdType most = 5;
   vtkStringArray* notes = reader->GetNotes();
@@ -107,10 +110,38 @@ void throwIfErrors(Console& console, ExitStatus status, const std::string& about
   throw Failure(status, text);
 }
 
-vtkSmartPointer<vtkAtriaVRMLReader> readModel(const std::string& file, const ModelOptions& options, Console& console)
+namespace {
+
+/// A file that ends so is read as VRML even if it has no header.
+bool endsLikeVrml(const std::string& file)
+{
+  std::string name = fs::path(file).filename().string();
+  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
+  const auto ends = [&](std::string_view ending) {
+    return name.size() > ending.size() && name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
+  };
+  return ends(".wrl") || ends(".wrz") || ends(".wrl.gz") || ends(".vrml") || ends(".vrml.gz");
+}
+
+vtkSmartPointer<vtkAtriaSurfaceReader> readerFor(const std::string& file)
+{
+  if (vtkAtriaModelReader::CanReadFile(file.c_str()))
+  {
+    return vtkSmartPointer<vtkAtriaModelReader>::New();
+  }
+  if (!endsLikeVrml(file) && !vtkAtriaVRMLReader::CanReadFile(file.c_str()))
+  {
+    throw Failure(BadInput, file + " is of no format that is known; give " + modelFormats + ", unpacked but for VRML");
+  }
+  return vtkSmartPointer<vtkAtriaVRMLReader>::New();
+}
+
+} // namespace
+
+vtkSmartPointer<vtkAtriaSurfaceReader> readModel(const std::string& file, const ModelOptions& options, Console& console)
 {
   checkReadable(file);
-  auto reader = vtkSmartPointer<vtkAtriaVRMLReader>::New();
+  const vtkSmartPointer<vtkAtriaSurfaceReader> reader = readerFor(file);
   // An observer keeps the reader's one summarising warning away from the console: printWarnings tells more.
   vtkNew<vtkCallbackCommand> silence;
   reader->AddObserver(vtkCommand::WarningEvent, silence);

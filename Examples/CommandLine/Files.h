@@ -10,7 +10,7 @@
 #include <string>
 
 class vtkAlgorithm;
-class vtkAtriaVRMLReader;
+class vtkAtriaSurfaceReader;
 class vtkPartitionedDataSetCollection;
 class vtkPolyData;
 class vtkUnstructuredGrid;
@@ -19,8 +19,14 @@ namespace atria::tool {
 
 class Console;
 
-/// A reader that has read `file`. Its warnings and notes have been printed. Throws Failure(BadInput).
-vtkSmartPointer<vtkAtriaVRMLReader> readModel(const std::string& file, const ModelOptions& options, Console& console);
+/// What the model of a command may be, for its help.
+inline constexpr const char* modelFormats =
+    "VRML (.wrl, .wrz, .wrl.gz), OBJ, STL, PLY, glTF (.gltf, .glb) or VTK's .vtp, .vtm, .vtpc";
+
+/// A reader that has read `file`, whose format follows from its ending, or if that is none of them from a header of
+/// VRML. Its warnings and notes have been printed. Throws Failure(BadInput).
+vtkSmartPointer<vtkAtriaSurfaceReader> readModel(const std::string& file, const ModelOptions& options,
+                                                 Console& console);
 vtkSmartPointer<vtkUnstructuredGrid> readMesh(const std::string& file, Console& console);
 /// What writePatches() wrote.
 vtkSmartPointer<vtkPartitionedDataSetCollection> readPatches(const std::string& file, Console& console);

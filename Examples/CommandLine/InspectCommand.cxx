@@ -9,7 +9,7 @@
 #include <Surface/Problems.h>
 
 #include <vtkAtriaFeatureGraph.h>
-#include <vtkAtriaVRMLReader.h>
+#include <vtkAtriaSurfaceReader.h>
 #include <vtkCellArray.h>
 #include <vtkCellArrayIterator.h>
 #include <vtkCellData.h>
@@ -118,7 +118,7 @@ Json jsonOf(const std::vector<Problem>& problems, const TriangleSurface& surface
   return list;
 }
 
-Json jsonOf(const Inspection& inspection, vtkAtriaVRMLReader* reader)
+Json jsonOf(const Inspection& inspection, vtkAtriaSurfaceReader* reader)
 {
   Json report;
   report["surfaces"] = Json::array();
@@ -211,7 +211,7 @@ std::vector<Problem> findProblems(const TriangleSurface& surface, const InspectO
 }
 
 /// The curves of the whole model: a domain some way off it cuts none.
-void writeFeatures(const std::string& file, vtkAtriaVRMLReader* reader, Console& console)
+void writeFeatures(const std::string& file, vtkAtriaSurfaceReader* reader, Console& console)
 {
   vtkNew<vtkAtriaFeatureGraph> features;
   features->SetInputConnection(reader->GetOutputPort());
@@ -268,7 +268,7 @@ void addInspectCommand(CLI::App& app, Console& console, ExitStatus& status)
   CLI::App* command =
       app.add_subcommand("inspect", "List the surfaces of a model by name, and what may be wrong with it");
   auto options = std::make_shared<InspectOptions>();
-  command->add_option("IN.wrl", options->file, "VRML model (.wrl, .wrz, .wrl.gz)")->required();
+  command->add_option("MODEL", options->file, modelFormats)->required();
   declareModelOptions(*command, options->model);
   command
       ->add_option("--features", options->features,

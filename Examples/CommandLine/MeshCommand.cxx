@@ -12,7 +12,7 @@
 #include <vtkAtriaMeshQuality.h>
 #include <vtkAtriaOctreeSource.h>
 #include <vtkAtriaPreflight.h>
-#include <vtkAtriaVRMLReader.h>
+#include <vtkAtriaSurfaceReader.h>
 #include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPartitionedDataSetCollection.h>
@@ -116,7 +116,7 @@ void declareOptions(CLI::App& command, MeshOptions& options)
   options.gap = mesher->GetGapTolerance();
   options.crack = mesher->GetCrackTolerance();
 
-  command.add_option("IN.wrl", options.input, "VRML model (.wrl, .wrz, .wrl.gz)")->required();
+  command.add_option("MODEL", options.input, modelFormats)->required();
   declareModelOptions(command, options.model);
   command
       .add_option("-o,--output", options.output,
@@ -347,7 +347,7 @@ long long writeOutputs(const MeshOptions& options, vtkUnstructuredGrid* mesh, vt
   return mergedFaces;
 }
 
-ExitStatus runPreflight(const MeshOptions& options, vtkAtriaVRMLReader* reader, Console& console)
+ExitStatus runPreflight(const MeshOptions& options, vtkAtriaSurfaceReader* reader, Console& console)
 {
   vtkNew<vtkAtriaPreflight> preflight;
   configureGrid(preflight, options);
@@ -368,7 +368,7 @@ ExitStatus runPreflight(const MeshOptions& options, vtkAtriaVRMLReader* reader, 
   return Done;
 }
 
-ExitStatus printEstimate(const MeshOptions& options, vtkAtriaVRMLReader* reader, Console& console)
+ExitStatus printEstimate(const MeshOptions& options, vtkAtriaSurfaceReader* reader, Console& console)
 {
   vtkNew<vtkAtriaOctreeSource> source;
   configureGrid(source, options);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ModelOptions.h"
 
-#include <vtkAtriaVRMLReader.h>
+#include <vtkAtriaSurfaceReader.h>
 
 #include <CLI/CLI.hpp>
 
@@ -11,16 +11,16 @@ namespace atria::tool {
 
 namespace {
 
-const std::map<std::string, int> units{{"m", vtkAtriaVRMLReader::Metres},
-                                       {"mm", vtkAtriaVRMLReader::Millimetres},
-                                       {"cm", vtkAtriaVRMLReader::Centimetres},
-                                       {"in", vtkAtriaVRMLReader::Inches},
-                                       {"ft", vtkAtriaVRMLReader::Feet}};
-const std::map<std::string, int> axes{{"y", vtkAtriaVRMLReader::YUp}, {"z", vtkAtriaVRMLReader::ZUp}};
-const std::map<std::string, int> rules{{"shape", vtkAtriaVRMLReader::Shape},
-                                       {"group", vtkAtriaVRMLReader::Group},
-                                       {"material", vtkAtriaVRMLReader::Material},
-                                       {"connected", vtkAtriaVRMLReader::Connected}};
+const std::map<std::string, int> units{{"m", vtkAtriaSurfaceReader::Metres},
+                                       {"mm", vtkAtriaSurfaceReader::Millimetres},
+                                       {"cm", vtkAtriaSurfaceReader::Centimetres},
+                                       {"in", vtkAtriaSurfaceReader::Inches},
+                                       {"ft", vtkAtriaSurfaceReader::Feet}};
+const std::map<std::string, int> axes{{"y", vtkAtriaSurfaceReader::YUp}, {"z", vtkAtriaSurfaceReader::ZUp}};
+const std::map<std::string, int> rules{{"shape", vtkAtriaSurfaceReader::Shape},
+                                       {"group", vtkAtriaSurfaceReader::Group},
+                                       {"material", vtkAtriaSurfaceReader::Material},
+                                       {"connected", vtkAtriaSurfaceReader::Connected}};
 
 } // namespace
 
@@ -32,7 +32,9 @@ void declareModelOptions(CLI::App& command, ModelOptions& options)
   command.add_option("--scale", options.scale, "A further factor for all lengths")
       ->capture_default_str()
       ->check(CLI::Range(1e-9, 1e9));
-  command.add_option("--up", options.up, "The axis that is up in the file; z unless given. With y the model is turned")
+  command
+      .add_option("--up", options.up,
+                  "The axis that is up in the file; z unless given, y in glTF. With y the model is turned")
       ->check(CLI::IsMember({"y", "z"}))
       ->type_name("y|z");
   command.add_flag("--recentre", options.recentre,
@@ -45,7 +47,7 @@ void declareModelOptions(CLI::App& command, ModelOptions& options)
       ->type_name("shape|group|material|connected");
 }
 
-void configure(vtkAtriaVRMLReader* reader, const ModelOptions& options)
+void configure(vtkAtriaSurfaceReader* reader, const ModelOptions& options)
 {
   if (!options.unit.empty())
   {

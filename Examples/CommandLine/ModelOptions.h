@@ -7,7 +7,7 @@
 namespace CLI {
 class App;
 }
-class vtkAtriaVRMLReader;
+class vtkAtriaSurfaceReader;
 
 namespace atria::tool {
 
@@ -22,6 +22,6 @@ struct ModelOptions
 };
 
 void declareModelOptions(CLI::App& command, ModelOptions& options);
-void configure(vtkAtriaVRMLReader* reader, const ModelOptions& options);
+void configure(vtkAtriaSurfaceReader* reader, const ModelOptions& options);
 
 } // namespace atria::tool

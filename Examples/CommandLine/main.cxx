@@ -26,9 +26,9 @@ int usageStatus(const CLI::App& app, const CLI::ParseError& error)
 int main(int argc, char** argv)
 {
   using namespace atria::tool;
-  CLI::App app("Meshes architecture for flow simulation: a VRML model in, a hexahedral-dominant mesh with "
-               "named patches "
-               "out.\nExit status: 0 done, 2 usage, 3 bad input, 4 the mesh has elements that are not valid, "
+  CLI::App app("Meshes architecture for flow simulation: a VRML, OBJ, STL, PLY or glTF model in, a "
+               "hexahedral-dominant mesh with named patches out.\nExit status: 0 done, 2 usage, 3 bad input, 4 the "
+               "mesh has elements that are not valid, "
                "1 any other "
                "failure.");
   app.name("atria");

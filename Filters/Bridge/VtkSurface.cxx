@@ -7,16 +7,19 @@
 
 #include <vtkCellData.h>
 #include <vtkCellType.h>
-#include <vtkCompositeDataIterator.h>
 #include <vtkCompositeDataSet.h>
 #include <vtkDataArray.h>
+#include <vtkDataObjectTree.h>
+#include <vtkDataObjectTreeIterator.h>
 #include <vtkFieldData.h>
 #include <vtkIdList.h>
 #include <vtkInformation.h>
+#include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
 
+#include <algorithm>
 #include <unordered_map>
 
 namespace atria {
@@ -45,11 +48,23 @@ public:
     for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
     {
       data->GetCellPoints(i, cell);
+      checkPoints(i, cell, points.size(), blockName);
       addCell(data->GetCellType(i), cell, points, ids[i]);
     }
   }
 
+  void ignore(std::size_t cells) { out.ignoredCells += cells; }
+
 private:
+  static void checkPoints(vtkIdType index, vtkIdList* cell, std::size_t count, const std::string& blockName)
+  {
+    const auto missing = [&](vtkIdType id) { return id < 0 || static_cast<std::size_t>(id) >= count; };
+    if (std::any_of(cell->begin(), cell->end(), missing))
+    {
+      throw Error("cell " + std::to_string(index) + " of '" + blockName + "' has a point that does not exist");
+    }
+  }
+
   Index idOf(const std::string& name)
   {
     const auto [found, isNew] = known.try_emplace(name, static_cast<Index>(out.surface.names.size()));
@@ -64,17 +79,29 @@ private:
   {
     vtkDataArray* ids = data->GetCellData()->GetArray("SurfaceId");
     auto* names = vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray("SurfaceName"));
+    auto* cellNames = vtkStringArray::SafeDownCast(data->GetCellData()->GetAbstractArray("SurfaceName"));
     std::vector<Index> result(data->GetNumberOfCells());
-    if (!ids || !names)
+    if (ids && names)
     {
-      std::fill(result.begin(), result.end(), result.empty() ? 0 : idOf(blockName));
-      return result;
+      return surfaceIdsOf(ids, names, blockName);
     }
+    for (std::size_t i = 0; i < result.size(); ++i)
+    {
+      result[i] = cellNames ? idOf(cellNames->GetValue(static_cast<vtkIdType>(i)))
+                  : i == 0  ? idOf(blockName)
+                            : result[0];
+    }
+    return result;
+  }
+
+  std::vector<Index> surfaceIdsOf(vtkDataArray* ids, vtkStringArray* names, const std::string& blockName)
+  {
     std::vector<Index> ownIds(names->GetNumberOfValues());
     for (std::size_t i = 0; i < ownIds.size(); ++i)
     {
       ownIds[i] = idOf(names->GetValue(static_cast<vtkIdType>(i)));
     }
+    std::vector<Index> result(ids->GetNumberOfTuples());
     for (std::size_t i = 0; i < result.size(); ++i)
     {
       const double id = ids->GetComponent(static_cast<vtkIdType>(i), 0);
@@ -91,11 +118,13 @@ private:
   {
     out.surface.triangles.push_back({base + a, base + b, base + c});
     out.surface.surfaceIds.push_back(surface);
+    out.faceIds.push_back(face);
   }
 
   void addCell(int type, vtkIdList* cell, const std::vector<Vec3>& points, Index surface)
   {
     std::vector<Index> ids(cell->begin(), cell->end());
+    ++face;
     if (type == VTK_TRIANGLE)
     {
       addTriangle(ids[0], ids[1], ids[2], surface);
@@ -105,6 +134,7 @@ private:
       for (std::size_t i = 2; i < ids.size(); ++i)
       {
         const bool odd = i % 2 != 0;
+        ++face;
         addTriangle(ids[i - 2], ids[odd ? i : i - 1], ids[odd ? i - 1 : i], surface);
       }
     }
@@ -123,27 +153,33 @@ private:
 
   VtkSurface& out;
   Index base = 0;
+  Index face = 0; ///< of the triangles that come next
   std::unordered_map<std::string, Index> known;
 };
 
-void addObject(Collector& collector, vtkDataObject* object)
+void addObject(Collector& collector, vtkDataObject* object, const std::string& name)
 {
   if (auto* polyData = vtkPolyData::SafeDownCast(object))
   {
-    collector.add(polyData, "surface");
+    collector.add(polyData, name);
   }
-  else if (auto* composite = vtkCompositeDataSet::SafeDownCast(object))
+  else if (auto* tree = vtkDataObjectTree::SafeDownCast(object))
   {
-    vtkSmartPointer<vtkCompositeDataIterator> it;
-    it.TakeReference(composite->NewIterator());
+    // One level: blocks that hold blocks are taken as wholes, so that what has no name gets that of what it is in.
+    vtkSmartPointer<vtkDataObjectTreeIterator> it;
+    it.TakeReference(tree->NewTreeIterator());
+    it->VisitOnlyLeavesOff();
+    it->TraverseSubTreeOff();
     for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
     {
-      if (auto* block = vtkPolyData::SafeDownCast(it->GetCurrentDataObject()))
-      {
-        const bool named = it->HasCurrentMetaData() && it->GetCurrentMetaData()->Has(vtkCompositeDataSet::NAME());
-        collector.add(block, named ? it->GetCurrentMetaData()->Get(vtkCompositeDataSet::NAME()) : "surface");
-      }
+      vtkInformation* about = it->HasCurrentMetaData() ? it->GetCurrentMetaData() : nullptr;
+      const char* own = about ? about->Get(vtkCompositeDataSet::NAME()) : nullptr;
+      addObject(collector, it->GetCurrentDataObject(), own && *own ? own : name);
     }
+  }
+  else if (object)
+  {
+    collector.ignore(static_cast<std::size_t>(object->GetNumberOfElements(vtkDataObject::CELL)));
   }
 }
 
@@ -155,7 +191,7 @@ VtkSurface surfaceFromVtk(const std::vector<vtkDataObject*>& inputs)
   Collector collector(result);
   for (vtkDataObject* input : inputs)
   {
-    addObject(collector, input);
+    addObject(collector, input, "surface");
   }
   return result;
 }

@@ -14,13 +14,15 @@ namespace atria {
 struct VtkSurface
 {
   TriangleSurface surface;
-  std::size_t ignoredCells = 0; ///< lines, vertices and cells that are not surfaces
+  std::vector<Index> faceIds;   ///< per triangle: the polygon it was cut from; ascending
+  std::size_t ignoredCells = 0; ///< lines, vertices, and cells of datasets that are not polydata
 };
 
-/// Reads polygons, triangles, quads and triangle strips of one polydata or of every polydata in a composite. Names come
-/// from SurfaceId and SurfaceName where both are there, else from the block's name, else "surface"; equal names
-/// of different blocks are one surface. Polygons are triangulated. Throws Error for points that are not finite and for
-/// a SurfaceId outside of SurfaceName.
+/// Reads polygons, triangles, quads and triangle strips of one polydata or of every polydata in a composite, however
+/// deep. Names come from the cells' SurfaceId and the field array SurfaceName where both are there, else from a cell
+/// array of strings SurfaceName, else from the block's name or, if it has none, that of the nearest block around it,
+/// else they are "surface"; equal names of different blocks are one surface. Polygons are triangulated. Throws Error
+/// for points that are not finite, for cells whose points do not exist, and for a SurfaceId outside of SurfaceName.
 VtkSurface surfaceFromVtk(const std::vector<vtkDataObject*>& inputs);
 
 } // namespace atria

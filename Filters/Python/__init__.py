@@ -14,5 +14,6 @@ from .AtriaFiltersMeshing import *
 from .AtriaFiltersQuality import *
 from .AtriaIOCFD import *
 from .AtriaIOVRML import *
+from .AtriaIOModel import * # derived from classes of the one before
 
 __all__ = [name for name in globals() if name.startswith("vtkAtria")]

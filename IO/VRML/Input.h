@@ -2,6 +2,8 @@
 /// Files as they are found in the wild: compressed or not, beside each other under names of another case.
 #pragma once
 
+#include "Support/Utf8.h"
+
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -37,8 +39,5 @@ std::string readStart(const std::filesystem::path& file);
 /// that is not where the URL says is also looked for in `folder` itself, since exporters write paths of the
 /// machine they ran on.
 std::optional<std::filesystem::path> findFile(const std::filesystem::path& folder, const std::string& url);
-
-/// `text` as UTF-8: unchanged where it is, else read as Latin-1.
-std::string toUtf8(std::string_view text);
 
 } // namespace atria::vrml

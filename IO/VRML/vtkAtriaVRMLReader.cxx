@@ -2,156 +2,13 @@
 #include "vtkAtriaVRMLReader.h"
 
 #include "Evaluator.h"
-#include "Hints.h"
 #include "Input.h"
 #include "Library.h"
-#include "SceneChanges.h"
-#include "Surfaces.h"
+#include "ModelSource.h"
 
-#include "AlgorithmProgress.h"
-#include "Support/Error.h"
-
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
-#include <vtkDoubleArray.h>
-#include <vtkFieldData.h>
-#include <vtkIdTypeArray.h>
-#include <vtkInformation.h>
-#include <vtkInformationVector.h>
-#include <vtkIntArray.h>
-#include <vtkNew.h>
 #include <vtkObjectFactory.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkStringArray.h>
-
-#include <algorithm>
-#include <new>
 
 vtkStandardNewMacro(vtkAtriaVRMLReader);
-
-namespace {
-
-/// Warnings shown in VTK's message; GetWarnings has more.
-constexpr vtkIdType shownWarnings = 20;
-
-vtkNew<vtkStringArray> toStrings(const std::vector<std::string>& texts, const char* name)
-{
-  vtkNew<vtkStringArray> array;
-  array->SetName(name);
-  for (const std::string& text : texts)
-  {
-    array->InsertNextValue(text);
-  }
-  return array;
-}
-
-vtkNew<vtkPoints> toPoints(const std::vector<atria::Vec3>& source)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(static_cast<vtkIdType>(source.size()));
-  static_assert(sizeof(atria::Vec3) == 3 * sizeof(double));
-  if (!source.empty())
-  {
-    std::copy_n(source[0].data(), 3 * source.size(), static_cast<double*>(points->GetVoidPointer(0)));
-  }
-  return points;
-}
-
-vtkNew<vtkCellArray> toCells(const std::vector<std::array<atria::Index, 3>>& triangles)
-{
-  vtkNew<vtkIdTypeArray> offsets;
-  vtkNew<vtkIdTypeArray> connectivity;
-  const auto count = static_cast<vtkIdType>(triangles.size());
-  offsets->SetNumberOfValues(count + 1);
-  connectivity->SetNumberOfValues(3 * count);
-  vtkIdType* corner = connectivity->GetPointer(0);
-  for (const auto& t : triangles)
-  {
-    corner = std::copy(t.begin(), t.end(), corner);
-  }
-  for (vtkIdType i = 0; i <= count; ++i)
-  {
-    offsets->SetValue(i, 3 * i);
-  }
-  vtkNew<vtkCellArray> cells;
-  cells->SetData(offsets, connectivity);
-  return cells;
-}
-
-/// Names and looks of the surfaces.
-void addSurfaces(vtkFieldData* data, const std::vector<atria::vrml::Surface>& surfaces)
-{
-  vtkNew<vtkStringArray> names;
-  vtkNew<vtkStringArray> materials;
-  vtkNew<vtkDoubleArray> colours;
-  vtkNew<vtkDoubleArray> transparencies;
-  names->SetName("SurfaceName");
-  materials->SetName("MaterialName");
-  colours->SetName("DiffuseColor");
-  colours->SetNumberOfComponents(3);
-  transparencies->SetName("Transparency");
-  for (const atria::vrml::Surface& surface : surfaces)
-  {
-    names->InsertNextValue(surface.name);
-    materials->InsertNextValue(surface.material.name);
-    colours->InsertNextTuple(surface.material.diffuse.data());
-    transparencies->InsertNextValue(surface.material.transparency);
-  }
-  for (vtkAbstractArray* array :
-       {static_cast<vtkAbstractArray*>(names), static_cast<vtkAbstractArray*>(materials),
-        static_cast<vtkAbstractArray*>(colours), static_cast<vtkAbstractArray*>(transparencies)})
-  {
-    data->AddArray(array);
-  }
-}
-
-void addOffset(vtkFieldData* data, const atria::Vec3& offset)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName("ModelOffset");
-  array->SetNumberOfComponents(3);
-  array->InsertNextTuple(offset.data());
-  data->AddArray(array);
-}
-
-/// What has been copied goes at once.
-void fill(vtkPolyData* output, atria::vrml::Scene scene, const atria::vrml::Surfaces& surfaces)
-{
-  output->SetPoints(toPoints(scene.points));
-  scene.points = {};
-  output->SetPolys(toCells(scene.triangles));
-  scene.triangles = {};
-  vtkNew<vtkIntArray> ids;
-  ids->SetName("SurfaceId");
-  ids->SetNumberOfValues(static_cast<vtkIdType>(surfaces.ids.size()));
-  std::copy(surfaces.ids.begin(), surfaces.ids.end(), ids->GetPointer(0));
-  output->GetCellData()->AddArray(ids);
-  addSurfaces(output->GetFieldData(), surfaces.surfaces);
-}
-
-/// What a file without surfaces holds instead.
-std::string describe(vtkStringArray* skipped)
-{
-  std::string text;
-  for (vtkIdType i = 0; i < skipped->GetNumberOfValues(); ++i)
-  {
-    text += (i == 0 ? "" : ", ") + skipped->GetValue(i);
-  }
-  return text.empty() ? "it is empty" : "it holds " + text;
-}
-
-} // namespace
-
-vtkAtriaVRMLReader::vtkAtriaVRMLReader()
-    : Warnings(vtkSmartPointer<vtkStringArray>::New()), Notes(vtkSmartPointer<vtkStringArray>::New()),
-      SkippedNodes(vtkSmartPointer<vtkStringArray>::New())
-{
-  this->SetNumberOfInputPorts(0);
-}
-
-vtkAtriaVRMLReader::~vtkAtriaVRMLReader() { delete[] this->FileName; }
 
 bool vtkAtriaVRMLReader::CanReadFile(const char* fileName)
 {
@@ -160,156 +17,21 @@ bool vtkAtriaVRMLReader::CanReadFile(const char* fileName)
   return version == Version::vrml97 || version == Version::vrml1;
 }
 
-vtkStringArray* vtkAtriaVRMLReader::GetWarnings() { return this->Warnings; }
-
-vtkStringArray* vtkAtriaVRMLReader::GetNotes() { return this->Notes; }
-
-vtkStringArray* vtkAtriaVRMLReader::GetSkippedNodes() { return this->SkippedNodes; }
-
-/// Keeps the messages of a run, and shows warnings.
-void vtkAtriaVRMLReader::Report(const atria::vrml::Diagnostics& diagnostics)
+atria::vrml::ModelSource vtkAtriaVRMLReader::ReadSource(atria::vrml::Diagnostics& diagnostics,
+                                                        const atria::ProgressRange& progress)
 {
-  this->NumberOfWarnings = static_cast<vtkIdType>(diagnostics.count());
-  this->Warnings = toStrings(diagnostics.texts(), "Warnings").Get();
-  this->Notes = toStrings(diagnostics.notes(), "Notes").Get();
-  if (this->NumberOfWarnings == 0)
-  {
-    return;
-  }
-  std::string text;
-  const vtkIdType shown = std::min(shownWarnings, this->Warnings->GetNumberOfValues());
-  for (vtkIdType i = 0; i < shown; ++i)
-  {
-    text += "\n  " + this->Warnings->GetValue(i);
-  }
-  if (this->NumberOfWarnings > shown)
-  {
-    text += "\n  and " + std::to_string(this->NumberOfWarnings - shown) + " more";
-  }
-  vtkWarningMacro("'" << this->FileName << "' was read with " << this->NumberOfWarnings
-                      << (this->NumberOfWarnings == 1 ? " warning:" : " warnings:") << text);
-}
-
-double vtkAtriaVRMLReader::MetresPerUnit() const
-{
-  switch (this->LengthUnit)
-  {
-    case Millimetres:
-      return 0.001 * this->Scale;
-    case Centimetres:
-      return 0.01 * this->Scale;
-    case Inches:
-      return 0.0254 * this->Scale;
-    case Feet:
-      return 0.3048 * this->Scale;
-    default:
-      return this->Scale;
-  }
-}
-
-/// False where the file has no surfaces.
-bool vtkAtriaVRMLReader::ReadModel(vtkPolyData* output, atria::vrml::Diagnostics& diagnostics)
-{
-  namespace vrml = atria::vrml;
-  atria::AlgorithmProgress monitor(*this);
-  const atria::ProgressRange progress(monitor);
-  vrml::Scene scene;
-  std::string head;
-  std::string name;
-  {
-    vrml::Library library(diagnostics, progress.part(0.0, 0.6));
-    const vrml::Document& document = library.open(this->FileName);
-    head = document.head;
-    name = document.displayName();
-    vrml::Evaluator evaluator(library, diagnostics, progress.part(0.6, 0.9), this->TessellationAngle);
-    scene = evaluator.run(document);
-  } // the files' values go before the output comes
-  for (const auto& [type, count] : scene.skipped)
-  {
-    this->SkippedNodes->InsertNextValue(type + ": " + std::to_string(count));
-  }
-  if (scene.triangles.empty())
-  {
-    return false;
-  }
-  progress.report(0.9, "Merging faces");
-  const atria::Vec3 offset = vrml::place(scene, {this->UpAxis == YUp ? 1 : 2, this->MetresPerUnit(), this->Recentre});
-  if (this->MergeDuplicateFaces)
-  {
-    this->NumberOfMergedFaces = static_cast<vtkIdType>(vrml::mergeDuplicateFaces(scene, diagnostics));
-  }
-  const bool unitStated = this->LengthUnit != UnstatedUnit || this->Scale != 1.0;
-  for (const std::string& hint : vrml::hintsOf(scene, head, {unitStated, this->UpAxis != UnstatedUp, this->Recentre}))
-  {
-    diagnostics.warn(name + ": " + hint);
-  }
-  progress.report(0.95, "Naming surfaces");
-  scene.faceIds = {};
-  const auto surfaces = vrml::makeSurfaces(scene, static_cast<vrml::SurfaceBy>(this->SurfaceBy), this->SplitAngle);
-  fill(output, std::move(scene), surfaces);
-  addOffset(output->GetFieldData(), offset);
-  progress.report(1.0, "Model read");
-  return true;
-}
-
-int vtkAtriaVRMLReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
-{
-  vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  this->Warnings = vtkSmartPointer<vtkStringArray>::New();
-  this->SkippedNodes = vtkSmartPointer<vtkStringArray>::New();
-  this->Notes = vtkSmartPointer<vtkStringArray>::New();
-  this->NumberOfWarnings = 0;
-  this->NumberOfMergedFaces = 0;
-  if (!this->FileName || !*this->FileName)
-  {
-    vtkErrorMacro("FileName is not set");
-    return 0;
-  }
-  atria::vrml::Diagnostics diagnostics;
-  try
-  {
-    const bool found = this->ReadModel(output, diagnostics);
-    this->Report(diagnostics);
-    if (!found)
-    {
-      vtkErrorMacro("'" << this->FileName << "' holds no surfaces: " << describe(this->SkippedNodes));
-      return 0;
-    }
-    return 1;
-  }
-  catch (const atria::Aborted&)
-  {
-    output->Initialize();
-    return 1;
-  }
-  catch (const std::bad_alloc&)
-  {
-    vtkErrorMacro("not enough memory to read '" << this->FileName << "'");
-  }
-  catch (const std::exception& error)
-  {
-    this->Report(diagnostics);
-    vtkErrorMacro(<< error.what());
-  }
-  output->Initialize();
-  return 0;
+  atria::vrml::Library library(diagnostics, progress.part(0.0, 0.7));
+  const atria::vrml::Document& document = library.open(this->FileName);
+  atria::vrml::Evaluator evaluator(library, diagnostics, progress.part(0.7, 1.0), this->TessellationAngle);
+  atria::vrml::ModelSource source;
+  source.scene = evaluator.run(document);
+  source.name = document.displayName();
+  source.head = document.head;
+  return source;
 }
 
 void vtkAtriaVRMLReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "TessellationAngle: " << this->TessellationAngle << "\n";
-  os << indent << "SurfaceBy: " << this->SurfaceBy << "\n";
-  os << indent << "SplitAngle: " << this->SplitAngle << "\n";
-  os << indent << "MergeDuplicateFaces: " << (this->MergeDuplicateFaces ? "on" : "off") << "\n";
-  os << indent << "UpAxis: " << this->UpAxis << "\n";
-  os << indent << "LengthUnit: " << this->LengthUnit << "\n";
-  os << indent << "Scale: " << this->Scale << "\n";
-  os << indent << "Recentre: " << (this->Recentre ? "on" : "off") << "\n";
-  os << indent << "NumberOfMergedFaces: " << this->NumberOfMergedFaces << "\n";
-  os << indent << "Notes: " << this->Notes->GetNumberOfValues() << " strings\n";
-  os << indent << "NumberOfWarnings: " << this->NumberOfWarnings << "\n";
-  os << indent << "Warnings: " << this->Warnings->GetNumberOfValues() << " strings\n";
-  os << indent << "SkippedNodes: " << this->SkippedNodes->GetNumberOfValues() << " strings\n";
 }

@@ -44,32 +44,14 @@
 #define vtkAtriaVRMLReader_h
 
 #include "AtriaIOVRMLModule.h" // For export macro
-#include "vtkPolyDataAlgorithm.h"
-#include "vtkSmartPointer.h" // For arrays of strings
+#include "vtkAtriaSurfaceReader.h"
 
-class vtkPolyData;
-class vtkStringArray;
-
-namespace atria {
-namespace vrml {
-class Diagnostics;
-}
-} // namespace atria
-
-class ATRIAIOVRML_EXPORT vtkAtriaVRMLReader : public vtkPolyDataAlgorithm
+class ATRIAIOVRML_EXPORT vtkAtriaVRMLReader : public vtkAtriaSurfaceReader
 {
 public:
   static vtkAtriaVRMLReader* New();
-  vtkTypeMacro(vtkAtriaVRMLReader, vtkPolyDataAlgorithm);
+  vtkTypeMacro(vtkAtriaVRMLReader, vtkAtriaSurfaceReader);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /**
-   * The file to read, .wrl, .wrz or .wrl.gz. None by default.
-   */
-  vtkSetFilePathMacro(FileName);
-  vtkGetFilePathMacro(FileName);
-  ///@}
 
   ///@{
   /**
@@ -80,151 +62,22 @@ public:
   vtkGetMacro(TessellationAngle, double);
   ///@}
 
-  enum SurfaceByType
-  {
-    Shape,    ///< each Shape, or geometry node of VRML 1.0
-    Group,    ///< each group with a DEF name and each inlined file, without the groups in it that have one
-    Material, ///< shapes of the same name, colour and transparency of material
-    Connected ///< pieces of shapes that are smooth in themselves: six for a box
-  };
-
-  ///@{
-  /**
-   * What makes a surface. Default Shape.
-   */
-  vtkSetClampMacro(SurfaceBy, int, Shape, Connected);
-  vtkGetMacro(SurfaceBy, int);
-  ///@}
-
-  ///@{
-  /**
-   * Angle in degrees between neighbouring triangles above which Connected parts them. Default 30, from 0 to 180.
-   */
-  vtkSetClampMacro(SplitAngle, double, 0.0, 180.0);
-  vtkGetMacro(SplitAngle, double);
-  ///@}
-
-  ///@{
-  /**
-   * Whether a face that coincides with an earlier one, of the same shape or of another, is left out, whichever way it
-   * faces. The first one keeps its name; in SketchUp's exports that is the front. GetNotes tells what was merged.
-   * Default on.
-   */
-  vtkSetMacro(MergeDuplicateFaces, bool);
-  vtkGetMacro(MergeDuplicateFaces, bool);
-  vtkBooleanMacro(MergeDuplicateFaces, bool);
-  ///@}
-
-  enum UpAxisType
-  {
-    UnstatedUp, ///< z, with a warning where the model looks otherwise
-    YUp,
-    ZUp
-  };
-
-  ///@{
-  /**
-   * The axis that is up in the file. With YUp, models are turned about x so that z is. Default UnstatedUp.
-   */
-  vtkSetClampMacro(UpAxis, int, UnstatedUp, ZUp);
-  vtkGetMacro(UpAxis, int);
-  ///@}
-
-  enum LengthUnitType
-  {
-    UnstatedUnit, ///< metres, with a warning where the file or the model's size speaks against it
-    Metres,
-    Millimetres,
-    Centimetres,
-    Inches,
-    Feet
-  };
-
-  ///@{
-  /**
-   * The unit of length in the file; the output is in metres. VRML has no field for it, and programs write whatever they
-   * work in. Default UnstatedUnit.
-   */
-  vtkSetClampMacro(LengthUnit, int, UnstatedUnit, Feet);
-  vtkGetMacro(LengthUnit, int);
-  ///@}
-
-  ///@{
-  /**
-   * A further factor for all coordinates, for units that are not listed; no unit. Default 1, from 1e-9 to 1e9.
-   */
-  vtkSetClampMacro(Scale, double, 1e-9, 1e9);
-  vtkGetMacro(Scale, double);
-  ///@}
-
-  ///@{
-  /**
-   * Whether a model that lies farther from the origin than it is long is moved there, by whole hundreds of metres along
-   * each axis. The field array `ModelOffset` tells what was subtracted. Default off.
-   */
-  vtkSetMacro(Recentre, bool);
-  vtkGetMacro(Recentre, bool);
-  vtkBooleanMacro(Recentre, bool);
-  ///@}
-
   /**
    * Whether the file begins like a VRML file, looking inside gzip too. Files without a header can be read
    * nevertheless.
    */
   static bool CanReadFile(const char* fileName);
 
-  /**
-   * The warnings of the last run, one string each, in the order of the file and without those beyond the
-   * first thousand. Never null.
-   */
-  vtkStringArray* GetWarnings();
-
-  /**
-   * How many warnings the last run had.
-   */
-  vtkIdType GetNumberOfWarnings() const { return this->NumberOfWarnings; }
-
-  /**
-   * What the last run did that may be of interest, such as merging faces; one string each. Never null.
-   */
-  vtkStringArray* GetNotes();
-
-  /**
-   * How many faces the last run left out as they coincide with others.
-   */
-  vtkIdType GetNumberOfMergedFaces() const { return this->NumberOfMergedFaces; }
-
-  /**
-   * What the last run met that makes no surface, such as "IndexedLineSet: 12". Never null.
-   */
-  vtkStringArray* GetSkippedNodes();
-
 protected:
-  vtkAtriaVRMLReader();
-  ~vtkAtriaVRMLReader() override;
+  vtkAtriaVRMLReader() = default;
+  ~vtkAtriaVRMLReader() override = default;
 
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+  atria::vrml::ModelSource ReadSource(atria::vrml::Diagnostics& diagnostics,
+                                      const atria::ProgressRange& progress) override;
 
-  char* FileName = nullptr;
   double TessellationAngle = 10.0;
-  int SurfaceBy = Shape;
-  double SplitAngle = 30.0;
-  bool MergeDuplicateFaces = true;
-  int UpAxis = UnstatedUp;
-  int LengthUnit = UnstatedUnit;
-  double Scale = 1.0;
-  bool Recentre = false;
-  vtkIdType NumberOfMergedFaces = 0;
-  vtkIdType NumberOfWarnings = 0;
-  vtkSmartPointer<vtkStringArray> Warnings;
-  vtkSmartPointer<vtkStringArray> Notes;
-  vtkSmartPointer<vtkStringArray> SkippedNodes;
 
 private:
-  bool ReadModel(vtkPolyData* output, atria::vrml::Diagnostics& diagnostics);
-  void Report(const atria::vrml::Diagnostics& diagnostics);
-  double MetresPerUnit() const;
-
   vtkAtriaVRMLReader(const vtkAtriaVRMLReader&) = delete;
   void operator=(const vtkAtriaVRMLReader&) = delete;
 };

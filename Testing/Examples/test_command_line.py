@@ -84,6 +84,33 @@ class CommandLine(unittest.TestCase):
         self.refuses(3, "text.wrl", "quality", text)
         self.assertFalse(out.exists())
 
+    def test_other_formats(self):
+        faces = {"Floor": "1 4 3 2", "Wall South": "1 2 6 5", "Wall North": "3 4 8 7", "Wall West": "4 1 5 8", "Roof": "5 6 7 8"}
+        points = "".join(f"v {x} {y} {z}\n" for z in (0, 6) for x, y in ((0, 0), (8, 0), (8, 6), (0, 6)))
+        obj = self.folder / "shed.obj"
+        obj.write_text(points + "".join(f"g {name}\nf {face}\n" for name, face in faces.items()) + "l 1 2\n")
+        run = self.atria("inspect", obj, "--json")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIn("shed.obj: 1 lines", run.stderr)
+        report = json.loads(run.stdout)
+        self.assertEqual([surface["name"] for surface in report["surfaces"]], list(faces))
+        self.assertAlmostEqual(report["total"]["area"], 2 * 48 + 2 * 48 + 36)
+        self.assertEqual(len(report["warnings"]), 1)
+        out = self.folder / "shed.json"
+        run = self.atria("mesh", obj, "-o", self.folder / "shed.vtu", *COARSE[:6], "--domain", "-16", "24", "-16", "24",
+                         "0", "24", "--report", out)
+        self.assertIn(run.returncode, (0, 4), run.stderr)
+        patches = {patch["name"] for patch in json.loads(out.read_text())["patches"]}
+        self.assertLessEqual({"Roof_front", "Wall South_back", "Floor"}, patches)
+        self.assertEqual(self.atria("mesh", obj, "--preflight", "--automatic").returncode, 0)
+        for name in ("shed.dxf", "shed.obj.gz", "shed"):
+            other = self.folder / name
+            other.write_text("0\nSECTION\n")
+            self.refuses(3, "of no format that is known; give VRML", "inspect", other)
+        broken = self.folder / "broken.stl"
+        broken.write_text("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0\n")
+        self.refuses(3, "broken.stl", "inspect", broken)
+
     def test_the_same_files_whatever_the_threads(self):
         written = []
         for threads in (1, 2, 7):

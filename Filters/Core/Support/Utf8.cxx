@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Support/Utf8.h"
+
+namespace atria {
+
+namespace {
+
+/// Length of the UTF-8 character at `i`, 0 where there is none.
+std::size_t utf8Length(std::string_view text, std::size_t i)
+{
+  const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
+  const unsigned char first = byte(i);
+  const std::size_t length = first < 0x80                    ? 1
+                             : first >= 0xc2 && first < 0xe0 ? 2
+                             : first >= 0xe0 && first < 0xf0 ? 3
+                             : first >= 0xf0 && first < 0xf5 ? 4
+                                                             : 0;
+  if (length == 0 || i + length > text.size())
+  {
+    return 0;
+  }
+  for (std::size_t k = 1; k < length; ++k)
+  {
+    if ((byte(i + k) & 0xc0) != 0x80)
+    {
+      return 0;
+    }
+  }
+  return length;
+}
+
+} // namespace
+
+std::string toUtf8(std::string_view text)
+{
+  bool valid = true;
+  for (std::size_t i = 0, length = 0; valid && i < text.size(); i += length)
+  {
+    length = utf8Length(text, i);
+    valid = length != 0;
+  }
+  if (valid)
+  {
+    return std::string(text);
+  }
+  std::string out;
+  for (const char c : text)
+  {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x80)
+    {
+      out += c;
+    }
+    else
+    {
+      out += static_cast<char>(0xc0 | (byte >> 6));
+      out += static_cast<char>(0x80 | (byte & 0x3f));
+    }
+  }
+  return out;
+}
+
+} // namespace atria

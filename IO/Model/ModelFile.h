@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The formats. Each function throws Error with a text that names the file and says what to do.
+#pragma once
+
+#include "ModelParts.h"
+
+#include <string>
+
+namespace atria::model {
+
+/// Wavefront: a part for each object, group and material. In double precision.
+Model readObj(const std::string& file);
+/// ASCII or binary, through vtkSTLReader: a part for each name of a solid.
+Model readStl(const std::string& file);
+/// Through vtkPLYReader: one part.
+Model readPly(const std::string& file);
+/// glTF 2.0 or GLB, through vtkGLTFDocumentLoader: a part for each primitive of each node of the scene, Y up.
+Model readGltf(const std::string& file);
+/// VTK's XML polydata, multiblock datasets and partitioned dataset collections.
+Model readXml(const std::string& file);
+
+} // namespace atria::model

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ModelParts.h"
+
+#include "Support/Error.h"
+#include "Support/Utf8.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkCallbackCommand.h>
+#include <vtkCellData.h>
+#include <vtkCommand.h>
+#include <vtkDataObject.h>
+#include <vtkExecutive.h>
+#include <vtkFieldData.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <unordered_set>
+
+namespace atria::model {
+
+std::vector<std::string> uniqueNames(const std::vector<Part>& parts, const std::string& fallback)
+{
+  std::map<std::size_t, std::set<std::string>> materials;
+  for (const Part& part : parts)
+  {
+    materials[part.owner].insert(part.material);
+  }
+  std::unordered_set<std::string> used;
+  std::vector<std::string> names;
+  for (const Part& part : parts)
+  {
+    std::string wanted = part.name.empty() ? fallback : part.name;
+    if (materials[part.owner].size() > 1 && !part.material.empty())
+    {
+      wanted += "_" + part.material;
+    }
+    std::string name = wanted;
+    for (int number = 2; !used.insert(name).second; ++number)
+    {
+      name = wanted + "_" + std::to_string(number);
+    }
+    names.push_back(name);
+  }
+  return names;
+}
+
+void keepParts(Model& model, const std::vector<Part>& parts, const std::vector<std::string>& names)
+{
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    model.parts[names[i]] = parts[i];
+  }
+}
+
+std::string headOf(const std::string& bytes)
+{
+  constexpr std::size_t length = 4096;
+  const std::string head = bytes.substr(0, length);
+  return head.find('\0') == head.npos ? head : std::string();
+}
+
+std::string stemOf(const std::string& file) { return toUtf8(std::filesystem::path(file).stem().string()); }
+
+std::string lowerEnding(const std::string& file)
+{
+  std::string ending = std::filesystem::path(file).extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  return ending;
+}
+
+void setSurfaces(vtkPolyData* data, const std::vector<int>& ids, const std::vector<std::string>& names)
+{
+  vtkNew<vtkIntArray> surfaceIds;
+  surfaceIds->SetName("SurfaceId");
+  surfaceIds->SetNumberOfValues(static_cast<vtkIdType>(ids.size()));
+  std::copy(ids.begin(), ids.end(), surfaceIds->GetPointer(0));
+  data->GetCellData()->AddArray(surfaceIds);
+  vtkNew<vtkStringArray> surfaceNames;
+  surfaceNames->SetName("SurfaceName");
+  for (const std::string& name : names)
+  {
+    surfaceNames->InsertNextValue(name);
+  }
+  data->GetFieldData()->AddArray(surfaceNames);
+}
+
+std::string readBytes(const std::string& file)
+{
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored))
+  {
+    throw Error("'" + file + "' does not exist or is not a file");
+  }
+  std::string bytes(static_cast<std::size_t>(std::filesystem::file_size(file)), '\0');
+  std::ifstream in(file, std::ios::binary);
+  in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  if (!in && !bytes.empty())
+  {
+    throw Error("cannot read '" + file + "'; check its permissions");
+  }
+  return bytes;
+}
+
+namespace {
+
+/// "ERROR: In file.cxx, line 1\nvtkClass (0x1): text\n\n" to "text".
+std::string withoutPlace(const std::string& message)
+{
+  static const std::regex place(R"(^(ERROR|Warning): In [^\n]*\n[^\n]*?\([^)\n]*\): )");
+  std::string text = std::regex_replace(message, place, "");
+  text.erase(text.find_last_not_of(" \n\r") + 1);
+  return text;
+}
+
+} // namespace
+
+Messages::Messages(vtkObject* watched)
+{
+  watch(watched);
+  if (auto* algorithm = vtkAlgorithm::SafeDownCast(watched))
+  {
+    watch(algorithm->GetExecutive());
+  }
+}
+
+void Messages::watch(vtkObject* object)
+{
+  vtkNew<vtkCallbackCommand> onError;
+  onError->SetClientData(this);
+  onError->SetCallback([](vtkObject*, unsigned long, void* self, void* text) {
+    std::string& kept = static_cast<Messages*>(self)->firstError;
+    if (kept.empty())
+    {
+      kept = withoutPlace(static_cast<const char*>(text));
+    }
+  });
+  observers.emplace_back(object, object->AddObserver(vtkCommand::ErrorEvent, onError));
+  vtkNew<vtkCallbackCommand> onWarning;
+  onWarning->SetClientData(this);
+  onWarning->SetCallback([](vtkObject*, unsigned long, void* self, void* text) {
+    static_cast<Messages*>(self)->allWarnings.push_back(withoutPlace(static_cast<const char*>(text)));
+  });
+  observers.emplace_back(object, object->AddObserver(vtkCommand::WarningEvent, onWarning));
+}
+
+Messages::~Messages()
+{
+  for (const auto& [object, observer] : observers)
+  {
+    object->RemoveObserver(observer);
+  }
+}
+
+} // namespace atria::model

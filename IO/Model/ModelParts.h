@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// What a file of any format is read as, and what its readers share.
+#pragma once
+
+#include <vtkSmartPointer.h>
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+class vtkDataObject;
+class vtkObject;
+class vtkPolyData;
+
+namespace atria::model {
+
+/// What becomes one surface. `name` is what the file calls it, or what it belongs to.
+struct Part
+{
+  std::string name;
+  std::string material;  ///< empty where it has none
+  std::size_t owner = 0; ///< the object or node it is part of; several parts of one owner are told apart by material
+};
+
+/// A model as polygons of named surfaces, as surfaceFromVtk takes it: polydata with SurfaceId and SurfaceName, or a
+/// composite whose blocks have names.
+struct Model
+{
+  vtkSmartPointer<vtkDataObject> data;
+  std::map<std::string, Part> parts; ///< by name of the surface; those of which nothing more is known are left out
+  std::vector<std::string> warnings; ///< without the file's name
+  std::string head;                  ///< the first characters of a text file, where programs say who they are
+  int upAxis = 2;                    ///< 1 y, 2 z
+  bool defined = false;              ///< the format says that lengths are metres, and what is up
+  bool singlePrecision = false;      ///< coordinates went through 32 bits on the way
+};
+
+/// The parts' names, made unique: `Wall`; `Wall_Brick` and `Wall_Glass` where an owner has several parts of different
+/// materials; `Wall`, `Wall_2` where names repeat. A part without a name is called `fallback`.
+std::vector<std::string> uniqueNames(const std::vector<Part>& parts, const std::string& fallback);
+
+/// Gives `model` the parts under these names.
+void keepParts(Model& model, const std::vector<Part>& parts, const std::vector<std::string>& names);
+
+/// The name of a file without folder and ending, for surfaces that have no name.
+std::string stemOf(const std::string& file);
+
+/// The ending of a file's name, such as .obj, in small letters.
+std::string lowerEnding(const std::string& file);
+
+/// Polydata with the cell array SurfaceId and the field array SurfaceName, as the filters take it.
+void setSurfaces(vtkPolyData* data, const std::vector<int>& ids, const std::vector<std::string>& names);
+
+/// The first characters of a text; empty where the bytes are none.
+std::string headOf(const std::string& bytes);
+
+/// Throws Error where `file` cannot be read; else its bytes.
+std::string readBytes(const std::string& file);
+
+/// Keeps the errors and warnings of a VTK object, and of its executive if it is an algorithm, which would go to the
+/// console, for as long as it lives.
+class Messages
+{
+public:
+  explicit Messages(vtkObject* watched);
+  ~Messages();
+  Messages(const Messages&) = delete;
+  Messages& operator=(const Messages&) = delete;
+
+  /// The first error, without addresses and source lines; empty where there was none.
+  const std::string& error() const { return firstError; }
+  const std::vector<std::string>& warnings() const { return allWarnings; }
+
+private:
+  void watch(vtkObject* object);
+
+  std::vector<std::pair<vtkSmartPointer<vtkObject>, unsigned long>> observers;
+  std::string firstError;
+  std::vector<std::string> allWarnings;
+};
+
+} // namespace atria::model

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkAtriaModelReader.h"
+
+#include "Diagnostics.h"
+#include "ModelFile.h"
+#include "ModelSource.h"
+
+#include "Support/Error.h"
+#include "Support/Progress.h"
+#include "VtkSurface.h"
+
+#include <vtkObjectFactory.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <sstream>
+#include <vector>
+
+vtkStandardNewMacro(vtkAtriaModelReader);
+
+namespace {
+
+struct Format
+{
+  const char* ending;
+  atria::model::Model (*read)(const std::string& file);
+};
+
+constexpr Format formats[] = {
+    {".obj", atria::model::readObj},   {".stl", atria::model::readStl},  {".ply", atria::model::readPly},
+    {".gltf", atria::model::readGltf}, {".glb", atria::model::readGltf}, {".vtp", atria::model::readXml},
+    {".vtm", atria::model::readXml},   {".vtpc", atria::model::readXml},
+};
+
+const Format* formatOf(const char* fileName)
+{
+  const std::string ending = fileName ? atria::model::lowerEnding(fileName) : std::string();
+  const auto found = std::find_if(std::begin(formats), std::end(formats),
+                                  [&](const Format& format) { return ending == format.ending; });
+  return found == std::end(formats) ? nullptr : found;
+}
+
+/// Where numbers of 32 bits leave less than a hundred-thousandth of the model, what to say of it; else empty.
+std::string coarseness(const atria::TriangleSurface& surface)
+{
+  constexpr double coarse = 1e-5;
+  constexpr double rounding = 6e-8; // 2^-24
+  if (surface.points.empty())
+  {
+    return {};
+  }
+  double largest = 0.0;
+  atria::Vec3 low = surface.points.front();
+  atria::Vec3 high = low;
+  for (const atria::Vec3& p : surface.points)
+  {
+    largest = std::max(largest, p.cwiseAbs().maxCoeff());
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  if (rounding * largest <= coarse * (high - low).norm())
+  {
+    return {};
+  }
+  std::ostringstream text;
+  text.precision(2);
+  text << "the model lies far from the origin, and this format is read in single precision: points are off by up to "
+       << rounding * largest << "; move it to the origin, or export it as OBJ or VRML";
+  return text.str();
+}
+
+/// Surfaces that have triangles, as shapes of a scene.
+atria::vrml::Scene sceneOf(const atria::model::Model& model, atria::VtkSurface read)
+{
+  atria::vrml::Scene scene;
+  atria::TriangleSurface& surface = read.surface;
+  std::vector<atria::Index> shapeOf(surface.names.size(), atria::noIndex);
+  std::map<std::string, atria::Index> materials;
+  std::map<std::string, atria::Index> groups;
+  const auto indexOf = [](auto& known, auto& list, const std::string& key, auto&& make) {
+    const auto [found, isNew] = known.try_emplace(key, static_cast<atria::Index>(list.size()));
+    if (isNew)
+    {
+      list.push_back(make());
+    }
+    return found->second;
+  };
+  for (const atria::Index id : surface.surfaceIds)
+  {
+    if (shapeOf[id] == atria::noIndex)
+    {
+      shapeOf[id] = static_cast<atria::Index>(scene.shapes.size());
+      const std::string& name = surface.names[id];
+      atria::vrml::Shape shape{name};
+      if (const auto part = model.parts.find(name); part != model.parts.end())
+      {
+        const atria::model::Part& p = part->second;
+        if (!p.material.empty())
+        {
+          shape.material =
+              indexOf(materials, scene.materials, p.material, [&] { return atria::vrml::Material{p.material}; });
+        }
+        shape.group = indexOf(groups, scene.groups, std::to_string(p.owner),
+                              [&] { return atria::vrml::Group{p.name.empty() ? name : p.name}; });
+      }
+      scene.shapes.push_back(shape);
+    }
+    scene.shapeIds.push_back(shapeOf[id]);
+  }
+  scene.points = std::move(surface.points);
+  scene.triangles = std::move(surface.triangles);
+  scene.faceIds = std::move(read.faceIds);
+  if (read.ignoredCells > 0)
+  {
+    scene.skipped["cells that are no faces"] = read.ignoredCells;
+  }
+  return scene;
+}
+
+} // namespace
+
+bool vtkAtriaModelReader::CanReadFile(const char* fileName) { return formatOf(fileName) != nullptr; }
+
+std::string vtkAtriaModelReader::GetFileExtensions()
+{
+  std::string all;
+  for (const Format& format : formats)
+  {
+    all.append(all.empty() ? "" : " ").append(format.ending);
+  }
+  return all;
+}
+
+atria::vrml::ModelSource vtkAtriaModelReader::ReadSource(atria::vrml::Diagnostics& diagnostics,
+                                                         const atria::ProgressRange& progress)
+{
+  const std::string file = this->FileName;
+  const Format* format = formatOf(this->FileName);
+  if (!format)
+  {
+    throw atria::Error("'" + file + "' is of a format that is not known; give a file that ends in one of " +
+                       GetFileExtensions() + ", unpacked");
+  }
+  const atria::model::Model model = format->read(file);
+  progress.report(0.5, "Triangulating faces");
+  atria::VtkSurface read = atria::surfaceFromVtk({model.data});
+  atria::vrml::ModelSource source;
+  source.name = std::filesystem::path(file).filename().string();
+  source.head = model.head;
+  source.upAxis = model.upAxis;
+  source.axisKnown = model.defined;
+  source.unitKnown = model.defined;
+  const auto warn = [&](const std::string& text) { diagnostics.warn(source.name + ": " + text); };
+  std::for_each(model.warnings.begin(), model.warnings.end(), warn);
+  if (read.ignoredCells > 0)
+  {
+    warn(std::to_string(read.ignoredCells) + " cells are no faces and make no surface");
+  }
+  if (const std::string text = model.singlePrecision ? coarseness(read.surface) : ""; !text.empty())
+  {
+    warn(text);
+  }
+  source.scene = sceneOf(model, std::move(read));
+  progress.report(1.0, "File read");
+  return source;
+}

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class   vtkAtriaSurfaceReader
+ * @brief   What the readers of models have in common: units, axes, duplicates, what makes a surface
+ *
+ * Formats do not say, or not reliably, which unit a program used and which axis is up: that is for the user to say.
+ * Where it is not said, z is up and lengths are metres, and what speaks against it is a warning.
+ *
+ * Output:
+ * - triangles with points in double precision;
+ * - cell array `SurfaceId` (vtkIntArray): the surface each triangle belongs to;
+ * - field data by SurfaceId: `SurfaceName` and `MaterialName` (vtkStringArray), the latter empty where there is none;
+ *   `DiffuseColor` (vtkDoubleArray, three components from 0 to 1) and `Transparency` (vtkDoubleArray, 0 opaque to 1),
+ *   0.8 and 0 where the file gives none;
+ * - field data `ModelOffset` (vtkDoubleArray, three components): what Recentre subtracted from all points, metres.
+ *
+ * What was skipped or had to be guessed is reported in one VTK warning, and in full by GetWarnings. An error, with
+ * empty output, is reported for a file that cannot be read or that holds no surface at all.
+ *
+ * @sa vtkAtriaVRMLReader vtkAtriaModelReader
+ */
+#ifndef vtkAtriaSurfaceReader_h
+#define vtkAtriaSurfaceReader_h
+
+#include "AtriaIOVRMLModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+#include "vtkSmartPointer.h" // For arrays of strings
+
+class vtkPolyData;
+class vtkStringArray;
+
+namespace atria {
+class ProgressRange;
+namespace vrml {
+class Diagnostics;
+struct ModelSource;
+} // namespace vrml
+} // namespace atria
+
+class ATRIAIOVRML_EXPORT vtkAtriaSurfaceReader : public vtkPolyDataAlgorithm
+{
+public:
+  vtkAbstractTypeMacro(vtkAtriaSurfaceReader, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The file to read. None by default.
+   */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  enum SurfaceByType
+  {
+    Shape,    ///< each Shape, or geometry node of VRML 1.0; of other formats see vtkAtriaModelReader
+    Group,    ///< each group with a DEF name and each inlined file, without the groups in it that have one
+    Material, ///< shapes of the same name, colour and transparency of material
+    Connected ///< pieces of shapes that are smooth in themselves: six for a box
+  };
+
+  ///@{
+  /**
+   * What makes a surface. Default Shape.
+   */
+  vtkSetClampMacro(SurfaceBy, int, Shape, Connected);
+  vtkGetMacro(SurfaceBy, int);
+  ///@}
+
+  ///@{
+  /**
+   * Angle in degrees between neighbouring triangles above which Connected parts them. Default 30, from 0 to 180.
+   */
+  vtkSetClampMacro(SplitAngle, double, 0.0, 180.0);
+  vtkGetMacro(SplitAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether a face that coincides with an earlier one, of the same shape or of another, is left out, whichever way it
+   * faces. The first one keeps its name; in SketchUp's exports that is the front. GetNotes tells what was merged.
+   * Default on.
+   */
+  vtkSetMacro(MergeDuplicateFaces, bool);
+  vtkGetMacro(MergeDuplicateFaces, bool);
+  vtkBooleanMacro(MergeDuplicateFaces, bool);
+  ///@}
+
+  enum UpAxisType
+  {
+    UnstatedUp, ///< z unless the format says otherwise, with a warning where the model looks otherwise
+    YUp,
+    ZUp
+  };
+
+  ///@{
+  /**
+   * The axis that is up in the file. With YUp, models are turned about x so that z is. Default UnstatedUp.
+   */
+  vtkSetClampMacro(UpAxis, int, UnstatedUp, ZUp);
+  vtkGetMacro(UpAxis, int);
+  ///@}
+
+  enum LengthUnitType
+  {
+    UnstatedUnit, ///< metres, with a warning where the file or the model's size speaks against it
+    Metres,
+    Millimetres,
+    Centimetres,
+    Inches,
+    Feet
+  };
+
+  ///@{
+  /**
+   * The unit of length in the file; the output is in metres. VRML has no field for it, and programs write whatever they
+   * work in. Default UnstatedUnit.
+   */
+  vtkSetClampMacro(LengthUnit, int, UnstatedUnit, Feet);
+  vtkGetMacro(LengthUnit, int);
+  ///@}
+
+  ///@{
+  /**
+   * A further factor for all coordinates, for units that are not listed; no unit. Default 1, from 1e-9 to 1e9.
+   */
+  vtkSetClampMacro(Scale, double, 1e-9, 1e9);
+  vtkGetMacro(Scale, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether a model that lies farther from the origin than it is long is moved there, by whole hundreds of metres along
+   * each axis. The field array `ModelOffset` tells what was subtracted. Default off.
+   */
+  vtkSetMacro(Recentre, bool);
+  vtkGetMacro(Recentre, bool);
+  vtkBooleanMacro(Recentre, bool);
+  ///@}
+
+  /**
+   * The warnings of the last run, one string each, in the order of the file and without those beyond the
+   * first thousand. Never null.
+   */
+  vtkStringArray* GetWarnings();
+
+  /**
+   * How many warnings the last run had.
+   */
+  vtkIdType GetNumberOfWarnings() const { return this->NumberOfWarnings; }
+
+  /**
+   * What the last run did that may be of interest, such as merging faces; one string each. Never null.
+   */
+  vtkStringArray* GetNotes();
+
+  /**
+   * How many faces the last run left out as they coincide with others.
+   */
+  vtkIdType GetNumberOfMergedFaces() const { return this->NumberOfMergedFaces; }
+
+  /**
+   * What the last run met that makes no surface, such as "IndexedLineSet: 12". Never null.
+   */
+  vtkStringArray* GetSkippedNodes();
+
+protected:
+  vtkAtriaSurfaceReader();
+  ~vtkAtriaSurfaceReader() override;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  /**
+   * Reads FileName as the file has it. Throws atria::Error with a text for the user, or atria::Aborted.
+   */
+  virtual atria::vrml::ModelSource ReadSource(atria::vrml::Diagnostics& diagnostics,
+                                              const atria::ProgressRange& progress) = 0;
+
+  char* FileName = nullptr;
+  int SurfaceBy = Shape;
+  double SplitAngle = 30.0;
+  bool MergeDuplicateFaces = true;
+  int UpAxis = UnstatedUp;
+  int LengthUnit = UnstatedUnit;
+  double Scale = 1.0;
+  bool Recentre = false;
+  vtkIdType NumberOfMergedFaces = 0;
+  vtkIdType NumberOfWarnings = 0;
+  vtkSmartPointer<vtkStringArray> Warnings;
+  vtkSmartPointer<vtkStringArray> Notes;
+  vtkSmartPointer<vtkStringArray> SkippedNodes;
+
+private:
+  bool ReadModel(vtkPolyData* output, atria::vrml::Diagnostics& diagnostics);
+  void Report(const atria::vrml::Diagnostics& diagnostics);
+  double MetresPerUnit() const;
+
+  vtkAtriaSurfaceReader(const vtkAtriaSurfaceReader&) = delete;
+  void operator=(const vtkAtriaSurfaceReader&) = delete;
+};
+
+#endif
