@@ -139,8 +139,8 @@ public:
 
   ///@{
   /**
-   * Where the mesh would have more elements (those of all zones counted), the finest octants are left out, level by
-   * level, those at features last; a warning says so. Default 0: no limit; clamped to at least 0.
+   * Where the mesh would have more elements (those of all zones counted, those of layers not), the finest octants are
+   * left out, level by level, those at features last; a warning says so. Default 0: no limit; clamped to at least 0.
    */
   vtkSetClampMacro(MaxElements, int, 0, VTK_INT_MAX);
   vtkGetMacro(MaxElements, int);

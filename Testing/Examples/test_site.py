@@ -46,7 +46,7 @@ class Site(unittest.TestCase):
         preflight = self.atria(model, *options, "--preflight")
         height = 0.3 * max(size)
         self.assertAlmostEqual(preflight["DomainZMax"], height, places=6)
-        data = self.atria(model, *options, "-o", self.folder / "site.vtu")
+        data = self.atria(model, *options, "--layers", 0, "-o", self.folder / "site.vtu")
         areas = {patch["name"]: patch["area"] for patch in data["patches"]}
         self.assertAlmostEqual(areas["zMax"], size[0] * size[1], delta=1e-6 * size[0] * size[1])
         details = [name for name in surfaces if name.startswith(("Canopy", "Screen"))]

@@ -163,8 +163,16 @@ LayerMesh LayerImprover::divide(const LayerMesh& one) const
 {
   const auto greatest = std::ranges::max_element(options_.ofTag, {}, &WallLayers::layers);
   std::vector<Index> most(plain_.points.size(), static_cast<Index>(greatest->layers));
+  // What is thin is skew beside what is not: only what is not valid counts, or fewer layers here would ask for fewer
+  // beside them, and so on over the whole wall.
   QualityTargets limits = targets();
   limits.decomposed = false;
+  limits.convex = false;
+  limits.skewness.limit = 1e3;
+  limits.weight.limit = -1.0;
+  limits.volumeRatio.limit = -1.0;
+  limits.faceCosine.limit = 0.0;
+  limits.pyramidCosine.limit = 0.0;
   for (;;)
   {
     context_.progress.check();
