@@ -35,6 +35,7 @@ Meshed meshAll(const TriangleSurface& surface, const GridOptions& grid)
 {
   DualMeshOptions options;
   options.zoneRule = ZoneRule::all;
+  options.layers = {{"*", {0}}}; // the plain dual, made valid
   return meshIt(surface, grid, options);
 }
 

@@ -99,7 +99,7 @@ TEST_F(DocumentedArrays, OfFeatures)
   features->SetInputDataObject(atria::testing::toPolyData(building()));
   features->Update();
   EXPECT_THAT(present(features->GetOutputDataObject(0)), UnorderedElementsAreArray(documented("Feature curves")));
-  EXPECT_THAT(present(features->GetOutputDataObject(1)), UnorderedElementsAreArray(documented("Model")));
+  EXPECT_THAT(present(features->GetOutputDataObject(1)), UnorderedElementsAreArray(documented("second output")));
 }
 
 TEST_F(DocumentedArrays, OfOctrees)

@@ -17,7 +17,8 @@ struct DualMeshOptions
   std::vector<Vec3> seeds;
   /// Points in zones that should be closed: see findLeaks.
   std::vector<Vec3> sealedSeeds;
-  /// Layers of elements on walls; none without a rule.
+  /// Layers of elements on walls. Elements at the boundary are made valid, too, also by a rule that asks for no layers;
+  /// without rules the mesh is the dual as it is.
   std::vector<LayerRule> layers = {};
   /// Cracks beside rims that are no wider than this part of the octants there are closed; 0 closes none. Wider ones are
   /// open where an edge of the grid passes.

@@ -56,6 +56,10 @@ void DualImprover::splitPoints()
 
 void DualImprover::growLayers(const std::vector<LayerRule>& rules)
 {
+  if (rules.empty())
+  {
+    return;
+  }
   LayerOptions options;
   options.ofTag = resolveLayerRules(rules, model_.names);
   options.sideNormals = sideNormalsOf(octree_.frame());

@@ -22,7 +22,8 @@ public:
   void improve();
   /// See splitSheets.
   void splitPoints();
-  /// Grows layers on walls and makes the elements at the boundary valid (see LayerImprover), also where there are none.
+  /// Grows layers on walls and makes the elements at the boundary valid (see LayerImprover), also where they ask for
+  /// none. Does nothing without rules.
   void growLayers(const std::vector<LayerRule>& rules);
 
 private:

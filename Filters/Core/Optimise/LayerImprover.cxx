@@ -151,7 +151,7 @@ QualityTargets LayerImprover::targets() const
 LayerMesh LayerImprover::run()
 {
   grow();
-  improve(findAll(), 1);
+  improve(improve(findAll(), 1), 1);
   mend();
   putBack();
   mend();

@@ -183,7 +183,7 @@ void prepareGuide(const Region& region, VertexGuide& guide, const RunContext& co
 /// The last few points that creep on are not worth a sweep.
 void sweepWhileWorthwhile(Sweeper& sweeper, int mostSweeps)
 {
-  constexpr double worthwhile = 0.05;
+  constexpr double worthwhile = 0.02;
   std::size_t most = 1;
   for (int i = 0; i < mostSweeps; ++i)
   {

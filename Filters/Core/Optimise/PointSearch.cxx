@@ -10,9 +10,9 @@ namespace {
 constexpr double difference = 1e-3; ///< of the cells' size, for derivatives
 constexpr double leastTrust = 1e-3;
 constexpr double mostTrust = 0.5;
-constexpr double leastGain = 0.02;
+constexpr double leastGain = 0.01;
 /// Not worth a search.
-constexpr double leastPenalty = 1e-3;
+constexpr double leastPenalty = 1e-4;
 constexpr int tries = 4;
 /// Of measures that are nothing but rounding.
 constexpr double noise = 1e-6;
