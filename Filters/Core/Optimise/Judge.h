@@ -20,7 +20,7 @@ struct QualityRange
 struct QualityTargets
 {
   /// Cosine between a face's normal and the way from the cell's centroid to the face's: 1 - CellSquish.
-  QualityRange pyramidCosine{0.01, 0.2};
+  QualityRange pyramidCosine{0.01, 0.21};
   /// Sine of the angle by which the centroid of a face lies behind the plane of another of the cell's faces. Two faces
   /// on the mesh's boundary may lie in one plane.
   QualityRange convexity{0.0005, 0.04};
