@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Dual/CrackStrips.h"
 
-#include "Octree/GeometryLists.h"
+#include "Octree/TriangleTree.h"
 #include "Surface/Distance.h"
 #include "Surface/Predicates.h"
 #include "Surface/TriangleSoup.h"
@@ -81,8 +81,8 @@ LatticePoint moved(const LatticePoint& p, const Vec3& by)
 class Bridger
 {
 public:
-  Bridger(const Octree& tree, const SurfaceModel& surfaces, double ratio)
-      : octree(tree), frame(tree.frame()), model(surfaces), tolerance(ratio)
+  Bridger(const Octree& leaves, const SurfaceModel& surfaces, const TriangleTree& pieces, double ratio)
+      : octree(leaves), frame(leaves.frame()), model(surfaces), tree(pieces), tolerance(ratio)
   {
   }
 
@@ -157,6 +157,22 @@ private:
                              between(p, model.corner(t, 2)));
   }
 
+  /// Whether the place p + offset is at the bounds of the triangle; said quicker than how far it is.
+  bool isNear(Index t, const LatticePoint& p, const Vec3& offset) const
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const auto [low, high] =
+          std::minmax({model.corner(t, 0)[axis], model.corner(t, 1)[axis], model.corner(t, 2)[axis]});
+      const double place = static_cast<double>(p[axis]) + offset[axis];
+      if (place < static_cast<double>(low) - onTriangle || place > static_cast<double>(high) + onTriangle)
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
   /// From a place of the rim to the nearest thing ahead; zero where something touches; nothing beyond the tolerance.
   std::optional<Vec3> acrossFrom(const LatticePoint& p, Index rim, const Vec3& outward)
   {
@@ -171,7 +187,8 @@ private:
     for (auto place = places.begin(); place != places.end(); ++place)
     {
       const auto isOn = [&](const Place& nearer) {
-        return (nearestOn(nearer.triangle, p, place->offset) - place->offset).norm() <= onTriangle;
+        return isNear(nearer.triangle, p, place->offset) &&
+               (nearestOn(nearer.triangle, p, place->offset) - place->offset).norm() <= onTriangle;
       };
       if (place->triangle == rim || std::any_of(places.begin(), place, isOn))
       {
@@ -201,7 +218,7 @@ private:
       box.high[axis] += margin;
     }
     places.assign(1, {-1.0, rim, Vec3::Zero()});
-    for (const Index t : trianglesNear(octree, box))
+    for (const Index t : tree.touching(box))
     {
       const Vec3 offset = nearestOn(t, p, Vec3::Zero());
       if (t != rim && offset.norm() <= reach)
@@ -234,6 +251,7 @@ private:
   const Octree& octree;
   const GridFrame& frame;
   const SurfaceModel& model;
+  const TriangleTree& tree;
   double tolerance;
   std::vector<Place> places;
 };
@@ -256,10 +274,15 @@ std::vector<StripTriangle> crackStrips(const Octree& octree, const SurfaceModel&
                                        const RunContext& context)
 {
   const std::vector<Rim> rims = rimsOf(model);
+  if (rims.empty())
+  {
+    return {};
+  }
+  const TriangleTree tree(model);
   std::vector<Bridge> bridges(rims.size());
   context.executor.forRanges(rims.size(), 16, [&](std::size_t begin, std::size_t end) {
     context.progress.check();
-    Bridger bridger(octree, model, tolerance);
+    Bridger bridger(octree, model, tree, tolerance);
     for (std::size_t i = begin; i < end; ++i)
     {
       bridges[i] = bridger.bridge(rims[i]);
@@ -274,7 +297,7 @@ std::vector<StripTriangle> crackStrips(const Octree& octree, const SurfaceModel&
     ends.push_back({rims[i].b, i, 1});
   }
   std::sort(ends.begin(), ends.end());
-  const Bridger bridger(octree, model, tolerance);
+  const Bridger bridger(octree, model, tree, tolerance);
   for (std::size_t i = 0; i + 1 < ends.size(); ++i)
   {
     const RimEnd& l = ends[i];

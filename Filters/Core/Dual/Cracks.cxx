@@ -3,6 +3,7 @@
 
 #include "Dual/CrackRuns.h"
 #include "Octree/GeometryLists.h"
+#include "Octree/TriangleTree.h"
 #include "Surface/Distance.h"
 
 #include <Eigen/Geometry>
@@ -44,9 +45,9 @@ class RimProbe
 {
 public:
   RimProbe(const Zones& z, const std::vector<char>& keptZones, const Crossings& found, const GridPlaces& places,
-           const SurfaceModel& surfaces)
+           const SurfaceModel& surfaces, const TriangleTree& pieces)
       : zones(z), kept(keptZones), crossings(found), grid(places), octree(places.octree()), frame(octree.frame()),
-        points(places.points()), model(surfaces)
+        points(places.points()), model(surfaces), tree(pieces)
   {
   }
 
@@ -152,7 +153,7 @@ private:
   {
     const LatticeBox box{frame.toLattice(middle - Vec3::Constant(reach)),
                          frame.toLattice(middle + Vec3::Constant(reach))};
-    triangles = trianglesNear(octree, box);
+    triangles = tree.touching(box);
     triangles.erase(std::remove(triangles.begin(), triangles.end(), rim), triangles.end());
   }
 
@@ -175,6 +176,11 @@ private:
       const Vec3 a = frame.toModel(model.corner(triangle, 0));
       const Vec3 b = frame.toModel(model.corner(triangle, 1));
       const Vec3 c = frame.toModel(model.corner(triangle, 2));
+      const Vec3 inBounds = middle.cwiseMax(a.cwiseMin(b).cwiseMin(c)).cwiseMin(a.cwiseMax(b).cwiseMax(c));
+      if ((inBounds - middle).norm() > best.norm())
+      {
+        continue;
+      }
       const Vec3 across = nearestOnTriangle(middle, a, b, c) - middle;
       if (across.norm() <= leastRatio * size)
       {
@@ -256,6 +262,7 @@ private:
   const GridFrame& frame;
   const GridPoints& points;
   const SurfaceModel& model;
+  const TriangleTree& tree;
   Index rim = noIndex;
   Vec3 outward = Vec3::Zero();
   std::vector<Index> triangles;
@@ -274,10 +281,15 @@ std::vector<Crack> findCracks(const Zones& zones, const std::vector<char>& kept,
       rims.push_back(e);
     }
   }
+  if (rims.empty())
+  {
+    return {};
+  }
+  const TriangleTree tree(model);
   std::vector<std::vector<CrackStep>> found(rims.size());
   context.executor.forRanges(rims.size(), 16, [&](std::size_t begin, std::size_t end) {
     context.progress.check();
-    RimProbe probe(zones, kept, crossings, grid, model);
+    RimProbe probe(zones, kept, crossings, grid, model, tree);
     for (std::size_t i = begin; i < end; ++i)
     {
       found[i] = probe.walk(rims[i]);

@@ -86,4 +86,18 @@ inline ReducedFace faceOf(const std::array<Index, 8>& corners, int direction)
   return face;
 }
 
+/// Marks the points of boundary faces.
+inline std::vector<char> boundaryPoints(const DualMesh& mesh)
+{
+  std::vector<char> marked(mesh.points.size(), 0);
+  for (const BoundaryFace& face : mesh.boundaryFaces)
+  {
+    for (const std::uint8_t c : hexahedronFace[face.direction])
+    {
+      marked[mesh.corners[face.element][c]] = 1;
+    }
+  }
+  return marked;
+}
+
 } // namespace atria

@@ -17,6 +17,9 @@ constexpr double nickDepth = 0.3;
 /// Of 30 degrees: creases more acute than that are sheets side by side.
 constexpr double foldCosine = 0.866;
 
+/// Pieces in a leaf beyond which a tree finds those near an edge sooner.
+constexpr std::size_t longList = 64;
+
 bool boundsMiss(const EdgeSegment& edge, const LatticePoint& p, const LatticePoint& q, const LatticePoint& r)
 {
   for (int a = 0; a < 3; ++a)
@@ -88,8 +91,30 @@ Index EdgeProbe::sideTriangle(Index leaf, const LatticePoint& p, int direction) 
   return noIndex;
 }
 
+void EdgeProbe::gatherFromTree(const EdgeSegment& edge)
+{
+  LatticeBox box;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    std::tie(box.low[axis], box.high[axis]) = std::minmax({edge.start[axis], edge.end[axis]});
+  }
+  for (const Index triangle : triangleTree->get().touching(box))
+  {
+    if (model.domainSides[triangle] == SurfaceModel::noSide)
+    {
+      test(triangle, edge);
+    }
+  }
+}
+
 void EdgeProbe::gather(const EdgeSegment& edge, std::span<const Index> leaves)
 {
+  const auto isLong = [&](Index leaf) { return octree.items(leaf).size() > longList; };
+  if (triangleTree && std::ranges::any_of(leaves, isLong))
+  {
+    gatherFromTree(edge);
+    return;
+  }
   candidates.clear();
   for (const Index leaf : leaves)
   {

@@ -3,6 +3,7 @@
 
 #include "Dual/DualMesh.h"
 #include "Octree/Octree.h"
+#include "Octree/TriangleTree.h"
 #include "Surface/SurfaceModel.h"
 
 #include <optional>
@@ -51,7 +52,11 @@ inline SheetSide seenFromEnd(const SurfaceCrossing& cut)
 class EdgeProbe
 {
 public:
-  EdgeProbe(const Octree& tree, const SurfaceModel& surfaces) : octree(tree), model(surfaces) {}
+  /// Where leaves hold very many triangles, `tree` is asked in their place if there is one.
+  EdgeProbe(const Octree& leaves, const SurfaceModel& surfaces, TriangleTreeOnDemand* tree = nullptr)
+      : octree(leaves), model(surfaces), triangleTree(tree)
+  {
+  }
 
   /// Crossings of an edge with the triangles of `leaves`, sorted from start to end; triangles on domain sides are not
   /// asked. Pairs that only reach through the edge and back are left out. The answer holds until the next call.
@@ -63,6 +68,7 @@ public:
 
 private:
   void gather(const EdgeSegment& edge, std::span<const Index> leaves);
+  void gatherFromTree(const EdgeSegment& edge);
   void test(Index triangle, const EdgeSegment& edge);
   bool isBulge(const EdgeSegment& edge, const SurfaceCrossing& l, const SurfaceCrossing& r) const;
   bool isNick(const EdgeSegment& edge, const SurfaceCrossing& l, const SurfaceCrossing& r) const;
@@ -70,6 +76,7 @@ private:
 
   const Octree& octree;
   const SurfaceModel& model;
+  TriangleTreeOnDemand* triangleTree;
   std::vector<Index> candidates;
   std::vector<SurfaceCrossing> found;
 };

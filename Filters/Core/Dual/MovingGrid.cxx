@@ -28,8 +28,8 @@ template <typename F> void eachLeaf(const EdgeSegment& edge, F&& f)
 
 MovingGrid::MovingGrid(GridPlaces& places, const SurfaceModel& model, const Crossings& crossings,
                        const RunContext& context)
-    : grid(places), tree(places.octree()), surfaces(model), home(crossings), probe(tree, model),
-      atCorners(curvesAtCorners(model)),
+    : grid(places), tree(places.octree()), surfaces(model), home(crossings), triangleTree(model),
+      probe(tree, model, &triangleTree), atCorners(curvesAtCorners(model)),
       movedOf(crossings.crossedEdges.size(), noIndex), view{{}, LeafTopology(tree, model), {}}
 {
   listEdges();

@@ -94,6 +94,7 @@ private:
   const Octree& tree;
   const SurfaceModel& surfaces;
   const Crossings& home;
+  TriangleTreeOnDemand triangleTree;
   EdgeProbe probe;
   std::vector<std::vector<std::vector<Index>>> atCorners;
   /// Edges are numbered as in `home`, and then as they come. Those of leaf l are edgesOfLeaf[begin[l], begin[l + 1])

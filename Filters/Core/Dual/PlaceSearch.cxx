@@ -20,6 +20,10 @@ constexpr double leastPart = 0.2;
 constexpr double surplusCutCost = 2.0;
 constexpr int mostSweeps = 100;
 constexpr double smallestGain = 1e-9;
+/// An octant with more surplus holds more than a moved corner can part; it is left as it is.
+constexpr int mostSurplus = 8;
+/// Curves of an octant between which places are looked for.
+constexpr std::size_t mostCurves = 6;
 /// What a move of a point by its shortest edge counts against one surplus.
 constexpr double moveCost = 0.05;
 
@@ -81,8 +85,9 @@ public:
     std::set<Index> dirty;
     for (const Index leaf : grid.leavesInQuestion())
     {
-      grid.addCorners(leaf, dirty);
+      grid.addCorners(leaf, grid.surplus(leaf) > mostSurplus ? left : dirty);
     }
+    std::erase_if(dirty, [&](Index point) { return left.contains(point); });
     for (int sweep = 0; sweep < mostSweeps && !dirty.empty(); ++sweep)
     {
       for (const Index point : dirty)
@@ -160,6 +165,7 @@ private:
         grid.addCorners(leaf, changed);
       }
     }
+    std::erase_if(changed, [&](Index point) { return left.contains(point); });
     return changed;
   }
 
@@ -323,6 +329,10 @@ private:
       return;
     }
     const auto curves = grid.topology().curves();
+    if (curves.size() > mostCurves)
+    {
+      return;
+    }
     const Vec3 p = toVector(grid.places().place(point));
     for (std::size_t i = 1; i < curves.size(); ++i)
     {
@@ -362,6 +372,8 @@ private:
   MovingGrid& grid;
   const RunContext& context;
   std::map<Index, Move> moves;
+  /// Corners of octants that hold too much.
+  std::set<Index> left;
 };
 
 } // namespace

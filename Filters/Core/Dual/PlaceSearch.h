@@ -10,7 +10,8 @@ namespace atria {
 /// them, on the other side of a curve where the two sheets that cut an edge meet, and between curves that the octant's
 /// vertex cannot both be on. What counts are the surplus cuts of its edges, the surplus sheets and curves of its
 /// octants, and a little the way. Of all moves that gain something, those that do not touch the same octants are made,
-/// best first, and their neighbours asked again, until nothing is gained.
+/// best first, and their neighbours asked again, until nothing is gained. Octants with very many sheets and curves are
+/// left as they are.
 void searchPlaces(MovingGrid& grid, const RunContext& context);
 
 } // namespace atria

@@ -131,21 +131,20 @@ public:
       place();
       const auto& corners = layer.mesh.corners;
       std::erase_if(active, [&](Index e) {
-        return std::none_of(corners[e].begin(), corners[e].end(), [&](Index p) { return changed[wallPointOf(p)]; });
+        return std::none_of(corners[e].begin(), corners[e].end(),
+                            [&](Index p) { return changed[layer.wallPointOf(p)]; });
       });
     }
   }
 
 private:
-  Index wallPointOf(Index p) const { return p < layer.plainPoints ? p : layer.wallPoints[p - layer.plainPoints]; }
-
   std::vector<Index> touched() const
   {
     std::vector<Index> out;
     for (Index e = 0; e < layer.mesh.elementCount(); ++e)
     {
       const auto& corners = layer.mesh.corners[e];
-      if (std::any_of(corners.begin(), corners.end(), [&](Index p) { return p >= layer.plainPoints; }))
+      if (std::any_of(corners.begin(), corners.end(), [&](Index p) { return layer.isNew(p); }))
       {
         out.push_back(e);
       }
@@ -177,10 +176,10 @@ private:
     {
       for (const Index p : layer.mesh.corners[active[i]])
       {
-        if (crowded[i] && p >= layer.plainPoints && !changed[wallPointOf(p)])
+        if (crowded[i] && layer.isNew(p) && !changed[layer.wallPointOf(p)])
         {
-          changed[wallPointOf(p)] = 1;
-          heights[wallPointOf(p)] *= shrinkFactor;
+          changed[layer.wallPointOf(p)] = 1;
+          heights[layer.wallPointOf(p)] *= shrinkFactor;
         }
       }
     }
@@ -265,7 +264,7 @@ std::vector<Index> pointsWithoutRoom(const DualMesh& plain, const LayerMesh& lay
   std::vector<char> bad(mesh.elementCount(), 0);
   context.executor.forEach(mesh.elementCount(), 2048, [&](std::size_t e) {
     const auto& corners = mesh.corners[e];
-    const bool touched = std::any_of(corners.begin(), corners.end(), [&](Index p) { return p >= layer.plainPoints; });
+    const bool touched = std::any_of(corners.begin(), corners.end(), [&](Index p) { return layer.isNew(p); });
     bad[e] = touched && shapeOf(mesh.points, corners).pyramid <= 0.0 &&
              (e >= layer.plainElements || shapeOf(plain.points, plain.corners[e]).pyramid > 0.0);
   });
@@ -274,9 +273,9 @@ std::vector<Index> pointsWithoutRoom(const DualMesh& plain, const LayerMesh& lay
   {
     for (const Index p : mesh.corners[e])
     {
-      if (bad[e] && p >= layer.plainPoints)
+      if (bad[e] && layer.isNew(p))
       {
-        out.push_back(layer.wallPoints[p - layer.plainPoints]);
+        out.push_back(layer.wallPointOf(p));
       }
     }
   }

@@ -23,6 +23,10 @@ struct LayerMesh
   /// Per new element, from plainElements on: the boundary face it stands on, and its place in the stack, 0 and up.
   std::vector<Index> wallFaces;
   std::vector<Index> heights;
+
+  bool isNew(Index point) const { return point >= plainPoints; }
+  /// The point of the wall that a new point stands above; a plain one is its own.
+  Index wallPointOf(Index point) const { return isNew(point) ? wallPoints[point - plainPoints] : point; }
 };
 
 /// Builds stacks of prisms on the walls. `counts` gives each point the number of its new points, at most that of

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Octree/TriangleTree.h"
 
-#include "Octree/BoxDistance.h"
+#include "Surface/Distance.h"
 
 #include <Eigen/Geometry>
 
@@ -51,6 +51,16 @@ double rayParameter(const Vec3& origin, const Vec3& direction, const Vec3& a, co
   const Vec3 q = s.cross(ab);
   const double v = direction.dot(q) / determinant;
   return u < -rounding || v < -rounding || u + v > 1.0 + rounding ? none : ac.dot(q) / determinant;
+}
+
+bool touch(const Box3& l, const Box3& r)
+{
+  return (l.min.array() <= r.max.array()).all() && (r.min.array() <= l.max.array()).all();
+}
+
+double squaredDistance(const Box3& box, const Vec3& p)
+{
+  return (p.cwiseMax(box.min).cwiseMin(box.max) - p).squaredNorm();
 }
 
 } // namespace
@@ -135,6 +145,94 @@ TriangleTree::Hit TriangleTree::firstHit(const Vec3& origin, const Vec3& directi
     }
   }
   return hit.triangle == noIndex ? Hit{} : hit;
+}
+
+std::vector<Index> TriangleTree::touching(const LatticeBox& box) const
+{
+  const Box3 wanted{toVector(box.low), toVector(box.high)};
+  std::vector<Index> found;
+  std::vector<Index> open(nodes_.empty() ? 0 : 1, 0);
+  while (!open.empty())
+  {
+    const Index id = open.back();
+    open.pop_back();
+    const Node& node = nodes_[id];
+    if (!touch(node.box, wanted))
+    {
+      continue;
+    }
+    if (node.upper != noIndex)
+    {
+      open.push_back(node.upper);
+      open.push_back(id + 1);
+      continue;
+    }
+    std::copy_if(order_.begin() + node.begin, order_.begin() + node.end, std::back_inserter(found), [&](Index t) {
+      Box3 own;
+      for (int k = 0; k < 3; ++k)
+      {
+        own.extend(toVector(model_.corner(t, k)));
+      }
+      return touch(own, wanted);
+    });
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+std::optional<Vec3> TriangleTree::nearest(const Vec3& p, double farthest,
+                                          const std::function<bool(Index)>& accepts) const
+{
+  std::optional<Vec3> best;
+  Hit least;
+  least.distance = farthest * farthest;
+  // Nodes with a lower bound of their distance; the nearer child is looked at first.
+  std::vector<std::pair<double, Index>> open;
+  const auto add = [&](Index id) {
+    const double distance = squaredDistance(nodes_[id].box, p);
+    if (distance <= least.distance)
+    {
+      open.emplace_back(distance, id);
+    }
+  };
+  if (!nodes_.empty())
+  {
+    add(0);
+  }
+  while (!open.empty())
+  {
+    const auto [bound, id] = open.back();
+    open.pop_back();
+    const Node& node = nodes_[id];
+    if (bound > least.distance)
+    {
+      continue;
+    }
+    if (node.upper != noIndex)
+    {
+      const bool lowerFirst = squaredDistance(nodes_[id + 1].box, p) <= squaredDistance(nodes_[node.upper].box, p);
+      add(lowerFirst ? node.upper : id + 1);
+      add(lowerFirst ? id + 1 : node.upper);
+      continue;
+    }
+    for (Index i = node.begin; i < node.end; ++i)
+    {
+      const Index t = order_[i];
+      if (!accepts(t))
+      {
+        continue;
+      }
+      const Vec3 q = nearestOnTriangle(p, toVector(model_.corner(t, 0)), toVector(model_.corner(t, 1)),
+                                       toVector(model_.corner(t, 2)));
+      const double distance = (q - p).squaredNorm();
+      if (std::tie(distance, t) < std::tie(least.distance, least.triangle))
+      {
+        least = {distance, t};
+        best = q;
+      }
+    }
+  }
+  return best;
 }
 
 } // namespace atria

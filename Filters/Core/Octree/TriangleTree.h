@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Rays against all triangles of a model.
+/// Rays, boxes and points against all triangles of a model.
 #pragma once
 
+#include "Octree/BoxTests.h"
 #include "Surface/SurfaceModel.h"
+
+#include <functional>
+#include <optional>
 
 namespace atria {
 
@@ -22,6 +26,13 @@ public:
   /// farthest), all in lattice units.
   Hit firstHit(const Vec3& origin, const Vec3& direction, double nearest, double farthest) const;
 
+  /// The triangles whose bounds touch the box; sorted.
+  std::vector<Index> touching(const LatticeBox& box) const;
+
+  /// The point nearest to p of the triangles that `accepts`; nothing where there is none nearer than `farthest`. All in
+  /// lattice units.
+  std::optional<Vec3> nearest(const Vec3& p, double farthest, const std::function<bool(Index)>& accepts) const;
+
 private:
   struct Node
   {
@@ -37,6 +48,19 @@ private:
   std::vector<Vec3> centers_;
   std::vector<Index> order_;
   std::vector<Node> nodes_;
+};
+
+/// A tree that is built when it is first asked for. Not by several threads at once.
+class TriangleTreeOnDemand
+{
+public:
+  explicit TriangleTreeOnDemand(const SurfaceModel& model) : model_(model) {}
+
+  const TriangleTree& get() { return tree_ ? *tree_ : tree_.emplace(model_); }
+
+private:
+  const SurfaceModel& model_;
+  std::optional<TriangleTree> tree_;
 };
 
 } // namespace atria

@@ -11,38 +11,21 @@
 
 namespace atria {
 
-namespace {
-
-std::vector<char> boundaryPoints(const DualMesh& mesh)
-{
-  std::vector<char> marked(mesh.points.size(), 0);
-  for (const BoundaryFace& face : mesh.boundaryFaces)
-  {
-    for (const std::uint8_t c : hexahedronFace[face.direction])
-    {
-      marked[mesh.corners[face.element][c]] = 1;
-    }
-  }
-  return marked;
-}
-
-} // namespace
-
 DualImprover::DualImprover(const Octree& octree, const SurfaceModel& model, VertexAnchors anchors,
                            DualMeshResult& result, const RunContext& context)
     : octree_(octree), model_(model), anchors_(std::move(anchors)), result_(result), mesh_(result.mesh),
-      context_(context), vertexOf_(result.mesh.points.size())
+      context_(context), vertexOf_(result.mesh.points.size()), tree_(model)
 {
   std::iota(vertexOf_.begin(), vertexOf_.end(), Index{0});
 }
 
 void DualImprover::improve()
 {
-  ModelGuide guide(octree_, model_, anchors_, mesh_.points, vertexOf_);
+  ModelGuide guide(octree_, model_, tree_, anchors_, mesh_.points, vertexOf_);
   OptimiserOptions options;
   options.targets.decomposed = false;
   const DualSource source(mesh_);
-  optimise(source, mesh_.points, findShortCells(source, boundaryPoints(mesh_), guide, options.targets, context_), guide,
+  optimise(source, mesh_.points, findShortCells(source, boundaryPoints(mesh_), options.targets, context_), guide,
            options, context_);
 }
 
@@ -66,7 +49,7 @@ void DualImprover::growLayers(const std::vector<LayerRule>& rules)
   const auto most = std::ranges::max_element(options.ofTag, {}, &WallLayers::layers);
   DualMesh plain = std::move(mesh_);
   const LayerWalls walls = findLayerWalls(plain, options, context_);
-  LayerImprover improver(octree_, model_, anchors_, vertexOf_, plain, walls, options, context_);
+  LayerImprover improver(octree_, model_, tree_, anchors_, vertexOf_, plain, walls, options, context_);
   LayerMesh layer = improver.run();
   if (most->layers > 1)
   {

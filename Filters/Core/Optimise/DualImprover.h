@@ -36,6 +36,7 @@ private:
   DualMesh& mesh_;
   const RunContext& context_;
   std::vector<Index> vertexOf_;
+  TriangleTreeOnDemand tree_;
 };
 
 } // namespace atria

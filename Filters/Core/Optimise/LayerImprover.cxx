@@ -12,17 +12,10 @@ namespace {
 /// Elements below this share of a target are no better than not valid.
 constexpr float soundEnough = 0.02F;
 
-std::vector<char> boundaryPoints(const LayerMesh& layer)
+/// Those of the layer, too.
+std::vector<char> pointsToJudge(const LayerMesh& layer)
 {
-  const DualMesh& mesh = layer.mesh;
-  std::vector<char> marked(mesh.points.size(), 0);
-  for (const BoundaryFace& face : mesh.boundaryFaces)
-  {
-    for (const std::uint8_t c : hexahedronFace[face.direction])
-    {
-      marked[mesh.corners[face.element][c]] = 1;
-    }
-  }
+  std::vector<char> marked = boundaryPoints(layer.mesh);
   std::fill(marked.begin() + layer.plainPoints, marked.end(), 1);
   return marked;
 }
@@ -46,14 +39,6 @@ std::vector<ShortCell> badOf(const std::vector<ShortCell>& cells)
   return bad;
 }
 
-/// Of points that only are looked at.
-class AnyPlace : public VertexGuide
-{
-public:
-  bool isMovable(Index) const override { return true; }
-  Vec3 place(Index, const Vec3& p) const override { return p; }
-};
-
 /// Halves the layers at the points of cells. Tells whether there was any to halve.
 bool halve(const LayerMesh& layer, const std::vector<ShortCell>& cells, std::vector<Index>& most)
 {
@@ -62,7 +47,7 @@ bool halve(const LayerMesh& layer, const std::vector<ShortCell>& cells, std::vec
   {
     for (const Index p : layer.mesh.corners[cell.cell])
     {
-      walls.push_back(p < layer.plainPoints ? p : layer.wallPoints[p - layer.plainPoints]);
+      walls.push_back(layer.wallPointOf(p));
     }
   }
   std::ranges::sort(walls);
@@ -93,7 +78,7 @@ enum class LayerImprover::Step : std::uint8_t
 struct LayerImprover::Guides
 {
   explicit Guides(const LayerImprover& owner)
-      : model(owner.octree_, owner.model_, owner.anchors_, owner.layer_.mesh.points, owner.vertexOf_),
+      : model(owner.octree_, owner.model_, owner.tree_, owner.anchors_, owner.layer_.mesh.points, owner.vertexOf_),
         layer(owner.layer_, owner.walls_, owner.options_, owner.leaders_, owner.letGo_, model)
   {
   }
@@ -102,11 +87,11 @@ struct LayerImprover::Guides
   LayerGuide layer;
 };
 
-LayerImprover::LayerImprover(const Octree& octree, const SurfaceModel& model, const VertexAnchors& anchors,
-                             const std::vector<Index>& vertexOf, DualMesh& plain, const LayerWalls& walls,
-                             const LayerOptions& options, const RunContext& context)
-    : octree_(octree), model_(model), wanted_(anchors), anchors_(anchors), vertexOf_(vertexOf), plain_(plain),
-      walls_(walls), options_(options), context_(context),
+LayerImprover::LayerImprover(const Octree& octree, const SurfaceModel& model, TriangleTreeOnDemand& tree,
+                             const VertexAnchors& anchors, const std::vector<Index>& vertexOf, DualMesh& plain,
+                             const LayerWalls& walls, const LayerOptions& options, const RunContext& context)
+    : octree_(octree), model_(model), tree_(tree), wanted_(anchors), anchors_(anchors), vertexOf_(vertexOf),
+      plain_(plain), walls_(walls), options_(options), context_(context),
       layered_(std::ranges::any_of(options.ofTag, [](const WallLayers& wall) { return wall.layers > 0; })),
       hasHeights_(std::ranges::any_of(options.ofTag, [](const WallLayers& wall) { return wall.firstHeight > 0.0; })),
       leaders_(vertexOf.size()), mayLeave_(vertexOf.size(), 1), letGo_(vertexOf.size(), 0),
@@ -178,7 +163,7 @@ LayerMesh LayerImprover::divide(const LayerMesh& one) const
     context_.progress.check();
     LayerMesh divided = divideLayer(plain_, walls_, one, options_, most, context_);
     const std::vector<ShortCell> bad =
-        badOf(findShortCells(DualSource(divided.mesh), boundaryPoints(divided), AnyPlace(), limits, context_));
+        badOf(findShortCells(DualSource(divided.mesh), pointsToJudge(divided), limits, context_));
     if (!halve(divided, bad, most))
     {
       return divided;
@@ -190,7 +175,7 @@ void LayerImprover::grow() { layer_ = growLayer(plain_, walls_, options_, exclud
 
 std::vector<ShortCell> LayerImprover::findAll() const
 {
-  return findShortCells(DualSource(layer_.mesh), boundaryPoints(layer_), Guides(*this).layer, targets(), context_);
+  return findShortCells(DualSource(layer_.mesh), pointsToJudge(layer_), targets(), context_);
 }
 
 std::vector<ShortCell> LayerImprover::improve(const std::vector<ShortCell>& cells, int rings)
@@ -230,7 +215,7 @@ template <typename Visit> void LayerImprover::eachLeaderOf(const std::vector<Sho
   {
     for (const Index p : layer_.mesh.corners[cell.cell])
     {
-      visit(leaders_[p < layer_.plainPoints ? p : layer_.wallPoints[p - layer_.plainPoints]]);
+      visit(leaders_[layer_.wallPointOf(p)]);
     }
   }
 }
@@ -315,9 +300,9 @@ void LayerImprover::exclude(const std::vector<ShortCell>& bad)
   {
     for (const Index p : layer_.mesh.corners[cell.cell])
     {
-      if (p >= layer_.plainPoints)
+      if (layer_.isNew(p))
       {
-        excluded_[layer_.wallPoints[p - layer_.plainPoints]] = 1;
+        excluded_[layer_.wallPointOf(p)] = 1;
       }
     }
   }
@@ -336,7 +321,7 @@ void LayerImprover::growAgain(const std::vector<char>& fresh)
 /// Where the points that left their pieces of the model ought to be, seen from where they are.
 std::vector<WantedPlace> LayerImprover::wantedPlaces() const
 {
-  ModelGuide guide(octree_, model_, wanted_, layer_.mesh.points, vertexOf_);
+  ModelGuide guide(octree_, model_, tree_, wanted_, layer_.mesh.points, vertexOf_);
   std::vector<Index> points;
   std::ranges::transform(left_, std::back_inserter(points), &WantedPlace::point);
   guide.prepare(points, context_);

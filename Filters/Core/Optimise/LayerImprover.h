@@ -16,7 +16,7 @@ struct ReleasedVertex
   Vec3 wanted;
 };
 
-/// Elements that the optimiser cannot mend get more room step by step: points farther about them move; vertices leave
+/// Elements that the optimiser cannot mend get more room step by step: vertices leave
 /// curves for the surfaces that meet there; they leave surfaces; they start again from the centres of their octants,
 /// where the plain mesh is valid; the layer is left out. Then each vertex that left goes back as far as it can.
 class LayerImprover
@@ -24,9 +24,9 @@ class LayerImprover
 public:
   /// `vertexOf` gives for each point of the plain mesh the vertex of the anchors it stands for; points of one vertex
   /// are in one place and stay together. The plain mesh's points follow those of the layer's walls.
-  LayerImprover(const Octree& octree, const SurfaceModel& model, const VertexAnchors& anchors,
-                const std::vector<Index>& vertexOf, DualMesh& plain, const LayerWalls& walls,
-                const LayerOptions& options, const RunContext& context);
+  LayerImprover(const Octree& octree, const SurfaceModel& model, TriangleTreeOnDemand& tree,
+                const VertexAnchors& anchors, const std::vector<Index>& vertexOf, DualMesh& plain,
+                const LayerWalls& walls, const LayerOptions& options, const RunContext& context);
 
   /// Without layers asked for, the plain mesh made valid; its elements may be concave then.
   LayerMesh run();
@@ -57,6 +57,7 @@ private:
 
   const Octree& octree_;
   const SurfaceModel& model_;
+  TriangleTreeOnDemand& tree_;
   /// What the model wants, and what is allowed now.
   const VertexAnchors& wanted_;
   VertexAnchors anchors_;

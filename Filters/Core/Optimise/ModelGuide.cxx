@@ -9,9 +9,17 @@
 
 namespace atria {
 
-ModelGuide::ModelGuide(const Octree& octree, const SurfaceModel& model, const VertexAnchors& anchors,
-                       const std::vector<Vec3>& points, std::vector<Index> vertexOf)
-    : octree_(octree), model_(model), anchors_(anchors), points_(points), vertexOf_(std::move(vertexOf))
+namespace {
+
+/// More triangles near a vertex are looked for in a tree.
+constexpr std::size_t mostPieces = 64;
+
+} // namespace
+
+ModelGuide::ModelGuide(const Octree& octree, const SurfaceModel& model, TriangleTreeOnDemand& tree,
+                       const VertexAnchors& anchors, const std::vector<Vec3>& points, std::vector<Index> vertexOf)
+    : octree_(octree), model_(model), anchors_(anchors), points_(points), vertexOf_(std::move(vertexOf)),
+      onDemand_(tree)
 {
 }
 
@@ -30,6 +38,10 @@ void ModelGuide::prepare(std::span<const Index> points, const RunContext& contex
   const std::size_t before = targets_.size();
   targets_.resize(before + fresh.size());
   context.executor.forEach(fresh.size(), 256, [&](std::size_t i) { targets_[before + i] = findTarget(fresh[i]); });
+  if (!tree_ && std::ranges::any_of(targets_, [](const Target& target) { return !target.charts.empty(); }))
+  {
+    tree_ = &onDemand_.get();
+  }
 }
 
 std::vector<Index> ModelGuide::wantedPieces(Index vertex) const
@@ -48,12 +60,10 @@ std::vector<Index> ModelGuide::wantedPieces(Index vertex) const
   return charts;
 }
 
-ModelGuide::Target ModelGuide::findTarget(Index point) const
+/// The pieces that are wanted in the octants about the point's, in order.
+std::vector<ModelItem> ModelGuide::findPieces(Index point, const std::vector<Index>& wanted) const
 {
-  Target target{points_[point], {}};
-  const Index vertex = vertexOf_[point];
-  const Index leaf = anchors_.leaves[vertex];
-  const std::vector<Index> wanted = wantedPieces(vertex);
+  const Index leaf = anchors_.leaves[vertexOf_[point]];
   LatticeBox box{octree_.lowCorner(leaf), octree_.highCorner(leaf)};
   const std::int64_t reach = (box.high[0] - box.low[0]) / 2;
   for (int axis = 0; axis < 3; ++axis)
@@ -61,38 +71,46 @@ ModelGuide::Target ModelGuide::findTarget(Index point) const
     box.low[axis] -= reach;
     box.high[axis] += reach;
   }
-  const auto at = [&](Index p) { return octree_.frame().toModel(model_.points[p]); };
+  const bool isOnCurve = freedomOf(point) == Freedom::curve;
+  const auto fits = [&](ModelItem item) {
+    return isOnCurve
+               ? item.kind == ModelItem::featureEdge &&
+                     std::ranges::binary_search(wanted, model_.featureEdges[item.index].curve)
+               : item.kind == ModelItem::triangle && std::ranges::binary_search(wanted, model_.charts[item.index]);
+  };
   std::vector<ModelItem> found;
   for (const Index near : wanted.empty() ? std::vector<Index>() : leavesTouching(octree_, box))
   {
-    for (const ModelItem item : octree_.items(near))
-    {
-      const bool isOnCurve = freedomOf(point) == Freedom::curve;
-      const bool fits =
-          isOnCurve ? item.kind == ModelItem::featureEdge &&
-                          std::ranges::binary_search(wanted, model_.featureEdges[item.index].curve)
-                    : item.kind == ModelItem::triangle && std::ranges::binary_search(wanted, model_.charts[item.index]);
-      if (fits)
-      {
-        found.push_back(item);
-      }
-    }
+    std::ranges::copy_if(octree_.items(near), std::back_inserter(found), fits);
   }
-  std::ranges::sort(found, {}, [](ModelItem item) { return item.index; });
-  for (std::size_t i = 0; i < found.size(); ++i)
+  const auto indexOf = [](ModelItem item) { return item.index; };
+  std::ranges::sort(found, {}, indexOf);
+  const auto repeated = std::ranges::unique(found, {}, indexOf);
+  found.erase(repeated.begin(), repeated.end());
+  return found;
+}
+
+ModelGuide::Target ModelGuide::findTarget(Index point) const
+{
+  Target target{points_[point], {}, {}};
+  const std::vector<Index> wanted = wantedPieces(vertexOf_[point]);
+  const std::vector<ModelItem> found = findPieces(point, wanted);
+  if (found.size() > mostPieces && found.front().kind == ModelItem::triangle)
   {
-    if (i > 0 && found[i].index == found[i - 1].index)
+    target.charts = wanted;
+    return target;
+  }
+  const auto at = [&](Index p) { return octree_.frame().toModel(model_.points[p]); };
+  for (const ModelItem item : found)
+  {
+    if (item.kind == ModelItem::triangle)
     {
-      continue;
-    }
-    if (found[i].kind == ModelItem::triangle)
-    {
-      const auto& t = model_.triangles[found[i].index];
+      const auto& t = model_.triangles[item.index];
       target.pieces.push_back({at(t[0]), at(t[1]), at(t[2])});
     }
     else
     {
-      const FeatureEdge& edge = model_.featureEdges[found[i].index];
+      const FeatureEdge& edge = model_.featureEdges[item.index];
       target.pieces.push_back({at(edge.a), at(edge.b), at(edge.b)});
     }
   }
@@ -149,7 +167,7 @@ Vec3 ModelGuide::place(Index point, const Vec3& p) const
 Vec3 ModelGuide::nearest(Index point, const Vec3& p) const
 {
   const Target& target = targets_[slotOf_[point]];
-  if (target.pieces.empty())
+  if (target.pieces.empty() && target.charts.empty())
   {
     return target.start;
   }
@@ -159,21 +177,37 @@ Vec3 ModelGuide::nearest(Index point, const Vec3& p) const
   Vec3 q = p;
   for (int i = 0; i < (planes != 0 ? turns : 1); ++i)
   {
-    Vec3 best = q;
-    double least = std::numeric_limits<double>::infinity();
-    for (const auto& [a, b, c] : target.pieces)
-    {
-      const Vec3 near = b == c ? nearestOnSegment(q, a, b) : nearestOnTriangle(q, a, b, c);
-      const double distance = (near - q).squaredNorm();
-      if (distance < least)
-      {
-        least = distance;
-        best = near;
-      }
-    }
-    q = onPlanes(best, planes);
+    q = onPlanes(nearestOf(target, q), planes);
   }
   return q;
+}
+
+Vec3 ModelGuide::nearestOf(const Target& target, const Vec3& p) const
+{
+  const GridFrame& frame = octree_.frame();
+  if (!target.charts.empty())
+  {
+    const auto isWanted = [&](Index t) { return std::ranges::binary_search(target.charts, model_.charts[t]); };
+    const Vec3 wanted = (p - frame.origin) / frame.latticeUnit();
+    // Where it starts a vertex is on its charts, mostly: what is farther away than that is not nearest.
+    const double atMost = 1.001 * (target.start - p).norm() / frame.latticeUnit() + 1.0;
+    std::optional<Vec3> found = tree_->nearest(wanted, atMost, isWanted);
+    found = found ? found : tree_->nearest(wanted, std::numeric_limits<double>::infinity(), isWanted);
+    return found ? Vec3(frame.origin + frame.latticeUnit() * *found) : p;
+  }
+  Vec3 best = p;
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& [a, b, c] : target.pieces)
+  {
+    const Vec3 near = b == c ? nearestOnSegment(p, a, b) : nearestOnTriangle(p, a, b, c);
+    const double distance = (near - p).squaredNorm();
+    if (distance < least)
+    {
+      least = distance;
+      best = near;
+    }
+  }
+  return best;
 }
 
 } // namespace atria

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Dual/DualVertices.h"
+#include "Octree/TriangleTree.h"
 #include "Optimise/VertexGuide.h"
 
 namespace atria {
@@ -11,7 +12,7 @@ class ModelGuide : public VertexGuide
 {
 public:
   /// `vertexOf` gives, for each point of the mesh, the vertex it stands for.
-  ModelGuide(const Octree& octree, const SurfaceModel& model, const VertexAnchors& anchors,
+  ModelGuide(const Octree& octree, const SurfaceModel& model, TriangleTreeOnDemand& tree, const VertexAnchors& anchors,
              const std::vector<Vec3>& points, std::vector<Index> vertexOf);
 
   /// Looks up the pieces of the model near points, before these are moved.
@@ -30,6 +31,8 @@ private:
   {
     Vec3 start;
     std::vector<Piece> pieces;
+    /// Where triangles are many, they are not listed: these charts are looked for in the tree.
+    std::vector<Index> charts;
   };
 
   bool hasPieces(Index point) const
@@ -38,7 +41,9 @@ private:
   }
   Freedom freedomOf(Index point) const { return anchors_.freedom[vertexOf_[point]]; }
   std::vector<Index> wantedPieces(Index vertex) const;
+  std::vector<ModelItem> findPieces(Index point, const std::vector<Index>& wanted) const;
   Target findTarget(Index point) const;
+  Vec3 nearestOf(const Target& target, const Vec3& p) const;
   Vec3 onPlanes(Vec3 p, unsigned planes) const;
   unsigned planesOf(Index leaf) const;
 
@@ -49,6 +54,8 @@ private:
   std::vector<Index> vertexOf_;
   std::vector<Index> slotOf_;
   std::vector<Target> targets_;
+  TriangleTreeOnDemand& onDemand_;
+  const TriangleTree* tree_ = nullptr;
 };
 
 } // namespace atria

@@ -10,6 +10,14 @@ namespace atria {
 
 namespace {
 
+/// Of points that only are looked at.
+class AnyPlace : public VertexGuide
+{
+public:
+  bool isMovable(Index) const override { return true; }
+  Vec3 place(Index, const Vec3& p) const override { return p; }
+};
+
 /// Marks the points of cells marked, or of those that have a marked point.
 void spread(const CellSource& source, const std::vector<char>& cells, std::vector<char>& points)
 {
@@ -221,10 +229,9 @@ void takePoints(const Region& region, std::vector<Vec3>& points)
 } // namespace
 
 std::vector<ShortCell> findShortCells(const CellSource& source, const std::vector<char>& marked,
-                                      const VertexGuide& guide, const QualityTargets& targets,
-                                      const RunContext& context)
+                                      const QualityTargets& targets, const RunContext& context)
 {
-  Region region = extractRegion(source, marked, guide, context);
+  Region region = extractRegion(source, marked, AnyPlace(), context);
   return shortCellsOf(Judge(region, targets, context), context);
 }
 

@@ -444,7 +444,7 @@ std::size_t countEdges(const TriangleSoup& soup, const std::set<EdgeKey>& edges)
 /// closer together than the reach can tell apart, and cutting them only makes more of them.
 constexpr int patience = 1;
 /// Where rounds do not end, the reach is made this many times as wide, and they begin anew.
-constexpr std::int64_t widening = 4;
+constexpr std::int64_t widening = 64;
 
 /// One after the other, until nothing is found or ever more. What then is left is in the report.
 void runRounds(TriangleSoup& soup, std::vector<char> changed, const AutorefineOptions& options,
@@ -498,15 +498,17 @@ void refineAgain(TriangleSoup& soup, const AutorefineOptions& options, std::vect
 {
   const TriangleSoup soupBefore = soup;
   const AutorefineReport reportBefore = report;
-  runRounds(soup, std::move(changed), options, report, context);
   AutorefineOptions wider = options;
-  while (report.unresolvedContacts > 0 && wider.reach * widening <= options.largestReach)
+  wider.reach = std::max(options.reach, report.reach);
+  runRounds(soup, std::move(changed), wider, report, context);
+  while (report.unresolvedContacts > 0 && wider.reach < options.largestReach)
   {
-    wider.reach *= widening;
+    wider.reach = std::min(wider.reach * widening, options.largestReach);
     soup = soupBefore;
     report = reportBefore;
     runRounds(soup, std::vector<char>(soup.triangles.size(), 1), wider, report, context);
   }
+  report.reach = wider.reach;
   const std::size_t before = soup.triangles.size();
   filter(soup, nullptr, [&](const auto& t) { return hasArea(soup, t); });
   report.degenerateTriangles += before - soup.triangles.size();

@@ -13,7 +13,7 @@ struct AutorefineOptions
 {
   /// A point this close to an edge or a triangle, in lattice units, lies on it. At least 3, as points are rounded.
   std::int64_t reach = 4;
-  /// Where ever more is found, all begins anew with a reach four times as wide, up to this.
+  /// Where ever more is found, all begins anew with a reach 64 times as wide, up to this.
   std::int64_t largestReach = 4;
   /// Rounds after which what is still found is left and counted; fewer where ever more is found.
   int maximumRounds = 16;
@@ -31,6 +31,8 @@ struct AutorefineReport
   std::size_t splitTriangles = 0;
   /// Edges on which triangles now meet that only touched or cut each other before.
   std::size_t intersectionEdges = 0;
+  /// The reach that was used last, in lattice units; a later call begins with it.
+  std::int64_t reach = 0;
   /// Contacts left after the last round.
   std::size_t unresolvedContacts = 0;
   /// What the counts are of: per source, whether it was cut; the edges on which triangles now meet.
