@@ -24,6 +24,8 @@ protected:
     atria::testing::addBox(surface, "Building", {Vec3(-1.7, -1.9, 0), Vec3(1.1, 1.4, 2.6)});
     atria::testing::addSheet(surface, "Screen", {2.6, -1.9, 0.0}, {0.0, 3.1, 0.0}, {0.0, 0.0, 2.1});
     setSurface(surface);
+    // So fine that the screen has faces with five others between them and its rim.
+    atria::testing::setGrid(mesher, domain, 0.15, 0.15, 1.2);
   }
 
   vtkIdType invalidCells()

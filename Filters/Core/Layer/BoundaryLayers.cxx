@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Layer/BoundaryLayers.h"
 
-#include "Layer/ElementShape.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -34,8 +32,40 @@ double growthFor(int count, double length, double low)
   return high;
 }
 
-/// Puts the points of chains on their ways.
-void placeChains(LayerMesh& layer, const LayerMesh& one, const std::vector<WallLayers>& asked)
+/// Of the way, at points beside which layers end: what the outermost layer has there at least. Elements that taper off
+/// are flat otherwise.
+constexpr double leastOutermost = 0.5;
+
+/// Marks points with more layers than another one of a face.
+std::vector<char> besideFewer(const DualMesh& plain, const LayerMesh& one, const std::vector<Index>& counts)
+{
+  std::vector<char> marked(counts.size(), 0);
+  for (const Index f : one.wallFaces)
+  {
+    std::array<Index, 4> points;
+    std::ranges::generate(points, [&, i = 0]() mutable { return cornerOf(plain, plain.boundaryFaces[f], i++); });
+    const Index fewest = std::ranges::min(points, {}, [&](Index p) { return counts[p]; });
+    for (const Index p : points)
+    {
+      marked[p] = counts[p] > counts[fewest] ? 1 : marked[p];
+    }
+  }
+  return marked;
+}
+
+/// Gives the outermost layer its least share.
+void thickenOutermost(std::vector<double>& shares)
+{
+  const double inner = shares[shares.size() - 2];
+  for (std::size_t i = 0; i + 1 < shares.size(); ++i)
+  {
+    shares[i] *= std::min(1.0, (1.0 - leastOutermost) / inner);
+  }
+}
+
+/// Puts the points of chains on their ways. Beside those marked in `ends` layers end.
+void placeChains(LayerMesh& layer, const LayerMesh& one, const std::vector<WallLayers>& asked,
+                 const std::vector<char>& ends)
 {
   std::copy_n(one.mesh.points.begin(), one.plainPoints, layer.mesh.points.begin());
   std::vector<double> shares;
@@ -50,45 +80,14 @@ void placeChains(LayerMesh& layer, const LayerMesh& one, const std::vector<WallL
       WallLayers layers = asked[p];
       layers.layers = static_cast<int>(layer.copies[p] - point) + 1;
       shares = divideWay(layers, (copy - wall).norm());
+      if (ends[p] && layers.layers > 1 && layers.firstHeight == 0.0)
+      {
+        thickenOutermost(shares);
+      }
     }
     layer.mesh.points[point] =
         point == layer.copies[p] ? copy : Vec3(wall + shares[layer.places[i] - 1] * (copy - wall));
   }
-}
-
-/// Halves the counts of stacks that hold a prism which is not valid although the undivided one is. Tells whether there
-/// was any.
-bool halveSpoiled(const DualMesh& plain, const LayerMesh& layer, const LayerMesh& one, std::vector<Index>& counts,
-                  const RunContext& context)
-{
-  std::vector<Index> prismOn(plain.boundaryFaces.size(), noIndex);
-  for (std::size_t i = 0; i < one.wallFaces.size(); ++i)
-  {
-    prismOn[one.wallFaces[i]] = one.plainElements + static_cast<Index>(i);
-  }
-  const auto isValid = [](const LayerMesh& of, Index element) {
-    return shapeOf(of.mesh.points, of.mesh.corners[element]).pyramid > 0.0;
-  };
-  std::vector<char> spoiled(layer.wallFaces.size(), 0);
-  context.executor.forEach(spoiled.size(), 2048, [&](std::size_t i) {
-    spoiled[i] =
-        !isValid(layer, layer.plainElements + static_cast<Index>(i)) && isValid(one, prismOn[layer.wallFaces[i]]);
-  });
-  std::vector<char> halved(counts.size(), 0);
-  for (std::size_t i = 0; i < spoiled.size(); ++i)
-  {
-    for (int c = 0; c < 4 && spoiled[i]; ++c)
-    {
-      halved[cornerOf(plain, plain.boundaryFaces[layer.wallFaces[i]], c)] = 1;
-    }
-  }
-  bool any = false;
-  for (std::size_t p = 0; p < counts.size(); ++p)
-  {
-    any = any || (halved[p] && counts[p] > 1);
-    counts[p] = halved[p] ? (counts[p] + 1) / 2 : counts[p];
-  }
-  return any;
 }
 
 } // namespace
@@ -135,43 +134,44 @@ std::vector<WallLayers> layersOfPoints(const DualMesh& mesh, const LayerWalls& w
   return out;
 }
 
-LayerMesh divideLayer(const DualMesh& plain, const LayerWalls& walls, const LayerMesh& one, const LayerOptions& options,
-                      const std::vector<Index>& most, const RunContext& context)
+std::vector<Index> layersWanted(const DualMesh& plain, const LayerWalls& walls, const LayerMesh& one,
+                                const LayerOptions& options)
 {
   const std::vector<WallLayers> asked = layersOfPoints(plain, walls, options);
   std::vector<Index> counts(one.copies.size());
   for (std::size_t p = 0; p < counts.size(); ++p)
   {
     counts[p] = one.copies[p] == noIndex ? 0 : static_cast<Index>(asked[p].layers);
-    counts[p] = most.empty() ? counts[p] : std::min(counts[p], most[p]);
   }
-  LayerMesh out;
-  do
-  {
-    context.progress.check();
-    out = buildLayer(plain, walls, counts);
-    placeChains(out, one, asked);
-  } while (halveSpoiled(plain, out, one, counts, context));
-  return out;
+  return counts;
 }
 
-LayerMesh layWalls(const DualMesh& plain, const LayerWalls& walls, const LayerOptions& options,
-                   const RunContext& context)
+void limitSteps(const DualMesh& plain, const LayerMesh& one, std::vector<Index>& counts)
 {
-  std::vector<char> excluded(plain.points.size(), 0);
-  LayerMesh one = growLayer(plain, walls, options, excluded, context);
-  for (std::vector<Index> points = pointsWithoutRoom(plain, one, context); !points.empty();
-       points = pointsWithoutRoom(plain, one, context))
+  for (bool changed = true; changed;)
   {
-    for (const Index p : points)
+    changed = false;
+    for (const Index f : one.wallFaces)
     {
-      excluded[p] = 1;
+      for (int i = 0; i < 4; ++i)
+      {
+        Index& here = counts[cornerOf(plain, plain.boundaryFaces[f], i)];
+        Index& next = counts[cornerOf(plain, plain.boundaryFaces[f], i + 1)];
+        Index& more = here > next ? here : next;
+        const Index most = std::min(here, next) + 1;
+        changed = changed || more > most;
+        more = std::min(more, most);
+      }
     }
-    one = growLayer(plain, walls, options, excluded, context);
   }
-  const bool divided = std::any_of(options.ofTag.begin(), options.ofTag.end(),
-                                   [](const WallLayers& layers) { return layers.layers > 1; });
-  return divided ? divideLayer(plain, walls, one, options, {}, context) : std::move(one);
+}
+
+LayerMesh divideLayer(const DualMesh& plain, const LayerWalls& walls, const LayerMesh& one, const LayerOptions& options,
+                      const std::vector<Index>& counts)
+{
+  LayerMesh out = buildLayer(plain, walls, counts);
+  placeChains(out, one, layersOfPoints(plain, walls, options), besideFewer(plain, one, counts));
+  return out;
 }
 
 } // namespace atria

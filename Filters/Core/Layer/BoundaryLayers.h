@@ -6,17 +6,24 @@
 
 namespace atria {
 
-/// Divides the conforming layer: each copy's way from its wall point becomes a chain of as many layers as all walls
-/// about the point ask for (the least of them), with the least of their first heights and of their growths. The points
-/// of `one` are kept, those moved since it was grown too; new ones lie on the straight line between wall point and
-/// copy.
+/// How many layers each point of the plain mesh is to have: what all walls about it ask for (the least of them), or
+/// none where `one` has no layer.
+std::vector<Index> layersWanted(const DualMesh& plain, const LayerWalls& walls, const LayerMesh& one,
+                                const LayerOptions& options);
+
+/// Lowers counts until those of neighbours on a wall differ by one at most, so that layers taper off one at a time, the
+/// outermost and thickest first.
+void limitSteps(const DualMesh& plain, const LayerMesh& one, std::vector<Index>& counts);
+
+/// Divides the conforming layer: each copy's way from its wall point becomes a chain of `counts` layers, with the least
+/// of the first heights and of the growths that the walls about the point ask for. The points of `one` are kept, those
+/// moved since it was grown too; new ones lie on the straight line between wall point and copy.
 ///
 /// The layers fill the way. If it is shorter than they should be in all, all heights are scaled down alike; if it is
 /// longer, the first height is kept and growth is raised, to `maximumGrowth` at most, then all are scaled up. Without a
-/// first height they grow as asked. Where a part of a valid prism would not be valid, its points get half as many
-/// layers, and so on. `most` is the most layers each point may have; empty for any.
+/// first height they grow as asked, except beside points with fewer: there the outermost has half of the way.
 LayerMesh divideLayer(const DualMesh& plain, const LayerWalls& walls, const LayerMesh& one, const LayerOptions& options,
-                      const std::vector<Index>& most, const RunContext& context);
+                      const std::vector<Index>& counts);
 inline constexpr double maximumGrowth = 2.0;
 
 /// The shares of a way of length `way` at which its layers end: count entries, rising, the last 1.
@@ -24,10 +31,5 @@ std::vector<double> divideWay(const WallLayers& layers, double way);
 
 /// What all walls about each point ask for: the least number, first height (of those that are given) and growth.
 std::vector<WallLayers> layersOfPoints(const DualMesh& mesh, const LayerWalls& walls, const LayerOptions& options);
-
-/// Grows the layer, excludes the points where it has no room (pointsWithoutRoom), and does so again until there are none;
-/// then divides it. For use without an optimiser.
-LayerMesh layWalls(const DualMesh& plain, const LayerWalls& walls, const LayerOptions& options,
-                   const RunContext& context);
 
 } // namespace atria

@@ -258,30 +258,4 @@ LayerMesh growLayer(const DualMesh& plain, const LayerWalls& walls, const LayerO
   return layer;
 }
 
-std::vector<Index> pointsWithoutRoom(const DualMesh& plain, const LayerMesh& layer, const RunContext& context)
-{
-  const DualMesh& mesh = layer.mesh;
-  std::vector<char> bad(mesh.elementCount(), 0);
-  context.executor.forEach(mesh.elementCount(), 2048, [&](std::size_t e) {
-    const auto& corners = mesh.corners[e];
-    const bool touched = std::any_of(corners.begin(), corners.end(), [&](Index p) { return layer.isNew(p); });
-    bad[e] = touched && shapeOf(mesh.points, corners).pyramid <= 0.0 &&
-             (e >= layer.plainElements || shapeOf(plain.points, plain.corners[e]).pyramid > 0.0);
-  });
-  std::vector<Index> out;
-  for (std::size_t e = 0; e < bad.size(); ++e)
-  {
-    for (const Index p : mesh.corners[e])
-    {
-      if (bad[e] && layer.isNew(p))
-      {
-        out.push_back(layer.wallPointOf(p));
-      }
-    }
-  }
-  std::sort(out.begin(), out.end());
-  out.erase(std::unique(out.begin(), out.end()), out.end());
-  return out;
-}
-
 } // namespace atria

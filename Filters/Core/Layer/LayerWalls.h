@@ -18,7 +18,7 @@ struct LayerOptions
   /// (findWallSizes).
   double relativeThickness = 0.3;
   /// The same for more layers than one, which else would be very thin.
-  double dividedThickness = 0.5;
+  double dividedThickness = 0.6;
 
   Index surfaceCount() const { return static_cast<Index>(ofTag.size()) - 6; }
 };

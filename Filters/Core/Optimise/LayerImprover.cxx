@@ -39,27 +39,47 @@ std::vector<ShortCell> badOf(const std::vector<ShortCell>& cells)
   return bad;
 }
 
-/// Halves the layers at the points of cells. Tells whether there was any to halve.
-bool halve(const LayerMesh& layer, const std::vector<ShortCell>& cells, std::vector<Index>& most)
+/// Takes a layer away at the points of cells that have several.
+void lower(const LayerMesh& layer, const std::vector<ShortCell>& cells, std::vector<Index>& counts)
 {
-  std::vector<Index> walls;
+  std::vector<char> marked(counts.size(), 0);
   for (const ShortCell& cell : cells)
   {
     for (const Index p : layer.mesh.corners[cell.cell])
     {
-      walls.push_back(layer.wallPointOf(p));
+      marked[layer.wallPointOf(p)] = 1;
     }
   }
-  std::ranges::sort(walls);
-  walls.erase(std::unique(walls.begin(), walls.end()), walls.end());
-  bool any = false;
-  for (const Index p : walls)
+  for (Index p = 0; p < counts.size(); ++p)
   {
-    const Index has = layer.copies[p] == noIndex ? 0 : layer.places[layer.copies[p] - layer.plainPoints];
-    most[p] = has > 1 ? (has + 1) / 2 : most[p];
-    any = any || has > 1;
+    counts[p] = marked[p] && counts[p] > 1 ? counts[p] - 1 : counts[p];
   }
-  return any;
+}
+
+/// Marks the points of a layer that are, or are of a face with one, above points of the wall whose counts differ.
+std::vector<char> pointsChanged(const DualMesh& plain, const LayerMesh& layer, const std::vector<Index>& before,
+                                const std::vector<Index>& after)
+{
+  std::vector<char> about(before.size(), 0);
+  for (const Index f : layer.wallFaces)
+  {
+    bool changed = false;
+    for (int i = 0; i < 4; ++i)
+    {
+      const Index p = cornerOf(plain, plain.boundaryFaces[f], i);
+      changed = changed || before[p] != after[p];
+    }
+    for (int i = 0; i < 4 && changed; ++i)
+    {
+      about[cornerOf(plain, plain.boundaryFaces[f], i)] = 1;
+    }
+  }
+  std::vector<char> marked(layer.mesh.points.size());
+  for (Index p = 0; p < marked.size(); ++p)
+  {
+    marked[p] = about[layer.wallPointOf(p)];
+  }
+  return marked;
 }
 
 } // namespace
@@ -146,28 +166,22 @@ LayerMesh LayerImprover::run()
 
 LayerMesh LayerImprover::divide(const LayerMesh& one) const
 {
-  const auto greatest = std::ranges::max_element(options_.ofTag, {}, &WallLayers::layers);
-  std::vector<Index> most(plain_.points.size(), static_cast<Index>(greatest->layers));
-  // What is thin is skew beside what is not: only what is not valid counts, or fewer layers here would ask for fewer
-  // beside them, and so on over the whole wall.
-  QualityTargets limits = targets();
-  limits.decomposed = false;
-  limits.convex = false;
-  limits.skewness.limit = 1e3;
-  limits.weight.limit = -1.0;
-  limits.volumeRatio.limit = -1.0;
-  limits.faceCosine.limit = 0.0;
-  limits.pyramidCosine.limit = 0.0;
+  std::vector<Index> counts = layersWanted(plain_, walls_, one, options_);
+  limitSteps(plain_, one, counts);
+  LayerMesh divided = divideLayer(plain_, walls_, one, options_, counts);
+  std::vector<char> toJudge = pointsToJudge(divided);
   for (;;)
   {
     context_.progress.check();
-    LayerMesh divided = divideLayer(plain_, walls_, one, options_, most, context_);
-    const std::vector<ShortCell> bad =
-        badOf(findShortCells(DualSource(divided.mesh), pointsToJudge(divided), limits, context_));
-    if (!halve(divided, bad, most))
+    const std::vector<Index> before = counts;
+    lower(divided, badOf(findShortCells(DualSource(divided.mesh), toJudge, targets(), context_)), counts);
+    if (counts == before)
     {
       return divided;
     }
+    limitSteps(plain_, one, counts);
+    divided = divideLayer(plain_, walls_, one, options_, counts);
+    toJudge = pointsChanged(plain_, divided, before, counts);
   }
 }
 

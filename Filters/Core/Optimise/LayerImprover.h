@@ -30,7 +30,7 @@ public:
 
   /// Without layers asked for, the plain mesh made valid; its elements may be concave then.
   LayerMesh run();
-  /// Divides the layer into those asked for; fewer at points where elements would not be valid.
+  /// Divides the layer into those asked for; fewer at points where elements would not be valid, and about them.
   LayerMesh divide(const LayerMesh& one) const;
   /// Those that did not get back, in rising order of points.
   const std::vector<ReleasedVertex>& released() const { return released_; }
