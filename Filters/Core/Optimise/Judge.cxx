@@ -36,6 +36,18 @@ Vec3 triangle(const Vec3& a, const Vec3& b, const Vec3& c)
 
 } // namespace
 
+QualityTargets QualityTargets::beyond(double share) const
+{
+  QualityTargets out = *this;
+  for (QualityRange* range : {&out.pyramidCosine, &out.convexity, &out.faceCosine, &out.skewness, &out.weight,
+                              &out.volumeRatio, &out.cornerVolume, &out.boundaryShape, &out.determinant})
+  {
+    *range = range->beyond(share);
+  }
+  out.scaledJacobian *= 1.0 + share;
+  return out;
+}
+
 Judge::Judge(Region& region, const QualityTargets& targets, const RunContext& context)
     : region_(region), targets_(targets), faces(region.faceCount()), fans(region.facePoints.size()),
       halves(region.facePoints.size()), cells(region.cellCount()), sizes(region.judgedCount()),

@@ -22,6 +22,8 @@ struct QualityRange
     limit = limit < target ? std::min(limit, limitThere) : std::max(limit, limitThere);
     target = wanted;
   }
+  /// The target moved away from the limit by this share of the way between them.
+  QualityRange beyond(double share) const { return {limit, target + share * (target - limit)}; }
 };
 
 /// What good cells have. The limits leave a little room to those of OpenFOAM's checkMesh. See Judge for the measures.
@@ -57,6 +59,9 @@ struct QualityTargets
   bool decomposed = true;
   /// Verdict's scaled Jacobian of cells that have one, its limit 0; a target of 0 asks for nothing.
   double scaledJacobian = 0.0;
+
+  /// All targets farther from their limits: measures creep up to what is aimed at and stop just short of it.
+  QualityTargets beyond(double share) const;
 };
 
 /// Sum of (1 - q)² over all measures q below 1, and the least q.

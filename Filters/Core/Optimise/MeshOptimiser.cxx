@@ -5,6 +5,13 @@
 
 namespace atria {
 
+namespace {
+
+/// Points are not moved for what is within a hundredth of what is aimed at, so aim a little beyond the targets.
+constexpr double margin = 0.03;
+
+} // namespace
+
 MeshOptimiserOptions::MeshOptimiserOptions()
 {
   optimiser.sweeps = 50;
@@ -32,7 +39,9 @@ MeshOptimiserReport optimiseMesh(FaceMesh& mesh, const CellArrays& cells, std::s
   report.shortBefore = shortCells.size();
   context.progress.report(0.4, "Moving points");
   const std::vector<Vec3> before = mesh.points;
-  optimise(source, mesh.points, shortCells, guide, options.optimiser, context.part(0.4, 0.9));
+  OptimiserOptions aims = options.optimiser;
+  aims.targets = targets.beyond(margin);
+  optimise(source, mesh.points, shortCells, guide, aims, context.part(0.4, 0.9));
   for (std::size_t p = 0; p < before.size(); ++p)
   {
     marked[p] = before[p] != mesh.points[p] ? 1 : 0;
