@@ -17,9 +17,8 @@
  * others slide along the boundary as it was, so what is flat stays flat. Points of the boundary that are in one place,
  * such as those on the two sides of a sheet, move as one.
  *
- * The worst of the mesh never gets worse: not by CellSquish, FaceSquish, NonOrthogonality, OrthogonalQuality,
- * FacePyramids or ScaledJacobian of vtkAtriaMeshQuality; by Skewness not above TargetSkewness, nor by AspectRatio above
- * 10. The result has the same bits for any number of threads.
+ * The worst of the mesh never gets worse, by no metric of vtkAtriaMeshQuality, nor by Determinant, FaceWeight and
+ * VolumeRatio of its CheckMesh. The result has the same bits for any number of threads.
  *
  * Output port 0 is the mesh with its points moved, in double precision, and all its arrays. Output port 1 has the
  * patches with the same points moved, if there are any. What a mesh's connectivity or boundary makes impossible stays

@@ -34,6 +34,20 @@ Vec3 triangle(const Vec3& a, const Vec3& b, const Vec3& c)
   return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
 }
 
+/// As in Quality/CheckQuantities.h.
+double weightOf(const FaceMeasure& face, const CellMeasure& own, const CellMeasure& other)
+{
+  const double nearer = std::abs(face.normal.dot(face.centroid - own.centroid));
+  const double farther = std::abs(face.normal.dot(other.centroid - face.centroid));
+  return std::min(nearer, farther) / (nearer + farther + tiny);
+}
+
+double volumeRatioOf(const CellMeasure& own, const CellMeasure& other)
+{
+  const double larger = std::max(std::abs(own.volume), std::abs(other.volume));
+  return std::min(own.volume, other.volume) / (larger + tiny);
+}
+
 } // namespace
 
 QualityTargets QualityTargets::beyond(double share) const
@@ -337,12 +351,8 @@ Score Judge::scoreOfFace(Index face) const
     score.add(targets_.faceCosine.of(f.normal.dot(d) / (d.norm() + tiny)));
   }
   scoreSkewness(face, d, score);
-  const double nearer = std::abs(f.normal.dot(f.centroid - own.centroid));
-  const double farther = std::abs(f.normal.dot(other.centroid - f.centroid));
-  score.add(targets_.weight.of(std::min(nearer, farther) / (nearer + farther + tiny)));
-  const double smaller = std::min(own.volume, other.volume);
-  const double larger = std::max(std::abs(own.volume), std::abs(other.volume));
-  score.add(targets_.volumeRatio.of(smaller / (larger + tiny)));
+  score.add(targets_.weight.of(weightOf(f, own, other)));
+  score.add(targets_.volumeRatio.of(volumeRatioOf(own, other)));
   return score;
 }
 
@@ -438,6 +448,8 @@ LeastMetrics Judge::metricsOfCell(Index cell) const
     }
   }
   least.take(LeastMetrics::inverseAspectRatio, farthest > 0.0 ? nearest / farthest : 0.0);
+  least.take(LeastMetrics::volume, measure.volume);
+  least.take(LeastMetrics::determinant, determinantOf(cell));
   const JacobianTerms terms = jacobiansOf(cell);
   for (std::size_t i = 0; i < terms.count; ++i)
   {
@@ -450,16 +462,19 @@ LeastMetrics Judge::metricsOfFace(Index face) const
 {
   LeastMetrics least;
   const FaceMeasure& f = faces[face];
-  const Vec3& own = cells[region_.owner[face]].centroid;
+  const CellMeasure& own = cells[region_.owner[face]];
   const Index across = region_.neighbour[face];
   if (across == noIndex)
   {
-    least.take(LeastMetrics::skewness, -skewnessOf(face, f.normal.dot(f.centroid - own) * f.normal, 0.0));
+    least.take(LeastMetrics::skewness, -skewnessOf(face, f.normal.dot(f.centroid - own.centroid) * f.normal, 0.0));
     return least;
   }
-  const Vec3 d = cells[across].centroid - own;
+  const CellMeasure& other = cells[across];
+  const Vec3 d = other.centroid - own.centroid;
   least.take(LeastMetrics::faceCosine, f.normal.dot(d) / (d.norm() + tiny));
   least.take(LeastMetrics::skewness, -skewnessOf(face, d, 0.0));
+  least.take(LeastMetrics::weight, weightOf(f, own, other));
+  least.take(LeastMetrics::volumeRatio, volumeRatioOf(own, other));
   return least;
 }
 

@@ -89,8 +89,8 @@ struct Score
   }
 };
 
-/// The least of what Quality/Metrics.h and Quality/ScaledJacobian.h measure of cells and their faces. Skewness counts
-/// negative, so that more is better in all.
+/// The least of what Quality/Metrics.h measures of cells and their faces, and some of Quality/CheckQuantities.h.
+/// Skewness counts negative, so that more is better in all.
 struct LeastMetrics
 {
   enum Metric : std::uint8_t
@@ -100,20 +100,17 @@ struct LeastMetrics
     skewness,
     inverseAspectRatio,
     facePyramid,
+    volume,
     scaledJacobian,
+    weight,      ///< OpenFOAM's interpolation weight
+    volumeRatio, ///< of neighbours, the smaller over the larger
+    determinant, ///< OpenFOAM's
     count
   };
   std::array<double, count> values;
 
   LeastMetrics() { values.fill(std::numeric_limits<double>::infinity()); }
   void take(Metric metric, double value) { values[metric] = std::min(values[metric], value); }
-  /// Lets go what is of little use as such and better than good enough.
-  void relax(const QualityTargets& targets)
-  {
-    constexpr double longEnough = 0.1;
-    values[skewness] = std::min(values[skewness], -targets.skewness.target);
-    values[inverseAspectRatio] = std::min(values[inverseAspectRatio], longEnough);
-  }
   void take(const LeastMetrics& other)
   {
     for (std::size_t m = 0; m < count; ++m)

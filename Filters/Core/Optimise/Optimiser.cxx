@@ -103,18 +103,16 @@ public:
         awake(region.movable.size(), 1), failures(region.movable.size(), 0)
   {
     findNeighbours();
+    if (options.keepWorst)
+    {
+      floor = leastOf(judge, context);
+    }
   }
 
   /// The number of points moved.
   std::size_t sweep()
   {
     std::vector<char> moved(region.movable.size(), 0);
-    LeastMetrics floor;
-    if (options.keepWorst)
-    {
-      floor = leastOf(judge, context);
-      floor.relax(options.targets);
-    }
     const SearchRules rules{options.keepWorst ? &floor : nullptr, options.tryMiddle};
     for (std::size_t c = 0; c + 1 < colours.offsets.size(); ++c)
     {
@@ -189,6 +187,8 @@ private:
   const VertexGuide& guide;
   const OptimiserOptions& options;
   const RunContext& context;
+  /// Of the cells as they were at first.
+  LeastMetrics floor;
   Colours colours;
   std::vector<double> trust;
   std::vector<char> awake;
