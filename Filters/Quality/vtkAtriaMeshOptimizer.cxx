@@ -6,7 +6,11 @@
 #include "SmpExecutor.h"
 #include "VtkFaceMesh.h"
 
+#include <vtkCellData.h>
 #include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkFloatArray.h>
+#include <vtkIdTypeArray.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkNew.h>
@@ -97,6 +101,37 @@ void movePatches(vtkPartitionedDataSetCollection* from, const std::vector<atria:
   }
 }
 
+void addCount(const char* name, std::size_t count, vtkFieldData* data)
+{
+  vtkNew<vtkIdTypeArray> array;
+  array->SetName(name);
+  array->InsertNextValue(static_cast<vtkIdType>(count));
+  data->AddArray(array);
+}
+
+/// What was done, and how far it got.
+void addReport(const atria::MeshOptimiserReport& report, vtkUnstructuredGrid* before, vtkUnstructuredGrid* mesh)
+{
+  vtkNew<vtkFloatArray> shares;
+  shares->SetName("TargetShare");
+  shares->SetNumberOfTuples(mesh->GetNumberOfCells());
+  std::ranges::copy(report.shares, shares->GetPointer(0));
+  mesh->GetCellData()->AddArray(shares);
+  vtkNew<vtkDoubleArray> moves;
+  moves->SetName("Displacement");
+  moves->SetNumberOfComponents(3);
+  moves->SetNumberOfTuples(mesh->GetNumberOfPoints());
+  for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
+  {
+    const atria::Vec3 move = atria::Vec3(mesh->GetPoint(p)) - atria::Vec3(before->GetPoint(p));
+    moves->SetTypedTuple(p, move.data());
+  }
+  mesh->GetPointData()->AddArray(moves);
+  addCount("MovedPoints", report.movedPoints, mesh->GetFieldData());
+  addCount("PoorCellsBefore", report.shortBefore, mesh->GetFieldData());
+  addCount("PoorCells", report.shortAfter, mesh->GetFieldData());
+}
+
 } // namespace
 
 vtkAtriaMeshOptimizer::vtkAtriaMeshOptimizer()
@@ -162,6 +197,7 @@ int vtkAtriaMeshOptimizer::RequestData(vtkInformation*, vtkInformationVector** i
     vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs, 0);
     output->ShallowCopy(volume);
     output->SetPoints(toVtkPoints(source.mesh.points));
+    addReport(report, volume, output);
     if (patches)
     {
       movePatches(patches, source.mesh.points, vtkPartitionedDataSetCollection::GetData(outputs, 1));

@@ -20,9 +20,14 @@
  * The worst of the mesh never gets worse, by no metric of vtkAtriaMeshQuality, nor by Determinant, FaceWeight and
  * VolumeRatio of its CheckMesh. The result has the same bits for any number of threads.
  *
- * Output port 0 is the mesh with its points moved, in double precision, and all its arrays. Output port 1 has the
- * patches with the same points moved, if there are any. What a mesh's connectivity or boundary makes impossible stays
- * bad: see GetNumberOfPoorCells().
+ * Output port 0 is the mesh with its points moved, in double precision, and all its arrays. Besides it has
+ * - cell array `TargetShare` (float): the least of the cell's measures, those of its faces included, on a scale on
+ * which 1 reaches all targets and 0 is the limit of what solvers take. What a mesh's connectivity or boundary makes
+ * impossible stays below 1;
+ * - point array `Displacement` (double, 3 components): how far the point was moved, model units;
+ * - field arrays `MovedPoints`, `PoorCellsBefore` and `PoorCells` (id): see GetNumberOfMovedPoints() and the next.
+ *
+ * Output port 1 has the patches with the same points moved, if there are any.
  *
  * A cell of another type or dimension, one that does not fit the others, and patches that do not belong to the mesh are
  * errors that name them.

@@ -122,11 +122,52 @@ TEST_F(MeshOptimizer, PassesAllDataAndLeavesItsInputAlone)
   }
   EXPECT_EQ(moved, filter->GetNumberOfMovedPoints());
   EXPECT_GT(moved, 0);
-  // But for the points all is the same.
+  // But for the points and what tells of them all is the same.
   vtkNew<vtkUnstructuredGrid> back;
   back->ShallowCopy(out);
   back->SetPoints(mesh->GetPoints());
+  back->GetPointData()->RemoveArray("Displacement");
+  back->GetCellData()->RemoveArray("TargetShare");
+  for (const char* count : {"MovedPoints", "PoorCellsBefore", "PoorCells"})
+  {
+    back->GetFieldData()->RemoveArray(count);
+  }
   EXPECT_TRUE(atria::testing::identical(back, copy));
+}
+
+TEST_F(MeshOptimizer, TellsWhatItDidAndWhatIsLeft)
+{
+  filter->SetTargetScaledJacobian(0.6);
+  vtkUnstructuredGrid* out = run();
+  const auto count = [&](const char* name) {
+    return static_cast<vtkIdType>(out->GetFieldData()->GetArray(name)->GetTuple1(0));
+  };
+  EXPECT_EQ(count("MovedPoints"), filter->GetNumberOfMovedPoints());
+  EXPECT_EQ(count("PoorCellsBefore"), filter->GetNumberOfPoorCellsBefore());
+  EXPECT_EQ(count("PoorCells"), filter->GetNumberOfPoorCells());
+  vtkDataArray* shares = out->GetCellData()->GetArray("TargetShare");
+  vtkNew<vtkAtriaMeshQuality> quality;
+  quality->SetInputData(out);
+  quality->Update();
+  vtkCellData* measured = vtkUnstructuredGrid::SafeDownCast(quality->GetOutputDataObject(0))->GetCellData();
+  vtkIdType poor = 0;
+  for (vtkIdType c = 0; c < out->GetNumberOfCells(); ++c)
+  {
+    const double share = shares->GetTuple1(c);
+    EXPECT_LE(share, 1.0);
+    poor += share < 1.0 ? 1 : 0;
+    const double jacobian = measured->GetArray("ScaledJacobian")->GetTuple1(c);
+    EXPECT_TRUE(std::isnan(jacobian) || share <= jacobian / 0.6 + 1e-6) << "cell " << c;
+    EXPECT_TRUE(share < 1.0 || measured->GetArray("NonOrthogonality")->GetTuple1(c) <= 60.0 + 1e-6) << "cell " << c;
+    EXPECT_TRUE(share < 1.0 || measured->GetArray("Skewness")->GetTuple1(c) <= 2.0 + 1e-6) << "cell " << c;
+  }
+  EXPECT_GT(poor, 0);
+  EXPECT_EQ(poor, filter->GetNumberOfPoorCells());
+  vtkDataArray* moves = out->GetPointData()->GetArray("Displacement");
+  for (vtkIdType p = 0; p < out->GetNumberOfPoints(); ++p)
+  {
+    EXPECT_EQ(Vec3(moves->GetTuple3(p)), Vec3(out->GetPoint(p)) - Vec3(mesh->GetPoint(p)));
+  }
 }
 
 TEST_F(MeshOptimizer, TakesPointsInSinglePrecision)

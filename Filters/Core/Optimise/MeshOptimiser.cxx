@@ -57,7 +57,13 @@ MeshOptimiserReport optimiseMesh(FaceMesh& mesh, const CellArrays& cells, std::s
     }
   }
   context.progress.report(0.9, "Judging cells");
-  report.shortAfter = findShortCells(source, marked, targets, context).size();
+  const std::vector<ShortCell> left = findShortCells(source, marked, targets, context);
+  report.shortAfter = left.size();
+  report.shares.assign(mesh.cellCount, 1.0F);
+  for (const ShortCell& cell : left)
+  {
+    report.shares[cell.cell] = cell.worst;
+  }
   context.progress.report(1.0, "Mesh improved");
   return report;
 }

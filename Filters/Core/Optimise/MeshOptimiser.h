@@ -24,6 +24,9 @@ struct MeshOptimiserReport
   /// Cells that fell short of a target, and that do now.
   std::size_t shortBefore = 0;
   std::size_t shortAfter = 0;
+  /// By cell the least of its measures, those of its faces included, now: 0 at the limit of what is valid or usable,
+  /// 1 where all targets are reached.
+  std::vector<float> shares;
 };
 
 /// Moves points of a mesh that was made of `cells`. `patches` gives the patch of each boundary face, or is empty; edges
