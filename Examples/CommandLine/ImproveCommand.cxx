@@ -30,6 +30,7 @@ struct Options
   std::string patches;
   std::string patchesOutput;
   std::string openfoam;
+  bool restoreOffset = false;
   double featureAngle = 30.0;
   bool fixBoundary = false;
   double squish = 0.8;
@@ -103,7 +104,7 @@ void writeFiles(vtkAtriaMeshOptimizer* optimizer, const Options& options, Consol
   }
   if (!options.openfoam.empty())
   {
-    writeOpenFOAM(options.openfoam, optimizer->GetOutput(), optimizer->GetPatches(), false, console);
+    writeOpenFOAM(options.openfoam, optimizer->GetOutput(), optimizer->GetPatches(), options.restoreOffset, console);
   }
 }
 
@@ -172,9 +173,12 @@ void addImproveCommand(CLI::App& app, Console& console, ExitStatus& status)
   command->add_option("--patches-output", options->patchesOutput, "Also write the patches as they are then")
       ->needs(patches)
       ->type_name("OUT.vtpc");
-  command->add_option("--openfoam", options->openfoam, "Also write an OpenFOAM case with the mesh")
-      ->needs(patches)
-      ->type_name("DIR");
+  auto* openfoam = command->add_option("--openfoam", options->openfoam, "Also write an OpenFOAM case with the mesh");
+  openfoam->needs(patches)->type_name("DIR");
+  command
+      ->add_flag("--restore-offset", options->restoreOffset,
+                 "Write the OpenFOAM case where the model was before `atria mesh --recentre` moved it")
+      ->needs(openfoam);
   command
       ->add_option("--feature-angle", options->featureAngle,
                    "Edges of the boundary that turn by more are kept, degrees")
