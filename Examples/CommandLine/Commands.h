@@ -35,5 +35,6 @@ public:
 void addMeshCommand(CLI::App& app, Console& console, ExitStatus& status);
 void addInspectCommand(CLI::App& app, Console& console, ExitStatus& status);
 void addQualityCommand(CLI::App& app, Console& console, ExitStatus& status);
+void addImproveCommand(CLI::App& app, Console& console, ExitStatus& status);
 
 } // namespace atria::tool

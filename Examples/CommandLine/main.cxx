@@ -41,6 +41,7 @@ int main(int argc, char** argv)
   addMeshCommand(app, console, status);
   addInspectCommand(app, console, status);
   addQualityCommand(app, console, status);
+  addImproveCommand(app, console, status);
   try
   {
     app.parse(argc, argv);

@@ -47,7 +47,8 @@ class CommandLine(unittest.TestCase):
         self.assertNotIn("\r", run.stderr)
 
     def test_help_is_no_error(self):
-        for arguments in (["--help"], ["mesh", "--help"], ["inspect", "--help"], ["quality", "--help"], ["--version"]):
+        for arguments in (["--help"], ["mesh", "--help"], ["inspect", "--help"], ["quality", "--help"], ["improve", "--help"],
+                          ["--version"]):
             run = self.atria(*arguments)
             self.assertEqual((run.returncode, run.stderr), (0, ""), arguments)
 
@@ -291,6 +292,35 @@ class CommandLine(unittest.TestCase):
         self.refuses(2, "--output", "quality", mesh, "--worst", 5)
         self.refuses(2, "--beyond", "quality", mesh, "--worst", 5, "--beyond", 1, "-o", worst)
         self.refuses(3, "CellSquish", "quality", mesh, "--worst", 5, "--metric", "Beauty", "-o", worst)
+
+    def test_improve_moves_points_and_tells(self):
+        mesh, patches = self.folder / "rough.vtu", self.folder / "rough.vtpc"
+        better, patches_then, case = self.folder / "better.vtu", self.folder / "better.vtpc", self.folder / "better"
+        run = self.atria("mesh", HOUSE, "-o", mesh, "--patches", patches, *COARSE)
+        self.assertIn(run.returncode, (0, 4), run.stderr)
+        strict = ["--squish", 0.5, "--non-orthogonality", 40]
+        run = self.atria("improve", mesh, "--patches", patches, "-o", better, "--patches-output", patches_then,
+                         "--openfoam", case, "--json", *strict)
+        self.assertIn(run.returncode, (0, 4), run.stderr)
+        report = json.loads(run.stdout)
+        before, after = report["before"], report["after"]
+        self.assertGreater(report["moved_points"], 0)
+        self.assertLess(after["poor_elements"], before["poor_elements"])
+        self.assertLessEqual(after["invalid_elements"], before["invalid_elements"])
+        for metric in ("CellSquish", "FaceSquish", "NonOrthogonality"):
+            self.assertLessEqual(after["quality"][metric]["max"], before["quality"][metric]["max"] + 1e-9)
+        measured = json.loads(self.atria("quality", better, "--patches", patches_then, "--json").stdout)
+        self.assertEqual(measured["quality"], after["quality"])
+        self.assertTrue((case / "constant" / "polyMesh" / "points").exists())
+        again = self.folder / "again.vtu"
+        table = self.atria("improve", mesh, "--patches", patches, "-o", again, "--threads", 1, *strict)
+        self.assertIn("points moved", table.stdout)
+        self.assertEqual(again.read_bytes(), better.read_bytes())
+        self.refuses(2, "--output", "improve", mesh)
+        self.refuses(2, ".vtu", "improve", mesh, "-o", self.folder / "better.vtk")
+        self.refuses(2, "--patches", "improve", mesh, "-o", again, "--openfoam", case)
+        self.refuses(2, "--squish", "improve", mesh, "-o", again, "--squish", 2)
+        self.refuses(3, "does not exist", "improve", self.folder / "absent.vtu", "-o", again)
 
     def test_quality_is_drawn_without_a_display(self):
         mesh, page, image = self.small_mesh(), self.folder / "plot.html", self.folder / "plot.png"

@@ -5,13 +5,13 @@ import vtk
 
 import atria
 from atria import (
-    vtkAtriaDualMesher, vtkAtriaFeatureGraph, vtkAtriaMeshQuality, vtkAtriaOctreeSource, vtkAtriaOpenFOAMWriter,
-    vtkAtriaPreflight, vtkAtriaVRMLReader, vtkAtriaWorstElements,
+    vtkAtriaDualMesher, vtkAtriaFeatureGraph, vtkAtriaMeshOptimizer, vtkAtriaMeshQuality, vtkAtriaOctreeSource,
+    vtkAtriaOpenFOAMWriter, vtkAtriaPreflight, vtkAtriaVRMLReader, vtkAtriaWorstElements,
 )
 
 for cls in (
-    vtkAtriaDualMesher, vtkAtriaFeatureGraph, vtkAtriaMeshQuality, vtkAtriaOctreeSource, vtkAtriaOpenFOAMWriter,
-    vtkAtriaPreflight, vtkAtriaVRMLReader, vtkAtriaWorstElements,
+    vtkAtriaDualMesher, vtkAtriaFeatureGraph, vtkAtriaMeshOptimizer, vtkAtriaMeshQuality, vtkAtriaOctreeSource,
+    vtkAtriaOpenFOAMWriter, vtkAtriaPreflight, vtkAtriaVRMLReader, vtkAtriaWorstElements,
 ):
     instance = cls()
     assert isinstance(instance, vtk.vtkAlgorithm), cls

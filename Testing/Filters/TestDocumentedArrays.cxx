@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// docs/arrays.md lists the arrays of the outputs, all of them and no others.
 #include "DualMesherTest.h"
+#include "Support/SampleGrid.h"
 #include "Support/TestPaths.h"
 #include "vtkAtriaFeatureGraph.h"
+#include "vtkAtriaMeshOptimizer.h"
 #include "vtkAtriaOctreeSource.h"
 
 #include <vtkCellData.h>
@@ -124,6 +126,14 @@ TEST_F(DocumentedArrays, OfMeshes)
   {
     EXPECT_THAT(present(patch), UnorderedElementsAreArray(documented("port 1"))) << name;
   }
+}
+
+TEST_F(DocumentedArrays, OfImprovedMeshes)
+{
+  vtkNew<vtkAtriaMeshOptimizer> optimizer;
+  optimizer->SetInputData(atria::testing::toGrid(atria::testing::mixedCells({3, 3, 3}, 2, 0.5)));
+  optimizer->Update();
+  EXPECT_THAT(present(optimizer->GetOutput()), UnorderedElementsAreArray(documented("vtkAtriaMeshOptimizer")));
 }
 
 } // namespace

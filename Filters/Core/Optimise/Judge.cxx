@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Optimise/Judge.h"
 
+#include "Quality/CellShapes.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,6 +16,8 @@ constexpr double tiny = 1e-150;
 constexpr double flatVolume = 0.02;
 /// Of what is flat but for rounding.
 constexpr double flatSine = 1e-7;
+/// Skewness is not more than this, so that one wild face does not drown the others.
+constexpr double wild = 8.0;
 
 /// Whether a component along a unit vector is above this share of the vector's length: most measures are far above
 /// their target, and this spares the root.
@@ -30,7 +34,33 @@ Vec3 triangle(const Vec3& a, const Vec3& b, const Vec3& c)
   return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
 }
 
+/// As in Quality/CheckQuantities.h.
+double weightOf(const FaceMeasure& face, const CellMeasure& own, const CellMeasure& other)
+{
+  const double nearer = std::abs(face.normal.dot(face.centroid - own.centroid));
+  const double farther = std::abs(face.normal.dot(other.centroid - face.centroid));
+  return std::min(nearer, farther) / (nearer + farther + tiny);
+}
+
+double volumeRatioOf(const CellMeasure& own, const CellMeasure& other)
+{
+  const double larger = std::max(std::abs(own.volume), std::abs(other.volume));
+  return std::min(own.volume, other.volume) / (larger + tiny);
+}
+
 } // namespace
+
+QualityTargets QualityTargets::beyond(double share) const
+{
+  QualityTargets out = *this;
+  for (QualityRange* range : {&out.pyramidCosine, &out.convexity, &out.faceCosine, &out.skewness, &out.weight,
+                              &out.volumeRatio, &out.cornerVolume, &out.boundaryShape, &out.determinant})
+  {
+    *range = range->beyond(share);
+  }
+  out.scaledJacobian *= 1.0 + share;
+  return out;
+}
 
 Judge::Judge(Region& region, const QualityTargets& targets, const RunContext& context)
     : region_(region), targets_(targets), faces(region.faceCount()), fans(region.facePoints.size()),
@@ -186,6 +216,15 @@ Score Judge::scoreOfCell(Index cell) const
     const double q = targets_.determinant.of(determinantOf(cell));
     targets_.determinants ? score.add(q) : score.addPenalty(q);
   }
+  if (targets_.scaledJacobian > 0.0)
+  {
+    // All that are below the target: the least alone has a kink where another one takes over.
+    const JacobianTerms terms = jacobiansOf(cell);
+    for (std::size_t i = 0; i < terms.count; ++i)
+    {
+      score.add(terms.values[i] / targets_.scaledJacobian);
+    }
+  }
   return score;
 }
 
@@ -301,7 +340,7 @@ Score Judge::scoreOfFace(Index face) const
   if (across == noIndex)
   {
     const double height = f.normal.dot(f.centroid - own.centroid);
-    score.add(targets_.skewness.of(skewnessOf(face, height * f.normal)));
+    scoreSkewness(face, height * f.normal, score);
     scoreBoundary(face, score);
     return score;
   }
@@ -311,13 +350,9 @@ Score Judge::scoreOfFace(Index face) const
   {
     score.add(targets_.faceCosine.of(f.normal.dot(d) / (d.norm() + tiny)));
   }
-  score.add(targets_.skewness.of(skewnessOf(face, d)));
-  const double nearer = std::abs(f.normal.dot(f.centroid - own.centroid));
-  const double farther = std::abs(f.normal.dot(other.centroid - f.centroid));
-  score.add(targets_.weight.of(std::min(nearer, farther) / (nearer + farther + tiny)));
-  const double smaller = std::min(own.volume, other.volume);
-  const double larger = std::max(std::abs(own.volume), std::abs(other.volume));
-  score.add(targets_.volumeRatio.of(smaller / (larger + tiny)));
+  scoreSkewness(face, d, score);
+  score.add(targets_.weight.of(weightOf(f, own, other)));
+  score.add(targets_.volumeRatio.of(volumeRatioOf(own, other)));
   return score;
 }
 
@@ -332,21 +367,28 @@ void Judge::scoreBoundary(Index face, Score& score) const
   }
 }
 
-/// As in Quality/Metrics.h; at most 8, so that one wild face does not drown the others.
-double Judge::skewnessOf(Index face, const Vec3& d) const
+void Judge::scoreSkewness(Index face, const Vec3& d, Score& score) const
+{
+  const double skewness = faces[face].normal.isZero() ? wild : skewnessOf(face, d, targets_.skewness.target);
+  score.add(targets_.skewness.of(std::min(skewness, wild)));
+}
+
+/// As in Quality/Metrics.h; what is below `good` is not computed to the end.
+double Judge::skewnessOf(Index face, const Vec3& d, double good) const
 {
   const FaceMeasure& f = faces[face];
   const bool internal = region_.neighbour[face] != noIndex;
   const Vec3 toFace = f.centroid - cells[region_.owner[face]].centroid;
   const double along = f.normal.dot(d);
-  if (std::abs(along) < tiny)
+  const bool hasArea = !f.normal.isZero();
+  if (hasArea && std::abs(along) < tiny)
   {
-    return 8.0;
+    return std::numeric_limits<double>::infinity();
   }
-  const Vec3 offset = toFace - (f.normal.dot(toFace) / along) * d;
+  const Vec3 offset = hasArea ? Vec3(toFace - (f.normal.dot(toFace) / along) * d) : toFace;
   const double distance = offset.norm();
   double extent = (internal ? 0.2 : 0.4) * d.norm() + tiny;
-  if (distance <= targets_.skewness.target * extent)
+  if (distance <= good * extent)
   {
     return distance / extent;
   }
@@ -354,7 +396,86 @@ double Judge::skewnessOf(Index face, const Vec3& d) const
   {
     extent = std::max(extent, std::abs(offset.dot(region_.points[point] - f.centroid)) / distance);
   }
-  return std::min(distance / extent, 8.0);
+  return distance / extent;
+}
+
+JacobianTerms Judge::jacobiansOf(Index cell) const
+{
+  const NativeCell& native = region_.natives[cell];
+  std::array<Vec3, 8> corners;
+  for (std::size_t i = 0; i < shapeOf(native.type).corners; ++i)
+  {
+    corners[i] = region_.points[native.corners[i]];
+  }
+  return jacobianTerms(native.type, corners);
+}
+
+LeastMetrics Judge::metricsOf(const Star& star) const
+{
+  LeastMetrics least;
+  for (const Index cell : star.cells)
+  {
+    least.take(metricsOfCell(cell));
+  }
+  for (const Index face : star.faces)
+  {
+    least.take(metricsOfFace(face));
+  }
+  return least;
+}
+
+LeastMetrics Judge::metricsOfCell(Index cell) const
+{
+  LeastMetrics least;
+  const CellMeasure& measure = cells[cell];
+  double nearest = std::numeric_limits<double>::infinity();
+  double farthest = 0.0;
+  const auto measureDistance = [&](const Vec3& to) {
+    const double distance = (to - measure.centroid).norm();
+    nearest = std::min(nearest, distance);
+    farthest = std::max(farthest, distance);
+  };
+  for (const Index f : region_.facesOf(cell))
+  {
+    const Vec3 toFace = faces[f].centroid - measure.centroid;
+    const double side = sign(cell, f);
+    least.take(LeastMetrics::pyramidCosine, side * faces[f].normal.dot(toFace) / (toFace.norm() + tiny));
+    least.take(LeastMetrics::facePyramid, side * faces[f].area.dot(toFace) / 3.0);
+    measureDistance(faces[f].centroid);
+    for (const Index point : region_.face(f))
+    {
+      measureDistance(region_.points[point]);
+    }
+  }
+  least.take(LeastMetrics::inverseAspectRatio, farthest > 0.0 ? nearest / farthest : 0.0);
+  least.take(LeastMetrics::volume, measure.volume);
+  least.take(LeastMetrics::determinant, determinantOf(cell));
+  const JacobianTerms terms = jacobiansOf(cell);
+  for (std::size_t i = 0; i < terms.count; ++i)
+  {
+    least.take(LeastMetrics::scaledJacobian, terms.values[i]);
+  }
+  return least;
+}
+
+LeastMetrics Judge::metricsOfFace(Index face) const
+{
+  LeastMetrics least;
+  const FaceMeasure& f = faces[face];
+  const CellMeasure& own = cells[region_.owner[face]];
+  const Index across = region_.neighbour[face];
+  if (across == noIndex)
+  {
+    least.take(LeastMetrics::skewness, -skewnessOf(face, f.normal.dot(f.centroid - own.centroid) * f.normal, 0.0));
+    return least;
+  }
+  const CellMeasure& other = cells[across];
+  const Vec3 d = other.centroid - own.centroid;
+  least.take(LeastMetrics::faceCosine, f.normal.dot(d) / (d.norm() + tiny));
+  least.take(LeastMetrics::skewness, -skewnessOf(face, d, 0.0));
+  least.take(LeastMetrics::weight, weightOf(f, own, other));
+  least.take(LeastMetrics::volumeRatio, volumeRatioOf(own, other));
+  return least;
 }
 
 } // namespace atria

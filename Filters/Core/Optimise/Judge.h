@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Optimise/CellMeasure.h"
+#include "Quality/ScaledJacobian.h"
 
 namespace atria {
 
@@ -14,6 +15,15 @@ struct QualityRange
 
   /// 0 at the limit, 1 at the target.
   double of(double measure) const { return (measure - limit) / (target - limit); }
+  /// Another target. The limit moves on where it would come too close.
+  void aimAt(double wanted)
+  {
+    const double limitThere = limit / target * wanted;
+    limit = limit < target ? std::min(limit, limitThere) : std::max(limit, limitThere);
+    target = wanted;
+  }
+  /// The target moved away from the limit by this share of the way between them.
+  QualityRange beyond(double share) const { return {limit, target + share * (target - limit)}; }
 };
 
 /// What good cells have. The limits leave a little room to those of OpenFOAM's checkMesh. See Judge for the measures.
@@ -47,6 +57,11 @@ struct QualityTargets
   /// Whether faces must be star-shaped about their centroids, as OpenFOAM's decomposition into tetrahedra asks, and
   /// determinants are looked at.
   bool decomposed = true;
+  /// Verdict's scaled Jacobian of cells that have one, its limit 0; a target of 0 asks for nothing.
+  double scaledJacobian = 0.0;
+
+  /// All targets farther from their limits: measures creep up to what is aimed at and stop just short of it.
+  QualityTargets beyond(double share) const;
 };
 
 /// Sum of (1 - q)² over all measures q below 1, and the least q.
@@ -71,6 +86,37 @@ struct Score
   {
     penalty += other.penalty;
     worst = std::min(worst, other.worst);
+  }
+};
+
+/// The least of what Quality/Metrics.h measures of cells and their faces, and some of Quality/CheckQuantities.h.
+/// Skewness counts negative, so that more is better in all.
+struct LeastMetrics
+{
+  enum Metric : std::uint8_t
+  {
+    pyramidCosine, ///< 1 - cellSquish
+    faceCosine,    ///< 1 - faceSquish, the cosine of nonOrthogonality
+    skewness,
+    inverseAspectRatio,
+    facePyramid,
+    volume,
+    scaledJacobian,
+    weight,      ///< OpenFOAM's interpolation weight
+    volumeRatio, ///< of neighbours, the smaller over the larger
+    determinant, ///< OpenFOAM's
+    count
+  };
+  std::array<double, count> values;
+
+  LeastMetrics() { values.fill(std::numeric_limits<double>::infinity()); }
+  void take(Metric metric, double value) { values[metric] = std::min(values[metric], value); }
+  void take(const LeastMetrics& other)
+  {
+    for (std::size_t m = 0; m < count; ++m)
+    {
+      values[m] = std::min(values[m], other.values[m]);
+    }
   }
 };
 
@@ -104,6 +150,10 @@ public:
   Score scoreOfCell(Index cell) const;
   Score scoreOfFace(Index face) const;
 
+  LeastMetrics metricsOf(const Star& star) const;
+  LeastMetrics metricsOfCell(Index cell) const;
+  LeastMetrics metricsOfFace(Index face) const;
+
 private:
   void measure(Index face);
   void measureOne(Index cell);
@@ -112,8 +162,10 @@ private:
   std::array<double, 4> halfVolumes(Index face, const Vec3& middle) const;
   const Vec3& middleOf(Index cell) const;
   double determinantOf(Index cell) const;
+  JacobianTerms jacobiansOf(Index cell) const;
   void scoreBoundary(Index face, Score& score) const;
-  double skewnessOf(Index face, const Vec3& d) const;
+  void scoreSkewness(Index face, const Vec3& d, Score& score) const;
+  double skewnessOf(Index face, const Vec3& d, double good) const;
   double sign(Index cell, Index face) const { return region_.owner[face] == cell ? 1.0 : -1.0; }
 
   Region& region_;

@@ -3,6 +3,7 @@
 
 #include "Optimise/Colouring.h"
 #include "Optimise/PointSearch.h"
+#include "Support/Pieces.h"
 
 #include <algorithm>
 
@@ -68,36 +69,67 @@ std::vector<char> pointsToMove(const CellSource& source, const std::vector<Short
   return points;
 }
 
+LeastMetrics leastOf(const Judge& judge, const RunContext& context)
+{
+  const Region& region = judge.region();
+  std::vector<LeastMetrics> pieces(Pieces(region.faceCount()).count);
+  const auto takeAll = [&](std::size_t count, auto&& metricsOf) {
+    const Pieces of(count);
+    context.executor.forEach(of.count, 1, [&](std::size_t piece) {
+      for (std::size_t i = of.begin(piece); i < of.end(piece); ++i)
+      {
+        pieces[piece].take(metricsOf(static_cast<Index>(i)));
+      }
+    });
+  };
+  takeAll(region.faceCount(), [&](Index face) { return judge.metricsOfFace(face); });
+  takeAll(region.judgedCount(), [&](Index cell) { return judge.metricsOfCell(cell); });
+  LeastMetrics least;
+  for (const LeastMetrics& piece : pieces)
+  {
+    least.take(piece);
+  }
+  return least;
+}
+
 /// One pass over the points of a region that fall short.
 class Sweeper
 {
 public:
-  Sweeper(Judge& qualities, const VertexGuide& vertexGuide, const RunContext& runContext)
-      : judge(qualities), region(qualities.region()), guide(vertexGuide), context(runContext),
-        colours(colourPoints(region)), trust(region.movable.size(), 0.1), awake(region.movable.size(), 1),
-        failures(region.movable.size(), 0)
+  Sweeper(Judge& qualities, const VertexGuide& vertexGuide, const OptimiserOptions& optimiserOptions,
+          const RunContext& runContext)
+      : judge(qualities), region(qualities.region()), guide(vertexGuide), options(optimiserOptions),
+        context(runContext), colours(colourPoints(region)), trust(region.movable.size(), 0.1),
+        awake(region.movable.size(), 1), failures(region.movable.size(), 0)
   {
     findNeighbours();
+    if (options.keepWorst)
+    {
+      floor = leastOf(judge, context);
+    }
   }
 
   /// The number of points moved.
   std::size_t sweep()
   {
     std::vector<char> moved(region.movable.size(), 0);
+    const SearchRules rules{options.keepWorst ? &floor : nullptr, options.tryMiddle};
     for (std::size_t c = 0; c + 1 < colours.offsets.size(); ++c)
     {
       const std::size_t begin = colours.offsets[c];
       context.progress.check();
       const std::size_t length = colours.isParallel(c) ? 16 : region.movable.size();
       context.executor.forRanges(colours.offsets[c + 1] - begin, length, [&](std::size_t first, std::size_t last) {
-        PointSearch search(judge, guide);
+        PointSearch search(judge, guide, rules);
         for (std::size_t i = begin + first; i < begin + last; ++i)
         {
           const Index m = colours.order[i];
-          if (awake[m] && failures[m] < mostFailures)
+          if (awake[m] && (options.patient || failures[m] < mostFailures))
           {
-            moved[m] = search.improve(m, trust[m]) ? 1 : 0;
-            failures[m] = moved[m] ? 0 : failures[m] + 1;
+            const PointSearch::Outcome outcome = search.improve(m, trust[m]);
+            moved[m] = outcome == PointSearch::Outcome::moved ? 1 : 0;
+            failures[m] = moved[m] || options.patient ? 0 : failures[m] + 1;
+            awake[m] = outcome == PointSearch::Outcome::stuck && options.patient && trust[m] > leastTrust ? 1 : 0;
           }
         }
       });
@@ -105,6 +137,8 @@ public:
     wake(moved);
     return static_cast<std::size_t>(std::count(moved.begin(), moved.end(), 1));
   }
+
+  bool isAwake() const { return std::ranges::find(awake, 1) != awake.end(); }
 
 private:
   /// By cell the movable points it has.
@@ -133,7 +167,6 @@ private:
   /// A point is looked at again once a point of its cells has moved.
   void wake(const std::vector<char>& moved)
   {
-    std::fill(awake.begin(), awake.end(), 0);
     for (Index m = 0; m < moved.size(); ++m)
     {
       if (moved[m])
@@ -152,7 +185,10 @@ private:
   Judge& judge;
   const Region& region;
   const VertexGuide& guide;
+  const OptimiserOptions& options;
   const RunContext& context;
+  /// Of the cells as they were at first.
+  LeastMetrics floor;
   Colours colours;
   std::vector<double> trust;
   std::vector<char> awake;
@@ -188,16 +224,22 @@ void prepareGuide(const Region& region, VertexGuide& guide, const RunContext& co
   guide.prepare(ids, context);
 }
 
-/// The last few points that creep on are not worth a sweep.
-void sweepWhileWorthwhile(Sweeper& sweeper, int mostSweeps)
+/// The last few points that creep on may not be worth a sweep.
+void sweepWhileWorthwhile(Sweeper& sweeper, const OptimiserOptions& options, const RunContext& context)
 {
   constexpr double worthwhile = 0.02;
   std::size_t most = 1;
-  for (int i = 0; i < mostSweeps; ++i)
+  for (int i = 0; i < options.sweeps; ++i)
   {
+    if (options.tellProgress)
+    {
+      context.progress.report(static_cast<double>(i) / options.sweeps, "Moving points");
+    }
     const std::size_t moved = sweeper.sweep();
     most = std::max(most, moved);
-    if (static_cast<double>(moved) <= worthwhile * static_cast<double>(most))
+    const bool isDone =
+        options.patient ? !sweeper.isAwake() : static_cast<double>(moved) <= worthwhile * static_cast<double>(most);
+    if (isDone)
     {
       return;
     }
@@ -247,8 +289,8 @@ std::vector<ShortCell> optimise(const CellSource& source, std::vector<Vec3>& poi
   Region region = extractRegion(source, moving, guide, context);
   Judge judge(region, options.targets, context);
   prepareGuide(region, guide, context);
-  Sweeper sweeper(judge, guide, context);
-  sweepWhileWorthwhile(sweeper, options.sweeps);
+  Sweeper sweeper(judge, guide, options, context);
+  sweepWhileWorthwhile(sweeper, options, context);
   takePoints(region, points);
   return shortCellsOf(judge, context);
 }

@@ -12,8 +12,17 @@ struct OptimiserOptions
   QualityTargets targets;
   /// Passes over the points whose cells fall short of the targets.
   int sweeps = 20;
+  /// Whether the last few points that creep on are waited for, and points that found no better place are tried again
+  /// closer by.
+  bool patient = false;
   /// Rings of cells about one that falls short whose points may move with its own.
   int rings = 1;
+  /// Whether no metric of LeastMetrics may get worse than it was in the worst of the cells looked at.
+  bool keepWorst = false;
+  /// Whether progress from 0 to 1 is told.
+  bool tellProgress = false;
+  /// Whether points of bad cells are tried in the middle of the points about them first.
+  bool tryMiddle = false;
 };
 
 /// A cell that falls short of some target, and its least measure: 0 at the limit of what is valid.

@@ -8,7 +8,6 @@ namespace atria {
 namespace {
 
 constexpr double difference = 1e-3; ///< of the cells' size, for derivatives
-constexpr double leastTrust = 1e-3;
 constexpr double mostTrust = 0.5;
 constexpr double leastGain = 0.01;
 /// Not worth a search.
@@ -29,10 +28,28 @@ Score PointSearch::scoreAt(const Vec3& p, double enough)
 bool PointSearch::isBetter(const Score& there, const Score& here) const
 {
   return there.penalty < here.penalty * (1.0 - leastGain) &&
-         (there.worst >= here.worst - noise || there.worst >= 1.0 || here.worst < badAnyway);
+         (there.worst >= here.worst - noise || there.worst >= 1.0 || here.worst < badAnyway) && noMetricIsWorse();
 }
 
-bool PointSearch::improve(Index movable, double& trust)
+/// Of the place where the point is now.
+bool PointSearch::noMetricIsWorse() const
+{
+  if (!rules_.floor)
+  {
+    return true;
+  }
+  const LeastMetrics now = judge.metricsOf(star);
+  for (std::size_t m = 0; m < LeastMetrics::count; ++m)
+  {
+    if (now.values[m] < rules_.floor->values[m])
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+PointSearch::Outcome PointSearch::improve(Index movable, double& trust)
 {
   judge.enter(movable, star);
   pointId = judge.region().pointIds[star.point];
@@ -40,7 +57,18 @@ bool PointSearch::improve(Index movable, double& trust)
   const Score here = judge.scoreOf(star);
   if (here.penalty < leastPenalty)
   {
-    return false;
+    return Outcome::good;
+  }
+  if (rules_.tryMiddle && here.worst < badAnyway)
+  {
+    const Vec3 way = middle() - origin;
+    for (const double part : {1.0, 0.5})
+    {
+      if (isBetter(scoreAt(origin + part * way, here.penalty), here))
+      {
+        return Outcome::moved;
+      }
+    }
   }
   const Vec3 step = newtonStep(here, trust * star.size);
   double scale = 1.0;
@@ -49,17 +77,17 @@ bool PointSearch::improve(Index movable, double& trust)
     if (isBetter(scoreAt(origin + scale * step, here.penalty), here))
     {
       trust = std::clamp(i == 0 ? 1.6 * trust : scale * trust, leastTrust, mostTrust);
-      return true;
+      return Outcome::moved;
     }
   }
   if (const Vec3 probe = bestProbe(here, trust * star.size); probe != origin)
   {
     judge.move(star, probe);
-    return true;
+    return Outcome::moved;
   }
   judge.move(star, origin);
   trust = std::max(leastTrust, 0.3 * trust);
-  return false;
+  return Outcome::stuck;
 }
 
 void PointSearch::approach(Index movable, const Vec3& place, double least)
@@ -96,6 +124,35 @@ Vec3 PointSearch::bestProbe(const Score& here, double reach)
     }
   }
   return best;
+}
+
+/// The mean of the points at the other ends of the point's edges.
+Vec3 PointSearch::middle() const
+{
+  const Region& region = judge.region();
+  std::vector<Index> ends;
+  for (const Index face : star.moving)
+  {
+    const auto points = region.face(face);
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      const Index next = points[i + 1 < points.size() ? i + 1 : 0];
+      const bool first = std::ranges::binary_search(star.points, points[i]);
+      const bool second = std::ranges::binary_search(star.points, next);
+      if (first != second)
+      {
+        ends.push_back(first ? next : points[i]);
+      }
+    }
+  }
+  std::ranges::sort(ends);
+  ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+  Vec3 sum = Vec3::Zero();
+  for (const Index end : ends)
+  {
+    sum += region.points[end];
+  }
+  return sum / std::max<double>(1.0, static_cast<double>(ends.size()));
 }
 
 /// Down the gradient, along each axis as far as the curvature there says, at most `reach` in all.

@@ -6,15 +6,36 @@
 
 namespace atria {
 
+/// How far at least a point is moved, as a part of the cells' size.
+inline constexpr double leastTrust = 1e-3;
+
+struct SearchRules
+{
+  /// Below this no metric of the cells about a point may get; null for no such rule.
+  const LeastMetrics* floor = nullptr;
+  /// Whether a point of bad cells is tried in the middle of the points about it first.
+  bool tryMiddle = false;
+};
+
 /// Looks for a better place for one point at a time.
 class PointSearch
 {
 public:
-  PointSearch(Judge& qualities, const VertexGuide& vertexGuide) : judge(qualities), guide(vertexGuide) {}
+  enum class Outcome : std::uint8_t
+  {
+    moved,
+    stuck, ///< no better place was found
+    good   ///< none is looked for
+  };
+
+  PointSearch(Judge& qualities, const VertexGuide& vertexGuide, const SearchRules& rules = {})
+      : judge(qualities), guide(vertexGuide), rules_(rules)
+  {
+  }
 
   /// Moves the point if there is a place near it where the penalty of the cells about it is less and their worst no
   /// worse. `trust` is how far to go, as a part of the cells' size, and is adapted.
-  bool improve(Index movable, double& trust);
+  Outcome improve(Index movable, double& trust);
   /// Moves the point towards `place` as far as the worst of the cells about it is not below `least`, or not below what
   /// it is.
   void approach(Index movable, const Vec3& place, double least);
@@ -22,11 +43,14 @@ public:
 private:
   Vec3 newtonStep(const Score& here, double reach);
   Vec3 bestProbe(const Score& here, double reach);
+  Vec3 middle() const;
   Score scoreAt(const Vec3& p, double enough = std::numeric_limits<double>::infinity());
   bool isBetter(const Score& there, const Score& here) const;
+  bool noMetricIsWorse() const;
 
   Judge& judge;
   const VertexGuide& guide;
+  SearchRules rules_;
   Star star;
   Index pointId = noIndex;
   Vec3 origin;

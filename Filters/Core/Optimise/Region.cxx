@@ -2,6 +2,7 @@
 #include "Optimise/Region.h"
 
 #include "Optimise/CellMeasure.h"
+#include "Quality/CellShapes.h"
 
 #include <algorithm>
 
@@ -83,6 +84,12 @@ private:
   {
     const Index cell = region.cellIds[local];
     source.facesOf(cell, scratch);
+    NativeCell native = source.nativeOf(cell);
+    for (std::size_t i = 0; i < shapeOf(native.type).corners; ++i)
+    {
+      native.corners[i] = localPoint[native.corners[i]];
+    }
+    region.natives.push_back(native);
     for (const CellFace& face : scratch.faces)
     {
       Index across = face.across;
@@ -245,6 +252,20 @@ void FaceMeshSource::facesOf(Index cell, Scratch& out) const
     const Index across = f >= mesh_.internalFaceCount() ? noIndex : owned ? mesh_.neighbour[f] : mesh_.owner[f];
     out.faces.push_back({std::span(out.points.data() + begin, points.size()), across});
   }
+}
+
+NativeCell FaceMeshSource::nativeOf(Index cell) const
+{
+  NativeCell out;
+  const std::size_t corners = shapeOf(cells_.types[cell]).corners;
+  if (corners > 0)
+  {
+    out.type = cells_.types[cell];
+    const auto first = static_cast<std::size_t>(cells_.offsets[cell]);
+    std::ranges::transform(cells_.connectivity.subspan(first, corners), out.corners.begin(),
+                           [](std::int64_t point) { return static_cast<Index>(point); });
+  }
+  return out;
 }
 
 bool FaceMeshSource::hasMarked(Index cell, const std::vector<char>& marked) const

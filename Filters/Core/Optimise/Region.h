@@ -11,6 +11,13 @@
 
 namespace atria {
 
+/// A cell of a type that has a scaled Jacobian, with its corners in VTK's order; type 0 for any other.
+struct NativeCell
+{
+  unsigned char type = 0;
+  std::array<Index, 8> corners{};
+};
+
 /// Cells about points that may move, and beside them cells that only lend their centroids. Every cell about a point
 /// that may move is judged, so what is outside the region does not change. Cells are any closed polyhedra.
 struct Region
@@ -28,6 +35,8 @@ struct Region
   std::vector<Index> cellOffsets{0};
   std::vector<Index> cellFaces;
   std::vector<Index> cellIds;
+  /// Of each judged cell, its corners numbered as in `points`.
+  std::vector<NativeCell> natives;
   /// Centroid and volume of the others, after the judged ones.
   std::vector<Vec3> ghostCentroids;
   std::vector<double> ghostVolumes;
@@ -80,6 +89,7 @@ public:
     std::vector<Index> points;
   };
   virtual void facesOf(Index cell, Scratch& out) const = 0;
+  virtual NativeCell nativeOf(Index /*cell*/) const { return {}; }
   /// Whether the cell has one of the points marked.
   virtual bool hasMarked(Index cell, const std::vector<char>& marked) const = 0;
 };
@@ -97,18 +107,24 @@ private:
   const DualMesh& mesh_;
 };
 
+/// `cells` are those the mesh was made of.
 class FaceMeshSource : public CellSource
 {
 public:
-  FaceMeshSource(const FaceMesh& mesh, const CellFaces& cellFaces) : mesh_(mesh), cellFaces_(cellFaces) {}
+  FaceMeshSource(const FaceMesh& mesh, const CellFaces& cellFaces, const CellArrays& cells)
+      : mesh_(mesh), cellFaces_(cellFaces), cells_(cells)
+  {
+  }
   std::size_t cellCount() const override { return mesh_.cellCount; }
   const std::vector<Vec3>& points() const override { return mesh_.points; }
   void facesOf(Index cell, Scratch& out) const override;
+  NativeCell nativeOf(Index cell) const override;
   bool hasMarked(Index cell, const std::vector<char>& marked) const override;
 
 private:
   const FaceMesh& mesh_;
   const CellFaces& cellFaces_;
+  const CellArrays& cells_;
 };
 
 /// The region in which the points marked may move, each with all others that have the same leader; these are marked,

@@ -23,7 +23,7 @@ double normalisedDeterminant(const Vec3& a, const Vec3& b, const Vec3& c)
   return lengths > std::numeric_limits<double>::min() ? a.cross(b).dot(c) / lengths : 0.0;
 }
 
-double ofHexahedron(const Corners& p)
+JacobianTerms ofHexahedron(const Corners& p)
 {
   // Per corner its neighbours in right-handed order.
   static constexpr std::array<std::array<int, 4>, 8> stars{
@@ -31,12 +31,13 @@ double ofHexahedron(const Corners& p)
   const Vec3 x = (p[1] + p[2] + p[5] + p[6]) - (p[0] + p[3] + p[4] + p[7]);
   const Vec3 y = (p[2] + p[3] + p[6] + p[7]) - (p[0] + p[1] + p[4] + p[5]);
   const Vec3 z = (p[4] + p[5] + p[6] + p[7]) - (p[0] + p[1] + p[2] + p[3]);
-  double least = normalisedDeterminant(x, y, z);
+  JacobianTerms out;
+  out.values[out.count++] = normalisedDeterminant(x, y, z);
   for (const auto& [corner, a, b, c] : stars)
   {
-    least = std::min(least, normalisedDeterminant(p[a] - p[corner], p[b] - p[corner], p[c] - p[corner]));
+    out.values[out.count++] = normalisedDeterminant(p[a] - p[corner], p[b] - p[corner], p[c] - p[corner]);
   }
-  return least;
+  return out;
 }
 
 double ofTetrahedron(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
@@ -55,18 +56,19 @@ double ofTetrahedron(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d)
   return std::sqrt(2.0) * (b - a).cross(c - a).dot(d - a) / greatest;
 }
 
-double ofWedge(const Corners& p)
+JacobianTerms ofWedge(const Corners& p)
 {
   // VTK's wedge has its base's normal outward, so the third edge of each corner comes first in right-handed
   // order.
   static constexpr std::array<std::array<int, 4>, 6> stars{
       {{0, 3, 2, 1}, {1, 4, 0, 2}, {2, 5, 1, 0}, {3, 0, 4, 5}, {4, 1, 5, 3}, {5, 2, 3, 4}}};
-  double least = std::numeric_limits<double>::infinity();
+  JacobianTerms out;
   for (const auto& [corner, a, b, c] : stars)
   {
-    least = std::min(least, normalisedDeterminant(p[a] - p[corner], p[b] - p[corner], p[c] - p[corner]));
+    out.values[out.count++] =
+        2.0 / std::sqrt(3.0) * normalisedDeterminant(p[a] - p[corner], p[b] - p[corner], p[c] - p[corner]);
   }
-  return least * 2.0 / std::sqrt(3.0);
+  return out;
 }
 
 double ofPyramid(const Corners& p)
@@ -81,36 +83,34 @@ double ofPyramid(const Corners& p)
   return scaled < 1.0 ? scaled : 2.0 - scaled;
 }
 
-double ofCell(unsigned char type, std::span<const Vec3> points, std::span<const std::int64_t> ids)
+} // namespace
+
+JacobianTerms jacobianTerms(unsigned char cellType, const std::array<Vec3, 8>& corners)
 {
-  const std::size_t corners = shapeOf(type).corners;
-  if (corners == 0)
-  {
-    return std::numeric_limits<double>::quiet_NaN();
-  }
-  Corners p;
-  for (std::size_t i = 0; i < corners; ++i)
-  {
-    p[i] = points[static_cast<std::size_t>(ids[i])];
-  }
-  switch (type)
+  const Corners& p = corners;
+  switch (cellType)
   {
     case tetrahedronCell:
-      return ofTetrahedron(p[0], p[1], p[2], p[3]);
+      return {{ofTetrahedron(p[0], p[1], p[2], p[3])}, 1};
     case voxelCell:
-      std::swap(p[2], p[3]);
-      std::swap(p[6], p[7]);
-      return ofHexahedron(p);
+      return ofHexahedron({p[0], p[1], p[3], p[2], p[4], p[5], p[7], p[6]});
     case hexahedronCell:
       return ofHexahedron(p);
     case wedgeCell:
       return ofWedge(p);
+    case pyramidCell:
+      return {{ofPyramid(p)}, 1};
     default:
-      return ofPyramid(p);
+      return {};
   }
 }
 
-} // namespace
+double scaledJacobian(unsigned char cellType, const std::array<Vec3, 8>& corners)
+{
+  const JacobianTerms terms = jacobianTerms(cellType, corners);
+  return terms.count > 0 ? *std::min_element(terms.values.begin(), terms.values.begin() + terms.count)
+                         : std::numeric_limits<double>::quiet_NaN();
+}
 
 std::vector<double> scaledJacobians(std::span<const Vec3> points, const CellArrays& cells, const RunContext& context)
 {
@@ -120,8 +120,12 @@ std::vector<double> scaledJacobians(std::span<const Vec3> points, const CellArra
     for (std::size_t c = begin; c < end; ++c)
     {
       const auto first = static_cast<std::size_t>(cells.offsets[c]);
-      const auto size = static_cast<std::size_t>(cells.offsets[c + 1]) - first;
-      out[c] = ofCell(cells.types[c], points, cells.connectivity.subspan(first, size));
+      std::array<Vec3, 8> corners;
+      for (std::size_t i = 0; i < shapeOf(cells.types[c]).corners; ++i)
+      {
+        corners[i] = points[static_cast<std::size_t>(cells.connectivity[first + i])];
+      }
+      out[c] = scaledJacobian(cells.types[c], corners);
     }
   });
   return out;

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkAtriaMeshOptimizer.h"
+
+#include "AlgorithmProgress.h"
+#include "Optimise/MeshOptimiser.h"
+#include "SmpExecutor.h"
+#include "VtkFaceMesh.h"
+
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkFloatArray.h>
+#include <vtkIdTypeArray.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPartitionedDataSet.h>
+#include <vtkPartitionedDataSetCollection.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <numbers>
+#include <vector>
+
+vtkStandardNewMacro(vtkAtriaMeshOptimizer);
+
+namespace {
+
+vtkSmartPointer<vtkPoints> toVtkPoints(const std::vector<atria::Vec3>& points)
+{
+  auto out = vtkSmartPointer<vtkPoints>::New();
+  out->SetDataTypeToDouble();
+  out->SetNumberOfPoints(static_cast<vtkIdType>(points.size()));
+  if (!points.empty())
+  {
+    double* values = vtkDoubleArray::SafeDownCast(out->GetData())->GetPointer(0);
+    std::copy_n(points.front().data(), 3 * points.size(), values);
+  }
+  return out;
+}
+
+/// The patch of each boundary face; all faces without one have the same number. Empty without patches.
+std::vector<atria::Index> patchOfFaces(const atria::VtkFaceMesh& source)
+{
+  const auto& patches = source.patches.patches;
+  if (patches.empty())
+  {
+    return {};
+  }
+  const std::size_t first = source.mesh.internalFaceCount();
+  std::vector<atria::Index> out(source.mesh.faceCount() - first, static_cast<atria::Index>(patches.size()));
+  for (std::size_t p = 0; p < patches.size(); ++p)
+  {
+    for (std::size_t i = 0; i < patches[p].faceCount; ++i)
+    {
+      out[source.patchFaces[patches[p].firstFace + i] - first] = static_cast<atria::Index>(p);
+    }
+  }
+  return out;
+}
+
+/// The patches with their points where those of the mesh are now. They are known to have the array VolumePointId.
+void movePatches(vtkPartitionedDataSetCollection* from, const std::vector<atria::Vec3>& points,
+                 vtkPartitionedDataSetCollection* to)
+{
+  to->SetNumberOfPartitionedDataSets(from->GetNumberOfPartitionedDataSets());
+  to->GetFieldData()->PassData(from->GetFieldData());
+  for (unsigned int i = 0; i < from->GetNumberOfPartitionedDataSets(); ++i)
+  {
+    vtkPartitionedDataSet* source = from->GetPartitionedDataSet(i);
+    vtkNew<vtkPartitionedDataSet> parts;
+    for (unsigned int j = 0; source && j < source->GetNumberOfPartitions(); ++j)
+    {
+      auto* patch = vtkPolyData::SafeDownCast(source->GetPartitionAsDataObject(j));
+      if (!patch)
+      {
+        continue;
+      }
+      vtkDataArray* ids = patch->GetPointData()->GetArray("VolumePointId");
+      std::vector<atria::Vec3> own(static_cast<std::size_t>(patch->GetNumberOfPoints()));
+      for (std::size_t p = 0; p < own.size(); ++p)
+      {
+        own[p] = points[static_cast<std::size_t>(ids->GetComponent(static_cast<vtkIdType>(p), 0))];
+      }
+      vtkNew<vtkPolyData> moved;
+      moved->ShallowCopy(patch);
+      moved->SetPoints(toVtkPoints(own));
+      parts->SetPartition(parts->GetNumberOfPartitions(), moved);
+    }
+    to->SetPartitionedDataSet(i, parts);
+    if (from->HasMetaData(i))
+    {
+      to->GetMetaData(i)->Copy(from->GetMetaData(i));
+    }
+  }
+}
+
+void addCount(const char* name, std::size_t count, vtkFieldData* data)
+{
+  vtkNew<vtkIdTypeArray> array;
+  array->SetName(name);
+  array->InsertNextValue(static_cast<vtkIdType>(count));
+  data->AddArray(array);
+}
+
+/// What was done, and how far it got.
+void addReport(const atria::MeshOptimiserReport& report, vtkUnstructuredGrid* before, vtkUnstructuredGrid* mesh)
+{
+  vtkNew<vtkFloatArray> shares;
+  shares->SetName("TargetShare");
+  shares->SetNumberOfTuples(mesh->GetNumberOfCells());
+  std::ranges::copy(report.shares, shares->GetPointer(0));
+  mesh->GetCellData()->AddArray(shares);
+  vtkNew<vtkDoubleArray> moves;
+  moves->SetName("Displacement");
+  moves->SetNumberOfComponents(3);
+  moves->SetNumberOfTuples(mesh->GetNumberOfPoints());
+  for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
+  {
+    const atria::Vec3 move = atria::Vec3(mesh->GetPoint(p)) - atria::Vec3(before->GetPoint(p));
+    moves->SetTypedTuple(p, move.data());
+  }
+  mesh->GetPointData()->AddArray(moves);
+  addCount("MovedPoints", report.movedPoints, mesh->GetFieldData());
+  addCount("PoorCellsBefore", report.shortBefore, mesh->GetFieldData());
+  addCount("PoorCells", report.shortAfter, mesh->GetFieldData());
+}
+
+} // namespace
+
+vtkAtriaMeshOptimizer::vtkAtriaMeshOptimizer()
+{
+  this->SetNumberOfInputPorts(2);
+  this->SetNumberOfOutputPorts(2);
+}
+
+void vtkAtriaMeshOptimizer::SetPatchesConnection(vtkAlgorithmOutput* patches) { this->SetInputConnection(1, patches); }
+
+void vtkAtriaMeshOptimizer::SetPatchesData(vtkPartitionedDataSetCollection* patches)
+{
+  this->SetInputDataInternal(1, patches);
+}
+
+vtkPartitionedDataSetCollection* vtkAtriaMeshOptimizer::GetPatches()
+{
+  return vtkPartitionedDataSetCollection::SafeDownCast(this->GetOutputDataObject(1));
+}
+
+int vtkAtriaMeshOptimizer::FillInputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(),
+            port == 0 ? "vtkUnstructuredGrid" : "vtkPartitionedDataSetCollection");
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+int vtkAtriaMeshOptimizer::FillOutputPortInformation(int port, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkUnstructuredGrid" : "vtkPartitionedDataSetCollection");
+  return 1;
+}
+
+int vtkAtriaMeshOptimizer::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkUnstructuredGrid* volume = vtkUnstructuredGrid::GetData(inputs[0], 0);
+  vtkPartitionedDataSetCollection* patches = vtkPartitionedDataSetCollection::GetData(inputs[1], 0);
+  this->NumberOfMovedPoints = 0;
+  this->NumberOfPoorCellsBefore = 0;
+  this->NumberOfPoorCells = 0;
+  try
+  {
+    atria::AlgorithmProgress monitor(*this);
+    const atria::SmpExecutor executor;
+    const atria::RunContext context{executor, atria::ProgressRange(monitor)};
+    context.progress.report(0.0, "Finding faces");
+    atria::VtkFaceMesh source = atria::faceMeshFromVtk(volume, patches, executor);
+    atria::MeshOptimiserOptions options;
+    options.featureAngle = this->FeatureAngle;
+    options.fixedBoundary = this->FixBoundary;
+    options.optimiser.sweeps = this->NumberOfSweeps;
+    atria::QualityTargets& targets = options.optimiser.targets;
+    targets.pyramidCosine.aimAt(1.0 - this->TargetCellSquish);
+    targets.faceCosine.aimAt(std::cos(this->TargetNonOrthogonality * std::numbers::pi / 180.0));
+    targets.skewness.aimAt(this->TargetSkewness);
+    targets.scaledJacobian = this->TargetScaledJacobian;
+    const atria::MeshOptimiserReport report =
+        atria::optimiseMesh(source.mesh, source.cells.view(), patchOfFaces(source), options, context.part(0.1, 0.98));
+    vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs, 0);
+    output->ShallowCopy(volume);
+    output->SetPoints(toVtkPoints(source.mesh.points));
+    addReport(report, volume, output);
+    if (patches)
+    {
+      movePatches(patches, source.mesh.points, vtkPartitionedDataSetCollection::GetData(outputs, 1));
+    }
+    context.progress.report(1.0, "Mesh improved");
+    this->NumberOfMovedPoints = static_cast<vtkIdType>(report.movedPoints);
+    this->NumberOfPoorCellsBefore = static_cast<vtkIdType>(report.shortBefore);
+    this->NumberOfPoorCells = static_cast<vtkIdType>(report.shortAfter);
+  }
+  catch (const atria::Aborted&)
+  {
+    return 1;
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro("Cannot improve the mesh: " << error.what());
+    return 0;
+  }
+  return 1;
+}
+
+void vtkAtriaMeshOptimizer::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
+  os << indent << "FixBoundary: " << this->FixBoundary << "\n";
+  os << indent << "TargetCellSquish: " << this->TargetCellSquish << "\n";
+  os << indent << "TargetNonOrthogonality: " << this->TargetNonOrthogonality << "\n";
+  os << indent << "TargetSkewness: " << this->TargetSkewness << "\n";
+  os << indent << "TargetScaledJacobian: " << this->TargetScaledJacobian << "\n";
+  os << indent << "NumberOfSweeps: " << this->NumberOfSweeps << "\n";
+  os << indent << "NumberOfMovedPoints: " << this->NumberOfMovedPoints << "\n";
+  os << indent << "NumberOfPoorCellsBefore: " << this->NumberOfPoorCellsBefore << "\n";
+  os << indent << "NumberOfPoorCells: " << this->NumberOfPoorCells << "\n";
+}

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class   vtkAtriaMeshOptimizer
+ * @brief   moves the points of a volume mesh until its cells are valid and good
+ *
+ * Input port 0 takes any volume mesh of tetrahedra, voxels, hexahedra, wedges, pyramids and polyhedra. Input port 1,
+ * optional, takes its boundary patches as vtkAtriaMeshQuality does (vtkPartitionedDataSetCollection of vtkPolyData with
+ * the cell array `OwnerCellId` and the point array `VolumePointId`, such as vtkAtriaDualMesher's second output).
+ *
+ * Points of cells that fall short of a target, and those about them, are moved; all others stay as they are, bit by
+ * bit. So a mesh that meets all targets is not changed, and one that shall get better needs stricter ones. Besides the
+ * targets below, cells are judged by interpolation weights, volume ratios, determinants, coplanar faces and OpenFOAM's
+ * decomposition into tetrahedra.
+ *
+ * The boundary keeps its shape. Its edges are kept where its normals turn by more than FeatureAngle, where it ends or
+ * branches, and where two patches meet. Points at corners of these edges stay; points on an edge slide along it; all
+ * others slide along the boundary as it was, so what is flat stays flat. Points of the boundary that are in one place,
+ * such as those on the two sides of a sheet, move as one.
+ *
+ * The worst of the mesh never gets worse, by no metric of vtkAtriaMeshQuality, nor by Determinant, FaceWeight and
+ * VolumeRatio of its CheckMesh. The result has the same bits for any number of threads.
+ *
+ * Output port 0 is the mesh with its points moved, in double precision, and all its arrays. Besides it has
+ * - cell array `TargetShare` (float): the least of the cell's measures, those of its faces included, on a scale on
+ * which 1 reaches all targets and 0 is the limit of what solvers take. What a mesh's connectivity or boundary makes
+ * impossible stays below 1;
+ * - point array `Displacement` (double, 3 components): how far the point was moved, model units;
+ * - field arrays `MovedPoints`, `PoorCellsBefore` and `PoorCells` (id): see GetNumberOfMovedPoints() and the next.
+ *
+ * Output port 1 has the patches with the same points moved, if there are any.
+ *
+ * A cell of another type or dimension, one that does not fit the others, and patches that do not belong to the mesh are
+ * errors that name them.
+ *
+ * @sa vtkAtriaMeshQuality, vtkAtriaDualMesher
+ */
+#ifndef vtkAtriaMeshOptimizer_h
+#define vtkAtriaMeshOptimizer_h
+
+#include "AtriaFiltersQualityModule.h"
+#include "vtkUnstructuredGridAlgorithm.h"
+
+class vtkPartitionedDataSetCollection;
+
+class ATRIAFILTERSQUALITY_EXPORT vtkAtriaMeshOptimizer : public vtkUnstructuredGridAlgorithm
+{
+public:
+  static vtkAtriaMeshOptimizer* New();
+  vtkTypeMacro(vtkAtriaMeshOptimizer, vtkUnstructuredGridAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Edges of the boundary where its normals differ by more are kept, and points where these edges turn by more;
+   * degrees, from 0 to 180. Default 30.
+   */
+  vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
+  vtkGetMacro(FeatureAngle, double);
+  ///@}
+
+  ///@{
+  /**
+   * Leave all points on the boundary where they are. Default off.
+   */
+  vtkSetMacro(FixBoundary, bool);
+  vtkGetMacro(FixBoundary, bool);
+  vtkBooleanMacro(FixBoundary, bool);
+  ///@}
+
+  ///@{
+  /**
+   * CellSquish that is good enough, from 0 to 0.999; no unit. Default 0.8.
+   */
+  vtkSetClampMacro(TargetCellSquish, double, 0.0, 0.999);
+  vtkGetMacro(TargetCellSquish, double);
+  ///@}
+
+  ///@{
+  /**
+   * NonOrthogonality that is good enough, in degrees, from 1 to 89.9. Default 60, which is a FaceSquish of 0.5.
+   */
+  vtkSetClampMacro(TargetNonOrthogonality, double, 1.0, 89.9);
+  vtkGetMacro(TargetNonOrthogonality, double);
+  ///@}
+
+  ///@{
+  /**
+   * Skewness that is good enough, from 0.01 to 1000; no unit. Default 2.
+   */
+  vtkSetClampMacro(TargetSkewness, double, 0.01, 1000.0);
+  vtkGetMacro(TargetSkewness, double);
+  ///@}
+
+  ///@{
+  /**
+   * ScaledJacobian that is good enough for cells that have one, from 0 (do not look at it) to 1; no unit. Default 0.3.
+   */
+  vtkSetClampMacro(TargetScaledJacobian, double, 0.0, 1.0);
+  vtkGetMacro(TargetScaledJacobian, double);
+  ///@}
+
+  ///@{
+  /**
+   * How often at most all points in question are looked at, from 1 to 10000. Default 50.
+   */
+  vtkSetClampMacro(NumberOfSweeps, int, 1, 10000);
+  vtkGetMacro(NumberOfSweeps, int);
+  ///@}
+
+  /**
+   * Number of points moved in the last run, of cells that fell short of a target before it, and that still do.
+   */
+  ///@{
+  vtkGetMacro(NumberOfMovedPoints, vtkIdType);
+  vtkGetMacro(NumberOfPoorCellsBefore, vtkIdType);
+  vtkGetMacro(NumberOfPoorCells, vtkIdType);
+  ///@}
+
+  /**
+   * Connect the patches (input port 1).
+   */
+  void SetPatchesConnection(vtkAlgorithmOutput* patches);
+
+  /**
+   * Set the patches (input port 1) without a pipeline.
+   */
+  void SetPatchesData(vtkPartitionedDataSetCollection* patches);
+
+  /**
+   * Output port 1.
+   */
+  vtkPartitionedDataSetCollection* GetPatches();
+
+protected:
+  vtkAtriaMeshOptimizer();
+  ~vtkAtriaMeshOptimizer() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+private:
+  vtkAtriaMeshOptimizer(const vtkAtriaMeshOptimizer&) = delete;
+  void operator=(const vtkAtriaMeshOptimizer&) = delete;
+
+  double FeatureAngle = 30.0;
+  bool FixBoundary = false;
+  double TargetCellSquish = 0.8;
+  double TargetNonOrthogonality = 60.0;
+  double TargetSkewness = 2.0;
+  double TargetScaledJacobian = 0.3;
+  int NumberOfSweeps = 50;
+  vtkIdType NumberOfMovedPoints = 0;
+  vtkIdType NumberOfPoorCellsBefore = 0;
+  vtkIdType NumberOfPoorCells = 0;
+};
+
+#endif
