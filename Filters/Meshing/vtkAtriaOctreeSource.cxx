@@ -5,7 +5,6 @@
 #include "GridInput.h"
 #include "Octree/Estimate.h"
 #include "Octree/Refinement.h"
-#include "SmpExecutor.h"
 #include "VtkOctree.h"
 
 #include <vtkHyperTreeGrid.h>
@@ -110,9 +109,10 @@ bool vtkAtriaOctreeSource::Estimate()
       this->GetInputAlgorithm(0, 0)->Update();
       surfaces = this->GetInputDataObject(0, 0);
     }
-    const atria::SmpExecutor executor;
-    atria::SilentMonitor silent;
-    const atria::RunContext context{executor, atria::ProgressRange(silent)};
+    this->SetAbortExecute(0);
+    const atria::AlgorithmRun run(*this);
+    const atria::RunContext& context = run.context;
+    context.progress.report(0.0, "Estimating");
     const atria::GridInput input = atria::readGridInput(surfaces);
     const atria::PlacedModel placed = input.placed(*this);
     const atria::GridFrame& frame = placed.frame;
@@ -126,6 +126,10 @@ bool vtkAtriaOctreeSource::Estimate()
     this->EstimatedElements = static_cast<vtkIdType>(estimate.elements);
     this->EstimatedBytes = static_cast<vtkTypeInt64>(estimate.bytes);
     this->EstimateWarning = estimate.warning;
+  }
+  catch (const atria::Aborted&)
+  {
+    return false;
   }
   catch (const std::exception& error)
   {

@@ -25,7 +25,7 @@ void useThreads(int count); // Threads.cxx
 
 namespace {
 
-using atria::benchmark::MemoryPeak;
+using atria::measuring::MemoryPeak;
 
 /// Peaks of resident memory while filters tell of a phase.
 class Phases

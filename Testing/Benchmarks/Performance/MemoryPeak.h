@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <string>
 
-namespace atria::benchmark {
+namespace atria::measuring {
 
 /// Peaks of this process's resident memory, from Linux's /proc.
 class MemoryPeak
@@ -45,4 +45,4 @@ private:
   }
 };
 
-} // namespace atria::benchmark
+} // namespace atria::measuring
