@@ -81,7 +81,7 @@ class Unfinished
 {
 public:
   explicit Unfinished(const std::string& file)
-      : target(file), folder(target.parent_path() / ("." + target.filename().string() + ".unfinished"))
+      : target(file), folder(target.parent_path() / ('.' + target.filename().string() + ".unfinished"))
   {
     std::error_code error;
     fs::remove_all(folder, error); // of a process that was killed
@@ -139,7 +139,7 @@ void writeCompressed(Writer* writer, const std::string& file, vtkDataObject* dat
   writer->SetInputDataObject(data);
   writer->SetDataModeToAppended();
   writer->EncodeAppendedDataOff();
-  writer->SetCompressorTypeToZLib();
+  writer->SetCompressorTypeToLZ4(); // ten times as fast as zlib, for files twice as large
   const bool written = writer->Write() != 0;
   throwIfErrors(console, Failed, file);
   if (!written || !fs::exists(unfinished.file()))
@@ -275,6 +275,7 @@ long long writeOpenFOAM(const std::string& folder, vtkUnstructuredGrid* mesh, vt
 {
   vtkNew<vtkAtriaOpenFOAMWriter> writer;
   writer->SetRestoreOffset(restoreOffset);
+  writer->WriteBinaryOn();
   writer->SetInputDataObject(0, mesh);
   writer->SetInputDataObject(1, patches);
   writer->SetCaseDirectory(folder.c_str());
