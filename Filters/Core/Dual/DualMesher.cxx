@@ -192,38 +192,37 @@ void fixMoved(const std::vector<Vec3>& before, const std::vector<Vec3>& points, 
   }
 }
 
-} // namespace
-
-DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, const DualMeshOptions& options,
-                            StageClock& clock, const RunContext& context)
+/// Grid points, crossings and zones, and from them elements and vertices. What only these need is freed here: it is
+/// larger than the mesh.
+VertexAnchors fillMesh(DualMeshResult& result, const Octree& octree, const SurfaceModel& model,
+                       const DualMeshOptions& options, StageClock& clock, const RunContext& context)
 {
-  DualMeshResult result;
   context.progress.report(0.0, "Finding grid points");
-  GridPoints points = findGridPoints(octree, context);
+  const GridPoints points = findGridPoints(octree, context);
   clock.lap("dual");
-  context.progress.report(0.15, "Finding crossings");
+  context.progress.report(0.3, "Finding crossings");
   GridPlaces grid(octree, points);
   Crossings crossings = findCrossings(grid, model, context);
-  context.progress.report(0.25, "Moving grid points");
+  context.progress.report(0.45, "Moving grid points");
   crossings = modifyGrid(grid, model, std::move(crossings), context);
   closeCracks(crossings, grid, model, options.crackTolerance, context);
   markTurnedSides(crossings, model.names.size());
   clock.lap("crossings");
-  context.progress.report(0.35, "Finding zones");
+  context.progress.report(0.6, "Finding zones");
   const Zones zones = findZones(crossings, model.names.size(), context);
   result.keptZones = keptZones(zones, options.zoneRule, options.seeds, grid, model);
   dropBeyondSides(result.keptZones, zones, grid);
   const std::vector<Index> elements = numberElements(zones, result.keptZones, context);
   inspectZones(grid, model, crossings, zones, elements, options, result, context);
   clock.lap("zones");
-  context.progress.report(0.4, "Placing vertices");
+  context.progress.report(0.7, "Placing vertices");
   std::vector<Index> vertexOfLeaf;
   const std::vector<Index> leaves = numberVertices(points, elements, octree.leafCount(), vertexOfLeaf, context);
   DualMesh& mesh = result.mesh;
   DualVertices placed = placeVertices(octree, model, crossings, leaves, context);
   mesh.points = std::move(placed.positions);
   clock.lap("vertices");
-  context.progress.report(0.5, "Making elements");
+  context.progress.report(0.9, "Making elements");
   context.progress.check();
   fillBoundary(mesh, crossings, elements);
   fillElements(mesh, octree, points, crossings, zones, elements, vertexOfLeaf, context);
@@ -234,7 +233,17 @@ DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, con
   appendUnresolved(mesh, placed.compromised, result.diagnostics);
   keepWithinSides(mesh.points, octree.frame());
   fixMoved(before, mesh.points, placed.anchors);
-  DualImprover improver(octree, model, std::move(placed.anchors), result, context);
+  return std::move(placed.anchors);
+}
+
+} // namespace
+
+DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, const DualMeshOptions& options,
+                            StageClock& clock, const RunContext& context)
+{
+  DualMeshResult result;
+  VertexAnchors anchors = fillMesh(result, octree, model, options, clock, context.part(0.0, 0.55));
+  DualImprover improver(octree, model, std::move(anchors), result, context);
   clock.lap("elements");
   context.progress.report(0.55, "Improving elements");
   improver.improve();
