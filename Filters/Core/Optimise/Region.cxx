@@ -26,11 +26,17 @@ public:
     numberPoints();
     for (Index local = 0; local < region.cellIds.size(); ++local)
     {
+      if (local % grain == 0)
+      {
+        context.progress.check();
+      }
       addFaces(local);
     }
     addCellFaces();
+    context.progress.check();
     measureGhosts();
     addStars();
+    context.progress.check();
     return std::move(region);
   }
 
