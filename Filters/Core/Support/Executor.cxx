@@ -23,7 +23,7 @@ void SerialExecutor::forRanges(std::size_t count, std::size_t grain, const Body&
 
 void AbortableExecutor::forRanges(std::size_t count, std::size_t grain, const Body& body) const
 {
-  constexpr std::size_t rangesAtOnce = 64;
+  const std::size_t rangesAtOnce = 16 * std::max<std::size_t>(4, static_cast<std::size_t>(executor_.threads()));
   const auto check = [this] {
     if (monitor_.aborted())
     {
