@@ -3,11 +3,11 @@
 """Runs Atria, snappyHexMesh and gmsh on the same work, one after the other, and tables what they take.
 
 Usage: compare.py BUILD [--report FILE.md] [--json FILE.json] [--threads 1 2] [--cases NAME ...] [--without PEER ...]
-                  [--growth LARGEST] [--runs N]
+                  [--growth LARGEST] [--triangles LARGEST] [--runs N]
 
 BUILD is the build's folder. Of N runs the one that took the least of the processor counts. Atria's runs end with the
 mesh as VTK data; no mesher's run has its output in it but snappyHexMesh's, whose log tells the time until it is written.
---growth makes spheres of up to LARGEST elements, and models of up to 5 million triangles.
+--growth makes spheres of up to LARGEST elements, --triangles one mesh of models of up to LARGEST triangles.
 Peers that are not installed are left out: apt-get install openfoam gmsh.
 """
 
@@ -229,6 +229,7 @@ def main():
     parser.add_argument("--cases", nargs="+", choices=[case.name for case in cases()])
     parser.add_argument("--without", nargs="+", default=[], choices=["snappyHexMesh", "gmsh"])
     parser.add_argument("--growth", type=float, default=0.0, metavar="LARGEST")
+    parser.add_argument("--triangles", type=float, default=0.0, metavar="LARGEST")
     parser.add_argument("--runs", type=int, default=3)
     arguments = parser.parse_args()
     if arguments.from_json:
@@ -239,7 +240,8 @@ def main():
         if arguments.growth > 0:
             data = HERE.parents[1] / "Examples" / "Data"
             results["elements"] = growth_in_elements(benchmark, arguments.growth, data)
-            results["triangles"] = growth_in_triangles(benchmark, 6e6)
+        if arguments.triangles > 0:
+            results["triangles"] = growth_in_triangles(benchmark, arguments.triangles)
     if arguments.json:
         arguments.json.write_text(json.dumps(results, indent=1) + "\n")
     text = tables.report(results, cases())
