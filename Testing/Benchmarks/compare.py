@@ -25,6 +25,8 @@ import sys
 import tempfile
 import time
 
+import numpy
+
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE), str(HERE.parents[1] / "Examples" / "Data")]
 
@@ -177,8 +179,6 @@ def growth_in_elements(benchmark, largest, data):
 
 def write_sphere(file, subdivisions):
     """A sphere of 20 * 4^subdivisions triangles as binary STL, without a list of Python's for each."""
-    import numpy
-
     corners = numpy.array(make_sphere.sphere(1.0, 0))
     for _ in range(subdivisions):
         a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
@@ -209,6 +209,15 @@ def growth_in_triangles(benchmark, largest):
     return series
 
 
+def octrees(program):
+    """Octree and balance, ours and p4est's; nothing where that was not built."""
+    if not program.exists():
+        return []
+    text = subprocess.run([program, "--benchmark_format=json"], check=True, capture_output=True, text=True).stdout
+    return [{"name": b["name"], "seconds": 1e-3 * b["cpu_time"], "leaves": int(b["leaves"])}
+            for b in json.loads(text)["benchmarks"]]
+
+
 def machine():
     cpu = platform.processor() or "unknown"
     info = pathlib.Path("/proc/cpuinfo")
@@ -237,6 +246,7 @@ def main():
     else:
         benchmark = arguments.build.resolve() / "bin" / "benchmark_mesh"
         results = {"machine": machine(), "meshers": compare(arguments, benchmark)}
+        results["octrees"] = octrees(benchmark.with_name("benchmark_p4est"))
         if arguments.growth > 0:
             data = HERE.parents[1] / "Examples" / "Data"
             results["elements"] = growth_in_elements(benchmark, arguments.growth, data)

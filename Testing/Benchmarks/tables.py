@@ -58,7 +58,11 @@ def verdicts(results, cases):
         if ours and theirs:
             lines.append(row(f"{case.title}: {case.target:g} times faster than snappyHexMesh, 2 threads",
                              f"{theirs['wall'] / ours['wall']:.1f} times"))
-        one = found.get("Atria", {}).get("1")
+        one, single = (found.get(m, {}).get("1") for m in ("Atria", "snappyHexMesh"))
+        if one and single:
+            ratio = one["elements"] / one["processor"] / (single["elements"] / single["processor"])
+            lines.append(row(f"{case.title}: elements a second of the processor, one thread, over snappyHexMesh's",
+                             f"{ratio:.1f} times"))
         if case.name == "uniform" and one and ours:
             lines.append(row("1.7 times over one thread, uniform", f"{one['wall'] / ours['wall']:.2f} times"))
         limit = {"uniform": 350, "adaptive": 600}.get(case.name)
@@ -75,11 +79,17 @@ def verdicts(results, cases):
 
 
 def growth(series, key):
-    lines = [row(key, "elements", "s of the processor", "bytes an element"), row(*["---"] * 4)]
+    keys = list(dict.fromkeys([key, "elements"]))
+    lines = [row(*keys, "s of the processor", "bytes an element"), row(*["---"] * (len(keys) + 2))]
     for r in series:
-        lines.append(row(f"{r[key]:,}", f"{r['elements']:,}", f"{r['processor']:.2f}",
-                         f"{r['bytes'] / r['elements']:.0f}"))
+        lines.append(row(*(f"{r[k]:,}" for k in keys), f"{r['processor']:.2f}", f"{r['bytes'] / r['elements']:.0f}"))
     return lines
+
+
+def octrees(series):
+    lines = [row("octree and 2:1 balance of", "leaves", "s of the processor", "leaves a s"), row(*["---"] * 4)]
+    return lines + [row(r["name"].replace("/", ", depth "), f"{r['leaves']:,}", f"{r['seconds']:.4f}",
+                        f"{r['leaves'] / r['seconds']:,.0f}") for r in series]
 
 
 def report(results, cases):
@@ -91,10 +101,19 @@ def report(results, cases):
         f"{m['load']:.1f} before.", "",
         "Atria's time is that of the whole process, from the file to the mesh as VTK data, nothing written; of snappyHexMesh it ends",
         "before the mesh is written, and gmsh writes none. gmsh's elements are tetrahedra. snappyHexMesh grows no layer. Bytes are the",
-        "peak of resident memory, of all processes together.", "", *verdicts(results, cases)]
+        "peak of resident memory, of all processes together.", ""]
+    if m["load"] > 0.5:
+        lines += ["Other programs kept the machine busy. Seconds of the processor hold nevertheless; those of the clock, and with them what",
+                  "several threads gain, do not.", ""]
+    lines += verdicts(results, cases)
     for case in cases:
         if found := results["meshers"].get(case.name):
-            lines += ["", f"## {case.title}", "", *comparison(found), "", *stages(found)]
+            lines += ["", f"## {case.title}", "", *comparison(found)]
+            if any(r and "stages" in r for r in found["Atria"].values()):
+                lines += ["", *stages(found)]
+    if series := results.get("octrees"):
+        lines += ["", "## Octree and balance, one core", "", "Across faces, edges and corners, of the same refinement.", "",
+                  *octrees(series)]
     for name, series in results.get("elements", {}).items():
         lines += ["", f"## Growth with elements, {name} sphere, one thread", "", *growth(series, "elements")]
     if series := results.get("triangles"):
