@@ -67,9 +67,7 @@ void SmpExecutor::forRanges(std::size_t count, std::size_t grain, const Body& bo
       }
     }
   };
-  const auto run = [&] {
-    vtkSMPTools::For(0, static_cast<vtkIdType>(count), static_cast<vtkIdType>(step), guarded);
-  };
+  const auto run = [&] { vtkSMPTools::For(0, static_cast<vtkIdType>(count), static_cast<vtkIdType>(step), guarded); };
   const std::string backend = backendInUse();
   if (backend == vtkSMPTools::GetBackend())
   {

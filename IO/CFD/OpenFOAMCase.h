@@ -31,8 +31,8 @@ struct BoundaryPatch
 /// Throws Error for a folder or file that cannot be written, for faces in patches that are not on the
 /// boundary or in two patches, and for a mesh too large for 32-bit labels.
 void writePolyMesh(const std::filesystem::path& caseFolder, const FaceMesh& mesh,
-                   std::span<const BoundaryPatch> patches, std::span<const std::int64_t> zoneIds,
-                   OpenFOAMFormat format, const ProgressRange& progress);
+                   std::span<const BoundaryPatch> patches, std::span<const std::int64_t> zoneIds, OpenFOAMFormat format,
+                   const ProgressRange& progress);
 
 /// Adds the least that OpenFOAM's utilities ask for, where it is not there: system/controlDict, fvSchemes and
 /// fvSolution, and an empty <case>.foam by which ParaView opens it. Throws Error for a file that cannot be

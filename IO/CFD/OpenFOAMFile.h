@@ -32,7 +32,8 @@ public:
     OpenFOAMFormat format = OpenFOAMFormat::Ascii;
   };
 
-  /// Creates the file; its name becomes the header's `object`. `progress` is asked whether to stop about once a megabyte.
+  /// Creates the file; its name becomes the header's `object`. `progress` is asked whether to stop about once a
+  /// megabyte.
   OpenFOAMFile(const std::filesystem::path& path, const Header& header, const ProgressRange* progress = nullptr);
 
   OpenFOAMFile& text(std::string_view characters);

@@ -43,8 +43,8 @@ public:
 
 class ProgressMonitor;
 
-/// Runs loops on another executor, and ends them soon after a monitor says so, with Aborted. The monitor is asked before
-/// every range, and at times by the thread that runs the loop, also where the other executor has that one wait.
+/// Runs loops on another executor, and ends them soon after a monitor says so, with Aborted. The monitor is asked
+/// before every range, and at times by the thread that runs the loop, also where the other executor has that one wait.
 class AbortableExecutor : public Executor
 {
 public:
