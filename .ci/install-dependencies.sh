@@ -3,6 +3,7 @@
 #
 #   install-dependencies.sh build      the compiler, VTK and the libraries: enough for the command line
 #   install-dependencies.sh test       the above, the referees of the tests, and ParaView
+#   install-dependencies.sh benchmark  what `build` does, and what the benchmarks measure with and against
 #
 # Debian's libvtk9-dev and ParaView's development files cannot be installed side by side (their Python
 # packages conflict), so ParaView is unpacked into a prefix of its own, ATRIA_PARAVIEW_PREFIX.
@@ -14,6 +15,7 @@ prefix=${ATRIA_PARAVIEW_PREFIX:-/opt/atria-paraview}
 build_packages=(g++ cmake ninja-build ccache libvtk9-dev libcgal-dev libeigen3-dev zlib1g-dev
   libcli11-dev nlohmann-json3-dev python3-numpy python3-vtk9 xvfb xauth libgl1-mesa-dri)
 test_packages=(libgtest-dev libgmock-dev libcoin-dev openfoam)
+benchmark_packages=(libgtest-dev libgmock-dev libbenchmark-dev libp4est-dev openfoam gmsh)
 
 as_root() {
   if [ "$(id -u)" -eq 0 ]; then "$@"; else sudo "$@"; fi
@@ -63,8 +65,9 @@ case $what in
     install_missing "${build_packages[@]}" "${test_packages[@]}"
     install_paraview
     ;;
+  benchmark) install_missing "${build_packages[@]}" "${benchmark_packages[@]}" ;;
   *)
-    echo "usage: $0 build|test" >&2
+    echo "usage: $0 build|test|benchmark" >&2
     exit 2
     ;;
 esac

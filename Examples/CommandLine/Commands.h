@@ -20,7 +20,8 @@ enum ExitStatus : int
   Failed = 1,
   Usage = 2,
   BadInput = 3,
-  MeshNotValid = 4
+  MeshNotValid = 4,
+  Interrupted = 130 ///< by Ctrl-C; what shells say too
 };
 
 /// Ends the program with a status and a message for people.

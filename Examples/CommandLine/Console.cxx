@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Console.h"
 
+#include "Commands.h"
+
 #include <vtkAlgorithm.h>
 #include <vtkCommand.h>
 #include <vtkLogger.h>
@@ -9,12 +11,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <functional>
 #include <iomanip>
 #include <iostream>
 #include <mutex>
 #include <regex>
 #include <sstream>
+#include <string_view>
 #include <utility>
 
 #include <unistd.h>
@@ -39,6 +43,21 @@ std::string plainText(const std::string& message)
 /// The pipeline adds this to an error that the filter itself already explained.
 bool isPipelineEcho(const std::string& text) { return text.rfind("Algorithm vtk", 0) == 0; }
 
+volatile std::sig_atomic_t interrupted = 0;
+
+extern "C" void noteInterrupt(int) { interrupted = 1; }
+
+void catchInterrupts()
+{
+  struct sigaction action = {};
+  action.sa_handler = noteInterrupt;
+  action.sa_flags = static_cast<int>(SA_RESETHAND); // the second ends the program
+  sigemptyset(&action.sa_mask);
+  sigaction(SIGINT, &action, nullptr);
+}
+
+bool isOurs(vtkAlgorithm* algorithm) { return std::string_view(algorithm->GetClassName()).starts_with("vtkAtria"); }
+
 class ProgressCommand : public vtkCommand
 {
 public:
@@ -46,8 +65,16 @@ public:
   void Execute(vtkObject* caller, unsigned long, void* data) override
   {
     auto* algorithm = static_cast<vtkAlgorithm*>(caller);
-    show(*static_cast<double*>(data), algorithm->GetProgressText() ? algorithm->GetProgressText() : "");
+    if (Console::wasInterrupted() && isOurs(algorithm))
+    {
+      algorithm->AbortExecuteOn();
+      return;
+    }
+    Console::throwIfInterrupted();
+    const char* text = algorithm->GetProgressText();
+    show(*static_cast<double*>(data), text && *text ? text : phase);
   }
+  std::string phase;
   std::function<void(double, const std::string&)> show;
 };
 
@@ -83,6 +110,7 @@ Console::Console()
   window->console = this;
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // VTK also logs what it tells the window
   vtkOutputWindow::SetInstance(window);
+  catchInterrupts();
 }
 
 Console::~Console()
@@ -109,15 +137,22 @@ void Console::note(const std::string& text)
   std::cerr << "atria: note: " << text << '\n';
 }
 
-void Console::follow(vtkAlgorithm* algorithm, double first, double last)
+bool Console::wasInterrupted() { return interrupted != 0; }
+
+void Console::throwIfInterrupted()
 {
-  if (!terminal)
+  if (wasInterrupted())
   {
-    return;
+    throw Failure(Interrupted, "interrupted; what was not complete has not been written");
   }
+}
+
+void Console::follow(vtkAlgorithm* algorithm, double first, double last, const std::string& phase)
+{
   vtkNew<ProgressCommand> command;
-  command->show = [this, first, last](double fraction, const std::string& phase) {
-    progress(first + fraction * (last - first), phase);
+  command->phase = phase;
+  command->show = [this, first, last](double fraction, const std::string& text) {
+    progress(first + fraction * (last - first), text);
   };
   algorithm->AddObserver(vtkCommand::ProgressEvent, command);
 }
@@ -129,7 +164,8 @@ void Console::progress(double fraction, const std::string& phase)
     return;
   }
   constexpr int width = 30;
-  const double done = std::clamp(fraction, 0.0, 1.0);
+  furthest = std::clamp(fraction, furthest, 1.0);
+  const double done = furthest;
   const int filled = static_cast<int>(std::lround(done * width));
   std::ostringstream text;
   text << '[' << std::string(filled, '#') << std::string(width - filled, ' ') << "] " << std::setw(3)

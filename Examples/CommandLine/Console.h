@@ -24,8 +24,14 @@ public:
   void warning(const std::string& text);
   void note(const std::string& text);
 
-  /// Shows the progress of `algorithm` as the part [first, last] of the whole.
-  void follow(vtkAlgorithm* algorithm, double first, double last);
+  /// Shows the progress of `algorithm` as the part [first, last] of the whole, and stops it at Ctrl-C: filters of ours
+  /// by their abort flag, so that the caller must ask wasInterrupted() after them; VTK's by throwing Failure, as not
+  /// all of them look at theirs. `phase` is for those that have no text of their own.
+  void follow(vtkAlgorithm* algorithm, double first, double last, const std::string& phase = {});
+  /// Whether Ctrl-C was pressed. The second time it ends the program at once.
+  static bool wasInterrupted();
+  /// Throws Failure if so.
+  static void throwIfInterrupted();
   /// Moves the bar without an algorithm.
   void progress(double fraction, const std::string& phase);
   /// Removes the bar, so that text can follow.
@@ -40,6 +46,7 @@ private:
   vtkSmartPointer<Window> window;
   vtkSmartPointer<vtkOutputWindow> previous;
   bool terminal = false;
+  double furthest = 0.0; ///< what follows does not fall behind it
   std::string shown;
 };
 

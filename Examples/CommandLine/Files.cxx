@@ -24,6 +24,7 @@
 #include <filesystem>
 #include <fstream>
 #include <string_view>
+#include <vector>
 
 namespace atria::tool {
 
@@ -75,27 +76,84 @@ void printNotes(vtkAtriaSurfaceReader* reader, const std::string& file, Console&
   }
 }
 
+/// A folder beside a file, in which that is written with what belongs to it. It is removed whatever happens.
+class Unfinished
+{
+public:
+  explicit Unfinished(const std::string& file)
+      : target(file), folder(target.parent_path() / ('.' + target.filename().string() + ".unfinished"))
+  {
+    std::error_code error;
+    fs::remove_all(folder, error); // of a process that was killed
+    fs::create_directory(folder, error);
+    if (error)
+    {
+      throw Failure(Failed, file + " could not be written: " + error.message());
+    }
+  }
+  ~Unfinished()
+  {
+    std::error_code ignored;
+    fs::remove_all(folder, ignored);
+  }
+  Unfinished(const Unfinished&) = delete;
+  Unfinished& operator=(const Unfinished&) = delete;
+
+  std::string file() const { return (folder / target.filename()).string(); }
+
+  void complete() const
+  {
+    Console::throwIfInterrupted();
+    std::error_code error;
+    const std::vector<fs::directory_entry> entries(fs::recursive_directory_iterator(folder), {});
+    for (const fs::directory_entry& entry : entries)
+    {
+      const fs::path to = target.parent_path() / fs::relative(entry.path(), folder);
+      if (entry.is_directory())
+      {
+        fs::create_directory(to, error);
+      }
+      else
+      {
+        fs::rename(entry.path(), to, error);
+      }
+      if (error)
+      {
+        throw Failure(Failed, to.string() + " could not be written: " + error.message());
+      }
+    }
+  }
+
+private:
+  fs::path target;
+  fs::path folder;
+};
+
 /// A VTK XML file, appended and compressed. VTK's writers share these methods, but not all of them a base.
 template <typename Writer>
 void writeCompressed(Writer* writer, const std::string& file, vtkDataObject* data, Console& console)
 {
-  writer->SetFileName(file.c_str());
+  const Unfinished unfinished(file);
+  writer->SetFileName(unfinished.file().c_str());
+  console.follow(writer, 0.9, 1.0, "Writing");
   writer->SetInputDataObject(data);
   writer->SetDataModeToAppended();
   writer->EncodeAppendedDataOff();
-  writer->SetCompressorTypeToZLib();
+  writer->SetCompressorTypeToLZ4(); // ten times as fast as zlib, for files twice as large
   const bool written = writer->Write() != 0;
   throwIfErrors(console, Failed, file);
-  if (!written || !fs::exists(file))
+  if (!written || !fs::exists(unfinished.file()))
   {
     throw Failure(Failed, file + " could not be written; check permissions and space");
   }
+  unfinished.complete();
 }
 
 } // namespace
 
 void throwIfErrors(Console& console, ExitStatus status, const std::string& about)
 {
+  Console::throwIfInterrupted();
   const std::vector<std::string> errors = console.takeErrors();
   if (errors.empty())
   {
@@ -170,7 +228,7 @@ vtkSmartPointer<vtkUnstructuredGrid> readMesh(const std::string& file, Console& 
                   file + " is not a VTK XML unstructured grid; give a .vtu file, such as `atria mesh` writes");
   }
   reader->SetFileName(file.c_str());
-  console.follow(reader, 0.0, 0.5);
+  console.follow(reader, 0.0, 0.5, "Reading the mesh");
   reader->Update();
   throwIfErrors(console, BadInput, file);
   return reader->GetOutput();
@@ -186,6 +244,7 @@ vtkSmartPointer<vtkPartitionedDataSetCollection> readPatches(const std::string& 
     throw Failure(BadInput, file + " holds no patches; give a .vtpc file, such as `atria mesh --patches` writes");
   }
   reader->SetFileName(file.c_str());
+  console.follow(reader, 0.5, 0.5, "Reading patches");
   reader->Update();
   throwIfErrors(console, BadInput, file);
   vtkSmartPointer<vtkPartitionedDataSetCollection> patches =
@@ -216,9 +275,11 @@ long long writeOpenFOAM(const std::string& folder, vtkUnstructuredGrid* mesh, vt
 {
   vtkNew<vtkAtriaOpenFOAMWriter> writer;
   writer->SetRestoreOffset(restoreOffset);
+  writer->WriteBinaryOn();
   writer->SetInputDataObject(0, mesh);
   writer->SetInputDataObject(1, patches);
   writer->SetCaseDirectory(folder.c_str());
+  console.follow(writer, 0.9, 1.0);
   const bool written = writer->Write() != 0;
   throwIfErrors(console, Failed, folder);
   if (!written)
@@ -230,13 +291,15 @@ long long writeOpenFOAM(const std::string& folder, vtkUnstructuredGrid* mesh, vt
 
 void writeText(const std::string& file, const std::string& text)
 {
-  std::ofstream stream(file);
+  const Unfinished unfinished(file);
+  std::ofstream stream(unfinished.file());
   stream << text;
   stream.close();
   if (!stream)
   {
     throw Failure(Failed, file + " could not be written; check permissions and space");
   }
+  unfinished.complete();
 }
 
 void checkOutput(const std::string& option, const std::string& file, const std::string& ending)

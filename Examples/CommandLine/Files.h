@@ -31,7 +31,8 @@ vtkSmartPointer<vtkUnstructuredGrid> readMesh(const std::string& file, Console& 
 /// What writePatches() wrote.
 vtkSmartPointer<vtkPartitionedDataSetCollection> readPatches(const std::string& file, Console& console);
 
-/// Appended binary data, compressed. Throws Failure(Failed).
+/// Appended binary data, compressed. Throws Failure(Failed). These write beside their place, and put files there once
+/// they are complete.
 void writeMesh(const std::string& file, vtkUnstructuredGrid* mesh, Console& console);
 void writePolyData(const std::string& file, vtkPolyData* data, Console& console);
 void writePatches(const std::string& file, vtkPartitionedDataSetCollection* patches, Console& console);

@@ -203,11 +203,32 @@ void printProblems(std::vector<Problem> problems, const TriangleSurface& surface
   std::printf("size: length of edges, area of duplicates, height of the thinnest sliver, width of the widest gap\n");
 }
 
-std::vector<Problem> findProblems(const TriangleSurface& surface, const InspectOptions& options)
+/// Shows the progress of the core, and stops it at Ctrl-C.
+class ConsoleMonitor : public ProgressMonitor
 {
-  const ThreadExecutor executor(static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
-  SilentMonitor monitor;
-  return atria::findProblems(surface, {options.gap}, {executor, ProgressRange(monitor)});
+public:
+  explicit ConsoleMonitor(Console& shown) : console(shown) {}
+  void report(double fraction, const char* phase) override { console.progress(fraction, phase); }
+  bool aborted() const override { return Console::wasInterrupted(); }
+
+private:
+  Console& console;
+};
+
+std::vector<Problem> findProblems(const TriangleSurface& surface, const InspectOptions& options, Console& console)
+{
+  const ThreadExecutor threads(static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
+  ConsoleMonitor monitor(console);
+  const AbortableExecutor executor(threads, monitor);
+  try
+  {
+    return atria::findProblems(surface, {options.gap}, {executor, ProgressRange(monitor)});
+  }
+  catch (const Aborted&)
+  {
+    Console::throwIfInterrupted();
+    throw;
+  }
 }
 
 /// The curves of the whole model: a domain some way off it cuts none.
@@ -242,7 +263,8 @@ ExitStatus runInspect(const InspectOptions& options, Console& console)
   }
   const TriangleSurface surface = trianglesOf(reader->GetOutput());
   const Inspection inspection = inspect(surface);
-  const std::vector<Problem> problems = options.noProblems ? std::vector<Problem>{} : findProblems(surface, options);
+  const std::vector<Problem> problems =
+      options.noProblems ? std::vector<Problem>{} : findProblems(surface, options, console);
   console.clearBar();
   if (options.json)
   {

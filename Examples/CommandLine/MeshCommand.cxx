@@ -333,7 +333,6 @@ long long writeOutputs(const MeshOptions& options, vtkUnstructuredGrid* mesh, vt
                        Console& console)
 {
   long long mergedFaces = 0;
-  console.progress(0.9, "Writing");
   writeMesh(options.output, mesh, console);
   if (!options.patches.empty())
   {
@@ -343,7 +342,6 @@ long long writeOutputs(const MeshOptions& options, vtkUnstructuredGrid* mesh, vt
   {
     mergedFaces = writeOpenFOAM(options.openfoam, mesh, patches, options.restoreOffset, console);
   }
-  console.progress(1.0, "Writing");
   return mergedFaces;
 }
 
@@ -373,7 +371,10 @@ ExitStatus printEstimate(const MeshOptions& options, vtkAtriaSurfaceReader* read
   vtkNew<vtkAtriaOctreeSource> source;
   configureGrid(source, options);
   source->SetInputConnection(reader->GetOutputPort());
-  if (!source->Estimate())
+  console.follow(source, 0.05, 1.0);
+  const bool estimated = source->Estimate();
+  console.clearBar();
+  if (!estimated)
   {
     throwIfErrors(console, BadInput, options.input);
   }

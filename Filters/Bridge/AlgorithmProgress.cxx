@@ -2,13 +2,25 @@
 #include "AlgorithmProgress.h"
 
 #include <vtkAlgorithm.h>
+#include <vtkDemandDrivenPipeline.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
 #include <vtkVersion.h>
 
 #include <algorithm>
 
 namespace atria {
 
-AlgorithmProgress::AlgorithmProgress(vtkAlgorithm& target) : algorithm(target), home(std::this_thread::get_id()) {}
+namespace {
+
+constexpr std::chrono::milliseconds interval(100);
+
+} // namespace
+
+AlgorithmProgress::AlgorithmProgress(vtkAlgorithm& target)
+    : algorithm(target), home(std::this_thread::get_id()), told(std::chrono::steady_clock::now())
+{
+}
 
 void AlgorithmProgress::report(double fraction, const char* phase)
 {
@@ -17,20 +29,49 @@ void AlgorithmProgress::report(double fraction, const char* phase)
     return;
   }
   last = std::clamp(fraction, last, 1.0);
-  algorithm.SetProgressText(phase);
+  phase_ = phase;
+  tell();
+}
+
+void AlgorithmProgress::tell() const
+{
+  told = std::chrono::steady_clock::now();
+  algorithm.SetProgressText(phase_.c_str());
   algorithm.UpdateProgress(last);
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20220823)
-  algorithm.CheckAbort();
+  stop = algorithm.CheckAbort() || algorithm.GetAbortExecute();
+#else
+  stop = algorithm.GetAbortExecute() != 0;
 #endif
 }
 
 bool AlgorithmProgress::aborted() const
 {
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20220823)
-  return algorithm.GetAbortOutput() || algorithm.GetAbortExecute();
-#else
-  return algorithm.GetAbortExecute() != 0;
-#endif
+  if (std::this_thread::get_id() == home)
+  {
+    if (std::chrono::steady_clock::now() - told > interval)
+    {
+      tell();
+    }
+    else if (algorithm.GetAbortExecute())
+    {
+      stop = true;
+    }
+  }
+  return stop;
+}
+
+AlgorithmRun::AlgorithmRun(vtkAlgorithm& algorithm)
+    : progress(algorithm), executor(threads, progress), context{executor, ProgressRange(progress)}
+{
+}
+
+void markAborted(vtkInformationVector* outputs)
+{
+  for (int i = 0; i < outputs->GetNumberOfInformationObjects(); ++i)
+  {
+    outputs->GetInformationObject(i)->Set(vtkDemandDrivenPipeline::DATA_NOT_GENERATED(), 1);
+  }
 }
 
 } // namespace atria

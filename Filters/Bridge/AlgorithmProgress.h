@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "SmpExecutor.h"
 #include "Support/Progress.h"
+#include "Support/RunContext.h"
 
+#include <atomic>
+#include <chrono>
 #include <string>
 #include <thread>
 
 class vtkAlgorithm;
+class vtkInformationVector;
 
 namespace atria {
 
@@ -17,12 +22,41 @@ public:
   /// Must be made on the thread that runs the algorithm: VTK's progress events belong there.
   explicit AlgorithmProgress(vtkAlgorithm& target);
   void report(double fraction, const char* phase) override;
+  /// Asked on the algorithm's thread, repeats the last progress event every tenth of a second: who wants to abort, such
+  /// as ParaView's button, may have no other occasion to say so.
   bool aborted() const override;
 
 private:
+  void tell() const;
+
   vtkAlgorithm& algorithm;
   std::thread::id home;
   double last = 0.0;
+  std::string phase_;
+  mutable std::chrono::steady_clock::time_point told;
+  mutable std::atomic<bool> stop{false};
 };
+
+/// What the core needs from a filter for one run.
+class AlgorithmRun
+{
+public:
+  /// Must be made on the thread that runs the algorithm.
+  explicit AlgorithmRun(vtkAlgorithm& algorithm);
+  AlgorithmRun(const AlgorithmRun&) = delete;
+  AlgorithmRun& operator=(const AlgorithmRun&) = delete;
+
+private:
+  AlgorithmProgress progress;
+  SmpExecutor threads;
+  AbortableExecutor executor;
+
+public:
+  const RunContext context;
+};
+
+/// Has the pipeline run the filter again at the next update, although nothing was modified: its outputs are not what
+/// was asked for.
+void markAborted(vtkInformationVector* outputs);
 
 } // namespace atria

@@ -4,6 +4,7 @@
 #include <vtkSMPTools.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstdlib>
 #include <exception>
 #include <mutex>
@@ -44,10 +45,17 @@ void SmpExecutor::forRanges(std::size_t count, std::size_t grain, const Body& bo
 {
   std::exception_ptr failure;
   std::mutex failureMutex;
-  const auto guarded = [&](vtkIdType begin, vtkIdType end) {
+  std::atomic<bool> failed{false};
+  const std::size_t step = std::max<std::size_t>(grain, 1);
+  // VTK's ranges may be longer than the grain.
+  const auto guarded = [&](vtkIdType first, vtkIdType last) {
+    const auto end = static_cast<std::size_t>(last);
     try
     {
-      body(static_cast<std::size_t>(begin), static_cast<std::size_t>(end));
+      for (auto begin = static_cast<std::size_t>(first); begin < end && !failed; begin += step)
+      {
+        body(begin, std::min(begin + step, end));
+      }
     }
     catch (...)
     {
@@ -55,13 +63,11 @@ void SmpExecutor::forRanges(std::size_t count, std::size_t grain, const Body& bo
       if (!failure)
       {
         failure = std::current_exception();
+        failed = true;
       }
     }
   };
-  const auto run = [&] {
-    vtkSMPTools::For(0, static_cast<vtkIdType>(count), static_cast<vtkIdType>(std::max<std::size_t>(grain, 1)),
-                     guarded);
-  };
+  const auto run = [&] { vtkSMPTools::For(0, static_cast<vtkIdType>(count), static_cast<vtkIdType>(step), guarded); };
   const std::string backend = backendInUse();
   if (backend == vtkSMPTools::GetBackend())
   {

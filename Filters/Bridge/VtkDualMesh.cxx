@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "VtkDualMesh.h"
 
+#include "Support/Pieces.h"
+
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCellType.h>
@@ -117,96 +119,169 @@ VtkElement translate(const std::array<Index, 8>& corners)
   return element;
 }
 
-/// Appends a polyhedron to VTK's face stream.
-void appendFaces(const VtkElement& element, vtkIdTypeArray* stream)
+/// Entries of a piece of the elements in VTK's arrays.
+struct CellSizes
 {
-  const auto count =
-      std::count_if(element.faces.begin(), element.faces.end(), [](const ReducedFace& f) { return f.count >= 3; });
-  stream->InsertNextValue(static_cast<vtkIdType>(count));
+  vtkIdType points = 0;
+  vtkIdType stream = 0;
+
+  CellSizes operator+(const CellSizes& other) const { return {points + other.points, stream + other.stream}; }
+};
+
+bool isHexahedron(const std::array<Index, 8>& corners)
+{
+  for (int i = 1; i < 8; ++i)
+  {
+    for (int j = 0; j < i; ++j)
+    {
+      if (corners[i] == corners[j])
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+/// A polyhedron's entries in VTK's face stream; without `stream` they are counted only.
+vtkIdType writeFaces(const VtkElement& element, vtkIdType* stream)
+{
+  vtkIdType used = 1;
+  vtkIdType count = 0;
   for (const ReducedFace& face : element.faces)
   {
     if (face.count >= 3)
     {
-      stream->InsertNextValue(face.count);
-      for (int i = 0; i < face.count; ++i)
+      ++count;
+      if (stream)
       {
-        stream->InsertNextValue(face.points[i]);
+        stream[used] = face.count;
+        std::copy_n(face.points.begin(), face.count, stream + used + 1);
+      }
+      used += 1 + face.count;
+    }
+  }
+  if (stream)
+  {
+    stream[0] = count;
+  }
+  return used;
+}
+
+/// Types of a piece's cells; returns what they need.
+CellSizes countCells(const DualMesh& mesh, std::size_t begin, std::size_t end, unsigned char* types)
+{
+  CellSizes sizes;
+  for (std::size_t e = begin; e < end; ++e)
+  {
+    if (isHexahedron(mesh.corners[e]))
+    {
+      types[e] = VTK_HEXAHEDRON;
+      sizes.points += 8;
+      continue;
+    }
+    const VtkElement element = translate(mesh.corners[e]);
+    types[e] = element.type;
+    sizes.points += element.pointCount;
+    sizes.stream += element.type == VTK_POLYHEDRON ? writeFaces(element, nullptr) : 0;
+  }
+  return sizes;
+}
+
+/// VTK's arrays of cells, to be filled by pieces.
+template <typename Value> struct CellTarget
+{
+  Value* offsets;
+  Value* connectivity;
+  vtkIdType* locations; ///< null without polyhedra
+  vtkIdType* stream;
+
+  void fill(const DualMesh& mesh, std::size_t begin, std::size_t end, const unsigned char* types, CellSizes used) const
+  {
+    for (std::size_t e = begin; e < end; ++e)
+    {
+      offsets[e] = static_cast<Value>(used.points);
+      const bool whole = types[e] == VTK_HEXAHEDRON;
+      const VtkElement element = whole ? VtkElement{} : translate(mesh.corners[e]);
+      const std::array<Index, 8>& points = whole ? mesh.corners[e] : element.points;
+      std::copy_n(points.begin(), whole ? 8 : element.pointCount, connectivity + used.points);
+      used.points += whole ? 8 : element.pointCount;
+      if (locations)
+      {
+        const bool polyhedron = types[e] == VTK_POLYHEDRON;
+        locations[e] = polyhedron ? used.stream : -1;
+        used.stream += polyhedron ? writeFaces(element, stream + used.stream) : 0;
       }
     }
   }
+};
+
+template <typename Array> vtkNew<Array> arrayOf(vtkIdType count, const char* name = nullptr)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->SetNumberOfValues(count);
+  return array;
 }
 
 /// 32-bit where they suffice.
-template <typename Array> void fillCells(const DualMesh& mesh, vtkUnstructuredGrid* out)
+template <typename Array> void fillCells(const DualMesh& mesh, vtkUnstructuredGrid* out, const Executor& executor)
 {
   const auto count = static_cast<vtkIdType>(mesh.elementCount());
-  vtkNew<vtkUnsignedCharArray> types;
-  types->SetNumberOfValues(count);
-  vtkNew<Array> offsets;
-  offsets->SetNumberOfValues(count + 1);
-  vtkNew<Array> connectivity;
-  connectivity->SetNumberOfValues(8 * count);
-  vtkNew<vtkIdTypeArray> stream;
-  vtkNew<vtkIdTypeArray> locations;
-  vtkIdType used = 0;
-  for (vtkIdType e = 0; e < count; ++e)
-  {
-    const VtkElement element = translate(mesh.corners[e]);
-    types->SetValue(e, element.type);
-    offsets->SetValue(e, used);
-    const bool isHexahedron = element.type == VTK_HEXAHEDRON;
-    for (int i = 0; i < element.pointCount; ++i)
-    {
-      connectivity->SetValue(used++, isHexahedron ? mesh.corners[e][i] : element.points[i]);
-    }
-    if (element.type == VTK_POLYHEDRON)
-    {
-      if (locations->GetNumberOfValues() == 0)
-      {
-        locations->SetNumberOfValues(count);
-        std::fill_n(locations->GetPointer(0), count, -1);
-      }
-      locations->SetValue(e, stream->GetNumberOfValues());
-      appendFaces(element, stream);
-    }
-  }
-  offsets->SetValue(count, used);
-  connectivity->Resize(used);
+  const auto types = arrayOf<vtkUnsignedCharArray>(count);
+  const Pieces pieces(mesh.elementCount());
+  std::vector<CellSizes> sizes(pieces.count);
+  executor.forEach(pieces.count, 1, [&](std::size_t piece) {
+    sizes[piece] = countCells(mesh, pieces.begin(piece), pieces.end(piece), types->GetPointer(0));
+  });
+  const CellSizes all = scan(sizes);
+  const auto offsets = arrayOf<Array>(count + 1);
+  const auto connectivity = arrayOf<Array>(all.points);
+  const auto stream = arrayOf<vtkIdTypeArray>(all.stream);
+  const auto locations = arrayOf<vtkIdTypeArray>(all.stream > 0 ? count : 0);
+  const CellTarget<typename Array::ValueType> target{offsets->GetPointer(0), connectivity->GetPointer(0),
+                                                     all.stream > 0 ? locations->GetPointer(0) : nullptr,
+                                                     stream->GetPointer(0)};
+  executor.forEach(pieces.count, 1, [&](std::size_t piece) {
+    target.fill(mesh, pieces.begin(piece), pieces.end(piece), types->GetPointer(0), sizes[piece]);
+  });
+  offsets->SetValue(count, static_cast<typename Array::ValueType>(all.points));
   vtkNew<vtkCellArray> cells;
   cells->SetData(offsets, connectivity);
-  const bool polyhedral = locations->GetNumberOfValues() > 0;
+  const bool polyhedral = all.stream > 0;
   out->SetCells(types, cells, polyhedral ? locations.Get() : nullptr, polyhedral ? stream.Get() : nullptr);
 }
 
 } // namespace
 
-void volumeToVtk(const DualMesh& mesh, vtkUnstructuredGrid* out)
+void volumeToVtk(const DualMesh& mesh, vtkUnstructuredGrid* out, const Executor& executor)
 {
+  constexpr std::size_t grain = 65536;
+  vtkNew<vtkDoubleArray> coordinates;
+  coordinates->SetNumberOfComponents(3);
+  coordinates->SetNumberOfTuples(static_cast<vtkIdType>(mesh.points.size()));
+  executor.forRanges(mesh.points.size(), grain, [&](std::size_t begin, std::size_t end) {
+    double* target = coordinates->GetPointer(3 * static_cast<vtkIdType>(begin));
+    std::copy_n(mesh.points[begin].data(), 3 * (end - begin), target);
+  });
   vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(static_cast<vtkIdType>(mesh.points.size()));
-  for (std::size_t i = 0; i < mesh.points.size(); ++i)
-  {
-    points->SetPoint(static_cast<vtkIdType>(i), mesh.points[i].data());
-  }
+  points->SetData(coordinates);
   out->SetPoints(points);
   if (8 * mesh.elementCount() < static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
   {
-    fillCells<vtkTypeInt32Array>(mesh, out);
+    fillCells<vtkTypeInt32Array>(mesh, out, executor);
   }
   else
   {
-    fillCells<vtkTypeInt64Array>(mesh, out);
+    fillCells<vtkTypeInt64Array>(mesh, out, executor);
   }
-  vtkNew<vtkIntArray> zones;
-  zones->SetName("ZoneId");
-  zones->SetNumberOfValues(static_cast<vtkIdType>(mesh.zones.size()));
-  std::copy(mesh.zones.begin(), mesh.zones.end(), zones->GetPointer(0));
+  const auto zones = arrayOf<vtkIntArray>(static_cast<vtkIdType>(mesh.zones.size()), "ZoneId");
+  const auto levels = arrayOf<vtkUnsignedCharArray>(static_cast<vtkIdType>(mesh.levels.size()), "Level");
+  executor.forRanges(mesh.elementCount(), grain, [&](std::size_t begin, std::size_t end) {
+    std::copy_n(mesh.zones.begin() + begin, end - begin, zones->GetPointer(static_cast<vtkIdType>(begin)));
+    std::copy_n(mesh.levels.begin() + begin, end - begin, levels->GetPointer(static_cast<vtkIdType>(begin)));
+  });
   out->GetCellData()->AddArray(zones);
-  vtkNew<vtkUnsignedCharArray> levels;
-  levels->SetName("Level");
-  levels->SetNumberOfValues(static_cast<vtkIdType>(mesh.levels.size()));
-  std::copy(mesh.levels.begin(), mesh.levels.end(), levels->GetPointer(0));
   out->GetCellData()->AddArray(levels);
 }
 

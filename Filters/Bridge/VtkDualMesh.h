@@ -13,7 +13,7 @@ class vtkUnstructuredGrid;
 namespace atria {
 
 /// Hexahedra, wedges, pyramids, tetrahedra where corners coincide so, polyhedra otherwise. Cell i is element i.
-void volumeToVtk(const DualMesh& mesh, vtkUnstructuredGrid* out);
+void volumeToVtk(const DualMesh& mesh, vtkUnstructuredGrid* out, const Executor& executor);
 
 /// One polydata a patch: surfaces in order of their ids, then bare domain sides. A surface that has elements of the
 /// mesh on its front and on its back, somewhere on both at once, is two patches, `<name>_front` and `<name>_back`.

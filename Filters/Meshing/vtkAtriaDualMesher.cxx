@@ -6,7 +6,6 @@
 #include "GridInput.h"
 #include "Octree/Balance.h"
 #include "Octree/Refinement.h"
-#include "SmpExecutor.h"
 #include "Support/PatternRule.h"
 #include "VtkDualMesh.h"
 #include "VtkOctree.h"
@@ -96,10 +95,12 @@ atria::Octree rebuildOctree(vtkDataObject* data, const atria::GridInput& input, 
 {
   atria::OctreeSets sets = atria::octreeFromVtk(data);
   const atria::PlacedModel placed = input.placed(filter, sets.frame);
-  model = atria::surfaceModelOf(filter, placed, context);
+  context.progress.report(0.0, "Repairing surfaces");
+  model = atria::surfaceModelOf(filter, placed, context.part(0.0, 0.3));
+  context.progress.report(0.3, "Balancing");
   atria::balance(sets.refined, placed.frame, context);
   atria::Octree octree(placed.frame, sets.refined);
-  atria::locateModel(octree, model, context);
+  atria::locateModel(octree, model, context.part(0.5, 1.0));
   return octree;
 }
 
@@ -276,12 +277,12 @@ int vtkAtriaDualMesher::RequestData(vtkInformation*, vtkInformationVector** inpu
   };
   clear();
   this->Stages.clear();
-  atria::AlgorithmProgress progress(*this);
-  const atria::SmpExecutor executor;
-  const atria::RunContext context{executor, atria::ProgressRange(progress)};
+  const atria::AlgorithmRun run(*this);
+  const atria::RunContext& context = run.context;
   try
   {
     atria::StageClock clock;
+    context.progress.report(0.0, "Reading surfaces");
     const atria::GridInput input = atria::readGridInput(vtkDataObject::GetData(inputs[0]));
     vtkDataObject* givenOctree = vtkDataObject::GetData(inputs[1]);
     atria::SurfaceModel model;
@@ -295,7 +296,8 @@ int vtkAtriaDualMesher::RequestData(vtkInformation*, vtkInformationVector** inpu
     else
     {
       const atria::PlacedModel placed = input.placed(*this);
-      model = atria::surfaceModelOf(*this, placed, context);
+      context.progress.report(0.01, "Repairing surfaces");
+      model = atria::surfaceModelOf(*this, placed, context.part(0.01, 0.05));
       clock.lap("surface");
       const atria::SizedOctants sized = atria::sizeOctants(
           model, placed.frame, atria::sizingOf(*this, placed.frame.placement), context.part(0.05, 0.25));
@@ -310,7 +312,9 @@ int vtkAtriaDualMesher::RequestData(vtkInformation*, vtkInformationVector** inpu
     options.layers = layerRulesOf(*this);
     options.crackTolerance = this->CrackTolerance;
     const atria::DualMeshResult result = atria::makeDualMesh(octree, model, options, clock, context.part(0.4, 0.9));
-    atria::volumeToVtk(result.mesh, volume);
+    context.progress.report(0.9, "Converting elements");
+    atria::volumeToVtk(result.mesh, volume, context.executor);
+    context.progress.report(0.95, "Converting patches");
     atria::patchesToVtk(result.mesh, model.names, result.layers, patches);
     atria::diagnosticsToVtk(result, model.names, diagnostics);
     atria::addSizingWarning(warning, *this, diagnostics);
@@ -320,11 +324,12 @@ int vtkAtriaDualMesher::RequestData(vtkInformation*, vtkInformationVector** inpu
     addFieldData(volume, octree.maximumLevel());
     addModelOffset(volume, vtkDataObject::GetData(inputs[0]));
     this->Stages = clock.stages();
-    this->UpdateProgress(1.0);
+    context.progress.report(1.0, "Mesh made");
   }
   catch (const atria::Aborted&)
   {
     clear();
+    atria::markAborted(outputs);
   }
   catch (const std::exception& error)
   {

@@ -3,7 +3,6 @@
 
 #include "AlgorithmProgress.h"
 #include "GridInput.h"
-#include "SmpExecutor.h"
 #include "VtkFeatureGraph.h"
 
 #include <vtkInformation.h>
@@ -46,16 +45,15 @@ int vtkAtriaFeatureGraph::RequestData(vtkInformation*, vtkInformationVector** in
     triangles->Initialize();
   };
   clear();
-  atria::AlgorithmProgress progress(*this);
-  const atria::ProgressRange range(progress);
-  const atria::SmpExecutor executor;
+  const atria::AlgorithmRun run(*this);
+  const atria::ProgressRange& range = run.context.progress;
   try
   {
     range.report(0.0, "Reading surfaces");
     const atria::GridInput input = atria::readGridInput(vtkDataObject::GetData(inputs[0]));
     const atria::PlacedModel placed = input.placed(*this);
     range.report(0.3, "Finding features");
-    const atria::SurfaceModel model = atria::surfaceModelOf(*this, placed, {executor, range});
+    const atria::SurfaceModel model = atria::surfaceModelOf(*this, placed, run.context.part(0.3, 0.8));
     range.report(0.8, "Converting");
     atria::featureCurvesToVtk(model, placed.frame, curves);
     atria::modelToVtk(model, placed.frame, triangles);
@@ -64,6 +62,7 @@ int vtkAtriaFeatureGraph::RequestData(vtkInformation*, vtkInformationVector** in
   catch (const atria::Aborted&)
   {
     clear();
+    atria::markAborted(outputs);
   }
   catch (const std::exception& error)
   {

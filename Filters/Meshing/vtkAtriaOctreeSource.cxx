@@ -5,7 +5,6 @@
 #include "GridInput.h"
 #include "Octree/Estimate.h"
 #include "Octree/Refinement.h"
-#include "SmpExecutor.h"
 #include "VtkOctree.h"
 
 #include <vtkHyperTreeGrid.h>
@@ -58,17 +57,19 @@ int vtkAtriaOctreeSource::RequestData(vtkInformation*, vtkInformationVector** in
 {
   vtkDataObject* output = vtkDataObject::GetData(outputs);
   output->Initialize();
-  atria::AlgorithmProgress progress(*this);
-  const atria::SmpExecutor executor;
-  const atria::RunContext context{executor, atria::ProgressRange(progress)};
+  const atria::AlgorithmRun run(*this);
+  const atria::RunContext& context = run.context;
   try
   {
+    context.progress.report(0.0, "Reading surfaces");
     const atria::GridInput input = atria::readGridInput(vtkDataObject::GetData(inputs[0]));
     const atria::PlacedModel placed = input.placed(*this);
-    const atria::SurfaceModel model = atria::surfaceModelOf(*this, placed, context);
+    context.progress.report(0.02, "Repairing surfaces");
+    const atria::SurfaceModel model = atria::surfaceModelOf(*this, placed, context.part(0.02, 0.1));
     const atria::SizedOctants sized =
         atria::sizeOctants(model, placed.frame, atria::sizingOf(*this, placed.frame.placement), context.part(0.1, 0.5));
     const atria::Octree octree = atria::buildOctree(model, placed.frame, sized, context.part(0.5, 0.8));
+    context.progress.report(0.8, "Converting octants");
     if (auto* trees = vtkHyperTreeGrid::SafeDownCast(output))
     {
       atria::octreeToVtk(octree, trees);
@@ -78,10 +79,12 @@ int vtkAtriaOctreeSource::RequestData(vtkInformation*, vtkInformationVector** in
       atria::octreeToVtk(octree, vtkUnstructuredGrid::SafeDownCast(output));
     }
     atria::addSizingWarning(sized.warning, *this, output);
+    context.progress.report(1.0, "Octree made");
   }
   catch (const atria::Aborted&)
   {
     output->Initialize();
+    atria::markAborted(outputs);
   }
   catch (const std::exception& error)
   {
@@ -106,9 +109,10 @@ bool vtkAtriaOctreeSource::Estimate()
       this->GetInputAlgorithm(0, 0)->Update();
       surfaces = this->GetInputDataObject(0, 0);
     }
-    const atria::SmpExecutor executor;
-    atria::SilentMonitor silent;
-    const atria::RunContext context{executor, atria::ProgressRange(silent)};
+    this->SetAbortExecute(0);
+    const atria::AlgorithmRun run(*this);
+    const atria::RunContext& context = run.context;
+    context.progress.report(0.0, "Estimating");
     const atria::GridInput input = atria::readGridInput(surfaces);
     const atria::PlacedModel placed = input.placed(*this);
     const atria::GridFrame& frame = placed.frame;
@@ -122,6 +126,10 @@ bool vtkAtriaOctreeSource::Estimate()
     this->EstimatedElements = static_cast<vtkIdType>(estimate.elements);
     this->EstimatedBytes = static_cast<vtkTypeInt64>(estimate.bytes);
     this->EstimateWarning = estimate.warning;
+  }
+  catch (const atria::Aborted&)
+  {
+    return false;
   }
   catch (const std::exception& error)
   {

@@ -5,7 +5,6 @@
 #include "GridInput.h"
 #include "Octree/Preflight.h"
 #include "Octree/Refinement.h"
-#include "SmpExecutor.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
@@ -146,25 +145,28 @@ int vtkAtriaPreflight::RequestData(vtkInformation*, vtkInformationVector** input
 {
   vtkTable* output = vtkTable::GetData(outputs);
   output->Initialize();
-  atria::AlgorithmProgress progress(*this);
-  const atria::SmpExecutor executor;
-  const atria::RunContext context{executor, atria::ProgressRange(progress)};
+  const atria::AlgorithmRun run(*this);
+  const atria::RunContext& context = run.context;
   try
   {
+    context.progress.report(0.0, "Reading surfaces");
     const atria::GridInput input = atria::readGridInput(vtkDataObject::GetData(inputs[0]));
     const atria::GridOptions sizes = atria::sizesOf(*this);
     const atria::SitePlan plan = atria::planSite(input.surface, atria::siteOptionsOf(*this), sizes);
     const atria::PlacedModel placed = atria::placeModel(input.surface, plan, sizes);
-    const atria::SurfaceModel model = atria::surfaceModelOf(*this, placed, context);
+    context.progress.report(0.02, "Repairing surfaces");
+    const atria::SurfaceModel model = atria::surfaceModelOf(*this, placed, context.part(0.02, 0.1));
     const atria::Octree octree =
         atria::buildOctree(model, placed.frame, atria::sizingOf(*this, placed.frame.placement), context.part(0.1, 0.7));
+    context.progress.report(0.7, "Measuring narrow places");
     const atria::Preflight report = atria::preflight(input.surface, plan, placed, model, octree);
     preflightToVtk(report, input.surface.names, output);
-    this->UpdateProgress(1.0);
+    context.progress.report(1.0, "Estimated");
   }
   catch (const atria::Aborted&)
   {
     output->Initialize();
+    atria::markAborted(outputs);
   }
   catch (const std::exception& error)
   {

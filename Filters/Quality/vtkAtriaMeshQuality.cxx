@@ -6,7 +6,6 @@
 #include "Quality/MeshChecks.h"
 #include "Quality/Metrics.h"
 #include "Quality/Statistics.h"
-#include "SmpExecutor.h"
 #include "VtkFaceMesh.h"
 
 #include <vtkCellData.h>
@@ -207,6 +206,14 @@ void fillChecks(vtkTable* table, const atria::MeshVerdict& verdict)
   table->AddColumn(sets);
 }
 
+void clearOutputs(vtkInformationVector* outputs)
+{
+  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
+  {
+    vtkDataObject::GetData(outputs, port)->Initialize();
+  }
+}
+
 vtkSmartPointer<vtkDataArray> failedChecksArray(const std::vector<std::uint32_t>& bits)
 {
   auto array = vtkSmartPointer<vtkUnsignedIntArray>::New();
@@ -263,9 +270,9 @@ int vtkAtriaMeshQuality::RequestData(vtkInformation*, vtkInformationVector** inp
   this->NumberOfFailedChecks = 0;
   try
   {
-    atria::AlgorithmProgress monitor(*this);
-    const atria::SmpExecutor executor;
-    const atria::RunContext context{executor, atria::ProgressRange(monitor)};
+    const atria::AlgorithmRun run(*this);
+    const atria::RunContext& context = run.context;
+    const atria::Executor& executor = context.executor;
     context.progress.report(0.0, "Finding faces");
     const atria::VtkFaceMesh source = atria::faceMeshFromVtk(volume, patches, executor);
     const double metricsEnd = this->CheckMesh ? 0.6 : 0.95;
@@ -288,16 +295,19 @@ int vtkAtriaMeshQuality::RequestData(vtkInformation*, vtkInformationVector** inp
       fillChecks(checks, verdict);
       failedChecks = verdict.failedChecks();
     }
-    context.progress.report(1.0, "Quality known");
+    context.progress.report(0.98, "Summarising");
     vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs, 0);
     output->ShallowCopy(volume);
     collected.fill(output, vtkTable::GetData(outputs, 1), vtkTable::GetData(outputs, 2));
     vtkTable::GetData(outputs, 3)->ShallowCopy(checks);
     this->NumberOfInvalidCells = invalidCells;
     this->NumberOfFailedChecks = failedChecks;
+    context.progress.report(1.0, "Quality known");
   }
   catch (const atria::Aborted&)
   {
+    clearOutputs(outputs);
+    atria::markAborted(outputs);
     return 1;
   }
   catch (const std::exception& error)

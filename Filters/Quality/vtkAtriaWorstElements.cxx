@@ -3,7 +3,6 @@
 
 #include "AlgorithmProgress.h"
 #include "Quality/WorstElements.h"
-#include "SmpExecutor.h"
 #include "Support/Error.h"
 #include "VtkArrays.h"
 
@@ -148,9 +147,8 @@ int vtkAtriaWorstElements::RequestData(vtkInformation*, vtkInformationVector** i
   vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputs[0], 0);
   try
   {
-    atria::AlgorithmProgress monitor(*this);
-    const atria::SmpExecutor executor;
-    const atria::RunContext context{executor, atria::ProgressRange(monitor)};
+    const atria::AlgorithmRun run(*this);
+    const atria::RunContext& context = run.context;
     vtkDataArray* array = findArray(input, this->MetricName);
     std::vector<double> values(static_cast<std::size_t>(array->GetNumberOfTuples()));
     for (std::size_t i = 0; i < values.size(); ++i)
@@ -181,6 +179,8 @@ int vtkAtriaWorstElements::RequestData(vtkInformation*, vtkInformationVector** i
   }
   catch (const atria::Aborted&)
   {
+    vtkUnstructuredGrid::GetData(outputs, 0)->Initialize();
+    atria::markAborted(outputs);
     return 1;
   }
   catch (const std::exception& error)

@@ -47,6 +47,39 @@ void removeEarlierMesh(const fs::path& folder)
   }
 }
 
+/// Holds files until all are complete, and is removed whatever happens.
+struct UnfinishedFolder
+{
+  explicit UnfinishedFolder(fs::path where) : path(std::move(where))
+  {
+    std::error_code ignored;
+    fs::remove_all(path, ignored); // of a process that was killed
+    makeFolder(path);
+  }
+  ~UnfinishedFolder()
+  {
+    std::error_code ignored;
+    fs::remove_all(path, ignored);
+  }
+  UnfinishedFolder(const UnfinishedFolder&) = delete;
+  UnfinishedFolder& operator=(const UnfinishedFolder&) = delete;
+
+  void moveFilesTo(const fs::path& folder) const
+  {
+    for (const fs::directory_entry& file : fs::directory_iterator(path))
+    {
+      std::error_code error;
+      fs::rename(file.path(), folder / file.path().filename(), error);
+      if (error)
+      {
+        throw Error("cannot write '" + (folder / file.path().filename()).string() + "': " + error.message());
+      }
+    }
+  }
+
+  fs::path path;
+};
+
 /// The mesh's parts in the order in which they are written.
 struct Layout
 {
@@ -166,8 +199,9 @@ void checkLabels(const FaceMesh& mesh)
 class PolyMeshWriter
 {
 public:
-  PolyMeshWriter(const fs::path& target, const FaceMesh& source, const Layout& order, OpenFOAMFormat listFormat)
-      : folder(target), mesh(source), layout(order), format(listFormat)
+  PolyMeshWriter(const fs::path& target, const FaceMesh& source, const Layout& order, OpenFOAMFormat listFormat,
+                 const ProgressRange& range)
+      : folder(target), mesh(source), layout(order), format(listFormat), progress(range)
   {
     note = "nPoints:" + std::to_string(layout.points.size()) + "  nCells:" + std::to_string(mesh.cellCount) +
            "  nFaces:" + std::to_string(mesh.faceCount()) +
@@ -272,7 +306,7 @@ private:
 
   OpenFOAMFile open(const char* name, const char* className, const std::string& itsNote = {}) const
   {
-    return OpenFOAMFile(folder / name, {className, meshLocation, itsNote, format});
+    return OpenFOAMFile(folder / name, {className, meshLocation, itsNote, format}, &progress);
   }
 
   void writeLabels(OpenFOAMFile& file, const std::vector<Index>& labels) const
@@ -340,6 +374,7 @@ private:
   const FaceMesh& mesh;
   const Layout& layout;
   OpenFOAMFormat format;
+  const ProgressRange& progress;
   std::string note;
 };
 
@@ -366,7 +401,7 @@ void writeDictionary(const fs::path& caseFolder, const char* name, std::string_v
 } // namespace
 
 void writePolyMesh(const fs::path& caseFolder, const FaceMesh& mesh, std::span<const BoundaryPatch> patches,
-                   std::span<const std::int64_t> zoneIds, OpenFOAMFormat format)
+                   std::span<const std::int64_t> zoneIds, OpenFOAMFormat format, const ProgressRange& progress)
 {
   checkLabels(mesh);
   if (!zoneIds.empty() && zoneIds.size() != mesh.cellCount)
@@ -379,10 +414,13 @@ void writePolyMesh(const fs::path& caseFolder, const FaceMesh& mesh, std::span<c
   layOutPoints(layout, mesh);
   const fs::path folder = caseFolder / "constant" / "polyMesh";
   makeFolder(folder);
-  removeEarlierMesh(folder);
-  const PolyMeshWriter writer(folder, mesh, layout, format);
+  const UnfinishedFolder unfinished(folder / ".unfinished");
+  const PolyMeshWriter writer(unfinished.path, mesh, layout, format, progress);
+  progress.report(0.2, "Writing points");
   writer.writePoints();
+  progress.report(0.4, "Writing faces");
   writer.writeFaces();
+  progress.report(0.7, "Writing cells");
   writer.writeCells();
   writer.writeBoundary();
   const auto zones = cellsOfZones(zoneIds);
@@ -390,6 +428,9 @@ void writePolyMesh(const fs::path& caseFolder, const FaceMesh& mesh, std::span<c
   {
     writer.writeCellZones(zones);
   }
+  progress.report(1.0, "Writing cells");
+  removeEarlierMesh(folder);
+  unfinished.moveFilesTo(folder);
 }
 
 void completeCase(const fs::path& caseFolder)

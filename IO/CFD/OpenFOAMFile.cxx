@@ -2,7 +2,9 @@
 #include "OpenFOAMFile.h"
 
 #include "Support/Error.h"
+#include "Support/Progress.h"
 
+#include <algorithm>
 #include <bit>
 #include <cerrno>
 #include <charconv>
@@ -17,8 +19,8 @@ constexpr std::size_t longestNumber = 32;
 
 } // namespace
 
-OpenFOAMFile::OpenFOAMFile(const std::filesystem::path& path, const Header& header)
-    : path_(path), file(std::fopen(path.c_str(), "wb")), buffer(bufferSize, '\0')
+OpenFOAMFile::OpenFOAMFile(const std::filesystem::path& path, const Header& header, const ProgressRange* progress)
+    : path_(path), progress_(progress), file(std::fopen(path.c_str(), "wb")), buffer(bufferSize, '\0')
 {
   if (!file)
   {
@@ -54,16 +56,14 @@ OpenFOAMFile& OpenFOAMFile::number(double value)
 
 OpenFOAMFile& OpenFOAMFile::raw(const void* bytes, std::size_t count)
 {
-  if (count <= bufferSize)
+  const char* rest = static_cast<const char*>(bytes);
+  while (count > 0)
   {
-    std::memcpy(room(count), bytes, count);
-    used += count;
-    return *this;
-  }
-  flush();
-  if (std::fwrite(bytes, 1, count, file.get()) != count)
-  {
-    fail();
+    const std::size_t part = std::min(count, bufferSize);
+    std::memcpy(room(part), rest, part);
+    used += part;
+    rest += part;
+    count -= part;
   }
   return *this;
 }
@@ -88,6 +88,10 @@ char* OpenFOAMFile::room(std::size_t count)
 
 void OpenFOAMFile::flush()
 {
+  if (progress_)
+  {
+    progress_->check();
+  }
   if (std::fwrite(buffer.data(), 1, used, file.get()) != used)
   {
     fail();

@@ -10,6 +10,8 @@
 
 namespace atria {
 
+class ProgressRange;
+
 /// How lists are written. Both read back to the same bits.
 enum class OpenFOAMFormat
 {
@@ -30,8 +32,9 @@ public:
     OpenFOAMFormat format = OpenFOAMFormat::Ascii;
   };
 
-  /// Creates the file; its name becomes the header's `object`.
-  OpenFOAMFile(const std::filesystem::path& path, const Header& header);
+  /// Creates the file; its name becomes the header's `object`. `progress` is asked whether to stop about once a
+  /// megabyte.
+  OpenFOAMFile(const std::filesystem::path& path, const Header& header, const ProgressRange* progress = nullptr);
 
   OpenFOAMFile& text(std::string_view characters);
   OpenFOAMFile& number(std::int64_t value);
@@ -53,6 +56,7 @@ private:
   [[noreturn]] void fail() const;
 
   std::filesystem::path path_;
+  const ProgressRange* progress_;
   std::unique_ptr<std::FILE, Closer> file;
   std::string buffer;
   std::size_t used = 0;

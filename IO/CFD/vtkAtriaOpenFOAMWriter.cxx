@@ -4,7 +4,6 @@
 #include "AlgorithmProgress.h"
 #include "OpenFOAMCase.h"
 #include "Quality/MergeFaces.h"
-#include "SmpExecutor.h"
 #include "VtkFaceMesh.h"
 
 #include <vtkCellData.h>
@@ -124,17 +123,15 @@ void vtkAtriaOpenFOAMWriter::WriteData()
 
 void vtkAtriaOpenFOAMWriter::WriteCase(vtkUnstructuredGrid* volume, vtkPartitionedDataSetCollection* patches)
 {
-  atria::AlgorithmProgress monitor(*this);
-  const atria::ProgressRange progress(monitor);
+  const atria::AlgorithmRun run(*this);
+  const atria::ProgressRange& progress = run.context.progress;
   progress.report(0.0, "Finding faces");
-  atria::VtkFaceMesh source = atria::faceMeshFromVtk(volume, patches);
+  atria::VtkFaceMesh source = atria::faceMeshFromVtk(volume, patches, run.context.executor);
   std::vector<atria::BoundaryPatch> boundary = patchesOf(source);
   this->NumberOfMergedFaces = 0;
   if (this->MergeCoplanarFaces)
   {
-    const atria::SmpExecutor executor;
-    this->NumberOfMergedFaces =
-        static_cast<vtkIdType>(mergeFaces(source, boundary, {executor, progress.part(0.4, 0.5)}));
+    this->NumberOfMergedFaces = static_cast<vtkIdType>(mergeFaces(source, boundary, run.context.part(0.4, 0.5)));
   }
   vtkDataArray* offset = volume->GetFieldData()->GetArray("ModelOffset");
   if (this->RestoreOffset && offset && offset->GetNumberOfValues() == 3)
@@ -147,7 +144,8 @@ void vtkAtriaOpenFOAMWriter::WriteCase(vtkUnstructuredGrid* volume, vtkPartition
   }
   progress.report(0.5, "Writing the mesh");
   const auto format = this->WriteBinary ? atria::OpenFOAMFormat::Binary : atria::OpenFOAMFormat::Ascii;
-  atria::writePolyMesh(this->CaseDirectory, source.mesh, boundary, zoneIdsOf(volume), format);
+  atria::writePolyMesh(this->CaseDirectory, source.mesh, boundary, zoneIdsOf(volume), format, progress.part(0.5, 0.95));
+  progress.report(0.95, "Completing the case");
   atria::completeCase(this->CaseDirectory);
   progress.report(1.0, "Case written");
 }

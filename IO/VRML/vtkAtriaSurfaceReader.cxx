@@ -202,6 +202,7 @@ bool vtkAtriaSurfaceReader::ReadModel(vtkPolyData* output, atria::vrml::Diagnost
   namespace vrml = atria::vrml;
   atria::AlgorithmProgress monitor(*this);
   const atria::ProgressRange progress(monitor);
+  progress.report(0.0, "Reading the file");
   vrml::ModelSource source = this->ReadSource(diagnostics, progress.part(0.0, 0.9));
   vrml::Scene& scene = source.scene;
   for (const auto& [type, count] : scene.skipped)
@@ -263,6 +264,7 @@ int vtkAtriaSurfaceReader::RequestData(vtkInformation*, vtkInformationVector**, 
   catch (const atria::Aborted&)
   {
     output->Initialize();
+    atria::markAborted(outputVector);
     return 1;
   }
   catch (const std::bad_alloc&)

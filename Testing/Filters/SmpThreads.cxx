@@ -3,8 +3,6 @@
 
 #include <vtkSMPTools.h>
 
-#include <string>
-
 namespace atria::testing {
 
 void useThreads(int count)
@@ -15,5 +13,9 @@ void useThreads(int count)
   }
   vtkSMPTools::Initialize(count);
 }
+
+SmpBackend::SmpBackend(const char* name) : before(vtkSMPTools::GetBackend()) { vtkSMPTools::SetBackend(name); }
+
+SmpBackend::~SmpBackend() { vtkSMPTools::SetBackend(before.c_str()); }
 
 } // namespace atria::testing

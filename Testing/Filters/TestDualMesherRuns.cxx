@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// The dual mesher as a filter: inputs, repetition, threads, abort and errors.
 #include "DualMesherTest.h"
+#include "SmpExecutor.h"
 #include "SmpThreads.h"
 #include "vtkAtriaOctreeSource.h"
 
@@ -12,7 +13,9 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <sstream>
+#include <thread>
 
 namespace {
 
@@ -118,6 +121,28 @@ TEST_F(DualMesherRuns, GivesTheSameWithAnyNumberOfThreads)
     mesher->Modified();
     expectOutputs(serial);
   }
+}
+
+TEST_F(DualMesherRuns, GivesTheSameWithEveryBackendOfVTK)
+{
+  const auto wanted = copiesOfOutputs();
+  for (const char* name : {"Sequential", "STDThread", "TBB"}) // one that VTK lacks is not set
+  {
+    SCOPED_TRACE(name);
+    const atria::testing::SmpBackend backend(name);
+    mesher->Modified();
+    expectOutputs(wanted);
+  }
+}
+
+TEST(SmpExecutor, UsesAllCoresWhereSequentialIsNobodysChoice)
+{
+  if (std::getenv("VTK_SMP_BACKEND_IN_USE"))
+  {
+    GTEST_SKIP() << "a backend was chosen";
+  }
+  const atria::testing::SmpBackend backend("Sequential"); // ParaView's default
+  EXPECT_EQ(atria::SmpExecutor().threads(), static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
 }
 
 TEST_F(DualMesherRuns, NamedBlocksAreTheSameAsNamedCells)

@@ -201,7 +201,7 @@ TEST_P(DirtySoups, HaveALayerAndNothingToObjectTo)
     EXPECT_TRUE(boundaryIsWatertight(meshed.mesh()));
     EXPECT_NEAR(totalVolume(meshed.mesh()) / soup.grid.domain.size().prod(), 1.0, 1e-6);
     vtkNew<vtkUnstructuredGrid> volume;
-    volumeToVtk(meshed.mesh(), volume);
+    volumeToVtk(meshed.mesh(), volume, SerialExecutor());
     const MeshVerdict verdict = checkMesh(measureMesh(faceMeshFromVtk(volume, nullptr).mesh, context), context);
     for (const MeshCheck& check : verdict.checks)
     {

@@ -9,7 +9,12 @@ Meshed meshIt(const TriangleSurface& surface, const GridOptions& grid, const Dua
 {
   const ThreadExecutor executor(threads);
   SilentMonitor silent;
-  const RunContext context{executor, ProgressRange(silent)};
+  return meshIt(surface, grid, options, {executor, ProgressRange(silent)});
+}
+
+Meshed meshIt(const TriangleSurface& surface, const GridOptions& grid, const DualMeshOptions& options,
+              const RunContext& context)
+{
   Box3 extent;
   for (const Vec3& p : surface.points)
   {
@@ -17,10 +22,10 @@ Meshed meshIt(const TriangleSurface& surface, const GridOptions& grid, const Dua
   }
   Meshed out;
   out.frame = makeGridFrame(grid, extent);
-  out.model = makeSurfaceModel(surface, out.frame, {}, context);
-  out.octree = buildOctree(out.model, out.frame, SizingOptions{}, context);
+  out.model = makeSurfaceModel(surface, out.frame, {}, context.part(0.0, 0.1));
+  out.octree = buildOctree(out.model, out.frame, SizingOptions{}, context.part(0.1, 0.4));
   StageClock clock;
-  out.result = makeDualMesh(out.octree, out.model, options, clock, context);
+  out.result = makeDualMesh(out.octree, out.model, options, clock, context.part(0.4, 1.0));
   return out;
 }
 

@@ -19,5 +19,7 @@ struct Meshed
 
 Meshed meshIt(const TriangleSurface& surface, const GridOptions& grid, const DualMeshOptions& options = {},
               int threads = 1);
+Meshed meshIt(const TriangleSurface& surface, const GridOptions& grid, const DualMeshOptions& options,
+              const RunContext& context);
 
 } // namespace atria::testing

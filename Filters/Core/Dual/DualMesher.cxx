@@ -7,52 +7,67 @@
 #include "Dual/ModifiedGrid.h"
 #include "Dual/TurnedDomain.h"
 #include "Optimise/DualImprover.h"
+#include "Support/Pieces.h"
 
 #include <algorithm>
+#include <atomic>
 
 namespace atria {
 
 namespace {
 
-/// New numbers of the grid points that become elements; noIndex for the others.
-std::vector<Index> numberElements(const Zones& zones, const std::vector<char>& kept)
+/// Numbers the items that `isUsed`, in order; noIndex for the others. Returns their count.
+template <typename IsUsed> Index numberInOrder(std::vector<Index>& numbers, const RunContext& context, IsUsed&& isUsed)
 {
-  std::vector<Index> numbers(zones.ofPoint.size(), noIndex);
-  Index count = 0;
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-  {
-    if (kept[zones.ofPoint[i]])
+  const Pieces pieces(numbers.size());
+  std::vector<Index> firsts(pieces.count, 0);
+  context.executor.forEach(pieces.count, 4, [&](std::size_t piece) {
+    for (std::size_t i = pieces.begin(piece); i < pieces.end(piece); ++i)
     {
-      numbers[i] = count++;
+      firsts[piece] += isUsed(i) ? 1 : 0;
     }
-  }
+  });
+  const Index count = scan(firsts);
+  context.executor.forEach(pieces.count, 4, [&](std::size_t piece) {
+    Index next = firsts[piece];
+    for (std::size_t i = pieces.begin(piece); i < pieces.end(piece); ++i)
+    {
+      numbers[i] = isUsed(i) ? next++ : noIndex;
+    }
+  });
+  return count;
+}
+
+/// New numbers of the grid points that become elements; noIndex for the others.
+std::vector<Index> numberElements(const Zones& zones, const std::vector<char>& kept, const RunContext& context)
+{
+  std::vector<Index> numbers(zones.ofPoint.size());
+  numberInOrder(numbers, context, [&](std::size_t i) { return kept[zones.ofPoint[i]] != 0; });
   return numbers;
 }
 
 /// The leaves kept elements have, in order; `numbers` becomes their vertex numbers.
 std::vector<Index> numberVertices(const GridPoints& points, const std::vector<Index>& elements, std::size_t leafCount,
-                                  std::vector<Index>& numbers)
+                                  std::vector<Index>& numbers, const RunContext& context)
 {
-  numbers.assign(leafCount, noIndex);
-  for (std::size_t i = 0; i < elements.size(); ++i)
-  {
+  std::vector<char> isUsed(leafCount, 0);
+  context.executor.forEach(elements.size(), 8192, [&](std::size_t i) {
     if (elements[i] != noIndex)
     {
       for (const Index leaf : points.leaves[i])
       {
-        numbers[leaf] = 0;
+        std::atomic_ref(isUsed[leaf]).store(1, std::memory_order_relaxed);
       }
     }
-  }
-  std::vector<Index> used;
-  for (Index leaf = 0; leaf < leafCount; ++leaf)
-  {
+  });
+  numbers.resize(leafCount);
+  std::vector<Index> used(numberInOrder(numbers, context, [&](std::size_t leaf) { return isUsed[leaf] != 0; }));
+  context.executor.forEach(leafCount, 16384, [&](std::size_t leaf) {
     if (numbers[leaf] != noIndex)
     {
-      numbers[leaf] = static_cast<Index>(used.size());
-      used.push_back(leaf);
+      used[numbers[leaf]] = static_cast<Index>(leaf);
     }
-  }
+  });
   return used;
 }
 
@@ -77,7 +92,8 @@ void fillElements(DualMesh& mesh, const Octree& octree, const GridPoints& points
                   const Zones& zones, const std::vector<Index>& elements, const std::vector<Index>& vertices,
                   const RunContext& context)
 {
-  const std::size_t count = std::count_if(elements.begin(), elements.end(), [](Index e) { return e != noIndex; });
+  const auto last = std::find_if(elements.rbegin(), elements.rend(), [](Index e) { return e != noIndex; });
+  const std::size_t count = last == elements.rend() ? 0 : *last + std::size_t{1};
   mesh.corners.resize(count);
   mesh.neighbours.resize(count);
   mesh.levels.resize(count);
@@ -108,6 +124,10 @@ void fillElements(DualMesh& mesh, const Octree& octree, const GridPoints& points
 /// Vertices that stand between pieces, each told once with an element that has it.
 void appendUnresolved(const DualMesh& mesh, std::vector<char>& compromised, std::vector<Diagnostic>& out)
 {
+  if (std::find(compromised.begin(), compromised.end(), 1) == compromised.end())
+  {
+    return;
+  }
   for (Index e = 0; e < mesh.elementCount(); ++e)
   {
     for (const Index p : mesh.corners[e])
@@ -172,18 +192,19 @@ void fixMoved(const std::vector<Vec3>& before, const std::vector<Vec3>& points, 
   }
 }
 
-} // namespace
-
-DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, const DualMeshOptions& options,
-                            StageClock& clock, const RunContext& context)
+/// Grid points, crossings and zones, and from them elements and vertices. What only these need is freed here: it is
+/// larger than the mesh.
+VertexAnchors fillMesh(DualMeshResult& result, const Octree& octree, const SurfaceModel& model,
+                       const DualMeshOptions& options, StageClock& clock, const RunContext& context)
 {
-  DualMeshResult result;
   context.progress.report(0.0, "Finding grid points");
-  GridPoints points = findGridPoints(octree, context);
+  const GridPoints points = findGridPoints(octree, context);
   clock.lap("dual");
   context.progress.report(0.3, "Finding crossings");
   GridPlaces grid(octree, points);
-  Crossings crossings = modifyGrid(grid, model, findCrossings(grid, model, context), context);
+  Crossings crossings = findCrossings(grid, model, context);
+  context.progress.report(0.45, "Moving grid points");
+  crossings = modifyGrid(grid, model, std::move(crossings), context);
   closeCracks(crossings, grid, model, options.crackTolerance, context);
   markTurnedSides(crossings, model.names.size());
   clock.lap("crossings");
@@ -191,33 +212,46 @@ DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, con
   const Zones zones = findZones(crossings, model.names.size(), context);
   result.keptZones = keptZones(zones, options.zoneRule, options.seeds, grid, model);
   dropBeyondSides(result.keptZones, zones, grid);
-  const std::vector<Index> elements = numberElements(zones, result.keptZones);
+  const std::vector<Index> elements = numberElements(zones, result.keptZones, context);
   inspectZones(grid, model, crossings, zones, elements, options, result, context);
   clock.lap("zones");
   context.progress.report(0.7, "Placing vertices");
   std::vector<Index> vertexOfLeaf;
-  const std::vector<Index> leaves = numberVertices(points, elements, octree.leafCount(), vertexOfLeaf);
+  const std::vector<Index> leaves = numberVertices(points, elements, octree.leafCount(), vertexOfLeaf, context);
   DualMesh& mesh = result.mesh;
   DualVertices placed = placeVertices(octree, model, crossings, leaves, context);
   mesh.points = std::move(placed.positions);
   clock.lap("vertices");
   context.progress.report(0.9, "Making elements");
+  context.progress.check();
   fillBoundary(mesh, crossings, elements);
   fillElements(mesh, octree, points, crossings, zones, elements, vertexOfLeaf, context);
+  context.progress.check();
   const std::vector<Vec3> before = octree.frame().turnedDomain ? mesh.points : std::vector<Vec3>();
   sharpenTurnedEdges(mesh, octree.frame(), model.names.size());
   appendMerged(crossings, elements, octree.frame(), result.diagnostics);
   appendUnresolved(mesh, placed.compromised, result.diagnostics);
   keepWithinSides(mesh.points, octree.frame());
   fixMoved(before, mesh.points, placed.anchors);
-  DualImprover improver(octree, model, std::move(placed.anchors), result, context);
+  return std::move(placed.anchors);
+}
+
+} // namespace
+
+DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, const DualMeshOptions& options,
+                            StageClock& clock, const RunContext& context)
+{
+  DualMeshResult result;
+  VertexAnchors anchors = fillMesh(result, octree, model, options, clock, context.part(0.0, 0.55));
+  DualImprover improver(octree, model, std::move(anchors), result, context);
   clock.lap("elements");
-  context.progress.report(0.92, "Improving elements");
+  context.progress.report(0.55, "Improving elements");
   improver.improve();
   improver.splitPoints();
   clock.lap("optimise");
-  context.progress.report(0.95, "Growing layers");
+  context.progress.report(0.75, "Growing layers");
   improver.growLayers(options.layers);
+  context.progress.report(0.98, "Placing the mesh in the model");
   placeInModel(result, octree.frame().placement, context);
   clock.lap("layers");
   context.progress.report(1.0, "Meshed");

@@ -7,38 +7,49 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <optional>
 
 namespace atria {
 
 namespace {
 
-/// Which crossed edges each leaf has, sorted by leaf.
-std::vector<std::pair<Index, Index>> crossingsByLeaf(const Crossings& crossings)
+using LeafCuts = std::span<const Index>;
+
+/// Which crossed edges each leaf has, in order.
+class CutsByLeaf
 {
-  std::vector<std::pair<Index, Index>> pairs;
-  pairs.reserve(4 * crossings.crossedEdges.size());
-  for (Index e = 0; e < crossings.crossedEdges.size(); ++e)
+public:
+  CutsByLeaf(const Crossings& crossings, std::size_t leafCount) : offsets(leafCount + 2, 0)
   {
-    for (const Index leaf : crossings.crossedEdges[e].segment.about)
+    // Counted two places up and summed one place up, an offset serves as its leaf's cursor, and ends as its begin.
+    forEachUse(crossings, [&](Index leaf, Index) { ++offsets[leaf + 2]; });
+    std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
+    edges.resize(offsets.back());
+    forEachUse(crossings, [&](Index leaf, Index edge) { edges[offsets[leaf + 1]++] = edge; });
+  }
+
+  LeafCuts of(Index leaf) const { return LeafCuts(edges).subspan(offsets[leaf], offsets[leaf + 1] - offsets[leaf]); }
+
+private:
+  template <typename Use> static void forEachUse(const Crossings& crossings, Use&& use)
+  {
+    for (Index e = 0; e < crossings.crossedEdges.size(); ++e)
     {
-      pairs.emplace_back(leaf, e);
+      const auto& about = crossings.crossedEdges[e].segment.about;
+      for (auto leaf = about.begin(); leaf != about.end(); ++leaf)
+      {
+        if (std::find(about.begin(), leaf, *leaf) == leaf)
+        {
+          use(*leaf, e);
+        }
+      }
     }
   }
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-  return pairs;
-}
 
-using LeafCuts = std::span<const std::pair<Index, Index>>;
-
-/// The cut edges of one leaf.
-LeafCuts cutsOf(const std::vector<std::pair<Index, Index>>& byLeaf, Index leaf)
-{
-  const auto first = std::lower_bound(byLeaf.begin(), byLeaf.end(), std::pair(leaf, Index{0}));
-  const auto last = std::lower_bound(first, byLeaf.end(), std::pair(leaf + 1, Index{0}));
-  return {first, last};
-}
+  std::vector<Index> offsets;
+  std::vector<Index> edges;
+};
 
 /// What the vertices of a range of leaves are.
 struct Part
@@ -125,7 +136,7 @@ private:
   void look(Index leaf, LeafCuts cuts)
   {
     edges.clear();
-    for (const auto& [of, e] : cuts)
+    for (const Index e : cuts)
     {
       const CrossedEdge& edge = crossings.crossedEdges[e];
       edges.push_back(seenFrom(leaf, edge.segment, crossings.of(edge)));
@@ -277,7 +288,7 @@ void fillPieces(VertexAnchors& anchors, const std::vector<Part>& parts, const st
 DualVertices placeVertices(const Octree& octree, const SurfaceModel& model, const Crossings& crossings,
                            const std::vector<Index>& leaves, const RunContext& context)
 {
-  const auto byLeaf = crossingsByLeaf(crossings);
+  const CutsByLeaf byLeaf(crossings, octree.leafCount());
   DualVertices vertices;
   vertices.positions.resize(leaves.size());
   vertices.compromised.resize(leaves.size());
@@ -290,7 +301,7 @@ DualVertices placeVertices(const Octree& octree, const SurfaceModel& model, cons
     VertexPlacer placer(octree, model, crossings);
     for (std::size_t i = part * grain; i < std::min((part + 1) * grain, leaves.size()); ++i)
     {
-      placer.placeOrNote(static_cast<Index>(i), leaves[i], cutsOf(byLeaf, leaves[i]), vertices, parts[part]);
+      placer.placeOrNote(static_cast<Index>(i), leaves[i], byLeaf.of(leaves[i]), vertices, parts[part]);
     }
   });
   std::vector<ChainVertex> chain;
@@ -304,7 +315,7 @@ DualVertices placeVertices(const Octree& octree, const SurfaceModel& model, cons
     VertexPlacer placer(octree, model, crossings);
     for (std::size_t i = begin; i < end; ++i)
     {
-      placer.placeOnChain(chain[i], corners[i], cutsOf(byLeaf, chain[i].leaf), vertices);
+      placer.placeOnChain(chain[i], corners[i], byLeaf.of(chain[i].leaf), vertices);
     }
   });
   VertexPlacer placer(octree, model, crossings);
@@ -312,7 +323,7 @@ DualVertices placeVertices(const Octree& octree, const SurfaceModel& model, cons
   {
     if (const auto middle = vertex.isDiverted ? middleOfLinks(vertex, chain, vertices.positions) : std::nullopt)
     {
-      placer.placeBetween(vertex, *middle, cutsOf(byLeaf, vertex.leaf), vertices);
+      placer.placeBetween(vertex, *middle, byLeaf.of(vertex.leaf), vertices);
     }
   }
   fillPieces(vertices.anchors, parts, chain, releaseCoincident(chain, corners, vertices), model);

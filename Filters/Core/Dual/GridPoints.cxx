@@ -60,18 +60,66 @@ template <typename Visit> void divide(const Octree& octree, const Region& region
   }
 }
 
-template <typename Visit> void walk(const Octree& octree, const Region& region, Visit&& visit)
+/// For each refined octant, whether all of its children are leaves.
+std::vector<char> findParentsOfLeaves(const Octree& octree, const RunContext& context)
 {
-  if (region.onlyLeaves())
-  {
-    if (region.extent == 0)
-    {
-      visit(region);
-    }
-    return;
-  }
-  divide(octree, region, [&](const Region& part) { walk(octree, part, visit); });
+  std::vector<char> found(octree.refinedCount());
+  context.executor.forEach(found.size(), 16384, [&](std::size_t node) {
+    const auto& children = octree.children(static_cast<Octree::Node>(node));
+    found[node] = std::all_of(children.begin(), children.end(), Octree::isLeaf);
+  });
+  return found;
 }
+
+/// Finds the points between octants.
+class Walker
+{
+public:
+  Walker(const Octree& tree, const std::vector<char>& parentsOfLeaves) : octree(tree), lowest(parentsOfLeaves) {}
+
+  template <typename Visit> void walk(const Region& region, Visit&& visit) const
+  {
+    if (region.onlyLeaves())
+    {
+      if (region.extent == 0)
+      {
+        visit(region);
+      }
+    }
+    else if (hasOnePoint(region))
+    {
+      visit(middleOf(region));
+    }
+    else
+    {
+      divide(octree, region, [&](const Region& part) { walk(part, visit); });
+    }
+  }
+
+private:
+  /// Whether all parts but the one in the middle are between leaves, and have an extent.
+  bool hasOnePoint(const Region& region) const
+  {
+    return std::all_of(region.nodes.begin(), region.nodes.end(),
+                       [&](Octree::Node node) { return Octree::isLeaf(node) || lowest[node] != 0; });
+  }
+
+  Region middleOf(const Region& region) const
+  {
+    Region part;
+    part.extent = 0;
+    for (unsigned slot = 0; slot < 8; ++slot)
+    {
+      const Octree::Node node = region.nodes[slot];
+      part.nodes[slot] =
+          Octree::isLeaf(node) ? node : octree.children(node)[(slot & region.extent) | (~slot & ~region.extent & 7u)];
+    }
+    return part;
+  }
+
+  const Octree& octree;
+  const std::vector<char>& lowest;
+};
 
 /// Parts of the octree to walk independently.
 std::vector<Region> tasksOf(const Octree& octree, int level)
@@ -134,17 +182,40 @@ Owner ownerOf(const std::array<Octree::Node, 8>& nodes, unsigned singles)
   return owner;
 }
 
+/// The directions on one side of a point, in order.
+constexpr std::array<unsigned, 4> slotsAbout(int direction)
+{
+  const unsigned bit = 1u << axisOf(direction);
+  std::array<unsigned, 4> slots{};
+  for (unsigned slot = 0, i = 0; slot < 8; ++slot)
+  {
+    if (((slot & bit) != 0) == isUpper(direction))
+    {
+      slots[i++] = slot;
+    }
+  }
+  return slots;
+}
+
+bool allDistinct(const std::array<Index, 8>& leaves, const std::array<unsigned, 4>& slots)
+{
+  const Index a = leaves[slots[0]], b = leaves[slots[1]], c = leaves[slots[2]], d = leaves[slots[3]];
+  return a != b && a != c && a != d && b != c && b != d && c != d;
+}
+
 } // namespace
 
 GridPoints findGridPoints(const Octree& octree, const RunContext& context)
 {
   const GridFrame& frame = octree.frame();
   const std::vector<Region> tasks = tasksOf(octree, std::min(frame.startLevel, 4));
+  const std::vector<char> parentsOfLeaves = findParentsOfLeaves(octree, context);
+  const Walker walker(octree, parentsOfLeaves);
   std::vector<std::uint8_t> owned(octree.leafCount(), 0);
   const auto eachPoint = [&](auto&& visit) {
     context.executor.forEach(tasks.size(), 16, [&](std::size_t i) {
       context.progress.check();
-      walk(octree, tasks[i], [&](const Region& point) {
+      walker.walk(tasks[i], [&](const Region& point) {
         const unsigned singles = singleDirections(point.nodes);
         const Owner owner = ownerOf(point.nodes, singles);
         if (owner.leaf != noIndex && frame.inDomain(octree.cornerOf(owner.leaf, owner.corner)))
@@ -203,6 +274,20 @@ GridEdge edgeFrom(const Octree& octree, const std::array<Index, 8>& leaves, int 
   const unsigned bit = 1u << axisOf(direction);
   GridEdge edge;
   int finest = -1;
+  static constexpr std::array<std::array<unsigned, 4>, 6> about{slotsAbout(0), slotsAbout(1), slotsAbout(2),
+                                                                slotsAbout(3), slotsAbout(4), slotsAbout(5)};
+  if (const std::array<unsigned, 4>& slots = about[direction]; allDistinct(leaves, slots))
+  {
+    for (const unsigned slot : slots)
+    {
+      if (octree.level(leaves[slot]) > finest)
+      {
+        finest = octree.level(leaves[slot]);
+        edge = {leaves[slot], 7 - slot};
+      }
+    }
+    return edge;
+  }
   int distinct = 0;
   for (unsigned slot = 0; slot < 8; ++slot)
   {

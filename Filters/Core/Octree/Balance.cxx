@@ -4,52 +4,171 @@
 #include "Octree/GeometryLists.h"
 
 #include <algorithm>
+#include <array>
+#include <span>
 
 namespace atria {
 
 namespace {
 
-/// Parents of the octants within `layers` of `cell` along an axis.
-struct ParentRange
+/// A sorted set of keys as runs of successive ones: a region that is refined throughout has few.
+class KeyRuns
 {
-  std::int64_t first;
-  std::int64_t last;
+public:
+  explicit KeyRuns(const std::vector<MortonKey>& keys)
+  {
+    for (const MortonKey key : keys)
+    {
+      if (!ends.empty() && ends.back() == key)
+      {
+        ++ends.back();
+        continue;
+      }
+      firsts.push_back(key);
+      ends.push_back(key + 1);
+    }
+  }
+
+  /// `hint` is the run where the last key was found.
+  bool contains(MortonKey key, std::size_t& hint) const
+  {
+    if (hint < firsts.size() && firsts[hint] <= key && key < ends[hint])
+    {
+      return true;
+    }
+    const auto after = std::upper_bound(firsts.begin(), firsts.end(), key);
+    if (after == firsts.begin() || key >= ends[after - firsts.begin() - 1])
+    {
+      return false;
+    }
+    hint = static_cast<std::size_t>(after - firsts.begin() - 1);
+    return true;
+  }
+
+private:
+  std::vector<MortonKey> firsts;
+  std::vector<MortonKey> ends;
 };
 
-ParentRange parentsAbout(std::int64_t cell, int layers, std::int64_t end)
+/// Finds the octants of the level above that must be refined because octants of a level are: all that hold an octant up
+/// to `layers` away.
+class Requirements
 {
-  return {std::max<std::int64_t>((cell - layers) >> 1, 0), std::min((cell + layers) >> 1, end - 1)};
-}
-
-/// Keys of the octants of level - 1 that must be refined because octant `key` of `level` is: its own parent, and the
-/// parents of all octants up to `layers` away. For one layer these are the eight octants about the parent's corner
-/// nearest to it.
-void appendRequired(MortonKey key, int level, int layers, const GridFrame& frame, const std::vector<MortonKey>& present,
-                    std::vector<MortonKey>& out)
-{
-  const GridCell cell = gridCell(key);
-  const std::int64_t end = std::int64_t{1} << (level - 1);
-  std::array<ParentRange, 3> range;
-  for (int axis = 0; axis < 3; ++axis)
+public:
+  Requirements(int level, int layers, const GridFrame& frame, const std::vector<MortonKey>& above)
+      : level_(level), layers_(layers), frame_(frame), present(above), end(std::int64_t{1} << (level - 1))
   {
-    range[axis] = parentsAbout(cell[axis], layers, end);
   }
-  for (std::int64_t z = range[2].first; z <= range[2].last; ++z)
+
+  /// Appends what is not there yet, for octants that are all the refined ones of some families.
+  void append(std::span<const MortonKey> keys, std::vector<MortonKey>& out) const
   {
-    for (std::int64_t y = range[1].first; y <= range[1].last; ++y)
+    std::size_t hint = 0;
+    for (std::size_t i = 0; i < keys.size();)
     {
-      for (std::int64_t x = range[0].first; x <= range[0].last; ++x)
+      const MortonKey parent = keys[i] >> 3;
+      unsigned children = 0;
+      for (; i < keys.size() && keys[i] >> 3 == parent; ++i)
       {
-        const MortonKey wanted =
-            mortonKey({static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), static_cast<std::uint32_t>(z)});
-        if (!std::binary_search(present.begin(), present.end(), wanted) &&
-            !domainBoxOf(frame, level - 1, wanted).empty())
+        children |= 1u << (keys[i] & 7);
+        if (layers_ > 1)
         {
-          out.push_back(wanted);
+          appendFor(keys[i], hint, out);
+        }
+      }
+      if (layers_ == 1)
+      {
+        appendFor(parent, children, hint, out);
+      }
+    }
+  }
+
+private:
+  /// One layer: of the 27 octants about a parent, those that touch one of these children.
+  void appendFor(MortonKey parent, unsigned children, std::size_t& hint, std::vector<MortonKey>& out) const
+  {
+    // Children by axis and offset of the octants about their parent: those on that side, or all.
+    constexpr std::array<std::array<unsigned, 3>, 3> touching{
+        {{0x55, 0xff, 0xaa}, {0x33, 0xff, 0xcc}, {0x0f, 0xff, 0xf0}}};
+    const GridCell cell = gridCell(parent);
+    for (int z = 0; z < 3; ++z)
+    {
+      for (int y = 0; y < 3; ++y)
+      {
+        for (int x = 0; x < 3; ++x)
+        {
+          if ((children & touching[0][x] & touching[1][y] & touching[2][z]) != 0)
+          {
+            require({cell[0] + std::int64_t{x} - 1, cell[1] + std::int64_t{y} - 1, cell[2] + std::int64_t{z} - 1}, hint,
+                    out);
+          }
         }
       }
     }
   }
+
+  void appendFor(MortonKey key, std::size_t& hint, std::vector<MortonKey>& out) const
+  {
+    const GridCell cell = gridCell(key);
+    const auto low = [&](int axis) { return (std::int64_t{cell[axis]} - layers_) >> 1; };
+    const auto high = [&](int axis) { return (std::int64_t{cell[axis]} + layers_) >> 1; };
+    for (std::int64_t z = low(2); z <= high(2); ++z)
+    {
+      for (std::int64_t y = low(1); y <= high(1); ++y)
+      {
+        for (std::int64_t x = low(0); x <= high(0); ++x)
+        {
+          require({x, y, z}, hint, out);
+        }
+      }
+    }
+  }
+
+  void require(const std::array<std::int64_t, 3>& at, std::size_t& hint, std::vector<MortonKey>& out) const
+  {
+    if (std::any_of(at.begin(), at.end(), [&](std::int64_t c) { return c < 0 || c >= end; }))
+    {
+      return;
+    }
+    const MortonKey wanted = mortonKey(
+        {static_cast<std::uint32_t>(at[0]), static_cast<std::uint32_t>(at[1]), static_cast<std::uint32_t>(at[2])});
+    if (!present.contains(wanted, hint) && !domainBoxOf(frame_, level_ - 1, wanted).empty())
+    {
+      out.push_back(wanted);
+    }
+  }
+
+  int level_;
+  int layers_;
+  const GridFrame& frame_;
+  KeyRuns present;
+  std::int64_t end;
+};
+
+/// Where ranges of keys begin, each of about `grain`, that part no family.
+std::vector<std::size_t> rangesOfFamilies(const std::vector<MortonKey>& keys, std::size_t grain)
+{
+  std::vector<std::size_t> begins{0};
+  while (begins.back() + grain < keys.size())
+  {
+    std::size_t next = begins.back() + grain;
+    while (next < keys.size() && keys[next] >> 3 == keys[next - 1] >> 3)
+    {
+      ++next;
+    }
+    begins.push_back(next);
+  }
+  if (begins.back() < keys.size())
+  {
+    begins.push_back(keys.size());
+  }
+  return begins;
+}
+
+void sortUnique(std::vector<MortonKey>& keys)
+{
+  std::sort(keys.begin(), keys.end());
+  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
 }
 
 } // namespace
@@ -61,22 +180,23 @@ void balance(RefinedSets& refined, const GridFrame& frame, const RunContext& con
   {
     const std::vector<MortonKey>& keys = refined[level];
     std::vector<MortonKey>& above = refined[level - 1];
-    std::vector<std::vector<MortonKey>> parts((keys.size() + grain - 1) / grain);
+    const Requirements requirements(level, cellsPerLevel, frame, above);
+    const std::vector<std::size_t> begins = rangesOfFamilies(keys, grain);
+    std::vector<std::vector<MortonKey>> parts(begins.size() - 1);
     context.executor.forEach(parts.size(), 1, [&](std::size_t part) {
       context.progress.check();
-      for (std::size_t i = part * grain; i < std::min((part + 1) * grain, keys.size()); ++i)
-      {
-        appendRequired(keys[i], level, cellsPerLevel, frame, above, parts[part]);
-      }
-      std::sort(parts[part].begin(), parts[part].end());
-      parts[part].erase(std::unique(parts[part].begin(), parts[part].end()), parts[part].end());
+      requirements.append(std::span(keys).subspan(begins[part], begins[part + 1] - begins[part]), parts[part]);
+      sortUnique(parts[part]);
     });
+    std::vector<MortonKey> missing;
     for (const auto& part : parts)
     {
-      above.insert(above.end(), part.begin(), part.end());
+      missing.insert(missing.end(), part.begin(), part.end());
     }
-    std::sort(above.begin(), above.end());
-    above.erase(std::unique(above.begin(), above.end()), above.end());
+    sortUnique(missing);
+    const auto before = static_cast<std::ptrdiff_t>(above.size());
+    above.insert(above.end(), missing.begin(), missing.end());
+    std::inplace_merge(above.begin(), above.begin() + before, above.end());
   }
 }
 

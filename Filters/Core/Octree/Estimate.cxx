@@ -137,6 +137,16 @@ std::size_t countNewPoints(const std::vector<MortonKey>& refined, int level, con
   return sumOver(refined.size(), context, [&](std::size_t i) { return counter.pointsOf(refined[i]); });
 }
 
+std::size_t countElements(const RefinedSets& refined, const GridFrame& frame, const RunContext& context)
+{
+  std::size_t elements = 0;
+  for (std::size_t l = 0; l < refined.size(); ++l)
+  {
+    elements += countNewPoints(refined[l], static_cast<int>(l), frame, context);
+  }
+  return elements;
+}
+
 MeshEstimate estimateElements(const SurfaceModel& model, const GridFrame& frame, const SizingOptions& options,
                               const RunContext& context)
 {
@@ -149,8 +159,8 @@ MeshEstimate estimateElements(const SurfaceModel& model, const GridFrame& frame,
     const std::size_t below = l + 1 < sized.refined.size() ? sized.refined[l + 1].size() : 0;
     estimate.octants[l + 1] = childrenInDomain(sized.refined[l], static_cast<int>(l), frame, context) - below;
   }
-  estimate.elements = sized.elements;
-  estimate.bytes = sized.elements * bytesPerElement;
+  estimate.elements = countElements(sized.refined, frame, context);
+  estimate.bytes = estimate.elements * bytesPerElement;
   estimate.warning = sized.warning;
   return estimate;
 }

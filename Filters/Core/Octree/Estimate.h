@@ -11,6 +11,9 @@ namespace atria {
 std::size_t countNewPoints(const std::vector<MortonKey>& refined, int level, const GridFrame& frame,
                            const RunContext& context);
 
+/// Grid points inside the domain of the octree that balanced sets make.
+std::size_t countElements(const RefinedSets& refined, const GridFrame& frame, const RunContext& context);
+
 struct MeshEstimate
 {
   /// By level: leaves that share volume with the domain.

@@ -107,12 +107,8 @@ RefinedSets OctantSets::balanced(int cellsPerLevel, const RunContext& context)
       sets.push_back(level.keys);
     }
     balance(sets, frame_, context, cellsPerLevel);
-    elements_ = 0;
-    for (std::size_t l = 0; l < sets.size(); ++l)
-    {
-      elements_ += countNewPoints(sets[l], static_cast<int>(l), frame_, context);
-    }
-    if (limit == 0 || elements_ <= limit)
+    elements_ = limit > 0 ? countElements(sets, frame_, context) : 0;
+    if (elements_ <= limit)
     {
       return sets;
     }

@@ -33,8 +33,6 @@ public:
   /// the start level does. Returns the balanced sets.
   RefinedSets balanced(int cellsPerLevel, const RunContext& context);
 
-  /// Elements of the sets that balanced() returned.
-  std::size_t elements() const { return elements_; }
   /// What was left out, in words; empty if nothing.
   std::string warning() const;
 
@@ -57,6 +55,7 @@ private:
   int kept_;
   /// The rank above all that was asked for.
   int asked_ = 0;
+  /// Of the balanced sets; counted only where they are limited.
   std::size_t elements_ = 0;
 };
 

@@ -36,7 +36,6 @@ SizedOctants sizeOctants(const SurfaceModel& model, const GridFrame& frame, cons
   context.progress.report(0.8, "Balancing");
   SizedOctants sized;
   sized.refined = sets.balanced(options.cellsPerLevel, context);
-  sized.elements = sets.elements();
   sized.warning = sets.warning();
   return sized;
 }

@@ -69,8 +69,6 @@ struct SizedOctants
 {
   /// Balanced.
   RefinedSets refined;
-  /// Grid points inside the domain: the elements if all zones are meshed.
-  std::size_t elements = 0;
   /// What had to be left out to keep to `maxElements`; empty if nothing.
   std::string warning;
 };

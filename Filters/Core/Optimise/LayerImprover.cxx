@@ -185,7 +185,12 @@ LayerMesh LayerImprover::divide(const LayerMesh& one) const
   }
 }
 
-void LayerImprover::grow() { layer_ = growLayer(plain_, walls_, options_, excluded_, context_); }
+void LayerImprover::grow()
+{
+  context_.progress.check();
+  layer_ = growLayer(plain_, walls_, options_, excluded_, context_);
+  context_.progress.check();
+}
 
 std::vector<ShortCell> LayerImprover::findAll() const
 {

@@ -37,7 +37,7 @@ void spread(const CellSource& source, const std::vector<char>& cells, std::vecto
 }
 
 std::vector<char> pointsToMove(const CellSource& source, const std::vector<ShortCell>& shortCells,
-                               const VertexGuide& guide, int rings)
+                               const VertexGuide& guide, int rings, const RunContext& context)
 {
   std::vector<char> cells(source.cellCount(), 0);
   for (const ShortCell& found : shortCells)
@@ -48,6 +48,7 @@ std::vector<char> pointsToMove(const CellSource& source, const std::vector<Short
   spread(source, cells, points);
   for (int ring = 0; ring < rings; ++ring)
   {
+    context.progress.check();
     for (Index c = 0; c < cells.size(); ++c)
     {
       cells[c] = source.hasMarked(c, points) ? 1 : 0;
@@ -281,13 +282,14 @@ std::vector<ShortCell> optimise(const CellSource& source, std::vector<Vec3>& poi
                                 const std::vector<ShortCell>& cells, VertexGuide& guide,
                                 const OptimiserOptions& options, const RunContext& context)
 {
-  const std::vector<char> moving = pointsToMove(source, cells, guide, options.rings);
+  const std::vector<char> moving = pointsToMove(source, cells, guide, options.rings, context);
   if (std::find(moving.begin(), moving.end(), 1) == moving.end())
   {
     return cells;
   }
   Region region = extractRegion(source, moving, guide, context);
   Judge judge(region, options.targets, context);
+  context.progress.check();
   prepareGuide(region, guide, context);
   Sweeper sweeper(judge, guide, options, context);
   sweepWhileWorthwhile(sweeper, options, context);
@@ -314,6 +316,7 @@ std::vector<ShortCell> approach(const CellSource& source, std::vector<Vec3>& poi
   PointSearch search(judge, guide);
   for (Index m = 0; m < region.movable.size(); ++m)
   {
+    context.progress.check();
     search.approach(m, wanted[m].place, least);
   }
   takePoints(region, points);

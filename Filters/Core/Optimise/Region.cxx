@@ -27,11 +27,17 @@ public:
     numberPoints();
     for (Index local = 0; local < region.cellIds.size(); ++local)
     {
+      if (local % grain == 0)
+      {
+        context.progress.check();
+      }
       addFaces(local);
     }
     addCellFaces();
+    context.progress.check();
     measureGhosts();
     addStars();
+    context.progress.check();
     return std::move(region);
   }
 
@@ -150,45 +156,64 @@ private:
     }
   }
 
+  /// For each leader of marked points, in order: the judged cells that have one of its points, and these points.
   void addStars()
   {
-    std::vector<std::pair<Index, Index>> uses;
-    std::vector<std::pair<Index, Index>> sets;
-    for (Index local = 0; local < region.cellIds.size(); ++local)
+    std::vector<Index> leaders(region.pointIds.size(), noIndex);
+    std::vector<Index> cells(leaders.size(), 0);
+    std::vector<Index> members(leaders.size(), 0);
+    for (Index p = 0; p < leaders.size(); ++p)
     {
-      source.facesOf(region.cellIds[local], scratch);
-      for (const Index p : scratch.points)
+      if (marked[region.pointIds[p]])
       {
-        if (marked[p])
+        leaders[p] = localPoint[guide.leaderOf(region.pointIds[p])];
+        ++members[leaders[p]];
+      }
+    }
+    eachCellOf(leaders, [&](Index leader, Index) { ++cells[leader]; });
+    // Counts become the places where a leader's next entry goes.
+    for (Index p = 0; p < leaders.size(); ++p)
+    {
+      if (cells[p] > 0)
+      {
+        region.movable.push_back(p);
+        region.aboutOffsets.push_back(region.aboutOffsets.back() + cells[p]);
+        region.memberOffsets.push_back(region.memberOffsets.back() + members[p]);
+        cells[p] = *(region.aboutOffsets.end() - 2);
+        members[p] = *(region.memberOffsets.end() - 2);
+      }
+    }
+    region.about.resize(region.aboutOffsets.back());
+    region.members.resize(region.memberOffsets.back());
+    eachCellOf(leaders, [&](Index leader, Index cell) { region.about[cells[leader]++] = cell; });
+    for (Index p = 0; p < leaders.size(); ++p)
+    {
+      if (leaders[p] != noIndex)
+      {
+        region.members[members[leaders[p]]++] = p;
+      }
+    }
+  }
+
+  /// Calls use(leader, cell) once for each judged cell and leader of its points, by cells.
+  template <typename Use> void eachCellOf(const std::vector<Index>& leaders, Use&& use) const
+  {
+    std::vector<Index> last(leaders.size(), noIndex);
+    for (Index cell = 0; cell < region.cellIds.size(); ++cell)
+    {
+      for (Index i = region.cellOffsets[cell]; i < region.cellOffsets[cell + 1]; ++i)
+      {
+        const Index f = region.cellFaces[i];
+        for (Index k = region.faceOffsets[f]; k < region.faceOffsets[f + 1]; ++k)
         {
-          const Index leader = localPoint[guide.leaderOf(p)];
-          uses.emplace_back(leader, local);
-          sets.emplace_back(leader, localPoint[p]);
+          const Index leader = leaders[region.facePoints[k]];
+          if (leader != noIndex && last[leader] != cell)
+          {
+            last[leader] = cell;
+            use(leader, cell);
+          }
         }
       }
-    }
-    for (auto* pairs : {&uses, &sets})
-    {
-      std::sort(pairs->begin(), pairs->end());
-      pairs->erase(std::unique(pairs->begin(), pairs->end()), pairs->end());
-    }
-    for (const auto& [point, cell] : uses)
-    {
-      if (region.movable.empty() || region.movable.back() != point)
-      {
-        region.movable.push_back(point);
-        region.aboutOffsets.push_back(region.aboutOffsets.back());
-        region.memberOffsets.push_back(0);
-      }
-      region.about.push_back(cell);
-      ++region.aboutOffsets.back();
-    }
-    std::size_t m = 0;
-    for (const auto& [leader, member] : sets)
-    {
-      m += region.movable[m] != leader ? 1 : 0;
-      region.members.push_back(member);
-      region.memberOffsets[m + 1] = static_cast<Index>(region.members.size());
     }
   }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Support/Executor.h"
 
+#include "Support/Progress.h"
+
 #include <algorithm>
 #include <atomic>
 #include <exception>
@@ -16,6 +18,26 @@ void SerialExecutor::forRanges(std::size_t count, std::size_t grain, const Body&
   for (std::size_t begin = 0; begin < count; begin += step)
   {
     body(begin, std::min(begin + step, count));
+  }
+}
+
+void AbortableExecutor::forRanges(std::size_t count, std::size_t grain, const Body& body) const
+{
+  const std::size_t rangesAtOnce = 16 * std::max<std::size_t>(4, static_cast<std::size_t>(executor_.threads()));
+  const auto check = [this] {
+    if (monitor_.aborted())
+    {
+      throw Aborted();
+    }
+  };
+  const std::size_t slice = rangesAtOnce * std::max<std::size_t>(grain, 1);
+  for (std::size_t first = 0; first < count; first += slice)
+  {
+    check();
+    executor_.forRanges(std::min(slice, count - first), grain, [&](std::size_t begin, std::size_t end) {
+      check();
+      body(first + begin, first + end);
+    });
   }
 }
 

@@ -41,6 +41,24 @@ public:
   void forRanges(std::size_t count, std::size_t grain, const Body& body) const override;
 };
 
+class ProgressMonitor;
+
+/// Runs loops on another executor, and ends them soon after a monitor says so, with Aborted. The monitor is asked
+/// before every range, and at times by the thread that runs the loop, also where the other executor has that one wait.
+class AbortableExecutor : public Executor
+{
+public:
+  AbortableExecutor(const Executor& executor, const ProgressMonitor& monitor) : executor_(executor), monitor_(monitor)
+  {
+  }
+  int threads() const override { return executor_.threads(); }
+  void forRanges(std::size_t count, std::size_t grain, const Body& body) const override;
+
+private:
+  const Executor& executor_;
+  const ProgressMonitor& monitor_;
+};
+
 /// A fixed number of std::threads; for use without VTK.
 class ThreadExecutor : public Executor
 {

@@ -1,0 +1,264 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs Atria, snappyHexMesh and gmsh on the same work, one after the other, and tables what they take.
+
+Usage: compare.py BUILD [--report FILE.md] [--json FILE.json] [--threads 1 2] [--cases NAME ...] [--without PEER ...]
+                  [--growth LARGEST] [--triangles LARGEST] [--runs N]
+
+BUILD is the build's folder. Of N runs the one that took the least of the processor counts. Atria's runs end with the
+mesh as VTK data; no mesher's run has its output in it but snappyHexMesh's, whose log tells the time until it is written.
+--growth makes spheres of up to LARGEST elements, --triangles one mesh of models of up to LARGEST triangles.
+Peers that are not installed are left out: apt-get install openfoam gmsh.
+"""
+
+import argparse
+import dataclasses
+import datetime
+import json
+import math
+import os
+import pathlib
+import platform
+import re
+import subprocess
+import sys
+import tempfile
+import time
+
+import numpy
+
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE), str(HERE.parents[1] / "Examples" / "Data")]
+
+import make_building  # noqa: E402
+import make_sphere  # noqa: E402
+import peers  # noqa: E402
+import tables  # noqa: E402
+
+
+@dataclasses.dataclass
+class Case:
+    name: str
+    title: str
+    model: str
+    sizes: tuple  # largest, at surfaces, at features
+    layers: int
+    box: list
+    inside: tuple
+    levels: tuple  # snappyHexMesh's at surfaces and at features, and how many halvings of its grid give the finest size
+    polygons: list
+    target: float  # times faster than snappyHexMesh on two threads
+    sphere: float = 0.0
+    creases: bool = False
+    near: list = None  # box at whose surface cells are as at the model's
+    site: str = ""
+
+
+def cases():
+    cube = [(-5.0, 5.0)] * 3
+    ball = make_sphere.sphere(2.0, 5)
+    house = [polygon for polygons, _ in make_building.sheets().values() for polygon in polygons]
+    x0, y0, x1, y1 = make_building.SITE
+    site = [(x0, x1), (y0, y1), (0.0, 0.3 * max(x1 - x0, y1 - y0))]
+    sphere = {"model": "sphere_in_cube.wrl", "box": cube, "inside": (3.01, 3.02, 3.03), "polygons": ball, "sphere": 2.0}
+    return [
+        Case("uniform", "Sphere, uniform 0.1 m, no layer", sizes=(0.1, 0.1, 0.1), layers=0, levels=(0, 0, 0),
+             target=150.0, **sphere),
+        Case("adaptive", "Sphere, adaptive 0.1 m, with a layer", sizes=(0.8, 0.1, 0.1), layers=1, levels=(3, 3, 3),
+             target=60.0, near=cube, **sphere),
+        Case("building", "Building with sheets, 1, 2 and 8 m, with a layer", "building.wrl", (8.0, 2.0, 1.0), 1, site,
+             (-50.0, 60.0, 40.0), (2, 3, 3), house, 25.0, creases=True,
+             near=[*site[:2], (-1.0, 0.0)], site="Site"),
+    ]
+
+
+def measure(command, folder, environment=None):
+    """Seconds of the clock and of the processor, bytes of the largest process, and what was printed."""
+    log = folder / "log"
+    with log.open("w") as out:
+        start = time.monotonic()
+        process = subprocess.Popen([str(c) for c in command], cwd=folder, stdout=out, stderr=subprocess.STDOUT,
+                                   env=os.environ | (environment or {}))
+        _, status, usage = os.wait4(process.pid, 0)
+        wall = time.monotonic() - start
+    process.returncode = os.waitstatus_to_exitcode(status)
+    text = log.read_text(errors="replace")
+    if process.returncode != 0:
+        raise RuntimeError(f"{command[0]} ended with {process.returncode}:\n{text[-2000:]}")
+    return {"wall": wall, "processor": usage.ru_utime + usage.ru_stime, "bytes": 1024 * usage.ru_maxrss}, text
+
+
+def run_atria(program, model, case, threads, folder):
+    command = [program, model, *case.sizes, case.layers, threads, *([case.site] if case.site else [])]
+    result, text = measure(command, folder)
+    told = json.loads(text)
+    result["bytes"] = max(peak for _, peak in told["peaks"])  # asking for the peaks resets what the system knows
+    return result | {"elements": told["elements"], "stages": told["stages"], "peaks": told["peaks"]}
+
+
+def run_snappy(case, threads, folder):
+    command = peers.snappy_case(folder, case, threads)
+    before = {"wall": 0.0, "processor": 0.0}
+    if threads == 1:  # with more, the decomposed base mesh was made before
+        before, _ = measure(["blockMesh"], folder, peers.FOAM)
+    result, text = measure(command, folder, peers.FOAM)
+    finished = float(re.findall(r"Finished meshing in = ([\d.]+) s", text)[-1])
+    written = max(0.0, result["wall"] - finished) * result["processor"] / result["wall"]
+    result["processor"] += before["processor"] - written
+    result["wall"] = finished + before["wall"]
+    result["bytes"] *= threads
+    return result | {"elements": int(re.findall(r"cells:\s*(\d+)", text)[-1])}
+
+
+def run_gmsh(case, threads, folder):
+    (folder / "work.geo").write_text(peers.gmsh_script(case, threads))
+    result, text = measure(["gmsh", "work.geo", "-"], folder)
+    found = re.findall(r"^elements (\d[\d.e+]*)", text, re.MULTILINE)
+    if not found or float(found[-1]) == 0:
+        raise RuntimeError("gmsh made no tetrahedra: " + " / ".join(re.findall(r"Error\s*: (.*)", text)[:3]))
+    return result | {"elements": int(float(found[-1]))}
+
+
+def best(run, runs):
+    """In a folder of its own each time; None where it fails, with a note."""
+    results = []
+    for _ in range(runs):
+        with tempfile.TemporaryDirectory() as name:
+            try:
+                results.append(run(pathlib.Path(name)))
+            except (RuntimeError, subprocess.CalledProcessError) as failure:
+                print(f"  failed: {failure}", file=sys.stderr)
+                return None
+    return min(results, key=lambda r: r["processor"])
+
+
+def compare(arguments, benchmark):
+    data = HERE.parents[1] / "Examples" / "Data"
+    meshers = {
+        "Atria": lambda case, threads, folder: run_atria(benchmark, data / case.model, case, threads, folder),
+        "snappyHexMesh": run_snappy,
+        "gmsh": run_gmsh,
+    }
+    have = {"Atria": True} | peers.available()
+    results = {}
+    for case in cases():
+        if arguments.cases and case.name not in arguments.cases:
+            continue
+        for threads in arguments.threads:
+            for mesher, run in meshers.items():
+                if not have[mesher] or mesher in arguments.without:
+                    continue
+                runs = arguments.runs if mesher == "Atria" else 1
+                result = best(lambda folder, run=run: run(case, threads, folder), runs)
+                print(f"{case.name} {mesher} {threads}: {tables.short(result)}", flush=True)
+                results.setdefault(case.name, {}).setdefault(mesher, {})[str(threads)] = result
+    return results
+
+
+def growth_in_elements(benchmark, largest, data):
+    series = {"uniform": [], "adaptive": []}
+    for name in series:
+        case = next(c for c in cases() if c.name == name)
+        step = 0
+        expected = 0.0
+        while step < 12:
+            size = 0.2 * 2 ** (-step / (2 if name == "uniform" else 1))
+            if name == "uniform" and 966.0 / size**3 > largest or name == "adaptive" and expected > largest:
+                break
+            sizes = (size, size, size) if name == "uniform" else (8 * size, size, size)
+            work = dataclasses.replace(case, sizes=sizes)
+            result = best(lambda folder, work=work: run_atria(benchmark, data / work.model, work, 1, folder), 1)
+            if not result:
+                break
+            print(f"growth {name} {size:.4f}: {tables.short(result)}", flush=True)
+            series[name].append(result)
+            expected = 4.2 * result["elements"]
+            step += 1
+    return series
+
+
+def write_sphere(file, subdivisions):
+    """A sphere of 20 * 4^subdivisions triangles as binary STL, without a list of Python's for each."""
+    corners = numpy.array(make_sphere.sphere(1.0, 0))
+    for _ in range(subdivisions):
+        a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
+        ab, bc, ca = ((p + q) / numpy.linalg.norm(p + q, axis=1)[:, None] for p, q in ((a, b), (b, c), (c, a)))
+        triangles = ((a, ab, ca), (b, bc, ab), (c, ca, bc), (ab, bc, ca))
+        corners = numpy.concatenate([numpy.stack(t, axis=1) for t in triangles])
+    facets = numpy.zeros(len(corners), dtype=[("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("zero", "<u2")])
+    facets["corners"] = 2.0 * corners
+    with file.open("wb") as out:
+        out.write(b"sphere".ljust(80) + len(corners).to_bytes(4, "little"))
+        facets.tofile(out)
+    return len(corners)
+
+
+def growth_in_triangles(benchmark, largest):
+    series = []
+    case = dataclasses.replace(cases()[0], layers=0)
+    for subdivisions in (3, 5, 7, 9):
+        if 20 * 4**subdivisions > largest:
+            break
+        with tempfile.TemporaryDirectory() as name:
+            file = pathlib.Path(name) / "sphere.stl"
+            triangles = write_sphere(file, subdivisions)
+            result = best(lambda folder, file=file: run_atria(benchmark, file, case, 1, folder), 1)
+        if result:
+            print(f"growth triangles {triangles}: {tables.short(result)}", flush=True)
+            series.append(result | {"triangles": triangles})
+    return series
+
+
+def octrees(program):
+    """Octree and balance, ours and p4est's; nothing where that was not built."""
+    if not program.exists():
+        return []
+    text = subprocess.run([program, "--benchmark_format=json"], check=True, capture_output=True, text=True).stdout
+    return [{"name": b["name"], "seconds": 1e-3 * b["cpu_time"], "leaves": int(b["leaves"])}
+            for b in json.loads(text)["benchmarks"]]
+
+
+def machine():
+    cpu = platform.processor() or "unknown"
+    info = pathlib.Path("/proc/cpuinfo")
+    if info.exists():
+        cpu = re.findall(r"model name\s*: (.*)", info.read_text())[0]
+    memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
+    return {"processor": cpu, "cores": os.cpu_count(), "memory": memory, "system": platform.platform(),
+            "date": datetime.date.today().isoformat(), "load": os.getloadavg()[0]}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("build", type=pathlib.Path)
+    parser.add_argument("--report", type=pathlib.Path)
+    parser.add_argument("--json", type=pathlib.Path)
+    parser.add_argument("--from-json", type=pathlib.Path, help="write the report of an earlier run, and run nothing")
+    parser.add_argument("--threads", type=int, nargs="+", default=[1, 2])
+    parser.add_argument("--cases", nargs="+", choices=[case.name for case in cases()])
+    parser.add_argument("--without", nargs="+", default=[], choices=["snappyHexMesh", "gmsh"])
+    parser.add_argument("--growth", type=float, default=0.0, metavar="LARGEST")
+    parser.add_argument("--triangles", type=float, default=0.0, metavar="LARGEST")
+    parser.add_argument("--runs", type=int, default=3)
+    arguments = parser.parse_args()
+    if arguments.from_json:
+        results = json.loads(arguments.from_json.read_text())
+    else:
+        benchmark = arguments.build.resolve() / "bin" / "benchmark_mesh"
+        results = {"machine": machine(), "meshers": compare(arguments, benchmark)}
+        results["octrees"] = octrees(benchmark.with_name("benchmark_p4est"))
+        if arguments.growth > 0:
+            data = HERE.parents[1] / "Examples" / "Data"
+            results["elements"] = growth_in_elements(benchmark, arguments.growth, data)
+        if arguments.triangles > 0:
+            results["triangles"] = growth_in_triangles(benchmark, arguments.triangles)
+    if arguments.json:
+        arguments.json.write_text(json.dumps(results, indent=1) + "\n")
+    text = tables.report(results, cases())
+    print(text)
+    if arguments.report:
+        arguments.report.write_text(text)
+
+
+if __name__ == "__main__":
+    main()
