@@ -2,6 +2,7 @@
 #include "Surface/Contacts.h"
 
 #include "Surface/BoxPairs.h"
+#include "Surface/Crowds.h"
 #include "Surface/LatticeSegments.h"
 #include "Surface/Predicates.h"
 
@@ -341,6 +342,7 @@ Contacts findContacts(const TriangleSoup& soup, const std::vector<char>& changed
     if (a < b || !changed[b]) // two that are changed meet twice
     {
       pairs.push_back(std::minmax(a, b));
+      refuseCrowds(pairs.size());
     }
   });
   context.progress.check();
