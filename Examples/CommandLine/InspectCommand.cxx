@@ -202,8 +202,9 @@ void printProblems(std::vector<Problem> problems, const TriangleSurface& surface
   }
   if (problems.back().kind == ProblemKind::crowds)
   {
-    std::printf("crowds: triangles among too many others in one place; crossings, contacts and gaps were looked for among "
-                "the first of them only, so there are more\n");
+    std::printf(
+        "crowds: triangles among too many others in one place; crossings, contacts and gaps were looked for among "
+        "the first of them only, so there are more\n");
   }
   std::printf("size: length of edges, area of duplicates, height of the thinnest sliver, width of the widest gap\n");
 }

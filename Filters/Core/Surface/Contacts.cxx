@@ -338,11 +338,12 @@ Contacts findContacts(const TriangleSoup& soup, const std::vector<char>& changed
     }
   }
   std::vector<std::pair<Index, Index>> pairs;
+  std::size_t seen = 0;
   forBoxPairs(asking, all, [&](Index a, Index b) {
+    refuseCrowds(++seen);
     if (a < b || !changed[b]) // two that are changed meet twice
     {
       pairs.push_back(std::minmax(a, b));
-      refuseCrowds(pairs.size());
     }
   });
   context.progress.check();

@@ -155,7 +155,7 @@ void refuseCrowds(std::size_t pairs)
 
 void refuseTangles(std::size_t count, const TrianglePairs& pairs)
 {
-  constexpr std::size_t most = 50'000'000;
+  constexpr std::size_t most = 5'000'000;
   if (boundOfTriples(count, pairs) > most)
   {
     throw Error(std::to_string(pairs.size()) + " pairs of triangles overlap or cross, too many to cut along each " +

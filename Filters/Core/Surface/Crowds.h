@@ -28,10 +28,10 @@ std::size_t boundOfTriples(std::size_t count, const TrianglePairs& pairs);
 /// Marks triangles to leave out, so that the bound is within `limit` for the others; which go first is as above.
 std::vector<char> findTangles(std::size_t count, const TrianglePairs& pairs, std::size_t limit);
 
-/// Throws Error for more pairs than can be looked at in reasonable time and memory: 200 million.
+/// Throws Error for more pairs of boxes than can be looked at in reasonable time and memory: 200 million.
 void refuseCrowds(std::size_t pairs);
 
-/// Throws Error where cutting triangles along each other would make too many pieces: the bound exceeds 50 million.
+/// Throws Error where cutting triangles along each other would make too many pieces: the bound exceeds 5 million.
 void refuseTangles(std::size_t count, const TrianglePairs& pairs);
 
 } // namespace atria
