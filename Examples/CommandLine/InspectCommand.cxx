@@ -200,6 +200,12 @@ void printProblems(std::vector<Problem> problems, const TriangleSurface& surface
       std::printf("%-18s and %zu more places; --json lists them\n", kind, ofKind + 1 - most);
     }
   }
+  if (problems.back().kind == ProblemKind::crowds)
+  {
+    std::printf(
+        "crowds: triangles among too many others in one place; crossings, contacts and gaps were looked for among "
+        "the first of them only, so there are more\n");
+  }
   std::printf("size: length of edges, area of duplicates, height of the thinnest sliver, width of the widest gap\n");
 }
 

@@ -2,6 +2,7 @@
 #include "ModelOptions.h"
 
 #include <vtkAtriaSurfaceReader.h>
+#include <vtkAtriaVRMLReader.h>
 
 #include <CLI/CLI.hpp>
 
@@ -45,6 +46,18 @@ void declareModelOptions(CLI::App& command, ModelOptions& options)
       ->capture_default_str()
       ->check(CLI::IsMember({"shape", "group", "material", "connected"}))
       ->type_name("shape|group|material|connected");
+  command
+      .add_option("--round-angle", options.roundAngle,
+                  "Angle between neighbouring points of VRML's spheres, cones and cylinders, degrees")
+      ->capture_default_str()
+      ->check(CLI::Range(1.0, 90.0))
+      ->type_name("DEG");
+  command
+      .add_option("--round-error", options.roundError,
+                  "Greatest distance of their facets from the true surface, metres; 0 for any")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("M");
 }
 
 void configure(vtkAtriaSurfaceReader* reader, const ModelOptions& options)
@@ -61,6 +74,11 @@ void configure(vtkAtriaSurfaceReader* reader, const ModelOptions& options)
   reader->SetRecentre(options.recentre);
   reader->SetMergeDuplicateFaces(!options.keepDuplicates);
   reader->SetSurfaceBy(rules.at(options.surfacesBy));
+  if (auto* vrml = vtkAtriaVRMLReader::SafeDownCast(reader))
+  {
+    vrml->SetTessellationAngle(options.roundAngle);
+    vrml->SetTessellationError(options.roundError);
+  }
 }
 
 } // namespace atria::tool

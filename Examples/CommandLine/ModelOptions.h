@@ -19,6 +19,8 @@ struct ModelOptions
   bool recentre = false;
   bool keepDuplicates = false;
   std::string surfacesBy = "shape";
+  double roundAngle = 10.0;
+  double roundError = 0.0;
 };
 
 void declareModelOptions(CLI::App& command, ModelOptions& options);

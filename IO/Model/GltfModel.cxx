@@ -1,275 +1,274 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// glTF. vtkGLTFReader names its blocks by number, so the nodes are walked here in what vtkGLTFDocumentLoader has read.
+/// glTF: the nodes of a scene, and the primitives of their meshes. Of our own: VTK 9.1's loader names its blocks by
+/// number, and reads beyond the ends of buffers in a damaged file.
+#include "GltfFile.h"
+#include "ModelFaces.h"
 #include "ModelFile.h"
 
 #include "Support/Error.h"
+#include "Support/Types.h"
 #include "Support/Utf8.h"
 
-#include <vtkCellArray.h>
-#include <vtkCompositeDataSet.h>
-#include <vtkGLTFDocumentLoader.h>
-#include <vtkInformation.h>
-#include <vtkMatrix4x4.h>
-#include <vtkMultiBlockDataSet.h>
-#include <vtkNew.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
 
-#include <array>
-#include <cstdint>
-#include <cstring>
-#include <filesystem>
+#include <Eigen/Geometry>
+
 #include <set>
 
 namespace atria::model {
 
 namespace {
 
-bool isBinary(const std::string& file) { return std::filesystem::path(file).extension() == ".glb"; }
+using gltf::File;
+using gltf::Json;
 
-/// Throws Error unless a binary file consists of a header and chunks of the lengths they state: the loader reads on for
-/// ever in one that was cut off.
-void checkChunks(const std::string& file, const std::string& bytes)
-{
-  const auto number = [&](std::size_t at) {
-    std::uint32_t value = 0;
-    std::memcpy(&value, bytes.data() + at, sizeof value);
-    return static_cast<std::size_t>(value);
-  };
-  constexpr std::size_t header = 12;
-  constexpr std::size_t chunkHeader = 8;
-  bool good = bytes.size() >= header && bytes.compare(0, 4, "glTF") == 0 && number(8) == bytes.size();
-  std::size_t at = header;
-  while (good && at < bytes.size())
-  {
-    good = bytes.size() - at >= chunkHeader && number(at) <= bytes.size() - at - chunkHeader;
-    at += good ? chunkHeader + number(at) : 0;
-  }
-  if (!good)
-  {
-    throw Error("'" + file + "' cannot be read as glTF 2.0: it is cut off or damaged; export it again");
-  }
-}
+using Transform = Eigen::Affine3d;
 
-/// Throws Error where nodes have several parents or go round in a circle, in which the loader would not come to an end.
-void checkTree(const vtkGLTFDocumentLoader::Model& model, const std::string& file)
-{
-  std::vector<int> parents(model.Nodes.size(), -1);
-  bool good = true;
-  for (std::size_t i = 0; i < model.Nodes.size(); ++i)
-  {
-    for (const int child : model.Nodes[i].Children)
-    {
-      const bool exists = child >= 0 && child < static_cast<int>(parents.size());
-      good = good && exists && parents[child] < 0;
-      if (exists)
-      {
-        parents[child] = static_cast<int>(i);
-      }
-    }
-  }
-  for (const auto& scene : model.Scenes)
-  {
-    for (const unsigned root : scene.Nodes)
-    {
-      good = good && root < parents.size() && parents[root] < 0;
-    }
-  }
-  if (!good)
-  {
-    throw Error("'" + file + "': its nodes are no tree: one has several parents, or does not exist; export it again");
-  }
-}
+constexpr std::size_t trianglesMode = 4;
+constexpr std::size_t stripMode = 5;
+constexpr std::size_t fanMode = 6;
 
-/// Whether an extension the loader does not know changes what surfaces there are.
-bool hidesGeometry(const std::string& warning)
+/// Calls `add` with the triangles of a primitive, as numbers of its corners.
+template <typename Add> void forTriangles(std::size_t mode, const std::vector<std::size_t>& ids, const Add& add)
 {
-  for (const char* extension : {"draco", "meshopt", "mesh_gpu_instancing"})
+  for (std::size_t i = 2; i < ids.size(); i += mode == trianglesMode ? 3 : 1)
   {
-    if (warning.find(extension) != std::string::npos)
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-void load(vtkGLTFDocumentLoader* loader, const std::string& file)
-{
-  const Messages messages(loader);
-  const auto check = [&](bool good) {
-    if (!good)
-    {
-      throw Error("'" + file + "' cannot be read as glTF 2.0" +
-                  (messages.error().empty() ? "" : ": " + messages.error()) + "; export it again");
-    }
-  };
-  check(loader->LoadModelMetaDataFromFile(file));
-  for (const std::string& warning : messages.warnings())
-  {
-    if (hidesGeometry(warning))
-    {
-      throw Error("'" + file + "': " + warning + " Export the model without compression and instancing extensions.");
-    }
-  }
-  checkTree(*loader->GetInternalModel(), file);
-  loader->GetInternalModel()->Images.clear(); // textures are no part of a surface, and may be missing
-  std::vector<char> buffer;
-  check(!isBinary(file) || loader->LoadFileBuffer(file, buffer));
-  check(loader->LoadModelData(buffer));
-  check(loader->BuildModelVTKGeometry());
-}
-
-/// `points` moved by a node's transform.
-vtkNew<vtkPoints> placed(vtkPoints* points, vtkMatrix4x4* transform)
-{
-  vtkNew<vtkPoints> out;
-  out->SetDataTypeToDouble();
-  out->SetNumberOfPoints(points->GetNumberOfPoints());
-  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
-  {
-    std::array<double, 4> p{0, 0, 0, 1};
-    points->GetPoint(i, p.data());
-    transform->MultiplyPoint(p.data(), p.data());
-    out->SetPoint(i, p.data());
-  }
-  return out;
-}
-
-/// Triangles of a primitive; turned over where its transform mirrors it, as glTF asks for.
-vtkNew<vtkCellArray> trianglesOf(vtkPolyData* geometry, bool mirrored)
-{
-  vtkNew<vtkCellArray> triangles;
-  const auto add = [&](vtkIdType a, vtkIdType b, vtkIdType c) {
-    const std::array<vtkIdType, 3> corners{a, mirrored ? c : b, mirrored ? b : c};
-    triangles->InsertNextCell(3, corners.data());
-  };
-  vtkIdType count = 0;
-  const vtkIdType* ids = nullptr;
-  vtkCellArray* fans = geometry->GetPolys();
-  for (fans->InitTraversal(); fans->GetNextCell(count, ids);)
-  {
-    for (vtkIdType i = 2; i < count; ++i)
+    const bool odd = i % 2 != 0;
+    if (mode == fanMode)
     {
       add(ids[0], ids[i - 1], ids[i]);
     }
-  }
-  vtkCellArray* strips = geometry->GetStrips();
-  for (strips->InitTraversal(); strips->GetNextCell(count, ids);)
-  {
-    for (vtkIdType i = 2; i < count; ++i)
+    else if (mode == stripMode && odd)
     {
-      const bool odd = i % 2 != 0;
-      add(ids[i - 2], ids[odd ? i : i - 1], ids[odd ? i - 1 : i]);
+      add(ids[i - 1], ids[i - 2], ids[i]);
+    }
+    else
+    {
+      add(ids[i - 2], ids[i - 1], ids[i]);
     }
   }
-  return triangles;
 }
 
 class NodeWalk
 {
 public:
-  NodeWalk(vtkGLTFDocumentLoader::Model& source, const std::string& path) : model(source), file(path) {}
+  explicit NodeWalk(const File& source) : file(source), nodes(file.list("nodes")), meshes(file.list("meshes")) {}
 
   Model run();
 
 private:
   struct Visit
   {
-    int node;
+    std::size_t node;
     std::string name; ///< of the nearest node around it that has one
+    Transform transform;
   };
 
   void visit(const Visit& at);
-  void addPrimitive(const vtkGLTFDocumentLoader::Primitive& primitive, const Visit& at, const std::string& meshName);
+  void addMesh(const Json& mesh, const Visit& at, const std::string& nodeName);
+  void addPrimitive(const Json& primitive, const Visit& at, const std::string& name);
+  Transform transformOf(const Json& node) const;
+  void pushAll(const std::vector<std::size_t>& children, const Visit& around);
+  void addWarnings(Model& model) const;
 
-  vtkGLTFDocumentLoader::Model& model;
-  std::string file;
+  const File& file;
+  const Json& nodes;
+  const Json& meshes;
   std::vector<Visit> open;
-  std::set<int> seen; ///< a node has one parent; others are an error of the file
+  std::set<std::size_t> seen;
   std::vector<Part> parts;
-  std::vector<vtkSmartPointer<vtkPolyData>> pieces;
+  ModelFaces faces;
   std::size_t notSurfaces = 0;
+  std::vector<std::string> complaints;
 };
 
-void NodeWalk::addPrimitive(const vtkGLTFDocumentLoader::Primitive& primitive, const Visit& at,
-                            const std::string& meshName)
+Transform NodeWalk::transformOf(const Json& node) const
 {
-  vtkPolyData* geometry = primitive.Geometry;
-  if (!geometry || !geometry->GetPoints() || geometry->GetNumberOfPolys() + geometry->GetNumberOfStrips() == 0)
+  Transform transform = Transform::Identity();
+  if (const std::vector<double> m = file.numbers(node, "matrix", 16); !m.empty())
+  {
+    transform.matrix() = Eigen::Map<const Eigen::Matrix4d>(m.data()); // both column by column
+    transform.makeAffine();
+    return transform;
+  }
+  const std::vector<double> t = file.numbers(node, "translation", 3);
+  const std::vector<double> r = file.numbers(node, "rotation", 4);
+  const std::vector<double> s = file.numbers(node, "scale", 3);
+  if (!t.empty())
+  {
+    transform.translate(Vec3(t[0], t[1], t[2]));
+  }
+  if (!r.empty())
+  {
+    const Eigen::Quaterniond turn(r[3], r[0], r[1], r[2]);
+    transform.rotate(turn.norm() > 0.0 ? turn.normalized() : Eigen::Quaterniond::Identity());
+  }
+  if (!s.empty())
+  {
+    transform.scale(Vec3(s[0], s[1], s[2]));
+  }
+  return transform;
+}
+
+void NodeWalk::addPrimitive(const Json& primitive, const Visit& at, const std::string& name)
+{
+  const std::size_t mode = file.index(primitive, "mode").value_or(trianglesMode);
+  const auto attributes = primitive.find("attributes");
+  const auto position = attributes == primitive.end() ? std::nullopt : file.index(*attributes, "POSITION");
+  if (mode < trianglesMode || mode > fanMode || !position)
   {
     ++notSurfaces;
     return;
   }
-  const vtkGLTFDocumentLoader::Node& node = model.Nodes[at.node];
-  vtkNew<vtkPolyData> data;
-  data->SetPoints(placed(geometry->GetPoints(), node.GlobalTransform));
-  data->SetPolys(trianglesOf(geometry, node.GlobalTransform->Determinant() < 0.0));
-  const bool hasMaterial = primitive.Material >= 0 && primitive.Material < static_cast<int>(model.Materials.size());
-  const std::string material = hasMaterial ? toUtf8(model.Materials[primitive.Material].Name) : std::string();
-  const std::string& name = !node.Name.empty() ? node.Name : !meshName.empty() ? meshName : at.name;
-  parts.push_back({name.empty() ? material : toUtf8(name), material, static_cast<std::size_t>(at.node)});
-  pieces.push_back(data);
+  const std::vector<double> points = file.floats(*position, 3);
+  std::vector<std::size_t> ids;
+  if (const auto accessor = file.index(primitive, "indices"))
+  {
+    ids = file.indices(*accessor);
+  }
+  else
+  {
+    ids.resize(points.size() / 3);
+    for (std::size_t i = 0; i < ids.size(); ++i)
+    {
+      ids[i] = i;
+    }
+  }
+  const std::size_t first = faces.numberOfPoints();
+  for (std::size_t i = 0; i + 2 < points.size(); i += 3)
+  {
+    const Vec3 p = at.transform * Vec3(points[i], points[i + 1], points[i + 2]);
+    faces.addPoint({p.x(), p.y(), p.z()});
+  }
+  // glTF asks for triangles to be turned over where they are mirrored.
+  const bool mirrored = at.transform.linear().determinant() < 0.0;
+  const int part = static_cast<int>(parts.size());
+  forTriangles(mode, ids, [&](std::size_t a, std::size_t b, std::size_t c) {
+    // A number beyond the points of this primitive may be one of another.
+    const std::size_t own = points.size() / 3;
+    const std::size_t beyond = static_cast<std::size_t>(-1);
+    const auto idOf = [&](std::size_t id) { return id < own ? first + id : beyond; };
+    faces.add(std::array{idOf(a), idOf(mirrored ? c : b), idOf(mirrored ? b : c)}, part);
+  });
+  const std::string material = file.nameOf("materials", file.index(primitive, "material"));
+  parts.push_back({name.empty() ? material : name, material, at.node});
+}
+
+void NodeWalk::addMesh(const Json& mesh, const Visit& at, const std::string& nodeName)
+{
+  const std::string meshName = toUtf8(file.text(mesh, "name"));
+  const std::string& name = !nodeName.empty() ? nodeName : !meshName.empty() ? meshName : at.name;
+  const auto primitives = mesh.find("primitives");
+  for (std::size_t i = 0; primitives != mesh.end() && primitives->is_array() && i < primitives->size(); ++i)
+  {
+    try
+    {
+      if (const Json& primitive = (*primitives)[i]; primitive.is_object())
+      {
+        addPrimitive(primitive, at, name);
+      }
+    }
+    catch (const gltf::Damaged& damage)
+    {
+      complaints.push_back("a primitive of '" + name + "' is left out: " + damage.what());
+    }
+  }
 }
 
 void NodeWalk::visit(const Visit& at)
 {
-  if (at.node < 0 || at.node >= static_cast<int>(model.Nodes.size()) || !seen.insert(at.node).second)
+  const Json* node = file.entry(nodes, at.node);
+  if (!node)
   {
+    complaints.push_back("node " + std::to_string(at.node) + " does not exist");
     return;
   }
-  const vtkGLTFDocumentLoader::Node& node = model.Nodes[at.node];
-  if (node.Mesh >= 0 && node.Mesh < static_cast<int>(model.Meshes.size()) && node.GlobalTransform)
+  if (!seen.insert(at.node).second)
   {
-    const vtkGLTFDocumentLoader::Mesh& mesh = model.Meshes[node.Mesh];
-    for (const auto& primitive : mesh.Primitives)
+    throw Error("'" + file.path() + "': its nodes are no tree: one has several parents; export it again");
+  }
+  Visit here = at;
+  here.transform = at.transform * transformOf(*node);
+  const std::string name = toUtf8(file.text(*node, "name"));
+  if (const auto mesh = file.index(*node, "mesh"))
+  {
+    if (const Json* found = file.entry(meshes, *mesh))
     {
-      addPrimitive(primitive, at, mesh.Name);
+      addMesh(*found, here, name);
+    }
+    else
+    {
+      complaints.push_back("mesh " + std::to_string(*mesh) + " does not exist");
     }
   }
-  // Last first, so that the first child is taken from the stack next.
-  for (auto child = node.Children.rbegin(); child != node.Children.rend(); ++child)
+  here.name = name.empty() ? at.name : name;
+  pushAll(file.indexList(*node, "children"), here);
+}
+
+/// Last first, so that the first child is taken from the stack next.
+void NodeWalk::pushAll(const std::vector<std::size_t>& children, const Visit& around)
+{
+  for (auto child = children.rbegin(); child != children.rend(); ++child)
   {
-    open.push_back({*child, node.Name.empty() ? at.name : node.Name});
+    open.push_back({*child, around.name, around.transform});
+  }
+}
+
+void NodeWalk::addWarnings(Model& model) const
+{
+  constexpr std::size_t most = 20;
+  model.warnings.assign(complaints.begin(),
+                        complaints.begin() + static_cast<std::ptrdiff_t>(std::min(complaints.size(), most)));
+  if (complaints.size() > most)
+  {
+    model.warnings.push_back(std::to_string(complaints.size() - most) + " more parts of the file are damaged");
+  }
+  if (notSurfaces > 0)
+  {
+    model.warnings.push_back(std::to_string(notSurfaces) + " sets of lines and points make no surface");
+  }
+  if (faces.numberLeftOut() > 0)
+  {
+    model.warnings.push_back(std::to_string(faces.numberLeftOut()) +
+                             " triangles are left out: they have corners that do not exist");
   }
 }
 
 Model NodeWalk::run()
 {
-  const bool chosen = model.DefaultScene >= 0 && model.DefaultScene < static_cast<int>(model.Scenes.size());
-  if (model.Scenes.empty())
+  const Json& scenes = file.list("scenes");
+  const Json* scene = file.entry(scenes, file.index(file.root(), "scene").value_or(0));
+  scene = scene ? scene : file.entry(scenes, 0);
+  if (!scene)
   {
-    throw Error("'" + file + "' has no scene; export one");
+    throw Error("'" + file.path() + "' has no scene; export one");
   }
-  const auto& roots = model.Scenes[chosen ? model.DefaultScene : 0].Nodes;
-  for (auto root = roots.rbegin(); root != roots.rend(); ++root)
-  {
-    open.push_back({static_cast<int>(*root), ""});
-  }
+  pushAll(file.indexList(*scene, "nodes"), {0, "", Transform::Identity()});
   while (!open.empty())
   {
     const Visit next = open.back();
     open.pop_back();
-    visit(next);
+    try
+    {
+      visit(next);
+    }
+    catch (const gltf::Damaged& damage)
+    {
+      complaints.push_back("node " + std::to_string(next.node) + " is left out: " + damage.what());
+    }
   }
-  const std::vector<std::string> names = uniqueNames(parts, stemOf(file));
-  vtkNew<vtkMultiBlockDataSet> blocks;
-  for (std::size_t i = 0; i < pieces.size(); ++i)
+  if (faces.numberOfFaces() == 0 && !complaints.empty())
   {
-    const auto block = static_cast<unsigned>(i);
-    blocks->SetBlock(block, pieces[i]);
-    blocks->GetMetaData(block)->Set(vtkCompositeDataSet::NAME(), names[i]);
+    throw Error("'" + file.path() + "' cannot be read as glTF 2.0: " + complaints.front() + "; export it again");
   }
+  const std::vector<std::string> names = uniqueNames(parts, stemOf(file.path()));
   Model result;
-  result.data = blocks;
+  result.data = faces.polyData(names);
   result.singlePrecision = true;
   result.upAxis = 1;
   result.defined = true;
   keepParts(result, parts, names);
-  if (notSurfaces > 0)
-  {
-    result.warnings.push_back(std::to_string(notSurfaces) + " sets of lines and points make no surface");
-  }
+  addWarnings(result);
   return result;
 }
 
@@ -277,14 +276,8 @@ Model NodeWalk::run()
 
 Model readGltf(const std::string& file)
 {
-  const std::string bytes = readBytes(file);
-  if (isBinary(file))
-  {
-    checkChunks(file, bytes);
-  }
-  vtkNew<vtkGLTFDocumentLoader> loader;
-  load(loader, file);
-  return NodeWalk(*loader->GetInternalModel(), file).run();
+  const File source(file);
+  return NodeWalk(source).run();
 }
 
 } // namespace atria::model

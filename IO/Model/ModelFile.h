@@ -10,11 +10,11 @@ namespace atria::model {
 
 /// Wavefront: a part for each object, group and material. In double precision.
 Model readObj(const std::string& file);
-/// ASCII or binary, through vtkSTLReader: a part for each name of a solid.
+/// ASCII or binary: a part for each name of a solid. ASCII in double precision.
 Model readStl(const std::string& file);
-/// Through vtkPLYReader: one part.
+/// ASCII or binary: one part.
 Model readPly(const std::string& file);
-/// glTF 2.0 or GLB, through vtkGLTFDocumentLoader: a part for each primitive of each node of the scene, Y up.
+/// glTF 2.0 or GLB: a part for each primitive of each node of the scene, Y up.
 Model readGltf(const std::string& file);
 /// VTK's XML polydata, multiblock datasets and partitioned dataset collections.
 Model readXml(const std::string& file);

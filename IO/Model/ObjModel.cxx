@@ -2,6 +2,7 @@
 /// Wavefront OBJ. Of our own: VTK 9.1's reader keeps no names of objects and groups, has single precision, and does not
 /// check indices.
 #include "ModelFile.h"
+#include "ModelText.h"
 
 #include "Support/Error.h"
 #include "Support/Utf8.h"
@@ -13,7 +14,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <string_view>
@@ -24,30 +24,6 @@ namespace atria::model {
 namespace {
 
 using std::string_view;
-
-constexpr string_view blanks = " \t\v\f";
-
-/// The next word of `text`, which then begins behind it; empty at the end.
-string_view nextWord(string_view& text)
-{
-  const std::size_t start = std::min(text.find_first_not_of(blanks), text.size());
-  const std::size_t end = std::min(text.find_first_of(blanks, start), text.size());
-  const string_view word = text.substr(start, end - start);
-  text.remove_prefix(end);
-  return word;
-}
-
-/// The number `word` begins with; false where it is none or is followed by anything but `end`.
-template <typename Number> bool parse(string_view word, Number& value, string_view end = "")
-{
-  if (!word.empty() && word.front() == '+')
-  {
-    word.remove_prefix(1);
-  }
-  const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  const bool whole = stop == word.data() + word.size() || end.find(*stop) != string_view::npos;
-  return error == std::errc{} && whole;
-}
 
 /// Lines of a text, whatever ends them. A backslash at the end of a line, but not of a comment, joins the next to it.
 class Lines
@@ -85,11 +61,8 @@ public:
 private:
   string_view nextPiece()
   {
-    const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
-    const string_view piece = text.substr(at, end - at);
-    at = end + (text.substr(end, 2) == "\r\n" ? 2 : 1);
     ++number;
-    return piece;
+    return nextLine(text, at);
   }
 
   string_view text;

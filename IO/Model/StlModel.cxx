@@ -1,54 +1,162 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// STL. VTK's reader tells the solids of an ASCII file apart by number (ScalarTags); their names are read here, since
-/// its Header loses those that are empty.
+/// STL. Of our own: VTK 9.1's reader loses the names of solids that are empty, has single precision, and trusts the
+/// count of a binary file.
+#include "ModelFaces.h"
 #include "ModelFile.h"
+#include "ModelText.h"
 
 #include "Support/Error.h"
 #include "Support/Utf8.h"
 
-#include <vtkCellData.h>
-#include <vtkDataArray.h>
-#include <vtkNew.h>
 #include <vtkPolyData.h>
-#include <vtkSTLReader.h>
 
 #include <algorithm>
 #include <cctype>
-#include <string_view>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
 
 namespace atria::model {
 
 namespace {
 
-constexpr std::string_view blanks = " \t\v\f\r";
+using std::string_view;
 
-bool isSolid(std::string_view word)
+constexpr std::size_t headerSize = 80;
+constexpr std::size_t facetSize = 50;
+
+bool isWord(string_view word, string_view wanted)
 {
-  constexpr std::string_view wanted = "solid";
   return std::equal(word.begin(), word.end(), wanted.begin(), wanted.end(),
                     [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; });
 }
 
-/// What stands behind `solid`, for each solid of an ASCII file.
-std::vector<std::string> solidNames(std::string_view text)
+/// The number of facets a binary file states; a file too short for it has none.
+std::size_t statedFacets(const std::string& bytes)
 {
-  std::vector<std::string> names;
-  for (std::size_t at = 0; at < text.size();)
+  std::uint32_t count = 0;
+  if (bytes.size() >= headerSize + sizeof count)
   {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    std::string_view line = text.substr(at, end - at);
-    at = end + 1;
-    line.remove_prefix(std::min(line.find_first_not_of(blanks), line.size()));
-    const std::size_t word = std::min(line.find_first_of(blanks), line.size());
-    if (isSolid(line.substr(0, word)))
+    std::memcpy(&count, bytes.data() + headerSize, sizeof count); // little endian, as all machines in use
+  }
+  return count;
+}
+
+/// Many binary files begin with the word `solid`, too.
+bool isText(const std::string& bytes)
+{
+  const bool fits = bytes.size() == headerSize + sizeof(std::uint32_t) + facetSize * statedFacets(bytes);
+  const string_view start = string_view(bytes).substr(0, 1024);
+  return !(fits && statedFacets(bytes) > 0) && start.find('\0') == start.npos;
+}
+
+class TextReader
+{
+public:
+  explicit TextReader(const std::string& bytes) : text(bytes) {}
+
+  void read()
+  {
+    for (number = 1; at < text.size(); ++number)
     {
-      line.remove_prefix(word);
-      const std::size_t first = line.find_first_not_of(blanks);
-      const std::size_t last = line.find_last_not_of(blanks);
-      names.push_back(first == line.npos ? std::string() : toUtf8(line.substr(first, last - first + 1)));
+      string_view line = nextLine(text, at);
+      const string_view word = nextWord(line);
+      if (isWord(word, "solid"))
+      {
+        const std::size_t first = line.find_first_not_of(blanks);
+        const std::size_t last = line.find_last_not_of(blanks);
+        names.push_back(first == line.npos ? std::string() : toUtf8(line.substr(first, last - first + 1)));
+      }
+      else if (isWord(word, "facet"))
+      {
+        corners.clear();
+      }
+      else if (isWord(word, "vertex"))
+      {
+        addCorner(line);
+      }
+      else if (isWord(word, "endfacet"))
+      {
+        endFacet();
+      }
+    }
+    if (!corners.empty())
+    {
+      complain("the file ends within a facet");
     }
   }
-  return names;
+
+  ModelFaces faces;
+  std::vector<std::string> names;
+  std::string complaint; ///< the first
+  std::size_t complaints = 0;
+
+private:
+  void addCorner(string_view line)
+  {
+    std::array<double, 3> p{};
+    for (double& value : p)
+    {
+      if (!parse(nextWord(line), value) || !std::isfinite(value))
+      {
+        complain("expected three numbers behind 'vertex'");
+        value = std::nan("");
+      }
+    }
+    corners.push_back(p);
+  }
+
+  void endFacet()
+  {
+    if (corners.size() != 3)
+    {
+      complain("expected three corners of the facet that ends here");
+    }
+    else
+    {
+      if (names.empty())
+      {
+        names.emplace_back();
+      }
+      const std::size_t first = faces.numberOfPoints();
+      std::for_each(corners.begin(), corners.end(), [&](const auto& p) { faces.addPoint(p); });
+      faces.add(std::array{first, first + 1, first + 2}, static_cast<int>(names.size()) - 1);
+    }
+    corners.clear();
+  }
+
+  void complain(const std::string& what)
+  {
+    if (complaints++ == 0)
+    {
+      complaint = "line " + std::to_string(number) + ": " + what;
+    }
+  }
+
+  string_view text;
+  std::size_t at = 0;
+  std::size_t number = 1;
+  std::vector<std::array<double, 3>> corners;
+};
+
+/// The facets there are, up to the number stated.
+ModelFaces binaryFaces(const std::string& bytes)
+{
+  constexpr std::size_t start = headerSize + sizeof(std::uint32_t);
+  constexpr std::size_t normalSize = 12;
+  ModelFaces faces;
+  const std::size_t present = bytes.size() < start ? 0 : (bytes.size() - start) / facetSize;
+  for (std::size_t i = 0; i < std::min(present, statedFacets(bytes)); ++i)
+  {
+    for (std::size_t corner = 0; corner < 3; ++corner)
+    {
+      std::array<float, 3> p;
+      std::memcpy(p.data(), bytes.data() + start + i * facetSize + normalSize + corner * sizeof p, sizeof p);
+      faces.addPoint({p[0], p[1], p[2]});
+    }
+    faces.add(std::array{3 * i, 3 * i + 1, 3 * i + 2}, 0);
+  }
+  return faces;
 }
 
 /// Gives names to those without. Equal names stay: they are one surface in several pieces.
@@ -65,37 +173,57 @@ void nameTheRest(std::vector<std::string>& names, const std::string& stem)
   }
 }
 
+Model modelOf(const ModelFaces& faces, std::vector<std::string> names, const std::string& complaint,
+              const std::string& file)
+{
+  if (faces.numberOfFaces() == 0)
+  {
+    throw Error("'" + file + "' cannot be read as STL: " + (complaint.empty() ? "it holds no facets" : complaint) +
+                "; export it again");
+  }
+  nameTheRest(names, stemOf(file));
+  Model model;
+  model.data = faces.polyData(names);
+  if (!complaint.empty())
+  {
+    model.warnings.push_back("the file is damaged: " + complaint + "; what is left is read");
+  }
+  if (faces.numberLeftOut() > 0)
+  {
+    model.warnings.push_back(std::to_string(faces.numberLeftOut()) + " facets with a corner nowhere are left out");
+  }
+  return model;
+}
+
+Model readText(const std::string& bytes, const std::string& file)
+{
+  TextReader reader(bytes);
+  reader.read();
+  const std::string more =
+      reader.complaints > 1 ? ", and " + std::to_string(reader.complaints - 1) + " more places" : std::string();
+  return modelOf(reader.faces, reader.names, reader.complaint.empty() ? "" : reader.complaint + more, file);
+}
+
+Model readBinary(const std::string& bytes, const std::string& file)
+{
+  const std::size_t body = bytes.size() - std::min(bytes.size(), headerSize + sizeof(std::uint32_t));
+  const std::size_t stated = statedFacets(bytes);
+  std::string complaint;
+  if (body != stated * facetSize)
+  {
+    complaint = "it states " + std::to_string(stated) + " facets and has room for " + std::to_string(body / facetSize);
+  }
+  Model model = modelOf(binaryFaces(bytes), {""}, complaint, file);
+  model.singlePrecision = true;
+  return model;
+}
+
 } // namespace
 
 Model readStl(const std::string& file)
 {
   const std::string bytes = readBytes(file);
-  vtkNew<vtkSTLReader> reader;
-  const Messages messages(reader);
-  reader->SetFileName(file.c_str());
-  reader->ScalarTagsOn();
-  reader->Update();
-  if (!messages.error().empty())
-  {
-    throw Error("'" + file + "' cannot be read as STL: " + messages.error() + "; export it again");
-  }
-  vtkPolyData* data = reader->GetOutput();
-  std::vector<std::string> names{""};
-  std::vector<int> ids(static_cast<std::size_t>(data->GetNumberOfCells()), 0);
-  if (vtkDataArray* labels = data->GetCellData()->GetArray("STLSolidLabeling"))
-  {
-    names = solidNames(bytes);
-    for (std::size_t i = 0; i < ids.size(); ++i)
-    {
-      ids[i] = static_cast<int>(labels->GetComponent(static_cast<vtkIdType>(i), 0));
-    }
-  }
-  nameTheRest(names, stemOf(file));
-  setSurfaces(data, ids, names);
-  Model model;
-  model.data = data;
-  model.warnings = messages.warnings();
-  model.singlePrecision = true;
+  Model model = isText(bytes) ? readText(bytes, file) : readBinary(bytes, file);
   model.head = headOf(bytes);
   return model;
 }

@@ -22,9 +22,10 @@ Vec3 vectorOr(const std::vector<double>& v, const Vec3& otherwise)
 
 } // namespace
 
-Evaluator::Evaluator(Library& files, Diagnostics& messages, const ProgressRange& monitor, double tessellationDegrees)
+Evaluator::Evaluator(Library& files, Diagnostics& messages, const ProgressRange& monitor,
+                     const Tessellation& tessellation)
     : library(files), diagnostics(messages), progress(monitor), instances(files, messages),
-      geometries(instances, messages, tessellationDegrees)
+      geometries(instances, messages, tessellation)
 {
 }
 
@@ -277,21 +278,35 @@ Index Evaluator::materialOf(const NodeRef& ref)
   return scene.material(material);
 }
 
-/// Geometry without context is the same wherever it is used.
-const LocalSurface& Evaluator::localSurface(const NodeRef& geometry)
+/// Tells how much the transform stretches what comes next, where it matters.
+void Evaluator::setStretch(const NodeRef& geometry, const Transform& transform)
 {
+  stretch = 1.0;
+  if (geometries.dependsOnStretch(geometry))
+  {
+    const double longest = transform.linear().jacobiSvd().singularValues().x();
+    stretch = std::isfinite(longest) && longest > 0.0 ? longest : 1.0;
+  }
+  geometries.setStretch(stretch);
+}
+
+/// Geometry without context is the same wherever it is used, but for its facets.
+const LocalSurface& Evaluator::localSurface(const NodeRef& geometry, const Transform& transform)
+{
+  setStretch(geometry, transform);
   if (!geometry.node->shared || geometry.context)
   {
     current = geometries.make(geometry);
     return current;
   }
-  const auto found = cache.find(geometry.node);
-  return found != cache.end() ? found->second : cache.emplace(geometry.node, geometries.make(geometry)).first->second;
+  const std::pair key(geometry.node, stretch);
+  const auto found = cache.find(key);
+  return found != cache.end() ? found->second : cache.emplace(key, geometries.make(geometry)).first->second;
 }
 
 void Evaluator::addGeometry(const Visit& at, const NodeRef& geometry, std::string_view name, Index material)
 {
-  add(geometry, localSurface(geometry), at.transform, {toUtf8(name), at.group, material});
+  add(geometry, localSurface(geometry, at.transform), at.transform, {toUtf8(name), at.group, material});
 }
 
 void Evaluator::add(const NodeRef& geometry, const LocalSurface& surface, const Transform& transform,

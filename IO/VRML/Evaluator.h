@@ -8,9 +8,9 @@
 
 #include <Eigen/Geometry>
 
+#include <map>
 #include <set>
 #include <string>
-#include <unordered_map>
 #include <vector>
 
 namespace atria::vrml {
@@ -20,7 +20,7 @@ namespace atria::vrml {
 class Evaluator
 {
 public:
-  Evaluator(Library& files, Diagnostics& messages, const ProgressRange& monitor, double tessellationDegrees);
+  Evaluator(Library& files, Diagnostics& messages, const ProgressRange& monitor, const Tessellation& tessellation);
 
   /// Throws Error where nodes multiply without end, Aborted where the caller stops it.
   Scene run(const Document& document);
@@ -65,7 +65,8 @@ private:
   void addGeometry(const Visit& at, const NodeRef& geometry, std::string_view name, Index material);
   void add(const NodeRef& geometry, const LocalSurface& surface, const Transform& transform, const Shape& shape);
   Index materialOf(const NodeRef& appearance);
-  const LocalSurface& localSurface(const NodeRef& geometry);
+  const LocalSurface& localSurface(const NodeRef& geometry, const Transform& transform);
+  void setStretch(const NodeRef& geometry, const Transform& transform);
   void warn(const Node& node, const std::string& text);
 
   // VRML 1.0, in StateNodes.cxx
@@ -82,7 +83,9 @@ private:
   std::vector<Visit> open;
   std::vector<State> states;
   std::set<std::pair<const Node*, const Context*>> path; ///< shared nodes and files being visited, against cycles
-  std::unordered_map<const Node*, LocalSurface> cache;   ///< of geometry used more than once
+  /// Geometry used more than once, by its stretch where that matters.
+  std::map<std::pair<const Node*, double>, LocalSurface> cache;
+  double stretch = 1.0;
   LocalSurface current;
   SceneBuilder scene;
 };

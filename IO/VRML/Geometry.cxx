@@ -3,7 +3,6 @@
 
 #include "Input.h"
 #include "NodeTypes.h"
-#include "Primitives.h"
 #include "Sweeps.h"
 
 #include <algorithm>
@@ -93,9 +92,15 @@ std::vector<Eigen::Vector2d> pairs(const std::vector<double>& numbers)
 
 } // namespace
 
-Geometry::Geometry(Instances& access, Diagnostics& messages, double degrees)
-    : instances(access), diagnostics(messages), segments(segmentsOf(degrees))
+Geometry::Geometry(Instances& access, Diagnostics& messages, const Tessellation& tessellation)
+    : instances(access), diagnostics(messages), wanted(tessellation)
 {
+}
+
+bool Geometry::dependsOnStretch(const NodeRef& node) const
+{
+  const std::string_view type = node.node->type->name;
+  return wanted.error > 0.0 && (type == "Sphere" || type == "Cylinder" || type == "Cone");
 }
 
 LocalSurface Geometry::make(const NodeRef& node)
@@ -141,7 +146,7 @@ LocalSurface Geometry::box(const NodeRef& node)
 LocalSurface Geometry::sphere(const NodeRef& node)
 {
   const double radius = instances.number(node, "radius", 1.0);
-  return positive(node, {radius}) ? makeSphere(radius, segments) : LocalSurface{};
+  return positive(node, {radius}) ? makeSphere(radius, segmentsOfBall(radius)) : LocalSurface{};
 }
 
 LocalSurface Geometry::cylinder(const NodeRef& node)
@@ -152,7 +157,7 @@ LocalSurface Geometry::cylinder(const NodeRef& node)
   in.side = instances.flag(node, "side", in.side);
   in.bottom = instances.flag(node, "bottom", in.bottom);
   in.top = instances.flag(node, "top", in.top);
-  return positive(node, {in.radius, in.height}) ? makeCylinder(in, segments) : LocalSurface{};
+  return positive(node, {in.radius, in.height}) ? makeCylinder(in, segments(in.radius)) : LocalSurface{};
 }
 
 LocalSurface Geometry::cone(const NodeRef& node)
@@ -162,7 +167,7 @@ LocalSurface Geometry::cone(const NodeRef& node)
   in.height = instances.number(node, "height", in.height);
   in.side = instances.flag(node, "side", in.side);
   in.bottom = instances.flag(node, "bottom", in.bottom);
-  return positive(node, {in.bottomRadius, in.height}) ? makeCone(in, segments) : LocalSurface{};
+  return positive(node, {in.bottomRadius, in.height}) ? makeCone(in, segments(in.bottomRadius)) : LocalSurface{};
 }
 
 LocalSurface Geometry::elevationGrid(const NodeRef& node)
@@ -286,7 +291,7 @@ LocalSurface Geometry::cylinder1(const NodeRef& node)
   in.side = hasPart(node, "SIDES");
   in.bottom = hasPart(node, "BOTTOM");
   in.top = hasPart(node, "TOP");
-  return positive(node, {in.radius, in.height}) ? makeCylinder(in, segments) : LocalSurface{};
+  return positive(node, {in.radius, in.height}) ? makeCylinder(in, segments(in.radius)) : LocalSurface{};
 }
 
 LocalSurface Geometry::cone1(const NodeRef& node)
@@ -296,7 +301,7 @@ LocalSurface Geometry::cone1(const NodeRef& node)
   in.height = instances.number(node, "height", in.height);
   in.side = hasPart(node, "SIDES");
   in.bottom = hasPart(node, "BOTTOM");
-  return positive(node, {in.bottomRadius, in.height}) ? makeCone(in, segments) : LocalSurface{};
+  return positive(node, {in.bottomRadius, in.height}) ? makeCone(in, segments(in.bottomRadius)) : LocalSurface{};
 }
 
 bool Geometry::hasPart(const NodeRef& node, std::string_view part) const

@@ -3,6 +3,7 @@
 
 #include "Diagnostics.h"
 #include "Instances.h"
+#include "Primitives.h"
 #include "SurfaceBuilder.h"
 
 #include <optional>
@@ -13,8 +14,13 @@ namespace atria::vrml {
 class Geometry
 {
 public:
-  /// `degrees`: between neighbouring points of round primitives.
-  Geometry(Instances& access, Diagnostics& messages, double degrees);
+  /// `tessellation`: of round primitives, its error in the units of the scene.
+  Geometry(Instances& access, Diagnostics& messages, const Tessellation& tessellation);
+
+  /// How much longer than in its own coordinates a length of what is made next can get in the scene.
+  void setStretch(double factor) { stretch = factor; }
+  /// Whether what a node looks like depends on the stretch.
+  bool dependsOnStretch(const NodeRef& node) const;
 
   /// The triangles of a node of kind `surface`; none, with a warning, where its fields make no sense.
   LocalSurface make(const NodeRef& node);
@@ -47,7 +53,11 @@ private:
 
   Instances& instances;
   Diagnostics& diagnostics;
-  int segments;
+  int segments(double radius) const { return segmentsOf({wanted.angle, wanted.error / stretch}, radius); }
+  int segmentsOfBall(double radius) const { return segmentsOfSphere({wanted.angle, wanted.error / stretch}, radius); }
+
+  Tessellation wanted;
+  double stretch = 1.0;
 };
 
 } // namespace atria::vrml

@@ -134,11 +134,23 @@ bool Parser::readScalars(Value& value, FieldType type)
   }
 }
 
+namespace {
+
+/// Some programs write True, or true.
+bool isTruth(const Token& token, std::string_view capitals)
+{
+  return token.kind == TokenKind::word &&
+         std::equal(token.text.begin(), token.text.end(), capitals.begin(), capitals.end(),
+                    [](char a, char b) { return a == b || a == b - 'A' + 'a'; });
+}
+
+} // namespace
+
 bool Parser::readBool(Value& value)
 {
   const Token token = lexer.peek();
-  const bool yes = token.is("TRUE") || token.is("true") || (isVersion1() && token.text == "1");
-  if (!yes && !token.is("FALSE") && !token.is("false") && !(isVersion1() && token.text == "0"))
+  const bool yes = isTruth(token, "TRUE") || (isVersion1() && token.text == "1");
+  if (!yes && !isTruth(token, "FALSE") && !(isVersion1() && token.text == "0"))
   {
     return false;
   }
@@ -256,7 +268,7 @@ void Parser::readByLook()
   if (token.kind == TokenKind::openBracket)
   {
     const Token second = lexer.peekSecond();
-    const bool nodes = second.kind == TokenKind::word && !second.is("TRUE") && !second.is("FALSE");
+    const bool nodes = second.kind == TokenKind::word && !isTruth(second, "TRUE") && !isTruth(second, "FALSE");
     if (!nodes)
     {
       return skipGroup();
@@ -268,7 +280,7 @@ void Parser::readByLook()
   {
     readNode({});
   }
-  else if (token.is("TRUE") || token.is("FALSE"))
+  else if (isTruth(token, "TRUE") || isTruth(token, "FALSE"))
   {
     lexer.next();
   }

@@ -63,6 +63,33 @@ int segmentsOf(double degrees)
   return std::max(3, static_cast<int>(std::ceil(360.0 / degrees - 1e-9)));
 }
 
+namespace {
+
+/// So many points around that neighbours are no more than twice the half angle apart whose cosine this is.
+int segmentsOfCosine(const Tessellation& wanted, double cosine)
+{
+  const int byAngle = segmentsOf(wanted.angle);
+  if (!(wanted.error > 0.0) || cosine <= 0.5) // three points will do
+  {
+    return byAngle;
+  }
+  const double half = cosine < 1.0 ? std::acos(cosine) : 0.0;
+  const double enough = half > 0.0 ? std::ceil(std::numbers::pi / half - 1e-9) : mostSegments;
+  return std::max(byAngle, static_cast<int>(std::min<double>(enough, mostSegments)));
+}
+
+} // namespace
+
+int segmentsOf(const Tessellation& wanted, double radius)
+{
+  return segmentsOfCosine(wanted, 1.0 - wanted.error / radius);
+}
+
+int segmentsOfSphere(const Tessellation& wanted, double radius)
+{
+  return segmentsOfCosine(wanted, std::sqrt(std::max(0.0, 1.0 - wanted.error / radius)));
+}
+
 LocalSurface makeBox(const Vec3& size)
 {
   SurfaceBuilder builder;

@@ -7,8 +7,24 @@
 
 namespace atria::vrml {
 
+/// How round solids are cut into facets.
+struct Tessellation
+{
+  double angle = 10.0; ///< degrees between neighbouring points, at most
+  double error = 0.0;  ///< distance between facets and the true surface, at most; any with 0
+};
+
 /// Points around a full turn so that none is further than `degrees` from the next; at least three.
 int segmentsOf(double degrees);
+
+/// The same for a circle of a radius, so that no chord is further from its arc than the error allows: the sagitta,
+/// radius (1 - cos(pi / n)). At most `mostSegments`.
+int segmentsOf(const Tessellation& wanted, double radius);
+
+/// Around a sphere, whose facets have two chords to stay below it: their middle is at radius cos(pi / n)^2 at least.
+int segmentsOfSphere(const Tessellation& wanted, double radius);
+
+inline constexpr int mostSegments = 3600;
 
 LocalSurface makeBox(const Vec3& size);
 LocalSurface makeSphere(double radius, int segments);

@@ -120,6 +120,7 @@ void Evaluator::addGeometry1(const Visit& at)
     look.transparency = instances.number(ref, "transparency", look.transparency);
     material = scene.material(look);
   }
+  setStretch(at.ref, state.transform);
   add(at.ref, geometries.make(at.ref, local), state.transform, {toUtf8(at.ref.node->name), at.group, material});
 }
 

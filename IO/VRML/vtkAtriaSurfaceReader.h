@@ -171,6 +171,11 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   /**
+   * What a length in the file is in metres, Scale included.
+   */
+  double MetresPerUnit() const;
+
+  /**
    * Reads FileName as the file has it. Throws atria::Error with a text for the user, or atria::Aborted.
    */
   virtual atria::vrml::ModelSource ReadSource(atria::vrml::Diagnostics& diagnostics,
@@ -193,7 +198,6 @@ protected:
 private:
   bool ReadModel(vtkPolyData* output, atria::vrml::Diagnostics& diagnostics);
   void Report(const atria::vrml::Diagnostics& diagnostics);
-  double MetresPerUnit() const;
 
   vtkAtriaSurfaceReader(const vtkAtriaSurfaceReader&) = delete;
   void operator=(const vtkAtriaSurfaceReader&) = delete;

@@ -22,7 +22,8 @@ atria::vrml::ModelSource vtkAtriaVRMLReader::ReadSource(atria::vrml::Diagnostics
 {
   atria::vrml::Library library(diagnostics, progress.part(0.0, 0.7));
   const atria::vrml::Document& document = library.open(this->FileName);
-  atria::vrml::Evaluator evaluator(library, diagnostics, progress.part(0.7, 1.0), this->TessellationAngle);
+  atria::vrml::Evaluator evaluator(library, diagnostics, progress.part(0.7, 1.0),
+                                   {this->TessellationAngle, this->TessellationError / this->MetresPerUnit()});
   atria::vrml::ModelSource source;
   source.scene = evaluator.run(document);
   source.name = document.displayName();
@@ -34,4 +35,5 @@ void vtkAtriaVRMLReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "TessellationAngle: " << this->TessellationAngle << "\n";
+  os << indent << "TessellationError: " << this->TessellationError << "\n";
 }

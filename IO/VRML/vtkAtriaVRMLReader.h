@@ -62,6 +62,17 @@ public:
   vtkGetMacro(TessellationAngle, double);
   ///@}
 
+  ///@{
+  /**
+   * Distance in metres between the facets of spheres, cones and cylinders and their true surface that is not to be
+   * exceeded, whatever transforms, units and Scale make of them: more points around are taken than
+   * TessellationAngle asks for, up to 3600. Points lie on the true surface, so that facets are inside of it. Default
+   * 0, for any.
+   */
+  vtkSetClampMacro(TessellationError, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(TessellationError, double);
+  ///@}
+
   /**
    * Whether the file begins like a VRML file, looking inside gzip too. Files without a header can be read
    * nevertheless.
@@ -76,6 +87,7 @@ protected:
                                       const atria::ProgressRange& progress) override;
 
   double TessellationAngle = 10.0;
+  double TessellationError = 0.0;
 
 private:
   vtkAtriaVRMLReader(const vtkAtriaVRMLReader&) = delete;

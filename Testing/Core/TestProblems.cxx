@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace {
 
@@ -168,6 +169,75 @@ TEST(Problems, FindsGapsBelowTheToleranceOnly)
   EXPECT_EQ(gaps[0].surfaces, std::vector<Index>{wall});
   EXPECT_TRUE(ofKind(problemsOf(m, 0.002), ProblemKind::gaps).empty());
   EXPECT_TRUE(ofKind(problemsOf(m, 0.0), ProblemKind::gaps).empty());
+}
+
+/// As many squares upon each other that none has a corner in common with another, turned so that all cross.
+Model pile(int squares)
+{
+  Model m;
+  m.name("Pile");
+  for (int i = 0; i < squares; ++i)
+  {
+    const double angle = 1.5 * i / squares;
+    const Vec3 x(std::cos(angle), std::sin(angle), 0.0);
+    const Vec3 y(-x.y(), x.x(), 0.0);
+    m.quad(-x - y, x - y, x + y, y - x);
+  }
+  return m;
+}
+
+TEST(Problems, EndsOnThousandsOfFacesInOnePlaceAndSaysWhatItLeftOut)
+{
+  constexpr int squares = 5000;
+  Model m = pile(squares);
+  const Index apart = m.name("Apart");
+  m.quad({9, 0, 0}, {10, 0, 0}, {10, 1, 0}, {9, 1, 0}, apart);
+  m.triangle({9.2, 0.5, -1}, {9.8, 0.5, -1}, {9.5, 0.4, 1}, apart);
+  const auto problems = problemsOf(m);
+  const auto crowds = ofKind(problems, ProblemKind::crowds);
+  ASSERT_EQ(crowds.size(), 1u);
+  EXPECT_EQ(crowds[0].surfaces, std::vector<Index>{0});
+  EXPECT_GT(crowds[0].count, squares * 18u / 10u); // of two triangles each
+  EXPECT_LT(crowds[0].count, squares * 2u);
+  EXPECT_LT(crowds[0].place.norm(), 1.5);
+  // Some of the pile are looked at still, and all that is not part of it.
+  const auto crossings = ofKind(problems, ProblemKind::crossings);
+  ASSERT_EQ(crossings.size(), 2u);
+  EXPECT_GT(crossings[0].count, 100u);
+  EXPECT_LT(crossings[0].count, std::size_t{squares} * squares);
+  EXPECT_EQ(crossings[1].surfaces, std::vector<Index>{apart});
+  EXPECT_EQ(crossings[1].count, 3u); // two rims of the triangle, and the diagonal of the square
+}
+
+TEST(Problems, LooksAtAllTrianglesOfASmallPile)
+{
+  const auto problems = problemsOf(pile(20));
+  EXPECT_TRUE(ofKind(problems, ProblemKind::crowds).empty());
+  const auto crossings = ofKind(problems, ProblemKind::crossings);
+  ASSERT_EQ(crossings.size(), 1u);
+  // The outlines of two squares about one centre cross in eight points.
+  EXPECT_GE(crossings[0].count, 20u * 19u / 2u * 8u);
+}
+
+TEST(Problems, LooksAtHundredsOfWallsThroughOneFloor)
+{
+  constexpr int walls = 400;
+  Model m;
+  m.name("Floor");
+  const Index wall = m.name("Wall");
+  m.quad({-1, -1, 0}, {walls, -1, 0}, {walls, 2, 0}, {-1, 2, 0});
+  for (int i = 0; i < walls; ++i)
+  {
+    m.quad({i + 0.5, 0, -0.5}, {i + 0.5, 1, -0.5}, {i + 0.5, 1, 1}, {i + 0.5, 0, 1}, wall);
+  }
+  const auto problems = problemsOf(m);
+  EXPECT_TRUE(ofKind(problems, ProblemKind::crowds).empty());
+  std::size_t found = 0;
+  for (const Problem& p : ofKind(problems, ProblemKind::crossings))
+  {
+    found += p.count;
+  }
+  EXPECT_GE(found, 3u * walls); // two ends and the diagonal of each wall
 }
 
 TEST(Problems, RefusesAModelWithoutExtent) { EXPECT_THROW(problemsOf(TriangleSurface{}), atria::Error); }

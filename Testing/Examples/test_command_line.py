@@ -163,6 +163,43 @@ class CommandLine(unittest.TestCase):
             self.assertAlmostEqual(value, expected, places=9)
         self.refuses(2, "--unit", "inspect", model, "--unit", "yd")
 
+    def test_a_model_far_off_meshes_as_at_the_origin(self):
+        """And OpenFOAM's points come back to where it was."""
+        shift = [500_000, -300_000, 0]
+        far = self.folder / "far.wrl"
+        far.write_text("#VRML V2.0 utf8\nTransform { translation %d %d %d children Inline { url \"%s\" } }\n" %
+                       (*shift, HOUSE.resolve()))
+        reports, points = [], []
+        for model, options in ((HOUSE, []), (far, ["--recentre", "--restore-offset"])):
+            name = model.stem + "_recentred"
+            outputs = [self.folder / (name + ending) for ending in (".vtu", "_case", ".json")]
+            run = self.atria("mesh", model, *COARSE, "-o", outputs[0], "--openfoam", outputs[1], "--report", outputs[2],
+                             *options)
+            self.assertEqual(run.returncode, 0, run.stderr)
+            reports.append(json.loads(outputs[2].read_text()))
+            text = (outputs[1] / "constant/polyMesh/points").read_text()
+            points.append([[float(x) for x in p.split()] for p in re.findall(r"^\(([-+.e0-9 ]+)\)$", text, re.M)])
+            offset = re.search(rb'Name="ModelOffset"[^>]*RangeMax="([^"]*)"', outputs[0].read_bytes())
+            length = sum(x * x for x in shift) ** 0.5 if options else 0.0
+            self.assertAlmostEqual(float(offset.group(1)), length, places=3)
+        for key in ("counts", "quality", "patches", "invalid_elements", "zones"):
+            self.assertEqual(reports[0][key], reports[1][key])
+        self.assertEqual(len(points[0]), reports[0]["counts"]["vertices"])
+        self.assertEqual(len(points[0]), len(points[1]))
+        for here, there in zip(*points):
+            for axis in range(3):
+                self.assertAlmostEqual(here[axis] + shift[axis], there[axis], places=5)
+
+    def test_round_solids(self):
+        model = self.folder / "round.wrl"
+        model.write_text("#VRML V2.0 utf8\nShape { geometry Cone { bottomRadius 100 height 1 } }\n")
+        def triangles(*options):
+            return json.loads(self.atria("inspect", model, "--json", "--unit", "m", *options).stdout)["total"]["triangles"]
+        self.assertEqual(triangles(), 2 * 36 - 2)
+        self.assertEqual(triangles("--round-angle", 7.2), 2 * 50 - 2)
+        self.assertEqual(triangles("--round-error", 0.1), 2 * 71 - 2)  # pi / acos(1 - 0.001) = 70.2
+        self.refuses(2, "--round-error", "inspect", model, "--round-error", "-1")
+
     def test_layers(self):
         out, report, case = self.folder / "layers.vtu", self.folder / "layers.json", self.folder / "layers"
         options = ["--layers", "1", "--layers", "Wall*=3:0.05:1.5", "--layers", "Site=0", "--report", report]

@@ -40,7 +40,7 @@ find "$work/seeds" -size "+$((longest / 1024))k" -delete
 echo "$(find "$work/seeds" -type f | wc -l) seeds, $(find "$work/corpus" -type f | wc -l) inputs of runs before"
 
 status=0
-nice -n 19 "$fuzzer" -max_total_time="$seconds" -max_len="$longest" -timeout=20 -rss_limit_mb=4096 -malloc_limit_mb=2048 \
+nice -n 19 "$fuzzer" -max_total_time="$seconds" -max_len="$longest" -timeout=300 -rss_limit_mb=4096 -malloc_limit_mb=2048 \
   -dict=Testing/Fuzzing/vrml.dict -artifact_prefix="$work/findings/" -print_final_stats=1 \
   "$work/corpus" "$work/seeds" 2>&1 | tee "$work/fuzz.log" | grep -vE '^#[0-9]+\s+(NEW|REDUCE|pulse)' || status=$?
 status=${PIPESTATUS[0]}

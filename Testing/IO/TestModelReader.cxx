@@ -315,13 +315,15 @@ TEST_F(ModelReader, WarnsWhereSinglePrecisionIsTooCoarse)
   {
     p += Vec3(4'500'000, 5'300'000, 0);
   }
-  for (const char* ending : {"stl", "glb", "obj", "vtp"})
+  for (const std::string ending : {"binary.stl", "glb", "stl", "obj", "vtp"})
   {
-    const fs::path file = scratch.path() / (std::string("far.") + ending);
-    atria::testing::writersWithNames().at(ending)(house, file);
+    const fs::path file = scratch.path() / ("far." + ending);
+    const bool isShort = ending == "binary.stl" || ending == "glb";
+    (ending == "binary.stl" ? atria::testing::writeBinaryStl : atria::testing::writersWithNames().at(ending))(house,
+                                                                                                              file);
     read(file);
     const std::vector<std::string> said = warnings();
-    if (std::string(ending) == "stl" || std::string(ending) == "glb")
+    if (isShort)
     {
       EXPECT_THAT(said,
                   ElementsAre(AllOf(HasSubstr("read in single precision"), HasSubstr("0.32")), HasSubstr("Recentre")))

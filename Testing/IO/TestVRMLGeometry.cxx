@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// The reader's geometry nodes.
 #include "VRMLModel.h"
+#include "vtkAtriaVRMLReader.h"
 
 #include "Support/TestPaths.h"
 #include "Support/VtkErrorGuard.h"
 
 #include <vtkPolyData.h>
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -90,6 +92,83 @@ TEST_F(VRMLGeometry, TessellatesByTheAngleAskedFor)
   EXPECT_EQ(read("Cylinder { bottom FALSE top FALSE }", 7).triangles(), 104);
   EXPECT_EQ(read("Cone { bottom FALSE }", 90).triangles(), 4);
   expectBounds(read("Sphere {}", 10), {-1, 1, -1, 1, -1, 1});
+}
+
+/// Points around the middle of a cylinder or cone, or of a sphere.
+int pointsAround(const VRMLModel& model, double height)
+{
+  int count = 0;
+  for (vtkIdType i = 0; i < model.output()->GetNumberOfPoints(); ++i)
+  {
+    count += std::abs(model.output()->GetPoint(i)[1] - height) < 1e-9 ? 1 : 0;
+  }
+  return count;
+}
+
+/// The greatest distance of facets of a ball about the origin from its surface.
+double errorOfBall(const VRMLModel& model, double radius)
+{
+  double worst = 0.0;
+  for (vtkIdType i = 0; i < model.triangles(); ++i)
+  {
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    model.output()->GetCellPoints(i, count, ids);
+    Eigen::Vector3d p[3];
+    for (int k = 0; k < 3; ++k)
+    {
+      model.output()->GetPoint(ids[k], p[k].data());
+    }
+    const Eigen::Vector3d normal = (p[1] - p[0]).cross(p[2] - p[0]).normalized();
+    worst = std::max(worst, radius - std::abs(normal.dot(p[0])));
+  }
+  return worst;
+}
+
+TEST_F(VRMLGeometry, TakesAsManyPointsAroundAsTheErrorAllowsNoMore)
+{
+  const auto readWith = [&](const std::string& geometry, double error, double unit = 1.0) {
+    return VRMLModel(
+        writeFile(scratch.path(), "round.wrl",
+                  "#VRML V2.0 utf8\nTransform { scale 2 2 2 children Shape { geometry " + geometry + " } }\n"),
+        [&](vtkAtriaVRMLReader& reader) {
+          reader.SetTessellationAngle(90.0);
+          reader.SetTessellationError(error);
+          reader.SetScale(unit);
+        });
+  };
+  for (const double error : {0.5, 0.1, 0.01, 0.001, 1e-4})
+  {
+    const double radius = 3.0 * 2.0;
+    const auto sagitta = [&](int points) { return radius * (1.0 - std::cos(pi / points)); };
+    for (const char* solid : {"Cylinder { radius 3 height 2 bottom FALSE }", "Cone { bottomRadius 3 height 2 }"})
+    {
+      const int points = pointsAround(readWith(solid, error), -2.0);
+      EXPECT_LE(sagitta(points), error * (1.0 + 1e-9)) << solid << error;
+      EXPECT_TRUE(points == 4 || sagitta(points - 1) > error) << solid << error << ' ' << points;
+    }
+    const double ofBall = errorOfBall(readWith("Sphere { radius 3 }", error), radius);
+    EXPECT_LE(ofBall, error * (1.0 + 1e-9));
+    EXPECT_GT(ofBall, 0.2 * error);
+  }
+  // In metres, whatever the file's unit.
+  EXPECT_EQ(pointsAround(readWith("Cone { bottomRadius 3000 height 2000 }", 0.01, 0.001), -2.0),
+            pointsAround(readWith("Cone { bottomRadius 3 height 2 }", 0.01), -2.0));
+  EXPECT_EQ(pointsAround(readWith("Cone { bottom FALSE }", 1e-300), -2.0), 3600);
+}
+
+TEST_F(VRMLGeometry, TakesPointsForTheLargestUseOfARoundSolid)
+{
+  const VRMLModel model(
+      writeFile(scratch.path(), "uses.wrl",
+                "#VRML V2.0 utf8\nShape { geometry DEF C Cone {} }\nTransform { scale 1 1 100 children Shape { "
+                "geometry USE C } }\n"),
+      [&](vtkAtriaVRMLReader& reader) { reader.SetTessellationError(0.1); });
+  const auto names = model.names();
+  ASSERT_EQ(names.size(), 2u);
+  EXPECT_NEAR(model.area(names[0]), pi * (1 + std::sqrt(5.0)), 0.1);
+  // As an ellipse of 1 by 100; its chords are nowhere further than 0.1 from it.
+  EXPECT_EQ(model.triangles(), 2 * 36 - 2 + 2 * 71 - 2);
 }
 
 TEST_F(VRMLGeometry, LeavesOutPartsSwitchedOff)

@@ -276,7 +276,10 @@ TEST_F(VRMLReader, PrintsItsProperties)
   reader->SetFileName("a.wrl");
   std::ostringstream text;
   reader->Print(text);
-  for (const char* property : {"FileName: a.wrl", "TessellationAngle: 90", "NumberOfWarnings: 0", "SkippedNodes: 0",
+  EXPECT_EQ(reader->GetTessellationError(), 0.0);
+  reader->SetTessellationError(-1.0);
+  EXPECT_EQ(reader->GetTessellationError(), 0.0);
+  for (const char* property : {"FileName: a.wrl", "TessellationAngle: 90", "TessellationError: 0", "NumberOfWarnings: 0", "SkippedNodes: 0",
                                "SurfaceBy: 0", "SplitAngle: 30", "MergeDuplicateFaces: on", "UpAxis: 0",
                                "LengthUnit: 0", "Scale: 1", "Recentre: off", "NumberOfMergedFaces: 0", "Notes: 0"})
   {

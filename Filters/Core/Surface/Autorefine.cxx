@@ -2,6 +2,7 @@
 #include "Surface/Autorefine.h"
 
 #include "Surface/Contacts.h"
+#include "Surface/Crowds.h"
 #include "Surface/FaceTriangulation.h"
 #include "Surface/LatticeSegments.h"
 #include "Surface/Predicates.h"
@@ -474,6 +475,7 @@ void runRounds(TriangleSoup& soup, std::vector<char> changed, const AutorefineOp
       report.unresolvedContacts = found;
       return;
     }
+    refuseTangles(soup.triangles.size(), contacts.pairs);
     addNewPoints(soup, contacts, weldDistance);
     Round work(soup, contacts, static_cast<double>(options.reach));
     work.updateEdges(report.meetings);

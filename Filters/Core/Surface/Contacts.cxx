@@ -2,6 +2,7 @@
 #include "Surface/Contacts.h"
 
 #include "Surface/BoxPairs.h"
+#include "Surface/Crowds.h"
 #include "Surface/LatticeSegments.h"
 #include "Surface/Predicates.h"
 
@@ -337,7 +338,9 @@ Contacts findContacts(const TriangleSoup& soup, const std::vector<char>& changed
     }
   }
   std::vector<std::pair<Index, Index>> pairs;
+  std::size_t seen = 0;
   forBoxPairs(asking, all, [&](Index a, Index b) {
+    refuseCrowds(++seen);
     if (a < b || !changed[b]) // two that are changed meet twice
     {
       pairs.push_back(std::minmax(a, b));

@@ -3,6 +3,7 @@
 
 #include "Support/UnionFind.h"
 #include "Surface/BoxPairs.h"
+#include "Surface/Crowds.h"
 #include "Surface/Distance.h"
 
 #include <Eigen/Geometry>
@@ -181,7 +182,11 @@ private:
         places.push_back({soup.points[p], soup.points[p], base + p});
       }
     }
-    forBoxPairs(places, boxes, [&](Index place, Index t) { consider(place - base, t); });
+    std::size_t pairs = 0;
+    forBoxPairs(places, boxes, [&](Index place, Index t) {
+      refuseCrowds(++pairs);
+      consider(place - base, t);
+    });
     addForeignGaps();
   }
 

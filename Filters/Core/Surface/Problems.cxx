@@ -6,12 +6,14 @@
 #include "Surface/Autorefine.h"
 #include "Surface/CoincidentFaces.h"
 #include "Surface/Contacts.h"
+#include "Surface/Crowds.h"
 #include "Surface/GapClosing.h"
 #include "Surface/PointPlaces.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
@@ -53,6 +55,47 @@ private:
   std::vector<Problem> problems;
 };
 
+/// Which surfaces take part in what happens at points.
+class SurfacesAtPoints
+{
+public:
+  void add(Index point, Index surface) { uses.emplace_back(point, surface); }
+
+  /// The points below `count` that have been added.
+  std::vector<char> marked(std::size_t count) const
+  {
+    std::vector<char> marks(count, 0);
+    for (const auto& [point, surface] : uses)
+    {
+      if (point < count)
+      {
+        marks[point] = 1;
+      }
+    }
+    return marks;
+  }
+
+  /// Calls `visit` with each point and its surfaces, both ascending.
+  template <typename Visitor> void forEach(const Visitor& visit)
+  {
+    std::sort(uses.begin(), uses.end());
+    uses.erase(std::unique(uses.begin(), uses.end()), uses.end());
+    Surfaces surfaces;
+    for (std::size_t i = 0; i < uses.size(); ++i)
+    {
+      surfaces.push_back(uses[i].second);
+      if (i + 1 == uses.size() || uses[i + 1].first != uses[i].first)
+      {
+        visit(uses[i].first, surfaces);
+        surfaces.clear();
+      }
+    }
+  }
+
+private:
+  std::vector<std::pair<Index, Index>> uses;
+};
+
 GridFrame frameAbout(const Box3& box)
 {
   const double extent = box.empty() ? 0.0 : box.size().maxCoeff();
@@ -74,7 +117,7 @@ class Search
 {
 public:
   Search(const TriangleSurface& source, const ProblemOptions& given, const RunContext& surroundings)
-      : surface(source), options(given), context(surroundings)
+      : surface(source), options(given), context(surroundings), wasLeftOut(source.triangles.size(), 0)
   {
     Box3 box;
     for (const auto& t : surface.triangles)
@@ -117,6 +160,7 @@ public:
     findContactsOfTriangles();
     context.progress.report(0.7, "Looking for gaps");
     findGaps();
+    crowds.moveTo(problems);
     std::stable_sort(problems.begin(), problems.end(),
                      [](const Problem& a, const Problem& b) { return a.kind < b.kind; });
     return std::move(problems);
@@ -231,12 +275,13 @@ private:
   void findContactsOfTriangles()
   {
     constexpr std::int64_t reach = 4; // of rounding
+    leaveOut(findCrowds(soup, reach, maximumPairs(), context));
     const Contacts found =
         findContacts(soup, std::vector<char>(soup.triangles.size(), 1), reach, context.part(0.3, 0.7));
-    std::map<Index, Surfaces> atPoint; // contacts, by point
+    SurfacesAtPoints atPoints;
     for (const FaceContact& contact : found.faces)
     {
-      atPoint[contact.point].push_back(soup.surfaceIds[contact.triangle]);
+      atPoints.add(contact.point, soup.surfaceIds[contact.triangle]);
     }
     const std::vector<SoupEdgeUse> uses = found.edges.empty() ? std::vector<SoupEdgeUse>{} : sortedEdgeUses(soup);
     for (const EdgeContact& contact : found.edges)
@@ -245,36 +290,66 @@ private:
       for (auto use = std::lower_bound(uses.begin(), uses.end(), contact.edge, less);
            use != uses.end() && use->edge == contact.edge; ++use)
       {
-        atPoint[contact.point].push_back(soup.surfaceIds[use->triangle]);
+        atPoints.add(contact.point, soup.surfaceIds[use->triangle]);
       }
     }
-    addUsersOfPoints(atPoint);
+    addUsersOfPoints(atPoints);
     Groups crossings(ProblemKind::crossings);
     Groups contacts(ProblemKind::contacts);
-    for (auto& [point, surfaces] : atPoint)
-    {
+    atPoints.forEach([&](Index point, const Surfaces& surfaces) {
       const bool isNew = point >= soup.points.size();
-      Problem& problem = (isNew ? crossings : contacts).of(sortedUnique(std::move(surfaces)));
+      Problem& problem = (isNew ? crossings : contacts).of(surfaces);
       if (problem.count++ == 0)
       {
         problem.place = isNew ? frame.toModel(found.newPoints[point - soup.points.size()]) : points[point];
       }
-    }
+    });
     crossings.moveTo(problems);
     contacts.moveTo(problems);
+    tangled = findTangles(soup.triangles.size(), found.pairs, options.maximumMeetings);
+  }
+
+  std::size_t maximumPairs() const
+  {
+    constexpr std::size_t perTriangle = 64;
+    return std::max(options.maximumPairs, perTriangle * soup.triangles.size());
+  }
+
+  /// Takes the marked triangles out of the soup and into the report.
+  void leaveOut(const std::vector<char>& isOut)
+  {
+    TriangleSoup rest;
+    for (Index i = 0; i < isOut.size(); ++i)
+    {
+      if (!isOut[i])
+      {
+        rest.add(soup.triangles[i], soup.surfaceIds[i], soup.sources[i]);
+        continue;
+      }
+      if (wasLeftOut[soup.sources[i]])
+      {
+        continue; // another piece of it
+      }
+      wasLeftOut[soup.sources[i]] = 1;
+      Problem& problem = crowds.of({soup.surfaceIds[i]});
+      const auto [a, b, c] = cornersOf(soup.sources[i]);
+      problem.place = problem.count++ == 0 ? Vec3((a + b + c) / 3.0) : problem.place;
+    }
+    rest.points = std::move(soup.points);
+    soup = std::move(rest);
   }
 
   /// Surfaces that have a point as a corner take part in its contacts.
-  void addUsersOfPoints(std::map<Index, Surfaces>& atPoint) const
+  void addUsersOfPoints(SurfacesAtPoints& atPoints) const
   {
-    for (std::size_t i = 0; i < soup.triangles.size() && !atPoint.empty(); ++i)
+    const std::vector<char> isTouched = atPoints.marked(soup.points.size());
+    for (std::size_t i = 0; i < soup.triangles.size(); ++i)
     {
       for (const Index p : soup.triangles[i])
       {
-        const auto found = atPoint.find(p);
-        if (found != atPoint.end())
+        if (isTouched[p])
         {
-          found->second.push_back(soup.surfaceIds[i]);
+          atPoints.add(p, soup.surfaceIds[i]);
         }
       }
     }
@@ -289,31 +364,34 @@ private:
       return;
     }
     const std::vector<Index> parts = partsOf(soup);
+    leaveOut(tangled);
+    const auto margin = static_cast<std::int64_t>(std::ceil(tolerance));
+    leaveOut(findCrowds(soup, margin, maximumPairs(), context));
     autorefine(soup, {}, context.part(0.7, 0.9));
+    leaveOut(findCrowds(soup, margin, maximumPairs(), context)); // the pieces are more
     const std::vector<LatticePoint> start = soup.points;
     const std::vector<char> isMoved = closeGaps(soup, frame, tolerance, parts, start);
-    std::map<Index, Surfaces> atPoint;
+    SurfacesAtPoints atPoints;
     for (std::size_t i = 0; i < soup.triangles.size(); ++i)
     {
       for (const Index p : soup.triangles[i])
       {
         if (isMoved[p])
         {
-          atPoint[p].push_back(soup.surfaceIds[i]);
+          atPoints.add(p, soup.surfaceIds[i]);
         }
       }
     }
     Groups groups(ProblemKind::gaps);
-    for (auto& [point, surfaces] : atPoint)
-    {
-      Problem& problem = groups.of(sortedUnique(std::move(surfaces)));
+    atPoints.forEach([&](Index point, const Surfaces& surfaces) {
+      Problem& problem = groups.of(surfaces);
       const double width = between(start[point], soup.points[point]).norm() * frame.latticeUnit();
       if (problem.count++ == 0 || width > problem.size)
       {
         problem.size = width;
         problem.place = frame.toModel(start[point]);
       }
-    }
+    });
     groups.moveTo(problems);
   }
 
@@ -324,6 +402,9 @@ private:
   std::vector<Vec3> points; ///< places that triangles use
   TriangleSoup soup;        ///< with these points
   std::vector<Problem> problems;
+  std::vector<char> tangled; ///< triangles that crossings would cut into too many pieces
+  Groups crowds{ProblemKind::crowds};
+  std::vector<char> wasLeftOut; ///< per triangle of the model, whether it is in crowds
 };
 
 } // namespace

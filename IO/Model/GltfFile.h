@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The JSON and the buffers of a glTF 2.0 file. Nothing in it is trusted: what is asked for and is not there, or lies
+/// beyond the end of a buffer, is said.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <cstddef>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace atria::model::gltf {
+
+using Json = nlohmann::json;
+
+/// A part of the file makes no sense; the rest may.
+class Damaged : public std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+class File
+{
+public:
+  /// Opens .gltf and .glb files. Throws Error where there is no JSON object in it, or one of another version.
+  explicit File(const std::string& path);
+
+  const std::string& path() const { return name; }
+  const Json& root() const { return document; }
+  /// The list of that name; an empty one where there is none.
+  const Json& list(const char* key) const;
+  /// An object of a list; null where it is none.
+  const Json* entry(const Json& of, std::size_t i) const;
+
+  /// A field that is a number from 0; nothing where it is absent. Throws Damaged where it is something else.
+  std::optional<std::size_t> index(const Json& object, const char* key) const;
+  std::vector<std::size_t> indexList(const Json& object, const char* key) const;
+  /// A field that is a list of so many numbers; empty where it is absent. Throws Damaged where it is something else.
+  std::vector<double> numbers(const Json& object, const char* key, std::size_t count) const;
+  /// A field that is a text; empty where it is none.
+  std::string text(const Json& object, const char* key) const;
+  /// The name of an entry of a list; empty where there is none.
+  std::string nameOf(const char* list, const std::optional<std::size_t>& i) const;
+
+  /// The values of an accessor of 32-bit numbers, `width` for each item. Throws Damaged.
+  std::vector<double> floats(std::size_t accessor, std::size_t width) const;
+  /// The values of an accessor of single whole numbers. Throws Damaged.
+  std::vector<std::size_t> indices(std::size_t accessor) const;
+
+private:
+  /// Items at equal distances in a buffer.
+  struct Items
+  {
+    std::string_view bytes; ///< from the first on
+    std::size_t stride = 0;
+  };
+
+  void openBinary(std::string_view bytes);
+  void parse(std::string_view json);
+  void checkExtensions() const;
+  void loadBuffer(const Json& buffer, std::size_t number);
+  Items itemsOf(const Json& accessor, std::size_t count, std::size_t itemSize) const;
+  /// Calls `put` with the number and the bytes of each item of an accessor, those that are sparse too.
+  template <typename Put>
+  void forItems(const Json& accessor, std::size_t count, std::size_t itemSize, const Put& put) const;
+  const Json& accessorOf(std::size_t i) const;
+
+  std::string name;
+  std::string whole; ///< the file
+  Json document;
+  std::string_view chunk; ///< of a binary file, behind the JSON
+  std::vector<std::string> buffers;
+  std::vector<std::string> bufferFaults; ///< why a buffer is shorter than stated
+};
+
+} // namespace atria::model::gltf

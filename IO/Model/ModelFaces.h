@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Collects the faces of a file that may be damaged: none is let in that names points there are not.
+#pragma once
+
+#include "ModelParts.h"
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace atria::model {
+
+class ModelFaces
+{
+public:
+  /// A point with a coordinate that is not finite is kept, and faces with it are not.
+  void addPoint(const std::array<double, 3>& p) { points.push_back(p); }
+  std::size_t numberOfPoints() const { return points.size(); }
+
+  /// Leaves out and counts a face with less than three corners, with one beyond the last point or with one that is not
+  /// finite. `part` counts from 0.
+  bool add(std::span<const std::size_t> corners, int part);
+
+  std::size_t numberOfFaces() const { return parts.size(); }
+  std::size_t numberLeftOut() const { return leftOut; }
+
+  /// All of it in double precision, with names for the parts.
+  vtkSmartPointer<vtkPolyData> polyData(const std::vector<std::string>& names) const;
+
+private:
+  std::vector<std::array<double, 3>> points;
+  std::vector<std::size_t> ids;
+  std::vector<std::size_t> offsets{0};
+  std::vector<int> parts;
+  std::size_t leftOut = 0;
+};
+
+} // namespace atria::model

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Words, numbers and lines of text formats.
+#pragma once
+
+#include <charconv>
+#include <cstddef>
+#include <string_view>
+
+namespace atria::model {
+
+inline constexpr std::string_view blanks = " \t\v\f";
+
+/// The next word of `text`, which then begins behind it; empty at the end.
+inline std::string_view nextWord(std::string_view& text)
+{
+  const std::size_t start = text.find_first_not_of(blanks);
+  if (start == text.npos)
+  {
+    text = {};
+    return {};
+  }
+  const std::size_t end = text.find_first_of(blanks, start);
+  const std::string_view word = text.substr(start, end == text.npos ? end : end - start);
+  text.remove_prefix(end == text.npos ? text.size() : end);
+  return word;
+}
+
+/// The number `word` begins with; false where it is none or is followed by anything but a character of `end`.
+template <typename Number> bool parse(std::string_view word, Number& value, std::string_view end = "")
+{
+  if (!word.empty() && word.front() == '+')
+  {
+    word.remove_prefix(1);
+  }
+  const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  const bool whole = stop == word.data() + word.size() || end.find(*stop) != std::string_view::npos;
+  return error == std::errc{} && whole;
+}
+
+/// Takes the next line off `text` at `at`, without its end, which may be LF, CR or both.
+inline std::string_view nextLine(std::string_view text, std::size_t& at)
+{
+  const std::size_t stop = text.find_first_of("\r\n", at);
+  const std::size_t end = stop == text.npos ? text.size() : stop;
+  const std::string_view line = text.substr(at, end - at);
+  at = end + (text.substr(end, 2) == "\r\n" ? 2 : 1);
+  return line;
+}
+
+} // namespace atria::model

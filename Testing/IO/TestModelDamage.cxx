@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Damaged models in other formats than VRML: the reader gives what can be read, or says what is wrong.
+/// ATRIA_MUTATIONS sets the number of damaged copies of each file (default 300).
+#include "ModelSamples.h"
+#include "VRMLModel.h"
+#include "vtkAtriaModelReader.h"
+
+#include "Support/TestPaths.h"
+#include "Support/VtkErrorGuard.h"
+#include "Support/Watchdog.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <random>
+#include <sstream>
+
+namespace {
+
+namespace fs = std::filesystem;
+using atria::testing::writeFile;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+std::string bytesOf(const fs::path& file)
+{
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+/// The house in one format, by the ending of the file; formats that TestModelReader does not write, too.
+std::string sampleOf(const std::string& format, const fs::path& folder)
+{
+  const auto house = atria::testing::sampleHouse();
+  const fs::path file = folder / ("house." + format);
+  const auto& writers = atria::testing::writersWithNames();
+  format == "binary.stl" ? atria::testing::writeBinaryStl(house, file)
+  : format == "ply"      ? atria::testing::writePly(house, file)
+                         : writers.at(format)(house, file);
+  return bytesOf(file);
+}
+
+template <typename T> void append(std::string& bytes, T value)
+{
+  char raw[sizeof(T)];
+  std::memcpy(raw, &value, sizeof(T));
+  bytes.append(raw, sizeof(T));
+}
+
+/// A tetrahedron as PLY, little endian, with a property and an element that are of no use.
+std::string binaryPly()
+{
+  std::string bytes = "ply\nformat binary_little_endian 1.0\ncomment none\nelement vertex 4\nproperty double x\n"
+                      "property double y\nproperty double z\nproperty uchar red\nelement edge 1\nproperty int a\n"
+                      "element face 4\nproperty list uchar int vertex_indices\nend_header\n";
+  for (const auto& p : {std::array{0.0, 0.0, 0.0}, {3.0, 0.0, 0.0}, {0.0, 3.0, 0.0}, {0.0, 0.0, 3.0}})
+  {
+    append(bytes, p);
+    bytes.push_back('\xff');
+  }
+  append(bytes, 7);
+  for (const auto& face : {std::array{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}})
+  {
+    bytes.push_back('\3');
+    append(bytes, face);
+  }
+  return bytes;
+}
+
+class ModelDamage : public atria::testing::VtkTest
+{
+protected:
+  void read(const std::string& name, const std::string& bytes)
+  {
+    const fs::path file = writeFile(scratch.path(), name, bytes);
+    reader->SetFileName(file.c_str());
+    reader->SetLengthUnit(vtkAtriaModelReader::Metres);
+    reader->Modified();
+    reader->Update();
+    warned = messages.takeWarnings();
+    errors = messages.takeErrors();
+  }
+  vtkIdType triangles() const { return reader->GetOutput()->GetNumberOfCells(); }
+  std::string firstWarning() const
+  {
+    return reader->GetWarnings()->GetNumberOfValues() > 0 ? reader->GetWarnings()->GetValue(0) : "";
+  }
+  std::string firstError() const { return errors.empty() ? "" : errors.front(); }
+
+  /// What is wrong with the output; empty if it is what the reader promises.
+  std::string brokenPromise() const
+  {
+    vtkPolyData* data = reader->GetOutput();
+    if (errors.empty() != (triangles() > 0))
+    {
+      return "an error and surfaces, or neither";
+    }
+    vtkDataArray* ids = data->GetCellData()->GetArray("SurfaceId");
+    auto* names = vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray("SurfaceName"));
+    if (triangles() > 0 && (!ids || !names))
+    {
+      return "arrays are missing";
+    }
+    for (vtkIdType i = 0; i < triangles(); ++i)
+    {
+      vtkNew<vtkIdList> cell;
+      data->GetCellPoints(i, cell);
+      const bool good = cell->GetNumberOfIds() == 3 && ids->GetTuple1(i) >= 0 &&
+                        ids->GetTuple1(i) < static_cast<double>(names->GetNumberOfValues());
+      for (vtkIdType k = 0; good && k < 3; ++k)
+      {
+        const double* p = data->GetPoint(cell->GetId(k));
+        if (!std::isfinite(p[0] + p[1] + p[2]))
+        {
+          return "a point is not finite";
+        }
+      }
+      if (!good)
+      {
+        return "a cell is no triangle, or of no surface";
+      }
+    }
+    return {};
+  }
+
+  atria::testing::ScratchFolder scratch;
+  vtkNew<vtkAtriaModelReader> reader;
+  std::vector<std::string> warned;
+  std::vector<std::string> errors;
+};
+
+class DamagedFormat : public ModelDamage, public ::testing::WithParamInterface<std::string>
+{
+};
+
+/// One change to some bytes.
+void damage(std::string& bytes, std::mt19937& random)
+{
+  static const std::vector<std::string> pieces{"-1", "nan", "1e999", "99999999999", "0",  "\xff\xff\xff\xff", "\n",
+                                               "{",  "}",   "[",     "\"",          " 4", "-2147483648",      "e"};
+  const auto below = [&](std::size_t limit) { return limit == 0 ? 0 : random() % limit; };
+  const std::size_t at = below(bytes.size());
+  const std::size_t length = std::min(below(40), bytes.size() - at);
+  switch (random() % 7)
+  {
+    case 0:
+      bytes[at] = static_cast<char>(bytes[at] ^ (1 << below(8)));
+      break;
+    case 1:
+      bytes[at] = static_cast<char>(random());
+      break;
+    case 2:
+      bytes.erase(at, length);
+      break;
+    case 3:
+      bytes.replace(at, below(4), pieces[below(pieces.size())]);
+      break;
+    case 4:
+      bytes.insert(below(bytes.size()), bytes.substr(at, length));
+      break;
+    case 5:
+      if (const std::size_t digit = bytes.find_first_of("0123456789", at); digit != bytes.npos)
+      {
+        bytes[digit] = static_cast<char>('0' + below(10));
+      }
+      break;
+    default:
+      bytes.replace(at, length, std::string(length, random() % 2 == 0 ? '\0' : '\xff'));
+  }
+}
+
+TEST_P(DamagedFormat, EndsWithWhatCanBeReadOrAnErrorThatNamesTheFile)
+{
+  const std::string whole = GetParam() == "binary.ply" ? binaryPly() : sampleOf(GetParam(), scratch.path());
+  const char* wanted = std::getenv("ATRIA_MUTATIONS");
+  const int copies = wanted ? std::atoi(wanted) : 300;
+  std::mt19937 random(1);
+  int read = 0;
+  for (int i = 0; i < copies; ++i)
+  {
+    SCOPED_TRACE("copy " + std::to_string(i));
+    std::string bytes = whole;
+    if (i % 4 == 0)
+    {
+      bytes.resize(whole.size() * static_cast<std::size_t>(i) / static_cast<std::size_t>(copies)); // cut off
+    }
+    for (unsigned times = i % 4 == 0 ? 0 : 1 + random() % 4; times > 0 && !bytes.empty(); --times)
+    {
+      damage(bytes, random);
+    }
+    const atria::testing::Watchdog watchdog(GetParam() + ", copy " + std::to_string(i), std::chrono::seconds(60));
+    this->read("damaged." + GetParam(), bytes);
+    read += triangles() > 0 ? 1 : 0;
+    EXPECT_EQ(brokenPromise(), "");
+    if (!errors.empty())
+    {
+      EXPECT_THAT(firstError(), HasSubstr("damaged."));
+    }
+    if (HasFailure())
+    {
+      writeFile(".", "failed." + GetParam(), bytes);
+      return;
+    }
+  }
+  EXPECT_GT(read, copies / 20); // not all of a damaged file is lost, but JSON with one brace too few is
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, DamagedFormat,
+                         ::testing::Values("obj", "stl", "binary.stl", "ply", "binary.ply", "gltf", "glb"));
+
+TEST_F(ModelDamage, ReadsThePlyFacesThatAreThere)
+{
+  const std::string whole = binaryPly();
+  read("a.ply", whole);
+  EXPECT_EQ(triangles(), 4);
+  EXPECT_TRUE(warned.empty());
+  read("a.ply", whole.substr(0, whole.size() - 20));
+  EXPECT_EQ(triangles(), 2);
+  EXPECT_THAT(firstWarning(), AllOf(HasSubstr("a.ply"), HasSubstr("ends before face 3 of 4")));
+  read("a.ply", whole.substr(0, whole.size() - 4 * 13));
+  EXPECT_THAT(firstError(), AllOf(HasSubstr("a.ply"), HasSubstr("ends before face 1 of 4")));
+}
+
+TEST_F(ModelDamage, DoesNotBelieveTheCountsOfAPlyHeader)
+{
+  std::string text =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\nproperty double z\n"
+      "element face 4000000000\nproperty list uint int vertex_index\nend_header\n"
+      "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 0 1 3\n3 0 -1 2\n4294967295 0 1\n3 0 1 2.5e300\n";
+  read("a.ply", text);
+  EXPECT_EQ(triangles(), 1);
+  const std::string all =
+      atria::testing::joined({reader->GetWarnings()->GetValue(0), reader->GetWarnings()->GetValue(1)});
+  EXPECT_THAT(all, AllOf(HasSubstr("a line does not hold face 4 of 4000000000"), HasSubstr("3 faces are left out")));
+  text.replace(text.find("vertex 3"), 8, "vertex 9999999999999999999999");
+  read("a.ply", text);
+  EXPECT_THAT(firstError(), AllOf(HasSubstr("a.ply"), HasSubstr("line 3 of its header")));
+}
+
+TEST_F(ModelDamage, ReadsPlyOfEitherByteOrderInDoublePrecision)
+{
+  std::string bytes = "ply\r\nformat binary_big_endian 1.0\r\nelement vertex 3\r\nproperty double x\r\n"
+                      "property float64 y\r\nproperty double z\r\nelement face 1\r\n"
+                      "property list ushort uint vertex_indices\r\nend_header\r\n";
+  const auto add = [&](auto value) {
+    std::string raw;
+    append(raw, value);
+    bytes.append(raw.rbegin(), raw.rend());
+  };
+  for (const double value : {4500000.123456789, 0.0, 0.0, 4500001.0, 0.0, 0.0, 4500000.0, 1.0, 0.0})
+  {
+    add(value);
+  }
+  add(std::uint16_t{3});
+  for (const std::uint32_t id : {0u, 1u, 2u})
+  {
+    add(id);
+  }
+  read("far.ply", bytes);
+  ASSERT_EQ(triangles(), 1);
+  EXPECT_EQ(reader->GetOutput()->GetPoint(0)[0], 4500000.123456789);
+}
+
+TEST_F(ModelDamage, ReadsTheStlFacetsThatAreThere)
+{
+  const std::string whole = sampleOf("binary.stl", scratch.path());
+  read("a.stl", whole);
+  const vtkIdType all = triangles();
+  read("a.stl", whole.substr(0, whole.size() - 60));
+  EXPECT_EQ(triangles(), all - 2);
+  const std::string facets = std::to_string(all);
+  EXPECT_THAT(firstWarning(), AllOf(HasSubstr("a.stl"), HasSubstr("states " + facets)));
+  std::string text = sampleOf("stl", scratch.path());
+  text.insert(text.find("vertex") + 7, "x");
+  read("a.stl", text);
+  EXPECT_EQ(triangles(), all - 1);
+  EXPECT_THAT(firstWarning(), AllOf(HasSubstr("a.stl"), HasSubstr("expected three numbers")));
+}
+
+TEST_F(ModelDamage, ReadsTheGltfPartsWhoseBuffersAreThere)
+{
+  const std::string whole = sampleOf("glb", scratch.path());
+  read("a.glb", whole);
+  const vtkIdType all = triangles();
+  read("a.glb", whole.substr(0, whole.size() - 8));
+  EXPECT_LT(triangles(), all);
+  EXPECT_GT(triangles(), 0);
+  EXPECT_THAT(firstWarning(), AllOf(HasSubstr("a.glb"), HasSubstr("'Floor'"), HasSubstr("too short")));
+  std::string json = sampleOf("gltf", scratch.path());
+  json.replace(json.find("house.bin"), 9, "other.bin");
+  read("a.gltf", json);
+  EXPECT_THAT(firstError(), AllOf(HasSubstr("a.gltf"), HasSubstr("other.bin"), HasSubstr("does not exist")));
+}
+
+/// A glTF file of one primitive with indices of 16 bits: 0 1 2, 2 1 9.
+std::string indexedGltf(const std::string& accessor = R"("count":6)")
+{
+  return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"name":"N"}],)"
+         R"("meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],)"
+         R"("accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":4},)"
+         R"({"bufferView":1,"componentType":5123,"type":"SCALAR",)" +
+         accessor +
+         R"(}],"bufferViews":[{"buffer":0,"byteLength":48},{"buffer":0,"byteOffset":48,"byteLength":12}],)"
+         R"("buffers":[{"byteLength":60,"uri":"data:application/octet-stream;base64,)"
+         R"(AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAACAPwAAgD8AAAAAAAABAAIAAgABAAkA"}]})";
+}
+
+TEST_F(ModelDamage, LeavesOutGltfTrianglesWithCornersThatDoNotExist)
+{
+  read("a.gltf", indexedGltf());
+  EXPECT_EQ(triangles(), 1);
+  EXPECT_THAT(firstWarning(), HasSubstr("1 triangles are left out"));
+  for (const char* wrong : {"\"count\":7", "\"count\":18446744073709551615", "\"count\":-1",
+                            "\"count\":6,\"byteOffset\":2", "\"count\":6,\"byteOffset\":18446744073709551614"})
+  {
+    read("a.gltf", indexedGltf(wrong));
+    EXPECT_THAT(firstError(), HasSubstr("a.gltf")) << wrong;
+  }
+  read("a.gltf", R"({"a":)" + std::string(100000, '[') + std::string(100000, ']') + "}");
+  EXPECT_THAT(firstError(), HasSubstr("a.gltf"));
+}
+
+} // namespace
