@@ -177,8 +177,10 @@ class CommandLine(unittest.TestCase):
                              *options)
             self.assertEqual(run.returncode, 0, run.stderr)
             reports.append(json.loads(outputs[2].read_text()))
-            text = (outputs[1] / "constant/polyMesh/points").read_text()
-            points.append([[float(x) for x in p.split()] for p in re.findall(r"^\(([-+.e0-9 ]+)\)$", text, re.M)])
+            data = (outputs[1] / "constant/polyMesh/points").read_bytes()
+            count = re.search(rb"\n(\d+)\s*\(", data)
+            values = struct.iter_unpack("<3d", data[count.end():count.end() + 24 * int(count.group(1))])
+            points.append(list(values))
             offset = re.search(rb'Name="ModelOffset"[^>]*RangeMax="([^"]*)"', outputs[0].read_bytes())
             length = sum(x * x for x in shift) ** 0.5 if options else 0.0
             self.assertAlmostEqual(float(offset.group(1)), length, places=3)
