@@ -1,20 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// The example building, 4,188 m2 of sheets with 62 m2 of openings, at 1 to 8 m: what its mesh keeps.
 #include "Domain/Domain.h"
+#include "Support/CheckMesh.h"
 #include "Support/FeatureChecks.h"
 #include "Support/Shapes.h"
 #include "Support/TestPaths.h"
 #include "SurfaceInput.h"
+#include "VtkDualMesh.h"
 #include "VtkSurface.h"
+#include "vtkAtriaOpenFOAMWriter.h"
 
+#include <vtkNew.h>
 #include <vtkPolyData.h>
+#include <vtkUnstructuredGrid.h>
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <algorithm>
 #include <numeric>
 #include <set>
 #include <string>
+#include <tuple>
 
 namespace {
 
@@ -72,6 +78,16 @@ void turnOpenings(std::vector<Opening>& openings, double degrees)
   }
 }
 
+GridOptions gridOf(const TriangleSurface& surface, double sizeMid)
+{
+  GridOptions grid;
+  grid.domain = siteDomain(surface, "Site");
+  grid.sizeMin = 1.0;
+  grid.sizeMid = sizeMid;
+  grid.sizeMax = 8.0;
+  return grid;
+}
+
 class Building : public ::testing::TestWithParam<Case>
 {
 protected:
@@ -85,12 +101,7 @@ protected:
       turnBuilding(surface, GetParam().turnedBy);
       turnOpenings(openings, GetParam().turnedBy);
     }
-    GridOptions grid;
-    grid.domain = siteDomain(surface, "Site");
-    grid.sizeMin = 1.0;
-    grid.sizeMid = GetParam().sizeMid;
-    grid.sizeMax = 8.0;
-    meshed = meshIt(surface, grid, {}, 2);
+    meshed = meshIt(surface, gridOf(surface, GetParam().sizeMid), {}, 2);
   }
 
   static void skipTurnedFurther()
@@ -217,6 +228,50 @@ INSTANTIATE_TEST_SUITE_P(AlignedAndTurned, Building,
                            const int more = static_cast<int>(test.param.turnedBy);
                            return std::string(test.param.model) + (more ? "_turned" + std::to_string(more) : "") +
                                   "_SizeMid" + std::to_string(static_cast<int>(test.param.sizeMid));
+                         });
+
+/// Degrees and the number of layers.
+class LayeredBuilding : public ::testing::TestWithParam<std::tuple<double, int>>
+{
+};
+
+TEST_P(LayeredBuilding, PassesAllOfCheckMesh)
+{
+  if (!haveCheckMesh())
+  {
+    GTEST_SKIP() << "checkMesh is not installed";
+  }
+  const auto [degrees, layers] = GetParam();
+  TriangleSurface surface = surfaceFromVtk({exampleModel("building.wrl")}).surface;
+  turnBuilding(surface, degrees);
+  DualMeshOptions options;
+  options.layers = {{"*", {layers}}};
+  const Meshed meshed = meshIt(surface, gridOf(surface, 2.0), options, 2);
+  double covered = 0.0, area = 0.0;
+  for (const LayerCoverage& report : meshed.result.layers.surfaces)
+  {
+    covered += report.layered;
+    area += report.area;
+  }
+  EXPECT_GE(covered / area, 0.98);
+  vtkNew<vtkUnstructuredGrid> volume;
+  volumeToVtk(meshed.mesh(), volume, SerialExecutor());
+  const ScratchFolder scratch;
+  vtkNew<vtkAtriaOpenFOAMWriter> writer;
+  writer->SetInputDataObject(0, volume);
+  writer->SetCaseDirectory(scratch.path().c_str());
+  ASSERT_EQ(writer->Write(), 1);
+  const CheckMeshReport report = runCheckMesh(scratch.path());
+  ASSERT_TRUE(report.completed) << report.log;
+  EXPECT_THAT(report.failures, ::testing::IsEmpty());
+  EXPECT_EQ(report.failedChecks, 0);
+}
+
+INSTANTIATE_TEST_SUITE_P(OneAndFive, LayeredBuilding,
+                         ::testing::Combine(::testing::Values(0.0, 17.0, 30.0, 45.0), ::testing::Values(1, 5)),
+                         [](const auto& test) {
+                           return "Turned" + std::to_string(static_cast<int>(std::get<0>(test.param))) + "_Layers" +
+                                  std::to_string(std::get<1>(test.param));
                          });
 
 } // namespace
