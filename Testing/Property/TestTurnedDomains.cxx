@@ -6,6 +6,7 @@
 #include "Support/Shapes.h"
 
 #include <cmath>
+#include <cstdlib>
 #include <random>
 #include <set>
 
@@ -74,8 +75,18 @@ DualMeshResult meshOf(const Case& c, int threads, int layers = 0)
   return atria::makeDualMesh(octree, model, options, clock, context);
 }
 
+constexpr unsigned usualSeeds = 20;
+
 class TurnedDomains : public ::testing::TestWithParam<unsigned>
 {
+protected:
+  void SetUp() override
+  {
+    if (GetParam() >= usualSeeds && !std::getenv("ATRIA_TEST_FULL"))
+    {
+      GTEST_SKIP() << "set ATRIA_TEST_FULL for more seeds";
+    }
+  }
 };
 
 TEST_P(TurnedDomains, AreConformalAndWatertightAndTheSameForAnyThreads)
