@@ -115,7 +115,7 @@ LayerImprover::LayerImprover(const Octree& octree, const SurfaceModel& model, Tr
       layered_(std::ranges::any_of(options.ofTag, [](const WallLayers& wall) { return wall.layers > 0; })),
       hasHeights_(std::ranges::any_of(options.ofTag, [](const WallLayers& wall) { return wall.firstHeight > 0.0; })),
       leaders_(vertexOf.size()), mayLeave_(vertexOf.size(), 1), letGo_(vertexOf.size(), 0),
-      excluded_(vertexOf.size(), 0)
+      excluded_(vertexOf.size(), 0), suspect_(vertexOf.size(), 0)
 {
   std::vector<Index> first(anchors.freedom.size(), noIndex);
   for (Index p = 0; p < leaders_.size(); ++p)
@@ -192,9 +192,15 @@ void LayerImprover::grow()
   context_.progress.check();
 }
 
+/// At the boundary, and where cells fell short before.
 std::vector<ShortCell> LayerImprover::findAll() const
 {
-  return findShortCells(DualSource(layer_.mesh), pointsToJudge(layer_), targets(), context_);
+  std::vector<char> marked = pointsToJudge(layer_);
+  for (Index p = 0; p < layer_.plainPoints; ++p)
+  {
+    marked[p] |= suspect_[p];
+  }
+  return findShortCells(DualSource(layer_.mesh), marked, targets(), context_);
 }
 
 std::vector<ShortCell> LayerImprover::improve(const std::vector<ShortCell>& cells, int rings)
@@ -203,7 +209,16 @@ std::vector<ShortCell> LayerImprover::improve(const std::vector<ShortCell>& cell
   OptimiserOptions options;
   options.targets = targets();
   options.rings = rings;
-  return optimise(DualSource(layer_.mesh), layer_.mesh.points, cells, guides.layer, options, context_);
+  const std::vector<ShortCell> left =
+      optimise(DualSource(layer_.mesh), layer_.mesh.points, cells, guides.layer, options, context_);
+  for (const ShortCell& cell : left)
+  {
+    for (const Index p : layer_.mesh.corners[cell.cell])
+    {
+      suspect_[layer_.wallPointOf(p)] = 1;
+    }
+  }
+  return left;
 }
 
 void LayerImprover::mend()

@@ -74,6 +74,8 @@ private:
   std::vector<char> mayLeave_;
   std::vector<char> letGo_;
   std::vector<char> excluded_;
+  /// Of cells that fell short after a pass; also those in the second row from the walls.
+  std::vector<char> suspect_;
   /// Leaders that were released, and where they were.
   std::vector<WantedPlace> left_;
   std::vector<ReleasedVertex> released_;
