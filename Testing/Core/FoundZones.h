@@ -36,12 +36,12 @@ struct FoundZones
 
   void modify()
   {
-    crossings = modifyGrid(grid, model, std::move(crossings), context());
+    crossings = modifyGrid(grid, model, tree, std::move(crossings), context());
     zones = findZones(crossings, model.names.size(), context());
   }
   void closeCracksUpTo(double tolerance)
   {
-    closeCracks(crossings, grid, model, tolerance, context());
+    closeCracks(crossings, grid, model, tree, tolerance, context());
     zones = findZones(crossings, model.names.size(), context());
   }
 
@@ -57,13 +57,14 @@ struct FoundZones
   }
   std::vector<Crack> cracks(ZoneRule rule = ZoneRule::all)
   {
-    return findCracks(zones, kept(rule), crossings, grid, model, context());
+    return findCracks(zones, kept(rule), crossings, grid, model, tree, context());
   }
   Vec3 position(Index point) const { return octree.frame().toModel(grid.place(point)); }
 
   ThreadExecutor executor;
   SilentMonitor silent;
   SurfaceModel model;
+  TriangleTreeOnDemand tree{model};
   Octree octree;
   GridPoints points;
   GridPlaces grid{octree, points};

@@ -39,7 +39,7 @@ Box3 boundsOf(vtkPolyData* model)
   return {Vec3(b[0], b[2], b[4]), Vec3(b[1], b[3], b[5])};
 }
 
-/// Tests share the files between them, every so manieth each, to run side by side.
+/// The files are shared between so many tests, which can run side by side.
 constexpr int shares = 8;
 
 class CorpusMeshes : public atria::testing::DualMesherTest, public ::testing::WithParamInterface<int>

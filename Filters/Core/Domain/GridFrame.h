@@ -69,6 +69,8 @@ struct GridFrame
 
   LatticePoint toLattice(const Vec3& p) const;
   Vec3 toModel(const LatticePoint& p) const;
+  /// A place between the lattice's points.
+  Vec3 toModel(const Vec3& lattice) const { return origin + latticeUnit() * lattice; }
   double toModel(int axis, double lattice) const { return origin[axis] + lattice * latticeUnit(); }
 
   /// Strictly inside the domain box.

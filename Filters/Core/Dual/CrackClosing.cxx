@@ -119,14 +119,14 @@ void cut(Crossings& crossings, const GridPlaces& grid, const SurfaceModel& model
 
 } // namespace
 
-void closeCracks(Crossings& crossings, const GridPlaces& grid, const SurfaceModel& model, double tolerance,
-                 const RunContext& context)
+void closeCracks(Crossings& crossings, const GridPlaces& grid, const SurfaceModel& model, TriangleTreeOnDemand& tree,
+                 double tolerance, const RunContext& context)
 {
   if (!(tolerance > 0.0))
   {
     return;
   }
-  const std::vector<StripTriangle> strips = crackStrips(grid.octree(), model, tolerance, context);
+  const std::vector<StripTriangle> strips = crackStrips(grid.octree(), model, tree, tolerance, context);
   constexpr std::size_t grain = 256;
   std::vector<std::vector<Passage>> found((strips.size() + grain - 1) / grain);
   context.executor.forEach(found.size(), 1, [&](std::size_t part) {

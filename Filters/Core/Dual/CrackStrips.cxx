@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Dual/CrackStrips.h"
 
-#include "Octree/TriangleTree.h"
 #include "Surface/Distance.h"
 #include "Surface/Predicates.h"
 #include "Surface/TriangleSoup.h"
@@ -157,20 +156,11 @@ private:
                              between(p, model.corner(t, 2)));
   }
 
-  /// Whether the place p + offset is at the bounds of the triangle; said quicker than how far it is.
-  bool isNear(Index t, const LatticePoint& p, const Vec3& offset) const
+  /// Whether the place p + offset is on the triangle. Its bounds say quicker that it is not.
+  bool isOn(Index t, const LatticePoint& p, const Vec3& offset) const
   {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const auto [low, high] =
-          std::minmax({model.corner(t, 0)[axis], model.corner(t, 1)[axis], model.corner(t, 2)[axis]});
-      const double place = static_cast<double>(p[axis]) + offset[axis];
-      if (place < static_cast<double>(low) - onTriangle || place > static_cast<double>(high) + onTriangle)
-      {
-        return false;
-      }
-    }
-    return true;
+    return model.bounds(t).squaredDistance(toVector(p) + offset) <= 4.0 * onTriangle * onTriangle &&
+           (nearestOn(t, p, offset) - offset).norm() <= onTriangle;
   }
 
   /// From a place of the rim to the nearest thing ahead; zero where something touches; nothing beyond the tolerance.
@@ -186,11 +176,8 @@ private:
     gather(p, rim, reach);
     for (auto place = places.begin(); place != places.end(); ++place)
     {
-      const auto isOn = [&](const Place& nearer) {
-        return isNear(nearer.triangle, p, place->offset) &&
-               (nearestOn(nearer.triangle, p, place->offset) - place->offset).norm() <= onTriangle;
-      };
-      if (place->triangle == rim || std::any_of(places.begin(), place, isOn))
+      const auto hangsOn = [&](const Place& nearer) { return isOn(nearer.triangle, p, place->offset); };
+      if (place->triangle == rim || std::any_of(places.begin(), place, hangsOn))
       {
         continue; // what hangs together with this is nearer
       }
@@ -270,15 +257,15 @@ struct RimEnd
 
 } // namespace
 
-std::vector<StripTriangle> crackStrips(const Octree& octree, const SurfaceModel& model, double tolerance,
-                                       const RunContext& context)
+std::vector<StripTriangle> crackStrips(const Octree& octree, const SurfaceModel& model, TriangleTreeOnDemand& onDemand,
+                                       double tolerance, const RunContext& context)
 {
   const std::vector<Rim> rims = rimsOf(model);
   if (rims.empty())
   {
     return {};
   }
-  const TriangleTree tree(model);
+  const TriangleTree& tree = onDemand.get();
   std::vector<Bridge> bridges(rims.size());
   context.executor.forRanges(rims.size(), 16, [&](std::size_t begin, std::size_t end) {
     context.progress.check();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Octree/Octree.h"
+#include "Octree/TriangleTree.h"
 #include "Support/RunContext.h"
 #include "Surface/SurfaceModel.h"
 
@@ -25,7 +26,7 @@ struct StripTriangle
 /// strip goes from step to step where both are within the tolerance, without a break, and round the points where two
 /// rims meet. Both rims of a crack have their strip. The result does not depend on threads; nothing is done without
 /// rims.
-std::vector<StripTriangle> crackStrips(const Octree& octree, const SurfaceModel& model, double tolerance,
-                                       const RunContext& context);
+std::vector<StripTriangle> crackStrips(const Octree& octree, const SurfaceModel& model, TriangleTreeOnDemand& tree,
+                                       double tolerance, const RunContext& context);
 
 } // namespace atria

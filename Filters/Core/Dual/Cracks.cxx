@@ -3,7 +3,6 @@
 
 #include "Dual/CrackRuns.h"
 #include "Octree/GeometryLists.h"
-#include "Octree/TriangleTree.h"
 #include "Surface/Distance.h"
 
 #include <Eigen/Geometry>
@@ -271,7 +270,8 @@ private:
 } // namespace
 
 std::vector<Crack> findCracks(const Zones& zones, const std::vector<char>& kept, const Crossings& crossings,
-                              const GridPlaces& grid, const SurfaceModel& model, const RunContext& context)
+                              const GridPlaces& grid, const SurfaceModel& model, TriangleTreeOnDemand& onDemand,
+                              const RunContext& context)
 {
   std::vector<Index> rims;
   for (Index e = 0; e < model.featureEdges.size(); ++e)
@@ -285,7 +285,7 @@ std::vector<Crack> findCracks(const Zones& zones, const std::vector<char>& kept,
   {
     return {};
   }
-  const TriangleTree tree(model);
+  const TriangleTree& tree = onDemand.get();
   std::vector<std::vector<CrackStep>> found(rims.size());
   context.executor.forRanges(rims.size(), 16, [&](std::size_t begin, std::size_t end) {
     context.progress.check();

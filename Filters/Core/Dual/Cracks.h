@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Dual/Zones.h"
+#include "Octree/TriangleTree.h"
 
 namespace atria {
 
@@ -29,6 +30,7 @@ struct Crack
 /// the points of the rim too, are one crack; what both of its rims tell is told once. Closed cracks come first, and
 /// long ones. The result does not depend on threads.
 std::vector<Crack> findCracks(const Zones& zones, const std::vector<char>& kept, const Crossings& crossings,
-                              const GridPlaces& grid, const SurfaceModel& model, const RunContext& context);
+                              const GridPlaces& grid, const SurfaceModel& model, TriangleTreeOnDemand& tree,
+                              const RunContext& context);
 
 } // namespace atria

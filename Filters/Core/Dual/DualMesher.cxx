@@ -152,9 +152,7 @@ void appendMerged(const Crossings& crossings, const std::vector<Index>& elements
     {
       continue;
     }
-    const auto at = [&](const SurfaceCrossing& cut) {
-      return Vec3(frame.origin + frame.latticeUnit() * pointOn(edge.segment, cut.parameter));
-    };
+    const auto at = [&](const SurfaceCrossing& cut) { return frame.toModel(pointOn(edge.segment, cut.parameter)); };
     const auto cuts = crossings.of(edge);
     out.push_back({Diagnostic::mergedSheets, at(cuts.front()), at(cuts.back()), here != noIndex ? here : there});
   }
@@ -166,9 +164,9 @@ Diagnostic lineOf(Diagnostic::Kind kind, const std::vector<Vec3>& path, Index el
 }
 
 /// Sums up the zones and looks for ways through which they leak, and for gaps through which they do not.
-void inspectZones(const GridPlaces& grid, const SurfaceModel& model, const Crossings& crossings, const Zones& zones,
-                  const std::vector<Index>& elements, const DualMeshOptions& options, DualMeshResult& result,
-                  const RunContext& context)
+void inspectZones(const GridPlaces& grid, const SurfaceModel& model, TriangleTreeOnDemand& tree,
+                  const Crossings& crossings, const Zones& zones, const std::vector<Index>& elements,
+                  const DualMeshOptions& options, DualMeshResult& result, const RunContext& context)
 {
   result.zones = summariseZones(zones, result.keptZones, crossings, grid, model.names.size());
   result.leaks = findLeaks(options.sealedSeeds, zones, crossings, grid, model, context);
@@ -176,7 +174,7 @@ void inspectZones(const GridPlaces& grid, const SurfaceModel& model, const Cross
   {
     result.diagnostics.push_back(lineOf(Diagnostic::leakPath, leak.path, elements[leak.point], leak.width));
   }
-  for (const Crack& crack : findCracks(zones, result.keptZones, crossings, grid, model, context))
+  for (const Crack& crack : findCracks(zones, result.keptZones, crossings, grid, model, tree, context))
   {
     result.diagnostics.push_back(lineOf(crack.open ? Diagnostic::openCrack : Diagnostic::closedCrack, crack.path,
                                         elements[crack.point], crack.width));
@@ -195,7 +193,8 @@ void fixMoved(const std::vector<Vec3>& before, const std::vector<Vec3>& points, 
 /// Grid points, crossings and zones, and from them elements and vertices. What only these need is freed here: it is
 /// larger than the mesh.
 VertexAnchors fillMesh(DualMeshResult& result, const Octree& octree, const SurfaceModel& model,
-                       const DualMeshOptions& options, StageClock& clock, const RunContext& context)
+                       TriangleTreeOnDemand& tree, const DualMeshOptions& options, StageClock& clock,
+                       const RunContext& context)
 {
   context.progress.report(0.0, "Finding grid points");
   const GridPoints points = findGridPoints(octree, context);
@@ -204,8 +203,8 @@ VertexAnchors fillMesh(DualMeshResult& result, const Octree& octree, const Surfa
   GridPlaces grid(octree, points);
   Crossings crossings = findCrossings(grid, model, context);
   context.progress.report(0.45, "Moving grid points");
-  crossings = modifyGrid(grid, model, std::move(crossings), context);
-  closeCracks(crossings, grid, model, options.crackTolerance, context);
+  crossings = modifyGrid(grid, model, tree, std::move(crossings), context);
+  closeCracks(crossings, grid, model, tree, options.crackTolerance, context);
   markTurnedSides(crossings, model.names.size());
   clock.lap("crossings");
   context.progress.report(0.6, "Finding zones");
@@ -213,7 +212,7 @@ VertexAnchors fillMesh(DualMeshResult& result, const Octree& octree, const Surfa
   result.keptZones = keptZones(zones, options.zoneRule, options.seeds, grid, model);
   dropBeyondSides(result.keptZones, zones, grid);
   const std::vector<Index> elements = numberElements(zones, result.keptZones, context);
-  inspectZones(grid, model, crossings, zones, elements, options, result, context);
+  inspectZones(grid, model, tree, crossings, zones, elements, options, result, context);
   clock.lap("zones");
   context.progress.report(0.7, "Placing vertices");
   std::vector<Index> vertexOfLeaf;
@@ -241,9 +240,10 @@ VertexAnchors fillMesh(DualMeshResult& result, const Octree& octree, const Surfa
 DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, const DualMeshOptions& options,
                             StageClock& clock, const RunContext& context)
 {
+  TriangleTreeOnDemand tree(model);
   DualMeshResult result;
-  VertexAnchors anchors = fillMesh(result, octree, model, options, clock, context.part(0.0, 0.55));
-  DualImprover improver(octree, model, std::move(anchors), result, context);
+  VertexAnchors anchors = fillMesh(result, octree, model, tree, options, clock, context.part(0.0, 0.55));
+  DualImprover improver(octree, model, tree, std::move(anchors), result, context);
   clock.lap("elements");
   context.progress.report(0.55, "Improving elements");
   improver.improve();

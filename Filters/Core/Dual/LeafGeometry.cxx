@@ -45,7 +45,7 @@ void LeafGeometry::addCut(const EdgeSegment& edge, std::span<const SurfaceCrossi
 {
   for (const SurfaceCrossing* cut : {&cuts.front(), &cuts.back()})
   {
-    const Vec3 p = frame.origin + frame.latticeUnit() * pointOn(edge, cut->parameter);
+    const Vec3 p = frame.toModel(pointOn(edge, cut->parameter));
     sum += p;
     extent.extend(p);
     count += 1.0;

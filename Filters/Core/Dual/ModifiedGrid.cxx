@@ -11,9 +11,10 @@ namespace atria {
 
 namespace {
 
-void movePoints(GridPlaces& places, const SurfaceModel& model, const Crossings& home, const RunContext& context)
+void movePoints(GridPlaces& places, const SurfaceModel& model, TriangleTreeOnDemand& tree, const Crossings& home,
+                const RunContext& context)
 {
-  MovingGrid grid(places, model, home, context);
+  MovingGrid grid(places, model, tree, home, context);
   constexpr int gapRounds = 4;
   for (const double reach : {0.5, 1.0})
   {
@@ -27,9 +28,10 @@ void movePoints(GridPlaces& places, const SurfaceModel& model, const Crossings& 
 
 } // namespace
 
-Crossings modifyGrid(GridPlaces& grid, const SurfaceModel& model, Crossings home, const RunContext& context)
+Crossings modifyGrid(GridPlaces& grid, const SurfaceModel& model, TriangleTreeOnDemand& tree, Crossings home,
+                     const RunContext& context)
 {
-  movePoints(grid, model, home, context);
+  movePoints(grid, model, tree, home, context);
   if (grid.movedCount() == 0)
   {
     return home;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Dual/Crossings.h"
+#include "Octree/TriangleTree.h"
 
 namespace atria {
 
@@ -15,6 +16,7 @@ namespace atria {
 /// opens a way between zones that the octree's own grid keeps apart: points through which they would meet go home again
 /// (ZonesApart.h). Returns the crossings of the moved grid; `home` are those of the octree's own. The cost is that of
 /// the places in question, and going through the cut edges a few times; the moves are serial, in the order of points.
-Crossings modifyGrid(GridPlaces& grid, const SurfaceModel& model, Crossings home, const RunContext& context);
+Crossings modifyGrid(GridPlaces& grid, const SurfaceModel& model, TriangleTreeOnDemand& tree, Crossings home,
+                     const RunContext& context);
 
 } // namespace atria

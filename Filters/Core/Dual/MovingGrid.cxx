@@ -26,10 +26,10 @@ template <typename F> void eachLeaf(const EdgeSegment& edge, F&& f)
 
 } // namespace
 
-MovingGrid::MovingGrid(GridPlaces& places, const SurfaceModel& model, const Crossings& crossings,
-                       const RunContext& context)
-    : grid(places), tree(places.octree()), surfaces(model), home(crossings), triangleTree(model),
-      probe(tree, model, &triangleTree), atCorners(curvesAtCorners(model)),
+MovingGrid::MovingGrid(GridPlaces& places, const SurfaceModel& model, TriangleTreeOnDemand& triangles,
+                       const Crossings& crossings, const RunContext& context)
+    : grid(places), tree(places.octree()), surfaces(model), home(crossings), probe(tree, model, &triangles),
+      atCorners(curvesAtCorners(model)),
       movedOf(crossings.crossedEdges.size(), noIndex), view{{}, LeafTopology(tree, model), {}}
 {
   listEdges();

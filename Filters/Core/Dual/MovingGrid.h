@@ -33,7 +33,8 @@ public:
   };
 
   /// `home` are the crossings while no point is moved; they are referred to.
-  MovingGrid(GridPlaces& places, const SurfaceModel& surfaces, const Crossings& home, const RunContext& context);
+  MovingGrid(GridPlaces& places, const SurfaceModel& surfaces, TriangleTreeOnDemand& triangles, const Crossings& home,
+             const RunContext& context);
 
   const GridPlaces& places() const { return grid; }
   const GridPoints& points() const { return grid.points(); }
@@ -94,7 +95,6 @@ private:
   const Octree& tree;
   const SurfaceModel& surfaces;
   const Crossings& home;
-  TriangleTreeOnDemand triangleTree;
   EdgeProbe probe;
   std::vector<std::vector<std::vector<Index>>> atCorners;
   /// Edges are numbered as in `home`, and then as they come. Those of leaf l are edgesOfLeaf[begin[l], begin[l + 1])

@@ -53,16 +53,6 @@ double rayParameter(const Vec3& origin, const Vec3& direction, const Vec3& a, co
   return u < -rounding || v < -rounding || u + v > 1.0 + rounding ? none : ac.dot(q) / determinant;
 }
 
-bool touch(const Box3& l, const Box3& r)
-{
-  return (l.min.array() <= r.max.array()).all() && (r.min.array() <= l.max.array()).all();
-}
-
-double squaredDistance(const Box3& box, const Vec3& p)
-{
-  return (p.cwiseMax(box.min).cwiseMin(box.max) - p).squaredNorm();
-}
-
 } // namespace
 
 TriangleTree::TriangleTree(const SurfaceModel& model)
@@ -87,10 +77,9 @@ Index TriangleTree::build(Index begin, Index end)
   Box3 ofCenters;
   for (Index i = begin; i < end; ++i)
   {
-    for (int k = 0; k < 3; ++k)
-    {
-      box.extend(toVector(model_.corner(order_[i], k)));
-    }
+    const Box3 own = model_.bounds(order_[i]);
+    box.extend(own.min);
+    box.extend(own.max);
     ofCenters.extend(centers_[order_[i]]);
   }
   nodes_.push_back({box, begin, end, noIndex});
@@ -157,7 +146,7 @@ std::vector<Index> TriangleTree::touching(const LatticeBox& box) const
     const Index id = open.back();
     open.pop_back();
     const Node& node = nodes_[id];
-    if (!touch(node.box, wanted))
+    if (!node.box.touches(wanted))
     {
       continue;
     }
@@ -167,14 +156,8 @@ std::vector<Index> TriangleTree::touching(const LatticeBox& box) const
       open.push_back(id + 1);
       continue;
     }
-    std::copy_if(order_.begin() + node.begin, order_.begin() + node.end, std::back_inserter(found), [&](Index t) {
-      Box3 own;
-      for (int k = 0; k < 3; ++k)
-      {
-        own.extend(toVector(model_.corner(t, k)));
-      }
-      return touch(own, wanted);
-    });
+    std::copy_if(order_.begin() + node.begin, order_.begin() + node.end, std::back_inserter(found),
+                 [&](Index t) { return model_.bounds(t).touches(wanted); });
   }
   std::sort(found.begin(), found.end());
   return found;
@@ -189,7 +172,7 @@ std::optional<Vec3> TriangleTree::nearest(const Vec3& p, double farthest,
   // Nodes with a lower bound of their distance; the nearer child is looked at first.
   std::vector<std::pair<double, Index>> open;
   const auto add = [&](Index id) {
-    const double distance = squaredDistance(nodes_[id].box, p);
+    const double distance = nodes_[id].box.squaredDistance(p);
     if (distance <= least.distance)
     {
       open.emplace_back(distance, id);
@@ -210,7 +193,7 @@ std::optional<Vec3> TriangleTree::nearest(const Vec3& p, double farthest,
     }
     if (node.upper != noIndex)
     {
-      const bool lowerFirst = squaredDistance(nodes_[id + 1].box, p) <= squaredDistance(nodes_[node.upper].box, p);
+      const bool lowerFirst = nodes_[id + 1].box.squaredDistance(p) <= nodes_[node.upper].box.squaredDistance(p);
       add(lowerFirst ? node.upper : id + 1);
       add(lowerFirst ? id + 1 : node.upper);
       continue;

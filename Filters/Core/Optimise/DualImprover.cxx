@@ -11,10 +11,10 @@
 
 namespace atria {
 
-DualImprover::DualImprover(const Octree& octree, const SurfaceModel& model, VertexAnchors anchors,
-                           DualMeshResult& result, const RunContext& context)
-    : octree_(octree), model_(model), anchors_(std::move(anchors)), result_(result), mesh_(result.mesh),
-      context_(context), vertexOf_(result.mesh.points.size()), tree_(model)
+DualImprover::DualImprover(const Octree& octree, const SurfaceModel& model, TriangleTreeOnDemand& tree,
+                           VertexAnchors anchors, DualMeshResult& result, const RunContext& context)
+    : octree_(octree), model_(model), tree_(tree), anchors_(std::move(anchors)), result_(result), mesh_(result.mesh),
+      context_(context), vertexOf_(result.mesh.points.size())
 {
   std::iota(vertexOf_.begin(), vertexOf_.end(), Index{0});
 }

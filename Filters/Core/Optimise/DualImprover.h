@@ -14,8 +14,8 @@ class DualImprover
 {
 public:
   /// Points of the result's mesh are the vertices of `anchors`.
-  DualImprover(const Octree& octree, const SurfaceModel& model, VertexAnchors anchors, DualMeshResult& result,
-               const RunContext& context);
+  DualImprover(const Octree& octree, const SurfaceModel& model, TriangleTreeOnDemand& tree, VertexAnchors anchors,
+               DualMeshResult& result, const RunContext& context);
 
   /// Moves points where elements at the boundary fall short, along what they are on. The two sides of a sheet still are
   /// one. Elements all of whose points are on one plane of a sheet stay flat; the layer opens them.
@@ -31,12 +31,12 @@ private:
 
   const Octree& octree_;
   const SurfaceModel& model_;
+  TriangleTreeOnDemand& tree_;
   VertexAnchors anchors_;
   DualMeshResult& result_;
   DualMesh& mesh_;
   const RunContext& context_;
   std::vector<Index> vertexOf_;
-  TriangleTreeOnDemand tree_;
 };
 
 } // namespace atria

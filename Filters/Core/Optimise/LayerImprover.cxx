@@ -39,10 +39,9 @@ std::vector<ShortCell> badOf(const std::vector<ShortCell>& cells)
   return bad;
 }
 
-/// Takes a layer away at the points of cells that have several.
-void lower(const LayerMesh& layer, const std::vector<ShortCell>& cells, std::vector<Index>& counts)
+/// Marks the points of cells, or those of the wall that they stand above.
+void markPoints(const LayerMesh& layer, const std::vector<ShortCell>& cells, std::vector<char>& marked)
 {
-  std::vector<char> marked(counts.size(), 0);
   for (const ShortCell& cell : cells)
   {
     for (const Index p : layer.mesh.corners[cell.cell])
@@ -50,6 +49,13 @@ void lower(const LayerMesh& layer, const std::vector<ShortCell>& cells, std::vec
       marked[layer.wallPointOf(p)] = 1;
     }
   }
+}
+
+/// Takes a layer away at the points of cells that have several.
+void lower(const LayerMesh& layer, const std::vector<ShortCell>& cells, std::vector<Index>& counts)
+{
+  std::vector<char> marked(counts.size(), 0);
+  markPoints(layer, cells, marked);
   for (Index p = 0; p < counts.size(); ++p)
   {
     counts[p] = marked[p] && counts[p] > 1 ? counts[p] - 1 : counts[p];
@@ -211,13 +217,7 @@ std::vector<ShortCell> LayerImprover::improve(const std::vector<ShortCell>& cell
   options.rings = rings;
   const std::vector<ShortCell> left =
       optimise(DualSource(layer_.mesh), layer_.mesh.points, cells, guides.layer, options, context_);
-  for (const ShortCell& cell : left)
-  {
-    for (const Index p : layer_.mesh.corners[cell.cell])
-    {
-      suspect_[layer_.wallPointOf(p)] = 1;
-    }
-  }
+  markPoints(layer_, left, suspect_);
   return left;
 }
 

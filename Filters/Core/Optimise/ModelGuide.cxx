@@ -193,7 +193,7 @@ Vec3 ModelGuide::nearestOf(const Target& target, const Vec3& p) const
     const double atMost = 1.001 * (target.start - p).norm() / frame.latticeUnit() + 1.0;
     std::optional<Vec3> found = tree_->nearest(wanted, atMost, isWanted);
     found = found ? found : tree_->nearest(wanted, std::numeric_limits<double>::infinity(), isWanted);
-    return found ? Vec3(frame.origin + frame.latticeUnit() * *found) : p;
+    return found ? frame.toModel(*found) : p;
   }
   Vec3 best = p;
   double least = std::numeric_limits<double>::infinity();

@@ -32,6 +32,12 @@ struct Box3
     min = min.cwiseMin(p);
     max = max.cwiseMax(p);
   }
+  /// Touching counts.
+  bool touches(const Box3& other) const
+  {
+    return (min.array() <= other.max.array()).all() && (other.min.array() <= max.array()).all();
+  }
+  double squaredDistance(const Vec3& p) const { return (p.cwiseMax(min).cwiseMin(max) - p).squaredNorm(); }
 };
 
 /// The six axis directions, in the order in which faces of elements and sides of the domain are kept.

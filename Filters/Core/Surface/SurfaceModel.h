@@ -66,6 +66,16 @@ struct SurfaceModel
   bool isTurnedSide(Index triangle) const { return surfaceIds[triangle] >= names.size(); }
   CurveKind kindOf(const FeatureEdge& edge) const { return curves[edge.curve].kind; }
   const LatticePoint& corner(Index triangle, int i) const { return points[triangles[triangle][i]]; }
+  /// Of a triangle, in lattice units.
+  Box3 bounds(Index triangle) const
+  {
+    Box3 box;
+    for (int i = 0; i < 3; ++i)
+    {
+      box.extend(toVector(corner(triangle, i)));
+    }
+    return box;
+  }
   /// Twice the triangle's area vector, in lattice units.
   Vec3 normal(Index triangle) const;
 };

@@ -82,7 +82,8 @@ public:
     grid.emplace(octree, points);
     crossings = findCrossings(*grid, model, context);
     GridPlaces moved(octree, points);
-    modified = modifyGrid(moved, model, crossings, context);
+    TriangleTreeOnDemand tree(model);
+    modified = modifyGrid(moved, model, tree, crossings, context);
     for (const auto& about : points.leaves)
     {
       leaves.insert(leaves.end(), about.begin(), about.end());
@@ -211,8 +212,9 @@ void movedPoints(benchmark::State& state, const Case& which)
     state.PauseTiming();
     GridPlaces places(work.octree, work.points);
     Crossings home = work.crossings;
+    TriangleTreeOnDemand tree(work.model);
     state.ResumeTiming();
-    benchmark::DoNotOptimize(modifyGrid(places, work.model, std::move(home), work.context));
+    benchmark::DoNotOptimize(modifyGrid(places, work.model, tree, std::move(home), work.context));
   }
   count(state, work.points.size());
 }
