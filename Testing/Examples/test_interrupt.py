@@ -84,7 +84,7 @@ class Interrupt(unittest.TestCase):
         self.assertNotIn("\r", run.stderr)
 
     def test_ctrl_c_leaves_no_files(self):
-        for phase in ("Reading surfaces", "Finding crossings", "Improving elements", "Growing layers", "Judging"):
+        for phase in ("Reading surfaces", "Finding crossings", "Growing layers", "Judging"):
             with self.subTest(phase):
                 run = OnTerminal("mesh", HOUSE, *FINE, *self.outputs())
                 run.read_until(phase)

@@ -244,12 +244,9 @@ DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, con
   DualMeshResult result;
   VertexAnchors anchors = fillMesh(result, octree, model, tree, options, clock, context.part(0.0, 0.55));
   DualImprover improver(octree, model, tree, std::move(anchors), result, context);
-  clock.lap("elements");
-  context.progress.report(0.55, "Improving elements");
-  improver.improve();
   improver.splitPoints();
-  clock.lap("optimise");
-  context.progress.report(0.75, "Growing layers");
+  clock.lap("elements");
+  context.progress.report(0.55, "Growing layers");
   improver.growLayers(options.layers);
   context.progress.report(0.98, "Placing the mesh in the model");
   placeInModel(result, octree.frame().placement, context);

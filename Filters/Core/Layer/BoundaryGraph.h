@@ -38,6 +38,11 @@ inline Index cornerOf(const DualMesh& mesh, const BoundaryFace& face, int i)
   return mesh.corners[face.element][hexahedronFace[face.direction][i & 3]];
 }
 
+inline std::array<Index, 4> cornersOf(const DualMesh& mesh, const BoundaryFace& face)
+{
+  return {cornerOf(mesh, face, 0), cornerOf(mesh, face, 1), cornerOf(mesh, face, 2), cornerOf(mesh, face, 3)};
+}
+
 /// O(n log n) in boundary faces.
 BoundaryGraph findBoundaryGraph(const DualMesh& mesh, const RunContext& context);
 

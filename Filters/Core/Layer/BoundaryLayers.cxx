@@ -42,8 +42,7 @@ std::vector<char> besideFewer(const DualMesh& plain, const LayerMesh& one, const
   std::vector<char> marked(counts.size(), 0);
   for (const Index f : one.wallFaces)
   {
-    std::array<Index, 4> points;
-    std::ranges::generate(points, [&, i = 0]() mutable { return cornerOf(plain, plain.boundaryFaces[f], i++); });
+    const std::array<Index, 4> points = cornersOf(plain, plain.boundaryFaces[f]);
     const Index fewest = std::ranges::min(points, {}, [&](Index p) { return counts[p]; });
     for (const Index p : points)
     {
@@ -153,14 +152,12 @@ void limitSteps(const DualMesh& plain, const LayerMesh& one, std::vector<Index>&
     changed = false;
     for (const Index f : one.wallFaces)
     {
-      for (int i = 0; i < 4; ++i)
+      const std::array<Index, 4> points = cornersOf(plain, plain.boundaryFaces[f]);
+      const Index most = 1 + counts[std::ranges::min(points, {}, [&](Index p) { return counts[p]; })];
+      for (const Index p : points)
       {
-        Index& here = counts[cornerOf(plain, plain.boundaryFaces[f], i)];
-        Index& next = counts[cornerOf(plain, plain.boundaryFaces[f], i + 1)];
-        Index& more = here > next ? here : next;
-        const Index most = std::min(here, next) + 1;
-        changed = changed || more > most;
-        more = std::min(more, most);
+        changed = changed || counts[p] > most;
+        counts[p] = std::min(counts[p], most);
       }
     }
   }

@@ -81,6 +81,11 @@ template <typename EachFace> CellMeasure measureCell(EachFace&& eachFace)
   return {std::abs(triple) > tiny ? Vec3(moment / triple) : estimate, triple / 3.0, estimate};
 }
 
+/// OpenFOAM's interpolation weight.
+double weightOf(const FaceMeasure& face, const CellMeasure& own, const CellMeasure& other);
+/// The smaller over the larger; negative where one of them is.
+double volumeRatioOf(const CellMeasure& own, const CellMeasure& other);
+
 CellMeasure measureCell(const CellSource& source, Index cell, CellSource::Scratch& scratch);
 
 } // namespace atria

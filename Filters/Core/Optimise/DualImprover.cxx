@@ -4,7 +4,6 @@
 #include "Dual/Sheets.h"
 #include "Dual/TurnedDomain.h"
 #include "Optimise/LayerImprover.h"
-#include "Optimise/ModelGuide.h"
 
 #include <algorithm>
 #include <numeric>
@@ -17,16 +16,6 @@ DualImprover::DualImprover(const Octree& octree, const SurfaceModel& model, Tria
       context_(context), vertexOf_(result.mesh.points.size())
 {
   std::iota(vertexOf_.begin(), vertexOf_.end(), Index{0});
-}
-
-void DualImprover::improve()
-{
-  ModelGuide guide(octree_, model_, tree_, anchors_, mesh_.points, vertexOf_);
-  OptimiserOptions options;
-  options.targets.decomposed = false;
-  const DualSource source(mesh_);
-  optimise(source, mesh_.points, findShortCells(source, boundaryPoints(mesh_), options.targets, context_), guide,
-           options, context_);
 }
 
 void DualImprover::splitPoints()
@@ -46,16 +35,16 @@ void DualImprover::growLayers(const std::vector<LayerRule>& rules)
   LayerOptions options;
   options.ofTag = resolveLayerRules(rules, model_.names);
   options.sideNormals = sideNormalsOf(octree_.frame());
-  const auto most = std::ranges::max_element(options.ofTag, {}, &WallLayers::layers);
+  const int most = std::ranges::max_element(options.ofTag, {}, &WallLayers::layers)->layers;
   DualMesh plain = std::move(mesh_);
   const LayerWalls walls = findLayerWalls(plain, options, context_);
   LayerImprover improver(octree_, model_, tree_, anchors_, vertexOf_, plain, walls, options, context_);
   LayerMesh layer = improver.run();
-  if (most->layers > 1)
+  if (most > 1)
   {
     layer = improver.divide(layer);
   }
-  if (most->layers > 0)
+  if (most > 0)
   {
     result_.layers = reportLayers(plain, walls, layer, options, model_.names);
   }

@@ -17,12 +17,9 @@ public:
   DualImprover(const Octree& octree, const SurfaceModel& model, TriangleTreeOnDemand& tree, VertexAnchors anchors,
                DualMeshResult& result, const RunContext& context);
 
-  /// Moves points where elements at the boundary fall short, along what they are on. The two sides of a sheet still are
-  /// one. Elements all of whose points are on one plane of a sheet stay flat; the layer opens them.
-  void improve();
   /// See splitSheets.
   void splitPoints();
-  /// Grows layers on walls and makes the elements at the boundary valid (see LayerImprover), also where they ask for
+  /// Grows layers on walls and makes the elements at the boundary valid (see LayerImprover), also where rules ask for
   /// none. Does nothing without rules.
   void growLayers(const std::vector<LayerRule>& rules);
 

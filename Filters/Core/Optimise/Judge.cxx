@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t grain = 1024;
 constexpr double tiny = 1e-150;
 /// Over the cube of the mean edge.
-constexpr double flatVolume = 0.02;
+constexpr double flatVolume = 0.004;
 /// Of what is flat but for rounding.
 constexpr double flatSine = 1e-7;
 /// Skewness is not more than this, so that one wild face does not drown the others.
@@ -34,38 +34,12 @@ Vec3 triangle(const Vec3& a, const Vec3& b, const Vec3& c)
   return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
 }
 
-/// As in Quality/CheckQuantities.h.
-double weightOf(const FaceMeasure& face, const CellMeasure& own, const CellMeasure& other)
-{
-  const double nearer = std::abs(face.normal.dot(face.centroid - own.centroid));
-  const double farther = std::abs(face.normal.dot(other.centroid - face.centroid));
-  return std::min(nearer, farther) / (nearer + farther + tiny);
-}
-
-double volumeRatioOf(const CellMeasure& own, const CellMeasure& other)
-{
-  const double larger = std::max(std::abs(own.volume), std::abs(other.volume));
-  return std::min(own.volume, other.volume) / (larger + tiny);
-}
-
 } // namespace
-
-QualityTargets QualityTargets::beyond(double share) const
-{
-  QualityTargets out = *this;
-  for (QualityRange* range : {&out.pyramidCosine, &out.convexity, &out.faceCosine, &out.skewness, &out.weight,
-                              &out.volumeRatio, &out.cornerVolume, &out.boundaryShape, &out.determinant})
-  {
-    *range = range->beyond(share);
-  }
-  out.scaledJacobian *= 1.0 + share;
-  return out;
-}
 
 Judge::Judge(Region& region, const QualityTargets& targets, const RunContext& context)
     : region_(region), targets_(targets), faces(region.faceCount()), fans(region.facePoints.size()),
       halves(region.facePoints.size()), cells(region.cellCount()), sizes(region.judgedCount()),
-      cornerScales(sizes.size()), flatVolumes(sizes.size())
+      cornerScales(sizes.size()), flatVolumes(sizes.size()), cellScores(sizes.size()), faceScores(faces.size())
 {
   context.executor.forEach(faces.size(), grain, [&](std::size_t f) { measure(static_cast<Index>(f)); });
   context.executor.forEach(sizes.size(), grain, [&](std::size_t c) {
@@ -90,6 +64,10 @@ Judge::Judge(Region& region, const QualityTargets& targets, const RunContext& co
   {
     cells[sizes.size() + g] = {region.ghostCentroids[g], region.ghostVolumes[g], region.ghostCentroids[g]};
   }
+  context.executor.forEach(cellScores.size(), grain,
+                           [&](std::size_t c) { judgeCell(static_cast<Index>(c), cellScores[c]); });
+  context.executor.forEach(faceScores.size(), grain,
+                           [&](std::size_t f) { judgeFace(static_cast<Index>(f), faceScores[f]); });
 }
 
 void Judge::measure(Index face)
@@ -166,23 +144,80 @@ void Judge::move(const Star& star, const Vec3& p)
   }
 }
 
-Score Judge::scoreOf(const Star& star, double enough) const
+bool Judge::isGood(std::size_t movable) const
 {
-  Score score;
-  for (std::size_t i = 0; i < star.cells.size() && score.penalty <= enough; ++i)
-  {
-    score.add(scoreOfCell(star.cells[i]));
-  }
-  for (std::size_t i = 0; i < star.faces.size() && score.penalty <= enough; ++i)
-  {
-    score.add(scoreOfFace(star.faces[i]));
-  }
-  return score;
+  return std::ranges::all_of(region_.cellsAbout(movable), [&](Index cell) {
+    return cellScores[cell].penalty == 0.0 &&
+           std::ranges::all_of(region_.facesOf(cell), [&](Index f) { return faceScores[f].penalty == 0.0; });
+  });
 }
 
-Score Judge::scoreOfCell(Index cell) const
+Score Judge::look(Star& star, double enough) const
 {
-  Score score;
+  star.scores.assign(star.cells.size() + star.faces.size(), {});
+  Score sum;
+  auto next = star.scores.begin();
+  for (std::size_t i = 0; i < star.cells.size() && sum.penalty <= enough; ++i, ++next)
+  {
+    judgeCell(star.cells[i], *next);
+    sum.add(*next);
+  }
+  for (std::size_t i = 0; i < star.faces.size() && sum.penalty <= enough; ++i, ++next)
+  {
+    judgeFace(star.faces[i], *next);
+    sum.add(*next);
+  }
+  return sum;
+}
+
+void Judge::accept(const Star& star)
+{
+  auto next = star.scores.begin();
+  for (const Index cell : star.cells)
+  {
+    cellScores[cell] = *next++;
+  }
+  for (const Index face : star.faces)
+  {
+    faceScores[face] = *next++;
+  }
+}
+
+Score Judge::scoreOf(const Star& star) const
+{
+  Score sum;
+  for (const Index cell : star.cells)
+  {
+    sum.add(cellScores[cell]);
+  }
+  for (const Index face : star.faces)
+  {
+    sum.add(faceScores[face]);
+  }
+  return sum;
+}
+
+void Judge::residualsOf(const Star& star, Residuals& out) const
+{
+  out.values.clear();
+  for (const Index cell : star.cells)
+  {
+    if (cellScores[cell].penalty > 0.0)
+    {
+      judgeCell(cell, out);
+    }
+  }
+  for (const Index face : star.faces)
+  {
+    if (faceScores[face].penalty > 0.0)
+    {
+      judgeFace(face, out);
+    }
+  }
+}
+
+template <typename Sink> void Judge::judgeCell(Index cell, Sink& score) const
+{
   const auto own = region_.facesOf(cell);
   const CellMeasure& measure = cells[cell];
   for (const Index f : own)
@@ -193,6 +228,10 @@ Score Judge::scoreOfCell(Index cell) const
     if (!isAbove(normal.dot(toFace), targets_.pyramidCosine.target, toFace))
     {
       score.add(targets_.pyramidCosine.of(normal.dot(toFace) / (toFace.norm() + tiny)));
+    }
+    else
+    {
+      score.addGood();
     }
     scoreCorners(f, cell, score);
     for (const Index g : targets_.convex ? own : std::span<const Index>())
@@ -209,11 +248,15 @@ Score Judge::scoreOfCell(Index cell) const
       {
         score.add(targets_.convexity.of(inside / (between.norm() + tiny)));
       }
+      else
+      {
+        score.addGood();
+      }
     }
   }
   if (targets_.decomposed)
   {
-    const double q = targets_.determinant.of(determinantOf(cell));
+    const double q = targets_.determinantRoot.of(std::sqrt(std::sqrt(determinantOf(cell))));
     targets_.determinants ? score.add(q) : score.addPenalty(q);
   }
   if (targets_.scaledJacobian > 0.0)
@@ -225,7 +268,6 @@ Score Judge::scoreOfCell(Index cell) const
       score.add(terms.values[i] / targets_.scaledJacobian);
     }
   }
-  return score;
 }
 
 double Judge::determinantOf(Index cell) const
@@ -277,7 +319,7 @@ std::array<double, 4> Judge::halfVolumes(Index face, const Vec3& middle) const
 }
 
 /// OpenFOAM takes a face apart into triangles about its centroid. In the tetrahedra of these, a parallelepiped has 24.
-void Judge::scoreCorners(Index face, Index cell, Score& score) const
+template <typename Sink> void Judge::scoreCorners(Index face, Index cell, Sink& score) const
 {
   const std::size_t size = region_.face(face).size();
   const Vec3& middle = middleOf(cell);
@@ -306,7 +348,7 @@ void Judge::scoreCorners(Index face, Index cell, Score& score) const
 
 /// OpenFOAM also takes a face apart into triangles about one of its corners, the same for the cells on both sides. In
 /// a quadrilateral there are two ways.
-void Judge::scoreFans(Index face, Score& score) const
+template <typename Sink> void Judge::scoreFans(Index face, Sink& score) const
 {
   if (region_.face(face).size() != 4 || !targets_.decomposed)
   {
@@ -330,9 +372,8 @@ void Judge::scoreFans(Index face, Score& score) const
   score.add(std::max(least[0], least[1]));
 }
 
-Score Judge::scoreOfFace(Index face) const
+template <typename Sink> void Judge::judgeFace(Index face, Sink& score) const
 {
-  Score score;
   const FaceMeasure& f = faces[face];
   const CellMeasure& own = cells[region_.owner[face]];
   const Index across = region_.neighbour[face];
@@ -342,7 +383,7 @@ Score Judge::scoreOfFace(Index face) const
     const double height = f.normal.dot(f.centroid - own.centroid);
     scoreSkewness(face, height * f.normal, score);
     scoreBoundary(face, score);
-    return score;
+    return;
   }
   const CellMeasure& other = cells[across];
   const Vec3 d = other.centroid - own.centroid;
@@ -350,13 +391,16 @@ Score Judge::scoreOfFace(Index face) const
   {
     score.add(targets_.faceCosine.of(f.normal.dot(d) / (d.norm() + tiny)));
   }
+  else
+  {
+    score.addGood();
+  }
   scoreSkewness(face, d, score);
   score.add(targets_.weight.of(weightOf(f, own, other)));
   score.add(targets_.volumeRatio.of(volumeRatioOf(own, other)));
-  return score;
 }
 
-void Judge::scoreBoundary(Index face, Score& score) const
+template <typename Sink> void Judge::scoreBoundary(Index face, Sink& score) const
 {
   const auto points = region_.face(face);
   const FaceMeasure& f = faces[face];
@@ -367,7 +411,7 @@ void Judge::scoreBoundary(Index face, Score& score) const
   }
 }
 
-void Judge::scoreSkewness(Index face, const Vec3& d, Score& score) const
+template <typename Sink> void Judge::scoreSkewness(Index face, const Vec3& d, Sink& score) const
 {
   const double skewness = faces[face].normal.isZero() ? wild : skewnessOf(face, d, targets_.skewness.target);
   score.add(targets_.skewness.of(std::min(skewness, wild)));
@@ -408,74 +452,6 @@ JacobianTerms Judge::jacobiansOf(Index cell) const
     corners[i] = region_.points[native.corners[i]];
   }
   return jacobianTerms(native.type, corners);
-}
-
-LeastMetrics Judge::metricsOf(const Star& star) const
-{
-  LeastMetrics least;
-  for (const Index cell : star.cells)
-  {
-    least.take(metricsOfCell(cell));
-  }
-  for (const Index face : star.faces)
-  {
-    least.take(metricsOfFace(face));
-  }
-  return least;
-}
-
-LeastMetrics Judge::metricsOfCell(Index cell) const
-{
-  LeastMetrics least;
-  const CellMeasure& measure = cells[cell];
-  double nearest = std::numeric_limits<double>::infinity();
-  double farthest = 0.0;
-  const auto measureDistance = [&](const Vec3& to) {
-    const double distance = (to - measure.centroid).norm();
-    nearest = std::min(nearest, distance);
-    farthest = std::max(farthest, distance);
-  };
-  for (const Index f : region_.facesOf(cell))
-  {
-    const Vec3 toFace = faces[f].centroid - measure.centroid;
-    const double side = sign(cell, f);
-    least.take(LeastMetrics::pyramidCosine, side * faces[f].normal.dot(toFace) / (toFace.norm() + tiny));
-    least.take(LeastMetrics::facePyramid, side * faces[f].area.dot(toFace) / 3.0);
-    measureDistance(faces[f].centroid);
-    for (const Index point : region_.face(f))
-    {
-      measureDistance(region_.points[point]);
-    }
-  }
-  least.take(LeastMetrics::inverseAspectRatio, farthest > 0.0 ? nearest / farthest : 0.0);
-  least.take(LeastMetrics::volume, measure.volume);
-  least.take(LeastMetrics::determinant, determinantOf(cell));
-  const JacobianTerms terms = jacobiansOf(cell);
-  for (std::size_t i = 0; i < terms.count; ++i)
-  {
-    least.take(LeastMetrics::scaledJacobian, terms.values[i]);
-  }
-  return least;
-}
-
-LeastMetrics Judge::metricsOfFace(Index face) const
-{
-  LeastMetrics least;
-  const FaceMeasure& f = faces[face];
-  const CellMeasure& own = cells[region_.owner[face]];
-  const Index across = region_.neighbour[face];
-  if (across == noIndex)
-  {
-    least.take(LeastMetrics::skewness, -skewnessOf(face, f.normal.dot(f.centroid - own.centroid) * f.normal, 0.0));
-    return least;
-  }
-  const CellMeasure& other = cells[across];
-  const Vec3 d = other.centroid - own.centroid;
-  least.take(LeastMetrics::faceCosine, f.normal.dot(d) / (d.norm() + tiny));
-  least.take(LeastMetrics::skewness, -skewnessOf(face, d, 0.0));
-  least.take(LeastMetrics::weight, weightOf(f, own, other));
-  least.take(LeastMetrics::volumeRatio, volumeRatioOf(own, other));
-  return least;
 }
 
 } // namespace atria

@@ -3,68 +3,21 @@
 #pragma once
 
 #include "Optimise/CellMeasure.h"
+#include "Optimise/QualityTargets.h"
 #include "Quality/ScaledJacobian.h"
 
 namespace atria {
 
-/// What of a measure is valid, and what is good enough.
-struct QualityRange
+/// By how much a measure falls short: 0 at the target. What is hardly valid or not at all counts for more, so that it
+/// is not left for the good of others.
+inline double shortfallOf(double q)
 {
-  double limit;
-  double target;
+  constexpr double poor = 0.3;
+  constexpr double stress = 3.0;
+  return q >= 1.0 ? 0.0 : 1.0 - q + stress * std::max(0.0, poor - q);
+}
 
-  /// 0 at the limit, 1 at the target.
-  double of(double measure) const { return (measure - limit) / (target - limit); }
-  /// Another target. The limit moves on where it would come too close.
-  void aimAt(double wanted)
-  {
-    const double limitThere = limit / target * wanted;
-    limit = limit < target ? std::min(limit, limitThere) : std::max(limit, limitThere);
-    target = wanted;
-  }
-  /// The target moved away from the limit by this share of the way between them.
-  QualityRange beyond(double share) const { return {limit, target + share * (target - limit)}; }
-};
-
-/// What good cells have. The limits leave a little room to those of OpenFOAM's checkMesh. See Judge for the measures.
-struct QualityTargets
-{
-  /// Cosine between a face's normal and the way from the cell's centroid to the face's: 1 - CellSquish.
-  QualityRange pyramidCosine{0.01, 0.21};
-  /// Sine of the angle by which the centroid of a face lies behind the plane of another of the cell's faces. Two faces
-  /// on the mesh's boundary may lie in one plane.
-  QualityRange convexity{0.0005, 0.04};
-  /// Whether cells have to be convex.
-  bool convex = true;
-  /// Cosine between a face's normal and the way between the cells' centroids: 1 - FaceSquish.
-  QualityRange faceCosine{0.03, 0.5};
-  /// OpenFOAM's skewness.
-  QualityRange skewness{3.8, 2.0};
-  /// OpenFOAM's interpolation weight.
-  QualityRange weight{0.06, 0.15};
-  /// Volumes of neighbours, the smaller over the larger.
-  QualityRange volumeRatio{0.015, 0.05};
-  /// Twelve times the least volume of a tetrahedron from the mean of the cell's face centroids to a corner of a face,
-  /// over the cube of the cell's mean edge.
-  QualityRange cornerVolume{0.0, 0.02};
-  /// Least of a boundary face's triangles about its mean, along its normal, over their mean.
-  QualityRange boundaryShape{0.0, 0.1};
-  /// Of the sum of the dyads of a cell's internal face areas over their mean: OpenFOAM's cell determinant. A cell with
-  /// other cells beside it on two axes only has none, whatever its shape.
-  QualityRange determinant{0.0011, 0.01};
-  /// Whether it counts for the worst; if not, it is improved where that is possible.
-  bool determinants = true;
-  /// Whether faces must be star-shaped about their centroids, as OpenFOAM's decomposition into tetrahedra asks, and
-  /// determinants are looked at.
-  bool decomposed = true;
-  /// Verdict's scaled Jacobian of cells that have one, its limit 0; a target of 0 asks for nothing.
-  double scaledJacobian = 0.0;
-
-  /// All targets farther from their limits: measures creep up to what is aimed at and stop just short of it.
-  QualityTargets beyond(double share) const;
-};
-
-/// Sum of (1 - q)² over all measures q below 1, and the least q.
+/// Sum of the squares of what all measures fall short, and the least measure.
 struct Score
 {
   double penalty = 0.0;
@@ -77,16 +30,26 @@ struct Score
   }
   void addPenalty(double q)
   {
-    if (q < 1.0)
-    {
-      penalty += (1.0 - q) * (1.0 - q);
-    }
+    const double shortfall = shortfallOf(q);
+    penalty += shortfall * shortfall;
   }
+  /// Of a measure that was seen to be good without computing it.
+  void addGood() {}
   void add(const Score& other)
   {
     penalty += other.penalty;
     worst = std::min(worst, other.worst);
   }
+};
+
+/// What measures fall short, in the order they are looked at.
+struct Residuals
+{
+  std::vector<double> values;
+
+  void add(double q) { values.push_back(shortfallOf(q)); }
+  void addPenalty(double q) { add(q); }
+  void addGood() { values.push_back(0.0); }
 };
 
 /// The least of what Quality/Metrics.h measures of cells and their faces, and some of Quality/CheckQuantities.h.
@@ -129,6 +92,8 @@ struct Star
   std::vector<Index> cells;
   std::vector<Index> moving; ///< faces that have one of the points
   std::vector<Index> faces;  ///< all faces of the cells
+  /// Of the cells and then of the faces, at the place looked at last.
+  std::vector<Score> scores;
 };
 
 /// Keeps the measures of a region's faces and cells and judges by them. Points in whose stars no cell is the same or a
@@ -141,14 +106,23 @@ public:
   const Region& region() const { return region_; }
   double sizeOf(Index cell) const { return sizes[cell]; }
 
+  /// Whether nothing about a point falls short.
+  bool isGood(std::size_t movable) const;
   void enter(std::size_t movable, Star& star) const;
-  /// Moves the star's point and measures all that depends on it.
+  /// Moves the star's point and measures all that depends on it. Scores are kept as they are until `accept`.
   void move(const Star& star, const Vec3& p);
-  /// As soon as the penalty is above `enough` the rest is not looked at.
-  Score scoreOf(const Star& star, double enough = std::numeric_limits<double>::infinity()) const;
+  /// Of the point where it is. As soon as the penalty is above `enough` the rest is not looked at.
+  Score look(Star& star, double enough = std::numeric_limits<double>::infinity()) const;
+  /// Keeps what was seen in the last look, which was not cut short.
+  void accept(const Star& star);
 
-  Score scoreOfCell(Index cell) const;
-  Score scoreOfFace(Index face) const;
+  /// Kept scores.
+  Score scoreOf(const Star& star) const;
+  Score scoreOfCell(Index cell) const { return cellScores[cell]; }
+  Score scoreOfFace(Index face) const { return faceScores[face]; }
+
+  /// The residuals of the cells and faces of a star whose kept scores fall short, always in the same order.
+  void residualsOf(const Star& star, Residuals& out) const;
 
   LeastMetrics metricsOf(const Star& star) const;
   LeastMetrics metricsOfCell(Index cell) const;
@@ -157,14 +131,16 @@ public:
 private:
   void measure(Index face);
   void measureOne(Index cell);
-  void scoreCorners(Index face, Index cell, Score& score) const;
-  void scoreFans(Index face, Score& score) const;
+  template <typename Sink> void judgeCell(Index cell, Sink& score) const;
+  template <typename Sink> void judgeFace(Index face, Sink& score) const;
+  template <typename Sink> void scoreCorners(Index face, Index cell, Sink& score) const;
+  template <typename Sink> void scoreFans(Index face, Sink& score) const;
   std::array<double, 4> halfVolumes(Index face, const Vec3& middle) const;
   const Vec3& middleOf(Index cell) const;
   double determinantOf(Index cell) const;
   JacobianTerms jacobiansOf(Index cell) const;
-  void scoreBoundary(Index face, Score& score) const;
-  void scoreSkewness(Index face, const Vec3& d, Score& score) const;
+  template <typename Sink> void scoreBoundary(Index face, Sink& score) const;
+  template <typename Sink> void scoreSkewness(Index face, const Vec3& d, Sink& score) const;
   double skewnessOf(Index face, const Vec3& d, double good) const;
   double sign(Index cell, Index face) const { return region_.owner[face] == cell ? 1.0 : -1.0; }
 
@@ -181,6 +157,8 @@ private:
   std::vector<double> cornerScales;
   /// Volumes below which a cell counts as flat.
   std::vector<double> flatVolumes;
+  std::vector<Score> cellScores;
+  std::vector<Score> faceScores;
 };
 
 } // namespace atria

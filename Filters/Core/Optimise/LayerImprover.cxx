@@ -11,6 +11,8 @@ namespace {
 
 /// Elements below this share of a target are no better than not valid.
 constexpr float soundEnough = 0.02F;
+/// Of the targets, what elements keep when points are put back where the model wants them.
+constexpr double leastPutBack = 0.3;
 
 /// Those of the layer, too.
 std::vector<char> pointsToJudge(const LayerMesh& layer)
@@ -51,11 +53,19 @@ void markPoints(const LayerMesh& layer, const std::vector<ShortCell>& cells, std
   }
 }
 
-/// Takes a layer away at the points of cells that have several.
+/// Takes a layer away at the points of cells that have several; where they have different numbers, at those with more.
 void lower(const LayerMesh& layer, const std::vector<ShortCell>& cells, std::vector<Index>& counts)
 {
   std::vector<char> marked(counts.size(), 0);
-  markPoints(layer, cells, marked);
+  for (const ShortCell& cell : cells)
+  {
+    const auto countOf = [&](Index p) { return counts[layer.wallPointOf(p)]; };
+    const auto [fewest, most] = std::ranges::minmax(layer.mesh.corners[cell.cell], {}, countOf);
+    for (const Index p : layer.mesh.corners[cell.cell])
+    {
+      marked[layer.wallPointOf(p)] |= countOf(p) > countOf(fewest) || countOf(fewest) == countOf(most) ? 1 : 0;
+    }
+  }
   for (Index p = 0; p < counts.size(); ++p)
   {
     counts[p] = marked[p] && counts[p] > 1 ? counts[p] - 1 : counts[p];
@@ -327,16 +337,18 @@ void LayerImprover::startAgain(const std::vector<ShortCell>& bad, double share)
   growAgain(fresh);
 }
 
-/// Leaves the layer out at the points of cells.
+/// Leaves the layer out at the points of cells that have it; gives it back to those that are bad without it.
 void LayerImprover::exclude(const std::vector<ShortCell>& bad)
 {
   for (const ShortCell& cell : bad)
   {
-    for (const Index p : layer_.mesh.corners[cell.cell])
+    const auto& corners = layer_.mesh.corners[cell.cell];
+    const bool has = std::ranges::any_of(corners, [&](Index p) { return layer_.isNew(p); });
+    for (const Index p : corners)
     {
-      if (layer_.isNew(p))
+      if (!has || layer_.isNew(p))
       {
-        excluded_[layer_.wallPointOf(p)] = 1;
+        excluded_[layer_.wallPointOf(p)] = has ? 1 : 0;
       }
     }
   }
@@ -377,7 +389,7 @@ void LayerImprover::putBack()
   {
     context_.progress.check();
     const std::vector<ShortCell> cells = approach(DualSource(layer_.mesh), layer_.mesh.points, wantedPlaces(),
-                                                  Guides(*this).layer, soundEnough, targets(), context_);
+                                                  Guides(*this).layer, leastPutBack, targets(), context_);
     const std::size_t before = left_.size();
     keepThoseAway();
     if (before == left_.size() || pass + 1 == passes)

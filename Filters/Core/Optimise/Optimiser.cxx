@@ -247,15 +247,18 @@ void sweepWhileWorthwhile(Sweeper& sweeper, const OptimiserOptions& options, con
   }
 }
 
-std::vector<ShortCell> shortCellsOf(const Judge& judge, const RunContext& context)
+/// `margin` as in OptimiserOptions.
+std::vector<ShortCell> shortCellsOf(const Judge& judge, double margin, const RunContext& context)
 {
   std::vector<ShortCell> cells;
   const std::vector<Score> scores = scoresOfCells(judge, context);
   for (Index c = 0; c < scores.size(); ++c)
   {
-    if (scores[c].worst < 1.0)
+    // All measures were divided by this.
+    const double worst = (1.0 + margin) * scores[c].worst;
+    if (worst < 1.0)
     {
-      cells.push_back({judge.region().cellIds[c], static_cast<float>(scores[c].worst)});
+      cells.push_back({judge.region().cellIds[c], static_cast<float>(worst)});
     }
   }
   return cells;
@@ -275,7 +278,7 @@ std::vector<ShortCell> findShortCells(const CellSource& source, const std::vecto
                                       const QualityTargets& targets, const RunContext& context)
 {
   Region region = extractRegion(source, marked, AnyPlace(), context);
-  return shortCellsOf(Judge(region, targets, context), context);
+  return shortCellsOf(Judge(region, targets, context), 0.0, context);
 }
 
 std::vector<ShortCell> optimise(const CellSource& source, std::vector<Vec3>& points,
@@ -288,13 +291,17 @@ std::vector<ShortCell> optimise(const CellSource& source, std::vector<Vec3>& poi
     return cells;
   }
   Region region = extractRegion(source, moving, guide, context);
-  Judge judge(region, options.targets, context);
+  Judge judge(region, options.targets.beyond(options.margin), context);
   context.progress.check();
   prepareGuide(region, guide, context);
   Sweeper sweeper(judge, guide, options, context);
   sweepWhileWorthwhile(sweeper, options, context);
   takePoints(region, points);
-  return shortCellsOf(judge, context);
+  std::vector<ShortCell> left = shortCellsOf(judge, options.margin, context);
+  std::ranges::copy_if(cells, std::back_inserter(left),
+                       [&](const ShortCell& cell) { return !std::ranges::binary_search(region.cellIds, cell.cell); });
+  std::ranges::sort(left, {}, &ShortCell::cell);
+  return left;
 }
 
 std::vector<ShortCell> approach(const CellSource& source, std::vector<Vec3>& points,
@@ -320,7 +327,7 @@ std::vector<ShortCell> approach(const CellSource& source, std::vector<Vec3>& poi
     search.approach(m, wanted[m].place, least);
   }
   takePoints(region, points);
-  return shortCellsOf(judge, context);
+  return shortCellsOf(judge, 0.0, context);
 }
 
 } // namespace atria

@@ -10,6 +10,9 @@ namespace atria {
 struct OptimiserOptions
 {
   QualityTargets targets;
+  /// By which share of the way from limit to target to aim beyond the targets: points are not moved for what is within
+  /// a hundredth of the aim.
+  double margin = 0.03;
   /// Passes over the points whose cells fall short of the targets.
   int sweeps = 20;
   /// Whether the last few points that creep on are waited for, and points that found no better place are tried again
@@ -38,9 +41,9 @@ std::vector<ShortCell> findShortCells(const CellSource& source, const std::vecto
 
 /// Improves cells that fall short of the targets by moving points, those of the cells and of `rings` of cells about
 /// them, one after the other, each to where the penalty of the cells about it is less and their worst, unless it is bad
-/// already, no worse. `points` are those of the source, which must see changes to them. Returns those of all cells
-/// about moved points that fall short then, in order; other cells are as before. The same bits for any number of
-/// threads: points that depend on each other are moved in a fixed order.
+/// already, no worse. `points` are those of the source, which must see changes to them. Returns those of
+/// `cells` and of all cells about moved points that fall short then, in order; other cells are as before. The same bits
+/// for any number of threads: points that depend on each other are moved in a fixed order.
 std::vector<ShortCell> optimise(const CellSource& source, std::vector<Vec3>& points,
                                 const std::vector<ShortCell>& cells, VertexGuide& guide,
                                 const OptimiserOptions& options, const RunContext& context);

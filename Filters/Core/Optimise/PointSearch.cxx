@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Optimise/PointSearch.h"
 
+#include <Eigen/Cholesky>
+
 #include <algorithm>
+#include <numeric>
 
 namespace atria {
 
@@ -16,19 +19,22 @@ constexpr int tries = 4;
 /// Of measures that are nothing but rounding.
 constexpr double noise = 1e-6;
 constexpr double badAnyway = 0.3;
+/// Of the trace of the normal equations: where residuals hardly depend on a direction, steps along it stay short.
+constexpr double damping = 1e-3;
 
 } // namespace
 
+/// The point stays at the place looked at.
 Score PointSearch::scoreAt(const Vec3& p, double enough)
 {
   judge.move(star, guide.place(pointId, p));
-  return judge.scoreOf(star, enough);
+  return judge.look(star, enough);
 }
 
-bool PointSearch::isBetter(const Score& there, const Score& here) const
+bool PointSearch::isBetter(const Score& there, const Score& now) const
 {
-  return there.penalty < here.penalty * (1.0 - leastGain) &&
-         (there.worst >= here.worst - noise || there.worst >= 1.0 || here.worst < badAnyway) && noMetricIsWorse();
+  return there.penalty < now.penalty * (1.0 - leastGain) &&
+         (there.worst >= now.worst - noise || there.worst >= 1.0 || now.worst < badAnyway) && noMetricIsWorse();
 }
 
 /// Of the place where the point is now.
@@ -38,10 +44,10 @@ bool PointSearch::noMetricIsWorse() const
   {
     return true;
   }
-  const LeastMetrics now = judge.metricsOf(star);
+  const LeastMetrics metrics = judge.metricsOf(star);
   for (std::size_t m = 0; m < LeastMetrics::count; ++m)
   {
-    if (now.values[m] < rules_.floor->values[m])
+    if (metrics.values[m] < rules_.floor->values[m])
     {
       return false;
     }
@@ -49,40 +55,53 @@ bool PointSearch::noMetricIsWorse() const
   return true;
 }
 
+/// Moves the point there if that is better than now.
+bool PointSearch::moveIfBetter(const Vec3& p, const Score& now)
+{
+  const bool better = isBetter(scoreAt(p, now.penalty), now);
+  if (better)
+  {
+    judge.accept(star);
+  }
+  return better;
+}
+
 PointSearch::Outcome PointSearch::improve(Index movable, double& trust)
 {
-  judge.enter(movable, star);
-  pointId = judge.region().pointIds[star.point];
-  origin = judge.region().points[star.point];
-  const Score here = judge.scoreOf(star);
-  if (here.penalty < leastPenalty)
+  if (judge.isGood(movable))
   {
     return Outcome::good;
   }
-  if (rules_.tryMiddle && here.worst < badAnyway)
+  judge.enter(movable, star);
+  const Score now = judge.scoreOf(star);
+  if (now.penalty < leastPenalty)
+  {
+    return Outcome::good;
+  }
+  pointId = judge.region().pointIds[star.point];
+  origin = judge.region().points[star.point];
+  if (rules_.tryMiddle && now.worst < badAnyway)
   {
     const Vec3 way = middle() - origin;
-    for (const double part : {1.0, 0.5})
+    if (moveIfBetter(origin + way, now) || moveIfBetter(origin + 0.5 * way, now))
     {
-      if (isBetter(scoreAt(origin + part * way, here.penalty), here))
-      {
-        return Outcome::moved;
-      }
+      return Outcome::moved;
     }
+    judge.move(star, origin);
   }
-  const Vec3 step = newtonStep(here, trust * star.size);
+  const Step step = gaussNewtonStep(trust * star.size);
   double scale = 1.0;
-  for (int i = 0; i < tries; ++i, scale *= 0.4)
+  for (int i = 0; i < tries && step.gain > leastGain * now.penalty; ++i, scale *= 0.4)
   {
-    if (isBetter(scoreAt(origin + scale * step, here.penalty), here))
+    if (moveIfBetter(origin + scale * step.way, now))
     {
       trust = std::clamp(i == 0 ? 1.6 * trust : scale * trust, leastTrust, mostTrust);
       return Outcome::moved;
     }
   }
-  if (const Vec3 probe = bestProbe(here, trust * star.size); probe != origin)
+  // Where points coincide derivatives say nothing.
+  if ((now.worst < 0.0 || step.gain <= 0.0) && probe(now, trust * star.size))
   {
-    judge.move(star, probe);
     return Outcome::moved;
   }
   judge.move(star, origin);
@@ -100,30 +119,31 @@ void PointSearch::approach(Index movable, const Vec3& place, double least)
   for (int i = 0; i < halvings; ++i, share *= 0.5)
   {
     judge.move(star, i == 0 ? place : Vec3(origin + share * (place - origin)));
-    if (judge.scoreOf(star).worst >= floor)
+    if (judge.look(star).worst >= floor)
     {
+      judge.accept(star);
       return;
     }
   }
   judge.move(star, origin);
 }
 
-/// The best place among those at this distance along the axes, or where the point is. Where points coincide the
-/// gradient says nothing.
-Vec3 PointSearch::bestProbe(const Score& here, double reach)
+/// Moves the point to the best of the places at this distance along the axes, if one is better than now.
+bool PointSearch::probe(const Score& now, double reach)
 {
   Vec3 best = origin;
-  Score least = here;
+  double least = now.penalty;
   for (int i = 0; i < 6; ++i)
   {
-    const Score there = scoreAt(origin + (i < 3 ? reach : -reach) * Vec3::Unit(i % 3), least.penalty);
-    if (isBetter(there, here) && there.penalty < least.penalty)
+    const Vec3 place = origin + (i < 3 ? reach : -reach) * Vec3::Unit(i % 3);
+    const Score there = scoreAt(place, least);
+    if (isBetter(there, now) && there.penalty < least)
     {
-      least = there;
-      best = judge.region().points[star.point];
+      least = there.penalty;
+      best = place;
     }
   }
-  return best;
+  return best != origin && moveIfBetter(best, now);
 }
 
 /// The mean of the points at the other ends of the point's edges.
@@ -155,27 +175,53 @@ Vec3 PointSearch::middle() const
   return sum / std::max<double>(1.0, static_cast<double>(ends.size()));
 }
 
-/// Down the gradient, along each axis as far as the curvature there says, at most `reach` in all.
-Vec3 PointSearch::newtonStep(const Score& here, double reach)
+/// The derivatives of the residuals that are not 0 along an axis; nothing where the guide lets the point not go there.
+void PointSearch::derive(int axis, double h)
 {
-  const double h = difference * star.size;
+  std::vector<double>& along = derivatives[axis];
+  along.assign(residuals.values.size(), 0.0);
+  const Vec3 p = guide.place(pointId, origin + h * Vec3::Unit(axis));
+  if ((p - origin).squaredNorm() < 1e-6 * h * h)
+  {
+    return;
+  }
+  judge.move(star, p);
+  judge.residualsOf(star, beside);
+  for (std::size_t i = 0; i < along.size(); ++i)
+  {
+    along[i] = residuals.values[i] > 0.0 ? (beside.values[i] - residuals.values[i]) / h : 0.0;
+  }
+}
+
+/// To where the residuals, taken as linear, have the least sum of squares, but not farther than `reach`.
+PointSearch::Step PointSearch::gaussNewtonStep(double reach)
+{
+  judge.residualsOf(star, residuals);
+  Eigen::Matrix3d normal;
   Vec3 gradient;
-  Vec3 curvature;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const double up = scoreAt(origin + h * Vec3::Unit(axis)).penalty;
-    const double down = scoreAt(origin - h * Vec3::Unit(axis)).penalty;
-    gradient[axis] = (up - down) / (2.0 * h);
-    curvature[axis] = std::abs(up + down - 2.0 * here.penalty) / (h * h);
+    derive(axis, difference * star.size);
+    const auto sumWith = [&](const std::vector<double>& values) {
+      return std::inner_product(values.begin(), values.end(), derivatives[axis].begin(), 0.0);
+    };
+    gradient[axis] = sumWith(residuals.values);
+    for (int other = 0; other <= axis; ++other)
+    {
+      normal(axis, other) = normal(other, axis) = sumWith(derivatives[other]);
+    }
   }
-  const double slope = gradient.norm();
-  if (slope == 0.0)
+  const double trace = normal.trace();
+  if (trace <= 0.0)
   {
-    return Vec3::Zero();
+    return {Vec3::Zero(), 0.0};
   }
-  Vec3 step = -gradient.cwiseQuotient(curvature.cwiseMax(slope / reach));
-  const double length = step.norm();
-  return length > reach ? Vec3(step * (reach / length)) : step;
+  Eigen::Matrix3d damped = normal;
+  damped.diagonal().array() += damping * trace;
+  Vec3 way = -damped.ldlt().solve(gradient);
+  const double length = way.norm();
+  way *= length > reach ? reach / length : 1.0;
+  return {way, -2.0 * gradient.dot(way) - way.dot(normal * way)};
 }
 
 } // namespace atria

@@ -41,17 +41,29 @@ public:
   void approach(Index movable, const Vec3& place, double least);
 
 private:
-  Vec3 newtonStep(const Score& here, double reach);
-  Vec3 bestProbe(const Score& here, double reach);
+  /// A way to go, and what the penalty is expected to lose by it.
+  struct Step
+  {
+    Vec3 way;
+    double gain;
+  };
+  Step gaussNewtonStep(double reach);
+  void derive(int axis, double h);
+  bool probe(const Score& now, double reach);
   Vec3 middle() const;
   Score scoreAt(const Vec3& p, double enough = std::numeric_limits<double>::infinity());
-  bool isBetter(const Score& there, const Score& here) const;
+  bool moveIfBetter(const Vec3& p, const Score& now);
+  bool isBetter(const Score& there, const Score& now) const;
   bool noMetricIsWorse() const;
 
   Judge& judge;
   const VertexGuide& guide;
   SearchRules rules_;
   Star star;
+  Residuals residuals;
+  Residuals beside;
+  /// Derivatives of the residuals along the axes.
+  std::array<std::vector<double>, 3> derivatives;
   Index pointId = noIndex;
   Vec3 origin;
 };

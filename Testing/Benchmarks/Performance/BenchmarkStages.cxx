@@ -357,7 +357,6 @@ int main(int argc, char* argv[])
       add("crossings", which, crossings, threads);
       add("moved_points", which, movedPoints, threads);
       add("vertices", which, vertices, threads);
-      addStage("optimise", which, threads);
       addStage("layers", which, threads);
       add("quality", which, quality, threads);
       add("write_vtu", which, writeVtu, threads);

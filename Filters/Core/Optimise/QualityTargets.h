@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// What is asked of cells.
+#pragma once
+
+#include <algorithm>
+
+namespace atria {
+
+/// What of a measure is valid, and what is good enough.
+struct QualityRange
+{
+  double limit;
+  double target;
+
+  /// 0 at the limit, 1 at the target.
+  double of(double measure) const { return (measure - limit) / (target - limit); }
+  /// Another target. The limit moves on where it would come too close.
+  void aimAt(double wanted)
+  {
+    const double limitThere = limit / target * wanted;
+    limit = limit < target ? std::min(limit, limitThere) : std::max(limit, limitThere);
+    target = wanted;
+  }
+  /// The target moved away from the limit by this share of the way between them.
+  QualityRange beyond(double share) const { return {limit, target + share * (target - limit)}; }
+};
+
+/// What good cells have. The limits leave a little room to those of OpenFOAM's checkMesh. See Judge for the measures.
+struct QualityTargets
+{
+  /// Cosine between a face's normal and the way from the cell's centroid to the face's: 1 - CellSquish.
+  QualityRange pyramidCosine{0.01, 0.21};
+  /// Sine of the angle by which the centroid of a face lies behind the plane of another of the cell's faces. Two faces
+  /// on the mesh's boundary may lie in one plane.
+  QualityRange convexity{0.0005, 0.04};
+  /// Whether cells have to be convex.
+  bool convex = true;
+  /// Cosine between a face's normal and the way between the cells' centroids: 1 - FaceSquish.
+  QualityRange faceCosine{0.03, 0.5};
+  /// OpenFOAM's skewness.
+  QualityRange skewness{3.8, 2.0};
+  /// OpenFOAM's interpolation weight.
+  QualityRange weight{0.06, 0.15};
+  /// Volumes of neighbours, the smaller over the larger.
+  QualityRange volumeRatio{0.015, 0.05};
+  /// Twelve times the least volume of a tetrahedron from the mean of the cell's face centroids to a corner of a face,
+  /// over the cube of the cell's mean edge.
+  QualityRange cornerVolume{0.0, 0.02};
+  /// Least of a boundary face's triangles about its mean, along its normal, over their mean.
+  QualityRange boundaryShape{0.0, 0.1};
+  /// Fourth root of the determinant of the sum of the dyads of a cell's internal face areas over their mean: OpenFOAM's
+  /// cell determinant goes with the fourth power of a cell's least thickness. A cell with other cells beside it on two
+  /// axes only has none, whatever its shape.
+  QualityRange determinantRoot{0.182, 0.316};
+  /// Whether it counts for the worst; if not, it is improved where that is possible.
+  bool determinants = true;
+  /// Whether faces must be star-shaped about their centroids, as OpenFOAM's decomposition into tetrahedra asks, and
+  /// determinants are looked at.
+  bool decomposed = true;
+  /// Verdict's scaled Jacobian of cells that have one, its limit 0; a target of 0 asks for nothing.
+  double scaledJacobian = 0.0;
+
+  /// All targets farther from their limits: measures creep up to what is aimed at and stop just short of it.
+  QualityTargets beyond(double share) const;
+};
+
+} // namespace atria
