@@ -5,13 +5,6 @@
 
 namespace atria {
 
-namespace {
-
-/// Points are not moved for what is within a hundredth of what is aimed at, so aim a little beyond the targets.
-constexpr double margin = 0.03;
-
-} // namespace
-
 MeshOptimiserOptions::MeshOptimiserOptions()
 {
   optimiser.sweeps = 50;
@@ -38,10 +31,8 @@ MeshOptimiserReport optimiseMesh(FaceMesh& mesh, const CellArrays& cells, std::s
   const std::vector<ShortCell> shortCells = findShortCells(source, marked, targets, context);
   report.shortBefore = shortCells.size();
   context.progress.report(0.4, "Moving points");
-  const std::vector<Vec3> before = mesh.points;
-  OptimiserOptions aims = options.optimiser;
-  aims.targets = targets.beyond(margin);
-  optimise(source, mesh.points, shortCells, guide, aims, context.part(0.4, 0.9));
+  std::vector<Vec3> before = mesh.points;
+  optimise(source, mesh.points, shortCells, guide, options.optimiser, context.part(0.4, 0.9));
   for (std::size_t p = 0; p < before.size(); ++p)
   {
     marked[p] = before[p] != mesh.points[p] ? 1 : 0;
@@ -57,7 +48,14 @@ MeshOptimiserReport optimiseMesh(FaceMesh& mesh, const CellArrays& cells, std::s
     }
   }
   context.progress.report(0.9, "Judging cells");
-  const std::vector<ShortCell> left = findShortCells(source, marked, targets, context);
+  std::vector<ShortCell> left = findShortCells(source, marked, targets, context);
+  if (left.size() > shortCells.size())
+  {
+    // What some cells gained is not worth it.
+    mesh.points = std::move(before);
+    left = shortCells;
+    report.movedPoints = 0;
+  }
   report.shortAfter = left.size();
   report.shares.assign(mesh.cellCount, 1.0F);
   for (const ShortCell& cell : left)

@@ -20,7 +20,7 @@ constexpr int tries = 4;
 constexpr double noise = 1e-6;
 constexpr double badAnyway = 0.3;
 /// Of the trace of the normal equations: where residuals hardly depend on a direction, steps along it stay short.
-constexpr double damping = 1e-3;
+constexpr double damping = 0.03;
 
 } // namespace
 
@@ -100,7 +100,7 @@ PointSearch::Outcome PointSearch::improve(Index movable, double& trust)
     }
   }
   // Where points coincide derivatives say nothing.
-  if ((now.worst < 0.0 || step.gain <= 0.0) && probe(now, trust * star.size))
+  if ((now.worst < 0.0 || step.gain <= 0.0 || rules_.tryMiddle) && probe(now, trust * star.size))
   {
     return Outcome::moved;
   }
