@@ -172,11 +172,13 @@ QualityTargets LayerImprover::targets() const
 LayerMesh LayerImprover::run()
 {
   grow();
-  improve(improve(findAll(), 1), 1);
-  mend();
-  putBack();
-  mend();
-  keepThoseAway();
+  mend(improve(improve(findAll(), 1), 1));
+  if (!left_.empty())
+  {
+    putBack();
+    mend(findAll());
+    keepThoseAway();
+  }
   return std::move(layer_);
 }
 
@@ -231,12 +233,12 @@ std::vector<ShortCell> LayerImprover::improve(const std::vector<ShortCell>& cell
   return left;
 }
 
-void LayerImprover::mend()
+void LayerImprover::mend(const std::vector<ShortCell>& cells)
 {
   constexpr std::array steps{Step::leaveCurves, Step::leaveALittle, Step::leaveSurfaces, Step::goHalfway,
                              Step::startAgain,  Step::exclude,      Step::leaveSurfaces, Step::goHalfway,
                              Step::startAgain,  Step::exclude,      Step::leaveSurfaces};
-  std::vector<ShortCell> bad = badOf(findAll());
+  std::vector<ShortCell> bad = badOf(cells);
   for (const Step step : steps)
   {
     if (bad.empty())

@@ -40,7 +40,7 @@ private:
   enum class Step : std::uint8_t;
 
   void grow();
-  void mend();
+  void mend(const std::vector<ShortCell>& cells);
   bool prepare(Step step, const std::vector<ShortCell>& bad);
   void leaveCurve(Index leader);
   void leaveSurface(Index leader, double reach);

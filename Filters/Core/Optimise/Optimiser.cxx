@@ -11,27 +11,16 @@ namespace atria {
 
 namespace {
 
-/// Of points that only are looked at.
-class AnyPlace : public VertexGuide
-{
-public:
-  bool isMovable(Index) const override { return true; }
-  Vec3 place(Index, const Vec3& p) const override { return p; }
-};
-
-/// Marks the points of cells marked, or of those that have a marked point.
-void spread(const CellSource& source, const std::vector<char>& cells, std::vector<char>& points)
+/// Marks the points of cells.
+void spread(const CellSource& source, const std::vector<Index>& cells, std::vector<char>& points)
 {
   CellSource::Scratch scratch;
-  for (Index c = 0; c < cells.size(); ++c)
+  for (const Index cell : cells)
   {
-    if (cells[c])
+    source.facesOf(cell, scratch);
+    for (const Index p : scratch.points)
     {
-      source.facesOf(c, scratch);
-      for (const Index p : scratch.points)
-      {
-        points[p] = 1;
-      }
+      points[p] = 1;
     }
   }
 }
@@ -39,21 +28,13 @@ void spread(const CellSource& source, const std::vector<char>& cells, std::vecto
 std::vector<char> pointsToMove(const CellSource& source, const std::vector<ShortCell>& shortCells,
                                const VertexGuide& guide, int rings, const RunContext& context)
 {
-  std::vector<char> cells(source.cellCount(), 0);
-  for (const ShortCell& found : shortCells)
-  {
-    cells[found.cell] = 1;
-  }
+  std::vector<Index> cells;
+  std::ranges::transform(shortCells, std::back_inserter(cells), &ShortCell::cell);
   std::vector<char> points(source.points().size(), 0);
   spread(source, cells, points);
   for (int ring = 0; ring < rings; ++ring)
   {
-    context.progress.check();
-    for (Index c = 0; c < cells.size(); ++c)
-    {
-      cells[c] = source.hasMarked(c, points) ? 1 : 0;
-    }
-    spread(source, cells, points);
+    spread(source, cellsWithMarked(source, points, context), points);
   }
   std::vector<char> leaders(points.size(), 0);
   for (Index p = 0; p < points.size(); ++p)
@@ -277,8 +258,23 @@ void takePoints(const Region& region, std::vector<Vec3>& points)
 std::vector<ShortCell> findShortCells(const CellSource& source, const std::vector<char>& marked,
                                       const QualityTargets& targets, const RunContext& context)
 {
-  Region region = extractRegion(source, marked, AnyPlace(), context);
-  return shortCellsOf(Judge(region, targets, context), 0.0, context);
+  const std::vector<Index> cells = cellsWithMarked(source, marked, context);
+  // Piece by piece, as measures take many times the cells' own memory.
+  const SerialExecutor one;
+  const RunContext serial{one, context.progress};
+  const Pieces pieces(cells.size());
+  std::vector<std::vector<ShortCell>> found(pieces.count);
+  context.executor.forEach(pieces.count, 1, [&](std::size_t piece) {
+    Region region = extractCells(
+        source, {cells.begin() + pieces.begin(piece), cells.begin() + pieces.end(piece)}, serial);
+    found[piece] = shortCellsOf(Judge(region, targets, serial), 0.0, serial);
+  });
+  std::vector<ShortCell> all;
+  for (const std::vector<ShortCell>& piece : found)
+  {
+    all.insert(all.end(), piece.begin(), piece.end());
+  }
+  return all;
 }
 
 std::vector<ShortCell> optimise(const CellSource& source, std::vector<Vec3>& points,

@@ -12,19 +12,23 @@ namespace {
 
 constexpr std::size_t grain = 4096;
 
+/// The place of a number in a rising list, or noIndex.
+Index numberIn(const std::vector<Index>& list, Index number)
+{
+  const auto found = std::ranges::lower_bound(list, number);
+  return found != list.end() && *found == number ? static_cast<Index>(found - list.begin()) : noIndex;
+}
+
 /// Builds the arrays of a region cell by cell.
 class Extraction
 {
 public:
-  Extraction(const CellSource& mesh, const std::vector<char>& mayMove, const VertexGuide& vertexGuide)
-      : source(mesh), marked(mayMove), guide(vertexGuide)
-  {
-  }
+  explicit Extraction(const CellSource& mesh) : source(mesh) {}
 
-  Region run(const RunContext& context)
+  Region run(std::vector<Index> cells, const RunContext& context)
   {
-    findJudged(context);
-    numberPoints();
+    region.cellIds = std::move(cells);
+    findNumbers();
     for (Index local = 0; local < region.cellIds.size(); ++local)
     {
       if (local % grain == 0)
@@ -36,53 +40,40 @@ public:
     addCellFaces();
     context.progress.check();
     measureGhosts();
-    addStars();
-    context.progress.check();
     return std::move(region);
   }
 
 private:
-  void findJudged(const RunContext& context)
+  /// Of points and of cells beside.
+  void findNumbers()
   {
-    std::vector<char> judged(source.cellCount(), 0);
-    context.executor.forRanges(judged.size(), grain, [&](std::size_t begin, std::size_t end) {
-      context.progress.check();
-      for (std::size_t c = begin; c < end; ++c)
-      {
-        judged[c] = source.hasMarked(static_cast<Index>(c), marked) ? 1 : 0;
-      }
-    });
-    localCell.assign(judged.size(), noIndex);
-    for (Index c = 0; c < judged.size(); ++c)
-    {
-      if (judged[c])
-      {
-        localCell[c] = static_cast<Index>(region.cellIds.size());
-        region.cellIds.push_back(c);
-      }
-    }
-  }
-
-  void numberPoints()
-  {
-    localPoint.assign(source.points().size(), noIndex);
     for (const Index cell : region.cellIds)
     {
       source.facesOf(cell, scratch);
-      for (const Index p : scratch.points)
+      region.pointIds.insert(region.pointIds.end(), scratch.points.begin(), scratch.points.end());
+      for (const CellFace& face : scratch.faces)
       {
-        localPoint[p] = 0;
+        if (face.across != noIndex && numberIn(region.cellIds, face.across) == noIndex)
+        {
+          ghosts.push_back(face.across);
+        }
       }
     }
-    for (Index p = 0; p < localPoint.size(); ++p)
+    for (std::vector<Index>* ids : {&region.pointIds, &ghosts})
     {
-      if (localPoint[p] != noIndex)
-      {
-        localPoint[p] = static_cast<Index>(region.pointIds.size());
-        region.pointIds.push_back(p);
-        region.points.push_back(source.points()[p]);
-      }
+      std::ranges::sort(*ids);
+      const auto repeated = std::ranges::unique(*ids);
+      ids->erase(repeated.begin(), repeated.end());
     }
+    std::ranges::transform(region.pointIds, std::back_inserter(region.points), [&](Index p) { return source.points()[p]; });
+  }
+
+  Index numberOfPoint(Index point) const { return numberIn(region.pointIds, point); }
+
+  Index numberOfCell(Index cell) const
+  {
+    const Index judged = numberIn(region.cellIds, cell);
+    return judged != noIndex ? judged : static_cast<Index>(region.cellIds.size()) + numberIn(ghosts, cell);
   }
 
   /// The faces between two judged cells are added by the first of them.
@@ -93,7 +84,7 @@ private:
     NativeCell native = source.nativeOf(cell);
     for (std::size_t i = 0; i < shapeOf(native.type).corners; ++i)
     {
-      native.corners[i] = localPoint[native.corners[i]];
+      native.corners[i] = numberOfPoint(native.corners[i]);
     }
     region.natives.push_back(native);
     for (const CellFace& face : scratch.faces)
@@ -101,12 +92,7 @@ private:
       Index across = face.across;
       if (across != noIndex)
       {
-        if (localCell[across] == noIndex)
-        {
-          localCell[across] = static_cast<Index>(region.cellIds.size() + ghosts.size());
-          ghosts.push_back(across);
-        }
-        across = localCell[across];
+        across = numberOfCell(across);
         if (across < local)
         {
           continue;
@@ -116,7 +102,7 @@ private:
       region.neighbour.push_back(across);
       for (const Index p : face.points)
       {
-        region.facePoints.push_back(localPoint[p]);
+        region.facePoints.push_back(numberOfPoint(p));
       }
       region.faceOffsets.push_back(static_cast<Index>(region.facePoints.size()));
     }
@@ -156,76 +142,72 @@ private:
     }
   }
 
-  /// For each leader of marked points, in order: the judged cells that have one of its points, and these points.
-  void addStars()
-  {
-    std::vector<Index> leaders(region.pointIds.size(), noIndex);
-    std::vector<Index> cells(leaders.size(), 0);
-    std::vector<Index> members(leaders.size(), 0);
-    for (Index p = 0; p < leaders.size(); ++p)
-    {
-      if (marked[region.pointIds[p]])
-      {
-        leaders[p] = localPoint[guide.leaderOf(region.pointIds[p])];
-        ++members[leaders[p]];
-      }
-    }
-    eachCellOf(leaders, [&](Index leader, Index) { ++cells[leader]; });
-    // Counts become the places where a leader's next entry goes.
-    for (Index p = 0; p < leaders.size(); ++p)
-    {
-      if (cells[p] > 0)
-      {
-        region.movable.push_back(p);
-        region.aboutOffsets.push_back(region.aboutOffsets.back() + cells[p]);
-        region.memberOffsets.push_back(region.memberOffsets.back() + members[p]);
-        cells[p] = *(region.aboutOffsets.end() - 2);
-        members[p] = *(region.memberOffsets.end() - 2);
-      }
-    }
-    region.about.resize(region.aboutOffsets.back());
-    region.members.resize(region.memberOffsets.back());
-    eachCellOf(leaders, [&](Index leader, Index cell) { region.about[cells[leader]++] = cell; });
-    for (Index p = 0; p < leaders.size(); ++p)
-    {
-      if (leaders[p] != noIndex)
-      {
-        region.members[members[leaders[p]]++] = p;
-      }
-    }
-  }
+  const CellSource& source;
+  Region region;
+  std::vector<Index> ghosts;
+  CellSource::Scratch scratch;
+};
 
-  /// Calls use(leader, cell) once for each judged cell and leader of its points, by cells.
-  template <typename Use> void eachCellOf(const std::vector<Index>& leaders, Use&& use) const
+/// Calls use(leader, cell) once for each judged cell and leader of its points, by cells.
+template <typename Use> void eachCellOf(const Region& region, const std::vector<Index>& leaders, Use&& use)
+{
+  std::vector<Index> last(leaders.size(), noIndex);
+  for (Index cell = 0; cell < region.cellIds.size(); ++cell)
   {
-    std::vector<Index> last(leaders.size(), noIndex);
-    for (Index cell = 0; cell < region.cellIds.size(); ++cell)
+    for (Index i = region.cellOffsets[cell]; i < region.cellOffsets[cell + 1]; ++i)
     {
-      for (Index i = region.cellOffsets[cell]; i < region.cellOffsets[cell + 1]; ++i)
+      const Index f = region.cellFaces[i];
+      for (Index k = region.faceOffsets[f]; k < region.faceOffsets[f + 1]; ++k)
       {
-        const Index f = region.cellFaces[i];
-        for (Index k = region.faceOffsets[f]; k < region.faceOffsets[f + 1]; ++k)
+        const Index leader = leaders[region.facePoints[k]];
+        if (leader != noIndex && last[leader] != cell)
         {
-          const Index leader = leaders[region.facePoints[k]];
-          if (leader != noIndex && last[leader] != cell)
-          {
-            last[leader] = cell;
-            use(leader, cell);
-          }
+          last[leader] = cell;
+          use(leader, cell);
         }
       }
     }
   }
+}
 
-  const CellSource& source;
-  const std::vector<char>& marked;
-  const VertexGuide& guide;
-  Region region;
-  std::vector<Index> localCell;
-  std::vector<Index> localPoint;
-  std::vector<Index> ghosts;
-  CellSource::Scratch scratch;
-};
+/// For each leader of marked points, in order: the judged cells that have one of its points, and these points.
+void addStars(Region& region, const std::vector<char>& marked, const VertexGuide& guide)
+{
+  std::vector<Index> leaders(region.pointIds.size(), noIndex);
+  std::vector<Index> cells(leaders.size(), 0);
+  std::vector<Index> members(leaders.size(), 0);
+  for (Index p = 0; p < leaders.size(); ++p)
+  {
+    if (marked[region.pointIds[p]])
+    {
+      leaders[p] = numberIn(region.pointIds, guide.leaderOf(region.pointIds[p]));
+      ++members[leaders[p]];
+    }
+  }
+  eachCellOf(region, leaders, [&](Index leader, Index) { ++cells[leader]; });
+  // Counts become the places where a leader's next entry goes.
+  for (Index p = 0; p < leaders.size(); ++p)
+  {
+    if (cells[p] > 0)
+    {
+      region.movable.push_back(p);
+      region.aboutOffsets.push_back(region.aboutOffsets.back() + cells[p]);
+      region.memberOffsets.push_back(region.memberOffsets.back() + members[p]);
+      cells[p] = *(region.aboutOffsets.end() - 2);
+      members[p] = *(region.memberOffsets.end() - 2);
+    }
+  }
+  region.about.resize(region.aboutOffsets.back());
+  region.members.resize(region.memberOffsets.back());
+  eachCellOf(region, leaders, [&](Index leader, Index cell) { region.about[cells[leader]++] = cell; });
+  for (Index p = 0; p < leaders.size(); ++p)
+  {
+    if (leaders[p] != noIndex)
+    {
+      region.members[members[leaders[p]]++] = p;
+    }
+  }
+}
 
 } // namespace
 
@@ -300,10 +282,39 @@ bool FaceMeshSource::hasMarked(Index cell, const std::vector<char>& marked) cons
   });
 }
 
+std::vector<Index> cellsWithMarked(const CellSource& source, const std::vector<char>& marked, const RunContext& context)
+{
+  std::vector<char> has(source.cellCount(), 0);
+  context.executor.forRanges(has.size(), grain, [&](std::size_t begin, std::size_t end) {
+    context.progress.check();
+    for (std::size_t c = begin; c < end; ++c)
+    {
+      has[c] = source.hasMarked(static_cast<Index>(c), marked) ? 1 : 0;
+    }
+  });
+  std::vector<Index> cells;
+  for (Index c = 0; c < has.size(); ++c)
+  {
+    if (has[c])
+    {
+      cells.push_back(c);
+    }
+  }
+  return cells;
+}
+
+Region extractCells(const CellSource& source, std::vector<Index> cells, const RunContext& context)
+{
+  return Extraction(source).run(std::move(cells), context);
+}
+
 Region extractRegion(const CellSource& source, const std::vector<char>& marked, const VertexGuide& guide,
                      const RunContext& context)
 {
-  return Extraction(source, marked, guide).run(context);
+  Region region = extractCells(source, cellsWithMarked(source, marked, context), context);
+  addStars(region, marked, guide);
+  context.progress.check();
+  return region;
 }
 
 } // namespace atria

@@ -127,6 +127,13 @@ private:
   const CellArrays& cells_;
 };
 
+/// Those that have one of the points marked, in order.
+std::vector<Index> cellsWithMarked(const CellSource& source, const std::vector<char>& marked,
+                                   const RunContext& context);
+
+/// The region of some cells, in order, in which no point may move.
+Region extractCells(const CellSource& source, std::vector<Index> cells, const RunContext& context);
+
 /// The region in which the points marked may move, each with all others that have the same leader; these are marked,
 /// too, and their leader is one of them. O(cells) to find it, the rest in the region's size.
 Region extractRegion(const CellSource& source, const std::vector<char>& marked, const VertexGuide& guide,
