@@ -246,6 +246,10 @@ LayerMesh growLayer(const DualMesh& plain, const LayerWalls& walls, const LayerO
   {
     counts[p] = walls.counts[p] > 0 && (excluded.empty() || !excluded[p]) ? 1 : 0;
   }
+  if (std::ranges::find(counts, 1) == counts.end())
+  {
+    return buildLayer(plain, walls, counts);
+  }
   const std::vector<Vec3> normals = wallNormals(plain, context);
   const std::vector<LayerDirection> directions = findDirections(plain, walls, normals, counts, options, context);
   for (std::size_t p = 0; p < counts.size(); ++p)

@@ -265,8 +265,8 @@ std::vector<ShortCell> findShortCells(const CellSource& source, const std::vecto
   const Pieces pieces(cells.size());
   std::vector<std::vector<ShortCell>> found(pieces.count);
   context.executor.forEach(pieces.count, 1, [&](std::size_t piece) {
-    Region region = extractCells(
-        source, {cells.begin() + pieces.begin(piece), cells.begin() + pieces.end(piece)}, serial);
+    Region region =
+        extractCells(source, {cells.begin() + pieces.begin(piece), cells.begin() + pieces.end(piece)}, serial);
     found[piece] = shortCellsOf(Judge(region, targets, serial), 0.0, serial);
   });
   std::vector<ShortCell> all;

@@ -65,7 +65,8 @@ private:
       const auto repeated = std::ranges::unique(*ids);
       ids->erase(repeated.begin(), repeated.end());
     }
-    std::ranges::transform(region.pointIds, std::back_inserter(region.points), [&](Index p) { return source.points()[p]; });
+    std::ranges::transform(region.pointIds, std::back_inserter(region.points),
+                           [&](Index p) { return source.points()[p]; });
   }
 
   Index numberOfPoint(Index point) const { return numberIn(region.pointIds, point); }
