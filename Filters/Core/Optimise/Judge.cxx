@@ -265,7 +265,7 @@ template <typename Sink> void Judge::judgeCell(Index cell, Sink& score) const
     const JacobianTerms terms = jacobiansOf(cell);
     for (std::size_t i = 0; i < terms.count; ++i)
     {
-      score.add(terms.values[i] / targets_.scaledJacobian);
+      score.add(terms.values[i] / targets_.scaledJacobian, targets_.leastOfJacobian);
     }
   }
 }

@@ -23,9 +23,11 @@ struct Score
   double penalty = 0.0;
   double worst = std::numeric_limits<double>::infinity();
 
-  void add(double q)
+  void add(double q) { add(q, q); }
+  /// Of the worst no less than `least`.
+  void add(double q, double least)
   {
-    worst = std::min(worst, q);
+    worst = std::min(worst, std::max(q, least));
     addPenalty(q);
   }
   void addPenalty(double q)
@@ -48,6 +50,7 @@ struct Residuals
   std::vector<double> values;
 
   void add(double q) { values.push_back(shortfallOf(q)); }
+  void add(double q, double /*least*/) { add(q); }
   void addPenalty(double q) { add(q); }
   void addGood() { values.push_back(0.0); }
 };

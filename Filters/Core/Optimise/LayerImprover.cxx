@@ -4,6 +4,7 @@
 #include "Optimise/LayerGuide.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace atria {
 
@@ -13,6 +14,8 @@ namespace {
 constexpr float soundEnough = 0.02F;
 /// Of the targets, what elements keep when points are put back where the model wants them.
 constexpr double leastPutBack = 0.3;
+/// What hexahedra of a uniform mesh should have.
+constexpr double goodJacobian = 0.6;
 
 /// Those of the layer, too.
 std::vector<char> pointsToJudge(const LayerMesh& layer)
@@ -130,6 +133,7 @@ LayerImprover::LayerImprover(const Octree& octree, const SurfaceModel& model, Tr
       plain_(plain), walls_(walls), options_(options), context_(context),
       layered_(std::ranges::any_of(options.ofTag, [](const WallLayers& wall) { return wall.layers > 0; })),
       hasHeights_(std::ranges::any_of(options.ofTag, [](const WallLayers& wall) { return wall.firstHeight > 0.0; })),
+      uniform_(std::ranges::adjacent_find(plain.levels, std::not_equal_to()) == plain.levels.end()),
       leaders_(vertexOf.size()), mayLeave_(vertexOf.size(), 1), letGo_(vertexOf.size(), 0),
       excluded_(vertexOf.size(), 0), suspect_(vertexOf.size(), 0)
 {
@@ -158,6 +162,11 @@ QualityTargets LayerImprover::targets() const
 {
   QualityTargets targets;
   targets.convex = layered_;
+  if (layered_ && uniform_)
+  {
+    targets.scaledJacobian = goodJacobian;
+    targets.leastOfJacobian = leastPutBack;
+  }
   targets.determinants = layered_;
   if (hasHeights_)
   {

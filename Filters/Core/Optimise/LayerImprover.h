@@ -68,6 +68,8 @@ private:
   const RunContext& context_;
   bool layered_;
   bool hasHeights_;
+  /// Whether all octants at elements are of one size, so that these are hexahedra.
+  bool uniform_;
   LayerMesh layer_;
   /// By point of the plain mesh.
   std::vector<Index> leaders_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 
 namespace atria {
 
@@ -59,6 +60,8 @@ struct QualityTargets
   bool decomposed = true;
   /// Verdict's scaled Jacobian of cells that have one, its limit 0; a target of 0 asks for nothing.
   double scaledJacobian = 0.0;
+  /// What it makes of the worst at least: cells may fall short by it without being bad.
+  double leastOfJacobian = -std::numeric_limits<double>::infinity();
 
   /// All targets farther from their limits: measures creep up to what is aimed at and stop just short of it.
   QualityTargets beyond(double share) const;

@@ -232,6 +232,15 @@ void DualSource::facesOf(Index cell, Scratch& out) const
   }
 }
 
+/// Of those that are hexahedra.
+NativeCell DualSource::nativeOf(Index cell) const
+{
+  std::array<Index, 8> sorted = mesh_.corners[cell];
+  std::ranges::sort(sorted);
+  const bool isHexahedron = std::ranges::adjacent_find(sorted) == sorted.end();
+  return isHexahedron ? NativeCell{hexahedronCell, mesh_.corners[cell]} : NativeCell{};
+}
+
 bool DualSource::hasMarked(Index cell, const std::vector<char>& marked) const
 {
   return std::ranges::any_of(mesh_.corners[cell], [&](Index p) { return marked[p] != 0; });

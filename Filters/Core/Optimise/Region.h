@@ -101,6 +101,7 @@ public:
   std::size_t cellCount() const override { return mesh_.elementCount(); }
   const std::vector<Vec3>& points() const override { return mesh_.points; }
   void facesOf(Index cell, Scratch& out) const override;
+  NativeCell nativeOf(Index cell) const override;
   bool hasMarked(Index cell, const std::vector<char>& marked) const override;
 
 private:
