@@ -32,6 +32,11 @@ public:
         ++outOfRange;
         return;
       }
+      if (!isSomewhere(static_cast<std::size_t>(face[i])))
+      {
+        ++nowhere;
+        return;
+      }
       repeats = repeats || (i > 0 && face[i] == face[i - 1]);
     }
     for (const int i : face)
@@ -53,6 +58,7 @@ public:
       }
     };
     say(outOfRange, "with points that do not exist, skipped");
+    say(nowhere, "with points whose coordinates are no numbers, skipped");
     say(repeated, "with a point repeated in a row, taken once");
     say(builder.withoutArea(), "without area, skipped");
     say(builder.selfCrossing(), "whose outline crosses itself");
@@ -62,6 +68,12 @@ public:
   LocalSurface take() { return builder.take(); }
 
 private:
+  bool isSomewhere(std::size_t i) const
+  {
+    const double* p = points.data() + 3 * i;
+    return newIds[i] != noIndex || (std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]));
+  }
+
   Index idOf(std::size_t i)
   {
     if (newIds[i] == noIndex)
@@ -77,6 +89,7 @@ private:
   std::vector<Index> newIds;
   std::vector<Index> ids;
   std::size_t outOfRange = 0;
+  std::size_t nowhere = 0;
   std::size_t repeated = 0;
 };
 

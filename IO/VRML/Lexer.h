@@ -53,6 +53,9 @@ public:
   std::size_t lengthOfList();
   /// Reads a finite number, or leaves the text where it is and says false.
   bool nextNumber(double& value);
+  /// Reads what stands for a number that is none, such as nan, -inf, 1.#QNAN, or is too large, as not a number. Else
+  /// leaves the text where it is and says false.
+  bool nextNoNumber(double& value);
   /// Reads a whole number in the range of int, also in hexadecimal or written like 3.0.
   bool nextInteger(int& value);
 

@@ -160,7 +160,46 @@ bool Parser::readStatement()
     readPrototype(token.text == "EXTERNPROTO");
     return true;
   }
-  return false;
+  return document.version == Version::x3d && readStatementOfX3D();
+}
+
+/// What X3D has between its header and its nodes.
+bool Parser::readStatementOfX3D()
+{
+  const Token token = lexer.peek();
+  if (token.is("UNIT"))
+  {
+    lexer.next();
+    const std::string category(lexer.nextName().value_or(""));
+    lexer.nextName();
+    const std::string text(lexer.peek().text);
+    double factor = 1.0;
+    if (lexer.nextNumber(factor) && category == "length" && factor != 1.0)
+    {
+      warn("lengths are stated to be in units of " + text + " m, which is not applied; set Scale");
+    }
+    return true;
+  }
+  const bool exchange = token.is("IMPORT") || token.is("EXPORT");
+  if (!exchange && !token.is("PROFILE") && !token.is("COMPONENT") && !token.is("META"))
+  {
+    return false;
+  }
+  lexer.next();
+  for (int i = 0; i < 2 && lexer.peek().kind == TokenKind::string; ++i) // of META
+  {
+    lexer.next();
+  }
+  if (!token.is("META"))
+  {
+    lexer.nextName();
+  }
+  if (exchange && lexer.peek().is("AS"))
+  {
+    lexer.next();
+    lexer.nextName();
+  }
+  return true;
 }
 
 bool Parser::startsNode()
@@ -359,18 +398,26 @@ void Parser::readField()
     lexer.next();
     return lexer.peek().kind == TokenKind::openBracket ? skipGroup() : void(lexer.next());
   }
-  const bool declares = token.is("field") || token.is("exposedField") || token.is("eventIn") || token.is("eventOut");
-  if (declares && !(type && *type != FieldType::unknown))
+  if ((isField(token) || isEvent(token)) && !(type && *type != FieldType::unknown))
   {
     return readDeclaration();
   }
   const bool is = lexer.peekSecond().is("IS");
   const bool known = node.prototype || (node.type && node.type->name == node.typeName);
+  const std::string_view name = document.keep(token.text);
   if (!type && !is && known && !node.damaged)
   {
-    warn(std::string(node.typeName) + " has no field '" + toUtf8(token.text) + "'");
+    const bool adopts = node.type && node.type->kind == NodeKind::group && node.type->fieldType("children");
+    const Lexer start = lexer; // for the place in the warning
+    lexer.next();
+    const bool adopted = adopts && holdsNodes();
+    lexer = start;
+    warn(std::string(node.typeName) + " has no field '" + toUtf8(name) + "'" +
+         (adopted ? "; the nodes in it are taken as children" : ""));
+    lexer.next();
+    return adopted ? readNodes(slotOf(node, "children"), true) : readByLook();
   }
-  const std::string_view name = document.keep(lexer.next().text);
+  lexer.next();
   if (is)
   {
     lexer.next();
@@ -389,7 +436,7 @@ void Parser::readField()
 /// `field SFNode name value` in a Script and in node types of others.
 void Parser::readDeclaration()
 {
-  const std::string_view keyword = lexer.next().text;
+  const Token keyword = lexer.next();
   lexer.nextName();
   lexer.nextName();
   if (lexer.peek().is("IS"))
@@ -397,7 +444,7 @@ void Parser::readDeclaration()
     lexer.next();
     lexer.nextName();
   }
-  else if (keyword == "field" || keyword == "exposedField")
+  else if (isField(keyword))
   {
     readByLook();
   }

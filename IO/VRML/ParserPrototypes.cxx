@@ -39,8 +39,8 @@ void Parser::stepInterface()
     frames.pop_back();
     return openBody(prototype);
   }
-  const bool event = token.is("eventIn") || token.is("eventOut");
-  if (!event && !token.is("field") && !token.is("exposedField"))
+  const bool event = isEvent(token);
+  if (!event && !isField(token))
   {
     expected("field, exposedField, eventIn, eventOut or ']'");
     token.kind == TokenKind::openBrace || token.kind == TokenKind::openBracket ? skipGroup() : void(lexer.next());

@@ -22,6 +22,7 @@ std::size_t arityOf(FieldType type)
       return 2;
     case FieldType::sfVec3f:
     case FieldType::mfVec3f:
+    case FieldType::mfPoint:
       return 3;
     case FieldType::sfRotation:
     case FieldType::mfRotation:
@@ -129,6 +130,8 @@ bool Parser::readScalars(Value& value, FieldType type)
     case FieldType::mfVec3f:
     case FieldType::mfRotation:
       return readNumbers(value, arityOf(type), true);
+    case FieldType::mfPoint:
+      return readNumbers(value, arityOf(type), true, true);
     default:
       return readNumbers(value, arityOf(type), false);
   }
@@ -165,9 +168,10 @@ bool Parser::readIntegers(Value& value, bool many)
   int number = 0;
   if (!many || lexer.peek().kind != TokenKind::openBracket)
   {
+    const bool bracket = openNeedlessBracket();
     const bool read = lexer.nextInteger(number);
     out.assign(read ? 1 : 0, number);
-    return read;
+    return read && (!bracket || endsList());
   }
   lexer.next();
   // Room for numbers of the usual length: growing in steps would copy, and touch, twice as much memory.
@@ -178,31 +182,57 @@ bool Parser::readIntegers(Value& value, bool many)
     out.push_back(number);
     tick();
   }
-  return lexer.peek().kind == TokenKind::closeBracket && lexer.next().kind == TokenKind::closeBracket;
+  return endsList();
 }
 
-/// A list whose length is no multiple of `arity` loses its incomplete end.
-bool Parser::readNumbers(Value& value, std::size_t arity, bool many)
+/// Some programs put brackets about single values.
+bool Parser::openNeedlessBracket()
+{
+  if (lexer.peek().kind != TokenKind::openBracket)
+  {
+    return false;
+  }
+  warn("expected a single value, found a list; taken as the value");
+  lexer.next();
+  return true;
+}
+
+/// At the end of a list, which may lack its bracket where its node ends.
+bool Parser::endsList()
+{
+  const TokenKind kind = lexer.peek().kind;
+  if (kind == TokenKind::closeBrace)
+  {
+    expected("']'");
+    return true;
+  }
+  return kind == TokenKind::closeBracket && lexer.next().kind == TokenKind::closeBracket;
+}
+
+/// A list whose length is no multiple of `arity` loses its incomplete end. Only where `gaps` are allowed may something
+/// stand there that is no number.
+bool Parser::readNumbers(Value& value, std::size_t arity, bool many, bool gaps)
 {
   auto& out = value.emplace<std::vector<double>>();
   double number = 0.0;
   if (!many || lexer.peek().kind != TokenKind::openBracket)
   {
+    const bool bracket = openNeedlessBracket();
     while (out.size() < arity && lexer.nextNumber(number))
     {
       out.push_back(number);
     }
-    return out.size() == arity;
+    return out.size() == arity && (!bracket || endsList());
   }
   lexer.next();
   constexpr std::size_t usualLength = 8;
   out.reserve(lexer.lengthOfList() / usualLength);
-  while (lexer.nextNumber(number))
+  while (lexer.nextNumber(number) || (gaps && lexer.nextNoNumber(number)))
   {
     out.push_back(number);
     tick();
   }
-  if (lexer.peek().kind != TokenKind::closeBracket)
+  if (lexer.peek().kind != TokenKind::closeBracket && lexer.peek().kind != TokenKind::closeBrace)
   {
     return false;
   }
@@ -211,8 +241,7 @@ bool Parser::readNumbers(Value& value, std::size_t arity, bool many)
     expected("numbers in groups of " + std::to_string(arity));
     out.resize(out.size() - out.size() % arity);
   }
-  lexer.next();
-  return true;
+  return endsList();
 }
 
 bool Parser::readStrings(Value& value, bool many)
@@ -260,6 +289,17 @@ bool Parser::readWords(Value& value)
   return !inside;
 }
 
+/// Whether the next value, of a type that is not known, looks like nodes.
+bool Parser::holdsNodes()
+{
+  if (lexer.peek().kind != TokenKind::openBracket)
+  {
+    return startsNode();
+  }
+  const Token second = lexer.peekSecond();
+  return second.kind == TokenKind::word && !isTruth(second, "TRUE") && !isTruth(second, "FALSE");
+}
+
 /// Reads past a value whose type is not known or of no interest. Nodes in it are still read: a USE may want
 /// them.
 void Parser::readByLook()
@@ -267,9 +307,7 @@ void Parser::readByLook()
   const Token token = lexer.peek();
   if (token.kind == TokenKind::openBracket)
   {
-    const Token second = lexer.peekSecond();
-    const bool nodes = second.kind == TokenKind::word && !isTruth(second, "TRUE") && !isTruth(second, "FALSE");
-    if (!nodes)
+    if (!holdsNodes())
     {
       return skipGroup();
     }
@@ -353,8 +391,7 @@ void Parser::resume(const Node* owner, bool inBrackets)
         inBrackets = false;
         continue;
       case TokenKind::word:
-        if (owner ? fieldType(*owner, token.text).has_value()
-                  : token.is("field") || token.is("exposedField") || token.is("eventIn") || token.is("eventOut"))
+        if (owner ? fieldType(*owner, token.text).has_value() : isField(token) || isEvent(token))
         {
           return;
         }

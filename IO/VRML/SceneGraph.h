@@ -40,6 +40,7 @@ enum class FieldType
   mfFloat,
   mfVec2f,
   mfVec3f,
+  mfPoint, ///< as mfVec3f, but what is no number is kept as such: it costs the faces about one point
   mfRotation,
   mfString,
   mfNode
