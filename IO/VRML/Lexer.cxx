@@ -154,6 +154,24 @@ Token Lexer::readString()
 Token Lexer::next()
 {
   skipBlanks();
+  // Most tokens are looked at before they are taken.
+  for (const Seen& known : seen)
+  {
+    if (known.from == at)
+    {
+      at = known.to;
+      return known.token;
+    }
+  }
+  const char* const from = at;
+  const Token token = read();
+  seen[oldest] = {from, at, token};
+  oldest = 1 - oldest;
+  return token;
+}
+
+Token Lexer::read()
+{
   if (at == end)
   {
     return {TokenKind::end, {end, 0}};
@@ -194,7 +212,7 @@ Token Lexer::peekSecond()
   skipBlanks();
   const char* saved = at;
   next();
-  const Token token = next();
+  const Token token = peek();
   at = saved;
   return token;
 }

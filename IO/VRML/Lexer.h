@@ -3,6 +3,7 @@
 /// taken more generously: exporters write dots, slashes and leading digits.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -67,13 +68,25 @@ public:
   std::size_t position() const { return static_cast<std::size_t>(at - begin); }
 
 private:
+  /// A token read before.
+  struct Seen
+  {
+    const char* from = nullptr;
+    const char* to = nullptr;
+    Token token;
+  };
+
   void skipBlanks();
+  /// Reads the token that begins here.
+  Token read();
   Token readString();
   int countLineEnds(const char* first, const char* last) const;
 
   const char* begin;
   const char* end;
   const char* at;
+  std::array<Seen, 2> seen;
+  std::size_t oldest = 0;
   // Lines are counted only when somebody asks, from where they were counted last.
   const char* counted;
   int countedLine = 1;

@@ -264,7 +264,6 @@ void Parser::openNode(Slot slot, const std::vector<std::string_view>& names)
   const Token type = lexer.next();
   lexer.next();
   Node& node = document.nodes.emplace_back();
-  node.typeName = document.keep(type.text);
   node.document = &document;
   node.line = lexer.lineOf(type.text);
   node.prototype = findPrototype(type.text);
@@ -273,6 +272,8 @@ void Parser::openNode(Slot slot, const std::vector<std::string_view>& names)
   {
     node.type = declaredBase();
   }
+  const bool isOwn = node.type && node.type->name == type.text;
+  node.typeName = isOwn ? node.type->name : node.prototype ? node.prototype->name : document.keep(type.text);
   quiet = quiet && !node.prototype && !node.type;
   for (const std::string_view name : names)
   {
@@ -404,7 +405,6 @@ void Parser::readField()
   }
   const bool is = lexer.peekSecond().is("IS");
   const bool known = node.prototype || (node.type && node.type->name == node.typeName);
-  const std::string_view name = document.keep(token.text);
   if (!type && !is && known && !node.damaged)
   {
     const bool adopts = node.type && node.type->kind == NodeKind::group && node.type->fieldType("children");
@@ -412,7 +412,7 @@ void Parser::readField()
     lexer.next();
     const bool adopted = adopts && holdsNodes();
     lexer = start;
-    warn(std::string(node.typeName) + " has no field '" + toUtf8(name) + "'" +
+    warn(std::string(node.typeName) + " has no field '" + toUtf8(token.text) + "'" +
          (adopted ? "; the nodes in it are taken as children" : ""));
     lexer.next();
     return adopted ? readNodes(slotOf(node, "children"), true) : readByLook();
@@ -421,7 +421,7 @@ void Parser::readField()
   if (is)
   {
     lexer.next();
-    const Slot slot = slotOf(node, name);
+    const Slot slot = slotOf(node, document.keep(token.text));
     node.fields[slot.field].is = document.keep(lexer.nextName().value_or(""));
     return;
   }
@@ -429,7 +429,7 @@ void Parser::readField()
   {
     return readByLook();
   }
-  const Slot slot = slotOf(node, name);
+  const Slot slot = slotOf(node, fieldName(node, token.text));
   readValue(node, slot.field, *type, false);
 }
 
@@ -457,6 +457,8 @@ Parser::Slot Parser::slotOf(Node& node, std::string_view field)
   const auto index = static_cast<std::size_t>(found - node.fields.begin());
   if (found == node.fields.end())
   {
+    constexpr std::size_t usual = 2;
+    node.fields.reserve(node.fields.empty() ? usual : 0);
     node.fields.push_back({field, {}, {}});
   }
   Value& value = node.fields[index].value;
@@ -479,6 +481,22 @@ std::optional<FieldType> Parser::fieldType(const Node& node, std::string_view fi
     return field == "children" ? std::optional(FieldType::mfNode) : std::nullopt;
   }
   return node.type->fieldType(field);
+}
+
+/// The name of a field, in a copy that stays: that of the type, as files have millions of them.
+std::string_view Parser::fieldName(const Node& node, std::string_view field)
+{
+  if (node.type)
+  {
+    for (const auto& [known, type] : node.type->fields)
+    {
+      if (known == field)
+      {
+        return known;
+      }
+    }
+  }
+  return document.keep(field);
 }
 
 const Prototype* Parser::findPrototype(std::string_view name) const

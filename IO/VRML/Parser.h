@@ -109,6 +109,7 @@ private:
 
   Slot slotOf(Node& node, std::string_view field);
   std::optional<FieldType> fieldType(const Node& node, std::string_view field) const;
+  std::string_view fieldName(const Node& node, std::string_view field);
   const Prototype* findPrototype(std::string_view name) const;
   /// Declarations of fields and events, in the words of VRML97 or of X3D.
   static bool isField(const Token& token)

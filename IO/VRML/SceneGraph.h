@@ -7,7 +7,6 @@
 #include <map>
 #include <string>
 #include <string_view>
-#include <unordered_set>
 #include <variant>
 #include <vector>
 
@@ -113,11 +112,12 @@ struct Document
   std::size_t routes = 0;
   std::string head; ///< the first characters of the file, where programs say who they are
 
-  std::string_view keep(std::string_view text) { return *strings.emplace(text).first; }
+  /// A copy that lives as long as the document.
+  std::string_view keep(std::string_view text) { return strings.emplace_back(text); }
   std::string displayName() const { return file.filename().string(); }
 
 private:
-  std::unordered_set<std::string> strings;
+  std::deque<std::string> strings;
 };
 
 } // namespace atria::vrml
