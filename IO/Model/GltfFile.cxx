@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "GltfFile.h"
 
+#include "Base64.h"
 #include "DamagedJson.h"
 #include "ModelParts.h"
 
@@ -22,34 +23,6 @@ template <typename T> T valueAt(std::string_view bytes)
   T value;
   std::memcpy(&value, bytes.data(), sizeof(T)); // little endian, as all machines in use
   return value;
-}
-
-std::string fromBase64(std::string_view text)
-{
-  std::string out;
-  std::uint32_t bits = 0;
-  int count = 0;
-  for (const char c : text)
-  {
-    const int value = c >= 'A' && c <= 'Z'   ? c - 'A'
-                      : c >= 'a' && c <= 'z' ? c - 'a' + 26
-                      : c >= '0' && c <= '9' ? c - '0' + 52
-                      : c == '+' || c == '-' ? 62
-                      : c == '/' || c == '_' ? 63
-                                             : -1;
-    if (value < 0)
-    {
-      break; // the padding, or damage
-    }
-    bits = bits << 6 | static_cast<std::uint32_t>(value);
-    count += 6;
-    if (count >= 8)
-    {
-      count -= 8;
-      out.push_back(static_cast<char>(bits >> count & 0xff));
-    }
-  }
-  return out;
 }
 
 int hexDigit(char c)
