@@ -127,6 +127,16 @@ std::string withoutPlace(const std::string& message)
 
 Messages::Messages(vtkObject* watched)
 {
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(this);
+  command->SetCallback([](vtkObject*, unsigned long, void* self, void* text) {
+    std::string& kept = static_cast<Messages*>(self)->firstError;
+    if (kept.empty())
+    {
+      kept = withoutPlace(static_cast<const char*>(text));
+    }
+  });
+  onError = command;
   watch(watched);
   if (auto* algorithm = vtkAlgorithm::SafeDownCast(watched))
   {
@@ -136,15 +146,6 @@ Messages::Messages(vtkObject* watched)
 
 void Messages::watch(vtkObject* object)
 {
-  vtkNew<vtkCallbackCommand> onError;
-  onError->SetClientData(this);
-  onError->SetCallback([](vtkObject*, unsigned long, void* self, void* text) {
-    std::string& kept = static_cast<Messages*>(self)->firstError;
-    if (kept.empty())
-    {
-      kept = withoutPlace(static_cast<const char*>(text));
-    }
-  });
   observers.emplace_back(object, object->AddObserver(vtkCommand::ErrorEvent, onError));
   vtkNew<vtkCallbackCommand> onWarning;
   onWarning->SetClientData(this);

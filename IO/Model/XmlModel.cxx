@@ -82,6 +82,7 @@ Model readXml(const std::string& file)
   checkXmlSizes(file);
   const vtkSmartPointer<vtkXMLReader> reader = readerFor(file);
   const Messages messages(reader);
+  reader->SetParserErrorObserver(messages.errorObserver());
   if (!reader->CanReadFile(file.c_str()))
   {
     throw Error("'" + file + "' does not hold the VTK XML data that its ending says; write it again");

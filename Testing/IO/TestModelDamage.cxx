@@ -16,6 +16,8 @@
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkStringArray.h>
+#include <vtkXMLPolyDataReader.h>
+#include <vtkXMLPolyDataWriter.h>
 
 #include <gmock/gmock.h>
 
@@ -79,6 +81,28 @@ std::string binaryPly()
     append(bytes, face);
   }
   return bytes;
+}
+
+/// The house as VTK's XML polydata, its numbers as text, in base64, behind the rest in base64, or raw there.
+std::string xmlHouse(const std::string& mode, const fs::path& folder)
+{
+  vtkNew<vtkXMLPolyDataReader> reader;
+  const fs::path file = folder / "house.vtp";
+  atria::testing::writersWithNames().at("vtp")(atria::testing::sampleHouse(), file);
+  reader->SetFileName(file.c_str());
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputConnection(reader->GetOutputPort());
+  writer->SetFileName(file.c_str());
+  reader->Update();
+  writer->SetDataMode(mode == "text"     ? vtkXMLWriter::Ascii
+                      : mode == "inline" ? vtkXMLWriter::Binary
+                                         : vtkXMLWriter::Appended);
+  writer->SetEncodeAppendedData(mode != "raw");
+  writer->SetCompressorType(mode == "raw" ? vtkXMLWriter::NONE : vtkXMLWriter::ZLIB);
+  writer->SetHeaderType(mode == "raw" ? vtkXMLWriter::UInt64 : vtkXMLWriter::UInt32);
+  writer->SetByteOrder(mode == "inline" ? vtkXMLWriter::BigEndian : vtkXMLWriter::LittleEndian);
+  writer->Write();
+  return bytesOf(file);
 }
 
 class ModelDamage : public atria::testing::VtkTest
@@ -392,5 +416,49 @@ TEST_F(ModelDamage, LeavesOutObjFacesWithDamagedVertices)
               AllOf(HasSubstr("line 2: expected three numbers"), HasSubstr("line 5: expected three numbers"),
                     HasSubstr("2 faces are left out")));
 }
+
+class XmlMode : public ModelDamage, public ::testing::WithParamInterface<std::string>
+{
+};
+
+/// VTK asks for as much memory as a file states, or reads on for hours.
+TEST_P(XmlMode, DoesNotBelieveTheSizesOfXmlFiles)
+{
+  const std::string whole = xmlHouse(GetParam(), scratch.path());
+  read("a.vtp", whole);
+  EXPECT_EQ(errors, std::vector<std::string>());
+  EXPECT_GT(triangles(), 0);
+  std::vector<std::string> wrong;
+  for (const char* key : {"NumberOfPoints=\"", "NumberOfVerts=\"", "NumberOfPolys=\"", "NumberOfComponents=\""})
+  {
+    for (const char* count : {"99999999999\"", "-1\"", "18446744073709551615\"", "x\""})
+    {
+      const std::size_t at = whole.find(key) + std::strlen(key);
+      wrong.push_back(std::string(whole).replace(at, whole.find('"', at) + 1 - at, count));
+    }
+  }
+  const std::size_t data = whole.find("<AppendedData");
+  if (data != whole.npos)
+  {
+    std::string bytes = whole;
+    wrong.push_back(bytes.replace(whole.find('_', data) + 1, 16,
+                                  GetParam() == "raw" ? std::string(16, '\x7f') : "f39/f39/f39/f39/"));
+    const std::size_t at = whole.rfind("offset=\"", data) + 8;
+    wrong.push_back(std::string(whole).replace(at, whole.find('"', at) - at, "99999"));
+  }
+  else if (GetParam() == "inline")
+  {
+    const std::size_t array = whole.find(">", whole.find("Name=\"Points\""));
+    wrong.push_back(std::string(whole).replace(whole.find_first_not_of(" \n", array + 1), 16, "f39/f39/f39/f39/"));
+  }
+  for (const std::string& bytes : wrong)
+  {
+    const atria::testing::Watchdog watchdog(GetParam(), std::chrono::seconds(60));
+    read("a.vtp", bytes);
+    EXPECT_THAT(firstError(), AllOf(HasSubstr("a.vtp"), HasSubstr("cannot be right"))) << bytes.substr(0, 1000);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Modes, XmlMode, ::testing::Values("text", "inline", "appended", "raw"));
 
 } // namespace
