@@ -16,7 +16,7 @@ namespace {
 class FaceSet
 {
 public:
-  FaceSet(const std::vector<double>& coordinates, bool turned)
+  FaceSet(const Numbers& coordinates, bool turned)
       : points(coordinates), count(coordinates.size() / 3), builder(turned), newIds(count, noIndex)
   {
   }
@@ -83,7 +83,7 @@ private:
     return newIds[i];
   }
 
-  const std::vector<double>& points;
+  const Numbers& points;
   std::size_t count;
   SurfaceBuilder builder;
   std::vector<Index> newIds;
@@ -93,7 +93,7 @@ private:
   std::size_t repeated = 0;
 };
 
-std::vector<Eigen::Vector2d> pairs(const std::vector<double>& numbers)
+std::vector<Eigen::Vector2d> pairs(const Numbers& numbers)
 {
   std::vector<Eigen::Vector2d> out;
   for (std::size_t i = 0; i + 1 < numbers.size(); i += 2)
@@ -209,11 +209,11 @@ LocalSurface Geometry::elevationGrid(const NodeRef& node)
 LocalSurface Geometry::extrusion(const NodeRef& node)
 {
   Extrusion in;
-  if (const auto* section = instances.get<std::vector<double>>(node, "crossSection"))
+  if (const auto* section = instances.get<Numbers>(node, "crossSection"))
   {
     in.crossSection = pairs(*section);
   }
-  if (const auto* spine = instances.get<std::vector<double>>(node, "spine"))
+  if (const auto* spine = instances.get<Numbers>(node, "spine"))
   {
     in.spine.clear();
     for (std::size_t i = 0; i + 2 < spine->size(); i += 3)
@@ -221,12 +221,12 @@ LocalSurface Geometry::extrusion(const NodeRef& node)
       in.spine.emplace_back((*spine)[i], (*spine)[i + 1], (*spine)[i + 2]);
     }
   }
-  const auto* scale = instances.get<std::vector<double>>(node, "scale");
+  const auto* scale = instances.get<Numbers>(node, "scale");
   if (scale && scale->size() > 1)
   {
     in.scale = pairs(*scale);
   }
-  const auto* orientation = instances.get<std::vector<double>>(node, "orientation");
+  const auto* orientation = instances.get<Numbers>(node, "orientation");
   if (orientation && orientation->size() > 3)
   {
     in.orientation.clear();
@@ -249,13 +249,12 @@ LocalSurface Geometry::extrusion(const NodeRef& node)
 LocalSurface Geometry::faceSet(const NodeRef& node)
 {
   const NodeRef coord = instances.expand(instances.node(node, "coord"));
-  const auto* points = coord && !coord.node->damaged ? instances.get<std::vector<double>>(coord, "point") : nullptr;
-  const auto* index = instances.get<std::vector<int>>(node, "coordIndex");
+  const auto* points = coord && !coord.node->damaged ? instances.get<Numbers>(coord, "point") : nullptr;
+  const auto* index = instances.get<Integers>(node, "coordIndex");
   return points && index ? faces(node, *points, *index, !instances.flag(node, "ccw", true)) : LocalSurface{};
 }
 
-LocalSurface Geometry::faces(const NodeRef& node, const std::vector<double>& points, const std::vector<int>& index,
-                             bool turned)
+LocalSurface Geometry::faces(const NodeRef& node, const Numbers& points, const Integers& index, bool turned)
 {
   FaceSet set(points, turned);
   for (auto start = index.begin(); start != index.end();)
@@ -280,7 +279,7 @@ LocalSurface Geometry::make(const NodeRef& node, const State& state)
   const std::string_view type = node.node->type->name;
   if (type == "IndexedFaceSet")
   {
-    const auto* index = instances.get<std::vector<int>>(node, "coordIndex");
+    const auto* index = instances.get<Integers>(node, "coordIndex");
     return state.points && index ? faces(node, *state.points, *index, state.clockwise) : LocalSurface{};
   }
   return type == "Cube"       ? cube1(node)

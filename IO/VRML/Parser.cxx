@@ -15,8 +15,7 @@ Parser::Parser(Document& target, std::string_view text, Diagnostics& messages, c
 
 void Parser::run()
 {
-  document.root = &document.nodes.emplace_back();
-  document.root->document = &document;
+  document.root = &document.addNode();
   scopes.emplace_back();
   frames.push_back({Open::file, slotOf(*document.root, "children")});
   while (!frames.empty())
@@ -263,8 +262,7 @@ void Parser::openNode(Slot slot, const std::vector<std::string_view>& names)
 {
   const Token type = lexer.next();
   lexer.next();
-  Node& node = document.nodes.emplace_back();
-  node.document = &document;
+  Node& node = document.addNode();
   node.line = lexer.lineOf(type.text);
   node.prototype = findPrototype(type.text);
   node.type = node.prototype ? nullptr : findNodeType(type.text, document.version);
@@ -338,7 +336,7 @@ void Parser::put(Slot slot, Node* node)
 {
   if (slot.node)
   {
-    std::get<std::vector<Node*>>(slot.node->fields[slot.field].value).push_back(node);
+    std::get<Nodes>(slot.node->fields[slot.field].value).push_back(node);
   }
 }
 
@@ -462,9 +460,9 @@ Parser::Slot Parser::slotOf(Node& node, std::string_view field)
     node.fields.push_back({field, {}, {}});
   }
   Value& value = node.fields[index].value;
-  if (!std::holds_alternative<std::vector<Node*>>(value))
+  if (!std::holds_alternative<Nodes>(value))
   {
-    value = std::vector<Node*>{}; // other values replace this when they are read
+    value = Nodes(&document.memory); // other values replace this when they are read
   }
   return {&node, index};
 }

@@ -88,6 +88,7 @@ private:
   void readNodes(Slot slot, bool many);
   bool readScalars(Value& value, FieldType type);
   bool readBool(Value& value);
+  std::pmr::memory_resource* memoryFor(std::size_t length);
   bool readIntegers(Value& value, bool many);
   bool readNumbers(Value& value, std::size_t arity, bool many, bool gaps = false);
   bool openNeedlessBracket();

@@ -94,7 +94,7 @@ void Parser::readNodes(Slot slot, bool many)
   Value& value = slot.node->fields[slot.field].value;
   if (!many)
   {
-    std::get<std::vector<Node*>>(value).clear();
+    std::get<Nodes>(value).clear();
   }
   if (lexer.peek().kind == TokenKind::openBracket)
   {
@@ -162,11 +162,34 @@ bool Parser::readBool(Value& value)
   return true;
 }
 
+/// Long lists have memory of their own, so that what they outgrow is given back.
+std::pmr::memory_resource* Parser::memoryFor(std::size_t length)
+{
+  constexpr std::size_t longest = 4096;
+  return length > longest ? std::pmr::new_delete_resource() : &document.memory;
+}
+
+namespace {
+
+/// What a long list has too much of: it may have no end of its own, or be full of blanks.
+template <typename List> void giveBack(List& list)
+{
+  constexpr std::size_t much = 4096;
+  if (list.capacity() > much && list.capacity() / 2 > list.size())
+  {
+    list.shrink_to_fit();
+  }
+}
+
+} // namespace
+
 bool Parser::readIntegers(Value& value, bool many)
 {
-  auto& out = value.emplace<std::vector<int>>();
+  const bool isList = many && lexer.peek().kind == TokenKind::openBracket;
+  const std::size_t length = isList ? lexer.lengthOfList() : 0;
+  auto& out = value.emplace<Integers>(memoryFor(length));
   int number = 0;
-  if (!many || lexer.peek().kind != TokenKind::openBracket)
+  if (!isList)
   {
     const bool bracket = openNeedlessBracket();
     const bool read = lexer.nextInteger(number);
@@ -176,12 +199,13 @@ bool Parser::readIntegers(Value& value, bool many)
   lexer.next();
   // Room for numbers of the usual length: growing in steps would copy, and touch, twice as much memory.
   constexpr std::size_t usualLength = 6;
-  out.reserve(lexer.lengthOfList() / usualLength);
+  out.reserve(length / usualLength);
   while (lexer.nextInteger(number))
   {
     out.push_back(number);
     tick();
   }
+  giveBack(out);
   return endsList();
 }
 
@@ -213,9 +237,11 @@ bool Parser::endsList()
 /// stand there that is no number.
 bool Parser::readNumbers(Value& value, std::size_t arity, bool many, bool gaps)
 {
-  auto& out = value.emplace<std::vector<double>>();
+  const bool isList = many && lexer.peek().kind == TokenKind::openBracket;
+  const std::size_t length = isList ? lexer.lengthOfList() : 0;
+  auto& out = value.emplace<Numbers>(memoryFor(length));
   double number = 0.0;
-  if (!many || lexer.peek().kind != TokenKind::openBracket)
+  if (!isList)
   {
     const bool bracket = openNeedlessBracket();
     while (out.size() < arity && lexer.nextNumber(number))
@@ -226,12 +252,13 @@ bool Parser::readNumbers(Value& value, std::size_t arity, bool many, bool gaps)
   }
   lexer.next();
   constexpr std::size_t usualLength = 8;
-  out.reserve(lexer.lengthOfList() / usualLength);
+  out.reserve(length / usualLength);
   while (lexer.nextNumber(number) || (gaps && lexer.nextNoNumber(number)))
   {
     out.push_back(number);
     tick();
   }
+  giveBack(out);
   if (lexer.peek().kind != TokenKind::closeBracket && lexer.peek().kind != TokenKind::closeBrace)
   {
     return false;

@@ -224,6 +224,20 @@ TEST_P(DamagedFormat, EndsWithWhatCanBeReadOrAnErrorThatNamesTheFile)
 INSTANTIATE_TEST_SUITE_P(Formats, DamagedFormat,
                          ::testing::Values("obj", "stl", "binary.stl", "ply", "binary.ply", "gltf", "glb"));
 
+/// What the fuzzer found, and what is like it.
+TEST_F(ModelDamage, EndsAtWhatWasFoundByFuzzing)
+{
+  const fs::path folder = atria::testing::dataFolder() / "Models" / "damaged";
+  std::error_code none; // as long as there is nothing
+  for (const auto& entry : fs::directory_iterator(folder, none))
+  {
+    SCOPED_TRACE(entry.path().string());
+    const atria::testing::Watchdog watchdog(entry.path().string(), std::chrono::seconds(60));
+    read(entry.path().filename().string(), bytesOf(entry.path()));
+    EXPECT_EQ(brokenPromise(), "");
+  }
+}
+
 TEST_F(ModelDamage, ReadsThePlyFacesThatAreThere)
 {
   const std::string whole = binaryPly();
