@@ -196,8 +196,8 @@ LocalSurface Geometry::elevationGrid(const NodeRef& node)
   {
     return {}; // legal: no cells
   }
-  const double wanted = static_cast<double>(in.xDimension) * in.zDimension;
-  if (static_cast<double>(in.height.size()) < wanted)
+  const double needed = static_cast<double>(in.xDimension) * in.zDimension;
+  if (static_cast<double>(in.height.size()) < needed)
   {
     warn(node, std::to_string(in.height.size()) + " heights for a grid of " + std::to_string(in.xDimension) + " by " +
                    std::to_string(in.zDimension) + "; skipped");
