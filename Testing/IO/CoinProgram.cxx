@@ -177,6 +177,7 @@ void print(const CoinScene& scene)
     std::printf("error %s\n", error.c_str());
   }
   std::printf("end\n");
+  std::fflush(stdout); // Coin leaks, and sanitizers end such programs without
 }
 
 } // namespace
