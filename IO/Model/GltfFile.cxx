@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "GltfFile.h"
 
+#include "Base64.h"
+#include "DamagedJson.h"
 #include "ModelParts.h"
 
 #include "Support/Error.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
+#include <limits>
 
 namespace atria::model::gltf {
 
@@ -19,34 +23,6 @@ template <typename T> T valueAt(std::string_view bytes)
   T value;
   std::memcpy(&value, bytes.data(), sizeof(T)); // little endian, as all machines in use
   return value;
-}
-
-std::string fromBase64(std::string_view text)
-{
-  std::string out;
-  std::uint32_t bits = 0;
-  int count = 0;
-  for (const char c : text)
-  {
-    const int value = c >= 'A' && c <= 'Z'   ? c - 'A'
-                      : c >= 'a' && c <= 'z' ? c - 'a' + 26
-                      : c >= '0' && c <= '9' ? c - '0' + 52
-                      : c == '+' || c == '-' ? 62
-                      : c == '/' || c == '_' ? 63
-                                             : -1;
-    if (value < 0)
-    {
-      break; // the padding, or damage
-    }
-    bits = bits << 6 | static_cast<std::uint32_t>(value);
-    count += 6;
-    if (count >= 8)
-    {
-      count -= 8;
-      out.push_back(static_cast<char>(bits >> count & 0xff));
-    }
-  }
-  return out;
 }
 
 int hexDigit(char c)
@@ -76,6 +52,28 @@ std::size_t sizeOfComponent(std::size_t type)
 {
   constexpr std::array<std::size_t, 7> sizes{1, 1, 2, 2, 0, 4, 4}; // from 5120: bytes, shorts, unsigned, floats
   return type >= 5120 && type < 5120 + sizes.size() ? sizes[type - 5120] : 0;
+}
+
+/// A coordinate of any component type. Normalized whole numbers stand for 0 to 1, or -1 to 1.
+double coordinate(std::string_view bytes, std::size_t type, bool normalized)
+{
+  const auto whole = [&](auto value) {
+    const double share = static_cast<double>(value) / static_cast<double>(std::numeric_limits<decltype(value)>::max());
+    return normalized ? std::max(share, -1.0) : static_cast<double>(value);
+  };
+  switch (type)
+  {
+    case 5120:
+      return whole(valueAt<std::int8_t>(bytes));
+    case 5121:
+      return whole(valueAt<std::uint8_t>(bytes));
+    case 5122:
+      return whole(valueAt<std::int16_t>(bytes));
+    case 5123:
+      return whole(valueAt<std::uint16_t>(bytes));
+    default:
+      return valueAt<float>(bytes);
+  }
 }
 
 std::size_t wholeNumber(std::string_view bytes, std::size_t size)
@@ -111,18 +109,23 @@ void File::openBinary(std::string_view bytes)
 {
   constexpr std::size_t header = 12;
   constexpr std::size_t chunkHeader = 8;
-  const auto fail = [&](const std::string& what) {
-    throw Error("'" + name + "' cannot be read as glTF 2.0: " + what + "; export it again");
-  };
-  if (bytes.size() < header + chunkHeader || bytes.substr(0, 4) != "glTF" || bytes.substr(header + 4, 4) != "JSON")
+  constexpr std::string_view binary("BIN\0", 4);
+  const bool begins =
+      bytes.size() >= header + chunkHeader && (bytes.substr(0, 4) == "glTF" || bytes.substr(header + 4, 4) == "JSON");
+  if (!begins)
   {
-    fail("it does not begin as binary glTF does");
+    throw Error("'" + name + "' cannot be read as glTF 2.0: it does not begin as binary glTF does; export it again");
   }
-  const std::size_t jsonSize = valueAt<std::uint32_t>(bytes.substr(header));
+  std::size_t jsonSize = valueAt<std::uint32_t>(bytes.substr(header));
   bytes.remove_prefix(header + chunkHeader);
-  if (jsonSize > bytes.size())
+  const std::size_t stated = jsonSize;
+  if (jsonSize > bytes.size() ||
+      (jsonSize < bytes.size() && bytes.substr(std::min(jsonSize + 4, bytes.size()), 4) != binary))
   {
-    fail("it is cut off: its JSON has " + std::to_string(bytes.size()) + " of " + std::to_string(jsonSize) + " bytes");
+    // There is no such text in JSON, and the length of the chunk stands before it.
+    const std::size_t found = bytes.find(binary);
+    jsonSize = found == bytes.npos ? bytes.size() : std::max(found, std::size_t{4}) - 4;
+    faults.push_back("its JSON has " + std::to_string(jsonSize) + " of " + std::to_string(stated) + " bytes");
   }
   parse(bytes.substr(0, jsonSize));
   bytes.remove_prefix(jsonSize);
@@ -151,9 +154,14 @@ void File::parse(std::string_view json)
   catch (const std::exception& error)
   {
     what = error.what();
-    document = nullptr;
+    std::string complaint;
+    document = readDamagedJson(json, complaint);
+    if (!complaint.empty())
+    {
+      faults.push_back("its JSON is damaged in " + complaint + "; what is left is read, and may be wrong");
+    }
   }
-  if (!document.is_object())
+  if (!document.is_object() || document.empty())
   {
     throw Error("'" + name + "' cannot be read as glTF 2.0: " + what + "; export it again");
   }
@@ -187,26 +195,30 @@ void File::checkExtensions() const
 void File::loadBuffer(const Json& buffer, std::size_t number)
 {
   const std::string uri = buffer.is_object() ? text(buffer, "uri") : "";
-  std::string& bytes = buffers[number];
   if (uri.empty())
   {
-    bytes = chunk;
+    buffers[number] = number == 0 ? chunk : std::string_view();
+    return;
   }
-  else if (uri.compare(0, 5, "data:") == 0)
+  if (uri.compare(0, 5, "data:") == 0)
   {
     const std::size_t comma = uri.find(',');
-    bytes = comma == uri.npos ? "" : fromBase64(std::string_view(uri).substr(comma + 1));
+    decoded.push_back(comma == uri.npos ? "" : fromBase64(std::string_view(uri).substr(comma + 1)));
+    buffers[number] = decoded.back();
+    return;
   }
-  else
+  try
   {
-    try
+    const auto [found, isNew] = files.try_emplace(uri);
+    if (isNew)
     {
-      bytes = readBytes((std::filesystem::path(name).parent_path() / withoutEscapes(uri)).string());
+      found->second = readBytes((std::filesystem::path(name).parent_path() / withoutEscapes(uri)).string());
     }
-    catch (const std::exception& error)
-    {
-      bufferFaults[number] = error.what();
-    }
+    buffers[number] = found->second;
+  }
+  catch (const std::exception& error)
+  {
+    bufferFaults[number] = error.what();
   }
 }
 
@@ -234,21 +246,6 @@ std::optional<std::size_t> File::index(const Json& object, const char* key) cons
     throw Damaged(std::string("'") + key + "' is not a number from 0");
   }
   return found->get<std::size_t>();
-}
-
-std::vector<std::size_t> File::indexList(const Json& object, const char* key) const
-{
-  std::vector<std::size_t> out;
-  const auto found = object.find(key);
-  for (std::size_t i = 0; found != object.end() && i < found->size(); ++i)
-  {
-    if (!found->is_array() || !(*found)[i].is_number_unsigned())
-    {
-      throw Damaged(std::string("'") + key + "' is no list of numbers from 0");
-    }
-    out.push_back((*found)[i].get<std::size_t>());
-  }
-  return out;
 }
 
 std::vector<double> File::numbers(const Json& object, const char* key, std::size_t count) const
@@ -306,31 +303,32 @@ File::Items File::itemsOf(const Json& accessor, std::size_t count, std::size_t i
   const std::size_t viewSize = index(*view, "byteLength").value_or(0);
   const std::size_t start = index(accessor, "byteOffset").value_or(0);
   const std::size_t stride = std::max(index(*view, "byteStride").value_or(itemSize), std::size_t{1});
-  const std::size_t there = viewStart < bytes.size() ? std::min(viewSize, bytes.size() - viewStart) : 0;
-  const bool fits = start < there && itemSize <= there - start && (count - 1) <= (there - start - itemSize) / stride;
-  if (!fits)
+  const auto holds = [&](std::size_t room) {
+    return start < room && itemSize <= room - start ? 1 + (room - start - itemSize) / stride : 0;
+  };
+  if (holds(viewSize) < count)
   {
-    throw Damaged("buffer " + std::to_string(*buffer) + " is too short for what is stated" +
-                  (bufferFaults[*buffer].empty() ? "" : ": " + bufferFaults[*buffer]));
+    throw Damaged("buffer view " + std::to_string(number) + " is too short for what is stated");
   }
-  return {bytes.substr(viewStart + start), stride};
+  // What a file that is cut off still has is good.
+  const std::size_t there = viewStart < bytes.size() ? std::min(viewSize, bytes.size() - viewStart) : 0;
+  const std::size_t present = std::min(count, holds(there));
+  std::string fault;
+  if (present < count)
+  {
+    fault = "buffer " + std::to_string(*buffer) + " is too short for what is stated" +
+            (bufferFaults[*buffer].empty() ? "" : ": " + bufferFaults[*buffer]);
+  }
+  if (present == 0)
+  {
+    throw Damaged(fault);
+  }
+  return {bytes.substr(viewStart + start), stride, present, fault};
 }
 
 template <typename Put>
-void File::forItems(const Json& accessor, std::size_t count, std::size_t itemSize, const Put& put) const
+void File::forSparse(const Json& accessor, std::size_t count, std::size_t itemSize, const Put& put) const
 {
-  if (count == 0)
-  {
-    return;
-  }
-  if (index(accessor, "bufferView"))
-  {
-    const Items items = itemsOf(accessor, count, itemSize);
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      put(i, items.bytes.substr(i * items.stride));
-    }
-  }
   const auto sparse = accessor.find("sparse");
   if (sparse == accessor.end())
   {
@@ -347,6 +345,10 @@ void File::forItems(const Json& accessor, std::size_t count, std::size_t itemSiz
   const std::size_t size = sizeOfComponent(index(*places, "componentType").value_or(0));
   const Items at = itemsOf(*places, changed, std::max(size, std::size_t{1}));
   const Items items = itemsOf(*values, changed, itemSize);
+  if (!at.fault.empty() || !items.fault.empty())
+  {
+    throw Damaged(at.fault.empty() ? items.fault : at.fault); // points would stay where they should not be
+  }
   for (std::size_t i = 0; i < changed && size > 0; ++i)
   {
     const std::size_t place = wholeNumber(at.bytes.substr(i * at.stride), size);
@@ -357,50 +359,59 @@ void File::forItems(const Json& accessor, std::size_t count, std::size_t itemSiz
   }
 }
 
-std::vector<double> File::floats(std::size_t number, std::size_t width) const
+Values<double> File::floats(std::size_t number, std::size_t width) const
 {
-  constexpr std::size_t floatType = 5126;
-  // No more is asked for than the file can hold, or could with sparse values.
-  constexpr std::size_t mostItems = std::size_t{1} << 31;
+  constexpr std::size_t unsignedType = 5125;
   const Json& accessor = accessorOf(number);
-  const std::size_t count = index(accessor, "count").value_or(0);
+  const std::size_t type = index(accessor, "componentType").value_or(0);
+  const std::size_t size = sizeOfComponent(type);
+  const auto flag = accessor.find("normalized");
+  const bool normalized = flag != accessor.end() && *flag == true;
+  std::size_t count = index(accessor, "count").value_or(0);
   const bool isSparse = !index(accessor, "bufferView");
-  if (index(accessor, "componentType").value_or(0) != floatType || text(accessor, "type") != "VEC3" ||
-      count > mostItems || (isSparse && count > whole.size()))
+  // No more is asked for than the file can hold, or could with sparse values.
+  if (size == 0 || type == unsignedType || text(accessor, "type") != "VEC3" || count == 0 ||
+      (isSparse && count > whole.size()))
   {
     throw Damaged("accessor " + std::to_string(number) + " holds no points");
   }
-  if (count > 0 && !isSparse)
-  {
-    itemsOf(accessor, count, width * sizeof(float)); // before memory is asked for
-  }
-  std::vector<double> out(count * width, 0.0);
-  forItems(accessor, count, width * sizeof(float), [&](std::size_t i, std::string_view bytes) {
+  const Items items = isSparse ? Items{} : itemsOf(accessor, count, width * size);
+  count = isSparse ? count : items.count;
+  Values<double> out{std::vector<double>(count * width, 0.0), items.fault};
+  const auto put = [&](std::size_t i, std::string_view bytes) {
     for (std::size_t k = 0; k < width; ++k)
     {
-      out[i * width + k] = valueAt<float>(bytes.substr(k * sizeof(float)));
+      out.values[i * width + k] = coordinate(bytes.substr(k * size), type, normalized);
     }
-  });
+  };
+  for (std::size_t i = 0; i < items.count; ++i)
+  {
+    put(i, items.bytes.substr(i * items.stride));
+  }
+  forSparse(accessor, count, width * size, put);
   return out;
 }
 
-std::vector<std::size_t> File::indices(std::size_t number) const
+Values<std::size_t> File::indices(std::size_t number) const
 {
   constexpr std::size_t floatType = 5126;
   const Json& accessor = accessorOf(number);
   const std::size_t count = index(accessor, "count").value_or(0);
   const std::size_t type = index(accessor, "componentType").value_or(0);
   const std::size_t size = sizeOfComponent(type);
-  if (size == 0 || type == floatType || text(accessor, "type") != "SCALAR" || !index(accessor, "bufferView"))
+  if (size == 0 || type == floatType || text(accessor, "type") != "SCALAR" || !index(accessor, "bufferView") ||
+      count == 0)
   {
     throw Damaged("accessor " + std::to_string(number) + " holds no corners of triangles");
   }
-  if (count > 0)
+  const Items items = itemsOf(accessor, count, size);
+  Values<std::size_t> out{std::vector<std::size_t>(items.count), items.fault};
+  for (std::size_t i = 0; i < items.count; ++i)
   {
-    itemsOf(accessor, count, size); // before memory is asked for
+    out.values[i] = wholeNumber(items.bytes.substr(i * items.stride), size);
   }
-  std::vector<std::size_t> out(count, 0);
-  forItems(accessor, count, size, [&](std::size_t i, std::string_view bytes) { out[i] = wholeNumber(bytes, size); });
+  forSparse(accessor, items.count, size,
+            [&](std::size_t i, std::string_view bytes) { out.values[i] = wholeNumber(bytes, size); });
   return out;
 }
 

@@ -52,7 +52,10 @@ template <typename Add> void forTriangles(std::size_t mode, const std::vector<st
 class NodeWalk
 {
 public:
-  explicit NodeWalk(const File& source) : file(source), nodes(file.list("nodes")), meshes(file.list("meshes")) {}
+  explicit NodeWalk(const File& source)
+      : file(source), nodes(file.list("nodes")), meshes(file.list("meshes")), complaints(file.complaints())
+  {
+  }
 
   Model run();
 
@@ -67,6 +70,11 @@ private:
   void visit(const Visit& at);
   void addMesh(const Json& mesh, const Visit& at, const std::string& nodeName);
   void addPrimitive(const Json& primitive, const Visit& at, const std::string& name);
+  void addTriangles(const Json& primitive, std::size_t mode, std::size_t position, const Visit& at,
+                    const std::string& name);
+  std::string materialOf(const Json& primitive, const std::string& name);
+  std::vector<std::size_t> roots();
+  std::vector<std::size_t> nodesIn(const Json& object, const char* key);
   Transform transformOf(const Json& node) const;
   void pushAll(const std::vector<std::size_t>& children, const Visit& around);
   void addWarnings(Model& model) const;
@@ -120,11 +128,41 @@ void NodeWalk::addPrimitive(const Json& primitive, const Visit& at, const std::s
     ++notSurfaces;
     return;
   }
-  const std::vector<double> points = file.floats(*position, 3);
+  // The material first: where it is damaged, the triangles still have their place.
+  const std::string material = materialOf(primitive, name);
+  addTriangles(primitive, mode, *position, at, name);
+  parts.push_back({name.empty() ? material : name, material, at.node});
+}
+
+std::string NodeWalk::materialOf(const Json& primitive, const std::string& name)
+{
+  try
+  {
+    return file.nameOf("materials", file.index(primitive, "material"));
+  }
+  catch (const gltf::Damaged& damage)
+  {
+    complaints.push_back("the material of a primitive of '" + name + "' is left out: " + damage.what());
+    return {};
+  }
+}
+
+/// For the part added next.
+void NodeWalk::addTriangles(const Json& primitive, std::size_t mode, std::size_t position, const Visit& at,
+                            const std::string& name)
+{
+  const auto accept = [&](auto read) {
+    if (!read.fault.empty())
+    {
+      complaints.push_back("a primitive of '" + name + "' is read in part: " + read.fault);
+    }
+    return std::move(read.values);
+  };
+  const std::vector<double> points = accept(file.floats(position, 3));
   std::vector<std::size_t> ids;
   if (const auto accessor = file.index(primitive, "indices"))
   {
-    ids = file.indices(*accessor);
+    ids = accept(file.indices(*accessor));
   }
   else
   {
@@ -150,8 +188,6 @@ void NodeWalk::addPrimitive(const Json& primitive, const Visit& at, const std::s
     const auto idOf = [&](std::size_t id) { return id < own ? first + id : beyond; };
     faces.add(std::array{idOf(a), idOf(mirrored ? c : b), idOf(mirrored ? b : c)}, part);
   });
-  const std::string material = file.nameOf("materials", file.index(primitive, "material"));
-  parts.push_back({name.empty() ? material : name, material, at.node});
 }
 
 void NodeWalk::addMesh(const Json& mesh, const Visit& at, const std::string& nodeName)
@@ -185,7 +221,8 @@ void NodeWalk::visit(const Visit& at)
   }
   if (!seen.insert(at.node).second)
   {
-    throw Error("'" + file.path() + "': its nodes are no tree: one has several parents; export it again");
+    complaints.push_back("node " + std::to_string(at.node) + " has several parents and is read with the first alone");
+    return;
   }
   Visit here = at;
   here.transform = at.transform * transformOf(*node);
@@ -202,7 +239,70 @@ void NodeWalk::visit(const Visit& at)
     }
   }
   here.name = name.empty() ? at.name : name;
-  pushAll(file.indexList(*node, "children"), here);
+  pushAll(nodesIn(*node, "children"), here);
+}
+
+/// Those of the scene; where there is none, those that are no children.
+std::vector<std::size_t> NodeWalk::roots()
+{
+  const Json& scenes = file.list("scenes");
+  const Json* scene = file.entry(scenes, 0);
+  try
+  {
+    const Json* chosen = file.entry(scenes, file.index(file.root(), "scene").value_or(0));
+    scene = chosen ? chosen : scene;
+  }
+  catch (const gltf::Damaged& damage)
+  {
+    complaints.push_back(std::string("the first scene is read: ") + damage.what());
+  }
+  std::vector<std::size_t> out = scene ? nodesIn(*scene, "nodes") : std::vector<std::size_t>();
+  if (!out.empty() || nodes.empty())
+  {
+    return out;
+  }
+  complaints.push_back("it has no scene; all nodes are read");
+  std::set<std::size_t> children;
+  for (const Json& node : nodes)
+  {
+    if (node.is_object())
+    {
+      const std::vector<std::size_t> own = nodesIn(node, "children");
+      children.insert(own.begin(), own.end());
+    }
+  }
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+  {
+    if (children.count(i) == 0)
+    {
+      out.push_back(i);
+    }
+  }
+  return out;
+}
+
+/// The numbers of nodes in a list; what is none is left out.
+std::vector<std::size_t> NodeWalk::nodesIn(const Json& object, const char* key)
+{
+  std::vector<std::size_t> out;
+  const auto found = object.find(key);
+  if (found != object.end() && !found->is_array())
+  {
+    complaints.push_back(std::string("'") + key + "' is no list of numbers from 0");
+    return out;
+  }
+  for (std::size_t i = 0; found != object.end() && i < found->size(); ++i)
+  {
+    if ((*found)[i].is_number_unsigned())
+    {
+      out.push_back((*found)[i].get<std::size_t>());
+    }
+    else
+    {
+      complaints.push_back(std::string("an entry of '") + key + "' is no number from 0");
+    }
+  }
+  return out;
 }
 
 /// Last first, so that the first child is taken from the stack next.
@@ -236,14 +336,7 @@ void NodeWalk::addWarnings(Model& model) const
 
 Model NodeWalk::run()
 {
-  const Json& scenes = file.list("scenes");
-  const Json* scene = file.entry(scenes, file.index(file.root(), "scene").value_or(0));
-  scene = scene ? scene : file.entry(scenes, 0);
-  if (!scene)
-  {
-    throw Error("'" + file.path() + "' has no scene; export one");
-  }
-  pushAll(file.indexList(*scene, "nodes"), {0, "", Transform::Identity()});
+  pushAll(roots(), {0, "", Transform::Identity()});
   while (!open.empty())
   {
     const Visit next = open.back();

@@ -22,7 +22,7 @@
 #include <fstream>
 #include <regex>
 #include <set>
-#include <unordered_set>
+#include <unordered_map>
 
 namespace atria::model {
 
@@ -33,7 +33,8 @@ std::vector<std::string> uniqueNames(const std::vector<Part>& parts, const std::
   {
     materials[part.owner].insert(part.material);
   }
-  std::unordered_set<std::string> used;
+  std::unordered_map<std::string, int>
+      used; // with the last number tried behind each, so that many equal ones are quick
   std::vector<std::string> names;
   for (const Part& part : parts)
   {
@@ -43,9 +44,11 @@ std::vector<std::string> uniqueNames(const std::vector<Part>& parts, const std::
       wanted += "_" + part.material;
     }
     std::string name = wanted;
-    for (int number = 2; !used.insert(name).second; ++number)
+    const auto [found, isNew] = used.try_emplace(wanted, 1);
+    int& number = found->second; // stays where it is as the table grows
+    for (bool isFree = isNew; !isFree; isFree = used.try_emplace(name, 1).second)
     {
-      name = wanted + "_" + std::to_string(number);
+      name = wanted + "_" + std::to_string(++number);
     }
     names.push_back(name);
   }
@@ -124,6 +127,16 @@ std::string withoutPlace(const std::string& message)
 
 Messages::Messages(vtkObject* watched)
 {
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(this);
+  command->SetCallback([](vtkObject*, unsigned long, void* self, void* text) {
+    std::string& kept = static_cast<Messages*>(self)->firstError;
+    if (kept.empty())
+    {
+      kept = withoutPlace(static_cast<const char*>(text));
+    }
+  });
+  onError = command;
   watch(watched);
   if (auto* algorithm = vtkAlgorithm::SafeDownCast(watched))
   {
@@ -133,15 +146,6 @@ Messages::Messages(vtkObject* watched)
 
 void Messages::watch(vtkObject* object)
 {
-  vtkNew<vtkCallbackCommand> onError;
-  onError->SetClientData(this);
-  onError->SetCallback([](vtkObject*, unsigned long, void* self, void* text) {
-    std::string& kept = static_cast<Messages*>(self)->firstError;
-    if (kept.empty())
-    {
-      kept = withoutPlace(static_cast<const char*>(text));
-    }
-  });
   observers.emplace_back(object, object->AddObserver(vtkCommand::ErrorEvent, onError));
   vtkNew<vtkCallbackCommand> onWarning;
   onWarning->SetClientData(this);

@@ -2,6 +2,7 @@
 /// What a file of any format is read as, and what its readers share.
 #pragma once
 
+#include <vtkCommand.h>
 #include <vtkSmartPointer.h>
 
 #include <cstddef>
@@ -72,10 +73,13 @@ public:
   /// The first error, without addresses and source lines; empty where there was none.
   const std::string& error() const { return firstError; }
   const std::vector<std::string>& warnings() const { return allWarnings; }
+  /// For objects that others make.
+  vtkCommand* errorObserver() const { return onError; }
 
 private:
   void watch(vtkObject* object);
 
+  vtkSmartPointer<vtkCommand> onError;
   std::vector<std::pair<vtkSmartPointer<vtkObject>, unsigned long>> observers;
   std::string firstError;
   std::vector<std::string> allWarnings;

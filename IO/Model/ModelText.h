@@ -5,6 +5,8 @@
 #include <charconv>
 #include <cstddef>
 #include <string_view>
+#include <system_error>
+#include <type_traits>
 
 namespace atria::model {
 
@@ -25,7 +27,8 @@ inline std::string_view nextWord(std::string_view& text)
   return word;
 }
 
-/// The number `word` begins with; false where it is none or is followed by anything but a character of `end`.
+/// The number `word` begins with; false where it is none or is followed by anything but a character of `end`. One too
+/// small for its type is 0, as one that is too large is none.
 template <typename Number> bool parse(std::string_view word, Number& value, std::string_view end = "")
 {
   if (!word.empty() && word.front() == '+')
@@ -34,6 +37,16 @@ template <typename Number> bool parse(std::string_view word, Number& value, std:
   }
   const auto [stop, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   const bool whole = stop == word.data() + word.size() || end.find(*stop) != std::string_view::npos;
+  if (std::is_floating_point_v<Number> && error == std::errc::result_out_of_range)
+  {
+    const std::string_view number = word.substr(0, static_cast<std::size_t>(stop - word.data()));
+    const std::size_t exponent = number.find_first_of("eE");
+    const std::size_t digit = number.find_first_not_of("+-");
+    const bool small =
+        exponent == number.npos ? number[digit] == '0' || number[digit] == '.' : number[exponent + 1] == '-';
+    value = 0;
+    return small && whole;
+  }
   return error == std::errc{} && whole;
 }
 

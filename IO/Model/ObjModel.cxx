@@ -16,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <set>
 #include <string_view>
 #include <tuple>
 
@@ -97,9 +98,13 @@ private:
   int currentPart();
   void addWarnings(Model& result) const;
   Model model();
-  [[noreturn]] void fail(const std::string& text) const
+  void complain(std::size_t line, const std::string& text)
   {
-    throw Error("'" + file + "', line " + std::to_string(lines.where()) + ": " + text);
+    constexpr std::size_t most = 100;
+    if (complained++ < most)
+    {
+      complaints.push_back("line " + std::to_string(line) + ": " + text);
+    }
   }
 
   struct Face
@@ -124,7 +129,10 @@ private:
   std::map<std::array<std::string, 3>, std::size_t> owners; ///< by object and group, or else by material
   std::size_t notSurfaces = 0;
   std::size_t freeForms = 0;
-  std::vector<std::string> badFaces;
+  std::set<vtkIdType> damaged; ///< vertices
+  std::size_t incomplete = 0;  ///< faces with such
+  std::vector<std::string> complaints;
+  std::size_t complained = 0; ///< how often; the first are kept
 };
 
 /// What is left of a line, without blanks around it.
@@ -163,13 +171,18 @@ void ObjReader::statement(string_view line)
 
 void ObjReader::addPoint(string_view line)
 {
-  std::array<double, 3> p;
+  std::array<double, 3> p{};
+  bool good = true;
   for (double& value : p)
   {
-    if (!parse(nextWord(line), value) || !std::isfinite(value))
-    {
-      fail("expected three numbers behind 'v'; the file is damaged, export it again");
-    }
+    good = good && parse(nextWord(line), value) && std::isfinite(value);
+  }
+  if (!good)
+  {
+    // Kept, so that those that follow keep their numbers.
+    damaged.insert(points->GetNumberOfPoints());
+    complain(lines.where(), "expected three numbers behind 'v'; faces with this vertex are left out");
+    p = {};
   }
   points->InsertNextPoint(p.data());
 }
@@ -224,8 +237,8 @@ void ObjReader::addFace(string_view line)
   }
   if (!good || corners.size() - before < 3)
   {
-    badFaces.push_back("line " + std::to_string(lines.where()) + ": the face is left out: " +
-                       (good ? "it has fewer than three corners" : "a corner names no vertex"));
+    complain(lines.where(), std::string("the face is left out: ") +
+                                (good ? "it has fewer than three corners" : "a corner names no vertex"));
     corners.resize(before);
     return;
   }
@@ -235,7 +248,15 @@ void ObjReader::addFace(string_view line)
 
 void ObjReader::addWarnings(Model& result) const
 {
-  result.warnings.insert(result.warnings.end(), badFaces.begin(), badFaces.end());
+  result.warnings = complaints;
+  if (complained > complaints.size())
+  {
+    result.warnings.push_back(std::to_string(complained - complaints.size()) + " more lines are damaged");
+  }
+  if (incomplete > 0)
+  {
+    result.warnings.push_back(std::to_string(incomplete) + " faces are left out: they have corners that are damaged");
+  }
   if (notSurfaces > 0)
   {
     result.warnings.push_back(std::to_string(notSurfaces) + " lines and points make no surface");
@@ -258,12 +279,20 @@ Model ObjReader::model()
     // A face may come before its vertices, so this shows at the end only.
     if (*std::max_element(first, first + count) >= points->GetNumberOfPoints())
     {
-      badFaces.push_back("line " + std::to_string(faces[i].line) +
-                         ": the face is left out: a corner names a vertex beyond the last one");
+      complain(faces[i].line, "the face is left out: a corner names a vertex beyond the last one");
+      continue;
+    }
+    if (std::any_of(first, first + count, [&](vtkIdType id) { return damaged.count(id) != 0; }))
+    {
+      ++incomplete;
       continue;
     }
     cells->InsertNextCell(count, first);
     ids.push_back(faces[i].part);
+  }
+  if (ids.empty() && complained > 0)
+  {
+    throw Error("'" + file + "' holds no face that can be read: " + complaints.front() + "; export it again");
   }
   vtkNew<vtkPolyData> data;
   data->SetPoints(points);

@@ -385,6 +385,14 @@ bool checkElements(const Header& header, const std::string& file)
     isShort = isShort || (good && vertex->properties[at].type == Type::float32);
   }
   const int list = good ? std::max(face->find("vertex_indices"), face->find("vertex_index")) : -1;
+  const auto count = [&](string_view name) {
+    return std::count_if(header.elements.begin(), header.elements.end(),
+                         [&](const Element& element) { return element.name == name; });
+  };
+  if (count("vertex") > 1 || count("face") > 1)
+  {
+    throw Error("'" + file + "' cannot be read as PLY: its header has vertices or faces twice; export it again");
+  }
   if (list < 0 || !face->properties[list].countType)
   {
     throw Error("'" + file + "' holds no faces: its header lacks vertex x, y, z or face vertex_indices; a cloud of " +

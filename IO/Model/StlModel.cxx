@@ -42,12 +42,18 @@ std::size_t statedFacets(const std::string& bytes)
   return count;
 }
 
-/// Many binary files begin with the word `solid`, too.
+/// Many binary files begin with the word `solid`, too; a text that is damaged may hold zeros.
 bool isText(const std::string& bytes)
 {
   const bool fits = bytes.size() == headerSize + sizeof(std::uint32_t) + facetSize * statedFacets(bytes);
-  const string_view start = string_view(bytes).substr(0, 1024);
-  return !(fits && statedFacets(bytes) > 0) && start.find('\0') == start.npos;
+  if (fits && statedFacets(bytes) > 0)
+  {
+    return false;
+  }
+  std::string start = bytes.substr(0, 1024);
+  std::transform(start.begin(), start.end(), start.begin(), [](unsigned char c) { return std::tolower(c); });
+  const bool hasWords = start.find("vertex") != start.npos && start.find("facet") != start.npos;
+  return hasWords || start.find('\0') == start.npos;
 }
 
 class TextReader

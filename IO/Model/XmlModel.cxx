@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ModelFile.h"
+#include "XmlSizes.h"
 
 #include "Support/Error.h"
 
+#include <vtkCellArray.h>
 #include <vtkCompositeDataSet.h>
+#include <vtkDataObjectTree.h>
+#include <vtkDataObjectTreeIterator.h>
 #include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkMultiBlockDataSet.h>
@@ -45,13 +49,40 @@ vtkSmartPointer<vtkXMLReader> readerFor(const std::string& file)
   return vtkSmartPointer<vtkXMLPartitionedDataSetCollectionReader>::New();
 }
 
+/// Throws Error where the arrays of cells contradict themselves.
+void checkCells(vtkDataObject* object, const std::string& file)
+{
+  if (auto* data = vtkPolyData::SafeDownCast(object))
+  {
+    for (vtkCellArray* cells : {data->GetVerts(), data->GetLines(), data->GetPolys(), data->GetStrips()})
+    {
+      if (!cells->IsValid())
+      {
+        throw Error("'" + file +
+                    "' cannot be read as a VTK XML file: its cells begin and end at places that cannot be; " +
+                    "write it again");
+      }
+    }
+  }
+  else if (auto* tree = vtkDataObjectTree::SafeDownCast(object))
+  {
+    vtkSmartPointer<vtkDataObjectTreeIterator> it;
+    it.TakeReference(tree->NewTreeIterator());
+    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+    {
+      checkCells(it->GetCurrentDataObject(), file);
+    }
+  }
+}
+
 } // namespace
 
 Model readXml(const std::string& file)
 {
-  readBytes(file);
+  checkXmlSizes(file);
   const vtkSmartPointer<vtkXMLReader> reader = readerFor(file);
   const Messages messages(reader);
+  reader->SetParserErrorObserver(messages.errorObserver());
   if (!reader->CanReadFile(file.c_str()))
   {
     throw Error("'" + file + "' does not hold the VTK XML data that its ending says; write it again");
@@ -64,6 +95,7 @@ Model readXml(const std::string& file)
     throw Error("'" + file + "' cannot be read as a VTK XML file" +
                 (messages.error().empty() ? "" : ": " + messages.error()) + "; write it again");
   }
+  checkCells(output, file);
   Model model;
   model.warnings = messages.warnings();
   model.data = output;

@@ -16,7 +16,7 @@ namespace {
 class FaceSet
 {
 public:
-  FaceSet(const std::vector<double>& coordinates, bool turned)
+  FaceSet(const Numbers& coordinates, bool turned)
       : points(coordinates), count(coordinates.size() / 3), builder(turned), newIds(count, noIndex)
   {
   }
@@ -30,6 +30,11 @@ public:
       if (static_cast<std::size_t>(face[i]) >= count)
       {
         ++outOfRange;
+        return;
+      }
+      if (!isSomewhere(static_cast<std::size_t>(face[i])))
+      {
+        ++nowhere;
         return;
       }
       repeats = repeats || (i > 0 && face[i] == face[i - 1]);
@@ -53,6 +58,7 @@ public:
       }
     };
     say(outOfRange, "with points that do not exist, skipped");
+    say(nowhere, "with points whose coordinates are no numbers, skipped");
     say(repeated, "with a point repeated in a row, taken once");
     say(builder.withoutArea(), "without area, skipped");
     say(builder.selfCrossing(), "whose outline crosses itself");
@@ -62,6 +68,12 @@ public:
   LocalSurface take() { return builder.take(); }
 
 private:
+  bool isSomewhere(std::size_t i) const
+  {
+    const double* p = points.data() + 3 * i;
+    return newIds[i] != noIndex || (std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]));
+  }
+
   Index idOf(std::size_t i)
   {
     if (newIds[i] == noIndex)
@@ -71,16 +83,17 @@ private:
     return newIds[i];
   }
 
-  const std::vector<double>& points;
+  const Numbers& points;
   std::size_t count;
   SurfaceBuilder builder;
   std::vector<Index> newIds;
   std::vector<Index> ids;
   std::size_t outOfRange = 0;
+  std::size_t nowhere = 0;
   std::size_t repeated = 0;
 };
 
-std::vector<Eigen::Vector2d> pairs(const std::vector<double>& numbers)
+std::vector<Eigen::Vector2d> pairs(const Numbers& numbers)
 {
   std::vector<Eigen::Vector2d> out;
   for (std::size_t i = 0; i + 1 < numbers.size(); i += 2)
@@ -183,8 +196,8 @@ LocalSurface Geometry::elevationGrid(const NodeRef& node)
   {
     return {}; // legal: no cells
   }
-  const double wanted = static_cast<double>(in.xDimension) * in.zDimension;
-  if (static_cast<double>(in.height.size()) < wanted)
+  const double needed = static_cast<double>(in.xDimension) * in.zDimension;
+  if (static_cast<double>(in.height.size()) < needed)
   {
     warn(node, std::to_string(in.height.size()) + " heights for a grid of " + std::to_string(in.xDimension) + " by " +
                    std::to_string(in.zDimension) + "; skipped");
@@ -196,11 +209,11 @@ LocalSurface Geometry::elevationGrid(const NodeRef& node)
 LocalSurface Geometry::extrusion(const NodeRef& node)
 {
   Extrusion in;
-  if (const auto* section = instances.get<std::vector<double>>(node, "crossSection"))
+  if (const auto* section = instances.get<Numbers>(node, "crossSection"))
   {
     in.crossSection = pairs(*section);
   }
-  if (const auto* spine = instances.get<std::vector<double>>(node, "spine"))
+  if (const auto* spine = instances.get<Numbers>(node, "spine"))
   {
     in.spine.clear();
     for (std::size_t i = 0; i + 2 < spine->size(); i += 3)
@@ -208,12 +221,12 @@ LocalSurface Geometry::extrusion(const NodeRef& node)
       in.spine.emplace_back((*spine)[i], (*spine)[i + 1], (*spine)[i + 2]);
     }
   }
-  const auto* scale = instances.get<std::vector<double>>(node, "scale");
+  const auto* scale = instances.get<Numbers>(node, "scale");
   if (scale && scale->size() > 1)
   {
     in.scale = pairs(*scale);
   }
-  const auto* orientation = instances.get<std::vector<double>>(node, "orientation");
+  const auto* orientation = instances.get<Numbers>(node, "orientation");
   if (orientation && orientation->size() > 3)
   {
     in.orientation.clear();
@@ -236,13 +249,12 @@ LocalSurface Geometry::extrusion(const NodeRef& node)
 LocalSurface Geometry::faceSet(const NodeRef& node)
 {
   const NodeRef coord = instances.expand(instances.node(node, "coord"));
-  const auto* points = coord && !coord.node->damaged ? instances.get<std::vector<double>>(coord, "point") : nullptr;
-  const auto* index = instances.get<std::vector<int>>(node, "coordIndex");
+  const auto* points = coord && !coord.node->damaged ? instances.get<Numbers>(coord, "point") : nullptr;
+  const auto* index = instances.get<Integers>(node, "coordIndex");
   return points && index ? faces(node, *points, *index, !instances.flag(node, "ccw", true)) : LocalSurface{};
 }
 
-LocalSurface Geometry::faces(const NodeRef& node, const std::vector<double>& points, const std::vector<int>& index,
-                             bool turned)
+LocalSurface Geometry::faces(const NodeRef& node, const Numbers& points, const Integers& index, bool turned)
 {
   FaceSet set(points, turned);
   for (auto start = index.begin(); start != index.end();)
@@ -267,7 +279,7 @@ LocalSurface Geometry::make(const NodeRef& node, const State& state)
   const std::string_view type = node.node->type->name;
   if (type == "IndexedFaceSet")
   {
-    const auto* index = instances.get<std::vector<int>>(node, "coordIndex");
+    const auto* index = instances.get<Integers>(node, "coordIndex");
     return state.points && index ? faces(node, *state.points, *index, state.clockwise) : LocalSurface{};
   }
   return type == "Cube"       ? cube1(node)

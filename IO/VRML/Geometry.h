@@ -28,7 +28,7 @@ public:
   /// What holds for geometry nodes of VRML 1.0 where they stand.
   struct State
   {
-    const std::vector<double>* points = nullptr;
+    const Numbers* points = nullptr;
     bool clockwise = false;
   };
   /// The same for VRML 1.0.
@@ -42,8 +42,7 @@ private:
   LocalSurface elevationGrid(const NodeRef& node);
   LocalSurface extrusion(const NodeRef& node);
   LocalSurface faceSet(const NodeRef& node);
-  LocalSurface faces(const NodeRef& node, const std::vector<double>& points, const std::vector<int>& index,
-                     bool turned);
+  LocalSurface faces(const NodeRef& node, const Numbers& points, const Integers& index, bool turned);
   LocalSurface cube1(const NodeRef& node);
   LocalSurface cylinder1(const NodeRef& node);
   LocalSurface cone1(const NodeRef& node);

@@ -69,7 +69,7 @@ NodeRef Instances::enter(const NodeRef& instance)
   {
     return {};
   }
-  const auto* body = std::get_if<std::vector<Node*>>(&prototype->body->fields[0].value);
+  const auto* body = std::get_if<Nodes>(&prototype->body->fields[0].value);
   if (!body || body->empty() || !body->front())
   {
     return {};
@@ -125,27 +125,27 @@ bool Instances::flag(const NodeRef& ref, std::string_view field, bool otherwise)
 
 int Instances::integer(const NodeRef& ref, std::string_view field, int otherwise) const
 {
-  const auto* value = get<std::vector<int>>(ref, field);
+  const auto* value = get<Integers>(ref, field);
   return value && !value->empty() ? value->front() : otherwise;
 }
 
 double Instances::number(const NodeRef& ref, std::string_view field, double otherwise) const
 {
-  const auto* value = get<std::vector<double>>(ref, field);
+  const auto* value = get<Numbers>(ref, field);
   return value && !value->empty() ? value->front() : otherwise;
 }
 
 std::vector<double> Instances::numbers(const NodeRef& ref, std::string_view field, std::vector<double> otherwise) const
 {
-  const auto* value = get<std::vector<double>>(ref, field);
-  return value ? *value : otherwise;
+  const auto* value = get<Numbers>(ref, field);
+  return value ? std::vector<double>(value->begin(), value->end()) : otherwise;
 }
 
 std::vector<NodeRef> Instances::nodes(const NodeRef& ref, std::string_view field) const
 {
   const auto [value, context] = find(ref, field);
   std::vector<NodeRef> out;
-  if (const auto* list = std::get_if<std::vector<Node*>>(value))
+  if (const auto* list = std::get_if<Nodes>(value))
   {
     for (const Node* node : *list)
     {
@@ -158,7 +158,7 @@ std::vector<NodeRef> Instances::nodes(const NodeRef& ref, std::string_view field
 NodeRef Instances::node(const NodeRef& ref, std::string_view field) const
 {
   const auto [value, context] = find(ref, field);
-  const auto* list = std::get_if<std::vector<Node*>>(value);
+  const auto* list = std::get_if<Nodes>(value);
   return list && !list->empty() ? NodeRef{list->front(), context} : NodeRef{};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Lexer.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -30,9 +31,20 @@ bool isDelimiter(char c) { return delimiters[static_cast<unsigned char>(c)]; }
 bool isBlank(char c) { return static_cast<unsigned char>(c) <= 0x20 || c == ',' || c == '\x7f'; }
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
 
+/// Programs built with old versions of Microsoft's compiler write 1.#QNAN, -1.#IND00, 1.#INF: here `#` begins no
+/// comment.
+bool isNoComment(const char* hash, const char* end)
+{
+  const std::string_view behind(hash, std::min<std::size_t>(5, static_cast<std::size_t>(end - hash)));
+  return hash[-1] == '.' &&
+         (behind.substr(0, 4) == "#IND" || behind.substr(0, 4) == "#INF" || behind == "#QNAN" || behind == "#SNAN");
+}
+
+/// Of a word that is not empty.
 const char* wordEnd(const char* from, const char* end)
 {
-  while (from != end && !isDelimiter(*from))
+  const char* const start = from;
+  while (from != end && (!isDelimiter(*from) || (*from == '#' && from != start && isNoComment(from, end))))
   {
     ++from;
   }
@@ -142,6 +154,24 @@ Token Lexer::readString()
 Token Lexer::next()
 {
   skipBlanks();
+  // Most tokens are looked at before they are taken.
+  for (const Seen& known : seen)
+  {
+    if (known.from == at)
+    {
+      at = known.to;
+      return known.token;
+    }
+  }
+  const char* const from = at;
+  const Token token = read();
+  seen[oldest] = {from, at, token};
+  oldest = 1 - oldest;
+  return token;
+}
+
+Token Lexer::read()
+{
   if (at == end)
   {
     return {TokenKind::end, {end, 0}};
@@ -182,7 +212,7 @@ Token Lexer::peekSecond()
   skipBlanks();
   const char* saved = at;
   next();
-  const Token token = next();
+  const Token token = peek();
   at = saved;
   return token;
 }
@@ -212,7 +242,8 @@ bool Lexer::nextNumber(double& value)
   {
     double plain = 0.0;
     const auto [stop, error] = std::from_chars(at, end, plain);
-    if (error == std::errc() && (stop == end || isDelimiter(*stop)) && std::isfinite(plain))
+    const bool ends = stop == end || (isDelimiter(*stop) && !(*stop == '#' && isNoComment(stop, end)));
+    if (error == std::errc() && ends && std::isfinite(plain))
     {
       value = plain;
       at = stop;
@@ -226,6 +257,31 @@ bool Lexer::nextNumber(double& value)
     return false;
   }
   value = *number;
+  at = stop;
+  return true;
+}
+
+bool Lexer::nextNoNumber(double& value)
+{
+  skipBlanks();
+  const char* stop = wordEnd(at, end);
+  std::string text(at, stop);
+  double ignored = 0.0;
+  const char* first = at + (stop != at && *at == '+' ? 1 : 0);
+  const auto [last, error] = std::from_chars(first, stop, ignored);
+  const bool tooLarge = error == std::errc::result_out_of_range && last == stop;
+  text.erase(0, text.find_first_not_of("+-"));
+  for (char& c : text)
+  {
+    c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
+  }
+  const auto begins = [&](std::string_view with) { return text.compare(0, with.size(), with) == 0; };
+  if (!tooLarge && !begins("nan") && text != "inf" && text != "infinity" && !begins("1.#ind") && !begins("1.#inf") &&
+      !begins("1.#qnan") && !begins("1.#snan"))
+  {
+    return false;
+  }
+  value = std::numeric_limits<double>::quiet_NaN();
   at = stop;
   return true;
 }

@@ -3,6 +3,7 @@
 /// taken more generously: exporters write dots, slashes and leading digits.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -53,6 +54,9 @@ public:
   std::size_t lengthOfList();
   /// Reads a finite number, or leaves the text where it is and says false.
   bool nextNumber(double& value);
+  /// Reads what stands for a number that is none, such as nan, -inf, 1.#QNAN, or is too large, as not a number. Else
+  /// leaves the text where it is and says false.
+  bool nextNoNumber(double& value);
   /// Reads a whole number in the range of int, also in hexadecimal or written like 3.0.
   bool nextInteger(int& value);
 
@@ -64,13 +68,25 @@ public:
   std::size_t position() const { return static_cast<std::size_t>(at - begin); }
 
 private:
+  /// A token read before.
+  struct Seen
+  {
+    const char* from = nullptr;
+    const char* to = nullptr;
+    Token token;
+  };
+
   void skipBlanks();
+  /// Reads the token that begins here.
+  Token read();
   Token readString();
   int countLineEnds(const char* first, const char* last) const;
 
   const char* begin;
   const char* end;
   const char* at;
+  std::array<Seen, 2> seen;
+  std::size_t oldest = 0;
   // Lines are counted only when somebody asks, from where they were counted last.
   const char* counted;
   int countedLine = 1;

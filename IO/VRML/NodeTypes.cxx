@@ -75,7 +75,7 @@ std::vector<NodeType> shapes()
       {"IndexedLineSet", NodeKind::drawing, {}, {}, true},
       {"PointSet", NodeKind::drawing, {}, {}, true},
       {"Text", NodeKind::drawing, {}, {}, true},
-      {"Coordinate", NodeKind::property, {{"point", mfVec3f}}, {}},
+      {"Coordinate", NodeKind::property, {{"point", mfPoint}}, {}},
       {"Appearance", NodeKind::property, {{"material", sfNode}}, {"texture", "textureTransform"}},
       {"Material", NodeKind::property, {{"diffuseColor", sfVec3f}, {"transparency", sfFloat}}, {}, true},
   };
@@ -98,7 +98,7 @@ std::vector<NodeType> groups1()
 std::vector<NodeType> states1()
 {
   return {
-      {"Coordinate3", NodeKind::state, {{"point", mfVec3f}}, {}},
+      {"Coordinate3", NodeKind::state, {{"point", mfPoint}}, {}},
       {"Material", NodeKind::state, {{"diffuseColor", mfVec3f}, {"transparency", mfFloat}}, {}, true},
       {"MatrixTransform", NodeKind::state, {{"matrix", sfMatrix}}, {}},
       {"Rotation", NodeKind::state, {{"rotation", sfRotation}}, {}},

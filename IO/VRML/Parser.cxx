@@ -15,8 +15,7 @@ Parser::Parser(Document& target, std::string_view text, Diagnostics& messages, c
 
 void Parser::run()
 {
-  document.root = &document.nodes.emplace_back();
-  document.root->document = &document;
+  document.root = &document.addNode();
   scopes.emplace_back();
   frames.push_back({Open::file, slotOf(*document.root, "children")});
   while (!frames.empty())
@@ -160,7 +159,46 @@ bool Parser::readStatement()
     readPrototype(token.text == "EXTERNPROTO");
     return true;
   }
-  return false;
+  return document.version == Version::x3d && readStatementOfX3D();
+}
+
+/// What X3D has between its header and its nodes.
+bool Parser::readStatementOfX3D()
+{
+  const Token token = lexer.peek();
+  if (token.is("UNIT"))
+  {
+    lexer.next();
+    const std::string category(lexer.nextName().value_or(""));
+    lexer.nextName();
+    const std::string text(lexer.peek().text);
+    double factor = 1.0;
+    if (lexer.nextNumber(factor) && category == "length" && factor != 1.0)
+    {
+      warn("lengths are stated to be in units of " + text + " m, which is not applied; set Scale");
+    }
+    return true;
+  }
+  const bool exchange = token.is("IMPORT") || token.is("EXPORT");
+  if (!exchange && !token.is("PROFILE") && !token.is("COMPONENT") && !token.is("META"))
+  {
+    return false;
+  }
+  lexer.next();
+  for (int i = 0; i < 2 && lexer.peek().kind == TokenKind::string; ++i) // of META
+  {
+    lexer.next();
+  }
+  if (!token.is("META"))
+  {
+    lexer.nextName();
+  }
+  if (exchange && lexer.peek().is("AS"))
+  {
+    lexer.next();
+    lexer.nextName();
+  }
+  return true;
 }
 
 bool Parser::startsNode()
@@ -224,9 +262,7 @@ void Parser::openNode(Slot slot, const std::vector<std::string_view>& names)
 {
   const Token type = lexer.next();
   lexer.next();
-  Node& node = document.nodes.emplace_back();
-  node.typeName = document.keep(type.text);
-  node.document = &document;
+  Node& node = document.addNode();
   node.line = lexer.lineOf(type.text);
   node.prototype = findPrototype(type.text);
   node.type = node.prototype ? nullptr : findNodeType(type.text, document.version);
@@ -234,6 +270,8 @@ void Parser::openNode(Slot slot, const std::vector<std::string_view>& names)
   {
     node.type = declaredBase();
   }
+  const bool isOwn = node.type && node.type->name == type.text;
+  node.typeName = isOwn ? node.type->name : node.prototype ? node.prototype->name : document.keep(type.text);
   quiet = quiet && !node.prototype && !node.type;
   for (const std::string_view name : names)
   {
@@ -298,7 +336,7 @@ void Parser::put(Slot slot, Node* node)
 {
   if (slot.node)
   {
-    std::get<std::vector<Node*>>(slot.node->fields[slot.field].value).push_back(node);
+    std::get<Nodes>(slot.node->fields[slot.field].value).push_back(node);
   }
 }
 
@@ -359,8 +397,7 @@ void Parser::readField()
     lexer.next();
     return lexer.peek().kind == TokenKind::openBracket ? skipGroup() : void(lexer.next());
   }
-  const bool declares = token.is("field") || token.is("exposedField") || token.is("eventIn") || token.is("eventOut");
-  if (declares && !(type && *type != FieldType::unknown))
+  if ((isField(token) || isEvent(token)) && !(type && *type != FieldType::unknown))
   {
     return readDeclaration();
   }
@@ -368,13 +405,21 @@ void Parser::readField()
   const bool known = node.prototype || (node.type && node.type->name == node.typeName);
   if (!type && !is && known && !node.damaged)
   {
-    warn(std::string(node.typeName) + " has no field '" + toUtf8(token.text) + "'");
+    const bool adopts = node.type && node.type->kind == NodeKind::group && node.type->fieldType("children");
+    const Lexer start = lexer; // for the place in the warning
+    lexer.next();
+    const bool adopted = adopts && holdsNodes();
+    lexer = start;
+    warn(std::string(node.typeName) + " has no field '" + toUtf8(token.text) + "'" +
+         (adopted ? "; the nodes in it are taken as children" : ""));
+    lexer.next();
+    return adopted ? readNodes(slotOf(node, "children"), true) : readByLook();
   }
-  const std::string_view name = document.keep(lexer.next().text);
+  lexer.next();
   if (is)
   {
     lexer.next();
-    const Slot slot = slotOf(node, name);
+    const Slot slot = slotOf(node, document.keep(token.text));
     node.fields[slot.field].is = document.keep(lexer.nextName().value_or(""));
     return;
   }
@@ -382,14 +427,14 @@ void Parser::readField()
   {
     return readByLook();
   }
-  const Slot slot = slotOf(node, name);
+  const Slot slot = slotOf(node, fieldName(node, token.text));
   readValue(node, slot.field, *type, false);
 }
 
 /// `field SFNode name value` in a Script and in node types of others.
 void Parser::readDeclaration()
 {
-  const std::string_view keyword = lexer.next().text;
+  const Token keyword = lexer.next();
   lexer.nextName();
   lexer.nextName();
   if (lexer.peek().is("IS"))
@@ -397,7 +442,7 @@ void Parser::readDeclaration()
     lexer.next();
     lexer.nextName();
   }
-  else if (keyword == "field" || keyword == "exposedField")
+  else if (isField(keyword))
   {
     readByLook();
   }
@@ -410,12 +455,14 @@ Parser::Slot Parser::slotOf(Node& node, std::string_view field)
   const auto index = static_cast<std::size_t>(found - node.fields.begin());
   if (found == node.fields.end())
   {
+    constexpr std::size_t usual = 2;
+    node.fields.reserve(node.fields.empty() ? usual : 0);
     node.fields.push_back({field, {}, {}});
   }
   Value& value = node.fields[index].value;
-  if (!std::holds_alternative<std::vector<Node*>>(value))
+  if (!std::holds_alternative<Nodes>(value))
   {
-    value = std::vector<Node*>{}; // other values replace this when they are read
+    value = Nodes(&document.memory); // other values replace this when they are read
   }
   return {&node, index};
 }
@@ -432,6 +479,22 @@ std::optional<FieldType> Parser::fieldType(const Node& node, std::string_view fi
     return field == "children" ? std::optional(FieldType::mfNode) : std::nullopt;
   }
   return node.type->fieldType(field);
+}
+
+/// The name of a field, in a copy that stays: that of the type, as files have millions of them.
+std::string_view Parser::fieldName(const Node& node, std::string_view field)
+{
+  if (node.type)
+  {
+    for (const auto& [known, type] : node.type->fields)
+    {
+      if (known == field)
+      {
+        return known;
+      }
+    }
+  }
+  return document.keep(field);
 }
 
 const Prototype* Parser::findPrototype(std::string_view name) const

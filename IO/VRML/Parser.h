@@ -71,6 +71,7 @@ private:
   void readUse(Slot slot);
   static void put(Slot slot, Node* node);
   void readRoute();
+  bool readStatementOfX3D();
   void readNodeWithoutField();
   void readField();
   void readDeclaration();
@@ -87,10 +88,14 @@ private:
   void readNodes(Slot slot, bool many);
   bool readScalars(Value& value, FieldType type);
   bool readBool(Value& value);
+  std::pmr::memory_resource* memoryFor(std::size_t length);
   bool readIntegers(Value& value, bool many);
-  bool readNumbers(Value& value, std::size_t arity, bool many);
+  bool readNumbers(Value& value, std::size_t arity, bool many, bool gaps = false);
+  bool openNeedlessBracket();
+  bool endsList();
   bool readStrings(Value& value, bool many);
   bool readWords(Value& value);
+  bool holdsNodes();
   void readByLook();
   void skipGroup();
   void resume(const Node* owner, bool inBrackets);
@@ -105,7 +110,17 @@ private:
 
   Slot slotOf(Node& node, std::string_view field);
   std::optional<FieldType> fieldType(const Node& node, std::string_view field) const;
+  std::string_view fieldName(const Node& node, std::string_view field);
   const Prototype* findPrototype(std::string_view name) const;
+  /// Declarations of fields and events, in the words of VRML97 or of X3D.
+  static bool isField(const Token& token)
+  {
+    return token.is("field") || token.is("exposedField") || token.is("initializeOnly") || token.is("inputOutput");
+  }
+  static bool isEvent(const Token& token)
+  {
+    return token.is("eventIn") || token.is("eventOut") || token.is("inputOnly") || token.is("outputOnly");
+  }
   static bool isList(Open what) { return what != Open::node && what != Open::interface; }
 
   Document& document;

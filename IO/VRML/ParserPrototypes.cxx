@@ -19,8 +19,7 @@ void Parser::readPrototype(bool external)
   prototype.name = document.keep(*name);
   prototype.external = external;
   prototype.document = &document;
-  prototype.defaults = &document.nodes.emplace_back();
-  prototype.defaults->document = &document;
+  prototype.defaults = &document.addNode();
   prototype.defaults->typeName = prototype.name;
   frames.push_back({Open::interface, {}, nullptr, &prototype, line});
 }
@@ -39,8 +38,8 @@ void Parser::stepInterface()
     frames.pop_back();
     return openBody(prototype);
   }
-  const bool event = token.is("eventIn") || token.is("eventOut");
-  if (!event && !token.is("field") && !token.is("exposedField"))
+  const bool event = isEvent(token);
+  if (!event && !isField(token))
   {
     expected("field, exposedField, eventIn, eventOut or ']'");
     token.kind == TokenKind::openBrace || token.kind == TokenKind::openBracket ? skipGroup() : void(lexer.next());
@@ -89,8 +88,7 @@ void Parser::openBody(Prototype& prototype)
   }
   const int line = lexer.place().line;
   lexer.next();
-  prototype.body = &document.nodes.emplace_back();
-  prototype.body->document = &document;
+  prototype.body = &document.addNode();
   scopes.emplace_back(); // names inside are unknown outside, and the other way round
   frames.push_back({Open::body, slotOf(*prototype.body, "children"), nullptr, &prototype, line});
 }

@@ -22,6 +22,7 @@ std::size_t arityOf(FieldType type)
       return 2;
     case FieldType::sfVec3f:
     case FieldType::mfVec3f:
+    case FieldType::mfPoint:
       return 3;
     case FieldType::sfRotation:
     case FieldType::mfRotation:
@@ -93,7 +94,7 @@ void Parser::readNodes(Slot slot, bool many)
   Value& value = slot.node->fields[slot.field].value;
   if (!many)
   {
-    std::get<std::vector<Node*>>(value).clear();
+    std::get<Nodes>(value).clear();
   }
   if (lexer.peek().kind == TokenKind::openBracket)
   {
@@ -129,6 +130,8 @@ bool Parser::readScalars(Value& value, FieldType type)
     case FieldType::mfVec3f:
     case FieldType::mfRotation:
       return readNumbers(value, arityOf(type), true);
+    case FieldType::mfPoint:
+      return readNumbers(value, arityOf(type), true, true);
     default:
       return readNumbers(value, arityOf(type), false);
   }
@@ -159,50 +162,104 @@ bool Parser::readBool(Value& value)
   return true;
 }
 
+/// Long lists have memory of their own, so that what they outgrow is given back.
+std::pmr::memory_resource* Parser::memoryFor(std::size_t length)
+{
+  constexpr std::size_t longest = 4096;
+  return length > longest ? std::pmr::new_delete_resource() : &document.memory;
+}
+
+namespace {
+
+/// What a long list has too much of: it may have no end of its own, or be full of blanks.
+template <typename List> void giveBack(List& list)
+{
+  constexpr std::size_t much = 4096;
+  if (list.capacity() > much && list.capacity() / 2 > list.size())
+  {
+    list.shrink_to_fit();
+  }
+}
+
+} // namespace
+
 bool Parser::readIntegers(Value& value, bool many)
 {
-  auto& out = value.emplace<std::vector<int>>();
+  const bool isList = many && lexer.peek().kind == TokenKind::openBracket;
+  const std::size_t length = isList ? lexer.lengthOfList() : 0;
+  auto& out = value.emplace<Integers>(memoryFor(length));
   int number = 0;
-  if (!many || lexer.peek().kind != TokenKind::openBracket)
+  if (!isList)
   {
+    const bool bracket = openNeedlessBracket();
     const bool read = lexer.nextInteger(number);
     out.assign(read ? 1 : 0, number);
-    return read;
+    return read && (!bracket || endsList());
   }
   lexer.next();
   // Room for numbers of the usual length: growing in steps would copy, and touch, twice as much memory.
   constexpr std::size_t usualLength = 6;
-  out.reserve(lexer.lengthOfList() / usualLength);
+  out.reserve(length / usualLength);
   while (lexer.nextInteger(number))
   {
     out.push_back(number);
     tick();
   }
-  return lexer.peek().kind == TokenKind::closeBracket && lexer.next().kind == TokenKind::closeBracket;
+  giveBack(out);
+  return endsList();
 }
 
-/// A list whose length is no multiple of `arity` loses its incomplete end.
-bool Parser::readNumbers(Value& value, std::size_t arity, bool many)
+/// Some programs put brackets about single values.
+bool Parser::openNeedlessBracket()
 {
-  auto& out = value.emplace<std::vector<double>>();
-  double number = 0.0;
-  if (!many || lexer.peek().kind != TokenKind::openBracket)
+  if (lexer.peek().kind != TokenKind::openBracket)
   {
+    return false;
+  }
+  warn("expected a single value, found a list; taken as the value");
+  lexer.next();
+  return true;
+}
+
+/// At the end of a list, which may lack its bracket where its node ends.
+bool Parser::endsList()
+{
+  const TokenKind kind = lexer.peek().kind;
+  if (kind == TokenKind::closeBrace)
+  {
+    expected("']'");
+    return true;
+  }
+  return kind == TokenKind::closeBracket && lexer.next().kind == TokenKind::closeBracket;
+}
+
+/// A list whose length is no multiple of `arity` loses its incomplete end. Only where `gaps` are allowed may something
+/// stand there that is no number.
+bool Parser::readNumbers(Value& value, std::size_t arity, bool many, bool gaps)
+{
+  const bool isList = many && lexer.peek().kind == TokenKind::openBracket;
+  const std::size_t length = isList ? lexer.lengthOfList() : 0;
+  auto& out = value.emplace<Numbers>(memoryFor(length));
+  double number = 0.0;
+  if (!isList)
+  {
+    const bool bracket = openNeedlessBracket();
     while (out.size() < arity && lexer.nextNumber(number))
     {
       out.push_back(number);
     }
-    return out.size() == arity;
+    return out.size() == arity && (!bracket || endsList());
   }
   lexer.next();
   constexpr std::size_t usualLength = 8;
-  out.reserve(lexer.lengthOfList() / usualLength);
-  while (lexer.nextNumber(number))
+  out.reserve(length / usualLength);
+  while (lexer.nextNumber(number) || (gaps && lexer.nextNoNumber(number)))
   {
     out.push_back(number);
     tick();
   }
-  if (lexer.peek().kind != TokenKind::closeBracket)
+  giveBack(out);
+  if (lexer.peek().kind != TokenKind::closeBracket && lexer.peek().kind != TokenKind::closeBrace)
   {
     return false;
   }
@@ -211,8 +268,7 @@ bool Parser::readNumbers(Value& value, std::size_t arity, bool many)
     expected("numbers in groups of " + std::to_string(arity));
     out.resize(out.size() - out.size() % arity);
   }
-  lexer.next();
-  return true;
+  return endsList();
 }
 
 bool Parser::readStrings(Value& value, bool many)
@@ -260,6 +316,17 @@ bool Parser::readWords(Value& value)
   return !inside;
 }
 
+/// Whether the next value, of a type that is not known, looks like nodes.
+bool Parser::holdsNodes()
+{
+  if (lexer.peek().kind != TokenKind::openBracket)
+  {
+    return startsNode();
+  }
+  const Token second = lexer.peekSecond();
+  return second.kind == TokenKind::word && !isTruth(second, "TRUE") && !isTruth(second, "FALSE");
+}
+
 /// Reads past a value whose type is not known or of no interest. Nodes in it are still read: a USE may want
 /// them.
 void Parser::readByLook()
@@ -267,9 +334,7 @@ void Parser::readByLook()
   const Token token = lexer.peek();
   if (token.kind == TokenKind::openBracket)
   {
-    const Token second = lexer.peekSecond();
-    const bool nodes = second.kind == TokenKind::word && !isTruth(second, "TRUE") && !isTruth(second, "FALSE");
-    if (!nodes)
+    if (!holdsNodes())
     {
       return skipGroup();
     }
@@ -353,8 +418,7 @@ void Parser::resume(const Node* owner, bool inBrackets)
         inBrackets = false;
         continue;
       case TokenKind::word:
-        if (owner ? fieldType(*owner, token.text).has_value()
-                  : token.is("field") || token.is("exposedField") || token.is("eventIn") || token.is("eventOut"))
+        if (owner ? fieldType(*owner, token.text).has_value() : isField(token) || isEvent(token))
         {
           return;
         }

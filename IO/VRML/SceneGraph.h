@@ -5,9 +5,9 @@
 #include <deque>
 #include <filesystem>
 #include <map>
+#include <memory_resource>
 #include <string>
 #include <string_view>
-#include <unordered_set>
 #include <variant>
 #include <vector>
 
@@ -20,8 +20,10 @@ struct Prototype;
 
 /// A field's value; numbers of every kind of vector, colour or rotation are one flat list. A single node is a
 /// list of one. `monostate` stands for a field that was not given or not kept.
-using Value = std::variant<std::monostate, bool, std::vector<int>, std::vector<double>, std::vector<std::string>,
-                           std::vector<Node*>>;
+using Integers = std::pmr::vector<int>;
+using Numbers = std::pmr::vector<double>;
+using Nodes = std::pmr::vector<Node*>;
+using Value = std::variant<std::monostate, bool, Integers, Numbers, std::vector<std::string>, Nodes>;
 
 enum class FieldType
 {
@@ -40,6 +42,7 @@ enum class FieldType
   mfFloat,
   mfVec2f,
   mfVec3f,
+  mfPoint, ///< as mfVec3f, but what is no number is kept as such: it costs the faces about one point
   mfRotation,
   mfString,
   mfNode
@@ -54,6 +57,8 @@ struct Field
 
 struct Node
 {
+  explicit Node(std::pmr::memory_resource* memory) : fields(memory) {}
+
   std::string_view typeName;
   const NodeType* type = nullptr;       ///< null for unknown types
   const Prototype* prototype = nullptr; ///< set where the node is an instance of one
@@ -62,7 +67,7 @@ struct Node
   int line = 0;
   bool damaged = false; ///< a syntax error cost part of it
   bool shared = false;  ///< mentioned by some USE
-  std::vector<Field> fields;
+  std::pmr::vector<Field> fields;
 
   const Field* find(std::string_view field) const
   {
@@ -105,6 +110,8 @@ struct Document
   Document& operator=(const Document&) = delete;
 
   std::filesystem::path file;
+  /// For what files have millions of: fields and short lists, which go all at once.
+  std::pmr::monotonic_buffer_resource memory;
   Version version = Version::vrml97;
   Node* root = nullptr; ///< its only field lists the file's nodes
   std::deque<Node> nodes;
@@ -112,11 +119,18 @@ struct Document
   std::size_t routes = 0;
   std::string head; ///< the first characters of the file, where programs say who they are
 
-  std::string_view keep(std::string_view text) { return *strings.emplace(text).first; }
+  /// A copy that lives as long as the document.
+  Node& addNode()
+  {
+    Node& node = nodes.emplace_back(&memory);
+    node.document = this;
+    return node;
+  }
+  std::string_view keep(std::string_view text) { return strings.emplace_back(text); }
   std::string displayName() const { return file.filename().string(); }
 
 private:
-  std::unordered_set<std::string> strings;
+  std::deque<std::string> strings;
 };
 
 } // namespace atria::vrml

@@ -106,7 +106,7 @@ void Evaluator::addGeometry1(const Visit& at)
   Geometry::State local;
   if (state.coordinates)
   {
-    local.points = instances.get<std::vector<double>>({state.coordinates, nullptr}, "point");
+    local.points = instances.get<Numbers>({state.coordinates, nullptr}, "point");
   }
   local.clockwise = state.clockwise;
   Index material = noIndex;

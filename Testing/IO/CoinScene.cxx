@@ -1,134 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CoinScene.h"
 
-#include <Inventor/SoDB.h>
-#include <Inventor/SoInput.h>
-#include <Inventor/SoPrimitiveVertex.h>
-#include <Inventor/actions/SoCallbackAction.h>
-#include <Inventor/errors/SoDebugError.h>
-#include <Inventor/errors/SoReadError.h>
-#include <Inventor/nodes/SoSeparator.h>
-#include <Inventor/nodes/SoShape.h>
-
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <limits>
+#include <cstdio>
+#include <memory>
+#include <sstream>
+#include <stdexcept>
 
 namespace atria::testing {
 
 namespace {
 
-using Point = std::array<double, 3>;
-
-class Collector
+/// For the shell.
+std::string quoted(const std::string& text)
 {
-public:
-  explicit Collector(CoinScene& target) : scene(target)
+  std::string out = "'";
+  for (const char c : text)
   {
-    constexpr double inf = std::numeric_limits<double>::infinity();
-    scene.bounds = {inf, -inf, inf, -inf, inf, -inf};
+    out += c == '\'' ? std::string("'\\''") : std::string(1, c);
   }
-
-  void begin(SoCallbackAction* action, const SoNode* node)
-  {
-    current = {nameOf(action), node->getTypeId().getName().getString(), 0, 0.0};
-    text = current.type.find("Text") != std::string::npos;
-  }
-
-  void end()
-  {
-    if (current.triangles > 0)
-    {
-      scene.shapes.push_back(current);
-    }
-    current = {};
-  }
-
-  void triangle(const std::array<Point, 3>& p)
-  {
-    Point u;
-    Point v;
-    for (int i = 0; i < 3; ++i)
-    {
-      u[i] = p[1][i] - p[0][i];
-      v[i] = p[2][i] - p[0][i];
-    }
-    const double area =
-        0.5 * std::hypot(u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]);
-    if (text || !(area > 0.0))
-    {
-      return;
-    }
-    ++current.triangles;
-    current.area += area;
-    for (const Point& corner : p)
-    {
-      for (int i = 0; i < 3; ++i)
-      {
-        scene.bounds[2 * i] = std::min(scene.bounds[2 * i], corner[i]);
-        scene.bounds[2 * i + 1] = std::max(scene.bounds[2 * i + 1], corner[i]);
-      }
-    }
-  }
-
-private:
-  static std::string nameOf(SoCallbackAction* action)
-  {
-    const auto* path = static_cast<const SoFullPath*>(action->getCurPath());
-    const int length = path->getLength();
-    const auto name = [&](int fromTail) {
-      return fromTail < length ? std::string(path->getNodeFromTail(fromTail)->getName().getString()) : std::string();
-    };
-    const bool inShape = length > 1 && path->getNodeFromTail(1)->getTypeId().getName() == SbName("VRMLShape");
-    if (inShape && !name(1).empty())
-    {
-      return name(1);
-    }
-    for (int i = 0; i < length; ++i)
-    {
-      if (!name(i).empty())
-      {
-        return name(i);
-      }
-    }
-    return {};
-  }
-
-  CoinScene& scene;
-  CoinShape current;
-  bool text = false;
-};
-
-SoCallbackAction::Response before(void* data, SoCallbackAction* action, const SoNode* node)
-{
-  static_cast<Collector*>(data)->begin(action, node);
-  return SoCallbackAction::CONTINUE;
+  return out + "'";
 }
 
-SoCallbackAction::Response after(void* data, SoCallbackAction*, const SoNode*)
+std::string outputOf(const std::string& command)
 {
-  static_cast<Collector*>(data)->end();
-  return SoCallbackAction::CONTINUE;
-}
-
-void onTriangle(void* data, SoCallbackAction* action, const SoPrimitiveVertex* a, const SoPrimitiveVertex* b,
-                const SoPrimitiveVertex* c)
-{
-  std::array<Point, 3> corners;
-  const std::array<const SoPrimitiveVertex*, 3> vertices{a, b, c};
-  for (int i = 0; i < 3; ++i)
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> pipe(popen(command.c_str(), "r"), pclose);
+  if (!pipe)
   {
-    SbVec3f p;
-    action->getModelMatrix().multVecMatrix(vertices[i]->getPoint(), p);
-    corners[i] = {p[0], p[1], p[2]};
+    throw std::runtime_error("cannot run " + command);
   }
-  static_cast<Collector*>(data)->triangle(corners);
-}
-
-void keepError(const SoError* error, void* list)
-{
-  static_cast<std::vector<std::string>*>(list)->emplace_back(error->getDebugString().getString());
+  std::string out;
+  char part[4096];
+  while (const std::size_t count = std::fread(part, 1, sizeof part, pipe.get()))
+  {
+    out.append(part, count);
+  }
+  return out;
 }
 
 } // namespace
@@ -163,27 +70,35 @@ bool CoinScene::hasRound() const
 
 CoinScene readWithCoin(const std::filesystem::path& file)
 {
-  SoDB::init();
   CoinScene scene;
-  SoReadError::setHandlerCallback(keepError, &scene.errors);
-  SoDebugError::setHandlerCallback(keepError, &scene.errors);
-  SoInput input;
-  SoInput::addDirectoryFirst(file.parent_path().c_str());
-  SoSeparator* root = input.openFile(file.c_str()) ? SoDB::readAll(&input) : nullptr;
-  if (root)
+  scene.crashed = true;
+  std::istringstream lines(outputOf(quoted(ATRIA_COIN_PROGRAM) + " " + quoted(file.string()) + " 2>/dev/null"));
+  for (std::string line; std::getline(lines, line);)
   {
-    scene.read = true;
-    root->ref();
-    Collector collector(scene);
-    SoCallbackAction action;
-    action.addPreCallback(SoShape::getClassTypeId(), before, &collector);
-    action.addPostCallback(SoShape::getClassTypeId(), after, &collector);
-    action.addTriangleCallback(SoShape::getClassTypeId(), onTriangle, &collector);
-    action.apply(root);
-    root->unref();
+    std::istringstream words(line);
+    std::string keyword;
+    words >> keyword;
+    if (keyword == "read")
+    {
+      words >> scene.read;
+    }
+    else if (keyword == "shape")
+    {
+      CoinShape shape;
+      words >> shape.triangles >> shape.area >> shape.type >> shape.name;
+      scene.shapes.push_back(shape);
+    }
+    else if (keyword == "bound")
+    {
+      scene.bounds.emplace_back();
+      words >> scene.bounds.back();
+    }
+    else if (keyword == "error")
+    {
+      scene.errors.push_back(line.substr(keyword.size()));
+    }
+    scene.crashed = scene.crashed && keyword != "end";
   }
-  SoInput::removeDirectory(file.parent_path().c_str());
-  SoReadError::setHandlerCallback(SoReadError::getHandlerCallback(), nullptr);
   return scene;
 }
 

@@ -18,6 +18,7 @@ struct CoinShape
 
 struct CoinScene
 {
+  bool crashed = false; ///< while reading
   bool read = false;
   std::vector<CoinShape> shapes; ///< those that have triangles, without texts
   std::vector<double> bounds;    ///< xmin, xmax, ymin, … of their triangles
@@ -29,6 +30,7 @@ struct CoinScene
   bool hasRound() const;
 };
 
+/// Runs Coin in a process of its own.
 CoinScene readWithCoin(const std::filesystem::path& file);
 
 } // namespace atria::testing

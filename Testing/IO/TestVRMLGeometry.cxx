@@ -283,6 +283,38 @@ TEST_F(VRMLGeometry, ScalesAndTurnsSectionsOfAnExtrusion)
   EXPECT_NEAR(read("Extrusion { orientation 0 1 0 0.78539816339744831 }").bounds()[1], std::sqrt(2.0), 1e-12);
 }
 
+/// The standard: a cross-section is scaled, in x and then in z, then turned by the orientation, then placed at the
+/// spine.
+TEST_F(VRMLGeometry, ScalesSectionsBeforeItTurnsThem)
+{
+  const std::string section = "crossSection [1 1, 1 -1, -1 -1, -1 1, 1 1] spine [0 0 0, 0 2 0] scale [1 1, 2 0.5] ";
+  const double caps = 4.0 + 4.0;
+  const double exact = 3.0 * std::sqrt(5.0) + 3.0 * std::sqrt(17.0) + caps;
+  // Turned alike at both ends: trapezoids, the upper rectangle 1 long in x and 4 in z.
+  const VRMLModel even = read("Extrusion {" + section + "orientation 0 1 0 1.5707963267948966 }");
+  expectBounds(even, {-1, 1, 0, 2, -2, 2});
+  EXPECT_NEAR(even.area(), exact, 1e-12);
+  EXPECT_NEAR(even.volume(), 26.0 / 3.0, 1e-12); // of a prismatoid
+  // Turned above alone: (x, z) = (1, 1), (1, -1), (-1, -1), (-1, 1) go to (2 x, z / 2), and these to (z / 2, -2 x).
+  const VRMLModel twisted = read("Extrusion {" + section + "orientation [0 1 0 0, 0 1 0 1.5707963267948966] }");
+  expectBounds(twisted, {-1, 1, 0, 2, -2, 2});
+  ASSERT_EQ(twisted.output()->GetNumberOfPoints(), 8);
+  const Eigen::Vector3d wanted[8] = {{1, 0, 1},   {1, 0, -1},   {-1, 0, -1}, {-1, 0, 1},
+                                     {.5, 2, -2}, {-.5, 2, -2}, {-.5, 2, 2}, {.5, 2, 2}};
+  for (const Eigen::Vector3d& p : wanted)
+  {
+    EXPECT_NEAR((Eigen::Map<const Eigen::Vector3d>(
+                     twisted.output()->GetPoint(twisted.output()->FindPoint(p.x(), p.y(), p.z()))) -
+                 p)
+                    .norm(),
+                0.0, 1e-12);
+  }
+  // Its sides are no planes, and the standard leaves open which diagonal cuts them. Across the shorter ones their
+  // triangles have twice sqrt(17) / 2 + sqrt(5) / 2 and twice sqrt(5) + sqrt(17); across the others 23 + 3 sqrt(13) in
+  // all.
+  EXPECT_NEAR(twisted.area(), exact, 1e-12);
+}
+
 TEST_F(VRMLGeometry, JoinsTheEndsOfAClosedSpineWithoutCaps)
 {
   const VRMLModel ring = read("Extrusion { crossSection [.1 .1, .1 -.1, -.1 -.1, -.1 .1, .1 .1]"

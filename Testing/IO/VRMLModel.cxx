@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "VRMLModel.h"
 
+#include "SurfacePromises.h"
 #include "vtkAtriaVRMLReader.h"
 
 #include <vtkCellArray.h>
@@ -19,7 +20,6 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
-#include <set>
 #include <stdexcept>
 
 namespace atria::testing {
@@ -169,49 +169,7 @@ std::vector<std::string> VRMLModel::warnings() const { return toVector(reader->G
 std::vector<std::string> VRMLModel::notes() const { return toVector(reader->GetNotes()); }
 std::vector<std::string> VRMLModel::skipped() const { return toVector(reader->GetSkippedNodes()); }
 
-std::string VRMLModel::brokenPromise() const
-{
-  const std::vector<std::string> all = names();
-  auto* ids = vtkIntArray::SafeDownCast(output()->GetCellData()->GetArray("SurfaceId"));
-  if (!ids || ids->GetNumberOfTuples() != output()->GetNumberOfCells() || ids->GetNumberOfComponents() != 1)
-  {
-    return "SurfaceId is missing or of another length than the cells";
-  }
-  if (std::set<std::string>(all.begin(), all.end()).size() != all.size() || materials().size() != all.size())
-  {
-    return "names repeat, or materials are not one a surface";
-  }
-  if (numbers("DiffuseColor").size() != 3 * all.size() || numbers("Transparency").size() != all.size())
-  {
-    return "colours or transparencies are not one a surface";
-  }
-  if (output()->GetPoints()->GetDataType() != VTK_DOUBLE)
-  {
-    return "points are not double";
-  }
-  std::set<int> used;
-  for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
-  {
-    used.insert(ids->GetValue(i));
-    if (output()->GetCellType(i) != VTK_TRIANGLE)
-    {
-      return "a cell is no triangle";
-    }
-  }
-  if (used.size() != all.size() || *used.begin() != 0 || *used.rbegin() != static_cast<int>(all.size()) - 1)
-  {
-    return "surface ids and names do not match";
-  }
-  for (vtkIdType i = 0; i < output()->GetNumberOfPoints(); ++i)
-  {
-    const double* p = output()->GetPoint(i);
-    if (!std::isfinite(p[0]) || !std::isfinite(p[1]) || !std::isfinite(p[2]))
-    {
-      return "a point is not finite";
-    }
-  }
-  return {};
-}
+std::string VRMLModel::brokenPromise() const { return testing::brokenPromise(output()); }
 
 std::string joined(const std::vector<std::string>& lines)
 {

@@ -85,8 +85,9 @@ std::vector<ModelItem> ModelGuide::findPieces(Index point, const std::vector<Ind
   }
   const auto indexOf = [](ModelItem item) { return item.index; };
   std::ranges::sort(found, {}, indexOf);
-  const auto repeated = std::ranges::unique(found, {}, indexOf);
-  found.erase(repeated.begin(), repeated.end());
+  // Clang 14 cannot compile std::ranges::unique of this library.
+  const auto isSame = [](ModelItem a, ModelItem b) { return a.index == b.index; };
+  found.erase(std::unique(found.begin(), found.end(), isSame), found.end());
   return found;
 }
 

@@ -62,8 +62,7 @@ private:
     for (std::vector<Index>* ids : {&region.pointIds, &ghosts})
     {
       std::ranges::sort(*ids);
-      const auto repeated = std::ranges::unique(*ids);
-      ids->erase(repeated.begin(), repeated.end());
+      ids->erase(std::unique(ids->begin(), ids->end()), ids->end()); // not of std::ranges: Clang 14 cannot compile it
     }
     std::ranges::transform(region.pointIds, std::back_inserter(region.points),
                            [&](Index p) { return source.points()[p]; });

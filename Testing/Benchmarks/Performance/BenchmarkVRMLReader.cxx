@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Time and memory of reading a large VRML file.
 ///
-/// Usage: benchmark_vrml_reader [MEGABYTES | FILE]
+/// Usage: benchmark_vrml_reader [MEGABYTES | FILE] [hills | walls]
 /// Without a file, one of about that size (default 100) is written to the temporary folder: hills of triangles and of
-/// quads, 20,000 points a shape, as exporters write them.
+/// quads, 20,000 points a shape, as exporters write them; or walls, a shape of eight points each.
 #include "vtkAtriaVRMLReader.h"
 
 #include <vtkNew.h>
@@ -58,18 +58,41 @@ void writeFaces(std::FILE* out, bool quads)
   }
 }
 
-fs::path writeModel(double megabytes)
+void writeHill(std::FILE* out, int shape)
+{
+  std::fprintf(out, "DEF Hill%d Shape {\n\tgeometry IndexedFaceSet {\n\t\tcoord Coordinate { point [\n", shape);
+  writePoints(out, shape);
+  std::fprintf(out, "\t\t] }\n\t\tcoordIndex [\n");
+  writeFaces(out, shape % 2 == 1);
+  std::fprintf(out, "\t\t]\n\t}\n}\n");
+}
+
+void writeWall(std::FILE* out, int shape)
+{
+  std::fprintf(
+      out,
+      "DEF Wall%d Transform {\n\ttranslation %d %d 0\n\tchildren [ Shape {\n\t\tappearance Appearance { material "
+      "Material { diffuseColor 0.8 0.2 0.1 } }\n\t\tgeometry IndexedFaceSet {\n\t\t\tcoord Coordinate { point [",
+      shape, 10 * (shape % 1000), 10 * (shape / 1000));
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const bool right = corner % 4 == 1 || corner % 4 == 2;
+    std::fprintf(out, "\n\t\t\t\t%.6f %.6f %.6f,", right ? 5.123456 : 0.0, corner % 4 > 1 ? 0.25 : 0.0,
+                 corner > 3 ? 3.0 : 0.0);
+  }
+  std::fprintf(out,
+               " ] }\n\t\t\tcoordIndex [ 0 3 2 1 -1 4 5 6 7 -1 0 1 5 4 -1 1 2 6 5 -1 2 3 7 6 -1 3 0 4 7 -1 ]\n\t\t}\n"
+               "\t} ]\n}\n");
+}
+
+fs::path writeModel(double megabytes, bool walls)
 {
   const fs::path file = fs::temp_directory_path() / "atria_benchmark.wrl";
   std::FILE* out = std::fopen(file.c_str(), "w");
   std::fprintf(out, "#VRML V2.0 utf8\n");
   for (int shape = 0; static_cast<double>(std::ftell(out)) < 1e6 * megabytes; ++shape)
   {
-    std::fprintf(out, "DEF Hill%d Shape {\n\tgeometry IndexedFaceSet {\n\t\tcoord Coordinate { point [\n", shape);
-    writePoints(out, shape);
-    std::fprintf(out, "\t\t] }\n\t\tcoordIndex [\n");
-    writeFaces(out, shape % 2 == 1);
-    std::fprintf(out, "\t\t]\n\t}\n}\n");
+    walls ? writeWall(out, shape) : writeHill(out, shape);
   }
   std::fclose(out);
   return file;
@@ -118,8 +141,9 @@ void readOnce(const fs::path& file)
 int main(int argc, char* argv[])
 {
   const std::string argument = argc > 1 ? argv[1] : "100";
+  const bool walls = argc > 2 && std::string(argv[2]) == "walls";
   const bool isFile = fs::exists(argument);
-  const fs::path file = isFile ? fs::path(argument) : writeModel(std::atof(argument.c_str()));
+  const fs::path file = isFile ? fs::path(argument) : writeModel(std::atof(argument.c_str()), walls);
   for (int i = 0; i < 3; ++i)
   {
     readOnce(file);
