@@ -292,7 +292,7 @@ bool LayerImprover::prepare(Step step, const std::vector<ShortCell>& bad)
   });
   if (step == Step::goHalfway || step == Step::startAgain)
   {
-    startAgain(bad, step == Step::startAgain ? 1.0 : 0.3);
+    startAgain(bad, step == Step::startAgain ? 1.0 : 0.5);
     return true;
   }
   return false;
