@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// The example building, 4,188 m2 of sheets with 62 m2 of openings, at 1 to 8 m: what its mesh keeps.
+#include "CheckWritten.h"
 #include "Domain/Domain.h"
-#include "Support/CheckMesh.h"
 #include "Support/FeatureChecks.h"
 #include "Support/Shapes.h"
 #include "Support/TestPaths.h"
 #include "SurfaceInput.h"
-#include "VtkDualMesh.h"
 #include "VtkSurface.h"
-#include "vtkAtriaOpenFOAMWriter.h"
 
-#include <vtkNew.h>
 #include <vtkPolyData.h>
-#include <vtkUnstructuredGrid.h>
 
 #include <gmock/gmock.h>
 
@@ -254,15 +250,7 @@ TEST_P(LayeredBuilding, PassesAllOfCheckMesh)
     area += report.area;
   }
   EXPECT_GE(covered / area, 0.98);
-  vtkNew<vtkUnstructuredGrid> volume;
-  volumeToVtk(meshed.mesh(), volume, SerialExecutor());
-  const ScratchFolder scratch;
-  vtkNew<vtkAtriaOpenFOAMWriter> writer;
-  writer->SetInputDataObject(0, volume);
-  writer->SetCaseDirectory(scratch.path().c_str());
-  ASSERT_EQ(writer->Write(), 1);
-  const CheckMeshReport report = runCheckMesh(scratch.path());
-  ASSERT_TRUE(report.completed) << report.log;
+  const CheckMeshReport report = checkAsWritten(meshed);
   EXPECT_THAT(report.failures, ::testing::IsEmpty());
   EXPECT_EQ(report.failedChecks, 0);
 }

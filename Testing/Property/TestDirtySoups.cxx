@@ -1,24 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Dirty models with known spaces: what must hold of their meshes.
-#include "Support/CheckMesh.h"
+#include "CheckWritten.h"
 #include "Support/DirtySoups.h"
 #include "Support/DualMeshChecks.h"
 #include "Support/MeshIt.h"
 #include "Support/Shapes.h"
 #include "Support/TestPaths.h"
 #include "Support/Watchdog.h"
-#include "VtkDualMesh.h"
-#include "vtkAtriaOpenFOAMWriter.h"
 
 #include <Eigen/Geometry>
 
 #include <vtkAbstractArray.h>
 #include <vtkFieldData.h>
 #include <vtkNew.h>
-#include <vtkPartitionedDataSetCollection.h>
 #include <vtkPolyData.h>
 #include <vtkStringArray.h>
-#include <vtkUnstructuredGrid.h>
 
 #include <gmock/gmock.h>
 
@@ -179,24 +175,6 @@ TEST_P(DirtySoups, AreMeshedSoundlyAndKeepTheirSpaces)
   }
 }
 
-/// As it is written, with faces of a patch that are in one plane merged where no layer is.
-void expectMeshOk(const Meshed& meshed)
-{
-  vtkNew<vtkUnstructuredGrid> volume;
-  volumeToVtk(meshed.mesh(), volume, SerialExecutor());
-  vtkNew<vtkPartitionedDataSetCollection> patches;
-  patchesToVtk(meshed.mesh(), meshed.model.names, meshed.result.layers, patches);
-  const ScratchFolder scratch;
-  vtkNew<vtkAtriaOpenFOAMWriter> writer;
-  writer->SetInputDataObject(0, volume);
-  writer->SetInputDataObject(1, patches);
-  writer->SetCaseDirectory(scratch.path().c_str());
-  ASSERT_EQ(writer->Write(), 1);
-  const CheckMeshReport report = runCheckMesh(scratch.path());
-  ASSERT_TRUE(report.completed) << report.log;
-  EXPECT_THAT(report.failures, ::testing::IsEmpty());
-}
-
 TEST_P(DirtySoups, HaveALayerAndNothingToObjectTo)
 {
   for (int i = 0; i < soupsInPart(); ++i)
@@ -215,7 +193,7 @@ TEST_P(DirtySoups, HaveALayerAndNothingToObjectTo)
     EXPECT_NEAR(totalVolume(meshed.mesh()) / soup.grid.domain.size().prod(), 1.0, 1e-6);
     if (haveCheckMesh())
     {
-      expectMeshOk(meshed);
+      EXPECT_THAT(checkAsWritten(meshed).failures, ::testing::IsEmpty());
     }
   }
 }
