@@ -50,7 +50,14 @@ private:
     for (const Index cell : region.cellIds)
     {
       source.facesOf(cell, scratch);
-      region.pointIds.insert(region.pointIds.end(), scratch.points.begin(), scratch.points.end());
+      const auto first = static_cast<std::ptrdiff_t>(region.pointIds.size());
+      for (const Index point : scratch.points)
+      {
+        if (std::find(region.pointIds.begin() + first, region.pointIds.end(), point) == region.pointIds.end())
+        {
+          region.pointIds.push_back(point);
+        }
+      }
       for (const CellFace& face : scratch.faces)
       {
         if (face.across != noIndex && numberIn(region.cellIds, face.across) == noIndex)
@@ -68,7 +75,12 @@ private:
                            [&](Index p) { return source.points()[p]; });
   }
 
-  Index numberOfPoint(Index point) const { return numberIn(region.pointIds, point); }
+  /// Each of a cell's points is asked for once by each face that has it.
+  Index numberOfPoint(Index point)
+  {
+    const auto known = std::ranges::find(ofCell, point, &std::pair<Index, Index>::first);
+    return known != ofCell.end() ? known->second : ofCell.emplace_back(point, numberIn(region.pointIds, point)).second;
+  }
 
   Index numberOfCell(Index cell) const
   {
@@ -80,6 +92,7 @@ private:
   void addFaces(Index local)
   {
     const Index cell = region.cellIds[local];
+    ofCell.clear();
     source.facesOf(cell, scratch);
     NativeCell native = source.nativeOf(cell);
     for (std::size_t i = 0; i < shapeOf(native.type).corners; ++i)
@@ -145,6 +158,8 @@ private:
   const CellSource& source;
   Region region;
   std::vector<Index> ghosts;
+  /// Points of the cell in hand, with their numbers.
+  std::vector<std::pair<Index, Index>> ofCell;
   CellSource::Scratch scratch;
 };
 
