@@ -7,6 +7,7 @@
 #include "Support/Shapes.h"
 #include "Support/TestPaths.h"
 #include "Support/Watchdog.h"
+#include "VtkDualMesh.h"
 
 #include <Eigen/Geometry>
 
