@@ -43,6 +43,8 @@ struct Case
   bool warned;
 };
 
+void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
+
 const std::vector<Case>& prototypes()
 {
   static const std::vector<Case> all{
