@@ -107,7 +107,8 @@ private:
       block(content.substr(std::min(content.find_first_not_of(" \t\r\n"), content.size())), false);
     }
     const string_view part = valueOf(attributes, "file");
-    if (name == "DataSet" && !part.empty())
+    // Only files of several name others; one that named itself would be read without end.
+    if (name == "DataSet" && !part.empty() && lowerEnding(file) != ".vtp")
     {
       const std::filesystem::path beside = std::filesystem::path(file).parent_path() / part;
       if (std::error_code ignored; lowerEnding(beside.string()) == ".vtp" && std::filesystem::exists(beside, ignored))

@@ -473,6 +473,16 @@ TEST_P(XmlMode, DoesNotBelieveTheSizesOfXmlFiles)
   }
 }
 
+TEST_P(XmlMode, DoesNotFollowAFileThatNamesItself)
+{
+  std::string bytes = xmlHouse(GetParam(), scratch.path());
+  read("a.vtp", bytes);
+  const vtkIdType whole = triangles();
+  read("a.vtp", bytes.insert(bytes.find("<PolyData"), "<DataSet index=\"0\" file=\"a.vtp\"/>"));
+  EXPECT_EQ(errors, std::vector<std::string>());
+  EXPECT_EQ(triangles(), whole);
+}
+
 INSTANTIATE_TEST_SUITE_P(Modes, XmlMode, ::testing::Values("text", "inline", "appended", "raw"));
 
 } // namespace
