@@ -5,7 +5,6 @@
 #include "Support/DualMeshChecks.h"
 #include "Support/MeshIt.h"
 #include "Support/Shapes.h"
-#include "Support/TestPaths.h"
 #include "Support/Watchdog.h"
 #include "VtkDualMesh.h"
 

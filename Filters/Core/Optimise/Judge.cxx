@@ -256,8 +256,7 @@ template <typename Sink> void Judge::judgeCell(Index cell, Sink& score) const
   }
   if (targets_.decomposed)
   {
-    const double q = targets_.determinantRoot.of(std::sqrt(std::sqrt(determinantOf(cell))));
-    targets_.determinants ? score.add(q) : score.addPenalty(q);
+    score.add(targets_.determinantRoot.of(std::sqrt(std::sqrt(determinantOf(cell)))), targets_.leastOfDeterminant);
   }
   if (targets_.scaledJacobian > 0.0)
   {

@@ -28,10 +28,6 @@ struct Score
   void add(double q, double least)
   {
     worst = std::min(worst, std::max(q, least));
-    addPenalty(q);
-  }
-  void addPenalty(double q)
-  {
     const double shortfall = shortfallOf(q);
     penalty += shortfall * shortfall;
   }
@@ -51,7 +47,6 @@ struct Residuals
 
   void add(double q) { values.push_back(shortfallOf(q)); }
   void add(double q, double /*least*/) { add(q); }
-  void addPenalty(double q) { add(q); }
   void addGood() { values.push_back(0.0); }
 };
 

@@ -167,13 +167,15 @@ QualityTargets LayerImprover::targets() const
     targets.scaledJacobian = goodJacobian;
     targets.leastOfJacobian = leastPutBack;
   }
-  targets.determinants = layered_;
+  if (!layered_ || hasHeights_)
+  {
+    targets.leastOfDeterminant = std::numeric_limits<double>::infinity();
+  }
   if (hasHeights_)
   {
     // Users who ask for a height have the jump in size that comes with it.
     targets.weight.limit = 0.0;
     targets.volumeRatio.limit = 0.0;
-    targets.determinants = false;
   }
   return targets;
 }

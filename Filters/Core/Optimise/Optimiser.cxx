@@ -185,15 +185,12 @@ private:
 std::vector<Score> scoresOfCells(const Judge& judge, const RunContext& context)
 {
   const Region& region = judge.region();
-  std::vector<Score> ofFaces(region.faceCount());
-  context.executor.forEach(ofFaces.size(), 1024,
-                           [&](std::size_t f) { ofFaces[f] = judge.scoreOfFace(static_cast<Index>(f)); });
   std::vector<Score> scores(region.judgedCount());
   context.executor.forEach(scores.size(), 1024, [&](std::size_t c) {
     scores[c] = judge.scoreOfCell(static_cast<Index>(c));
     for (const Index f : region.facesOf(c))
     {
-      scores[c].add(ofFaces[f]);
+      scores[c].add(judge.scoreOfFace(f));
     }
   });
   return scores;

@@ -53,14 +53,15 @@ struct QualityTargets
   /// cell determinant goes with the fourth power of a cell's least thickness. A cell with other cells beside it on two
   /// axes only has none, whatever its shape.
   QualityRange determinantRoot{0.182, 0.316};
-  /// Whether it counts for the worst; if not, it is improved where that is possible.
-  bool determinants = true;
+  /// What it makes of the worst at least: cells may fall short by it without being bad. Infinite: they do not count as
+  /// short by it, either, but are improved where others do.
+  double leastOfDeterminant = -std::numeric_limits<double>::infinity();
   /// Whether faces must be star-shaped about their centroids, as OpenFOAM's decomposition into tetrahedra asks, and
   /// determinants are looked at.
   bool decomposed = true;
   /// Verdict's scaled Jacobian of cells that have one, its limit 0; a target of 0 asks for nothing.
   double scaledJacobian = 0.0;
-  /// What it makes of the worst at least: cells may fall short by it without being bad.
+  /// As leastOfDeterminant.
   double leastOfJacobian = -std::numeric_limits<double>::infinity();
 
   /// All targets farther from their limits: measures creep up to what is aimed at and stop just short of it.
