@@ -16,9 +16,12 @@ namespace {
 class FaceSet
 {
 public:
-  FaceSet(const Numbers& coordinates, bool turned)
+  FaceSet(const Numbers& coordinates, const Integers& index, bool turned)
       : points(coordinates), count(coordinates.size() / 3), builder(turned), newIds(count, noIndex)
   {
+    const auto ends = static_cast<std::size_t>(std::count_if(index.begin(), index.end(), [](int i) { return i < 0; }));
+    const std::size_t corners = index.size() - ends;
+    builder.reserve(std::min(count, corners), corners - std::min(corners, 2 * ends));
   }
 
   void add(std::span<const int> face)
@@ -256,7 +259,7 @@ LocalSurface Geometry::faceSet(const NodeRef& node)
 
 LocalSurface Geometry::faces(const NodeRef& node, const Numbers& points, const Integers& index, bool turned)
 {
-  FaceSet set(points, turned);
+  FaceSet set(points, index, turned);
   for (auto start = index.begin(); start != index.end();)
   {
     const auto stop = std::find_if(start, index.end(), [](int i) { return i < 0; });
@@ -318,9 +321,9 @@ LocalSurface Geometry::cone1(const NodeRef& node)
 
 bool Geometry::hasPart(const NodeRef& node, std::string_view part) const
 {
-  const auto* words = instances.get<std::vector<std::string>>(node, "parts");
+  const auto* words = instances.get<Strings>(node, "parts");
   return !words || std::any_of(words->begin(), words->end(),
-                               [&](const std::string& word) { return word == part || word == "ALL"; });
+                               [&](std::string_view word) { return word == part || word == "ALL"; });
 }
 
 } // namespace atria::vrml

@@ -147,6 +147,10 @@ void judgeUnit(const std::string& head, const std::vector<std::string_view>& wor
 /// along it, it was drawn y up.
 bool looksYUp(const Scene& scene, const Vec3& size)
 {
+  if (!(size.y() < 0.6 * std::min(size.x(), size.z())))
+  {
+    return false;
+  }
   Vec3 area = Vec3::Zero();
   double all = 0.0;
   for (const auto& [a, b, c] : scene.triangles)
@@ -158,8 +162,8 @@ bool looksYUp(const Scene& scene, const Vec3& size)
     area[axis] += along ? length : 0.0;
     all += length;
   }
-  return size.y() < 0.6 * std::min(size.x(), size.z()) && area.y() > 0.4 * all && area.x() > 0.03 * all &&
-         area.z() > 0.03 * all && area.y() > 1.5 * std::max(area.x(), area.z());
+  return area.y() > 0.4 * all && area.x() > 0.03 * all && area.z() > 0.03 * all &&
+         area.y() > 1.5 * std::max(area.x(), area.z());
 }
 
 void judgeUpAxis(const Scene& scene, const std::vector<std::string_view>& words, const Vec3& size,

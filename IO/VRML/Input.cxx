@@ -176,10 +176,10 @@ std::string readStart(const fs::path& file)
   return startsWith(start, "\xef\xbb\xbf") ? start.substr(3) : start;
 }
 
-std::optional<fs::path> findFile(const fs::path& folder, const std::string& url)
+std::optional<fs::path> findFile(const fs::path& folder, std::string_view url)
 {
   const std::size_t colon = url.find(':');
-  const bool network = colon != std::string::npos && colon > 1 && !startsWith(url, "file:");
+  const bool network = colon != std::string_view::npos && colon > 1 && !startsWith(url, "file:");
   const std::string path = pathOf(url);
   if (network || path.empty() || path.find('\0') != std::string::npos)
   {

@@ -38,6 +38,6 @@ std::string readStart(const std::filesystem::path& file);
 /// Accepts backslashes, file: URLs, %20 and the like, a trailing #Name, and names that differ in case; a file
 /// that is not where the URL says is also looked for in `folder` itself, since exporters write paths of the
 /// machine they ran on.
-std::optional<std::filesystem::path> findFile(const std::filesystem::path& folder, const std::string& url);
+std::optional<std::filesystem::path> findFile(const std::filesystem::path& folder, std::string_view url);
 
 } // namespace atria::vrml

@@ -46,10 +46,10 @@ const Prototype* Instances::resolve(const Prototype& prototype, const Node& inst
       return nullptr;
     }
     std::string_view name;
-    for (const std::string& url : found->urls)
+    for (const std::string_view url : found->urls)
     {
       const std::size_t hash = url.rfind('#');
-      name = hash == std::string::npos ? name : std::string_view(url).substr(hash + 1);
+      name = hash == std::string_view::npos ? name : url.substr(hash + 1);
     }
     found = findIn(*document, name);
   }

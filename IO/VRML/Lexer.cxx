@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <limits>
 
@@ -65,6 +66,46 @@ bool underflows(std::string_view text)
   return e == std::string_view::npos
              ? text.find('.') != std::string_view::npos && text.find_first_of("123456789") > text.find('.')
              : e + 1 < text.size() && text[e + 1] == '-';
+}
+
+/// Reads digits, perhaps with a point among them, that are few enough for one division to give the nearest number.
+/// Returns where they end; null where the text is anything else.
+const char* readPlain(const char* from, const char* end, double& value)
+{
+  constexpr std::uint64_t exact = std::uint64_t{1} << 53;
+  constexpr std::ptrdiff_t mostDigits = 18; // more might not fit into 64 bits
+  static constexpr std::array<double, 19> powers{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8, 1e9,
+                                                 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18};
+  const bool negative = from != end && *from == '-';
+  const char* const start = from + (negative ? 1 : 0);
+  const char* at = start;
+  std::uint64_t digits = 0;
+  const auto readDigits = [&] {
+    const char* const first = at;
+    for (; at != end && isDigit(*at) && at - start <= mostDigits; ++at)
+    {
+      digits = 10 * digits + static_cast<std::uint64_t>(*at - '0');
+    }
+    return at - first;
+  };
+  if (readDigits() == 0)
+  {
+    return nullptr;
+  }
+  std::ptrdiff_t decimals = 0;
+  if (at != end && *at == '.')
+  {
+    ++at;
+    decimals = readDigits();
+  }
+  // At `.#` a number may follow that is none.
+  if (at - start > mostDigits || digits >= exact || (at != end && (!isDelimiter(*at) || *at == '#')))
+  {
+    return nullptr;
+  }
+  const double size = static_cast<double>(digits) / powers[static_cast<std::size_t>(decimals)];
+  value = negative ? -size : size;
+  return at;
 }
 
 } // namespace
@@ -151,23 +192,15 @@ Token Lexer::readString()
   return token;
 }
 
-Token Lexer::next()
+void Lexer::look()
 {
-  skipBlanks();
-  // Most tokens are looked at before they are taken.
-  for (const Seen& known : seen)
-  {
-    if (known.from == at)
-    {
-      at = known.to;
-      return known.token;
-    }
-  }
   const char* const from = at;
-  const Token token = read();
-  seen[oldest] = {from, at, token};
-  oldest = 1 - oldest;
-  return token;
+  at = looked == 0 ? from : ends[looked - 1];
+  skipBlanks();
+  tokens[looked] = read();
+  ends[looked] = at;
+  at = from;
+  ++looked;
 }
 
 Token Lexer::read()
@@ -198,25 +231,6 @@ Token Lexer::read()
   return {startsNumber(text) ? TokenKind::number : TokenKind::word, text};
 }
 
-Token Lexer::peek()
-{
-  skipBlanks();
-  const char* saved = at;
-  const Token token = next();
-  at = saved;
-  return token;
-}
-
-Token Lexer::peekSecond()
-{
-  skipBlanks();
-  const char* saved = at;
-  next();
-  const Token token = peek();
-  at = saved;
-  return token;
-}
-
 std::optional<std::string_view> Lexer::nextName()
 {
   const Token token = peek();
@@ -238,15 +252,20 @@ bool Lexer::nextNumber(double& value)
 {
   skipBlanks();
   // What most numbers are, without looking for their ends first.
+  if (const char* stop = readPlain(at, end, value))
+  {
+    moveTo(stop);
+    return true;
+  }
   if (at != end && (isDigit(*at) || *at == '-'))
   {
     double plain = 0.0;
     const auto [stop, error] = std::from_chars(at, end, plain);
-    const bool ends = stop == end || (isDelimiter(*stop) && !(*stop == '#' && isNoComment(stop, end)));
-    if (error == std::errc() && ends && std::isfinite(plain))
+    const bool isEnd = stop == end || (isDelimiter(*stop) && !(*stop == '#' && isNoComment(stop, end)));
+    if (error == std::errc() && isEnd && std::isfinite(plain))
     {
       value = plain;
-      at = stop;
+      moveTo(stop);
       return true;
     }
   }
@@ -257,7 +276,7 @@ bool Lexer::nextNumber(double& value)
     return false;
   }
   value = *number;
-  at = stop;
+  moveTo(stop);
   return true;
 }
 
@@ -282,7 +301,7 @@ bool Lexer::nextNoNumber(double& value)
     return false;
   }
   value = std::numeric_limits<double>::quiet_NaN();
-  at = stop;
+  moveTo(stop);
   return true;
 }
 
@@ -292,7 +311,7 @@ bool Lexer::nextInteger(int& value)
   const auto [quick, none] = std::from_chars(at, end, value);
   if (none == std::errc() && (quick == end || isDelimiter(*quick)))
   {
-    at = quick;
+    moveTo(quick);
     return true;
   }
   const char* stop = wordEnd(at, end);
@@ -300,7 +319,7 @@ bool Lexer::nextInteger(int& value)
   const auto [last, error] = std::from_chars(first, stop, value);
   if (error == std::errc() && last == stop)
   {
-    at = stop;
+    moveTo(stop);
     return true;
   }
   const std::string_view text(at, static_cast<std::size_t>(stop - at));
@@ -309,7 +328,7 @@ bool Lexer::nextInteger(int& value)
       std::from_chars(at + 2, stop, bits, 16).ptr == stop)
   {
     value = static_cast<int>(bits);
-    at = stop;
+    moveTo(stop);
     return true;
   }
   const std::optional<double> number = toNumber(text);
@@ -318,7 +337,7 @@ bool Lexer::nextInteger(int& value)
     return false;
   }
   value = static_cast<int>(*number);
-  at = stop;
+  moveTo(stop);
   return true;
 }
 

@@ -44,10 +44,33 @@ class Lexer
 public:
   explicit Lexer(std::string_view source);
 
-  Token next();
-  Token peek();
+  Token next()
+  {
+    const Token token = peek();
+    at = ends[0];
+    tokens[0] = tokens[1];
+    ends[0] = ends[1];
+    --looked;
+    return token;
+  }
+  const Token& peek()
+  {
+    if (looked == 0)
+    {
+      look();
+    }
+    return tokens[0];
+  }
   /// The token after the next one.
-  Token peekSecond();
+  const Token& peekSecond()
+  {
+    peek();
+    if (looked == 1)
+    {
+      look();
+    }
+    return tokens[1];
+  }
   /// Reads a name after DEF, USE and the like, where something that looks like a number is a name too.
   std::optional<std::string_view> nextName();
   /// Characters up to the next closing bracket, zero without one: how much a list may hold.
@@ -68,15 +91,14 @@ public:
   std::size_t position() const { return static_cast<std::size_t>(at - begin); }
 
 private:
-  /// A token read before.
-  struct Seen
-  {
-    const char* from = nullptr;
-    const char* to = nullptr;
-    Token token;
-  };
-
   void skipBlanks();
+  /// Reads one more token ahead.
+  void look();
+  void moveTo(const char* place)
+  {
+    at = place;
+    looked = 0;
+  }
   /// Reads the token that begins here.
   Token read();
   Token readString();
@@ -85,8 +107,10 @@ private:
   const char* begin;
   const char* end;
   const char* at;
-  std::array<Seen, 2> seen;
-  std::size_t oldest = 0;
+  // Tokens read ahead, as most are looked at before they are taken, and where they end.
+  std::array<Token, 2> tokens;
+  std::array<const char*, 2> ends{};
+  std::size_t looked = 0;
   // Lines are counted only when somebody asks, from where they were counted last.
   const char* counted;
   int countedLine = 1;

@@ -125,12 +125,11 @@ const Document& Library::open(const fs::path& file)
   return *document;
 }
 
-const Document* Library::openBeside(const Document& from, const std::vector<std::string>& urls, int line,
-                                    const std::string& what)
+const Document* Library::openBeside(const Document& from, const Strings& urls, int line, const std::string& what)
 {
   const std::string place = from.displayName() + ":" + std::to_string(line) + ": " + what;
   std::string tried;
-  for (const std::string& url : urls)
+  for (const std::string_view url : urls)
   {
     tried += (tried.empty() ? "'" : ", '") + toUtf8(url) + "'";
     const std::optional<fs::path> file = findFile(from.file.parent_path(), url);

@@ -28,8 +28,7 @@ public:
 
   /// The first of `urls` that can be read, relative to the document that mentions them; null and a warning if
   /// none can. `line` is where they are mentioned, `what` names the node.
-  const Document* openBeside(const Document& from, const std::vector<std::string>& urls, int line,
-                             const std::string& what);
+  const Document* openBeside(const Document& from, const Strings& urls, int line, const std::string& what);
 
   /// ROUTE statements in all files.
   std::size_t routes() const;

@@ -145,62 +145,6 @@ void Parser::stepNode()
   startsNode() ? readNodeWithoutField() : readField();
 }
 
-/// PROTO, EXTERNPROTO and ROUTE may stand wherever a node or a field may.
-bool Parser::readStatement()
-{
-  const Token token = lexer.peek();
-  if (token.is("ROUTE"))
-  {
-    readRoute();
-    return true;
-  }
-  if (token.is("PROTO") || token.is("EXTERNPROTO"))
-  {
-    readPrototype(token.text == "EXTERNPROTO");
-    return true;
-  }
-  return document.version == Version::x3d && readStatementOfX3D();
-}
-
-/// What X3D has between its header and its nodes.
-bool Parser::readStatementOfX3D()
-{
-  const Token token = lexer.peek();
-  if (token.is("UNIT"))
-  {
-    lexer.next();
-    const std::string category(lexer.nextName().value_or(""));
-    lexer.nextName();
-    const std::string text(lexer.peek().text);
-    double factor = 1.0;
-    if (lexer.nextNumber(factor) && category == "length" && factor != 1.0)
-    {
-      warn("lengths are stated to be in units of " + text + " m, which is not applied; set Scale");
-    }
-    return true;
-  }
-  const bool exchange = token.is("IMPORT") || token.is("EXPORT");
-  if (!exchange && !token.is("PROFILE") && !token.is("COMPONENT") && !token.is("META"))
-  {
-    return false;
-  }
-  lexer.next();
-  for (int i = 0; i < 2 && lexer.peek().kind == TokenKind::string; ++i) // of META
-  {
-    lexer.next();
-  }
-  if (!token.is("META"))
-  {
-    lexer.nextName();
-  }
-  if (exchange && lexer.peek().is("AS"))
-  {
-    lexer.next();
-    lexer.nextName();
-  }
-  return true;
-}
-
 bool Parser::startsNode()
 {
   const Token token = lexer.peek();
@@ -276,7 +220,7 @@ void Parser::openNode(Slot slot, const std::vector<std::string_view>& names)
   for (const std::string_view name : names)
   {
     node.name = name;
-    scopes.back().nodes[name] = &node;
+    scopes.back().nodes.add(name, node);
   }
   put(slot, &node);
   const Frame& around = frames.back();
@@ -305,7 +249,7 @@ const NodeType* Parser::declaredBase()
   {
     lexer.next();
     readStrings(names, true);
-    for (const std::string& name : std::get<std::vector<std::string>>(names))
+    for (const std::string_view name : std::get<Strings>(names))
     {
       base = base ? base : findNodeType(name, Version::vrml1);
     }
@@ -322,14 +266,25 @@ void Parser::readUse(Slot slot)
   {
     return expected("a name after USE");
   }
-  const auto found = scopes.back().nodes.find(*name);
-  if (found == scopes.back().nodes.end())
+  Node* const found = scopes.back().nodes.find(*name);
+  if (!found)
   {
     warn("USE of '" + toUtf8(*name) + "', which no DEF before it defines");
     return put(slot, nullptr);
   }
-  found->second->shared = true;
-  put(slot, found->second);
+  found->shared = true;
+  put(slot, found);
+}
+
+Node* Parser::Names::find(std::string_view name)
+{
+  for (const auto& [recentName, node] : recent)
+  {
+    known[recentName] = node;
+  }
+  recent.clear();
+  const auto found = known.find(name);
+  return found == known.end() ? nullptr : found->second;
 }
 
 void Parser::put(Slot slot, Node* node)
@@ -337,28 +292,6 @@ void Parser::put(Slot slot, Node* node)
   if (slot.node)
   {
     std::get<Nodes>(slot.node->fields[slot.field].value).push_back(node);
-  }
-}
-
-/// `ROUTE a.b TO c.d`, where blanks may surround the dots.
-void Parser::readRoute()
-{
-  ++document.routes;
-  lexer.next();
-  for (const bool untilTo : {true, false})
-  {
-    bool goOn = true;
-    while (goOn)
-    {
-      const auto word = lexer.nextName();
-      const Token next = lexer.peek();
-      if (!word)
-      {
-        return expected("names and TO after ROUTE");
-      }
-      const bool dots = word->back() == '.' || (next.kind == TokenKind::word && next.text.front() == '.');
-      goOn = untilTo ? *word != "TO" : dots;
-    }
   }
 }
 
@@ -455,8 +388,9 @@ Parser::Slot Parser::slotOf(Node& node, std::string_view field)
   const auto index = static_cast<std::size_t>(found - node.fields.begin());
   if (found == node.fields.end())
   {
-    constexpr std::size_t usual = 2;
-    node.fields.reserve(node.fields.empty() ? usual : 0);
+    constexpr std::size_t usual = 2; // more than one there is only one of would be room for nothing
+    const std::size_t first = node.type && node.type->fields.size() == 1 ? 1 : usual;
+    node.fields.reserve(node.fields.empty() ? first : 0);
     node.fields.push_back({field, {}, {}});
   }
   Value& value = node.fields[index].value;

@@ -49,9 +49,21 @@ private:
     Prototype* prototype = nullptr; ///< of interface and body
     int line = 0;
   };
+  /// Nodes by DEF name, sorted in when the first of them is asked for: most files define far more than they use.
+  class Names
+  {
+  public:
+    void add(std::string_view name, Node& node) { recent.emplace_back(name, &node); }
+    /// The one defined last; null without.
+    Node* find(std::string_view name);
+
+  private:
+    std::vector<std::pair<std::string_view, Node*>> recent;
+    std::unordered_map<std::string_view, Node*> known;
+  };
   struct Scope
   {
-    std::unordered_map<std::string_view, Node*> nodes;
+    Names nodes;
     std::unordered_map<std::string_view, const Prototype*> prototypes;
   };
 
@@ -59,26 +71,26 @@ private:
   void step();
   void stepList();
   void stepNode();
-  void stepInterface(); // in ParserPrototypes.cxx
+  void stepInterface(); // in ParserStatements.cxx
   void closeList();
 
-  // Statements
-  bool readStatement();
+  // Nodes and their fields
   bool startsNode();
   void readNode(Slot slot);
   void readNames(std::vector<std::string_view>& names);
   void openNode(Slot slot, const std::vector<std::string_view>& names);
   void readUse(Slot slot);
   static void put(Slot slot, Node* node);
-  void readRoute();
-  bool readStatementOfX3D();
   void readNodeWithoutField();
   void readField();
   void readDeclaration();
   const NodeType* declaredBase();
   bool isVersion1() const { return document.version == Version::vrml1; }
 
-  // Prototypes, in ParserPrototypes.cxx
+  // Statements, in ParserStatements.cxx
+  bool readStatement();
+  bool readStatementOfX3D();
+  void readRoute();
   void readPrototype(bool external);
   void openBody(Prototype& prototype);
   void closeBody();
@@ -88,7 +100,9 @@ private:
   void readNodes(Slot slot, bool many);
   bool readScalars(Value& value, FieldType type);
   bool readBool(Value& value);
-  std::pmr::memory_resource* memoryFor(std::size_t length);
+  template <class List, class Read>
+  void readList(Value& value, std::size_t characters, std::vector<typename List::value_type>& scratch,
+                const Read& readOne);
   bool readIntegers(Value& value, bool many);
   bool readNumbers(Value& value, std::size_t arity, bool many, bool gaps = false);
   bool openNeedlessBracket();
@@ -132,6 +146,9 @@ private:
   bool quiet = false; ///< after an error, until a node was recognised: one slip is one warning
   std::vector<Frame> frames;
   std::vector<Scope> scopes;
+  // Lists being read.
+  std::vector<int> integers;
+  std::vector<double> numbers;
 };
 
 } // namespace atria::vrml

@@ -5,6 +5,7 @@
 #include "Parser.h"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace atria::vrml {
 
@@ -79,6 +80,10 @@ void Parser::readValue(Node& owner, std::size_t field, FieldType type, bool inIn
   const bool bracket = lexer.peek().kind == TokenKind::openBracket;
   if (readScalars(value, type))
   {
+    const auto* points = type == FieldType::mfPoint ? std::get_if<Numbers>(&value) : nullptr;
+    document.points += points ? points->size() / 3 : 0;
+    const auto* indices = std::get_if<Integers>(&value);
+    document.indices += indices ? indices->size() : 0;
     owner.fields[field].value = std::move(value);
     return;
   }
@@ -162,50 +167,37 @@ bool Parser::readBool(Value& value)
   return true;
 }
 
-/// Long lists have memory of their own, so that what they outgrow is given back.
-std::pmr::memory_resource* Parser::memoryFor(std::size_t length)
+/// Reads the values of a list of so many `characters`. They are collected apart, with room for values of the usual
+/// length as growing in steps would copy, and touch, twice as much memory; the list itself then has what it needs.
+template <class List, class Read>
+void Parser::readList(Value& value, std::size_t characters, std::vector<typename List::value_type>& scratch,
+                      const Read& readOne)
 {
-  constexpr std::size_t longest = 4096;
-  return length > longest ? std::pmr::new_delete_resource() : &document.memory;
-}
-
-namespace {
-
-/// What a long list has too much of: it may have no end of its own, or be full of blanks.
-template <typename List> void giveBack(List& list)
-{
-  constexpr std::size_t much = 4096;
-  if (list.capacity() > much && list.capacity() / 2 > list.size())
+  constexpr std::size_t usualLength = std::is_same_v<List, Integers> ? 6 : 8;
+  scratch.clear();
+  scratch.reserve(characters / usualLength);
+  typename List::value_type one{};
+  while (readOne(one))
   {
-    list.shrink_to_fit();
+    scratch.push_back(one);
+    tick();
   }
+  value.emplace<List>(scratch.begin(), scratch.end(), &document.memory);
 }
-
-} // namespace
 
 bool Parser::readIntegers(Value& value, bool many)
 {
-  const bool isList = many && lexer.peek().kind == TokenKind::openBracket;
-  const std::size_t length = isList ? lexer.lengthOfList() : 0;
-  auto& out = value.emplace<Integers>(memoryFor(length));
-  int number = 0;
-  if (!isList)
+  if (!many || lexer.peek().kind != TokenKind::openBracket)
   {
     const bool bracket = openNeedlessBracket();
+    int number = 0;
     const bool read = lexer.nextInteger(number);
-    out.assign(read ? 1 : 0, number);
+    value.emplace<Integers>(read ? 1 : 0, number, &document.memory);
     return read && (!bracket || endsList());
   }
+  const std::size_t characters = lexer.lengthOfList();
   lexer.next();
-  // Room for numbers of the usual length: growing in steps would copy, and touch, twice as much memory.
-  constexpr std::size_t usualLength = 6;
-  out.reserve(length / usualLength);
-  while (lexer.nextInteger(number))
-  {
-    out.push_back(number);
-    tick();
-  }
-  giveBack(out);
+  readList<Integers>(value, characters, integers, [&](int& number) { return lexer.nextInteger(number); });
   return endsList();
 }
 
@@ -237,32 +229,27 @@ bool Parser::endsList()
 /// stand there that is no number.
 bool Parser::readNumbers(Value& value, std::size_t arity, bool many, bool gaps)
 {
-  const bool isList = many && lexer.peek().kind == TokenKind::openBracket;
-  const std::size_t length = isList ? lexer.lengthOfList() : 0;
-  auto& out = value.emplace<Numbers>(memoryFor(length));
-  double number = 0.0;
-  if (!isList)
+  if (!many || lexer.peek().kind != TokenKind::openBracket)
   {
     const bool bracket = openNeedlessBracket();
+    auto& out = value.emplace<Numbers>(&document.memory);
+    out.reserve(arity);
+    double number = 0.0;
     while (out.size() < arity && lexer.nextNumber(number))
     {
       out.push_back(number);
     }
     return out.size() == arity && (!bracket || endsList());
   }
+  const std::size_t characters = lexer.lengthOfList();
   lexer.next();
-  constexpr std::size_t usualLength = 8;
-  out.reserve(length / usualLength);
-  while (lexer.nextNumber(number) || (gaps && lexer.nextNoNumber(number)))
-  {
-    out.push_back(number);
-    tick();
-  }
-  giveBack(out);
+  readList<Numbers>(value, characters, numbers,
+                    [&](double& number) { return lexer.nextNumber(number) || (gaps && lexer.nextNoNumber(number)); });
   if (lexer.peek().kind != TokenKind::closeBracket && lexer.peek().kind != TokenKind::closeBrace)
   {
     return false;
   }
+  auto& out = std::get<Numbers>(value);
   if (out.size() % arity != 0)
   {
     expected("numbers in groups of " + std::to_string(arity));
@@ -273,7 +260,7 @@ bool Parser::readNumbers(Value& value, std::size_t arity, bool many, bool gaps)
 
 bool Parser::readStrings(Value& value, bool many)
 {
-  auto& out = value.emplace<std::vector<std::string>>();
+  auto& out = value.emplace<Strings>(&document.memory);
   const bool bracket = many && lexer.peek().kind == TokenKind::openBracket;
   if (bracket)
   {
@@ -281,11 +268,11 @@ bool Parser::readStrings(Value& value, bool many)
   }
   while (lexer.peek().kind == TokenKind::string && (bracket || out.empty()))
   {
-    out.push_back(unescaped(lexer.next().text));
+    out.push_back(document.keep(unescaped(lexer.next().text)));
   }
   if (isVersion1() && !bracket && out.empty() && lexer.peek().kind == TokenKind::word)
   {
-    out.emplace_back(lexer.next().text); // VRML 1.0 has no quotes about strings without blanks
+    out.push_back(document.keep(lexer.next().text)); // VRML 1.0 has no quotes about strings without blanks
   }
   return bracket ? lexer.next().kind == TokenKind::closeBracket : !out.empty();
 }
@@ -293,7 +280,7 @@ bool Parser::readStrings(Value& value, bool many)
 /// `SIDES`, or `(SIDES | TOP)`.
 bool Parser::readWords(Value& value)
 {
-  auto& out = value.emplace<std::vector<std::string>>();
+  auto& out = value.emplace<Strings>(&document.memory);
   if (lexer.peek().kind != TokenKind::word)
   {
     return false;
@@ -308,7 +295,7 @@ bool Parser::readWords(Value& value)
       const std::size_t stop = std::min(text.find_first_of("(|)", start), text.size());
       if (stop > start)
       {
-        out.emplace_back(text.substr(start, stop - start));
+        out.push_back(document.keep(text.substr(start, stop - start)));
       }
       start = stop + 1;
     }

@@ -7,6 +7,14 @@
 
 namespace atria::vrml {
 
+void SceneBuilder::reserve(std::size_t points, std::size_t triangles)
+{
+  scene.points.reserve(points);
+  scene.triangles.reserve(triangles);
+  scene.shapeIds.reserve(triangles);
+  scene.faceIds.reserve(triangles);
+}
+
 Index SceneBuilder::group(std::string_view name, Index parent)
 {
   const std::size_t depth = parent == noIndex ? 0 : scene.groups[parent].depth + 1;

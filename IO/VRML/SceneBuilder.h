@@ -15,6 +15,8 @@ namespace atria::vrml {
 class SceneBuilder
 {
 public:
+  /// Makes room for so many.
+  void reserve(std::size_t points, std::size_t triangles);
   /// A group inside another; `name` as the file has it.
   Index group(std::string_view name, Index parent);
   Index material(const Material& material);

@@ -2,10 +2,12 @@
 /// What a VRML file says, as read: nodes with their fields, prototypes, nothing evaluated.
 #pragma once
 
+#include <algorithm>
 #include <deque>
 #include <filesystem>
 #include <map>
 #include <memory_resource>
+#include <new>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -22,8 +24,9 @@ struct Prototype;
 /// list of one. `monostate` stands for a field that was not given or not kept.
 using Integers = std::pmr::vector<int>;
 using Numbers = std::pmr::vector<double>;
+using Strings = std::pmr::vector<std::string_view>;
 using Nodes = std::pmr::vector<Node*>;
-using Value = std::variant<std::monostate, bool, Integers, Numbers, std::vector<std::string>, Nodes>;
+using Value = std::variant<std::monostate, bool, Integers, Numbers, Strings, Nodes>;
 
 enum class FieldType
 {
@@ -90,7 +93,7 @@ struct Prototype
   Node* defaults = nullptr; ///< its fields are the interface's defaults
   Node* body = nullptr;     ///< its only field lists the nodes of the body; the first one is drawn
   bool external = false;
-  std::vector<std::string> urls; ///< of an EXTERNPROTO
+  Strings urls; ///< of an EXTERNPROTO
   const Document* document = nullptr;
 };
 
@@ -102,7 +105,7 @@ enum class Version
   missing
 };
 
-/// One file. Nodes refer to its strings and to each other, so it stays where it is.
+/// One file. Nodes refer to its texts and to each other, so it stays where it is.
 struct Document
 {
   explicit Document(std::filesystem::path path) : file(std::move(path)) {}
@@ -110,27 +113,31 @@ struct Document
   Document& operator=(const Document&) = delete;
 
   std::filesystem::path file;
-  /// For what files have millions of: fields and short lists, which go all at once.
+  /// For what files have millions of, nodes, fields, lists and texts, which go all at once.
   std::pmr::monotonic_buffer_resource memory;
   Version version = Version::vrml97;
   Node* root = nullptr; ///< its only field lists the file's nodes
-  std::deque<Node> nodes;
   std::deque<Prototype> prototypes;
   std::size_t routes = 0;
-  std::string head; ///< the first characters of the file, where programs say who they are
+  std::size_t points = 0;  ///< in all coordinates
+  std::size_t indices = 0; ///< in all lists of them
+  std::string head;        ///< the first characters of the file, where programs say who they are
 
-  /// A copy that lives as long as the document.
+  /// Never destroyed, as all that nodes hold is in `memory`.
   Node& addNode()
   {
-    Node& node = nodes.emplace_back(&memory);
-    node.document = this;
-    return node;
+    Node* const node = new (memory.allocate(sizeof(Node), alignof(Node))) Node(&memory);
+    node->document = this;
+    return *node;
   }
-  std::string_view keep(std::string_view text) { return strings.emplace_back(text); }
+  /// A copy that lives as long as the document.
+  std::string_view keep(std::string_view text)
+  {
+    char* const copy = static_cast<char*>(memory.allocate(text.size(), 1));
+    std::copy(text.begin(), text.end(), copy);
+    return {copy, text.size()};
+  }
   std::string displayName() const { return file.filename().string(); }
-
-private:
-  std::deque<std::string> strings;
 };
 
 } // namespace atria::vrml

@@ -80,7 +80,7 @@ void Evaluator::changeState(const NodeRef& ref)
   }
   else if (type == "ShapeHints")
   {
-    const auto* order = instances.get<std::vector<std::string>>(ref, "vertexOrdering");
+    const auto* order = instances.get<Strings>(ref, "vertexOrdering");
     state.clockwise = order && !order->empty() && order->front() == "CLOCKWISE";
   }
   else if (type == "MatrixTransform")

@@ -29,6 +29,13 @@ public:
     surface.points.push_back(p);
     return static_cast<Index>(surface.points.size() - 1);
   }
+  /// Makes room for so many points and triangles at least.
+  void reserve(std::size_t points, std::size_t triangles)
+  {
+    surface.points.reserve(points);
+    surface.triangles.reserve(triangles);
+    surface.faceIds.reserve(triangles);
+  }
   /// Polygons without area are dropped and counted.
   void polygon(std::span<const Index> ids);
   void quad(Index a, Index b, Index c, Index d) { polygon(std::array<Index, 4>{a, b, c, d}); }

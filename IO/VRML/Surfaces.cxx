@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Surfaces.h"
 
+#include "Support/IndexTable.h"
 #include "Surface/SmoothPieces.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
 #include <unordered_map>
 
 namespace atria::vrml {
@@ -37,40 +39,78 @@ std::vector<Index> pathOf(const Scene& scene, Index group)
   return path;
 }
 
-/// The names that still repeat get their first difference from the others ahead of them.
+/// For each text the first that is the same.
+template <class TextOf> std::vector<Index> firstsOf(std::size_t count, const TextOf& textOf)
+{
+  IndexTable table(count);
+  std::vector<Index> firsts(count);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const std::string& text = textOf(i);
+    firsts[i] = table.findOrAdd(mixed(std::hash<std::string>{}(text)), static_cast<Index>(i),
+                                [&](Index other) { return textOf(other) == text; });
+  }
+  return firsts;
+}
+
+/// What the groups ahead of some names have as their first difference, from the outside; empty where there is none.
+std::vector<std::string> differences(const Scene& scene, const std::vector<Wanted>& wanted,
+                                     const std::vector<std::size_t>& members)
+{
+  std::vector<std::vector<Index>> paths;
+  for (const std::size_t i : members)
+  {
+    paths.push_back(pathOf(scene, wanted[i].group));
+  }
+  const auto name = [&](std::size_t path, std::size_t level) -> const std::string& {
+    static const std::string none;
+    return level < paths[path].size() ? scene.groups[paths[path][level]].name : none;
+  };
+  std::size_t level = 0;
+  const auto agree = [&] {
+    return std::all_of(paths.begin(), paths.end(), [&](const auto& path) {
+      return level < path.size() && scene.groups[path[level]].name == name(0, level);
+    });
+  };
+  while (agree())
+  {
+    ++level;
+  }
+  std::vector<std::string> out;
+  for (std::size_t k = 0; k < members.size(); ++k)
+  {
+    out.push_back(name(k, level));
+  }
+  return out;
+}
+
+/// The names that repeat get their first difference from the others ahead of them.
 std::vector<std::string> qualified(const Scene& scene, const std::vector<Wanted>& wanted)
 {
-  std::unordered_map<std::string, std::vector<std::size_t>> byLeaf;
+  const std::vector<Index> firsts =
+      firstsOf(wanted.size(), [&](std::size_t i) -> const std::string& { return wanted[i].leaf; });
+  std::map<Index, std::vector<std::size_t>> repeated;
   for (std::size_t i = 0; i < wanted.size(); ++i)
   {
-    byLeaf[wanted[i].leaf].push_back(i);
+    if (firsts[i] != i)
+    {
+      std::vector<std::size_t>& members = repeated[firsts[i]];
+      members.insert(members.end(), members.empty() ? 1 : 0, firsts[i]);
+      members.push_back(i);
+    }
   }
-  std::vector<std::string> names(wanted.size());
-  for (const auto& [leaf, members] : byLeaf)
+  std::vector<std::string> names;
+  names.reserve(wanted.size());
+  for (const Wanted& each : wanted)
   {
-    std::vector<std::vector<Index>> paths;
-    for (const std::size_t i : members)
-    {
-      paths.push_back(pathOf(scene, wanted[i].group));
-    }
-    const auto name = [&](std::size_t path, std::size_t level) -> const std::string& {
-      static const std::string none;
-      return level < paths[path].size() ? scene.groups[paths[path][level]].name : none;
-    };
-    std::size_t level = 0;
-    const auto agree = [&] {
-      return std::all_of(paths.begin(), paths.end(), [&](const auto& path) {
-        return level < path.size() && scene.groups[path[level]].name == name(0, level);
-      });
-    };
-    while (agree())
-    {
-      ++level;
-    }
+    names.push_back(each.leaf);
+  }
+  for (const auto& [first, members] : repeated)
+  {
+    const std::vector<std::string> ahead = differences(scene, wanted, members);
     for (std::size_t k = 0; k < members.size(); ++k)
     {
-      const std::string& ahead = name(k, level);
-      names[members[k]] = ahead.empty() ? leaf : std::string(ahead).append("/").append(leaf);
+      names[members[k]].insert(0, ahead[k].empty() ? "" : ahead[k] + "/");
     }
   }
   return names;
@@ -79,24 +119,34 @@ std::vector<std::string> qualified(const Scene& scene, const std::vector<Wanted>
 /// `Name`, then `Name_2`, `Name_3`, …, passing over names that something else has.
 void number(std::vector<std::string>& names)
 {
+  const std::vector<Index> firsts =
+      firstsOf(names.size(), [&](std::size_t i) -> const std::string& { return names[i]; });
+  std::vector<Index> repeats;
+  for (std::size_t i = 0; i < names.size(); ++i)
+  {
+    if (firsts[i] != i)
+    {
+      repeats.push_back(static_cast<Index>(i));
+    }
+  }
+  if (repeats.empty())
+  {
+    return;
+  }
   std::unordered_map<std::string, int> last;
   for (const std::string& name : names)
   {
-    last.try_emplace(name, 0);
+    last.try_emplace(name, 1);
   }
-  for (std::string& name : names)
+  for (const Index i : repeats)
   {
-    if (last[name]++ == 0)
-    {
-      continue;
-    }
-    const std::string wanted = name;
+    const std::string wanted = names[i];
+    int& count = last[wanted];
     do
     {
-      name = wanted + "_" + std::to_string(last[wanted]++);
-    } while (last.count(name) != 0);
-    --last[wanted];
-    last[name] = 1;
+      names[i] = wanted + "_" + std::to_string(++count);
+    } while (last.count(names[i]) != 0);
+    last[names[i]] = 1;
   }
 }
 
@@ -191,9 +241,10 @@ Surfaces makeSurfaces(const Scene& scene, SurfaceBy by, double splitAngle)
   }
   std::vector<std::string> names = qualified(scene, wanted);
   number(names);
+  out.surfaces.reserve(names.size());
   for (std::size_t i = 0; i < names.size(); ++i)
   {
-    out.surfaces.push_back({names[i], materials[i] == noIndex ? Material{} : scene.materials[materials[i]]});
+    out.surfaces.push_back({std::move(names[i]), materials[i] == noIndex ? Material{} : scene.materials[materials[i]]});
   }
   return out;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Surface/CoincidentFaces.h"
 
+#include "Support/IndexTable.h"
 #include "Surface/PointPlaces.h"
 
 #include <algorithm>
@@ -103,24 +104,59 @@ private:
         lowest.push_back(low);
       }
     }
-    using Candidate = std::pair<std::vector<Edge>, Index>;
-    std::vector<Candidate> candidates;
+    std::vector<std::pair<std::uint64_t, Index>> candidates; // with the sums of their outlines
     forBuckets(lowest, [&](std::span<const Index> bucket) {
       candidates.clear();
       for (const Index i : bucket)
       {
-        candidates.emplace_back(endsOf(outlineOf(starts[i])), starts[i]);
+        candidates.emplace_back(outlineSum(starts[i]), starts[i]);
       }
       std::sort(candidates.begin(), candidates.end());
-      for (std::size_t i = 1, first = 0; i < candidates.size(); ++i)
+      for (std::size_t i = 0, next = 0; i < candidates.size(); i = next)
       {
-        first = candidates[i].first == candidates[first].first ? first : i;
-        if (first != i && !candidates[i].first.empty())
+        for (next = i + 1; next < candidates.size() && candidates[next].first == candidates[i].first; ++next)
         {
-          replace(candidates[i].second, candidates[first].second);
+        }
+        if (next - i > 1)
+        {
+          compareOutlines(std::span(candidates).subspan(i, next - i));
         }
       }
     });
+  }
+
+  /// The same for equal outlines, whichever way they are run through, and in all likelihood for these alone: edges that
+  /// are there twice cancel out.
+  std::uint64_t outlineSum(std::size_t first) const
+  {
+    std::uint64_t sum = 0;
+    for (std::size_t i = first; i < corners.size() && faces[i] == faces[first]; ++i)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        const auto [low, high] = std::minmax(corners[i][k], corners[i][(k + 1) % 3]);
+        sum ^= mixed((std::uint64_t{low} << 32) | high);
+      }
+    }
+    return sum;
+  }
+
+  void compareOutlines(std::span<const std::pair<std::uint64_t, Index>> alike)
+  {
+    std::vector<std::pair<std::vector<Edge>, Index>> candidates;
+    for (const auto& [sum, start] : alike)
+    {
+      candidates.emplace_back(endsOf(outlineOf(start)), start);
+    }
+    std::sort(candidates.begin(), candidates.end());
+    for (std::size_t i = 1, first = 0; i < candidates.size(); ++i)
+    {
+      first = candidates[i].first == candidates[first].first ? first : i;
+      if (first != i && !candidates[i].first.empty())
+      {
+        replace(candidates[i].second, candidates[first].second);
+      }
+    }
   }
 
   /// Calls `visit` for every set of items of the same lowest place, ascending. A polygon or triangle coincides with one

@@ -1,9 +1,87 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The parser's reading of PROTO and EXTERNPROTO.
+/// The parser's reading of what is no node: ROUTE, PROTO and EXTERNPROTO, and the statements of X3D.
 #include "NodeTypes.h"
 #include "Parser.h"
 
 namespace atria::vrml {
+
+/// PROTO, EXTERNPROTO and ROUTE may stand wherever a node or a field may.
+bool Parser::readStatement()
+{
+  const Token token = lexer.peek();
+  if (token.is("ROUTE"))
+  {
+    readRoute();
+    return true;
+  }
+  if (token.is("PROTO") || token.is("EXTERNPROTO"))
+  {
+    readPrototype(token.text == "EXTERNPROTO");
+    return true;
+  }
+  return document.version == Version::x3d && readStatementOfX3D();
+}
+
+/// What X3D has between its header and its nodes.
+bool Parser::readStatementOfX3D()
+{
+  const Token token = lexer.peek();
+  if (token.is("UNIT"))
+  {
+    lexer.next();
+    const std::string category(lexer.nextName().value_or(""));
+    lexer.nextName();
+    const std::string text(lexer.peek().text);
+    double factor = 1.0;
+    if (lexer.nextNumber(factor) && category == "length" && factor != 1.0)
+    {
+      warn("lengths are stated to be in units of " + text + " m, which is not applied; set Scale");
+    }
+    return true;
+  }
+  const bool exchange = token.is("IMPORT") || token.is("EXPORT");
+  if (!exchange && !token.is("PROFILE") && !token.is("COMPONENT") && !token.is("META"))
+  {
+    return false;
+  }
+  lexer.next();
+  for (int i = 0; i < 2 && lexer.peek().kind == TokenKind::string; ++i) // of META
+  {
+    lexer.next();
+  }
+  if (!token.is("META"))
+  {
+    lexer.nextName();
+  }
+  if (exchange && lexer.peek().is("AS"))
+  {
+    lexer.next();
+    lexer.nextName();
+  }
+  return true;
+}
+
+/// `ROUTE a.b TO c.d`, where blanks may surround the dots.
+void Parser::readRoute()
+{
+  ++document.routes;
+  lexer.next();
+  for (const bool untilTo : {true, false})
+  {
+    bool goOn = true;
+    while (goOn)
+    {
+      const auto word = lexer.nextName();
+      const Token next = lexer.peek();
+      if (!word)
+      {
+        return expected("names and TO after ROUTE");
+      }
+      const bool dots = word->back() == '.' || (next.kind == TokenKind::word && next.text.front() == '.');
+      goOn = untilTo ? *word != "TO" : dots;
+    }
+  }
+}
 
 void Parser::readPrototype(bool external)
 {
@@ -79,7 +157,7 @@ void Parser::openBody(Prototype& prototype)
     {
       return expected("the URL of the prototype");
     }
-    prototype.urls = std::get<std::vector<std::string>>(urls);
+    prototype.urls = std::get<Strings>(urls);
     return;
   }
   if (lexer.peek().kind != TokenKind::openBrace)
