@@ -88,18 +88,15 @@ bool normalise(std::span<const Vec3> points, std::span<const Index> polygon, Out
 /// Rounding alone gives areas of this order in the unit box.
 constexpr double noArea = 1e-14;
 
-double cornerArea(const Outline& outline, int a, int b, int c)
+/// Cuts a quad, with its points as in an Outline, in two where one of its diagonals lies inside; false otherwise.
+bool cutQuad(std::span<const Index, 4> ids, std::span<const Vec3, 4> points, const Vec3& normal, PolygonTriangles& out)
 {
-  return (outline.points[b] - outline.points[a]).cross(outline.points[c] - outline.points[a]).dot(outline.normal);
-}
-
-/// Cuts a quad in two where one of its diagonals lies inside; false otherwise.
-bool cutQuad(const Outline& outline, PolygonTriangles& out)
-{
-  const double least = noArea * outline.normal.norm();
+  const double least = noArea * normal.norm();
+  const auto cornerArea = [&](int a, int b, int c) {
+    return (points[b] - points[a]).cross(points[c] - points[a]).dot(normal);
+  };
   const auto valid = [&](int a) {
-    return cornerArea(outline, a, a + 1, (a + 2) % 4) > least &&
-           cornerArea(outline, a, (a + 2) % 4, (a + 3) % 4) > least;
+    return cornerArea(a, a + 1, (a + 2) % 4) > least && cornerArea(a, (a + 2) % 4, (a + 3) % 4) > least;
   };
   const bool first = valid(0);
   const bool second = valid(1);
@@ -107,13 +104,41 @@ bool cutQuad(const Outline& outline, PolygonTriangles& out)
   {
     return false;
   }
-  const double length0 = (outline.points[2] - outline.points[0]).squaredNorm();
-  const double length1 = (outline.points[3] - outline.points[1]).squaredNorm();
+  const double length0 = (points[2] - points[0]).squaredNorm();
+  const double length1 = (points[3] - points[1]).squaredNorm();
   const int a = first && (!second || length0 <= length1) ? 0 : 1;
-  const auto id = [&](int i) { return outline.ids[i % 4]; };
+  const auto id = [&](int i) { return ids[i % 4]; };
   out.triangles.push_back({id(a), id(a + 1), id(a + 2)});
   out.triangles.push_back({id(a), id(a + 2), id(a + 3)});
   return true;
+}
+
+/// Cuts a quad in a fraction of the time that any polygon takes, with the same result; false where it takes more.
+bool cutPlainQuad(std::span<const Vec3> points, std::span<const Index, 4> ids, PolygonTriangles& out)
+{
+  if (std::max({ids[0], ids[1], ids[2], ids[3]}) >= points.size())
+  {
+    return false;
+  }
+  std::array<Vec3, 4> p{points[ids[0]], points[ids[1]], points[ids[2]], points[ids[3]]};
+  if (p[0] == p[1] || p[1] == p[2] || p[2] == p[3] || p[3] == p[0])
+  {
+    return false;
+  }
+  const Vec3 low = p[0].cwiseMin(p[1]).cwiseMin(p[2].cwiseMin(p[3]));
+  const Vec3 high = p[0].cwiseMax(p[1]).cwiseMax(p[2].cwiseMax(p[3]));
+  const double extent = (high - low).maxCoeff();
+  if (!(extent > 0.0) || !std::isfinite(extent) || !p[0].allFinite() || !p[1].allFinite() || !p[2].allFinite() ||
+      !p[3].allFinite())
+  {
+    return false;
+  }
+  for (Vec3& each : p)
+  {
+    each = (each - low) / extent;
+  }
+  const Vec3 normal = (p[1] - p[0]).cross(p[2] - p[0]) + (p[2] - p[0]).cross(p[3] - p[0]);
+  return normal.norm() > noArea && cutQuad(ids, p, normal, out);
 }
 
 /// The general way: one object a polygon.
@@ -338,6 +363,15 @@ void triangulatePolygon(std::span<const Vec3> points, std::span<const Index> pol
     }
     return;
   }
+  if (polygon.size() == 4)
+  {
+    out.triangles.clear();
+    out.simple = true;
+    if (cutPlainQuad(points, polygon.first<4>(), out))
+    {
+      return;
+    }
+  }
   static thread_local Outline outline; // asking for memory would take most of the time
   out.triangles.clear();
   out.simple = true;
@@ -349,7 +383,8 @@ void triangulatePolygon(std::span<const Vec3> points, std::span<const Index> pol
   {
     out.triangles.push_back({outline.ids[0], outline.ids[1], outline.ids[2]});
   }
-  else if (outline.ids.size() != 4 || !cutQuad(outline, out))
+  else if (outline.ids.size() != 4 ||
+           !cutQuad(std::span(outline.ids).first<4>(), std::span(outline.points).first<4>(), outline.normal, out))
   {
     out = Triangulator(outline).run();
   }
