@@ -98,14 +98,15 @@ NodeRef Instances::expand(NodeRef ref, std::string_view* name)
 std::pair<const Value*, const Context*> Instances::find(NodeRef ref, std::string_view name) const
 {
   const Field* field = ref.node->find(name);
-  while (field && !field->is.empty())
+  const auto referenceOf = [](const Field* f) { return f ? std::get_if<Reference>(&f->value) : nullptr; };
+  while (const Reference* reference = referenceOf(field))
   {
     const Context* context = ref.context;
     if (!context)
     {
       return {&none, nullptr};
     }
-    const std::string_view wanted = field->is;
+    const std::string_view wanted = reference->field;
     ref = {context->instance, context->outer};
     field = ref.node->find(wanted);
     if (!field)

@@ -291,7 +291,7 @@ void Parser::put(Slot slot, Node* node)
 {
   if (slot.node)
   {
-    std::get<Nodes>(slot.node->fields[slot.field].value).push_back(node);
+    std::get<Nodes>(slot.node->fields[slot.field].value).push_back(node, document.memory);
   }
 }
 
@@ -353,7 +353,7 @@ void Parser::readField()
   {
     lexer.next();
     const Slot slot = slotOf(node, document.keep(token.text));
-    node.fields[slot.field].is = document.keep(lexer.nextName().value_or(""));
+    node.fields[slot.field].value = Reference{document.keep(lexer.nextName().value_or(""))};
     return;
   }
   if (!type || *type == FieldType::unknown)
@@ -390,13 +390,13 @@ Parser::Slot Parser::slotOf(Node& node, std::string_view field)
   {
     constexpr std::size_t usual = 2; // more than one there is only one of would be room for nothing
     const std::size_t first = node.type && node.type->fields.size() == 1 ? 1 : usual;
-    node.fields.reserve(node.fields.empty() ? first : 0);
-    node.fields.push_back({field, {}, {}});
+    node.fields.reserve(first, document.memory);
+    node.fields.push_back({field, {}}, document.memory);
   }
   Value& value = node.fields[index].value;
   if (!std::holds_alternative<Nodes>(value))
   {
-    value = Nodes(&document.memory); // other values replace this when they are read
+    value = Nodes(); // other values replace this when they are read
   }
   return {&node, index};
 }

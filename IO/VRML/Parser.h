@@ -80,7 +80,7 @@ private:
   void readNames(std::vector<std::string_view>& names);
   void openNode(Slot slot, const std::vector<std::string_view>& names);
   void readUse(Slot slot);
-  static void put(Slot slot, Node* node);
+  void put(Slot slot, Node* node);
   void readNodeWithoutField();
   void readField();
   void readDeclaration();
@@ -100,9 +100,8 @@ private:
   void readNodes(Slot slot, bool many);
   bool readScalars(Value& value, FieldType type);
   bool readBool(Value& value);
-  template <class List, class Read>
-  void readList(Value& value, std::size_t characters, std::vector<typename List::value_type>& scratch,
-                const Read& readOne);
+  template <class T, class Read>
+  void readList(Value& value, std::size_t characters, std::vector<T>& scratch, const Read& readOne);
   bool readIntegers(Value& value, bool many);
   bool readNumbers(Value& value, std::size_t arity, bool many, bool gaps = false);
   bool openNeedlessBracket();

@@ -99,7 +99,7 @@ void Parser::readNodes(Slot slot, bool many)
   Value& value = slot.node->fields[slot.field].value;
   if (!many)
   {
-    std::get<Nodes>(value).clear();
+    std::get<Nodes>(value).truncate(0);
   }
   if (lexer.peek().kind == TokenKind::openBracket)
   {
@@ -169,20 +169,19 @@ bool Parser::readBool(Value& value)
 
 /// Reads the values of a list of so many `characters`. They are collected apart, with room for values of the usual
 /// length as growing in steps would copy, and touch, twice as much memory; the list itself then has what it needs.
-template <class List, class Read>
-void Parser::readList(Value& value, std::size_t characters, std::vector<typename List::value_type>& scratch,
-                      const Read& readOne)
+template <class T, class Read>
+void Parser::readList(Value& value, std::size_t characters, std::vector<T>& scratch, const Read& readOne)
 {
-  constexpr std::size_t usualLength = std::is_same_v<List, Integers> ? 6 : 8;
+  constexpr std::size_t usualLength = std::is_same_v<T, int> ? 6 : 8;
   scratch.clear();
   scratch.reserve(characters / usualLength);
-  typename List::value_type one{};
+  T one{};
   while (readOne(one))
   {
     scratch.push_back(one);
     tick();
   }
-  value.emplace<List>(scratch.begin(), scratch.end(), &document.memory);
+  value.emplace<List<T>>(std::span<const T>(scratch), document.memory);
 }
 
 bool Parser::readIntegers(Value& value, bool many)
@@ -192,12 +191,12 @@ bool Parser::readIntegers(Value& value, bool many)
     const bool bracket = openNeedlessBracket();
     int number = 0;
     const bool read = lexer.nextInteger(number);
-    value.emplace<Integers>(read ? 1 : 0, number, &document.memory);
+    value.emplace<Integers>(std::span(&number, read ? 1 : 0), document.memory);
     return read && (!bracket || endsList());
   }
   const std::size_t characters = lexer.lengthOfList();
   lexer.next();
-  readList<Integers>(value, characters, integers, [&](int& number) { return lexer.nextInteger(number); });
+  readList(value, characters, integers, [&](int& number) { return lexer.nextInteger(number); });
   return endsList();
 }
 
@@ -232,19 +231,19 @@ bool Parser::readNumbers(Value& value, std::size_t arity, bool many, bool gaps)
   if (!many || lexer.peek().kind != TokenKind::openBracket)
   {
     const bool bracket = openNeedlessBracket();
-    auto& out = value.emplace<Numbers>(&document.memory);
-    out.reserve(arity);
+    auto& out = value.emplace<Numbers>();
+    out.reserve(arity, document.memory);
     double number = 0.0;
     while (out.size() < arity && lexer.nextNumber(number))
     {
-      out.push_back(number);
+      out.push_back(number, document.memory);
     }
     return out.size() == arity && (!bracket || endsList());
   }
   const std::size_t characters = lexer.lengthOfList();
   lexer.next();
-  readList<Numbers>(value, characters, numbers,
-                    [&](double& number) { return lexer.nextNumber(number) || (gaps && lexer.nextNoNumber(number)); });
+  readList(value, characters, numbers,
+           [&](double& number) { return lexer.nextNumber(number) || (gaps && lexer.nextNoNumber(number)); });
   if (lexer.peek().kind != TokenKind::closeBracket && lexer.peek().kind != TokenKind::closeBrace)
   {
     return false;
@@ -253,14 +252,14 @@ bool Parser::readNumbers(Value& value, std::size_t arity, bool many, bool gaps)
   if (out.size() % arity != 0)
   {
     expected("numbers in groups of " + std::to_string(arity));
-    out.resize(out.size() - out.size() % arity);
+    out.truncate(out.size() - out.size() % arity);
   }
   return endsList();
 }
 
 bool Parser::readStrings(Value& value, bool many)
 {
-  auto& out = value.emplace<Strings>(&document.memory);
+  auto& out = value.emplace<Strings>();
   const bool bracket = many && lexer.peek().kind == TokenKind::openBracket;
   if (bracket)
   {
@@ -268,11 +267,12 @@ bool Parser::readStrings(Value& value, bool many)
   }
   while (lexer.peek().kind == TokenKind::string && (bracket || out.empty()))
   {
-    out.push_back(document.keep(unescaped(lexer.next().text)));
+    out.push_back(document.keep(unescaped(lexer.next().text)), document.memory);
   }
   if (isVersion1() && !bracket && out.empty() && lexer.peek().kind == TokenKind::word)
   {
-    out.push_back(document.keep(lexer.next().text)); // VRML 1.0 has no quotes about strings without blanks
+    out.push_back(document.keep(lexer.next().text),
+                  document.memory); // VRML 1.0 has no quotes about strings without blanks
   }
   return bracket ? lexer.next().kind == TokenKind::closeBracket : !out.empty();
 }
@@ -280,7 +280,7 @@ bool Parser::readStrings(Value& value, bool many)
 /// `SIDES`, or `(SIDES | TOP)`.
 bool Parser::readWords(Value& value)
 {
-  auto& out = value.emplace<Strings>(&document.memory);
+  auto& out = value.emplace<Strings>();
   if (lexer.peek().kind != TokenKind::word)
   {
     return false;
@@ -295,7 +295,7 @@ bool Parser::readWords(Value& value)
       const std::size_t stop = std::min(text.find_first_of("(|)", start), text.size());
       if (stop > start)
       {
-        out.push_back(document.keep(text.substr(start, stop - start)));
+        out.push_back(document.keep(text.substr(start, stop - start)), document.memory);
       }
       start = stop + 1;
     }

@@ -2,6 +2,8 @@
 /// What a VRML file says, as read: nodes with their fields, prototypes, nothing evaluated.
 #pragma once
 
+#include "List.h"
+
 #include <algorithm>
 #include <deque>
 #include <filesystem>
@@ -11,7 +13,6 @@
 #include <string>
 #include <string_view>
 #include <variant>
-#include <vector>
 
 namespace atria::vrml {
 
@@ -22,11 +23,16 @@ struct Prototype;
 
 /// A field's value; numbers of every kind of vector, colour or rotation are one flat list. A single node is a
 /// list of one. `monostate` stands for a field that was not given or not kept.
-using Integers = std::pmr::vector<int>;
-using Numbers = std::pmr::vector<double>;
-using Strings = std::pmr::vector<std::string_view>;
-using Nodes = std::pmr::vector<Node*>;
-using Value = std::variant<std::monostate, bool, Integers, Numbers, Strings, Nodes>;
+using Integers = List<int>;
+using Numbers = List<double>;
+using Strings = List<std::string_view>;
+using Nodes = List<Node*>;
+/// IS: the field of the surrounding prototype's interface that gives the value.
+struct Reference
+{
+  std::string_view field;
+};
+using Value = std::variant<std::monostate, bool, Integers, Numbers, Strings, Nodes, Reference>;
 
 enum class FieldType
 {
@@ -55,13 +61,10 @@ struct Field
 {
   std::string_view name;
   Value value;
-  std::string_view is; ///< the field of the surrounding prototype's interface that gives the value instead
 };
 
 struct Node
 {
-  explicit Node(std::pmr::memory_resource* memory) : fields(memory) {}
-
   std::string_view typeName;
   const NodeType* type = nullptr;       ///< null for unknown types
   const Prototype* prototype = nullptr; ///< set where the node is an instance of one
@@ -70,7 +73,7 @@ struct Node
   int line = 0;
   bool damaged = false; ///< a syntax error cost part of it
   bool shared = false;  ///< mentioned by some USE
-  std::pmr::vector<Field> fields;
+  List<Field> fields;
 
   const Field* find(std::string_view field) const
   {
@@ -126,7 +129,7 @@ struct Document
   /// Never destroyed, as all that nodes hold is in `memory`.
   Node& addNode()
   {
-    Node* const node = new (memory.allocate(sizeof(Node), alignof(Node))) Node(&memory);
+    Node* const node = new (memory.allocate(sizeof(Node), alignof(Node))) Node;
     node->document = this;
     return *node;
   }
