@@ -104,8 +104,7 @@ void Evaluator::visit(const Visit& at)
   const Node& node = *at.ref.node;
   if (node.prototype)
   {
-    open.push_back({instances.enter(at.ref), at.transform, groupOf(at)});
-    return;
+    return visitInstance(at);
   }
   if (!node.type)
   {
@@ -134,6 +133,20 @@ Index Evaluator::groupOf(const Visit& at)
 {
   const std::string_view name = at.ref.node->name;
   return name.empty() ? at.group : scene.group(name, at.group);
+}
+
+void Evaluator::visitInstance(const Visit& at)
+{
+  const Visit inner{at.ref, at.transform, groupOf(at)};
+  const NodeRef body = instances.enter(at.ref);
+  const std::vector<NodeRef> children = body ? std::vector<NodeRef>{} : instances.nodes(at.ref, "children");
+  if (!children.empty())
+  {
+    // Of an EXTERNPROTO whose file is missing, most likely.
+    warn(*at.ref.node, "has no prototype, but its children are read as those of a Group");
+    return pushChildren(inner, children);
+  }
+  open.push_back({body, inner.transform, inner.group});
 }
 
 void Evaluator::visitUnknown(const Visit& at)

@@ -56,6 +56,7 @@ private:
   void visit(const Visit& at);
   void visitGroup(const Visit& at);
   void visitInline(const Visit& at, const char* field);
+  void visitInstance(const Visit& at);
   void visitUnknown(const Visit& at);
   void openDocument(const Document& document, const Transform& transform, Index group);
   void pushChildren(const Visit& at, const std::vector<NodeRef>& children);

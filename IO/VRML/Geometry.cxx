@@ -152,11 +152,18 @@ bool Geometry::positive(const NodeRef& node, std::initializer_list<double> sizes
 LocalSurface Geometry::box(const NodeRef& node)
 {
   const std::vector<double> size = instances.numbers(node, "size", {2, 2, 2});
-  if (size.size() < 3 || !positive(node, {size[0], size[1], size[2]}))
+  return size.size() < 3 ? LocalSurface{} : boxOf(node, {size[0], size[1], size[2]});
+}
+
+/// Programs write floors and walls without thickness as boxes, too, which the standard does not allow.
+LocalSurface Geometry::boxOf(const NodeRef& node, const Vec3& size)
+{
+  if (size.minCoeff() == 0.0 && (size.array() > 0.0).count() == 2)
   {
-    return {};
+    warn(node, "a size is zero; taken as a sheet");
+    return makeBox(size);
   }
-  return makeBox({size[0], size[1], size[2]});
+  return positive(node, {size.x(), size.y(), size.z()}) ? makeBox(size) : LocalSurface{};
 }
 
 LocalSurface Geometry::sphere(const NodeRef& node)
@@ -295,7 +302,7 @@ LocalSurface Geometry::cube1(const NodeRef& node)
 {
   const Vec3 size(instances.number(node, "width", 2.0), instances.number(node, "height", 2.0),
                   instances.number(node, "depth", 2.0));
-  return positive(node, {size.x(), size.y(), size.z()}) ? makeBox(size) : LocalSurface{};
+  return boxOf(node, size);
 }
 
 LocalSurface Geometry::cylinder1(const NodeRef& node)

@@ -49,6 +49,7 @@ private:
   bool hasPart(const NodeRef& node, std::string_view part) const;
   void warn(const NodeRef& node, const std::string& text);
   bool positive(const NodeRef& node, std::initializer_list<double> sizes);
+  LocalSurface boxOf(const NodeRef& node, const Vec3& size);
 
   Instances& instances;
   Diagnostics& diagnostics;

@@ -58,6 +58,11 @@ const std::vector<Case>& prototypes()
        "EXTERNPROTO P [field SFVec3f size] \"sub/library.wrl#Second\" P { size 3 3 1 }", 2, 9, "Shape", false},
       {"ExternProtoThatInlinesBesideItself", "EXTERNPROTO P [] [\"no.wrl#P\" \"sub/library.wrl#Inlining\"] P {}", 2, 1,
        "leaf", false},
+      {"ExternProtoThatIsMissingKeepsItsChildren",
+       "EXTERNPROTO Part [field SFVec3f translation field MFNode children] \"no.wrl#Part\" DEF A Part { translation 0 "
+       "0 1 "
+       "children [ @ DEF B @ ] } Part { translation 1 0 0 }",
+       4, 2, "A B", true},
       {"ExternProtoByAnotherName", "EXTERNPROTO Mine [] \"sub/library.wrl#First\" Mine {}", 12, 6, "Shape", false},
       {"ProtoOfX3D",
        "#X3D V3.0 utf8\nPROFILE Interchange\nCOMPONENT NURBS:1\nMETA \"title\" \"a # b\"\nPROTO P [ initializeOnly "

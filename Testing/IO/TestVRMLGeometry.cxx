@@ -225,8 +225,8 @@ TEST_F(VRMLGeometry, WarnsOfFacesThatCannotBe)
 
 TEST_F(VRMLGeometry, WarnsOfSizesThatAreNotPositive)
 {
-  for (const char* geometry :
-       {"Box { size 1 0 1 }", "Sphere { radius -1 }", "Cone { height 0 }", "Cylinder { radius 0 }"})
+  for (const char* geometry : {"Box { size 1 0 0 }", "Box { size 1 0 -1 }", "Sphere { radius -1 }", "Cone { height 0 }",
+                               "Cylinder { radius 0 }"})
   {
     const VRMLModel model = read(geometry);
     EXPECT_EQ(model.triangles(), 0);
@@ -234,6 +234,16 @@ TEST_F(VRMLGeometry, WarnsOfSizesThatAreNotPositive)
     messages.takeWarnings();
     messages.takeErrors();
   }
+}
+
+TEST_F(VRMLGeometry, MakesASheetOfABoxWithoutThickness)
+{
+  const VRMLModel model = read("Box { size 4 0 3 }");
+  EXPECT_EQ(model.triangles(), 4); // from both sides
+  EXPECT_DOUBLE_EQ(model.area(), 24.0);
+  EXPECT_EQ(model.bounds(), (std::vector<double>{-2, 2, 0, 0, -1.5, 1.5}));
+  EXPECT_NE(joined(model.warnings()).find("taken as a sheet"), std::string::npos);
+  messages.takeWarnings();
 }
 
 TEST_F(VRMLGeometry, MakesAnElevationGridThatLooksUp)
