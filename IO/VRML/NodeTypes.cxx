@@ -38,16 +38,16 @@ std::vector<NodeType> shapes()
 {
   return {
       {"Shape", NodeKind::shape, {{"appearance", sfNode}, {"geometry", sfNode}}, {}},
-      {"Box", NodeKind::surface, {{"size", sfVec3f}}, {}},
+      {"Box", NodeKind::surface, {{"size", sfVec3f}}, {"solid"}}, // solid, here and below, is of X3D
       {"Cone",
        NodeKind::surface,
        {{"bottomRadius", sfFloat}, {"height", sfFloat}, {"side", sfBool}, {"bottom", sfBool}},
-       {}},
+       {"solid"}},
       {"Cylinder",
        NodeKind::surface,
        {{"radius", sfFloat}, {"height", sfFloat}, {"side", sfBool}, {"bottom", sfBool}, {"top", sfBool}},
-       {}},
-      {"Sphere", NodeKind::surface, {{"radius", sfFloat}}, {}},
+       {"solid"}},
+      {"Sphere", NodeKind::surface, {{"radius", sfFloat}}, {"solid"}},
       {"ElevationGrid",
        NodeKind::surface,
        {{"height", mfFloat},
@@ -102,6 +102,7 @@ std::vector<NodeType> states1()
       {"Material", NodeKind::state, {{"diffuseColor", mfVec3f}, {"transparency", mfFloat}}, {}, true},
       {"MatrixTransform", NodeKind::state, {{"matrix", sfMatrix}}, {}},
       {"Rotation", NodeKind::state, {{"rotation", sfRotation}}, {}},
+      {"RotationXYZ", NodeKind::state, {{"axis", sfWord}, {"angle", sfFloat}}, {}}, // of Inventor
       {"Scale", NodeKind::state, {{"scaleFactor", sfVec3f}}, {}},
       {"ShapeHints", NodeKind::state, {{"vertexOrdering", sfWord}}, {"shapeType", "faceType", "creaseAngle"}},
       {"Transform",

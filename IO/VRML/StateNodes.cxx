@@ -94,6 +94,13 @@ void Evaluator::changeState(const NodeRef& ref)
       state.transform = state.transform * own;
     }
   }
+  else if (type == "RotationXYZ")
+  {
+    const auto* axis = instances.get<Strings>(ref, "axis");
+    const std::string_view letter = axis && !axis->empty() ? axis->front() : "X";
+    const Vec3 direction = Vec3::Unit(letter == "Z" ? 2 : letter == "Y" ? 1 : 0);
+    state.transform.rotate(Eigen::AngleAxisd(instances.number(ref, "angle", 0.0), direction));
+  }
   else
   {
     state.transform = state.transform * transformOf(ref, "scaleFactor"); // all others have some of its fields

@@ -63,6 +63,12 @@ TEST_F(VRML1, AppliesAllTransformsInTheOrderTheyStand)
   expectBounds(
       read("Rotation { rotation 0 0 1 1.5707963267948966 } Translation { translation 5 0 0 } Cube {}").bounds(),
       {-1, 1, 4, 6, -1, 1});
+  // Of Inventor.
+  expectBounds(
+      read("RotationXYZ { axis Z angle 1.5707963267948966 } Translation { translation 5 0 0 } Cube {}").bounds(),
+      {-1, 1, 4, 6, -1, 1});
+  expectBounds(read("RotationXYZ { angle 1.5707963267948966 } Translation { translation 0 5 0 } Cube {}").bounds(),
+               {-1, 1, -1, 1, 4, 6});
   // Rows are for row vectors: a quarter turn about z, then a shift.
   const VRMLModel matrix =
       read("MatrixTransform { matrix 0 1 0 0  -1 0 0 0  0 0 1 0  10 20 30 1 } Cube { width 2 height 4 depth 6 }");
