@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Support/SampleGrid.h"
+#include "Support/TestPaths.h"
+#include "Support/VtkErrorGuard.h"
+#include "vtkAtriaOpenFOAMWriter.h"
+
+#include <vtkNew.h>
+#include <vtkPartitionedDataSetCollection.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace atria::testing {
+
+/// Writes small meshes as cases of OpenFOAM.
+class OpenFOAMWriter : public VtkTest
+{
+protected:
+  /// Both formats write the same mesh, so all is asked of both.
+  int write(vtkUnstructuredGrid* volume, vtkPartitionedDataSetCollection* patches, bool binary,
+            const std::filesystem::path& folder)
+  {
+    vtkNew<vtkAtriaOpenFOAMWriter> writer;
+    writer->SetInputDataObject(volume);
+    if (patches)
+    {
+      writer->SetPatchesData(patches);
+    }
+    writer->SetCaseDirectory(folder.c_str());
+    writer->SetWriteBinary(binary);
+    writer->SetMergeCoplanarFaces(mergeFaces);
+    const int written = writer->Write();
+    mergedFaces = writer->GetNumberOfMergedFaces();
+    return written;
+  }
+
+  std::filesystem::path folder(const char* name) const { return scratch.path() / name; }
+
+  static std::string textOf(const std::filesystem::path& file)
+  {
+    std::ostringstream text;
+    text << std::ifstream(file).rdbuf();
+    return text.str();
+  }
+
+  ScratchFolder scratch;
+  /// Most tests ask for the faces of the input, one by one.
+  bool mergeFaces = false;
+  vtkIdType mergedFaces = 0;
+};
+
+inline FaceMesh facesOf(const SampleMesh& mesh) { return makeFaceMesh(mesh.points, mesh.view()); }
+
+} // namespace atria::testing
