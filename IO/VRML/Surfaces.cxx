@@ -217,7 +217,7 @@ Surfaces makeSurfaces(const Scene& scene, SurfaceBy by, double splitAngle)
   out.ids.resize(keys.size());
   std::vector<Wanted> wanted;
   std::vector<Index> materials;
-  std::unordered_map<Index, Index> idOfKey;
+  std::vector<Index> idOfKey; // from noIndex + 1, which is 0
   for (std::size_t i = 0, last = 0; i < out.ids.size(); ++i)
   {
     if (i > 0 && keys[i] == keys[i - 1] && scene.shapeIds[i] == scene.shapeIds[i - 1])
@@ -226,17 +226,20 @@ Surfaces makeSurfaces(const Scene& scene, SurfaceBy by, double splitAngle)
       continue;
     }
     const Shape& shape = scene.shapes[scene.shapeIds[i]];
-    const auto [found, isNew] = idOfKey.try_emplace(keys[i], static_cast<Index>(wanted.size()));
-    if (isNew)
+    const Index key = keys[i] + 1;
+    idOfKey.resize(std::max<std::size_t>(idOfKey.size(), std::size_t{key} + 1), noIndex);
+    Index& id = idOfKey[key];
+    if (id == noIndex)
     {
+      id = static_cast<Index>(wanted.size());
       wanted.push_back(by == SurfaceBy::group      ? groupName(scene, shape.group)
                        : by == SurfaceBy::material ? materialName(scene, shape.material)
                                                    : shapeName(scene, shape));
       materials.push_back(shape.material);
     }
-    last = found->second;
-    out.ids[i] = found->second;
-    Index& material = materials[found->second];
+    last = id;
+    out.ids[i] = id;
+    Index& material = materials[id];
     material = material == noIndex ? shape.material : material;
   }
   std::vector<std::string> names = qualified(scene, wanted);

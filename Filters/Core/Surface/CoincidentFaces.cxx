@@ -91,6 +91,8 @@ private:
   {
     std::vector<Index> starts;
     std::vector<Index> lowest;
+    starts.reserve(faces.size() / 2);
+    lowest.reserve(faces.size() / 2);
     for (std::size_t i = 0, next = 0; i < faces.size(); i = next)
     {
       Index low = noIndex;
@@ -198,6 +200,8 @@ private:
   {
     std::vector<Index> left;
     std::vector<Index> lowest;
+    left.reserve(corners.size());
+    lowest.reserve(corners.size());
     for (Index i = 0; i < corners.size(); ++i)
     {
       if (out.kept[i] == i && !isFlat(corners[i]))
