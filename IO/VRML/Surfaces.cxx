@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
-#include <unordered_map>
+#include <unordered_set>
 
 namespace atria::vrml {
 
@@ -122,6 +122,7 @@ void number(std::vector<std::string>& names)
   const std::vector<Index> firsts =
       firstsOf(names.size(), [&](std::size_t i) -> const std::string& { return names[i]; });
   std::vector<Index> repeats;
+  std::unordered_set<std::string_view> given; // of names that stay
   for (std::size_t i = 0; i < names.size(); ++i)
   {
     if (firsts[i] != i)
@@ -129,24 +130,21 @@ void number(std::vector<std::string>& names)
       repeats.push_back(static_cast<Index>(i));
     }
   }
-  if (repeats.empty())
+  for (std::size_t i = 0; i < names.size() && !repeats.empty(); ++i)
   {
-    return;
+    if (firsts[i] == i)
+    {
+      given.insert(names[i]);
+    }
   }
-  std::unordered_map<std::string, int> last;
-  for (const std::string& name : names)
-  {
-    last.try_emplace(name, 1);
-  }
+  std::vector<int> count(repeats.empty() ? 0 : names.size(), 1);
   for (const Index i : repeats)
   {
-    const std::string wanted = names[i];
-    int& count = last[wanted];
+    const std::string& name = names[firsts[i]];
     do
     {
-      names[i] = wanted + "_" + std::to_string(++count);
-    } while (last.count(names[i]) != 0);
-    last[names[i]] = 1;
+      names[i] = name + "_" + std::to_string(++count[firsts[i]]);
+    } while (given.count(names[i]) != 0);
   }
 }
 
