@@ -26,6 +26,15 @@ LatticePoint pointAlong(const LatticePoint& a, const LatticePoint& b, double t)
 
 } // namespace
 
+std::optional<Vec3> LeafGeometry::centreOffSides(Index leaf) const
+{
+  if (frame.domainPlanes(octree.lowCorner(leaf), octree.highCorner(leaf)) != 0)
+  {
+    return std::nullopt;
+  }
+  return octree.center(leaf).cwiseMax(frame.domain.min).cwiseMin(frame.domain.max);
+}
+
 void LeafGeometry::enter(Index leaf)
 {
   leaf_ = leaf;
