@@ -71,9 +71,9 @@ std::vector<std::uint8_t> findUniformDepths(const Octree& octree)
   {
     const auto& children = octree.children(static_cast<Octree::Node>(node));
     const int depth = depthOf(children[0]);
-    const bool uniform = !isMixed(children[0]) && std::all_of(children.begin() + 1, children.end(), [&](Octree::Node c) {
-      return depthOf(c) == depth && !isMixed(c);
-    });
+    const bool uniform =
+        !isMixed(children[0]) && std::all_of(children.begin() + 1, children.end(),
+                                             [&](Octree::Node c) { return depthOf(c) == depth && !isMixed(c); });
     depths[node] = static_cast<std::uint8_t>(uniform ? depth + 1 : 0);
   }
   return depths;
@@ -135,7 +135,8 @@ public:
         {
           for (unsigned slot = 0; slot < 8; ++slot)
           {
-            point.leaves[slot] = bases[slot] + place(x, slot & 1) + 2 * place(y, slot >> 1 & 1) + 4 * place(z, slot >> 2);
+            point.leaves[slot] =
+                bases[slot] + place(x, slot & 1) + 2 * place(y, slot >> 1 & 1) + 4 * place(z, slot >> 2);
           }
           point.owner = point.leaves[0];
           visit(point);
@@ -245,9 +246,8 @@ private:
   {
     const int depth = Octree::isLeaf(region.nodes[0]) ? 0 : depths[region.nodes[0]];
     const bool common = depth <= UniformBlock::maximumDepth &&
-                        std::all_of(region.nodes.begin() + 1, region.nodes.end(), [&](Octree::Node node) {
-                          return !Octree::isLeaf(node) && depths[node] == depth;
-                        });
+                        std::all_of(region.nodes.begin() + 1, region.nodes.end(),
+                                    [&](Octree::Node node) { return !Octree::isLeaf(node) && depths[node] == depth; });
     return common ? depth : 0;
   }
 

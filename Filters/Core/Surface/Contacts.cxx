@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Surface/Contacts.h"
 
-#include "Surface/BoxPairs.h"
+#include "Surface/BoxTree.h"
 #include "Surface/Crowds.h"
 #include "Surface/LatticeSegments.h"
 #include "Surface/Predicates.h"
 
 #include <Eigen/Geometry>
 
+#include <atomic>
 #include <cmath>
 #include <numeric>
 
@@ -324,38 +325,38 @@ private:
 Contacts findContacts(const TriangleSoup& soup, const std::vector<char>& changed, std::int64_t reach,
                       const RunContext& context)
 {
-  std::vector<LatticeBox> all;
-  std::vector<LatticeBox> asking;
-  all.reserve(soup.triangles.size());
-  ContactFinder finder(soup, static_cast<double>(reach));
-  for (Index t = 0; t < soup.triangles.size(); ++t)
-  {
-    all.push_back(boxOf(soup, t, reach));
-    if (changed[t])
-    {
-      asking.push_back(all.back());
-      finder.look(t);
-    }
-  }
-  std::vector<std::pair<Index, Index>> pairs;
-  std::size_t seen = 0;
-  forBoxPairs(asking, all, [&](Index a, Index b) {
-    refuseCrowds(++seen);
-    if (a < b || !changed[b]) // two that are changed meet twice
-    {
-      pairs.push_back(std::minmax(a, b));
-    }
-  });
-  context.progress.check();
-  constexpr std::size_t grain = 4096;
-  std::vector<ContactFinder> parts((pairs.size() + grain - 1) / grain, ContactFinder(soup, static_cast<double>(reach)));
+  constexpr std::size_t grain = 1024;
+  std::vector<LatticeBox> boxes(soup.triangles.size());
+  context.executor.forEach(boxes.size(), grain,
+                           [&](std::size_t t) { boxes[t] = boxOf(soup, static_cast<Index>(t), reach); });
+  const BoxTree tree(std::move(boxes), context);
+  const bool all = std::ranges::find(changed, 0) == changed.end();
+  std::vector<ContactFinder> parts((tree.size() + grain - 1) / grain, ContactFinder(soup, static_cast<double>(reach)));
+  std::atomic<std::size_t> seen{0};
   context.executor.forEach(parts.size(), 1, [&](std::size_t part) {
     context.progress.check();
-    for (std::size_t i = part * grain; i < std::min((part + 1) * grain, pairs.size()); ++i)
+    for (std::size_t i = part * grain; i < std::min((part + 1) * grain, tree.size()); ++i)
     {
-      parts[part].look(pairs[i].first, pairs[i].second);
+      const Index a = tree.box(i).id;
+      if (!changed[a])
+      {
+        continue;
+      }
+      parts[part].look(a);
+      std::size_t touching = 0;
+      // Two that are changed meet twice.
+      tree.eachTouching(tree.box(i), all ? i + 1 : 0, [&](std::size_t j) {
+        const Index b = tree.box(j).id;
+        if (j != i && (!changed[b] || j > i))
+        {
+          touching += changed[b] ? 2 : 1;
+          parts[part].look(std::min(a, b), std::max(a, b));
+        }
+      });
+      refuseCrowds(seen += touching);
     }
   });
+  ContactFinder finder(soup, static_cast<double>(reach));
   for (const ContactFinder& part : parts)
   {
     finder.append(part);

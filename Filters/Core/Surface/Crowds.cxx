@@ -21,9 +21,8 @@ struct TooMany
 
 /// How many boxes each box touches among every `step`th of them; empty where these are more than `limit` in all.
 std::vector<std::size_t> countTouching(const std::vector<LatticeBox>& boxes, std::size_t triangles, std::size_t step,
-                                       std::size_t limit)
+                                       std::size_t limit, const RunContext& context)
 {
-  std::vector<LatticeBox> all = boxes;
   std::vector<LatticeBox> asking;
   for (std::size_t i = 0; i < boxes.size(); i += step)
   {
@@ -33,7 +32,7 @@ std::vector<std::size_t> countTouching(const std::vector<LatticeBox>& boxes, std
   std::size_t total = 0;
   try
   {
-    forBoxPairs(asking, all, [&](Index, Index b) {
+    forBoxPairs(asking, boxes, context, [&](Index, Index b) {
       ++counts[b];
       if (++total > limit)
       {
@@ -104,12 +103,12 @@ std::vector<char> findCrowds(const TriangleSoup& soup, std::int64_t margin, std:
     }
     // Pairs are seen from both sides. A sample is counted where all would be too many.
     std::size_t step = 1;
-    std::vector<std::size_t> counts = countTouching(boxes, isOut.size(), step, 2 * limit);
+    std::vector<std::size_t> counts = countTouching(boxes, isOut.size(), step, 2 * limit, context);
     while (counts.empty() && !boxes.empty())
     {
       context.progress.check();
       step *= coarser;
-      counts = countTouching(boxes, isOut.size(), step, 2 * limit);
+      counts = countTouching(boxes, isOut.size(), step, 2 * limit, context);
     }
     if (step == 1)
     {
