@@ -5,9 +5,9 @@
 
 namespace atria {
 
-LatticeBox boxOf(const TriangleSoup& soup, Index triangle, std::int64_t margin)
+NumberedBox boxOf(const TriangleSoup& soup, Index triangle, std::int64_t margin)
 {
-  LatticeBox box{soup.corner(triangle, 0), soup.corner(triangle, 0), triangle};
+  NumberedBox box{soup.corner(triangle, 0), soup.corner(triangle, 0), triangle};
   for (int axis = 0; axis < 3; ++axis)
   {
     for (int i = 1; i < 3; ++i)
@@ -21,11 +21,11 @@ LatticeBox boxOf(const TriangleSoup& soup, Index triangle, std::int64_t margin)
   return box;
 }
 
-void forBoxPairs(const std::vector<LatticeBox>& first, const std::vector<LatticeBox>& second, const RunContext& context,
+void forBoxPairs(const std::vector<NumberedBox>& first, const std::vector<NumberedBox>& second, const RunContext& context,
                  const std::function<void(Index, Index)>& visit)
 {
   const BoxTree tree(second, context);
-  for (const LatticeBox& box : first)
+  for (const NumberedBox& box : first)
   {
     tree.eachTouching(box, 0, [&](std::size_t place) {
       if (tree.box(place).id != box.id)

@@ -8,7 +8,7 @@
 
 namespace atria {
 
-struct LatticeBox
+struct NumberedBox
 {
   LatticePoint low;
   LatticePoint high;
@@ -17,12 +17,12 @@ struct LatticeBox
 };
 
 /// The box of a triangle, `margin` wider on every side.
-LatticeBox boxOf(const TriangleSoup& soup, Index triangle, std::int64_t margin);
+NumberedBox boxOf(const TriangleSoup& soup, Index triangle, std::int64_t margin);
 
 /// Calls `visit` once for every pair of a box of `first` and a box of `second` that touch, in no certain order. O(n log
 /// n
 /// + pairs) where boxes of one size do not crowd (BoxTree).
-void forBoxPairs(const std::vector<LatticeBox>& first, const std::vector<LatticeBox>& second, const RunContext& context,
+void forBoxPairs(const std::vector<NumberedBox>& first, const std::vector<NumberedBox>& second, const RunContext& context,
                  const std::function<void(Index, Index)>& visit);
 
 } // namespace atria

@@ -35,10 +35,10 @@ struct SortKey
   friend auto operator<=>(const SortKey&, const SortKey&) = default;
 };
 
-LatticeBox boundsOf(const std::vector<LatticeBox>& boxes)
+NumberedBox boundsOf(const std::vector<NumberedBox>& boxes)
 {
-  LatticeBox all = boxes.front();
-  for (const LatticeBox& box : boxes)
+  NumberedBox all = boxes.front();
+  for (const NumberedBox& box : boxes)
   {
     for (int axis = 0; axis < 3; ++axis)
     {
@@ -50,7 +50,7 @@ LatticeBox boundsOf(const std::vector<LatticeBox>& boxes)
 }
 
 /// Sizes are powers of four.
-unsigned sizeClassOf(const LatticeBox& box)
+unsigned sizeClassOf(const NumberedBox& box)
 {
   std::uint64_t length = 0;
   for (int axis = 0; axis < 3; ++axis)
@@ -62,7 +62,7 @@ unsigned sizeClassOf(const LatticeBox& box)
 
 } // namespace
 
-BoxTree::Query::Query(const BoxTree& tree, const LatticeBox& of) : box(of)
+BoxTree::Query::Query(const BoxTree& tree, const NumberedBox& of) : box(of)
 {
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -71,7 +71,7 @@ BoxTree::Query::Query(const BoxTree& tree, const LatticeBox& of) : box(of)
   }
 }
 
-BoxTree::BoxTree(std::vector<LatticeBox> boxes, const RunContext& context)
+BoxTree::BoxTree(std::vector<NumberedBox> boxes, const RunContext& context)
 {
   if (boxes.empty())
   {
@@ -83,17 +83,17 @@ BoxTree::BoxTree(std::vector<LatticeBox> boxes, const RunContext& context)
     const unsigned size = sizeClassOf(boxes_[begin]);
     end =
         static_cast<std::size_t>(std::partition_point(boxes_.begin() + static_cast<std::ptrdiff_t>(begin), boxes_.end(),
-                                                      [&](const LatticeBox& box) { return sizeClassOf(box) == size; }) -
+                                                      [&](const NumberedBox& box) { return sizeClassOf(box) == size; }) -
                                  boxes_.begin());
     addHierarchy(begin, end, context);
   }
 }
 
-void BoxTree::sortBoxes(std::vector<LatticeBox> boxes, const RunContext& context)
+void BoxTree::sortBoxes(std::vector<NumberedBox> boxes, const RunContext& context)
 {
   constexpr int keyBits = 19;
   constexpr std::size_t grain = 16384;
-  const LatticeBox all = boundsOf(boxes);
+  const NumberedBox all = boundsOf(boxes);
   origin_ = all.low;
   std::uint64_t length = 1;
   for (int axis = 0; axis < 3; ++axis)

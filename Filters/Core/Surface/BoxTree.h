@@ -14,14 +14,14 @@ namespace atria {
 class BoxTree
 {
 public:
-  BoxTree(std::vector<LatticeBox> boxes, const RunContext& context);
+  BoxTree(std::vector<NumberedBox> boxes, const RunContext& context);
 
   /// In the tree's order.
   std::size_t size() const { return boxes_.size(); }
-  const LatticeBox& box(std::size_t place) const { return boxes_[place]; }
+  const NumberedBox& box(std::size_t place) const { return boxes_[place]; }
 
   /// Calls visit(place) for each box from the place `first` on that touches this one.
-  template <typename Visit> void eachTouching(const LatticeBox& box, std::size_t first, Visit&& visit) const
+  template <typename Visit> void eachTouching(const NumberedBox& box, std::size_t first, Visit&& visit) const
   {
     const Query query(*this, box);
     for (const Hierarchy& hierarchy : hierarchies_)
@@ -53,9 +53,9 @@ private:
 
   struct Query
   {
-    Query(const BoxTree& tree, const LatticeBox& of);
+    Query(const BoxTree& tree, const NumberedBox& of);
 
-    const LatticeBox& box;
+    const NumberedBox& box;
     std::array<float, 3> low;
     std::array<float, 3> high;
   };
@@ -66,7 +66,7 @@ private:
     std::size_t group;
   };
 
-  static bool touch(const LatticeBox& a, const LatticeBox& b)
+  static bool touch(const NumberedBox& a, const NumberedBox& b)
   {
     bool apart = false;
     for (int axis = 0; axis < 3; ++axis)
@@ -130,11 +130,11 @@ private:
     }
   }
 
-  void sortBoxes(std::vector<LatticeBox> boxes, const RunContext& context);
+  void sortBoxes(std::vector<NumberedBox> boxes, const RunContext& context);
   void addHierarchy(std::size_t begin, std::size_t end, const RunContext& context);
 
   LatticePoint origin_{};
-  std::vector<LatticeBox> boxes_;
+  std::vector<NumberedBox> boxes_;
   std::vector<Hierarchy> hierarchies_;
   std::vector<Group> groups_;
 };

@@ -326,7 +326,7 @@ Contacts findContacts(const TriangleSoup& soup, const std::vector<char>& changed
                       const RunContext& context)
 {
   constexpr std::size_t grain = 1024;
-  std::vector<LatticeBox> boxes(soup.triangles.size());
+  std::vector<NumberedBox> boxes(soup.triangles.size());
   context.executor.forEach(boxes.size(), grain,
                            [&](std::size_t t) { boxes[t] = boxOf(soup, static_cast<Index>(t), reach); });
   const BoxTree tree(std::move(boxes), context);

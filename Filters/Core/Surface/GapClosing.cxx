@@ -193,7 +193,7 @@ private:
     }
     constexpr std::size_t grain = 1024;
     const auto margin = static_cast<std::int64_t>(std::ceil(tolerance));
-    std::vector<LatticeBox> boxes(soup.triangles.size());
+    std::vector<NumberedBox> boxes(soup.triangles.size());
     context.executor.forEach(boxes.size(), grain,
                              [&](std::size_t t) { boxes[t] = boxOf(soup, static_cast<Index>(t), margin); });
     const BoxTree tree(std::move(boxes), context);
