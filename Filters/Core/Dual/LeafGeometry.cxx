@@ -28,11 +28,14 @@ LatticePoint pointAlong(const LatticePoint& a, const LatticePoint& b, double t)
 
 std::optional<Vec3> LeafGeometry::centreOffSides(Index leaf) const
 {
-  if (frame.domainPlanes(octree.lowCorner(leaf), octree.highCorner(leaf)) != 0)
+  const LatticePoint low = octree.lowCorner(leaf);
+  const std::int64_t size = frame.latticeSize(octree.level(leaf));
+  if (frame.domainPlanes(low, {low[0] + size, low[1] + size, low[2] + size}) != 0)
   {
     return std::nullopt;
   }
-  return octree.center(leaf).cwiseMax(frame.domain.min).cwiseMin(frame.domain.max);
+  const double half = 0.5 * frame.sizeOf(octree.level(leaf));
+  return (frame.toModel(low) + Vec3::Constant(half)).cwiseMax(frame.domain.min).cwiseMin(frame.domain.max);
 }
 
 void LeafGeometry::enter(Index leaf)
