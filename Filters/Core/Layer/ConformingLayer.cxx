@@ -212,6 +212,10 @@ std::vector<double> findWallSizes(const DualMesh& mesh, const LayerWalls& walls,
   std::vector<double> along(mesh.points.size(), none);
   for (const auto& corners : mesh.corners)
   {
+    if (std::ranges::none_of(corners, [&](Index p) { return counts[p] > 0; }))
+    {
+      continue;
+    }
     for (const auto& [c, d] : hexahedronEdge)
     {
       const Index p = corners[c];
