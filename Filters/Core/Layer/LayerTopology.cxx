@@ -95,10 +95,9 @@ private:
         out.copies[p] = chainPoint(p, counts[p]);
       }
     }
-    out.mesh.points.reserve(out.plainPoints + out.wallPoints.size());
-    out.mesh.points = plain.points;
-    std::ranges::transform(out.wallPoints, std::back_inserter(out.mesh.points),
-                           [&](Index p) { return plain.points[p]; });
+    out.mesh.points.resize(out.plainPoints + out.wallPoints.size());
+    executor.forEach(out.mesh.points.size(), 16384,
+                     [&](std::size_t p) { out.mesh.points[p] = plain.points[out.wallPointOf(static_cast<Index>(p))]; });
   }
 
   void countPrisms()

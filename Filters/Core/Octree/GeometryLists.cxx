@@ -246,7 +246,7 @@ GeometryLists childLists(const GeometryLists& parents, int level, const std::vec
                          const SurfaceModel& model, const GridFrame& frame, const RunContext& context)
 {
   // Pieces of a fixed length, joined in order: the same lists whatever the threads do.
-  constexpr std::size_t grain = 512;
+  constexpr std::size_t grain = 16;
   std::vector<GeometryLists> parts((parents.size() + grain - 1) / grain);
   context.executor.forEach(parts.size(), 1, [&](std::size_t part) {
     context.progress.check();

@@ -320,29 +320,35 @@ private:
   Contacts out;
 };
 
-} // namespace
+/// The search among some of the triangles.
+struct Search
+{
+  ContactFinder finder;
+  /// Pairs to look at once it is known that there are not too many.
+  std::vector<std::pair<Index, Index>> later;
+};
 
-Contacts findContacts(const TriangleSoup& soup, const std::vector<char>& changed, std::int64_t reach,
-                      const RunContext& context)
+/// Looks at pairs as they are met. Where boxes crowd pairs are counted first, as looking at them takes far longer.
+std::vector<Search> searchContacts(const TriangleSoup& soup, const BoxTree& tree, const std::vector<char>& changed,
+                                   double reach, const RunContext& context)
 {
   constexpr std::size_t grain = 1024;
-  std::vector<NumberedBox> boxes(soup.triangles.size());
-  context.executor.forEach(boxes.size(), grain,
-                           [&](std::size_t t) { boxes[t] = boxOf(soup, static_cast<Index>(t), reach); });
-  const BoxTree tree(std::move(boxes), context);
+  constexpr std::size_t manyEach = 200;
   const bool all = std::ranges::find(changed, 0) == changed.end();
-  std::vector<ContactFinder> parts((tree.size() + grain - 1) / grain, ContactFinder(soup, static_cast<double>(reach)));
+  std::vector<Search> searches((tree.size() + grain - 1) / grain, Search{ContactFinder(soup, reach), {}});
   std::atomic<std::size_t> seen{0};
-  context.executor.forEach(parts.size(), 1, [&](std::size_t part) {
+  context.executor.forEach(searches.size(), 1, [&](std::size_t piece) {
     context.progress.check();
-    for (std::size_t i = part * grain; i < std::min((part + 1) * grain, tree.size()); ++i)
+    auto& [finder, later] = searches[piece];
+    std::vector<std::pair<Index, Index>> pairs;
+    for (std::size_t i = piece * grain; i < std::min((piece + 1) * grain, tree.size()); ++i)
     {
       const Index a = tree.box(i).id;
       if (!changed[a])
       {
         continue;
       }
-      parts[part].look(a);
+      finder.look(a);
       std::size_t touching = 0;
       // Two that are changed meet twice.
       tree.eachTouching(tree.box(i), all ? i + 1 : 0, [&](std::size_t j) {
@@ -350,16 +356,49 @@ Contacts findContacts(const TriangleSoup& soup, const std::vector<char>& changed
         if (j != i && (!changed[b] || j > i))
         {
           touching += changed[b] ? 2 : 1;
-          parts[part].look(std::min(a, b), std::max(a, b));
+          pairs.emplace_back(std::min(a, b), std::max(a, b));
         }
       });
       refuseCrowds(seen += touching);
+      if (touching > manyEach)
+      {
+        later.insert(later.end(), pairs.begin(), pairs.end());
+      }
+      else
+      {
+        std::ranges::for_each(pairs, [&](const auto& pair) { finder.look(pair.first, pair.second); });
+      }
+      pairs.clear();
     }
   });
+  context.executor.forEach(searches.size(), 1, [&](std::size_t piece) {
+    auto& [finder, later] = searches[piece];
+    for (std::size_t i = 0; i < later.size(); ++i)
+    {
+      if (i % 4096 == 0)
+      {
+        context.progress.check();
+      }
+      finder.look(later[i].first, later[i].second);
+    }
+    later = {};
+  });
+  return searches;
+}
+
+} // namespace
+
+Contacts findContacts(const TriangleSoup& soup, const std::vector<char>& changed, std::int64_t reach,
+                      const RunContext& context)
+{
+  std::vector<NumberedBox> boxes(soup.triangles.size());
+  context.executor.forEach(boxes.size(), 4096,
+                           [&](std::size_t t) { boxes[t] = boxOf(soup, static_cast<Index>(t), reach); });
+  const BoxTree tree(std::move(boxes), context);
   ContactFinder finder(soup, static_cast<double>(reach));
-  for (const ContactFinder& part : parts)
+  for (const Search& search : searchContacts(soup, tree, changed, static_cast<double>(reach), context))
   {
-    finder.append(part);
+    finder.append(search.finder);
   }
   return finder.take();
 }
