@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Commands.h"
 #include "Console.h"
+#include "Support/Memory.h"
 
 #include <CLI/CLI.hpp>
 
@@ -26,6 +27,7 @@ int usageStatus(const CLI::App& app, const CLI::ParseError& error)
 int main(int argc, char** argv)
 {
   using namespace atria::tool;
+  atria::keepFreedMemory();
   CLI::App app("Meshes architecture for flow simulation: a VRML, OBJ, STL, PLY or glTF model in, a "
                "hexahedral-dominant mesh with named patches out.\nExit status: 0 done, 2 usage, 3 bad input, 4 the "
                "mesh has elements that are not valid, 130 interrupted, 1 any other failure.");

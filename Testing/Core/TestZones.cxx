@@ -37,6 +37,28 @@ TEST(Zones, UnderATerrainToTheLateralSidesIsDropped)
   EXPECT_EQ(std::count(kept.begin(), kept.end(), 1), 1);
 }
 
+/// More points than one thread joins at a time.
+TEST(Zones, OfManyPointsAreTheInsideAndTheOutsideOfABox)
+{
+  TriangleSurface surface;
+  const Box3 box{Vec3(-3.1, -2.1, 1.9), Vec3(4.1, 5.1, 6.1)};
+  addBox(surface, "House", box);
+  FoundZones found(surface, uniformGrid(domain, 0.2), 3);
+  const std::size_t count = found.points.size();
+  ASSERT_GT(count, 100000U);
+  ASSERT_EQ(found.zones.count(), 2U);
+  std::vector<std::size_t> sizes(2, 0);
+  for (Index point = 0; point < count; ++point)
+  {
+    const Vec3 p = found.octree.frame().toModel(found.grid.place(point));
+    const bool inside = (p.array() > box.min.array()).all() && (p.array() < box.max.array()).all();
+    ASSERT_EQ(found.zones.ofPoint[point], inside ? 1 : 0);
+    ++sizes[found.zones.ofPoint[point]];
+  }
+  EXPECT_EQ(found.zones.sizes[0], sizes[0]);
+  EXPECT_EQ(found.zones.sizes[1], sizes[1]);
+}
+
 TEST(Zones, UnderALidThatIsTheTopIsKeptAndUnderTheTerrainIsNot)
 {
   TriangleSurface surface = terrain();

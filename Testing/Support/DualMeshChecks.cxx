@@ -30,9 +30,9 @@ template <typename F> void eachEdge(const ReducedFace& face, F&& f)
   }
 }
 
-template <typename T> bool sameBits(const std::vector<T>& a, const std::vector<T>& b)
+template <typename Array> bool sameBits(const Array& a, const Array& b)
 {
-  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0);
+  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(a[0])) == 0);
 }
 
 bool sameFaces(const std::vector<BoundaryFace>& a, const std::vector<BoundaryFace>& b)

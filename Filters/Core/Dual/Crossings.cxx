@@ -26,9 +26,10 @@ public:
   /// Sets the neighbours of one point. Edges between two points are cut from their lower end.
   void process(Index point, Part& part)
   {
+    const std::array<GridPlaces::Edge, 6> edges = grid.edges(point);
     for (int direction = 0; direction < 6; ++direction)
     {
-      const GridPlaces::Edge edge = grid.edge(point, direction);
+      const GridPlaces::Edge& edge = edges[direction];
       std::int32_t& neighbour = out.neighbours[point][direction];
       if (!edge.exists())
       {

@@ -25,7 +25,7 @@ struct CrossedEdge
 struct Crossings
 {
   /// Per grid point and Direction: as DualMesh::neighbours.
-  std::vector<std::array<std::int32_t, 6>> neighbours;
+  Buffer<std::array<std::int32_t, 6>> neighbours;
   std::vector<BoundaryFace> boundaryFaces;
   std::vector<CrossedEdge> crossedEdges;
   std::vector<SurfaceCrossing> cuts;

@@ -2,6 +2,7 @@
 /// The one mesh structure: hexahedra some of whose corners coincide.
 #pragma once
 
+#include "Support/Buffer.h"
 #include "Support/Types.h"
 
 #include <string>
@@ -50,13 +51,13 @@ struct DualMesh
 
   std::vector<Vec3> points;
   /// Per element, eight points in VTK's order of a hexahedron.
-  std::vector<std::array<Index, 8>> corners;
+  Buffer<std::array<Index, 8>> corners;
   /// Per element and Direction: the element across, or ~i for boundary face i, or noFace.
-  std::vector<std::array<std::int32_t, 6>> neighbours;
+  Buffer<std::array<std::int32_t, 6>> neighbours;
   std::vector<BoundaryFace> boundaryFaces;
   /// Per element: the level of the finest octant about it; its zone.
-  std::vector<std::uint8_t> levels;
-  std::vector<std::int32_t> zones;
+  Buffer<std::uint8_t> levels;
+  Buffer<std::int32_t> zones;
 
   std::size_t elementCount() const { return corners.size(); }
 };

@@ -70,6 +70,12 @@ public:
   /// Places a vertex that is on no curve, or notes that it is on one.
   void placeOrNote(Index vertex, Index leaf, LeafCuts cuts, DualVertices& out, Part& part)
   {
+    // Most are in the open, and free as all are at first.
+    if (const auto centre = cuts.empty() ? geometry.centreOffSides(leaf) : std::nullopt)
+    {
+      out.positions[vertex] = *centre;
+      return;
+    }
     geometry.enter(leaf);
     if (cuts.empty())
     {

@@ -27,6 +27,28 @@ GridPlaces::Edge GridPlaces::edge(Index point, int direction) const
   return edge;
 }
 
+std::array<GridPlaces::Edge, 6> GridPlaces::edges(Index point) const
+{
+  std::array<Edge, 6> edges;
+  const std::array<Index, 8>& leaves = points_.leaves[point];
+  if (!areOfOneLevel(octree_, leaves))
+  {
+    for (int direction = 0; direction < 6; ++direction)
+    {
+      edges[direction] = edge(point, direction);
+    }
+    return edges;
+  }
+  for (int direction = 0; direction < 6; ++direction)
+  {
+    const unsigned bit = 1u << axisOf(direction);
+    const unsigned slot = isUpper(direction) ? bit : 0;
+    edges[direction].at = {leaves[slot], 7 - slot};
+    edges[direction].other = points_.atCorner[leaves[slot]][(7 - slot) ^ bit];
+  }
+  return edges;
+}
+
 EdgeSegment GridPlaces::segment(Index point, int direction, const Edge& edge) const
 {
   const int axis = axisOf(direction);

@@ -44,6 +44,8 @@ public:
     bool exists() const { return at.leaf != noIndex; }
   };
   Edge edge(Index point, int direction) const;
+  /// By Direction.
+  std::array<Edge, 6> edges(Index point) const;
   bool isMoved(Index point, const Edge& edge) const
   {
     return !moved_.empty() && (moved_.contains(point) || (edge.other != noIndex && moved_.contains(edge.other)));

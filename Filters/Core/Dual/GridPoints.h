@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Octree/Octree.h"
+#include "Support/Buffer.h"
 #include "Support/RunContext.h"
 
 namespace atria {
@@ -11,9 +12,9 @@ namespace atria {
 struct GridPoints
 {
   /// Per point, the leaf in each of the eight directions (bits x 1, y 2, z 4). A large leaf fills several.
-  std::vector<std::array<Index, 8>> leaves;
+  Buffer<std::array<Index, 8>> leaves;
   /// Per leaf and corner (same bits), the grid point there, or noIndex outside the domain.
-  std::vector<std::array<Index, 8>> atCorner;
+  Buffer<std::array<Index, 8>> atCorner;
 
   std::size_t size() const { return leaves.size(); }
 };
@@ -33,5 +34,8 @@ struct GridEdge
   unsigned corner = 0;
 };
 GridEdge edgeFrom(const Octree& octree, const std::array<Index, 8>& leaves, int direction);
+
+/// Whether these are eight leaves of one level. A point between them has all six edges, each of the first leaf there.
+bool areOfOneLevel(const Octree& octree, const std::array<Index, 8>& leaves);
 
 } // namespace atria

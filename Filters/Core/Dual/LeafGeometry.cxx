@@ -26,6 +26,18 @@ LatticePoint pointAlong(const LatticePoint& a, const LatticePoint& b, double t)
 
 } // namespace
 
+std::optional<Vec3> LeafGeometry::centreOffSides(Index leaf) const
+{
+  const LatticePoint low = octree.lowCorner(leaf);
+  const std::int64_t size = frame.latticeSize(octree.level(leaf));
+  if (frame.domainPlanes(low, {low[0] + size, low[1] + size, low[2] + size}) != 0)
+  {
+    return std::nullopt;
+  }
+  const double half = 0.5 * frame.sizeOf(octree.level(leaf));
+  return (frame.toModel(low) + Vec3::Constant(half)).cwiseMax(frame.domain.min).cwiseMin(frame.domain.max);
+}
+
 void LeafGeometry::enter(Index leaf)
 {
   leaf_ = leaf;

@@ -16,13 +16,15 @@ class LeafGeometry
 public:
   LeafGeometry(const Octree& tree, const SurfaceModel& surfaces) : octree(tree), frame(tree.frame()), model(surfaces) {}
 
+  /// The octant's centre, if no domain side passes through it. The leaf is not entered.
+  std::optional<Vec3> centreOffSides(Index leaf) const;
+
   void enter(Index leaf);
   void addCut(const EdgeSegment& edge, std::span<const SurfaceCrossing> cuts);
   /// Sorted.
   void setCharts(const std::vector<Index>& charts) { charts_ = charts; }
 
   bool isOnSide() const { return planes != 0; }
-  /// Whether p is the leaf's centre, put on the domain planes through it.
   /// The octant's centre, on the domain sides through it.
   Vec3 centre() const { return onPlanes(center); }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Dual/Sheets.h"
 
+#include "Support/Pieces.h"
 #include "Support/UnionFind.h"
 
 #include <algorithm>
+#include <numeric>
 #include <span>
 
 namespace atria {
@@ -14,45 +16,67 @@ namespace {
 struct BoundaryStars
 {
   std::vector<Index> points;
-  std::vector<Index> offsets{0};
+  std::vector<Index> offsets;
   std::vector<Index> elements;
 };
 
-/// Only where both sides of some sheet are in the mesh, or zones touch, can there be more than one sector; all boundary
-/// points are looked at nevertheless, as zones may touch at a point.
-BoundaryStars findStars(const DualMesh& mesh)
+/// Elements with points on the boundary: each such point's place among `slots` with the element, by elements.
+using Uses = std::vector<std::pair<Index, Index>>;
+
+std::vector<Uses> findUses(const DualMesh& mesh, const std::vector<Index>& slots, const RunContext& context)
 {
-  std::vector<char> marked(mesh.points.size(), 0);
-  for (const BoundaryFace& face : mesh.boundaryFaces)
-  {
-    for (const std::uint8_t c : hexahedronFace[face.direction])
+  const Pieces pieces(mesh.elementCount());
+  std::vector<Uses> uses(pieces.count);
+  context.executor.forEach(pieces.count, 1, [&](std::size_t piece) {
+    context.progress.check();
+    for (std::size_t e = pieces.begin(piece); e < pieces.end(piece); ++e)
     {
-      marked[mesh.corners[face.element][c]] = 1;
-    }
-  }
-  std::vector<std::pair<Index, Index>> pairs;
-  for (Index e = 0; e < mesh.elementCount(); ++e)
-  {
-    for (const Index p : mesh.corners[e])
-    {
-      if (marked[p])
+      const auto& corners = mesh.corners[e];
+      for (auto p = corners.begin(); p != corners.end(); ++p)
       {
-        pairs.emplace_back(p, e);
+        if (slots[*p] != noIndex && std::find(corners.begin(), p, *p) == p)
+        {
+          uses[piece].emplace_back(slots[*p], static_cast<Index>(e));
+        }
       }
     }
-  }
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  });
+  return uses;
+}
+
+/// Only where both sides of some sheet are in the mesh, or zones touch, can there be more than one sector; all boundary
+/// points are looked at nevertheless, as zones may touch at a point.
+BoundaryStars findStars(const DualMesh& mesh, const RunContext& context)
+{
+  const std::vector<char> marked = boundaryPoints(mesh);
   BoundaryStars stars;
-  for (const auto& [p, e] : pairs)
+  std::vector<Index> slots(marked.size(), noIndex);
+  for (Index p = 0; p < marked.size(); ++p)
   {
-    if (stars.points.empty() || stars.points.back() != p)
+    if (marked[p])
     {
+      slots[p] = static_cast<Index>(stars.points.size());
       stars.points.push_back(p);
-      stars.offsets.push_back(stars.offsets.back());
     }
-    stars.elements.push_back(e);
-    ++stars.offsets.back();
+  }
+  const std::vector<Uses> uses = findUses(mesh, slots, context);
+  // Counted two places up and summed one place up, an offset serves as its point's cursor, and ends as its begin.
+  stars.offsets.assign(stars.points.size() + 2, 0);
+  for (const Uses& piece : uses)
+  {
+    for (const auto& [slot, element] : piece)
+    {
+      ++stars.offsets[slot + 2];
+    }
+  }
+  std::partial_sum(stars.offsets.begin(), stars.offsets.end(), stars.offsets.begin());
+  stars.elements.resize(stars.offsets.back());
+  for (const Uses& piece : uses)
+  {
+    for (const auto& [slot, element] : piece)
+    {
+      stars.elements[stars.offsets[slot + 1]++] = element;
+    }
   }
   return stars;
 }
@@ -94,7 +118,7 @@ std::vector<Index> sectorsOf(const DualMesh& mesh, Index point, std::span<const 
 
 std::vector<Index> splitSheets(DualMesh& mesh, const RunContext& context)
 {
-  const BoundaryStars stars = findStars(mesh);
+  const BoundaryStars stars = findStars(mesh, context);
   std::vector<Index> sectors(stars.elements.size());
   std::vector<Index> copies(stars.points.size() + 1, 0);
   context.executor.forEach(stars.points.size(), 1024, [&](std::size_t i) {

@@ -212,6 +212,10 @@ std::vector<double> findWallSizes(const DualMesh& mesh, const LayerWalls& walls,
   std::vector<double> along(mesh.points.size(), none);
   for (const auto& corners : mesh.corners)
   {
+    if (std::ranges::none_of(corners, [&](Index p) { return counts[p] > 0; }))
+    {
+      continue;
+    }
     for (const auto& [c, d] : hexahedronEdge)
     {
       const Index p = corners[c];
@@ -248,7 +252,7 @@ LayerMesh growLayer(const DualMesh& plain, const LayerWalls& walls, const LayerO
   }
   if (std::ranges::find(counts, 1) == counts.end())
   {
-    return buildLayer(plain, walls, counts);
+    return buildLayer(plain, walls, counts, context.executor);
   }
   const std::vector<Vec3> normals = wallNormals(plain, context);
   const std::vector<LayerDirection> directions = findDirections(plain, walls, normals, counts, options, context);
@@ -257,7 +261,7 @@ LayerMesh growLayer(const DualMesh& plain, const LayerWalls& walls, const LayerO
     counts[p] = directions[p].cosine < feasibleCosine ? 0 : counts[p];
   }
   dropFlat(plain, walls, normals, directions, counts);
-  LayerMesh layer = buildLayer(plain, walls, counts);
+  LayerMesh layer = buildLayer(plain, walls, counts, context.executor);
   Spacing(plain, layer, directions, thicknesses(plain, walls, counts, options), context).run();
   return layer;
 }

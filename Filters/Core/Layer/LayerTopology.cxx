@@ -42,12 +42,16 @@ constexpr int besideEdge(int direction, int edge)
 class Builder
 {
 public:
-  Builder(const DualMesh& p, const LayerWalls& w, const std::vector<Index>& c) : plain(p), walls(w), counts(c) {}
+  Builder(const DualMesh& p, const LayerWalls& w, const std::vector<Index>& c, const Executor& e)
+      : plain(p), walls(w), counts(c), executor(e)
+  {
+  }
 
   LayerMesh build()
   {
     addPoints();
     countPrisms();
+    copyElements();
     for (Index f = 0; f < plain.boundaryFaces.size(); ++f)
     {
       for (Index height = 0; height < stackOf(f); ++height)
@@ -75,29 +79,25 @@ private:
 
   void addPoints()
   {
-    out.mesh = plain;
     out.plainPoints = static_cast<Index>(plain.points.size());
-    out.plainElements = static_cast<Index>(plain.elementCount());
     out.copies.assign(out.plainPoints, noIndex);
     firstNew.assign(out.plainPoints, noIndex);
     for (Index p = 0; p < out.plainPoints; ++p)
     {
-      firstNew[p] = static_cast<Index>(out.mesh.points.size());
-      for (Index place = 1; place <= counts[p]; ++place)
+      if (counts[p] > 0)
       {
-        out.mesh.points.push_back(plain.points[p]);
-        out.wallPoints.push_back(p);
-        out.places.push_back(place);
-      }
-      out.copies[p] = counts[p] > 0 ? chainPoint(p, counts[p]) : noIndex;
-    }
-    for (auto& corners : out.mesh.corners)
-    {
-      for (Index& p : corners)
-      {
-        p = out.copies[p] == noIndex ? p : out.copies[p];
+        firstNew[p] = out.plainPoints + static_cast<Index>(out.wallPoints.size());
+        out.wallPoints.insert(out.wallPoints.end(), counts[p], p);
+        for (Index place = 1; place <= counts[p]; ++place)
+        {
+          out.places.push_back(place);
+        }
+        out.copies[p] = chainPoint(p, counts[p]);
       }
     }
+    out.mesh.points.resize(out.plainPoints + out.wallPoints.size());
+    executor.forEach(out.mesh.points.size(), 16384,
+                     [&](std::size_t p) { out.mesh.points[p] = plain.points[out.wallPointOf(static_cast<Index>(p))]; });
   }
 
   void countPrisms()
@@ -117,6 +117,34 @@ private:
     out.mesh.neighbours.reserve(total);
     out.mesh.levels.reserve(total);
     out.mesh.zones.reserve(total);
+  }
+
+  /// Those of the plain mesh; their corners become the copies.
+  void copyElements()
+  {
+    out.plainElements = static_cast<Index>(plain.elementCount());
+    out.mesh.boundaryFaces = plain.boundaryFaces;
+    out.mesh.corners.resize(out.plainElements);
+    out.mesh.neighbours.resize(out.plainElements);
+    out.mesh.levels.resize(out.plainElements);
+    out.mesh.zones.resize(out.plainElements);
+    executor.forRanges(out.plainElements, 16384, [&](std::size_t begin, std::size_t end) {
+      const auto copy = [&](const auto& from, auto& to) {
+        std::copy_n(from.begin() + static_cast<std::ptrdiff_t>(begin), end - begin,
+                    to.begin() + static_cast<std::ptrdiff_t>(begin));
+      };
+      copy(plain.neighbours, out.mesh.neighbours);
+      copy(plain.levels, out.mesh.levels);
+      copy(plain.zones, out.mesh.zones);
+      copy(plain.corners, out.mesh.corners);
+      for (std::size_t e = begin; e < end && !out.wallPoints.empty(); ++e)
+      {
+        for (Index& p : out.mesh.corners[e])
+        {
+          p = out.copies[p] == noIndex ? p : out.copies[p];
+        }
+      }
+    });
   }
 
   void addPrism(Index f, Index height)
@@ -189,6 +217,7 @@ private:
   const DualMesh& plain;
   const LayerWalls& walls;
   const std::vector<Index>& counts;
+  const Executor& executor;
   LayerMesh out;
   /// Per point the first of its chain, per boundary face the first of its stack.
   std::vector<Index> firstNew;
@@ -197,9 +226,10 @@ private:
 
 } // namespace
 
-LayerMesh buildLayer(const DualMesh& plain, const LayerWalls& walls, const std::vector<Index>& counts)
+LayerMesh buildLayer(const DualMesh& plain, const LayerWalls& walls, const std::vector<Index>& counts,
+                     const Executor& executor)
 {
-  return Builder(plain, walls, counts).build();
+  return Builder(plain, walls, counts, executor).build();
 }
 
 } // namespace atria

@@ -37,6 +37,7 @@ struct LayerMesh
 ///
 /// Conformal for any counts, as between two walls (or a wall and a side) there is one face across each edge, and both
 /// have it at the same heights.
-LayerMesh buildLayer(const DualMesh& plain, const LayerWalls& walls, const std::vector<Index>& counts);
+LayerMesh buildLayer(const DualMesh& plain, const LayerWalls& walls, const std::vector<Index>& counts,
+                     const Executor& executor = SerialExecutor());
 
 } // namespace atria

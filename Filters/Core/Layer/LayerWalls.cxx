@@ -32,7 +32,11 @@ bool isDoubled(const DualMesh& mesh, const BoundaryGraph& graph, Index f)
 class Counter
 {
 public:
-  Counter(const DualMesh& m, const LayerOptions& o, const LayerWalls& w) : mesh(m), options(o), walls(w) {}
+  /// `doubled` are faces beside one that has the very same points.
+  Counter(const DualMesh& m, const LayerOptions& o, const LayerWalls& w, const std::vector<char>& d)
+      : mesh(m), options(o), walls(w), doubled(d)
+  {
+  }
 
   Index at(Index point) const
   {
@@ -46,7 +50,7 @@ public:
       if (walls.roles[f] == FaceRole::wall)
       {
         least = std::min(least, static_cast<Index>(options.ofTag[mesh.boundaryFaces[f].tag].layers));
-        if (isDoubled(mesh, walls.graph, f))
+        if (doubled[f])
         {
           return 0;
         }
@@ -69,6 +73,7 @@ private:
   const DualMesh& mesh;
   const LayerOptions& options;
   const LayerWalls& walls;
+  const std::vector<char>& doubled;
 };
 
 } // namespace
@@ -86,7 +91,11 @@ LayerWalls findLayerWalls(const DualMesh& mesh, const LayerOptions& options, con
                                                         : FaceRole::fixed;
   }
   walls.counts.resize(mesh.points.size());
-  const Counter counter(mesh, options, walls);
+  std::vector<char> doubled(walls.roles.size(), 0);
+  context.executor.forEach(doubled.size(), 2048, [&](std::size_t f) {
+    doubled[f] = walls.roles[f] == FaceRole::wall && isDoubled(mesh, walls.graph, static_cast<Index>(f)) ? 1 : 0;
+  });
+  const Counter counter(mesh, options, walls, doubled);
   context.executor.forEach(mesh.points.size(), 2048,
                            [&](std::size_t p) { walls.counts[p] = counter.at(static_cast<Index>(p)); });
   return walls;

@@ -64,6 +64,10 @@ bool touches(const LatticeBox& box, const LatticePoint& pa, const LatticePoint& 
   {
     return false;
   }
+  if (box.contains(pa) || box.contains(pb) || box.contains(pc))
+  {
+    return true;
+  }
   const CenteredBox centered(box);
   const Vec3 a = centered.relative(pa);
   const Vec3 b = centered.relative(pb);

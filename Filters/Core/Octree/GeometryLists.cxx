@@ -23,24 +23,67 @@ bool touchesPiece(const LatticeBox& box, ModelItem piece, const SurfaceModel& mo
   }
 }
 
-void appendChildren(GeometryLists& out, const GeometryLists& parents, std::size_t parent, int level, bool onlyOccupied,
-                    const SurfaceModel& model, const GridFrame& frame)
+/// Bits of the children of an octant whose boxes a triangle may touch by its bounds.
+unsigned childrenInReach(const std::array<LatticeBox, 8>& boxes, const SurfaceModel& model, Index triangle)
 {
-  const std::span<const ModelItem> pieces = parents.of(parent);
+  unsigned bits = 0xffu;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const std::int64_t a = model.corner(triangle, 0)[axis];
+    const std::int64_t b = model.corner(triangle, 1)[axis];
+    const std::int64_t c = model.corner(triangle, 2)[axis];
+    const std::int64_t low = std::min({a, b, c});
+    const std::int64_t high = std::max({a, b, c});
+    for (unsigned k = 0; k < 8; ++k)
+    {
+      bits &= low > boxes[k].high[axis] || high < boxes[k].low[axis] ? ~(1u << k) : ~0u;
+    }
+  }
+  return bits;
+}
+
+/// Bits of the children of an octant that a piece touches. Empty boxes are touched by none.
+unsigned childrenTouched(const std::array<LatticeBox, 8>& boxes, ModelItem piece, const SurfaceModel& model)
+{
+  const unsigned inReach = piece.kind == ModelItem::triangle ? childrenInReach(boxes, model, piece.index) : 0xffu;
+  unsigned bits = 0;
   for (unsigned k = 0; k < 8; ++k)
   {
-    const MortonKey key = parents.keys[parent] << 3 | k;
-    const LatticeBox box = domainBoxOf(frame, level + 1, key);
-    if (box.empty())
+    bits |= (inReach >> k & 1) != 0 && !boxes[k].empty() && touchesPiece(boxes[k], piece, model) ? 1u << k : 0u;
+  }
+  return bits;
+}
+
+void appendChildren(GeometryLists& out, const GeometryLists& parents, std::size_t parent, int level, bool onlyOccupied,
+                    const SurfaceModel& model, const GridFrame& frame, std::vector<std::uint8_t>& touched)
+{
+  const std::span<const ModelItem> pieces = parents.of(parent);
+  std::array<LatticeBox, 8> boxes;
+  for (unsigned k = 0; k < 8; ++k)
+  {
+    boxes[k] = domainBoxOf(frame, level + 1, parents.keys[parent] << 3 | k);
+  }
+  touched.resize(pieces.size());
+  std::ranges::transform(pieces, touched.begin(), [&](ModelItem piece) {
+    return static_cast<std::uint8_t>(childrenTouched(boxes, piece, model));
+  });
+  for (unsigned k = 0; k < 8; ++k)
+  {
+    if (boxes[k].empty())
     {
       continue;
     }
     const std::size_t before = out.items.size();
-    std::copy_if(pieces.begin(), pieces.end(), std::back_inserter(out.items),
-                 [&](ModelItem piece) { return touchesPiece(box, piece, model); });
+    for (std::size_t i = 0; i < pieces.size(); ++i)
+    {
+      if ((touched[i] >> k & 1) != 0)
+      {
+        out.items.push_back(pieces[i]);
+      }
+    }
     if (out.items.size() > before || !onlyOccupied)
     {
-      out.keys.push_back(key);
+      out.keys.push_back(parents.keys[parent] << 3 | k);
       out.offsets.push_back(out.items.size());
     }
   }
@@ -203,15 +246,16 @@ GeometryLists childLists(const GeometryLists& parents, int level, const std::vec
                          const SurfaceModel& model, const GridFrame& frame, const RunContext& context)
 {
   // Pieces of a fixed length, joined in order: the same lists whatever the threads do.
-  constexpr std::size_t grain = 512;
+  constexpr std::size_t grain = 16;
   std::vector<GeometryLists> parts((parents.size() + grain - 1) / grain);
   context.executor.forEach(parts.size(), 1, [&](std::size_t part) {
     context.progress.check();
+    std::vector<std::uint8_t> touched;
     for (std::size_t i = part * grain; i < std::min((part + 1) * grain, parents.size()); ++i)
     {
       if (chosen[i])
       {
-        appendChildren(parts[part], parents, i, level, onlyOccupied, model, frame);
+        appendChildren(parts[part], parents, i, level, onlyOccupied, model, frame, touched);
       }
     }
   });

@@ -4,6 +4,7 @@
 #include "Support/Error.h"
 
 #include <algorithm>
+#include <atomic>
 
 namespace atria {
 
@@ -20,20 +21,27 @@ std::vector<Index> beginsOf(const RefinedSets& refined)
   return begins;
 }
 
+constexpr std::size_t grain = 4096;
+
 /// Links refined octants of level l to those of level l + 1; children that are not refined stay marked as leaves.
 void linkLevel(std::span<const MortonKey> parents, std::span<const MortonKey> next, Index nextBegin,
-               std::span<std::array<Octree::Node, 8>> children)
+               std::span<std::array<Octree::Node, 8>> children, const Executor& executor)
 {
-  std::size_t j = 0;
-  for (std::size_t i = 0; i < parents.size(); ++i)
-  {
-    for (unsigned k = 0; k < 8; ++k)
+  std::atomic<std::size_t> linked{0};
+  executor.forRanges(parents.size(), grain, [&](std::size_t begin, std::size_t end) {
+    const auto first = static_cast<std::size_t>(std::ranges::lower_bound(next, parents[begin] << 3) - next.begin());
+    std::size_t j = first;
+    for (std::size_t i = begin; i < end; ++i)
     {
-      const bool refined = j < next.size() && next[j] == (parents[i] << 3 | k);
-      children[i][k] = refined ? nextBegin + static_cast<Index>(j++) : Octree::leafBit;
+      for (unsigned k = 0; k < 8; ++k)
+      {
+        const bool refined = j < next.size() && next[j] == (parents[i] << 3 | k);
+        children[i][k] = refined ? nextBegin + static_cast<Index>(j++) : Octree::leafBit;
+      }
     }
-  }
-  if (j != next.size())
+    linked += j - first;
+  });
+  if (linked != next.size())
   {
     throw Error("the octree is broken: an octant is refined although its parent is not");
   }
@@ -41,7 +49,8 @@ void linkLevel(std::span<const MortonKey> parents, std::span<const MortonKey> ne
 
 } // namespace
 
-Octree::Octree(const GridFrame& frame, const RefinedSets& refined) : frame_(frame), levelBegins_(beginsOf(refined))
+Octree::Octree(const GridFrame& frame, const RefinedSets& refined, const Executor& executor)
+    : frame_(frame), levelBegins_(beginsOf(refined))
 {
   if (refined.empty() || refined[0].empty())
   {
@@ -58,24 +67,35 @@ Octree::Octree(const GridFrame& frame, const RefinedSets& refined) : frame_(fram
   for (int l = 0; l < levelCount; ++l)
   {
     linkLevel(refined[l], l + 1 < levelCount ? std::span(refined[l + 1]) : std::span<const MortonKey>(),
-              levelBegins_[l + 1], std::span(children_).subspan(levelBegins_[l], refined[l].size()));
+              levelBegins_[l + 1], std::span(children_).subspan(levelBegins_[l], refined[l].size()), executor);
   }
-  // Leaves below each refined octant, from the finest level up; then numbers from the root down.
-  std::vector<Index> below(children_.size(), 0);
-  for (std::size_t n = children_.size(); n-- > 0;)
+  numberLeaves(refined, executor);
+  root_ = 0;
+}
+
+/// Leaves below each refined octant are counted from the finest level up, and numbered from the root down.
+void Octree::numberLeaves(const RefinedSets& refined, const Executor& executor)
+{
+  Buffer<Index> below(children_.size());
+  for (std::size_t l = refined.size(); l-- > 0;)
   {
-    for (const Node child : children_[n])
-    {
-      below[n] += isLeaf(child) ? 1 : below[child];
-    }
+    executor.forEach(refined[l].size(), grain, [&](std::size_t i) {
+      Index count = 0;
+      for (const Node child : children_[levelBegins_[l] + i])
+      {
+        count += isLeaf(child) ? 1 : below[child];
+      }
+      below[levelBegins_[l] + i] = count;
+    });
   }
   keys_.resize(below[0]);
   levels_.resize(below[0]);
-  std::vector<Index> firstLeaf(children_.size(), 0);
-  for (int l = 0; l < levelCount; ++l)
+  Buffer<Index> firstLeaf(children_.size());
+  firstLeaf[0] = 0;
+  for (std::size_t l = 0; l < refined.size(); ++l)
   {
-    for (std::size_t i = 0; i < refined[l].size(); ++i)
-    {
+    const int level = static_cast<int>(l) + 1;
+    executor.forEach(refined[l].size(), grain, [&](std::size_t i) {
       Index leaf = firstLeaf[levelBegins_[l] + i];
       auto& family = children_[levelBegins_[l] + i];
       for (unsigned k = 0; k < 8; ++k)
@@ -86,13 +106,12 @@ Octree::Octree(const GridFrame& frame, const RefinedSets& refined) : frame_(fram
           leaf += below[family[k]];
           continue;
         }
-        keys_[leaf] = (refined[l][i] << 3 | k) << (3 * (frame.depth - l - 1));
-        levels_[leaf] = static_cast<std::uint8_t>(l + 1);
+        keys_[leaf] = (refined[l][i] << 3 | k) << (3 * (frame_.depth - level));
+        levels_[leaf] = static_cast<std::uint8_t>(level);
         family[k] = leafBit | leaf++;
       }
-    }
+    });
   }
-  root_ = 0;
 }
 
 int Octree::maximumLevel() const { return levels_.empty() ? 0 : *std::max_element(levels_.begin(), levels_.end()); }

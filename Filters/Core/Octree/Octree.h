@@ -4,6 +4,8 @@
 
 #include "Domain/GridFrame.h"
 #include "Octree/Morton.h"
+#include "Support/Buffer.h"
+#include "Support/Executor.h"
 
 #include <span>
 #include <vector>
@@ -52,7 +54,7 @@ public:
 
   Octree() = default;
   /// O(n). Throws Error for sets that are not an octree.
-  Octree(const GridFrame& frame, const RefinedSets& refined);
+  Octree(const GridFrame& frame, const RefinedSets& refined, const Executor& executor = SerialExecutor());
 
   const GridFrame& frame() const { return frame_; }
   std::size_t leafCount() const { return levels_.size(); }
@@ -94,12 +96,14 @@ public:
   RefinedSets refinedSets() const;
 
 private:
+  void numberLeaves(const RefinedSets& refined, const Executor& executor);
+
   GridFrame frame_;
   Node root_ = leafBit;
-  std::vector<std::array<Node, 8>> children_;
+  Buffer<std::array<Node, 8>> children_;
   std::vector<Index> levelBegins_; ///< refined octants of level l are [levelBegins_[l], levelBegins_[l + 1])
-  std::vector<MortonKey> keys_;
-  std::vector<std::uint8_t> levels_;
+  Buffer<MortonKey> keys_;
+  Buffer<std::uint8_t> levels_;
   std::vector<Index> itemOffsets_;
   std::vector<ModelItem> items_;
   std::vector<FeatureType> featureTypes_;

@@ -86,7 +86,7 @@ Octree buildOctree(const SurfaceModel& model, const GridFrame& frame, const Size
                    const RunContext& context)
 {
   context.progress.report(0.0, "Linking octants");
-  Octree octree(frame, sized.refined);
+  Octree octree(frame, sized.refined, context.executor);
   locateModel(octree, model, context.part(0.2, 1.0));
   return octree;
 }

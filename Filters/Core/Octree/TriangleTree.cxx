@@ -6,7 +6,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <numeric>
 #include <tuple>
 
 namespace atria {
@@ -55,45 +54,60 @@ double rayParameter(const Vec3& origin, const Vec3& direction, const Vec3& a, co
 
 } // namespace
 
-TriangleTree::TriangleTree(const SurfaceModel& model)
-    : model_(model), centers_(model.triangles.size()), order_(model.triangles.size())
+TriangleTree::TriangleTree(const SurfaceModel& model) : model_(model), order_(model.triangles.size())
 {
-  std::iota(order_.begin(), order_.end(), Index{0});
+  std::vector<Entry> entries(order_.size());
   for (Index t = 0; t < order_.size(); ++t)
   {
-    centers_[t] = (toVector(model.corner(t, 0)) + toVector(model.corner(t, 1)) + toVector(model.corner(t, 2))) / 3.0;
+    const Vec3 sum = toVector(model.corner(t, 0)) + toVector(model.corner(t, 1)) + toVector(model.corner(t, 2));
+    entries[t] = {sum / 3.0, t};
   }
   if (!order_.empty())
   {
-    build(0, static_cast<Index>(order_.size()));
+    nodes_.reserve(order_.size());
+    build(entries, 0, static_cast<Index>(order_.size()));
   }
+  std::ranges::transform(entries, order_.begin(), &Entry::triangle);
 }
 
-Index TriangleTree::build(Index begin, Index end)
+Index TriangleTree::build(std::vector<Entry>& entries, Index begin, Index end)
 {
   constexpr Index leafSize = 4;
   const auto id = static_cast<Index>(nodes_.size());
+  nodes_.push_back({{}, begin, end, noIndex});
   Box3 box;
+  if (end - begin <= leafSize)
+  {
+    for (Index i = begin; i < end; ++i)
+    {
+      const Box3 own = model_.bounds(entries[i].triangle);
+      box.extend(own.min);
+      box.extend(own.max);
+    }
+    nodes_[id].box = box;
+    return id;
+  }
   Box3 ofCenters;
   for (Index i = begin; i < end; ++i)
   {
-    const Box3 own = model_.bounds(order_[i]);
-    box.extend(own.min);
-    box.extend(own.max);
-    ofCenters.extend(centers_[order_[i]]);
+    ofCenters.extend(entries[i].center);
   }
-  nodes_.push_back({box, begin, end, noIndex});
-  if (end - begin > leafSize)
+  Eigen::Index axis = 0;
+  ofCenters.size().maxCoeff(&axis);
+  const Index middle = begin + (end - begin) / 2;
+  std::nth_element(entries.begin() + begin, entries.begin() + middle, entries.begin() + end,
+                   [&](const Entry& l, const Entry& r) {
+                     return std::tie(l.center[axis], l.triangle) < std::tie(r.center[axis], r.triangle);
+                   });
+  const Index lower = build(entries, begin, middle);
+  const Index upper = build(entries, middle, end);
+  for (const Index child : {lower, upper})
   {
-    Eigen::Index axis = 0;
-    ofCenters.size().maxCoeff(&axis);
-    const Index middle = begin + (end - begin) / 2;
-    std::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end,
-                     [&](Index l, Index r) { return std::tie(centers_[l][axis], l) < std::tie(centers_[r][axis], r); });
-    build(begin, middle);
-    const Index upper = build(middle, end);
-    nodes_[id].upper = upper;
+    box.extend(nodes_[child].box.min);
+    box.extend(nodes_[child].box.max);
   }
+  nodes_[id].box = box;
+  nodes_[id].upper = upper;
   return id;
 }
 

@@ -10,7 +10,7 @@
 
 namespace atria {
 
-/// A tree of bounding boxes over the triangles, in flat arrays: 56 bytes a triangle.
+/// A tree of bounding boxes over the triangles, in flat arrays: 36 bytes a triangle.
 class TriangleTree
 {
 public:
@@ -42,10 +42,16 @@ private:
     Index upper; ///< second child; the first follows the node. noIndex in leaves
   };
 
-  Index build(Index begin, Index end);
+  struct Entry
+  {
+    Vec3 center;
+    Index triangle;
+  };
+
+  /// Sorts the entries by nodes.
+  Index build(std::vector<Entry>& entries, Index begin, Index end);
 
   const SurfaceModel& model_;
-  std::vector<Vec3> centers_;
   std::vector<Index> order_;
   std::vector<Node> nodes_;
 };

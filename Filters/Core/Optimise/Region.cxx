@@ -5,6 +5,8 @@
 #include "Quality/CellShapes.h"
 
 #include <algorithm>
+#include <bit>
+#include <utility>
 
 namespace atria {
 
@@ -19,15 +21,79 @@ Index numberIn(const std::vector<Index>& list, Index number)
   return found != list.end() && *found == number ? static_cast<Index>(found - list.begin()) : noIndex;
 }
 
+/// Numbers by identity, in a hash table with linear probing.
+class Numbering
+{
+public:
+  explicit Numbering(std::size_t expected) { makeRoom(expected); }
+
+  /// Whether it was not known; it then has this number.
+  bool add(Index id, Index number)
+  {
+    if (2 * (count + 1) > slots.size())
+    {
+      makeRoom(2 * count);
+    }
+    Slot& slot = slotOf(id);
+    if (slot.id == id)
+    {
+      return false;
+    }
+    slot = {id, number};
+    ++count;
+    return true;
+  }
+  /// Of one that is known.
+  void change(Index id, Index number) { slotOf(id).number = number; }
+  Index of(Index id) const { return slotOf(id).number; }
+
+private:
+  struct Slot
+  {
+    Index id = noIndex;
+    Index number = noIndex;
+  };
+
+  const Slot& slotOf(Index id) const
+  {
+    const std::size_t mask = slots.size() - 1;
+    std::size_t at = (id * std::uint64_t{0x9E3779B97F4A7C15} >> 32) & mask;
+    while (slots[at].id != id && slots[at].id != noIndex)
+    {
+      at = (at + 1) & mask;
+    }
+    return slots[at];
+  }
+  Slot& slotOf(Index id) { return const_cast<Slot&>(std::as_const(*this).slotOf(id)); }
+
+  void makeRoom(std::size_t expected)
+  {
+    const std::vector<Slot> before = std::exchange(slots, std::vector<Slot>(std::bit_ceil(2 * expected + 16)));
+    for (const Slot& slot : before)
+    {
+      if (slot.id != noIndex)
+      {
+        slotOf(slot.id) = slot;
+      }
+    }
+  }
+
+  std::vector<Slot> slots;
+  std::size_t count = 0;
+};
+
 /// Builds the arrays of a region cell by cell.
 class Extraction
 {
 public:
-  explicit Extraction(const CellSource& mesh) : source(mesh) {}
-
-  Region run(std::vector<Index> cells, const RunContext& context)
+  Extraction(const CellSource& mesh, std::vector<Index> cells)
+      : source(mesh), numberOfPoint(2 * cells.size()), numberOfCell(2 * cells.size())
   {
     region.cellIds = std::move(cells);
+  }
+
+  Region run(const RunContext& context)
+  {
     findNumbers();
     for (Index local = 0; local < region.cellIds.size(); ++local)
     {
@@ -44,60 +110,54 @@ public:
   }
 
 private:
-  /// Of points and of cells beside.
+  /// Of points and of cells beside, in the order of the mesh.
   void findNumbers()
   {
+    for (Index local = 0; local < region.cellIds.size(); ++local)
+    {
+      numberOfCell.add(region.cellIds[local], local);
+    }
     for (const Index cell : region.cellIds)
     {
       source.facesOf(cell, scratch);
-      const auto first = static_cast<std::ptrdiff_t>(region.pointIds.size());
       for (const Index point : scratch.points)
       {
-        if (std::find(region.pointIds.begin() + first, region.pointIds.end(), point) == region.pointIds.end())
+        if (numberOfPoint.add(point, noIndex))
         {
           region.pointIds.push_back(point);
         }
       }
       for (const CellFace& face : scratch.faces)
       {
-        if (face.across != noIndex && numberIn(region.cellIds, face.across) == noIndex)
+        if (face.across != noIndex && numberOfCell.add(face.across, noIndex))
         {
           ghosts.push_back(face.across);
         }
       }
     }
-    for (std::vector<Index>* ids : {&region.pointIds, &ghosts})
+    std::ranges::sort(region.pointIds);
+    std::ranges::sort(ghosts);
+    region.points.reserve(region.pointIds.size());
+    for (Index p = 0; p < region.pointIds.size(); ++p)
     {
-      std::ranges::sort(*ids);
-      ids->erase(std::unique(ids->begin(), ids->end()), ids->end()); // not of std::ranges: Clang 14 cannot compile it
+      numberOfPoint.change(region.pointIds[p], p);
+      region.points.push_back(source.points()[region.pointIds[p]]);
     }
-    std::ranges::transform(region.pointIds, std::back_inserter(region.points),
-                           [&](Index p) { return source.points()[p]; });
-  }
-
-  /// Each of a cell's points is asked for once by each face that has it.
-  Index numberOfPoint(Index point)
-  {
-    const auto known = std::ranges::find(ofCell, point, &std::pair<Index, Index>::first);
-    return known != ofCell.end() ? known->second : ofCell.emplace_back(point, numberIn(region.pointIds, point)).second;
-  }
-
-  Index numberOfCell(Index cell) const
-  {
-    const Index judged = numberIn(region.cellIds, cell);
-    return judged != noIndex ? judged : static_cast<Index>(region.cellIds.size()) + numberIn(ghosts, cell);
+    for (Index i = 0; i < ghosts.size(); ++i)
+    {
+      numberOfCell.change(ghosts[i], static_cast<Index>(region.cellIds.size()) + i);
+    }
   }
 
   /// The faces between two judged cells are added by the first of them.
   void addFaces(Index local)
   {
     const Index cell = region.cellIds[local];
-    ofCell.clear();
     source.facesOf(cell, scratch);
     NativeCell native = source.nativeOf(cell);
     for (std::size_t i = 0; i < shapeOf(native.type).corners; ++i)
     {
-      native.corners[i] = numberOfPoint(native.corners[i]);
+      native.corners[i] = numberOfPoint.of(native.corners[i]);
     }
     region.natives.push_back(native);
     for (const CellFace& face : scratch.faces)
@@ -105,7 +165,7 @@ private:
       Index across = face.across;
       if (across != noIndex)
       {
-        across = numberOfCell(across);
+        across = numberOfCell.of(across);
         if (across < local)
         {
           continue;
@@ -115,7 +175,7 @@ private:
       region.neighbour.push_back(across);
       for (const Index p : face.points)
       {
-        region.facePoints.push_back(numberOfPoint(p));
+        region.facePoints.push_back(numberOfPoint.of(p));
       }
       region.faceOffsets.push_back(static_cast<Index>(region.facePoints.size()));
     }
@@ -158,8 +218,8 @@ private:
   const CellSource& source;
   Region region;
   std::vector<Index> ghosts;
-  /// Points of the cell in hand, with their numbers.
-  std::vector<std::pair<Index, Index>> ofCell;
+  Numbering numberOfPoint;
+  Numbering numberOfCell;
   CellSource::Scratch scratch;
 };
 
@@ -329,7 +389,7 @@ std::vector<Index> cellsWithMarked(const CellSource& source, const std::vector<c
 
 Region extractCells(const CellSource& source, std::vector<Index> cells, const RunContext& context)
 {
-  return Extraction(source).run(std::move(cells), context);
+  return Extraction(source, std::move(cells)).run(context);
 }
 
 Region extractRegion(const CellSource& source, const std::vector<char>& marked, const VertexGuide& guide,

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Support/RunContext.h"
 #include "Surface/TriangleSoup.h"
 
 #include <functional>
 
 namespace atria {
 
-struct LatticeBox
+struct NumberedBox
 {
   LatticePoint low;
   LatticePoint high;
@@ -16,11 +17,12 @@ struct LatticeBox
 };
 
 /// The box of a triangle, `margin` wider on every side.
-LatticeBox boxOf(const TriangleSoup& soup, Index triangle, std::int64_t margin);
+NumberedBox boxOf(const TriangleSoup& soup, Index triangle, std::int64_t margin);
 
-/// Calls `visit` once for every pair of a box of `first` and a box of `second` that touch, in no certain order.
-/// Sequences change their order. O(n log^3 n + pairs), by segment trees (Zomorodian and Edelsbrunner 2002).
-void forBoxPairs(std::vector<LatticeBox>& first, std::vector<LatticeBox>& second,
+/// Calls `visit` once for every pair of a box of `first` and a box of `second` that touch, in no certain order. O(n log
+/// n
+/// + pairs) where boxes of one size do not crowd (BoxTree).
+void forBoxPairs(const std::vector<NumberedBox>& first, const std::vector<NumberedBox>& second, const RunContext& context,
                  const std::function<void(Index, Index)>& visit);
 
 } // namespace atria

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Surface/Contacts.h"
 
-#include "Surface/BoxPairs.h"
+#include "Surface/BoxTree.h"
 #include "Surface/Crowds.h"
 #include "Surface/LatticeSegments.h"
 #include "Surface/Predicates.h"
 
 #include <Eigen/Geometry>
 
+#include <atomic>
 #include <cmath>
 #include <numeric>
 
@@ -319,46 +320,85 @@ private:
   Contacts out;
 };
 
+/// The search among some of the triangles.
+struct Search
+{
+  ContactFinder finder;
+  /// Pairs to look at once it is known that there are not too many.
+  std::vector<std::pair<Index, Index>> later;
+};
+
+/// Looks at pairs as they are met. Where boxes crowd pairs are counted first, as looking at them takes far longer.
+std::vector<Search> searchContacts(const TriangleSoup& soup, const BoxTree& tree, const std::vector<char>& changed,
+                                   double reach, const RunContext& context)
+{
+  constexpr std::size_t grain = 1024;
+  constexpr std::size_t manyEach = 200;
+  const bool all = std::ranges::find(changed, 0) == changed.end();
+  std::vector<Search> searches((tree.size() + grain - 1) / grain, Search{ContactFinder(soup, reach), {}});
+  std::atomic<std::size_t> seen{0};
+  context.executor.forEach(searches.size(), 1, [&](std::size_t piece) {
+    context.progress.check();
+    auto& [finder, later] = searches[piece];
+    std::vector<std::pair<Index, Index>> pairs;
+    for (std::size_t i = piece * grain; i < std::min((piece + 1) * grain, tree.size()); ++i)
+    {
+      const Index a = tree.box(i).id;
+      if (!changed[a])
+      {
+        continue;
+      }
+      finder.look(a);
+      std::size_t touching = 0;
+      // Two that are changed meet twice.
+      tree.eachTouching(tree.box(i), all ? i + 1 : 0, [&](std::size_t j) {
+        const Index b = tree.box(j).id;
+        if (j != i && (!changed[b] || j > i))
+        {
+          touching += changed[b] ? 2 : 1;
+          pairs.emplace_back(std::min(a, b), std::max(a, b));
+        }
+      });
+      refuseCrowds(seen += touching);
+      if (touching > manyEach)
+      {
+        later.insert(later.end(), pairs.begin(), pairs.end());
+      }
+      else
+      {
+        std::ranges::for_each(pairs, [&](const auto& pair) { finder.look(pair.first, pair.second); });
+      }
+      pairs.clear();
+    }
+  });
+  context.executor.forEach(searches.size(), 1, [&](std::size_t piece) {
+    auto& [finder, later] = searches[piece];
+    for (std::size_t i = 0; i < later.size(); ++i)
+    {
+      if (i % 4096 == 0)
+      {
+        context.progress.check();
+      }
+      finder.look(later[i].first, later[i].second);
+    }
+    later = {};
+  });
+  return searches;
+}
+
 } // namespace
 
 Contacts findContacts(const TriangleSoup& soup, const std::vector<char>& changed, std::int64_t reach,
                       const RunContext& context)
 {
-  std::vector<LatticeBox> all;
-  std::vector<LatticeBox> asking;
-  all.reserve(soup.triangles.size());
+  std::vector<NumberedBox> boxes(soup.triangles.size());
+  context.executor.forEach(boxes.size(), 4096,
+                           [&](std::size_t t) { boxes[t] = boxOf(soup, static_cast<Index>(t), reach); });
+  const BoxTree tree(std::move(boxes), context);
   ContactFinder finder(soup, static_cast<double>(reach));
-  for (Index t = 0; t < soup.triangles.size(); ++t)
+  for (const Search& search : searchContacts(soup, tree, changed, static_cast<double>(reach), context))
   {
-    all.push_back(boxOf(soup, t, reach));
-    if (changed[t])
-    {
-      asking.push_back(all.back());
-      finder.look(t);
-    }
-  }
-  std::vector<std::pair<Index, Index>> pairs;
-  std::size_t seen = 0;
-  forBoxPairs(asking, all, [&](Index a, Index b) {
-    refuseCrowds(++seen);
-    if (a < b || !changed[b]) // two that are changed meet twice
-    {
-      pairs.push_back(std::minmax(a, b));
-    }
-  });
-  context.progress.check();
-  constexpr std::size_t grain = 4096;
-  std::vector<ContactFinder> parts((pairs.size() + grain - 1) / grain, ContactFinder(soup, static_cast<double>(reach)));
-  context.executor.forEach(parts.size(), 1, [&](std::size_t part) {
-    context.progress.check();
-    for (std::size_t i = part * grain; i < std::min((part + 1) * grain, pairs.size()); ++i)
-    {
-      parts[part].look(pairs[i].first, pairs[i].second);
-    }
-  });
-  for (const ContactFinder& part : parts)
-  {
-    finder.append(part);
+    finder.append(search.finder);
   }
   return finder.take();
 }

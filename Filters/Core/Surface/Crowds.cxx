@@ -20,11 +20,10 @@ struct TooMany
 };
 
 /// How many boxes each box touches among every `step`th of them; empty where these are more than `limit` in all.
-std::vector<std::size_t> countTouching(const std::vector<LatticeBox>& boxes, std::size_t triangles, std::size_t step,
-                                       std::size_t limit)
+std::vector<std::size_t> countTouching(const std::vector<NumberedBox>& boxes, std::size_t triangles, std::size_t step,
+                                       std::size_t limit, const RunContext& context)
 {
-  std::vector<LatticeBox> all = boxes;
-  std::vector<LatticeBox> asking;
+  std::vector<NumberedBox> asking;
   for (std::size_t i = 0; i < boxes.size(); i += step)
   {
     asking.push_back(boxes[i]);
@@ -33,7 +32,7 @@ std::vector<std::size_t> countTouching(const std::vector<LatticeBox>& boxes, std
   std::size_t total = 0;
   try
   {
-    forBoxPairs(asking, all, [&](Index, Index b) {
+    forBoxPairs(asking, boxes, context, [&](Index, Index b) {
       ++counts[b];
       if (++total > limit)
       {
@@ -94,7 +93,7 @@ std::vector<char> findCrowds(const TriangleSoup& soup, std::int64_t margin, std:
   std::vector<char> isOut(soup.triangles.size(), 0);
   for (std::size_t allowed = limit;; allowed /= 2) // lower still where a sample did not show enough
   {
-    std::vector<LatticeBox> boxes;
+    std::vector<NumberedBox> boxes;
     for (Index t = 0; t < soup.triangles.size(); ++t)
     {
       if (!isOut[t])
@@ -104,12 +103,12 @@ std::vector<char> findCrowds(const TriangleSoup& soup, std::int64_t margin, std:
     }
     // Pairs are seen from both sides. A sample is counted where all would be too many.
     std::size_t step = 1;
-    std::vector<std::size_t> counts = countTouching(boxes, isOut.size(), step, 2 * limit);
+    std::vector<std::size_t> counts = countTouching(boxes, isOut.size(), step, 2 * limit, context);
     while (counts.empty() && !boxes.empty())
     {
       context.progress.check();
       step *= coarser;
-      counts = countTouching(boxes, isOut.size(), step, 2 * limit);
+      counts = countTouching(boxes, isOut.size(), step, 2 * limit, context);
     }
     if (step == 1)
     {
@@ -119,7 +118,7 @@ std::vector<char> findCrowds(const TriangleSoup& soup, std::int64_t margin, std:
     {
       // Not even among those that the samples saw: the later half goes.
       std::for_each(boxes.begin() + static_cast<std::ptrdiff_t>(boxes.size() / 2), boxes.end(),
-                    [&](const LatticeBox& box) { isOut[box.id] = 1; });
+                    [&](const NumberedBox& box) { isOut[box.id] = 1; });
       continue;
     }
     std::transform(counts.begin(), counts.end(), counts.begin(), [&](std::size_t count) { return count * step; });

@@ -14,7 +14,7 @@ namespace atria {
 
 /// Marks triangles to leave out, so that of the others no more than `limit` pairs have boxes, `margin` wider on every
 /// side, that touch. Those that touch most go first, of equals the last. None are marked where there are fewer pairs.
-/// The limit should be well above ten times the number of triangles. O(n log^3 n + limit).
+/// The limit should be well above ten times the number of triangles. O(n log n + limit).
 std::vector<char> findCrowds(const TriangleSoup& soup, std::int64_t margin, std::size_t limit,
                              const RunContext& context);
 

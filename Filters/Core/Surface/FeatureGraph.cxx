@@ -2,6 +2,7 @@
 #include "Surface/FeatureGraph.h"
 
 #include "Support/UnionFind.h"
+#include "Surface/TriangleSoup.h"
 
 #include <algorithm>
 #include <cmath>
@@ -27,18 +28,10 @@ std::vector<EdgeUse> edgeUses(const SurfaceModel& model)
 {
   std::vector<EdgeUse> uses;
   uses.reserve(3 * model.triangles.size());
-  for (Index t = 0; t < model.triangles.size(); ++t)
+  for (const SoupEdgeUse& use : sortedEdgeUses(model.triangles, model.points.size()))
   {
-    for (int i = 0; i < 3; ++i)
-    {
-      const Index p = model.triangles[t][i];
-      const Index q = model.triangles[t][(i + 1) % 3];
-      uses.push_back({std::min(p, q), std::max(p, q), t, p < q});
-    }
+    uses.push_back({use.edge.first, use.edge.second, use.triangle, use.forward});
   }
-  std::sort(uses.begin(), uses.end(), [](const EdgeUse& l, const EdgeUse& r) {
-    return std::tie(l.a, l.b, l.triangle) < std::tie(r.a, r.b, r.triangle);
-  });
   return uses;
 }
 

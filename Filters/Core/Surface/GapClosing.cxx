@@ -2,12 +2,13 @@
 #include "Surface/GapClosing.h"
 
 #include "Support/UnionFind.h"
-#include "Surface/BoxPairs.h"
+#include "Surface/BoxTree.h"
 #include "Surface/Crowds.h"
 #include "Surface/Distance.h"
 
 #include <Eigen/Geometry>
 
+#include <atomic>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -103,8 +104,13 @@ public:
   GapCloser(TriangleSoup& soup_, const GridFrame& frame_, double tolerance_, const std::vector<Index>& parts_,
             const std::vector<LatticePoint>& start_)
       : soup(soup_), frame(frame_), tolerance(tolerance_), parts(parts_), start(start_), fans(soup),
-        rims(rimEnds(soup)), fixed(soup.points.size(), 0), partOf(soup.points.size(), noIndex)
+        rims(rimEnds(soup)), fixed(soup.points.size(), 0), partOf(soup.points.size(), noIndex),
+        hasRim(soup.points.size(), 0)
   {
+    for (const RimEnd& rim : rims)
+    {
+      hasRim[rim.point] = 1;
+    }
     for (Index t = 0; t < soup.triangles.size(); ++t)
     {
       for (const Index p : soup.triangles[t])
@@ -115,9 +121,9 @@ public:
   }
 
   /// Points that were moved.
-  std::vector<Index> run()
+  std::vector<Index> run(const RunContext& context)
   {
-    findPairs();
+    findPairs(context);
     std::sort(gaps.begin(), gaps.end());
     std::vector<Index> moved;
     for (const Gap& gap : gaps)
@@ -160,37 +166,87 @@ private:
   }
   std::span<const RimEnd> rimsAt(Index p) const
   {
+    if (!hasRim[p])
+    {
+      return {};
+    }
     const auto before = [](const RimEnd& l, const RimEnd& r) { return l.point < r.point; };
     const auto range = std::equal_range(rims.begin(), rims.end(), RimEnd{p, 0, 0}, before);
     return {range.first, range.second};
   }
 
-  void findPairs()
+  /// What a search among some of the points finds.
+  struct Found
   {
+    std::vector<Gap> gaps;
+    std::vector<Gap> foreignGaps;
+    /// Points with the parts they lie on without having a corner there.
+    std::vector<std::pair<Index, Index>> touches;
+  };
+
+  void findPairs(const RunContext& context)
+  {
+    const std::vector<Index> places = movablePoints();
+    if (places.empty())
+    {
+      return;
+    }
+    constexpr std::size_t grain = 1024;
     const auto margin = static_cast<std::int64_t>(std::ceil(tolerance));
-    std::vector<LatticeBox> boxes;
-    std::vector<LatticeBox> places;
-    const auto base = static_cast<Index>(soup.triangles.size());
-    for (Index t = 0; t < base; ++t)
-    {
-      boxes.push_back(boxOf(soup, t, margin));
-    }
-    for (Index p = 0; p < soup.points.size(); ++p)
-    {
-      if (used(p))
+    std::vector<NumberedBox> boxes(soup.triangles.size());
+    context.executor.forEach(boxes.size(), grain,
+                             [&](std::size_t t) { boxes[t] = boxOf(soup, static_cast<Index>(t), margin); });
+    const BoxTree tree(std::move(boxes), context);
+    std::vector<Found> searches((places.size() + grain - 1) / grain);
+    std::atomic<std::size_t> pairs{0};
+    context.executor.forEach(searches.size(), 1, [&](std::size_t part) {
+      context.progress.check();
+      for (std::size_t i = part * grain; i < std::min((part + 1) * grain, places.size()); ++i)
       {
-        places.push_back({soup.points[p], soup.points[p], base + p});
+        const Index p = places[i];
+        std::size_t touching = 0;
+        tree.eachTouching({soup.points[p], soup.points[p], noIndex}, 0, [&](std::size_t place) {
+          const Index t = tree.box(place).id;
+          if (hasRim[p] || isForeign(p, t))
+          {
+            ++touching;
+            consider(p, t, searches[part]);
+          }
+        });
+        refuseCrowds(pairs += touching);
       }
-    }
-    std::size_t pairs = 0;
-    forBoxPairs(places, boxes, [&](Index place, Index t) {
-      refuseCrowds(++pairs);
-      consider(place - base, t);
     });
-    addForeignGaps();
+    Found all;
+    for (const Found& part : searches)
+    {
+      gaps.insert(gaps.end(), part.gaps.begin(), part.gaps.end());
+      all.foreignGaps.insert(all.foreignGaps.end(), part.foreignGaps.begin(), part.foreignGaps.end());
+      all.touches.insert(all.touches.end(), part.touches.begin(), part.touches.end());
+    }
+    addForeignGaps(all);
   }
 
-  void consider(Index p, Index t)
+  /// Points at free edges, and all where there are several parts: no others are moved.
+  std::vector<Index> movablePoints() const
+  {
+    const Index first = soup.triangles.empty() ? noIndex : partOfTriangle(0);
+    bool several = false;
+    for (Index t = 0; t < soup.triangles.size() && !several; ++t)
+    {
+      several = partOfTriangle(t) != first;
+    }
+    std::vector<Index> points;
+    for (Index p = 0; p < soup.points.size(); ++p)
+    {
+      if (used(p) && (several || hasRim[p]))
+      {
+        points.push_back(p);
+      }
+    }
+    return points;
+  }
+
+  void consider(Index p, Index t, Found& found) const
   {
     if (contains(soup.triangles[t], p))
     {
@@ -198,7 +254,7 @@ private:
     }
     if (offsetTo(p, t).norm() <= there)
     {
-      touches.emplace_back(p, partOfTriangle(t));
+      found.touches.emplace_back(p, partOfTriangle(t));
       return;
     }
     const std::optional<Target> target = targetOf(p, t);
@@ -207,22 +263,23 @@ private:
       return;
     }
     const bool foreign = isForeign(p, t);
-    if (isAhead(p, between(soup.points[p], target->place)) || (!rimsAt(p).empty() && !hangsTogether(p, t)))
+    if (isAhead(p, between(soup.points[p], target->place)) || (hasRim[p] && !hangsTogether(p, t)))
     {
-      gaps.push_back({!(foreign && partOf[p] < partOfTriangle(t)), target->kind, target->distance, p, t});
+      found.gaps.push_back({!(foreign && partOf[p] < partOfTriangle(t)), target->kind, target->distance, p, t});
     }
     else if (foreign)
     {
-      foreignGaps.push_back({partOf[p] > partOfTriangle(t), target->kind, target->distance, p, t});
+      found.foreignGaps.push_back({partOf[p] > partOfTriangle(t), target->kind, target->distance, p, t});
     }
   }
 
   /// What touches another part already is done, but for its free edges.
-  void addForeignGaps()
+  void addForeignGaps(Found& found)
   {
-    std::sort(touches.begin(), touches.end());
-    std::copy_if(foreignGaps.begin(), foreignGaps.end(), std::back_inserter(gaps), [&](const Gap& gap) {
-      return !std::binary_search(touches.begin(), touches.end(), std::pair(gap.point, partOfTriangle(gap.triangle)));
+    std::sort(found.touches.begin(), found.touches.end());
+    std::copy_if(found.foreignGaps.begin(), found.foreignGaps.end(), std::back_inserter(gaps), [&](const Gap& gap) {
+      return !std::binary_search(found.touches.begin(), found.touches.end(),
+                                 std::pair(gap.point, partOfTriangle(gap.triangle)));
     });
   }
 
@@ -407,10 +464,9 @@ private:
   std::vector<char> fixed;
   /// Per point, the smallest of the parts it belongs to.
   std::vector<Index> partOf;
+  /// Per point, whether it is at a free edge.
+  std::vector<char> hasRim;
   std::vector<Gap> gaps;
-  std::vector<Gap> foreignGaps;
-  /// Points with the parts they lie on without having a corner there.
-  std::vector<std::pair<Index, Index>> touches;
 };
 
 } // namespace
@@ -455,12 +511,13 @@ std::vector<Index> partsOf(const TriangleSoup& soup)
 }
 
 std::vector<char> closeGaps(TriangleSoup& soup, const GridFrame& frame, double tolerance,
-                            const std::vector<Index>& parts, const std::vector<LatticePoint>& start)
+                            const std::vector<Index>& parts, const std::vector<LatticePoint>& start,
+                            const RunContext& context)
 {
   std::vector<char> isMoved(soup.points.size(), 0);
   if (tolerance >= 1.0)
   {
-    for (const Index p : GapCloser(soup, frame, tolerance, parts, start).run())
+    for (const Index p : GapCloser(soup, frame, tolerance, parts, start).run(context))
     {
       isMoved[p] = 1;
     }

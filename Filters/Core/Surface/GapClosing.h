@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Support/RunContext.h"
 #include "Surface/TriangleSoup.h"
 
 #include <cstddef>
@@ -23,9 +24,10 @@ std::vector<Index> partsOf(const TriangleSoup& soup);
 /// tolerance, so that details stay. A move is left out that would take a point off a side of the domain it lies on, or
 /// by more than twice the tolerance from its place in `start`, or turn a triangle by more than 60 degrees out of its
 /// plane, or leave one without area that has a free edge, but for those between the point and what it moves onto.
-/// Points only move: triangles are not cut. Returns for each point whether it was moved. O(n log^3 n + pairs of points
-/// and triangles that are near).
+/// Points only move: triangles are not cut. Returns for each point whether it was moved. O(n log n + pairs of
+/// triangles and points near them that are at free edges or of another part).
 std::vector<char> closeGaps(TriangleSoup& soup, const GridFrame& frame, double tolerance,
-                            const std::vector<Index>& parts, const std::vector<LatticePoint>& start);
+                            const std::vector<Index>& parts, const std::vector<LatticePoint>& start,
+                            const RunContext& context);
 
 } // namespace atria

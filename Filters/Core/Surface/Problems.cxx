@@ -370,7 +370,7 @@ private:
     autorefine(soup, {}, context.part(0.7, 0.9));
     leaveOut(findCrowds(soup, margin, maximumPairs(), context)); // the pieces are more
     const std::vector<LatticePoint> start = soup.points;
-    const std::vector<char> isMoved = closeGaps(soup, frame, tolerance, parts, start);
+    const std::vector<char> isMoved = closeGaps(soup, frame, tolerance, parts, start, context);
     SurfacesAtPoints atPoints;
     for (std::size_t i = 0; i < soup.triangles.size(); ++i)
     {

@@ -46,7 +46,7 @@ struct ProblemOptions
 
 /// Finds what may be wrong with a model, by kind, each in the order of its first triangles. Points are one where
 /// placesOf() with a step of placeStep() says so. Nothing of it keeps a model from being meshed. Throws Error for a
-/// model without extent, Aborted on demand. O(n log^3 n + pairs of triangles whose boxes touch), of which there is a
+/// model without extent, Aborted on demand. O(n log n + pairs of triangles whose boxes touch), of which there is a
 /// limit: where thousands of triangles lie upon each other, the first of them stand for all.
 std::vector<Problem> findProblems(const TriangleSurface& surface, const ProblemOptions& options,
                                   const RunContext& context);

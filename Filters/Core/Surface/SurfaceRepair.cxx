@@ -61,7 +61,7 @@ void closeAllGaps(TriangleSoup& soup, const GridFrame& frame, double tolerance, 
   for (int pass = 0; pass < maximumPasses; ++pass)
   {
     context.progress.check();
-    const std::vector<char> isMoved = closeGaps(soup, frame, tolerance, parts, start);
+    const std::vector<char> isMoved = closeGaps(soup, frame, tolerance, parts, start, context);
     if (std::find(isMoved.begin(), isMoved.end(), 1) == isMoved.end())
     {
       break;

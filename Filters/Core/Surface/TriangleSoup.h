@@ -5,6 +5,7 @@
 #include "Domain/GridFrame.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -58,7 +59,8 @@ struct SoupEdgeUse
   bool forward;
 };
 
-/// All uses, sorted by edge and then by triangle. O(n log n).
+/// All uses, sorted by edge and then by triangle. O(n), but for points at which many edges meet.
+std::vector<SoupEdgeUse> sortedEdgeUses(std::span<const std::array<Index, 3>> triangles, std::size_t pointCount);
 std::vector<SoupEdgeUse> sortedEdgeUses(const TriangleSoup& soup);
 
 } // namespace atria

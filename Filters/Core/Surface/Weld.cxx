@@ -2,44 +2,30 @@
 #include "Surface/Weld.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstdlib>
-#include <unordered_map>
 
 namespace atria {
 
 namespace {
-
-struct BinHash
-{
-  std::size_t operator()(const LatticePoint& bin) const
-  {
-    std::uint64_t hash = 0;
-    for (const std::int64_t c : bin)
-    {
-      hash = (hash ^ static_cast<std::uint64_t>(c)) * 0x9E3779B97F4A7C15ull;
-      hash ^= hash >> 29;
-    }
-    return hash;
-  }
-};
 
 bool within(const LatticePoint& a, const LatticePoint& b, std::int64_t distance)
 {
   return std::abs(a[0] - b[0]) <= distance && std::abs(a[1] - b[1]) <= distance && std::abs(a[2] - b[2]) <= distance;
 }
 
-std::int64_t floorDivide(std::int64_t value, std::int64_t by)
-{
-  return value >= 0 ? value / by : -((-value + by - 1) / by);
-}
-
-/// Kept points by bin. Bins are wide against the distance, so that nearly always one bin has to be searched.
+/// Kept points by bin, in a hash table with linear probing. Bins are wide against the distance, so that nearly always
+/// one has to be searched.
 class Bins
 {
 public:
-  explicit Bins(std::int64_t reach) : distance(reach), width(std::max<std::int64_t>(16 * reach, 1)) {}
+  Bins(std::span<const LatticePoint> points_, std::int64_t reach)
+      : points(points_), distance(reach), shift(std::bit_width(static_cast<std::uint64_t>(16 * reach))),
+        heads(std::bit_ceil(2 * points_.size() + 1), noIndex), next(points_.size(), noIndex)
+  {
+  }
 
-  Index find(std::span<const LatticePoint> points, const LatticePoint& p) const
+  Index find(const LatticePoint& p) const
   {
     const LatticePoint low = binOf({p[0] - distance, p[1] - distance, p[2] - distance});
     const LatticePoint high = binOf({p[0] + distance, p[1] + distance, p[2] + distance});
@@ -50,35 +36,50 @@ public:
       {
         for (std::int64_t x = low[0]; x <= high[0]; ++x)
         {
-          best = std::min(best, findInBin(points, {x, y, z}, p));
+          best = std::min(best, findInBin({x, y, z}, p));
         }
       }
     }
     return best;
   }
 
-  void add(const LatticePoint& p, Index id)
+  void add(Index id)
   {
-    const auto [head, isNew] = heads.try_emplace(binOf(p), id);
-    next.resize(std::max<std::size_t>(next.size(), id + 1), noIndex);
-    if (!isNew)
+    Index& head = heads[slotOf(binOf(points[id]))];
+    if (head == noIndex)
     {
-      next[id] = head->second;
-      head->second = id;
+      head = id;
+      return;
     }
+    next[id] = next[head];
+    next[head] = id;
   }
 
 private:
-  LatticePoint binOf(const LatticePoint& p) const
+  LatticePoint binOf(const LatticePoint& p) const { return {p[0] >> shift, p[1] >> shift, p[2] >> shift}; }
+
+  /// Of the bin, or a free one.
+  std::size_t slotOf(const LatticePoint& bin) const
   {
-    return {floorDivide(p[0], width), floorDivide(p[1], width), floorDivide(p[2], width)};
+    std::uint64_t hash = 0;
+    for (const std::int64_t c : bin)
+    {
+      hash = (hash ^ static_cast<std::uint64_t>(c)) * 0x9E3779B97F4A7C15ull;
+      hash ^= hash >> 29;
+    }
+    const std::size_t mask = heads.size() - 1;
+    std::size_t slot = hash & mask;
+    while (heads[slot] != noIndex && binOf(points[heads[slot]]) != bin)
+    {
+      slot = (slot + 1) & mask;
+    }
+    return slot;
   }
 
-  Index findInBin(std::span<const LatticePoint> points, const LatticePoint& bin, const LatticePoint& p) const
+  Index findInBin(const LatticePoint& bin, const LatticePoint& p) const
   {
     Index best = noIndex;
-    const auto head = heads.find(bin);
-    for (Index i = head == heads.end() ? noIndex : head->second; i != noIndex; i = next[i])
+    for (Index i = heads[slotOf(bin)]; i != noIndex; i = next[i])
     {
       if (within(points[i], p, distance))
       {
@@ -88,9 +89,10 @@ private:
     return best;
   }
 
+  std::span<const LatticePoint> points;
   std::int64_t distance;
-  std::int64_t width;
-  std::unordered_map<LatticePoint, Index, BinHash> heads;
+  int shift;
+  std::vector<Index> heads;
   std::vector<Index> next;
 };
 
@@ -99,14 +101,14 @@ private:
 std::vector<Index> weldPoints(std::span<const LatticePoint> points, std::int64_t distance)
 {
   std::vector<Index> representative(points.size());
-  Bins bins(distance);
+  Bins bins(points, distance);
   for (Index i = 0; i < points.size(); ++i)
   {
-    const Index found = bins.find(points, points[i]);
+    const Index found = bins.find(points[i]);
     representative[i] = found == noIndex ? i : found;
     if (found == noIndex)
     {
-      bins.add(points[i], i);
+      bins.add(i);
     }
   }
   return representative;

@@ -4,6 +4,7 @@
 /// Usage: benchmark_mesh MODEL SIZE_MAX SIZE_MID SIZE_MIN [LAYERS [THREADS [SITE]]]
 /// THREADS 0 is all cores; without SITE the domain is the model's bounds. Prints one object of JSON.
 #include "MemoryPeak.h"
+#include "Support/Memory.h"
 #include "vtkAtriaDualMesher.h"
 #include "vtkAtriaModelReader.h"
 #include "vtkAtriaVRMLReader.h"
@@ -110,6 +111,7 @@ int main(int argc, char* argv[])
     std::fprintf(stderr, "usage: %s MODEL SIZE_MAX SIZE_MID SIZE_MIN [LAYERS [THREADS [SITE]]]\n", argv[0]);
     return 2;
   }
+  atria::keepFreedMemory();
   useThreads(argc > 6 ? std::atoi(argv[6]) : 0);
   const auto start = std::chrono::steady_clock::now();
   Phases phases;

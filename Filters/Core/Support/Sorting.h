@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Support/RunContext.h"
+
+#include <algorithm>
+#include <functional>
+#include <vector>
+
+namespace atria {
+
+/// Sorts on all threads, by pieces that are then merged. Of entries that compare equal the order may be any: what is to
+/// be the same for any number of threads must not depend on it.
+template <typename T, typename Less> void sortOnThreads(std::vector<T>& list, const RunContext& context, Less less)
+{
+  constexpr std::size_t leastPiece = 16384;
+  std::size_t length = list.size();
+  for (int halvings = 0; halvings < 6 && context.executor.threads() >> halvings > 0 && length > leastPiece; ++halvings)
+  {
+    length = (length + 1) / 2;
+  }
+  const auto at = [&](std::size_t i) { return list.begin() + static_cast<std::ptrdiff_t>(std::min(i, list.size())); };
+  const std::size_t pieces = length == 0 ? 0 : (list.size() + length - 1) / length;
+  context.executor.forEach(pieces, 1, [&](std::size_t i) { std::sort(at(i * length), at((i + 1) * length), less); });
+  context.progress.check();
+  for (; length < list.size(); length *= 2)
+  {
+    context.executor.forEach((list.size() + 2 * length - 1) / (2 * length), 1, [&](std::size_t i) {
+      std::inplace_merge(at(2 * i * length), at((2 * i + 1) * length), at((2 * i + 2) * length), less);
+    });
+    context.progress.check();
+  }
+}
+
+template <typename T> void sortOnThreads(std::vector<T>& list, const RunContext& context)
+{
+  sortOnThreads(list, context, std::less<>());
+}
+
+} // namespace atria
