@@ -40,6 +40,8 @@ void declareLayerOptions(CLI::App& command, LayerOptions& options)
   vtkNew<vtkAtriaDualMesher> filter;
   options.firstHeight = filter->GetFirstLayerHeight();
   options.growth = filter->GetLayerGrowth();
+  options.nonOrthogonality = filter->GetTargetNonOrthogonality();
+  options.skewness = filter->GetTargetSkewness();
   command
       .add_option("--layers", options.layers,
                   "Layers of elements on all surfaces, or on those whose name matches the pattern (* and ? stand for "
@@ -54,12 +56,24 @@ void declareLayerOptions(CLI::App& command, LayerOptions& options)
       ->capture_default_str()
       ->check(CLI::Range(filter->GetLayerGrowthMinValue(), filter->GetLayerGrowthMaxValue()))
       ->type_name("X");
+  command
+      .add_option("--non-orthogonality", options.nonOrthogonality,
+                  "What hexahedra at smooth walls should have at most, degrees; less takes longer")
+      ->capture_default_str()
+      ->check(CLI::Range(filter->GetTargetNonOrthogonalityMinValue(), filter->GetTargetNonOrthogonalityMaxValue()))
+      ->type_name("DEG");
+  command.add_option("--skewness", options.skewness, "Skewness that they should have at most")
+      ->capture_default_str()
+      ->check(CLI::Range(filter->GetTargetSkewnessMinValue(), filter->GetTargetSkewnessMaxValue()))
+      ->type_name("X");
 }
 
 void configureLayers(vtkAtriaDualMesher* mesher, const LayerOptions& options)
 {
   mesher->SetFirstLayerHeight(options.firstHeight);
   mesher->SetLayerGrowth(options.growth);
+  mesher->SetTargetNonOrthogonality(options.nonOrthogonality);
+  mesher->SetTargetSkewness(options.skewness);
   for (const std::string& text : options.layers)
   {
     const auto equals = text.rfind('=');

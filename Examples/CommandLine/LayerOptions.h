@@ -18,6 +18,8 @@ struct LayerOptions
   std::vector<std::string> layers; ///< N or PATTERN=N[:FIRST[:GROWTH]]
   double firstHeight = 0.0;
   double growth = 0.0;
+  double nonOrthogonality = 0.0;
+  double skewness = 0.0;
 };
 
 void declareLayerOptions(CLI::App& command, LayerOptions& options);

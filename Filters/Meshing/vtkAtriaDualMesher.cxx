@@ -106,7 +106,9 @@ atria::Octree rebuildOctree(vtkDataObject* data, const atria::GridInput& input, 
 
 } // namespace
 
-vtkAtriaDualMesher::vtkAtriaDualMesher() : CrackTolerance(atria::DualMeshOptions{}.crackTolerance)
+vtkAtriaDualMesher::vtkAtriaDualMesher()
+    : TargetNonOrthogonality(atria::SmoothWallTargets{}.nonOrthogonality),
+      TargetSkewness(atria::SmoothWallTargets{}.skewness), CrackTolerance(atria::DualMeshOptions{}.crackTolerance)
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(3);
@@ -310,6 +312,7 @@ int vtkAtriaDualMesher::RequestData(vtkInformation*, vtkInformationVector** inpu
     options.seeds = toCore(this->SeedPoints);
     options.sealedSeeds = toCore(this->SealedSeedPoints);
     options.layers = layerRulesOf(*this);
+    options.smoothWalls = {this->TargetNonOrthogonality, this->TargetSkewness};
     options.crackTolerance = this->CrackTolerance;
     const atria::DualMeshResult result = atria::makeDualMesh(octree, model, options, clock, context.part(0.4, 0.9));
     context.progress.report(0.9, "Converting elements");
@@ -346,6 +349,8 @@ void vtkAtriaDualMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ZoneRule: " << this->ZoneRule << "\n";
   os << indent << "NumberOfSeeds: " << this->SeedPoints.size() << "\n";
   printPoints(this->SeedPoints, os, indent);
+  os << indent << "TargetNonOrthogonality: " << this->TargetNonOrthogonality << "\n";
+  os << indent << "TargetSkewness: " << this->TargetSkewness << "\n";
   os << indent << "CrackTolerance: " << this->CrackTolerance << "\n";
   os << indent << "NumberOfSealedSeeds: " << this->SealedSeedPoints.size() << "\n";
   printPoints(this->SealedSeedPoints, os, indent);

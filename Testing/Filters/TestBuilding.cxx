@@ -2,6 +2,7 @@
 /// The example building, 4,188 m2 of sheets with 62 m2 of openings, at 1 to 8 m: what its mesh keeps.
 #include "CheckWritten.h"
 #include "Domain/Domain.h"
+#include "Layer/LayerWalls.h"
 #include "Support/FeatureChecks.h"
 #include "Support/Shapes.h"
 #include "Support/TestPaths.h"
@@ -227,6 +228,24 @@ INSTANTIATE_TEST_SUITE_P(AlignedAndTurned, Building,
                          });
 
 /// Degrees and the number of layers.
+/// Share of the area of the building's walls on which elements of all layers stand; they may taper off to an edge.
+double shareWithAll(const Meshed& meshed, int layers)
+{
+  const DualMesh& mesh = meshed.mesh();
+  double all = 0.0, area = 0.0;
+  for (std::size_t f = 0; f < meshed.result.layers.counts.size(); ++f)
+  {
+    const BoundaryFace& face = mesh.boundaryFaces[f];
+    if (face.tag < meshed.model.names.size() && meshed.model.names[face.tag] != "Site")
+    {
+      const double own = wallNormal(mesh, face).norm();
+      area += own;
+      all += meshed.result.layers.counts[f] == layers ? own : 0.0;
+    }
+  }
+  return all / area;
+}
+
 class LayeredBuilding : public ::testing::TestWithParam<std::tuple<double, int>>
 {
 };
@@ -250,6 +269,7 @@ TEST_P(LayeredBuilding, PassesAllOfCheckMesh)
     area += report.area;
   }
   EXPECT_GE(covered / area, 0.98);
+  EXPECT_GE(shareWithAll(meshed, layers), 0.98);
   const CheckMeshReport report = checkAsWritten(meshed);
   EXPECT_THAT(report.failures, ::testing::IsEmpty());
   EXPECT_EQ(report.failedChecks, 0);

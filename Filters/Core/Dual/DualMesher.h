@@ -6,6 +6,7 @@
 #include "Dual/Leaks.h"
 #include "Dual/Zones.h"
 #include "Layer/LayerCoverage.h"
+#include "Optimise/QualityTargets.h"
 #include "Support/StageClock.h"
 
 namespace atria {
@@ -20,6 +21,8 @@ struct DualMeshOptions
   /// Layers of elements on walls. Elements at the boundary are made valid, too, also by a rule that asks for no layers;
   /// without rules the mesh is the dual as it is.
   std::vector<LayerRule> layers = {};
+  /// Where walls have a layer.
+  SmoothWallTargets smoothWalls = {};
   /// Cracks beside rims that are no wider than this part of the octants there are closed; 0 closes none. Wider ones are
   /// open where an edge of the grid passes.
   double crackTolerance = 0.5;

@@ -26,7 +26,7 @@ void DualImprover::splitPoints()
   }
 }
 
-void DualImprover::growLayers(const std::vector<LayerRule>& rules)
+void DualImprover::growLayers(const std::vector<LayerRule>& rules, const SmoothWallTargets& smoothWalls)
 {
   if (rules.empty())
   {
@@ -39,7 +39,7 @@ void DualImprover::growLayers(const std::vector<LayerRule>& rules)
   DualMesh plain = std::move(mesh_);
   const LayerWalls walls = findLayerWalls(plain, options, context_);
   LayerImprover improver(octree_, model_, tree_, anchors_, vertexOf_, plain, walls, options, context_);
-  LayerMesh layer = improver.run();
+  LayerMesh layer = improver.run(smoothWalls);
   if (most > 1)
   {
     layer = improver.divide(layer);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Optimise/LayerImprover.h"
 
+#include "Optimise/LayerCells.h"
 #include "Optimise/LayerGuide.h"
 
 #include <algorithm>
@@ -10,20 +11,10 @@ namespace atria {
 
 namespace {
 
-/// Elements below this share of a target are no better than not valid.
-constexpr float soundEnough = 0.02F;
 /// Of the targets, what elements keep when points are put back where the model wants them.
 constexpr double leastPutBack = 0.3;
 /// What hexahedra of a uniform mesh should have.
 constexpr double goodJacobian = 0.6;
-
-/// Those of the layer, too.
-std::vector<char> pointsToJudge(const LayerMesh& layer)
-{
-  std::vector<char> marked = boundaryPoints(layer.mesh);
-  std::fill(marked.begin() + layer.plainPoints, marked.end(), 1);
-  return marked;
-}
 
 /// Puts the copies of a layer where they are in another one of the same mesh, but for those of `fresh` points.
 void takeCopies(const LayerMesh& from, const std::vector<char>& fresh, LayerMesh& to)
@@ -35,70 +26,6 @@ void takeCopies(const LayerMesh& from, const std::vector<char>& fresh, LayerMesh
       to.mesh.points[to.copies[p]] = from.mesh.points[from.copies[p]];
     }
   }
-}
-
-std::vector<ShortCell> badOf(const std::vector<ShortCell>& cells)
-{
-  std::vector<ShortCell> bad;
-  std::ranges::copy_if(cells, std::back_inserter(bad), [](const ShortCell& cell) { return cell.worst < soundEnough; });
-  return bad;
-}
-
-/// Marks the points of cells, or those of the wall that they stand above.
-void markPoints(const LayerMesh& layer, const std::vector<ShortCell>& cells, std::vector<char>& marked)
-{
-  for (const ShortCell& cell : cells)
-  {
-    for (const Index p : layer.mesh.corners[cell.cell])
-    {
-      marked[layer.wallPointOf(p)] = 1;
-    }
-  }
-}
-
-/// Takes a layer away at the points of cells that have several; where they have different numbers, at those with more.
-void lower(const LayerMesh& layer, const std::vector<ShortCell>& cells, std::vector<Index>& counts)
-{
-  std::vector<char> marked(counts.size(), 0);
-  for (const ShortCell& cell : cells)
-  {
-    const auto countOf = [&](Index p) { return counts[layer.wallPointOf(p)]; };
-    const auto [fewest, most] = std::ranges::minmax(layer.mesh.corners[cell.cell], {}, countOf);
-    for (const Index p : layer.mesh.corners[cell.cell])
-    {
-      marked[layer.wallPointOf(p)] |= countOf(p) > countOf(fewest) || countOf(fewest) == countOf(most) ? 1 : 0;
-    }
-  }
-  for (Index p = 0; p < counts.size(); ++p)
-  {
-    counts[p] = marked[p] && counts[p] > 1 ? counts[p] - 1 : counts[p];
-  }
-}
-
-/// Marks the points of a layer that are, or are of a face with one, above points of the wall whose counts differ.
-std::vector<char> pointsChanged(const DualMesh& plain, const LayerMesh& layer, const std::vector<Index>& before,
-                                const std::vector<Index>& after)
-{
-  std::vector<char> about(before.size(), 0);
-  for (const Index f : layer.wallFaces)
-  {
-    bool changed = false;
-    for (int i = 0; i < 4; ++i)
-    {
-      const Index p = cornerOf(plain, plain.boundaryFaces[f], i);
-      changed = changed || before[p] != after[p];
-    }
-    for (int i = 0; i < 4 && changed; ++i)
-    {
-      about[cornerOf(plain, plain.boundaryFaces[f], i)] = 1;
-    }
-  }
-  std::vector<char> marked(layer.mesh.points.size());
-  for (Index p = 0; p < marked.size(); ++p)
-  {
-    marked[p] = about[layer.wallPointOf(p)];
-  }
-  return marked;
 }
 
 } // namespace
@@ -133,6 +60,7 @@ LayerImprover::LayerImprover(const Octree& octree, const SurfaceModel& model, Tr
       plain_(plain), walls_(walls), options_(options), context_(context),
       layered_(std::ranges::any_of(options.ofTag, [](const WallLayers& wall) { return wall.layers > 0; })),
       hasHeights_(std::ranges::any_of(options.ofTag, [](const WallLayers& wall) { return wall.firstHeight > 0.0; })),
+      divided_(std::ranges::any_of(options.ofTag, [](const WallLayers& wall) { return wall.layers > 1; })),
       uniform_(std::ranges::adjacent_find(plain.levels, std::not_equal_to()) == plain.levels.end()),
       leaders_(vertexOf.size()), mayLeave_(vertexOf.size(), 1), letGo_(vertexOf.size(), 0),
       excluded_(vertexOf.size(), 0), suspect_(vertexOf.size(), 0)
@@ -180,7 +108,7 @@ QualityTargets LayerImprover::targets() const
   return targets;
 }
 
-LayerMesh LayerImprover::run()
+LayerMesh LayerImprover::run(const SmoothWallTargets& smoothWalls)
 {
   grow();
   mend(improve(improve(findAll(), 1), 1));
@@ -190,28 +118,11 @@ LayerMesh LayerImprover::run()
     mend(findAll());
     keepThoseAway();
   }
-  return std::move(layer_);
-}
-
-LayerMesh LayerImprover::divide(const LayerMesh& one) const
-{
-  std::vector<Index> counts = layersWanted(plain_, walls_, one, options_);
-  limitSteps(plain_, one, counts);
-  LayerMesh divided = divideLayer(plain_, walls_, one, options_, counts);
-  std::vector<char> toJudge = pointsToJudge(divided);
-  for (;;)
+  if (layered_ && !hasHeights_ && !divided_)
   {
-    context_.progress.check();
-    const std::vector<Index> before = counts;
-    lower(divided, badOf(findShortCells(DualSource(divided.mesh), toJudge, targets(), context_)), counts);
-    if (counts == before)
-    {
-      return divided;
-    }
-    limitSteps(plain_, one, counts);
-    divided = divideLayer(plain_, walls_, one, options_, counts);
-    toJudge = pointsChanged(plain_, divided, before, counts);
+    smooth(smoothWalls);
   }
+  return std::move(layer_);
 }
 
 void LayerImprover::grow()
@@ -232,14 +143,18 @@ std::vector<ShortCell> LayerImprover::findAll() const
   return findShortCells(DualSource(layer_.mesh), marked, targets(), context_);
 }
 
-std::vector<ShortCell> LayerImprover::improve(const std::vector<ShortCell>& cells, int rings)
+std::vector<ShortCell> LayerImprover::move(const std::vector<ShortCell>& cells, const OptimiserOptions& options)
 {
   Guides guides(*this);
+  return optimise(DualSource(layer_.mesh), layer_.mesh.points, cells, guides.layer, options, context_);
+}
+
+std::vector<ShortCell> LayerImprover::improve(const std::vector<ShortCell>& cells, int rings)
+{
   OptimiserOptions options;
   options.targets = targets();
   options.rings = rings;
-  const std::vector<ShortCell> left =
-      optimise(DualSource(layer_.mesh), layer_.mesh.points, cells, guides.layer, options, context_);
+  std::vector<ShortCell> left = move(cells, options);
   markPoints(layer_, left, suspect_);
   return left;
 }

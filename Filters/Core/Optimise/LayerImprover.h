@@ -7,6 +7,8 @@
 #include "Optimise/ModelGuide.h"
 #include "Optimise/Optimiser.h"
 
+#include <optional>
+
 namespace atria {
 
 /// A vertex that is not where the model wants it, as no element would be valid there otherwise.
@@ -29,8 +31,8 @@ public:
                 const LayerWalls& walls, const LayerOptions& options, const RunContext& context);
 
   /// Without layers asked for, the plain mesh made valid; its elements may be concave then.
-  LayerMesh run();
-  /// Divides the layer into those asked for; fewer at points where elements would not be valid, and about them.
+  LayerMesh run(const SmoothWallTargets& smoothWalls);
+  /// Divides the layer into those asked for; fewer at points where elements would not be valid.
   LayerMesh divide(const LayerMesh& one) const;
   /// Those that did not get back, in rising order of points.
   const std::vector<ReleasedVertex>& released() const { return released_; }
@@ -49,7 +51,19 @@ private:
   void exclude(const std::vector<ShortCell>& bad);
   void putBack();
   void keepThoseAway();
+  void smooth(const SmoothWallTargets& wanted);
+  void thicken();
+  bool isSmooth(Index cell) const;
+  std::vector<Index> smoothPoints(const std::vector<ShortCell>& shortCells) const;
+  std::optional<LayerMesh> divideAndImprove(const LayerMesh& given) const;
+  LayerMesh divideEvenly(const LayerMesh& one) const;
+  std::vector<ShortCell> improveDivided(LayerMesh& divided, const std::vector<ShortCell>& cells,
+                                        const std::vector<char>& held) const;
+  void restore(const LayerMesh& given, const LayerMesh& divided, const std::vector<ShortCell>& bad,
+               const std::vector<Index>& counts, LayerMesh& one, std::vector<char>& held,
+               std::vector<char>& changed) const;
   std::vector<WantedPlace> wantedPlaces() const;
+  std::vector<ShortCell> move(const std::vector<ShortCell>& cells, const OptimiserOptions& options);
   std::vector<ShortCell> improve(const std::vector<ShortCell>& cells, int rings);
   std::vector<ShortCell> findAll() const;
   template <typename Visit> void eachLeaderOf(const std::vector<ShortCell>& cells, Visit&& visit) const;
@@ -68,6 +82,7 @@ private:
   const RunContext& context_;
   bool layered_;
   bool hasHeights_;
+  bool divided_;
   /// Whether all octants at elements are of one size, so that these are hexahedra.
   bool uniform_;
   LayerMesh layer_;

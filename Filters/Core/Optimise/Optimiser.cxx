@@ -81,7 +81,7 @@ public:
   Sweeper(Judge& qualities, const VertexGuide& vertexGuide, const OptimiserOptions& optimiserOptions,
           const RunContext& runContext)
       : judge(qualities), region(qualities.region()), guide(vertexGuide), options(optimiserOptions),
-        context(runContext), colours(colourPoints(region)), trust(region.movable.size(), 0.1),
+        context(runContext), colours(colourPoints(region)), trust(region.movable.size(), options.firstReach),
         awake(region.movable.size(), 1), failures(region.movable.size(), 0)
   {
     findNeighbours();
@@ -95,7 +95,8 @@ public:
   std::size_t sweep()
   {
     std::vector<char> moved(region.movable.size(), 0);
-    const SearchRules rules{options.keepWorst ? &floor : nullptr, options.tryMiddle};
+    const SearchRules rules{options.keepWorst ? &floor : nullptr, options.tryMiddle, options.leastPenalty,
+                            options.leastGain};
     for (std::size_t c = 0; c + 1 < colours.offsets.size(); ++c)
     {
       const std::size_t begin = colours.offsets[c];

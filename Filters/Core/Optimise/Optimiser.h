@@ -26,6 +26,11 @@ struct OptimiserOptions
   bool tellProgress = false;
   /// Whether points of bad cells are tried in the middle of the points about them first.
   bool tryMiddle = false;
+  /// Points whose cells have less of a penalty stay, and those that would lose less than this share of it.
+  double leastPenalty = 1e-4;
+  double leastGain = 0.01;
+  /// How far a point is moved at first, as a part of the cells' size.
+  double firstReach = 0.1;
 };
 
 /// A cell that falls short of some target, and its least measure: 0 at the limit of what is valid.

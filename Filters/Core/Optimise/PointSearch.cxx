@@ -12,9 +12,6 @@ namespace {
 
 constexpr double difference = 1e-3; ///< of the cells' size, for derivatives
 constexpr double mostTrust = 0.5;
-constexpr double leastGain = 0.01;
-/// Not worth a search.
-constexpr double leastPenalty = 1e-4;
 constexpr int tries = 4;
 /// Of measures that are nothing but rounding.
 constexpr double noise = 1e-6;
@@ -33,7 +30,7 @@ Score PointSearch::scoreAt(const Vec3& p, double enough)
 
 bool PointSearch::isBetter(const Score& there, const Score& now) const
 {
-  return there.penalty < now.penalty * (1.0 - leastGain) &&
+  return there.penalty < now.penalty * (1.0 - rules_.leastGain) &&
          (there.worst >= now.worst - noise || there.worst >= 1.0 || now.worst < badAnyway) && noMetricIsWorse();
 }
 
@@ -74,7 +71,7 @@ PointSearch::Outcome PointSearch::improve(Index movable, double& trust)
   }
   judge.enter(movable, star);
   const Score now = judge.scoreOf(star);
-  if (now.penalty < leastPenalty)
+  if (now.penalty < rules_.leastPenalty)
   {
     return Outcome::good;
   }
@@ -91,7 +88,7 @@ PointSearch::Outcome PointSearch::improve(Index movable, double& trust)
   }
   const Step step = gaussNewtonStep(trust * star.size);
   double scale = 1.0;
-  for (int i = 0; i < tries && step.gain > leastGain * now.penalty; ++i, scale *= 0.4)
+  for (int i = 0; i < tries && step.gain > rules_.leastGain * now.penalty; ++i, scale *= 0.4)
   {
     if (moveIfBetter(origin + scale * step.way, now))
     {

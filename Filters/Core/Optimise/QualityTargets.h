@@ -26,6 +26,15 @@ struct QualityRange
   QualityRange beyond(double share) const { return {limit, target + share * (target - limit)}; }
 };
 
+/// What hexahedra on smooth walls, away from creases and rims, are to have; the less, the longer it takes.
+struct SmoothWallTargets
+{
+  /// Degrees, greater than 0 and below 90.
+  double nonOrthogonality = 30.0;
+  /// OpenFOAM's, greater than 0.
+  double skewness = 0.75;
+};
+
 /// What good cells have. The limits leave a little room to those of OpenFOAM's checkMesh. See Judge for the measures.
 struct QualityTargets
 {

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Optimise/LayerCells.h"
+
+#include <algorithm>
+
+namespace atria {
+
+std::vector<ShortCell> badOf(const std::vector<ShortCell>& cells)
+{
+  std::vector<ShortCell> bad;
+  std::ranges::copy_if(cells, std::back_inserter(bad), [](const ShortCell& cell) { return cell.worst < soundEnough; });
+  return bad;
+}
+
+std::vector<char> pointsToJudge(const LayerMesh& layer)
+{
+  std::vector<char> marked = boundaryPoints(layer.mesh);
+  std::fill(marked.begin() + layer.plainPoints, marked.end(), 1);
+  return marked;
+}
+
+void markPoints(const LayerMesh& layer, const std::vector<ShortCell>& cells, std::vector<char>& marked)
+{
+  for (const ShortCell& cell : cells)
+  {
+    for (const Index p : layer.mesh.corners[cell.cell])
+    {
+      marked[layer.wallPointOf(p)] = 1;
+    }
+  }
+}
+
+} // namespace atria

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Cells and points of a mesh with a layer that the stages of LayerImprover look at.
+#pragma once
+
+#include "Layer/LayerTopology.h"
+#include "Optimise/Optimiser.h"
+
+namespace atria {
+
+/// Cells below this share of a target are no better than not valid.
+inline constexpr float soundEnough = 0.02F;
+
+std::vector<ShortCell> badOf(const std::vector<ShortCell>& cells);
+
+/// Those on the boundary, and those of the layer.
+std::vector<char> pointsToJudge(const LayerMesh& layer);
+
+/// Marks the points of cells, or those of the wall that they stand above.
+void markPoints(const LayerMesh& layer, const std::vector<ShortCell>& cells, std::vector<char>& marked);
+
+} // namespace atria
