@@ -190,6 +190,8 @@ std::vector<Index> pointsOf(const TriangleSoup& soup, const Contacts& contacts)
 /// Where a round finds more than half of what the one before did, points at its contacts become one within a distance
 /// that grows by this factor.
 constexpr std::int64_t loosening = 4;
+/// It grows up to this many times the largest reach.
+constexpr std::int64_t widest = 16;
 /// Cuts that find more again and again are not at an end of their own where contacts are more than this part of the
 /// triangles.
 constexpr double dense = 0.05;
@@ -225,7 +227,7 @@ public:
       addNewPoints(soup, contacts, weldDistance);
       if (slow)
       {
-        width = std::max(width, std::min(loosening * width, weldReaches * options.largestReach));
+        width = std::max(width, std::min(loosening * width, widest * options.largestReach));
         knots = pointsOf(soup, contacts);
       }
       alignNeedles(soup, contacts.edges);
