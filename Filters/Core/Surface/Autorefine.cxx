@@ -192,8 +192,8 @@ std::vector<Index> pointsOf(const TriangleSoup& soup, const Contacts& contacts)
 constexpr std::int64_t loosening = 4;
 /// It grows up to this many times the largest reach.
 constexpr std::int64_t widest = 16;
-/// Cuts that find more again and again are not at an end of their own where contacts are more than this part of the
-/// triangles.
+/// Where contacts are more than this part of the triangles and hardly get fewer, cuts only make more triangles of what
+/// lies closer together than the reach can tell apart.
 constexpr double dense = 0.05;
 
 /// Cuts in rounds, with one reach.
