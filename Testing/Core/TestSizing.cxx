@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Octree/BoxDistance.h"
-#include "Octree/Estimate.h"
 #include "Octree/GeometryLists.h"
-#include "Octree/Refinement.h"
-#include "Octree/SizeRules.h"
+#include "SizedOctree.h"
 #include "Support/Error.h"
-#include "Support/MeshIt.h"
 #include "Support/NamePattern.h"
-#include "Support/Shapes.h"
 
-#include <gmock/gmock.h>
+#include <gtest/gtest.h>
 
 #include <cmath>
 #include <map>
@@ -19,58 +15,8 @@ namespace {
 
 using namespace atria;
 using namespace atria::testing;
-using ::testing::AllOf;
-using ::testing::HasSubstr;
 
 constexpr double rounding = 1.0 + 1e-9;
-
-/// Model, frame and octree of one set of sizes.
-struct Sized
-{
-  GridFrame frame;
-  SurfaceModel model;
-  SizedOctants octants;
-  Octree octree;
-
-  std::size_t elements() const
-  {
-    const SerialExecutor executor;
-    SilentMonitor silent;
-    return countElements(octants.refined, frame, {executor, ProgressRange(silent)});
-  }
-};
-
-GridOptions gridOf(double length, double sizeMin, double sizeMid, double sizeMax)
-{
-  GridOptions grid;
-  grid.domain = {Vec3::Constant(-0.5 * length), Vec3::Constant(0.5 * length)};
-  grid.sizeMin = sizeMin;
-  grid.sizeMid = sizeMid;
-  grid.sizeMax = sizeMax;
-  grid.startLevel = 2;
-  return grid;
-}
-
-Sized sized(const TriangleSurface& surface, GridOptions grid, const SizingOptions& sizing, int threads = 1)
-{
-  const ThreadExecutor executor(threads);
-  SilentMonitor silent;
-  const RunContext context{executor, ProgressRange(silent)};
-  Box3 extent;
-  for (const Vec3& p : surface.points)
-  {
-    extent.extend(p);
-  }
-  Sized out;
-  grid.finestAsked = finestSizeOf(sizing);
-  out.frame = makeGridFrame(grid, extent);
-  out.model = makeSurfaceModel(surface, out.frame, {}, context);
-  out.octants = sizeOctants(out.model, out.frame, sizing, context);
-  out.octree = buildOctree(out.model, out.frame, out.octants, context);
-  return out;
-}
-
-double sizeOf(const Octree& octree, Index leaf) { return octree.frame().sizeOf(octree.level(leaf)); }
 
 LatticeBox boxOf(const Octree& octree, Index leaf)
 {
@@ -86,17 +32,6 @@ bool holdsSurface(const Sized& s, Index leaf, Index surface)
 }
 
 /// Calls `visit(leaf)` for leaves in the domain.
-template <typename Visit> void eachLeaf(const Octree& octree, Visit&& visit)
-{
-  for (Index leaf = 0; leaf < octree.leafCount(); ++leaf)
-  {
-    if (octree.inDomain(leaf))
-    {
-      visit(leaf);
-    }
-  }
-}
-
 Index leafAt(const Octree& octree, const Vec3& p) { return octree.leafAt(octree.frame().toLattice(p)); }
 
 /// Leaves that a line along `axis` through `p` passes between two coordinates.
@@ -113,14 +48,6 @@ int leavesAcross(const Octree& octree, Vec3 p, int axis, double from, double to)
     last = leaf;
   }
   return count;
-}
-
-TriangleSurface twoBoxes()
-{
-  TriangleSurface surface;
-  addBox(surface, "Wall north", {Vec3(-9.3, -6.1, -3.2), Vec3(-4.1, 5.2, 2.9)});
-  addBox(surface, "Detail", {Vec3(5.3, 1.1, 0.2), Vec3(7.7, 3.2, 1.9)});
-  return surface;
 }
 
 TEST(SizePatterns, StarsAndQuestionMarksStandForText)
@@ -430,19 +357,6 @@ TEST(Sizing, GapsDoNotGetFinerThanFeatures)
   eachLeaf(s.octree, [&](Index leaf) { EXPECT_TRUE(s.octree.center(leaf)[0] > 5.0 || sizeOf(s.octree, leaf) >= 0.5); });
 }
 
-/// All rules at once.
-SizingOptions everything()
-{
-  SizingOptions sizing;
-  sizing.surfaceSizes = {{"S*", 0.25, 0.125}};
-  sizing.boxes = {{{Vec3(-1, -1, -1), Vec3(1, 0.5, 1.5)}, 0.2}};
-  sizing.distanceSizes = {{"S0", 0.7, 0.3}};
-  sizing.curvatureAngle = 15.0;
-  sizing.cellsAcrossGap = 3;
-  sizing.cellsPerLevel = 2;
-  return sizing;
-}
-
 TEST(Sizing, GivesTheSameForAnyNumberOfThreads)
 {
   for (unsigned seed = 0; seed < 8; ++seed)
@@ -479,115 +393,6 @@ TEST(Sizing, AQuarterTurnChangesNoCount)
   {
     EXPECT_EQ(s.octants.refined[l].size(), t.octants.refined[l].size()) << "level " << l;
   }
-}
-
-TEST(Estimate, CountsExactlyWhatAMeshOfAllZonesHas)
-{
-  for (unsigned seed = 0; seed < 10; ++seed)
-  {
-    SCOPED_TRACE(seed);
-    const Sized s =
-        sized(randomSoup(seed), gridOf(8.0 + 0.37 * seed, 0.25, 0.5, 1.0), seed % 2 ? everything() : SizingOptions{});
-    const SerialExecutor executor;
-    SilentMonitor silent;
-    const RunContext context{executor, ProgressRange(silent)};
-    StageClock clock;
-    DualMeshOptions options;
-    options.zoneRule = ZoneRule::all;
-    const DualMeshResult result = makeDualMesh(s.octree, s.model, options, clock, context);
-    EXPECT_EQ(s.elements(), result.mesh.elementCount());
-    const MeshEstimate estimate =
-        estimateElements(s.model, s.frame, seed % 2 ? everything() : SizingOptions{}, context);
-    EXPECT_EQ(estimate.elements, result.mesh.elementCount());
-    std::vector<std::size_t> octants(estimate.octants.size(), 0);
-    eachLeaf(s.octree, [&](Index leaf) { ++octants[s.octree.level(leaf)]; });
-    EXPECT_EQ(estimate.octants, octants);
-  }
-}
-
-TEST(MaxElements, IsKeptToAndSaid)
-{
-  for (unsigned seed = 0; seed < 10; ++seed)
-  {
-    SCOPED_TRACE(seed);
-    const TriangleSurface soup = randomSoup(seed);
-    const GridOptions grid = gridOf(8.0, 0.25, 0.5, 1.0);
-    const std::size_t unlimited = sized(soup, grid, everything()).elements();
-    std::size_t before = 0;
-    for (const double part : {0.02, 0.1, 0.3, 0.7, 0.99, 1.0, 1.5})
-    {
-      SizingOptions sizing = everything();
-      sizing.maxElements = static_cast<std::size_t>(part * static_cast<double>(unlimited));
-      const Sized s = sized(soup, grid, sizing);
-      EXPECT_LE(s.elements(), sizing.maxElements);
-      EXPECT_GE(s.elements(), before) << "a higher limit gives no less";
-      EXPECT_EQ(s.elements() < unlimited, !s.octants.warning.empty());
-      EXPECT_TRUE(s.octants.warning.empty() ||
-                  s.octants.warning.find("MaxElements " + std::to_string(sizing.maxElements)) != std::string::npos);
-      before = s.elements();
-    }
-    EXPECT_EQ(before, unlimited);
-  }
-}
-
-TEST(MaxElements, FeaturesAreTheLastToGo)
-{
-  TriangleSurface surface;
-  addBox(surface, "Building", {Vec3(-3.1, -2.2, -4.1), Vec3(2.9, 3.3, 1.2)});
-  const GridOptions grid = gridOf(16.0, 0.25, 1.0, 2.0);
-  const std::size_t plain = sized(surface, grid, {}).elements();
-  SizingOptions sizing;
-  sizing.surfaceSizes = {{"Building", 0.25, 0.25}};
-  sizing.maxElements = plain + plain / 2;
-  const Sized s = sized(surface, grid, sizing);
-  EXPECT_THAT(s.octants.warning, HasSubstr("for feature curves"));
-  int curves = 0;
-  eachLeaf(s.octree, [&](Index leaf) {
-    const bool feature = s.octree.featureType(leaf) == FeatureType::curve;
-    curves += feature ? 1 : 0;
-    EXPECT_TRUE(!feature || sizeOf(s.octree, leaf) == 0.25);
-  });
-  EXPECT_GT(curves, 100);
-}
-
-template <typename Call> std::string errorOf(Call&& call)
-{
-  try
-  {
-    call();
-  }
-  catch (const Error& error)
-  {
-    return error.what();
-  }
-  return {};
-}
-
-TEST(SizingErrors, SayWhatIsWrong)
-{
-  const GridOptions grid = gridOf(24.0, 0.5, 1.0, 4.0);
-  const auto with = [&](auto&& change) {
-    return errorOf([&] {
-      SizingOptions sizing;
-      change(sizing);
-      sized(twoBoxes(), grid, sizing);
-    });
-  };
-  EXPECT_THAT(with([](auto& s) {
-                s.surfaceSizes = {{"Roof*", 1.0, {}}};
-              }),
-              AllOf(HasSubstr("'Roof*'"), HasSubstr("Wall north, Detail")));
-  EXPECT_THAT(with([](auto& s) { s.distanceSizes = {{"Roof", 1.0, 1.0}}; }), HasSubstr("'Roof'"));
-  EXPECT_THAT(with([](auto& s) { s.surfaceSizes = {{"*", 0.0, {}}}; }), HasSubstr("not positive"));
-  EXPECT_THAT(with([](auto& s) { s.distanceSizes = {{"*", -1.0, 1.0}}; }), HasSubstr("distance"));
-  EXPECT_THAT(with([](auto& s) { s.boxes = {{{Vec3::Constant(1.0), Vec3(2, 0, 2)}, 1.0}}; }), HasSubstr("min < max"));
-  EXPECT_THAT(with([](auto& s) {
-                s.boxes = {{{Vec3::Constant(50.0), Vec3::Constant(60.0)}, 1.0}};
-              }),
-              HasSubstr("outside of the domain"));
-  EXPECT_THAT(with([](auto& s) { s.maxElements = 10; }), AllOf(HasSubstr("MaxElements 10"), HasSubstr("StartLevel")));
-  EXPECT_THAT(with([](auto& s) { s.surfaceSizes = {{"*", 1e-9, {}}}; }), HasSubstr("finer size"));
-  EXPECT_THAT(with([](auto& s) { s.cellsPerLevel = 0; }), HasSubstr("cells of a level"));
 }
 
 } // namespace

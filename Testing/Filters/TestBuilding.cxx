@@ -101,15 +101,6 @@ protected:
     meshed = meshIt(surface, gridOf(surface, GetParam().sizeMid), {}, 2);
   }
 
-  static void skipTurnedFurther()
-  {
-    if (GetParam().turnedBy != 0.0)
-    {
-      GTEST_SKIP() << "not reached: where walls run along the octants' diagonals, up to 4 % of a surface has the name "
-                      "of the one beside it on one side";
-    }
-  }
-
   void record(const std::string& key, double value) { RecordProperty(key, std::to_string(value)); }
 
   TriangleSurface surface;
@@ -121,11 +112,6 @@ TEST_P(Building, AllRoomsAreOneZoneWithTheOpen) { EXPECT_EQ(meshed.result.keptZo
 
 TEST_P(Building, SheetsHaveTheirAreaOnBothSides)
 {
-  skipTurnedFurther();
-  if (IsSkipped())
-  {
-    return;
-  }
   double model = 0.0, front = 0.0, back = 0.0;
   for (const SurfaceArea& area : FeatureChecks(meshed).areas())
   {
@@ -199,11 +185,6 @@ TEST_P(Building, CurvesOfTheModelAreEdgesOfTheMesh)
 
 TEST_P(Building, WallsAreCoveredByFacesOfTheirName)
 {
-  skipTurnedFurther();
-  if (IsSkipped())
-  {
-    return;
-  }
   double worst = 1.0;
   for (const NameCoverage& name : FeatureChecks(meshed).names())
   {

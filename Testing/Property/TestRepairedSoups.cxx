@@ -56,7 +56,8 @@ TriangleSoup onLattice(const TriangleSurface& surface, const atria::GridFrame& f
 /// As the filters have it: 1e-5 of the finest octant.
 constexpr std::int64_t usualWeld = 10737;
 
-Repaired repair(TriangleSoup soup, const atria::GridFrame& frame, std::int64_t weldDistance = 0)
+Repaired repair(TriangleSoup soup, const atria::GridFrame& frame, std::int64_t weldDistance = 0,
+                double gapTolerance = 0.0)
 {
   Repaired out;
   out.soup = std::move(soup);
@@ -66,6 +67,7 @@ Repaired repair(TriangleSoup soup, const atria::GridFrame& frame, std::int64_t w
   }
   atria::SurfaceRepairOptions options;
   options.weldDistance = weldDistance;
+  options.gapTolerance = gapTolerance;
   const atria::SerialExecutor executor;
   atria::SilentMonitor silent;
   const atria::RunContext context{executor, atria::ProgressRange(silent)};
@@ -209,6 +211,52 @@ TEST(RepairedSoups, RandomBoxesSpheresAndSheetsMeetInCommonEdges)
       EXPECT_LE(deepestCut(out.soup), 2.0 * 4.0);
     }
   }
+}
+
+/// Bushes: leaves in fans hardly larger than the gaps that are closed, which rise a little from a floor and cross it.
+/// Triangles meet at small angles, and lose their width when points move.
+TriangleSurface bushes(unsigned seed, int count, double size)
+{
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> place(-3.0, 3.0);
+  std::uniform_real_distribution<double> part(0.2, 1.0);
+  std::uniform_real_distribution<double> rise(-0.15, 0.15);
+  TriangleSurface surface;
+  atria::testing::addSheet(surface, "Floor", {-4, -4, 0}, {8, 0, 0}, {0, 8, 0});
+  for (int i = 0; i < count; ++i)
+  {
+    const Vec3 at(place(random), place(random), size * rise(random));
+    std::vector<Vec3> points{at};
+    std::vector<std::array<Index, 3>> leaves;
+    for (Index j = 0; j < 5; ++j)
+    {
+      const double angle = 1.1 * j;
+      points.push_back(at + size * part(random) * Vec3(std::cos(angle), std::sin(angle), rise(random)));
+      if (j > 0)
+      {
+        leaves.push_back({0, j, j + 1});
+      }
+    }
+    atria::testing::addSurface(surface, "Bush", points, leaves);
+  }
+  return surface;
+}
+
+TEST(RepairedSoups, BushesAsFineAsGapsComeToAnEnd)
+{
+  const atria::GridFrame frame = cube(8.0);
+  const double tolerance = 0.05 * frame.finestSize / frame.latticeUnit();
+  const int seeds = runs(10, 100);
+  int resolved = 0;
+  for (int seed = 0; seed < seeds; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Repaired out = repair(onLattice(bushes(seed, 150, 0.3), frame), frame, usualWeld, tolerance);
+    EXPECT_GT(out.report.closedGaps, 20u);
+    EXPECT_LE(out.report.unresolvedContacts, 10u) << "of some ten thousand";
+    resolved += out.report.unresolvedContacts == 0 ? 1 : 0;
+  }
+  EXPECT_GE(10 * resolved, 9 * seeds);
 }
 
 TEST(RepairedSoups, RepairingTwiceChangesNothing)

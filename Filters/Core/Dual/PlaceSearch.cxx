@@ -3,9 +3,12 @@
 
 #include "Surface/Distance.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
 
 namespace atria {
 
@@ -88,7 +91,15 @@ public:
       grid.addCorners(leaf, grid.surplus(leaf) > mostSurplus ? left : dirty);
     }
     std::erase_if(dirty, [&](Index point) { return left.contains(point); });
-    for (int sweep = 0; sweep < mostSweeps && !dirty.empty(); ++sweep)
+    sweep(std::move(dirty));
+    sweep(turnAboutCurves());
+  }
+
+private:
+  /// Moves points one by one until nothing is gained.
+  void sweep(std::set<Index> dirty)
+  {
+    for (int round = 0; round < mostSweeps && !dirty.empty(); ++round)
     {
       for (const Index point : dirty)
       {
@@ -107,7 +118,123 @@ public:
     }
   }
 
-private:
+  /// Where sheets cross each other along the octants' diagonals, the corners of the octants about the curve lie on
+  /// them, and none finds a place alone: they are put about the curve together, and turned. Returns the points whose
+  /// costs they change.
+  std::set<Index> turnAboutCurves()
+  {
+    std::map<Index, std::set<Index>> leavesOf; // by feature edge
+    for (const Index leaf : grid.leavesInQuestion())
+    {
+      for (const ModelItem piece : grid.octree().items(leaf))
+      {
+        if (piece.kind == ModelItem::featureEdge && isCrossing(grid.model().featureEdges[piece.index]) &&
+            grid.surplus(leaf) <= mostSurplus)
+        {
+          leavesOf[piece.index].insert(leaf);
+        }
+      }
+    }
+    std::set<Index> changed;
+    for (const auto& [edge, leaves] : leavesOf)
+    {
+      context.progress.check();
+      if (turnAbout(grid.model().featureEdges[edge], leaves))
+      {
+        for (const Index leaf : leaves)
+        {
+          grid.addCorners(leaf, changed);
+        }
+      }
+    }
+    std::erase_if(changed, [&](Index point) { return left.contains(point); });
+    return changed;
+  }
+
+  bool isCrossing(const FeatureEdge& edge) const { return grid.model().curves[edge.curve].charts.size() > 3; }
+
+  using Places = std::vector<std::pair<Index, LatticePoint>>;
+
+  bool turnAbout(const FeatureEdge& edge, const std::set<Index>& leaves)
+  {
+    Places best;
+    double leastCost = -smallestGain;
+    for (const double angle : {0.0, 22.5, -22.5, 45.0, -45.0})
+    {
+      for (const double scale : {1.0, 0.7})
+      {
+        const Places turned = placesAbout(edge, leaves, angle, scale);
+        Places before;
+        double cost = 0.0;
+        for (const auto& [point, place] : turned)
+        {
+          before.emplace_back(point, grid.places().place(point));
+          cost += moved(point, place);
+        }
+        if (cost < leastCost)
+        {
+          leastCost = cost;
+          best = turned;
+        }
+        for (auto back = before.rbegin(); back != before.rend(); ++back)
+        {
+          grid.moveTo(back->first, back->second);
+        }
+      }
+    }
+    for (const auto& [point, place] : best)
+    {
+      grid.moveTo(point, place);
+    }
+    return !best.empty();
+  }
+
+  /// Moves the point; what the costs change by.
+  double moved(Index point, const LatticePoint& place)
+  {
+    const double before = costAt(point);
+    grid.moveTo(point, place);
+    return costAt(point) - before;
+  }
+
+  /// The corners of the leaves, moved such that the curve is in the middle, and turned about it.
+  Places placesAbout(const FeatureEdge& edge, const std::set<Index>& leaves, double angle, double scale) const
+  {
+    const Vec3 a = toVector(grid.model().points[edge.a]);
+    const Vec3 axis = (toVector(grid.model().points[edge.b]) - a).normalized();
+    const Eigen::AngleAxisd turn(angle * std::numbers::pi / 180.0, axis);
+    std::set<Index> seen;
+    Places places;
+    for (const Index leaf : leaves)
+    {
+      std::set<Index> corners;
+      grid.addCorners(leaf, corners);
+      Vec3 centre = Vec3::Zero();
+      for (const Index point : corners)
+      {
+        centre += toVector(grid.places().home(point)) / static_cast<double>(corners.size());
+      }
+      for (const Index point : corners)
+      {
+        if (left.contains(point) || grid.isBesideTurnedSide(point) || !seen.insert(point).second)
+        {
+          continue;
+        }
+        const Vec3 home = toVector(grid.places().home(point));
+        const Vec3 offset = home - centre;
+        const Vec3 across = offset - axis.dot(offset) * axis;
+        const auto reach = static_cast<std::int64_t>(farthestMove * static_cast<double>(grid.shortestEdge(point)));
+        Candidates one{grid.places().home(point), reach, {}};
+        one.add(a + axis.dot(home - a) * axis + scale * (turn * across));
+        if (!one.places.empty())
+        {
+          places.emplace_back(point, one.places.front());
+        }
+      }
+    }
+    return places;
+  }
+
   /// Moves points home with which less is in question there, the farthest first. Returns whether any was.
   bool sendHome()
   {

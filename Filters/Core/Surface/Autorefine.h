@@ -13,9 +13,9 @@ struct AutorefineOptions
 {
   /// A point this close to an edge or a triangle, in lattice units, lies on it. At least 3, as points are rounded.
   std::int64_t reach = 4;
-  /// Where ever more is found, all begins anew with a reach 64 times as wide, up to this.
+  /// Where contacts are many and hardly get fewer, all begins anew with this reach.
   std::int64_t largestReach = 4;
-  /// Rounds after which what is still found is left and counted; fewer where ever more is found.
+  /// Rounds after which what is still found is left and counted.
   int maximumRounds = 16;
 };
 
@@ -46,7 +46,8 @@ struct AutorefineReport
 /// they lie on are triangulated anew with these points, and with the segments that two triangles have in common as
 /// edges; points closer than the reach allows become one; of triangles with the same points the first is kept. New
 /// points are rounded to the lattice, which can make new contacts; the next round looks at the cut triangles only.
-/// Pieces take the place of their triangle, with its winding, surface and source. O(n log n) where little is cut.
+/// Where rounds find no less, the points at their contacts become one within an ever larger distance. Pieces take the
+/// place of their triangle, with its winding, surface and source. O(n log n) where little is cut.
 AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options, const RunContext& context);
 
 /// The same for a soup that was cut before and in which triangles marked in `changed` were changed since; goes on with

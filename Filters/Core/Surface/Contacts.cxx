@@ -16,6 +16,9 @@ namespace atria {
 
 namespace {
 
+/// Lattice units that points on two edges may be apart where both are rounded.
+constexpr double rounded = 3.0;
+
 /// One object a search.
 class ContactFinder
 {
@@ -51,7 +54,7 @@ public:
     const std::size_t before = out.edges.size() + out.faces.size();
     std::array<bool, 3> aTouches = touchCorners(first, second, a);
     std::array<bool, 3> bTouches = touchCorners(second, first, b);
-    cutEdges(first, second);
+    cutEdges(first, second, a, b);
     cutFace(first, second, a, aTouches);
     cutFace(second, first, b, bTouches);
     if (out.edges.size() + out.faces.size() != before)
@@ -192,7 +195,17 @@ private:
     return static_cast<Index>(soup.points.size() + out.newPoints.size() - 1);
   }
 
-  void cutEdges(Index first, Index second)
+  /// Whether edge i of a triangle passes through the plane of another in a definite point.
+  bool isSteep(Index t, int i, const Side& side) const
+  {
+    constexpr double slope = 0.02;
+    const double rise = side.distance[i] - side.distance[(i + 1) % 3];
+    return std::abs(rise) > slope * between(soup.corner(t, i), soup.corner(t, (i + 1) % 3)).norm();
+  }
+
+  /// Where triangles lie in one plane edges cut each other within the reach. Elsewhere cutFace tells where they meet:
+  /// near the line in which two planes meet at a small angle all edges are close to each other that do not.
+  void cutEdges(Index first, Index second, const Side& a, const Side& b)
   {
     for (int i = 0; i < 3; ++i)
     {
@@ -201,12 +214,13 @@ private:
         // The same two edges cut each other in the same point, whichever triangles are looked at.
         const EdgeKey e = edgeKey(soup.triangles[first], i);
         const EdgeKey f = edgeKey(soup.triangles[second], j);
-        cutEdge(std::min(e, f), std::max(e, f));
+        const bool isFlat = !isSteep(first, i, a) && !isSteep(second, j, b);
+        cutEdge(std::min(e, f), std::max(e, f), isFlat ? 2.0 * reach : rounded);
       }
     }
   }
 
-  void cutEdge(const EdgeKey& e, const EdgeKey& f)
+  void cutEdge(const EdgeKey& e, const EdgeKey& f, double apart)
   {
     if (e.first == f.first || e.first == f.second || e.second == f.first || e.second == f.second)
     {
@@ -226,8 +240,7 @@ private:
     }
     const LatticePoint p = partWay(a, b, ofA, ofA - ofB);
     const LatticePoint q = partWay(c, d, ofC, ofC - ofD);
-    if (between(p, q).squaredNorm() > 4.0 * reach * reach || liesOn(a, f) || liesOn(b, f) || liesOn(c, e) ||
-        liesOn(d, e))
+    if (between(p, q).squaredNorm() > apart * apart || liesOn(a, f) || liesOn(b, f) || liesOn(c, e) || liesOn(d, e))
     {
       return;
     }
