@@ -67,14 +67,12 @@ private:
     const std::vector<Vec3>& points = layer.mesh.points;
     Vec3 areaVector = wallNormal(layer.mesh, layer.mesh.boundaryFaces[f]);
     const double area = areaVector.norm();
-    Index least = noIndex;
     Index most = 0;
     double got = 0.0;
     double wanted = 0.0;
     for (int i = 0; i < reduced.count; ++i)
     {
       const Index p = reduced.points[i];
-      least = std::min(least, countAt(p));
       most = std::max(most, countAt(p));
       wanted += thicknessAsked(asked, sizes[p], options) / reduced.count;
       if (layer.copies[p] != noIndex && area > 0.0)
@@ -88,7 +86,7 @@ private:
     if (most > 0)
     {
       surface.layered += area;
-      surface.full += least >= static_cast<Index>(asked.layers) ? area : 0.0;
+      surface.full += most >= static_cast<Index>(asked.layers) ? area : 0.0;
       surface.thickness += wanted > 0.0 ? area * got / wanted : 0.0;
     }
   }

@@ -13,7 +13,7 @@ struct LayerCoverage
   /// What was asked for.
   int layers = 0;
   /// Area of its faces; of those on which elements of a layer stand, which may thin out to nothing at a corner or edge;
-  /// of those that have all layers at all corners. Square model units.
+  /// of those on which elements of all layers stand, which may taper off likewise. Square model units.
   double area = 0.0;
   double layered = 0.0;
   double full = 0.0;

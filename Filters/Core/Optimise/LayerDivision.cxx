@@ -178,7 +178,17 @@ std::vector<ShortCell> LayerImprover::improveDivided(LayerMesh& divided, const s
   options.leastPenalty = 0.01;
   options.leastGain = 0.02;
   options.firstReach = 0.2;
-  return optimise(DualSource(divided.mesh), divided.mesh.points, cells, guide, options, context_);
+  std::vector<ShortCell> left =
+      optimise(DualSource(divided.mesh), divided.mesh.points, cells, guide, options, context_);
+  // The few that are not get more room.
+  OptimiserOptions wider;
+  wider.targets = options.targets;
+  wider.rings = 2;
+  for (int i = 0; i < 2; ++i)
+  {
+    left = optimise(DualSource(divided.mesh), divided.mesh.points, badOf(left), guide, wider, context_);
+  }
+  return left;
 }
 
 /// What is bad with one layer at its points was good before it was improved: these points go back there, and stay.
