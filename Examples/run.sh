@@ -22,7 +22,7 @@ build/vtk/bin/atria mesh Examples/Data/house.wrl -o "$out/mesh.vtu" --patches "$
   --site Site --size-max 8 --size-mid 1 --size-min 1 || status=$?
 # 4: the mesh is written, and the report counts the elements that are not valid.
 [ "$status" -eq 0 ] || [ "$status" -eq 4 ] || exit "$status"
-xvfb-run -a -s "-screen 0 1280x900x24" \
+xvfb-run -a -s "-screen 0 1280x900x24 -noreset" \
   /usr/bin/python3 Examples/Python/picture.py "$out/mesh.vtu" "$out/patches.vtpc" "$out/house.png"
 echo "In $root/$out:"
 ls "$out"
