@@ -177,19 +177,18 @@ private:
     for (auto place = places.begin(); place != places.end(); ++place)
     {
       const auto hangsOn = [&](const Place& nearer) { return isOn(nearer.triangle, p, place->offset); };
-      if (place->triangle == rim || std::any_of(places.begin(), place, hangsOn))
+      const bool touches = place->distance <= touchRatio * size;
+      const bool isAhead = place->offset.dot(outward) >= aheadCosine * place->distance;
+      if (place->triangle == rim || !(touches || isAhead) || std::any_of(places.begin(), place, hangsOn))
       {
         continue; // what hangs together with this is nearer
       }
-      if (place->distance <= touchRatio * size)
+      if (touches)
       {
         return Vec3(Vec3::Zero());
       }
-      if (place->offset.dot(outward) >= aheadCosine * place->distance)
-      {
-        best = best && best->norm() <= place->distance ? *best : place->offset;
-        break;
-      }
+      best = best && best->norm() <= place->distance ? *best : place->offset;
+      break;
     }
     return best;
   }
