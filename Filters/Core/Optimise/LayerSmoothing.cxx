@@ -57,8 +57,8 @@ std::vector<Index> LayerImprover::smoothPoints(const std::vector<ShortCell>& sho
 /// Makes the layer thicker as far as no cell falls short by it.
 void LayerImprover::thicken()
 {
-  const std::vector<char> toJudge = pointsToJudge(layer_);
-  std::vector<Index> points = smoothPoints(findShortCells(DualSource(layer_.mesh), toJudge, targets(), context_));
+  std::vector<char> toJudge = pointsToJudge(layer_);
+  const std::vector<Index> points = smoothPoints(findShortCells(DualSource(layer_.mesh), toJudge, targets(), context_));
   std::vector<Vec3> before;
   for (const Index p : points)
   {
@@ -77,12 +77,15 @@ void LayerImprover::thicken()
     std::vector<char> back(layer_.plainPoints, round == rounds ? 1 : 0);
     markPoints(layer_, findShortCells(DualSource(layer_.mesh), toJudge, targets(), context_), back);
     bool changed = false;
+    // Cells at points that stay thick were judged.
+    std::fill(toJudge.begin(), toJudge.end(), 0);
     for (std::size_t i = 0; i < points.size(); ++i)
     {
       if (thick[points[i]] && back[points[i]])
       {
         layer_.mesh.points[layer_.copies[points[i]]] = before[i];
         thick[points[i]] = 0;
+        toJudge[layer_.copies[points[i]]] = 1;
         changed = true;
       }
     }
