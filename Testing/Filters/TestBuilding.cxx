@@ -3,6 +3,7 @@
 #include "CheckWritten.h"
 #include "Domain/Domain.h"
 #include "Layer/LayerWalls.h"
+#include "Support/DualMeshChecks.h"
 #include "Support/FeatureChecks.h"
 #include "Support/Shapes.h"
 #include "Support/TestPaths.h"
@@ -251,6 +252,8 @@ TEST_P(LayeredBuilding, PassesAllOfCheckMesh)
   }
   EXPECT_GE(covered / area, 0.98);
   EXPECT_GE(shareWithAll(meshed, layers), 0.98);
+  // The two sides of sheets stay together.
+  EXPECT_NEAR(totalVolume(meshed.mesh()) / siteDomain(surface, "Site").size().prod(), 1.0, 1e-9);
   const CheckMeshReport report = checkAsWritten(meshed);
   EXPECT_THAT(report.failures, ::testing::IsEmpty());
   EXPECT_EQ(report.failedChecks, 0);

@@ -196,14 +196,6 @@ void LayerImprover::restore(const LayerMesh& given, const LayerMesh& divided, co
                             const std::vector<Index>& counts, LayerMesh& one, std::vector<char>& held,
                             std::vector<char>& changed) const
 {
-  const auto hold = [&](Index p) {
-    held[p] = changed[p] = 1;
-    one.mesh.points[p] = given.mesh.points[p];
-    if (given.copies[p] != noIndex)
-    {
-      one.mesh.points[one.copies[p]] = given.mesh.points[given.copies[p]];
-    }
-  };
   std::vector<char> leads(one.plainPoints, 0);
   for (const ShortCell& cell : bad)
   {
@@ -216,11 +208,17 @@ void LayerImprover::restore(const LayerMesh& given, const LayerMesh& divided, co
       }
     }
   }
+  // The two sides of a sheet go together, whatever layers the other one has.
   for (Index p = 0; p < one.plainPoints; ++p)
   {
-    if (leads[leaders_[p]] && counts[p] <= 1)
+    if (leads[leaders_[p]])
     {
-      hold(p);
+      held[p] = changed[p] = 1;
+      one.mesh.points[p] = given.mesh.points[p];
+      if (given.copies[p] != noIndex)
+      {
+        one.mesh.points[one.copies[p]] = given.mesh.points[given.copies[p]];
+      }
     }
   }
 }

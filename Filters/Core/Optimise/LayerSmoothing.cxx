@@ -40,7 +40,10 @@ std::vector<Index> LayerImprover::smoothPoints(const std::vector<ShortCell>& sho
     const auto& corners = layer_.mesh.corners[e];
     if (std::ranges::any_of(corners, [&](Index p) { return layer_.isNew(p); }) && !isSmooth(e))
     {
-      markPoints(layer_, {{e, 0.0F}}, rough);
+      for (const Index p : corners)
+      {
+        rough[layer_.wallPointOf(p)] = 1;
+      }
     }
   }
   std::vector<Index> points;
@@ -59,37 +62,29 @@ void LayerImprover::thicken()
 {
   std::vector<char> toJudge = pointsToJudge(layer_);
   const std::vector<Index> points = smoothPoints(findShortCells(DualSource(layer_.mesh), toJudge, targets(), context_));
-  std::vector<Vec3> before;
+  std::vector<WantedPlace> thick; // where their copies were
   for (const Index p : points)
   {
     Vec3& copy = layer_.mesh.points[layer_.copies[p]];
-    before.push_back(copy);
+    thick.push_back({p, copy});
     copy = layer_.mesh.points[p] + thicker * (copy - layer_.mesh.points[p]);
-  }
-  std::vector<char> thick(layer_.plainPoints, 0);
-  for (const Index p : points)
-  {
-    thick[p] = 1;
   }
   constexpr int rounds = 10;
   for (int round = 0; round <= rounds; ++round)
   {
     std::vector<char> back(layer_.plainPoints, round == rounds ? 1 : 0);
     markPoints(layer_, findShortCells(DualSource(layer_.mesh), toJudge, targets(), context_), back);
-    bool changed = false;
     // Cells at points that stay thick were judged.
     std::fill(toJudge.begin(), toJudge.end(), 0);
-    for (std::size_t i = 0; i < points.size(); ++i)
-    {
-      if (thick[points[i]] && back[points[i]])
+    const std::size_t wentBack = std::erase_if(thick, [&](const WantedPlace& was) {
+      if (back[was.point])
       {
-        layer_.mesh.points[layer_.copies[points[i]]] = before[i];
-        thick[points[i]] = 0;
-        toJudge[layer_.copies[points[i]]] = 1;
-        changed = true;
+        layer_.mesh.points[layer_.copies[was.point]] = was.place;
+        toJudge[layer_.copies[was.point]] = 1;
       }
-    }
-    if (!changed)
+      return back[was.point] != 0;
+    });
+    if (wentBack == 0)
     {
       return;
     }
