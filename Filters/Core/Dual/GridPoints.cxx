@@ -300,7 +300,7 @@ std::vector<Region> tasksOf(const Octree& octree, int level)
   return tasks;
 }
 
-/// Of the eight lowest.
+/// Of the eight lowest. std::popcount is a call where the processor need not have an instruction for it.
 Index bitsIn(unsigned bits)
 {
   bits = (bits & 0x55u) + (bits >> 1 & 0x55u);

@@ -40,10 +40,6 @@ void DualImprover::growLayers(const std::vector<LayerRule>& rules, const SmoothW
   const LayerWalls walls = findLayerWalls(plain, options, context_);
   LayerImprover improver(octree_, model_, tree_, anchors_, vertexOf_, plain, walls, options, context_);
   LayerMesh layer = improver.run(smoothWalls);
-  if (most > 1)
-  {
-    layer = improver.divide(layer);
-  }
   if (most > 0)
   {
     result_.layers = reportLayers(plain, walls, layer, options, model_.names);

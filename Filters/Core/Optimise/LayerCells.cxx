@@ -19,6 +19,17 @@ std::vector<char> pointsToJudge(const LayerMesh& layer)
   return marked;
 }
 
+void takeCopies(const LayerMesh& from, const std::vector<char>& but, LayerMesh& to)
+{
+  for (Index p = 0; p < to.plainPoints; ++p)
+  {
+    if (to.copies[p] != noIndex && from.copies[p] != noIndex && !but[p])
+    {
+      to.mesh.points[to.copies[p]] = from.mesh.points[from.copies[p]];
+    }
+  }
+}
+
 void markPoints(const LayerMesh& layer, const std::vector<ShortCell>& cells, std::vector<char>& marked)
 {
   for (const ShortCell& cell : cells)

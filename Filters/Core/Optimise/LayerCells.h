@@ -15,6 +15,10 @@ std::vector<ShortCell> badOf(const std::vector<ShortCell>& cells);
 /// Those on the boundary, and those of the layer.
 std::vector<char> pointsToJudge(const LayerMesh& layer);
 
+/// Puts the copies of a layer where they are in another one of the same mesh, the outermost where there are several,
+/// but for those above points of the wall marked in `but`.
+void takeCopies(const LayerMesh& from, const std::vector<char>& but, LayerMesh& to);
+
 /// Marks the points of cells, or those of the wall that they stand above.
 void markPoints(const LayerMesh& layer, const std::vector<ShortCell>& cells, std::vector<char>& marked);
 

@@ -60,19 +60,6 @@ std::vector<char> pointsChanged(const DualMesh& plain, const LayerMesh& layer, c
   return marked;
 }
 
-/// Takes over the plain points and the outermost ones.
-void takeOutermost(const LayerMesh& from, LayerMesh& one)
-{
-  std::copy_n(from.mesh.points.begin(), from.plainPoints, one.mesh.points.begin());
-  for (Index p = 0; p < from.plainPoints; ++p)
-  {
-    if (one.copies[p] != noIndex && from.copies[p] != noIndex)
-    {
-      one.mesh.points[one.copies[p]] = from.mesh.points[from.copies[p]];
-    }
-  }
-}
-
 /// Takes over the points of chains that are as long as before and not held.
 void takeChains(const LayerMesh& from, const std::vector<char>& held, LayerMesh& to)
 {
@@ -145,7 +132,8 @@ std::optional<LayerMesh> LayerImprover::divideAndImprove(const LayerMesh& given)
     {
       return divided;
     }
-    takeOutermost(divided, one);
+    std::copy_n(divided.mesh.points.begin(), one.plainPoints, one.mesh.points.begin());
+    takeCopies(divided, held, one);
     const std::vector<Index> before = counts;
     lower(divided, bad, counts);
     std::vector<char> changed(one.plainPoints, 0);

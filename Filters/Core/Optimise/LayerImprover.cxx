@@ -16,18 +16,6 @@ constexpr double leastPutBack = 0.3;
 /// What hexahedra of a uniform mesh should have.
 constexpr double goodJacobian = 0.6;
 
-/// Puts the copies of a layer where they are in another one of the same mesh, but for those of `fresh` points.
-void takeCopies(const LayerMesh& from, const std::vector<char>& fresh, LayerMesh& to)
-{
-  for (Index p = 0; p < to.plainPoints; ++p)
-  {
-    if (to.copies[p] != noIndex && from.copies[p] != noIndex && !fresh[p])
-    {
-      to.mesh.points[to.copies[p]] = from.mesh.points[from.copies[p]];
-    }
-  }
-}
-
 } // namespace
 
 enum class LayerImprover::Step : std::uint8_t
@@ -118,7 +106,11 @@ LayerMesh LayerImprover::run(const SmoothWallTargets& smoothWalls)
     mend(findAll());
     keepThoseAway();
   }
-  if (layered_ && !hasHeights_ && !divided_)
+  if (divided_)
+  {
+    return divide(layer_);
+  }
+  if (layered_ && !hasHeights_)
   {
     smooth(smoothWalls);
   }

@@ -30,10 +30,9 @@ public:
                 const VertexAnchors& anchors, const std::vector<Index>& vertexOf, DualMesh& plain,
                 const LayerWalls& walls, const LayerOptions& options, const RunContext& context);
 
-  /// Without layers asked for, the plain mesh made valid; its elements may be concave then.
+  /// The layers asked for; fewer at points where elements would not be valid. Without any asked for, the plain mesh
+  /// made valid; its elements may be concave then.
   LayerMesh run(const SmoothWallTargets& smoothWalls);
-  /// Divides the layer into those asked for; fewer at points where elements would not be valid.
-  LayerMesh divide(const LayerMesh& one) const;
   /// Those that did not get back, in rising order of points.
   const std::vector<ReleasedVertex>& released() const { return released_; }
 
@@ -55,6 +54,7 @@ private:
   void thicken();
   bool isSmooth(Index cell) const;
   std::vector<Index> smoothPoints(const std::vector<ShortCell>& shortCells) const;
+  LayerMesh divide(const LayerMesh& one) const;
   std::optional<LayerMesh> divideAndImprove(const LayerMesh& given) const;
   LayerMesh divideEvenly(const LayerMesh& one) const;
   std::vector<ShortCell> improveDivided(LayerMesh& divided, const std::vector<ShortCell>& cells,
@@ -82,6 +82,7 @@ private:
   const RunContext& context_;
   bool layered_;
   bool hasHeights_;
+  /// Whether there are several layers somewhere.
   bool divided_;
   /// Whether all octants at elements are of one size, so that these are hexahedra.
   bool uniform_;

@@ -15,9 +15,9 @@ struct SearchRules
   const LeastMetrics* floor = nullptr;
   /// Whether a point of bad cells is tried in the middle of the points about it first.
   bool tryMiddle = false;
-  /// As in OptimiserOptions.
-  double leastPenalty = 1e-4;
-  double leastGain = 0.01;
+  /// See OptimiserOptions, which have the defaults.
+  double leastPenalty = 0.0;
+  double leastGain = 0.0;
 };
 
 /// Looks for a better place for one point at a time.
