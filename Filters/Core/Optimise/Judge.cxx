@@ -388,7 +388,7 @@ template <typename Sink> void Judge::judgeFace(Index face, Sink& score) const
   const Vec3 d = other.centroid - own.centroid;
   if (!isAbove(f.normal.dot(d), targets_.faceCosine.target, d))
   {
-    score.add(targets_.faceCosine.of(f.normal.dot(d) / (d.norm() + tiny)));
+    score.add(targets_.faceCosine.of(f.normal.dot(d) / (d.norm() + tiny)), targets_.leastOfFaceCosine);
   }
   else
   {

@@ -13,6 +13,8 @@ namespace {
 
 /// Of the targets, what elements keep when points are put back where the model wants them.
 constexpr double leastPutBack = 0.3;
+/// The least cosine of non-orthogonality they keep, 65 degrees: solvers need corrections beyond it.
+constexpr double leastFaceCosine = 0.4226;
 /// What hexahedra of a uniform mesh should have.
 constexpr double goodJacobian = 0.6;
 
@@ -108,12 +110,18 @@ LayerMesh LayerImprover::run(const SmoothWallTargets& smoothWalls)
   }
   if (divided_)
   {
-    return divide(layer_);
+    LayerMesh divided = divide(layer_);
+    if (!hasHeights_)
+    {
+      straightenDivided(divided);
+    }
+    return divided;
   }
   if (layered_ && !hasHeights_)
   {
     smooth(smoothWalls);
   }
+  straighten();
   return std::move(layer_);
 }
 
@@ -235,6 +243,16 @@ void LayerImprover::leaveSurface(Index leader, double reach)
   anchors_.leashes.try_emplace(vertex, Leash{layer_.mesh.points[leader], 0.0}).first->second.reach = reach * size;
 }
 
+/// Lets the points of cells leave their curves, and their surfaces by `reach`.
+void LayerImprover::release(const std::vector<ShortCell>& cells, double reach)
+{
+  eachLeaderOf(cells, [&](Index leader) {
+    letGo_[leader] = 1;
+    leaveCurve(leader);
+    leaveSurface(leader, reach);
+  });
+}
+
 /// Takes the points of cells towards the centres of their octants.
 void LayerImprover::startAgain(const std::vector<ShortCell>& bad, double share)
 {
@@ -305,11 +323,14 @@ void LayerImprover::putBack()
 {
   constexpr int passes = 6;
   std::ranges::sort(left_, {}, &WantedPlace::point);
+  QualityTargets wanted = targets();
+  QualityRange& cosine = wanted.faceCosine;
+  cosine.limit = (leastFaceCosine - leastPutBack * cosine.target) / (1.0 - leastPutBack);
   for (int pass = 0; pass < passes && !left_.empty(); ++pass)
   {
     context_.progress.check();
     const std::vector<ShortCell> cells = approach(DualSource(layer_.mesh), layer_.mesh.points, wantedPlaces(),
-                                                  Guides(*this).layer, leastPutBack, targets(), context_);
+                                                  Guides(*this).layer, leastPutBack, wanted, context_);
     const std::size_t before = left_.size();
     keepThoseAway();
     if (before == left_.size() || pass + 1 == passes)

@@ -39,12 +39,14 @@ public:
 private:
   struct Guides;
   enum class Step : std::uint8_t;
+  struct OrthogonalityStage;
 
   void grow();
   void mend(const std::vector<ShortCell>& cells);
   bool prepare(Step step, const std::vector<ShortCell>& bad);
   void leaveCurve(Index leader);
   void leaveSurface(Index leader, double reach);
+  void release(const std::vector<ShortCell>& cells, double reach);
   void startAgain(const std::vector<ShortCell>& bad, double share);
   void growAgain(const std::vector<char>& fresh);
   void exclude(const std::vector<ShortCell>& bad);
@@ -54,6 +56,10 @@ private:
   void thicken();
   bool isSmooth(Index cell) const;
   std::vector<Index> smoothPoints(const std::vector<ShortCell>& shortCells) const;
+  void straighten();
+  void straighten(LayerMesh& layer, std::span<const OrthogonalityStage> stages, float share,
+                  std::vector<char>& toJudge) const;
+  void straightenDivided(LayerMesh& divided) const;
   LayerMesh divide(const LayerMesh& one) const;
   std::optional<LayerMesh> divideAndImprove(const LayerMesh& given) const;
   LayerMesh divideEvenly(const LayerMesh& one) const;

@@ -96,7 +96,7 @@ public:
   {
     std::vector<char> moved(region.movable.size(), 0);
     const SearchRules rules{options.keepWorst ? &floor : nullptr, options.tryMiddle, options.leastPenalty,
-                            options.leastGain};
+                            options.leastGain, options.leastWorst};
     for (std::size_t c = 0; c + 1 < colours.offsets.size(); ++c)
     {
       const std::size_t begin = colours.offsets[c];

@@ -29,6 +29,9 @@ struct OptimiserOptions
   /// Points whose cells have less of a penalty stay, and those that would lose less than this share of it.
   double leastPenalty = 1e-4;
   double leastGain = 0.01;
+  /// No cell whose least measure is above this falls below it for the good of others. Without it, what is bad by one
+  /// measure may become worse by others for what is gained in the whole.
+  double leastWorst = -std::numeric_limits<double>::infinity();
   /// How far a point is moved at first, as a part of the cells' size.
   double firstReach = 0.1;
 };

@@ -31,7 +31,9 @@ Score PointSearch::scoreAt(const Vec3& p, double enough)
 bool PointSearch::isBetter(const Score& there, const Score& now) const
 {
   return there.penalty < now.penalty * (1.0 - rules_.leastGain) &&
-         (there.worst >= now.worst - noise || there.worst >= 1.0 || now.worst < badAnyway) && noMetricIsWorse();
+         (there.worst >= now.worst - noise || there.worst >= 1.0 ||
+          (now.worst < badAnyway && there.worst >= std::min(now.worst, rules_.leastWorst))) &&
+         noMetricIsWorse();
 }
 
 /// Of the place where the point is now.

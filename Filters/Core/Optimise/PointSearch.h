@@ -18,6 +18,7 @@ struct SearchRules
   /// See OptimiserOptions, which have the defaults.
   double leastPenalty = 0.0;
   double leastGain = 0.0;
+  double leastWorst = -std::numeric_limits<double>::infinity();
 };
 
 /// Looks for a better place for one point at a time.

@@ -47,6 +47,8 @@ struct QualityTargets
   bool convex = true;
   /// Cosine between a face's normal and the way between the cells' centroids: 1 - FaceSquish.
   QualityRange faceCosine{0.03, 0.5};
+  /// What it makes of the worst at least: where its limit is above what is valid, others are not given up for it.
+  double leastOfFaceCosine = -std::numeric_limits<double>::infinity();
   /// OpenFOAM's skewness.
   QualityRange skewness{3.8, 2.0};
   /// OpenFOAM's interpolation weight.

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is valid is brought within the angles that solvers do well with.
+#include "Optimise/LayerCells.h"
+#include "Optimise/LayerGuide.h"
+#include "Optimise/LayerImprover.h"
+
+#include <algorithm>
+
+namespace atria {
+
+namespace {
+
+/// Cells below this share of what a stage aims at are looked at.
+constexpr float enough = 0.5F;
+constexpr float enoughOfDivided = 0.3F;
+/// What no cell falls below by other measures for the good of angles.
+constexpr double leastOfOthers = 0.1;
+/// Degrees of non-orthogonality: 60, beyond which vertices leave where the model wants them, to 55.9.
+constexpr QualityRange acceptable{0.5, 0.56};
+/// How far, in octants, vertices may leave their surfaces where nothing else helps, one after the other.
+constexpr std::array reaches{0.2, 0.4, 0.75};
+
+} // namespace
+
+/// A range of faces' cosines to hold cells to, and the rings of cells that make room.
+struct LayerImprover::OrthogonalityStage
+{
+  QualityRange faceCosine;
+  int rings;
+};
+
+/// Marks the points of cells that fall short then, too. The limit rises in stages: held to the last one at once, cells
+/// that are far from it find no way there.
+void LayerImprover::straighten(LayerMesh& layer, std::span<const OrthogonalityStage> stages, float share,
+                               std::vector<char>& toJudge) const
+{
+  ModelGuide model(octree_, model_, tree_, anchors_, layer.mesh.points, vertexOf_);
+  LayerGuide guide(layer, walls_, options_, leaders_, letGo_, model);
+  for (const OrthogonalityStage& stage : stages)
+  {
+    OptimiserOptions options;
+    options.targets = targets();
+    options.targets.faceCosine = stage.faceCosine;
+    options.targets.leastOfFaceCosine = leastOfOthers;
+    options.leastWorst = leastOfOthers;
+    options.rings = stage.rings;
+    options.patient = true;
+    const DualSource source(layer.mesh);
+    std::vector<ShortCell> cells = findShortCells(source, toJudge, options.targets, context_);
+    std::erase_if(cells, [&](const ShortCell& cell) { return cell.worst >= share; });
+    // Cells farther from the walls may have made room.
+    for (const ShortCell& cell : optimise(source, layer.mesh.points, cells, guide, options, context_))
+    {
+      for (const Index p : layer.mesh.corners[cell.cell])
+      {
+        toJudge[p] = 1;
+      }
+    }
+  }
+}
+
+/// Vertices at faces that stay beyond the largest angle leave their curves, and their surfaces by a little.
+void LayerImprover::straighten()
+{
+  // Degrees of non-orthogonality: 72.5 to 60, 66.4 to 57.3, 59.3 to 55.9.
+  constexpr std::array stages{OrthogonalityStage{{0.3, 0.5}, 2}, OrthogonalityStage{{0.4, 0.54}, 2},
+                              OrthogonalityStage{{0.51, 0.56}, 2}, OrthogonalityStage{{0.51, 0.56}, 2}};
+  std::vector<char> toJudge = pointsToJudge(layer_);
+  straighten(layer_, stages, enough, toJudge);
+  QualityTargets largest = targets();
+  largest.faceCosine = acceptable;
+  for (const double reach : reaches)
+  {
+    std::vector<ShortCell> beyond = findShortCells(DualSource(layer_.mesh), toJudge, largest, context_);
+    std::erase_if(beyond, [](const ShortCell& cell) { return cell.worst >= 0.0F; });
+    if (beyond.empty())
+    {
+      break;
+    }
+    release(beyond, reach);
+    straighten(layer_, stages, enough, toJudge);
+  }
+  keepThoseAway();
+}
+
+/// There are many cells, and a limit as high as with one layer would take long.
+void LayerImprover::straightenDivided(LayerMesh& divided) const
+{
+  constexpr std::array stages{OrthogonalityStage{{0.2, 0.4}, 1}, OrthogonalityStage{{0.35, 0.5}, 1}};
+  std::vector<char> toJudge = pointsToJudge(divided);
+  straighten(divided, stages, enoughOfDivided, toJudge);
+}
+
+} // namespace atria
