@@ -379,7 +379,10 @@ std::vector<Search> searchContacts(const TriangleSoup& soup, const BoxTree& tree
       }
       else
       {
-        std::ranges::for_each(pairs, [&](const auto& pair) { finder.look(pair.first, pair.second); });
+        for (const auto& [first, second] : pairs)
+        {
+          finder.look(first, second);
+        }
       }
       pairs.clear();
     }
