@@ -15,11 +15,6 @@ namespace {
 constexpr std::size_t mostVisits = 5'000'000;
 constexpr std::size_t visitsBetweenReports = 1024;
 
-Vec3 vectorOr(const std::vector<double>& v, const Vec3& otherwise)
-{
-  return v.size() < 3 ? otherwise : Vec3(v[0], v[1], v[2]);
-}
-
 } // namespace
 
 Evaluator::Evaluator(Library& files, Diagnostics& messages, const ProgressRange& monitor,
@@ -45,9 +40,7 @@ Scene Evaluator::run(const Document& document)
       throw Error("the scene repeats its nodes more than " + std::to_string(mostVisits) +
                   " times; nodes probably USE each other without end");
     }
-    const Visit at = open.back();
-    open.pop_back();
-    perform(at);
+    perform(next());
   }
   if (library.routes() > 0)
   {
@@ -56,10 +49,30 @@ Scene Evaluator::run(const Document& document)
   return scene.take();
 }
 
+/// Takes what is to be done next off the stack, or off the list on top of it.
+Evaluator::Visit Evaluator::next()
+{
+  Visit& top = open.back();
+  if (top.task != Task::visitEach)
+  {
+    const Visit at = top;
+    open.pop_back();
+    return at;
+  }
+  const Visit at{top.list.takeFirst(), top.transform, top.group};
+  if (top.list.empty())
+  {
+    open.pop_back();
+  }
+  return at;
+}
+
 void Evaluator::perform(const Visit& at)
 {
   switch (at.task)
   {
+    case Task::visitEach:
+      return; // next() has made visits of it
     case Task::leave:
       path.erase({at.ref.node, at.ref.context});
       return;
@@ -139,7 +152,7 @@ void Evaluator::visitInstance(const Visit& at)
 {
   const Visit inner{at.ref, at.transform, groupOf(at)};
   const NodeRef body = instances.enter(at.ref);
-  const std::vector<NodeRef> children = body ? std::vector<NodeRef>{} : instances.nodes(at.ref, "children");
+  const NodeRefs children = body ? NodeRefs{} : instances.nodes(at.ref, "children");
   if (!children.empty())
   {
     // Of an EXTERNPROTO whose file is missing, most likely.
@@ -152,7 +165,7 @@ void Evaluator::visitInstance(const Visit& at)
 void Evaluator::visitUnknown(const Visit& at)
 {
   const Node& node = *at.ref.node;
-  const std::vector<NodeRef> children = instances.nodes(at.ref, "children");
+  const NodeRefs children = instances.nodes(at.ref, "children");
   if (children.empty())
   {
     return scene.skip(toUtf8(node.typeName));
@@ -172,16 +185,14 @@ void Evaluator::visitGroup(const Visit& at)
   inner.group = groupOf(at);
   const bool choice = type == "Switch";
   const bool levels = type == "LOD";
-  std::vector<NodeRef> children = instances.nodes(at.ref, choice ? "choice" : levels ? "level" : "children");
+  NodeRefs children = instances.nodes(at.ref, choice ? "choice" : levels ? "level" : "children");
   if ((choice || levels) && children.empty())
   {
     children = instances.nodes(at.ref, "children"); // as in X3D
   }
   if (choice || levels)
   {
-    const int chosen = choice ? instances.integer(at.ref, "whichChoice", -1) : 0;
-    const bool exists = chosen >= 0 && static_cast<std::size_t>(chosen) < children.size();
-    children = exists ? std::vector<NodeRef>{children[static_cast<std::size_t>(chosen)]} : std::vector<NodeRef>{};
+    children = children.only(choice ? instances.integer(at.ref, "whichChoice", -1) : 0);
   }
   if (type == "Transform")
   {
@@ -224,24 +235,23 @@ void Evaluator::openDocument(const Document& document, const Transform& transfor
   pushChildren(root, instances.nodes(root.ref, "children"));
 }
 
-/// In reverse, so that they are visited in the order of the file.
-void Evaluator::pushChildren(const Visit& at, const std::vector<NodeRef>& children)
+void Evaluator::pushChildren(const Visit& at, const NodeRefs& children)
 {
-  for (auto child = children.rbegin(); child != children.rend(); ++child)
+  if (!children.empty())
   {
-    open.push_back({*child, at.transform, at.group});
+    open.push_back({at.ref, at.transform, at.group, Task::visitEach, children});
   }
 }
 
 /// T C R SR S -SR -C, whatever the order of the fields.
 Evaluator::Transform Evaluator::transformOf(const NodeRef& ref, std::string_view scaleField) const
 {
-  const Vec3 center = vectorOr(instances.numbers(ref, "center", {}), Vec3::Zero());
-  const Vec3 translation = vectorOr(instances.numbers(ref, "translation", {}), Vec3::Zero());
-  const Vec3 scale = vectorOr(instances.numbers(ref, scaleField, {}), Vec3::Ones());
+  const Vec3 center = instances.vector(ref, "center", Vec3::Zero());
+  const Vec3 translation = instances.vector(ref, "translation", Vec3::Zero());
+  const Vec3 scale = instances.vector(ref, scaleField, Vec3::Ones());
   const auto rotation = [&](std::string_view field) {
-    const std::vector<double> r = instances.numbers(ref, field, {});
-    return r.size() < 4 ? Eigen::Quaterniond::Identity() : rotationOf(r.data());
+    const auto* r = instances.get<Numbers>(ref, field);
+    return !r || r->size() < 4 ? Eigen::Quaterniond::Identity() : rotationOf(r->data());
   };
   const Eigen::Quaterniond turn = rotation("rotation");
   const Eigen::Quaterniond axes = rotation("scaleOrientation");
@@ -287,7 +297,7 @@ Index Evaluator::materialOf(const NodeRef& ref)
   material.name = toUtf8(name);
   if (node)
   {
-    material.diffuse = vectorOr(instances.numbers(node, "diffuseColor", {}), material.diffuse);
+    material.diffuse = instances.vector(node, "diffuseColor", material.diffuse);
     material.transparency = instances.number(node, "transparency", material.transparency);
   }
   return scene.material(material);
@@ -311,6 +321,7 @@ const LocalSurface& Evaluator::localSurface(const NodeRef& geometry, const Trans
   setStretch(geometry, transform);
   if (!geometry.node->shared || geometry.context)
   {
+    geometries.recycle(std::move(current));
     current = geometries.make(geometry);
     return current;
   }

@@ -31,6 +31,7 @@ private:
   enum class Task
   {
     visit,
+    visitEach,        ///< of a list, one after the other
     leave,            ///< the end of a visit: the node is no longer on the path
     restoreState,     ///< of VRML 1.0: the end of a Separator
     restoreTransform, ///< of VRML 1.0: the end of a TransformSeparator
@@ -41,6 +42,7 @@ private:
     Transform transform; ///< of VRML97; to restore after a TransformSeparator
     Index group;         ///< the innermost one around
     Task task = Task::visit;
+    NodeRefs list{}; ///< to visit each of
   };
   /// What VRML 1.0's nodes leave to those that follow them.
   struct State
@@ -51,6 +53,7 @@ private:
     bool clockwise = false;
   };
 
+  Visit next();
   void perform(const Visit& at);
   bool enter(const Visit& at);
   void visit(const Visit& at);
@@ -59,7 +62,7 @@ private:
   void visitInstance(const Visit& at);
   void visitUnknown(const Visit& at);
   void openDocument(const Document& document, const Transform& transform, Index group);
-  void pushChildren(const Visit& at, const std::vector<NodeRef>& children);
+  void pushChildren(const Visit& at, const NodeRefs& children);
   Index groupOf(const Visit& at);
   Transform transformOf(const NodeRef& ref, std::string_view scaleField) const;
   void addShape(const Visit& at);

@@ -16,9 +16,11 @@ namespace {
 class FaceSet
 {
 public:
-  FaceSet(const Numbers& coordinates, const Integers& index, bool turned)
-      : points(coordinates), count(coordinates.size() / 3), builder(turned), newIds(count, noIndex)
+  FaceSet(const Numbers& coordinates, const Integers& index, bool turned, Geometry::Memory& memory)
+      : points(coordinates), count(coordinates.size() / 3), builder(turned, std::move(memory.surface)),
+        newIds(memory.newIds), ids(memory.ids)
   {
+    newIds.assign(count, noIndex);
     const auto ends = static_cast<std::size_t>(std::count_if(index.begin(), index.end(), [](int i) { return i < 0; }));
     const std::size_t corners = index.size() - ends;
     builder.reserve(std::min(count, corners), corners - std::min(corners, 2 * ends));
@@ -89,8 +91,8 @@ private:
   const Numbers& points;
   std::size_t count;
   SurfaceBuilder builder;
-  std::vector<Index> newIds;
-  std::vector<Index> ids;
+  std::vector<Index>& newIds;
+  std::vector<Index>& ids;
   std::size_t outOfRange = 0;
   std::size_t nowhere = 0;
   std::size_t repeated = 0;
@@ -266,7 +268,7 @@ LocalSurface Geometry::faceSet(const NodeRef& node)
 
 LocalSurface Geometry::faces(const NodeRef& node, const Numbers& points, const Integers& index, bool turned)
 {
-  FaceSet set(points, index, turned);
+  FaceSet set(points, index, turned, memory);
   for (auto start = index.begin(); start != index.end();)
   {
     const auto stop = std::find_if(start, index.end(), [](int i) { return i < 0; });

@@ -24,6 +24,8 @@ public:
 
   /// The triangles of a node of kind `surface`; none, with a warning, where its fields make no sense.
   LocalSurface make(const NodeRef& node);
+  /// A surface nobody needs any longer, whose memory the next may have.
+  void recycle(LocalSurface&& surface) { memory.surface = std::move(surface); }
 
   /// What holds for geometry nodes of VRML 1.0 where they stand.
   struct State
@@ -33,6 +35,14 @@ public:
   };
   /// The same for VRML 1.0.
   LocalSurface make(const NodeRef& node, const State& state);
+
+  /// What faces of one node after the other are made in.
+  struct Memory
+  {
+    LocalSurface surface;
+    std::vector<Index> newIds;
+    std::vector<Index> ids;
+  };
 
 private:
   LocalSurface box(const NodeRef& node);
@@ -58,6 +68,7 @@ private:
 
   Tessellation wanted;
   double stretch = 1.0;
+  Memory memory;
 };
 
 } // namespace atria::vrml

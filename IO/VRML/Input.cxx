@@ -2,6 +2,7 @@
 #include "Input.h"
 
 #include "Support/Error.h"
+#include "Support/Memory.h"
 
 #include <zlib.h>
 
@@ -28,6 +29,7 @@ FileText readBytes(const fs::path& file)
   FileText out;
   out.size = static_cast<std::size_t>(fs::file_size(file));
   out.bytes = std::make_unique_for_overwrite<char[]>(out.size);
+  useLargePages(out.bytes.get(), out.size);
   in.read(out.bytes.get(), static_cast<std::streamsize>(out.size));
   if (!in && out.size > 0)
   {
@@ -145,6 +147,12 @@ std::string pathOf(std::string_view url)
 }
 
 } // namespace
+
+void FileText::forget(std::size_t characters)
+{
+  char* const first = (isPacked ? unpacked.data() : bytes.get()) + forgotten;
+  forgotten += forgetPages(first, start + characters - forgotten);
+}
 
 FileText readText(const fs::path& file)
 {

@@ -18,8 +18,12 @@ struct FileText
   std::size_t size = 0;
   std::string unpacked;
   bool isPacked = false;
-  std::size_t start = 0;  ///< after a UTF-8 byte order mark
-  bool truncated = false; ///< the compressed stream ends early or is damaged; `unpacked` is what there was
+  std::size_t start = 0;     ///< after a UTF-8 byte order mark
+  std::size_t forgotten = 0; ///< bytes
+  bool truncated = false;    ///< the compressed stream ends early or is damaged; `unpacked` is what there was
+
+  /// Gives back the memory of the first so many characters, which nobody looks at again.
+  void forget(std::size_t characters);
 
   /// The text of the file, unpacked where its first bytes say gzip, without a byte order mark.
   std::string_view text() const

@@ -142,18 +142,17 @@ std::vector<double> Instances::numbers(const NodeRef& ref, std::string_view fiel
   return value ? std::vector<double>(value->begin(), value->end()) : otherwise;
 }
 
-std::vector<NodeRef> Instances::nodes(const NodeRef& ref, std::string_view field) const
+Vec3 Instances::vector(const NodeRef& ref, std::string_view field, const Vec3& otherwise) const
+{
+  const auto* value = get<Numbers>(ref, field);
+  return value && value->size() >= 3 ? Vec3((*value)[0], (*value)[1], (*value)[2]) : otherwise;
+}
+
+NodeRefs Instances::nodes(const NodeRef& ref, std::string_view field) const
 {
   const auto [value, context] = find(ref, field);
-  std::vector<NodeRef> out;
-  if (const auto* list = std::get_if<Nodes>(value))
-  {
-    for (const Node* node : *list)
-    {
-      out.push_back({node, context});
-    }
-  }
-  return out;
+  const auto* list = std::get_if<Nodes>(value);
+  return {list ? std::span<Node* const>(list->begin(), list->end()) : std::span<Node* const>{}, context};
 }
 
 NodeRef Instances::node(const NodeRef& ref, std::string_view field) const

@@ -5,7 +5,10 @@
 #include "Library.h"
 #include "SceneGraph.h"
 
+#include "Support/Types.h"
+
 #include <deque>
+#include <span>
 
 namespace atria::vrml {
 
@@ -29,6 +32,28 @@ struct NodeRef
   bool operator==(const NodeRef&) const = default;
 };
 
+/// The nodes of one field, as met on one path.
+struct NodeRefs
+{
+  std::span<Node* const> nodes;
+  const Context* context = nullptr;
+
+  bool empty() const { return nodes.empty(); }
+  /// One of them alone; none where it does not exist.
+  NodeRefs only(int i) const
+  {
+    const bool exists = i >= 0 && static_cast<std::size_t>(i) < nodes.size();
+    return {exists ? nodes.subspan(static_cast<std::size_t>(i), 1) : std::span<Node* const>{}, context};
+  }
+  /// Takes the first one off.
+  NodeRef takeFirst()
+  {
+    const NodeRef first{nodes.front(), context};
+    nodes = nodes.subspan(1);
+    return first;
+  }
+};
+
 class Instances
 {
 public:
@@ -50,7 +75,8 @@ public:
   int integer(const NodeRef& ref, std::string_view field, int otherwise) const;
   double number(const NodeRef& ref, std::string_view field, double otherwise) const;
   std::vector<double> numbers(const NodeRef& ref, std::string_view field, std::vector<double> otherwise) const;
-  std::vector<NodeRef> nodes(const NodeRef& ref, std::string_view field) const;
+  Vec3 vector(const NodeRef& ref, std::string_view field, const Vec3& otherwise) const;
+  NodeRefs nodes(const NodeRef& ref, std::string_view field) const;
   /// The single node of an SFNode; empty for NULL.
   NodeRef node(const NodeRef& ref, std::string_view field) const;
 

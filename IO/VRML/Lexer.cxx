@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
@@ -13,24 +14,52 @@ namespace atria::vrml {
 
 namespace {
 
-constexpr std::array<bool, 256> makeDelimiters()
+/// White space and these.
+constexpr std::array<bool, 256> blanksAnd(std::string_view others)
 {
   std::array<bool, 256> table{};
   for (int c = 0; c <= 0x20; ++c)
   {
     table[c] = true;
   }
-  for (const char c : {',', '{', '}', '[', ']', '"', '#', '\x7f'})
+  for (const char c : others)
   {
     table[static_cast<unsigned char>(c)] = true;
   }
   return table;
 }
-constexpr std::array<bool, 256> delimiters = makeDelimiters();
+constexpr std::array<bool, 256> delimiters = blanksAnd(",{}[]\"#\x7f");
+constexpr std::array<bool, 256> skipped = blanksAnd(",#\x7f");
 
 bool isDelimiter(char c) { return delimiters[static_cast<unsigned char>(c)]; }
-bool isBlank(char c) { return static_cast<unsigned char>(c) <= 0x20 || c == ',' || c == '\x7f'; }
+/// White space, commas and what begins a comment.
+bool isSkipped(char c) { return skipped[static_cast<unsigned char>(c)]; }
 bool isDigit(char c) { return c >= '0' && c <= '9'; }
+
+/// Past white space, eight characters at a time as far as they go: much of a file is indentation.
+const char* spacesEnd(const char* from, const char* end)
+{
+  // In each byte the highest bit is set where the character is above a space: no sum carries into the next byte.
+  constexpr std::uint64_t high = 0x8080808080808080u;
+  constexpr std::uint64_t upToHigh = 0x5f5f5f5f5f5f5f5fu; // 0x80 less 0x21
+  while (static_cast<std::size_t>(end - from) >= sizeof(std::uint64_t))
+  {
+    std::uint64_t eight = 0;
+    std::memcpy(&eight, from, sizeof eight);
+    const std::uint64_t others = (((eight & ~high) + upToHigh) | eight) & high;
+    if (others != 0)
+    {
+      return from +
+             (std::endian::native == std::endian::little ? std::countr_zero(others) : std::countl_zero(others)) / 8;
+    }
+    from += sizeof eight;
+  }
+  while (from != end && static_cast<unsigned char>(*from) <= 0x20)
+  {
+    ++from;
+  }
+  return from;
+}
 
 /// Programs built with old versions of Microsoft's compiler write 1.#QNAN, -1.#IND00, 1.#INF: here `#` begins no
 /// comment.
@@ -79,12 +108,13 @@ const char* readPlain(const char* from, const char* end, double& value)
   const bool negative = from != end && *from == '-';
   const char* const start = from + (negative ? 1 : 0);
   const char* at = start;
+  const char* const stop = end - start > mostDigits ? start + mostDigits + 1 : end;
   std::uint64_t digits = 0;
   const auto readDigits = [&] {
     const char* const first = at;
-    for (; at != end && isDigit(*at) && at - start <= mostDigits; ++at)
+    for (unsigned int digit = 0; at != stop && (digit = static_cast<unsigned int>(*at - '0')) < 10; ++at)
     {
-      digits = 10 * digits + static_cast<std::uint64_t>(*at - '0');
+      digits = 10 * digits + digit;
     }
     return at - first;
   };
@@ -106,6 +136,46 @@ const char* readPlain(const char* from, const char* end, double& value)
   const double size = static_cast<double>(digits) / powers[static_cast<std::size_t>(decimals)];
   value = negative ? -size : size;
   return at;
+}
+
+/// Reads a whole number of so few digits that it is one, as most indices are. Returns where it ends; null where the
+/// text is anything else.
+const char* readPlain(const char* from, const char* end, int& value)
+{
+  constexpr std::ptrdiff_t mostDigits = 9;
+  const bool negative = from != end && *from == '-';
+  const char* const start = from + (negative ? 1 : 0);
+  const char* at = start;
+  const char* const stop = end - start > mostDigits ? start + mostDigits : end;
+  int digits = 0;
+  for (unsigned int digit = 0; at != stop && (digit = static_cast<unsigned int>(*at - '0')) < 10; ++at)
+  {
+    digits = 10 * digits + static_cast<int>(digit);
+  }
+  if (at == start || (at != end && !isDelimiter(*at)))
+  {
+    return nullptr;
+  }
+  value = negative ? -digits : digits;
+  return at;
+}
+
+/// In pieces whose counts fit into bytes, of which vector instructions add sixteen or more at once.
+int countOf(char wanted, const char* first, const char* last)
+{
+  constexpr std::ptrdiff_t mostInByte = 255;
+  int count = 0;
+  while (first != last)
+  {
+    const char* const stop = first + std::min(last - first, mostInByte);
+    std::uint8_t some = 0;
+    for (; first != stop; ++first)
+    {
+      some = static_cast<std::uint8_t>(some + (*first == wanted ? 1 : 0));
+    }
+    count += some;
+  }
+  return count;
 }
 
 } // namespace
@@ -144,15 +214,33 @@ std::string unescaped(std::string_view text)
 
 Lexer::Lexer(std::string_view source)
     : begin(source.data()), end(source.data() + source.size()), at(begin), counted(begin), lineStart(begin),
-      lineStartOf(begin)
+      lineStartOf(begin), earliestLineStart(begin), earliest(begin)
 {
 }
 
-void Lexer::skipBlanks()
+/// Most often there is one blank or none.
+inline void Lexer::skipBlanks()
 {
-  while (at != end)
+  if (at != end && isSkipped(*at) && *at != '#')
   {
-    if (isBlank(*at))
+    ++at;
+  }
+  if (at != end && isSkipped(*at))
+  {
+    skipManyBlanks();
+  }
+}
+
+void Lexer::skipManyBlanks()
+{
+  for (;;)
+  {
+    at = spacesEnd(at, end);
+    if (at == end)
+    {
+      return;
+    }
+    if (*at == ',' || *at == '\x7f')
     {
       ++at;
     }
@@ -308,10 +396,9 @@ bool Lexer::nextNoNumber(double& value)
 bool Lexer::nextInteger(int& value)
 {
   skipBlanks();
-  const auto [quick, none] = std::from_chars(at, end, value);
-  if (none == std::errc() && (quick == end || isDelimiter(*quick)))
+  if (const char* stop = readPlain(at, end, value))
   {
-    moveTo(quick);
+    moveTo(stop);
     return true;
   }
   const char* stop = wordEnd(at, end);
@@ -359,6 +446,10 @@ int Lexer::lineOf(std::string_view token)
 /// of many nodes all of the text comes through here.
 int Lexer::countLineEnds(const char* first, const char* last) const
 {
+  if (first == last || !std::memchr(first, '\r', static_cast<std::size_t>(last - first)))
+  {
+    return countOf('\n', first, last);
+  }
   const bool toEnd = last == end && first != last;
   const char* stop = toEnd ? last - 1 : last;
   int count = toEnd && (*stop == '\n' || *stop == '\r') ? 1 : 0;
@@ -373,15 +464,23 @@ Place Lexer::placeOf(std::string_view token)
 {
   const char* target = token.data();
   // Not further back than to the place asked for last, as all of a file may be one line.
-  const char* known = lineStartOf <= target ? lineStartOf : begin;
+  const bool further = lineStartOf <= target;
+  const char* known = further ? lineStartOf : earliest;
   const char* start = target;
   while (start != known && start[-1] != '\n' && start[-1] != '\r')
   {
     --start;
   }
-  lineStart = start == known && known == lineStartOf ? lineStart : start;
+  lineStart = start != known ? start : further ? lineStart : earliestLineStart;
   lineStartOf = target;
   return {lineOf(token), static_cast<int>(target - lineStart) + 1};
+}
+
+void Lexer::forget()
+{
+  placeOf({at, 0});
+  earliest = at;
+  earliestLineStart = lineStart;
 }
 
 } // namespace atria::vrml

@@ -27,7 +27,10 @@ struct Token
   TokenKind kind = TokenKind::end;
   std::string_view text;
 
-  bool is(std::string_view word) const { return kind == TokenKind::word && text == word; }
+  bool is(std::string_view word) const
+  {
+    return kind == TokenKind::word && text.size() == word.size() && text[0] == word[0] && text == word;
+  }
 };
 
 /// Line and column, both counted from 1.
@@ -88,10 +91,13 @@ public:
   Place placeOf(std::string_view token);
   /// The line alone: cheap also where a whole file is one line.
   int lineOf(std::string_view token);
+  /// Nothing before the next token is asked for again. What is needed to tell places after it is kept.
+  void forget();
   std::size_t position() const { return static_cast<std::size_t>(at - begin); }
 
 private:
   void skipBlanks();
+  void skipManyBlanks();
   /// Reads one more token ahead.
   void look();
   void moveTo(const char* place)
@@ -116,6 +122,9 @@ private:
   int countedLine = 1;
   const char* lineStart;   ///< of the line that holds
   const char* lineStartOf; ///< this
+  // The same for the place before which the text is forgotten.
+  const char* earliestLineStart;
+  const char* earliest;
 };
 
 /// The value of a number's text; nothing where it is none, or too large.

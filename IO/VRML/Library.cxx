@@ -101,7 +101,7 @@ Version versionOf(std::string_view text)
 
 std::unique_ptr<Document> Library::read(const fs::path& file)
 {
-  const FileText source = readText(file);
+  FileText source = readText(file);
   checkLanguage(file, source.text());
   auto document = std::make_unique<Document>(file);
   document->version = chooseVersion(diagnostics, *document, source.text());
@@ -112,7 +112,7 @@ std::unique_ptr<Document> Library::read(const fs::path& file)
     diagnostics.warn(document->displayName() +
                      ": the compressed file is damaged or ends early; read as far as possible");
   }
-  Parser(*document, source.text(), diagnostics, progress).run();
+  Parser(*document, std::move(source), diagnostics, progress).run();
   return document;
 }
 

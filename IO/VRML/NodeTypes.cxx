@@ -215,14 +215,14 @@ std::optional<FieldType> NodeType::fieldType(std::string_view field) const
 {
   for (const auto& [known, fieldType] : fields)
   {
-    if (known == field)
+    if (isSame(known, field))
     {
       return fieldType;
     }
   }
   for (const std::string_view known : ignored)
   {
-    if (known == field)
+    if (isSame(known, field))
     {
       return FieldType::unknown;
     }

@@ -8,8 +8,9 @@
 
 namespace atria::vrml {
 
-Parser::Parser(Document& target, std::string_view text, Diagnostics& messages, const ProgressRange& monitor)
-    : document(target), lexer(text), length(text.size()), diagnostics(messages), progress(monitor)
+Parser::Parser(Document& target, FileText file, Diagnostics& messages, const ProgressRange& monitor)
+    : document(target), source(std::move(file)), lexer(source.text()), length(source.text().size()),
+      diagnostics(messages), progress(monitor)
 {
 }
 
@@ -27,6 +28,7 @@ void Parser::run()
 void Parser::step()
 {
   tick();
+  forget();
   switch (frames.back().what)
   {
     case Open::node:
@@ -384,7 +386,7 @@ void Parser::readDeclaration()
 Parser::Slot Parser::slotOf(Node& node, std::string_view field)
 {
   const auto found =
-      std::find_if(node.fields.begin(), node.fields.end(), [&](const Field& f) { return f.name == field; });
+      std::find_if(node.fields.begin(), node.fields.end(), [&](const Field& f) { return isSame(f.name, field); });
   const auto index = static_cast<std::size_t>(found - node.fields.begin());
   if (found == node.fields.end())
   {
@@ -422,7 +424,7 @@ std::string_view Parser::fieldName(const Node& node, std::string_view field)
   {
     for (const auto& [known, type] : node.type->fields)
     {
-      if (known == field)
+      if (isSame(known, field))
       {
         return known;
       }

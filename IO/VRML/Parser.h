@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Diagnostics.h"
+#include "Input.h"
 #include "Lexer.h"
 #include "SceneGraph.h"
 
@@ -22,7 +23,7 @@ namespace atria::vrml {
 class Parser
 {
 public:
-  Parser(Document& target, std::string_view text, Diagnostics& messages, const ProgressRange& monitor);
+  Parser(Document& target, FileText file, Diagnostics& messages, const ProgressRange& monitor);
   /// Throws Aborted only.
   void run();
 
@@ -120,6 +121,7 @@ private:
   std::string where();
   std::string tell(const Token& token) const;
   void tick();
+  void forget();
 
   Slot slotOf(Node& node, std::string_view field);
   std::optional<FieldType> fieldType(const Node& node, std::string_view field) const;
@@ -137,11 +139,13 @@ private:
   static bool isList(Open what) { return what != Open::node && what != Open::interface; }
 
   Document& document;
+  FileText source; ///< of which ever less is left
   Lexer lexer;
   std::size_t length;
   Diagnostics& diagnostics;
   ProgressRange progress;
   std::size_t reported = 0;
+  std::size_t forgotten = 0;
   bool quiet = false; ///< after an error, until a node was recognised: one slip is one warning
   std::vector<Frame> frames;
   std::vector<Scope> scopes;

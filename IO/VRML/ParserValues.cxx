@@ -466,6 +466,18 @@ std::string Parser::tell(const Token& token) const
   }
 }
 
+/// Lets go of the text read so far, every now and then: what is kept of it is about as much again.
+void Parser::forget()
+{
+  constexpr std::size_t interval = std::size_t{8} << 20;
+  if (lexer.position() - forgotten >= interval)
+  {
+    lexer.forget();
+    forgotten = lexer.position();
+    source.forget(forgotten);
+  }
+}
+
 /// Lets the caller see progress and stop, every now and then.
 void Parser::tick()
 {

@@ -4,15 +4,16 @@
 #include "Input.h"
 
 #include "Support/Error.h"
+#include "Support/Memory.h"
 
 namespace atria::vrml {
 
 void SceneBuilder::reserve(std::size_t points, std::size_t triangles)
 {
-  scene.points.reserve(points);
-  scene.triangles.reserve(triangles);
-  scene.shapeIds.reserve(triangles);
-  scene.faceIds.reserve(triangles);
+  reserveLarge(scene.points, points);
+  reserveLarge(scene.triangles, triangles);
+  reserveLarge(scene.shapeIds, triangles);
+  reserveLarge(scene.faceIds, triangles);
 }
 
 Index SceneBuilder::group(std::string_view name, Index parent)

@@ -4,6 +4,8 @@
 
 #include "List.h"
 
+#include "Support/Memory.h"
+
 #include <algorithm>
 #include <deque>
 #include <filesystem>
@@ -57,6 +59,12 @@ enum class FieldType
   mfNode
 };
 
+/// Whether two names are the same. Most that are not differ in length or in the first letter.
+inline bool isSame(std::string_view a, std::string_view b)
+{
+  return a.size() == b.size() && (a.empty() || (a[0] == b[0] && a == b));
+}
+
 struct Field
 {
   std::string_view name;
@@ -79,7 +87,7 @@ struct Node
   {
     for (const Field& f : fields)
     {
-      if (f.name == field)
+      if (isSame(f.name, field))
       {
         return &f;
       }
@@ -116,8 +124,9 @@ struct Document
   Document& operator=(const Document&) = delete;
 
   std::filesystem::path file;
+  LargePages pages;
   /// For what files have millions of, nodes, fields, lists and texts, which go all at once.
-  std::pmr::monotonic_buffer_resource memory;
+  std::pmr::monotonic_buffer_resource memory{&pages};
   Version version = Version::vrml97;
   Node* root = nullptr; ///< its only field lists the file's nodes
   std::deque<Prototype> prototypes;

@@ -43,7 +43,7 @@ void Evaluator::visitGroup1(const Visit& at)
     return visitInline(inner, "name");
   }
   inner.group = groupOf(at);
-  std::vector<NodeRef> children = instances.nodes(at.ref, "children");
+  NodeRefs children = instances.nodes(at.ref, "children");
   if (type == "Separator" || type == "WWWAnchor")
   {
     states.push_back(State(states.back()));
@@ -59,8 +59,7 @@ void Evaluator::visitGroup1(const Visit& at)
     const int chosen = type == "LOD" ? 0 : instances.integer(at.ref, "whichChild", -1);
     if (chosen != all)
     {
-      const bool exists = chosen >= 0 && static_cast<std::size_t>(chosen) < children.size();
-      children = exists ? std::vector<NodeRef>{children[static_cast<std::size_t>(chosen)]} : std::vector<NodeRef>{};
+      children = children.only(chosen);
     }
   }
   pushChildren(inner, children);
@@ -122,13 +121,14 @@ void Evaluator::addGeometry1(const Visit& at)
     const NodeRef ref{state.material, nullptr};
     Material look;
     look.name = toUtf8(state.material->name);
-    const std::vector<double> diffuse = instances.numbers(ref, "diffuseColor", {});
-    look.diffuse = diffuse.size() < 3 ? look.diffuse : Vec3(diffuse[0], diffuse[1], diffuse[2]);
+    look.diffuse = instances.vector(ref, "diffuseColor", look.diffuse);
     look.transparency = instances.number(ref, "transparency", look.transparency);
     material = scene.material(look);
   }
   setStretch(at.ref, state.transform);
-  add(at.ref, geometries.make(at.ref, local), state.transform, {toUtf8(at.ref.node->name), at.group, material});
+  geometries.recycle(std::move(current));
+  current = geometries.make(at.ref, local);
+  add(at.ref, current, state.transform, {toUtf8(at.ref.node->name), at.group, material});
 }
 
 } // namespace atria::vrml

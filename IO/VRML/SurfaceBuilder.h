@@ -6,6 +6,7 @@
 
 #include <array>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace atria::vrml {
@@ -23,6 +24,13 @@ class SurfaceBuilder
 {
 public:
   explicit SurfaceBuilder(bool turned = false) : flip(turned) {}
+  /// Uses the memory of another surface again, for callers with many small ones.
+  SurfaceBuilder(bool turned, LocalSurface&& memory) : surface(std::move(memory)), flip(turned)
+  {
+    surface.points.clear();
+    surface.triangles.clear();
+    surface.faceIds.clear();
+  }
 
   Index point(const Vec3& p)
   {

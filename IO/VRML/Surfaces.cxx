@@ -84,8 +84,8 @@ std::vector<std::string> differences(const Scene& scene, const std::vector<Wante
   return out;
 }
 
-/// The names that repeat get their first difference from the others ahead of them.
-std::vector<std::string> qualified(const Scene& scene, const std::vector<Wanted>& wanted)
+/// The names that repeat get their first difference from the others ahead of them. Says whether there were any.
+bool qualify(const Scene& scene, const std::vector<Wanted>& wanted, std::vector<std::string>& names)
 {
   const std::vector<Index> firsts =
       firstsOf(wanted.size(), [&](std::size_t i) -> const std::string& { return wanted[i].leaf; });
@@ -99,7 +99,6 @@ std::vector<std::string> qualified(const Scene& scene, const std::vector<Wanted>
       members.push_back(i);
     }
   }
-  std::vector<std::string> names;
   names.reserve(wanted.size());
   for (const Wanted& each : wanted)
   {
@@ -113,7 +112,7 @@ std::vector<std::string> qualified(const Scene& scene, const std::vector<Wanted>
       names[members[k]].insert(0, ahead[k].empty() ? "" : ahead[k] + "/");
     }
   }
-  return names;
+  return !repeated.empty();
 }
 
 /// `Name`, then `Name_2`, `Name_3`, …, passing over names that something else has.
@@ -240,8 +239,11 @@ Surfaces makeSurfaces(const Scene& scene, SurfaceBy by, double splitAngle)
     Index& material = materials[id];
     material = material == noIndex ? shape.material : material;
   }
-  std::vector<std::string> names = qualified(scene, wanted);
-  number(names);
+  std::vector<std::string> names;
+  if (qualify(scene, wanted, names))
+  {
+    number(names);
+  }
   out.surfaces.reserve(names.size());
   for (std::size_t i = 0; i < names.size(); ++i)
   {

@@ -8,6 +8,7 @@
 
 #include "AlgorithmProgress.h"
 #include "Support/Error.h"
+#include "Support/Memory.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -48,6 +49,7 @@ vtkNew<vtkPoints> toPoints(const std::vector<atria::Vec3>& source)
   points->SetDataTypeToDouble();
   points->SetNumberOfPoints(static_cast<vtkIdType>(source.size()));
   static_assert(sizeof(atria::Vec3) == 3 * sizeof(double));
+  atria::useLargePages(points->GetVoidPointer(0), source.size() * sizeof(atria::Vec3));
   if (!source.empty())
   {
     std::copy_n(source[0].data(), 3 * source.size(), static_cast<double*>(points->GetVoidPointer(0)));
@@ -63,6 +65,8 @@ vtkNew<vtkCellArray> toCells(const std::vector<std::array<atria::Index, 3>>& tri
   offsets->SetNumberOfValues(count + 1);
   connectivity->SetNumberOfValues(3 * count);
   vtkIdType* corner = connectivity->GetPointer(0);
+  atria::useLargePages(corner, 3 * triangles.size() * sizeof(vtkIdType));
+  atria::useLargePages(offsets->GetPointer(0), triangles.size() * sizeof(vtkIdType));
   for (const auto& t : triangles)
   {
     corner = std::copy(t.begin(), t.end(), corner);
@@ -122,6 +126,7 @@ void fill(vtkPolyData* output, atria::vrml::Scene scene, const atria::vrml::Surf
   vtkNew<vtkIntArray> ids;
   ids->SetName("SurfaceId");
   ids->SetNumberOfValues(static_cast<vtkIdType>(surfaces.ids.size()));
+  atria::useLargePages(ids->GetPointer(0), surfaces.ids.size() * sizeof(int));
   std::copy(surfaces.ids.begin(), surfaces.ids.end(), ids->GetPointer(0));
   output->GetCellData()->AddArray(ids);
   addSurfaces(output->GetFieldData(), surfaces.surfaces);

@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <limits>
+#include <memory_resource>
 
 #if __has_include(<malloc.h>)
 #include <malloc.h>
+#endif
+#if __has_include(<sys/mman.h>)
+#include <sys/mman.h>
 #endif
 
 namespace atria {
@@ -19,5 +25,68 @@ inline void keepFreedMemory()
   mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
 #endif
 }
+
+#if __has_include(<sys/mman.h>)
+/// Advises the system about the large pages that lie within a block, and returns how far they reach. Where it is
+/// refused all goes on as before.
+inline std::size_t advise(void* start, std::size_t bytes, int advice)
+{
+  constexpr std::uintptr_t page = std::uintptr_t{1} << 21;
+  const auto first = reinterpret_cast<std::uintptr_t>(start);
+  const auto begin = (first + page - 1) & ~(page - 1);
+  const auto end = (first + bytes) & ~(page - 1);
+  if (begin >= end)
+  {
+    return 0;
+  }
+  static_cast<void>(madvise(reinterpret_cast<void*>(begin), end - begin, advice));
+  return end - first;
+}
+#endif
+
+/// For memory about to be written for the first time: the system may hand it out in pages of two megabytes. Asking for
+/// it page by page is a third of the time it takes to read a large file. Does nothing for small blocks, and where the
+/// system has no such pages.
+inline void useLargePages([[maybe_unused]] void* start, [[maybe_unused]] std::size_t bytes)
+{
+#ifdef MADV_HUGEPAGE
+  advise(start, bytes, MADV_HUGEPAGE);
+#endif
+}
+
+/// Gives memory back to the system of which nothing is needed any longer, long before it is freed: what it held is
+/// gone. Whole pages of two megabytes only; returns how many bytes from `start` on are dealt with.
+inline std::size_t forgetPages([[maybe_unused]] void* start, [[maybe_unused]] std::size_t bytes)
+{
+#ifdef MADV_DONTNEED
+  return advise(start, bytes, MADV_DONTNEED);
+#else
+  return bytes;
+#endif
+}
+
+/// Makes room in a vector, in large pages.
+template <class Vector> void reserveLarge(Vector& vector, std::size_t count)
+{
+  vector.reserve(count);
+  useLargePages(vector.data(), vector.capacity() * sizeof(typename Vector::value_type));
+}
+
+/// Memory in large pages for resources that ask for much at a time.
+class LargePages : public std::pmr::memory_resource
+{
+private:
+  void* do_allocate(std::size_t bytes, std::size_t alignment) override
+  {
+    void* const start = std::pmr::new_delete_resource()->allocate(bytes, alignment);
+    useLargePages(start, bytes);
+    return start;
+  }
+  void do_deallocate(void* start, std::size_t bytes, std::size_t alignment) override
+  {
+    std::pmr::new_delete_resource()->deallocate(start, bytes, alignment);
+  }
+  bool do_is_equal(const memory_resource& other) const noexcept override { return this == &other; }
+};
 
 } // namespace atria

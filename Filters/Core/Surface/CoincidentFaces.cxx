@@ -113,6 +113,10 @@ private:
       {
         candidates.emplace_back(outlineSum(starts[i]), starts[i]);
       }
+      if (allDiffer(candidates))
+      {
+        return;
+      }
       std::sort(candidates.begin(), candidates.end());
       for (std::size_t i = 0, next = 0; i < candidates.size(); i = next)
       {
@@ -137,7 +141,9 @@ private:
       for (int k = 0; k < 3; ++k)
       {
         const auto [low, high] = std::minmax(corners[i][k], corners[i][(k + 1) % 3]);
-        sum ^= mixed((std::uint64_t{low} << 32) | high);
+        // One round of mixing: sums that are equal by chance only cost a comparison.
+        const std::uint64_t edge = ((std::uint64_t{low} << 32) | high) * 0x9e3779b97f4a7c15ull;
+        sum ^= edge ^ (edge >> 29);
       }
     }
     return sum;
@@ -186,6 +192,27 @@ private:
     }
   }
 
+  /// For the few of most sets, which then need not be sorted; false of more.
+  static bool allDiffer(std::span<const std::pair<std::uint64_t, Index>> candidates)
+  {
+    constexpr std::size_t few = 8;
+    if (candidates.size() > few)
+    {
+      return false;
+    }
+    for (std::size_t i = 1; i < candidates.size(); ++i)
+    {
+      for (std::size_t j = 0; j < i; ++j)
+      {
+        if (candidates[i].first == candidates[j].first)
+        {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
   void replace(Index first, Index by)
   {
     for (std::size_t i = first; i < corners.size() && faces[i] == faces[first]; ++i)
@@ -210,14 +237,19 @@ private:
         lowest.push_back(*std::min_element(corners[i].begin(), corners[i].end()));
       }
     }
-    std::vector<std::pair<Triangle, Index>> candidates;
+    std::vector<std::pair<std::uint64_t, Index>> candidates; // with the two corners that are not the lowest
     forBuckets(lowest, [&](std::span<const Index> bucket) {
       candidates.clear();
       for (const Index i : bucket)
       {
-        Triangle t = corners[left[i]];
-        std::sort(t.begin(), t.end());
-        candidates.emplace_back(t, left[i]);
+        const auto& [a, b, c] = corners[left[i]];
+        const Index high = std::max({a, b, c});
+        const Index middle = std::max(std::min(a, b), std::min(std::max(a, b), c));
+        candidates.emplace_back((std::uint64_t{middle} << 32) | high, left[i]);
+      }
+      if (allDiffer(candidates))
+      {
+        return;
       }
       std::sort(candidates.begin(), candidates.end());
       for (std::size_t i = 1, first = 0; i < candidates.size(); ++i)
