@@ -207,8 +207,8 @@ vtkSmartPointer<vtkAtriaSurfaceReader> readModel(const std::string& file, const 
   configure(reader, options);
   console.follow(reader, 0.0, 0.05);
   reader->Update();
+  printWarnings(reader, file, console); // they may say why there is an error
   throwIfErrors(console, BadInput, file);
-  printWarnings(reader, file, console);
   printNotes(reader, file, console);
   if (reader->GetOutput()->GetNumberOfCells() == 0)
   {

@@ -150,13 +150,14 @@ Index Evaluator::groupOf(const Visit& at)
 
 void Evaluator::visitInstance(const Visit& at)
 {
-  const Visit inner{at.ref, at.transform, groupOf(at)};
+  Visit inner{at.ref, at.transform, groupOf(at)};
   const NodeRef body = instances.enter(at.ref);
   const NodeRefs children = body ? NodeRefs{} : instances.nodes(at.ref, "children");
   if (!children.empty())
   {
     // Of an EXTERNPROTO whose file is missing, most likely.
-    warn(*at.ref.node, "has no prototype, but its children are read as those of a Group");
+    warn(*at.ref.node, "has no prototype, but its children are read as those of a Transform");
+    inner.transform = at.transform * transformOf(at.ref, "scale");
     return pushChildren(inner, children);
   }
   open.push_back({body, inner.transform, inner.group});
@@ -177,7 +178,7 @@ void Evaluator::visitUnknown(const Visit& at)
 void Evaluator::visitGroup(const Visit& at)
 {
   const std::string_view type = at.ref.node->type->name;
-  if (type == "Inline")
+  if (type == "Inline" || type == "InlineLoadControl")
   {
     return visitInline(at, "url");
   }

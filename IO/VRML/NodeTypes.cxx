@@ -19,7 +19,8 @@ std::vector<NodeType> groups()
       {"Billboard", NodeKind::group, {{"children", mfNode}}, {"axisOfRotation", "bboxCenter", "bboxSize"}},
       {"Collision", NodeKind::group, {{"children", mfNode}}, {"bboxCenter", "bboxSize", "collide", "proxy"}},
       {"Group", NodeKind::group, {{"children", mfNode}}, {"bboxCenter", "bboxSize"}},
-      {"Inline", NodeKind::group, {{"url", mfString}}, {"bboxCenter", "bboxSize"}},
+      {"Inline", NodeKind::group, {{"url", mfString}}, {"bboxCenter", "bboxSize", "load"}},            // load is of X3D
+      {"InlineLoadControl", NodeKind::group, {{"url", mfString}}, {"bboxCenter", "bboxSize", "load"}}, // of amendment 1
       {"LOD", NodeKind::group, {{"level", mfNode}, {"children", mfNode}}, {"center", "range"}},
       {"Switch", NodeKind::group, {{"choice", mfNode}, {"children", mfNode}, {"whichChoice", sfInt32}}, {}},
       {"Transform",

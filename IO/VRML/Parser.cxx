@@ -211,7 +211,15 @@ void Parser::openNode(Slot slot, const std::vector<std::string_view>& names)
   Node& node = document.addNode();
   node.line = lexer.lineOf(type.text);
   node.prototype = findPrototype(type.text);
-  node.type = node.prototype ? nullptr : findNodeType(type.text, document.version);
+  if (node.prototype && node.prototype->standard)
+  {
+    node.type = node.prototype->standard;
+    node.prototype = nullptr;
+  }
+  else if (!node.prototype)
+  {
+    node.type = findNodeType(type.text, document.version);
+  }
   if (isVersion1() && !node.type)
   {
     node.type = declaredBase();

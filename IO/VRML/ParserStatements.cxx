@@ -5,6 +5,20 @@
 
 namespace atria::vrml {
 
+namespace {
+
+/// The node of the standard that a URL such as urn:web3d:vrml97:node:Transform means; null for other URLs.
+const NodeType* standardNode(std::string_view url)
+{
+  constexpr std::string_view marker = ":node:";
+  const std::size_t found = url.rfind(marker);
+  return url.substr(0, 4) == "urn:" && found != url.npos
+             ? findNodeType(url.substr(found + marker.size()), Version::vrml97)
+             : nullptr;
+}
+
+} // namespace
+
 /// PROTO, EXTERNPROTO and ROUTE may stand wherever a node or a field may.
 bool Parser::readStatement()
 {
@@ -158,6 +172,10 @@ void Parser::openBody(Prototype& prototype)
       return expected("the URL of the prototype");
     }
     prototype.urls = std::get<Strings>(urls);
+    for (const std::string_view url : prototype.urls)
+    {
+      prototype.standard = prototype.standard ? prototype.standard : standardNode(url);
+    }
     return;
   }
   if (lexer.peek().kind != TokenKind::openBrace)

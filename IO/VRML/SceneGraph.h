@@ -104,7 +104,8 @@ struct Prototype
   Node* defaults = nullptr; ///< its fields are the interface's defaults
   Node* body = nullptr;     ///< its only field lists the nodes of the body; the first one is drawn
   bool external = false;
-  Strings urls; ///< of an EXTERNPROTO
+  Strings urls;                       ///< of an EXTERNPROTO
+  const NodeType* standard = nullptr; ///< of an EXTERNPROTO whose URL names a node of the standard
   const Document* document = nullptr;
 };
 

@@ -230,6 +230,34 @@ TEST_F(VRMLDamage, TellsPlacesInAFileOfOneLine)
   messages.takeWarnings();
 }
 
+/// The reader lets go of the text behind it.
+TEST_F(VRMLDamage, TellsPlacesFarIntoAFile)
+{
+  constexpr int fillers = 40;
+  const std::string filler = "WorldInfo { info \"" + std::string(1 << 20, 'x') + "\" }";
+  for (const std::string end : {"\n", "\r\n", "\r", " "})
+  {
+    std::string text = "#VRML V2.0 utf8\n";
+    for (int i = 0; i < fillers; ++i)
+    {
+      text += filler + end;
+    }
+    text += "Group { colour 1 }" + end + box + end + " Group { colour 2 }";
+    const VRMLModel model = readText(text);
+    ASSERT_EQ(model.warnings().size(), 2u);
+    const bool oneLine = end == " ";
+    const std::size_t before = oneLine ? fillers * (filler.size() + 1) : 0;
+    const std::size_t between = oneLine ? before + box.size() + 21 : 1;
+    const auto place = [&](int lines, std::size_t column) {
+      const int line = 2 + (oneLine ? 0 : fillers + lines);
+      return "model.wrl:" + std::to_string(line) + ":" + std::to_string(column) + ": Group has no field 'colour'";
+    };
+    EXPECT_EQ(model.warnings()[0], place(0, before + 9));
+    EXPECT_EQ(model.warnings()[1], place(2, between + 9));
+    messages.takeWarnings();
+  }
+}
+
 TEST_F(VRMLDamage, ReadsMegabytesOnOneLine)
 {
   std::string points;

@@ -255,6 +255,28 @@ TEST_F(VRMLReader, SkipsPrototypesThatCannotBeFound)
       << joined(model.warnings());
 }
 
+TEST_F(VRMLReader, TakesPrototypesWhoseUrlNamesAStandardNode)
+{
+  const VRMLModel model = read("EXTERNPROTO Moved [ field SFVec3f translation field MFNode children field SFBool on ]\n"
+                               "[ \"gone.wrl\" \"urn:web3d:vrml97:node:Transform\" ]\n"
+                               "EXTERNPROTO Thing [ field SFNode geometry ] \"urn:inet:example.org:node:Shape\"\n"
+                               "DEF Far Moved { on TRUE translation 5 0 0 children Thing { geometry Box {} } }");
+  EXPECT_EQ(model.names(), Names{"Far"});
+  expectBounds(model.bounds("Far"), {4, 6, -1, 1, -1, 1});
+}
+
+TEST_F(VRMLReader, MovesChildrenOfInstancesWithoutPrototype)
+{
+  const VRMLModel model = read("EXTERNPROTO Moved [ field SFVec3f translation field SFRotation rotation field SFVec3f "
+                               "scale field MFNode children ] \"gone.wrl\"\n"
+                               "DEF Far Moved { scale 1 2 1 translation 5 0 0 rotation 0 0 1 1.5707963267948966\n"
+                               "children " +
+                               box + "}");
+  EXPECT_NE(joined(model.warnings()).find("read as those of a Transform"), std::string::npos);
+  EXPECT_EQ(messages.takeWarnings().size(), 1u);
+  expectBounds(model.bounds("Far"), {3, 7, -1, 1, -1, 1});
+}
+
 TEST_F(VRMLReader, StopsPrototypesOfTwoFilesThatContainEachOther)
 {
   write("b.wrl", "#VRML V2.0 utf8\nEXTERNPROTO A [] \"model.wrl#A\" PROTO B [] { Group { children A {} } }");
@@ -279,9 +301,10 @@ TEST_F(VRMLReader, PrintsItsProperties)
   EXPECT_EQ(reader->GetTessellationError(), 0.0);
   reader->SetTessellationError(-1.0);
   EXPECT_EQ(reader->GetTessellationError(), 0.0);
-  for (const char* property : {"FileName: a.wrl", "TessellationAngle: 90", "TessellationError: 0", "NumberOfWarnings: 0", "SkippedNodes: 0",
-                               "SurfaceBy: 0", "SplitAngle: 30", "MergeDuplicateFaces: on", "UpAxis: 0",
-                               "LengthUnit: 0", "Scale: 1", "Recentre: off", "NumberOfMergedFaces: 0", "Notes: 0"})
+  for (const char* property :
+       {"FileName: a.wrl", "TessellationAngle: 90", "TessellationError: 0", "NumberOfWarnings: 0", "SkippedNodes: 0",
+        "SurfaceBy: 0", "SplitAngle: 30", "MergeDuplicateFaces: on", "UpAxis: 0", "LengthUnit: 0", "Scale: 1",
+        "Recentre: off", "NumberOfMergedFaces: 0", "Notes: 0"})
   {
     EXPECT_NE(text.str().find(property), std::string::npos) << property;
   }
