@@ -24,6 +24,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <iostream>
 #include <memory>
@@ -131,17 +132,27 @@ Json jsonOf(const Inspection& inspection, vtkAtriaSurfaceReader* reader)
   report["total"]["points"] = inspection.points;
   report["warnings"] = jsonOf(reader->GetWarnings());
   report["notes"] = jsonOf(reader->GetNotes());
+  report["skipped"] = jsonOf(reader->GetSkippedNodes());
   report["merged_faces"] = reader->GetNumberOfMergedFaces();
   return report;
 }
 
-void printLine(const SurfaceSummary& summary, const std::string& name, int width)
+/// Digits that tell places in a model apart, however far from the origin it lies.
+int digitsOf(const Box3& box)
+{
+  constexpr int near = 6;
+  const double size = box.empty() ? 0.0 : box.size().maxCoeff();
+  const double distance = box.empty() ? 0.0 : std::max(box.min.cwiseAbs().maxCoeff(), box.max.cwiseAbs().maxCoeff());
+  return size > 0.0 ? std::min(near + static_cast<int>(std::log10(distance / size)), 15) : near;
+}
+
+void printLine(const SurfaceSummary& summary, const std::string& name, int width, int digits)
 {
   std::printf("%-*s %10zu %14.6g %8zu %8zu", width, name.c_str(), summary.triangles, summary.area, summary.openEdges,
               summary.nonManifoldEdges);
   for (int axis = 0; axis < 3 && !summary.bounds.empty(); ++axis)
   {
-    std::printf("  %g..%g", summary.bounds.min[axis], summary.bounds.max[axis]);
+    std::printf("  %.*g..%.*g", digits, summary.bounds.min[axis], digits, summary.bounds.max[axis]);
   }
   std::printf("\n");
 }
@@ -154,18 +165,29 @@ void printTable(const Inspection& inspection)
     longest = std::max(longest, std::min<std::size_t>(summary.name.size(), 48));
   }
   const int width = static_cast<int>(longest);
+  const int digits = digitsOf(inspection.total.bounds);
   std::printf("%-*s %10s %14s %8s %8s  %s\n", width, "name", "triangles", "area", "open", "non-man.", "bounds x, y, z");
   for (const SurfaceSummary& summary : inspection.surfaces)
   {
-    printLine(summary, summary.name, width);
+    printLine(summary, summary.name, width, digits);
   }
-  printLine(inspection.total, "total", width);
+  printLine(inspection.total, "total", width, digits);
   std::printf("open, non-man.: edges that one triangle uses, or three and more; the total sees all surfaces "
               "together\n");
 }
 
+/// Lines, points, lights and what else makes no surface.
+void printSkipped(vtkStringArray* nodes)
+{
+  for (vtkIdType i = 0; i < nodes->GetNumberOfValues(); ++i)
+  {
+    std::printf("%s%s", i == 0 ? "no surfaces, left out: " : ", ", nodes->GetValue(i).c_str());
+  }
+  std::printf(nodes->GetNumberOfValues() > 0 ? "\n" : "");
+}
+
 /// At most `most` of a kind, those with the highest counts first.
-void printProblems(std::vector<Problem> problems, const TriangleSurface& surface)
+void printProblems(std::vector<Problem> problems, const TriangleSurface& surface, int digits)
 {
   constexpr std::size_t most = 10;
   if (problems.empty())
@@ -186,8 +208,8 @@ void printProblems(std::vector<Problem> problems, const TriangleSurface& surface
     if (ofKind < most)
     {
       std::array<char, 64> place;
-      std::snprintf(place.data(), place.size(), "%.6g %.6g %.6g", problem.place.x(), problem.place.y(),
-                    problem.place.z());
+      std::snprintf(place.data(), place.size(), "%.*g %.*g %.*g", digits, problem.place.x(), digits, problem.place.y(),
+                    digits, problem.place.z());
       std::printf("%-18s %8zu %12.4g  %-32s", kind, problem.count, problem.size, place.data());
       for (std::size_t k = 0; k < problem.surfaces.size() && k < 3; ++k)
       {
@@ -281,9 +303,10 @@ ExitStatus runInspect(const InspectOptions& options, Console& console)
   else
   {
     printTable(inspection);
+    printSkipped(reader->GetSkippedNodes());
     if (!options.noProblems)
     {
-      printProblems(problems, surface);
+      printProblems(problems, surface, digitsOf(inspection.total.bounds));
     }
   }
   return Done;

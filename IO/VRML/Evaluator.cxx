@@ -206,8 +206,7 @@ void Evaluator::visitInline(const Visit& at, const char* field)
 {
   const auto* urls = instances.get<Strings>(at.ref, field);
   const Node& node = *at.ref.node;
-  const Document* document =
-      library.openBeside(*node.document, urls ? *urls : Strings{}, node.line, std::string(node.type->name));
+  const Document* document = library.openBeside(*node.document, urls ? *urls : Strings{}, node);
   if (!document)
   {
     return;
@@ -333,6 +332,7 @@ const LocalSurface& Evaluator::localSurface(const NodeRef& geometry, const Trans
 
 void Evaluator::addGeometry(const Visit& at, const NodeRef& geometry, std::string_view name, Index material)
 {
+  geometries.setName(name.empty() ? scene.groupName(at.group) : name);
   add(geometry, localSurface(geometry, at.transform), at.transform, {toUtf8(name), at.group, material});
 }
 
@@ -349,10 +349,6 @@ void Evaluator::add(const NodeRef& geometry, const LocalSurface& surface, const 
   }
 }
 
-void Evaluator::warn(const Node& node, const std::string& text)
-{
-  diagnostics.warn(node.document->displayName() + ":" + std::to_string(node.line) + ": " + toUtf8(node.typeName) +
-                   (node.name.empty() ? "" : " '" + toUtf8(node.name) + "'") + ": " + text);
-}
+void Evaluator::warn(const Node& node, const std::string& text) { diagnostics.warn(placeOf(node) + ": " + text); }
 
 } // namespace atria::vrml

@@ -136,9 +136,7 @@ LocalSurface Geometry::make(const NodeRef& node)
 
 void Geometry::warn(const NodeRef& node, const std::string& text)
 {
-  diagnostics.warn(node.node->document->displayName() + ":" + std::to_string(node.node->line) + ": " +
-                   toUtf8(node.node->typeName) + (node.node->name.empty() ? "" : " '" + toUtf8(node.node->name) + "'") +
-                   ": " + text);
+  diagnostics.warn(placeOf(*node.node, name) + ": " + text);
 }
 
 bool Geometry::positive(const NodeRef& node, std::initializer_list<double> sizes)

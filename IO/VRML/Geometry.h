@@ -7,6 +7,8 @@
 #include "SurfaceBuilder.h"
 
 #include <optional>
+#include <string>
+#include <string_view>
 
 namespace atria::vrml {
 
@@ -19,6 +21,8 @@ public:
 
   /// How much longer than in its own coordinates a length of what is made next can get in the scene.
   void setStretch(double factor) { stretch = factor; }
+  /// What the surface made next goes by in messages, where its node has no name.
+  void setName(std::string_view shown) { name = shown; }
   /// Whether what a node looks like depends on the stretch.
   bool dependsOnStretch(const NodeRef& node) const;
 
@@ -68,6 +72,7 @@ private:
 
   Tessellation wanted;
   double stretch = 1.0;
+  std::string name;
   Memory memory;
 };
 

@@ -114,8 +114,7 @@ void judgeUnit(const std::string& head, const std::vector<std::string_view>& wor
   constexpr double tallest = 1000.0; // no building is
   constexpr double longest = 20000.0;
   constexpr double shortest = 0.5;
-  const std::string advice =
-      "; lengths are taken to be metres: set LengthUnit, if only to Metres, to say which they are";
+  const std::string advice = "; lengths are taken to be metres: state the unit (LengthUnit, --unit), if only metres";
   const std::string unit = mentionedUnit(words);
   if (!unit.empty())
   {
@@ -169,7 +168,7 @@ bool looksYUp(const Scene& scene, const Vec3& size)
 void judgeUpAxis(const Scene& scene, const std::vector<std::string_view>& words, const Vec3& size,
                  std::vector<std::string>& hints)
 {
-  const std::string advice = "; z is taken to be up: set UpAxis, if only to Z, to say which is";
+  const std::string advice = "; z is taken to be up: state which is (UpAxis, --up), if only z";
   if (mentionsYUp(words))
   {
     hints.push_back("the file mentions that y is up" + advice);
@@ -205,8 +204,9 @@ std::vector<std::string> hintsOf(const Scene& scene, std::string_view head, cons
   const double distance = std::max(box.min.cwiseAbs().maxCoeff(), box.max.cwiseAbs().maxCoeff());
   if (!stated.recentred && distance > far && distance > 10.0 * box.size().norm())
   {
-    hints.push_back("the model lies " + shortNumber(distance) +
-                    " m from the origin, where single precision loses centimetres; Recentre moves it there");
+    hints.push_back(
+        "the model lies " + shortNumber(distance) +
+        " m from the origin, where single precision loses centimetres; Recentre or --recentre moves it there");
   }
   return hints;
 }

@@ -25,11 +25,6 @@ const Prototype* findIn(const Document& document, std::string_view name)
   return nullptr;
 }
 
-std::string placeOf(const Node& node)
-{
-  return node.document->displayName() + ":" + std::to_string(node.line) + ": " + toUtf8(node.typeName);
-}
-
 } // namespace
 
 /// Follows EXTERNPROTO into other files.
@@ -38,9 +33,8 @@ const Prototype* Instances::resolve(const Prototype& prototype, const Node& inst
   const Prototype* found = &prototype;
   for (int i = 0; found && found->external; ++i)
   {
-    const Document* document = i < longestChainOfFiles ? library.openBeside(*found->document, found->urls,
-                                                                            instance.line, std::string(found->name))
-                                                       : nullptr;
+    const Document* document =
+        i < longestChainOfFiles ? library.openBeside(*found->document, found->urls, instance) : nullptr;
     if (!document)
     {
       return nullptr;

@@ -74,6 +74,14 @@ public:
     }
     return tokens[1];
   }
+  /// Makes two tokens of the next one, the first of so many characters.
+  void cutNext(std::size_t characters)
+  {
+    peek();
+    tokens[0].text = tokens[0].text.substr(0, characters);
+    ends[0] = tokens[0].text.data() + characters;
+    looked = 1;
+  }
   /// Reads a name after DEF, USE and the like, where something that looks like a number is a name too.
   std::optional<std::string_view> nextName();
   /// Characters up to the next closing bracket, zero without one: how much a list may hold.

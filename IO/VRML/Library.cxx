@@ -125,9 +125,9 @@ const Document& Library::open(const fs::path& file)
   return *document;
 }
 
-const Document* Library::openBeside(const Document& from, const Strings& urls, int line, const std::string& what)
+const Document* Library::openBeside(const Document& from, const Strings& urls, const Node& user)
 {
-  const std::string place = from.displayName() + ":" + std::to_string(line) + ": " + what;
+  const std::string place = placeOf(user);
   std::string tried;
   for (const std::string_view url : urls)
   {

@@ -27,8 +27,8 @@ public:
   const Document& open(const std::filesystem::path& file);
 
   /// The first of `urls` that can be read, relative to the document that mentions them; null and a warning if
-  /// none can. `line` is where they are mentioned, `what` names the node.
-  const Document* openBeside(const Document& from, const Strings& urls, int line, const std::string& what);
+  /// none can. `user` is the node that needs it.
+  const Document* openBeside(const Document& from, const Strings& urls, const Node& user);
 
   /// ROUTE statements in all files.
   std::size_t routes() const;

@@ -209,7 +209,9 @@ void Parser::openNode(Slot slot, const std::vector<std::string_view>& names)
   const Token type = lexer.next();
   lexer.next();
   Node& node = document.addNode();
-  node.line = lexer.lineOf(type.text);
+  const Place place = lexer.placeOf(type.text);
+  node.line = place.line;
+  node.column = static_cast<std::uint32_t>(std::min(place.column, (1 << 30) - 1));
   node.prototype = findPrototype(type.text);
   if (node.prototype && node.prototype->standard)
   {
@@ -237,8 +239,8 @@ void Parser::openNode(Slot slot, const std::vector<std::string_view>& names)
   const bool inUnknown = around.node && !around.node->type && !around.node->prototype;
   if (!node.type && !node.prototype && !inUnknown)
   {
-    diagnostics.warn(document.displayName() + ":" + std::to_string(node.line) + ": unknown node '" + toUtf8(type.text) +
-                     "' is skipped");
+    diagnostics.warn(document.displayName() + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) +
+                     ": unknown node '" + toUtf8(type.text) + "' is skipped");
   }
   frames.push_back({Open::node, {}, &node, nullptr, node.line});
 }
@@ -333,6 +335,16 @@ void Parser::readNodeWithoutField()
 void Parser::readField()
 {
   Node& node = *frames.back().node;
+  if (isVersion1())
+  {
+    // `parts(SIDES | TOP)`, though names may hold parentheses.
+    const std::string_view text = lexer.peek().text;
+    const std::size_t parenthesis = text.find('(');
+    if (parenthesis != text.npos && parenthesis > 0 && fieldType(node, text.substr(0, parenthesis)))
+    {
+      lexer.cutNext(parenthesis);
+    }
+  }
   const Token token = lexer.peek();
   const auto type = fieldType(node, token.text);
   if (isVersion1() && (token.is("fields") || token.is("isA")))

@@ -288,6 +288,11 @@ bool Parser::readWords(Value& value)
   bool inside = false;
   do
   {
+    const std::size_t parenthesis = lexer.peek().text.find(')');
+    if (parenthesis != std::string_view::npos)
+    {
+      lexer.cutNext(parenthesis + 1); // a field may begin right behind it
+    }
     const std::string_view text = lexer.next().text;
     inside = (inside || text.front() == '(') && text.back() != ')';
     for (std::size_t start = 0; start < text.size();)

@@ -19,6 +19,11 @@ public:
   void reserve(std::size_t points, std::size_t triangles);
   /// A group inside another; `name` as the file has it.
   Index group(std::string_view name, Index parent);
+  /// Empty for none.
+  std::string_view groupName(Index group) const
+  {
+    return group == noIndex ? std::string_view{} : std::string_view(scene.groups[group].name);
+  }
   Index material(const Material& material);
   void skip(const std::string& what, std::size_t count = 1) { scene.skipped[what] += count; }
 

@@ -5,8 +5,10 @@
 #include "List.h"
 
 #include "Support/Memory.h"
+#include "Support/Utf8.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <deque>
 #include <filesystem>
 #include <map>
@@ -79,8 +81,9 @@ struct Node
   std::string_view name;                ///< by DEF; empty without
   const Document* document = nullptr;
   int line = 0;
-  bool damaged = false; ///< a syntax error cost part of it
-  bool shared = false;  ///< mentioned by some USE
+  std::uint32_t column : 30 = 0;
+  bool damaged : 1 = false; ///< a syntax error cost part of it
+  bool shared : 1 = false;  ///< mentioned by some USE
   List<Field> fields;
 
   const Field* find(std::string_view field) const
@@ -152,5 +155,14 @@ struct Document
   }
   std::string displayName() const { return file.filename().string(); }
 };
+
+/// File, line, column, type and name of a node, for messages. What has no name of its own goes by `name`.
+inline std::string placeOf(const Node& node, std::string_view name = {})
+{
+  const std::string_view shown = node.name.empty() ? name : node.name;
+  std::string text = node.document->displayName() + ":" + std::to_string(node.line) + ":" +
+                     std::to_string(node.column) + ": " + toUtf8(node.typeName);
+  return shown.empty() ? text : text + " '" + toUtf8(shown) + "'";
+}
 
 } // namespace atria::vrml

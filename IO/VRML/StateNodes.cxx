@@ -126,6 +126,7 @@ void Evaluator::addGeometry1(const Visit& at)
     material = scene.material(look);
   }
   setStretch(at.ref, state.transform);
+  geometries.setName(at.ref.node->name.empty() ? scene.groupName(at.group) : at.ref.node->name);
   geometries.recycle(std::move(current));
   current = geometries.make(at.ref, local);
   add(at.ref, current, state.transform, {toUtf8(at.ref.node->name), at.group, material});

@@ -88,7 +88,7 @@ class CommandLine(unittest.TestCase):
         self.assertFalse(out.exists())
         parts = self.folder / "parts.wrl"
         parts.write_text('#VRML V2.0 utf8\nInline { url "gone.wrl" }\n')
-        self.refuses(3, "parts.wrl:2: Inline: cannot read 'gone.wrl'", "inspect", parts)
+        self.refuses(3, "parts.wrl:2:1: Inline: cannot read 'gone.wrl'", "inspect", parts)
 
     def test_other_formats(self):
         faces = {"Floor": "1 4 3 2", "Wall South": "1 2 6 5", "Wall North": "3 4 8 7", "Wall West": "4 1 5 8", "Roof": "5 6 7 8"}
@@ -146,6 +146,19 @@ class CommandLine(unittest.TestCase):
         self.assertIn("PartitionB", table.stdout)
         self.assertIn("open edges", table.stdout)
         self.assertNotIn("open edges", self.atria("inspect", HOUSE, "--no-problems").stdout)
+
+    def test_inspect_lists_what_makes_no_surface(self):
+        model = self.folder / "lines.wrl"
+        model.write_text("#VRML V2.0 utf8\nShape { geometry Box {} } Shape { geometry IndexedLineSet {} }\n"
+                         "Shape { geometry PointSet {} } Viewpoint {}\n")
+        skipped = ["IndexedLineSet: 1", "PointSet: 1", "Viewpoint: 1"]
+        self.assertIn(": " + ", ".join(skipped) + "\n", self.atria("inspect", model).stdout)
+        self.assertEqual(json.loads(self.atria("inspect", model, "--json").stdout)["skipped"], skipped)
+
+    def test_inspect_tells_places_far_from_the_origin(self):
+        model = self.folder / "far.wrl"
+        model.write_text("#VRML V2.0 utf8\nTransform { translation 3500000 5400000.25 0 children Shape { geometry Box {} } }\n")
+        self.assertIn("3499999..3500001  5399999.25..5400001.25  -1..1", self.atria("inspect", model).stdout)
 
     def test_model_options(self):
         model = self.folder / "options.wrl"

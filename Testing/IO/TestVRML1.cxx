@@ -99,6 +99,7 @@ TEST_F(VRML1, MakesPrimitivesAndTheirParts)
   EXPECT_NEAR(read("Cube { width 1 height 2 depth 3 }").volume(), 6.0, 1e-12);
   EXPECT_NEAR(read("Sphere { radius 2 }").area(), 16 * pi, 0.5);
   EXPECT_NEAR(read("Cylinder { parts (SIDES | TOP) radius 2 height 3 }").area(), 12 * pi + 4 * pi, 0.3);
+  EXPECT_NEAR(read("Cylinder { parts(SIDES|TOP)radius 2 height 3 }").area(), 12 * pi + 4 * pi, 0.3);
   EXPECT_NEAR(read("Cylinder { parts ALL }").area(), 6 * pi, 0.1);
   EXPECT_NEAR(read("Cone { parts BOTTOM bottomRadius 3 }").area(), 9 * pi, 0.2);
   EXPECT_NEAR(read("Cone { parts (SIDES|BOTTOM) }").area(), pi * (1 + std::sqrt(5.0)), 0.1);

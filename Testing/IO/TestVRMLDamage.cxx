@@ -86,7 +86,7 @@ TEST_F(VRMLDamage, ReadsAllLineEndsAndAByteOrderMark)
     const VRMLModel model = readText(text);
     EXPECT_EQ(model.names(), Names{"A"});
     ASSERT_EQ(model.warnings().size(), 1u);
-    EXPECT_EQ(model.warnings()[0], "model.wrl:7: unknown node 'Unknown' is skipped");
+    EXPECT_EQ(model.warnings()[0], "model.wrl:7:1: unknown node 'Unknown' is skipped");
     messages.takeWarnings();
   }
 }
@@ -201,7 +201,7 @@ TEST_F(VRMLDamage, SkipsUnknownNodesAndFieldsButReadsNodesInThem)
 {
   const VRMLModel model =
       readWithWarning("HAnim { joints [ DEF A " + box + " ] name \"x\" size 1 2 on TRUE more [1 2] look Foo {} } USE A",
-                      "model.wrl:2: unknown node 'HAnim' is skipped");
+                      "model.wrl:2:1: unknown node 'HAnim' is skipped");
   EXPECT_EQ(model.triangles(), 12);
   EXPECT_EQ(readWithWarning("Group { colour 1 0 0 children " + box + "}", "Group has no field 'colour'").triangles(),
             12);

@@ -218,7 +218,7 @@ TEST_F(VRMLGeometry, WarnsOfFacesThatCannotBe)
   EXPECT_EQ(model.triangles(), 2);
   EXPECT_EQ(messages.takeWarnings().size(), 1u);
   ASSERT_EQ(model.warnings().size(), 1u);
-  EXPECT_EQ(model.warnings()[0], "model.wrl:2: IndexedFaceSet: 1 face with points that do not exist, "
+  EXPECT_EQ(model.warnings()[0], "model.wrl:2:18: IndexedFaceSet: 1 face with points that do not exist, "
                                  "skipped; 1 face with a point repeated in a row, "
                                  "taken once; 2 faces without area, skipped");
 }

@@ -159,8 +159,8 @@ TEST_F(VRMLReader, WarnsOfInlinedFilesThatAreMissingOrCyclic)
   const VRMLModel model = read(box + "Inline { url \"gone.wrl\" }\nInline { url \"model.wrl\" }");
   EXPECT_EQ(messages.takeWarnings().size(), 1u);
   const std::string warnings = joined(model.warnings());
-  EXPECT_NE(warnings.find("model.wrl:2: Inline: cannot read 'gone.wrl'"), std::string::npos) << warnings;
-  EXPECT_NE(warnings.find("model.wrl:3: Inline: the file contains itself"), std::string::npos) << warnings;
+  EXPECT_NE(warnings.find("model.wrl:2:26: Inline: cannot read 'gone.wrl'"), std::string::npos) << warnings;
+  EXPECT_NE(warnings.find("model.wrl:3:1: Inline: the file contains itself"), std::string::npos) << warnings;
   EXPECT_EQ(model.triangles(), 12);
 }
 
@@ -251,8 +251,29 @@ TEST_F(VRMLReader, SkipsPrototypesThatCannotBeFound)
       read("EXTERNPROTO Thing [ field SFBool on ] [ \"urn:x\" \"gone.wrl#Thing\" ]\nThing { on TRUE }" + box);
   EXPECT_EQ(messages.takeWarnings().size(), 1u);
   EXPECT_EQ(model.triangles(), 12);
-  EXPECT_NE(joined(model.warnings()).find("model.wrl:3: Thing: cannot read"), std::string::npos)
+  EXPECT_NE(joined(model.warnings()).find("model.wrl:3:1: Thing: cannot read"), std::string::npos)
       << joined(model.warnings());
+}
+
+TEST_F(VRMLReader, WarnsOfGeometryByTheNameItGoesBy)
+{
+  const std::string faces =
+      "geometry IndexedFaceSet { coord Coordinate { point [0 0 0, 1 0 0, 0 1 0] } coordIndex [0 1 2 "
+      "-1 0 1 7] }";
+  const VRMLModel model =
+      read("DEF Wall Shape {\n" + faces + "}\nDEF Hall Group { children Shape {\n  " + faces + "} }");
+  EXPECT_EQ(messages.takeWarnings().size(), 1u);
+  ASSERT_EQ(model.warnings().size(), 2u);
+  EXPECT_EQ(model.warnings()[0].substr(0, 39), "model.wrl:3:10: IndexedFaceSet 'Wall': ");
+  EXPECT_EQ(model.warnings()[1].substr(0, 39), "model.wrl:5:12: IndexedFaceSet 'Hall': ");
+}
+
+TEST_F(VRMLReader, ReadsFilesOfAnInlineLoadControl)
+{
+  write("part.wrl", "#VRML V2.0 utf8\nDEF Part " + box);
+  const VRMLModel model =
+      read("InlineLoadControl { load TRUE url \"part.wrl\" } Inline { load TRUE url \"part.wrl\" }");
+  EXPECT_EQ(model.names(), (Names{"Part", "Part_2"}));
 }
 
 TEST_F(VRMLReader, TakesPrototypesWhoseUrlNamesAStandardNode)
