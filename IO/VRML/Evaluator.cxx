@@ -26,8 +26,7 @@ Evaluator::Evaluator(Library& files, Diagnostics& messages, const ProgressRange&
 
 Scene Evaluator::run(const Document& document)
 {
-  // Most of what a file has is drawn once. Quads, of five indices, make most triangles.
-  scene.reserve(document.points, 2 * document.indices / 5);
+  scene.reserve(document);
   openDocument(document, Transform::Identity(), noIndex);
   for (std::size_t count = 0; !open.empty(); ++count)
   {

@@ -229,6 +229,8 @@ void Parser::openNode(Slot slot, const std::vector<std::string_view>& names)
   const bool isOwn = node.type && node.type->name == type.text;
   node.typeName = isOwn ? node.type->name : node.prototype ? node.prototype->name : document.keep(type.text);
   quiet = quiet && !node.prototype && !node.type;
+  document.names += names.size();
+  document.surfaces += node.type && node.type->kind == NodeKind::surface ? 1 : 0;
   for (const std::string_view name : names)
   {
     node.name = name;

@@ -8,12 +8,15 @@
 
 namespace atria::vrml {
 
-void SceneBuilder::reserve(std::size_t points, std::size_t triangles)
+void SceneBuilder::reserve(const Document& document)
 {
-  reserveLarge(scene.points, points);
+  const std::size_t triangles = 2 * document.indices / 5; // quads, of five indices, make most of them
+  reserveLarge(scene.points, document.points);
   reserveLarge(scene.triangles, triangles);
   reserveLarge(scene.shapeIds, triangles);
   reserveLarge(scene.faceIds, triangles);
+  reserveLarge(scene.shapes, document.surfaces);
+  reserveLarge(scene.groups, document.names);
 }
 
 Index SceneBuilder::group(std::string_view name, Index parent)

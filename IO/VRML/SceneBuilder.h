@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Scene.h"
+#include "SceneGraph.h"
 #include "SurfaceBuilder.h"
 
 #include <Eigen/Geometry>
@@ -15,8 +16,8 @@ namespace atria::vrml {
 class SceneBuilder
 {
 public:
-  /// Makes room for so many.
-  void reserve(std::size_t points, std::size_t triangles);
+  /// Makes room for what a document has if it is drawn once.
+  void reserve(const Document& document);
   /// A group inside another; `name` as the file has it.
   Index group(std::string_view name, Index parent);
   /// Empty for none.

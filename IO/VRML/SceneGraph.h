@@ -135,9 +135,11 @@ struct Document
   Node* root = nullptr; ///< its only field lists the file's nodes
   std::deque<Prototype> prototypes;
   std::size_t routes = 0;
-  std::size_t points = 0;  ///< in all coordinates
-  std::size_t indices = 0; ///< in all lists of them
-  std::string head;        ///< the first characters of the file, where programs say who they are
+  std::size_t points = 0;   ///< in all coordinates
+  std::size_t indices = 0;  ///< in all lists of them
+  std::size_t names = 0;    ///< of nodes
+  std::size_t surfaces = 0; ///< nodes that make some
+  std::string head;         ///< the first characters of the file, where programs say who they are
 
   /// Never destroyed, as all that nodes hold is in `memory`.
   Node& addNode()

@@ -92,12 +92,19 @@ void addSurfaces(vtkFieldData* data, const std::vector<atria::vrml::Surface>& su
   colours->SetName("DiffuseColor");
   colours->SetNumberOfComponents(3);
   transparencies->SetName("Transparency");
-  for (const atria::vrml::Surface& surface : surfaces)
+  for (vtkAbstractArray* array :
+       {static_cast<vtkAbstractArray*>(names), static_cast<vtkAbstractArray*>(materials),
+        static_cast<vtkAbstractArray*>(colours), static_cast<vtkAbstractArray*>(transparencies)})
   {
-    names->InsertNextValue(surface.name);
-    materials->InsertNextValue(surface.material.name);
-    colours->InsertNextTuple(surface.material.diffuse.data());
-    transparencies->InsertNextValue(surface.material.transparency);
+    array->SetNumberOfTuples(static_cast<vtkIdType>(surfaces.size()));
+  }
+  for (std::size_t i = 0; i < surfaces.size(); ++i)
+  {
+    const auto id = static_cast<vtkIdType>(i);
+    names->SetValue(id, surfaces[i].name);
+    materials->SetValue(id, surfaces[i].material.name);
+    colours->SetTuple(id, surfaces[i].material.diffuse.data());
+    transparencies->SetValue(id, surfaces[i].material.transparency);
   }
   for (vtkAbstractArray* array :
        {static_cast<vtkAbstractArray*>(names), static_cast<vtkAbstractArray*>(materials),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Support/Memory.h"
 #include "Support/Types.h"
 
 #include <bit>
@@ -21,7 +22,12 @@ inline std::uint64_t mixed(std::uint64_t x)
 class IndexTable
 {
 public:
-  explicit IndexTable(std::size_t expected) : slots(std::bit_ceil(2 * expected + 2)) {}
+  explicit IndexTable(std::size_t expected)
+  {
+    const std::size_t size = std::bit_ceil(2 * expected + 2);
+    reserveLarge(slots, size);
+    slots.resize(size);
+  }
 
   /// The index added first of those for which `isSame` says true, or `index`, which is then added. The hash of equal
   /// things must be equal. At most as many may be added as were expected.

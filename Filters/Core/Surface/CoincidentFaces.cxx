@@ -2,6 +2,7 @@
 #include "Surface/CoincidentFaces.h"
 
 #include "Support/IndexTable.h"
+#include "Support/Memory.h"
 #include "Surface/PointPlaces.h"
 
 #include <algorithm>
@@ -30,14 +31,10 @@ class Search
 {
 public:
   Search(std::span<const Vec3> points, std::span<const Triangle> triangles, std::span<const Index> faceIds)
-      : faces(faceIds), corners(triangles.begin(), triangles.end()), numberOfPoints(points.size())
+      : soup(triangles), faces(faceIds), places(placesOfModel(points)), numberOfPoints(points.size())
   {
-    const std::vector<Index> places = placesOfModel(points);
-    for (Triangle& t : corners)
-    {
-      t = {places[t[0]], places[t[1]], places[t[2]]};
-    }
-    out.kept.resize(corners.size());
+    reserveLarge(out.kept, soup.size());
+    out.kept.resize(soup.size());
     std::iota(out.kept.begin(), out.kept.end(), Index{0});
   }
 
@@ -49,16 +46,23 @@ public:
   }
 
 private:
+  Triangle corners(std::size_t i) const
+  {
+    const Triangle& t = soup[i];
+    return {places[t[0]], places[t[1]], places[t[2]]};
+  }
+
   /// Edges of a polygon that bound it, those of its triangles that are there once, each in its direction and sorted by
   /// ends.
   std::vector<Edge> outlineOf(std::size_t first) const
   {
     std::vector<Edge> edges;
-    for (std::size_t i = first; i < corners.size() && faces[i] == faces[first]; ++i)
+    for (std::size_t i = first; i < soup.size() && faces[i] == faces[first]; ++i)
     {
+      const Triangle t = corners(i);
       for (int k = 0; k < 3; ++k)
       {
-        edges.emplace_back(corners[i][k], corners[i][(k + 1) % 3]);
+        edges.emplace_back(t[k], t[(k + 1) % 3]);
       }
     }
     const auto ends = [](const Edge& e) { return std::minmax(e.first, e.second); };
@@ -98,7 +102,8 @@ private:
       Index low = noIndex;
       for (next = i; next < faces.size() && faces[next] == faces[i]; ++next)
       {
-        low = std::min(low, *std::min_element(corners[next].begin(), corners[next].end()));
+        const Triangle t = corners(next);
+        low = std::min({low, t[0], t[1], t[2]});
       }
       if (next - i > 1)
       {
@@ -136,11 +141,12 @@ private:
   std::uint64_t outlineSum(std::size_t first) const
   {
     std::uint64_t sum = 0;
-    for (std::size_t i = first; i < corners.size() && faces[i] == faces[first]; ++i)
+    for (std::size_t i = first; i < soup.size() && faces[i] == faces[first]; ++i)
     {
+      const Triangle t = corners(i);
       for (int k = 0; k < 3; ++k)
       {
-        const auto [low, high] = std::minmax(corners[i][k], corners[i][(k + 1) % 3]);
+        const auto [low, high] = std::minmax(t[k], t[(k + 1) % 3]);
         // One round of mixing: sums that are equal by chance only cost a comparison.
         const std::uint64_t edge = ((std::uint64_t{low} << 32) | high) * 0x9e3779b97f4a7c15ull;
         sum ^= edge ^ (edge >> 29);
@@ -215,7 +221,7 @@ private:
 
   void replace(Index first, Index by)
   {
-    for (std::size_t i = first; i < corners.size() && faces[i] == faces[first]; ++i)
+    for (std::size_t i = first; i < soup.size() && faces[i] == faces[first]; ++i)
     {
       out.kept[i] = by;
     }
@@ -227,14 +233,15 @@ private:
   {
     std::vector<Index> left;
     std::vector<Index> lowest;
-    left.reserve(corners.size());
-    lowest.reserve(corners.size());
-    for (Index i = 0; i < corners.size(); ++i)
+    left.reserve(soup.size());
+    lowest.reserve(soup.size());
+    for (Index i = 0; i < soup.size(); ++i)
     {
-      if (out.kept[i] == i && !isFlat(corners[i]))
+      const Triangle t = corners(i);
+      if (out.kept[i] == i && !isFlat(t))
       {
         left.push_back(i);
-        lowest.push_back(*std::min_element(corners[i].begin(), corners[i].end()));
+        lowest.push_back(std::min({t[0], t[1], t[2]}));
       }
     }
     std::vector<std::pair<std::uint64_t, Index>> candidates; // with the two corners that are not the lowest
@@ -242,7 +249,7 @@ private:
       candidates.clear();
       for (const Index i : bucket)
       {
-        const auto& [a, b, c] = corners[left[i]];
+        const auto [a, b, c] = corners(left[i]);
         const Index high = std::max({a, b, c});
         const Index middle = std::max(std::min(a, b), std::min(std::max(a, b), c));
         candidates.emplace_back((std::uint64_t{middle} << 32) | high, left[i]);
@@ -261,7 +268,7 @@ private:
           const Index triangle = candidates[i].second;
           out.kept[triangle] = same;
           ++out.faces;
-          out.opposite += isTurned(corners[triangle], corners[same]) ? 1 : 0;
+          out.opposite += isTurned(corners(triangle), corners(same)) ? 1 : 0;
         }
       }
     });
@@ -274,8 +281,9 @@ private:
     return a[1] != b[(at + 1) % 3];
   }
 
+  std::span<const Triangle> soup;
   std::span<const Index> faces;
-  std::vector<Triangle> corners; ///< by place
+  std::vector<Index> places; ///< of the points
   std::size_t numberOfPoints;
   CoincidentFaces out;
 };
