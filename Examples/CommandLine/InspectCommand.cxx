@@ -152,7 +152,8 @@ void printLine(const SurfaceSummary& summary, const std::string& name, int width
               summary.nonManifoldEdges);
   for (int axis = 0; axis < 3 && !summary.bounds.empty(); ++axis)
   {
-    std::printf("  %.*g..%.*g", digits, summary.bounds.min[axis], digits, summary.bounds.max[axis]);
+    // Adding zero makes one of both zeros.
+    std::printf("  %.*g..%.*g", digits, summary.bounds.min[axis] + 0.0, digits, summary.bounds.max[axis] + 0.0);
   }
   std::printf("\n");
 }
