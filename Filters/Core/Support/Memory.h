@@ -45,8 +45,8 @@ inline std::size_t advise(void* start, std::size_t bytes, int advice)
 #endif
 
 /// For memory about to be written for the first time: the system may hand it out in pages of two megabytes. Asking for
-/// it page by page is a third of the time it takes to read a large file. Does nothing for small blocks, and where the
-/// system has no such pages.
+/// it page by page is up to a third of the time it takes to read a large file. Does nothing for small blocks, and where
+/// the system has no such pages.
 inline void useLargePages([[maybe_unused]] void* start, [[maybe_unused]] std::size_t bytes)
 {
 #ifdef MADV_HUGEPAGE
