@@ -25,15 +25,16 @@ double volumeRatioOf(const CellMeasure& own, const CellMeasure& other)
   return std::min(own.volume, other.volume) / (larger + tiny);
 }
 
-CellMeasure measureCell(const CellSource& source, Index cell, CellSource::Scratch& scratch)
+CellMeasure measureCell(const CellSource& source, Index cell, CellSource::Scratch& scratch,
+                        std::vector<FaceMeasure>& faces)
 {
   source.facesOf(cell, scratch);
-  std::vector<FaceMeasure> faces;
-  faces.reserve(scratch.faces.size());
+  const std::vector<Vec3>& points = source.points();
+  faces.clear();
   for (const CellFace& face : scratch.faces)
   {
     faces.push_back(
-        measureFace(face.points.size(), [&](std::size_t i) -> const Vec3& { return source.points()[face.points[i]]; }));
+        measureAnyFace(face.points.size(), [&](std::size_t i) -> const Vec3& { return points[face.points[i]]; }));
   }
   return measureCell([&](auto&& visit) {
     for (const FaceMeasure& face : faces)

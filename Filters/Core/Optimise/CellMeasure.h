@@ -22,7 +22,7 @@ struct CellMeasure
   Vec3 mean;
 };
 
-/// `pointOf(i)` is the face's i-th corner.
+/// `pointOf(i)` is the face's i-th corner. Where `size` is a constant this is faster.
 template <typename PointOf> FaceMeasure measureFace(std::size_t size, PointOf&& pointOf)
 {
   Vec3 mean = Vec3::Zero();
@@ -60,6 +60,11 @@ template <typename PointOf> FaceMeasure measureFace(std::size_t size, PointOf&& 
           length > tiny ? Vec3(area / length) : Vec3(Vec3::Zero()), 0.5 * length};
 }
 
+template <typename PointOf> FaceMeasure measureAnyFace(std::size_t size, PointOf&& pointOf)
+{
+  return size == 4 ? measureFace(4, pointOf) : measureFace(size, pointOf);
+}
+
 /// `eachFace(visit)` calls visit(centroid, outward area) for every face, each time in the same order.
 template <typename EachFace> CellMeasure measureCell(EachFace&& eachFace)
 {
@@ -86,6 +91,8 @@ double weightOf(const FaceMeasure& face, const CellMeasure& own, const CellMeasu
 /// The smaller over the larger; negative where one of them is.
 double volumeRatioOf(const CellMeasure& own, const CellMeasure& other);
 
-CellMeasure measureCell(const CellSource& source, Index cell, CellSource::Scratch& scratch);
+/// Measures a cell of a source; `faces` is room for its faces.
+CellMeasure measureCell(const CellSource& source, Index cell, CellSource::Scratch& scratch,
+                        std::vector<FaceMeasure>& faces);
 
 } // namespace atria

@@ -17,9 +17,10 @@ inline double shortfallOf(double q)
   return q >= 1.0 ? 0.0 : 1.0 - q + stress * std::max(0.0, poor - q);
 }
 
-/// Sum of the squares of what all measures fall short, and the least measure.
+/// Sum of the squares of what all measures fall short, and the least measure, if it is not far above 1.
 struct Score
 {
+  static constexpr double farAbove = 1.001;
   double penalty = 0.0;
   double worst = std::numeric_limits<double>::infinity();
 
@@ -27,6 +28,10 @@ struct Score
   /// Of the worst no less than `least`.
   void add(double q, double least)
   {
+    if (q >= farAbove)
+    {
+      return;
+    }
     worst = std::min(worst, std::max(q, least));
     const double shortfall = shortfallOf(q);
     penalty += shortfall * shortfall;
@@ -81,6 +86,14 @@ struct LeastMetrics
   }
 };
 
+/// Twice the area vectors of triangles of a quadrilateral: those about the centroid, and 012, 023, 123 and 130 of the
+/// corners.
+struct QuadShape
+{
+  std::array<Vec3, 4> fan;
+  std::array<Vec3, 4> half;
+};
+
 /// The cells about a point that may move, and what depends on it.
 struct Star
 {
@@ -88,10 +101,28 @@ struct Star
   std::vector<Index> points;
   double size = 0.0; ///< mean edge of the cells
   std::vector<Index> cells;
-  std::vector<Index> moving; ///< faces that have one of the points
   std::vector<Index> faces;  ///< all faces of the cells
+  std::vector<Index> moving; ///< places in `faces` of those that have one of the points
+  /// Of each cell's faces, in the region's order, the places in `faces`; those of cell i begin at offsets[i].
+  std::vector<Index> slots;
+  std::vector<Index> offsets;
+  /// Of the faces; nothing for those that are no quadrilaterals.
+  std::vector<QuadShape> shapes;
   /// Of the cells and then of the faces, at the place looked at last.
   std::vector<Score> scores;
+  /// Places in `scores`; first what fell short before, as it will tell soonest that a place is no better.
+  std::vector<Index> order;
+  /// As they were before the point was moved: the points' place, the faces that move, the cells.
+  Vec3 origin;
+  std::vector<FaceMeasure> facesBefore;
+  std::vector<CellMeasure> cellsBefore;
+};
+
+/// Up to where a look at a place is of use: scores with a greater penalty or a worse measure need not be complete.
+struct LookLimits
+{
+  double penalty = std::numeric_limits<double>::infinity();
+  double worst = -std::numeric_limits<double>::infinity();
 };
 
 /// Keeps the measures of a region's faces and cells and judges by them. Points in whose stars no cell is the same or a
@@ -107,10 +138,14 @@ public:
   /// Whether nothing about a point falls short.
   bool isGood(std::size_t movable) const;
   void enter(std::size_t movable, Star& star) const;
+  /// Before the point of a star that was entered is moved.
+  void prepare(Star& star) const;
   /// Moves the star's point and measures all that depends on it. Scores are kept as they are until `accept`.
-  void move(const Star& star, const Vec3& p);
-  /// Of the point where it is. As soon as the penalty is above `enough` the rest is not looked at.
-  Score look(Star& star, double enough = std::numeric_limits<double>::infinity()) const;
+  void move(Star& star, const Vec3& p);
+  /// All as it was when the star was prepared; the star is of no use then.
+  void restore(const Star& star);
+  /// Of the point where it is.
+  Score look(Star& star, const LookLimits& limits = {}) const;
   /// Keeps what was seen in the last look, which was not cut short.
   void accept(const Star& star);
 
@@ -118,6 +153,8 @@ public:
   Score scoreOf(const Star& star) const;
   Score scoreOfCell(Index cell) const { return cellScores[cell]; }
   Score scoreOfFace(Index face) const { return faceScores[face]; }
+  /// Of a cell and its faces, as they are, by other targets.
+  Score scoreBy(const QualityTargets& targets, Index cell);
 
   /// The residuals of the cells and faces of a star whose kept scores fall short, always in the same order.
   void residualsOf(const Star& star, Residuals& out) const;
@@ -129,32 +166,40 @@ public:
 private:
   void measure(Index face);
   void measureOne(Index cell);
-  template <typename Sink> void judgeCell(Index cell, Sink& score) const;
-  template <typename Sink> void judgeFace(Index face, Sink& score) const;
-  template <typename Sink> void scoreCorners(Index face, Index cell, Sink& score) const;
-  template <typename Sink> void scoreFans(Index face, Sink& score) const;
-  std::array<double, 4> halfVolumes(Index face, const Vec3& middle) const;
+  void measureSize(Index cell);
+  void judgeAll(const RunContext& context);
+  QuadShape quadShapeOf(Index face) const;
+  std::array<Vec3, 4> fanOf(Index face) const;
+  std::array<Vec3, 4> halvesOf(Index face) const;
+  Vec3 fanTriangle(Index face, std::size_t i) const;
+  class ShapesOnDemand;
+  class ShapesOfStar;
+  template <typename Shapes, typename Sink> void judgeCell(Index cell, const Shapes& shapes, Sink& score) const;
+  template <typename Shapes, typename Sink> void judgeFace(Index face, const Shapes& shapes, Sink& score) const;
+  template <typename Shapes, typename Sink>
+  void scoreCorners(Index face, Index cell, const Shapes& shapes, std::size_t k, Sink& score) const;
+  template <typename Sink> void scoreConvexity(Index face, Index cell, Sink& score) const;
+  template <typename Shapes, typename Sink> void scoreFans(Index face, const Shapes& shapes, Sink& score) const;
+  std::array<double, 4> halfVolumes(Index face, const std::array<Vec3, 4>& half, const Vec3& middle) const;
+  bool isClearlyConvex(Index cell) const;
   const Vec3& middleOf(Index cell) const;
   double determinantOf(Index cell) const;
   JacobianTerms jacobiansOf(Index cell) const;
-  template <typename Sink> void scoreBoundary(Index face, Sink& score) const;
+  template <typename Shapes, typename Sink> void scoreBoundary(Index face, const Shapes& shapes, Sink& score) const;
   template <typename Sink> void scoreSkewness(Index face, const Vec3& d, Sink& score) const;
+  template <typename Sink>
+  void scoreSizes(const FaceMeasure& face, const CellMeasure& own, const CellMeasure& other, Sink& score) const;
+  bool isClearlyStraight(Index face, const Vec3& d) const;
   double skewnessOf(Index face, const Vec3& d, double good) const;
   double sign(Index cell, Index face) const { return region_.owner[face] == cell ? 1.0 : -1.0; }
 
   Region& region_;
   QualityTargets targets_;
   std::vector<FaceMeasure> faces;
-  /// In the order of the region's face points, twice the area vectors of triangles: those about the face's centroid,
-  /// and, of quadrilaterals, 012, 023, 123 and 130 of the corners.
-  std::vector<Vec3> fans;
-  std::vector<Vec3> halves;
   std::vector<CellMeasure> cells;
   std::vector<double> sizes;
   /// Factors that make volumes of a cell's tetrahedra relative to its size and the target.
   std::vector<double> cornerScales;
-  /// Volumes below which a cell counts as flat.
-  std::vector<double> flatVolumes;
   std::vector<Score> cellScores;
   std::vector<Score> faceScores;
 };

@@ -2,6 +2,8 @@
 // The metrics that are reported, of the cells and faces a Judge keeps.
 #include "Optimise/Judge.h"
 
+#include "Quality/CellShapes.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -79,6 +81,52 @@ LeastMetrics Judge::metricsOfFace(Index face) const
   least.take(LeastMetrics::weight, weightOf(f, own, other));
   least.take(LeastMetrics::volumeRatio, volumeRatioOf(own, other));
   return least;
+}
+
+double Judge::determinantOf(Index cell) const
+{
+  std::array<double, 6> sum{};
+  double mean = 0.0;
+  int count = 0;
+  for (const Index f : region_.facesOf(cell))
+  {
+    if (region_.neighbour[f] != noIndex)
+    {
+      const Vec3& a = faces[f].area;
+      sum[0] += a[0] * a[0];
+      sum[1] += a[1] * a[1];
+      sum[2] += a[2] * a[2];
+      sum[3] += a[1] * a[2];
+      sum[4] += a[0] * a[2];
+      sum[5] += a[0] * a[1];
+      mean += faces[f].length;
+      ++count;
+    }
+  }
+  if (mean <= tiny)
+  {
+    return 0.0;
+  }
+  mean /= count;
+  const double square = mean * mean;
+  const auto& [xx, yy, zz, yz, xz, xy] = sum;
+  const double determinant = xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz);
+  return std::abs(determinant) / (8.0 * square * square * square);
+}
+
+JacobianTerms Judge::jacobiansOf(Index cell) const
+{
+  if (region_.natives.empty())
+  {
+    return {};
+  }
+  const NativeCell& native = region_.natives[cell];
+  std::array<Vec3, 8> corners;
+  for (std::size_t i = 0; i < shapeOf(native.type).corners; ++i)
+  {
+    corners[i] = region_.points[native.corners[i]];
+  }
+  return jacobianTerms(native.type, corners);
 }
 
 } // namespace atria

@@ -243,6 +243,25 @@ std::vector<ShortCell> shortCellsOf(const Judge& judge, double margin, const Run
   return cells;
 }
 
+/// Of `cells`, which are all of the region that can be.
+std::vector<ShortCell> shortCellsBy(Judge& judge, const QualityTargets& targets, const std::vector<ShortCell>& cells)
+{
+  const std::vector<Index>& ids = judge.region().cellIds;
+  std::vector<ShortCell> out;
+  for (const ShortCell& cell : cells)
+  {
+    const auto local = static_cast<Index>(std::ranges::lower_bound(ids, cell.cell) - ids.begin());
+    const double worst = judge.scoreBy(targets, local).worst;
+    if (worst < 1.0)
+    {
+      out.push_back({cell.cell, static_cast<float>(worst)});
+    }
+  }
+  return out;
+}
+
+bool looksAtJacobians(const QualityTargets& targets) { return targets.scaledJacobian > 0.0; }
+
 void takePoints(const Region& region, std::vector<Vec3>& points)
 {
   for (const Index local : region.members)
@@ -256,21 +275,34 @@ void takePoints(const Region& region, std::vector<Vec3>& points)
 std::vector<ShortCell> findShortCells(const CellSource& source, const std::vector<char>& marked,
                                       const QualityTargets& targets, const RunContext& context)
 {
-  const std::vector<Index> cells = cellsWithMarked(source, marked, context);
+  return findShortCells(source, cellsWithMarked(source, marked, context), {&targets, 1}, context).front();
+}
+
+std::vector<std::vector<ShortCell>> findShortCells(const CellSource& source, const std::vector<Index>& cells,
+                                                   std::span<const QualityTargets> targets, const RunContext& context)
+{
   // Piece by piece, as measures take many times the cells' own memory.
   const SerialExecutor one;
   const RunContext serial{one, context.progress};
   const Pieces pieces(cells.size());
-  std::vector<std::vector<ShortCell>> found(pieces.count);
+  std::vector<std::vector<std::vector<ShortCell>>> found(pieces.count);
   context.executor.forEach(pieces.count, 1, [&](std::size_t piece) {
-    Region region =
-        extractCells(source, {cells.begin() + pieces.begin(piece), cells.begin() + pieces.end(piece)}, serial);
-    found[piece] = shortCellsOf(Judge(region, targets, serial), 0.0, serial);
+    Region region = extractCells(source, {cells.begin() + pieces.begin(piece), cells.begin() + pieces.end(piece)},
+                                 std::ranges::any_of(targets, looksAtJacobians), serial);
+    Judge judge(region, targets.front(), serial);
+    found[piece].push_back(shortCellsOf(judge, 0.0, serial));
+    for (const QualityTargets& less : targets.subspan(1))
+    {
+      found[piece].push_back(shortCellsBy(judge, less, found[piece].front()));
+    }
   });
-  std::vector<ShortCell> all;
-  for (const std::vector<ShortCell>& piece : found)
+  std::vector<std::vector<ShortCell>> all(targets.size());
+  for (const std::vector<std::vector<ShortCell>>& piece : found)
   {
-    all.insert(all.end(), piece.begin(), piece.end());
+    for (std::size_t i = 0; i < all.size(); ++i)
+    {
+      all[i].insert(all[i].end(), piece[i].begin(), piece[i].end());
+    }
   }
   return all;
 }
@@ -284,7 +316,7 @@ std::vector<ShortCell> optimise(const CellSource& source, std::vector<Vec3>& poi
   {
     return cells;
   }
-  Region region = extractRegion(source, moving, guide, context);
+  Region region = extractRegion(source, moving, guide, options.keepWorst || looksAtJacobians(options.targets), context);
   Judge judge(region, options.targets.beyond(options.margin), context);
   context.progress.check();
   prepareGuide(region, guide, context);
@@ -312,7 +344,7 @@ std::vector<ShortCell> approach(const CellSource& source, std::vector<Vec3>& poi
   {
     moving[p] = leaders[guide.leaderOf(p)];
   }
-  Region region = extractRegion(source, moving, guide, context);
+  Region region = extractRegion(source, moving, guide, looksAtJacobians(targets), context);
   Judge judge(region, targets, context);
   PointSearch search(judge, guide);
   for (Index m = 0; m < region.movable.size(); ++m)

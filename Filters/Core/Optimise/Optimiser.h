@@ -46,6 +46,10 @@ struct ShortCell
 /// The cells about marked points that fall short, in order.
 std::vector<ShortCell> findShortCells(const CellSource& source, const std::vector<char>& marked,
                                       const QualityTargets& targets, const RunContext& context);
+/// Of some cells, in order, those that fall short of each of several targets, the first of which ask for no less than
+/// any other.
+std::vector<std::vector<ShortCell>> findShortCells(const CellSource& source, const std::vector<Index>& cells,
+                                                   std::span<const QualityTargets> targets, const RunContext& context);
 
 /// Improves cells that fall short of the targets by moving points, those of the cells and of `rings` of cells about
 /// them, one after the other, each to where the penalty of the cells about it is less and their worst, unless it is bad

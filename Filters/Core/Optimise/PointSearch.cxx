@@ -22,10 +22,17 @@ constexpr double damping = 0.03;
 } // namespace
 
 /// The point stays at the place looked at.
-Score PointSearch::scoreAt(const Vec3& p, double enough)
+Score PointSearch::scoreAt(const Vec3& p, const LookLimits& limits)
 {
   judge.move(star, guide.place(pointId, p));
-  return judge.look(star, enough);
+  return judge.look(star, limits);
+}
+
+/// Beyond these no place is better.
+LookLimits PointSearch::limitsOf(const Score& now) const
+{
+  return {now.penalty * (1.0 - rules_.leastGain),
+          now.worst < badAnyway ? std::min(now.worst - noise, rules_.leastWorst) : std::min(now.worst - noise, 1.0)};
 }
 
 bool PointSearch::isBetter(const Score& there, const Score& now) const
@@ -57,7 +64,7 @@ bool PointSearch::noMetricIsWorse() const
 /// Moves the point there if that is better than now.
 bool PointSearch::moveIfBetter(const Vec3& p, const Score& now)
 {
-  const bool better = isBetter(scoreAt(p, now.penalty), now);
+  const bool better = isBetter(scoreAt(p, limitsOf(now)), now);
   if (better)
   {
     judge.accept(star);
@@ -77,6 +84,7 @@ PointSearch::Outcome PointSearch::improve(Index movable, double& trust)
   {
     return Outcome::good;
   }
+  judge.prepare(star);
   pointId = judge.region().pointIds[star.point];
   origin = judge.region().points[star.point];
   if (rules_.tryMiddle && now.worst < badAnyway)
@@ -103,7 +111,7 @@ PointSearch::Outcome PointSearch::improve(Index movable, double& trust)
   {
     return Outcome::moved;
   }
-  judge.move(star, origin);
+  judge.restore(star);
   trust = std::max(leastTrust, 0.3 * trust);
   return Outcome::stuck;
 }
@@ -111,6 +119,7 @@ PointSearch::Outcome PointSearch::improve(Index movable, double& trust)
 void PointSearch::approach(Index movable, const Vec3& place, double least)
 {
   judge.enter(movable, star);
+  judge.prepare(star);
   origin = judge.region().points[star.point];
   const double floor = std::min(judge.scoreOf(star).worst, least);
   constexpr int halvings = 4;
@@ -124,7 +133,7 @@ void PointSearch::approach(Index movable, const Vec3& place, double least)
       return;
     }
   }
-  judge.move(star, origin);
+  judge.restore(star);
 }
 
 /// Moves the point to the best of the places at this distance along the axes, if one is better than now.
@@ -132,13 +141,15 @@ bool PointSearch::probe(const Score& now, double reach)
 {
   Vec3 best = origin;
   double least = now.penalty;
+  LookLimits limits = limitsOf(now);
   for (int i = 0; i < 6; ++i)
   {
     const Vec3 place = origin + (i < 3 ? reach : -reach) * Vec3::Unit(i % 3);
-    const Score there = scoreAt(place, least);
+    const Score there = scoreAt(place, limits);
     if (isBetter(there, now) && there.penalty < least)
     {
       least = there.penalty;
+      limits.penalty = std::min(limits.penalty, least);
       best = place;
     }
   }
@@ -150,17 +161,17 @@ Vec3 PointSearch::middle() const
 {
   const Region& region = judge.region();
   std::vector<Index> ends;
-  for (const Index face : star.moving)
+  for (const Index i : star.moving)
   {
-    const auto points = region.face(face);
-    for (std::size_t i = 0; i < points.size(); ++i)
+    const auto points = region.face(star.faces[i]);
+    for (std::size_t k = 0; k < points.size(); ++k)
     {
-      const Index next = points[i + 1 < points.size() ? i + 1 : 0];
-      const bool first = std::ranges::binary_search(star.points, points[i]);
+      const Index next = points[k + 1 < points.size() ? k + 1 : 0];
+      const bool first = std::ranges::binary_search(star.points, points[k]);
       const bool second = std::ranges::binary_search(star.points, next);
       if (first != second)
       {
-        ends.push_back(first ? next : points[i]);
+        ends.push_back(first ? next : points[k]);
       }
     }
   }

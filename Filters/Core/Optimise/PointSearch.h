@@ -55,7 +55,8 @@ private:
   void derive(int axis, double h);
   bool probe(const Score& now, double reach);
   Vec3 middle() const;
-  Score scoreAt(const Vec3& p, double enough = std::numeric_limits<double>::infinity());
+  Score scoreAt(const Vec3& p, const LookLimits& limits);
+  LookLimits limitsOf(const Score& now) const;
   bool moveIfBetter(const Vec3& p, const Score& now);
   bool isBetter(const Score& there, const Score& now) const;
   bool noMetricIsWorse() const;

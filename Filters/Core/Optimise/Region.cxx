@@ -86,8 +86,8 @@ private:
 class Extraction
 {
 public:
-  Extraction(const CellSource& mesh, std::vector<Index> cells)
-      : source(mesh), numberOfPoint(2 * cells.size()), numberOfCell(2 * cells.size())
+  Extraction(const CellSource& mesh, std::vector<Index> cells, bool withNatives)
+      : source(mesh), natives(withNatives), numberOfPoint(2 * cells.size()), numberOfCell(2 * cells.size())
   {
     region.cellIds = std::move(cells);
   }
@@ -95,6 +95,7 @@ public:
   Region run(const RunContext& context)
   {
     findNumbers();
+    makeRoom();
     for (Index local = 0; local < region.cellIds.size(); ++local)
     {
       if (local % grain == 0)
@@ -120,7 +121,7 @@ private:
     for (const Index cell : region.cellIds)
     {
       source.facesOf(cell, scratch);
-      for (const Index point : scratch.points)
+      for (const Index point : scratch.corners)
       {
         if (numberOfPoint.add(point, noIndex))
         {
@@ -149,17 +150,42 @@ private:
     }
   }
 
-  /// The faces between two judged cells are added by the first of them.
-  void addFaces(Index local)
+  /// As for hexahedra, most of whose faces are between two of them.
+  void makeRoom()
   {
-    const Index cell = region.cellIds[local];
-    source.facesOf(cell, scratch);
+    const std::size_t cells = region.cellIds.size();
+    const std::size_t faces = 3 * cells + cells / 2;
+    region.owner.reserve(faces);
+    region.neighbour.reserve(faces);
+    region.faceOffsets.reserve(faces + 1);
+    region.facePoints.reserve(4 * faces);
+    region.natives.reserve(natives ? cells : 0);
+  }
+
+  void addNative(Index cell)
+  {
     NativeCell native = source.nativeOf(cell);
     for (std::size_t i = 0; i < shapeOf(native.type).corners; ++i)
     {
       native.corners[i] = numberOfPoint.of(native.corners[i]);
     }
     region.natives.push_back(native);
+  }
+
+  /// The faces between two judged cells are added by the first of them.
+  void addFaces(Index local)
+  {
+    const Index cell = region.cellIds[local];
+    source.cornersOf(cell, scratch.corners);
+    for (Index& corner : scratch.corners)
+    {
+      corner = numberOfPoint.of(corner);
+    }
+    source.facesOf(cell, scratch.corners, scratch);
+    if (natives)
+    {
+      addNative(cell);
+    }
     for (const CellFace& face : scratch.faces)
     {
       Index across = face.across;
@@ -173,10 +199,7 @@ private:
       }
       region.owner.push_back(local);
       region.neighbour.push_back(across);
-      for (const Index p : face.points)
-      {
-        region.facePoints.push_back(numberOfPoint.of(p));
-      }
+      region.facePoints.insert(region.facePoints.end(), face.points.begin(), face.points.end());
       region.faceOffsets.push_back(static_cast<Index>(region.facePoints.size()));
     }
   }
@@ -207,15 +230,19 @@ private:
 
   void measureGhosts()
   {
+    region.ghostCentroids.reserve(ghosts.size());
+    region.ghostVolumes.reserve(ghosts.size());
+    std::vector<FaceMeasure> faces;
     for (const Index cell : ghosts)
     {
-      const CellMeasure ghost = measureCell(source, cell, scratch);
+      const CellMeasure ghost = measureCell(source, cell, scratch, faces);
       region.ghostCentroids.push_back(ghost.centroid);
       region.ghostVolumes.push_back(ghost.volume);
     }
   }
 
   const CellSource& source;
+  bool natives;
   Region region;
   std::vector<Index> ghosts;
   Numbering numberOfPoint;
@@ -248,10 +275,11 @@ template <typename Use> void eachCellOf(const Region& region, const std::vector<
 /// For each leader of marked points, in order: the judged cells that have one of its points, and these points.
 void addStars(Region& region, const std::vector<char>& marked, const VertexGuide& guide)
 {
-  std::vector<Index> leaders(region.pointIds.size(), noIndex);
-  std::vector<Index> cells(leaders.size(), 0);
-  std::vector<Index> members(leaders.size(), 0);
-  for (Index p = 0; p < leaders.size(); ++p)
+  const std::size_t points = region.pointIds.size();
+  std::vector<Index> leaders(points, noIndex);
+  std::vector<Index> cells(points, 0);
+  std::vector<Index> members(points, 0);
+  for (Index p = 0; p < points; ++p)
   {
     if (marked[region.pointIds[p]])
     {
@@ -286,11 +314,19 @@ void addStars(Region& region, const std::vector<char>& marked, const VertexGuide
 
 } // namespace
 
-void DualSource::facesOf(Index cell, Scratch& out) const
+void DualSource::cornersOf(Index cell, std::vector<Index>& out) const
 {
+  out.clear();
+  out.insert(out.end(), mesh_.corners[cell].begin(), mesh_.corners[cell].end());
+}
+
+void DualSource::facesOf(Index cell, std::span<const Index> names, Scratch& out) const
+{
+  std::array<Index, 8> corners;
+  std::ranges::copy(names, corners.begin());
   out.faces.clear();
-  out.points.clear();
-  out.points.reserve(24);
+  out.points.resize(24);
+  std::size_t begin = 0;
   for (int direction = 0; direction < 6; ++direction)
   {
     const std::int32_t neighbour = mesh_.neighbours[cell][direction];
@@ -298,12 +334,13 @@ void DualSource::facesOf(Index cell, Scratch& out) const
     {
       continue;
     }
-    const ReducedFace face = faceOf(mesh_.corners[cell], direction);
-    const std::size_t begin = out.points.size();
-    out.points.insert(out.points.end(), face.points.begin(), face.points.begin() + face.count);
-    out.faces.push_back({std::span(out.points.data() + begin, static_cast<std::size_t>(face.count)),
-                         neighbour >= 0 ? static_cast<Index>(neighbour) : noIndex});
+    const ReducedFace face = faceOf(corners, direction);
+    const std::span points(out.points.data() + begin, static_cast<std::size_t>(face.count));
+    std::copy_n(face.points.begin(), face.count, points.begin());
+    begin += points.size();
+    out.faces.push_back({points, neighbour >= 0 ? static_cast<Index>(neighbour) : noIndex});
   }
+  out.points.resize(begin);
 }
 
 /// Of those that are hexahedra.
@@ -320,28 +357,34 @@ bool DualSource::hasMarked(Index cell, const std::vector<char>& marked) const
   return std::ranges::any_of(mesh_.corners[cell], [&](Index p) { return marked[p] != 0; });
 }
 
-void FaceMeshSource::facesOf(Index cell, Scratch& out) const
+/// Face by face, each with its normal outwards.
+void FaceMeshSource::cornersOf(Index cell, std::vector<Index>& out) const
 {
-  out.faces.clear();
-  out.points.clear();
-  std::size_t corners = 0;
-  for (const Index f : cellFaces_.of(cell))
-  {
-    corners += mesh_.face(f).size();
-  }
-  out.points.reserve(corners);
+  out.clear();
   for (const Index f : cellFaces_.of(cell))
   {
     const auto points = mesh_.face(f);
-    const std::size_t begin = out.points.size();
-    const bool owned = mesh_.owner[f] == cell;
-    out.points.insert(out.points.end(), points.begin(), points.end());
-    if (!owned)
+    const auto begin = static_cast<std::ptrdiff_t>(out.size());
+    out.insert(out.end(), points.begin(), points.end());
+    if (mesh_.owner[f] != cell)
     {
-      std::reverse(out.points.begin() + static_cast<std::ptrdiff_t>(begin), out.points.end());
+      std::reverse(out.begin() + begin, out.end());
     }
+  }
+}
+
+void FaceMeshSource::facesOf(Index cell, std::span<const Index> names, Scratch& out) const
+{
+  out.faces.clear();
+  out.points.assign(names.begin(), names.end());
+  const Index* next = out.points.data();
+  for (const Index f : cellFaces_.of(cell))
+  {
+    const std::size_t size = mesh_.face(f).size();
+    const bool owned = mesh_.owner[f] == cell;
     const Index across = f >= mesh_.internalFaceCount() ? noIndex : owned ? mesh_.neighbour[f] : mesh_.owner[f];
-    out.faces.push_back({std::span(out.points.data() + begin, points.size()), across});
+    out.faces.push_back({{next, size}, across});
+    next += size;
   }
 }
 
@@ -387,15 +430,35 @@ std::vector<Index> cellsWithMarked(const CellSource& source, const std::vector<c
   return cells;
 }
 
-Region extractCells(const CellSource& source, std::vector<Index> cells, const RunContext& context)
+std::vector<Index> withNeighbours(const CellSource& source, const std::vector<Index>& cells)
 {
-  return Extraction(source, std::move(cells)).run(context);
+  std::vector<Index> out = cells;
+  CellSource::Scratch scratch;
+  for (const Index cell : cells)
+  {
+    source.facesOf(cell, scratch);
+    for (const CellFace& face : scratch.faces)
+    {
+      if (face.across != noIndex)
+      {
+        out.push_back(face.across);
+      }
+    }
+  }
+  std::ranges::sort(out);
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
+}
+
+Region extractCells(const CellSource& source, std::vector<Index> cells, bool withNatives, const RunContext& context)
+{
+  return Extraction(source, std::move(cells), withNatives).run(context);
 }
 
 Region extractRegion(const CellSource& source, const std::vector<char>& marked, const VertexGuide& guide,
-                     const RunContext& context)
+                     bool withNatives, const RunContext& context)
 {
-  Region region = extractCells(source, cellsWithMarked(source, marked, context), context);
+  Region region = extractCells(source, cellsWithMarked(source, marked, context), withNatives, context);
   addStars(region, marked, guide);
   context.progress.check();
   return region;

@@ -35,7 +35,7 @@ struct Region
   std::vector<Index> cellOffsets{0};
   std::vector<Index> cellFaces;
   std::vector<Index> cellIds;
-  /// Of each judged cell, its corners numbered as in `points`.
+  /// Of each judged cell, its corners numbered as in `points`; empty unless they were asked for.
   std::vector<NativeCell> natives;
   /// Centroid and volume of the others, after the judged ones.
   std::vector<Vec3> ghostCentroids;
@@ -82,13 +82,22 @@ public:
   virtual ~CellSource() = default;
   virtual std::size_t cellCount() const = 0;
   virtual const std::vector<Vec3>& points() const = 0;
-  /// Fills `out`, whose spans are good until the next call with the same scratch.
+  /// The points of a cell; some may be there more than once.
+  virtual void cornersOf(Index cell, std::vector<Index>& out) const = 0;
   struct Scratch
   {
     std::vector<CellFace> faces;
     std::vector<Index> points;
+    std::vector<Index> corners;
   };
-  virtual void facesOf(Index cell, Scratch& out) const = 0;
+  /// Fills `out`, whose spans are good until the next call with the same scratch. Points are called by `names`, as many
+  /// as cornersOf gives and in their order.
+  virtual void facesOf(Index cell, std::span<const Index> names, Scratch& out) const = 0;
+  void facesOf(Index cell, Scratch& out) const
+  {
+    cornersOf(cell, out.corners);
+    facesOf(cell, out.corners, out);
+  }
   virtual NativeCell nativeOf(Index /*cell*/) const { return {}; }
   /// Whether the cell has one of the points marked.
   virtual bool hasMarked(Index cell, const std::vector<char>& marked) const = 0;
@@ -100,7 +109,9 @@ public:
   explicit DualSource(const DualMesh& mesh) : mesh_(mesh) {}
   std::size_t cellCount() const override { return mesh_.elementCount(); }
   const std::vector<Vec3>& points() const override { return mesh_.points; }
-  void facesOf(Index cell, Scratch& out) const override;
+  using CellSource::facesOf;
+  void cornersOf(Index cell, std::vector<Index>& out) const override;
+  void facesOf(Index cell, std::span<const Index> names, Scratch& out) const override;
   NativeCell nativeOf(Index cell) const override;
   bool hasMarked(Index cell, const std::vector<char>& marked) const override;
 
@@ -118,7 +129,9 @@ public:
   }
   std::size_t cellCount() const override { return mesh_.cellCount; }
   const std::vector<Vec3>& points() const override { return mesh_.points; }
-  void facesOf(Index cell, Scratch& out) const override;
+  using CellSource::facesOf;
+  void cornersOf(Index cell, std::vector<Index>& out) const override;
+  void facesOf(Index cell, std::span<const Index> names, Scratch& out) const override;
   NativeCell nativeOf(Index cell) const override;
   bool hasMarked(Index cell, const std::vector<char>& marked) const override;
 
@@ -132,12 +145,15 @@ private:
 std::vector<Index> cellsWithMarked(const CellSource& source, const std::vector<char>& marked,
                                    const RunContext& context);
 
+/// Cells and those that share a face with one of them, in order.
+std::vector<Index> withNeighbours(const CellSource& source, const std::vector<Index>& cells);
+
 /// The region of some cells, in order, in which no point may move.
-Region extractCells(const CellSource& source, std::vector<Index> cells, const RunContext& context);
+Region extractCells(const CellSource& source, std::vector<Index> cells, bool withNatives, const RunContext& context);
 
 /// The region in which the points marked may move, each with all others that have the same leader; these are marked,
 /// too, and their leader is one of them. O(cells) to find it, the rest in the region's size.
 Region extractRegion(const CellSource& source, const std::vector<char>& marked, const VertexGuide& guide,
-                     const RunContext& context);
+                     bool withNatives, const RunContext& context);
 
 } // namespace atria
