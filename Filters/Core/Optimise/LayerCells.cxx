@@ -12,6 +12,13 @@ std::vector<ShortCell> badOf(const std::vector<ShortCell>& cells)
   return bad;
 }
 
+std::vector<Index> cellsOf(const std::vector<ShortCell>& cells)
+{
+  std::vector<Index> out;
+  std::ranges::transform(cells, std::back_inserter(out), &ShortCell::cell);
+  return out;
+}
+
 std::vector<char> pointsToJudge(const LayerMesh& layer)
 {
   std::vector<char> marked = boundaryPoints(layer.mesh);

@@ -12,6 +12,8 @@ inline constexpr float soundEnough = 0.02F;
 
 std::vector<ShortCell> badOf(const std::vector<ShortCell>& cells);
 
+std::vector<Index> cellsOf(const std::vector<ShortCell>& cells);
+
 /// Those on the boundary, and those of the layer.
 std::vector<char> pointsToJudge(const LayerMesh& layer);
 

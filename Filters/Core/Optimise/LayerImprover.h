@@ -53,7 +53,7 @@ private:
   void putBack();
   void keepThoseAway();
   void smooth(const SmoothWallTargets& wanted);
-  void thicken();
+  std::vector<Index> thicken(const QualityTargets& wanted);
   bool isSmooth(Index cell) const;
   std::vector<Index> smoothPoints(const std::vector<ShortCell>& shortCells) const;
   void straighten();

@@ -4,6 +4,7 @@
 #include "Optimise/LayerImprover.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -57,44 +58,58 @@ std::vector<Index> LayerImprover::smoothPoints(const std::vector<ShortCell>& sho
   return points;
 }
 
-/// Makes the layer thicker as far as no cell falls short by it.
-void LayerImprover::thicken()
+/// Makes the layer thicker as far as no cell falls short by it. Returns the cells at the boundary and the layer that
+/// may fall short of `wanted`, which asks for more angle and less skewness than the targets.
+std::vector<Index> LayerImprover::thicken(const QualityTargets& wanted)
 {
-  std::vector<char> toJudge = pointsToJudge(layer_);
-  const std::vector<Index> points = smoothPoints(findShortCells(DualSource(layer_.mesh), toJudge, targets(), context_));
+  const DualSource source(layer_.mesh);
+  const std::vector<char> toJudge = pointsToJudge(layer_);
   std::vector<WantedPlace> thick; // where their copies were
-  for (const Index p : points)
+  for (const Index p : smoothPoints(findShortCells(source, toJudge, targets(), context_)))
   {
     Vec3& copy = layer_.mesh.points[layer_.copies[p]];
     thick.push_back({p, copy});
     copy = layer_.mesh.points[p] + thicker * (copy - layer_.mesh.points[p]);
   }
+  QualityTargets both = wanted;
+  both.scaledJacobian = std::max(both.scaledJacobian, targets().scaledJacobian);
+  auto found =
+      findShortCells(source, cellsWithMarked(source, toJudge, context_), std::array{both, targets()}, context_);
+  const std::vector<Index> suspects = cellsOf(found[0]);
+  std::vector<ShortCell> shortCells = std::move(found[1]);
+  std::vector<char> moved(layer_.mesh.points.size(), 0);
   constexpr int rounds = 10;
   for (int round = 0; round <= rounds; ++round)
   {
     std::vector<char> back(layer_.plainPoints, round == rounds ? 1 : 0);
-    markPoints(layer_, findShortCells(DualSource(layer_.mesh), toJudge, targets(), context_), back);
-    // Cells at points that stay thick were judged.
-    std::fill(toJudge.begin(), toJudge.end(), 0);
+    markPoints(layer_, shortCells, back);
+    std::vector<char> fresh(moved.size(), 0);
     const std::size_t wentBack = std::erase_if(thick, [&](const WantedPlace& was) {
       if (back[was.point])
       {
-        layer_.mesh.points[layer_.copies[was.point]] = was.place;
-        toJudge[layer_.copies[was.point]] = 1;
+        const Index copy = layer_.copies[was.point];
+        layer_.mesh.points[copy] = was.place;
+        fresh[copy] = moved[copy] = 1;
       }
       return back[was.point] != 0;
     });
     if (wentBack == 0)
     {
-      return;
+      break;
     }
+    // Cells at points that stay thick were judged.
+    shortCells = findShortCells(source, fresh, targets(), context_);
   }
+  std::vector<Index> changed = withNeighbours(source, cellsWithMarked(source, moved, context_));
+  std::erase_if(changed, [&](Index cell) { return !source.hasMarked(cell, toJudge); });
+  std::vector<Index> all;
+  std::ranges::set_union(suspects, changed, std::back_inserter(all));
+  return all;
 }
 
 /// Elsewhere such targets would take long and gain little.
 void LayerImprover::smooth(const SmoothWallTargets& wanted)
 {
-  thicken();
   OptimiserOptions options;
   options.targets = targets();
   options.targets.faceCosine.target =
@@ -105,10 +120,9 @@ void LayerImprover::smooth(const SmoothWallTargets& wanted)
   options.leastPenalty = 5e-4;
   options.leastGain = 0.02;
   options.firstReach = 0.3;
-  std::vector<ShortCell> cells =
-      findShortCells(DualSource(layer_.mesh), pointsToJudge(layer_), options.targets, context_);
-  std::erase_if(cells, [&](const ShortCell& cell) { return !isSmooth(cell.cell); });
-  move(cells, options);
+  std::vector<Index> suspects = thicken(options.targets);
+  std::erase_if(suspects, [&](Index cell) { return !isSmooth(cell); });
+  move(findShortAmong(DualSource(layer_.mesh), suspects, options.targets, context_), options);
 }
 
 } // namespace atria

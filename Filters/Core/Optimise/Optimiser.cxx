@@ -307,6 +307,14 @@ std::vector<std::vector<ShortCell>> findShortCells(const CellSource& source, con
   return all;
 }
 
+std::vector<ShortCell> findShortAmong(const CellSource& source, const std::vector<Index>& cells,
+                                      const QualityTargets& targets, const RunContext& context)
+{
+  std::vector<ShortCell> found = findShortCells(source, withNeighbours(source, cells), {&targets, 1}, context).front();
+  std::erase_if(found, [&](const ShortCell& cell) { return !std::ranges::binary_search(cells, cell.cell); });
+  return found;
+}
+
 std::vector<ShortCell> optimise(const CellSource& source, std::vector<Vec3>& points,
                                 const std::vector<ShortCell>& cells, VertexGuide& guide,
                                 const OptimiserOptions& options, const RunContext& context)

@@ -51,6 +51,10 @@ std::vector<ShortCell> findShortCells(const CellSource& source, const std::vecto
 std::vector<std::vector<ShortCell>> findShortCells(const CellSource& source, const std::vector<Index>& cells,
                                                    std::span<const QualityTargets> targets, const RunContext& context);
 
+/// Of some cells, in order, those that fall short; cells beside them are looked at as well as they are themselves.
+std::vector<ShortCell> findShortAmong(const CellSource& source, const std::vector<Index>& cells,
+                                      const QualityTargets& targets, const RunContext& context);
+
 /// Improves cells that fall short of the targets by moving points, those of the cells and of `rings` of cells about
 /// them, one after the other, each to where the penalty of the cells about it is less and their worst, unless it is bad
 /// already, no worse. `points` are those of the source, which must see changes to them. Returns those of
