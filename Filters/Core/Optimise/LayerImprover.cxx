@@ -101,7 +101,8 @@ QualityTargets LayerImprover::targets() const
 LayerMesh LayerImprover::run(const SmoothWallTargets& smoothWalls)
 {
   grow();
-  mend(improve(improve(findAll(), 1), 1));
+  const std::vector<ShortCell> shortCells = findAll();
+  mend(improve(improve(shortCells, 1), 1));
   if (!left_.empty())
   {
     putBack();
@@ -119,7 +120,7 @@ LayerMesh LayerImprover::run(const SmoothWallTargets& smoothWalls)
   }
   if (layered_ && !hasHeights_)
   {
-    smooth(smoothWalls);
+    smooth(smoothWalls, shortCells.empty());
   }
   straighten();
   return std::move(layer_);

@@ -52,8 +52,8 @@ private:
   void exclude(const std::vector<ShortCell>& bad);
   void putBack();
   void keepThoseAway();
-  void smooth(const SmoothWallTargets& wanted);
-  std::vector<Index> thicken(const QualityTargets& wanted);
+  void smooth(const SmoothWallTargets& wanted, bool nothingShort);
+  std::vector<Index> thicken(const QualityTargets& wanted, bool nothingShort);
   bool isSmooth(Index cell) const;
   std::vector<Index> smoothPoints(const std::vector<ShortCell>& shortCells) const;
   void straighten();

@@ -59,13 +59,15 @@ std::vector<Index> LayerImprover::smoothPoints(const std::vector<ShortCell>& sho
 }
 
 /// Makes the layer thicker as far as no cell falls short by it. Returns the cells at the boundary and the layer that
-/// may fall short of `wanted`, which asks for more angle and less skewness than the targets.
-std::vector<Index> LayerImprover::thicken(const QualityTargets& wanted)
+/// may fall short of `wanted`, which asks for more angle and less skewness than the targets. `nothingShort`: no cell
+/// falls short of these.
+std::vector<Index> LayerImprover::thicken(const QualityTargets& wanted, bool nothingShort)
 {
   const DualSource source(layer_.mesh);
   const std::vector<char> toJudge = pointsToJudge(layer_);
   std::vector<WantedPlace> thick; // where their copies were
-  for (const Index p : smoothPoints(findShortCells(source, toJudge, targets(), context_)))
+  using Cells = std::vector<ShortCell>;
+  for (const Index p : smoothPoints(nothingShort ? Cells() : findShortCells(source, toJudge, targets(), context_)))
   {
     Vec3& copy = layer_.mesh.points[layer_.copies[p]];
     thick.push_back({p, copy});
@@ -108,7 +110,7 @@ std::vector<Index> LayerImprover::thicken(const QualityTargets& wanted)
 }
 
 /// Elsewhere such targets would take long and gain little.
-void LayerImprover::smooth(const SmoothWallTargets& wanted)
+void LayerImprover::smooth(const SmoothWallTargets& wanted, bool nothingShort)
 {
   OptimiserOptions options;
   options.targets = targets();
@@ -120,7 +122,7 @@ void LayerImprover::smooth(const SmoothWallTargets& wanted)
   options.leastPenalty = 5e-4;
   options.leastGain = 0.02;
   options.firstReach = 0.3;
-  std::vector<Index> suspects = thicken(options.targets);
+  std::vector<Index> suspects = thicken(options.targets, nothingShort);
   std::erase_if(suspects, [&](Index cell) { return !isSmooth(cell); });
   move(findShortAmong(DualSource(layer_.mesh), suspects, options.targets, context_), options);
 }

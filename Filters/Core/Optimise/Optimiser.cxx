@@ -262,33 +262,29 @@ std::vector<ShortCell> shortCellsBy(Judge& judge, const QualityTargets& targets,
 
 bool looksAtJacobians(const QualityTargets& targets) { return targets.scaledJacobian > 0.0; }
 
-void takePoints(const Region& region, std::vector<Vec3>& points)
+std::vector<std::vector<Index>> inOrder(const std::vector<Index>& cells)
 {
-  for (const Index local : region.members)
+  const Pieces pieces(cells.size());
+  std::vector<std::vector<Index>> out(pieces.count);
+  for (std::size_t i = 0; i < pieces.count; ++i)
   {
-    points[region.pointIds[local]] = region.points[local];
+    out[i].assign(cells.begin() + static_cast<std::ptrdiff_t>(pieces.begin(i)),
+                  cells.begin() + static_cast<std::ptrdiff_t>(pieces.end(i)));
   }
+  return out;
 }
 
-} // namespace
-
-std::vector<ShortCell> findShortCells(const CellSource& source, const std::vector<char>& marked,
-                                      const QualityTargets& targets, const RunContext& context)
+/// Piece by piece, as measures take many times the cells' own memory. Of cells beyond a piece not all is known.
+std::vector<std::vector<ShortCell>> findShortIn(const CellSource& source, std::vector<std::vector<Index>> pieces,
+                                                std::span<const QualityTargets> targets, const RunContext& context)
 {
-  return findShortCells(source, cellsWithMarked(source, marked, context), {&targets, 1}, context).front();
-}
-
-std::vector<std::vector<ShortCell>> findShortCells(const CellSource& source, const std::vector<Index>& cells,
-                                                   std::span<const QualityTargets> targets, const RunContext& context)
-{
-  // Piece by piece, as measures take many times the cells' own memory.
   const SerialExecutor one;
   const RunContext serial{one, context.progress};
-  const Pieces pieces(cells.size());
-  std::vector<std::vector<std::vector<ShortCell>>> found(pieces.count);
-  context.executor.forEach(pieces.count, 1, [&](std::size_t piece) {
-    Region region = extractCells(source, {cells.begin() + pieces.begin(piece), cells.begin() + pieces.end(piece)},
-                                 std::ranges::any_of(targets, looksAtJacobians), serial);
+  std::vector<std::vector<std::vector<ShortCell>>> found(pieces.size());
+  context.executor.forEach(pieces.size(), 1, [&](std::size_t piece) {
+    std::ranges::sort(pieces[piece]);
+    Region region =
+        extractCells(source, std::move(pieces[piece]), std::ranges::any_of(targets, looksAtJacobians), serial);
     Judge judge(region, targets.front(), serial);
     found[piece].push_back(shortCellsOf(judge, 0.0, serial));
     for (const QualityTargets& less : targets.subspan(1))
@@ -304,7 +300,34 @@ std::vector<std::vector<ShortCell>> findShortCells(const CellSource& source, con
       all[i].insert(all[i].end(), piece[i].begin(), piece[i].end());
     }
   }
+  for (std::vector<ShortCell>& shortCells : all)
+  {
+    std::ranges::sort(shortCells, {}, &ShortCell::cell);
+  }
   return all;
+}
+
+void takePoints(const Region& region, std::vector<Vec3>& points)
+{
+  for (const Index local : region.members)
+  {
+    points[region.pointIds[local]] = region.points[local];
+  }
+}
+
+} // namespace
+
+std::vector<ShortCell> findShortCells(const CellSource& source, const std::vector<char>& marked,
+                                      const QualityTargets& targets, const RunContext& context)
+{
+  const std::vector<Index> cells = cellsWithMarked(source, marked, context);
+  return findShortIn(source, inOrder(cells), {&targets, 1}, context).front();
+}
+
+std::vector<std::vector<ShortCell>> findShortCells(const CellSource& source, const std::vector<Index>& cells,
+                                                   std::span<const QualityTargets> targets, const RunContext& context)
+{
+  return findShortIn(source, inPieces(source, cells), targets, context);
 }
 
 std::vector<ShortCell> findShortAmong(const CellSource& source, const std::vector<Index>& cells,

@@ -3,6 +3,7 @@
 
 #include "Optimise/CellMeasure.h"
 #include "Quality/CellShapes.h"
+#include "Support/Pieces.h"
 
 #include <algorithm>
 #include <bit>
@@ -118,21 +119,23 @@ private:
     {
       numberOfCell.add(region.cellIds[local], local);
     }
+    std::vector<Index> some;
     for (const Index cell : region.cellIds)
     {
-      source.facesOf(cell, scratch);
-      for (const Index point : scratch.corners)
+      source.cornersOf(cell, some);
+      for (const Index point : some)
       {
         if (numberOfPoint.add(point, noIndex))
         {
           region.pointIds.push_back(point);
         }
       }
-      for (const CellFace& face : scratch.faces)
+      source.neighboursOf(cell, some);
+      for (const Index across : some)
       {
-        if (face.across != noIndex && numberOfCell.add(face.across, noIndex))
+        if (numberOfCell.add(across, noIndex))
         {
-          ghosts.push_back(face.across);
+          ghosts.push_back(across);
         }
       }
     }
@@ -199,7 +202,10 @@ private:
       }
       region.owner.push_back(local);
       region.neighbour.push_back(across);
-      region.facePoints.insert(region.facePoints.end(), face.points.begin(), face.points.end());
+      for (const Index p : face.points)
+      {
+        region.facePoints.push_back(p);
+      }
       region.faceOffsets.push_back(static_cast<Index>(region.facePoints.size()));
     }
   }
@@ -314,6 +320,18 @@ void addStars(Region& region, const std::vector<char>& marked, const VertexGuide
 
 } // namespace
 
+void DualSource::neighboursOf(Index cell, std::vector<Index>& out) const
+{
+  out.clear();
+  for (const std::int32_t neighbour : mesh_.neighbours[cell])
+  {
+    if (neighbour >= 0)
+    {
+      out.push_back(static_cast<Index>(neighbour));
+    }
+  }
+}
+
 void DualSource::cornersOf(Index cell, std::vector<Index>& out) const
 {
   out.clear();
@@ -336,8 +354,10 @@ void DualSource::facesOf(Index cell, std::span<const Index> names, Scratch& out)
     }
     const ReducedFace face = faceOf(corners, direction);
     const std::span points(out.points.data() + begin, static_cast<std::size_t>(face.count));
-    std::copy_n(face.points.begin(), face.count, points.begin());
-    begin += points.size();
+    for (const Index p : std::span(face.points).first(points.size()))
+    {
+      out.points[begin++] = p;
+    }
     out.faces.push_back({points, neighbour >= 0 ? static_cast<Index>(neighbour) : noIndex});
   }
   out.points.resize(begin);
@@ -355,6 +375,18 @@ NativeCell DualSource::nativeOf(Index cell) const
 bool DualSource::hasMarked(Index cell, const std::vector<char>& marked) const
 {
   return std::ranges::any_of(mesh_.corners[cell], [&](Index p) { return marked[p] != 0; });
+}
+
+void FaceMeshSource::neighboursOf(Index cell, std::vector<Index>& out) const
+{
+  out.clear();
+  for (const Index f : cellFaces_.of(cell))
+  {
+    if (f < mesh_.internalFaceCount())
+    {
+      out.push_back(mesh_.owner[f] == cell ? mesh_.neighbour[f] : mesh_.owner[f]);
+    }
+  }
 }
 
 /// Face by face, each with its normal outwards.
@@ -430,20 +462,50 @@ std::vector<Index> cellsWithMarked(const CellSource& source, const std::vector<c
   return cells;
 }
 
+std::vector<std::vector<Index>> inPieces(const CellSource& source, const std::vector<Index>& cells)
+{
+  std::vector<char> waits(source.cellCount(), 0);
+  for (const Index cell : cells)
+  {
+    waits[cell] = 1;
+  }
+  std::vector<std::vector<Index>> pieces;
+  const auto take = [&](Index cell) {
+    waits[cell] = 0;
+    pieces.back().push_back(cell);
+  };
+  std::vector<Index> beside;
+  for (const Index cell : cells)
+  {
+    if (!waits[cell])
+    {
+      continue;
+    }
+    if (pieces.empty() || pieces.back().size() >= Pieces::length)
+    {
+      pieces.emplace_back().reserve(Pieces::length + 8);
+    }
+    take(cell);
+    source.neighboursOf(cell, beside);
+    for (const Index other : beside)
+    {
+      if (waits[other] && other > cell + Pieces::length)
+      {
+        take(other);
+      }
+    }
+  }
+  return pieces;
+}
+
 std::vector<Index> withNeighbours(const CellSource& source, const std::vector<Index>& cells)
 {
   std::vector<Index> out = cells;
-  CellSource::Scratch scratch;
+  std::vector<Index> beside;
   for (const Index cell : cells)
   {
-    source.facesOf(cell, scratch);
-    for (const CellFace& face : scratch.faces)
-    {
-      if (face.across != noIndex)
-      {
-        out.push_back(face.across);
-      }
-    }
+    source.neighboursOf(cell, beside);
+    out.insert(out.end(), beside.begin(), beside.end());
   }
   std::ranges::sort(out);
   out.erase(std::unique(out.begin(), out.end()), out.end());

@@ -18,8 +18,8 @@ struct NativeCell
   std::array<Index, 8> corners{};
 };
 
-/// Cells about points that may move, and beside them cells that only lend their centroids. Every cell about a point
-/// that may move is judged, so what is outside the region does not change. Cells are any closed polyhedra.
+/// Cells about points that may move, and beside them cells that only lend their centroids. Every cell about a
+/// point that may move is judged, so what is outside the region does not change. Cells are any closed polyhedra.
 struct Region
 {
   /// Points of the judged cells, and their numbers in the mesh.
@@ -82,6 +82,8 @@ public:
   virtual ~CellSource() = default;
   virtual std::size_t cellCount() const = 0;
   virtual const std::vector<Vec3>& points() const = 0;
+  /// The cells across a cell's faces.
+  virtual void neighboursOf(Index cell, std::vector<Index>& out) const = 0;
   /// The points of a cell; some may be there more than once.
   virtual void cornersOf(Index cell, std::vector<Index>& out) const = 0;
   struct Scratch
@@ -110,6 +112,7 @@ public:
   std::size_t cellCount() const override { return mesh_.elementCount(); }
   const std::vector<Vec3>& points() const override { return mesh_.points; }
   using CellSource::facesOf;
+  void neighboursOf(Index cell, std::vector<Index>& out) const override;
   void cornersOf(Index cell, std::vector<Index>& out) const override;
   void facesOf(Index cell, std::span<const Index> names, Scratch& out) const override;
   NativeCell nativeOf(Index cell) const override;
@@ -130,6 +133,7 @@ public:
   std::size_t cellCount() const override { return mesh_.cellCount; }
   const std::vector<Vec3>& points() const override { return mesh_.points; }
   using CellSource::facesOf;
+  void neighboursOf(Index cell, std::vector<Index>& out) const override;
   void cornersOf(Index cell, std::vector<Index>& out) const override;
   void facesOf(Index cell, std::span<const Index> names, Scratch& out) const override;
   NativeCell nativeOf(Index cell) const override;
@@ -144,6 +148,10 @@ private:
 /// Those that have one of the points marked, in order.
 std::vector<Index> cellsWithMarked(const CellSource& source, const std::vector<char>& marked,
                                    const RunContext& context);
+
+/// Cells in pieces of about the same number, each in order. Neighbours are in one piece mostly, also where their
+/// numbers are far apart, as those of cells of a layer and of the cells they are on.
+std::vector<std::vector<Index>> inPieces(const CellSource& source, const std::vector<Index>& cells);
 
 /// Cells and those that share a face with one of them, in order.
 std::vector<Index> withNeighbours(const CellSource& source, const std::vector<Index>& cells);
