@@ -11,6 +11,28 @@ namespace {
 constexpr std::size_t grain = 1024;
 constexpr double tiny = 1e-150;
 
+/// Lists the numbers below `count`, first those that `isFirst`. Returns how many these are.
+template <typename IsFirst> std::size_t listFirst(std::vector<Index>& list, std::size_t count, IsFirst&& isFirst)
+{
+  list.clear();
+  for (Index i = 0; i < count; ++i)
+  {
+    if (isFirst(i))
+    {
+      list.push_back(i);
+    }
+  }
+  const std::size_t first = list.size();
+  for (Index i = 0; i < count && list.size() < count; ++i)
+  {
+    if (!isFirst(i))
+    {
+      list.push_back(i);
+    }
+  }
+  return first;
+}
+
 } // namespace
 
 Judge::Judge(Region& region, const QualityTargets& targets, const RunContext& context)
@@ -89,53 +111,89 @@ void Judge::enter(std::size_t movable, Star& star) const
     star.faces.insert(star.faces.end(), own.begin(), own.end());
     star.size += sizes[cell] / static_cast<double>(about.size());
   }
-  star.slots = star.faces;
-  std::sort(star.faces.begin(), star.faces.end());
-  star.faces.erase(std::unique(star.faces.begin(), star.faces.end()), star.faces.end());
+  star.slots.resize(star.faces.size());
+  star.keys.clear();
+  for (Index i = 0; i < star.faces.size(); ++i)
+  {
+    star.keys.push_back(std::uint64_t{star.faces[i]} << 32 | i);
+  }
+  std::sort(star.keys.begin(), star.keys.end());
+  star.faces.clear();
+  for (const std::uint64_t key : star.keys)
+  {
+    const auto face = static_cast<Index>(key >> 32);
+    if (star.faces.empty() || star.faces.back() != face)
+    {
+      star.faces.push_back(face);
+    }
+    star.slots[static_cast<Index>(key)] = static_cast<Index>(star.faces.size() - 1);
+  }
 }
 
 void Judge::prepare(Star& star) const
 {
   star.origin = region_.points[star.point];
-  for (Index& slot : star.slots)
-  {
-    slot = static_cast<Index>(std::ranges::lower_bound(star.faces, slot) - star.faces.begin());
-  }
   star.moving.clear();
-  star.facesBefore.clear();
   star.shapes.resize(star.faces.size());
   for (Index i = 0; i < star.faces.size(); ++i)
   {
-    const Index face = star.faces[i];
-    if (std::ranges::find_first_of(region_.face(face), star.points) != region_.face(face).end())
+    const auto points = region_.face(star.faces[i]);
+    if (std::ranges::find_first_of(points, star.points) != points.end())
     {
       star.moving.push_back(i);
-      star.facesBefore.push_back(faces[face]);
     }
-    star.shapes[i] = quadShapeOf(face);
+    star.shapes[i].hasFan = star.shapes[i].hasHalf = false;
+  }
+  findFirst(star);
+  star.facesBefore.clear();
+  for (const Index i : star.moving)
+  {
+    star.facesBefore.push_back(faces[star.faces[i]]);
   }
   star.cellsBefore.clear();
-  star.order.clear();
-  std::vector<Index>& order = star.order;
-  const auto count = static_cast<Index>(star.cells.size());
-  for (const bool wasShort : {true, false})
-  {
-    for (Index i = 0; i < count + star.faces.size(); ++i)
-    {
-      const Score& score = i < count ? cellScores[star.cells[i]] : faceScores[star.faces[i - count]];
-      if ((score.penalty > 0.0) == wasShort)
-      {
-        order.push_back(i);
-      }
-    }
-  }
   for (const Index cell : star.cells)
   {
     star.cellsBefore.push_back(cells[cell]);
   }
 }
 
-void Judge::move(Star& star, const Vec3& p)
+/// Sets in what order to look, and by what those that fall short are measured: cells by their faces, faces by the cells
+/// on both sides.
+void Judge::findFirst(Star& star) const
+{
+  const auto cellCount = static_cast<Index>(star.cells.size());
+  star.marks.clear();
+  for (const Index cell : star.cells)
+  {
+    star.marks.push_back(cellScores[cell].penalty > 0.0 ? 1 : 0);
+  }
+  for (const Index face : star.faces)
+  {
+    star.marks.push_back(faceScores[face].penalty > 0.0 ? 1 : 0);
+  }
+  star.firstInOrder = listFirst(star.order, star.marks.size(), [&](Index i) { return star.marks[i] != 0; });
+  const auto slotsOf = [&](Index i) {
+    return std::span(star.slots).subspan(star.offsets[i], region_.facesOf(star.cells[i]).size());
+  };
+  star.firstMeasured = listFirst(star.measured, cellCount, [&](Index i) {
+    return star.marks[i] ||
+           std::ranges::any_of(slotsOf(i), [&](Index slot) { return star.marks[cellCount + slot] != 0; });
+  });
+  // From here on of faces whether they are looked at first.
+  star.marks.assign(star.faces.size(), 0);
+  for (std::size_t i = 0; i < star.firstMeasured; ++i)
+  {
+    for (const Index slot : slotsOf(star.measured[i]))
+    {
+      star.marks[slot] = 1;
+    }
+  }
+  star.firstMoving = static_cast<std::size_t>(
+      std::partition(star.moving.begin(), star.moving.end(), [&](Index slot) { return star.marks[slot] != 0; }) -
+      star.moving.begin());
+}
+
+void Judge::place(Star& star, const Vec3& p)
 {
   for (const Index point : star.points)
   {
@@ -143,13 +201,74 @@ void Judge::move(Star& star, const Vec3& p)
   }
   for (const Index i : star.moving)
   {
-    measure(star.faces[i]);
-    star.shapes[i] = quadShapeOf(star.faces[i]);
+    star.shapes[i].hasFan = star.shapes[i].hasHalf = false;
   }
-  for (const Index cell : star.cells)
+}
+
+void Judge::measureFirst(const Star& star)
+{
+  for (std::size_t i = 0; i < star.firstMoving; ++i)
   {
-    measureOne(cell);
+    measure(star.faces[star.moving[i]]);
   }
+  for (std::size_t i = 0; i < star.firstMeasured; ++i)
+  {
+    measureOne(star.cells[star.measured[i]]);
+  }
+}
+
+void Judge::measureRest(const Star& star)
+{
+  for (std::size_t i = star.firstMoving; i < star.moving.size(); ++i)
+  {
+    measure(star.faces[star.moving[i]]);
+  }
+  for (std::size_t i = star.firstMeasured; i < star.measured.size(); ++i)
+  {
+    measureOne(star.cells[star.measured[i]]);
+  }
+}
+
+void Judge::move(Star& star, const Vec3& p)
+{
+  place(star, p);
+  measureFirst(star);
+  measureRest(star);
+}
+
+void Judge::moveForResiduals(Star& star, const Vec3& p)
+{
+  place(star, p);
+  measureFirst(star);
+}
+
+/// The running sum is that of another order, so it may differ by rounding.
+Score Judge::look(Star& star, const Vec3& p, const LookLimits& limits)
+{
+  constexpr double surely = 1.0 + 1e-9;
+  place(star, p);
+  measureFirst(star);
+  star.scores.assign(star.order.size(), {});
+  Score running;
+  for (std::size_t i = 0; i < star.order.size(); ++i)
+  {
+    if (i == star.firstInOrder)
+    {
+      measureRest(star);
+    }
+    judgeInOrder(star, star.order[i]);
+    running.add(star.scores[star.order[i]]);
+    if (running.penalty > surely * limits.penalty || running.worst < limits.worst)
+    {
+      return running;
+    }
+  }
+  Score sum;
+  for (const Score& score : star.scores)
+  {
+    sum.add(score);
+  }
+  return sum;
 }
 
 void Judge::restore(const Star& star)

@@ -87,9 +87,11 @@ struct LeastMetrics
 };
 
 /// Twice the area vectors of triangles of a quadrilateral: those about the centroid, and 012, 023, 123 and 130 of the
-/// corners.
+/// corners. Made when they are first looked at.
 struct QuadShape
 {
+  bool hasFan = false;
+  bool hasHalf = false;
   std::array<Vec3, 4> fan;
   std::array<Vec3, 4> half;
 };
@@ -101,21 +103,30 @@ struct Star
   std::vector<Index> points;
   double size = 0.0; ///< mean edge of the cells
   std::vector<Index> cells;
-  std::vector<Index> faces;  ///< all faces of the cells
-  std::vector<Index> moving; ///< places in `faces` of those that have one of the points
+  std::vector<Index> faces; ///< all faces of the cells
   /// Of each cell's faces, in the region's order, the places in `faces`; those of cell i begin at offsets[i].
   std::vector<Index> slots;
   std::vector<Index> offsets;
+  /// Cells and, by their places in `faces`, those that have one of the points. The first few are those by which what
+  /// falls short is measured.
+  std::vector<Index> measured;
+  std::vector<Index> moving;
+  std::size_t firstMeasured = 0;
+  std::size_t firstMoving = 0;
   /// Of the faces; nothing for those that are no quadrilaterals.
   std::vector<QuadShape> shapes;
   /// Of the cells and then of the faces, at the place looked at last.
   std::vector<Score> scores;
   /// Places in `scores`; first what fell short before, as it will tell soonest that a place is no better.
   std::vector<Index> order;
+  std::size_t firstInOrder = 0;
   /// As they were before the point was moved: the points' place, the faces that move, the cells.
   Vec3 origin;
   std::vector<FaceMeasure> facesBefore;
   std::vector<CellMeasure> cellsBefore;
+  /// Room for sorting and for marks.
+  std::vector<std::uint64_t> keys;
+  std::vector<char> marks;
 };
 
 /// Up to where a look at a place is of use: scores with a greater penalty or a worse measure need not be complete.
@@ -142,10 +153,12 @@ public:
   void prepare(Star& star) const;
   /// Moves the star's point and measures all that depends on it. Scores are kept as they are until `accept`.
   void move(Star& star, const Vec3& p);
+  /// As `move`, but only for `residualsOf`.
+  void moveForResiduals(Star& star, const Vec3& p);
   /// All as it was when the star was prepared; the star is of no use then.
   void restore(const Star& star);
-  /// Of the point where it is.
-  Score look(Star& star, const LookLimits& limits = {}) const;
+  /// Moves the star's point and judges it there. What is beyond the limits is not measured to the end.
+  Score look(Star& star, const Vec3& p, const LookLimits& limits = {});
   /// Keeps what was seen in the last look, which was not cut short.
   void accept(const Star& star);
 
@@ -157,7 +170,7 @@ public:
   Score scoreBy(const QualityTargets& targets, Index cell);
 
   /// The residuals of the cells and faces of a star whose kept scores fall short, always in the same order.
-  void residualsOf(const Star& star, Residuals& out) const;
+  void residualsOf(Star& star, Residuals& out) const;
 
   LeastMetrics metricsOf(const Star& star) const;
   LeastMetrics metricsOfCell(Index cell) const;
@@ -166,9 +179,13 @@ public:
 private:
   void measure(Index face);
   void measureOne(Index cell);
+  void place(Star& star, const Vec3& p);
+  void measureFirst(const Star& star);
+  void measureRest(const Star& star);
+  void findFirst(Star& star) const;
+  void judgeInOrder(Star& star, Index place) const;
   void measureSize(Index cell);
   void judgeAll(const RunContext& context);
-  QuadShape quadShapeOf(Index face) const;
   std::array<Vec3, 4> fanOf(Index face) const;
   std::array<Vec3, 4> halvesOf(Index face) const;
   Vec3 fanTriangle(Index face, std::size_t i) const;

@@ -29,11 +29,8 @@ bool isAbove(double along, double share, const Vec3& vector)
   return along > 0.0 && along * along >= share * share * vector.squaredNorm();
 }
 
-/// Twice the area vector.
-Vec3 triangle(const Vec3& a, const Vec3& b, const Vec3& c)
+Vec3 cross(const Vec3& u, const Vec3& v)
 {
-  const Vec3 u = b - a;
-  const Vec3 v = c - a;
   return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
 }
 
@@ -51,16 +48,35 @@ private:
   const Judge& judge_;
 };
 
-/// Shapes of faces of a star: of those of a cell, by their number in the cell, or of one.
+/// Shapes of faces of a star: of those of a cell, by their number in the cell, or of one. Kept in the star.
 class Judge::ShapesOfStar
 {
 public:
-  ShapesOfStar(const Star& star, const Index* slots) : star_(star), slots_(slots) {}
-  const std::array<Vec3, 4>& fan(Index, std::size_t k) const { return star_.shapes[slots_[k]].fan; }
-  const std::array<Vec3, 4>& halves(Index, std::size_t k) const { return star_.shapes[slots_[k]].half; }
+  ShapesOfStar(const Judge& judge, Star& star, const Index* slots) : judge_(judge), star_(star), slots_(slots) {}
+  const std::array<Vec3, 4>& fan(Index face, std::size_t k) const
+  {
+    QuadShape& shape = star_.shapes[slots_[k]];
+    if (!shape.hasFan)
+    {
+      shape.fan = judge_.fanOf(face);
+      shape.hasFan = true;
+    }
+    return shape.fan;
+  }
+  const std::array<Vec3, 4>& halves(Index face, std::size_t k) const
+  {
+    QuadShape& shape = star_.shapes[slots_[k]];
+    if (!shape.hasHalf)
+    {
+      shape.half = judge_.halvesOf(face);
+      shape.hasHalf = true;
+    }
+    return shape.half;
+  }
 
 private:
-  const Star& star_;
+  const Judge& judge_;
+  Star& star_;
   const Index* slots_;
 };
 
@@ -87,84 +103,67 @@ Score Judge::scoreBy(const QualityTargets& targets, Index cell)
   return score;
 }
 
-/// The running sum is that of another order, so it may differ by rounding.
-Score Judge::look(Star& star, const LookLimits& limits) const
+void Judge::judgeInOrder(Star& star, Index place) const
 {
-  constexpr double surely = 1.0 + 1e-9;
   const auto count = static_cast<Index>(star.cells.size());
-  star.scores.assign(star.order.size(), {});
-  Score running;
-  for (const Index i : star.order)
+  if (place < count)
   {
-    Score& score = star.scores[i];
-    if (i < count)
-    {
-      judgeCell(star.cells[i], ShapesOfStar(star, star.slots.data() + star.offsets[i]), score);
-    }
-    else
-    {
-      const Index slot = i - count;
-      judgeFace(star.faces[slot], ShapesOfStar(star, &slot), score);
-    }
-    running.add(score);
-    if (running.penalty > surely * limits.penalty || running.worst < limits.worst)
-    {
-      return running;
-    }
+    judgeCell(star.cells[place], ShapesOfStar(*this, star, star.slots.data() + star.offsets[place]),
+              star.scores[place]);
+    return;
   }
-  Score sum;
-  for (const Score& score : star.scores)
-  {
-    sum.add(score);
-  }
-  return sum;
+  const Index slot = place - count;
+  judgeFace(star.faces[slot], ShapesOfStar(*this, star, &slot), star.scores[place]);
 }
 
-void Judge::residualsOf(const Star& star, Residuals& out) const
+void Judge::residualsOf(Star& star, Residuals& out) const
 {
   out.values.clear();
   for (std::size_t i = 0; i < star.cells.size(); ++i)
   {
     if (cellScores[star.cells[i]].penalty > 0.0)
     {
-      judgeCell(star.cells[i], ShapesOfStar(star, star.slots.data() + star.offsets[i]), out);
+      judgeCell(star.cells[i], ShapesOfStar(*this, star, star.slots.data() + star.offsets[i]), out);
     }
   }
   for (Index i = 0; i < star.faces.size(); ++i)
   {
     if (faceScores[star.faces[i]].penalty > 0.0)
     {
-      judgeFace(star.faces[i], ShapesOfStar(star, &i), out);
+      judgeFace(star.faces[i], ShapesOfStar(*this, star, &i), out);
     }
   }
-}
-
-QuadShape Judge::quadShapeOf(Index face) const
-{
-  return region_.face(face).size() == 4 ? QuadShape{fanOf(face), halvesOf(face)} : QuadShape();
 }
 
 /// Of a face's edge and its centroid.
 Vec3 Judge::fanTriangle(Index face, std::size_t i) const
 {
   const auto points = region_.face(face);
-  return triangle(faces[face].centroid, region_.points[points[i]],
-                  region_.points[points[i + 1 < points.size() ? i + 1 : 0]]);
+  const Vec3& centroid = faces[face].centroid;
+  return cross(region_.points[points[i]] - centroid,
+               region_.points[points[i + 1 < points.size() ? i + 1 : 0]] - centroid);
 }
 
 /// Of a quadrilateral.
 std::array<Vec3, 4> Judge::fanOf(Index face) const
 {
-  return {fanTriangle(face, 0), fanTriangle(face, 1), fanTriangle(face, 2), fanTriangle(face, 3)};
+  const auto points = region_.face(face);
+  std::array<Vec3, 4> to;
+  for (int i = 0; i < 4; ++i)
+  {
+    to[i] = region_.points[points[i]] - faces[face].centroid;
+  }
+  return {cross(to[0], to[1]), cross(to[1], to[2]), cross(to[2], to[3]), cross(to[3], to[0])};
 }
 
 /// Of a quadrilateral.
 std::array<Vec3, 4> Judge::halvesOf(Index face) const
 {
   const auto points = region_.face(face);
-  const auto at = [&](std::size_t i) -> const Vec3& { return region_.points[points[i]]; };
-  return {triangle(at(0), at(1), at(2)), triangle(at(0), at(2), at(3)), triangle(at(1), at(2), at(3)),
-          triangle(at(1), at(3), at(0))};
+  const auto way = [&](int a, int b) -> Vec3 { return region_.points[points[b]] - region_.points[points[a]]; };
+  const Vec3 diagonal = way(0, 2);
+  const Vec3 other = way(1, 3);
+  return {cross(way(0, 1), diagonal), cross(diagonal, way(0, 3)), cross(way(1, 2), other), cross(other, way(1, 0))};
 }
 
 template <typename Shapes, typename Sink> void Judge::judgeCell(Index cell, const Shapes& shapes, Sink& score) const

@@ -24,8 +24,7 @@ constexpr double damping = 0.03;
 /// The point stays at the place looked at.
 Score PointSearch::scoreAt(const Vec3& p, const LookLimits& limits)
 {
-  judge.move(star, guide.place(pointId, p));
-  return judge.look(star, limits);
+  return judge.look(star, guide.place(pointId, p), limits);
 }
 
 /// Beyond these no place is better.
@@ -126,8 +125,7 @@ void PointSearch::approach(Index movable, const Vec3& place, double least)
   double share = 1.0;
   for (int i = 0; i < halvings; ++i, share *= 0.5)
   {
-    judge.move(star, i == 0 ? place : Vec3(origin + share * (place - origin)));
-    if (judge.look(star).worst >= floor)
+    if (judge.look(star, i == 0 ? place : Vec3(origin + share * (place - origin))).worst >= floor)
     {
       judge.accept(star);
       return;
@@ -195,7 +193,7 @@ void PointSearch::derive(int axis, double h)
   {
     return;
   }
-  judge.move(star, p);
+  judge.moveForResiduals(star, p);
   judge.residualsOf(star, beside);
   for (std::size_t i = 0; i < along.size(); ++i)
   {
