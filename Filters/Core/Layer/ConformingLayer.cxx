@@ -4,7 +4,9 @@
 #include "Layer/ElementShape.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <functional>
 
 namespace atria {
 
@@ -84,11 +86,21 @@ bool liesOnWall(const DualMesh& mesh, const LayerWalls& walls, Index p, Index q)
   });
 }
 
+/// Replaces a value if `isBetter(candidate, value)`; several threads may do so at once.
+template <typename IsBetter> void replaceIf(double& value, double candidate, IsBetter&& isBetter)
+{
+  const std::atomic_ref<double> shared(value);
+  double now = shared.load(std::memory_order_relaxed);
+  while (isBetter(candidate, now) && !shared.compare_exchange_weak(now, candidate, std::memory_order_relaxed))
+  {
+  }
+}
+
 /// The least that any wall about a point asks for.
 std::vector<double> thicknesses(const DualMesh& mesh, const LayerWalls& walls, const std::vector<Index>& counts,
-                                const LayerOptions& options)
+                                const LayerOptions& options, const RunContext& context)
 {
-  const std::vector<double> sizes = findWallSizes(mesh, walls, counts);
+  const std::vector<double> sizes = findWallSizes(mesh, walls, counts, context);
   std::vector<double> out(counts.size(), std::numeric_limits<double>::infinity());
   for (Index f = 0; f < walls.roles.size(); ++f)
   {
@@ -205,16 +217,17 @@ double thicknessAsked(const WallLayers& layers, double wallSize, const LayerOpti
   return layers.firstHeight * (g == 1.0 ? layers.layers : (std::pow(g, layers.layers) - 1.0) / (g - 1.0));
 }
 
-std::vector<double> findWallSizes(const DualMesh& mesh, const LayerWalls& walls, const std::vector<Index>& counts)
+std::vector<double> findWallSizes(const DualMesh& mesh, const LayerWalls& walls, const std::vector<Index>& counts,
+                                  const RunContext& context)
 {
   constexpr double none = std::numeric_limits<double>::infinity();
   std::vector<double> off(mesh.points.size(), 0.0);
   std::vector<double> along(mesh.points.size(), none);
-  for (const auto& corners : mesh.corners)
-  {
+  context.executor.forEach(mesh.elementCount(), 4096, [&](std::size_t e) {
+    const auto& corners = mesh.corners[e];
     if (std::ranges::none_of(corners, [&](Index p) { return counts[p] > 0; }))
     {
-      continue;
+      return;
     }
     for (const auto& [c, d] : hexahedronEdge)
     {
@@ -229,11 +242,11 @@ std::vector<double> findWallSizes(const DualMesh& mesh, const LayerWalls& walls,
       const double share = counts[p] > 0 && counts[q] > 0 ? 0.5 : 1.0;
       for (const Index end : {p, q})
       {
-        off[end] = onWall ? off[end] : std::max(off[end], share * length);
-        along[end] = onWall ? std::min(along[end], length) : along[end];
+        // The greatest and the least are the same in any order.
+        onWall ? replaceIf(along[end], length, std::less()) : replaceIf(off[end], share * length, std::greater());
       }
     }
-  }
+  });
   std::vector<double> sizes(mesh.points.size(), none);
   for (std::size_t p = 0; p < sizes.size(); ++p)
   {
@@ -262,7 +275,7 @@ LayerMesh growLayer(const DualMesh& plain, const LayerWalls& walls, const LayerO
   }
   dropFlat(plain, walls, normals, directions, counts);
   LayerMesh layer = buildLayer(plain, walls, counts, context.executor);
-  Spacing(plain, layer, directions, thicknesses(plain, walls, counts, options), context).run();
+  Spacing(plain, layer, directions, thicknesses(plain, walls, counts, options, context), context).run();
   return layer;
 }
 

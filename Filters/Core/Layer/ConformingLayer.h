@@ -24,7 +24,8 @@ LayerMesh growLayer(const DualMesh& plain, const LayerWalls& walls, const LayerO
 ///
 /// The longest, as the layer then is thicker at the vertices of large octants than at those of small ones beside them,
 /// which opens elements between the two that lie flat on the wall.
-std::vector<double> findWallSizes(const DualMesh& mesh, const LayerWalls& walls, const std::vector<Index>& counts);
+std::vector<double> findWallSizes(const DualMesh& mesh, const LayerWalls& walls, const std::vector<Index>& counts,
+                                  const RunContext& context);
 
 /// How thick the layers of one point should be in all, its size being known.
 double thicknessAsked(const WallLayers& layers, double wallSize, const LayerOptions& options);

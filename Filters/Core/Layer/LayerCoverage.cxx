@@ -12,7 +12,7 @@ namespace {
 class Reporter
 {
 public:
-  Reporter(const DualMesh& p, const LayerWalls& w, const LayerMesh& l, const LayerOptions& o)
+  Reporter(const DualMesh& p, const LayerWalls& w, const LayerMesh& l, const LayerOptions& o, const RunContext& context)
       : plain(p), walls(w), layer(l), options(o)
   {
     std::vector<Index> onWall(plain.points.size(), 0);
@@ -23,7 +23,7 @@ public:
         onWall[cornerOf(plain, plain.boundaryFaces[f], i)] = 1;
       }
     }
-    sizes = findWallSizes(plain, walls, onWall);
+    sizes = findWallSizes(plain, walls, onWall, context);
     out.counts.assign(layer.mesh.boundaryFaces.size(), 0);
     out.thicknesses.assign(layer.mesh.boundaryFaces.size(), 0.0);
   }
@@ -102,9 +102,10 @@ private:
 } // namespace
 
 LayerReport reportLayers(const DualMesh& plain, const LayerWalls& walls, const LayerMesh& layer,
-                         const LayerOptions& options, const std::vector<std::string>& surfaceNames)
+                         const LayerOptions& options, const std::vector<std::string>& surfaceNames,
+                         const RunContext& context)
 {
-  return Reporter(plain, walls, layer, options).report(surfaceNames);
+  return Reporter(plain, walls, layer, options, context).report(surfaceNames);
 }
 
 } // namespace atria

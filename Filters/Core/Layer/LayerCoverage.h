@@ -34,6 +34,7 @@ struct LayerReport
 /// `plain` is the mesh the layers were grown from; its sizes beside the walls say how thick layers should be that have
 /// no height of their own.
 LayerReport reportLayers(const DualMesh& plain, const LayerWalls& walls, const LayerMesh& layer,
-                         const LayerOptions& options, const std::vector<std::string>& surfaceNames);
+                         const LayerOptions& options, const std::vector<std::string>& surfaceNames,
+                         const RunContext& context);
 
 } // namespace atria

@@ -42,7 +42,7 @@ void DualImprover::growLayers(const std::vector<LayerRule>& rules, const SmoothW
   LayerMesh layer = improver.run(smoothWalls);
   if (most > 0)
   {
-    result_.layers = reportLayers(plain, walls, layer, options, model_.names);
+    result_.layers = reportLayers(plain, walls, layer, options, model_.names, context_);
   }
   mesh_ = std::move(layer.mesh);
   reportReleased(improver.released());

@@ -120,6 +120,8 @@ private:
       numberOfCell.add(region.cellIds[local], local);
     }
     std::vector<Index> some;
+    region.pointIds.reserve(2 * region.cellIds.size());
+    ghosts.reserve(region.cellIds.size());
     for (const Index cell : region.cellIds)
     {
       source.cornersOf(cell, some);
@@ -335,7 +337,10 @@ void DualSource::neighboursOf(Index cell, std::vector<Index>& out) const
 void DualSource::cornersOf(Index cell, std::vector<Index>& out) const
 {
   out.clear();
-  out.insert(out.end(), mesh_.corners[cell].begin(), mesh_.corners[cell].end());
+  for (const Index corner : mesh_.corners[cell])
+  {
+    out.push_back(corner);
+  }
 }
 
 void DualSource::facesOf(Index cell, std::span<const Index> names, Scratch& out) const
