@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Optimise/CellSource.h"
+
+#include "Quality/CellShapes.h"
+#include "Support/Pieces.h"
+
+#include <algorithm>
+
+namespace atria {
+
+namespace {
+
+constexpr std::size_t grain = 4096;
+
+} // namespace
+
+void DualSource::neighboursOf(Index cell, std::vector<Index>& out) const
+{
+  out.clear();
+  for (const std::int32_t neighbour : mesh_.neighbours[cell])
+  {
+    if (neighbour >= 0)
+    {
+      out.push_back(static_cast<Index>(neighbour));
+    }
+  }
+}
+
+void DualSource::cornersOf(Index cell, std::vector<Index>& out) const
+{
+  out.clear();
+  for (const Index corner : mesh_.corners[cell])
+  {
+    out.push_back(corner);
+  }
+}
+
+void DualSource::facesOf(Index cell, std::span<const Index> names, Scratch& out) const
+{
+  std::array<Index, 8> corners;
+  std::ranges::copy(names, corners.begin());
+  out.faces.clear();
+  out.points.resize(24);
+  std::size_t begin = 0;
+  for (int direction = 0; direction < 6; ++direction)
+  {
+    const std::int32_t neighbour = mesh_.neighbours[cell][direction];
+    if (neighbour == DualMesh::noFace)
+    {
+      continue;
+    }
+    const ReducedFace face = faceOf(corners, direction);
+    const std::span points(out.points.data() + begin, static_cast<std::size_t>(face.count));
+    for (const Index p : std::span(face.points).first(points.size()))
+    {
+      out.points[begin++] = p;
+    }
+    out.faces.push_back({points, neighbour >= 0 ? static_cast<Index>(neighbour) : noIndex});
+  }
+  out.points.resize(begin);
+}
+
+/// Of those that are hexahedra.
+NativeCell DualSource::nativeOf(Index cell) const
+{
+  std::array<Index, 8> sorted = mesh_.corners[cell];
+  std::ranges::sort(sorted);
+  const bool isHexahedron = std::ranges::adjacent_find(sorted) == sorted.end();
+  return isHexahedron ? NativeCell{hexahedronCell, mesh_.corners[cell]} : NativeCell{};
+}
+
+bool DualSource::hasMarked(Index cell, const std::vector<char>& marked) const
+{
+  return std::ranges::any_of(mesh_.corners[cell], [&](Index p) { return marked[p] != 0; });
+}
+
+void FaceMeshSource::neighboursOf(Index cell, std::vector<Index>& out) const
+{
+  out.clear();
+  for (const Index f : cellFaces_.of(cell))
+  {
+    if (f < mesh_.internalFaceCount())
+    {
+      out.push_back(mesh_.owner[f] == cell ? mesh_.neighbour[f] : mesh_.owner[f]);
+    }
+  }
+}
+
+/// Face by face, each with its normal outwards.
+void FaceMeshSource::cornersOf(Index cell, std::vector<Index>& out) const
+{
+  out.clear();
+  for (const Index f : cellFaces_.of(cell))
+  {
+    const auto points = mesh_.face(f);
+    const auto begin = static_cast<std::ptrdiff_t>(out.size());
+    out.insert(out.end(), points.begin(), points.end());
+    if (mesh_.owner[f] != cell)
+    {
+      std::reverse(out.begin() + begin, out.end());
+    }
+  }
+}
+
+void FaceMeshSource::facesOf(Index cell, std::span<const Index> names, Scratch& out) const
+{
+  out.faces.clear();
+  out.points.assign(names.begin(), names.end());
+  const Index* next = out.points.data();
+  for (const Index f : cellFaces_.of(cell))
+  {
+    const std::size_t size = mesh_.face(f).size();
+    const bool owned = mesh_.owner[f] == cell;
+    const Index across = f >= mesh_.internalFaceCount() ? noIndex : owned ? mesh_.neighbour[f] : mesh_.owner[f];
+    out.faces.push_back({{next, size}, across});
+    next += size;
+  }
+}
+
+NativeCell FaceMeshSource::nativeOf(Index cell) const
+{
+  NativeCell out;
+  const std::size_t corners = shapeOf(cells_.types[cell]).corners;
+  if (corners > 0)
+  {
+    out.type = cells_.types[cell];
+    const auto first = static_cast<std::size_t>(cells_.offsets[cell]);
+    std::ranges::transform(cells_.connectivity.subspan(first, corners), out.corners.begin(),
+                           [](std::int64_t point) { return static_cast<Index>(point); });
+  }
+  return out;
+}
+
+bool FaceMeshSource::hasMarked(Index cell, const std::vector<char>& marked) const
+{
+  return std::ranges::any_of(cellFaces_.of(cell), [&](Index f) {
+    return std::ranges::any_of(mesh_.face(f), [&](Index p) { return marked[p] != 0; });
+  });
+}
+
+std::vector<Index> cellsWithMarked(const CellSource& source, const std::vector<char>& marked, const RunContext& context)
+{
+  std::vector<char> has(source.cellCount(), 0);
+  context.executor.forRanges(has.size(), grain, [&](std::size_t begin, std::size_t end) {
+    context.progress.check();
+    for (std::size_t c = begin; c < end; ++c)
+    {
+      has[c] = source.hasMarked(static_cast<Index>(c), marked) ? 1 : 0;
+    }
+  });
+  std::vector<Index> cells;
+  for (Index c = 0; c < has.size(); ++c)
+  {
+    if (has[c])
+    {
+      cells.push_back(c);
+    }
+  }
+  return cells;
+}
+
+std::vector<std::vector<Index>> inPieces(const CellSource& source, const std::vector<Index>& cells)
+{
+  std::vector<char> waits(source.cellCount(), 0);
+  for (const Index cell : cells)
+  {
+    waits[cell] = 1;
+  }
+  std::vector<std::vector<Index>> pieces;
+  const auto take = [&](Index cell) {
+    waits[cell] = 0;
+    pieces.back().push_back(cell);
+  };
+  std::vector<Index> beside;
+  for (const Index cell : cells)
+  {
+    if (!waits[cell])
+    {
+      continue;
+    }
+    if (pieces.empty() || pieces.back().size() >= Pieces::length)
+    {
+      pieces.emplace_back().reserve(Pieces::length + 8);
+    }
+    take(cell);
+    source.neighboursOf(cell, beside);
+    for (const Index other : beside)
+    {
+      if (waits[other] && other > cell + Pieces::length)
+      {
+        take(other);
+      }
+    }
+  }
+  return pieces;
+}
+
+std::vector<Index> withNeighbours(const CellSource& source, const std::vector<Index>& cells)
+{
+  std::vector<Index> out = cells;
+  std::vector<Index> beside;
+  for (const Index cell : cells)
+  {
+    source.neighboursOf(cell, beside);
+    out.insert(out.end(), beside.begin(), beside.end());
+  }
+  std::ranges::sort(out);
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
+}
+
+} // namespace atria
