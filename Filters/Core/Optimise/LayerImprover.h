@@ -57,6 +57,9 @@ private:
   bool isSmooth(Index cell) const;
   std::vector<Index> smoothPoints(const std::vector<ShortCell>& shortCells) const;
   void straighten();
+  QualityTargets targetsOf(const OrthogonalityStage& stage) const;
+  std::vector<ShortCell> findBelow(const LayerMesh& layer, const QualityTargets& wanted, float share,
+                                   const std::vector<char>& toJudge) const;
   void straighten(LayerMesh& layer, std::span<const OrthogonalityStage> stages, float share,
                   std::vector<char>& toJudge) const;
   void straightenDivided(LayerMesh& divided) const;

@@ -29,6 +29,23 @@ struct LayerImprover::OrthogonalityStage
   int rings;
 };
 
+QualityTargets LayerImprover::targetsOf(const OrthogonalityStage& stage) const
+{
+  QualityTargets out = targets();
+  out.faceCosine = stage.faceCosine;
+  out.leastOfFaceCosine = leastOfOthers;
+  return out;
+}
+
+/// Cells below a share of targets.
+std::vector<ShortCell> LayerImprover::findBelow(const LayerMesh& layer, const QualityTargets& wanted, float share,
+                                                const std::vector<char>& toJudge) const
+{
+  std::vector<ShortCell> cells = findShortCells(DualSource(layer.mesh), toJudge, wanted, context_);
+  std::erase_if(cells, [&](const ShortCell& cell) { return cell.worst >= share; });
+  return cells;
+}
+
 /// Marks the points of cells that fall short then, too. The limit rises in stages: held to the last one at once, cells
 /// that are far from it find no way there.
 void LayerImprover::straighten(LayerMesh& layer, std::span<const OrthogonalityStage> stages, float share,
@@ -39,15 +56,12 @@ void LayerImprover::straighten(LayerMesh& layer, std::span<const OrthogonalitySt
   for (const OrthogonalityStage& stage : stages)
   {
     OptimiserOptions options;
-    options.targets = targets();
-    options.targets.faceCosine = stage.faceCosine;
-    options.targets.leastOfFaceCosine = leastOfOthers;
+    options.targets = targetsOf(stage);
     options.leastWorst = leastOfOthers;
     options.rings = stage.rings;
     options.patient = true;
     const DualSource source(layer.mesh);
-    std::vector<ShortCell> cells = findShortCells(source, toJudge, options.targets, context_);
-    std::erase_if(cells, [&](const ShortCell& cell) { return cell.worst >= share; });
+    const std::vector<ShortCell> cells = findBelow(layer, options.targets, share, toJudge);
     // Cells farther from the walls may have made room.
     for (const ShortCell& cell : optimise(source, layer.mesh.points, cells, guide, options, context_))
     {
@@ -66,6 +80,12 @@ void LayerImprover::straighten()
   constexpr std::array stages{OrthogonalityStage{{0.3, 0.5}, 2}, OrthogonalityStage{{0.4, 0.54}, 2},
                               OrthogonalityStage{{0.51, 0.56}, 2}, OrthogonalityStage{{0.51, 0.56}, 2}};
   std::vector<char> toJudge = pointsToJudge(layer_);
+  // What is within the last stage is within all others.
+  if (findBelow(layer_, targetsOf(stages.back()), enough, toJudge).empty())
+  {
+    keepThoseAway();
+    return;
+  }
   straighten(layer_, stages, enough, toJudge);
   QualityTargets largest = targets();
   largest.faceCosine = acceptable;
