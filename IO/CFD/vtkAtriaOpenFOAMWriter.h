@@ -19,8 +19,8 @@
  * entry in a field's boundaryField serves both. Boundary faces in no patch go to `defaultFaces`, of type
  * `patch`.
  *
- * Coplanar faces of one patch that one cell owns are written as one face where that is possible (see
- * MergeCoplanarFaces): checkMesh takes such a cell for concave.
+ * Coplanar faces of one patch that one cell owns, and nearly coplanar ones between the same two cells, are written as
+ * one face where that is possible (see MergeCoplanarFaces): checkMesh takes such a cell, or one of such two, for concave.
  *
  * An input without cells, a mesh that is not a manifold, a patch face that is not a face of its owner cell
  * and a folder that cannot be written are errors: Write() returns 0.
@@ -63,8 +63,9 @@ public:
 
   ///@{
   /**
-   * Write coplanar faces of one cell and one patch that share edges as one polygon. A patch keeps its area, a cell at
-   * least four faces. The input's cells and patches stay as they are. On by default.
+   * Write coplanar faces of one cell and one patch that share edges as one polygon, and faces that the same two cells
+   * share with less than 3 degrees between them. A patch keeps its area, a cell at least four faces. The input's cells and
+   * patches stay as they are. On by default.
    */
   vtkSetMacro(MergeCoplanarFaces, bool);
   vtkGetMacro(MergeCoplanarFaces, bool);

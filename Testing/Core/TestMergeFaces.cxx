@@ -179,6 +179,64 @@ TEST(MergeFaces, FacesAtAnAngleStayApart)
   }
 }
 
+/// A box 2 x 1 x 1 upon another; the two squares between them are folded by this height. Neither is all of a face.
+SampleMesh boxesWithTwoFacesBetween(double fold)
+{
+  SampleMesh sample;
+  const std::vector<Vec3> plan{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {0, 1, 0}};
+  for (const double z : {0.0, 1.0, 2.0})
+  {
+    for (const Vec3& p : plan)
+    {
+      const bool isFold = z == 1.0 && p[0] == 1.0;
+      sample.points.push_back({p[0], p[1], isFold ? z + fold : z});
+    }
+  }
+  for (const std::int64_t base : {0, 6})
+  {
+    const auto two = [](std::int64_t at) {
+      return std::vector<std::vector<std::int64_t>>{{at, at + 1, at + 4, at + 5}, {at + 1, at + 2, at + 3, at + 4}};
+    };
+    std::vector<std::vector<std::int64_t>> faces = two(base + 6);
+    for (std::vector<std::int64_t> lower : two(base))
+    {
+      std::reverse(lower.begin(), lower.end());
+      faces.push_back(lower);
+    }
+    for (std::int64_t i = 0; i < 6; ++i)
+    {
+      const std::int64_t next = (i + 1) % 6;
+      faces.push_back({base + i, base + next, base + next + 6, base + i + 6});
+    }
+    sample.addPolyhedron(faces);
+  }
+  return sample;
+}
+
+TEST(MergeFaces, FacesBetweenTheSameTwoCellsBecomeOne)
+{
+  for (const double fold : {0.0, 1e-4, -1e-3, 0.01})
+  {
+    SCOPED_TRACE(fold);
+    FaceMesh mesh = facesOf(boxesWithTwoFacesBetween(fold));
+    ASSERT_EQ(mesh.internalFaceCount(), 2u);
+    const std::size_t before = mesh.faceCount();
+    const MergedFaces merged = merge(mesh);
+    EXPECT_EQ(mesh.internalFaceCount(), 1u);
+    EXPECT_TRUE(hasFaceOf(mesh, {6, 7, 8, 9, 10, 11}));
+    EXPECT_EQ(mesh.owner.size() + merged.count, before);
+    EXPECT_EQ(mesh.facePoints.size(), mesh.faceOffsets.back());
+    EXPECT_EQ(merged.faceOf[0], 0u);
+    EXPECT_EQ(merged.faceOf[1], 0u);
+    EXPECT_EQ(merged.faceOf[2], 1u) << "boundary faces move up";
+    expectClosedCells(mesh);
+    EXPECT_EQ(merge(mesh).count, 0u);
+  }
+  FaceMesh folded = facesOf(boxesWithTwoFacesBetween(0.2));
+  merge(folded);
+  EXPECT_EQ(folded.internalFaceCount(), 2u);
+}
+
 TEST(MergeFaces, RowsThatNoCornerSeesAllOfStayApart)
 {
   // Three squares in a row: every corner has another point on its own side, behind which it sees nothing.

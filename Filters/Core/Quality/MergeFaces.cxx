@@ -40,7 +40,7 @@ public:
     for (const Index first : firstFaces)
     {
       context.progress.check();
-      mergeCell(first, endOfOwner(first));
+      mergeRun(first, endOfRun(first));
     }
     context.progress.report(0.9, "Merging coplanar faces");
     return renumber();
@@ -53,16 +53,22 @@ private:
     return found == loops.end() ? mesh.face(face) : std::span<const Index>(found->second);
   }
 
+  bool isInternal(Index face) const { return face < mesh.internalFaceCount(); }
+
   bool samePatch(Index a, Index b) const
   {
     const std::size_t internal = mesh.internalFaceCount();
-    return patchOf.empty() || patchOf[a - internal] == patchOf[b - internal];
+    return isInternal(a) || patchOf.empty() || patchOf[a - internal] == patchOf[b - internal];
   }
 
-  Index endOfOwner(Index first) const
+  double sineOf(Index face) const { return isInternal(face) ? options.internalSine : options.planarSine; }
+
+  /// Behind the last face of the same owner and, if there is one, of the same neighbour.
+  Index endOfRun(Index first) const
   {
-    Index end = first;
-    while (end < mesh.faceCount() && mesh.owner[end] == mesh.owner[first])
+    Index end = first + 1;
+    while (end < mesh.faceCount() && mesh.owner[end] == mesh.owner[first] && isInternal(end) == isInternal(first) &&
+           (!isInternal(end) || mesh.neighbour[end] == mesh.neighbour[first]))
     {
       ++end;
     }
@@ -72,17 +78,17 @@ private:
   bool areCoplanar(Index a, Index b) const
   {
     return samePatch(a, b) && shareAnEdge(loopOf(a), loopOf(b)) &&
-           coplanar(mesh.points, loopOf(a), loopOf(b), options.planarSine);
+           coplanar(mesh.points, loopOf(a), loopOf(b), sineOf(a));
   }
 
-  /// The first boundary face of each cell that owns two coplanar ones. Most meshes have few, many have none.
+  /// The first face of each run with two coplanar ones. Most meshes have few, many have none.
   std::vector<Index> findCandidates() const
   {
     std::vector<Index> found;
     Index end = 0;
-    for (auto first = static_cast<Index>(mesh.internalFaceCount()); first < mesh.faceCount(); first = end)
+    for (Index first = 0; first < mesh.faceCount(); first = end)
     {
-      end = endOfOwner(first);
+      end = endOfRun(first);
       bool any = false;
       for (Index a = first; a < end && !any; ++a)
       {
@@ -100,7 +106,7 @@ private:
   }
 
   /// Larger unions first: about a point inside of three faces, two of them alone are not star-shaped.
-  void mergeCell(Index first, Index end)
+  void mergeRun(Index first, Index end)
   {
     bool merged = true;
     while (merged)
@@ -189,7 +195,7 @@ private:
       std::optional<std::vector<Index>> more;
       for (std::size_t i = 1; i < group.size() && !more; ++i)
       {
-        if (!joined[i] && coplanar(mesh.points, *loop, loopOf(group[i]), options.planarSine))
+        if (!joined[i] && coplanar(mesh.points, *loop, loopOf(group[i]), sineOf(group[i])))
         {
           more = unite(*loop, loopOf(group[i]));
           joined[i] = more.has_value();
@@ -218,11 +224,11 @@ private:
     return std::all_of(own.begin(), own.end(), [&](const auto& left) { return uses[left.first] == left.second; });
   }
 
-  /// Whether the union fits in with the other faces of its cell.
-  bool fits(const std::vector<Index>& group, const std::vector<Index>& loop) const
+  /// Whether the union fits in with the other faces of a cell, and is star-shaped seen from its centroid.
+  bool fits(const std::vector<Index>& group, const std::vector<Index>& loop, Index cell) const
   {
     std::size_t left = 1;
-    for (const Index face : cellFaces.of(mesh.owner[group[0]]))
+    for (const Index face : cellFaces.of(cell))
     {
       if (into[face] != face || std::find(group.begin(), group.end(), face) != group.end())
       {
@@ -234,14 +240,22 @@ private:
         return false;
       }
     }
-    return left >= fewestFaces;
+    return left >= fewestFaces && isStarShaped(mesh.points, loop, cellCentroids[cell], options.planarSine);
+  }
+
+  bool fits(const std::vector<Index>& group, const std::vector<Index>& loop) const
+  {
+    if (!fits(group, loop, mesh.owner[group[0]]))
+    {
+      return false;
+    }
+    return !isInternal(group[0]) || fits(group, {loop.rbegin(), loop.rend()}, mesh.neighbour[group[0]]);
   }
 
   bool merge(const std::vector<Index>& group)
   {
     std::optional<std::vector<Index>> loop = unionOf(group);
-    if (!loop || !leavesOutOnlyOwnPoints(group, *loop) || !fits(group, *loop) ||
-        !isStarShaped(mesh.points, *loop, cellCentroids[mesh.owner[group[0]]], options.planarSine))
+    if (!loop || !leavesOutOnlyOwnPoints(group, *loop) || !fits(group, *loop))
     {
       return false;
     }
@@ -267,28 +281,38 @@ private:
   MergedFaces renumber()
   {
     const std::size_t before = mesh.faceCount();
+    Index first = 0; // from which on numbers change
+    while (first < before && !loops.contains(first))
+    {
+      ++first;
+    }
     FaceMesh out;
-    out.faceOffsets.assign(1, mesh.faceOffsets[mesh.internalFaceCount()]);
-    for (auto f = static_cast<Index>(mesh.internalFaceCount()); f < before; ++f)
+    out.faceOffsets.assign(1, mesh.faceOffsets[first]);
+    for (Index f = first; f < before; ++f)
     {
       if (into[f] != f)
       {
         into[f] = into[into[f]]; // a lower face, which has its new number already
         continue;
       }
-      into[f] = static_cast<Index>(mesh.internalFaceCount() + out.owner.size());
+      into[f] = static_cast<Index>(first + out.owner.size());
       const auto loop = loopOf(f);
       out.facePoints.insert(out.facePoints.end(), loop.begin(), loop.end());
       out.faceOffsets.push_back(out.faceOffsets.front() + static_cast<Index>(out.facePoints.size()));
       out.owner.push_back(mesh.owner[f]);
+      if (isInternal(f))
+      {
+        out.neighbour.push_back(mesh.neighbour[f]);
+      }
     }
     const auto replaceTail = [](std::vector<Index>& all, std::size_t kept, const std::vector<Index>& tail) {
       all.resize(kept);
       all.insert(all.end(), tail.begin(), tail.end());
     };
     replaceTail(mesh.facePoints, out.faceOffsets.front(), out.facePoints);
-    replaceTail(mesh.faceOffsets, mesh.internalFaceCount(), out.faceOffsets);
-    replaceTail(mesh.owner, mesh.internalFaceCount(), out.owner);
+    replaceTail(mesh.faceOffsets, first, out.faceOffsets);
+    replaceTail(mesh.owner, first, out.owner);
+    replaceTail(mesh.neighbour, std::min<std::size_t>(first, mesh.neighbour.size()), out.neighbour);
     return {std::move(into), before - mesh.faceCount()};
   }
 

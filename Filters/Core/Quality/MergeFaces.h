@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Coplanar boundary faces of one cell made into one polygon, for formats that know polyhedra.
+/// Coplanar boundary faces of one cell, and faces that the same two cells share, made into one polygon, for formats
+/// that know polyhedra.
 #pragma once
 
 #include "Quality/FaceMesh.h"
@@ -18,6 +19,9 @@ struct MergeFacesOptions
   /// checkMesh tells concave cells, the area of a patch changes by less than 2e-13 of it. The merged face's triangles
   /// have to have angles with a greater sine than this.
   double planarSine = 1e-6;
+  /// The same for internal faces. One of the cells that share two faces is concave however its points are placed, by
+  /// little where it is else well-shaped. No patch changes with such faces, so they need not be as flat.
+  double internalSine = 0.05;
 };
 
 struct MergedFaces
@@ -26,17 +30,17 @@ struct MergedFaces
   std::size_t count = 0;     ///< how many faces there are fewer
 };
 
-/// Merges boundary faces of one owner and one patch that are coplanar and share one edge or one run of edges. Cells,
-/// internal faces and points stay as they are; faces stay in the order FaceMesh asks for. A point that comes to lie
-/// inside a merged face is left without faces. All coplanar faces of a cell that hang together are merged where that is
-/// possible, else three or two of them. Not possible it is where
+/// Merges boundary faces of one owner and one patch, and internal ones of one owner and one neighbour, that are
+/// coplanar and share one edge or one run of edges. Cells and points stay as they are; faces stay in the order FaceMesh
+/// asks for. A point that comes to lie inside a merged face is left without faces. All coplanar faces of a cell that
+/// hang together are merged where that is possible, else three or two of them. Not possible it is where
 /// - the merged face would not be a simple polygon, or would share with another face of its cell points that do not
 ///   follow each other;
 /// - it is not star-shaped as OpenFOAM's checkMesh asks for: triangles from its centroid to its edges, and those from
-///   one of its points, all look out of the cell, whose centroid is not in the face's plane (flat cells stay as they
-///   are);
+///   one of its points, all look out of the cell (of both cells), whose centroid is not in the face's plane (flat cells
+///   stay as they are);
 /// - a point inside of it is one of other faces too;
-/// - the cell would have fewer than four faces.
+/// - a cell would have fewer than four faces.
 /// `patchOf` has for each boundary face the number of its patch; empty, all are in one. Faces are tried in rising order
 /// of their numbers, one cell after the other: the result does not depend on threads. Merging again changes nothing.
 /// Throws Aborted when asked to.
