@@ -91,8 +91,7 @@ void LayerImprover::straighten()
   largest.faceCosine = acceptable;
   for (const double reach : reaches)
   {
-    std::vector<ShortCell> beyond = findShortCells(DualSource(layer_.mesh), toJudge, largest, context_);
-    std::erase_if(beyond, [](const ShortCell& cell) { return cell.worst >= 0.0F; });
+    const std::vector<ShortCell> beyond = findBelow(layer_, largest, 0.0F, toJudge);
     if (beyond.empty())
     {
       break;

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Surface/GapClosing.h"
 
-#include "Support/UnionFind.h"
 #include "Surface/BoxTree.h"
 #include "Surface/Crowds.h"
 #include "Surface/Distance.h"
+#include "Surface/Fans.h"
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <numeric>
+#include <iterator>
 #include <optional>
 #include <span>
 #include <tuple>
@@ -32,37 +33,11 @@ constexpr double there = 2.0;
 /// A triangle no higher than this, in lattice units, has no area but for rounding.
 constexpr double flat = 2.0;
 
-/// Triangles at each point.
-class Fans
+void makeSet(std::vector<Index>& list)
 {
-public:
-  explicit Fans(const TriangleSoup& soup) : offsets(soup.points.size() + 1, 0)
-  {
-    for (const auto& t : soup.triangles)
-    {
-      for (const Index p : t)
-      {
-        ++offsets[p + 1];
-      }
-    }
-    std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
-    triangles.resize(offsets.back());
-    std::vector<Index> next(offsets.begin(), offsets.end() - 1);
-    for (Index t = 0; t < soup.triangles.size(); ++t)
-    {
-      for (const Index p : soup.triangles[t])
-      {
-        triangles[next[p]++] = t;
-      }
-    }
-  }
-
-  std::span<const Index> at(Index p) const { return {triangles.data() + offsets[p], offsets[p + 1] - offsets[p]}; }
-
-private:
-  std::vector<Index> offsets;
-  std::vector<Index> triangles;
-};
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+}
 
 /// A free edge, from one of its ends.
 struct RimEnd
@@ -105,7 +80,7 @@ public:
             const std::vector<LatticePoint>& start_)
       : soup(soup_), frame(frame_), tolerance(tolerance_), parts(parts_), start(start_), fans(soup),
         rims(rimEnds(soup)), fixed(soup.points.size(), 0), partOf(soup.points.size(), noIndex),
-        hasRim(soup.points.size(), 0)
+        hasSeveralParts(soup.points.size(), 0), hasRim(soup.points.size(), 0)
   {
     for (const RimEnd& rim : rims)
     {
@@ -115,7 +90,9 @@ public:
     {
       for (const Index p : soup.triangles[t])
       {
-        partOf[p] = std::min(partOf[p], partOfTriangle(t));
+        const Index part = partOfTriangle(t);
+        hasSeveralParts[p] |= partOf[p] != noIndex && partOf[p] != part;
+        partOf[p] = std::min(partOf[p], part);
       }
     }
   }
@@ -157,12 +134,14 @@ private:
 
   bool used(Index p) const { return !fans.at(p).empty(); }
   Index partOfTriangle(Index t) const { return parts[soup.sources[t]]; }
-  /// Whether no triangle at the point is of the triangle's part.
+  /// Whether no triangle at the point is of the triangle's part. Thousands of them may meet in a point.
   bool isForeign(Index p, Index t) const
   {
+    const Index part = partOfTriangle(t);
     const auto around = fans.at(p);
-    return std::none_of(around.begin(), around.end(),
-                        [&](Index other) { return partOfTriangle(other) == partOfTriangle(t); });
+    return partOf[p] != part && (!hasSeveralParts[p] || std::none_of(around.begin(), around.end(), [&](Index other) {
+             return partOfTriangle(other) == part;
+           }));
   }
   std::span<const RimEnd> rimsAt(Index p) const
   {
@@ -182,6 +161,9 @@ private:
     std::vector<Gap> foreignGaps;
     /// Points with the parts they lie on without having a corner there.
     std::vector<std::pair<Index, Index>> touches;
+    /// The point looked at last for what hangs together with it, and that.
+    Index hangingAt = noIndex;
+    std::vector<Index> hanging;
   };
 
   void findPairs(const RunContext& context)
@@ -263,7 +245,7 @@ private:
       return;
     }
     const bool foreign = isForeign(p, t);
-    if (isAhead(p, between(soup.points[p], target->place)) || (hasRim[p] && !hangsTogether(p, t)))
+    if (isAhead(p, between(soup.points[p], target->place)) || (hasRim[p] && !hangsTogether(p, t, found)))
     {
       found.gaps.push_back({!(foreign && partOf[p] < partOfTriangle(t)), target->kind, target->distance, p, t});
     }
@@ -353,30 +335,44 @@ private:
     return place;
   }
 
-  /// Whether the triangle can be reached from the point along edges that stay close to it.
-  bool hangsTogether(Index p, Index t) const
+  /// The triangles that can be reached from the point along edges that stay close to it, in order.
+  std::vector<Index> hangingTogether(Index p) const
   {
     const double reach = detailReach * tolerance;
-    std::vector<Index> open{p};
-    const auto isClose = [&](Index q) { return between(soup.points[p], soup.points[q]).norm() <= reach; };
-    for (std::size_t i = 0; i < open.size(); ++i)
+    std::vector<Index> reached{p};
+    std::vector<Index> triangles;
+    for (std::vector<Index> last{p}; !last.empty();)
     {
-      for (const Index around : fans.at(open[i]))
+      std::vector<Index> corners;
+      for (const Index q : last)
       {
-        if (around == t)
+        const auto around = fans.at(q);
+        triangles.insert(triangles.end(), around.begin(), around.end());
+        for (const Index t : around)
         {
-          return true;
-        }
-        for (const Index q : soup.triangles[around])
-        {
-          if (isClose(q) && std::find(open.begin(), open.end(), q) == open.end())
-          {
-            open.push_back(q);
-          }
+          corners.insert(corners.end(), soup.triangles[t].begin(), soup.triangles[t].end());
         }
       }
+      makeSet(corners);
+      last.clear();
+      std::set_difference(corners.begin(), corners.end(), reached.begin(), reached.end(), std::back_inserter(last));
+      std::erase_if(last, [&](Index q) { return between(soup.points[p], soup.points[q]).norm() > reach; });
+      std::vector<Index> all;
+      std::set_union(reached.begin(), reached.end(), last.begin(), last.end(), std::back_inserter(all));
+      reached = std::move(all);
     }
-    return false;
+    makeSet(triangles);
+    return triangles;
+  }
+
+  bool hangsTogether(Index p, Index t, Found& found) const
+  {
+    if (found.hangingAt != p)
+    {
+      found.hangingAt = p;
+      found.hanging = hangingTogether(p);
+    }
+    return std::binary_search(found.hanging.begin(), found.hanging.end(), t);
   }
 
   bool close(const Gap& gap)
@@ -464,51 +460,13 @@ private:
   std::vector<char> fixed;
   /// Per point, the smallest of the parts it belongs to.
   std::vector<Index> partOf;
+  std::vector<char> hasSeveralParts;
   /// Per point, whether it is at a free edge.
   std::vector<char> hasRim;
   std::vector<Gap> gaps;
 };
 
 } // namespace
-
-std::vector<Index> partsOf(const TriangleSoup& soup)
-{
-  UnionFind sets(soup.points.size());
-  for (const auto& t : soup.triangles)
-  {
-    sets.join(t[0], t[1]);
-    sets.join(t[0], t[2]);
-  }
-  std::vector<Box3> boxes(soup.points.size());
-  for (const auto& t : soup.triangles)
-  {
-    for (const Index p : t)
-    {
-      boxes[sets.find(p)].extend(toVector(soup.points[p]));
-    }
-  }
-  std::vector<std::pair<double, Index>> sizes; // with the lowest point from high to low
-  for (Index p = 0; p < soup.points.size(); ++p)
-  {
-    const Vec3 length = boxes[p].empty() ? Vec3::Zero() : boxes[p].size();
-    if (!boxes[p].empty())
-    {
-      sizes.emplace_back(std::max({length[0] * length[1], length[1] * length[2], length[2] * length[0]}), ~p);
-    }
-  }
-  std::sort(sizes.begin(), sizes.end());
-  std::vector<Index> rank(soup.points.size(), 0);
-  for (Index i = 0; i < sizes.size(); ++i)
-  {
-    rank[~sizes[i].second] = i;
-  }
-  std::vector<Index> parts(soup.sources.empty() ? 0 : soup.sources.back() + 1, 0);
-  for (Index t = 0; t < soup.triangles.size(); ++t)
-  {
-    parts[soup.sources[t]] = rank[sets.find(soup.triangles[t][0])];
-  }
-  return parts;
-}
 
 std::vector<char> closeGaps(TriangleSoup& soup, const GridFrame& frame, double tolerance,
                             const std::vector<Index>& parts, const std::vector<LatticePoint>& start,

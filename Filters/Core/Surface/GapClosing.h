@@ -4,13 +4,9 @@
 #include "Support/RunContext.h"
 #include "Surface/TriangleSoup.h"
 
-#include <cstddef>
+#include <vector>
 
 namespace atria {
-
-/// The parts of a soup that hang together by common points, by the source of their triangles: numbers that grow with
-/// the greatest face of the part's box.
-std::vector<Index> partsOf(const TriangleSoup& soup);
 
 /// Moves points onto what they nearly touch, so that no gap narrower than `tolerance` (lattice units) is left between
 /// them. The soup should be cut already (autorefine), so that what touches has common points: these move together, and

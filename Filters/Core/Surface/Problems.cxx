@@ -9,6 +9,7 @@
 #include "Surface/Crowds.h"
 #include "Surface/GapClosing.h"
 #include "Surface/PointPlaces.h"
+#include "Surface/SoupParts.h"
 
 #include <Eigen/Geometry>
 

@@ -4,6 +4,7 @@
 #include "Surface/Autorefine.h"
 #include "Surface/GapClosing.h"
 #include "Surface/Orientation.h"
+#include "Surface/SoupParts.h"
 #include "Surface/Weld.h"
 
 namespace atria {
