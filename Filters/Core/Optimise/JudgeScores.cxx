@@ -199,9 +199,10 @@ template <typename Shapes, typename Sink> void Judge::judgeCell(Index cell, cons
   {
     // All that are below the target: the least alone has a kink where another one takes over.
     const JacobianTerms terms = jacobiansOf(cell);
+    const QualityRange jacobian{targets_.jacobianLimit, targets_.scaledJacobian};
     for (std::size_t i = 0; i < terms.count; ++i)
     {
-      score.add(terms.values[i] / targets_.scaledJacobian, targets_.leastOfJacobian);
+      score.add(jacobian.of(terms.values[i]), targets_.leastOfJacobian);
     }
   }
 }

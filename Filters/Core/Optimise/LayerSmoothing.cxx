@@ -16,6 +16,14 @@ namespace {
 constexpr double thicker = 5.0 / 3.0;
 /// What hexahedra of a uniform mesh keep of their scaled Jacobian where angles are made better.
 constexpr double smoothJacobian = 0.52;
+constexpr double leastSmoothJacobian = 0.5;
+/// Degrees by which limits lie beyond the targets, stage by stage, and what skewness lies beyond for each.
+constexpr std::array stages{10.0, 5.0, 3.0};
+constexpr double skewnessPerDegree = 0.03;
+/// What no cell falls below by other measures for the good of these.
+constexpr double leastOfOthers = 0.1;
+
+double cosineOf(double degrees) { return std::cos(degrees * std::numbers::pi / 180.0); }
 
 } // namespace
 
@@ -114,8 +122,7 @@ void LayerImprover::smooth(const SmoothWallTargets& wanted, bool nothingShort)
 {
   OptimiserOptions options;
   options.targets = targets();
-  options.targets.faceCosine.target =
-      std::max(options.targets.faceCosine.target, std::cos(wanted.nonOrthogonality * std::numbers::pi / 180.0));
+  options.targets.faceCosine.target = std::max(options.targets.faceCosine.target, cosineOf(wanted.nonOrthogonality));
   options.targets.skewness.target = std::min(options.targets.skewness.target, wanted.skewness);
   options.targets.scaledJacobian = std::min(options.targets.scaledJacobian, smoothJacobian);
   options.sweeps = 8;
@@ -124,7 +131,27 @@ void LayerImprover::smooth(const SmoothWallTargets& wanted, bool nothingShort)
   options.firstReach = 0.3;
   std::vector<Index> suspects = thicken(options.targets, nothingShort);
   std::erase_if(suspects, [&](Index cell) { return !isSmooth(cell); });
-  move(findShortAmong(DualSource(layer_.mesh), suspects, options.targets, context_), options);
+  const auto moveThoseShort = [&] {
+    move(findShortAmong(DualSource(layer_.mesh), suspects, options.targets, context_), options);
+  };
+  moveThoseShort();
+  const SmoothWallTargets usual;
+  if (wanted.nonOrthogonality >= usual.nonOrthogonality && wanted.skewness >= usual.skewness)
+  {
+    return;
+  }
+  // Targets that are hard to come up to; the limits rise as in straighten().
+  options.targets.leastOfFaceCosine = leastOfOthers;
+  options.leastWorst = leastOfOthers;
+  options.targets.jacobianLimit = std::min(leastSmoothJacobian, options.targets.scaledJacobian);
+  for (const double degrees : stages)
+  {
+    QualityRange& cosine = options.targets.faceCosine;
+    cosine.limit = std::max(cosine.limit, cosineOf(wanted.nonOrthogonality + degrees));
+    QualityRange& skewness = options.targets.skewness;
+    skewness.limit = std::min(skewness.limit, wanted.skewness + skewnessPerDegree * degrees);
+    moveThoseShort();
+  }
 }
 
 } // namespace atria

@@ -70,8 +70,9 @@ struct QualityTargets
   /// Whether faces must be star-shaped about their centroids, as OpenFOAM's decomposition into tetrahedra asks, and
   /// determinants are looked at.
   bool decomposed = true;
-  /// Verdict's scaled Jacobian of cells that have one, its limit 0; a target of 0 asks for nothing.
+  /// Verdict's scaled Jacobian of cells that have one, and its limit; a target of 0 asks for nothing.
   double scaledJacobian = 0.0;
+  double jacobianLimit = 0.0;
   /// As leastOfDeterminant.
   double leastOfJacobian = -std::numeric_limits<double>::infinity();
 
