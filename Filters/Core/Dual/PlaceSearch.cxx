@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Dual/PlaceSearch.h"
 
+#include "Dual/CandidatePlaces.h"
 #include "Surface/Distance.h"
 
 #include <Eigen/Geometry>
@@ -36,35 +37,6 @@ struct Move
   double gain = 0.0;
   Index point = noIndex;
   LatticePoint place{};
-};
-
-/// Collects places for a point that are not too far.
-struct Candidates
-{
-  LatticePoint home;
-  std::int64_t reach;
-  std::vector<LatticePoint> places;
-
-  void add(const Vec3& p)
-  {
-    const LatticePoint place{std::llround(p[0]), std::llround(p[1]), std::llround(p[2])};
-    const bool near = std::abs(place[0] - home[0]) <= reach && std::abs(place[1] - home[1]) <= reach &&
-                      std::abs(place[2] - home[2]) <= reach;
-    if (near && std::find(places.begin(), places.end(), place) == places.end())
-    {
-      places.push_back(place);
-    }
-  }
-
-  /// The point nearest to p in the plane in the middle between a and b.
-  void addBetween(const Vec3& p, const std::optional<Vec3>& a, const std::optional<Vec3>& b)
-  {
-    if (a && b && (*a - *b).squaredNorm() > 1.0)
-    {
-      const Vec3 along = (*a - *b).normalized();
-      add(p - along * along.dot(p - 0.5 * (*a + *b)));
-    }
-  }
 };
 
 /// Curves that bound a chart in common have a strip of it between them. Others have a gap between them, and a grid
@@ -224,7 +196,7 @@ private:
         const Vec3 offset = home - centre;
         const Vec3 across = offset - axis.dot(offset) * axis;
         const auto reach = static_cast<std::int64_t>(farthestMove * static_cast<double>(grid.shortestEdge(point)));
-        Candidates one{grid.places().home(point), reach, {}};
+        CandidatePlaces one{grid.places().home(point), reach, {}};
         one.add(a + axis.dot(home - a) * axis + scale * (turn * across));
         if (!one.places.empty())
         {
@@ -358,7 +330,7 @@ private:
   {
     const LatticePoint home = grid.places().home(point);
     const auto reach = static_cast<std::int64_t>(farthestMove * static_cast<double>(grid.shortestEdge(point)));
-    Candidates found{home, reach, {home}};
+    CandidatePlaces found{home, reach, {home}};
     for (int direction = 0; direction < 6; ++direction)
     {
       addBetweenCuts(point, direction, found);
@@ -373,7 +345,7 @@ private:
   }
 
   /// Places between the cuts of an edge of the point, and a step beyond them.
-  void addBetweenCuts(Index point, int direction, Candidates& found) const
+  void addBetweenCuts(Index point, int direction, CandidatePlaces& found) const
   {
     const auto edge = grid.cutEdge(point, direction);
     if (!edge)
@@ -403,7 +375,7 @@ private:
   }
 
   /// Places from which an edge that two sheets cut passes on the other side of the curve in which they meet.
-  void addPastCurves(Index point, int direction, Candidates& found) const
+  void addPastCurves(Index point, int direction, CandidatePlaces& found) const
   {
     const auto edge = grid.cutEdge(point, direction);
     if (!edge || edge->surplus() == 0)
@@ -449,7 +421,7 @@ private:
   }
 
   /// Places in the middle between curves that the leaf's vertex cannot both be on.
-  void addBetweenCurves(Index point, Index leaf, Candidates& found)
+  void addBetweenCurves(Index point, Index leaf, CandidatePlaces& found)
   {
     if (grid.surplus(leaf) == 0)
     {
