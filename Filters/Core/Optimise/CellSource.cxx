@@ -3,6 +3,7 @@
 
 #include "Quality/CellShapes.h"
 #include "Support/Pieces.h"
+#include "Support/Sorting.h"
 
 #include <algorithm>
 
@@ -204,8 +205,7 @@ std::vector<Index> withNeighbours(const CellSource& source, const std::vector<In
     source.neighboursOf(cell, beside);
     out.insert(out.end(), beside.begin(), beside.end());
   }
-  std::ranges::sort(out);
-  out.erase(std::unique(out.begin(), out.end()), out.end());
+  sortUnique(out);
   return out;
 }
 

@@ -142,7 +142,7 @@ void Judge::prepare(Star& star) const
     {
       star.moving.push_back(i);
     }
-    star.shapes[i].hasFan = star.shapes[i].hasHalf = false;
+    star.shapes[i] = {};
   }
   findFirst(star);
   star.facesBefore.clear();
@@ -201,7 +201,7 @@ void Judge::place(Star& star, const Vec3& p)
   }
   for (const Index i : star.moving)
   {
-    star.shapes[i].hasFan = star.shapes[i].hasHalf = false;
+    star.shapes[i] = {};
   }
 }
 

@@ -6,6 +6,8 @@
 #include "Optimise/QualityTargets.h"
 #include "Quality/ScaledJacobian.h"
 
+#include <optional>
+
 namespace atria {
 
 /// By how much a measure falls short: 0 at the target. What is hardly valid or not at all counts for more, so that it
@@ -90,10 +92,8 @@ struct LeastMetrics
 /// corners. Made when they are first looked at.
 struct QuadShape
 {
-  bool hasFan = false;
-  bool hasHalf = false;
-  std::array<Vec3, 4> fan;
-  std::array<Vec3, 4> half;
+  std::optional<std::array<Vec3, 4>> fan;
+  std::optional<std::array<Vec3, 4>> half;
 };
 
 /// The cells about a point that may move, and what depends on it.

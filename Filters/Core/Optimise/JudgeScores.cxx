@@ -56,22 +56,12 @@ public:
   const std::array<Vec3, 4>& fan(Index face, std::size_t k) const
   {
     QuadShape& shape = star_.shapes[slots_[k]];
-    if (!shape.hasFan)
-    {
-      shape.fan = judge_.fanOf(face);
-      shape.hasFan = true;
-    }
-    return shape.fan;
+    return shape.fan ? *shape.fan : shape.fan.emplace(judge_.fanOf(face));
   }
   const std::array<Vec3, 4>& halves(Index face, std::size_t k) const
   {
     QuadShape& shape = star_.shapes[slots_[k]];
-    if (!shape.hasHalf)
-    {
-      shape.half = judge_.halvesOf(face);
-      shape.hasHalf = true;
-    }
-    return shape.half;
+    return shape.half ? *shape.half : shape.half.emplace(judge_.halvesOf(face));
   }
 
 private:

@@ -10,6 +10,9 @@ namespace atria {
 /// Cells below this share of a target are no better than not valid.
 inline constexpr float soundEnough = 0.02F;
 
+/// What no cell falls below by other measures for the good of angles, where the limit of these rises.
+inline constexpr double leastOfOthers = 0.1;
+
 std::vector<ShortCell> badOf(const std::vector<ShortCell>& cells);
 
 std::vector<Index> cellsOf(const std::vector<ShortCell>& cells);

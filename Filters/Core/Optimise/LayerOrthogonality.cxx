@@ -13,8 +13,6 @@ namespace {
 /// Cells below this share of what a stage aims at are looked at.
 constexpr float enough = 0.5F;
 constexpr float enoughOfDivided = 0.3F;
-/// What no cell falls below by other measures for the good of angles.
-constexpr double leastOfOthers = 0.1;
 /// Degrees of non-orthogonality: 60, beyond which vertices leave where the model wants them, to 55.9.
 constexpr QualityRange acceptable{0.5, 0.56};
 /// How far, in octants, vertices may leave their surfaces where nothing else helps, one after the other.
@@ -83,7 +81,6 @@ void LayerImprover::straighten()
   // What is within the last stage is within all others.
   if (findBelow(layer_, targetsOf(stages.back()), enough, toJudge).empty())
   {
-    keepThoseAway();
     return;
   }
   straighten(layer_, stages, enough, toJudge);

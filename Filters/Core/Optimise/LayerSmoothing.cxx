@@ -20,8 +20,6 @@ constexpr double leastSmoothJacobian = 0.5;
 /// Degrees by which limits lie beyond the targets, stage by stage, and what skewness lies beyond for each.
 constexpr std::array stages{10.0, 5.0, 3.0};
 constexpr double skewnessPerDegree = 0.03;
-/// What no cell falls below by other measures for the good of these.
-constexpr double leastOfOthers = 0.1;
 
 double cosineOf(double degrees) { return std::cos(degrees * std::numbers::pi / 180.0); }
 

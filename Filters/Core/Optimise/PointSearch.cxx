@@ -27,19 +27,17 @@ Score PointSearch::scoreAt(const Vec3& p, const LookLimits& limits)
   return judge.look(star, guide.place(pointId, p), limits);
 }
 
-/// Beyond these no place is better.
+/// Beyond these no place is better: the worst may not get worse, unless it stays good or was bad already.
 LookLimits PointSearch::limitsOf(const Score& now) const
 {
-  return {now.penalty * (1.0 - rules_.leastGain),
-          now.worst < badAnyway ? std::min(now.worst - noise, rules_.leastWorst) : std::min(now.worst - noise, 1.0)};
+  const double enough = now.worst < badAnyway ? rules_.leastWorst : 1.0;
+  return {now.penalty * (1.0 - rules_.leastGain), std::min(now.worst - noise, enough)};
 }
 
 bool PointSearch::isBetter(const Score& there, const Score& now) const
 {
-  return there.penalty < now.penalty * (1.0 - rules_.leastGain) &&
-         (there.worst >= now.worst - noise || there.worst >= 1.0 ||
-          (now.worst < badAnyway && there.worst >= std::min(now.worst, rules_.leastWorst))) &&
-         noMetricIsWorse();
+  const LookLimits limits = limitsOf(now);
+  return there.penalty < limits.penalty && there.worst >= limits.worst && noMetricIsWorse();
 }
 
 /// Of the place where the point is now.

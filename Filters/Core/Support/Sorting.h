@@ -37,4 +37,11 @@ template <typename T> void sortOnThreads(std::vector<T>& list, const RunContext&
   sortOnThreads(list, context, std::less<>());
 }
 
+/// Every entry once, in rising order.
+template <typename T> void sortUnique(std::vector<T>& list)
+{
+  std::sort(list.begin(), list.end());
+  list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
 } // namespace atria

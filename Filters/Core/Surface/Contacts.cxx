@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Surface/Contacts.h"
 
+#include "Support/Sorting.h"
 #include "Surface/BoxTree.h"
 #include "Surface/Crowds.h"
 #include "Surface/LatticeSegments.h"
@@ -320,12 +321,6 @@ private:
     renumber(out.edges);
     renumber(out.faces);
     out.newPoints = std::move(sorted);
-  }
-
-  template <typename T> static void sortUnique(std::vector<T>& list)
-  {
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
   }
 
   const TriangleSoup& soup;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Surface/GapClosing.h"
 
+#include "Support/Sorting.h"
 #include "Surface/BoxTree.h"
 #include "Surface/Crowds.h"
 #include "Surface/Distance.h"
@@ -32,12 +33,6 @@ constexpr double minimumCosine = 0.5;
 constexpr double there = 2.0;
 /// A triangle no higher than this, in lattice units, has no area but for rounding.
 constexpr double flat = 2.0;
-
-void makeSet(std::vector<Index>& list)
-{
-  std::sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
-}
 
 /// A free edge, from one of its ends.
 struct RimEnd
@@ -353,7 +348,7 @@ private:
           corners.insert(corners.end(), soup.triangles[t].begin(), soup.triangles[t].end());
         }
       }
-      makeSet(corners);
+      sortUnique(corners);
       last.clear();
       std::set_difference(corners.begin(), corners.end(), reached.begin(), reached.end(), std::back_inserter(last));
       std::erase_if(last, [&](Index q) { return between(soup.points[p], soup.points[q]).norm() > reach; });
@@ -361,7 +356,7 @@ private:
       std::set_union(reached.begin(), reached.end(), last.begin(), last.end(), std::back_inserter(all));
       reached = std::move(all);
     }
-    makeSet(triangles);
+    sortUnique(triangles);
     return triangles;
   }
 
