@@ -1,19 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Dual/LeafTopology.h"
 
+#include "Support/Sorting.h"
+
 #include <algorithm>
 
 namespace atria {
-
-namespace {
-
-void sortUnique(std::vector<Index>& values)
-{
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-}
-
-} // namespace
 
 CutEdge seenFrom(Index leaf, const EdgeSegment& edge, std::span<const SurfaceCrossing> cuts)
 {
@@ -68,31 +60,40 @@ void LeafTopology::analyse(Index leaf, std::span<const CutEdge> edges)
 void LeafTopology::countSheets(UnionFind& sets)
 {
   // A face is at two mesh edges of the vertex, and joins what is there.
-  for (std::size_t u = 0; u < uses.size(); ++u)
+  faces.clear();
+  for (Index u = 0; u < uses.size(); ++u)
   {
-    for (std::size_t w = 0; w < u; ++w)
+    faces.push_back({uses[u].edge, uses[u].chart, u});
+  }
+  std::ranges::sort(faces);
+  for (std::size_t i = 1; i < faces.size(); ++i)
+  {
+    if (faces[i].edge == faces[i - 1].edge && faces[i].chart == faces[i - 1].chart)
     {
-      if (uses[u].edge == uses[w].edge && uses[u].chart == uses[w].chart)
-      {
-        sets.join(static_cast<Index>(u), static_cast<Index>(w));
-      }
+      sets.join(faces[i].use, faces[i - 1].use);
     }
   }
   sheets_ = 0;
-  apart_.clear();
+  parts.clear();
   for (Index u = 0; u < uses.size(); ++u)
   {
-    sheets_ += sets.find(u) == u ? 1 : 0;
-    for (Index w = 0; w < u; ++w)
+    const Index sheet = sets.find(u);
+    sheets_ += sheet == u ? 1 : 0;
+    parts.emplace_back(uses[u].chart, sheet);
+  }
+  sortUnique(parts);
+  apart_.clear();
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    for (std::size_t k = 0; k < i; ++k)
     {
-      if (uses[u].chart != uses[w].chart && sets.find(u) != sets.find(w))
+      if (parts[i].first != parts[k].first && parts[i].second != parts[k].second)
       {
-        apart_.push_back(std::minmax(uses[u].chart, uses[w].chart));
+        apart_.emplace_back(parts[k].first, parts[i].first);
       }
     }
   }
-  std::sort(apart_.begin(), apart_.end());
-  apart_.erase(std::unique(apart_.begin(), apart_.end()), apart_.end());
+  sortUnique(apart_);
 }
 
 std::vector<std::vector<Index>> LeafTopology::curves() const
@@ -137,25 +138,35 @@ void LeafTopology::gather(Index leaf, std::span<const CutEdge> edges)
   std::sort(uses.begin(), uses.end());
 }
 
+/// Curves in which two of the charts meet.
 void LeafTopology::gatherCurves(Index leaf, std::span<const CutEdge> edges)
 {
   for (const Index near : leavesAbout(leaf, edges))
   {
-    for (const ModelItem piece : octree.items(near))
+    for (const ModelItem piece : octree.items(near, ModelItem::featureEdge))
     {
-      if (piece.kind == ModelItem::featureEdge)
+      const Index curve = model.featureEdges[piece.index].curve;
+      if (nearCurves.empty() || nearCurves.back() != curve)
       {
-        nearCurves.push_back(model.featureEdges[piece.index].curve);
+        nearCurves.push_back(curve);
       }
     }
   }
   sortUnique(nearCurves);
+  const auto isHere = [&](Index chart) { return std::ranges::binary_search(charts_, chart); };
+  std::erase_if(nearCurves, [&](Index c) {
+    const std::vector<Index>& charts = model.curves[c].charts;
+    const auto first = std::ranges::find_if(charts, isHere);
+    return std::find_if(first, charts.end(), [&](Index chart) { return chart != *first && isHere(chart); }) ==
+           charts.end();
+  });
 }
 
-/// Looks at the mesh edge whose uses are [begin, end).
+/// Looks at the mesh edge whose uses are [begin, end), which are sorted by charts.
 void LeafTopology::look(Index leaf, std::size_t begin, std::size_t end, UnionFind& sets)
 {
   std::vector<Index> ending;
+  firstOfChart.clear();
   for (std::size_t u = begin; u < end; ++u)
   {
     if (!ending.empty() && ending.back() == uses[u].chart)
@@ -166,34 +177,43 @@ void LeafTopology::look(Index leaf, std::size_t begin, std::size_t end, UnionFin
     {
       ending.push_back(uses[u].chart);
     }
-  }
-  bool pass = false;
-  for (std::size_t u = begin + 1; u < end; ++u)
-  {
-    for (std::size_t w = begin; w < u; ++w)
+    if (u == begin || uses[u].chart != uses[u - 1].chart)
     {
-      if (meet(uses[u].chart, uses[w].chart, ending))
-      {
-        sets.join(static_cast<Index>(u), static_cast<Index>(w));
-        pass = pass || uses[u].chart != uses[w].chart;
-      }
+      firstOfChart.push_back(static_cast<Index>(u));
     }
+    sets.join(firstOfChart.back(), static_cast<Index>(u));
   }
+  const bool pass = joinMeeting(ending, sets);
   if ((!ending.empty() || pass) && !onOneSide(leaf, uses[begin].to))
   {
     links_.push_back({uses[begin].to, std::move(ending)});
   }
 }
 
-/// Whether two charts at a mesh edge, where `ending` end, meet in a curve of the model.
-bool LeafTopology::meet(Index a, Index b, const std::vector<Index>& ending) const
+/// Joins the charts of `firstOfChart` that meet in a curve of the model, at a mesh edge where `ending` end. Returns
+/// whether there are any.
+bool LeafTopology::joinMeeting(const std::vector<Index>& ending, UnionFind& sets) const
 {
-  return a == b || std::any_of(nearCurves.begin(), nearCurves.end(), [&](Index c) {
-           const FeatureCurve& curve = model.curves[c];
-           return std::includes(ending.begin(), ending.end(), curve.ending.begin(), curve.ending.end()) &&
-                  std::binary_search(curve.charts.begin(), curve.charts.end(), a) &&
-                  std::binary_search(curve.charts.begin(), curve.charts.end(), b);
-         });
+  bool any = false;
+  for (const Index c : nearCurves)
+  {
+    const FeatureCurve& curve = model.curves[c];
+    if (firstOfChart.size() < 2 || !std::ranges::includes(ending, curve.ending))
+    {
+      continue;
+    }
+    Index first = noIndex;
+    for (const Index u : firstOfChart)
+    {
+      if (std::ranges::binary_search(curve.charts, uses[u].chart))
+      {
+        any = any || first != noIndex;
+        first = first == noIndex ? u : first;
+        sets.join(first, u);
+      }
+    }
+  }
+  return any;
 }
 
 /// Whether the mesh edge between two leaves lies in a domain side.

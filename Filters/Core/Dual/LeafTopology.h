@@ -65,16 +65,28 @@ private:
     Index edge;
     auto operator<=>(const Use&) const = default;
   };
+  struct Face
+  {
+    Index edge;
+    Index chart;
+    Index use;
+    auto operator<=>(const Face&) const = default;
+  };
   void gather(Index leaf, std::span<const CutEdge> edges);
   void gatherCurves(Index leaf, std::span<const CutEdge> edges);
   void countSheets(UnionFind& sets);
   void look(Index leaf, std::size_t begin, std::size_t end, UnionFind& sets);
-  bool meet(Index a, Index b, const std::vector<Index>& ending) const;
+  bool joinMeeting(const std::vector<Index>& ending, UnionFind& sets) const;
   bool onOneSide(Index a, Index b) const;
 
   const Octree& octree;
   const SurfaceModel& model;
   std::vector<Use> uses;
+  std::vector<Face> faces;
+  /// At the mesh edge looked at, the first use of each chart.
+  std::vector<Index> firstOfChart;
+  /// Charts and the sheets they are on.
+  std::vector<std::pair<Index, Index>> parts;
   std::vector<Index> charts_;
   std::vector<Index> nearCurves;
   std::vector<Link> links_;

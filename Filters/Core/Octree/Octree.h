@@ -7,6 +7,7 @@
 #include "Support/Buffer.h"
 #include "Support/Executor.h"
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -82,12 +83,18 @@ public:
   /// Whether the leaf and the domain share volume.
   bool inDomain(Index leaf) const;
 
-  /// The pieces of the model in a leaf (touching it counts).
+  /// The pieces of the model in a leaf (touching it counts), by kind and then by number.
   std::span<const ModelItem> items(Index leaf) const
   {
     return itemOffsets_.empty()
                ? std::span<const ModelItem>()
                : std::span(items_).subspan(itemOffsets_[leaf], itemOffsets_[leaf + 1] - itemOffsets_[leaf]);
+  }
+  std::span<const ModelItem> items(Index leaf, ModelItem::Kind kind) const
+  {
+    const auto all = items(leaf);
+    const auto begin = std::ranges::partition_point(all, [&](ModelItem piece) { return piece.kind < kind; });
+    return {begin, std::partition_point(begin, all.end(), [&](ModelItem piece) { return piece.kind == kind; })};
   }
   FeatureType featureType(Index leaf) const { return featureTypes_.empty() ? FeatureType::none : featureTypes_[leaf]; }
   void setItems(std::vector<Index> offsets, std::vector<ModelItem> items, std::vector<FeatureType> types);
