@@ -189,10 +189,11 @@ private:
 } // namespace
 
 std::span<const SurfaceCrossing> cutEdge(const GridPlaces& grid, EdgeProbe& probe, Index point,
-                                         const GridPlaces::Edge& edge, const EdgeSegment& segment)
+                                         const GridPlaces::Edge& edge, const EdgeSegment& segment,
+                                         const GridTrial& trial)
 {
-  return grid.isMoved(point, edge) ? probe.cut(segment, grid.leavesNear(point, edge))
-                                   : probe.cut(segment, std::span(&edge.at.leaf, 1));
+  return grid.isMoved(point, edge, trial) ? probe.cut(segment, grid.leavesNear(point, edge))
+                                          : probe.cut(segment, std::span(&edge.at.leaf, 1));
 }
 
 Crossings findCrossings(const GridPlaces& grid, const SurfaceModel& model, const RunContext& context)

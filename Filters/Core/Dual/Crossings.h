@@ -36,9 +36,10 @@ struct Crossings
   }
 };
 
-/// Crossings of one edge of the grid; see EdgeProbe.
+/// Crossings of one edge of the grid, whose segment was made with the same trial; see EdgeProbe.
 std::span<const SurfaceCrossing> cutEdge(const GridPlaces& grid, EdgeProbe& probe, Index point,
-                                         const GridPlaces::Edge& edge, const EdgeSegment& segment);
+                                         const GridPlaces::Edge& edge, const EdgeSegment& segment,
+                                         const GridTrial& trial = {});
 
 /// Joins grid points across edges, and finds which edges are cut by surfaces or by the domain's sides. Decisions are
 /// exact; see Predicates.h. A surface that reaches through an edge and back, by a bulge or the tip of a crease, does

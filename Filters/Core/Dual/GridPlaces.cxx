@@ -49,7 +49,7 @@ std::array<GridPlaces::Edge, 6> GridPlaces::edges(Index point) const
   return edges;
 }
 
-EdgeSegment GridPlaces::segment(Index point, int direction, const Edge& edge) const
+EdgeSegment GridPlaces::segment(Index point, int direction, const Edge& edge, const GridTrial& trial) const
 {
   const int axis = axisOf(direction);
   const unsigned bit = 1u << axis;
@@ -62,10 +62,10 @@ EdgeSegment GridPlaces::segment(Index point, int direction, const Edge& edge) co
   {
     segment.end[axis] = isUpper(direction) ? octree_.frame().domainHigh[axis] : octree_.frame().domainLow[axis];
   }
-  if (isMoved(point, edge))
+  if (isMoved(point, edge, trial))
   {
-    segment.start = place(point);
-    segment.end = edge.other == noIndex ? segment.end : place(edge.other);
+    segment.start = place(point, trial);
+    segment.end = edge.other == noIndex ? segment.end : place(edge.other, trial);
     segment.axis = -1;
   }
   // Round the edge: 0, 1, 3, 2 of the slots counted in bits of the other two axes.

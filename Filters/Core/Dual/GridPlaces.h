@@ -8,6 +8,13 @@
 
 namespace atria {
 
+/// A grid point that is looked at as if it were elsewhere.
+struct GridTrial
+{
+  Index point = noIndex;
+  LatticePoint place{};
+};
+
 /// Where the grid points stand: at the octants' corners, but for those that were moved (the modified grid). The
 /// topology is the octree's in any case.
 class GridPlaces
@@ -26,6 +33,15 @@ public:
     return found == moved_.end() ? home(point) : found->second;
   }
   bool isMoved(Index point) const { return !moved_.empty() && moved_.contains(point); }
+
+  LatticePoint place(Index point, const GridTrial& trial) const
+  {
+    return point == trial.point ? trial.place : place(point);
+  }
+  bool isMoved(Index point, const GridTrial& trial) const
+  {
+    return point == trial.point ? trial.place != home(point) : isMoved(point);
+  }
   std::size_t movedCount() const { return moved_.size(); }
   void move(Index point, const LatticePoint& to) { moved_[point] = to; }
   void moveAllHome() { moved_.clear(); }
@@ -46,12 +62,13 @@ public:
   Edge edge(Index point, int direction) const;
   /// By Direction.
   std::array<Edge, 6> edges(Index point) const;
-  bool isMoved(Index point, const Edge& edge) const
+  bool isMoved(Index point, const Edge& edge, const GridTrial& trial = {}) const
   {
-    return !moved_.empty() && (moved_.contains(point) || (edge.other != noIndex && moved_.contains(edge.other)));
+    return (!moved_.empty() || trial.point != noIndex) &&
+           (isMoved(point, trial) || (edge.other != noIndex && isMoved(edge.other, trial)));
   }
   /// The same as a segment; where it leads out of the domain it ends on the domain's side.
-  EdgeSegment segment(Index point, int direction, const Edge& edge) const;
+  EdgeSegment segment(Index point, int direction, const Edge& edge, const GridTrial& trial = {}) const;
   /// Leaves whose triangles can reach a moved edge: all about its ends.
   std::vector<Index> leavesNear(Index point, const Edge& edge) const;
 

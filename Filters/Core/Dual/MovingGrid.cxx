@@ -26,11 +26,15 @@ template <typename F> void eachLeaf(const EdgeSegment& edge, F&& f)
 
 } // namespace
 
-MovingGrid::MovingGrid(GridPlaces& places, const SurfaceModel& model, TriangleTreeOnDemand& triangles,
+MovingGrid::Look::Look(const MovingGrid& grid)
+    : probe(grid.tree, grid.surfaces, &grid.triangles), topology_(grid.tree, grid.surfaces)
+{
+}
+
+MovingGrid::MovingGrid(GridPlaces& places, const SurfaceModel& model, TriangleTreeOnDemand& trianglesOfModel,
                        const Crossings& crossings, const RunContext& context)
-    : grid(places), tree(places.octree()), surfaces(model), home(crossings), probe(tree, model, &triangles),
-      atCorners(curvesAtCorners(model)),
-      movedOf(crossings.crossedEdges.size(), noIndex), view{{}, LeafTopology(tree, model), {}}
+    : grid(places), tree(places.octree()), surfaces(model), triangles(trianglesOfModel), home(crossings),
+      atCorners(curvesAtCorners(model)), movedOf(crossings.crossedEdges.size(), noIndex), view(*this)
 {
   listEdges();
   findQuestions(context);
@@ -62,7 +66,7 @@ void MovingGrid::findQuestions(const RunContext& context)
   std::vector<std::vector<Index>> parts((count + grain - 1) / grain);
   context.executor.forEach(parts.size(), 1, [&](std::size_t part) {
     context.progress.check();
-    View of{{}, LeafTopology(tree, surfaces), {}};
+    Look of(*this);
     for (std::size_t leaf = part * grain; leaf < std::min((part + 1) * grain, count); ++leaf)
     {
       if (isInQuestion(static_cast<Index>(leaf), of))
@@ -77,17 +81,18 @@ void MovingGrid::findQuestions(const RunContext& context)
   }
 }
 
+/// f(id) for each edge of a leaf that was cut at some time.
 template <typename F> void MovingGrid::eachEdge(Index leaf, F&& f) const
 {
   for (std::uint32_t i = begin[leaf]; i < begin[leaf + 1]; ++i)
   {
-    f(at(edgesOfLeaf[i]));
+    f(edgesOfLeaf[i]);
   }
   if (const auto found = addedOfLeaf.find(leaf); found != addedOfLeaf.end())
   {
     for (const Index id : found->second)
     {
-      f(at(id));
+      f(id);
     }
   }
 }
@@ -182,7 +187,7 @@ void MovingGrid::moveTo(Index point, const LatticePoint& place)
     const auto [start, along] = stored(point, direction, edge);
     const GridPlaces::Edge same = start == point ? edge : grid.edge(start, along);
     const EdgeSegment segment = grid.segment(start, along, same);
-    const auto cuts = atria::cutEdge(grid, probe, start, same, segment);
+    const auto cuts = atria::cutEdge(grid, view.probe, start, same, segment);
     if (cuts.empty() && idOf(start, along) == noIndex)
     {
       continue;
@@ -194,50 +199,115 @@ void MovingGrid::moveTo(Index point, const LatticePoint& place)
   }
 }
 
-void MovingGrid::look(Index leaf, View& into) const
+void MovingGrid::look(Index leaf, Look& into) const
 {
   into.edges.clear();
-  eachEdge(leaf, [&](const Edge& edge) {
-    if (!edge.cuts.empty())
+  const auto add = [&](const EdgeSegment& segment, std::span<const SurfaceCrossing> cuts) {
+    if (!cuts.empty())
     {
-      into.edges.push_back(seenFrom(leaf, edge.segment, edge.cuts));
+      into.edges.push_back(seenFrom(leaf, segment, cuts));
+    }
+  };
+  eachEdge(leaf, [&](Index id) {
+    if (std::ranges::find(into.tried, id, &Look::Tried::id) == into.tried.end())
+    {
+      const Edge edge = at(id);
+      add(edge.segment, edge.cuts);
     }
   });
+  for (const Look::Tried& one : into.tried)
+  {
+    if (std::ranges::find(one.edge.segment.about, leaf) != one.edge.segment.about.end())
+    {
+      add(one.edge.segment, one.edge.cuts);
+    }
+  }
   into.about = atria::leavesAbout(leaf, into.edges);
-  into.topology.analyse(leaf, into.edges);
+  into.topology_.analyse(leaf, into.edges);
 }
 
-int MovingGrid::surplus(Index leaf) { return surplus(leaf, view); }
-
-int MovingGrid::surplus(Index leaf, View& into) const
+int MovingGrid::surplus(Index leaf, Look& into) const
 {
   look(leaf, into);
-  return std::max(into.topology.sheets() - 1, 0) + (isTangle(leaf, into) ? 1 : 0);
+  return std::max(into.topology_.sheets() - 1, 0) + (isTangle(leaf, into) ? 1 : 0);
+}
+
+int MovingGrid::surplusOfLeaves(Index point, Look& look) const
+{
+  int sum = 0;
+  const auto& leaves = grid.points().leaves[point];
+  for (auto leaf = leaves.begin(); leaf != leaves.end(); ++leaf)
+  {
+    sum += std::find(leaves.begin(), leaf, *leaf) == leaf ? surplus(*leaf, look) : 0;
+  }
+  return sum;
+}
+
+MovingGrid::Surplus MovingGrid::surplusAbout(Index point, Look& look) const
+{
+  Surplus sum;
+  for (int direction = 0; direction < 6; ++direction)
+  {
+    const auto edge = cutEdge(point, direction);
+    sum.cuts += edge ? edge->surplus() : 0;
+  }
+  sum.leaves = surplusOfLeaves(point, look);
+  return sum;
+}
+
+MovingGrid::Surplus MovingGrid::surplusAbout(Index point, const LatticePoint& place, Look& look) const
+{
+  tryEdges(point, place, look);
+  Surplus sum;
+  for (const Look::Tried& one : look.tried)
+  {
+    sum.cuts += Edge{one.edge.segment, one.edge.leavesDomain, one.edge.cuts}.surplus();
+  }
+  sum.leaves = surplusOfLeaves(point, look);
+  look.tried.clear();
+  return sum;
+}
+
+/// The edges of a point as they would be with it at this place.
+void MovingGrid::tryEdges(Index point, const LatticePoint& place, Look& look) const
+{
+  const GridTrial trial{point, place};
+  look.tried.clear();
+  for (int direction = 0; direction < 6; ++direction)
+  {
+    const GridPlaces::Edge edge = grid.edge(point, direction);
+    if (edge.exists())
+    {
+      const auto [start, along] = stored(point, direction, edge);
+      const GridPlaces::Edge same = start == point ? edge : grid.edge(start, along);
+      const EdgeSegment segment = grid.segment(start, along, same, trial);
+      const auto cuts = atria::cutEdge(grid, look.probe, start, same, segment, trial);
+      look.tried.push_back({idOf(start, along), {segment, same.other == noIndex, {cuts.begin(), cuts.end()}}});
+    }
+  }
 }
 
 /// Whether curves meet or end at the vertex of a leaf, but at no corner near it.
-bool MovingGrid::isTangle(Index leaf, const View& of) const
+bool MovingGrid::isTangle(Index leaf, const Look& of) const
 {
   const bool onSide = tree.frame().domainPlanes(tree.lowCorner(leaf), tree.highCorner(leaf)) != 0;
-  if (!of.topology.isKnot() || (of.topology.isEnd() && onSide))
+  if (!of.topology_.isKnot() || (of.topology_.isEnd() && onSide))
   {
     return false;
   }
-  const auto curves = of.topology.curves();
+  const auto curves = of.topology_.curves();
   return std::none_of(of.about.begin(), of.about.end(), [&](Index near) {
-    const auto items = tree.items(near);
-    return std::any_of(items.begin(), items.end(), [&](ModelItem piece) {
-      return piece.kind == ModelItem::corner &&
-             std::includes(atCorners[piece.index].begin(), atCorners[piece.index].end(), curves.begin(), curves.end());
-    });
+    return std::ranges::any_of(tree.items(near, ModelItem::corner),
+                               [&](ModelItem piece) { return std::ranges::includes(atCorners[piece.index], curves); });
   });
 }
 
-bool MovingGrid::isInQuestion(Index leaf, View& into) const
+bool MovingGrid::isInQuestion(Index leaf, Look& into) const
 {
   bool isCut = false;
   bool isCutTwice = false;
-  eachEdge(leaf, [&](const Edge& edge) {
+  eachEdge(leaf, [&](Index id) {
+    const Edge edge = at(id);
     isCut = isCut || !edge.cuts.empty();
     isCutTwice = isCutTwice || edge.surplus() > 0;
   });
@@ -286,10 +356,8 @@ bool MovingGrid::isBesideTurnedSide(Index point) const
 {
   const auto& leaves = grid.points().leaves[point];
   return tree.frame().turnedDomain && std::any_of(leaves.begin(), leaves.end(), [&](Index leaf) {
-           const auto items = tree.items(leaf);
-           return std::any_of(items.begin(), items.end(), [&](ModelItem piece) {
-             return piece.kind == ModelItem::triangle && surfaces.isTurnedSide(piece.index);
-           });
+           return std::ranges::any_of(tree.items(leaf, ModelItem::triangle),
+                                      [&](ModelItem piece) { return surfaces.isTurnedSide(piece.index); });
          });
 }
 

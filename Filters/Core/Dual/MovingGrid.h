@@ -16,7 +16,7 @@ namespace atria {
 inline constexpr double thinnestGap = 0.02;
 
 /// The grid while its points move: the cuts of its edges kept up to date, and what they say about its leaves. Edges
-/// that did not move are read from the octree's own crossings. Not for several threads at once.
+/// that did not move are read from the octree's own crossings. Several threads may look, each with a Look of its own.
 class MovingGrid
 {
 public:
@@ -32,8 +32,50 @@ public:
     std::size_t surplus() const { return cuts.empty() ? 0 : cuts.size() - (leavesDomain ? 0 : 1); }
   };
 
+private:
+  struct Live
+  {
+    EdgeSegment segment;
+    bool leavesDomain;
+    std::vector<SurfaceCrossing> cuts;
+  };
+
+public:
+  /// What one thread sees of the leaf that it looked at last.
+  class Look
+  {
+  public:
+    explicit Look(const MovingGrid& grid);
+    std::span<const CutEdge> cutEdges() const { return edges; }
+    const LeafTopology& topology() const { return topology_; }
+    /// The leaf and those beside its cut edges, without repetition.
+    const std::vector<Index>& leavesAbout() const { return about; }
+
+  private:
+    friend class MovingGrid;
+    /// An edge of a point that is looked at as if it were elsewhere; `id` is noIndex where it never was cut.
+    struct Tried
+    {
+      Index id;
+      Live edge;
+    };
+
+    EdgeProbe probe;
+    LeafTopology topology_;
+    std::vector<CutEdge> edges;
+    std::vector<Index> about;
+    std::vector<Tried> tried;
+  };
+
+  /// Of edges about a point and of the leaves there.
+  struct Surplus
+  {
+    std::size_t cuts = 0;
+    int leaves = 0;
+  };
+
   /// `home` are the crossings while no point is moved; they are referred to.
-  MovingGrid(GridPlaces& places, const SurfaceModel& surfaces, TriangleTreeOnDemand& triangles, const Crossings& home,
+  MovingGrid(GridPlaces& places, const SurfaceModel& model, TriangleTreeOnDemand& tree, const Crossings& crossings,
              const RunContext& context);
 
   const GridPlaces& places() const { return grid; }
@@ -48,13 +90,18 @@ public:
   /// Whether the segment of that edge starts at the point.
   bool startsAt(Index point, int direction) const;
 
-  /// Looks at a leaf: cutEdges, topology and leavesAbout are of the leaf looked at last. Returns the sheets in it that
-  /// do not meet, and the curves that do not, beyond the one it can hold.
-  int surplus(Index leaf);
-  std::span<const CutEdge> cutEdges() const { return view.edges; }
-  const LeafTopology& topology() const { return view.topology; }
-  /// The leaf and those beside its cut edges, without repetition.
-  const std::vector<Index>& leavesAbout() const { return view.about; }
+  /// Looks at a leaf. Returns the sheets in it that do not meet, and the curves that do not, beyond the one it can
+  /// hold.
+  int surplus(Index leaf, Look& into) const;
+  /// The same without a look of one's own; cutEdges, topology and leavesAbout are then of this leaf.
+  int surplus(Index leaf) { return surplus(leaf, view); }
+  std::span<const CutEdge> cutEdges() const { return view.cutEdges(); }
+  const LeafTopology& topology() const { return view.topology(); }
+  const std::vector<Index>& leavesAbout() const { return view.leavesAbout(); }
+
+  /// What there is about a point, and what there would be with it at another place.
+  Surplus surplusAbout(Index point, Look& look) const;
+  Surplus surplusAbout(Index point, const LatticePoint& place, Look& look) const;
 
   /// Leaves with surplus cuts, sheets or curves; sorted.
   std::vector<Index> leavesInQuestion();
@@ -65,20 +112,6 @@ public:
   bool isBesideTurnedSide(Index point) const;
 
 private:
-  struct Live
-  {
-    EdgeSegment segment;
-    bool leavesDomain;
-    std::vector<SurfaceCrossing> cuts;
-  };
-  /// What one thread sees of a leaf.
-  struct View
-  {
-    std::vector<CutEdge> edges;
-    LeafTopology topology;
-    std::vector<Index> about;
-  };
-
   void listEdges();
   void findQuestions(const RunContext& context);
   template <typename F> void eachEdge(Index leaf, F&& f) const;
@@ -86,16 +119,17 @@ private:
   Index idOf(Index point, int direction) const;
   Live& live(Index point, int direction, const EdgeSegment& segment, bool leavesDomain);
   std::pair<Index, int> stored(Index point, int direction, const GridPlaces::Edge& edge) const;
-  void look(Index leaf, View& into) const;
-  int surplus(Index leaf, View& into) const;
-  bool isInQuestion(Index leaf, View& into) const;
-  bool isTangle(Index leaf, const View& of) const;
+  void tryEdges(Index point, const LatticePoint& place, Look& look) const;
+  int surplusOfLeaves(Index point, Look& look) const;
+  void look(Index leaf, Look& into) const;
+  bool isInQuestion(Index leaf, Look& into) const;
+  bool isTangle(Index leaf, const Look& of) const;
 
   GridPlaces& grid;
   const Octree& tree;
   const SurfaceModel& surfaces;
+  TriangleTreeOnDemand& triangles;
   const Crossings& home;
-  EdgeProbe probe;
   std::vector<std::vector<std::vector<Index>>> atCorners;
   /// Edges are numbered as in `home`, and then as they come. Those of leaf l are edgesOfLeaf[begin[l], begin[l + 1])
   /// and addedOfLeaf[l].
@@ -108,7 +142,7 @@ private:
   std::vector<Live> moved;
   std::set<Index> inQuestion;
   std::unordered_set<Index> stale;
-  View view;
+  Look view;
 };
 
 } // namespace atria

@@ -49,7 +49,7 @@ bool haveCommon(const std::vector<Index>& a, const std::vector<Index>& b)
 class PlaceSearch
 {
 public:
-  PlaceSearch(MovingGrid& moving, const RunContext& run) : grid(moving), context(run) {}
+  PlaceSearch(MovingGrid& moving, const RunContext& run) : grid(moving), context(run), own(moving) {}
 
   void run()
   {
@@ -73,17 +73,15 @@ private:
   {
     for (int round = 0; round < mostSweeps && !dirty.empty(); ++round)
     {
-      for (const Index point : dirty)
+      for (const Move& move : bestMoves({dirty.begin(), dirty.end()}))
       {
-        context.progress.check();
-        const Move move = bestMove(point);
         if (move.gain > 0.0)
         {
-          moves[point] = move;
+          moves[move.point] = move;
         }
         else
         {
-          moves.erase(point);
+          moves.erase(move.point);
         }
       }
       dirty = makeMoves();
@@ -98,10 +96,9 @@ private:
     std::map<Index, std::set<Index>> leavesOf; // by feature edge
     for (const Index leaf : grid.leavesInQuestion())
     {
-      for (const ModelItem piece : grid.octree().items(leaf))
+      for (const ModelItem piece : grid.octree().items(leaf, ModelItem::featureEdge))
       {
-        if (piece.kind == ModelItem::featureEdge && isCrossing(grid.model().featureEdges[piece.index]) &&
-            grid.surplus(leaf) <= mostSurplus)
+        if (isCrossing(grid.model().featureEdges[piece.index]) && grid.surplus(leaf) <= mostSurplus)
         {
           leavesOf[piece.index].insert(leaf);
         }
@@ -164,9 +161,9 @@ private:
   /// Moves the point; what the costs change by.
   double moved(Index point, const LatticePoint& place)
   {
-    const double before = costAt(point);
+    const double before = costAt(point, own);
     grid.moveTo(point, place);
-    return costAt(point) - before;
+    return costAt(point, own) - before;
   }
 
   /// The corners of the leaves, moved such that the curve is in the middle, and turned about it.
@@ -213,26 +210,18 @@ private:
     std::vector<std::pair<double, Index>> order;
     for (const Index point : grid.places().movedPoints())
     {
-      order.emplace_back(-distanceFromHome(point), point);
+      order.emplace_back(-distanceFromHome(point, grid.places().place(point)), point);
     }
     std::sort(order.begin(), order.end());
     bool wasAny = false;
     for (const auto& [distance, point] : order)
     {
-      const LatticePoint from = grid.places().place(point);
-      const double before = surplusAt(point);
-      if (before == 0.0)
+      const double before = costOf(grid.surplusAbout(point, own));
+      const LatticePoint home = grid.places().home(point);
+      if (before > 0.0 && costOf(grid.surplusAbout(point, home, own)) < before)
       {
-        continue;
-      }
-      grid.moveTo(point, grid.places().home(point));
-      if (surplusAt(point) < before)
-      {
+        grid.moveTo(point, home);
         wasAny = true;
-      }
-      else
-      {
-        grid.moveTo(point, from);
       }
     }
     return wasAny;
@@ -268,22 +257,35 @@ private:
     return changed;
   }
 
+  std::vector<Move> bestMoves(const std::vector<Index>& points) const
+  {
+    constexpr std::size_t grain = 16;
+    std::vector<Move> best(points.size());
+    context.executor.forRanges(points.size(), grain, [&](std::size_t begin, std::size_t end) {
+      MovingGrid::Look look(grid);
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        best[i] = bestMove(points[i], look);
+      }
+    });
+    return best;
+  }
+
   /// The best place for a point, found by trying; it stays where it is.
-  Move bestMove(Index point)
+  Move bestMove(Index point, MovingGrid::Look& look) const
   {
     Move best{0.0, point, {}};
-    const double before = costAt(point);
+    const double before = costAt(point, look);
     if ((before < 1.0 && !grid.places().isMoved(point)) || grid.isBesideTurnedSide(point))
     {
       return best;
     }
     const LatticePoint from = grid.places().place(point);
-    for (const LatticePoint& place : candidates(point))
+    for (const LatticePoint& place : candidates(point, look))
     {
       if (place != from)
       {
-        grid.moveTo(point, place);
-        const double gain = before - costAt(point);
+        const double gain = before - costOf(grid.surplusAbout(point, place, look), point, place);
         if (gain > best.gain + smallestGain)
         {
           best.gain = gain;
@@ -291,42 +293,30 @@ private:
         }
       }
     }
-    grid.moveTo(point, from);
     return best;
   }
 
-  double distanceFromHome(Index point) const
+  double distanceFromHome(Index point, const LatticePoint& place) const
   {
-    return (toVector(grid.places().place(point)) - toVector(grid.places().home(point))).norm();
+    return (toVector(place) - toVector(grid.places().home(point))).norm();
   }
 
-  double costAt(Index point)
+  double costAt(Index point, MovingGrid::Look& look) const
   {
-    return surplusAt(point) + moveCost * distanceFromHome(point) / static_cast<double>(grid.shortestEdge(point));
+    return costOf(grid.surplusAbout(point, look), point, grid.places().place(point));
   }
 
-  double surplusAt(Index point)
+  static double costOf(const MovingGrid::Surplus& surplus)
   {
-    double cost = 0.0;
-    for (int direction = 0; direction < 6; ++direction)
-    {
-      if (const auto edge = grid.cutEdge(point, direction))
-      {
-        cost += surplusCutCost * static_cast<double>(edge->surplus());
-      }
-    }
-    const auto& leaves = grid.points().leaves[point];
-    for (auto leaf = leaves.begin(); leaf != leaves.end(); ++leaf)
-    {
-      if (std::find(leaves.begin(), leaf, *leaf) == leaf)
-      {
-        cost += grid.surplus(*leaf);
-      }
-    }
-    return cost;
+    return surplusCutCost * static_cast<double>(surplus.cuts) + surplus.leaves;
   }
 
-  std::vector<LatticePoint> candidates(Index point)
+  double costOf(const MovingGrid::Surplus& surplus, Index point, const LatticePoint& place) const
+  {
+    return costOf(surplus) + moveCost * distanceFromHome(point, place) / static_cast<double>(grid.shortestEdge(point));
+  }
+
+  std::vector<LatticePoint> candidates(Index point, MovingGrid::Look& look) const
   {
     const LatticePoint home = grid.places().home(point);
     const auto reach = static_cast<std::int64_t>(farthestMove * static_cast<double>(grid.shortestEdge(point)));
@@ -339,7 +329,7 @@ private:
     const auto& leaves = grid.points().leaves[point];
     for (const Index leaf : std::set<Index>(leaves.begin(), leaves.end()))
     {
-      addBetweenCurves(point, leaf, found);
+      addBetweenCurves(point, leaf, look, found);
     }
     return std::move(found.places);
   }
@@ -389,9 +379,9 @@ private:
     const auto& about = grid.points().leaves[point];
     for (const Index leaf : std::set<Index>(about.begin(), about.end()))
     {
-      for (const ModelItem piece : grid.octree().items(leaf))
+      for (const ModelItem piece : grid.octree().items(leaf, ModelItem::featureEdge))
       {
-        if (piece.kind != ModelItem::featureEdge || !joinsCuts(edge->cuts, model.featureEdges[piece.index]))
+        if (!joinsCuts(edge->cuts, model.featureEdges[piece.index]))
         {
           continue;
         }
@@ -421,13 +411,13 @@ private:
   }
 
   /// Places in the middle between curves that the leaf's vertex cannot both be on.
-  void addBetweenCurves(Index point, Index leaf, CandidatePlaces& found)
+  void addBetweenCurves(Index point, Index leaf, MovingGrid::Look& look, CandidatePlaces& found) const
   {
-    if (grid.surplus(leaf) == 0)
+    if (grid.surplus(leaf, look) == 0)
     {
       return;
     }
-    const auto curves = grid.topology().curves();
+    const auto curves = look.topology().curves();
     if (curves.size() > mostCurves)
     {
       return;
@@ -439,24 +429,21 @@ private:
       {
         if (haveCommon(curves[i], curves[k]))
         {
-          found.addBetween(p, nearestOnCurve(p, curves[i]), nearestOnCurve(p, curves[k]));
+          found.addBetween(p, nearestOnCurve(p, curves[i], look), nearestOnCurve(p, curves[k], look));
         }
       }
     }
   }
 
-  std::optional<Vec3> nearestOnCurve(const Vec3& p, const std::vector<Index>& ending) const
+  std::optional<Vec3> nearestOnCurve(const Vec3& p, const std::vector<Index>& ending,
+                                     const MovingGrid::Look& look) const
   {
     const SurfaceModel& model = grid.model();
     std::optional<Vec3> best;
-    for (const Index leaf : grid.leavesAbout())
+    for (const Index leaf : look.leavesAbout())
     {
-      for (const ModelItem piece : grid.octree().items(leaf))
+      for (const ModelItem piece : grid.octree().items(leaf, ModelItem::featureEdge))
       {
-        if (piece.kind != ModelItem::featureEdge)
-        {
-          continue;
-        }
         const FeatureEdge& edge = model.featureEdges[piece.index];
         if (model.curves[edge.curve].ending == ending)
         {
@@ -470,6 +457,7 @@ private:
 
   MovingGrid& grid;
   const RunContext& context;
+  MovingGrid::Look own;
   std::map<Index, Move> moves;
   /// Corners of octants that hold too much.
   std::set<Index> left;

@@ -6,6 +6,7 @@
 #include "Surface/SurfaceModel.h"
 
 #include <functional>
+#include <mutex>
 #include <optional>
 
 namespace atria {
@@ -62,10 +63,16 @@ class TriangleTreeOnDemand
 public:
   explicit TriangleTreeOnDemand(const SurfaceModel& model) : model_(model) {}
 
-  const TriangleTree& get() { return tree_ ? *tree_ : tree_.emplace(model_); }
+  /// For any number of threads at once.
+  const TriangleTree& get()
+  {
+    std::call_once(made_, [&] { tree_.emplace(model_); });
+    return *tree_;
+  }
 
 private:
   const SurfaceModel& model_;
+  std::once_flag made_;
   std::optional<TriangleTree> tree_;
 };
 
