@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Optimise/Optimiser.h"
 
+#include "Optimise/BoxCells.h"
 #include "Optimise/Colouring.h"
 #include "Optimise/PointSearch.h"
 #include "Support/Pieces.h"
@@ -323,13 +324,13 @@ std::vector<ShortCell> findShortCells(const CellSource& source, const std::vecto
                                       const QualityTargets& targets, const RunContext& context)
 {
   const std::vector<Index> cells = cellsWithMarked(source, marked, context);
-  return findShortIn(source, inPieces(source, cells), {&targets, 1}, context).front();
+  return findShortCells(source, cells, {&targets, 1}, context).front();
 }
 
 std::vector<std::vector<ShortCell>> findShortCells(const CellSource& source, const std::vector<Index>& cells,
                                                    std::span<const QualityTargets> targets, const RunContext& context)
 {
-  return findShortIn(source, inPieces(source, cells), targets, context);
+  return findShortIn(source, inPieces(source, cellsToJudge(source, cells, targets, context)), targets, context);
 }
 
 std::vector<ShortCell> findShortAmong(const CellSource& source, const std::vector<Index>& cells,
