@@ -70,11 +70,21 @@ bool hasGoodCorners(double volume, double cube, const QualityTargets& targets)
   return volume >= clearly * targets.cornerVolume.target * cube;
 }
 
-bool isGoodBox(const CellSource& source, Index cell, std::span<const QualityTargets> targets)
+enum Kind : char
+{
+  unknown,
+  box,
+  other
+};
+
+/// `kinds` are those of cells, as far as they are known.
+bool isGoodBox(const CellSource& source, Index cell, const std::vector<char>& kinds,
+               std::span<const QualityTargets> targets)
 {
   const auto good = [&](auto&& test) { return std::ranges::all_of(targets, test); };
   CellBox own;
-  if (!source.boxOf(cell, own))
+  if (kinds[cell] == other || !source.boxOf(cell, own) ||
+      std::ranges::any_of(own.across, [&](Index c) { return c != noIndex && kinds[c] == other; }))
   {
     return false;
   }
@@ -116,15 +126,16 @@ std::vector<Index> cellsToJudge(const CellSource& source, const std::vector<Inde
   {
     return cells;
   }
-  std::vector<char> judged(source.cellCount(), 0);
-  std::vector<char> good(cells.size());
-  context.executor.forRanges(cells.size(), grain, [&](std::size_t begin, std::size_t end) {
-    context.progress.check();
-    for (std::size_t i = begin; i < end; ++i)
-    {
-      good[i] = isGoodBox(source, cells[i], targets) ? 1 : 0;
-    }
+  std::vector<char> kinds(source.cellCount(), unknown);
+  context.executor.forEach(cells.size(), grain, [&](std::size_t i) {
+    CellBox own;
+    kinds[cells[i]] = source.boxOf(cells[i], own) ? box : other;
   });
+  context.progress.check();
+  std::vector<char> good(cells.size());
+  context.executor.forEach(cells.size(), grain,
+                           [&](std::size_t i) { good[i] = isGoodBox(source, cells[i], kinds, targets) ? 1 : 0; });
+  std::vector<char> judged(source.cellCount(), 0);
   std::vector<Index> beside;
   for (std::size_t i = 0; i < cells.size(); ++i)
   {
