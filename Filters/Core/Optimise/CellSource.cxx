@@ -6,6 +6,7 @@
 #include "Support/Sorting.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace atria {
 
@@ -68,6 +69,40 @@ NativeCell DualSource::nativeOf(Index cell) const
   std::ranges::sort(sorted);
   const bool isHexahedron = std::ranges::adjacent_find(sorted) == sorted.end();
   return isHexahedron ? NativeCell{hexahedronCell, mesh_.corners[cell]} : NativeCell{};
+}
+
+bool DualSource::boxOf(Index cell, CellBox& out) const
+{
+  constexpr double square = 1e-7; // of the shortest side
+  const auto& corners = mesh_.corners[cell];
+  const Vec3& low = mesh_.points[corners[hexahedronCorner[0]]];
+  out.lengths = mesh_.points[corners[hexahedronCorner[7]]] - low;
+  const double tolerance = square * out.lengths.minCoeff();
+  if (!(tolerance > 0.0))
+  {
+    return false;
+  }
+  for (unsigned i = 1; i < 7; ++i)
+  {
+    const Vec3 offset = mesh_.points[corners[hexahedronCorner[i]]] - low;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      if (std::abs(offset[axis] - (i >> axis & 1 ? out.lengths[axis] : 0.0)) > tolerance)
+      {
+        return false;
+      }
+    }
+  }
+  for (int direction = 0; direction < 6; ++direction)
+  {
+    const std::int32_t neighbour = mesh_.neighbours[cell][direction];
+    if (neighbour == DualMesh::noFace)
+    {
+      return false;
+    }
+    out.across[direction] = neighbour >= 0 ? static_cast<Index>(neighbour) : noIndex;
+  }
+  return true;
 }
 
 bool DualSource::hasMarked(Index cell, const std::vector<char>& marked) const

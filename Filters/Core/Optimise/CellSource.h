@@ -24,6 +24,14 @@ struct CellFace
   Index across;
 };
 
+/// A cell that is a box along the axes, but for rounding.
+struct CellBox
+{
+  Vec3 lengths;
+  /// The cell across each of its faces, by Direction, or noIndex.
+  std::array<Index, 6> across;
+};
+
 /// The cells of a mesh one at a time, whatever arrays it is kept in.
 class CellSource
 {
@@ -50,6 +58,8 @@ public:
     facesOf(cell, out.corners, out);
   }
   virtual NativeCell nativeOf(Index /*cell*/) const { return {}; }
+  /// Whether the cell is a box, and which; false where that cannot be told easily.
+  virtual bool boxOf(Index /*cell*/, CellBox& /*out*/) const { return false; }
   /// Whether the cell has one of the points marked.
   virtual bool hasMarked(Index cell, const std::vector<char>& marked) const = 0;
 };
@@ -65,6 +75,7 @@ public:
   void cornersOf(Index cell, std::vector<Index>& out) const override;
   void facesOf(Index cell, std::span<const Index> names, Scratch& out) const override;
   NativeCell nativeOf(Index cell) const override;
+  bool boxOf(Index cell, CellBox& out) const override;
   bool hasMarked(Index cell, const std::vector<char>& marked) const override;
 
 private:

@@ -86,12 +86,23 @@ void Judge::measureSize(Index cell)
   cornerScales[cell] = 2.0 / (cube + tiny) / targets_.cornerVolume.target;
 }
 
-bool Judge::isGood(std::size_t movable) const
+/// Faces between cells about the point are counted twice.
+bool Judge::isGood(std::size_t movable, double penalty) const
 {
-  return std::ranges::all_of(region_.cellsAbout(movable), [&](Index cell) {
-    return cellScores[cell].penalty == 0.0 &&
-           std::ranges::all_of(region_.facesOf(cell), [&](Index f) { return faceScores[f].penalty == 0.0; });
-  });
+  double sum = 0.0;
+  for (const Index cell : region_.cellsAbout(movable))
+  {
+    sum += cellScores[cell].penalty;
+    for (const Index f : region_.facesOf(cell))
+    {
+      sum += faceScores[f].penalty;
+    }
+    if (sum > 0.0 && sum >= penalty)
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 void Judge::enter(std::size_t movable, Star& star) const

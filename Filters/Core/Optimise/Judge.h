@@ -26,6 +26,7 @@ struct Score
   double penalty = 0.0;
   double worst = std::numeric_limits<double>::infinity();
 
+  static constexpr bool wantsNext() { return true; }
   void add(double q) { add(q, q); }
   /// Of the worst no less than `least`.
   void add(double q, double least)
@@ -52,7 +53,21 @@ struct Residuals
 {
   std::vector<double> values;
 
+  /// Whether the next measure has to be looked at.
+  static constexpr bool wantsNext() { return true; }
   void add(double q) { values.push_back(shortfallOf(q)); }
+  void add(double q, double /*least*/) { add(q); }
+  void addGood() { values.push_back(0.0); }
+};
+
+/// As Residuals, but 0 where others are.
+struct ResidualsBeside
+{
+  const Residuals& others;
+  std::vector<double>& values;
+
+  bool wantsNext() const { return others.values[values.size()] > 0.0; }
+  void add(double q) { values.push_back(wantsNext() ? shortfallOf(q) : 0.0); }
   void add(double q, double /*least*/) { add(q); }
   void addGood() { values.push_back(0.0); }
 };
@@ -146,8 +161,8 @@ public:
   const Region& region() const { return region_; }
   double sizeOf(Index cell) const { return sizes[cell]; }
 
-  /// Whether nothing about a point falls short.
-  bool isGood(std::size_t movable) const;
+  /// Whether hardly anything about a point falls short: nothing, or less than surely makes a penalty of this.
+  bool isGood(std::size_t movable, double penalty) const;
   void enter(std::size_t movable, Star& star) const;
   /// Before the point of a star that was entered is moved.
   void prepare(Star& star) const;
@@ -171,6 +186,8 @@ public:
 
   /// The residuals of the cells and faces of a star whose kept scores fall short, always in the same order.
   void residualsOf(Star& star, Residuals& out) const;
+  /// The same after a move, of those that were not 0 only.
+  void residualsBeside(Star& star, const Residuals& before, std::vector<double>& out) const;
 
   LeastMetrics metricsOf(const Star& star) const;
   LeastMetrics metricsOfCell(Index cell) const;
@@ -184,6 +201,7 @@ private:
   void measureRest(const Star& star);
   void findFirst(Star& star) const;
   void judgeInOrder(Star& star, Index place) const;
+  template <typename Sink> void judgeShort(Star& star, Sink& sink) const;
   void measureSize(Index cell);
   void judgeAll(const RunContext& context);
   std::array<Vec3, 4> fanOf(Index face) const;

@@ -106,9 +106,8 @@ void Judge::judgeInOrder(Star& star, Index place) const
   judgeFace(star.faces[slot], ShapesOfStar(*this, star, &slot), star.scores[place]);
 }
 
-void Judge::residualsOf(Star& star, Residuals& out) const
+template <typename Sink> void Judge::judgeShort(Star& star, Sink& out) const
 {
-  out.values.clear();
   for (std::size_t i = 0; i < star.cells.size(); ++i)
   {
     if (cellScores[star.cells[i]].penalty > 0.0)
@@ -123,6 +122,19 @@ void Judge::residualsOf(Star& star, Residuals& out) const
       judgeFace(star.faces[i], ShapesOfStar(*this, star, &i), out);
     }
   }
+}
+
+void Judge::residualsOf(Star& star, Residuals& out) const
+{
+  out.values.clear();
+  judgeShort(star, out);
+}
+
+void Judge::residualsBeside(Star& star, const Residuals& before, std::vector<double>& out) const
+{
+  out.clear();
+  ResidualsBeside sink{before, out};
+  judgeShort(star, sink);
 }
 
 /// Of a face's edge and its centroid.
@@ -167,7 +179,7 @@ template <typename Shapes, typename Sink> void Judge::judgeCell(Index cell, cons
     const Index f = own[k];
     const Vec3 normal = sign(cell, f) * faces[f].normal;
     const Vec3 toFace = faces[f].centroid - measure.centroid;
-    if (!isAbove(normal.dot(toFace), targets_.pyramidCosine.target, toFace))
+    if (score.wantsNext() && !isAbove(normal.dot(toFace), targets_.pyramidCosine.target, toFace))
     {
       score.add(targets_.pyramidCosine.of(normal.dot(toFace) / (toFace.norm() + tiny)));
     }
@@ -205,6 +217,11 @@ template <typename Sink> void Judge::scoreConvexity(Index face, Index cell, Sink
   {
     if (face == g)
     {
+      continue;
+    }
+    if (!score.wantsNext())
+    {
+      score.addGood();
       continue;
     }
     const Vec3 between = faces[g].centroid - faces[face].centroid;
@@ -280,6 +297,11 @@ std::array<double, 4> Judge::halfVolumes(Index face, const std::array<Vec3, 4>& 
 template <typename Shapes, typename Sink>
 void Judge::scoreCorners(Index face, Index cell, const Shapes& shapes, std::size_t k, Sink& score) const
 {
+  if (!score.wantsNext())
+  {
+    score.addGood();
+    return;
+  }
   const std::size_t size = region_.face(face).size();
   const Vec3& middle = middleOf(cell);
   const double scale = sign(cell, face) * cornerScales[cell];
@@ -318,6 +340,11 @@ template <typename Shapes, typename Sink> void Judge::scoreFans(Index face, cons
 {
   if (region_.face(face).size() != 4 || !targets_.decomposed)
   {
+    return;
+  }
+  if (!score.wantsNext())
+  {
+    score.addGood();
     return;
   }
   std::array<double, 2> least{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
@@ -412,7 +439,7 @@ template <typename Shapes, typename Sink> void Judge::scoreBoundary(Index face, 
 
 template <typename Sink> void Judge::scoreSkewness(Index face, const Vec3& d, Sink& score) const
 {
-  if (isClearlyStraight(face, d))
+  if (!score.wantsNext() || isClearlyStraight(face, d))
   {
     score.addGood();
     return;

@@ -3,6 +3,7 @@
 
 #include "Optimise/LayerCells.h"
 #include "Optimise/LayerGuide.h"
+#include "Support/Sorting.h"
 
 #include <algorithm>
 #include <functional>
@@ -101,8 +102,7 @@ QualityTargets LayerImprover::targets() const
 LayerMesh LayerImprover::run(const SmoothWallTargets& smoothWalls)
 {
   grow();
-  const std::vector<ShortCell> shortCells = findAll();
-  mend(improve(improve(shortCells, 1), 1));
+  mend(improve(improve(findAll(), 1), 1));
   if (!left_.empty())
   {
     putBack();
@@ -120,7 +120,7 @@ LayerMesh LayerImprover::run(const SmoothWallTargets& smoothWalls)
   }
   if (layered_ && !hasHeights_)
   {
-    smooth(smoothWalls, shortCells.empty());
+    smooth(smoothWalls);
   }
   straighten();
   return std::move(layer_);
@@ -134,20 +134,31 @@ void LayerImprover::grow()
 }
 
 /// At the boundary, and where cells fell short before.
-std::vector<ShortCell> LayerImprover::findAll() const
+std::vector<ShortCell> LayerImprover::findAll()
 {
   std::vector<char> marked = pointsToJudge(layer_);
   for (Index p = 0; p < layer_.plainPoints; ++p)
   {
     marked[p] |= suspect_[p];
   }
-  return findShortCells(DualSource(layer_.mesh), marked, targets(), context_);
+  const DualSource source(layer_.mesh);
+  auto found = findShortCells(source, cellsWithMarked(source, marked, context_),
+                              std::array{withAngles(targets()), targets()}, context_);
+  unsure_ = cellsOf(found[0]);
+  return std::move(found[1]);
 }
 
 std::vector<ShortCell> LayerImprover::move(const std::vector<ShortCell>& cells, const OptimiserOptions& options)
 {
   Guides guides(*this);
-  return optimise(DualSource(layer_.mesh), layer_.mesh.points, cells, guides.layer, options, context_);
+  const DualSource source(layer_.mesh);
+  std::vector<Index> changed;
+  std::vector<ShortCell> left = optimise(source, layer_.mesh.points, cells, guides.layer, options, context_, &changed);
+  sortUnique(changed);
+  const std::vector<Index> about = withNeighbours(source, changed);
+  unsure_.insert(unsure_.end(), about.begin(), about.end());
+  sortUnique(unsure_);
+  return left;
 }
 
 std::vector<ShortCell> LayerImprover::improve(const std::vector<ShortCell>& cells, int rings)

@@ -52,16 +52,17 @@ private:
   void exclude(const std::vector<ShortCell>& bad);
   void putBack();
   void keepThoseAway();
-  void smooth(const SmoothWallTargets& wanted, bool nothingShort);
-  std::vector<Index> thicken(const QualityTargets& wanted, bool nothingShort);
+  void smooth(const SmoothWallTargets& wanted);
+  void thicken(const QualityTargets& wanted);
   bool isSmooth(Index cell) const;
   std::vector<Index> smoothPoints(const std::vector<ShortCell>& shortCells) const;
   void straighten();
   QualityTargets targetsOf(const OrthogonalityStage& stage) const;
+  static QualityTargets withAngles(QualityTargets wanted);
   std::vector<ShortCell> findBelow(const LayerMesh& layer, const QualityTargets& wanted, float share,
-                                   const std::vector<char>& toJudge) const;
-  void straighten(LayerMesh& layer, std::span<const OrthogonalityStage> stages, float share,
-                  std::vector<char>& toJudge) const;
+                                   const std::vector<Index>& cells) const;
+  void straighten(LayerMesh& layer, std::span<const OrthogonalityStage> stages, float share, std::vector<char>& toJudge,
+                  std::vector<Index>& candidates) const;
   void straightenDivided(LayerMesh& divided) const;
   LayerMesh divide(const LayerMesh& one) const;
   std::optional<LayerMesh> divideAndImprove(const LayerMesh& given) const;
@@ -74,7 +75,7 @@ private:
   std::vector<WantedPlace> wantedPlaces() const;
   std::vector<ShortCell> move(const std::vector<ShortCell>& cells, const OptimiserOptions& options);
   std::vector<ShortCell> improve(const std::vector<ShortCell>& cells, int rings);
-  std::vector<ShortCell> findAll() const;
+  std::vector<ShortCell> findAll();
   template <typename Visit> void eachLeaderOf(const std::vector<ShortCell>& cells, Visit&& visit) const;
   QualityTargets targets() const;
 
@@ -103,6 +104,8 @@ private:
   std::vector<char> excluded_;
   /// Of cells that fell short after a pass; also those in the second row from the walls.
   std::vector<char> suspect_;
+  /// Cells, in order, that may fall short of withAngles(targets()), of those at the boundary and of the layer.
+  std::vector<Index> unsure_;
   /// Leaders that were released, and where they were.
   std::vector<WantedPlace> left_;
   std::vector<ReleasedVertex> released_;

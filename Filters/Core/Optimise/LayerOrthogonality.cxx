@@ -3,8 +3,10 @@
 #include "Optimise/LayerCells.h"
 #include "Optimise/LayerGuide.h"
 #include "Optimise/LayerImprover.h"
+#include "Support/Sorting.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace atria {
 
@@ -35,22 +37,31 @@ QualityTargets LayerImprover::targetsOf(const OrthogonalityStage& stage) const
   return out;
 }
 
-/// Cells below a share of targets.
-std::vector<ShortCell> LayerImprover::findBelow(const LayerMesh& layer, const QualityTargets& wanted, float share,
-                                                const std::vector<char>& toJudge) const
+/// What falls short of nothing then no stage looks at.
+QualityTargets LayerImprover::withAngles(QualityTargets wanted)
 {
-  std::vector<ShortCell> cells = findShortCells(DualSource(layer.mesh), toJudge, wanted, context_);
-  std::erase_if(cells, [&](const ShortCell& cell) { return cell.worst >= share; });
-  return cells;
+  wanted.faceCosine.target = std::max(wanted.faceCosine.target, acceptable.target);
+  return wanted;
 }
 
-/// Marks the points of cells that fall short then, too. The limit rises in stages: held to the last one at once, cells
-/// that are far from it find no way there.
+/// Of some cells, those below a share of targets.
+std::vector<ShortCell> LayerImprover::findBelow(const LayerMesh& layer, const QualityTargets& wanted, float share,
+                                                const std::vector<Index>& cells) const
+{
+  std::vector<ShortCell> found = findShortAmong(DualSource(layer.mesh), cells, wanted, context_);
+  std::erase_if(found, [&](const ShortCell& cell) { return cell.worst >= share; });
+  return found;
+}
+
+/// `candidates` are all cells at the points marked that may be below the share of a stage. Cells farther from the walls
+/// that fall short after one are marked, too. The limit rises in stages: held to the last one at once, cells that are
+/// far from it find no way there.
 void LayerImprover::straighten(LayerMesh& layer, std::span<const OrthogonalityStage> stages, float share,
-                               std::vector<char>& toJudge) const
+                               std::vector<char>& toJudge, std::vector<Index>& candidates) const
 {
   ModelGuide model(octree_, model_, tree_, anchors_, layer.mesh.points, vertexOf_);
   LayerGuide guide(layer, walls_, options_, leaders_, letGo_, model);
+  const DualSource source(layer.mesh);
   for (const OrthogonalityStage& stage : stages)
   {
     OptimiserOptions options;
@@ -58,16 +69,26 @@ void LayerImprover::straighten(LayerMesh& layer, std::span<const OrthogonalitySt
     options.leastWorst = leastOfOthers;
     options.rings = stage.rings;
     options.patient = true;
-    const DualSource source(layer.mesh);
-    const std::vector<ShortCell> cells = findBelow(layer, options.targets, share, toJudge);
-    // Cells farther from the walls may have made room.
-    for (const ShortCell& cell : optimise(source, layer.mesh.points, cells, guide, options, context_))
+    std::vector<Index> changed;
+    const std::vector<ShortCell> left =
+        optimise(source, layer.mesh.points, findBelow(layer, options.targets, share, candidates), guide, options,
+                 context_, &changed);
+    std::vector<char> fresh(toJudge.size(), 0);
+    for (const ShortCell& cell : left)
     {
       for (const Index p : layer.mesh.corners[cell.cell])
       {
-        toJudge[p] = 1;
+        fresh[p] = toJudge[p] ? 0 : 1;
       }
     }
+    std::ranges::transform(toJudge, fresh, toJudge.begin(), std::bit_or());
+    sortUnique(changed);
+    changed = withNeighbours(source, changed);
+    std::ranges::copy_if(changed, std::back_inserter(candidates),
+                         [&](Index cell) { return source.hasMarked(cell, toJudge); });
+    const std::vector<Index> beyond = cellsWithMarked(source, fresh, context_);
+    candidates.insert(candidates.end(), beyond.begin(), beyond.end());
+    sortUnique(candidates);
   }
 }
 
@@ -76,25 +97,29 @@ void LayerImprover::straighten()
 {
   // Degrees of non-orthogonality: 72.5 to 60, 66.4 to 57.3, 59.3 to 55.9.
   constexpr std::array stages{OrthogonalityStage{{0.3, 0.5}, 2}, OrthogonalityStage{{0.4, 0.54}, 2},
-                              OrthogonalityStage{{0.51, 0.56}, 2}, OrthogonalityStage{{0.51, 0.56}, 2}};
+                              OrthogonalityStage{{0.51, acceptable.target}, 2},
+                              OrthogonalityStage{{0.51, acceptable.target}, 2}};
   std::vector<char> toJudge = pointsToJudge(layer_);
+  const DualSource source(layer_.mesh);
+  std::erase_if(unsure_, [&](Index cell) { return !source.hasMarked(cell, toJudge); });
   // What is within the last stage is within all others.
-  if (findBelow(layer_, targetsOf(stages.back()), enough, toJudge).empty())
+  std::vector<Index> candidates = cellsOf(findBelow(layer_, targetsOf(stages.back()), enough, unsure_));
+  if (candidates.empty())
   {
     return;
   }
-  straighten(layer_, stages, enough, toJudge);
+  straighten(layer_, stages, enough, toJudge, candidates);
   QualityTargets largest = targets();
   largest.faceCosine = acceptable;
   for (const double reach : reaches)
   {
-    const std::vector<ShortCell> beyond = findBelow(layer_, largest, 0.0F, toJudge);
+    const std::vector<ShortCell> beyond = findBelow(layer_, largest, 0.0F, candidates);
     if (beyond.empty())
     {
       break;
     }
     release(beyond, reach);
-    straighten(layer_, stages, enough, toJudge);
+    straighten(layer_, stages, enough, toJudge, candidates);
   }
   keepThoseAway();
 }
@@ -104,7 +129,15 @@ void LayerImprover::straightenDivided(LayerMesh& divided) const
 {
   constexpr std::array stages{OrthogonalityStage{{0.2, 0.4}, 1}, OrthogonalityStage{{0.35, 0.5}, 1}};
   std::vector<char> toJudge = pointsToJudge(divided);
-  straighten(divided, stages, enoughOfDivided, toJudge);
+  std::vector<Index> candidates;
+  for (const ShortCell& cell : findShortCells(DualSource(divided.mesh), toJudge, targetsOf(stages.back()), context_))
+  {
+    if (cell.worst < enoughOfDivided)
+    {
+      candidates.push_back(cell.cell);
+    }
+  }
+  straighten(divided, stages, enoughOfDivided, toJudge, candidates);
 }
 
 } // namespace atria

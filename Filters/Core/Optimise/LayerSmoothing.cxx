@@ -64,22 +64,21 @@ std::vector<Index> LayerImprover::smoothPoints(const std::vector<ShortCell>& sho
   return points;
 }
 
-/// Makes the layer thicker as far as no cell falls short by it. Returns the cells at the boundary and the layer that
-/// may fall short of `wanted`, which asks for more angle and less skewness than the targets. `nothingShort`: no cell
-/// falls short of these.
-std::vector<Index> LayerImprover::thicken(const QualityTargets& wanted, bool nothingShort)
+/// Makes the layer thicker as far as no cell falls short by it. Cells that may fall short of `wanted`, which asks for
+/// more angle and less skewness than the targets, are unsure then, too.
+void LayerImprover::thicken(const QualityTargets& wanted)
 {
   const DualSource source(layer_.mesh);
   const std::vector<char> toJudge = pointsToJudge(layer_);
   std::vector<WantedPlace> thick; // where their copies were
-  using Cells = std::vector<ShortCell>;
-  for (const Index p : smoothPoints(nothingShort ? Cells() : findShortCells(source, toJudge, targets(), context_)))
+  std::erase_if(unsure_, [&](Index cell) { return !source.hasMarked(cell, toJudge); });
+  for (const Index p : smoothPoints(findShortAmong(source, unsure_, targets(), context_)))
   {
     Vec3& copy = layer_.mesh.points[layer_.copies[p]];
     thick.push_back({p, copy});
     copy = layer_.mesh.points[p] + thicker * (copy - layer_.mesh.points[p]);
   }
-  QualityTargets both = wanted;
+  QualityTargets both = withAngles(wanted);
   both.scaledJacobian = std::max(both.scaledJacobian, targets().scaledJacobian);
   auto found =
       findShortCells(source, cellsWithMarked(source, toJudge, context_), std::array{both, targets()}, context_);
@@ -110,13 +109,12 @@ std::vector<Index> LayerImprover::thicken(const QualityTargets& wanted, bool not
   }
   std::vector<Index> changed = withNeighbours(source, cellsWithMarked(source, moved, context_));
   std::erase_if(changed, [&](Index cell) { return !source.hasMarked(cell, toJudge); });
-  std::vector<Index> all;
-  std::ranges::set_union(suspects, changed, std::back_inserter(all));
-  return all;
+  unsure_.clear();
+  std::ranges::set_union(suspects, changed, std::back_inserter(unsure_));
 }
 
 /// Elsewhere such targets would take long and gain little.
-void LayerImprover::smooth(const SmoothWallTargets& wanted, bool nothingShort)
+void LayerImprover::smooth(const SmoothWallTargets& wanted)
 {
   OptimiserOptions options;
   options.targets = targets();
@@ -127,7 +125,8 @@ void LayerImprover::smooth(const SmoothWallTargets& wanted, bool nothingShort)
   options.leastPenalty = 5e-4;
   options.leastGain = 0.02;
   options.firstReach = 0.3;
-  std::vector<Index> suspects = thicken(options.targets, nothingShort);
+  thicken(options.targets);
+  std::vector<Index> suspects = unsure_;
   std::erase_if(suspects, [&](Index cell) { return !isSmooth(cell); });
   const auto moveThoseShort = [&] {
     move(findShortAmong(DualSource(layer_.mesh), suspects, options.targets, context_), options);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Optimise/Optimiser.h"
 
+#include "Optimise/BoxCells.h"
 #include "Optimise/Colouring.h"
 #include "Optimise/PointSearch.h"
 #include "Support/Pieces.h"
@@ -262,18 +263,6 @@ std::vector<ShortCell> shortCellsBy(Judge& judge, const QualityTargets& targets,
 
 bool looksAtJacobians(const QualityTargets& targets) { return targets.scaledJacobian > 0.0; }
 
-std::vector<std::vector<Index>> inOrder(const std::vector<Index>& cells)
-{
-  const Pieces pieces(cells.size());
-  std::vector<std::vector<Index>> out(pieces.count);
-  for (std::size_t i = 0; i < pieces.count; ++i)
-  {
-    out[i].assign(cells.begin() + static_cast<std::ptrdiff_t>(pieces.begin(i)),
-                  cells.begin() + static_cast<std::ptrdiff_t>(pieces.end(i)));
-  }
-  return out;
-}
-
 /// Piece by piece, as measures take many times the cells' own memory. Of cells beyond a piece not all is known.
 std::vector<std::vector<ShortCell>> findShortIn(const CellSource& source, std::vector<std::vector<Index>> pieces,
                                                 std::span<const QualityTargets> targets, const RunContext& context)
@@ -307,6 +296,20 @@ std::vector<std::vector<ShortCell>> findShortIn(const CellSource& source, std::v
   return all;
 }
 
+/// Of points that are not where they were: the cells about them, some more than once.
+void appendChanged(const Region& region, const std::vector<Vec3>& before, std::vector<Index>& changed)
+{
+  for (Index m = 0; m < region.movable.size(); ++m)
+  {
+    const Index leader = region.movable[m];
+    if (region.points[leader] != before[region.pointIds[leader]])
+    {
+      std::ranges::transform(region.cellsAbout(m), std::back_inserter(changed),
+                             [&](Index cell) { return region.cellIds[cell]; });
+    }
+  }
+}
+
 void takePoints(const Region& region, std::vector<Vec3>& points)
 {
   for (const Index local : region.members)
@@ -321,13 +324,13 @@ std::vector<ShortCell> findShortCells(const CellSource& source, const std::vecto
                                       const QualityTargets& targets, const RunContext& context)
 {
   const std::vector<Index> cells = cellsWithMarked(source, marked, context);
-  return findShortIn(source, inOrder(cells), {&targets, 1}, context).front();
+  return findShortCells(source, cells, {&targets, 1}, context).front();
 }
 
 std::vector<std::vector<ShortCell>> findShortCells(const CellSource& source, const std::vector<Index>& cells,
                                                    std::span<const QualityTargets> targets, const RunContext& context)
 {
-  return findShortIn(source, inPieces(source, cells), targets, context);
+  return findShortIn(source, inPieces(source, cellsToJudge(source, cells, targets, context)), targets, context);
 }
 
 std::vector<ShortCell> findShortAmong(const CellSource& source, const std::vector<Index>& cells,
@@ -340,7 +343,7 @@ std::vector<ShortCell> findShortAmong(const CellSource& source, const std::vecto
 
 std::vector<ShortCell> optimise(const CellSource& source, std::vector<Vec3>& points,
                                 const std::vector<ShortCell>& cells, VertexGuide& guide,
-                                const OptimiserOptions& options, const RunContext& context)
+                                const OptimiserOptions& options, const RunContext& context, std::vector<Index>* changed)
 {
   const std::vector<char> moving = pointsToMove(source, cells, guide, options.rings, context);
   if (std::find(moving.begin(), moving.end(), 1) == moving.end())
@@ -353,6 +356,10 @@ std::vector<ShortCell> optimise(const CellSource& source, std::vector<Vec3>& poi
   prepareGuide(region, guide, context);
   Sweeper sweeper(judge, guide, options, context);
   sweepWhileWorthwhile(sweeper, options, context);
+  if (changed)
+  {
+    appendChanged(region, points, *changed);
+  }
   takePoints(region, points);
   std::vector<ShortCell> left = shortCellsOf(judge, options.margin, context);
   std::ranges::copy_if(cells, std::back_inserter(left),

@@ -71,7 +71,7 @@ bool PointSearch::moveIfBetter(const Vec3& p, const Score& now)
 
 PointSearch::Outcome PointSearch::improve(Index movable, double& trust)
 {
-  if (judge.isGood(movable))
+  if (judge.isGood(movable, rules_.leastPenalty))
   {
     return Outcome::good;
   }
@@ -192,10 +192,10 @@ void PointSearch::derive(int axis, double h)
     return;
   }
   judge.moveForResiduals(star, p);
-  judge.residualsOf(star, beside);
+  judge.residualsBeside(star, residuals, beside);
   for (std::size_t i = 0; i < along.size(); ++i)
   {
-    along[i] = residuals.values[i] > 0.0 ? (beside.values[i] - residuals.values[i]) / h : 0.0;
+    along[i] = residuals.values[i] > 0.0 ? (beside[i] - residuals.values[i]) / h : 0.0;
   }
 }
 

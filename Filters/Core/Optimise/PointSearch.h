@@ -66,7 +66,7 @@ private:
   SearchRules rules_;
   Star star;
   Residuals residuals;
-  Residuals beside;
+  std::vector<double> beside;
   /// Derivatives of the residuals along the axes.
   std::array<std::vector<double>, 3> derivatives;
   Index pointId = noIndex;
