@@ -17,6 +17,8 @@ constexpr float enough = 0.5F;
 constexpr float enoughOfDivided = 0.3F;
 /// Degrees of non-orthogonality: 60, beyond which vertices leave where the model wants them, to 55.9.
 constexpr QualityRange acceptable{0.5, 0.56};
+/// Limit of pyramid cosines, a cell squish of 0.93: well above what is valid, so that cells come below 0.9.
+constexpr double leastPyramidCosine = 0.07;
 /// How far, in octants, vertices may leave their surfaces where nothing else helps, one after the other.
 constexpr std::array reaches{0.2, 0.4, 0.75};
 
@@ -34,6 +36,7 @@ QualityTargets LayerImprover::targetsOf(const OrthogonalityStage& stage) const
   QualityTargets out = targets();
   out.faceCosine = stage.faceCosine;
   out.leastOfFaceCosine = leastOfOthers;
+  out.pyramidCosine.limit = leastPyramidCosine;
   return out;
 }
 
