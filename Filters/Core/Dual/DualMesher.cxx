@@ -247,7 +247,7 @@ DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, con
   improver.splitPoints();
   clock.lap("elements");
   context.progress.report(0.55, "Growing layers");
-  improver.growLayers(options.layers, options.smoothWalls);
+  improver.growLayers(options.layers, options.curvedWalls);
   context.progress.report(0.98, "Placing the mesh in the model");
   placeInModel(result, octree.frame().placement, context);
   clock.lap("layers");

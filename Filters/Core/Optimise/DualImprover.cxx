@@ -26,7 +26,7 @@ void DualImprover::splitPoints()
   }
 }
 
-void DualImprover::growLayers(const std::vector<LayerRule>& rules, const SmoothWallTargets& smoothWalls)
+void DualImprover::growLayers(const std::vector<LayerRule>& rules, const CurvedWallTargets& curvedWalls)
 {
   if (rules.empty())
   {
@@ -38,8 +38,8 @@ void DualImprover::growLayers(const std::vector<LayerRule>& rules, const SmoothW
   const int most = std::ranges::max_element(options.ofTag, {}, &WallLayers::layers)->layers;
   DualMesh plain = std::move(mesh_);
   const LayerWalls walls = findLayerWalls(plain, options, context_);
-  LayerImprover improver(octree_, model_, tree_, anchors_, vertexOf_, plain, walls, options, context_);
-  LayerMesh layer = improver.run(smoothWalls);
+  LayerImprover improver(octree_, model_, tree_, anchors_, vertexOf_, plain, walls, options, curvedWalls, context_);
+  LayerMesh layer = improver.run();
   if (most > 0)
   {
     result_.layers = reportLayers(plain, walls, layer, options, model_.names, context_);

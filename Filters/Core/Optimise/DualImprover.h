@@ -21,7 +21,7 @@ public:
   void splitPoints();
   /// Grows layers on walls and makes the elements at the boundary valid (see LayerImprover), also where rules ask for
   /// none. Does nothing without rules.
-  void growLayers(const std::vector<LayerRule>& rules, const SmoothWallTargets& smoothWalls);
+  void growLayers(const std::vector<LayerRule>& rules, const CurvedWallTargets& curvedWalls);
 
 private:
   void reportReleased(const std::vector<ReleasedVertex>& released);

@@ -46,9 +46,10 @@ struct LayerImprover::Guides
 
 LayerImprover::LayerImprover(const Octree& octree, const SurfaceModel& model, TriangleTreeOnDemand& tree,
                              const VertexAnchors& anchors, const std::vector<Index>& vertexOf, DualMesh& plain,
-                             const LayerWalls& walls, const LayerOptions& options, const RunContext& context)
+                             const LayerWalls& walls, const LayerOptions& options, const CurvedWallTargets& curvedWalls,
+                             const RunContext& context)
     : octree_(octree), model_(model), tree_(tree), wanted_(anchors), anchors_(anchors), vertexOf_(vertexOf),
-      plain_(plain), walls_(walls), options_(options), context_(context),
+      plain_(plain), walls_(walls), options_(options), curvedWalls_(curvedWalls), context_(context),
       layered_(std::ranges::any_of(options.ofTag, [](const WallLayers& wall) { return wall.layers > 0; })),
       hasHeights_(std::ranges::any_of(options.ofTag, [](const WallLayers& wall) { return wall.firstHeight > 0.0; })),
       divided_(std::ranges::any_of(options.ofTag, [](const WallLayers& wall) { return wall.layers > 1; })),
@@ -99,10 +100,11 @@ QualityTargets LayerImprover::targets() const
   return targets;
 }
 
-LayerMesh LayerImprover::run(const SmoothWallTargets& smoothWalls)
+LayerMesh LayerImprover::run()
 {
+  const bool isSingle = layered_ && !hasHeights_ && !divided_;
   grow();
-  mend(improve(improve(findAll(), 1), 1));
+  mend(improve(improve(isSingle ? thicken() : findAll(), 1), 1));
   if (!left_.empty())
   {
     putBack();
@@ -118,9 +120,9 @@ LayerMesh LayerImprover::run(const SmoothWallTargets& smoothWalls)
     }
     return divided;
   }
-  if (layered_ && !hasHeights_)
+  if (isSingle)
   {
-    smooth(smoothWalls);
+    improveAtCurved();
   }
   straighten();
   return std::move(layer_);
@@ -142,8 +144,8 @@ std::vector<ShortCell> LayerImprover::findAll()
     marked[p] |= suspect_[p];
   }
   const DualSource source(layer_.mesh);
-  auto found = findShortCells(source, cellsWithMarked(source, marked, context_),
-                              std::array{withAngles(targets()), targets()}, context_);
+  auto found =
+      findShortCells(source, cellsWithMarked(source, marked, context_), std::array{strictest(), targets()}, context_);
   unsure_ = cellsOf(found[0]);
   return std::move(found[1]);
 }

@@ -40,11 +40,13 @@ QualityTargets LayerImprover::targetsOf(const OrthogonalityStage& stage) const
   return out;
 }
 
-/// What falls short of nothing then no stage looks at.
-QualityTargets LayerImprover::withAngles(QualityTargets wanted)
+/// What no later pass asks more than.
+QualityTargets LayerImprover::strictest() const
 {
-  wanted.faceCosine.target = std::max(wanted.faceCosine.target, acceptable.target);
-  return wanted;
+  QualityTargets out = std::ranges::find(curved_, 1) != curved_.end() ? targetsAtCurved() : targets();
+  out.faceCosine.target = std::max(out.faceCosine.target, acceptable.target);
+  out.scaledJacobian = targets().scaledJacobian;
+  return out;
 }
 
 /// Of some cells, those below a share of targets.

@@ -27,7 +27,7 @@ struct QualityRange
 };
 
 /// What hexahedra on smooth walls, away from creases and rims, are to have; the less, the longer it takes.
-struct SmoothWallTargets
+struct CurvedWallTargets
 {
   /// Degrees, greater than 0 and below 90.
   double nonOrthogonality = 30.0;
