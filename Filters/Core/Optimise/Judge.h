@@ -139,8 +139,15 @@ struct Star
   Vec3 origin;
   std::vector<FaceMeasure> facesBefore;
   std::vector<CellMeasure> cellsBefore;
-  /// Room for sorting and for marks.
-  std::vector<std::uint64_t> keys;
+  /// By face of the region, its place in `faces` if the entry is of this star.
+  struct Entry
+  {
+    Index star = 0;
+    Index place = 0;
+  };
+  std::vector<Entry> entries;
+  Index number = 0; ///< of this star, from 1 on
+  /// Room for marks.
   std::vector<char> marks;
 };
 
@@ -202,7 +209,8 @@ private:
   void findFirst(Star& star) const;
   void judgeInOrder(Star& star, Index place) const;
   template <typename Sink> void judgeShort(Star& star, Sink& sink) const;
-  void measureSize(Index cell);
+  void measureSize(Index cell, const std::vector<double>& perimeters);
+  double perimeterOf(Index face) const;
   void judgeAll(const RunContext& context);
   std::array<Vec3, 4> fanOf(Index face) const;
   std::array<Vec3, 4> halvesOf(Index face) const;

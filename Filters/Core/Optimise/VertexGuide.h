@@ -19,7 +19,7 @@ public:
   virtual bool isMovable(Index point) const = 0;
   /// Points with the same leader are in one place and move as one.
   virtual Index leaderOf(Index point) const { return point; }
-  /// The allowed place nearest to p. Called by several threads.
+  /// The allowed place nearest to p. Called by several threads, but for one point by one at a time.
   virtual Vec3 place(Index point, const Vec3& p) const = 0;
 };
 
