@@ -5,6 +5,8 @@
 #include "Octree/GeometryLists.h"
 #include "Surface/Distance.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 
 namespace atria {
@@ -197,19 +199,49 @@ Vec3 ModelGuide::nearestOf(const Target& target, const Vec3& p) const
     found = found ? found : tree_.get().nearest(wanted, std::numeric_limits<double>::infinity(), isWanted);
     return found ? frame.toModel(*found) : p;
   }
-  Vec3 best = p;
+  return nearestPiece(target, p).place;
+}
+
+/// Of a target that lists its pieces.
+ModelGuide::OnPiece ModelGuide::nearestPiece(const Target& target, const Vec3& p)
+{
+  OnPiece best{p, nullptr};
   double least = std::numeric_limits<double>::infinity();
-  for (const auto& [a, b, c] : target.pieces)
+  for (const Piece& piece : target.pieces)
   {
+    const auto& [a, b, c] = piece;
     const Vec3 near = b == c ? nearestOnSegment(p, a, b) : nearestOnTriangle(p, a, b, c);
     const double distance = (near - p).squaredNorm();
     if (distance < least)
     {
       least = distance;
-      best = near;
+      best = {near, &piece};
     }
   }
   return best;
+}
+
+Ways ModelGuide::waysFrom(Index point, const Vec3& p, double step) const
+{
+  const bool isAtSide = planesOf(anchors_.leaves[vertexOf_[point]]) != 0 || octree_.frame().turnedDomain;
+  if (!isAtSide && !hasPieces(point))
+  {
+    return {};
+  }
+  const bool isOnSurface = freedomOf(point) == Freedom::surface;
+  const Piece* piece = isAtSide || !isOnSurface ? nullptr : nearestPiece(targetOf(point), p).piece;
+  if (!piece)
+  {
+    return VertexGuide::waysFrom(point, p, step);
+  }
+  const auto& [a, b, c] = *piece;
+  const Vec3 along = (b - a).normalized();
+  if (b == c)
+  {
+    return {{along}, 1};
+  }
+  const Vec3 normal = along.cross(c - a).normalized();
+  return {{along, normal.cross(along)}, 2};
 }
 
 } // namespace atria

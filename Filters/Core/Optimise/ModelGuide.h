@@ -20,6 +20,7 @@ public:
   void prepare(std::span<const Index> points, const RunContext& context) override;
   bool isMovable(Index point) const override { return freedomOf(point) != Freedom::fixed; }
   Vec3 place(Index point, const Vec3& p) const override;
+  Ways waysFrom(Index point, const Vec3& p, double step) const override;
   /// The place nearest to p on the pieces of the model the point is for, on the domain's planes. After prepare.
   Vec3 nearest(Index point, const Vec3& p) const;
   /// The centre of the point's octant, on the domain's planes through it.
@@ -46,6 +47,12 @@ private:
   std::vector<ModelItem> findPieces(Index point, const std::vector<Index>& wanted) const;
   void find(Index point, Target& target) const;
   const Target& targetOf(Index point) const;
+  struct OnPiece
+  {
+    Vec3 place;
+    const Piece* piece;
+  };
+  static OnPiece nearestPiece(const Target& target, const Vec3& p);
   Vec3 nearestOf(const Target& target, const Vec3& p) const;
   Vec3 onPlanes(Vec3 p, unsigned planes) const;
   unsigned planesOf(Index leaf) const;
