@@ -150,7 +150,11 @@ void Judge::prepare(Star& star) const
   star.origin = region_.points[star.point];
   star.moving.clear();
   star.facesBefore.clear();
-  star.shapes.resize(star.faces.size());
+  if (star.shapes.size() < star.faces.size())
+  {
+    star.shapes.resize(star.faces.size());
+  }
+  star.parts.assign(star.faces.size(), QuadShape::none);
   const auto isOfStar = [&](Index point) { return std::ranges::find(star.points, point) != star.points.end(); };
   for (Index i = 0; i < star.faces.size(); ++i)
   {
@@ -158,8 +162,6 @@ void Judge::prepare(Star& star) const
     {
       star.moving.push_back(i);
     }
-    star.shapes[i].fan.reset();
-    star.shapes[i].half.reset();
   }
   findFirst(star);
   for (const Index i : star.moving)
@@ -217,8 +219,7 @@ void Judge::place(Star& star, const Vec3& p)
   }
   for (const Index i : star.moving)
   {
-    star.shapes[i].fan.reset();
-    star.shapes[i].half.reset();
+    star.parts[i] = QuadShape::none;
   }
 }
 

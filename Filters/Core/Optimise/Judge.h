@@ -6,8 +6,6 @@
 #include "Optimise/QualityTargets.h"
 #include "Quality/ScaledJacobian.h"
 
-#include <optional>
-
 namespace atria {
 
 /// By how much a measure falls short: 0 at the target. What is hardly valid or not at all counts for more, so that it
@@ -104,11 +102,17 @@ struct LeastMetrics
 };
 
 /// Twice the area vectors of triangles of a quadrilateral: those about the centroid, and 012, 023, 123 and 130 of the
-/// corners. Made when they are first looked at.
+/// corners.
 struct QuadShape
 {
-  std::optional<std::array<Vec3, 4>> fan;
-  std::optional<std::array<Vec3, 4>> half;
+  enum Part : std::uint8_t
+  {
+    none = 0,
+    fanPart = 1,
+    halfPart = 2
+  };
+  std::array<Vec3, 4> fan;
+  std::array<Vec3, 4> half;
 };
 
 /// The cells about a point that may move, and what depends on it.
@@ -128,8 +132,10 @@ struct Star
   std::vector<Index> moving;
   std::size_t firstMeasured = 0;
   std::size_t firstMoving = 0;
-  /// Of the faces; nothing for those that are no quadrilaterals.
+  /// Of the faces; nothing for those that are no quadrilaterals. Parts are made when they are first looked at; which
+  /// were is kept apart, as most never are.
   std::vector<QuadShape> shapes;
+  std::vector<std::uint8_t> parts;
   /// Of the cells and then of the faces, at the place looked at last.
   std::vector<Score> scores;
   /// Places in `scores`; first what fell short before, as it will tell soonest that a place is no better.
