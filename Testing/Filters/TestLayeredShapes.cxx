@@ -131,7 +131,7 @@ TEST_P(LayeredShapes, PassCheckMeshAndAreGood)
 }
 
 /// Of snappyHexMesh 27 to 40 degrees and a skewness of 0.69 to 0.80 were measured, of cfMesh 18 to 20 and 0.55.
-TEST(SmoothWalls, AreAsGoodAsAskedFor)
+TEST(CurvedWalls, AreAsGoodAsAskedFor)
 {
   for (const bool uniform : {true, false})
   {
