@@ -2,7 +2,7 @@
 #include "Optimise/LayerImprover.h"
 
 #include "Optimise/LayerCells.h"
-#include "Optimise/LayerGuide.h"
+#include "Optimise/LayerGuides.h"
 #include "Support/Sorting.h"
 
 #include <algorithm>
@@ -31,19 +31,6 @@ enum class LayerImprover::Step : std::uint8_t
   exclude
 };
 
-/// Where points of the layer as it is now may go.
-struct LayerImprover::Guides
-{
-  explicit Guides(const LayerImprover& owner)
-      : model(owner.octree_, owner.model_, owner.tree_, owner.anchors_, owner.layer_.mesh.points, owner.vertexOf_),
-        layer(owner.layer_, owner.walls_, owner.options_, owner.leaders_, owner.letGo_, model)
-  {
-  }
-
-  ModelGuide model;
-  LayerGuide layer;
-};
-
 LayerImprover::LayerImprover(const Octree& octree, const SurfaceModel& model, TriangleTreeOnDemand& tree,
                              const VertexAnchors& anchors, const std::vector<Index>& vertexOf, DualMesh& plain,
                              const LayerWalls& walls, const LayerOptions& options, const CurvedWallTargets& curvedWalls,
@@ -55,7 +42,7 @@ LayerImprover::LayerImprover(const Octree& octree, const SurfaceModel& model, Tr
       divided_(std::ranges::any_of(options.ofTag, [](const WallLayers& wall) { return wall.layers > 1; })),
       uniform_(std::ranges::adjacent_find(plain.levels, std::not_equal_to()) == plain.levels.end()),
       leaders_(vertexOf.size()), mayLeave_(vertexOf.size(), 1), letGo_(vertexOf.size(), 0),
-      excluded_(vertexOf.size(), 0), suspect_(vertexOf.size(), 0)
+      excluded_(vertexOf.size(), 0), suspect_(vertexOf.size(), 0), isLeft_(vertexOf.size(), 0)
 {
   std::vector<Index> first(anchors.freedom.size(), noIndex);
   for (Index p = 0; p < leaders_.size(); ++p)
@@ -113,12 +100,12 @@ LayerMesh LayerImprover::run()
   }
   if (divided_)
   {
-    LayerMesh divided = divide(layer_);
+    layer_ = divide(layer_);
     if (!hasHeights_)
     {
-      straightenDivided(divided);
+      straightenDivided();
     }
-    return divided;
+    return std::move(layer_);
   }
   if (isSingle)
   {
@@ -229,12 +216,22 @@ bool LayerImprover::prepare(Step step, const std::vector<ShortCell>& bad)
   return false;
 }
 
+/// A vertex may leave more than once: those that did not get back stay where they are, but may have to go on.
+void LayerImprover::noteLeft(Index leader)
+{
+  if (!isLeft_[leader])
+  {
+    isLeft_[leader] = 1;
+    left_.push_back({leader, layer_.mesh.points[leader]});
+  }
+}
+
 void LayerImprover::leaveCurve(Index leader)
 {
   Freedom& freedom = anchors_.freedom[vertexOf_[leader]];
   if (mayLeave_[leader] && freedom == Freedom::curve)
   {
-    left_.push_back({leader, layer_.mesh.points[leader]});
+    noteLeft(leader);
     freedom = Freedom::beside;
   }
 }
@@ -248,10 +245,7 @@ void LayerImprover::leaveSurface(Index leader, double reach)
   {
     return;
   }
-  if (freedom != Freedom::beside && freedom != Freedom::released)
-  {
-    left_.push_back({leader, layer_.mesh.points[leader]});
-  }
+  noteLeft(leader);
   freedom = Freedom::released;
   const double size = octree_.frame().sizeOf(octree_.level(anchors_.leaves[vertex]));
   anchors_.leashes.try_emplace(vertex, Leash{layer_.mesh.points[leader], 0.0}).first->second.reach = reach * size;
@@ -336,7 +330,7 @@ std::vector<WantedPlace> LayerImprover::wantedPlaces() const
 void LayerImprover::putBack()
 {
   constexpr int passes = 6;
-  std::ranges::sort(left_, {}, &WantedPlace::point);
+  std::ranges::sort(left_, {}, &WantedPlace::point); // as approach() asks
   QualityTargets wanted = targets();
   QualityRange& cosine = wanted.faceCosine;
   cosine.limit = (leastFaceCosine - leastPutBack * cosine.target) / (1.0 - leastPutBack);
@@ -361,6 +355,7 @@ void LayerImprover::keepThoseAway()
   constexpr double nearlyThere = 1e-6;
   std::vector<WantedPlace> away;
   released_.clear();
+  std::ranges::sort(left_, {}, &WantedPlace::point);
   const std::vector<WantedPlace> wanted = wantedPlaces();
   for (std::size_t i = 0; i < left_.size(); ++i)
   {
@@ -369,6 +364,7 @@ void LayerImprover::keepThoseAway()
     const double size = octree_.frame().sizeOf(octree_.level(wanted_.leaves[vertex]));
     const bool back = (layer_.mesh.points[p] - wanted[i].place).norm() <= nearlyThere * size;
     anchors_.freedom[vertex] = back ? wanted_.freedom[vertex] : Freedom::fixed;
+    isLeft_[p] = back ? 0 : 1;
     if (!back)
     {
       away.push_back(left_[i]);

@@ -45,6 +45,7 @@ private:
   void grow();
   void mend(const std::vector<ShortCell>& cells);
   bool prepare(Step step, const std::vector<ShortCell>& bad);
+  void noteLeft(Index leader);
   void leaveCurve(Index leader);
   void leaveSurface(Index leader, double reach);
   void release(const std::vector<ShortCell>& cells, double reach);
@@ -63,11 +64,12 @@ private:
   void straighten();
   QualityTargets targetsOf(const OrthogonalityStage& stage) const;
   QualityTargets strictest() const;
-  std::vector<ShortCell> findBelow(const LayerMesh& layer, const QualityTargets& wanted, float share,
-                                   const std::vector<Index>& cells) const;
-  void straighten(LayerMesh& layer, std::span<const OrthogonalityStage> stages, float share, std::vector<char>& toJudge,
-                  std::vector<Index>& candidates) const;
-  void straightenDivided(LayerMesh& divided) const;
+  std::vector<ShortCell> findBelow(const QualityTargets& wanted, float share, const std::vector<Index>& cells) const;
+  void straighten(std::span<const OrthogonalityStage> stages, float share, std::vector<char>& toJudge,
+                  std::vector<Index>& candidates);
+  void straightenOrRelease(std::span<const OrthogonalityStage> stages, float share, const QualityRange& largest,
+                           std::vector<char>& toJudge, std::vector<Index>& candidates);
+  void straightenDivided();
   LayerMesh divide(const LayerMesh& one) const;
   std::optional<LayerMesh> divideAndImprove(const LayerMesh& given) const;
   LayerMesh divideEvenly(const LayerMesh& one) const;
@@ -114,8 +116,9 @@ private:
   std::vector<char> curved_;
   /// Cells, in order, that may fall short of strictest(), of those at the boundary and of the layer.
   std::vector<Index> unsure_;
-  /// Leaders that were released, and where they were.
+  /// Leaders that were released, each once, and where they were.
   std::vector<WantedPlace> left_;
+  std::vector<char> isLeft_;
   std::vector<ReleasedVertex> released_;
 };
 
