@@ -244,6 +244,7 @@ DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, con
   DualMeshResult result;
   VertexAnchors anchors = fillMesh(result, octree, model, tree, options, clock, context.part(0.0, 0.55));
   DualImprover improver(octree, model, tree, std::move(anchors), result, context);
+  improver.unfoldWalls();
   improver.splitPoints();
   clock.lap("elements");
   context.progress.report(0.55, "Growing layers");

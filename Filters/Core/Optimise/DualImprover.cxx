@@ -4,6 +4,8 @@
 #include "Dual/Sheets.h"
 #include "Dual/TurnedDomain.h"
 #include "Optimise/LayerImprover.h"
+#include "Optimise/ModelGuide.h"
+#include "Optimise/UnfoldFaces.h"
 
 #include <algorithm>
 #include <numeric>
@@ -16,6 +18,12 @@ DualImprover::DualImprover(const Octree& octree, const SurfaceModel& model, Tria
       context_(context), vertexOf_(result.mesh.points.size())
 {
   std::iota(vertexOf_.begin(), vertexOf_.end(), Index{0});
+}
+
+void DualImprover::unfoldWalls()
+{
+  ModelGuide guide(octree_, model_, tree_, anchors_, mesh_.points, vertexOf_);
+  unfoldFaces(mesh_, guide, context_);
 }
 
 void DualImprover::splitPoints()

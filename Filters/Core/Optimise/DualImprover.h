@@ -17,6 +17,8 @@ public:
   DualImprover(const Octree& octree, const SurfaceModel& model, TriangleTreeOnDemand& tree, VertexAnchors anchors,
                DualMeshResult& result, const RunContext& context);
 
+  /// See unfoldFaces. Before points are split.
+  void unfoldWalls();
   /// See splitSheets.
   void splitPoints();
   /// Grows layers on walls and makes the elements at the boundary valid (see LayerImprover), also where rules ask for
