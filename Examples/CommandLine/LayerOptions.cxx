@@ -58,7 +58,7 @@ void declareLayerOptions(CLI::App& command, LayerOptions& options)
       ->type_name("X");
   command
       .add_option("--non-orthogonality", options.nonOrthogonality,
-                  "What hexahedra at smooth walls should have at most, degrees; less takes longer")
+                  "What hexahedra at curved walls should have at most, degrees; less takes longer")
       ->capture_default_str()
       ->check(CLI::Range(filter->GetTargetNonOrthogonalityMinValue(), filter->GetTargetNonOrthogonalityMaxValue()))
       ->type_name("DEG");

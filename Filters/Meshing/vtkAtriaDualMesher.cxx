@@ -107,8 +107,8 @@ atria::Octree rebuildOctree(vtkDataObject* data, const atria::GridInput& input, 
 } // namespace
 
 vtkAtriaDualMesher::vtkAtriaDualMesher()
-    : TargetNonOrthogonality(atria::SmoothWallTargets{}.nonOrthogonality),
-      TargetSkewness(atria::SmoothWallTargets{}.skewness), CrackTolerance(atria::DualMeshOptions{}.crackTolerance)
+    : TargetNonOrthogonality(atria::CurvedWallTargets{}.nonOrthogonality),
+      TargetSkewness(atria::CurvedWallTargets{}.skewness), CrackTolerance(atria::DualMeshOptions{}.crackTolerance)
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(3);
@@ -312,7 +312,7 @@ int vtkAtriaDualMesher::RequestData(vtkInformation*, vtkInformationVector** inpu
     options.seeds = toCore(this->SeedPoints);
     options.sealedSeeds = toCore(this->SealedSeedPoints);
     options.layers = layerRulesOf(*this);
-    options.smoothWalls = {this->TargetNonOrthogonality, this->TargetSkewness};
+    options.curvedWalls = {this->TargetNonOrthogonality, this->TargetSkewness};
     options.crackTolerance = this->CrackTolerance;
     const atria::DualMeshResult result = atria::makeDualMesh(octree, model, options, clock, context.part(0.4, 0.9));
     context.progress.report(0.9, "Converting elements");

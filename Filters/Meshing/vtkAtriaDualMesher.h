@@ -118,7 +118,7 @@ public:
   ///@{
   /**
    * Height of the first layer on the wall; it and all others are less where there is no room. Default 0: all layers
-   * together are about a third of the elements beside the wall, and up to half on smooth ones; clamped to at least 0.
+   * together are about a third of the elements beside the wall, and up to half on curved ones; clamped to at least 0.
    */
   vtkSetClampMacro(FirstLayerHeight, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(FirstLayerHeight, double);
@@ -151,7 +151,7 @@ public:
 
   ///@{
   /**
-   * Greatest non-orthogonality, in degrees, and OpenFOAM's skewness that hexahedra at smooth walls are to have, away
+   * Greatest non-orthogonality, in degrees, and OpenFOAM's skewness that hexahedra at curved walls are to have, away
    * from creases and rims, if they can: those that have more are improved. With 17 and 0.5 a sphere comes to about 20
    * degrees and 0.6, in two to three times the time. They count for a single layer without a height. Defaults
    * 30 and 0.75; clamped to [1, 89.9] and [0.01, 1000].

@@ -195,10 +195,9 @@ class Fan : public ::testing::TestWithParam<std::tuple<double, Pose>>
 TEST_P(Fan, HasItsWedgesDownToATenthOfAnOctant)
 {
   const auto& [degrees, pose] = GetParam();
-  if (pose.aboutX != 0.0 || (pose.aboutZ == 45.0 && degrees == 20.0))
+  if (pose.aboutZ == 45.0 && degrees == 20.0)
   {
-    GTEST_SKIP()
-        << "not reached: at one or two of five offsets 93 to 94.9 % of the middle sheet, less than 95 %, is there";
+    GTEST_SKIP() << "not reached: at one of five offsets 91 % of a sheet, less than 95 %, is there";
   }
   TriangleSurface surface;
   const auto along = [&](Index sheet, double radius) {
@@ -291,10 +290,6 @@ class ThinSolid : public ::testing::TestWithParam<Pose>
 
 TEST_P(ThinSolid, WallWithAWindowHasTwoFacesAndIsOpenThere)
 {
-  if (GetParam().aboutX != 0.0)
-  {
-    GTEST_SKIP() << "not reached: up to 0.08 m2 of the window is blocked at two of five offsets";
-  }
   const SolidWall wall;
   for (const Vec3& offset : offsets)
   {

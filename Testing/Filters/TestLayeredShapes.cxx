@@ -131,7 +131,7 @@ TEST_P(LayeredShapes, PassCheckMeshAndAreGood)
 }
 
 /// Of snappyHexMesh 27 to 40 degrees and a skewness of 0.69 to 0.80 were measured, of cfMesh 18 to 20 and 0.55.
-TEST(SmoothWalls, AreAsGoodAsAskedFor)
+TEST(CurvedWalls, AreAsGoodAsAskedFor)
 {
   for (const bool uniform : {true, false})
   {
@@ -145,7 +145,7 @@ TEST(SmoothWalls, AreAsGoodAsAskedFor)
     const QualityMetrics byDefault = measure(meshIt(sphere(), grid, options, 2).mesh());
     EXPECT_LE(std::ranges::max(byDefault.nonOrthogonalityOfFaces), 33.0);
     EXPECT_LE(std::ranges::max(byDefault.skewnessOfFaces), 0.76);
-    options.smoothWalls = {17.0, 0.5};
+    options.curvedWalls = {17.0, 0.5};
     const QualityMetrics asked = measure(meshIt(sphere(), grid, options, 2).mesh());
     EXPECT_LE(std::ranges::max(asked.nonOrthogonalityOfFaces), 20.0);
     EXPECT_LE(std::ranges::max(asked.skewnessOfFaces), 0.58);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "Domain/GridFrame.h"
+#include "Dual/MovingGrid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,5 +39,15 @@ struct CandidatePlaces
     }
   }
 };
+
+/// How far a point may move along each axis: a part of its shortest edge, in lattice units.
+std::int64_t farthestReach(const MovingGrid& grid, Index point);
+
+/// Places a grid point may go to for less to be in question: home; between the cuts of its edges and a step beyond
+/// them; on the other side of a curve where the two sheets that cut an edge meet; between curves that an octant's
+/// vertex cannot both be on. With `across`, also the shortest way across sheets of its octants that do not meet there:
+/// alone, such moves may take a sheet out of the octants beside its rim.
+std::vector<LatticePoint> candidatePlaces(const MovingGrid& grid, Index point, MovingGrid::Look& look,
+                                          bool across = false);
 
 } // namespace atria

@@ -244,10 +244,11 @@ DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, con
   DualMeshResult result;
   VertexAnchors anchors = fillMesh(result, octree, model, tree, options, clock, context.part(0.0, 0.55));
   DualImprover improver(octree, model, tree, std::move(anchors), result, context);
+  improver.unfoldWalls();
   improver.splitPoints();
   clock.lap("elements");
   context.progress.report(0.55, "Growing layers");
-  improver.growLayers(options.layers, options.smoothWalls);
+  improver.growLayers(options.layers, options.curvedWalls);
   context.progress.report(0.98, "Placing the mesh in the model");
   placeInModel(result, octree.frame().placement, context);
   clock.lap("layers");

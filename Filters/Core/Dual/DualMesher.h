@@ -22,7 +22,7 @@ struct DualMeshOptions
   /// without rules the mesh is the dual as it is.
   std::vector<LayerRule> layers = {};
   /// Where walls have a layer.
-  SmoothWallTargets smoothWalls = {};
+  CurvedWallTargets curvedWalls = {};
   /// Cracks beside rims that are no wider than this part of the octants there are closed; 0 closes none. Wider ones are
   /// open where an edge of the grid passes.
   double crackTolerance = 0.5;

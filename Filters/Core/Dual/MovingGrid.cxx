@@ -232,15 +232,13 @@ int MovingGrid::surplus(Index leaf, Look& into) const
   return std::max(into.topology_.sheets() - 1, 0) + (isTangle(leaf, into) ? 1 : 0);
 }
 
-int MovingGrid::surplusOfLeaves(Index point, Look& look) const
+void MovingGrid::addLeaves(Index point, Look& look, double limit, Surplus& sum) const
 {
-  int sum = 0;
   const auto& leaves = grid.points().leaves[point];
-  for (auto leaf = leaves.begin(); leaf != leaves.end(); ++leaf)
+  for (auto leaf = leaves.begin(); leaf != leaves.end() && sum.cost() <= limit; ++leaf)
   {
-    sum += std::find(leaves.begin(), leaf, *leaf) == leaf ? surplus(*leaf, look) : 0;
+    sum.leaves += std::find(leaves.begin(), leaf, *leaf) == leaf ? surplus(*leaf, look) : 0;
   }
-  return sum;
 }
 
 MovingGrid::Surplus MovingGrid::surplusAbout(Index point, Look& look) const
@@ -251,11 +249,11 @@ MovingGrid::Surplus MovingGrid::surplusAbout(Index point, Look& look) const
     const auto edge = cutEdge(point, direction);
     sum.cuts += edge ? edge->surplus() : 0;
   }
-  sum.leaves = surplusOfLeaves(point, look);
+  addLeaves(point, look, std::numeric_limits<double>::infinity(), sum);
   return sum;
 }
 
-MovingGrid::Surplus MovingGrid::surplusAbout(Index point, const LatticePoint& place, Look& look) const
+MovingGrid::Surplus MovingGrid::surplusAbout(Index point, const LatticePoint& place, Look& look, double limit) const
 {
   tryEdges(point, place, look);
   Surplus sum;
@@ -263,7 +261,7 @@ MovingGrid::Surplus MovingGrid::surplusAbout(Index point, const LatticePoint& pl
   {
     sum.cuts += Edge{one.edge.segment, one.edge.leavesDomain, one.edge.cuts}.surplus();
   }
-  sum.leaves = surplusOfLeaves(point, look);
+  addLeaves(point, look, limit, sum);
   look.tried.clear();
   return sum;
 }

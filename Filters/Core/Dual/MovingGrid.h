@@ -5,6 +5,7 @@
 #include "Dual/LeafTopology.h"
 #include "Support/RunContext.h"
 
+#include <limits>
 #include <optional>
 #include <set>
 #include <unordered_map>
@@ -72,6 +73,9 @@ public:
   {
     std::size_t cuts = 0;
     int leaves = 0;
+
+    /// Cuts count twice.
+    double cost() const { return 2.0 * static_cast<double>(cuts) + leaves; }
   };
 
   /// `home` are the crossings while no point is moved; they are referred to.
@@ -101,8 +105,12 @@ public:
 
   /// What there is about a point, and what there would be with it at another place.
   Surplus surplusAbout(Index point, Look& look) const;
-  Surplus surplusAbout(Index point, const LatticePoint& place, Look& look) const;
+  /// Where that costs more than the limit, not all is counted.
+  Surplus surplusAbout(Index point, const LatticePoint& place, Look& look,
+                       double limit = std::numeric_limits<double>::infinity()) const;
 
+  /// Whether a leaf has surplus cuts, sheets or curves. It is looked at.
+  bool isInQuestion(Index leaf) { return isInQuestion(leaf, view); }
   /// Leaves with surplus cuts, sheets or curves; sorted.
   std::vector<Index> leavesInQuestion();
   void addCorners(Index leaf, std::set<Index>& points) const;
@@ -120,7 +128,7 @@ private:
   Live& live(Index point, int direction, const EdgeSegment& segment, bool leavesDomain);
   std::pair<Index, int> stored(Index point, int direction, const GridPlaces::Edge& edge) const;
   void tryEdges(Index point, const LatticePoint& place, Look& look) const;
-  int surplusOfLeaves(Index point, Look& look) const;
+  void addLeaves(Index point, Look& look, double limit, Surplus& sum) const;
   void look(Index leaf, Look& into) const;
   bool isInQuestion(Index leaf, Look& into) const;
   bool isTangle(Index leaf, const Look& of) const;

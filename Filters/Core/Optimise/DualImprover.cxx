@@ -4,6 +4,8 @@
 #include "Dual/Sheets.h"
 #include "Dual/TurnedDomain.h"
 #include "Optimise/LayerImprover.h"
+#include "Optimise/ModelGuide.h"
+#include "Optimise/UnfoldFaces.h"
 
 #include <algorithm>
 #include <numeric>
@@ -18,6 +20,12 @@ DualImprover::DualImprover(const Octree& octree, const SurfaceModel& model, Tria
   std::iota(vertexOf_.begin(), vertexOf_.end(), Index{0});
 }
 
+void DualImprover::unfoldWalls()
+{
+  ModelGuide guide(octree_, model_, tree_, anchors_, mesh_.points, vertexOf_);
+  unfoldFaces(mesh_, guide, context_);
+}
+
 void DualImprover::splitPoints()
 {
   for (const Index source : splitSheets(mesh_, context_))
@@ -26,7 +34,7 @@ void DualImprover::splitPoints()
   }
 }
 
-void DualImprover::growLayers(const std::vector<LayerRule>& rules, const SmoothWallTargets& smoothWalls)
+void DualImprover::growLayers(const std::vector<LayerRule>& rules, const CurvedWallTargets& curvedWalls)
 {
   if (rules.empty())
   {
@@ -38,8 +46,8 @@ void DualImprover::growLayers(const std::vector<LayerRule>& rules, const SmoothW
   const int most = std::ranges::max_element(options.ofTag, {}, &WallLayers::layers)->layers;
   DualMesh plain = std::move(mesh_);
   const LayerWalls walls = findLayerWalls(plain, options, context_);
-  LayerImprover improver(octree_, model_, tree_, anchors_, vertexOf_, plain, walls, options, context_);
-  LayerMesh layer = improver.run(smoothWalls);
+  LayerImprover improver(octree_, model_, tree_, anchors_, vertexOf_, plain, walls, options, curvedWalls, context_);
+  LayerMesh layer = improver.run();
   if (most > 0)
   {
     result_.layers = reportLayers(plain, walls, layer, options, model_.names, context_);

@@ -17,11 +17,13 @@ public:
   DualImprover(const Octree& octree, const SurfaceModel& model, TriangleTreeOnDemand& tree, VertexAnchors anchors,
                DualMeshResult& result, const RunContext& context);
 
+  /// See unfoldFaces. Before points are split.
+  void unfoldWalls();
   /// See splitSheets.
   void splitPoints();
   /// Grows layers on walls and makes the elements at the boundary valid (see LayerImprover), also where rules ask for
   /// none. Does nothing without rules.
-  void growLayers(const std::vector<LayerRule>& rules, const SmoothWallTargets& smoothWalls);
+  void growLayers(const std::vector<LayerRule>& rules, const CurvedWallTargets& curvedWalls);
 
 private:
   void reportReleased(const std::vector<ReleasedVertex>& released);

@@ -39,10 +39,14 @@ Judge::Judge(Region& region, const QualityTargets& targets, const RunContext& co
     : region_(region), targets_(targets), faces(region.faceCount()), cells(region.cellCount()),
       sizes(region.judgedCount()), cornerScales(sizes.size()), cellScores(sizes.size()), faceScores(faces.size())
 {
-  context.executor.forEach(faces.size(), grain, [&](std::size_t f) { measure(static_cast<Index>(f)); });
+  std::vector<double> perimeters(faces.size());
+  context.executor.forEach(faces.size(), grain, [&](std::size_t f) {
+    measure(static_cast<Index>(f));
+    perimeters[f] = perimeterOf(static_cast<Index>(f));
+  });
   context.executor.forEach(sizes.size(), grain, [&](std::size_t c) {
     measureOne(static_cast<Index>(c));
-    measureSize(static_cast<Index>(c));
+    measureSize(static_cast<Index>(c), perimeters);
   });
   for (std::size_t g = 0; g < region.ghostVolumes.size(); ++g)
   {
@@ -67,19 +71,25 @@ void Judge::measureOne(Index cell)
   });
 }
 
-void Judge::measureSize(Index cell)
+double Judge::perimeterOf(Index face) const
+{
+  const auto points = region_.face(face);
+  double length = (region_.points[points.front()] - region_.points[points.back()]).norm();
+  for (std::size_t i = 1; i < points.size(); ++i)
+  {
+    length += (region_.points[points[i]] - region_.points[points[i - 1]]).norm();
+  }
+  return length;
+}
+
+void Judge::measureSize(Index cell, const std::vector<double>& perimeters)
 {
   double length = 0.0;
   double count = 0.0;
   for (const Index f : region_.facesOf(cell))
   {
-    const auto points = region_.face(f);
-    for (std::size_t i = 0; i < points.size(); ++i)
-    {
-      const std::size_t next = i + 1 < points.size() ? i + 1 : 0;
-      length += (region_.points[points[i]] - region_.points[points[next]]).norm();
-      count += 1.0;
-    }
+    length += perimeters[f];
+    count += static_cast<double>(region_.face(f).size());
   }
   sizes[cell] = length / std::max(count, 1.0);
   const double cube = sizes[cell] * sizes[cell] * sizes[cell];
@@ -113,31 +123,25 @@ void Judge::enter(std::size_t movable, Star& star) const
   const auto about = region_.cellsAbout(movable);
   star.cells.assign(about.begin(), about.end());
   star.faces.clear();
+  star.slots.clear();
   star.offsets.clear();
   star.size = 0.0;
+  star.entries.resize(faces.size());
+  ++star.number;
   for (const Index cell : about)
   {
-    const auto own = region_.facesOf(cell);
-    star.offsets.push_back(static_cast<Index>(star.faces.size()));
-    star.faces.insert(star.faces.end(), own.begin(), own.end());
-    star.size += sizes[cell] / static_cast<double>(about.size());
-  }
-  star.slots.resize(star.faces.size());
-  star.keys.clear();
-  for (Index i = 0; i < star.faces.size(); ++i)
-  {
-    star.keys.push_back(std::uint64_t{star.faces[i]} << 32 | i);
-  }
-  std::sort(star.keys.begin(), star.keys.end());
-  star.faces.clear();
-  for (const std::uint64_t key : star.keys)
-  {
-    const auto face = static_cast<Index>(key >> 32);
-    if (star.faces.empty() || star.faces.back() != face)
+    star.offsets.push_back(static_cast<Index>(star.slots.size()));
+    for (const Index f : region_.facesOf(cell))
     {
-      star.faces.push_back(face);
+      Star::Entry& entry = star.entries[f];
+      if (entry.star != star.number)
+      {
+        entry = {star.number, static_cast<Index>(star.faces.size())};
+        star.faces.push_back(f);
+      }
+      star.slots.push_back(entry.place);
     }
-    star.slots[static_cast<Index>(key)] = static_cast<Index>(star.faces.size() - 1);
+    star.size += sizes[cell] / static_cast<double>(about.size());
   }
 }
 
@@ -145,18 +149,21 @@ void Judge::prepare(Star& star) const
 {
   star.origin = region_.points[star.point];
   star.moving.clear();
-  star.shapes.resize(star.faces.size());
+  star.facesBefore.clear();
+  if (star.shapes.size() < star.faces.size())
+  {
+    star.shapes.resize(star.faces.size());
+  }
+  star.parts.assign(star.faces.size(), QuadShape::none);
+  const auto isOfStar = [&](Index point) { return std::ranges::find(star.points, point) != star.points.end(); };
   for (Index i = 0; i < star.faces.size(); ++i)
   {
-    const auto points = region_.face(star.faces[i]);
-    if (std::ranges::find_first_of(points, star.points) != points.end())
+    if (std::ranges::any_of(region_.face(star.faces[i]), isOfStar))
     {
       star.moving.push_back(i);
     }
-    star.shapes[i] = {};
   }
   findFirst(star);
-  star.facesBefore.clear();
   for (const Index i : star.moving)
   {
     star.facesBefore.push_back(faces[star.faces[i]]);
@@ -212,7 +219,7 @@ void Judge::place(Star& star, const Vec3& p)
   }
   for (const Index i : star.moving)
   {
-    star.shapes[i] = {};
+    star.parts[i] = QuadShape::none;
   }
 }
 

@@ -6,8 +6,6 @@
 #include "Optimise/QualityTargets.h"
 #include "Quality/ScaledJacobian.h"
 
-#include <optional>
-
 namespace atria {
 
 /// By how much a measure falls short: 0 at the target. What is hardly valid or not at all counts for more, so that it
@@ -104,11 +102,17 @@ struct LeastMetrics
 };
 
 /// Twice the area vectors of triangles of a quadrilateral: those about the centroid, and 012, 023, 123 and 130 of the
-/// corners. Made when they are first looked at.
+/// corners.
 struct QuadShape
 {
-  std::optional<std::array<Vec3, 4>> fan;
-  std::optional<std::array<Vec3, 4>> half;
+  enum Part : std::uint8_t
+  {
+    none = 0,
+    fanPart = 1,
+    halfPart = 2
+  };
+  std::array<Vec3, 4> fan;
+  std::array<Vec3, 4> half;
 };
 
 /// The cells about a point that may move, and what depends on it.
@@ -128,8 +132,10 @@ struct Star
   std::vector<Index> moving;
   std::size_t firstMeasured = 0;
   std::size_t firstMoving = 0;
-  /// Of the faces; nothing for those that are no quadrilaterals.
+  /// Of the faces; nothing for those that are no quadrilaterals. Parts are made when they are first looked at; which
+  /// were is kept apart, as most never are.
   std::vector<QuadShape> shapes;
+  std::vector<std::uint8_t> parts;
   /// Of the cells and then of the faces, at the place looked at last.
   std::vector<Score> scores;
   /// Places in `scores`; first what fell short before, as it will tell soonest that a place is no better.
@@ -139,8 +145,15 @@ struct Star
   Vec3 origin;
   std::vector<FaceMeasure> facesBefore;
   std::vector<CellMeasure> cellsBefore;
-  /// Room for sorting and for marks.
-  std::vector<std::uint64_t> keys;
+  /// By face of the region, its place in `faces` if the entry is of this star.
+  struct Entry
+  {
+    Index star = 0;
+    Index place = 0;
+  };
+  std::vector<Entry> entries;
+  Index number = 0; ///< of this star, from 1 on
+  /// Room for marks.
   std::vector<char> marks;
 };
 
@@ -202,7 +215,8 @@ private:
   void findFirst(Star& star) const;
   void judgeInOrder(Star& star, Index place) const;
   template <typename Sink> void judgeShort(Star& star, Sink& sink) const;
-  void measureSize(Index cell);
+  void measureSize(Index cell, const std::vector<double>& perimeters);
+  double perimeterOf(Index face) const;
   void judgeAll(const RunContext& context);
   std::array<Vec3, 4> fanOf(Index face) const;
   std::array<Vec3, 4> halvesOf(Index face) const;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the measures of cells and faces are judged.
 #include "Optimise/Judge.h"
+#include "Optimise/JudgeShapes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,40 +36,6 @@ Vec3 cross(const Vec3& u, const Vec3& v)
 }
 
 } // namespace
-
-/// Shapes of faces of a region, made where they are looked at.
-class Judge::ShapesOnDemand
-{
-public:
-  explicit ShapesOnDemand(const Judge& judge) : judge_(judge) {}
-  std::array<Vec3, 4> fan(Index face, std::size_t) const { return judge_.fanOf(face); }
-  std::array<Vec3, 4> halves(Index face, std::size_t) const { return judge_.halvesOf(face); }
-
-private:
-  const Judge& judge_;
-};
-
-/// Shapes of faces of a star: of those of a cell, by their number in the cell, or of one. Kept in the star.
-class Judge::ShapesOfStar
-{
-public:
-  ShapesOfStar(const Judge& judge, Star& star, const Index* slots) : judge_(judge), star_(star), slots_(slots) {}
-  const std::array<Vec3, 4>& fan(Index face, std::size_t k) const
-  {
-    QuadShape& shape = star_.shapes[slots_[k]];
-    return shape.fan ? *shape.fan : shape.fan.emplace(judge_.fanOf(face));
-  }
-  const std::array<Vec3, 4>& halves(Index face, std::size_t k) const
-  {
-    QuadShape& shape = star_.shapes[slots_[k]];
-    return shape.half ? *shape.half : shape.half.emplace(judge_.halvesOf(face));
-  }
-
-private:
-  const Judge& judge_;
-  Star& star_;
-  const Index* slots_;
-};
 
 void Judge::judgeAll(const RunContext& context)
 {

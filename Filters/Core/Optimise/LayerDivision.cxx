@@ -91,6 +91,7 @@ public:
   }
   Index leaderOf(Index point) const override { return guide_.leaderOf(point); }
   Vec3 place(Index point, const Vec3& p) const override { return guide_.place(point, p); }
+  Ways waysFrom(Index point, const Vec3& p, double step) const override { return guide_.waysFrom(point, p, step); }
 
 private:
   VertexGuide& guide_;

@@ -75,4 +75,14 @@ Vec3 LayerGuide::place(Index point, const Vec3& p) const
   return q;
 }
 
+Ways LayerGuide::waysFrom(Index point, const Vec3& p, double step) const
+{
+  if (point < layer_.plainPoints)
+  {
+    return plain_.waysFrom(point, p, step);
+  }
+  const bool slides = sides_[layer_.wallPoints[point - layer_.plainPoints]] != 0;
+  return slides ? VertexGuide::waysFrom(point, p, step) : Ways();
+}
+
 } // namespace atria

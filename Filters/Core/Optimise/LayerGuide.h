@@ -21,6 +21,7 @@ public:
   bool isMovable(Index point) const override;
   Index leaderOf(Index point) const override { return point < layer_.plainPoints ? leaders_[point] : point; }
   Vec3 place(Index point, const Vec3& p) const override;
+  Ways waysFrom(Index point, const Vec3& p, double step) const override;
 
 private:
   const LayerMesh& layer_;

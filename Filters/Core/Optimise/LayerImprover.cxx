@@ -2,7 +2,7 @@
 #include "Optimise/LayerImprover.h"
 
 #include "Optimise/LayerCells.h"
-#include "Optimise/LayerGuide.h"
+#include "Optimise/LayerGuides.h"
 #include "Support/Sorting.h"
 
 #include <algorithm>
@@ -31,30 +31,18 @@ enum class LayerImprover::Step : std::uint8_t
   exclude
 };
 
-/// Where points of the layer as it is now may go.
-struct LayerImprover::Guides
-{
-  explicit Guides(const LayerImprover& owner)
-      : model(owner.octree_, owner.model_, owner.tree_, owner.anchors_, owner.layer_.mesh.points, owner.vertexOf_),
-        layer(owner.layer_, owner.walls_, owner.options_, owner.leaders_, owner.letGo_, model)
-  {
-  }
-
-  ModelGuide model;
-  LayerGuide layer;
-};
-
 LayerImprover::LayerImprover(const Octree& octree, const SurfaceModel& model, TriangleTreeOnDemand& tree,
                              const VertexAnchors& anchors, const std::vector<Index>& vertexOf, DualMesh& plain,
-                             const LayerWalls& walls, const LayerOptions& options, const RunContext& context)
+                             const LayerWalls& walls, const LayerOptions& options, const CurvedWallTargets& curvedWalls,
+                             const RunContext& context)
     : octree_(octree), model_(model), tree_(tree), wanted_(anchors), anchors_(anchors), vertexOf_(vertexOf),
-      plain_(plain), walls_(walls), options_(options), context_(context),
+      plain_(plain), walls_(walls), options_(options), curvedWalls_(curvedWalls), context_(context),
       layered_(std::ranges::any_of(options.ofTag, [](const WallLayers& wall) { return wall.layers > 0; })),
       hasHeights_(std::ranges::any_of(options.ofTag, [](const WallLayers& wall) { return wall.firstHeight > 0.0; })),
       divided_(std::ranges::any_of(options.ofTag, [](const WallLayers& wall) { return wall.layers > 1; })),
       uniform_(std::ranges::adjacent_find(plain.levels, std::not_equal_to()) == plain.levels.end()),
       leaders_(vertexOf.size()), mayLeave_(vertexOf.size(), 1), letGo_(vertexOf.size(), 0),
-      excluded_(vertexOf.size(), 0), suspect_(vertexOf.size(), 0)
+      excluded_(vertexOf.size(), 0), suspect_(vertexOf.size(), 0), isLeft_(vertexOf.size(), 0)
 {
   std::vector<Index> first(anchors.freedom.size(), noIndex);
   for (Index p = 0; p < leaders_.size(); ++p)
@@ -99,10 +87,11 @@ QualityTargets LayerImprover::targets() const
   return targets;
 }
 
-LayerMesh LayerImprover::run(const SmoothWallTargets& smoothWalls)
+LayerMesh LayerImprover::run()
 {
+  const bool isSingle = layered_ && !hasHeights_ && !divided_;
   grow();
-  mend(improve(improve(findAll(), 1), 1));
+  mend(improve(improve(isSingle ? thicken() : findAll(), 1), 1));
   if (!left_.empty())
   {
     putBack();
@@ -111,16 +100,16 @@ LayerMesh LayerImprover::run(const SmoothWallTargets& smoothWalls)
   }
   if (divided_)
   {
-    LayerMesh divided = divide(layer_);
+    layer_ = divide(layer_);
     if (!hasHeights_)
     {
-      straightenDivided(divided);
+      straightenDivided();
     }
-    return divided;
+    return std::move(layer_);
   }
-  if (layered_ && !hasHeights_)
+  if (isSingle)
   {
-    smooth(smoothWalls);
+    improveAtCurved();
   }
   straighten();
   return std::move(layer_);
@@ -142,8 +131,8 @@ std::vector<ShortCell> LayerImprover::findAll()
     marked[p] |= suspect_[p];
   }
   const DualSource source(layer_.mesh);
-  auto found = findShortCells(source, cellsWithMarked(source, marked, context_),
-                              std::array{withAngles(targets()), targets()}, context_);
+  auto found =
+      findShortCells(source, cellsWithMarked(source, marked, context_), std::array{strictest(), targets()}, context_);
   unsure_ = cellsOf(found[0]);
   return std::move(found[1]);
 }
@@ -227,12 +216,22 @@ bool LayerImprover::prepare(Step step, const std::vector<ShortCell>& bad)
   return false;
 }
 
+/// A vertex may leave more than once: those that did not get back stay where they are, but may have to go on.
+void LayerImprover::noteLeft(Index leader)
+{
+  if (!isLeft_[leader])
+  {
+    isLeft_[leader] = 1;
+    left_.push_back({leader, layer_.mesh.points[leader]});
+  }
+}
+
 void LayerImprover::leaveCurve(Index leader)
 {
   Freedom& freedom = anchors_.freedom[vertexOf_[leader]];
   if (mayLeave_[leader] && freedom == Freedom::curve)
   {
-    left_.push_back({leader, layer_.mesh.points[leader]});
+    noteLeft(leader);
     freedom = Freedom::beside;
   }
 }
@@ -246,10 +245,7 @@ void LayerImprover::leaveSurface(Index leader, double reach)
   {
     return;
   }
-  if (freedom != Freedom::beside && freedom != Freedom::released)
-  {
-    left_.push_back({leader, layer_.mesh.points[leader]});
-  }
+  noteLeft(leader);
   freedom = Freedom::released;
   const double size = octree_.frame().sizeOf(octree_.level(anchors_.leaves[vertex]));
   anchors_.leashes.try_emplace(vertex, Leash{layer_.mesh.points[leader], 0.0}).first->second.reach = reach * size;
@@ -334,7 +330,7 @@ std::vector<WantedPlace> LayerImprover::wantedPlaces() const
 void LayerImprover::putBack()
 {
   constexpr int passes = 6;
-  std::ranges::sort(left_, {}, &WantedPlace::point);
+  std::ranges::sort(left_, {}, &WantedPlace::point); // as approach() asks
   QualityTargets wanted = targets();
   QualityRange& cosine = wanted.faceCosine;
   cosine.limit = (leastFaceCosine - leastPutBack * cosine.target) / (1.0 - leastPutBack);
@@ -359,6 +355,7 @@ void LayerImprover::keepThoseAway()
   constexpr double nearlyThere = 1e-6;
   std::vector<WantedPlace> away;
   released_.clear();
+  std::ranges::sort(left_, {}, &WantedPlace::point);
   const std::vector<WantedPlace> wanted = wantedPlaces();
   for (std::size_t i = 0; i < left_.size(); ++i)
   {
@@ -367,6 +364,7 @@ void LayerImprover::keepThoseAway()
     const double size = octree_.frame().sizeOf(octree_.level(wanted_.leaves[vertex]));
     const bool back = (layer_.mesh.points[p] - wanted[i].place).norm() <= nearlyThere * size;
     anchors_.freedom[vertex] = back ? wanted_.freedom[vertex] : Freedom::fixed;
+    isLeft_[p] = back ? 0 : 1;
     if (!back)
     {
       away.push_back(left_[i]);

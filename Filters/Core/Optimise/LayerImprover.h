@@ -28,11 +28,12 @@ public:
   /// are in one place and stay together. The plain mesh's points follow those of the layer's walls.
   LayerImprover(const Octree& octree, const SurfaceModel& model, TriangleTreeOnDemand& tree,
                 const VertexAnchors& anchors, const std::vector<Index>& vertexOf, DualMesh& plain,
-                const LayerWalls& walls, const LayerOptions& options, const RunContext& context);
+                const LayerWalls& walls, const LayerOptions& options, const CurvedWallTargets& curvedWalls,
+                const RunContext& context);
 
   /// The layers asked for; fewer at points where elements would not be valid. Without any asked for, the plain mesh
   /// made valid; its elements may be concave then.
-  LayerMesh run(const SmoothWallTargets& smoothWalls);
+  LayerMesh run();
   /// Those that did not get back, in rising order of points.
   const std::vector<ReleasedVertex>& released() const { return released_; }
 
@@ -44,6 +45,7 @@ private:
   void grow();
   void mend(const std::vector<ShortCell>& cells);
   bool prepare(Step step, const std::vector<ShortCell>& bad);
+  void noteLeft(Index leader);
   void leaveCurve(Index leader);
   void leaveSurface(Index leader, double reach);
   void release(const std::vector<ShortCell>& cells, double reach);
@@ -52,18 +54,22 @@ private:
   void exclude(const std::vector<ShortCell>& bad);
   void putBack();
   void keepThoseAway();
-  void smooth(const SmoothWallTargets& wanted);
-  void thicken(const QualityTargets& wanted);
-  bool isSmooth(Index cell) const;
-  std::vector<Index> smoothPoints(const std::vector<ShortCell>& shortCells) const;
+  void findCurved();
+  bool isAtCurved(Index cell) const;
+  std::vector<Index> pointsAtCurved() const;
+  void takeBack(std::vector<WantedPlace> thick, std::vector<ShortCell>& shortCells);
+  std::vector<ShortCell> thicken();
+  QualityTargets targetsAtCurved() const;
+  void improveAtCurved();
   void straighten();
   QualityTargets targetsOf(const OrthogonalityStage& stage) const;
-  static QualityTargets withAngles(QualityTargets wanted);
-  std::vector<ShortCell> findBelow(const LayerMesh& layer, const QualityTargets& wanted, float share,
-                                   const std::vector<Index>& cells) const;
-  void straighten(LayerMesh& layer, std::span<const OrthogonalityStage> stages, float share, std::vector<char>& toJudge,
-                  std::vector<Index>& candidates) const;
-  void straightenDivided(LayerMesh& divided) const;
+  QualityTargets strictest() const;
+  std::vector<ShortCell> findBelow(const QualityTargets& wanted, float share, const std::vector<Index>& cells) const;
+  void straighten(std::span<const OrthogonalityStage> stages, float share, std::vector<char>& toJudge,
+                  std::vector<Index>& candidates);
+  void straightenOrRelease(std::span<const OrthogonalityStage> stages, float share, const QualityRange& largest,
+                           std::vector<char>& toJudge, std::vector<Index>& candidates);
+  void straightenDivided();
   LayerMesh divide(const LayerMesh& one) const;
   std::optional<LayerMesh> divideAndImprove(const LayerMesh& given) const;
   LayerMesh divideEvenly(const LayerMesh& one) const;
@@ -89,8 +95,10 @@ private:
   DualMesh& plain_;
   const LayerWalls& walls_;
   const LayerOptions& options_;
+  const CurvedWallTargets& curvedWalls_;
   const RunContext& context_;
   bool layered_;
+  /// Whether a height was asked for somewhere.
   bool hasHeights_;
   /// Whether there are several layers somewhere.
   bool divided_;
@@ -104,10 +112,13 @@ private:
   std::vector<char> excluded_;
   /// Of cells that fell short after a pass; also those in the second row from the walls.
   std::vector<char> suspect_;
-  /// Cells, in order, that may fall short of withAngles(targets()), of those at the boundary and of the layer.
+  /// Whether walls are curved there. Empty where no single layer of no asked height is grown.
+  std::vector<char> curved_;
+  /// Cells, in order, that may fall short of strictest(), of those at the boundary and of the layer.
   std::vector<Index> unsure_;
-  /// Leaders that were released, and where they were.
+  /// Leaders that were released, each once, and where they were.
   std::vector<WantedPlace> left_;
+  std::vector<char> isLeft_;
   std::vector<ReleasedVertex> released_;
 };
 

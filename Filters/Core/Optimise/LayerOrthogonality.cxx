@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is valid is brought within the angles that solvers do well with.
 #include "Optimise/LayerCells.h"
-#include "Optimise/LayerGuide.h"
-#include "Optimise/LayerImprover.h"
+#include "Optimise/LayerGuides.h"
 #include "Support/Sorting.h"
 
 #include <algorithm>
@@ -17,6 +16,8 @@ constexpr float enough = 0.5F;
 constexpr float enoughOfDivided = 0.3F;
 /// Degrees of non-orthogonality: 60, beyond which vertices leave where the model wants them, to 55.9.
 constexpr QualityRange acceptable{0.5, 0.56};
+/// 72.5 to 66.4.
+constexpr QualityRange acceptableOfDivided{0.3, 0.4};
 /// Limit of pyramid cosines, a cell squish of 0.93: well above what is valid, so that cells come below 0.9.
 constexpr double leastPyramidCosine = 0.07;
 /// How far, in octants, vertices may leave their surfaces where nothing else helps, one after the other.
@@ -40,18 +41,20 @@ QualityTargets LayerImprover::targetsOf(const OrthogonalityStage& stage) const
   return out;
 }
 
-/// What falls short of nothing then no stage looks at.
-QualityTargets LayerImprover::withAngles(QualityTargets wanted)
+/// What no later pass asks more than.
+QualityTargets LayerImprover::strictest() const
 {
-  wanted.faceCosine.target = std::max(wanted.faceCosine.target, acceptable.target);
-  return wanted;
+  QualityTargets out = std::ranges::find(curved_, 1) != curved_.end() ? targetsAtCurved() : targets();
+  out.faceCosine.target = std::max(out.faceCosine.target, acceptable.target);
+  out.scaledJacobian = targets().scaledJacobian;
+  return out;
 }
 
 /// Of some cells, those below a share of targets.
-std::vector<ShortCell> LayerImprover::findBelow(const LayerMesh& layer, const QualityTargets& wanted, float share,
+std::vector<ShortCell> LayerImprover::findBelow(const QualityTargets& wanted, float share,
                                                 const std::vector<Index>& cells) const
 {
-  std::vector<ShortCell> found = findShortAmong(DualSource(layer.mesh), cells, wanted, context_);
+  std::vector<ShortCell> found = findShortAmong(DualSource(layer_.mesh), cells, wanted, context_);
   std::erase_if(found, [&](const ShortCell& cell) { return cell.worst >= share; });
   return found;
 }
@@ -59,12 +62,11 @@ std::vector<ShortCell> LayerImprover::findBelow(const LayerMesh& layer, const Qu
 /// `candidates` are all cells at the points marked that may be below the share of a stage. Cells farther from the walls
 /// that fall short after one are marked, too. The limit rises in stages: held to the last one at once, cells that are
 /// far from it find no way there.
-void LayerImprover::straighten(LayerMesh& layer, std::span<const OrthogonalityStage> stages, float share,
-                               std::vector<char>& toJudge, std::vector<Index>& candidates) const
+void LayerImprover::straighten(std::span<const OrthogonalityStage> stages, float share, std::vector<char>& toJudge,
+                               std::vector<Index>& candidates)
 {
-  ModelGuide model(octree_, model_, tree_, anchors_, layer.mesh.points, vertexOf_);
-  LayerGuide guide(layer, walls_, options_, leaders_, letGo_, model);
-  const DualSource source(layer.mesh);
+  Guides guides(*this);
+  const DualSource source(layer_.mesh);
   for (const OrthogonalityStage& stage : stages)
   {
     OptimiserOptions options;
@@ -74,12 +76,12 @@ void LayerImprover::straighten(LayerMesh& layer, std::span<const OrthogonalitySt
     options.patient = true;
     std::vector<Index> changed;
     const std::vector<ShortCell> left =
-        optimise(source, layer.mesh.points, findBelow(layer, options.targets, share, candidates), guide, options,
+        optimise(source, layer_.mesh.points, findBelow(options.targets, share, candidates), guides.layer, options,
                  context_, &changed);
     std::vector<char> fresh(toJudge.size(), 0);
     for (const ShortCell& cell : left)
     {
-      for (const Index p : layer.mesh.corners[cell.cell])
+      for (const Index p : layer_.mesh.corners[cell.cell])
       {
         fresh[p] = toJudge[p] ? 0 : 1;
       }
@@ -96,6 +98,26 @@ void LayerImprover::straighten(LayerMesh& layer, std::span<const OrthogonalitySt
 }
 
 /// Vertices at faces that stay beyond the largest angle leave their curves, and their surfaces by a little.
+void LayerImprover::straightenOrRelease(std::span<const OrthogonalityStage> stages, float share,
+                                        const QualityRange& largest, std::vector<char>& toJudge,
+                                        std::vector<Index>& candidates)
+{
+  straighten(stages, share, toJudge, candidates);
+  QualityTargets wanted = targets();
+  wanted.faceCosine = largest;
+  for (const double reach : reaches)
+  {
+    const std::vector<ShortCell> beyond = findBelow(wanted, 0.0F, candidates);
+    if (beyond.empty())
+    {
+      break;
+    }
+    release(beyond, reach);
+    straighten(stages, share, toJudge, candidates);
+  }
+  keepThoseAway();
+}
+
 void LayerImprover::straighten()
 {
   // Degrees of non-orthogonality: 72.5 to 60, 66.4 to 57.3, 59.3 to 55.9.
@@ -106,41 +128,27 @@ void LayerImprover::straighten()
   const DualSource source(layer_.mesh);
   std::erase_if(unsure_, [&](Index cell) { return !source.hasMarked(cell, toJudge); });
   // What is within the last stage is within all others.
-  std::vector<Index> candidates = cellsOf(findBelow(layer_, targetsOf(stages.back()), enough, unsure_));
-  if (candidates.empty())
+  std::vector<Index> candidates = cellsOf(findBelow(targetsOf(stages.back()), enough, unsure_));
+  if (!candidates.empty())
   {
-    return;
+    straightenOrRelease(stages, enough, acceptable, toJudge, candidates);
   }
-  straighten(layer_, stages, enough, toJudge, candidates);
-  QualityTargets largest = targets();
-  largest.faceCosine = acceptable;
-  for (const double reach : reaches)
-  {
-    const std::vector<ShortCell> beyond = findBelow(layer_, largest, 0.0F, candidates);
-    if (beyond.empty())
-    {
-      break;
-    }
-    release(beyond, reach);
-    straighten(layer_, stages, enough, toJudge, candidates);
-  }
-  keepThoseAway();
 }
 
 /// There are many cells, and a limit as high as with one layer would take long.
-void LayerImprover::straightenDivided(LayerMesh& divided) const
+void LayerImprover::straightenDivided()
 {
   constexpr std::array stages{OrthogonalityStage{{0.2, 0.4}, 1}, OrthogonalityStage{{0.35, 0.5}, 1}};
-  std::vector<char> toJudge = pointsToJudge(divided);
+  std::vector<char> toJudge = pointsToJudge(layer_);
   std::vector<Index> candidates;
-  for (const ShortCell& cell : findShortCells(DualSource(divided.mesh), toJudge, targetsOf(stages.back()), context_))
+  for (const ShortCell& cell : findShortCells(DualSource(layer_.mesh), toJudge, targetsOf(stages.back()), context_))
   {
     if (cell.worst < enoughOfDivided)
     {
       candidates.push_back(cell.cell);
     }
   }
-  straighten(divided, stages, enoughOfDivided, toJudge, candidates);
+  straightenOrRelease(stages, enoughOfDivided, acceptableOfDivided, toJudge, candidates);
 }
 
 } // namespace atria

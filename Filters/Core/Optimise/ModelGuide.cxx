@@ -5,6 +5,8 @@
 #include "Octree/GeometryLists.h"
 #include "Surface/Distance.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 
 namespace atria {
@@ -18,29 +20,20 @@ constexpr std::size_t mostPieces = 64;
 
 ModelGuide::ModelGuide(const Octree& octree, const SurfaceModel& model, TriangleTreeOnDemand& tree,
                        const VertexAnchors& anchors, const std::vector<Vec3>& points, std::vector<Index> vertexOf)
-    : octree_(octree), model_(model), anchors_(anchors), points_(points), vertexOf_(std::move(vertexOf)),
-      onDemand_(tree)
+    : octree_(octree), model_(model), anchors_(anchors), points_(points), vertexOf_(std::move(vertexOf)), tree_(tree)
 {
 }
 
-void ModelGuide::prepare(std::span<const Index> points, const RunContext& context)
+void ModelGuide::prepare(std::span<const Index> points, const RunContext& /*context*/)
 {
   slotOf_.resize(vertexOf_.size(), noIndex);
-  std::vector<Index> fresh;
   for (const Index point : points)
   {
     if (slotOf_[point] == noIndex && hasPieces(point))
     {
-      slotOf_[point] = static_cast<Index>(targets_.size() + fresh.size());
-      fresh.push_back(point);
+      slotOf_[point] = static_cast<Index>(targets_.size());
+      targets_.emplace_back().start = points_[point];
     }
-  }
-  const std::size_t before = targets_.size();
-  targets_.resize(before + fresh.size());
-  context.executor.forEach(fresh.size(), 256, [&](std::size_t i) { targets_[before + i] = findTarget(fresh[i]); });
-  if (!tree_ && std::ranges::any_of(targets_, [](const Target& target) { return !target.charts.empty(); }))
-  {
-    tree_ = &onDemand_.get();
   }
 }
 
@@ -73,15 +66,14 @@ std::vector<ModelItem> ModelGuide::findPieces(Index point, const std::vector<Ind
   }
   const bool isOnCurve = freedomOf(point) == Freedom::curve;
   const auto fits = [&](ModelItem item) {
-    return isOnCurve
-               ? item.kind == ModelItem::featureEdge &&
-                     std::ranges::binary_search(wanted, model_.featureEdges[item.index].curve)
-               : item.kind == ModelItem::triangle && std::ranges::binary_search(wanted, model_.charts[item.index]);
+    return std::ranges::binary_search(wanted,
+                                      isOnCurve ? model_.featureEdges[item.index].curve : model_.charts[item.index]);
   };
   std::vector<ModelItem> found;
   for (const Index near : wanted.empty() ? std::vector<Index>() : leavesTouching(octree_, box))
   {
-    std::ranges::copy_if(octree_.items(near), std::back_inserter(found), fits);
+    std::ranges::copy_if(octree_.items(near, isOnCurve ? ModelItem::featureEdge : ModelItem::triangle),
+                         std::back_inserter(found), fits);
   }
   const auto indexOf = [](ModelItem item) { return item.index; };
   std::ranges::sort(found, {}, indexOf);
@@ -91,17 +83,18 @@ std::vector<ModelItem> ModelGuide::findPieces(Index point, const std::vector<Ind
   return found;
 }
 
-ModelGuide::Target ModelGuide::findTarget(Index point) const
+void ModelGuide::find(Index point, Target& target) const
 {
-  Target target{points_[point], {}, {}};
-  const std::vector<Index> wanted = wantedPieces(vertexOf_[point]);
+  target.isFound = true;
+  std::vector<Index> wanted = wantedPieces(vertexOf_[point]);
   const std::vector<ModelItem> found = findPieces(point, wanted);
   if (found.size() > mostPieces && found.front().kind == ModelItem::triangle)
   {
-    target.charts = wanted;
-    return target;
+    target.charts = std::move(wanted);
+    return;
   }
   const auto at = [&](Index p) { return octree_.frame().toModel(model_.points[p]); };
+  target.pieces.reserve(found.size());
   for (const ModelItem item : found)
   {
     if (item.kind == ModelItem::triangle)
@@ -114,6 +107,16 @@ ModelGuide::Target ModelGuide::findTarget(Index point) const
       const FeatureEdge& edge = model_.featureEdges[item.index];
       target.pieces.push_back({at(edge.a), at(edge.b), at(edge.b)});
     }
+  }
+}
+
+/// Of a point that was prepared. Threads ask for different points.
+const ModelGuide::Target& ModelGuide::targetOf(Index point) const
+{
+  Target& target = targets_[slotOf_[point]];
+  if (!target.isFound)
+  {
+    find(point, target);
   }
   return target;
 }
@@ -167,7 +170,7 @@ Vec3 ModelGuide::place(Index point, const Vec3& p) const
 
 Vec3 ModelGuide::nearest(Index point, const Vec3& p) const
 {
-  const Target& target = targets_[slotOf_[point]];
+  const Target& target = targetOf(point);
   if (target.pieces.empty() && target.charts.empty())
   {
     return target.start;
@@ -192,23 +195,53 @@ Vec3 ModelGuide::nearestOf(const Target& target, const Vec3& p) const
     const Vec3 wanted = (p - frame.origin) / frame.latticeUnit();
     // Where it starts a vertex is on its charts, mostly: what is farther away than that is not nearest.
     const double atMost = 1.001 * (target.start - p).norm() / frame.latticeUnit() + 1.0;
-    std::optional<Vec3> found = tree_->nearest(wanted, atMost, isWanted);
-    found = found ? found : tree_->nearest(wanted, std::numeric_limits<double>::infinity(), isWanted);
+    std::optional<Vec3> found = tree_.get().nearest(wanted, atMost, isWanted);
+    found = found ? found : tree_.get().nearest(wanted, std::numeric_limits<double>::infinity(), isWanted);
     return found ? frame.toModel(*found) : p;
   }
-  Vec3 best = p;
+  return nearestPiece(target, p).place;
+}
+
+/// Of a target that lists its pieces.
+ModelGuide::OnPiece ModelGuide::nearestPiece(const Target& target, const Vec3& p)
+{
+  OnPiece best{p, nullptr};
   double least = std::numeric_limits<double>::infinity();
-  for (const auto& [a, b, c] : target.pieces)
+  for (const Piece& piece : target.pieces)
   {
+    const auto& [a, b, c] = piece;
     const Vec3 near = b == c ? nearestOnSegment(p, a, b) : nearestOnTriangle(p, a, b, c);
     const double distance = (near - p).squaredNorm();
     if (distance < least)
     {
       least = distance;
-      best = near;
+      best = {near, &piece};
     }
   }
   return best;
+}
+
+Ways ModelGuide::waysFrom(Index point, const Vec3& p, double step) const
+{
+  const bool isAtSide = planesOf(anchors_.leaves[vertexOf_[point]]) != 0 || octree_.frame().turnedDomain;
+  if (!isAtSide && !hasPieces(point))
+  {
+    return {};
+  }
+  const bool isOnSurface = freedomOf(point) == Freedom::surface;
+  const Piece* piece = isAtSide || !isOnSurface ? nullptr : nearestPiece(targetOf(point), p).piece;
+  if (!piece)
+  {
+    return VertexGuide::waysFrom(point, p, step);
+  }
+  const auto& [a, b, c] = *piece;
+  const Vec3 along = (b - a).normalized();
+  if (b == c)
+  {
+    return {{along}, 1};
+  }
+  const Vec3 normal = along.cross(c - a).normalized();
+  return {{along, normal.cross(along)}, 2};
 }
 
 } // namespace atria

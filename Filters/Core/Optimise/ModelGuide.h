@@ -15,10 +15,12 @@ public:
   ModelGuide(const Octree& octree, const SurfaceModel& model, TriangleTreeOnDemand& tree, const VertexAnchors& anchors,
              const std::vector<Vec3>& points, std::vector<Index> vertexOf);
 
-  /// Looks up the pieces of the model near points, before these are moved.
+  /// Notes where points are, before these are moved. Pieces of the model near a point are looked up where it is first
+  /// asked for, as most points that might be moved never are.
   void prepare(std::span<const Index> points, const RunContext& context) override;
   bool isMovable(Index point) const override { return freedomOf(point) != Freedom::fixed; }
   Vec3 place(Index point, const Vec3& p) const override;
+  Ways waysFrom(Index point, const Vec3& p, double step) const override;
   /// The place nearest to p on the pieces of the model the point is for, on the domain's planes. After prepare.
   Vec3 nearest(Index point, const Vec3& p) const;
   /// The centre of the point's octant, on the domain's planes through it.
@@ -30,6 +32,7 @@ private:
   struct Target
   {
     Vec3 start;
+    bool isFound = false;
     std::vector<Piece> pieces;
     /// Where triangles are many, they are not listed: these charts are looked for in the tree.
     std::vector<Index> charts;
@@ -42,7 +45,14 @@ private:
   Freedom freedomOf(Index point) const { return anchors_.freedom[vertexOf_[point]]; }
   std::vector<Index> wantedPieces(Index vertex) const;
   std::vector<ModelItem> findPieces(Index point, const std::vector<Index>& wanted) const;
-  Target findTarget(Index point) const;
+  void find(Index point, Target& target) const;
+  const Target& targetOf(Index point) const;
+  struct OnPiece
+  {
+    Vec3 place;
+    const Piece* piece;
+  };
+  static OnPiece nearestPiece(const Target& target, const Vec3& p);
   Vec3 nearestOf(const Target& target, const Vec3& p) const;
   Vec3 onPlanes(Vec3 p, unsigned planes) const;
   unsigned planesOf(Index leaf) const;
@@ -53,9 +63,8 @@ private:
   const std::vector<Vec3>& points_;
   std::vector<Index> vertexOf_;
   std::vector<Index> slotOf_;
-  std::vector<Target> targets_;
-  TriangleTreeOnDemand& onDemand_;
-  const TriangleTree* tree_ = nullptr;
+  mutable std::vector<Target> targets_;
+  TriangleTreeOnDemand& tree_;
 };
 
 } // namespace atria

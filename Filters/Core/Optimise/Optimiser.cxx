@@ -7,6 +7,8 @@
 #include "Support/Pieces.h"
 
 #include <algorithm>
+#include <memory>
+#include <mutex>
 
 namespace atria {
 
@@ -90,33 +92,27 @@ public:
     {
       floor = leastOf(judge, context);
     }
+    rules = {options.keepWorst ? &floor : nullptr, options.tryMiddle, options.leastPenalty, options.leastGain,
+             options.leastWorst};
   }
 
   /// The number of points moved.
   std::size_t sweep()
   {
     std::vector<char> moved(region.movable.size(), 0);
-    const SearchRules rules{options.keepWorst ? &floor : nullptr, options.tryMiddle, options.leastPenalty,
-                            options.leastGain, options.leastWorst};
     for (std::size_t c = 0; c + 1 < colours.offsets.size(); ++c)
     {
-      const std::size_t begin = colours.offsets[c];
       context.progress.check();
-      const std::size_t length = colours.isParallel(c) ? 16 : region.movable.size();
-      context.executor.forRanges(colours.offsets[c + 1] - begin, length, [&](std::size_t first, std::size_t last) {
-        PointSearch search(judge, guide, rules);
-        for (std::size_t i = begin + first; i < begin + last; ++i)
-        {
-          const Index m = colours.order[i];
-          if (awake[m] && (options.patient || failures[m] < mostFailures))
-          {
-            const PointSearch::Outcome outcome = search.improve(m, trust[m]);
-            moved[m] = outcome == PointSearch::Outcome::moved ? 1 : 0;
-            failures[m] = moved[m] || options.patient ? 0 : failures[m] + 1;
-            awake[m] = outcome == PointSearch::Outcome::stuck && options.patient && trust[m] > leastTrust ? 1 : 0;
-          }
-        }
-      });
+      const std::span<const Index> points = pointsToSearch(c);
+      context.executor.forRanges(points.size(), colours.isParallel(c) ? 8 : points.size() + 1,
+                                 [&](std::size_t first, std::size_t last) {
+                                   std::unique_ptr<PointSearch> search = takeSearch();
+                                   for (const Index m : points.subspan(first, last - first))
+                                   {
+                                     moved[m] = improve(m, *search) ? 1 : 0;
+                                   }
+                                   giveBack(std::move(search));
+                                 });
     }
     wake(moved);
     return static_cast<std::size_t>(std::count(moved.begin(), moved.end(), 1));
@@ -125,6 +121,49 @@ public:
   bool isAwake() const { return std::ranges::find(awake, 1) != awake.end(); }
 
 private:
+  /// Points of a colour that may find a better place, in order.
+  std::span<const Index> pointsToSearch(std::size_t colour)
+  {
+    toSearch.clear();
+    for (std::size_t i = colours.offsets[colour]; i < colours.offsets[colour + 1]; ++i)
+    {
+      const Index m = colours.order[i];
+      if (awake[m] && (options.patient || failures[m] < mostFailures))
+      {
+        toSearch.push_back(m);
+      }
+    }
+    return toSearch;
+  }
+
+  /// Whether the point moved.
+  bool improve(Index m, PointSearch& search)
+  {
+    const PointSearch::Outcome outcome = search.improve(m, trust[m]);
+    const bool moved = outcome == PointSearch::Outcome::moved;
+    failures[m] = moved || options.patient ? 0 : failures[m] + 1;
+    awake[m] = outcome == PointSearch::Outcome::stuck && options.patient && trust[m] > leastTrust ? 1 : 0;
+    return moved;
+  }
+
+  /// Searches have much room of their own, so those not in use are kept.
+  std::unique_ptr<PointSearch> takeSearch()
+  {
+    const std::scoped_lock lock(searchMutex);
+    if (searches.empty())
+    {
+      return std::make_unique<PointSearch>(judge, guide, rules);
+    }
+    std::unique_ptr<PointSearch> search = std::move(searches.back());
+    searches.pop_back();
+    return search;
+  }
+  void giveBack(std::unique_ptr<PointSearch> search)
+  {
+    const std::scoped_lock lock(searchMutex);
+    searches.push_back(std::move(search));
+  }
+
   /// By cell the movable points it has.
   void findNeighbours()
   {
@@ -173,12 +212,16 @@ private:
   const RunContext& context;
   /// Of the cells as they were at first.
   LeastMetrics floor;
+  SearchRules rules;
+  std::mutex searchMutex;
+  std::vector<std::unique_ptr<PointSearch>> searches;
   Colours colours;
   std::vector<double> trust;
   std::vector<char> awake;
   /// In a row; most points that failed so often never find a better place.
   static constexpr char mostFailures = 3;
   std::vector<char> failures;
+  std::vector<Index> toSearch;
   std::vector<Index> offsets;
   std::vector<Index> pointsOf;
 };

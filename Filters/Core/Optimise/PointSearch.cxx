@@ -181,17 +181,11 @@ Vec3 PointSearch::middle() const
   return sum / std::max<double>(1.0, static_cast<double>(ends.size()));
 }
 
-/// The derivatives of the residuals that are not 0 along an axis; nothing where the guide lets the point not go there.
-void PointSearch::derive(int axis, double h)
+/// The derivatives of the residuals that are not 0 along a way.
+void PointSearch::derive(const Vec3& way, double h, std::vector<double>& along)
 {
-  std::vector<double>& along = derivatives[axis];
   along.assign(residuals.values.size(), 0.0);
-  const Vec3 p = guide.place(pointId, origin + h * Vec3::Unit(axis));
-  if ((p - origin).squaredNorm() < 1e-6 * h * h)
-  {
-    return;
-  }
-  judge.moveForResiduals(star, p);
+  judge.moveForResiduals(star, origin + h * way);
   judge.residualsBeside(star, residuals, beside);
   for (std::size_t i = 0; i < along.size(); ++i)
   {
@@ -203,18 +197,21 @@ void PointSearch::derive(int axis, double h)
 PointSearch::Step PointSearch::gaussNewtonStep(double reach)
 {
   judge.residualsOf(star, residuals);
-  Eigen::Matrix3d normal;
-  Vec3 gradient;
-  for (int axis = 0; axis < 3; ++axis)
+  const double h = difference * star.size;
+  const Ways ways = guide.waysFrom(pointId, origin, h);
+  // Of ways there are not, nothing.
+  Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+  Vec3 gradient = Vec3::Zero();
+  for (int i = 0; i < ways.count; ++i)
   {
-    derive(axis, difference * star.size);
+    derive(ways.along[i], h, derivatives[i]);
     const auto sumWith = [&](const std::vector<double>& values) {
-      return std::inner_product(values.begin(), values.end(), derivatives[axis].begin(), 0.0);
+      return std::inner_product(values.begin(), values.end(), derivatives[i].begin(), 0.0);
     };
-    gradient[axis] = sumWith(residuals.values);
-    for (int other = 0; other <= axis; ++other)
+    gradient[i] = sumWith(residuals.values);
+    for (int j = 0; j <= i; ++j)
     {
-      normal(axis, other) = normal(other, axis) = sumWith(derivatives[other]);
+      normal(i, j) = normal(j, i) = sumWith(derivatives[j]);
     }
   }
   const double trace = normal.trace();
@@ -224,10 +221,15 @@ PointSearch::Step PointSearch::gaussNewtonStep(double reach)
   }
   Eigen::Matrix3d damped = normal;
   damped.diagonal().array() += damping * trace;
-  Vec3 way = -damped.ldlt().solve(gradient);
-  const double length = way.norm();
-  way *= length > reach ? reach / length : 1.0;
-  return {way, -2.0 * gradient.dot(way) - way.dot(normal * way)};
+  Vec3 shares = -damped.ldlt().solve(gradient);
+  const double length = shares.norm();
+  shares *= length > reach ? reach / length : 1.0;
+  Vec3 way = Vec3::Zero();
+  for (int i = 0; i < ways.count; ++i)
+  {
+    way += shares[i] * ways.along[i];
+  }
+  return {way, -2.0 * gradient.dot(shares) - shares.dot(normal * shares)};
 }
 
 } // namespace atria

@@ -52,7 +52,7 @@ private:
     double gain;
   };
   Step gaussNewtonStep(double reach);
-  void derive(int axis, double h);
+  void derive(const Vec3& way, double h, std::vector<double>& along);
   bool probe(const Score& now, double reach);
   Vec3 middle() const;
   Score scoreAt(const Vec3& p, const LookLimits& limits);
@@ -67,7 +67,7 @@ private:
   Star star;
   Residuals residuals;
   std::vector<double> beside;
-  /// Derivatives of the residuals along the axes.
+  /// Of the residuals, along the ways the point may go.
   std::array<std::vector<double>, 3> derivatives;
   Index pointId = noIndex;
   Vec3 origin;

@@ -26,8 +26,8 @@ struct QualityRange
   QualityRange beyond(double share) const { return {limit, target + share * (target - limit)}; }
 };
 
-/// What hexahedra on smooth walls, away from creases and rims, are to have; the less, the longer it takes.
-struct SmoothWallTargets
+/// What hexahedra on curved walls, away from creases and rims, are to have; the less, the longer it takes.
+struct CurvedWallTargets
 {
   /// Degrees, greater than 0 and below 90.
   double nonOrthogonality = 30.0;

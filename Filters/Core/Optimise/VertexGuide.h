@@ -4,9 +4,17 @@
 #include "Support/RunContext.h"
 #include "Support/Types.h"
 
+#include <array>
 #include <span>
 
 namespace atria {
+
+/// Directions a point may go in, of length 1 and at right angles to each other.
+struct Ways
+{
+  std::array<Vec3, 3> along{Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
+  int count = 3;
+};
 
 /// Where the points of a mesh may go.
 class VertexGuide
@@ -19,8 +27,11 @@ public:
   virtual bool isMovable(Index point) const = 0;
   /// Points with the same leader are in one place and move as one.
   virtual Index leaderOf(Index point) const { return point; }
-  /// The allowed place nearest to p. Called by several threads.
+  /// The allowed place nearest to p. Called by several threads, but for one point by one at a time.
   virtual Vec3 place(Index point, const Vec3& p) const = 0;
+  /// The ways a point that is at p, an allowed place, may go by as little as `step`. As `place`, by which they are
+  /// found unless a guide knows better.
+  virtual Ways waysFrom(Index point, const Vec3& p, double step) const;
 };
 
 } // namespace atria
