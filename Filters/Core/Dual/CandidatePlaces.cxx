@@ -13,6 +13,7 @@ constexpr std::size_t mostCurves = 6;
 constexpr double leastPart = 0.2;
 /// How far beyond a single cut a point is put, against the edge, if nothing else limits it.
 constexpr double stepBeyond = 0.1;
+
 /// Curves that bound a chart in common have a strip of it between them. Others have a gap between them, and a grid
 /// edge put through it would let through what the octants keep apart.
 bool haveCommon(const std::vector<Index>& a, const std::vector<Index>& b)

@@ -9,7 +9,6 @@ namespace atria {
 
 namespace {
 
-constexpr double smallestGain = 1e-9;
 /// What a move of a point by its shortest edge counts against one surplus.
 constexpr double moveCost = 0.05;
 

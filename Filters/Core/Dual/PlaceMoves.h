@@ -5,6 +5,9 @@
 
 namespace atria {
 
+/// What is less is rounding.
+inline constexpr double smallestGain = 1e-9;
+
 /// A better place for a point.
 struct PlaceMove
 {

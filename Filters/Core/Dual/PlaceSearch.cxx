@@ -16,7 +16,6 @@ namespace atria {
 namespace {
 
 constexpr int mostSweeps = 100;
-constexpr double smallestGain = 1e-9;
 /// An octant with more surplus holds more than a moved corner can part; it is left as it is.
 constexpr int mostSurplus = 8;
 constexpr int mostChainRounds = 4;

@@ -28,7 +28,7 @@ double cosineOf(double degrees) { return std::cos(degrees * std::numbers::pi / 1
 
 } // namespace
 
-/// Marks the points where walls turn from face to face.
+/// Marks the points where walls turn from face to face; leaves no marks at all where none do.
 void LayerImprover::findCurved()
 {
   curved_.assign(layer_.plainPoints, 0);
@@ -45,6 +45,10 @@ void LayerImprover::findCurved()
       curved_[p] |= normal.dot(first) < flatCosine ? 1 : 0;
     }
   });
+  if (std::ranges::find(curved_, 1) == curved_.end())
+  {
+    curved_.clear();
+  }
 }
 
 /// Whether it is a hexahedron at a curved wall, and all its points on walls are away from creases and rims.
@@ -131,6 +135,10 @@ void LayerImprover::takeBack(std::vector<WantedPlace> thick, std::vector<ShortCe
 std::vector<ShortCell> LayerImprover::thicken()
 {
   findCurved();
+  if (curved_.empty())
+  {
+    return findAll();
+  }
   std::vector<WantedPlace> thick; // where their copies were
   for (const Index p : pointsAtCurved())
   {
@@ -156,6 +164,10 @@ QualityTargets LayerImprover::targetsAtCurved() const
 /// Elsewhere such targets would take long and gain little.
 void LayerImprover::improveAtCurved()
 {
+  if (curved_.empty())
+  {
+    return;
+  }
   OptimiserOptions options;
   options.targets = targetsAtCurved();
   options.sweeps = 8;

@@ -112,7 +112,7 @@ private:
   std::vector<char> excluded_;
   /// Of cells that fell short after a pass; also those in the second row from the walls.
   std::vector<char> suspect_;
-  /// Whether walls are curved there. Empty where no single layer of no asked height is grown.
+  /// Whether walls are curved there. Empty where none are, or other than a single layer of no asked height is grown.
   std::vector<char> curved_;
   /// Cells, in order, that may fall short of strictest(), of those at the boundary and of the layer.
   std::vector<Index> unsure_;

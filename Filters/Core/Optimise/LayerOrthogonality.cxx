@@ -44,7 +44,7 @@ QualityTargets LayerImprover::targetsOf(const OrthogonalityStage& stage) const
 /// What no later pass asks more than.
 QualityTargets LayerImprover::strictest() const
 {
-  QualityTargets out = std::ranges::find(curved_, 1) != curved_.end() ? targetsAtCurved() : targets();
+  QualityTargets out = curved_.empty() ? targets() : targetsAtCurved();
   out.faceCosine.target = std::max(out.faceCosine.target, acceptable.target);
   out.scaledJacobian = targets().scaledJacobian;
   return out;

@@ -221,6 +221,8 @@ ModelGuide::OnPiece ModelGuide::nearestPiece(const Target& target, const Vec3& p
   return best;
 }
 
+/// Of points on surfaces the triangle they are on says it. Others may be where pieces end or meet, as at rims, and one
+/// piece would promise ways there are not.
 Ways ModelGuide::waysFrom(Index point, const Vec3& p, double step) const
 {
   const bool isAtSide = planesOf(anchors_.leaves[vertexOf_[point]]) != 0 || octree_.frame().turnedDomain;
@@ -236,10 +238,6 @@ Ways ModelGuide::waysFrom(Index point, const Vec3& p, double step) const
   }
   const auto& [a, b, c] = *piece;
   const Vec3 along = (b - a).normalized();
-  if (b == c)
-  {
-    return {{along}, 1};
-  }
   const Vec3 normal = along.cross(c - a).normalized();
   return {{along, normal.cross(along)}, 2};
 }
