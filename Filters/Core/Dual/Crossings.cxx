@@ -201,7 +201,7 @@ Crossings findCrossings(const GridPlaces& grid, const SurfaceModel& model, const
   Crossings out;
   const std::size_t count = grid.points().size();
   out.neighbours.resize(count);
-  constexpr std::size_t grain = 8192;
+  constexpr std::size_t grain = 2048;
   std::vector<Part> parts((count + grain - 1) / grain);
   context.executor.forEach(parts.size(), 1, [&](std::size_t part) {
     context.progress.check();

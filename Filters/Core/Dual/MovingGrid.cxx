@@ -61,7 +61,7 @@ void MovingGrid::listEdges()
 
 void MovingGrid::findQuestions(const RunContext& context)
 {
-  constexpr std::size_t grain = 8192;
+  constexpr std::size_t grain = 2048;
   const std::size_t count = tree.leafCount();
   std::vector<std::vector<Index>> parts((count + grain - 1) / grain);
   context.executor.forEach(parts.size(), 1, [&](std::size_t part) {

@@ -76,6 +76,10 @@ std::vector<Index> roomiestPoints(const Zones& zones, const Octree& octree, cons
   {
     const std::int32_t zone = zones.ofPoint[point];
     const auto& leaves = points.leaves[point];
+    if (best[zone] != noIndex && octree.level(leaves.front()) >= finestThere[zone])
+    {
+      continue;
+    }
     int finest = std::numeric_limits<int>::max();
     if (isFree(octree, leaves))
     {

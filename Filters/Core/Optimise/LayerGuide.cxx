@@ -1,36 +1,56 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Optimise/LayerGuide.h"
 
+#include <algorithm>
+
 namespace atria {
 
 LayerGuide::LayerGuide(const LayerMesh& layer, const LayerWalls& walls, const LayerOptions& options,
                        const std::vector<Index>& leaders, const std::vector<char>& letGo, VertexGuide& plain)
-    : layer_(layer), options_(options), plain_(plain), leaders_(leaders), pinned_(layer.plainPoints, 0),
-      sides_(layer.plainPoints, 0)
+    : layer_(layer), options_(options), plain_(plain), leaders_(leaders), sides_(layer.wallPoints.size(), 0)
 {
   const DualMesh& mesh = layer.mesh;
-  for (std::size_t f = 0; f < mesh.boundaryFaces.size(); ++f)
+  for (std::size_t f = 0; f < mesh.boundaryFaces.size() && !sides_.empty(); ++f)
   {
     const BoundaryFace& face = mesh.boundaryFaces[f];
-    const bool slides = f >= walls.roles.size() || walls.roles[f] == FaceRole::slide;
+    if (f < walls.roles.size() && walls.roles[f] != FaceRole::slide)
+    {
+      continue;
+    }
     const bool isBare = face.tag >= options.surfaceCount();
     for (int i = 0; i < 4; ++i)
     {
       const Index p = cornerOf(mesh, face, i);
-      if (p < layer.plainPoints)
+      if (p < layer.plainPoints && layer.copies[p] != noIndex)
       {
-        pinned_[p] = pinned_[p] || options.ofTag[face.tag].firstHeight > 0.0;
-        sides_[p] |= slides ? 1U << (isBare ? face.tag - options.surfaceCount() : face.direction) : 0U;
+        sides_[layer.copies[p] - layer.plainPoints] |=
+            static_cast<std::uint8_t>(1U << (isBare ? face.tag - options.surfaceCount() : face.direction));
       }
     }
   }
-  for (Index p = 0; p < layer.plainPoints; ++p)
+  if (std::ranges::any_of(options.ofTag, [](const WallLayers& wall) { return wall.firstHeight > 0.0; }))
   {
-    pinned_[leaders_[p]] = pinned_[leaders_[p]] || pinned_[p];
+    pin(letGo);
   }
-  for (Index p = 0; p < layer.plainPoints; ++p)
+}
+
+void LayerGuide::pin(const std::vector<char>& letGo)
+{
+  pinned_.assign(layer_.plainPoints, 0);
+  for (const BoundaryFace& face : layer_.mesh.boundaryFaces)
   {
-    pinned_[p] = pinned_[leaders_[p]] && !letGo[leaders_[p]];
+    for (int i = 0; i < 4 && options_.ofTag[face.tag].firstHeight > 0.0; ++i)
+    {
+      const Index p = cornerOf(layer_.mesh, face, i);
+      if (p < layer_.plainPoints)
+      {
+        pinned_[leaders_[p]] = !letGo[leaders_[p]];
+      }
+    }
+  }
+  for (Index p = 0; p < layer_.plainPoints; ++p)
+  {
+    pinned_[p] = pinned_[leaders_[p]];
   }
 }
 
@@ -49,8 +69,8 @@ void LayerGuide::prepare(std::span<const Index> points, const RunContext& contex
 
 bool LayerGuide::isMovable(Index point) const
 {
-  return point < layer_.plainPoints ? !pinned_[leaders_[point]] && plain_.isMovable(point)
-                                    : !pinned_[layer_.wallPoints[point - layer_.plainPoints]];
+  return point < layer_.plainPoints ? !isPinned(leaders_[point]) && plain_.isMovable(point)
+                                    : !isPinned(layer_.wallPoints[point - layer_.plainPoints]);
 }
 
 Vec3 LayerGuide::place(Index point, const Vec3& p) const
@@ -61,10 +81,11 @@ Vec3 LayerGuide::place(Index point, const Vec3& p) const
   }
   const Index wall = layer_.wallPoints[point - layer_.plainPoints];
   const Vec3& start = layer_.mesh.points[wall];
+  const unsigned sides = sidesOf(wall);
   Vec3 q = p;
   for (int side = 0; side < 6; ++side)
   {
-    if (sides_[wall] >> side & 1)
+    if (sides >> side & 1)
     {
       const Vec3& normal = options_.sideNormals[side];
       q -= normal.dot(q - start) * normal;
@@ -81,7 +102,7 @@ Ways LayerGuide::waysFrom(Index point, const Vec3& p, double step) const
   {
     return plain_.waysFrom(point, p, step);
   }
-  const bool slides = sides_[layer_.wallPoints[point - layer_.plainPoints]] != 0;
+  const bool slides = sidesOf(layer_.wallPoints[point - layer_.plainPoints]) != 0;
   return slides ? VertexGuide::waysFrom(point, p, step) : Ways();
 }
 

@@ -24,13 +24,18 @@ public:
   Ways waysFrom(Index point, const Vec3& p, double step) const override;
 
 private:
+  void pin(const std::vector<char>& letGo);
+  bool isPinned(Index plainPoint) const { return !pinned_.empty() && pinned_[plainPoint] != 0; }
+  std::uint8_t sidesOf(Index wallPoint) const { return sides_[layer_.copies[wallPoint] - layer_.plainPoints]; }
+
   const LayerMesh& layer_;
   const LayerOptions& options_;
   VertexGuide& plain_;
   const std::vector<Index>& leaders_;
-  /// Per point of the plain mesh: whether its layers have a height of their own; the domain sides it slides on, as bits
-  /// by Direction.
+  /// Per point of the plain mesh, whether its layers have a height of their own; empty where none have.
   std::vector<char> pinned_;
+  /// The domain sides that a point with copies slides on, as bits by Direction, in the place of its copy among the new
+  /// points.
   std::vector<std::uint8_t> sides_;
 };
 

@@ -19,8 +19,9 @@ constexpr std::size_t mostPieces = 64;
 } // namespace
 
 ModelGuide::ModelGuide(const Octree& octree, const SurfaceModel& model, TriangleTreeOnDemand& tree,
-                       const VertexAnchors& anchors, const std::vector<Vec3>& points, std::vector<Index> vertexOf)
-    : octree_(octree), model_(model), anchors_(anchors), points_(points), vertexOf_(std::move(vertexOf)), tree_(tree)
+                       const VertexAnchors& anchors, const std::vector<Vec3>& points,
+                       const std::vector<Index>& vertexOf)
+    : octree_(octree), model_(model), anchors_(anchors), points_(points), vertexOf_(vertexOf), tree_(tree)
 {
 }
 

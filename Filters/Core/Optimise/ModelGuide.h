@@ -11,9 +11,9 @@ namespace atria {
 class ModelGuide : public VertexGuide
 {
 public:
-  /// `vertexOf` gives, for each point of the mesh, the vertex it stands for.
+  /// `vertexOf` gives, for each point of the mesh, the vertex it stands for; it must outlive the guide.
   ModelGuide(const Octree& octree, const SurfaceModel& model, TriangleTreeOnDemand& tree, const VertexAnchors& anchors,
-             const std::vector<Vec3>& points, std::vector<Index> vertexOf);
+             const std::vector<Vec3>& points, const std::vector<Index>& vertexOf);
 
   /// Notes where points are, before these are moved. Pieces of the model near a point are looked up where it is first
   /// asked for, as most points that might be moved never are.
@@ -61,7 +61,7 @@ private:
   const SurfaceModel& model_;
   const VertexAnchors& anchors_;
   const std::vector<Vec3>& points_;
-  std::vector<Index> vertexOf_;
+  const std::vector<Index>& vertexOf_;
   std::vector<Index> slotOf_;
   mutable std::vector<Target> targets_;
   TriangleTreeOnDemand& tree_;

@@ -47,10 +47,10 @@ std::vector<char> pointsToMove(const CellSource& source, const std::vector<Short
       leaders[guide.leaderOf(p)] = 1;
     }
   }
-  for (Index p = 0; p < points.size(); ++p)
-  {
+  context.executor.forEach(points.size(), 8192, [&](std::size_t i) {
+    const auto p = static_cast<Index>(i);
     points[p] = leaders[guide.leaderOf(p)] && guide.isMovable(p) ? 1 : 0;
-  }
+  });
   return points;
 }
 
