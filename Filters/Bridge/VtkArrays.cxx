@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "VtkArrays.h"
 
+#include "SmpExecutor.h"
 #include "Support/Error.h"
 
 #include <vtkCellArray.h>
@@ -14,6 +15,7 @@
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkTypeInt32Array.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
@@ -23,9 +25,15 @@ namespace atria {
 
 namespace {
 
-std::vector<std::int64_t> integers(vtkDataArray* array)
+Buffer<std::int64_t> integers(vtkDataArray* array)
 {
-  std::vector<std::int64_t> values(array ? array->GetNumberOfValues() : 0);
+  Buffer<std::int64_t> values(array ? array->GetNumberOfValues() : 0);
+  if (vtkTypeInt32Array* narrow = vtkArrayDownCast<vtkTypeInt32Array>(array))
+  {
+    const vtkTypeInt32* from = narrow->GetPointer(0);
+    SmpExecutor().forEach(values.size(), 65536, [&](std::size_t i) { values[i] = from[i]; });
+    return values;
+  }
   for (std::size_t i = 0; i < values.size(); ++i)
   {
     values[i] = static_cast<std::int64_t>(array->GetComponent(static_cast<vtkIdType>(i), 0));
@@ -44,7 +52,7 @@ void appendPatch(VtkPatches& out, const std::string& name, vtkPolyData* patch, v
                 "' lacks the cell array OwnerCellId or the point array VolumePointId; "
                 "patches must come from the mesher");
   }
-  const std::vector<std::int64_t> ids = integers(pointIds);
+  const Buffer<std::int64_t> ids = integers(pointIds);
   vtkNew<vtkIdList> face;
   for (vtkIdType cell = 0; cell < patch->GetNumberOfCells(); ++cell)
   {

@@ -31,7 +31,7 @@ private:
   std::span<const std::int64_t> viewOrCopy(vtkDataArray* array);
 
   CellArrays arrays;
-  std::vector<std::vector<std::int64_t>> copies;
+  std::vector<Buffer<std::int64_t>> copies;
 };
 VtkCells cellsFromVtk(vtkUnstructuredGrid* grid);
 

@@ -6,6 +6,7 @@
 #include "Quality/MeshChecks.h"
 #include "Quality/Metrics.h"
 #include "Quality/Statistics.h"
+#include "SmpExecutor.h"
 #include "VtkFaceMesh.h"
 
 #include <vtkCellData.h>
@@ -32,12 +33,13 @@ vtkStandardNewMacro(vtkAtriaMeshQuality);
 
 namespace {
 
-vtkSmartPointer<vtkDoubleArray> makeColumn(const std::string& name, const std::vector<double>& values)
+vtkSmartPointer<vtkDoubleArray> makeColumn(const std::string& name, std::span<const double> values)
 {
   auto column = vtkSmartPointer<vtkDoubleArray>::New();
   column->SetName(name.c_str());
   column->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
-  std::copy(values.begin(), values.end(), column->GetPointer(0));
+  double* to = column->GetPointer(0);
+  atria::SmpExecutor().forEach(values.size(), 65536, [&](std::size_t i) { to[i] = values[i]; });
   return column;
 }
 
@@ -61,7 +63,7 @@ public:
     counts->SetName("Count");
   }
 
-  void addCells(const char* name, const std::vector<double>& values) { arrays.push_back(makeColumn(name, values)); }
+  void addCells(const char* name, std::span<const double> values) { arrays.push_back(makeColumn(name, values)); }
 
   void addSample(const Sample& sample)
   {
@@ -81,11 +83,11 @@ public:
   }
 
   /// Frees the values once they are copied.
-  void addBoth(const char* name, std::vector<double>& values)
+  void addBoth(const char* name, atria::Buffer<double>& values)
   {
     addCells(name, values);
     addSample({name, false, values});
-    std::vector<double>().swap(values);
+    atria::Buffer<double>().swap(values);
   }
 
   void fill(vtkUnstructuredGrid* grid, vtkTable* summary, vtkTable* histograms)

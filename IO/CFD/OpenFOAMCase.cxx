@@ -309,7 +309,7 @@ private:
     return OpenFOAMFile(folder / name, {className, meshLocation, itsNote, format}, &progress);
   }
 
-  void writeLabels(OpenFOAMFile& file, const std::vector<Index>& labels) const
+  void writeLabels(OpenFOAMFile& file, std::span<const Index> labels) const
   {
     file.number(size(labels)).text("\n(");
     if (binary())
@@ -324,7 +324,7 @@ private:
     file.text("\n)");
   }
 
-  void writeLabelFile(const char* name, const std::vector<Index>& labels) const
+  void writeLabelFile(const char* name, std::span<const Index> labels) const
   {
     OpenFOAMFile file = open(name, "labelList", note);
     writeLabels(file, labels);

@@ -227,7 +227,7 @@ private:
   const Executor& executor;
   std::vector<Index> mates;
   std::vector<Index> bucketOffsets;
-  std::vector<Index> bucketed; ///< half-faces by their smallest point
+  Buffer<Index> bucketed; ///< half-faces by their smallest point
 };
 
 std::vector<Index> findMates(const HalfFaces& halves, std::size_t pointCount,

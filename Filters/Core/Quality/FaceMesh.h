@@ -2,6 +2,7 @@
 /// A polyhedral mesh by its faces: what solvers' formats and metrics are made of.
 #pragma once
 
+#include "Support/Buffer.h"
 #include "Support/Executor.h"
 #include "Support/Types.h"
 
@@ -18,11 +19,11 @@ struct FaceMesh
 {
   std::vector<Vec3> points;
   /// Face f has the points facePoints[faceOffsets[f] .. faceOffsets[f + 1]).
-  std::vector<Index> faceOffsets{0};
-  std::vector<Index> facePoints;
-  std::vector<Index> owner;
+  Buffer<Index> faceOffsets{0};
+  Buffer<Index> facePoints;
+  Buffer<Index> owner;
   /// One entry per internal face; internal faces are the first neighbour.size() faces.
-  std::vector<Index> neighbour;
+  Buffer<Index> neighbour;
   std::size_t cellCount = 0;
 
   std::size_t faceCount() const { return owner.size(); }

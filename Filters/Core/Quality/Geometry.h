@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Quality/FaceMesh.h"
+#include "Support/Buffer.h"
 #include "Support/RunContext.h"
 
 #include <span>
@@ -24,8 +25,8 @@ PolygonMeasure measurePolygon(std::span<const Vec3> points, std::span<const Inde
 /// The faces of every cell: first those it owns, then those it is the neighbour of, each in rising order.
 struct CellFaces
 {
-  std::vector<Index> offsets{0};
-  std::vector<Index> faces;
+  Buffer<Index> offsets{0};
+  Buffer<Index> faces;
 
   std::span<const Index> of(std::size_t cell) const
   {
@@ -38,10 +39,10 @@ CellFaces makeCellFaces(const FaceMesh& mesh, const Executor& executor = SerialE
 /// Units: those of the points, squared for areas, cubed for volumes.
 struct MeshGeometry
 {
-  std::vector<Vec3> faceAreas; ///< area vectors, out of the owner
-  std::vector<Vec3> faceCentroids;
-  std::vector<Vec3> cellCentroids;
-  std::vector<double> cellVolumes; ///< negative where a cell is inside out
+  Buffer<Vec3> faceAreas; ///< area vectors, out of the owner
+  Buffer<Vec3> faceCentroids;
+  Buffer<Vec3> cellCentroids;
+  Buffer<double> cellVolumes; ///< negative where a cell is inside out
 };
 
 /// Faces are measured by measurePolygon(). A cell is cut into pyramids from the mean of its face centroids: its

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Quality/FaceMesh.h"
+#include "Support/Buffer.h"
 
 #include <span>
 #include <vector>
@@ -12,10 +13,10 @@ namespace atria {
 /// The faces of every cell, cell by cell, each with its normal out of its cell.
 struct HalfFaces
 {
-  std::vector<Index> cellOffsets{0}; ///< cell c has the half-faces cellOffsets[c] .. cellOffsets[c + 1]
-  std::vector<Index> offsets{0};     ///< half-face h has the points points[offsets[h]] .. points[offsets[h + 1]]
-  std::vector<Index> points;
-  std::vector<Index> cell; ///< per half-face
+  Buffer<Index> cellOffsets{0}; ///< cell c has the half-faces cellOffsets[c] .. cellOffsets[c + 1]
+  Buffer<Index> offsets{0};     ///< half-face h has the points points[offsets[h]] .. points[offsets[h + 1]]
+  Buffer<Index> points;
+  Buffer<Index> cell; ///< per half-face
 
   std::size_t count() const { return cell.size(); }
   std::span<const Index> face(std::size_t h) const

@@ -305,7 +305,7 @@ private:
         out.neighbour.push_back(mesh.neighbour[f]);
       }
     }
-    const auto replaceTail = [](std::vector<Index>& all, std::size_t kept, const std::vector<Index>& tail) {
+    const auto replaceTail = [](Buffer<Index>& all, std::size_t kept, const Buffer<Index>& tail) {
       all.resize(kept);
       all.insert(all.end(), tail.begin(), tail.end());
     };
@@ -321,7 +321,7 @@ private:
   const MergeFacesOptions& options;
   std::vector<Index> into; ///< the face each became a part of, itself where none
   CellFaces cellFaces;
-  std::vector<Vec3> cellCentroids;
+  Buffer<Vec3> cellCentroids;
   std::vector<Index> uses;                   ///< how many faces have each point
   std::map<Index, std::vector<Index>> loops; ///< of faces that others became a part of
 };

@@ -82,7 +82,7 @@ private:
     return values;
   }
 
-  MeshCheck& judge(const Limit& limit, MeshPart part, const std::vector<double>& values, std::size_t judged)
+  MeshCheck& judge(const Limit& limit, MeshPart part, std::span<const double> values, std::size_t judged)
   {
     step();
     const auto end = values.begin() + static_cast<std::ptrdiff_t>(judged);
@@ -105,7 +105,7 @@ private:
     return verdict.checks.back();
   }
 
-  MeshCheck& judge(const Limit& limit, MeshPart part, const std::vector<double>& values)
+  MeshCheck& judge(const Limit& limit, MeshPart part, std::span<const double> values)
   {
     return judge(limit, part, values, values.size());
   }
@@ -127,7 +127,8 @@ private:
       sum += m.geometry.faceAreas[f];
       size += lengthInOrder(m.geometry.faceAreas[f]);
     }
-    judge({"BoundaryOpenness", "", true, true, 1e-6}, MeshPart::Mesh, {(sum / (size + vSmall)).cwiseAbs().maxCoeff()});
+    const double openness = (sum / (size + vSmall)).cwiseAbs().maxCoeff();
+    judge({"BoundaryOpenness", "", true, true, 1e-6}, MeshPart::Mesh, {&openness, 1});
   }
 
   void judgeAreas()

@@ -38,7 +38,7 @@ Vec3 normalPart(const Vec3& v, const Vec3& area)
 class Measurement
 {
 public:
-  Measurement(const MeasuredMesh& source, QualityMetrics& target, const RunContext& context)
+  Measurement(const MeasuredMesh& source, QualityMetrics& target)
       : measured(source), mesh(source.mesh), cellFaces(source.cellFaces), geometry(source.geometry), out(target)
   {
     const std::size_t cells = mesh.cellCount;
@@ -46,7 +46,6 @@ public:
                          &out.orthogonalQuality, &out.nonOrthogonality, &out.skewness, &out.facePyramids})
     {
       metric->resize(cells);
-      context.progress.check();
     }
     out.valid.resize(cells);
     out.squishOfFaces.resize(mesh.internalFaceCount());
@@ -157,7 +156,7 @@ QualityMetrics computeQuality(const MeasuredMesh& measured, const CellArrays& ce
 {
   QualityMetrics out;
   const FaceMesh& mesh = measured.mesh;
-  Measurement measurement(measured, out, context);
+  Measurement measurement(measured, out);
   context.progress.report(0.0, "Judging faces");
   context.executor.forRanges(mesh.faceCount(), grain, [&](std::size_t begin, std::size_t end) {
     context.progress.check();

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Quality/Geometry.h"
+#include "Support/Buffer.h"
 #include "Support/RunContext.h"
 
 #include <vector>
@@ -15,40 +16,40 @@ namespace atria {
 struct QualityMetrics
 {
   /// Greatest 1 - A·r/(|A||r|) over the cell's faces; [0, 2], 0 is ideal (Fluent's volume squish index).
-  std::vector<double> cellSquish;
+  Buffer<double> cellSquish;
   /// Greatest 1 - A·d/(|A||d|) over the cell's internal faces; [0, 2], 0 is ideal.
-  std::vector<double> faceSquish;
+  Buffer<double> faceSquish;
   /// Greatest over smallest of the distances from the centroid to the face centroids and corners; [1, ∞), a
   /// cube has √3 (Fluent's aspect ratio).
-  std::vector<double> aspectRatio;
+  Buffer<double> aspectRatio;
   /// The reciprocal of aspectRatio; [0, 1], a cube has 1/√3.
-  std::vector<double> inverseAspectRatio;
+  Buffer<double> inverseAspectRatio;
   /// Smallest cosine of A to r over all faces and to d over internal ones; [-1, 1], 1 is ideal (Fluent).
-  std::vector<double> orthogonalQuality;
+  Buffer<double> orthogonalQuality;
   /// Greatest angle in degrees between A and d over the internal faces; [0, 180], 0 is ideal (OpenFOAM).
-  std::vector<double> nonOrthogonality;
+  Buffer<double> nonOrthogonality;
   /// Greatest skewnessOfFaces over the cell's faces; [0, ∞), 0 is ideal (OpenFOAM).
-  std::vector<double> skewness;
+  Buffer<double> skewness;
   /// Cubic model units.
-  std::vector<double> volume;
+  Buffer<double> volume;
   /// Smallest A·r/3 over the cell's faces, the volume of the pyramid from the face to the centroid; cubic
   /// model units, above 0 in a valid cell (OpenFOAM).
-  std::vector<double> facePyramids;
+  Buffer<double> facePyramids;
   /// See ScaledJacobian.h; not a number for polyhedra.
-  std::vector<double> scaledJacobian;
+  Buffer<double> scaledJacobian;
   /// 1 where the volume and all face pyramids are above 0 and the area vectors add up to nothing (to 1e-6 of
   /// their absolute sum by component, OpenFOAM's openness); else 0.
-  std::vector<unsigned char> valid;
+  Buffer<unsigned char> valid;
   std::size_t invalidCells = 0;
 
   /// By internal face: 1 - A·d/(|A||d|).
-  std::vector<double> squishOfFaces;
+  Buffer<double> squishOfFaces;
   /// By internal face: degrees between A and d.
-  std::vector<double> nonOrthogonalityOfFaces;
+  Buffer<double> nonOrthogonalityOfFaces;
   /// By face, boundary faces included: distance from the face's centroid to where d meets its plane, over the
   /// greatest of 0.2|d| and the face's extent in that direction. On the boundary d is the component of r
   /// along A, and the factor 0.4 (OpenFOAM).
-  std::vector<double> skewnessOfFaces;
+  Buffer<double> skewnessOfFaces;
 };
 
 /// What skewnessOfFaces holds, for one face.

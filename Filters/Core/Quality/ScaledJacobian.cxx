@@ -112,9 +112,9 @@ double scaledJacobian(unsigned char cellType, const std::array<Vec3, 8>& corners
                          : std::numeric_limits<double>::quiet_NaN();
 }
 
-std::vector<double> scaledJacobians(std::span<const Vec3> points, const CellArrays& cells, const RunContext& context)
+Buffer<double> scaledJacobians(std::span<const Vec3> points, const CellArrays& cells, const RunContext& context)
 {
-  std::vector<double> out(cells.types.size());
+  Buffer<double> out(cells.types.size());
   context.executor.forRanges(out.size(), 4096, [&](std::size_t begin, std::size_t end) {
     context.progress.check();
     for (std::size_t c = begin; c < end; ++c)

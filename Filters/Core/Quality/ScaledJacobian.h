@@ -29,6 +29,6 @@ struct JacobianTerms
 JacobianTerms jacobianTerms(unsigned char cellType, const std::array<Vec3, 8>& corners);
 
 /// That of every cell.
-std::vector<double> scaledJacobians(std::span<const Vec3> points, const CellArrays& cells, const RunContext& context);
+Buffer<double> scaledJacobians(std::span<const Vec3> points, const CellArrays& cells, const RunContext& context);
 
 } // namespace atria
