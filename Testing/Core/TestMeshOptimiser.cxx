@@ -42,7 +42,7 @@ QualityMetrics measure(const SampleMesh& sample)
                         {atria::SerialExecutor(), atria::ProgressRange(silent)});
 }
 
-double least(const std::vector<double>& values)
+double least(std::span<const double> values)
 {
   double out = std::numeric_limits<double>::infinity();
   for (const double value : values)
@@ -52,7 +52,7 @@ double least(const std::vector<double>& values)
   return out;
 }
 
-double greatest(const std::vector<double>& values) { return values.empty() ? 0.0 : *std::ranges::max_element(values); }
+double greatest(std::span<const double> values) { return values.empty() ? 0.0 : *std::ranges::max_element(values); }
 
 double room(double value) { return 1e-9 * std::max(1.0, std::abs(value)); }
 

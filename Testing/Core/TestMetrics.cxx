@@ -47,7 +47,7 @@ SampleMesh idealPyramid()
 }
 
 /// Every metric with one value a cell that does not change when a mesh is moved or turned.
-std::vector<const std::vector<double>*> cellMetrics(const QualityMetrics& q)
+std::vector<const atria::Buffer<double>*> cellMetrics(const QualityMetrics& q)
 {
   return {&q.cellSquish,       &q.faceSquish, &q.aspectRatio, &q.inverseAspectRatio, &q.orthogonalQuality,
           &q.nonOrthogonality, &q.skewness,   &q.volume,      &q.facePyramids,       &q.scaledJacobian};

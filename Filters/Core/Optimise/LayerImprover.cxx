@@ -155,6 +155,7 @@ std::vector<ShortCell> LayerImprover::improve(const std::vector<ShortCell>& cell
   OptimiserOptions options;
   options.targets = targets();
   options.rings = rings;
+  options.leastPenalty = 0.01;
   std::vector<ShortCell> left = move(cells, options);
   markPoints(layer_, left, suspect_);
   return left;

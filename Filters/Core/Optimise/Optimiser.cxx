@@ -84,7 +84,7 @@ public:
   Sweeper(Judge& qualities, const VertexGuide& vertexGuide, const OptimiserOptions& optimiserOptions,
           const RunContext& runContext)
       : judge(qualities), region(qualities.region()), guide(vertexGuide), options(optimiserOptions),
-        context(runContext), colours(colourPoints(region)), trust(region.movable.size(), options.firstReach),
+        context(runContext), colours(colourPoints(region)), states(region.movable.size(), {options.firstReach}),
         awake(region.movable.size(), 1), failures(region.movable.size(), 0)
   {
     findNeighbours();
@@ -139,10 +139,9 @@ private:
   /// Whether the point moved.
   bool improve(Index m, PointSearch& search)
   {
-    const PointSearch::Outcome outcome = search.improve(m, trust[m]);
-    const bool moved = outcome == PointSearch::Outcome::moved;
+    const bool moved = search.improve(m, states[m]);
     failures[m] = moved || options.patient ? 0 : failures[m] + 1;
-    awake[m] = outcome == PointSearch::Outcome::stuck && options.patient && trust[m] > leastTrust ? 1 : 0;
+    awake[m] = 0;
     return moved;
   }
 
@@ -216,7 +215,7 @@ private:
   std::mutex searchMutex;
   std::vector<std::unique_ptr<PointSearch>> searches;
   Colours colours;
-  std::vector<double> trust;
+  std::vector<SearchState> states;
   std::vector<char> awake;
   /// In a row; most points that failed so often never find a better place.
   static constexpr char mostFailures = 3;

@@ -15,8 +15,8 @@ struct OptimiserOptions
   double margin = 0.03;
   /// Passes over the points whose cells fall short of the targets.
   int sweeps = 20;
-  /// Whether the last few points that creep on are waited for, and points that found no better place are tried again
-  /// closer by.
+  /// Whether the last few points that creep on are waited for, and points are tried again however often they found no
+  /// better place.
   bool patient = false;
   /// Rings of cells about one that falls short whose points may move with its own.
   int rings = 1;

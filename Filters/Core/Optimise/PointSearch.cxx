@@ -11,11 +11,14 @@ namespace atria {
 namespace {
 
 constexpr double difference = 1e-3; ///< of the cells' size, for derivatives
+constexpr double leastTrust = 1e-3;
 constexpr double mostTrust = 0.5;
 constexpr int tries = 4;
 /// Of measures that are nothing but rounding.
 constexpr double noise = 1e-6;
 constexpr double badAnyway = 0.3;
+/// By which share of itself a penalty has to change before a point that found no better place is looked at again.
+constexpr double muchTheSame = 0.3;
 /// Of the trace of the normal equations: where residuals hardly depend on a direction, steps along it stay short.
 constexpr double damping = 0.03;
 
@@ -69,27 +72,35 @@ bool PointSearch::moveIfBetter(const Vec3& p, const Score& now)
   return better;
 }
 
-PointSearch::Outcome PointSearch::improve(Index movable, double& trust)
+bool PointSearch::improve(Index movable, SearchState& state)
 {
   if (judge.isGood(movable, rules_.leastPenalty))
   {
-    return Outcome::good;
+    return false;
   }
   judge.enter(movable, star);
   const Score now = judge.scoreOf(star);
-  if (now.penalty < rules_.leastPenalty)
+  if (now.penalty < rules_.leastPenalty || std::abs(now.penalty - state.stuckAt) < muchTheSame * state.stuckAt)
   {
-    return Outcome::good;
+    return false;
   }
   judge.prepare(star);
   pointId = judge.region().pointIds[star.point];
   origin = judge.region().points[star.point];
+  const bool moved = move(now, state.trust);
+  state.stuckAt = moved ? 0.0 : now.penalty;
+  return moved;
+}
+
+/// Moves the point entered, if there is a better place.
+bool PointSearch::move(const Score& now, double& trust)
+{
   if (rules_.tryMiddle && now.worst < badAnyway)
   {
     const Vec3 way = middle() - origin;
     if (moveIfBetter(origin + way, now) || moveIfBetter(origin + 0.5 * way, now))
     {
-      return Outcome::moved;
+      return true;
     }
     judge.move(star, origin);
   }
@@ -100,17 +111,17 @@ PointSearch::Outcome PointSearch::improve(Index movable, double& trust)
     if (moveIfBetter(origin + scale * step.way, now))
     {
       trust = std::clamp(i == 0 ? 1.6 * trust : scale * trust, leastTrust, mostTrust);
-      return Outcome::moved;
+      return true;
     }
   }
   // Where points coincide derivatives say nothing.
   if ((now.worst < 0.0 || step.gain <= 0.0 || rules_.tryMiddle) && probe(now, trust * star.size))
   {
-    return Outcome::moved;
+    return true;
   }
   judge.restore(star);
   trust = std::max(leastTrust, 0.3 * trust);
-  return Outcome::stuck;
+  return false;
 }
 
 void PointSearch::approach(Index movable, const Vec3& place, double least)

@@ -6,9 +6,6 @@
 
 namespace atria {
 
-/// How far at least a point is moved, as a part of the cells' size.
-inline constexpr double leastTrust = 1e-3;
-
 struct SearchRules
 {
   /// Below this no metric of the cells about a point may get; null for no such rule.
@@ -21,25 +18,27 @@ struct SearchRules
   double leastWorst = -std::numeric_limits<double>::infinity();
 };
 
+/// What is known of a point from one search to the next.
+struct SearchState
+{
+  /// How far to go, as a part of the cells' size.
+  double trust;
+  /// The penalty of the cells about it when no better place was found; 0 where one was.
+  double stuckAt = 0.0;
+};
+
 /// Looks for a better place for one point at a time.
 class PointSearch
 {
 public:
-  enum class Outcome : std::uint8_t
-  {
-    moved,
-    stuck, ///< no better place was found
-    good   ///< none is looked for
-  };
-
   PointSearch(Judge& qualities, const VertexGuide& vertexGuide, const SearchRules& rules = {})
       : judge(qualities), guide(vertexGuide), rules_(rules)
   {
   }
 
   /// Moves the point if there is a place near it where the penalty of the cells about it is less and their worst no
-  /// worse. `trust` is how far to go, as a part of the cells' size, and is adapted.
-  Outcome improve(Index movable, double& trust);
+  /// worse. It is not looked for where there was none before and the penalty is much the same. Whether it moved.
+  bool improve(Index movable, SearchState& state);
   /// Moves the point towards `place` as far as the worst of the cells about it is not below `least`, or not below what
   /// it is.
   void approach(Index movable, const Vec3& place, double least);
@@ -51,6 +50,7 @@ private:
     Vec3 way;
     double gain;
   };
+  bool move(const Score& now, double& trust);
   Step gaussNewtonStep(double reach);
   void derive(const Vec3& way, double h, std::vector<double>& along);
   bool probe(const Score& now, double reach);
