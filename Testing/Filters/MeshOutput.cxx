@@ -125,7 +125,9 @@ std::vector<double> volumesOf(vtkUnstructuredGrid* mesh, vtkPartitionedDataSetCo
   const VtkFaceMesh faces = faceMeshFromVtk(mesh, patches);
   SilentMonitor silent;
   const SerialExecutor executor;
-  return computeGeometry(faces.mesh, makeCellFaces(faces.mesh), {executor, ProgressRange(silent)}).cellVolumes;
+  const MeshGeometry geometry =
+      computeGeometry(faces.mesh, makeCellFaces(faces.mesh), {executor, ProgressRange(silent)});
+  return {geometry.cellVolumes.begin(), geometry.cellVolumes.end()};
 }
 
 double totalVolume(vtkUnstructuredGrid* mesh, vtkPartitionedDataSetCollection* patches)

@@ -39,7 +39,7 @@ void expectSameDigits(double ours, double theirs, const char* what)
 
 void expectSameQuality(const atria::QualityMetrics& ours, const CheckMeshReport& theirs)
 {
-  const auto greatest = [](const std::vector<double>& v) { return *std::max_element(v.begin(), v.end()); };
+  const auto greatest = [](std::span<const double> v) { return *std::max_element(v.begin(), v.end()); };
   expectSameDigits(greatest(ours.nonOrthogonality), theirs.maxNonOrthogonality, "non-orthogonality");
   double cosines = 0.0;
   for (const double angle : ours.nonOrthogonalityOfFaces)
