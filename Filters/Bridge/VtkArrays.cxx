@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "VtkArrays.h"
 
-#include "SmpExecutor.h"
 #include "Support/Error.h"
 
 #include <vtkCellArray.h>
@@ -25,13 +24,13 @@ namespace atria {
 
 namespace {
 
-Buffer<std::int64_t> integers(vtkDataArray* array)
+Buffer<std::int64_t> integers(vtkDataArray* array, const Executor& executor = SerialExecutor())
 {
   Buffer<std::int64_t> values(array ? array->GetNumberOfValues() : 0);
   if (vtkTypeInt32Array* narrow = vtkArrayDownCast<vtkTypeInt32Array>(array))
   {
     const vtkTypeInt32* from = narrow->GetPointer(0);
-    SmpExecutor().forEach(values.size(), 65536, [&](std::size_t i) { values[i] = from[i]; });
+    executor.forEach(values.size(), 65536, [&](std::size_t i) { values[i] = from[i]; });
     return values;
   }
   for (std::size_t i = 0; i < values.size(); ++i)
@@ -105,7 +104,7 @@ std::vector<Vec3> pointsFromVtk(vtkPoints* points)
   return out;
 }
 
-std::span<const std::int64_t> VtkCells::viewOrCopy(vtkDataArray* array)
+std::span<const std::int64_t> VtkCells::viewOrCopy(vtkDataArray* array, const Executor& executor)
 {
   const bool sameLayout = array && array->GetDataTypeSize() == sizeof(std::int64_t) &&
                           array->HasStandardMemoryLayout() && array->GetDataType() != VTK_DOUBLE;
@@ -114,10 +113,10 @@ std::span<const std::int64_t> VtkCells::viewOrCopy(vtkDataArray* array)
     return {static_cast<const std::int64_t*>(array->GetVoidPointer(0)),
             static_cast<std::size_t>(array->GetNumberOfValues())};
   }
-  return copies.emplace_back(integers(array));
+  return copies.emplace_back(integers(array, executor));
 }
 
-VtkCells::VtkCells(vtkUnstructuredGrid* grid)
+VtkCells::VtkCells(vtkUnstructuredGrid* grid, const Executor& executor)
 {
   static const std::int64_t none[] = {0};
   arrays.offsets = none;
@@ -127,13 +126,13 @@ VtkCells::VtkCells(vtkUnstructuredGrid* grid)
   }
   vtkUnsignedCharArray* cellTypes = grid->GetCellTypesArray();
   arrays.types = {cellTypes->GetPointer(0), static_cast<std::size_t>(cellTypes->GetNumberOfValues())};
-  arrays.offsets = viewOrCopy(grid->GetCells()->GetOffsetsArray());
-  arrays.connectivity = viewOrCopy(grid->GetCells()->GetConnectivityArray());
-  arrays.faceStream = viewOrCopy(grid->GetFaces());
-  arrays.faceLocations = viewOrCopy(grid->GetFaceLocations());
+  arrays.offsets = viewOrCopy(grid->GetCells()->GetOffsetsArray(), executor);
+  arrays.connectivity = viewOrCopy(grid->GetCells()->GetConnectivityArray(), executor);
+  arrays.faceStream = viewOrCopy(grid->GetFaces(), executor);
+  arrays.faceLocations = viewOrCopy(grid->GetFaceLocations(), executor);
 }
 
-VtkCells cellsFromVtk(vtkUnstructuredGrid* grid) { return VtkCells(grid); }
+VtkCells cellsFromVtk(vtkUnstructuredGrid* grid, const Executor& executor) { return VtkCells(grid, executor); }
 
 std::vector<BoundaryFaceKey> VtkPatches::keys() const
 {

@@ -3,6 +3,8 @@
 #pragma once
 
 #include "Quality/FaceMesh.h"
+#include "Support/Buffer.h"
+#include "Support/Executor.h"
 
 #include <vector>
 
@@ -20,7 +22,7 @@ std::vector<Vec3> pointsFromVtk(vtkPoints* points);
 class VtkCells
 {
 public:
-  explicit VtkCells(vtkUnstructuredGrid* grid);
+  explicit VtkCells(vtkUnstructuredGrid* grid, const Executor& executor = SerialExecutor());
   VtkCells() = default;
   VtkCells(VtkCells&&) = default;
   VtkCells& operator=(VtkCells&&) = default;
@@ -28,12 +30,12 @@ public:
   const CellArrays& view() const { return arrays; }
 
 private:
-  std::span<const std::int64_t> viewOrCopy(vtkDataArray* array);
+  std::span<const std::int64_t> viewOrCopy(vtkDataArray* array, const Executor& executor);
 
   CellArrays arrays;
   std::vector<Buffer<std::int64_t>> copies;
 };
-VtkCells cellsFromVtk(vtkUnstructuredGrid* grid);
+VtkCells cellsFromVtk(vtkUnstructuredGrid* grid, const Executor& executor = SerialExecutor());
 
 /// The faces of named patches in terms of the volume mesh they belong to.
 struct VtkPatches

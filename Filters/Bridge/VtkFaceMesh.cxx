@@ -56,7 +56,7 @@ VtkFaceMesh faceMeshFromVtk(vtkUnstructuredGrid* volume, vtkPartitionedDataSetCo
     throw Error("the volume mesh has no cells");
   }
   VtkFaceMesh result;
-  result.cells = cellsFromVtk(volume);
+  result.cells = cellsFromVtk(volume, executor);
   if (patches)
   {
     result.patches = patchesFromVtk(patches, volume);

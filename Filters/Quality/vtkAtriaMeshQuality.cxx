@@ -6,7 +6,6 @@
 #include "Quality/MeshChecks.h"
 #include "Quality/Metrics.h"
 #include "Quality/Statistics.h"
-#include "SmpExecutor.h"
 #include "VtkFaceMesh.h"
 
 #include <vtkCellData.h>
@@ -33,13 +32,14 @@ vtkStandardNewMacro(vtkAtriaMeshQuality);
 
 namespace {
 
-vtkSmartPointer<vtkDoubleArray> makeColumn(const std::string& name, std::span<const double> values)
+vtkSmartPointer<vtkDoubleArray> makeColumn(const std::string& name, std::span<const double> values,
+                                           const atria::Executor& executor = atria::SerialExecutor())
 {
   auto column = vtkSmartPointer<vtkDoubleArray>::New();
   column->SetName(name.c_str());
   column->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
   double* to = column->GetPointer(0);
-  atria::SmpExecutor().forEach(values.size(), 65536, [&](std::size_t i) { to[i] = values[i]; });
+  executor.forEach(values.size(), 65536, [&](std::size_t i) { to[i] = values[i]; });
   return column;
 }
 
@@ -63,7 +63,10 @@ public:
     counts->SetName("Count");
   }
 
-  void addCells(const char* name, std::span<const double> values) { arrays.push_back(makeColumn(name, values)); }
+  void addCells(const char* name, std::span<const double> values)
+  {
+    arrays.push_back(makeColumn(name, values, executor));
+  }
 
   void addSample(const Sample& sample)
   {

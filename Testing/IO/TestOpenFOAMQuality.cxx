@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <numbers>
 #include <numeric>
+#include <span>
 
 namespace {
 

@@ -5,6 +5,8 @@
 #include "Layer/BoundaryGraph.h"
 #include "Layer/LayerRules.h"
 
+#include <algorithm>
+
 namespace atria {
 
 struct LayerOptions
@@ -21,6 +23,11 @@ struct LayerOptions
   double dividedThickness = 0.6;
 
   Index surfaceCount() const { return static_cast<Index>(ofTag.size()) - 6; }
+  /// Whether a height is asked for somewhere.
+  bool hasHeights() const
+  {
+    return std::ranges::any_of(ofTag, [](const WallLayers& wall) { return wall.firstHeight > 0.0; });
+  }
 };
 
 enum class FaceRole : std::uint8_t

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Optimise/LayerGuide.h"
 
-#include <algorithm>
-
 namespace atria {
 
 LayerGuide::LayerGuide(const LayerMesh& layer, const LayerWalls& walls, const LayerOptions& options,
@@ -28,7 +26,7 @@ LayerGuide::LayerGuide(const LayerMesh& layer, const LayerWalls& walls, const La
       }
     }
   }
-  if (std::ranges::any_of(options.ofTag, [](const WallLayers& wall) { return wall.firstHeight > 0.0; }))
+  if (options.hasHeights())
   {
     pin(letGo);
   }
@@ -48,10 +46,6 @@ void LayerGuide::pin(const std::vector<char>& letGo)
       }
     }
   }
-  for (Index p = 0; p < layer_.plainPoints; ++p)
-  {
-    pinned_[p] = pinned_[leaders_[p]];
-  }
 }
 
 void LayerGuide::prepare(std::span<const Index> points, const RunContext& context)
@@ -69,7 +63,7 @@ void LayerGuide::prepare(std::span<const Index> points, const RunContext& contex
 
 bool LayerGuide::isMovable(Index point) const
 {
-  return point < layer_.plainPoints ? !isPinned(leaders_[point]) && plain_.isMovable(point)
+  return point < layer_.plainPoints ? !isPinned(point) && plain_.isMovable(point)
                                     : !isPinned(layer_.wallPoints[point - layer_.plainPoints]);
 }
 

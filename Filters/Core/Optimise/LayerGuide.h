@@ -25,14 +25,14 @@ public:
 
 private:
   void pin(const std::vector<char>& letGo);
-  bool isPinned(Index plainPoint) const { return !pinned_.empty() && pinned_[plainPoint] != 0; }
+  bool isPinned(Index plainPoint) const { return !pinned_.empty() && pinned_[leaders_[plainPoint]] != 0; }
   std::uint8_t sidesOf(Index wallPoint) const { return sides_[layer_.copies[wallPoint] - layer_.plainPoints]; }
 
   const LayerMesh& layer_;
   const LayerOptions& options_;
   VertexGuide& plain_;
   const std::vector<Index>& leaders_;
-  /// Per point of the plain mesh, whether its layers have a height of their own; empty where none have.
+  /// Per leader, whether layers at its points have a height of their own; empty where none have.
   std::vector<char> pinned_;
   /// The domain sides that a point with copies slides on, as bits by Direction, in the place of its copy among the new
   /// points.

@@ -38,7 +38,7 @@ LayerImprover::LayerImprover(const Octree& octree, const SurfaceModel& model, Tr
     : octree_(octree), model_(model), tree_(tree), wanted_(anchors), anchors_(anchors), vertexOf_(vertexOf),
       plain_(plain), walls_(walls), options_(options), curvedWalls_(curvedWalls), context_(context),
       layered_(std::ranges::any_of(options.ofTag, [](const WallLayers& wall) { return wall.layers > 0; })),
-      hasHeights_(std::ranges::any_of(options.ofTag, [](const WallLayers& wall) { return wall.firstHeight > 0.0; })),
+      hasHeights_(options.hasHeights()),
       divided_(std::ranges::any_of(options.ofTag, [](const WallLayers& wall) { return wall.layers > 1; })),
       uniform_(std::ranges::adjacent_find(plain.levels, std::not_equal_to()) == plain.levels.end()),
       leaders_(vertexOf.size()), mayLeave_(vertexOf.size(), 1), letGo_(vertexOf.size(), 0),
@@ -155,7 +155,7 @@ std::vector<ShortCell> LayerImprover::improve(const std::vector<ShortCell>& cell
   OptimiserOptions options;
   options.targets = targets();
   options.rings = rings;
-  options.leastPenalty = 0.01;
+  options.leastPenalty = 0.01; // about a tenth short of a target: good enough where cells are far from their limits
   std::vector<ShortCell> left = move(cells, options);
   markPoints(layer_, left, suspect_);
   return left;

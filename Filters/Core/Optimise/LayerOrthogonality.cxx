@@ -74,7 +74,7 @@ void LayerImprover::straighten(std::span<const OrthogonalityStage> stages, float
     options.leastWorst = leastOfOthers;
     options.rings = stage.rings;
     options.patient = true;
-    options.leastPenalty = 0.1;
+    options.leastPenalty = 0.1; // cells looked at are short by more
     std::vector<Index> changed;
     const std::vector<ShortCell> left =
         optimise(source, layer_.mesh.points, findBelow(options.targets, share, candidates), guides.layer, options,

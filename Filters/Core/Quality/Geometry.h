@@ -7,7 +7,6 @@
 #include "Support/RunContext.h"
 
 #include <span>
-#include <vector>
 
 namespace atria {
 

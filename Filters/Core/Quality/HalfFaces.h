@@ -6,7 +6,6 @@
 #include "Support/Buffer.h"
 
 #include <span>
-#include <vector>
 
 namespace atria {
 

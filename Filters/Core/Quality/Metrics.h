@@ -6,8 +6,6 @@
 #include "Support/Buffer.h"
 #include "Support/RunContext.h"
 
-#include <vector>
-
 namespace atria {
 
 /// Below, A is the outward area vector of a face, r goes from the cell's centroid to the face's, d from the

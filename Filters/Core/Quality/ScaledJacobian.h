@@ -2,10 +2,10 @@
 #pragma once
 
 #include "Quality/FaceMesh.h"
+#include "Support/Buffer.h"
 #include "Support/RunContext.h"
 
 #include <array>
-#include <vector>
 
 namespace atria {
 
