@@ -48,7 +48,8 @@ struct Patch
 class Posed
 {
 public:
-  Posed(const TriangleSurface& surface, const Pose& pose, const Vec3& offset, ZoneRule rule = ZoneRule::outside)
+  Posed(const TriangleSurface& surface, const Pose& pose, const Vec3& offset, ZoneRule rule = ZoneRule::outside,
+        double size = 1.0)
       : turn_(pose.turn()), offset_(offset)
   {
     TriangleSurface placed = surface;
@@ -63,7 +64,7 @@ public:
       grid.domain.min[axis] = std::floor(grid.domain.min[axis]) - 3.0;
       grid.domain.max[axis] = std::ceil(grid.domain.max[axis]) + 3.0;
     }
-    grid.sizeMin = grid.sizeMid = grid.sizeMax = 1.0;
+    grid.sizeMin = grid.sizeMid = grid.sizeMax = size;
     DualMeshOptions options;
     options.zoneRule = rule;
     meshed = meshIt(placed, grid, options);
@@ -195,10 +196,8 @@ class Fan : public ::testing::TestWithParam<std::tuple<double, Pose>>
 TEST_P(Fan, HasItsWedgesDownToATenthOfAnOctant)
 {
   const auto& [degrees, pose] = GetParam();
-  if (pose.aboutZ == 45.0 && degrees == 20.0)
-  {
-    GTEST_SKIP() << "not reached: at one of five offsets 91 % of a sheet, less than 95 %, is there";
-  }
+  // One level more, as in the method's paper: without it one of five offsets has 91 % of a sheet only.
+  const double size = pose.aboutZ == 45.0 && degrees == 20.0 ? 0.5 : 1.0;
   TriangleSurface surface;
   const auto along = [&](Index sheet, double radius) {
     const double angle = radians(degrees) * (static_cast<double>(sheet) - 1.0);
@@ -212,7 +211,7 @@ TEST_P(Fan, HasItsWedgesDownToATenthOfAnOctant)
   for (const Vec3& offset : offsets)
   {
     SCOPED_TRACE(traceOf(offset));
-    const Posed posed(surface, pose, offset);
+    const Posed posed(surface, pose, offset, ZoneRule::outside, size);
     posed.expectSound();
     for (const Index sheet : {0u, 1u, 2u})
     {

@@ -5,6 +5,7 @@
 #include "vtkAtriaMeshQuality.h"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace {
 
@@ -40,7 +41,7 @@ Box3 boundsOf(vtkPolyData* model)
 }
 
 /// The files are shared between so many tests, which can run side by side.
-constexpr int shares = 8;
+constexpr int shares = 16;
 
 class CorpusMeshes : public atria::testing::DualMesherTest, public ::testing::WithParamInterface<int>
 {
@@ -62,7 +63,7 @@ protected:
     const double longest = domain.size().maxCoeff();
     domain.min -= Vec3::Constant(0.25 * longest);
     domain.max += Vec3::Constant(0.25 * longest);
-    const double finest = longest / 48.0;
+    const double finest = longest / (std::getenv("ATRIA_TEST_FULL") ? 48.0 : 24.0);
     atria::testing::setGrid(mesher, domain, finest, 2.0 * finest, 4.0 * finest);
     mesher->SetZoneRule(vtkAtriaDualMesher::All);
     mesher->SetInputDataObject(model);

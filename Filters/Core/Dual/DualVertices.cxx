@@ -62,8 +62,8 @@ struct Part
 class VertexPlacer
 {
 public:
-  VertexPlacer(const Octree& tree, const SurfaceModel& surfaces, const Crossings& cuts)
-      : crossings(cuts), topology(tree, surfaces), geometry(tree, surfaces)
+  VertexPlacer(const Octree& tree, const SurfaceModel& surfaces, const LeafCurves& curves, const Crossings& cuts)
+      : crossings(cuts), topology(tree, surfaces, curves), geometry(tree, surfaces)
   {
   }
 
@@ -295,6 +295,7 @@ DualVertices placeVertices(const Octree& octree, const SurfaceModel& model, cons
                            const std::vector<Index>& leaves, const RunContext& context)
 {
   const CutsByLeaf byLeaf(crossings, octree.leafCount());
+  const LeafCurves curves(octree, model, context);
   DualVertices vertices;
   vertices.positions.resize(leaves.size());
   vertices.compromised.resize(leaves.size());
@@ -304,7 +305,7 @@ DualVertices placeVertices(const Octree& octree, const SurfaceModel& model, cons
   std::vector<Part> parts((leaves.size() + grain - 1) / grain);
   context.executor.forEach(parts.size(), 1, [&](std::size_t part) {
     context.progress.check();
-    VertexPlacer placer(octree, model, crossings);
+    VertexPlacer placer(octree, model, curves, crossings);
     for (std::size_t i = part * grain; i < std::min((part + 1) * grain, leaves.size()); ++i)
     {
       placer.placeOrNote(static_cast<Index>(i), leaves[i], byLeaf.of(leaves[i]), vertices, parts[part]);
@@ -318,13 +319,13 @@ DualVertices placeVertices(const Octree& octree, const SurfaceModel& model, cons
   const std::vector<Index> corners = assignCorners(octree, model, chain);
   vertices.missedCorners = missedCorners(model, corners);
   context.executor.forRanges(chain.size(), 256, [&](std::size_t begin, std::size_t end) {
-    VertexPlacer placer(octree, model, crossings);
+    VertexPlacer placer(octree, model, curves, crossings);
     for (std::size_t i = begin; i < end; ++i)
     {
       placer.placeOnChain(chain[i], corners[i], byLeaf.of(chain[i].leaf), vertices);
     }
   });
-  VertexPlacer placer(octree, model, crossings);
+  VertexPlacer placer(octree, model, curves, crossings);
   for (const ChainVertex& vertex : chain)
   {
     if (const auto middle = vertex.isDiverted ? middleOfLinks(vertex, chain, vertices.positions) : std::nullopt)

@@ -141,25 +141,27 @@ void LeafTopology::gather(Index leaf, std::span<const CutEdge> edges)
 /// Curves in which two of the charts meet.
 void LeafTopology::gatherCurves(Index leaf, std::span<const CutEdge> edges)
 {
+  meeting.clear();
   for (const Index near : leavesAbout(leaf, edges))
   {
-    for (const ModelItem piece : octree.items(near, ModelItem::featureEdge))
+    const std::span<const LeafCurves::Entry> all = leafCurves.of(near);
+    for (const Index chart : charts_)
     {
-      const Index curve = model.featureEdges[piece.index].curve;
-      if (nearCurves.empty() || nearCurves.back() != curve)
+      for (const LeafCurves::Entry& entry : LeafCurves::atChart(all, chart))
       {
-        nearCurves.push_back(curve);
+        meeting.emplace_back(entry.curve, chart);
       }
     }
   }
-  sortUnique(nearCurves);
-  const auto isHere = [&](Index chart) { return std::ranges::binary_search(charts_, chart); };
-  std::erase_if(nearCurves, [&](Index c) {
-    const std::vector<Index>& charts = model.curves[c].charts;
-    const auto first = std::ranges::find_if(charts, isHere);
-    return std::find_if(first, charts.end(), [&](Index chart) { return chart != *first && isHere(chart); }) ==
-           charts.end();
-  });
+  sortUnique(meeting);
+  for (std::size_t i = 1; i < meeting.size(); ++i)
+  {
+    const Index curve = meeting[i].first;
+    if (curve == meeting[i - 1].first && (nearCurves.empty() || nearCurves.back() != curve))
+    {
+      nearCurves.push_back(curve);
+    }
+  }
 }
 
 /// Looks at the mesh edge whose uses are [begin, end), which are sorted by charts.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Dual/EdgeProbe.h"
+#include "Dual/LeafCurves.h"
 #include "Support/UnionFind.h"
 
 namespace atria {
@@ -35,7 +36,10 @@ public:
     std::vector<Index> ending;
   };
 
-  LeafTopology(const Octree& tree, const SurfaceModel& surfaces) : octree(tree), model(surfaces) {}
+  LeafTopology(const Octree& tree, const SurfaceModel& surfaces, const LeafCurves& curvesOfLeaves)
+      : octree(tree), model(surfaces), leafCurves(curvesOfLeaves)
+  {
+  }
 
   /// Looks at a leaf with these cut edges.
   void analyse(Index leaf, std::span<const CutEdge> edges);
@@ -81,6 +85,7 @@ private:
 
   const Octree& octree;
   const SurfaceModel& model;
+  const LeafCurves& leafCurves;
   std::vector<Use> uses;
   std::vector<Face> faces;
   /// At the mesh edge looked at, the first use of each chart.
@@ -88,6 +93,8 @@ private:
   /// Charts and the sheets they are on.
   std::vector<std::pair<Index, Index>> parts;
   std::vector<Index> charts_;
+  /// Curves and charts that meet there, and the curves among them in which two charts of the vertex do.
+  std::vector<std::pair<Index, Index>> meeting;
   std::vector<Index> nearCurves;
   std::vector<Link> links_;
   int sheets_ = 0;

@@ -27,14 +27,14 @@ template <typename F> void eachLeaf(const EdgeSegment& edge, F&& f)
 } // namespace
 
 MovingGrid::Look::Look(const MovingGrid& grid)
-    : probe(grid.tree, grid.surfaces, &grid.triangles), topology_(grid.tree, grid.surfaces)
+    : probe(grid.tree, grid.surfaces, &grid.triangles), topology_(grid.tree, grid.surfaces, grid.leafCurves)
 {
 }
 
 MovingGrid::MovingGrid(GridPlaces& places, const SurfaceModel& model, TriangleTreeOnDemand& trianglesOfModel,
                        const Crossings& crossings, const RunContext& context)
     : grid(places), tree(places.octree()), surfaces(model), triangles(trianglesOfModel), home(crossings),
-      atCorners(curvesAtCorners(model)), movedOf(crossings.crossedEdges.size(), noIndex), view(*this)
+      atCorners(curvesAtCorners(model)), leafCurves(tree, model, context), movedOf(crossings.crossedEdges.size(), noIndex), view(*this)
 {
   listEdges();
   findQuestions(context);

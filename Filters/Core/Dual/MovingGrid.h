@@ -139,6 +139,7 @@ private:
   TriangleTreeOnDemand& triangles;
   const Crossings& home;
   std::vector<std::vector<std::vector<Index>>> atCorners;
+  LeafCurves leafCurves;
   /// Edges are numbered as in `home`, and then as they come. Those of leaf l are edgesOfLeaf[begin[l], begin[l + 1])
   /// and addedOfLeaf[l].
   std::vector<std::uint32_t> begin;
