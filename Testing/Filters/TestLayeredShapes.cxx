@@ -166,7 +166,7 @@ INSTANTIATE_TEST_SUITE_P(All, LayeredShapes,
                                            Shape{"Sphere_5cm", sphere, 0.05, false, 0.0, 35.0, 0.7, true},
                                            Shape{"Torus_uniform_20cm", torus, 0.2, true, 0.5, 50.0, 0.6},
                                            Shape{"Box_uniform_20cm", box, 0.2, true, 0.3, 65.0, 0.6},
-                                           Shape{"Tilted_box_uniform_20cm", tilted, 0.2, true, -0.1, 65.0, 0.8},
+                                           Shape{"Tilted_box_uniform_20cm", tilted, 0.2, true, 0.3, 65.0, 0.8},
                                            Shape{"Tilted_box_20cm", tilted, 0.2, false, 0.0, 65.0, 0.8}),
                          [](const auto& test) { return std::string(test.param.name); });
 

@@ -101,20 +101,21 @@ void cut(Crossings& crossings, const GridPlaces& grid, const SurfaceModel& model
                                     static_cast<std::uint32_t>(crossings.cuts.size()), 1});
   crossings.cuts.push_back(passage.cut);
   const Index tag = model.surfaceIds[passage.cut.triangle];
+  const Index chart = model.charts[passage.cut.triangle];
   std::int32_t& code = crossings.neighbours[passage.point][passage.direction];
   if (edge.other == noIndex)
   {
     BoundaryFace& face = crossings.boundaryFaces[DualMesh::boundaryFaceOf(code)];
-    face = {passage.point, tag, noIndex, passage.direction, seenFromStart(passage.cut), false};
+    face = {passage.point, tag, noIndex, passage.direction, seenFromStart(passage.cut), false, chart};
     return;
   }
   const auto add = [&](const BoundaryFace& face) {
     crossings.neighbours[face.element][face.direction] = ~static_cast<std::int32_t>(crossings.boundaryFaces.size());
     crossings.boundaryFaces.push_back(face);
   };
-  add({passage.point, tag, edge.other, passage.direction, seenFromStart(passage.cut), false});
+  add({passage.point, tag, edge.other, passage.direction, seenFromStart(passage.cut), false, chart});
   add({edge.other, tag, passage.point, static_cast<std::uint8_t>(opposite(passage.direction)), seenFromEnd(passage.cut),
-       false});
+       false, chart});
 }
 
 } // namespace

@@ -59,7 +59,8 @@ private:
     {
       record(point, edge.other, direction, segment, cuts, part);
       part.faces.push_back({point, model.surfaceIds[cuts.front().triangle], noIndex,
-                            static_cast<std::uint8_t>(direction), seenFromStart(cuts.front()), false});
+                            static_cast<std::uint8_t>(direction), seenFromStart(cuts.front()), false,
+                            model.charts[cuts.front().triangle]});
       return;
     }
     const Index triangle = probe.sideTriangle(edge.at.leaf, segment.end, direction);
@@ -78,9 +79,11 @@ private:
     }
     record(point, edge.other, direction, segment, cuts, part);
     part.faces.push_back({point, model.surfaceIds[cuts.front().triangle], edge.other,
-                          static_cast<std::uint8_t>(direction), seenFromStart(cuts.front()), false});
+                          static_cast<std::uint8_t>(direction), seenFromStart(cuts.front()), false,
+                          model.charts[cuts.front().triangle]});
     part.faces.push_back({edge.other, model.surfaceIds[cuts.back().triangle], point,
-                          static_cast<std::uint8_t>(opposite(direction)), seenFromEnd(cuts.back()), false});
+                          static_cast<std::uint8_t>(opposite(direction)), seenFromEnd(cuts.back()), false,
+                          model.charts[cuts.back().triangle]});
   }
 
   static void record(Index point, Index other, int direction, const EdgeSegment& segment,

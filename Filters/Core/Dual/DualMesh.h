@@ -36,6 +36,8 @@ struct BoundaryFace
   SheetSide side;
   /// The face is a side of the domain, bare or named by a surface that lies on it.
   bool onDomainSide;
+  /// The smooth piece of the surface; noIndex on a domain side.
+  Index chart = noIndex;
 };
 
 /// An element is the dual of a grid point; its corners are the vertices of the octants about the point, one an octant

@@ -38,6 +38,11 @@ public:
         add(f, ofTag[plain.boundaryFaces[f].tag]);
       }
     }
+    for (LayerCoverage& surface : ofTag)
+    {
+      surface.thickness = surface.layered > 0.0 ? surface.thickness / surface.layered : 0.0;
+    }
+    addRows(ofTag);
     for (std::size_t tag = 0; tag < ofTag.size(); ++tag)
     {
       LayerCoverage& surface = ofTag[tag];
@@ -45,7 +50,6 @@ public:
       {
         surface.surface = tag < names.size() ? names[tag] : sideNames[tag - names.size()];
         surface.layers = options.ofTag[tag].layers;
-        surface.thickness = surface.layered > 0.0 ? surface.thickness / surface.layered : 0.0;
         out.surfaces.push_back(std::move(surface));
       }
     }
@@ -88,6 +92,27 @@ private:
       surface.layered += area;
       surface.full += most >= static_cast<Index>(asked.layers) ? area : 0.0;
       surface.thickness += wanted > 0.0 ? area * got / wanted : 0.0;
+    }
+  }
+
+  /// Faces of rows along creases have the layer of the face they were taken from.
+  void addRows(std::vector<LayerCoverage>& ofTag)
+  {
+    for (std::size_t i = 0; i < layer.rows.wallFaces.size(); ++i)
+    {
+      const std::size_t f = layer.rows.firstFace + i;
+      const Index like = layer.rows.wallFaces[i];
+      if (like == noIndex)
+      {
+        continue;
+      }
+      out.counts[f] = out.counts[like];
+      out.thicknesses[f] = out.thicknesses[like];
+      LayerCoverage& surface = ofTag[plain.boundaryFaces[like].tag];
+      const double area = wallNormal(layer.mesh, layer.mesh.boundaryFaces[f]).norm();
+      surface.area += area;
+      surface.layered += area;
+      surface.full += area;
     }
   }
 

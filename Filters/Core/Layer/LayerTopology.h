@@ -6,6 +6,25 @@
 
 namespace atria {
 
+/// What rows along creases (CreaseRows.h) added to a mesh with a layer. Points, elements and boundary faces that were
+/// there keep their numbers.
+struct CreaseRows
+{
+  struct Point
+  {
+    Index wallPoint; ///< the point of the plain mesh it was split from
+    Index chart;     ///< of its wall; noIndex on a side of the domain
+    bool onWall;     ///< else it is inside
+    bool isFixed;    ///< where the row ends on a side of the domain
+  };
+
+  Index firstPoint = 0;
+  std::vector<Point> points;
+  /// Per boundary face, from firstFace on: the wall's face that the row was taken from; noIndex on sides of the domain.
+  Index firstFace = 0;
+  std::vector<Index> wallFaces;
+};
+
 /// A mesh with layers, and how it hangs together with the plain one it was grown from. Points and elements of the plain
 /// mesh keep their numbers; its boundary faces too, those of the domain's sides that layers end on follow them. The
 /// plain points are the wall's; elements that were at the wall use the last point above it, the copy.
@@ -23,6 +42,8 @@ struct LayerMesh
   /// Per new element, from plainElements on: the boundary face it stands on, and its place in the stack, 0 and up.
   std::vector<Index> wallFaces;
   std::vector<Index> heights;
+  /// These are no part of the stacks.
+  CreaseRows rows;
 
   bool isNew(Index point) const { return point >= plainPoints; }
   /// The point of the wall that a new point stands above; a plain one is its own.

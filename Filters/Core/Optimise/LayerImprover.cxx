@@ -112,6 +112,10 @@ LayerMesh LayerImprover::run()
     improveAtCurved();
   }
   straighten();
+  if (isSingle && uniform_)
+  {
+    addCreaseRows();
+  }
   return std::move(layer_);
 }
 

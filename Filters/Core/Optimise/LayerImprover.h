@@ -70,6 +70,7 @@ private:
   void straightenOrRelease(std::span<const OrthogonalityStage> stages, float share, const QualityRange& largest,
                            std::vector<char>& toJudge, std::vector<Index>& candidates);
   void straightenDivided();
+  void addCreaseRows();
   LayerMesh divide(const LayerMesh& one) const;
   std::optional<LayerMesh> divideAndImprove(const LayerMesh& given) const;
   LayerMesh divideEvenly(const LayerMesh& one) const;

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Domain/GridFrame.h"
+#include "Layer/LayerTopology.h"
+#include "Octree/TriangleTree.h"
+#include "Optimise/VertexGuide.h"
+
+namespace atria {
+
+/// Points of rows along creases stay on their charts, or go anywhere inside; others go where another guide lets them.
+class RowGuide : public VertexGuide
+{
+public:
+  RowGuide(VertexGuide& others, const CreaseRows& rows, const GridFrame& frame, const SurfaceModel& model,
+           const TriangleTree& tree)
+      : others_(others), rows_(rows), frame_(frame), model_(model), tree_(tree)
+  {
+  }
+
+  void prepare(std::span<const Index> points, const RunContext& context) override;
+  bool isMovable(Index point) const override;
+  Index leaderOf(Index point) const override { return isOlder(point) ? others_.leaderOf(point) : point; }
+  Vec3 place(Index point, const Vec3& p) const override;
+  Ways waysFrom(Index point, const Vec3& p, double step) const override;
+
+private:
+  bool isOlder(Index point) const { return point < rows_.firstPoint; }
+  const CreaseRows::Point& at(Index point) const { return rows_.points[point - rows_.firstPoint]; }
+
+  VertexGuide& others_;
+  const CreaseRows& rows_;
+  const GridFrame& frame_;
+  const SurfaceModel& model_;
+  const TriangleTree& tree_;
+};
+
+} // namespace atria
