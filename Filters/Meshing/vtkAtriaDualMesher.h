@@ -17,7 +17,9 @@
  * element). Field array: `MaxLevel`. The same input and properties give the same bits, whatever the number of threads.
  *
  * With layers, a layer of elements lies about all walls (surfaces), one prism on each side of every wall, or several on
- * top of each other; prisms are the last elements. They taper to nothing where there is no room.
+ * top of each other; prisms are the last elements. They taper to nothing where there is no room. If all octants are of
+ * one size, and edges of solids run across the grid, a single layer is in two halves on these solids, with a row of
+ * hexahedra along the edges: without it some have an angle of 180 degrees there. It counts as one layer.
  *
  * Output port 1: vtkPartitionedDataSetCollection, one named vtkPolyData a patch. A surface with elements on its front
  * and its back is two patches, `<name>_front` and `<name>_back`; the two sides have points of their own, but at rims.
