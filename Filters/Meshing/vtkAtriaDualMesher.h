@@ -154,9 +154,9 @@ public:
   ///@{
   /**
    * Greatest non-orthogonality, in degrees, and OpenFOAM's skewness that hexahedra at curved walls are to have, away
-   * from creases and rims, if they can: those that have more are improved. With 17 and 0.5 a sphere comes to about 20
-   * degrees and 0.6, in two to three times the time. They count for a single layer without a height. Defaults
-   * 30 and 0.75; clamped to [1, 89.9] and [0.01, 1000].
+   * from creases and rims, if they can: those that have more are improved. With 30 and 0.75 the layer of a sphere takes
+   * half of the time or less. They count for a single layer without a height. Defaults 20 and 0.5; clamped to [1, 89.9]
+   * and [0.01, 1000].
    */
   vtkSetClampMacro(TargetNonOrthogonality, double, 1.0, 89.9);
   vtkGetMacro(TargetNonOrthogonality, double);

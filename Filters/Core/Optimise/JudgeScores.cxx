@@ -412,7 +412,7 @@ template <typename Sink> void Judge::scoreSkewness(Index face, const Vec3& d, Si
     return;
   }
   const double skewness = faces[face].normal.isZero() ? wild : skewnessOf(face, d, targets_.skewness.target);
-  score.add(targets_.skewness.of(std::min(skewness, wild)));
+  score.add(targets_.skewness.of(std::min(skewness, wild)), targets_.leastOfSkewness);
 }
 
 /// Whether the skewness is below its target, as far as that can be seen without roots and division.

@@ -7,67 +7,140 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <numbers>
 
 namespace atria {
 
 namespace {
 
-/// A wall is flat at a point if its faces there turn by less than a quarter of a degree.
+/// A wall is flat if its chart is, or at a point if its faces there turn by less than a quarter of a degree.
 constexpr double flatCosine = 1.0 - 1e-5;
+/// It is smooth if they turn by less than 12 degrees, or are at an edge of the domain: other elements, where octants
+/// are coarse or a wall stands on the ground, do not come to be as good, and trying to takes long.
+constexpr double smoothCosine = 0.978;
+/// Beyond 60 degrees it is an edge, though none of one surface.
+constexpr double edgeCosine = 0.5;
+/// What is asked of elements where walls are not smooth.
+constexpr CurvedWallTargets coarse{30.0, 0.75};
 /// How much thicker a layer of no asked height may be on curved walls, where nothing beside it needs the room.
 constexpr double thicker = 5.0 / 3.0;
 /// What hexahedra of a uniform mesh keep of their scaled Jacobian where angles are made better.
 constexpr double curvedJacobian = 0.52;
 constexpr double leastCurvedJacobian = 0.5;
-/// Degrees by which limits lie beyond the targets, stage by stage, and what skewness lies beyond for each.
-constexpr std::array stages{10.0, 5.0, 3.0};
-constexpr double skewnessPerDegree = 0.03;
+/// Of stages.
+constexpr double leastDegrees = 1.0;
+constexpr double leastSkewness = 0.01;
 
-double cosineOf(double degrees) { return std::cos(degrees * std::numbers::pi / 180.0); }
+/// By chart whether it is not flat. Triangles that are thinner than rounding may turn them are not looked at.
+std::vector<char> findBent(const SurfaceModel& model)
+{
+  constexpr double leastHeight = 1e3; // lattice units
+  std::vector<Index> widest;
+  std::vector<double> areas;
+  for (Index t = 0; t < model.triangles.size(); ++t)
+  {
+    const std::size_t chart = model.charts[t];
+    if (chart >= widest.size())
+    {
+      widest.resize(chart + 1, noIndex);
+      areas.resize(chart + 1, -1.0);
+    }
+    if (const double area = model.normal(t).squaredNorm(); area > areas[chart])
+    {
+      widest[chart] = t;
+      areas[chart] = area;
+    }
+  }
+  std::vector<char> bent(widest.size(), 0);
+  for (Index t = 0; t < model.triangles.size(); ++t)
+  {
+    const std::size_t chart = model.charts[t];
+    const Vec3 normal = model.normal(t);
+    const Vec3 across = model.normal(widest[chart]).normalized();
+    const double longest = model.bounds(t).size().norm();
+    if (normal.norm() > leastHeight * longest && std::abs(normal.normalized().dot(across)) < flatCosine)
+    {
+      bent[chart] = 1;
+    }
+  }
+  return bent;
+}
+
+double cosineOf(double degrees) { return std::cos(std::max(degrees, leastDegrees) * std::numbers::pi / 180.0); }
 
 } // namespace
 
-/// Marks the points where walls turn from face to face; leaves no marks at all where none do.
+/// How far the limits and the aims of a stage lie beyond the targets, in degrees and in skewness. Cells below a share
+/// of the way from limit to aim are moved.
+struct LayerImprover::CurvedStage
+{
+  QualityRange degrees;
+  QualityRange skewness;
+  float below;
+};
+
+/// Finds how walls turn from face to face at points; leaves nothing at all where none do.
 void LayerImprover::findCurved()
 {
-  curved_.assign(layer_.plainPoints, 0);
+  const std::vector<char> bent = findBent(model_);
+  curved_.assign(layer_.plainPoints, Bend::none);
   context_.executor.forEach(curved_.size(), 4096, [&](std::size_t p) {
-    Vec3 first = Vec3::Zero();
+    const BoundaryFace* first = nullptr;
+    Vec3 normalOfFirst;
     for (const Index f : walls_.graph.facesAt(static_cast<Index>(p)))
     {
       if (walls_.roles[f] != FaceRole::wall)
       {
         continue;
       }
-      const Vec3 normal = wallNormal(plain_, plain_.boundaryFaces[f]).normalized();
-      first = first.isZero() ? normal : first;
-      curved_[p] |= normal.dot(first) < flatCosine ? 1 : 0;
+      const BoundaryFace& face = plain_.boundaryFaces[f];
+      const Vec3 normal = wallNormal(plain_, face).normalized();
+      if (!first)
+      {
+        first = &face;
+        normalOfFirst = normal;
+      }
+      const double cosine = normal.dot(normalOfFirst);
+      const bool onSides = face.chart == noIndex && first->chart == noIndex;
+      const bool isBent = cosine < flatCosine && face.chart != noIndex && bent[face.chart];
+      if (cosine < edgeCosine || isBent)
+      {
+        const bool isSmooth = cosine > smoothCosine || onSides;
+        curved_[p] = std::max(curved_[p], isSmooth ? Bend::smooth : Bend::coarse);
+      }
     }
   });
-  if (std::ranges::find(curved_, 1) == curved_.end())
+  if (std::ranges::all_of(curved_, [](Bend bend) { return bend == Bend::none; }))
   {
     curved_.clear();
   }
+}
+
+bool LayerImprover::isAwayFromCreases(Index cell) const
+{
+  return std::ranges::all_of(layer_.mesh.corners[cell], [&](Index p) {
+    const Freedom freedom = anchors_.freedom[vertexOf_[layer_.wallPointOf(p)]];
+    return freedom == Freedom::free || freedom == Freedom::surface;
+  });
 }
 
 /// Whether it is a hexahedron at a curved wall, and all its points on walls are away from creases and rims.
 bool LayerImprover::isAtCurved(Index cell) const
 {
   std::array<Index, 8> corners = layer_.mesh.corners[cell];
-  bool isCurved = false;
-  for (const Index p : corners)
-  {
-    const Index wall = layer_.wallPointOf(p);
-    const Freedom freedom = anchors_.freedom[vertexOf_[wall]];
-    if (freedom != Freedom::free && freedom != Freedom::surface)
-    {
-      return false;
-    }
-    isCurved = isCurved || curved_[wall];
-  }
+  const bool isCurved =
+      std::ranges::any_of(corners, [&](Index p) { return curved_[layer_.wallPointOf(p)] != Bend::none; });
   std::ranges::sort(corners);
-  return isCurved && std::ranges::adjacent_find(corners) == corners.end();
+  return isCurved && std::ranges::adjacent_find(corners) == corners.end() && isAwayFromCreases(cell);
+}
+
+/// Whether none of its points are on walls that are curved but not smooth.
+bool LayerImprover::isAtSmooth(Index cell) const
+{
+  return std::ranges::all_of(layer_.mesh.corners[cell],
+                             [&](Index p) { return curved_[layer_.wallPointOf(p)] != Bend::coarse; });
 }
 
 /// Points with a copy, of which all cells with it are at curved walls.
@@ -151,17 +224,56 @@ std::vector<ShortCell> LayerImprover::thicken()
   return shortCells;
 }
 
-/// What is asked of cells at curved walls.
-QualityTargets LayerImprover::targetsAtCurved() const
+QualityTargets LayerImprover::targetsAtCurved(const CurvedWallTargets& wanted) const
 {
   QualityTargets out = targets();
-  out.faceCosine.target = std::max(out.faceCosine.target, cosineOf(curvedWalls_.nonOrthogonality));
-  out.skewness.target = std::min(out.skewness.target, curvedWalls_.skewness);
+  out.faceCosine.target = std::max(out.faceCosine.target, cosineOf(wanted.nonOrthogonality));
+  out.skewness.target = std::min(out.skewness.target, wanted.skewness);
   out.scaledJacobian = std::min(out.scaledJacobian, curvedJacobian);
   return out;
 }
 
-/// Elsewhere such targets would take long and gain little.
+/// Of hexahedra at curved walls those below a share of targets, of other shapes, which may be far from them wherever
+/// their points are, those that are slightly beyond the limit.
+std::vector<ShortCell> LayerImprover::farAtCurved(const QualityTargets& wanted, float share,
+                                                  const std::vector<Index>& candidates) const
+{
+  QualityTargets by = wanted;
+  by.leastOfFaceCosine = by.leastOfSkewness = -std::numeric_limits<double>::infinity();
+  std::vector<ShortCell> found = findBelow(by, share, candidates);
+  constexpr float slightly = -0.5F;
+  std::erase_if(found, [&](const ShortCell& cell) {
+    return (cell.worst >= 0.0F || cell.worst < slightly) && !isAtCurved(cell.cell);
+  });
+  return found;
+}
+
+QualityTargets LayerImprover::targetsOf(const CurvedStage& stage) const
+{
+  QualityTargets out = targets();
+  const auto cosineAt = [&](double beyond) { return cosineOf(curvedWalls_.nonOrthogonality + beyond); };
+  out.faceCosine = {std::max(out.faceCosine.limit, cosineAt(stage.degrees.limit)),
+                    std::max(out.faceCosine.target, cosineAt(stage.degrees.target))};
+  const auto skewnessAt = [&](double beyond) { return std::max(curvedWalls_.skewness + beyond, leastSkewness); };
+  out.skewness = {std::min(out.skewness.limit, skewnessAt(stage.skewness.limit)),
+                  std::min(out.skewness.target, skewnessAt(stage.skewness.target))};
+  out.scaledJacobian = std::min(out.scaledJacobian, curvedJacobian);
+  out.jacobianLimit = std::min(leastCurvedJacobian, out.scaledJacobian);
+  out.leastOfFaceCosine = out.leastOfSkewness = leastOfOthers;
+  return out;
+}
+
+/// The hexahedra at smooth walls that are not known to be good, or those at other curved walls.
+std::vector<Index> LayerImprover::unsureAtCurved(bool smooth) const
+{
+  std::vector<Index> cells;
+  std::ranges::copy_if(unsure_, std::back_inserter(cells),
+                       [&](Index cell) { return isAtCurved(cell) && isAtSmooth(cell) == smooth; });
+  return cells;
+}
+
+/// First all that fall short, but not for long; then the few that are far from the targets. Elsewhere such targets
+/// would take long and gain little.
 void LayerImprover::improveAtCurved()
 {
   if (curved_.empty())
@@ -169,33 +281,68 @@ void LayerImprover::improveAtCurved()
     return;
   }
   OptimiserOptions options;
-  options.targets = targetsAtCurved();
   options.sweeps = 8;
   options.leastPenalty = 5e-4;
   options.leastGain = 0.02;
   options.firstReach = 0.3;
-  std::vector<Index> suspects = unsure_;
-  std::erase_if(suspects, [&](Index cell) { return !isAtCurved(cell); });
-  const auto moveThoseShort = [&] {
-    move(findShortAmong(DualSource(layer_.mesh), suspects, options.targets, context_), options);
-  };
-  moveThoseShort();
-  const CurvedWallTargets usual;
-  if (curvedWalls_.nonOrthogonality >= usual.nonOrthogonality && curvedWalls_.skewness >= usual.skewness)
-  {
-    return;
-  }
-  // Targets that are hard to come up to; the limits rise as in straighten().
-  options.targets.leastOfFaceCosine = leastOfOthers;
   options.leastWorst = leastOfOthers;
-  options.targets.jacobianLimit = std::min(leastCurvedJacobian, options.targets.scaledJacobian);
-  for (const double degrees : stages)
+  for (const bool smooth : {false, true})
   {
-    QualityRange& cosine = options.targets.faceCosine;
-    cosine.limit = std::max(cosine.limit, cosineOf(curvedWalls_.nonOrthogonality + degrees));
-    QualityRange& skewness = options.targets.skewness;
-    skewness.limit = std::min(skewness.limit, curvedWalls_.skewness + skewnessPerDegree * degrees);
-    moveThoseShort();
+    const CurvedWallTargets& own = curvedWalls_;
+    options.targets =
+        targetsAtCurved(smooth ? own
+                               : CurvedWallTargets{std::max(own.nonOrthogonality, coarse.nonOrthogonality),
+                                                   std::max(own.skewness, coarse.skewness)});
+    move(findBelow(options.targets, 1.0F, unsureAtCurved(smooth)), options);
+  }
+  bringClose();
+}
+
+/// Moves those of the candidates that a stage is for; new ones are those that changed by it, and their neighbours.
+void LayerImprover::bringClose(const CurvedStage& stage, std::vector<Index>& candidates)
+{
+  OptimiserOptions options;
+  options.targets = targetsOf(stage);
+  options.sweeps = 12;
+  options.patient = true;
+  options.leastPenalty = 0.002;
+  options.leastWorst = leastOfOthers;
+  std::vector<Index> about;
+  move(farAtCurved(options.targets, stage.below, candidates), options, &about);
+  std::ranges::copy_if(about, std::back_inserter(candidates),
+                       [&](Index cell) { return isAtSmooth(cell) && isAtCurved(cell); });
+  sortUnique(candidates);
+}
+
+/// The limits rise, as in straighten(). By the last one cells are moved that have 1.6 degrees less than the target.
+void LayerImprover::bringClose()
+{
+  constexpr CurvedStage first{{4.0, -2.0}, {0.1, 0.0}, 0.5F};
+  constexpr CurvedStage second{{1.0, -5.0}, {0.05, -0.05}, 0.4F};
+  constexpr CurvedStage last{{0.0, -6.0}, {0.03, -0.07}, 0.3F};
+  constexpr CurvedStage lowered{{4.0, -6.0}, {0.1, -0.07}, 0.5F};
+  constexpr float leastShare = 0.5F; // above the last stage's, and of its range below those of all others
+  std::vector<Index> candidates = withNeighbours(DualSource(layer_.mesh), unsureAtCurved(true));
+  std::erase_if(candidates, [&](Index cell) { return !isAtSmooth(cell) || !isAwayFromCreases(cell); });
+  candidates = cellsOf(farAtCurved(targetsOf(last), leastShare, candidates));
+  for (const CurvedStage& stage : {first, second, last})
+  {
+    bringClose(stage, candidates);
+  }
+  // What is just at a limit is hard to move on, as what is above may not fall below: it is lowered and raised again, as
+  // long as a third of those beyond it gets in by that.
+  constexpr int most = 4;
+  std::size_t before = std::numeric_limits<std::size_t>::max() / 3;
+  for (int i = 0; i < most; ++i)
+  {
+    const std::size_t beyond = farAtCurved(targetsOf(last), 0.0F, candidates).size();
+    if (beyond == 0 || 3 * beyond > 2 * before)
+    {
+      return;
+    }
+    before = beyond;
+    bringClose(lowered, candidates);
+    bringClose(last, candidates);
   }
 }
 

@@ -141,16 +141,22 @@ std::vector<ShortCell> LayerImprover::findAll()
   return std::move(found[1]);
 }
 
-std::vector<ShortCell> LayerImprover::move(const std::vector<ShortCell>& cells, const OptimiserOptions& options)
+/// `about` gets the cells about points that moved, and their neighbours.
+std::vector<ShortCell> LayerImprover::move(const std::vector<ShortCell>& cells, const OptimiserOptions& options,
+                                           std::vector<Index>* about)
 {
   Guides guides(*this);
   const DualSource source(layer_.mesh);
   std::vector<Index> changed;
   std::vector<ShortCell> left = optimise(source, layer_.mesh.points, cells, guides.layer, options, context_, &changed);
   sortUnique(changed);
-  const std::vector<Index> about = withNeighbours(source, changed);
-  unsure_.insert(unsure_.end(), about.begin(), about.end());
+  changed = withNeighbours(source, changed);
+  unsure_.insert(unsure_.end(), changed.begin(), changed.end());
   sortUnique(unsure_);
+  if (about)
+  {
+    *about = std::move(changed);
+  }
   return left;
 }
 

@@ -40,7 +40,14 @@ public:
 private:
   struct Guides;
   enum class Step : std::uint8_t;
+  enum class Bend : std::uint8_t
+  {
+    none,
+    smooth,
+    coarse
+  };
   struct OrthogonalityStage;
+  struct CurvedStage;
 
   void grow();
   void mend(const std::vector<ShortCell>& cells);
@@ -55,12 +62,20 @@ private:
   void putBack();
   void keepThoseAway();
   void findCurved();
+  bool isAwayFromCreases(Index cell) const;
   bool isAtCurved(Index cell) const;
+  bool isAtSmooth(Index cell) const;
   std::vector<Index> pointsAtCurved() const;
   void takeBack(std::vector<WantedPlace> thick, std::vector<ShortCell>& shortCells);
   std::vector<ShortCell> thicken();
-  QualityTargets targetsAtCurved() const;
+  QualityTargets targetsAtCurved(const CurvedWallTargets& wanted) const;
+  QualityTargets targetsOf(const CurvedStage& stage) const;
+  std::vector<ShortCell> farAtCurved(const QualityTargets& wanted, float share,
+                                     const std::vector<Index>& candidates) const;
+  std::vector<Index> unsureAtCurved(bool smooth) const;
   void improveAtCurved();
+  void bringClose(const CurvedStage& stage, std::vector<Index>& candidates);
+  void bringClose();
   void straighten();
   QualityTargets targetsOf(const OrthogonalityStage& stage) const;
   QualityTargets strictest() const;
@@ -80,7 +95,8 @@ private:
                const std::vector<Index>& counts, LayerMesh& one, std::vector<char>& held,
                std::vector<char>& changed) const;
   std::vector<WantedPlace> wantedPlaces() const;
-  std::vector<ShortCell> move(const std::vector<ShortCell>& cells, const OptimiserOptions& options);
+  std::vector<ShortCell> move(const std::vector<ShortCell>& cells, const OptimiserOptions& options,
+                              std::vector<Index>* about = nullptr);
   std::vector<ShortCell> improve(const std::vector<ShortCell>& cells, int rings);
   std::vector<ShortCell> findAll();
   template <typename Visit> void eachLeaderOf(const std::vector<ShortCell>& cells, Visit&& visit) const;
@@ -113,8 +129,8 @@ private:
   std::vector<char> excluded_;
   /// Of cells that fell short after a pass; also those in the second row from the walls.
   std::vector<char> suspect_;
-  /// Whether walls are curved there. Empty where none are, or other than a single layer of no asked height is grown.
-  std::vector<char> curved_;
+  /// How walls are curved there. Empty where none are, or other than a single layer of no asked height is grown.
+  std::vector<Bend> curved_;
   /// Cells, in order, that may fall short of strictest(), of those at the boundary and of the layer.
   std::vector<Index> unsure_;
   /// Leaders that were released, each once, and where they were.

@@ -44,7 +44,7 @@ QualityTargets LayerImprover::targetsOf(const OrthogonalityStage& stage) const
 /// What no later pass asks more than.
 QualityTargets LayerImprover::strictest() const
 {
-  QualityTargets out = curved_.empty() ? targets() : targetsAtCurved();
+  QualityTargets out = curved_.empty() ? targets() : targetsAtCurved(curvedWalls_);
   out.faceCosine.target = std::max(out.faceCosine.target, acceptable.target);
   out.scaledJacobian = targets().scaledJacobian;
   return out;

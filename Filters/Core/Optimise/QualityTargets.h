@@ -30,9 +30,9 @@ struct QualityRange
 struct CurvedWallTargets
 {
   /// Degrees, greater than 0 and below 90.
-  double nonOrthogonality = 30.0;
+  double nonOrthogonality = 20.0;
   /// OpenFOAM's, greater than 0.
-  double skewness = 0.75;
+  double skewness = 0.5;
 };
 
 /// What good cells have. The limits leave a little room to those of OpenFOAM's checkMesh. See Judge for the measures.
@@ -51,6 +51,8 @@ struct QualityTargets
   double leastOfFaceCosine = -std::numeric_limits<double>::infinity();
   /// OpenFOAM's skewness.
   QualityRange skewness{3.8, 2.0};
+  /// As leastOfFaceCosine.
+  double leastOfSkewness = -std::numeric_limits<double>::infinity();
   /// OpenFOAM's interpolation weight.
   QualityRange weight{0.06, 0.15};
   /// Volumes of neighbours, the smaller over the larger.
