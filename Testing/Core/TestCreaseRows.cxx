@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Uniform meshes about solids whose edges run across the grid: hexahedra are good along them, too.
 #include "Layer/BoundaryGraph.h"
-#include "Quality/ScaledJacobian.h"
 #include "Support/DualMeshChecks.h"
 #include "Support/MeshIt.h"
 #include "Support/Shapes.h"
@@ -22,48 +21,17 @@ using namespace atria::testing;
 
 constexpr double size = 0.25;
 
-/// Of the corners, counter-clockwise; the first sees all others.
-TriangleSurface prism(const std::vector<Vec3>& corners, double bottom, double top)
+using Polygon = std::vector<Eigen::Vector2d>;
+
+TriangleSurface prism(const Polygon& polygon, double bottom, double top)
 {
-  const auto n = static_cast<Index>(corners.size());
-  std::vector<Vec3> points;
-  for (const double z : {bottom, top})
-  {
-    for (const Vec3& p : corners)
-    {
-      points.emplace_back(p[0], p[1], z);
-    }
-  }
-  std::vector<std::array<Index, 3>> triangles;
-  for (Index i = 0; i < n; ++i)
-  {
-    const Index next = (i + 1) % n;
-    triangles.push_back({i, next, n + next});
-    triangles.push_back({i, n + next, n + i});
-    if (i > 0 && next > 0)
-    {
-      triangles.push_back({0, next, i});
-      triangles.push_back({n, n + i, n + next});
-    }
-  }
   TriangleSurface out;
-  addSurface(out, "Solid", points, triangles);
+  addPrism(out, "Solid", polygon, bottom, top);
   return out;
 }
 
-std::vector<Vec3> regular(int corners, double radius)
-{
-  std::vector<Vec3> out;
-  for (int i = 0; i < corners; ++i)
-  {
-    const double angle = 2.0 * std::numbers::pi * i / corners;
-    out.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0.0);
-  }
-  return out;
-}
-
-const std::vector<Vec3> rectangle{{-1.5, -1, 0}, {1.5, -1, 0}, {1.5, 1, 0}, {-1.5, 1, 0}};
-const std::vector<Vec3> angled{{0, 0, 0}, {0, 1.8, 0}, {-1.8, 1.8, 0}, {-1.8, -1.8, 0}, {1.8, -1.8, 0}, {1.8, 0, 0}};
+const Polygon rectangle{{-1.5, -1}, {1.5, -1}, {1.5, 1}, {-1.5, 1}};
+const Polygon angled{{0, 0}, {0, 1.8}, {-1.8, 1.8}, {-1.8, -1.8}, {1.8, -1.8}, {1.8, 0}};
 
 struct Solid
 {
@@ -89,23 +57,6 @@ Meshed meshAbout(const Solid& solid, int layers, int threads = 2)
   DualMeshOptions options;
   options.layers = {{"*", {layers}}};
   return meshIt(turned, grid, options, threads);
-}
-
-/// Of hexahedra: where the layer is left out at a point, some elements are none.
-double leastJacobianOf(const DualMesh& mesh)
-{
-  constexpr unsigned char hexahedron = 12;
-  double least = 1.0;
-  for (const auto& element : mesh.corners)
-  {
-    std::array<Vec3, 8> corners;
-    std::ranges::transform(element, corners.begin(), [&](Index p) { return mesh.points[p]; });
-    std::array<Index, 8> sorted = element;
-    std::ranges::sort(sorted);
-    const bool isHexahedron = std::ranges::adjacent_find(sorted) == sorted.end();
-    least = isHexahedron ? std::min(least, scaledJacobian(hexahedron, corners)) : least;
-  }
-  return least;
 }
 
 /// The widest angle of a wall's faces, degrees.
@@ -164,10 +115,10 @@ TEST_P(CreaseRows, LeaveNoElementWithAnAngleOf180Degrees)
   EXPECT_TRUE(boundaryIsWatertight(mesh));
   EXPECT_GT(std::ranges::min(volumes(mesh)), 0.0);
   EXPECT_LT(widestAngle(meshed), 178.0);
-  const bool isReleased = std::ranges::any_of(
-      meshed.result.diagnostics, [](const Diagnostic& d) { return d.kind == Diagnostic::releasedVertex; });
+  const bool isReleased = std::ranges::any_of(meshed.result.diagnostics,
+                                              [](const Diagnostic& d) { return d.kind == Diagnostic::releasedVertex; });
   EXPECT_LT(farthestFromModel(meshed), isReleased ? 0.1 * size : 1e-6);
-  EXPECT_GE(leastJacobianOf(mesh), solid.leastJacobian);
+  EXPECT_GE(leastScaledJacobian(mesh), solid.leastJacobian);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -176,10 +127,10 @@ INSTANTIATE_TEST_SUITE_P(
                       Solid{"Box_turned_by_45_degrees", prism(rectangle, -1.2, 1.2), 0.7854, {0, 0, 1}, 0.3},
                       Solid{"Box_tilted", prism(rectangle, -1.2, 1.2), 0.7, {0.3, 0.5, 0.8}, 0.3},
                       Solid{"Box_tilted_otherwise", prism(rectangle, -1.2, 1.2), 1.1, {0.9, 0.2, -0.4}, 0.3},
-                      Solid{"Hexagon_tilted", prism(regular(6, 1.6), -1.3, 1.3), 0.8, {0.2, -0.7, 0.4}, 0.3},
-                      Solid{"Cylinder_tilted", prism(regular(72, 1.6), -1.4, 1.4), 0.6, {0.9, 0.3, 0.2}, 0.3},
-                      Solid{"Angle_turned", prism(angled, -1.2, 1.2), 0.4, {0, 0, 1}, 0.2},
-                      Solid{"Angle_on_the_ground", prism(angled, -5.0, 1.2), 0.4, {0, 0, 1}, 0.1}),
+                      Solid{"Hexagon_tilted", prism(regularPolygon(6, 1.6), -1.3, 1.3), 0.8, {0.2, -0.7, 0.4}, 0.3},
+                      Solid{"Cylinder_tilted", prism(regularPolygon(72, 1.6), -1.4, 1.4), 0.6, {0.9, 0.3, 0.2}, 0.3},
+                      Solid{"Angle_turned", prism(angled, -1.2, 1.2), 0.4, {0, 0, 1}, 0.3},
+                      Solid{"Angle_on_the_ground", prism(angled, -5.0, 1.2), 0.4, {0, 0, 1}, 0.3}),
     [](const auto& test) { return std::string(test.param.name); });
 
 TEST(CreaseRowsOf, TheSameBitsForAnyNumberOfThreads)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Support/DualMeshChecks.h"
 
+#include "Quality/ScaledJacobian.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -229,6 +231,22 @@ ElementCounts countElements(const DualMesh& mesh, const std::vector<Index>& elem
     ++kind;
   }
   return counts;
+}
+
+double leastScaledJacobian(const DualMesh& mesh)
+{
+  constexpr unsigned char hexahedron = 12;
+  double least = 1.0;
+  for (const auto& element : mesh.corners)
+  {
+    std::array<Vec3, 8> corners;
+    std::ranges::transform(element, corners.begin(), [&](Index p) { return mesh.points[p]; });
+    std::array<Index, 8> sorted = element;
+    std::ranges::sort(sorted);
+    const bool isHexahedron = std::ranges::adjacent_find(sorted) == sorted.end();
+    least = isHexahedron ? std::min(least, scaledJacobian(hexahedron, corners)) : least;
+  }
+  return least;
 }
 
 } // namespace atria::testing

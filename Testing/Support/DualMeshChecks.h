@@ -27,6 +27,9 @@ namespace atria::testing {
 std::vector<double> volumes(const DualMesh& mesh);
 double totalVolume(const DualMesh& mesh);
 
+/// Of hexahedra: where a layer is left out at a point, some elements are none. 1 without any.
+double leastScaledJacobian(const DualMesh& mesh);
+
 /// Every array of both is the same, bit for bit.
 bool identical(const DualMesh& a, const DualMesh& b);
 

@@ -48,6 +48,44 @@ void addBox(TriangleSurface& to, const std::string& name, const Box3& box)
   addSurface(to, name, points, triangles);
 }
 
+void addPrism(TriangleSurface& to, const std::string& name, const std::vector<Eigen::Vector2d>& polygon, double bottom,
+              double top)
+{
+  const auto n = static_cast<Index>(polygon.size());
+  std::vector<Vec3> points;
+  for (const double z : {bottom, top})
+  {
+    for (const Eigen::Vector2d& p : polygon)
+    {
+      points.emplace_back(p[0], p[1], z);
+    }
+  }
+  std::vector<std::array<Index, 3>> triangles;
+  for (Index i = 0; i < n; ++i)
+  {
+    const Index next = (i + 1) % n;
+    triangles.push_back({i, next, n + next});
+    triangles.push_back({i, n + next, n + i});
+    if (i > 0 && next > 0)
+    {
+      triangles.push_back({0, next, i});
+      triangles.push_back({n, n + i, n + next});
+    }
+  }
+  addSurface(to, name, points, triangles);
+}
+
+std::vector<Eigen::Vector2d> regularPolygon(int corners, double radius)
+{
+  std::vector<Eigen::Vector2d> out;
+  for (int i = 0; i < corners; ++i)
+  {
+    const double angle = 2.0 * std::numbers::pi * i / corners;
+    out.emplace_back(radius * std::cos(angle), radius * std::sin(angle));
+  }
+  return out;
+}
+
 void addSphere(TriangleSurface& to, const std::string& name, const Vec3& center, double radius, int subdivisions)
 {
   const double g = std::numbers::phi;
@@ -115,7 +153,7 @@ TriangleSurface randomSoup(unsigned seed)
   const int count = 1 + static_cast<int>(random() % 6);
   for (int i = 0; i < count; ++i)
   {
-    const std::string name = "S" + std::to_string(i);
+    const std::string name = std::string("S").append(std::to_string(i));
     const Vec3 at = point();
     switch (random() % 4)
     {

@@ -18,6 +18,14 @@ void addSheet(TriangleSurface& to, const std::string& name, const Vec3& corner, 
 /// Closed box, normals outwards.
 void addBox(TriangleSurface& to, const std::string& name, const Box3& box);
 
+/// Solid over a polygon, upright from `bottom` to `top`, normals outwards. The polygon runs counter-clockwise, and its
+/// first corner sees all others.
+void addPrism(TriangleSurface& to, const std::string& name, const std::vector<Eigen::Vector2d>& polygon, double bottom,
+              double top);
+
+/// The first corner is on the x axis.
+std::vector<Eigen::Vector2d> regularPolygon(int corners, double radius);
+
 /// Subdivided icosahedron, normals outwards; 20 * 4^subdivisions triangles with all points at `radius`.
 void addSphere(TriangleSurface& to, const std::string& name, const Vec3& center, double radius, int subdivisions);
 

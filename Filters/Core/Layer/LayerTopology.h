@@ -15,7 +15,7 @@ struct CreaseRows
     Index wallPoint; ///< the point of the plain mesh it was split from
     Index chart;     ///< of its wall; noIndex on a side of the domain
     bool onWall;     ///< else it is inside
-    bool isFixed;    ///< where the row ends on a side of the domain
+    bool onSide;     ///< where the row ends on a side of the domain
   };
 
   Index firstPoint = 0;

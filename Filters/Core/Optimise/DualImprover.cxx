@@ -3,6 +3,7 @@
 
 #include "Dual/Sheets.h"
 #include "Dual/TurnedDomain.h"
+#include "Optimise/CurveJogs.h"
 #include "Optimise/LayerImprover.h"
 #include "Optimise/ModelGuide.h"
 #include "Optimise/UnfoldFaces.h"
@@ -11,6 +12,26 @@
 #include <numeric>
 
 namespace atria {
+
+namespace {
+
+/// The mean of the corners of the faces about a point.
+Vec3 meanAbout(const DualMesh& mesh, const BoundaryGraph& graph, Index point)
+{
+  Vec3 sum = Vec3::Zero();
+  int count = 0;
+  for (const Index f : graph.facesAt(point))
+  {
+    for (const Index corner : cornersOf(mesh, mesh.boundaryFaces[f]))
+    {
+      sum += mesh.points[corner];
+      ++count;
+    }
+  }
+  return sum / count;
+}
+
+} // namespace
 
 DualImprover::DualImprover(const Octree& octree, const SurfaceModel& model, TriangleTreeOnDemand& tree,
                            VertexAnchors anchors, DualMeshResult& result, const RunContext& context)
@@ -45,7 +66,11 @@ void DualImprover::growLayers(const std::vector<LayerRule>& rules, const CurvedW
   options.sideNormals = sideNormalsOf(octree_.frame());
   const int most = std::ranges::max_element(options.ofTag, {}, &WallLayers::layers)->layers;
   DualMesh plain = std::move(mesh_);
-  const LayerWalls walls = findLayerWalls(plain, options, context_);
+  LayerWalls walls = findLayerWalls(plain, options, context_);
+  if (straightenCurves(plain, walls.graph))
+  {
+    walls = findLayerWalls(plain, options, context_);
+  }
   LayerImprover improver(octree_, model_, tree_, anchors_, vertexOf_, plain, walls, options, curvedWalls, context_);
   LayerMesh layer = improver.run();
   if (most > 0)
@@ -58,6 +83,22 @@ void DualImprover::growLayers(const std::vector<LayerRule>& rules, const CurvedW
   {
     ++result_.zones[mesh_.zones[e]].elements;
   }
+}
+
+/// See removeJogs. Points that left a curve go between those beside them. Returns whether anything changed.
+bool DualImprover::straightenCurves(DualMesh& plain, const BoundaryGraph& graph)
+{
+  const auto [faces, freed] = removeJogs(plain, graph, vertexOf_, anchors_);
+  ModelGuide guide(octree_, model_, tree_, anchors_, plain.points, vertexOf_);
+  guide.prepare(freed, context_);
+  Index last = noIndex;
+  for (const Index p : freed)
+  {
+    const bool isOther = last != noIndex && vertexOf_[p] == vertexOf_[last]; // of a sheet's two
+    plain.points[p] = isOther ? plain.points[last] : guide.place(p, meanAbout(plain, graph, p));
+    last = p;
+  }
+  return faces > 0;
 }
 
 /// Each with an element that has it.

@@ -26,6 +26,7 @@ public:
   void growLayers(const std::vector<LayerRule>& rules, const CurvedWallTargets& curvedWalls);
 
 private:
+  bool straightenCurves(DualMesh& plain, const BoundaryGraph& graph);
   void reportReleased(const std::vector<ReleasedVertex>& released);
 
   const Octree& octree_;

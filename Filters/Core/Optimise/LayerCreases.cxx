@@ -21,7 +21,7 @@ constexpr QualityRange wantedFaceCosine{0.5, 0.51};
 /// What is aimed at first.
 constexpr double goodJacobian = 0.45;
 constexpr int mostSoundRounds = 6;
-/// Of rows, tried in turn where one does not become valid.
+/// Of rows, tried in turn until one comes to what is wanted.
 constexpr std::array widths{0.35, 0.25, 0.45, 0.3, 0.4};
 
 /// Ranges to hold cells to. Limits rise, as cells far from the last ones find no way there. In the last stages they go
@@ -154,7 +154,8 @@ private:
 
 } // namespace
 
-/// Where rows cannot be made valid, or the worst cell is worse for them, the mesh stays as it is.
+/// Of the widths tried the one with the best worst hexahedron is taken. Where none becomes valid, or that is worse than
+/// without rows, the mesh stays as it is.
 void LayerImprover::addCreaseRows()
 {
   const CreaseCharts charts = findCreaseCharts(layer_, plain_, walls_);
@@ -163,24 +164,32 @@ void LayerImprover::addCreaseRows()
     return;
   }
   const LayerMesh before = layer_;
-  const double worst = leastScaledJacobian(before.mesh, context_);
+  LayerMesh best = layer_;
+  double bestWorst = leastScaledJacobian(before.mesh, context_);
   for (const double width : widths)
   {
+    layer_ = before;
     Guides guides(*this); // of the layer without rows
     layer_.rows = insertCreaseRows(layer_, plain_, walls_, charts, width);
-    RowGuide guide(guides.layer, layer_.rows, octree_.frame(), model_, tree_.get());
+    RowGuide guide(guides.layer, layer_, octree_.frame(), model_, tree_.get());
     context_.executor.forEach(layer_.rows.points.size(), 256, [&](std::size_t i) {
       const auto p = layer_.rows.firstPoint + static_cast<Index>(i);
       Vec3& place = layer_.mesh.points[p];
       place = guide.isMovable(p) ? guide.place(p, place) : place;
     });
-    if (RowImprover(layer_.mesh, layer_.rows, guide, targets(), context_).run() &&
-        leastScaledJacobian(layer_.mesh, context_) >= worst)
+    const bool isValid = RowImprover(layer_.mesh, layer_.rows, guide, targets(), context_).run();
+    const double worst = leastScaledJacobian(layer_.mesh, context_);
+    if (isValid && worst >= bestWorst)
     {
-      return;
+      best = std::move(layer_);
+      bestWorst = worst;
+      if (worst >= wantedJacobian.limit)
+      {
+        break;
+      }
     }
-    layer_ = before;
   }
+  layer_ = std::move(best);
 }
 
 } // namespace atria

@@ -14,8 +14,21 @@ void RowGuide::prepare(std::span<const Index> points, const RunContext& context)
 
 bool RowGuide::isMovable(Index point) const
 {
-  return isOlder(point) ? others_.isMovable(point)
-                        : !at(point).isFixed && (!at(point).onWall || at(point).chart != noIndex);
+  return isOlder(point) ? others_.isMovable(point) : !at(point).onWall || at(point).chart != noIndex;
+}
+
+/// Copies of the point it was split from slide on the same sides.
+Vec3 RowGuide::onSides(Index point, const Vec3& p) const
+{
+  return at(point).onSide ? others_.place(layer_.copies[at(point).wallPoint], p) : p;
+}
+
+Vec3 RowGuide::onChart(Index chart, const Vec3& p) const
+{
+  const auto isWanted = [&](Index triangle) { return model_.charts[triangle] == chart; };
+  const auto found =
+      tree_.nearest((p - frame_.origin) / frame_.latticeUnit(), std::numeric_limits<double>::infinity(), isWanted);
+  return found ? frame_.toModel(*found) : p;
 }
 
 Vec3 RowGuide::place(Index point, const Vec3& p) const
@@ -26,12 +39,16 @@ Vec3 RowGuide::place(Index point, const Vec3& p) const
   }
   if (!at(point).onWall)
   {
-    return p;
+    return onSides(point, p);
   }
-  const auto isWanted = [&](Index triangle) { return model_.charts[triangle] == at(point).chart; };
-  const auto found =
-      tree_.nearest((p - frame_.origin) / frame_.latticeUnit(), std::numeric_limits<double>::infinity(), isWanted);
-  return found ? frame_.toModel(*found) : p;
+  // On a side, surface and plane in turn.
+  constexpr int turns = 8;
+  Vec3 q = p;
+  for (int i = 0; i < (at(point).onSide ? turns : 1); ++i)
+  {
+    q = onSides(point, onChart(at(point).chart, q));
+  }
+  return q;
 }
 
 Ways RowGuide::waysFrom(Index point, const Vec3& p, double step) const
@@ -40,7 +57,7 @@ Ways RowGuide::waysFrom(Index point, const Vec3& p, double step) const
   {
     return others_.waysFrom(point, p, step);
   }
-  return at(point).onWall ? VertexGuide::waysFrom(point, p, step) : Ways();
+  return at(point).onWall || at(point).onSide ? VertexGuide::waysFrom(point, p, step) : Ways();
 }
 
 } // namespace atria

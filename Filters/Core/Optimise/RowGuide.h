@@ -8,13 +8,14 @@
 
 namespace atria {
 
-/// Points of rows along creases stay on their charts, or go anywhere inside; others go where another guide lets them.
+/// Points of rows along creases stay on their charts, or go anywhere inside, and keep to the domain's sides where rows
+/// end; others go where another guide lets them.
 class RowGuide : public VertexGuide
 {
 public:
-  RowGuide(VertexGuide& others, const CreaseRows& rows, const GridFrame& frame, const SurfaceModel& model,
+  RowGuide(VertexGuide& others, const LayerMesh& layer, const GridFrame& frame, const SurfaceModel& model,
            const TriangleTree& tree)
-      : others_(others), rows_(rows), frame_(frame), model_(model), tree_(tree)
+      : others_(others), layer_(layer), frame_(frame), model_(model), tree_(tree)
   {
   }
 
@@ -25,11 +26,13 @@ public:
   Ways waysFrom(Index point, const Vec3& p, double step) const override;
 
 private:
-  bool isOlder(Index point) const { return point < rows_.firstPoint; }
-  const CreaseRows::Point& at(Index point) const { return rows_.points[point - rows_.firstPoint]; }
+  bool isOlder(Index point) const { return point < layer_.rows.firstPoint; }
+  const CreaseRows::Point& at(Index point) const { return layer_.rows.points[point - layer_.rows.firstPoint]; }
+  Vec3 onSides(Index point, const Vec3& p) const;
+  Vec3 onChart(Index chart, const Vec3& p) const;
 
   VertexGuide& others_;
-  const CreaseRows& rows_;
+  const LayerMesh& layer_;
   const GridFrame& frame_;
   const SurfaceModel& model_;
   const TriangleTree& tree_;
