@@ -91,12 +91,9 @@ bool DualImprover::straightenCurves(DualMesh& plain, const BoundaryGraph& graph)
   const auto [faces, freed] = removeJogs(plain, graph, vertexOf_, anchors_);
   ModelGuide guide(octree_, model_, tree_, anchors_, plain.points, vertexOf_);
   guide.prepare(freed, context_);
-  Index last = noIndex;
   for (const Index p : freed)
   {
-    const bool isOther = last != noIndex && vertexOf_[p] == vertexOf_[last]; // of a sheet's two
-    plain.points[p] = isOther ? plain.points[last] : guide.place(p, meanAbout(plain, graph, p));
-    last = p;
+    plain.points[p] = guide.place(p, meanAbout(plain, graph, p));
   }
   return faces > 0;
 }

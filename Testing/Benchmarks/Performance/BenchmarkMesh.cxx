@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// One whole run, from a model's file to the mesh as VTK data, without writing it: time and peak memory by stage.
 ///
-/// Usage: benchmark_mesh MODEL SIZE_MAX SIZE_MID SIZE_MIN [LAYERS [THREADS [SITE]]]
-/// THREADS 0 is all cores; without SITE the domain is the model's bounds. Prints one object of JSON.
+/// Usage: benchmark_mesh MODEL SIZE_MAX SIZE_MID SIZE_MIN [LAYERS [THREADS [SITE [DEGREES SKEWNESS]]]]
+/// THREADS 0 is all cores; without SITE, or an empty one, the domain is the model's bounds. DEGREES and SKEWNESS are
+/// the targets at curved walls. Prints one object of JSON.
 #include "MemoryPeak.h"
 #include "Support/Memory.h"
 #include "vtkAtriaDualMesher.h"
@@ -108,7 +109,7 @@ int main(int argc, char* argv[])
 {
   if (argc < 5)
   {
-    std::fprintf(stderr, "usage: %s MODEL SIZE_MAX SIZE_MID SIZE_MIN [LAYERS [THREADS [SITE]]]\n", argv[0]);
+    std::fprintf(stderr, "usage: %s MODEL SIZE_MAX SIZE_MID SIZE_MIN [LAYERS [THREADS [SITE [DEGREES SKEWNESS]]]]\n", argv[0]);
     return 2;
   }
   atria::keepFreedMemory();
@@ -125,10 +126,15 @@ int main(int argc, char* argv[])
   mesher->SetSizeMid(std::atof(argv[3]));
   mesher->SetSizeMin(std::atof(argv[4]));
   mesher->SetNumberOfLayers(argc > 5 ? std::atoi(argv[5]) : 1);
-  if (argc > 7)
+  if (argc > 7 && *argv[7])
   {
     mesher->SetDomainMode(vtkAtriaDualMesher::Site);
     mesher->SetSiteName(argv[7]);
+  }
+  if (argc > 9)
+  {
+    mesher->SetTargetNonOrthogonality(std::atof(argv[8]));
+    mesher->SetTargetSkewness(std::atof(argv[9]));
   }
   mesher->SetInputConnection(reader->GetOutputPort());
   phases.follow(mesher);
