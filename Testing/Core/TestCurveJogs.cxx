@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <map>
 #include <numeric>
 
 namespace {
@@ -18,12 +20,35 @@ constexpr double half = 3.0;
 const Vec3 low(-1.3, -0.9, -1.1);
 const Vec3 high(1.2, 1.0, 1.2);
 
-Meshed meshOf(const TriangleSurface& surface, const std::vector<LayerRule>& layers)
+/// An upright box, or the four walls of a room without floor and ceiling; in air on all sides, turned by 4, 11, 18
+/// degrees and so on.
+TriangleSurface turnedWalls(int i, bool isRoom)
+{
+  TriangleSurface out;
+  if (isRoom)
+  {
+    const Vec3 size = high - low;
+    const Vec3 x = size[0] * Vec3::UnitX(), y = size[1] * Vec3::UnitY(), z = size[2] * Vec3::UnitZ();
+    addSheet(out, "South", low, x, z);
+    addSheet(out, "North", low + y, x, z);
+    addSheet(out, "West", low, y, z);
+    addSheet(out, "East", low + x, y, z);
+  }
+  else
+  {
+    addBox(out, "Box", {low, high});
+  }
+  turn(out, 4.0 + 7.0 * i);
+  return out;
+}
+
+Meshed meshOf(const TriangleSurface& surface, ZoneRule zones, const std::vector<LayerRule>& layers)
 {
   GridOptions grid;
   grid.domain = {Vec3::Constant(-half), Vec3::Constant(half)};
   grid.sizeMin = grid.sizeMid = grid.sizeMax = 0.25;
   DualMeshOptions options;
+  options.zoneRule = zones;
   options.layers = layers;
   return meshIt(surface, grid, options);
 }
@@ -33,40 +58,61 @@ Index jogsOf(DualMesh mesh)
 {
   SilentMonitor silent;
   const BoundaryGraph graph = findBoundaryGraph(mesh, {SerialExecutor(), ProgressRange(silent)});
-  std::vector<Index> vertexOf(mesh.points.size());
-  std::iota(vertexOf.begin(), vertexOf.end(), Index{0});
+  std::map<std::array<double, 3>, Index> vertices;
+  std::vector<Index> vertexOf;
+  for (const Vec3& p : mesh.points)
+  {
+    vertexOf.push_back(vertices.try_emplace({p[0], p[1], p[2]}, static_cast<Index>(vertices.size())).first->second);
+  }
   VertexAnchors anchors;
-  anchors.freedom.assign(vertexOf.size(), Freedom::curve);
-  anchors.pieces.assign(vertexOf.size(), 0);
-  anchors.offsets.resize(vertexOf.size() + 1);
+  anchors.freedom.assign(vertices.size(), Freedom::curve);
+  anchors.pieces.assign(vertices.size(), 0);
+  anchors.offsets.resize(vertices.size() + 1);
   std::iota(anchors.offsets.begin(), anchors.offsets.end(), Index{0});
   return removeJogs(mesh, graph, vertexOf, anchors).faces;
 }
 
-/// An upright box in air on all sides, turned by 4, 11, 18 degrees and so on.
-TEST(CurveJogs, AreRemovedAndNothingIsLost)
+struct Case
 {
-  const double volume = 8.0 * half * half * half - (high - low).prod();
+  const char* name;
+  bool isRoom;
+  ZoneRule zones;
+};
+
+void PrintTo(const Case& what, std::ostream* out) { *out << what.name; }
+
+class CurveJogs : public ::testing::TestWithParam<Case>
+{
+};
+
+TEST_P(CurveJogs, AreRemovedAndNothingIsLost)
+{
+  const auto& [name, isRoom, zones] = GetParam();
+  const double volume = 8.0 * half * half * half - (isRoom || zones == ZoneRule::all ? 0.0 : (high - low).prod());
   Index before = 0;
   for (int i = 0; i < 6; ++i)
   {
     SCOPED_TRACE(i);
-    TriangleSurface box;
-    addBox(box, "Box", {low, high});
-    turn(box, 4.0 + 7.0 * i);
-    const Meshed plain = meshOf(box, {});
+    const TriangleSurface surface = turnedWalls(i, isRoom);
+    const Meshed plain = meshOf(surface, zones, {});
     before += jogsOf(plain.mesh());
-    const Meshed straightened = meshOf(box, {{"*", {0}}});
+    const Meshed straightened = meshOf(surface, zones, {{"*", {0}}});
     EXPECT_EQ(jogsOf(straightened.mesh()), 0u);
     EXPECT_EQ(straightened.mesh().elementCount(), plain.mesh().elementCount());
     EXPECT_TRUE(isConformal(straightened.mesh()));
     EXPECT_TRUE(boundaryIsWatertight(straightened.mesh()));
-    const Meshed layered = meshOf(box, {{"*", {1}}});
+    const Meshed layered = meshOf(surface, zones, {{"*", {1}}});
     EXPECT_TRUE(boundaryIsWatertight(layered.mesh()));
     EXPECT_NEAR(totalVolume(layered.mesh()), volume, 1e-6 * volume);
     EXPECT_TRUE(layered.result.diagnostics.empty());
   }
   EXPECT_GT(before, 10u) << "there was nothing to remove";
 }
+
+INSTANTIATE_TEST_SUITE_P(All, CurveJogs,
+                         ::testing::Values(Case{"Solids", false, ZoneRule::outside},
+                                           Case{"ClosedRooms", false, ZoneRule::all},
+                                           Case{"OpenRooms", true, ZoneRule::outside}),
+                         [](const auto& test) { return std::string(test.param.name); });
 
 } // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Optimise/CurveJogs.h"
 
+#include "Support/Sorting.h"
+
 #include <algorithm>
 
 namespace atria {
@@ -33,7 +35,7 @@ public:
       isDone = true;
       for (Index f = 0; f < mesh.boundaryFaces.size(); ++f)
       {
-        if (const int inner = innerEdge(f); inner >= 0 && isJog(f, inner))
+        if (const int inner = innerEdge(f); inner >= 0 && isJog(f, inner) && canJoin(f, inner))
         {
           join(f, inner, out.freed);
           ++out.faces;
@@ -47,6 +49,7 @@ public:
 private:
   Index pointAt(Index f, int k) const { return cornerOf(mesh, mesh.boundaryFaces[f], k); }
   Index vertexAt(Index f, int k) const { return vertexOf[pointAt(f, k)]; }
+  Index behind(Index f) const { return faceBehind(mesh, mesh.boundaryFaces[f]); }
   const BoundaryFace& across(Index f, int k) const
   {
     return mesh.boundaryFaces[BoundaryGraph::faceOf(graph.across[f][k & 3])];
@@ -60,8 +63,7 @@ private:
   int innerEdge(Index f) const
   {
     const BoundaryFace& face = mesh.boundaryFaces[f];
-    if (face.chart == noIndex || face.opposite != noIndex ||
-        !std::ranges::all_of(graph.across[f], &BoundaryGraph::isEdge))
+    if (face.chart == noIndex || !std::ranges::all_of(graph.across[f], &BoundaryGraph::isEdge))
     {
       return -1;
     }
@@ -72,8 +74,8 @@ private:
     }
     const auto isBeyond = [&](int k) {
       const BoundaryFace& other = across(f, k);
-      return other.chart != face.chart && other.chart != noIndex && other.opposite == noIndex &&
-             isOfSameSurface(other, across(f, inner + 2));
+      return other.chart != face.chart && other.chart != noIndex && isOfSameSurface(other, across(f, inner + 2)) &&
+             (other.opposite == noIndex) == (face.opposite == noIndex);
     };
     return inner >= 0 && isBeyond(inner + 1) && isBeyond(inner + 2) && isBeyond(inner + 3) ? inner : -1;
   }
@@ -91,6 +93,20 @@ private:
     return isStraight(f, inner + 2) || isStraight(f, inner + 3);
   }
 
+  /// Whether the other side of a sheet looks the same.
+  bool canJoin(Index f, int inner) const
+  {
+    if (mesh.boundaryFaces[f].opposite == noIndex)
+    {
+      return true;
+    }
+    const Index other = behind(f);
+    const int there = other == noIndex ? -1 : innerEdge(other);
+    return there >= 0 && across(other, there + 2).chart == across(f, inner + 2).chart &&
+           std::minmax(vertexAt(f, inner), vertexAt(f, inner + 1)) ==
+               std::minmax(vertexAt(other, there), vertexAt(other, there + 1));
+  }
+
   bool isStraight(Index f, int k) const
   {
     const Vec3& p = mesh.points[pointAt(f, k)];
@@ -101,22 +117,48 @@ private:
 
   void join(Index f, int inner, std::vector<Index>& freed)
   {
-    const BoundaryFace& beyond = across(f, inner + 2);
-    BoundaryFace& face = mesh.boundaryFaces[f];
-    face.chart = beyond.chart;
-    face.side = beyond.side;
-    face.tag = beyond.tag;
+    const Index other = behind(f);
+    if (other != noIndex)
+    {
+      become(other, across(other, innerEdge(other) + 2));
+    }
+    become(f, across(f, inner + 2));
     for (const int k : {inner + 2, inner + 3})
     {
-      const Index p = pointAt(f, k);
-      const Index v = vertexOf[p];
-      if (pointsOf[v] == 1 && isWithin(p, face.chart))
+      free(f, other, vertexAt(f, k), freed);
+    }
+  }
+
+  void become(Index f, const BoundaryFace& like)
+  {
+    BoundaryFace& face = mesh.boundaryFaces[f];
+    face.chart = like.chart;
+    face.side = like.side;
+    face.tag = like.tag;
+  }
+
+  /// Frees a vertex of a face from its curve, if all its points are points of the face or of the one behind it, and
+  /// within its chart.
+  void free(Index f, Index other, Index vertex, std::vector<Index>& freed)
+  {
+    std::vector<Index> points;
+    for (const Index face : {f, other})
+    {
+      for (int k = 0; k < 4 && face != noIndex; ++k)
       {
-        anchors.freedom[v] = Freedom::surface;
-        std::fill(anchors.pieces.begin() + anchors.offsets[v], anchors.pieces.begin() + anchors.offsets[v + 1],
-                  face.chart);
-        freed.push_back(p);
+        if (vertexAt(face, k) == vertex && isWithin(pointAt(face, k), mesh.boundaryFaces[f].chart))
+        {
+          points.push_back(pointAt(face, k));
+        }
       }
+    }
+    sortUnique(points);
+    if (points.size() == pointsOf[vertex])
+    {
+      anchors.freedom[vertex] = Freedom::surface;
+      std::fill(anchors.pieces.begin() + anchors.offsets[vertex], anchors.pieces.begin() + anchors.offsets[vertex + 1],
+                mesh.boundaryFaces[f].chart);
+      freed.insert(freed.end(), points.begin(), points.end());
     }
   }
 

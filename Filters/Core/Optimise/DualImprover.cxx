@@ -91,9 +91,12 @@ bool DualImprover::straightenCurves(DualMesh& plain, const BoundaryGraph& graph)
   const auto [faces, freed] = removeJogs(plain, graph, vertexOf_, anchors_);
   ModelGuide guide(octree_, model_, tree_, anchors_, plain.points, vertexOf_);
   guide.prepare(freed, context_);
+  Index last = noIndex;
   for (const Index p : freed)
   {
-    plain.points[p] = guide.place(p, meanAbout(plain, graph, p));
+    const bool isOther = last != noIndex && vertexOf_[p] == vertexOf_[last]; // of a sheet's two
+    plain.points[p] = isOther ? plain.points[last] : guide.place(p, meanAbout(plain, graph, p));
+    last = p;
   }
   return faces > 0;
 }
