@@ -76,13 +76,15 @@ DualMeshResult meshOf(const Case& c, int threads, int layers = 0)
 }
 
 constexpr unsigned usualSeeds = 20;
+/// A wall goes round a face of a side there.
+constexpr unsigned jogAtSide = 30;
 
 class TurnedDomains : public ::testing::TestWithParam<unsigned>
 {
 protected:
   void SetUp() override
   {
-    if (GetParam() >= usualSeeds && !std::getenv("ATRIA_TEST_FULL"))
+    if (GetParam() >= usualSeeds && GetParam() != jogAtSide && !std::getenv("ATRIA_TEST_FULL"))
     {
       GTEST_SKIP() << "set ATRIA_TEST_FULL for more seeds";
     }

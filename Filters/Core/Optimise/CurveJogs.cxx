@@ -63,7 +63,7 @@ private:
   int innerEdge(Index f) const
   {
     const BoundaryFace& face = mesh.boundaryFaces[f];
-    if (face.chart == noIndex || !std::ranges::all_of(graph.across[f], &BoundaryGraph::isEdge))
+    if (face.chart == noIndex || face.onDomainSide || !std::ranges::all_of(graph.across[f], &BoundaryGraph::isEdge))
     {
       return -1;
     }
@@ -74,8 +74,8 @@ private:
     }
     const auto isBeyond = [&](int k) {
       const BoundaryFace& other = across(f, k);
-      return other.chart != face.chart && other.chart != noIndex && isOfSameSurface(other, across(f, inner + 2)) &&
-             (other.opposite == noIndex) == (face.opposite == noIndex);
+      return other.chart != face.chart && other.chart != noIndex && !other.onDomainSide &&
+             isOfSameSurface(other, across(f, inner + 2)) && (other.opposite == noIndex) == (face.opposite == noIndex);
     };
     return inner >= 0 && isBeyond(inner + 1) && isBeyond(inner + 2) && isBeyond(inner + 3) ? inner : -1;
   }
