@@ -270,8 +270,8 @@ void writePatches(const std::string& file, vtkPartitionedDataSetCollection* patc
   writeCompressed(writer.Get(), file, patches, console);
 }
 
-long long writeOpenFOAM(const std::string& folder, vtkUnstructuredGrid* mesh, vtkPartitionedDataSetCollection* patches,
-                        bool restoreOffset, Console& console)
+MergedParts writeOpenFOAM(const std::string& folder, vtkUnstructuredGrid* mesh,
+                          vtkPartitionedDataSetCollection* patches, bool restoreOffset, Console& console)
 {
   vtkNew<vtkAtriaOpenFOAMWriter> writer;
   writer->SetRestoreOffset(restoreOffset);
@@ -286,7 +286,7 @@ long long writeOpenFOAM(const std::string& folder, vtkUnstructuredGrid* mesh, vt
   {
     throw Failure(Failed, folder + ": the OpenFOAM case could not be written; check permissions and space");
   }
-  return writer->GetNumberOfMergedFaces();
+  return {writer->GetNumberOfMergedCells(), writer->GetNumberOfMergedFaces()};
 }
 
 void writeText(const std::string& file, const std::string& text)

@@ -36,9 +36,14 @@ vtkSmartPointer<vtkPartitionedDataSetCollection> readPatches(const std::string& 
 void writeMesh(const std::string& file, vtkUnstructuredGrid* mesh, Console& console);
 void writePolyData(const std::string& file, vtkPolyData* data, Console& console);
 void writePatches(const std::string& file, vtkPartitionedDataSetCollection* patches, Console& console);
-/// Returns how many faces fewer the case has than the mesh, as coplanar ones were merged.
-long long writeOpenFOAM(const std::string& folder, vtkUnstructuredGrid* mesh, vtkPartitionedDataSetCollection* patches,
-                        bool restoreOffset, Console& console);
+/// What an OpenFOAM case has fewer than the mesh, as some were merged.
+struct MergedParts
+{
+  long long cells = 0;
+  long long faces = 0;
+};
+MergedParts writeOpenFOAM(const std::string& folder, vtkUnstructuredGrid* mesh,
+                          vtkPartitionedDataSetCollection* patches, bool restoreOffset, Console& console);
 void writeText(const std::string& file, const std::string& text);
 
 /// Throws Failure(Usage) unless `file` ends in `ending`, such as ".vtu", and its folder exists.

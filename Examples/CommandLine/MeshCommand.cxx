@@ -328,11 +328,11 @@ void warnOfLeaks(vtkPolyData* diagnostics, const std::string& input, Console& co
   }
 }
 
-/// Returns how many faces were merged with others in the OpenFOAM case; 0 without one.
-long long writeOutputs(const MeshOptions& options, vtkUnstructuredGrid* mesh, vtkPartitionedDataSetCollection* patches,
-                       Console& console)
+/// Returns what was merged in the OpenFOAM case.
+MergedParts writeOutputs(const MeshOptions& options, vtkUnstructuredGrid* mesh,
+                         vtkPartitionedDataSetCollection* patches, Console& console)
 {
-  long long mergedFaces = 0;
+  MergedParts merged;
   writeMesh(options.output, mesh, console);
   if (!options.patches.empty())
   {
@@ -340,9 +340,9 @@ long long writeOutputs(const MeshOptions& options, vtkUnstructuredGrid* mesh, vt
   }
   if (!options.openfoam.empty())
   {
-    mergedFaces = writeOpenFOAM(options.openfoam, mesh, patches, options.restoreOffset, console);
+    merged = writeOpenFOAM(options.openfoam, mesh, patches, options.restoreOffset, console);
   }
-  return mergedFaces;
+  return merged;
 }
 
 ExitStatus runPreflight(const MeshOptions& options, vtkAtriaSurfaceReader* reader, Console& console)
@@ -428,7 +428,7 @@ ExitStatus runMesh(const MeshOptions& options, Console& console)
   const double qualitySeconds = measuring.seconds();
 
   const Stopwatch writing;
-  const long long mergedFaces =
+  const MergedParts merged =
       writeOutputs(options, vtkUnstructuredGrid::SafeDownCast(quality->GetOutputDataObject(0)),
                    vtkPartitionedDataSetCollection::SafeDownCast(mesher->GetOutputDataObject(1)), console);
 
@@ -440,13 +440,19 @@ ExitStatus runMesh(const MeshOptions& options, Console& console)
   if (!options.report.empty())
   {
     Json report = makeReport(mesher, quality, seconds);
-    report["openfoam"] = options.openfoam.empty() ? Json() : Json{{"merged_faces", mergedFaces}};
+    report["openfoam"] =
+        options.openfoam.empty() ? Json() : Json{{"merged_cells", merged.cells}, {"merged_faces", merged.faces}};
     writeText(options.report, report.dump(2) + "\n");
   }
   console.clearBar();
-  if (mergedFaces > 0)
+  if (merged.cells > 0)
   {
-    std::cout << options.openfoam << ": " << mergedFaces
+    std::cout << options.openfoam << ": " << merged.cells
+              << " cells fewer, as elements with too few neighbours were made one with one of them\n";
+  }
+  if (merged.faces > 0)
+  {
+    std::cout << options.openfoam << ": " << merged.faces
               << " faces fewer, as coplanar ones of an element were merged\n";
   }
   printLayers(vtkPolyData::SafeDownCast(mesher->GetOutputDataObject(2)));

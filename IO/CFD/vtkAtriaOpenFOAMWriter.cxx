@@ -3,6 +3,7 @@
 
 #include "AlgorithmProgress.h"
 #include "OpenFOAMCase.h"
+#include "Quality/MergeCells.h"
 #include "Quality/MergeFaces.h"
 #include "VtkFaceMesh.h"
 
@@ -44,12 +45,11 @@ std::vector<atria::BoundaryPatch> patchesOf(const atria::VtkFaceMesh& source)
   return patches;
 }
 
-/// Merges faces of `source`, and has patches name the faces that are left.
-std::size_t mergeFaces(atria::VtkFaceMesh& source, std::vector<atria::BoundaryPatch>& patches,
-                       const atria::RunContext& context)
+/// By boundary face the number of its patch.
+std::vector<atria::Index> patchOfFaces(const atria::FaceMesh& mesh, const std::vector<atria::BoundaryPatch>& patches)
 {
-  const std::size_t internal = source.mesh.internalFaceCount();
-  std::vector<atria::Index> patchOf(source.mesh.faceCount() - internal, atria::noIndex);
+  const std::size_t internal = mesh.internalFaceCount();
+  std::vector<atria::Index> patchOf(mesh.faceCount() - internal, atria::noIndex);
   for (std::size_t p = 0; p < patches.size(); ++p)
   {
     for (const atria::Index face : patches[p].faces)
@@ -57,7 +57,40 @@ std::size_t mergeFaces(atria::VtkFaceMesh& source, std::vector<atria::BoundaryPa
       patchOf[face - internal] = static_cast<atria::Index>(p);
     }
   }
-  const atria::MergedFaces merged = atria::mergeCoplanarFaces(source.mesh, patchOf, context);
+  return patchOf;
+}
+
+/// Merges cells of `source`, and has patches and zones go by what is left.
+std::size_t mergeCells(atria::VtkFaceMesh& source, std::vector<atria::BoundaryPatch>& patches,
+                       std::vector<std::int64_t>& zoneIds, const atria::RunContext& context)
+{
+  const atria::MergedCells merged =
+      atria::mergeUnderdeterminedCells(source.mesh, patchOfFaces(source.mesh, patches), context);
+  if (merged.count == 0)
+  {
+    return 0;
+  }
+  for (atria::BoundaryPatch& patch : patches)
+  {
+    for (atria::Index& face : patch.faces)
+    {
+      face = merged.faceOf[face];
+    }
+    std::sort(patch.faces.begin(), patch.faces.end());
+  }
+  for (std::size_t cell = 0; cell < zoneIds.size(); ++cell)
+  {
+    zoneIds[merged.cellOf[cell]] = zoneIds[cell]; // never a higher number; cells of one zone only become one
+  }
+  zoneIds.resize(std::min(zoneIds.size(), source.mesh.cellCount));
+  return merged.count;
+}
+
+/// Merges faces of `source`, and has patches name the faces that are left.
+std::size_t mergeFaces(atria::VtkFaceMesh& source, std::vector<atria::BoundaryPatch>& patches,
+                       const atria::RunContext& context)
+{
+  const atria::MergedFaces merged = atria::mergeCoplanarFaces(source.mesh, patchOfFaces(source.mesh, patches), context);
   for (atria::BoundaryPatch& patch : patches)
   {
     for (atria::Index& face : patch.faces)
@@ -128,7 +161,14 @@ void vtkAtriaOpenFOAMWriter::WriteCase(vtkUnstructuredGrid* volume, vtkPartition
   progress.report(0.0, "Finding faces");
   atria::VtkFaceMesh source = atria::faceMeshFromVtk(volume, patches, run.context.executor);
   std::vector<atria::BoundaryPatch> boundary = patchesOf(source);
+  std::vector<std::int64_t> zoneIds = zoneIdsOf(volume);
+  this->NumberOfMergedCells = 0;
   this->NumberOfMergedFaces = 0;
+  if (this->MergeUnderdeterminedCells)
+  {
+    this->NumberOfMergedCells =
+        static_cast<vtkIdType>(mergeCells(source, boundary, zoneIds, run.context.part(0.3, 0.4)));
+  }
   if (this->MergeCoplanarFaces)
   {
     this->NumberOfMergedFaces = static_cast<vtkIdType>(mergeFaces(source, boundary, run.context.part(0.4, 0.5)));
@@ -144,7 +184,7 @@ void vtkAtriaOpenFOAMWriter::WriteCase(vtkUnstructuredGrid* volume, vtkPartition
   }
   progress.report(0.5, "Writing the mesh");
   const auto format = this->WriteBinary ? atria::OpenFOAMFormat::Binary : atria::OpenFOAMFormat::Ascii;
-  atria::writePolyMesh(this->CaseDirectory, source.mesh, boundary, zoneIdsOf(volume), format, progress.part(0.5, 0.95));
+  atria::writePolyMesh(this->CaseDirectory, source.mesh, boundary, zoneIds, format, progress.part(0.5, 0.95));
   progress.report(0.95, "Completing the case");
   atria::completeCase(this->CaseDirectory);
   progress.report(1.0, "Case written");
@@ -155,7 +195,9 @@ void vtkAtriaOpenFOAMWriter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "CaseDirectory: " << (this->CaseDirectory ? this->CaseDirectory : "(none)") << "\n";
   os << indent << "WriteBinary: " << (this->WriteBinary ? "on" : "off") << "\n";
+  os << indent << "MergeUnderdeterminedCells: " << (this->MergeUnderdeterminedCells ? "on" : "off") << "\n";
   os << indent << "MergeCoplanarFaces: " << (this->MergeCoplanarFaces ? "on" : "off") << "\n";
   os << indent << "RestoreOffset: " << (this->RestoreOffset ? "on" : "off") << "\n";
+  os << indent << "NumberOfMergedCells: " << this->NumberOfMergedCells << "\n";
   os << indent << "NumberOfMergedFaces: " << this->NumberOfMergedFaces << "\n";
 }

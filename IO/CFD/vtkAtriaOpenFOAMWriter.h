@@ -11,7 +11,8 @@
  * Written are constant/polyMesh (points, faces, owner, neighbour, boundary; cellZones where the mesh has a
  * cell array `ZoneId` of more than one value), the files in `system` without which OpenFOAM's utilities do
  * not start, where these are missing, and an empty file `<case>.foam` to open in ParaView. Cells keep their
- * order. Faces are in upper-triangular order, internal ones first, then patch by patch.
+ * order; where some were merged, all later ones have lower numbers. Faces are in upper-triangular order, internal ones
+ * first, then patch by patch.
  *
  * Patches named after the domain's sides (xMin, xMax, yMin, yMax, zMin, zMax) become OpenFOAM patches of type
  * `patch`, all others of type `wall`. Names are made valid and unique; a comment in `boundary` keeps what
@@ -20,7 +21,11 @@
  * `patch`.
  *
  * Coplanar faces of one patch that one cell owns, and nearly coplanar ones between the same two cells, are written as
- * one face where that is possible (see MergeCoplanarFaces): checkMesh takes such a cell, or one of such two, for concave.
+ * one face where that is possible (see MergeCoplanarFaces): checkMesh takes such a cell, or one of such two, for
+ * concave.
+ *
+ * A cell with one or two neighbours, in a corner between walls, is made one with a neighbour where that is possible
+ * (see MergeUnderdeterminedCells): no gradient can be determined from two neighbours, and checkMesh objects to it.
  *
  * An input without cells, a mesh that is not a manifold, a patch face that is not a face of its owner cell
  * and a folder that cannot be written are errors: Write() returns 0.
@@ -63,9 +68,20 @@ public:
 
   ///@{
   /**
+   * Make cells whose faces within the mesh all look nearly along one plane one with a neighbour, where the union is
+   * valid and checkMesh does not object to it, concavity apart. The input's cells and patches stay as they are. On by
+   * default.
+   */
+  vtkSetMacro(MergeUnderdeterminedCells, bool);
+  vtkGetMacro(MergeUnderdeterminedCells, bool);
+  vtkBooleanMacro(MergeUnderdeterminedCells, bool);
+  ///@}
+
+  ///@{
+  /**
    * Write coplanar faces of one cell and one patch that share edges as one polygon, and faces that the same two cells
-   * share with less than 3 degrees between them. A patch keeps its area, a cell at least four faces. The input's cells and
-   * patches stay as they are. On by default.
+   * share with less than 3 degrees between them. A patch keeps its area, a cell at least four faces. The input's cells
+   * and patches stay as they are. On by default.
    */
   vtkSetMacro(MergeCoplanarFaces, bool);
   vtkGetMacro(MergeCoplanarFaces, bool);
@@ -81,6 +97,11 @@ public:
   vtkGetMacro(RestoreOffset, bool);
   vtkBooleanMacro(RestoreOffset, bool);
   ///@}
+
+  /**
+   * How many cells fewer were written than the input has, as some were merged. 0 before the first Write().
+   */
+  vtkGetMacro(NumberOfMergedCells, vtkIdType);
 
   /**
    * How many faces fewer were written than the input has, as coplanar ones were merged. 0 before the first Write().
@@ -112,8 +133,10 @@ private:
 
   char* CaseDirectory = nullptr;
   bool WriteBinary = false;
+  bool MergeUnderdeterminedCells = true;
   bool MergeCoplanarFaces = true;
   bool RestoreOffset = false;
+  vtkIdType NumberOfMergedCells = 0;
   vtkIdType NumberOfMergedFaces = 0;
 };
 

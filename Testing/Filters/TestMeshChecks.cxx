@@ -81,6 +81,7 @@ protected:
       writer->SetInputDataObject(1, patches);
     }
     writer->SetCaseDirectory(scratch.path().c_str());
+    writer->MergeUnderdeterminedCellsOff();
     writer->MergeCoplanarFacesOff(); // ours are the checks of the mesh as it is
     EXPECT_EQ(writer->Write(), 1);
     const CheckMeshReport report = atria::testing::runCheckMesh(scratch.path(), "-allGeometry");

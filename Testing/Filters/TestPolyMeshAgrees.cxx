@@ -75,8 +75,10 @@ protected:
   long facesWithPyramidsBelow(double smallest);
 
   atria::testing::ScratchFolder scratch;
-  /// Merged faces are no longer those of the mesher's outputs.
+  /// Merged cells and faces are no longer those of the mesher's outputs.
+  bool mergeCells = false;
   bool mergeFaces = false;
+  vtkIdType mergedCells = 0;
   vtkIdType mergedFaces = 0;
 
 private:
@@ -86,9 +88,11 @@ private:
     writer->SetInputConnection(mesher->GetOutputPort(0));
     writer->SetPatchesConnection(mesher->GetOutputPort(1));
     writer->SetCaseDirectory(scratch.path().c_str());
+    writer->SetMergeUnderdeterminedCells(mergeCells);
     writer->SetMergeCoplanarFaces(mergeFaces);
     ASSERT_EQ(writer->Write(), 1);
     ASSERT_GT(volume()->GetNumberOfCells(), 0);
+    mergedCells = writer->GetNumberOfMergedCells();
     mergedFaces = writer->GetNumberOfMergedFaces();
   }
 };
@@ -305,6 +309,36 @@ TEST_F(CheckMeshAgrees, MergedFacesLeaveFewerConcaveCellsAndNothingNewToObjectTo
     // Not the face tets: the centroid of an element with warped faces moves, and some elements are all but flat.
     for (const char* text : {"Error in face pyramids: ", "small determinant (< 0.001) found, number of cells: ",
                              "Number of negative volume cells: ", "number of open cells "})
+    {
+      EXPECT_LE(numberAfter(merged, text), numberAfter(plain, text)) << text;
+    }
+  }
+}
+
+TEST_F(CheckMeshAgrees, MergedCellsLeaveFewWithTooFewNeighboursAndNothingNewToObjectTo)
+{
+  mesher->SetNumberOfLayers(0);
+  mergeFaces = true;
+  for (const char* model : {"house.wrl", "house_turned17.wrl"})
+  {
+    SCOPED_TRACE(model);
+    mergeCells = false;
+    meshHouse(model);
+    EXPECT_EQ(mergedCells, 0);
+    const CheckMeshReport plain = atria::testing::runCheckMesh(scratch.path());
+    mergeCells = true;
+    meshHouse(model);
+    const CheckMeshReport merged = atria::testing::runCheckMesh(scratch.path());
+    ASSERT_TRUE(plain.completed && merged.completed) << merged.log;
+    EXPECT_EQ(merged.counts.at("cells"), plain.counts.at("cells") - mergedCells);
+    EXPECT_EQ(merged.counts.at("boundary patches"), plain.counts.at("boundary patches"));
+    const std::string undetermined = "small determinant (< 0.001) found, number of cells: ";
+    EXPECT_GT(numberAfter(plain, undetermined), 10);
+    EXPECT_GT(mergedCells, 10);
+    EXPECT_LT(numberAfter(merged, undetermined), 0.2 * numberAfter(plain, undetermined));
+    EXPECT_LE(merged.failedChecks, plain.failedChecks) << merged.log;
+    for (const char* text : {"Error in face pyramids: ", "Error in face tets: ", "Number of negative volume cells: ",
+                             "number of open cells "})
     {
       EXPECT_LE(numberAfter(merged, text), numberAfter(plain, text)) << text;
     }

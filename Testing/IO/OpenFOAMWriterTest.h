@@ -34,7 +34,9 @@ protected:
     writer->SetCaseDirectory(folder.c_str());
     writer->SetWriteBinary(binary);
     writer->SetMergeCoplanarFaces(mergeFaces);
+    writer->SetMergeUnderdeterminedCells(mergeCells);
     const int written = writer->Write();
+    mergedCells = writer->GetNumberOfMergedCells();
     mergedFaces = writer->GetNumberOfMergedFaces();
     return written;
   }
@@ -49,8 +51,10 @@ protected:
   }
 
   ScratchFolder scratch;
-  /// Most tests ask for the faces of the input, one by one.
+  /// Most tests ask for the cells and faces of the input, one by one.
+  bool mergeCells = false;
   bool mergeFaces = false;
+  vtkIdType mergedCells = 0;
   vtkIdType mergedFaces = 0;
 };
 

@@ -217,6 +217,46 @@ TEST_F(OpenFOAMWriter, MergesCoplanarFacesOfACellPatchByPatch)
   }
 }
 
+TEST_F(OpenFOAMWriter, MergesCellsWithTooFewNeighboursAndKeepsPatchesAndZones)
+{
+  // Pyramids and tetrahedra in the corners have one neighbour. Two zones, so that cells of both get other numbers.
+  const SampleMesh sample = atria::testing::mixedCells(size, 3, 0.12);
+  const auto grid = toGrid(sample);
+  vtkNew<vtkIntArray> zones;
+  zones->SetName("ZoneId");
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    zones->InsertNextValue(cell < grid->GetNumberOfCells() / 2 ? 0 : 1);
+  }
+  grid->GetCellData()->AddArray(zones);
+  const auto patches = toPatches(facesOf(sample), atria::testing::sidesOfBox(size));
+  EXPECT_TRUE(vtkNew<vtkAtriaOpenFOAMWriter>()->GetMergeUnderdeterminedCells());
+  std::string boundary[2];
+  for (const bool merge : {false, true})
+  {
+    mergeCells = merge;
+    const fs::path target = folder(merge ? "merged" : "plain");
+    ASSERT_EQ(write(grid, patches, false, target), 1);
+    EXPECT_EQ(mergedCells > 0, merge);
+    std::istringstream lines(textOf(target / "constant/polyMesh/boundary"));
+    for (std::string line; std::getline(lines, line);)
+    {
+      boundary[merge ? 1 : 0] += line.find("startFace") == std::string::npos ? line + "\n" : "";
+    }
+    if (!atria::testing::haveCheckMesh())
+    {
+      continue;
+    }
+    const CheckMeshReport report = atria::testing::runCheckMesh(target);
+    ASSERT_TRUE(report.completed) << report.log;
+    EXPECT_EQ(report.counts.at("cells"), grid->GetNumberOfCells() - mergedCells);
+    EXPECT_EQ(report.counts.at("cell zones"), 2);
+    EXPECT_EQ(report.log.find("small determinant") == std::string::npos, merge) << report.log;
+    EXPECT_THAT(report.failures, ::testing::Each(::testing::AnyOf(HasSubstr("Concave"), HasSubstr("determinant"))));
+  }
+  EXPECT_EQ(boundary[0], boundary[1]);
+}
+
 TEST_F(OpenFOAMWriter, ACellWhoseSidesAreMergedIsConvexToCheckMesh)
 {
   if (!atria::testing::haveCheckMesh())

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Quality/CheckQuantities.h"
+#include "Quality/MergeCells.h"
+#include "Quality/MeshChecks.h"
+#include "Support/SampleMesh.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numeric>
+#include <set>
+
+namespace {
+
+using namespace atria;
+using atria::testing::SampleMesh;
+
+FaceMesh facesOf(const SampleMesh& sample) { return makeFaceMesh(sample.points, sample.view()); }
+
+/// Runs `use` on a context of so many threads.
+template <typename F> auto withThreads(int threads, F&& use)
+{
+  const ThreadExecutor executor(threads);
+  SilentMonitor silent;
+  return use(RunContext{executor, ProgressRange(silent)});
+}
+
+MergedCells merge(FaceMesh& mesh, int threads = 1)
+{
+  return withThreads(threads, [&](const RunContext& context) { return mergeUnderdeterminedCells(mesh, {}, context); });
+}
+
+MeshVerdict verdictOf(const FaceMesh& mesh)
+{
+  return withThreads(1, [&](const RunContext& context) { return checkMesh(measureMesh(mesh, context), context); });
+}
+
+/// Unit cubes at the given places of a grid.
+SampleMesh cubes(const std::vector<std::array<int, 3>>& places)
+{
+  SampleMesh sample;
+  std::map<std::array<int, 3>, std::int64_t> pointAt;
+  for (const std::array<int, 3>& place : places)
+  {
+    std::vector<std::int64_t> ids;
+    for (const auto& [x, y, z] : std::vector<std::array<int, 3>>{
+             {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}})
+    {
+      const std::array<int, 3> at{place[0] + x, place[1] + y, place[2] + z};
+      const auto [found, isNew] = pointAt.emplace(at, static_cast<std::int64_t>(sample.points.size()));
+      if (isNew)
+      {
+        sample.points.emplace_back(at[0], at[1], at[2]);
+      }
+      ids.push_back(found->second);
+    }
+    sample.addCell(12, ids);
+  }
+  return sample;
+}
+
+/// A room of 3 x 3 x 3 cubes with a duct, one cube wide, that leads into the middle of its side.
+SampleMesh roomWithDuct(int length)
+{
+  std::vector<std::array<int, 3>> places;
+  for (int x = -length; x < 0; ++x)
+  {
+    places.push_back({x, 1, 1});
+  }
+  for (int i = 0; i < 27; ++i)
+  {
+    places.push_back({i % 3, i / 3 % 3, i / 9});
+  }
+  return cubes(places);
+}
+
+/// What has to be true of any merging: every face is one of before, between the cells that its cells became; the order
+/// is the one FaceMesh asks for; volumes add up.
+void expectSame(const FaceMesh& before, const FaceMesh& after, const MergedCells& merged)
+{
+  ASSERT_EQ(merged.cellOf.size(), before.cellCount);
+  ASSERT_EQ(merged.faceOf.size(), before.faceCount());
+  EXPECT_EQ(after.cellCount, before.cellCount - merged.count);
+  EXPECT_EQ(after.faceCount() - after.internalFaceCount(), before.faceCount() - before.internalFaceCount());
+  std::set<Index> seen;
+  for (std::size_t f = 0; f < before.faceCount(); ++f)
+  {
+    const bool internal = f < before.internalFaceCount();
+    const Index owner = merged.cellOf[before.owner[f]];
+    const Index neighbour = internal ? merged.cellOf[before.neighbour[f]] : noIndex;
+    const Index now = merged.faceOf[f];
+    if (owner == neighbour)
+    {
+      EXPECT_EQ(now, noIndex);
+      continue;
+    }
+    ASSERT_LT(now, after.faceCount());
+    EXPECT_TRUE(seen.insert(now).second);
+    ASSERT_EQ(now < after.internalFaceCount(), internal);
+    EXPECT_EQ(after.owner[now], std::min(owner, neighbour));
+    const Vec3 area = measurePolygon(before.points, before.face(f)).area;
+    const Vec3 areaNow = measurePolygon(after.points, after.face(now)).area;
+    EXPECT_LT((owner < neighbour ? Vec3(areaNow - area) : Vec3(areaNow + area)).norm(), 1e-14);
+    if (internal)
+    {
+      EXPECT_EQ(after.neighbour[now], std::max(owner, neighbour));
+    }
+  }
+  EXPECT_EQ(seen.size(), after.faceCount());
+  for (std::size_t f = 1; f < after.faceCount(); ++f)
+  {
+    const bool bothInternal = f < after.internalFaceCount();
+    const bool bothBoundary = f > after.internalFaceCount();
+    EXPECT_TRUE(!bothInternal ||
+                std::pair(after.owner[f - 1], after.neighbour[f - 1]) <= std::pair(after.owner[f], after.neighbour[f]));
+    EXPECT_TRUE(!bothBoundary || after.owner[f - 1] <= after.owner[f]);
+  }
+  EXPECT_TRUE(verdictOf(after)["Openness"].failing.empty());
+}
+
+TEST(MergeCells, ADuctBecomesOneWithTheRoomItLeadsInto)
+{
+  for (const int length : {1, 2, 3})
+  {
+    SCOPED_TRACE(length);
+    const FaceMesh before = facesOf(roomWithDuct(length));
+    EXPECT_EQ(verdictOf(before)["Determinant"].failing.size(), static_cast<std::size_t>(length));
+    FaceMesh after = before;
+    const MergedCells merged = merge(after);
+    EXPECT_EQ(merged.count, static_cast<std::size_t>(length));
+    expectSame(before, after, merged);
+    const MeshVerdict verdict = verdictOf(after);
+    EXPECT_TRUE(verdict["Determinant"].failing.empty());
+    EXPECT_TRUE(verdict["FacePyramids"].failing.empty());
+    EXPECT_TRUE(verdict["TetQuality"].failing.empty());
+    EXPECT_TRUE(verdict["NonOrthogonality"].failing.empty());
+  }
+}
+
+TEST(MergeCells, ADuctTooLongToBecomeOneStays)
+{
+  const FaceMesh before = facesOf(roomWithDuct(8));
+  FaceMesh after = before;
+  const MergedCells merged = merge(after);
+  expectSame(before, after, merged);
+  EXPECT_LT(verdictOf(after)["Determinant"].failing.size(), 8u);
+  EXPECT_GT(verdictOf(after)["Determinant"].failing.size(), 0u);
+}
+
+TEST(MergeCells, NothingChangesWhereNoNeighbourHelps)
+{
+  // In a plane or a row no gradient across it can be determined, however cells are merged; a room has nothing to merge.
+  for (const std::array<int, 3> n : {std::array{4, 4, 1}, {5, 1, 1}, {1, 1, 1}, {4, 4, 4}})
+  {
+    const FaceMesh before = facesOf(atria::testing::hexahedra(n));
+    FaceMesh after = before;
+    const MergedCells merged = merge(after);
+    EXPECT_EQ(merged.count, 0u);
+    EXPECT_TRUE(merged.cellOf.empty());
+    EXPECT_TRUE(merged.faceOf.empty());
+    EXPECT_EQ(after.owner, before.owner);
+    EXPECT_EQ(after.facePoints, before.facePoints);
+  }
+}
+
+TEST(MergeCells, ThinCellsOfALayerStay)
+{
+  SampleMesh sample = atria::testing::hexahedra({4, 4, 4});
+  for (Vec3& p : sample.points)
+  {
+    p[2] = p[2] < 1.5 ? 1e-3 * p[2] : p[2];
+  }
+  FaceMesh mesh = facesOf(sample);
+  const auto thin = verdictOf(mesh)["Determinant"].failing;
+  EXPECT_EQ(thin.size(), 16u) << "checkMesh objects to thin cells as well";
+  EXPECT_LE(merge(mesh).count, 4u) << "but for those in corners they have four neighbours or more";
+}
+
+TEST(MergeCells, MixedMeshesAreDeterminedAfterwards)
+{
+  for (unsigned seed = 0; seed < 20; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    const FaceMesh before = facesOf(atria::testing::mixedCells({4, 4, 4}, seed, 0.12));
+    const MeshVerdict plain = verdictOf(before);
+    FaceMesh after = before;
+    const MergedCells merged = merge(after);
+    if (merged.count == 0)
+    {
+      EXPECT_TRUE(plain["Determinant"].failing.empty());
+      continue;
+    }
+    expectSame(before, after, merged);
+    const MeshVerdict now = verdictOf(after);
+    EXPECT_TRUE(now["Determinant"].failing.empty());
+    for (const MeshCheck& check : plain.checks)
+    {
+      if (check.isError && std::string(check.name) != "Concavity")
+      {
+        EXPECT_LE(now[check.name].failing.size(), check.failing.size()) << check.name;
+      }
+    }
+    FaceMesh again = after;
+    EXPECT_EQ(merge(again).count, 0u);
+    for (const int threads : {2, 7})
+    {
+      FaceMesh other = before;
+      EXPECT_EQ(merge(other, threads).cellOf, merged.cellOf);
+      EXPECT_EQ(other.facePoints, after.facePoints);
+      EXPECT_EQ(other.neighbour, after.neighbour);
+    }
+  }
+}
+
+} // namespace
