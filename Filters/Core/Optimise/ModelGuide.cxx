@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <span>
 
 namespace atria {
 
@@ -86,36 +87,25 @@ std::vector<ModelItem> ModelGuide::findPieces(Index point, const std::vector<Ind
 
 void ModelGuide::find(Index point, Target& target) const
 {
-  target.isFound = true;
   std::vector<Index> wanted = wantedPieces(vertexOf_[point]);
   const std::vector<ModelItem> found = findPieces(point, wanted);
-  if (found.size() > mostPieces && found.front().kind == ModelItem::triangle)
+  const bool isOnCurve = freedomOf(point) == Freedom::curve;
+  if (found.size() > mostPieces && !isOnCurve)
   {
-    target.charts = std::move(wanted);
+    target.kind = Kind::charts;
+    target.pieces = std::move(wanted);
     return;
   }
-  const auto at = [&](Index p) { return octree_.frame().toModel(model_.points[p]); };
-  target.pieces.reserve(found.size());
-  for (const ModelItem item : found)
-  {
-    if (item.kind == ModelItem::triangle)
-    {
-      const auto& t = model_.triangles[item.index];
-      target.pieces.push_back({at(t[0]), at(t[1]), at(t[2])});
-    }
-    else
-    {
-      const FeatureEdge& edge = model_.featureEdges[item.index];
-      target.pieces.push_back({at(edge.a), at(edge.b), at(edge.b)});
-    }
-  }
+  target.kind = isOnCurve ? Kind::featureEdges : Kind::triangles;
+  target.pieces.resize(found.size());
+  std::ranges::transform(found, target.pieces.begin(), [](ModelItem item) { return item.index; });
 }
 
 /// Of a point that was prepared. Threads ask for different points.
-const ModelGuide::Target& ModelGuide::targetOf(Index point) const
+ModelGuide::Target& ModelGuide::targetOf(Index point) const
 {
   Target& target = targets_[slotOf_[point]];
-  if (!target.isFound)
+  if (target.kind == Kind::unknown)
   {
     find(point, target);
   }
@@ -171,8 +161,8 @@ Vec3 ModelGuide::place(Index point, const Vec3& p) const
 
 Vec3 ModelGuide::nearest(Index point, const Vec3& p) const
 {
-  const Target& target = targetOf(point);
-  if (target.pieces.empty() && target.charts.empty())
+  Target& target = targetOf(point);
+  if (target.pieces.empty())
   {
     return target.start;
   }
@@ -187,12 +177,12 @@ Vec3 ModelGuide::nearest(Index point, const Vec3& p) const
   return q;
 }
 
-Vec3 ModelGuide::nearestOf(const Target& target, const Vec3& p) const
+Vec3 ModelGuide::nearestOf(Target& target, const Vec3& p) const
 {
   const GridFrame& frame = octree_.frame();
-  if (!target.charts.empty())
+  if (target.kind == Kind::charts)
   {
-    const auto isWanted = [&](Index t) { return std::ranges::binary_search(target.charts, model_.charts[t]); };
+    const auto isWanted = [&](Index t) { return std::ranges::binary_search(target.pieces, model_.charts[t]); };
     const Vec3 wanted = (p - frame.origin) / frame.latticeUnit();
     // Where it starts a vertex is on its charts, mostly: what is farther away than that is not nearest.
     const double atMost = 1.001 * (target.start - p).norm() / frame.latticeUnit() + 1.0;
@@ -203,23 +193,69 @@ Vec3 ModelGuide::nearestOf(const Target& target, const Vec3& p) const
   return nearestPiece(target, p).place;
 }
 
-/// Of a target that lists its pieces.
-ModelGuide::OnPiece ModelGuide::nearestPiece(const Target& target, const Vec3& p)
+std::array<Vec3, 3> ModelGuide::cornersOf(Index triangle) const
 {
-  OnPiece best{p, nullptr};
-  double least = std::numeric_limits<double>::infinity();
-  for (const Piece& piece : target.pieces)
+  const auto& t = model_.triangles[triangle];
+  const auto at = [&](Index p) { return octree_.frame().toModel(model_.points[p]); };
+  return {at(t[0]), at(t[1]), at(t[2])};
+}
+
+Vec3 ModelGuide::nearestOn(const Target& target, Index piece, const Vec3& p) const
+{
+  if (target.kind == Kind::featureEdges)
   {
-    const auto& [a, b, c] = piece;
-    const Vec3 near = b == c ? nearestOnSegment(p, a, b) : nearestOnTriangle(p, a, b, c);
-    const double distance = (near - p).squaredNorm();
-    if (distance < least)
+    const FeatureEdge& edge = model_.featureEdges[piece];
+    const GridFrame& frame = octree_.frame();
+    return nearestOnSegment(p, frame.toModel(model_.points[edge.a]), frame.toModel(model_.points[edge.b]));
+  }
+  const auto [a, b, c] = cornersOf(piece);
+  return nearestOnTriangle(p, a, b, c);
+}
+
+/// Whether a triangle's box is farther than `reach` from a place, both on the lattice.
+bool ModelGuide::isBeyond(const Target& target, Index piece, const Vec3& wanted, double reach) const
+{
+  if (target.kind == Kind::featureEdges)
+  {
+    return false;
+  }
+  const Box3 box = model_.bounds(piece);
+  const Vec3 apart = (box.min - wanted).cwiseMax(wanted - box.max).cwiseMax(0.0);
+  return apart.squaredNorm() > reach * reach;
+}
+
+/// Of a target that lists its pieces: of those equally near the first. The one that was nearest last time is mostly
+/// near again, and all but a few others are farther.
+ModelGuide::OnPiece ModelGuide::nearestPiece(Target& target, const Vec3& p) const
+{
+  if (target.kind == Kind::charts || target.pieces.empty())
+  {
+    return {p, noIndex};
+  }
+  constexpr double rounding = 1.0; // lattice units
+  const GridFrame& frame = octree_.frame();
+  const Vec3 wanted = (p - frame.origin) / frame.latticeUnit();
+  Vec3 best = nearestOn(target, target.pieces[target.last], p);
+  double least = (best - p).squaredNorm();
+  const auto reachOf = [&] { return std::sqrt(least) / frame.latticeUnit() + rounding; };
+  double reach = reachOf();
+  for (Index i = 0; i < target.pieces.size(); ++i)
+  {
+    if (i == target.last || isBeyond(target, target.pieces[i], wanted, reach))
     {
+      continue;
+    }
+    const Vec3 near = nearestOn(target, target.pieces[i], p);
+    const double distance = (near - p).squaredNorm();
+    if (distance < least || (distance == least && i < target.last))
+    {
+      best = near;
       least = distance;
-      best = {near, &piece};
+      reach = reachOf();
+      target.last = i;
     }
   }
-  return best;
+  return {best, target.pieces[target.last]};
 }
 
 /// Of points on surfaces the triangle they are on says it. Others may be where pieces end or meet, as at rims, and one
@@ -232,12 +268,12 @@ Ways ModelGuide::waysFrom(Index point, const Vec3& p, double step) const
     return {};
   }
   const bool isOnSurface = freedomOf(point) == Freedom::surface;
-  const Piece* piece = isAtSide || !isOnSurface ? nullptr : nearestPiece(targetOf(point), p).piece;
-  if (!piece)
+  const Index piece = isAtSide || !isOnSurface ? noIndex : nearestPiece(targetOf(point), p).piece;
+  if (piece == noIndex)
   {
     return VertexGuide::waysFrom(point, p, step);
   }
-  const auto& [a, b, c] = *piece;
+  const auto [a, b, c] = cornersOf(piece);
   const Vec3 along = (b - a).normalized();
   const Vec3 normal = along.cross(c - a).normalized();
   return {{along, normal.cross(along)}, 2};

@@ -27,15 +27,20 @@ public:
   Vec3 centreOf(Index point) const;
 
 private:
-  /// Triangles or, with c equal to b, segments.
-  using Piece = std::array<Vec3, 3>;
+  /// What the pieces of a target are.
+  enum class Kind : std::uint8_t
+  {
+    unknown, ///< not looked up yet
+    triangles,
+    featureEdges,
+    charts ///< where triangles are many, they are not listed: those of these charts are looked for in the tree
+  };
   struct Target
   {
     Vec3 start;
-    bool isFound = false;
-    std::vector<Piece> pieces;
-    /// Where triangles are many, they are not listed: these charts are looked for in the tree.
-    std::vector<Index> charts;
+    Kind kind = Kind::unknown;
+    Index last = 0; ///< the place in `pieces` of the one that was nearest when asked last
+    std::vector<Index> pieces;
   };
 
   bool hasPieces(Index point) const
@@ -46,14 +51,17 @@ private:
   std::vector<Index> wantedPieces(Index vertex) const;
   std::vector<ModelItem> findPieces(Index point, const std::vector<Index>& wanted) const;
   void find(Index point, Target& target) const;
-  const Target& targetOf(Index point) const;
+  Target& targetOf(Index point) const;
   struct OnPiece
   {
     Vec3 place;
-    const Piece* piece;
+    Index piece; ///< noIndex where the target has none
   };
-  static OnPiece nearestPiece(const Target& target, const Vec3& p);
-  Vec3 nearestOf(const Target& target, const Vec3& p) const;
+  std::array<Vec3, 3> cornersOf(Index triangle) const;
+  Vec3 nearestOn(const Target& target, Index piece, const Vec3& p) const;
+  OnPiece nearestPiece(Target& target, const Vec3& p) const;
+  Vec3 nearestOf(Target& target, const Vec3& p) const;
+  bool isBeyond(const Target& target, Index piece, const Vec3& wanted, double reach) const;
   Vec3 onPlanes(Vec3 p, unsigned planes) const;
   unsigned planesOf(Index leaf) const;
 
