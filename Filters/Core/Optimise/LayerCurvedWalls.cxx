@@ -20,10 +20,10 @@ constexpr double flatCosine = 1.0 - 1e-5;
 /// It is smooth if they turn by less than 12 degrees, or are at an edge of the domain: other elements, where octants
 /// are coarse or a wall stands on the ground, do not come to be as good, and trying to takes long.
 constexpr double smoothCosine = 0.978;
-/// Beyond 60 degrees it is an edge, though none of one surface.
+/// Beyond 60 degrees it is an edge, though none of one surface, as where a wall stands on the ground.
 constexpr double edgeCosine = 0.5;
 /// What is asked of elements where walls are not smooth.
-constexpr CurvedWallTargets coarse{30.0, 0.75};
+constexpr CurvedWallTargets coarseTargets{30.0, 0.75};
 /// How much thicker a layer of no asked height may be on curved walls, where nothing beside it needs the room.
 constexpr double thicker = 5.0 / 3.0;
 /// What hexahedra of a uniform mesh keep of their scaled Jacobian where angles are made better.
@@ -85,7 +85,7 @@ struct LayerImprover::CurvedStage
 void LayerImprover::findCurved()
 {
   const std::vector<char> bent = findBent(model_);
-  curved_.assign(layer_.plainPoints, Bend::none);
+  curved_.assign(layer_.plainPoints, straight);
   context_.executor.forEach(curved_.size(), 4096, [&](std::size_t p) {
     const BoundaryFace* first = nullptr;
     Vec3 normalOfFirst;
@@ -105,14 +105,17 @@ void LayerImprover::findCurved()
       const double cosine = normal.dot(normalOfFirst);
       const bool onSides = face.chart == noIndex && first->chart == noIndex;
       const bool isBent = cosine < flatCosine && face.chart != noIndex && bent[face.chart];
-      if (cosine < edgeCosine || isBent)
+      if (isBent || (cosine < edgeCosine && onSides))
       {
-        const bool isSmooth = cosine > smoothCosine || onSides;
-        curved_[p] = std::max(curved_[p], isSmooth ? Bend::smooth : Bend::coarse);
+        curved_[p] |= cosine > smoothCosine || onSides ? smooth : coarse;
+      }
+      else if (cosine < edgeCosine)
+      {
+        curved_[p] |= edged;
       }
     }
   });
-  if (std::ranges::all_of(curved_, [](Bend bend) { return bend == Bend::none; }))
+  if (std::ranges::all_of(curved_, [](std::uint8_t bend) { return (bend & smooth) == 0; }))
   {
     curved_.clear();
   }
@@ -131,7 +134,7 @@ bool LayerImprover::isAtCurved(Index cell) const
 {
   std::array<Index, 8> corners = layer_.mesh.corners[cell];
   const bool isCurved =
-      std::ranges::any_of(corners, [&](Index p) { return curved_[layer_.wallPointOf(p)] != Bend::none; });
+      std::ranges::any_of(corners, [&](Index p) { return (curved_[layer_.wallPointOf(p)] & smooth) != 0; });
   std::ranges::sort(corners);
   return isCurved && std::ranges::adjacent_find(corners) == corners.end() && isAwayFromCreases(cell);
 }
@@ -140,7 +143,7 @@ bool LayerImprover::isAtCurved(Index cell) const
 bool LayerImprover::isAtSmooth(Index cell) const
 {
   return std::ranges::all_of(layer_.mesh.corners[cell],
-                             [&](Index p) { return curved_[layer_.wallPointOf(p)] != Bend::coarse; });
+                             [&](Index p) { return (curved_[layer_.wallPointOf(p)] & edged) == 0; });
 }
 
 /// Points with a copy, of which all cells with it are at curved walls.
@@ -284,15 +287,15 @@ void LayerImprover::improveAtCurved()
   options.sweeps = 8;
   options.leastPenalty = 5e-4;
   options.leastGain = 0.02;
-  options.firstReach = 0.3;
+  options.firstReach = 0.15;
   options.leastWorst = leastOfOthers;
   for (const bool smooth : {false, true})
   {
     const CurvedWallTargets& own = curvedWalls_;
     options.targets =
         targetsAtCurved(smooth ? own
-                               : CurvedWallTargets{std::max(own.nonOrthogonality, coarse.nonOrthogonality),
-                                                   std::max(own.skewness, coarse.skewness)});
+                               : CurvedWallTargets{std::max(own.nonOrthogonality, coarseTargets.nonOrthogonality),
+                                                   std::max(own.skewness, coarseTargets.skewness)});
     move(findBelow(options.targets, 1.0F, unsureAtCurved(smooth)), options);
   }
   bringClose();

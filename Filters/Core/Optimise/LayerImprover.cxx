@@ -91,7 +91,11 @@ LayerMesh LayerImprover::run()
 {
   const bool isSingle = layered_ && !hasHeights_ && !divided_;
   grow();
-  mend(improve(improve(isSingle ? thicken() : findAll(), 1), 1));
+  std::vector<ShortCell> shortCells = improve(isSingle ? thicken() : findAll(), 1);
+  if (!badOf(shortCells).empty())
+  {
+    mend(improve(shortCells, 1));
+  }
   if (!left_.empty())
   {
     putBack();

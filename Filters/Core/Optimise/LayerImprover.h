@@ -40,11 +40,13 @@ public:
 private:
   struct Guides;
   enum class Step : std::uint8_t;
-  enum class Bend : std::uint8_t
+  /// How walls turn at a point, as bits.
+  enum Bend : std::uint8_t
   {
-    none,
-    smooth,
-    coarse
+    straight = 0,
+    smooth = 1, ///< by a little
+    edged = 2,  ///< as at an edge
+    coarse = 3  ///< as a curved wall that is not smooth, or meets another
   };
   struct OrthogonalityStage;
   struct CurvedStage;
@@ -130,7 +132,7 @@ private:
   /// Of cells that fell short after a pass; also those in the second row from the walls.
   std::vector<char> suspect_;
   /// How walls are curved there. Empty where none are, or other than a single layer of no asked height is grown.
-  std::vector<Bend> curved_;
+  std::vector<std::uint8_t> curved_;
   /// Cells, in order, that may fall short of strictest(), of those at the boundary and of the layer.
   std::vector<Index> unsure_;
   /// Leaders that were released, each once, and where they were.
