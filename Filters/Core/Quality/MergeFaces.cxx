@@ -15,6 +15,8 @@ namespace atria {
 namespace {
 
 constexpr std::size_t fewestFaces = 4;
+/// Of leastTetrahedron(), by far more than rounding. What is less may not become less still.
+constexpr double clearlyAbove = 1e-6;
 
 class FaceMerger
 {
@@ -224,38 +226,105 @@ private:
     return std::all_of(own.begin(), own.end(), [&](const auto& left) { return uses[left.first] == left.second; });
   }
 
-  /// Whether the union fits in with the other faces of a cell, and is star-shaped seen from its centroid.
-  bool fits(const std::vector<Index>& group, const std::vector<Index>& loop, Index cell) const
+  /// A face as seen from outside of a cell.
+  struct OutwardFace
   {
-    std::size_t left = 1;
-    for (const Index face : cellFaces.of(cell))
+    std::vector<Index> loop;
+    Index beyond; ///< the cell on the other side; noIndex on the boundary
+  };
+
+  OutwardFace outward(Index face, std::span<const Index> loop, Index cell) const
+  {
+    OutwardFace out{{loop.begin(), loop.end()}, isInternal(face) ? mesh.neighbour[face] : noIndex};
+    if (mesh.owner[face] != cell)
     {
-      if (into[face] != face || std::find(group.begin(), group.end(), face) != group.end())
-      {
-        continue;
-      }
-      ++left;
-      if (!shareOneRun(loop, loopOf(face)))
-      {
-        return false;
-      }
+      std::reverse(out.loop.begin(), out.loop.end());
+      out.beyond = mesh.owner[face];
     }
-    return left >= fewestFaces && isStarShaped(mesh.points, loop, cellCentroids[cell], options.planarSine);
+    return out;
   }
 
-  bool fits(const std::vector<Index>& group, const std::vector<Index>& loop) const
+  /// As computeGeometry() has it, of a cell of these faces.
+  Vec3 centroidOf(const std::vector<OutwardFace>& faces) const
   {
-    if (!fits(group, loop, mesh.owner[group[0]]))
+    std::vector<PolygonMeasure> measures;
+    Vec3 estimate = Vec3::Zero();
+    for (const OutwardFace& face : faces)
     {
-      return false;
+      measures.push_back(measurePolygon(mesh.points, face.loop));
+      estimate += measures.back().centroid / static_cast<double>(faces.size());
     }
-    return !isInternal(group[0]) || fits(group, {loop.rbegin(), loop.rend()}, mesh.neighbour[group[0]]);
+    Vec3 moment = Vec3::Zero();
+    double volume = 0.0;
+    for (const PolygonMeasure& face : measures)
+    {
+      const double pyramid = face.area.dot(face.centroid - estimate);
+      moment += pyramid * (0.75 * face.centroid + 0.25 * estimate);
+      volume += pyramid;
+    }
+    return volume > 0.0 ? Vec3(moment / volume) : estimate;
+  }
+
+  /// Where a cell's centroid would be with the union in place of the group, if that fits in with the other faces and is
+  /// star-shaped seen from the centroid, as it is and as it would be, and no face loses its sound tetrahedra.
+  std::optional<Vec3> centroidIfFits(const std::vector<Index>& group, const std::vector<Index>& loop, Index cell) const
+  {
+    std::vector<OutwardFace> faces{outward(group[0], loop, cell)};
+    for (const Index face : cellFaces.of(cell))
+    {
+      if (into[face] == face && std::find(group.begin(), group.end(), face) == group.end())
+      {
+        faces.push_back(outward(face, loopOf(face), cell));
+        if (!shareOneRun(faces.front().loop, faces.back().loop))
+        {
+          return std::nullopt;
+        }
+      }
+    }
+    const Vec3 before = cellCentroids[cell];
+    const Vec3 centroid = centroidOf(faces);
+    const auto least = [&](const OutwardFace& face, const Vec3& from) {
+      return leastTetrahedron(mesh.points, face.loop, from,
+                              face.beyond == noIndex ? nullptr : &cellCentroids[face.beyond]);
+    };
+    const auto staysSound = [&](const OutwardFace& face) {
+      return least(face, centroid) >= std::min(clearlyAbove, least(face, before));
+    };
+    const std::vector<Index>& outline = faces.front().loop;
+    const bool fits = faces.size() >= fewestFaces && isStarShaped(mesh.points, outline, before, options.planarSine) &&
+                      isStarShaped(mesh.points, outline, centroid, options.planarSine) &&
+                      std::all_of(faces.begin(), faces.end(), staysSound);
+    return fits ? std::optional(centroid) : std::nullopt;
+  }
+
+  /// Takes the centroids of the group's cells to where they are with the union, if that fits in with both.
+  bool moveCentroids(const std::vector<Index>& group, const std::vector<Index>& loop)
+  {
+    Vec3& ofOwner = cellCentroids[mesh.owner[group[0]]];
+    const Vec3 before = ofOwner;
+    const std::optional<Vec3> own = centroidIfFits(group, loop, mesh.owner[group[0]]);
+    if (!own || !isInternal(group[0]))
+    {
+      ofOwner = own.value_or(before);
+      return own.has_value();
+    }
+    ofOwner = *own;
+    const std::optional<Vec3> other = centroidIfFits(group, loop, mesh.neighbour[group[0]]);
+    ofOwner = other ? *own : before;
+    Vec3& ofNeighbour = cellCentroids[mesh.neighbour[group[0]]];
+    ofNeighbour = other.value_or(ofNeighbour);
+    return other.has_value();
   }
 
   bool merge(const std::vector<Index>& group)
   {
     std::optional<std::vector<Index>> loop = unionOf(group);
-    if (!loop || !leavesOutOnlyOwnPoints(group, *loop) || !fits(group, *loop))
+    if (!loop || !leavesOutOnlyOwnPoints(group, *loop))
+    {
+      return false;
+    }
+    const Index first = group[0];
+    if (!moveCentroids(group, *loop))
     {
       return false;
     }
@@ -263,10 +332,10 @@ private:
     {
       count(loopOf(face), -1);
       loops.erase(face);
-      into[face] = group[0];
+      into[face] = first;
     }
     count(*loop, 1);
-    loops[group[0]] = std::move(*loop);
+    loops[first] = std::move(*loop);
     return true;
   }
 

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace atria {
 
@@ -181,6 +182,34 @@ bool isStarShaped(std::span<const Vec3> points, std::span<const Index> loop, con
     }
   }
   return false;
+}
+
+double leastTetrahedron(std::span<const Vec3> points, std::span<const Index> loop, const Vec3& centre,
+                        const Vec3* beyond)
+{
+  const std::size_t size = loop.size();
+  const auto volume = [](const Vec3& from, const Vec3& to, const Vec3& apex, const Vec3& seenFrom) {
+    return (from - seenFrom).cross(to - seenFrom).dot(apex - seenFrom) / 6.0;
+  };
+  /// Of the triangles of an apex and so many edges.
+  const auto leastOf = [&](const Vec3& apex, std::size_t first, std::size_t count) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = first; i < first + count; ++i)
+    {
+      const Vec3& from = points[loop[i % size]];
+      const Vec3& to = points[loop[(i + 1) % size]];
+      least = std::min(least, volume(from, to, apex, centre));
+      least = beyond ? std::min(least, -volume(from, to, apex, *beyond)) : least;
+    }
+    return least;
+  };
+  double best = -std::numeric_limits<double>::infinity();
+  for (std::size_t base = 0; base < size; ++base)
+  {
+    best = std::max(best, leastOf(points[loop[base]], base + 1, size - 2));
+  }
+  const PolygonMeasure face = measurePolygon(points, loop);
+  return std::min(best, leastOf(face.centroid, 0, size)) / std::pow(face.area.norm(), 1.5);
 }
 
 } // namespace atria

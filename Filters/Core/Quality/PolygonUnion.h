@@ -30,4 +30,11 @@ bool coplanar(std::span<const Vec3> points, std::span<const Index> a, std::span<
 /// the polygon's plane than `sine` times the root of its area.
 bool isStarShaped(std::span<const Vec3> points, std::span<const Index> loop, const Vec3& centre, double sine);
 
+/// The least volume, over the cube of the root of the polygon's area, of the tetrahedra of `centre` with triangles from
+/// the polygon's centroid to its edges and with those from one of its points, the best one, as OpenFOAM takes cells
+/// apart. Above 0 where all look away from `centre`. `beyond`, if not null, is a centre on the other side, whose
+/// tetrahedra with the same triangles count as well.
+double leastTetrahedron(std::span<const Vec3> points, std::span<const Index> loop, const Vec3& centre,
+                        const Vec3* beyond);
+
 } // namespace atria
