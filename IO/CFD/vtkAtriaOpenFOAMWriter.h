@@ -68,9 +68,9 @@ public:
 
   ///@{
   /**
-   * Make cells whose faces within the mesh all look nearly along one plane one with a neighbour, where the union is
-   * valid and checkMesh does not object to it, concavity apart. The input's cells and patches stay as they are. On by
-   * default.
+   * Make a cell with too few neighbours one with a neighbour, or with up to five other cells, where the union is valid
+   * and checkMesh does not object to it, concavity apart. Too few are three at most with a determinant below
+   * checkMesh's limit of 0.001. The input's cells and patches stay as they are. On by default.
    */
   vtkSetMacro(MergeUnderdeterminedCells, bool);
   vtkGetMacro(MergeUnderdeterminedCells, bool);

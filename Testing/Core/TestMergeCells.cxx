@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Quality/CheckQuantities.h"
 #include "Quality/MergeCells.h"
 #include "Quality/MeshChecks.h"
 #include "Support/SampleMesh.h"
@@ -7,7 +6,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <numeric>
+#include <array>
+#include <map>
 #include <set>
 
 namespace {

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace {
 
@@ -226,6 +227,33 @@ protected:
     return at == std::string::npos ? 0 : std::stol(report.log.substr(at + text.size()));
   }
 
+  static constexpr const char* smallDeterminants = "small determinant (< 0.001) found, number of cells: ";
+
+  /// What checkMesh says of a model's plain dual written without an option of merging, and with it.
+  std::pair<CheckMeshReport, CheckMeshReport> reportWithoutAndWith(bool& option, const char* model)
+  {
+    mesher->SetNumberOfLayers(0);
+    option = false;
+    meshHouse(model);
+    EXPECT_EQ(&option == &mergeCells ? mergedCells : mergedFaces, 0);
+    CheckMeshReport without = atria::testing::runCheckMesh(scratch.path());
+    option = true;
+    meshHouse(model);
+    return {std::move(without), atria::testing::runCheckMesh(scratch.path())};
+  }
+
+  /// Concave cells and small determinants apart.
+  static void expectNothingNew(const CheckMeshReport& plain, const CheckMeshReport& merged)
+  {
+    ASSERT_TRUE(plain.completed && merged.completed) << merged.log;
+    EXPECT_LE(merged.failedChecks, plain.failedChecks) << merged.log;
+    for (const char* text : {"Error in face pyramids: ", "Error in face tets: ", "Number of negative volume cells: ",
+                             "number of open cells "})
+    {
+      EXPECT_LE(numberAfter(merged, text), numberAfter(plain, text)) << text;
+    }
+  }
+
   /// checkMesh finds no more wrong than is counted as invalid. Where elements are flat, rounding decides what it finds.
   void expectNothingHidden()
   {
@@ -285,19 +313,11 @@ TEST_F(CheckMeshAgrees, ASphereWhosePoleIsAGridPointHasNoFaceWithoutArea)
 
 TEST_F(CheckMeshAgrees, MergedFacesLeaveFewerConcaveCellsAndNothingNewToObjectTo)
 {
-  mesher->SetNumberOfLayers(0);
   for (const char* model : {"house.wrl", "house_turned17.wrl"})
   {
     SCOPED_TRACE(model);
-    mergeFaces = false;
-    meshHouse(model);
-    EXPECT_EQ(mergedFaces, 0);
-    const CheckMeshReport plain = atria::testing::runCheckMesh(scratch.path());
-    mergeFaces = true;
-    meshHouse(model);
+    const auto [plain, merged] = reportWithoutAndWith(mergeFaces, model);
     EXPECT_GT(mergedFaces, 0);
-    const CheckMeshReport merged = atria::testing::runCheckMesh(scratch.path());
-    ASSERT_TRUE(plain.completed && merged.completed) << merged.log;
     EXPECT_EQ(merged.counts.at("cells"), plain.counts.at("cells"));
     EXPECT_EQ(merged.counts.at("internal faces"), plain.counts.at("internal faces"));
     EXPECT_EQ(merged.counts.at("faces"), plain.counts.at("faces") - mergedFaces);
@@ -305,43 +325,24 @@ TEST_F(CheckMeshAgrees, MergedFacesLeaveFewerConcaveCellsAndNothingNewToObjectTo
     EXPECT_GT(numberAfter(plain, concave), 50);
     // Flat elements and those with coplanar faces inside the mesh are left.
     EXPECT_LT(numberAfter(merged, concave), 0.5 * numberAfter(plain, concave));
-    EXPECT_LE(merged.failedChecks, plain.failedChecks) << merged.log;
-    for (const char* text :
-         {"Error in face pyramids: ", "Error in face tets: ", "small determinant (< 0.001) found, number of cells: ",
-          "Number of negative volume cells: ", "number of open cells "})
-    {
-      EXPECT_LE(numberAfter(merged, text), numberAfter(plain, text)) << text;
-    }
+    EXPECT_LE(numberAfter(merged, smallDeterminants), numberAfter(plain, smallDeterminants));
+    expectNothingNew(plain, merged);
   }
 }
 
 TEST_F(CheckMeshAgrees, MergedCellsLeaveFewWithTooFewNeighboursAndNothingNewToObjectTo)
 {
-  mesher->SetNumberOfLayers(0);
   mergeFaces = true;
   for (const char* model : {"house.wrl", "house_turned17.wrl"})
   {
     SCOPED_TRACE(model);
-    mergeCells = false;
-    meshHouse(model);
-    EXPECT_EQ(mergedCells, 0);
-    const CheckMeshReport plain = atria::testing::runCheckMesh(scratch.path());
-    mergeCells = true;
-    meshHouse(model);
-    const CheckMeshReport merged = atria::testing::runCheckMesh(scratch.path());
-    ASSERT_TRUE(plain.completed && merged.completed) << merged.log;
+    const auto [plain, merged] = reportWithoutAndWith(mergeCells, model);
+    EXPECT_GT(mergedCells, 10);
     EXPECT_EQ(merged.counts.at("cells"), plain.counts.at("cells") - mergedCells);
     EXPECT_EQ(merged.counts.at("boundary patches"), plain.counts.at("boundary patches"));
-    const std::string undetermined = "small determinant (< 0.001) found, number of cells: ";
-    EXPECT_GT(numberAfter(plain, undetermined), 10);
-    EXPECT_GT(mergedCells, 10);
-    EXPECT_LT(numberAfter(merged, undetermined), 0.2 * numberAfter(plain, undetermined));
-    EXPECT_LE(merged.failedChecks, plain.failedChecks) << merged.log;
-    for (const char* text : {"Error in face pyramids: ", "Error in face tets: ", "Number of negative volume cells: ",
-                             "number of open cells "})
-    {
-      EXPECT_LE(numberAfter(merged, text), numberAfter(plain, text)) << text;
-    }
+    EXPECT_GT(numberAfter(plain, smallDeterminants), 10);
+    EXPECT_LT(numberAfter(merged, smallDeterminants), 0.2 * numberAfter(plain, smallDeterminants));
+    expectNothingNew(plain, merged);
   }
 }
 

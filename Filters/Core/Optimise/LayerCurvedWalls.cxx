@@ -23,7 +23,7 @@ constexpr double smoothCosine = 0.978;
 /// Beyond 60 degrees it is an edge, though none of one surface, as where a wall stands on the ground.
 constexpr double edgeCosine = 0.5;
 /// What is asked of elements where walls are not smooth.
-constexpr CurvedWallTargets coarseTargets{30.0, 0.75};
+constexpr CurvedWallTargets coarse{30.0, 0.75};
 /// How much thicker a layer of no asked height may be on curved walls, where nothing beside it needs the room.
 constexpr double thicker = 5.0 / 3.0;
 /// What hexahedra of a uniform mesh keep of their scaled Jacobian where angles are made better.
@@ -107,7 +107,7 @@ void LayerImprover::findCurved()
       const bool isBent = cosine < flatCosine && face.chart != noIndex && bent[face.chart];
       if (isBent || (cosine < edgeCosine && onSides))
       {
-        curved_[p] |= cosine > smoothCosine || onSides ? smooth : coarse;
+        curved_[p] |= cosine > smoothCosine || onSides ? curved : curved | edged;
       }
       else if (cosine < edgeCosine)
       {
@@ -115,7 +115,7 @@ void LayerImprover::findCurved()
       }
     }
   });
-  if (std::ranges::all_of(curved_, [](std::uint8_t bend) { return (bend & smooth) == 0; }))
+  if (std::ranges::all_of(curved_, [](std::uint8_t bend) { return (bend & curved) == 0; }))
   {
     curved_.clear();
   }
@@ -134,7 +134,7 @@ bool LayerImprover::isAtCurved(Index cell) const
 {
   std::array<Index, 8> corners = layer_.mesh.corners[cell];
   const bool isCurved =
-      std::ranges::any_of(corners, [&](Index p) { return (curved_[layer_.wallPointOf(p)] & smooth) != 0; });
+      std::ranges::any_of(corners, [&](Index p) { return (curved_[layer_.wallPointOf(p)] & curved) != 0; });
   std::ranges::sort(corners);
   return isCurved && std::ranges::adjacent_find(corners) == corners.end() && isAwayFromCreases(cell);
 }
@@ -294,8 +294,8 @@ void LayerImprover::improveAtCurved()
     const CurvedWallTargets& own = curvedWalls_;
     options.targets =
         targetsAtCurved(smooth ? own
-                               : CurvedWallTargets{std::max(own.nonOrthogonality, coarseTargets.nonOrthogonality),
-                                                   std::max(own.skewness, coarseTargets.skewness)});
+                               : CurvedWallTargets{std::max(own.nonOrthogonality, coarse.nonOrthogonality),
+                                                   std::max(own.skewness, coarse.skewness)});
     move(findBelow(options.targets, 1.0F, unsureAtCurved(smooth)), options);
   }
   bringClose();

@@ -44,9 +44,8 @@ private:
   enum Bend : std::uint8_t
   {
     straight = 0,
-    smooth = 1, ///< by a little
-    edged = 2,  ///< as at an edge
-    coarse = 3  ///< as a curved wall that is not smooth, or meets another
+    curved = 1, ///< as a curved wall does
+    edged = 2   ///< as at an edge; with `curved`, as a wall that is curved but not smooth, or meets another
   };
   struct OrthogonalityStage;
   struct CurvedStage;

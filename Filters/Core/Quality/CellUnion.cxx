@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <compare>
 #include <numbers>
 #include <numeric>
 
@@ -34,21 +33,9 @@ struct Surroundings
   std::vector<Index> patchOf; ///< as for mergeCoplanarFaces()
 };
 
-/// A face of some cells and their neighbours, by its cells' numbers there; the second is noIndex where it is not among
-/// them.
-struct LocalFace
-{
-  bool onBoundary;
-  Index owner;
-  Index neighbour;
-  Index face;
-  bool turned;
-
-  auto operator<=>(const LocalFace&) const = default;
-};
-
-std::vector<LocalFace> facesAbout(const CellUnions& unions, const std::map<Index, Index>& localCell,
-                                  std::span<const Index> cells)
+/// By the numbers of `localCell`.
+std::vector<OrderedFace> facesAbout(const CellUnions& unions, const std::map<Index, Index>& localCell,
+                                    std::span<const Index> cells)
 {
   std::vector<Index> faces = unions.outerFaces(cells);
   for (const auto& [cell, local] : localCell)
@@ -64,7 +51,7 @@ std::vector<LocalFace> facesAbout(const CellUnions& unions, const std::map<Index
     const auto found = cell == noIndex ? localCell.end() : localCell.find(cell);
     return found == localCell.end() ? noIndex : found->second;
   };
-  std::vector<LocalFace> order;
+  std::vector<OrderedFace> order;
   for (const Index face : faces)
   {
     const auto [owner, neighbour] = unions.sidesOf(face);
@@ -72,7 +59,7 @@ std::vector<LocalFace> facesAbout(const CellUnions& unions, const std::map<Index
     const Index b = local(neighbour);
     if (a != b)
     {
-      order.push_back({a == noIndex || b == noIndex, std::min(a, b), std::max(a, b), face, a > b});
+      order.push_back(orderFace(face, a, b));
     }
   }
   std::sort(order.begin(), order.end());
@@ -80,7 +67,7 @@ std::vector<LocalFace> facesAbout(const CellUnions& unions, const std::map<Index
 }
 
 /// What lies beyond a face that is on the boundary of the surroundings: its patch, or another number for each cell.
-Index beyond(const CellUnions& unions, const LocalFace& local)
+Index beyond(const CellUnions& unions, const OrderedFace& local)
 {
   const auto [owner, neighbour] = unions.sidesOf(local.face);
   return neighbour == noIndex ? unions.patchOf(local.face) : noIndex - 1 - (local.turned ? owner : neighbour);
@@ -102,28 +89,23 @@ Surroundings surroundingsOf(const CellUnions& unions, std::span<const Index> cel
   FaceMesh& mesh = out.mesh;
   mesh.cellCount = count;
   std::map<Index, Index> localPoint;
-  for (const LocalFace& local : facesAbout(unions, localCell, cells))
+  std::vector<Index> loop;
+  for (const OrderedFace& local : facesAbout(unions, localCell, cells))
   {
-    const auto loop = unions.mesh.face(local.face);
-    for (std::size_t i = 0; i < loop.size(); ++i)
+    loop.clear();
+    for (const Index point : unions.mesh.face(local.face))
     {
-      const Index point = loop[local.turned ? loop.size() - 1 - i : i];
       const auto [at, isNew] = localPoint.emplace(point, static_cast<Index>(mesh.points.size()));
       if (isNew)
       {
         mesh.points.push_back(unions.mesh.points[point]);
       }
-      mesh.facePoints.push_back(at->second);
+      loop.push_back(at->second);
     }
-    mesh.faceOffsets.push_back(static_cast<Index>(mesh.facePoints.size()));
-    mesh.owner.push_back(local.owner);
+    appendFace(mesh, local, loop);
     if (local.onBoundary)
     {
       out.patchOf.push_back(beyond(unions, local));
-    }
-    else
-    {
-      mesh.neighbour.push_back(local.neighbour);
     }
   }
   return out;
@@ -221,6 +203,26 @@ UnionVerdict judgeFirst(const FaceMesh& mesh, const RunContext& context)
 }
 
 } // namespace
+
+OrderedFace orderFace(Index face, Index owner, Index neighbour)
+{
+  return {owner == noIndex || neighbour == noIndex, std::min(owner, neighbour), std::max(owner, neighbour), face,
+          owner > neighbour};
+}
+
+void appendFace(FaceMesh& mesh, const OrderedFace& face, std::span<const Index> loop)
+{
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    mesh.facePoints.push_back(loop[face.turned ? loop.size() - 1 - i : i]);
+  }
+  mesh.faceOffsets.push_back(static_cast<Index>(mesh.facePoints.size()));
+  mesh.owner.push_back(face.owner);
+  if (!face.onBoundary)
+  {
+    mesh.neighbour.push_back(face.neighbour);
+  }
+}
 
 CellUnions::CellUnions(const FaceMesh& faceMesh, std::span<const Index> patchOf, const Executor& executor)
     : mesh(faceMesh), patches(patchOf), faces(makeCellFaces(faceMesh, executor)), into(faceMesh.cellCount)

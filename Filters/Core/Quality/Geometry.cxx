@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Quality/Geometry.h"
 
-#include "Quality/InOrder.h"
-
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -14,9 +12,8 @@ namespace atria {
 
 namespace {
 
-/// Below these a sum is taken for zero, as OpenFOAM does (its ROOTVSMALL and VSMALL).
+/// Below this a sum is taken for zero, as OpenFOAM does (its ROOTVSMALL).
 constexpr double tinyArea = 1e-150;
-constexpr double tinyVolume = 1e-300;
 constexpr std::size_t grain = 4096;
 
 } // namespace
@@ -56,23 +53,12 @@ namespace {
 
 void measureCell(const FaceMesh& mesh, std::span<const Index> faces, std::size_t cell, MeshGeometry& out)
 {
-  Vec3 estimate = Vec3::Zero();
-  for (const Index f : faces)
-  {
-    estimate += out.faceCentroids[f];
-  }
-  estimate /= std::max<double>(1.0, static_cast<double>(faces.size()));
-  Vec3 moment = Vec3::Zero();
-  double tripleVolume = 0.0;
-  for (const Index f : faces)
-  {
-    const double sign = mesh.owner[f] == cell ? 1.0 : -1.0;
-    const double pyramid = sign * dotInOrder(out.faceAreas[f], out.faceCentroids[f] - estimate);
-    moment += pyramid * (0.75 * out.faceCentroids[f] + 0.25 * estimate);
-    tripleVolume += pyramid;
-  }
-  out.cellCentroids[cell] = std::abs(tripleVolume) > tinyVolume ? Vec3(moment / tripleVolume) : estimate;
-  out.cellVolumes[cell] = tripleVolume * (1.0 / 3.0);
+  const CellMeasureInOrder measure = measureCellInOrder(faces.size(), [&](std::size_t i) {
+    const Vec3& area = out.faceAreas[faces[i]];
+    return PolygonMeasure{mesh.owner[faces[i]] == cell ? area : Vec3(-area), out.faceCentroids[faces[i]]};
+  });
+  out.cellCentroids[cell] = measure.centroid;
+  out.cellVolumes[cell] = measure.volume;
 }
 
 } // namespace

@@ -23,6 +23,14 @@ struct Directions
   double area = 0.0;         ///< of |A|
   int count = 0;
 
+  void add(const Vec3& face)
+  {
+    const double size = face.norm();
+    areas += face * face.transpose();
+    area += size;
+    count += size > 0.0 ? 1 : 0;
+  }
+
   /// Four or more faces of a thin cell have a small determinant as well, but look all ways.
   bool areFew(double leastDeterminant) const
   {
@@ -81,38 +89,11 @@ private:
   /// Cells at walls whose internal faces do not look all ways; rising.
   std::vector<Index> findCandidates() const
   {
-    std::vector<Index> slotOf(mesh.cellCount, noIndex);
-    std::vector<Index> cells;
-    for (std::size_t f = mesh.internalFaceCount(); f < mesh.faceCount(); ++f)
-    {
-      Index& slot = slotOf[mesh.owner[f]];
-      if (slot == noIndex)
-      {
-        slot = static_cast<Index>(cells.size());
-        cells.push_back(mesh.owner[f]);
-      }
-    }
-    std::vector<Directions> directions(cells.size());
-    for (std::size_t f = 0; f < mesh.internalFaceCount(); ++f)
-    {
-      const Index slots[] = {slotOf[mesh.owner[f]], slotOf[mesh.neighbour[f]]};
-      if (slots[0] == noIndex && slots[1] == noIndex)
-      {
-        continue;
-      }
-      const Vec3 area = measurePolygon(mesh.points, mesh.face(f)).area;
-      const double size = area.norm();
-      for (const Index slot : slots)
-      {
-        if (slot != noIndex && size > 0.0)
-        {
-          Directions& sums = directions[slot];
-          sums.areas += area * area.transpose();
-          sums.area += size;
-          ++sums.count;
-        }
-      }
-    }
+    std::vector<Index> cells(mesh.owner.begin() + static_cast<std::ptrdiff_t>(mesh.internalFaceCount()),
+                             mesh.owner.end());
+    std::sort(cells.begin(), cells.end());
+    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+    const std::vector<Directions> directions = directionsOf(cells);
     std::vector<Index> found;
     if (areInOnePlane(directions))
     {
@@ -125,8 +106,34 @@ private:
         found.push_back(cells[i]);
       }
     }
-    std::sort(found.begin(), found.end());
     return found;
+  }
+
+  std::vector<Directions> directionsOf(const std::vector<Index>& cells) const
+  {
+    std::vector<Index> slotOf(mesh.cellCount, noIndex);
+    for (std::size_t i = 0; i < cells.size(); ++i)
+    {
+      slotOf[cells[i]] = static_cast<Index>(i);
+    }
+    std::vector<Directions> directions(cells.size());
+    for (std::size_t f = 0; f < mesh.internalFaceCount(); ++f)
+    {
+      const Index slots[] = {slotOf[mesh.owner[f]], slotOf[mesh.neighbour[f]]};
+      if (slots[0] == noIndex && slots[1] == noIndex)
+      {
+        continue;
+      }
+      const Vec3 area = measurePolygon(mesh.points, mesh.face(f)).area;
+      for (const Index slot : slots)
+      {
+        if (slot != noIndex)
+        {
+          directions[slot].add(area);
+        }
+      }
+    }
+    return directions;
   }
 
   struct Group
@@ -204,32 +211,15 @@ private:
     out.faceOffsets.reserve(mesh.faceOffsets.size());
     out.facePoints.reserve(mesh.facePoints.size());
     merged.faceOf.assign(mesh.faceCount(), noIndex);
-    for (const auto& [onBoundary, owner, neighbour, face, turned] : orderOfFaces(merged.cellOf))
+    for (const OrderedFace& face : orderOfFaces(merged.cellOf))
     {
-      merged.faceOf[face] = static_cast<Index>(out.owner.size());
-      const auto loop = mesh.face(face);
-      if (turned)
-      {
-        out.facePoints.insert(out.facePoints.end(), std::make_reverse_iterator(loop.end()),
-                              std::make_reverse_iterator(loop.begin()));
-      }
-      else
-      {
-        out.facePoints.insert(out.facePoints.end(), loop.begin(), loop.end());
-      }
-      out.faceOffsets.push_back(static_cast<Index>(out.facePoints.size()));
-      out.owner.push_back(owner);
-      if (!onBoundary)
-      {
-        out.neighbour.push_back(neighbour);
-      }
+      merged.faceOf[face.face] = static_cast<Index>(out.owner.size());
+      appendFace(out, face, mesh.face(face.face));
     }
     out.points = std::move(mesh.points);
     mesh = std::move(out);
     return merged;
   }
-
-  using OrderedFace = std::tuple<bool, Index, Index, Index, bool>; ///< on the boundary, owner, neighbour, face, turned
 
   std::vector<OrderedFace> orderOfFaces(const std::vector<Index>& cellOf) const
   {
@@ -237,12 +227,11 @@ private:
     order.reserve(mesh.faceCount());
     for (Index face = 0; face < mesh.faceCount(); ++face)
     {
-      const bool onBoundary = face >= mesh.internalFaceCount();
-      const Index a = cellOf[mesh.owner[face]];
-      const Index b = onBoundary ? noIndex : cellOf[mesh.neighbour[face]];
-      if (a != b)
+      const Index owner = cellOf[mesh.owner[face]];
+      const Index neighbour = face < mesh.internalFaceCount() ? cellOf[mesh.neighbour[face]] : noIndex;
+      if (owner != neighbour)
       {
-        order.emplace_back(onBoundary, std::min(a, b), std::max(a, b), face, a > b);
+        order.push_back(orderFace(face, owner, neighbour));
       }
     }
     std::sort(order.begin(), order.end());

@@ -244,25 +244,14 @@ private:
     return out;
   }
 
-  /// As computeGeometry() has it, of a cell of these faces.
   Vec3 centroidOf(const std::vector<OutwardFace>& faces) const
   {
     std::vector<PolygonMeasure> measures;
-    Vec3 estimate = Vec3::Zero();
     for (const OutwardFace& face : faces)
     {
       measures.push_back(measurePolygon(mesh.points, face.loop));
-      estimate += measures.back().centroid / static_cast<double>(faces.size());
     }
-    Vec3 moment = Vec3::Zero();
-    double volume = 0.0;
-    for (const PolygonMeasure& face : measures)
-    {
-      const double pyramid = face.area.dot(face.centroid - estimate);
-      moment += pyramid * (0.75 * face.centroid + 0.25 * estimate);
-      volume += pyramid;
-    }
-    return volume > 0.0 ? Vec3(moment / volume) : estimate;
+    return measureCellInOrder(measures.size(), [&](std::size_t i) { return measures[i]; }).centroid;
   }
 
   /// Where a cell's centroid would be with the union in place of the group, if that fits in with the other faces and is
@@ -300,31 +289,28 @@ private:
   /// Takes the centroids of the group's cells to where they are with the union, if that fits in with both.
   bool moveCentroids(const std::vector<Index>& group, const std::vector<Index>& loop)
   {
-    Vec3& ofOwner = cellCentroids[mesh.owner[group[0]]];
-    const Vec3 before = ofOwner;
-    const std::optional<Vec3> own = centroidIfFits(group, loop, mesh.owner[group[0]]);
-    if (!own || !isInternal(group[0]))
+    const Index owner = mesh.owner[group[0]];
+    const Vec3 before = cellCentroids[owner];
+    const std::optional<Vec3> own = centroidIfFits(group, loop, owner);
+    if (!own)
     {
-      ofOwner = own.value_or(before);
-      return own.has_value();
+      return false;
     }
-    ofOwner = *own;
-    const std::optional<Vec3> other = centroidIfFits(group, loop, mesh.neighbour[group[0]]);
-    ofOwner = other ? *own : before;
-    Vec3& ofNeighbour = cellCentroids[mesh.neighbour[group[0]]];
-    ofNeighbour = other.value_or(ofNeighbour);
+    cellCentroids[owner] = *own;
+    if (!isInternal(group[0]))
+    {
+      return true;
+    }
+    const Index neighbour = mesh.neighbour[group[0]];
+    const std::optional<Vec3> other = centroidIfFits(group, loop, neighbour);
+    cellCentroids[other ? neighbour : owner] = other.value_or(before);
     return other.has_value();
   }
 
   bool merge(const std::vector<Index>& group)
   {
     std::optional<std::vector<Index>> loop = unionOf(group);
-    if (!loop || !leavesOutOnlyOwnPoints(group, *loop))
-    {
-      return false;
-    }
-    const Index first = group[0];
-    if (!moveCentroids(group, *loop))
+    if (!loop || !leavesOutOnlyOwnPoints(group, *loop) || !moveCentroids(group, *loop))
     {
       return false;
     }
@@ -332,10 +318,10 @@ private:
     {
       count(loopOf(face), -1);
       loops.erase(face);
-      into[face] = first;
+      into[face] = group[0];
     }
     count(*loop, 1);
-    loops[first] = std::move(*loop);
+    loops[group[0]] = std::move(*loop);
     return true;
   }
 

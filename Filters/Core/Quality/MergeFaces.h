@@ -38,8 +38,8 @@ struct MergedFaces
 ///   follow each other;
 /// - it is not star-shaped as OpenFOAM's checkMesh asks for: triangles from its centroid to its edges, and those from
 ///   one of its points, all look out of the cell (of both cells), whose centroid is not in the face's plane (flat cells
-///   stay as they are); or the tetrahedra of another face of the cell would turn over, as its
-///   centroid moves by merging;
+///   stay as they are); or the tetrahedra of another face of the cell would turn over, as its centroid moves by
+///   merging;
 /// - a point inside of it is one of other faces too;
 /// - a cell would have fewer than four faces.
 /// `patchOf` has for each boundary face the number of its patch; empty, all are in one. Faces are tried in rising order
