@@ -15,8 +15,9 @@ namespace atria {
 namespace {
 
 constexpr std::size_t fewestFaces = 4;
-/// Of leastTetrahedron(), by far more than rounding. What is less may not become less still.
+/// Of leastTetrahedron(), by far more than rounding. What is less may not become less still, but for rounding.
 constexpr double clearlyAbove = 1e-6;
+constexpr double rounding = 1e-12;
 
 class FaceMerger
 {
@@ -277,7 +278,7 @@ private:
                               face.beyond == noIndex ? nullptr : &cellCentroids[face.beyond]);
     };
     const auto staysSound = [&](const OutwardFace& face) {
-      return least(face, centroid) >= std::min(clearlyAbove, least(face, before));
+      return least(face, centroid) >= std::min(clearlyAbove, least(face, before) - rounding);
     };
     const std::vector<Index>& outline = faces.front().loop;
     const bool fits = faces.size() >= fewestFaces && isStarShaped(mesh.points, outline, before, options.planarSine) &&
