@@ -3,7 +3,6 @@
 
 #include "Quality/CellShapes.h"
 #include "Support/Pieces.h"
-#include "Support/Sorting.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,6 +12,20 @@ namespace atria {
 namespace {
 
 constexpr std::size_t grain = 4096;
+
+/// Those that are marked, in order.
+std::vector<Index> numbersOf(const std::vector<char>& marked)
+{
+  std::vector<Index> numbers;
+  for (Index i = 0; i < marked.size(); ++i)
+  {
+    if (marked[i])
+    {
+      numbers.push_back(i);
+    }
+  }
+  return numbers;
+}
 
 } // namespace
 
@@ -184,15 +197,7 @@ std::vector<Index> cellsWithMarked(const CellSource& source, const std::vector<c
       has[c] = source.hasMarked(static_cast<Index>(c), marked) ? 1 : 0;
     }
   });
-  std::vector<Index> cells;
-  for (Index c = 0; c < has.size(); ++c)
-  {
-    if (has[c])
-    {
-      cells.push_back(c);
-    }
-  }
-  return cells;
+  return numbersOf(has);
 }
 
 std::vector<std::vector<Index>> inPieces(const CellSource& source, const std::vector<Index>& cells)
@@ -233,15 +238,18 @@ std::vector<std::vector<Index>> inPieces(const CellSource& source, const std::ve
 
 std::vector<Index> withNeighbours(const CellSource& source, const std::vector<Index>& cells)
 {
-  std::vector<Index> out = cells;
+  std::vector<char> marked(source.cellCount(), 0);
   std::vector<Index> beside;
   for (const Index cell : cells)
   {
+    marked[cell] = 1;
     source.neighboursOf(cell, beside);
-    out.insert(out.end(), beside.begin(), beside.end());
+    for (const Index other : beside)
+    {
+      marked[other] = 1;
+    }
   }
-  sortUnique(out);
-  return out;
+  return numbersOf(marked);
 }
 
 } // namespace atria

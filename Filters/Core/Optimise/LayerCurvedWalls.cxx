@@ -202,9 +202,7 @@ void LayerImprover::takeBack(std::vector<WantedPlace> thick, std::vector<ShortCe
     shortCells.insert(shortCells.end(), still.begin(), still.end());
   }
   std::ranges::sort(shortCells, {}, &ShortCell::cell);
-  const std::vector<Index> changed = withNeighbours(source, cellsWithMarked(source, moved, context_));
-  unsure_.insert(unsure_.end(), changed.begin(), changed.end());
-  sortUnique(unsure_);
+  mergeUnique(unsure_, withNeighbours(source, cellsWithMarked(source, moved, context_)));
 }
 
 /// As findAll, after the layer was made thicker at curved walls as far as no cell falls short by it.
@@ -312,9 +310,8 @@ void LayerImprover::bringClose(const CurvedStage& stage, std::vector<Index>& can
   options.leastWorst = leastOfOthers;
   std::vector<Index> about;
   move(farAtCurved(options.targets, stage.below, candidates), options, &about);
-  std::ranges::copy_if(about, std::back_inserter(candidates),
-                       [&](Index cell) { return isAtSmooth(cell) && isAtCurved(cell); });
-  sortUnique(candidates);
+  std::erase_if(about, [&](Index cell) { return !isAtSmooth(cell) || !isAtCurved(cell); });
+  mergeUnique(candidates, about);
 }
 
 /// The limits rise, as in straighten(). By the last one cells are moved that have 1.6 degrees less than the target.

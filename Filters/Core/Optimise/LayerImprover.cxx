@@ -153,10 +153,8 @@ std::vector<ShortCell> LayerImprover::move(const std::vector<ShortCell>& cells, 
   const DualSource source(layer_.mesh);
   std::vector<Index> changed;
   std::vector<ShortCell> left = optimise(source, layer_.mesh.points, cells, guides.layer, options, context_, &changed);
-  sortUnique(changed);
   changed = withNeighbours(source, changed);
-  unsure_.insert(unsure_.end(), changed.begin(), changed.end());
-  sortUnique(unsure_);
+  mergeUnique(unsure_, changed);
   if (about)
   {
     *about = std::move(changed);

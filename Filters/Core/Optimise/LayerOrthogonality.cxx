@@ -88,13 +88,10 @@ void LayerImprover::straighten(std::span<const OrthogonalityStage> stages, float
       }
     }
     std::ranges::transform(toJudge, fresh, toJudge.begin(), std::bit_or());
-    sortUnique(changed);
     changed = withNeighbours(source, changed);
-    std::ranges::copy_if(changed, std::back_inserter(candidates),
-                         [&](Index cell) { return source.hasMarked(cell, toJudge); });
-    const std::vector<Index> beyond = cellsWithMarked(source, fresh, context_);
-    candidates.insert(candidates.end(), beyond.begin(), beyond.end());
-    sortUnique(candidates);
+    std::erase_if(changed, [&](Index cell) { return !source.hasMarked(cell, toJudge); });
+    mergeUnique(candidates, changed);
+    mergeUnique(candidates, cellsWithMarked(source, fresh, context_));
   }
 }
 

@@ -338,18 +338,28 @@ std::vector<std::vector<ShortCell>> findShortIn(const CellSource& source, std::v
   return all;
 }
 
-/// Of points that are not where they were: the cells about them, some more than once.
-void appendChanged(const Region& region, const std::vector<Vec3>& before, std::vector<Index>& changed)
+/// Of points that are not where they were: the cells about them, in order.
+std::vector<Index> cellsAboutMoved(const Region& region, const std::vector<Vec3>& before)
 {
+  std::vector<char> marked(region.judgedCount(), 0);
   for (Index m = 0; m < region.movable.size(); ++m)
   {
     const Index leader = region.movable[m];
-    if (region.points[leader] != before[region.pointIds[leader]])
+    const bool moved = region.points[leader] != before[region.pointIds[leader]];
+    for (const Index cell : region.cellsAbout(m))
     {
-      std::ranges::transform(region.cellsAbout(m), std::back_inserter(changed),
-                             [&](Index cell) { return region.cellIds[cell]; });
+      marked[cell] |= moved ? 1 : 0;
     }
   }
+  std::vector<Index> cells;
+  for (Index c = 0; c < marked.size(); ++c)
+  {
+    if (marked[c])
+    {
+      cells.push_back(region.cellIds[c]);
+    }
+  }
+  return cells;
 }
 
 void takePoints(const Region& region, std::vector<Vec3>& points)
@@ -400,7 +410,7 @@ std::vector<ShortCell> optimise(const CellSource& source, std::vector<Vec3>& poi
   sweepWhileWorthwhile(sweeper, options, context);
   if (changed)
   {
-    appendChanged(region, points, *changed);
+    *changed = cellsAboutMoved(region, points);
   }
   takePoints(region, points);
   std::vector<ShortCell> left = shortCellsOf(judge, options.margin, context);

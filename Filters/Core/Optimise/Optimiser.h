@@ -59,8 +59,8 @@ std::vector<ShortCell> findShortAmong(const CellSource& source, const std::vecto
 /// them, one after the other, each to where the penalty of the cells about it is less and their worst, unless it is bad
 /// already, no worse. `points` are those of the source, which must see changes to them. Returns those of
 /// `cells` and of all cells about moved points that fall short then, in order; other cells are as before. The same bits
-/// for any number of threads: points that depend on each other are moved in a fixed order. The cells about points that
-/// moved are added to `changed`, if it is given, in no order.
+/// for any number of threads: points that depend on each other are moved in a fixed order. `changed`, if it is given,
+/// gets the cells about points that moved, in order.
 std::vector<ShortCell> optimise(const CellSource& source, std::vector<Vec3>& points,
                                 const std::vector<ShortCell>& cells, VertexGuide& guide,
                                 const OptimiserOptions& options, const RunContext& context,

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
+#include <utility>
 #include <vector>
 
 namespace atria {
@@ -42,6 +44,15 @@ template <typename T> void sortUnique(std::vector<T>& list)
 {
   std::sort(list.begin(), list.end());
   list.erase(std::unique(list.begin(), list.end()), list.end());
+}
+
+/// Adds the entries of one such list to another.
+template <typename T> void mergeUnique(std::vector<T>& list, const std::vector<T>& more)
+{
+  std::vector<T> all;
+  all.reserve(list.size() + more.size());
+  std::set_union(list.begin(), list.end(), more.begin(), more.end(), std::back_inserter(all));
+  list = std::move(all);
 }
 
 } // namespace atria
