@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Quality/CellShapes.h"
+#include "Quality/CheckQuantities.h"
 #include "Quality/Geometry.h"
 #include "Quality/MergeFaces.h"
 #include "Quality/PolygonUnion.h"
@@ -248,6 +249,56 @@ TEST(MergeFaces, RowsThatNoCornerSeesAllOfStayApart)
   EXPECT_FALSE(hasFaceOf(mesh, {0, 1, 2, 3, 4, 5, 6, 7}));
   EXPECT_TRUE(hasFaceOf(mesh, {0, 1, 2, 5, 6, 7})) << "two of them do";
   expectClosedCells(mesh);
+}
+
+/// Two cells back to back in the tip of a wedge whose edge bends at 1, about the plane of 0 to 5, in which both have
+/// two faces; a third cell over them. Round 0 to 5 these two faces are a strip that bends about its own centroid.
+SampleMesh cellsInATip()
+{
+  SampleMesh sample;
+  sample.points = {{0, 0, 0},    {1, 0, -0.8}, {2, 0, 0},     {2, 0, 0.4},  {1, 0, -0.4}, {0, 0, 0.4},
+                   {1, 1, -0.3}, {1, 1, 0.5},  {1, -1, -0.3}, {1, -1, 0.5}, {1, 0, 2}};
+  sample.addPolyhedron({{1, 4, 5, 0}, {2, 3, 4, 1}, {6, 2, 1, 0}, {4, 3, 7, 5}, {5, 7, 6, 0}, {7, 3, 2, 6}});
+  sample.addPolyhedron({{5, 4, 1, 0}, {4, 3, 2, 1}, {1, 2, 8, 0}, {9, 3, 4, 5}, {8, 9, 5, 0}, {2, 3, 9, 8}});
+  sample.addPolyhedron({{7, 3, 4, 5}, {4, 3, 9, 5}, {10, 7, 5}, {10, 3, 7}, {10, 9, 3}, {10, 5, 9}});
+  return sample;
+}
+
+std::size_t concaveCells(const FaceMesh& mesh)
+{
+  const SerialExecutor executor;
+  SilentMonitor silent;
+  const RunContext context{executor, ProgressRange(silent)};
+  const std::vector<double> cosines = measure(measureMesh(mesh, context), CheckQuantity::Concavity, context);
+  return static_cast<std::size_t>(
+      std::count_if(cosines.begin(), cosines.end(), [](double cosine) { return cosine > -1e-6; }));
+}
+
+TEST(MergeFaces, AStripThatBendsIsMergedWithoutItsInnerPoint)
+{
+  FaceMesh mesh = facesOf(cellsInATip());
+  EXPECT_EQ(concaveCells(mesh), 2u);
+  EXPECT_EQ(merge(mesh).count, 1u);
+  EXPECT_TRUE(hasFaceOf(mesh, {0, 1, 2, 3, 5}));
+  EXPECT_TRUE(hasFaceOf(mesh, {3, 5, 7}));
+  EXPECT_TRUE(hasFaceOf(mesh, {3, 5, 9}));
+  EXPECT_EQ(std::count(mesh.facePoints.begin(), mesh.facePoints.end(), 4), 0);
+  EXPECT_EQ(concaveCells(mesh), 0u);
+  expectClosedCells(mesh);
+}
+
+TEST(MergeFaces, APointOfAnotherCellStaysInAStripThatBends)
+{
+  // The third cell is two: a face between them has the inner point, too.
+  SampleMesh sample = cellsInATip();
+  SampleMesh cut;
+  cut.points = sample.points;
+  cut.addPolyhedron({{1, 4, 5, 0}, {2, 3, 4, 1}, {6, 2, 1, 0}, {4, 3, 7, 5}, {5, 7, 6, 0}, {7, 3, 2, 6}});
+  cut.addPolyhedron({{5, 4, 1, 0}, {4, 3, 2, 1}, {1, 2, 8, 0}, {9, 3, 4, 5}, {8, 9, 5, 0}, {2, 3, 9, 8}});
+  cut.addPolyhedron({{7, 3, 4, 5}, {10, 7, 5}, {10, 3, 7}, {4, 3, 10, 5}});
+  cut.addPolyhedron({{4, 3, 9, 5}, {10, 9, 3}, {10, 5, 9}, {10, 3, 4, 5}});
+  FaceMesh mesh = facesOf(cut);
+  EXPECT_EQ(merge(mesh).count, 0u);
 }
 
 TEST(MergeFaces, ACellKeepsFourFaces)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Quality/MergeFaces.h"
 
-#include "Quality/Geometry.h"
+#include "Quality/FaceUnion.h"
 #include "Quality/PolygonUnion.h"
 
 #include <algorithm>
@@ -9,23 +9,37 @@
 #include <map>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 namespace atria {
 
 namespace {
 
-constexpr std::size_t fewestFaces = 4;
-/// Of leastTetrahedron(), by far more than rounding. What is less may not become less still, but for rounding.
-constexpr double clearlyAbove = 1e-6;
-constexpr double rounding = 1e-12;
+bool contains(std::span<const Index> list, Index number)
+{
+  return std::find(list.begin(), list.end(), number) != list.end();
+}
+
+std::vector<Index> without(std::span<const Index> loop, Index point)
+{
+  std::vector<Index> out(loop.begin(), loop.end());
+  std::erase(out, point);
+  return out;
+}
+
+/// The points before and behind one of a loop, the lesser one first.
+std::pair<Index, Index> besideIn(std::span<const Index> loop, Index point)
+{
+  const auto at = static_cast<std::size_t>(std::find(loop.begin(), loop.end(), point) - loop.begin());
+  return std::minmax({loop[(at + loop.size() - 1) % loop.size()], loop[(at + 1) % loop.size()]});
+}
 
 class FaceMerger
 {
 public:
   FaceMerger(FaceMesh& faceMesh, std::span<const Index> patchOfFace, const MergeFacesOptions& mergeOptions)
-      : mesh(faceMesh), patchOf(patchOfFace), options(mergeOptions), into(faceMesh.faceCount())
+      : mesh(faceMesh), patchOf(patchOfFace), options(mergeOptions)
   {
-    std::iota(into.begin(), into.end(), Index{0});
   }
 
   MergedFaces run(const RunContext& context)
@@ -34,27 +48,22 @@ public:
     const std::vector<Index> firstFaces = findCandidates();
     if (firstFaces.empty())
     {
-      return {std::move(into), 0};
+      MergedFaces none{std::vector<Index>(mesh.faceCount()), 0};
+      std::iota(none.faceOf.begin(), none.faceOf.end(), Index{0});
+      return none;
     }
-    cellFaces = makeCellFaces(mesh);
-    cellCentroids = computeGeometry(mesh, cellFaces, context.part(0.1, 0.7)).cellCentroids;
-    uses.assign(mesh.points.size(), 0);
-    count(mesh.facePoints, 1);
+    unions.emplace(mesh, options.planarSine, context.part(0.1, 0.7));
     for (const Index first : firstFaces)
     {
       context.progress.check();
       mergeRun(first, endOfRun(first));
     }
     context.progress.report(0.9, "Merging coplanar faces");
-    return renumber();
+    return unions->writeFaces();
   }
 
 private:
-  std::span<const Index> loopOf(Index face) const
-  {
-    const auto found = loops.find(face);
-    return found == loops.end() ? mesh.face(face) : std::span<const Index>(found->second);
-  }
+  std::span<const Index> loopOf(Index face) const { return unions ? unions->loopOf(face) : mesh.face(face); }
 
   bool isInternal(Index face) const { return face < mesh.internalFaceCount(); }
 
@@ -117,7 +126,9 @@ private:
       merged = false;
       for (const std::vector<Index>& group : coplanarGroups(first, end))
       {
-        merged = merged || merge(group) || mergeThree(group) || mergeTwo(group);
+        merged = merged || merge(group) || mergeThree(group) ||
+                 mergeTwo(group, [&](const std::vector<Index>& pair) { return merge(pair); }) ||
+                 mergeTwo(group, [&](const std::vector<Index>& pair) { return mergeWithoutPoint(pair); });
       }
     }
   }
@@ -128,7 +139,7 @@ private:
     std::vector<Index> left;
     for (Index face = first; face < end; ++face)
     {
-      if (into[face] == face)
+      if (unions->isLeft(face))
       {
         left.push_back(face);
       }
@@ -171,13 +182,13 @@ private:
     return false;
   }
 
-  bool mergeTwo(const std::vector<Index>& group)
+  template <typename TryPair> static bool mergeTwo(const std::vector<Index>& group, TryPair&& tryPair)
   {
     for (std::size_t i = 0; i < group.size(); ++i)
     {
       for (std::size_t j = i + 1; j < group.size(); ++j)
       {
-        if (merge({group[i], group[j]}))
+        if (tryPair({group[i], group[j]}))
         {
           return true;
         }
@@ -186,7 +197,8 @@ private:
     return false;
   }
 
-  /// The union of all faces of a group; nothing where it is not one simple flat polygon.
+  /// The union of all faces of a group; nothing where it is not one simple flat polygon, or where it leaves out a point
+  /// of another face.
   std::optional<std::vector<Index>> unionOf(const std::vector<Index>& group) const
   {
     const auto firstLoop = loopOf(group[0]);
@@ -206,7 +218,7 @@ private:
       }
       loop = std::move(more);
     }
-    return loop;
+    return loop && leavesOutOnlyOwnPoints(group, *loop) ? loop : std::nullopt;
   }
 
   /// Whether no face outside of the group has a point that the union leaves out.
@@ -224,162 +236,81 @@ private:
     {
       own.erase(point);
     }
-    return std::all_of(own.begin(), own.end(), [&](const auto& left) { return uses[left.first] == left.second; });
-  }
-
-  /// A face as seen from outside of a cell.
-  struct OutwardFace
-  {
-    std::vector<Index> loop;
-    Index beyond; ///< the cell on the other side; noIndex on the boundary
-  };
-
-  OutwardFace outward(Index face, std::span<const Index> loop, Index cell) const
-  {
-    OutwardFace out{{loop.begin(), loop.end()}, isInternal(face) ? mesh.neighbour[face] : noIndex};
-    if (mesh.owner[face] != cell)
-    {
-      std::reverse(out.loop.begin(), out.loop.end());
-      out.beyond = mesh.owner[face];
-    }
-    return out;
-  }
-
-  Vec3 centroidOf(const std::vector<OutwardFace>& faces) const
-  {
-    std::vector<PolygonMeasure> measures;
-    for (const OutwardFace& face : faces)
-    {
-      measures.push_back(measurePolygon(mesh.points, face.loop));
-    }
-    return measureCellInOrder(measures.size(), [&](std::size_t i) { return measures[i]; }).centroid;
-  }
-
-  /// Where a cell's centroid would be with the union in place of the group, if that fits in with the other faces and is
-  /// star-shaped seen from the centroid, as it is and as it would be, and no face loses its sound tetrahedra.
-  std::optional<Vec3> centroidIfFits(const std::vector<Index>& group, const std::vector<Index>& loop, Index cell) const
-  {
-    std::vector<OutwardFace> faces{outward(group[0], loop, cell)};
-    for (const Index face : cellFaces.of(cell))
-    {
-      if (into[face] == face && std::find(group.begin(), group.end(), face) == group.end())
-      {
-        faces.push_back(outward(face, loopOf(face), cell));
-        if (!shareOneRun(faces.front().loop, faces.back().loop))
-        {
-          return std::nullopt;
-        }
-      }
-    }
-    const Vec3 before = cellCentroids[cell];
-    const Vec3 centroid = centroidOf(faces);
-    const auto least = [&](const OutwardFace& face, const Vec3& from) {
-      return leastTetrahedron(mesh.points, face.loop, from,
-                              face.beyond == noIndex ? nullptr : &cellCentroids[face.beyond]);
-    };
-    const auto staysSound = [&](const OutwardFace& face) {
-      return least(face, centroid) >= std::min(clearlyAbove, least(face, before) - rounding);
-    };
-    const std::vector<Index>& outline = faces.front().loop;
-    const bool fits = faces.size() >= fewestFaces && isStarShaped(mesh.points, outline, before, options.planarSine) &&
-                      isStarShaped(mesh.points, outline, centroid, options.planarSine) &&
-                      std::all_of(faces.begin(), faces.end(), staysSound);
-    return fits ? std::optional(centroid) : std::nullopt;
-  }
-
-  /// Takes the centroids of the group's cells to where they are with the union, if that fits in with both.
-  bool moveCentroids(const std::vector<Index>& group, const std::vector<Index>& loop)
-  {
-    const Index owner = mesh.owner[group[0]];
-    const Vec3 before = cellCentroids[owner];
-    const std::optional<Vec3> own = centroidIfFits(group, loop, owner);
-    if (!own)
-    {
-      return false;
-    }
-    cellCentroids[owner] = *own;
-    if (!isInternal(group[0]))
-    {
-      return true;
-    }
-    const Index neighbour = mesh.neighbour[group[0]];
-    const std::optional<Vec3> other = centroidIfFits(group, loop, neighbour);
-    cellCentroids[other ? neighbour : owner] = other.value_or(before);
-    return other.has_value();
+    return std::all_of(own.begin(), own.end(),
+                       [&](const auto& left) { return unions->usesOf(left.first) == left.second; });
   }
 
   bool merge(const std::vector<Index>& group)
   {
-    std::optional<std::vector<Index>> loop = unionOf(group);
-    if (!loop || !leavesOutOnlyOwnPoints(group, *loop) || !moveCentroids(group, *loop))
+    const std::optional<std::vector<Index>> loop = unionOf(group);
+    if (!loop)
     {
       return false;
     }
-    for (const Index face : group)
+    FaceUnion change{group, {{group.front(), *loop}}, {}};
+    unions->findCentroids(change);
+    if (!unions->fits(change))
     {
-      count(loopOf(face), -1);
-      loops.erase(face);
-      into[face] = group[0];
+      return false;
     }
-    count(*loop, 1);
-    loops[group[0]] = std::move(*loop);
+    unions->apply(std::move(change));
     return true;
   }
 
-  void count(std::span<const Index> loop, int change)
+  /// Two internal faces whose union is no good for a point of their common edge, without that point.
+  bool mergeWithoutPoint(const std::vector<Index>& pair)
   {
-    for (const Index point : loop)
+    const std::optional<std::vector<Index>> loop = unionOf(pair);
+    if (!isInternal(pair.front()) || !loop || loop->size() < 4)
     {
-      uses[point] += static_cast<Index>(change);
+      return false;
     }
+    return std::any_of(loop->begin(), loop->end(), [&](Index point) {
+      std::optional<FaceUnion> change = unionWithout(pair, *loop, point);
+      if (!change || !unions->fits(*change) || !unions->isLessConcave(*change))
+      {
+        return false;
+      }
+      unions->apply(std::move(*change));
+      return true;
+    });
   }
 
-  MergedFaces renumber()
+  /// All faces with the point lose it; nothing where there are others than those between a cell of the pair and
+  /// another one, or such with other points beside it.
+  std::optional<FaceUnion> unionWithout(const std::vector<Index>& pair, const std::vector<Index>& loop,
+                                        Index point) const
   {
-    const std::size_t before = mesh.faceCount();
-    Index first = 0; // from which on numbers change
-    while (first < before && !loops.contains(first))
+    FaceUnion change{pair, {{pair.front(), without(loop, point)}}, {}};
+    const auto beside = besideIn(loop, point);
+    for (const Index cell : unions->cellsOf(pair.front()))
     {
-      ++first;
-    }
-    FaceMesh out;
-    out.faceOffsets.assign(1, mesh.faceOffsets[first]);
-    for (Index f = first; f < before; ++f)
-    {
-      if (into[f] != f)
+      for (const Index face : unions->facesOf(cell))
       {
-        into[f] = into[into[f]]; // a lower face, which has its new number already
-        continue;
-      }
-      into[f] = static_cast<Index>(first + out.owner.size());
-      const auto loop = loopOf(f);
-      out.facePoints.insert(out.facePoints.end(), loop.begin(), loop.end());
-      out.faceOffsets.push_back(out.faceOffsets.front() + static_cast<Index>(out.facePoints.size()));
-      out.owner.push_back(mesh.owner[f]);
-      if (isInternal(f))
-      {
-        out.neighbour.push_back(mesh.neighbour[f]);
+        const auto own = loopOf(face);
+        if (!contains(pair, face) && contains(own, point))
+        {
+          if (!isInternal(face) || own.size() < 4 || besideIn(own, point) != beside)
+          {
+            return std::nullopt;
+          }
+          change.loops[face] = without(own, point);
+        }
       }
     }
-    const auto replaceTail = [](Buffer<Index>& all, std::size_t kept, const Buffer<Index>& tail) {
-      all.resize(kept);
-      all.insert(all.end(), tail.begin(), tail.end());
-    };
-    replaceTail(mesh.facePoints, out.faceOffsets.front(), out.facePoints);
-    replaceTail(mesh.faceOffsets, first, out.faceOffsets);
-    replaceTail(mesh.owner, first, out.owner);
-    replaceTail(mesh.neighbour, std::min<std::size_t>(first, mesh.neighbour.size()), out.neighbour);
-    return {std::move(into), before - mesh.faceCount()};
+    const bool isOfBoth = contains(loopOf(pair[0]), point) && contains(loopOf(pair[1]), point);
+    if (!isOfBoth || unions->usesOf(point) != change.loops.size() + 1)
+    {
+      return std::nullopt;
+    }
+    unions->findCentroids(change);
+    return change;
   }
 
   FaceMesh& mesh;
   std::span<const Index> patchOf;
   const MergeFacesOptions& options;
-  std::vector<Index> into; ///< the face each became a part of, itself where none
-  CellFaces cellFaces;
-  Buffer<Vec3> cellCentroids;
-  std::vector<Index> uses;                   ///< how many faces have each point
-  std::map<Index, std::vector<Index>> loops; ///< of faces that others became a part of
+  std::optional<FaceUnions> unions; ///< once there is something to merge
 };
 
 } // namespace

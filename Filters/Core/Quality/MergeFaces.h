@@ -38,10 +38,13 @@ struct MergedFaces
 ///   follow each other;
 /// - it is not star-shaped as OpenFOAM's checkMesh asks for: triangles from its centroid to its edges, and those from
 ///   one of its points, all look out of the cell (of both cells), whose centroid is not in the face's plane (flat cells
-///   stay as they are); or the tetrahedra of another face of the cell would turn over, as its centroid moves by
+///   stay as they are); or tetrahedra of it or of another face of the cell would turn over, as its centroid moves by
 ///   merging;
 /// - a point inside of it is one of other faces too;
 /// - a cell would have fewer than four faces.
+/// Two internal faces for which it is not possible may be merged without an end of their common edge. All other faces
+/// with that point are between one of the two cells and another cell and lose it, too, and their cells are less concave
+/// for it.
 /// `patchOf` has for each boundary face the number of its patch; empty, all are in one. Faces are tried in rising order
 /// of their numbers, one cell after the other: the result does not depend on threads. Merging again changes nothing.
 /// Throws Aborted when asked to.
