@@ -286,7 +286,7 @@ MergedParts writeOpenFOAM(const std::string& folder, vtkUnstructuredGrid* mesh,
   {
     throw Failure(Failed, folder + ": the OpenFOAM case could not be written; check permissions and space");
   }
-  return {writer->GetNumberOfMergedCells(), writer->GetNumberOfMergedFaces()};
+  return {writer->GetNumberOfMergedCells(), writer->GetNumberOfMergedFaces(), writer->GetNumberOfAddedCells()};
 }
 
 void writeText(const std::string& file, const std::string& text)

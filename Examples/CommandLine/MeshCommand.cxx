@@ -441,7 +441,9 @@ ExitStatus runMesh(const MeshOptions& options, Console& console)
   {
     Json report = makeReport(mesher, quality, seconds);
     report["openfoam"] =
-        options.openfoam.empty() ? Json() : Json{{"merged_cells", merged.cells}, {"merged_faces", merged.faces}};
+        options.openfoam.empty()
+            ? Json()
+            : Json{{"merged_cells", merged.cells}, {"added_cells", merged.addedCells}, {"merged_faces", merged.faces}};
     writeText(options.report, report.dump(2) + "\n");
   }
   console.clearBar();
@@ -449,6 +451,11 @@ ExitStatus runMesh(const MeshOptions& options, Console& console)
   {
     std::cout << options.openfoam << ": " << merged.cells
               << " cells fewer, as elements with too few neighbours were made one with one of them\n";
+  }
+  if (merged.addedCells > 0)
+  {
+    std::cout << options.openfoam << ": " << merged.addedCells
+              << " cells more, as elements with too few neighbours were cut into pyramids\n";
   }
   if (merged.faces > 0)
   {

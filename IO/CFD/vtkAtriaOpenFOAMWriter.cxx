@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <iterator>
 
 vtkStandardNewMacro(vtkAtriaOpenFOAMWriter);
 
@@ -61,14 +62,14 @@ std::vector<atria::Index> patchOfFaces(const atria::FaceMesh& mesh, const std::v
 }
 
 /// Merges cells of `source`, and has patches and zones go by what is left.
-std::size_t mergeCells(atria::VtkFaceMesh& source, std::vector<atria::BoundaryPatch>& patches,
-                       std::vector<std::int64_t>& zoneIds, const atria::RunContext& context)
+atria::MergedCells mergeCells(atria::VtkFaceMesh& source, std::vector<atria::BoundaryPatch>& patches,
+                              std::vector<std::int64_t>& zoneIds, const atria::RunContext& context)
 {
-  const atria::MergedCells merged =
+  atria::MergedCells merged =
       atria::mergeUnderdeterminedCells(source.mesh, patchOfFaces(source.mesh, patches), context);
-  if (merged.count == 0)
+  if (merged.cellOf.empty())
   {
-    return 0;
+    return merged;
   }
   for (atria::BoundaryPatch& patch : patches)
   {
@@ -82,8 +83,12 @@ std::size_t mergeCells(atria::VtkFaceMesh& source, std::vector<atria::BoundaryPa
   {
     zoneIds[merged.cellOf[cell]] = zoneIds[cell]; // never a higher number; cells of one zone only become one
   }
-  zoneIds.resize(std::min(zoneIds.size(), source.mesh.cellCount));
-  return merged.count;
+  if (!zoneIds.empty())
+  {
+    zoneIds.resize(source.mesh.cellCount - merged.added.size());
+    std::ranges::transform(merged.added, std::back_inserter(zoneIds), [&](atria::Index cell) { return zoneIds[cell]; });
+  }
+  return merged;
 }
 
 /// Merges faces of `source`, and has patches name the faces that are left.
@@ -163,11 +168,13 @@ void vtkAtriaOpenFOAMWriter::WriteCase(vtkUnstructuredGrid* volume, vtkPartition
   std::vector<atria::BoundaryPatch> boundary = patchesOf(source);
   std::vector<std::int64_t> zoneIds = zoneIdsOf(volume);
   this->NumberOfMergedCells = 0;
+  this->NumberOfAddedCells = 0;
   this->NumberOfMergedFaces = 0;
   if (this->MergeUnderdeterminedCells)
   {
-    this->NumberOfMergedCells =
-        static_cast<vtkIdType>(mergeCells(source, boundary, zoneIds, run.context.part(0.3, 0.4)));
+    const atria::MergedCells merged = mergeCells(source, boundary, zoneIds, run.context.part(0.3, 0.4));
+    this->NumberOfMergedCells = static_cast<vtkIdType>(merged.count);
+    this->NumberOfAddedCells = static_cast<vtkIdType>(merged.added.size());
   }
   if (this->MergeCoplanarFaces)
   {
@@ -199,5 +206,6 @@ void vtkAtriaOpenFOAMWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MergeCoplanarFaces: " << (this->MergeCoplanarFaces ? "on" : "off") << "\n";
   os << indent << "RestoreOffset: " << (this->RestoreOffset ? "on" : "off") << "\n";
   os << indent << "NumberOfMergedCells: " << this->NumberOfMergedCells << "\n";
+  os << indent << "NumberOfAddedCells: " << this->NumberOfAddedCells << "\n";
   os << indent << "NumberOfMergedFaces: " << this->NumberOfMergedFaces << "\n";
 }

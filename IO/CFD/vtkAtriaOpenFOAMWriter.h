@@ -69,8 +69,9 @@ public:
   ///@{
   /**
    * Make a cell with too few neighbours one with a neighbour, or with up to five other cells, where the union is valid
-   * and checkMesh does not object to it, concavity apart. Too few are three at most with a determinant below
-   * checkMesh's limit of 0.001. The input's cells and patches stay as they are. On by default.
+   * and checkMesh does not object to it, concavity apart. Where the union would be concave, or there is none, the cell
+   * is cut into pyramids over its faces if checkMesh does not object to these. Too few are three at most with a
+   * determinant below checkMesh's limit of 0.001. The input's cells and patches stay as they are. On by default.
    */
   vtkSetMacro(MergeUnderdeterminedCells, bool);
   vtkGetMacro(MergeUnderdeterminedCells, bool);
@@ -102,6 +103,11 @@ public:
    * How many cells fewer were written than the input has, as some were merged. 0 before the first Write().
    */
   vtkGetMacro(NumberOfMergedCells, vtkIdType);
+
+  /**
+   * How many cells more were written than the input has, as some were cut into pyramids. 0 before the first Write().
+   */
+  vtkGetMacro(NumberOfAddedCells, vtkIdType);
 
   /**
    * How many faces fewer were written than the input has, as coplanar ones were merged. 0 before the first Write().
@@ -137,6 +143,7 @@ private:
   bool MergeCoplanarFaces = true;
   bool RestoreOffset = false;
   vtkIdType NumberOfMergedCells = 0;
+  vtkIdType NumberOfAddedCells = 0;
   vtkIdType NumberOfMergedFaces = 0;
 };
 

@@ -59,8 +59,9 @@ SampleMesh cubes(const std::vector<std::array<int, 3>>& places)
   return sample;
 }
 
-/// A room of 3 x 3 x 3 cubes with a duct, one cube wide, that leads into the middle of its side.
-SampleMesh roomWithDuct(int length)
+/// A room of 3 x 3 x 3 cells with a duct, one cell wide, that leads into the middle of its side. The duct and the
+/// middle cells of the room have the given height, all else is 1.
+SampleMesh roomWithDuct(int length, double height)
 {
   std::vector<std::array<int, 3>> places;
   for (int x = -length; x < 0; ++x)
@@ -71,16 +72,24 @@ SampleMesh roomWithDuct(int length)
   {
     places.push_back({i % 3, i / 3 % 3, i / 9});
   }
-  return cubes(places);
+  SampleMesh sample = cubes(places);
+  for (Vec3& p : sample.points)
+  {
+    p[2] += p[2] > 1.5 ? height - 1.0 : 0.0;
+  }
+  return sample;
 }
 
-/// What has to be true of any merging: every face is one of before, between the cells that its cells became; the order
-/// is the one FaceMesh asks for; volumes add up.
+/// What has to be true of any merging and cutting: every face of before is one now, between the cells that its cells
+/// became or pyramids of these; all other faces are between pyramids of one cell; the order is the one FaceMesh asks
+/// for.
 void expectSame(const FaceMesh& before, const FaceMesh& after, const MergedCells& merged)
 {
   ASSERT_EQ(merged.cellOf.size(), before.cellCount);
   ASSERT_EQ(merged.faceOf.size(), before.faceCount());
-  EXPECT_EQ(after.cellCount, before.cellCount - merged.count);
+  const std::size_t whole = before.cellCount - merged.count;
+  ASSERT_EQ(after.cellCount, whole + merged.added.size());
+  const auto wholeOf = [&](Index cell) { return cell < whole ? cell : merged.added[cell - whole]; };
   EXPECT_EQ(after.faceCount() - after.internalFaceCount(), before.faceCount() - before.internalFaceCount());
   std::set<Index> seen;
   for (std::size_t f = 0; f < before.faceCount(); ++f)
@@ -97,16 +106,20 @@ void expectSame(const FaceMesh& before, const FaceMesh& after, const MergedCells
     ASSERT_LT(now, after.faceCount());
     EXPECT_TRUE(seen.insert(now).second);
     ASSERT_EQ(now < after.internalFaceCount(), internal);
-    EXPECT_EQ(after.owner[now], std::min(owner, neighbour));
+    const bool turned = wholeOf(after.owner[now]) != owner;
+    EXPECT_EQ(wholeOf(after.owner[now]), turned ? neighbour : owner);
     const Vec3 area = measurePolygon(before.points, before.face(f)).area;
     const Vec3 areaNow = measurePolygon(after.points, after.face(now)).area;
-    EXPECT_LT((owner < neighbour ? Vec3(areaNow - area) : Vec3(areaNow + area)).norm(), 1e-14);
+    EXPECT_LT((turned ? Vec3(areaNow + area) : Vec3(areaNow - area)).norm(), 1e-14);
     if (internal)
     {
-      EXPECT_EQ(after.neighbour[now], std::max(owner, neighbour));
+      EXPECT_EQ(wholeOf(after.neighbour[now]), turned ? owner : neighbour);
     }
   }
-  EXPECT_EQ(seen.size(), after.faceCount());
+  for (Index f = 0; f < after.faceCount(); ++f)
+  {
+    EXPECT_TRUE(seen.contains(f) || wholeOf(after.owner[f]) == wholeOf(after.neighbour[f]));
+  }
   for (std::size_t f = 1; f < after.faceCount(); ++f)
   {
     const bool bothInternal = f < after.internalFaceCount();
@@ -118,16 +131,17 @@ void expectSame(const FaceMesh& before, const FaceMesh& after, const MergedCells
   EXPECT_TRUE(verdictOf(after)["Openness"].failing.empty());
 }
 
-TEST(MergeCells, ADuctBecomesOneWithTheRoomItLeadsInto)
+TEST(MergeCells, AFlatDuctBecomesOneWithTheRoomItLeadsInto)
 {
   for (const int length : {1, 2, 3})
   {
     SCOPED_TRACE(length);
-    const FaceMesh before = facesOf(roomWithDuct(length));
+    const FaceMesh before = facesOf(roomWithDuct(length, 0.16));
     EXPECT_EQ(verdictOf(before)["Determinant"].failing.size(), static_cast<std::size_t>(length));
     FaceMesh after = before;
     const MergedCells merged = merge(after);
     EXPECT_EQ(merged.count, static_cast<std::size_t>(length));
+    EXPECT_TRUE(merged.added.empty());
     expectSame(before, after, merged);
     const MeshVerdict verdict = verdictOf(after);
     EXPECT_TRUE(verdict["Determinant"].failing.empty());
@@ -137,14 +151,35 @@ TEST(MergeCells, ADuctBecomesOneWithTheRoomItLeadsInto)
   }
 }
 
-TEST(MergeCells, ADuctTooLongToBecomeOneStays)
+TEST(MergeCells, AFlatDuctTooLongToBecomeOneStays)
 {
-  const FaceMesh before = facesOf(roomWithDuct(8));
+  const FaceMesh before = facesOf(roomWithDuct(8, 0.16));
   FaceMesh after = before;
   const MergedCells merged = merge(after);
   expectSame(before, after, merged);
   EXPECT_LT(verdictOf(after)["Determinant"].failing.size(), 8u);
   EXPECT_GT(verdictOf(after)["Determinant"].failing.size(), 0u);
+}
+
+TEST(MergeCells, ADuctOfCubesIsCutIntoPyramids)
+{
+  // One with the room it would be concave.
+  for (const int length : {1, 2, 8})
+  {
+    SCOPED_TRACE(length);
+    const FaceMesh before = facesOf(roomWithDuct(length, 1.0));
+    FaceMesh after = before;
+    const MergedCells merged = merge(after);
+    EXPECT_EQ(merged.count, 0u);
+    EXPECT_EQ(merged.added.size(), 5u * static_cast<std::size_t>(length));
+    expectSame(before, after, merged);
+    for (const MeshCheck& check : verdictOf(after).checks)
+    {
+      EXPECT_TRUE(check.failing.empty()) << check.name;
+    }
+    FaceMesh again = after;
+    EXPECT_TRUE(merge(again).cellOf.empty());
+  }
 }
 
 TEST(MergeCells, NothingChangesWhereNoNeighbourHelps)
@@ -185,7 +220,7 @@ TEST(MergeCells, MixedMeshesAreDeterminedAfterwards)
     const MeshVerdict plain = verdictOf(before);
     FaceMesh after = before;
     const MergedCells merged = merge(after);
-    if (merged.count == 0)
+    if (merged.cellOf.empty())
     {
       EXPECT_TRUE(plain["Determinant"].failing.empty());
       continue;
@@ -201,7 +236,7 @@ TEST(MergeCells, MixedMeshesAreDeterminedAfterwards)
       }
     }
     FaceMesh again = after;
-    EXPECT_EQ(merge(again).count, 0u);
+    EXPECT_TRUE(merge(again).cellOf.empty());
     for (const int threads : {2, 7})
     {
       FaceMesh other = before;

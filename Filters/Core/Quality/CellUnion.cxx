@@ -5,6 +5,7 @@
 #include "Quality/MergeFaces.h"
 #include "Quality/MeshChecks.h"
 #include "Quality/Metrics.h"
+#include "Quality/SplitCells.h"
 
 #include <algorithm>
 #include <cmath>
@@ -73,6 +74,18 @@ Index beyond(const CellUnions& unions, const OrderedFace& local)
   return neighbour == noIndex ? unions.patchOf(local.face) : noIndex - 1 - (local.turned ? owner : neighbour);
 }
 
+void split(Surroundings& about, std::span<const Index> cells)
+{
+  const std::size_t internalBefore = about.mesh.internalFaceCount();
+  const SplitCells cut = splitIntoPyramids(about.mesh, cells);
+  const std::size_t internal = about.mesh.internalFaceCount();
+  const std::vector<Index> patchOf = about.patchOf;
+  for (std::size_t i = 0; i < patchOf.size(); ++i)
+  {
+    about.patchOf[cut.faceOf[internalBefore + i] - internal] = patchOf[i];
+  }
+}
+
 Surroundings surroundingsOf(const CellUnions& unions, std::span<const Index> cells)
 {
   std::map<Index, Index> localCell;
@@ -81,8 +94,13 @@ Surroundings surroundingsOf(const CellUnions& unions, std::span<const Index> cel
     localCell[cell] = 0;
   }
   Index count = 1;
+  std::vector<Index> cut;
   for (const Index cell : unions.neighboursOf(cells))
   {
+    if (unions.isSplit(cell))
+    {
+      cut.push_back(count);
+    }
     localCell.emplace(cell, count++);
   }
   Surroundings out;
@@ -108,7 +126,28 @@ Surroundings surroundingsOf(const CellUnions& unions, std::span<const Index> cel
       out.patchOf.push_back(beyond(unions, local));
     }
   }
+  if (!cut.empty())
+  {
+    split(out, cut);
+  }
   return out;
+}
+
+/// Of all cells the errors that checkMesh() finds, as bits.
+std::vector<std::uint32_t> errorsOf(const MeasuredMesh& mesh, const RunContext& context)
+{
+  const MeshVerdict verdict = checkMesh(mesh, context);
+  std::uint32_t errors = 0;
+  for (std::size_t i = 0; i < verdict.checks.size(); ++i)
+  {
+    errors |= verdict.checks[i].isError ? 1U << i : 0U;
+  }
+  std::vector<std::uint32_t> failed = failedChecksOfCells(mesh, verdict);
+  for (std::uint32_t& of : failed)
+  {
+    of &= errors;
+  }
+  return failed;
 }
 
 /// Whether faces have every edge of theirs twice, once each way, hang together over edges, and are a sphere by Euler's
@@ -299,6 +338,34 @@ void CellUnions::unite(std::span<const Index> cells)
   }
   united[lowest] = std::move(outer);
   membersOf[lowest] = std::move(members);
+}
+
+bool canBeSplit(const CellUnions& unions, Index cell, const Executor& executor)
+{
+  SilentMonitor silent;
+  const RunContext context{executor, ProgressRange(silent)};
+  const Index cells[] = {cell};
+  Surroundings whole = surroundingsOf(unions, cells);
+  Surroundings cut = whole;
+  const Index first[] = {0};
+  split(cut, first);
+  for (Surroundings* about : {&whole, &cut})
+  {
+    mergeCoplanarFaces(about->mesh, about->patchOf, context);
+  }
+  const std::vector<std::uint32_t> before = errorsOf(measureMesh(whole.mesh, context), context);
+  const MeasuredMesh measured = measureMesh(cut.mesh, context);
+  const std::vector<std::uint32_t> after = errorsOf(measured, context);
+  for (Index c = 0; c < after.size(); ++c)
+  {
+    const bool isPyramid = c == 0 || c >= before.size();
+    if ((after[c] & ~(isPyramid ? 0U : before[c])) != 0 ||
+        (isPyramid && worstPenalty(measured, measured.cellFaces.of(c)) > greatestPenalty))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 UnionVerdict judgeUnion(const CellUnions& unions, std::span<const Index> cells, const Executor& executor)

@@ -7,6 +7,7 @@
 
 #include <compare>
 #include <map>
+#include <set>
 #include <span>
 #include <utility>
 #include <vector>
@@ -30,7 +31,8 @@ OrderedFace orderFace(Index face, Index owner, Index neighbour);
 /// Appends a face to a mesh that lists them in order. `loop` are its points, in the order they had.
 void appendFace(FaceMesh& mesh, const OrderedFace& face, std::span<const Index> loop);
 
-/// Cells that are made one: which cell each now belongs to, and the faces of those that others belong to.
+/// Cells that are made one: which cell each now belongs to, and the faces of those that others belong to. And cells
+/// that are to be cut into pyramids, see splitIntoPyramids(); they keep their number and faces here.
 class CellUnions
 {
 public:
@@ -49,8 +51,14 @@ public:
   std::vector<Index> outerFaces(std::span<const Index> cells) const;
   /// The cells beyond the outer faces of these; rising.
   std::vector<Index> neighboursOf(std::span<const Index> cells) const;
-  /// Makes these one.
+  /// Makes these one. None of them is to be cut.
   void unite(std::span<const Index> cells);
+  /// Whether other cells belong to this one.
+  bool isUnited(Index cell) const { return united.contains(cell); }
+  /// Has a cell cut to which no others belong.
+  void split(Index cell) { cut.insert(cell); }
+  bool isSplit(Index cell) const { return cut.contains(cell); }
+  const std::set<Index>& splitCells() const { return cut; }
 
   const FaceMesh& mesh;
 
@@ -60,6 +68,7 @@ private:
   std::vector<Index> into;
   std::map<Index, std::vector<Index>> united;    ///< faces of cells that others belong to
   std::map<Index, std::vector<Index>> membersOf; ///< and the cells they were
+  std::set<Index> cut;
 };
 
 /// A cell that others would become, as checkMesh() judges it.
@@ -75,5 +84,9 @@ struct UnionVerdict
 
 /// Judges the union of cells that hang together over faces, as it is and once its coplanar faces are merged.
 UnionVerdict judgeUnion(const CellUnions& unions, std::span<const Index> cells, const Executor& executor);
+
+/// Whether the pyramids of a cell would pass all of checkMesh()'s checks, with 69 degrees of non-orthogonality and a
+/// skewness of 3.9 at most, and its neighbours all they pass now, once coplanar faces are merged.
+bool canBeSplit(const CellUnions& unions, Index cell, const Executor& executor);
 
 } // namespace atria

@@ -2,11 +2,13 @@
 #include "Quality/MergeCells.h"
 
 #include "Quality/CellUnion.h"
+#include "Quality/SplitCells.h"
 
 #include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <tuple>
 
@@ -145,26 +147,43 @@ private:
     bool serves() const { return verdict.sound && verdict.determined; }
   };
 
-  /// Makes a cell one with others where that helps; whether it did. Of groups that do not serve the best are kept and
-  /// tried with one cell more.
+  /// Makes a cell one with others or has it cut where that helps; whether it did.
   bool resolve(CellUnions& unions, Index cell) const
   {
     const Index alone[] = {unions.cellOf(cell)};
-    std::vector<Group> groups{{{alone[0]}, judgeUnion(unions, alone, context.executor)}};
-    if (groups[0].verdict.determined)
+    const UnionVerdict verdict = judgeUnion(unions, alone, context.executor);
+    if (verdict.determined)
     {
       return false; // another cell has become one with it
     }
+    const std::optional<Group> group = findGroup(unions, {{alone[0]}, verdict});
+    const bool isGood = group && !group->verdict.concave;
+    if (!isGood && !unions.isUnited(alone[0]) && canBeSplit(unions, alone[0], context.executor))
+    {
+      unions.split(alone[0]);
+      return true;
+    }
+    if (group)
+    {
+      unions.unite(group->cells);
+    }
+    return group.has_value();
+  }
+
+  /// The best group that serves, of those with the fewest cells. Of groups that do not serve the best are kept and
+  /// tried with one cell more.
+  std::optional<Group> findGroup(const CellUnions& unions, const Group& alone) const
+  {
+    std::vector<Group> groups{alone};
     for (std::size_t size = 2; size <= options.most && !groups.empty(); ++size)
     {
       groups = withOneMore(unions, groups);
       if (!groups.empty() && groups[0].serves())
       {
-        unions.unite(groups[0].cells);
-        return true;
+        return groups[0];
       }
     }
-    return false;
+    return std::nullopt;
   }
 
   /// The groups with a neighbour each that are closed balls, the best ones first.
@@ -175,6 +194,10 @@ private:
     {
       for (const Index next : unions.neighboursOf(group.cells))
       {
+        if (unions.isSplit(next))
+        {
+          continue;
+        }
         std::vector<Index> cells = group.cells;
         cells.insert(std::lower_bound(cells.begin(), cells.end(), next), next);
         larger.insert(std::move(cells));
@@ -218,7 +241,27 @@ private:
     }
     out.points = std::move(mesh.points);
     mesh = std::move(out);
+    if (!unions.splitCells().empty())
+    {
+      split(unions.splitCells(), merged);
+    }
     return merged;
+  }
+
+  /// `cells` by their numbers before.
+  void split(const std::set<Index>& cells, MergedCells& merged)
+  {
+    std::vector<Index> now;
+    for (const Index cell : cells)
+    {
+      now.push_back(merged.cellOf[cell]);
+    }
+    SplitCells cut = splitIntoPyramids(mesh, now);
+    for (Index& face : merged.faceOf)
+    {
+      face = face == noIndex ? noIndex : cut.faceOf[face];
+    }
+    merged.added = std::move(cut.cellOf);
   }
 
   std::vector<OrderedFace> orderOfFaces(const std::vector<Index>& cellOf) const
