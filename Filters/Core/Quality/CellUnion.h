@@ -5,7 +5,6 @@
 #include "Quality/Geometry.h"
 #include "Support/RunContext.h"
 
-#include <compare>
 #include <map>
 #include <set>
 #include <span>
@@ -13,23 +12,6 @@
 #include <vector>
 
 namespace atria {
-
-/// A face of a mesh whose cells have other numbers now. They sort in the order FaceMesh asks for.
-struct OrderedFace
-{
-  bool onBoundary;
-  Index owner;
-  Index neighbour; ///< noIndex on the boundary
-  Index face;      ///< its number before
-  bool turned;     ///< whether what was its neighbour is its owner
-
-  auto operator<=>(const OrderedFace&) const = default;
-};
-
-/// Of the cells that the face's owner and neighbour are now, one of them noIndex on the boundary; not equal.
-OrderedFace orderFace(Index face, Index owner, Index neighbour);
-/// Appends a face to a mesh that lists them in order. `loop` are its points, in the order they had.
-void appendFace(FaceMesh& mesh, const OrderedFace& face, std::span<const Index> loop);
 
 /// Cells that are made one: which cell each now belongs to, and the faces of those that others belong to. And cells
 /// that are to be cut into pyramids, see splitIntoPyramids(); they keep their number and faces here.

@@ -377,4 +377,24 @@ std::vector<Index> findBoundaryFaces(const FaceMesh& mesh, std::span<const Bound
   return found;
 }
 
+OrderedFace orderFace(Index face, Index owner, Index neighbour)
+{
+  return {owner == noIndex || neighbour == noIndex, std::min(owner, neighbour), std::max(owner, neighbour), face,
+          owner > neighbour};
+}
+
+void appendFace(FaceMesh& mesh, const OrderedFace& face, std::span<const Index> loop)
+{
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    mesh.facePoints.push_back(loop[face.turned ? loop.size() - 1 - i : i]);
+  }
+  mesh.faceOffsets.push_back(static_cast<Index>(mesh.facePoints.size()));
+  mesh.owner.push_back(face.owner);
+  if (!face.onBoundary)
+  {
+    mesh.neighbour.push_back(face.neighbour);
+  }
+}
+
 } // namespace atria

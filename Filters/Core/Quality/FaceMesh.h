@@ -6,6 +6,7 @@
 #include "Support/Executor.h"
 #include "Support/Types.h"
 
+#include <compare>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -63,5 +64,22 @@ FaceMesh makeFaceMesh(std::span<const Vec3> points, const CellArrays& cells,
 
 /// Per key the boundary face of its cell that has its points, or noIndex.
 std::vector<Index> findBoundaryFaces(const FaceMesh& mesh, std::span<const BoundaryFaceKey> keys);
+
+/// A face of a mesh whose cells have other numbers now. They sort in the order FaceMesh asks for.
+struct OrderedFace
+{
+  bool onBoundary;
+  Index owner;
+  Index neighbour; ///< noIndex on the boundary
+  Index face;      ///< its number before
+  bool turned;     ///< whether what was its neighbour is its owner
+
+  auto operator<=>(const OrderedFace&) const = default;
+};
+
+/// Of the cells that the face's owner and neighbour are now, one of them noIndex on the boundary; not equal.
+OrderedFace orderFace(Index face, Index owner, Index neighbour);
+/// Appends a face to a mesh that lists them in order. `loop` are its points, in the order they had.
+void appendFace(FaceMesh& mesh, const OrderedFace& face, std::span<const Index> loop);
 
 } // namespace atria

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Quality/SplitCells.h"
 
-#include "Quality/CellUnion.h"
 #include "Quality/Geometry.h"
 
 #include <algorithm>
