@@ -2,6 +2,7 @@
 #include "Octree/Balance.h"
 
 #include "Octree/GeometryLists.h"
+#include "Support/Sorting.h"
 
 #include <algorithm>
 #include <array>
@@ -163,12 +164,6 @@ std::vector<std::size_t> rangesOfFamilies(const std::vector<MortonKey>& keys, st
     begins.push_back(keys.size());
   }
   return begins;
-}
-
-void sortUnique(std::vector<MortonKey>& keys)
-{
-  std::sort(keys.begin(), keys.end());
-  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
 }
 
 } // namespace

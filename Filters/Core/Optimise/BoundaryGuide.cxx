@@ -1,21 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Optimise/BoundaryGuide.h"
 
+#include "Support/Sorting.h"
 #include "Surface/Distance.h"
 
 #include <algorithm>
 
 namespace atria {
-
-namespace {
-
-void sortUnique(std::vector<Index>& numbers)
-{
-  std::ranges::sort(numbers);
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-}
-
-} // namespace
 
 BoundaryGuide::BoundaryGuide(const FaceMesh& mesh, const BoundaryFeatures& features, bool fixed)
     : mesh_(mesh), features_(features), fixed_(fixed), slotOf_(mesh.points.size(), noIndex)

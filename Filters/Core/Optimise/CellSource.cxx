@@ -13,20 +13,6 @@ namespace {
 
 constexpr std::size_t grain = 4096;
 
-/// Those that are marked, in order.
-std::vector<Index> numbersOf(const std::vector<char>& marked)
-{
-  std::vector<Index> numbers;
-  for (Index i = 0; i < marked.size(); ++i)
-  {
-    if (marked[i])
-    {
-      numbers.push_back(i);
-    }
-  }
-  return numbers;
-}
-
 } // namespace
 
 void DualSource::neighboursOf(Index cell, std::vector<Index>& out) const
@@ -185,6 +171,19 @@ bool FaceMeshSource::hasMarked(Index cell, const std::vector<char>& marked) cons
   return std::ranges::any_of(cellFaces_.of(cell), [&](Index f) {
     return std::ranges::any_of(mesh_.face(f), [&](Index p) { return marked[p] != 0; });
   });
+}
+
+std::vector<Index> numbersOf(const std::vector<char>& marked)
+{
+  std::vector<Index> numbers;
+  for (Index i = 0; i < marked.size(); ++i)
+  {
+    if (marked[i])
+    {
+      numbers.push_back(i);
+    }
+  }
+  return numbers;
 }
 
 std::vector<Index> cellsWithMarked(const CellSource& source, const std::vector<char>& marked, const RunContext& context)

@@ -105,6 +105,9 @@ private:
   const CellArrays& cells_;
 };
 
+/// The numbers that are marked, in order.
+std::vector<Index> numbersOf(const std::vector<char>& marked);
+
 /// Those that have one of the points marked, in order.
 std::vector<Index> cellsWithMarked(const CellSource& source, const std::vector<char>& marked,
                                    const RunContext& context);

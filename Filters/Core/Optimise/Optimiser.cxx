@@ -351,14 +351,8 @@ std::vector<Index> cellsAboutMoved(const Region& region, const std::vector<Vec3>
       marked[cell] |= moved ? 1 : 0;
     }
   }
-  std::vector<Index> cells;
-  for (Index c = 0; c < marked.size(); ++c)
-  {
-    if (marked[c])
-    {
-      cells.push_back(region.cellIds[c]);
-    }
-  }
+  std::vector<Index> cells = numbersOf(marked);
+  std::ranges::transform(cells, cells.begin(), [&](Index cell) { return region.cellIds[cell]; });
   return cells;
 }
 

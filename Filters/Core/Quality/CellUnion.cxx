@@ -6,6 +6,7 @@
 #include "Quality/MeshChecks.h"
 #include "Quality/Metrics.h"
 #include "Quality/SplitCells.h"
+#include "Support/Sorting.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,12 +21,6 @@ constexpr std::size_t fewestFaces = 4;
 /// Of the limits of skewness and non-orthogonality: unions keep away from them a little, as merging their coplanar
 /// faces moves their centroids.
 constexpr double greatestPenalty = 0.99;
-
-void sortUnique(std::vector<Index>& values)
-{
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-}
 
 /// Some cells and their neighbours as a mesh of their own, in which the cells are one, number 0.
 struct Surroundings

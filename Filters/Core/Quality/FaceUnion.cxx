@@ -16,11 +16,6 @@ constexpr std::size_t fewestFaces = 4;
 constexpr double clearlyAbove = 1e-6;
 constexpr double rounding = 1e-12;
 
-bool contains(const std::vector<Index>& list, Index number)
-{
-  return std::find(list.begin(), list.end(), number) != list.end();
-}
-
 /// How many of a cell's faces, outward, look at another one from behind or from within its plane, as checkMesh tells
 /// concave cells.
 std::size_t concavePairs(const std::vector<PolygonMeasure>& faces, double sine)
@@ -109,6 +104,10 @@ void FaceUnions::findCentroids(FaceUnion& change) const
   {
     for (const Index cell : cellsOf(face))
     {
+      if (change.centroids.contains(cell))
+      {
+        continue;
+      }
       const std::vector<PolygonMeasure> faces = measuresIn(change, cell);
       change.centroids[cell] = measureCellInOrder(faces.size(), [&](std::size_t i) { return faces[i]; }).centroid;
     }

@@ -34,7 +34,7 @@ public:
   /// Those that are left.
   std::vector<Index> facesOf(Index cell) const { return facesIn({}, cell); }
 
-  /// Sets the centroids by the outlines.
+  /// Sets the centroids by the outlines; there are none before.
   void findCentroids(FaceUnion& change) const;
   /// Whether all cells stay closed and no face loses its sound tetrahedra, and the union is star-shaped seen from both
   /// sides, from the centroids as they are and as they would be.

@@ -3,6 +3,7 @@
 
 #include "Quality/CellUnion.h"
 #include "Quality/SplitCells.h"
+#include "Support/Sorting.h"
 
 #include <Eigen/LU>
 
@@ -93,8 +94,7 @@ private:
   {
     std::vector<Index> cells(mesh.owner.begin() + static_cast<std::ptrdiff_t>(mesh.internalFaceCount()),
                              mesh.owner.end());
-    std::sort(cells.begin(), cells.end());
-    cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+    sortUnique(cells);
     const std::vector<Directions> directions = directionsOf(cells);
     std::vector<Index> found;
     if (areInOnePlane(directions))

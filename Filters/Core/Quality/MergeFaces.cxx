@@ -15,11 +15,6 @@ namespace atria {
 
 namespace {
 
-bool contains(std::span<const Index> list, Index number)
-{
-  return std::find(list.begin(), list.end(), number) != list.end();
-}
-
 std::vector<Index> without(std::span<const Index> loop, Index point)
 {
   std::vector<Index> out(loop.begin(), loop.end());

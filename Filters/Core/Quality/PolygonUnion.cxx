@@ -13,11 +13,6 @@ namespace atria {
 
 namespace {
 
-bool contains(std::span<const Index> loop, Index point)
-{
-  return std::find(loop.begin(), loop.end(), point) != loop.end();
-}
-
 bool hasEdge(std::span<const Index> loop, Index from, Index to)
 {
   const auto at = std::find(loop.begin(), loop.end(), from);
@@ -74,6 +69,11 @@ bool looksAlong(const Vec3& normal, const Vec3& apex, const Vec3& from, const Ve
 }
 
 } // namespace
+
+bool contains(std::span<const Index> list, Index number)
+{
+  return std::find(list.begin(), list.end(), number) != list.end();
+}
 
 bool shareAnEdge(std::span<const Index> a, std::span<const Index> b)
 {

@@ -10,6 +10,8 @@
 
 namespace atria {
 
+bool contains(std::span<const Index> list, Index number);
+
 /// Whether an edge of one polygon is, run through the other way, an edge of the other.
 bool shareAnEdge(std::span<const Index> a, std::span<const Index> b);
 
