@@ -5,13 +5,14 @@
 #include "Support/Pieces.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace atria {
 
 namespace {
 
-constexpr std::size_t grain = 4096;
+constexpr std::size_t grain = 2048;
 
 } // namespace
 
@@ -235,19 +236,19 @@ std::vector<std::vector<Index>> inPieces(const CellSource& source, const std::ve
   return pieces;
 }
 
-std::vector<Index> withNeighbours(const CellSource& source, const std::vector<Index>& cells)
+std::vector<Index> withNeighbours(const CellSource& source, const std::vector<Index>& cells, const RunContext& context)
 {
   std::vector<char> marked(source.cellCount(), 0);
-  std::vector<Index> beside;
-  for (const Index cell : cells)
-  {
-    marked[cell] = 1;
-    source.neighboursOf(cell, beside);
-    for (const Index other : beside)
+  const auto mark = [&](Index cell) { std::atomic_ref(marked[cell]).store(1, std::memory_order_relaxed); };
+  context.executor.forRanges(cells.size(), grain, [&](std::size_t begin, std::size_t end) {
+    std::vector<Index> beside;
+    for (std::size_t i = begin; i < end; ++i)
     {
-      marked[other] = 1;
+      mark(cells[i]);
+      source.neighboursOf(cells[i], beside);
+      std::ranges::for_each(beside, mark);
     }
-  }
+  });
   return numbersOf(marked);
 }
 

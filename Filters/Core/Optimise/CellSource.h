@@ -39,7 +39,7 @@ public:
   virtual ~CellSource() = default;
   virtual std::size_t cellCount() const = 0;
   virtual const std::vector<Vec3>& points() const = 0;
-  /// The cells across a cell's faces.
+  /// The cells across a cell's faces, in the order of facesOf.
   virtual void neighboursOf(Index cell, std::vector<Index>& out) const = 0;
   /// The points of a cell; some may be there more than once.
   virtual void cornersOf(Index cell, std::vector<Index>& out) const = 0;
@@ -117,6 +117,6 @@ std::vector<Index> cellsWithMarked(const CellSource& source, const std::vector<c
 std::vector<std::vector<Index>> inPieces(const CellSource& source, const std::vector<Index>& cells);
 
 /// Cells and those that share a face with one of them, in order.
-std::vector<Index> withNeighbours(const CellSource& source, const std::vector<Index>& cells);
+std::vector<Index> withNeighbours(const CellSource& source, const std::vector<Index>& cells, const RunContext& context);
 
 } // namespace atria

@@ -10,33 +10,16 @@ Colours colourPoints(const Region& region)
 {
   constexpr std::size_t most = 192;
   using Set = std::bitset<most>;
-  std::vector<Set> written(region.judgedCount());
+  // By cell, the colours of points that read it. A point that writes a cell beside it reads it, too.
   std::vector<Set> read(region.judgedCount());
   std::vector<std::vector<Index>> classes(most + 1);
-  std::vector<Index> beside;
   for (Index m = 0; m < region.movable.size(); ++m)
   {
     const auto about = region.cellsAbout(m);
-    beside.assign(about.begin(), about.end());
-    for (const Index cell : about)
-    {
-      for (const Index f : region.facesOf(cell))
-      {
-        const Index across = region.owner[f] == cell ? region.neighbour[f] : region.owner[f];
-        if (across < region.judgedCount())
-        {
-          beside.push_back(across);
-        }
-      }
-    }
     Set taken;
     for (const Index cell : about)
     {
       taken |= read[cell];
-    }
-    for (const Index cell : beside)
-    {
-      taken |= written[cell];
     }
     std::size_t colour = 0;
     while (colour < most && taken[colour])
@@ -50,11 +33,15 @@ Colours colourPoints(const Region& region)
     }
     for (const Index cell : about)
     {
-      written[cell].set(colour);
-    }
-    for (const Index cell : beside)
-    {
       read[cell].set(colour);
+      for (const Index f : region.facesOf(cell))
+      {
+        const Index across = region.owner[f] == cell ? region.neighbour[f] : region.owner[f];
+        if (across < region.judgedCount())
+        {
+          read[across].set(colour);
+        }
+      }
     }
   }
   Colours colours;

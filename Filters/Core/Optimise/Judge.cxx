@@ -8,7 +8,7 @@ namespace atria {
 
 namespace {
 
-constexpr std::size_t grain = 1024;
+constexpr std::size_t grain = 256;
 constexpr double tiny = 1e-150;
 
 /// Lists the numbers below `count`, first those that `isFirst`. Returns how many these are.

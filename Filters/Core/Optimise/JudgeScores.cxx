@@ -12,7 +12,7 @@ namespace atria {
 
 namespace {
 
-constexpr std::size_t grain = 1024;
+constexpr std::size_t grain = 256;
 constexpr double tiny = 1e-150;
 /// Over the cube of the mean edge.
 constexpr double flatVolume = 0.004;

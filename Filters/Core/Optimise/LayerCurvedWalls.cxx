@@ -202,7 +202,7 @@ void LayerImprover::takeBack(std::vector<WantedPlace> thick, std::vector<ShortCe
     shortCells.insert(shortCells.end(), still.begin(), still.end());
   }
   std::ranges::sort(shortCells, {}, &ShortCell::cell);
-  mergeUnique(unsure_, withNeighbours(source, cellsWithMarked(source, moved, context_)));
+  mergeUnique(unsure_, withNeighbours(source, cellsWithMarked(source, moved, context_), context_));
 }
 
 /// As findAll, after the layer was made thicker at curved walls as far as no cell falls short by it.
@@ -322,7 +322,7 @@ void LayerImprover::bringClose()
   constexpr CurvedStage last{{0.0, -6.0}, {0.03, -0.07}, 0.3F};
   constexpr CurvedStage lowered{{4.0, -6.0}, {0.1, -0.07}, 0.5F};
   constexpr float leastShare = 0.5F; // above the last stage's, and of its range below those of all others
-  std::vector<Index> candidates = withNeighbours(DualSource(layer_.mesh), unsureAtCurved(true));
+  std::vector<Index> candidates = withNeighbours(DualSource(layer_.mesh), unsureAtCurved(true), context_);
   std::erase_if(candidates, [&](Index cell) { return !isAtSmooth(cell) || !isAwayFromCreases(cell); });
   candidates = cellsOf(farAtCurved(targetsOf(last), leastShare, candidates));
   for (const CurvedStage& stage : {first, second, last})

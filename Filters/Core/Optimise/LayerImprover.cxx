@@ -153,7 +153,7 @@ std::vector<ShortCell> LayerImprover::move(const std::vector<ShortCell>& cells, 
   const DualSource source(layer_.mesh);
   std::vector<Index> changed;
   std::vector<ShortCell> left = optimise(source, layer_.mesh.points, cells, guides.layer, options, context_, &changed);
-  changed = withNeighbours(source, changed);
+  changed = withNeighbours(source, changed, context_);
   mergeUnique(unsure_, changed);
   if (about)
   {

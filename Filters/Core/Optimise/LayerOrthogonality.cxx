@@ -88,7 +88,7 @@ void LayerImprover::straighten(std::span<const OrthogonalityStage> stages, float
       }
     }
     std::ranges::transform(toJudge, fresh, toJudge.begin(), std::bit_or());
-    changed = withNeighbours(source, changed);
+    changed = withNeighbours(source, changed, context_);
     std::erase_if(changed, [&](Index cell) { return !source.hasMarked(cell, toJudge); });
     mergeUnique(candidates, changed);
     mergeUnique(candidates, cellsWithMarked(source, fresh, context_));

@@ -7,6 +7,7 @@
 #include "Support/Pieces.h"
 
 #include <algorithm>
+#include <atomic>
 #include <memory>
 #include <mutex>
 
@@ -14,18 +15,23 @@ namespace atria {
 
 namespace {
 
+constexpr std::size_t grain = 256;
+
 /// Marks the points of cells.
-void spread(const CellSource& source, const std::vector<Index>& cells, std::vector<char>& points)
+void spread(const CellSource& source, const std::vector<Index>& cells, std::vector<char>& points,
+            const RunContext& context)
 {
-  CellSource::Scratch scratch;
-  for (const Index cell : cells)
-  {
-    source.facesOf(cell, scratch);
-    for (const Index p : scratch.points)
+  context.executor.forRanges(cells.size(), grain, [&](std::size_t begin, std::size_t end) {
+    std::vector<Index> corners;
+    for (std::size_t i = begin; i < end; ++i)
     {
-      points[p] = 1;
+      source.cornersOf(cells[i], corners);
+      for (const Index p : corners)
+      {
+        std::atomic_ref(points[p]).store(1, std::memory_order_relaxed);
+      }
     }
-  }
+  });
 }
 
 std::vector<char> pointsToMove(const CellSource& source, const std::vector<ShortCell>& shortCells,
@@ -34,10 +40,10 @@ std::vector<char> pointsToMove(const CellSource& source, const std::vector<Short
   std::vector<Index> cells;
   std::ranges::transform(shortCells, std::back_inserter(cells), &ShortCell::cell);
   std::vector<char> points(source.points().size(), 0);
-  spread(source, cells, points);
+  spread(source, cells, points, context);
   for (int ring = 0; ring < rings; ++ring)
   {
-    spread(source, cellsWithMarked(source, points, context), points);
+    spread(source, cellsWithMarked(source, points, context), points, context);
   }
   std::vector<char> leaders(points.size(), 0);
   for (Index p = 0; p < points.size(); ++p)
@@ -230,7 +236,7 @@ std::vector<Score> scoresOfCells(const Judge& judge, const RunContext& context)
 {
   const Region& region = judge.region();
   std::vector<Score> scores(region.judgedCount());
-  context.executor.forEach(scores.size(), 1024, [&](std::size_t c) {
+  context.executor.forEach(scores.size(), grain, [&](std::size_t c) {
     scores[c] = judge.scoreOfCell(static_cast<Index>(c));
     for (const Index f : region.facesOf(c))
     {
@@ -305,23 +311,32 @@ std::vector<ShortCell> shortCellsBy(Judge& judge, const QualityTargets& targets,
 
 bool looksAtJacobians(const QualityTargets& targets) { return targets.scaledJacobian > 0.0; }
 
-/// Piece by piece, as measures take many times the cells' own memory. Of cells beyond a piece not all is known.
+/// By targets, the cells of a piece that fall short.
+std::vector<std::vector<ShortCell>> findShortIn(const CellSource& source, std::vector<Index> piece,
+                                                std::span<const QualityTargets> targets, const RunContext& context)
+{
+  std::ranges::sort(piece);
+  Region region = extractCells(source, std::move(piece), std::ranges::any_of(targets, looksAtJacobians), context);
+  Judge judge(region, targets.front(), context);
+  std::vector<std::vector<ShortCell>> found{shortCellsOf(judge, 0.0, context)};
+  for (const QualityTargets& less : targets.subspan(1))
+  {
+    found.push_back(shortCellsBy(judge, less, found.front()));
+  }
+  return found;
+}
+
+/// Piece by piece, as measures take many times the cells' own memory. Of cells beyond a piece not all is known. A piece
+/// is for one thread, unless there are few.
 std::vector<std::vector<ShortCell>> findShortIn(const CellSource& source, std::vector<std::vector<Index>> pieces,
                                                 std::span<const QualityTargets> targets, const RunContext& context)
 {
   const SerialExecutor one;
   const RunContext serial{one, context.progress};
+  const bool areFew = pieces.size() < 4 * static_cast<std::size_t>(context.executor.threads());
   std::vector<std::vector<std::vector<ShortCell>>> found(pieces.size());
-  context.executor.forEach(pieces.size(), 1, [&](std::size_t piece) {
-    std::ranges::sort(pieces[piece]);
-    Region region =
-        extractCells(source, std::move(pieces[piece]), std::ranges::any_of(targets, looksAtJacobians), serial);
-    Judge judge(region, targets.front(), serial);
-    found[piece].push_back(shortCellsOf(judge, 0.0, serial));
-    for (const QualityTargets& less : targets.subspan(1))
-    {
-      found[piece].push_back(shortCellsBy(judge, less, found[piece].front()));
-    }
+  (areFew ? serial : context).executor.forEach(pieces.size(), 1, [&](std::size_t piece) {
+    found[piece] = findShortIn(source, std::move(pieces[piece]), targets, areFew ? context : serial);
   });
   std::vector<std::vector<ShortCell>> all(targets.size());
   for (const std::vector<std::vector<ShortCell>>& piece : found)
@@ -382,7 +397,8 @@ std::vector<std::vector<ShortCell>> findShortCells(const CellSource& source, con
 std::vector<ShortCell> findShortAmong(const CellSource& source, const std::vector<Index>& cells,
                                       const QualityTargets& targets, const RunContext& context)
 {
-  std::vector<ShortCell> found = findShortCells(source, withNeighbours(source, cells), {&targets, 1}, context).front();
+  std::vector<ShortCell> found =
+      findShortCells(source, withNeighbours(source, cells, context), {&targets, 1}, context).front();
   std::erase_if(found, [&](const ShortCell& cell) { return !std::ranges::binary_search(cells, cell.cell); });
   return found;
 }

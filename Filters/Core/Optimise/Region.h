@@ -4,6 +4,7 @@
 
 #include "Optimise/CellSource.h"
 #include "Optimise/VertexGuide.h"
+#include "Support/Buffer.h"
 
 namespace atria {
 
@@ -11,7 +12,7 @@ namespace atria {
 /// point that may move is judged, so what is outside the region does not change. Cells are any closed polyhedra.
 struct Region
 {
-  /// Points of the judged cells, and their numbers in the mesh.
+  /// Points of the judged cells, and their numbers in the mesh, in whose order they are where some may move.
   std::vector<Vec3> points;
   std::vector<Index> pointIds;
   /// Faces of judged cells, once each; the normal points out of the owner, which is judged. `neighbour` is a cell of
@@ -21,8 +22,8 @@ struct Region
   std::vector<Index> owner;
   std::vector<Index> neighbour;
   /// Faces of each judged cell; the judged cells are the first, in the order of the mesh.
-  std::vector<Index> cellOffsets{0};
-  std::vector<Index> cellFaces;
+  Buffer<Index> cellOffsets{0};
+  Buffer<Index> cellFaces;
   std::vector<Index> cellIds;
   /// Of each judged cell, its corners numbered as in `points`; empty unless they were asked for.
   std::vector<NativeCell> natives;
@@ -32,9 +33,9 @@ struct Region
   /// Points that may move, in sets that move as one: the leader of each set, its members, and the cells about them.
   std::vector<Index> movable;
   std::vector<Index> memberOffsets{0};
-  std::vector<Index> members;
+  Buffer<Index> members;
   std::vector<Index> aboutOffsets{0};
-  std::vector<Index> about;
+  Buffer<Index> about;
 
   std::size_t judgedCount() const { return cellOffsets.size() - 1; }
   std::size_t cellCount() const { return judgedCount() + ghostVolumes.size(); }
@@ -57,7 +58,7 @@ struct Region
   }
 };
 
-/// The region of some cells, in order, in which no point may move.
+/// The region of some cells, in order, in which no point may move; points and cells beside are in no order.
 Region extractCells(const CellSource& source, std::vector<Index> cells, bool withNatives, const RunContext& context);
 
 /// The region in which the points marked may move, each with all others that have the same leader; these are marked,

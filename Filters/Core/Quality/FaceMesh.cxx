@@ -2,12 +2,12 @@
 #include "Quality/FaceMesh.h"
 
 #include "Quality/HalfFaces.h"
+#include "Support/Buckets.h"
 #include "Support/Error.h"
 #include "Support/Pieces.h"
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <string>
 
 namespace atria {
@@ -83,7 +83,7 @@ public:
       {
         for (; b < end; ++b)
         {
-          matchBucket({bucketed.data() + bucketOffsets[b], bucketed.data() + bucketOffsets[b + 1]}, bucket);
+          matchBucket(buckets.of(b), bucket);
         }
       }
       catch (const Error& problem)
@@ -106,18 +106,9 @@ private:
   /// faces, which are sorted when they are matched.
   void sortIntoBuckets(std::size_t pointCount)
   {
-    // Counted two places up and summed one place up, an offset serves as its bucket's cursor, and ends as its
-    // begin.
-    bucketOffsets.assign(pointCount + 2, 0);
-    forFreeHalfFaces([this](std::size_t h) { increment(bucketOffsets[smallestPoint(h) + 2]); });
-    for (std::size_t b = 2; b < bucketOffsets.size(); ++b)
-    {
-      bucketOffsets[b] += bucketOffsets[b - 1];
-    }
-    bucketed.resize(bucketOffsets.back());
-    forFreeHalfFaces(
-        [this](std::size_t h) { bucketed[increment(bucketOffsets[smallestPoint(h) + 1])] = static_cast<Index>(h); });
-    bucketOffsets.pop_back();
+    buckets = fillBuckets(pointCount, executor, [this](auto&& use) {
+      forFreeHalfFaces([&](std::size_t h) { use(smallestPoint(h), static_cast<Index>(h)); });
+    });
   }
 
   template <typename F> void forFreeHalfFaces(F&& use) const
@@ -129,9 +120,6 @@ private:
       }
     });
   }
-
-  /// Returns the value before.
-  static Index increment(Index& value) { return std::atomic_ref<Index>(value).fetch_add(1, std::memory_order_relaxed); }
 
   std::vector<Index> sortedPoints(Index h) const
   {
@@ -226,8 +214,7 @@ private:
   const HalfFaces& halves;
   const Executor& executor;
   std::vector<Index> mates;
-  std::vector<Index> bucketOffsets;
-  Buffer<Index> bucketed; ///< half-faces by their smallest point
+  Buckets buckets; ///< half-faces by their smallest point
 };
 
 std::vector<Index> findMates(const HalfFaces& halves, std::size_t pointCount,

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Quality/Geometry.h"
 
+#include "Support/Buckets.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <numeric>
 
 namespace atria {
 
@@ -74,27 +74,15 @@ CellFaces makeCellFaces(const FaceMesh& mesh, const Executor& executor)
       }
     });
   };
-  const auto increment = [](Index& value) {
-    return std::atomic_ref<Index>(value).fetch_add(1, std::memory_order_relaxed);
-  };
-  // Counted two places up and summed one place up, an offset serves as its cell's cursor, and ends as its begin.
-  CellFaces out;
-  out.offsets.assign(mesh.cellCount + 2, 0);
-  forSides([&](Index cell, Index) { increment(out.offsets[cell + 2]); });
-  std::partial_sum(out.offsets.begin(), out.offsets.end(), out.offsets.begin());
-  out.faces.resize(out.offsets.back());
-  forSides([&](Index cell, Index f) { out.faces[increment(out.offsets[cell + 1])] = f; });
-  out.offsets.pop_back();
-  executor.forEach(mesh.cellCount, grain, [&](std::size_t cell) {
-    const auto first = out.faces.begin() + out.offsets[cell];
-    const auto last = out.faces.begin() + out.offsets[cell + 1];
-    std::sort(first, last, [&](Index a, Index b) {
+  Buckets faces = fillBuckets(mesh.cellCount, executor, forSides);
+  sortBuckets(faces, executor, [&](Index cell) {
+    return [&mesh, cell](Index a, Index b) {
       const bool ownsA = mesh.owner[a] == cell;
       const bool ownsB = mesh.owner[b] == cell;
       return ownsA != ownsB ? ownsA : a < b;
-    });
+    };
   });
-  return out;
+  return {std::move(faces.offsets), std::move(faces.entries)};
 }
 
 MeshGeometry computeGeometry(const FaceMesh& mesh, const CellFaces& cellFaces, const RunContext& context)

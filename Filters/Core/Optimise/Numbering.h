@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Support/Types.h"
+
+#include <bit>
+#include <utility>
+#include <vector>
+
+namespace atria {
+
+/// Numbers by identity, in a hash table with linear probing.
+class Numbering
+{
+public:
+  /// There is room for as many as are expected.
+  explicit Numbering(std::size_t expected) { makeRoom(expected); }
+
+  /// Its number, which is its place in the list: where it was not known, it is appended.
+  Index findOrAdd(Index id, std::vector<Index>& list)
+  {
+    if (2 * (list.size() + 1) > slots.size())
+    {
+      makeRoom(2 * list.size());
+    }
+    Slot& slot = slotOf(id);
+    if (slot.id != id)
+    {
+      slot = {id, static_cast<Index>(list.size())};
+      list.push_back(id);
+    }
+    return slot.number;
+  }
+  /// Of one that is not known, where there is room.
+  void add(Index id, Index number) { slotOf(id) = {id, number}; }
+  /// noIndex where it is not known.
+  Index of(Index id) const { return slotOf(id).number; }
+
+private:
+  struct Slot
+  {
+    Index id = noIndex;
+    Index number = noIndex;
+  };
+
+  const Slot& slotOf(Index id) const
+  {
+    const std::size_t mask = slots.size() - 1;
+    std::size_t at = (id * std::uint64_t{0x9E3779B97F4A7C15} >> 32) & mask;
+    while (slots[at].id != id && slots[at].id != noIndex)
+    {
+      at = (at + 1) & mask;
+    }
+    return slots[at];
+  }
+  Slot& slotOf(Index id) { return const_cast<Slot&>(std::as_const(*this).slotOf(id)); }
+
+  void makeRoom(std::size_t expected)
+  {
+    const std::vector<Slot> before = std::exchange(slots, std::vector<Slot>(std::bit_ceil(2 * expected + 16)));
+    for (const Slot& slot : before)
+    {
+      if (slot.id != noIndex)
+      {
+        slotOf(slot.id) = slot;
+      }
+    }
+  }
+
+  std::vector<Slot> slots;
+};
+
+} // namespace atria

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Support/Buffer.h"
+#include "Support/Executor.h"
+#include "Support/Types.h"
+
+#include <algorithm>
+#include <atomic>
+#include <functional>
+#include <numeric>
+#include <span>
+
+namespace atria {
+
+/// A list of numbers for each of some things, one list behind the other.
+struct Buckets
+{
+  Buffer<Index> offsets;
+  Buffer<Index> entries;
+
+  std::span<const Index> of(std::size_t bucket) const
+  {
+    return {entries.data() + offsets[bucket], entries.data() + offsets[bucket + 1]};
+  }
+};
+
+/// `forPairs(use)` calls use(bucket, entry) for all entries, on any threads of the executor, twice the same. Entries of
+/// a bucket are in the order of the calls on one thread, and in no order on several. O(count + entries).
+template <typename ForPairs> Buckets fillBuckets(std::size_t count, const Executor& executor, ForPairs&& forPairs)
+{
+  const bool isAlone = executor.threads() == 1;
+  const auto increment = [isAlone](Index& value) {
+    return isAlone ? value++ : std::atomic_ref<Index>(value).fetch_add(1, std::memory_order_relaxed);
+  };
+  // Counted two places up and summed one place up, an offset serves as its bucket's cursor, and ends as its begin.
+  Buckets out;
+  out.offsets.assign(count + 2, 0);
+  forPairs([&](Index bucket, Index) { increment(out.offsets[bucket + 2]); });
+  std::partial_sum(out.offsets.begin(), out.offsets.end(), out.offsets.begin());
+  out.entries.resize(out.offsets.back());
+  forPairs([&](Index bucket, Index entry) { out.entries[increment(out.offsets[bucket + 1])] = entry; });
+  out.offsets.pop_back();
+  return out;
+}
+
+/// Sorts each bucket: `lessIn(bucket)` gives its order.
+template <typename LessIn> void sortBuckets(Buckets& buckets, const Executor& executor, LessIn&& lessIn)
+{
+  constexpr std::size_t grain = 4096;
+  executor.forEach(buckets.offsets.size() - 1, grain, [&](std::size_t bucket) {
+    std::sort(buckets.entries.begin() + buckets.offsets[bucket], buckets.entries.begin() + buckets.offsets[bucket + 1],
+              lessIn(static_cast<Index>(bucket)));
+  });
+}
+
+/// In rising order, where entries were called in it.
+template <typename ForPairs> Buckets fillInOrder(std::size_t count, const Executor& executor, ForPairs&& forPairs)
+{
+  Buckets out = fillBuckets(count, executor, forPairs);
+  if (executor.threads() > 1)
+  {
+    sortBuckets(out, executor, [](Index) { return std::less<Index>(); });
+  }
+  return out;
+}
+
+} // namespace atria
