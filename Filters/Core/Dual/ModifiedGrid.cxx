@@ -18,7 +18,7 @@ void movePoints(GridPlaces& places, const SurfaceModel& model, TriangleTreeOnDem
   constexpr int gapRounds = 4;
   for (const double reach : {0.5, 1.0})
   {
-    for (int round = 0; round < gapRounds && enterGaps(grid, reach); ++round)
+    for (int round = 0; round < gapRounds && enterGaps(grid, reach, context); ++round)
     {
       context.progress.check();
     }

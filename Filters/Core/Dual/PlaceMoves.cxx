@@ -17,6 +17,7 @@ constexpr double moveCost = 0.05;
 std::vector<PlaceMove> PlaceMoves::best(const std::vector<Index>& points, bool across) const
 {
   constexpr std::size_t grain = 16;
+  grid.lookAgain(context);
   std::vector<PlaceMove> found(points.size());
   context.executor.forRanges(points.size(), grain, [&](std::size_t begin, std::size_t end) {
     MovingGrid::Look look(grid);
@@ -56,13 +57,6 @@ PlaceMove PlaceMoves::best(Index point, bool across, MovingGrid::Look& look) con
 double PlaceMoves::distanceFromHome(Index point, const LatticePoint& place) const
 {
   return (toVector(place) - toVector(grid.places().home(point))).norm();
-}
-
-double PlaceMoves::surplusAt(Index point) { return grid.surplusAbout(point, own).cost(); }
-
-double PlaceMoves::surplusAt(Index point, const LatticePoint& place)
-{
-  return grid.surplusAbout(point, place, own).cost();
 }
 
 double PlaceMoves::costAt(Index point, MovingGrid::Look& look) const
