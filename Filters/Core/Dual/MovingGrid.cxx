@@ -428,7 +428,7 @@ bool MovingGrid::isInQuestion(Index leaf)
 
 void MovingGrid::lookAgain(const RunContext& context)
 {
-  constexpr std::size_t grain = 16;
+  constexpr std::size_t grain = 4;
   sortUnique(stale);
   context.executor.forRanges(stale.size(), grain, [&](std::size_t first, std::size_t last) {
     Look of(*this);

@@ -248,7 +248,7 @@ private:
 
   std::vector<char> areBetterHome(const std::vector<Index>& points)
   {
-    constexpr std::size_t grain = 4;
+    constexpr std::size_t grain = 1;
     grid.lookAgain(context);
     std::vector<char> found(points.size());
     context.executor.forRanges(points.size(), grain, [&](std::size_t begin, std::size_t end) {
