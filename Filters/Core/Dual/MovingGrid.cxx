@@ -426,6 +426,11 @@ bool MovingGrid::isInQuestion(Index leaf)
   return findings[leaf].inQuestion != 0;
 }
 
+void MovingGrid::lookAgain(Index point)
+{
+  eachLeaf(grid.points().leaves[point], [&](Index leaf) { isInQuestion(leaf); });
+}
+
 void MovingGrid::lookAgain(const RunContext& context)
 {
   constexpr std::size_t grain = 4;

@@ -115,6 +115,8 @@ public:
   const std::vector<Index>& leavesInQuestion(const RunContext& context);
   /// Looks at leaves where cuts changed. What is about points is then told without looking at them once for each point.
   void lookAgain(const RunContext& context);
+  /// The same of the leaves about one point.
+  void lookAgain(Index point);
   void addCorners(Index leaf, std::set<Index>& points) const;
 
   std::int64_t shortestEdge(Index point) const;

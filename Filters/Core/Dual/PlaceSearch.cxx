@@ -164,6 +164,7 @@ private:
         const Places turned = placesAbout(edge, leaves, angle, scale);
         Places before;
         double cost = 0.0;
+        grid.lookAgain(context);
         for (const auto& [point, place] : turned)
         {
           before.emplace_back(point, grid.places().place(point));
