@@ -82,10 +82,10 @@ TEST(Crossings, AreTheSameUpdatedAndFoundAnew)
     std::mt19937 random(seed);
     const std::vector<Index> moved = moveSome(grid, random);
     ASSERT_FALSE(moved.empty());
-    const Crossings updated = updateCrossings(grid, meshed.model, home, moved);
+    const Crossings updated = updateCrossings(grid, meshed.model, home, moved, context);
     expectSame(updated, findCrossings(grid, meshed.model, context));
     grid.moveAllHome();
-    expectSame(updateCrossings(grid, meshed.model, updated, moved), home);
+    expectSame(updateCrossings(grid, meshed.model, updated, moved, context), home);
   }
 }
 

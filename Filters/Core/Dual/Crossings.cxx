@@ -2,6 +2,8 @@
 #include "Dual/Crossings.h"
 
 #include <algorithm>
+#include <functional>
+#include <numeric>
 
 namespace atria {
 
@@ -100,8 +102,33 @@ private:
   EdgeProbe probe;
 };
 
+/// What is found with the points pointAt(0) to pointAt(count - 1), a part for each `grain` of them. Their neighbours go
+/// to `out`.
+template <typename PointAt>
+std::vector<Part> findParts(const GridPlaces& grid, const SurfaceModel& model, std::size_t count, std::size_t grain,
+                            PointAt&& pointAt, Crossings& out, const RunContext& context)
+{
+  std::vector<Part> parts((count + grain - 1) / grain);
+  context.executor.forEach(parts.size(), 1, [&](std::size_t part) {
+    context.progress.check();
+    CrossingFinder finder(grid, model, out);
+    for (std::size_t i = part * grain; i < std::min((part + 1) * grain, count); ++i)
+    {
+      finder.process(pointAt(i), parts[part]);
+    }
+  });
+  return parts;
+}
+
 void join(const std::vector<Part>& parts, Crossings& out)
 {
+  const auto total = [&](auto list) {
+    return std::transform_reduce(parts.begin(), parts.end(), std::size_t{0}, std::plus<>(),
+                                 [&](const Part& part) { return (part.*list).size(); });
+  };
+  out.boundaryFaces.reserve(total(&Part::faces));
+  out.crossedEdges.reserve(total(&Part::edges));
+  out.cuts.reserve(total(&Part::cuts));
   for (const Part& part : parts)
   {
     const auto shift = static_cast<std::uint32_t>(out.cuts.size());
@@ -201,37 +228,37 @@ std::span<const SurfaceCrossing> cutEdge(const GridPlaces& grid, EdgeProbe& prob
 
 Crossings findCrossings(const GridPlaces& grid, const SurfaceModel& model, const RunContext& context)
 {
+  constexpr std::size_t grain = 2048;
   Crossings out;
   const std::size_t count = grid.points().size();
   out.neighbours.resize(count);
-  constexpr std::size_t grain = 2048;
-  std::vector<Part> parts((count + grain - 1) / grain);
-  context.executor.forEach(parts.size(), 1, [&](std::size_t part) {
-    context.progress.check();
-    CrossingFinder finder(grid, model, out);
-    for (std::size_t i = part * grain; i < std::min((part + 1) * grain, count); ++i)
-    {
-      finder.process(static_cast<Index>(i), parts[part]);
-    }
-  });
-  join(parts, out);
+  const auto same = [](std::size_t i) { return static_cast<Index>(i); };
+  join(findParts(grid, model, count, grain, same, out, context), out);
   numberFaces(out);
   return out;
 }
 
 Crossings updateCrossings(const GridPlaces& grid, const SurfaceModel& model, Crossings before,
-                          const std::vector<Index>& changed)
+                          const std::vector<Index>& changed, const RunContext& context)
 {
+  constexpr std::size_t grain = 16;
   Crossings out;
   out.neighbours = std::move(before.neighbours);
-  CrossingFinder finder(grid, model, out);
+  const std::vector<Index> points = withNeighbours(grid, changed);
+  const auto pointAt = [&](std::size_t i) { return points[i]; };
+  Crossings anew;
+  join(findParts(grid, model, points.size(), grain, pointAt, out, context), anew);
   Remaining remaining(before);
+  Remaining found(anew);
   Part all;
-  for (const Index point : withNeighbours(grid, changed))
+  all.faces.reserve(before.boundaryFaces.size() + anew.boundaryFaces.size());
+  all.edges.reserve(before.crossedEdges.size() + anew.crossedEdges.size());
+  all.cuts.reserve(before.cuts.size() + anew.cuts.size());
+  for (const Index point : points)
   {
     remaining.appendBelow(point, all);
     remaining.skip(point);
-    finder.process(point, all);
+    found.appendBelow(point + 1, all);
   }
   remaining.appendBelow(noIndex, all);
   out.boundaryFaces = std::move(all.faces);

@@ -49,6 +49,6 @@ Crossings findCrossings(const GridPlaces& grid, const SurfaceModel& model, const
 /// The same crossings as findCrossings, from those found before these points moved or went home. Cost: O(1) for each of
 /// their edges, and going through what stands between elements once.
 Crossings updateCrossings(const GridPlaces& grid, const SurfaceModel& model, Crossings before,
-                          const std::vector<Index>& changed);
+                          const std::vector<Index>& changed, const RunContext& context);
 
 } // namespace atria

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Dual/GapPlanes.h"
 
+#include "Support/Sorting.h"
 #include "Surface/Distance.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <ranges>
 
 namespace atria {
 
@@ -20,45 +22,43 @@ constexpr double alongCosine = 0.707;
 /// Of 35 degrees: it is in the stack of a gap beside it.
 constexpr double stackCosine = 0.819;
 
-class GapPlanes
+/// Finds places in gaps for the corners of leaves. Not for several threads at once.
+class GapFinder
 {
 public:
-  GapPlanes(MovingGrid& moving, double reachRatio) : grid(moving), reach(reachRatio) {}
-
-  bool enter()
-  {
-    for (const Index leaf : grid.leavesInQuestion())
-    {
-      grid.surplus(leaf);
-      const auto pairs = sheetsSideBySide();
-      const auto besideSides = sheetsBesideSides(leaf);
-      gatherTriangles(leaf);
-      for (const Index point : grid.points().atCorner[leaf])
-      {
-        if (point != noIndex && !grid.places().isMoved(point) && !grid.isBesideTurnedSide(point))
-        {
-          noteGaps(point, pairs);
-          for (const auto& [chart, direction] : besideSides)
-          {
-            noteSideGap(point, chart, direction);
-          }
-        }
-      }
-    }
-    for (const auto& [point, place] : nearest)
-    {
-      grid.moveTo(point, place.at);
-    }
-    return !nearest.empty();
-  }
-
-private:
+  /// A place for a point, and how far away it is.
   struct Place
   {
+    Index point;
     double step;
     LatticePoint at;
   };
 
+  GapFinder(const MovingGrid& moving, double reachRatio, std::vector<Place>& found)
+      : grid(moving), reach(reachRatio), look(moving), out(found)
+  {
+  }
+
+  void find(Index leaf)
+  {
+    grid.surplus(leaf, look);
+    const auto pairs = sheetsSideBySide();
+    const auto besideSides = sheetsBesideSides(leaf);
+    gatherTriangles(leaf);
+    for (const Index point : grid.points().atCorner[leaf])
+    {
+      if (point != noIndex && !grid.places().isMoved(point) && !grid.isBesideTurnedSide(point))
+      {
+        noteGaps(point, pairs);
+        for (const auto& [chart, direction] : besideSides)
+        {
+          noteSideGap(point, chart, direction);
+        }
+      }
+    }
+  }
+
+private:
   /// The point of a chart nearest to a grid point, and the triangle it is on.
   struct Nearest
   {
@@ -71,30 +71,30 @@ private:
   /// Charts of the leaf that do not meet in it, or follow each other on one of its edges.
   std::vector<std::pair<Index, Index>> sheetsSideBySide() const
   {
-    std::vector<std::pair<Index, Index>> pairs = grid.topology().apart();
-    for (const CutEdge& edge : grid.cutEdges())
+    std::vector<std::pair<Index, Index>> pairs = look.topology().apart();
+    for (const CutEdge& edge : look.cutEdges())
     {
       for (std::size_t i = 1; i < edge.cuts.size(); ++i)
       {
         pairs.push_back(std::minmax(model().charts[edge.cuts[i - 1].triangle], model().charts[edge.cuts[i].triangle]));
       }
     }
-    std::sort(pairs.begin(), pairs.end());
-    pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+    sortUnique(pairs);
     return pairs;
   }
 
   /// Those in the leaves about the leaf's corners, by chart.
   void gatherTriangles(Index leaf)
   {
-    std::set<Index> leaves;
+    leaves.clear();
     for (const Index point : grid.points().atCorner[leaf])
     {
       if (point != noIndex)
       {
-        leaves.insert(grid.points().leaves[point].begin(), grid.points().leaves[point].end());
+        leaves.insert(leaves.end(), grid.points().leaves[point].begin(), grid.points().leaves[point].end());
       }
     }
+    sortUnique(leaves);
     triangles.clear();
     for (const Index near : leaves)
     {
@@ -106,8 +106,7 @@ private:
         }
       }
     }
-    std::sort(triangles.begin(), triangles.end());
-    triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
+    sortUnique(triangles);
   }
 
   std::optional<Nearest> nearestOn(Index chart, const Vec3& p) const
@@ -188,21 +187,26 @@ private:
   }
 
   /// Charts that cut edges out of the domain at the leaf's corners, and the directions of these edges.
-  std::set<std::pair<Index, int>> sheetsBesideSides(Index leaf) const
+  std::vector<std::pair<Index, int>> sheetsBesideSides(Index leaf) const
   {
-    std::set<std::pair<Index, int>> found;
+    std::vector<std::pair<Index, int>> sheets;
     for (const Index point : grid.points().atCorner[leaf])
     {
       for (int direction = 0; point != noIndex && direction < 6; ++direction)
       {
-        const auto edge = grid.cutEdge(point, direction);
-        if (edge && edge->leavesDomain && !edge->cuts.empty())
+        const GridPlaces::Edge edge = grid.places().edge(point, direction);
+        if (!edge.exists() || edge.other != noIndex)
         {
-          found.emplace(model().charts[edge->cuts.back().triangle], direction);
+          continue;
+        }
+        if (const auto cut = grid.cutEdge(point, direction); cut && !cut->cuts.empty())
+        {
+          sheets.emplace_back(model().charts[cut->cuts.back().triangle], direction);
         }
       }
     }
-    return found;
+    sortUnique(sheets);
+    return sheets;
   }
 
   /// Notes the place of a point between a sheet and the domain side beyond it.
@@ -348,12 +352,7 @@ private:
     {
       return;
     }
-    const Place place{std::abs(step), at};
-    const auto [found, isNew] = nearest.try_emplace(point, place);
-    if (!isNew && place.step < found->second.step)
-    {
-      found->second = place;
-    }
+    out.push_back({point, std::abs(step), at});
   }
 
   /// A way that leads `step` along the normal. It is as near to the normal as can be with no component above the size
@@ -379,14 +378,46 @@ private:
            });
   }
 
-  MovingGrid& grid;
+  const MovingGrid& grid;
   double reach;
+  MovingGrid::Look look;
+  std::vector<Place>& out;
+  /// About the leaf, and what is in them: charts and triangles.
+  std::vector<Index> leaves;
   std::vector<std::pair<Index, Index>> triangles;
-  std::map<Index, Place> nearest;
 };
 
 } // namespace
 
-bool enterGaps(MovingGrid& grid, double reach) { return GapPlanes(grid, reach).enter(); }
+bool enterGaps(MovingGrid& grid, double reach, const RunContext& context)
+{
+  constexpr std::size_t grain = 8;
+  const std::vector<Index>& leaves = grid.leavesInQuestion(context);
+  std::vector<std::vector<GapFinder::Place>> found((leaves.size() + grain - 1) / grain);
+  context.executor.forEach(found.size(), 1, [&](std::size_t part) {
+    GapFinder finder(grid, reach, found[part]);
+    for (std::size_t i = part * grain; i < std::min((part + 1) * grain, leaves.size()); ++i)
+    {
+      finder.find(leaves[i]);
+    }
+  });
+  // The nearest place of each point; of equal ones that which was found at the first leaf.
+  std::map<Index, GapFinder::Place> nearest;
+  for (const GapFinder::Place& place : std::views::join(found))
+  {
+    const auto [known, isNew] = nearest.try_emplace(place.point, place);
+    if (!isNew && place.step < known->second.step)
+    {
+      known->second = place;
+    }
+  }
+  MovingGrid::PointPlaces moves;
+  for (const auto& [point, place] : nearest)
+  {
+    moves.emplace_back(point, place.at);
+  }
+  grid.moveAll(moves, context);
+  return !nearest.empty();
+}
 
 } // namespace atria

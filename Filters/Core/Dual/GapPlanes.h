@@ -12,6 +12,6 @@ namespace atria {
 /// `reach` 1 points that are in none of these planes are moved too, if a gap is no farther than the whole sum. Points
 /// that were moved already stay, and none moves by more than the size of its smallest octant along any axis. Returns
 /// whether any was moved.
-bool enterGaps(MovingGrid& grid, double reach);
+bool enterGaps(MovingGrid& grid, double reach, const RunContext& context);
 
 } // namespace atria

@@ -21,9 +21,9 @@ CutEdge seenFrom(Index leaf, const EdgeSegment& edge, std::span<const SurfaceCro
   return seen;
 }
 
-std::vector<Index> leavesAbout(Index leaf, std::span<const CutEdge> edges)
+void listLeavesAbout(Index leaf, std::span<const CutEdge> edges, std::vector<Index>& leaves)
 {
-  std::vector<Index> leaves{leaf};
+  leaves.assign(1, leaf);
   for (const CutEdge& edge : edges)
   {
     for (const Index near : edge.beside)
@@ -34,7 +34,6 @@ std::vector<Index> leavesAbout(Index leaf, std::span<const CutEdge> edges)
       }
     }
   }
-  return leaves;
 }
 
 void LeafTopology::analyse(Index leaf, std::span<const CutEdge> edges)
@@ -45,33 +44,27 @@ void LeafTopology::analyse(Index leaf, std::span<const CutEdge> edges)
   {
     gatherCurves(leaf, edges);
   }
-  UnionFind sets(uses.size());
+  sets.reset(uses.size());
   links_.clear();
   for (std::size_t begin = 0, end = 0; begin < uses.size(); begin = end)
   {
     for (end = begin + 1; end < uses.size() && uses[end].to == uses[begin].to; ++end)
     {
     }
-    look(leaf, begin, end, sets);
+    look(leaf, begin, end);
   }
-  countSheets(sets);
+  countSheets();
 }
 
-void LeafTopology::countSheets(UnionFind& sets)
+void LeafTopology::countSheets()
 {
   // A face is at two mesh edges of the vertex, and joins what is there.
-  faces.clear();
+  firstOfFace.assign(chartsOfFaces.size(), noIndex);
   for (Index u = 0; u < uses.size(); ++u)
   {
-    faces.push_back({uses[u].edge, uses[u].chart, u});
-  }
-  std::ranges::sort(faces);
-  for (std::size_t i = 1; i < faces.size(); ++i)
-  {
-    if (faces[i].edge == faces[i - 1].edge && faces[i].chart == faces[i - 1].chart)
-    {
-      sets.join(faces[i].use, faces[i - 1].use);
-    }
+    Index& first = firstOfFace[uses[u].face];
+    first = first == noIndex ? u : first;
+    sets.join(first, u);
   }
   sheets_ = 0;
   parts.clear();
@@ -79,7 +72,10 @@ void LeafTopology::countSheets(UnionFind& sets)
   {
     const Index sheet = sets.find(u);
     sheets_ += sheet == u ? 1 : 0;
-    parts.emplace_back(uses[u].chart, sheet);
+    if (parts.empty() || parts.back() != std::pair(uses[u].chart, sheet))
+    {
+      parts.emplace_back(uses[u].chart, sheet);
+    }
   }
   sortUnique(parts);
   apart_.clear();
@@ -118,22 +114,28 @@ bool LeafTopology::isKnot() const
 void LeafTopology::gather(Index leaf, std::span<const CutEdge> edges)
 {
   uses.clear();
-  charts_.clear();
-  for (Index e = 0; e < edges.size(); ++e)
+  chartsOfFaces.clear();
+  for (const CutEdge& edge : edges)
   {
-    for (const SurfaceCrossing& cut : edges[e].cuts)
+    const auto first = static_cast<std::ptrdiff_t>(chartsOfFaces.size());
+    for (const SurfaceCrossing& cut : edge.cuts)
     {
       const Index chart = model.charts[cut.triangle];
-      charts_.push_back(chart);
-      for (const Index to : edges[e].beside)
+      auto face = std::find(chartsOfFaces.begin() + first, chartsOfFaces.end(), chart);
+      if (face == chartsOfFaces.end())
+      {
+        face = chartsOfFaces.insert(face, chart);
+      }
+      for (const Index to : edge.beside)
       {
         if (to != leaf)
         {
-          uses.push_back({to, chart, e});
+          uses.push_back({to, chart, static_cast<Index>(face - chartsOfFaces.begin())});
         }
       }
     }
   }
+  charts_ = chartsOfFaces;
   sortUnique(charts_);
   std::sort(uses.begin(), uses.end());
 }
@@ -142,7 +144,8 @@ void LeafTopology::gather(Index leaf, std::span<const CutEdge> edges)
 void LeafTopology::gatherCurves(Index leaf, std::span<const CutEdge> edges)
 {
   meeting.clear();
-  for (const Index near : leavesAbout(leaf, edges))
+  listLeavesAbout(leaf, edges, nearLeaves);
+  for (const Index near : nearLeaves)
   {
     const std::span<const LeafCurves::Entry> all = leafCurves.of(near);
     for (const Index chart : charts_)
@@ -165,9 +168,9 @@ void LeafTopology::gatherCurves(Index leaf, std::span<const CutEdge> edges)
 }
 
 /// Looks at the mesh edge whose uses are [begin, end), which are sorted by charts.
-void LeafTopology::look(Index leaf, std::size_t begin, std::size_t end, UnionFind& sets)
+void LeafTopology::look(Index leaf, std::size_t begin, std::size_t end)
 {
-  std::vector<Index> ending;
+  ending.clear();
   firstOfChart.clear();
   for (std::size_t u = begin; u < end; ++u)
   {
@@ -185,16 +188,16 @@ void LeafTopology::look(Index leaf, std::size_t begin, std::size_t end, UnionFin
     }
     sets.join(firstOfChart.back(), static_cast<Index>(u));
   }
-  const bool pass = joinMeeting(ending, sets);
+  const bool pass = joinMeeting();
   if ((!ending.empty() || pass) && !onOneSide(leaf, uses[begin].to))
   {
-    links_.push_back({uses[begin].to, std::move(ending)});
+    links_.push_back({uses[begin].to, ending});
   }
 }
 
-/// Joins the charts of `firstOfChart` that meet in a curve of the model, at a mesh edge where `ending` end. Returns
+/// Joins the charts of `firstOfChart` that meet in a curve of the model, at the mesh edge where `ending` end. Returns
 /// whether there are any.
-bool LeafTopology::joinMeeting(const std::vector<Index>& ending, UnionFind& sets) const
+bool LeafTopology::joinMeeting()
 {
   bool any = false;
   for (const Index c : nearCurves)

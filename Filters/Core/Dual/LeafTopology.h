@@ -18,8 +18,8 @@ struct CutEdge
 /// The edge as `leaf` sees it, which is one of the leaves about it.
 CutEdge seenFrom(Index leaf, const EdgeSegment& edge, std::span<const SurfaceCrossing> cuts);
 
-/// A leaf and those beside its cut edges, in that order, without repetition.
-std::vector<Index> leavesAbout(Index leaf, std::span<const CutEdge> edges);
+/// Lists a leaf and those beside its cut edges, in that order, without repetition.
+void listLeavesAbout(Index leaf, std::span<const CutEdge> edges, std::vector<Index>& leaves);
 
 /// What the cut edges of a leaf say about the mesh round the leaf's vertex. Each cut edge is a mesh face on a chart,
 /// each face of the leaf a mesh edge at the vertex. A chart ends along a mesh edge where an odd number of its faces
@@ -66,36 +66,35 @@ private:
   {
     Index to;
     Index chart;
-    Index edge;
+    /// Faces of one edge and chart count as one.
+    Index face;
     auto operator<=>(const Use&) const = default;
-  };
-  struct Face
-  {
-    Index edge;
-    Index chart;
-    Index use;
-    auto operator<=>(const Face&) const = default;
   };
   void gather(Index leaf, std::span<const CutEdge> edges);
   void gatherCurves(Index leaf, std::span<const CutEdge> edges);
-  void countSheets(UnionFind& sets);
-  void look(Index leaf, std::size_t begin, std::size_t end, UnionFind& sets);
-  bool joinMeeting(const std::vector<Index>& ending, UnionFind& sets) const;
+  void countSheets();
+  void look(Index leaf, std::size_t begin, std::size_t end);
+  bool joinMeeting();
   bool onOneSide(Index a, Index b) const;
 
   const Octree& octree;
   const SurfaceModel& model;
   const LeafCurves& leafCurves;
   std::vector<Use> uses;
-  std::vector<Face> faces;
-  /// At the mesh edge looked at, the first use of each chart.
+  UnionFind sets;
+  /// Per face, the first use of it.
+  std::vector<Index> firstOfFace;
+  std::vector<Index> chartsOfFaces;
+  /// At the mesh edge looked at, the first use of each chart, and the charts that end there.
   std::vector<Index> firstOfChart;
+  std::vector<Index> ending;
   /// Charts and the sheets they are on.
   std::vector<std::pair<Index, Index>> parts;
   std::vector<Index> charts_;
   /// Curves and charts that meet there, and the curves among them in which two charts of the vertex do.
   std::vector<std::pair<Index, Index>> meeting;
   std::vector<Index> nearCurves;
+  std::vector<Index> nearLeaves;
   std::vector<Link> links_;
   int sheets_ = 0;
   std::vector<std::pair<Index, Index>> apart_;

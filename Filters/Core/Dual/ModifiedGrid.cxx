@@ -18,7 +18,7 @@ void movePoints(GridPlaces& places, const SurfaceModel& model, TriangleTreeOnDem
   constexpr int gapRounds = 4;
   for (const double reach : {0.5, 1.0})
   {
-    for (int round = 0; round < gapRounds && enterGaps(grid, reach); ++round)
+    for (int round = 0; round < gapRounds && enterGaps(grid, reach, context); ++round)
     {
       context.progress.check();
     }
@@ -37,8 +37,8 @@ Crossings modifyGrid(GridPlaces& grid, const SurfaceModel& model, TriangleTreeOn
     return home;
   }
   constexpr int mostRounds = 20;
-  const std::vector<Index> apart = wideZones(grid.points(), home);
-  Crossings crossings = updateCrossings(grid, model, std::move(home), grid.movedPoints());
+  const std::vector<Index> apart = wideZones(grid.points(), home, context);
+  Crossings crossings = updateCrossings(grid, model, std::move(home), grid.movedPoints(), context);
   for (int round = 0; round < mostRounds; ++round)
   {
     context.progress.check();
@@ -48,11 +48,11 @@ Crossings modifyGrid(GridPlaces& grid, const SurfaceModel& model, TriangleTreeOn
       return crossings;
     }
     std::for_each(joining.begin(), joining.end(), [&](Index point) { grid.moveHome(point); });
-    crossings = updateCrossings(grid, model, std::move(crossings), joining);
+    crossings = updateCrossings(grid, model, std::move(crossings), joining, context);
   }
   const std::vector<Index> moved = grid.movedPoints();
   grid.moveAllHome();
-  return updateCrossings(grid, model, std::move(crossings), moved);
+  return updateCrossings(grid, model, std::move(crossings), moved, context);
 }
 
 } // namespace atria

@@ -15,7 +15,8 @@ namespace atria {
 /// Planes of points enter the gaps (GapPlanes.h); what is left is searched point by point (PlaceSearch.h). No move
 /// opens a way between zones that the octree's own grid keeps apart: points through which they would meet go home again
 /// (ZonesApart.h). Returns the crossings of the moved grid; `home` are those of the octree's own. The cost is that of
-/// the places in question, and going through the cut edges a few times; the moves are serial, in the order of points.
+/// the places in question, and going through the cut edges a few times. Places are looked for on all threads; the moves
+/// are made in the order of points.
 Crossings modifyGrid(GridPlaces& grid, const SurfaceModel& model, TriangleTreeOnDemand& tree, Crossings home,
                      const RunContext& context);
 

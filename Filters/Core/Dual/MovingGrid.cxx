@@ -2,6 +2,7 @@
 #include "Dual/MovingGrid.h"
 
 #include "Dual/FeatureCorners.h"
+#include "Support/Sorting.h"
 
 #include <algorithm>
 
@@ -11,15 +12,14 @@ namespace {
 
 std::uint64_t keyOf(Index point, int direction) { return std::uint64_t{point} << 3 | direction; }
 
-/// f(leaf) for each of the leaves about an edge, once.
-template <typename F> void eachLeaf(const EdgeSegment& edge, F&& f)
+/// f(leaf) for each of the leaves about an edge or a point, once.
+template <std::size_t n, typename F> void eachLeaf(const std::array<Index, n>& leaves, F&& f)
 {
-  for (std::size_t i = 0; i < edge.about.size(); ++i)
+  for (auto leaf = leaves.begin(); leaf != leaves.end(); ++leaf)
   {
-    const auto here = edge.about.begin() + static_cast<std::ptrdiff_t>(i);
-    if (std::find(edge.about.begin(), here, *here) == here)
+    if (std::find(leaves.begin(), leaf, *leaf) == leaf)
     {
-      f(*here);
+      f(*leaf);
     }
   }
 }
@@ -34,7 +34,8 @@ MovingGrid::Look::Look(const MovingGrid& grid)
 MovingGrid::MovingGrid(GridPlaces& places, const SurfaceModel& model, TriangleTreeOnDemand& trianglesOfModel,
                        const Crossings& crossings, const RunContext& context)
     : grid(places), tree(places.octree()), surfaces(model), triangles(trianglesOfModel), home(crossings),
-      atCorners(curvesAtCorners(model)), leafCurves(tree, model, context), movedOf(crossings.crossedEdges.size(), noIndex), view(*this)
+      atCorners(curvesAtCorners(model)), leafCurves(tree, model, context),
+      movedOf(crossings.crossedEdges.size(), noIndex), view(*this)
 {
   listEdges();
   findQuestions(context);
@@ -45,7 +46,7 @@ void MovingGrid::listEdges()
   begin.assign(tree.leafCount() + 1, 0);
   for (const CrossedEdge& edge : home.crossedEdges)
   {
-    eachLeaf(edge.segment, [&](Index leaf) { ++begin[leaf + 1]; });
+    eachLeaf(edge.segment.about, [&](Index leaf) { ++begin[leaf + 1]; });
   }
   for (std::size_t leaf = 0; leaf + 1 < begin.size(); ++leaf)
   {
@@ -55,29 +56,28 @@ void MovingGrid::listEdges()
   std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
   for (Index id = 0; id < home.crossedEdges.size(); ++id)
   {
-    eachLeaf(home.crossedEdges[id].segment, [&](Index leaf) { edgesOfLeaf[next[leaf]++] = id; });
+    eachLeaf(home.crossedEdges[id].segment.about, [&](Index leaf) { edgesOfLeaf[next[leaf]++] = id; });
   }
 }
 
 void MovingGrid::findQuestions(const RunContext& context)
 {
-  constexpr std::size_t grain = 2048;
-  const std::size_t count = tree.leafCount();
-  std::vector<std::vector<Index>> parts((count + grain - 1) / grain);
-  context.executor.forEach(parts.size(), 1, [&](std::size_t part) {
+  constexpr std::size_t grain = 512;
+  findings.resize(tree.leafCount());
+  context.executor.forRanges(findings.size(), grain, [&](std::size_t first, std::size_t last) {
     context.progress.check();
     Look of(*this);
-    for (std::size_t leaf = part * grain; leaf < std::min((part + 1) * grain, count); ++leaf)
+    for (std::size_t leaf = first; leaf < last; ++leaf)
     {
-      if (isInQuestion(static_cast<Index>(leaf), of))
-      {
-        parts[part].push_back(static_cast<Index>(leaf));
-      }
+      findings[leaf] = find(static_cast<Index>(leaf), of);
     }
   });
-  for (const std::vector<Index>& part : parts)
+  for (Index leaf = 0; leaf < findings.size(); ++leaf)
   {
-    inQuestion.insert(part.begin(), part.end());
+    if (findings[leaf].inQuestion)
+    {
+      inQuestion.push_back(leaf);
+    }
   }
 }
 
@@ -124,16 +124,24 @@ Index MovingGrid::idOf(Index point, int direction) const
   return added == addedIds.end() ? noIndex : added->second;
 }
 
-/// The edge as it is stored: from its lower point if it has two.
-std::pair<Index, int> MovingGrid::stored(Index point, int direction, const GridPlaces::Edge& edge) const
+std::optional<MovingGrid::Stored> MovingGrid::stored(Index point, int direction) const
 {
-  return edge.other != noIndex && !isUpper(direction) ? std::pair(edge.other, opposite(direction))
-                                                      : std::pair(point, direction);
+  const GridPlaces::Edge edge = grid.edge(point, direction);
+  if (!edge.exists())
+  {
+    return std::nullopt;
+  }
+  if (edge.other == noIndex || isUpper(direction))
+  {
+    return Stored{point, direction, edge};
+  }
+  return Stored{edge.other, opposite(direction), grid.edge(edge.other, opposite(direction))};
 }
 
 bool MovingGrid::startsAt(Index point, int direction) const
 {
-  return stored(point, direction, grid.edge(point, direction)).first == point;
+  const GridPlaces::Edge edge = grid.edge(point, direction);
+  return edge.other == noIndex || isUpper(direction);
 }
 
 std::optional<MovingGrid::Edge> MovingGrid::cutEdge(Index point, int direction) const
@@ -143,31 +151,50 @@ std::optional<MovingGrid::Edge> MovingGrid::cutEdge(Index point, int direction) 
   {
     return std::nullopt;
   }
-  const auto [start, along] = stored(point, direction, edge);
-  const Index id = idOf(start, along);
+  const bool starts = edge.other == noIndex || isUpper(direction);
+  const Index id = starts ? idOf(point, direction) : idOf(edge.other, opposite(direction));
   return id == noIndex ? std::nullopt : std::optional<Edge>(at(id));
 }
 
 /// The entry of an edge whose cuts are about to change.
-MovingGrid::Live& MovingGrid::live(Index point, int direction, const EdgeSegment& segment, bool leavesDomain)
+MovingGrid::Live& MovingGrid::live(const Stored& edge, const EdgeSegment& segment)
 {
-  Index id = idOf(point, direction);
+  Index id = idOf(edge.start, edge.along);
   if (id == noIndex)
   {
     id = static_cast<Index>(movedOf.size());
-    addedIds.emplace(keyOf(point, direction), id);
+    addedIds.emplace(keyOf(edge.start, edge.along), id);
     movedOf.push_back(noIndex);
-    eachLeaf(segment, [&](Index leaf) { addedOfLeaf[leaf].push_back(id); });
+    eachLeaf(segment.about, [&](Index leaf) { addedOfLeaf[leaf].push_back(id); });
   }
   if (movedOf[id] == noIndex)
   {
     movedOf[id] = static_cast<Index>(moved.size());
-    moved.push_back({segment, leavesDomain, {}});
+    moved.push_back({segment, edge.edge.other == noIndex, {}});
   }
   return moved[movedOf[id]];
 }
 
-void MovingGrid::moveTo(Index point, const LatticePoint& place)
+void MovingGrid::setCuts(const Stored& edge, const EdgeSegment& segment, std::span<const SurfaceCrossing> cuts)
+{
+  if (cuts.empty() && idOf(edge.start, edge.along) == noIndex)
+  {
+    return;
+  }
+  Live& entry = live(edge, segment);
+  entry.segment = segment;
+  entry.cuts.assign(cuts.begin(), cuts.end());
+  for (const Index leaf : segment.about)
+  {
+    if (!findings[leaf].isStale)
+    {
+      findings[leaf].isStale = 1;
+      stale.push_back(leaf);
+    }
+  }
+}
+
+void MovingGrid::putAt(Index point, const LatticePoint& place)
 {
   if (place == grid.home(point))
   {
@@ -177,25 +204,107 @@ void MovingGrid::moveTo(Index point, const LatticePoint& place)
   {
     grid.move(point, place);
   }
+}
+
+void MovingGrid::moveTo(Index point, const LatticePoint& place)
+{
+  putAt(point, place);
   for (int direction = 0; direction < 6; ++direction)
   {
-    const GridPlaces::Edge edge = grid.edge(point, direction);
-    if (!edge.exists())
+    if (const auto edge = stored(point, direction))
+    {
+      const EdgeSegment segment = grid.segment(edge->start, edge->along, edge->edge);
+      setCuts(*edge, segment, atria::cutEdge(grid, view.probe, edge->start, edge->edge, segment));
+    }
+  }
+}
+
+/// An edge between two points that move is told its cuts by the later one. Edges are numbered as they are first cut,
+/// though, which may be while only the first has moved: that is looked at before any moves.
+void MovingGrid::moveAll(const PointPlaces& places, const RunContext& context)
+{
+  constexpr std::size_t grain = 16;
+  std::vector<std::uint8_t> halfway(places.size());
+  context.executor.forRanges(places.size(), grain, [&](std::size_t first, std::size_t last) {
+    Look look(*this);
+    for (std::size_t i = first; i < last; ++i)
+    {
+      halfway[i] = cutHalfway(places[i], places, look);
+    }
+  });
+  for (const auto& [point, place] : places)
+  {
+    putAt(point, place);
+  }
+  std::vector<NewCuts> parts((places.size() + grain - 1) / grain);
+  context.executor.forEach(parts.size(), 1, [&](std::size_t part) {
+    Look look(*this);
+    for (std::size_t i = part * grain; i < std::min((part + 1) * grain, places.size()); ++i)
+    {
+      cutAnew(places[i].first, halfway[i], places, look, parts[part]);
+    }
+  });
+  for (const NewCuts& part : parts)
+  {
+    for (const NewCuts::Of& found : part.edges)
+    {
+      if (found.isHalfway)
+      {
+        live(found.edge, found.segment);
+      }
+      else
+      {
+        setCuts(found.edge, found.segment, std::span(part.cuts).subspan(found.begin, found.end - found.begin));
+      }
+    }
+  }
+}
+
+/// Whether the edge leads from a point to one that moves later.
+bool MovingGrid::movesLater(const Stored& edge, Index point, const PointPlaces& places)
+{
+  const Index other = edge.start == point ? edge.edge.other : edge.start;
+  const auto found = std::ranges::lower_bound(places, other, {}, &PointPlaces::value_type::first);
+  return other != noIndex && other > point && found != places.end() && found->first == other;
+}
+
+/// The directions in which there are edges to points that move later, which never were cut and are while those stay.
+std::uint8_t MovingGrid::cutHalfway(const PointPlaces::value_type& move, const PointPlaces& places, Look& look) const
+{
+  const GridTrial trial{move.first, move.second};
+  unsigned directions = 0;
+  for (int direction = 0; direction < 6; ++direction)
+  {
+    const auto edge = stored(move.first, direction);
+    if (edge && movesLater(*edge, move.first, places) && idOf(edge->start, edge->along) == noIndex)
+    {
+      const EdgeSegment segment = grid.segment(edge->start, edge->along, edge->edge, trial);
+      const bool isCut = !atria::cutEdge(grid, look.probe, edge->start, edge->edge, segment, trial).empty();
+      directions |= isCut ? 1u << direction : 0u;
+    }
+  }
+  return static_cast<std::uint8_t>(directions);
+}
+
+/// Cuts the edges of a point, but for those to points that move later.
+void MovingGrid::cutAnew(Index point, std::uint8_t halfway, const PointPlaces& places, Look& look, NewCuts& out) const
+{
+  for (int direction = 0; direction < 6; ++direction)
+  {
+    const auto edge = stored(point, direction);
+    const bool isHalfway = (halfway >> direction & 1) != 0;
+    if (!edge || (!isHalfway && movesLater(*edge, point, places)))
     {
       continue;
     }
-    const auto [start, along] = stored(point, direction, edge);
-    const GridPlaces::Edge same = start == point ? edge : grid.edge(start, along);
-    const EdgeSegment segment = grid.segment(start, along, same);
-    const auto cuts = atria::cutEdge(grid, view.probe, start, same, segment);
-    if (cuts.empty() && idOf(start, along) == noIndex)
+    const EdgeSegment segment = grid.segment(edge->start, edge->along, edge->edge);
+    const std::size_t before = out.cuts.size();
+    if (!isHalfway)
     {
-      continue;
+      const auto cuts = atria::cutEdge(grid, look.probe, edge->start, edge->edge, segment);
+      out.cuts.insert(out.cuts.end(), cuts.begin(), cuts.end());
     }
-    Live& entry = live(start, along, segment, same.other == noIndex);
-    entry.segment = segment;
-    entry.cuts.assign(cuts.begin(), cuts.end());
-    stale.insert(segment.about.begin(), segment.about.end());
+    out.edges.push_back({*edge, segment, before, out.cuts.size(), isHalfway});
   }
 }
 
@@ -222,7 +331,7 @@ void MovingGrid::look(Index leaf, Look& into) const
       add(one.edge.segment, one.edge.cuts);
     }
   }
-  into.about = atria::leavesAbout(leaf, into.edges);
+  listLeavesAbout(leaf, into.edges, into.about);
   into.topology_.analyse(leaf, into.edges);
 }
 
@@ -230,15 +339,6 @@ int MovingGrid::surplus(Index leaf, Look& into) const
 {
   look(leaf, into);
   return std::max(into.topology_.sheets() - 1, 0) + (isTangle(leaf, into) ? 1 : 0);
-}
-
-void MovingGrid::addLeaves(Index point, Look& look, double limit, Surplus& sum) const
-{
-  const auto& leaves = grid.points().leaves[point];
-  for (auto leaf = leaves.begin(); leaf != leaves.end() && sum.cost() <= limit; ++leaf)
-  {
-    sum.leaves += std::find(leaves.begin(), leaf, *leaf) == leaf ? surplus(*leaf, look) : 0;
-  }
 }
 
 MovingGrid::Surplus MovingGrid::surplusAbout(Index point, Look& look) const
@@ -249,7 +349,9 @@ MovingGrid::Surplus MovingGrid::surplusAbout(Index point, Look& look) const
     const auto edge = cutEdge(point, direction);
     sum.cuts += edge ? edge->surplus() : 0;
   }
-  addLeaves(point, look, std::numeric_limits<double>::infinity(), sum);
+  eachLeaf(grid.points().leaves[point], [&](Index leaf) {
+    sum.leaves += findings[leaf].isStale ? surplus(leaf, look) : static_cast<int>(findings[leaf].surplus);
+  });
   return sum;
 }
 
@@ -261,7 +363,8 @@ MovingGrid::Surplus MovingGrid::surplusAbout(Index point, const LatticePoint& pl
   {
     sum.cuts += Edge{one.edge.segment, one.edge.leavesDomain, one.edge.cuts}.surplus();
   }
-  addLeaves(point, look, limit, sum);
+  eachLeaf(grid.points().leaves[point],
+           [&](Index leaf) { sum.leaves += sum.cost() <= limit ? surplus(leaf, look) : 0; });
   look.tried.clear();
   return sum;
 }
@@ -273,14 +376,12 @@ void MovingGrid::tryEdges(Index point, const LatticePoint& place, Look& look) co
   look.tried.clear();
   for (int direction = 0; direction < 6; ++direction)
   {
-    const GridPlaces::Edge edge = grid.edge(point, direction);
-    if (edge.exists())
+    if (const auto edge = stored(point, direction))
     {
-      const auto [start, along] = stored(point, direction, edge);
-      const GridPlaces::Edge same = start == point ? edge : grid.edge(start, along);
-      const EdgeSegment segment = grid.segment(start, along, same, trial);
-      const auto cuts = atria::cutEdge(grid, look.probe, start, same, segment, trial);
-      look.tried.push_back({idOf(start, along), {segment, same.other == noIndex, {cuts.begin(), cuts.end()}}});
+      const EdgeSegment segment = grid.segment(edge->start, edge->along, edge->edge, trial);
+      const auto cuts = atria::cutEdge(grid, look.probe, edge->start, edge->edge, segment, trial);
+      look.tried.push_back(
+          {idOf(edge->start, edge->along), {segment, edge->edge.other == noIndex, {cuts.begin(), cuts.end()}}});
     }
   }
 }
@@ -300,7 +401,7 @@ bool MovingGrid::isTangle(Index leaf, const Look& of) const
   });
 }
 
-bool MovingGrid::isInQuestion(Index leaf, Look& into) const
+MovingGrid::Finding MovingGrid::find(Index leaf, Look& into) const
 {
   bool isCut = false;
   bool isCutTwice = false;
@@ -309,24 +410,59 @@ bool MovingGrid::isInQuestion(Index leaf, Look& into) const
     isCut = isCut || !edge.cuts.empty();
     isCutTwice = isCutTwice || edge.surplus() > 0;
   });
-  return isCutTwice || (isCut && surplus(leaf, into) > 0);
+  Finding found;
+  found.surplus = isCut ? static_cast<std::uint32_t>(surplus(leaf, into)) & 0x3fffffffu : 0;
+  found.inQuestion = isCutTwice || found.surplus > 0 ? 1 : 0;
+  return found;
 }
 
-std::vector<Index> MovingGrid::leavesInQuestion()
+bool MovingGrid::isInQuestion(Index leaf)
 {
-  for (const Index leaf : stale)
+  if (findings[leaf].isStale)
   {
-    if (isInQuestion(leaf, view))
+    findings[leaf] = find(leaf, view);
+    looked.push_back(leaf);
+  }
+  return findings[leaf].inQuestion != 0;
+}
+
+void MovingGrid::lookAgain(Index point)
+{
+  eachLeaf(grid.points().leaves[point], [&](Index leaf) { isInQuestion(leaf); });
+}
+
+void MovingGrid::lookAgain(const RunContext& context)
+{
+  constexpr std::size_t grain = 4;
+  sortUnique(stale);
+  context.executor.forRanges(stale.size(), grain, [&](std::size_t first, std::size_t last) {
+    Look of(*this);
+    for (std::size_t i = first; i < last; ++i)
     {
-      inQuestion.insert(leaf);
+      if (findings[stale[i]].isStale)
+      {
+        findings[stale[i]] = find(stale[i], of);
+      }
     }
-    else
-    {
-      inQuestion.erase(leaf);
-    }
+  });
+  looked.insert(looked.end(), stale.begin(), stale.end());
+  if (looked.size() > findings.size())
+  {
+    sortUnique(looked);
   }
   stale.clear();
-  return {inQuestion.begin(), inQuestion.end()};
+}
+
+const std::vector<Index>& MovingGrid::leavesInQuestion(const RunContext& context)
+{
+  lookAgain(context);
+  const auto isCalm = [&](Index leaf) { return !findings[leaf].inQuestion; };
+  std::erase_if(inQuestion, isCalm);
+  std::erase_if(looked, isCalm);
+  sortUnique(looked);
+  mergeUnique(inQuestion, looked);
+  looked.clear();
+  return inQuestion;
 }
 
 void MovingGrid::addCorners(Index leaf, std::set<Index>& points) const

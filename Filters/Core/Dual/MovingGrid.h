@@ -9,7 +9,6 @@
 #include <optional>
 #include <set>
 #include <unordered_map>
-#include <unordered_set>
 
 namespace atria {
 
@@ -21,6 +20,8 @@ inline constexpr double thinnestGap = 0.02;
 class MovingGrid
 {
 public:
+  using PointPlaces = std::vector<std::pair<Index, LatticePoint>>;
+
   /// A cut edge.
   struct Edge
   {
@@ -88,6 +89,8 @@ public:
   const SurfaceModel& model() const { return surfaces; }
 
   void moveTo(Index point, const LatticePoint& place);
+  /// The same for many points, which are in rising order, each once.
+  void moveAll(const PointPlaces& places, const RunContext& context);
 
   /// The edge that leaves a point in a direction, if it exists and was cut at some time.
   std::optional<Edge> cutEdge(Index point, int direction) const;
@@ -97,11 +100,8 @@ public:
   /// Looks at a leaf. Returns the sheets in it that do not meet, and the curves that do not, beyond the one it can
   /// hold.
   int surplus(Index leaf, Look& into) const;
-  /// The same without a look of one's own; cutEdges, topology and leavesAbout are then of this leaf.
+  /// The same without a look of one's own.
   int surplus(Index leaf) { return surplus(leaf, view); }
-  std::span<const CutEdge> cutEdges() const { return view.cutEdges(); }
-  const LeafTopology& topology() const { return view.topology(); }
-  const std::vector<Index>& leavesAbout() const { return view.leavesAbout(); }
 
   /// What there is about a point, and what there would be with it at another place.
   Surplus surplusAbout(Index point, Look& look) const;
@@ -109,10 +109,14 @@ public:
   Surplus surplusAbout(Index point, const LatticePoint& place, Look& look,
                        double limit = std::numeric_limits<double>::infinity()) const;
 
-  /// Whether a leaf has surplus cuts, sheets or curves. It is looked at.
-  bool isInQuestion(Index leaf) { return isInQuestion(leaf, view); }
+  /// Whether a leaf has surplus cuts, sheets or curves.
+  bool isInQuestion(Index leaf);
   /// Leaves with surplus cuts, sheets or curves; sorted.
-  std::vector<Index> leavesInQuestion();
+  const std::vector<Index>& leavesInQuestion(const RunContext& context);
+  /// Looks at leaves where cuts changed. What is about points is then told without looking at them once for each point.
+  void lookAgain(const RunContext& context);
+  /// The same of the leaves about one point.
+  void lookAgain(Index point);
   void addCorners(Index leaf, std::set<Index>& points) const;
 
   std::int64_t shortestEdge(Index point) const;
@@ -120,17 +124,54 @@ public:
   bool isBesideTurnedSide(Index point) const;
 
 private:
+  /// What was found at a leaf when it was looked at last.
+  struct Finding
+  {
+    std::uint32_t surplus : 30 = 0;
+    std::uint32_t inQuestion : 1 = 0;
+    /// Cuts of its edges changed since.
+    std::uint32_t isStale : 1 = 0;
+  };
+
+  /// An edge as it is stored: from its lower point if it has two.
+  struct Stored
+  {
+    Index start;
+    int along;
+    GridPlaces::Edge edge;
+  };
+
+  /// Cuts of edges of moved points, in the order of the points.
+  struct NewCuts
+  {
+    struct Of
+    {
+      Stored edge;
+      EdgeSegment segment;
+      std::size_t begin;
+      std::size_t end;
+      /// It leads to a point that moves later, and was first cut before that. No cuts are kept.
+      bool isHalfway;
+    };
+    std::vector<Of> edges;
+    std::vector<SurfaceCrossing> cuts;
+  };
+
   void listEdges();
   void findQuestions(const RunContext& context);
   template <typename F> void eachEdge(Index leaf, F&& f) const;
   Edge at(Index id) const;
   Index idOf(Index point, int direction) const;
-  Live& live(Index point, int direction, const EdgeSegment& segment, bool leavesDomain);
-  std::pair<Index, int> stored(Index point, int direction, const GridPlaces::Edge& edge) const;
+  Live& live(const Stored& edge, const EdgeSegment& segment);
+  void setCuts(const Stored& edge, const EdgeSegment& segment, std::span<const SurfaceCrossing> cuts);
+  static bool movesLater(const Stored& edge, Index point, const PointPlaces& places);
+  std::uint8_t cutHalfway(const PointPlaces::value_type& move, const PointPlaces& places, Look& look) const;
+  void cutAnew(Index point, std::uint8_t halfway, const PointPlaces& places, Look& look, NewCuts& out) const;
+  void putAt(Index point, const LatticePoint& place);
+  std::optional<Stored> stored(Index point, int direction) const;
   void tryEdges(Index point, const LatticePoint& place, Look& look) const;
-  void addLeaves(Index point, Look& look, double limit, Surplus& sum) const;
   void look(Index leaf, Look& into) const;
-  bool isInQuestion(Index leaf, Look& into) const;
+  Finding find(Index leaf, Look& into) const;
   bool isTangle(Index leaf, const Look& of) const;
 
   GridPlaces& grid;
@@ -149,8 +190,11 @@ private:
   /// Per edge its place in `moved`, or noIndex where it is as in `home`.
   std::vector<Index> movedOf;
   std::vector<Live> moved;
-  std::set<Index> inQuestion;
-  std::unordered_set<Index> stale;
+  std::vector<Finding> findings;
+  /// Stale leaves, and those that were since inQuestion was set up; leaves may be there twice.
+  std::vector<Index> stale;
+  std::vector<Index> looked;
+  std::vector<Index> inQuestion;
   Look view;
 };
 

@@ -16,7 +16,8 @@ constexpr double moveCost = 0.05;
 
 std::vector<PlaceMove> PlaceMoves::best(const std::vector<Index>& points, bool across) const
 {
-  constexpr std::size_t grain = 16;
+  constexpr std::size_t grain = 2;
+  grid.lookAgain(context);
   std::vector<PlaceMove> found(points.size());
   context.executor.forRanges(points.size(), grain, [&](std::size_t begin, std::size_t end) {
     MovingGrid::Look look(grid);
@@ -58,13 +59,6 @@ double PlaceMoves::distanceFromHome(Index point, const LatticePoint& place) cons
   return (toVector(place) - toVector(grid.places().home(point))).norm();
 }
 
-double PlaceMoves::surplusAt(Index point) { return grid.surplusAbout(point, own).cost(); }
-
-double PlaceMoves::surplusAt(Index point, const LatticePoint& place)
-{
-  return grid.surplusAbout(point, place, own).cost();
-}
-
 double PlaceMoves::costAt(Index point, MovingGrid::Look& look) const
 {
   return grid.surplusAbout(point, look).cost() + costOfWay(point, grid.places().place(point));
@@ -77,8 +71,10 @@ double PlaceMoves::costOfWay(Index point, const LatticePoint& place) const
 
 double PlaceMoves::make(Index point, const LatticePoint& place)
 {
+  grid.lookAgain(point);
   const double before = costAt(point, own);
   grid.moveTo(point, place);
+  grid.lookAgain(point);
   return costAt(point, own) - before;
 }
 

@@ -22,13 +22,10 @@ class PlaceMoves
 {
 public:
   /// Points and their places.
-  using Places = std::vector<std::pair<Index, LatticePoint>>;
+  using Places = MovingGrid::PointPlaces;
 
   PlaceMoves(MovingGrid& moving, const RunContext& run) : grid(moving), context(run), own(moving) {}
 
-  double surplusAt(Index point);
-  /// As it would be with the point there.
-  double surplusAt(Index point, const LatticePoint& place);
   double distanceFromHome(Index point, const LatticePoint& place) const;
   /// The best place for each of these points, found by trying; they stay where they are. A gain of 0 where there is
   /// none. For `across` see candidatePlaces.

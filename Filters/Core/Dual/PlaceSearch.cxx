@@ -3,6 +3,7 @@
 
 #include "Dual/CandidatePlaces.h"
 #include "Dual/MoveChains.h"
+#include "Support/Sorting.h"
 
 #include <Eigen/Geometry>
 
@@ -10,6 +11,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <unordered_set>
 
 namespace atria {
 
@@ -19,6 +21,40 @@ constexpr int mostSweeps = 100;
 /// An octant with more surplus holds more than a moved corner can part; it is left as it is.
 constexpr int mostSurplus = 8;
 constexpr int mostChainRounds = 4;
+
+/// The points in rounds. Of two with a leaf in common the first in order is in the earlier round, and those of a round
+/// have none. As a move changes nothing beyond the leaves about the point, all points of a round may be asked at once:
+/// they are told what they would be one after the other.
+std::vector<std::vector<Index>> roundsOf(const std::vector<std::pair<double, Index>>& order, const GridPoints& points)
+{
+  std::vector<Index> leaves;
+  for (const auto& [rank, point] : order)
+  {
+    leaves.insert(leaves.end(), points.leaves[point].begin(), points.leaves[point].end());
+  }
+  sortUnique(leaves);
+  std::vector<std::size_t> roundsThere(leaves.size(), 0);
+  std::vector<std::vector<Index>> rounds;
+  for (const auto& [rank, point] : order)
+  {
+    std::array<std::size_t, 8> places;
+    std::ranges::transform(points.leaves[point], places.begin(), [&](Index leaf) {
+      return static_cast<std::size_t>(std::ranges::lower_bound(leaves, leaf) - leaves.begin());
+    });
+    std::size_t round = 0;
+    for (const std::size_t place : places)
+    {
+      round = std::max(round, roundsThere[place]);
+    }
+    for (const std::size_t place : places)
+    {
+      roundsThere[place] = round + 1;
+    }
+    rounds.resize(std::max(rounds.size(), round + 1));
+    rounds[round].push_back(point);
+  }
+  return rounds;
+}
 
 class PlaceSearch
 {
@@ -35,7 +71,7 @@ public:
       context.progress.check();
     }
     std::set<Index> dirty;
-    for (const Index leaf : grid.leavesInQuestion())
+    for (const Index leaf : grid.leavesInQuestion(context))
     {
       if (grid.surplus(leaf) > mostSurplus)
       {
@@ -49,7 +85,7 @@ public:
     std::erase_if(dirty, [&](Index point) { return moves.stays(point); });
     sweep(std::move(dirty));
     sweep(turnAboutCurves());
-    const std::vector<Index> all = grid.leavesInQuestion();
+    const std::vector<Index> all = grid.leavesInQuestion(context);
     std::set<Index> inQuestion(all.begin(), all.end());
     for (int round = 0; round < mostChainRounds && !inQuestion.empty(); ++round)
     {
@@ -89,7 +125,7 @@ private:
   std::set<Index> turnAboutCurves()
   {
     std::map<Index, std::set<Index>> leavesOf; // by feature edge
-    for (const Index leaf : grid.leavesInQuestion())
+    for (const Index leaf : grid.leavesInQuestion(context))
     {
       for (const ModelItem piece : grid.octree().items(leaf, ModelItem::featureEdge))
       {
@@ -128,6 +164,7 @@ private:
         const Places turned = placesAbout(edge, leaves, angle, scale);
         Places before;
         double cost = 0.0;
+        grid.lookAgain(context);
         for (const auto& [point, place] : turned)
         {
           before.emplace_back(point, grid.places().place(point));
@@ -195,17 +232,36 @@ private:
     }
     std::sort(order.begin(), order.end());
     bool wasAny = false;
-    for (const auto& [distance, point] : order)
+    for (const std::vector<Index>& round : roundsOf(order, grid.points()))
     {
-      const double before = moves.surplusAt(point);
-      const LatticePoint home = grid.places().home(point);
-      if (before > 0.0 && moves.surplusAt(point, home) < before)
+      const std::vector<char> isBetter = areBetterHome(round);
+      for (std::size_t i = 0; i < round.size(); ++i)
       {
-        grid.moveTo(point, home);
-        wasAny = true;
+        if (isBetter[i])
+        {
+          grid.moveTo(round[i], grid.places().home(round[i]));
+          wasAny = true;
+        }
       }
     }
     return wasAny;
+  }
+
+  std::vector<char> areBetterHome(const std::vector<Index>& points)
+  {
+    constexpr std::size_t grain = 1;
+    grid.lookAgain(context);
+    std::vector<char> found(points.size());
+    context.executor.forRanges(points.size(), grain, [&](std::size_t begin, std::size_t end) {
+      MovingGrid::Look look(grid);
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const double before = grid.surplusAbout(points[i], look).cost();
+        const LatticePoint home = grid.places().home(points[i]);
+        found[i] = before > 0.0 && grid.surplusAbout(points[i], home, look, before).cost() < before ? 1 : 0;
+      }
+    });
+    return found;
   }
 
   /// Makes those moves that do not touch the same leaves, best first. Returns the points whose costs they change.

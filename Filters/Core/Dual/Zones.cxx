@@ -181,44 +181,6 @@ void nameSurfaces(std::vector<ZoneSummary>& summaries, const Zones& zones, const
   }
 }
 
-/// Sets of points that edges join. Points of a piece are joined with each other first, by all threads.
-UnionFind joinPoints(const Crossings& crossings, const RunContext& context)
-{
-  constexpr std::size_t length = 65536;
-  const std::size_t count = crossings.neighbours.size();
-  UnionFind sets(count);
-  std::vector<std::vector<std::pair<Index, Index>>> between((count + length - 1) / length);
-  context.executor.forEach(between.size(), 1, [&](std::size_t piece) {
-    context.progress.check();
-    const std::size_t end = std::min((piece + 1) * length, count);
-    for (std::size_t point = piece * length; point < end; ++point)
-    {
-      for (int direction = 1; direction < 6; direction += 2)
-      {
-        const std::int32_t neighbour = crossings.neighbours[point][direction];
-        const auto other = static_cast<std::size_t>(neighbour);
-        if (neighbour >= 0 && other >= piece * length && other < end)
-        {
-          sets.join(static_cast<Index>(point), static_cast<Index>(neighbour));
-        }
-        else if (neighbour >= 0)
-        {
-          between[piece].emplace_back(static_cast<Index>(point), static_cast<Index>(neighbour));
-        }
-      }
-    }
-  });
-  for (const auto& pairs : between)
-  {
-    context.progress.check();
-    for (const auto& [a, b] : pairs)
-    {
-      sets.join(a, b);
-    }
-  }
-  return sets;
-}
-
 } // namespace
 
 Index pointOfSeed(const Vec3& seed, const char* kind, const GridPlaces& grid, const SurfaceModel& model)
@@ -254,6 +216,44 @@ Index pointOfSeed(const Vec3& seed, const char* kind, const GridPlaces& grid, co
         (std::ostringstream() << "the " << kind << " " << seed.transpose() << " has no element about it").str());
   }
   return corner->second;
+}
+
+UnionFind joinPoints(const Crossings& crossings, const RunContext& context)
+{
+  // Points of a piece are joined with each other first, by all threads.
+  constexpr std::size_t length = 16384;
+  const std::size_t count = crossings.neighbours.size();
+  UnionFind sets(count);
+  std::vector<std::vector<std::pair<Index, Index>>> between((count + length - 1) / length);
+  context.executor.forEach(between.size(), 1, [&](std::size_t piece) {
+    context.progress.check();
+    const std::size_t end = std::min((piece + 1) * length, count);
+    for (std::size_t point = piece * length; point < end; ++point)
+    {
+      for (int direction = 1; direction < 6; direction += 2)
+      {
+        const std::int32_t neighbour = crossings.neighbours[point][direction];
+        const auto other = static_cast<std::size_t>(neighbour);
+        if (neighbour >= 0 && other >= piece * length && other < end)
+        {
+          sets.join(static_cast<Index>(point), static_cast<Index>(neighbour));
+        }
+        else if (neighbour >= 0)
+        {
+          between[piece].emplace_back(static_cast<Index>(point), static_cast<Index>(neighbour));
+        }
+      }
+    }
+  });
+  for (const auto& pairs : between)
+  {
+    context.progress.check();
+    for (const auto& [a, b] : pairs)
+    {
+      sets.join(a, b);
+    }
+  }
+  return sets;
 }
 
 Zones findZones(const Crossings& crossings, std::size_t surfaceCount, const RunContext& context)

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "Dual/Crossings.h"
+#include "Support/RunContext.h"
+#include "Support/UnionFind.h"
 
 #include <string>
 
@@ -28,6 +30,9 @@ struct Zones
 
   std::size_t count() const { return sizes.size(); }
 };
+
+/// Sets of grid points that uncut edges join.
+UnionFind joinPoints(const Crossings& crossings, const RunContext& context);
 
 Zones findZones(const Crossings& crossings, std::size_t surfaceCount, const RunContext& context);
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Dual/ZonesApart.h"
 
-#include "Support/UnionFind.h"
+#include "Dual/Zones.h"
 
 #include <algorithm>
+#include <atomic>
 #include <set>
 #include <unordered_map>
 
@@ -93,19 +94,15 @@ private:
 
 } // namespace
 
-std::vector<Index> wideZones(const GridPoints& points, const Crossings& crossings)
+std::vector<Index> wideZones(const GridPoints& points, const Crossings& crossings, const RunContext& context)
 {
-  const auto count = static_cast<Index>(crossings.neighbours.size());
-  UnionFind sets(count);
+  constexpr std::size_t grain = 4096;
+  const std::size_t count = crossings.neighbours.size();
+  UnionFind sets = joinPoints(crossings, context);
+  std::vector<Index> zones(count);
   for (Index point = 0; point < count; ++point)
   {
-    for (const std::int32_t neighbour : crossings.neighbours[point])
-    {
-      if (neighbour >= 0)
-      {
-        sets.join(point, static_cast<Index>(neighbour));
-      }
-    }
+    zones[point] = sets.find(point);
   }
   std::vector<char> isCut(points.atCorner.size(), 0);
   for (const CrossedEdge& edge : crossings.crossedEdges)
@@ -113,20 +110,17 @@ std::vector<Index> wideZones(const GridPoints& points, const Crossings& crossing
     std::for_each(edge.segment.about.begin(), edge.segment.about.end(), [&](Index leaf) { isCut[leaf] = 1; });
   }
   std::vector<char> isWide(count, 0);
-  for (Index point = 0; point < count; ++point)
-  {
+  context.executor.forEach(count, grain, [&](std::size_t point) {
+    const std::atomic_ref wide(isWide[zones[point]]);
     const auto& leaves = points.leaves[point];
-    if (std::none_of(leaves.begin(), leaves.end(), [&](Index leaf) { return isCut[leaf] != 0; }))
+    if (wide.load(std::memory_order_relaxed) == 0 &&
+        std::none_of(leaves.begin(), leaves.end(), [&](Index leaf) { return isCut[leaf] != 0; }))
     {
-      isWide[sets.find(point)] = 1;
+      wide.store(1, std::memory_order_relaxed);
     }
-  }
-  std::vector<Index> zones(count);
-  for (Index point = 0; point < count; ++point)
-  {
-    const Index root = sets.find(point);
-    zones[point] = isWide[root] ? root : noIndex;
-  }
+  });
+  context.executor.forEach(count, grain,
+                           [&](std::size_t point) { zones[point] = isWide[zones[point]] ? zones[point] : noIndex; });
   return zones;
 }
 

@@ -13,7 +13,14 @@ namespace atria {
 class UnionFind
 {
 public:
-  explicit UnionFind(std::size_t count) : parents(count) { std::iota(parents.begin(), parents.end(), Index{0}); }
+  explicit UnionFind(std::size_t count = 0) { reset(count); }
+
+  /// Every index is a set of its own again.
+  void reset(std::size_t count)
+  {
+    parents.resize(count);
+    std::iota(parents.begin(), parents.end(), Index{0});
+  }
 
   Index find(Index i)
   {

@@ -340,7 +340,8 @@ struct Search
 std::vector<Search> searchContacts(const TriangleSoup& soup, const BoxTree& tree, const std::vector<char>& changed,
                                    double reach, const RunContext& context)
 {
-  constexpr std::size_t grain = 1024;
+  // Of few triangles many are near each other: pieces are small then, so that there are some for all threads.
+  const std::size_t grain = std::clamp<std::size_t>(tree.size() / 128, 8, 1024);
   constexpr std::size_t manyEach = 200;
   const bool all = std::ranges::find(changed, 0) == changed.end();
   std::vector<Search> searches((tree.size() + grain - 1) / grain, Search{ContactFinder(soup, reach), {}});

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// What a grid says about its leaves and points does not depend on how its points came to where they are.
+#include "Dual/Crossings.h"
+#include "Dual/MovingGrid.h"
+#include "Octree/TriangleTree.h"
+#include "Support/MeshIt.h"
+#include "Support/Shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace {
+
+using namespace atria;
+
+using PointPlaces = MovingGrid::PointPlaces;
+
+/// Some points and places up to half an octant from home, neighbours among them.
+PointPlaces somePlaces(const GridPlaces& grid, unsigned seed)
+{
+  std::mt19937 random(seed);
+  const std::int64_t half = grid.octree().frame().latticeSize(grid.octree().frame().depth) / 2;
+  std::uniform_int_distribution<std::int64_t> shift(-half, half);
+  PointPlaces places;
+  for (Index point = 0; point < grid.points().size(); ++point)
+  {
+    if (random() % 4 == 0)
+    {
+      const LatticePoint home = grid.home(point);
+      places.emplace_back(point,
+                          LatticePoint{home[0] + shift(random), home[1] + shift(random), home[2] + shift(random)});
+    }
+  }
+  return places;
+}
+
+/// A grid that is moved, with all it needs.
+struct Moving
+{
+  Moving(const atria::testing::Meshed& meshed, const GridPoints& points, const Crossings& home,
+         const RunContext& context)
+      : places(meshed.octree, points), tree(meshed.model), grid(places, meshed.model, tree, home, context)
+  {
+  }
+
+  GridPlaces places;
+  TriangleTreeOnDemand tree;
+  MovingGrid grid;
+};
+
+void expectSameCuts(std::span<const CutEdge> l, std::span<const CutEdge> r)
+{
+  ASSERT_EQ(l.size(), r.size());
+  for (std::size_t i = 0; i < l.size(); ++i)
+  {
+    EXPECT_EQ(l[i].beside, r[i].beside);
+    EXPECT_TRUE(std::ranges::equal(l[i].cuts, r[i].cuts, [](const SurfaceCrossing& a, const SurfaceCrossing& b) {
+      return a.triangle == b.triangle && a.orientation == b.orientation && a.parameter == b.parameter;
+    }));
+  }
+}
+
+void expectSame(Moving& l, Moving& r, const RunContext& context)
+{
+  MovingGrid::Look ofL(l.grid);
+  MovingGrid::Look ofR(r.grid);
+  for (Index leaf = 0; leaf < l.grid.octree().leafCount(); ++leaf)
+  {
+    ASSERT_EQ(l.grid.surplus(leaf, ofL), r.grid.surplus(leaf, ofR)) << leaf;
+    expectSameCuts(ofL.cutEdges(), ofR.cutEdges());
+    EXPECT_EQ(ofL.leavesAbout(), ofR.leavesAbout());
+  }
+  EXPECT_EQ(l.grid.leavesInQuestion(context), r.grid.leavesInQuestion(context));
+}
+
+class MovedGrids : public ::testing::TestWithParam<unsigned>
+{
+protected:
+  MovedGrids() : meshed(atria::testing::meshIt(atria::testing::randomSoup(GetParam()), options()))
+  {
+    points = findGridPoints(meshed.octree, context);
+    home = findCrossings(GridPlaces(meshed.octree, points), meshed.model, context);
+  }
+
+  static GridOptions options()
+  {
+    GridOptions options;
+    options.domain = {Vec3::Constant(-4.3), Vec3::Constant(4.1)};
+    options.sizeMin = 0.4;
+    options.sizeMid = 0.4;
+    options.sizeMax = 0.8;
+    return options;
+  }
+
+  ThreadExecutor executor{3};
+  SilentMonitor silent;
+  RunContext context{executor, ProgressRange(silent)};
+  atria::testing::Meshed meshed;
+  GridPoints points;
+  Crossings home;
+};
+
+TEST_P(MovedGrids, AreTheSameMovedAtOnceAndPointByPoint)
+{
+  Moving atOnce(meshed, points, home, context);
+  Moving oneByOne(meshed, points, home, context);
+  for (const unsigned seed : {1u, 2u, 3u})
+  {
+    const PointPlaces places = somePlaces(atOnce.places, seed);
+    ASSERT_FALSE(places.empty());
+    atOnce.grid.moveAll(places, context);
+    for (const auto& [point, place] : places)
+    {
+      oneByOne.grid.moveTo(point, place);
+    }
+    expectSame(atOnce, oneByOne, context);
+  }
+}
+
+TEST_P(MovedGrids, TellTheSameOfPointsWhetherLeavesWereLookedAtOrNot)
+{
+  Moving looked(meshed, points, home, context);
+  Moving stale(meshed, points, home, context);
+  const PointPlaces places = somePlaces(looked.places, GetParam());
+  looked.grid.moveAll(places, context);
+  looked.grid.lookAgain(context);
+  stale.grid.moveAll(places, context);
+  MovingGrid::Look ofLooked(looked.grid);
+  MovingGrid::Look ofStale(stale.grid);
+  double sum = 0.0;
+  for (Index point = 0; point < points.size(); ++point)
+  {
+    const double cost = looked.grid.surplusAbout(point, ofLooked).cost();
+    ASSERT_EQ(cost, stale.grid.surplusAbout(point, ofStale).cost()) << point;
+    ASSERT_EQ(cost, stale.grid.surplusAbout(point, stale.places.place(point), ofStale).cost()) << point;
+    sum += cost;
+  }
+  EXPECT_GT(sum, 0.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Soups, MovedGrids, ::testing::Values(1u, 2u, 3u));
+
+} // namespace
