@@ -68,6 +68,8 @@ def cases():
              target=150.0, **sphere),
         Case("adaptive", "Sphere, adaptive 0.1 m, with a layer", sizes=(0.8, 0.1, 0.1), layers=1, levels=(3, 3, 3),
              target=60.0, near=cube, **sphere),
+        Case("plain", "Sphere, adaptive 0.1 m, no layer", sizes=(0.8, 0.1, 0.1), layers=0, levels=(3, 3, 3),
+             target=60.0, near=cube, like="adaptive", **sphere),
         Case("loose", "Sphere, adaptive 0.1 m, with a layer of 30° and skewness 0.75", sizes=(0.8, 0.1, 0.1), layers=1,
              levels=(3, 3, 3), target=60.0, near=cube, curved=(30.0, 0.75), like="adaptive", **sphere),
         Case("building", "Building with sheets, 1, 2 and 8 m, with a layer", "building.wrl", (8.0, 2.0, 1.0), 1, site,

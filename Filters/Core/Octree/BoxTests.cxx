@@ -35,20 +35,79 @@ struct CenteredBox
 
 constexpr double roundingUnits = 4.0;
 
-bool separatedAlong(const Vec3& axis, const Vec3& half, const Vec3& a, const Vec3& b, const Vec3& c)
-{
-  const double radius = half.dot(axis.cwiseAbs()) + roundingUnits * axis.cwiseAbs().maxCoeff();
-  const double p = axis.dot(a);
-  const double q = axis.dot(b);
-  const double r = axis.dot(c);
-  return std::min({p, q, r}) > radius || std::max({p, q, r}) < -radius;
-}
+} // namespace
 
-bool boundsApart(const LatticeBox& box, const LatticePoint& a, const LatticePoint& b, const LatticePoint& c)
+TriangleBoxTest::TriangleBoxTest(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c)
+    : corners_{a, b, c}
 {
   for (int axis = 0; axis < 3; ++axis)
   {
-    if (std::min({a[axis], b[axis], c[axis]}) > box.high[axis] || std::max({a[axis], b[axis], c[axis]}) < box.low[axis])
+    low_[axis] = std::min({a[axis], b[axis], c[axis]});
+    high_[axis] = std::max({a[axis], b[axis], c[axis]});
+  }
+}
+
+bool TriangleBoxTest::touches(const LatticeBox& box)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (low_[axis] > box.high[axis] || high_[axis] < box.low[axis])
+    {
+      return false;
+    }
+  }
+  return std::ranges::any_of(corners_, [&](const LatticePoint& p) { return box.contains(p); }) || !isSeparate(box);
+}
+
+/// Lattice coordinates have some 40 bits, so that edges are exact.
+void TriangleBoxTest::findAxes()
+{
+  const auto edge = [&](int from, int to) {
+    return Vec3(static_cast<double>(corners_[to][0] - corners_[from][0]),
+                static_cast<double>(corners_[to][1] - corners_[from][1]),
+                static_cast<double>(corners_[to][2] - corners_[from][2]));
+  };
+  const std::array<Vec3, 3> edges{edge(0, 1), edge(1, 2), edge(2, 0)};
+  axes_[count_++] = edges[0].cross(edges[1]).normalized();
+  for (const Vec3& along : edges)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const Vec3 direction = along.cross(Vec3::Unit(axis));
+      const double length = direction.norm();
+      if (length > 0.0)
+      {
+        axes_[count_++] = direction / length;
+      }
+    }
+  }
+}
+
+bool TriangleBoxTest::isSeparate(const LatticeBox& box)
+{
+  if (count_ == 0)
+  {
+    findAxes();
+  }
+  const CenteredBox centered(box);
+  if (half_ != centered.half)
+  {
+    half_ = centered.half;
+    for (std::size_t i = 0; i < count_; ++i)
+    {
+      const Vec3 size = axes_[i].cwiseAbs();
+      reaches_[i] = half_.dot(size) + roundingUnits * size.maxCoeff();
+    }
+  }
+  const Vec3 a = centered.relative(corners_[0]);
+  const Vec3 b = centered.relative(corners_[1]);
+  const Vec3 c = centered.relative(corners_[2]);
+  for (std::size_t i = 0; i < count_; ++i)
+  {
+    const double p = axes_[i].dot(a);
+    const double q = axes_[i].dot(b);
+    const double r = axes_[i].dot(c);
+    if (std::min({p, q, r}) > reaches_[i] || std::max({p, q, r}) < -reaches_[i])
     {
       return true;
     }
@@ -56,40 +115,9 @@ bool boundsApart(const LatticeBox& box, const LatticePoint& a, const LatticePoin
   return false;
 }
 
-} // namespace
-
-bool touches(const LatticeBox& box, const LatticePoint& pa, const LatticePoint& pb, const LatticePoint& pc)
+bool touches(const LatticeBox& box, const LatticePoint& a, const LatticePoint& b, const LatticePoint& c)
 {
-  if (boundsApart(box, pa, pb, pc))
-  {
-    return false;
-  }
-  if (box.contains(pa) || box.contains(pb) || box.contains(pc))
-  {
-    return true;
-  }
-  const CenteredBox centered(box);
-  const Vec3 a = centered.relative(pa);
-  const Vec3 b = centered.relative(pb);
-  const Vec3 c = centered.relative(pc);
-  const Vec3 edges[3] = {b - a, c - b, a - c};
-  if (separatedAlong(edges[0].cross(edges[1]).normalized(), centered.half, a, b, c))
-  {
-    return false;
-  }
-  for (const Vec3& edge : edges)
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const Vec3 direction = edge.cross(Vec3::Unit(axis));
-      const double length = direction.norm();
-      if (length > 0.0 && separatedAlong(direction / length, centered.half, a, b, c))
-      {
-        return false;
-      }
-    }
-  }
-  return true;
+  return TriangleBoxTest(a, b, c).touches(box);
 }
 
 bool touches(const LatticeBox& box, const LatticePoint& a, const LatticePoint& b)

@@ -5,6 +5,8 @@
 
 #include "Domain/GridFrame.h"
 
+#include <array>
+
 namespace atria {
 
 /// Closed box on the lattice.
@@ -20,7 +22,29 @@ struct LatticeBox
   }
 };
 
-/// Separating axes (Akenine-Möller 2001).
+/// A triangle to test against several boxes: what does not depend on the box is found once, and not before it is
+/// needed. Separating axes (Akenine-Möller 2001).
+class TriangleBoxTest
+{
+public:
+  TriangleBoxTest(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c);
+  bool touches(const LatticeBox& box);
+
+private:
+  void findAxes();
+  bool isSeparate(const LatticeBox& box);
+
+  std::array<LatticePoint, 3> corners_;
+  LatticePoint low_;
+  LatticePoint high_;
+  /// The normal and those normal to an edge and an axis of the grid; 0 until they are found.
+  std::size_t count_ = 0;
+  std::array<Vec3, 10> axes_;
+  /// How far a box of this half size reaches along each.
+  Vec3 half_ = Vec3::Constant(-1.0);
+  std::array<double, 10> reaches_;
+};
+
 bool touches(const LatticeBox& box, const LatticePoint& a, const LatticePoint& b, const LatticePoint& c);
 bool touches(const LatticeBox& box, const LatticePoint& a, const LatticePoint& b);
 

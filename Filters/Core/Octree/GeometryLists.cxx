@@ -23,46 +23,11 @@ bool touchesPiece(const LatticeBox& box, ModelItem piece, const SurfaceModel& mo
   }
 }
 
-/// Bits of the children of an octant whose boxes a triangle may touch by its bounds.
-unsigned childrenInReach(const std::array<LatticeBox, 8>& boxes, const SurfaceModel& model, Index triangle)
-{
-  unsigned bits = 0xffu;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const std::int64_t a = model.corner(triangle, 0)[axis];
-    const std::int64_t b = model.corner(triangle, 1)[axis];
-    const std::int64_t c = model.corner(triangle, 2)[axis];
-    const std::int64_t low = std::min({a, b, c});
-    const std::int64_t high = std::max({a, b, c});
-    for (unsigned k = 0; k < 8; ++k)
-    {
-      bits &= low > boxes[k].high[axis] || high < boxes[k].low[axis] ? ~(1u << k) : ~0u;
-    }
-  }
-  return bits;
-}
-
-/// Bits of the children of an octant that a piece touches. Empty boxes are touched by none.
-unsigned childrenTouched(const std::array<LatticeBox, 8>& boxes, ModelItem piece, const SurfaceModel& model)
-{
-  const unsigned inReach = piece.kind == ModelItem::triangle ? childrenInReach(boxes, model, piece.index) : 0xffu;
-  unsigned bits = 0;
-  for (unsigned k = 0; k < 8; ++k)
-  {
-    bits |= (inReach >> k & 1) != 0 && !boxes[k].empty() && touchesPiece(boxes[k], piece, model) ? 1u << k : 0u;
-  }
-  return bits;
-}
-
 void appendChildren(GeometryLists& out, const GeometryLists& parents, std::size_t parent, int level, bool onlyOccupied,
                     const SurfaceModel& model, const GridFrame& frame, std::vector<std::uint8_t>& touched)
 {
   const std::span<const ModelItem> pieces = parents.of(parent);
-  std::array<LatticeBox, 8> boxes;
-  for (unsigned k = 0; k < 8; ++k)
-  {
-    boxes[k] = domainBoxOf(frame, level + 1, parents.keys[parent] << 3 | k);
-  }
+  const std::array<LatticeBox, 8> boxes = childBoxes(frame, level, parents.keys[parent]);
   touched.resize(pieces.size());
   std::ranges::transform(pieces, touched.begin(), [&](ModelItem piece) {
     return static_cast<std::uint8_t>(childrenTouched(boxes, piece, model));
@@ -195,6 +160,38 @@ LatticeBox domainBoxOf(const GridFrame& frame, int level, MortonKey key)
     apart = apart || box.low[axis] >= box.high[axis];
   }
   return apart ? LatticeBox{{1, 1, 1}, {0, 0, 0}} : box;
+}
+
+std::array<LatticeBox, 8> childBoxes(const GridFrame& frame, int level, MortonKey key)
+{
+  std::array<LatticeBox, 8> boxes;
+  for (unsigned k = 0; k < 8; ++k)
+  {
+    boxes[k] = domainBoxOf(frame, level + 1, key << 3 | k);
+  }
+  return boxes;
+}
+
+unsigned childrenTouched(const std::array<LatticeBox, 8>& boxes, ModelItem piece, const SurfaceModel& model)
+{
+  unsigned bits = 0;
+  const auto test = [&](auto&& touchesBox) {
+    for (unsigned k = 0; k < 8; ++k)
+    {
+      bits |= !boxes[k].empty() && touchesBox(boxes[k]) ? 1u << k : 0u;
+    }
+  };
+  if (piece.kind == ModelItem::triangle)
+  {
+    const auto corner = [&](int i) -> const LatticePoint& { return model.corner(piece.index, i); };
+    TriangleBoxTest triangle(corner(0), corner(1), corner(2));
+    test([&](const LatticeBox& box) { return triangle.touches(box); });
+  }
+  else
+  {
+    test([&](const LatticeBox& box) { return touchesPiece(box, piece, model); });
+  }
+  return bits;
 }
 
 GeometryLists rootLists(const SurfaceModel& model, const GridFrame& frame)

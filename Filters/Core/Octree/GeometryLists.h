@@ -28,6 +28,12 @@ struct GeometryLists
 /// The octant `key` of `level`, cut to the domain; empty where they do not overlap.
 LatticeBox domainBoxOf(const GridFrame& frame, int level, MortonKey key);
 
+/// The boxes of the children of an octant of `level`.
+std::array<LatticeBox, 8> childBoxes(const GridFrame& frame, int level, MortonKey key);
+
+/// Bits of the boxes of an octant's children that a piece of the model touches. Empty boxes are touched by none.
+unsigned childrenTouched(const std::array<LatticeBox, 8>& boxes, ModelItem piece, const SurfaceModel& model);
+
 /// The whole model for the root, as far as the domain sees it.
 GeometryLists rootLists(const SurfaceModel& model, const GridFrame& frame);
 

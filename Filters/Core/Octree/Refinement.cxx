@@ -5,48 +5,124 @@
 #include "Support/Error.h"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
+#include <numeric>
 
 namespace atria {
 
 namespace {
 
-/// What the leaves hold, as found level by level.
+/// Leaves that lie one behind the other, and what they hold.
 struct LeafLists
 {
-  struct Entry
-  {
-    Index leaf;
-    std::size_t begin;
-    std::size_t end;
-  };
-  std::vector<Entry> entries;
+  std::vector<Index> leaves;
+  std::vector<std::size_t> ends; ///< of each leaf's items
+  std::vector<FeatureType> types;
   std::vector<ModelItem> items;
 };
 
-LeafLists descend(const Octree& octree, const SurfaceModel& model, const RunContext& context)
+/// An octant, or a leaf, and what it holds.
+struct Branch
 {
-  LeafLists found;
-  const GridFrame& frame = octree.frame();
-  GeometryLists lists = rootLists(model, frame);
-  for (int level = 0; lists.size() > 0; ++level)
+  Octree::Node node;
+  int level;
+  MortonKey key;
+  std::vector<ModelItem> pieces;
+};
+
+/// Hands pieces of the model down to the leaves.
+class Descent
+{
+public:
+  Descent(const Octree& tree, const SurfaceModel& surfaces) : octree(tree), model(surfaces) {}
+
+  /// The children that hold something, in order.
+  template <typename Use>
+  void forChildren(Octree::Node node, int level, MortonKey key, std::span<const ModelItem> pieces, Use&& use)
   {
-    context.progress.report(static_cast<double>(level) / (frame.depth + 1), "Locating surfaces");
-    std::vector<char> refined(lists.size());
-    for (std::size_t i = 0; i < lists.size(); ++i)
+    Room& room = roomOf(level);
+    const std::array<LatticeBox, 8> boxes = childBoxes(octree.frame(), level, key);
+    room.touched.resize(pieces.size());
+    std::ranges::transform(pieces, room.touched.begin(), [&](ModelItem piece) {
+      return static_cast<std::uint8_t>(childrenTouched(boxes, piece, model));
+    });
+    for (unsigned k = 0; k < 8; ++k)
     {
-      const Octree::Node node = octree.nodeAt(lists.keys[i], level);
-      refined[i] = !Octree::isLeaf(node);
-      if (!refined[i])
+      room.pieces.clear();
+      for (std::size_t i = 0; i < pieces.size(); ++i)
       {
-        const auto pieces = lists.of(i);
-        const std::size_t begin = found.items.size();
-        found.items.insert(found.items.end(), pieces.begin(), pieces.end());
-        found.entries.push_back({Octree::leafOf(node), begin, found.items.size()});
+        if ((room.touched[i] >> k & 1) != 0)
+        {
+          room.pieces.push_back(pieces[i]);
+        }
+      }
+      if (!room.pieces.empty())
+      {
+        use(octree.children(node)[k], level + 1, key << 3 | k, room.pieces);
       }
     }
-    lists = childLists(lists, level, refined, true, model, frame, context);
   }
-  return found;
+
+  void descend(Octree::Node node, int level, MortonKey key, std::span<const ModelItem> pieces, LeafLists& out)
+  {
+    if (!Octree::isLeaf(node))
+    {
+      forChildren(node, level, key, pieces,
+                  [&](Octree::Node child, int below, MortonKey childKey, const std::vector<ModelItem>& some) {
+                    descend(child, below, childKey, some, out);
+                  });
+      return;
+    }
+    out.leaves.push_back(Octree::leafOf(node));
+    out.types.push_back(featureTypeOf(domainBoxOf(octree.frame(), level, key), pieces, model));
+    out.items.insert(out.items.end(), pieces.begin(), pieces.end());
+    out.ends.push_back(out.items.size());
+  }
+
+private:
+  /// For the children of one octant of a level at a time.
+  struct Room
+  {
+    std::vector<std::uint8_t> touched;
+    std::vector<ModelItem> pieces;
+  };
+
+  Room& roomOf(int level) { return rooms[static_cast<std::size_t>(level)]; }
+
+  const Octree& octree;
+  const SurfaceModel& model;
+  std::array<Room, GridFrame::maximumDepth + 1> rooms;
+};
+
+/// Some hundred parts of the octree that hold something, in order.
+std::vector<Branch> branchesOf(const Octree& octree, const SurfaceModel& model, const RunContext& context)
+{
+  constexpr std::size_t enough = 256;
+  std::vector<Branch> branches{{octree.root(), 0, 0, rootLists(model, octree.frame()).items}};
+  for (int level = 0; level < octree.frame().depth && branches.size() < enough; ++level)
+  {
+    std::vector<std::vector<Branch>> below(branches.size());
+    context.executor.forEach(branches.size(), 1, [&](std::size_t i) {
+      Branch& branch = branches[i];
+      if (Octree::isLeaf(branch.node))
+      {
+        below[i].push_back(std::move(branch));
+        return;
+      }
+      Descent(octree, model)
+          .forChildren(branch.node, branch.level, branch.key, branch.pieces,
+                       [&](Octree::Node child, int childLevel, MortonKey key, const std::vector<ModelItem>& pieces) {
+                         below[i].push_back({child, childLevel, key, pieces});
+                       });
+    });
+    branches.clear();
+    for (std::vector<Branch>& some : below)
+    {
+      std::ranges::move(some, std::back_inserter(branches));
+    }
+  }
+  return branches;
 }
 
 } // namespace
@@ -58,27 +134,36 @@ void locateModel(Octree& octree, const SurfaceModel& model, const RunContext& co
   {
     throw Error("the model has more than 2^30 triangles");
   }
-  LeafLists found = descend(octree, model, context);
-  std::sort(found.entries.begin(), found.entries.end(),
-            [](const LeafLists::Entry& l, const LeafLists::Entry& r) { return l.leaf < r.leaf; });
-  std::vector<Index> offsets(octree.leafCount() + 1, 0);
-  std::vector<ModelItem> items;
-  items.reserve(found.items.size());
-  std::vector<FeatureType> types(octree.leafCount(), FeatureType::none);
-  for (const LeafLists::Entry& entry : found.entries)
-  {
-    items.insert(items.end(), found.items.begin() + entry.begin, found.items.begin() + entry.end);
-    offsets[entry.leaf + 1] = static_cast<Index>(entry.end - entry.begin);
-  }
-  for (std::size_t i = 1; i < offsets.size(); ++i)
-  {
-    offsets[i] += offsets[i - 1];
-  }
-  context.executor.forEach(found.entries.size(), 256, [&](std::size_t i) {
-    const LeafLists::Entry& entry = found.entries[i];
-    const LatticeBox box = domainBoxOf(octree.frame(), octree.level(entry.leaf), octree.key(entry.leaf));
-    types[entry.leaf] = featureTypeOf(box, std::span(found.items).subspan(entry.begin, entry.end - entry.begin), model);
+  context.progress.report(0.0, "Locating surfaces");
+  std::vector<Branch> branches = branchesOf(octree, model, context);
+  context.progress.report(0.2, "Locating surfaces");
+  std::vector<LeafLists> parts(branches.size());
+  context.executor.forEach(branches.size(), 1, [&](std::size_t i) {
+    Branch& branch = branches[i];
+    Descent(octree, model).descend(branch.node, branch.level, branch.key, branch.pieces, parts[i]);
+    branch.pieces = {};
   });
+  context.progress.report(0.9, "Locating surfaces");
+  std::vector<std::size_t> begins{0};
+  for (const LeafLists& part : parts)
+  {
+    begins.push_back(begins.back() + part.items.size());
+  }
+  std::vector<Index> offsets(octree.leafCount() + 1, 0);
+  std::vector<FeatureType> types(octree.leafCount(), FeatureType::none);
+  std::vector<ModelItem> items(begins.back());
+  context.executor.forEach(parts.size(), 1, [&](std::size_t i) {
+    LeafLists& part = parts[i];
+    for (std::size_t k = 0; k < part.leaves.size(); ++k)
+    {
+      const std::size_t before = k == 0 ? 0 : part.ends[k - 1];
+      offsets[part.leaves[k] + 1] = static_cast<Index>(part.ends[k] - before);
+      types[part.leaves[k]] = part.types[k];
+    }
+    std::ranges::copy(part.items, items.begin() + static_cast<std::ptrdiff_t>(begins[i]));
+    part = {};
+  });
+  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
   octree.setItems(std::move(offsets), std::move(items), std::move(types));
 }
 
