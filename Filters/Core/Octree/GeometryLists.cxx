@@ -23,35 +23,27 @@ bool touchesPiece(const LatticeBox& box, ModelItem piece, const SurfaceModel& mo
   }
 }
 
-void appendChildren(GeometryLists& out, const GeometryLists& parents, std::size_t parent, int level, bool onlyOccupied,
-                    const SurfaceModel& model, const GridFrame& frame, std::vector<std::uint8_t>& touched)
+/// Bits of the boxes of an octant's children that a piece touches. Empty boxes are touched by none.
+unsigned childrenTouched(const std::array<LatticeBox, 8>& boxes, ModelItem piece, const SurfaceModel& model)
 {
-  const std::span<const ModelItem> pieces = parents.of(parent);
-  const std::array<LatticeBox, 8> boxes = childBoxes(frame, level, parents.keys[parent]);
-  touched.resize(pieces.size());
-  std::ranges::transform(pieces, touched.begin(), [&](ModelItem piece) {
-    return static_cast<std::uint8_t>(childrenTouched(boxes, piece, model));
-  });
-  for (unsigned k = 0; k < 8; ++k)
+  unsigned bits = 0;
+  const auto test = [&](auto&& touchesBox) {
+    for (unsigned k = 0; k < 8; ++k)
+    {
+      bits |= !boxes[k].empty() && touchesBox(boxes[k]) ? 1u << k : 0u;
+    }
+  };
+  if (piece.kind == ModelItem::triangle)
   {
-    if (boxes[k].empty())
-    {
-      continue;
-    }
-    const std::size_t before = out.items.size();
-    for (std::size_t i = 0; i < pieces.size(); ++i)
-    {
-      if ((touched[i] >> k & 1) != 0)
-      {
-        out.items.push_back(pieces[i]);
-      }
-    }
-    if (out.items.size() > before || !onlyOccupied)
-    {
-      out.keys.push_back(parents.keys[parent] << 3 | k);
-      out.offsets.push_back(out.items.size());
-    }
+    const auto corner = [&](int i) -> const LatticePoint& { return model.corner(piece.index, i); };
+    TriangleBoxTest triangle(corner(0), corner(1), corner(2));
+    test([&](const LatticeBox& box) { return triangle.touches(box); });
   }
+  else
+  {
+    test([&](const LatticeBox& box) { return touchesPiece(box, piece, model); });
+  }
+  return bits;
 }
 
 /// One end of a shared edge or point, to find which triangles of an octant meet there.
@@ -162,36 +154,29 @@ LatticeBox domainBoxOf(const GridFrame& frame, int level, MortonKey key)
   return apart ? LatticeBox{{1, 1, 1}, {0, 0, 0}} : box;
 }
 
-std::array<LatticeBox, 8> childBoxes(const GridFrame& frame, int level, MortonKey key)
+void PieceDivider::find(int level, MortonKey key, std::span<const ModelItem> pieces)
 {
-  std::array<LatticeBox, 8> boxes;
   for (unsigned k = 0; k < 8; ++k)
   {
-    boxes[k] = domainBoxOf(frame, level + 1, key << 3 | k);
+    boxes_[k] = domainBoxOf(frame_, level + 1, key << 3 | k);
   }
-  return boxes;
+  touched_.resize(pieces.size());
+  std::ranges::transform(pieces, touched_.begin(), [&](ModelItem piece) {
+    return static_cast<std::uint8_t>(childrenTouched(boxes_, piece, model_));
+  });
 }
 
-unsigned childrenTouched(const std::array<LatticeBox, 8>& boxes, ModelItem piece, const SurfaceModel& model)
+std::span<const ModelItem> PieceDivider::take(unsigned k, std::span<const ModelItem> pieces)
 {
-  unsigned bits = 0;
-  const auto test = [&](auto&& touchesBox) {
-    for (unsigned k = 0; k < 8; ++k)
+  taken_.clear();
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+  {
+    if ((touched_[i] >> k & 1) != 0)
     {
-      bits |= !boxes[k].empty() && touchesBox(boxes[k]) ? 1u << k : 0u;
+      taken_.push_back(pieces[i]);
     }
-  };
-  if (piece.kind == ModelItem::triangle)
-  {
-    const auto corner = [&](int i) -> const LatticePoint& { return model.corner(piece.index, i); };
-    TriangleBoxTest triangle(corner(0), corner(1), corner(2));
-    test([&](const LatticeBox& box) { return triangle.touches(box); });
   }
-  else
-  {
-    test([&](const LatticeBox& box) { return touchesPiece(box, piece, model); });
-  }
-  return bits;
+  return taken_;
 }
 
 GeometryLists rootLists(const SurfaceModel& model, const GridFrame& frame)
@@ -247,12 +232,18 @@ GeometryLists childLists(const GeometryLists& parents, int level, const std::vec
   std::vector<GeometryLists> parts((parents.size() + grain - 1) / grain);
   context.executor.forEach(parts.size(), 1, [&](std::size_t part) {
     context.progress.check();
-    std::vector<std::uint8_t> touched;
+    PieceDivider divider(model, frame);
     for (std::size_t i = part * grain; i < std::min((part + 1) * grain, parents.size()); ++i)
     {
       if (chosen[i])
       {
-        appendChildren(parts[part], parents, i, level, onlyOccupied, model, frame, touched);
+        divider.divide(level, parents.keys[i], parents.of(i),
+                       [&](unsigned k, const LatticeBox&, std::span<const ModelItem> pieces) {
+                         if (!pieces.empty() || !onlyOccupied)
+                         {
+                           parts[part].append(parents.keys[i] << 3 | k, pieces);
+                         }
+                       });
       }
     }
   });

@@ -28,11 +28,37 @@ struct GeometryLists
 /// The octant `key` of `level`, cut to the domain; empty where they do not overlap.
 LatticeBox domainBoxOf(const GridFrame& frame, int level, MortonKey key);
 
-/// The boxes of the children of an octant of `level`.
-std::array<LatticeBox, 8> childBoxes(const GridFrame& frame, int level, MortonKey key);
+/// Hands the pieces of octants to their children, one octant at a time.
+class PieceDivider
+{
+public:
+  PieceDivider(const SurfaceModel& model, const GridFrame& frame) : model_(model), frame_(frame) {}
 
-/// Bits of the boxes of an octant's children that a piece of the model touches. Empty boxes are touched by none.
-unsigned childrenTouched(const std::array<LatticeBox, 8>& boxes, ModelItem piece, const SurfaceModel& model);
+  /// Calls use(k, box, pieces) for each child within the domain of an octant of `level` that has `pieces`, which must
+  /// not be those of a call of the same divider; the child's are good until the next one.
+  template <typename Use> void divide(int level, MortonKey key, std::span<const ModelItem> pieces, Use&& use)
+  {
+    find(level, key, pieces);
+    for (unsigned k = 0; k < 8; ++k)
+    {
+      if (!boxes_[k].empty())
+      {
+        use(k, boxes_[k], take(k, pieces));
+      }
+    }
+  }
+
+private:
+  void find(int level, MortonKey key, std::span<const ModelItem> pieces);
+  std::span<const ModelItem> take(unsigned k, std::span<const ModelItem> pieces);
+
+  const SurfaceModel& model_;
+  const GridFrame& frame_;
+  std::array<LatticeBox, 8> boxes_{};
+  /// For each piece bits of the boxes it touches.
+  std::vector<std::uint8_t> touched_;
+  std::vector<ModelItem> taken_;
+};
 
 /// The whole model for the root, as far as the domain sees it.
 GeometryLists rootLists(const SurfaceModel& model, const GridFrame& frame);

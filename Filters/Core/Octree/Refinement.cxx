@@ -5,7 +5,6 @@
 #include "Support/Error.h"
 
 #include <algorithm>
-#include <array>
 #include <iterator>
 #include <numeric>
 
@@ -28,94 +27,81 @@ struct Branch
   Octree::Node node;
   int level;
   MortonKey key;
+  LatticeBox box;
   std::vector<ModelItem> pieces;
 };
 
-/// Hands pieces of the model down to the leaves.
+/// Hands the pieces of a branch down to its leaves.
 class Descent
 {
 public:
-  Descent(const Octree& tree, const SurfaceModel& surfaces) : octree(tree), model(surfaces) {}
-
-  /// The children that hold something, in order.
-  template <typename Use>
-  void forChildren(Octree::Node node, int level, MortonKey key, std::span<const ModelItem> pieces, Use&& use)
+  Descent(const Octree& tree, const SurfaceModel& surfaces, LeafLists& leaves)
+      : octree(tree), model(surfaces), out(leaves), dividers(tree.frame().depth, PieceDivider(model, tree.frame()))
   {
-    Room& room = roomOf(level);
-    const std::array<LatticeBox, 8> boxes = childBoxes(octree.frame(), level, key);
-    room.touched.resize(pieces.size());
-    std::ranges::transform(pieces, room.touched.begin(), [&](ModelItem piece) {
-      return static_cast<std::uint8_t>(childrenTouched(boxes, piece, model));
-    });
-    for (unsigned k = 0; k < 8; ++k)
-    {
-      room.pieces.clear();
-      for (std::size_t i = 0; i < pieces.size(); ++i)
-      {
-        if ((room.touched[i] >> k & 1) != 0)
-        {
-          room.pieces.push_back(pieces[i]);
-        }
-      }
-      if (!room.pieces.empty())
-      {
-        use(octree.children(node)[k], level + 1, key << 3 | k, room.pieces);
-      }
-    }
   }
 
-  void descend(Octree::Node node, int level, MortonKey key, std::span<const ModelItem> pieces, LeafLists& out)
+  void descend(Octree::Node node, int level, MortonKey key, const LatticeBox& box, std::span<const ModelItem> pieces)
   {
-    if (!Octree::isLeaf(node))
+    if (Octree::isLeaf(node))
     {
-      forChildren(node, level, key, pieces,
-                  [&](Octree::Node child, int below, MortonKey childKey, const std::vector<ModelItem>& some) {
-                    descend(child, below, childKey, some, out);
-                  });
+      out.leaves.push_back(Octree::leafOf(node));
+      out.types.push_back(featureTypeOf(box, pieces, model));
+      out.items.insert(out.items.end(), pieces.begin(), pieces.end());
+      out.ends.push_back(out.items.size());
       return;
     }
-    out.leaves.push_back(Octree::leafOf(node));
-    out.types.push_back(featureTypeOf(domainBoxOf(octree.frame(), level, key), pieces, model));
-    out.items.insert(out.items.end(), pieces.begin(), pieces.end());
-    out.ends.push_back(out.items.size());
+    dividers[level].divide(level, key, pieces,
+                           [&](unsigned k, const LatticeBox& childBox, std::span<const ModelItem> some) {
+                             if (!some.empty())
+                             {
+                               descend(octree.children(node)[k], level + 1, key << 3 | k, childBox, some);
+                             }
+                           });
   }
 
 private:
-  /// For the children of one octant of a level at a time.
-  struct Room
-  {
-    std::vector<std::uint8_t> touched;
-    std::vector<ModelItem> pieces;
-  };
-
-  Room& roomOf(int level) { return rooms[static_cast<std::size_t>(level)]; }
-
   const Octree& octree;
   const SurfaceModel& model;
-  std::array<Room, GridFrame::maximumDepth + 1> rooms;
+  LeafLists& out;
+  /// By level.
+  std::vector<PieceDivider> dividers;
 };
+
+/// The children of a branch that hold something, or itself where it has none.
+std::vector<Branch> childrenOf(Branch branch, const Octree& octree, const SurfaceModel& model)
+{
+  std::vector<Branch> children;
+  if (Octree::isLeaf(branch.node))
+  {
+    children.push_back(std::move(branch));
+    return children;
+  }
+  PieceDivider(model, octree.frame())
+      .divide(branch.level, branch.key, branch.pieces,
+              [&](unsigned k, const LatticeBox& box, std::span<const ModelItem> pieces) {
+                if (!pieces.empty())
+                {
+                  children.push_back({octree.children(branch.node)[k],
+                                      branch.level + 1,
+                                      branch.key << 3 | k,
+                                      box,
+                                      {pieces.begin(), pieces.end()}});
+                }
+              });
+  return children;
+}
 
 /// Some hundred parts of the octree that hold something, in order.
 std::vector<Branch> branchesOf(const Octree& octree, const SurfaceModel& model, const RunContext& context)
 {
   constexpr std::size_t enough = 256;
-  std::vector<Branch> branches{{octree.root(), 0, 0, rootLists(model, octree.frame()).items}};
-  for (int level = 0; level < octree.frame().depth && branches.size() < enough; ++level)
+  const GridFrame& frame = octree.frame();
+  std::vector<Branch> branches{{octree.root(), 0, 0, domainBoxOf(frame, 0, 0), rootLists(model, frame).items}};
+  for (int level = 0; level < frame.depth && branches.size() < enough; ++level)
   {
     std::vector<std::vector<Branch>> below(branches.size());
-    context.executor.forEach(branches.size(), 1, [&](std::size_t i) {
-      Branch& branch = branches[i];
-      if (Octree::isLeaf(branch.node))
-      {
-        below[i].push_back(std::move(branch));
-        return;
-      }
-      Descent(octree, model)
-          .forChildren(branch.node, branch.level, branch.key, branch.pieces,
-                       [&](Octree::Node child, int childLevel, MortonKey key, const std::vector<ModelItem>& pieces) {
-                         below[i].push_back({child, childLevel, key, pieces});
-                       });
-    });
+    context.executor.forEach(branches.size(), 1,
+                             [&](std::size_t i) { below[i] = childrenOf(std::move(branches[i]), octree, model); });
     branches.clear();
     for (std::vector<Branch>& some : below)
     {
@@ -140,7 +126,7 @@ void locateModel(Octree& octree, const SurfaceModel& model, const RunContext& co
   std::vector<LeafLists> parts(branches.size());
   context.executor.forEach(branches.size(), 1, [&](std::size_t i) {
     Branch& branch = branches[i];
-    Descent(octree, model).descend(branch.node, branch.level, branch.key, branch.pieces, parts[i]);
+    Descent(octree, model, parts[i]).descend(branch.node, branch.level, branch.key, branch.box, branch.pieces);
     branch.pieces = {};
   });
   context.progress.report(0.9, "Locating surfaces");

@@ -30,8 +30,7 @@ Region Extraction::run(const RunContext& context)
   {
     judged.add(region.cellIds[local], local);
   }
-  const bool inOne = order == Order::any && context.executor.threads() == 1;
-  const std::size_t length = inOne ? std::max<std::size_t>(count, 1) : partLength;
+  const std::size_t length = order == Order::any ? std::max<std::size_t>(count, 1) : partLength;
   parts.resize((count + length - 1) / length);
   context.executor.forEach(parts.size(), 1,
                            [&](std::size_t i) { number(parts[i], i * length, std::min(count, (i + 1) * length)); });
@@ -59,7 +58,7 @@ void Extraction::number(Part& part, std::size_t begin, std::size_t end) const
   part.cornerOffsets.reserve(cells + 1);
   part.corners.reserve(8 * cells);
   part.across.reserve(6 * cells);
-  part.natives.reserve(natives ? cells : 0);
+  part.made.natives.reserve(natives ? cells : 0);
   std::vector<Index> some;
   for (std::size_t local = begin; local < end; ++local)
   {
@@ -83,7 +82,7 @@ void Extraction::number(Part& part, std::size_t begin, std::size_t end) const
       {
         native.corners[i] = points.of(native.corners[i]);
       }
-      part.natives.push_back(native);
+      part.made.natives.push_back(native);
     }
   }
 }
@@ -91,14 +90,14 @@ void Extraction::number(Part& part, std::size_t begin, std::size_t end) const
 /// Gives points and cells beside their numbers in the region.
 void Extraction::join(const RunContext& context)
 {
-  if (order == Order::any && parts.size() == 1)
+  if (order == Order::ofMesh)
+  {
+    joinNumbers(context);
+  }
+  else if (!parts.empty())
   {
     region.pointIds = std::move(parts.front().pointIds);
     ghosts = std::move(parts.front().ghosts);
-  }
-  else
-  {
-    joinNumbers(context);
   }
   region.points.resize(region.pointIds.size());
   context.executor.forEach(region.points.size(), partLength,
@@ -135,7 +134,7 @@ void Extraction::joinNumbers(const RunContext& context)
     Part& part = parts[i];
     const auto rename = [&](Index corner) { return part.pointIds[corner]; };
     std::ranges::transform(part.corners, part.corners.begin(), rename);
-    for (NativeCell& native : part.natives)
+    for (NativeCell& native : part.made.natives)
     {
       const auto end = native.corners.begin() + static_cast<std::ptrdiff_t>(shapeOf(native.type).corners);
       std::transform(native.corners.begin(), end, native.corners.begin(), rename);
@@ -152,10 +151,10 @@ void Extraction::joinNumbers(const RunContext& context)
 void Extraction::makeFaces(Part& part) const
 {
   const std::size_t faces = 3 * part.size() + part.size() / 2;
-  part.owner.reserve(faces);
-  part.neighbour.reserve(faces);
-  part.faceOffsets.reserve(faces + 1);
-  part.facePoints.reserve(4 * faces);
+  part.made.owner.reserve(faces);
+  part.made.neighbour.reserve(faces);
+  part.made.faceOffsets.reserve(faces + 1);
+  part.made.facePoints.reserve(4 * faces);
   CellSource::Scratch scratch;
   const Index* next = part.across.data();
   for (Index c = 0; c < part.size(); ++c)
@@ -169,10 +168,10 @@ void Extraction::makeFaces(Part& part) const
       {
         continue;
       }
-      part.owner.push_back(local);
-      part.neighbour.push_back(across);
-      part.facePoints.insert(part.facePoints.end(), face.points.begin(), face.points.end());
-      part.faceOffsets.push_back(static_cast<Index>(part.facePoints.size()));
+      part.made.owner.push_back(local);
+      part.made.neighbour.push_back(across);
+      part.made.facePoints.insert(part.made.facePoints.end(), face.points.begin(), face.points.end());
+      part.made.faceOffsets.push_back(static_cast<Index>(part.made.facePoints.size()));
     }
   }
   std::vector<Index>().swap(part.across);
@@ -182,20 +181,15 @@ void Extraction::joinFaces(const RunContext& context)
 {
   if (parts.size() == 1)
   {
-    Part& part = parts.front();
-    region.owner = std::move(part.owner);
-    region.neighbour = std::move(part.neighbour);
-    region.faceOffsets = std::move(part.faceOffsets);
-    region.facePoints = std::move(part.facePoints);
-    region.natives = std::move(part.natives);
+    static_cast<RegionCells&>(region) = std::move(parts.front().made);
     return;
   }
   std::vector<std::size_t> faces{0};
   std::vector<std::size_t> points{0};
   for (const Part& part : parts)
   {
-    faces.push_back(faces.back() + part.owner.size());
-    points.push_back(points.back() + part.facePoints.size());
+    faces.push_back(faces.back() + part.made.owner.size());
+    points.push_back(points.back() + part.made.facePoints.size());
   }
   region.owner.resize(faces.back());
   region.neighbour.resize(faces.back());
@@ -207,15 +201,14 @@ void Extraction::joinFaces(const RunContext& context)
     const auto copyTo = [](auto& to, std::size_t at, const auto& from) {
       std::ranges::copy(from, to.begin() + static_cast<std::ptrdiff_t>(at));
     };
-    copyTo(region.owner, faces[i], part.owner);
-    copyTo(region.neighbour, faces[i], part.neighbour);
-    copyTo(region.facePoints, points[i], part.facePoints);
-    copyTo(region.natives, part.first, part.natives);
-    std::transform(part.faceOffsets.begin() + 1, part.faceOffsets.end(),
+    copyTo(region.owner, faces[i], part.made.owner);
+    copyTo(region.neighbour, faces[i], part.made.neighbour);
+    copyTo(region.facePoints, points[i], part.made.facePoints);
+    copyTo(region.natives, part.first, part.made.natives);
+    std::transform(part.made.faceOffsets.begin() + 1, part.made.faceOffsets.end(),
                    region.faceOffsets.begin() + static_cast<std::ptrdiff_t>(faces[i]) + 1,
                    [&](Index offset) { return static_cast<Index>(points[i]) + offset; });
-    part.owner = part.neighbour = part.faceOffsets = part.facePoints = {};
-    part.natives = {};
+    part.made = {};
   });
 }
 

@@ -14,7 +14,7 @@ class Extraction
 public:
   enum class Order
   {
-    any,   ///< of points and of cells beside
+    any,   ///< of points and of cells beside; these are numbered by one thread
     ofMesh ///< both have the order of their numbers in the mesh
   };
 
@@ -49,12 +49,7 @@ private:
     /// For each face that has a cell across, in their order, that cell's number in the region; those beside come behind
     /// all judged ones, by `ghosts` until all are put together.
     std::vector<Index> across;
-    /// As in Region.
-    std::vector<NativeCell> natives;
-    std::vector<Index> owner;
-    std::vector<Index> neighbour;
-    std::vector<Index> faceOffsets{0};
-    std::vector<Index> facePoints;
+    RegionCells made;
 
     Index size() const { return static_cast<Index>(cornerOffsets.size()) - 1; }
     std::span<const Index> cornersOf(Index cell) const

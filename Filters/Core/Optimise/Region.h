@@ -8,25 +8,30 @@
 
 namespace atria {
 
-/// Cells about points that may move, and beside them cells that only lend their centroids. Every cell about a
-/// point that may move is judged, so what is outside the region does not change. Cells are any closed polyhedra.
-struct Region
+/// Faces and corners of the judged cells of a region, or of some of them.
+struct RegionCells
 {
-  /// Points of the judged cells, and their numbers in the mesh, in whose order they are where some may move.
-  std::vector<Vec3> points;
-  std::vector<Index> pointIds;
   /// Faces of judged cells, once each; the normal points out of the owner, which is judged. `neighbour` is a cell of
   /// either kind, or noIndex on the mesh's boundary.
   std::vector<Index> faceOffsets{0};
   std::vector<Index> facePoints;
   std::vector<Index> owner;
   std::vector<Index> neighbour;
+  /// Of each judged cell, its corners numbered as in `points`; empty unless they were asked for.
+  std::vector<NativeCell> natives;
+};
+
+/// Cells about points that may move, and beside them cells that only lend their centroids. Every cell about a
+/// point that may move is judged, so what is outside the region does not change. Cells are any closed polyhedra.
+struct Region : RegionCells
+{
+  /// Points of the judged cells, and their numbers in the mesh, in whose order they are where some may move.
+  std::vector<Vec3> points;
+  std::vector<Index> pointIds;
   /// Faces of each judged cell; the judged cells are the first, in the order of the mesh.
   Buffer<Index> cellOffsets{0};
   Buffer<Index> cellFaces;
   std::vector<Index> cellIds;
-  /// Of each judged cell, its corners numbered as in `points`; empty unless they were asked for.
-  std::vector<NativeCell> natives;
   /// Centroid and volume of the others, after the judged ones.
   std::vector<Vec3> ghostCentroids;
   std::vector<double> ghostVolumes;
