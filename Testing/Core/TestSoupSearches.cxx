@@ -159,7 +159,7 @@ TEST(EdgeUses, AreSortedByEdgeAndTriangle)
     soup.add({static_cast<Index>(random() % 50), static_cast<Index>(random() % 50), static_cast<Index>(random() % 50)},
              0, t);
   }
-  const std::vector<SoupEdgeUse> uses = sortedEdgeUses(soup);
+  const std::vector<SoupEdgeUse> uses = sortedEdgeUses(soup, SerialExecutor());
   ASSERT_EQ(uses.size(), 3 * soup.triangles.size());
   std::multiset<std::tuple<EdgeKey, Index, bool>> expected;
   for (Index t = 0; t < soup.triangles.size(); ++t)

@@ -116,7 +116,7 @@ TEST(Zones, SummariesTellPlaceSizeAndSurfacesOfEveryZone)
   grid.sizeMax = 1.0;
   FoundZones found(surface, grid);
   const std::vector<char> kept = found.kept(ZoneRule::outside);
-  const auto zones = summariseZones(found.zones, kept, found.crossings, found.grid, 8);
+  const auto zones = summariseZones(found.zones, kept, found.crossings, found.grid, 8, found.context());
   ASSERT_EQ(zones.size(), found.zones.count());
   std::size_t total = 0;
   for (std::size_t i = 0; i < zones.size(); ++i)
@@ -148,8 +148,8 @@ TEST(Zones, SummariesPointsAreSeedsWhateverTheSurfaces)
     grid.sizeMid = 0.5;
     grid.sizeMax = 1.0;
     FoundZones found(atria::testing::randomSoup(seed), grid);
-    const auto zones =
-        summariseZones(found.zones, found.kept(ZoneRule::all), found.crossings, found.grid, found.model.names.size());
+    const auto zones = summariseZones(found.zones, found.kept(ZoneRule::all), found.crossings, found.grid,
+                                      found.model.names.size(), found.context());
     for (std::size_t i = 0; i < zones.size(); ++i)
     {
       EXPECT_EQ(found.zoneAt(zones[i].inside), static_cast<std::int32_t>(i));
@@ -186,7 +186,8 @@ TEST(Zones, ASeedInAThinGapMeansTheGap)
         EXPECT_EQ(zoneAt(0.15 * size, y), gap) << y;
         EXPECT_EQ(zoneAt(0.3 * size + 0.02, y), east) << y;
       }
-      const auto zones = summariseZones(found.zones, found.kept(ZoneRule::all), found.crossings, found.grid, 2);
+      const auto zones =
+          summariseZones(found.zones, found.kept(ZoneRule::all), found.crossings, found.grid, 2, found.context());
       EXPECT_EQ(found.zoneAt(zones[gap].inside), gap);
     }
   }

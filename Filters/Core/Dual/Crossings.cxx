@@ -218,6 +218,15 @@ private:
 
 } // namespace
 
+Buckets edgesByLeaf(const Crossings& crossings, std::size_t leafCount, const RunContext& context)
+{
+  return fillInOrder(leafCount, context.executor, [&](auto&& use) {
+    context.executor.forEach(crossings.crossedEdges.size(), 2048, [&](std::size_t e) {
+      eachLeaf(crossings.crossedEdges[e].segment.about, [&](Index leaf) { use(leaf, static_cast<Index>(e)); });
+    });
+  });
+}
+
 std::span<const SurfaceCrossing> cutEdge(const GridPlaces& grid, EdgeProbe& probe, Index point,
                                          const GridPlaces::Edge& edge, const EdgeSegment& segment,
                                          const GridTrial& trial)

@@ -4,6 +4,7 @@
 #include "Dual/DualMesh.h"
 #include "Dual/EdgeProbe.h"
 #include "Dual/GridPlaces.h"
+#include "Support/Buckets.h"
 
 namespace atria {
 
@@ -35,6 +36,21 @@ struct Crossings
     return std::span(cuts).subspan(edge.begin, edge.count);
   }
 };
+
+/// f(leaf) for each of the leaves about an edge or a point, once.
+template <std::size_t n, typename F> void eachLeaf(const std::array<Index, n>& leaves, F&& f)
+{
+  for (auto leaf = leaves.begin(); leaf != leaves.end(); ++leaf)
+  {
+    if (std::find(leaves.begin(), leaf, *leaf) == leaf)
+    {
+      f(*leaf);
+    }
+  }
+}
+
+/// Which crossed edges each leaf has, in order.
+Buckets edgesByLeaf(const Crossings& crossings, std::size_t leafCount, const RunContext& context);
 
 /// Crossings of one edge of the grid, whose segment was made with the same trial; see EdgeProbe.
 std::span<const SurfaceCrossing> cutEdge(const GridPlaces& grid, EdgeProbe& probe, Index point,

@@ -3,8 +3,10 @@
 #pragma once
 
 #include "Support/Buffer.h"
+#include "Support/Executor.h"
 #include "Support/Types.h"
 
+#include <atomic>
 #include <string>
 #include <vector>
 
@@ -90,16 +92,16 @@ inline ReducedFace faceOf(const std::array<Index, 8>& corners, int direction)
 }
 
 /// Marks the points of boundary faces.
-inline std::vector<char> boundaryPoints(const DualMesh& mesh)
+inline std::vector<char> boundaryPoints(const DualMesh& mesh, const Executor& executor)
 {
   std::vector<char> marked(mesh.points.size(), 0);
-  for (const BoundaryFace& face : mesh.boundaryFaces)
-  {
+  executor.forEach(mesh.boundaryFaces.size(), 4096, [&](std::size_t f) {
+    const BoundaryFace& face = mesh.boundaryFaces[f];
     for (const std::uint8_t c : hexahedronFace[face.direction])
     {
-      marked[mesh.corners[face.element][c]] = 1;
+      std::atomic_ref(marked[mesh.corners[face.element][c]]).store(1, std::memory_order_relaxed);
     }
-  }
+  });
   return marked;
 }
 

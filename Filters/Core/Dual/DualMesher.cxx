@@ -71,21 +71,20 @@ std::vector<Index> numberVertices(const GridPoints& points, const std::vector<In
   return used;
 }
 
-void fillBoundary(DualMesh& mesh, Crossings& crossings, const std::vector<Index>& elements)
+void fillBoundary(DualMesh& mesh, Crossings& crossings, const std::vector<Index>& elements, const RunContext& context)
 {
-  for (std::size_t f = 0; f < crossings.boundaryFaces.size(); ++f)
-  {
-    BoundaryFace face = crossings.boundaryFaces[f];
+  const std::vector<Index> kept = chosenNumbers(crossings.boundaryFaces.size(), context.executor, [&](std::size_t f) {
+    return elements[crossings.boundaryFaces[f].element] != noIndex;
+  });
+  mesh.boundaryFaces.resize(kept.size());
+  context.executor.forEach(kept.size(), 4096, [&](std::size_t f) {
+    BoundaryFace face = crossings.boundaryFaces[kept[f]];
     const Index point = face.element;
-    if (elements[point] == noIndex)
-    {
-      continue;
-    }
     face.element = elements[point];
     face.opposite = face.opposite == noIndex ? noIndex : elements[face.opposite];
-    crossings.neighbours[point][face.direction] = ~static_cast<std::int32_t>(mesh.boundaryFaces.size());
-    mesh.boundaryFaces.push_back(face);
-  }
+    crossings.neighbours[point][face.direction] = ~static_cast<std::int32_t>(f);
+    mesh.boundaryFaces[f] = face;
+  });
 }
 
 void fillElements(DualMesh& mesh, const Octree& octree, const GridPoints& points, const Crossings& crossings,
@@ -168,7 +167,7 @@ void inspectZones(const GridPlaces& grid, const SurfaceModel& model, TriangleTre
                   const Crossings& crossings, const Zones& zones, const std::vector<Index>& elements,
                   const DualMeshOptions& options, DualMeshResult& result, const RunContext& context)
 {
-  result.zones = summariseZones(zones, result.keptZones, crossings, grid, model.names.size());
+  result.zones = summariseZones(zones, result.keptZones, crossings, grid, model.names.size(), context);
   result.leaks = findLeaks(options.sealedSeeds, zones, crossings, grid, model, context);
   for (const Leak& leak : result.leaks)
   {
@@ -223,7 +222,7 @@ VertexAnchors fillMesh(DualMeshResult& result, const Octree& octree, const Surfa
   clock.lap("vertices");
   context.progress.report(0.9, "Making elements");
   context.progress.check();
-  fillBoundary(mesh, crossings, elements);
+  fillBoundary(mesh, crossings, elements, context);
   fillElements(mesh, octree, points, crossings, zones, elements, vertexOfLeaf, context);
   context.progress.check();
   const std::vector<Vec3> before = octree.frame().turnedDomain ? mesh.points : std::vector<Vec3>();

@@ -16,41 +16,6 @@ namespace {
 
 using LeafCuts = std::span<const Index>;
 
-/// Which crossed edges each leaf has, in order.
-class CutsByLeaf
-{
-public:
-  CutsByLeaf(const Crossings& crossings, std::size_t leafCount) : offsets(leafCount + 2, 0)
-  {
-    // Counted two places up and summed one place up, an offset serves as its leaf's cursor, and ends as its begin.
-    forEachUse(crossings, [&](Index leaf, Index) { ++offsets[leaf + 2]; });
-    std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
-    edges.resize(offsets.back());
-    forEachUse(crossings, [&](Index leaf, Index edge) { edges[offsets[leaf + 1]++] = edge; });
-  }
-
-  LeafCuts of(Index leaf) const { return LeafCuts(edges).subspan(offsets[leaf], offsets[leaf + 1] - offsets[leaf]); }
-
-private:
-  template <typename Use> static void forEachUse(const Crossings& crossings, Use&& use)
-  {
-    for (Index e = 0; e < crossings.crossedEdges.size(); ++e)
-    {
-      const auto& about = crossings.crossedEdges[e].segment.about;
-      for (auto leaf = about.begin(); leaf != about.end(); ++leaf)
-      {
-        if (std::find(about.begin(), leaf, *leaf) == leaf)
-        {
-          use(*leaf, e);
-        }
-      }
-    }
-  }
-
-  std::vector<Index> offsets;
-  std::vector<Index> edges;
-};
-
 /// What the vertices of a range of leaves are.
 struct Part
 {
@@ -294,7 +259,7 @@ void fillPieces(VertexAnchors& anchors, const std::vector<Part>& parts, const st
 DualVertices placeVertices(const Octree& octree, const SurfaceModel& model, const Crossings& crossings,
                            const std::vector<Index>& leaves, const RunContext& context)
 {
-  const CutsByLeaf byLeaf(crossings, octree.leafCount());
+  const Buckets byLeaf = edgesByLeaf(crossings, octree.leafCount(), context);
   const LeafCurves curves(octree, model, context);
   DualVertices vertices;
   vertices.positions.resize(leaves.size());

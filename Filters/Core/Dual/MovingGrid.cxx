@@ -2,6 +2,7 @@
 #include "Dual/MovingGrid.h"
 
 #include "Dual/FeatureCorners.h"
+#include "Support/Pieces.h"
 #include "Support/Sorting.h"
 
 #include <algorithm>
@@ -11,18 +12,6 @@ namespace atria {
 namespace {
 
 std::uint64_t keyOf(Index point, int direction) { return std::uint64_t{point} << 3 | direction; }
-
-/// f(leaf) for each of the leaves about an edge or a point, once.
-template <std::size_t n, typename F> void eachLeaf(const std::array<Index, n>& leaves, F&& f)
-{
-  for (auto leaf = leaves.begin(); leaf != leaves.end(); ++leaf)
-  {
-    if (std::find(leaves.begin(), leaf, *leaf) == leaf)
-    {
-      f(*leaf);
-    }
-  }
-}
 
 } // namespace
 
@@ -35,29 +24,10 @@ MovingGrid::MovingGrid(GridPlaces& places, const SurfaceModel& model, TriangleTr
                        const Crossings& crossings, const RunContext& context)
     : grid(places), tree(places.octree()), surfaces(model), triangles(trianglesOfModel), home(crossings),
       atCorners(curvesAtCorners(model)), leafCurves(tree, model, context),
-      movedOf(crossings.crossedEdges.size(), noIndex), view(*this)
+      edgesOfLeaf(edgesByLeaf(crossings, tree.leafCount(), context)), movedOf(crossings.crossedEdges.size(), noIndex),
+      view(*this)
 {
-  listEdges();
   findQuestions(context);
-}
-
-void MovingGrid::listEdges()
-{
-  begin.assign(tree.leafCount() + 1, 0);
-  for (const CrossedEdge& edge : home.crossedEdges)
-  {
-    eachLeaf(edge.segment.about, [&](Index leaf) { ++begin[leaf + 1]; });
-  }
-  for (std::size_t leaf = 0; leaf + 1 < begin.size(); ++leaf)
-  {
-    begin[leaf + 1] += begin[leaf];
-  }
-  edgesOfLeaf.resize(begin.back());
-  std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
-  for (Index id = 0; id < home.crossedEdges.size(); ++id)
-  {
-    eachLeaf(home.crossedEdges[id].segment.about, [&](Index leaf) { edgesOfLeaf[next[leaf]++] = id; });
-  }
 }
 
 void MovingGrid::findQuestions(const RunContext& context)
@@ -72,21 +42,16 @@ void MovingGrid::findQuestions(const RunContext& context)
       findings[leaf] = find(static_cast<Index>(leaf), of);
     }
   });
-  for (Index leaf = 0; leaf < findings.size(); ++leaf)
-  {
-    if (findings[leaf].inQuestion)
-    {
-      inQuestion.push_back(leaf);
-    }
-  }
+  inQuestion = chosenNumbers(findings.size(), context.executor,
+                             [&](std::size_t leaf) { return findings[leaf].inQuestion != 0; });
 }
 
 /// f(id) for each edge of a leaf that was cut at some time.
 template <typename F> void MovingGrid::eachEdge(Index leaf, F&& f) const
 {
-  for (std::uint32_t i = begin[leaf]; i < begin[leaf + 1]; ++i)
+  for (const Index id : edgesOfLeaf.of(leaf))
   {
-    f(edgesOfLeaf[i]);
+    f(id);
   }
   if (const auto found = addedOfLeaf.find(leaf); found != addedOfLeaf.end())
   {

@@ -157,7 +157,6 @@ private:
     std::vector<SurfaceCrossing> cuts;
   };
 
-  void listEdges();
   void findQuestions(const RunContext& context);
   template <typename F> void eachEdge(Index leaf, F&& f) const;
   Edge at(Index id) const;
@@ -181,10 +180,8 @@ private:
   const Crossings& home;
   std::vector<std::vector<std::vector<Index>>> atCorners;
   LeafCurves leafCurves;
-  /// Edges are numbered as in `home`, and then as they come. Those of leaf l are edgesOfLeaf[begin[l], begin[l + 1])
-  /// and addedOfLeaf[l].
-  std::vector<std::uint32_t> begin;
-  std::vector<Index> edgesOfLeaf;
+  /// Edges are numbered as in `home`, and then as they come. Those of a leaf are in both.
+  Buckets edgesOfLeaf;
   std::unordered_map<Index, std::vector<Index>> addedOfLeaf;
   std::unordered_map<std::uint64_t, Index> addedIds;
   /// Per edge its place in `moved`, or noIndex where it is as in `home`.

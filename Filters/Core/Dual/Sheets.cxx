@@ -1,83 +1,55 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Dual/Sheets.h"
 
+#include "Support/Buckets.h"
 #include "Support/Pieces.h"
 #include "Support/UnionFind.h"
 
 #include <algorithm>
-#include <numeric>
 #include <span>
 
 namespace atria {
 
 namespace {
 
-/// Points on the boundary, and the elements about each of them, sorted.
+constexpr std::size_t grain = 4096;
+
+/// Points on the boundary, in order, and for each its elements, in order.
 struct BoundaryStars
 {
   std::vector<Index> points;
-  std::vector<Index> offsets;
-  std::vector<Index> elements;
+  Buckets elements;
 };
-
-/// Elements with points on the boundary: each such point's place among `slots` with the element, by elements.
-using Uses = std::vector<std::pair<Index, Index>>;
-
-std::vector<Uses> findUses(const DualMesh& mesh, const std::vector<Index>& slots, const RunContext& context)
-{
-  const Pieces pieces(mesh.elementCount());
-  std::vector<Uses> uses(pieces.count);
-  context.executor.forEach(pieces.count, 1, [&](std::size_t piece) {
-    context.progress.check();
-    for (std::size_t e = pieces.begin(piece); e < pieces.end(piece); ++e)
-    {
-      const auto& corners = mesh.corners[e];
-      for (auto p = corners.begin(); p != corners.end(); ++p)
-      {
-        if (slots[*p] != noIndex && std::find(corners.begin(), p, *p) == p)
-        {
-          uses[piece].emplace_back(slots[*p], static_cast<Index>(e));
-        }
-      }
-    }
-  });
-  return uses;
-}
 
 /// Only where both sides of some sheet are in the mesh, or zones touch, can there be more than one sector; all boundary
 /// points are looked at nevertheless, as zones may touch at a point.
 BoundaryStars findStars(const DualMesh& mesh, const RunContext& context)
 {
-  const std::vector<char> marked = boundaryPoints(mesh);
+  const std::vector<char> marked = boundaryPoints(mesh, context.executor);
   BoundaryStars stars;
-  std::vector<Index> slots(marked.size(), noIndex);
-  for (Index p = 0; p < marked.size(); ++p)
-  {
-    if (marked[p])
-    {
-      slots[p] = static_cast<Index>(stars.points.size());
-      stars.points.push_back(p);
-    }
-  }
-  const std::vector<Uses> uses = findUses(mesh, slots, context);
-  // Counted two places up and summed one place up, an offset serves as its point's cursor, and ends as its begin.
-  stars.offsets.assign(stars.points.size() + 2, 0);
-  for (const Uses& piece : uses)
-  {
-    for (const auto& [slot, element] : piece)
-    {
-      ++stars.offsets[slot + 2];
-    }
-  }
-  std::partial_sum(stars.offsets.begin(), stars.offsets.end(), stars.offsets.begin());
-  stars.elements.resize(stars.offsets.back());
-  for (const Uses& piece : uses)
-  {
-    for (const auto& [slot, element] : piece)
-    {
-      stars.elements[stars.offsets[slot + 1]++] = element;
-    }
-  }
+  stars.points = chosenNumbers(marked.size(), context.executor, [&](std::size_t p) { return marked[p] != 0; });
+  Buffer<Index> slots(marked.size());
+  context.executor.forEach(stars.points.size(), grain,
+                           [&](std::size_t i) { slots[stars.points[i]] = static_cast<Index>(i); });
+  Buffer<char> touches(mesh.elementCount());
+  context.executor.forEach(touches.size(), grain, [&](std::size_t e) {
+    touches[e] = std::ranges::any_of(mesh.corners[e], [&](Index p) { return marked[p] != 0; }) ? 1 : 0;
+  });
+  const std::vector<Index> elements =
+      chosenNumbers(touches.size(), context.executor, [&](std::size_t e) { return touches[e] != 0; });
+  context.progress.check();
+  stars.elements = fillInOrder(stars.points.size(), context.executor, [&](auto&& use) {
+    context.executor.forEach(elements.size(), grain, [&](std::size_t i) {
+      const auto& corners = mesh.corners[elements[i]];
+      for (auto p = corners.begin(); p != corners.end(); ++p)
+      {
+        if (marked[*p] && std::find(corners.begin(), p, *p) == p)
+        {
+          use(slots[*p], elements[i]);
+        }
+      }
+    });
+  });
   return stars;
 }
 
@@ -119,36 +91,35 @@ std::vector<Index> sectorsOf(const DualMesh& mesh, Index point, std::span<const 
 std::vector<Index> splitSheets(DualMesh& mesh, const RunContext& context)
 {
   const BoundaryStars stars = findStars(mesh, context);
-  std::vector<Index> sectors(stars.elements.size());
-  std::vector<Index> copies(stars.points.size() + 1, 0);
+  Buffer<Index> sectors(stars.elements.entries.size());
+  std::vector<Index> copies(stars.points.size());
   context.executor.forEach(stars.points.size(), 1024, [&](std::size_t i) {
-    const auto star = std::span(stars.elements).subspan(stars.offsets[i], stars.offsets[i + 1] - stars.offsets[i]);
-    const std::vector<Index> own = sectorsOf(mesh, stars.points[i], star);
-    std::copy(own.begin(), own.end(), sectors.begin() + stars.offsets[i]);
-    copies[i + 1] = *std::max_element(own.begin(), own.end());
+    const std::vector<Index> own = sectorsOf(mesh, stars.points[i], stars.elements.of(i));
+    std::ranges::copy(own, sectors.begin() + stars.elements.offsets[i]);
+    copies[i] = std::ranges::max(own);
   });
-  for (std::size_t i = 1; i < copies.size(); ++i)
-  {
-    copies[i] += copies[i - 1];
-  }
+  const std::vector<Index> split =
+      chosenNumbers(copies.size(), context.executor, [&](std::size_t i) { return copies[i] > 0; });
+  const Index count = scan(copies);
   context.progress.check();
   const auto before = static_cast<Index>(mesh.points.size());
-  mesh.points.resize(before + copies.back());
-  std::vector<Index> sources(copies.back());
-  for (std::size_t i = 0; i < stars.points.size(); ++i)
+  mesh.points.resize(before + count);
+  std::vector<Index> sources(count);
+  for (const Index i : split)
   {
     const Index point = stars.points[i];
-    for (Index s = stars.offsets[i]; s < stars.offsets[i + 1]; ++s)
+    const auto star = stars.elements.of(i);
+    for (std::size_t s = 0; s < star.size(); ++s)
     {
-      if (sectors[s] == 0)
+      const Index sector = sectors[stars.elements.offsets[i] + s];
+      if (sector == 0)
       {
         continue;
       }
-      const Index copy = before + copies[i] + sectors[s] - 1;
+      const Index copy = before + copies[i] + sector - 1;
       mesh.points[copy] = mesh.points[point];
       sources[copy - before] = point;
-      auto& corners = mesh.corners[stars.elements[s]];
-      std::replace(corners.begin(), corners.end(), point, copy);
+      std::ranges::replace(mesh.corners[star[s]], point, copy);
     }
   }
   return sources;

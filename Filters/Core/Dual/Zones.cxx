@@ -3,10 +3,12 @@
 
 #include "Octree/GeometryLists.h"
 #include "Support/Error.h"
+#include "Support/Pieces.h"
 #include "Support/UnionFind.h"
 
 #include <algorithm>
 #include <sstream>
+#include <utility>
 
 namespace atria {
 
@@ -14,6 +16,41 @@ namespace {
 
 constexpr unsigned bottom = 1u << zMin;
 constexpr unsigned top = 1u << zMax;
+
+/// Points in a row that are of one set.
+struct Run
+{
+  Index root;
+  Index points;
+};
+
+void addToRuns(std::vector<Run>& runs, Index root)
+{
+  if (runs.empty() || runs.back().root != root)
+  {
+    runs.push_back({root, 0});
+  }
+  ++runs.back().points;
+}
+
+/// Roots of sets, the largest first. `sizes`, which are 0, get those of each root.
+std::vector<Index> rootsBySize(const std::vector<std::vector<Run>>& runs, std::vector<Index>& sizes)
+{
+  std::vector<Index> roots;
+  for (const std::vector<Run>& piece : runs)
+  {
+    for (const Run& run : piece)
+    {
+      if (sizes[run.root] == 0)
+      {
+        roots.push_back(run.root);
+      }
+      sizes[run.root] += run.points;
+    }
+  }
+  std::ranges::sort(roots, [&](Index l, Index r) { return sizes[l] != sizes[r] ? sizes[l] > sizes[r] : l < r; });
+  return roots;
+}
 
 /// Keeps the zones that reach one of `sides`, by their bits in `reached`. Returns whether there are any.
 bool keepReaching(unsigned sides, const std::vector<std::uint8_t>& reached, std::vector<char>& kept)
@@ -67,35 +104,67 @@ Vec3 placeAt(Index point, const GridPlaces& grid)
   return at;
 }
 
-/// For each zone, the point with the largest octants about it and nothing of the model in them; else its first point.
-std::vector<Index> roomiestPoints(const Zones& zones, const Octree& octree, const GridPoints& points)
+/// A point of a zone and the level of the finest octant about it, where nothing of the model is in any; else the
+/// greatest number.
+struct RoomyPoint
 {
-  std::vector<Index> best(zones.count(), noIndex);
-  std::vector<int> finestThere(zones.count(), 0);
-  for (Index point = 0; point < zones.ofPoint.size(); ++point)
+  std::int32_t zone;
+  Index point;
+  int finest;
+};
+
+/// For the zones of some points, in a row, the point with the largest octants about it; else the first one.
+std::vector<RoomyPoint> roomiestOf(const Zones& zones, std::size_t begin, std::size_t end, const Octree& octree,
+                                   const GridPoints& points)
+{
+  std::vector<RoomyPoint> best;
+  for (auto point = static_cast<Index>(begin); point < end; ++point)
   {
     const std::int32_t zone = zones.ofPoint[point];
     const auto& leaves = points.leaves[point];
-    if (best[zone] != noIndex && octree.level(leaves.front()) >= finestThere[zone])
+    const bool first = best.empty() || best.back().zone != zone;
+    if (!first && octree.level(leaves.front()) >= best.back().finest)
     {
       continue;
     }
     int finest = std::numeric_limits<int>::max();
     if (isFree(octree, leaves))
     {
-      finest = 0;
-      for (const Index leaf : leaves)
-      {
-        finest = std::max(finest, octree.level(leaf));
-      }
+      finest = octree.level(std::ranges::max(leaves, {}, [&](Index leaf) { return octree.level(leaf); }));
     }
-    if (best[zone] == noIndex || finest < finestThere[zone])
+    if (first)
     {
-      best[zone] = point;
-      finestThere[zone] = finest;
+      best.push_back({zone, point, finest});
+    }
+    else if (finest < best.back().finest)
+    {
+      best.back() = {zone, point, finest};
     }
   }
   return best;
+}
+
+/// By zone.
+std::vector<Index> roomiestPoints(const Zones& zones, const Octree& octree, const GridPoints& points,
+                                  const RunContext& context)
+{
+  const Pieces pieces(zones.ofPoint.size());
+  std::vector<std::vector<RoomyPoint>> found(pieces.count);
+  context.executor.forEach(pieces.count, 1, [&](std::size_t piece) {
+    found[piece] = roomiestOf(zones, pieces.begin(piece), pieces.end(piece), octree, points);
+  });
+  std::vector<RoomyPoint> best(zones.count(), {0, noIndex, 0});
+  for (const std::vector<RoomyPoint>& piece : found)
+  {
+    for (const RoomyPoint& one : piece)
+    {
+      RoomyPoint& least = best[static_cast<std::size_t>(one.zone)];
+      least = least.point == noIndex || one.finest < least.finest ? one : least;
+    }
+  }
+  std::vector<Index> out;
+  std::ranges::transform(best, std::back_inserter(out), &RoomyPoint::point);
+  return out;
 }
 
 /// The grid points of a leaf and of those that touch it, by distance from p; only those inside a turned domain.
@@ -260,31 +329,29 @@ Zones findZones(const Crossings& crossings, std::size_t surfaceCount, const RunC
 {
   const std::size_t count = crossings.neighbours.size();
   UnionFind sets = joinPoints(crossings, context);
-  std::vector<Index> roots;
-  std::vector<Index> sizes(count, 0);
-  for (Index point = 0; point < count; ++point)
-  {
-    const Index root = sets.find(point);
-    if (root == point)
-    {
-      roots.push_back(root);
-    }
-    ++sizes[root];
-  }
-  std::stable_sort(roots.begin(), roots.end(), [&](Index l, Index r) { return sizes[l] > sizes[r]; });
   Zones zones;
+  zones.ofPoint.resize(count);
+  const Pieces pieces(count);
+  std::vector<std::vector<Run>> runs(pieces.count);
+  context.executor.forEach(pieces.count, 1, [&](std::size_t piece) {
+    for (std::size_t point = pieces.begin(piece); point < pieces.end(piece); ++point)
+    {
+      const Index root = sets.findShared(static_cast<Index>(point));
+      zones.ofPoint[point] = static_cast<std::int32_t>(root);
+      addToRuns(runs[piece], root);
+    }
+  });
+  std::vector<Index> ofRoot(count, 0); // the number of its points, then its zone
+  const std::vector<Index> roots = rootsBySize(runs, ofRoot);
+  for (Index zone = 0; zone < roots.size(); ++zone)
+  {
+    zones.sizes.push_back(std::exchange(ofRoot[roots[zone]], zone));
+  }
+  context.executor.forEach(count, Pieces::length, [&](std::size_t point) {
+    zones.ofPoint[point] = static_cast<std::int32_t>(ofRoot[static_cast<std::size_t>(zones.ofPoint[point])]);
+  });
   zones.sides.resize(roots.size(), 0);
   zones.openSides.resize(roots.size(), 0);
-  zones.ofPoint.resize(count);
-  for (std::size_t i = 0; i < roots.size(); ++i)
-  {
-    zones.sizes.push_back(sizes[roots[i]]);
-    zones.ofPoint[roots[i]] = static_cast<std::int32_t>(i);
-  }
-  for (Index point = 0; point < count; ++point)
-  {
-    zones.ofPoint[point] = zones.ofPoint[sets.find(point)];
-  }
   for (const BoundaryFace& face : crossings.boundaryFaces)
   {
     if (face.onDomainSide)
@@ -327,10 +394,10 @@ std::vector<char> keptZones(const Zones& zones, ZoneRule rule, const std::vector
 }
 
 std::vector<ZoneSummary> summariseZones(const Zones& zones, const std::vector<char>& kept, const Crossings& crossings,
-                                        const GridPlaces& grid, std::size_t surfaceCount)
+                                        const GridPlaces& grid, std::size_t surfaceCount, const RunContext& context)
 {
   std::vector<ZoneSummary> summaries(zones.count());
-  const std::vector<Index> roomiest = roomiestPoints(zones, grid.octree(), grid.points());
+  const std::vector<Index> roomiest = roomiestPoints(zones, grid.octree(), grid.points(), context);
   for (std::size_t i = 0; i < zones.count(); ++i)
   {
     summaries[i].elements = zones.sizes[i];

@@ -58,6 +58,6 @@ struct ZoneSummary
   std::vector<Index> surfaces;
 };
 std::vector<ZoneSummary> summariseZones(const Zones& zones, const std::vector<char>& kept, const Crossings& crossings,
-                                        const GridPlaces& grid, std::size_t surfaceCount);
+                                        const GridPlaces& grid, std::size_t surfaceCount, const RunContext& context);
 
 } // namespace atria

@@ -18,31 +18,17 @@ struct HalfEdge
 };
 
 /// For each point the faces that have it.
-void findFaces(const DualMesh& mesh, BoundaryGraph& graph)
+Buckets findFaces(const DualMesh& mesh, const RunContext& context)
 {
-  graph.offsets.assign(mesh.points.size() + 1, 0);
-  std::vector<ReducedFace> reduced(mesh.boundaryFaces.size());
-  for (std::size_t f = 0; f < mesh.boundaryFaces.size(); ++f)
-  {
-    reduced[f] = faceOf(mesh.corners[mesh.boundaryFaces[f].element], mesh.boundaryFaces[f].direction);
-    for (int i = 0; i < reduced[f].count; ++i)
-    {
-      ++graph.offsets[reduced[f].points[i] + 1];
-    }
-  }
-  for (std::size_t p = 1; p < graph.offsets.size(); ++p)
-  {
-    graph.offsets[p] += graph.offsets[p - 1];
-  }
-  graph.faces.resize(graph.offsets.back());
-  std::vector<Index> next(graph.offsets.begin(), graph.offsets.end() - 1);
-  for (Index f = 0; f < reduced.size(); ++f)
-  {
-    for (int i = 0; i < reduced[f].count; ++i)
-    {
-      graph.faces[next[reduced[f].points[i]]++] = f;
-    }
-  }
+  return fillInOrder(mesh.points.size(), context.executor, [&](auto&& use) {
+    context.executor.forEach(mesh.boundaryFaces.size(), grain, [&](std::size_t f) {
+      const ReducedFace face = faceOf(mesh.corners[mesh.boundaryFaces[f].element], mesh.boundaryFaces[f].direction);
+      for (int i = 0; i < face.count; ++i)
+      {
+        use(face.points[i], static_cast<Index>(f));
+      }
+    });
+  });
 }
 
 /// The edges of the faces at a point that lead to higher points.
@@ -72,7 +58,7 @@ void collectEdges(const DualMesh& mesh, const BoundaryGraph& graph, Index point,
 BoundaryGraph findBoundaryGraph(const DualMesh& mesh, const RunContext& context)
 {
   BoundaryGraph graph;
-  findFaces(mesh, graph);
+  graph.faces = findFaces(mesh, context);
   graph.across.assign(mesh.boundaryFaces.size(),
                       {BoundaryGraph::noEdge, BoundaryGraph::noEdge, BoundaryGraph::noEdge, BoundaryGraph::noEdge});
   const auto at = [&](Index code) -> Index& {
@@ -84,7 +70,7 @@ BoundaryGraph findBoundaryGraph(const DualMesh& mesh, const RunContext& context)
     std::vector<HalfEdge> edges;
     for (auto p = static_cast<Index>(begin); p < end; ++p)
     {
-      if (graph.offsets[p] == graph.offsets[p + 1])
+      if (graph.facesAt(p).empty())
       {
         continue;
       }

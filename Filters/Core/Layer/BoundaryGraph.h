@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Dual/DualMesh.h"
+#include "Support/Buckets.h"
 #include "Support/RunContext.h"
 
 #include <span>
@@ -23,14 +24,10 @@ struct BoundaryGraph
 
   /// Per boundary face and edge: 4 * f + i for edge i of face f across it, or noEdge, or branching.
   std::vector<std::array<Index, 4>> across;
-  /// The boundary faces about each point of the mesh, in order.
-  std::vector<Index> offsets;
-  std::vector<Index> faces;
+  /// By point of the mesh, the boundary faces about it, in order.
+  Buckets faces;
 
-  std::span<const Index> facesAt(Index point) const
-  {
-    return {faces.data() + offsets[point], faces.data() + offsets[point + 1]};
-  }
+  std::span<const Index> facesAt(Index point) const { return faces.of(point); }
 };
 
 inline Index cornerOf(const DualMesh& mesh, const BoundaryFace& face, int i)

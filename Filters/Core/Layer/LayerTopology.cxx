@@ -196,6 +196,16 @@ private:
 
 } // namespace
 
+LayerMesh withoutLayer(DualMesh plain)
+{
+  LayerMesh out;
+  out.plainPoints = static_cast<Index>(plain.points.size());
+  out.plainElements = static_cast<Index>(plain.elementCount());
+  out.copies.assign(out.plainPoints, noIndex);
+  out.mesh = std::move(plain);
+  return out;
+}
+
 LayerMesh buildLayer(const DualMesh& plain, const LayerWalls& walls, const std::vector<Index>& counts,
                      const Executor& executor)
 {

@@ -50,6 +50,9 @@ struct LayerMesh
   Index wallPointOf(Index point) const { return isNew(point) ? wallPoints[point - plainPoints] : point; }
 };
 
+/// A mesh that gets no layer.
+LayerMesh withoutLayer(DualMesh plain);
+
 /// Builds stacks of prisms on the walls. `counts` gives each point the number of its new points, at most that of
 /// `walls.counts`; 0 leaves it single. New points lie on the wall yet. A prism is a hexahedron in the axes of the
 /// element that had the wall: the lower face in that direction, the upper one against it. Prisms on faces that share an

@@ -76,6 +76,73 @@ std::vector<Contact> contactsIn(const LatticeBox& box, std::span<const Index> tr
   return contacts;
 }
 
+/// Whether two triangles share an edge or a point within the box.
+bool meetIn(const LatticeBox& box, const std::array<Index, 3>& first, const std::array<Index, 3>& second,
+            const SurfaceModel& model)
+{
+  std::array<Index, 3> shared;
+  int count = 0;
+  for (const Index p : first)
+  {
+    if (p == second[0] || p == second[1] || p == second[2])
+    {
+      if (box.contains(model.points[p]))
+      {
+        return true;
+      }
+      shared[count++] = p;
+    }
+  }
+  for (int i = 1; i < count; ++i)
+  {
+    for (int j = 0; j < i; ++j)
+    {
+      if (touches(box, model.points[shared[i]], model.points[shared[j]]))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// Of `triangles`, which change their order. For few of them, as it compares pairs.
+bool areSeveral(const LatticeBox& box, std::span<Index> triangles, const SurfaceModel& model)
+{
+  // The first so many hang together with the first.
+  auto reached = triangles.begin() + 1;
+  for (auto at = triangles.begin(); at != reached && reached != triangles.end(); ++at)
+  {
+    reached = std::partition(reached, triangles.end(),
+                             [&](Index t) { return meetIn(box, model.triangles[*at], model.triangles[t], model); });
+  }
+  return reached != triangles.end();
+}
+
+/// The same by sorted contacts.
+bool areSeveralOfMany(const LatticeBox& box, std::span<const Index> triangles, const SurfaceModel& model)
+{
+  const std::vector<Contact> contacts = contactsIn(box, triangles, model);
+  UnionFind sets(triangles.size());
+  for (std::size_t i = 1; i < contacts.size(); ++i)
+  {
+    const Contact& l = contacts[i - 1];
+    const Contact& r = contacts[i];
+    if (l.points == r.points && touches(box, model.points[l.points[0]], model.points[l.points[1]]))
+    {
+      sets.join(l.triangle, r.triangle);
+    }
+  }
+  for (Index i = 1; i < triangles.size(); ++i)
+  {
+    if (sets.find(i) != 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 std::vector<ModelItem> allPieces(const SurfaceModel& model, const GridFrame& frame)
 {
   const LatticeBox box = domainBoxOf(frame, 0, 0);
@@ -283,37 +350,25 @@ std::vector<Index> trianglesNear(const Octree& octree, const LatticeBox& box)
 
 bool severalSurfaces(const LatticeBox& box, std::span<const ModelItem> pieces, const SurfaceModel& model)
 {
-  std::vector<Index> triangles;
-  for (const ModelItem piece : pieces)
-  {
-    if (piece.kind == ModelItem::triangle)
-    {
-      triangles.push_back(piece.index);
-    }
-  }
-  if (triangles.size() < 2)
+  constexpr std::ptrdiff_t mostInPairs = 16;
+  const auto isTriangle = [](ModelItem piece) { return piece.kind == ModelItem::triangle; };
+  const auto count = std::ranges::count_if(pieces, isTriangle);
+  if (count < 2)
   {
     return false;
   }
-  const std::vector<Contact> contacts = contactsIn(box, triangles, model);
-  UnionFind sets(triangles.size());
-  for (std::size_t i = 1; i < contacts.size(); ++i)
+  std::array<Index, mostInPairs> few;
+  std::vector<Index> many(count <= mostInPairs ? 0 : static_cast<std::size_t>(count));
+  Index* next = many.empty() ? few.data() : many.data();
+  for (const ModelItem piece : pieces)
   {
-    const Contact& l = contacts[i - 1];
-    const Contact& r = contacts[i];
-    if (l.points == r.points && touches(box, model.points[l.points[0]], model.points[l.points[1]]))
+    if (isTriangle(piece))
     {
-      sets.join(l.triangle, r.triangle);
+      *next++ = piece.index;
     }
   }
-  for (Index i = 1; i < triangles.size(); ++i)
-  {
-    if (sets.find(i) != 0)
-    {
-      return true;
-    }
-  }
-  return false;
+  return many.empty() ? areSeveral(box, {few.data(), static_cast<std::size_t>(count)}, model)
+                      : areSeveralOfMany(box, many, model);
 }
 
 FeatureType featureTypeOf(const LatticeBox& box, std::span<const ModelItem> pieces, const SurfaceModel& model)

@@ -174,17 +174,9 @@ bool FaceMeshSource::hasMarked(Index cell, const std::vector<char>& marked) cons
   });
 }
 
-std::vector<Index> numbersOf(const std::vector<char>& marked)
+std::vector<Index> numbersOf(const std::vector<char>& marked, const Executor& executor)
 {
-  std::vector<Index> numbers;
-  for (Index i = 0; i < marked.size(); ++i)
-  {
-    if (marked[i])
-    {
-      numbers.push_back(i);
-    }
-  }
-  return numbers;
+  return chosenNumbers(marked.size(), executor, [&](std::size_t i) { return marked[i] != 0; });
 }
 
 std::vector<Index> cellsWithMarked(const CellSource& source, const std::vector<char>& marked, const RunContext& context)
@@ -197,7 +189,7 @@ std::vector<Index> cellsWithMarked(const CellSource& source, const std::vector<c
       has[c] = source.hasMarked(static_cast<Index>(c), marked) ? 1 : 0;
     }
   });
-  return numbersOf(has);
+  return numbersOf(has, context.executor);
 }
 
 std::vector<std::vector<Index>> inPieces(const CellSource& source, const std::vector<Index>& cells)
@@ -249,7 +241,7 @@ std::vector<Index> withNeighbours(const CellSource& source, const std::vector<In
       std::ranges::for_each(beside, mark);
     }
   });
-  return numbersOf(marked);
+  return numbersOf(marked, context.executor);
 }
 
 } // namespace atria

@@ -106,7 +106,7 @@ private:
 };
 
 /// The numbers that are marked, in order.
-std::vector<Index> numbersOf(const std::vector<char>& marked);
+std::vector<Index> numbersOf(const std::vector<char>& marked, const Executor& executor);
 
 /// Those that have one of the points marked, in order.
 std::vector<Index> cellsWithMarked(const CellSource& source, const std::vector<char>& marked,

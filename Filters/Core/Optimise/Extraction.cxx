@@ -116,12 +116,10 @@ void Extraction::joinNumbers(const RunContext& context)
         std::atomic_ref(has[number]).store(1, std::memory_order_relaxed);
       }
     });
-    std::vector<Index> all = numbersOf(has);
+    std::vector<Index> all = numbersOf(has, context.executor);
     placeOf.resize(count);
-    for (Index place = 0; place < all.size(); ++place)
-    {
-      placeOf[all[place]] = place;
-    }
+    context.executor.forEach(all.size(), grain,
+                             [&](std::size_t place) { placeOf[all[place]] = static_cast<Index>(place); });
     context.executor.forEach(parts.size(), 1, [&](std::size_t i) {
       std::ranges::transform(parts[i].*list, (parts[i].*list).begin(), [&](Index number) { return placeOf[number]; });
     });

@@ -122,7 +122,7 @@ std::optional<LayerMesh> LayerImprover::divideAndImprove(const LayerMesh& given)
   std::vector<Index> counts = layersWanted(plain_, walls_, one, options_);
   std::vector<char> held(one.plainPoints, 0);
   LayerMesh divided = divideLayer(plain_, walls_, one, options_, counts);
-  std::vector<char> toJudge = pointsToJudge(divided);
+  std::vector<char> toJudge = pointsToJudge(divided, context_.executor);
   for (int round = 0; round < mostRounds; ++round)
   {
     context_.progress.check();
@@ -157,7 +157,7 @@ std::vector<ShortCell> LayerImprover::improveDivided(LayerMesh& divided, const s
                                                      const std::vector<char>& held) const
 {
   ModelGuide model(octree_, model_, tree_, anchors_, divided.mesh.points, vertexOf_);
-  LayerGuide layer(divided, walls_, options_, leaders_, letGo_, model);
+  LayerGuide layer(divided, walls_, options_, vertexOf_, letGo_, model);
   HeldGuide guide(layer, divided, held);
   // There are many cells, and it is enough that they are sound.
   OptimiserOptions options;
@@ -193,14 +193,14 @@ void LayerImprover::restore(const LayerMesh& given, const LayerMesh& divided, co
     {
       for (const Index p : corners)
       {
-        leads[leaders_[divided.wallPointOf(p)]] = 1;
+        leads[vertexOf_[divided.wallPointOf(p)]] = 1;
       }
     }
   }
   // The two sides of a sheet go together, whatever layers the other one has.
   for (Index p = 0; p < one.plainPoints; ++p)
   {
-    if (leads[leaders_[p]])
+    if (leads[vertexOf_[p]])
     {
       held[p] = changed[p] = 1;
       one.mesh.points[p] = given.mesh.points[p];
@@ -218,7 +218,7 @@ LayerMesh LayerImprover::divideEvenly(const LayerMesh& one) const
   std::vector<Index> counts = layersWanted(plain_, walls_, one, options_);
   limitSteps(plain_, one, counts);
   LayerMesh divided = divideLayer(plain_, walls_, one, options_, counts);
-  std::vector<char> toJudge = pointsToJudge(divided);
+  std::vector<char> toJudge = pointsToJudge(divided, context_.executor);
   for (;;)
   {
     context_.progress.check();

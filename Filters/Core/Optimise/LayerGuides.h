@@ -11,7 +11,7 @@ struct LayerImprover::Guides
 {
   explicit Guides(const LayerImprover& owner)
       : model(owner.octree_, owner.model_, owner.tree_, owner.anchors_, owner.layer_.mesh.points, owner.vertexOf_),
-        layer(owner.layer_, owner.walls_, owner.options_, owner.leaders_, owner.letGo_, model)
+        layer(owner.layer_, owner.walls_, owner.options_, owner.vertexOf_, owner.letGo_, model)
   {
   }
 

@@ -41,16 +41,9 @@ LayerImprover::LayerImprover(const Octree& octree, const SurfaceModel& model, Tr
       hasHeights_(options.hasHeights()),
       divided_(std::ranges::any_of(options.ofTag, [](const WallLayers& wall) { return wall.layers > 1; })),
       uniform_(std::ranges::adjacent_find(plain.levels, std::not_equal_to()) == plain.levels.end()),
-      leaders_(vertexOf.size()), mayLeave_(vertexOf.size(), 1), letGo_(vertexOf.size(), 0),
-      excluded_(vertexOf.size(), 0), suspect_(vertexOf.size(), 0), isLeft_(vertexOf.size(), 0)
+      mayLeave_(vertexOf.size(), 1), letGo_(vertexOf.size(), 0), excluded_(vertexOf.size(), 0),
+      suspect_(vertexOf.size(), 0), isLeft_(vertexOf.size(), 0)
 {
-  std::vector<Index> first(anchors.freedom.size(), noIndex);
-  for (Index p = 0; p < leaders_.size(); ++p)
-  {
-    Index& of = first[vertexOf_[p]];
-    of = of == noIndex ? p : of;
-    leaders_[p] = of;
-  }
   if (!octree.frame().turnedDomain)
   {
     return;
@@ -60,7 +53,7 @@ LayerImprover::LayerImprover(const Octree& octree, const SurfaceModel& model, Tr
   {
     for (int i = 0; i < 4 && face.tag >= options.surfaceCount(); ++i)
     {
-      mayLeave_[leaders_[cornerOf(plain, face, i)]] = 0;
+      mayLeave_[vertexOf_[cornerOf(plain, face, i)]] = 0;
     }
   }
 }
@@ -126,14 +119,14 @@ LayerMesh LayerImprover::run()
 void LayerImprover::grow()
 {
   context_.progress.check();
-  layer_ = growLayer(plain_, walls_, options_, excluded_, context_);
+  layer_ = layered_ ? growLayer(plain_, walls_, options_, excluded_, context_) : withoutLayer(std::move(plain_));
   context_.progress.check();
 }
 
 /// At the boundary, and where cells fell short before.
 std::vector<ShortCell> LayerImprover::findAll()
 {
-  std::vector<char> marked = pointsToJudge(layer_);
+  std::vector<char> marked = pointsToJudge(layer_, context_.executor);
   for (Index p = 0; p < layer_.plainPoints; ++p)
   {
     marked[p] |= suspect_[p];
@@ -201,7 +194,7 @@ template <typename Visit> void LayerImprover::eachLeaderOf(const std::vector<Sho
   {
     for (const Index p : layer_.mesh.corners[cell.cell])
     {
-      visit(leaders_[layer_.wallPointOf(p)]);
+      visit(vertexOf_[layer_.wallPointOf(p)]);
     }
   }
 }
@@ -277,12 +270,12 @@ void LayerImprover::release(const std::vector<ShortCell>& cells, double reach)
 /// Takes the points of cells towards the centres of their octants.
 void LayerImprover::startAgain(const std::vector<ShortCell>& bad, double share)
 {
-  std::vector<char> fresh(plain_.points.size(), 0);
+  std::vector<char> fresh(layer_.plainPoints, 0);
   eachLeaderOf(bad, [&](Index leader) { fresh[leader] = mayLeave_[leader]; });
   const Guides guides(*this);
   for (Index p = 0; p < fresh.size(); ++p)
   {
-    fresh[p] = fresh[leaders_[p]];
+    fresh[p] = fresh[vertexOf_[p]];
     if (fresh[p])
     {
       const Vec3 centre = guides.model.centreOf(p);
@@ -311,12 +304,16 @@ void LayerImprover::exclude(const std::vector<ShortCell>& bad)
       }
     }
   }
-  growAgain(std::vector<char>(plain_.points.size(), 0));
+  growAgain(std::vector<char>(layer_.plainPoints, 0));
 }
 
 /// Grows the layer from the walls as they are now; copies but those of `fresh` points stay where they are.
 void LayerImprover::growAgain(const std::vector<char>& fresh)
 {
+  if (!layered_)
+  {
+    return;
+  }
   const LayerMesh before = std::move(layer_);
   std::copy_n(before.mesh.points.begin(), before.plainPoints, plain_.points.begin());
   grow();

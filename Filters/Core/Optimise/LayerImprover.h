@@ -25,7 +25,8 @@ class LayerImprover
 {
 public:
   /// `vertexOf` gives for each point of the plain mesh the vertex of the anchors it stands for; points of one vertex
-  /// are in one place and stay together. The plain mesh's points follow those of the layer's walls.
+  /// are in one place and stay together, and the one with its number, the leader, is one of them. The plain mesh's
+  /// points follow those of the layer's walls; where no layer is asked for, the plain mesh is taken.
   LayerImprover(const Octree& octree, const SurfaceModel& model, TriangleTreeOnDemand& tree,
                 const VertexAnchors& anchors, const std::vector<Index>& vertexOf, DualMesh& plain,
                 const LayerWalls& walls, const LayerOptions& options, const CurvedWallTargets& curvedWalls,
@@ -124,7 +125,6 @@ private:
   bool uniform_;
   LayerMesh layer_;
   /// By point of the plain mesh.
-  std::vector<Index> leaders_;
   std::vector<char> mayLeave_;
   std::vector<char> letGo_;
   std::vector<char> excluded_;

@@ -122,7 +122,7 @@ void LayerImprover::straighten()
   constexpr std::array stages{OrthogonalityStage{{0.3, 0.5}, 2}, OrthogonalityStage{{0.4, 0.54}, 2},
                               OrthogonalityStage{{0.51, acceptable.target}, 2},
                               OrthogonalityStage{{0.51, acceptable.target}, 2}};
-  std::vector<char> toJudge = pointsToJudge(layer_);
+  std::vector<char> toJudge = pointsToJudge(layer_, context_.executor);
   const DualSource source(layer_.mesh);
   std::erase_if(unsure_, [&](Index cell) { return !source.hasMarked(cell, toJudge); });
   // What is within the last stage is within all others.
@@ -137,7 +137,7 @@ void LayerImprover::straighten()
 void LayerImprover::straightenDivided()
 {
   constexpr std::array stages{OrthogonalityStage{{0.2, 0.4}, 1}, OrthogonalityStage{{0.35, 0.5}, 1}};
-  std::vector<char> toJudge = pointsToJudge(layer_);
+  std::vector<char> toJudge = pointsToJudge(layer_, context_.executor);
   std::vector<Index> candidates;
   for (const ShortCell& cell : findShortCells(DualSource(layer_.mesh), toJudge, targetsOf(stages.back()), context_))
   {

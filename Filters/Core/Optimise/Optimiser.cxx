@@ -354,7 +354,7 @@ std::vector<std::vector<ShortCell>> findShortIn(const CellSource& source, std::v
 }
 
 /// Of points that are not where they were: the cells about them, in order.
-std::vector<Index> cellsAboutMoved(const Region& region, const std::vector<Vec3>& before)
+std::vector<Index> cellsAboutMoved(const Region& region, const std::vector<Vec3>& before, const RunContext& context)
 {
   std::vector<char> marked(region.judgedCount(), 0);
   for (Index m = 0; m < region.movable.size(); ++m)
@@ -366,7 +366,7 @@ std::vector<Index> cellsAboutMoved(const Region& region, const std::vector<Vec3>
       marked[cell] |= moved ? 1 : 0;
     }
   }
-  std::vector<Index> cells = numbersOf(marked);
+  std::vector<Index> cells = numbersOf(marked, context.executor);
   std::ranges::transform(cells, cells.begin(), [&](Index cell) { return region.cellIds[cell]; });
   return cells;
 }
@@ -420,7 +420,7 @@ std::vector<ShortCell> optimise(const CellSource& source, std::vector<Vec3>& poi
   sweepWhileWorthwhile(sweeper, options, context);
   if (changed)
   {
-    *changed = cellsAboutMoved(region, points);
+    *changed = cellsAboutMoved(region, points, context);
   }
   takePoints(region, points);
   std::vector<ShortCell> left = shortCellsOf(judge, options.margin, context);

@@ -28,38 +28,60 @@ constexpr double leastGain = 1e-3;
 class FaceUnfolder
 {
 public:
-  FaceUnfolder(DualMesh& of, VertexGuide& by, const RunContext& run) : mesh(of), guide(by), context(run)
+  FaceUnfolder(DualMesh& of, VertexGuide& by, const RunContext& run) : mesh(of), guide(by), context(run) {}
+
+  void run()
+  {
+    const std::vector<Index> points = foldedPoints();
+    if (!points.empty())
+    {
+      collectFaces();
+      listFaces();
+      unfold(points);
+    }
+  }
+
+private:
+  /// The face, if it is one. Both sides of a sheet are one face.
+  ReducedFace reduced(const BoundaryFace& face) const
+  {
+    return face.opposite == noIndex || face.element < face.opposite ? faceOf(mesh.corners[face.element], face.direction)
+                                                                    : ReducedFace{};
+  }
+
+  /// Of walls' faces that are folded.
+  std::vector<Index> foldedPoints() const
+  {
+    std::vector<char> folded(mesh.boundaryFaces.size());
+    context.executor.forEach(folded.size(), 4096, [&](std::size_t f) {
+      const BoundaryFace& face = mesh.boundaryFaces[f];
+      folded[f] = !face.onDomainSide && isFolded(reduced(face)) ? 1 : 0;
+    });
+    std::vector<Index> points;
+    for (std::size_t f = 0; f < folded.size(); ++f)
+    {
+      if (folded[f])
+      {
+        const auto& [p, count] = reduced(mesh.boundaryFaces[f]);
+        points.insert(points.end(), p.begin(), p.begin() + count);
+      }
+    }
+    return points;
+  }
+
+  void collectFaces()
   {
     for (const BoundaryFace& face : mesh.boundaryFaces)
     {
-      // Both sides of a sheet are one face.
-      const ReducedFace corners = faceOf(mesh.corners[face.element], face.direction);
-      if (corners.count >= 3 && (face.opposite == noIndex || face.element < face.opposite))
+      if (const ReducedFace corners = reduced(face); corners.count >= 3)
       {
         faces.push_back(corners);
-        isWall.push_back(face.onDomainSide ? 0 : 1);
       }
     }
   }
 
-  void run()
+  void unfold(std::vector<Index> points)
   {
-    std::vector<char> folded(faces.size());
-    context.executor.forEach(faces.size(), 4096,
-                             [&](std::size_t f) { folded[f] = isWall[f] && isFolded(static_cast<Index>(f)) ? 1 : 0; });
-    std::vector<Index> points;
-    for (Index f = 0; f < faces.size(); ++f)
-    {
-      if (folded[f])
-      {
-        points.insert(points.end(), faces[f].points.begin(), faces[f].points.begin() + faces[f].count);
-      }
-    }
-    if (points.empty())
-    {
-      return;
-    }
-    listFaces();
     for (int sweep = 0; sweep < mostSweeps && !points.empty(); ++sweep)
     {
       context.progress.check();
@@ -67,10 +89,9 @@ public:
     }
   }
 
-private:
-  Vec3 areaOf(Index f) const
+  Vec3 areaOf(const ReducedFace& face) const
   {
-    const auto& [p, count] = faces[f];
+    const auto& [p, count] = face;
     Vec3 area = Vec3::Zero();
     for (int i = 2; i < count; ++i)
     {
@@ -80,9 +101,9 @@ private:
   }
 
   /// f(part) for each of a face's triangles: its part of the face's area, as that faces.
-  template <typename F> void eachPart(Index f, const Vec3& area, F&& use) const
+  template <typename F> void eachPart(const ReducedFace& face, const Vec3& area, F&& use) const
   {
-    const auto& [p, count] = faces[f];
+    const auto& [p, count] = face;
     Vec3 middle = Vec3::Zero();
     for (int i = 0; i < count; ++i)
     {
@@ -95,23 +116,23 @@ private:
     }
   }
 
-  bool isFolded(Index f) const
+  bool isFolded(const ReducedFace& face) const
   {
-    const Vec3 area = areaOf(f);
+    const Vec3 area = areaOf(face);
     bool folded = false;
-    if (area.squaredNorm() > 0.0)
+    if (face.count >= 3 && area.squaredNorm() > 0.0)
     {
-      eachPart(f, area, [&](double part) { folded = folded || part < 0.0; });
+      eachPart(face, area, [&](double part) { folded = folded || part < 0.0; });
     }
     return folded;
   }
 
-  double penaltyOf(Index f, const Vec3& area) const
+  double penaltyOf(const ReducedFace& face, const Vec3& area) const
   {
     double sum = 0.0;
     if (area.squaredNorm() > 0.0)
     {
-      eachPart(f, area, [&](double part) { sum += std::pow(std::max(leastPart - part, 0.0), 2); });
+      eachPart(face, area, [&](double part) { sum += std::pow(std::max(leastPart - part, 0.0), 2); });
     }
     return sum;
   }
@@ -150,7 +171,7 @@ private:
       {
         for (const Index f : about(p))
         {
-          if (penaltyOf(f, areaOf(f)) > 0.0)
+          if (penaltyOf(faces[f], areaOf(faces[f])) > 0.0)
           {
             next.insert(next.end(), faces[f].points.begin(), faces[f].points.begin() + faces[f].count);
           }
@@ -167,8 +188,8 @@ private:
     double size = 0.0;
     for (const Index f : about(p))
     {
-      areas.push_back(areaOf(f));
-      before += penaltyOf(f, areas.back());
+      areas.push_back(areaOf(faces[f]));
+      before += penaltyOf(faces[f], areas.back());
       size = std::max(size, std::sqrt(areas.back().norm()));
     }
     if (before == 0.0)
@@ -202,9 +223,9 @@ private:
     double sum = 0.0;
     for (std::size_t i = 0; i < areas.size(); ++i)
     {
-      const Index f = about(p)[i];
-      const Vec3 area = areaOf(f);
-      sum += area.dot(areas[i]) >= 0.0 ? penaltyOf(f, area) : std::numeric_limits<double>::infinity();
+      const ReducedFace& face = faces[about(p)[i]];
+      const Vec3 area = areaOf(face);
+      sum += area.dot(areas[i]) >= 0.0 ? penaltyOf(face, area) : std::numeric_limits<double>::infinity();
     }
     return sum;
   }
@@ -213,7 +234,6 @@ private:
   VertexGuide& guide;
   const RunContext& context;
   std::vector<ReducedFace> faces;
-  std::vector<char> isWall;
   std::vector<Index> offsets;
   std::vector<Index> facesOf;
   std::vector<Vec3> start;

@@ -4,6 +4,7 @@
 
 #include "Support/Error.h"
 #include "Support/Executor.h"
+#include "Support/Types.h"
 
 #include <algorithm>
 #include <mutex>
@@ -37,6 +38,32 @@ template <typename T> T scan(std::vector<T>& counts)
     sum = sum + own;
   }
   return sum;
+}
+
+/// The numbers below `count` that `isChosen`, in order. That is asked twice for each.
+template <typename IsChosen>
+std::vector<Index> chosenNumbers(std::size_t count, const Executor& executor, IsChosen&& isChosen)
+{
+  const Pieces pieces(count);
+  std::vector<std::size_t> firsts(pieces.count, 0);
+  executor.forEach(pieces.count, 4, [&](std::size_t piece) {
+    for (std::size_t i = pieces.begin(piece); i < pieces.end(piece); ++i)
+    {
+      firsts[piece] += isChosen(i) ? 1 : 0;
+    }
+  });
+  std::vector<Index> numbers(scan(firsts));
+  executor.forEach(pieces.count, 4, [&](std::size_t piece) {
+    std::size_t next = firsts[piece];
+    for (std::size_t i = pieces.begin(piece); i < pieces.end(piece); ++i)
+    {
+      if (isChosen(i))
+      {
+        numbers[next++] = static_cast<Index>(i);
+      }
+    }
+  });
+  return numbers;
 }
 
 /// Of the errors several threads meet, keeps the one that a single thread would meet first.

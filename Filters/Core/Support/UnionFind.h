@@ -3,6 +3,7 @@
 
 #include "Support/Types.h"
 
+#include <atomic>
 #include <numeric>
 #include <utility>
 #include <vector>
@@ -28,6 +29,20 @@ public:
     {
       parents[i] = parents[parents[i]];
       i = parents[i];
+    }
+    return i;
+  }
+
+  /// As `find`, for any number of threads at once, while none joins.
+  Index findShared(Index i)
+  {
+    const auto parentOf = [&](Index of) { return std::atomic_ref(parents[of]).load(std::memory_order_relaxed); };
+    for (Index up = parentOf(i); up != i;)
+    {
+      const Index next = parentOf(up);
+      std::atomic_ref(parents[i]).store(next, std::memory_order_relaxed);
+      i = next;
+      up = parentOf(i);
     }
     return i;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Surface/Autorefine.h"
 
+#include "Support/Buckets.h"
 #include "Surface/Contacts.h"
 #include "Surface/Crowds.h"
 #include "Surface/LatticeSegments.h"
@@ -46,17 +47,27 @@ std::size_t dropRepeated(TriangleSoup& soup, std::vector<char>* changed)
 {
   filter(soup, changed, [](const auto& t) { return !hasRepeatedPoint(t); });
   const std::size_t before = soup.triangles.size();
-  std::vector<std::pair<std::array<Index, 3>, Index>> sorted(before);
-  for (Index t = 0; t < before; ++t)
-  {
-    sorted[t] = {soup.triangles[t], t};
-    std::sort(sorted[t].first.begin(), sorted[t].first.end());
-  }
-  std::sort(sorted.begin(), sorted.end());
+  const Buckets byLeast = fillBuckets(soup.points.size(), SerialExecutor(), [&](auto&& use) {
+    for (Index t = 0; t < before; ++t)
+    {
+      use(std::ranges::min(soup.triangles[t]), t);
+    }
+  });
   std::vector<char> repeated(before, 0);
-  for (std::size_t i = 1; i < before; ++i)
+  std::vector<std::pair<std::array<Index, 3>, Index>> sorted;
+  for (std::size_t p = 0; p < soup.points.size(); ++p)
   {
-    repeated[sorted[i].second] = sorted[i].first == sorted[i - 1].first ? 1 : 0;
+    sorted.clear();
+    for (const Index t : byLeast.of(p))
+    {
+      sorted.emplace_back(soup.triangles[t], t);
+      std::ranges::sort(sorted.back().first);
+    }
+    std::ranges::sort(sorted);
+    for (std::size_t i = 1; i < sorted.size(); ++i)
+    {
+      repeated[sorted[i].second] = sorted[i].first == sorted[i - 1].first ? 1 : 0;
+    }
   }
   filter(soup, changed, [&](const auto& t) { return !repeated[&t - soup.triangles.data()]; });
   return before - soup.triangles.size();

@@ -4,7 +4,11 @@
 #include "Support/RunContext.h"
 #include "Surface/BoxPairs.h"
 
+#include <bit>
 #include <limits>
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
 
 namespace atria {
 
@@ -79,21 +83,30 @@ private:
   /// Bits of the children that touch, or nearly do.
   static unsigned touching(const Group& group, const Query& query)
   {
-    std::array<int, width> hits;
-    hits.fill(1);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      for (std::size_t i = 0; i < width; ++i)
-      {
-        hits[i] &= static_cast<int>(group.low[axis][i] <= query.high[axis]) &
-                   static_cast<int>(group.high[axis][i] >= query.low[axis]);
-      }
-    }
     unsigned bits = 0;
+#ifdef __SSE2__
+    for (std::size_t first = 0; first < width; first += 4)
+    {
+      const auto test = [&](int axis) {
+        const __m128 low = _mm_loadu_ps(group.low[axis].data() + first);
+        const __m128 high = _mm_loadu_ps(group.high[axis].data() + first);
+        return _mm_and_ps(_mm_cmple_ps(low, _mm_set1_ps(query.high[axis])),
+                          _mm_cmpge_ps(high, _mm_set1_ps(query.low[axis])));
+      };
+      const __m128 hits = _mm_and_ps(_mm_and_ps(test(0), test(1)), test(2));
+      bits |= static_cast<unsigned>(_mm_movemask_ps(hits)) << first;
+    }
+#else
     for (std::size_t i = 0; i < width; ++i)
     {
-      bits |= static_cast<unsigned>(hits[i]) << i;
+      bool hit = true;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        hit &= group.low[axis][i] <= query.high[axis] && group.high[axis][i] >= query.low[axis];
+      }
+      bits |= static_cast<unsigned>(hit) << i;
     }
+#endif
     return bits;
   }
 
@@ -107,14 +120,12 @@ private:
     while (count > 0)
     {
       const Step step = open[--count];
-      const unsigned bits = touching(groups_[hierarchy.levels[step.level] + step.group], query);
-      for (std::size_t i = width; i-- > 0;)
+      unsigned bits = touching(groups_[hierarchy.levels[step.level] + step.group], query);
+      while (bits != 0)
       {
+        const auto i = static_cast<unsigned>(std::bit_width(bits) - 1); // the last one first
+        bits ^= 1u << i;
         const std::size_t child = step.group * width + i;
-        if ((bits >> i & 1) == 0)
-        {
-          continue;
-        }
         if (step.level > 0)
         {
           if (hierarchy.begin + ((child + 1) << (3 * step.level)) > first)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Surface/FeatureGraph.h"
 
+#include "Support/Pieces.h"
 #include "Support/UnionFind.h"
 #include "Surface/TriangleSoup.h"
 
@@ -13,28 +14,6 @@ namespace atria {
 
 namespace {
 
-/// One use of an edge by a triangle; `forward` if the triangle runs from a to b.
-struct EdgeUse
-{
-  Index a;
-  Index b;
-  Index triangle;
-  bool forward;
-
-  bool sameEdge(const EdgeUse& other) const { return a == other.a && b == other.b; }
-};
-
-std::vector<EdgeUse> edgeUses(const SurfaceModel& model)
-{
-  std::vector<EdgeUse> uses;
-  uses.reserve(3 * model.triangles.size());
-  for (const SoupEdgeUse& use : sortedEdgeUses(model.triangles, model.points.size()))
-  {
-    uses.push_back({use.edge.first, use.edge.second, use.triangle, use.forward});
-  }
-  return uses;
-}
-
 Vec3 vectorBetween(const SurfaceModel& model, Index from, Index to)
 {
   const LatticePoint& p = model.points[from];
@@ -43,20 +22,20 @@ Vec3 vectorBetween(const SurfaceModel& model, Index from, Index to)
 }
 
 /// Both ends of the edge lie on the same two domain planes.
-bool onDomainEdge(const SurfaceModel& model, const GridFrame& frame, const EdgeUse& edge)
+bool onDomainEdge(const SurfaceModel& model, const GridFrame& frame, const SoupEdgeUse& use)
 {
   int planes = 0;
   for (int axis = 0; axis < 3; ++axis)
   {
-    const std::int64_t p = model.points[edge.a][axis];
-    const std::int64_t q = model.points[edge.b][axis];
+    const std::int64_t p = model.points[use.edge.first][axis];
+    const std::int64_t q = model.points[use.edge.second][axis];
     planes += p == q && (p == frame.domainLow[axis] || p == frame.domainHigh[axis]) ? 1 : 0;
   }
   return planes >= 2;
 }
 
 /// The kind of curve that the uses [first, last) of one edge make; nothing where the surface is smooth there.
-std::optional<CurveKind> kindOf(const SurfaceModel& model, const EdgeUse* first, const EdgeUse* last,
+std::optional<CurveKind> kindOf(const SurfaceModel& model, const SoupEdgeUse* first, const SoupEdgeUse* last,
                                 double minimumCosine)
 {
   const auto count = last - first;
@@ -209,10 +188,18 @@ std::vector<std::vector<Index>> surfacesOfCurves(const SurfaceModel& model)
   return surfaces;
 }
 
-void findFeatures(SurfaceModel& model, const GridFrame& frame, const FeatureOptions& options)
+void findFeatures(SurfaceModel& model, const GridFrame& frame, const FeatureOptions& options, const Executor& executor)
 {
   const double minimumCosine = std::cos(options.featureAngle * std::numbers::pi / 180.0);
-  const std::vector<EdgeUse> uses = edgeUses(model);
+  const std::vector<SoupEdgeUse> uses = sortedEdgeUses(model.triangles, model.points.size(), executor);
+  std::vector<Index> begins =
+      chosenNumbers(uses.size(), executor, [&](std::size_t i) { return i == 0 || uses[i].edge != uses[i - 1].edge; });
+  const std::size_t edges = begins.size();
+  begins.push_back(static_cast<Index>(uses.size()));
+  std::vector<std::optional<CurveKind>> kinds(edges);
+  executor.forEach(edges, 2048, [&](std::size_t e) {
+    kinds[e] = kindOf(model, uses.data() + begins[e], uses.data() + begins[e + 1], minimumCosine);
+  });
   UnionFind sets(model.triangles.size());
   struct Range
   {
@@ -221,26 +208,23 @@ void findFeatures(SurfaceModel& model, const GridFrame& frame, const FeatureOpti
     CurveKind kind;
   };
   std::vector<Range> featureUses;
-  for (std::size_t begin = 0, end = 0; begin < uses.size(); begin = end)
+  for (std::size_t e = 0; e < edges; ++e)
   {
-    for (end = begin + 1; end < uses.size() && uses[end].sameEdge(uses[begin]); ++end)
-    {
-    }
-    const auto kind = kindOf(model, uses.data() + begin, uses.data() + end, minimumCosine);
-    if (!kind)
+    const Index begin = begins[e];
+    if (!kinds[e])
     {
       sets.join(uses[begin].triangle, uses[begin + 1].triangle);
     }
     else if (!onDomainEdge(model, frame, uses[begin]))
     {
-      featureUses.push_back({begin, end, *kind});
+      featureUses.push_back({begin, begins[e + 1], *kinds[e]});
     }
   }
   nameCharts(model, sets);
   std::vector<EdgeProfile> profiles;
   for (const Range& range : featureUses)
   {
-    model.featureEdges.push_back({uses[range.begin].a, uses[range.begin].b, noIndex});
+    model.featureEdges.push_back({uses[range.begin].edge.first, uses[range.begin].edge.second, noIndex});
     std::vector<Index> charts;
     for (std::size_t u = range.begin; u < range.end; ++u)
     {

@@ -7,7 +7,7 @@ namespace atria {
 
 /// Fills `charts`, `featureEdges`, `curves` and `corners` of a model whose points, triangles, surface ids and domain
 /// sides are set.
-void findFeatures(SurfaceModel& model, const GridFrame& frame, const FeatureOptions& options);
+void findFeatures(SurfaceModel& model, const GridFrame& frame, const FeatureOptions& options, const Executor& executor);
 
 /// Per curve, the surfaces of the charts that meet there, sorted, each once.
 std::vector<std::vector<Index>> surfacesOfCurves(const SurfaceModel& model);

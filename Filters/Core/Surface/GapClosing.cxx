@@ -43,10 +43,10 @@ struct RimEnd
   friend auto operator<=>(const RimEnd&, const RimEnd&) = default;
 };
 
-std::vector<RimEnd> rimEnds(const TriangleSoup& soup)
+std::vector<RimEnd> rimEnds(const TriangleSoup& soup, const Executor& executor)
 {
   std::vector<RimEnd> ends;
-  const std::vector<SoupEdgeUse> uses = sortedEdgeUses(soup);
+  const std::vector<SoupEdgeUse> uses = sortedEdgeUses(soup, executor);
   for (std::size_t i = 0; i < uses.size(); ++i)
   {
     const EdgeKey& edge = uses[i].edge;
@@ -72,10 +72,10 @@ class GapCloser
 {
 public:
   GapCloser(TriangleSoup& soup_, const GridFrame& frame_, double tolerance_, const std::vector<Index>& parts_,
-            const std::vector<LatticePoint>& start_)
-      : soup(soup_), frame(frame_), tolerance(tolerance_), parts(parts_), start(start_), fans(soup),
-        rims(rimEnds(soup)), fixed(soup.points.size(), 0), partOf(soup.points.size(), noIndex),
-        hasSeveralParts(soup.points.size(), 0), hasRim(soup.points.size(), 0)
+            const std::vector<LatticePoint>& start_, const RunContext& runContext)
+      : soup(soup_), frame(frame_), tolerance(tolerance_), parts(parts_), start(start_), context(runContext),
+        fans(soup), rims(rimEnds(soup, context.executor)), fixed(soup.points.size(), 0),
+        partOf(soup.points.size(), noIndex), hasSeveralParts(soup.points.size(), 0), hasRim(soup.points.size(), 0)
   {
     for (const RimEnd& rim : rims)
     {
@@ -93,9 +93,9 @@ public:
   }
 
   /// Points that were moved.
-  std::vector<Index> run(const RunContext& context)
+  std::vector<Index> run()
   {
-    findPairs(context);
+    findPairs();
     std::sort(gaps.begin(), gaps.end());
     std::vector<Index> moved;
     for (const Gap& gap : gaps)
@@ -161,7 +161,7 @@ private:
     std::vector<Index> hanging;
   };
 
-  void findPairs(const RunContext& context)
+  void findPairs()
   {
     const std::vector<Index> places = movablePoints();
     if (places.empty())
@@ -450,6 +450,7 @@ private:
   double tolerance;
   const std::vector<Index>& parts;
   const std::vector<LatticePoint>& start;
+  const RunContext& context;
   Fans fans;
   std::vector<RimEnd> rims;
   std::vector<char> fixed;
@@ -470,7 +471,7 @@ std::vector<char> closeGaps(TriangleSoup& soup, const GridFrame& frame, double t
   std::vector<char> isMoved(soup.points.size(), 0);
   if (tolerance >= 1.0)
   {
-    for (const Index p : GapCloser(soup, frame, tolerance, parts, start).run(context))
+    for (const Index p : GapCloser(soup, frame, tolerance, parts, start, context).run())
     {
       isMoved[p] = 1;
     }

@@ -16,10 +16,10 @@ struct Neighbours
   /// Whether the triangle across is wound like this one.
   std::vector<std::array<bool, 3>> alike;
 
-  explicit Neighbours(const TriangleSoup& soup)
+  Neighbours(const TriangleSoup& soup, const Executor& executor)
       : across(soup.triangles.size(), {noIndex, noIndex, noIndex}), alike(soup.triangles.size())
   {
-    const std::vector<SoupEdgeUse> uses = sortedEdgeUses(soup);
+    const std::vector<SoupEdgeUse> uses = sortedEdgeUses(soup, executor);
     for (std::size_t begin = 0, end = 0; begin < uses.size(); begin = end)
     {
       for (end = begin + 1; end < uses.size() && uses[end].edge == uses[begin].edge; ++end)
@@ -109,9 +109,9 @@ bool mustTurnOver(const TriangleSoup& soup, const Piece& piece, const std::vecto
 
 } // namespace
 
-std::size_t orientTriangles(TriangleSoup& soup)
+std::size_t orientTriangles(TriangleSoup& soup, const Executor& executor)
 {
-  const Neighbours neighbours(soup);
+  const Neighbours neighbours(soup, executor);
   std::vector<char> seen(soup.triangles.size(), 0);
   std::vector<char> turned(soup.triangles.size(), 0);
   std::size_t count = 0;

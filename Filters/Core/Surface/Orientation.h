@@ -11,6 +11,6 @@ namespace atria {
 /// piece without open or shared edges is turned outwards; of any other piece the winding of the greater area stays, of
 /// equal ones that of the first triangle. A piece that has but one side (a Moebius strip) stays as it is. Returns how
 /// many triangles were turned. O(n log n).
-std::size_t orientTriangles(TriangleSoup& soup);
+std::size_t orientTriangles(TriangleSoup& soup, const Executor& executor);
 
 } // namespace atria

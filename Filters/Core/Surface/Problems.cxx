@@ -219,7 +219,7 @@ private:
 
   void findEdges()
   {
-    const std::vector<SoupEdgeUse> uses = sortedEdgeUses(soup);
+    const std::vector<SoupEdgeUse> uses = sortedEdgeUses(soup, context.executor);
     using Range = std::pair<std::size_t, std::size_t>;
     std::vector<Range> open;
     std::vector<Range> many;
@@ -284,7 +284,8 @@ private:
     {
       atPoints.add(contact.point, soup.surfaceIds[contact.triangle]);
     }
-    const std::vector<SoupEdgeUse> uses = found.edges.empty() ? std::vector<SoupEdgeUse>{} : sortedEdgeUses(soup);
+    const std::vector<SoupEdgeUse> uses =
+        found.edges.empty() ? std::vector<SoupEdgeUse>{} : sortedEdgeUses(soup, context.executor);
     for (const EdgeContact& contact : found.edges)
     {
       const auto less = [](const SoupEdgeUse& use, const EdgeKey& edge) { return use.edge < edge; };

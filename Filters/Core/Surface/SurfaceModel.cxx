@@ -120,7 +120,7 @@ SurfaceModel makeSurfaceModel(const TriangleSurface& surface, const GridFrame& f
   {
     model.domainSides.push_back(sideOf(model, t, frame));
   }
-  findFeatures(model, frame, options);
+  findFeatures(model, frame, options, context.executor);
   return model;
 }
 

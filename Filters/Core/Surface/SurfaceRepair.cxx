@@ -103,7 +103,7 @@ void repairSurface(TriangleSoup& soup, const GridFrame& frame, const SurfaceRepa
 {
   dropUnusedPoints(soup);
   // Pieces are closed as they were drawn; where they are cut they share edges with others.
-  report.flippedTriangles = orientTriangles(soup);
+  report.flippedTriangles = orientTriangles(soup, context.executor);
   const std::vector<Index> parts = partsOf(soup);
   AutorefineOptions refining;
   refining.reach = std::max(refining.reach, options.weldDistance / 4);
@@ -117,7 +117,7 @@ void repairSurface(TriangleSoup& soup, const GridFrame& frame, const SurfaceRepa
   report.intersectionEdges = refined.intersectionEdges;
   report.unresolvedContacts = refined.unresolvedContacts;
 
-  report.flippedTriangles += orientTriangles(soup);
+  report.flippedTriangles += orientTriangles(soup, context.executor);
   dropUnusedPoints(soup);
 }
 

@@ -1,44 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Surface/TriangleSoup.h"
 
-#include <numeric>
+#include "Support/Buckets.h"
+
 #include <tuple>
 
 namespace atria {
 
-std::vector<SoupEdgeUse> sortedEdgeUses(std::span<const std::array<Index, 3>> triangles, std::size_t pointCount)
+std::vector<SoupEdgeUse> sortedEdgeUses(std::span<const std::array<Index, 3>> triangles, std::size_t pointCount,
+                                        const Executor& executor)
 {
-  // Counted two places up and summed one place up, an offset serves as its point's cursor, and ends as its begin.
-  std::vector<Index> offsets(pointCount + 2, 0);
-  for (const auto& triangle : triangles)
-  {
-    for (int i = 0; i < 3; ++i)
-    {
-      ++offsets[edgeKey(triangle, i).first + 2];
-    }
-  }
-  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
+  constexpr std::size_t grain = 4096;
+  // Sides of triangles by the first points of their edges.
+  const Buckets sides = fillBuckets(pointCount, executor, [&](auto&& use) {
+    executor.forEach(triangles.size(), grain, [&](std::size_t t) {
+      for (Index i = 0; i < 3; ++i)
+      {
+        use(edgeKey(triangles[t], static_cast<int>(i)).first, 3 * static_cast<Index>(t) + i);
+      }
+    });
+  });
   std::vector<SoupEdgeUse> uses(3 * triangles.size());
-  for (Index t = 0; t < triangles.size(); ++t)
-  {
-    for (int i = 0; i < 3; ++i)
-    {
-      const EdgeKey edge = edgeKey(triangles[t], i);
-      uses[offsets[edge.first + 1]++] = {edge, t, edge.first == triangles[t][i]};
-    }
-  }
-  for (std::size_t p = 0; p < pointCount; ++p)
-  {
-    std::sort(uses.begin() + offsets[p], uses.begin() + offsets[p + 1], [](const SoupEdgeUse& l, const SoupEdgeUse& r) {
+  executor.forEach(pointCount, grain, [&](std::size_t p) {
+    const auto begin = uses.begin() + sides.offsets[p];
+    const auto end = std::ranges::transform(sides.of(p), begin, [&](Index side) {
+                       const auto& triangle = triangles[side / 3];
+                       const EdgeKey edge = edgeKey(triangle, static_cast<int>(side % 3));
+                       return SoupEdgeUse{edge, side / 3, edge.first == triangle[side % 3]};
+                     }).out;
+    std::sort(begin, end, [](const SoupEdgeUse& l, const SoupEdgeUse& r) {
       return std::tie(l.edge.second, l.triangle, l.forward) < std::tie(r.edge.second, r.triangle, r.forward);
     });
-  }
+  });
   return uses;
 }
 
-std::vector<SoupEdgeUse> sortedEdgeUses(const TriangleSoup& soup)
+std::vector<SoupEdgeUse> sortedEdgeUses(const TriangleSoup& soup, const Executor& executor)
 {
-  return sortedEdgeUses(soup.triangles, soup.points.size());
+  return sortedEdgeUses(soup.triangles, soup.points.size(), executor);
 }
 
 } // namespace atria

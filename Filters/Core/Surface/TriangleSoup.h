@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Domain/GridFrame.h"
+#include "Support/Executor.h"
 
 #include <algorithm>
 #include <span>
@@ -60,7 +61,8 @@ struct SoupEdgeUse
 };
 
 /// All uses, sorted by edge and then by triangle. O(n), but for points at which many edges meet.
-std::vector<SoupEdgeUse> sortedEdgeUses(std::span<const std::array<Index, 3>> triangles, std::size_t pointCount);
-std::vector<SoupEdgeUse> sortedEdgeUses(const TriangleSoup& soup);
+std::vector<SoupEdgeUse> sortedEdgeUses(std::span<const std::array<Index, 3>> triangles, std::size_t pointCount,
+                                        const Executor& executor);
+std::vector<SoupEdgeUse> sortedEdgeUses(const TriangleSoup& soup, const Executor& executor);
 
 } // namespace atria
