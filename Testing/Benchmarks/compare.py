@@ -47,13 +47,15 @@ class Case:
     inside: tuple
     levels: tuple  # snappyHexMesh's at surfaces and at features, and how many halvings of its grid give the finest size
     polygons: list
-    target: float  # times faster than snappyHexMesh on two threads
+    target: float = 0.0  # times faster than snappyHexMesh on two threads; 0 where nothing is aimed for
     sphere: float = 0.0
     creases: bool = False
     near: list = None  # box at whose surface cells are as at the model's
     site: str = ""
     curved: tuple = ()  # degrees and skewness asked for at curved walls
     like: str = ""  # the case whose peers' runs count here as well
+    walls: str = ".*"  # snappyHexMesh's patches that have layers
+    bare: str = ""  # the case without a layer
 
 
 def cases():
@@ -63,18 +65,20 @@ def cases():
     x0, y0, x1, y1 = make_building.SITE
     site = [(x0, x1), (y0, y1), (0.0, 0.3 * max(x1 - x0, y1 - y0))]
     sphere = {"model": "sphere_in_cube.wrl", "box": cube, "inside": (3.01, 3.02, 3.03), "polygons": ball, "sphere": 2.0}
+    building = {"model": "building.wrl", "sizes": (8.0, 2.0, 1.0), "box": site, "inside": (-50.0, 60.0, 40.0),
+                "levels": (2, 3, 3), "polygons": house, "creases": True, "near": [*site[:2], (-1.0, 0.0)], "site": "Site"}
     return [
         Case("uniform", "Sphere, uniform 0.1 m, no layer", sizes=(0.1, 0.1, 0.1), layers=0, levels=(0, 0, 0),
              target=150.0, **sphere),
         Case("adaptive", "Sphere, adaptive 0.1 m, with a layer", sizes=(0.8, 0.1, 0.1), layers=1, levels=(3, 3, 3),
-             target=60.0, near=cube, **sphere),
+             target=60.0, near=cube, bare="plain", **sphere),
         Case("plain", "Sphere, adaptive 0.1 m, no layer", sizes=(0.8, 0.1, 0.1), layers=0, levels=(3, 3, 3),
-             target=60.0, near=cube, like="adaptive", **sphere),
+             target=60.0, near=cube, **sphere),
         Case("loose", "Sphere, adaptive 0.1 m, with a layer of 30° and skewness 0.75", sizes=(0.8, 0.1, 0.1), layers=1,
-             levels=(3, 3, 3), target=60.0, near=cube, curved=(30.0, 0.75), like="adaptive", **sphere),
-        Case("building", "Building with sheets, 1, 2 and 8 m, with a layer", "building.wrl", (8.0, 2.0, 1.0), 1, site,
-             (-50.0, 60.0, 40.0), (2, 3, 3), house, 25.0, creases=True,
-             near=[*site[:2], (-1.0, 0.0)], site="Site"),
+             levels=(3, 3, 3), near=cube, curved=(30.0, 0.75), like="adaptive", **sphere),
+        Case("building", "Building with sheets, 1, 2 and 8 m, with a layer", layers=1, target=25.0, walls="model",
+             bare="bare", **building),
+        Case("bare", "Building with sheets, 1, 2 and 8 m, no layer", layers=0, **building),
     ]
 
 
@@ -113,7 +117,10 @@ def run_snappy(case, threads, folder):
     result["processor"] += before["processor"] - written
     result["wall"] = finished + before["wall"]
     result["bytes"] *= threads
-    return result | {"elements": int(re.findall(r"cells:\s*(\d+)", text)[-1])}
+    result["elements"] = int(re.findall(r"cells:\s*(\d+)", text)[-1])
+    if extruded := re.findall(r"Extruding (\d+) out of (\d+) faces", text):
+        result["covered"] = int(extruded[-1][0]) / int(extruded[-1][1])
+    return result
 
 
 def run_gmsh(case, threads, folder):

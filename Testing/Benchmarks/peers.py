@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The same work for other meshers: cases for OpenFOAM's snappyHexMesh, and gmsh's scripts.
 
-Where a peer cannot be given exactly what Atria gets, it is given what takes it less time: snappyHexMesh grows no layer,
-and the exact sphere, not the faceted one, is gmsh's.
+Where a peer cannot be given exactly what Atria gets, it is given what takes it less time: snappyHexMesh's layer may end
+where it does not fit and is not grown on the ground, and the exact sphere, not the faceted one, is gmsh's.
 """
 
 import itertools
@@ -19,7 +19,7 @@ FOAM = {
 HEADER = "FoamFile {{ version 2.0; format ascii; class dictionary; object {}; }}\n"
 
 SNAPPY = """
-castellatedMesh true; snap true; addLayers false;
+castellatedMesh true; snap true; addLayers {layered};
 geometry {{ model.stl {{ type triSurfaceMesh; name model; }} near {{ type searchableBox; min ({low}); max ({high}); }} }}
 castellatedMeshControls
 {{
@@ -36,7 +36,7 @@ snapControls
 }}
 addLayersControls
 {{
-  relativeSizes true; layers {{}} expansionRatio 1; finalLayerThickness 0.3; minThickness 0.1; nGrow 0;
+  relativeSizes true; layers {{ {layers} }} expansionRatio 1; finalLayerThickness 0.3; minThickness 0.1; nGrow 0;
   featureAngle 60; nRelaxIter 3; nSmoothSurfaceNormals 1; nSmoothNormals 3; nSmoothThickness 10;
   maxFaceThicknessRatio 0.5; maxThicknessToMedialRatio 0.3; minMedianAxisAngle 90; nBufferCellsNoExtrude 0; nLayerIter 50;
 }}
@@ -105,6 +105,8 @@ def snappy_case(folder: pathlib.Path, case, threads):
         low=words([c[0] for c in near]), high=words([c[1] for c in near]), inside=words(case.inside),
         features='{ file "model.eMesh"; level %d; }' % levels[1] if case.creases else "",
         regions=f"near {{ mode distance; levels ({' '.join(steps)}); }}" if case.near else "",
+        layered="true" if case.layers else "false",
+        layers=f'"{case.walls}" {{ nSurfaceLayers {case.layers}; }}' if case.layers else "",
         surface=levels[0], fine=levels[1], snap="true" if case.creases else "false"))
     if case.creases:
         write("surfaceFeatureExtractDict", "model.stl { extractionMethod extractFromSurface; writeObj no;\n"

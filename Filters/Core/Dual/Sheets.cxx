@@ -31,12 +31,9 @@ BoundaryStars findStars(const DualMesh& mesh, const RunContext& context)
   Buffer<Index> slots(marked.size());
   context.executor.forEach(stars.points.size(), grain,
                            [&](std::size_t i) { slots[stars.points[i]] = static_cast<Index>(i); });
-  Buffer<char> touches(mesh.elementCount());
-  context.executor.forEach(touches.size(), grain, [&](std::size_t e) {
-    touches[e] = std::ranges::any_of(mesh.corners[e], [&](Index p) { return marked[p] != 0; }) ? 1 : 0;
+  const std::vector<Index> elements = chosenNumbers(mesh.elementCount(), context.executor, [&](std::size_t e) {
+    return std::ranges::any_of(mesh.corners[e], [&](Index p) { return marked[p] != 0; });
   });
-  const std::vector<Index> elements =
-      chosenNumbers(touches.size(), context.executor, [&](std::size_t e) { return touches[e] != 0; });
   context.progress.check();
   stars.elements = fillInOrder(stars.points.size(), context.executor, [&](auto&& use) {
     context.executor.forEach(elements.size(), grain, [&](std::size_t i) {

@@ -62,6 +62,18 @@ public:
   virtual bool boxOf(Index /*cell*/, CellBox& /*out*/) const { return false; }
   /// Whether the cell has one of the points marked.
   virtual bool hasMarked(Index cell, const std::vector<char>& marked) const = 0;
+  /// Appends those of the cells [begin, end) that have.
+  virtual void appendMarked(std::size_t begin, std::size_t end, const std::vector<char>& marked,
+                            std::vector<Index>& out) const
+  {
+    for (auto cell = static_cast<Index>(begin); cell < end; ++cell)
+    {
+      if (hasMarked(cell, marked))
+      {
+        out.push_back(cell);
+      }
+    }
+  }
 };
 
 class DualSource : public CellSource
@@ -77,6 +89,8 @@ public:
   NativeCell nativeOf(Index cell) const override;
   bool boxOf(Index cell, CellBox& out) const override;
   bool hasMarked(Index cell, const std::vector<char>& marked) const override;
+  void appendMarked(std::size_t begin, std::size_t end, const std::vector<char>& marked,
+                    std::vector<Index>& out) const override;
 
 private:
   const DualMesh& mesh_;

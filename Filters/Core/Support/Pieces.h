@@ -40,30 +40,41 @@ template <typename T> T scan(std::vector<T>& counts)
   return sum;
 }
 
-/// The numbers below `count` that `isChosen`, in order. That is asked twice for each.
+/// What `collect(begin, end, out)` appends for pieces of [0, count), in order.
+template <typename Collect>
+std::vector<Index> collectInOrder(std::size_t count, const Executor& executor, Collect&& collect)
+{
+  const Pieces pieces(count);
+  std::vector<std::vector<Index>> found(pieces.count);
+  executor.forEach(pieces.count, 4,
+                   [&](std::size_t piece) { collect(pieces.begin(piece), pieces.end(piece), found[piece]); });
+  std::size_t size = 0;
+  for (const std::vector<Index>& some : found)
+  {
+    size += some.size();
+  }
+  std::vector<Index> all;
+  all.reserve(size);
+  for (const std::vector<Index>& some : found)
+  {
+    all.insert(all.end(), some.begin(), some.end());
+  }
+  return all;
+}
+
+/// The numbers below `count` that `isChosen`, in order.
 template <typename IsChosen>
 std::vector<Index> chosenNumbers(std::size_t count, const Executor& executor, IsChosen&& isChosen)
 {
-  const Pieces pieces(count);
-  std::vector<std::size_t> firsts(pieces.count, 0);
-  executor.forEach(pieces.count, 4, [&](std::size_t piece) {
-    for (std::size_t i = pieces.begin(piece); i < pieces.end(piece); ++i)
-    {
-      firsts[piece] += isChosen(i) ? 1 : 0;
-    }
-  });
-  std::vector<Index> numbers(scan(firsts));
-  executor.forEach(pieces.count, 4, [&](std::size_t piece) {
-    std::size_t next = firsts[piece];
-    for (std::size_t i = pieces.begin(piece); i < pieces.end(piece); ++i)
+  return collectInOrder(count, executor, [&](std::size_t begin, std::size_t end, std::vector<Index>& out) {
+    for (std::size_t i = begin; i < end; ++i)
     {
       if (isChosen(i))
       {
-        numbers[next++] = static_cast<Index>(i);
+        out.push_back(static_cast<Index>(i));
       }
     }
   });
-  return numbers;
 }
 
 /// Of the errors several threads meet, keeps the one that a single thread would meet first.
