@@ -5,6 +5,7 @@
 #include "Support/Error.h"
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <limits>
 #include <map>
@@ -256,7 +257,7 @@ public:
     file.close();
   }
 
-  void writeCells() const
+  void writeOwners() const
   {
     std::vector<Index> owner(layout.faces.size());
     for (std::size_t f = 0; f < owner.size(); ++f)
@@ -264,8 +265,9 @@ public:
       owner[f] = mesh.owner[layout.faces[f]];
     }
     writeLabelFile("owner", owner);
-    writeLabelFile("neighbour", mesh.neighbour);
   }
+
+  void writeNeighbours() const { writeLabelFile("neighbour", mesh.neighbour); }
 
   void writeBoundary() const
   {
@@ -401,7 +403,7 @@ void writeDictionary(const fs::path& caseFolder, const char* name, std::string_v
 } // namespace
 
 void writePolyMesh(const fs::path& caseFolder, const FaceMesh& mesh, std::span<const BoundaryPatch> patches,
-                   std::span<const std::int64_t> zoneIds, OpenFOAMFormat format, const ProgressRange& progress)
+                   std::span<const std::int64_t> zoneIds, OpenFOAMFormat format, const RunContext& context)
 {
   checkLabels(mesh);
   if (!zoneIds.empty() && zoneIds.size() != mesh.cellCount)
@@ -415,20 +417,19 @@ void writePolyMesh(const fs::path& caseFolder, const FaceMesh& mesh, std::span<c
   const fs::path folder = caseFolder / "constant" / "polyMesh";
   makeFolder(folder);
   const UnfinishedFolder unfinished(folder / ".unfinished");
-  const PolyMeshWriter writer(unfinished.path, mesh, layout, format, progress);
-  progress.report(0.2, "Writing points");
-  writer.writePoints();
-  progress.report(0.4, "Writing faces");
-  writer.writeFaces();
-  progress.report(0.7, "Writing cells");
-  writer.writeCells();
+  const PolyMeshWriter writer(unfinished.path, mesh, layout, format, context.progress);
+  context.progress.report(0.2, "Writing points and faces");
+  const std::array files{&PolyMeshWriter::writeFaces, &PolyMeshWriter::writePoints, &PolyMeshWriter::writeOwners,
+                         &PolyMeshWriter::writeNeighbours};
+  context.executor.forEach(files.size(), 1, [&](std::size_t i) { (writer.*files[i])(); });
+  context.progress.report(0.9, "Writing patches");
   writer.writeBoundary();
   const auto zones = cellsOfZones(zoneIds);
   if (zones.size() > 1)
   {
     writer.writeCellZones(zones);
   }
-  progress.report(1.0, "Writing cells");
+  context.progress.report(1.0, "Mesh written");
   removeEarlierMesh(folder);
   unfinished.moveFilesTo(folder);
 }

@@ -4,7 +4,7 @@
 
 #include "OpenFOAMFile.h"
 #include "Quality/FaceMesh.h"
-#include "Support/Progress.h"
+#include "Support/RunContext.h"
 
 #include <filesystem>
 #include <span>
@@ -23,7 +23,8 @@ struct BoundaryPatch
 
 /// Writes constant/polyMesh into a case: points, faces, owner, neighbour and boundary, and cellZones where
 /// `zoneIds` (one per cell, or none) has more than one value. Makes the folder where it is missing; files of an earlier
-/// mesh are replaced once all new ones are complete, and stay if writing fails or is aborted.
+/// mesh are replaced once all new ones are complete, and stay if writing fails or is aborted. Large files are written
+/// side by side.
 /// - Points no face has are left out.
 /// - Names become valid and unique (see OpenFOAMNames.h); a comment in `boundary` records what they were.
 /// - Boundary faces in no patch come last, in a patch `defaultFaces` of type `patch`.
@@ -32,7 +33,7 @@ struct BoundaryPatch
 /// boundary or in two patches, and for a mesh too large for 32-bit labels.
 void writePolyMesh(const std::filesystem::path& caseFolder, const FaceMesh& mesh,
                    std::span<const BoundaryPatch> patches, std::span<const std::int64_t> zoneIds, OpenFOAMFormat format,
-                   const ProgressRange& progress);
+                   const RunContext& context);
 
 /// Adds the least that OpenFOAM's utilities ask for, where it is not there: system/controlDict, fvSchemes and
 /// fvSolution, and an empty <case>.foam by which ParaView opens it. Throws Error for a file that cannot be

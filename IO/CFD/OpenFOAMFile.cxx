@@ -57,11 +57,17 @@ OpenFOAMFile& OpenFOAMFile::number(double value)
 OpenFOAMFile& OpenFOAMFile::raw(const void* bytes, std::size_t count)
 {
   const char* rest = static_cast<const char*>(bytes);
+  if (count < bufferSize)
+  {
+    std::memcpy(room(count), rest, count);
+    used += count;
+    return *this;
+  }
+  flush();
   while (count > 0)
   {
     const std::size_t part = std::min(count, bufferSize);
-    std::memcpy(room(part), rest, part);
-    used += part;
+    write(rest, part);
     rest += part;
     count -= part;
   }
@@ -88,15 +94,20 @@ char* OpenFOAMFile::room(std::size_t count)
 
 void OpenFOAMFile::flush()
 {
+  write(buffer.data(), used);
+  used = 0;
+}
+
+void OpenFOAMFile::write(const char* bytes, std::size_t count)
+{
   if (progress_)
   {
     progress_->check();
   }
-  if (std::fwrite(buffer.data(), 1, used, file.get()) != used)
+  if (std::fwrite(bytes, 1, count, file.get()) != count)
   {
     fail();
   }
-  used = 0;
 }
 
 void OpenFOAMFile::fail() const { throw Error("cannot write '" + path_.string() + "': " + std::strerror(errno)); }

@@ -53,6 +53,7 @@ private:
 
   char* room(std::size_t count);
   void flush();
+  void write(const char* bytes, std::size_t count);
   [[noreturn]] void fail() const;
 
   std::filesystem::path path_;

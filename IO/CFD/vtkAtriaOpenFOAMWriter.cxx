@@ -191,7 +191,7 @@ void vtkAtriaOpenFOAMWriter::WriteCase(vtkUnstructuredGrid* volume, vtkPartition
   }
   progress.report(0.5, "Writing the mesh");
   const auto format = this->WriteBinary ? atria::OpenFOAMFormat::Binary : atria::OpenFOAMFormat::Ascii;
-  atria::writePolyMesh(this->CaseDirectory, source.mesh, boundary, zoneIds, format, progress.part(0.5, 0.95));
+  atria::writePolyMesh(this->CaseDirectory, source.mesh, boundary, zoneIds, format, run.context.part(0.5, 0.95));
   progress.report(0.95, "Completing the case");
   atria::completeCase(this->CaseDirectory);
   progress.report(1.0, "Case written");

@@ -17,12 +17,15 @@ namespace {
 /// Stands in `mates` for a half-face that must stay on the boundary.
 constexpr Index keptApart = noIndex - 1;
 
-/// A half-face among those that have the same smallest point: the next smallest three points (the last is
-/// noIndex in a triangle). Only polygons of more than four points can agree in all three and still differ.
+/// A half-face among those that have the same smallest point: the next smallest two points as one number, and the third
+/// (noIndex in a triangle). Only polygons of more than four points can agree in all three and still differ.
 struct Key
 {
-  std::array<Index, 3> points;
+  std::uint64_t second;
+  Index third;
   Index halfFace;
+
+  bool hasPointsOf(const Key& other) const { return second == other.second && third == other.third; }
 };
 
 constexpr std::size_t smallestCount = 4;
@@ -142,7 +145,7 @@ private:
 
   bool sameFace(const Key& a, const Key& b) const
   {
-    if (a.points != b.points)
+    if (!a.hasPointsOf(b))
     {
       return false;
     }
@@ -158,12 +161,12 @@ private:
     for (const Index h : halfFaces)
     {
       const std::array<Index, smallestCount> points = smallestPoints(halves.face(h));
-      bucket.push_back({{points[1], points[2], points[3]}, h});
+      bucket.push_back({std::uint64_t{points[1]} << 32 | points[2], points[3], h});
     }
     std::sort(bucket.begin(), bucket.end(), [this](const Key& a, const Key& b) {
-      if (a.points != b.points)
+      if (!a.hasPointsOf(b))
       {
-        return a.points < b.points;
+        return a.second != b.second ? a.second < b.second : a.third < b.third;
       }
       const bool less = largerFacesLess(a.halfFace, b.halfFace);
       return less || (a.halfFace < b.halfFace && !largerFacesLess(b.halfFace, a.halfFace));
