@@ -194,14 +194,17 @@ def growth_in_elements(benchmark, largest, data):
     return series
 
 
-def write_sphere(file, subdivisions):
-    """A sphere of 20 * 4^subdivisions triangles as binary STL, without a list of Python's for each."""
+def write_sphere(file, parts):
+    """A sphere of 20 * parts^2 triangles as binary STL, without a list of Python's for each."""
     corners = numpy.array(make_sphere.sphere(1.0, 0))
-    for _ in range(subdivisions):
-        a, b, c = corners[:, 0], corners[:, 1], corners[:, 2]
-        ab, bc, ca = ((p + q) / numpy.linalg.norm(p + q, axis=1)[:, None] for p, q in ((a, b), (b, c), (c, a)))
-        triangles = ((a, ab, ca), (b, bc, ab), (c, ca, bc), (ab, bc, ca))
-        corners = numpy.concatenate([numpy.stack(t, axis=1) for t in triangles])
+    a, b, c = (corners[:, i][:, None, None, :] for i in range(3))
+    i, j = (n[None, :, :, None] for n in numpy.mgrid[0 : parts + 1, 0 : parts + 1])
+    grid = a * ((parts - i - j) / parts) + b * (i / parts) + c * (j / parts)
+    grid = (grid / numpy.linalg.norm(grid, axis=3)[..., None]).round(6)  # the same from both sides of an edge
+    up = numpy.stack([grid[:, :-1, :-1], grid[:, 1:, :-1], grid[:, :-1, 1:]], axis=3)
+    down = numpy.stack([grid[:, 1:, :-1], grid[:, 1:, 1:], grid[:, :-1, 1:]], axis=3)
+    place = numpy.add.outer(numpy.arange(parts), numpy.arange(parts))
+    corners = numpy.concatenate([up[:, place < parts].reshape(-1, 3, 3), down[:, place < parts - 1].reshape(-1, 3, 3)])
     facets = numpy.zeros(len(corners), dtype=[("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("zero", "<u2")])
     facets["corners"] = 2.0 * corners
     with file.open("wb") as out:
@@ -213,12 +216,12 @@ def write_sphere(file, subdivisions):
 def growth_in_triangles(benchmark, largest):
     series = []
     case = dataclasses.replace(cases()[0], layers=0)
-    for subdivisions in (3, 5, 7, 9):
-        if 20 * 4**subdivisions > largest:
+    for parts in (8, 32, 128, 512, 710):
+        if 20 * parts**2 > largest:
             break
         with tempfile.TemporaryDirectory() as name:
             file = pathlib.Path(name) / "sphere.stl"
-            triangles = write_sphere(file, subdivisions)
+            triangles = write_sphere(file, parts)
             result = best(lambda folder, file=file: run_atria(benchmark, file, case, 1, folder), 1)
         if result:
             print(f"growth triangles {triangles}: {tables.short(result)}", flush=True)

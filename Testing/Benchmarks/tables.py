@@ -108,9 +108,10 @@ def report(results, cases):
         f"this machine: {m['processor']}, {m['cores']} cores, {m['memory'] / 2**30:.0f} GB, {m['system']}, {m['date']}, load "
         f"{m['load']:.1f} before.", "",
         "Atria's time is that of the whole process, from the file to the mesh as VTK data, nothing written; of snappyHexMesh it ends",
-        "before the mesh is written, and gmsh writes none. gmsh's elements are tetrahedra and have no layer. snappyHexMesh is",
-        "asked for the same layer, of the building on the sheets only. Bytes are the peak of resident memory, of all processes together. With 30° and 0.75 the layer of the sphere is as good as snappyHexMesh's",
-        "faces there (27-40° and 0.69-0.80); unasked, 20° and 0.5 are aimed at, which takes longer.", ""]
+        "before the mesh is written, and gmsh writes none. gmsh's elements are tetrahedra and have no layer. snappyHexMesh is asked for",
+        "the same layer as Atria, of the building on the sheets only. Bytes are the peak of resident memory, of all processes together.",
+        "With 30° and 0.75 the layer of the sphere is as good as snappyHexMesh's faces there (27-40° and 0.69-0.80); unasked, 20° and",
+        "0.5 are aimed at, which takes longer.", ""]
     if m["load"] > 0.5:
         lines += ["Other programs kept the machine busy. Seconds of the processor hold nevertheless; those of the clock, and with them what",
                   "several threads gain, do not.", ""]
