@@ -10,6 +10,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <random>
 
 namespace {
 
@@ -48,6 +49,47 @@ int leavesAcross(const Octree& octree, Vec3 p, int axis, double from, double to)
     last = leaf;
   }
   return count;
+}
+
+/// Triangles about a point at some distance beside a box, each of which passes through it, and shares an edge within it
+/// with the one before and the one behind.
+SurfaceModel fanThrough(const LatticeBox& box, Index count)
+{
+  SurfaceModel fan;
+  fan.points.push_back({box.low[0] - 1000, box.low[1], box.low[2]});
+  for (Index i = 0; i <= count; ++i)
+  {
+    const std::int64_t width = box.high[1] - box.low[1];
+    fan.points.push_back({box.high[0] + 1000, box.low[1] + (i + 1) * width / (count + 2), box.low[2]});
+  }
+  for (Index i = 0; i < count; ++i)
+  {
+    fan.triangles.push_back({0, i + 1, i + 2});
+  }
+  return fan;
+}
+
+TEST(SeveralSurfaces, AreToldFromOneForAnyNumberOfTrianglesInAnyOrder)
+{
+  const LatticeBox box{{0, 0, 0}, {4000, 4000, 4000}};
+  std::mt19937 random(3);
+  for (Index count = 1; count < 50; ++count)
+  {
+    const SurfaceModel fan = fanThrough(box, count);
+    std::vector<ModelItem> pieces;
+    for (Index t = 0; t < count; ++t)
+    {
+      pieces.push_back({ModelItem::triangle, t});
+    }
+    std::ranges::shuffle(pieces, random);
+    EXPECT_FALSE(severalSurfaces(box, pieces, fan)) << count;
+    // Without one between them two parts have their point outside the box in common, and nothing within it.
+    const Index gone = 1 + static_cast<Index>(random() % std::max<Index>(1, count - 2));
+    std::erase_if(pieces, [&](ModelItem piece) { return piece.index == gone; });
+    EXPECT_EQ(severalSurfaces(box, pieces, fan), count > 2) << count << " without " << gone;
+    // A box about that point holds one surface again.
+    EXPECT_FALSE(severalSurfaces({{-2000, 0, 0}, {4000, 4000, 4000}}, pieces, fan)) << count;
+  }
 }
 
 TEST(SizePatterns, StarsAndQuestionMarksStandForText)
