@@ -4,6 +4,7 @@
 #include "Quality/HalfFaces.h"
 #include "Support/Buckets.h"
 #include "Support/Error.h"
+#include "Support/Memory.h"
 #include "Support/Pieces.h"
 
 #include <algorithm>
@@ -50,9 +51,9 @@ std::array<Index, smallestCount> smallestPoints(std::span<const Index> face)
 class Matcher
 {
 public:
-  Matcher(const HalfFaces& faces, const Executor& threads)
-      : halves(faces), executor(threads), mates(faces.count(), noIndex)
+  Matcher(const HalfFaces& faces, const Executor& threads) : halves(faces), executor(threads), mates(faces.count())
   {
+    executor.forEach(mates.size(), Pieces::length, [&](std::size_t h) { mates[h] = noIndex; });
   }
 
   void keepApart(std::span<const BoundaryFaceKey> boundaryFaces)
@@ -75,7 +76,7 @@ public:
     }
   }
 
-  std::vector<Index> run(std::size_t pointCount)
+  Buffer<Index> run(std::size_t pointCount)
   {
     sortIntoBuckets(pointCount);
     FirstError error;
@@ -95,6 +96,7 @@ public:
       }
     });
     error.rethrow();
+    giveBack(buckets.entries, executor);
     return std::move(mates);
   }
 
@@ -216,12 +218,12 @@ private:
 
   const HalfFaces& halves;
   const Executor& executor;
-  std::vector<Index> mates;
+  Buffer<Index> mates;
   Buckets buckets; ///< half-faces by their smallest point
 };
 
-std::vector<Index> findMates(const HalfFaces& halves, std::size_t pointCount,
-                             std::span<const BoundaryFaceKey> boundaryFaces, const Executor& executor)
+Buffer<Index> findMates(const HalfFaces& halves, std::size_t pointCount, std::span<const BoundaryFaceKey> boundaryFaces,
+                        const Executor& executor)
 {
   Matcher matcher(halves, executor);
   matcher.keepApart(boundaryFaces);
@@ -247,7 +249,7 @@ struct Place
 class Assembler
 {
 public:
-  Assembler(const HalfFaces& faces, const std::vector<Index>& matesOfFaces, FaceMesh& target)
+  Assembler(const HalfFaces& faces, const Buffer<Index>& matesOfFaces, FaceMesh& target)
       : halves(faces), mates(matesOfFaces), mesh(target)
   {
   }
@@ -328,7 +330,7 @@ private:
   }
 
   const HalfFaces& halves;
-  const std::vector<Index>& mates;
+  const Buffer<Index>& mates;
   FaceMesh& mesh;
 };
 
@@ -337,12 +339,16 @@ private:
 FaceMesh makeFaceMesh(std::span<const Vec3> points, const CellArrays& cells,
                       std::span<const BoundaryFaceKey> boundaryFaces, const Executor& executor)
 {
-  const HalfFaces halves = takeApart(cells, points.size(), executor);
-  const std::vector<Index> mates = findMates(halves, points.size(), boundaryFaces, executor);
+  HalfFaces halves = takeApart(cells, points.size(), executor);
+  Buffer<Index> mates = findMates(halves, points.size(), boundaryFaces, executor);
   FaceMesh mesh;
   mesh.points.assign(points.begin(), points.end());
   mesh.cellCount = cells.types.size();
   Assembler(halves, mates, mesh).run(executor);
+  for (Buffer<Index>* large : {&halves.points, &halves.offsets, &halves.cell, &mates})
+  {
+    giveBack(*large, executor);
+  }
   return mesh;
 }
 
