@@ -91,6 +91,17 @@ inline ReducedFace faceOf(const std::array<Index, 8>& corners, int direction)
   return face;
 }
 
+/// Whether one of an element's corners is marked. Without a jump for each, as most are not.
+inline bool hasMarked(const std::array<Index, 8>& corners, const std::vector<char>& marked)
+{
+  int any = 0;
+  for (const Index p : corners)
+  {
+    any |= marked[p];
+  }
+  return any != 0;
+}
+
 /// Marks the points of boundary faces.
 inline std::vector<char> boundaryPoints(const DualMesh& mesh, const Executor& executor)
 {

@@ -31,9 +31,8 @@ BoundaryStars findStars(const DualMesh& mesh, const RunContext& context)
   Buffer<Index> slots(marked.size());
   context.executor.forEach(stars.points.size(), grain,
                            [&](std::size_t i) { slots[stars.points[i]] = static_cast<Index>(i); });
-  const std::vector<Index> elements = chosenNumbers(mesh.elementCount(), context.executor, [&](std::size_t e) {
-    return std::ranges::any_of(mesh.corners[e], [&](Index p) { return marked[p] != 0; });
-  });
+  const std::vector<Index> elements = chosenNumbers(mesh.elementCount(), context.executor,
+                                                    [&](std::size_t e) { return hasMarked(mesh.corners[e], marked); });
   context.progress.check();
   stars.elements = fillInOrder(stars.points.size(), context.executor, [&](auto&& use) {
     context.executor.forEach(elements.size(), grain, [&](std::size_t i) {

@@ -336,7 +336,7 @@ Zones findZones(const Crossings& crossings, std::size_t surfaceCount, const RunC
   context.executor.forEach(pieces.count, 1, [&](std::size_t piece) {
     for (std::size_t point = pieces.begin(piece); point < pieces.end(piece); ++point)
     {
-      const Index root = sets.findShared(static_cast<Index>(point));
+      const Index root = sets.find(static_cast<Index>(point));
       zones.ofPoint[point] = static_cast<std::int32_t>(root);
       addToRuns(runs[piece], root);
     }

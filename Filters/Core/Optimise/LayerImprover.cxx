@@ -234,7 +234,7 @@ void LayerImprover::noteLeft(Index leader)
 
 void LayerImprover::leaveCurve(Index leader)
 {
-  Freedom& freedom = anchors_.freedom[vertexOf_[leader]];
+  Freedom& freedom = anchors_.freedom[leader];
   if (mayLeave_[leader] && freedom == Freedom::curve)
   {
     noteLeft(leader);
@@ -245,16 +245,15 @@ void LayerImprover::leaveCurve(Index leader)
 /// By `reach` times the size of the vertex's octant.
 void LayerImprover::leaveSurface(Index leader, double reach)
 {
-  const Index vertex = vertexOf_[leader];
-  Freedom& freedom = anchors_.freedom[vertex];
+  Freedom& freedom = anchors_.freedom[leader];
   if (!mayLeave_[leader] || freedom == Freedom::free)
   {
     return;
   }
   noteLeft(leader);
   freedom = Freedom::released;
-  const double size = octree_.frame().sizeOf(octree_.level(anchors_.leaves[vertex]));
-  anchors_.leashes.try_emplace(vertex, Leash{layer_.mesh.points[leader], 0.0}).first->second.reach = reach * size;
+  const double size = octree_.frame().sizeOf(octree_.level(anchors_.leaves[leader]));
+  anchors_.leashes.try_emplace(leader, Leash{layer_.mesh.points[leader], 0.0}).first->second.reach = reach * size;
 }
 
 /// Lets the points of cells leave their curves, and their surfaces by `reach`.

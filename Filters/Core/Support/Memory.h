@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Support/Executor.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -67,7 +69,7 @@ inline std::size_t forgetPages([[maybe_unused]] void* start, [[maybe_unused]] st
 
 /// Frees a vector nothing is needed of any longer. The system takes back a gigabyte in a tenth of a second and more: so
 /// large blocks go piece by piece, on all threads, with occasions to abort between.
-template <class Vector, class Executor> void giveBack(Vector& vector, const Executor& executor)
+template <class Vector> void giveBack(Vector& vector, const Executor& executor)
 {
   constexpr std::size_t large = std::size_t{1} << 30;
   constexpr std::size_t piece = std::size_t{1} << 26;

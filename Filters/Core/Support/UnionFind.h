@@ -23,18 +23,8 @@ public:
     std::iota(parents.begin(), parents.end(), Index{0});
   }
 
+  /// For any number of threads at once, while none joins.
   Index find(Index i)
-  {
-    while (parents[i] != i)
-    {
-      parents[i] = parents[parents[i]];
-      i = parents[i];
-    }
-    return i;
-  }
-
-  /// As `find`, for any number of threads at once, while none joins.
-  Index findShared(Index i)
   {
     const auto parentOf = [&](Index of) { return std::atomic_ref(parents[of]).load(std::memory_order_relaxed); };
     for (Index up = parentOf(i); up != i;)
