@@ -88,13 +88,13 @@ std::string nameOf(vtkPartitionedDataSetCollection* patches, unsigned int i)
 
 } // namespace
 
-std::vector<Vec3> pointsFromVtk(vtkPoints* points)
+std::vector<Vec3> pointsFromVtk(vtkPoints* points, const Executor& executor)
 {
   std::vector<Vec3> out(points ? points->GetNumberOfPoints() : 0);
   if (auto* doubles = points ? vtkDoubleArray::SafeDownCast(points->GetData()) : nullptr)
   {
     const double* values = doubles->GetPointer(0);
-    std::copy(values, values + 3 * out.size(), out.empty() ? nullptr : out.front().data());
+    executor.forEach(out.size(), 65536, [&](std::size_t i) { out[i] = Vec3(values + 3 * i); });
     return out;
   }
   for (std::size_t i = 0; i < out.size(); ++i)

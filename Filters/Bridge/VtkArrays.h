@@ -16,7 +16,7 @@ class vtkUnstructuredGrid;
 namespace atria {
 
 /// The points in double precision.
-std::vector<Vec3> pointsFromVtk(vtkPoints* points);
+std::vector<Vec3> pointsFromVtk(vtkPoints* points, const Executor& executor = SerialExecutor());
 
 /// A grid's cell arrays: VTK's own where they can be viewed directly, else copies. The grid must outlive it, unchanged.
 class VtkCells

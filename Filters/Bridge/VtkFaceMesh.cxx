@@ -29,7 +29,8 @@ std::string describe(const VtkPatches& patches, std::size_t face)
 
 void checkPatchFaces(const VtkFaceMesh& result)
 {
-  std::vector<Index> taken(result.mesh.faceCount(), noIndex);
+  const std::size_t internal = result.mesh.internalFaceCount();
+  std::vector<Index> taken(result.mesh.faceCount() - internal, noIndex); // by boundary face
   for (std::size_t f = 0; f < result.patchFaces.size(); ++f)
   {
     const Index face = result.patchFaces[f];
@@ -38,11 +39,12 @@ void checkPatchFaces(const VtkFaceMesh& result)
       throw Error(describe(result.patches, f) + " is no face of its owner, cell " +
                   std::to_string(result.patches.owners[f]));
     }
-    if (taken[face] != noIndex)
+    Index& first = taken[face - internal];
+    if (first != noIndex)
     {
-      throw Error(describe(result.patches, f) + " is already " + describe(result.patches, taken[face]));
+      throw Error(describe(result.patches, f) + " is already " + describe(result.patches, first));
     }
-    taken[face] = static_cast<Index>(f);
+    first = static_cast<Index>(f);
   }
 }
 
@@ -62,7 +64,7 @@ VtkFaceMesh faceMeshFromVtk(vtkUnstructuredGrid* volume, vtkPartitionedDataSetCo
     result.patches = patchesFromVtk(patches, volume);
   }
   const std::vector<BoundaryFaceKey> keys = result.patches.keys();
-  result.mesh = makeFaceMesh(pointsFromVtk(volume->GetPoints()), result.cells.view(), keys, executor);
+  result.mesh = makeFaceMesh(pointsFromVtk(volume->GetPoints(), executor), result.cells.view(), keys, executor);
   result.patchFaces = findBoundaryFaces(result.mesh, keys);
   checkPatchFaces(result);
   return result;

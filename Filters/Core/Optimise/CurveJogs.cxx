@@ -18,12 +18,8 @@ class JogRemover
 {
 public:
   JogRemover(DualMesh& m, const BoundaryGraph& g, const std::vector<Index>& vertices, VertexAnchors& a)
-      : mesh(m), graph(g), vertexOf(vertices), anchors(a), pointsOf(a.freedom.size(), 0)
+      : mesh(m), graph(g), vertexOf(vertices), anchors(a)
   {
-    for (const Index v : vertexOf)
-    {
-      ++pointsOf[v];
-    }
   }
 
   RemovedJogs run()
@@ -153,13 +149,27 @@ private:
       }
     }
     sortUnique(points);
-    if (points.size() == pointsOf[vertex])
+    if (points.size() == pointsOf(vertex))
     {
       anchors.freedom[vertex] = Freedom::surface;
       std::fill(anchors.pieces.begin() + anchors.offsets[vertex], anchors.pieces.begin() + anchors.offsets[vertex + 1],
                 mesh.boundaryFaces[f].chart);
       freed.insert(freed.end(), points.begin(), points.end());
     }
+  }
+
+  /// How many points stand for a vertex. Most meshes have no jog and never ask.
+  Index pointsOf(Index vertex)
+  {
+    if (pointCounts.empty())
+    {
+      pointCounts.resize(anchors.freedom.size(), 0);
+      for (const Index v : vertexOf)
+      {
+        ++pointCounts[v];
+      }
+    }
+    return pointCounts[vertex];
   }
 
   bool isWithin(Index point, Index chart) const
@@ -171,8 +181,7 @@ private:
   const BoundaryGraph& graph;
   const std::vector<Index>& vertexOf;
   VertexAnchors& anchors;
-  /// How many points stand for a vertex.
-  std::vector<Index> pointsOf;
+  std::vector<Index> pointCounts;
 };
 
 } // namespace

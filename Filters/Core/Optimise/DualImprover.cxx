@@ -71,6 +71,7 @@ void DualImprover::growLayers(const std::vector<LayerRule>& rules, const CurvedW
   {
     walls = findLayerWalls(plain, options, context_);
   }
+  context_.progress.check();
   LayerImprover improver(octree_, model_, tree_, anchors_, vertexOf_, plain, walls, options, curvedWalls, context_);
   LayerMesh layer = improver.run();
   if (most > 0)

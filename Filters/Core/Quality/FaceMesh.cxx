@@ -4,12 +4,12 @@
 #include "Quality/HalfFaces.h"
 #include "Support/Buckets.h"
 #include "Support/Error.h"
-#include "Support/Memory.h"
 #include "Support/Pieces.h"
 
 #include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
 
 namespace atria {
 
@@ -96,7 +96,6 @@ public:
       }
     });
     error.rethrow();
-    giveBack(buckets.entries, executor);
     return std::move(mates);
   }
 
@@ -336,19 +335,15 @@ private:
 
 } // namespace
 
-FaceMesh makeFaceMesh(std::span<const Vec3> points, const CellArrays& cells,
-                      std::span<const BoundaryFaceKey> boundaryFaces, const Executor& executor)
+FaceMesh makeFaceMesh(std::vector<Vec3> points, const CellArrays& cells, std::span<const BoundaryFaceKey> boundaryFaces,
+                      const Executor& executor)
 {
-  HalfFaces halves = takeApart(cells, points.size(), executor);
-  Buffer<Index> mates = findMates(halves, points.size(), boundaryFaces, executor);
+  const HalfFaces halves = takeApart(cells, points.size(), executor);
+  const Buffer<Index> mates = findMates(halves, points.size(), boundaryFaces, executor);
   FaceMesh mesh;
-  mesh.points.assign(points.begin(), points.end());
+  mesh.points = std::move(points);
   mesh.cellCount = cells.types.size();
   Assembler(halves, mates, mesh).run(executor);
-  for (Buffer<Index>* large : {&halves.points, &halves.offsets, &halves.cell, &mates})
-  {
-    giveBack(*large, executor);
-  }
   return mesh;
 }
 

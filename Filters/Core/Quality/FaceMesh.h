@@ -59,7 +59,7 @@ struct BoundaryFaceKey
 /// face that more than two cells share and for one that a cell has twice; names the cells. O(n log n) in the
 /// number of faces; the same bits, and the same error, for any number of threads. A key that is no face of its cell has
 /// no effect here; findBoundaryFaces() finds such keys.
-FaceMesh makeFaceMesh(std::span<const Vec3> points, const CellArrays& cells,
+FaceMesh makeFaceMesh(std::vector<Vec3> points, const CellArrays& cells,
                       std::span<const BoundaryFaceKey> boundaryFaces = {}, const Executor& executor = SerialExecutor());
 
 /// Per key the boundary face of its cell that has its points, or noIndex.

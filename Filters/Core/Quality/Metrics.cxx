@@ -175,7 +175,9 @@ QualityMetrics computeQuality(const MeasuredMesh& measured, const CellArrays& ce
   });
   context.progress.report(0.8, "Judging corners");
   out.scaledJacobian = scaledJacobians(mesh.points, cells, context.part(0.8, 1.0));
-  out.volume = measured.geometry.cellVolumes;
+  out.volume.resize(mesh.cellCount);
+  context.executor.forEach(mesh.cellCount, grain,
+                           [&](std::size_t c) { out.volume[c] = measured.geometry.cellVolumes[c]; });
   out.invalidCells = static_cast<std::size_t>(std::count(out.valid.begin(), out.valid.end(), 0));
   context.progress.report(1.0, "Quality known");
   return out;

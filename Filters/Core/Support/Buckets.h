@@ -35,7 +35,8 @@ template <typename ForPairs> Buckets fillBuckets(std::size_t count, const Execut
   };
   // Counted two places up and summed one place up, an offset serves as its bucket's cursor, and ends as its begin.
   Buckets out;
-  out.offsets.assign(count + 2, 0);
+  out.offsets.resize(count + 2);
+  executor.forEach(out.offsets.size(), 65536, [&](std::size_t i) { out.offsets[i] = 0; });
   forPairs([&](Index bucket, Index) { increment(out.offsets[bucket + 2]); });
   std::partial_sum(out.offsets.begin(), out.offsets.end(), out.offsets.begin());
   out.entries.resize(out.offsets.back());

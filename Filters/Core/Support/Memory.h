@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "Support/Executor.h"
-
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -65,24 +63,6 @@ inline std::size_t forgetPages([[maybe_unused]] void* start, [[maybe_unused]] st
 #else
   return bytes;
 #endif
-}
-
-/// Frees a vector nothing is needed of any longer. The system takes back a gigabyte in a tenth of a second and more: so
-/// large blocks go piece by piece, on all threads, with occasions to abort between.
-template <class Vector> void giveBack(Vector& vector, const Executor& executor)
-{
-  constexpr std::size_t large = std::size_t{1} << 30;
-  constexpr std::size_t piece = std::size_t{1} << 26;
-  const std::size_t bytes = vector.capacity() * sizeof(typename Vector::value_type);
-  if (bytes >= large)
-  {
-    char* const start = reinterpret_cast<char*>(vector.data());
-    executor.forEach((bytes + piece - 1) / piece, 1, [&](std::size_t i) {
-      const std::size_t begin = i * piece;
-      forgetPages(start + begin, bytes - begin < piece ? bytes - begin : piece);
-    });
-  }
-  Vector().swap(vector);
 }
 
 /// Makes room in a vector, in large pages.
