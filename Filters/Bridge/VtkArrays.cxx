@@ -24,15 +24,9 @@ namespace atria {
 
 namespace {
 
-Buffer<std::int64_t> integers(vtkDataArray* array, const Executor& executor = SerialExecutor())
+Buffer<std::int64_t> integers(vtkDataArray* array)
 {
   Buffer<std::int64_t> values(array ? array->GetNumberOfValues() : 0);
-  if (vtkTypeInt32Array* narrow = vtkArrayDownCast<vtkTypeInt32Array>(array))
-  {
-    const vtkTypeInt32* from = narrow->GetPointer(0);
-    executor.forEach(values.size(), 65536, [&](std::size_t i) { values[i] = from[i]; });
-    return values;
-  }
   for (std::size_t i = 0; i < values.size(); ++i)
   {
     values[i] = static_cast<std::int64_t>(array->GetComponent(static_cast<vtkIdType>(i), 0));
@@ -104,19 +98,23 @@ std::vector<Vec3> pointsFromVtk(vtkPoints* points, const Executor& executor)
   return out;
 }
 
-std::span<const std::int64_t> VtkCells::viewOrCopy(vtkDataArray* array, const Executor& executor)
+IdView VtkCells::viewOrCopy(vtkDataArray* array)
 {
   const bool sameLayout = array && array->GetDataTypeSize() == sizeof(std::int64_t) &&
                           array->HasStandardMemoryLayout() && array->GetDataType() != VTK_DOUBLE;
   if (sameLayout)
   {
-    return {static_cast<const std::int64_t*>(array->GetVoidPointer(0)),
-            static_cast<std::size_t>(array->GetNumberOfValues())};
+    return IdView::Wide(static_cast<const std::int64_t*>(array->GetVoidPointer(0)),
+                        static_cast<std::size_t>(array->GetNumberOfValues()));
   }
-  return copies.emplace_back(integers(array, executor));
+  if (vtkTypeInt32Array* narrow = vtkArrayDownCast<vtkTypeInt32Array>(array))
+  {
+    return IdView::Narrow(narrow->GetPointer(0), static_cast<std::size_t>(narrow->GetNumberOfValues()));
+  }
+  return copies.emplace_back(integers(array));
 }
 
-VtkCells::VtkCells(vtkUnstructuredGrid* grid, const Executor& executor)
+VtkCells::VtkCells(vtkUnstructuredGrid* grid)
 {
   static const std::int64_t none[] = {0};
   arrays.offsets = none;
@@ -126,13 +124,13 @@ VtkCells::VtkCells(vtkUnstructuredGrid* grid, const Executor& executor)
   }
   vtkUnsignedCharArray* cellTypes = grid->GetCellTypesArray();
   arrays.types = {cellTypes->GetPointer(0), static_cast<std::size_t>(cellTypes->GetNumberOfValues())};
-  arrays.offsets = viewOrCopy(grid->GetCells()->GetOffsetsArray(), executor);
-  arrays.connectivity = viewOrCopy(grid->GetCells()->GetConnectivityArray(), executor);
-  arrays.faceStream = viewOrCopy(grid->GetFaces(), executor);
-  arrays.faceLocations = viewOrCopy(grid->GetFaceLocations(), executor);
+  arrays.offsets = viewOrCopy(grid->GetCells()->GetOffsetsArray());
+  arrays.connectivity = viewOrCopy(grid->GetCells()->GetConnectivityArray());
+  arrays.faceStream = viewOrCopy(grid->GetFaces());
+  arrays.faceLocations = viewOrCopy(grid->GetFaceLocations());
 }
 
-VtkCells cellsFromVtk(vtkUnstructuredGrid* grid, const Executor& executor) { return VtkCells(grid, executor); }
+VtkCells cellsFromVtk(vtkUnstructuredGrid* grid) { return VtkCells(grid); }
 
 std::vector<BoundaryFaceKey> VtkPatches::keys() const
 {

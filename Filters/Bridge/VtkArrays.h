@@ -22,7 +22,7 @@ std::vector<Vec3> pointsFromVtk(vtkPoints* points, const Executor& executor = Se
 class VtkCells
 {
 public:
-  explicit VtkCells(vtkUnstructuredGrid* grid, const Executor& executor = SerialExecutor());
+  explicit VtkCells(vtkUnstructuredGrid* grid);
   VtkCells() = default;
   VtkCells(VtkCells&&) = default;
   VtkCells& operator=(VtkCells&&) = default;
@@ -30,12 +30,12 @@ public:
   const CellArrays& view() const { return arrays; }
 
 private:
-  std::span<const std::int64_t> viewOrCopy(vtkDataArray* array, const Executor& executor);
+  IdView viewOrCopy(vtkDataArray* array);
 
   CellArrays arrays;
   std::vector<Buffer<std::int64_t>> copies;
 };
-VtkCells cellsFromVtk(vtkUnstructuredGrid* grid, const Executor& executor = SerialExecutor());
+VtkCells cellsFromVtk(vtkUnstructuredGrid* grid);
 
 /// The faces of named patches in terms of the volume mesh they belong to.
 struct VtkPatches

@@ -58,14 +58,14 @@ VtkFaceMesh faceMeshFromVtk(vtkUnstructuredGrid* volume, vtkPartitionedDataSetCo
     throw Error("the volume mesh has no cells");
   }
   VtkFaceMesh result;
-  result.cells = cellsFromVtk(volume, executor);
+  result.cells = cellsFromVtk(volume);
   if (patches)
   {
     result.patches = patchesFromVtk(patches, volume);
   }
   const std::vector<BoundaryFaceKey> keys = result.patches.keys();
   result.mesh = makeFaceMesh(pointsFromVtk(volume->GetPoints(), executor), result.cells.view(), keys, executor);
-  result.patchFaces = findBoundaryFaces(result.mesh, keys);
+  result.patchFaces = findBoundaryFaces(result.mesh, keys, executor);
   checkPatchFaces(result);
   return result;
 }

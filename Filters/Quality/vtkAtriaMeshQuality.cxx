@@ -70,7 +70,8 @@ public:
 
   void addSample(const Sample& sample)
   {
-    const atria::Statistics s = atria::summarise(sample.values, executor);
+    const atria::Distribution distribution = atria::distributionOf(sample.values, bins, executor);
+    const atria::Statistics& s = distribution.statistics;
     names->InsertNextValue(sample.name);
     parts->InsertNextValue(sample.ofFaces ? "faces" : "cells");
     counts->InsertNextValue(static_cast<vtkIdType>(s.count));
@@ -79,7 +80,7 @@ public:
     means.push_back(s.mean);
     deviations.push_back(s.standardDeviation);
     const std::string name = sample.name;
-    const atria::Histogram h = atria::makeHistogram(sample.values, bins, executor);
+    const atria::Histogram& h = distribution.histogram;
     histogram->AddColumn(makeColumn(name, h.centres));
     histogram->AddColumn(makeColumn(name + "_PDF", h.density));
     histogram->AddColumn(makeColumn(name + "_CDF", h.cumulative));

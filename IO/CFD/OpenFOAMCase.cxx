@@ -3,9 +3,11 @@
 
 #include "OpenFOAMNames.h"
 #include "Support/Error.h"
+#include "Support/Pieces.h"
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <fstream>
 #include <limits>
 #include <map>
@@ -171,21 +173,16 @@ void layOutFaces(Layout& layout, const FaceMesh& mesh, std::span<const BoundaryP
   }
 }
 
-void layOutPoints(Layout& layout, const FaceMesh& mesh)
+void layOutPoints(Layout& layout, const FaceMesh& mesh, const Executor& executor)
 {
   layout.newPoint.assign(mesh.points.size(), noIndex);
-  for (const Index point : mesh.facePoints)
-  {
-    layout.newPoint[point] = 0;
-  }
-  for (std::size_t p = 0; p < mesh.points.size(); ++p)
-  {
-    if (layout.newPoint[p] == 0)
-    {
-      layout.newPoint[p] = static_cast<Index>(layout.points.size());
-      layout.points.push_back(static_cast<Index>(p));
-    }
-  }
+  executor.forEach(mesh.facePoints.size(), 65536, [&](std::size_t i) {
+    std::atomic_ref(layout.newPoint[mesh.facePoints[i]]).store(0, std::memory_order_relaxed);
+  });
+  layout.points =
+      chosenNumbers(mesh.points.size(), executor, [&](std::size_t p) { return layout.newPoint[p] != noIndex; });
+  executor.forEach(layout.points.size(), 65536,
+                   [&](std::size_t i) { layout.newPoint[layout.points[i]] = static_cast<Index>(i); });
 }
 
 void checkLabels(const FaceMesh& mesh)
@@ -383,9 +380,14 @@ private:
 std::map<std::int64_t, std::vector<Index>> cellsOfZones(std::span<const std::int64_t> zoneIds)
 {
   std::map<std::int64_t, std::vector<Index>> zones;
+  std::vector<Index>* cells = nullptr;
   for (std::size_t cell = 0; cell < zoneIds.size(); ++cell)
   {
-    zones[zoneIds[cell]].push_back(static_cast<Index>(cell));
+    if (cell == 0 || zoneIds[cell] != zoneIds[cell - 1])
+    {
+      cells = &zones[zoneIds[cell]];
+    }
+    cells->push_back(static_cast<Index>(cell));
   }
   return zones;
 }
@@ -413,7 +415,7 @@ void writePolyMesh(const fs::path& caseFolder, const FaceMesh& mesh, std::span<c
   }
   Layout layout;
   layOutFaces(layout, mesh, patches);
-  layOutPoints(layout, mesh);
+  layOutPoints(layout, mesh, context.executor);
   const fs::path folder = caseFolder / "constant" / "polyMesh";
   makeFolder(folder);
   const UnfinishedFolder unfinished(folder / ".unfinished");

@@ -238,6 +238,19 @@ def octrees(program):
             for b in json.loads(text)["benchmarks"]]
 
 
+def after_meshing(program, names):
+    """Seconds of the quality filter and of the writers by case and threads; nothing where benchmark_stages was not built."""
+    if not program.exists():
+        return {}
+    command = [program, "--benchmark_format=json", f"--benchmark_filter=^(quality|write_.*)/({'|'.join(names)})/"]
+    text = subprocess.run(command, check=True, capture_output=True, text=True).stdout
+    found = {}
+    for b in json.loads(text)["benchmarks"]:
+        stage, case, threads = b["name"].split("/")[:3]
+        found.setdefault(case, {}).setdefault(threads.removeprefix("threads:"), {})[stage] = 1e-3 * b["real_time"]
+    return found
+
+
 def machine():
     cpu = platform.processor() or "unknown"
     info = pathlib.Path("/proc/cpuinfo")
@@ -266,6 +279,7 @@ def main():
     else:
         benchmark = arguments.build.resolve() / "bin" / "benchmark_mesh"
         results = {"machine": machine(), "meshers": compare(arguments, benchmark)}
+        results["after"] = after_meshing(benchmark.with_name("benchmark_stages"), list(results["meshers"]))
         results["octrees"] = octrees(benchmark.with_name("benchmark_p4est"))
         if arguments.growth > 0:
             data = HERE.parents[1] / "Examples" / "Data"

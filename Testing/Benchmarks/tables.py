@@ -52,6 +52,21 @@ def stages(found):
     return lines + [row(phase or "Starting", f"{peak / result['elements']:.0f}") for phase, peak in result["peaks"]]
 
 
+AFTER = {"quality": "Quality filter", "write_vtu": "Writing .vtu", "write_openfoam": "Writing OpenFOAM's files"}
+
+
+def after(by_threads, ours):
+    """What follows a mesh, beside the time it took itself."""
+    lines = [row("after it", *(f"s, {threads} threads" for threads in by_threads), "times meshing"),
+             row(*["---"] * (len(by_threads) + 2))]
+    most = list(by_threads)[-1]
+    for key, name in AFTER.items():
+        if key in by_threads[most]:
+            ratio = f"{by_threads[most][key] / ours[most]['wall']:.2f}" if ours.get(most) else ""
+            lines.append(row(name, *(f"{stages[key]:.3f}" for stages in by_threads.values()), ratio))
+    return lines
+
+
 def verdicts(results, cases):
     """What was aimed for, and what was got."""
     lines = [row("aim", "got"), row("---", "---")]
@@ -73,6 +88,11 @@ def verdicts(results, cases):
                              f"{ratio:.1f} times"))
         if case.name == "uniform" and one and ours:
             lines.append(row("1.7 times over one thread, uniform", f"{one['wall'] / ours['wall']:.2f} times"))
+        after_it = results.get("after", {}).get(case.name, {}).get("2", {})
+        for key in ("write_vtu", "write_openfoam"):
+            if ours and key in after_it:
+                lines.append(row(f"{case.title}: {AFTER[key].replace("W", "w")} at most once its meshing, 2 threads",
+                                 f"{after_it[key] / ours['wall']:.2f} times"))
         limit = {"uniform": 350, "adaptive": 600}.get(case.name)
         if limit and one:
             lines.append(row(f"At most {limit} B an element, {case.name}", f"{one['bytes'] / one['elements']:.0f} B"))
@@ -121,6 +141,8 @@ def report(results, cases):
             lines += ["", f"## {case.title}", "", *comparison(found)]
             if any(r and "stages" in r for r in found["Atria"].values()):
                 lines += ["", *stages(found)]
+            if by_threads := results.get("after", {}).get(case.name):
+                lines += ["", *after(by_threads, found["Atria"])]
     if series := results.get("octrees"):
         lines += ["", "## Octree and balance, one core", "", "Across faces, edges and corners, of the same refinement.", "",
                   *octrees(series)]

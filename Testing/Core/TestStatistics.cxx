@@ -22,7 +22,7 @@ double integral(const atria::Histogram& h)
 TEST(Statistics, OfAKnownSample)
 {
   const std::vector<double> values{2, 4, 4, 4, 5, 5, 7, 9};
-  const atria::Statistics s = atria::summarise(values);
+  const atria::Statistics s = atria::distributionOf(values, 1).statistics;
   EXPECT_EQ(s.count, 8u);
   EXPECT_EQ(s.minimum, 2.0);
   EXPECT_EQ(s.maximum, 9.0);
@@ -33,7 +33,7 @@ TEST(Statistics, OfAKnownSample)
 TEST(Statistics, LeaveOutWhatIsNotANumber)
 {
   const std::vector<double> values{nan, 1, nan, 3};
-  const atria::Statistics s = atria::summarise(values);
+  const atria::Statistics s = atria::distributionOf(values, 1).statistics;
   EXPECT_EQ(s.count, 2u);
   EXPECT_DOUBLE_EQ(s.mean, 2.0);
   EXPECT_EQ(s.minimum, 1.0);
@@ -43,15 +43,39 @@ TEST(Statistics, LeaveOutWhatIsNotANumber)
 TEST(Statistics, ShowAnInfiniteExtremeButKeepTheMeanFinite)
 {
   const std::vector<double> values{1, 3, inf};
-  const atria::Statistics s = atria::summarise(values);
+  const atria::Statistics s = atria::distributionOf(values, 1).statistics;
   EXPECT_EQ(s.maximum, inf);
   EXPECT_EQ(s.count, 2u);
   EXPECT_DOUBLE_EQ(s.mean, 2.0);
 }
 
+TEST(Statistics, FindExtremesWhereverTheyAreAndWhateverIsBesideThem)
+{
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> number(-1.0, 1.0);
+  for (const std::size_t size : {1u, 63u, 64u, 65u, 1000u, 70000u})
+  {
+    std::vector<double> values(size);
+    std::generate(values.begin(), values.end(), [&] { return number(random); });
+    for (const double other : {0.0, nan, inf, -inf})
+    {
+      values[random() % size] = other;
+      const atria::Statistics s = atria::distributionOf(values, 7).statistics;
+      std::vector<double> numbers = values;
+      std::erase_if(numbers, [](double value) { return std::isnan(value); });
+      EXPECT_EQ(s.count, std::count_if(values.begin(), values.end(), [](double v) { return std::isfinite(v); }));
+      if (!numbers.empty())
+      {
+        EXPECT_EQ(s.minimum, *std::min_element(numbers.begin(), numbers.end()));
+        EXPECT_EQ(s.maximum, *std::max_element(numbers.begin(), numbers.end()));
+      }
+    }
+  }
+}
+
 TEST(Statistics, OfNothingAreNoNumbers)
 {
-  const atria::Statistics s = atria::summarise({});
+  const atria::Statistics s = atria::distributionOf({}, 1).statistics;
   EXPECT_EQ(s.count, 0u);
   EXPECT_TRUE(std::isnan(s.minimum) && std::isnan(s.maximum) && std::isnan(s.mean) && std::isnan(s.standardDeviation));
 }
@@ -63,7 +87,7 @@ TEST(Statistics, KeepTheDigitsOfManySmallDifferences)
   {
     values[i] += 1.0;
   }
-  const atria::Statistics s = atria::summarise(values);
+  const atria::Statistics s = atria::distributionOf(values, 1).statistics;
   EXPECT_DOUBLE_EQ(s.mean, 1e8 + 0.5);
   EXPECT_NEAR(s.standardDeviation, 0.5, 1e-9);
 }
@@ -75,15 +99,15 @@ TEST(Statistics, AndHistogramsHaveTheSameBitsForAnyNumberOfThreads)
   {
     values[i] = std::sin(static_cast<double>(i)) + 1e-3 * static_cast<double>(i % 1000);
   }
-  const atria::Statistics one = atria::summarise(values);
-  const atria::Statistics many = atria::summarise(values, atria::ThreadExecutor(7));
+  const atria::Statistics one = atria::distributionOf(values, 1).statistics;
+  const atria::Statistics many = atria::distributionOf(values, 1, atria::ThreadExecutor(7)).statistics;
   EXPECT_EQ(one.count, many.count);
   EXPECT_EQ(one.minimum, many.minimum);
   EXPECT_EQ(one.maximum, many.maximum);
   EXPECT_EQ(one.mean, many.mean);
   EXPECT_EQ(one.standardDeviation, many.standardDeviation);
-  EXPECT_EQ(atria::makeHistogram(values, 33).density,
-            atria::makeHistogram(values, 33, atria::ThreadExecutor(7)).density);
+  EXPECT_EQ(atria::distributionOf(values, 33).histogram.density,
+            atria::distributionOf(values, 33, atria::ThreadExecutor(7)).histogram.density);
 }
 
 TEST(Histogram, IntegratesToOneAndEndsAtOne)
@@ -95,7 +119,7 @@ TEST(Histogram, IntegratesToOneAndEndsAtOne)
     std::vector<double> values(5000);
     std::generate(values.begin(), values.end(), [&] { return normal(random); });
     values.push_back(nan);
-    const atria::Histogram h = atria::makeHistogram(values, bins);
+    const atria::Histogram h = atria::distributionOf(values, bins).histogram;
     ASSERT_EQ(h.centres.size(), bins);
     EXPECT_NEAR(integral(h), 1.0, 1e-12);
     EXPECT_EQ(h.cumulative.back(), 1.0);
@@ -107,7 +131,7 @@ TEST(Histogram, IntegratesToOneAndEndsAtOne)
 TEST(Histogram, PutsTheGreatestValueIntoTheLastBin)
 {
   const std::vector<double> values{0, 1, 2, 3, 4};
-  const atria::Histogram h = atria::makeHistogram(values, 4);
+  const atria::Histogram h = atria::distributionOf(values, 4).histogram;
   EXPECT_DOUBLE_EQ(h.binWidth, 1.0);
   EXPECT_DOUBLE_EQ(h.centres[0], 0.5);
   EXPECT_DOUBLE_EQ(h.density[0], 0.2);
@@ -120,7 +144,7 @@ TEST(Histogram, OfOneValueIsCentredOnIt)
   for (const double value : {0.0, 1e20, -5e-300})
   {
     const std::vector<double> values(7, value);
-    const atria::Histogram h = atria::makeHistogram(values, 10);
+    const atria::Histogram h = atria::distributionOf(values, 10).histogram;
     EXPECT_NEAR(integral(h), 1.0, 1e-12);
     EXPECT_EQ(h.cumulative.back(), 1.0);
   }
@@ -128,7 +152,7 @@ TEST(Histogram, OfOneValueIsCentredOnIt)
 
 TEST(Histogram, OfNothingIsZero)
 {
-  const atria::Histogram h = atria::makeHistogram({}, 5);
+  const atria::Histogram h = atria::distributionOf({}, 5).histogram;
   EXPECT_EQ(h.density, std::vector<double>(5, 0.0));
   EXPECT_EQ(h.cumulative, std::vector<double>(5, 0.0));
 }

@@ -174,8 +174,10 @@ NativeCell FaceMeshSource::nativeOf(Index cell) const
   {
     out.type = cells_.types[cell];
     const auto first = static_cast<std::size_t>(cells_.offsets[cell]);
-    std::ranges::transform(cells_.connectivity.subspan(first, corners), out.corners.begin(),
-                           [](std::int64_t point) { return static_cast<Index>(point); });
+    for (std::size_t i = 0; i < corners; ++i)
+    {
+      out.corners[i] = static_cast<Index>(cells_.connectivity[first + i]);
+    }
   }
   return out;
 }

@@ -2,7 +2,7 @@
 #include "Quality/FaceMesh.h"
 
 #include "Quality/HalfFaces.h"
-#include "Support/Buckets.h"
+#include "Support/Chains.h"
 #include "Support/Error.h"
 #include "Support/Pieces.h"
 
@@ -31,9 +31,26 @@ struct Key
 
 constexpr std::size_t smallestCount = 4;
 
+void putInOrder(Index& a, Index& b)
+{
+  const Index less = std::min(a, b);
+  b = std::max(a, b);
+  a = less;
+}
+
 std::array<Index, smallestCount> smallestPoints(std::span<const Index> face)
 {
   std::array<Index, smallestCount> smallest{noIndex, noIndex, noIndex, noIndex};
+  if (face.size() <= smallestCount)
+  {
+    copyPoints(face, smallest.data());
+    putInOrder(smallest[0], smallest[1]);
+    putInOrder(smallest[2], smallest[3]);
+    putInOrder(smallest[0], smallest[2]);
+    putInOrder(smallest[1], smallest[3]);
+    putInOrder(smallest[1], smallest[2]);
+    return smallest;
+  }
   for (Index point : face)
   {
     for (Index& held : smallest)
@@ -78,7 +95,7 @@ public:
 
   Buffer<Index> run(std::size_t pointCount)
   {
-    sortIntoBuckets(pointCount);
+    const Chains bySmallest = linkBySmallestPoint(pointCount);
     FirstError error;
     executor.forRanges(pointCount, Pieces::length, [&](std::size_t begin, std::size_t end) {
       std::vector<Key> bucket;
@@ -87,7 +104,7 @@ public:
       {
         for (; b < end; ++b)
         {
-          matchBucket(buckets.of(b), bucket);
+          matchBucket(bySmallest.first(b), bucket);
         }
       }
       catch (const Error& problem)
@@ -103,26 +120,25 @@ private:
   Index smallestPoint(std::size_t h) const
   {
     const auto face = halves.face(h);
-    return *std::min_element(face.begin(), face.end());
+    Index smallest = face[0];
+    for (const Index point : face)
+    {
+      smallest = std::min(smallest, point);
+    }
+    return smallest;
   }
 
-  /// Counting sort by the smallest point. The order within a bucket is left to chance: a bucket holds a handful of
-  /// faces, which are sorted when they are matched.
-  void sortIntoBuckets(std::size_t pointCount)
+  /// Lists of a handful of half-faces, which are sorted when they are matched. Until then `mates` links them.
+  Chains linkBySmallestPoint(std::size_t pointCount)
   {
-    buckets = fillBuckets(pointCount, executor, [this](auto&& use) {
-      forFreeHalfFaces([&](std::size_t h) { use(smallestPoint(h), static_cast<Index>(h)); });
-    });
-  }
-
-  template <typename F> void forFreeHalfFaces(F&& use) const
-  {
+    Chains chains(pointCount, executor);
     executor.forEach(halves.count(), Pieces::length, [&](std::size_t h) {
       if (mates[h] != keptApart)
       {
-        use(h);
+        chains.add(smallestPoint(h), static_cast<Index>(h), mates[h]);
       }
     });
+    return chains;
   }
 
   std::vector<Index> sortedPoints(Index h) const
@@ -144,22 +160,20 @@ private:
     return sizeA > smallestCount && sortedPoints(a) < sortedPoints(b);
   }
 
-  bool sameFace(const Key& a, const Key& b) const
+  bool keysTellAll(const Key& a, const Key& b) const
   {
-    if (!a.hasPointsOf(b))
-    {
-      return false;
-    }
-    const auto faceA = halves.face(a.halfFace);
-    const auto faceB = halves.face(b.halfFace);
-    const bool keysTellAll = faceA.size() <= smallestCount && faceB.size() <= smallestCount;
-    return keysTellAll || samePoints(faceA, faceB);
+    return halves.face(a.halfFace).size() <= smallestCount && halves.face(b.halfFace).size() <= smallestCount;
   }
 
-  void matchBucket(std::span<const Index> halfFaces, std::vector<Key>& bucket)
+  bool sameFace(const Key& a, const Key& b) const
+  {
+    return a.hasPointsOf(b) && (keysTellAll(a, b) || samePoints(halves.face(a.halfFace), halves.face(b.halfFace)));
+  }
+
+  void matchBucket(Index first, std::vector<Key>& bucket)
   {
     bucket.clear();
-    for (const Index h : halfFaces)
+    for (Index h = first; h != noIndex; h = std::exchange(mates[h], noIndex))
     {
       const std::array<Index, smallestCount> points = smallestPoints(halves.face(h));
       bucket.push_back({std::uint64_t{points[1]} << 32 | points[2], points[3], h});
@@ -168,6 +182,10 @@ private:
       if (!a.hasPointsOf(b))
       {
         return a.second != b.second ? a.second < b.second : a.third < b.third;
+      }
+      if (keysTellAll(a, b))
+      {
+        return a.halfFace < b.halfFace;
       }
       const bool less = largerFacesLess(a.halfFace, b.halfFace);
       return less || (a.halfFace < b.halfFace && !largerFacesLess(b.halfFace, a.halfFace));
@@ -218,7 +236,6 @@ private:
   const HalfFaces& halves;
   const Executor& executor;
   Buffer<Index> mates;
-  Buckets buckets; ///< half-faces by their smallest point
 };
 
 Buffer<Index> findMates(const HalfFaces& halves, std::size_t pointCount, std::span<const BoundaryFaceKey> boundaryFaces,
@@ -322,7 +339,7 @@ private:
   void put(Index h, std::size_t& face, std::size_t& corner) const
   {
     const auto points = halves.face(h);
-    std::copy(points.begin(), points.end(), mesh.facePoints.begin() + static_cast<std::ptrdiff_t>(corner));
+    copyPoints(points, mesh.facePoints.data() + corner);
     mesh.owner[face] = halves.cell[h];
     corner += points.size();
     mesh.faceOffsets[++face] = static_cast<Index>(corner);
@@ -347,24 +364,27 @@ FaceMesh makeFaceMesh(std::vector<Vec3> points, const CellArrays& cells, std::sp
   return mesh;
 }
 
-std::vector<Index> findBoundaryFaces(const FaceMesh& mesh, std::span<const BoundaryFaceKey> keys)
+std::vector<Index> findBoundaryFaces(const FaceMesh& mesh, std::span<const BoundaryFaceKey> keys,
+                                     const Executor& executor)
 {
   std::vector<Index> found(keys.size(), noIndex);
-  std::vector<Index> points;
   const auto first = mesh.owner.begin() + static_cast<std::ptrdiff_t>(mesh.internalFaceCount());
-  for (std::size_t k = 0; k < keys.size(); ++k)
-  {
-    points.assign(keys[k].points.begin(), keys[k].points.end());
-    const auto range = std::equal_range(first, mesh.owner.end(), keys[k].cell);
-    for (auto it = range.first; it != range.second && found[k] == noIndex; ++it)
+  executor.forRanges(keys.size(), Pieces::length, [&](std::size_t begin, std::size_t end) {
+    std::vector<Index> points;
+    for (std::size_t k = begin; k < end; ++k)
     {
-      const auto face = static_cast<std::size_t>(it - mesh.owner.begin());
-      if (samePoints(mesh.face(face), points))
+      points.assign(keys[k].points.begin(), keys[k].points.end());
+      const auto range = std::equal_range(first, mesh.owner.end(), keys[k].cell);
+      for (auto it = range.first; it != range.second && found[k] == noIndex; ++it)
       {
-        found[k] = static_cast<Index>(face);
+        const auto face = static_cast<std::size_t>(it - mesh.owner.begin());
+        if (samePoints(mesh.face(face), points))
+        {
+          found[k] = static_cast<Index>(face);
+        }
       }
     }
-  }
+  });
   return found;
 }
 

@@ -7,6 +7,7 @@
 #include "Support/Types.h"
 
 #include <compare>
+#include <concepts>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -35,16 +36,38 @@ struct FaceMesh
   }
 };
 
+/// Integers of 32 or 64 bits, as VTK stores ids; not a copy.
+class IdView
+{
+public:
+  using Wide = std::span<const std::int64_t>;
+  using Narrow = std::span<const std::int32_t>;
+
+  IdView() = default;
+  IdView(Wide ids) : wide(ids.data()), count(ids.size()) {}
+  IdView(Narrow ids) : narrow(ids.data()), count(ids.size()) {}
+  template <std::convertible_to<Wide> Ids> IdView(const Ids& ids) : IdView(Wide(ids)) {}
+  template <std::convertible_to<Narrow> Ids> IdView(const Ids& ids) : IdView(Narrow(ids)) {}
+
+  std::size_t size() const { return count; }
+  std::int64_t operator[](std::size_t i) const { return wide ? wide[i] : narrow[i]; }
+
+private:
+  const std::int64_t* wide = nullptr;
+  const std::int32_t* narrow = nullptr;
+  std::size_t count = 0;
+};
+
 /// Cells as VTK lays them out (vtkCellArray and vtkUnstructuredGrid's face stream), without VTK's types.
 /// Cell types are VTK's numbers; known are tetrahedron 10, voxel 11, hexahedron 12, wedge 13, pyramid 14,
 /// polyhedron 42.
 struct CellArrays
 {
   std::span<const unsigned char> types;
-  std::span<const std::int64_t> offsets; ///< types.size() + 1
-  std::span<const std::int64_t> connectivity;
-  std::span<const std::int64_t> faceStream;    ///< nFaces, then per face nPoints and its points
-  std::span<const std::int64_t> faceLocations; ///< per cell, where its stream starts; unused for other types
+  IdView offsets; ///< types.size() + 1
+  IdView connectivity;
+  IdView faceStream;    ///< nFaces, then per face nPoints and its points
+  IdView faceLocations; ///< per cell, where its stream starts; unused for other types
 };
 
 /// A boundary face named by its cell and points: such a face stays on the boundary even where another cell
@@ -63,7 +86,8 @@ FaceMesh makeFaceMesh(std::vector<Vec3> points, const CellArrays& cells,
                       std::span<const BoundaryFaceKey> boundaryFaces = {}, const Executor& executor = SerialExecutor());
 
 /// Per key the boundary face of its cell that has its points, or noIndex.
-std::vector<Index> findBoundaryFaces(const FaceMesh& mesh, std::span<const BoundaryFaceKey> keys);
+std::vector<Index> findBoundaryFaces(const FaceMesh& mesh, std::span<const BoundaryFaceKey> keys,
+                                     const Executor& executor = SerialExecutor());
 
 /// A face of a mesh whose cells have other numbers now. They sort in the order FaceMesh asks for.
 struct OrderedFace

@@ -202,7 +202,7 @@ HalfFaces takeApart(const CellArrays& cells, std::size_t pointCount, const Execu
     for (std::size_t cell = pieces.begin(piece); cell < pieces.end(piece); ++cell)
     {
       reader.read(cell, [&](std::span<const Index> face) {
-        std::copy(face.begin(), face.end(), out.points.begin() + static_cast<std::ptrdiff_t>(at.corners));
+        copyPoints(face, out.points.data() + at.corners);
         out.cell[at.faces] = static_cast<Index>(cell);
         at = at + Size{1, face.size()};
         out.offsets[at.faces] = static_cast<Index>(at.corners);

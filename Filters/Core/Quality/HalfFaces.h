@@ -5,6 +5,7 @@
 #include "Quality/FaceMesh.h"
 #include "Support/Buffer.h"
 
+#include <algorithm>
 #include <span>
 
 namespace atria {
@@ -28,6 +29,19 @@ struct HalfFaces
 /// than three corners left is no face: so a hexahedron with coinciding corners is taken for what it is.
 /// Throws Error naming the first cell of an unknown type or with points or faces that do not exist.
 HalfFaces takeApart(const CellArrays& cells, std::size_t pointCount, const Executor& executor);
+
+/// Nearly all faces have four points, which are copied without a call.
+inline void copyPoints(std::span<const Index> face, Index* to)
+{
+  if (face.size() == 4)
+  {
+    std::copy_n(face.data(), 4, to);
+  }
+  else
+  {
+    std::copy(face.begin(), face.end(), to);
+  }
+}
 
 /// Whether two polygons have the same points, in whatever order.
 bool samePoints(std::span<const Index> a, std::span<const Index> b);

@@ -3,6 +3,7 @@
 
 #include "Quality/CellUnion.h"
 #include "Quality/SplitCells.h"
+#include "Support/Pieces.h"
 #include "Support/Sorting.h"
 
 #include <Eigen/LU>
@@ -118,16 +119,14 @@ private:
     {
       slotOf[cells[i]] = static_cast<Index>(i);
     }
+    const std::vector<Index> faces = chosenNumbers(mesh.internalFaceCount(), context.executor, [&](std::size_t f) {
+      return slotOf[mesh.owner[f]] != noIndex || slotOf[mesh.neighbour[f]] != noIndex;
+    });
     std::vector<Directions> directions(cells.size());
-    for (std::size_t f = 0; f < mesh.internalFaceCount(); ++f)
+    for (const Index f : faces)
     {
-      const Index slots[] = {slotOf[mesh.owner[f]], slotOf[mesh.neighbour[f]]};
-      if (slots[0] == noIndex && slots[1] == noIndex)
-      {
-        continue;
-      }
       const Vec3 area = measurePolygon(mesh.points, mesh.face(f)).area;
-      for (const Index slot : slots)
+      for (const Index slot : {slotOf[mesh.owner[f]], slotOf[mesh.neighbour[f]]})
       {
         if (slot != noIndex)
         {

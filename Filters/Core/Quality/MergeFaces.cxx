@@ -3,6 +3,7 @@
 
 #include "Quality/FaceUnion.h"
 #include "Quality/PolygonUnion.h"
+#include "Support/Pieces.h"
 
 #include <algorithm>
 #include <iterator>
@@ -40,7 +41,7 @@ public:
   MergedFaces run(const RunContext& context)
   {
     context.progress.report(0.0, "Merging coplanar faces");
-    const std::vector<Index> firstFaces = findCandidates();
+    const std::vector<Index> firstFaces = findCandidates(context.executor);
     if (firstFaces.empty())
     {
       MergedFaces none{std::vector<Index>(mesh.faceCount()), 0};
@@ -70,12 +71,18 @@ private:
 
   double sineOf(Index face) const { return isInternal(face) ? options.internalSine : options.planarSine; }
 
-  /// Behind the last face of the same owner and, if there is one, of the same neighbour.
+  /// Whether they have the same owner and, if there is one, the same neighbour.
+  bool areOfOneRun(Index a, Index b) const
+  {
+    return mesh.owner[a] == mesh.owner[b] && isInternal(a) == isInternal(b) &&
+           (!isInternal(a) || mesh.neighbour[a] == mesh.neighbour[b]);
+  }
+
+  /// Behind the last face of a run.
   Index endOfRun(Index first) const
   {
     Index end = first + 1;
-    while (end < mesh.faceCount() && mesh.owner[end] == mesh.owner[first] && isInternal(end) == isInternal(first) &&
-           (!isInternal(end) || mesh.neighbour[end] == mesh.neighbour[first]))
+    while (end < mesh.faceCount() && areOfOneRun(first, end))
     {
       ++end;
     }
@@ -89,27 +96,27 @@ private:
   }
 
   /// The first face of each run with two coplanar ones. Most meshes have few, many have none.
-  std::vector<Index> findCandidates() const
+  std::vector<Index> findCandidates(const Executor& executor) const
   {
-    std::vector<Index> found;
-    Index end = 0;
-    for (Index first = 0; first < mesh.faceCount(); first = end)
+    return chosenNumbers(mesh.faceCount(), executor, [&](std::size_t f) {
+      const auto face = static_cast<Index>(f);
+      return !(face > 0 && areOfOneRun(face - 1, face)) && hasCoplanar(face, endOfRun(face));
+    });
+  }
+
+  bool hasCoplanar(Index first, Index end) const
+  {
+    for (Index a = first; a < end; ++a)
     {
-      end = endOfRun(first);
-      bool any = false;
-      for (Index a = first; a < end && !any; ++a)
+      for (Index b = a + 1; b < end; ++b)
       {
-        for (Index b = a + 1; b < end && !any; ++b)
+        if (areCoplanar(a, b))
         {
-          any = areCoplanar(a, b);
+          return true;
         }
       }
-      if (any)
-      {
-        found.push_back(first);
-      }
     }
-    return found;
+    return false;
   }
 
   /// Larger unions first: about a point inside of three faces, two of them alone are not star-shaped.

@@ -2,6 +2,7 @@
 #include "Quality/Statistics.h"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cmath>
 #include <limits>
@@ -12,6 +13,9 @@ namespace {
 
 /// Values a piece; pieces do not depend on the number of threads, so sums do not either.
 constexpr std::size_t pieceLength = 65536;
+
+/// Values that are added up plainly: so few lose nothing that matters, and need not wait for the compensation.
+constexpr std::size_t blockLength = 64;
 
 /// A sum with Kahan's compensation: millions of small terms keep their digits.
 struct Sum
@@ -28,19 +32,9 @@ struct Sum
   }
 };
 
-/// Calls body(piece, values of the piece) for all pieces.
-template <typename F> void forPieces(std::span<const double> values, const Executor& executor, F&& body)
-{
-  const std::size_t pieces = (values.size() + pieceLength - 1) / pieceLength;
-  executor.forEach(pieces, 1, [&](std::size_t piece) {
-    const std::size_t first = piece * pieceLength;
-    body(piece, values.subspan(first, std::min(pieceLength, values.size() - first)));
-  });
-}
+std::size_t pieceCountOf(std::span<const double> values) { return (values.size() + pieceLength - 1) / pieceLength; }
 
-/// Plain sums of so few values lose nothing that matters, and need not wait for the compensation.
-constexpr std::size_t blockLength = 64;
-
+/// Of f of the finite values.
 template <typename F> double sumOfBlock(std::span<const double> values, F&& f)
 {
   double sums[4] = {0.0, 0.0, 0.0, 0.0};
@@ -49,26 +43,6 @@ template <typename F> double sumOfBlock(std::span<const double> values, F&& f)
     sums[i % 4] += std::isfinite(values[i]) ? f(values[i]) : 0.0;
   }
   return (sums[0] + sums[1]) + (sums[2] + sums[3]);
-}
-
-/// Sum of f over the finite values.
-template <typename F> double sumOfFinite(std::span<const double> values, const Executor& executor, F&& f)
-{
-  std::vector<double> parts((values.size() + pieceLength - 1) / pieceLength);
-  forPieces(values, executor, [&](std::size_t piece, std::span<const double> part) {
-    Sum sum;
-    for (std::size_t first = 0; first < part.size(); first += blockLength)
-    {
-      sum.add(sumOfBlock(part.subspan(first, std::min(blockLength, part.size() - first)), f));
-    }
-    parts[piece] = sum.value;
-  });
-  Sum sum;
-  for (const double part : parts)
-  {
-    sum.add(part);
-  }
-  return sum.value;
 }
 
 /// Count and extremes of the finite values; whether there are infinite ones.
@@ -95,6 +69,40 @@ struct Extremes
     }
   }
 
+  void addBlock(std::span<const double> values)
+  {
+    if (values.size() != blockLength || !addFinite(values.first<blockLength>()))
+    {
+      std::ranges::for_each(values, [this](double value) { add(value); });
+    }
+  }
+
+  /// Four at a time, none of which waits for another. Adds nothing, and says so, where a value is not finite.
+  bool addFinite(std::span<const double, blockLength> values)
+  {
+    std::array<double, 4> least, greatest, nothing{};
+    least.fill(infinity);
+    greatest.fill(-infinity);
+    for (std::size_t i = 0; i < blockLength; i += 4)
+    {
+      for (std::size_t lane = 0; lane < 4; ++lane)
+      {
+        const double value = values[i + lane];
+        least[lane] = value < least[lane] ? value : least[lane];
+        greatest[lane] = value > greatest[lane] ? value : greatest[lane];
+        nothing[lane] += 0.0 * value; // not a number, nor is its sum, where a value is not finite
+      }
+    }
+    if (std::isnan((nothing[0] + nothing[1]) + (nothing[2] + nothing[3])))
+    {
+      return false;
+    }
+    count += blockLength;
+    minimum = std::min(minimum, std::ranges::min(least));
+    maximum = std::max(maximum, std::ranges::max(greatest));
+    return true;
+  }
+
   void add(const Extremes& other)
   {
     count += other.count;
@@ -115,91 +123,148 @@ struct Extremes
   }
 };
 
-Extremes extremesOf(std::span<const double> values, const Executor& executor)
+/// Calls body(piece, values of the piece) for all pieces.
+template <typename F> void forPieces(std::span<const double> values, const Executor& executor, F&& body)
 {
-  std::vector<Extremes> parts((values.size() + pieceLength - 1) / pieceLength);
-  forPieces(values, executor, [&](std::size_t piece, std::span<const double> part) {
-    for (const double value : part)
-    {
-      parts[piece].add(value);
-    }
+  executor.forEach(pieceCountOf(values), 1, [&](std::size_t piece) {
+    const std::size_t first = piece * pieceLength;
+    body(piece, values.subspan(first, std::min(pieceLength, values.size() - first)));
   });
-  Extremes all;
-  for (const Extremes& part : parts)
+}
+
+/// Calls body(block) for the blocks of a piece, in order.
+template <typename F> void forBlocks(std::span<const double> values, F&& body)
+{
+  for (std::size_t first = 0; first < values.size(); first += blockLength)
   {
-    all.add(part);
+    body(values.subspan(first, std::min(blockLength, values.size() - first)));
   }
-  return all;
 }
 
-std::vector<std::size_t> countInBins(std::span<const double> values, double start, double width, std::size_t bins,
-                                     const Executor& executor)
+double total(std::span<const Sum> parts)
 {
-  std::vector<std::size_t> counts(bins, 0);
-  forPieces(values, executor, [&](std::size_t, std::span<const double> part) {
-    std::vector<std::size_t> own(bins, 0);
-    for (const double value : part)
-    {
-      if (std::isfinite(value))
-      {
-        const double position = std::max((value - start) / width, 0.0);
-        ++own[std::min(static_cast<std::size_t>(position), bins - 1)];
-      }
-    }
-    for (std::size_t b = 0; b < bins; ++b)
-    {
-      std::atomic_ref<std::size_t>(counts[b]) += own[b];
-    }
-  });
-  return counts;
-}
-
-} // namespace
-
-Statistics summarise(std::span<const double> values, const Executor& executor)
-{
-  constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  const Extremes extremes = extremesOf(values, executor);
-  Statistics out{extremes.count, extremes.leastOfAll(), extremes.greatestOfAll(), none, none};
-  if (out.count > 0)
+  Sum sum;
+  for (const Sum& part : parts)
   {
-    const auto count = static_cast<double>(out.count);
-    out.mean = sumOfFinite(values, executor, [](double value) { return value; }) / count;
-    const auto square = [&](double value) { return (value - out.mean) * (value - out.mean); };
-    out.standardDeviation = std::sqrt(sumOfFinite(values, executor, square) / count);
+    sum.add(part.value);
+  }
+  return sum.value;
+}
+
+/// First time through the values.
+struct FirstLook
+{
+  FirstLook(std::span<const double> values, const Executor& executor)
+  {
+    std::vector<Extremes> extremesOf(pieceCountOf(values));
+    std::vector<Sum> sums(extremesOf.size());
+    forPieces(values, executor, [&](std::size_t piece, std::span<const double> part) {
+      forBlocks(part, [&](std::span<const double> block) {
+        extremesOf[piece].addBlock(block);
+        sums[piece].add(sumOfBlock(block, [](double value) { return value; }));
+      });
+    });
+    for (const Extremes& part : extremesOf)
+    {
+      extremes.add(part);
+    }
+    sum = total(sums);
+  }
+
+  Extremes extremes;
+  double sum; ///< of the finite values
+};
+
+/// Where values go in a histogram.
+struct Bins
+{
+  Bins(const Extremes& extremes, std::size_t number) : count(number)
+  {
+    const double low = extremes.minimum;
+    const double high = extremes.maximum;
+    width = (high - low) / static_cast<double>(count);
+    // A range so narrow that its bins cannot be told apart counts as one value.
+    const bool single = !(low + width > low && high - width < high);
+    width = single ? 1.0 / static_cast<double>(count) : width;
+    start = single ? 0.5 * (low + high) - 0.5 : low;
+  }
+
+  std::size_t of(double value) const
+  {
+    const double position = std::max((value - start) / width, 0.0);
+    return std::min(static_cast<std::size_t>(position), count - 1);
+  }
+
+  std::size_t count;
+  double start;
+  double width;
+};
+
+/// Second time through the values, with their mean and extremes known.
+struct SecondLook
+{
+  SecondLook(std::span<const double> values, double mean, const Bins& bins, const Executor& executor)
+      : counts(bins.count)
+  {
+    std::vector<Sum> sums(pieceCountOf(values));
+    const auto square = [mean](double value) { return (value - mean) * (value - mean); };
+    forPieces(values, executor, [&](std::size_t piece, std::span<const double> part) {
+      std::vector<std::size_t> own(bins.count, 0);
+      forBlocks(part, [&](std::span<const double> block) {
+        sums[piece].add(sumOfBlock(block, square));
+        for (const double value : block)
+        {
+          own[std::isfinite(value) ? bins.of(value) : 0] += std::isfinite(value) ? 1 : 0;
+        }
+      });
+      for (std::size_t b = 0; b < bins.count; ++b)
+      {
+        std::atomic_ref<std::size_t>(counts[b]) += own[b];
+      }
+    });
+    squares = total(sums);
+  }
+
+  double squares; ///< sum of those of the deviations from the mean
+  std::vector<std::size_t> counts;
+};
+
+Histogram makeHistogram(const Bins& bins, const std::vector<std::size_t>& counts, std::size_t total)
+{
+  Histogram out;
+  out.binWidth = bins.width;
+  std::size_t running = 0;
+  for (std::size_t b = 0; b < bins.count; ++b)
+  {
+    running += counts[b];
+    out.centres.push_back(bins.start + (static_cast<double>(b) + 0.5) * bins.width);
+    out.density.push_back(static_cast<double>(counts[b]) / (static_cast<double>(total) * bins.width));
+    out.cumulative.push_back(static_cast<double>(running) / static_cast<double>(total));
   }
   return out;
 }
 
-Histogram makeHistogram(std::span<const double> values, std::size_t bins, const Executor& executor)
+} // namespace
+
+Distribution distributionOf(std::span<const double> values, std::size_t binCount, const Executor& executor)
 {
-  const std::size_t binCount = std::max<std::size_t>(bins, 1);
-  const Extremes extremes = extremesOf(values, executor);
-  const double low = extremes.minimum;
-  const double high = extremes.maximum;
-  Histogram out;
-  out.centres.assign(binCount, 0.0);
-  out.density.assign(binCount, 0.0);
-  out.cumulative.assign(binCount, 0.0);
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  const std::size_t atLeastOne = std::max<std::size_t>(binCount, 1);
+  const FirstLook first(values, executor);
+  const Extremes& extremes = first.extremes;
+  Distribution out{{extremes.count, extremes.leastOfAll(), extremes.greatestOfAll(), none, none}, {}};
   if (extremes.count == 0)
   {
+    const std::vector<double> zero(atLeastOne, 0.0);
+    out.histogram = {zero, zero, zero, 0.0};
     return out;
   }
-  const double width = (high - low) / static_cast<double>(binCount);
-  // A range so narrow that its bins cannot be told apart counts as one value.
-  const bool single = !(low + width > low && high - width < high);
-  out.binWidth = single ? 1.0 / static_cast<double>(binCount) : width;
-  const double start = single ? 0.5 * (low + high) - 0.5 : low;
-  const std::vector<std::size_t> counts = countInBins(values, start, out.binWidth, binCount, executor);
-  const auto total = static_cast<double>(extremes.count);
-  std::size_t running = 0;
-  for (std::size_t b = 0; b < binCount; ++b)
-  {
-    running += counts[b];
-    out.centres[b] = start + (static_cast<double>(b) + 0.5) * out.binWidth;
-    out.density[b] = static_cast<double>(counts[b]) / (total * out.binWidth);
-    out.cumulative[b] = static_cast<double>(running) / total;
-  }
+  const auto count = static_cast<double>(extremes.count);
+  const Bins bins(extremes, atLeastOne);
+  out.statistics.mean = first.sum / count;
+  const SecondLook second(values, out.statistics.mean, bins, executor);
+  out.statistics.standardDeviation = std::sqrt(second.squares / count);
+  out.histogram = makeHistogram(bins, second.counts, extremes.count);
   return out;
 }
 

@@ -20,11 +20,8 @@ struct Statistics
   double standardDeviation; ///< of the population: divided by count
 };
 
-/// The same bits for any number of threads.
-Statistics summarise(std::span<const double> values, const Executor& executor = SerialExecutor());
-
 /// A histogram of equal bins from the smallest to the greatest finite value. A sample of one value has bins
-/// one wide in all.
+/// one wide in all; all is zero for an empty one.
 struct Histogram
 {
   std::vector<double> centres;
@@ -33,7 +30,14 @@ struct Histogram
   double binWidth = 0.0;
 };
 
-/// All zero for an empty sample. At least one bin is made.
-Histogram makeHistogram(std::span<const double> values, std::size_t bins, const Executor& executor = SerialExecutor());
+struct Distribution
+{
+  Statistics statistics;
+  Histogram histogram;
+};
+
+/// Goes through the values twice. At least one bin is made. The same bits for any number of threads.
+Distribution distributionOf(std::span<const double> values, std::size_t binCount,
+                            const Executor& executor = SerialExecutor());
 
 } // namespace atria

@@ -45,10 +45,10 @@ public:
     for (const Index e : elements)
     {
       taken[e] = true;
-      for (const std::int64_t point : pointsOf(e))
-      {
-        touched.at(static_cast<std::size_t>(point)) = true;
-      }
+      anyPoint(e, [this](std::size_t point) {
+        touched.at(point) = true;
+        return false;
+      });
     }
   }
 
@@ -57,9 +57,7 @@ public:
     std::vector<Index> ring;
     for (std::size_t e = 0; e < taken.size(); ++e)
     {
-      const auto points = pointsOf(e);
-      const auto isTouched = [this](std::int64_t point) { return touched.at(static_cast<std::size_t>(point)); };
-      if (!taken[e] && std::any_of(points.begin(), points.end(), isTouched))
+      if (!taken[e] && anyPoint(e, [this](std::size_t point) { return touched.at(point); }))
       {
         ring.push_back(static_cast<Index>(e));
       }
@@ -68,10 +66,18 @@ public:
   }
 
 private:
-  std::span<const std::int64_t> pointsOf(std::size_t e) const
+  /// Asks an element's points, one after the other, until one `has`.
+  template <typename Has> bool anyPoint(std::size_t e, Has&& has) const
   {
-    return cells.connectivity.subspan(static_cast<std::size_t>(cells.offsets[e]),
-                                      static_cast<std::size_t>(cells.offsets[e + 1] - cells.offsets[e]));
+    const auto end = static_cast<std::size_t>(cells.offsets[e + 1]);
+    for (auto i = static_cast<std::size_t>(cells.offsets[e]); i < end; ++i)
+    {
+      if (has(static_cast<std::size_t>(cells.connectivity[i])))
+      {
+        return true;
+      }
+    }
+    return false;
   }
 
   const CellArrays& cells;
