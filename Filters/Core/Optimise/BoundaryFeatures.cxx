@@ -18,22 +18,14 @@ constexpr double tiny = 1e-150;
 constexpr double folded = 1.0 - 1e-4;
 
 /// Sorts the pairs (list, number) into lists.
-NumberLists makeLists(std::size_t lists, const std::vector<std::array<Index, 2>>& pairs)
+Buckets makeLists(std::size_t lists, const std::vector<std::array<Index, 2>>& pairs)
 {
-  NumberLists out;
-  out.offsets.assign(lists + 1, 0);
-  for (const auto& [list, number] : pairs)
-  {
-    ++out.offsets[list + 1];
-  }
-  std::partial_sum(out.offsets.begin(), out.offsets.end(), out.offsets.begin());
-  out.numbers.resize(pairs.size());
-  std::vector<Index> next(out.offsets.begin(), out.offsets.end() - 1);
-  for (const auto& [list, number] : pairs)
-  {
-    out.numbers[next[list]++] = number;
-  }
-  return out;
+  return fillBuckets(lists, SerialExecutor(), [&](auto&& use) {
+    for (const auto& [list, number] : pairs)
+    {
+      use(list, number);
+    }
+  });
 }
 
 class FeatureSearch

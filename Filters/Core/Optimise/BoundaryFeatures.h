@@ -3,10 +3,10 @@
 #pragma once
 
 #include "Quality/Geometry.h"
+#include "Support/Buckets.h"
 #include "Support/RunContext.h"
 
 #include <array>
-#include <span>
 #include <vector>
 
 namespace atria {
@@ -19,18 +19,6 @@ enum class BoundaryKind : std::uint8_t
   corner   ///< where kept edges meet, end or turn, or the boundary is pointed
 };
 
-/// Lists of numbers, one list for each of a range.
-struct NumberLists
-{
-  std::vector<Index> offsets{0};
-  std::vector<Index> numbers;
-
-  std::span<const Index> of(std::size_t i) const
-  {
-    return {numbers.data() + offsets[i], numbers.data() + offsets[i + 1]};
-  }
-};
-
 struct BoundaryFeatures
 {
   /// Per point of the mesh. Points on the boundary that are in the same place, such as those on the two sides of a
@@ -41,10 +29,10 @@ struct BoundaryFeatures
   /// the boundary each belongs to.
   std::vector<Index> faces;
   std::vector<Index> charts;
-  NumberLists facesAbout; ///< by leader, into `faces`
+  Buckets facesAbout; ///< by leader, into `faces`
   /// Edges that are kept, by the leaders of their ends.
   std::vector<std::array<Index, 2>> edges;
-  NumberLists edgesAbout; ///< by leader, into `edges`
+  Buckets edgesAbout; ///< by leader, into `edges`
 };
 
 /// An edge of the boundary is kept if other than two faces meet in it, if the normals of the two differ by more than

@@ -4,6 +4,7 @@
 #include "Optimise/BoxCells.h"
 #include "Optimise/Colouring.h"
 #include "Optimise/PointSearch.h"
+#include "Support/Buckets.h"
 #include "Support/Pieces.h"
 
 #include <algorithm>
@@ -172,24 +173,15 @@ private:
   /// By cell the movable points it has.
   void findNeighbours()
   {
-    offsets.assign(region.judgedCount() + 1, 0);
-    for (const Index cell : region.about)
-    {
-      ++offsets[cell + 1];
-    }
-    for (std::size_t c = 0; c < region.judgedCount(); ++c)
-    {
-      offsets[c + 1] += offsets[c];
-    }
-    pointsOf.resize(region.about.size());
-    std::vector<Index> next(offsets.begin(), offsets.end() - 1);
-    for (Index m = 0; m < region.movable.size(); ++m)
-    {
-      for (const Index cell : region.cellsAbout(m))
+    pointsOf = fillBuckets(region.judgedCount(), SerialExecutor(), [&](auto&& use) {
+      for (Index m = 0; m < region.movable.size(); ++m)
       {
-        pointsOf[next[cell]++] = m;
+        for (const Index cell : region.cellsAbout(m))
+        {
+          use(cell, m);
+        }
       }
-    }
+    });
   }
 
   /// A point is looked at again once a point of its cells has moved.
@@ -201,9 +193,9 @@ private:
       {
         for (const Index cell : region.cellsAbout(m))
         {
-          for (Index i = offsets[cell]; i < offsets[cell + 1]; ++i)
+          for (const Index point : pointsOf.of(cell))
           {
-            awake[pointsOf[i]] = 1;
+            awake[point] = 1;
           }
         }
       }
@@ -227,8 +219,7 @@ private:
   static constexpr char mostFailures = 3;
   std::vector<char> failures;
   std::vector<Index> toSearch;
-  std::vector<Index> offsets;
-  std::vector<Index> pointsOf;
+  Buckets pointsOf; ///< by judged cell
 };
 
 /// Per judged cell its measures, those of its faces included.

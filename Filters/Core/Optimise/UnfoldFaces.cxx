@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Optimise/UnfoldFaces.h"
 
+#include "Support/Buckets.h"
 #include "Support/Sorting.h"
 
 #include <Eigen/Geometry>
@@ -8,7 +9,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <span>
 
 namespace atria {
@@ -141,22 +141,14 @@ private:
 
   void listFaces()
   {
-    offsets.assign(mesh.points.size() + 1, 0);
-    const auto eachUse = [&](auto&& use) {
+    facesOf = fillBuckets(mesh.points.size(), SerialExecutor(), [&](auto&& use) {
       for (Index f = 0; f < faces.size(); ++f)
       {
         std::for_each(faces[f].points.begin(), faces[f].points.begin() + faces[f].count, [&](Index p) { use(p, f); });
       }
-    };
-    eachUse([&](Index p, Index) { ++offsets[p + 1]; });
-    std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
-    facesOf.resize(offsets.back());
-    std::vector<Index> next(offsets.begin(), offsets.end() - 1);
-    eachUse([&](Index p, Index f) { facesOf[next[p]++] = f; });
+    });
     start = mesh.points;
   }
-
-  std::span<const Index> about(Index p) const { return {facesOf.data() + offsets[p], facesOf.data() + offsets[p + 1]}; }
 
   /// Slides each of these points once. Returns those to look at next: of faces that fall short about those that moved.
   std::vector<Index> slide(std::vector<Index> points)
@@ -169,7 +161,7 @@ private:
     {
       if (slide(p))
       {
-        for (const Index f : about(p))
+        for (const Index f : facesOf.of(p))
         {
           if (penaltyOf(faces[f], areaOf(faces[f])) > 0.0)
           {
@@ -186,7 +178,7 @@ private:
     std::vector<Vec3> areas;
     double before = 0.0;
     double size = 0.0;
-    for (const Index f : about(p))
+    for (const Index f : facesOf.of(p))
     {
       areas.push_back(areaOf(faces[f]));
       before += penaltyOf(faces[f], areas.back());
@@ -223,7 +215,7 @@ private:
     double sum = 0.0;
     for (std::size_t i = 0; i < areas.size(); ++i)
     {
-      const ReducedFace& face = faces[about(p)[i]];
+      const ReducedFace& face = faces[facesOf.of(p)[i]];
       const Vec3 area = areaOf(face);
       sum += area.dot(areas[i]) >= 0.0 ? penaltyOf(face, area) : std::numeric_limits<double>::infinity();
     }
@@ -234,8 +226,7 @@ private:
   VertexGuide& guide;
   const RunContext& context;
   std::vector<ReducedFace> faces;
-  std::vector<Index> offsets;
-  std::vector<Index> facesOf;
+  Buckets facesOf; ///< by point
   std::vector<Vec3> start;
 };
 
