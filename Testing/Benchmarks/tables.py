@@ -52,7 +52,7 @@ def stages(found):
     return lines + [row(phase or "Starting", f"{peak / result['elements']:.0f}") for phase, peak in result["peaks"]]
 
 
-AFTER = {"quality": "Quality filter", "write_vtu": "Writing .vtu", "write_openfoam": "Writing OpenFOAM's files"}
+AFTER = {"quality": "the quality filter", "write_vtu": "writing .vtu", "write_openfoam": "writing OpenFOAM's files"}
 
 
 def after(by_threads, ours):
@@ -91,7 +91,7 @@ def verdicts(results, cases):
         after_it = results.get("after", {}).get(case.name, {}).get("2", {})
         for key in ("write_vtu", "write_openfoam"):
             if ours and key in after_it:
-                lines.append(row(f"{case.title}: {AFTER[key].replace("W", "w")} at most once its meshing, 2 threads",
+                lines.append(row(f"{case.title}: {AFTER[key]} at most once its meshing, 2 threads",
                                  f"{after_it[key] / ours['wall']:.2f} times"))
         limit = {"uniform": 350, "adaptive": 600}.get(case.name)
         if limit and one:

@@ -12,6 +12,7 @@
 #include "Octree/Sizing.h"
 #include "SmpExecutor.h"
 #include "SphereOctants.h"
+#include "Support/Memory.h"
 #include "Surface/SurfaceModel.h"
 #include "VtkSurface.h"
 #include "vtkAtriaDualMesher.h"
@@ -345,6 +346,7 @@ void addStage(const std::string& name, const Case& which, int threads)
 
 int main(int argc, char* argv[])
 {
+  atria::keepFreedMemory();
   for (const int threads : {1, 2})
   {
     for (const Case& which : cases)
