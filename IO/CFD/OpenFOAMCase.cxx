@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "OpenFOAMCase.h"
 
+#include "CaseFolders.h"
 #include "OpenFOAMNames.h"
 #include "Support/Error.h"
 #include "Support/Pieces.h"
@@ -9,6 +10,7 @@
 #include <array>
 #include <atomic>
 #include <fstream>
+#include <functional>
 #include <limits>
 #include <map>
 
@@ -21,67 +23,18 @@ namespace fs = std::filesystem;
 const char* const meshLocation = "constant/polyMesh";
 const char* const defaultPatchName = "defaultFaces";
 
-void makeFolder(const fs::path& folder)
-{
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error)
-  {
-    throw Error("cannot make the folder '" + folder.string() + "': " + error.message());
-  }
-}
-
 /// An earlier mesh's zones or compressed files would be read along with, or instead of, the new ones.
 void removeEarlierMesh(const fs::path& folder)
 {
+  std::vector<fs::path> files;
   for (const char* name : {"points", "faces", "owner", "neighbour", "boundary", "cellZones", "faceZones", "pointZones",
                            "cellLevel", "pointLevel", "level0Edge", "surfaceIndex"})
   {
-    for (const char* extension : {"", ".gz"})
-    {
-      const fs::path file = folder / (std::string(name) + extension);
-      std::error_code error;
-      fs::remove(file, error);
-      if (error)
-      {
-        throw Error("cannot remove '" + file.string() + "': " + error.message());
-      }
-    }
+    files.push_back(folder / name);
+    files.push_back(folder / (std::string(name) + ".gz"));
   }
+  removeFiles(files);
 }
-
-/// Holds files until all are complete, and is removed whatever happens.
-struct UnfinishedFolder
-{
-  explicit UnfinishedFolder(fs::path where) : path(std::move(where))
-  {
-    std::error_code ignored;
-    fs::remove_all(path, ignored); // of a process that was killed
-    makeFolder(path);
-  }
-  ~UnfinishedFolder()
-  {
-    std::error_code ignored;
-    fs::remove_all(path, ignored);
-  }
-  UnfinishedFolder(const UnfinishedFolder&) = delete;
-  UnfinishedFolder& operator=(const UnfinishedFolder&) = delete;
-
-  void moveFilesTo(const fs::path& folder) const
-  {
-    for (const fs::directory_entry& file : fs::directory_iterator(path))
-    {
-      std::error_code error;
-      fs::rename(file.path(), folder / file.path().filename(), error);
-      if (error)
-      {
-        throw Error("cannot write '" + (folder / file.path().filename()).string() + "': " + error.message());
-      }
-    }
-  }
-
-  fs::path path;
-};
 
 /// The mesh's parts in the order in which they are written.
 struct Layout
@@ -95,10 +48,13 @@ struct Layout
     std::size_t start;
     std::size_t count;
   };
-  std::vector<Index> faces;
+  std::vector<Index> boundary; ///< faces, patch by patch; internal ones come first and stay as they are
   std::vector<Patch> patches;
-  std::vector<Index> points;   ///< ids of those that faces have, rising
-  std::vector<Index> newPoint; ///< old id to new
+  std::vector<Index> points;   ///< ids of those that faces have, rising; empty if that is all
+  std::vector<Index> newPoint; ///< old id to new; empty likewise
+  std::size_t pointCount = 0;
+
+  Index newPointOf(Index point) const { return newPoint.empty() ? point : newPoint[point]; }
 };
 
 std::string typeOf(const std::string& name)
@@ -106,35 +62,36 @@ std::string typeOf(const std::string& name)
   return std::find(sideNames.begin(), sideNames.end(), name) != sideNames.end() ? "patch" : "wall";
 }
 
-void addPatch(Layout& layout, std::vector<Index> faces, Layout::Patch patch)
+void addPatch(Layout& layout, const FaceMesh& mesh, std::vector<Index> faces, Layout::Patch patch)
 {
   std::sort(faces.begin(), faces.end());
-  patch.start = layout.faces.size();
+  patch.start = mesh.internalFaceCount() + layout.boundary.size();
   patch.count = faces.size();
-  layout.faces.insert(layout.faces.end(), faces.begin(), faces.end());
+  layout.boundary.insert(layout.boundary.end(), faces.begin(), faces.end());
   layout.patches.push_back(std::move(patch));
 }
 
 /// The boundary faces that are in no patch.
 std::vector<Index> unclaimedFaces(const FaceMesh& mesh, std::span<const BoundaryPatch> patches)
 {
-  std::vector<bool> claimed(mesh.faceCount(), false);
+  const std::size_t internal = mesh.internalFaceCount();
+  std::vector<bool> claimed(mesh.faceCount() - internal, false);
   for (const BoundaryPatch& patch : patches)
   {
     for (const Index face : patch.faces)
     {
-      if (face < mesh.internalFaceCount() || face >= mesh.faceCount() || claimed[face])
+      if (face < internal || face >= mesh.faceCount() || claimed[face - internal])
       {
         throw Error("face " + std::to_string(face) + " of patch '" + patch.name +
                     "' is not on the boundary or in another patch too");
       }
-      claimed[face] = true;
+      claimed[face - internal] = true;
     }
   }
   std::vector<Index> rest;
-  for (std::size_t f = mesh.internalFaceCount(); f < mesh.faceCount(); ++f)
+  for (std::size_t f = internal; f < mesh.faceCount(); ++f)
   {
-    if (!claimed[f])
+    if (!claimed[f - internal])
     {
       rest.push_back(static_cast<Index>(f));
     }
@@ -145,11 +102,6 @@ std::vector<Index> unclaimedFaces(const FaceMesh& mesh, std::span<const Boundary
 void layOutFaces(Layout& layout, const FaceMesh& mesh, std::span<const BoundaryPatch> patches)
 {
   std::vector<Index> rest = unclaimedFaces(mesh, patches);
-  layout.faces.resize(mesh.internalFaceCount());
-  for (std::size_t f = 0; f < layout.faces.size(); ++f)
-  {
-    layout.faces[f] = static_cast<Index>(f);
-  }
   std::vector<std::string> names;
   for (const BoundaryPatch& patch : patches)
   {
@@ -165,22 +117,27 @@ void layOutFaces(Layout& layout, const FaceMesh& mesh, std::span<const BoundaryP
   for (std::size_t p = 0; p < patches.size(); ++p)
   {
     const OpenFOAMName& name = words[first + p];
-    addPatch(layout, patches[p].faces, {name.word, patches[p].name, name.group, typeOf(patches[p].name), 0, 0});
+    addPatch(layout, mesh, patches[p].faces, {name.word, patches[p].name, name.group, typeOf(patches[p].name), 0, 0});
   }
   if (!rest.empty())
   {
-    addPatch(layout, std::move(rest), {words[0].word, defaultPatchName, "", "patch", 0, 0});
+    addPatch(layout, mesh, std::move(rest), {words[0].word, defaultPatchName, "", "patch", 0, 0});
   }
 }
 
 void layOutPoints(Layout& layout, const FaceMesh& mesh, const Executor& executor)
 {
-  layout.newPoint.assign(mesh.points.size(), noIndex);
+  std::vector<char> isUsed(mesh.points.size(), 0);
   executor.forEach(mesh.facePoints.size(), 65536, [&](std::size_t i) {
-    std::atomic_ref(layout.newPoint[mesh.facePoints[i]]).store(0, std::memory_order_relaxed);
+    std::atomic_ref(isUsed[mesh.facePoints[i]]).store(1, std::memory_order_relaxed);
   });
-  layout.points =
-      chosenNumbers(mesh.points.size(), executor, [&](std::size_t p) { return layout.newPoint[p] != noIndex; });
+  layout.pointCount = static_cast<std::size_t>(std::count(isUsed.begin(), isUsed.end(), 1));
+  if (layout.pointCount == mesh.points.size())
+  {
+    return;
+  }
+  layout.points = chosenNumbers(isUsed.size(), executor, [&](std::size_t p) { return isUsed[p] != 0; });
+  layout.newPoint.resize(mesh.points.size());
   executor.forEach(layout.points.size(), 65536,
                    [&](std::size_t i) { layout.newPoint[layout.points[i]] = static_cast<Index>(i); });
 }
@@ -201,7 +158,7 @@ public:
                  const ProgressRange& range)
       : folder(target), mesh(source), layout(order), format(listFormat), progress(range)
   {
-    note = "nPoints:" + std::to_string(layout.points.size()) + "  nCells:" + std::to_string(mesh.cellCount) +
+    note = "nPoints:" + std::to_string(layout.pointCount) + "  nCells:" + std::to_string(mesh.cellCount) +
            "  nFaces:" + std::to_string(mesh.faceCount()) +
            "  nInternalFaces:" + std::to_string(mesh.internalFaceCount());
   }
@@ -209,24 +166,20 @@ public:
   void writePoints() const
   {
     OpenFOAMFile file = open("points", "vectorField");
-    file.number(size(layout.points)).text("\n(");
-    if (binary())
+    file.number(static_cast<std::int64_t>(layout.pointCount)).text("\n(");
+    for (std::size_t i = 0; i < layout.pointCount; ++i)
     {
-      for (const Index p : layout.points)
+      const Vec3& x = mesh.points[layout.points.empty() ? i : layout.points[i]];
+      if (binary())
       {
-        file.raw(mesh.points[p].data(), 3 * sizeof(double));
+        file.raw(x.data(), 3 * sizeof(double));
       }
-    }
-    else
-    {
-      for (const Index p : layout.points)
+      else
       {
-        const Vec3& x = mesh.points[p];
         file.text("\n(").number(x[0]).text(" ").number(x[1]).text(" ").number(x[2]).text(")");
       }
-      file.text("\n");
     }
-    file.text(")\n").close();
+    file.text(binary() ? ")\n" : "\n)\n").close();
   }
 
   void writeFaces() const
@@ -238,16 +191,11 @@ public:
     }
     else
     {
-      file.number(size(layout.faces)).text("\n(");
-      for (const Index f : layout.faces)
+      file.number(static_cast<std::int64_t>(mesh.faceCount())).text("\n(");
+      for (std::size_t i = 0; i < mesh.faceCount(); ++i)
       {
-        const auto face = mesh.face(f);
-        file.text("\n").number(static_cast<std::int64_t>(face.size())).text("(");
-        for (std::size_t i = 0; i < face.size(); ++i)
-        {
-          file.text(i == 0 ? "" : " ").number(std::int64_t{layout.newPoint[face[i]]});
-        }
-        file.text(")");
+        const std::size_t internal = mesh.internalFaceCount();
+        writeFace(file, mesh.face(i < internal ? i : layout.boundary[i - internal]));
       }
       file.text("\n)\n");
     }
@@ -256,12 +204,12 @@ public:
 
   void writeOwners() const
   {
-    std::vector<Index> owner(layout.faces.size());
-    for (std::size_t f = 0; f < owner.size(); ++f)
+    std::vector<Index> ofBoundary;
+    for (const Index f : layout.boundary)
     {
-      owner[f] = mesh.owner[layout.faces[f]];
+      ofBoundary.push_back(mesh.owner[f]);
     }
-    writeLabelFile("owner", owner);
+    writeLabelFile("owner", std::span(mesh.owner).first(mesh.internalFaceCount()), ofBoundary);
   }
 
   void writeNeighbours() const { writeLabelFile("neighbour", mesh.neighbour); }
@@ -308,47 +256,75 @@ private:
     return OpenFOAMFile(folder / name, {className, meshLocation, itsNote, format}, &progress);
   }
 
-  void writeLabels(OpenFOAMFile& file, std::span<const Index> labels) const
+  /// One list of both.
+  void writeLabels(OpenFOAMFile& file, std::span<const Index> labels, std::span<const Index> more = {}) const
   {
-    file.number(size(labels)).text("\n(");
-    if (binary())
+    file.number(size(labels) + size(more)).text("\n(");
+    for (const std::span<const Index> part : {labels, more})
     {
-      file.raw(labels.data(), labels.size() * sizeof(Index)).text(")");
-      return;
+      if (binary())
+      {
+        file.raw(part.data(), part.size_bytes());
+        continue;
+      }
+      for (const Index label : part)
+      {
+        file.text("\n").number(std::int64_t{label});
+      }
     }
-    for (const Index label : labels)
-    {
-      file.text("\n").number(std::int64_t{label});
-    }
-    file.text("\n)");
+    file.text(binary() ? ")" : "\n)");
   }
 
-  void writeLabelFile(const char* name, std::span<const Index> labels) const
+  void writeLabelFile(const char* name, std::span<const Index> labels, std::span<const Index> more = {}) const
   {
     OpenFOAMFile file = open(name, "labelList", note);
-    writeLabels(file, labels);
+    writeLabels(file, labels, more);
     file.text("\n").close();
+  }
+
+  void writeFace(OpenFOAMFile& file, std::span<const Index> face) const
+  {
+    file.text("\n").number(static_cast<std::int64_t>(face.size())).text("(");
+    for (std::size_t i = 0; i < face.size(); ++i)
+    {
+      file.text(i == 0 ? "" : " ").number(std::int64_t{layout.newPointOf(face[i])});
+    }
+    file.text(")");
   }
 
   /// Two lists: where each face's points begin, and the points of all.
   void writeCompactFaces(OpenFOAMFile& file) const
   {
-    std::vector<Index> offsets{0};
-    std::vector<Index> points;
-    offsets.reserve(layout.faces.size() + 1);
-    points.reserve(mesh.facePoints.size());
-    for (const Index f : layout.faces)
+    const std::size_t internal = mesh.internalFaceCount();
+    const Index internalCorners = mesh.faceOffsets[internal];
+    std::vector<Index> ends; // of boundary faces
+    Index end = internalCorners;
+    for (const Index f : layout.boundary)
     {
-      for (const Index p : mesh.face(f))
-      {
-        points.push_back(layout.newPoint[p]);
-      }
-      offsets.push_back(static_cast<Index>(points.size()));
+      end += static_cast<Index>(mesh.face(f).size());
+      ends.push_back(end);
     }
-    writeLabels(file, offsets);
-    file.text("\n\n");
-    writeLabels(file, points);
-    file.text("\n");
+    writeLabels(file, std::span(mesh.faceOffsets).first(internal + 1), ends);
+    file.text("\n\n").number(std::int64_t{end}).text("\n(");
+    writeNewPoints(file, std::span(mesh.facePoints).first(internalCorners));
+    for (const Index f : layout.boundary)
+    {
+      writeNewPoints(file, mesh.face(f));
+    }
+    file.text(")\n");
+  }
+
+  void writeNewPoints(OpenFOAMFile& file, std::span<const Index> points) const
+  {
+    if (layout.newPoint.empty())
+    {
+      file.raw(points.data(), points.size_bytes());
+      return;
+    }
+    for (const Index p : points)
+    {
+      file.raw(&layout.newPoint[p], sizeof(Index));
+    }
   }
 
   static void writeGroups(OpenFOAMFile& file, const Layout::Patch& patch)
@@ -380,6 +356,10 @@ private:
 std::map<std::int64_t, std::vector<Index>> cellsOfZones(std::span<const std::int64_t> zoneIds)
 {
   std::map<std::int64_t, std::vector<Index>> zones;
+  if (std::ranges::adjacent_find(zoneIds, std::not_equal_to()) == zoneIds.end())
+  {
+    return zones; // one or none: nothing to tell
+  }
   std::vector<Index>* cells = nullptr;
   for (std::size_t cell = 0; cell < zoneIds.size(); ++cell)
   {
@@ -427,7 +407,7 @@ void writePolyMesh(const fs::path& caseFolder, const FaceMesh& mesh, std::span<c
   context.progress.report(0.9, "Writing patches");
   writer.writeBoundary();
   const auto zones = cellsOfZones(zoneIds);
-  if (zones.size() > 1)
+  if (!zones.empty())
   {
     writer.writeCellZones(zones);
   }

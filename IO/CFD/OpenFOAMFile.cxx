@@ -56,6 +56,10 @@ OpenFOAMFile& OpenFOAMFile::number(double value)
 
 OpenFOAMFile& OpenFOAMFile::raw(const void* bytes, std::size_t count)
 {
+  if (count == 0)
+  {
+    return *this;
+  }
   const char* rest = static_cast<const char*>(bytes);
   if (count < bufferSize)
   {

@@ -24,14 +24,13 @@ vtkStandardNewMacro(vtkAtriaOpenFOAMWriter);
 
 namespace {
 
-std::vector<std::int64_t> zoneIdsOf(vtkUnstructuredGrid* volume)
+atria::Buffer<std::int64_t> zoneIdsOf(vtkUnstructuredGrid* volume, const atria::Executor& executor)
 {
   vtkDataArray* array = volume->GetCellData()->GetArray("ZoneId");
-  std::vector<std::int64_t> ids(array ? static_cast<std::size_t>(array->GetNumberOfTuples()) : 0);
-  for (std::size_t cell = 0; cell < ids.size(); ++cell)
-  {
+  atria::Buffer<std::int64_t> ids(array ? static_cast<std::size_t>(array->GetNumberOfTuples()) : 0);
+  executor.forEach(ids.size(), 65536, [&](std::size_t cell) {
     ids[cell] = static_cast<std::int64_t>(array->GetComponent(static_cast<vtkIdType>(cell), 0));
-  }
+  });
   return ids;
 }
 
@@ -63,7 +62,7 @@ std::vector<atria::Index> patchOfFaces(const atria::FaceMesh& mesh, const std::v
 
 /// Merges cells of `source`, and has patches and zones go by what is left.
 atria::MergedCells mergeCells(atria::VtkFaceMesh& source, std::vector<atria::BoundaryPatch>& patches,
-                              std::vector<std::int64_t>& zoneIds, const atria::RunContext& context)
+                              atria::Buffer<std::int64_t>& zoneIds, const atria::RunContext& context)
 {
   atria::MergedCells merged =
       atria::mergeUnderdeterminedCells(source.mesh, patchOfFaces(source.mesh, patches), context);
@@ -96,6 +95,10 @@ std::size_t mergeFaces(atria::VtkFaceMesh& source, std::vector<atria::BoundaryPa
                        const atria::RunContext& context)
 {
   const atria::MergedFaces merged = atria::mergeCoplanarFaces(source.mesh, patchOfFaces(source.mesh, patches), context);
+  if (merged.count == 0)
+  {
+    return 0;
+  }
   for (atria::BoundaryPatch& patch : patches)
   {
     for (atria::Index& face : patch.faces)
@@ -166,7 +169,7 @@ void vtkAtriaOpenFOAMWriter::WriteCase(vtkUnstructuredGrid* volume, vtkPartition
   progress.report(0.0, "Finding faces");
   atria::VtkFaceMesh source = atria::faceMeshFromVtk(volume, patches, run.context.executor);
   std::vector<atria::BoundaryPatch> boundary = patchesOf(source);
-  std::vector<std::int64_t> zoneIds = zoneIdsOf(volume);
+  atria::Buffer<std::int64_t> zoneIds = zoneIdsOf(volume, run.context.executor);
   this->NumberOfMergedCells = 0;
   this->NumberOfAddedCells = 0;
   this->NumberOfMergedFaces = 0;

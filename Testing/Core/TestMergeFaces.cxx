@@ -162,7 +162,7 @@ TEST(MergeFaces, PatchesStayApart)
   const MergedFaces merged = merge(mesh, patchOf);
   EXPECT_EQ(merged.count, 0u);
   EXPECT_EQ(mesh.facePoints, before.facePoints);
-  EXPECT_EQ(merged.faceOf, patchOf) << "each face is itself";
+  EXPECT_TRUE(merged.faceOf.empty());
 }
 
 TEST(MergeFaces, FacesAtAnAngleStayApart)
@@ -407,7 +407,7 @@ std::vector<Index> patchesAfter(const FaceMesh& before, std::span<const Index> p
   EXPECT_EQ(after.faceCount() + merged.count, before.faceCount());
   for (std::size_t f = 0; f < before.faceCount(); ++f)
   {
-    const Index now = merged.faceOf[f];
+    const Index now = merged.count > 0 ? merged.faceOf[f] : static_cast<Index>(f);
     EXPECT_EQ(before.owner[f], after.owner[now]);
     if (f < internal)
     {
@@ -427,7 +427,7 @@ void expectStarShaped(const FaceMesh& before, const FaceMesh& after, const Merge
   std::vector<int> parts(after.faceCount(), 0);
   for (std::size_t f = 0; f < before.faceCount(); ++f)
   {
-    ++parts[merged.faceOf[f]];
+    ++parts[merged.count > 0 ? merged.faceOf[f] : f];
   }
   SilentMonitor silent;
   const MeshGeometry geometry = computeGeometry(after, makeCellFaces(after), {SerialExecutor(), ProgressRange(silent)});

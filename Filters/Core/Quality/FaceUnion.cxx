@@ -35,7 +35,7 @@ std::size_t concavePairs(const std::vector<PolygonMeasure>& faces, double sine)
 } // namespace
 
 FaceUnions::FaceUnions(FaceMesh& faceMesh, double leastSine, const RunContext& context)
-    : mesh(faceMesh), sine(leastSine), into(faceMesh.faceCount()), cellFaces(makeCellFaces(faceMesh)),
+    : mesh(faceMesh), sine(leastSine), into(faceMesh.faceCount()), cellFaces(makeCellFaces(faceMesh, context.executor)),
       cellCentroids(computeGeometry(faceMesh, cellFaces, context).cellCentroids), uses(faceMesh.points.size(), 0)
 {
   std::iota(into.begin(), into.end(), Index{0});

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -44,9 +43,7 @@ public:
     const std::vector<Index> firstFaces = findCandidates(context.executor);
     if (firstFaces.empty())
     {
-      MergedFaces none{std::vector<Index>(mesh.faceCount()), 0};
-      std::iota(none.faceOf.begin(), none.faceOf.end(), Index{0});
-      return none;
+      return {};
     }
     unions.emplace(mesh, options.planarSine, context.part(0.1, 0.7));
     for (const Index first : firstFaces)
@@ -55,7 +52,8 @@ public:
       mergeRun(first, endOfRun(first));
     }
     context.progress.report(0.9, "Merging coplanar faces");
-    return unions->writeFaces();
+    MergedFaces merged = unions->writeFaces();
+    return merged.count > 0 ? merged : MergedFaces();
   }
 
 private:

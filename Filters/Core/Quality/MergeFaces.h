@@ -26,8 +26,9 @@ struct MergeFacesOptions
 
 struct MergedFaces
 {
-  std::vector<Index> faceOf; ///< for each face before, the face that it now is or is a part of
-  std::size_t count = 0;     ///< how many faces there are fewer
+  /// For each face before, the face that it now is or is a part of; empty if nothing was merged.
+  std::vector<Index> faceOf;
+  std::size_t count = 0; ///< how many faces there are fewer
 };
 
 /// Merges boundary faces of one owner and one patch, and internal ones of one owner and one neighbour, that are

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// How soon the mesher and the quality filter answer when they should stop.
+/// How soon the mesher, the quality filter and OpenFOAM's writer answer when they should stop.
 ///
 /// Usage: benchmark_abort MODEL SIZE_MAX SIZE_MID SIZE_MIN [LAYERS [THREADS [TIMES]]]
 /// First a whole run, with the longest time in each phase without an occasion to abort; then TIMES (default 20) runs
@@ -7,6 +7,7 @@
 #include "vtkAtriaDualMesher.h"
 #include "vtkAtriaMeshQuality.h"
 #include "vtkAtriaModelReader.h"
+#include "vtkAtriaOpenFOAMWriter.h"
 #include "vtkAtriaVRMLReader.h"
 
 #include <vtkCallbackCommand.h>
@@ -17,6 +18,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -75,8 +77,8 @@ private:
   vtkNew<vtkCallbackCommand> observer;
 };
 
-/// Seconds of updating all, and until then from the moment.
-void run(vtkAtriaDualMesher* mesher, vtkAtriaMeshQuality* quality, Watch& watch)
+/// All one after the other, until one is aborted.
+void run(vtkAtriaDualMesher* mesher, vtkAtriaMeshQuality* quality, vtkAtriaOpenFOAMWriter* writer, Watch& watch)
 {
   watch.start = watch.last = Clock::now();
   mesher->Modified();
@@ -84,6 +86,11 @@ void run(vtkAtriaDualMesher* mesher, vtkAtriaMeshQuality* quality, Watch& watch)
   if (!mesher->GetAbortExecute())
   {
     quality->Update();
+  }
+  if (!mesher->GetAbortExecute() && !quality->GetAbortExecute())
+  {
+    quality->GetOutputDataObject(0)->Initialize(); // room for the writer
+    writer->Write();
   }
 }
 
@@ -113,10 +120,16 @@ int main(int argc, char* argv[])
   vtkNew<vtkAtriaMeshQuality> quality;
   quality->SetInputConnection(0, mesher->GetOutputPort(0));
   quality->SetInputConnection(1, mesher->GetOutputPort(1));
+  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "atria_benchmark_abort";
+  vtkNew<vtkAtriaOpenFOAMWriter> writer;
+  writer->SetCaseDirectory(folder.c_str());
+  writer->SetInputConnection(0, mesher->GetOutputPort(0));
+  writer->SetInputConnection(1, mesher->GetOutputPort(1));
   Watch watch;
   watch.follow(mesher);
   watch.follow(quality);
-  run(mesher, quality, watch);
+  watch.follow(writer);
+  run(mesher, quality, writer, watch);
   const double whole = since(watch.start);
   std::printf("whole run: %.2f s; longest time between occasions to abort:\n", whole);
   for (const auto& [phase, gap] : watch.gaps)
@@ -128,11 +141,12 @@ int main(int argc, char* argv[])
   for (int i = 0; i < times; ++i)
   {
     watch.moment = whole * (i + 0.5) / times;
-    run(mesher, quality, watch);
+    run(mesher, quality, writer, watch);
     const double late = std::max(0.0, since(watch.start) - watch.moment);
     longest = std::max(longest, late);
     std::printf("aborted after %6.2f s, returned %.3f s later, from: %s\n", watch.moment, late, watch.phase.c_str());
   }
   std::printf("longest: %.3f s\n", longest);
+  std::filesystem::remove_all(folder);
   return 0;
 }

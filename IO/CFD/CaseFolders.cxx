@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "CaseFolders.h"
+
+#include "Support/Error.h"
+
+#include <future>
+#include <system_error>
+#include <utility>
+
+namespace atria {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> filesIn(const fs::path& folder)
+{
+  std::vector<fs::path> files;
+  for (const fs::directory_entry& file : fs::directory_iterator(folder))
+  {
+    files.push_back(file.path());
+  }
+  return files;
+}
+
+} // namespace
+
+void makeFolder(const fs::path& folder)
+{
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+  {
+    throw Error("cannot make the folder '" + folder.string() + "': " + error.message());
+  }
+}
+
+void removeFiles(const std::vector<fs::path>& files)
+{
+  std::vector<std::future<void>> removals;
+  for (const fs::path& file : files)
+  {
+    std::error_code error;
+    if (fs::symlink_status(file, error).type() == fs::file_type::not_found)
+    {
+      continue;
+    }
+    removals.push_back(std::async([&file] {
+      std::error_code problem;
+      fs::remove(file, problem);
+      if (problem)
+      {
+        throw Error("cannot remove '" + file.string() + "': " + problem.message());
+      }
+    }));
+  }
+  for (std::future<void>& removal : removals)
+  {
+    removal.get();
+  }
+}
+
+UnfinishedFolder::UnfinishedFolder(fs::path where) : path(std::move(where))
+{
+  std::error_code ignored;
+  fs::remove_all(path, ignored); // of a process that was killed
+  makeFolder(path);
+}
+
+UnfinishedFolder::~UnfinishedFolder()
+{
+  try
+  {
+    removeFiles(filesIn(path));
+  }
+  catch (const std::exception&)
+  {
+    // What is left goes below, or stays.
+  }
+  std::error_code ignored;
+  fs::remove_all(path, ignored);
+}
+
+void UnfinishedFolder::moveFilesTo(const fs::path& folder) const
+{
+  for (const fs::path& file : filesIn(path))
+  {
+    std::error_code error;
+    fs::rename(file, folder / file.filename(), error);
+    if (error)
+    {
+      throw Error("cannot write '" + (folder / file.filename()).string() + "': " + error.message());
+    }
+  }
+}
+
+} // namespace atria

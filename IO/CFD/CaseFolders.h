@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+namespace atria {
+
+/// With those it is in. Throws Error naming it where it cannot be made.
+void makeFolder(const std::filesystem::path& folder);
+
+/// Removes those files that are there, side by side: the system takes a tenth of a second and more for a gigabyte, and
+/// who aborts waits for it. Throws Error naming one that cannot be removed.
+void removeFiles(const std::vector<std::filesystem::path>& files);
+
+/// Holds files until all are complete, and is removed whatever happens.
+class UnfinishedFolder
+{
+public:
+  explicit UnfinishedFolder(std::filesystem::path where);
+  ~UnfinishedFolder();
+  UnfinishedFolder(const UnfinishedFolder&) = delete;
+  UnfinishedFolder& operator=(const UnfinishedFolder&) = delete;
+
+  /// Throws Error naming the file that cannot be written there.
+  void moveFilesTo(const std::filesystem::path& folder) const;
+
+  const std::filesystem::path path;
+};
+
+} // namespace atria
