@@ -192,10 +192,13 @@ public:
     else
     {
       file.number(static_cast<std::int64_t>(mesh.faceCount())).text("\n(");
-      for (std::size_t i = 0; i < mesh.faceCount(); ++i)
+      for (std::size_t f = 0; f < mesh.internalFaceCount(); ++f)
       {
-        const std::size_t internal = mesh.internalFaceCount();
-        writeFace(file, mesh.face(i < internal ? i : layout.boundary[i - internal]));
+        writeFace(file, mesh.face(f));
+      }
+      for (const Index f : layout.boundary)
+      {
+        writeFace(file, mesh.face(f));
       }
       file.text("\n)\n");
     }

@@ -162,7 +162,10 @@ TEST(MergeFaces, PatchesStayApart)
   const MergedFaces merged = merge(mesh, patchOf);
   EXPECT_EQ(merged.count, 0u);
   EXPECT_EQ(mesh.facePoints, before.facePoints);
-  EXPECT_TRUE(merged.faceOf.empty());
+  std::vector<Index> now(mesh.faceCount());
+  std::iota(now.begin(), now.end(), 0);
+  std::ranges::transform(now, now.begin(), [&](Index face) { return merged.nowOf(face); });
+  EXPECT_EQ(now, patchOf) << "each face is itself";
 }
 
 TEST(MergeFaces, FacesAtAnAngleStayApart)
@@ -407,7 +410,7 @@ std::vector<Index> patchesAfter(const FaceMesh& before, std::span<const Index> p
   EXPECT_EQ(after.faceCount() + merged.count, before.faceCount());
   for (std::size_t f = 0; f < before.faceCount(); ++f)
   {
-    const Index now = merged.count > 0 ? merged.faceOf[f] : static_cast<Index>(f);
+    const Index now = merged.nowOf(static_cast<Index>(f));
     EXPECT_EQ(before.owner[f], after.owner[now]);
     if (f < internal)
     {
@@ -427,7 +430,7 @@ void expectStarShaped(const FaceMesh& before, const FaceMesh& after, const Merge
   std::vector<int> parts(after.faceCount(), 0);
   for (std::size_t f = 0; f < before.faceCount(); ++f)
   {
-    ++parts[merged.count > 0 ? merged.faceOf[f] : f];
+    ++parts[merged.nowOf(static_cast<Index>(f))];
   }
   SilentMonitor silent;
   const MeshGeometry geometry = computeGeometry(after, makeCellFaces(after), {SerialExecutor(), ProgressRange(silent)});

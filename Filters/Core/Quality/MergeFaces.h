@@ -29,6 +29,8 @@ struct MergedFaces
   /// For each face before, the face that it now is or is a part of; empty if nothing was merged.
   std::vector<Index> faceOf;
   std::size_t count = 0; ///< how many faces there are fewer
+
+  Index nowOf(Index face) const { return faceOf.empty() ? face : faceOf[face]; }
 };
 
 /// Merges boundary faces of one owner and one patch, and internal ones of one owner and one neighbour, that are

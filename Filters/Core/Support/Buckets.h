@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <functional>
 #include <numeric>
 #include <span>
 
@@ -45,23 +44,15 @@ template <typename ForPairs> Buckets fillBuckets(std::size_t count, const Execut
   return out;
 }
 
-/// Sorts each bucket: `lessIn(bucket)` gives its order.
-template <typename LessIn> void sortBuckets(Buckets& buckets, const Executor& executor, LessIn&& lessIn)
-{
-  constexpr std::size_t grain = 4096;
-  executor.forEach(buckets.offsets.size() - 1, grain, [&](std::size_t bucket) {
-    std::sort(buckets.entries.begin() + buckets.offsets[bucket], buckets.entries.begin() + buckets.offsets[bucket + 1],
-              lessIn(static_cast<Index>(bucket)));
-  });
-}
-
 /// In rising order, where entries were called in it.
 template <typename ForPairs> Buckets fillInOrder(std::size_t count, const Executor& executor, ForPairs&& forPairs)
 {
   Buckets out = fillBuckets(count, executor, forPairs);
   if (executor.threads() > 1)
   {
-    sortBuckets(out, executor, [](Index) { return std::less<Index>(); });
+    executor.forEach(count, 4096, [&](std::size_t bucket) {
+      std::sort(out.entries.begin() + out.offsets[bucket], out.entries.begin() + out.offsets[bucket + 1]);
+    });
   }
   return out;
 }
