@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Dependencies go one way: the core knows no VTK, and filters and readers or writers do not know each other.
+# Dependencies go one way: the core knows no VTK, filters and readers or writers do not know each other, and a room of
+# the core includes only itself and those before it, so that there is no cycle.
 set -euo pipefail
 
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -29,6 +30,33 @@ forbid Filters "($(headers_in IO))" 'Filters must not include IO:'
 cgal=$(grep -rnE --include='*.h' '^[[:space:]]*#[[:space:]]*include[[:space:]]*<CGAL/' Filters IO || true)
 if [ -n "$cgal" ]; then
   printf 'Headers must not include CGAL:\n%s\n' "$cgal" >&2
+  status=1
+fi
+
+# In the order in which they are read.
+rooms=(Support Grid
+  Surface/Triangles Surface/Search Surface/Triangulation Surface/Repair Surface/Model Surface/Inspection
+  Domain
+  Octree/Search Octree/Tree Octree/Sizing
+  Dual/Mesh Dual/Grid Dual/Leaf Dual/Zones Dual/Displacement Dual/Vertices
+  Layer
+  Quality/Faces Quality/Checks Quality/Unions
+  Optimize/Kernel Optimize/Constraints Optimize/AnyMesh
+  Mesher/Improvement Mesher)
+earlier=
+for room in "${rooms[@]}"; do
+  earlier+="${earlier:+|}$room"
+  files=(Filters/Core/"$room"/*.h)
+  files+=($(find "Filters/Core/$room" -maxdepth 1 -name '*.cxx'))
+  found=$(grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]*"' "${files[@]}" | grep -vE "\"($earlier)/[^/\"]*\"" || true)
+  if [ -n "$found" ]; then
+    printf 'Filters/Core/%s must not include rooms after it:\n%s\n' "$room" "$found" >&2
+    status=1
+  fi
+done
+unknown=$(find Filters/Core -name '*.h' -printf '%P\n' | sed 's|/[^/]*$||' | sort -u | grep -vxE "$earlier" || true)
+if [ -n "$unknown" ]; then
+  printf 'Folders of the core that have no place in the order of rooms:\n%s\n' "$unknown" >&2
   status=1
 fi
 exit "$status"

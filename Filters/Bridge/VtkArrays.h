@@ -2,7 +2,7 @@
 /// Volume meshes from VTK to the core.
 #pragma once
 
-#include "Quality/FaceMesh.h"
+#include "Quality/Faces/FaceMesh.h"
 #include "Support/Buffer.h"
 #include "Support/Executor.h"
 

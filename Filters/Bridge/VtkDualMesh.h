@@ -2,8 +2,8 @@
 /// Meshes from the core to VTK; docs/arrays.md lists the arrays.
 #pragma once
 
-#include "Dual/DualMesher.h"
-#include "Surface/SurfaceRepair.h"
+#include "Mesher/DualMesher.h"
+#include "Surface/Repair/SurfaceRepair.h"
 
 class vtkFieldData;
 class vtkPartitionedDataSetCollection;

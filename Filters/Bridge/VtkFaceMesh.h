@@ -2,7 +2,7 @@
 /// The faces of a volume mesh and of its patches, from VTK.
 #pragma once
 
-#include "Quality/FaceMesh.h"
+#include "Quality/Faces/FaceMesh.h"
 #include "VtkArrays.h"
 
 #include <vector>

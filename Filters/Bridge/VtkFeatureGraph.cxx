@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "VtkFeatureGraph.h"
 
-#include "Surface/FeatureGraph.h"
+#include "Surface/Model/FeatureGraph.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>

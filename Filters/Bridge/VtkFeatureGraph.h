@@ -2,7 +2,7 @@
 /// Features of the model from the core to VTK; docs/arrays.md lists the arrays.
 #pragma once
 
-#include "Surface/SurfaceModel.h"
+#include "Surface/Model/SurfaceModel.h"
 
 class vtkPolyData;
 

@@ -2,7 +2,7 @@
 /// Octrees between the core and VTK.
 #pragma once
 
-#include "Octree/Octree.h"
+#include "Octree/Tree/Octree.h"
 
 class vtkDataObject;
 class vtkHyperTreeGrid;

@@ -2,7 +2,7 @@
 #include "VtkSurface.h"
 
 #include "Support/Error.h"
-#include "Surface/PolygonTriangulation.h"
+#include "Surface/Triangulation/PolygonTriangulation.h"
 #include "VtkArrays.h"
 
 #include <vtkCellData.h>

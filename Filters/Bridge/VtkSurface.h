@@ -2,7 +2,7 @@
 /// Surface models from VTK to the core.
 #pragma once
 
-#include "Surface/TriangleSurface.h"
+#include "Surface/Triangles/TriangleSurface.h"
 
 #include <vector>
 

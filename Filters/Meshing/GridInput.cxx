@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "GridInput.h"
 
-#include "Octree/SizeRules.h"
+#include "Octree/Sizing/SizeRules.h"
 #include "VtkSurface.h"
 #include "vtkAtriaGridAlgorithm.h"
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "Domain/PlacedModel.h"
-#include "Octree/Sizing.h"
-#include "Surface/SurfaceModel.h"
+#include "Octree/Sizing/Sizing.h"
+#include "Surface/Model/SurfaceModel.h"
 
 class vtkAtriaGridAlgorithm;
 class vtkDataObject;

@@ -2,10 +2,10 @@
 #include "vtkAtriaDualMesher.h"
 
 #include "AlgorithmProgress.h"
-#include "Dual/DualMesher.h"
 #include "GridInput.h"
-#include "Octree/Balance.h"
-#include "Octree/Refinement.h"
+#include "Mesher/DualMesher.h"
+#include "Octree/Sizing/Refinement.h"
+#include "Octree/Tree/Balance.h"
 #include "Support/PatternRule.h"
 #include "VtkDualMesh.h"
 #include "VtkOctree.h"

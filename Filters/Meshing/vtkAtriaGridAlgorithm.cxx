@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkAtriaGridAlgorithm.h"
 
-#include "Octree/SizeRules.h"
+#include "Octree/Sizing/SizeRules.h"
 
 #include <vtkDemandDrivenPipeline.h>
 #include <vtkInformation.h>

@@ -3,8 +3,8 @@
 
 #include "AlgorithmProgress.h"
 #include "GridInput.h"
-#include "Octree/Estimate.h"
-#include "Octree/Refinement.h"
+#include "Octree/Sizing/Estimate.h"
+#include "Octree/Sizing/Refinement.h"
 #include "VtkOctree.h"
 
 #include <vtkHyperTreeGrid.h>

@@ -3,8 +3,8 @@
 
 #include "AlgorithmProgress.h"
 #include "GridInput.h"
-#include "Octree/Preflight.h"
-#include "Octree/Refinement.h"
+#include "Mesher/Preflight.h"
+#include "Octree/Sizing/Refinement.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>

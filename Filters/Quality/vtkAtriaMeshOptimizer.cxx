@@ -2,7 +2,7 @@
 #include "vtkAtriaMeshOptimizer.h"
 
 #include "AlgorithmProgress.h"
-#include "Optimise/MeshOptimiser.h"
+#include "Optimize/AnyMesh/MeshOptimizer.h"
 #include "SmpExecutor.h"
 #include "VtkFaceMesh.h"
 

@@ -2,10 +2,10 @@
 #include "vtkAtriaMeshQuality.h"
 
 #include "AlgorithmProgress.h"
-#include "Quality/CheckQuantities.h"
-#include "Quality/MeshChecks.h"
-#include "Quality/Metrics.h"
-#include "Quality/Statistics.h"
+#include "Quality/Checks/CheckQuantities.h"
+#include "Quality/Checks/MeshChecks.h"
+#include "Quality/Checks/Metrics.h"
+#include "Quality/Checks/Statistics.h"
 #include "VtkFaceMesh.h"
 
 #include <vtkCellData.h>

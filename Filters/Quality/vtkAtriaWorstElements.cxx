@@ -2,7 +2,7 @@
 #include "vtkAtriaWorstElements.h"
 
 #include "AlgorithmProgress.h"
-#include "Quality/WorstElements.h"
+#include "Quality/Checks/WorstElements.h"
 #include "Support/Error.h"
 #include "VtkArrays.h"
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "OpenFOAMFile.h"
-#include "Quality/FaceMesh.h"
+#include "Quality/Faces/FaceMesh.h"
 #include "Support/RunContext.h"
 
 #include <filesystem>

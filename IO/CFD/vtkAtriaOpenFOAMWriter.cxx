@@ -3,8 +3,8 @@
 
 #include "AlgorithmProgress.h"
 #include "OpenFOAMCase.h"
-#include "Quality/MergeCells.h"
-#include "Quality/MergeFaces.h"
+#include "Quality/Unions/MergeCells.h"
+#include "Quality/Unions/MergeFaces.h"
 #include "VtkFaceMesh.h"
 
 #include <vtkCellData.h>

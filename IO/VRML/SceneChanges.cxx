@@ -2,7 +2,7 @@
 #include "SceneChanges.h"
 
 #include "Support/Error.h"
-#include "Surface/CoincidentFaces.h"
+#include "Surface/Triangles/CoincidentFaces.h"
 
 #include <cmath>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Support/Types.h"
-#include "Surface/PolygonTriangulation.h"
+#include "Surface/Triangulation/PolygonTriangulation.h"
 
 #include <array>
 #include <span>

@@ -2,7 +2,7 @@
 #include "Surfaces.h"
 
 #include "Support/IndexTable.h"
-#include "Surface/SmoothPieces.h"
+#include "Surface/Triangles/SmoothPieces.h"
 
 #include <algorithm>
 #include <cmath>

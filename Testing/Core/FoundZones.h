@@ -2,11 +2,11 @@
 /// The stages up to the zones, and a room with a hole.
 #pragma once
 
-#include "Dual/CrackClosing.h"
-#include "Dual/Cracks.h"
-#include "Dual/Leaks.h"
-#include "Dual/ModifiedGrid.h"
-#include "Octree/Refinement.h"
+#include "Dual/Displacement/DisplacedGrid.h"
+#include "Dual/Zones/CrackClosing.h"
+#include "Dual/Zones/Cracks.h"
+#include "Dual/Zones/Leaks.h"
+#include "Octree/Sizing/Refinement.h"
 #include "Support/Shapes.h"
 
 #include <Eigen/Geometry>

@@ -2,9 +2,9 @@
 /// Octrees by sizing rules, for tests.
 #pragma once
 
-#include "Octree/Estimate.h"
-#include "Octree/Refinement.h"
-#include "Octree/SizeRules.h"
+#include "Octree/Sizing/Estimate.h"
+#include "Octree/Sizing/Refinement.h"
+#include "Octree/Sizing/SizeRules.h"
 #include "Support/MeshIt.h"
 #include "Support/Shapes.h"
 

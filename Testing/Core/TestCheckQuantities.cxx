@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// What checkMesh judges, on cells whose values are known. That the real checkMesh finds the same is tested with the
 /// filters.
-#include "Quality/CheckQuantities.h"
-#include "Quality/MeshChecks.h"
-#include "Quality/Metrics.h"
+#include "Quality/Checks/CheckQuantities.h"
+#include "Quality/Checks/MeshChecks.h"
+#include "Quality/Checks/Metrics.h"
 #include "Support/Error.h"
 #include "Support/SampleMesh.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// What of a model as read belongs together: places, coincident faces, smooth pieces.
-#include "Surface/CoincidentFaces.h"
-#include "Surface/PointPlaces.h"
-#include "Surface/SmoothPieces.h"
+#include "Surface/Triangles/CoincidentFaces.h"
+#include "Surface/Triangles/PointPlaces.h"
+#include "Surface/Triangles/SmoothPieces.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Where layers grow, which way, and how thick.
-#include "Dual/TurnedDomain.h"
+#include "Dual/Vertices/TurnedDomain.h"
 #include "Layer/BoundaryLayers.h"
 #include "Layer/ElementShape.h"
 #include "Layer/LayerCoverage.h"

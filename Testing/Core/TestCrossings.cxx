@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Crossings of a grid whose points moved are the same, updated or found anew.
-#include "Dual/Crossings.h"
-#include "Octree/Refinement.h"
+#include "Dual/Grid/Crossings.h"
+#include "Octree/Sizing/Refinement.h"
 #include "Support/MeshIt.h"
 #include "Support/Shapes.h"
 

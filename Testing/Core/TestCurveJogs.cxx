@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Chains of edges on curves do not go round faces.
-#include "Optimise/CurveJogs.h"
+#include "Mesher/Improvement/CurveJogs.h"
 #include "Support/DualMeshChecks.h"
 #include "Support/MeshIt.h"
 #include "Support/Shapes.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Which elements arise where octants of two levels meet.
-#include "Dual/DualMesher.h"
-#include "Octree/Octree.h"
+#include "Mesher/DualMesher.h"
+#include "Octree/Tree/Octree.h"
 #include "Support/DualMeshChecks.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Quality/CellShapes.h"
-#include "Quality/FaceMesh.h"
-#include "Quality/Geometry.h"
+#include "Quality/Faces/CellShapes.h"
+#include "Quality/Faces/FaceMesh.h"
+#include "Quality/Faces/Geometry.h"
 #include "Support/Error.h"
 #include "Support/SampleMesh.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Surface/Inspection.h"
+#include "Surface/Inspection/Inspection.h"
 
 #include "Support/Error.h"
 

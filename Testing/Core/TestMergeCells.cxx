@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Quality/MergeCells.h"
-#include "Quality/MeshChecks.h"
+#include "Quality/Checks/MeshChecks.h"
+#include "Quality/Unions/MergeCells.h"
 #include "Support/SampleMesh.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Quality/CellShapes.h"
-#include "Quality/Metrics.h"
+#include "Quality/Checks/Metrics.h"
+#include "Quality/Faces/CellShapes.h"
 #include "Support/SampleMesh.h"
 
 #include <Eigen/Geometry>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// What a grid says about its leaves and points does not depend on how its points came to where they are.
-#include "Dual/Crossings.h"
-#include "Dual/MovingGrid.h"
-#include "Octree/TriangleTree.h"
+#include "Dual/Displacement/MovingGrid.h"
+#include "Dual/Grid/Crossings.h"
+#include "Octree/Search/TriangleTree.h"
 #include "Support/MeshIt.h"
 #include "Support/Shapes.h"
 

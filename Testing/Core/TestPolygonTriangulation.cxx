@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Surface/PolygonTriangulation.h"
+#include "Surface/Triangulation/PolygonTriangulation.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

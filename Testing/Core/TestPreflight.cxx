@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// What is told before a mesh is made.
-#include "Octree/Preflight.h"
-#include "Octree/Refinement.h"
+#include "Mesher/Preflight.h"
+#include "Octree/Sizing/Refinement.h"
 #include "Support/Shapes.h"
 
 #include <gmock/gmock.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Surface/Problems.h"
+#include "Surface/Inspection/Problems.h"
 
 #include "Support/Error.h"
 

@@ -6,7 +6,7 @@
 #include "Support/Error.h"
 #include "Support/NamePattern.h"
 #include "Support/Shapes.h"
-#include "Surface/SurfaceModel.h"
+#include "Surface/Model/SurfaceModel.h"
 
 #include <gmock/gmock.h>
 

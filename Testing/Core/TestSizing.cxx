@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Octree/BoxDistance.h"
-#include "Octree/GeometryLists.h"
+#include "Octree/Search/BoxDistance.h"
+#include "Octree/Tree/GeometryLists.h"
 #include "SizedOctree.h"
 #include "Support/Error.h"
 #include "Support/NamePattern.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// What is looked for among many boxes, points and edges, against looking at all of them.
 #include "Support/Sorting.h"
-#include "Surface/BoxTree.h"
-#include "Surface/Weld.h"
+#include "Surface/Search/BoxTree.h"
+#include "Surface/Triangles/Weld.h"
 
 #include <gtest/gtest.h>
 

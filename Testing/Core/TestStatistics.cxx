@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Quality/Statistics.h"
+#include "Quality/Checks/Statistics.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Support/Shapes.h"
-#include "Surface/SurfaceModel.h"
+#include "Surface/Model/SurfaceModel.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "MeshOutput.h"
 
-#include "Quality/Geometry.h"
+#include "Quality/Faces/Geometry.h"
 #include "VtkFaceMesh.h"
 #include "vtkAtriaGridAlgorithm.h"
 

@@ -2,7 +2,7 @@
 /// Surfaces as the meshing filters take them.
 #pragma once
 
-#include "Surface/TriangleSurface.h"
+#include "Surface/Triangles/TriangleSurface.h"
 
 #include <vtkSmartPointer.h>
 

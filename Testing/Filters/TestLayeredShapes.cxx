@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Meshes with one layer about simple shapes: checkMesh has nothing to object to, and they are good.
 #include "CheckWritten.h"
-#include "Quality/Metrics.h"
+#include "Quality/Checks/Metrics.h"
 #include "Support/Shapes.h"
 #include "VtkDualMesh.h"
 #include "VtkFaceMesh.h"

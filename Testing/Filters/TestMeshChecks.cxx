@@ -2,8 +2,8 @@
 /// What checkMesh() of the core finds is what OpenFOAM's checkMesh finds: the same cells and faces in its sets, the
 /// same figures in its report.
 #include "DualMesherTest.h"
-#include "Quality/CheckQuantities.h"
-#include "Quality/MeshChecks.h"
+#include "Quality/Checks/CheckQuantities.h"
+#include "Quality/Checks/MeshChecks.h"
 #include "Support/CheckMesh.h"
 #include "Support/SampleGrid.h"
 #include "Support/TestPaths.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Quality/CellShapes.h"
+#include "Quality/Faces/CellShapes.h"
 #include "Support/SampleGrid.h"
 #include "Support/VtkErrorGuard.h"
 #include "vtkAtriaMeshQuality.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// The mesher's outputs and the polyMesh written from them are the same mesh, to VTK's reader and to checkMesh.
 #include "DualMesherTest.h"
-#include "Quality/Geometry.h"
+#include "Quality/Faces/Geometry.h"
 #include "Support/CheckMesh.h"
 #include "Support/TestPaths.h"
 #include "VtkFaceMesh.h"

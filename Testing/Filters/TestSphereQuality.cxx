@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Quality of the meshes about the sphere in a cube: all valid, cell squish below 0.8.
-#include "SurfaceInput.h"
 #include "Support/VtkErrorGuard.h"
+#include "SurfaceInput.h"
 #include "vtkAtriaDualMesher.h"
 #include "vtkAtriaMeshQuality.h"
 
@@ -20,10 +20,7 @@ struct Row
   bool large;
 };
 
-void PrintTo(const Row& row, std::ostream* os)
-{
-  *os << (row.adaptive ? "adaptive " : "uniform ") << row.size << " m";
-}
+void PrintTo(const Row& row, std::ostream* os) { *os << (row.adaptive ? "adaptive " : "uniform ") << row.size << " m"; }
 
 class SphereQuality : public atria::testing::VtkTest, public ::testing::WithParamInterface<Row>
 {

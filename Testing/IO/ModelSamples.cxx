@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ModelSamples.h"
 
-#include "Surface/PolygonTriangulation.h"
+#include "Surface/Triangulation/PolygonTriangulation.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>

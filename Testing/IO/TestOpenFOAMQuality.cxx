@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// checkMesh as the referee of the quality and validity that we measure.
 #include "OpenFOAMWriterTest.h"
-#include "Quality/Geometry.h"
-#include "Quality/Metrics.h"
+#include "Quality/Checks/Metrics.h"
+#include "Quality/Faces/Geometry.h"
 #include "Support/CheckMesh.h"
 
 #include <gmock/gmock.h>

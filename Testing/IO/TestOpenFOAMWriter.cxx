@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "OpenFOAMWriterTest.h"
-#include "Quality/Geometry.h"
-#include "Quality/Metrics.h"
+#include "Quality/Checks/Metrics.h"
+#include "Quality/Faces/Geometry.h"
 #include "Support/CheckMesh.h"
 #include "Support/SampleGrid.h"
 #include "VtkFaceMesh.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Small files with what is rare in VRML, or wrong in a way that programs write (Testing/Data/VRML/odd). What each of
-/// them holds by the standard is in expected.csv there: triangles, area, bounds, names, and whether there is something to
-/// warn of. Areas are worked out by hand; that of extr_scale.wrl is explained in TestVRMLGeometry.
+/// them holds by the standard is in expected.csv there: triangles, area, bounds, names, and whether there is something
+/// to warn of. Areas are worked out by hand; that of extr_scale.wrl is explained in TestVRMLGeometry.
 #include "VRMLModel.h"
 
 #include "Support/TestPaths.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// What holds of every mesh, on random octrees and random soups of triangles.
-#include "Octree/Balance.h"
-#include "Octree/Refinement.h"
+#include "Octree/Sizing/Refinement.h"
+#include "Octree/Tree/Balance.h"
 #include "Support/DualMeshChecks.h"
 #include "Support/MeshIt.h"
 #include "Support/Shapes.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// What must hold of every repaired surface, whatever went in.
-#include "Surface/SurfaceRepair.h"
+#include "Surface/Repair/SurfaceRepair.h"
 
-#include "Domain/GridFrame.h"
+#include "Grid/GridFrame.h"
 #include "Support/Shapes.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Uniform meshes about solids whose edges run across the grid.
 #include "CheckWritten.h"
-#include "Quality/Metrics.h"
+#include "Quality/Checks/Metrics.h"
 #include "Support/DualMeshChecks.h"
 #include "Support/Shapes.h"
 #include "Support/Watchdog.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Support/BoxIndex.h"
 #include "Support/FeatureChecks.h"
-#include "Surface/Distance.h"
-#include "Surface/FeatureGraph.h"
+#include "Surface/Model/FeatureGraph.h"
+#include "Surface/Search/Distance.h"
 
 #include <Eigen/Geometry>
 

@@ -2,8 +2,8 @@
 /// Models as dirty as those that come, with what is known about their spaces.
 #pragma once
 
-#include "Domain/GridFrame.h"
-#include "Surface/TriangleSurface.h"
+#include "Grid/GridFrame.h"
+#include "Surface/Triangles/TriangleSurface.h"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Support/DualMeshChecks.h"
 
-#include "Quality/ScaledJacobian.h"
+#include "Quality/Checks/ScaledJacobian.h"
 
 #include <Eigen/Geometry>
 

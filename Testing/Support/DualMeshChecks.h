@@ -2,7 +2,7 @@
 /// What must hold of every mesh, whatever it was made from.
 #pragma once
 
-#include "Dual/DualMesher.h"
+#include "Mesher/DualMesher.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include "Support/FeatureChecks.h"
 
 #include "Support/BoxIndex.h"
-#include "Surface/Distance.h"
+#include "Surface/Search/Distance.h"
 
 #include <Eigen/Geometry>
 

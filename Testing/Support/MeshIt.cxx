@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Support/MeshIt.h"
 
-#include "Octree/Refinement.h"
+#include "Octree/Sizing/Refinement.h"
 
 namespace atria::testing {
 

@@ -2,9 +2,9 @@
 /// The whole core pipeline in one call.
 #pragma once
 
-#include "Dual/DualMesher.h"
-#include "Octree/Octree.h"
-#include "Surface/SurfaceModel.h"
+#include "Mesher/DualMesher.h"
+#include "Octree/Tree/Octree.h"
+#include "Surface/Model/SurfaceModel.h"
 
 namespace atria::testing {
 

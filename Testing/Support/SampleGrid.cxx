@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Support/SampleGrid.h"
 
-#include "Quality/CellShapes.h"
+#include "Quality/Faces/CellShapes.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>

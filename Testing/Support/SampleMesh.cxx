@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Support/SampleMesh.h"
 
-#include "Quality/CellShapes.h"
+#include "Quality/Faces/CellShapes.h"
 
 #include <algorithm>
 #include <numeric>

@@ -2,7 +2,7 @@
 /// Small conformal volume meshes of known shape.
 #pragma once
 
-#include "Quality/FaceMesh.h"
+#include "Quality/Faces/FaceMesh.h"
 
 #include <array>
 #include <cstdint>

@@ -2,7 +2,7 @@
 /// Surfaces tests are made of.
 #pragma once
 
-#include "Surface/TriangleSurface.h"
+#include "Surface/Triangles/TriangleSurface.h"
 
 #include <string>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "Surface/TriangleSurface.h"
+#include "Surface/Triangles/TriangleSurface.h"
 
 namespace atria {
 

@@ -2,21 +2,11 @@
 #include "Domain/Domain.h"
 
 #include "Support/Error.h"
+#include "Support/NamePattern.h"
 
 #include <algorithm>
 
 namespace atria {
-
-std::string listOfNames(const std::vector<std::string>& names)
-{
-  constexpr std::size_t most = 20;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(names.size(), most); ++i)
-  {
-    text += (i > 0 ? ", " : "") + names[i];
-  }
-  return names.size() > most ? text + ", …" : text;
-}
 
 Box3 boundsOf(const TriangleSurface& surface, const Placement& axes)
 {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "Domain/Placement.h"
-#include "Surface/TriangleSurface.h"
+#include "Grid/Placement.h"
+#include "Surface/Triangles/TriangleSurface.h"
 
 #include <string_view>
 
@@ -15,8 +15,5 @@ Box3 boundsOf(const TriangleSurface& surface, const Placement& axes = {});
 /// its longer side above its highest. Throws Error where there is no such surface (naming those there are), or where it
 /// has no extent.
 Box3 siteDomain(const TriangleSurface& surface, std::string_view site, const Placement& axes = {});
-
-/// The first of the names, for messages.
-std::string listOfNames(const std::vector<std::string>& names);
 
 } // namespace atria

@@ -2,9 +2,9 @@
 /// From the model as read to the model in the grid: domain, terrain, alignment.
 #pragma once
 
-#include "Domain/GridFrame.h"
 #include "Domain/Terrain.h"
 #include "Domain/WindDomain.h"
+#include "Grid/GridFrame.h"
 
 namespace atria {
 

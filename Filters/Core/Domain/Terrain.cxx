@@ -4,7 +4,7 @@
 #include "Domain/Domain.h"
 #include "Support/Error.h"
 #include "Support/NamePattern.h"
-#include "Surface/PlanarTriangulation.h"
+#include "Surface/Triangulation/PlanarTriangulation.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Domain/TurnedSides.h"
 
-#include "Surface/PlanarTriangulation.h"
+#include "Surface/Triangulation/PlanarTriangulation.h"
 
 #include <algorithm>
 #include <tuple>

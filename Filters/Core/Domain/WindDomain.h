@@ -3,7 +3,7 @@
 #pragma once
 
 #include "Domain/Ground.h"
-#include "Domain/Placement.h"
+#include "Grid/Placement.h"
 
 namespace atria {
 

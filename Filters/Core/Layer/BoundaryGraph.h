@@ -2,7 +2,7 @@
 /// The boundary of a mesh as a surface.
 #pragma once
 
-#include "Dual/DualMesh.h"
+#include "Dual/Mesh/DualMesh.h"
 #include "Support/Buckets.h"
 #include "Support/RunContext.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "Dual/DualMesh.h"
+#include "Dual/Mesh/DualMesh.h"
 
 namespace atria {
 

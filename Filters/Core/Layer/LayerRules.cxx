@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Layer/LayerRules.h"
 
-#include "Domain/Domain.h"
 #include "Support/Error.h"
 #include "Support/NamePattern.h"
 #include "Support/PatternRule.h"

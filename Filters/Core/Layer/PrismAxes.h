@@ -2,7 +2,7 @@
 /// Prisms on walls have the axes of the element that had the wall.
 #pragma once
 
-#include "Dual/DualMesh.h"
+#include "Dual/Mesh/DualMesh.h"
 
 namespace atria {
 

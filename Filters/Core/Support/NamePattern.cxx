@@ -36,4 +36,15 @@ bool matchesPattern(std::string_view pattern, std::string_view name)
   return std::all_of(pattern.begin() + static_cast<std::ptrdiff_t>(p), pattern.end(), [](char c) { return c == '*'; });
 }
 
+std::string listOfNames(const std::vector<std::string>& names)
+{
+  constexpr std::size_t most = 20;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), most); ++i)
+  {
+    text += (i > 0 ? ", " : "") + names[i];
+  }
+  return names.size() > most ? text + ", …" : text;
+}
+
 } // namespace atria

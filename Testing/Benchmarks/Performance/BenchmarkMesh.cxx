@@ -109,7 +109,8 @@ int main(int argc, char* argv[])
 {
   if (argc < 5)
   {
-    std::fprintf(stderr, "usage: %s MODEL SIZE_MAX SIZE_MID SIZE_MIN [LAYERS [THREADS [SITE [DEGREES SKEWNESS]]]]\n", argv[0]);
+    std::fprintf(stderr, "usage: %s MODEL SIZE_MAX SIZE_MID SIZE_MIN [LAYERS [THREADS [SITE [DEGREES SKEWNESS]]]]\n",
+                 argv[0]);
     return 2;
   }
   atria::keepFreedMemory();

@@ -2,7 +2,7 @@
 /// Octree and 2:1 balance across faces, edges and corners against p4est, on the same refinement, on one core.
 ///
 /// Both are given which octants to refine: p4est by a function that looks them up, in the order in which it asks.
-#include "Octree/Balance.h"
+#include "Octree/Tree/Balance.h"
 #include "SphereOctants.h"
 
 #include <p8est_bits.h>

@@ -2,9 +2,9 @@
 /// A refinement that needs no model: octants that a sphere passes through, down to a depth. Not balanced.
 #pragma once
 
-#include "Domain/GridFrame.h"
-#include "Octree/Morton.h"
-#include "Octree/Octree.h"
+#include "Grid/GridFrame.h"
+#include "Grid/Morton.h"
+#include "Octree/Tree/Octree.h"
 
 #include <array>
 #include <cmath>

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Dual/Displacement/CandidatePlaces.h"
+
+#include "Surface/Search/Distance.h"
+
+namespace atria {
+
+namespace {
+
+/// Curves of an octant between which places are looked for.
+constexpr std::size_t mostCurves = 6;
+/// Where an edge passes a curve nearer to its other end than this part of it, its end is not moved for that.
+constexpr double leastPart = 0.2;
+/// How far beyond a single cut a point is put, against the edge, if nothing else limits it.
+constexpr double stepBeyond = 0.1;
+
+/// Curves that bound a chart in common have a strip of it between them. Others have a gap between them, and a grid
+/// edge put through it would let through what the octants keep apart.
+bool haveCommon(const std::vector<Index>& a, const std::vector<Index>& b)
+{
+  return std::any_of(a.begin(), a.end(), [&](Index chart) { return std::binary_search(b.begin(), b.end(), chart); });
+}
+
+class Candidates
+{
+public:
+  Candidates(const MovingGrid& moving, Index of, bool sheets, MovingGrid::Look& by)
+      : grid(moving), point(of), across(sheets),
+        look(by), found{moving.places().home(of), farthestReach(moving, of), {moving.places().home(of)}}
+  {
+  }
+
+  std::vector<LatticePoint> places()
+  {
+    for (int direction = 0; direction < 6; ++direction)
+    {
+      addBetweenCuts(direction);
+      addPastCurves(direction);
+    }
+    const auto& leaves = grid.points().leaves[point];
+    for (const Index leaf : std::set<Index>(leaves.begin(), leaves.end()))
+    {
+      addBetweenCurves(leaf);
+      if (across)
+      {
+        addAcrossSheets(leaf);
+      }
+    }
+    return std::move(found.places);
+  }
+
+private:
+  /// Places between the cuts of an edge of the point, and a step beyond them.
+  void addBetweenCuts(int direction)
+  {
+    const auto edge = grid.cutEdge(point, direction);
+    if (!edge)
+    {
+      return;
+    }
+    const bool fromStart = grid.startsAt(point, direction);
+    std::vector<double> cuts;
+    for (const SurfaceCrossing& cut : edge->cuts)
+    {
+      cuts.push_back(fromStart ? cut.parameter : 1.0 - cut.parameter);
+    }
+    std::sort(cuts.begin(), cuts.end());
+    for (std::size_t i = 0; i < cuts.size(); ++i)
+    {
+      const double next = i + 1 < cuts.size() ? cuts[i + 1] : 1.0;
+      const double middle = 0.5 * (cuts[i] + next);
+      if (next - cuts[i] < thinnestGap)
+      {
+        continue;
+      }
+      for (const double t : {middle, std::min(middle, cuts[i] + stepBeyond)})
+      {
+        found.add(pointOn(edge->segment, fromStart ? t : 1.0 - t));
+      }
+    }
+  }
+
+  /// Places from which an edge that two sheets cut passes on the other side of the curve in which they meet.
+  void addPastCurves(int direction)
+  {
+    const auto edge = grid.cutEdge(point, direction);
+    if (!edge || edge->surplus() == 0)
+    {
+      return;
+    }
+    const SurfaceModel& model = grid.model();
+    const Vec3 p = toVector(grid.places().place(point));
+    const Vec3 q = toVector(grid.startsAt(point, direction) ? edge->segment.end : edge->segment.start);
+    const double step = thinnestGap * static_cast<double>(grid.shortestEdge(point));
+    const auto& about = grid.points().leaves[point];
+    for (const Index leaf : std::set<Index>(about.begin(), about.end()))
+    {
+      for (const ModelItem piece : grid.octree().items(leaf, ModelItem::featureEdge))
+      {
+        if (!joinsCuts(edge->cuts, model.featureEdges[piece.index]))
+        {
+          continue;
+        }
+        const FeatureEdge& curve = model.featureEdges[piece.index];
+        const NearestPair way =
+            nearestOfSegments(p, q, toVector(model.points[curve.a]), toVector(model.points[curve.b]));
+        const double part = (way.first - q).norm() / (p - q).norm();
+        if (part > leastPart && way.distance() > 1.0)
+        {
+          found.add(p + (1.0 + step / way.distance()) / part * (way.second - way.first));
+        }
+      }
+    }
+  }
+
+  /// Whether neighbouring cuts are of two sheets that meet there.
+  bool joinsCuts(std::span<const SurfaceCrossing> cuts, const FeatureEdge& edge) const
+  {
+    const SurfaceModel& model = grid.model();
+    const std::vector<Index>& charts = model.curves[edge.curve].charts;
+    const auto isThere = [&](const SurfaceCrossing& cut) {
+      return std::binary_search(charts.begin(), charts.end(), model.charts[cut.triangle]);
+    };
+    return std::adjacent_find(cuts.begin(), cuts.end(), [&](const SurfaceCrossing& l, const SurfaceCrossing& r) {
+             return model.charts[l.triangle] != model.charts[r.triangle] && isThere(l) && isThere(r);
+           }) != cuts.end();
+  }
+
+  /// Places in the middle between curves that the leaf's vertex cannot both be on.
+  void addBetweenCurves(Index leaf)
+  {
+    if (grid.surplus(leaf, look) == 0)
+    {
+      return;
+    }
+    const auto curves = look.topology().curves();
+    if (curves.size() > mostCurves)
+    {
+      return;
+    }
+    const Vec3 p = toVector(grid.places().place(point));
+    for (std::size_t i = 1; i < curves.size(); ++i)
+    {
+      for (std::size_t k = 0; k < i; ++k)
+      {
+        if (haveCommon(curves[i], curves[k]))
+        {
+          found.addBetween(p, nearestOnCurve(p, curves[i]), nearestOnCurve(p, curves[k]));
+        }
+      }
+    }
+  }
+
+  /// Places on the other side of sheets of the leaf that do not meet in it, by the shortest way: as its edges may run
+  /// along them, or cut them far off. Beyond the rim of a sheet it has no other side.
+  void addAcrossSheets(Index leaf)
+  {
+    if (grid.surplus(leaf, look) == 0)
+    {
+      return;
+    }
+    const Vec3 p = toVector(grid.places().place(point));
+    const auto size = static_cast<double>(grid.shortestEdge(point));
+    for (const auto& [a, b] : look.topology().apart())
+    {
+      const auto onA = footOn(p, a);
+      const auto onB = footOn(p, b);
+      if (onA && onB && (*onA - *onB).norm() < thinnestGap * size)
+      {
+        continue;
+      }
+      found.addBetween(p, onA, onB);
+      for (const auto& on : {onA, onB})
+      {
+        if (on && (*on - p).norm() > 1.0)
+        {
+          found.add(*on + stepBeyond * size * (*on - p).normalized());
+        }
+      }
+    }
+  }
+
+  /// The point of a chart nearest to p; none where that is on a rim of the chart, off the line across it.
+  std::optional<Vec3> footOn(const Vec3& p, Index chart) const
+  {
+    constexpr double acrossCosine = 0.99;
+    const SurfaceModel& model = grid.model();
+    std::optional<Vec3> best;
+    Vec3 normal = Vec3::Zero();
+    for (const Index leaf : look.leavesAbout())
+    {
+      for (const ModelItem piece : grid.octree().items(leaf, ModelItem::triangle))
+      {
+        if (model.charts[piece.index] != chart)
+        {
+          continue;
+        }
+        const Vec3 q =
+            nearestOnTriangle(p, toVector(model.corner(piece.index, 0)), toVector(model.corner(piece.index, 1)),
+                              toVector(model.corner(piece.index, 2)));
+        if (!best || (q - p).squaredNorm() < (*best - p).squaredNorm())
+        {
+          best = q;
+          normal = model.normal(piece.index).normalized();
+        }
+      }
+    }
+    const bool isFoot = best && std::abs(normal.dot(*best - p)) >= acrossCosine * (*best - p).norm();
+    return isFoot ? best : std::nullopt;
+  }
+
+  std::optional<Vec3> nearestOnCurve(const Vec3& p, const std::vector<Index>& ending) const
+  {
+    const SurfaceModel& model = grid.model();
+    std::optional<Vec3> best;
+    for (const Index leaf : look.leavesAbout())
+    {
+      for (const ModelItem piece : grid.octree().items(leaf, ModelItem::featureEdge))
+      {
+        const FeatureEdge& edge = model.featureEdges[piece.index];
+        if (model.curves[edge.curve].ending == ending)
+        {
+          const Vec3 q = nearestOnSegment(p, toVector(model.points[edge.a]), toVector(model.points[edge.b]));
+          best = !best || (q - p).squaredNorm() < (*best - p).squaredNorm() ? q : *best;
+        }
+      }
+    }
+    return best;
+  }
+
+  const MovingGrid& grid;
+  Index point;
+  bool across;
+  MovingGrid::Look& look;
+  CandidatePlaces found;
+};
+
+} // namespace
+
+std::int64_t farthestReach(const MovingGrid& grid, Index point)
+{
+  constexpr double farthestMove = 0.95;
+  return static_cast<std::int64_t>(farthestMove * static_cast<double>(grid.shortestEdge(point)));
+}
+
+std::vector<LatticePoint> candidatePlaces(const MovingGrid& grid, Index point, MovingGrid::Look& look, bool across)
+{
+  return Candidates(grid, point, across, look).places();
+}
+
+} // namespace atria

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Dual/Grid/Crossings.h"
+#include "Octree/Search/TriangleTree.h"
+
+namespace atria {
+
+/// Moves grid points, virtually, where the octree is too coarse for the model: where an edge is cut more than once, or
+/// an octant holds sheets that do not meet in it. A point of an edge that passes through both sides of a thin wall goes
+/// between them, so that the wall has a layer of octants on either side, at no extra level. Points move by up to the
+/// size of their smallest octant along each axis. The topology of the grid stays; crossings, zones and vertices are
+/// those of the moved grid.
+///
+/// Planes of points enter the gaps (GapPlanes.h); what is left is searched point by point (PlaceSearch.h). No move
+/// opens a way between zones that the octree's own grid keeps apart: points through which they would meet go home again
+/// (ZonesApart.h). Returns the crossings of the moved grid; `home` are those of the octree's own. The cost is that of
+/// the places in question, and going through the cut edges a few times. Places are looked for on all threads; the moves
+/// are made in the order of points.
+Crossings modifyGrid(GridPlaces& grid, const SurfaceModel& model, TriangleTreeOnDemand& tree, Crossings home,
+                     const RunContext& context);
+
+} // namespace atria

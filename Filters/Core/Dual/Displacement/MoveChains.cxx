@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Dual/Displacement/MoveChains.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace atria {
+
+namespace {
+
+/// Of a chain of moves: what there may be more in question meanwhile, how many follow, and what must be gained in all.
+constexpr double greatestLoss = 8.0;
+constexpr std::size_t longestChain = 5;
+constexpr double leastChainGain = 0.5;
+/// Where more octants than these are in question about a chain, sheets are in each other's way: moves there mend one
+/// octant at the cost of the next, and there are many to try.
+constexpr std::size_t mostAbout = 6;
+
+} // namespace
+
+MoveChains::MoveChains(MovingGrid& moving, PlaceMoves& of, int most) : grid(moving), moves(of), mostSurplus(most)
+{
+  for (const Index point : grid.places().movedPoints())
+  {
+    inPlanes.emplace(point, grid.places().place(point));
+  }
+}
+
+std::set<Index> MoveChains::run(const std::set<Index>& leaves, const RunContext& context)
+{
+  std::set<Index> changed;
+  for (const Index leaf : leaves)
+  {
+    context.progress.check();
+    const int surplus = grid.surplus(leaf);
+    if (surplus > 0 && surplus <= mostSurplus)
+    {
+      moveChain(leaf, changed);
+    }
+  }
+  return changed;
+}
+
+void MoveChains::moveChain(Index leaf, std::set<Index>& changed)
+{
+  for (const Places& start : returnsToPlanes(leaf))
+  {
+    const Places before = follow(start);
+    for (const auto& [point, place] : before)
+    {
+      moves.addAffected(point, changed);
+    }
+    if (!before.empty())
+    {
+      return;
+    }
+  }
+}
+
+/// Back to their places in the planes of gaps: the corners of a leaf, and those of all leaves about it. A plane holds
+/// where all its points are there, so one that went home for the sake of a neighbour makes others leave it.
+std::vector<PlaceMoves::Places> MoveChains::returnsToPlanes(Index leaf) const
+{
+  std::set<Index> corners;
+  grid.addCorners(leaf, corners);
+  std::set<Index> about;
+  for (const Index corner : corners)
+  {
+    moves.addAffected(corner, about);
+  }
+  std::vector<Places> returns;
+  for (const std::set<Index>& points : {corners, about})
+  {
+    Places places;
+    for (const Index point : points)
+    {
+      const auto found = inPlanes.find(point);
+      if (found != inPlanes.end() && found->second != grid.places().place(point) && !moves.stays(point))
+      {
+        places.emplace_back(point, found->second);
+      }
+    }
+    if (!places.empty())
+    {
+      returns.push_back(std::move(places));
+    }
+  }
+  return returns;
+}
+
+/// Moves points, and then those beside them one after the other, the best first, until something is gained in all.
+/// Returns the points and where they were; none where nothing is gained, and all is as before.
+PlaceMoves::Places MoveChains::follow(const Places& start)
+{
+  Places trail;
+  double gained = 0.0;
+  const auto make = [&](Index point, const LatticePoint& place) {
+    trail.emplace_back(point, grid.places().place(point));
+    gained -= moves.make(point, place);
+  };
+  for (const auto& [point, place] : start)
+  {
+    make(point, place);
+  }
+  for (std::size_t i = 0; gained <= leastChainGain && gained > -greatestLoss && i < longestChain; ++i)
+  {
+    const PlaceMove next = bestBeside(trail);
+    if (next.gain <= 0.0)
+    {
+      break;
+    }
+    make(next.point, next.place);
+  }
+  if (gained > leastChainGain)
+  {
+    return trail;
+  }
+  moves.undo(trail);
+  return {};
+}
+
+/// The best move of another point where something is in question about those of a chain.
+PlaceMove MoveChains::bestBeside(const Places& trail)
+{
+  std::set<Index> inChain;
+  std::transform(trail.begin(), trail.end(), std::inserter(inChain, inChain.end()),
+                 [](const auto& step) { return step.first; });
+  const std::set<Index> leaves = inQuestionAbout(inChain);
+  if (leaves.size() > mostAbout)
+  {
+    return {};
+  }
+  std::set<Index> beside;
+  for (const Index leaf : leaves)
+  {
+    grid.addCorners(leaf, beside);
+  }
+  std::erase_if(beside, [&](Index point) { return inChain.contains(point); });
+  PlaceMove best;
+  for (const PlaceMove& move : moves.best({beside.begin(), beside.end()}, true))
+  {
+    best = move.gain > best.gain ? move : best;
+  }
+  return best;
+}
+
+std::set<Index> MoveChains::inQuestionAbout(const std::set<Index>& points)
+{
+  std::set<Index> found;
+  for (const Index point : points)
+  {
+    const auto& leaves = grid.points().leaves[point];
+    found.insert(leaves.begin(), leaves.end());
+  }
+  std::erase_if(found, [&](Index leaf) { return !grid.isInQuestion(leaf); });
+  return found;
+}
+
+} // namespace atria

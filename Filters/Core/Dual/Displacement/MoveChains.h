@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Dual/Displacement/PlaceMoves.h"
+#include "Support/RunContext.h"
+
+#include <map>
+
+namespace atria {
+
+/// Finds moves of several points where none of a single one gains anything. Points about an octant in question return
+/// to the planes of gaps they left, although that leaves more in question beside it, and points there are moved in
+/// turn. What gains in all stays.
+class MoveChains
+{
+public:
+  /// Points are in the planes of gaps. Octants with a surplus above `mostSurplus` are left as they are.
+  MoveChains(MovingGrid& grid, PlaceMoves& moves, int mostSurplus);
+
+  /// Begins at each of these leaves that is in question. Returns the points whose costs change.
+  std::set<Index> run(const std::set<Index>& leaves, const RunContext& context);
+  /// Of the leaves about these points.
+  std::set<Index> inQuestionAbout(const std::set<Index>& points);
+
+private:
+  using Places = PlaceMoves::Places;
+
+  void moveChain(Index leaf, std::set<Index>& changed);
+  std::vector<Places> returnsToPlanes(Index leaf) const;
+  Places follow(const Places& start);
+  PlaceMove bestBeside(const Places& trail);
+
+  MovingGrid& grid;
+  PlaceMoves& moves;
+  int mostSurplus;
+  /// Where points were in the planes of gaps.
+  std::map<Index, LatticePoint> inPlanes;
+};
+
+} // namespace atria

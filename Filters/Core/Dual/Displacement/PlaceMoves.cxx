@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Dual/Displacement/PlaceMoves.h"
+
+#include "Dual/Displacement/CandidatePlaces.h"
+
+#include <algorithm>
+
+namespace atria {
+
+namespace {
+
+/// What a move of a point by its shortest edge counts against one surplus.
+constexpr double moveCost = 0.05;
+
+} // namespace
+
+std::vector<PlaceMove> PlaceMoves::best(const std::vector<Index>& points, bool across) const
+{
+  constexpr std::size_t grain = 2;
+  grid.lookAgain(context);
+  std::vector<PlaceMove> found(points.size());
+  context.executor.forRanges(points.size(), grain, [&](std::size_t begin, std::size_t end) {
+    MovingGrid::Look look(grid);
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      found[i] = best(points[i], across, look);
+    }
+  });
+  return found;
+}
+
+PlaceMove PlaceMoves::best(Index point, bool across, MovingGrid::Look& look) const
+{
+  PlaceMove best{0.0, point, {}};
+  const double before = costAt(point, look);
+  if ((before < 1.0 && !grid.places().isMoved(point)) || stays(point))
+  {
+    return best;
+  }
+  const LatticePoint from = grid.places().place(point);
+  for (const LatticePoint& place : candidatePlaces(grid, point, look, across))
+  {
+    if (place != from)
+    {
+      const double way = costOfWay(point, place);
+      const double gain = before - (grid.surplusAbout(point, place, look, before - best.gain - way).cost() + way);
+      if (gain > best.gain + smallestGain)
+      {
+        best.gain = gain;
+        best.place = place;
+      }
+    }
+  }
+  return best;
+}
+
+double PlaceMoves::distanceFromHome(Index point, const LatticePoint& place) const
+{
+  return (toVector(place) - toVector(grid.places().home(point))).norm();
+}
+
+double PlaceMoves::costAt(Index point, MovingGrid::Look& look) const
+{
+  return grid.surplusAbout(point, look).cost() + costOfWay(point, grid.places().place(point));
+}
+
+double PlaceMoves::costOfWay(Index point, const LatticePoint& place) const
+{
+  return moveCost * distanceFromHome(point, place) / static_cast<double>(grid.shortestEdge(point));
+}
+
+double PlaceMoves::make(Index point, const LatticePoint& place)
+{
+  grid.lookAgain(point);
+  const double before = costAt(point, own);
+  grid.moveTo(point, place);
+  grid.lookAgain(point);
+  return costAt(point, own) - before;
+}
+
+void PlaceMoves::undo(const Places& before)
+{
+  for (auto back = before.rbegin(); back != before.rend(); ++back)
+  {
+    grid.moveTo(back->first, back->second);
+  }
+}
+
+void PlaceMoves::addAffected(Index point, std::set<Index>& affected) const
+{
+  for (const Index leaf : grid.points().leaves[point])
+  {
+    for (const Index corner : grid.points().atCorner[leaf])
+    {
+      if (corner != noIndex && !left.contains(corner))
+      {
+        affected.insert(corner);
+      }
+    }
+  }
+}
+
+} // namespace atria

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Dual/Displacement/MovingGrid.h"
+
+namespace atria {
+
+/// What is less is rounding.
+inline constexpr double smallestGain = 1e-9;
+
+/// A better place for a point.
+struct PlaceMove
+{
+  double gain = 0.0;
+  Index point = noIndex;
+  LatticePoint place{};
+};
+
+/// Moves points of the grid and says what that costs: the surplus cuts of a point's edges, twice; the surplus sheets
+/// and curves of its octants, once; and a little the way from home.
+class PlaceMoves
+{
+public:
+  /// Points and their places.
+  using Places = MovingGrid::PointPlaces;
+
+  PlaceMoves(MovingGrid& moving, const RunContext& run) : grid(moving), context(run), own(moving) {}
+
+  double distanceFromHome(Index point, const LatticePoint& place) const;
+  /// The best place for each of these points, found by trying; they stay where they are. A gain of 0 where there is
+  /// none. For `across` see candidatePlaces.
+  std::vector<PlaceMove> best(const std::vector<Index>& points, bool across = false) const;
+  /// Moves a point; what its costs change by.
+  double make(Index point, const LatticePoint& place);
+  void undo(const Places& before);
+
+  /// Corners of these leaves stay where they are.
+  void leave(Index leaf) { grid.addCorners(leaf, left); }
+  bool stays(Index point) const { return left.contains(point) || grid.isBesideTurnedSide(point); }
+  /// Adds the points that may move and whose costs depend on where a point is.
+  void addAffected(Index point, std::set<Index>& affected) const;
+
+private:
+  PlaceMove best(Index point, bool across, MovingGrid::Look& look) const;
+  double costAt(Index point, MovingGrid::Look& look) const;
+  double costOfWay(Index point, const LatticePoint& place) const;
+
+  MovingGrid& grid;
+  const RunContext& context;
+  MovingGrid::Look own;
+  std::set<Index> left;
+};
+
+} // namespace atria

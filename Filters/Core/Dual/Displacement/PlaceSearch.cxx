@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Dual/Displacement/PlaceSearch.h"
+
+#include "Dual/Displacement/CandidatePlaces.h"
+#include "Dual/Displacement/MoveChains.h"
+#include "Support/Sorting.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <unordered_set>
+
+namespace atria {
+
+namespace {
+
+constexpr int mostSweeps = 100;
+/// An octant with more surplus holds more than a moved corner can part; it is left as it is.
+constexpr int mostSurplus = 8;
+constexpr int mostChainRounds = 4;
+
+/// The points in rounds. Of two with a leaf in common the first in order is in the earlier round, and those of a round
+/// have none. As a move changes nothing beyond the leaves about the point, all points of a round may be asked at once:
+/// they are told what they would be one after the other.
+std::vector<std::vector<Index>> roundsOf(const std::vector<std::pair<double, Index>>& order, const GridPoints& points)
+{
+  std::vector<Index> leaves;
+  for (const auto& [rank, point] : order)
+  {
+    leaves.insert(leaves.end(), points.leaves[point].begin(), points.leaves[point].end());
+  }
+  sortUnique(leaves);
+  std::vector<std::size_t> roundsThere(leaves.size(), 0);
+  std::vector<std::vector<Index>> rounds;
+  for (const auto& [rank, point] : order)
+  {
+    std::array<std::size_t, 8> places;
+    std::ranges::transform(points.leaves[point], places.begin(), [&](Index leaf) {
+      return static_cast<std::size_t>(std::ranges::lower_bound(leaves, leaf) - leaves.begin());
+    });
+    std::size_t round = 0;
+    for (const std::size_t place : places)
+    {
+      round = std::max(round, roundsThere[place]);
+    }
+    for (const std::size_t place : places)
+    {
+      roundsThere[place] = round + 1;
+    }
+    rounds.resize(std::max(rounds.size(), round + 1));
+    rounds[round].push_back(point);
+  }
+  return rounds;
+}
+
+class PlaceSearch
+{
+public:
+  PlaceSearch(MovingGrid& moving, const RunContext& run)
+      : grid(moving), moves(moving, run), chains(moving, moves, mostSurplus), context(run)
+  {
+  }
+
+  void run()
+  {
+    while (sendHome())
+    {
+      context.progress.check();
+    }
+    std::set<Index> dirty;
+    for (const Index leaf : grid.leavesInQuestion(context))
+    {
+      if (grid.surplus(leaf) > mostSurplus)
+      {
+        moves.leave(leaf);
+      }
+      else
+      {
+        grid.addCorners(leaf, dirty);
+      }
+    }
+    std::erase_if(dirty, [&](Index point) { return moves.stays(point); });
+    sweep(std::move(dirty));
+    sweep(turnAboutCurves());
+    const std::vector<Index> all = grid.leavesInQuestion(context);
+    std::set<Index> inQuestion(all.begin(), all.end());
+    for (int round = 0; round < mostChainRounds && !inQuestion.empty(); ++round)
+    {
+      const std::set<Index> changed = chains.run(inQuestion, context);
+      sweep(changed);
+      inQuestion = chains.inQuestionAbout(changed);
+    }
+  }
+
+private:
+  using Places = PlaceMoves::Places;
+
+  /// Moves points one by one until nothing is gained.
+  void sweep(std::set<Index> dirty)
+  {
+    for (int round = 0; round < mostSweeps && !dirty.empty(); ++round)
+    {
+      context.progress.check();
+      for (const PlaceMove& move : moves.best({dirty.begin(), dirty.end()}))
+      {
+        if (move.gain > 0.0)
+        {
+          open[move.point] = move;
+        }
+        else
+        {
+          open.erase(move.point);
+        }
+      }
+      dirty = makeMoves();
+    }
+  }
+
+  /// Where sheets cross each other along the octants' diagonals, the corners of the octants about the curve lie on
+  /// them, and none finds a place alone: they are put about the curve together, and turned. Returns the points whose
+  /// costs they change.
+  std::set<Index> turnAboutCurves()
+  {
+    std::map<Index, std::set<Index>> leavesOf; // by feature edge
+    for (const Index leaf : grid.leavesInQuestion(context))
+    {
+      for (const ModelItem piece : grid.octree().items(leaf, ModelItem::featureEdge))
+      {
+        if (isCrossing(grid.model().featureEdges[piece.index]) && grid.surplus(leaf) <= mostSurplus)
+        {
+          leavesOf[piece.index].insert(leaf);
+        }
+      }
+    }
+    std::set<Index> changed;
+    for (const auto& [edge, leaves] : leavesOf)
+    {
+      context.progress.check();
+      if (turnAbout(grid.model().featureEdges[edge], leaves))
+      {
+        for (const Index leaf : leaves)
+        {
+          grid.addCorners(leaf, changed);
+        }
+      }
+    }
+    std::erase_if(changed, [&](Index point) { return moves.stays(point); });
+    return changed;
+  }
+
+  bool isCrossing(const FeatureEdge& edge) const { return grid.model().curves[edge.curve].charts.size() > 3; }
+
+  bool turnAbout(const FeatureEdge& edge, const std::set<Index>& leaves)
+  {
+    Places best;
+    double leastCost = -smallestGain;
+    for (const double angle : {0.0, 22.5, -22.5, 45.0, -45.0})
+    {
+      for (const double scale : {1.0, 0.7})
+      {
+        const Places turned = placesAbout(edge, leaves, angle, scale);
+        Places before;
+        double cost = 0.0;
+        grid.lookAgain(context);
+        for (const auto& [point, place] : turned)
+        {
+          before.emplace_back(point, grid.places().place(point));
+          cost += moves.make(point, place);
+        }
+        if (cost < leastCost)
+        {
+          leastCost = cost;
+          best = turned;
+        }
+        moves.undo(before);
+      }
+    }
+    for (const auto& [point, place] : best)
+    {
+      grid.moveTo(point, place);
+    }
+    return !best.empty();
+  }
+
+  /// The corners of the leaves, moved such that the curve is in the middle, and turned about it.
+  Places placesAbout(const FeatureEdge& edge, const std::set<Index>& leaves, double angle, double scale) const
+  {
+    const Vec3 a = toVector(grid.model().points[edge.a]);
+    const Vec3 axis = (toVector(grid.model().points[edge.b]) - a).normalized();
+    const Eigen::AngleAxisd turn(angle * std::numbers::pi / 180.0, axis);
+    std::set<Index> seen;
+    Places places;
+    for (const Index leaf : leaves)
+    {
+      std::set<Index> corners;
+      grid.addCorners(leaf, corners);
+      Vec3 centre = Vec3::Zero();
+      for (const Index point : corners)
+      {
+        centre += toVector(grid.places().home(point)) / static_cast<double>(corners.size());
+      }
+      for (const Index point : corners)
+      {
+        if (moves.stays(point) || !seen.insert(point).second)
+        {
+          continue;
+        }
+        const Vec3 home = toVector(grid.places().home(point));
+        const Vec3 offset = home - centre;
+        const Vec3 across = offset - axis.dot(offset) * axis;
+        CandidatePlaces one{grid.places().home(point), farthestReach(grid, point), {}};
+        one.add(a + axis.dot(home - a) * axis + scale * (turn * across));
+        if (!one.places.empty())
+        {
+          places.emplace_back(point, one.places.front());
+        }
+      }
+    }
+    return places;
+  }
+
+  /// Moves points home with which less is in question there, the farthest first. Returns whether any was.
+  bool sendHome()
+  {
+    std::vector<std::pair<double, Index>> order;
+    for (const Index point : grid.places().movedPoints())
+    {
+      order.emplace_back(-moves.distanceFromHome(point, grid.places().place(point)), point);
+    }
+    std::sort(order.begin(), order.end());
+    bool wasAny = false;
+    for (const std::vector<Index>& round : roundsOf(order, grid.points()))
+    {
+      const std::vector<char> isBetter = areBetterHome(round);
+      for (std::size_t i = 0; i < round.size(); ++i)
+      {
+        if (isBetter[i])
+        {
+          grid.moveTo(round[i], grid.places().home(round[i]));
+          wasAny = true;
+        }
+      }
+    }
+    return wasAny;
+  }
+
+  std::vector<char> areBetterHome(const std::vector<Index>& points)
+  {
+    constexpr std::size_t grain = 1;
+    grid.lookAgain(context);
+    std::vector<char> found(points.size());
+    context.executor.forRanges(points.size(), grain, [&](std::size_t begin, std::size_t end) {
+      MovingGrid::Look look(grid);
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        const double before = grid.surplusAbout(points[i], look).cost();
+        const LatticePoint home = grid.places().home(points[i]);
+        found[i] = before > 0.0 && grid.surplusAbout(points[i], home, look, before).cost() < before ? 1 : 0;
+      }
+    });
+    return found;
+  }
+
+  /// Makes those moves that do not touch the same leaves, best first. Returns the points whose costs they change.
+  std::set<Index> makeMoves()
+  {
+    std::vector<PlaceMove> sorted;
+    for (const auto& [point, move] : open)
+    {
+      sorted.push_back(move);
+    }
+    std::sort(sorted.begin(), sorted.end(), [](const PlaceMove& l, const PlaceMove& r) {
+      return l.gain != r.gain ? l.gain > r.gain : l.point < r.point;
+    });
+    std::unordered_set<Index> touched;
+    std::set<Index> changed;
+    for (const PlaceMove& move : sorted)
+    {
+      const auto& leaves = grid.points().leaves[move.point];
+      if (std::any_of(leaves.begin(), leaves.end(), [&](Index leaf) { return touched.contains(leaf); }))
+      {
+        continue;
+      }
+      touched.insert(leaves.begin(), leaves.end());
+      grid.moveTo(move.point, move.place);
+      for (const Index leaf : leaves)
+      {
+        grid.addCorners(leaf, changed);
+      }
+    }
+    std::erase_if(changed, [&](Index point) { return moves.stays(point); });
+    return changed;
+  }
+
+  MovingGrid& grid;
+  PlaceMoves moves;
+  MoveChains chains;
+  const RunContext& context;
+  /// The best move of each point that has one.
+  std::map<Index, PlaceMove> open;
+};
+
+} // namespace
+
+void searchPlaces(MovingGrid& grid, const RunContext& context) { PlaceSearch(grid, context).run(); }
+
+} // namespace atria

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Dual/Displacement/MovingGrid.h"
+
+namespace atria {
+
+/// Sends points home whose return leaves less in question, the farthest first. Then moves points one by one where there
+/// is most to gain (PlaceMoves.h): each point of an octant in question tries the places there are (CandidatePlaces.h).
+/// Of all moves that gain something, those that do not touch the same octants are made, best first, and their
+/// neighbours asked again, until nothing is gained. Then it moves several together (MoveChains.h). Octants with very
+/// many sheets and curves are left as they are.
+void searchPlaces(MovingGrid& grid, const RunContext& context);
+
+} // namespace atria

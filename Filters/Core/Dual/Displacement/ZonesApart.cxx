@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Dual/Displacement/ZonesApart.h"
+
+#include "Dual/Zones/Zones.h"
+
+#include <algorithm>
+#include <atomic>
+#include <set>
+#include <unordered_map>
+
+namespace atria {
+
+namespace {
+
+/// Zones are followed, breadth first, from points that keep theirs through those that were moved and those of no zone.
+class JoiningPoints
+{
+public:
+  JoiningPoints(const GridPlaces& places, const Crossings& found, const std::vector<Index>& zones)
+      : grid(places), crossings(found), apart(zones)
+  {
+  }
+
+  std::vector<Index> find()
+  {
+    for (const Index point : grid.movedPoints())
+    {
+      for (const std::int32_t neighbour : crossings.neighbours[point])
+      {
+        if (neighbour >= 0 && isFixed(static_cast<Index>(neighbour)))
+        {
+          visit(static_cast<Index>(neighbour), point);
+        }
+      }
+    }
+    for (std::size_t i = 0; i < front.size(); ++i)
+    {
+      for (const std::int32_t neighbour : crossings.neighbours[front[i]])
+      {
+        if (neighbour >= 0)
+        {
+          visit(front[i], static_cast<Index>(neighbour));
+        }
+      }
+    }
+    return {joining.begin(), joining.end()};
+  }
+
+private:
+  struct Reached
+  {
+    Index zone;
+    Index from;
+  };
+
+  bool isFixed(Index point) const { return apart[point] != noIndex && !grid.isMoved(point); }
+
+  void visit(Index from, Index point)
+  {
+    const Index zone = isFixed(from) ? apart[from] : reached.at(from).zone;
+    if (!isFixed(point) && reached.try_emplace(point, Reached{zone, from}).second)
+    {
+      front.push_back(point);
+      return;
+    }
+    const Index there = isFixed(point) ? apart[point] : reached.at(point).zone;
+    if (there != zone)
+    {
+      addMoved(point);
+      addMoved(from);
+    }
+  }
+
+  /// The last moved point on the way to a point.
+  void addMoved(Index point)
+  {
+    while (!isFixed(point) && !grid.isMoved(point))
+    {
+      point = reached.at(point).from;
+    }
+    if (grid.isMoved(point))
+    {
+      joining.insert(point);
+    }
+  }
+
+  const GridPlaces& grid;
+  const Crossings& crossings;
+  const std::vector<Index>& apart;
+  std::unordered_map<Index, Reached> reached;
+  std::vector<Index> front;
+  std::set<Index> joining;
+};
+
+} // namespace
+
+std::vector<Index> wideZones(const GridPoints& points, const Crossings& crossings, const RunContext& context)
+{
+  constexpr std::size_t grain = 4096;
+  const std::size_t count = crossings.neighbours.size();
+  UnionFind sets = joinPoints(crossings, context);
+  std::vector<Index> zones(count);
+  for (Index point = 0; point < count; ++point)
+  {
+    zones[point] = sets.find(point);
+  }
+  std::vector<char> isCut(points.atCorner.size(), 0);
+  for (const CrossedEdge& edge : crossings.crossedEdges)
+  {
+    std::for_each(edge.segment.about.begin(), edge.segment.about.end(), [&](Index leaf) { isCut[leaf] = 1; });
+  }
+  std::vector<char> isWide(count, 0);
+  context.executor.forEach(count, grain, [&](std::size_t point) {
+    const std::atomic_ref wide(isWide[zones[point]]);
+    const auto& leaves = points.leaves[point];
+    if (wide.load(std::memory_order_relaxed) == 0 &&
+        std::none_of(leaves.begin(), leaves.end(), [&](Index leaf) { return isCut[leaf] != 0; }))
+    {
+      wide.store(1, std::memory_order_relaxed);
+    }
+  });
+  context.executor.forEach(count, grain,
+                           [&](std::size_t point) { zones[point] = isWide[zones[point]] ? zones[point] : noIndex; });
+  return zones;
+}
+
+std::vector<Index> joiningPoints(const GridPlaces& grid, const Crossings& crossings, const std::vector<Index>& zones)
+{
+  return JoiningPoints(grid, crossings, zones).find();
+}
+
+} // namespace atria

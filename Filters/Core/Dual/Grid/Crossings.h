@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Dual/Grid/EdgeProbe.h"
+#include "Dual/Grid/GridPlaces.h"
+#include "Dual/Mesh/DualMesh.h"
+#include "Support/Buckets.h"
+
+namespace atria {
+
+/// An octree edge that surfaces cut: between grid points, or from one to outside the domain.
+struct CrossedEdge
+{
+  /// The grid point the edge starts from, and the one at its end or noIndex. Edges between two points start from the
+  /// lower one.
+  Index point;
+  Index other;
+  std::uint8_t direction;
+  EdgeSegment segment;
+  /// Its crossings are [begin, begin + count) of Crossings::cuts. Above one, sheets are merged.
+  std::uint32_t begin;
+  std::uint32_t count;
+};
+
+/// What stands between elements.
+struct Crossings
+{
+  /// Per grid point and Direction: as DualMesh::neighbours.
+  Buffer<std::array<std::int32_t, 6>> neighbours;
+  std::vector<BoundaryFace> boundaryFaces;
+  std::vector<CrossedEdge> crossedEdges;
+  std::vector<SurfaceCrossing> cuts;
+
+  std::span<const SurfaceCrossing> of(const CrossedEdge& edge) const
+  {
+    return std::span(cuts).subspan(edge.begin, edge.count);
+  }
+};
+
+/// f(leaf) for each of the leaves about an edge or a point, once.
+template <std::size_t n, typename F> void eachLeaf(const std::array<Index, n>& leaves, F&& f)
+{
+  for (auto leaf = leaves.begin(); leaf != leaves.end(); ++leaf)
+  {
+    if (std::find(leaves.begin(), leaf, *leaf) == leaf)
+    {
+      f(*leaf);
+    }
+  }
+}
+
+/// Which crossed edges each leaf has, in order.
+Buckets edgesByLeaf(const Crossings& crossings, std::size_t leafCount, const RunContext& context);
+
+/// Crossings of one edge of the grid, whose segment was made with the same trial; see EdgeProbe.
+std::span<const SurfaceCrossing> cutEdge(const GridPlaces& grid, EdgeProbe& probe, Index point,
+                                         const GridPlaces::Edge& edge, const EdgeSegment& segment,
+                                         const GridTrial& trial = {});
+
+/// Joins grid points across edges, and finds which edges are cut by surfaces or by the domain's sides. Decisions are
+/// exact; see Predicates.h. A surface that reaches through an edge and back, by a bulge or the tip of a crease, does
+/// not cut it. Cost: O(1) an edge, plus the triangles in the leaf beside it.
+Crossings findCrossings(const GridPlaces& grid, const SurfaceModel& model, const RunContext& context);
+
+/// The same crossings as findCrossings, from those found before these points moved or went home. Cost: O(1) for each of
+/// their edges, and going through what stands between elements once.
+Crossings updateCrossings(const GridPlaces& grid, const SurfaceModel& model, Crossings before,
+                          const std::vector<Index>& changed, const RunContext& context);
+
+} // namespace atria

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Dual/Grid/EdgeProbe.h"
+
+#include "Grid/Predicates.h"
+#include "Surface/Search/Distance.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace atria {
+
+namespace {
+
+/// How far beyond an edge, against the edge's length, the tip of a crease may reach for the edge to count as uncut.
+constexpr double nickDepth = 0.3;
+
+/// Of 30 degrees: creases more acute than that are sheets side by side.
+constexpr double foldCosine = 0.866;
+
+/// Pieces in a leaf beyond which a tree finds those near an edge sooner.
+constexpr std::size_t longList = 64;
+
+bool boundsMiss(const EdgeSegment& edge, const LatticePoint& p, const LatticePoint& q, const LatticePoint& r)
+{
+  for (int a = 0; a < 3; ++a)
+  {
+    if (std::max(edge.start[a], edge.end[a]) < std::min({p[a], q[a], r[a]}) ||
+        std::min(edge.start[a], edge.end[a]) > std::max({p[a], q[a], r[a]}))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+} // namespace
+
+Vec3 pointOn(const EdgeSegment& edge, double parameter)
+{
+  return toVector(edge.start) + parameter * (toVector(edge.end) - toVector(edge.start));
+}
+
+std::optional<SurfaceCrossing> crossingOf(const EdgeSegment& edge, const LatticePoint& a, const LatticePoint& b,
+                                          const LatticePoint& c, Index triangle)
+{
+  if (boundsMiss(edge, a, b, c))
+  {
+    return std::nullopt;
+  }
+  const bool meets = edge.axis >= 0 ? lineMeetsTriangle(a, b, c, edge.start, edge.axis)
+                                    : lineMeetsTriangle(a, b, c, edge.start, edge.end);
+  if (!meets)
+  {
+    return std::nullopt;
+  }
+  const LatticeNormal normal(a, b, c);
+  const int side = normal.sideOf(a, edge.start);
+  if (side == normal.sideOf(a, edge.end))
+  {
+    return std::nullopt;
+  }
+  const Vec3 n(static_cast<double>(normal.n[0]), static_cast<double>(normal.n[1]), static_cast<double>(normal.n[2]));
+  const double along = n.dot(toVector(edge.end) - toVector(edge.start));
+  const double parameter = n.dot(toVector(a) - toVector(edge.start)) / along;
+  // From the back to the front the edge runs along the normal.
+  return SurfaceCrossing{triangle, -side, std::isfinite(parameter) ? std::clamp(parameter, 0.0, 1.0) : 0.5};
+}
+
+std::span<const SurfaceCrossing> EdgeProbe::cut(const EdgeSegment& edge, std::span<const Index> leaves)
+{
+  found.clear();
+  gather(edge, leaves);
+  std::sort(found.begin(), found.end(), [&](const SurfaceCrossing& l, const SurfaceCrossing& r) {
+    return std::tie(l.parameter, l.triangle) < std::tie(r.parameter, r.triangle);
+  });
+  dropBulges(edge);
+  return found;
+}
+
+Index EdgeProbe::sideTriangle(Index leaf, const LatticePoint& p, int direction) const
+{
+  for (const ModelItem piece : octree.items(leaf))
+  {
+    if (piece.kind == ModelItem::triangle && model.domainSides[piece.index] == direction &&
+        lineMeetsTriangle(model.corner(piece.index, 0), model.corner(piece.index, 1), model.corner(piece.index, 2), p,
+                          axisOf(direction)))
+    {
+      return piece.index;
+    }
+  }
+  return noIndex;
+}
+
+void EdgeProbe::gatherFromTree(const EdgeSegment& edge)
+{
+  LatticeBox box;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    std::tie(box.low[axis], box.high[axis]) = std::minmax({edge.start[axis], edge.end[axis]});
+  }
+  for (const Index triangle : triangleTree->get().touching(box))
+  {
+    if (model.domainSides[triangle] == SurfaceModel::noSide)
+    {
+      test(triangle, edge);
+    }
+  }
+}
+
+void EdgeProbe::gather(const EdgeSegment& edge, std::span<const Index> leaves)
+{
+  const auto isLong = [&](Index leaf) { return octree.items(leaf).size() > longList; };
+  if (triangleTree && std::ranges::any_of(leaves, isLong))
+  {
+    gatherFromTree(edge);
+    return;
+  }
+  candidates.clear();
+  for (const Index leaf : leaves)
+  {
+    for (const ModelItem piece : octree.items(leaf))
+    {
+      if (piece.kind == ModelItem::triangle && model.domainSides[piece.index] == SurfaceModel::noSide)
+      {
+        candidates.push_back(piece.index);
+      }
+    }
+  }
+  if (leaves.size() > 1)
+  {
+    std::sort(candidates.begin(), candidates.end());
+    candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+  }
+  for (const Index triangle : candidates)
+  {
+    test(triangle, edge);
+  }
+}
+
+void EdgeProbe::test(Index triangle, const EdgeSegment& edge)
+{
+  const auto cut =
+      crossingOf(edge, model.corner(triangle, 0), model.corner(triangle, 1), model.corner(triangle, 2), triangle);
+  if (cut)
+  {
+    found.push_back(*cut);
+  }
+}
+
+/// Whether two neighbouring crossings are a surface that reaches through the edge and back, with both ends of the edge
+/// on the same side: a bulge of a smooth piece, which faces the same way twice while the two sides of a thin wall face
+/// opposite ways; or the tip of a crease.
+bool EdgeProbe::isBulge(const EdgeSegment& edge, const SurfaceCrossing& l, const SurfaceCrossing& r) const
+{
+  if (model.charts[l.triangle] == model.charts[r.triangle])
+  {
+    return l.orientation != r.orientation && model.normal(l.triangle).dot(model.normal(r.triangle)) > 0.0;
+  }
+  return isNick(edge, l, r);
+}
+
+/// Whether the two pieces meet in a crease close beyond the edge. Not where three pieces meet: there the ends may lie
+/// in different zones.
+bool EdgeProbe::isNick(const EdgeSegment& edge, const SurfaceCrossing& l, const SurfaceCrossing& r) const
+{
+  // The two sides of a fold, such as a wall that is there twice, are no tip.
+  if (std::abs(model.normal(l.triangle).normalized().dot(model.normal(r.triangle).normalized())) > foldCosine)
+  {
+    return false;
+  }
+  const auto [low, high] = std::minmax(model.charts[l.triangle], model.charts[r.triangle]);
+  const Vec3 middle = pointOn(edge, 0.5 * (l.parameter + r.parameter));
+  const double reach = nickDepth * static_cast<double>(edge.size);
+  for (const Index leaf : edge.about)
+  {
+    for (const ModelItem piece : octree.items(leaf))
+    {
+      if (piece.kind != ModelItem::featureEdge)
+      {
+        continue;
+      }
+      const FeatureEdge& feature = model.featureEdges[piece.index];
+      const std::vector<Index>& charts = model.curves[feature.curve].charts;
+      if (charts.size() != 2 || charts[0] != low || charts[1] != high)
+      {
+        continue;
+      }
+      const Vec3 nearest =
+          nearestOnSegment(middle, toVector(model.points[feature.a]), toVector(model.points[feature.b]));
+      if ((nearest - middle).squaredNorm() <= reach * reach)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// Taking out pairs keeps the parity of crossings along every closed path, so that closed surfaces stay closed.
+void EdgeProbe::dropBulges(const EdgeSegment& edge)
+{
+  for (std::size_t i = 0; i + 1 < found.size();)
+  {
+    if (isBulge(edge, found[i], found[i + 1]))
+    {
+      found.erase(found.begin() + static_cast<std::ptrdiff_t>(i), found.begin() + static_cast<std::ptrdiff_t>(i) + 2);
+      i = i > 0 ? i - 1 : 0;
+    }
+    else
+    {
+      ++i;
+    }
+  }
+}
+
+} // namespace atria

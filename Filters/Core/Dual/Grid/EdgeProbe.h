@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Dual/Mesh/DualMesh.h"
+#include "Octree/Search/TriangleTree.h"
+#include "Octree/Tree/Octree.h"
+#include "Surface/Model/SurfaceModel.h"
+
+#include <optional>
+#include <span>
+
+namespace atria {
+
+/// Where a surface cuts an edge of the grid.
+struct SurfaceCrossing
+{
+  Index triangle;
+  /// +1 where the triangle's normal points along the edge, -1 against it.
+  std::int32_t orientation;
+  /// From 0 at the edge's start to 1 at its end.
+  double parameter;
+};
+
+/// An edge of the grid as a segment. Its ends may have been moved off the octants' corners.
+struct EdgeSegment
+{
+  LatticePoint start;
+  LatticePoint end;
+  /// Axis along which it runs, or -1 where an end was moved off it.
+  int axis;
+  /// Length of the octants' edge it stands for, in lattice units.
+  std::int64_t size;
+  /// Leaves about the edge, in order round it; a large one may be there twice in a row.
+  std::array<Index, 4> about;
+};
+
+/// Where an edge cuts the triangle a, b, c, which stands for `triangle` of the model; nothing where it does not.
+std::optional<SurfaceCrossing> crossingOf(const EdgeSegment& edge, const LatticePoint& a, const LatticePoint& b,
+                                          const LatticePoint& c, Index triangle);
+
+/// The side of a sheet seen from an edge's start, and from its end. The front is seen from where the normal points to.
+inline SheetSide seenFromStart(const SurfaceCrossing& cut)
+{
+  return cut.orientation < 0 ? SheetSide::front : SheetSide::back;
+}
+inline SheetSide seenFromEnd(const SurfaceCrossing& cut)
+{
+  return cut.orientation > 0 ? SheetSide::front : SheetSide::back;
+}
+
+/// Finds crossings of grid edges with the model. Not for several threads at once: it keeps its memory.
+class EdgeProbe
+{
+public:
+  /// Where leaves hold very many triangles, `tree` is asked in their place if there is one.
+  EdgeProbe(const Octree& leaves, const SurfaceModel& surfaces, TriangleTreeOnDemand* tree = nullptr)
+      : octree(leaves), model(surfaces), triangleTree(tree)
+  {
+  }
+
+  /// Crossings of an edge with the triangles of `leaves`, sorted from start to end; triangles on domain sides are not
+  /// asked. Pairs that only reach through the edge and back are left out. The answer holds until the next call.
+  std::span<const SurfaceCrossing> cut(const EdgeSegment& edge, std::span<const Index> leaves);
+
+  /// The triangle of a domain side that covers the point where the edge along `direction` through p leaves the domain;
+  /// noIndex if none.
+  Index sideTriangle(Index leaf, const LatticePoint& p, int direction) const;
+
+private:
+  void gather(const EdgeSegment& edge, std::span<const Index> leaves);
+  void gatherFromTree(const EdgeSegment& edge);
+  void test(Index triangle, const EdgeSegment& edge);
+  bool isBulge(const EdgeSegment& edge, const SurfaceCrossing& l, const SurfaceCrossing& r) const;
+  bool isNick(const EdgeSegment& edge, const SurfaceCrossing& l, const SurfaceCrossing& r) const;
+  void dropBulges(const EdgeSegment& edge);
+
+  const Octree& octree;
+  const SurfaceModel& model;
+  TriangleTreeOnDemand* triangleTree;
+  std::vector<Index> candidates;
+  std::vector<SurfaceCrossing> found;
+};
+
+/// Point of an edge, in lattice units.
+Vec3 pointOn(const EdgeSegment& edge, double parameter);
+
+} // namespace atria

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Dual/Grid/EdgeProbe.h"
+#include "Dual/Grid/GridPoints.h"
+
+#include <unordered_map>
+
+namespace atria {
+
+/// A grid point that is looked at as if it were elsewhere.
+struct GridTrial
+{
+  Index point = noIndex;
+  LatticePoint place{};
+};
+
+/// Where the grid points stand: at the octants' corners, but for those that were moved (the modified grid). The
+/// topology is the octree's in any case.
+class GridPlaces
+{
+public:
+  GridPlaces(const Octree& tree, const GridPoints& grid) : octree_(tree), points_(grid) {}
+
+  const Octree& octree() const { return octree_; }
+  const GridPoints& points() const { return points_; }
+
+  /// The octants' corner a grid point is.
+  LatticePoint home(Index point) const { return positionOf(octree_, points_.leaves[point]); }
+  LatticePoint place(Index point) const
+  {
+    const auto found = moved_.find(point);
+    return found == moved_.end() ? home(point) : found->second;
+  }
+  bool isMoved(Index point) const { return !moved_.empty() && moved_.contains(point); }
+
+  LatticePoint place(Index point, const GridTrial& trial) const
+  {
+    return point == trial.point ? trial.place : place(point);
+  }
+  bool isMoved(Index point, const GridTrial& trial) const
+  {
+    return point == trial.point ? trial.place != home(point) : isMoved(point);
+  }
+  std::size_t movedCount() const { return moved_.size(); }
+  void move(Index point, const LatticePoint& to) { moved_[point] = to; }
+  void moveAllHome() { moved_.clear(); }
+  /// Sorted.
+  std::vector<Index> movedPoints() const;
+  void moveHome(Index point) { moved_.erase(point); }
+
+  /// The edge that leaves a grid point in a direction.
+  struct Edge
+  {
+    /// `leaf` is noIndex where there is no edge.
+    GridEdge at;
+    /// The grid point at the other end; noIndex where the edge leaves the domain.
+    Index other = noIndex;
+
+    bool exists() const { return at.leaf != noIndex; }
+  };
+  Edge edge(Index point, int direction) const;
+  /// By Direction.
+  std::array<Edge, 6> edges(Index point) const;
+  bool isMoved(Index point, const Edge& edge, const GridTrial& trial = {}) const
+  {
+    return (!moved_.empty() || trial.point != noIndex) &&
+           (isMoved(point, trial) || (edge.other != noIndex && isMoved(edge.other, trial)));
+  }
+  /// The same as a segment; where it leads out of the domain it ends on the domain's side.
+  EdgeSegment segment(Index point, int direction, const Edge& edge, const GridTrial& trial = {}) const;
+  /// Leaves whose triangles can reach a moved edge: all about its ends.
+  std::vector<Index> leavesNear(Index point, const Edge& edge) const;
+
+private:
+  const Octree& octree_;
+  const GridPoints& points_;
+  std::unordered_map<Index, LatticePoint> moved_;
+};
+
+} // namespace atria

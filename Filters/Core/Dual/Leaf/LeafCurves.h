@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Octree/Tree/Octree.h"
+#include "Support/RunContext.h"
+#include "Surface/Model/SurfaceModel.h"
+
+#include <span>
+
+namespace atria {
+
+/// The feature curves that pass through each leaf, by the charts that meet there. Where surfaces cross each other many
+/// times over, a leaf has thousands of curves, and few of them are of any two charts.
+class LeafCurves
+{
+public:
+  struct Entry
+  {
+    Index chart;
+    Index curve;
+    auto operator<=>(const Entry&) const = default;
+  };
+
+  LeafCurves(const Octree& octree, const SurfaceModel& model, const RunContext& context);
+
+  /// Those of a leaf, sorted.
+  std::span<const Entry> of(Index leaf) const;
+  /// Those of them at a chart.
+  static std::span<const Entry> atChart(std::span<const Entry> entries, Index chart);
+
+private:
+  std::vector<Index> leaves; ///< that have any, sorted
+  std::vector<std::size_t> offsets;
+  std::vector<Entry> entries;
+};
+
+} // namespace atria

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Dual/Grid/EdgeProbe.h"
+#include "Octree/Search/BoxTests.h"
+
+#include <optional>
+
+namespace atria {
+
+/// Finds places for the vertex of a leaf: on corners, curves and surfaces of the model in it, on the domain's planes
+/// through it. Takes one leaf after the other: `enter`, its cut edges, the charts that cut them; then positions may be
+/// asked for.
+class LeafGeometry
+{
+public:
+  LeafGeometry(const Octree& tree, const SurfaceModel& surfaces) : octree(tree), frame(tree.frame()), model(surfaces) {}
+
+  /// The octant's centre, if no domain side passes through it. The leaf is not entered.
+  std::optional<Vec3> centreOffSides(Index leaf) const;
+
+  void enter(Index leaf);
+  void addCut(const EdgeSegment& edge, std::span<const SurfaceCrossing> cuts);
+  /// Sorted.
+  void setCharts(const std::vector<Index>& charts) { charts_ = charts; }
+
+  bool isOnSide() const { return planes != 0; }
+  /// The octant's centre, on the domain sides through it.
+  Vec3 centre() const { return onPlanes(center); }
+
+  /// On a domain side, a corner or curve of what lies on the side; if there is one.
+  std::optional<Vec3> sidePosition();
+  /// The mean of the cuts, put on the charts; or the middle of a fold within a chart.
+  Vec3 surfacePosition();
+  Vec3 cornerPosition(Index point) const { return onPlanes(modelPoint(point)); }
+  /// The middle of the curves at which exactly these charts end; or their nearest point, where they pass by.
+  std::optional<Vec3> curvePosition(const std::vector<std::vector<Index>>& endings);
+  /// The point of these curves nearest to p, in the leaf or about it.
+  std::optional<Vec3> nearestCurvePosition(const std::vector<std::vector<Index>>& endings, const Vec3& p);
+  /// Whether curvePosition found no piece of the curves in the leaf itself.
+  bool isDiverted() const { return diverted; }
+
+  /// Whether p is farther from some of the charts than rounding explains.
+  bool misses(const Vec3& p) const;
+
+private:
+  using Segment = std::pair<Vec3, Vec3>;
+
+  Vec3 modelPoint(Index i) const { return frame.toModel(model.points[i]); }
+  Vec3 onPlanes(Vec3 p) const;
+  Vec3 meanOfCuts() const;
+  bool isOneOf(const FeatureEdge& edge, const std::vector<std::vector<Index>>& endings) const;
+  void addNeighbours();
+  Vec3 tipOrMean() const;
+  bool hasChart(Index chart) const;
+  bool owns(const LatticePoint& p) const;
+  bool onOwnPlane(Index triangle) const;
+  bool onOwnPlane(const FeatureEdge& edge) const;
+  std::optional<Vec3> sideCorner() const;
+  template <typename Wanted> std::optional<Vec3> middleOfPieces(Wanted&& wanted);
+  template <typename Wanted> std::optional<Vec3> nearestOnCurves(const Vec3& p, Wanted&& wanted);
+  template <typename Wanted> std::optional<Vec3> nearestOnPieces(const Vec3& p, Wanted&& wanted) const;
+  std::optional<Vec3> nearestOfSegments(const Vec3& p) const;
+  std::optional<Vec3> whereSegmentsMeetPlanes(const Vec3& p) const;
+
+  const Octree& octree;
+  const GridFrame& frame;
+  const SurfaceModel& model;
+  Index leaf_ = noIndex;
+  LatticeBox box{};
+  unsigned planes = 0;
+  /// The leaf, then those about its cut edges; the latter only where they are needed.
+  std::vector<Index> leaves;
+  bool isMoved = false;
+  bool diverted = false;
+  Vec3 center;
+  Vec3 sum;
+  Box3 extent;
+  double count = 0.0;
+  std::vector<Index> charts_;
+  std::vector<Segment> segments;
+};
+
+} // namespace atria

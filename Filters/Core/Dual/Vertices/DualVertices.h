@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Dual/Grid/Crossings.h"
+
+#include <unordered_map>
+
+namespace atria {
+
+/// Where a vertex may be moved.
+enum class Freedom : std::uint8_t
+{
+  free,    ///< anywhere, in the domain's planes through its octant
+  surface, ///< on charts
+  curve,   ///< on feature curves
+  beside,  ///< on the charts that meet at its curves: released from these
+  fixed,   ///< at a corner, or where it is on several pieces or on none it should be on
+  released ///< near where it was, although it should be on some piece
+};
+
+/// How far a released vertex may be, along each axis, from where it was.
+struct Leash
+{
+  Vec3 home;
+  double reach;
+};
+
+/// What vertices belong to.
+struct VertexAnchors
+{
+  std::vector<Freedom> freedom;
+  std::vector<Index> leaves;
+  /// Charts of vertices on surfaces, curves of those on curves.
+  std::vector<Index> offsets;
+  std::vector<Index> pieces;
+  /// Of released vertices.
+  std::unordered_map<Index, Leash> leashes = {};
+
+  std::span<const Index> piecesOf(Index vertex) const
+  {
+    return {pieces.data() + offsets[vertex], pieces.data() + offsets[vertex + 1]};
+  }
+};
+
+/// Vertices of leaves.
+struct DualVertices
+{
+  std::vector<Vec3> positions;
+  VertexAnchors anchors;
+  /// Whether the vertex should be on several pieces of the model, or at a corner, and is not: they do not meet near
+  /// the octant, which is as fine as was allowed.
+  std::vector<char> compromised;
+  /// Corners of the model, as indices into its points, at which no vertex is although curves of the mesh pass by.
+  std::vector<Index> missedCorners;
+};
+
+/// Places the vertex of each of `leaves`, which are in order. The faces round a vertex say what it is (LeafTopology):
+/// on a corner of the model, on a feature curve, on a surface, or free. A free one keeps the centre of its octant; one
+/// on a curve goes to the middle of the curve's piece in the octant, one on a surface to the mean of the points where
+/// the octant's edges are cut, projected. Corners go to the vertices of their curves that are nearest to them, one
+/// each. On a domain side the vertex lies exactly in the side's plane, and on corners and curves of the surfaces that
+/// lie there.
+DualVertices placeVertices(const Octree& octree, const SurfaceModel& model, const Crossings& crossings,
+                           const std::vector<Index>& leaves, const RunContext& context);
+
+} // namespace atria

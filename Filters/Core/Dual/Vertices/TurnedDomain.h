@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// What a domain that stands at an angle to the grid asks of the mesh.
+#pragma once
+
+#include "Dual/Zones/Zones.h"
+
+#include <span>
+
+namespace atria {
+
+/// Marks faces of turned sides as sides of the domain, as faces on the planes of a box are.
+void markTurnedSides(Crossings& crossings, std::size_t surfaceCount);
+
+/// Drops the zones beyond the turned sides, if the frame has any. The sides part zones, so each lies wholly inside or
+/// beyond; its point farthest from the sides tells which. Throws Error where none is left.
+void dropBeyondSides(std::vector<char>& kept, const Zones& zones, const GridPlaces& grid);
+
+/// Puts the vertices where faces of two turned sides meet on the domain's upright edges. An edge may lie in octants of
+/// which no corner is inside the domain; without this the mesh would cut it off there. O(n log n) in boundary faces.
+void sharpenTurnedEdges(DualMesh& mesh, const GridFrame& frame, std::size_t surfaceCount);
+
+/// Outward normals of the domain's sides, along the grid's axes.
+std::array<Vec3, 6> sideNormalsOf(const GridFrame& frame);
+
+/// Moves vertices that follow a curve or corner of the model beyond the sides of a turned domain back onto the sides.
+void keepWithinSides(std::span<Vec3> positions, const GridFrame& frame);
+
+} // namespace atria

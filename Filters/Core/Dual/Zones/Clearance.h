@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Dual/Zones/Zones.h"
+
+namespace atria {
+
+/// How far surfaces are from the grid points of a zone, and from the octree edges that join them. Surfaces on the
+/// domain's sides count too, and its bottom, which is ground even where it is bare.
+///
+/// Beside surfaces distances are exact. Farther away they are to the nearest of those triangles that are nearest to
+/// neighbouring points (Danielsson 1980), which may be too far by little.
+class Clearance
+{
+public:
+  /// O(n log n) in the zone's points.
+  Clearance(std::int32_t zone, const Zones& zones, const Crossings& crossings, const GridPlaces& grid,
+            const SurfaceModel& model, const RunContext& context);
+
+  Vec3 position(Index point) const;
+  double ofPoint(Index point) const;
+  /// Of the uncut edge between two points: the least distance, and where on the edge it is.
+  struct OfEdge
+  {
+    double distance;
+    Vec3 place;
+  };
+  OfEdge ofEdge(Index from, Index to) const;
+
+private:
+  double distanceTo(Index triangle, const Vec3& p) const;
+  /// The triangles in the leaves about a point, some of them more than once.
+  void collect(Index point, std::vector<Index>& triangles) const;
+  void spread(const std::vector<Index>& seeds, const Crossings& crossings);
+
+  const GridPlaces& grid;
+  const Octree& octree;
+  const GridPoints& points;
+  const SurfaceModel& model;
+  std::vector<Index> nearest;
+  std::vector<double> distances;
+};
+
+/// A narrow place between surfaces.
+struct Passage
+{
+  /// The centre of the largest ball that fits there, and its diameter.
+  Vec3 center;
+  double width = std::numeric_limits<double>::infinity();
+  /// The surfaces that the ball all but touches, nearest first; noIndex for the bare bottom of the domain.
+  std::vector<Index> surfaces;
+};
+/// The narrowest passage on the way from p to q, if they are neighbouring grid points with octants of `size`. At places
+/// between them, a ball is moved away from surfaces in the planes in which a gap may lie, by two octants at most, until
+/// it touches some on opposite sides; the smallest is the passage. Infinitely wide, with `p` as its centre, where there
+/// is none.
+Passage passageBetween(const Vec3& p, const Vec3& q, double size, const Octree& octree, const SurfaceModel& model);
+
+} // namespace atria

@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Dual/Zones/CrackStrips.h"
+
+#include "Grid/Predicates.h"
+#include "Surface/Search/Distance.h"
+#include "Surface/Triangles/TriangleSoup.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <tuple>
+
+namespace atria {
+
+namespace {
+
+/// Steps along a rim, against the finest octants.
+constexpr double stepRatio = 0.25;
+/// A place stands for the end of a rim if it is this part of a step before it: at the end itself, others begin.
+constexpr double beforeEnd = 0.01;
+/// What is this near, against the leaf's edge, touches.
+constexpr double touchRatio = 1e-4;
+/// Of 45 degrees.
+constexpr double aheadCosine = 0.70710678;
+/// In lattice units: a place on a triangle, but for rounding.
+constexpr double onTriangle = 2.0;
+/// Of 15 degrees: the strips of two rims that turn by more leave a corner between them.
+constexpr double straightCosine = 0.966;
+
+/// A free edge with its triangle, whose third point it is wound before: a to b.
+struct Rim
+{
+  Index a;
+  Index b;
+  Index third;
+  Index triangle;
+};
+
+std::vector<Rim> rimsOf(const SurfaceModel& model)
+{
+  std::vector<EdgeKey> keys;
+  for (const FeatureEdge& edge : model.featureEdges)
+  {
+    if (model.kindOf(edge) == CurveKind::rim)
+    {
+      keys.push_back(edgeKey(edge.a, edge.b));
+    }
+  }
+  std::sort(keys.begin(), keys.end());
+  std::vector<Rim> rims;
+  for (Index t = 0; t < model.triangles.size() && !keys.empty(); ++t)
+  {
+    for (int i = 0; i < 3 && model.domainSides[t] == SurfaceModel::noSide; ++i)
+    {
+      const auto& corners = model.triangles[t];
+      if (std::binary_search(keys.begin(), keys.end(), edgeKey(corners, i)))
+      {
+        rims.push_back({corners[i], corners[(i + 1) % 3], corners[(i + 2) % 3], t});
+      }
+    }
+  }
+  return rims;
+}
+
+/// What was found along one rim.
+struct Bridge
+{
+  std::vector<StripTriangle> strip;
+  /// From its two ends to what is across; nothing where that is too far.
+  std::array<std::optional<Vec3>, 2> atEnd;
+};
+
+LatticePoint moved(const LatticePoint& p, const Vec3& by)
+{
+  return {p[0] + std::llround(by[0]), p[1] + std::llround(by[1]), p[2] + std::llround(by[2])};
+}
+
+class Bridger
+{
+public:
+  Bridger(const Octree& leaves, const SurfaceModel& surfaces, const TriangleTree& pieces, double ratio)
+      : octree(leaves), frame(leaves.frame()), model(surfaces), tree(pieces), tolerance(ratio)
+  {
+  }
+
+  Bridge bridge(const Rim& rim)
+  {
+    Bridge out;
+    const LatticePoint& a = model.points[rim.a];
+    const Vec3 along = between(a, model.points[rim.b]);
+    const double wanted = along.norm() / (stepRatio * static_cast<double>(frame.latticeSize(frame.depth)));
+    const auto count = static_cast<std::uint32_t>(std::clamp(std::ceil(wanted), 1.0, 1e6));
+    const Vec3 inward = between(a, model.points[rim.third]);
+    const Vec3 outward = (inward.dot(along) / along.squaredNorm() * along - inward).normalized();
+    LatticePoint from = a;
+    bool isBridged = false;
+    Vec3 across = Vec3::Zero();
+    for (std::uint32_t i = 0; i <= count; ++i)
+    {
+      const LatticePoint to = i == count ? model.points[rim.b] : moved(a, along * (static_cast<double>(i) / count));
+      const double inside = std::clamp(static_cast<double>(i), beforeEnd, count - beforeEnd) / count;
+      const std::optional<Vec3> next = acrossFrom(moved(a, along * inside), rim.triangle, outward);
+      if (isBridged && next)
+      {
+        add(out.strip, rim.triangle, {to, from, moved(from, across)});
+        add(out.strip, rim.triangle, {to, moved(from, across), moved(to, *next)});
+      }
+      if (i == 0 || i == count)
+      {
+        out.atEnd[i == 0 ? 0 : 1] = next;
+      }
+      from = to;
+      isBridged = next.has_value();
+      across = next.value_or(Vec3::Zero());
+    }
+    return out;
+  }
+
+  /// Between the strips of two rims at the point in which they meet.
+  void addCorner(std::vector<StripTriangle>& out, Index point, Index triangle, const Vec3& u, const Vec3& v) const
+  {
+    const LatticePoint& p = model.points[point];
+    const LatticePoint pu = moved(p, u);
+    const LatticePoint pv = moved(p, v);
+    add(out, triangle, {p, pu, pv});
+    if (u.dot(v) < straightCosine * u.norm() * v.norm())
+    {
+      // As far off the rim's plane as the two strips are.
+      const Vec3 normal = model.normal(triangle).normalized();
+      add(out, triangle, {pv, pu, moved(p, u + v - 0.5 * normal.dot(u + v) * normal)});
+    }
+  }
+
+private:
+  static void add(std::vector<StripTriangle>& out, Index rim, const std::array<LatticePoint, 3>& corners)
+  {
+    const LatticeNormal normal(corners[0], corners[1], corners[2]);
+    if (normal.n[0] != 0 || normal.n[1] != 0 || normal.n[2] != 0)
+    {
+      out.push_back({corners, rim});
+    }
+  }
+
+  struct Place
+  {
+    double distance;
+    Index triangle;
+    Vec3 offset;
+  };
+
+  Vec3 nearestOn(Index t, const LatticePoint& p, const Vec3& offset) const
+  {
+    return nearestOnTriangle(offset, between(p, model.corner(t, 0)), between(p, model.corner(t, 1)),
+                             between(p, model.corner(t, 2)));
+  }
+
+  /// Whether the place p + offset is on the triangle. Its bounds say quicker that it is not.
+  bool isOn(Index t, const LatticePoint& p, const Vec3& offset) const
+  {
+    return model.bounds(t).squaredDistance(toVector(p) + offset) <= 4.0 * onTriangle * onTriangle &&
+           (nearestOn(t, p, offset) - offset).norm() <= onTriangle;
+  }
+
+  /// From a place of the rim to the nearest thing ahead; zero where something touches; nothing beyond the tolerance.
+  std::optional<Vec3> acrossFrom(const LatticePoint& p, Index rim, const Vec3& outward)
+  {
+    if (!frame.inDomain(p))
+    {
+      return std::nullopt;
+    }
+    const double size = static_cast<double>(frame.latticeSize(octree.level(octree.leafAt(p))));
+    const double reach = tolerance * size;
+    std::optional<Vec3> best = sideAhead(p, reach, outward);
+    gather(p, rim, reach);
+    for (auto place = places.begin(); place != places.end(); ++place)
+    {
+      const auto hangsOn = [&](const Place& nearer) { return isOn(nearer.triangle, p, place->offset); };
+      const bool touches = place->distance <= touchRatio * size;
+      const bool isAhead = place->offset.dot(outward) >= aheadCosine * place->distance;
+      if (place->triangle == rim || !(touches || isAhead) || std::any_of(places.begin(), place, hangsOn))
+      {
+        continue; // what hangs together with this is nearer
+      }
+      if (touches)
+      {
+        return Vec3(Vec3::Zero());
+      }
+      best = best && best->norm() <= place->distance ? *best : place->offset;
+      break;
+    }
+    return best;
+  }
+
+  /// The triangles within the reach, nearest first, the rim's own before all.
+  void gather(const LatticePoint& p, Index rim, double reach)
+  {
+    const auto margin = static_cast<std::int64_t>(std::ceil(reach));
+    LatticeBox box{p, p};
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      box.low[axis] -= margin;
+      box.high[axis] += margin;
+    }
+    places.assign(1, {-1.0, rim, Vec3::Zero()});
+    for (const Index t : tree.touching(box))
+    {
+      const Vec3 offset = nearestOn(t, p, Vec3::Zero());
+      if (t != rim && offset.norm() <= reach)
+      {
+        places.push_back({offset.norm(), t, offset});
+      }
+    }
+    std::sort(places.begin(), places.end(), [](const Place& l, const Place& r) {
+      return std::tie(l.distance, l.triangle) < std::tie(r.distance, r.triangle);
+    });
+  }
+
+  std::optional<Vec3> sideAhead(const LatticePoint& p, double reach, const Vec3& outward) const
+  {
+    std::optional<Vec3> best;
+    for (int direction = 0; direction < 6; ++direction)
+    {
+      const int axis = axisOf(direction);
+      Vec3 across = Vec3::Zero();
+      across[axis] = static_cast<double>((isUpper(direction) ? frame.domainHigh : frame.domainLow)[axis] - p[axis]);
+      const double distance = across.norm();
+      if (distance <= reach && across.dot(outward) >= aheadCosine * distance && (!best || distance < best->norm()))
+      {
+        best = across;
+      }
+    }
+    return best;
+  }
+
+  const Octree& octree;
+  const GridFrame& frame;
+  const SurfaceModel& model;
+  const TriangleTree& tree;
+  double tolerance;
+  std::vector<Place> places;
+};
+
+/// The ends of rims at their points, with what is across there.
+struct RimEnd
+{
+  Index point;
+  Index rim;
+  int end;
+  bool operator<(const RimEnd& other) const
+  {
+    return std::tie(point, rim, end) < std::tie(other.point, other.rim, other.end);
+  }
+};
+
+} // namespace
+
+std::vector<StripTriangle> crackStrips(const Octree& octree, const SurfaceModel& model, TriangleTreeOnDemand& onDemand,
+                                       double tolerance, const RunContext& context)
+{
+  const std::vector<Rim> rims = rimsOf(model);
+  if (rims.empty())
+  {
+    return {};
+  }
+  const TriangleTree& tree = onDemand.get();
+  std::vector<Bridge> bridges(rims.size());
+  context.executor.forRanges(rims.size(), 16, [&](std::size_t begin, std::size_t end) {
+    context.progress.check();
+    Bridger bridger(octree, model, tree, tolerance);
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      bridges[i] = bridger.bridge(rims[i]);
+    }
+  });
+  std::vector<StripTriangle> strips;
+  std::vector<RimEnd> ends;
+  for (Index i = 0; i < rims.size(); ++i)
+  {
+    strips.insert(strips.end(), bridges[i].strip.begin(), bridges[i].strip.end());
+    ends.push_back({rims[i].a, i, 0});
+    ends.push_back({rims[i].b, i, 1});
+  }
+  std::sort(ends.begin(), ends.end());
+  const Bridger bridger(octree, model, tree, tolerance);
+  for (std::size_t i = 0; i + 1 < ends.size(); ++i)
+  {
+    const RimEnd& l = ends[i];
+    const RimEnd& r = ends[i + 1];
+    const auto& u = bridges[l.rim].atEnd[l.end];
+    const auto& v = bridges[r.rim].atEnd[r.end];
+    if (l.point == r.point && u && v)
+    {
+      // Wound as the strip of the rim that begins here goes on from that of the one that ends here.
+      bridger.addCorner(strips, l.point, rims[l.rim].triangle, l.end == 1 ? *u : *v, l.end == 1 ? *v : *u);
+    }
+  }
+  return strips;
+}
+
+} // namespace atria

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Octree/Search/TriangleTree.h"
+#include "Octree/Tree/Octree.h"
+#include "Support/RunContext.h"
+#include "Surface/Model/SurfaceModel.h"
+
+namespace atria {
+
+/// A triangle that bridges a crack.
+struct StripTriangle
+{
+  /// Wound as the rim's triangle is.
+  std::array<LatticePoint, 3> corners;
+  /// The triangle of the model whose free edge it goes on from.
+  Index rim;
+};
+
+/// Bridges gaps beside free rims that are no wider than `tolerance` times the edge of the leaf there, by strips from
+/// the rim to what is across.
+///
+/// Along the rim, in steps of a quarter of an octant, the nearest place of the rest of the model is looked for in the
+/// direction in which the rim's triangle would go on, to 45 degrees; or of a domain side. It must be nearest among all
+/// that hangs together there, so that the two sides of an opening's corner, at 45 degrees or more, are no crack. The
+/// strip goes from step to step where both are within the tolerance, without a break, and round the points where two
+/// rims meet. Both rims of a crack have their strip. The result does not depend on threads; nothing is done without
+/// rims.
+std::vector<StripTriangle> crackStrips(const Octree& octree, const SurfaceModel& model, TriangleTreeOnDemand& tree,
+                                       double tolerance, const RunContext& context);
+
+} // namespace atria

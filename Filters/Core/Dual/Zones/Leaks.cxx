@@ -1,0 +1,329 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Dual/Zones/Leaks.h"
+
+#include "Dual/Zones/Clearance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <queue>
+#include <set>
+#include <tuple>
+
+namespace atria {
+
+namespace {
+
+/// Finds ways in one zone.
+class WayFinder
+{
+public:
+  WayFinder(const Crossings& found, const Clearance& distances, std::size_t surfaces)
+      : crossings(found), clearance(distances), surfaceCount(surfaces), parents(found.neighbours.size(), noIndex)
+  {
+  }
+
+  /// The open side a point reaches; none: noSide.
+  std::uint8_t sideAt(Index point) const
+  {
+    for (const std::uint8_t direction : {zMax, xMin, xMax, yMin, yMax})
+    {
+      const std::int32_t code = crossings.neighbours[point][direction];
+      if (DualMesh::isBoundary(code))
+      {
+        const BoundaryFace& face = crossings.boundaryFaces[DualMesh::boundaryFaceOf(code)];
+        if (face.onDomainSide && face.tag >= surfaceCount)
+        {
+          return direction;
+        }
+      }
+    }
+    return noSide;
+  }
+
+  /// Widest edges first (Prim 1957): on the tree that grows so, every way is the widest between its ends.
+  std::vector<Index> widest(Index from)
+  {
+    struct Step
+    {
+      double clearance;
+      Index from;
+      Index to;
+      bool operator<(const Step& other) const
+      {
+        return std::tuple(clearance, other.from, other.to) < std::tuple(other.clearance, from, to);
+      }
+    };
+    std::priority_queue<Step> front;
+    front.push({0.0, from, from});
+    while (!front.empty())
+    {
+      const Step step = front.top();
+      front.pop();
+      if (parents[step.to] != noIndex)
+      {
+        continue;
+      }
+      parents[step.to] = step.from;
+      if (sideAt(step.to) != noSide)
+      {
+        return wayTo(step.to);
+      }
+      for (const std::int32_t code : crossings.neighbours[step.to])
+      {
+        if (code >= 0 && parents[code] == noIndex)
+        {
+          const auto other = static_cast<Index>(code);
+          front.push({clearance.ofEdge(step.to, other).distance, step.to, other});
+        }
+      }
+    }
+    return {};
+  }
+
+  /// The shortest way from `from` to `to`, or to an open side if `to` is noIndex, with at least `least` clearance and
+  /// none of the points in `closed`; empty if there is none.
+  std::vector<Index> shortest(Index from, Index to, double least, const std::set<Index>& closed)
+  {
+    std::fill(parents.begin(), parents.end(), noIndex);
+    using Step = std::tuple<double, Index, Index>; // length so far, point, the one before
+    std::priority_queue<Step, std::vector<Step>, std::greater<>> front;
+    front.push({0.0, from, from});
+    while (!front.empty())
+    {
+      const auto [length, point, before] = front.top();
+      front.pop();
+      if (parents[point] != noIndex)
+      {
+        continue;
+      }
+      parents[point] = before;
+      if (to == noIndex ? sideAt(point) != noSide : point == to)
+      {
+        return wayTo(point);
+      }
+      for (const std::int32_t code : crossings.neighbours[point])
+      {
+        if (code < 0 || parents[code] != noIndex || closed.count(static_cast<Index>(code)) != 0)
+        {
+          continue;
+        }
+        const auto other = static_cast<Index>(code);
+        if (clearance.ofEdge(point, other).distance >= least)
+        {
+          front.push({length + (clearance.position(other) - clearance.position(point)).norm(), other, point});
+        }
+      }
+    }
+    return {};
+  }
+
+  static constexpr std::uint8_t noSide = 6;
+
+private:
+  std::vector<Index> wayTo(Index point) const
+  {
+    std::vector<Index> way{point};
+    while (parents[way.back()] != way.back())
+    {
+      way.push_back(parents[way.back()]);
+    }
+    std::reverse(way.begin(), way.end());
+    return way;
+  }
+
+  const Crossings& crossings;
+  const Clearance& clearance;
+  std::size_t surfaceCount;
+  std::vector<Index> parents;
+};
+
+std::vector<Clearance::OfEdge> clearancesAlong(const std::vector<Index>& way, const Clearance& clearance)
+{
+  std::vector<Clearance::OfEdge> edges;
+  for (std::size_t i = 0; i + 1 < way.size(); ++i)
+  {
+    edges.push_back(clearance.ofEdge(way[i], way[i + 1]));
+  }
+  return edges;
+}
+
+/// The edges of a way among which its narrowest place is looked for, narrowest first: those that are clearly narrower
+/// than the way was before, so that a seed close to a wall is none; where the way narrows nowhere so, the one that is
+/// narrowest against the way before. Of the former those that are nearly as narrow as the narrowest, and the neighbours
+/// of that: a grid point close to a wall makes edges seem narrow that are beside the gap.
+std::vector<std::size_t> narrowEdges(const std::vector<Clearance::OfEdge>& edges)
+{
+  constexpr double clearlyNarrower = 0.75;
+  constexpr double nearlyAsNarrow = 1.3;
+  constexpr std::size_t most = 64;
+  std::vector<std::size_t> narrow;
+  double widest = 0.0;
+  double leastRatio = std::numeric_limits<double>::infinity();
+  std::size_t tightest = 0;
+  for (std::size_t i = 0; i < edges.size(); ++i)
+  {
+    const double clearance = edges[i].distance;
+    widest = std::max(widest, clearance);
+    if (clearance <= clearlyNarrower * widest)
+    {
+      narrow.push_back(i);
+    }
+    if (widest > 0.0 && clearance / widest < leastRatio)
+    {
+      leastRatio = clearance / widest;
+      tightest = i;
+    }
+  }
+  if (narrow.empty())
+  {
+    narrow.push_back(tightest);
+  }
+  std::stable_sort(narrow.begin(), narrow.end(),
+                   [&](std::size_t l, std::size_t r) { return edges[l].distance < edges[r].distance; });
+  const std::size_t neck = narrow.front();
+  const auto wider = std::find_if(narrow.begin(), narrow.end(), [&](std::size_t i) {
+    return edges[i].distance > nearlyAsNarrow * edges[neck].distance;
+  });
+  narrow.erase(wider, narrow.end());
+  narrow.resize(std::min(narrow.size(), most));
+  for (const std::size_t i : {neck - 1, neck + 1})
+  {
+    if (i < edges.size() && std::find(narrow.begin(), narrow.end(), i) == narrow.end())
+    {
+      narrow.push_back(i);
+    }
+  }
+  return narrow;
+}
+
+double leastOf(const std::vector<Clearance::OfEdge>& edges, std::size_t begin, std::size_t end)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = begin; i < end; ++i)
+  {
+    least = std::min(least, edges[i].distance);
+  }
+  return least;
+}
+
+/// The widest way keeps to the middle of every space it passes. On either side of the neck the shortest way that is as
+/// wide takes its place.
+std::vector<Index> shorten(const std::vector<Index>& way, const std::vector<Clearance::OfEdge>& edges, std::size_t neck,
+                           WayFinder& finder)
+{
+  std::vector<Index> out = finder.shortest(way.front(), way[neck], leastOf(edges, 0, neck), {way[neck + 1]});
+  if (out.empty())
+  {
+    return way;
+  }
+  const std::set<Index> used(out.begin(), out.end());
+  const std::vector<Index> rest = finder.shortest(way[neck + 1], noIndex, leastOf(edges, neck + 1, edges.size()), used);
+  if (rest.empty())
+  {
+    return way;
+  }
+  out.insert(out.end(), rest.begin(), rest.end());
+  return out;
+}
+
+void drawPath(Leak& leak, const Clearance& clearance, const GridFrame& frame)
+{
+  for (const Index point : leak.points)
+  {
+    leak.path.push_back(clearance.position(point));
+  }
+  Vec3 end = leak.path.back();
+  end[axisOf(leak.side)] = frame.planeOf(leak.side);
+  leak.path.push_back(end);
+}
+
+/// Edge of the finest leaf about a point.
+double sizeAt(Index point, const Octree& octree, const GridPoints& points)
+{
+  double size = octree.frame().rootSize();
+  for (const Index leaf : points.leaves[point])
+  {
+    size = std::min(size, octree.frame().sizeOf(octree.level(leaf)));
+  }
+  return size;
+}
+
+/// Finds the narrowest place of the way, and shortens the way on both sides of it.
+void narrowDown(Leak& leak, const Clearance& clearance, WayFinder& finder, const Octree& octree,
+                const GridPoints& points, const SurfaceModel& model)
+{
+  const std::vector<Clearance::OfEdge> edges = clearancesAlong(leak.points, clearance);
+  const std::vector<std::size_t> candidates = narrowEdges(edges);
+  std::size_t neck = candidates.front();
+  Passage narrowest;
+  narrowest.center = edges[neck].place;
+  for (const std::size_t i : candidates)
+  {
+    const Index from = leak.points[i];
+    Passage passage = passageBetween(clearance.position(from), clearance.position(leak.points[i + 1]),
+                                     sizeAt(from, octree, points), octree, model);
+    if (passage.width < narrowest.width)
+    {
+      narrowest = std::move(passage);
+      neck = i;
+    }
+  }
+  leak.place = narrowest.center;
+  leak.width = std::isfinite(narrowest.width) ? narrowest.width : 2.0 * edges[neck].distance;
+  leak.surfaces = std::move(narrowest.surfaces);
+  leak.point = leak.points[neck];
+  leak.points = shorten(leak.points, edges, neck, finder);
+}
+
+Leak leakFrom(Index start, const Clearance& clearance, const Crossings& crossings, const Octree& octree,
+              const GridPoints& points, const SurfaceModel& model)
+{
+  WayFinder finder(crossings, clearance, model.names.size());
+  Leak leak{};
+  leak.points = finder.widest(start);
+  if (leak.points.size() > 1)
+  {
+    narrowDown(leak, clearance, finder, octree, points, model);
+  }
+  else
+  {
+    leak.point = start;
+    leak.place = clearance.position(start);
+    leak.width = 2.0 * clearance.ofPoint(start);
+  }
+  leak.side = finder.sideAt(leak.points.back());
+  drawPath(leak, clearance, octree.frame());
+  return leak;
+}
+
+} // namespace
+
+std::vector<Leak> findLeaks(const std::vector<Vec3>& sealedSeeds, const Zones& zones, const Crossings& crossings,
+                            const GridPlaces& grid, const SurfaceModel& model, const RunContext& context)
+{
+  std::vector<Leak> leaks;
+  std::optional<Clearance> clearance;
+  std::int32_t measured = -1;
+  for (std::size_t i = 0; i < sealedSeeds.size(); ++i)
+  {
+    const Index start = pointOfSeed(sealedSeeds[i], "sealed seed", grid, model);
+    const std::int32_t zone = zones.ofPoint[start];
+    if ((zones.openSides[zone] & ~(1u << zMin)) == 0)
+    {
+      continue;
+    }
+    context.progress.check();
+    if (zone != measured)
+    {
+      clearance.emplace(zone, zones, crossings, grid, model, context);
+      measured = zone;
+    }
+    leaks.push_back(leakFrom(start, *clearance, crossings, grid.octree(), grid.points(), model));
+    leaks.back().index = i;
+    leaks.back().seed = sealedSeeds[i];
+  }
+  return leaks;
+}
+
+} // namespace atria

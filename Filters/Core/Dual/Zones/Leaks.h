@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Dual/Zones/Zones.h"
+
+namespace atria {
+
+/// A way from a point whose zone should be closed to the outside.
+struct Leak
+{
+  /// Which of the seeds it is, and where.
+  std::size_t index;
+  Vec3 seed;
+  /// The way: grid points, each joined to the next across an uncut octree edge. The first is the seed's; from the last,
+  /// an edge leaves the domain in the direction `side`.
+  std::vector<Index> points;
+  std::uint8_t side;
+  /// The same in model units, with the point on the domain's side at the end.
+  std::vector<Vec3> path;
+  /// The narrowest place of the way: the centre of the largest ball that fits there, and its diameter.
+  Vec3 place;
+  double width;
+  /// The surfaces that ball all but touches, nearest first; noIndex for the bare bottom of the domain.
+  std::vector<Index> surfaces;
+  /// The grid point before the narrowest place.
+  Index point;
+};
+
+/// For each seed whose zone reaches an open side of the domain other than its bottom, the widest way there: the one
+/// whose narrowest edge is as far from surfaces as possible (maximum capacity path; Pollack 1960). Throws Error for a
+/// seed outside the domain. Cost where there is a leak: O(n log n) in the points of its zone.
+std::vector<Leak> findLeaks(const std::vector<Vec3>& sealedSeeds, const Zones& zones, const Crossings& crossings,
+                            const GridPlaces& grid, const SurfaceModel& model, const RunContext& context);
+
+} // namespace atria

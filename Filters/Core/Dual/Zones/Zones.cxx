@@ -1,0 +1,412 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Dual/Zones/Zones.h"
+
+#include "Octree/Tree/GeometryLists.h"
+#include "Support/Error.h"
+#include "Support/Pieces.h"
+#include "Support/UnionFind.h"
+
+#include <algorithm>
+#include <sstream>
+#include <utility>
+
+namespace atria {
+
+namespace {
+
+constexpr unsigned bottom = 1u << zMin;
+constexpr unsigned top = 1u << zMax;
+
+/// Points in a row that are of one set.
+struct Run
+{
+  Index root;
+  Index points;
+};
+
+void addToRuns(std::vector<Run>& runs, Index root)
+{
+  if (runs.empty() || runs.back().root != root)
+  {
+    runs.push_back({root, 0});
+  }
+  ++runs.back().points;
+}
+
+/// Roots of sets, the largest first. `sizes`, which are 0, get those of each root.
+std::vector<Index> rootsBySize(const std::vector<std::vector<Run>>& runs, std::vector<Index>& sizes)
+{
+  std::vector<Index> roots;
+  for (const std::vector<Run>& piece : runs)
+  {
+    for (const Run& run : piece)
+    {
+      if (sizes[run.root] == 0)
+      {
+        roots.push_back(run.root);
+      }
+      sizes[run.root] += run.points;
+    }
+  }
+  std::ranges::sort(roots, [&](Index l, Index r) { return sizes[l] != sizes[r] ? sizes[l] > sizes[r] : l < r; });
+  return roots;
+}
+
+/// Keeps the zones that reach one of `sides`, by their bits in `reached`. Returns whether there are any.
+bool keepReaching(unsigned sides, const std::vector<std::uint8_t>& reached, std::vector<char>& kept)
+{
+  std::transform(reached.begin(), reached.end(), kept.begin(), [&](unsigned r) { return (r & sides) != 0 ? 1 : 0; });
+  return std::find(kept.begin(), kept.end(), 1) != kept.end();
+}
+
+void keepOutside(const Zones& zones, std::vector<char>& kept)
+{
+  // Where no side is open, the domain is a room or a building, and its sides are the walls. Otherwise what reaches only
+  // the lateral sides is under the ground, if anything reaches the top.
+  const bool anyOpen = keepReaching(~bottom, zones.openSides, kept);
+  if (!(anyOpen && keepReaching(top, zones.sides, kept)) && !keepReaching(~bottom, zones.sides, kept))
+  {
+    keepReaching(bottom, zones.sides, kept);
+  }
+}
+
+/// Whether nothing of the model is in any leaf about a point.
+bool isFree(const Octree& octree, const std::array<Index, 8>& leaves)
+{
+  return std::all_of(leaves.begin(), leaves.end(), [&](Index leaf) { return octree.items(leaf).empty(); });
+}
+
+/// A place near a grid point from which pointOfSeed finds that point again.
+Vec3 placeAt(Index point, const GridPlaces& grid)
+{
+  const Octree& octree = grid.octree();
+  const GridFrame& frame = octree.frame();
+  const Vec3 at = frame.toModel(grid.place(point));
+  if (grid.isMoved(point))
+  {
+    return at;
+  }
+  const std::array<Index, 8>& leaves = grid.points().leaves[point];
+  // Well inside an octant that has the point as its corner; nearer to the point where surfaces or the domain's sides
+  // pass.
+  for (const double part : {0.25, 1e-3})
+  {
+    for (unsigned slot = 0; slot < 8; ++slot)
+    {
+      const Vec3 place = at + part * (octree.center(leaves[slot]) - at);
+      if (grid.points().atCorner[leaves[slot]][7 - slot] == point && frame.inDomain(frame.toLattice(place)) &&
+          (part < 0.01 || octree.items(leaves[slot]).empty()))
+      {
+        return place;
+      }
+    }
+  }
+  return at;
+}
+
+/// A point of a zone and the level of the finest octant about it, where nothing of the model is in any; else the
+/// greatest number.
+struct RoomyPoint
+{
+  std::int32_t zone;
+  Index point;
+  int finest;
+};
+
+/// For the zones of some points, in a row, the point with the largest octants about it; else the first one.
+std::vector<RoomyPoint> roomiestOf(const Zones& zones, std::size_t begin, std::size_t end, const Octree& octree,
+                                   const GridPoints& points)
+{
+  std::vector<RoomyPoint> best;
+  for (auto point = static_cast<Index>(begin); point < end; ++point)
+  {
+    const std::int32_t zone = zones.ofPoint[point];
+    const auto& leaves = points.leaves[point];
+    const bool first = best.empty() || best.back().zone != zone;
+    if (!first && octree.level(leaves.front()) >= best.back().finest)
+    {
+      continue;
+    }
+    int finest = std::numeric_limits<int>::max();
+    if (isFree(octree, leaves))
+    {
+      finest = octree.level(std::ranges::max(leaves, {}, [&](Index leaf) { return octree.level(leaf); }));
+    }
+    if (first)
+    {
+      best.push_back({zone, point, finest});
+    }
+    else if (finest < best.back().finest)
+    {
+      best.back() = {zone, point, finest};
+    }
+  }
+  return best;
+}
+
+/// By zone.
+std::vector<Index> roomiestPoints(const Zones& zones, const Octree& octree, const GridPoints& points,
+                                  const RunContext& context)
+{
+  const Pieces pieces(zones.ofPoint.size());
+  std::vector<std::vector<RoomyPoint>> found(pieces.count);
+  context.executor.forEach(pieces.count, 1, [&](std::size_t piece) {
+    found[piece] = roomiestOf(zones, pieces.begin(piece), pieces.end(piece), octree, points);
+  });
+  std::vector<RoomyPoint> best(zones.count(), {0, noIndex, 0});
+  for (const std::vector<RoomyPoint>& piece : found)
+  {
+    for (const RoomyPoint& one : piece)
+    {
+      RoomyPoint& least = best[static_cast<std::size_t>(one.zone)];
+      least = least.point == noIndex || one.finest < least.finest ? one : least;
+    }
+  }
+  std::vector<Index> out;
+  std::ranges::transform(best, std::back_inserter(out), &RoomyPoint::point);
+  return out;
+}
+
+/// The grid points of a leaf and of those that touch it, by distance from p; only those inside a turned domain.
+std::vector<std::pair<double, Index>> pointsAround(Index leaf, const Vec3& p, const GridPlaces& grid)
+{
+  const Octree& octree = grid.octree();
+  const GridFrame& frame = octree.frame();
+  std::vector<Index> points;
+  for (const Index near : leavesTouching(octree, {octree.cornerOf(leaf, 0), octree.cornerOf(leaf, 7)}))
+  {
+    const auto& corners = grid.points().atCorner[near];
+    std::copy_if(corners.begin(), corners.end(), std::back_inserter(points), [](Index i) { return i != noIndex; });
+  }
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  std::vector<std::pair<double, Index>> out;
+  for (const Index point : points)
+  {
+    const Vec3 at = frame.toModel(grid.place(point));
+    if (!frame.turnedDomain || frame.turnedDomain->contains(frame.placement.toModel(at)))
+    {
+      out.emplace_back((at - p).squaredNorm(), point);
+    }
+  }
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+/// Whether no surface is between a place and a grid point near it.
+bool seesPlace(const LatticePoint& from, Index point, const GridPlaces& grid, const SurfaceModel& model)
+{
+  EdgeSegment sight;
+  sight.start = from;
+  sight.end = grid.place(point);
+  sight.axis = -1;
+  const Octree& octree = grid.octree();
+  sight.about.fill(octree.leafAt(from));
+  sight.size = octree.frame().latticeSize(octree.level(sight.about[0]));
+  if (sight.start == sight.end)
+  {
+    return true;
+  }
+  LatticeBox box{from, from};
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    box.low[axis] = std::min(sight.start[axis], sight.end[axis]);
+    box.high[axis] = std::max(sight.start[axis], sight.end[axis]);
+  }
+  return EdgeProbe(octree, model).cut(sight, leavesTouching(octree, box)).empty();
+}
+
+void nameSurfaces(std::vector<ZoneSummary>& summaries, const Zones& zones, const Crossings& crossings,
+                  std::size_t surfaceCount)
+{
+  std::vector<std::pair<std::int32_t, Index>> uses;
+  for (const BoundaryFace& face : crossings.boundaryFaces)
+  {
+    if (face.tag < surfaceCount)
+    {
+      uses.emplace_back(zones.ofPoint[face.element], face.tag);
+    }
+  }
+  std::sort(uses.begin(), uses.end());
+  struct Count
+  {
+    std::int32_t zone;
+    std::size_t faces;
+    Index surface;
+  };
+  std::vector<Count> counts;
+  for (const auto& [zone, surface] : uses)
+  {
+    if (counts.empty() || counts.back().zone != zone || counts.back().surface != surface)
+    {
+      counts.push_back({zone, 0, surface});
+    }
+    ++counts.back().faces;
+  }
+  std::stable_sort(counts.begin(), counts.end(), [](const Count& l, const Count& r) { return l.faces > r.faces; });
+  for (const Count& count : counts)
+  {
+    summaries[count.zone].surfaces.push_back(count.surface);
+  }
+}
+
+} // namespace
+
+Index pointOfSeed(const Vec3& seed, const char* kind, const GridPlaces& grid, const SurfaceModel& model)
+{
+  const Octree& octree = grid.octree();
+  const GridFrame& frame = octree.frame();
+  const Vec3 placed = frame.placement.fromModel(seed);
+  if (!seed.allFinite() || (placed.array() < frame.domain.min.array()).any() ||
+      (placed.array() > frame.domain.max.array()).any() || !frame.inDomain(frame.toLattice(placed)) ||
+      (frame.turnedDomain && !frame.turnedDomain->contains(seed)))
+  {
+    throw Error((std::ostringstream() << "the " << kind << " " << seed.transpose()
+                                      << " is outside the domain: give a point between " << frame.domain.min.transpose()
+                                      << " and " << frame.domain.max.transpose())
+                    .str());
+  }
+  const Index leaf = octree.leafAt(frame.toLattice(placed));
+  const auto around = pointsAround(leaf, placed, grid);
+  const auto visible = std::find_if(around.begin(), around.end(), [&](const auto& candidate) {
+    return seesPlace(frame.toLattice(placed), candidate.second, grid, model);
+  });
+  if (visible != around.end())
+  {
+    return visible->second;
+  }
+  const auto& corners = grid.points().atCorner[leaf];
+  const auto corner = std::find_if(around.begin(), around.end(), [&](const auto& candidate) {
+    return std::find(corners.begin(), corners.end(), candidate.second) != corners.end();
+  });
+  if (corner == around.end())
+  {
+    throw Error(
+        (std::ostringstream() << "the " << kind << " " << seed.transpose() << " has no element about it").str());
+  }
+  return corner->second;
+}
+
+UnionFind joinPoints(const Crossings& crossings, const RunContext& context)
+{
+  // Points of a piece are joined with each other first, by all threads.
+  constexpr std::size_t length = 16384;
+  const std::size_t count = crossings.neighbours.size();
+  UnionFind sets(count);
+  std::vector<std::vector<std::pair<Index, Index>>> between((count + length - 1) / length);
+  context.executor.forEach(between.size(), 1, [&](std::size_t piece) {
+    context.progress.check();
+    const std::size_t end = std::min((piece + 1) * length, count);
+    for (std::size_t point = piece * length; point < end; ++point)
+    {
+      for (int direction = 1; direction < 6; direction += 2)
+      {
+        const std::int32_t neighbour = crossings.neighbours[point][direction];
+        const auto other = static_cast<std::size_t>(neighbour);
+        if (neighbour >= 0 && other >= piece * length && other < end)
+        {
+          sets.join(static_cast<Index>(point), static_cast<Index>(neighbour));
+        }
+        else if (neighbour >= 0)
+        {
+          between[piece].emplace_back(static_cast<Index>(point), static_cast<Index>(neighbour));
+        }
+      }
+    }
+  });
+  for (const auto& pairs : between)
+  {
+    context.progress.check();
+    for (const auto& [a, b] : pairs)
+    {
+      sets.join(a, b);
+    }
+  }
+  return sets;
+}
+
+Zones findZones(const Crossings& crossings, std::size_t surfaceCount, const RunContext& context)
+{
+  const std::size_t count = crossings.neighbours.size();
+  UnionFind sets = joinPoints(crossings, context);
+  Zones zones;
+  zones.ofPoint.resize(count);
+  const Pieces pieces(count);
+  std::vector<std::vector<Run>> runs(pieces.count);
+  context.executor.forEach(pieces.count, 1, [&](std::size_t piece) {
+    for (std::size_t point = pieces.begin(piece); point < pieces.end(piece); ++point)
+    {
+      const Index root = sets.find(static_cast<Index>(point));
+      zones.ofPoint[point] = static_cast<std::int32_t>(root);
+      addToRuns(runs[piece], root);
+    }
+  });
+  std::vector<Index> ofRoot(count, 0); // the number of its points, then its zone
+  const std::vector<Index> roots = rootsBySize(runs, ofRoot);
+  for (Index zone = 0; zone < roots.size(); ++zone)
+  {
+    zones.sizes.push_back(std::exchange(ofRoot[roots[zone]], zone));
+  }
+  context.executor.forEach(count, Pieces::length, [&](std::size_t point) {
+    zones.ofPoint[point] = static_cast<std::int32_t>(ofRoot[static_cast<std::size_t>(zones.ofPoint[point])]);
+  });
+  zones.sides.resize(roots.size(), 0);
+  zones.openSides.resize(roots.size(), 0);
+  for (const BoundaryFace& face : crossings.boundaryFaces)
+  {
+    if (face.onDomainSide)
+    {
+      const auto bit = static_cast<std::uint8_t>(1u << face.direction);
+      const std::int32_t zone = zones.ofPoint[face.element];
+      zones.sides[zone] |= bit;
+      zones.openSides[zone] |= face.tag >= surfaceCount ? bit : std::uint8_t{0};
+    }
+  }
+  return zones;
+}
+
+std::vector<char> keptZones(const Zones& zones, ZoneRule rule, const std::vector<Vec3>& seeds, const GridPlaces& grid,
+                            const SurfaceModel& model)
+{
+  std::vector<char> kept(zones.count(), rule == ZoneRule::all ? 1 : 0);
+  if (rule == ZoneRule::outside)
+  {
+    keepOutside(zones, kept);
+  }
+  else if (rule == ZoneRule::seeds)
+  {
+    if (seeds.empty())
+    {
+      throw Error("zones are to be kept by seeds, but there is no seed: give at least one point inside a zone");
+    }
+    for (const Vec3& seed : seeds)
+    {
+      kept[zones.ofPoint[pointOfSeed(seed, "seed", grid, model)]] = 1;
+    }
+  }
+  if (std::find(kept.begin(), kept.end(), 1) == kept.end())
+  {
+    throw Error(rule == ZoneRule::all ? "there is nothing to mesh: no grid point is inside the domain"
+                                      : "no zone is left to mesh: none reaches a side of the domain; keep all "
+                                        "zones, or give seeds");
+  }
+  return kept;
+}
+
+std::vector<ZoneSummary> summariseZones(const Zones& zones, const std::vector<char>& kept, const Crossings& crossings,
+                                        const GridPlaces& grid, std::size_t surfaceCount, const RunContext& context)
+{
+  std::vector<ZoneSummary> summaries(zones.count());
+  const std::vector<Index> roomiest = roomiestPoints(zones, grid.octree(), grid.points(), context);
+  for (std::size_t i = 0; i < zones.count(); ++i)
+  {
+    summaries[i].elements = zones.sizes[i];
+    summaries[i].kept = kept[i] != 0;
+    summaries[i].sides = zones.sides[i];
+    summaries[i].inside = placeAt(roomiest[i], grid);
+  }
+  nameSurfaces(summaries, zones, crossings, surfaceCount);
+  return summaries;
+}
+
+} // namespace atria

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Dual/Grid/Crossings.h"
+#include "Support/RunContext.h"
+#include "Support/UnionFind.h"
+
+#include <string>
+
+namespace atria {
+
+/// Which zones are kept.
+enum class ZoneRule : std::uint8_t
+{
+  /// Those that reach the top of the domain. If none does, or if surfaces lie on all of its sides but the bottom, those
+  /// that reach any side but the bottom; if none does, the bottom.
+  outside,
+  all,
+  seeds ///< those that hold one of given points
+};
+
+/// Zones: grid points joined across uncut edges. Zone 0 has the most points, and so on down; equal ones by first point.
+struct Zones
+{
+  std::vector<std::int32_t> ofPoint;
+  std::vector<std::size_t> sizes;
+  /// Per zone, the domain sides it reaches, as bits by Direction; and those it reaches where no surface lies on them.
+  std::vector<std::uint8_t> sides;
+  std::vector<std::uint8_t> openSides;
+
+  std::size_t count() const { return sizes.size(); }
+};
+
+/// Sets of grid points that uncut edges join.
+UnionFind joinPoints(const Crossings& crossings, const RunContext& context);
+
+Zones findZones(const Crossings& crossings, std::size_t surfaceCount, const RunContext& context);
+
+/// The grid point whose zone a seed means: the nearest one, where it stands in the modified grid, that no surface hides
+/// from the seed, of those at the leaf it lies in and its neighbours; where all are hidden, the nearest corner of that
+/// leaf. Throws Error for a seed outside the domain; `kind` names it there, such as "seed".
+Index pointOfSeed(const Vec3& seed, const char* kind, const GridPlaces& grid, const SurfaceModel& model);
+
+/// Whether each zone is kept. Throws Error for a seed outside the domain, and where no zone is left.
+std::vector<char> keptZones(const Zones& zones, ZoneRule rule, const std::vector<Vec3>& seeds, const GridPlaces& grid,
+                            const SurfaceModel& model);
+
+/// What there is to say of a zone, kept or not.
+struct ZoneSummary
+{
+  std::size_t elements = 0;
+  bool kept = false;
+  /// The domain sides it reaches, as bits by Direction.
+  std::uint8_t sides = 0;
+  /// A point that, as a seed, means this zone; in a large octant, away from surfaces where the zone has such a place.
+  Vec3 inside;
+  /// Surfaces on its border, those with most faces first.
+  std::vector<Index> surfaces;
+};
+std::vector<ZoneSummary> summariseZones(const Zones& zones, const std::vector<char>& kept, const Crossings& crossings,
+                                        const GridPlaces& grid, std::size_t surfaceCount, const RunContext& context);
+
+} // namespace atria

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Where the octree stands in the model, and the integer lattice on which all decisions are taken.
+#pragma once
+
+#include "Grid/Placement.h"
+
+#include <optional>
+
+namespace atria {
+
+/// A point of the lattice: integers, so that predicates are exact. Differences stay below 2^40.
+using LatticePoint = std::array<std::int64_t, 3>;
+
+inline Vec3 toVector(const LatticePoint& p)
+{
+  return {static_cast<double>(p[0]), static_cast<double>(p[1]), static_cast<double>(p[2])};
+}
+
+/// The domain and the sizes an octree is made for.
+struct GridOptions
+{
+  Box3 domain;
+  /// Edge length of octants at features, and the grid's unit: octants have sizes sizeMin * 2^j; positive.
+  double sizeMin = 1.0;
+  /// Size of octants that a surface passes through; at least sizeMin.
+  double sizeMid = 2.0;
+  /// Size of octants in the open; at least sizeMid.
+  double sizeMax = 8.0;
+  /// Every octant in the domain is refined at least to this level (the root is level 0).
+  int startLevel = 4;
+  /// The finest size asked for anywhere (finestSizeOf in Octree/Sizing.h). Below sizeMin it adds levels to the grid.
+  double finestAsked = std::numeric_limits<double>::infinity();
+};
+
+/// The root cube `[origin, origin + finestSize * 2^depth]^3` that holds the domain. Its phase puts the domain's lower
+/// planes through the centres of finest octants: the upper ones follow where the domain is a multiple of `finestSize`.
+/// `finestSize` is SizeMin, or SizeMin / 2^k where a rule asks for finer octants; features then are at k levels above
+/// the finest unless a rule says otherwise.
+///
+/// All coordinates are along the axes of `placement`, to which the model was turned.
+///
+/// Lattice coordinates count from `origin` in units of `finestSize / 2^subBits`.
+struct GridFrame
+{
+  static constexpr int maximumDepth = 20;
+
+  Vec3 origin = Vec3::Zero();
+  double finestSize = 1.0;
+  int depth = 0;
+  int startLevel = 0;
+  int midLevel = 0;
+  int topLevel = 0;
+  /// Level of SizeMin: that of features without a rule of their own.
+  int featureLevel = 0;
+  int subBits = 0;
+  Box3 domain;
+  LatticePoint domainLow{};
+  LatticePoint domainHigh{};
+  Placement placement;
+  /// The domain proper where it stands at an angle to the grid: its sides then are surfaces, and `domain` is a box of
+  /// the grid about it, with the same bottom and top.
+  std::optional<PlacedBox> turnedDomain;
+
+  double rootSize() const { return finestSize * static_cast<double>(std::int64_t{1} << depth); }
+  double latticeUnit() const { return finestSize / static_cast<double>(std::int64_t{1} << subBits); }
+  /// Edge length of an octant of `level` in lattice units.
+  std::int64_t latticeSize(int level) const { return std::int64_t{1} << (depth - level + subBits); }
+  double sizeOf(int level) const { return finestSize * static_cast<double>(std::int64_t{1} << (depth - level)); }
+
+  LatticePoint toLattice(const Vec3& p) const;
+  Vec3 toModel(const LatticePoint& p) const;
+  /// A place between the lattice's points.
+  Vec3 toModel(const Vec3& lattice) const { return origin + latticeUnit() * lattice; }
+  double toModel(int axis, double lattice) const { return origin[axis] + lattice * latticeUnit(); }
+
+  /// Strictly inside the domain box.
+  bool inDomain(const LatticePoint& p) const;
+  /// Domain planes (by Direction, as bits) that pass through the octant [low, high]. A plane on the border of two
+  /// octants belongs to the one inside the domain.
+  unsigned domainPlanes(const LatticePoint& low, const LatticePoint& high) const;
+  /// Model coordinate of a domain plane.
+  double planeOf(int direction) const
+  {
+    return isUpper(direction) ? domain.max[axisOf(direction)] : domain.min[axisOf(direction)];
+  }
+};
+
+/// Chooses the lattice of a frame whose root and domain are set, so that it holds `extent` too. Throws Error where that
+/// is too far for it. The octree's keys do not depend on the lattice.
+void fitLattice(GridFrame& frame, const Box3& extent);
+
+/// Chooses root, levels and lattice. `extent` must hold every surface point. Throws Error where the domain is empty or
+/// thinner than two octants of sizeMin, sizes are not positive and ordered, or the ratio of extent to the finest size
+/// is beyond what 20 levels hold.
+GridFrame makeGridFrame(const GridOptions& options, const Box3& extent);
+
+} // namespace atria

@@ -1,0 +1,439 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Layer/CreaseSheets.h"
+
+#include "Layer/PrismAxes.h"
+#include "Support/UnionFind.h"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+
+namespace atria {
+
+namespace {
+
+/// Of 150 degrees: the angle between two edges on creases beyond which a face's piece gets rows.
+constexpr double widestCosine = -0.866;
+
+/// Walls and the pieces they are of. Corner k of a face comes after edge k - 1 and before edge k.
+class PiecedWalls
+{
+public:
+  PiecedWalls(const DualMesh& p, const LayerWalls& w, const std::vector<Index>& pieces)
+      : plain(p), walls(w), pieceOf(pieces)
+  {
+  }
+
+protected:
+  Index pointAt(Index face, int k) const { return cornerOf(plain, plain.boundaryFaces[face], k); }
+  Index across(Index face, int edge) const { return walls.graph.across[face][edge & 3]; }
+
+  /// Whether the face across an edge is of the same piece.
+  bool isInner(Index face, int edge) const
+  {
+    const Index code = across(face, edge);
+    return BoundaryGraph::isEdge(code) && pieceOf[BoundaryGraph::faceOf(code)] == pieceOf[face];
+  }
+
+  /// Whether a wall of another piece is across an edge.
+  bool isCrease(Index face, int edge) const
+  {
+    const Index code = across(face, edge);
+    return BoundaryGraph::isEdge(code) && !isInner(face, edge) &&
+           walls.roles[BoundaryGraph::faceOf(code)] == FaceRole::wall;
+  }
+
+  const DualMesh& plain;
+  const LayerWalls& walls;
+  const std::vector<Index>& pieceOf;
+};
+
+/// Whether the layer is there at all corners of a wall, and nothing is behind it.
+bool isWhole(Index f, const LayerMesh& layer, const DualMesh& plain, const LayerWalls& walls)
+{
+  if (walls.roles[f] != FaceRole::wall || plain.boundaryFaces[f].opposite != noIndex)
+  {
+    return false;
+  }
+  for (int k = 0; k < 4; ++k)
+  {
+    const Index code = walls.graph.across[f][k];
+    if (layer.copies[cornerOf(plain, plain.boundaryFaces[f], k)] == noIndex || !BoundaryGraph::isEdge(code) ||
+        walls.roles[BoundaryGraph::faceOf(code)] == FaceRole::fixed)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Numbers the pieces of whole walls by boundary face; returns how many there are.
+Index findPieces(const LayerMesh& layer, const DualMesh& plain, const LayerWalls& walls, std::vector<Index>& pieceOf)
+{
+  pieceOf.assign(plain.boundaryFaces.size(), noIndex);
+  std::map<std::array<Index, 3>, Index> pieces;
+  for (Index f = 0; f < pieceOf.size(); ++f)
+  {
+    if (isWhole(f, layer, plain, walls))
+    {
+      const BoundaryFace& face = plain.boundaryFaces[f];
+      const std::array<Index, 3> key = face.chart == noIndex
+                                           ? std::array<Index, 3>{noIndex, face.tag, face.direction}
+                                           : std::array<Index, 3>{face.chart, static_cast<Index>(face.side), 0};
+      pieceOf[f] = pieces.emplace(key, static_cast<Index>(pieces.size())).first->second;
+    }
+  }
+  return static_cast<Index>(pieces.size());
+}
+
+class StepFinder : PiecedWalls
+{
+public:
+  StepFinder(const LayerMesh& l, const DualMesh& p, const LayerWalls& w, const std::vector<Index>& pieces)
+      : PiecedWalls(p, w, pieces), layer(l)
+  {
+  }
+
+  /// Marks pieces with steps.
+  std::vector<char> find(Index pieceCount) const
+  {
+    std::vector<char> marked(pieceCount, 0);
+    for (Index f = 0; f < pieceOf.size(); ++f)
+    {
+      if (pieceOf[f] != noIndex)
+      {
+        marked[pieceOf[f]] |= hasStep(f) ? 1 : 0;
+      }
+    }
+    return marked;
+  }
+
+private:
+  /// Whether two edges of a face are on creases, and nearly in line.
+  bool hasStep(Index f) const
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      if (isCrease(f, k) && isCrease(f, k + 3))
+      {
+        const Vec3& p = layer.mesh.points[pointAt(f, k)];
+        const Vec3 before = (layer.mesh.points[pointAt(f, k + 3)] - p).normalized();
+        const Vec3 after = (layer.mesh.points[pointAt(f, k + 1)] - p).normalized();
+        if (before.dot(after) < widestCosine)
+        {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  const LayerMesh& layer;
+};
+
+/// Codes of corners and edges are 4 * face + k.
+class RowBuilder : PiecedWalls
+{
+public:
+  RowBuilder(LayerMesh& l, const DualMesh& p, const LayerWalls& w, const CreaseCharts& c, double relativeWidth)
+      : PiecedWalls(p, w, c.pieceOf), layer(l), charts(c), width(relativeWidth), runs(4 * p.boundaryFaces.size())
+  {
+  }
+
+  CreaseRows build()
+  {
+    rows.firstPoint = static_cast<Index>(layer.mesh.points.size());
+    rows.firstFace = static_cast<Index>(layer.mesh.boundaryFaces.size());
+    joinRuns();
+    splitPoints();
+    numberElements();
+    for (Index f = 0; f < plain.boundaryFaces.size(); ++f)
+    {
+      if (isParted(f))
+      {
+        addAbove(f);
+      }
+    }
+    for (Index f = 0; f < plain.boundaryFaces.size(); ++f)
+    {
+      for (int i = 0; i < 4 && isParted(f); ++i)
+      {
+        if (isCrease(f, i))
+        {
+          addBeside(f, i);
+        }
+      }
+    }
+    return std::move(rows);
+  }
+
+private:
+  /// Corners at one point that hang together through faces of a piece.
+  struct Run
+  {
+    bool atCrease = false;
+    /// The other end of an edge where the piece ends on a side of the domain.
+    Index alongSide = noIndex;
+    Vec3 beside = Vec3::Zero();
+    int besideCount = 0;
+  };
+
+  static Index codeOf(Index face, int k) { return 4 * face + static_cast<Index>(k & 3); }
+  bool isParted(Index face) const { return pieceOf[face] != noIndex && charts.isParted[pieceOf[face]]; }
+  int directionOf(Index face) const { return plain.boundaryFaces[face].direction; }
+  Index prismOf(Index face) const { return layer.mesh.boundaryFaces[face].element; }
+
+  void joinRuns()
+  {
+    for (Index f = 0; f < plain.boundaryFaces.size(); ++f)
+    {
+      for (int i = 0; i < 4 && isParted(f); ++i)
+      {
+        if (isInner(f, i))
+        {
+          const Index code = across(f, i);
+          const Index other = BoundaryGraph::faceOf(code);
+          const int edge = BoundaryGraph::edgeOf(code);
+          runs.join(codeOf(f, i), codeOf(other, edge + 1));
+          runs.join(codeOf(f, i + 1), codeOf(other, edge));
+        }
+      }
+    }
+  }
+
+  std::map<Index, Run> findRuns()
+  {
+    std::map<Index, Run> found;
+    for (Index f = 0; f < plain.boundaryFaces.size(); ++f)
+    {
+      for (int k = 0; k < 4 && isParted(f); ++k)
+      {
+        Run& run = found[runs.find(codeOf(f, k))];
+        for (const auto& [edge, end] : {std::pair(k, k + 1), std::pair(k + 3, k + 3)})
+        {
+          if (isInner(f, edge))
+          {
+            run.beside += layer.mesh.points[pointAt(f, end)];
+            ++run.besideCount;
+          }
+          else if (isCrease(f, edge))
+          {
+            run.atCrease = true;
+          }
+          else
+          {
+            run.alongSide = pointAt(f, end);
+          }
+        }
+      }
+    }
+    return found;
+  }
+
+  /// Gives each run a point half way up its layer; and one on the wall if it ends at a crease.
+  void splitPoints()
+  {
+    wallOf.assign(pieceOf.size() * 4, noIndex);
+    insideOf.assign(pieceOf.size() * 4, noIndex);
+    for (const auto& [root, run] : findRuns())
+    {
+      const Index f = root / 4;
+      const auto k = static_cast<int>(root & 3);
+      const Index p = pointAt(f, k);
+      const Vec3 start = layer.mesh.points[p];
+      const bool atSide = run.alongSide != noIndex;
+      wallOf[root] = p;
+      if (run.atCrease)
+      {
+        const Vec3 to = atSide                 ? layer.mesh.points[run.alongSide]
+                        : run.besideCount == 0 ? layer.mesh.points[pointAt(f, k + 2)]
+                                               : Vec3(run.beside / run.besideCount);
+        wallOf[root] = addPoint(start + width * (to - start), {p, plain.boundaryFaces[f].chart, true, atSide});
+      }
+      insideOf[root] = addPoint(0.5 * (layer.mesh.points[wallOf[root]] + layer.mesh.points[layer.copies[p]]),
+                                {p, noIndex, false, atSide});
+    }
+  }
+
+  Index addPoint(const Vec3& place, const CreaseRows::Point& what)
+  {
+    layer.mesh.points.push_back(place);
+    rows.points.push_back(what);
+    return static_cast<Index>(layer.mesh.points.size() - 1);
+  }
+
+  void numberElements()
+  {
+    above.assign(pieceOf.size(), noIndex);
+    beside.assign(4 * pieceOf.size(), noIndex);
+    auto next = static_cast<Index>(layer.mesh.elementCount());
+    for (Index f = 0; f < above.size(); ++f)
+    {
+      above[f] = isParted(f) ? next++ : noIndex;
+    }
+    for (Index f = 0; f < above.size(); ++f)
+    {
+      for (int i = 0; i < 4 && isParted(f); ++i)
+      {
+        beside[codeOf(f, i)] = isCrease(f, i) ? next++ : noIndex;
+      }
+    }
+  }
+
+  void addElement(Index like, const std::array<Index, 8>& corners, const std::array<std::int32_t, 6>& neighbours)
+  {
+    layer.mesh.corners.push_back(corners);
+    layer.mesh.neighbours.push_back(neighbours);
+    layer.mesh.levels.push_back(std::uint8_t(layer.mesh.levels[like]));
+    layer.mesh.zones.push_back(std::int32_t(layer.mesh.zones[like]));
+  }
+
+  /// A boundary face like another one.
+  std::int32_t addFace(Index like, Index element, int direction, Index wallFace)
+  {
+    BoundaryFace face = layer.mesh.boundaryFaces[like];
+    face.element = element;
+    face.direction = static_cast<std::uint8_t>(direction);
+    layer.mesh.boundaryFaces.push_back(face);
+    rows.wallFaces.push_back(wallFace);
+    return ~static_cast<std::int32_t>(layer.mesh.boundaryFaces.size() - 1);
+  }
+
+  /// The side of the domain that a prism ends on across an edge of its wall.
+  Index sideAt(Index f, int edge) const
+  {
+    return DualMesh::boundaryFaceOf(layer.mesh.neighbours[prismOf(f)][besideEdge(directionOf(f), edge)]);
+  }
+
+  /// Halves the prism of a face.
+  void addAbove(Index f)
+  {
+    const int direction = directionOf(f);
+    const int axis = axisOf(direction);
+    const Index prism = prismOf(f);
+    const Index inside = plain.boundaryFaces[f].element;
+    std::array<Index, 8> corners;
+    for (int k = 0; k < 4; ++k)
+    {
+      const std::uint8_t low = hexahedronFace[direction][k];
+      const std::uint8_t high = acrossAxis(low, axis);
+      const Index run = runs.find(codeOf(f, k));
+      corners[high] = layer.mesh.corners[prism][high];
+      corners[low] = insideOf[run];
+      layer.mesh.corners[prism][high] = insideOf[run];
+      layer.mesh.corners[prism][low] = wallOf[run];
+    }
+    std::array<std::int32_t, 6> neighbours;
+    neighbours[direction] = static_cast<std::int32_t>(prism);
+    neighbours[opposite(direction)] = static_cast<std::int32_t>(inside);
+    for (int i = 0; i < 4; ++i)
+    {
+      const int lateral = besideEdge(direction, i);
+      if (isInner(f, i))
+      {
+        neighbours[lateral] = static_cast<std::int32_t>(above[BoundaryGraph::faceOf(across(f, i))]);
+      }
+      else if (isCrease(f, i))
+      {
+        neighbours[lateral] = static_cast<std::int32_t>(beside[codeOf(f, i)]);
+      }
+      else
+      {
+        neighbours[lateral] = addFace(sideAt(f, i), above[f], lateral, noIndex);
+      }
+    }
+    addElement(prism, corners, neighbours);
+    layer.mesh.neighbours[prism][opposite(direction)] = static_cast<std::int32_t>(above[f]);
+    layer.mesh.neighbours[inside][direction] = static_cast<std::int32_t>(above[f]);
+  }
+
+  /// The element between the prism of a face and the crease.
+  void addBeside(Index f, int edge)
+  {
+    const int direction = directionOf(f);
+    const int lateral = besideEdge(direction, edge);
+    const Index self = beside[codeOf(f, edge)];
+    std::array<Index, 8> corners;
+    for (const int k : {edge, (edge + 1) & 3})
+    {
+      const std::uint8_t low = hexahedronFace[direction][k];
+      const std::uint8_t high = acrossAxis(low, axisOf(direction));
+      const Index p = pointAt(f, k);
+      const Index run = runs.find(codeOf(f, k));
+      corners[low] = p;
+      corners[high] = layer.copies[p];
+      corners[acrossAxis(low, axisOf(lateral))] = wallOf[run];
+      corners[acrossAxis(high, axisOf(lateral))] = insideOf[run];
+    }
+    std::array<std::int32_t, 6> neighbours;
+    neighbours[direction] = addFace(f, self, direction, f);
+    neighbours[opposite(direction)] = static_cast<std::int32_t>(above[f]);
+    neighbours[opposite(lateral)] = static_cast<std::int32_t>(prismOf(f));
+    neighbours[lateral] = beyond(f, edge, self);
+    for (const int next : {(edge + 3) & 3, (edge + 1) & 3})
+    {
+      const int end = besideEdge(direction, next);
+      neighbours[end] = atEnd(f, next, pointAt(f, next == ((edge + 1) & 3) ? next : edge), self, end);
+    }
+    addElement(prismOf(f), corners, neighbours);
+    layer.mesh.neighbours[prismOf(f)][lateral] = static_cast<std::int32_t>(self);
+  }
+
+  /// What is on the other side of the crease; made to have the element as its neighbour.
+  std::int32_t beyond(Index f, int edge, Index self)
+  {
+    const Index code = across(f, edge);
+    const Index other = BoundaryGraph::faceOf(code);
+    if (isParted(other))
+    {
+      return static_cast<std::int32_t>(beside[code]);
+    }
+    layer.mesh.neighbours[prismOf(other)][besideEdge(directionOf(other), BoundaryGraph::edgeOf(code))] =
+        static_cast<std::int32_t>(self);
+    return static_cast<std::int32_t>(prismOf(other));
+  }
+
+  /// What the row goes on with round a point, from an edge of a face at it.
+  std::int32_t atEnd(Index f, int edge, Index point, Index self, int end)
+  {
+    while (isInner(f, edge))
+    {
+      const Index code = across(f, edge);
+      f = BoundaryGraph::faceOf(code);
+      edge = BoundaryGraph::edgeOf(code);
+      edge = (pointAt(f, edge) == point ? edge + 3 : edge + 1) & 3;
+    }
+    return isCrease(f, edge) ? static_cast<std::int32_t>(beside[codeOf(f, edge)])
+                             : addFace(sideAt(f, edge), self, end, noIndex);
+  }
+
+  LayerMesh& layer;
+  const CreaseCharts& charts;
+  double width;
+  UnionFind runs;
+  /// By root of a run.
+  std::vector<Index> wallOf;
+  std::vector<Index> insideOf;
+  /// Elements: the upper half by face, those beside creases by edge.
+  std::vector<Index> above;
+  std::vector<Index> beside;
+  CreaseRows rows;
+};
+
+} // namespace
+
+CreaseCharts findCreaseCharts(const LayerMesh& layer, const DualMesh& plain, const LayerWalls& walls)
+{
+  CreaseCharts charts;
+  const Index count = findPieces(layer, plain, walls, charts.pieceOf);
+  charts.isParted = StepFinder(layer, plain, walls, charts.pieceOf).find(count);
+  return charts;
+}
+
+CreaseRows insertCreaseRows(LayerMesh& layer, const DualMesh& plain, const LayerWalls& walls,
+                            const CreaseCharts& charts, double width)
+{
+  return RowBuilder(layer, plain, walls, charts, width).build();
+}
+
+} // namespace atria

@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Mesher/DualMesher.h"
+
+#include "Dual/Displacement/DisplacedGrid.h"
+#include "Dual/Vertices/DualVertices.h"
+#include "Dual/Vertices/TurnedDomain.h"
+#include "Dual/Zones/CrackClosing.h"
+#include "Dual/Zones/Cracks.h"
+#include "Mesher/DualImprover.h"
+#include "Support/Pieces.h"
+
+#include <algorithm>
+#include <atomic>
+
+namespace atria {
+
+namespace {
+
+/// Numbers the items that `isUsed`, in order; noIndex for the others. Returns their count.
+template <typename IsUsed> Index numberInOrder(std::vector<Index>& numbers, const RunContext& context, IsUsed&& isUsed)
+{
+  const Pieces pieces(numbers.size());
+  std::vector<Index> firsts(pieces.count, 0);
+  context.executor.forEach(pieces.count, 4, [&](std::size_t piece) {
+    for (std::size_t i = pieces.begin(piece); i < pieces.end(piece); ++i)
+    {
+      firsts[piece] += isUsed(i) ? 1 : 0;
+    }
+  });
+  const Index count = scan(firsts);
+  context.executor.forEach(pieces.count, 4, [&](std::size_t piece) {
+    Index next = firsts[piece];
+    for (std::size_t i = pieces.begin(piece); i < pieces.end(piece); ++i)
+    {
+      numbers[i] = isUsed(i) ? next++ : noIndex;
+    }
+  });
+  return count;
+}
+
+/// New numbers of the grid points that become elements; noIndex for the others.
+std::vector<Index> numberElements(const Zones& zones, const std::vector<char>& kept, const RunContext& context)
+{
+  std::vector<Index> numbers(zones.ofPoint.size());
+  numberInOrder(numbers, context, [&](std::size_t i) { return kept[zones.ofPoint[i]] != 0; });
+  return numbers;
+}
+
+/// The leaves kept elements have, in order; `numbers` becomes their vertex numbers.
+std::vector<Index> numberVertices(const GridPoints& points, const std::vector<Index>& elements, std::size_t leafCount,
+                                  std::vector<Index>& numbers, const RunContext& context)
+{
+  std::vector<char> isUsed(leafCount, 0);
+  context.executor.forEach(elements.size(), 8192, [&](std::size_t i) {
+    if (elements[i] != noIndex)
+    {
+      for (const Index leaf : points.leaves[i])
+      {
+        std::atomic_ref(isUsed[leaf]).store(1, std::memory_order_relaxed);
+      }
+    }
+  });
+  numbers.resize(leafCount);
+  std::vector<Index> used(numberInOrder(numbers, context, [&](std::size_t leaf) { return isUsed[leaf] != 0; }));
+  context.executor.forEach(leafCount, 16384, [&](std::size_t leaf) {
+    if (numbers[leaf] != noIndex)
+    {
+      used[numbers[leaf]] = static_cast<Index>(leaf);
+    }
+  });
+  return used;
+}
+
+void fillBoundary(DualMesh& mesh, Crossings& crossings, const std::vector<Index>& elements, const RunContext& context)
+{
+  const std::vector<Index> kept = chosenNumbers(crossings.boundaryFaces.size(), context.executor, [&](std::size_t f) {
+    return elements[crossings.boundaryFaces[f].element] != noIndex;
+  });
+  mesh.boundaryFaces.resize(kept.size());
+  context.executor.forEach(kept.size(), 4096, [&](std::size_t f) {
+    BoundaryFace face = crossings.boundaryFaces[kept[f]];
+    const Index point = face.element;
+    face.element = elements[point];
+    face.opposite = face.opposite == noIndex ? noIndex : elements[face.opposite];
+    crossings.neighbours[point][face.direction] = ~static_cast<std::int32_t>(f);
+    mesh.boundaryFaces[f] = face;
+  });
+}
+
+void fillElements(DualMesh& mesh, const Octree& octree, const GridPoints& points, const Crossings& crossings,
+                  const Zones& zones, const std::vector<Index>& elements, const std::vector<Index>& vertices,
+                  const RunContext& context)
+{
+  const auto last = std::find_if(elements.rbegin(), elements.rend(), [](Index e) { return e != noIndex; });
+  const std::size_t count = last == elements.rend() ? 0 : *last + std::size_t{1};
+  mesh.corners.resize(count);
+  mesh.neighbours.resize(count);
+  mesh.levels.resize(count);
+  mesh.zones.resize(count);
+  context.executor.forEach(elements.size(), 8192, [&](std::size_t i) {
+    const Index e = elements[i];
+    if (e == noIndex)
+    {
+      return;
+    }
+    int finest = 0;
+    for (int c = 0; c < 8; ++c)
+    {
+      const Index leaf = points.leaves[i][hexahedronCorner[c]];
+      mesh.corners[e][c] = vertices[leaf];
+      finest = std::max(finest, octree.level(leaf));
+    }
+    for (int direction = 0; direction < 6; ++direction)
+    {
+      const std::int32_t neighbour = crossings.neighbours[i][direction];
+      mesh.neighbours[e][direction] = neighbour >= 0 ? static_cast<std::int32_t>(elements[neighbour]) : neighbour;
+    }
+    mesh.levels[e] = static_cast<std::uint8_t>(finest);
+    mesh.zones[e] = zones.ofPoint[i];
+  });
+}
+
+/// Vertices that stand between pieces, each told once with an element that has it.
+void appendUnresolved(const DualMesh& mesh, std::vector<char>& compromised, std::vector<Diagnostic>& out)
+{
+  if (std::find(compromised.begin(), compromised.end(), 1) == compromised.end())
+  {
+    return;
+  }
+  for (Index e = 0; e < mesh.elementCount(); ++e)
+  {
+    for (const Index p : mesh.corners[e])
+    {
+      if (compromised[p])
+      {
+        compromised[p] = 0;
+        out.push_back({Diagnostic::unresolvedFeature, mesh.points[p], mesh.points[p], e});
+      }
+    }
+  }
+}
+
+void appendMerged(const Crossings& crossings, const std::vector<Index>& elements, const GridFrame& frame,
+                  std::vector<Diagnostic>& out)
+{
+  for (const CrossedEdge& edge : crossings.crossedEdges)
+  {
+    const Index here = elements[edge.point];
+    const Index there = edge.other == noIndex ? noIndex : elements[edge.other];
+    if (edge.count < 2 || (here == noIndex && there == noIndex))
+    {
+      continue;
+    }
+    const auto at = [&](const SurfaceCrossing& cut) { return frame.toModel(pointOn(edge.segment, cut.parameter)); };
+    const auto cuts = crossings.of(edge);
+    out.push_back({Diagnostic::mergedSheets, at(cuts.front()), at(cuts.back()), here != noIndex ? here : there});
+  }
+}
+
+Diagnostic lineOf(Diagnostic::Kind kind, const std::vector<Vec3>& path, Index element, double width)
+{
+  return {kind, path.front(), path.back(), element, width, {path.begin() + 1, path.end() - 1}};
+}
+
+/// Sums up the zones and looks for ways through which they leak, and for gaps through which they do not.
+void inspectZones(const GridPlaces& grid, const SurfaceModel& model, TriangleTreeOnDemand& tree,
+                  const Crossings& crossings, const Zones& zones, const std::vector<Index>& elements,
+                  const DualMeshOptions& options, DualMeshResult& result, const RunContext& context)
+{
+  result.zones = summariseZones(zones, result.keptZones, crossings, grid, model.names.size(), context);
+  result.leaks = findLeaks(options.sealedSeeds, zones, crossings, grid, model, context);
+  for (const Leak& leak : result.leaks)
+  {
+    result.diagnostics.push_back(lineOf(Diagnostic::leakPath, leak.path, elements[leak.point], leak.width));
+  }
+  for (const Crack& crack : findCracks(zones, result.keptZones, crossings, grid, model, tree, context))
+  {
+    result.diagnostics.push_back(lineOf(crack.open ? Diagnostic::openCrack : Diagnostic::closedCrack, crack.path,
+                                        elements[crack.point], crack.width));
+  }
+}
+
+/// Vertices that the sides of a turned domain have put where they are stay there.
+void fixMoved(const std::vector<Vec3>& before, const std::vector<Vec3>& points, VertexAnchors& anchors)
+{
+  for (std::size_t v = 0; v < before.size(); ++v)
+  {
+    anchors.freedom[v] = before[v] != points[v] ? Freedom::fixed : anchors.freedom[v];
+  }
+}
+
+/// Grid points, crossings and zones, and from them elements and vertices. What only these need is freed here: it is
+/// larger than the mesh.
+VertexAnchors fillMesh(DualMeshResult& result, const Octree& octree, const SurfaceModel& model,
+                       TriangleTreeOnDemand& tree, const DualMeshOptions& options, StageClock& clock,
+                       const RunContext& context)
+{
+  context.progress.report(0.0, "Finding grid points");
+  const GridPoints points = findGridPoints(octree, context);
+  clock.lap("dual");
+  context.progress.report(0.3, "Finding crossings");
+  GridPlaces grid(octree, points);
+  Crossings crossings = findCrossings(grid, model, context);
+  context.progress.report(0.45, "Moving grid points");
+  crossings = modifyGrid(grid, model, tree, std::move(crossings), context);
+  closeCracks(crossings, grid, model, tree, options.crackTolerance, context);
+  markTurnedSides(crossings, model.names.size());
+  clock.lap("crossings");
+  context.progress.report(0.6, "Finding zones");
+  const Zones zones = findZones(crossings, model.names.size(), context);
+  result.keptZones = keptZones(zones, options.zoneRule, options.seeds, grid, model);
+  dropBeyondSides(result.keptZones, zones, grid);
+  const std::vector<Index> elements = numberElements(zones, result.keptZones, context);
+  inspectZones(grid, model, tree, crossings, zones, elements, options, result, context);
+  clock.lap("zones");
+  context.progress.report(0.7, "Placing vertices");
+  std::vector<Index> vertexOfLeaf;
+  const std::vector<Index> leaves = numberVertices(points, elements, octree.leafCount(), vertexOfLeaf, context);
+  DualMesh& mesh = result.mesh;
+  DualVertices placed = placeVertices(octree, model, crossings, leaves, context);
+  mesh.points = std::move(placed.positions);
+  clock.lap("vertices");
+  context.progress.report(0.9, "Making elements");
+  context.progress.check();
+  fillBoundary(mesh, crossings, elements, context);
+  fillElements(mesh, octree, points, crossings, zones, elements, vertexOfLeaf, context);
+  context.progress.check();
+  const std::vector<Vec3> before = octree.frame().turnedDomain ? mesh.points : std::vector<Vec3>();
+  sharpenTurnedEdges(mesh, octree.frame(), model.names.size());
+  appendMerged(crossings, elements, octree.frame(), result.diagnostics);
+  appendUnresolved(mesh, placed.compromised, result.diagnostics);
+  keepWithinSides(mesh.points, octree.frame());
+  fixMoved(before, mesh.points, placed.anchors);
+  return std::move(placed.anchors);
+}
+
+void placeAll(std::vector<Vec3>& points, const Placement& placement)
+{
+  std::transform(points.begin(), points.end(), points.begin(), [&](const Vec3& p) { return placement.toModel(p); });
+}
+
+/// Puts mesh and diagnostics back along the model's axes.
+void placeInModel(DualMeshResult& result, const Placement& placement, const RunContext& context)
+{
+  if (placement.angle() == 0.0)
+  {
+    return;
+  }
+  std::vector<Vec3>& points = result.mesh.points;
+  context.executor.forEach(points.size(), 65536, [&](std::size_t i) { points[i] = placement.toModel(points[i]); });
+  for (Diagnostic& diagnostic : result.diagnostics)
+  {
+    diagnostic.begin = placement.toModel(diagnostic.begin);
+    diagnostic.end = placement.toModel(diagnostic.end);
+    placeAll(diagnostic.between, placement);
+  }
+  for (ZoneSummary& zone : result.zones)
+  {
+    zone.inside = placement.toModel(zone.inside);
+  }
+  for (Leak& leak : result.leaks)
+  {
+    placeAll(leak.path, placement);
+    leak.place = placement.toModel(leak.place);
+  }
+}
+
+} // namespace
+
+DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, const DualMeshOptions& options,
+                            StageClock& clock, const RunContext& context)
+{
+  TriangleTreeOnDemand tree(model);
+  DualMeshResult result;
+  VertexAnchors anchors = fillMesh(result, octree, model, tree, options, clock, context.part(0.0, 0.55));
+  DualImprover improver(octree, model, tree, std::move(anchors), result, context);
+  improver.unfoldWalls();
+  improver.splitPoints();
+  clock.lap("elements");
+  context.progress.report(0.55, "Growing layers");
+  improver.growLayers(options.layers, options.curvedWalls);
+  context.progress.report(0.98, "Placing the mesh in the model");
+  placeInModel(result, octree.frame().placement, context);
+  clock.lap("layers");
+  context.progress.report(1.0, "Meshed");
+  return result;
+}
+
+} // namespace atria

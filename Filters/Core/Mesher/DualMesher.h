@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// From octree and model to mesh.
+#pragma once
+
+#include "Dual/Mesh/DualMesh.h"
+#include "Dual/Zones/Leaks.h"
+#include "Dual/Zones/Zones.h"
+#include "Layer/LayerCoverage.h"
+#include "Optimize/Kernel/QualityTargets.h"
+#include "Support/StageClock.h"
+
+namespace atria {
+
+struct DualMeshOptions
+{
+  ZoneRule zoneRule = ZoneRule::outside;
+  /// Along the model's axes.
+  std::vector<Vec3> seeds;
+  /// Points in zones that should be closed: see findLeaks.
+  std::vector<Vec3> sealedSeeds;
+  /// Layers of elements on walls. Elements at the boundary are made valid, too, also by a rule that asks for no layers;
+  /// without rules the mesh is the dual as it is.
+  std::vector<LayerRule> layers = {};
+  /// Where walls have a layer.
+  CurvedWallTargets curvedWalls = {};
+  /// Cracks beside rims that are no wider than this part of the octants there are closed; 0 closes none. Wider ones are
+  /// open where an edge of the grid passes.
+  double crackTolerance = 0.5;
+};
+
+/// Something the mesh could not follow, or that a user should know of it.
+struct Diagnostic
+{
+  enum Kind : std::uint8_t
+  {
+    mergedSheets,      ///< an octree edge is cut more than once: the sheets there became one
+    unresolvedFeature, ///< pieces that do not meet share a vertex, which is not on all of them
+    leakPath,          ///< a way from a sealed seed to the outside
+    closedCrack,       ///< a gap beside a rim, narrower than an octant, that no octree edge passes
+    openCrack,         ///< one that octree edges pass
+    releasedVertex     ///< a vertex that is not where the model wants it, as no valid element could be there
+  };
+  Kind kind;
+  Vec3 begin;
+  Vec3 end;
+  /// An element beside it; noIndex for a leak of a zone that is not meshed.
+  Index element;
+  /// How wide a gap is: a leak at its narrowest place, a crack at its widest. 0 for the other kinds.
+  double width = 0.0;
+  /// The points of a line between its begin and end, in order.
+  std::vector<Vec3> between = {};
+};
+inline constexpr std::array<const char*, 6> diagnosticNames{"MergedSheets", "UnresolvedFeature", "LeakPath",
+                                                            "ClosedCrack",  "OpenCrack",         "ReleasedVertex"};
+
+struct DualMeshResult
+{
+  DualMesh mesh;
+  std::vector<Diagnostic> diagnostics;
+  /// Zones found, and which of them the mesh keeps; `zones` of the mesh are indices into these.
+  std::vector<char> keptZones;
+  std::vector<ZoneSummary> zones;
+  /// In the order of the diagnostics of their kind.
+  std::vector<Leak> leaks;
+  /// Empty where no layers were asked for.
+  LayerReport layers = {};
+};
+
+/// The dual of an octree whose leaves know their pieces of the model. The octree and its model are along the grid's
+/// axes
+/// (`GridFrame::placement`), the mesh is along the model's. Throws Error where no zone is left, Aborted on
+/// demand.
+DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, const DualMeshOptions& options,
+                            StageClock& clock, const RunContext& context);
+
+} // namespace atria

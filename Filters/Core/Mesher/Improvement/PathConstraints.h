@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Mesher/Improvement/LayerImprover.h"
+#include "Optimize/Constraints/LayerConstraints.h"
+
+namespace atria {
+
+/// Where points of the layer as it is now may go.
+struct LayerImprover::Guides
+{
+  explicit Guides(const LayerImprover& owner)
+      : model(owner.octree_, owner.model_, owner.tree_, owner.anchors_, owner.layer_.mesh.points, owner.vertexOf_),
+        layer(owner.layer_, owner.walls_, owner.options_, owner.vertexOf_, owner.letGo_, model)
+  {
+  }
+
+  ModelGuide model;
+  LayerGuide layer;
+};
+
+} // namespace atria

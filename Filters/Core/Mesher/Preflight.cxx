@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Mesher/Preflight.h"
+
+#include <algorithm>
+#include <sstream>
+
+namespace atria {
+
+namespace {
+
+/// Fewer octants across a space than these do not hold a flow.
+constexpr double fewestAcross = 3.0;
+/// Higher than any building: the model is likely to be in inches or feet.
+constexpr double highestBuilding = 830.0;
+
+template <typename... Parts> std::string text(const Parts&... parts)
+{
+  std::ostringstream out;
+  out.precision(4);
+  (out << ... << parts);
+  return out.str();
+}
+
+void measureSite(const TriangleSurface& surface, const SitePlan& plan, Preflight& out)
+{
+  const Box3 buildings = boundsOfBuildings(surface, plan.isGround, plan.domain.axes);
+  out.buildingHeight = heightOfBuildings(surface, plan.isGround);
+  if (buildings.empty() || !(out.buildingHeight > 0.0))
+  {
+    out.buildingHeight = 0.0;
+    return;
+  }
+  const Box3& box = plan.domain.bounds;
+  for (int direction = 0; direction < 6; ++direction)
+  {
+    const int axis = axisOf(direction);
+    const double distance =
+        isUpper(direction) ? box.max[axis] - buildings.max[axis] : buildings.min[axis] - box.min[axis];
+    out.distances[direction] = distance / out.buildingHeight;
+  }
+  const Ground ground(surface, plan.isGround, buildings.min[2]);
+  const double floor = std::max(ground.empty() ? buildings.min[2] : ground.bounds().min[2], box.min[2]);
+  const double section = box.size()[1] * (box.max[2] - floor);
+  out.blockage = section > 0.0 ? frontalArea(surface, plan.isGround, plan.domain.axes, floor) / section : 0.0;
+}
+
+std::size_t leavesInside(const Octree& octree)
+{
+  const GridFrame& frame = octree.frame();
+  std::size_t count = 0;
+  for (Index leaf = 0; leaf < octree.leafCount(); ++leaf)
+  {
+    const bool inside =
+        !frame.turnedDomain || frame.turnedDomain->contains(frame.placement.toModel(octree.center(leaf)));
+    count += octree.inDomain(leaf) && inside ? 1 : 0;
+  }
+  return count;
+}
+
+void warnOfDomain(Preflight& out)
+{
+  const WindRules rules;
+  if (out.buildingHeight <= 0.0)
+  {
+    out.warnings.push_back("there are no buildings: every surface is ground or lies flat");
+    return;
+  }
+  if (out.buildingHeight > highestBuilding)
+  {
+    out.warnings.push_back(text("the buildings are ", out.buildingHeight,
+                                " high: is the model in metres? One in inches is 39 times too large"));
+  }
+  if (out.widened > 1.0)
+  {
+    out.warnings.push_back(text("the distances to the sides and the top were made ", out.widened,
+                                " times as large to keep the blockage at 3 %"));
+  }
+  if (out.blockage > rules.mostBlockage * (1.0 + 1e-9))
+  {
+    out.warnings.push_back(text("the buildings block ", 100.0 * out.blockage,
+                                " % of the domain's cross-section, more than ", 100.0 * rules.mostBlockage,
+                                " %: make the domain wider or higher"));
+  }
+  const std::array<double, 6> least{
+      rules.inletHeights, rules.outletHeights, rules.sideHeights, rules.sideHeights, -1e300, rules.topHeights};
+  for (int direction = 0; direction < 6; ++direction)
+  {
+    if (out.distances[direction] < least[direction] * (1.0 - 1e-6))
+    {
+      out.warnings.push_back(text("the side ", sideNames[direction], " is ", out.distances[direction],
+                                  " building heights away, less than ", least[direction]));
+    }
+  }
+}
+
+void warnOfNarrow(const char* what, const Narrow& narrow, double across, const std::vector<std::string>& names,
+                  std::vector<std::string>& warnings)
+{
+  const auto name = [&](Index id) { return id < names.size() ? names[id] : std::string("?"); };
+  if (across < fewestAcross)
+  {
+    warnings.push_back(text("the narrowest ", what, ", ", narrow.width, " wide, between '", name(narrow.surfaces[0]),
+                            "' and '", name(narrow.surfaces[1]), "' at ", narrow.from.transpose(), ", has ", across,
+                            " octants of SizeMin across, fewer than ", fewestAcross));
+  }
+}
+
+void warnOfTerrain(const TerrainOutline& terrain, std::vector<std::string>& warnings)
+{
+  if (terrain.openBorders > 0)
+  {
+    warnings.push_back(text("the terrain has holes, with ", terrain.openBorders,
+                            " edges; where no building closes them the space below is open"));
+  }
+  if (terrain.nonManifoldEdges > 0)
+  {
+    warnings.push_back(text("the terrain has ", terrain.nonManifoldEdges, " edges that three or more triangles share"));
+  }
+}
+
+} // namespace
+
+Preflight preflight(const TriangleSurface& surface, const SitePlan& plan, const PlacedModel& placed,
+                    const SurfaceModel& model, const Octree& octree)
+{
+  Preflight out;
+  const GridFrame& frame = placed.frame;
+  const double sizeMin = frame.sizeOf(frame.featureLevel);
+  out.domain = plan.domain;
+  out.gridAngle = plan.grid.angle();
+  out.widened = plan.widened;
+  measureSite(surface, plan, out);
+  // Closer than this surfaces become one anyhow.
+  constexpr double seamRatio = 1e-3;
+  out.narrow = findNarrowPlaces(model, frame, seamRatio * sizeMin);
+  for (Narrow* narrow : {&out.narrow.opening, &out.narrow.gap})
+  {
+    narrow->from = frame.placement.toModel(narrow->from);
+    narrow->to = frame.placement.toModel(narrow->to);
+  }
+  out.octantsAcrossOpening = out.narrow.opening.width / sizeMin;
+  out.octantsAcrossGap = out.narrow.gap.width / sizeMin;
+  out.estimatedElements = leavesInside(octree);
+  warnOfDomain(out);
+  warnOfNarrow("opening", out.narrow.opening, out.octantsAcrossOpening, surface.names, out.warnings);
+  warnOfNarrow("gap or wall", out.narrow.gap, out.octantsAcrossGap, surface.names, out.warnings);
+  warnOfTerrain(placed.terrain, out.warnings);
+  return out;
+}
+
+} // namespace atria

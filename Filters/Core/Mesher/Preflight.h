@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// What a mesh would be like, before it is made.
+#pragma once
+
+#include "Domain/PlacedModel.h"
+#include "Octree/Tree/Octree.h"
+#include "Support/RunContext.h"
+#include "Surface/Inspection/NarrowPlaces.h"
+
+namespace atria {
+
+/// Lengths are in model units, points along the model's axes.
+struct Preflight
+{
+  /// H: the largest height of a point of the buildings above the ground below it. 0 without buildings.
+  double buildingHeight = 0.0;
+  PlacedBox domain;
+  /// Degrees from the model's axes to the grid's.
+  double gridAngle = 0.0;
+  /// From the buildings' bounds to the sides xMin (the inlet, for wind along the domain's x), xMax, yMin and yMax, and
+  /// from their highest point to zMax; in H. Negative where buildings reach beyond the side.
+  std::array<double, 6> distances{};
+  /// Frontal area of the buildings along the domain's x, against the domain's cross-section above the lowest ground.
+  double blockage = 0.0;
+  /// As in WindDomain.
+  double widened = 1.0;
+  NarrowPlaces narrow;
+  /// How many finest octants lie across; infinite without an opening or a gap.
+  double octantsAcrossOpening = 0.0;
+  double octantsAcrossGap = 0.0;
+  /// The octree's leaves inside the domain. The mesh has about as many elements, less those inside solids and below
+  /// terrain.
+  std::size_t estimatedElements = 0;
+  std::vector<std::string> warnings;
+};
+
+/// `surface` is the model as read; `model` and `octree` are made from `placed`.
+Preflight preflight(const TriangleSurface& surface, const SitePlan& plan, const PlacedModel& placed,
+                    const SurfaceModel& model, const Octree& octree);
+
+} // namespace atria

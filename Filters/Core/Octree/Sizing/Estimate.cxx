@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Octree/Sizing/Estimate.h"
+
+#include "Octree/Tree/GeometryLists.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace atria {
+
+namespace {
+
+constexpr std::size_t grain = 4096;
+
+/// Peak of the whole of `atria mesh`, quality and files included: 630 to 740 bytes were measured at 0.3 to 2 million
+/// elements.
+constexpr std::size_t bytesPerElement = 700;
+
+/// Sums `count(i)` over [0, size).
+template <typename Count> std::size_t sumOver(std::size_t size, const RunContext& context, Count&& count)
+{
+  std::vector<std::size_t> parts((size + grain - 1) / grain, 0);
+  context.executor.forEach(parts.size(), 1, [&](std::size_t part) {
+    context.progress.check();
+    for (std::size_t i = part * grain; i < std::min((part + 1) * grain, size); ++i)
+    {
+      parts[part] += count(i);
+    }
+  });
+  return std::accumulate(parts.begin(), parts.end(), std::size_t{0});
+}
+
+/// The octants about the new points of one refined octant.
+class PointCounter
+{
+public:
+  PointCounter(const std::vector<MortonKey>& refined, int level, const GridFrame& frame)
+      : keys(refined), cells(std::int64_t{1} << level), frame_(frame), half(frame.latticeSize(level + 1))
+  {
+  }
+
+  /// New points that no refined octant before this one has: its centre, and the middles of its faces and edges. Those
+  /// at a lower side are shared with octants there; of the octants about a point the one with the lowest position
+  /// (by z, y, x) counts it.
+  std::size_t pointsOf(MortonKey key) const
+  {
+    const GridCell cell = gridCell(key);
+    std::size_t count = 0;
+    for (int z = -1; z <= 1; ++z)
+    {
+      for (int y = -1; y <= 1; ++y)
+      {
+        for (int x = -1; x <= 1; ++x)
+        {
+          const std::array<int, 3> at{x, y, z};
+          const bool isCorner = x != 0 && y != 0 && z != 0;
+          count += !isCorner && inDomain(cell, at) && isFirst(cell, at) ? 1 : 0;
+        }
+      }
+    }
+    return count;
+  }
+
+private:
+  bool inDomain(const GridCell& cell, const std::array<int, 3>& at) const
+  {
+    LatticePoint p;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      p[axis] = (2 * std::int64_t{cell[axis]} + 1 + at[axis]) * half;
+    }
+    return frame_.inDomain(p);
+  }
+
+  bool isRefined(const GridCell& cell, const std::array<int, 3>& by) const
+  {
+    GridCell other;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const std::int64_t c = std::int64_t{cell[axis]} + by[axis];
+      if (c < 0 || c >= cells)
+      {
+        return false;
+      }
+      other[axis] = static_cast<std::uint32_t>(c);
+    }
+    return std::binary_search(keys.begin(), keys.end(), mortonKey(other));
+  }
+
+  /// Whether of the octants that have the point at `at`, this one is the first that is refined.
+  bool isFirst(const GridCell& cell, const std::array<int, 3>& at) const
+  {
+    for (unsigned subset = 1; subset < 8; ++subset)
+    {
+      std::array<int, 3> by{};
+      bool shares = true;
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        by[axis] = subset >> axis & 1 ? at[axis] : 0;
+        shares = shares && ((subset >> axis & 1) == 0 || at[axis] != 0);
+      }
+      const bool before = std::tie(by[2], by[1], by[0]) < std::tuple(0, 0, 0);
+      if (shares && before && isRefined(cell, by))
+      {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  const std::vector<MortonKey>& keys;
+  std::int64_t cells;
+  const GridFrame& frame_;
+  std::int64_t half;
+};
+
+/// Children of refined octants that share volume with the domain.
+std::size_t childrenInDomain(const std::vector<MortonKey>& refined, int level, const GridFrame& frame,
+                             const RunContext& context)
+{
+  return sumOver(refined.size(), context, [&](std::size_t i) {
+    std::size_t count = 0;
+    for (MortonKey k = 0; k < 8; ++k)
+    {
+      count += domainBoxOf(frame, level + 1, refined[i] << 3 | k).empty() ? 0 : 1;
+    }
+    return count;
+  });
+}
+
+} // namespace
+
+std::size_t countNewPoints(const std::vector<MortonKey>& refined, int level, const GridFrame& frame,
+                           const RunContext& context)
+{
+  const PointCounter counter(refined, level, frame);
+  return sumOver(refined.size(), context, [&](std::size_t i) { return counter.pointsOf(refined[i]); });
+}
+
+std::size_t countElements(const RefinedSets& refined, const GridFrame& frame, const RunContext& context)
+{
+  std::size_t elements = 0;
+  for (std::size_t l = 0; l < refined.size(); ++l)
+  {
+    elements += countNewPoints(refined[l], static_cast<int>(l), frame, context);
+  }
+  return elements;
+}
+
+MeshEstimate estimateElements(const SurfaceModel& model, const GridFrame& frame, const SizingOptions& options,
+                              const RunContext& context)
+{
+  const SizedOctants sized = sizeOctants(model, frame, options, context);
+  MeshEstimate estimate;
+  estimate.octants.assign(sized.refined.size() + 1, 0);
+  estimate.octants[0] = sized.refined.empty() ? 1 : 0;
+  for (std::size_t l = 0; l < sized.refined.size(); ++l)
+  {
+    const std::size_t below = l + 1 < sized.refined.size() ? sized.refined[l + 1].size() : 0;
+    estimate.octants[l + 1] = childrenInDomain(sized.refined[l], static_cast<int>(l), frame, context) - below;
+  }
+  estimate.elements = countElements(sized.refined, frame, context);
+  estimate.bytes = estimate.elements * bytesPerElement;
+  estimate.warning = sized.warning;
+  return estimate;
+}
+
+} // namespace atria

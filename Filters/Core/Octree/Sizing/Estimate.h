@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// How large a mesh will be, from the refined octants alone.
+#pragma once
+
+#include "Octree/Sizing/Sizing.h"
+
+namespace atria {
+
+/// Grid points inside the domain that refining the octants `refined` of `level` makes: those of level + 1 that are no
+/// grid points of `level`. Every grid point is one element if all zones are meshed. O(n log n).
+std::size_t countNewPoints(const std::vector<MortonKey>& refined, int level, const GridFrame& frame,
+                           const RunContext& context);
+
+/// Grid points inside the domain of the octree that balanced sets make.
+std::size_t countElements(const RefinedSets& refined, const GridFrame& frame, const RunContext& context);
+
+struct MeshEstimate
+{
+  /// By level: leaves that share volume with the domain.
+  std::vector<std::size_t> octants;
+  /// Exact if all zones are meshed; zones that are left out have no elements.
+  std::size_t elements = 0;
+  /// Memory that meshing takes at its peak, roughly.
+  std::size_t bytes = 0;
+  /// See SizedOctants.
+  std::string warning;
+};
+
+/// Sizes octants and counts what they make, without building octree or mesh. Takes a few per cent of the memory of
+/// meshing.
+MeshEstimate estimateElements(const SurfaceModel& model, const GridFrame& frame, const SizingOptions& options,
+                              const RunContext& context);
+
+} // namespace atria

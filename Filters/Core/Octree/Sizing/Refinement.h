@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Octree/Sizing/Sizing.h"
+
+namespace atria {
+
+/// Builds the balanced octree of a model: in the domain every octant goes down to the top level, one with a surface
+/// to the mid level, one with a feature or with surfaces that do not meet inside it to the finest. Leaves know their
+/// pieces of the model.
+/// `sizing` asks for more; see sizeOctants.
+Octree buildOctree(const SurfaceModel& model, const GridFrame& frame, const SizingOptions& sizing,
+                   const RunContext& context);
+
+/// The same from octants sized before.
+Octree buildOctree(const SurfaceModel& model, const GridFrame& frame, const SizedOctants& sized,
+                   const RunContext& context);
+
+/// Gives the leaves of an octree from elsewhere their pieces of the model.
+void locateModel(Octree& octree, const SurfaceModel& model, const RunContext& context);
+
+} // namespace atria

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// From sizes and names, as users give them, to levels.
+#pragma once
+
+#include "Octree/Sizing/Sizing.h"
+
+#include <string_view>
+
+namespace atria {
+
+/// For each name whether it matches. Throws Error where none does.
+std::vector<char> matchingNames(const std::string& pattern, const std::vector<std::string>& names);
+
+/// Rules as text, the pattern in double quotes where it holds blanks. Throw Error that quotes the text.
+SurfaceSize surfaceSizeFrom(const std::string& text);                 ///< PATTERN SIZE [FEATURESIZE]
+std::vector<DistanceSize> distanceSizesFrom(const std::string& text); ///< PATTERN DISTANCE SIZE [DISTANCE SIZE ...]
+std::string textOf(const SurfaceSize& rule);
+std::string textOf(const DistanceSize& rule);
+
+/// The level of the largest octants that are not above `size`.
+int levelNotAbove(double size, const GridFrame& frame);
+
+/// The level down to which each piece of the model refines the octants that hold it.
+struct ModelLevels
+{
+  std::vector<int> ofSurface;        ///< by surface: octants it passes through
+  std::vector<int> featureOfSurface; ///< by surface: octants where it comes close to others
+  std::vector<int> ofFeatureEdge;
+  std::vector<int> ofCorner;
+
+  int of(ModelItem piece, const SurfaceModel& model) const
+  {
+    switch (piece.kind)
+    {
+      case ModelItem::triangle:
+        return ofSurface[model.surfaceIds[piece.index]];
+      case ModelItem::featureEdge:
+        return ofFeatureEdge[piece.index];
+      default:
+        return ofCorner[piece.index];
+    }
+  }
+};
+
+/// A curve or corner of several surfaces has the finest of their levels. O(n log n). Throws Error for bad rules.
+ModelLevels modelLevels(const SurfaceModel& model, const GridFrame& frame, const SizingOptions& options);
+
+} // namespace atria

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// What adds octants to refine; each walks down from the root by itself.
+#pragma once
+
+#include "Octree/Sizing/OctantSets.h"
+#include "Octree/Sizing/SizeRules.h"
+#include "Octree/Tree/GeometryLists.h"
+
+namespace atria {
+
+/// Across the space between two surfaces that face each other: a box that is moved along a line, in lattice units.
+struct GapLine
+{
+  Vec3 from;
+  Vec3 to;
+  /// Half the lengths of the box: that of a triangle's part in an octant.
+  Vec3 half;
+  /// Level of octants of which enough fit across.
+  int level;
+};
+
+/// All octants down to the top level; below it those with pieces of the model, for sizes at surfaces and features, for
+/// curvature and for gaps. Returns the gaps found, sorted by the octants they were found in.
+std::vector<GapLine> sizeForModel(OctantSets& sets, const SurfaceModel& model, const ModelLevels& levels,
+                                  const SizingOptions& options, const RunContext& context);
+
+/// Octants that share volume with refinement boxes.
+void sizeForBoxes(OctantSets& sets, const SizingOptions& options, const RunContext& context);
+
+/// Octants near surfaces.
+void sizeForDistances(OctantSets& sets, const SurfaceModel& model, const SizingOptions& options,
+                      const RunContext& context);
+
+/// Octants along gap lines.
+void sizeForGaps(OctantSets& sets, const std::vector<GapLine>& lines, const RunContext& context);
+
+} // namespace atria

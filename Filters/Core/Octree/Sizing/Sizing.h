@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Which octants are refined, and why.
+#pragma once
+
+#include "Octree/Tree/Octree.h"
+#include "Support/RunContext.h"
+#include "Surface/Model/SurfaceModel.h"
+
+#include <optional>
+#include <string>
+
+namespace atria {
+
+/// Sizes at the surfaces whose name matches `pattern`: `*` stands for any text, `?` for any one character. They take
+/// the place of SizeMid and SizeMin there, and may be coarser. Where several rules match a surface the finest size
+/// holds.
+struct SurfaceSize
+{
+  std::string pattern;
+  /// Octants that touch the surface are at most this large.
+  double size = 1.0;
+  /// Octants at its feature curves and corners, and where it comes close to other surfaces, are at most this large.
+  /// Without: SizeMin, or `size` where that is finer.
+  std::optional<double> featureSize;
+};
+
+/// Octants that share volume with `bounds` are at most `size` large.
+struct RefinementBox
+{
+  Box3 bounds;
+  double size = 1.0;
+};
+
+/// Octants nearer than `distance` to a surface that matches `pattern` are at most `size` large.
+struct DistanceSize
+{
+  std::string pattern;
+  double distance = 0.0;
+  double size = 1.0;
+};
+
+/// What is asked of octants beyond the three sizes of GridOptions. Lengths in model units. Octants have a size of
+/// SizeMin * 2^j: the largest of these that is not above the size asked for is taken.
+struct SizingOptions
+{
+  static constexpr int maximumCellsPerLevel = 8;
+  static constexpr int maximumCellsAcrossGap = 64;
+
+  std::vector<SurfaceSize> surfaceSizes;
+  std::vector<RefinementBox> boxes;
+  std::vector<DistanceSize> distanceSizes;
+  /// Degrees, at most 90, by which the normals of one smooth piece may differ in an octant before it is refined, down
+  /// to the size of its surface's features at most; 0 asks for nothing.
+  double curvatureAngle = 0.0;
+  /// Octants across the space between surfaces that face each other, down to the size of their features at most; 0
+  /// asks for nothing.
+  int cellsAcrossGap = 0;
+  /// Layers of octants of each size between the next finer and the next coarser ones; 1 is the 2:1 balance alone.
+  int cellsPerLevel = 1;
+  /// Where the mesh would have more elements, the finest octants are left out; 0 is no limit.
+  std::size_t maxElements = 0;
+};
+
+/// The smallest size any rule asks for; infinity without rules.
+double finestSizeOf(const SizingOptions& options);
+
+/// What sizing gives.
+struct SizedOctants
+{
+  /// Balanced.
+  RefinedSets refined;
+  /// What had to be left out to keep to `maxElements`; empty if nothing.
+  std::string warning;
+};
+
+/// Sizes octants and balances them. Below the top level, an octant is refined for what it holds of the model, for boxes
+/// and distances, for curvature and gaps (see docs/algorithm.md). `frame` must have been made with
+/// finestSizeOf(options). Throws Error for sizes that are not positive, patterns without a surface (naming those there
+/// are), boxes outside of the domain, or where not even the start level keeps to `maxElements`.
+SizedOctants sizeOctants(const SurfaceModel& model, const GridFrame& frame, const SizingOptions& options,
+                         const RunContext& context);
+
+} // namespace atria

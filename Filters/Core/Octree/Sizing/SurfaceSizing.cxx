@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Octree/Sizing/GapSizing.h"
+#include "Octree/Sizing/SizeSources.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace atria {
+
+namespace {
+
+/// What is decided on one octant.
+struct Decision
+{
+  bool refine = false;
+  bool forFeatures = false;
+  std::vector<GapLine> gaps;
+};
+
+/// Whether two of the unit normals differ by more than the angle, whatever their sense.
+bool differ(std::span<const Vec3> normals, double angle)
+{
+  const double minimumCosine = std::cos(angle);
+  // Within half the angle of one axis no two differ by more: this settles most octants without looking at pairs.
+  Vec3 axis = Vec3::Zero();
+  for (const Vec3& n : normals)
+  {
+    axis += n.dot(normals[0]) < 0.0 ? Vec3(-n) : n;
+  }
+  axis.normalize();
+  const double inCone = std::cos(0.5 * angle);
+  if (std::all_of(normals.begin(), normals.end(), [&](const Vec3& n) { return std::abs(n.dot(axis)) >= inCone; }))
+  {
+    return false;
+  }
+  for (std::size_t i = 0; i < normals.size(); ++i)
+  {
+    for (std::size_t j = i + 1; j < normals.size(); ++j)
+    {
+      if (std::abs(normals[i].dot(normals[j])) < minimumCosine)
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// The rules for octants that hold pieces of the model.
+class ModelRules
+{
+public:
+  ModelRules(const SurfaceModel& model, const GridFrame& frame, const ModelLevels& levels, const SizingOptions& options)
+      : model_(model), frame_(frame), levels_(levels), curvature(options.curvatureAngle * std::numbers::pi / 180.0)
+  {
+    finestFeature = frame.featureLevel;
+    for (const int level : levels.featureOfSurface)
+    {
+      finestFeature = std::max(finestFeature, level);
+    }
+    if (options.cellsAcrossGap > 0)
+    {
+      gaps.emplace(model, frame, levels, options.cellsAcrossGap);
+    }
+  }
+
+  /// `limited`: whether what is refined for features must be told, and gaps noted even where octants get finer.
+  Decision decide(MortonKey key, int level, std::span<const ModelItem> pieces, bool limited) const
+  {
+    Decision decision;
+    const bool always = level < frame_.startLevel || level < frame_.topLevel;
+    const bool passed = always || passesThrough(pieces, level);
+    const bool early = passed && !limited;
+    if (pieces.empty() || early)
+    {
+      decision.refine = passed;
+      return decision;
+    }
+    const LatticeBox box = domainBoxOf(frame_, level, key);
+    decision.forFeatures = hasFeature(box, pieces, level, passed);
+    decision.refine = passed || decision.forFeatures || turns(pieces, level);
+    if (gaps && !passed && level <= finestFeature)
+    {
+      decision.refine = gaps->find(box, pieces, decision.gaps) > level || decision.refine;
+      if (decision.refine && level < finestFeature && !limited)
+      {
+        decision.gaps.clear(); // its children find them again
+      }
+    }
+    return decision;
+  }
+
+private:
+  bool passesThrough(std::span<const ModelItem> pieces, int level) const
+  {
+    return std::any_of(pieces.begin(), pieces.end(), [&](ModelItem piece) {
+      return piece.kind == ModelItem::triangle && level < levels_.of(piece, model_);
+    });
+  }
+
+  /// A curve, a corner or several surfaces ask for finer octants. Surfaces are not told apart in octants they refine
+  /// anyway.
+  bool hasFeature(const LatticeBox& box, std::span<const ModelItem> pieces, int level, bool passed) const
+  {
+    int finest = 0;
+    for (const ModelItem piece : pieces)
+    {
+      if (piece.kind != ModelItem::triangle)
+      {
+        if (level < levels_.of(piece, model_))
+        {
+          return true;
+        }
+        continue;
+      }
+      finest = std::max(finest, levels_.featureOfSurface[model_.surfaceIds[piece.index]]);
+    }
+    return !passed && level < finest && severalSurfaces(box, pieces, model_);
+  }
+
+  /// Normals of one smooth piece differ by more than the curvature angle.
+  bool turns(std::span<const ModelItem> pieces, int level) const
+  {
+    if (curvature <= 0.0)
+    {
+      return false;
+    }
+    std::vector<std::pair<Index, Index>> triangles; // by chart
+    for (const ModelItem piece : pieces)
+    {
+      if (piece.kind == ModelItem::triangle && level < levels_.featureOfSurface[model_.surfaceIds[piece.index]])
+      {
+        triangles.emplace_back(model_.charts[piece.index], piece.index);
+      }
+    }
+    std::sort(triangles.begin(), triangles.end());
+    std::vector<Vec3> normals;
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+    {
+      normals.push_back(model_.normal(triangles[i].second).normalized());
+      if (i + 1 == triangles.size() || triangles[i + 1].first != triangles[i].first)
+      {
+        if (differ(normals, curvature))
+        {
+          return true;
+        }
+        normals.clear();
+      }
+    }
+    return false;
+  }
+
+  const SurfaceModel& model_;
+  const GridFrame& frame_;
+  const ModelLevels& levels_;
+  double curvature;
+  int finestFeature;
+  std::optional<GapFinder> gaps;
+};
+
+} // namespace
+
+std::vector<GapLine> sizeForModel(OctantSets& sets, const SurfaceModel& model, const ModelLevels& levels,
+                                  const SizingOptions& options, const RunContext& context)
+{
+  const GridFrame& frame = sets.frame();
+  const ModelRules rules(model, frame, levels, options);
+  std::vector<GapLine> gaps;
+  GeometryLists lists = sizingLists(model, frame);
+  // Octants of the finest level are looked at for gaps only.
+  const int last = options.cellsAcrossGap > 0 ? frame.depth : frame.depth - 1;
+  for (int level = 0; lists.size() > 0 && level <= last; ++level)
+  {
+    context.progress.report(static_cast<double>(level) / (frame.depth + 1), "Sizing octants");
+    std::vector<Decision> decisions(lists.size());
+    context.executor.forEach(lists.size(), 1024, [&](std::size_t i) {
+      decisions[i] = rules.decide(lists.keys[i], level, lists.of(i), sets.wantsFeatures());
+    });
+    std::vector<char> chosen(lists.size());
+    std::vector<MortonKey> keys;
+    std::vector<char> forFeatures;
+    for (std::size_t i = 0; i < lists.size(); ++i)
+    {
+      chosen[i] = decisions[i].refine;
+      gaps.insert(gaps.end(), decisions[i].gaps.begin(), decisions[i].gaps.end());
+      if (chosen[i])
+      {
+        keys.push_back(lists.keys[i]);
+        forFeatures.push_back(decisions[i].forFeatures);
+      }
+    }
+    if (keys.empty() || !sets.takes(level))
+    {
+      break;
+    }
+    sets.add(level, keys, forFeatures, context);
+    const bool onlyOccupied = level + 1 >= std::max(frame.topLevel, frame.startLevel);
+    lists = level == last ? GeometryLists{} : childLists(lists, level, chosen, onlyOccupied, model, frame, context);
+  }
+  return gaps;
+}
+
+} // namespace atria

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The pieces of the model octants hold, handed down from parents to children.
+#pragma once
+
+#include "Octree/Search/BoxTests.h"
+#include "Octree/Tree/Octree.h"
+#include "Support/RunContext.h"
+#include "Surface/Model/SurfaceModel.h"
+
+namespace atria {
+
+/// Octants of one level, sorted by key, each with its pieces of the model.
+struct GeometryLists
+{
+  std::vector<MortonKey> keys;
+  std::vector<std::size_t> offsets{0};
+  std::vector<ModelItem> items;
+
+  std::size_t size() const { return keys.size(); }
+  std::span<const ModelItem> of(std::size_t i) const
+  {
+    return std::span(items).subspan(offsets[i], offsets[i + 1] - offsets[i]);
+  }
+  void append(MortonKey key, std::span<const ModelItem> pieces);
+  void append(const GeometryLists& other);
+};
+
+/// The octant `key` of `level`, cut to the domain; empty where they do not overlap.
+LatticeBox domainBoxOf(const GridFrame& frame, int level, MortonKey key);
+
+/// Hands the pieces of octants to their children, one octant at a time.
+class PieceDivider
+{
+public:
+  PieceDivider(const SurfaceModel& model, const GridFrame& frame) : model_(model), frame_(frame) {}
+
+  /// Calls use(k, box, pieces) for each child within the domain of an octant of `level` that has `pieces`, which must
+  /// not be those of a call of the same divider; the child's are good until the next one.
+  template <typename Use> void divide(int level, MortonKey key, std::span<const ModelItem> pieces, Use&& use)
+  {
+    find(level, key, pieces);
+    for (unsigned k = 0; k < 8; ++k)
+    {
+      if (!boxes_[k].empty())
+      {
+        use(k, boxes_[k], take(k, pieces));
+      }
+    }
+  }
+
+private:
+  void find(int level, MortonKey key, std::span<const ModelItem> pieces);
+  std::span<const ModelItem> take(unsigned k, std::span<const ModelItem> pieces);
+
+  const SurfaceModel& model_;
+  const GridFrame& frame_;
+  std::array<LatticeBox, 8> boxes_{};
+  /// For each piece bits of the boxes it touches.
+  std::vector<std::uint8_t> touched_;
+  std::vector<ModelItem> taken_;
+};
+
+/// The whole model for the root, as far as the domain sees it.
+GeometryLists rootLists(const SurfaceModel& model, const GridFrame& frame);
+
+/// The same, without the sides of a turned domain and what meets on them: the sides of a domain ask for no small
+/// octants.
+GeometryLists sizingLists(const SurfaceModel& model, const GridFrame& frame);
+
+/// The children (level + 1) of the octants of `parents` chosen by `chosen`; each inherits what touches it. Children
+/// outside the domain are left out; so are, if `onlyOccupied`, those that inherit nothing.
+GeometryLists childLists(const GeometryLists& parents, int level, const std::vector<char>& chosen, bool onlyOccupied,
+                         const SurfaceModel& model, const GridFrame& frame, const RunContext& context);
+
+/// The leaves that touch a box, in Morton order; and the triangles in them, sorted.
+std::vector<Index> leavesTouching(const Octree& octree, const LatticeBox& box);
+std::vector<Index> trianglesNear(const Octree& octree, const LatticeBox& box);
+
+/// Whether the triangles among `pieces` form more than one surface inside the box: sets connected through edges and
+/// points that lie in it.
+bool severalSurfaces(const LatticeBox& box, std::span<const ModelItem> pieces, const SurfaceModel& model);
+
+/// The dearest feature among `pieces`.
+FeatureType featureTypeOf(const LatticeBox& box, std::span<const ModelItem> pieces, const SurfaceModel& model);
+
+} // namespace atria

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Optimize/Constraints/CreaseSheetConstraints.h"
+
+#include <algorithm>
+
+namespace atria {
+
+void RowGuide::prepare(std::span<const Index> points, const RunContext& context)
+{
+  std::vector<Index> older;
+  std::ranges::copy_if(points, std::back_inserter(older), [&](Index p) { return isOlder(p); });
+  others_.prepare(older, context);
+}
+
+bool RowGuide::isMovable(Index point) const
+{
+  return isOlder(point) ? others_.isMovable(point) : !at(point).onWall || at(point).chart != noIndex;
+}
+
+/// Copies of the point it was split from slide on the same sides.
+Vec3 RowGuide::onSides(Index point, const Vec3& p) const
+{
+  return at(point).onSide ? others_.place(layer_.copies[at(point).wallPoint], p) : p;
+}
+
+Vec3 RowGuide::onChart(Index chart, const Vec3& p) const
+{
+  const auto isWanted = [&](Index triangle) { return model_.charts[triangle] == chart; };
+  const auto found =
+      tree_.nearest((p - frame_.origin) / frame_.latticeUnit(), std::numeric_limits<double>::infinity(), isWanted);
+  return found ? frame_.toModel(*found) : p;
+}
+
+Vec3 RowGuide::place(Index point, const Vec3& p) const
+{
+  if (isOlder(point))
+  {
+    return others_.place(point, p);
+  }
+  if (!at(point).onWall)
+  {
+    return onSides(point, p);
+  }
+  // On a side, surface and plane in turn.
+  constexpr int turns = 8;
+  Vec3 q = p;
+  for (int i = 0; i < (at(point).onSide ? turns : 1); ++i)
+  {
+    q = onSides(point, onChart(at(point).chart, q));
+  }
+  return q;
+}
+
+Ways RowGuide::waysFrom(Index point, const Vec3& p, double step) const
+{
+  if (isOlder(point))
+  {
+    return others_.waysFrom(point, p, step);
+  }
+  return at(point).onWall || at(point).onSide ? VertexGuide::waysFrom(point, p, step) : Ways();
+}
+
+} // namespace atria

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Grid/GridFrame.h"
+#include "Layer/LayerTopology.h"
+#include "Octree/Search/TriangleTree.h"
+#include "Optimize/Kernel/VertexConstraints.h"
+
+namespace atria {
+
+/// Points of rows along creases stay on their charts, or go anywhere inside, and keep to the domain's sides where rows
+/// end; others go where another guide lets them.
+class RowGuide : public VertexGuide
+{
+public:
+  RowGuide(VertexGuide& others, const LayerMesh& layer, const GridFrame& frame, const SurfaceModel& model,
+           const TriangleTree& tree)
+      : others_(others), layer_(layer), frame_(frame), model_(model), tree_(tree)
+  {
+  }
+
+  void prepare(std::span<const Index> points, const RunContext& context) override;
+  bool isMovable(Index point) const override;
+  Index leaderOf(Index point) const override { return isOlder(point) ? others_.leaderOf(point) : point; }
+  Vec3 place(Index point, const Vec3& p) const override;
+  Ways waysFrom(Index point, const Vec3& p, double step) const override;
+
+private:
+  bool isOlder(Index point) const { return point < layer_.rows.firstPoint; }
+  const CreaseRows::Point& at(Index point) const { return layer_.rows.points[point - layer_.rows.firstPoint]; }
+  Vec3 onSides(Index point, const Vec3& p) const;
+  Vec3 onChart(Index chart, const Vec3& p) const;
+
+  VertexGuide& others_;
+  const LayerMesh& layer_;
+  const GridFrame& frame_;
+  const SurfaceModel& model_;
+  const TriangleTree& tree_;
+};
+
+} // namespace atria

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Optimize/Constraints/LayerConstraints.h"
+
+namespace atria {
+
+LayerGuide::LayerGuide(const LayerMesh& layer, const LayerWalls& walls, const LayerOptions& options,
+                       const std::vector<Index>& leaders, const std::vector<char>& letGo, VertexGuide& plain)
+    : layer_(layer), options_(options), plain_(plain), leaders_(leaders), sides_(layer.wallPoints.size(), 0)
+{
+  const DualMesh& mesh = layer.mesh;
+  for (std::size_t f = 0; f < mesh.boundaryFaces.size() && !sides_.empty(); ++f)
+  {
+    const BoundaryFace& face = mesh.boundaryFaces[f];
+    if (f < walls.roles.size() && walls.roles[f] != FaceRole::slide)
+    {
+      continue;
+    }
+    const bool isBare = face.tag >= options.surfaceCount();
+    for (int i = 0; i < 4; ++i)
+    {
+      const Index p = cornerOf(mesh, face, i);
+      if (p < layer.plainPoints && layer.copies[p] != noIndex)
+      {
+        sides_[layer.copies[p] - layer.plainPoints] |=
+            static_cast<std::uint8_t>(1U << (isBare ? face.tag - options.surfaceCount() : face.direction));
+      }
+    }
+  }
+  if (options.hasHeights())
+  {
+    pin(letGo);
+  }
+}
+
+void LayerGuide::pin(const std::vector<char>& letGo)
+{
+  pinned_.assign(layer_.plainPoints, 0);
+  for (const BoundaryFace& face : layer_.mesh.boundaryFaces)
+  {
+    for (int i = 0; i < 4 && options_.ofTag[face.tag].firstHeight > 0.0; ++i)
+    {
+      const Index p = cornerOf(layer_.mesh, face, i);
+      if (p < layer_.plainPoints)
+      {
+        pinned_[leaders_[p]] = !letGo[leaders_[p]];
+      }
+    }
+  }
+}
+
+void LayerGuide::prepare(std::span<const Index> points, const RunContext& context)
+{
+  std::vector<Index> plain;
+  for (const Index p : points)
+  {
+    if (p < layer_.plainPoints)
+    {
+      plain.push_back(p);
+    }
+  }
+  plain_.prepare(plain, context);
+}
+
+bool LayerGuide::isMovable(Index point) const
+{
+  return point < layer_.plainPoints ? !isPinned(point) && plain_.isMovable(point)
+                                    : !isPinned(layer_.wallPoints[point - layer_.plainPoints]);
+}
+
+Vec3 LayerGuide::place(Index point, const Vec3& p) const
+{
+  if (point < layer_.plainPoints)
+  {
+    return plain_.place(point, p);
+  }
+  const Index wall = layer_.wallPoints[point - layer_.plainPoints];
+  const Vec3& start = layer_.mesh.points[wall];
+  const unsigned sides = sidesOf(wall);
+  Vec3 q = p;
+  for (int side = 0; side < 6; ++side)
+  {
+    if (sides >> side & 1)
+    {
+      const Vec3& normal = options_.sideNormals[side];
+      q -= normal.dot(q - start) * normal;
+      const int axis = axisOf(side);
+      q[axis] = std::abs(normal[axis]) == 1.0 ? start[axis] : q[axis];
+    }
+  }
+  return q;
+}
+
+Ways LayerGuide::waysFrom(Index point, const Vec3& p, double step) const
+{
+  if (point < layer_.plainPoints)
+  {
+    return plain_.waysFrom(point, p, step);
+  }
+  const bool slides = sidesOf(layer_.wallPoints[point - layer_.plainPoints]) != 0;
+  return slides ? VertexGuide::waysFrom(point, p, step) : Ways();
+}
+
+} // namespace atria

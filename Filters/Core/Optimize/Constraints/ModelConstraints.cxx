@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Optimize/Constraints/ModelConstraints.h"
+
+#include "Dual/Vertices/TurnedDomain.h"
+#include "Octree/Tree/GeometryLists.h"
+#include "Surface/Search/Distance.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <span>
+
+namespace atria {
+
+namespace {
+
+/// More triangles near a vertex are looked for in a tree.
+constexpr std::size_t mostPieces = 64;
+
+} // namespace
+
+ModelGuide::ModelGuide(const Octree& octree, const SurfaceModel& model, TriangleTreeOnDemand& tree,
+                       const VertexAnchors& anchors, const std::vector<Vec3>& points,
+                       const std::vector<Index>& vertexOf)
+    : octree_(octree), model_(model), anchors_(anchors), points_(points), vertexOf_(vertexOf), tree_(tree)
+{
+}
+
+void ModelGuide::prepare(std::span<const Index> points, const RunContext& /*context*/)
+{
+  slotOf_.resize(vertexOf_.size(), noIndex);
+  for (const Index point : points)
+  {
+    if (slotOf_[point] == noIndex && hasPieces(point))
+    {
+      slotOf_[point] = static_cast<Index>(targets_.size());
+      targets_.emplace_back().start = points_[point];
+    }
+  }
+}
+
+std::vector<Index> ModelGuide::wantedPieces(Index vertex) const
+{
+  const auto pieces = anchors_.piecesOf(vertex);
+  if (anchors_.freedom[vertex] != Freedom::beside)
+  {
+    return {pieces.begin(), pieces.end()};
+  }
+  std::vector<Index> charts;
+  for (const Index curve : pieces)
+  {
+    charts.insert(charts.end(), model_.curves[curve].charts.begin(), model_.curves[curve].charts.end());
+  }
+  std::ranges::sort(charts);
+  return charts;
+}
+
+/// The pieces that are wanted in the octants about the point's, in order.
+std::vector<ModelItem> ModelGuide::findPieces(Index point, const std::vector<Index>& wanted) const
+{
+  const Index leaf = anchors_.leaves[vertexOf_[point]];
+  LatticeBox box{octree_.lowCorner(leaf), octree_.highCorner(leaf)};
+  const std::int64_t reach = (box.high[0] - box.low[0]) / 2;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    box.low[axis] -= reach;
+    box.high[axis] += reach;
+  }
+  const bool isOnCurve = freedomOf(point) == Freedom::curve;
+  const auto fits = [&](ModelItem item) {
+    return std::ranges::binary_search(wanted,
+                                      isOnCurve ? model_.featureEdges[item.index].curve : model_.charts[item.index]);
+  };
+  std::vector<ModelItem> found;
+  for (const Index near : wanted.empty() ? std::vector<Index>() : leavesTouching(octree_, box))
+  {
+    std::ranges::copy_if(octree_.items(near, isOnCurve ? ModelItem::featureEdge : ModelItem::triangle),
+                         std::back_inserter(found), fits);
+  }
+  const auto indexOf = [](ModelItem item) { return item.index; };
+  std::ranges::sort(found, {}, indexOf);
+  // Clang 14 cannot compile std::ranges::unique of this library.
+  const auto isSame = [](ModelItem a, ModelItem b) { return a.index == b.index; };
+  found.erase(std::unique(found.begin(), found.end(), isSame), found.end());
+  return found;
+}
+
+void ModelGuide::find(Index point, Target& target) const
+{
+  std::vector<Index> wanted = wantedPieces(vertexOf_[point]);
+  const std::vector<ModelItem> found = findPieces(point, wanted);
+  const bool isOnCurve = freedomOf(point) == Freedom::curve;
+  if (found.size() > mostPieces && !isOnCurve)
+  {
+    target.kind = Kind::charts;
+    target.pieces = std::move(wanted);
+    return;
+  }
+  target.kind = isOnCurve ? Kind::featureEdges : Kind::triangles;
+  target.pieces.resize(found.size());
+  std::ranges::transform(found, target.pieces.begin(), [](ModelItem item) { return item.index; });
+}
+
+/// Of a point that was prepared. Threads ask for different points.
+ModelGuide::Target& ModelGuide::targetOf(Index point) const
+{
+  Target& target = targets_[slotOf_[point]];
+  if (target.kind == Kind::unknown)
+  {
+    find(point, target);
+  }
+  return target;
+}
+
+unsigned ModelGuide::planesOf(Index leaf) const
+{
+  return octree_.frame().domainPlanes(octree_.lowCorner(leaf), octree_.highCorner(leaf));
+}
+
+Vec3 ModelGuide::onPlanes(Vec3 p, unsigned planes) const
+{
+  const GridFrame& frame = octree_.frame();
+  for (int direction = 0; direction < 6; ++direction)
+  {
+    if (planes >> direction & 1)
+    {
+      p[axisOf(direction)] = frame.planeOf(direction);
+    }
+  }
+  p = p.cwiseMax(frame.domain.min).cwiseMin(frame.domain.max);
+  keepWithinSides({&p, 1}, frame);
+  return p;
+}
+
+Vec3 ModelGuide::centreOf(Index point) const
+{
+  const Index leaf = anchors_.leaves[vertexOf_[point]];
+  return onPlanes(octree_.center(leaf), planesOf(leaf));
+}
+
+Vec3 ModelGuide::place(Index point, const Vec3& p) const
+{
+  const Index leaf = anchors_.leaves[vertexOf_[point]];
+  const unsigned planes = planesOf(leaf);
+  if (freedomOf(point) == Freedom::free)
+  {
+    return onPlanes(p, planes);
+  }
+  if (freedomOf(point) == Freedom::released)
+  {
+    const auto& [home, reach] = anchors_.leashes.at(vertexOf_[point]);
+    return onPlanes(p.cwiseMax(home - Vec3::Constant(reach)).cwiseMin(home + Vec3::Constant(reach)), planes);
+  }
+  const Vec3 q = nearest(point, p);
+  // Where a corner has no vertex of its own, those beside it must not cut it off.
+  constexpr double reach = 0.6;
+  const bool strays = freedomOf(point) == Freedom::curve && (q - octree_.center(leaf)).cwiseAbs().maxCoeff() >
+                                                                reach * octree_.frame().sizeOf(octree_.level(leaf));
+  return strays ? targets_[slotOf_[point]].start : q;
+}
+
+Vec3 ModelGuide::nearest(Index point, const Vec3& p) const
+{
+  Target& target = targetOf(point);
+  if (target.pieces.empty())
+  {
+    return target.start;
+  }
+  const unsigned planes = planesOf(anchors_.leaves[vertexOf_[point]]);
+  // On a domain side, surface and plane in turn.
+  constexpr int turns = 8;
+  Vec3 q = p;
+  for (int i = 0; i < (planes != 0 ? turns : 1); ++i)
+  {
+    q = onPlanes(nearestOf(target, q), planes);
+  }
+  return q;
+}
+
+Vec3 ModelGuide::nearestOf(Target& target, const Vec3& p) const
+{
+  const GridFrame& frame = octree_.frame();
+  if (target.kind == Kind::charts)
+  {
+    const auto isWanted = [&](Index t) { return std::ranges::binary_search(target.pieces, model_.charts[t]); };
+    const Vec3 wanted = (p - frame.origin) / frame.latticeUnit();
+    // Where it starts a vertex is on its charts, mostly: what is farther away than that is not nearest.
+    const double atMost = 1.001 * (target.start - p).norm() / frame.latticeUnit() + 1.0;
+    std::optional<Vec3> found = tree_.get().nearest(wanted, atMost, isWanted);
+    found = found ? found : tree_.get().nearest(wanted, std::numeric_limits<double>::infinity(), isWanted);
+    return found ? frame.toModel(*found) : p;
+  }
+  return nearestPiece(target, p).place;
+}
+
+std::array<Vec3, 3> ModelGuide::cornersOf(Index triangle) const
+{
+  const auto& t = model_.triangles[triangle];
+  const auto at = [&](Index p) { return octree_.frame().toModel(model_.points[p]); };
+  return {at(t[0]), at(t[1]), at(t[2])};
+}
+
+Vec3 ModelGuide::nearestOn(const Target& target, Index piece, const Vec3& p) const
+{
+  if (target.kind == Kind::featureEdges)
+  {
+    const FeatureEdge& edge = model_.featureEdges[piece];
+    const GridFrame& frame = octree_.frame();
+    return nearestOnSegment(p, frame.toModel(model_.points[edge.a]), frame.toModel(model_.points[edge.b]));
+  }
+  const auto [a, b, c] = cornersOf(piece);
+  return nearestOnTriangle(p, a, b, c);
+}
+
+/// Whether a triangle's box is farther than `reach` from a place, both on the lattice.
+bool ModelGuide::isBeyond(const Target& target, Index piece, const Vec3& wanted, double reach) const
+{
+  if (target.kind == Kind::featureEdges)
+  {
+    return false;
+  }
+  const Box3 box = model_.bounds(piece);
+  const Vec3 apart = (box.min - wanted).cwiseMax(wanted - box.max).cwiseMax(0.0);
+  return apart.squaredNorm() > reach * reach;
+}
+
+/// Of a target that lists its pieces: of those equally near the first. The one that was nearest last time is mostly
+/// near again, and all but a few others are farther.
+ModelGuide::OnPiece ModelGuide::nearestPiece(Target& target, const Vec3& p) const
+{
+  if (target.kind == Kind::charts || target.pieces.empty())
+  {
+    return {p, noIndex};
+  }
+  constexpr double rounding = 1.0; // lattice units
+  const GridFrame& frame = octree_.frame();
+  const Vec3 wanted = (p - frame.origin) / frame.latticeUnit();
+  Vec3 best = nearestOn(target, target.pieces[target.last], p);
+  double least = (best - p).squaredNorm();
+  const auto reachOf = [&] { return std::sqrt(least) / frame.latticeUnit() + rounding; };
+  double reach = reachOf();
+  for (Index i = 0; i < target.pieces.size(); ++i)
+  {
+    if (i == target.last || isBeyond(target, target.pieces[i], wanted, reach))
+    {
+      continue;
+    }
+    const Vec3 near = nearestOn(target, target.pieces[i], p);
+    const double distance = (near - p).squaredNorm();
+    if (distance < least || (distance == least && i < target.last))
+    {
+      best = near;
+      least = distance;
+      reach = reachOf();
+      target.last = i;
+    }
+  }
+  return {best, target.pieces[target.last]};
+}
+
+/// Of points on surfaces the triangle they are on says it. Others may be where pieces end or meet, as at rims, and one
+/// piece would promise ways there are not.
+Ways ModelGuide::waysFrom(Index point, const Vec3& p, double step) const
+{
+  const bool isAtSide = planesOf(anchors_.leaves[vertexOf_[point]]) != 0 || octree_.frame().turnedDomain;
+  if (!isAtSide && !hasPieces(point))
+  {
+    return {};
+  }
+  const bool isOnSurface = freedomOf(point) == Freedom::surface;
+  const Index piece = isAtSide || !isOnSurface ? noIndex : nearestPiece(targetOf(point), p).piece;
+  if (piece == noIndex)
+  {
+    return VertexGuide::waysFrom(point, p, step);
+  }
+  const auto [a, b, c] = cornersOf(piece);
+  const Vec3 along = (b - a).normalized();
+  const Vec3 normal = along.cross(c - a).normalized();
+  return {{along, normal.cross(along)}, 2};
+}
+
+} // namespace atria

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Optimize/Kernel/BoxCells.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace atria {
+
+namespace {
+
+constexpr std::size_t grain = 2048;
+/// By how much lengths have to be above what targets ask for: far more than boxes may be out of square.
+constexpr double clearly = 1.01;
+/// Boxes have no angles and no skewness but by rounding. Targets that ask for more than this share of that are not
+/// looked at.
+constexpr double nearlyAll = 0.9999;
+constexpr double hardlySkew = 1e-3;
+
+bool asksForMoreThanBoxes(const QualityTargets& targets)
+{
+  return std::max({targets.pyramidCosine.target, targets.faceCosine.target, targets.boundaryShape.target,
+                   targets.scaledJacobian}) > nearlyAll ||
+         targets.skewness.target < hardlySkew;
+}
+
+double volumeOf(const Vec3& lengths) { return lengths[0] * lengths[1] * lengths[2]; }
+
+/// The cube of the mean edge.
+double cubeOf(const Vec3& lengths)
+{
+  const double mean = lengths.sum() / 3.0;
+  return mean * mean * mean;
+}
+
+/// Whether its own lengths make a box good. Of faces within the mesh there are `across` on each axis.
+bool hasGoodLengths(const Vec3& lengths, const std::array<int, 3>& across, const QualityTargets& targets)
+{
+  const double shortest = lengths.minCoeff();
+  const double longest = lengths.maxCoeff();
+  const double convexity = clearly * targets.convexity.target;
+  if (shortest * shortest < convexity * convexity * (shortest * shortest + longest * longest))
+  {
+    return false;
+  }
+  const double volume = volumeOf(lengths);
+  double areas = 0.0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    areas += across[axis] * volume / lengths[axis];
+  }
+  const double faces = across[0] + across[1] + across[2];
+  const double root = clearly * targets.determinantRoot.target;
+  const double square = volume * volume;
+  const double mean = areas / std::max(faces, 1.0);
+  return across[0] * across[1] * across[2] * square * square >=
+         8.0 * root * root * root * root * mean * mean * mean * mean * mean * mean;
+}
+
+/// Whether a box and one beside it on an axis are good for each other.
+bool suits(const Vec3& lengths, const Vec3& beside, int axis, const QualityTargets& targets)
+{
+  const double less = std::min(lengths[axis], beside[axis]);
+  const double more = std::max(lengths[axis], beside[axis]);
+  return less >= clearly * targets.weight.target * (less + more) && less >= clearly * targets.volumeRatio.target * more;
+}
+
+/// Whether the corners of both are good in sizes of either.
+bool hasGoodCorners(double volume, double cube, const QualityTargets& targets)
+{
+  return volume >= clearly * targets.cornerVolume.target * cube;
+}
+
+enum Kind : char
+{
+  unknown,
+  box,
+  other
+};
+
+/// `kinds` are those of cells, as far as they are known.
+bool isGoodBox(const CellSource& source, Index cell, const std::vector<char>& kinds,
+               std::span<const QualityTargets> targets)
+{
+  const auto good = [&](auto&& test) { return std::ranges::all_of(targets, test); };
+  CellBox own;
+  if (kinds[cell] == other || !source.boxOf(cell, own) ||
+      std::ranges::any_of(own.across, [&](Index c) { return c != noIndex && kinds[c] == other; }))
+  {
+    return false;
+  }
+  std::array<int, 3> across{};
+  for (int direction = 0; direction < 6; ++direction)
+  {
+    across[axisOf(direction)] += own.across[direction] != noIndex ? 1 : 0;
+  }
+  if (!good([&](const QualityTargets& t) { return hasGoodLengths(own.lengths, across, t); }))
+  {
+    return false;
+  }
+  double volume = volumeOf(own.lengths);
+  double cube = cubeOf(own.lengths);
+  CellBox beside;
+  for (int direction = 0; direction < 6; ++direction)
+  {
+    if (own.across[direction] == noIndex)
+    {
+      continue;
+    }
+    if (!source.boxOf(own.across[direction], beside) ||
+        !good([&](const QualityTargets& t) { return suits(own.lengths, beside.lengths, axisOf(direction), t); }))
+    {
+      return false;
+    }
+    volume = std::min(volume, volumeOf(beside.lengths));
+    cube = std::max(cube, cubeOf(beside.lengths));
+  }
+  return good([&](const QualityTargets& t) { return hasGoodCorners(volume, cube, t); });
+}
+
+} // namespace
+
+std::vector<Index> cellsToJudge(const CellSource& source, const std::vector<Index>& cells,
+                                std::span<const QualityTargets> targets, const RunContext& context)
+{
+  if (std::ranges::any_of(targets, asksForMoreThanBoxes))
+  {
+    return cells;
+  }
+  std::vector<char> kinds(source.cellCount(), unknown);
+  context.executor.forEach(cells.size(), grain, [&](std::size_t i) {
+    CellBox own;
+    kinds[cells[i]] = source.boxOf(cells[i], own) ? box : other;
+  });
+  context.progress.check();
+  std::vector<char> good(cells.size());
+  context.executor.forEach(cells.size(), grain,
+                           [&](std::size_t i) { good[i] = isGoodBox(source, cells[i], kinds, targets) ? 1 : 0; });
+  std::vector<char> judged(source.cellCount(), 0);
+  std::vector<Index> beside;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+  {
+    if (!good[i])
+    {
+      judged[cells[i]] = 1;
+      source.neighboursOf(cells[i], beside);
+      for (const Index other : beside)
+      {
+        judged[other] = 1;
+      }
+    }
+  }
+  std::vector<Index> out;
+  std::ranges::copy_if(cells, std::back_inserter(out), [&](Index cell) { return judged[cell] != 0; });
+  return out;
+}
+
+} // namespace atria

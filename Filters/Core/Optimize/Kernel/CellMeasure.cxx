@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Optimize/Kernel/CellMeasure.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace atria {
+
+namespace {
+
+constexpr double tiny = 1e-150;
+
+} // namespace
+
+double weightOf(const FaceMeasure& face, const CellMeasure& own, const CellMeasure& other)
+{
+  const double nearer = std::abs(face.normal.dot(face.centroid - own.centroid));
+  const double farther = std::abs(face.normal.dot(other.centroid - face.centroid));
+  return std::min(nearer, farther) / (nearer + farther + tiny);
+}
+
+double volumeRatioOf(const CellMeasure& own, const CellMeasure& other)
+{
+  const double larger = std::max(std::abs(own.volume), std::abs(other.volume));
+  return std::min(own.volume, other.volume) / (larger + tiny);
+}
+
+CellMeasure measureCell(const CellSource& source, Index cell, CellSource::Scratch& scratch,
+                        std::vector<FaceMeasure>& faces)
+{
+  source.facesOf(cell, scratch);
+  const std::vector<Vec3>& points = source.points();
+  faces.clear();
+  for (const CellFace& face : scratch.faces)
+  {
+    faces.push_back(
+        measureAnyFace(face.points.size(), [&](std::size_t i) -> const Vec3& { return points[face.points[i]]; }));
+  }
+  return measureCell([&](auto&& visit) {
+    for (const FaceMeasure& face : faces)
+    {
+      visit(face.centroid, face.area);
+    }
+  });
+}
+
+} // namespace atria

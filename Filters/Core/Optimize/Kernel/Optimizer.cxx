@@ -1,0 +1,450 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Optimize/Kernel/Optimizer.h"
+
+#include "Optimize/Kernel/BoxCells.h"
+#include "Optimize/Kernel/Coloring.h"
+#include "Optimize/Kernel/PointSearch.h"
+#include "Support/Buckets.h"
+#include "Support/Pieces.h"
+
+#include <algorithm>
+#include <atomic>
+#include <memory>
+#include <mutex>
+
+namespace atria {
+
+namespace {
+
+constexpr std::size_t grain = 256;
+
+/// Marks the points of cells.
+void spread(const CellSource& source, const std::vector<Index>& cells, std::vector<char>& points,
+            const RunContext& context)
+{
+  context.executor.forRanges(cells.size(), grain, [&](std::size_t begin, std::size_t end) {
+    std::vector<Index> corners;
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      source.cornersOf(cells[i], corners);
+      for (const Index p : corners)
+      {
+        std::atomic_ref(points[p]).store(1, std::memory_order_relaxed);
+      }
+    }
+  });
+}
+
+std::vector<char> pointsToMove(const CellSource& source, const std::vector<ShortCell>& shortCells,
+                               const VertexGuide& guide, int rings, const RunContext& context)
+{
+  std::vector<Index> cells;
+  std::ranges::transform(shortCells, std::back_inserter(cells), &ShortCell::cell);
+  std::vector<char> points(source.points().size(), 0);
+  spread(source, cells, points, context);
+  for (int ring = 0; ring < rings; ++ring)
+  {
+    spread(source, cellsWithMarked(source, points, context), points, context);
+  }
+  std::vector<char> leaders(points.size(), 0);
+  for (Index p = 0; p < points.size(); ++p)
+  {
+    if (points[p] && guide.isMovable(p))
+    {
+      leaders[guide.leaderOf(p)] = 1;
+    }
+  }
+  context.executor.forEach(points.size(), 8192, [&](std::size_t i) {
+    const auto p = static_cast<Index>(i);
+    points[p] = leaders[guide.leaderOf(p)] && guide.isMovable(p) ? 1 : 0;
+  });
+  return points;
+}
+
+LeastMetrics leastOf(const Judge& judge, const RunContext& context)
+{
+  const Region& region = judge.region();
+  std::vector<LeastMetrics> pieces(Pieces(region.faceCount()).count);
+  const auto takeAll = [&](std::size_t count, auto&& metricsOf) {
+    const Pieces of(count);
+    context.executor.forEach(of.count, 1, [&](std::size_t piece) {
+      for (std::size_t i = of.begin(piece); i < of.end(piece); ++i)
+      {
+        pieces[piece].take(metricsOf(static_cast<Index>(i)));
+      }
+    });
+  };
+  takeAll(region.faceCount(), [&](Index face) { return judge.metricsOfFace(face); });
+  takeAll(region.judgedCount(), [&](Index cell) { return judge.metricsOfCell(cell); });
+  LeastMetrics least;
+  for (const LeastMetrics& piece : pieces)
+  {
+    least.take(piece);
+  }
+  return least;
+}
+
+/// One pass over the points of a region that fall short.
+class Sweeper
+{
+public:
+  Sweeper(Judge& qualities, const VertexGuide& vertexGuide, const OptimiserOptions& optimiserOptions,
+          const RunContext& runContext)
+      : judge(qualities), region(qualities.region()), guide(vertexGuide), options(optimiserOptions),
+        context(runContext), colours(colourPoints(region)), states(region.movable.size(), {options.firstReach}),
+        awake(region.movable.size(), 1), failures(region.movable.size(), 0)
+  {
+    findNeighbours();
+    if (options.keepWorst)
+    {
+      floor = leastOf(judge, context);
+    }
+    rules = {options.keepWorst ? &floor : nullptr, options.tryMiddle, options.leastPenalty, options.leastGain,
+             options.leastWorst};
+  }
+
+  /// The number of points moved.
+  std::size_t sweep()
+  {
+    std::vector<char> moved(region.movable.size(), 0);
+    for (std::size_t c = 0; c + 1 < colours.offsets.size(); ++c)
+    {
+      context.progress.check();
+      const std::span<const Index> points = pointsToSearch(c);
+      context.executor.forRanges(points.size(), colours.isParallel(c) ? 8 : points.size() + 1,
+                                 [&](std::size_t first, std::size_t last) {
+                                   std::unique_ptr<PointSearch> search = takeSearch();
+                                   for (const Index m : points.subspan(first, last - first))
+                                   {
+                                     moved[m] = improve(m, *search) ? 1 : 0;
+                                   }
+                                   giveBack(std::move(search));
+                                 });
+    }
+    wake(moved);
+    return static_cast<std::size_t>(std::count(moved.begin(), moved.end(), 1));
+  }
+
+  bool isAwake() const { return std::ranges::find(awake, 1) != awake.end(); }
+
+private:
+  /// Points of a colour that may find a better place, in order.
+  std::span<const Index> pointsToSearch(std::size_t colour)
+  {
+    toSearch.clear();
+    for (std::size_t i = colours.offsets[colour]; i < colours.offsets[colour + 1]; ++i)
+    {
+      const Index m = colours.order[i];
+      if (awake[m] && (options.patient || failures[m] < mostFailures))
+      {
+        toSearch.push_back(m);
+      }
+    }
+    return toSearch;
+  }
+
+  /// Whether the point moved.
+  bool improve(Index m, PointSearch& search)
+  {
+    const bool moved = search.improve(m, states[m]);
+    failures[m] = moved || options.patient ? 0 : failures[m] + 1;
+    awake[m] = 0;
+    return moved;
+  }
+
+  /// Searches have much room of their own, so those not in use are kept.
+  std::unique_ptr<PointSearch> takeSearch()
+  {
+    const std::scoped_lock lock(searchMutex);
+    if (searches.empty())
+    {
+      return std::make_unique<PointSearch>(judge, guide, rules);
+    }
+    std::unique_ptr<PointSearch> search = std::move(searches.back());
+    searches.pop_back();
+    return search;
+  }
+  void giveBack(std::unique_ptr<PointSearch> search)
+  {
+    const std::scoped_lock lock(searchMutex);
+    searches.push_back(std::move(search));
+  }
+
+  /// By cell the movable points it has.
+  void findNeighbours()
+  {
+    pointsOf = fillBuckets(region.judgedCount(), SerialExecutor(), [&](auto&& use) {
+      for (Index m = 0; m < region.movable.size(); ++m)
+      {
+        for (const Index cell : region.cellsAbout(m))
+        {
+          use(cell, m);
+        }
+      }
+    });
+  }
+
+  /// A point is looked at again once a point of its cells has moved.
+  void wake(const std::vector<char>& moved)
+  {
+    for (Index m = 0; m < moved.size(); ++m)
+    {
+      if (moved[m])
+      {
+        for (const Index cell : region.cellsAbout(m))
+        {
+          for (const Index point : pointsOf.of(cell))
+          {
+            awake[point] = 1;
+          }
+        }
+      }
+    }
+  }
+
+  Judge& judge;
+  const Region& region;
+  const VertexGuide& guide;
+  const OptimiserOptions& options;
+  const RunContext& context;
+  /// Of the cells as they were at first.
+  LeastMetrics floor;
+  SearchRules rules;
+  std::mutex searchMutex;
+  std::vector<std::unique_ptr<PointSearch>> searches;
+  Colours colours;
+  std::vector<SearchState> states;
+  std::vector<char> awake;
+  /// In a row; most points that failed so often never find a better place.
+  static constexpr char mostFailures = 3;
+  std::vector<char> failures;
+  std::vector<Index> toSearch;
+  Buckets pointsOf; ///< by judged cell
+};
+
+/// Per judged cell its measures, those of its faces included.
+std::vector<Score> scoresOfCells(const Judge& judge, const RunContext& context)
+{
+  const Region& region = judge.region();
+  std::vector<Score> scores(region.judgedCount());
+  context.executor.forEach(scores.size(), grain, [&](std::size_t c) {
+    scores[c] = judge.scoreOfCell(static_cast<Index>(c));
+    for (const Index f : region.facesOf(c))
+    {
+      scores[c].add(judge.scoreOfFace(f));
+    }
+  });
+  return scores;
+}
+
+void prepareGuide(const Region& region, VertexGuide& guide, const RunContext& context)
+{
+  std::vector<Index> ids(region.movable.size());
+  std::ranges::transform(region.movable, ids.begin(), [&](Index local) { return region.pointIds[local]; });
+  guide.prepare(ids, context);
+}
+
+/// The last few points that creep on may not be worth a sweep.
+void sweepWhileWorthwhile(Sweeper& sweeper, const OptimiserOptions& options, const RunContext& context)
+{
+  constexpr double worthwhile = 0.02;
+  std::size_t most = 1;
+  for (int i = 0; i < options.sweeps; ++i)
+  {
+    if (options.tellProgress)
+    {
+      context.progress.report(static_cast<double>(i) / options.sweeps, "Moving points");
+    }
+    const std::size_t moved = sweeper.sweep();
+    most = std::max(most, moved);
+    const bool isDone =
+        options.patient ? !sweeper.isAwake() : static_cast<double>(moved) <= worthwhile * static_cast<double>(most);
+    if (isDone)
+    {
+      return;
+    }
+  }
+}
+
+/// `margin` as in OptimiserOptions.
+std::vector<ShortCell> shortCellsOf(const Judge& judge, double margin, const RunContext& context)
+{
+  std::vector<ShortCell> cells;
+  const std::vector<Score> scores = scoresOfCells(judge, context);
+  for (Index c = 0; c < scores.size(); ++c)
+  {
+    // All measures were divided by this.
+    const double worst = (1.0 + margin) * scores[c].worst;
+    if (worst < 1.0)
+    {
+      cells.push_back({judge.region().cellIds[c], static_cast<float>(worst)});
+    }
+  }
+  return cells;
+}
+
+/// Of `cells`, which are all of the region that can be.
+std::vector<ShortCell> shortCellsBy(Judge& judge, const QualityTargets& targets, const std::vector<ShortCell>& cells)
+{
+  const std::vector<Index>& ids = judge.region().cellIds;
+  std::vector<ShortCell> out;
+  for (const ShortCell& cell : cells)
+  {
+    const auto local = static_cast<Index>(std::ranges::lower_bound(ids, cell.cell) - ids.begin());
+    const double worst = judge.scoreBy(targets, local).worst;
+    if (worst < 1.0)
+    {
+      out.push_back({cell.cell, static_cast<float>(worst)});
+    }
+  }
+  return out;
+}
+
+bool looksAtJacobians(const QualityTargets& targets) { return targets.scaledJacobian > 0.0; }
+
+/// By targets, the cells of a piece that fall short.
+std::vector<std::vector<ShortCell>> findShortIn(const CellSource& source, std::vector<Index> piece,
+                                                std::span<const QualityTargets> targets, const RunContext& context)
+{
+  std::ranges::sort(piece);
+  Region region = extractCells(source, std::move(piece), std::ranges::any_of(targets, looksAtJacobians), context);
+  Judge judge(region, targets.front(), context);
+  std::vector<std::vector<ShortCell>> found{shortCellsOf(judge, 0.0, context)};
+  for (const QualityTargets& less : targets.subspan(1))
+  {
+    found.push_back(shortCellsBy(judge, less, found.front()));
+  }
+  return found;
+}
+
+/// Piece by piece, as measures take many times the cells' own memory. Of cells beyond a piece not all is known. A piece
+/// is for one thread, unless there are few.
+std::vector<std::vector<ShortCell>> findShortIn(const CellSource& source, std::vector<std::vector<Index>> pieces,
+                                                std::span<const QualityTargets> targets, const RunContext& context)
+{
+  const SerialExecutor one;
+  const RunContext serial{one, context.progress};
+  const bool areFew = pieces.size() < 4 * static_cast<std::size_t>(context.executor.threads());
+  std::vector<std::vector<std::vector<ShortCell>>> found(pieces.size());
+  (areFew ? serial : context).executor.forEach(pieces.size(), 1, [&](std::size_t piece) {
+    found[piece] = findShortIn(source, std::move(pieces[piece]), targets, areFew ? context : serial);
+  });
+  std::vector<std::vector<ShortCell>> all(targets.size());
+  for (const std::vector<std::vector<ShortCell>>& piece : found)
+  {
+    for (std::size_t i = 0; i < all.size(); ++i)
+    {
+      all[i].insert(all[i].end(), piece[i].begin(), piece[i].end());
+    }
+  }
+  for (std::vector<ShortCell>& shortCells : all)
+  {
+    std::ranges::sort(shortCells, {}, &ShortCell::cell);
+  }
+  return all;
+}
+
+/// Of points that are not where they were: the cells about them, in order.
+std::vector<Index> cellsAboutMoved(const Region& region, const std::vector<Vec3>& before, const RunContext& context)
+{
+  std::vector<char> marked(region.judgedCount(), 0);
+  for (Index m = 0; m < region.movable.size(); ++m)
+  {
+    const Index leader = region.movable[m];
+    const bool moved = region.points[leader] != before[region.pointIds[leader]];
+    for (const Index cell : region.cellsAbout(m))
+    {
+      marked[cell] |= moved ? 1 : 0;
+    }
+  }
+  std::vector<Index> cells = numbersOf(marked, context.executor);
+  std::ranges::transform(cells, cells.begin(), [&](Index cell) { return region.cellIds[cell]; });
+  return cells;
+}
+
+void takePoints(const Region& region, std::vector<Vec3>& points)
+{
+  for (const Index local : region.members)
+  {
+    points[region.pointIds[local]] = region.points[local];
+  }
+}
+
+} // namespace
+
+std::vector<ShortCell> findShortCells(const CellSource& source, const std::vector<char>& marked,
+                                      const QualityTargets& targets, const RunContext& context)
+{
+  const std::vector<Index> cells = cellsWithMarked(source, marked, context);
+  return findShortCells(source, cells, {&targets, 1}, context).front();
+}
+
+std::vector<std::vector<ShortCell>> findShortCells(const CellSource& source, const std::vector<Index>& cells,
+                                                   std::span<const QualityTargets> targets, const RunContext& context)
+{
+  return findShortIn(source, inPieces(source, cellsToJudge(source, cells, targets, context)), targets, context);
+}
+
+std::vector<ShortCell> findShortAmong(const CellSource& source, const std::vector<Index>& cells,
+                                      const QualityTargets& targets, const RunContext& context)
+{
+  std::vector<ShortCell> found =
+      findShortCells(source, withNeighbours(source, cells, context), {&targets, 1}, context).front();
+  std::erase_if(found, [&](const ShortCell& cell) { return !std::ranges::binary_search(cells, cell.cell); });
+  return found;
+}
+
+std::vector<ShortCell> optimise(const CellSource& source, std::vector<Vec3>& points,
+                                const std::vector<ShortCell>& cells, VertexGuide& guide,
+                                const OptimiserOptions& options, const RunContext& context, std::vector<Index>* changed)
+{
+  const std::vector<char> moving = pointsToMove(source, cells, guide, options.rings, context);
+  if (std::find(moving.begin(), moving.end(), 1) == moving.end())
+  {
+    return cells;
+  }
+  Region region = extractRegion(source, moving, guide, options.keepWorst || looksAtJacobians(options.targets), context);
+  Judge judge(region, options.targets.beyond(options.margin), context);
+  context.progress.check();
+  prepareGuide(region, guide, context);
+  Sweeper sweeper(judge, guide, options, context);
+  sweepWhileWorthwhile(sweeper, options, context);
+  if (changed)
+  {
+    *changed = cellsAboutMoved(region, points, context);
+  }
+  takePoints(region, points);
+  std::vector<ShortCell> left = shortCellsOf(judge, options.margin, context);
+  std::ranges::copy_if(cells, std::back_inserter(left),
+                       [&](const ShortCell& cell) { return !std::ranges::binary_search(region.cellIds, cell.cell); });
+  std::ranges::sort(left, {}, &ShortCell::cell);
+  return left;
+}
+
+std::vector<ShortCell> approach(const CellSource& source, std::vector<Vec3>& points,
+                                const std::vector<WantedPlace>& wanted, const VertexGuide& guide, double least,
+                                const QualityTargets& targets, const RunContext& context)
+{
+  std::vector<char> leaders(points.size(), 0);
+  for (const WantedPlace& one : wanted)
+  {
+    leaders[one.point] = 1;
+  }
+  std::vector<char> moving(points.size(), 0);
+  for (Index p = 0; p < points.size(); ++p)
+  {
+    moving[p] = leaders[guide.leaderOf(p)];
+  }
+  Region region = extractRegion(source, moving, guide, looksAtJacobians(targets), context);
+  Judge judge(region, targets, context);
+  PointSearch search(judge, guide);
+  for (Index m = 0; m < region.movable.size(); ++m)
+  {
+    context.progress.check();
+    search.approach(m, wanted[m].place, least);
+  }
+  takePoints(region, points);
+  return shortCellsOf(judge, 0.0, context);
+}
+
+} // namespace atria

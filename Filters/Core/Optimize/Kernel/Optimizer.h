@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Moves points until the cells about them are valid and good.
+#pragma once
+
+#include "Optimize/Kernel/QualityEvaluator.h"
+#include "Optimize/Kernel/VertexConstraints.h"
+
+namespace atria {
+
+struct OptimiserOptions
+{
+  QualityTargets targets;
+  /// By which share of the way from limit to target to aim beyond the targets: points are not moved for what is within
+  /// a hundredth of the aim.
+  double margin = 0.03;
+  /// Passes over the points whose cells fall short of the targets.
+  int sweeps = 20;
+  /// Whether the last few points that creep on are waited for, and points are tried again however often they found no
+  /// better place.
+  bool patient = false;
+  /// Rings of cells about one that falls short whose points may move with its own.
+  int rings = 1;
+  /// Whether no metric of LeastMetrics may get worse than it was in the worst of the cells looked at.
+  bool keepWorst = false;
+  /// Whether progress from 0 to 1 is told.
+  bool tellProgress = false;
+  /// Whether points of bad cells are tried in the middle of the points about them first.
+  bool tryMiddle = false;
+  /// Points whose cells have less of a penalty stay, and those that would lose less than this share of it.
+  double leastPenalty = 1e-4;
+  double leastGain = 0.01;
+  /// No cell whose least measure is above this falls below it for the good of others. Without it, what is bad by one
+  /// measure may become worse by others for what is gained in the whole.
+  double leastWorst = -std::numeric_limits<double>::infinity();
+  /// How far a point is moved at first, as a part of the cells' size.
+  double firstReach = 0.1;
+};
+
+/// A cell that falls short of some target, and its least measure: 0 at the limit of what is valid.
+struct ShortCell
+{
+  Index cell;
+  float worst;
+};
+
+/// The cells about marked points that fall short, in order.
+std::vector<ShortCell> findShortCells(const CellSource& source, const std::vector<char>& marked,
+                                      const QualityTargets& targets, const RunContext& context);
+/// Of some cells, in order, those that fall short of each of several targets, the first of which ask for no less than
+/// any other.
+std::vector<std::vector<ShortCell>> findShortCells(const CellSource& source, const std::vector<Index>& cells,
+                                                   std::span<const QualityTargets> targets, const RunContext& context);
+
+/// Of some cells, in order, those that fall short; cells beside them are looked at as well as they are themselves.
+std::vector<ShortCell> findShortAmong(const CellSource& source, const std::vector<Index>& cells,
+                                      const QualityTargets& targets, const RunContext& context);
+
+/// Improves cells that fall short of the targets by moving points, those of the cells and of `rings` of cells about
+/// them, one after the other, each to where the penalty of the cells about it is less and their worst, unless it is bad
+/// already, no worse. `points` are those of the source, which must see changes to them. Returns those of
+/// `cells` and of all cells about moved points that fall short then, in order; other cells are as before. The same bits
+/// for any number of threads: points that depend on each other are moved in a fixed order. `changed`, if it is given,
+/// gets the cells about points that moved, in order.
+std::vector<ShortCell> optimise(const CellSource& source, std::vector<Vec3>& points,
+                                const std::vector<ShortCell>& cells, VertexGuide& guide,
+                                const OptimiserOptions& options, const RunContext& context,
+                                std::vector<Index>* changed = nullptr);
+
+/// Where a point ought to be.
+struct WantedPlace
+{
+  Index point;
+  Vec3 place;
+};
+
+/// Moves points towards where they ought to be, one after the other, each as far as no cell about it falls below
+/// `least` (see ShortCell) or, where one is below already, further. Points must be leaders, in rising order. Returns
+/// the cells about them that fall short then.
+std::vector<ShortCell> approach(const CellSource& source, std::vector<Vec3>& points,
+                                const std::vector<WantedPlace>& wanted, const VertexGuide& guide, double least,
+                                const QualityTargets& targets, const RunContext& context);
+
+} // namespace atria

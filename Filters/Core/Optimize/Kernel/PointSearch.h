@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Optimize/Kernel/QualityEvaluator.h"
+#include "Optimize/Kernel/VertexConstraints.h"
+
+namespace atria {
+
+struct SearchRules
+{
+  /// Below this no metric of the cells about a point may get; null for no such rule.
+  const LeastMetrics* floor = nullptr;
+  /// Whether a point of bad cells is tried in the middle of the points about it first.
+  bool tryMiddle = false;
+  /// See OptimiserOptions, which have the defaults.
+  double leastPenalty = 0.0;
+  double leastGain = 0.0;
+  double leastWorst = -std::numeric_limits<double>::infinity();
+};
+
+/// What is known of a point from one search to the next.
+struct SearchState
+{
+  /// How far to go, as a part of the cells' size.
+  double trust;
+  /// The penalty of the cells about it when no better place was found; 0 where one was.
+  double stuckAt = 0.0;
+};
+
+/// Looks for a better place for one point at a time.
+class PointSearch
+{
+public:
+  PointSearch(Judge& qualities, const VertexGuide& vertexGuide, const SearchRules& rules = {})
+      : judge(qualities), guide(vertexGuide), rules_(rules)
+  {
+  }
+
+  /// Moves the point if there is a place near it where the penalty of the cells about it is less and their worst no
+  /// worse. It is not looked for where there was none before and the penalty is much the same. Whether it moved.
+  bool improve(Index movable, SearchState& state);
+  /// Moves the point towards `place` as far as the worst of the cells about it is not below `least`, or not below what
+  /// it is.
+  void approach(Index movable, const Vec3& place, double least);
+
+private:
+  /// A way to go, and what the penalty is expected to lose by it.
+  struct Step
+  {
+    Vec3 way;
+    double gain;
+  };
+  bool move(const Score& now, double& trust);
+  Step gaussNewtonStep(double reach);
+  void derive(const Vec3& way, double h, std::vector<double>& along);
+  bool probe(const Score& now, double reach);
+  Vec3 middle() const;
+  Score scoreAt(const Vec3& p, const LookLimits& limits);
+  LookLimits limitsOf(const Score& now) const;
+  bool moveIfBetter(const Vec3& p, const Score& now);
+  bool isBetter(const Score& there, const Score& now) const;
+  bool noMetricIsWorse() const;
+
+  Judge& judge;
+  const VertexGuide& guide;
+  SearchRules rules_;
+  Star star;
+  Residuals residuals;
+  std::vector<double> beside;
+  /// Of the residuals, along the ways the point may go.
+  std::array<std::vector<double>, 3> derivatives;
+  Index pointId = noIndex;
+  Vec3 origin;
+};
+
+} // namespace atria

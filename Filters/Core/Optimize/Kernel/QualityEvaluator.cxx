@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Measures of a region, kept while points of it move. How they are judged is in JudgeScores.cxx.
+#include "Optimize/Kernel/QualityEvaluator.h"
+
+#include <algorithm>
+
+namespace atria {
+
+namespace {
+
+constexpr std::size_t grain = 256;
+constexpr double tiny = 1e-150;
+
+/// Lists the numbers below `count`, first those that `isFirst`. Returns how many these are.
+template <typename IsFirst> std::size_t listFirst(std::vector<Index>& list, std::size_t count, IsFirst&& isFirst)
+{
+  list.clear();
+  for (Index i = 0; i < count; ++i)
+  {
+    if (isFirst(i))
+    {
+      list.push_back(i);
+    }
+  }
+  const std::size_t first = list.size();
+  for (Index i = 0; i < count && list.size() < count; ++i)
+  {
+    if (!isFirst(i))
+    {
+      list.push_back(i);
+    }
+  }
+  return first;
+}
+
+} // namespace
+
+Judge::Judge(Region& region, const QualityTargets& targets, const RunContext& context)
+    : region_(region), targets_(targets), faces(region.faceCount()), cells(region.cellCount()),
+      sizes(region.judgedCount()), cornerScales(sizes.size()), cellScores(sizes.size()), faceScores(faces.size())
+{
+  std::vector<double> perimeters(faces.size());
+  context.executor.forEach(faces.size(), grain, [&](std::size_t f) {
+    measure(static_cast<Index>(f));
+    perimeters[f] = perimeterOf(static_cast<Index>(f));
+  });
+  context.executor.forEach(sizes.size(), grain, [&](std::size_t c) {
+    measureOne(static_cast<Index>(c));
+    measureSize(static_cast<Index>(c), perimeters);
+  });
+  for (std::size_t g = 0; g < region.ghostVolumes.size(); ++g)
+  {
+    cells[sizes.size() + g] = {region.ghostCentroids[g], region.ghostVolumes[g], region.ghostCentroids[g]};
+  }
+  judgeAll(context);
+}
+
+void Judge::measure(Index face)
+{
+  const auto points = region_.face(face);
+  faces[face] = measureAnyFace(points.size(), [&](std::size_t i) -> const Vec3& { return region_.points[points[i]]; });
+}
+
+void Judge::measureOne(Index cell)
+{
+  cells[cell] = measureCell([&](auto&& visit) {
+    for (const Index f : region_.facesOf(cell))
+    {
+      visit(faces[f].centroid, sign(cell, f) * faces[f].area);
+    }
+  });
+}
+
+double Judge::perimeterOf(Index face) const
+{
+  const auto points = region_.face(face);
+  double length = (region_.points[points.front()] - region_.points[points.back()]).norm();
+  for (std::size_t i = 1; i < points.size(); ++i)
+  {
+    length += (region_.points[points[i]] - region_.points[points[i - 1]]).norm();
+  }
+  return length;
+}
+
+void Judge::measureSize(Index cell, const std::vector<double>& perimeters)
+{
+  double length = 0.0;
+  double count = 0.0;
+  for (const Index f : region_.facesOf(cell))
+  {
+    length += perimeters[f];
+    count += static_cast<double>(region_.face(f).size());
+  }
+  sizes[cell] = length / std::max(count, 1.0);
+  const double cube = sizes[cell] * sizes[cell] * sizes[cell];
+  cornerScales[cell] = 2.0 / (cube + tiny) / targets_.cornerVolume.target;
+}
+
+/// Faces between cells about the point are counted twice.
+bool Judge::isGood(std::size_t movable, double penalty) const
+{
+  double sum = 0.0;
+  for (const Index cell : region_.cellsAbout(movable))
+  {
+    sum += cellScores[cell].penalty;
+    for (const Index f : region_.facesOf(cell))
+    {
+      sum += faceScores[f].penalty;
+    }
+    if (sum > 0.0 && sum >= penalty)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+void Judge::enter(std::size_t movable, Star& star) const
+{
+  star.point = region_.movable[movable];
+  const auto members = region_.membersOf(movable);
+  star.points.assign(members.begin(), members.end());
+  const auto about = region_.cellsAbout(movable);
+  star.cells.assign(about.begin(), about.end());
+  star.faces.clear();
+  star.slots.clear();
+  star.offsets.clear();
+  star.size = 0.0;
+  star.entries.resize(faces.size());
+  ++star.number;
+  for (const Index cell : about)
+  {
+    star.offsets.push_back(static_cast<Index>(star.slots.size()));
+    for (const Index f : region_.facesOf(cell))
+    {
+      Star::Entry& entry = star.entries[f];
+      if (entry.star != star.number)
+      {
+        entry = {star.number, static_cast<Index>(star.faces.size())};
+        star.faces.push_back(f);
+      }
+      star.slots.push_back(entry.place);
+    }
+    star.size += sizes[cell] / static_cast<double>(about.size());
+  }
+}
+
+void Judge::prepare(Star& star) const
+{
+  star.origin = region_.points[star.point];
+  star.moving.clear();
+  star.facesBefore.clear();
+  if (star.shapes.size() < star.faces.size())
+  {
+    star.shapes.resize(star.faces.size());
+  }
+  star.parts.assign(star.faces.size(), QuadShape::none);
+  const auto isOfStar = [&](Index point) { return std::ranges::find(star.points, point) != star.points.end(); };
+  for (Index i = 0; i < star.faces.size(); ++i)
+  {
+    if (std::ranges::any_of(region_.face(star.faces[i]), isOfStar))
+    {
+      star.moving.push_back(i);
+    }
+  }
+  findFirst(star);
+  for (const Index i : star.moving)
+  {
+    star.facesBefore.push_back(faces[star.faces[i]]);
+  }
+  star.cellsBefore.clear();
+  for (const Index cell : star.cells)
+  {
+    star.cellsBefore.push_back(cells[cell]);
+  }
+}
+
+/// Sets in what order to look, and by what those that fall short are measured: cells by their faces, faces by the cells
+/// on both sides.
+void Judge::findFirst(Star& star) const
+{
+  const auto cellCount = static_cast<Index>(star.cells.size());
+  star.marks.clear();
+  for (const Index cell : star.cells)
+  {
+    star.marks.push_back(cellScores[cell].penalty > 0.0 ? 1 : 0);
+  }
+  for (const Index face : star.faces)
+  {
+    star.marks.push_back(faceScores[face].penalty > 0.0 ? 1 : 0);
+  }
+  star.firstInOrder = listFirst(star.order, star.marks.size(), [&](Index i) { return star.marks[i] != 0; });
+  const auto slotsOf = [&](Index i) {
+    return std::span(star.slots).subspan(star.offsets[i], region_.facesOf(star.cells[i]).size());
+  };
+  star.firstMeasured = listFirst(star.measured, cellCount, [&](Index i) {
+    return star.marks[i] ||
+           std::ranges::any_of(slotsOf(i), [&](Index slot) { return star.marks[cellCount + slot] != 0; });
+  });
+  // From here on of faces whether they are looked at first.
+  star.marks.assign(star.faces.size(), 0);
+  for (std::size_t i = 0; i < star.firstMeasured; ++i)
+  {
+    for (const Index slot : slotsOf(star.measured[i]))
+    {
+      star.marks[slot] = 1;
+    }
+  }
+  star.firstMoving = static_cast<std::size_t>(
+      std::partition(star.moving.begin(), star.moving.end(), [&](Index slot) { return star.marks[slot] != 0; }) -
+      star.moving.begin());
+}
+
+void Judge::place(Star& star, const Vec3& p)
+{
+  for (const Index point : star.points)
+  {
+    region_.points[point] = p;
+  }
+  for (const Index i : star.moving)
+  {
+    star.parts[i] = QuadShape::none;
+  }
+}
+
+void Judge::measureFirst(const Star& star)
+{
+  for (std::size_t i = 0; i < star.firstMoving; ++i)
+  {
+    measure(star.faces[star.moving[i]]);
+  }
+  for (std::size_t i = 0; i < star.firstMeasured; ++i)
+  {
+    measureOne(star.cells[star.measured[i]]);
+  }
+}
+
+void Judge::measureRest(const Star& star)
+{
+  for (std::size_t i = star.firstMoving; i < star.moving.size(); ++i)
+  {
+    measure(star.faces[star.moving[i]]);
+  }
+  for (std::size_t i = star.firstMeasured; i < star.measured.size(); ++i)
+  {
+    measureOne(star.cells[star.measured[i]]);
+  }
+}
+
+void Judge::move(Star& star, const Vec3& p)
+{
+  place(star, p);
+  measureFirst(star);
+  measureRest(star);
+}
+
+void Judge::moveForResiduals(Star& star, const Vec3& p)
+{
+  place(star, p);
+  measureFirst(star);
+}
+
+/// The running sum is that of another order, so it may differ by rounding.
+Score Judge::look(Star& star, const Vec3& p, const LookLimits& limits)
+{
+  constexpr double surely = 1.0 + 1e-9;
+  place(star, p);
+  measureFirst(star);
+  star.scores.assign(star.order.size(), {});
+  Score running;
+  for (std::size_t i = 0; i < star.order.size(); ++i)
+  {
+    if (i == star.firstInOrder)
+    {
+      measureRest(star);
+    }
+    judgeInOrder(star, star.order[i]);
+    running.add(star.scores[star.order[i]]);
+    if (running.penalty > surely * limits.penalty || running.worst < limits.worst)
+    {
+      return running;
+    }
+  }
+  Score sum;
+  for (const Score& score : star.scores)
+  {
+    sum.add(score);
+  }
+  return sum;
+}
+
+void Judge::restore(const Star& star)
+{
+  for (const Index point : star.points)
+  {
+    region_.points[point] = star.origin;
+  }
+  for (std::size_t i = 0; i < star.moving.size(); ++i)
+  {
+    faces[star.faces[star.moving[i]]] = star.facesBefore[i];
+  }
+  for (std::size_t i = 0; i < star.cells.size(); ++i)
+  {
+    cells[star.cells[i]] = star.cellsBefore[i];
+  }
+}
+
+void Judge::accept(const Star& star)
+{
+  auto next = star.scores.begin();
+  for (const Index cell : star.cells)
+  {
+    cellScores[cell] = *next++;
+  }
+  for (const Index face : star.faces)
+  {
+    faceScores[face] = *next++;
+  }
+}
+
+Score Judge::scoreOf(const Star& star) const
+{
+  Score sum;
+  for (const Index cell : star.cells)
+  {
+    sum.add(cellScores[cell]);
+  }
+  for (const Index face : star.faces)
+  {
+    sum.add(faceScores[face]);
+  }
+  return sum;
+}
+
+} // namespace atria

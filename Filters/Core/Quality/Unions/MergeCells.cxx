@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Quality/Unions/MergeCells.h"
+
+#include "Quality/Unions/CellUnion.h"
+#include "Quality/Unions/SplitCells.h"
+#include "Support/Pieces.h"
+#include "Support/Sorting.h"
+
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <tuple>
+
+namespace atria {
+
+namespace {
+
+using Mat3 = Eigen::Matrix3d;
+
+/// Sums over the internal faces of a cell.
+struct Directions
+{
+  Mat3 areas = Mat3::Zero(); ///< of A AT
+  double area = 0.0;         ///< of |A|
+  int count = 0;
+
+  void add(const Vec3& face)
+  {
+    const double size = face.norm();
+    areas += face * face.transpose();
+    area += size;
+    count += size > 0.0 ? 1 : 0;
+  }
+
+  /// Four or more faces of a thin cell have a small determinant as well, but look all ways.
+  bool areFew(double leastDeterminant) const
+  {
+    if (count != 3 || area <= 0.0)
+    {
+      return count < 3;
+    }
+    const double mean = area / count;
+    return std::abs((areas / (mean * mean)).determinant()) / 8.0 < leastDeterminant;
+  }
+};
+
+/// Whether all faces within the mesh look along one plane, as where it is one cell thick: no union of cells helps then.
+bool areInOnePlane(const std::vector<Directions>& all)
+{
+  constexpr double flat = 1e-12;
+  Mat3 areas = Mat3::Zero();
+  for (const Directions& one : all)
+  {
+    areas += one.areas;
+  }
+  const double mean = areas.trace() / 3.0;
+  return mean <= 0.0 || std::abs((areas / mean).determinant()) < flat;
+}
+
+class CellMerger
+{
+public:
+  CellMerger(FaceMesh& faceMesh, std::span<const Index> patchOfFace, const RunContext& within,
+             const MergeCellsOptions& mergeOptions)
+      : mesh(faceMesh), patchOf(patchOfFace), context(within), options(mergeOptions)
+  {
+  }
+
+  MergedCells run()
+  {
+    context.progress.report(0.0, "Merging cells");
+    const std::vector<Index> candidates = findCandidates();
+    if (candidates.empty())
+    {
+      return {};
+    }
+    context.progress.report(0.3, "Merging cells");
+    CellUnions unions(mesh, patchOf, context.executor);
+    bool any = false;
+    for (const Index cell : candidates)
+    {
+      context.progress.check();
+      any = resolve(unions, cell) || any;
+    }
+    context.progress.report(0.8, "Merging cells");
+    return any ? renumber(unions) : MergedCells();
+  }
+
+private:
+  /// Cells at walls whose internal faces do not look all ways; rising.
+  std::vector<Index> findCandidates() const
+  {
+    std::vector<Index> cells(mesh.owner.begin() + static_cast<std::ptrdiff_t>(mesh.internalFaceCount()),
+                             mesh.owner.end());
+    sortUnique(cells);
+    const std::vector<Directions> directions = directionsOf(cells);
+    std::vector<Index> found;
+    if (areInOnePlane(directions))
+    {
+      return found;
+    }
+    for (std::size_t i = 0; i < cells.size(); ++i)
+    {
+      if (directions[i].areFew(options.determinant))
+      {
+        found.push_back(cells[i]);
+      }
+    }
+    return found;
+  }
+
+  std::vector<Directions> directionsOf(const std::vector<Index>& cells) const
+  {
+    std::vector<Index> slotOf(mesh.cellCount, noIndex);
+    for (std::size_t i = 0; i < cells.size(); ++i)
+    {
+      slotOf[cells[i]] = static_cast<Index>(i);
+    }
+    const std::vector<Index> faces = chosenNumbers(mesh.internalFaceCount(), context.executor, [&](std::size_t f) {
+      return slotOf[mesh.owner[f]] != noIndex || slotOf[mesh.neighbour[f]] != noIndex;
+    });
+    std::vector<Directions> directions(cells.size());
+    for (const Index f : faces)
+    {
+      const Vec3 area = measurePolygon(mesh.points, mesh.face(f)).area;
+      for (const Index slot : {slotOf[mesh.owner[f]], slotOf[mesh.neighbour[f]]})
+      {
+        if (slot != noIndex)
+        {
+          directions[slot].add(area);
+        }
+      }
+    }
+    return directions;
+  }
+
+  struct Group
+  {
+    std::vector<Index> cells; ///< rising
+    UnionVerdict verdict;
+
+    auto rank() const { return std::tuple(!serves(), verdict.concave, verdict.penalty, cells); }
+    bool serves() const { return verdict.sound && verdict.determined; }
+  };
+
+  /// Makes a cell one with others or has it cut where that helps; whether it did.
+  bool resolve(CellUnions& unions, Index cell) const
+  {
+    const Index alone[] = {unions.cellOf(cell)};
+    const UnionVerdict verdict = judgeUnion(unions, alone, context.executor);
+    if (verdict.determined)
+    {
+      return false; // another cell has become one with it
+    }
+    const std::optional<Group> group = findGroup(unions, {{alone[0]}, verdict});
+    const bool isGood = group && !group->verdict.concave;
+    if (!isGood && !unions.isUnited(alone[0]) && canBeSplit(unions, alone[0], context.executor))
+    {
+      unions.split(alone[0]);
+      return true;
+    }
+    if (group)
+    {
+      unions.unite(group->cells);
+    }
+    return group.has_value();
+  }
+
+  /// The best group that serves, of those with the fewest cells. Of groups that do not serve the best are kept and
+  /// tried with one cell more.
+  std::optional<Group> findGroup(const CellUnions& unions, const Group& alone) const
+  {
+    std::vector<Group> groups{alone};
+    for (std::size_t size = 2; size <= options.most && !groups.empty(); ++size)
+    {
+      groups = withOneMore(unions, groups);
+      if (!groups.empty() && groups[0].serves())
+      {
+        return groups[0];
+      }
+    }
+    return std::nullopt;
+  }
+
+  /// The groups with a neighbour each that are closed balls, the best ones first.
+  std::vector<Group> withOneMore(const CellUnions& unions, const std::vector<Group>& groups) const
+  {
+    std::set<std::vector<Index>> larger;
+    for (const Group& group : groups)
+    {
+      for (const Index next : unions.neighboursOf(group.cells))
+      {
+        if (unions.isSplit(next))
+        {
+          continue;
+        }
+        std::vector<Index> cells = group.cells;
+        cells.insert(std::lower_bound(cells.begin(), cells.end(), next), next);
+        larger.insert(std::move(cells));
+      }
+    }
+    std::vector<Group> found;
+    for (const std::vector<Index>& cells : larger)
+    {
+      const UnionVerdict verdict = judgeUnion(unions, cells, context.executor);
+      if (verdict.isBall)
+      {
+        found.push_back({cells, verdict});
+      }
+    }
+    std::sort(found.begin(), found.end(), [](const Group& a, const Group& b) { return a.rank() < b.rank(); });
+    found.resize(std::min(found.size(), options.kept));
+    return found;
+  }
+
+  /// Writes the mesh anew with the cells as they are now.
+  MergedCells renumber(const CellUnions& unions)
+  {
+    MergedCells merged;
+    merged.cellOf.resize(mesh.cellCount);
+    Index cells = 0;
+    for (Index cell = 0; cell < mesh.cellCount; ++cell)
+    {
+      const Index stands = unions.cellOf(cell); // the lowest, which has its new number already
+      merged.cellOf[cell] = stands == cell ? cells++ : merged.cellOf[stands];
+    }
+    merged.count = mesh.cellCount - cells;
+    FaceMesh out;
+    out.cellCount = cells;
+    out.faceOffsets.reserve(mesh.faceOffsets.size());
+    out.facePoints.reserve(mesh.facePoints.size());
+    merged.faceOf.assign(mesh.faceCount(), noIndex);
+    for (const OrderedFace& face : orderOfFaces(merged.cellOf))
+    {
+      merged.faceOf[face.face] = static_cast<Index>(out.owner.size());
+      appendFace(out, face, mesh.face(face.face));
+    }
+    out.points = std::move(mesh.points);
+    mesh = std::move(out);
+    if (!unions.splitCells().empty())
+    {
+      split(unions.splitCells(), merged);
+    }
+    return merged;
+  }
+
+  /// `cells` by their numbers before.
+  void split(const std::set<Index>& cells, MergedCells& merged)
+  {
+    std::vector<Index> now;
+    for (const Index cell : cells)
+    {
+      now.push_back(merged.cellOf[cell]);
+    }
+    SplitCells cut = splitIntoPyramids(mesh, now);
+    for (Index& face : merged.faceOf)
+    {
+      face = face == noIndex ? noIndex : cut.faceOf[face];
+    }
+    merged.added = std::move(cut.cellOf);
+  }
+
+  std::vector<OrderedFace> orderOfFaces(const std::vector<Index>& cellOf) const
+  {
+    std::vector<OrderedFace> order;
+    order.reserve(mesh.faceCount());
+    for (Index face = 0; face < mesh.faceCount(); ++face)
+    {
+      const Index owner = cellOf[mesh.owner[face]];
+      const Index neighbour = face < mesh.internalFaceCount() ? cellOf[mesh.neighbour[face]] : noIndex;
+      if (owner != neighbour)
+      {
+        order.push_back(orderFace(face, owner, neighbour));
+      }
+    }
+    std::sort(order.begin(), order.end());
+    return order;
+  }
+
+  FaceMesh& mesh;
+  std::span<const Index> patchOf;
+  const RunContext& context;
+  const MergeCellsOptions& options;
+};
+
+} // namespace
+
+MergedCells mergeUnderdeterminedCells(FaceMesh& mesh, std::span<const Index> patchOf, const RunContext& context,
+                                      const MergeCellsOptions& options)
+{
+  return CellMerger(mesh, patchOf, context, options).run();
+}
+
+} // namespace atria

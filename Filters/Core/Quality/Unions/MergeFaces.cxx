@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Quality/Unions/MergeFaces.h"
+
+#include "Quality/Unions/FaceUnion.h"
+#include "Quality/Unions/PolygonUnion.h"
+#include "Support/Pieces.h"
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace atria {
+
+namespace {
+
+std::vector<Index> without(std::span<const Index> loop, Index point)
+{
+  std::vector<Index> out(loop.begin(), loop.end());
+  std::erase(out, point);
+  return out;
+}
+
+/// The points before and behind one of a loop, the lesser one first.
+std::pair<Index, Index> besideIn(std::span<const Index> loop, Index point)
+{
+  const auto at = static_cast<std::size_t>(std::find(loop.begin(), loop.end(), point) - loop.begin());
+  return std::minmax({loop[(at + loop.size() - 1) % loop.size()], loop[(at + 1) % loop.size()]});
+}
+
+class FaceMerger
+{
+public:
+  FaceMerger(FaceMesh& faceMesh, std::span<const Index> patchOfFace, const MergeFacesOptions& mergeOptions)
+      : mesh(faceMesh), patchOf(patchOfFace), options(mergeOptions)
+  {
+  }
+
+  MergedFaces run(const RunContext& context)
+  {
+    context.progress.report(0.0, "Merging coplanar faces");
+    const std::vector<Index> firstFaces = findCandidates(context.executor);
+    if (firstFaces.empty())
+    {
+      return {};
+    }
+    unions.emplace(mesh, options.planarSine, context.part(0.1, 0.7));
+    for (const Index first : firstFaces)
+    {
+      context.progress.check();
+      mergeRun(first, endOfRun(first));
+    }
+    context.progress.report(0.9, "Merging coplanar faces");
+    MergedFaces merged = unions->writeFaces();
+    return merged.count > 0 ? merged : MergedFaces();
+  }
+
+private:
+  std::span<const Index> loopOf(Index face) const { return unions ? unions->loopOf(face) : mesh.face(face); }
+
+  bool isInternal(Index face) const { return face < mesh.internalFaceCount(); }
+
+  bool samePatch(Index a, Index b) const
+  {
+    const std::size_t internal = mesh.internalFaceCount();
+    return isInternal(a) || patchOf.empty() || patchOf[a - internal] == patchOf[b - internal];
+  }
+
+  double sineOf(Index face) const { return isInternal(face) ? options.internalSine : options.planarSine; }
+
+  /// Whether they have the same owner and, if there is one, the same neighbour.
+  bool areOfOneRun(Index a, Index b) const
+  {
+    return mesh.owner[a] == mesh.owner[b] && isInternal(a) == isInternal(b) &&
+           (!isInternal(a) || mesh.neighbour[a] == mesh.neighbour[b]);
+  }
+
+  /// Behind the last face of a run.
+  Index endOfRun(Index first) const
+  {
+    Index end = first + 1;
+    while (end < mesh.faceCount() && areOfOneRun(first, end))
+    {
+      ++end;
+    }
+    return end;
+  }
+
+  bool areCoplanar(Index a, Index b) const
+  {
+    return samePatch(a, b) && shareAnEdge(loopOf(a), loopOf(b)) &&
+           coplanar(mesh.points, loopOf(a), loopOf(b), sineOf(a));
+  }
+
+  /// The first face of each run with two coplanar ones. Most meshes have few, many have none.
+  std::vector<Index> findCandidates(const Executor& executor) const
+  {
+    return chosenNumbers(mesh.faceCount(), executor, [&](std::size_t f) {
+      const auto face = static_cast<Index>(f);
+      return !(face > 0 && areOfOneRun(face - 1, face)) && hasCoplanar(face, endOfRun(face));
+    });
+  }
+
+  bool hasCoplanar(Index first, Index end) const
+  {
+    for (Index a = first; a < end; ++a)
+    {
+      for (Index b = a + 1; b < end; ++b)
+      {
+        if (areCoplanar(a, b))
+        {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  /// Larger unions first: about a point inside of three faces, two of them alone are not star-shaped.
+  void mergeRun(Index first, Index end)
+  {
+    bool merged = true;
+    while (merged)
+    {
+      merged = false;
+      for (const std::vector<Index>& group : coplanarGroups(first, end))
+      {
+        merged = merged || merge(group) || mergeThree(group) ||
+                 mergeTwo(group, [&](const std::vector<Index>& pair) { return merge(pair); }) ||
+                 mergeTwo(group, [&](const std::vector<Index>& pair) { return mergeWithoutPoint(pair); });
+      }
+    }
+  }
+
+  /// Faces that can be reached from each other over edges between coplanar ones, two or more.
+  std::vector<std::vector<Index>> coplanarGroups(Index first, Index end) const
+  {
+    std::vector<Index> left;
+    for (Index face = first; face < end; ++face)
+    {
+      if (unions->isLeft(face))
+      {
+        left.push_back(face);
+      }
+    }
+    std::vector<std::vector<Index>> groups;
+    while (!left.empty())
+    {
+      std::vector<Index> group{left.front()};
+      left.erase(left.begin());
+      for (std::size_t i = 0; i < group.size(); ++i)
+      {
+        const auto joins = [&](Index face) { return areCoplanar(group[i], face); };
+        std::copy_if(left.begin(), left.end(), std::back_inserter(group), joins);
+        std::erase_if(left, joins);
+      }
+      if (group.size() > 1)
+      {
+        std::sort(group.begin(), group.end());
+        groups.push_back(std::move(group));
+      }
+    }
+    return groups;
+  }
+
+  bool mergeThree(const std::vector<Index>& group)
+  {
+    for (std::size_t i = 0; i < group.size(); ++i)
+    {
+      for (std::size_t j = i + 1; j < group.size(); ++j)
+      {
+        for (std::size_t k = j + 1; k < group.size(); ++k)
+        {
+          if (merge({group[i], group[j], group[k]}))
+          {
+            return true;
+          }
+        }
+      }
+    }
+    return false;
+  }
+
+  template <typename TryPair> static bool mergeTwo(const std::vector<Index>& group, TryPair&& tryPair)
+  {
+    for (std::size_t i = 0; i < group.size(); ++i)
+    {
+      for (std::size_t j = i + 1; j < group.size(); ++j)
+      {
+        if (tryPair({group[i], group[j]}))
+        {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  /// The union of all faces of a group; nothing where it is not one simple flat polygon, or where it leaves out a point
+  /// of another face.
+  std::optional<std::vector<Index>> unionOf(const std::vector<Index>& group) const
+  {
+    const auto firstLoop = loopOf(group[0]);
+    std::optional<std::vector<Index>> loop{std::in_place, firstLoop.begin(), firstLoop.end()};
+    std::vector<bool> joined(group.size(), false);
+    joined[0] = true;
+    for (std::size_t count = 1; count < group.size() && loop; ++count)
+    {
+      std::optional<std::vector<Index>> more;
+      for (std::size_t i = 1; i < group.size() && !more; ++i)
+      {
+        if (!joined[i] && coplanar(mesh.points, *loop, loopOf(group[i]), sineOf(group[i])))
+        {
+          more = unite(*loop, loopOf(group[i]));
+          joined[i] = more.has_value();
+        }
+      }
+      loop = std::move(more);
+    }
+    return loop && leavesOutOnlyOwnPoints(group, *loop) ? loop : std::nullopt;
+  }
+
+  /// Whether no face outside of the group has a point that the union leaves out.
+  bool leavesOutOnlyOwnPoints(const std::vector<Index>& group, const std::vector<Index>& loop) const
+  {
+    std::map<Index, Index> own;
+    for (const Index face : group)
+    {
+      for (const Index point : loopOf(face))
+      {
+        ++own[point];
+      }
+    }
+    for (const Index point : loop)
+    {
+      own.erase(point);
+    }
+    return std::all_of(own.begin(), own.end(),
+                       [&](const auto& left) { return unions->usesOf(left.first) == left.second; });
+  }
+
+  bool merge(const std::vector<Index>& group)
+  {
+    const std::optional<std::vector<Index>> loop = unionOf(group);
+    if (!loop)
+    {
+      return false;
+    }
+    FaceUnion change{group, {{group.front(), *loop}}, {}};
+    unions->findCentroids(change);
+    if (!unions->fits(change))
+    {
+      return false;
+    }
+    unions->apply(std::move(change));
+    return true;
+  }
+
+  /// Two internal faces whose union is no good for a point of their common edge, without that point.
+  bool mergeWithoutPoint(const std::vector<Index>& pair)
+  {
+    const std::optional<std::vector<Index>> loop = unionOf(pair);
+    if (!isInternal(pair.front()) || !loop || loop->size() < 4)
+    {
+      return false;
+    }
+    return std::any_of(loop->begin(), loop->end(), [&](Index point) {
+      std::optional<FaceUnion> change = unionWithout(pair, *loop, point);
+      if (!change || !unions->fits(*change) || !unions->isLessConcave(*change))
+      {
+        return false;
+      }
+      unions->apply(std::move(*change));
+      return true;
+    });
+  }
+
+  /// All faces with the point lose it; nothing where there are others than those between a cell of the pair and
+  /// another one, or such with other points beside it.
+  std::optional<FaceUnion> unionWithout(const std::vector<Index>& pair, const std::vector<Index>& loop,
+                                        Index point) const
+  {
+    FaceUnion change{pair, {{pair.front(), without(loop, point)}}, {}};
+    const auto beside = besideIn(loop, point);
+    for (const Index cell : unions->cellsOf(pair.front()))
+    {
+      for (const Index face : unions->facesOf(cell))
+      {
+        const auto own = loopOf(face);
+        if (!contains(pair, face) && contains(own, point))
+        {
+          if (!isInternal(face) || own.size() < 4 || besideIn(own, point) != beside)
+          {
+            return std::nullopt;
+          }
+          change.loops[face] = without(own, point);
+        }
+      }
+    }
+    const bool isOfBoth = contains(loopOf(pair[0]), point) && contains(loopOf(pair[1]), point);
+    if (!isOfBoth || unions->usesOf(point) != change.loops.size() + 1)
+    {
+      return std::nullopt;
+    }
+    unions->findCentroids(change);
+    return change;
+  }
+
+  FaceMesh& mesh;
+  std::span<const Index> patchOf;
+  const MergeFacesOptions& options;
+  std::optional<FaceUnions> unions; ///< once there is something to merge
+};
+
+} // namespace
+
+MergedFaces mergeCoplanarFaces(FaceMesh& mesh, std::span<const Index> patchOf, const RunContext& context,
+                               const MergeFacesOptions& options)
+{
+  return FaceMerger(mesh, patchOf, options).run(context);
+}
+
+} // namespace atria

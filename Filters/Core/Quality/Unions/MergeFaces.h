@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Coplanar boundary faces of one cell, and faces that the same two cells share, made into one polygon, for formats
+/// that know polyhedra.
+#pragma once
+
+#include "Quality/Faces/FaceMesh.h"
+#include "Support/RunContext.h"
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace atria {
+
+struct MergeFacesOptions
+{
+  /// Two faces are coplanar where the sine of the angle between their normals is below this, and no point of theirs is
+  /// further from their common plane than this share of their longest edge. At 1e-6, the sine to which OpenFOAM's
+  /// checkMesh tells concave cells, the area of a patch changes by less than 2e-13 of it. The merged face's triangles
+  /// have to have angles with a greater sine than this.
+  double planarSine = 1e-6;
+  /// The same for internal faces. One of the cells that share two faces is concave however its points are placed, by
+  /// little where it is else well-shaped. No patch changes with such faces, so they need not be as flat.
+  double internalSine = 0.05;
+};
+
+struct MergedFaces
+{
+  /// For each face before, the face that it now is or is a part of; empty if nothing was merged.
+  std::vector<Index> faceOf;
+  std::size_t count = 0; ///< how many faces there are fewer
+
+  Index nowOf(Index face) const { return faceOf.empty() ? face : faceOf[face]; }
+};
+
+/// Merges boundary faces of one owner and one patch, and internal ones of one owner and one neighbour, that are
+/// coplanar and share one edge or one run of edges. Cells and points stay as they are; faces stay in the order FaceMesh
+/// asks for. A point that comes to lie inside a merged face is left without faces. All coplanar faces of a cell that
+/// hang together are merged where that is possible, else three or two of them. Not possible it is where
+/// - the merged face would not be a simple polygon, or would share with another face of its cell points that do not
+///   follow each other;
+/// - it is not star-shaped as OpenFOAM's checkMesh asks for: triangles from its centroid to its edges, and those from
+///   one of its points, all look out of the cell (of both cells), whose centroid is not in the face's plane (flat cells
+///   stay as they are); or tetrahedra of it or of another face of the cell would turn over, as its centroid moves by
+///   merging;
+/// - a point inside of it is one of other faces too;
+/// - a cell would have fewer than four faces.
+/// Two internal faces for which it is not possible may be merged without an end of their common edge. All other faces
+/// with that point are between one of the two cells and another cell and lose it, too, and their cells are less concave
+/// for it.
+/// `patchOf` has for each boundary face the number of its patch; empty, all are in one. Faces are tried in rising order
+/// of their numbers, one cell after the other: the result does not depend on threads. Merging again changes nothing.
+/// Throws Aborted when asked to.
+MergedFaces mergeCoplanarFaces(FaceMesh& mesh, std::span<const Index> patchOf, const RunContext& context,
+                               const MergeFacesOptions& options = {});
+
+} // namespace atria

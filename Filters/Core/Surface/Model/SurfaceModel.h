@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The model as the mesher sees it: on the lattice, welded, with its feature graph.
+#pragma once
+
+#include "Grid/GridFrame.h"
+#include "Surface/Repair/SurfaceRepair.h"
+#include "Surface/Triangles/TriangleSurface.h"
+
+#include <string>
+#include <vector>
+
+namespace atria {
+
+/// Why an edge of the model must be kept.
+enum class CurveKind : std::uint8_t
+{
+  rim,      ///< one triangle ends there
+  crease,   ///< two triangles meet at more than the feature angle
+  junction, ///< three or more triangles meet
+  border    ///< two named surfaces meet
+};
+
+/// An edge of the model on a feature curve.
+struct FeatureEdge
+{
+  Index a;
+  Index b;
+  /// Index into `curves`.
+  Index curve;
+};
+
+/// A feature curve: edges joined at points that are no corners, where the same charts meet all along.
+struct FeatureCurve
+{
+  CurveKind kind;
+  /// The charts that meet there, sorted, one entry for each triangle: a chart that goes on across the curve is there
+  /// twice.
+  std::vector<Index> charts;
+  /// Those of them that end there: the ones with an odd number of entries. Empty for a fold within a chart.
+  std::vector<Index> ending;
+};
+
+struct SurfaceModel
+{
+  static constexpr std::int8_t noSide = -1;
+
+  std::vector<LatticePoint> points;
+  std::vector<std::array<Index, 3>> triangles;
+  /// Per triangle: index into `names`; or the number of names plus a Direction on the sides of a turned domain.
+  std::vector<Index> surfaceIds;
+  /// Per triangle: the smooth piece between feature curves it belongs to.
+  std::vector<Index> charts;
+  /// Per triangle: the Direction of the domain side it lies on, or noSide. Such triangles refine and name the side;
+  /// they are no obstacle.
+  std::vector<std::int8_t> domainSides;
+  std::vector<FeatureEdge> featureEdges;
+  std::vector<FeatureCurve> curves;
+  /// Points where curves end, meet or turn sharply.
+  std::vector<Index> corners;
+  std::vector<std::string> names;
+
+  /// What of the model was changed.
+  SurfaceRepairReport repair;
+
+  /// Whether a triangle is a side of a domain that stands turned in the grid (see TurnedSides.h).
+  bool isTurnedSide(Index triangle) const { return surfaceIds[triangle] >= names.size(); }
+  CurveKind kindOf(const FeatureEdge& edge) const { return curves[edge.curve].kind; }
+  const LatticePoint& corner(Index triangle, int i) const { return points[triangles[triangle][i]]; }
+  /// Of a triangle, in lattice units.
+  Box3 bounds(Index triangle) const
+  {
+    Box3 box;
+    for (int i = 0; i < 3; ++i)
+    {
+      box.extend(toVector(corner(triangle, i)));
+    }
+    return box;
+  }
+  /// Twice the triangle's area vector, in lattice units.
+  Vec3 normal(Index triangle) const;
+};
+
+struct FeatureOptions
+{
+  /// Degrees between normals (creases) or tangents (corners) above which they are kept.
+  double featureAngle = 30.0;
+  /// Points closer than this (model units) are one.
+  double weldDistance = 1e-5;
+  /// Triangles with all points closer than this to a domain plane lie on that side.
+  double sideDistance = 1e-4;
+  /// Gaps narrower than this (model units) are closed.
+  double gapTolerance = 0.05;
+};
+
+/// Puts a surface on the lattice: welds points, drops triangles without area and repeated ones (whatever their winding;
+/// the first is kept), makes the model sound (repairSurface), finds what lies on the domain's sides, charts, curves and
+/// corners. Edges of the domain box are not features: the mesh has them anyway.
+/// The result does not depend on threads. Throws Aborted on demand.
+SurfaceModel makeSurfaceModel(const TriangleSurface& surface, const GridFrame& frame, const FeatureOptions& options,
+                              const RunContext& context);
+
+} // namespace atria

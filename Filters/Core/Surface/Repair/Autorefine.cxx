@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Surface/Repair/Autorefine.h"
+
+#include "Grid/Predicates.h"
+#include "Support/Buckets.h"
+#include "Surface/Repair/Clusters.h"
+#include "Surface/Repair/Contacts.h"
+#include "Surface/Repair/Slivers.h"
+#include "Surface/Repair/TriangleCuts.h"
+#include "Surface/Triangles/Weld.h"
+#include "Surface/Triangulation/LatticeSegments.h"
+
+#include <numeric>
+
+namespace atria {
+
+namespace {
+
+/// Keeps the triangles that `keep` accepts, and what goes with them.
+template <typename Predicate> void filter(TriangleSoup& soup, std::vector<char>* changed, const Predicate& keep)
+{
+  std::size_t size = 0;
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t)
+  {
+    if (keep(soup.triangles[t]))
+    {
+      soup.triangles[size] = soup.triangles[t];
+      soup.surfaceIds[size] = soup.surfaceIds[t];
+      soup.sources[size] = soup.sources[t];
+      if (changed)
+      {
+        (*changed)[size] = (*changed)[t];
+      }
+      ++size;
+    }
+  }
+  soup.triangles.resize(size);
+  soup.surfaceIds.resize(size);
+  soup.sources.resize(size);
+  if (changed)
+  {
+    changed->resize(size);
+  }
+}
+
+std::size_t dropRepeated(TriangleSoup& soup, std::vector<char>* changed)
+{
+  filter(soup, changed, [](const auto& t) { return !hasRepeatedPoint(t); });
+  const std::size_t before = soup.triangles.size();
+  const Buckets byLeast = fillBuckets(soup.points.size(), SerialExecutor(), [&](auto&& use) {
+    for (Index t = 0; t < before; ++t)
+    {
+      use(std::ranges::min(soup.triangles[t]), t);
+    }
+  });
+  std::vector<char> repeated(before, 0);
+  std::vector<std::pair<std::array<Index, 3>, Index>> sorted;
+  for (std::size_t p = 0; p < soup.points.size(); ++p)
+  {
+    sorted.clear();
+    for (const Index t : byLeast.of(p))
+    {
+      sorted.emplace_back(soup.triangles[t], t);
+      std::ranges::sort(sorted.back().first);
+    }
+    std::ranges::sort(sorted);
+    for (std::size_t i = 1; i < sorted.size(); ++i)
+    {
+      repeated[sorted[i].second] = sorted[i].first == sorted[i - 1].first ? 1 : 0;
+    }
+  }
+  filter(soup, changed, [&](const auto& t) { return !repeated[&t - soup.triangles.data()]; });
+  return before - soup.triangles.size();
+}
+
+/// Every point becomes what the list says. Triangles with one that did are marked as changed.
+void replacePoints(TriangleSoup& soup, const std::vector<Index>& became, std::vector<char>& changed)
+{
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t)
+  {
+    for (Index& p : soup.triangles[t])
+    {
+      changed[t] = became[p] != p ? 1 : changed[t];
+      p = became[p];
+    }
+  }
+}
+
+/// For each point what it becomes where, of the points given, those closer than the distance become one.
+std::vector<Index> weldSome(const TriangleSoup& soup, std::vector<Index> some, std::int64_t distance)
+{
+  std::sort(some.begin(), some.end());
+  some.erase(std::unique(some.begin(), some.end()), some.end());
+  std::vector<LatticePoint> places;
+  for (const Index p : some)
+  {
+    places.push_back(soup.points[p]);
+  }
+  const std::vector<Index> first = weldPoints(places, distance);
+  std::vector<Index> became(soup.points.size());
+  std::iota(became.begin(), became.end(), Index{0});
+  for (std::size_t i = 0; i < some.size(); ++i)
+  {
+    became[some[i]] = some[first[i]];
+  }
+  return became;
+}
+
+void renumber(std::set<EdgeKey>& edges, const std::vector<Index>& became)
+{
+  std::set<EdgeKey> next;
+  for (const auto& [a, b] : edges)
+  {
+    if (became[a] != became[b])
+    {
+      next.insert(edgeKey(became[a], became[b]));
+    }
+  }
+  edges = std::move(next);
+}
+
+/// Appends the new points, except those that fall together with one there is; contacts that say nothing new then are
+/// dropped.
+void addNewPoints(TriangleSoup& soup, Contacts& contacts, std::int64_t distance)
+{
+  soup.points.insert(soup.points.end(), contacts.newPoints.begin(), contacts.newPoints.end());
+  const std::vector<Index> became = weldPoints(soup.points, distance);
+  for (EdgeContact& c : contacts.edges)
+  {
+    c.point = became[c.point];
+  }
+  for (FaceContact& c : contacts.faces)
+  {
+    c.point = became[c.point];
+  }
+  std::erase_if(contacts.edges,
+                [](const EdgeContact& c) { return c.point == c.edge.first || c.point == c.edge.second; });
+  std::sort(contacts.edges.begin(), contacts.edges.end());
+  contacts.edges.erase(std::unique(contacts.edges.begin(), contacts.edges.end()), contacts.edges.end());
+  std::erase_if(contacts.faces, [&](const FaceContact& c) {
+    const auto& corners = soup.triangles[c.triangle];
+    const auto onEdge = [&](int i) {
+      return std::binary_search(contacts.edges.begin(), contacts.edges.end(),
+                                EdgeContact{edgeKey(corners, i), c.point});
+    };
+    return contains(corners, c.point) || onEdge(0) || onEdge(1) || onEdge(2);
+  });
+  std::sort(contacts.faces.begin(), contacts.faces.end());
+  contacts.faces.erase(std::unique(contacts.faces.begin(), contacts.faces.end()), contacts.faces.end());
+}
+
+bool hasArea(const TriangleSoup& soup, const std::array<Index, 3>& t)
+{
+  const LatticeNormal normal(soup.points[t[0]], soup.points[t[1]], soup.points[t[2]]);
+  return normal.n[0] != 0 || normal.n[1] != 0 || normal.n[2] != 0;
+}
+
+std::size_t countUsed(const TriangleSoup& soup)
+{
+  std::vector<char> used(soup.points.size(), 0);
+  for (const auto& t : soup.triangles)
+  {
+    used[t[0]] = used[t[1]] = used[t[2]] = 1;
+  }
+  return static_cast<std::size_t>(std::count(used.begin(), used.end(), 1));
+}
+
+std::size_t countEdges(const TriangleSoup& soup, const std::set<EdgeKey>& edges)
+{
+  std::set<EdgeKey> found;
+  for (std::size_t t = 0; t < soup.triangles.size() && !edges.empty(); ++t)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      const EdgeKey edge = edgeKey(soup.triangles[t], i);
+      if (edges.count(edge) != 0)
+      {
+        found.insert(edge);
+      }
+    }
+  }
+  return found.size();
+}
+
+/// All points that contacts name.
+std::vector<Index> pointsOf(const TriangleSoup& soup, const Contacts& contacts)
+{
+  std::vector<Index> points;
+  for (const EdgeContact& c : contacts.edges)
+  {
+    points.insert(points.end(), {c.point, c.edge.first, c.edge.second});
+  }
+  for (const FaceContact& c : contacts.faces)
+  {
+    points.push_back(c.point);
+    points.insert(points.end(), soup.triangles[c.triangle].begin(), soup.triangles[c.triangle].end());
+  }
+  return points;
+}
+
+/// Where a round finds more than half of what the one before did, points at its contacts become one within a distance
+/// that grows by this factor.
+constexpr std::int64_t loosening = 4;
+/// It grows up to this many times the largest reach.
+constexpr std::int64_t widest = 16;
+/// Where contacts are more than this part of the triangles and hardly get fewer, cuts only make more triangles of what
+/// lies closer together than the reach can tell apart.
+constexpr double dense = 0.05;
+
+/// Cuts in rounds, with one reach.
+class Rounds
+{
+public:
+  Rounds(TriangleSoup& soup_, const AutorefineOptions& options_, std::int64_t reach_, AutorefineReport& report_)
+      : soup(soup_), options(options_), reach(reach_), weldDistance(weldReaches * reach_), width(weldDistance),
+        report(report_)
+  {
+  }
+
+  /// Until nothing is found, or nothing better. What then is left is in the report. True where another reach may serve.
+  bool run(std::vector<char> changed, const RunContext& context)
+  {
+    for (int round = 0;; ++round)
+    {
+      tidy(changed, round == 0);
+      Contacts contacts = findContacts(soup, changed, reach, context);
+      const std::size_t found = contacts.edges.size() + contacts.faces.size();
+      const bool slow = round > 0 && 2 * found > foundBefore;
+      const bool hopeless = slow && 8 * found > 7 * foundBefore &&
+                            static_cast<double>(found) > dense * static_cast<double>(soup.triangles.size());
+      foundBefore = found;
+      if (found == 0 || round == options.maximumRounds || hopeless)
+      {
+        report.unresolvedContacts = found;
+        return hopeless;
+      }
+      refuseTangles(soup.triangles.size(), contacts.pairs);
+      addNewPoints(soup, contacts, weldDistance);
+      if (slow)
+      {
+        width = std::max(width, std::min(loosening * width, widest * options.largestReach));
+        knots = pointsOf(soup, contacts);
+      }
+      alignNeedles(soup, contacts.edges);
+      cutTriangles(soup, contacts, static_cast<double>(reach), changed, report.isSplit, report.meetings, context);
+    }
+  }
+
+private:
+  /// Points close to each other become one, and triangles that are there no longer or twice are dropped.
+  void tidy(std::vector<char>& changed, bool isFirst)
+  {
+    const std::size_t usedBefore = isFirst ? countUsed(soup) : 0;
+    merge(weldPoints(soup.points, weldDistance), changed);
+    if (isFirst)
+    {
+      report.mergedPoints += usedBefore - countUsed(soup);
+      report.degenerateTriangles += static_cast<std::size_t>(std::count_if(
+          soup.triangles.begin(), soup.triangles.end(), [](const auto& t) { return hasRepeatedPoint(t); }));
+    }
+    if (!knots.empty())
+    {
+      merge(weldSome(soup, std::move(knots), width), changed);
+      knots.clear();
+    }
+    report.overlappingTriangles += dropRepeated(soup, &changed);
+  }
+
+  void merge(const std::vector<Index>& became, std::vector<char>& changed)
+  {
+    replacePoints(soup, became, changed);
+    renumber(report.meetings, became);
+    std::transform(knots.begin(), knots.end(), knots.begin(), [&](Index p) { return became[p]; });
+  }
+
+  TriangleSoup& soup;
+  const AutorefineOptions& options;
+  std::int64_t reach;
+  std::int64_t weldDistance;
+  /// Within this, points at contacts that cuts do not get rid of become one.
+  std::int64_t width;
+  std::vector<Index> knots;
+  std::size_t foundBefore = 0;
+  AutorefineReport& report;
+};
+
+} // namespace
+
+std::size_t dropRepeated(TriangleSoup& soup) { return dropRepeated(soup, nullptr); }
+
+AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options, const RunContext& context)
+{
+  AutorefineReport report;
+  report.isSplit.resize(soup.sources.empty() ? 0 : soup.sources.back() + 1, 0);
+  refineAgain(soup, options, std::vector<char>(soup.triangles.size(), 1), report, context);
+  return report;
+}
+
+void refineAgain(TriangleSoup& soup, const AutorefineOptions& options, std::vector<char> changed,
+                 AutorefineReport& report, const RunContext& context)
+{
+  const TriangleSoup soupBefore = soup;
+  const AutorefineReport reportBefore = report;
+  std::int64_t reach = std::max(options.reach, report.reach);
+  if (Rounds(soup, options, reach, report).run(std::move(changed), context) && reach < options.largestReach)
+  {
+    reach = options.largestReach;
+    soup = soupBefore;
+    report = reportBefore;
+    Rounds(soup, options, reach, report).run(std::vector<char>(soup.triangles.size(), 1), context);
+  }
+  report.reach = reach;
+  const std::size_t before = soup.triangles.size();
+  filter(soup, nullptr, [&](const auto& t) { return hasArea(soup, t); });
+  report.degenerateTriangles += before - soup.triangles.size();
+  report.splitTriangles = static_cast<std::size_t>(std::count(report.isSplit.begin(), report.isSplit.end(), 1));
+  report.intersectionEdges = countEdges(soup, report.meetings);
+}
+
+} // namespace atria

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Support/RunContext.h"
+#include "Surface/Triangles/TriangleSoup.h"
+
+#include <cstddef>
+#include <set>
+
+namespace atria {
+
+struct AutorefineOptions
+{
+  /// A point this close to an edge or a triangle, in lattice units, lies on it. At least 3, as points are rounded.
+  std::int64_t reach = 4;
+  /// Where contacts are many and hardly get fewer, all begins anew with this reach.
+  std::int64_t largestReach = 4;
+  /// Rounds after which what is still found is left and counted.
+  int maximumRounds = 16;
+};
+
+struct AutorefineReport
+{
+  /// Points that became one with an earlier one because it was within four times the reach.
+  std::size_t mergedPoints = 0;
+  /// Triangles that fell together with an earlier one, after both were cut.
+  std::size_t overlappingTriangles = 0;
+  /// Triangles without area that were dropped.
+  std::size_t degenerateTriangles = 0;
+  /// Triangles that were cut.
+  std::size_t splitTriangles = 0;
+  /// Edges on which triangles now meet that only touched or cut each other before.
+  std::size_t intersectionEdges = 0;
+  /// The reach that was used last, in lattice units; a later call begins with it.
+  std::int64_t reach = 0;
+  /// Contacts left after the last round.
+  std::size_t unresolvedContacts = 0;
+  /// What the counts are of: per source, whether it was cut; the edges on which triangles now meet.
+  std::vector<char> isSplit;
+  std::set<EdgeKey> meetings;
+};
+
+/// Cuts triangles until they meet in common edges and points only.
+///
+/// In rounds: points on edges and faces are found, and points where edges cut edges or faces are added; the triangles
+/// they lie on are triangulated anew with these points, and with the segments that two triangles have in common as
+/// edges; points closer than the reach allows become one; of triangles with the same points the first is kept. New
+/// points are rounded to the lattice, which can make new contacts; the next round looks at the cut triangles only.
+/// Where rounds find no less, the points at their contacts become one within an ever larger distance. Pieces take the
+/// place of their triangle, with its winding, surface and source. O(n log n) where little is cut.
+AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options, const RunContext& context);
+
+/// The same for a soup that was cut before and in which triangles marked in `changed` were changed since; goes on with
+/// the report.
+void refineAgain(TriangleSoup& soup, const AutorefineOptions& options, std::vector<char> changed,
+                 AutorefineReport& report, const RunContext& context);
+
+/// Drops triangles with repeated points, and those with the same points as an earlier one. Returns how many of the
+/// second sort.
+std::size_t dropRepeated(TriangleSoup& soup);
+
+} // namespace atria

@@ -1,0 +1,418 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Surface/Repair/Contacts.h"
+
+#include "Grid/Predicates.h"
+#include "Support/Sorting.h"
+#include "Surface/Repair/Clusters.h"
+#include "Surface/Search/BoxTree.h"
+#include "Surface/Triangulation/LatticeSegments.h"
+
+#include <Eigen/Geometry>
+
+#include <atomic>
+#include <cmath>
+#include <numeric>
+
+namespace atria {
+
+namespace {
+
+/// Lattice units that points on two edges may be apart where both are rounded.
+constexpr double rounded = 3.0;
+
+/// One object a search.
+class ContactFinder
+{
+public:
+  ContactFinder(const TriangleSoup& soup_, double reach_) : soup(soup_), reach(reach_) {}
+
+  /// Points on the long edge of a triangle without width.
+  void look(Index t)
+  {
+    const auto& corners = soup.triangles[t];
+    for (int i = 0; i < 3; ++i)
+    {
+      const EdgeKey edge = edgeKey(corners, i);
+      if (liesOn(point(corners[(i + 2) % 3]), edge))
+      {
+        out.edges.push_back({edge, corners[(i + 2) % 3]});
+      }
+    }
+  }
+
+  void look(Index first, Index second)
+  {
+    const Side a(*this, first, second);
+    if (a.apart)
+    {
+      return;
+    }
+    const Side b(*this, second, first);
+    if (b.apart)
+    {
+      return;
+    }
+    const std::size_t before = out.edges.size() + out.faces.size();
+    std::array<bool, 3> aTouches = touchCorners(first, second, a);
+    std::array<bool, 3> bTouches = touchCorners(second, first, b);
+    cutEdges(first, second, a, b);
+    cutFace(first, second, a, aTouches);
+    cutFace(second, first, b, bTouches);
+    if (out.edges.size() + out.faces.size() != before)
+    {
+      out.pairs.push_back(std::minmax(first, second));
+    }
+  }
+
+  /// Adds what another search has found.
+  void append(const ContactFinder& other)
+  {
+    const auto base = static_cast<Index>(soup.points.size());
+    const auto shift = static_cast<Index>(out.newPoints.size());
+    const auto add = [&](auto& to, const auto& from) {
+      for (auto contact : from)
+      {
+        contact.point += contact.point >= base ? shift : 0;
+        to.push_back(contact);
+      }
+    };
+    add(out.edges, other.out.edges);
+    add(out.faces, other.out.faces);
+    out.newPoints.insert(out.newPoints.end(), other.out.newPoints.begin(), other.out.newPoints.end());
+    out.pairs.insert(out.pairs.end(), other.out.pairs.begin(), other.out.pairs.end());
+  }
+
+  Contacts take()
+  {
+    numberNewPoints();
+    sortUnique(out.edges);
+    sortUnique(out.faces);
+    sortUnique(out.pairs);
+    return std::move(out);
+  }
+
+private:
+  /// Where the corners of a triangle lie as seen from the plane of another.
+  struct Side
+  {
+    std::array<Wide, 3> exact{};
+    std::array<double, 3> distance{};
+    LatticeNormal normal;
+    bool apart = false;
+
+    Side(const ContactFinder& finder, Index of, Index from)
+        : normal(finder.soup.corner(from, 0), finder.soup.corner(from, 1), finder.soup.corner(from, 2))
+    {
+      const double length = std::hypot(static_cast<double>(normal.n[0]), static_cast<double>(normal.n[1]),
+                                       static_cast<double>(normal.n[2]));
+      if (length == 0.0)
+      {
+        return;
+      }
+      const LatticePoint& origin = finder.soup.corner(from, 0);
+      int above = 0;
+      int below = 0;
+      int shared = 0;
+      for (int i = 0; i < 3; ++i)
+      {
+        if (contains(finder.soup.triangles[from], finder.soup.triangles[of][i]))
+        {
+          ++shared;
+          continue;
+        }
+        const LatticePoint& p = finder.soup.corner(of, i);
+        for (int axis = 0; axis < 3; ++axis)
+        {
+          exact[i] += normal.n[axis] * (p[axis] - origin[axis]);
+        }
+        distance[i] = static_cast<double>(exact[i]) / length;
+        above += distance[i] > finder.reach ? 1 : 0;
+        below += distance[i] < -finder.reach ? 1 : 0;
+      }
+      apart = above + shared == 3 || below + shared == 3;
+    }
+  };
+
+  const LatticePoint& point(Index p) const { return soup.points[p]; }
+
+  bool liesOn(const LatticePoint& p, const EdgeKey& edge) const
+  {
+    return liesOnSegment(p, point(edge.first), point(edge.second), reach);
+  }
+
+  /// Whether p, which lies on the triangle's plane but for rounding, lies inside of it.
+  bool isInside(const LatticePoint& p, Index t, const LatticeNormal& normal) const
+  {
+    const auto size = [&](int i) { return normal.n[i] < 0 ? -normal.n[i] : normal.n[i]; };
+    const int axis = size(0) > size(1) ? (size(0) > size(2) ? 0 : 2) : (size(1) > size(2) ? 1 : 2);
+    const int winding = signOf(normal.n[axis]);
+    for (int i = 0; i < 3; ++i)
+    {
+      if (signOf(projectedArea(soup.corner(t, i), soup.corner(t, (i + 1) % 3), p, axis)) == -winding)
+      {
+        return false;
+      }
+    }
+    return winding != 0;
+  }
+
+  /// Corners of `of` on edges or the face of `on`.
+  std::array<bool, 3> touchCorners(Index of, Index on, const Side& side)
+  {
+    std::array<bool, 3> touches{};
+    const auto& other = soup.triangles[on];
+    for (int i = 0; i < 3; ++i)
+    {
+      const Index p = soup.triangles[of][i];
+      if (contains(other, p))
+      {
+        touches[i] = true;
+        continue;
+      }
+      if (std::abs(side.distance[i]) > reach)
+      {
+        continue;
+      }
+      for (int j = 0; j < 3; ++j)
+      {
+        if (liesOn(point(p), edgeKey(other, j)))
+        {
+          touches[i] = true;
+          out.edges.push_back({edgeKey(other, j), p});
+        }
+      }
+      if (!touches[i] && isInside(point(p), on, side.normal))
+      {
+        touches[i] = true;
+        out.faces.push_back({on, p});
+      }
+    }
+    return touches;
+  }
+
+  Index addPoint(const LatticePoint& p)
+  {
+    out.newPoints.push_back(p);
+    return static_cast<Index>(soup.points.size() + out.newPoints.size() - 1);
+  }
+
+  /// Whether edge i of a triangle passes through the plane of another in a definite point.
+  bool isSteep(Index t, int i, const Side& side) const
+  {
+    constexpr double slope = 0.02;
+    const double rise = side.distance[i] - side.distance[(i + 1) % 3];
+    return std::abs(rise) > slope * between(soup.corner(t, i), soup.corner(t, (i + 1) % 3)).norm();
+  }
+
+  /// Where triangles lie in one plane edges cut each other within the reach. Elsewhere cutFace tells where they meet:
+  /// near the line in which two planes meet at a small angle all edges are close to each other that do not.
+  void cutEdges(Index first, Index second, const Side& a, const Side& b)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      for (int j = 0; j < 3; ++j)
+      {
+        // The same two edges cut each other in the same point, whichever triangles are looked at.
+        const EdgeKey e = edgeKey(soup.triangles[first], i);
+        const EdgeKey f = edgeKey(soup.triangles[second], j);
+        const bool isFlat = !isSteep(first, i, a) && !isSteep(second, j, b);
+        cutEdge(std::min(e, f), std::max(e, f), isFlat ? 2.0 * reach : rounded);
+      }
+    }
+  }
+
+  void cutEdge(const EdgeKey& e, const EdgeKey& f, double apart)
+  {
+    if (e.first == f.first || e.first == f.second || e.second == f.first || e.second == f.second)
+    {
+      return;
+    }
+    const LatticePoint &a = point(e.first), &b = point(e.second), &c = point(f.first), &d = point(f.second);
+    int axis = 0;
+    if (!(between(a, b).cross(between(c, d)).cwiseAbs().maxCoeff(&axis) > 0.0))
+    {
+      return;
+    }
+    const Wide ofA = projectedArea(c, d, a, axis), ofB = projectedArea(c, d, b, axis);
+    const Wide ofC = projectedArea(a, b, c, axis), ofD = projectedArea(a, b, d, axis);
+    if (signOf(ofA) * signOf(ofB) >= 0 || signOf(ofC) * signOf(ofD) >= 0)
+    {
+      return;
+    }
+    const LatticePoint p = partWay(a, b, ofA, ofA - ofB);
+    const LatticePoint q = partWay(c, d, ofC, ofC - ofD);
+    if (between(p, q).squaredNorm() > apart * apart || liesOn(a, f) || liesOn(b, f) || liesOn(c, e) || liesOn(d, e))
+    {
+      return;
+    }
+    LatticePoint middle;
+    for (int i = 0; i < 3; ++i)
+    {
+      middle[i] = p[i] + (q[i] - p[i]) / 2;
+    }
+    const Index id = addPoint(middle);
+    out.edges.push_back({e, id});
+    out.edges.push_back({f, id});
+  }
+
+  /// Edges of `of` that pass through the face of `through`.
+  void cutFace(Index of, Index through, const Side& side, const std::array<bool, 3>& touches)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      const int next = (i + 1) % 3;
+      if (touches[i] || touches[next] || signOf(side.exact[i]) * signOf(side.exact[next]) >= 0)
+      {
+        continue;
+      }
+      const EdgeKey edge = edgeKey(soup.triangles[of], i);
+      const bool forward = edge.first == soup.triangles[of][i];
+      const Wide begin = side.exact[forward ? i : next];
+      const Wide end = side.exact[forward ? next : i];
+      const LatticePoint p = partWay(point(edge.first), point(edge.second), begin, begin - end);
+      cutAt(p, edge, through, side);
+    }
+  }
+
+  void cutAt(const LatticePoint& p, const EdgeKey& edge, Index through, const Side& side)
+  {
+    std::array<EdgeKey, 3> met;
+    int count = 0;
+    for (int j = 0; j < 3; ++j)
+    {
+      const EdgeKey other = edgeKey(soup.triangles[through], j);
+      if (liesOn(p, other))
+      {
+        met[count++] = other;
+      }
+    }
+    if (count == 0 && !isInside(p, through, side.normal))
+    {
+      return;
+    }
+    const Index id = addPoint(p);
+    out.edges.push_back({edge, id});
+    for (int j = 0; j < count; ++j)
+    {
+      out.edges.push_back({met[j], id});
+    }
+    if (count == 0)
+    {
+      out.faces.push_back({through, id});
+    }
+  }
+
+  /// Equal points become one, numbered by their coordinates: the order in which they were found does not matter.
+  void numberNewPoints()
+  {
+    std::vector<LatticePoint> sorted = out.newPoints;
+    sortUnique(sorted);
+    const auto base = static_cast<Index>(soup.points.size());
+    const auto renumber = [&](auto& contacts) {
+      for (auto& contact : contacts)
+      {
+        if (contact.point >= base)
+        {
+          const auto at = std::lower_bound(sorted.begin(), sorted.end(), out.newPoints[contact.point - base]);
+          contact.point = base + static_cast<Index>(at - sorted.begin());
+        }
+      }
+    };
+    renumber(out.edges);
+    renumber(out.faces);
+    out.newPoints = std::move(sorted);
+  }
+
+  const TriangleSoup& soup;
+  double reach;
+  Contacts out;
+};
+
+/// The search among some of the triangles.
+struct Search
+{
+  ContactFinder finder;
+  /// Pairs to look at once it is known that there are not too many.
+  std::vector<std::pair<Index, Index>> later;
+};
+
+/// Looks at pairs as they are met. Where boxes crowd pairs are counted first, as looking at them takes far longer.
+std::vector<Search> searchContacts(const TriangleSoup& soup, const BoxTree& tree, const std::vector<char>& changed,
+                                   double reach, const RunContext& context)
+{
+  // Of few triangles many are near each other: pieces are small then, so that there are some for all threads.
+  const std::size_t grain = std::clamp<std::size_t>(tree.size() / 128, 8, 1024);
+  constexpr std::size_t manyEach = 200;
+  const bool all = std::ranges::find(changed, 0) == changed.end();
+  std::vector<Search> searches((tree.size() + grain - 1) / grain, Search{ContactFinder(soup, reach), {}});
+  std::atomic<std::size_t> seen{0};
+  context.executor.forEach(searches.size(), 1, [&](std::size_t piece) {
+    context.progress.check();
+    auto& [finder, later] = searches[piece];
+    std::vector<std::pair<Index, Index>> pairs;
+    for (std::size_t i = piece * grain; i < std::min((piece + 1) * grain, tree.size()); ++i)
+    {
+      const Index a = tree.box(i).id;
+      if (!changed[a])
+      {
+        continue;
+      }
+      finder.look(a);
+      std::size_t touching = 0;
+      // Two that are changed meet twice.
+      tree.eachTouching(tree.box(i), all ? i + 1 : 0, [&](std::size_t j) {
+        const Index b = tree.box(j).id;
+        if (j != i && (!changed[b] || j > i))
+        {
+          touching += changed[b] ? 2 : 1;
+          pairs.emplace_back(std::min(a, b), std::max(a, b));
+        }
+      });
+      refuseCrowds(seen += touching);
+      if (touching > manyEach)
+      {
+        later.insert(later.end(), pairs.begin(), pairs.end());
+      }
+      else
+      {
+        for (const auto& [first, second] : pairs)
+        {
+          finder.look(first, second);
+        }
+      }
+      pairs.clear();
+    }
+  });
+  context.executor.forEach(searches.size(), 1, [&](std::size_t piece) {
+    auto& [finder, later] = searches[piece];
+    for (std::size_t i = 0; i < later.size(); ++i)
+    {
+      if (i % 4096 == 0)
+      {
+        context.progress.check();
+      }
+      finder.look(later[i].first, later[i].second);
+    }
+    later = {};
+  });
+  return searches;
+}
+
+} // namespace
+
+Contacts findContacts(const TriangleSoup& soup, const std::vector<char>& changed, std::int64_t reach,
+                      const RunContext& context)
+{
+  std::vector<NumberedBox> boxes(soup.triangles.size());
+  context.executor.forEach(boxes.size(), 4096,
+                           [&](std::size_t t) { boxes[t] = boxOf(soup, static_cast<Index>(t), reach); });
+  const BoxTree tree(std::move(boxes), context);
+  ContactFinder finder(soup, static_cast<double>(reach));
+  for (const Search& search : searchContacts(soup, tree, changed, static_cast<double>(reach), context))
+  {
+    finder.append(search.finder);
+  }
+  return finder.take();
+}
+
+} // namespace atria

@@ -1,0 +1,482 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Surface/Repair/GapClosing.h"
+
+#include "Support/Sorting.h"
+#include "Surface/Repair/Clusters.h"
+#include "Surface/Search/BoxTree.h"
+#include "Surface/Search/Distance.h"
+#include "Surface/Triangles/Fans.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <span>
+#include <tuple>
+
+namespace atria {
+
+namespace {
+
+/// A point or edge is preferred to the face up to this many times its distance.
+constexpr double sideways = 2.0;
+/// Details within this many tolerances hang together and are no gap.
+constexpr double detailReach = 3.0;
+/// A point may move by this much in all, in tolerances.
+constexpr double maximumDrift = 2.0;
+/// Below this cosine a move turns a triangle too far, or does not lead on from a sheet.
+constexpr double minimumCosine = 0.5;
+/// What is this near, in lattice units, is there but for rounding.
+constexpr double there = 2.0;
+/// A triangle no higher than this, in lattice units, has no area but for rounding.
+constexpr double flat = 2.0;
+
+/// A free edge, from one of its ends.
+struct RimEnd
+{
+  Index point;
+  Index other;
+  Index third; ///< of the edge's triangle
+  friend auto operator<=>(const RimEnd&, const RimEnd&) = default;
+};
+
+std::vector<RimEnd> rimEnds(const TriangleSoup& soup, const Executor& executor)
+{
+  std::vector<RimEnd> ends;
+  const std::vector<SoupEdgeUse> uses = sortedEdgeUses(soup, executor);
+  for (std::size_t i = 0; i < uses.size(); ++i)
+  {
+    const EdgeKey& edge = uses[i].edge;
+    if ((i > 0 && uses[i - 1].edge == edge) || (i + 1 < uses.size() && uses[i + 1].edge == edge))
+    {
+      continue;
+    }
+    for (const Index p : soup.triangles[uses[i].triangle])
+    {
+      if (p != edge.first && p != edge.second)
+      {
+        ends.push_back({edge.first, edge.second, p});
+        ends.push_back({edge.second, edge.first, p});
+      }
+    }
+  }
+  std::sort(ends.begin(), ends.end());
+  return ends;
+}
+
+/// One pass over a soup.
+class GapCloser
+{
+public:
+  GapCloser(TriangleSoup& soup_, const GridFrame& frame_, double tolerance_, const std::vector<Index>& parts_,
+            const std::vector<LatticePoint>& start_, const RunContext& runContext)
+      : soup(soup_), frame(frame_), tolerance(tolerance_), parts(parts_), start(start_), context(runContext),
+        fans(soup), rims(rimEnds(soup, context.executor)), fixed(soup.points.size(), 0),
+        partOf(soup.points.size(), noIndex), hasSeveralParts(soup.points.size(), 0), hasRim(soup.points.size(), 0)
+  {
+    for (const RimEnd& rim : rims)
+    {
+      hasRim[rim.point] = 1;
+    }
+    for (Index t = 0; t < soup.triangles.size(); ++t)
+    {
+      for (const Index p : soup.triangles[t])
+      {
+        const Index part = partOfTriangle(t);
+        hasSeveralParts[p] |= partOf[p] != noIndex && partOf[p] != part;
+        partOf[p] = std::min(partOf[p], part);
+      }
+    }
+  }
+
+  /// Points that were moved.
+  std::vector<Index> run()
+  {
+    findPairs();
+    std::sort(gaps.begin(), gaps.end());
+    std::vector<Index> moved;
+    for (const Gap& gap : gaps)
+    {
+      if (!fixed[gap.point] && close(gap))
+      {
+        moved.push_back(gap.point);
+      }
+    }
+    return moved;
+  }
+
+private:
+  /// A point and the triangle it could be moved onto; sorted by what is to be done first.
+  struct Gap
+  {
+    bool toLighter;
+    int kind; ///< 0 onto a point, 1 onto an edge, 2 onto the face
+    double distance;
+    Index point;
+    Index triangle;
+    friend auto operator<=>(const Gap&, const Gap&) = default;
+  };
+
+  struct Target
+  {
+    int kind;
+    double distance;
+    LatticePoint place;
+  };
+
+  bool used(Index p) const { return !fans.at(p).empty(); }
+  Index partOfTriangle(Index t) const { return parts[soup.sources[t]]; }
+  /// Whether no triangle at the point is of the triangle's part. Thousands of them may meet in a point.
+  bool isForeign(Index p, Index t) const
+  {
+    const Index part = partOfTriangle(t);
+    const auto around = fans.at(p);
+    return partOf[p] != part && (!hasSeveralParts[p] || std::none_of(around.begin(), around.end(), [&](Index other) {
+             return partOfTriangle(other) == part;
+           }));
+  }
+  std::span<const RimEnd> rimsAt(Index p) const
+  {
+    if (!hasRim[p])
+    {
+      return {};
+    }
+    const auto before = [](const RimEnd& l, const RimEnd& r) { return l.point < r.point; };
+    const auto range = std::equal_range(rims.begin(), rims.end(), RimEnd{p, 0, 0}, before);
+    return {range.first, range.second};
+  }
+
+  /// What a search among some of the points finds.
+  struct Found
+  {
+    std::vector<Gap> gaps;
+    std::vector<Gap> foreignGaps;
+    /// Points with the parts they lie on without having a corner there.
+    std::vector<std::pair<Index, Index>> touches;
+    /// The point looked at last for what hangs together with it, and that.
+    Index hangingAt = noIndex;
+    std::vector<Index> hanging;
+  };
+
+  void findPairs()
+  {
+    const std::vector<Index> places = movablePoints();
+    if (places.empty())
+    {
+      return;
+    }
+    constexpr std::size_t grain = 1024;
+    const auto margin = static_cast<std::int64_t>(std::ceil(tolerance));
+    std::vector<NumberedBox> boxes(soup.triangles.size());
+    context.executor.forEach(boxes.size(), grain,
+                             [&](std::size_t t) { boxes[t] = boxOf(soup, static_cast<Index>(t), margin); });
+    const BoxTree tree(std::move(boxes), context);
+    std::vector<Found> searches((places.size() + grain - 1) / grain);
+    std::atomic<std::size_t> pairs{0};
+    context.executor.forEach(searches.size(), 1, [&](std::size_t part) {
+      context.progress.check();
+      for (std::size_t i = part * grain; i < std::min((part + 1) * grain, places.size()); ++i)
+      {
+        const Index p = places[i];
+        std::size_t touching = 0;
+        tree.eachTouching({soup.points[p], soup.points[p], noIndex}, 0, [&](std::size_t place) {
+          const Index t = tree.box(place).id;
+          if (hasRim[p] || isForeign(p, t))
+          {
+            ++touching;
+            consider(p, t, searches[part]);
+          }
+        });
+        refuseCrowds(pairs += touching);
+      }
+    });
+    Found all;
+    for (const Found& part : searches)
+    {
+      gaps.insert(gaps.end(), part.gaps.begin(), part.gaps.end());
+      all.foreignGaps.insert(all.foreignGaps.end(), part.foreignGaps.begin(), part.foreignGaps.end());
+      all.touches.insert(all.touches.end(), part.touches.begin(), part.touches.end());
+    }
+    addForeignGaps(all);
+  }
+
+  /// Points at free edges, and all where there are several parts: no others are moved.
+  std::vector<Index> movablePoints() const
+  {
+    const Index first = soup.triangles.empty() ? noIndex : partOfTriangle(0);
+    bool several = false;
+    for (Index t = 0; t < soup.triangles.size() && !several; ++t)
+    {
+      several = partOfTriangle(t) != first;
+    }
+    std::vector<Index> points;
+    for (Index p = 0; p < soup.points.size(); ++p)
+    {
+      if (used(p) && (several || hasRim[p]))
+      {
+        points.push_back(p);
+      }
+    }
+    return points;
+  }
+
+  void consider(Index p, Index t, Found& found) const
+  {
+    if (contains(soup.triangles[t], p))
+    {
+      return;
+    }
+    if (offsetTo(p, t).norm() <= there)
+    {
+      found.touches.emplace_back(p, partOfTriangle(t));
+      return;
+    }
+    const std::optional<Target> target = targetOf(p, t);
+    if (!target)
+    {
+      return;
+    }
+    const bool foreign = isForeign(p, t);
+    if (isAhead(p, between(soup.points[p], target->place)) || (hasRim[p] && !hangsTogether(p, t, found)))
+    {
+      found.gaps.push_back({!(foreign && partOf[p] < partOfTriangle(t)), target->kind, target->distance, p, t});
+    }
+    else if (foreign)
+    {
+      found.foreignGaps.push_back({partOf[p] > partOfTriangle(t), target->kind, target->distance, p, t});
+    }
+  }
+
+  /// What touches another part already is done, but for its free edges.
+  void addForeignGaps(Found& found)
+  {
+    std::sort(found.touches.begin(), found.touches.end());
+    std::copy_if(found.foreignGaps.begin(), found.foreignGaps.end(), std::back_inserter(gaps), [&](const Gap& gap) {
+      return !std::binary_search(found.touches.begin(), found.touches.end(),
+                                 std::pair(gap.point, partOfTriangle(gap.triangle)));
+    });
+  }
+
+  bool isRim(Index p, Index q) const
+  {
+    const auto here = rimsAt(p);
+    return std::any_of(here.begin(), here.end(), [&](const RimEnd& rim) { return rim.other == q; });
+  }
+
+  /// Whether a sheet that ends at the point would go on in this direction.
+  bool isAhead(Index p, const Vec3& offset) const
+  {
+    const auto here = rimsAt(p);
+    return std::any_of(here.begin(), here.end(), [&](const RimEnd& rim) {
+      const Vec3 along = between(soup.points[p], soup.points[rim.other]).normalized();
+      const Vec3 inward = between(soup.points[p], soup.points[rim.third]);
+      const Vec3 outward = (along.dot(inward) * along - inward).normalized();
+      return offset.dot(outward) >= minimumCosine * offset.norm();
+    });
+  }
+
+  std::array<Vec3, 3> cornersFrom(Index p, Index t) const
+  {
+    return {between(soup.points[p], soup.corner(t, 0)), between(soup.points[p], soup.corner(t, 1)),
+            between(soup.points[p], soup.corner(t, 2))};
+  }
+  /// To the nearest point of the triangle.
+  Vec3 offsetTo(Index p, Index t) const
+  {
+    const auto [a, b, c] = cornersFrom(p, t);
+    return nearestOnTriangle(Vec3::Zero(), a, b, c);
+  }
+
+  /// Where on the triangle the point belongs; nothing where it is too far or there already.
+  std::optional<Target> targetOf(Index p, Index t) const
+  {
+    const Vec3 origin = Vec3::Zero();
+    const std::array<Vec3, 3> corners = cornersFrom(p, t);
+    const Vec3 nearest = offsetTo(p, t);
+    if (nearest.norm() > tolerance || nearest.norm() <= there)
+    {
+      return std::nullopt;
+    }
+    std::optional<Target> best;
+    const auto offer = [&](int kind, const Vec3& place) {
+      const bool better = !best || (kind == best->kind && place.norm() < best->distance);
+      if (place.norm() <= std::min(tolerance, sideways * nearest.norm()) && better)
+      {
+        best = Target{kind, place.norm(), placeOf(p, place)};
+      }
+    };
+    for (const Vec3& corner : corners)
+    {
+      offer(0, corner);
+    }
+    for (int i = 0; i < 3; ++i)
+    {
+      offer(1, nearestOnSegment(origin, corners[i], corners[(i + 1) % 3]));
+    }
+    offer(2, nearest);
+    return best;
+  }
+
+  LatticePoint placeOf(Index p, const Vec3& offset) const
+  {
+    LatticePoint place = soup.points[p];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      place[axis] += std::llround(offset[axis]);
+    }
+    return place;
+  }
+
+  /// The triangles that can be reached from the point along edges that stay close to it, in order.
+  std::vector<Index> hangingTogether(Index p) const
+  {
+    const double reach = detailReach * tolerance;
+    std::vector<Index> reached{p};
+    std::vector<Index> triangles;
+    for (std::vector<Index> last{p}; !last.empty();)
+    {
+      std::vector<Index> corners;
+      for (const Index q : last)
+      {
+        const auto around = fans.at(q);
+        triangles.insert(triangles.end(), around.begin(), around.end());
+        for (const Index t : around)
+        {
+          corners.insert(corners.end(), soup.triangles[t].begin(), soup.triangles[t].end());
+        }
+      }
+      sortUnique(corners);
+      last.clear();
+      std::set_difference(corners.begin(), corners.end(), reached.begin(), reached.end(), std::back_inserter(last));
+      std::erase_if(last, [&](Index q) { return between(soup.points[p], soup.points[q]).norm() > reach; });
+      std::vector<Index> all;
+      std::set_union(reached.begin(), reached.end(), last.begin(), last.end(), std::back_inserter(all));
+      reached = std::move(all);
+    }
+    sortUnique(triangles);
+    return triangles;
+  }
+
+  bool hangsTogether(Index p, Index t, Found& found) const
+  {
+    if (found.hangingAt != p)
+    {
+      found.hangingAt = p;
+      found.hanging = hangingTogether(p);
+    }
+    return std::binary_search(found.hanging.begin(), found.hanging.end(), t);
+  }
+
+  bool close(const Gap& gap)
+  {
+    // Earlier moves may have changed the place.
+    const std::optional<Target> target = targetOf(gap.point, gap.triangle);
+    if (!target)
+    {
+      return false;
+    }
+    const LatticePoint place = keptOnSides(gap.point, *target);
+    if (!mayMove(gap.point, place, gap.triangle))
+    {
+      return false;
+    }
+    soup.points[gap.point] = place;
+    fixed[gap.point] = 1;
+    for (const Index corner : soup.triangles[gap.triangle])
+    {
+      fixed[corner] = 1;
+    }
+    return true;
+  }
+
+  /// The foot on a wall that is not quite upright is a little off the side: the point slides along its side instead.
+  LatticePoint keptOnSides(Index p, const Target& target) const
+  {
+    constexpr double slope = 0.1;
+    const LatticePoint& from = soup.points[p];
+    LatticePoint place = target.place;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const bool onSide = from[axis] == frame.domainLow[axis] || from[axis] == frame.domainHigh[axis];
+      if (onSide && static_cast<double>(std::abs(place[axis] - from[axis])) <= slope * target.distance)
+      {
+        place[axis] = from[axis];
+      }
+    }
+    return place;
+  }
+
+  bool mayMove(Index p, const LatticePoint& to, Index onto) const
+  {
+    const LatticePoint& from = soup.points[p];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      const bool onSide = from[axis] == frame.domainLow[axis] || from[axis] == frame.domainHigh[axis];
+      if (onSide && to[axis] != from[axis])
+      {
+        return false;
+      }
+    }
+    const auto around = fans.at(p);
+    return between(start[p], to).norm() <= maximumDrift * tolerance &&
+           std::all_of(around.begin(), around.end(), [&](Index t) { return keepsItsShape(t, p, to, onto); });
+  }
+
+  /// A triangle may turn over in its plane, as those beside it then cover more; and it may vanish in the edge or point
+  /// of its own that the point moves onto.
+  bool keepsItsShape(Index t, Index p, const LatticePoint& to, Index onto) const
+  {
+    const auto& corners = soup.triangles[t];
+    const int i = corners[0] == p ? 0 : (corners[1] == p ? 1 : 2);
+    const Index a = corners[(i + 1) % 3];
+    const Index b = corners[(i + 2) % 3];
+    const Vec3 before = between(soup.points[p], soup.points[a]).cross(between(soup.points[p], soup.points[b]));
+    const Vec3 after = between(to, soup.points[a]).cross(between(to, soup.points[b]));
+    const bool hasA = contains(soup.triangles[onto], a);
+    const bool hasB = contains(soup.triangles[onto], b);
+    if (after.norm() <= flat * between(soup.points[a], soup.points[b]).norm())
+    {
+      return (hasA && hasB) || (hasA && to == soup.points[a]) || (hasB && to == soup.points[b]) ||
+             !(isRim(p, a) || isRim(p, b) || isRim(a, b));
+    }
+    return std::abs(after.dot(before)) >= minimumCosine * after.norm() * before.norm();
+  }
+
+  TriangleSoup& soup;
+  const GridFrame& frame;
+  double tolerance;
+  const std::vector<Index>& parts;
+  const std::vector<LatticePoint>& start;
+  const RunContext& context;
+  Fans fans;
+  std::vector<RimEnd> rims;
+  std::vector<char> fixed;
+  /// Per point, the smallest of the parts it belongs to.
+  std::vector<Index> partOf;
+  std::vector<char> hasSeveralParts;
+  /// Per point, whether it is at a free edge.
+  std::vector<char> hasRim;
+  std::vector<Gap> gaps;
+};
+
+} // namespace
+
+std::vector<char> closeGaps(TriangleSoup& soup, const GridFrame& frame, double tolerance,
+                            const std::vector<Index>& parts, const std::vector<LatticePoint>& start,
+                            const RunContext& context)
+{
+  std::vector<char> isMoved(soup.points.size(), 0);
+  if (tolerance >= 1.0)
+  {
+    for (const Index p : GapCloser(soup, frame, tolerance, parts, start, context).run())
+    {
+      isMoved[p] = 1;
+    }
+  }
+  return isMoved;
+}
+
+} // namespace atria

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Support/RunContext.h"
+#include "Surface/Triangles/TriangleSoup.h"
+
+#include <cstddef>
+
+namespace atria {
+
+/// What was changed to make a model sound.
+struct SurfaceRepairReport
+{
+  /// Places whose points became one with a point at another place.
+  std::size_t weldedPoints = 0;
+  /// Triangles without area that were dropped.
+  std::size_t degenerateTriangles = 0;
+  /// Triangles dropped because an earlier one has the same points.
+  std::size_t duplicateTriangles = 0;
+  /// Pieces of triangles dropped because they fall on a piece of an earlier one.
+  std::size_t overlappingTriangles = 0;
+  /// Triangles that were cut where others touch them or pass through them.
+  std::size_t splitTriangles = 0;
+  /// Edges in which triangles now meet that only touched or passed through each other.
+  std::size_t intersectionEdges = 0;
+  /// Points moved across a gap, and the longest of these moves in model units.
+  std::size_t closedGaps = 0;
+  double largestGap = 0.0;
+  /// Triangles whose winding was turned.
+  std::size_t flippedTriangles = 0;
+  /// Places where triangles still touch or pass through each other other than in common edges and points.
+  std::size_t unresolvedContacts = 0;
+};
+
+/// Distances in lattice units.
+struct SurfaceRepairOptions
+{
+  std::int64_t weldDistance = 0;
+  /// Gaps narrower than this are closed; below 1 none is.
+  double gapTolerance = 0.0;
+};
+
+/// Makes a soup sound: closes gaps, cuts triangles where they touch or pass through each other, drops all but the first
+/// of pieces that overlap, makes the winding consistent. Afterwards triangles meet in common edges and points only, but
+/// for the contacts that the report counts. Surfaces and sources of pieces are those of their triangles; points not
+/// used are dropped, and the others keep their order. The result does not depend on threads. Throws Aborted on demand.
+void repairSurface(TriangleSoup& soup, const GridFrame& frame, const SurfaceRepairOptions& options,
+                   SurfaceRepairReport& report, const RunContext& context);
+
+} // namespace atria

@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Surface/Repair/TriangleCuts.h"
+
+#include "Surface/Triangulation/FaceTriangulation.h"
+#include "Surface/Triangulation/LatticeSegments.h"
+
+#include <Eigen/Geometry>
+
+#include <map>
+#include <span>
+
+namespace atria {
+
+namespace {
+
+/// What is put on the triangles.
+class Cutter
+{
+public:
+  Cutter(TriangleSoup& soup_, const Contacts& contacts_, double reach_)
+      : soup(soup_), contacts(contacts_), reach(reach_), segments(soup.triangles.size())
+  {
+    sortAlongEdges();
+    for (const auto& [a, b] : contacts.pairs)
+    {
+      joinPair(a, b);
+    }
+  }
+
+  /// The triangles after the cuts; `changed` marks the pieces of those that were cut.
+  void apply(std::vector<char>& changed, std::vector<char>& sourceIsSplit, const RunContext& context)
+  {
+    TriangleSoup next;
+    next.points = std::move(soup.points);
+    changed.clear();
+    std::vector<std::array<Index, 3>> pieces;
+    for (Index t = 0; t < soup.triangles.size(); ++t)
+    {
+      if (t % 1024 == 0)
+      {
+        context.progress.check();
+      }
+      DividedFace face = dividedFace(t);
+      const bool whole = face.inside.empty() && face.segments.empty() && face.alongEdges[0].empty() &&
+                         face.alongEdges[1].empty() && face.alongEdges[2].empty();
+      pieces.assign(1, face.corners);
+      if (!whole)
+      {
+        pieces.clear();
+        triangulateFace(next.points, face, reach, pieces);
+        sourceIsSplit[soup.sources[t]] = 1;
+      }
+      for (const auto& piece : pieces)
+      {
+        next.add(piece, soup.surfaceIds[t], soup.sources[t]);
+        changed.push_back(whole ? 0 : 1);
+      }
+    }
+    soup = std::move(next);
+  }
+
+  /// Replaces edges of `edges` that were cut by their pieces, and adds the new ones.
+  void updateEdges(std::set<EdgeKey>& edges) const
+  {
+    std::vector<EdgeKey> cut;
+    for (const EdgeKey& edge : edges)
+    {
+      if (!pointsOn(edge).empty())
+      {
+        cut.push_back(edge);
+      }
+    }
+    for (const EdgeKey& edge : cut)
+    {
+      edges.erase(edge);
+      Index from = edge.first;
+      for (const EdgeContact& contact : pointsOn(edge))
+      {
+        edges.insert(edgeKey(from, contact.point));
+        from = contact.point;
+      }
+      edges.insert(edgeKey(from, edge.second));
+    }
+    for (const auto& list : segments)
+    {
+      edges.insert(list.begin(), list.end());
+    }
+  }
+
+private:
+  /// A point on a triangle; bit i of `edges` where it lies on its edge i.
+  struct PlacedPoint
+  {
+    Index point;
+    unsigned edges;
+  };
+  using Placed = std::vector<PlacedPoint>;
+
+  double along(const EdgeKey& edge, Index p) const
+  {
+    return between(soup.points[edge.first], soup.points[edge.second])
+        .dot(between(soup.points[edge.first], soup.points[p]));
+  }
+
+  void sortAlongEdges()
+  {
+    alongEdges = contacts.edges;
+    std::stable_sort(alongEdges.begin(), alongEdges.end(), [&](const EdgeContact& l, const EdgeContact& r) {
+      return l.edge != r.edge ? l.edge < r.edge : along(l.edge, l.point) < along(r.edge, r.point);
+    });
+  }
+
+  std::span<const EdgeContact> pointsOn(const EdgeKey& edge) const
+  {
+    const auto range = std::equal_range(alongEdges.begin(), alongEdges.end(), EdgeContact{edge, 0},
+                                        [](const EdgeContact& l, const EdgeContact& r) { return l.edge < r.edge; });
+    return {range.first, range.second};
+  }
+
+  std::span<const FaceContact> pointsIn(Index triangle) const
+  {
+    const auto range =
+        std::equal_range(contacts.faces.begin(), contacts.faces.end(), FaceContact{triangle, 0},
+                         [](const FaceContact& l, const FaceContact& r) { return l.triangle < r.triangle; });
+    return {range.first, range.second};
+  }
+
+  /// All points of a triangle, by index.
+  const Placed& placedOn(Index t)
+  {
+    const auto [known, isNew] = placed.try_emplace(t);
+    Placed& list = known->second;
+    if (!isNew)
+    {
+      return list;
+    }
+    const auto& corners = soup.triangles[t];
+    for (unsigned i = 0; i < 3; ++i)
+    {
+      list.push_back({corners[i], 1u << i | 1u << (i + 2) % 3});
+      for (const EdgeContact& contact : pointsOn(edgeKey(corners, static_cast<int>(i))))
+      {
+        list.push_back({contact.point, 1u << i});
+      }
+    }
+    for (const FaceContact& contact : pointsIn(t))
+    {
+      list.push_back({contact.point, 0});
+    }
+    std::sort(list.begin(), list.end(), [](const PlacedPoint& l, const PlacedPoint& r) { return l.point < r.point; });
+    std::size_t size = 0;
+    for (const PlacedPoint& p : list)
+    {
+      if (size > 0 && list[size - 1].point == p.point)
+      {
+        list[size - 1].edges |= p.edges;
+      }
+      else
+      {
+        list[size++] = p;
+      }
+    }
+    list.resize(size);
+    return list;
+  }
+
+  struct CommonPoint
+  {
+    Index point;
+    unsigned onA;
+    unsigned onB;
+  };
+
+  std::vector<CommonPoint> commonPoints(Index a, Index b)
+  {
+    placedOn(a);
+    placedOn(b);
+    const Placed& first = placed.at(a);
+    const Placed& second = placed.at(b);
+    const bool swapped = first.size() > second.size();
+    const Placed& small = swapped ? second : first;
+    const Placed& large = swapped ? first : second;
+    std::vector<CommonPoint> common;
+    for (const PlacedPoint& p : small)
+    {
+      const auto at = std::lower_bound(large.begin(), large.end(), p,
+                                       [](const PlacedPoint& l, const PlacedPoint& r) { return l.point < r.point; });
+      if (at != large.end() && at->point == p.point)
+      {
+        common.push_back({p.point, swapped ? at->edges : p.edges, swapped ? p.edges : at->edges});
+      }
+    }
+    return common;
+  }
+
+  /// The segments that two triangles have in common become edges of both.
+  void joinPair(Index a, Index b)
+  {
+    std::vector<CommonPoint> common = commonPoints(a, b);
+    if (common.size() < 2)
+    {
+      return;
+    }
+    if (sortOnLine(common))
+    {
+      joinRow(common, a, b);
+      return;
+    }
+    for (unsigned edge = 1; edge < 8; edge <<= 1)
+    {
+      joinAlong(common, a, b, [&](const CommonPoint& p) { return (p.onA & edge) != 0; });
+      joinAlong(common, a, b, [&](const CommonPoint& p) { return (p.onB & edge) != 0; });
+    }
+  }
+
+  template <typename Predicate>
+  void joinAlong(const std::vector<CommonPoint>& common, Index a, Index b, const Predicate& lies)
+  {
+    std::vector<CommonPoint> row;
+    std::copy_if(common.begin(), common.end(), std::back_inserter(row), lies);
+    if (row.size() > 1)
+    {
+      sortOnLine(row);
+      joinRow(row, a, b);
+    }
+  }
+
+  void joinRow(const std::vector<CommonPoint>& row, Index a, Index b)
+  {
+    for (std::size_t i = 0; i + 1 < row.size(); ++i)
+    {
+      const EdgeKey segment = edgeKey(row[i].point, row[i + 1].point);
+      if ((row[i].onA & row[i + 1].onA) == 0) // else it is a piece of the outline
+      {
+        segments[a].push_back(segment);
+      }
+      if ((row[i].onB & row[i + 1].onB) == 0)
+      {
+        segments[b].push_back(segment);
+      }
+    }
+  }
+
+  /// Sorts points along the line through the first and the one farthest from it; false where they are not on it.
+  bool sortOnLine(std::vector<CommonPoint>& row) const
+  {
+    const auto at = [&](const CommonPoint& p) { return between(soup.points[row[0].point], soup.points[p.point]); };
+    Vec3 along = Vec3::Zero();
+    for (const CommonPoint& p : row)
+    {
+      along = at(p).squaredNorm() > along.squaredNorm() ? at(p) : along;
+    }
+    const double length = along.norm();
+    // Points on edges and faces are within the reach of them, and moved by welding.
+    const double width = static_cast<double>(2 + 2 * weldReaches) * reach;
+    const bool straight = std::all_of(
+        row.begin(), row.end(), [&](const CommonPoint& p) { return at(p).cross(along).norm() <= width * length; });
+    std::vector<std::pair<double, CommonPoint>> keyed;
+    for (const CommonPoint& p : row)
+    {
+      keyed.emplace_back(at(p).dot(along), p);
+    }
+    std::stable_sort(keyed.begin(), keyed.end(), [](const auto& l, const auto& r) { return l.first < r.first; });
+    std::transform(keyed.begin(), keyed.end(), row.begin(), [](const auto& p) { return p.second; });
+    return straight;
+  }
+
+  DividedFace dividedFace(Index t)
+  {
+    DividedFace face;
+    face.corners = soup.triangles[t];
+    for (int i = 0; i < 3; ++i)
+    {
+      for (const EdgeContact& contact : pointsOn(edgeKey(face.corners, i)))
+      {
+        face.alongEdges[i].push_back(contact.point);
+      }
+      if (face.corners[i] > face.corners[(i + 1) % 3])
+      {
+        std::reverse(face.alongEdges[i].begin(), face.alongEdges[i].end());
+      }
+    }
+    for (const FaceContact& contact : pointsIn(t))
+    {
+      face.inside.push_back(contact.point);
+    }
+    face.segments = std::move(segments[t]);
+    std::sort(face.segments.begin(), face.segments.end());
+    face.segments.erase(std::unique(face.segments.begin(), face.segments.end()), face.segments.end());
+    return face;
+  }
+
+  TriangleSoup& soup;
+  const Contacts& contacts;
+  double reach;
+  std::vector<EdgeContact> alongEdges;
+  std::vector<std::vector<EdgeKey>> segments;
+  std::map<Index, Placed> placed;
+};
+
+} // namespace
+
+void cutTriangles(TriangleSoup& soup, const Contacts& contacts, double reach, std::vector<char>& changed,
+                  std::vector<char>& sourceIsSplit, std::set<EdgeKey>& meetings, const RunContext& context)
+{
+  Cutter cutter(soup, contacts, reach);
+  cutter.updateEdges(meetings);
+  cutter.apply(changed, sourceIsSplit, context);
+}
+
+} // namespace atria

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Surface/Search/BoxPairs.h"
+
+#include "Surface/Search/BoxTree.h"
+
+namespace atria {
+
+NumberedBox boxOf(const TriangleSoup& soup, Index triangle, std::int64_t margin)
+{
+  NumberedBox box{soup.corner(triangle, 0), soup.corner(triangle, 0), triangle};
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (int i = 1; i < 3; ++i)
+    {
+      box.low[axis] = std::min(box.low[axis], soup.corner(triangle, i)[axis]);
+      box.high[axis] = std::max(box.high[axis], soup.corner(triangle, i)[axis]);
+    }
+    box.low[axis] -= margin;
+    box.high[axis] += margin;
+  }
+  return box;
+}
+
+void forBoxPairs(const std::vector<NumberedBox>& first, const std::vector<NumberedBox>& second,
+                 const RunContext& context, const std::function<void(Index, Index)>& visit)
+{
+  const BoxTree tree(second, context);
+  for (const NumberedBox& box : first)
+  {
+    tree.eachTouching(box, 0, [&](std::size_t place) {
+      if (tree.box(place).id != box.id)
+      {
+        visit(box.id, tree.box(place).id);
+      }
+    });
+  }
+}
+
+} // namespace atria

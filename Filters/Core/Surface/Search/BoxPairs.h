@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Support/RunContext.h"
+#include "Surface/Triangles/TriangleSoup.h"
+
+#include <functional>
+
+namespace atria {
+
+struct NumberedBox
+{
+  LatticePoint low;
+  LatticePoint high;
+  /// What the caller knows the box by. Boxes of equal ids are taken for one box, and make no pair.
+  Index id;
+};
+
+/// The box of a triangle, `margin` wider on every side.
+NumberedBox boxOf(const TriangleSoup& soup, Index triangle, std::int64_t margin);
+
+/// Calls `visit` once for every pair of a box of `first` and a box of `second` that touch, in no certain order. O(n log
+/// n
+/// + pairs) where boxes of one size do not crowd (BoxTree).
+void forBoxPairs(const std::vector<NumberedBox>& first, const std::vector<NumberedBox>& second,
+                 const RunContext& context, const std::function<void(Index, Index)>& visit);
+
+} // namespace atria

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Surface/Triangles/CoincidentFaces.h"
+
+#include "Support/IndexTable.h"
+#include "Support/Memory.h"
+#include "Surface/Triangles/PointPlaces.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace atria {
+
+namespace {
+
+using Triangle = std::array<Index, 3>;
+using Edge = std::pair<Index, Index>;
+
+std::vector<Index> placesOfModel(std::span<const Vec3> points)
+{
+  Box3 bounds;
+  for (const Vec3& p : points)
+  {
+    bounds.extend(p);
+  }
+  return placesOf(points, placeStep(bounds));
+}
+
+bool isFlat(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
+
+class Search
+{
+public:
+  Search(std::span<const Vec3> points, std::span<const Triangle> triangles, std::span<const Index> faceIds)
+      : soup(triangles), faces(faceIds), places(placesOfModel(points)), numberOfPoints(points.size())
+  {
+    reserveLarge(out.kept, soup.size());
+    out.kept.resize(soup.size());
+    std::iota(out.kept.begin(), out.kept.end(), Index{0});
+  }
+
+  CoincidentFaces run()
+  {
+    comparePolygons();
+    compareTriangles();
+    return std::move(out);
+  }
+
+private:
+  Triangle corners(std::size_t i) const
+  {
+    const Triangle& t = soup[i];
+    return {places[t[0]], places[t[1]], places[t[2]]};
+  }
+
+  /// Edges of a polygon that bound it, those of its triangles that are there once, each in its direction and sorted by
+  /// ends.
+  std::vector<Edge> outlineOf(std::size_t first) const
+  {
+    std::vector<Edge> edges;
+    for (std::size_t i = first; i < soup.size() && faces[i] == faces[first]; ++i)
+    {
+      const Triangle t = corners(i);
+      for (int k = 0; k < 3; ++k)
+      {
+        edges.emplace_back(t[k], t[(k + 1) % 3]);
+      }
+    }
+    const auto ends = [](const Edge& e) { return std::minmax(e.first, e.second); };
+    std::sort(edges.begin(), edges.end(),
+              [&](const Edge& a, const Edge& b) { return std::pair(ends(a), a.first) < std::pair(ends(b), b.first); });
+    std::vector<Edge> outline;
+    for (std::size_t i = 0; i < edges.size(); ++i)
+    {
+      if (i + 1 < edges.size() && ends(edges[i]) == ends(edges[i + 1]))
+      {
+        ++i;
+        continue;
+      }
+      outline.push_back(edges[i]);
+    }
+    return outline;
+  }
+
+  /// By ends alone, whichever way they are run through.
+  static std::vector<Edge> endsOf(std::vector<Edge> outline)
+  {
+    for (Edge& e : outline)
+    {
+      e = {std::min(e.first, e.second), std::max(e.first, e.second)};
+    }
+    return outline;
+  }
+
+  void comparePolygons()
+  {
+    std::vector<Index> starts;
+    std::vector<Index> lowest;
+    starts.reserve(faces.size() / 2);
+    lowest.reserve(faces.size() / 2);
+    for (std::size_t i = 0, next = 0; i < faces.size(); i = next)
+    {
+      Index low = noIndex;
+      for (next = i; next < faces.size() && faces[next] == faces[i]; ++next)
+      {
+        const Triangle t = corners(next);
+        low = std::min({low, t[0], t[1], t[2]});
+      }
+      if (next - i > 1)
+      {
+        starts.push_back(static_cast<Index>(i));
+        lowest.push_back(low);
+      }
+    }
+    std::vector<std::pair<std::uint64_t, Index>> candidates; // with the sums of their outlines
+    forBuckets(lowest, [&](std::span<const Index> bucket) {
+      candidates.clear();
+      for (const Index i : bucket)
+      {
+        candidates.emplace_back(outlineSum(starts[i]), starts[i]);
+      }
+      if (allDiffer(candidates))
+      {
+        return;
+      }
+      std::sort(candidates.begin(), candidates.end());
+      for (std::size_t i = 0, next = 0; i < candidates.size(); i = next)
+      {
+        for (next = i + 1; next < candidates.size() && candidates[next].first == candidates[i].first; ++next)
+        {
+        }
+        if (next - i > 1)
+        {
+          compareOutlines(std::span(candidates).subspan(i, next - i));
+        }
+      }
+    });
+  }
+
+  /// The same for equal outlines, whichever way they are run through, and in all likelihood for these alone: edges that
+  /// are there twice cancel out.
+  std::uint64_t outlineSum(std::size_t first) const
+  {
+    std::uint64_t sum = 0;
+    for (std::size_t i = first; i < soup.size() && faces[i] == faces[first]; ++i)
+    {
+      const Triangle t = corners(i);
+      for (int k = 0; k < 3; ++k)
+      {
+        const auto [low, high] = std::minmax(t[k], t[(k + 1) % 3]);
+        // One round of mixing: sums that are equal by chance only cost a comparison.
+        const std::uint64_t edge = ((std::uint64_t{low} << 32) | high) * 0x9e3779b97f4a7c15ull;
+        sum ^= edge ^ (edge >> 29);
+      }
+    }
+    return sum;
+  }
+
+  void compareOutlines(std::span<const std::pair<std::uint64_t, Index>> alike)
+  {
+    std::vector<std::pair<std::vector<Edge>, Index>> candidates;
+    for (const auto& [sum, start] : alike)
+    {
+      candidates.emplace_back(endsOf(outlineOf(start)), start);
+    }
+    std::sort(candidates.begin(), candidates.end());
+    for (std::size_t i = 1, first = 0; i < candidates.size(); ++i)
+    {
+      first = candidates[i].first == candidates[first].first ? first : i;
+      if (first != i && !candidates[i].first.empty())
+      {
+        replace(candidates[i].second, candidates[first].second);
+      }
+    }
+  }
+
+  /// Calls `visit` for every set of items of the same lowest place, ascending. A polygon or triangle coincides with one
+  /// of its set only, and sets are small and mostly of neighbours: this takes a fraction of the time of hashing.
+  template <class Visit> void forBuckets(const std::vector<Index>& lowest, Visit&& visit) const
+  {
+    std::vector<Index> begins(numberOfPoints + 1, 0);
+    for (const Index low : lowest)
+    {
+      ++begins[low + 1];
+    }
+    std::partial_sum(begins.begin(), begins.end(), begins.begin());
+    std::vector<Index> items(lowest.size());
+    std::vector<Index> next(begins.begin(), begins.end() - 1);
+    for (Index i = 0; i < lowest.size(); ++i)
+    {
+      items[next[lowest[i]]++] = i;
+    }
+    for (std::size_t i = 0; i < numberOfPoints; ++i)
+    {
+      if (begins[i + 1] - begins[i] > 1)
+      {
+        visit(std::span<const Index>(items).subspan(begins[i], begins[i + 1] - begins[i]));
+      }
+    }
+  }
+
+  /// For the few of most sets, which then need not be sorted; false of more.
+  static bool allDiffer(std::span<const std::pair<std::uint64_t, Index>> candidates)
+  {
+    constexpr std::size_t few = 8;
+    if (candidates.size() > few)
+    {
+      return false;
+    }
+    for (std::size_t i = 1; i < candidates.size(); ++i)
+    {
+      for (std::size_t j = 0; j < i; ++j)
+      {
+        if (candidates[i].first == candidates[j].first)
+        {
+          return false;
+        }
+      }
+    }
+    return true;
+  }
+
+  void replace(Index first, Index by)
+  {
+    for (std::size_t i = first; i < soup.size() && faces[i] == faces[first]; ++i)
+    {
+      out.kept[i] = by;
+    }
+    ++out.faces;
+    out.opposite += outlineOf(by).front() != outlineOf(first).front() ? 1 : 0;
+  }
+
+  void compareTriangles()
+  {
+    std::vector<Index> left;
+    std::vector<Index> lowest;
+    left.reserve(soup.size());
+    lowest.reserve(soup.size());
+    for (Index i = 0; i < soup.size(); ++i)
+    {
+      const Triangle t = corners(i);
+      if (out.kept[i] == i && !isFlat(t))
+      {
+        left.push_back(i);
+        lowest.push_back(std::min({t[0], t[1], t[2]}));
+      }
+    }
+    std::vector<std::pair<std::uint64_t, Index>> candidates; // with the two corners that are not the lowest
+    forBuckets(lowest, [&](std::span<const Index> bucket) {
+      candidates.clear();
+      for (const Index i : bucket)
+      {
+        const auto [a, b, c] = corners(left[i]);
+        const Index high = std::max({a, b, c});
+        const Index middle = std::max(std::min(a, b), std::min(std::max(a, b), c));
+        candidates.emplace_back((std::uint64_t{middle} << 32) | high, left[i]);
+      }
+      if (allDiffer(candidates))
+      {
+        return;
+      }
+      std::sort(candidates.begin(), candidates.end());
+      for (std::size_t i = 1, first = 0; i < candidates.size(); ++i)
+      {
+        first = candidates[i].first == candidates[first].first ? first : i;
+        if (first != i)
+        {
+          const Index same = candidates[first].second;
+          const Index triangle = candidates[i].second;
+          out.kept[triangle] = same;
+          ++out.faces;
+          out.opposite += isTurned(corners(triangle), corners(same)) ? 1 : 0;
+        }
+      }
+    });
+  }
+
+  /// Of triangles with the same corners.
+  static bool isTurned(const Triangle& a, const Triangle& b)
+  {
+    const auto at = std::find(b.begin(), b.end(), a[0]) - b.begin();
+    return a[1] != b[(at + 1) % 3];
+  }
+
+  std::span<const Triangle> soup;
+  std::span<const Index> faces;
+  std::vector<Index> places; ///< of the points
+  std::size_t numberOfPoints;
+  CoincidentFaces out;
+};
+
+} // namespace
+
+CoincidentFaces findCoincidentFaces(std::span<const Vec3> points, std::span<const Triangle> triangles,
+                                    std::span<const Index> faceIds)
+{
+  return Search(points, triangles, faceIds).run();
+}
+
+} // namespace atria
