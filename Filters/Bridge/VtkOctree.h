@@ -19,11 +19,6 @@ void octreeToVtk(const Octree& octree, vtkHyperTreeGrid* out);
 
 /// Frame and refined octants of what octreeToVtk made, possibly with cells removed since: they come back as coarse as
 /// the others allow. Throws Error for data from elsewhere.
-struct OctreeSets
-{
-  GridFrame frame;
-  RefinedSets refined;
-};
 OctreeSets octreeFromVtk(vtkDataObject* data);
 
 } // namespace atria

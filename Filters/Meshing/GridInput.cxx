@@ -16,24 +16,7 @@ namespace atria {
 
 namespace {
 
-/// Gaps closed where the filter says none, against SizeMin.
-constexpr double gapRatio = 0.05;
-
-} // namespace
-
-GridInput readGridInput(vtkDataObject* data)
-{
-  GridInput input;
-  if (data)
-  {
-    VtkSurface read = surfaceFromVtk({data});
-    input.surface = std::move(read.surface);
-    input.ignoredCells = read.ignoredCells;
-  }
-  return input;
-}
-
-SizingOptions sizingOf(vtkAtriaGridAlgorithm& filter, const Placement& grid)
+SizingOptions sizingOf(vtkAtriaGridAlgorithm& filter)
 {
   SizingOptions options;
   for (int i = 0; i < filter.GetNumberOfSurfaceSizes(); ++i)
@@ -44,9 +27,7 @@ SizingOptions sizingOf(vtkAtriaGridAlgorithm& filter, const Placement& grid)
   {
     double v[7];
     filter.GetRefinementBox(i, v);
-    // In a turned grid, the box along its axes that holds the one given.
-    const PlacedBox box{Placement(), {Vec3(v[0], v[2], v[4]), Vec3(v[1], v[3], v[5])}};
-    options.boxes.push_back({boundsAlong(grid, box), v[6]});
+    options.boxes.push_back({{Vec3(v[0], v[2], v[4]), Vec3(v[1], v[3], v[5])}, v[6]});
   }
   for (int i = 0; i < filter.GetNumberOfDistanceSizes(); ++i)
   {
@@ -58,18 +39,6 @@ SizingOptions sizingOf(vtkAtriaGridAlgorithm& filter, const Placement& grid)
   options.cellsPerLevel = filter.GetCellsPerLevel();
   options.maxElements = static_cast<std::size_t>(filter.GetMaxElements());
   return options;
-}
-
-void addSizingWarning(const std::string& warning, vtkAtriaGridAlgorithm& filter, vtkDataObject* out)
-{
-  vtkNew<vtkStringArray> texts;
-  texts->SetName("SizingWarning");
-  if (!warning.empty())
-  {
-    texts->InsertNextValue(warning);
-    vtkWarningWithObjectMacro(&filter, << warning);
-  }
-  out->GetFieldData()->AddArray(texts);
 }
 
 SiteOptions siteOptionsOf(vtkAtriaGridAlgorithm& filter)
@@ -93,30 +62,37 @@ GridOptions sizesOf(vtkAtriaGridAlgorithm& filter)
   options.sizeMid = filter.GetSizeMid();
   options.sizeMax = filter.GetSizeMax();
   options.startLevel = filter.GetStartLevel();
-  options.finestAsked = finestSizeOf(sizingOf(filter, {}));
   return options;
 }
 
-PlacedModel GridInput::placed(vtkAtriaGridAlgorithm& filter) const
-{
-  const GridOptions sizes = sizesOf(filter);
-  return placeModel(surface, planSite(surface, siteOptionsOf(filter), sizes), sizes);
-}
+} // namespace
 
-PlacedModel GridInput::placed(vtkAtriaGridAlgorithm& filter, const GridFrame& frame) const
+ModelOptions modelOptionsOf(vtkAtriaGridAlgorithm& filter)
 {
-  return placeModel(surface, siteOptionsOf(filter), frame);
-}
-
-SurfaceModel surfaceModelOf(vtkAtriaGridAlgorithm& filter, const PlacedModel& placed, const RunContext& context)
-{
-  FeatureOptions options;
+  ModelOptions options;
+  options.site = siteOptionsOf(filter);
+  options.sizes = sizesOf(filter);
+  options.sizing = sizingOf(filter);
   options.featureAngle = filter.GetFeatureAngle();
-  const double size = placed.frame.sizeOf(placed.frame.featureLevel);
-  options.weldDistance = weldRatio * size;
-  options.sideDistance = sideRatio * size;
-  options.gapTolerance = filter.GetGapTolerance() < 0.0 ? gapRatio * size : filter.GetGapTolerance();
-  return makeSurfaceModel(placed.surface, placed.frame, options, context);
+  if (filter.GetGapTolerance() >= 0.0)
+  {
+    options.gapTolerance = filter.GetGapTolerance();
+  }
+  return options;
+}
+
+TriangleSurface readSurfaces(vtkDataObject* data) { return data ? surfaceFromVtk({data}).surface : TriangleSurface(); }
+
+void addSizingWarning(const std::string& warning, vtkAtriaGridAlgorithm& filter, vtkDataObject* out)
+{
+  vtkNew<vtkStringArray> texts;
+  texts->SetName("SizingWarning");
+  if (!warning.empty())
+  {
+    texts->InsertNextValue(warning);
+    vtkWarningWithObjectMacro(&filter, << warning);
+  }
+  out->GetFieldData()->AddArray(texts);
 }
 
 } // namespace atria

@@ -3,9 +3,7 @@
 
 #include "AlgorithmProgress.h"
 #include "GridInput.h"
-#include "Mesher/DualMesher.h"
-#include "Octree/Sizing/Refinement.h"
-#include "Octree/Tree/Balance.h"
+#include "Mesher/MeshModel.h"
 #include "Support/PatternRule.h"
 #include "VtkDualMesh.h"
 #include "VtkOctree.h"
@@ -90,18 +88,17 @@ std::vector<atria::LayerRule> layerRulesOf(vtkAtriaDualMesher& filter)
   return rules;
 }
 
-atria::Octree rebuildOctree(vtkDataObject* data, const atria::GridInput& input, vtkAtriaGridAlgorithm& filter,
-                            atria::SurfaceModel& model, const atria::RunContext& context)
+atria::MesherOptions mesherOptionsOf(vtkAtriaDualMesher& filter, const Points& seeds, const Points& sealedSeeds)
 {
-  atria::OctreeSets sets = atria::octreeFromVtk(data);
-  const atria::PlacedModel placed = input.placed(filter, sets.frame);
-  context.progress.report(0.0, "Repairing surfaces");
-  model = atria::surfaceModelOf(filter, placed, context.part(0.0, 0.3));
-  context.progress.report(0.3, "Balancing");
-  atria::balance(sets.refined, placed.frame, context);
-  atria::Octree octree(placed.frame, sets.refined);
-  atria::locateModel(octree, model, context.part(0.5, 1.0));
-  return octree;
+  atria::MesherOptions options;
+  static_cast<atria::ModelOptions&>(options) = atria::modelOptionsOf(filter);
+  options.mesh.zoneRule = static_cast<atria::ZoneRule>(filter.GetZoneRule());
+  options.mesh.seeds = toCore(seeds);
+  options.mesh.sealedSeeds = toCore(sealedSeeds);
+  options.mesh.layers = layerRulesOf(filter);
+  options.mesh.curvedWalls = {filter.GetTargetNonOrthogonality(), filter.GetTargetSkewness()};
+  options.mesh.crackTolerance = filter.GetCrackTolerance();
+  return options;
 }
 
 } // namespace
@@ -283,50 +280,27 @@ int vtkAtriaDualMesher::RequestData(vtkInformation*, vtkInformationVector** inpu
   const atria::RunContext& context = run.context;
   try
   {
-    atria::StageClock clock;
     context.progress.report(0.0, "Reading surfaces");
-    const atria::GridInput input = atria::readGridInput(vtkDataObject::GetData(inputs[0]));
-    vtkDataObject* givenOctree = vtkDataObject::GetData(inputs[1]);
-    atria::SurfaceModel model;
-    atria::Octree octree;
-    std::string warning;
-    if (givenOctree)
-    {
-      clock.lap("surface");
-      octree = rebuildOctree(givenOctree, input, *this, model, context.part(0.05, 0.4));
-    }
-    else
-    {
-      const atria::PlacedModel placed = input.placed(*this);
-      context.progress.report(0.01, "Repairing surfaces");
-      model = atria::surfaceModelOf(*this, placed, context.part(0.01, 0.05));
-      clock.lap("surface");
-      const atria::SizedOctants sized = atria::sizeOctants(
-          model, placed.frame, atria::sizingOf(*this, placed.frame.placement), context.part(0.05, 0.25));
-      warning = sized.warning;
-      octree = atria::buildOctree(model, placed.frame, sized, context.part(0.25, 0.4));
-    }
-    clock.lap("octree");
-    atria::DualMeshOptions options;
-    options.zoneRule = static_cast<atria::ZoneRule>(this->ZoneRule);
-    options.seeds = toCore(this->SeedPoints);
-    options.sealedSeeds = toCore(this->SealedSeedPoints);
-    options.layers = layerRulesOf(*this);
-    options.curvedWalls = {this->TargetNonOrthogonality, this->TargetSkewness};
-    options.crackTolerance = this->CrackTolerance;
-    const atria::DualMeshResult result = atria::makeDualMesh(octree, model, options, clock, context.part(0.4, 0.9));
+    const atria::TriangleSurface surface = atria::readSurfaces(vtkDataObject::GetData(inputs[0]));
+    const atria::MesherOptions options = mesherOptionsOf(*this, this->SeedPoints, this->SealedSeedPoints);
+    vtkDataObject* octree = vtkDataObject::GetData(inputs[1]);
+    const atria::MeshedModel result =
+        octree ? atria::meshModel(surface, atria::octreeFromVtk(octree), options, context.part(0.01, 0.9))
+               : atria::meshModel(surface, options, context.part(0.01, 0.9));
+    atria::StageClock clock;
     context.progress.report(0.9, "Converting elements");
     atria::volumeToVtk(result.mesh, volume, context.executor);
     context.progress.report(0.95, "Converting patches");
-    atria::patchesToVtk(result.mesh, model.names, result.layers, patches);
-    atria::diagnosticsToVtk(result, model.names, diagnostics);
-    atria::addSizingWarning(warning, *this, diagnostics);
-    atria::repairToVtk(model.repair, diagnostics);
+    atria::patchesToVtk(result.mesh, result.names, result.layers, patches);
+    atria::diagnosticsToVtk(result, result.names, diagnostics);
+    atria::addSizingWarning(result.sizingWarning, *this, diagnostics);
+    atria::repairToVtk(result.repair, diagnostics);
     atria::layersToVtk(result.layers, diagnostics);
     clock.lap("output");
-    addFieldData(volume, octree.maximumLevel());
+    addFieldData(volume, result.maximumLevel);
     addModelOffset(volume, vtkDataObject::GetData(inputs[0]));
-    this->Stages = clock.stages();
+    this->Stages = result.stages;
+    this->Stages.push_back(clock.stages().back());
     context.progress.report(1.0, "Mesh made");
   }
   catch (const atria::Aborted&)

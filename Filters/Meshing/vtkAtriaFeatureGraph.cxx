@@ -50,10 +50,11 @@ int vtkAtriaFeatureGraph::RequestData(vtkInformation*, vtkInformationVector** in
   try
   {
     range.report(0.0, "Reading surfaces");
-    const atria::GridInput input = atria::readGridInput(vtkDataObject::GetData(inputs[0]));
-    const atria::PlacedModel placed = input.placed(*this);
+    const atria::ModelOptions options = atria::modelOptionsOf(*this);
+    const atria::PlacedModel placed =
+        atria::placeModel(atria::readSurfaces(vtkDataObject::GetData(inputs[0])), options);
     range.report(0.3, "Finding features");
-    const atria::SurfaceModel model = atria::surfaceModelOf(*this, placed, run.context.part(0.3, 0.8));
+    const atria::SurfaceModel model = atria::makeSurfaceModel(placed, options, run.context.part(0.3, 0.8));
     range.report(0.8, "Converting");
     atria::featureCurvesToVtk(model, placed.frame, curves);
     atria::modelToVtk(model, placed.frame, triangles);

@@ -62,12 +62,12 @@ int vtkAtriaOctreeSource::RequestData(vtkInformation*, vtkInformationVector** in
   try
   {
     context.progress.report(0.0, "Reading surfaces");
-    const atria::GridInput input = atria::readGridInput(vtkDataObject::GetData(inputs[0]));
-    const atria::PlacedModel placed = input.placed(*this);
+    const atria::ModelOptions options = atria::modelOptionsOf(*this);
+    const atria::PlacedModel placed =
+        atria::placeModel(atria::readSurfaces(vtkDataObject::GetData(inputs[0])), options);
     context.progress.report(0.02, "Repairing surfaces");
-    const atria::SurfaceModel model = atria::surfaceModelOf(*this, placed, context.part(0.02, 0.1));
-    const atria::SizedOctants sized =
-        atria::sizeOctants(model, placed.frame, atria::sizingOf(*this, placed.frame.placement), context.part(0.1, 0.5));
+    const atria::SurfaceModel model = atria::makeSurfaceModel(placed, options, context.part(0.02, 0.1));
+    const atria::SizedOctants sized = atria::sizeOctants(model, placed.frame, options, context.part(0.1, 0.5));
     const atria::Octree octree = atria::buildOctree(model, placed.frame, sized, context.part(0.5, 0.8));
     context.progress.report(0.8, "Converting octants");
     if (auto* trees = vtkHyperTreeGrid::SafeDownCast(output))
@@ -113,11 +113,11 @@ bool vtkAtriaOctreeSource::Estimate()
     const atria::AlgorithmRun run(*this);
     const atria::RunContext& context = run.context;
     context.progress.report(0.0, "Estimating");
-    const atria::GridInput input = atria::readGridInput(surfaces);
-    const atria::PlacedModel placed = input.placed(*this);
+    const atria::ModelOptions options = atria::modelOptionsOf(*this);
+    const atria::PlacedModel placed = atria::placeModel(atria::readSurfaces(surfaces), options);
     const atria::GridFrame& frame = placed.frame;
-    const atria::MeshEstimate estimate = atria::estimateElements(atria::surfaceModelOf(*this, placed, context), frame,
-                                                                 atria::sizingOf(*this, frame.placement), context);
+    const atria::MeshEstimate estimate =
+        atria::estimateElements(atria::makeSurfaceModel(placed, options, context), frame, options, context);
     for (std::size_t level = 0; level < estimate.octants.size(); ++level)
     {
       this->EstimatedOctants.emplace_back(frame.sizeOf(static_cast<int>(level)),

@@ -150,17 +150,9 @@ int vtkAtriaPreflight::RequestData(vtkInformation*, vtkInformationVector** input
   try
   {
     context.progress.report(0.0, "Reading surfaces");
-    const atria::GridInput input = atria::readGridInput(vtkDataObject::GetData(inputs[0]));
-    const atria::GridOptions sizes = atria::sizesOf(*this);
-    const atria::SitePlan plan = atria::planSite(input.surface, atria::siteOptionsOf(*this), sizes);
-    const atria::PlacedModel placed = atria::placeModel(input.surface, plan, sizes);
-    context.progress.report(0.02, "Repairing surfaces");
-    const atria::SurfaceModel model = atria::surfaceModelOf(*this, placed, context.part(0.02, 0.1));
-    const atria::Octree octree =
-        atria::buildOctree(model, placed.frame, atria::sizingOf(*this, placed.frame.placement), context.part(0.1, 0.7));
-    context.progress.report(0.7, "Measuring narrow places");
-    const atria::Preflight report = atria::preflight(input.surface, plan, placed, model, octree);
-    preflightToVtk(report, input.surface.names, output);
+    const atria::TriangleSurface surface = atria::readSurfaces(vtkDataObject::GetData(inputs[0]));
+    const atria::Preflight report = atria::preflight(surface, atria::modelOptionsOf(*this), context);
+    preflightToVtk(report, surface.names, output);
     context.progress.report(1.0, "Estimated");
   }
   catch (const atria::Aborted&)

@@ -12,6 +12,7 @@ Usage: fingerprints.py BUILD                   prints the list
 
 import argparse
 import hashlib
+import json
 import os
 import pathlib
 import subprocess
@@ -40,19 +41,15 @@ OTHERS = (
 
 
 def building(folder, angle):
-    subprocess.run([sys.executable, DATA / "make_building.py", folder, str(angle)], check=True)
+    subprocess.run([sys.executable, DATA / "make_building.py", folder, str(angle)], check=True, stdout=subprocess.DEVNULL)
     return next(pathlib.Path(folder).glob("building_turned*.wrl" if angle else "building.wrl"))
 
 
-def bounds_of(program, model, folder):
+def bounds_of(program, model):
     """The box about a model, a quarter of its longest side larger on all sides, and that side."""
-    out = pathlib.Path(folder) / "model.json"
-    run = subprocess.run([program, "inspect", model, "--json"], capture_output=True, text=True, check=True)
-    del out
-    import json
-
-    b = json.loads(run.stdout)["bounds"]
-    b = [x for pair in b for x in pair] if isinstance(b[0], list) else b
+    run = subprocess.run([program, "inspect", model, "--json"], capture_output=True, text=True)
+    all_bounds = [surface["bounds"] for surface in json.loads(run.stdout)["surfaces"] if surface["triangles"]]
+    b = [(max if i % 2 else min)(bounds[i] for bounds in all_bounds) for i in range(6)]
     longest = max(b[1] - b[0], b[3] - b[2], b[5] - b[4])
     return [b[i] + (0.25 if i % 2 else -0.25) * longest for i in range(6)], longest
 
@@ -67,7 +64,7 @@ def jobs(program, folder, corpus):
             yield (f"building {angle} {layers}", model,
                    ["--site", "Site", "--size-max", "8", "--size-mid", "2", "--size-min", "1", "--layers", str(layers)])
     for name in OTHERS if corpus else ():
-        bounds, longest = bounds_of(program, corpus / name, folder)
+        bounds, longest = bounds_of(program, corpus / name)
         size = longest / 24
         yield (name, corpus / name,
                ["--domain", *(repr(b) for b in bounds), "--zone", "all", "--layers", "1", "--size-min", repr(size),
@@ -90,7 +87,7 @@ def arrays_of(data):
 
 def fingerprint(mesh_file, patches_file):
     digest = hashlib.sha256()
-    mesh_reader = vtkXMLUnstructuredGridReader(file_name=None) if False else vtkXMLUnstructuredGridReader()
+    mesh_reader = vtkXMLUnstructuredGridReader()
     mesh_reader.SetFileName(str(mesh_file))
     mesh_reader.Update()
     add(digest, mesh_reader.GetOutput())

@@ -36,16 +36,21 @@ struct FoundZones
 
   void modify()
   {
-    crossings = modifyGrid(grid, model, tree, std::move(crossings), context());
+    DisplacedGrid displaced = displaceGrid(points, std::move(crossings), context());
+    for (const Index point : displaced.places.movedPoints())
+    {
+      grid.move(point, displaced.places.place(point));
+    }
+    crossings = std::move(displaced.crossings);
     zones = findZones(crossings, model.names.size(), context());
   }
   void closeCracksUpTo(double tolerance)
   {
-    closeCracks(crossings, grid, model, tree, tolerance, context());
+    crossings = closeCracks(std::move(crossings), grid, tolerance, context());
     zones = findZones(crossings, model.names.size(), context());
   }
 
-  RunContext context() { return {executor, ProgressRange(silent)}; }
+  MeshingContext context() { return {{executor, ProgressRange(silent)}, octree, model, tree}; }
   std::int32_t zoneAt(const Vec3& seed) const { return zones.ofPoint[pointOfSeed(seed, "seed", grid, model)]; }
   std::vector<char> kept(ZoneRule rule, const std::vector<Vec3>& seeds = {}) const
   {
@@ -57,7 +62,7 @@ struct FoundZones
   }
   std::vector<Crack> cracks(ZoneRule rule = ZoneRule::all)
   {
-    return findCracks(zones, kept(rule), crossings, grid, model, tree, context());
+    return findCracks(zones, kept(rule), crossings, grid, context());
   }
   Vec3 position(Index point) const { return octree.frame().toModel(grid.place(point)); }
 

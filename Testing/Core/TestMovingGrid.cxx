@@ -40,7 +40,8 @@ struct Moving
 {
   Moving(const atria::testing::Meshed& meshed, const GridPoints& points, const Crossings& home,
          const RunContext& context)
-      : places(meshed.octree, points), tree(meshed.model), grid(places, meshed.model, tree, home, context)
+      : places(meshed.octree, points), tree(meshed.model),
+        grid(places, home, MeshingContext{context, meshed.octree, meshed.model, tree})
   {
   }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// What is told before a mesh is made.
 #include "Mesher/Preflight.h"
-#include "Octree/Sizing/Refinement.h"
 #include "Support/Shapes.h"
 
 #include <gmock/gmock.h>
@@ -36,18 +35,14 @@ void addWallWithHole(TriangleSurface& to, const std::string& name, double y, dou
 
 Preflight reportOn(const TriangleSurface& surface, const atria::SiteOptions& options, double sizeMin = 0.5)
 {
-  atria::GridOptions sizes;
-  sizes.sizeMin = sizeMin;
-  sizes.sizeMid = 2.0 * sizeMin;
-  sizes.sizeMax = 8.0 * sizeMin;
+  atria::ModelOptions all;
+  all.site = options;
+  all.sizes.sizeMin = sizeMin;
+  all.sizes.sizeMid = 2.0 * sizeMin;
+  all.sizes.sizeMax = 8.0 * sizeMin;
   const atria::SerialExecutor executor;
   atria::SilentMonitor silent;
-  const atria::RunContext context{executor, atria::ProgressRange(silent)};
-  const atria::SitePlan plan = atria::planSite(surface, options, sizes);
-  const atria::PlacedModel placed = atria::placeModel(surface, plan, sizes);
-  const atria::SurfaceModel model = atria::makeSurfaceModel(placed.surface, placed.frame, {}, context);
-  const atria::Octree octree = atria::buildOctree(model, placed.frame, atria::SizingOptions{}, context);
-  return atria::preflight(surface, plan, placed, model, octree);
+  return atria::preflight(surface, all, {executor, atria::ProgressRange(silent)});
 }
 
 atria::SiteOptions within(const Box3& box, double angle = 0.0)

@@ -63,16 +63,12 @@ DualMeshResult meshOf(const Case& c, int threads, int layers = 0)
 {
   const atria::ThreadExecutor executor(threads);
   atria::SilentMonitor silent;
-  const atria::RunContext context{executor, atria::ProgressRange(silent)};
-  const atria::SitePlan plan = atria::planSite(c.surface, c.options, c.sizes);
-  const atria::PlacedModel placed = atria::placeModel(c.surface, plan, c.sizes);
-  const atria::SurfaceModel model = atria::makeSurfaceModel(placed.surface, placed.frame, {}, context);
-  const atria::Octree octree = atria::buildOctree(model, placed.frame, atria::SizingOptions{}, context);
-  atria::DualMeshOptions options;
-  options.zoneRule = atria::ZoneRule::all;
-  options.layers = {{"*", {layers}}};
-  atria::StageClock clock;
-  return atria::makeDualMesh(octree, model, options, clock, context);
+  atria::MesherOptions options;
+  options.site = c.options;
+  options.sizes = c.sizes;
+  options.mesh.zoneRule = atria::ZoneRule::all;
+  options.mesh.layers = {{"*", {layers}}};
+  return atria::meshModel(c.surface, options, {executor, atria::ProgressRange(silent)});
 }
 
 constexpr unsigned usualSeeds = 20;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Support/MeshIt.h"
 
-#include "Octree/Sizing/Refinement.h"
-
 namespace atria::testing {
 
 Meshed meshIt(const TriangleSurface& surface, const GridOptions& grid, const DualMeshOptions& options, int threads)
@@ -15,17 +13,17 @@ Meshed meshIt(const TriangleSurface& surface, const GridOptions& grid, const Dua
 Meshed meshIt(const TriangleSurface& surface, const GridOptions& grid, const DualMeshOptions& options,
               const RunContext& context)
 {
-  Box3 extent;
-  for (const Vec3& p : surface.points)
-  {
-    extent.extend(p);
-  }
+  MesherOptions all;
+  all.site.mode = DomainMode::bounds;
+  all.site.bounds = grid.domain;
+  all.sizes = grid;
+  all.mesh = options;
+  MeshedModel meshed = meshModel(surface, all, context, true);
   Meshed out;
-  out.frame = makeGridFrame(grid, extent);
-  out.model = makeSurfaceModel(surface, out.frame, {}, context.part(0.0, 0.1));
-  out.octree = buildOctree(out.model, out.frame, SizingOptions{}, context.part(0.1, 0.4));
-  StageClock clock;
-  out.result = makeDualMesh(out.octree, out.model, options, clock, context.part(0.4, 1.0));
+  out.frame = meshed.sources->octree.frame();
+  out.model = std::move(meshed.sources->model);
+  out.octree = std::move(meshed.sources->octree);
+  out.result = std::move(meshed);
   return out;
 }
 

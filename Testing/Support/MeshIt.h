@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The whole core pipeline in one call.
+/// A model meshed in a given domain.
 #pragma once
 
-#include "Mesher/DualMesher.h"
-#include "Octree/Tree/Octree.h"
-#include "Surface/Model/SurfaceModel.h"
+#include "Mesher/MeshModel.h"
 
 namespace atria::testing {
 

@@ -4,7 +4,6 @@
 #include "Dual/Mesh/Sheets.h"
 #include "Dual/Vertices/TurnedDomain.h"
 #include "Mesher/Improvement/CurveJogs.h"
-#include "Mesher/Improvement/LayerImprover.h"
 #include "Mesher/Improvement/UnfoldFaces.h"
 #include "Optimize/Constraints/ModelConstraints.h"
 
@@ -31,105 +30,78 @@ Vec3 meanAbout(const DualMesh& mesh, const BoundaryGraph& graph, Index point)
   return sum / count;
 }
 
-} // namespace
-
-DualImprover::DualImprover(const Octree& octree, const SurfaceModel& model, TriangleTreeOnDemand& tree,
-                           VertexAnchors anchors, DualMeshResult& result, const RunContext& context)
-    : octree_(octree), model_(model), tree_(tree), anchors_(std::move(anchors)), result_(result), mesh_(result.mesh),
-      context_(context), vertexOf_(result.mesh.points.size())
-{
-  std::iota(vertexOf_.begin(), vertexOf_.end(), Index{0});
-}
-
-void DualImprover::unfoldWalls()
-{
-  ModelGuide guide(octree_, model_, tree_, anchors_, mesh_.points, vertexOf_);
-  unfoldFaces(mesh_, guide, context_);
-}
-
-void DualImprover::splitPoints()
-{
-  for (const Index source : splitSheets(mesh_, context_))
-  {
-    vertexOf_.push_back(vertexOf_[source]);
-  }
-}
-
-void DualImprover::growLayers(const std::vector<LayerRule>& rules, const CurvedWallTargets& curvedWalls)
-{
-  if (rules.empty())
-  {
-    return;
-  }
-  LayerOptions options;
-  options.ofTag = resolveLayerRules(rules, model_.names);
-  options.sideNormals = sideNormalsOf(octree_.frame());
-  const int most = std::ranges::max_element(options.ofTag, {}, &WallLayers::layers)->layers;
-  DualMesh plain = std::move(mesh_);
-  LayerWalls walls = findLayerWalls(plain, options, context_);
-  if (straightenCurves(plain, walls.graph))
-  {
-    walls = findLayerWalls(plain, options, context_);
-  }
-  context_.progress.check();
-  LayerImprover improver(octree_, model_, tree_, anchors_, vertexOf_, plain, walls, options, curvedWalls, context_);
-  LayerMesh layer = improver.run();
-  if (most > 0)
-  {
-    result_.layers = reportLayers(plain, walls, layer, options, model_.names, context_);
-  }
-  mesh_ = std::move(layer.mesh);
-  reportReleased(improver.released());
-  for (std::size_t e = layer.plainElements; e < mesh_.elementCount(); ++e)
-  {
-    ++result_.zones[mesh_.zones[e]].elements;
-  }
-}
-
 /// See removeJogs. Points that left a curve go between those beside them. Returns whether anything changed.
-bool DualImprover::straightenCurves(DualMesh& plain, const BoundaryGraph& graph)
+bool straightenCurves(AnchoredMesh& plain, const BoundaryGraph& graph, const MeshingContext& context)
 {
-  const auto [faces, freed] = removeJogs(plain, graph, vertexOf_, anchors_);
-  ModelGuide guide(octree_, model_, tree_, anchors_, plain.points, vertexOf_);
-  guide.prepare(freed, context_);
+  DualMesh& mesh = plain.mesh;
+  const std::vector<Index>& vertexOf = plain.vertexOf;
+  const auto [faces, freed] = removeJogs(mesh, graph, vertexOf, plain.anchors);
+  ModelGuide guide(context, plain.anchors, mesh.points, vertexOf);
+  guide.prepare(freed, context);
   Index last = noIndex;
   for (const Index p : freed)
   {
-    const bool isOther = last != noIndex && vertexOf_[p] == vertexOf_[last]; // of a sheet's two
-    plain.points[p] = isOther ? plain.points[last] : guide.place(p, meanAbout(plain, graph, p));
+    const bool isOther = last != noIndex && vertexOf[p] == vertexOf[last]; // of a sheet's two
+    mesh.points[p] = isOther ? mesh.points[last] : guide.place(p, meanAbout(mesh, graph, p));
     last = p;
   }
   return faces > 0;
 }
 
-/// Each with an element that has it.
-void DualImprover::reportReleased(const std::vector<ReleasedVertex>& released)
+} // namespace
+
+AnchoredMesh anchored(DualMesh mesh, VertexAnchors anchors)
 {
-  if (released.empty())
+  std::vector<Index> vertexOf(mesh.points.size());
+  std::iota(vertexOf.begin(), vertexOf.end(), Index{0});
+  return {std::move(mesh), std::move(anchors), std::move(vertexOf)};
+}
+
+AnchoredMesh unfoldWalls(AnchoredMesh given, const MeshingContext& context)
+{
+  ModelGuide guide(context, given.anchors, given.mesh.points, given.vertexOf);
+  unfoldFaces(given.mesh, guide, context);
+  return given;
+}
+
+AnchoredMesh splitPoints(AnchoredMesh given, const MeshingContext& context)
+{
+  for (const Index source : splitSheets(given.mesh, context))
   {
-    return;
+    given.vertexOf.push_back(given.vertexOf[source]);
   }
-  std::vector<Index> slots(mesh_.points.size(), noIndex);
-  for (Index i = 0; i < released.size(); ++i)
+  return given;
+}
+
+ImprovedMesh growLayers(AnchoredMesh given, const std::vector<LayerRule>& rules, const CurvedWallTargets& curvedWalls,
+                        const MeshingContext& context)
+{
+  ImprovedMesh out;
+  if (rules.empty())
   {
-    slots[released[i].point] = i;
+    out.plainElements = given.mesh.elementCount();
+    out.mesh = std::move(given.mesh);
+    return out;
   }
-  std::vector<Index> elements(released.size(), noIndex);
-  for (Index e = 0; e < mesh_.elementCount(); ++e)
+  LayerOptions options;
+  options.ofTag = resolveLayerRules(rules, context.model.names);
+  options.sideNormals = sideNormalsOf(context.octree.frame());
+  LayerWalls walls = findLayerWalls(given.mesh, options, context);
+  if (straightenCurves(given, walls.graph, context))
   {
-    for (const Index p : mesh_.corners[e])
-    {
-      if (slots[p] != noIndex && elements[slots[p]] == noIndex)
-      {
-        elements[slots[p]] = e;
-      }
-    }
+    walls = findLayerWalls(given.mesh, options, context);
   }
-  for (std::size_t i = 0; i < released.size(); ++i)
+  context.progress.check();
+  LayerImprover improver(context, given.anchors, given.vertexOf, given.mesh, walls, options, curvedWalls);
+  LayerMesh layer = improver.run();
+  if (std::ranges::any_of(options.ofTag, [](const WallLayers& wall) { return wall.layers > 0; }))
   {
-    result_.diagnostics.push_back(
-        {Diagnostic::releasedVertex, mesh_.points[released[i].point], released[i].wanted, elements[i]});
+    out.layers = reportLayers(given.mesh, walls, layer, options, context.model.names, context);
   }
+  out.mesh = std::move(layer.mesh);
+  out.plainElements = layer.plainElements;
+  out.released = improver.released();
+  return out;
 }
 
 } // namespace atria

@@ -3,40 +3,44 @@
 #pragma once
 
 #include "Dual/Vertices/DualVertices.h"
-#include "Layer/BoundaryLayers.h"
-#include "Mesher/DualMesher.h"
+#include "Layer/LayerCoverage.h"
 #include "Mesher/Improvement/LayerImprover.h"
+#include "Octree/Tree/MeshingContext.h"
 
 namespace atria {
 
-/// Changes the mesh of a result, and knows what its points stand for.
-class DualImprover
+/// A mesh that knows what its points stand for.
+struct AnchoredMesh
 {
-public:
-  /// Points of the result's mesh are the vertices of `anchors`.
-  DualImprover(const Octree& octree, const SurfaceModel& model, TriangleTreeOnDemand& tree, VertexAnchors anchors,
-               DualMeshResult& result, const RunContext& context);
-
-  /// See unfoldFaces. Before points are split.
-  void unfoldWalls();
-  /// See splitSheets.
-  void splitPoints();
-  /// Grows layers on walls and makes the elements at the boundary valid (see LayerImprover), also where rules ask for
-  /// none. Does nothing without rules.
-  void growLayers(const std::vector<LayerRule>& rules, const CurvedWallTargets& curvedWalls);
-
-private:
-  bool straightenCurves(DualMesh& plain, const BoundaryGraph& graph);
-  void reportReleased(const std::vector<ReleasedVertex>& released);
-
-  const Octree& octree_;
-  const SurfaceModel& model_;
-  TriangleTreeOnDemand& tree_;
-  VertexAnchors anchors_;
-  DualMeshResult& result_;
-  DualMesh& mesh_;
-  const RunContext& context_;
-  std::vector<Index> vertexOf_;
+  DualMesh mesh;
+  VertexAnchors anchors;
+  /// For each point of the mesh the vertex of the anchors that it is.
+  std::vector<Index> vertexOf;
 };
+
+/// A mesh whose points are the vertices of `anchors`.
+AnchoredMesh anchored(DualMesh mesh, VertexAnchors anchors);
+
+/// Slides points so that no wall face is folded; see unfoldFaces. The sheets of the mesh are not split yet.
+AnchoredMesh unfoldWalls(AnchoredMesh given, const MeshingContext& context);
+
+/// Gives both sides of sheets points of their own; see splitSheets.
+AnchoredMesh splitPoints(AnchoredMesh given, const MeshingContext& context);
+
+struct ImprovedMesh
+{
+  DualMesh mesh;
+  /// Elements before this one are those of the mesh that was given; those of layers follow.
+  std::size_t plainElements = 0;
+  /// Empty where no layers were asked for.
+  LayerReport layers;
+  /// Points that are not where the model wants them, in rising order.
+  std::vector<ReleasedVertex> released;
+};
+
+/// Grows layers on walls and makes the elements at the boundary valid (see LayerImprover), also where rules ask for no
+/// layer. Without rules the mesh is returned as it is.
+ImprovedMesh growLayers(AnchoredMesh given, const std::vector<LayerRule>& rules, const CurvedWallTargets& curvedWalls,
+                        const MeshingContext& context);
 
 } // namespace atria

@@ -71,32 +71,42 @@ std::vector<Index> numberVertices(const GridPoints& points, const std::vector<In
   return used;
 }
 
-void fillBoundary(DualMesh& mesh, Crossings& crossings, const std::vector<Index>& elements, const RunContext& context)
+/// For each boundary face between grid points, its code as a neighbor in the mesh; noFace where neither element is kept.
+std::vector<std::int32_t> fillBoundary(DualMesh& mesh, const Crossings& crossings, const std::vector<Index>& elements,
+                                       const RunContext& context)
 {
   const std::vector<Index> kept = chosenNumbers(crossings.boundaryFaces.size(), context.executor, [&](std::size_t f) {
     return elements[crossings.boundaryFaces[f].element] != noIndex;
   });
   mesh.boundaryFaces.resize(kept.size());
+  std::vector<std::int32_t> codes(crossings.boundaryFaces.size(), DualMesh::noFace);
   context.executor.forEach(kept.size(), 4096, [&](std::size_t f) {
     BoundaryFace face = crossings.boundaryFaces[kept[f]];
-    const Index point = face.element;
-    face.element = elements[point];
+    face.element = elements[face.element];
     face.opposite = face.opposite == noIndex ? noIndex : elements[face.opposite];
-    crossings.neighbours[point][face.direction] = ~static_cast<std::int32_t>(f);
+    codes[kept[f]] = ~static_cast<std::int32_t>(f);
     mesh.boundaryFaces[f] = face;
   });
+  return codes;
 }
 
 void fillElements(DualMesh& mesh, const Octree& octree, const GridPoints& points, const Crossings& crossings,
                   const Zones& zones, const std::vector<Index>& elements, const std::vector<Index>& vertices,
                   const RunContext& context)
 {
+  const std::vector<std::int32_t> boundary = fillBoundary(mesh, crossings, elements, context);
+  context.progress.check();
   const auto last = std::find_if(elements.rbegin(), elements.rend(), [](Index e) { return e != noIndex; });
   const std::size_t count = last == elements.rend() ? 0 : *last + std::size_t{1};
   mesh.corners.resize(count);
   mesh.neighbours.resize(count);
   mesh.levels.resize(count);
   mesh.zones.resize(count);
+  const auto codeOf = [&](std::int32_t code) {
+    return code >= 0                     ? static_cast<std::int32_t>(elements[code])
+           : DualMesh::isBoundary(code) ? boundary[DualMesh::boundaryFaceOf(code)]
+                                         : code;
+  };
   context.executor.forEach(elements.size(), 8192, [&](std::size_t i) {
     const Index e = elements[i];
     if (e == noIndex)
@@ -110,11 +120,7 @@ void fillElements(DualMesh& mesh, const Octree& octree, const GridPoints& points
       mesh.corners[e][c] = vertices[leaf];
       finest = std::max(finest, octree.level(leaf));
     }
-    for (int direction = 0; direction < 6; ++direction)
-    {
-      const std::int32_t neighbour = crossings.neighbours[i][direction];
-      mesh.neighbours[e][direction] = neighbour >= 0 ? static_cast<std::int32_t>(elements[neighbour]) : neighbour;
-    }
+    std::ranges::transform(crossings.neighbours[i], mesh.neighbours[e].begin(), codeOf);
     mesh.levels[e] = static_cast<std::uint8_t>(finest);
     mesh.zones[e] = zones.ofPoint[i];
   });
@@ -163,17 +169,17 @@ Diagnostic lineOf(Diagnostic::Kind kind, const std::vector<Vec3>& path, Index el
 }
 
 /// Sums up the zones and looks for ways through which they leak, and for gaps through which they do not.
-void inspectZones(const GridPlaces& grid, const SurfaceModel& model, TriangleTreeOnDemand& tree,
-                  const Crossings& crossings, const Zones& zones, const std::vector<Index>& elements,
-                  const DualMeshOptions& options, DualMeshResult& result, const RunContext& context)
+void inspectZones(const GridPlaces& grid, const Crossings& crossings, const Zones& zones,
+                  const std::vector<Index>& elements, const DualMeshOptions& options, DualMeshResult& result,
+                  const MeshingContext& context)
 {
-  result.zones = summariseZones(zones, result.keptZones, crossings, grid, model.names.size(), context);
-  result.leaks = findLeaks(options.sealedSeeds, zones, crossings, grid, model, context);
+  result.zones = summariseZones(zones, result.keptZones, crossings, grid, context.model.names.size(), context);
+  result.leaks = findLeaks(options.sealedSeeds, zones, crossings, grid, context.model, context);
   for (const Leak& leak : result.leaks)
   {
     result.diagnostics.push_back(lineOf(Diagnostic::leakPath, leak.path, elements[leak.point], leak.width));
   }
-  for (const Crack& crack : findCracks(zones, result.keptZones, crossings, grid, model, tree, context))
+  for (const Crack& crack : findCracks(zones, result.keptZones, crossings, grid, context))
   {
     result.diagnostics.push_back(lineOf(crack.open ? Diagnostic::openCrack : Diagnostic::closedCrack, crack.path,
                                         elements[crack.point], crack.width));
@@ -189,40 +195,46 @@ void fixMoved(const std::vector<Vec3>& before, const std::vector<Vec3>& points, 
   }
 }
 
+/// Displaces grid points and closes cracks.
+DisplacedGrid findBoundary(const GridPoints& points, double crackTolerance, const MeshingContext& context)
+{
+  context.progress.report(0.3, "Finding crossings");
+  Crossings home = findCrossings(GridPlaces(context.octree, points), context.model, context);
+  context.progress.report(0.45, "Moving grid points");
+  DisplacedGrid grid = displaceGrid(points, std::move(home), context);
+  grid.crossings = closeCracks(std::move(grid.crossings), grid.places, crackTolerance, context);
+  grid.crossings = markTurnedSides(std::move(grid.crossings), context.model.names.size());
+  return grid;
+}
+
 /// Grid points, crossings and zones, and from them elements and vertices. What only these need is freed here: it is
 /// larger than the mesh.
-VertexAnchors fillMesh(DualMeshResult& result, const Octree& octree, const SurfaceModel& model,
-                       TriangleTreeOnDemand& tree, const DualMeshOptions& options, StageClock& clock,
-                       const RunContext& context)
+AnchoredMesh fillMesh(DualMeshResult& result, const DualMeshOptions& options, StageClock& clock,
+                      const MeshingContext& context)
 {
+  const Octree& octree = context.octree;
+  const SurfaceModel& model = context.model;
   context.progress.report(0.0, "Finding grid points");
   const GridPoints points = findGridPoints(octree, context);
   clock.lap("dual");
-  context.progress.report(0.3, "Finding crossings");
-  GridPlaces grid(octree, points);
-  Crossings crossings = findCrossings(grid, model, context);
-  context.progress.report(0.45, "Moving grid points");
-  crossings = modifyGrid(grid, model, tree, std::move(crossings), context);
-  closeCracks(crossings, grid, model, tree, options.crackTolerance, context);
-  markTurnedSides(crossings, model.names.size());
+  const auto [places, crossings] = findBoundary(points, options.crackTolerance, context);
   clock.lap("crossings");
   context.progress.report(0.6, "Finding zones");
   const Zones zones = findZones(crossings, model.names.size(), context);
-  result.keptZones = keptZones(zones, options.zoneRule, options.seeds, grid, model);
-  dropBeyondSides(result.keptZones, zones, grid);
+  result.keptZones =
+      zonesWithinSides(keptZones(zones, options.zoneRule, options.seeds, places, model), zones, places);
   const std::vector<Index> elements = numberElements(zones, result.keptZones, context);
-  inspectZones(grid, model, tree, crossings, zones, elements, options, result, context);
+  inspectZones(places, crossings, zones, elements, options, result, context);
   clock.lap("zones");
   context.progress.report(0.7, "Placing vertices");
   std::vector<Index> vertexOfLeaf;
   const std::vector<Index> leaves = numberVertices(points, elements, octree.leafCount(), vertexOfLeaf, context);
-  DualMesh& mesh = result.mesh;
+  DualMesh mesh;
   DualVertices placed = placeVertices(octree, model, crossings, leaves, context);
   mesh.points = std::move(placed.positions);
   clock.lap("vertices");
   context.progress.report(0.9, "Making elements");
   context.progress.check();
-  fillBoundary(mesh, crossings, elements, context);
   fillElements(mesh, octree, points, crossings, zones, elements, vertexOfLeaf, context);
   context.progress.check();
   const std::vector<Vec3> before = octree.frame().turnedDomain ? mesh.points : std::vector<Vec3>();
@@ -231,7 +243,47 @@ VertexAnchors fillMesh(DualMeshResult& result, const Octree& octree, const Surfa
   appendUnresolved(mesh, placed.compromised, result.diagnostics);
   keepWithinSides(mesh.points, octree.frame());
   fixMoved(before, mesh.points, placed.anchors);
-  return std::move(placed.anchors);
+  return anchored(std::move(mesh), std::move(placed.anchors));
+}
+
+/// Each released vertex with an element that has it.
+void appendReleased(const DualMesh& mesh, const std::vector<ReleasedVertex>& released, std::vector<Diagnostic>& out)
+{
+  if (released.empty())
+  {
+    return;
+  }
+  std::vector<Index> slots(mesh.points.size(), noIndex);
+  for (Index i = 0; i < released.size(); ++i)
+  {
+    slots[released[i].point] = i;
+  }
+  std::vector<Index> elements(released.size(), noIndex);
+  for (Index e = 0; e < mesh.elementCount(); ++e)
+  {
+    for (const Index p : mesh.corners[e])
+    {
+      if (slots[p] != noIndex && elements[slots[p]] == noIndex)
+      {
+        elements[slots[p]] = e;
+      }
+    }
+  }
+  for (std::size_t i = 0; i < released.size(); ++i)
+  {
+    out.push_back({Diagnostic::releasedVertex, mesh.points[released[i].point], released[i].wanted, elements[i]});
+  }
+}
+
+void takeImproved(ImprovedMesh improved, DualMeshResult& result)
+{
+  result.mesh = std::move(improved.mesh);
+  result.layers = std::move(improved.layers);
+  appendReleased(result.mesh, improved.released, result.diagnostics);
+  for (std::size_t e = improved.plainElements; e < result.mesh.elementCount(); ++e)
+  {
+    ++result.zones[result.mesh.zones[e]].elements;
+  }
 }
 
 void placeAll(std::vector<Vec3>& points, const Placement& placement)
@@ -268,17 +320,16 @@ void placeInModel(DualMeshResult& result, const Placement& placement, const RunC
 } // namespace
 
 DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, const DualMeshOptions& options,
-                            StageClock& clock, const RunContext& context)
+                            StageClock& clock, const RunContext& run)
 {
-  TriangleTreeOnDemand tree(model);
+  const TriangleTreeOnDemand tree(model);
+  const MeshingContext context{run, octree, model, tree};
   DualMeshResult result;
-  VertexAnchors anchors = fillMesh(result, octree, model, tree, options, clock, context.part(0.0, 0.55));
-  DualImprover improver(octree, model, tree, std::move(anchors), result, context);
-  improver.unfoldWalls();
-  improver.splitPoints();
+  AnchoredMesh mesh = fillMesh(result, options, clock, context.part(0.0, 0.55));
+  mesh = splitPoints(unfoldWalls(std::move(mesh), context), context);
   clock.lap("elements");
   context.progress.report(0.55, "Growing layers");
-  improver.growLayers(options.layers, options.curvedWalls);
+  takeImproved(growLayers(std::move(mesh), options.layers, options.curvedWalls, context), result);
   context.progress.report(0.98, "Placing the mesh in the model");
   placeInModel(result, octree.frame().placement, context);
   clock.lap("layers");

@@ -120,9 +120,15 @@ void warnOfTerrain(const TerrainOutline& terrain, std::vector<std::string>& warn
 
 } // namespace
 
-Preflight preflight(const TriangleSurface& surface, const SitePlan& plan, const PlacedModel& placed,
-                    const SurfaceModel& model, const Octree& octree)
+Preflight preflight(const TriangleSurface& surface, const ModelOptions& options, const RunContext& context)
 {
+  const SitePlan plan = planSite(surface, options);
+  const PlacedModel placed = placeModel(surface, plan, options);
+  context.progress.report(0.02, "Repairing surfaces");
+  const SurfaceModel model = makeSurfaceModel(placed, options, context.part(0.02, 0.1));
+  const SizedOctants sized = sizeOctants(model, placed.frame, options, context.part(0.1, 0.5));
+  const Octree octree = buildOctree(model, placed.frame, sized, context.part(0.5, 0.7));
+  context.progress.report(0.7, "Measuring narrow places");
   Preflight out;
   const GridFrame& frame = placed.frame;
   const double sizeMin = frame.sizeOf(frame.featureLevel);

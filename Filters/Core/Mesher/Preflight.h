@@ -2,7 +2,7 @@
 /// What a mesh would be like, before it is made.
 #pragma once
 
-#include "Domain/PlacedModel.h"
+#include "Mesher/ModelOptions.h"
 #include "Octree/Tree/Octree.h"
 #include "Support/RunContext.h"
 #include "Surface/Inspection/NarrowPlaces.h"
@@ -34,8 +34,8 @@ struct Preflight
   std::vector<std::string> warnings;
 };
 
-/// `surface` is the model as read; `model` and `octree` are made from `placed`.
-Preflight preflight(const TriangleSurface& surface, const SitePlan& plan, const PlacedModel& placed,
-                    const SurfaceModel& model, const Octree& octree);
+/// Makes domain, model and octree, and measures them; the octree is not kept. Throws Error where the options cannot be
+/// met, Aborted on demand.
+Preflight preflight(const TriangleSurface& surface, const ModelOptions& options, const RunContext& context);
 
 } // namespace atria

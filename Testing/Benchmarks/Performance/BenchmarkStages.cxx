@@ -82,9 +82,8 @@ public:
     points = findGridPoints(octree, context);
     grid.emplace(octree, points);
     crossings = findCrossings(*grid, model, context);
-    GridPlaces moved(octree, points);
-    TriangleTreeOnDemand tree(model);
-    modified = modifyGrid(moved, model, tree, crossings, context);
+    const TriangleTreeOnDemand tree(model);
+    displaced = displaceGrid(points, crossings, {context, octree, model, tree}).crossings;
     for (const auto& about : points.leaves)
     {
       leaves.insert(leaves.end(), about.begin(), about.end());
@@ -105,7 +104,7 @@ public:
   GridPoints points;
   std::optional<GridPlaces> grid;
   Crossings crossings;
-  Crossings modified;
+  Crossings displaced;
   std::vector<Index> leaves;
 };
 
@@ -211,11 +210,11 @@ void movedPoints(benchmark::State& state, const Case& which)
   for (auto _ : state)
   {
     state.PauseTiming();
-    GridPlaces places(work.octree, work.points);
     Crossings home = work.crossings;
-    TriangleTreeOnDemand tree(work.model);
+    const TriangleTreeOnDemand tree(work.model);
     state.ResumeTiming();
-    benchmark::DoNotOptimize(modifyGrid(places, work.model, tree, std::move(home), work.context));
+    benchmark::DoNotOptimize(
+        displaceGrid(work.points, std::move(home), {work.context, work.octree, work.model, tree}));
   }
   count(state, work.points.size());
 }
@@ -225,7 +224,7 @@ void vertices(benchmark::State& state, const Case& which)
   const Work& work = workOf(which);
   for (auto _ : state)
   {
-    benchmark::DoNotOptimize(placeVertices(work.octree, work.model, work.modified, work.leaves, work.context));
+    benchmark::DoNotOptimize(placeVertices(work.octree, work.model, work.displaced, work.leaves, work.context));
   }
   count(state, work.leaves.size());
 }

@@ -11,10 +11,10 @@ namespace atria {
 
 namespace {
 
-void movePoints(GridPlaces& places, const SurfaceModel& model, TriangleTreeOnDemand& tree, const Crossings& home,
-                const RunContext& context)
+GridPlaces displacedPlaces(const GridPoints& points, const Crossings& home, const MeshingContext& context)
 {
-  MovingGrid grid(places, model, tree, home, context);
+  GridPlaces places(context.octree, points);
+  MovingGrid grid(places, home, context);
   constexpr int gapRounds = 4;
   for (const double reach : {0.5, 1.0})
   {
@@ -24,35 +24,37 @@ void movePoints(GridPlaces& places, const SurfaceModel& model, TriangleTreeOnDem
     }
   }
   searchPlaces(grid, context);
+  return places;
 }
 
 } // namespace
 
-Crossings modifyGrid(GridPlaces& grid, const SurfaceModel& model, TriangleTreeOnDemand& tree, Crossings home,
-                     const RunContext& context)
+DisplacedGrid displaceGrid(const GridPoints& points, Crossings home, const MeshingContext& context)
 {
-  movePoints(grid, model, tree, home, context);
-  if (grid.movedCount() == 0)
+  const SurfaceModel& model = context.model;
+  GridPlaces places = displacedPlaces(points, home, context);
+  if (places.movedCount() == 0)
   {
-    return home;
+    return {std::move(places), std::move(home)};
   }
   constexpr int mostRounds = 20;
-  const std::vector<Index> apart = wideZones(grid.points(), home, context);
-  Crossings crossings = updateCrossings(grid, model, std::move(home), grid.movedPoints(), context);
+  const std::vector<Index> apart = wideZones(points, home, context);
+  Crossings crossings = updateCrossings(places, model, std::move(home), places.movedPoints(), context);
   for (int round = 0; round < mostRounds; ++round)
   {
     context.progress.check();
-    const std::vector<Index> joining = joiningPoints(grid, crossings, apart);
+    const std::vector<Index> joining = joiningPoints(places, crossings, apart);
     if (joining.empty())
     {
-      return crossings;
+      return {std::move(places), std::move(crossings)};
     }
-    std::for_each(joining.begin(), joining.end(), [&](Index point) { grid.moveHome(point); });
-    crossings = updateCrossings(grid, model, std::move(crossings), joining, context);
+    std::for_each(joining.begin(), joining.end(), [&](Index point) { places.moveHome(point); });
+    crossings = updateCrossings(places, model, std::move(crossings), joining, context);
   }
-  const std::vector<Index> moved = grid.movedPoints();
-  grid.moveAllHome();
-  return updateCrossings(grid, model, std::move(crossings), moved, context);
+  const std::vector<Index> moved = places.movedPoints();
+  places.moveAllHome();
+  crossings = updateCrossings(places, model, std::move(crossings), moved, context);
+  return {std::move(places), std::move(crossings)};
 }
 
 } // namespace atria

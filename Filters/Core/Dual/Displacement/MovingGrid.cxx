@@ -20,10 +20,9 @@ MovingGrid::Look::Look(const MovingGrid& grid)
 {
 }
 
-MovingGrid::MovingGrid(GridPlaces& places, const SurfaceModel& model, TriangleTreeOnDemand& trianglesOfModel,
-                       const Crossings& crossings, const RunContext& context)
-    : grid(places), tree(places.octree()), surfaces(model), triangles(trianglesOfModel), home(crossings),
-      atCorners(curvesAtCorners(model)), leafCurves(tree, model, context),
+MovingGrid::MovingGrid(GridPlaces& places, const Crossings& crossings, const MeshingContext& context)
+    : grid(places), tree(context.octree), surfaces(context.model), triangles(context.tree), home(crossings),
+      atCorners(curvesAtCorners(surfaces)), leafCurves(tree, surfaces, context),
       edgesOfLeaf(edgesByLeaf(crossings, tree.leafCount(), context)), movedOf(crossings.crossedEdges.size(), noIndex),
       view(*this)
 {

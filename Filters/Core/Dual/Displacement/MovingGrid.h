@@ -3,7 +3,7 @@
 
 #include "Dual/Grid/Crossings.h"
 #include "Dual/Leaf/LeafTopology.h"
-#include "Support/RunContext.h"
+#include "Octree/Tree/MeshingContext.h"
 
 #include <limits>
 #include <optional>
@@ -80,8 +80,7 @@ public:
   };
 
   /// `home` are the crossings while no point is moved; they are referred to.
-  MovingGrid(GridPlaces& places, const SurfaceModel& model, TriangleTreeOnDemand& tree, const Crossings& crossings,
-             const RunContext& context);
+  MovingGrid(GridPlaces& places, const Crossings& crossings, const MeshingContext& context);
 
   const GridPlaces& places() const { return grid; }
   const GridPoints& points() const { return grid.points(); }
@@ -176,7 +175,7 @@ private:
   GridPlaces& grid;
   const Octree& tree;
   const SurfaceModel& surfaces;
-  TriangleTreeOnDemand& triangles;
+  const TriangleTreeOnDemand& triangles;
   const Crossings& home;
   std::vector<std::vector<std::vector<Index>>> atCorners;
   LeafCurves leafCurves;

@@ -53,7 +53,7 @@ class EdgeProbe
 {
 public:
   /// Where leaves hold very many triangles, `tree` is asked in their place if there is one.
-  EdgeProbe(const Octree& leaves, const SurfaceModel& surfaces, TriangleTreeOnDemand* tree = nullptr)
+  EdgeProbe(const Octree& leaves, const SurfaceModel& surfaces, const TriangleTreeOnDemand* tree = nullptr)
       : octree(leaves), model(surfaces), triangleTree(tree)
   {
   }
@@ -76,7 +76,7 @@ private:
 
   const Octree& octree;
   const SurfaceModel& model;
-  TriangleTreeOnDemand* triangleTree;
+  const TriangleTreeOnDemand* triangleTree;
   std::vector<Index> candidates;
   std::vector<SurfaceCrossing> found;
 };

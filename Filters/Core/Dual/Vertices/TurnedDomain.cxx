@@ -103,20 +103,21 @@ std::vector<double> risingHeights(const std::vector<Index>& chain, const std::ve
 
 } // namespace
 
-void markTurnedSides(Crossings& crossings, std::size_t surfaceCount)
+Crossings markTurnedSides(Crossings crossings, std::size_t surfaceCount)
 {
   for (BoundaryFace& face : crossings.boundaryFaces)
   {
     face.onDomainSide = face.onDomainSide || face.tag >= surfaceCount;
   }
+  return crossings;
 }
 
-void dropBeyondSides(std::vector<char>& kept, const Zones& zones, const GridPlaces& grid)
+std::vector<char> zonesWithinSides(std::vector<char> kept, const Zones& zones, const GridPlaces& grid)
 {
   const GridFrame& frame = grid.octree().frame();
   if (!frame.turnedDomain)
   {
-    return;
+    return kept;
   }
   const Box3& box = frame.turnedDomain->bounds;
   const Placement relative(frame.turnedDomain->axes.angle() - frame.placement.angle());
@@ -136,6 +137,7 @@ void dropBeyondSides(std::vector<char>& kept, const Zones& zones, const GridPlac
   {
     throw Error("no zone is left to mesh inside the turned domain: keep all zones, or give seeds inside it");
   }
+  return kept;
 }
 
 void keepWithinSides(std::span<Vec3> positions, const GridFrame& frame)

@@ -9,11 +9,11 @@
 namespace atria {
 
 /// Marks faces of turned sides as sides of the domain, as faces on the planes of a box are.
-void markTurnedSides(Crossings& crossings, std::size_t surfaceCount);
+Crossings markTurnedSides(Crossings crossings, std::size_t surfaceCount);
 
-/// Drops the zones beyond the turned sides, if the frame has any. The sides part zones, so each lies wholly inside or
-/// beyond; its point farthest from the sides tells which. Throws Error where none is left.
-void dropBeyondSides(std::vector<char>& kept, const Zones& zones, const GridPlaces& grid);
+/// Those of the kept zones that are within the turned sides, if the frame has any. The sides part zones, so each lies
+/// wholly inside or beyond; its point farthest from the sides tells which. Throws Error where none is left.
+std::vector<char> zonesWithinSides(std::vector<char> kept, const Zones& zones, const GridPlaces& grid);
 
 /// Puts the vertices where faces of two turned sides meet on the domain's upright edges. An edge may lie in octants of
 /// which no corner is inside the domain; without this the mesh would cut it off there. O(n log n) in boundary faces.

@@ -120,14 +120,13 @@ void cut(Crossings& crossings, const GridPlaces& grid, const SurfaceModel& model
 
 } // namespace
 
-void closeCracks(Crossings& crossings, const GridPlaces& grid, const SurfaceModel& model, TriangleTreeOnDemand& tree,
-                 double tolerance, const RunContext& context)
+Crossings closeCracks(Crossings crossings, const GridPlaces& grid, double tolerance, const MeshingContext& context)
 {
   if (!(tolerance > 0.0))
   {
-    return;
+    return crossings;
   }
-  const std::vector<StripTriangle> strips = crackStrips(grid.octree(), model, tree, tolerance, context);
+  const std::vector<StripTriangle> strips = crackStrips(tolerance, context);
   constexpr std::size_t grain = 256;
   std::vector<std::vector<Passage>> found((strips.size() + grain - 1) / grain);
   context.executor.forEach(found.size(), 1, [&](std::size_t part) {
@@ -148,9 +147,10 @@ void closeCracks(Crossings& crossings, const GridPlaces& grid, const SurfaceMode
   {
     if (i == 0 || passages[i].edge() != passages[i - 1].edge())
     {
-      cut(crossings, grid, model, passages[i]);
+      cut(crossings, grid, context.model, passages[i]);
     }
   }
+  return crossings;
 }
 
 } // namespace atria

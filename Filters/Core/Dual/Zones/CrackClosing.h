@@ -2,14 +2,13 @@
 #pragma once
 
 #include "Dual/Grid/Crossings.h"
-#include "Octree/Search/TriangleTree.h"
+#include "Octree/Tree/MeshingContext.h"
 
 namespace atria {
 
 /// Closes cracks no wider than `tolerance` times the octants there: edges of the grid that pass through their strips
 /// (crackStrips) and that nothing cuts are cut by the triangle beside the rim. Nothing is done at tolerance 0. Exact as
 /// all crossings are, so that edges round a place agree. Cost: that of the rims. The result does not depend on threads.
-void closeCracks(Crossings& crossings, const GridPlaces& grid, const SurfaceModel& model, TriangleTreeOnDemand& tree,
-                 double tolerance, const RunContext& context);
+Crossings closeCracks(Crossings crossings, const GridPlaces& grid, double tolerance, const MeshingContext& context);
 
 } // namespace atria

@@ -256,19 +256,18 @@ struct RimEnd
 
 } // namespace
 
-std::vector<StripTriangle> crackStrips(const Octree& octree, const SurfaceModel& model, TriangleTreeOnDemand& onDemand,
-                                       double tolerance, const RunContext& context)
+std::vector<StripTriangle> crackStrips(double tolerance, const MeshingContext& context)
 {
-  const std::vector<Rim> rims = rimsOf(model);
+  const std::vector<Rim> rims = rimsOf(context.model);
   if (rims.empty())
   {
     return {};
   }
-  const TriangleTree& tree = onDemand.get();
+  const TriangleTree& tree = context.tree.get();
   std::vector<Bridge> bridges(rims.size());
   context.executor.forRanges(rims.size(), 16, [&](std::size_t begin, std::size_t end) {
     context.progress.check();
-    Bridger bridger(octree, model, tree, tolerance);
+    Bridger bridger(context.octree, context.model, tree, tolerance);
     for (std::size_t i = begin; i < end; ++i)
     {
       bridges[i] = bridger.bridge(rims[i]);
@@ -283,7 +282,7 @@ std::vector<StripTriangle> crackStrips(const Octree& octree, const SurfaceModel&
     ends.push_back({rims[i].b, i, 1});
   }
   std::sort(ends.begin(), ends.end());
-  const Bridger bridger(octree, model, tree, tolerance);
+  const Bridger bridger(context.octree, context.model, tree, tolerance);
   for (std::size_t i = 0; i + 1 < ends.size(); ++i)
   {
     const RimEnd& l = ends[i];

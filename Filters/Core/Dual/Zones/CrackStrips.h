@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "Octree/Search/TriangleTree.h"
-#include "Octree/Tree/Octree.h"
-#include "Support/RunContext.h"
-#include "Surface/Model/SurfaceModel.h"
+#include "Octree/Tree/MeshingContext.h"
 
 namespace atria {
 
@@ -26,7 +23,6 @@ struct StripTriangle
 /// strip goes from step to step where both are within the tolerance, without a break, and round the points where two
 /// rims meet. Both rims of a crack have their strip. The result does not depend on threads; nothing is done without
 /// rims.
-std::vector<StripTriangle> crackStrips(const Octree& octree, const SurfaceModel& model, TriangleTreeOnDemand& tree,
-                                       double tolerance, const RunContext& context);
+std::vector<StripTriangle> crackStrips(double tolerance, const MeshingContext& context);
 
 } // namespace atria

@@ -270,9 +270,9 @@ private:
 } // namespace
 
 std::vector<Crack> findCracks(const Zones& zones, const std::vector<char>& kept, const Crossings& crossings,
-                              const GridPlaces& grid, const SurfaceModel& model, TriangleTreeOnDemand& onDemand,
-                              const RunContext& context)
+                              const GridPlaces& grid, const MeshingContext& context)
 {
+  const SurfaceModel& model = context.model;
   std::vector<Index> rims;
   for (Index e = 0; e < model.featureEdges.size(); ++e)
   {
@@ -285,7 +285,7 @@ std::vector<Crack> findCracks(const Zones& zones, const std::vector<char>& kept,
   {
     return {};
   }
-  const TriangleTree& tree = onDemand.get();
+  const TriangleTree& tree = context.tree.get();
   std::vector<std::vector<CrackStep>> found(rims.size());
   context.executor.forRanges(rims.size(), 16, [&](std::size_t begin, std::size_t end) {
     context.progress.check();

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Dual/Zones/Zones.h"
-#include "Octree/Search/TriangleTree.h"
+#include "Octree/Tree/MeshingContext.h"
 
 namespace atria {
 
@@ -30,7 +30,6 @@ struct Crack
 /// the points of the rim too, are one crack; what both of its rims tell is told once. Closed cracks come first, and
 /// long ones. The result does not depend on threads.
 std::vector<Crack> findCracks(const Zones& zones, const std::vector<char>& kept, const Crossings& crossings,
-                              const GridPlaces& grid, const SurfaceModel& model, TriangleTreeOnDemand& tree,
-                              const RunContext& context);
+                              const GridPlaces& grid, const MeshingContext& context);
 
 } // namespace atria

@@ -171,7 +171,7 @@ void LayerImprover::addCreaseRows()
     layer_ = before;
     Guides guides(*this); // of the layer without rows
     layer_.rows = insertCreaseRows(layer_, plain_, walls_, charts, width);
-    RowGuide guide(guides.layer, layer_, octree_.frame(), model_, tree_.get());
+    RowGuide guide(guides.layer, layer_, context_.octree.frame(), context_.model, context_.tree.get());
     context_.executor.forEach(layer_.rows.points.size(), 256, [&](std::size_t i) {
       const auto p = layer_.rows.firstPoint + static_cast<Index>(i);
       Vec3& place = layer_.mesh.points[p];

@@ -84,7 +84,7 @@ struct LayerImprover::CurvedStage
 /// Finds how walls turn from face to face at points; leaves nothing at all where none do.
 void LayerImprover::findCurved()
 {
-  const std::vector<char> bent = findBent(model_);
+  const std::vector<char> bent = findBent(context_.model);
   curved_.assign(layer_.plainPoints, straight);
   context_.executor.forEach(curved_.size(), 4096, [&](std::size_t p) {
     const BoundaryFace* first = nullptr;

@@ -156,7 +156,7 @@ std::optional<LayerMesh> LayerImprover::divideAndImprove(const LayerMesh& given)
 std::vector<ShortCell> LayerImprover::improveDivided(LayerMesh& divided, const std::vector<ShortCell>& cells,
                                                      const std::vector<char>& held) const
 {
-  ModelGuide model(octree_, model_, tree_, anchors_, divided.mesh.points, vertexOf_);
+  ModelGuide model(context_, anchors_, divided.mesh.points, vertexOf_);
   LayerGuide layer(divided, walls_, options_, vertexOf_, letGo_, model);
   HeldGuide guide(layer, divided, held);
   // There are many cells, and it is enough that they are sound.

@@ -31,12 +31,11 @@ enum class LayerImprover::Step : std::uint8_t
   exclude
 };
 
-LayerImprover::LayerImprover(const Octree& octree, const SurfaceModel& model, TriangleTreeOnDemand& tree,
-                             const VertexAnchors& anchors, const std::vector<Index>& vertexOf, DualMesh& plain,
-                             const LayerWalls& walls, const LayerOptions& options, const CurvedWallTargets& curvedWalls,
-                             const RunContext& context)
-    : octree_(octree), model_(model), tree_(tree), wanted_(anchors), anchors_(anchors), vertexOf_(vertexOf),
-      plain_(plain), walls_(walls), options_(options), curvedWalls_(curvedWalls), context_(context),
+LayerImprover::LayerImprover(const MeshingContext& context, const VertexAnchors& anchors,
+                             const std::vector<Index>& vertexOf, DualMesh& plain, const LayerWalls& walls,
+                             const LayerOptions& options, const CurvedWallTargets& curvedWalls)
+    : context_(context), wanted_(anchors), anchors_(anchors), vertexOf_(vertexOf), plain_(plain), walls_(walls),
+      options_(options), curvedWalls_(curvedWalls),
       layered_(std::ranges::any_of(options.ofTag, [](const WallLayers& wall) { return wall.layers > 0; })),
       hasHeights_(options.hasHeights()),
       divided_(std::ranges::any_of(options.ofTag, [](const WallLayers& wall) { return wall.layers > 1; })),
@@ -44,7 +43,7 @@ LayerImprover::LayerImprover(const Octree& octree, const SurfaceModel& model, Tr
       mayLeave_(vertexOf.size(), 1), letGo_(vertexOf.size(), 0), excluded_(vertexOf.size(), 0),
       suspect_(vertexOf.size(), 0), isLeft_(vertexOf.size(), 0)
 {
-  if (!octree.frame().turnedDomain)
+  if (!context.octree.frame().turnedDomain)
   {
     return;
   }
@@ -252,7 +251,7 @@ void LayerImprover::leaveSurface(Index leader, double reach)
   }
   noteLeft(leader);
   freedom = Freedom::released;
-  const double size = octree_.frame().sizeOf(octree_.level(anchors_.leaves[leader]));
+  const double size = context_.octree.frame().sizeOf(context_.octree.level(anchors_.leaves[leader]));
   anchors_.leashes.try_emplace(leader, Leash{layer_.mesh.points[leader], 0.0}).first->second.reach = reach * size;
 }
 
@@ -322,7 +321,7 @@ void LayerImprover::growAgain(const std::vector<char>& fresh)
 /// Where the points that left their pieces of the model ought to be, seen from where they are.
 std::vector<WantedPlace> LayerImprover::wantedPlaces() const
 {
-  ModelGuide guide(octree_, model_, tree_, wanted_, layer_.mesh.points, vertexOf_);
+  ModelGuide guide(context_, wanted_, layer_.mesh.points, vertexOf_);
   std::vector<Index> points;
   std::ranges::transform(left_, std::back_inserter(points), &WantedPlace::point);
   guide.prepare(points, context_);
@@ -370,7 +369,7 @@ void LayerImprover::keepThoseAway()
   {
     const Index p = left_[i].point;
     const Index vertex = vertexOf_[p];
-    const double size = octree_.frame().sizeOf(octree_.level(wanted_.leaves[vertex]));
+    const double size = context_.octree.frame().sizeOf(context_.octree.level(wanted_.leaves[vertex]));
     const bool back = (layer_.mesh.points[p] - wanted[i].place).norm() <= nearlyThere * size;
     anchors_.freedom[vertex] = back ? wanted_.freedom[vertex] : Freedom::fixed;
     isLeft_[p] = back ? 0 : 1;

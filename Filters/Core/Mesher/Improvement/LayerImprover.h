@@ -27,10 +27,9 @@ public:
   /// `vertexOf` gives for each point of the plain mesh the vertex of the anchors it stands for; points of one vertex
   /// are in one place and stay together, and the one with its number, the leader, is one of them. The plain mesh's
   /// points follow those of the layer's walls; where no layer is asked for, the plain mesh is taken.
-  LayerImprover(const Octree& octree, const SurfaceModel& model, TriangleTreeOnDemand& tree,
-                const VertexAnchors& anchors, const std::vector<Index>& vertexOf, DualMesh& plain,
-                const LayerWalls& walls, const LayerOptions& options, const CurvedWallTargets& curvedWalls,
-                const RunContext& context);
+  LayerImprover(const MeshingContext& context, const VertexAnchors& anchors, const std::vector<Index>& vertexOf,
+                DualMesh& plain, const LayerWalls& walls, const LayerOptions& options,
+                const CurvedWallTargets& curvedWalls);
 
   /// The layers asked for; fewer at points where elements would not be valid. Without any asked for, the plain mesh
   /// made valid; its elements may be concave then.
@@ -104,9 +103,7 @@ private:
   template <typename Visit> void eachLeaderOf(const std::vector<ShortCell>& cells, Visit&& visit) const;
   QualityTargets targets() const;
 
-  const Octree& octree_;
-  const SurfaceModel& model_;
-  TriangleTreeOnDemand& tree_;
+  const MeshingContext& context_;
   /// What the model wants, and what is allowed now.
   const VertexAnchors& wanted_;
   VertexAnchors anchors_;
@@ -115,7 +112,6 @@ private:
   const LayerWalls& walls_;
   const LayerOptions& options_;
   const CurvedWallTargets& curvedWalls_;
-  const RunContext& context_;
   bool layered_;
   /// Whether a height was asked for somewhere.
   bool hasHeights_;

@@ -10,7 +10,7 @@ namespace atria {
 struct LayerImprover::Guides
 {
   explicit Guides(const LayerImprover& owner)
-      : model(owner.octree_, owner.model_, owner.tree_, owner.anchors_, owner.layer_.mesh.points, owner.vertexOf_),
+      : model(owner.context_, owner.anchors_, owner.layer_.mesh.points, owner.vertexOf_),
         layer(owner.layer_, owner.walls_, owner.options_, owner.vertexOf_, owner.letGo_, model)
   {
   }

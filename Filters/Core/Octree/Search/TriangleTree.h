@@ -57,14 +57,13 @@ private:
   std::vector<Node> nodes_;
 };
 
-/// A tree that is built when it is first asked for. Not by several threads at once.
+/// A tree that is built when it is first asked for, by any number of threads.
 class TriangleTreeOnDemand
 {
 public:
   explicit TriangleTreeOnDemand(const SurfaceModel& model) : model_(model) {}
 
-  /// For any number of threads at once.
-  const TriangleTree& get()
+  const TriangleTree& get() const
   {
     std::call_once(made_, [&] { tree_.emplace(model_); });
     return *tree_;
@@ -72,8 +71,8 @@ public:
 
 private:
   const SurfaceModel& model_;
-  std::once_flag made_;
-  std::optional<TriangleTree> tree_;
+  mutable std::once_flag made_;
+  mutable std::optional<TriangleTree> tree_;
 };
 
 } // namespace atria

@@ -18,6 +18,13 @@ namespace atria {
 /// form in which an octree is sized, balanced and handed over; leaves follow from it.
 using RefinedSets = std::vector<std::vector<MortonKey>>;
 
+/// An octree from elsewhere: where it stands, and its refined octants.
+struct OctreeSets
+{
+  GridFrame frame;
+  RefinedSets refined;
+};
+
 /// What a leaf holds of the model.
 enum class FeatureType : std::uint8_t
 {

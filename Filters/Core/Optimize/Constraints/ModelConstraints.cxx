@@ -19,10 +19,10 @@ constexpr std::size_t mostPieces = 64;
 
 } // namespace
 
-ModelGuide::ModelGuide(const Octree& octree, const SurfaceModel& model, TriangleTreeOnDemand& tree,
-                       const VertexAnchors& anchors, const std::vector<Vec3>& points,
+ModelGuide::ModelGuide(const MeshingContext& context, const VertexAnchors& anchors, const std::vector<Vec3>& points,
                        const std::vector<Index>& vertexOf)
-    : octree_(octree), model_(model), anchors_(anchors), points_(points), vertexOf_(vertexOf), tree_(tree)
+    : octree_(context.octree), model_(context.model), anchors_(anchors), points_(points), vertexOf_(vertexOf),
+      tree_(context.tree)
 {
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Dual/Vertices/DualVertices.h"
-#include "Octree/Search/TriangleTree.h"
+#include "Octree/Tree/MeshingContext.h"
 #include "Optimize/Kernel/VertexConstraints.h"
 
 namespace atria {
@@ -12,8 +12,8 @@ class ModelGuide : public VertexGuide
 {
 public:
   /// `vertexOf` gives, for each point of the mesh, the vertex it stands for; it must outlive the guide.
-  ModelGuide(const Octree& octree, const SurfaceModel& model, TriangleTreeOnDemand& tree, const VertexAnchors& anchors,
-             const std::vector<Vec3>& points, const std::vector<Index>& vertexOf);
+  ModelGuide(const MeshingContext& context, const VertexAnchors& anchors, const std::vector<Vec3>& points,
+             const std::vector<Index>& vertexOf);
 
   /// Notes where points are, before these are moved. Pieces of the model near a point are looked up where it is first
   /// asked for, as most points that might be moved never are.
@@ -72,7 +72,7 @@ private:
   const std::vector<Index>& vertexOf_;
   std::vector<Index> slotOf_;
   mutable std::vector<Target> targets_;
-  TriangleTreeOnDemand& tree_;
+  const TriangleTreeOnDemand& tree_;
 };
 
 } // namespace atria

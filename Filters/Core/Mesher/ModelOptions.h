@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// What users say of a model and of the octree it is meshed in, and the first stages that follow from it.
+#pragma once
+
+#include "Domain/PlacedModel.h"
+#include "Octree/Sizing/Estimate.h"
+#include "Octree/Sizing/Refinement.h"
+
+#include <optional>
+
+namespace atria {
+
+/// Lengths are in model units; boxes and points are along the model's axes.
+struct ModelOptions
+{
+  SiteOptions site;
+  /// The domain and the finest size asked for follow from the other options.
+  GridOptions sizes;
+  SizingOptions sizing;
+  /// Degrees between normals (creases) or tangents (corners) above which they are kept.
+  double featureAngle = 30.0;
+  /// Gaps narrower than this are closed; a twentieth of `sizes.sizeMin` where nothing is given.
+  std::optional<double> gapTolerance;
+};
+
+/// Domain and ground; see planSite.
+SitePlan planSite(const TriangleSurface& surface, const ModelOptions& options);
+
+/// The model in the grid that a plan says. Throws Error where sizes and domain do not fit.
+PlacedModel placeModel(const TriangleSurface& surface, const SitePlan& plan, const ModelOptions& options);
+
+/// The model in its grid. Throws Error where the options cannot be met.
+PlacedModel placeModel(const TriangleSurface& surface, const ModelOptions& options);
+
+/// The model on the lattice, repaired, with its features; see makeSurfaceModel.
+SurfaceModel makeSurfaceModel(const PlacedModel& placed, const ModelOptions& options, const RunContext& context);
+
+/// See sizeOctants. In a turned grid a refinement box is the box along the grid's axes that holds the one given.
+SizedOctants sizeOctants(const SurfaceModel& model, const GridFrame& frame, const ModelOptions& options,
+                         const RunContext& context);
+
+/// See estimateElements.
+MeshEstimate estimateElements(const SurfaceModel& model, const GridFrame& frame, const ModelOptions& options,
+                              const RunContext& context);
+
+} // namespace atria
