@@ -200,7 +200,7 @@ vtkSmartPointer<vtkAtriaSurfaceReader> readModel(const std::string& file, const 
 {
   checkReadable(file);
   const vtkSmartPointer<vtkAtriaSurfaceReader> reader = readerFor(file);
-  // An observer keeps the reader's one summarising warning away from the console: printWarnings tells more.
+  // An observer keeps the reader's one summarizing warning away from the console: printWarnings tells more.
   vtkNew<vtkCallbackCommand> silence;
   reader->AddObserver(vtkCommand::WarningEvent, silence);
   reader->SetFileName(file.c_str());

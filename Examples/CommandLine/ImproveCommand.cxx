@@ -177,7 +177,7 @@ void addImproveCommand(CLI::App& app, Console& console, ExitStatus& status)
   openfoam->needs(patches)->type_name("DIR");
   command
       ->add_flag("--restore-offset", options->restoreOffset,
-                 "Write the OpenFOAM case where the model was before `atria mesh --recentre` moved it")
+                 "Write the OpenFOAM case where the model was before `atria mesh --recenter` moved it")
       ->needs(openfoam);
   command
       ->add_option("--feature-angle", options->featureAngle,

@@ -223,10 +223,10 @@ void printProblems(std::vector<Problem> problems, const TriangleSurface& surface
       std::printf("%-18s and %zu more places; --json lists them\n", kind, ofKind + 1 - most);
     }
   }
-  if (problems.back().kind == ProblemKind::crowds)
+  if (problems.back().kind == ProblemKind::clusters)
   {
     std::printf(
-        "crowds: triangles among too many others in one place; crossings, contacts and gaps were looked for among "
+        "clusters: triangles among too many others in one place; crossings, contacts and gaps were looked for among "
         "the first of them only, so there are more\n");
   }
   std::printf("size: length of edges, area of duplicates, height of the thinnest sliver, width of the widest gap\n");
@@ -323,10 +323,11 @@ void addInspectCommand(CLI::App& app, Console& console, ExitStatus& status)
   command->add_option("MODEL", options->file, modelFormats)->required();
   declareModelOptions(*command, options->model);
   command
-      ->add_option("--features", options->features,
-                   "Also write the curves and corners that a mesh is to keep: rims, creases, junctions, borders")
+      ->add_option(
+          "--features", options->features,
+          "Also write the curves and corners that a mesh is to keep: boundary edges, creases, junctions, borders")
       ->type_name("OUT.vtp");
-  command->add_option("--gap", options->gap, "Width in metres up to which gaps are looked for; 0 for none")
+  command->add_option("--gap", options->gap, "Width in meters up to which gaps are looked for; 0 for none")
       ->capture_default_str()
       ->check(CLI::NonNegativeNumber)
       ->type_name("M");

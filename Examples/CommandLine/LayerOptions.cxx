@@ -48,7 +48,7 @@ void declareLayerOptions(CLI::App& command, LayerOptions& options)
                   "text) and on domain sides of that name; may be repeated, the last that matches holds (default: 1)")
       ->allow_extra_args(false)
       ->type_name("N|PATTERN=N[:FIRST[:GROWTH]]");
-  command.add_option("--first-layer", options.firstHeight, "Height of the layer on the wall, metres; 0 for any")
+  command.add_option("--first-layer", options.firstHeight, "Height of the layer on the wall, meters; 0 for any")
       ->capture_default_str()
       ->check(CLI::NonNegativeNumber)
       ->type_name("M");

@@ -85,11 +85,11 @@ void declareSiteOptions(CLI::App& command, MeshOptions& options, CLI::Option* do
   automatic->excludes(domain)->excludes(site);
   command
       .add_option("--wind", options.wind,
-                  "Where the wind blows to, degrees from x, anticlockwise from above; for --automatic")
+                  "Where the wind blows to, degrees from x, aounterclockwise from above; for --automatic")
       ->needs(automatic)
       ->check(CLI::Range(-360.0, 360.0))
       ->type_name("DEG");
-  command.add_option("--domain-angle", options.domainAngle, "Turns the domain, degrees anticlockwise from above")
+  command.add_option("--domain-angle", options.domainAngle, "Turns the domain, degrees aounterclockwise from above")
       ->excludes(automatic)
       ->check(CLI::Range(-180.0, 180.0))
       ->type_name("DEG");
@@ -125,15 +125,15 @@ void declareOptions(CLI::App& command, MeshOptions& options)
   const auto size = [&](const char* name, double& value, const char* text) {
     command.add_option(name, value, text)->capture_default_str()->check(CLI::PositiveNumber)->type_name("M");
   };
-  size("--size-max", options.sizeMax, "Element size away from surfaces, metres");
-  size("--size-mid", options.sizeMid, "Element size at surfaces, metres");
-  size("--size-min", options.sizeMin, "Element size at edges, corners and close surfaces, metres; the grid's unit");
+  size("--size-max", options.sizeMax, "Element size away from surfaces, meters");
+  size("--size-mid", options.sizeMid, "Element size at surfaces, meters");
+  size("--size-min", options.sizeMin, "Element size at edges, corners and close surfaces, meters; the grid's unit");
   declareSizeOptions(command, options.sizes);
   declareLayerOptions(command, options.layers);
   command.add_flag("--estimate", options.estimate, "Print octants by size, elements and memory, and make no mesh");
   command
       .add_option("--gap", options.gap,
-                  "Gaps narrower than this are closed, metres; 0 closes none (default: 0.05 of --size-min)")
+                  "Gaps narrower than this are closed, meters; 0 closes none (default: 0.05 of --size-min)")
       ->check(CLI::NonNegativeNumber)
       ->type_name("M");
   command
@@ -143,7 +143,7 @@ void declareOptions(CLI::App& command, MeshOptions& options)
       ->check(CLI::Range(0.0, 0.9))
       ->type_name("PART");
   auto* domain =
-      command.add_option("--domain", options.domain, "Bounds of the domain, metres (default: those of the model)")
+      command.add_option("--domain", options.domain, "Bounds of the domain, meters (default: those of the model)")
           ->expected(6)
           ->type_name("X0 X1 Y0 Y1 Z0 Z1");
   auto* site = command
@@ -171,7 +171,7 @@ void declareOptions(CLI::App& command, MeshOptions& options)
   command.add_option("--patches", options.patches, "Also write the named boundary patches")->type_name("OUT.vtpc");
   command.add_option("--openfoam", options.openfoam, "Also write an OpenFOAM case with the mesh")->type_name("DIR");
   command.add_flag("--restore-offset", options.restoreOffset,
-                   "Write the OpenFOAM case where the model was before --recentre moved it");
+                   "Write the OpenFOAM case where the model was before --recenter moved it");
   command
       .add_option("--report", options.report,
                   "Also write counts, zones, leaks, patches, quality, repairs and times as JSON")
@@ -450,12 +450,12 @@ ExitStatus runMesh(const MeshOptions& options, Console& console)
   if (merged.cells > 0)
   {
     std::cout << options.openfoam << ": " << merged.cells
-              << " cells fewer, as elements with too few neighbours were made one with one of them\n";
+              << " cells fewer, as elements with too few neighbors were made one with one of them\n";
   }
   if (merged.addedCells > 0)
   {
     std::cout << options.openfoam << ": " << merged.addedCells
-              << " cells more, as elements with too few neighbours were cut into pyramids\n";
+              << " cells more, as elements with too few neighbors were cut into pyramids\n";
   }
   if (merged.faces > 0)
   {

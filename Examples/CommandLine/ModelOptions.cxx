@@ -12,9 +12,9 @@ namespace atria::tool {
 
 namespace {
 
-const std::map<std::string, int> units{{"m", vtkAtriaSurfaceReader::Metres},
-                                       {"mm", vtkAtriaSurfaceReader::Millimetres},
-                                       {"cm", vtkAtriaSurfaceReader::Centimetres},
+const std::map<std::string, int> units{{"m", vtkAtriaSurfaceReader::Meters},
+                                       {"mm", vtkAtriaSurfaceReader::Millimeters},
+                                       {"cm", vtkAtriaSurfaceReader::Centimeters},
                                        {"in", vtkAtriaSurfaceReader::Inches},
                                        {"ft", vtkAtriaSurfaceReader::Feet}};
 const std::map<std::string, int> axes{{"y", vtkAtriaSurfaceReader::YUp}, {"z", vtkAtriaSurfaceReader::ZUp}};
@@ -27,7 +27,7 @@ const std::map<std::string, int> rules{{"shape", vtkAtriaSurfaceReader::Shape},
 
 void declareModelOptions(CLI::App& command, ModelOptions& options)
 {
-  command.add_option("--unit", options.unit, "Unit of length in the file; metres unless given")
+  command.add_option("--unit", options.unit, "Unit of length in the file; meters unless given")
       ->check(CLI::IsMember({"m", "mm", "cm", "in", "ft"}))
       ->type_name("m|mm|cm|in|ft");
   command.add_option("--scale", options.scale, "A further factor for all lengths")
@@ -38,8 +38,8 @@ void declareModelOptions(CLI::App& command, ModelOptions& options)
                   "The axis that is up in the file; z unless given, y in glTF. With y the model is turned")
       ->check(CLI::IsMember({"y", "z"}))
       ->type_name("y|z");
-  command.add_flag("--recentre", options.recentre,
-                   "Move a model that is far from the origin there, by whole hundreds of metres");
+  command.add_flag("--recenter", options.recenter,
+                   "Move a model that is far from the origin there, by whole hundreds of meters");
   command.add_flag("--keep-duplicates", options.keepDuplicates,
                    "Keep faces that coincide with earlier ones, such as the backs of sheets");
   command.add_option("--surfaces-by", options.surfacesBy, "What makes a named surface")
@@ -48,13 +48,13 @@ void declareModelOptions(CLI::App& command, ModelOptions& options)
       ->type_name("shape|group|material|connected");
   command
       .add_option("--round-angle", options.roundAngle,
-                  "Angle between neighbouring points of VRML's spheres, cones and cylinders, degrees")
+                  "Angle between neighboring points of VRML's spheres, cones and cylinders, degrees")
       ->capture_default_str()
       ->check(CLI::Range(1.0, 90.0))
       ->type_name("DEG");
   command
       .add_option("--round-error", options.roundError,
-                  "Greatest distance of their facets from the true surface, metres; 0 for any")
+                  "Greatest distance of their facets from the true surface, meters; 0 for any")
       ->capture_default_str()
       ->check(CLI::NonNegativeNumber)
       ->type_name("M");
@@ -71,7 +71,7 @@ void configure(vtkAtriaSurfaceReader* reader, const ModelOptions& options)
     reader->SetUpAxis(axes.at(options.up));
   }
   reader->SetScale(options.scale);
-  reader->SetRecentre(options.recentre);
+  reader->SetRecenter(options.recenter);
   reader->SetMergeDuplicateFaces(!options.keepDuplicates);
   reader->SetSurfaceBy(rules.at(options.surfacesBy));
   if (auto* vrml = vtkAtriaVRMLReader::SafeDownCast(reader))

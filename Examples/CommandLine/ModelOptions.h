@@ -16,7 +16,7 @@ struct ModelOptions
   std::string unit;
   double scale = 1.0;
   std::string up;
-  bool recentre = false;
+  bool recenter = false;
   bool keepDuplicates = false;
   std::string surfacesBy = "shape";
   double roundAngle = 10.0;

@@ -15,17 +15,17 @@ std::string number(double value)
   return text;
 }
 
-std::string rgb(const Colour& colour)
+std::string rgb(const Color& color)
 {
   char text[8];
-  std::snprintf(text, sizeof text, "#%02x%02x%02x", colour[0], colour[1], colour[2]);
+  std::snprintf(text, sizeof text, "#%02x%02x%02x", color[0], color[1], color[2]);
   return text;
 }
 
 std::string svgOf(const Bar& bar)
 {
   const std::string rect = "<rect x=\"" + number(bar.x) + "\" y=\"" + number(bar.y) + "\" width=\"" +
-                           number(bar.width) + "\" height=\"" + number(bar.height) + "\" fill=\"" + rgb(bar.colour) +
+                           number(bar.width) + "\" height=\"" + number(bar.height) + "\" fill=\"" + rgb(bar.color) +
                            '"';
   return bar.tip.empty() ? rect + "/>" : rect + "><title>" + escaped(bar.tip) + "</title></rect>";
 }
@@ -37,7 +37,7 @@ std::string svgOf(const Line& line)
   {
     points += number(x) + ',' + number(y) + ' ';
   }
-  return "<polyline points=\"" + points + "\" fill=\"none\" stroke=\"" + rgb(line.colour) + "\" stroke-width=\"" +
+  return "<polyline points=\"" + points + "\" fill=\"none\" stroke=\"" + rgb(line.color) + "\" stroke-width=\"" +
          number(line.width) + "\"/>";
 }
 
@@ -45,7 +45,7 @@ std::string svgOf(const Text& text)
 {
   const char* const anchors[] = {"start", "middle", "end"};
   return "<text x=\"" + number(text.x) + "\" y=\"" + number(text.y) + "\" font-size=\"" + number(text.size) +
-         "\" text-anchor=\"" + anchors[static_cast<int>(text.anchor)] + "\" dy=\"0.35em\" fill=\"" + rgb(text.colour) +
+         "\" text-anchor=\"" + anchors[static_cast<int>(text.anchor)] + "\" dy=\"0.35em\" fill=\"" + rgb(text.color) +
          '"' + (text.bold ? " font-weight=\"bold\">" : ">") + escaped(text.text) + "</text>";
 }
 

@@ -11,12 +11,12 @@
 namespace atria::tool {
 
 /// Red, green, blue, 0 to 255.
-using Colour = std::array<unsigned char, 3>;
+using Color = std::array<unsigned char, 3>;
 
 struct Bar
 {
   double x, y, width, height;
-  Colour colour;
+  Color color;
   std::string tip; ///< what a browser shows when pointed at; empty for nothing
 };
 
@@ -24,7 +24,7 @@ struct Line
 {
   std::vector<std::pair<double, double>> points;
   double width;
-  Colour colour;
+  Color color;
 };
 
 enum class Anchor
@@ -41,7 +41,7 @@ struct Text
   std::string text;
   double size;
   Anchor anchor;
-  Colour colour;
+  Color color;
   bool bold;
 };
 

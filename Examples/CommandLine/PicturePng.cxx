@@ -36,14 +36,14 @@ public:
       return std::max(0.0, std::min(pixel + 1.0, high) - std::max<double>(pixel, low));
     };
     forPixels(bar.x, bar.y, right, bottom,
-              [&](int x, int y) { blend(x, y, bar.colour, overlap(x, bar.x, right) * overlap(y, bar.y, bottom)); });
+              [&](int x, int y) { blend(x, y, bar.color, overlap(x, bar.x, right) * overlap(y, bar.y, bottom)); });
   }
 
   void draw(const Line& line)
   {
     for (std::size_t i = 0; i + 1 < line.points.size(); ++i)
     {
-      drawSegment(line.points[i], line.points[i + 1], line.width, line.colour);
+      drawSegment(line.points[i], line.points[i + 1], line.width, line.color);
     }
   }
 
@@ -54,7 +54,7 @@ public:
     property->SetFontFamilyToArial();
     property->SetFontSize(static_cast<int>(std::lround(text.size)));
     property->SetBold(text.bold);
-    property->SetColor(text.colour[0] / 255.0, text.colour[1] / 255.0, text.colour[2] / 255.0);
+    property->SetColor(text.color[0] / 255.0, text.color[1] / 255.0, text.color[2] / 255.0);
     vtkNew<vtkImageData> drawn;
     int size[2] = {0, 0};
     vtkTextRenderer* renderer = vtkTextRenderer::GetInstance();
@@ -72,7 +72,7 @@ public:
       {
         const auto* pixel = static_cast<const unsigned char*>(
             drawn->GetScalarPointer(drawn->GetExtent()[0] + x, drawn->GetExtent()[2] + size[1] - 1 - y, 0));
-        blend(left + x, top + y, text.colour, pixel[3] / 255.0);
+        blend(left + x, top + y, text.color, pixel[3] / 255.0);
       }
     }
   }
@@ -93,7 +93,7 @@ private:
     }
   }
 
-  void drawSegment(std::pair<double, double> a, std::pair<double, double> b, double thickness, const Colour& colour)
+  void drawSegment(std::pair<double, double> a, std::pair<double, double> b, double thickness, const Color& color)
   {
     const double reach = 0.5 * thickness + 1.0;
     const double dx = b.first - a.first;
@@ -105,11 +105,11 @@ private:
                 const double py = y + 0.5 - a.second;
                 const double along = std::clamp((px * dx + py * dy) / square, 0.0, 1.0);
                 const double distance = std::hypot(px - along * dx, py - along * dy);
-                blend(x, y, colour, std::clamp(0.5 * thickness + 0.5 - distance, 0.0, std::min(1.0, thickness)));
+                blend(x, y, color, std::clamp(0.5 * thickness + 0.5 - distance, 0.0, std::min(1.0, thickness)));
               });
   }
 
-  void blend(int x, int y, const Colour& colour, double share)
+  void blend(int x, int y, const Color& color, double share)
   {
     if (x < 0 || y < 0 || x >= width || y >= height || share <= 0.0)
     {
@@ -118,7 +118,7 @@ private:
     auto* pixel = static_cast<unsigned char*>(image->GetScalarPointer(x, height - 1 - y, 0));
     for (int c = 0; c < 3; ++c)
     {
-      pixel[c] = static_cast<unsigned char>(std::lround(pixel[c] + share * (colour[c] - pixel[c])));
+      pixel[c] = static_cast<unsigned char>(std::lround(pixel[c] + share * (color[c] - pixel[c])));
     }
   }
 

@@ -17,10 +17,10 @@ namespace atria::tool {
 
 namespace {
 
-constexpr Colour ink{40, 40, 40};
-constexpr Colour faint{215, 215, 215};
-constexpr Colour barColour{86, 126, 178};
-constexpr Colour lineColour{206, 74, 58};
+constexpr Color ink{40, 40, 40};
+constexpr Color faint{215, 215, 215};
+constexpr Color barColor{86, 126, 178};
+constexpr Color lineColor{206, 74, 58};
 constexpr double chartWidth = 440.0;
 constexpr double chartHeight = 250.0;
 constexpr double gap = 24.0;
@@ -33,9 +33,9 @@ struct Metric
   std::string of;
   double minimum, maximum, mean, deviation;
   long long count;
-  std::vector<double> centres, density, cumulative;
+  std::vector<double> centers, density, cumulative;
 
-  double binWidth() const { return centres.size() > 1 ? centres[1] - centres[0] : 1.0; }
+  double binWidth() const { return centers.size() > 1 ? centers[1] - centers[0] : 1.0; }
 };
 
 std::string format(const char* pattern, double value)
@@ -68,7 +68,7 @@ std::vector<Metric> metricsOf(vtkTable* summary, vtkTable* histogram)
     m.mean = number("Mean");
     m.deviation = number("StandardDeviation");
     m.count = summary->GetValueByName(row, "Count").ToLongLong();
-    m.centres = columnOf(histogram, m.name);
+    m.centers = columnOf(histogram, m.name);
     m.density = columnOf(histogram, m.name + "_PDF");
     m.cumulative = columnOf(histogram, m.name + "_CDF");
     metrics.push_back(std::move(m));
@@ -103,12 +103,12 @@ void drawAxes(Picture& chart, const Axes& axes)
   {
     const double y = axes.y(value / axes.greatest);
     chart.shapes.push_back(Line{{{axes.left, y}, {axes.right, y}}, 1.0, faint});
-    chart.shapes.push_back(Text{axes.left - 6, y, rounded(value), size, Anchor::Right, barColour, false});
+    chart.shapes.push_back(Text{axes.left - 6, y, rounded(value), size, Anchor::Right, barColor, false});
   }
   for (const double share : {0.0, 0.5, 1.0})
   {
     chart.shapes.push_back(
-        Text{axes.right + 6, axes.y(share), format("%.1f", share), size, Anchor::Left, lineColour, false});
+        Text{axes.right + 6, axes.y(share), format("%.1f", share), size, Anchor::Left, lineColor, false});
   }
   const double stepX = niceStep(axes.high - axes.low);
   for (double k = std::ceil(axes.low / stepX); k * stepX <= axes.high + 1e-9 * stepX; ++k)
@@ -137,21 +137,21 @@ Picture drawChart(const Metric& metric)
   }
   const double half = 0.5 * metric.binWidth();
   Axes axes;
-  axes.low = metric.centres.front() - half;
-  axes.high = metric.centres.back() + half;
+  axes.low = metric.centers.front() - half;
+  axes.high = metric.centers.back() + half;
   axes.greatest = *std::max_element(metric.density.begin(), metric.density.end());
-  chart.shapes.push_back(Text{axes.left, 32, "PDF", 11, Anchor::Right, barColour, true});
-  chart.shapes.push_back(Text{axes.right, 32, "CDF", 11, Anchor::Left, lineColour, true});
+  chart.shapes.push_back(Text{axes.left, 32, "PDF", 11, Anchor::Right, barColor, true});
+  chart.shapes.push_back(Text{axes.right, 32, "CDF", 11, Anchor::Left, lineColor, true});
   drawAxes(chart, axes);
-  Line cumulative{{{axes.left, axes.bottom}}, 2.0, lineColour};
-  for (std::size_t b = 0; b < metric.centres.size(); ++b)
+  Line cumulative{{{axes.left, axes.bottom}}, 2.0, lineColor};
+  for (std::size_t b = 0; b < metric.centers.size(); ++b)
   {
-    const double from = axes.x(metric.centres[b] - half);
-    const double to = axes.x(metric.centres[b] + half);
+    const double from = axes.x(metric.centers[b] - half);
+    const double to = axes.x(metric.centers[b] + half);
     const double top = axes.y(metric.density[b] / axes.greatest);
     const double share = metric.density[b] * metric.binWidth();
-    chart.shapes.push_back(Bar{from, top, std::max(0.5, to - from - 1.0), axes.bottom - top, barColour,
-                               rounded(metric.centres[b]) + ": " + format("%.4g %%", 100.0 * share)});
+    chart.shapes.push_back(Bar{from, top, std::max(0.5, to - from - 1.0), axes.bottom - top, barColor,
+                               rounded(metric.centers[b]) + ": " + format("%.4g %%", 100.0 * share)});
     cumulative.points.push_back({to, axes.y(metric.cumulative[b])});
   }
   chart.shapes.push_back(std::move(cumulative));

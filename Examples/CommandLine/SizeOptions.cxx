@@ -49,15 +49,15 @@ void declareSizeOptions(CLI::App& command, SizeOptions& options)
   command
       .add_option("--size", options.surfaces,
                   "Element size at the surfaces whose name matches the pattern (* and ? stand for text), and at their "
-                  "edges, metres; may be repeated")
+                  "edges, meters; may be repeated")
       ->allow_extra_args(false)
       ->type_name("PATTERN SIZE[:FEATURE]");
-  command.add_option("--refine-box", options.boxes, "Element size in a box, metres; may be repeated")
+  command.add_option("--refine-box", options.boxes, "Element size in a box, meters; may be repeated")
       ->allow_extra_args(false)
       ->type_name("X0 X1 Y0 Y1 Z0 Z1 SIZE");
   command
       .add_option("--refine-near", options.near,
-                  "Element size up to a distance from the surfaces that match, metres; may be repeated")
+                  "Element size up to a distance from the surfaces that match, meters; may be repeated")
       ->allow_extra_args(false)
       ->type_name("PATTERN DISTANCE SIZE");
   command

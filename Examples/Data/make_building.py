@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writes building.wrl and building_turned17.wrl: a building of zero-thickness sheets on a site, and their openings.
 
-All lengths are in metres, Z is up. Two storeys and an attic under a gabled roof that stands out over the walls on all
+All lengths are in meters, Z is up. Two storeys and an attic under a gabled roof that stands out over the walls on all
 sides, slabs between the storeys, partitions with doors, and a screen before the building: 4,188 m2 of sheets with
 62 m2 of openings. All rooms are connected with the open through windows and doors. Sheets share their points wherever
 they meet. The walls stand on the site, which is a plain rectangle under everything, as it comes from a survey; they do
@@ -152,7 +152,7 @@ def sheets():
     }
 
 
-COLOURS = {"Boards": "0.62 0.45 0.30", "Plaster": "0.93 0.91 0.85", "Tiles": "0.68 0.30 0.22", "Grass": "0.50 0.62 0.40"}
+COLORS = {"Boards": "0.62 0.45 0.30", "Plaster": "0.93 0.91 0.85", "Tiles": "0.68 0.30 0.22", "Grass": "0.50 0.62 0.40"}
 PLACES = {
     "WallSouth": along(0.0),
     "WallNorth": along(WIDTH),
@@ -194,7 +194,7 @@ def model(degrees):
         look = f"USE {material}"
         if material not in defined:
             defined.add(material)
-            look = f"DEF {material} Material {{ diffuseColor {COLOURS[material]} }}"
+            look = f"DEF {material} Material {{ diffuseColor {COLORS[material]} }}"
         return surface(name, polygons, f"appearance Appearance {{ material {look} }}\n")
 
     turn = f"rotation 0 0 1 {math.radians(degrees)!r} center {LENGTH / 2:g} {WIDTH / 2:g} 0 " if degrees else ""
@@ -202,7 +202,7 @@ def model(degrees):
     x0, y0, x1, y1 = SITE
     site = [[(x0, y0, 0.0), (x1, y0, 0.0), (x1, y1, 0.0), (x0, y1, 0.0)]]
     return (
-        "#VRML V2.0 utf8\n# Written by make_building.py. Metres, Z up.\n"
+        "#VRML V2.0 utf8\n# Written by make_building.py. Meters, Z up.\n"
         f"DEF Building Transform {{ {turn}children [\n{''.join(parts)}] }}\n{shape('Site', site, 'Grass')}"
     )
 

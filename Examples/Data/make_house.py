@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Writes house.wrl and house_turned17.wrl: a gabled house of zero-thickness walls on a site, with a neighbour.
+"""Writes house.wrl and house_turned17.wrl: a gabled house of zero-thickness walls on a site, with a neighbor.
 
-All lengths are in metres, Z is up. Walls, roof, floor and partitions are single sheets that share their points wherever
+All lengths are in meters, Z is up. Walls, roof, floor and partitions are single sheets that share their points wherever
 they meet. The site is a plain rectangle under everything, as it comes from a survey. In the turned model everything
 but the site is turned by 17 degrees about the vertical through the middle of the house.
 
@@ -85,7 +85,7 @@ def partition(x, door, up_to_roof):
     return [[(x, y, z) for y, z in outline]]
 
 
-def neighbour(x0=49.0, y0=2.0, length=12.0, width=10.0, eaves=6.0, ridge=9.0):
+def neighbor(x0=49.0, y0=2.0, length=12.0, width=10.0, eaves=6.0, ridge=9.0):
     """A closed solid, faces outward."""
     x1, y1, ym = x0 + length, y0 + width, y0 + width / 2
     return [
@@ -117,7 +117,7 @@ HOUSE = {
     "PartitionA": (partition(PARTITION_A, DOOR_A, up_to_roof=True), "Plaster"),
     "PartitionB": (partition(PARTITION_B, DOOR_B, up_to_roof=False), "Plaster"),
 }
-COLOURS = {"Boards": "0.62 0.45 0.30", "Plaster": "0.93 0.91 0.85", "Tiles": "0.68 0.30 0.22", "Grass": "0.50 0.62 0.40"}
+COLORS = {"Boards": "0.62 0.45 0.30", "Plaster": "0.93 0.91 0.85", "Tiles": "0.68 0.30 0.22", "Grass": "0.50 0.62 0.40"}
 
 
 def model(turned):
@@ -127,14 +127,14 @@ def model(turned):
         look = f"USE {material}"
         if material not in defined:
             defined.add(material)
-            look = f"DEF {material} Material {{ diffuseColor {COLOURS[material]} }}"
+            look = f"DEF {material} Material {{ diffuseColor {COLORS[material]} }}"
         return surface(name, polygons, f"appearance Appearance {{ material {look} }}\n")
 
     turn = f"rotation 0 0 1 {TURN!r} center {LENGTH / 2:g} {WIDTH / 2:g} 0 " if turned else ""
     parts = [shape(name, *value) for name, value in with_points_in_between(HOUSE).items()]
-    parts.append(shape("Neighbour", neighbour(), "Plaster"))
+    parts.append(shape("Neighbor", neighbor(), "Plaster"))
     return (
-        "#VRML V2.0 utf8\n# Written by make_house.py. Metres, Z up.\n"
+        "#VRML V2.0 utf8\n# Written by make_house.py. Meters, Z up.\n"
         f"DEF Buildings Transform {{ {turn}children [\n{''.join(parts)}] }}\n{shape('Site', site(), 'Grass')}"
     )
 

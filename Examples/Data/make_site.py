@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Writes site.wrl, a district on a site of 1343 x 1692 m, or site_small.wrl, a few of its blocks on 240 x 300 m.
 
-All lengths are in metres, Z is up. Blocks of buildings stand along streets; in the north-east they are turned by 20
+All lengths are in meters, Z is up. Blocks of buildings stand along streets; in the north-east they are turned by 20
 degrees. Buildings are flat or gabled, 5 to 60 m high, and have no floor: they stand on the site. The named details are
 sheets of zero thickness: canopies over entrances and screens at bus stops. The same file is written every time.
 
@@ -22,7 +22,7 @@ BLOCK = (64.0, 52.0)  # a block with the streets around it
 STREET = 14.0
 GAP = 4.0  # between buildings of a block
 TURN = math.radians(20)
-COLOURS = {"Flat": "0.85 0.83 0.80", "Gabled": "0.70 0.38 0.28", "Detail": "0.55 0.65 0.75", "Ground": "0.50 0.60 0.42"}
+COLORS = {"Flat": "0.85 0.83 0.80", "Gabled": "0.70 0.38 0.28", "Detail": "0.55 0.65 0.75", "Ground": "0.50 0.60 0.42"}
 
 
 def box(x0, y0, x1, y1, height):
@@ -115,9 +115,9 @@ def model(small):
     parts.append(("Site", [[(0.0, 0.0, 0.0), (x1, 0.0, 0.0), (x1, y1, 0.0), (0.0, y1, 0.0)]], "Ground"))
     shapes = []
     for name, polygons, look in parts:
-        colour = f"appearance Appearance {{ material Material {{ diffuseColor {COLOURS[look]} }} }}\n"
-        shapes.append(surface(name, polygons, colour))
-    return "#VRML V2.0 utf8\n# Written by make_site.py. Metres, Z up.\n" + "".join(shapes), buildings
+        color = f"appearance Appearance {{ material Material {{ diffuseColor {COLORS[look]} }} }}\n"
+        shapes.append(surface(name, polygons, color))
+    return "#VRML V2.0 utf8\n# Written by make_site.py. Meters, Z up.\n" + "".join(shapes), buildings
 
 
 def main():

@@ -67,7 +67,7 @@ def main():
     folder = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else pathlib.Path(__file__).parent)
     subdivisions = int(sys.argv[2]) if len(sys.argv) > 2 else 5
     folder.mkdir(parents=True, exist_ok=True)
-    text = "#VRML V2.0 utf8\n# Written by make_sphere.py. Metres.\n"
+    text = "#VRML V2.0 utf8\n# Written by make_sphere.py. Meters.\n"
     text += surface("Cube", cube(5.0)) + surface("Sphere", sphere(2.0, subdivisions), digits=7)
     (folder / "sphere_in_cube.wrl").write_text(text)
 

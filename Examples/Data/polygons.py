@@ -5,7 +5,7 @@ import math
 
 
 def with_points_in_between(surfaces):
-    """Puts into every edge the points of the model that lie on it, so that neighbours share whole edges.
+    """Puts into every edge the points of the model that lie on it, so that neighbors share whole edges.
 
     `surfaces` are pairs of polygons and material by name.
     """

@@ -29,7 +29,7 @@ def main(model, folder):
 
     mesher = vtkAtriaDualMesher()
     mesher.SetInputConnection(0, reader.GetOutputPort())
-    mesher.SetSizeMax(8.0)  # metres, as all sizes
+    mesher.SetSizeMax(8.0)  # meters, as all sizes
     mesher.SetSizeMid(2.0)
     mesher.SetSizeMin(1.0)
     mesher.SetDomainMode(vtkAtriaDualMesher.Site)

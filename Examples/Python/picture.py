@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws a mesh cut open: elements behind a plane coloured by size, and before it the patches without the house's front.
+"""Draws a mesh cut open: elements behind a plane colored by size, and before it the patches without the house's front.
 
 Usage: picture.py MESH.vtu PATCHES.vtpc PICTURE.png    (needs a display, such as xvfb-run gives)
 """
@@ -22,13 +22,13 @@ from vtkmodules.vtkRenderingCore import (
     vtkActor, vtkDataSetMapper, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter,
 )
 
-# Colours of patches by the beginning of their name; the first that fits.
-PATCH_COLOURS = {
+# Colors of patches by the beginning of their name; the first that fits.
+PATCH_COLORS = {
     "Roof": "salmon", "Gable": "sandybrown", "Wall": "linen", "Partition": "lightsteelblue",
-    "Floor": "burlywood", "Neighbour": "gainsboro", "Site": "honeydew", "zMin": "honeydew",
+    "Floor": "burlywood", "Neighbor": "gainsboro", "Site": "honeydew", "zMin": "honeydew",
 }
 HIDDEN = ("RoofSouth", "WallSouth")  # so that the rooms are seen
-CUT_Y = 16.5  # the mesh is shown behind this plane, metres
+CUT_Y = 16.5  # the mesh is shown behind this plane, meters
 
 
 def read(reader, file):
@@ -52,7 +52,7 @@ def behind(mesh):
     return surface.GetOutput()
 
 
-def level_colours(levels):
+def level_colors(levels):
     """Pale for large elements, blue for small ones."""
     table = vtkLookupTable()
     table.SetNumberOfTableValues(int(levels[1] - levels[0]) + 1)
@@ -79,7 +79,7 @@ def cut_actor(mesh):
     mapper.SetScalarModeToUseCellFieldData()
     mapper.SelectColorArray("Level")
     mapper.SetColorModeToMapScalars()  # Level is of unsigned char, which would be taken for grey values
-    mapper.SetLookupTable(level_colours(levels))
+    mapper.SetLookupTable(level_colors(levels))
     mapper.UseLookupTableScalarRangeOn()
     actor = vtkActor()
     actor.SetMapper(mapper)
@@ -87,18 +87,18 @@ def cut_actor(mesh):
 
 
 def patch_actors(patches):
-    colours = vtkNamedColors()
+    colors = vtkNamedColors()
     for i in range(patches.GetNumberOfPartitionedDataSets()):
         name = patches.GetMetaData(i).Get(vtkCompositeDataSet.NAME())
-        colour = next((c for start, c in PATCH_COLOURS.items() if name.startswith(start)), None)
-        if colour is None or name.startswith(HIDDEN):
+        color = next((c for start, c in PATCH_COLORS.items() if name.startswith(start)), None)
+        if color is None or name.startswith(HIDDEN):
             continue
         mapper = vtkPolyDataMapper()
         mapper.SetInputDataObject(patches.GetPartition(i, 0))
         mapper.ScalarVisibilityOff()
         actor = vtkActor()
         actor.SetMapper(mapper)
-        actor.GetProperty().SetColor(colours.GetColor3d(colour))
+        actor.GetProperty().SetColor(colors.GetColor3d(color))
         yield with_edges(actor)
 
 
@@ -122,17 +122,17 @@ def draw(actors, file):
     image = vtkWindowToImageFilter()
     image.SetInput(window)
     image.ReadFrontBufferOff()
-    # A few hundred colours are enough, and make a much smaller file.
+    # A few hundred colors are enough, and make a much smaller file.
     indices = vtkImageQuantizeRGBToIndex()
     indices.SetInputConnection(image.GetOutputPort())
     indices.SetNumberOfColors(256)
     indices.Update()
-    colours = vtkImageMapToColors()
-    colours.SetInputConnection(indices.GetOutputPort())
-    colours.SetLookupTable(indices.GetLookupTable())
-    colours.SetOutputFormatToRGB()
+    colors = vtkImageMapToColors()
+    colors.SetInputConnection(indices.GetOutputPort())
+    colors.SetLookupTable(indices.GetLookupTable())
+    colors.SetOutputFormatToRGB()
     writer = vtkPNGWriter()
-    writer.SetInputConnection(colours.GetOutputPort())
+    writer.SetInputConnection(colors.GetOutputPort())
     writer.SetFileName(file)
     writer.SetCompressionLevel(9)
     writer.Write()

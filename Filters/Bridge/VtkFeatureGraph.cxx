@@ -21,7 +21,7 @@ namespace atria {
 
 namespace {
 
-constexpr std::array<const char*, 5> curveKindNames{"rim", "crease", "junction", "border", "corner"};
+constexpr std::array<const char*, 5> curveKindNames{"boundary", "crease", "junction", "border", "corner"};
 constexpr int cornerKind = 4;
 
 /// The points of the model that are in use, in VTK's numbers.

@@ -22,24 +22,24 @@
  * hexahedra along the edges: without it some have an angle of 180 degrees there. It counts as one layer.
  *
  * Output port 1: vtkPartitionedDataSetCollection, one named vtkPolyData a patch. A surface with elements on its front
- * and its back is two patches, `<name>_front` and `<name>_back`; the two sides have points of their own, but at rims.
- * Bare domain sides are `xMin` … `zMax`. Cell arrays: `SurfaceId` (int; -1 on bare domain sides), `OwnerCellId`
- * (vtkIdType, cell of port 0), `Side` (int; 0 front, 1 back), `LayerCount` (int) and `LayerThickness` (double): layers
- * at the face. Point array: `VolumePointId` (vtkIdType, point of port
- * 0). Every face is a face of its owner, seen counter-clockwise from outside of the mesh.
+ * and its back is two patches, `<name>_front` and `<name>_back`; the two sides have points of their own, but at
+ * boundary edges. Bare domain sides are `xMin` … `zMax`. Cell arrays: `SurfaceId` (int; -1 on bare domain sides),
+ * `OwnerCellId` (vtkIdType, cell of port 0), `Side` (int; 0 front, 1 back), `LayerCount` (int) and `LayerThickness`
+ * (double): layers at the face. Point array: `VolumePointId` (vtkIdType, point of port 0). Every face is a face of its
+ * owner, seen counter-clockwise from outside of the mesh.
  *
  * Output port 2: vtkPolyData with a line or vertex for each place where the mesh could not follow the model, or where
  * one should look: MergedSheets, where an octree edge is cut more than once and the sheets became one (line from the
  * first to the last); UnresolvedFeature, where pieces that do not meet share a vertex; LeakPath, the way by which a
- * sealed seed reaches the outside; ClosedCrack, a gap beside a rim, narrower than an octant, that the mesh closes;
- * OpenCrack, one that stays open; ReleasedVertex, a vertex that had to leave the
- * model for elements to be valid, with the way to where it should be. Cell arrays: `Diagnostic` (int, index into the
- * field array `DiagnosticName`), `CellId` (vtkIdType; -1 for a leak that is not in the mesh), `Width` (double, of leaks
- * and cracks). Field array `SurfaceWithoutFaces`: names of surfaces that got no face. Field arrays `Zone...` have an
- * entry for each zone, those left out included, by ZoneId; `Leak...` one for each leak: see docs/arrays.md. Field
- * arrays `LayerSurface`, `LayersAsked`, `LayerArea`, `LayerCoverage`, `LayerFullCoverage`, `LayerThicknessRatio`: what
- * became of layers, an entry for each surface that was to have some. Field array `SizingWarning`: what MaxElements left
- * out, if anything. Field arrays `RepairName` and `RepairValue`: what was changed to make the surfaces sound, see
+ * sealed seed reaches the outside; ClosedCrack, a gap beside a boundary edge, narrower than an octant, that the mesh
+ * closes; OpenCrack, one that stays open; DetachedVertex, a vertex that had to leave the model for elements to be
+ * valid, with the way to where it should be. Cell arrays: `Diagnostic` (int, index into the field array
+ * `DiagnosticName`), `CellId` (vtkIdType; -1 for a leak that is not in the mesh), `Width` (double, of leaks and
+ * cracks). Field array `SurfaceWithoutFaces`: names of surfaces that got no face. Field arrays `Zone...` have an entry
+ * for each zone, those left out included, by ZoneId; `Leak...` one for each leak: see docs/arrays.md. Field arrays
+ * `LayerSurface`, `LayersAsked`, `LayerArea`, `LayerCoverage`, `LayerFullCoverage`, `LayerThicknessRatio`: what became
+ * of layers, an entry for each surface that was to have some. Field array `SizingWarning`: what MaxElements left out,
+ * if anything. Field arrays `RepairName` and `RepairValue`: what was changed to make the surfaces sound, see
  * docs/arrays.md.
  *
  * Elements may still be inverted where the model is finer than the octants: vtkAtriaMeshQuality tells which.
@@ -154,9 +154,9 @@ public:
   ///@{
   /**
    * Greatest non-orthogonality, in degrees, and OpenFOAM's skewness that hexahedra at curved walls are to have, away
-   * from creases and rims, if they can: those that have more are improved. With 30 and 0.75 the layer of a sphere takes
-   * half of the time or less. They count for a single layer without a height. Defaults 20 and 0.5; clamped to [1, 89.9]
-   * and [0.01, 1000].
+   * from creases and boundary edges, if they can: those that have more are improved. With 30 and 0.75 the layer of a
+   * sphere takes half of the time or less. They count for a single layer without a height. Defaults 20 and 0.5; clamped
+   * to [1, 89.9] and [0.01, 1000].
    */
   vtkSetClampMacro(TargetNonOrthogonality, double, 1.0, 89.9);
   vtkGetMacro(TargetNonOrthogonality, double);

@@ -3,7 +3,7 @@
  * @class   vtkAtriaGridAlgorithm
  * @brief   sizes, domain and features, common to the feature graph, the octree source and the dual mesher
  *
- * Lengths are in the model's units; defaults suit a building in metres. Input port 0 takes the surface model: a
+ * Lengths are in the model's units; defaults suit a building in meters. Input port 0 takes the surface model: a
  * vtkPolyData, or a composite of named vtkPolyData blocks. A vtkPolyData names its surfaces by the cell array
  * `SurfaceId` and the field array `SurfaceName`, as vtkAtriaVRMLReader writes them.
  */
@@ -148,7 +148,7 @@ public:
 
   ///@{
   /**
-   * Points closer than this to another point, an edge or a face that they do not hang together with are moved onto it,
+   * Points closer than this to another point, an edge or a face that they are not connected with are moved onto it,
    * so that parts that nearly touch do. 0 closes no gap; a negative value means 0.05 times SizeMin. Default -1.
    */
   vtkSetMacro(GapTolerance, double);
@@ -186,7 +186,7 @@ public:
 
   ///@{
   /**
-   * Degrees, anticlockwise seen from above, by which the domain is turned: DomainBounds about their middle; from
+   * Degrees, aounterclockwise seen from above, by which the domain is turned: DomainBounds about their middle; from
    * surfaces and site it is the smallest box along the turned axes. Not used if DomainMode is Automatic. Default 0;
    * clamped to
    * [-180, 180].
@@ -197,9 +197,9 @@ public:
 
   ///@{
   /**
-   * Where the wind blows to if DomainMode is Automatic, in degrees from the x axis, anticlockwise seen from above. With
-   * x to the east and y to the north, a wind from the meteorological direction D has the angle 270 - D. The side xMin
-   * of the domain is the inlet. Default 0, along +x; clamped to [-360, 360].
+   * Where the wind blows to if DomainMode is Automatic, in degrees from the x axis, aounterclockwise seen from above.
+   * With x to the east and y to the north, a wind from the meteorological direction D has the angle 270 - D. The side
+   * xMin of the domain is the inlet. Default 0, along +x; clamped to [-360, 360].
    */
   vtkSetClampMacro(WindAngle, double, -360.0, 360.0);
   vtkGetMacro(WindAngle, double);

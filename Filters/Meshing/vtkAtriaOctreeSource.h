@@ -6,7 +6,7 @@
  * Every octant in the domain goes down to the level of SizeMax, one that a surface passes through to that of SizeMid,
  * one with a feature curve or corner, or with surfaces that do not meet inside it, to SizeMin. Leaves that share a
  * face, an edge or a corner differ by one level at most. The grid's phase puts the domain's lower planes through the
- * centres of finest octants.
+ * centers of finest octants.
  *
  * Input port 0 (optional): surfaces; see vtkAtriaGridAlgorithm. Without, DomainMode must be Explicit.
  *

@@ -110,7 +110,7 @@ void addCount(const char* name, std::size_t count, vtkFieldData* data)
 }
 
 /// What was done, and how far it got.
-void addReport(const atria::MeshOptimiserReport& report, vtkUnstructuredGrid* before, vtkUnstructuredGrid* mesh)
+void addReport(const atria::MeshOptimizerReport& report, vtkUnstructuredGrid* before, vtkUnstructuredGrid* mesh)
 {
   vtkNew<vtkFloatArray> shares;
   shares->SetName("TargetShare");
@@ -183,17 +183,17 @@ int vtkAtriaMeshOptimizer::RequestData(vtkInformation*, vtkInformationVector** i
     const atria::RunContext context{executor, atria::ProgressRange(monitor)};
     context.progress.report(0.0, "Finding faces");
     atria::VtkFaceMesh source = atria::faceMeshFromVtk(volume, patches, executor);
-    atria::MeshOptimiserOptions options;
+    atria::MeshOptimizerOptions options;
     options.featureAngle = this->FeatureAngle;
     options.fixedBoundary = this->FixBoundary;
-    options.optimiser.sweeps = this->NumberOfSweeps;
-    atria::QualityTargets& targets = options.optimiser.targets;
+    options.optimizer.sweeps = this->NumberOfSweeps;
+    atria::QualityTargets& targets = options.optimizer.targets;
     targets.pyramidCosine.aimAt(1.0 - this->TargetCellSquish);
     targets.faceCosine.aimAt(std::cos(this->TargetNonOrthogonality * std::numbers::pi / 180.0));
     targets.skewness.aimAt(this->TargetSkewness);
     targets.scaledJacobian = this->TargetScaledJacobian;
-    const atria::MeshOptimiserReport report =
-        atria::optimiseMesh(source.mesh, source.cells.view(), patchOfFaces(source), options, context.part(0.1, 0.98));
+    const atria::MeshOptimizerReport report =
+        atria::optimizeMesh(source.mesh, source.cells.view(), patchOfFaces(source), options, context.part(0.1, 0.98));
     vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs, 0);
     output->ShallowCopy(volume);
     output->SetPoints(toVtkPoints(source.mesh.points));

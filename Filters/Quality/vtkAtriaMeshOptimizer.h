@@ -101,7 +101,7 @@ public:
 
   ///@{
   /**
-   * How often at most all points in question are looked at, from 1 to 10000. Default 50.
+   * How often at most all unresolved points are looked at, from 1 to 10000. Default 50.
    */
   vtkSetClampMacro(NumberOfSweeps, int, 1, 10000);
   vtkGetMacro(NumberOfSweeps, int);

@@ -81,7 +81,7 @@ public:
     deviations.push_back(s.standardDeviation);
     const std::string name = sample.name;
     const atria::Histogram& h = distribution.histogram;
-    histogram->AddColumn(makeColumn(name, h.centres));
+    histogram->AddColumn(makeColumn(name, h.centers));
     histogram->AddColumn(makeColumn(name + "_PDF", h.density));
     histogram->AddColumn(makeColumn(name + "_CDF", h.cumulative));
   }
@@ -301,7 +301,7 @@ int vtkAtriaMeshQuality::RequestData(vtkInformation*, vtkInformationVector** inp
       fillChecks(checks, verdict);
       failedChecks = verdict.failedChecks();
     }
-    context.progress.report(0.98, "Summarising");
+    context.progress.report(0.98, "Summarizing");
     vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs, 0);
     output->ShallowCopy(volume);
     collected.fill(output, vtkTable::GetData(outputs, 1), vtkTable::GetData(outputs, 2));

@@ -10,7 +10,7 @@
  * have the same points.
  *
  * Output port 0 is the mesh with these cell arrays (double). A is the outward area vector of a face, r goes
- * from the cell's centroid to the face's, d from the cell's centroid to its neighbour's:
+ * from the cell's centroid to the face's, d from the cell's centroid to its neighbor's:
  * - `CellSquish`: max 1 - A.r/(|A||r|); 0 is ideal, below 0.99 usable
  * - `FaceSquish`: max 1 - A.d/(|A||d|) over internal faces; 0 is ideal
  * - `AspectRatio`: max/min distance from the centroid to face centroids and points; a cube has 1.732 (Fluent)
@@ -36,7 +36,7 @@
  *
  * Output port 1 is a vtkTable with one row per metric: `Metric` (string), `Of` (string: cells or faces), `Minimum`,
  * `Maximum`, `Mean`, `StandardDeviation` (of the population), `Count`. Output port 2 is a vtkTable with NumberOfBins
- * rows and for each metric the columns `<Metric>` (bin centre), `<Metric>_PDF` (integrates to 1) and `<Metric>_CDF`
+ * rows and for each metric the columns `<Metric>` (bin center), `<Metric>_PDF` (integrates to 1) and `<Metric>_CDF`
  * (ends at 1), which charts take as they are. Both tables take what begins with Face, `VolumeRatio`, `TetQuality` and
  * `EdgeLength` face by face (FacePyramids excepted), all else cell by cell; `FaceNonOrthogonality` and `FaceSkewness`
  * are there only. What is not a number is not counted.
@@ -78,8 +78,8 @@ public:
 
   ///@{
   /**
-   * Judge the mesh as OpenFOAM's `checkMesh -allGeometry` does: more cell arrays, and output port 3. Default off, as it
-   * takes about twice the time and memory.
+   * QualityEvaluator the mesh as OpenFOAM's `checkMesh -allGeometry` does: more cell arrays, and output port 3. Default
+   * off, as it takes about twice the time and memory.
    */
   vtkSetMacro(CheckMesh, bool);
   vtkGetMacro(CheckMesh, bool);

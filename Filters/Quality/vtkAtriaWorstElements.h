@@ -4,7 +4,7 @@
  * @brief   the worst elements of a mesh by a cell array, with those about them
  *
  * Takes an unstructured grid with a cell array of numbers, such as vtkAtriaMeshQuality makes, and gives the elements
- * that are worst by it together with Rings rings of elements about them. Elements are neighbours that share a point. A
+ * that are worst by it together with Rings rings of elements about them. Elements are neighbors that share a point. A
  * sheet with fluid on both sides has points of its own on either side, so a ring does not reach across it.
  *
  * The array is chosen with SetMetricName(), by default `CellSquish`. What of it is worst follows Order: by default the

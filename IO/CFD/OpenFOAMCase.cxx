@@ -215,7 +215,7 @@ public:
     writeLabelFile("owner", std::span(mesh.owner).first(mesh.internalFaceCount()), ofBoundary);
   }
 
-  void writeNeighbours() const { writeLabelFile("neighbour", mesh.neighbour); }
+  void writeNeighbors() const { writeLabelFile("neighbour", mesh.neighbor); }
 
   void writeBoundary() const
   {
@@ -405,7 +405,7 @@ void writePolyMesh(const fs::path& caseFolder, const FaceMesh& mesh, std::span<c
   const PolyMeshWriter writer(unfinished.path, mesh, layout, format, context.progress);
   context.progress.report(0.2, "Writing points and faces");
   const std::array files{&PolyMeshWriter::writeFaces, &PolyMeshWriter::writePoints, &PolyMeshWriter::writeOwners,
-                         &PolyMeshWriter::writeNeighbours};
+                         &PolyMeshWriter::writeNeighbors};
   context.executor.forEach(files.size(), 1, [&](std::size_t i) { (writer.*files[i])(); });
   context.progress.report(0.9, "Writing patches");
   writer.writeBoundary();

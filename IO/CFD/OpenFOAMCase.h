@@ -21,7 +21,7 @@ struct BoundaryPatch
   std::vector<Index> faces;
 };
 
-/// Writes constant/polyMesh into a case: points, faces, owner, neighbour and boundary, and cellZones where
+/// Writes constant/polyMesh into a case: points, faces, owner, neighbor and boundary, and cellZones where
 /// `zoneIds` (one per cell, or none) has more than one value. Makes the folder where it is missing; files of an earlier
 /// mesh are replaced once all new ones are complete, and stay if writing fails or is aborted. Large files are written
 /// side by side.

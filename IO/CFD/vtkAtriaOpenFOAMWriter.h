@@ -8,7 +8,7 @@
  * named vtkPolyData with the cell array `OwnerCellId` and the point array `VolumePointId`, such as
  * vtkAtriaDualMesher's second output.
  *
- * Written are constant/polyMesh (points, faces, owner, neighbour, boundary; cellZones where the mesh has a
+ * Written are constant/polyMesh (points, faces, owner, neighbor, boundary; cellZones where the mesh has a
  * cell array `ZoneId` of more than one value), the files in `system` without which OpenFOAM's utilities do
  * not start, where these are missing, and an empty file `<case>.foam` to open in ParaView. Cells keep their
  * order; where some were merged, all later ones have lower numbers. Faces are in upper-triangular order, internal ones
@@ -24,8 +24,8 @@
  * one face where that is possible (see MergeCoplanarFaces): checkMesh takes such a cell, or one of such two, for
  * concave.
  *
- * A cell with one or two neighbours, in a corner between walls, is made one with a neighbour where that is possible
- * (see MergeUnderdeterminedCells): no gradient can be determined from two neighbours, and checkMesh objects to it.
+ * A cell with one or two neighbors, in a corner between walls, is made one with a neighbor where that is possible
+ * (see MergeUnderdeterminedCells): no gradient can be determined from two neighbors, and checkMesh objects to it.
  *
  * An input without cells, a mesh that is not a manifold, a patch face that is not a face of its owner cell
  * and a folder that cannot be written are errors: Write() returns 0.
@@ -68,7 +68,7 @@ public:
 
   ///@{
   /**
-   * Make a cell with too few neighbours one with a neighbour, or with up to five other cells, where the union is valid
+   * Make a cell with too few neighbors one with a neighbor, or with up to five other cells, where the union is valid
    * and checkMesh does not object to it, concavity apart. Where the union would be concave, or there is none, the cell
    * is cut into pyramids over its faces if checkMesh does not object to these. Too few are three at most with a
    * determinant below checkMesh's limit of 0.001. The input's cells and patches stay as they are. On by default.

@@ -34,7 +34,7 @@ struct Model
   std::vector<std::string> warnings; ///< without the file's name
   std::string head;                  ///< the first characters of a text file, where programs say who they are
   int upAxis = 2;                    ///< 1 y, 2 z
-  bool defined = false;              ///< the format says that lengths are metres, and what is up
+  bool defined = false;              ///< the format says that lengths are meters, and what is up
   bool singlePrecision = false;      ///< coordinates went through 32 bits on the way
 };
 

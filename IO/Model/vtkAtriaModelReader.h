@@ -20,9 +20,9 @@
  * object and group, or one node.
  *
  * Polygons, concave ones too, quads and triangle strips are triangulated; faces without area are dropped. Lines and
- * points make no surface and are counted in a warning, as is anything else that was left out. Colours are not read.
+ * points make no surface and are counted in a warning, as is anything else that was left out. Colors are not read.
  *
- * glTF is Y up and in metres by definition, and taken so unless UpAxis and LengthUnit say otherwise. Binary STL and
+ * glTF is Y up and in meters by definition, and taken so unless UpAxis and LengthUnit say otherwise. Binary STL and
  * glTF have single precision; a warning says so where that is coarse for the model, as far from the origin.
  *
  * Of a damaged OBJ, STL, PLY or glTF file the faces that can be read are read, and a warning says what is wrong with

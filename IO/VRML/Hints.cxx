@@ -68,9 +68,9 @@ bool isOneOf(std::string_view word, WordList list) { return std::find(list.begin
 /// The unit a header mentions, such as "units: inches" or "exported in mm".
 std::string mentionedUnit(const std::vector<std::string_view>& words)
 {
-  const WordList units{"m",           "meter",      "meters",      "metre", "metres",     "mm",          "millimeter",
-                       "millimeters", "millimetre", "millimetres", "cm",    "centimeter", "centimeters", "centimetre",
-                       "centimetres", "inch",       "inches",      "ft",    "foot",       "feet"};
+  const WordList units{"m",           "meter",      "meters",      "meter", "meters",     "mm",          "millimeter",
+                       "millimeters", "millimeter", "millimeters", "cm",    "centimeter", "centimeters", "centimeter",
+                       "centimeters", "inch",       "inches",      "ft",    "foot",       "feet"};
   for (std::size_t i = 0; i + 1 < words.size(); ++i)
   {
     if (!isOneOf(words[i],
@@ -91,7 +91,7 @@ std::string mentionedUnit(const std::vector<std::string_view>& words)
   return {};
 }
 
-bool isMetres(std::string_view unit) { return isOneOf(unit, {"m", "meter", "meters", "metre", "metres"}); }
+bool isMeters(std::string_view unit) { return isOneOf(unit, {"m", "meter", "meters", "meter", "meters"}); }
 
 bool mentionsYUp(const std::vector<std::string_view>& words)
 {
@@ -114,11 +114,11 @@ void judgeUnit(const std::string& head, const std::vector<std::string_view>& wor
   constexpr double tallest = 1000.0; // no building is
   constexpr double longest = 20000.0;
   constexpr double shortest = 0.5;
-  const std::string advice = "; lengths are taken to be metres: state the unit (LengthUnit, --unit), if only metres";
+  const std::string advice = "; lengths are taken to be meters: state the unit (LengthUnit, --unit), if only meters";
   const std::string unit = mentionedUnit(words);
   if (!unit.empty())
   {
-    if (!isMetres(unit))
+    if (!isMeters(unit))
     {
       hints.push_back("the file mentions the unit '" + unit + "'" + advice);
     }
@@ -134,7 +134,7 @@ void judgeUnit(const std::string& head, const std::vector<std::string_view>& wor
       shortNumber(size.x()) + " by " + shortNumber(size.y()) + " by " + shortNumber(size.z()) + " m";
   if (size.z() > tallest || size.maxCoeff() > longest)
   {
-    hints.push_back("the model would measure " + extents + ", which millimetres or inches would explain" + advice);
+    hints.push_back("the model would measure " + extents + ", which millimeters or inches would explain" + advice);
   }
   else if (size.maxCoeff() < shortest)
   {
@@ -202,11 +202,11 @@ std::vector<std::string> hintsOf(const Scene& scene, std::string_view head, cons
   // Single precision, which viewers and some solvers use, has seven digits.
   constexpr double far = 1e5;
   const double distance = std::max(box.min.cwiseAbs().maxCoeff(), box.max.cwiseAbs().maxCoeff());
-  if (!stated.recentred && distance > far && distance > 10.0 * box.size().norm())
+  if (!stated.recentered && distance > far && distance > 10.0 * box.size().norm())
   {
     hints.push_back(
         "the model lies " + shortNumber(distance) +
-        " m from the origin, where single precision loses centimetres; Recentre or --recentre moves it there");
+        " m from the origin, where single precision loses centimeters; Recenter or --recenter moves it there");
   }
   return hints;
 }

@@ -14,12 +14,12 @@ struct Stated
 {
   bool unit = false;
   bool upAxis = false;
-  bool recentred = false;
+  bool recentered = false;
 };
 
 /// What speaks against taking a model as it was taken: units and axes its file mentions (`head`, its first lines), the
 /// program that wrote it, a size no site or building has, ground and roofs that face along y, a place so far off
-/// that single precision loses centimetres. `scene` is as placed. Sentences; nothing is changed by them.
+/// that single precision loses centimeters. `scene` is as placed. Sentences; nothing is changed by them.
 std::vector<std::string> hintsOf(const Scene& scene, std::string_view head, const Stated& stated);
 
 } // namespace atria::vrml

@@ -14,7 +14,7 @@ struct ModelSource
   std::string name;       ///< of the file, for messages
   std::string head;       ///< its first characters, where programs say who they are; empty for binary files
   int upAxis = 2;         ///< 1 y, 2 z, where nothing else is stated
-  bool unitKnown = false; ///< the format defines its unit, which then is the metre
+  bool unitKnown = false; ///< the format defines its unit, which then is the meter
   bool axisKnown = false; ///< the format defines what is up
 };
 

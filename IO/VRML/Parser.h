@@ -146,7 +146,7 @@ private:
   ProgressRange progress;
   std::size_t reported = 0;
   std::size_t forgotten = 0;
-  bool quiet = false; ///< after an error, until a node was recognised: one slip is one warning
+  bool quiet = false; ///< after an error, until a node was recognized: one slip is one warning
   std::vector<Frame> frames;
   std::vector<Scope> scopes;
   // Lists being read.

@@ -65,7 +65,7 @@ int segmentsOf(double degrees)
 
 namespace {
 
-/// So many points around that neighbours are no more than twice the half angle apart whose cosine this is.
+/// So many points around that neighbors are no more than twice the half angle apart whose cosine this is.
 int segmentsOfCosine(const Tessellation& wanted, double cosine)
 {
   const int byAngle = segmentsOf(wanted.angle);

@@ -10,7 +10,7 @@ namespace atria::vrml {
 /// How round solids are cut into facets.
 struct Tessellation
 {
-  double angle = 10.0; ///< degrees between neighbouring points, at most
+  double angle = 10.0; ///< degrees between neighboring points, at most
   double error = 0.0;  ///< distance between facets and the true surface, at most; any with 0
 };
 

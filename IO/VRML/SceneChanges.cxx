@@ -84,7 +84,7 @@ Vec3 place(Scene& scene, const Placement& placement)
     throw Error("coordinates grow beyond all numbers when they are scaled; check Scale");
   }
   Vec3 offset = Vec3::Zero();
-  if (placement.recentre && !box.empty())
+  if (placement.recenter && !box.empty())
   {
     constexpr double grain = 100.0;
     const double length = box.size().norm();

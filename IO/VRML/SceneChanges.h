@@ -14,12 +14,12 @@ std::size_t mergeDuplicateFaces(Scene& scene, Diagnostics& diagnostics);
 struct Placement
 {
   int upAxis = 2;        ///< of the file: 1 y, 2 z; the scene is turned about x so that z is up
-  double scale = 1.0;    ///< from the file's unit to metres
-  bool recentre = false; ///< move models that are far from the origin there
+  double scale = 1.0;    ///< from the file's unit to meters
+  bool recenter = false; ///< move models that are far from the origin there
 };
 
 /// Turns, scales and moves a scene, in this order. Returns what was subtracted from its points: zero along axes on
-/// which the model lies no farther from the origin than it is long, else its centre rounded to whole hundreds.
+/// which the model lies no farther from the origin than it is long, else its center rounded to whole hundreds.
 Vec3 place(Scene& scene, const Placement& placement);
 
 } // namespace atria::vrml

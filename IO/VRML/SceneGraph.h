@@ -25,7 +25,7 @@ struct Node;
 struct NodeType;
 struct Prototype;
 
-/// A field's value; numbers of every kind of vector, colour or rotation are one flat list. A single node is a
+/// A field's value; numbers of every kind of vector, color or rotation are one flat list. A single node is a
 /// list of one. `monostate` stands for a field that was not given or not kept.
 using Integers = List<int>;
 using Numbers = List<double>;

@@ -147,7 +147,7 @@ void number(std::vector<std::string>& names)
   }
 }
 
-std::string colourName(const Material& material)
+std::string colorName(const Material& material)
 {
   const auto byte = [](double part) { return static_cast<int>(std::lround(255.0 * std::clamp(part, 0.0, 1.0))); };
   char text[32];
@@ -183,7 +183,7 @@ Wanted materialName(const Scene& scene, Index material)
     return {"NoMaterial", noIndex};
   }
   const Material& look = scene.materials[material];
-  return {look.name.empty() ? colourName(look) : look.name, noIndex};
+  return {look.name.empty() ? colorName(look) : look.name, noIndex};
 }
 
 /// What the triangles of one surface have in common, as a number.

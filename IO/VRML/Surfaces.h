@@ -31,7 +31,7 @@ struct Surfaces
 /// A surface goes by the DEF name of its shape or geometry, else of the innermost named group, else of the material,
 /// else `Shape`. Names that repeat get the name of the outermost group in which they differ ahead of them, as in
 /// `East/Wall` and `West/Wall`; those that still repeat are numbered in the order of the file: `Wall`, `Wall_2`.
-/// Made-up names keep clear of the file's own. `splitAngle`, in degrees, is the angle between neighbours above which
+/// Made-up names keep clear of the file's own. `splitAngle`, in degrees, is the angle between neighbors above which
 /// SurfaceBy::connected parts them.
 Surfaces makeSurfaces(const Scene& scene, SurfaceBy by, double splitAngle);
 

@@ -15,13 +15,13 @@ Frame straightFrame(const Vec3& direction)
   return Eigen::Quaterniond::FromTwoVectors(Vec3::UnitY(), direction).toRotationMatrix();
 }
 
-/// Neighbours along the spine; at the ends of a closed one, across the seam.
-struct Neighbours
+/// Neighbors along the spine; at the ends of a closed one, across the seam.
+struct Neighbors
 {
   const Vec3& before;
   const Vec3& after;
 };
-Neighbours neighboursOf(const std::vector<Vec3>& spine, std::size_t i, bool closed)
+Neighbors neighborsOf(const std::vector<Vec3>& spine, std::size_t i, bool closed)
 {
   const std::size_t last = spine.size() - 1;
   const std::size_t before = i > 0 ? i - 1 : closed ? last - 1 : 0;
@@ -42,7 +42,7 @@ std::vector<Vec3> tangents(const std::vector<Vec3>& spine, bool closed)
   Vec3 known = Vec3::Zero();
   for (std::size_t i = 0; i < spine.size(); ++i)
   {
-    const auto [before, after] = neighboursOf(spine, i, closed);
+    const auto [before, after] = neighborsOf(spine, i, closed);
     out[i] = unitOrZero(after - before);
     out[i] = out[i].isZero() ? known : out[i];
     known = out[i];
@@ -61,7 +61,7 @@ std::vector<Vec3> bends(const std::vector<Vec3>& spine, bool closed)
   std::vector<Vec3> out(spine.size(), Vec3::Zero());
   for (std::size_t i = 0; i < spine.size(); ++i)
   {
-    const auto [before, after] = neighboursOf(spine, i, closed);
+    const auto [before, after] = neighborsOf(spine, i, closed);
     const Vec3 z = unitOrZero(after - spine[i]).cross(unitOrZero(before - spine[i]));
     out[i] = z.norm() > straight ? z.normalized() : Vec3(Vec3::Zero());
   }
@@ -91,7 +91,7 @@ std::vector<Frame> framesOf(const std::vector<Vec3>& spine, bool closed)
       out[i] = straightFrame(y[0]);
       continue;
     }
-    // A bend taken over from a neighbour need not be normal to the direction here.
+    // A bend taken over from a neighbor need not be normal to the direction here.
     const Vec3 x = unitOrZero(y[i].cross(z[i]));
     if (x.isZero())
     {

@@ -85,16 +85,16 @@ void addSurfaces(vtkFieldData* data, const std::vector<atria::vrml::Surface>& su
 {
   vtkNew<vtkStringArray> names;
   vtkNew<vtkStringArray> materials;
-  vtkNew<vtkDoubleArray> colours;
+  vtkNew<vtkDoubleArray> colors;
   vtkNew<vtkDoubleArray> transparencies;
   names->SetName("SurfaceName");
   materials->SetName("MaterialName");
-  colours->SetName("DiffuseColor");
-  colours->SetNumberOfComponents(3);
+  colors->SetName("DiffuseColor");
+  colors->SetNumberOfComponents(3);
   transparencies->SetName("Transparency");
   for (vtkAbstractArray* array :
        {static_cast<vtkAbstractArray*>(names), static_cast<vtkAbstractArray*>(materials),
-        static_cast<vtkAbstractArray*>(colours), static_cast<vtkAbstractArray*>(transparencies)})
+        static_cast<vtkAbstractArray*>(colors), static_cast<vtkAbstractArray*>(transparencies)})
   {
     array->SetNumberOfTuples(static_cast<vtkIdType>(surfaces.size()));
   }
@@ -103,12 +103,12 @@ void addSurfaces(vtkFieldData* data, const std::vector<atria::vrml::Surface>& su
     const auto id = static_cast<vtkIdType>(i);
     names->SetValue(id, surfaces[i].name);
     materials->SetValue(id, surfaces[i].material.name);
-    colours->SetTuple(id, surfaces[i].material.diffuse.data());
+    colors->SetTuple(id, surfaces[i].material.diffuse.data());
     transparencies->SetValue(id, surfaces[i].material.transparency);
   }
   for (vtkAbstractArray* array :
        {static_cast<vtkAbstractArray*>(names), static_cast<vtkAbstractArray*>(materials),
-        static_cast<vtkAbstractArray*>(colours), static_cast<vtkAbstractArray*>(transparencies)})
+        static_cast<vtkAbstractArray*>(colors), static_cast<vtkAbstractArray*>(transparencies)})
   {
     data->AddArray(array);
   }
@@ -191,13 +191,13 @@ void vtkAtriaSurfaceReader::Report(const atria::vrml::Diagnostics& diagnostics)
                       << (this->NumberOfWarnings == 1 ? " warning:" : " warnings:") << text);
 }
 
-double vtkAtriaSurfaceReader::MetresPerUnit() const
+double vtkAtriaSurfaceReader::MetersPerUnit() const
 {
   switch (this->LengthUnit)
   {
-    case Millimetres:
+    case Millimeters:
       return 0.001 * this->Scale;
-    case Centimetres:
+    case Centimeters:
       return 0.01 * this->Scale;
     case Inches:
       return 0.0254 * this->Scale;
@@ -227,13 +227,13 @@ bool vtkAtriaSurfaceReader::ReadModel(vtkPolyData* output, atria::vrml::Diagnost
   }
   progress.report(0.9, "Merging faces");
   const int upAxis = this->UpAxis == UnstatedUp ? source.upAxis : this->UpAxis == YUp ? 1 : 2;
-  const atria::Vec3 offset = vrml::place(scene, {upAxis, this->MetresPerUnit(), this->Recentre});
+  const atria::Vec3 offset = vrml::place(scene, {upAxis, this->MetersPerUnit(), this->Recenter});
   if (this->MergeDuplicateFaces)
   {
     this->NumberOfMergedFaces = static_cast<vtkIdType>(vrml::mergeDuplicateFaces(scene, diagnostics));
   }
   const vrml::Stated stated{source.unitKnown || this->LengthUnit != UnstatedUnit || this->Scale != 1.0,
-                            source.axisKnown || this->UpAxis != UnstatedUp, this->Recentre};
+                            source.axisKnown || this->UpAxis != UnstatedUp, this->Recenter};
   for (const std::string& hint : vrml::hintsOf(scene, source.head, stated))
   {
     diagnostics.warn(source.name + ": " + hint);
@@ -302,7 +302,7 @@ void vtkAtriaSurfaceReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UpAxis: " << this->UpAxis << "\n";
   os << indent << "LengthUnit: " << this->LengthUnit << "\n";
   os << indent << "Scale: " << this->Scale << "\n";
-  os << indent << "Recentre: " << (this->Recentre ? "on" : "off") << "\n";
+  os << indent << "Recenter: " << (this->Recenter ? "on" : "off") << "\n";
   os << indent << "NumberOfMergedFaces: " << this->NumberOfMergedFaces << "\n";
   os << indent << "Notes: " << this->Notes->GetNumberOfValues() << " strings\n";
   os << indent << "NumberOfWarnings: " << this->NumberOfWarnings << "\n";

@@ -4,7 +4,7 @@
  * @brief   What the readers of models have in common: units, axes, duplicates, what makes a surface
  *
  * Formats do not say, or not reliably, which unit a program used and which axis is up: that is for the user to say.
- * Where it is not said, z is up and lengths are metres, and what speaks against it is a warning.
+ * Where it is not said, z is up and lengths are meters, and what speaks against it is a warning.
  *
  * Output:
  * - triangles with points in double precision;
@@ -12,7 +12,7 @@
  * - field data by SurfaceId: `SurfaceName` and `MaterialName` (vtkStringArray), the latter empty where there is none;
  *   `DiffuseColor` (vtkDoubleArray, three components from 0 to 1) and `Transparency` (vtkDoubleArray, 0 opaque to 1),
  *   0.8 and 0 where the file gives none;
- * - field data `ModelOffset` (vtkDoubleArray, three components): what Recentre subtracted from all points, metres.
+ * - field data `ModelOffset` (vtkDoubleArray, three components): what Recenter subtracted from all points, meters.
  *
  * What was skipped or had to be guessed is reported in one VTK warning, and in full by GetWarnings. An error, with
  * empty output, is reported for a file that cannot be read or that holds no surface at all.
@@ -55,7 +55,7 @@ public:
   {
     Shape,    ///< each Shape, or geometry node of VRML 1.0; of other formats see vtkAtriaModelReader
     Group,    ///< each group with a DEF name and each inlined file, without the groups in it that have one
-    Material, ///< shapes of the same name, colour and transparency of material
+    Material, ///< shapes of the same name, color and transparency of material
     Connected ///< pieces of shapes that are smooth in themselves: six for a box
   };
 
@@ -69,7 +69,7 @@ public:
 
   ///@{
   /**
-   * Angle in degrees between neighbouring triangles above which Connected parts them. Default 30, from 0 to 180.
+   * Angle in degrees between neighboring triangles above which Connected parts them. Default 30, from 0 to 180.
    */
   vtkSetClampMacro(SplitAngle, double, 0.0, 180.0);
   vtkGetMacro(SplitAngle, double);
@@ -103,17 +103,17 @@ public:
 
   enum LengthUnitType
   {
-    UnstatedUnit, ///< metres, with a warning where the file or the model's size speaks against it
-    Metres,
-    Millimetres,
-    Centimetres,
+    UnstatedUnit, ///< meters, with a warning where the file or the model's size speaks against it
+    Meters,
+    Millimeters,
+    Centimeters,
     Inches,
     Feet
   };
 
   ///@{
   /**
-   * The unit of length in the file; the output is in metres. VRML has no field for it, and programs write whatever they
+   * The unit of length in the file; the output is in meters. VRML has no field for it, and programs write whatever they
    * work in. Default UnstatedUnit.
    */
   vtkSetClampMacro(LengthUnit, int, UnstatedUnit, Feet);
@@ -130,12 +130,12 @@ public:
 
   ///@{
   /**
-   * Whether a model that lies farther from the origin than it is long is moved there, by whole hundreds of metres along
+   * Whether a model that lies farther from the origin than it is long is moved there, by whole hundreds of meters along
    * each axis. The field array `ModelOffset` tells what was subtracted. Default off.
    */
-  vtkSetMacro(Recentre, bool);
-  vtkGetMacro(Recentre, bool);
-  vtkBooleanMacro(Recentre, bool);
+  vtkSetMacro(Recenter, bool);
+  vtkGetMacro(Recenter, bool);
+  vtkBooleanMacro(Recenter, bool);
   ///@}
 
   /**
@@ -171,9 +171,9 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   /**
-   * What a length in the file is in metres, Scale included.
+   * What a length in the file is in meters, Scale included.
    */
-  double MetresPerUnit() const;
+  double MetersPerUnit() const;
 
   /**
    * Reads FileName as the file has it. Throws atria::Error with a text for the user, or atria::Aborted.
@@ -188,7 +188,7 @@ protected:
   int UpAxis = UnstatedUp;
   int LengthUnit = UnstatedUnit;
   double Scale = 1.0;
-  bool Recentre = false;
+  bool Recenter = false;
   vtkIdType NumberOfMergedFaces = 0;
   vtkIdType NumberOfWarnings = 0;
   vtkSmartPointer<vtkStringArray> Warnings;

@@ -23,7 +23,7 @@ atria::vrml::ModelSource vtkAtriaVRMLReader::ReadSource(atria::vrml::Diagnostics
   atria::vrml::Library library(diagnostics, progress.part(0.0, 0.7));
   const atria::vrml::Document& document = library.open(this->FileName);
   atria::vrml::Evaluator evaluator(library, diagnostics, progress.part(0.7, 1.0),
-                                   {this->TessellationAngle, this->TessellationError / this->MetresPerUnit()});
+                                   {this->TessellationAngle, this->TessellationError / this->MetersPerUnit()});
   atria::vrml::ModelSource source;
   source.scene = evaluator.run(document);
   source.name = document.displayName();

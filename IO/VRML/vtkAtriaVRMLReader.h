@@ -6,7 +6,7 @@
  * The reader takes a VRML97 (VRML 2.0) or VRML 1.0 file, plain or compressed with gzip whatever its name, and gives
  * the surfaces of all its shapes as triangles in double precision. VRML does
  * not say which unit an exporter used nor, for architecture, reliably which axis is up: that is for the user to say.
- * Where it is not said, z is up and lengths are metres, and what speaks against it is a warning.
+ * Where it is not said, z is up and lengths are meters, and what speaks against it is a warning.
  *
  * Output:
  * - points in double precision, shared within a shape as the file shares them;
@@ -16,7 +16,7 @@
  * - field data by SurfaceId: `SurfaceName` and `MaterialName` (vtkStringArray), the latter empty where there is none;
  *   `DiffuseColor` (vtkDoubleArray, three components from 0 to 1) and `Transparency` (vtkDoubleArray, 0 opaque to 1),
  *   VRML's defaults where the file gives none;
- * - field data `ModelOffset` (vtkDoubleArray, three components): what Recentre subtracted from all points, metres.
+ * - field data `ModelOffset` (vtkDoubleArray, three components): what Recenter subtracted from all points, meters.
  *
  * Each Shape met (in VRML 1.0, each geometry node) is one surface, unless SurfaceBy says otherwise; a Shape used
  * several times (USE, instances of prototypes) is as many. Its name is the DEF name of the Shape, else of its
@@ -55,7 +55,7 @@ public:
 
   ///@{
   /**
-   * Angle in degrees between neighbouring points of spheres, cones and cylinders; the number of points around
+   * Angle in degrees between neighboring points of spheres, cones and cylinders; the number of points around
    * is rounded up. Default 10 (36 points around), from 1 to 90.
    */
   vtkSetClampMacro(TessellationAngle, double, 1.0, 90.0);
@@ -64,7 +64,7 @@ public:
 
   ///@{
   /**
-   * Distance in metres between the facets of spheres, cones and cylinders and their true surface that is not to be
+   * Distance in meters between the facets of spheres, cones and cylinders and their true surface that is not to be
    * exceeded, whatever transforms, units and Scale make of them: more points around are taken than
    * TessellationAngle asks for, up to 3600. Points lie on the true surface, so that facets are inside of it. Default
    * 0, for any.

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws a cut through the mesh, coloured by a metric, and checks that there is something to see."""
+"""Draws a cut through the mesh, colored by a metric, and checks that there is something to see."""
 
 import os
 import pathlib
@@ -30,8 +30,8 @@ def draw(quality, file):
     simple.SaveScreenshot(str(file), view)
 
 
-def colours_in(file):
-    """Number of colours where neither the colour bar nor the axes are."""
+def colors_in(file):
+    """Number of colors where neither the color bar nor the axes are."""
     reader = vtkPNGReader()
     reader.SetFileName(str(file))
     reader.Update()
@@ -45,9 +45,9 @@ def main():
     file = pathlib.Path(os.environ["ATRIA_OUTPUT"]) / "cut.png"
     file.unlink(missing_ok=True)
     draw(house().quality, file)
-    colours = colours_in(file)
-    assert colours > 100, f"{file} has only {colours} colours"
-    print(f"{file}: {colours} colours")
+    colors = colors_in(file)
+    assert colors > 100, f"{file} has only {colors} colors"
+    print(f"{file}: {colors} colors")
 
 
 main()

@@ -37,7 +37,7 @@ def check_surfaces(reader):
     assert "SurfaceId" in names(surfaces.GetCellData())
     found = surfaces.GetFieldData().GetAbstractArray("SurfaceName")
     found = {found.GetValue(i) for i in range(found.GetNumberOfValues())}
-    assert {"Site", "WallSouth", "RoofNorth", "PartitionA", "Neighbour"} <= found, found
+    assert {"Site", "WallSouth", "RoofNorth", "PartitionA", "Neighbor"} <= found, found
 
 
 def check_octree(octree):
@@ -58,7 +58,7 @@ def check_mesh(mesher):
         patches.GetMetaData(i).Get(vtkCompositeDataSet.NAME())
         for i in range(patches.GetNumberOfPartitionedDataSets())
     }
-    assert {"WallSouth_front", "WallSouth_back", "Neighbour", "xMin", "zMax"} <= blocks, blocks
+    assert {"WallSouth_front", "WallSouth_back", "Neighbor", "xMin", "zMax"} <= blocks, blocks
     diagnostics = fetch(mesher, 2)
     assert diagnostics.GetFieldData().GetAbstractArray("DiagnosticName") is not None
 

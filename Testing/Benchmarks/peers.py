@@ -98,7 +98,7 @@ def snappy_case(folder: pathlib.Path, case, threads):
     write("fvSchemes", "ddtSchemes {} gradSchemes {} divSchemes {} laplacianSchemes {} interpolationSchemes {}\n")
     write("fvSolution", "solvers {}\n")
     write("blockMeshDict", block_mesh(case.box, cells))
-    # A cell is refined for the sides where its centre is near: in steps, each with the centres of its level.
+    # A cell is refined for the sides where its center is near: in steps, each with the centers of its level.
     steps = [f"({1.05 * 0.5 * case.sizes[2] * 2 ** (levels[2] - n + 1):g} {n})" for n in range(levels[0], 0, -1)]
     near = case.near or case.box
     write("snappyHexMeshDict", SNAPPY.format(

@@ -37,7 +37,7 @@ struct FoundZones
   void modify()
   {
     DisplacedGrid displaced = displaceGrid(points, std::move(crossings), context());
-    for (const Index point : displaced.places.movedPoints())
+    for (const Index point : displaced.places.displacedPoints())
     {
       grid.move(point, displaced.places.place(point));
     }
@@ -117,7 +117,7 @@ inline void addPierced(TriangleSurface& to, const std::string& name, const Vec3&
   addSurface(to, name, points, triangles);
 }
 
-/// Five whole sides of a box, and the one at its upper x with a hole, in metres from that side's lower corner.
+/// Five whole sides of a box, and the one at its upper x with a hole, in meters from that side's lower corner.
 inline void addRoom(TriangleSurface& to, const std::string& name, const Box3& box, const std::array<double, 2>& low,
                     const std::array<double, 2>& high)
 {

@@ -34,7 +34,7 @@ private:
   std::size_t limit;
 };
 
-/// A building with a canopy whose rim ends in the open, next to a dome: walls, sheets and curved surfaces.
+/// A building with a canopy whose boundary edge ends in the open, next to a dome: walls, sheets and curved surfaces.
 atria::TriangleSurface scene()
 {
   atria::TriangleSurface surface;

@@ -19,20 +19,20 @@ namespace {
 
 using atria::FaceMesh;
 using atria::Index;
-using atria::MeshOptimiserOptions;
-using atria::MeshOptimiserReport;
+using atria::MeshOptimizerOptions;
+using atria::MeshOptimizerReport;
 using atria::QualityMetrics;
 using atria::Vec3;
 using atria::testing::SampleMesh;
 
 atria::SilentMonitor silent;
 
-MeshOptimiserReport improve(SampleMesh& sample, const MeshOptimiserOptions& options = {},
+MeshOptimizerReport improve(SampleMesh& sample, const MeshOptimizerOptions& options = {},
                             const atria::Executor& executor = atria::SerialExecutor())
 {
   FaceMesh mesh = makeFaceMesh(sample.points, sample.view());
-  const MeshOptimiserReport report =
-      optimiseMesh(mesh, sample.view(), {}, options, {executor, atria::ProgressRange(silent)});
+  const MeshOptimizerReport report =
+      optimizeMesh(mesh, sample.view(), {}, options, {executor, atria::ProgressRange(silent)});
   sample.points = mesh.points;
   return report;
 }
@@ -111,7 +111,7 @@ void expectMended(std::array<int, 3> n, const Vec3& from, const Vec3& to)
   mesh.points[pointAt(mesh, from)] = to;
   const QualityMetrics before = measure(mesh);
   ASSERT_LT(least(before.scaledJacobian), 0.0);
-  const MeshOptimiserReport report = improve(mesh);
+  const MeshOptimizerReport report = improve(mesh);
   EXPECT_GT(report.shortBefore, 0u);
   EXPECT_EQ(report.shortAfter, 0u);
   const QualityMetrics after = measure(mesh);
@@ -136,20 +136,20 @@ void expectMended(std::array<int, 3> n, const Vec3& from, const Vec3& to)
   }
 }
 
-TEST(MeshOptimiser, UntanglesAPointInside)
+TEST(MeshOptimizer, UntanglesAPointInside)
 {
   expectMended({9, 9, 9}, {4, 4, 4}, {5.6, 4.3, 4.1});
   expectMended({9, 9, 9}, {4, 4, 4}, {2.2, 2.4, 5.5});
   expectMended({9, 9, 9}, {4, 4, 4}, {6.5, 4, 4});
 }
 
-TEST(MeshOptimiser, UntanglesAPointOnASideWithinIt)
+TEST(MeshOptimizer, UntanglesAPointOnASideWithinIt)
 {
   expectMended({9, 9, 9}, {4, 4, 0}, {5.4, 4.3, 0});
   expectMended({9, 9, 9}, {9, 4, 4}, {9, 2.3, 5.6});
 }
 
-TEST(MeshOptimiser, UntanglesAPointOnAnEdgeAlongIt)
+TEST(MeshOptimizer, UntanglesAPointOnAnEdgeAlongIt)
 {
   expectMended({9, 9, 9}, {4, 0, 0}, {5.5, 0, 0});
   expectMended({9, 9, 9}, {9, 9, 4}, {9, 9, 2.6});
@@ -158,11 +158,11 @@ TEST(MeshOptimiser, UntanglesAPointOnAnEdgeAlongIt)
 /// Of all cell types, tangled the more the greater `distance` is.
 SampleMesh tangled(unsigned seed, double distance) { return atria::testing::mixedCells({6, 5, 7}, seed, distance); }
 
-TEST(MeshOptimiser, LeavesAloneWhatIsGoodEnough)
+TEST(MeshOptimizer, LeavesAloneWhatIsGoodEnough)
 {
   SampleMesh grid = atria::testing::hexahedra({4, 3, 5});
   const std::vector<Vec3> before = grid.points;
-  EXPECT_EQ(improve(grid).movedPoints, 0u);
+  EXPECT_EQ(improve(grid).displacedPoints, 0u);
   EXPECT_EQ(grid.points, before);
   std::mt19937 random(5);
   std::uniform_real_distribution<double> shift(-0.8, 0.8);
@@ -171,17 +171,17 @@ TEST(MeshOptimiser, LeavesAloneWhatIsGoodEnough)
     const bool inside = p[0] > 0 && p[0] < 4 && p[1] > 0 && p[1] < 3 && p[2] > 0 && p[2] < 5;
     p += inside ? Vec3(shift(random), shift(random), shift(random)) : Vec3(Vec3::Zero());
   }
-  const MeshOptimiserReport first = improve(grid);
-  EXPECT_GT(first.movedPoints, 0u);
+  const MeshOptimizerReport first = improve(grid);
+  EXPECT_GT(first.displacedPoints, 0u);
   ASSERT_EQ(first.shortAfter, 0u);
   const std::vector<Vec3> improved = grid.points;
-  const MeshOptimiserReport again = improve(grid);
+  const MeshOptimizerReport again = improve(grid);
   EXPECT_EQ(again.shortBefore, 0u);
-  EXPECT_EQ(again.movedPoints, 0u);
+  EXPECT_EQ(again.displacedPoints, 0u);
   EXPECT_EQ(grid.points, improved);
 }
 
-TEST(MeshOptimiser, NeverMakesTheWorstWorse)
+TEST(MeshOptimizer, NeverMakesTheWorstWorse)
 {
   for (unsigned seed = 0; seed < 12; ++seed)
   {
@@ -190,7 +190,7 @@ TEST(MeshOptimiser, NeverMakesTheWorstWorse)
     SampleMesh mesh = tangled(seed, distance);
     const QualityMetrics before = measure(mesh);
     const auto quantities = leastQuantities(mesh);
-    const MeshOptimiserReport report = improve(mesh);
+    const MeshOptimizerReport report = improve(mesh);
     EXPECT_LE(report.shortAfter, report.shortBefore);
     expectWorstNoWorse(before, measure(mesh));
     const auto quantitiesThen = leastQuantities(mesh);
@@ -201,20 +201,20 @@ TEST(MeshOptimiser, NeverMakesTheWorstWorse)
   }
 }
 
-TEST(MeshOptimiser, MakesTangledMeshesOfAllTypesValid)
+TEST(MeshOptimizer, MakesTangledMeshesOfAllTypesValid)
 {
   for (unsigned seed = 20; seed < 26; ++seed)
   {
     SCOPED_TRACE(seed);
     SampleMesh mesh = tangled(seed, 0.9);
     ASSERT_GT(measure(mesh).invalidCells, 50u);
-    const MeshOptimiserReport report = improve(mesh);
+    const MeshOptimizerReport report = improve(mesh);
     EXPECT_EQ(measure(mesh).invalidCells, 0u);
     EXPECT_LT(report.shortAfter, report.shortBefore / 25) << "cells are left that only just fall short";
   }
 }
 
-TEST(MeshOptimiser, GivesTheSameBitsForAnyNumberOfThreads)
+TEST(MeshOptimizer, GivesTheSameBitsForAnyNumberOfThreads)
 {
   const SampleMesh start = tangled(4, 0.5);
   SampleMesh serial = start;
@@ -228,14 +228,14 @@ TEST(MeshOptimiser, GivesTheSameBitsForAnyNumberOfThreads)
   }
 }
 
-TEST(MeshOptimiser, DoesNotUndoWhatItDidBefore)
+TEST(MeshOptimizer, DoesNotUndoWhatItDidBefore)
 {
   SampleMesh mesh = tangled(9, 0.45);
   std::size_t shortCells = improve(mesh).shortAfter;
   for (int again = 0; again < 3; ++again)
   {
     const QualityMetrics before = measure(mesh);
-    const MeshOptimiserReport report = improve(mesh);
+    const MeshOptimizerReport report = improve(mesh);
     EXPECT_EQ(report.shortBefore, shortCells);
     EXPECT_LE(report.shortAfter, shortCells);
     shortCells = report.shortAfter;
@@ -243,7 +243,7 @@ TEST(MeshOptimiser, DoesNotUndoWhatItDidBefore)
   }
 }
 
-TEST(MeshOptimiser, KeepsAFixedBoundary)
+TEST(MeshOptimizer, KeepsAFixedBoundary)
 {
   SampleMesh mesh = atria::testing::hexahedra({6, 6, 6});
   const Index onSide = pointAt(mesh, {3, 3, 0});
@@ -251,9 +251,9 @@ TEST(MeshOptimiser, KeepsAFixedBoundary)
   mesh.points[onSide] = {3.7, 3.4, 0.0};
   mesh.points[inside] = {4.4, 3.2, 3.1};
   const std::vector<Vec3> before = mesh.points;
-  MeshOptimiserOptions options;
+  MeshOptimizerOptions options;
   options.fixedBoundary = true;
-  options.optimiser.targets.faceCosine.aimAt(0.95);
+  options.optimizer.targets.faceCosine.aimAt(0.95);
   improve(mesh, options);
   EXPECT_NE(mesh.points[inside], before[inside]);
   for (Index p = 0; p < before.size(); ++p)
@@ -290,12 +290,12 @@ Sheet middleSheet(const SampleMesh& mesh, double z)
   for (std::size_t i = 0; i < found.size(); ++i)
   {
     sheet.keys.push_back({faces.owner[found[i]], sheet.points[i]});
-    sheet.keys.push_back({faces.neighbour[found[i]], sheet.points[i]});
+    sheet.keys.push_back({faces.neighbor[found[i]], sheet.points[i]});
   }
   return sheet;
 }
 
-TEST(MeshOptimiser, KeepsPointsOfASheetWithinIt)
+TEST(MeshOptimizer, KeepsPointsOfASheetWithinIt)
 {
   SampleMesh sample = atria::testing::hexahedra({8, 8, 8});
   const Sheet sheet = middleSheet(sample, 4.0);
@@ -303,7 +303,7 @@ TEST(MeshOptimiser, KeepsPointsOfASheetWithinIt)
   sample.points[moved] = {5.4, 4.3, 4.0};
   FaceMesh mesh = makeFaceMesh(sample.points, sample.view(), sheet.keys);
   const std::vector<Vec3> before = mesh.points;
-  const MeshOptimiserReport report = optimiseMesh(mesh, sample.view(), {}, MeshOptimiserOptions(),
+  const MeshOptimizerReport report = optimizeMesh(mesh, sample.view(), {}, MeshOptimizerOptions(),
                                                   {atria::SerialExecutor(), atria::ProgressRange(silent)});
   EXPECT_GT(report.shortBefore, 0u);
   EXPECT_EQ(report.shortAfter, 0u);
@@ -314,7 +314,7 @@ TEST(MeshOptimiser, KeepsPointsOfASheetWithinIt)
   }
 }
 
-TEST(MeshOptimiser, KeepsBothSidesOfADoubledSheetTogether)
+TEST(MeshOptimizer, KeepsBothSidesOfADoubledSheetTogether)
 {
   // Two grids on top of each other that share no point.
   SampleMesh mesh = atria::testing::hexahedra({8, 8, 4});
@@ -353,7 +353,7 @@ TEST(MeshOptimiser, KeepsBothSidesOfADoubledSheetTogether)
   EXPECT_EQ(pairs, 81u);
 }
 
-TEST(MeshOptimiser, KeepsEdgesBetweenPatches)
+TEST(MeshOptimizer, KeepsEdgesBetweenPatches)
 {
   SampleMesh sample = atria::testing::hexahedra({8, 8, 4});
   sample.points[pointAt(sample, {4, 4, 0})] = {4.0, 5.3, 0.0};
@@ -369,10 +369,10 @@ TEST(MeshOptimiser, KeepsEdgesBetweenPatches)
     patches.push_back(sum < 16.0 ? 0 : 1);
   }
   const std::vector<Vec3> before = mesh.points;
-  const MeshOptimiserReport report = optimiseMesh(mesh, sample.view(), patches, MeshOptimiserOptions(),
+  const MeshOptimizerReport report = optimizeMesh(mesh, sample.view(), patches, MeshOptimizerOptions(),
                                                   {atria::SerialExecutor(), atria::ProgressRange(silent)});
   EXPECT_EQ(report.shortAfter, 0u);
-  EXPECT_GT(report.movedPoints, 0u);
+  EXPECT_GT(report.displacedPoints, 0u);
   for (Index p = 0; p < before.size(); ++p)
   {
     if (before[p][0] == 4.0 && before[p][2] == 0.0)
@@ -383,7 +383,7 @@ TEST(MeshOptimiser, KeepsEdgesBetweenPatches)
   }
 }
 
-TEST(MeshOptimiser, KeepsPointsOnACurvedBoundary)
+TEST(MeshOptimizer, KeepsPointsOnACurvedBoundary)
 {
   // A quarter of a thick pipe, its points shuffled inside.
   SampleMesh mesh = atria::testing::mixedCells({5, 16, 5}, 8, 0.45);
@@ -434,11 +434,11 @@ TEST(MeshOptimiser, KeepsPointsOnACurvedBoundary)
   EXPECT_GT(moved, 0u);
 }
 
-TEST(MeshOptimiser, OpensPointsThatCoincide)
+TEST(MeshOptimizer, OpensPointsThatCoincide)
 {
   SampleMesh mesh = atria::testing::hexahedra({6, 6, 6});
   mesh.points[pointAt(mesh, {3, 3, 3})] = {2, 3, 3};
-  const MeshOptimiserReport report = improve(mesh);
+  const MeshOptimizerReport report = improve(mesh);
   EXPECT_GT(report.shortBefore, 0u);
   EXPECT_EQ(report.shortAfter, 0u);
   // On a side, where points in one place would otherwise stay together.
@@ -447,7 +447,7 @@ TEST(MeshOptimiser, OpensPointsThatCoincide)
   EXPECT_EQ(improve(side).shortAfter, 0u);
 }
 
-TEST(MeshOptimiser, StopsWhenAsked)
+TEST(MeshOptimizer, StopsWhenAsked)
 {
   class Impatient : public atria::ProgressMonitor
   {
@@ -464,7 +464,7 @@ TEST(MeshOptimiser, StopsWhenAsked)
   FaceMesh mesh = makeFaceMesh(sample.points, sample.view());
   Impatient monitor;
   const atria::SerialExecutor serial;
-  EXPECT_THROW(optimiseMesh(mesh, sample.view(), {}, MeshOptimiserOptions(), {serial, atria::ProgressRange(monitor)}),
+  EXPECT_THROW(optimizeMesh(mesh, sample.view(), {}, MeshOptimizerOptions(), {serial, atria::ProgressRange(monitor)}),
                atria::Aborted);
   EXPECT_EQ(mesh.points, sample.points);
 }

@@ -82,7 +82,7 @@ TEST(CheckQuantities, HaveTheirNamesInOrder)
   }
 }
 
-TEST(CheckQuantities, WeightAndVolumeRatioTellHowMuchNeighboursDiffer)
+TEST(CheckQuantities, WeightAndVolumeRatioTellHowMuchNeighborsDiffer)
 {
   for (const double length : {0.5, 0.1, 1e-3})
   {
@@ -190,7 +190,7 @@ TEST(MeshChecks, CellsKnowTheChecksTheyFail)
         wanted[sample.mesh.owner[id]] = true;
         if (id < sample.mesh.internalFaceCount())
         {
-          wanted[sample.mesh.neighbour[id]] = true;
+          wanted[sample.mesh.neighbor[id]] = true;
         }
       }
     }

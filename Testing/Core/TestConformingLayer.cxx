@@ -130,12 +130,12 @@ TEST(ConformingLayer, CoversASphereAndABoxWhole)
   }
 }
 
-TEST(ConformingLayer, TapersToNothingAtTheRimOfASheet)
+TEST(ConformingLayer, TapersToNothingAtTheBoundaryEdgeOfASheet)
 {
   const Layered layered(meshAll(sheet(), gridOf(0.2)), single);
   expectValid(layered.one, layered.plain());
   const std::vector<Index> points = layered.pointsOf(0);
-  std::size_t rim = 0;
+  std::size_t boundaryEdge = 0;
   for (const Index p : points)
   {
     const Vec3 at = layered.plain().points[p];
@@ -143,7 +143,7 @@ TEST(ConformingLayer, TapersToNothingAtTheRimOfASheet)
     const Vec3 outside = (at - Vec3(1.0 - 0.03, 1.0 + 0.03, 0.0)).cwiseMax(Vec3(-1.03, -0.97, 0.0) - at);
     if (std::max(outside[0], outside[1]) > -1e-9)
     {
-      ++rim;
+      ++boundaryEdge;
       EXPECT_EQ(layered.one.copies[p], atria::noIndex) << at.transpose();
     }
     else
@@ -154,17 +154,17 @@ TEST(ConformingLayer, TapersToNothingAtTheRimOfASheet)
       EXPECT_GT(std::abs(way[2]), 0.01);
     }
   }
-  EXPECT_GT(rim, 30u);
-  EXPECT_EQ(layered.copyCount(0), points.size() - rim);
+  EXPECT_GT(boundaryEdge, 30u);
+  EXPECT_EQ(layered.copyCount(0), points.size() - boundaryEdge);
 }
 
 TEST(ConformingLayer, LeavesOutASheetOneFaceWideAndCoversOneTwoFacesWide)
 {
   // Octants of 0.4 in rows at -0.2 and 0.2 about y = 0.
-  for (const int rows : {1, 2})
+  for (const int creaseSheets : {1, 2})
   {
     TriangleSurface surface;
-    addSheet(surface, "Strip", {-1.0, 0.01, 0.05}, {2.0, 0.0, 0.0}, {0.0, 0.4 * rows - 0.02, 0.0});
+    addSheet(surface, "Strip", {-1.0, 0.01, 0.05}, {2.0, 0.0, 0.0}, {0.0, 0.4 * creaseSheets - 0.02, 0.0});
     const Layered layered(meshAll(surface, gridOf(0.4)), single);
     expectValid(layered.one, layered.plain());
     std::size_t faces = 0;
@@ -178,7 +178,7 @@ TEST(ConformingLayer, LeavesOutASheetOneFaceWideAndCoversOneTwoFacesWide)
     {
       split += layered.walls.graph.facesAt(p).size() == 4 && layered.one.copies[p] != noIndex ? 1 : 0;
     }
-    if (rows == 1)
+    if (creaseSheets == 1)
     {
       EXPECT_EQ(layered.copyCount(0), 0u);
     }
@@ -369,7 +369,7 @@ TEST(LayerDirection, IsTheOneFarthestInsideAllWalls)
   const LayerDirection none = solveDirection(
       {{third * apart, third * (2.0 * x - apart), third * (2.0 * y - apart), third * (2.0 * z - apart)}, {}, {}, {}});
   EXPECT_NEAR(none.cosine, -1.0 / 3.0, 1e-12) << "nothing is inside all sides of a tetrahedron";
-  // A rim: out of the sheet in its plane; on the ground half way up.
+  // A boundary edge: out of the sheet in its plane; on the ground half way up.
   EXPECT_EQ(solveDirection({{}, {z, -z}, {x}, {}}).direction, x);
   const LayerDirection standing = solveDirection({{z}, {y, -y}, {x}, {}});
   EXPECT_NEAR((standing.direction - (x + z).normalized()).norm(), 0.0, 1e-12);

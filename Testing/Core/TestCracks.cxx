@@ -141,7 +141,7 @@ TEST(Cracks, FreeSheetsTheirCornersAndSheetsThatMeetHaveNone)
 
 TEST(Cracks, RunsGoOnOverThePointsOfARim)
 {
-  // A wall in eight parts, one beside another, each welded to the next: the rim is a chain of edges.
+  // A wall in eight parts, one beside another, each welded to the next: the boundary edge is a chain of edges.
   TriangleSurface surface;
   for (int i = 0; i < 8; ++i)
   {
@@ -238,9 +238,9 @@ TEST(ClosedCracks, LeaveWindowsAsTheyAreDownToTheTolerance)
                                  {0.5 + (0.11 - half) / 18, 10.21 / 24}, {0.5 + (0.11 + half) / 18, 13.63 / 24});
       atria::testing::turn(surface, degrees);
       FoundZones found(surface, uniformGrid(domain, size));
-      const auto neighbours = found.crossings.neighbours;
+      const auto neighbors = found.crossings.neighbors;
       found.closeCracksUpTo(0.5);
-      EXPECT_EQ(found.crossings.neighbours, neighbours);
+      EXPECT_EQ(found.crossings.neighbors, neighbors);
     }
   }
 }
@@ -250,7 +250,8 @@ TEST(ClosedCracks, BetweenARimAndAFaceOverTheGroundAndInAWedge)
   for (const double z : {0.0, 0.1, 0.23, 0.31})
   {
     TriangleSurface surface;
-    // Upright through the domain, over its bare bottom by a gap that narrows to nothing at one end of the lower rim.
+    // Upright through the domain, over its bare bottom by a gap that narrows to nothing at one end of the lower
+    // boundary edge.
     addSurface(surface, "Wall", {Vec3(0.13, -9, z), Vec3(0.13, 9, 0.24), Vec3(0.13, 9, 2.9), Vec3(0.13, -9, 2.9)},
                {{0, 1, 2}, {0, 2, 3}});
     addSheet(surface, "Slab", Vec3(-9, -9, 3.1), Vec3(18, 0, 0), Vec3(0, 18, 0));
@@ -279,7 +280,7 @@ TEST(ClosedCracks, TheSameForOneTwoAndSevenThreads)
     {
       FoundZones found(soup, grid, threads);
       found.closeCracksUpTo(0.5);
-      EXPECT_EQ(found.crossings.neighbours, wanted.crossings.neighbours);
+      EXPECT_EQ(found.crossings.neighbors, wanted.crossings.neighbors);
       EXPECT_EQ(found.zones.ofPoint, wanted.zones.ofPoint);
     }
   }

@@ -99,11 +99,11 @@ double farthestFromModel(const Meshed& meshed)
   return farthest;
 }
 
-class CreaseRows : public ::testing::TestWithParam<Solid>
+class CreaseSheets : public ::testing::TestWithParam<Solid>
 {
 };
 
-TEST_P(CreaseRows, LeaveNoElementWithAnAngleOf180Degrees)
+TEST_P(CreaseSheets, LeaveNoElementWithAnAngleOf180Degrees)
 {
   const Solid& solid = GetParam();
   const Meshed meshed = meshAbout(solid, 1);
@@ -115,14 +115,14 @@ TEST_P(CreaseRows, LeaveNoElementWithAnAngleOf180Degrees)
   EXPECT_TRUE(boundaryIsWatertight(mesh));
   EXPECT_GT(std::ranges::min(volumes(mesh)), 0.0);
   EXPECT_LT(widestAngle(meshed), 178.0);
-  const bool isReleased = std::ranges::any_of(meshed.result.diagnostics,
-                                              [](const Diagnostic& d) { return d.kind == Diagnostic::releasedVertex; });
-  EXPECT_LT(farthestFromModel(meshed), isReleased ? 0.1 * size : 1e-6);
+  const bool isDetached = std::ranges::any_of(meshed.result.diagnostics,
+                                              [](const Diagnostic& d) { return d.kind == Diagnostic::detachedVertex; });
+  EXPECT_LT(farthestFromModel(meshed), isDetached ? 0.1 * size : 1e-6);
   EXPECT_GE(leastScaledJacobian(mesh), solid.leastJacobian);
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Solids, CreaseRows,
+    Solids, CreaseSheets,
     ::testing::Values(Solid{"Box_turned", prism(rectangle, -1.2, 1.2), 0.5, {0, 0, 1}, 0.3},
                       Solid{"Box_turned_by_45_degrees", prism(rectangle, -1.2, 1.2), 0.7854, {0, 0, 1}, 0.3},
                       Solid{"Box_tilted", prism(rectangle, -1.2, 1.2), 0.7, {0.3, 0.5, 0.8}, 0.3},
@@ -133,7 +133,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Solid{"Angle_on_the_ground", prism(angled, -5.0, 1.2), 0.4, {0, 0, 1}, 0.3}),
     [](const auto& test) { return std::string(test.param.name); });
 
-TEST(CreaseRowsOf, TheSameBitsForAnyNumberOfThreads)
+TEST(CreaseSheetsOf, TheSameBitsForAnyNumberOfThreads)
 {
   const Solid solid{"", prism(rectangle, -1.2, 1.2), 0.7, {0.3, 0.5, 0.8}, 0.0};
   const Meshed one = meshAbout(solid, 1, 1);
@@ -144,7 +144,7 @@ TEST(CreaseRowsOf, TheSameBitsForAnyNumberOfThreads)
 }
 
 /// One prism on each face of a wall then, and no more.
-TEST(CreaseRowsOf, SolidsAlongTheAxesAndSmoothOnesThereAreNone)
+TEST(CreaseSheetsOf, SolidsAlongTheAxesAndSmoothOnesThereAreNone)
 {
   TriangleSurface sphere;
   addSphere(sphere, "Solid", Vec3::Zero(), 2.0, 4);

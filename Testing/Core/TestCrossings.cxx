@@ -38,7 +38,7 @@ template <typename T> bool same(const std::vector<T>& l, const std::vector<T>& r
 
 void expectSame(const Crossings& l, const Crossings& r)
 {
-  EXPECT_EQ(l.neighbours, r.neighbours);
+  EXPECT_EQ(l.neighbors, r.neighbors);
   EXPECT_TRUE(same(l.boundaryFaces, r.boundaryFaces));
   EXPECT_TRUE(same(l.crossedEdges, r.crossedEdges));
   EXPECT_TRUE(same(l.cuts, r.cuts));
@@ -54,8 +54,9 @@ std::vector<Index> moveSome(GridPlaces& grid, std::mt19937& random)
   {
     if (random() % 20 == 0)
     {
-      const LatticePoint home = grid.home(point);
-      grid.move(point, {home[0] + shift(random), home[1] + shift(random), home[2] + shift(random)});
+      const LatticePoint undisplaced = grid.undisplaced(point);
+      grid.move(point,
+                {undisplaced[0] + shift(random), undisplaced[1] + shift(random), undisplaced[2] + shift(random)});
       moved.push_back(point);
     }
   }
@@ -78,14 +79,14 @@ TEST(Crossings, AreTheSameUpdatedAndFoundAnew)
     const RunContext context{executor, ProgressRange(silent)};
     const GridPoints points = findGridPoints(meshed.octree, context);
     GridPlaces grid(meshed.octree, points);
-    const Crossings home = findCrossings(grid, meshed.model, context);
+    const Crossings undisplaced = findCrossings(grid, meshed.model, context);
     std::mt19937 random(seed);
     const std::vector<Index> moved = moveSome(grid, random);
     ASSERT_FALSE(moved.empty());
-    const Crossings updated = updateCrossings(grid, meshed.model, home, moved, context);
+    const Crossings updated = updateCrossings(grid, meshed.model, undisplaced, moved, context);
     expectSame(updated, findCrossings(grid, meshed.model, context));
-    grid.moveAllHome();
-    expectSame(updateCrossings(grid, meshed.model, updated, moved, context), home);
+    grid.undisplaceAll();
+    expectSame(updateCrossings(grid, meshed.model, updated, moved, context), undisplaced);
   }
 }
 

@@ -64,12 +64,12 @@ Index jogsOf(DualMesh mesh)
   {
     vertexOf.push_back(vertices.try_emplace({p[0], p[1], p[2]}, static_cast<Index>(vertices.size())).first->second);
   }
-  VertexAnchors anchors;
-  anchors.freedom.assign(vertices.size(), Freedom::curve);
-  anchors.pieces.assign(vertices.size(), 0);
-  anchors.offsets.resize(vertices.size() + 1);
-  std::iota(anchors.offsets.begin(), anchors.offsets.end(), Index{0});
-  return removeJogs(mesh, graph, vertexOf, anchors).faces;
+  VertexClassification classification;
+  classification.classes.assign(vertices.size(), VertexClass::curve);
+  classification.pieces.assign(vertices.size(), 0);
+  classification.offsets.resize(vertices.size() + 1);
+  std::iota(classification.offsets.begin(), classification.offsets.end(), Index{0});
+  return removeJogs(mesh, graph, vertexOf, classification).faces;
 }
 
 struct Case

@@ -149,7 +149,7 @@ TEST_P(ParallelWalls, HaveALayerOfElementsBetweenThem)
     EXPECT_EQ(posed.merged(), 0u);
     for (const Index wall : {0u, 1u})
     {
-      // Away from rims, where the space opens.
+      // Away from boundary edges, where the space opens.
       expectBothSides(posed, {wall, {1.5, wall * distance, 1.5}, {5, 0, 0}, {0, 0, 4}},
                       std::min(0.05, 0.25 * distance));
       const SurfaceArea area = posed.area(wall);

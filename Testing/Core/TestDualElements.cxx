@@ -83,7 +83,7 @@ void expectSound(const DualMesh& mesh)
   EXPECT_NEAR(atria::testing::totalVolume(mesh), 8.0 * 8.0 * 8.0, 1e-9);
 }
 
-/// In lattice units, so that centres compare exactly.
+/// In lattice units, so that centers compare exactly.
 using PointSet = std::set<LatticePoint>;
 
 PointSet pointsOf(const DualMesh& mesh, const GridFrame& frame, Index element)
@@ -109,33 +109,33 @@ std::array<GridCell, 4> octantsAboutEdge(int axis)
   return cells;
 }
 
-/// The centres of the leaves about the middle of that edge: two of a refined octant, one of another.
-PointSet centresAboutEdge(const GridFrame& frame, int axis, const std::array<bool, 4>& isRefined)
+/// The centers of the leaves about the middle of that edge: two of a refined octant, one of another.
+PointSet centersAboutEdge(const GridFrame& frame, int axis, const std::array<bool, 4>& isRefined)
 {
   const std::int64_t coarse = frame.latticeSize(coarseLevel);
-  PointSet centres;
+  PointSet centers;
   const auto cells = octantsAboutEdge(axis);
   for (unsigned k = 0; k < 4; ++k)
   {
-    LatticePoint centre;
+    LatticePoint center;
     for (int i = 0; i < 3; ++i)
     {
-      centre[i] = cells[k][i] * coarse + coarse / 2;
+      center[i] = cells[k][i] * coarse + coarse / 2;
     }
     if (!isRefined[k])
     {
-      centres.insert(centre);
+      centers.insert(center);
       continue;
     }
-    centre[(axis + 1) % 3] += k & 1 ? -coarse / 4 : coarse / 4;
-    centre[(axis + 2) % 3] += k >> 1 ? -coarse / 4 : coarse / 4;
+    center[(axis + 1) % 3] += k & 1 ? -coarse / 4 : coarse / 4;
+    center[(axis + 2) % 3] += k >> 1 ? -coarse / 4 : coarse / 4;
     for (const std::int64_t along : {-coarse / 4, coarse / 4})
     {
-      centre[axis] = cells[k][axis] * coarse + coarse / 2 + along;
-      centres.insert(centre);
+      center[axis] = cells[k][axis] * coarse + coarse / 2 + along;
+      centers.insert(center);
     }
   }
-  return centres;
+  return centers;
 }
 
 /// Refines some of the four octants about an edge, in each of the three directions, and looks at the element about its
@@ -156,7 +156,7 @@ void expectElementAtEdge(const std::array<bool, 4>& isRefined, std::size_t point
     }
     const DualMesh mesh = meshWith(frame, refined);
     expectSound(mesh);
-    const PointSet wanted = centresAboutEdge(frame, axis, isRefined);
+    const PointSet wanted = centersAboutEdge(frame, axis, isRefined);
     EXPECT_EQ(wanted.size(), points);
     int found = 0;
     for (const Index e : elementsOfLevel(mesh, coarseLevel + 1))

@@ -9,7 +9,7 @@
 /// - zones and the number of elements in each, as a space from plane to plane has as many grid points either way;
 /// - faces of each surface, where octants on both sides of its walls are equal, as they are where only walls refine;
 /// - how many faces meet at each point of the boundary, as a histogram.
-/// The domain's planes pass through octants' centres, away from the model, so that they turn into each other.
+/// The domain's planes pass through octants' centers, away from the model, so that they turn into each other.
 #include "Support/DualMeshChecks.h"
 #include "Support/MeshIt.h"
 #include "Support/Shapes.h"

@@ -29,8 +29,8 @@ void expectWellOrdered(const FaceMesh& mesh)
   std::pair<Index, Index> before{0, 0};
   for (std::size_t f = 0; f < mesh.internalFaceCount(); ++f)
   {
-    EXPECT_LT(mesh.owner[f], mesh.neighbour[f]);
-    const std::pair now{mesh.owner[f], mesh.neighbour[f]};
+    EXPECT_LT(mesh.owner[f], mesh.neighbor[f]);
+    const std::pair now{mesh.owner[f], mesh.neighbor[f]};
     EXPECT_GE(now, before);
     before = now;
   }
@@ -55,7 +55,7 @@ void expectClosedCells(const FaceMesh& mesh)
     add(f, mesh.owner[f], false);
     if (f < mesh.internalFaceCount())
     {
-      add(f, mesh.neighbour[f], true);
+      add(f, mesh.neighbor[f], true);
     }
   }
   for (const auto& ofCell : edges)
@@ -118,11 +118,11 @@ TEST(FaceMesh, FacesOfEveryCellTypePointOutward)
   for (const SampleMesh& cell : cells)
   {
     const FaceMesh mesh = makeFaceMesh(cell.points, cell.view());
-    const Vec3 centre = std::accumulate(mesh.points.begin(), mesh.points.end(), Vec3(0, 0, 0)) /
+    const Vec3 center = std::accumulate(mesh.points.begin(), mesh.points.end(), Vec3(0, 0, 0)) /
                         static_cast<double>(mesh.points.size());
     for (std::size_t f = 0; f < mesh.faceCount(); ++f)
     {
-      EXPECT_GT(normalOf(mesh, f).dot(mesh.points[mesh.face(f)[0]] - centre), 0) << "type " << int(cell.types[0]);
+      EXPECT_GT(normalOf(mesh, f).dot(mesh.points[mesh.face(f)[0]] - center), 0) << "type " << int(cell.types[0]);
     }
     expectClosedCells(mesh);
   }
@@ -168,8 +168,8 @@ TEST(FaceMesh, IsTheSameMeshForAnyCellOrder)
   std::set<std::pair<Index, Index>> pairsB;
   for (std::size_t f = 0; f < b.internalFaceCount(); ++f)
   {
-    pairsA.insert(std::minmax(a.owner[f], a.neighbour[f]));
-    pairsB.insert(std::minmax(static_cast<Index>(order[b.owner[f]]), static_cast<Index>(order[b.neighbour[f]])));
+    pairsA.insert(std::minmax(a.owner[f], a.neighbor[f]));
+    pairsB.insert(std::minmax(static_cast<Index>(order[b.owner[f]]), static_cast<Index>(order[b.neighbor[f]])));
   }
   EXPECT_EQ(pairsA, pairsB);
 }
@@ -183,7 +183,7 @@ TEST(FaceMesh, IsTheSameForAnyNumberOfThreads)
   {
     const FaceMesh many = makeFaceMesh(sample.points, sample.view(), {}, atria::ThreadExecutor(threads));
     EXPECT_EQ(many.owner, one.owner);
-    EXPECT_EQ(many.neighbour, one.neighbour);
+    EXPECT_EQ(many.neighbor, one.neighbor);
     EXPECT_EQ(many.faceOffsets, one.faceOffsets);
     EXPECT_EQ(many.facePoints, one.facePoints);
     const atria::CellFaces cellFaces = makeCellFaces(many, atria::ThreadExecutor(threads));
@@ -206,7 +206,7 @@ TEST(FaceMesh, CellsKnowTheFacesTheyOwnFirst)
     EXPECT_TRUE(std::is_partitioned(faces.begin(), faces.end(), owned));
     const auto others = std::find_if_not(faces.begin(), faces.end(), owned);
     EXPECT_TRUE(std::is_sorted(faces.begin(), others) && std::is_sorted(others, faces.end()));
-    EXPECT_TRUE(std::all_of(others, faces.end(), [&](Index f) { return mesh.neighbour[f] == c; }));
+    EXPECT_TRUE(std::all_of(others, faces.end(), [&](Index f) { return mesh.neighbor[f] == c; }));
   }
   EXPECT_EQ(sides, mesh.faceCount() + mesh.internalFaceCount());
 }
@@ -274,9 +274,9 @@ TEST(FaceMesh, TellsPolygonsThatShareTheirSmallestPointsApart)
   ASSERT_EQ(faces.internalFaceCount(), 2u);
   EXPECT_EQ(faces.faceCount(), 5u);
   EXPECT_EQ(faces.owner[0], 0u);
-  EXPECT_EQ(faces.neighbour[0], 4u);
+  EXPECT_EQ(faces.neighbor[0], 4u);
   EXPECT_EQ(faces.owner[1], 2u);
-  EXPECT_EQ(faces.neighbour[1], 5u);
+  EXPECT_EQ(faces.neighbor[1], 5u);
 }
 
 TEST(FaceMesh, EmptyMeshHasNoFaces)

@@ -12,7 +12,7 @@ namespace {
 using namespace atria;
 using namespace atria::testing;
 
-/// A plate of 6 x 6 with a hole of 2 x 2 in the middle, on octant centres of the mesh.
+/// A plate of 6 x 6 with a hole of 2 x 2 in the middle, on octant centers of the mesh.
 class PlateWithHole : public ::testing::Test
 {
 protected:
@@ -60,7 +60,7 @@ TEST_F(PlateWithHole, ThatIsKeptHasFullMarks)
   EXPECT_NEAR(area.back, 32.0, 1e-6);
   EXPECT_NEAR(area.once, 32.0, 1e-6);
   const CurveCoverage curves = checks.curves();
-  EXPECT_NEAR(curves.ofKind[static_cast<int>(CurveKind::rim)].length, 32.0, 1e-6);
+  EXPECT_NEAR(curves.ofKind[static_cast<int>(CurveKind::boundary)].length, 32.0, 1e-6);
   EXPECT_NEAR(curves.total.length, 32.0, 1e-6);
   EXPECT_EQ(curves.total.featureRatio(), 1.0);
   EXPECT_TRUE(curves.misses.empty());
@@ -87,11 +87,11 @@ TEST_F(PlateWithHole, WhoseCornerIsCutIsBlockedThereAndMissesItsCurves)
   EXPECT_NEAR(hole().corner, 0.3 * std::sqrt(2.0), 0.1);
   EXPECT_LT(hole().outline, 0.9);
   const CurveCoverage curves = FeatureChecks(meshed).curves();
-  // Along the two edges that leave the corner the deviation grows to 0.3; the last metre of each is off by more than
+  // Along the two edges that leave the corner the deviation grows to 0.3; the last meter of each is off by more than
   // 0.05 but for its first sixth.
   EXPECT_NEAR(curves.total.length - curves.total.onFeature, 2.0 * (1.0 - 0.05 / 0.3), 0.1);
   ASSERT_EQ(curves.misses.size(), 2u);
-  EXPECT_EQ(curves.misses.front().kind, CurveKind::rim);
+  EXPECT_EQ(curves.misses.front().kind, CurveKind::boundary);
   EXPECT_EQ(curves.misses.front().names, "Plate");
 }
 

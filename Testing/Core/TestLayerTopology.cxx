@@ -70,7 +70,7 @@ void expectSound(const LayerMesh& layer, const DualMesh& plain, Index surfaceCou
   for (Index f = 0; f < mesh.boundaryFaces.size(); ++f)
   {
     const BoundaryFace& face = mesh.boundaryFaces[f];
-    ASSERT_EQ(mesh.neighbours[face.element][face.direction], ~static_cast<std::int32_t>(f));
+    ASSERT_EQ(mesh.neighbors[face.element][face.direction], ~static_cast<std::int32_t>(f));
     if (face.opposite != noIndex)
     {
       const Index behind = faceBehind(mesh, face);

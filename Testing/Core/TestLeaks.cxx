@@ -123,11 +123,11 @@ void expectWay(const Leak& leak, const FoundZones& found, const Vec3& seed)
   EXPECT_EQ(leak.points.front(), pointOfSeed(seed, "seed", found.grid, found.model));
   for (std::size_t i = 0; i + 1 < leak.points.size(); ++i)
   {
-    const auto& neighbours = found.crossings.neighbours[leak.points[i]];
-    EXPECT_THAT(neighbours, ::testing::Contains(static_cast<std::int32_t>(leak.points[i + 1])));
+    const auto& neighbors = found.crossings.neighbors[leak.points[i]];
+    EXPECT_THAT(neighbors, ::testing::Contains(static_cast<std::int32_t>(leak.points[i + 1])));
     EXPECT_EQ(leak.path[i], found.position(leak.points[i]));
   }
-  const std::int32_t code = found.crossings.neighbours[leak.points.back()][leak.side];
+  const std::int32_t code = found.crossings.neighbors[leak.points.back()][leak.side];
   ASSERT_TRUE(DualMesh::isBoundary(code));
   EXPECT_TRUE(found.crossings.boundaryFaces[DualMesh::boundaryFaceOf(code)].onDomainSide);
   ASSERT_EQ(leak.path.size(), leak.points.size() + 1);

@@ -96,9 +96,9 @@ void expectSame(const FaceMesh& before, const FaceMesh& after, const MergedCells
   {
     const bool internal = f < before.internalFaceCount();
     const Index owner = merged.cellOf[before.owner[f]];
-    const Index neighbour = internal ? merged.cellOf[before.neighbour[f]] : noIndex;
+    const Index neighbor = internal ? merged.cellOf[before.neighbor[f]] : noIndex;
     const Index now = merged.faceOf[f];
-    if (owner == neighbour)
+    if (owner == neighbor)
     {
       EXPECT_EQ(now, noIndex);
       continue;
@@ -107,27 +107,27 @@ void expectSame(const FaceMesh& before, const FaceMesh& after, const MergedCells
     EXPECT_TRUE(seen.insert(now).second);
     ASSERT_EQ(now < after.internalFaceCount(), internal);
     const bool turned = wholeOf(after.owner[now]) != owner;
-    EXPECT_EQ(wholeOf(after.owner[now]), turned ? neighbour : owner);
+    EXPECT_EQ(wholeOf(after.owner[now]), turned ? neighbor : owner);
     const Vec3 area = measurePolygon(before.points, before.face(f)).area;
     const Vec3 areaNow = measurePolygon(after.points, after.face(now)).area;
     EXPECT_LT((turned ? Vec3(areaNow + area) : Vec3(areaNow - area)).norm(), 1e-14);
     if (internal)
     {
-      EXPECT_EQ(wholeOf(after.neighbour[now]), turned ? owner : neighbour);
-      EXPECT_LT(after.owner[now], after.neighbour[now]);
+      EXPECT_EQ(wholeOf(after.neighbor[now]), turned ? owner : neighbor);
+      EXPECT_LT(after.owner[now], after.neighbor[now]);
     }
   }
   for (Index f = 0; f < after.faceCount(); ++f)
   {
     EXPECT_TRUE(seen.contains(f) ||
-                (f < after.internalFaceCount() && wholeOf(after.owner[f]) == wholeOf(after.neighbour[f])));
+                (f < after.internalFaceCount() && wholeOf(after.owner[f]) == wholeOf(after.neighbor[f])));
   }
   for (std::size_t f = 1; f < after.faceCount(); ++f)
   {
     const bool bothInternal = f < after.internalFaceCount();
     const bool bothBoundary = f > after.internalFaceCount();
     EXPECT_TRUE(!bothInternal ||
-                std::pair(after.owner[f - 1], after.neighbour[f - 1]) <= std::pair(after.owner[f], after.neighbour[f]));
+                std::pair(after.owner[f - 1], after.neighbor[f - 1]) <= std::pair(after.owner[f], after.neighbor[f]));
     EXPECT_TRUE(!bothBoundary || after.owner[f - 1] <= after.owner[f]);
   }
   EXPECT_TRUE(verdictOf(after)["Openness"].failing.empty());
@@ -184,7 +184,7 @@ TEST(MergeCells, ADuctOfCubesIsCutIntoPyramids)
   }
 }
 
-TEST(MergeCells, NothingChangesWhereNoNeighbourHelps)
+TEST(MergeCells, NothingChangesWhereNoNeighborHelps)
 {
   // In a plane or a row no gradient across it can be determined, however cells are merged; a room has nothing to merge.
   for (const std::array<int, 3> n : {std::array{4, 4, 1}, {5, 1, 1}, {1, 1, 1}, {4, 4, 4}})
@@ -210,7 +210,7 @@ TEST(MergeCells, ThinCellsOfALayerStay)
   FaceMesh mesh = facesOf(sample);
   const auto thin = verdictOf(mesh)["Determinant"].failing;
   EXPECT_EQ(thin.size(), 16u) << "checkMesh objects to thin cells as well";
-  EXPECT_LE(merge(mesh).count, 4u) << "but for those in corners they have four neighbours or more";
+  EXPECT_LE(merge(mesh).count, 4u) << "but for those in corners they have four neighbors or more";
 }
 
 TEST(MergeCells, MixedMeshesAreDeterminedAfterwards)
@@ -244,7 +244,7 @@ TEST(MergeCells, MixedMeshesAreDeterminedAfterwards)
       FaceMesh other = before;
       EXPECT_EQ(merge(other, threads).cellOf, merged.cellOf);
       EXPECT_EQ(other.facePoints, after.facePoints);
-      EXPECT_EQ(other.neighbour, after.neighbour);
+      EXPECT_EQ(other.neighbor, after.neighbor);
     }
   }
 }

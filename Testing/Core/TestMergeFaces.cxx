@@ -109,7 +109,7 @@ void expectClosedCells(const FaceMesh& mesh)
     add(f, mesh.owner[f], 1);
     if (f < mesh.internalFaceCount())
     {
-      add(f, mesh.neighbour[f], -1);
+      add(f, mesh.neighbor[f], -1);
     }
   }
   EXPECT_TRUE(std::all_of(balance.begin(), balance.end(), [](const auto& edge) { return edge.second == 0; }));
@@ -439,10 +439,10 @@ void expectStarShaped(const FaceMesh& before, const FaceMesh& after, const Merge
     const auto face = after.face(f);
     for (std::size_t i = 0; i < face.size() && parts[f] > 1; ++i)
     {
-      const Vec3 centre = geometry.cellCentroids[after.owner[f]];
-      const Vec3 a = after.points[face[i]] - centre;
-      const Vec3 b = after.points[face[(i + 1) % face.size()]] - centre;
-      EXPECT_GT(a.cross(b).dot(geometry.faceCentroids[f] - centre), 0.0) << "face " << f;
+      const Vec3 center = geometry.cellCentroids[after.owner[f]];
+      const Vec3 a = after.points[face[i]] - center;
+      const Vec3 b = after.points[face[(i + 1) % face.size()]] - center;
+      EXPECT_GT(a.cross(b).dot(geometry.faceCentroids[f] - center), 0.0) << "face " << f;
     }
   }
 }
@@ -457,7 +457,7 @@ TEST(MergeFaces, OnMeshesOfRandomSurfacesAllHoldsThatIsPromised)
     FaceMesh mesh = source.mesh;
     const MergedFaces merged = merge(mesh, source.patchOf);
     all += merged.count;
-    EXPECT_EQ(mesh.neighbour, source.mesh.neighbour);
+    EXPECT_EQ(mesh.neighbor, source.mesh.neighbor);
     EXPECT_EQ(mesh.points, source.mesh.points);
     ASSERT_EQ(mesh.faceOffsets.size(), mesh.faceCount() + 1);
     ASSERT_EQ(mesh.faceOffsets.back(), mesh.facePoints.size());

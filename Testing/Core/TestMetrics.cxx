@@ -177,7 +177,7 @@ TEST(Metrics, SkewnessIsTheOffsetOverTheFacesExtent)
     }
   }
   const QualityMetrics q = measure(sample);
-  // d goes from (0.5, 0.5) to (1.5, 0.7): it meets the face at 0.6, 0.1 off its centre; the face extends by
+  // d goes from (0.5, 0.5) to (1.5, 0.7): it meets the face at 0.6, 0.1 off its center; the face extends by
   // 0.5.
   EXPECT_NEAR(q.skewnessOfFaces[0], 0.2, 1e-12);
 }

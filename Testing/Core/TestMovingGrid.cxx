@@ -16,7 +16,7 @@ using namespace atria;
 
 using PointPlaces = MovingGrid::PointPlaces;
 
-/// Some points and places up to half an octant from home, neighbours among them.
+/// Some points and places up to half an octant from home, neighbors among them.
 PointPlaces somePlaces(const GridPlaces& grid, unsigned seed)
 {
   std::mt19937 random(seed);
@@ -27,9 +27,9 @@ PointPlaces somePlaces(const GridPlaces& grid, unsigned seed)
   {
     if (random() % 4 == 0)
     {
-      const LatticePoint home = grid.home(point);
-      places.emplace_back(point,
-                          LatticePoint{home[0] + shift(random), home[1] + shift(random), home[2] + shift(random)});
+      const LatticePoint undisplaced = grid.undisplaced(point);
+      places.emplace_back(point, LatticePoint{undisplaced[0] + shift(random), undisplaced[1] + shift(random),
+                                              undisplaced[2] + shift(random)});
     }
   }
   return places;
@@ -38,10 +38,10 @@ PointPlaces somePlaces(const GridPlaces& grid, unsigned seed)
 /// A grid that is moved, with all it needs.
 struct Moving
 {
-  Moving(const atria::testing::Meshed& meshed, const GridPoints& points, const Crossings& home,
+  Moving(const atria::testing::Meshed& meshed, const GridPoints& points, const Crossings& undisplaced,
          const RunContext& context)
       : places(meshed.octree, points), tree(meshed.model),
-        grid(places, home, MeshingContext{context, meshed.octree, meshed.model, tree})
+        grid(places, undisplaced, MeshingContext{context, meshed.octree, meshed.model, tree})
   {
   }
 
@@ -72,7 +72,7 @@ void expectSame(Moving& l, Moving& r, const RunContext& context)
     expectSameCuts(ofL.cutEdges(), ofR.cutEdges());
     EXPECT_EQ(ofL.leavesAbout(), ofR.leavesAbout());
   }
-  EXPECT_EQ(l.grid.leavesInQuestion(context), r.grid.leavesInQuestion(context));
+  EXPECT_EQ(l.grid.unresolvedLeaves(context), r.grid.unresolvedLeaves(context));
 }
 
 class MovedGrids : public ::testing::TestWithParam<unsigned>
@@ -81,7 +81,7 @@ protected:
   MovedGrids() : meshed(atria::testing::meshIt(atria::testing::randomSoup(GetParam()), options()))
   {
     points = findGridPoints(meshed.octree, context);
-    home = findCrossings(GridPlaces(meshed.octree, points), meshed.model, context);
+    undisplaced = findCrossings(GridPlaces(meshed.octree, points), meshed.model, context);
   }
 
   static GridOptions options()
@@ -99,13 +99,13 @@ protected:
   RunContext context{executor, ProgressRange(silent)};
   atria::testing::Meshed meshed;
   GridPoints points;
-  Crossings home;
+  Crossings undisplaced;
 };
 
 TEST_P(MovedGrids, AreTheSameMovedAtOnceAndPointByPoint)
 {
-  Moving atOnce(meshed, points, home, context);
-  Moving oneByOne(meshed, points, home, context);
+  Moving atOnce(meshed, points, undisplaced, context);
+  Moving oneByOne(meshed, points, undisplaced, context);
   for (const unsigned seed : {1u, 2u, 3u})
   {
     const PointPlaces places = somePlaces(atOnce.places, seed);
@@ -121,8 +121,8 @@ TEST_P(MovedGrids, AreTheSameMovedAtOnceAndPointByPoint)
 
 TEST_P(MovedGrids, TellTheSameOfPointsWhetherLeavesWereLookedAtOrNot)
 {
-  Moving looked(meshed, points, home, context);
-  Moving stale(meshed, points, home, context);
+  Moving looked(meshed, points, undisplaced, context);
+  Moving stale(meshed, points, undisplaced, context);
   const PointPlaces places = somePlaces(looked.places, GetParam());
   looked.grid.moveAll(places, context);
   looked.grid.lookAgain(context);

@@ -77,7 +77,7 @@ public:
 
   double in(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random); }
 
-  /// Star-shaped about the origin, with strongly varying radius.
+  /// VertexStar-shaped about the origin, with strongly varying radius.
   std::vector<Vec3> star(int count)
   {
     std::vector<Vec3> points;

@@ -194,28 +194,28 @@ TEST(Problems, EndsOnThousandsOfFacesInOnePlaceAndSaysWhatItLeftOut)
   m.quad({9, 0, 0}, {10, 0, 0}, {10, 1, 0}, {9, 1, 0}, apart);
   m.triangle({9.2, 0.5, -1}, {9.8, 0.5, -1}, {9.5, 0.4, 1}, apart);
   const auto problems = problemsOf(m);
-  const auto crowds = ofKind(problems, ProblemKind::crowds);
-  ASSERT_EQ(crowds.size(), 1u);
-  EXPECT_EQ(crowds[0].surfaces, std::vector<Index>{0});
-  EXPECT_GT(crowds[0].count, squares * 18u / 10u); // of two triangles each
-  EXPECT_LT(crowds[0].count, squares * 2u);
-  EXPECT_LT(crowds[0].place.norm(), 1.5);
+  const auto clusters = ofKind(problems, ProblemKind::clusters);
+  ASSERT_EQ(clusters.size(), 1u);
+  EXPECT_EQ(clusters[0].surfaces, std::vector<Index>{0});
+  EXPECT_GT(clusters[0].count, squares * 18u / 10u); // of two triangles each
+  EXPECT_LT(clusters[0].count, squares * 2u);
+  EXPECT_LT(clusters[0].place.norm(), 1.5);
   // Some of the pile are looked at still, and all that is not part of it.
   const auto crossings = ofKind(problems, ProblemKind::crossings);
   ASSERT_EQ(crossings.size(), 2u);
   EXPECT_GT(crossings[0].count, 100u);
   EXPECT_LT(crossings[0].count, std::size_t{squares} * squares);
   EXPECT_EQ(crossings[1].surfaces, std::vector<Index>{apart});
-  EXPECT_EQ(crossings[1].count, 3u); // two rims of the triangle, and the diagonal of the square
+  EXPECT_EQ(crossings[1].count, 3u); // two boundary edges of the triangle, and the diagonal of the square
 }
 
 TEST(Problems, LooksAtAllTrianglesOfASmallPile)
 {
   const auto problems = problemsOf(pile(20));
-  EXPECT_TRUE(ofKind(problems, ProblemKind::crowds).empty());
+  EXPECT_TRUE(ofKind(problems, ProblemKind::clusters).empty());
   const auto crossings = ofKind(problems, ProblemKind::crossings);
   ASSERT_EQ(crossings.size(), 1u);
-  // The outlines of two squares about one centre cross in eight points.
+  // The outlines of two squares about one center cross in eight points.
   EXPECT_GE(crossings[0].count, 20u * 19u / 2u * 8u);
 }
 
@@ -231,7 +231,7 @@ TEST(Problems, LooksAtHundredsOfWallsThroughOneFloor)
     m.quad({i + 0.5, 0, -0.5}, {i + 0.5, 1, -0.5}, {i + 0.5, 1, 1}, {i + 0.5, 0, 1}, wall);
   }
   const auto problems = problemsOf(m);
-  EXPECT_TRUE(ofKind(problems, ProblemKind::crowds).empty());
+  EXPECT_TRUE(ofKind(problems, ProblemKind::clusters).empty());
   std::size_t found = 0;
   for (const Problem& p : ofKind(problems, ProblemKind::crossings))
   {

@@ -332,7 +332,7 @@ TEST(TurnedSides, CloseTheDomainAndShareEdgesWithWhatTheyCut)
   // Around the terrain's edge three or more triangles meet; nothing but the sides' ends is open.
   for (const atria::FeatureEdge& edge : model.featureEdges)
   {
-    if (model.kindOf(edge) == atria::CurveKind::rim)
+    if (model.kindOf(edge) == atria::CurveKind::boundary)
     {
       const Vec3 p = placed.frame.toModel(model.points[edge.a]);
       EXPECT_TRUE(p[2] < placed.frame.domain.min[2] || p[2] > placed.frame.domain.max[2]);

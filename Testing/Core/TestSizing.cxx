@@ -190,7 +190,7 @@ TEST(Sizing, TheFinestOfSeveralRulesHoldsInAnyOrder)
   });
 }
 
-TEST(Sizing, SiteOfMoreThanAKilometreTakesDetailsOfCentimetres)
+TEST(Sizing, SiteOfMoreThanAKilometerTakesDetailsOfCentimeters)
 {
   TriangleSurface surface;
   addBox(surface, "Building", {Vec3(600, 700, 0), Vec3(640, 730, 25)});
@@ -209,7 +209,7 @@ TEST(Sizing, SiteOfMoreThanAKilometreTakesDetailsOfCentimetres)
     ASSERT_TRUE(!holdsSurface(s, leaf, 0) || sizeOf(s.octree, leaf) <= 1.0);
     ASSERT_LE(sizeOf(s.octree, leaf), 8.0);
   });
-  // The domain's planes are where they would be without the rule: by the centres of octants of SizeMin.
+  // The domain's planes are where they would be without the rule: by the centers of octants of SizeMin.
   for (int axis = 0; axis < 3; ++axis)
   {
     const double inUnits = (grid.domain.min[axis] - s.frame.origin[axis]) / grid.sizeMin;
@@ -255,12 +255,12 @@ TEST(Sizing, SizesHoldUpToTheDistancesOfARule)
       EXPECT_TRUE(size <= 0.5 || !distance.anyWithin(1.0 / s.frame.latticeUnit()));
       EXPECT_TRUE(size <= 1.0 || !distance.anyWithin(3.0 / s.frame.latticeUnit()));
     }
-    const double centre = std::sqrt(3.0) * size;
+    const double center = std::sqrt(3.0) * size;
     bool near = false;
     for (Index t = 0; t < s.model.triangles.size(); ++t)
     {
       const TriangleDistance distance(box, s.model.corner(t, 0), s.model.corner(t, 1), s.model.corner(t, 2));
-      near = near || distance.anyWithin((1.0 + 2.0 * centre) / s.frame.latticeUnit());
+      near = near || distance.anyWithin((1.0 + 2.0 * center) / s.frame.latticeUnit());
     }
     EXPECT_TRUE(near || size > 0.5) << "no octant far away is this fine";
   });
@@ -345,7 +345,7 @@ TEST(Sizing, GapsBetweenWallsGetTheirCells)
       for (const double at : {-4.9, -2.3, 0.1, 1.7, 4.8})
       {
         EXPECT_GE(leavesAcross(s.octree, Vec3(0, at, 0.7 * at), 0, -0.5 * width, 0.5 * width), cells);
-        // Rims make their surroundings finer.
+        // BoundaryEdges make their surroundings finer.
         EXPECT_TRUE(std::abs(at) > 1.0 ||
                     leavesAcross(s.octree, Vec3(0, at, 0.7 * at), 0, -0.5 * width, 0.5 * width) <= 2 * cells + 2);
       }

@@ -120,11 +120,11 @@ TEST(Histogram, IntegratesToOneAndEndsAtOne)
     std::generate(values.begin(), values.end(), [&] { return normal(random); });
     values.push_back(nan);
     const atria::Histogram h = atria::distributionOf(values, bins).histogram;
-    ASSERT_EQ(h.centres.size(), bins);
+    ASSERT_EQ(h.centers.size(), bins);
     EXPECT_NEAR(integral(h), 1.0, 1e-12);
     EXPECT_EQ(h.cumulative.back(), 1.0);
     EXPECT_TRUE(std::is_sorted(h.cumulative.begin(), h.cumulative.end()));
-    EXPECT_TRUE(std::is_sorted(h.centres.begin(), h.centres.end()));
+    EXPECT_TRUE(std::is_sorted(h.centers.begin(), h.centers.end()));
   }
 }
 
@@ -133,13 +133,13 @@ TEST(Histogram, PutsTheGreatestValueIntoTheLastBin)
   const std::vector<double> values{0, 1, 2, 3, 4};
   const atria::Histogram h = atria::distributionOf(values, 4).histogram;
   EXPECT_DOUBLE_EQ(h.binWidth, 1.0);
-  EXPECT_DOUBLE_EQ(h.centres[0], 0.5);
+  EXPECT_DOUBLE_EQ(h.centers[0], 0.5);
   EXPECT_DOUBLE_EQ(h.density[0], 0.2);
   EXPECT_DOUBLE_EQ(h.density[3], 0.4);
   EXPECT_DOUBLE_EQ(h.cumulative[2], 0.6);
 }
 
-TEST(Histogram, OfOneValueIsCentredOnIt)
+TEST(Histogram, OfOneValueIsCenterdOnIt)
 {
   for (const double value : {0.0, 1e20, -5e-300})
   {

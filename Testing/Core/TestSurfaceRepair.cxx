@@ -281,7 +281,7 @@ TEST(SurfaceRepair, ClosingGapsLosesNoContact)
   {
     atria::testing::turn(surface, degrees);
     const SurfaceModel model = repaired(surface);
-    EXPECT_NEAR(lengthOf(model, CurveKind::rim), 2.0 * (4.0 + 4.0 + 3.0), 0.1) << degrees; // the outline alone
+    EXPECT_NEAR(lengthOf(model, CurveKind::boundary), 2.0 * (4.0 + 4.0 + 3.0), 0.1) << degrees; // the outline alone
     EXPECT_EQ(model.repair.unresolvedContacts, 0u);
   }
 }
@@ -301,7 +301,7 @@ TEST(SurfaceRepair, ClosesGapsBetweenPartsThatHangTogetherAtTheGapsEnds)
     atria::testing::turn(surface, degrees);
     const SurfaceModel model = repaired(surface);
     EXPECT_EQ(edgesOfUse(model, 1), 0) << degrees;
-    EXPECT_EQ(lengthOf(model, CurveKind::rim), 0.0) << degrees;
+    EXPECT_EQ(lengthOf(model, CurveKind::boundary), 0.0) << degrees;
   }
 }
 
@@ -319,7 +319,7 @@ TEST(SurfaceRepair, WallsDrawnTwiceALittleApartBecomeOne)
       atria::testing::turn(surface, degrees);
       const SurfaceModel model = repaired(surface);
       EXPECT_EQ(model.repair.unresolvedContacts, 0u) << apart << " at " << degrees;
-      EXPECT_EQ(lengthOf(model, CurveKind::rim), 0.0) << apart << " at " << degrees;
+      EXPECT_EQ(lengthOf(model, CurveKind::boundary), 0.0) << apart << " at " << degrees;
     }
   }
 }

@@ -116,7 +116,7 @@ TEST(Zones, SummariesTellPlaceSizeAndSurfacesOfEveryZone)
   grid.sizeMax = 1.0;
   FoundZones found(surface, grid);
   const std::vector<char> kept = found.kept(ZoneRule::outside);
-  const auto zones = summariseZones(found.zones, kept, found.crossings, found.grid, 8, found.context());
+  const auto zones = summarizeZones(found.zones, kept, found.crossings, found.grid, 8, found.context());
   ASSERT_EQ(zones.size(), found.zones.count());
   std::size_t total = 0;
   for (std::size_t i = 0; i < zones.size(); ++i)
@@ -148,7 +148,7 @@ TEST(Zones, SummariesPointsAreSeedsWhateverTheSurfaces)
     grid.sizeMid = 0.5;
     grid.sizeMax = 1.0;
     FoundZones found(atria::testing::randomSoup(seed), grid);
-    const auto zones = summariseZones(found.zones, found.kept(ZoneRule::all), found.crossings, found.grid,
+    const auto zones = summarizeZones(found.zones, found.kept(ZoneRule::all), found.crossings, found.grid,
                                       found.model.names.size(), found.context());
     for (std::size_t i = 0; i < zones.size(); ++i)
     {
@@ -187,7 +187,7 @@ TEST(Zones, ASeedInAThinGapMeansTheGap)
         EXPECT_EQ(zoneAt(0.3 * size + 0.02, y), east) << y;
       }
       const auto zones =
-          summariseZones(found.zones, found.kept(ZoneRule::all), found.crossings, found.grid, 2, found.context());
+          summarizeZones(found.zones, found.kept(ZoneRule::all), found.crossings, found.grid, 2, found.context());
       EXPECT_EQ(found.zoneAt(zones[gap].inside), gap);
     }
   }

@@ -132,7 +132,7 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(len(surfaces), 13)
         self.assertAlmostEqual(surfaces["WallSouth"]["area"], 24 * 7 - 4 * 3, places=9)
         self.assertEqual(surfaces["Site"]["bounds"], [-90, 137, -84, 98, 0, 0])
-        self.assertEqual(surfaces["Neighbour"]["open_edges"], 0)
+        self.assertEqual(surfaces["Neighbor"]["open_edges"], 0)
         self.assertEqual(surfaces["Site"]["open_edges"], 4)
         self.assertGreater(report["total"]["non_manifold_edges"], 0)
         edges = [problem for problem in report["problems"] if problem["kind"] == "open edges"]
@@ -188,8 +188,8 @@ class CommandLine(unittest.TestCase):
         far.write_text("#VRML V2.0 utf8\nTransform { translation %d %d %d children Inline { url \"%s\" } }\n" %
                        (*shift, HOUSE.resolve()))
         reports, points = [], []
-        for model, options in ((HOUSE, []), (far, ["--recentre", "--restore-offset"])):
-            name = model.stem + "_recentred"
+        for model, options in ((HOUSE, []), (far, ["--recenter", "--restore-offset"])):
+            name = model.stem + "_recentered"
             outputs = [self.folder / (name + ending) for ending in (".vtu", "_case", ".json")]
             run = self.atria("mesh", model, *COARSE, "-o", outputs[0], "--openfoam", outputs[1], "--report", outputs[2],
                              *options)
@@ -233,8 +233,8 @@ class CommandLine(unittest.TestCase):
         for entry in layers.values():
             self.assertGreaterEqual(entry["covered"], entry["covered_in_full"])
             self.assertTrue(0.0 < entry["covered"] <= 1.0, entry)
-        # The layer tapers to nothing at openings, which are many in faces of two metres.
-        self.assertGreater(layers["Neighbour"]["covered"], 0.9)
+        # The layer tapers to nothing at openings, which are many in faces of two meters.
+        self.assertGreater(layers["Neighbor"]["covered"], 0.9)
         plain = self.atria("mesh", HOUSE, "-o", out, *COARSE, "--layers", "0", "--report", report)
         self.assertEqual(plain.stdout, "")
         self.assertEqual(json.loads(report.read_text())["layers"], [])
@@ -427,7 +427,7 @@ class CommandLine(unittest.TestCase):
 
     def test_estimate_is_the_mesh_of_all_zones(self):
         options = ["--zone", "all", "--size", "Wall*", "1:0.5", "--size", "Roof*", "2", "--refine-box", *"-1 1 -1 1 0 2 1".split(),
-                   "--refine-near", "Neighbour", "3", "2", "--curvature-angle", "20", "--gap-cells", "2", "--cells-per-level", "2"]
+                   "--refine-near", "Neighbor", "3", "2", "--curvature-angle", "20", "--gap-cells", "2", "--cells-per-level", "2"]
         report = self.folder / "estimate.json"
         out = self.folder / "estimate.vtu"
         elements, run = self.elements_estimated(*options)

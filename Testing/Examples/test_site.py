@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A district on its site, small; and at a kilometre's length where ATRIA_TEST_FULL is set.
+"""A district on its site, small; and at a kilometer's length where ATRIA_TEST_FULL is set.
 
 Usage: test_site.py ATRIA FOLDER_OF_MODELS
 """
@@ -87,7 +87,7 @@ class Site(unittest.TestCase):
         self.assertAlmostEqual(areas["xMax"] / section, 1, places=3)
 
     @unittest.skipUnless(os.environ.get("ATRIA_TEST_FULL"), "long")
-    def test_a_kilometre(self):
+    def test_a_kilometer(self):
         model, buildings = self.model()
         self.assertGreater(buildings, 200)
         for sizes, most in (((16, 4, 1), 1.5e6), ((8, 8, 1), 4e6)):

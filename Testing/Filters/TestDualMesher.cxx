@@ -197,7 +197,7 @@ std::map<Place, vtkIdType> volumePoints(vtkPolyData* patch)
 }
 
 /// Points of edges that one face has.
-std::set<Place> rimOf(vtkPolyData* patch)
+std::set<Place> boundaryEdgeOf(vtkPolyData* patch)
 {
   std::map<std::pair<vtkIdType, vtkIdType>, int> uses;
   vtkNew<vtkIdList> face;
@@ -210,18 +210,18 @@ std::set<Place> rimOf(vtkPolyData* patch)
       ++uses[std::minmax(face->GetId(i), face->GetId((i + 1) % n))];
     }
   }
-  std::set<Place> rim;
+  std::set<Place> boundaryEdge;
   for (const auto& [edge, count] : uses)
   {
     if (count == 1)
     {
-      rim.insert({placeOf(patch, edge.first), placeOf(patch, edge.second)});
+      boundaryEdge.insert({placeOf(patch, edge.first), placeOf(patch, edge.second)});
     }
   }
-  return rim;
+  return boundaryEdge;
 }
 
-TEST_F(DualMesher, SheetHasTwoSidesWithPointsOfTheirOwnButForTheRim)
+TEST_F(DualMesher, SheetHasTwoSidesWithPointsOfTheirOwnButForTheBoundaryEdge)
 {
   TriangleSurface screen;
   addSheet(screen, "Screen", Vec3(-2.1, 0.3, 1.7), Vec3(4.4, 0, 0), Vec3(0, 0, 2.6));
@@ -235,12 +235,12 @@ TEST_F(DualMesher, SheetHasTwoSidesWithPointsOfTheirOwnButForTheRim)
   EXPECT_NEAR(areaOf(front), 4.4 * 2.6, rounding);
   const auto frontPoints = volumePoints(front);
   const auto backPoints = volumePoints(back);
-  const std::set<Place> rim = rimOf(front);
+  const std::set<Place> boundaryEdge = boundaryEdgeOf(front);
   ASSERT_EQ(frontPoints.size(), backPoints.size());
   for (const auto& [place, id] : frontPoints)
   {
     ASSERT_EQ(backPoints.count(place), 1u);
-    EXPECT_EQ(backPoints.at(place) == id, rim.count(place) == 1);
+    EXPECT_EQ(backPoints.at(place) == id, boundaryEdge.count(place) == 1);
   }
   EXPECT_EQ(front->GetCellData()->GetArray("Side")->GetRange()[1], 0.0);
   EXPECT_EQ(back->GetCellData()->GetArray("Side")->GetRange()[0], 1.0);

@@ -24,7 +24,7 @@ using atria::TriangleSurface;
 using atria::Vec3;
 using ::testing::HasSubstr;
 
-/// A building with a canopy whose rim ends in the open, next to a dome, on a ground.
+/// A building with a canopy whose boundary edge ends in the open, next to a dome, on a ground.
 TriangleSurface scene()
 {
   TriangleSurface surface;

@@ -32,7 +32,7 @@ using ::testing::HasSubstr;
 
 enum Kind
 {
-  rim,
+  boundaryEdge,
   crease,
   junction,
   border,
@@ -119,20 +119,20 @@ TEST_F(FeatureGraph, OfABoxHasItsEdgesAndCorners)
   EXPECT_EQ(model()->GetCellData()->GetArray("ChartId")->GetRange()[1], 5.0) << "six faces";
 }
 
-TEST_F(FeatureGraph, TellsRimsJunctionsAndBordersAndWhatMeetsThere)
+TEST_F(FeatureGraph, TellsBoundaryEdgesJunctionsAndBordersAndWhatMeetsThere)
 {
   TriangleSurface surface;
   addSheet(surface, "West", {-4, 0, 0}, {4, 0, 0}, {0, 3, 0});
   addSheet(surface, "East", {0, 0, 0}, {4, 0, 0}, {0, 3, 0});
   update(surface);
   auto found = amounts();
-  EXPECT_NEAR(found[rim], 22.0, 1e-6);
+  EXPECT_NEAR(found[boundaryEdge], 22.0, 1e-6);
   EXPECT_NEAR(found[border], 3.0, 1e-6);
   EXPECT_EQ(found[corner], 6.0);
   addSheet(surface, "Up", {0, 0, 0}, {0, 3, 0}, {0, 0, 2});
   update(surface);
   found = amounts();
-  EXPECT_NEAR(found[rim], 29.0, 1e-6);
+  EXPECT_NEAR(found[boundaryEdge], 29.0, 1e-6);
   EXPECT_NEAR(found[junction], 3.0, 1e-6);
   EXPECT_EQ(found.count(border), 0u);
   for (vtkIdType cell = 0; cell < curves()->GetNumberOfCells(); ++cell)
@@ -146,7 +146,7 @@ TEST_F(FeatureGraph, TellsRimsJunctionsAndBordersAndWhatMeetsThere)
 
 TEST_F(FeatureGraph, CurvesRunOnThroughPointsThatAreNoCorners)
 {
-  // The rim of a disc of 24 triangles turns by 15 degrees at each point: one curve; by 60 in six: corners.
+  // The boundary edge of a disc of 24 triangles turns by 15 degrees at each point: one curve; by 60 in six: corners.
   for (const int count : {24, 6})
   {
     std::vector<Vec3> points{Vec3::Zero()};
@@ -162,7 +162,7 @@ TEST_F(FeatureGraph, CurvesRunOnThroughPointsThatAreNoCorners)
     update(surface);
     EXPECT_EQ(curves()->GetNumberOfLines(), count);
     EXPECT_EQ(curves()->GetNumberOfVerts(), count == 24 ? 0 : 6);
-    EXPECT_EQ(curvesOf(rim).size(), count == 24 ? 1u : 6u);
+    EXPECT_EQ(curvesOf(boundaryEdge).size(), count == 24 ? 1u : 6u);
   }
 }
 
@@ -200,14 +200,14 @@ TEST_F(FeatureGraph, TakesNamedBlocks)
   EXPECT_THAT(atria::testing::fieldStrings(model(), "SurfaceName"), ::testing::ElementsAre("West", "East"));
 }
 
-TEST_F(FeatureGraph, OfTheBuildingHasItsOpeningsAndRims)
+TEST_F(FeatureGraph, OfTheBuildingHasItsOpeningsAndBoundaryEdges)
 {
   filter->SetInputDataObject(atria::testing::exampleModel("building.wrl"));
   filter->SetDomainMode(vtkAtriaFeatureGraph::Site);
   filter->Update();
   const auto found = amounts();
   // What is free: 14 windows of 7 m, and more.
-  EXPECT_GT(found.at(rim), 14.0 * 7.0);
+  EXPECT_GT(found.at(boundaryEdge), 14.0 * 7.0);
   EXPECT_GT(found.at(junction), 4.0 * 39.3);
 }
 

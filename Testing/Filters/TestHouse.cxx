@@ -17,11 +17,11 @@ using atria::Vec3;
 using ::testing::IsEmpty;
 
 /// By construction of the model: 12 x 10, eaves at 6 and ridge at 9.
-constexpr double volumeOfNeighbour = 12.0 * 10.0 * 7.5;
+constexpr double volumeOfNeighbor = 12.0 * 10.0 * 7.5;
 constexpr double volumeOfDomain = 227.0 * 182.0 * (0.3 * 227.0);
 
 /// Surfaces with air on one side only; all others are sheets in the air, on both sides of which it is.
-const std::vector<std::string> oneSided{"Floor", "Neighbour", "Site"};
+const std::vector<std::string> oneSided{"Floor", "Neighbor", "Site"};
 
 struct Case
 {
@@ -62,11 +62,11 @@ TEST_P(House, IndoorsAndOutdoorsAreOneZoneThroughTheWindows)
   }
 }
 
-TEST_P(House, TheInsideOfTheNeighbourIsDropped)
+TEST_P(House, TheInsideOfTheNeighborIsDropped)
 {
   mesher->Update();
-  EXPECT_NEAR(volumeOfDomain - meshVolume(), volumeOfNeighbour, 0.05 * volumeOfNeighbour);
-  EXPECT_EQ(namedPatches().at("Neighbour")->GetCellData()->GetArray("Side")->GetRange()[1], 0.0);
+  EXPECT_NEAR(volumeOfDomain - meshVolume(), volumeOfNeighbor, 0.05 * volumeOfNeighbor);
+  EXPECT_EQ(namedPatches().at("Neighbor")->GetCellData()->GetArray("Side")->GetRange()[1], 0.0);
   EXPECT_NEAR(atria::testing::enclosedVolume(patches()), meshVolume(), 1e-9 * volumeOfDomain);
 }
 

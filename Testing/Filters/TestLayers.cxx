@@ -24,7 +24,7 @@ protected:
     atria::testing::addBox(surface, "Building", {Vec3(-1.7, -1.9, 0), Vec3(1.1, 1.4, 2.6)});
     atria::testing::addSheet(surface, "Screen", {2.6, -1.9, 0.0}, {0.0, 3.1, 0.0}, {0.0, 0.0, 2.1});
     setSurface(surface);
-    // So fine that the screen has faces with five others between them and its rim.
+    // So fine that the screen has faces with five others between them and its boundary edge.
     atria::testing::setGrid(mesher, domain, 0.15, 0.15, 1.2);
   }
 
@@ -94,7 +94,7 @@ TEST_F(Layers, FollowTheRules)
   mesher->Update();
   EXPECT_EQ(rangeOf("Building", "LayerCount")[1], 2.0);
   EXPECT_EQ(rangeOf("Screen_front", "LayerCount")[1], 3.0);
-  // All faces of the screen have corners on its rim, where the layer tapers to nothing.
+  // All faces of the screen have corners on its boundary edge, where the layer tapers to nothing.
   EXPECT_LT(rangeOf("Screen_front", "LayerThickness")[1], 0.01 * (1.0 + 1.5 + 2.25));
   EXPECT_GT(rangeOf("Screen_front", "LayerThickness")[1], 0.01);
   EXPECT_NEAR(rangeOf("Building", "LayerThickness")[1], 0.02 * 2.2, 1e-9);

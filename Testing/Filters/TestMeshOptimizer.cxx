@@ -237,8 +237,8 @@ TEST_F(MeshOptimizer, MovesThePatchesAlong)
     p = p == Vec3(3, 3, 3) ? Vec3(4.3, 3.2, 3.0) : p;
   }
   const atria::FaceMesh faces = makeFaceMesh(sample.points, sample.view());
-  const auto patches = atria::testing::toPatches(faces, atria::testing::sidesOfBox({6, 6, 6}), [](const Vec3& centre) {
-    return std::string(centre[2] == 3.0 ? "Sheet" : "");
+  const auto patches = atria::testing::toPatches(faces, atria::testing::sidesOfBox({6, 6, 6}), [](const Vec3& center) {
+    return std::string(center[2] == 3.0 ? "Sheet" : "");
   });
   const auto grid = toGrid(sample);
   filter->SetInputData(grid);
@@ -323,7 +323,7 @@ TEST_F(OptimizedDual, KeepsItsWallsAndGetsNoWorse)
   filter->SetPatchesConnection(mesher->GetOutputPort(1));
   filter->SetTargetNonOrthogonality(40.0);
   filter->SetTargetCellSquish(0.5);
-  // Where a rim's corner has no vertex, its edges bend a little.
+  // Where a boundary edge's corner has no vertex, its edges bend a little.
   filter->SetFeatureAngle(1.0);
   filter->Update();
   EXPECT_GT(filter->GetNumberOfMovedPoints(), 0);

@@ -173,7 +173,7 @@ long PolyMeshAgrees::facesWithPyramidsBelow(double smallest)
   for (std::size_t f = 0; f < mesh.faceCount(); ++f)
   {
     const bool wrong = pyramid(f, mesh.owner[f]) < smallest ||
-                       (f < mesh.internalFaceCount() && -pyramid(f, mesh.neighbour[f]) < smallest);
+                       (f < mesh.internalFaceCount() && -pyramid(f, mesh.neighbor[f]) < smallest);
     count += wrong ? 1 : 0;
   }
   return count;
@@ -332,7 +332,7 @@ TEST_F(CheckMeshAgrees, MergedFacesLeaveFewerConcaveCellsAndNothingNewToObjectTo
   }
 }
 
-TEST_F(CheckMeshAgrees, MergedCellsLeaveFewWithTooFewNeighboursAndNothingNewToObjectTo)
+TEST_F(CheckMeshAgrees, MergedCellsLeaveFewWithTooFewNeighborsAndNothingNewToObjectTo)
 {
   mergeFaces = true;
   for (const char* model : {"house.wrl", "house_turned17.wrl"})

@@ -96,7 +96,7 @@ void readAndJudge(vtkAtriaSurfaceReader* reader, const std::string& name, const 
   reader->SetFileName(scratch.write(name, data, size).c_str());
   reader->SetSurfaceBy(static_cast<int>(size % 4));
   reader->MergeDuplicateFacesOn();
-  reader->RecentreOn();
+  reader->RecenterOn();
   reader->SetUpAxis(vtkAtriaSurfaceReader::UnstatedUp); // both are guessed at
   reader->SetLengthUnit(vtkAtriaSurfaceReader::UnstatedUnit);
   reader->Update();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// libFuzzer's entry: whatever bytes a VRML file holds, the reader ends without undefined behaviour, and either keeps
+/// libFuzzer's entry: whatever bytes a VRML file holds, the reader ends without undefined behavior, and either keeps
 /// the promises of its output or reports an error and gives none. Run by fuzz.sh.
 #include "ReaderFuzzing.h"
 #include "vtkAtriaVRMLReader.h"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Fuzzes the readers under the address and undefined-behaviour sanitizers, at low priority on one core.
+# Fuzzes the readers under the address and undefined-behavior sanitizers, at low priority on one core.
 #
 #   fuzz.sh [SECONDS] [vrml|model]   how long to search for new findings (default: 600), the readers of VRML and of the
 #                                    other formats after each other, or one of them
@@ -7,7 +7,7 @@
 #
 # Seeds are the models of the repository and, where there are any, those of ATRIA_CORPUS; for the other formats small
 # ones that model_seeds writes. What a run learns is kept in build/fuzz/READER/corpus for the next. A finding is
-# minimised into build/fuzz/READER/findings, and the script fails. It belongs, once mended, into
+# minimized into build/fuzz/READER/findings, and the script fails. It belongs, once mended, into
 # Testing/Data/VRML/damaged, whose files TestVRMLDamage and TestVRMLMutations read, or Testing/Data/Models/damaged, whose
 # files TestModelDamage reads.
 set -euo pipefail

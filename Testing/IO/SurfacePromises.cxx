@@ -36,12 +36,12 @@ std::string wrongWithSurfaces(vtkPolyData* output)
   {
     return "names repeat, or materials are not one a surface";
   }
-  vtkDataArray* colours = fields->GetArray("DiffuseColor");
+  vtkDataArray* colors = fields->GetArray("DiffuseColor");
   vtkDataArray* transparencies = fields->GetArray("Transparency");
-  if (!colours || colours->GetNumberOfValues() != 3 * count || !transparencies ||
+  if (!colors || colors->GetNumberOfValues() != 3 * count || !transparencies ||
       transparencies->GetNumberOfValues() != count)
   {
-    return "colours or transparencies are not one a surface";
+    return "colors or transparencies are not one a surface";
   }
   std::set<int> used;
   for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)

@@ -112,7 +112,7 @@ protected:
   {
     const fs::path file = writeFile(scratch.path(), name, bytes);
     reader->SetFileName(file.c_str());
-    reader->SetLengthUnit(vtkAtriaModelReader::Metres);
+    reader->SetLengthUnit(vtkAtriaModelReader::Meters);
     reader->Modified();
     reader->Update();
     warned = messages.takeWarnings();

@@ -101,7 +101,7 @@ class ModelReader : public atria::testing::VtkTest
 protected:
   ModelReader()
   {
-    reader->SetLengthUnit(vtkAtriaModelReader::Metres); // no hints
+    reader->SetLengthUnit(vtkAtriaModelReader::Meters); // no hints
     reader->MergeDuplicateFacesOff();
   }
 
@@ -276,7 +276,7 @@ TEST_F(ModelReader, ReadsObjInDoublePrecisionWhateverEndsItsLines)
 {
   vtkPolyData* data = readText("far.obj", "# C:\\models\\\rv 4500000.125 +5300000.25 1e1\rv 4500001.125 5300000.25 10\r"
                                           "v 4500001.125 5300001.25 10 0.5 0.5 0.5\rf 1 2 \\\r3");
-  EXPECT_THAT(warnings(), ElementsAre(HasSubstr("Recentre")));
+  EXPECT_THAT(warnings(), ElementsAre(HasSubstr("Recenter")));
   ASSERT_EQ(data->GetNumberOfCells(), 1);
   EXPECT_EQ(data->GetPoint(0)[0], 4500000.125);
   EXPECT_EQ(data->GetPoint(2)[1], 5300001.25);
@@ -326,12 +326,12 @@ TEST_F(ModelReader, WarnsWhereSinglePrecisionIsTooCoarse)
     if (isShort)
     {
       EXPECT_THAT(said,
-                  ElementsAre(AllOf(HasSubstr("read in single precision"), HasSubstr("0.32")), HasSubstr("Recentre")))
+                  ElementsAre(AllOf(HasSubstr("read in single precision"), HasSubstr("0.32")), HasSubstr("Recenter")))
           << ending;
     }
     else
     {
-      EXPECT_THAT(said, ElementsAre(HasSubstr("Recentre"))) << ending;
+      EXPECT_THAT(said, ElementsAre(HasSubstr("Recenter"))) << ending;
     }
   }
 }

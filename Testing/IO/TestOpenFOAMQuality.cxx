@@ -77,7 +77,7 @@ TEST_F(OpenFOAMWriter, CheckMeshFindsAMixedMeshSoundAndAgreesOnItsQuality)
     EXPECT_EQ(report.counts.at("internal faces"), static_cast<long>(mesh.internalFaceCount()));
     EXPECT_EQ(report.counts.at("boundary patches"), 6);
     // Random cells next to coplanar triangles are not all convex, and a corner's pyramid has but one
-    // neighbour.
+    // neighbor.
     EXPECT_THAT(report.failures, ::testing::Each(::testing::AnyOf(HasSubstr("Concave"), HasSubstr("determinant"))));
     for (const char* type : {"hexahedra", "prisms", "pyramids", "tetrahedra", "polyhedra"})
     {

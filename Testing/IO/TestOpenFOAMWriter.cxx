@@ -44,9 +44,9 @@ using ::testing::HasSubstr;
 constexpr std::array<int, 3> size{5, 4, 4};
 
 /// A piece of the plane z = 2 that ends inside the box.
-std::string sheetAtTwo(const Vec3& centre)
+std::string sheetAtTwo(const Vec3& center)
 {
-  const bool on = std::abs(centre[2] - 2.0) < 1e-9 && centre[0] > 1 && centre[0] < 3 && centre[1] > 1 && centre[1] < 3;
+  const bool on = std::abs(center[2] - 2.0) < 1e-9 && center[0] > 1 && center[0] < 3 && center[1] > 1 && center[1] < 3;
   return on ? "canopy 1" : "";
 }
 
@@ -187,9 +187,9 @@ SampleMesh boxOfSquares()
 TEST_F(OpenFOAMWriter, MergesCoplanarFacesOfACellPatchByPatch)
 {
   // All of the bottom is one patch, the two halves of the top are one each, the rest is none.
-  const auto patches = toPatches(facesOf(boxOfSquares()), [](const Vec3& centre) {
-    const bool top = centre[2] > 0.9;
-    return std::string(centre[2] < 0.1 ? "ground" : top && centre[0] < 1 ? "left" : top ? "right" : "");
+  const auto patches = toPatches(facesOf(boxOfSquares()), [](const Vec3& center) {
+    const bool top = center[2] > 0.9;
+    return std::string(center[2] < 0.1 ? "ground" : top && center[0] < 1 ? "left" : top ? "right" : "");
   });
   EXPECT_TRUE(vtkNew<vtkAtriaOpenFOAMWriter>()->GetMergeCoplanarFaces());
   const auto patchOfOneFace = [](const char* name, const char* type) {
@@ -217,9 +217,9 @@ TEST_F(OpenFOAMWriter, MergesCoplanarFacesOfACellPatchByPatch)
   }
 }
 
-TEST_F(OpenFOAMWriter, MergesCellsWithTooFewNeighboursAndKeepsPatchesAndZones)
+TEST_F(OpenFOAMWriter, MergesCellsWithTooFewNeighborsAndKeepsPatchesAndZones)
 {
-  // Pyramids and tetrahedra in the corners have one neighbour. Two zones, so that cells of both get other numbers.
+  // Pyramids and tetrahedra in the corners have one neighbor. Two zones, so that cells of both get other numbers.
   const SampleMesh sample = atria::testing::mixedCells(size, 3, 0.12);
   const auto grid = toGrid(sample);
   vtkNew<vtkIntArray> zones;
@@ -314,7 +314,7 @@ TEST_F(OpenFOAMWriter, FacesInNoPatchGoToDefaultFaces)
 {
   const SampleMesh sample = atria::testing::hexahedra({2, 2, 2});
   const auto patches = toPatches(
-      facesOf(sample), [](const Vec3& centre) { return centre[2] < 1e-9 ? std::string("ground") : std::string(); });
+      facesOf(sample), [](const Vec3& center) { return center[2] < 1e-9 ? std::string("ground") : std::string(); });
   ASSERT_EQ(write(toGrid(sample), patches, false, folder("case")), 1);
   const std::string boundary = textOf(folder("case") / "constant/polyMesh/boundary");
   EXPECT_THAT(boundary, HasSubstr("ground\n    {\n        type            wall;\n        nFaces          4;"));

@@ -214,7 +214,7 @@ const std::vector<Case>& values()
       {"StringsWithEverything",
        "WorldInfo { title \"a \\\"b\\\" \\\\ # } ] {\" info [ \"x\ny\" \"#\" \"\" \"DEF A USE B\", \"\\\\\" ] } @", 2,
        1, "Shape", false},
-      {"ColoursThatDoNotMatch",
+      {"ColorsThatDoNotMatch",
        "Shape { geometry IndexedFaceSet { colorPerVertex FALSE color Color { color [1 0 0] } colorIndex [9 9 9] "
        "normalPerVertex "
        "FALSE normal Normal { vector [] } normalIndex [5 -1 -1] texCoord TextureCoordinate { point [0 0] } "

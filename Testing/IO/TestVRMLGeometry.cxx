@@ -151,7 +151,7 @@ TEST_F(VRMLGeometry, TakesAsManyPointsAroundAsTheErrorAllowsNoMore)
     EXPECT_LE(ofBall, error * (1.0 + 1e-9));
     EXPECT_GT(ofBall, 0.2 * error);
   }
-  // In metres, whatever the file's unit.
+  // In meters, whatever the file's unit.
   EXPECT_EQ(pointsAround(readWith("Cone { bottomRadius 3000 height 2000 }", 0.01, 0.001), -2.0),
             pointsAround(readWith("Cone { bottomRadius 3 height 2 }", 0.01), -2.0));
   EXPECT_EQ(pointsAround(readWith("Cone { bottom FALSE }", 1e-300), -2.0), 3600);
@@ -280,7 +280,7 @@ TEST_F(VRMLGeometry, ExtrudesConcaveSectionsAlongABend)
 {
   const std::string section = "crossSection [1 1, 1 -1, 0 0, -1 -1, -1 1, 1 1]";
   EXPECT_NEAR(read("Extrusion {" + section + "}").volume(), 3.0, 1e-12);
-  // A pipe with a mitred right angle keeps the volume of its centre line.
+  // A pipe with a mitred right angle keeps the volume of its center line.
   const VRMLModel pipe = read("Extrusion { spine [0 0 0, 0 5 0, 5 5 0] scale [1 1, 1 1, 1 1] }");
   EXPECT_GT(pipe.volume(), 30.0);
   EXPECT_LT(pipe.volume(), 41.0);

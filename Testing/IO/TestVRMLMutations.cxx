@@ -167,7 +167,7 @@ TEST(VRMLMutations, NeitherCrashNorHang)
         reader.MergeDuplicateFacesOn();
         reader.SetUpAxis(vtkAtriaVRMLReader::UnstatedUp);
         reader.SetLengthUnit(vtkAtriaVRMLReader::UnstatedUnit);
-        reader.SetRecentre(i % 2 == 0);
+        reader.SetRecenter(i % 2 == 0);
         reader.SetSurfaceBy(i % 4);
       });
       messages.takeWarnings();

@@ -128,9 +128,9 @@ TEST_F(VRMLPlacement, TurnsModelsDrawnYUp)
 
 TEST_F(VRMLPlacement, ConvertsUnits)
 {
-  for (const auto& [unit, metres] : std::vector<std::pair<int, double>>{{vtkAtriaVRMLReader::Metres, 1.0},
-                                                                        {vtkAtriaVRMLReader::Millimetres, 0.001},
-                                                                        {vtkAtriaVRMLReader::Centimetres, 0.01},
+  for (const auto& [unit, meters] : std::vector<std::pair<int, double>>{{vtkAtriaVRMLReader::Meters, 1.0},
+                                                                        {vtkAtriaVRMLReader::Millimeters, 0.001},
+                                                                        {vtkAtriaVRMLReader::Centimeters, 0.01},
                                                                         {vtkAtriaVRMLReader::Inches, 0.0254},
                                                                         {vtkAtriaVRMLReader::Feet, 0.3048}})
   {
@@ -138,18 +138,18 @@ TEST_F(VRMLPlacement, ConvertsUnits)
       reader.SetLengthUnit(unit);
       reader.SetScale(10.0);
     });
-    expectBounds(model, {-10 * metres, 10 * metres, -20 * metres, 20 * metres, -30 * metres, 30 * metres});
+    expectBounds(model, {-10 * meters, 10 * meters, -20 * meters, 20 * meters, -30 * meters, 30 * meters});
   }
 }
 
 TEST_F(VRMLPlacement, MovesFarModelsToTheOriginAndSaysByHowMuch)
 {
   const std::string far = "Transform { translation 92345.25 437012.5 3 children " + box(10, 10, 10) + "}";
-  const VRMLModel moved = read(far, [](vtkAtriaVRMLReader& reader) { reader.RecentreOn(); });
+  const VRMLModel moved = read(far, [](vtkAtriaVRMLReader& reader) { reader.RecenterOn(); });
   EXPECT_EQ(moved.numbers("ModelOffset"), (std::vector<double>{92300, 437000, 0}));
   expectBounds(moved, {40.25, 50.25, 7.5, 17.5, -2, 8}, 1e-9);
   const VRMLModel near = read("Transform { translation 7 0 0 children " + box(10, 10, 10) + "}",
-                              [](vtkAtriaVRMLReader& reader) { reader.RecentreOn(); });
+                              [](vtkAtriaVRMLReader& reader) { reader.RecenterOn(); });
   EXPECT_EQ(near.numbers("ModelOffset"), (std::vector<double>{0, 0, 0}));
   expectBounds(near, {2, 12, -5, 5, -5, 5});
 }
@@ -188,7 +188,7 @@ TEST_F(VRMLPlacement, HintsAtTheAxisThatIsUp)
 
 TEST_F(VRMLPlacement, HintsAtModelsFarFromTheOrigin)
 {
-  EXPECT_NE(hints("Transform { translation 92345 437012 0 children " + box(10, 10, 10) + "}").find("Recentre"),
+  EXPECT_NE(hints("Transform { translation 92345 437012 0 children " + box(10, 10, 10) + "}").find("Recenter"),
             std::string::npos);
 }
 

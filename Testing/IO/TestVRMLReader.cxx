@@ -325,7 +325,7 @@ TEST_F(VRMLReader, PrintsItsProperties)
   for (const char* property :
        {"FileName: a.wrl", "TessellationAngle: 90", "TessellationError: 0", "NumberOfWarnings: 0", "SkippedNodes: 0",
         "SurfaceBy: 0", "SplitAngle: 30", "MergeDuplicateFaces: on", "UpAxis: 0", "LengthUnit: 0", "Scale: 1",
-        "Recentre: off", "NumberOfMergedFaces: 0", "Notes: 0"})
+        "Recenter: off", "NumberOfMergedFaces: 0", "Notes: 0"})
   {
     EXPECT_NE(text.str().find(property), std::string::npos) << property;
   }

@@ -70,7 +70,7 @@ TEST_F(VRMLSurfaces, NumbersKeepClearOfNamesOfTheFileThatComeLater)
   EXPECT_EQ(read("DEF A " + box + "DEF A " + box + "DEF A_2 " + box).names(), (Names{"A", "A_3", "A_2"}));
 }
 
-TEST_F(VRMLSurfaces, KeepsColoursAndTransparency)
+TEST_F(VRMLSurfaces, KeepsColorsAndTransparency)
 {
   const VRMLModel model = read(town);
   EXPECT_EQ(model.names(), (Names{"A", "B", "C"}));

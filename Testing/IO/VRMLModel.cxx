@@ -63,7 +63,7 @@ VRMLModel::VRMLModel(const std::filesystem::path& file, const Settings& settings
   // Everything as the file has it.
   reader->SetMergeDuplicateFaces(false);
   reader->SetUpAxis(vtkAtriaVRMLReader::ZUp);
-  reader->SetLengthUnit(vtkAtriaVRMLReader::Metres);
+  reader->SetLengthUnit(vtkAtriaVRMLReader::Meters);
   settings(*reader);
   reader->Update();
 }

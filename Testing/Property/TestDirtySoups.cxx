@@ -117,7 +117,7 @@ void expectNothingLost(const DirtySoup& soup, const Meshed& meshed)
   }
 }
 
-/// A room of 2 m, one of whose walls is there twice, cut along one diagonal and along the other. Its neighbours are cut
+/// A room of 2 m, one of whose walls is there twice, cut along one diagonal and along the other. Its neighbors are cut
 /// elsewhere, so that along its sides both copies meet each other alone, as the two halves of a fold do.
 TEST(DoubledWall, KeepsItsRoomClosed)
 {

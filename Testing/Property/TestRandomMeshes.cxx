@@ -137,8 +137,8 @@ long eulerCharacteristic(const DualMesh& mesh)
     for (int d = 0; d < 6; ++d)
     {
       const ReducedFace face = faceOf(mesh.corners[e], d);
-      const std::int32_t neighbour = mesh.neighbours[e][d];
-      faces += face.count >= 3 && (neighbour < 0 || neighbour > static_cast<std::int32_t>(e)) ? 1 : 0;
+      const std::int32_t neighbor = mesh.neighbors[e][d];
+      faces += face.count >= 3 && (neighbor < 0 || neighbor > static_cast<std::int32_t>(e)) ? 1 : 0;
       for (int i = 0; i < face.count && face.count >= 3; ++i)
       {
         edges.insert(std::minmax(face.points[i], face.points[(i + 1) % face.count]));
@@ -191,17 +191,17 @@ TEST(RandomSoups, MeshesAreConformalClosedAndFillTheDomain)
     EXPECT_TRUE(elementsAreClosed(mesh));
     EXPECT_TRUE(boundaryIsWatertight(mesh));
     EXPECT_NEAR(totalVolume(mesh) / 512.0, 1.0, 1e-9)
-        << "what elements gain their neighbours lose, inverted ones included";
+        << "what elements gain their neighbors lose, inverted ones included";
     // Tags partition the faces: each boundary face has one tag, and both faces of a sheet name each other.
     for (Index f = 0; f < mesh.boundaryFaces.size(); ++f)
     {
       const BoundaryFace& face = mesh.boundaryFaces[f];
       ASSERT_LT(face.tag, meshed.model.names.size() + 6);
-      ASSERT_EQ(mesh.neighbours[face.element][face.direction], ~static_cast<std::int32_t>(f));
+      ASSERT_EQ(mesh.neighbors[face.element][face.direction], ~static_cast<std::int32_t>(f));
       ASSERT_EQ(face.onDomainSide || face.tag < meshed.model.names.size(), true);
       if (face.opposite != noIndex)
       {
-        const std::int32_t back = mesh.neighbours[face.opposite][opposite(face.direction)];
+        const std::int32_t back = mesh.neighbors[face.opposite][opposite(face.direction)];
         ASSERT_TRUE(DualMesh::isBoundary(back));
         ASSERT_EQ(mesh.boundaryFaces[DualMesh::boundaryFaceOf(back)].opposite, face.element);
       }

@@ -55,7 +55,7 @@ private:
   void addTriangle(Index name, Vec3 a, Vec3 b, Vec3 c);
   void addRectangle(Index name, int axis, double at, const Rectangle& r, const std::optional<Rectangle>& hole);
   void addRoom(const Box3& box, const std::string& name, int sharedSide, const std::optional<Rectangle>& door,
-               Index neighbour);
+               Index neighbor);
   void addPartition(const Box3& box, const std::string& name, Index low, Index high);
   void addSheets(const Box3& box, const std::string& name);
   Rectangle holeIn(const Rectangle& r);
@@ -185,10 +185,10 @@ std::optional<Rectangle> Builder::weaken(Rectangle& wall, Index inside)
 }
 
 /// Six walls about a space, which a partition across x may divide in two. Walls across x may be open. `sharedSide` is
-/// the direction of the wall that the neighbour has too, with `door` in both; the way to `neighbour` is open if that is
+/// the direction of the wall that the neighbor has too, with `door` in both; the way to `neighbor` is open if that is
 /// given.
 void Builder::addRoom(const Box3& box, const std::string& name, int sharedSide, const std::optional<Rectangle>& door,
-                      Index neighbour)
+                      Index neighbor)
 {
   const bool divided = box.size()[0] >= 10.0 * octant_ && chance(0.6);
   const bool oneName = chance(0.3);
@@ -212,9 +212,9 @@ void Builder::addRoom(const Box3& box, const std::string& name, int sharedSide, 
     if (side == sharedSide)
     {
       hole = door;
-      if (door && neighbour != noIndex)
+      if (door && neighbor != noIndex)
       {
-        connect(inside, neighbour);
+        connect(inside, neighbor);
       }
     }
     else if (axis == 0 && chance(0.4))

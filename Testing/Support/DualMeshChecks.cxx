@@ -54,38 +54,38 @@ bool sameFaces(const std::vector<BoundaryFace>& a, const std::vector<BoundaryFac
   {
     for (int d = 0; d < 6; ++d)
     {
-      const std::int32_t neighbour = mesh.neighbours[e][d];
+      const std::int32_t neighbor = mesh.neighbors[e][d];
       const ReducedFace face = faceOf(mesh.corners[e], d);
       const auto fail = [&](const char* why) {
         return ::testing::AssertionFailure() << "element " << e << ", direction " << d << ": " << why;
       };
-      if ((face.count < 3) != (neighbour == DualMesh::noFace))
+      if ((face.count < 3) != (neighbor == DualMesh::noFace))
       {
         return fail("a face without area, or an area without face");
       }
-      if (DualMesh::isBoundary(neighbour))
+      if (DualMesh::isBoundary(neighbor))
       {
-        const BoundaryFace& boundary = mesh.boundaryFaces.at(DualMesh::boundaryFaceOf(neighbour));
+        const BoundaryFace& boundary = mesh.boundaryFaces.at(DualMesh::boundaryFaceOf(neighbor));
         if (boundary.element != e || boundary.direction != d)
         {
           return fail("its boundary face belongs to another");
         }
       }
-      else if (neighbour >= 0)
+      else if (neighbor >= 0)
       {
-        const bool along = std::max(e, static_cast<Index>(neighbour)) < plainElements;
+        const bool along = std::max(e, static_cast<Index>(neighbor)) < plainElements;
         int found = 0;
         for (int back = 0; back < 6; ++back)
         {
           found += (back == opposite(d) || !along) &&
-                           mesh.neighbours.at(neighbour)[back] == static_cast<std::int32_t>(e) &&
-                           sorted(face) == sorted(faceOf(mesh.corners[neighbour], back))
+                           mesh.neighbors.at(neighbor)[back] == static_cast<std::int32_t>(e) &&
+                           sorted(face) == sorted(faceOf(mesh.corners[neighbor], back))
                        ? 1
                        : 0;
         }
         if (found != 1)
         {
-          return fail("its neighbour has another neighbour or another face");
+          return fail("its neighbor has another neighbor or another face");
         }
       }
     }
@@ -110,7 +110,7 @@ bool sameFaces(const std::vector<BoundaryFace>& a, const std::vector<BoundaryFac
   for (const auto& [points, at] : users)
   {
     const auto [e, d] = at.front();
-    const std::int32_t code = mesh.neighbours[e][d];
+    const std::int32_t code = mesh.neighbors[e][d];
     const bool alone = at.size() == 1 && DualMesh::isBoundary(code);
     const bool pair = at.size() == 2 && code == static_cast<std::int32_t>(at.back().first);
     const bool sheet = at.size() == 2 && DualMesh::isBoundary(code) &&
@@ -202,7 +202,7 @@ double totalVolume(const DualMesh& mesh)
 
 bool identical(const DualMesh& a, const DualMesh& b)
 {
-  return sameBits(a.points, b.points) && sameBits(a.corners, b.corners) && sameBits(a.neighbours, b.neighbours) &&
+  return sameBits(a.points, b.points) && sameBits(a.corners, b.corners) && sameBits(a.neighbors, b.neighbors) &&
          sameBits(a.levels, b.levels) && sameBits(a.zones, b.zones) && sameFaces(a.boundaryFaces, b.boundaryFaces);
 }
 

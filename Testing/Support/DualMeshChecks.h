@@ -8,12 +8,12 @@
 
 namespace atria::testing {
 
-/// Neighbours agree from both sides and share the very same face; absent faces have no area; boundary faces and
+/// Neighbors agree from both sides and share the very same face; absent faces have no area; boundary faces and
 /// elements name each other. Elements see each other in opposite directions, but from number `plainElements` on: those
 /// of layers meet round the edges of walls.
 ::testing::AssertionResult isConformal(const DualMesh& mesh, Index plainElements = noIndex);
 
-/// No two faces have the same points but those of neighbours, and those on both sides of a sheet.
+/// No two faces have the same points but those of neighbors, and those on both sides of a sheet.
 ::testing::AssertionResult facesAreUnique(const DualMesh& mesh);
 
 /// Every element's faces meet two by two in opposite senses (closed, oriented), and Euler's relation V - E + F = 2

@@ -84,7 +84,7 @@ void FeatureChecks::findPieces()
     }
     if (count < 3)
     {
-      continue; // its neighbours meet in its place
+      continue; // its neighbors meet in its place
     }
     eachTriangle(piece, [&](const Vec3& m, const Vec3& a, const Vec3& b) {
       const Vec3 twice = (a - m).cross(b - m);

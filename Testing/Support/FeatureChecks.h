@@ -13,7 +13,7 @@
 
 namespace atria::testing {
 
-/// Area of a surface in the model and in the mesh, square metres. Faces count as triangles about the mean of their
+/// Area of a surface in the model and in the mesh, square meters. Faces count as triangles about the mean of their
 /// points.
 struct SurfaceArea
 {
@@ -37,7 +37,7 @@ struct OpeningFigures
   double corner = 0.0;
 };
 
-/// Lengths of model curves, metres.
+/// Lengths of model curves, meters.
 struct CurveFigures
 {
   double length = 0.0;
@@ -67,7 +67,7 @@ struct CurveCoverage
   std::array<CurveFigures, 4> ofKind; ///< by CurveKind
   std::vector<CurveMiss> misses;      ///< longest first
 };
-inline constexpr std::array<const char*, 4> curveKindNames{"rim", "crease", "junction", "border"};
+inline constexpr std::array<const char*, 4> curveKindNames{"boundary", "crease", "junction", "border"};
 
 /// Fraction of a surface's area whose nearest boundary face is its own (within the tolerance, as others may meet it
 /// there).
@@ -79,7 +79,7 @@ struct NameCoverage
   double either = 0.0;
 };
 
-/// Lengths in metres.
+/// Lengths in meters.
 struct FeatureTolerances
 {
   double curve = 0.05;        ///< a curve is met where mesh edges are this near

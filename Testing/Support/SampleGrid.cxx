@@ -69,7 +69,7 @@ vtkSmartPointer<vtkPolyData> toPolyData(const FaceMesh& mesh, const PatchFaces& 
   return polyData;
 }
 
-Vec3 centreOf(const FaceMesh& mesh, std::size_t f)
+Vec3 centerOf(const FaceMesh& mesh, std::size_t f)
 {
   Vec3 sum = Vec3::Zero();
   for (const Index point : mesh.face(f))
@@ -120,7 +120,7 @@ vtkSmartPointer<vtkPartitionedDataSetCollection> toPatches(const FaceMesh& mesh,
   for (std::size_t f = 0; f < mesh.faceCount(); ++f)
   {
     const bool internal = f < mesh.internalFaceCount();
-    const std::string name = internal ? sheet(centreOf(mesh, f)) : boundary(centreOf(mesh, f));
+    const std::string name = internal ? sheet(centerOf(mesh, f)) : boundary(centerOf(mesh, f));
     std::vector<Index> face(mesh.face(f).begin(), mesh.face(f).end());
     if (!name.empty())
     {
@@ -128,7 +128,7 @@ vtkSmartPointer<vtkPartitionedDataSetCollection> toPatches(const FaceMesh& mesh,
     }
     if (!name.empty() && internal)
     {
-      patches[name + "_back"].add({face.rbegin(), face.rend()}, mesh.neighbour[f]);
+      patches[name + "_back"].add({face.rbegin(), face.rend()}, mesh.neighbor[f]);
     }
   }
   auto out = vtkSmartPointer<vtkPartitionedDataSetCollection>::New();
@@ -145,14 +145,14 @@ vtkSmartPointer<vtkPartitionedDataSetCollection> toPatches(const FaceMesh& mesh,
 
 NameOfFace sidesOfBox(std::array<int, 3> n)
 {
-  return [n](const Vec3& centre) -> std::string {
+  return [n](const Vec3& center) -> std::string {
     for (int axis = 0; axis < 3; ++axis)
     {
-      if (centre[axis] < 1e-9)
+      if (center[axis] < 1e-9)
       {
         return sideNames[2 * axis];
       }
-      if (centre[axis] > n[axis] - 1e-9)
+      if (center[axis] > n[axis] - 1e-9)
       {
         return sideNames[2 * axis + 1];
       }

@@ -16,15 +16,15 @@ namespace atria::testing {
 
 vtkSmartPointer<vtkUnstructuredGrid> toGrid(const SampleMesh& mesh);
 
-/// Names the patch of a face from its centre; an empty name leaves it out.
-using NameOfFace = std::function<std::string(const Vec3& centre)>;
+/// Names the patch of a face from its center; an empty name leaves it out.
+using NameOfFace = std::function<std::string(const Vec3& center)>;
 
 /// The boundary faces as the mesher hands them over: one named vtkPolyData a patch, with OwnerCellId and
 /// VolumePointId. Patches come in the order of their names.
 vtkSmartPointer<vtkPartitionedDataSetCollection> toPatches(const FaceMesh& mesh, const NameOfFace& boundary);
 
 /// The same with sheets: an internal face that `sheet` names goes with its owner's side to <name>_front and
-/// with its neighbour's to <name>_back.
+/// with its neighbor's to <name>_back.
 vtkSmartPointer<vtkPartitionedDataSetCollection> toPatches(const FaceMesh& mesh, const NameOfFace& boundary,
                                                            const NameOfFace& sheet);
 

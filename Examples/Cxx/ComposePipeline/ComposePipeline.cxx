@@ -33,7 +33,7 @@ int main(int argc, char** argv)
   // changed.
   vtkNew<vtkAtriaOctreeSource> octree;
   octree->SetInputConnection(reader->GetOutputPort());
-  octree->SetSizeMin(1.0); // metres
+  octree->SetSizeMin(1.0); // meters
   octree->SetDomainMode(vtkAtriaOctreeSource::Site);
   octree->SetSiteName("Site");
 

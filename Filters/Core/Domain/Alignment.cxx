@@ -43,7 +43,7 @@ std::vector<Wall> wallsOf(const TriangleSurface& surface)
   return walls;
 }
 
-/// Middle of the bin of a quarter degree that, with its neighbours, has the most area.
+/// Middle of the bin of a quarter degree that, with its neighbors, has the most area.
 double peakOf(const std::vector<Wall>& walls)
 {
   constexpr int bins = 360;

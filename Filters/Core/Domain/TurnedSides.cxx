@@ -32,7 +32,7 @@ void snap(std::vector<Vec3>& points, const Box3& domain, double tolerance)
   }
 }
 
-/// Where the edge meets the plane; the same bits from both ends, so that neighbours stay connected.
+/// Where the edge meets the plane; the same bits from both ends, so that neighbors stay connected.
 Vec3 cutEdge(const Vec3& p, const Vec3& q, int axis, double plane)
 {
   const bool ordered = std::tie(p[0], p[1], p[2]) < std::tie(q[0], q[1], q[2]);

@@ -83,7 +83,7 @@ int levelsBelow(const GridOptions& o)
 }
 
 /// Finest octants between the root's and the domain's lower plane: half of those to spare. With levels below SizeMin
-/// they are chosen, where there is room, such that the plane is next to the centres of octants of SizeMin.
+/// they are chosen, where there is room, such that the plane is next to the centers of octants of SizeMin.
 double marginOf(double octants, double rootOctants, int below)
 {
   const double spare = rootOctants - octants - 1.0;
@@ -91,8 +91,8 @@ double marginOf(double octants, double rootOctants, int below)
   if (below > 0)
   {
     const double period = std::ldexp(1.0, below);
-    const double centred = period * std::floor(margin / period) + 0.5 * period;
-    margin = centred <= spare + 1e-9 ? centred : margin;
+    const double centered = period * std::floor(margin / period) + 0.5 * period;
+    margin = centered <= spare + 1e-9 ? centered : margin;
   }
   return margin;
 }

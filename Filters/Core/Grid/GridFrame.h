@@ -33,7 +33,7 @@ struct GridOptions
 };
 
 /// The root cube `[origin, origin + finestSize * 2^depth]^3` that holds the domain. Its phase puts the domain's lower
-/// planes through the centres of finest octants: the upper ones follow where the domain is a multiple of `finestSize`.
+/// planes through the centers of finest octants: the upper ones follow where the domain is a multiple of `finestSize`.
 /// `finestSize` is SizeMin, or SizeMin / 2^k where a rule asks for finer octants; features then are at k levels above
 /// the finest unless a rule says otherwise.
 ///

@@ -51,7 +51,7 @@ std::vector<Index> fanAt(const DualMesh& mesh, const BoundaryGraph& graph, Index
 inline Index faceBehind(const DualMesh& mesh, const BoundaryFace& face)
 {
   const std::int32_t code =
-      face.opposite == noIndex ? DualMesh::noFace : mesh.neighbours[face.opposite][opposite(face.direction)];
+      face.opposite == noIndex ? DualMesh::noFace : mesh.neighbors[face.opposite][opposite(face.direction)];
   return DualMesh::isBoundary(code) ? DualMesh::boundaryFaceOf(code) : noIndex;
 }
 

@@ -11,7 +11,7 @@ namespace atria {
 std::vector<Index> layersWanted(const DualMesh& plain, const LayerWalls& walls, const LayerMesh& one,
                                 const LayerOptions& options);
 
-/// Lowers counts until those of neighbours on a wall differ by one at most, so that layers taper off one at a time, the
+/// Lowers counts until those of neighbors on a wall differ by one at most, so that layers taper off one at a time, the
 /// outermost and thickest first.
 void limitSteps(const DualMesh& plain, const LayerMesh& one, std::vector<Index>& counts);
 

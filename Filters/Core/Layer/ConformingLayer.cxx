@@ -113,7 +113,7 @@ std::vector<double> thicknesses(const DualMesh& mesh, const LayerWalls& walls, c
   return out;
 }
 
-/// Moves copies off the wall and draws them back in where they crowd.
+/// Moves copies off the wall and draws them back in where they cluster.
 class Spacing
 {
 public:

@@ -12,7 +12,7 @@ namespace atria {
 
 namespace {
 
-/// Of 150 degrees: the angle between two edges on creases beyond which a face's piece gets rows.
+/// Of 150 degrees: the angle between two edges on creases beyond which a face's piece gets crease sheets.
 constexpr double widestCosine = -0.866;
 
 /// Walls and the pieces they are of. Corner k of a face comes after edge k - 1 and before edge k.
@@ -140,10 +140,10 @@ public:
   {
   }
 
-  CreaseRows build()
+  CreaseSheets build()
   {
-    rows.firstPoint = static_cast<Index>(layer.mesh.points.size());
-    rows.firstFace = static_cast<Index>(layer.mesh.boundaryFaces.size());
+    creaseSheets.firstPoint = static_cast<Index>(layer.mesh.points.size());
+    creaseSheets.firstFace = static_cast<Index>(layer.mesh.boundaryFaces.size());
     joinRuns();
     splitPoints();
     numberElements();
@@ -164,11 +164,11 @@ public:
         }
       }
     }
-    return std::move(rows);
+    return std::move(creaseSheets);
   }
 
 private:
-  /// Corners at one point that hang together through faces of a piece.
+  /// Corners at one point that are connected through faces of a piece.
   struct Run
   {
     bool atCrease = false;
@@ -255,10 +255,10 @@ private:
     }
   }
 
-  Index addPoint(const Vec3& place, const CreaseRows::Point& what)
+  Index addPoint(const Vec3& place, const CreaseSheets::Point& what)
   {
     layer.mesh.points.push_back(place);
-    rows.points.push_back(what);
+    creaseSheets.points.push_back(what);
     return static_cast<Index>(layer.mesh.points.size() - 1);
   }
 
@@ -280,10 +280,10 @@ private:
     }
   }
 
-  void addElement(Index like, const std::array<Index, 8>& corners, const std::array<std::int32_t, 6>& neighbours)
+  void addElement(Index like, const std::array<Index, 8>& corners, const std::array<std::int32_t, 6>& neighbors)
   {
     layer.mesh.corners.push_back(corners);
-    layer.mesh.neighbours.push_back(neighbours);
+    layer.mesh.neighbors.push_back(neighbors);
     layer.mesh.levels.push_back(std::uint8_t(layer.mesh.levels[like]));
     layer.mesh.zones.push_back(std::int32_t(layer.mesh.zones[like]));
   }
@@ -295,14 +295,14 @@ private:
     face.element = element;
     face.direction = static_cast<std::uint8_t>(direction);
     layer.mesh.boundaryFaces.push_back(face);
-    rows.wallFaces.push_back(wallFace);
+    creaseSheets.wallFaces.push_back(wallFace);
     return ~static_cast<std::int32_t>(layer.mesh.boundaryFaces.size() - 1);
   }
 
   /// The side of the domain that a prism ends on across an edge of its wall.
   Index sideAt(Index f, int edge) const
   {
-    return DualMesh::boundaryFaceOf(layer.mesh.neighbours[prismOf(f)][besideEdge(directionOf(f), edge)]);
+    return DualMesh::boundaryFaceOf(layer.mesh.neighbors[prismOf(f)][besideEdge(directionOf(f), edge)]);
   }
 
   /// Halves the prism of a face.
@@ -323,28 +323,28 @@ private:
       layer.mesh.corners[prism][high] = insideOf[run];
       layer.mesh.corners[prism][low] = wallOf[run];
     }
-    std::array<std::int32_t, 6> neighbours;
-    neighbours[direction] = static_cast<std::int32_t>(prism);
-    neighbours[opposite(direction)] = static_cast<std::int32_t>(inside);
+    std::array<std::int32_t, 6> neighbors;
+    neighbors[direction] = static_cast<std::int32_t>(prism);
+    neighbors[opposite(direction)] = static_cast<std::int32_t>(inside);
     for (int i = 0; i < 4; ++i)
     {
       const int lateral = besideEdge(direction, i);
       if (isInner(f, i))
       {
-        neighbours[lateral] = static_cast<std::int32_t>(above[BoundaryGraph::faceOf(across(f, i))]);
+        neighbors[lateral] = static_cast<std::int32_t>(above[BoundaryGraph::faceOf(across(f, i))]);
       }
       else if (isCrease(f, i))
       {
-        neighbours[lateral] = static_cast<std::int32_t>(beside[codeOf(f, i)]);
+        neighbors[lateral] = static_cast<std::int32_t>(beside[codeOf(f, i)]);
       }
       else
       {
-        neighbours[lateral] = addFace(sideAt(f, i), above[f], lateral, noIndex);
+        neighbors[lateral] = addFace(sideAt(f, i), above[f], lateral, noIndex);
       }
     }
-    addElement(prism, corners, neighbours);
-    layer.mesh.neighbours[prism][opposite(direction)] = static_cast<std::int32_t>(above[f]);
-    layer.mesh.neighbours[inside][direction] = static_cast<std::int32_t>(above[f]);
+    addElement(prism, corners, neighbors);
+    layer.mesh.neighbors[prism][opposite(direction)] = static_cast<std::int32_t>(above[f]);
+    layer.mesh.neighbors[inside][direction] = static_cast<std::int32_t>(above[f]);
   }
 
   /// The element between the prism of a face and the crease.
@@ -365,21 +365,21 @@ private:
       corners[acrossAxis(low, axisOf(lateral))] = wallOf[run];
       corners[acrossAxis(high, axisOf(lateral))] = insideOf[run];
     }
-    std::array<std::int32_t, 6> neighbours;
-    neighbours[direction] = addFace(f, self, direction, f);
-    neighbours[opposite(direction)] = static_cast<std::int32_t>(above[f]);
-    neighbours[opposite(lateral)] = static_cast<std::int32_t>(prismOf(f));
-    neighbours[lateral] = beyond(f, edge, self);
+    std::array<std::int32_t, 6> neighbors;
+    neighbors[direction] = addFace(f, self, direction, f);
+    neighbors[opposite(direction)] = static_cast<std::int32_t>(above[f]);
+    neighbors[opposite(lateral)] = static_cast<std::int32_t>(prismOf(f));
+    neighbors[lateral] = beyond(f, edge, self);
     for (const int next : {(edge + 3) & 3, (edge + 1) & 3})
     {
       const int end = besideEdge(direction, next);
-      neighbours[end] = atEnd(f, next, pointAt(f, next == ((edge + 1) & 3) ? next : edge), self, end);
+      neighbors[end] = atEnd(f, next, pointAt(f, next == ((edge + 1) & 3) ? next : edge), self, end);
     }
-    addElement(prismOf(f), corners, neighbours);
-    layer.mesh.neighbours[prismOf(f)][lateral] = static_cast<std::int32_t>(self);
+    addElement(prismOf(f), corners, neighbors);
+    layer.mesh.neighbors[prismOf(f)][lateral] = static_cast<std::int32_t>(self);
   }
 
-  /// What is on the other side of the crease; made to have the element as its neighbour.
+  /// What is on the other side of the crease; made to have the element as its neighbor.
   std::int32_t beyond(Index f, int edge, Index self)
   {
     const Index code = across(f, edge);
@@ -388,7 +388,7 @@ private:
     {
       return static_cast<std::int32_t>(beside[code]);
     }
-    layer.mesh.neighbours[prismOf(other)][besideEdge(directionOf(other), BoundaryGraph::edgeOf(code))] =
+    layer.mesh.neighbors[prismOf(other)][besideEdge(directionOf(other), BoundaryGraph::edgeOf(code))] =
         static_cast<std::int32_t>(self);
     return static_cast<std::int32_t>(prismOf(other));
   }
@@ -417,7 +417,7 @@ private:
   /// Elements: the upper half by face, those beside creases by edge.
   std::vector<Index> above;
   std::vector<Index> beside;
-  CreaseRows rows;
+  CreaseSheets creaseSheets;
 };
 
 } // namespace
@@ -430,8 +430,8 @@ CreaseCharts findCreaseCharts(const LayerMesh& layer, const DualMesh& plain, con
   return charts;
 }
 
-CreaseRows insertCreaseRows(LayerMesh& layer, const DualMesh& plain, const LayerWalls& walls,
-                            const CreaseCharts& charts, double width)
+CreaseSheets insertCreaseSheets(LayerMesh& layer, const DualMesh& plain, const LayerWalls& walls,
+                                const CreaseCharts& charts, double width)
 {
   return RowBuilder(layer, plain, walls, charts, width).build();
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Rows of hexahedra along creases.
+/// Crease sheets of hexahedra along creases.
 #pragma once
 
 #include "Layer/LayerTopology.h"
@@ -8,7 +8,7 @@
 
 namespace atria {
 
-/// Walls by the smooth pieces they are on, and which of these get rows.
+/// Walls by the smooth pieces they are on, and which of these get crease sheets.
 struct CreaseCharts
 {
   /// Per boundary face a number for its chart and side; noIndex where the layer is not whole or something is behind the
@@ -32,7 +32,7 @@ CreaseCharts findCreaseCharts(const LayerMesh& layer, const DualMesh& plain, con
 /// crease to the points beside it.
 ///
 /// `layer` has one prism on each face, grown from `plain`. Linear in the faces of walls.
-CreaseRows insertCreaseRows(LayerMesh& layer, const DualMesh& plain, const LayerWalls& walls,
-                            const CreaseCharts& charts, double width);
+CreaseSheets insertCreaseSheets(LayerMesh& layer, const DualMesh& plain, const LayerWalls& walls,
+                                const CreaseCharts& charts, double width);
 
 } // namespace atria

@@ -42,7 +42,7 @@ public:
     {
       surface.thickness = surface.layered > 0.0 ? surface.thickness / surface.layered : 0.0;
     }
-    addRows(ofTag);
+    addSheets(ofTag);
     for (std::size_t tag = 0; tag < ofTag.size(); ++tag)
     {
       LayerCoverage& surface = ofTag[tag];
@@ -95,13 +95,13 @@ private:
     }
   }
 
-  /// Faces of rows along creases have the layer of the face they were taken from.
-  void addRows(std::vector<LayerCoverage>& ofTag)
+  /// Faces of sheets along creases have the layer of the face they were taken from.
+  void addSheets(std::vector<LayerCoverage>& ofTag)
   {
-    for (std::size_t i = 0; i < layer.rows.wallFaces.size(); ++i)
+    for (std::size_t i = 0; i < layer.creaseSheets.wallFaces.size(); ++i)
     {
-      const std::size_t f = layer.rows.firstFace + i;
-      const Index like = layer.rows.wallFaces[i];
+      const std::size_t f = layer.creaseSheets.firstFace + i;
+      const Index like = layer.creaseSheets.wallFaces[i];
       if (like == noIndex)
       {
         continue;

@@ -74,7 +74,7 @@ void appendDistinct(std::vector<Vec3>& out, const Vec3& v)
   }
 }
 
-/// The direction that maximises the least product with `vectors`.
+/// The direction that maximizes the least product with `vectors`.
 class Search
 {
 public:
@@ -175,8 +175,8 @@ DirectionProblem problemAt(const DualMesh& mesh, const LayerWalls& walls, const 
       const Index a = cornerOf(mesh, face, i);
       const Index b = cornerOf(mesh, face, i + 1);
       const Index code = walls.graph.across[f][i];
-      const bool rim = BoundaryGraph::isEdge(code) && BoundaryGraph::faceOf(code) == behind;
-      if (rim && (a == point || b == point))
+      const bool boundaryEdge = BoundaryGraph::isEdge(code) && BoundaryGraph::faceOf(code) == behind;
+      if (boundaryEdge && (a == point || b == point))
       {
         // The face runs round the normal out of the fluid.
         const Vec3 out = normal.cross(mesh.points[b] - mesh.points[a]);

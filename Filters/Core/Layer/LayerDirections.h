@@ -11,20 +11,20 @@ struct DirectionProblem
 {
   /// Normals into the fluid of the walls about the point.
   std::vector<Vec3> walls;
-  /// Normals of sheets that have a rim there: the layer wraps round it, in the sheet's plane.
+  /// Normals of sheets that have a boundary edge there: the layer wraps round it, in the sheet's plane.
   std::vector<Vec3> sheets;
-  /// Ways out of those sheets across their rims.
+  /// Ways out of those sheets across their boundary edges.
   std::vector<Vec3> ways;
   /// Planes of the domain's sides the point must stay in.
   std::vector<Vec3> sides;
 };
 
 /// A copy whose direction has a cosine to a wall's normal below this is not made. So the layer tapers to nothing at
-/// rims, where the cosine is 0: wrapped round them, a prism would have two faces in the plane of the sheet.
+/// boundary edges, where the cosine is 0: wrapped round them, a prism would have two faces in the plane of the sheet.
 inline constexpr double feasibleCosine = 0.1;
 
-/// Sheets whose normals spread over a rim point by less than this share of their squares are one plane (37 degrees
-/// between two).
+/// Sheets whose normals spread over a boundary edge point by less than this share of their squares are one plane (37
+/// degrees between two).
 inline constexpr double sheetSpread = 0.1;
 
 struct LayerDirection
@@ -35,9 +35,9 @@ struct LayerDirection
   double cosine = -1.0;
 };
 
-/// The direction in the planes of sides and rim sheets that is farthest inside all half spaces of walls and ways: the
-/// point of their convex hull that is nearest to the origin (best of single vectors, pairs and triples, which is exact
-/// where some direction is inside all of them). Sheets themselves do not count, as they lie along it.
+/// The direction in the planes of sides and boundary edge sheets that is farthest inside all half spaces of walls and
+/// ways: the point of their convex hull that is nearest to the origin (best of single vectors, pairs and triples, which
+/// is exact where some direction is inside all of them). Sheets themselves do not count, as they lie along it.
 LayerDirection solveDirection(const DirectionProblem& problem);
 
 /// Area vectors of boundary faces, into the fluid.

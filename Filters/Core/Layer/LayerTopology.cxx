@@ -84,7 +84,7 @@ private:
     }
     const std::size_t total = plain.elementCount() + firstPrism.back();
     out.mesh.corners.reserve(total);
-    out.mesh.neighbours.reserve(total);
+    out.mesh.neighbors.reserve(total);
     out.mesh.levels.reserve(total);
     out.mesh.zones.reserve(total);
   }
@@ -95,7 +95,7 @@ private:
     out.plainElements = static_cast<Index>(plain.elementCount());
     out.mesh.boundaryFaces = plain.boundaryFaces;
     out.mesh.corners.resize(out.plainElements);
-    out.mesh.neighbours.resize(out.plainElements);
+    out.mesh.neighbors.resize(out.plainElements);
     out.mesh.levels.resize(out.plainElements);
     out.mesh.zones.resize(out.plainElements);
     executor.forRanges(out.plainElements, 16384, [&](std::size_t begin, std::size_t end) {
@@ -103,7 +103,7 @@ private:
         std::copy_n(from.begin() + static_cast<std::ptrdiff_t>(begin), end - begin,
                     to.begin() + static_cast<std::ptrdiff_t>(begin));
       };
-      copy(plain.neighbours, out.mesh.neighbours);
+      copy(plain.neighbors, out.mesh.neighbors);
       copy(plain.levels, out.mesh.levels);
       copy(plain.zones, out.mesh.zones);
       copy(plain.corners, out.mesh.corners);
@@ -122,8 +122,8 @@ private:
     const BoundaryFace& face = plain.boundaryFaces[f];
     const auto prism = static_cast<Index>(out.mesh.corners.size());
     std::array<Index, 8> corners;
-    std::array<std::int32_t, 6> neighbours;
-    neighbours.fill(DualMesh::noFace);
+    std::array<std::int32_t, 6> neighbors;
+    neighbors.fill(DualMesh::noFace);
     for (const std::uint8_t c : hexahedronFace[face.direction])
     {
       const Index p = plain.corners[face.element][c];
@@ -131,14 +131,14 @@ private:
       corners[acrossAxis(c, axisOf(face.direction))] = chainPoint(p, height + 1);
     }
     const bool last = height + 1 == stackOf(f);
-    neighbours[face.direction] = height == 0 ? ~static_cast<std::int32_t>(f) : static_cast<std::int32_t>(prism) - 1;
-    neighbours[opposite(face.direction)] = static_cast<std::int32_t>(last ? face.element : prism + 1);
+    neighbors[face.direction] = height == 0 ? ~static_cast<std::int32_t>(f) : static_cast<std::int32_t>(prism) - 1;
+    neighbors[opposite(face.direction)] = static_cast<std::int32_t>(last ? face.element : prism + 1);
     for (int edge = 0; edge < 4; ++edge)
     {
-      neighbours[besideEdge(face.direction, edge)] = lateral(f, edge, height, prism);
+      neighbors[besideEdge(face.direction, edge)] = lateral(f, edge, height, prism);
     }
     out.mesh.corners.push_back(corners);
-    out.mesh.neighbours.push_back(neighbours);
+    out.mesh.neighbors.push_back(neighbors);
     out.mesh.levels.push_back(plain.levels[face.element]);
     out.mesh.zones.push_back(plain.zones[face.element]);
     out.wallFaces.push_back(f);
@@ -179,7 +179,7 @@ private:
     }
     if (stackOf(f) > 0)
     {
-      out.mesh.neighbours[face.element][face.direction] = static_cast<std::int32_t>(prismAt(f, stackOf(f) - 1));
+      out.mesh.neighbors[face.element][face.direction] = static_cast<std::int32_t>(prismAt(f, stackOf(f) - 1));
       face.element = prismAt(f, 0);
     }
   }

@@ -6,9 +6,9 @@
 
 namespace atria {
 
-/// What rows along creases (CreaseRows.h) added to a mesh with a layer. Points, elements and boundary faces that were
-/// there keep their numbers.
-struct CreaseRows
+/// What sheets along creases (CreaseSheets.h) added to a mesh with a layer. Points, elements and boundary faces that
+/// were there keep their numbers.
+struct CreaseSheets
 {
   struct Point
   {
@@ -25,7 +25,7 @@ struct CreaseRows
   std::vector<Index> wallFaces;
 };
 
-/// A mesh with layers, and how it hangs together with the plain one it was grown from. Points and elements of the plain
+/// A mesh with layers, and how it is connected with the plain one it was grown from. Points and elements of the plain
 /// mesh keep their numbers; its boundary faces too, those of the domain's sides that layers end on follow them. The
 /// plain points are the wall's; elements that were at the wall use the last point above it, the copy.
 struct LayerMesh
@@ -43,7 +43,7 @@ struct LayerMesh
   std::vector<Index> wallFaces;
   std::vector<Index> heights;
   /// These are no part of the stacks.
-  CreaseRows rows;
+  CreaseSheets creaseSheets;
 
   bool isNew(Index point) const { return point >= plainPoints; }
   /// The point of the wall that a new point stands above; a plain one is its own.
@@ -56,7 +56,7 @@ LayerMesh withoutLayer(DualMesh plain);
 /// Builds stacks of prisms on the walls. `counts` gives each point the number of its new points, at most that of
 /// `walls.counts`; 0 leaves it single. New points lie on the wall yet. A prism is a hexahedron in the axes of the
 /// element that had the wall: the lower face in that direction, the upper one against it. Prisms on faces that share an
-/// edge are neighbours through the face between them, whose directions then need not be opposite. Where a chain has
+/// edge are neighbors through the face between them, whose directions then need not be opposite. Where a chain has
 /// ended, prisms above it have its last point in their lower and upper face.
 ///
 /// Conformal for any counts, as between two walls (or a wall and a side) there is one face across each edge, and both

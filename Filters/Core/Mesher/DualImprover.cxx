@@ -31,18 +31,18 @@ Vec3 meanAbout(const DualMesh& mesh, const BoundaryGraph& graph, Index point)
 }
 
 /// See removeJogs. Points that left a curve go between those beside them. Returns whether anything changed.
-bool straightenCurves(AnchoredMesh& plain, const BoundaryGraph& graph, const MeshingContext& context)
+bool straightenCurves(ClassifiedMesh& plain, const BoundaryGraph& graph, const MeshingContext& context)
 {
   DualMesh& mesh = plain.mesh;
   const std::vector<Index>& vertexOf = plain.vertexOf;
-  const auto [faces, freed] = removeJogs(mesh, graph, vertexOf, plain.anchors);
-  ModelGuide guide(context, plain.anchors, mesh.points, vertexOf);
-  guide.prepare(freed, context);
+  const auto [faces, freed] = removeJogs(mesh, graph, vertexOf, plain.classification);
+  ModelConstraints constraints(context, plain.classification, mesh.points, vertexOf);
+  constraints.prepare(freed, context);
   Index last = noIndex;
   for (const Index p : freed)
   {
     const bool isOther = last != noIndex && vertexOf[p] == vertexOf[last]; // of a sheet's two
-    mesh.points[p] = isOther ? mesh.points[last] : guide.place(p, meanAbout(mesh, graph, p));
+    mesh.points[p] = isOther ? mesh.points[last] : constraints.place(p, meanAbout(mesh, graph, p));
     last = p;
   }
   return faces > 0;
@@ -50,21 +50,21 @@ bool straightenCurves(AnchoredMesh& plain, const BoundaryGraph& graph, const Mes
 
 } // namespace
 
-AnchoredMesh anchored(DualMesh mesh, VertexAnchors anchors)
+ClassifiedMesh classified(DualMesh mesh, VertexClassification classification)
 {
   std::vector<Index> vertexOf(mesh.points.size());
   std::iota(vertexOf.begin(), vertexOf.end(), Index{0});
-  return {std::move(mesh), std::move(anchors), std::move(vertexOf)};
+  return {std::move(mesh), std::move(classification), std::move(vertexOf)};
 }
 
-AnchoredMesh unfoldWalls(AnchoredMesh given, const MeshingContext& context)
+ClassifiedMesh unfoldWalls(ClassifiedMesh given, const MeshingContext& context)
 {
-  ModelGuide guide(context, given.anchors, given.mesh.points, given.vertexOf);
-  unfoldFaces(given.mesh, guide, context);
+  ModelConstraints constraints(context, given.classification, given.mesh.points, given.vertexOf);
+  unfoldFaces(given.mesh, constraints, context);
   return given;
 }
 
-AnchoredMesh splitPoints(AnchoredMesh given, const MeshingContext& context)
+ClassifiedMesh splitPoints(ClassifiedMesh given, const MeshingContext& context)
 {
   for (const Index source : splitSheets(given.mesh, context))
   {
@@ -73,7 +73,7 @@ AnchoredMesh splitPoints(AnchoredMesh given, const MeshingContext& context)
   return given;
 }
 
-ImprovedMesh growLayers(AnchoredMesh given, const std::vector<LayerRule>& rules, const CurvedWallTargets& curvedWalls,
+ImprovedMesh growLayers(ClassifiedMesh given, const std::vector<LayerRule>& rules, const CurvedWallTargets& curvedWalls,
                         const MeshingContext& context)
 {
   ImprovedMesh out;
@@ -92,7 +92,7 @@ ImprovedMesh growLayers(AnchoredMesh given, const std::vector<LayerRule>& rules,
     walls = findLayerWalls(given.mesh, options, context);
   }
   context.progress.check();
-  LayerImprover improver(context, given.anchors, given.vertexOf, given.mesh, walls, options, curvedWalls);
+  LayerImprover improver(context, given.classification, given.vertexOf, given.mesh, walls, options, curvedWalls);
   LayerMesh layer = improver.run();
   if (std::ranges::any_of(options.ofTag, [](const WallLayers& wall) { return wall.layers > 0; }))
   {
@@ -100,7 +100,7 @@ ImprovedMesh growLayers(AnchoredMesh given, const std::vector<LayerRule>& rules,
   }
   out.mesh = std::move(layer.mesh);
   out.plainElements = layer.plainElements;
-  out.released = improver.released();
+  out.detached = improver.detached();
   return out;
 }
 

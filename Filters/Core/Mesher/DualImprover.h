@@ -10,22 +10,22 @@
 namespace atria {
 
 /// A mesh that knows what its points stand for.
-struct AnchoredMesh
+struct ClassifiedMesh
 {
   DualMesh mesh;
-  VertexAnchors anchors;
+  VertexClassification classification;
   /// For each point of the mesh the vertex of the anchors that it is.
   std::vector<Index> vertexOf;
 };
 
 /// A mesh whose points are the vertices of `anchors`.
-AnchoredMesh anchored(DualMesh mesh, VertexAnchors anchors);
+ClassifiedMesh classified(DualMesh mesh, VertexClassification classification);
 
 /// Slides points so that no wall face is folded; see unfoldFaces. The sheets of the mesh are not split yet.
-AnchoredMesh unfoldWalls(AnchoredMesh given, const MeshingContext& context);
+ClassifiedMesh unfoldWalls(ClassifiedMesh given, const MeshingContext& context);
 
 /// Gives both sides of sheets points of their own; see splitSheets.
-AnchoredMesh splitPoints(AnchoredMesh given, const MeshingContext& context);
+ClassifiedMesh splitPoints(ClassifiedMesh given, const MeshingContext& context);
 
 struct ImprovedMesh
 {
@@ -35,12 +35,12 @@ struct ImprovedMesh
   /// Empty where no layers were asked for.
   LayerReport layers;
   /// Points that are not where the model wants them, in rising order.
-  std::vector<ReleasedVertex> released;
+  std::vector<DetachedVertex> detached;
 };
 
 /// Grows layers on walls and makes the elements at the boundary valid (see LayerImprover), also where rules ask for no
 /// layer. Without rules the mesh is returned as it is.
-ImprovedMesh growLayers(AnchoredMesh given, const std::vector<LayerRule>& rules, const CurvedWallTargets& curvedWalls,
+ImprovedMesh growLayers(ClassifiedMesh given, const std::vector<LayerRule>& rules, const CurvedWallTargets& curvedWalls,
                         const MeshingContext& context);
 
 } // namespace atria

@@ -71,7 +71,8 @@ std::vector<Index> numberVertices(const GridPoints& points, const std::vector<In
   return used;
 }
 
-/// For each boundary face between grid points, its code as a neighbor in the mesh; noFace where neither element is kept.
+/// For each boundary face between grid points, its code as a neighbor in the mesh; noFace where neither element is
+/// kept.
 std::vector<std::int32_t> fillBoundary(DualMesh& mesh, const Crossings& crossings, const std::vector<Index>& elements,
                                        const RunContext& context)
 {
@@ -99,13 +100,13 @@ void fillElements(DualMesh& mesh, const Octree& octree, const GridPoints& points
   const auto last = std::find_if(elements.rbegin(), elements.rend(), [](Index e) { return e != noIndex; });
   const std::size_t count = last == elements.rend() ? 0 : *last + std::size_t{1};
   mesh.corners.resize(count);
-  mesh.neighbours.resize(count);
+  mesh.neighbors.resize(count);
   mesh.levels.resize(count);
   mesh.zones.resize(count);
   const auto codeOf = [&](std::int32_t code) {
-    return code >= 0                     ? static_cast<std::int32_t>(elements[code])
+    return code >= 0                    ? static_cast<std::int32_t>(elements[code])
            : DualMesh::isBoundary(code) ? boundary[DualMesh::boundaryFaceOf(code)]
-                                         : code;
+                                        : code;
   };
   context.executor.forEach(elements.size(), 8192, [&](std::size_t i) {
     const Index e = elements[i];
@@ -120,7 +121,7 @@ void fillElements(DualMesh& mesh, const Octree& octree, const GridPoints& points
       mesh.corners[e][c] = vertices[leaf];
       finest = std::max(finest, octree.level(leaf));
     }
-    std::ranges::transform(crossings.neighbours[i], mesh.neighbours[e].begin(), codeOf);
+    std::ranges::transform(crossings.neighbors[i], mesh.neighbors[e].begin(), codeOf);
     mesh.levels[e] = static_cast<std::uint8_t>(finest);
     mesh.zones[e] = zones.ofPoint[i];
   });
@@ -173,7 +174,7 @@ void inspectZones(const GridPlaces& grid, const Crossings& crossings, const Zone
                   const std::vector<Index>& elements, const DualMeshOptions& options, DualMeshResult& result,
                   const MeshingContext& context)
 {
-  result.zones = summariseZones(zones, result.keptZones, crossings, grid, context.model.names.size(), context);
+  result.zones = summarizeZones(zones, result.keptZones, crossings, grid, context.model.names.size(), context);
   result.leaks = findLeaks(options.sealedSeeds, zones, crossings, grid, context.model, context);
   for (const Leak& leak : result.leaks)
   {
@@ -187,11 +188,11 @@ void inspectZones(const GridPlaces& grid, const Crossings& crossings, const Zone
 }
 
 /// Vertices that the sides of a turned domain have put where they are stay there.
-void fixMoved(const std::vector<Vec3>& before, const std::vector<Vec3>& points, VertexAnchors& anchors)
+void fixMoved(const std::vector<Vec3>& before, const std::vector<Vec3>& points, VertexClassification& classification)
 {
   for (std::size_t v = 0; v < before.size(); ++v)
   {
-    anchors.freedom[v] = before[v] != points[v] ? Freedom::fixed : anchors.freedom[v];
+    classification.classes[v] = before[v] != points[v] ? VertexClass::fixed : classification.classes[v];
   }
 }
 
@@ -199,9 +200,9 @@ void fixMoved(const std::vector<Vec3>& before, const std::vector<Vec3>& points, 
 DisplacedGrid findBoundary(const GridPoints& points, double crackTolerance, const MeshingContext& context)
 {
   context.progress.report(0.3, "Finding crossings");
-  Crossings home = findCrossings(GridPlaces(context.octree, points), context.model, context);
+  Crossings undisplaced = findCrossings(GridPlaces(context.octree, points), context.model, context);
   context.progress.report(0.45, "Moving grid points");
-  DisplacedGrid grid = displaceGrid(points, std::move(home), context);
+  DisplacedGrid grid = displaceGrid(points, std::move(undisplaced), context);
   grid.crossings = closeCracks(std::move(grid.crossings), grid.places, crackTolerance, context);
   grid.crossings = markTurnedSides(std::move(grid.crossings), context.model.names.size());
   return grid;
@@ -209,8 +210,8 @@ DisplacedGrid findBoundary(const GridPoints& points, double crackTolerance, cons
 
 /// Grid points, crossings and zones, and from them elements and vertices. What only these need is freed here: it is
 /// larger than the mesh.
-AnchoredMesh fillMesh(DualMeshResult& result, const DualMeshOptions& options, StageClock& clock,
-                      const MeshingContext& context)
+ClassifiedMesh fillMesh(DualMeshResult& result, const DualMeshOptions& options, StageClock& clock,
+                        const MeshingContext& context)
 {
   const Octree& octree = context.octree;
   const SurfaceModel& model = context.model;
@@ -221,8 +222,7 @@ AnchoredMesh fillMesh(DualMeshResult& result, const DualMeshOptions& options, St
   clock.lap("crossings");
   context.progress.report(0.6, "Finding zones");
   const Zones zones = findZones(crossings, model.names.size(), context);
-  result.keptZones =
-      zonesWithinSides(keptZones(zones, options.zoneRule, options.seeds, places, model), zones, places);
+  result.keptZones = zonesWithinSides(keptZones(zones, options.zoneRule, options.seeds, places, model), zones, places);
   const std::vector<Index> elements = numberElements(zones, result.keptZones, context);
   inspectZones(places, crossings, zones, elements, options, result, context);
   clock.lap("zones");
@@ -242,23 +242,23 @@ AnchoredMesh fillMesh(DualMeshResult& result, const DualMeshOptions& options, St
   appendMerged(crossings, elements, octree.frame(), result.diagnostics);
   appendUnresolved(mesh, placed.compromised, result.diagnostics);
   keepWithinSides(mesh.points, octree.frame());
-  fixMoved(before, mesh.points, placed.anchors);
-  return anchored(std::move(mesh), std::move(placed.anchors));
+  fixMoved(before, mesh.points, placed.classification);
+  return classified(std::move(mesh), std::move(placed.classification));
 }
 
-/// Each released vertex with an element that has it.
-void appendReleased(const DualMesh& mesh, const std::vector<ReleasedVertex>& released, std::vector<Diagnostic>& out)
+/// Each detached vertex with an element that has it.
+void appendDetached(const DualMesh& mesh, const std::vector<DetachedVertex>& detached, std::vector<Diagnostic>& out)
 {
-  if (released.empty())
+  if (detached.empty())
   {
     return;
   }
   std::vector<Index> slots(mesh.points.size(), noIndex);
-  for (Index i = 0; i < released.size(); ++i)
+  for (Index i = 0; i < detached.size(); ++i)
   {
-    slots[released[i].point] = i;
+    slots[detached[i].point] = i;
   }
-  std::vector<Index> elements(released.size(), noIndex);
+  std::vector<Index> elements(detached.size(), noIndex);
   for (Index e = 0; e < mesh.elementCount(); ++e)
   {
     for (const Index p : mesh.corners[e])
@@ -269,9 +269,9 @@ void appendReleased(const DualMesh& mesh, const std::vector<ReleasedVertex>& rel
       }
     }
   }
-  for (std::size_t i = 0; i < released.size(); ++i)
+  for (std::size_t i = 0; i < detached.size(); ++i)
   {
-    out.push_back({Diagnostic::releasedVertex, mesh.points[released[i].point], released[i].wanted, elements[i]});
+    out.push_back({Diagnostic::detachedVertex, mesh.points[detached[i].point], detached[i].wanted, elements[i]});
   }
 }
 
@@ -279,7 +279,7 @@ void takeImproved(ImprovedMesh improved, DualMeshResult& result)
 {
   result.mesh = std::move(improved.mesh);
   result.layers = std::move(improved.layers);
-  appendReleased(result.mesh, improved.released, result.diagnostics);
+  appendDetached(result.mesh, improved.detached, result.diagnostics);
   for (std::size_t e = improved.plainElements; e < result.mesh.elementCount(); ++e)
   {
     ++result.zones[result.mesh.zones[e]].elements;
@@ -325,7 +325,7 @@ DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, con
   const TriangleTreeOnDemand tree(model);
   const MeshingContext context{run, octree, model, tree};
   DualMeshResult result;
-  AnchoredMesh mesh = fillMesh(result, options, clock, context.part(0.0, 0.55));
+  ClassifiedMesh mesh = fillMesh(result, options, clock, context.part(0.0, 0.55));
   mesh = splitPoints(unfoldWalls(std::move(mesh), context), context);
   clock.lap("elements");
   context.progress.report(0.55, "Growing layers");

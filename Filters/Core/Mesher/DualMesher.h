@@ -23,8 +23,8 @@ struct DualMeshOptions
   std::vector<LayerRule> layers = {};
   /// Where walls have a layer.
   CurvedWallTargets curvedWalls = {};
-  /// Cracks beside rims that are no wider than this part of the octants there are closed; 0 closes none. Wider ones are
-  /// open where an edge of the grid passes.
+  /// Cracks beside boundary edges that are no wider than this part of the octants there are closed; 0 closes none.
+  /// Wider ones are open where an edge of the grid passes.
   double crackTolerance = 0.5;
 };
 
@@ -36,9 +36,9 @@ struct Diagnostic
     mergedSheets,      ///< an octree edge is cut more than once: the sheets there became one
     unresolvedFeature, ///< pieces that do not meet share a vertex, which is not on all of them
     leakPath,          ///< a way from a sealed seed to the outside
-    closedCrack,       ///< a gap beside a rim, narrower than an octant, that no octree edge passes
+    closedCrack,       ///< a gap beside a boundary edge, narrower than an octant, that no octree edge passes
     openCrack,         ///< one that octree edges pass
-    releasedVertex     ///< a vertex that is not where the model wants it, as no valid element could be there
+    detachedVertex     ///< a vertex that is not where the model wants it, as no valid element could be there
   };
   Kind kind;
   Vec3 begin;
@@ -51,7 +51,7 @@ struct Diagnostic
   std::vector<Vec3> between = {};
 };
 inline constexpr std::array<const char*, 6> diagnosticNames{"MergedSheets", "UnresolvedFeature", "LeakPath",
-                                                            "ClosedCrack",  "OpenCrack",         "ReleasedVertex"};
+                                                            "ClosedCrack",  "OpenCrack",         "DetachedVertex"};
 
 struct DualMeshResult
 {

@@ -68,7 +68,7 @@ void warnOfDomain(Preflight& out)
   if (out.buildingHeight > highestBuilding)
   {
     out.warnings.push_back(text("the buildings are ", out.buildingHeight,
-                                " high: is the model in metres? One in inches is 39 times too large"));
+                                " high: is the model in meters? One in inches is 39 times too large"));
   }
   if (out.widened > 1.0)
   {

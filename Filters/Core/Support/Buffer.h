@@ -14,11 +14,11 @@ namespace atria {
 /// written, and given their memory, by the loops that fill them on all threads. Blocks of half a gigabyte and more are
 /// asked for in large pages: the system takes back a gigabyte of these in 3 ms instead of 40, and who aborts waits for
 /// gigabytes to be freed.
-template <typename T> struct UninitialisedAllocator : std::allocator<T>
+template <typename T> struct UninitializedAllocator : std::allocator<T>
 {
   template <typename U> struct rebind
   {
-    using other = UninitialisedAllocator<U>;
+    using other = UninitializedAllocator<U>;
   };
   T* allocate(std::size_t count)
   {
@@ -38,6 +38,6 @@ template <typename T> struct UninitialisedAllocator : std::allocator<T>
 };
 
 /// A vector whose entries are not set by `resize`.
-template <typename T> using Buffer = std::vector<T, UninitialisedAllocator<T>>;
+template <typename T> using Buffer = std::vector<T, UninitializedAllocator<T>>;
 
 } // namespace atria

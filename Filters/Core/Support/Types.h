@@ -11,7 +11,7 @@
 
 namespace atria {
 
-/// A point or vector in model units (metres unless the model says otherwise).
+/// A point or vector in model units (meters unless the model says otherwise).
 using Vec3 = Eigen::Vector3d;
 
 /// Index of a point, element or leaf; `noIndex` stands for "none".

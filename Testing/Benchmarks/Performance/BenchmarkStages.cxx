@@ -210,11 +210,11 @@ void movedPoints(benchmark::State& state, const Case& which)
   for (auto _ : state)
   {
     state.PauseTiming();
-    Crossings home = work.crossings;
+    Crossings undisplaced = work.crossings;
     const TriangleTreeOnDemand tree(work.model);
     state.ResumeTiming();
     benchmark::DoNotOptimize(
-        displaceGrid(work.points, std::move(home), {work.context, work.octree, work.model, tree}));
+        displaceGrid(work.points, std::move(undisplaced), {work.context, work.octree, work.model, tree}));
   }
   count(state, work.points.size());
 }

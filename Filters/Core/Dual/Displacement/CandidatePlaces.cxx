@@ -26,7 +26,7 @@ class Candidates
 public:
   Candidates(const MovingGrid& moving, Index of, bool sheets, MovingGrid::Look& by)
       : grid(moving), point(of), across(sheets),
-        look(by), found{moving.places().home(of), farthestReach(moving, of), {moving.places().home(of)}}
+        look(by), found{moving.places().undisplaced(of), farthestReach(moving, of), {moving.places().undisplaced(of)}}
   {
   }
 
@@ -113,7 +113,7 @@ private:
     }
   }
 
-  /// Whether neighbouring cuts are of two sheets that meet there.
+  /// Whether neighboring cuts are of two sheets that meet there.
   bool joinsCuts(std::span<const SurfaceCrossing> cuts, const FeatureEdge& edge) const
   {
     const SurfaceModel& model = grid.model();
@@ -152,7 +152,7 @@ private:
   }
 
   /// Places on the other side of sheets of the leaf that do not meet in it, by the shortest way: as its edges may run
-  /// along them, or cut them far off. Beyond the rim of a sheet it has no other side.
+  /// along them, or cut them far off. Beyond the boundary edge of a sheet it has no other side.
   void addAcrossSheets(Index leaf)
   {
     if (grid.surplus(leaf, look) == 0)
@@ -180,7 +180,7 @@ private:
     }
   }
 
-  /// The point of a chart nearest to p; none where that is on a rim of the chart, off the line across it.
+  /// The point of a chart nearest to p; none where that is on a boundary edge of the chart, off the line across it.
   std::optional<Vec3> footOn(const Vec3& p, Index chart) const
   {
     constexpr double acrossCosine = 0.99;

@@ -14,15 +14,15 @@ namespace atria {
 /// Collects places for a grid point that are not too far from where it is.
 struct CandidatePlaces
 {
-  LatticePoint home;
+  LatticePoint undisplaced;
   std::int64_t reach;
   std::vector<LatticePoint> places;
 
   void add(const Vec3& p)
   {
     const LatticePoint place{std::llround(p[0]), std::llround(p[1]), std::llround(p[2])};
-    const bool near = std::abs(place[0] - home[0]) <= reach && std::abs(place[1] - home[1]) <= reach &&
-                      std::abs(place[2] - home[2]) <= reach;
+    const bool near = std::abs(place[0] - undisplaced[0]) <= reach && std::abs(place[1] - undisplaced[1]) <= reach &&
+                      std::abs(place[2] - undisplaced[2]) <= reach;
     if (near && std::find(places.begin(), places.end(), place) == places.end())
     {
       places.push_back(place);
@@ -43,10 +43,10 @@ struct CandidatePlaces
 /// How far a point may move along each axis: a part of its shortest edge, in lattice units.
 std::int64_t farthestReach(const MovingGrid& grid, Index point);
 
-/// Places a grid point may go to for less to be in question: home; between the cuts of its edges and a step beyond
+/// Places a grid point may go to for less to be unresolved: home; between the cuts of its edges and a step beyond
 /// them; on the other side of a curve where the two sheets that cut an edge meet; between curves that an octant's
 /// vertex cannot both be on. With `across`, also the shortest way across sheets of its octants that do not meet there:
-/// alone, such moves may take a sheet out of the octants beside its rim.
+/// alone, such moves may take a sheet out of the octants beside its boundary edge.
 std::vector<LatticePoint> candidatePlaces(const MovingGrid& grid, Index point, MovingGrid::Look& look,
                                           bool across = false);
 

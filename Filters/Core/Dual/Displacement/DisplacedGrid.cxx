@@ -11,10 +11,10 @@ namespace atria {
 
 namespace {
 
-GridPlaces displacedPlaces(const GridPoints& points, const Crossings& home, const MeshingContext& context)
+GridPlaces displacedPlaces(const GridPoints& points, const Crossings& undisplaced, const MeshingContext& context)
 {
   GridPlaces places(context.octree, points);
-  MovingGrid grid(places, home, context);
+  MovingGrid grid(places, undisplaced, context);
   constexpr int gapRounds = 4;
   for (const double reach : {0.5, 1.0})
   {
@@ -29,17 +29,17 @@ GridPlaces displacedPlaces(const GridPoints& points, const Crossings& home, cons
 
 } // namespace
 
-DisplacedGrid displaceGrid(const GridPoints& points, Crossings home, const MeshingContext& context)
+DisplacedGrid displaceGrid(const GridPoints& points, Crossings undisplaced, const MeshingContext& context)
 {
   const SurfaceModel& model = context.model;
-  GridPlaces places = displacedPlaces(points, home, context);
-  if (places.movedCount() == 0)
+  GridPlaces places = displacedPlaces(points, undisplaced, context);
+  if (places.displacedCount() == 0)
   {
-    return {std::move(places), std::move(home)};
+    return {std::move(places), std::move(undisplaced)};
   }
   constexpr int mostRounds = 20;
-  const std::vector<Index> apart = wideZones(points, home, context);
-  Crossings crossings = updateCrossings(places, model, std::move(home), places.movedPoints(), context);
+  const std::vector<Index> apart = wideZones(points, undisplaced, context);
+  Crossings crossings = updateCrossings(places, model, std::move(undisplaced), places.displacedPoints(), context);
   for (int round = 0; round < mostRounds; ++round)
   {
     context.progress.check();
@@ -48,11 +48,11 @@ DisplacedGrid displaceGrid(const GridPoints& points, Crossings home, const Meshi
     {
       return {std::move(places), std::move(crossings)};
     }
-    std::for_each(joining.begin(), joining.end(), [&](Index point) { places.moveHome(point); });
+    std::for_each(joining.begin(), joining.end(), [&](Index point) { places.undisplace(point); });
     crossings = updateCrossings(places, model, std::move(crossings), joining, context);
   }
-  const std::vector<Index> moved = places.movedPoints();
-  places.moveAllHome();
+  const std::vector<Index> moved = places.displacedPoints();
+  places.undisplaceAll();
   crossings = updateCrossings(places, model, std::move(crossings), moved, context);
   return {std::move(places), std::move(crossings)};
 }

@@ -47,7 +47,7 @@ public:
     gatherTriangles(leaf);
     for (const Index point : grid.points().atCorner[leaf])
     {
-      if (point != noIndex && !grid.places().isMoved(point) && !grid.isBesideTurnedSide(point))
+      if (point != noIndex && !grid.places().isDisplaced(point) && !grid.isBesideTurnedSide(point))
       {
         noteGaps(point, pairs);
         for (const auto& [chart, direction] : besideSides)
@@ -228,7 +228,7 @@ private:
     return std::abs(model().normal(sheet.triangle).normalized().dot(direction));
   }
 
-  /// Where a sheet of a stack is, from the point in question along the normal.
+  /// Where a sheet of a stack is, from the unresolved point along the normal.
   struct Level
   {
     double at;
@@ -392,7 +392,7 @@ private:
 bool enterGaps(MovingGrid& grid, double reach, const RunContext& context)
 {
   constexpr std::size_t grain = 8;
-  const std::vector<Index>& leaves = grid.leavesInQuestion(context);
+  const std::vector<Index>& leaves = grid.unresolvedLeaves(context);
   std::vector<std::vector<GapFinder::Place>> found((leaves.size() + grain - 1) / grain);
   context.executor.forEach(found.size(), 1, [&](std::size_t part) {
     GapFinder finder(grid, reach, found[part]);

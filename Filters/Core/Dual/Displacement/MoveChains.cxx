@@ -8,11 +8,11 @@ namespace atria {
 
 namespace {
 
-/// Of a chain of moves: what there may be more in question meanwhile, how many follow, and what must be gained in all.
+/// Of a chain of moves: what there may be more unresolved meanwhile, how many follow, and what must be gained in all.
 constexpr double greatestLoss = 8.0;
 constexpr std::size_t longestChain = 5;
 constexpr double leastChainGain = 0.5;
-/// Where more octants than these are in question about a chain, sheets are in each other's way: moves there mend one
+/// Where more octants than these are unresolved about a chain, sheets are in each other's way: moves there mend one
 /// octant at the cost of the next, and there are many to try.
 constexpr std::size_t mostAbout = 6;
 
@@ -20,7 +20,7 @@ constexpr std::size_t mostAbout = 6;
 
 MoveChains::MoveChains(MovingGrid& moving, PlaceMoves& of, int most) : grid(moving), moves(of), mostSurplus(most)
 {
-  for (const Index point : grid.places().movedPoints())
+  for (const Index point : grid.places().displacedPoints())
   {
     inPlanes.emplace(point, grid.places().place(point));
   }
@@ -58,7 +58,7 @@ void MoveChains::moveChain(Index leaf, std::set<Index>& changed)
 }
 
 /// Back to their places in the planes of gaps: the corners of a leaf, and those of all leaves about it. A plane holds
-/// where all its points are there, so one that went home for the sake of a neighbour makes others leave it.
+/// where all its points are there, so one that went back for the sake of a neighbor makes others leave it.
 std::vector<PlaceMoves::Places> MoveChains::returnsToPlanes(Index leaf) const
 {
   std::set<Index> corners;
@@ -119,13 +119,13 @@ PlaceMoves::Places MoveChains::follow(const Places& start)
   return {};
 }
 
-/// The best move of another point where something is in question about those of a chain.
+/// The best move of another point where something is unresolved about those of a chain.
 PlaceMove MoveChains::bestBeside(const Places& trail)
 {
   std::set<Index> inChain;
   std::transform(trail.begin(), trail.end(), std::inserter(inChain, inChain.end()),
                  [](const auto& step) { return step.first; });
-  const std::set<Index> leaves = inQuestionAbout(inChain);
+  const std::set<Index> leaves = unresolvedAbout(inChain);
   if (leaves.size() > mostAbout)
   {
     return {};
@@ -144,7 +144,7 @@ PlaceMove MoveChains::bestBeside(const Places& trail)
   return best;
 }
 
-std::set<Index> MoveChains::inQuestionAbout(const std::set<Index>& points)
+std::set<Index> MoveChains::unresolvedAbout(const std::set<Index>& points)
 {
   std::set<Index> found;
   for (const Index point : points)
@@ -152,7 +152,7 @@ std::set<Index> MoveChains::inQuestionAbout(const std::set<Index>& points)
     const auto& leaves = grid.points().leaves[point];
     found.insert(leaves.begin(), leaves.end());
   }
-  std::erase_if(found, [&](Index leaf) { return !grid.isInQuestion(leaf); });
+  std::erase_if(found, [&](Index leaf) { return !grid.isUnresolved(leaf); });
   return found;
 }
 

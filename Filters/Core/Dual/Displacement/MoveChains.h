@@ -8,8 +8,8 @@
 
 namespace atria {
 
-/// Finds moves of several points where none of a single one gains anything. Points about an octant in question return
-/// to the planes of gaps they left, although that leaves more in question beside it, and points there are moved in
+/// Finds moves of several points where none of a single one gains anything. Points about an unresolved octant return
+/// to the planes of gaps they left, although that leaves more unresolved beside it, and points there are moved in
 /// turn. What gains in all stays.
 class MoveChains
 {
@@ -17,10 +17,10 @@ public:
   /// Points are in the planes of gaps. Octants with a surplus above `mostSurplus` are left as they are.
   MoveChains(MovingGrid& grid, PlaceMoves& moves, int mostSurplus);
 
-  /// Begins at each of these leaves that is in question. Returns the points whose costs change.
+  /// Begins at each of these leaves that is unresolved. Returns the points whose costs change.
   std::set<Index> run(const std::set<Index>& leaves, const RunContext& context);
   /// Of the leaves about these points.
-  std::set<Index> inQuestionAbout(const std::set<Index>& points);
+  std::set<Index> unresolvedAbout(const std::set<Index>& points);
 
 private:
   using Places = PlaceMoves::Places;

@@ -21,7 +21,7 @@ MovingGrid::Look::Look(const MovingGrid& grid)
 }
 
 MovingGrid::MovingGrid(GridPlaces& places, const Crossings& crossings, const MeshingContext& context)
-    : grid(places), tree(context.octree), surfaces(context.model), triangles(context.tree), home(crossings),
+    : grid(places), tree(context.octree), surfaces(context.model), triangles(context.tree), undisplaced(crossings),
       atCorners(curvesAtCorners(surfaces)), leafCurves(tree, surfaces, context),
       edgesOfLeaf(edgesByLeaf(crossings, tree.leafCount(), context)), movedOf(crossings.crossedEdges.size(), noIndex),
       view(*this)
@@ -41,8 +41,8 @@ void MovingGrid::findQuestions(const RunContext& context)
       findings[leaf] = find(static_cast<Index>(leaf), of);
     }
   });
-  inQuestion = chosenNumbers(findings.size(), context.executor,
-                             [&](std::size_t leaf) { return findings[leaf].inQuestion != 0; });
+  unresolved = chosenNumbers(findings.size(), context.executor,
+                             [&](std::size_t leaf) { return findings[leaf].unresolved != 0; });
 }
 
 /// f(id) for each edge of a leaf that was cut at some time.
@@ -65,8 +65,8 @@ MovingGrid::Edge MovingGrid::at(Index id) const
 {
   if (movedOf[id] == noIndex)
   {
-    const CrossedEdge& edge = home.crossedEdges[id];
-    return {edge.segment, edge.other == noIndex, home.of(edge)};
+    const CrossedEdge& edge = undisplaced.crossedEdges[id];
+    return {edge.segment, edge.other == noIndex, undisplaced.of(edge)};
   }
   const Live& edge = moved[movedOf[id]];
   return {edge.segment, edge.leavesDomain, edge.cuts};
@@ -75,7 +75,7 @@ MovingGrid::Edge MovingGrid::at(Index id) const
 /// The edge that is stored from this point; noIndex if it was never cut.
 Index MovingGrid::idOf(Index point, int direction) const
 {
-  const auto& edges = home.crossedEdges;
+  const auto& edges = undisplaced.crossedEdges;
   const auto found = std::lower_bound(edges.begin(), edges.end(), std::pair(point, direction),
                                       [](const CrossedEdge& edge, const std::pair<Index, int>& wanted) {
                                         return std::pair<Index, int>(edge.point, edge.direction) < wanted;
@@ -160,9 +160,9 @@ void MovingGrid::setCuts(const Stored& edge, const EdgeSegment& segment, std::sp
 
 void MovingGrid::putAt(Index point, const LatticePoint& place)
 {
-  if (place == grid.home(point))
+  if (place == grid.undisplaced(point))
   {
-    grid.moveHome(point);
+    grid.undisplace(point);
   }
   else
   {
@@ -296,7 +296,7 @@ void MovingGrid::look(Index leaf, Look& into) const
     }
   }
   listLeavesAbout(leaf, into.edges, into.about);
-  into.topology_.analyse(leaf, into.edges);
+  into.topology_.analyze(leaf, into.edges);
 }
 
 int MovingGrid::surplus(Index leaf, Look& into) const
@@ -376,23 +376,23 @@ MovingGrid::Finding MovingGrid::find(Index leaf, Look& into) const
   });
   Finding found;
   found.surplus = isCut ? static_cast<std::uint32_t>(surplus(leaf, into)) & 0x3fffffffu : 0;
-  found.inQuestion = isCutTwice || found.surplus > 0 ? 1 : 0;
+  found.unresolved = isCutTwice || found.surplus > 0 ? 1 : 0;
   return found;
 }
 
-bool MovingGrid::isInQuestion(Index leaf)
+bool MovingGrid::isUnresolved(Index leaf)
 {
   if (findings[leaf].isStale)
   {
     findings[leaf] = find(leaf, view);
     looked.push_back(leaf);
   }
-  return findings[leaf].inQuestion != 0;
+  return findings[leaf].unresolved != 0;
 }
 
 void MovingGrid::lookAgain(Index point)
 {
-  eachLeaf(grid.points().leaves[point], [&](Index leaf) { isInQuestion(leaf); });
+  eachLeaf(grid.points().leaves[point], [&](Index leaf) { isUnresolved(leaf); });
 }
 
 void MovingGrid::lookAgain(const RunContext& context)
@@ -417,16 +417,16 @@ void MovingGrid::lookAgain(const RunContext& context)
   stale.clear();
 }
 
-const std::vector<Index>& MovingGrid::leavesInQuestion(const RunContext& context)
+const std::vector<Index>& MovingGrid::unresolvedLeaves(const RunContext& context)
 {
   lookAgain(context);
-  const auto isCalm = [&](Index leaf) { return !findings[leaf].inQuestion; };
-  std::erase_if(inQuestion, isCalm);
+  const auto isCalm = [&](Index leaf) { return !findings[leaf].unresolved; };
+  std::erase_if(unresolved, isCalm);
   std::erase_if(looked, isCalm);
   sortUnique(looked);
-  mergeUnique(inQuestion, looked);
+  mergeUnique(unresolved, looked);
   looked.clear();
-  return inQuestion;
+  return unresolved;
 }
 
 void MovingGrid::addCorners(Index leaf, std::set<Index>& points) const

@@ -109,9 +109,9 @@ public:
                        double limit = std::numeric_limits<double>::infinity()) const;
 
   /// Whether a leaf has surplus cuts, sheets or curves.
-  bool isInQuestion(Index leaf);
+  bool isUnresolved(Index leaf);
   /// Leaves with surplus cuts, sheets or curves; sorted.
-  const std::vector<Index>& leavesInQuestion(const RunContext& context);
+  const std::vector<Index>& unresolvedLeaves(const RunContext& context);
   /// Looks at leaves where cuts changed. What is about points is then told without looking at them once for each point.
   void lookAgain(const RunContext& context);
   /// The same of the leaves about one point.
@@ -127,7 +127,7 @@ private:
   struct Finding
   {
     std::uint32_t surplus : 30 = 0;
-    std::uint32_t inQuestion : 1 = 0;
+    std::uint32_t unresolved : 1 = 0;
     /// Cuts of its edges changed since.
     std::uint32_t isStale : 1 = 0;
   };
@@ -176,7 +176,7 @@ private:
   const Octree& tree;
   const SurfaceModel& surfaces;
   const TriangleTreeOnDemand& triangles;
-  const Crossings& home;
+  const Crossings& undisplaced;
   std::vector<std::vector<std::vector<Index>>> atCorners;
   LeafCurves leafCurves;
   /// Edges are numbered as in `home`, and then as they come. Those of a leaf are in both.
@@ -187,10 +187,10 @@ private:
   std::vector<Index> movedOf;
   std::vector<Live> moved;
   std::vector<Finding> findings;
-  /// Stale leaves, and those that were since inQuestion was set up; leaves may be there twice.
+  /// Stale leaves, and those that were since unresolved was set up; leaves may be there twice.
   std::vector<Index> stale;
   std::vector<Index> looked;
-  std::vector<Index> inQuestion;
+  std::vector<Index> unresolved;
   Look view;
 };
 

@@ -33,7 +33,7 @@ PlaceMove PlaceMoves::best(Index point, bool across, MovingGrid::Look& look) con
 {
   PlaceMove best{0.0, point, {}};
   const double before = costAt(point, look);
-  if ((before < 1.0 && !grid.places().isMoved(point)) || stays(point))
+  if ((before < 1.0 && !grid.places().isDisplaced(point)) || stays(point))
   {
     return best;
   }
@@ -54,9 +54,9 @@ PlaceMove PlaceMoves::best(Index point, bool across, MovingGrid::Look& look) con
   return best;
 }
 
-double PlaceMoves::distanceFromHome(Index point, const LatticePoint& place) const
+double PlaceMoves::displacementOf(Index point, const LatticePoint& place) const
 {
-  return (toVector(place) - toVector(grid.places().home(point))).norm();
+  return (toVector(place) - toVector(grid.places().undisplaced(point))).norm();
 }
 
 double PlaceMoves::costAt(Index point, MovingGrid::Look& look) const
@@ -66,7 +66,7 @@ double PlaceMoves::costAt(Index point, MovingGrid::Look& look) const
 
 double PlaceMoves::costOfWay(Index point, const LatticePoint& place) const
 {
-  return moveCost * distanceFromHome(point, place) / static_cast<double>(grid.shortestEdge(point));
+  return moveCost * displacementOf(point, place) / static_cast<double>(grid.shortestEdge(point));
 }
 
 double PlaceMoves::make(Index point, const LatticePoint& place)

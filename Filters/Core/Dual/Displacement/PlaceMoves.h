@@ -26,7 +26,7 @@ public:
 
   PlaceMoves(MovingGrid& moving, const RunContext& run) : grid(moving), context(run), own(moving) {}
 
-  double distanceFromHome(Index point, const LatticePoint& place) const;
+  double displacementOf(Index point, const LatticePoint& place) const;
   /// The best place for each of these points, found by trying; they stay where they are. A gain of 0 where there is
   /// none. For `across` see candidatePlaces.
   std::vector<PlaceMove> best(const std::vector<Index>& points, bool across = false) const;

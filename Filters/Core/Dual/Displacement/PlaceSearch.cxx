@@ -66,12 +66,12 @@ public:
 
   void run()
   {
-    while (sendHome())
+    while (undisplaceIf())
     {
       context.progress.check();
     }
     std::set<Index> dirty;
-    for (const Index leaf : grid.leavesInQuestion(context))
+    for (const Index leaf : grid.unresolvedLeaves(context))
     {
       if (grid.surplus(leaf) > mostSurplus)
       {
@@ -85,13 +85,13 @@ public:
     std::erase_if(dirty, [&](Index point) { return moves.stays(point); });
     sweep(std::move(dirty));
     sweep(turnAboutCurves());
-    const std::vector<Index> all = grid.leavesInQuestion(context);
-    std::set<Index> inQuestion(all.begin(), all.end());
-    for (int round = 0; round < mostChainRounds && !inQuestion.empty(); ++round)
+    const std::vector<Index> all = grid.unresolvedLeaves(context);
+    std::set<Index> unresolved(all.begin(), all.end());
+    for (int round = 0; round < mostChainRounds && !unresolved.empty(); ++round)
     {
-      const std::set<Index> changed = chains.run(inQuestion, context);
+      const std::set<Index> changed = chains.run(unresolved, context);
       sweep(changed);
-      inQuestion = chains.inQuestionAbout(changed);
+      unresolved = chains.unresolvedAbout(changed);
     }
   }
 
@@ -125,7 +125,7 @@ private:
   std::set<Index> turnAboutCurves()
   {
     std::map<Index, std::set<Index>> leavesOf; // by feature edge
-    for (const Index leaf : grid.leavesInQuestion(context))
+    for (const Index leaf : grid.unresolvedLeaves(context))
     {
       for (const ModelItem piece : grid.octree().items(leaf, ModelItem::featureEdge))
       {
@@ -197,10 +197,10 @@ private:
     {
       std::set<Index> corners;
       grid.addCorners(leaf, corners);
-      Vec3 centre = Vec3::Zero();
+      Vec3 center = Vec3::Zero();
       for (const Index point : corners)
       {
-        centre += toVector(grid.places().home(point)) / static_cast<double>(corners.size());
+        center += toVector(grid.places().undisplaced(point)) / static_cast<double>(corners.size());
       }
       for (const Index point : corners)
       {
@@ -208,11 +208,11 @@ private:
         {
           continue;
         }
-        const Vec3 home = toVector(grid.places().home(point));
-        const Vec3 offset = home - centre;
+        const Vec3 undisplaced = toVector(grid.places().undisplaced(point));
+        const Vec3 offset = undisplaced - center;
         const Vec3 across = offset - axis.dot(offset) * axis;
-        CandidatePlaces one{grid.places().home(point), farthestReach(grid, point), {}};
-        one.add(a + axis.dot(home - a) * axis + scale * (turn * across));
+        CandidatePlaces one{grid.places().undisplaced(point), farthestReach(grid, point), {}};
+        one.add(a + axis.dot(undisplaced - a) * axis + scale * (turn * across));
         if (!one.places.empty())
         {
           places.emplace_back(point, one.places.front());
@@ -222,24 +222,24 @@ private:
     return places;
   }
 
-  /// Moves points home with which less is in question there, the farthest first. Returns whether any was.
-  bool sendHome()
+  /// Moves points home with which less is unresolved there, the farthest first. Returns whether any was.
+  bool undisplaceIf()
   {
     std::vector<std::pair<double, Index>> order;
-    for (const Index point : grid.places().movedPoints())
+    for (const Index point : grid.places().displacedPoints())
     {
-      order.emplace_back(-moves.distanceFromHome(point, grid.places().place(point)), point);
+      order.emplace_back(-moves.displacementOf(point, grid.places().place(point)), point);
     }
     std::sort(order.begin(), order.end());
     bool wasAny = false;
     for (const std::vector<Index>& round : roundsOf(order, grid.points()))
     {
-      const std::vector<char> isBetter = areBetterHome(round);
+      const std::vector<char> isBetter = areBetterUndisplaced(round);
       for (std::size_t i = 0; i < round.size(); ++i)
       {
         if (isBetter[i])
         {
-          grid.moveTo(round[i], grid.places().home(round[i]));
+          grid.moveTo(round[i], grid.places().undisplaced(round[i]));
           wasAny = true;
         }
       }
@@ -247,7 +247,7 @@ private:
     return wasAny;
   }
 
-  std::vector<char> areBetterHome(const std::vector<Index>& points)
+  std::vector<char> areBetterUndisplaced(const std::vector<Index>& points)
   {
     constexpr std::size_t grain = 1;
     grid.lookAgain(context);
@@ -257,8 +257,8 @@ private:
       for (std::size_t i = begin; i < end; ++i)
       {
         const double before = grid.surplusAbout(points[i], look).cost();
-        const LatticePoint home = grid.places().home(points[i]);
-        found[i] = before > 0.0 && grid.surplusAbout(points[i], home, look, before).cost() < before ? 1 : 0;
+        const LatticePoint undisplaced = grid.places().undisplaced(points[i]);
+        found[i] = before > 0.0 && grid.surplusAbout(points[i], undisplaced, look, before).cost() < before ? 1 : 0;
       }
     });
     return found;

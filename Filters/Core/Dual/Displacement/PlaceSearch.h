@@ -5,10 +5,10 @@
 
 namespace atria {
 
-/// Sends points home whose return leaves less in question, the farthest first. Then moves points one by one where there
-/// is most to gain (PlaceMoves.h): each point of an octant in question tries the places there are (CandidatePlaces.h).
+/// Sends points home whose return leaves less unresolved, the farthest first. Then moves points one by one where there
+/// is most to gain (PlaceMoves.h): each point of an unresolved octant tries the places there are (CandidatePlaces.h).
 /// Of all moves that gain something, those that do not touch the same octants are made, best first, and their
-/// neighbours asked again, until nothing is gained. Then it moves several together (MoveChains.h). Octants with very
+/// neighbors asked again, until nothing is gained. Then it moves several together (MoveChains.h). Octants with very
 /// many sheets and curves are left as they are.
 void searchPlaces(MovingGrid& grid, const RunContext& context);
 

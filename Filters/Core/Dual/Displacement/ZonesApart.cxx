@@ -23,23 +23,23 @@ public:
 
   std::vector<Index> find()
   {
-    for (const Index point : grid.movedPoints())
+    for (const Index point : grid.displacedPoints())
     {
-      for (const std::int32_t neighbour : crossings.neighbours[point])
+      for (const std::int32_t neighbor : crossings.neighbors[point])
       {
-        if (neighbour >= 0 && isFixed(static_cast<Index>(neighbour)))
+        if (neighbor >= 0 && isFixed(static_cast<Index>(neighbor)))
         {
-          visit(static_cast<Index>(neighbour), point);
+          visit(static_cast<Index>(neighbor), point);
         }
       }
     }
     for (std::size_t i = 0; i < front.size(); ++i)
     {
-      for (const std::int32_t neighbour : crossings.neighbours[front[i]])
+      for (const std::int32_t neighbor : crossings.neighbors[front[i]])
       {
-        if (neighbour >= 0)
+        if (neighbor >= 0)
         {
-          visit(front[i], static_cast<Index>(neighbour));
+          visit(front[i], static_cast<Index>(neighbor));
         }
       }
     }
@@ -53,7 +53,7 @@ private:
     Index from;
   };
 
-  bool isFixed(Index point) const { return apart[point] != noIndex && !grid.isMoved(point); }
+  bool isFixed(Index point) const { return apart[point] != noIndex && !grid.isDisplaced(point); }
 
   void visit(Index from, Index point)
   {
@@ -74,11 +74,11 @@ private:
   /// The last moved point on the way to a point.
   void addMoved(Index point)
   {
-    while (!isFixed(point) && !grid.isMoved(point))
+    while (!isFixed(point) && !grid.isDisplaced(point))
     {
       point = reached.at(point).from;
     }
-    if (grid.isMoved(point))
+    if (grid.isDisplaced(point))
     {
       joining.insert(point);
     }
@@ -97,7 +97,7 @@ private:
 std::vector<Index> wideZones(const GridPoints& points, const Crossings& crossings, const RunContext& context)
 {
   constexpr std::size_t grain = 4096;
-  const std::size_t count = crossings.neighbours.size();
+  const std::size_t count = crossings.neighbors.size();
   UnionFind sets = joinPoints(crossings, context);
   std::vector<Index> zones(count);
   for (Index point = 0; point < count; ++point)

@@ -25,21 +25,21 @@ public:
   {
   }
 
-  /// Sets the neighbours of one point. Edges between two points are cut from their lower end.
+  /// Sets the neighbors of one point. Edges between two points are cut from their lower end.
   void process(Index point, Part& part)
   {
     const std::array<GridPlaces::Edge, 6> edges = grid.edges(point);
     for (int direction = 0; direction < 6; ++direction)
     {
       const GridPlaces::Edge& edge = edges[direction];
-      std::int32_t& neighbour = out.neighbours[point][direction];
+      std::int32_t& neighbor = out.neighbors[point][direction];
       if (!edge.exists())
       {
-        neighbour = DualMesh::noFace;
+        neighbor = DualMesh::noFace;
         continue;
       }
-      neighbour = static_cast<std::int32_t>(edge.other);
-      const bool occupied = !grid.octree().items(edge.at.leaf).empty() || grid.isMoved(point, edge);
+      neighbor = static_cast<std::int32_t>(edge.other);
+      const bool occupied = !grid.octree().items(edge.at.leaf).empty() || grid.isDisplaced(point, edge);
       if (edge.other == noIndex)
       {
         leave(point, direction, edge, part);
@@ -102,7 +102,7 @@ private:
   EdgeProbe probe;
 };
 
-/// What is found with the points pointAt(0) to pointAt(count - 1), a part for each `grain` of them. Their neighbours go
+/// What is found with the points pointAt(0) to pointAt(count - 1), a part for each `grain` of them. Their neighbors go
 /// to `out`.
 template <typename PointAt>
 std::vector<Part> findParts(const GridPlaces& grid, const SurfaceModel& model, std::size_t count, std::size_t grain,
@@ -147,12 +147,12 @@ void numberFaces(Crossings& out)
   for (std::size_t f = 0; f < out.boundaryFaces.size(); ++f)
   {
     const BoundaryFace& face = out.boundaryFaces[f];
-    out.neighbours[face.element][face.direction] = ~static_cast<std::int32_t>(f);
+    out.neighbors[face.element][face.direction] = ~static_cast<std::int32_t>(f);
   }
 }
 
 /// The points at either end of the edges of these points, they included; sorted.
-std::vector<Index> withNeighbours(const GridPlaces& grid, const std::vector<Index>& points)
+std::vector<Index> withNeighbors(const GridPlaces& grid, const std::vector<Index>& points)
 {
   std::vector<Index> all = points;
   for (const Index point : points)
@@ -231,8 +231,8 @@ std::span<const SurfaceCrossing> cutEdge(const GridPlaces& grid, EdgeProbe& prob
                                          const GridPlaces::Edge& edge, const EdgeSegment& segment,
                                          const GridTrial& trial)
 {
-  return grid.isMoved(point, edge, trial) ? probe.cut(segment, grid.leavesNear(point, edge))
-                                          : probe.cut(segment, std::span(&edge.at.leaf, 1));
+  return grid.isDisplaced(point, edge, trial) ? probe.cut(segment, grid.leavesNear(point, edge))
+                                              : probe.cut(segment, std::span(&edge.at.leaf, 1));
 }
 
 Crossings findCrossings(const GridPlaces& grid, const SurfaceModel& model, const RunContext& context)
@@ -240,7 +240,7 @@ Crossings findCrossings(const GridPlaces& grid, const SurfaceModel& model, const
   constexpr std::size_t grain = 2048;
   Crossings out;
   const std::size_t count = grid.points().size();
-  out.neighbours.resize(count);
+  out.neighbors.resize(count);
   const auto same = [](std::size_t i) { return static_cast<Index>(i); };
   join(findParts(grid, model, count, grain, same, out, context), out);
   numberFaces(out);
@@ -252,8 +252,8 @@ Crossings updateCrossings(const GridPlaces& grid, const SurfaceModel& model, Cro
 {
   constexpr std::size_t grain = 16;
   Crossings out;
-  out.neighbours = std::move(before.neighbours);
-  const std::vector<Index> points = withNeighbours(grid, changed);
+  out.neighbors = std::move(before.neighbors);
+  const std::vector<Index> points = withNeighbors(grid, changed);
   const auto pointAt = [&](std::size_t i) { return points[i]; };
   Crossings anew;
   join(findParts(grid, model, points.size(), grain, pointAt, out, context), anew);

@@ -25,8 +25,8 @@ struct CrossedEdge
 /// What stands between elements.
 struct Crossings
 {
-  /// Per grid point and Direction: as DualMesh::neighbours.
-  Buffer<std::array<std::int32_t, 6>> neighbours;
+  /// Per grid point and Direction: as DualMesh::neighbors.
+  Buffer<std::array<std::int32_t, 6>> neighbors;
   std::vector<BoundaryFace> boundaryFaces;
   std::vector<CrossedEdge> crossedEdges;
   std::vector<SurfaceCrossing> cuts;
@@ -62,7 +62,7 @@ std::span<const SurfaceCrossing> cutEdge(const GridPlaces& grid, EdgeProbe& prob
 /// not cut it. Cost: O(1) an edge, plus the triangles in the leaf beside it.
 Crossings findCrossings(const GridPlaces& grid, const SurfaceModel& model, const RunContext& context);
 
-/// The same crossings as findCrossings, from those found before these points moved or went home. Cost: O(1) for each of
+/// The same crossings as findCrossings, from those found before these points moved or went back. Cost: O(1) for each of
 /// their edges, and going through what stands between elements once.
 Crossings updateCrossings(const GridPlaces& grid, const SurfaceModel& model, Crossings before,
                           const std::vector<Index>& changed, const RunContext& context);

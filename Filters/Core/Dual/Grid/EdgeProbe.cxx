@@ -147,7 +147,7 @@ void EdgeProbe::test(Index triangle, const EdgeSegment& edge)
   }
 }
 
-/// Whether two neighbouring crossings are a surface that reaches through the edge and back, with both ends of the edge
+/// Whether two neighboring crossings are a surface that reaches through the edge and back, with both ends of the edge
 /// on the same side: a bulge of a smooth piece, which faces the same way twice while the two sides of a thin wall face
 /// opposite ways; or the tip of a crease.
 bool EdgeProbe::isBulge(const EdgeSegment& edge, const SurfaceCrossing& l, const SurfaceCrossing& r) const

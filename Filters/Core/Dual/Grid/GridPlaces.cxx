@@ -5,7 +5,7 @@
 
 namespace atria {
 
-std::vector<Index> GridPlaces::movedPoints() const
+std::vector<Index> GridPlaces::displacedPoints() const
 {
   std::vector<Index> points;
   for (const auto& [point, place] : moved_)
@@ -62,7 +62,7 @@ EdgeSegment GridPlaces::segment(Index point, int direction, const Edge& edge, co
   {
     segment.end[axis] = isUpper(direction) ? octree_.frame().domainHigh[axis] : octree_.frame().domainLow[axis];
   }
-  if (isMoved(point, edge, trial))
+  if (isDisplaced(point, edge, trial))
   {
     segment.start = place(point, trial);
     segment.end = edge.other == noIndex ? segment.end : place(edge.other, trial);

@@ -15,7 +15,7 @@ struct GridTrial
   LatticePoint place{};
 };
 
-/// Where the grid points stand: at the octants' corners, but for those that were moved (the modified grid). The
+/// Where the grid points stand: at the octants' corners, but for those that were moved (the displaced grid). The
 /// topology is the octree's in any case.
 class GridPlaces
 {
@@ -26,28 +26,28 @@ public:
   const GridPoints& points() const { return points_; }
 
   /// The octants' corner a grid point is.
-  LatticePoint home(Index point) const { return positionOf(octree_, points_.leaves[point]); }
+  LatticePoint undisplaced(Index point) const { return positionOf(octree_, points_.leaves[point]); }
   LatticePoint place(Index point) const
   {
     const auto found = moved_.find(point);
-    return found == moved_.end() ? home(point) : found->second;
+    return found == moved_.end() ? undisplaced(point) : found->second;
   }
-  bool isMoved(Index point) const { return !moved_.empty() && moved_.contains(point); }
+  bool isDisplaced(Index point) const { return !moved_.empty() && moved_.contains(point); }
 
   LatticePoint place(Index point, const GridTrial& trial) const
   {
     return point == trial.point ? trial.place : place(point);
   }
-  bool isMoved(Index point, const GridTrial& trial) const
+  bool isDisplaced(Index point, const GridTrial& trial) const
   {
-    return point == trial.point ? trial.place != home(point) : isMoved(point);
+    return point == trial.point ? trial.place != undisplaced(point) : isDisplaced(point);
   }
-  std::size_t movedCount() const { return moved_.size(); }
+  std::size_t displacedCount() const { return moved_.size(); }
   void move(Index point, const LatticePoint& to) { moved_[point] = to; }
-  void moveAllHome() { moved_.clear(); }
+  void undisplaceAll() { moved_.clear(); }
   /// Sorted.
-  std::vector<Index> movedPoints() const;
-  void moveHome(Index point) { moved_.erase(point); }
+  std::vector<Index> displacedPoints() const;
+  void undisplace(Index point) { moved_.erase(point); }
 
   /// The edge that leaves a grid point in a direction.
   struct Edge
@@ -62,10 +62,10 @@ public:
   Edge edge(Index point, int direction) const;
   /// By Direction.
   std::array<Edge, 6> edges(Index point) const;
-  bool isMoved(Index point, const Edge& edge, const GridTrial& trial = {}) const
+  bool isDisplaced(Index point, const Edge& edge, const GridTrial& trial = {}) const
   {
     return (!moved_.empty() || trial.point != noIndex) &&
-           (isMoved(point, trial) || (edge.other != noIndex && isMoved(edge.other, trial)));
+           (isDisplaced(point, trial) || (edge.other != noIndex && isDisplaced(edge.other, trial)));
   }
   /// The same as a segment; where it leads out of the domain it ends on the domain's side.
   EdgeSegment segment(Index point, int direction, const Edge& edge, const GridTrial& trial = {}) const;

@@ -45,7 +45,7 @@ double distanceFrom(const Octree& octree, Index leaf, const LatticePoint& p)
     outside += off * off;
     fromCenter += middle * middle;
   }
-  // The distance from the centre only settles ties.
+  // The distance from the center only settles ties.
   return (std::sqrt(outside) + 1e-3 * std::sqrt(fromCenter)) / static_cast<double>(high[0] - low[0]);
 }
 

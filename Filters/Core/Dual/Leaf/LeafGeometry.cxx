@@ -26,7 +26,7 @@ LatticePoint pointAlong(const LatticePoint& a, const LatticePoint& b, double t)
 
 } // namespace
 
-std::optional<Vec3> LeafGeometry::centreOffSides(Index leaf) const
+std::optional<Vec3> LeafGeometry::centerOffSides(Index leaf) const
 {
   const LatticePoint low = octree.lowCorner(leaf);
   const std::int64_t size = frame.latticeSize(octree.level(leaf));
@@ -44,9 +44,9 @@ void LeafGeometry::enter(Index leaf)
   box = {octree.lowCorner(leaf), octree.highCorner(leaf)};
   planes = frame.domainPlanes(box.low, box.high);
   leaves = {leaf};
-  isMoved = false;
+  isDisplaced = false;
   diverted = false;
-  center = onPlanes(octree.center(leaf));
+  center_ = onPlanes(octree.center(leaf));
   sum = Vec3::Zero();
   extent = Box3();
   count = 0.0;
@@ -62,7 +62,7 @@ void LeafGeometry::addCut(const EdgeSegment& edge, std::span<const SurfaceCrossi
     extent.extend(p);
     count += 1.0;
   }
-  isMoved = isMoved || edge.axis < 0;
+  isDisplaced = isDisplaced || edge.axis < 0;
   for (const Index leaf : edge.about)
   {
     if (std::find(leaves.begin(), leaves.end(), leaf) == leaves.end())
@@ -85,7 +85,7 @@ Vec3 LeafGeometry::onPlanes(Vec3 p) const
   return p.cwiseMax(frame.domain.min).cwiseMin(frame.domain.max);
 }
 
-Vec3 LeafGeometry::meanOfCuts() const { return count > 0.0 ? Vec3(sum / count) : center; }
+Vec3 LeafGeometry::meanOfCuts() const { return count > 0.0 ? Vec3(sum / count) : center_; }
 
 /// A tip that reaches a grid point or edge only: the other leaves about it have the same cuts, but must not share the
 /// vertex.
@@ -93,7 +93,7 @@ Vec3 LeafGeometry::tipOrMean() const
 {
   const double edgeLength = frame.latticeUnit() * static_cast<double>(box.high[0] - box.low[0]);
   const bool isTip = count > 0.0 && extent.size().maxCoeff() < tipRatio * edgeLength;
-  return isTip ? Vec3(0.5 * (meanOfCuts() + center)) : meanOfCuts();
+  return isTip ? Vec3(0.5 * (meanOfCuts() + center_)) : meanOfCuts();
 }
 
 bool LeafGeometry::hasChart(Index chart) const { return std::binary_search(charts_.begin(), charts_.end(), chart); }
@@ -147,7 +147,7 @@ std::optional<Vec3> LeafGeometry::sidePosition()
   return middle ? std::optional(onPlanes(*middle)) : std::nullopt;
 }
 
-/// The corner, nearest to the centre, of what lies on the domain sides through the leaf.
+/// The corner, nearest to the center, of what lies on the domain sides through the leaf.
 std::optional<Vec3> LeafGeometry::sideCorner() const
 {
   std::optional<Vec3> best;
@@ -163,7 +163,7 @@ std::optional<Vec3> LeafGeometry::sideCorner() const
              std::ranges::find(model.triangles[piece.index], point) != model.triangles[piece.index].end();
     });
     const Vec3 p = modelPoint(point);
-    if (onSide && (!best || (p - center).squaredNorm() < (*best - center).squaredNorm()))
+    if (onSide && (!best || (p - center_).squaredNorm() < (*best - center_).squaredNorm()))
     {
       best = p;
     }
@@ -217,7 +217,7 @@ std::optional<Vec3> LeafGeometry::nearestCurvePosition(const std::vector<std::ve
   std::optional<Vec3> found = nearestOnCurves(p, wanted);
   if (!found)
   {
-    addNeighbours();
+    addNeighbors();
     found = nearestOnCurves(p, wanted);
   }
   if (!found)
@@ -233,7 +233,7 @@ std::optional<Vec3> LeafGeometry::nearestCurvePosition(const std::vector<std::ve
 }
 
 /// The 26 places beside the leaf.
-void LeafGeometry::addNeighbours()
+void LeafGeometry::addNeighbors()
 {
   const std::int64_t size = box.high[0] - box.low[0];
   const std::int64_t end = frame.latticeSize(0);
@@ -376,7 +376,7 @@ template <typename Wanted> std::optional<Vec3> LeafGeometry::nearestOnPieces(con
         best = q;
       }
     }
-    if (best && !isMoved)
+    if (best && !isDisplaced)
     {
       break;
     }

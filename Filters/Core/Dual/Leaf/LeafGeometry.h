@@ -16,8 +16,8 @@ class LeafGeometry
 public:
   LeafGeometry(const Octree& tree, const SurfaceModel& surfaces) : octree(tree), frame(tree.frame()), model(surfaces) {}
 
-  /// The octant's centre, if no domain side passes through it. The leaf is not entered.
-  std::optional<Vec3> centreOffSides(Index leaf) const;
+  /// The octant's center, if no domain side passes through it. The leaf is not entered.
+  std::optional<Vec3> centerOffSides(Index leaf) const;
 
   void enter(Index leaf);
   void addCut(const EdgeSegment& edge, std::span<const SurfaceCrossing> cuts);
@@ -25,8 +25,8 @@ public:
   void setCharts(const std::vector<Index>& charts) { charts_ = charts; }
 
   bool isOnSide() const { return planes != 0; }
-  /// The octant's centre, on the domain sides through it.
-  Vec3 centre() const { return onPlanes(center); }
+  /// The octant's center, on the domain sides through it.
+  Vec3 center() const { return onPlanes(center_); }
 
   /// On a domain side, a corner or curve of what lies on the side; if there is one.
   std::optional<Vec3> sidePosition();
@@ -50,7 +50,7 @@ private:
   Vec3 onPlanes(Vec3 p) const;
   Vec3 meanOfCuts() const;
   bool isOneOf(const FeatureEdge& edge, const std::vector<std::vector<Index>>& endings) const;
-  void addNeighbours();
+  void addNeighbors();
   Vec3 tipOrMean() const;
   bool hasChart(Index chart) const;
   bool owns(const LatticePoint& p) const;
@@ -71,9 +71,9 @@ private:
   unsigned planes = 0;
   /// The leaf, then those about its cut edges; the latter only where they are needed.
   std::vector<Index> leaves;
-  bool isMoved = false;
+  bool isDisplaced = false;
   bool diverted = false;
-  Vec3 center;
+  Vec3 center_;
   Vec3 sum;
   Box3 extent;
   double count = 0.0;

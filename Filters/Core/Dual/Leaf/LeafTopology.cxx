@@ -36,7 +36,7 @@ void listLeavesAbout(Index leaf, std::span<const CutEdge> edges, std::vector<Ind
   }
 }
 
-void LeafTopology::analyse(Index leaf, std::span<const CutEdge> edges)
+void LeafTopology::analyze(Index leaf, std::span<const CutEdge> edges)
 {
   gather(leaf, edges);
   nearCurves.clear();

@@ -42,7 +42,7 @@ public:
   }
 
   /// Looks at a leaf with these cut edges.
-  void analyse(Index leaf, std::span<const CutEdge> edges);
+  void analyze(Index leaf, std::span<const CutEdge> edges);
 
   /// Charts whose faces the vertex has, sorted.
   const std::vector<Index>& charts() const { return charts_; }

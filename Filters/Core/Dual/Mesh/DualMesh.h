@@ -45,19 +45,19 @@ struct BoundaryFace
 /// An element is the dual of a grid point; its corners are the vertices of the octants about the point, one an octant
 /// direction, and its faces the duals of the octree's edges in the six axis directions. A face is the quad of its four
 /// corners, less those that coincide; with fewer than three left it is none. Layer elements have the same form.
-/// 61 bytes an element: 56 for corners and neighbours, 5 for level and zone.
+/// 61 bytes an element: 56 for corners and neighbors, 5 for level and zone.
 struct DualMesh
 {
-  /// Neighbour code of a face that is an edge or a point only.
+  /// Neighbor code of a face that is an edge or a point only.
   static constexpr std::int32_t noFace = std::numeric_limits<std::int32_t>::min();
-  static constexpr bool isBoundary(std::int32_t neighbour) { return neighbour < 0 && neighbour != noFace; }
-  static constexpr Index boundaryFaceOf(std::int32_t neighbour) { return static_cast<Index>(~neighbour); }
+  static constexpr bool isBoundary(std::int32_t neighbor) { return neighbor < 0 && neighbor != noFace; }
+  static constexpr Index boundaryFaceOf(std::int32_t neighbor) { return static_cast<Index>(~neighbor); }
 
   std::vector<Vec3> points;
   /// Per element, eight points in VTK's order of a hexahedron.
   Buffer<std::array<Index, 8>> corners;
   /// Per element and Direction: the element across, or ~i for boundary face i, or noFace.
-  Buffer<std::array<std::int32_t, 6>> neighbours;
+  Buffer<std::array<std::int32_t, 6>> neighbors;
   std::vector<BoundaryFace> boundaryFaces;
   /// Per element: the level of the finest octant about it; its zone.
   Buffer<std::uint8_t> levels;

@@ -57,16 +57,16 @@ std::vector<Index> sectorsOf(const DualMesh& mesh, Index point, std::span<const 
   {
     for (int direction = 0; direction < 6; ++direction)
     {
-      const std::int32_t neighbour = mesh.neighbours[star[i]][direction];
+      const std::int32_t neighbor = mesh.neighbors[star[i]][direction];
       const auto& face = hexahedronFace[direction];
       const bool here =
           std::any_of(face.begin(), face.end(), [&](std::uint8_t c) { return mesh.corners[star[i]][c] == point; });
-      if (neighbour < 0 || !here)
+      if (neighbor < 0 || !here)
       {
         continue;
       }
-      const auto found = std::lower_bound(star.begin(), star.end(), static_cast<Index>(neighbour));
-      if (found != star.end() && *found == static_cast<Index>(neighbour))
+      const auto found = std::lower_bound(star.begin(), star.end(), static_cast<Index>(neighbor));
+      if (found != star.end() && *found == static_cast<Index>(neighbor))
       {
         sets.join(i, static_cast<Index>(found - star.begin()));
       }

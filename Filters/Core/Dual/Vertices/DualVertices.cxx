@@ -35,17 +35,17 @@ public:
   void placeOrNote(Index vertex, Index leaf, LeafCuts cuts, DualVertices& out, Part& part)
   {
     // Most are in the open, and free as all are at first.
-    if (const auto centre = cuts.empty() ? geometry.centreOffSides(leaf) : std::nullopt)
+    if (const auto center = cuts.empty() ? geometry.centerOffSides(leaf) : std::nullopt)
     {
-      out.positions[vertex] = *centre;
+      out.positions[vertex] = *center;
       return;
     }
     geometry.enter(leaf);
     if (cuts.empty())
     {
       const std::optional<Vec3> onSide = geometry.sidePosition();
-      out.positions[vertex] = onSide.value_or(geometry.centre());
-      out.anchors.freedom[vertex] = onSide ? Freedom::fixed : Freedom::free;
+      out.positions[vertex] = onSide.value_or(geometry.center());
+      out.classification.classes[vertex] = onSide ? VertexClass::fixed : VertexClass::free;
       return;
     }
     look(leaf, cuts);
@@ -62,8 +62,8 @@ public:
     out.compromised[vertex] = topology.sheets() > 1 && geometry.misses(out.positions[vertex]) ? 1 : 0;
     // Between two sheets it would slide from one to the other.
     const bool onOne = topology.charts().size() == 1;
-    out.anchors.freedom[vertex] = onOne && !out.compromised[vertex] ? Freedom::surface : Freedom::fixed;
-    if (out.anchors.freedom[vertex] == Freedom::surface)
+    out.classification.classes[vertex] = onOne && !out.compromised[vertex] ? VertexClass::surface : VertexClass::fixed;
+    if (out.classification.classes[vertex] == VertexClass::surface)
     {
       part.charts.emplace_back(vertex, topology.charts().front());
     }
@@ -90,10 +90,11 @@ public:
     const bool lost = corner == noIndex && vertex.kind == ChainVertex::knot;
     out.compromised[vertex.vertex] = (lost || topology.sheets() > 1) && geometry.misses(position) ? 1 : 0;
     const bool onCurve = corner == noIndex && vertex.kind == ChainVertex::along && !geometry.isOnSide();
-    out.anchors.freedom[vertex.vertex] = onCurve && !out.compromised[vertex.vertex] ? Freedom::curve : Freedom::fixed;
+    out.classification.classes[vertex.vertex] =
+        onCurve && !out.compromised[vertex.vertex] ? VertexClass::curve : VertexClass::fixed;
   }
 
-  /// Puts a vertex whose octant the curve does not pass between its neighbours on the curve.
+  /// Puts a vertex whose octant the curve does not pass between its neighbors on the curve.
   void placeBetween(const ChainVertex& vertex, const Vec3& middle, LeafCuts cuts, DualVertices& out)
   {
     geometry.enter(vertex.leaf);
@@ -112,7 +113,7 @@ private:
       edges.push_back(seenFrom(leaf, edge.segment, crossings.of(edge)));
       geometry.addCut(edge.segment, crossings.of(edge));
     }
-    topology.analyse(leaf, edges);
+    topology.analyze(leaf, edges);
     geometry.setCharts(topology.charts());
   }
 
@@ -177,19 +178,19 @@ std::map<std::vector<Index>, std::vector<Index>> curvesByEnding(const SurfaceMod
 
 /// Where a curve ends on a domain side, several vertices may come to lie in the one place. All but the first, or the
 /// one that has the corner, may leave the curve for its charts. Returns their positions in the chain.
-std::vector<Index> releaseCoincident(const std::vector<ChainVertex>& chain, const std::vector<Index>& corners,
-                                     DualVertices& vertices)
+std::vector<Index> detachCoincident(const std::vector<ChainVertex>& chain, const std::vector<Index>& corners,
+                                    DualVertices& vertices)
 {
   std::map<std::array<double, 3>, std::vector<Index>> byPlace;
   for (Index i = 0; i < chain.size(); ++i)
   {
-    if (vertices.anchors.freedom[chain[i].vertex] == Freedom::fixed)
+    if (vertices.classification.classes[chain[i].vertex] == VertexClass::fixed)
     {
       const Vec3& p = vertices.positions[chain[i].vertex];
       byPlace[{p[0], p[1], p[2]}].push_back(i);
     }
   }
-  std::vector<Index> released;
+  std::vector<Index> detached;
   for (const auto& [place, members] : byPlace)
   {
     const auto holder = std::ranges::find_if(members, [&](Index i) { return corners[i] != noIndex; });
@@ -198,16 +199,16 @@ std::vector<Index> releaseCoincident(const std::vector<ChainVertex>& chain, cons
     {
       if (i != kept)
       {
-        vertices.anchors.freedom[chain[i].vertex] = Freedom::surface;
-        released.push_back(i);
+        vertices.classification.classes[chain[i].vertex] = VertexClass::surface;
+        detached.push_back(i);
       }
     }
   }
-  return released;
+  return detached;
 }
 
-void fillPieces(VertexAnchors& anchors, const std::vector<Part>& parts, const std::vector<ChainVertex>& chain,
-                const std::vector<Index>& parted, const SurfaceModel& model)
+void fillPieces(VertexClassification& classification, const std::vector<Part>& parts,
+                const std::vector<ChainVertex>& chain, const std::vector<Index>& parted, const SurfaceModel& model)
 {
   std::vector<std::pair<Index, Index>> pieces;
   for (const Part& part : parts)
@@ -224,7 +225,7 @@ void fillPieces(VertexAnchors& anchors, const std::vector<Part>& parts, const st
   const auto curves = chain.empty() ? decltype(curvesByEnding(model)){} : curvesByEnding(model);
   for (const ChainVertex& vertex : chain)
   {
-    if (anchors.freedom[vertex.vertex] != Freedom::curve)
+    if (classification.classes[vertex.vertex] != VertexClass::curve)
     {
       continue;
     }
@@ -238,18 +239,18 @@ void fillPieces(VertexAnchors& anchors, const std::vector<Part>& parts, const st
       }
     }
     // Folds within a chart have no name to find them by.
-    anchors.freedom[vertex.vertex] = pieces.size() > before ? Freedom::curve : Freedom::fixed;
+    classification.classes[vertex.vertex] = pieces.size() > before ? VertexClass::curve : VertexClass::fixed;
   }
   std::sort(pieces.begin(), pieces.end());
-  anchors.offsets.assign(anchors.freedom.size() + 1, 0);
+  classification.offsets.assign(classification.classes.size() + 1, 0);
   for (const auto& [vertex, piece] : pieces)
   {
-    ++anchors.offsets[vertex + 1];
-    anchors.pieces.push_back(piece);
+    ++classification.offsets[vertex + 1];
+    classification.pieces.push_back(piece);
   }
-  for (std::size_t v = 0; v < anchors.freedom.size(); ++v)
+  for (std::size_t v = 0; v < classification.classes.size(); ++v)
   {
-    anchors.offsets[v + 1] += anchors.offsets[v];
+    classification.offsets[v + 1] += classification.offsets[v];
   }
 }
 
@@ -263,8 +264,8 @@ DualVertices placeVertices(const Octree& octree, const SurfaceModel& model, cons
   DualVertices vertices;
   vertices.positions.resize(leaves.size());
   vertices.compromised.resize(leaves.size());
-  vertices.anchors.freedom.resize(leaves.size());
-  vertices.anchors.leaves = leaves;
+  vertices.classification.classes.resize(leaves.size());
+  vertices.classification.leaves = leaves;
   constexpr std::size_t grain = 4096;
   std::vector<Part> parts((leaves.size() + grain - 1) / grain);
   context.executor.forEach(parts.size(), 1, [&](std::size_t part) {
@@ -297,7 +298,7 @@ DualVertices placeVertices(const Octree& octree, const SurfaceModel& model, cons
       placer.placeBetween(vertex, *middle, byLeaf.of(vertex.leaf), vertices);
     }
   }
-  fillPieces(vertices.anchors, parts, chain, releaseCoincident(chain, corners, vertices), model);
+  fillPieces(vertices.classification, parts, chain, detachCoincident(chain, corners, vertices), model);
   return vertices;
 }
 

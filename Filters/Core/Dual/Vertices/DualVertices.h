@@ -8,33 +8,33 @@
 namespace atria {
 
 /// Where a vertex may be moved.
-enum class Freedom : std::uint8_t
+enum class VertexClass : std::uint8_t
 {
-  free,    ///< anywhere, in the domain's planes through its octant
-  surface, ///< on charts
-  curve,   ///< on feature curves
-  beside,  ///< on the charts that meet at its curves: released from these
-  fixed,   ///< at a corner, or where it is on several pieces or on none it should be on
-  released ///< near where it was, although it should be on some piece
+  free,     ///< anywhere, in the domain's planes through its octant
+  surface,  ///< on charts
+  curve,    ///< on feature curves
+  adjacent, ///< on the charts that meet at its curves: detached from these
+  fixed,    ///< at a corner, or where it is on several pieces or on none it should be on
+  detached  ///< near where it was, although it should be on some piece
 };
 
-/// How far a released vertex may be, along each axis, from where it was.
-struct Leash
+/// How far a detached vertex may be, along each axis, from where it was.
+struct DisplacementLimit
 {
-  Vec3 home;
+  Vec3 origin;
   double reach;
 };
 
 /// What vertices belong to.
-struct VertexAnchors
+struct VertexClassification
 {
-  std::vector<Freedom> freedom;
+  std::vector<VertexClass> classes;
   std::vector<Index> leaves;
   /// Charts of vertices on surfaces, curves of those on curves.
   std::vector<Index> offsets;
   std::vector<Index> pieces;
-  /// Of released vertices.
-  std::unordered_map<Index, Leash> leashes = {};
+  /// Of detached vertices.
+  std::unordered_map<Index, DisplacementLimit> displacementLimits = {};
 
   std::span<const Index> piecesOf(Index vertex) const
   {
@@ -46,7 +46,7 @@ struct VertexAnchors
 struct DualVertices
 {
   std::vector<Vec3> positions;
-  VertexAnchors anchors;
+  VertexClassification classification;
   /// Whether the vertex should be on several pieces of the model, or at a corner, and is not: they do not meet near
   /// the octant, which is as fine as was allowed.
   std::vector<char> compromised;
@@ -55,7 +55,7 @@ struct DualVertices
 };
 
 /// Places the vertex of each of `leaves`, which are in order. The faces round a vertex say what it is (LeafTopology):
-/// on a corner of the model, on a feature curve, on a surface, or free. A free one keeps the centre of its octant; one
+/// on a corner of the model, on a feature curve, on a surface, or free. A free one keeps the center of its octant; one
 /// on a curve goes to the middle of the curve's piece in the octant, one on a surface to the mean of the points where
 /// the octant's edges are cut, projected. Corners go to the vertices of their curves that are nearest to them, one
 /// each. On a domain side the vertex lies exactly in the side's plane, and on corners and curves of the surfaces that

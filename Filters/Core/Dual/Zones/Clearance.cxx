@@ -297,7 +297,7 @@ void Clearance::spread(const std::vector<Index>& seeds, const Crossings& crossin
     {
       continue;
     }
-    for (const std::int32_t code : crossings.neighbours[point])
+    for (const std::int32_t code : crossings.neighbors[point])
     {
       if (code < 0)
       {

@@ -9,7 +9,7 @@ namespace atria {
 /// domain's sides count too, and its bottom, which is ground even where it is bare.
 ///
 /// Beside surfaces distances are exact. Farther away they are to the nearest of those triangles that are nearest to
-/// neighbouring points (Danielsson 1980), which may be too far by little.
+/// neighboring points (Danielsson 1980), which may be too far by little.
 class Clearance
 {
 public:
@@ -44,15 +44,15 @@ private:
 /// A narrow place between surfaces.
 struct Passage
 {
-  /// The centre of the largest ball that fits there, and its diameter.
+  /// The center of the largest ball that fits there, and its diameter.
   Vec3 center;
   double width = std::numeric_limits<double>::infinity();
   /// The surfaces that the ball all but touches, nearest first; noIndex for the bare bottom of the domain.
   std::vector<Index> surfaces;
 };
-/// The narrowest passage on the way from p to q, if they are neighbouring grid points with octants of `size`. At places
+/// The narrowest passage on the way from p to q, if they are neighboring grid points with octants of `size`. At places
 /// between them, a ball is moved away from surfaces in the planes in which a gap may lie, by two octants at most, until
-/// it touches some on opposite sides; the smallest is the passage. Infinitely wide, with `p` as its centre, where there
+/// it touches some on opposite sides; the smallest is the passage. Infinitely wide, with `p` as its center, where there
 /// is none.
 Passage passageBetween(const Vec3& p, const Vec3& q, double size, const Octree& octree, const SurfaceModel& model);
 

@@ -38,7 +38,7 @@ public:
     {
       const EdgeSegment segment = grid.segment(point, direction, grid.edge(point, direction));
       const auto& [a, b, c] = strip.corners;
-      if (const auto cut = crossingOf(segment, a, b, c, strip.rim))
+      if (const auto cut = crossingOf(segment, a, b, c, strip.boundaryEdge))
       {
         out.push_back({point, static_cast<std::uint8_t>(direction), *cut});
       }
@@ -55,7 +55,7 @@ private:
     const Octree& octree = grid.octree();
     const GridFrame& frame = octree.frame();
     const std::int64_t margin =
-        grid.movedCount() == 0 || !frame.inDomain(a) ? 0 : frame.latticeSize(octree.level(octree.leafAt(a)));
+        grid.displacedCount() == 0 || !frame.inDomain(a) ? 0 : frame.latticeSize(octree.level(octree.leafAt(a)));
     for (int axis = 0; axis < 3; ++axis)
     {
       box.low[axis] = std::min({a[axis], b[axis], c[axis]}) - margin;
@@ -81,7 +81,7 @@ private:
 
   bool isUncut(Index point, int direction) const
   {
-    const std::int32_t code = crossings.neighbours[point][direction];
+    const std::int32_t code = crossings.neighbors[point][direction];
     return code >= 0
                ? isUpper(direction)
                : DualMesh::isBoundary(code) && crossings.boundaryFaces[DualMesh::boundaryFaceOf(code)].onDomainSide;
@@ -102,7 +102,7 @@ void cut(Crossings& crossings, const GridPlaces& grid, const SurfaceModel& model
   crossings.cuts.push_back(passage.cut);
   const Index tag = model.surfaceIds[passage.cut.triangle];
   const Index chart = model.charts[passage.cut.triangle];
-  std::int32_t& code = crossings.neighbours[passage.point][passage.direction];
+  std::int32_t& code = crossings.neighbors[passage.point][passage.direction];
   if (edge.other == noIndex)
   {
     BoundaryFace& face = crossings.boundaryFaces[DualMesh::boundaryFaceOf(code)];
@@ -110,7 +110,7 @@ void cut(Crossings& crossings, const GridPlaces& grid, const SurfaceModel& model
     return;
   }
   const auto add = [&](const BoundaryFace& face) {
-    crossings.neighbours[face.element][face.direction] = ~static_cast<std::int32_t>(crossings.boundaryFaces.size());
+    crossings.neighbors[face.element][face.direction] = ~static_cast<std::int32_t>(crossings.boundaryFaces.size());
     crossings.boundaryFaces.push_back(face);
   };
   add({passage.point, tag, edge.other, passage.direction, seenFromStart(passage.cut), false, chart});

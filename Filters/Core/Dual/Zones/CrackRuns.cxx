@@ -66,7 +66,7 @@ void linkRuns(std::vector<Run>& runs, const std::vector<CrackStep>& steps, const
   }
 }
 
-/// Steps in the order in which they follow each other along rims.
+/// Steps in the order in which they follow each other along boundary edges.
 struct Chain
 {
   struct Link
@@ -180,7 +180,7 @@ std::vector<LongCrack> partsOf(const Chain& chain, bool wanted, const std::vecto
   return parts;
 }
 
-/// Leaves out points that lie on the line between their neighbours.
+/// Leaves out points that lie on the line between their neighbors.
 void straighten(LongCrack& chain)
 {
   const std::vector<Vec3>& all = chain.crack.path;

@@ -5,7 +5,7 @@
 
 namespace atria {
 
-/// A step along a rim that is beside a gap narrower than an octant.
+/// A step along a boundary edge that is beside a gap narrower than an octant.
 struct CrackStep
 {
   Index featureEdge;

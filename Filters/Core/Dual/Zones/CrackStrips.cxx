@@ -16,9 +16,10 @@ namespace atria {
 
 namespace {
 
-/// Steps along a rim, against the finest octants.
+/// Steps along a boundary edge, against the finest octants.
 constexpr double stepRatio = 0.25;
-/// A place stands for the end of a rim if it is this part of a step before it: at the end itself, others begin.
+/// A place stands for the end of a boundary edge if it is this part of a step before it: at the end itself, others
+/// begin.
 constexpr double beforeEnd = 0.01;
 /// What is this near, against the leaf's edge, touches.
 constexpr double touchRatio = 1e-4;
@@ -26,11 +27,11 @@ constexpr double touchRatio = 1e-4;
 constexpr double aheadCosine = 0.70710678;
 /// In lattice units: a place on a triangle, but for rounding.
 constexpr double onTriangle = 2.0;
-/// Of 15 degrees: the strips of two rims that turn by more leave a corner between them.
+/// Of 15 degrees: the strips of two boundary edges that turn by more leave a corner between them.
 constexpr double straightCosine = 0.966;
 
 /// A free edge with its triangle, whose third point it is wound before: a to b.
-struct Rim
+struct BoundaryEdge
 {
   Index a;
   Index b;
@@ -38,18 +39,18 @@ struct Rim
   Index triangle;
 };
 
-std::vector<Rim> rimsOf(const SurfaceModel& model)
+std::vector<BoundaryEdge> boundaryEdgesOf(const SurfaceModel& model)
 {
   std::vector<EdgeKey> keys;
   for (const FeatureEdge& edge : model.featureEdges)
   {
-    if (model.kindOf(edge) == CurveKind::rim)
+    if (model.kindOf(edge) == CurveKind::boundary)
     {
       keys.push_back(edgeKey(edge.a, edge.b));
     }
   }
   std::sort(keys.begin(), keys.end());
-  std::vector<Rim> rims;
+  std::vector<BoundaryEdge> boundaryEdges;
   for (Index t = 0; t < model.triangles.size() && !keys.empty(); ++t)
   {
     for (int i = 0; i < 3 && model.domainSides[t] == SurfaceModel::noSide; ++i)
@@ -57,14 +58,14 @@ std::vector<Rim> rimsOf(const SurfaceModel& model)
       const auto& corners = model.triangles[t];
       if (std::binary_search(keys.begin(), keys.end(), edgeKey(corners, i)))
       {
-        rims.push_back({corners[i], corners[(i + 1) % 3], corners[(i + 2) % 3], t});
+        boundaryEdges.push_back({corners[i], corners[(i + 1) % 3], corners[(i + 2) % 3], t});
       }
     }
   }
-  return rims;
+  return boundaryEdges;
 }
 
-/// What was found along one rim.
+/// What was found along one boundary edge.
 struct Bridge
 {
   std::vector<StripTriangle> strip;
@@ -85,27 +86,28 @@ public:
   {
   }
 
-  Bridge bridge(const Rim& rim)
+  Bridge bridge(const BoundaryEdge& boundaryEdge)
   {
     Bridge out;
-    const LatticePoint& a = model.points[rim.a];
-    const Vec3 along = between(a, model.points[rim.b]);
+    const LatticePoint& a = model.points[boundaryEdge.a];
+    const Vec3 along = between(a, model.points[boundaryEdge.b]);
     const double wanted = along.norm() / (stepRatio * static_cast<double>(frame.latticeSize(frame.depth)));
     const auto count = static_cast<std::uint32_t>(std::clamp(std::ceil(wanted), 1.0, 1e6));
-    const Vec3 inward = between(a, model.points[rim.third]);
+    const Vec3 inward = between(a, model.points[boundaryEdge.third]);
     const Vec3 outward = (inward.dot(along) / along.squaredNorm() * along - inward).normalized();
     LatticePoint from = a;
     bool isBridged = false;
     Vec3 across = Vec3::Zero();
     for (std::uint32_t i = 0; i <= count; ++i)
     {
-      const LatticePoint to = i == count ? model.points[rim.b] : moved(a, along * (static_cast<double>(i) / count));
+      const LatticePoint to =
+          i == count ? model.points[boundaryEdge.b] : moved(a, along * (static_cast<double>(i) / count));
       const double inside = std::clamp(static_cast<double>(i), beforeEnd, count - beforeEnd) / count;
-      const std::optional<Vec3> next = acrossFrom(moved(a, along * inside), rim.triangle, outward);
+      const std::optional<Vec3> next = acrossFrom(moved(a, along * inside), boundaryEdge.triangle, outward);
       if (isBridged && next)
       {
-        add(out.strip, rim.triangle, {to, from, moved(from, across)});
-        add(out.strip, rim.triangle, {to, moved(from, across), moved(to, *next)});
+        add(out.strip, boundaryEdge.triangle, {to, from, moved(from, across)});
+        add(out.strip, boundaryEdge.triangle, {to, moved(from, across), moved(to, *next)});
       }
       if (i == 0 || i == count)
       {
@@ -118,7 +120,7 @@ public:
     return out;
   }
 
-  /// Between the strips of two rims at the point in which they meet.
+  /// Between the strips of two boundary edges at the point in which they meet.
   void addCorner(std::vector<StripTriangle>& out, Index point, Index triangle, const Vec3& u, const Vec3& v) const
   {
     const LatticePoint& p = model.points[point];
@@ -127,19 +129,19 @@ public:
     add(out, triangle, {p, pu, pv});
     if (u.dot(v) < straightCosine * u.norm() * v.norm())
     {
-      // As far off the rim's plane as the two strips are.
+      // As far off the boundary edge's plane as the two strips are.
       const Vec3 normal = model.normal(triangle).normalized();
       add(out, triangle, {pv, pu, moved(p, u + v - 0.5 * normal.dot(u + v) * normal)});
     }
   }
 
 private:
-  static void add(std::vector<StripTriangle>& out, Index rim, const std::array<LatticePoint, 3>& corners)
+  static void add(std::vector<StripTriangle>& out, Index boundaryEdge, const std::array<LatticePoint, 3>& corners)
   {
     const LatticeNormal normal(corners[0], corners[1], corners[2]);
     if (normal.n[0] != 0 || normal.n[1] != 0 || normal.n[2] != 0)
     {
-      out.push_back({corners, rim});
+      out.push_back({corners, boundaryEdge});
     }
   }
 
@@ -163,8 +165,9 @@ private:
            (nearestOn(t, p, offset) - offset).norm() <= onTriangle;
   }
 
-  /// From a place of the rim to the nearest thing ahead; zero where something touches; nothing beyond the tolerance.
-  std::optional<Vec3> acrossFrom(const LatticePoint& p, Index rim, const Vec3& outward)
+  /// From a place of the boundary edge to the nearest thing ahead; zero where something touches; nothing beyond the
+  /// tolerance.
+  std::optional<Vec3> acrossFrom(const LatticePoint& p, Index boundaryEdge, const Vec3& outward)
   {
     if (!frame.inDomain(p))
     {
@@ -173,15 +176,15 @@ private:
     const double size = static_cast<double>(frame.latticeSize(octree.level(octree.leafAt(p))));
     const double reach = tolerance * size;
     std::optional<Vec3> best = sideAhead(p, reach, outward);
-    gather(p, rim, reach);
+    gather(p, boundaryEdge, reach);
     for (auto place = places.begin(); place != places.end(); ++place)
     {
       const auto hangsOn = [&](const Place& nearer) { return isOn(nearer.triangle, p, place->offset); };
       const bool touches = place->distance <= touchRatio * size;
       const bool isAhead = place->offset.dot(outward) >= aheadCosine * place->distance;
-      if (place->triangle == rim || !(touches || isAhead) || std::any_of(places.begin(), place, hangsOn))
+      if (place->triangle == boundaryEdge || !(touches || isAhead) || std::any_of(places.begin(), place, hangsOn))
       {
-        continue; // what hangs together with this is nearer
+        continue; // what is connected with this is nearer
       }
       if (touches)
       {
@@ -193,8 +196,8 @@ private:
     return best;
   }
 
-  /// The triangles within the reach, nearest first, the rim's own before all.
-  void gather(const LatticePoint& p, Index rim, double reach)
+  /// The triangles within the reach, nearest first, the boundary edge's own before all.
+  void gather(const LatticePoint& p, Index boundaryEdge, double reach)
   {
     const auto margin = static_cast<std::int64_t>(std::ceil(reach));
     LatticeBox box{p, p};
@@ -203,11 +206,11 @@ private:
       box.low[axis] -= margin;
       box.high[axis] += margin;
     }
-    places.assign(1, {-1.0, rim, Vec3::Zero()});
+    places.assign(1, {-1.0, boundaryEdge, Vec3::Zero()});
     for (const Index t : tree.touching(box))
     {
       const Vec3 offset = nearestOn(t, p, Vec3::Zero());
-      if (t != rim && offset.norm() <= reach)
+      if (t != boundaryEdge && offset.norm() <= reach)
       {
         places.push_back({offset.norm(), t, offset});
       }
@@ -242,15 +245,15 @@ private:
   std::vector<Place> places;
 };
 
-/// The ends of rims at their points, with what is across there.
-struct RimEnd
+/// The ends of boundary edges at their points, with what is across there.
+struct BoundaryEdgeEnd
 {
   Index point;
-  Index rim;
+  Index boundaryEdge;
   int end;
-  bool operator<(const RimEnd& other) const
+  bool operator<(const BoundaryEdgeEnd& other) const
   {
-    return std::tie(point, rim, end) < std::tie(other.point, other.rim, other.end);
+    return std::tie(point, boundaryEdge, end) < std::tie(other.point, other.boundaryEdge, other.end);
   }
 };
 
@@ -258,41 +261,42 @@ struct RimEnd
 
 std::vector<StripTriangle> crackStrips(double tolerance, const MeshingContext& context)
 {
-  const std::vector<Rim> rims = rimsOf(context.model);
-  if (rims.empty())
+  const std::vector<BoundaryEdge> boundaryEdges = boundaryEdgesOf(context.model);
+  if (boundaryEdges.empty())
   {
     return {};
   }
   const TriangleTree& tree = context.tree.get();
-  std::vector<Bridge> bridges(rims.size());
-  context.executor.forRanges(rims.size(), 16, [&](std::size_t begin, std::size_t end) {
+  std::vector<Bridge> bridges(boundaryEdges.size());
+  context.executor.forRanges(boundaryEdges.size(), 16, [&](std::size_t begin, std::size_t end) {
     context.progress.check();
     Bridger bridger(context.octree, context.model, tree, tolerance);
     for (std::size_t i = begin; i < end; ++i)
     {
-      bridges[i] = bridger.bridge(rims[i]);
+      bridges[i] = bridger.bridge(boundaryEdges[i]);
     }
   });
   std::vector<StripTriangle> strips;
-  std::vector<RimEnd> ends;
-  for (Index i = 0; i < rims.size(); ++i)
+  std::vector<BoundaryEdgeEnd> ends;
+  for (Index i = 0; i < boundaryEdges.size(); ++i)
   {
     strips.insert(strips.end(), bridges[i].strip.begin(), bridges[i].strip.end());
-    ends.push_back({rims[i].a, i, 0});
-    ends.push_back({rims[i].b, i, 1});
+    ends.push_back({boundaryEdges[i].a, i, 0});
+    ends.push_back({boundaryEdges[i].b, i, 1});
   }
   std::sort(ends.begin(), ends.end());
   const Bridger bridger(context.octree, context.model, tree, tolerance);
   for (std::size_t i = 0; i + 1 < ends.size(); ++i)
   {
-    const RimEnd& l = ends[i];
-    const RimEnd& r = ends[i + 1];
-    const auto& u = bridges[l.rim].atEnd[l.end];
-    const auto& v = bridges[r.rim].atEnd[r.end];
+    const BoundaryEdgeEnd& l = ends[i];
+    const BoundaryEdgeEnd& r = ends[i + 1];
+    const auto& u = bridges[l.boundaryEdge].atEnd[l.end];
+    const auto& v = bridges[r.boundaryEdge].atEnd[r.end];
     if (l.point == r.point && u && v)
     {
-      // Wound as the strip of the rim that begins here goes on from that of the one that ends here.
-      bridger.addCorner(strips, l.point, rims[l.rim].triangle, l.end == 1 ? *u : *v, l.end == 1 ? *v : *u);
+      // Wound as the strip of the boundary edge that begins here goes on from that of the one that ends here.
+      bridger.addCorner(strips, l.point, boundaryEdges[l.boundaryEdge].triangle, l.end == 1 ? *u : *v,
+                        l.end == 1 ? *v : *u);
     }
   }
   return strips;

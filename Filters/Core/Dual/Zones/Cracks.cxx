@@ -15,7 +15,7 @@ namespace atria {
 
 namespace {
 
-/// Steps along a rim, and the least width of a crack, against the leaf's edge.
+/// Steps along a boundary edge, and the least width of a crack, against the leaf's edge.
 constexpr double stepRatio = 0.25;
 constexpr double leastRatio = 1e-4;
 /// Cosine of the angle to the direction in which the sheet would go on.
@@ -39,18 +39,18 @@ bool passes(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& u, const Ve
   return t >= 0.0 && t <= 1.0 && s >= 0.0 && s <= 1.0 && r >= 0.0 && r <= 1.0;
 }
 
-/// Looks for cracks beside one rim after another.
-class RimProbe
+/// Looks for cracks beside one boundary edge after another.
+class BoundaryEdgeProbe
 {
 public:
-  RimProbe(const Zones& z, const std::vector<char>& keptZones, const Crossings& found, const GridPlaces& places,
-           const SurfaceModel& surfaces, const TriangleTree& pieces)
+  BoundaryEdgeProbe(const Zones& z, const std::vector<char>& keptZones, const Crossings& found,
+                    const GridPlaces& places, const SurfaceModel& surfaces, const TriangleTree& pieces)
       : zones(z), kept(keptZones), crossings(found), grid(places), octree(places.octree()), frame(octree.frame()),
         points(places.points()), model(surfaces), tree(pieces)
   {
   }
 
-  /// The steps of a rim that are beside gaps narrower than an octant.
+  /// The steps of a boundary edge that are beside gaps narrower than an octant.
   std::vector<CrackStep> walk(Index featureEdge)
   {
     const FeatureEdge& edge = model.featureEdges[featureEdge];
@@ -59,7 +59,7 @@ public:
     const double wanted = (b - a).norm() / (stepRatio * frame.finestSize);
     const auto count = static_cast<std::uint32_t>(std::clamp(std::ceil(wanted), 1.0, 1e6));
     std::vector<CrackStep> steps;
-    rim = noIndex;
+    boundaryEdge = noIndex;
     for (std::uint32_t i = 0; i < count; ++i)
     {
       const Vec3 begin = a + (b - a) * (static_cast<double>(i) / count);
@@ -77,7 +77,7 @@ public:
 private:
   struct Gap
   {
-    Vec3 across; ///< from the rim to the other side
+    Vec3 across; ///< from the boundary edge to the other side
     double size; ///< edge of the leaf there
     Index point;
     bool open; ///< an uncut octree edge passes through it
@@ -113,25 +113,26 @@ private:
     return noIndex;
   }
 
-  /// Finds the rim's triangle, and with it the direction in which it would go on. False for one on a domain side.
+  /// Finds the boundary edge's triangle, and with it the direction in which it would go on. False for one on a domain
+  /// side.
   bool outwards(const FeatureEdge& edge, Index leaf, const Vec3& along)
   {
-    if (rim == noIndex)
+    if (boundaryEdge == noIndex)
     {
       for (const ModelItem piece : octree.items(leaf))
       {
         if (piece.kind == ModelItem::triangle && hasEdge(piece.index, edge))
         {
-          rim = piece.index;
+          boundaryEdge = piece.index;
           break;
         }
       }
-      if (rim == noIndex)
+      if (boundaryEdge == noIndex)
       {
         return false;
       }
       Vec3 third = Vec3::Zero();
-      for (const Index p : model.triangles[rim])
+      for (const Index p : model.triangles[boundaryEdge])
       {
         third = p != edge.a && p != edge.b ? frame.toModel(model.points[p]) : third;
       }
@@ -139,7 +140,7 @@ private:
       const Vec3 direction = along.normalized();
       outward = (a - third - direction * direction.dot(a - third)).normalized();
     }
-    return model.domainSides[rim] == SurfaceModel::noSide;
+    return model.domainSides[boundaryEdge] == SurfaceModel::noSide;
   }
 
   bool hasEdge(Index triangle, const FeatureEdge& edge) const
@@ -153,10 +154,10 @@ private:
     const LatticeBox box{frame.toLattice(middle - Vec3::Constant(reach)),
                          frame.toLattice(middle + Vec3::Constant(reach))};
     triangles = tree.touching(box);
-    triangles.erase(std::remove(triangles.begin(), triangles.end(), rim), triangles.end());
+    triangles.erase(std::remove(triangles.begin(), triangles.end(), boundaryEdge), triangles.end());
   }
 
-  /// From the rim to the nearest thing in the direction in which its triangle would go on.
+  /// From the boundary edge to the nearest thing in the direction in which its triangle would go on.
   std::optional<Vec3> acrossFrom(const Vec3& middle, double size)
   {
     gatherAbout(middle, size);
@@ -199,14 +200,14 @@ private:
     return found && best.norm() > leastRatio * size ? std::optional(best) : std::nullopt;
   }
 
-  /// Whether an uncut octree edge passes between the rim and what is across.
+  /// Whether an uncut octree edge passes between the boundary edge and what is across.
   bool isOpen(const Vec3& begin, const Vec3& along, const Vec3& across, double size)
   {
     const Vec3 far = begin + along + across;
     const Vec3 low = begin.cwiseMin(begin + along).cwiseMin(begin + across).cwiseMin(far);
     const Vec3 high = begin.cwiseMax(begin + along).cwiseMax(begin + across).cwiseMax(far);
     // Edges with an end that was moved lie off their leaves, by up to an octant.
-    const Vec3 margin = Vec3::Constant(grid.movedCount() == 0 ? 0.0 : size);
+    const Vec3 margin = Vec3::Constant(grid.displacedCount() == 0 ? 0.0 : size);
     const LatticeBox box{frame.toLattice(low - margin), frame.toLattice(high + margin)};
     // As the predicates have it, grid points are shifted by little, so that none lies on the gap's border.
     const Vec3 shift = Vec3(1e-5, 1e-7, 1e-9) * frame.finestSize;
@@ -245,7 +246,7 @@ private:
       return false;
     }
     const int direction = directionOf(corner, axis);
-    const std::int32_t code = crossings.neighbours[point][direction];
+    const std::int32_t code = crossings.neighbors[point][direction];
     if (DualMesh::isBoundary(code))
     {
       return crossings.boundaryFaces[DualMesh::boundaryFaceOf(code)].onDomainSide;
@@ -262,7 +263,7 @@ private:
   const GridPoints& points;
   const SurfaceModel& model;
   const TriangleTree& tree;
-  Index rim = noIndex;
+  Index boundaryEdge = noIndex;
   Vec3 outward = Vec3::Zero();
   std::vector<Index> triangles;
 };
@@ -273,26 +274,26 @@ std::vector<Crack> findCracks(const Zones& zones, const std::vector<char>& kept,
                               const GridPlaces& grid, const MeshingContext& context)
 {
   const SurfaceModel& model = context.model;
-  std::vector<Index> rims;
+  std::vector<Index> boundaryEdges;
   for (Index e = 0; e < model.featureEdges.size(); ++e)
   {
-    if (model.kindOf(model.featureEdges[e]) == CurveKind::rim)
+    if (model.kindOf(model.featureEdges[e]) == CurveKind::boundary)
     {
-      rims.push_back(e);
+      boundaryEdges.push_back(e);
     }
   }
-  if (rims.empty())
+  if (boundaryEdges.empty())
   {
     return {};
   }
   const TriangleTree& tree = context.tree.get();
-  std::vector<std::vector<CrackStep>> found(rims.size());
-  context.executor.forRanges(rims.size(), 16, [&](std::size_t begin, std::size_t end) {
+  std::vector<std::vector<CrackStep>> found(boundaryEdges.size());
+  context.executor.forRanges(boundaryEdges.size(), 16, [&](std::size_t begin, std::size_t end) {
     context.progress.check();
-    RimProbe probe(zones, kept, crossings, grid, model, tree);
+    BoundaryEdgeProbe probe(zones, kept, crossings, grid, model, tree);
     for (std::size_t i = begin; i < end; ++i)
     {
-      found[i] = probe.walk(rims[i]);
+      found[i] = probe.walk(boundaryEdges[i]);
     }
   });
   std::vector<CrackStep> steps;

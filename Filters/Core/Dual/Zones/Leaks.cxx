@@ -19,7 +19,7 @@ class WayFinder
 {
 public:
   WayFinder(const Crossings& found, const Clearance& distances, std::size_t surfaces)
-      : crossings(found), clearance(distances), surfaceCount(surfaces), parents(found.neighbours.size(), noIndex)
+      : crossings(found), clearance(distances), surfaceCount(surfaces), parents(found.neighbors.size(), noIndex)
   {
   }
 
@@ -28,7 +28,7 @@ public:
   {
     for (const std::uint8_t direction : {zMax, xMin, xMax, yMin, yMax})
     {
-      const std::int32_t code = crossings.neighbours[point][direction];
+      const std::int32_t code = crossings.neighbors[point][direction];
       if (DualMesh::isBoundary(code))
       {
         const BoundaryFace& face = crossings.boundaryFaces[DualMesh::boundaryFaceOf(code)];
@@ -69,7 +69,7 @@ public:
       {
         return wayTo(step.to);
       }
-      for (const std::int32_t code : crossings.neighbours[step.to])
+      for (const std::int32_t code : crossings.neighbors[step.to])
       {
         if (code >= 0 && parents[code] == noIndex)
         {
@@ -102,7 +102,7 @@ public:
       {
         return wayTo(point);
       }
-      for (const std::int32_t code : crossings.neighbours[point])
+      for (const std::int32_t code : crossings.neighbors[point])
       {
         if (code < 0 || parents[code] != noIndex || closed.count(static_cast<Index>(code)) != 0)
         {
@@ -150,7 +150,7 @@ std::vector<Clearance::OfEdge> clearancesAlong(const std::vector<Index>& way, co
 
 /// The edges of a way among which its narrowest place is looked for, narrowest first: those that are clearly narrower
 /// than the way was before, so that a seed close to a wall is none; where the way narrows nowhere so, the one that is
-/// narrowest against the way before. Of the former those that are nearly as narrow as the narrowest, and the neighbours
+/// narrowest against the way before. Of the former those that are nearly as narrow as the narrowest, and the neighbors
 /// of that: a grid point close to a wall makes edges seem narrow that are beside the gap.
 std::vector<std::size_t> narrowEdges(const std::vector<Clearance::OfEdge>& edges)
 {

@@ -17,7 +17,7 @@ struct Leak
   std::uint8_t side;
   /// The same in model units, with the point on the domain's side at the end.
   std::vector<Vec3> path;
-  /// The narrowest place of the way: the centre of the largest ball that fits there, and its diameter.
+  /// The narrowest place of the way: the center of the largest ball that fits there, and its diameter.
   Vec3 place;
   double width;
   /// The surfaces that ball all but touches, nearest first; noIndex for the bare bottom of the domain.

@@ -82,7 +82,7 @@ Vec3 placeAt(Index point, const GridPlaces& grid)
   const Octree& octree = grid.octree();
   const GridFrame& frame = octree.frame();
   const Vec3 at = frame.toModel(grid.place(point));
-  if (grid.isMoved(point))
+  if (grid.isDisplaced(point))
   {
     return at;
   }
@@ -291,7 +291,7 @@ UnionFind joinPoints(const Crossings& crossings, const RunContext& context)
 {
   // Points of a piece are joined with each other first, by all threads.
   constexpr std::size_t length = 16384;
-  const std::size_t count = crossings.neighbours.size();
+  const std::size_t count = crossings.neighbors.size();
   UnionFind sets(count);
   std::vector<std::vector<std::pair<Index, Index>>> between((count + length - 1) / length);
   context.executor.forEach(between.size(), 1, [&](std::size_t piece) {
@@ -301,15 +301,15 @@ UnionFind joinPoints(const Crossings& crossings, const RunContext& context)
     {
       for (int direction = 1; direction < 6; direction += 2)
       {
-        const std::int32_t neighbour = crossings.neighbours[point][direction];
-        const auto other = static_cast<std::size_t>(neighbour);
-        if (neighbour >= 0 && other >= piece * length && other < end)
+        const std::int32_t neighbor = crossings.neighbors[point][direction];
+        const auto other = static_cast<std::size_t>(neighbor);
+        if (neighbor >= 0 && other >= piece * length && other < end)
         {
-          sets.join(static_cast<Index>(point), static_cast<Index>(neighbour));
+          sets.join(static_cast<Index>(point), static_cast<Index>(neighbor));
         }
-        else if (neighbour >= 0)
+        else if (neighbor >= 0)
         {
-          between[piece].emplace_back(static_cast<Index>(point), static_cast<Index>(neighbour));
+          between[piece].emplace_back(static_cast<Index>(point), static_cast<Index>(neighbor));
         }
       }
     }
@@ -327,7 +327,7 @@ UnionFind joinPoints(const Crossings& crossings, const RunContext& context)
 
 Zones findZones(const Crossings& crossings, std::size_t surfaceCount, const RunContext& context)
 {
-  const std::size_t count = crossings.neighbours.size();
+  const std::size_t count = crossings.neighbors.size();
   UnionFind sets = joinPoints(crossings, context);
   Zones zones;
   zones.ofPoint.resize(count);
@@ -393,7 +393,7 @@ std::vector<char> keptZones(const Zones& zones, ZoneRule rule, const std::vector
   return kept;
 }
 
-std::vector<ZoneSummary> summariseZones(const Zones& zones, const std::vector<char>& kept, const Crossings& crossings,
+std::vector<ZoneSummary> summarizeZones(const Zones& zones, const std::vector<char>& kept, const Crossings& crossings,
                                         const GridPlaces& grid, std::size_t surfaceCount, const RunContext& context)
 {
   std::vector<ZoneSummary> summaries(zones.count());

@@ -36,9 +36,9 @@ UnionFind joinPoints(const Crossings& crossings, const RunContext& context);
 
 Zones findZones(const Crossings& crossings, std::size_t surfaceCount, const RunContext& context);
 
-/// The grid point whose zone a seed means: the nearest one, where it stands in the modified grid, that no surface hides
-/// from the seed, of those at the leaf it lies in and its neighbours; where all are hidden, the nearest corner of that
-/// leaf. Throws Error for a seed outside the domain; `kind` names it there, such as "seed".
+/// The grid point whose zone a seed means: the nearest one, where it stands in the displaced grid, that no surface
+/// hides from the seed, of those at the leaf it lies in and its neighbors; where all are hidden, the nearest corner of
+/// that leaf. Throws Error for a seed outside the domain; `kind` names it there, such as "seed".
 Index pointOfSeed(const Vec3& seed, const char* kind, const GridPlaces& grid, const SurfaceModel& model);
 
 /// Whether each zone is kept. Throws Error for a seed outside the domain, and where no zone is left.
@@ -57,7 +57,7 @@ struct ZoneSummary
   /// Surfaces on its border, those with most faces first.
   std::vector<Index> surfaces;
 };
-std::vector<ZoneSummary> summariseZones(const Zones& zones, const std::vector<char>& kept, const Crossings& crossings,
+std::vector<ZoneSummary> summarizeZones(const Zones& zones, const std::vector<char>& kept, const Crossings& crossings,
                                         const GridPlaces& grid, std::size_t surfaceCount, const RunContext& context);
 
 } // namespace atria

@@ -17,8 +17,8 @@ constexpr int mostSweeps = 4;
 class JogRemover
 {
 public:
-  JogRemover(DualMesh& m, const BoundaryGraph& g, const std::vector<Index>& vertices, VertexAnchors& a)
-      : mesh(m), graph(g), vertexOf(vertices), anchors(a)
+  JogRemover(DualMesh& m, const BoundaryGraph& g, const std::vector<Index>& vertices, VertexClassification& a)
+      : mesh(m), graph(g), vertexOf(vertices), classification(a)
   {
   }
 
@@ -81,8 +81,8 @@ private:
   {
     const Index first = vertexAt(f, inner + 2);
     const Index second = vertexAt(f, inner + 3);
-    if (anchors.freedom[first] != Freedom::curve || anchors.freedom[second] != Freedom::curve ||
-        !std::ranges::equal(anchors.piecesOf(first), anchors.piecesOf(second)))
+    if (classification.classes[first] != VertexClass::curve || classification.classes[second] != VertexClass::curve ||
+        !std::ranges::equal(classification.piecesOf(first), classification.piecesOf(second)))
     {
       return false;
     }
@@ -151,9 +151,9 @@ private:
     sortUnique(points);
     if (points.size() == pointsOf(vertex))
     {
-      anchors.freedom[vertex] = Freedom::surface;
-      std::fill(anchors.pieces.begin() + anchors.offsets[vertex], anchors.pieces.begin() + anchors.offsets[vertex + 1],
-                mesh.boundaryFaces[f].chart);
+      classification.classes[vertex] = VertexClass::surface;
+      std::fill(classification.pieces.begin() + classification.offsets[vertex],
+                classification.pieces.begin() + classification.offsets[vertex + 1], mesh.boundaryFaces[f].chart);
       freed.insert(freed.end(), points.begin(), points.end());
     }
   }
@@ -163,7 +163,7 @@ private:
   {
     if (pointCounts.empty())
     {
-      pointCounts.resize(anchors.freedom.size(), 0);
+      pointCounts.resize(classification.classes.size(), 0);
       for (const Index v : vertexOf)
       {
         ++pointCounts[v];
@@ -180,16 +180,16 @@ private:
   DualMesh& mesh;
   const BoundaryGraph& graph;
   const std::vector<Index>& vertexOf;
-  VertexAnchors& anchors;
+  VertexClassification& classification;
   std::vector<Index> pointCounts;
 };
 
 } // namespace
 
 RemovedJogs removeJogs(DualMesh& mesh, const BoundaryGraph& graph, const std::vector<Index>& vertexOf,
-                       VertexAnchors& anchors)
+                       VertexClassification& classification)
 {
-  return JogRemover(mesh, graph, vertexOf, anchors).run();
+  return JogRemover(mesh, graph, vertexOf, classification).run();
 }
 
 } // namespace atria

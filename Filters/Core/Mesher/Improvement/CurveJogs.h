@@ -20,6 +20,6 @@ struct RemovedJogs
 ///
 /// `mesh` has its sheets split; `vertexOf` gives the vertex of each point. Linear in the faces of the boundary.
 RemovedJogs removeJogs(DualMesh& mesh, const BoundaryGraph& graph, const std::vector<Index>& vertexOf,
-                       VertexAnchors& anchors);
+                       VertexClassification& classification);
 
 } // namespace atria

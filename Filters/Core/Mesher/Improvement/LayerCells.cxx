@@ -19,7 +19,7 @@ std::vector<Index> cellsOf(const std::vector<ShortCell>& cells)
   return out;
 }
 
-std::vector<char> pointsToJudge(const LayerMesh& layer, const Executor& executor)
+std::vector<char> pointsToEvaluate(const LayerMesh& layer, const Executor& executor)
 {
   std::vector<char> marked = boundaryPoints(layer.mesh, executor);
   std::fill(marked.begin() + layer.plainPoints, marked.end(), 1);

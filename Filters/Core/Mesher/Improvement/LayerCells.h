@@ -18,7 +18,7 @@ std::vector<ShortCell> badOf(const std::vector<ShortCell>& cells);
 std::vector<Index> cellsOf(const std::vector<ShortCell>& cells);
 
 /// Those on the boundary, and those of the layer.
-std::vector<char> pointsToJudge(const LayerMesh& layer, const Executor& executor);
+std::vector<char> pointsToEvaluate(const LayerMesh& layer, const Executor& executor);
 
 /// Puts the copies of a layer where they are in another one of the same mesh, the outermost where there are several,
 /// but for those above points of the wall marked in `but`.

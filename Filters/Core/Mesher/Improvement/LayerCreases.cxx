@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Uniform meshes get rows of hexahedra along creases, where else no hexahedron could be good.
+// Uniform meshes get crease sheets of hexahedra along creases, where else no hexahedron could be good.
 #include "Layer/CreaseSheets.h"
 #include "Mesher/Improvement/LayerCells.h"
 #include "Mesher/Improvement/LayerImprover.h"
@@ -14,14 +14,15 @@ namespace atria {
 
 namespace {
 
-/// The scaled Jacobian that rows are to have. At a corner of three surfaces at right angles 0.41 is the most there is.
+/// The scaled Jacobian that crease sheets are to have. At a corner of three surfaces at right angles 0.41 is the most
+/// there is.
 constexpr QualityRange wantedJacobian{0.3, 0.31};
 /// And the cosine of non-orthogonality: 60 degrees.
 constexpr QualityRange wantedFaceCosine{0.5, 0.51};
 /// What is aimed at first.
 constexpr double goodJacobian = 0.45;
 constexpr int mostSoundRounds = 6;
-/// Of rows, tried in turn until one comes to what is wanted.
+/// Of crease sheets, tried in turn until one comes to what is wanted.
 constexpr std::array widths{0.35, 0.25, 0.45, 0.3, 0.4};
 
 /// Ranges to hold cells to. Limits rise, as cells far from the last ones find no way there. In the last stages they go
@@ -59,14 +60,15 @@ double leastScaledJacobian(const DualMesh& mesh, const RunContext& context)
   return std::ranges::min(least);
 }
 
-/// Improves the cells of rows and those about them.
+/// Improves the cells of crease sheets and those about them.
 class RowImprover
 {
 public:
-  RowImprover(DualMesh& m, const CreaseRows& rows, VertexGuide& g, const QualityTargets& sound, const RunContext& c)
-      : mesh(m), source(m), guide(g), valid(sound), marked(m.points.size(), 0), context(c)
+  RowImprover(DualMesh& m, const CreaseSheets& creaseSheets, VertexConstraints& g, const QualityTargets& sound,
+              const RunContext& c)
+      : mesh(m), source(m), constraints(g), valid(sound), marked(m.points.size(), 0), context(c)
   {
-    std::fill(marked.begin() + rows.firstPoint, marked.end(), 1);
+    std::fill(marked.begin() + creaseSheets.firstPoint, marked.end(), 1);
   }
 
   /// Returns whether all cells are valid then.
@@ -105,24 +107,24 @@ private:
     return out;
   }
 
-  void optimiseCells(const std::vector<ShortCell>& cells, const OptimiserOptions& options)
+  void optimizeCells(const std::vector<ShortCell>& cells, const OptimizerOptions& options)
   {
-    optimise(source, mesh.points, cells, guide, options, context);
+    optimize(source, mesh.points, cells, constraints, options, context);
   }
 
-  /// Rows begin flat. What does not come right at once gets more room.
+  /// Crease sheets begin flat. What does not come right at once gets more room.
   bool makeSound()
   {
     for (int round = 0; round < mostSoundRounds; ++round)
     {
-      OptimiserOptions options;
+      OptimizerOptions options;
       options.targets = targetsFor({0.0, goodJacobian}, valid.faceCosine);
       options.rings = round < 2 ? 2 : 3;
       options.tryMiddle = round > 1;
       options.patient = true;
       options.firstReach = round % 2 == 0 ? 0.3 : 0.1;
       const std::vector<ShortCell> cells = find(options.targets);
-      optimiseCells(round == 0 ? cells : badOf(cells), options);
+      optimizeCells(round == 0 ? cells : badOf(cells), options);
       if (badOf(find(valid)).empty())
       {
         return true;
@@ -133,7 +135,7 @@ private:
 
   void improve(const RowStage& stage)
   {
-    OptimiserOptions options;
+    OptimizerOptions options;
     options.targets = targetsFor(stage.jacobian, stage.faceCosine);
     options.targets.leastOfJacobian = options.targets.leastOfFaceCosine = options.leastWorst = leastOfOthers;
     options.rings = stage.last ? 3 : 2;
@@ -141,12 +143,12 @@ private:
     options.leastGain = stage.last ? 0.001 : 0.01;
     options.patient = true;
     options.firstReach = 0.3;
-    optimiseCells(find(options.targets), options);
+    optimizeCells(find(options.targets), options);
   }
 
   DualMesh& mesh;
   DualSource source;
-  VertexGuide& guide;
+  VertexConstraints& constraints;
   QualityTargets valid;
   std::vector<char> marked;
   const RunContext& context;
@@ -155,8 +157,8 @@ private:
 } // namespace
 
 /// Of the widths tried the one with the best worst hexahedron is taken. Where none becomes valid, or that is worse than
-/// without rows, the mesh stays as it is.
-void LayerImprover::addCreaseRows()
+/// without crease sheets, the mesh stays as it is.
+void LayerImprover::addCreaseSheets()
 {
   const CreaseCharts charts = findCreaseCharts(layer_, plain_, walls_);
   if (charts.isEmpty())
@@ -169,15 +171,16 @@ void LayerImprover::addCreaseRows()
   for (const double width : widths)
   {
     layer_ = before;
-    Guides guides(*this); // of the layer without rows
-    layer_.rows = insertCreaseRows(layer_, plain_, walls_, charts, width);
-    RowGuide guide(guides.layer, layer_, context_.octree.frame(), context_.model, context_.tree.get());
-    context_.executor.forEach(layer_.rows.points.size(), 256, [&](std::size_t i) {
-      const auto p = layer_.rows.firstPoint + static_cast<Index>(i);
+    Constraints constraints(*this); // of the layer without crease sheets
+    layer_.creaseSheets = insertCreaseSheets(layer_, plain_, walls_, charts, width);
+    CreaseSheetConstraints constraints(constraints.layer, layer_, context_.octree.frame(), context_.model,
+                                       context_.tree.get());
+    context_.executor.forEach(layer_.creaseSheets.points.size(), 256, [&](std::size_t i) {
+      const auto p = layer_.creaseSheets.firstPoint + static_cast<Index>(i);
       Vec3& place = layer_.mesh.points[p];
-      place = guide.isMovable(p) ? guide.place(p, place) : place;
+      place = constraints.isMovable(p) ? constraints.place(p, place) : place;
     });
-    const bool isValid = RowImprover(layer_.mesh, layer_.rows, guide, targets(), context_).run();
+    const bool isValid = RowImprover(layer_.mesh, layer_.creaseSheets, constraints, targets(), context_).run();
     const double worst = leastScaledJacobian(layer_.mesh, context_);
     if (isValid && worst >= bestWorst)
     {

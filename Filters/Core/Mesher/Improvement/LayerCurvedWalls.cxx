@@ -124,12 +124,12 @@ void LayerImprover::findCurved()
 bool LayerImprover::isAwayFromCreases(Index cell) const
 {
   return std::ranges::all_of(layer_.mesh.corners[cell], [&](Index p) {
-    const Freedom freedom = anchors_.freedom[vertexOf_[layer_.wallPointOf(p)]];
-    return freedom == Freedom::free || freedom == Freedom::surface;
+    const VertexClass vertexClass = classification_.classes[vertexOf_[layer_.wallPointOf(p)]];
+    return vertexClass == VertexClass::free || vertexClass == VertexClass::surface;
   });
 }
 
-/// Whether it is a hexahedron at a curved wall, and all its points on walls are away from creases and rims.
+/// Whether it is a hexahedron at a curved wall, and all its points on walls are away from creases and boundary edges.
 bool LayerImprover::isAtCurved(Index cell) const
 {
   std::array<Index, 8> corners = layer_.mesh.corners[cell];
@@ -202,7 +202,7 @@ void LayerImprover::takeBack(std::vector<WantedPlace> thick, std::vector<ShortCe
     shortCells.insert(shortCells.end(), still.begin(), still.end());
   }
   std::ranges::sort(shortCells, {}, &ShortCell::cell);
-  mergeUnique(unsure_, withNeighbours(source, cellsWithMarked(source, moved, context_), context_));
+  mergeUnique(unsure_, withNeighbors(source, cellsWithMarked(source, moved, context_), context_));
 }
 
 /// As findAll, after the layer was made thicker at curved walls as far as no cell falls short by it.
@@ -281,7 +281,7 @@ void LayerImprover::improveAtCurved()
   {
     return;
   }
-  OptimiserOptions options;
+  OptimizerOptions options;
   options.sweeps = 8;
   options.leastPenalty = 5e-4;
   options.leastGain = 0.02;
@@ -299,10 +299,10 @@ void LayerImprover::improveAtCurved()
   bringClose();
 }
 
-/// Moves those of the candidates that a stage is for; new ones are those that changed by it, and their neighbours.
+/// Moves those of the candidates that a stage is for; new ones are those that changed by it, and their neighbors.
 void LayerImprover::bringClose(const CurvedStage& stage, std::vector<Index>& candidates)
 {
-  OptimiserOptions options;
+  OptimizerOptions options;
   options.targets = targetsOf(stage);
   options.sweeps = 12;
   options.patient = true;
@@ -322,7 +322,7 @@ void LayerImprover::bringClose()
   constexpr CurvedStage last{{0.0, -6.0}, {0.03, -0.07}, 0.3F};
   constexpr CurvedStage lowered{{4.0, -6.0}, {0.1, -0.07}, 0.5F};
   constexpr float leastShare = 0.5F; // above the last stage's, and of its range below those of all others
-  std::vector<Index> candidates = withNeighbours(DualSource(layer_.mesh), unsureAtCurved(true), context_);
+  std::vector<Index> candidates = withNeighbors(DualSource(layer_.mesh), unsureAtCurved(true), context_);
   std::erase_if(candidates, [&](Index cell) { return !isAtSmooth(cell) || !isAwayFromCreases(cell); });
   candidates = cellsOf(farAtCurved(targetsOf(last), leastShare, candidates));
   for (const CurvedStage& stage : {first, second, last})

@@ -77,24 +77,30 @@ void takeChains(const LayerMesh& from, const std::vector<char>& held, LayerMesh&
 }
 
 /// Keeps some points where they are, by the point of the wall that they stand above.
-class HeldGuide : public VertexGuide
+class HeldConstraints : public VertexConstraints
 {
 public:
-  HeldGuide(VertexGuide& guide, const LayerMesh& layer, const std::vector<char>& held)
-      : guide_(guide), layer_(layer), held_(held)
+  HeldConstraints(VertexConstraints& constraints, const LayerMesh& layer, const std::vector<char>& held)
+      : constraints_(constraints), layer_(layer), held_(held)
   {
   }
-  void prepare(std::span<const Index> points, const RunContext& context) override { guide_.prepare(points, context); }
+  void prepare(std::span<const Index> points, const RunContext& context) override
+  {
+    constraints_.prepare(points, context);
+  }
   bool isMovable(Index point) const override
   {
-    return !held_[layer_.wallPointOf(leaderOf(point))] && guide_.isMovable(point);
+    return !held_[layer_.wallPointOf(leaderOf(point))] && constraints_.isMovable(point);
   }
-  Index leaderOf(Index point) const override { return guide_.leaderOf(point); }
-  Vec3 place(Index point, const Vec3& p) const override { return guide_.place(point, p); }
-  Ways waysFrom(Index point, const Vec3& p, double step) const override { return guide_.waysFrom(point, p, step); }
+  Index leaderOf(Index point) const override { return constraints_.leaderOf(point); }
+  Vec3 place(Index point, const Vec3& p) const override { return constraints_.place(point, p); }
+  Ways waysFrom(Index point, const Vec3& p, double step) const override
+  {
+    return constraints_.waysFrom(point, p, step);
+  }
 
 private:
-  VertexGuide& guide_;
+  VertexConstraints& constraints_;
   const LayerMesh& layer_;
   const std::vector<char>& held_;
 };
@@ -122,11 +128,11 @@ std::optional<LayerMesh> LayerImprover::divideAndImprove(const LayerMesh& given)
   std::vector<Index> counts = layersWanted(plain_, walls_, one, options_);
   std::vector<char> held(one.plainPoints, 0);
   LayerMesh divided = divideLayer(plain_, walls_, one, options_, counts);
-  std::vector<char> toJudge = pointsToJudge(divided, context_.executor);
+  std::vector<char> toEvaluate = pointsToEvaluate(divided, context_.executor);
   for (int round = 0; round < mostRounds; ++round)
   {
     context_.progress.check();
-    std::vector<ShortCell> cells = findShortCells(DualSource(divided.mesh), toJudge, targets(), context_);
+    std::vector<ShortCell> cells = findShortCells(DualSource(divided.mesh), toEvaluate, targets(), context_);
     std::erase_if(cells, [](const ShortCell& cell) { return cell.worst >= poor; });
     const std::vector<ShortCell> bad = badOf(improveDivided(divided, cells, held));
     if (bad.empty())
@@ -142,11 +148,11 @@ std::optional<LayerMesh> LayerImprover::divideAndImprove(const LayerMesh& given)
     const LayerMesh previous = std::move(divided);
     divided = divideLayer(plain_, walls_, one, options_, counts);
     takeChains(previous, held, divided);
-    toJudge = pointsChanged(plain_, divided, before, counts);
+    toEvaluate = pointsChanged(plain_, divided, before, counts);
     markPoints(previous, bad, changed);
-    for (Index p = 0; p < toJudge.size(); ++p)
+    for (Index p = 0; p < toEvaluate.size(); ++p)
     {
-      toJudge[p] |= changed[divided.wallPointOf(p)];
+      toEvaluate[p] |= changed[divided.wallPointOf(p)];
     }
   }
   return std::nullopt;
@@ -156,11 +162,11 @@ std::optional<LayerMesh> LayerImprover::divideAndImprove(const LayerMesh& given)
 std::vector<ShortCell> LayerImprover::improveDivided(LayerMesh& divided, const std::vector<ShortCell>& cells,
                                                      const std::vector<char>& held) const
 {
-  ModelGuide model(context_, anchors_, divided.mesh.points, vertexOf_);
-  LayerGuide layer(divided, walls_, options_, vertexOf_, letGo_, model);
-  HeldGuide guide(layer, divided, held);
+  ModelConstraints model(context_, classification_, divided.mesh.points, vertexOf_);
+  LayerConstraints layer(divided, walls_, options_, vertexOf_, letGo_, model);
+  HeldConstraints constraints(layer, divided, held);
   // There are many cells, and it is enough that they are sound.
-  OptimiserOptions options;
+  OptimizerOptions options;
   options.targets = targets();
   options.rings = 0;
   options.sweeps = 12;
@@ -168,14 +174,14 @@ std::vector<ShortCell> LayerImprover::improveDivided(LayerMesh& divided, const s
   options.leastGain = 0.02;
   options.firstReach = 0.2;
   std::vector<ShortCell> left =
-      optimise(DualSource(divided.mesh), divided.mesh.points, cells, guide, options, context_);
+      optimize(DualSource(divided.mesh), divided.mesh.points, cells, constraints, options, context_);
   // The few that are not get more room.
-  OptimiserOptions wider;
+  OptimizerOptions wider;
   wider.targets = options.targets;
   wider.rings = 2;
   for (int i = 0; i < 2; ++i)
   {
-    left = optimise(DualSource(divided.mesh), divided.mesh.points, badOf(left), guide, wider, context_);
+    left = optimize(DualSource(divided.mesh), divided.mesh.points, badOf(left), constraints, wider, context_);
   }
   return left;
 }
@@ -218,19 +224,19 @@ LayerMesh LayerImprover::divideEvenly(const LayerMesh& one) const
   std::vector<Index> counts = layersWanted(plain_, walls_, one, options_);
   limitSteps(plain_, one, counts);
   LayerMesh divided = divideLayer(plain_, walls_, one, options_, counts);
-  std::vector<char> toJudge = pointsToJudge(divided, context_.executor);
+  std::vector<char> toEvaluate = pointsToEvaluate(divided, context_.executor);
   for (;;)
   {
     context_.progress.check();
     const std::vector<Index> before = counts;
-    lower(divided, badOf(findShortCells(DualSource(divided.mesh), toJudge, targets(), context_)), counts);
+    lower(divided, badOf(findShortCells(DualSource(divided.mesh), toEvaluate, targets(), context_)), counts);
     if (counts == before)
     {
       return divided;
     }
     limitSteps(plain_, one, counts);
     divided = divideLayer(plain_, walls_, one, options_, counts);
-    toJudge = pointsChanged(plain_, divided, before, counts);
+    toEvaluate = pointsChanged(plain_, divided, before, counts);
   }
 }
 

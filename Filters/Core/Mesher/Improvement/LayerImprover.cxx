@@ -31,11 +31,11 @@ enum class LayerImprover::Step : std::uint8_t
   exclude
 };
 
-LayerImprover::LayerImprover(const MeshingContext& context, const VertexAnchors& anchors,
+LayerImprover::LayerImprover(const MeshingContext& context, const VertexClassification& classification,
                              const std::vector<Index>& vertexOf, DualMesh& plain, const LayerWalls& walls,
                              const LayerOptions& options, const CurvedWallTargets& curvedWalls)
-    : context_(context), wanted_(anchors), anchors_(anchors), vertexOf_(vertexOf), plain_(plain), walls_(walls),
-      options_(options), curvedWalls_(curvedWalls),
+    : context_(context), wanted_(classification), classification_(classification), vertexOf_(vertexOf), plain_(plain),
+      walls_(walls), options_(options), curvedWalls_(curvedWalls),
       layered_(std::ranges::any_of(options.ofTag, [](const WallLayers& wall) { return wall.layers > 0; })),
       hasHeights_(options.hasHeights()),
       divided_(std::ranges::any_of(options.ofTag, [](const WallLayers& wall) { return wall.layers > 1; })),
@@ -110,7 +110,7 @@ LayerMesh LayerImprover::run()
   straighten();
   if (isSingle && uniform_)
   {
-    addCreaseRows();
+    addCreaseSheets();
   }
   return std::move(layer_);
 }
@@ -125,7 +125,7 @@ void LayerImprover::grow()
 /// At the boundary, and where cells fell short before.
 std::vector<ShortCell> LayerImprover::findAll()
 {
-  std::vector<char> marked = pointsToJudge(layer_, context_.executor);
+  std::vector<char> marked = pointsToEvaluate(layer_, context_.executor);
   for (Index p = 0; p < layer_.plainPoints; ++p)
   {
     marked[p] |= suspect_[p];
@@ -137,15 +137,16 @@ std::vector<ShortCell> LayerImprover::findAll()
   return std::move(found[1]);
 }
 
-/// `about` gets the cells about points that moved, and their neighbours.
-std::vector<ShortCell> LayerImprover::move(const std::vector<ShortCell>& cells, const OptimiserOptions& options,
+/// `about` gets the cells about points that moved, and their neighbors.
+std::vector<ShortCell> LayerImprover::move(const std::vector<ShortCell>& cells, const OptimizerOptions& options,
                                            std::vector<Index>* about)
 {
-  Guides guides(*this);
+  Constraints constraints(*this);
   const DualSource source(layer_.mesh);
   std::vector<Index> changed;
-  std::vector<ShortCell> left = optimise(source, layer_.mesh.points, cells, guides.layer, options, context_, &changed);
-  changed = withNeighbours(source, changed, context_);
+  std::vector<ShortCell> left =
+      optimize(source, layer_.mesh.points, cells, constraints.layer, options, context_, &changed);
+  changed = withNeighbors(source, changed, context_);
   mergeUnique(unsure_, changed);
   if (about)
   {
@@ -156,7 +157,7 @@ std::vector<ShortCell> LayerImprover::move(const std::vector<ShortCell>& cells, 
 
 std::vector<ShortCell> LayerImprover::improve(const std::vector<ShortCell>& cells, int rings)
 {
-  OptimiserOptions options;
+  OptimizerOptions options;
   options.targets = targets();
   options.rings = rings;
   options.leastPenalty = 0.01; // about a tenth short of a target: good enough where cells are far from their limits
@@ -233,30 +234,31 @@ void LayerImprover::noteLeft(Index leader)
 
 void LayerImprover::leaveCurve(Index leader)
 {
-  Freedom& freedom = anchors_.freedom[leader];
-  if (mayLeave_[leader] && freedom == Freedom::curve)
+  VertexClass& vertexClass = classification_.classes[leader];
+  if (mayLeave_[leader] && vertexClass == VertexClass::curve)
   {
     noteLeft(leader);
-    freedom = Freedom::beside;
+    vertexClass = VertexClass::adjacent;
   }
 }
 
 /// By `reach` times the size of the vertex's octant.
 void LayerImprover::leaveSurface(Index leader, double reach)
 {
-  Freedom& freedom = anchors_.freedom[leader];
-  if (!mayLeave_[leader] || freedom == Freedom::free)
+  VertexClass& vertexClass = classification_.classes[leader];
+  if (!mayLeave_[leader] || vertexClass == VertexClass::free)
   {
     return;
   }
   noteLeft(leader);
-  freedom = Freedom::released;
-  const double size = context_.octree.frame().sizeOf(context_.octree.level(anchors_.leaves[leader]));
-  anchors_.leashes.try_emplace(leader, Leash{layer_.mesh.points[leader], 0.0}).first->second.reach = reach * size;
+  vertexClass = VertexClass::detached;
+  const double size = context_.octree.frame().sizeOf(context_.octree.level(classification_.leaves[leader]));
+  classification_.displacementLimits.try_emplace(leader, DisplacementLimit{layer_.mesh.points[leader], 0.0})
+      .first->second.reach = reach * size;
 }
 
 /// Lets the points of cells leave their curves, and their surfaces by `reach`.
-void LayerImprover::release(const std::vector<ShortCell>& cells, double reach)
+void LayerImprover::detach(const std::vector<ShortCell>& cells, double reach)
 {
   eachLeaderOf(cells, [&](Index leader) {
     letGo_[leader] = 1;
@@ -265,22 +267,23 @@ void LayerImprover::release(const std::vector<ShortCell>& cells, double reach)
   });
 }
 
-/// Takes the points of cells towards the centres of their octants.
+/// Takes the points of cells towards the centers of their octants.
 void LayerImprover::startAgain(const std::vector<ShortCell>& bad, double share)
 {
   std::vector<char> fresh(layer_.plainPoints, 0);
   eachLeaderOf(bad, [&](Index leader) { fresh[leader] = mayLeave_[leader]; });
-  const Guides guides(*this);
+  const Constraints constraints(*this);
   for (Index p = 0; p < fresh.size(); ++p)
   {
     fresh[p] = fresh[vertexOf_[p]];
     if (fresh[p])
     {
-      const Vec3 centre = guides.model.centreOf(p);
-      layer_.mesh.points[p] += share * (centre - layer_.mesh.points[p]);
-      if (const auto found = anchors_.leashes.find(vertexOf_[p]); found != anchors_.leashes.end())
+      const Vec3 center = constraints.model.centerOf(p);
+      layer_.mesh.points[p] += share * (center - layer_.mesh.points[p]);
+      if (const auto found = classification_.displacementLimits.find(vertexOf_[p]);
+          found != classification_.displacementLimits.end())
       {
-        found->second.home = centre;
+        found->second.origin = center;
       }
     }
   }
@@ -321,20 +324,20 @@ void LayerImprover::growAgain(const std::vector<char>& fresh)
 /// Where the points that left their pieces of the model ought to be, seen from where they are.
 std::vector<WantedPlace> LayerImprover::wantedPlaces() const
 {
-  ModelGuide guide(context_, wanted_, layer_.mesh.points, vertexOf_);
+  ModelConstraints constraints(context_, wanted_, layer_.mesh.points, vertexOf_);
   std::vector<Index> points;
   std::ranges::transform(left_, std::back_inserter(points), &WantedPlace::point);
-  guide.prepare(points, context_);
+  constraints.prepare(points, context_);
   std::vector<WantedPlace> places(left_.size());
   context_.executor.forEach(left_.size(), 64, [&](std::size_t i) {
     const Index p = left_[i].point;
-    const bool was = wanted_.freedom[vertexOf_[p]] == Freedom::fixed;
-    places[i] = {p, was ? left_[i].place : guide.nearest(p, layer_.mesh.points[p])};
+    const bool was = wanted_.classes[vertexOf_[p]] == VertexClass::fixed;
+    places[i] = {p, was ? left_[i].place : constraints.nearest(p, layer_.mesh.points[p])};
   });
   return places;
 }
 
-/// Takes points back to where the model wants them, as far as elements stay valid; their neighbours make room.
+/// Takes points back to where the model wants them, as far as elements stay valid; their neighbors make room.
 void LayerImprover::putBack()
 {
   constexpr int passes = 6;
@@ -346,7 +349,7 @@ void LayerImprover::putBack()
   {
     context_.progress.check();
     const std::vector<ShortCell> cells = approach(DualSource(layer_.mesh), layer_.mesh.points, wantedPlaces(),
-                                                  Guides(*this).layer, leastPutBack, wanted, context_);
+                                                  Constraints(*this).layer, leastPutBack, wanted, context_);
     const std::size_t before = left_.size();
     keepThoseAway();
     if (before == left_.size() || pass + 1 == passes)
@@ -362,7 +365,7 @@ void LayerImprover::keepThoseAway()
 {
   constexpr double nearlyThere = 1e-6;
   std::vector<WantedPlace> away;
-  released_.clear();
+  detached_.clear();
   std::ranges::sort(left_, {}, &WantedPlace::point);
   const std::vector<WantedPlace> wanted = wantedPlaces();
   for (std::size_t i = 0; i < left_.size(); ++i)
@@ -371,12 +374,12 @@ void LayerImprover::keepThoseAway()
     const Index vertex = vertexOf_[p];
     const double size = context_.octree.frame().sizeOf(context_.octree.level(wanted_.leaves[vertex]));
     const bool back = (layer_.mesh.points[p] - wanted[i].place).norm() <= nearlyThere * size;
-    anchors_.freedom[vertex] = back ? wanted_.freedom[vertex] : Freedom::fixed;
+    classification_.classes[vertex] = back ? wanted_.classes[vertex] : VertexClass::fixed;
     isLeft_[p] = back ? 0 : 1;
     if (!back)
     {
       away.push_back(left_[i]);
-      released_.push_back({p, wanted[i].place});
+      detached_.push_back({p, wanted[i].place});
     }
   }
   left_ = std::move(away);

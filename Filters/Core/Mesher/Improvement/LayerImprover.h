@@ -12,14 +12,14 @@
 namespace atria {
 
 /// A vertex that is not where the model wants it, as no element would be valid there otherwise.
-struct ReleasedVertex
+struct DetachedVertex
 {
   Index point;
   Vec3 wanted;
 };
 
-/// Elements that the optimiser cannot mend get more room step by step: vertices leave
-/// curves for the surfaces that meet there; they leave surfaces; they start again from the centres of their octants,
+/// Elements that the optimizer cannot mend get more room step by step: vertices leave
+/// curves for the surfaces that meet there; they leave surfaces; they start again from the centers of their octants,
 /// where the plain mesh is valid; the layer is left out. Then each vertex that left goes back as far as it can.
 class LayerImprover
 {
@@ -27,18 +27,18 @@ public:
   /// `vertexOf` gives for each point of the plain mesh the vertex of the anchors it stands for; points of one vertex
   /// are in one place and stay together, and the one with its number, the leader, is one of them. The plain mesh's
   /// points follow those of the layer's walls; where no layer is asked for, the plain mesh is taken.
-  LayerImprover(const MeshingContext& context, const VertexAnchors& anchors, const std::vector<Index>& vertexOf,
-                DualMesh& plain, const LayerWalls& walls, const LayerOptions& options,
-                const CurvedWallTargets& curvedWalls);
+  LayerImprover(const MeshingContext& context, const VertexClassification& classification,
+                const std::vector<Index>& vertexOf, DualMesh& plain, const LayerWalls& walls,
+                const LayerOptions& options, const CurvedWallTargets& curvedWalls);
 
   /// The layers asked for; fewer at points where elements would not be valid. Without any asked for, the plain mesh
   /// made valid; its elements may be concave then.
   LayerMesh run();
   /// Those that did not get back, in rising order of points.
-  const std::vector<ReleasedVertex>& released() const { return released_; }
+  const std::vector<DetachedVertex>& detached() const { return detached_; }
 
 private:
-  struct Guides;
+  struct Constraints;
   enum class Step : std::uint8_t;
   /// How walls turn at a point, as bits.
   enum Bend : std::uint8_t
@@ -56,7 +56,7 @@ private:
   void noteLeft(Index leader);
   void leaveCurve(Index leader);
   void leaveSurface(Index leader, double reach);
-  void release(const std::vector<ShortCell>& cells, double reach);
+  void detach(const std::vector<ShortCell>& cells, double reach);
   void startAgain(const std::vector<ShortCell>& bad, double share);
   void growAgain(const std::vector<char>& fresh);
   void exclude(const std::vector<ShortCell>& bad);
@@ -81,12 +81,12 @@ private:
   QualityTargets targetsOf(const OrthogonalityStage& stage) const;
   QualityTargets strictest() const;
   std::vector<ShortCell> findBelow(const QualityTargets& wanted, float share, const std::vector<Index>& cells) const;
-  void straighten(std::span<const OrthogonalityStage> stages, float share, std::vector<char>& toJudge,
+  void straighten(std::span<const OrthogonalityStage> stages, float share, std::vector<char>& toEvaluate,
                   std::vector<Index>& candidates);
-  void straightenOrRelease(std::span<const OrthogonalityStage> stages, float share, const QualityRange& largest,
-                           std::vector<char>& toJudge, std::vector<Index>& candidates);
+  void straightenOrDetach(std::span<const OrthogonalityStage> stages, float share, const QualityRange& largest,
+                          std::vector<char>& toEvaluate, std::vector<Index>& candidates);
   void straightenDivided();
-  void addCreaseRows();
+  void addCreaseSheets();
   LayerMesh divide(const LayerMesh& one) const;
   std::optional<LayerMesh> divideAndImprove(const LayerMesh& given) const;
   LayerMesh divideEvenly(const LayerMesh& one) const;
@@ -96,7 +96,7 @@ private:
                const std::vector<Index>& counts, LayerMesh& one, std::vector<char>& held,
                std::vector<char>& changed) const;
   std::vector<WantedPlace> wantedPlaces() const;
-  std::vector<ShortCell> move(const std::vector<ShortCell>& cells, const OptimiserOptions& options,
+  std::vector<ShortCell> move(const std::vector<ShortCell>& cells, const OptimizerOptions& options,
                               std::vector<Index>* about = nullptr);
   std::vector<ShortCell> improve(const std::vector<ShortCell>& cells, int rings);
   std::vector<ShortCell> findAll();
@@ -105,8 +105,8 @@ private:
 
   const MeshingContext& context_;
   /// What the model wants, and what is allowed now.
-  const VertexAnchors& wanted_;
-  VertexAnchors anchors_;
+  const VertexClassification& wanted_;
+  VertexClassification classification_;
   const std::vector<Index>& vertexOf_;
   DualMesh& plain_;
   const LayerWalls& walls_;
@@ -130,10 +130,10 @@ private:
   std::vector<std::uint8_t> curved_;
   /// Cells, in order, that may fall short of strictest(), of those at the boundary and of the layer.
   std::vector<Index> unsure_;
-  /// Leaders that were released, each once, and where they were.
+  /// Leaders that were detached, each once, and where they were.
   std::vector<WantedPlace> left_;
   std::vector<char> isLeft_;
-  std::vector<ReleasedVertex> released_;
+  std::vector<DetachedVertex> detached_;
 };
 
 } // namespace atria

@@ -62,14 +62,14 @@ std::vector<ShortCell> LayerImprover::findBelow(const QualityTargets& wanted, fl
 /// `candidates` are all cells at the points marked that may be below the share of a stage. Cells farther from the walls
 /// that fall short after one are marked, too. The limit rises in stages: held to the last one at once, cells that are
 /// far from it find no way there.
-void LayerImprover::straighten(std::span<const OrthogonalityStage> stages, float share, std::vector<char>& toJudge,
+void LayerImprover::straighten(std::span<const OrthogonalityStage> stages, float share, std::vector<char>& toEvaluate,
                                std::vector<Index>& candidates)
 {
-  Guides guides(*this);
+  Constraints constraints(*this);
   const DualSource source(layer_.mesh);
   for (const OrthogonalityStage& stage : stages)
   {
-    OptimiserOptions options;
+    OptimizerOptions options;
     options.targets = targetsOf(stage);
     options.leastWorst = leastOfOthers;
     options.rings = stage.rings;
@@ -77,30 +77,30 @@ void LayerImprover::straighten(std::span<const OrthogonalityStage> stages, float
     options.leastPenalty = 0.1; // cells looked at are short by more
     std::vector<Index> changed;
     const std::vector<ShortCell> left =
-        optimise(source, layer_.mesh.points, findBelow(options.targets, share, candidates), guides.layer, options,
+        optimize(source, layer_.mesh.points, findBelow(options.targets, share, candidates), constraints.layer, options,
                  context_, &changed);
-    std::vector<char> fresh(toJudge.size(), 0);
+    std::vector<char> fresh(toEvaluate.size(), 0);
     for (const ShortCell& cell : left)
     {
       for (const Index p : layer_.mesh.corners[cell.cell])
       {
-        fresh[p] = toJudge[p] ? 0 : 1;
+        fresh[p] = toEvaluate[p] ? 0 : 1;
       }
     }
-    std::ranges::transform(toJudge, fresh, toJudge.begin(), std::bit_or());
-    changed = withNeighbours(source, changed, context_);
-    std::erase_if(changed, [&](Index cell) { return !source.hasMarked(cell, toJudge); });
+    std::ranges::transform(toEvaluate, fresh, toEvaluate.begin(), std::bit_or());
+    changed = withNeighbors(source, changed, context_);
+    std::erase_if(changed, [&](Index cell) { return !source.hasMarked(cell, toEvaluate); });
     mergeUnique(candidates, changed);
     mergeUnique(candidates, cellsWithMarked(source, fresh, context_));
   }
 }
 
 /// Vertices at faces that stay beyond the largest angle leave their curves, and their surfaces by a little.
-void LayerImprover::straightenOrRelease(std::span<const OrthogonalityStage> stages, float share,
-                                        const QualityRange& largest, std::vector<char>& toJudge,
-                                        std::vector<Index>& candidates)
+void LayerImprover::straightenOrDetach(std::span<const OrthogonalityStage> stages, float share,
+                                       const QualityRange& largest, std::vector<char>& toEvaluate,
+                                       std::vector<Index>& candidates)
 {
-  straighten(stages, share, toJudge, candidates);
+  straighten(stages, share, toEvaluate, candidates);
   QualityTargets wanted = targets();
   wanted.faceCosine = largest;
   for (const double reach : reaches)
@@ -110,8 +110,8 @@ void LayerImprover::straightenOrRelease(std::span<const OrthogonalityStage> stag
     {
       break;
     }
-    release(beyond, reach);
-    straighten(stages, share, toJudge, candidates);
+    detach(beyond, reach);
+    straighten(stages, share, toEvaluate, candidates);
   }
   keepThoseAway();
 }
@@ -122,14 +122,14 @@ void LayerImprover::straighten()
   constexpr std::array stages{OrthogonalityStage{{0.3, 0.5}, 2}, OrthogonalityStage{{0.4, 0.54}, 2},
                               OrthogonalityStage{{0.51, acceptable.target}, 2},
                               OrthogonalityStage{{0.51, acceptable.target}, 2}};
-  std::vector<char> toJudge = pointsToJudge(layer_, context_.executor);
+  std::vector<char> toEvaluate = pointsToEvaluate(layer_, context_.executor);
   const DualSource source(layer_.mesh);
-  std::erase_if(unsure_, [&](Index cell) { return !source.hasMarked(cell, toJudge); });
+  std::erase_if(unsure_, [&](Index cell) { return !source.hasMarked(cell, toEvaluate); });
   // What is within the last stage is within all others.
   std::vector<Index> candidates = cellsOf(findBelow(targetsOf(stages.back()), enough, unsure_));
   if (!candidates.empty())
   {
-    straightenOrRelease(stages, enough, acceptable, toJudge, candidates);
+    straightenOrDetach(stages, enough, acceptable, toEvaluate, candidates);
   }
 }
 
@@ -137,16 +137,16 @@ void LayerImprover::straighten()
 void LayerImprover::straightenDivided()
 {
   constexpr std::array stages{OrthogonalityStage{{0.2, 0.4}, 1}, OrthogonalityStage{{0.35, 0.5}, 1}};
-  std::vector<char> toJudge = pointsToJudge(layer_, context_.executor);
+  std::vector<char> toEvaluate = pointsToEvaluate(layer_, context_.executor);
   std::vector<Index> candidates;
-  for (const ShortCell& cell : findShortCells(DualSource(layer_.mesh), toJudge, targetsOf(stages.back()), context_))
+  for (const ShortCell& cell : findShortCells(DualSource(layer_.mesh), toEvaluate, targetsOf(stages.back()), context_))
   {
     if (cell.worst < enoughOfDivided)
     {
       candidates.push_back(cell.cell);
     }
   }
-  straightenOrRelease(stages, enoughOfDivided, acceptableOfDivided, toJudge, candidates);
+  straightenOrDetach(stages, enoughOfDivided, acceptableOfDivided, toEvaluate, candidates);
 }
 
 } // namespace atria

@@ -7,16 +7,16 @@
 namespace atria {
 
 /// Where points of the layer as it is now may go.
-struct LayerImprover::Guides
+struct LayerImprover::Constraints
 {
-  explicit Guides(const LayerImprover& owner)
-      : model(owner.context_, owner.anchors_, owner.layer_.mesh.points, owner.vertexOf_),
+  explicit Constraints(const LayerImprover& owner)
+      : model(owner.context_, owner.classification_, owner.layer_.mesh.points, owner.vertexOf_),
         layer(owner.layer_, owner.walls_, owner.options_, owner.vertexOf_, owner.letGo_, model)
   {
   }
 
-  ModelGuide model;
-  LayerGuide layer;
+  ModelConstraints model;
+  LayerConstraints layer;
 };
 
 } // namespace atria

@@ -28,7 +28,7 @@ constexpr double leastGain = 1e-3;
 class FaceUnfolder
 {
 public:
-  FaceUnfolder(DualMesh& of, VertexGuide& by, const RunContext& run) : mesh(of), guide(by), context(run) {}
+  FaceUnfolder(DualMesh& of, VertexConstraints& by, const RunContext& run) : mesh(of), constraints(by), context(run) {}
 
   void run()
   {
@@ -154,8 +154,8 @@ private:
   std::vector<Index> slide(std::vector<Index> points)
   {
     sortUnique(points);
-    std::erase_if(points, [&](Index p) { return !guide.isMovable(p); });
-    guide.prepare(points, context);
+    std::erase_if(points, [&](Index p) { return !constraints.isMovable(p); });
+    constraints.prepare(points, context);
     std::vector<Index> next;
     for (const Index p : points)
     {
@@ -196,7 +196,7 @@ private:
       for (int direction = 0; direction < 6; ++direction)
       {
         const Vec3 way = (isUpper(direction) ? step : -step) * size * Vec3::Unit(axisOf(direction));
-        mesh.points[p] = guide.place(p, from + way);
+        mesh.points[p] = constraints.place(p, from + way);
         const double there = (at(p) - start[p]).norm() <= farthest * size ? penaltyAt(p, areas) : before;
         if (there < least)
         {
@@ -223,7 +223,7 @@ private:
   }
 
   DualMesh& mesh;
-  VertexGuide& guide;
+  VertexConstraints& constraints;
   const RunContext& context;
   std::vector<ReducedFace> faces;
   Buckets facesOf; ///< by point
@@ -232,9 +232,9 @@ private:
 
 } // namespace
 
-void unfoldFaces(DualMesh& mesh, VertexGuide& guide, const RunContext& context)
+void unfoldFaces(DualMesh& mesh, VertexConstraints& constraints, const RunContext& context)
 {
-  FaceUnfolder(mesh, guide, context).run();
+  FaceUnfolder(mesh, constraints, context).run();
 }
 
 } // namespace atria

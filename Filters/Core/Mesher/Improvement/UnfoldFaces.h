@@ -9,6 +9,6 @@ namespace atria {
 /// Slides points along their surfaces and curves where a face of a wall is folded: where one of the triangles about the
 /// mean of its points faces the other way, as beside the corner of an opening that a point is too close to. A folded
 /// face covers what is none of its surface. Points of sheets are not split yet. Does nothing where no face is folded.
-void unfoldFaces(DualMesh& mesh, VertexGuide& guide, const RunContext& context);
+void unfoldFaces(DualMesh& mesh, VertexConstraints& constraints, const RunContext& context);
 
 } // namespace atria

@@ -12,7 +12,7 @@ namespace atria {
 
 namespace {
 
-/// A box about the origin, and points relative to its centre.
+/// A box about the origin, and points relative to its center.
 struct CenteredBox
 {
   explicit CenteredBox(const LatticeBox& box)

@@ -39,7 +39,7 @@ public:
   {
   }
 
-  /// New points that no refined octant before this one has: its centre, and the middles of its faces and edges. Those
+  /// New points that no refined octant before this one has: its center, and the middles of its faces and edges. Those
   /// at a lower side are shared with octants there; of the octants about a point the one with the lowest position
   /// (by z, y, x) counts it.
   std::size_t pointsOf(MortonKey key) const

@@ -109,7 +109,7 @@ bool meetIn(const LatticeBox& box, const std::array<Index, 3>& first, const std:
 /// Of `triangles`, which change their order. For few of them, as it compares pairs.
 bool areSeveral(const LatticeBox& box, std::span<Index> triangles, const SurfaceModel& model)
 {
-  // The first so many hang together with the first.
+  // The first so many are connected with the first.
   auto reached = triangles.begin() + 1;
   for (auto at = triangles.begin(); at != reached && reached != triangles.end(); ++at)
   {

@@ -16,10 +16,7 @@ struct MeshingContext : RunContext
   const SurfaceModel& model;
   const TriangleTreeOnDemand& tree;
 
-  MeshingContext part(double first, double last) const
-  {
-    return {RunContext::part(first, last), octree, model, tree};
-  }
+  MeshingContext part(double first, double last) const { return {RunContext::part(first, last), octree, model, tree}; }
 };
 
 } // namespace atria

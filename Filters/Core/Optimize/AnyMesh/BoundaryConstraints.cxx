@@ -8,18 +8,18 @@
 
 namespace atria {
 
-BoundaryGuide::BoundaryGuide(const FaceMesh& mesh, const BoundaryFeatures& features, bool fixed)
+BoundaryConstraints::BoundaryConstraints(const FaceMesh& mesh, const BoundaryFeatures& features, bool fixed)
     : mesh_(mesh), features_(features), fixed_(fixed), slotOf_(mesh.points.size(), noIndex)
 {
 }
 
-bool BoundaryGuide::isMovable(Index point) const
+bool BoundaryConstraints::isMovable(Index point) const
 {
   const BoundaryKind kind = kindOf(point);
   return kind == BoundaryKind::inside || (!fixed_ && kind != BoundaryKind::corner);
 }
 
-void BoundaryGuide::prepare(std::span<const Index> points, const RunContext& context)
+void BoundaryConstraints::prepare(std::span<const Index> points, const RunContext& context)
 {
   std::vector<Index> fresh;
   for (const Index point : points)
@@ -35,7 +35,7 @@ void BoundaryGuide::prepare(std::span<const Index> points, const RunContext& con
   context.executor.forEach(fresh.size(), 256, [&](std::size_t i) { reaches_[before + i] = findReach(fresh[i]); });
 }
 
-BoundaryGuide::Reach BoundaryGuide::findReach(Index point) const
+BoundaryConstraints::Reach BoundaryConstraints::findReach(Index point) const
 {
   Reach reach;
   const bool isOnCurve = kindOf(point) == BoundaryKind::curve;
@@ -58,7 +58,7 @@ BoundaryGuide::Reach BoundaryGuide::findReach(Index point) const
 }
 
 /// The edges at a point and at their other ends.
-std::vector<Index> BoundaryGuide::edgesNear(Index point) const
+std::vector<Index> BoundaryConstraints::edgesNear(Index point) const
 {
   std::vector<Index> edges;
   for (const Index edge : features_.edgesAbout.of(point))
@@ -77,7 +77,7 @@ std::vector<Index> BoundaryGuide::edgesNear(Index point) const
 }
 
 /// The faces at a point, and those of the same chart at their corners.
-std::vector<Index> BoundaryGuide::facesNear(Index point) const
+std::vector<Index> BoundaryConstraints::facesNear(Index point) const
 {
   std::vector<Index> faces;
   for (const Index face : features_.facesAbout.of(point))
@@ -98,7 +98,7 @@ std::vector<Index> BoundaryGuide::facesNear(Index point) const
 }
 
 /// A face is the triangles about the mean of its corners, as where it is measured.
-Vec3 BoundaryGuide::nearestOnFace(Index face, const Vec3& p) const
+Vec3 BoundaryConstraints::nearestOnFace(Index face, const Vec3& p) const
 {
   const auto points = mesh_.face(features_.faces[face]);
   const auto at = [&](std::size_t i) -> const Vec3& { return mesh_.points[points[i]]; };
@@ -121,7 +121,7 @@ Vec3 BoundaryGuide::nearestOnFace(Index face, const Vec3& p) const
   return best;
 }
 
-Vec3 BoundaryGuide::place(Index point, const Vec3& p) const
+Vec3 BoundaryConstraints::place(Index point, const Vec3& p) const
 {
   const BoundaryKind kind = kindOf(point);
   if (kind == BoundaryKind::inside)

@@ -8,12 +8,12 @@ namespace atria {
 
 /// Keeps the boundary of a mesh as it was: its corners stay, points on an edge that is kept slide along it, the others
 /// along the smooth piece of the boundary they are on, all within two faces or edges of where they were.
-class BoundaryGuide : public VertexGuide
+class BoundaryConstraints : public VertexConstraints
 {
 public:
-  /// Both must outlive the guide, and the points must stay as they are as long as places are asked for. If `fixed`, no
-  /// point of the boundary moves.
-  BoundaryGuide(const FaceMesh& mesh, const BoundaryFeatures& features, bool fixed);
+  /// Both must outlive the constraints, and the points must stay as they are as long as places are asked for. If
+  /// `fixed`, no point of the boundary moves.
+  BoundaryConstraints(const FaceMesh& mesh, const BoundaryFeatures& features, bool fixed);
 
   void prepare(std::span<const Index> points, const RunContext& context) override;
   bool isMovable(Index point) const override;

@@ -5,34 +5,34 @@
 
 namespace atria {
 
-MeshOptimiserOptions::MeshOptimiserOptions()
+MeshOptimizerOptions::MeshOptimizerOptions()
 {
-  optimiser.sweeps = 50;
-  optimiser.patient = true;
-  optimiser.tellProgress = true;
-  optimiser.keepWorst = true;
-  optimiser.tryMiddle = true;
-  optimiser.targets.scaledJacobian = 0.3;
+  optimizer.sweeps = 50;
+  optimizer.patient = true;
+  optimizer.tellProgress = true;
+  optimizer.keepWorst = true;
+  optimizer.tryMiddle = true;
+  optimizer.targets.scaledJacobian = 0.3;
 }
 
-MeshOptimiserReport optimiseMesh(FaceMesh& mesh, const CellArrays& cells, std::span<const Index> patches,
-                                 const MeshOptimiserOptions& options, const RunContext& context)
+MeshOptimizerReport optimizeMesh(FaceMesh& mesh, const CellArrays& cells, std::span<const Index> patches,
+                                 const MeshOptimizerOptions& options, const RunContext& context)
 {
-  MeshOptimiserReport report;
+  MeshOptimizerReport report;
   context.progress.report(0.0, "Finding edges");
   const CellFaces cellFaces = makeCellFaces(mesh, context.executor);
   const BoundaryFeatures features =
       findBoundaryFeatures(mesh, cellFaces, patches, options.featureAngle, context.part(0.0, 0.2));
-  BoundaryGuide guide(mesh, features, options.fixedBoundary);
+  BoundaryConstraints constraints(mesh, features, options.fixedBoundary);
   const FaceMeshSource source(mesh, cellFaces, cells);
-  const QualityTargets& targets = options.optimiser.targets;
+  const QualityTargets& targets = options.optimizer.targets;
   context.progress.report(0.2, "Judging cells");
   std::vector<char> marked(mesh.points.size(), 1);
   const std::vector<ShortCell> shortCells = findShortCells(source, marked, targets, context);
   report.shortBefore = shortCells.size();
   context.progress.report(0.4, "Moving points");
   std::vector<Vec3> before = mesh.points;
-  optimise(source, mesh.points, shortCells, guide, options.optimiser, context.part(0.4, 0.9));
+  optimize(source, mesh.points, shortCells, constraints, options.optimizer, context.part(0.4, 0.9));
   for (std::size_t p = 0; p < before.size(); ++p)
   {
     marked[p] = before[p] != mesh.points[p] ? 1 : 0;

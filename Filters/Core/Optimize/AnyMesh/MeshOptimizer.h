@@ -6,19 +6,19 @@
 
 namespace atria {
 
-struct MeshOptimiserOptions
+struct MeshOptimizerOptions
 {
-  MeshOptimiserOptions();
+  MeshOptimizerOptions();
 
   /// Edges of the boundary where normals differ by more are kept, and points where these turn by more; degrees.
   double featureAngle = 30.0;
   /// Whether points on the boundary stay where they are.
   bool fixedBoundary = false;
   /// Here no metric's worst gets worse, and cells that have a scaled Jacobian are judged by it, too.
-  OptimiserOptions optimiser;
+  OptimizerOptions optimizer;
 };
 
-struct MeshOptimiserReport
+struct MeshOptimizerReport
 {
   std::size_t movedPoints = 0;
   /// Cells that fell short of a target, and that do now.
@@ -31,7 +31,7 @@ struct MeshOptimiserReport
 
 /// Moves points of a mesh that was made of `cells`. `patches` gives the patch of each boundary face, or is empty; edges
 /// between patches are kept. Throws Aborted when asked to. The same bits for any number of threads.
-MeshOptimiserReport optimiseMesh(FaceMesh& mesh, const CellArrays& cells, std::span<const Index> patches,
-                                 const MeshOptimiserOptions& options, const RunContext& context);
+MeshOptimizerReport optimizeMesh(FaceMesh& mesh, const CellArrays& cells, std::span<const Index> patches,
+                                 const MeshOptimizerOptions& options, const RunContext& context);
 
 } // namespace atria

@@ -5,25 +5,25 @@
 
 namespace atria {
 
-void RowGuide::prepare(std::span<const Index> points, const RunContext& context)
+void CreaseSheetConstraints::prepare(std::span<const Index> points, const RunContext& context)
 {
   std::vector<Index> older;
   std::ranges::copy_if(points, std::back_inserter(older), [&](Index p) { return isOlder(p); });
   others_.prepare(older, context);
 }
 
-bool RowGuide::isMovable(Index point) const
+bool CreaseSheetConstraints::isMovable(Index point) const
 {
   return isOlder(point) ? others_.isMovable(point) : !at(point).onWall || at(point).chart != noIndex;
 }
 
 /// Copies of the point it was split from slide on the same sides.
-Vec3 RowGuide::onSides(Index point, const Vec3& p) const
+Vec3 CreaseSheetConstraints::onSides(Index point, const Vec3& p) const
 {
   return at(point).onSide ? others_.place(layer_.copies[at(point).wallPoint], p) : p;
 }
 
-Vec3 RowGuide::onChart(Index chart, const Vec3& p) const
+Vec3 CreaseSheetConstraints::onChart(Index chart, const Vec3& p) const
 {
   const auto isWanted = [&](Index triangle) { return model_.charts[triangle] == chart; };
   const auto found =
@@ -31,7 +31,7 @@ Vec3 RowGuide::onChart(Index chart, const Vec3& p) const
   return found ? frame_.toModel(*found) : p;
 }
 
-Vec3 RowGuide::place(Index point, const Vec3& p) const
+Vec3 CreaseSheetConstraints::place(Index point, const Vec3& p) const
 {
   if (isOlder(point))
   {
@@ -51,13 +51,13 @@ Vec3 RowGuide::place(Index point, const Vec3& p) const
   return q;
 }
 
-Ways RowGuide::waysFrom(Index point, const Vec3& p, double step) const
+Ways CreaseSheetConstraints::waysFrom(Index point, const Vec3& p, double step) const
 {
   if (isOlder(point))
   {
     return others_.waysFrom(point, p, step);
   }
-  return at(point).onWall || at(point).onSide ? VertexGuide::waysFrom(point, p, step) : Ways();
+  return at(point).onWall || at(point).onSide ? VertexConstraints::waysFrom(point, p, step) : Ways();
 }
 
 } // namespace atria

@@ -8,13 +8,13 @@
 
 namespace atria {
 
-/// Points of rows along creases stay on their charts, or go anywhere inside, and keep to the domain's sides where rows
-/// end; others go where another guide lets them.
-class RowGuide : public VertexGuide
+/// Points of sheets along creases stay on their charts, or go anywhere inside, and keep to the domain's sides where
+/// crease sheets end; others go where other constraints let them.
+class CreaseSheetConstraints : public VertexConstraints
 {
 public:
-  RowGuide(VertexGuide& others, const LayerMesh& layer, const GridFrame& frame, const SurfaceModel& model,
-           const TriangleTree& tree)
+  CreaseSheetConstraints(VertexConstraints& others, const LayerMesh& layer, const GridFrame& frame,
+                         const SurfaceModel& model, const TriangleTree& tree)
       : others_(others), layer_(layer), frame_(frame), model_(model), tree_(tree)
   {
   }
@@ -26,12 +26,15 @@ public:
   Ways waysFrom(Index point, const Vec3& p, double step) const override;
 
 private:
-  bool isOlder(Index point) const { return point < layer_.rows.firstPoint; }
-  const CreaseRows::Point& at(Index point) const { return layer_.rows.points[point - layer_.rows.firstPoint]; }
+  bool isOlder(Index point) const { return point < layer_.creaseSheets.firstPoint; }
+  const CreaseSheets::Point& at(Index point) const
+  {
+    return layer_.creaseSheets.points[point - layer_.creaseSheets.firstPoint];
+  }
   Vec3 onSides(Index point, const Vec3& p) const;
   Vec3 onChart(Index chart, const Vec3& p) const;
 
-  VertexGuide& others_;
+  VertexConstraints& others_;
   const LayerMesh& layer_;
   const GridFrame& frame_;
   const SurfaceModel& model_;

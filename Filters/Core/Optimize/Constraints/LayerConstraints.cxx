@@ -3,8 +3,9 @@
 
 namespace atria {
 
-LayerGuide::LayerGuide(const LayerMesh& layer, const LayerWalls& walls, const LayerOptions& options,
-                       const std::vector<Index>& leaders, const std::vector<char>& letGo, VertexGuide& plain)
+LayerConstraints::LayerConstraints(const LayerMesh& layer, const LayerWalls& walls, const LayerOptions& options,
+                                   const std::vector<Index>& leaders, const std::vector<char>& letGo,
+                                   VertexConstraints& plain)
     : layer_(layer), options_(options), plain_(plain), leaders_(leaders), sides_(layer.wallPoints.size(), 0)
 {
   const DualMesh& mesh = layer.mesh;
@@ -32,7 +33,7 @@ LayerGuide::LayerGuide(const LayerMesh& layer, const LayerWalls& walls, const La
   }
 }
 
-void LayerGuide::pin(const std::vector<char>& letGo)
+void LayerConstraints::pin(const std::vector<char>& letGo)
 {
   pinned_.assign(layer_.plainPoints, 0);
   for (const BoundaryFace& face : layer_.mesh.boundaryFaces)
@@ -48,7 +49,7 @@ void LayerGuide::pin(const std::vector<char>& letGo)
   }
 }
 
-void LayerGuide::prepare(std::span<const Index> points, const RunContext& context)
+void LayerConstraints::prepare(std::span<const Index> points, const RunContext& context)
 {
   std::vector<Index> plain;
   for (const Index p : points)
@@ -61,13 +62,13 @@ void LayerGuide::prepare(std::span<const Index> points, const RunContext& contex
   plain_.prepare(plain, context);
 }
 
-bool LayerGuide::isMovable(Index point) const
+bool LayerConstraints::isMovable(Index point) const
 {
   return point < layer_.plainPoints ? !isPinned(point) && plain_.isMovable(point)
                                     : !isPinned(layer_.wallPoints[point - layer_.plainPoints]);
 }
 
-Vec3 LayerGuide::place(Index point, const Vec3& p) const
+Vec3 LayerConstraints::place(Index point, const Vec3& p) const
 {
   if (point < layer_.plainPoints)
   {
@@ -90,14 +91,14 @@ Vec3 LayerGuide::place(Index point, const Vec3& p) const
   return q;
 }
 
-Ways LayerGuide::waysFrom(Index point, const Vec3& p, double step) const
+Ways LayerConstraints::waysFrom(Index point, const Vec3& p, double step) const
 {
   if (point < layer_.plainPoints)
   {
     return plain_.waysFrom(point, p, step);
   }
   const bool slides = sidesOf(layer_.wallPoints[point - layer_.plainPoints]) != 0;
-  return slides ? VertexGuide::waysFrom(point, p, step) : Ways();
+  return slides ? VertexConstraints::waysFrom(point, p, step) : Ways();
 }
 
 } // namespace atria

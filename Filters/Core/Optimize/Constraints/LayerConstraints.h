@@ -7,15 +7,15 @@
 namespace atria {
 
 /// Where the points of a mesh with a layer may go: copies keep to the domain's sides their wall points are on, the
-/// others go where another guide lets them. Wall points on the two sides of a sheet stay together. Layers whose height
-/// was asked for keep it: their points stay unless they are let go.
-class LayerGuide : public VertexGuide
+/// others go where other constraints let them. Wall points on the two sides of a sheet stay together. Layers whose
+/// height was asked for keep it: their points stay unless they are let go.
+class LayerConstraints : public VertexConstraints
 {
 public:
   /// `leaders` gives for each point of the plain mesh the first of those in its place; leaders of which `letGo` is set
   /// may move in layers of an asked height, too.
-  LayerGuide(const LayerMesh& layer, const LayerWalls& walls, const LayerOptions& options,
-             const std::vector<Index>& leaders, const std::vector<char>& letGo, VertexGuide& plain);
+  LayerConstraints(const LayerMesh& layer, const LayerWalls& walls, const LayerOptions& options,
+                   const std::vector<Index>& leaders, const std::vector<char>& letGo, VertexConstraints& plain);
 
   void prepare(std::span<const Index> points, const RunContext& context) override;
   bool isMovable(Index point) const override;
@@ -30,7 +30,7 @@ private:
 
   const LayerMesh& layer_;
   const LayerOptions& options_;
-  VertexGuide& plain_;
+  VertexConstraints& plain_;
   const std::vector<Index>& leaders_;
   /// Per leader, whether layers at its points have a height of their own; empty where none have.
   std::vector<char> pinned_;

@@ -19,14 +19,14 @@ constexpr std::size_t mostPieces = 64;
 
 } // namespace
 
-ModelGuide::ModelGuide(const MeshingContext& context, const VertexAnchors& anchors, const std::vector<Vec3>& points,
-                       const std::vector<Index>& vertexOf)
-    : octree_(context.octree), model_(context.model), anchors_(anchors), points_(points), vertexOf_(vertexOf),
-      tree_(context.tree)
+ModelConstraints::ModelConstraints(const MeshingContext& context, const VertexClassification& classification,
+                                   const std::vector<Vec3>& points, const std::vector<Index>& vertexOf)
+    : octree_(context.octree), model_(context.model), classification_(classification), points_(points),
+      vertexOf_(vertexOf), tree_(context.tree)
 {
 }
 
-void ModelGuide::prepare(std::span<const Index> points, const RunContext& /*context*/)
+void ModelConstraints::prepare(std::span<const Index> points, const RunContext& /*context*/)
 {
   slotOf_.resize(vertexOf_.size(), noIndex);
   for (const Index point : points)
@@ -39,10 +39,10 @@ void ModelGuide::prepare(std::span<const Index> points, const RunContext& /*cont
   }
 }
 
-std::vector<Index> ModelGuide::wantedPieces(Index vertex) const
+std::vector<Index> ModelConstraints::wantedPieces(Index vertex) const
 {
-  const auto pieces = anchors_.piecesOf(vertex);
-  if (anchors_.freedom[vertex] != Freedom::beside)
+  const auto pieces = classification_.piecesOf(vertex);
+  if (classification_.classes[vertex] != VertexClass::adjacent)
   {
     return {pieces.begin(), pieces.end()};
   }
@@ -56,9 +56,9 @@ std::vector<Index> ModelGuide::wantedPieces(Index vertex) const
 }
 
 /// The pieces that are wanted in the octants about the point's, in order.
-std::vector<ModelItem> ModelGuide::findPieces(Index point, const std::vector<Index>& wanted) const
+std::vector<ModelItem> ModelConstraints::findPieces(Index point, const std::vector<Index>& wanted) const
 {
-  const Index leaf = anchors_.leaves[vertexOf_[point]];
+  const Index leaf = classification_.leaves[vertexOf_[point]];
   LatticeBox box{octree_.lowCorner(leaf), octree_.highCorner(leaf)};
   const std::int64_t reach = (box.high[0] - box.low[0]) / 2;
   for (int axis = 0; axis < 3; ++axis)
@@ -66,7 +66,7 @@ std::vector<ModelItem> ModelGuide::findPieces(Index point, const std::vector<Ind
     box.low[axis] -= reach;
     box.high[axis] += reach;
   }
-  const bool isOnCurve = freedomOf(point) == Freedom::curve;
+  const bool isOnCurve = classOf(point) == VertexClass::curve;
   const auto fits = [&](ModelItem item) {
     return std::ranges::binary_search(wanted,
                                       isOnCurve ? model_.featureEdges[item.index].curve : model_.charts[item.index]);
@@ -85,11 +85,11 @@ std::vector<ModelItem> ModelGuide::findPieces(Index point, const std::vector<Ind
   return found;
 }
 
-void ModelGuide::find(Index point, Target& target) const
+void ModelConstraints::find(Index point, Target& target) const
 {
   std::vector<Index> wanted = wantedPieces(vertexOf_[point]);
   const std::vector<ModelItem> found = findPieces(point, wanted);
-  const bool isOnCurve = freedomOf(point) == Freedom::curve;
+  const bool isOnCurve = classOf(point) == VertexClass::curve;
   if (found.size() > mostPieces && !isOnCurve)
   {
     target.kind = Kind::charts;
@@ -102,7 +102,7 @@ void ModelGuide::find(Index point, Target& target) const
 }
 
 /// Of a point that was prepared. Threads ask for different points.
-ModelGuide::Target& ModelGuide::targetOf(Index point) const
+ModelConstraints::Target& ModelConstraints::targetOf(Index point) const
 {
   Target& target = targets_[slotOf_[point]];
   if (target.kind == Kind::unknown)
@@ -112,12 +112,12 @@ ModelGuide::Target& ModelGuide::targetOf(Index point) const
   return target;
 }
 
-unsigned ModelGuide::planesOf(Index leaf) const
+unsigned ModelConstraints::planesOf(Index leaf) const
 {
   return octree_.frame().domainPlanes(octree_.lowCorner(leaf), octree_.highCorner(leaf));
 }
 
-Vec3 ModelGuide::onPlanes(Vec3 p, unsigned planes) const
+Vec3 ModelConstraints::onPlanes(Vec3 p, unsigned planes) const
 {
   const GridFrame& frame = octree_.frame();
   for (int direction = 0; direction < 6; ++direction)
@@ -132,41 +132,41 @@ Vec3 ModelGuide::onPlanes(Vec3 p, unsigned planes) const
   return p;
 }
 
-Vec3 ModelGuide::centreOf(Index point) const
+Vec3 ModelConstraints::centerOf(Index point) const
 {
-  const Index leaf = anchors_.leaves[vertexOf_[point]];
+  const Index leaf = classification_.leaves[vertexOf_[point]];
   return onPlanes(octree_.center(leaf), planesOf(leaf));
 }
 
-Vec3 ModelGuide::place(Index point, const Vec3& p) const
+Vec3 ModelConstraints::place(Index point, const Vec3& p) const
 {
-  const Index leaf = anchors_.leaves[vertexOf_[point]];
+  const Index leaf = classification_.leaves[vertexOf_[point]];
   const unsigned planes = planesOf(leaf);
-  if (freedomOf(point) == Freedom::free)
+  if (classOf(point) == VertexClass::free)
   {
     return onPlanes(p, planes);
   }
-  if (freedomOf(point) == Freedom::released)
+  if (classOf(point) == VertexClass::detached)
   {
-    const auto& [home, reach] = anchors_.leashes.at(vertexOf_[point]);
-    return onPlanes(p.cwiseMax(home - Vec3::Constant(reach)).cwiseMin(home + Vec3::Constant(reach)), planes);
+    const auto& [origin, reach] = classification_.displacementLimits.at(vertexOf_[point]);
+    return onPlanes(p.cwiseMax(origin - Vec3::Constant(reach)).cwiseMin(origin + Vec3::Constant(reach)), planes);
   }
   const Vec3 q = nearest(point, p);
   // Where a corner has no vertex of its own, those beside it must not cut it off.
   constexpr double reach = 0.6;
-  const bool strays = freedomOf(point) == Freedom::curve && (q - octree_.center(leaf)).cwiseAbs().maxCoeff() >
-                                                                reach * octree_.frame().sizeOf(octree_.level(leaf));
+  const bool strays = classOf(point) == VertexClass::curve && (q - octree_.center(leaf)).cwiseAbs().maxCoeff() >
+                                                                  reach * octree_.frame().sizeOf(octree_.level(leaf));
   return strays ? targets_[slotOf_[point]].start : q;
 }
 
-Vec3 ModelGuide::nearest(Index point, const Vec3& p) const
+Vec3 ModelConstraints::nearest(Index point, const Vec3& p) const
 {
   Target& target = targetOf(point);
   if (target.pieces.empty())
   {
     return target.start;
   }
-  const unsigned planes = planesOf(anchors_.leaves[vertexOf_[point]]);
+  const unsigned planes = planesOf(classification_.leaves[vertexOf_[point]]);
   // On a domain side, surface and plane in turn.
   constexpr int turns = 8;
   Vec3 q = p;
@@ -177,7 +177,7 @@ Vec3 ModelGuide::nearest(Index point, const Vec3& p) const
   return q;
 }
 
-Vec3 ModelGuide::nearestOf(Target& target, const Vec3& p) const
+Vec3 ModelConstraints::nearestOf(Target& target, const Vec3& p) const
 {
   const GridFrame& frame = octree_.frame();
   if (target.kind == Kind::charts)
@@ -193,14 +193,14 @@ Vec3 ModelGuide::nearestOf(Target& target, const Vec3& p) const
   return nearestPiece(target, p).place;
 }
 
-std::array<Vec3, 3> ModelGuide::cornersOf(Index triangle) const
+std::array<Vec3, 3> ModelConstraints::cornersOf(Index triangle) const
 {
   const auto& t = model_.triangles[triangle];
   const auto at = [&](Index p) { return octree_.frame().toModel(model_.points[p]); };
   return {at(t[0]), at(t[1]), at(t[2])};
 }
 
-Vec3 ModelGuide::nearestOn(const Target& target, Index piece, const Vec3& p) const
+Vec3 ModelConstraints::nearestOn(const Target& target, Index piece, const Vec3& p) const
 {
   if (target.kind == Kind::featureEdges)
   {
@@ -213,7 +213,7 @@ Vec3 ModelGuide::nearestOn(const Target& target, Index piece, const Vec3& p) con
 }
 
 /// Whether a triangle's box is farther than `reach` from a place, both on the lattice.
-bool ModelGuide::isBeyond(const Target& target, Index piece, const Vec3& wanted, double reach) const
+bool ModelConstraints::isBeyond(const Target& target, Index piece, const Vec3& wanted, double reach) const
 {
   if (target.kind == Kind::featureEdges)
   {
@@ -226,7 +226,7 @@ bool ModelGuide::isBeyond(const Target& target, Index piece, const Vec3& wanted,
 
 /// Of a target that lists its pieces: of those equally near the first. The one that was nearest last time is mostly
 /// near again, and all but a few others are farther.
-ModelGuide::OnPiece ModelGuide::nearestPiece(Target& target, const Vec3& p) const
+ModelConstraints::OnPiece ModelConstraints::nearestPiece(Target& target, const Vec3& p) const
 {
   if (target.kind == Kind::charts || target.pieces.empty())
   {
@@ -258,20 +258,20 @@ ModelGuide::OnPiece ModelGuide::nearestPiece(Target& target, const Vec3& p) cons
   return {best, target.pieces[target.last]};
 }
 
-/// Of points on surfaces the triangle they are on says it. Others may be where pieces end or meet, as at rims, and one
-/// piece would promise ways there are not.
-Ways ModelGuide::waysFrom(Index point, const Vec3& p, double step) const
+/// Of points on surfaces the triangle they are on says it. Others may be where pieces end or meet, as at boundary
+/// edges, and one piece would promise ways there are not.
+Ways ModelConstraints::waysFrom(Index point, const Vec3& p, double step) const
 {
-  const bool isAtSide = planesOf(anchors_.leaves[vertexOf_[point]]) != 0 || octree_.frame().turnedDomain;
+  const bool isAtSide = planesOf(classification_.leaves[vertexOf_[point]]) != 0 || octree_.frame().turnedDomain;
   if (!isAtSide && !hasPieces(point))
   {
     return {};
   }
-  const bool isOnSurface = freedomOf(point) == Freedom::surface;
+  const bool isOnSurface = classOf(point) == VertexClass::surface;
   const Index piece = isAtSide || !isOnSurface ? noIndex : nearestPiece(targetOf(point), p).piece;
   if (piece == noIndex)
   {
-    return VertexGuide::waysFrom(point, p, step);
+    return VertexConstraints::waysFrom(point, p, step);
   }
   const auto [a, b, c] = cornersOf(piece);
   const Vec3 along = (b - a).normalized();

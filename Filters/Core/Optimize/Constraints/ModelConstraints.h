@@ -8,23 +8,23 @@
 namespace atria {
 
 /// Keeps vertices where the model wants them: on its surfaces and curves, in the planes of the domain.
-class ModelGuide : public VertexGuide
+class ModelConstraints : public VertexConstraints
 {
 public:
-  /// `vertexOf` gives, for each point of the mesh, the vertex it stands for; it must outlive the guide.
-  ModelGuide(const MeshingContext& context, const VertexAnchors& anchors, const std::vector<Vec3>& points,
-             const std::vector<Index>& vertexOf);
+  /// `vertexOf` gives, for each point of the mesh, the vertex it stands for; it must outlive the constraints.
+  ModelConstraints(const MeshingContext& context, const VertexClassification& classification,
+                   const std::vector<Vec3>& points, const std::vector<Index>& vertexOf);
 
   /// Notes where points are, before these are moved. Pieces of the model near a point are looked up where it is first
   /// asked for, as most points that might be moved never are.
   void prepare(std::span<const Index> points, const RunContext& context) override;
-  bool isMovable(Index point) const override { return freedomOf(point) != Freedom::fixed; }
+  bool isMovable(Index point) const override { return classOf(point) != VertexClass::fixed; }
   Vec3 place(Index point, const Vec3& p) const override;
   Ways waysFrom(Index point, const Vec3& p, double step) const override;
   /// The place nearest to p on the pieces of the model the point is for, on the domain's planes. After prepare.
   Vec3 nearest(Index point, const Vec3& p) const;
-  /// The centre of the point's octant, on the domain's planes through it.
-  Vec3 centreOf(Index point) const;
+  /// The center of the point's octant, on the domain's planes through it.
+  Vec3 centerOf(Index point) const;
 
 private:
   /// What the pieces of a target are.
@@ -45,9 +45,9 @@ private:
 
   bool hasPieces(Index point) const
   {
-    return freedomOf(point) != Freedom::free && freedomOf(point) != Freedom::released;
+    return classOf(point) != VertexClass::free && classOf(point) != VertexClass::detached;
   }
-  Freedom freedomOf(Index point) const { return anchors_.freedom[vertexOf_[point]]; }
+  VertexClass classOf(Index point) const { return classification_.classes[vertexOf_[point]]; }
   std::vector<Index> wantedPieces(Index vertex) const;
   std::vector<ModelItem> findPieces(Index point, const std::vector<Index>& wanted) const;
   void find(Index point, Target& target) const;
@@ -67,7 +67,7 @@ private:
 
   const Octree& octree_;
   const SurfaceModel& model_;
-  const VertexAnchors& anchors_;
+  const VertexClassification& classification_;
   const std::vector<Vec3>& points_;
   const std::vector<Index>& vertexOf_;
   std::vector<Index> slotOf_;

@@ -119,8 +119,8 @@ bool isGoodBox(const CellSource& source, Index cell, const std::vector<char>& ki
 
 } // namespace
 
-std::vector<Index> cellsToJudge(const CellSource& source, const std::vector<Index>& cells,
-                                std::span<const QualityTargets> targets, const RunContext& context)
+std::vector<Index> cellsToEvaluate(const CellSource& source, const std::vector<Index>& cells,
+                                   std::span<const QualityTargets> targets, const RunContext& context)
 {
   if (std::ranges::any_of(targets, asksForMoreThanBoxes))
   {
@@ -142,7 +142,7 @@ std::vector<Index> cellsToJudge(const CellSource& source, const std::vector<Inde
     if (!good[i])
     {
       judged[cells[i]] = 1;
-      source.neighboursOf(cells[i], beside);
+      source.neighborsOf(cells[i], beside);
       for (const Index other : beside)
       {
         judged[other] = 1;

@@ -16,14 +16,14 @@ constexpr std::size_t grain = 2048;
 
 } // namespace
 
-void DualSource::neighboursOf(Index cell, std::vector<Index>& out) const
+void DualSource::neighborsOf(Index cell, std::vector<Index>& out) const
 {
   out.clear();
-  for (const std::int32_t neighbour : mesh_.neighbours[cell])
+  for (const std::int32_t neighbor : mesh_.neighbors[cell])
   {
-    if (neighbour >= 0)
+    if (neighbor >= 0)
     {
-      out.push_back(static_cast<Index>(neighbour));
+      out.push_back(static_cast<Index>(neighbor));
     }
   }
 }
@@ -46,8 +46,8 @@ void DualSource::facesOf(Index cell, std::span<const Index> names, Scratch& out)
   std::size_t begin = 0;
   for (int direction = 0; direction < 6; ++direction)
   {
-    const std::int32_t neighbour = mesh_.neighbours[cell][direction];
-    if (neighbour == DualMesh::noFace)
+    const std::int32_t neighbor = mesh_.neighbors[cell][direction];
+    if (neighbor == DualMesh::noFace)
     {
       continue;
     }
@@ -57,7 +57,7 @@ void DualSource::facesOf(Index cell, std::span<const Index> names, Scratch& out)
     {
       out.points[begin++] = p;
     }
-    out.faces.push_back({points, neighbour >= 0 ? static_cast<Index>(neighbour) : noIndex});
+    out.faces.push_back({points, neighbor >= 0 ? static_cast<Index>(neighbor) : noIndex});
   }
   out.points.resize(begin);
 }
@@ -95,12 +95,12 @@ bool DualSource::boxOf(Index cell, CellBox& out) const
   }
   for (int direction = 0; direction < 6; ++direction)
   {
-    const std::int32_t neighbour = mesh_.neighbours[cell][direction];
-    if (neighbour == DualMesh::noFace)
+    const std::int32_t neighbor = mesh_.neighbors[cell][direction];
+    if (neighbor == DualMesh::noFace)
     {
       return false;
     }
-    out.across[direction] = neighbour >= 0 ? static_cast<Index>(neighbour) : noIndex;
+    out.across[direction] = neighbor >= 0 ? static_cast<Index>(neighbor) : noIndex;
   }
   return true;
 }
@@ -123,14 +123,14 @@ void DualSource::appendMarked(std::size_t begin, std::size_t end, const std::vec
   }
 }
 
-void FaceMeshSource::neighboursOf(Index cell, std::vector<Index>& out) const
+void FaceMeshSource::neighborsOf(Index cell, std::vector<Index>& out) const
 {
   out.clear();
   for (const Index f : cellFaces_.of(cell))
   {
     if (f < mesh_.internalFaceCount())
     {
-      out.push_back(mesh_.owner[f] == cell ? mesh_.neighbour[f] : mesh_.owner[f]);
+      out.push_back(mesh_.owner[f] == cell ? mesh_.neighbor[f] : mesh_.owner[f]);
     }
   }
 }
@@ -160,7 +160,7 @@ void FaceMeshSource::facesOf(Index cell, std::span<const Index> names, Scratch& 
   {
     const std::size_t size = mesh_.face(f).size();
     const bool owned = mesh_.owner[f] == cell;
-    const Index across = f >= mesh_.internalFaceCount() ? noIndex : owned ? mesh_.neighbour[f] : mesh_.owner[f];
+    const Index across = f >= mesh_.internalFaceCount() ? noIndex : owned ? mesh_.neighbor[f] : mesh_.owner[f];
     out.faces.push_back({{next, size}, across});
     next += size;
   }
@@ -227,7 +227,7 @@ std::vector<std::vector<Index>> inPieces(const CellSource& source, const std::ve
       pieces.emplace_back().reserve(Pieces::length + 8);
     }
     take(cell);
-    source.neighboursOf(cell, beside);
+    source.neighborsOf(cell, beside);
     for (const Index other : beside)
     {
       if (waits[other] && other > cell + Pieces::length)
@@ -239,7 +239,7 @@ std::vector<std::vector<Index>> inPieces(const CellSource& source, const std::ve
   return pieces;
 }
 
-std::vector<Index> withNeighbours(const CellSource& source, const std::vector<Index>& cells, const RunContext& context)
+std::vector<Index> withNeighbors(const CellSource& source, const std::vector<Index>& cells, const RunContext& context)
 {
   std::vector<char> marked(source.cellCount(), 0);
   const auto mark = [&](Index cell) { std::atomic_ref(marked[cell]).store(1, std::memory_order_relaxed); };
@@ -248,7 +248,7 @@ std::vector<Index> withNeighbours(const CellSource& source, const std::vector<In
     for (std::size_t i = begin; i < end; ++i)
     {
       mark(cells[i]);
-      source.neighboursOf(cells[i], beside);
+      source.neighborsOf(cells[i], beside);
       std::ranges::for_each(beside, mark);
     }
   });

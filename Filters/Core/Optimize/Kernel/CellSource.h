@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The cells of the meshes that are optimised, whatever arrays they are kept in.
+/// The cells of the meshes that are optimized, whatever arrays they are kept in.
 #pragma once
 
 #include "Dual/Mesh/DualMesh.h"
@@ -40,7 +40,7 @@ public:
   virtual std::size_t cellCount() const = 0;
   virtual const std::vector<Vec3>& points() const = 0;
   /// The cells across a cell's faces, in the order of facesOf.
-  virtual void neighboursOf(Index cell, std::vector<Index>& out) const = 0;
+  virtual void neighborsOf(Index cell, std::vector<Index>& out) const = 0;
   /// The points of a cell; some may be there more than once.
   virtual void cornersOf(Index cell, std::vector<Index>& out) const = 0;
   struct Scratch
@@ -83,7 +83,7 @@ public:
   std::size_t cellCount() const override { return mesh_.elementCount(); }
   const std::vector<Vec3>& points() const override { return mesh_.points; }
   using CellSource::facesOf;
-  void neighboursOf(Index cell, std::vector<Index>& out) const override;
+  void neighborsOf(Index cell, std::vector<Index>& out) const override;
   void cornersOf(Index cell, std::vector<Index>& out) const override;
   void facesOf(Index cell, std::span<const Index> names, Scratch& out) const override;
   NativeCell nativeOf(Index cell) const override;
@@ -107,7 +107,7 @@ public:
   std::size_t cellCount() const override { return mesh_.cellCount; }
   const std::vector<Vec3>& points() const override { return mesh_.points; }
   using CellSource::facesOf;
-  void neighboursOf(Index cell, std::vector<Index>& out) const override;
+  void neighborsOf(Index cell, std::vector<Index>& out) const override;
   void cornersOf(Index cell, std::vector<Index>& out) const override;
   void facesOf(Index cell, std::span<const Index> names, Scratch& out) const override;
   NativeCell nativeOf(Index cell) const override;
@@ -126,11 +126,11 @@ std::vector<Index> numbersOf(const std::vector<char>& marked, const Executor& ex
 std::vector<Index> cellsWithMarked(const CellSource& source, const std::vector<char>& marked,
                                    const RunContext& context);
 
-/// Cells in pieces of about the same number, each in no order. Neighbours are in one piece mostly, also where their
+/// Cells in pieces of about the same number, each in no order. Neighbors are in one piece mostly, also where their
 /// numbers are far apart, as those of cells of a layer and of the cells they are on.
 std::vector<std::vector<Index>> inPieces(const CellSource& source, const std::vector<Index>& cells);
 
 /// Cells and those that share a face with one of them, in order.
-std::vector<Index> withNeighbours(const CellSource& source, const std::vector<Index>& cells, const RunContext& context);
+std::vector<Index> withNeighbors(const CellSource& source, const std::vector<Index>& cells, const RunContext& context);
 
 } // namespace atria

@@ -6,11 +6,11 @@
 
 namespace atria {
 
-Colours colourPoints(const Region& region)
+Colors colorPoints(const Region& region)
 {
   constexpr std::size_t most = 192;
   using Set = std::bitset<most>;
-  // By cell, the colours of points that read it. A point that writes a cell beside it reads it, too.
+  // By cell, the colors of points that read it. A point that writes a cell beside it reads it, too.
   std::vector<Set> read(region.judgedCount());
   std::vector<std::vector<Index>> classes(most + 1);
   for (Index m = 0; m < region.movable.size(); ++m)
@@ -21,40 +21,40 @@ Colours colourPoints(const Region& region)
     {
       taken |= read[cell];
     }
-    std::size_t colour = 0;
-    while (colour < most && taken[colour])
+    std::size_t color = 0;
+    while (color < most && taken[color])
     {
-      ++colour;
+      ++color;
     }
-    classes[colour].push_back(m);
-    if (colour == most)
+    classes[color].push_back(m);
+    if (color == most)
     {
       continue;
     }
     for (const Index cell : about)
     {
-      read[cell].set(colour);
+      read[cell].set(color);
       for (const Index f : region.facesOf(cell))
       {
-        const Index across = region.owner[f] == cell ? region.neighbour[f] : region.owner[f];
+        const Index across = region.owner[f] == cell ? region.neighbor[f] : region.owner[f];
         if (across < region.judgedCount())
         {
-          read[across].set(colour);
+          read[across].set(color);
         }
       }
     }
   }
-  Colours colours;
-  colours.lastIsSerial = !classes.back().empty();
+  Colors colors;
+  colors.lastIsSerial = !classes.back().empty();
   for (const std::vector<Index>& members : classes)
   {
     if (!members.empty())
     {
-      colours.order.insert(colours.order.end(), members.begin(), members.end());
-      colours.offsets.push_back(colours.order.size());
+      colors.order.insert(colors.order.end(), members.begin(), members.end());
+      colors.offsets.push_back(colors.order.size());
     }
   }
-  return colours;
+  return colors;
 }
 
 } // namespace atria

@@ -7,17 +7,17 @@ namespace atria {
 
 /// The movable points of a region in an order of classes. Points of one class do not depend on each other, except in
 /// the last, if it is not parallel.
-struct Colours
+struct Colors
 {
   std::vector<Index> order;
   std::vector<std::size_t> offsets{0};
   bool lastIsSerial = false;
 
-  bool isParallel(std::size_t colour) const { return !lastIsSerial || colour + 2 < offsets.size(); }
+  bool isParallel(std::size_t color) const { return !lastIsSerial || color + 2 < offsets.size(); }
 };
 
 /// Greedy, in the order of the points. What a point writes are the cells about it; what it reads, these and their
-/// neighbours.
-Colours colourPoints(const Region& region);
+/// neighbors.
+Colors colorPoints(const Region& region);
 
 } // namespace atria

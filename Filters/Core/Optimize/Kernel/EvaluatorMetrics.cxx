@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The metrics that are reported, of the cells and faces a Judge keeps.
+// The metrics that are reported, of the cells and faces a QualityEvaluator keeps.
 #include "Optimize/Kernel/QualityEvaluator.h"
 
 #include "Quality/Faces/CellShapes.h"
@@ -15,7 +15,7 @@ constexpr double tiny = 1e-150;
 
 } // namespace
 
-LeastMetrics Judge::metricsOf(const Star& star) const
+LeastMetrics QualityEvaluator::metricsOf(const VertexStar& star) const
 {
   LeastMetrics least;
   for (const Index cell : star.cells)
@@ -29,7 +29,7 @@ LeastMetrics Judge::metricsOf(const Star& star) const
   return least;
 }
 
-LeastMetrics Judge::metricsOfCell(Index cell) const
+LeastMetrics QualityEvaluator::metricsOfCell(Index cell) const
 {
   LeastMetrics least;
   const CellMeasure& measure = cells[cell];
@@ -63,12 +63,12 @@ LeastMetrics Judge::metricsOfCell(Index cell) const
   return least;
 }
 
-LeastMetrics Judge::metricsOfFace(Index face) const
+LeastMetrics QualityEvaluator::metricsOfFace(Index face) const
 {
   LeastMetrics least;
   const FaceMeasure& f = faces[face];
   const CellMeasure& own = cells[region_.owner[face]];
-  const Index across = region_.neighbour[face];
+  const Index across = region_.neighbor[face];
   if (across == noIndex)
   {
     least.take(LeastMetrics::skewness, -skewnessOf(face, f.normal.dot(f.centroid - own.centroid) * f.normal, 0.0));
@@ -83,14 +83,14 @@ LeastMetrics Judge::metricsOfFace(Index face) const
   return least;
 }
 
-double Judge::determinantOf(Index cell) const
+double QualityEvaluator::determinantOf(Index cell) const
 {
   std::array<double, 6> sum{};
   double mean = 0.0;
   int count = 0;
   for (const Index f : region_.facesOf(cell))
   {
-    if (region_.neighbour[f] != noIndex)
+    if (region_.neighbor[f] != noIndex)
     {
       const Vec3& a = faces[f].area;
       sum[0] += a[0] * a[0];
@@ -114,7 +114,7 @@ double Judge::determinantOf(Index cell) const
   return std::abs(determinant) / (8.0 * square * square * square);
 }
 
-JacobianTerms Judge::jacobiansOf(Index cell) const
+JacobianTerms QualityEvaluator::jacobiansOf(Index cell) const
 {
   if (region_.natives.empty())
   {

@@ -37,7 +37,7 @@ Vec3 cross(const Vec3& u, const Vec3& v)
 
 } // namespace
 
-void Judge::judgeAll(const RunContext& context)
+void QualityEvaluator::judgeAll(const RunContext& context)
 {
   const ShapesOnDemand shapes(*this);
   context.executor.forEach(cellScores.size(), grain,
@@ -46,7 +46,7 @@ void Judge::judgeAll(const RunContext& context)
                            [&](std::size_t f) { judgeFace(static_cast<Index>(f), shapes, faceScores[f]); });
 }
 
-Score Judge::scoreBy(const QualityTargets& targets, Index cell)
+Score QualityEvaluator::scoreBy(const QualityTargets& targets, Index cell)
 {
   const QualityTargets own = std::exchange(targets_, targets);
   const ShapesOnDemand shapes(*this);
@@ -60,44 +60,44 @@ Score Judge::scoreBy(const QualityTargets& targets, Index cell)
   return score;
 }
 
-void Judge::judgeInOrder(Star& star, Index place) const
+void QualityEvaluator::judgeInOrder(VertexStar& star, Index place) const
 {
   const auto count = static_cast<Index>(star.cells.size());
   if (place < count)
   {
-    judgeCell(star.cells[place], ShapesOfStar(*this, star, star.slots.data() + star.offsets[place]),
+    judgeCell(star.cells[place], ShapesOfVertexStar(*this, star, star.slots.data() + star.offsets[place]),
               star.scores[place]);
     return;
   }
   const Index slot = place - count;
-  judgeFace(star.faces[slot], ShapesOfStar(*this, star, &slot), star.scores[place]);
+  judgeFace(star.faces[slot], ShapesOfVertexStar(*this, star, &slot), star.scores[place]);
 }
 
-template <typename Sink> void Judge::judgeShort(Star& star, Sink& out) const
+template <typename Sink> void QualityEvaluator::judgeShort(VertexStar& star, Sink& out) const
 {
   for (std::size_t i = 0; i < star.cells.size(); ++i)
   {
     if (cellScores[star.cells[i]].penalty > 0.0)
     {
-      judgeCell(star.cells[i], ShapesOfStar(*this, star, star.slots.data() + star.offsets[i]), out);
+      judgeCell(star.cells[i], ShapesOfVertexStar(*this, star, star.slots.data() + star.offsets[i]), out);
     }
   }
   for (Index i = 0; i < star.faces.size(); ++i)
   {
     if (faceScores[star.faces[i]].penalty > 0.0)
     {
-      judgeFace(star.faces[i], ShapesOfStar(*this, star, &i), out);
+      judgeFace(star.faces[i], ShapesOfVertexStar(*this, star, &i), out);
     }
   }
 }
 
-void Judge::residualsOf(Star& star, Residuals& out) const
+void QualityEvaluator::residualsOf(VertexStar& star, Residuals& out) const
 {
   out.values.clear();
   judgeShort(star, out);
 }
 
-void Judge::residualsBeside(Star& star, const Residuals& before, std::vector<double>& out) const
+void QualityEvaluator::residualsBeside(VertexStar& star, const Residuals& before, std::vector<double>& out) const
 {
   out.clear();
   ResidualsBeside sink{before, out};
@@ -105,7 +105,7 @@ void Judge::residualsBeside(Star& star, const Residuals& before, std::vector<dou
 }
 
 /// Of a face's edge and its centroid.
-Vec3 Judge::fanTriangle(Index face, std::size_t i) const
+Vec3 QualityEvaluator::fanTriangle(Index face, std::size_t i) const
 {
   const auto points = region_.face(face);
   const Vec3& centroid = faces[face].centroid;
@@ -114,7 +114,7 @@ Vec3 Judge::fanTriangle(Index face, std::size_t i) const
 }
 
 /// Of a quadrilateral.
-std::array<Vec3, 4> Judge::fanOf(Index face) const
+std::array<Vec3, 4> QualityEvaluator::fanOf(Index face) const
 {
   const auto points = region_.face(face);
   std::array<Vec3, 4> to;
@@ -126,7 +126,7 @@ std::array<Vec3, 4> Judge::fanOf(Index face) const
 }
 
 /// Of a quadrilateral.
-std::array<Vec3, 4> Judge::halvesOf(Index face) const
+std::array<Vec3, 4> QualityEvaluator::halvesOf(Index face) const
 {
   const auto points = region_.face(face);
   const auto way = [&](int a, int b) -> Vec3 { return region_.points[points[b]] - region_.points[points[a]]; };
@@ -135,7 +135,8 @@ std::array<Vec3, 4> Judge::halvesOf(Index face) const
   return {cross(way(0, 1), diagonal), cross(diagonal, way(0, 3)), cross(way(1, 2), other), cross(other, way(1, 0))};
 }
 
-template <typename Shapes, typename Sink> void Judge::judgeCell(Index cell, const Shapes& shapes, Sink& score) const
+template <typename Shapes, typename Sink>
+void QualityEvaluator::judgeCell(Index cell, const Shapes& shapes, Sink& score) const
 {
   const auto own = region_.facesOf(cell);
   const CellMeasure& measure = cells[cell];
@@ -177,7 +178,7 @@ template <typename Shapes, typename Sink> void Judge::judgeCell(Index cell, cons
 }
 
 /// How far the cell's other faces lie behind the plane of one.
-template <typename Sink> void Judge::scoreConvexity(Index face, Index cell, Sink& score) const
+template <typename Sink> void QualityEvaluator::scoreConvexity(Index face, Index cell, Sink& score) const
 {
   const Vec3 normal = sign(cell, face) * faces[face].normal;
   for (const Index g : region_.facesOf(cell))
@@ -194,7 +195,7 @@ template <typename Sink> void Judge::scoreConvexity(Index face, Index cell, Sink
     const Vec3 between = faces[g].centroid - faces[face].centroid;
     const double inside = -normal.dot(between);
     // Two faces on the boundary may lie in one plane.
-    const bool mayBeFlat = region_.neighbour[face] == noIndex && region_.neighbour[g] == noIndex;
+    const bool mayBeFlat = region_.neighbor[face] == noIndex && region_.neighbor[g] == noIndex;
     if (mayBeFlat ? inside < -flatSine * between.norm() : !isAbove(inside, targets_.convexity.target, between))
     {
       score.add(targets_.convexity.of(inside / (between.norm() + tiny)));
@@ -208,7 +209,7 @@ template <typename Sink> void Judge::scoreConvexity(Index face, Index cell, Sink
 
 /// Whether no two faces fall short in scoreConvexity: a quicker look at both ways at once. May be false for cells of
 /// many faces.
-bool Judge::isClearlyConvex(Index cell) const
+bool QualityEvaluator::isClearlyConvex(Index cell) const
 {
   struct Face
   {
@@ -226,7 +227,7 @@ bool Judge::isClearlyConvex(Index cell) const
   for (std::size_t i = 0; i < of.size(); ++i)
   {
     const Index f = of[i];
-    own[i] = {faces[f].centroid, sign(cell, f) * faces[f].normal, region_.neighbour[f] == noIndex};
+    own[i] = {faces[f].centroid, sign(cell, f) * faces[f].normal, region_.neighbor[f] == noIndex};
     for (std::size_t j = 0; j < i; ++j)
     {
       const Vec3 between = own[j].centroid - own[i].centroid;
@@ -244,7 +245,7 @@ bool Judge::isClearlyConvex(Index cell) const
 }
 
 /// The centroid of a cell that is nearly flat or inside out may lie anywhere.
-const Vec3& Judge::middleOf(Index cell) const
+const Vec3& QualityEvaluator::middleOf(Index cell) const
 {
   const auto isFlat = [&] { return cells[cell].volume < flatVolume * (sizes[cell] * sizes[cell] * sizes[cell]); };
   const bool trusted = cell >= sizes.size() || (targets_.decomposed && !isFlat());
@@ -252,7 +253,8 @@ const Vec3& Judge::middleOf(Index cell) const
 }
 
 /// Six times the volumes over the halves of a quadrilateral.
-std::array<double, 4> Judge::halfVolumes(Index face, const std::array<Vec3, 4>& half, const Vec3& middle) const
+std::array<double, 4> QualityEvaluator::halfVolumes(Index face, const std::array<Vec3, 4>& half,
+                                                    const Vec3& middle) const
 {
   const auto points = region_.face(face);
   const Vec3 first = region_.points[points[0]] - middle;
@@ -262,7 +264,7 @@ std::array<double, 4> Judge::halfVolumes(Index face, const std::array<Vec3, 4>& 
 
 /// OpenFOAM takes a face apart into triangles about its centroid. In the tetrahedra of these, a parallelepiped has 24.
 template <typename Shapes, typename Sink>
-void Judge::scoreCorners(Index face, Index cell, const Shapes& shapes, std::size_t k, Sink& score) const
+void QualityEvaluator::scoreCorners(Index face, Index cell, const Shapes& shapes, std::size_t k, Sink& score) const
 {
   if (!score.wantsNext())
   {
@@ -303,7 +305,8 @@ void Judge::scoreCorners(Index face, Index cell, const Shapes& shapes, std::size
 
 /// OpenFOAM also takes a face apart into triangles about one of its corners, the same for the cells on both sides. In
 /// a quadrilateral there are two ways.
-template <typename Shapes, typename Sink> void Judge::scoreFans(Index face, const Shapes& shapes, Sink& score) const
+template <typename Shapes, typename Sink>
+void QualityEvaluator::scoreFans(Index face, const Shapes& shapes, Sink& score) const
 {
   if (region_.face(face).size() != 4 || !targets_.decomposed)
   {
@@ -324,7 +327,7 @@ template <typename Shapes, typename Sink> void Judge::scoreFans(Index face, cons
     }
   };
   const Index own = region_.owner[face];
-  const Index across = region_.neighbour[face];
+  const Index across = region_.neighbor[face];
   look(middleOf(own), cornerScales[own]);
   if (across != noIndex)
   {
@@ -333,11 +336,12 @@ template <typename Shapes, typename Sink> void Judge::scoreFans(Index face, cons
   score.add(std::max(least[0], least[1]));
 }
 
-template <typename Shapes, typename Sink> void Judge::judgeFace(Index face, const Shapes& shapes, Sink& score) const
+template <typename Shapes, typename Sink>
+void QualityEvaluator::judgeFace(Index face, const Shapes& shapes, Sink& score) const
 {
   const FaceMeasure& f = faces[face];
   const CellMeasure& own = cells[region_.owner[face]];
-  const Index across = region_.neighbour[face];
+  const Index across = region_.neighbor[face];
   scoreFans(face, shapes, score);
   if (across == noIndex)
   {
@@ -362,7 +366,8 @@ template <typename Shapes, typename Sink> void Judge::judgeFace(Index face, cons
 
 /// Interpolation weight and ratio of volumes.
 template <typename Sink>
-void Judge::scoreSizes(const FaceMeasure& face, const CellMeasure& own, const CellMeasure& other, Sink& score) const
+void QualityEvaluator::scoreSizes(const FaceMeasure& face, const CellMeasure& own, const CellMeasure& other,
+                                  Sink& score) const
 {
   const double here = std::abs(face.normal.dot(face.centroid - own.centroid));
   const double there = std::abs(face.normal.dot(other.centroid - face.centroid));
@@ -385,7 +390,8 @@ void Judge::scoreSizes(const FaceMeasure& face, const CellMeasure& own, const Ce
   }
 }
 
-template <typename Shapes, typename Sink> void Judge::scoreBoundary(Index face, const Shapes& shapes, Sink& score) const
+template <typename Shapes, typename Sink>
+void QualityEvaluator::scoreBoundary(Index face, const Shapes& shapes, Sink& score) const
 {
   const FaceMeasure& f = faces[face];
   const std::size_t size = region_.face(face).size();
@@ -404,7 +410,7 @@ template <typename Shapes, typename Sink> void Judge::scoreBoundary(Index face, 
   }
 }
 
-template <typename Sink> void Judge::scoreSkewness(Index face, const Vec3& d, Sink& score) const
+template <typename Sink> void QualityEvaluator::scoreSkewness(Index face, const Vec3& d, Sink& score) const
 {
   if (!score.wantsNext() || isClearlyStraight(face, d))
   {
@@ -416,7 +422,7 @@ template <typename Sink> void Judge::scoreSkewness(Index face, const Vec3& d, Si
 }
 
 /// Whether the skewness is below its target, as far as that can be seen without roots and division.
-bool Judge::isClearlyStraight(Index face, const Vec3& d) const
+bool QualityEvaluator::isClearlyStraight(Index face, const Vec3& d) const
 {
   constexpr double notAlong = 1e-3;
   const FaceMeasure& f = faces[face];
@@ -424,16 +430,16 @@ bool Judge::isClearlyStraight(Index face, const Vec3& d) const
   const double along = f.normal.dot(d);
   const double square = along * along;
   const double length = d.squaredNorm();
-  const double least = (region_.neighbour[face] != noIndex ? 0.2 : 0.4) * targets_.skewness.target;
+  const double least = (region_.neighbor[face] != noIndex ? 0.2 : 0.4) * targets_.skewness.target;
   return square > notAlong * notAlong * length &&
          clearly * (along * toFace - f.normal.dot(toFace) * d).squaredNorm() < least * least * length * square;
 }
 
 /// As in Quality/Metrics.h; what is below `good` is not computed to the end.
-double Judge::skewnessOf(Index face, const Vec3& d, double good) const
+double QualityEvaluator::skewnessOf(Index face, const Vec3& d, double good) const
 {
   const FaceMeasure& f = faces[face];
-  const bool internal = region_.neighbour[face] != noIndex;
+  const bool internal = region_.neighbor[face] != noIndex;
   const Vec3 toFace = f.centroid - cells[region_.owner[face]].centroid;
   const double along = f.normal.dot(d);
   const bool hasArea = !f.normal.isZero();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The shapes of faces that Judge looks at.
+/// The shapes of faces that QualityEvaluator looks at.
 #pragma once
 
 #include "Optimize/Kernel/QualityEvaluator.h"
@@ -7,28 +7,31 @@
 namespace atria {
 
 /// Shapes of faces of a region, made where they are looked at.
-class Judge::ShapesOnDemand
+class QualityEvaluator::ShapesOnDemand
 {
 public:
-  explicit ShapesOnDemand(const Judge& judge) : judge_(judge) {}
-  std::array<Vec3, 4> fan(Index face, std::size_t) const { return judge_.fanOf(face); }
-  std::array<Vec3, 4> halves(Index face, std::size_t) const { return judge_.halvesOf(face); }
+  explicit ShapesOnDemand(const QualityEvaluator& judge) : evaluator_(judge) {}
+  std::array<Vec3, 4> fan(Index face, std::size_t) const { return evaluator_.fanOf(face); }
+  std::array<Vec3, 4> halves(Index face, std::size_t) const { return evaluator_.halvesOf(face); }
 
 private:
-  const Judge& judge_;
+  const QualityEvaluator& evaluator_;
 };
 
 /// Shapes of faces of a star: of those of a cell, by their number in the cell, or of one. Kept in the star.
-class Judge::ShapesOfStar
+class QualityEvaluator::ShapesOfVertexStar
 {
 public:
-  ShapesOfStar(const Judge& judge, Star& star, const Index* slots) : judge_(judge), star_(star), slots_(slots) {}
+  ShapesOfVertexStar(const QualityEvaluator& judge, VertexStar& star, const Index* slots)
+      : evaluator_(judge), star_(star), slots_(slots)
+  {
+  }
   const std::array<Vec3, 4>& fan(Index face, std::size_t k) const
   {
     QuadShape& shape = star_.shapes[slots_[k]];
     if (isMissing(k, QuadShape::fanPart))
     {
-      shape.fan = judge_.fanOf(face);
+      shape.fan = evaluator_.fanOf(face);
     }
     return shape.fan;
   }
@@ -37,7 +40,7 @@ public:
     QuadShape& shape = star_.shapes[slots_[k]];
     if (isMissing(k, QuadShape::halfPart))
     {
-      shape.half = judge_.halvesOf(face);
+      shape.half = evaluator_.halvesOf(face);
     }
     return shape.half;
   }
@@ -52,8 +55,8 @@ private:
     return missing;
   }
 
-  const Judge& judge_;
-  Star& star_;
+  const QualityEvaluator& evaluator_;
+  VertexStar& star_;
   const Index* slots_;
 };
 

@@ -63,7 +63,7 @@ void Extraction::number(Part& part, std::size_t begin, std::size_t end) const
   for (std::size_t local = begin; local < end; ++local)
   {
     const Index cell = region.cellIds[local];
-    source.neighboursOf(cell, some);
+    source.neighborsOf(cell, some);
     for (const Index id : some)
     {
       const Index known = judged.of(id);
@@ -150,7 +150,7 @@ void Extraction::makeFaces(Part& part) const
 {
   const std::size_t faces = 3 * part.size() + part.size() / 2;
   part.made.owner.reserve(faces);
-  part.made.neighbour.reserve(faces);
+  part.made.neighbor.reserve(faces);
   part.made.faceOffsets.reserve(faces + 1);
   part.made.facePoints.reserve(4 * faces);
   CellSource::Scratch scratch;
@@ -167,7 +167,7 @@ void Extraction::makeFaces(Part& part) const
         continue;
       }
       part.made.owner.push_back(local);
-      part.made.neighbour.push_back(across);
+      part.made.neighbor.push_back(across);
       part.made.facePoints.insert(part.made.facePoints.end(), face.points.begin(), face.points.end());
       part.made.faceOffsets.push_back(static_cast<Index>(part.made.facePoints.size()));
     }
@@ -190,7 +190,7 @@ void Extraction::joinFaces(const RunContext& context)
     points.push_back(points.back() + part.made.facePoints.size());
   }
   region.owner.resize(faces.back());
-  region.neighbour.resize(faces.back());
+  region.neighbor.resize(faces.back());
   region.faceOffsets.resize(faces.back() + 1);
   region.facePoints.resize(points.back());
   region.natives.resize(natives ? region.cellIds.size() : 0);
@@ -200,7 +200,7 @@ void Extraction::joinFaces(const RunContext& context)
       std::ranges::copy(from, to.begin() + static_cast<std::ptrdiff_t>(at));
     };
     copyTo(region.owner, faces[i], part.made.owner);
-    copyTo(region.neighbour, faces[i], part.made.neighbour);
+    copyTo(region.neighbor, faces[i], part.made.neighbor);
     copyTo(region.facePoints, points[i], part.made.facePoints);
     copyTo(region.natives, part.first, part.made.natives);
     std::transform(part.made.faceOffsets.begin() + 1, part.made.faceOffsets.end(),
@@ -216,9 +216,9 @@ void Extraction::addCellFaces(const RunContext& context)
   Buckets faces = fillInOrder(cells, context.executor, [&](auto&& use) {
     context.executor.forEach(region.faceCount(), partLength, [&](std::size_t f) {
       use(region.owner[f], static_cast<Index>(f));
-      if (region.neighbour[f] < cells)
+      if (region.neighbor[f] < cells)
       {
-        use(region.neighbour[f], static_cast<Index>(f));
+        use(region.neighbor[f], static_cast<Index>(f));
       }
     });
   });

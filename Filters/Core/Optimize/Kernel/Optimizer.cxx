@@ -36,7 +36,7 @@ void spread(const CellSource& source, const std::vector<Index>& cells, std::vect
 }
 
 std::vector<char> pointsToMove(const CellSource& source, const std::vector<ShortCell>& shortCells,
-                               const VertexGuide& guide, int rings, const RunContext& context)
+                               const VertexConstraints& constraints, int rings, const RunContext& context)
 {
   std::vector<Index> cells;
   std::ranges::transform(shortCells, std::back_inserter(cells), &ShortCell::cell);
@@ -49,19 +49,19 @@ std::vector<char> pointsToMove(const CellSource& source, const std::vector<Short
   std::vector<char> leaders(points.size(), 0);
   for (Index p = 0; p < points.size(); ++p)
   {
-    if (points[p] && guide.isMovable(p))
+    if (points[p] && constraints.isMovable(p))
     {
-      leaders[guide.leaderOf(p)] = 1;
+      leaders[constraints.leaderOf(p)] = 1;
     }
   }
   context.executor.forEach(points.size(), 8192, [&](std::size_t i) {
     const auto p = static_cast<Index>(i);
-    points[p] = leaders[guide.leaderOf(p)] && guide.isMovable(p) ? 1 : 0;
+    points[p] = leaders[constraints.leaderOf(p)] && constraints.isMovable(p) ? 1 : 0;
   });
   return points;
 }
 
-LeastMetrics leastOf(const Judge& judge, const RunContext& context)
+LeastMetrics leastOf(const QualityEvaluator& judge, const RunContext& context)
 {
   const Region& region = judge.region();
   std::vector<LeastMetrics> pieces(Pieces(region.faceCount()).count);
@@ -88,13 +88,13 @@ LeastMetrics leastOf(const Judge& judge, const RunContext& context)
 class Sweeper
 {
 public:
-  Sweeper(Judge& qualities, const VertexGuide& vertexGuide, const OptimiserOptions& optimiserOptions,
-          const RunContext& runContext)
-      : judge(qualities), region(qualities.region()), guide(vertexGuide), options(optimiserOptions),
-        context(runContext), colours(colourPoints(region)), states(region.movable.size(), {options.firstReach}),
+  Sweeper(QualityEvaluator& qualities, const VertexConstraints& vertexConstraints,
+          const OptimizerOptions& optimizerOptions, const RunContext& runContext)
+      : judge(qualities), region(qualities.region()), constraints(vertexConstraints), options(optimizerOptions),
+        context(runContext), colors(colorPoints(region)), states(region.movable.size(), {options.firstReach}),
         awake(region.movable.size(), 1), failures(region.movable.size(), 0)
   {
-    findNeighbours();
+    findNeighbors();
     if (options.keepWorst)
     {
       floor = leastOf(judge, context);
@@ -107,11 +107,11 @@ public:
   std::size_t sweep()
   {
     std::vector<char> moved(region.movable.size(), 0);
-    for (std::size_t c = 0; c + 1 < colours.offsets.size(); ++c)
+    for (std::size_t c = 0; c + 1 < colors.offsets.size(); ++c)
     {
       context.progress.check();
       const std::span<const Index> points = pointsToSearch(c);
-      context.executor.forRanges(points.size(), colours.isParallel(c) ? 8 : points.size() + 1,
+      context.executor.forRanges(points.size(), colors.isParallel(c) ? 8 : points.size() + 1,
                                  [&](std::size_t first, std::size_t last) {
                                    std::unique_ptr<PointSearch> search = takeSearch();
                                    for (const Index m : points.subspan(first, last - first))
@@ -128,13 +128,13 @@ public:
   bool isAwake() const { return std::ranges::find(awake, 1) != awake.end(); }
 
 private:
-  /// Points of a colour that may find a better place, in order.
-  std::span<const Index> pointsToSearch(std::size_t colour)
+  /// Points of a color that may find a better place, in order.
+  std::span<const Index> pointsToSearch(std::size_t color)
   {
     toSearch.clear();
-    for (std::size_t i = colours.offsets[colour]; i < colours.offsets[colour + 1]; ++i)
+    for (std::size_t i = colors.offsets[color]; i < colors.offsets[color + 1]; ++i)
     {
-      const Index m = colours.order[i];
+      const Index m = colors.order[i];
       if (awake[m] && (options.patient || failures[m] < mostFailures))
       {
         toSearch.push_back(m);
@@ -158,7 +158,7 @@ private:
     const std::scoped_lock lock(searchMutex);
     if (searches.empty())
     {
-      return std::make_unique<PointSearch>(judge, guide, rules);
+      return std::make_unique<PointSearch>(judge, constraints, rules);
     }
     std::unique_ptr<PointSearch> search = std::move(searches.back());
     searches.pop_back();
@@ -171,7 +171,7 @@ private:
   }
 
   /// By cell the movable points it has.
-  void findNeighbours()
+  void findNeighbors()
   {
     pointsOf = fillBuckets(region.judgedCount(), SerialExecutor(), [&](auto&& use) {
       for (Index m = 0; m < region.movable.size(); ++m)
@@ -202,17 +202,17 @@ private:
     }
   }
 
-  Judge& judge;
+  QualityEvaluator& judge;
   const Region& region;
-  const VertexGuide& guide;
-  const OptimiserOptions& options;
+  const VertexConstraints& constraints;
+  const OptimizerOptions& options;
   const RunContext& context;
   /// Of the cells as they were at first.
   LeastMetrics floor;
   SearchRules rules;
   std::mutex searchMutex;
   std::vector<std::unique_ptr<PointSearch>> searches;
-  Colours colours;
+  Colors colors;
   std::vector<SearchState> states;
   std::vector<char> awake;
   /// In a row; most points that failed so often never find a better place.
@@ -223,7 +223,7 @@ private:
 };
 
 /// Per judged cell its measures, those of its faces included.
-std::vector<Score> scoresOfCells(const Judge& judge, const RunContext& context)
+std::vector<Score> scoresOfCells(const QualityEvaluator& judge, const RunContext& context)
 {
   const Region& region = judge.region();
   std::vector<Score> scores(region.judgedCount());
@@ -237,15 +237,15 @@ std::vector<Score> scoresOfCells(const Judge& judge, const RunContext& context)
   return scores;
 }
 
-void prepareGuide(const Region& region, VertexGuide& guide, const RunContext& context)
+void prepareConstraints(const Region& region, VertexConstraints& constraints, const RunContext& context)
 {
   std::vector<Index> ids(region.movable.size());
   std::ranges::transform(region.movable, ids.begin(), [&](Index local) { return region.pointIds[local]; });
-  guide.prepare(ids, context);
+  constraints.prepare(ids, context);
 }
 
 /// The last few points that creep on may not be worth a sweep.
-void sweepWhileWorthwhile(Sweeper& sweeper, const OptimiserOptions& options, const RunContext& context)
+void sweepWhileWorthwhile(Sweeper& sweeper, const OptimizerOptions& options, const RunContext& context)
 {
   constexpr double worthwhile = 0.02;
   std::size_t most = 1;
@@ -266,8 +266,8 @@ void sweepWhileWorthwhile(Sweeper& sweeper, const OptimiserOptions& options, con
   }
 }
 
-/// `margin` as in OptimiserOptions.
-std::vector<ShortCell> shortCellsOf(const Judge& judge, double margin, const RunContext& context)
+/// `margin` as in OptimizerOptions.
+std::vector<ShortCell> shortCellsOf(const QualityEvaluator& judge, double margin, const RunContext& context)
 {
   std::vector<ShortCell> cells;
   const std::vector<Score> scores = scoresOfCells(judge, context);
@@ -284,7 +284,8 @@ std::vector<ShortCell> shortCellsOf(const Judge& judge, double margin, const Run
 }
 
 /// Of `cells`, which are all of the region that can be.
-std::vector<ShortCell> shortCellsBy(Judge& judge, const QualityTargets& targets, const std::vector<ShortCell>& cells)
+std::vector<ShortCell> shortCellsBy(QualityEvaluator& judge, const QualityTargets& targets,
+                                    const std::vector<ShortCell>& cells)
 {
   const std::vector<Index>& ids = judge.region().cellIds;
   std::vector<ShortCell> out;
@@ -308,7 +309,7 @@ std::vector<std::vector<ShortCell>> findShortIn(const CellSource& source, std::v
 {
   std::ranges::sort(piece);
   Region region = extractCells(source, std::move(piece), std::ranges::any_of(targets, looksAtJacobians), context);
-  Judge judge(region, targets.front(), context);
+  QualityEvaluator judge(region, targets.front(), context);
   std::vector<std::vector<ShortCell>> found{shortCellsOf(judge, 0.0, context)};
   for (const QualityTargets& less : targets.subspan(1))
   {
@@ -382,32 +383,33 @@ std::vector<ShortCell> findShortCells(const CellSource& source, const std::vecto
 std::vector<std::vector<ShortCell>> findShortCells(const CellSource& source, const std::vector<Index>& cells,
                                                    std::span<const QualityTargets> targets, const RunContext& context)
 {
-  return findShortIn(source, inPieces(source, cellsToJudge(source, cells, targets, context)), targets, context);
+  return findShortIn(source, inPieces(source, cellsToEvaluate(source, cells, targets, context)), targets, context);
 }
 
 std::vector<ShortCell> findShortAmong(const CellSource& source, const std::vector<Index>& cells,
                                       const QualityTargets& targets, const RunContext& context)
 {
   std::vector<ShortCell> found =
-      findShortCells(source, withNeighbours(source, cells, context), {&targets, 1}, context).front();
+      findShortCells(source, withNeighbors(source, cells, context), {&targets, 1}, context).front();
   std::erase_if(found, [&](const ShortCell& cell) { return !std::ranges::binary_search(cells, cell.cell); });
   return found;
 }
 
-std::vector<ShortCell> optimise(const CellSource& source, std::vector<Vec3>& points,
-                                const std::vector<ShortCell>& cells, VertexGuide& guide,
-                                const OptimiserOptions& options, const RunContext& context, std::vector<Index>* changed)
+std::vector<ShortCell> optimize(const CellSource& source, std::vector<Vec3>& points,
+                                const std::vector<ShortCell>& cells, VertexConstraints& constraints,
+                                const OptimizerOptions& options, const RunContext& context, std::vector<Index>* changed)
 {
-  const std::vector<char> moving = pointsToMove(source, cells, guide, options.rings, context);
+  const std::vector<char> moving = pointsToMove(source, cells, constraints, options.rings, context);
   if (std::find(moving.begin(), moving.end(), 1) == moving.end())
   {
     return cells;
   }
-  Region region = extractRegion(source, moving, guide, options.keepWorst || looksAtJacobians(options.targets), context);
-  Judge judge(region, options.targets.beyond(options.margin), context);
+  Region region =
+      extractRegion(source, moving, constraints, options.keepWorst || looksAtJacobians(options.targets), context);
+  QualityEvaluator judge(region, options.targets.beyond(options.margin), context);
   context.progress.check();
-  prepareGuide(region, guide, context);
-  Sweeper sweeper(judge, guide, options, context);
+  prepareConstraints(region, constraints, context);
+  Sweeper sweeper(judge, constraints, options, context);
   sweepWhileWorthwhile(sweeper, options, context);
   if (changed)
   {
@@ -422,8 +424,8 @@ std::vector<ShortCell> optimise(const CellSource& source, std::vector<Vec3>& poi
 }
 
 std::vector<ShortCell> approach(const CellSource& source, std::vector<Vec3>& points,
-                                const std::vector<WantedPlace>& wanted, const VertexGuide& guide, double least,
-                                const QualityTargets& targets, const RunContext& context)
+                                const std::vector<WantedPlace>& wanted, const VertexConstraints& constraints,
+                                double least, const QualityTargets& targets, const RunContext& context)
 {
   std::vector<char> leaders(points.size(), 0);
   for (const WantedPlace& one : wanted)
@@ -433,11 +435,11 @@ std::vector<ShortCell> approach(const CellSource& source, std::vector<Vec3>& poi
   std::vector<char> moving(points.size(), 0);
   for (Index p = 0; p < points.size(); ++p)
   {
-    moving[p] = leaders[guide.leaderOf(p)];
+    moving[p] = leaders[constraints.leaderOf(p)];
   }
-  Region region = extractRegion(source, moving, guide, looksAtJacobians(targets), context);
-  Judge judge(region, targets, context);
-  PointSearch search(judge, guide);
+  Region region = extractRegion(source, moving, constraints, looksAtJacobians(targets), context);
+  QualityEvaluator judge(region, targets, context);
+  PointSearch search(judge, constraints);
   for (Index m = 0; m < region.movable.size(); ++m)
   {
     context.progress.check();

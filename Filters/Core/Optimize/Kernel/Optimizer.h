@@ -7,7 +7,7 @@
 
 namespace atria {
 
-struct OptimiserOptions
+struct OptimizerOptions
 {
   QualityTargets targets;
   /// By which share of the way from limit to target to aim beyond the targets: points are not moved for what is within
@@ -61,9 +61,9 @@ std::vector<ShortCell> findShortAmong(const CellSource& source, const std::vecto
 /// `cells` and of all cells about moved points that fall short then, in order; other cells are as before. The same bits
 /// for any number of threads: points that depend on each other are moved in a fixed order. `changed`, if it is given,
 /// gets the cells about points that moved, in order.
-std::vector<ShortCell> optimise(const CellSource& source, std::vector<Vec3>& points,
-                                const std::vector<ShortCell>& cells, VertexGuide& guide,
-                                const OptimiserOptions& options, const RunContext& context,
+std::vector<ShortCell> optimize(const CellSource& source, std::vector<Vec3>& points,
+                                const std::vector<ShortCell>& cells, VertexConstraints& constraints,
+                                const OptimizerOptions& options, const RunContext& context,
                                 std::vector<Index>* changed = nullptr);
 
 /// Where a point ought to be.
@@ -77,7 +77,7 @@ struct WantedPlace
 /// `least` (see ShortCell) or, where one is below already, further. Points must be leaders, in rising order. Returns
 /// the cells about them that fall short then.
 std::vector<ShortCell> approach(const CellSource& source, std::vector<Vec3>& points,
-                                const std::vector<WantedPlace>& wanted, const VertexGuide& guide, double least,
-                                const QualityTargets& targets, const RunContext& context);
+                                const std::vector<WantedPlace>& wanted, const VertexConstraints& constraints,
+                                double least, const QualityTargets& targets, const RunContext& context);
 
 } // namespace atria

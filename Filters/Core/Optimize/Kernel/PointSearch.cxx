@@ -27,7 +27,7 @@ constexpr double damping = 0.03;
 /// The point stays at the place looked at.
 Score PointSearch::scoreAt(const Vec3& p, const LookLimits& limits)
 {
-  return judge.look(star, guide.place(pointId, p), limits);
+  return judge.look(star, constraints.place(pointId, p), limits);
 }
 
 /// Beyond these no place is better: the worst may not get worse, unless it stays good or was bad already.
@@ -209,7 +209,7 @@ PointSearch::Step PointSearch::gaussNewtonStep(double reach)
 {
   judge.residualsOf(star, residuals);
   const double h = difference * star.size;
-  const Ways ways = guide.waysFrom(pointId, origin, h);
+  const Ways ways = constraints.waysFrom(pointId, origin, h);
   // Of ways there are not, nothing.
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
   Vec3 gradient = Vec3::Zero();

@@ -12,7 +12,7 @@ struct SearchRules
   const LeastMetrics* floor = nullptr;
   /// Whether a point of bad cells is tried in the middle of the points about it first.
   bool tryMiddle = false;
-  /// See OptimiserOptions, which have the defaults.
+  /// See OptimizerOptions, which have the defaults.
   double leastPenalty = 0.0;
   double leastGain = 0.0;
   double leastWorst = -std::numeric_limits<double>::infinity();
@@ -31,8 +31,8 @@ struct SearchState
 class PointSearch
 {
 public:
-  PointSearch(Judge& qualities, const VertexGuide& vertexGuide, const SearchRules& rules = {})
-      : judge(qualities), guide(vertexGuide), rules_(rules)
+  PointSearch(QualityEvaluator& qualities, const VertexConstraints& vertexConstraints, const SearchRules& rules = {})
+      : judge(qualities), constraints(vertexConstraints), rules_(rules)
   {
   }
 
@@ -61,10 +61,10 @@ private:
   bool isBetter(const Score& there, const Score& now) const;
   bool noMetricIsWorse() const;
 
-  Judge& judge;
-  const VertexGuide& guide;
+  QualityEvaluator& judge;
+  const VertexConstraints& constraints;
   SearchRules rules_;
-  Star star;
+  VertexStar star;
   Residuals residuals;
   std::vector<double> beside;
   /// Of the residuals, along the ways the point may go.

@@ -35,7 +35,7 @@ template <typename IsFirst> std::size_t listFirst(std::vector<Index>& list, std:
 
 } // namespace
 
-Judge::Judge(Region& region, const QualityTargets& targets, const RunContext& context)
+QualityEvaluator::QualityEvaluator(Region& region, const QualityTargets& targets, const RunContext& context)
     : region_(region), targets_(targets), faces(region.faceCount()), cells(region.cellCount()),
       sizes(region.judgedCount()), cornerScales(sizes.size()), cellScores(sizes.size()), faceScores(faces.size())
 {
@@ -55,13 +55,13 @@ Judge::Judge(Region& region, const QualityTargets& targets, const RunContext& co
   judgeAll(context);
 }
 
-void Judge::measure(Index face)
+void QualityEvaluator::measure(Index face)
 {
   const auto points = region_.face(face);
   faces[face] = measureAnyFace(points.size(), [&](std::size_t i) -> const Vec3& { return region_.points[points[i]]; });
 }
 
-void Judge::measureOne(Index cell)
+void QualityEvaluator::measureOne(Index cell)
 {
   cells[cell] = measureCell([&](auto&& visit) {
     for (const Index f : region_.facesOf(cell))
@@ -71,7 +71,7 @@ void Judge::measureOne(Index cell)
   });
 }
 
-double Judge::perimeterOf(Index face) const
+double QualityEvaluator::perimeterOf(Index face) const
 {
   const auto points = region_.face(face);
   double length = (region_.points[points.front()] - region_.points[points.back()]).norm();
@@ -82,7 +82,7 @@ double Judge::perimeterOf(Index face) const
   return length;
 }
 
-void Judge::measureSize(Index cell, const std::vector<double>& perimeters)
+void QualityEvaluator::measureSize(Index cell, const std::vector<double>& perimeters)
 {
   double length = 0.0;
   double count = 0.0;
@@ -97,7 +97,7 @@ void Judge::measureSize(Index cell, const std::vector<double>& perimeters)
 }
 
 /// Faces between cells about the point are counted twice.
-bool Judge::isGood(std::size_t movable, double penalty) const
+bool QualityEvaluator::isGood(std::size_t movable, double penalty) const
 {
   double sum = 0.0;
   for (const Index cell : region_.cellsAbout(movable))
@@ -115,7 +115,7 @@ bool Judge::isGood(std::size_t movable, double penalty) const
   return true;
 }
 
-void Judge::enter(std::size_t movable, Star& star) const
+void QualityEvaluator::enter(std::size_t movable, VertexStar& star) const
 {
   star.point = region_.movable[movable];
   const auto members = region_.membersOf(movable);
@@ -133,7 +133,7 @@ void Judge::enter(std::size_t movable, Star& star) const
     star.offsets.push_back(static_cast<Index>(star.slots.size()));
     for (const Index f : region_.facesOf(cell))
     {
-      Star::Entry& entry = star.entries[f];
+      VertexStar::Entry& entry = star.entries[f];
       if (entry.star != star.number)
       {
         entry = {star.number, static_cast<Index>(star.faces.size())};
@@ -145,7 +145,7 @@ void Judge::enter(std::size_t movable, Star& star) const
   }
 }
 
-void Judge::prepare(Star& star) const
+void QualityEvaluator::prepare(VertexStar& star) const
 {
   star.origin = region_.points[star.point];
   star.moving.clear();
@@ -177,7 +177,7 @@ void Judge::prepare(Star& star) const
 
 /// Sets in what order to look, and by what those that fall short are measured: cells by their faces, faces by the cells
 /// on both sides.
-void Judge::findFirst(Star& star) const
+void QualityEvaluator::findFirst(VertexStar& star) const
 {
   const auto cellCount = static_cast<Index>(star.cells.size());
   star.marks.clear();
@@ -211,7 +211,7 @@ void Judge::findFirst(Star& star) const
       star.moving.begin());
 }
 
-void Judge::place(Star& star, const Vec3& p)
+void QualityEvaluator::place(VertexStar& star, const Vec3& p)
 {
   for (const Index point : star.points)
   {
@@ -223,7 +223,7 @@ void Judge::place(Star& star, const Vec3& p)
   }
 }
 
-void Judge::measureFirst(const Star& star)
+void QualityEvaluator::measureFirst(const VertexStar& star)
 {
   for (std::size_t i = 0; i < star.firstMoving; ++i)
   {
@@ -235,7 +235,7 @@ void Judge::measureFirst(const Star& star)
   }
 }
 
-void Judge::measureRest(const Star& star)
+void QualityEvaluator::measureRest(const VertexStar& star)
 {
   for (std::size_t i = star.firstMoving; i < star.moving.size(); ++i)
   {
@@ -247,21 +247,21 @@ void Judge::measureRest(const Star& star)
   }
 }
 
-void Judge::move(Star& star, const Vec3& p)
+void QualityEvaluator::move(VertexStar& star, const Vec3& p)
 {
   place(star, p);
   measureFirst(star);
   measureRest(star);
 }
 
-void Judge::moveForResiduals(Star& star, const Vec3& p)
+void QualityEvaluator::moveForResiduals(VertexStar& star, const Vec3& p)
 {
   place(star, p);
   measureFirst(star);
 }
 
 /// The running sum is that of another order, so it may differ by rounding.
-Score Judge::look(Star& star, const Vec3& p, const LookLimits& limits)
+Score QualityEvaluator::look(VertexStar& star, const Vec3& p, const LookLimits& limits)
 {
   constexpr double surely = 1.0 + 1e-9;
   place(star, p);
@@ -289,7 +289,7 @@ Score Judge::look(Star& star, const Vec3& p, const LookLimits& limits)
   return sum;
 }
 
-void Judge::restore(const Star& star)
+void QualityEvaluator::restore(const VertexStar& star)
 {
   for (const Index point : star.points)
   {
@@ -305,7 +305,7 @@ void Judge::restore(const Star& star)
   }
 }
 
-void Judge::accept(const Star& star)
+void QualityEvaluator::accept(const VertexStar& star)
 {
   auto next = star.scores.begin();
   for (const Index cell : star.cells)
@@ -318,7 +318,7 @@ void Judge::accept(const Star& star)
   }
 }
 
-Score Judge::scoreOf(const Star& star) const
+Score QualityEvaluator::scoreOf(const VertexStar& star) const
 {
   Score sum;
   for (const Index cell : star.cells)

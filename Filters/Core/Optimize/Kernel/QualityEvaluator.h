@@ -84,7 +84,7 @@ struct LeastMetrics
     volume,
     scaledJacobian,
     weight,      ///< OpenFOAM's interpolation weight
-    volumeRatio, ///< of neighbours, the smaller over the larger
+    volumeRatio, ///< of neighbors, the smaller over the larger
     determinant, ///< OpenFOAM's
     count
   };
@@ -116,7 +116,7 @@ struct QuadShape
 };
 
 /// The cells about a point that may move, and what depends on it.
-struct Star
+struct VertexStar
 {
   Index point = noIndex; ///< the leader
   std::vector<Index> points;
@@ -165,56 +165,56 @@ struct LookLimits
 };
 
 /// Keeps the measures of a region's faces and cells and judges by them. Points in whose stars no cell is the same or a
-/// neighbour of the other's may be moved at the same time by different threads.
-class Judge
+/// neighbor of the other's may be moved at the same time by different threads.
+class QualityEvaluator
 {
 public:
-  Judge(Region& region, const QualityTargets& targets, const RunContext& context);
+  QualityEvaluator(Region& region, const QualityTargets& targets, const RunContext& context);
 
   const Region& region() const { return region_; }
   double sizeOf(Index cell) const { return sizes[cell]; }
 
   /// Whether hardly anything about a point falls short: nothing, or less than surely makes a penalty of this.
   bool isGood(std::size_t movable, double penalty) const;
-  void enter(std::size_t movable, Star& star) const;
+  void enter(std::size_t movable, VertexStar& star) const;
   /// Before the point of a star that was entered is moved.
-  void prepare(Star& star) const;
+  void prepare(VertexStar& star) const;
   /// Moves the star's point and measures all that depends on it. Scores are kept as they are until `accept`.
-  void move(Star& star, const Vec3& p);
+  void move(VertexStar& star, const Vec3& p);
   /// As `move`, but only for `residualsOf`.
-  void moveForResiduals(Star& star, const Vec3& p);
+  void moveForResiduals(VertexStar& star, const Vec3& p);
   /// All as it was when the star was prepared; the star is of no use then.
-  void restore(const Star& star);
+  void restore(const VertexStar& star);
   /// Moves the star's point and judges it there. What is beyond the limits is not measured to the end.
-  Score look(Star& star, const Vec3& p, const LookLimits& limits = {});
+  Score look(VertexStar& star, const Vec3& p, const LookLimits& limits = {});
   /// Keeps what was seen in the last look, which was not cut short.
-  void accept(const Star& star);
+  void accept(const VertexStar& star);
 
   /// Kept scores.
-  Score scoreOf(const Star& star) const;
+  Score scoreOf(const VertexStar& star) const;
   Score scoreOfCell(Index cell) const { return cellScores[cell]; }
   Score scoreOfFace(Index face) const { return faceScores[face]; }
   /// Of a cell and its faces, as they are, by other targets.
   Score scoreBy(const QualityTargets& targets, Index cell);
 
   /// The residuals of the cells and faces of a star whose kept scores fall short, always in the same order.
-  void residualsOf(Star& star, Residuals& out) const;
+  void residualsOf(VertexStar& star, Residuals& out) const;
   /// The same after a move, of those that were not 0 only.
-  void residualsBeside(Star& star, const Residuals& before, std::vector<double>& out) const;
+  void residualsBeside(VertexStar& star, const Residuals& before, std::vector<double>& out) const;
 
-  LeastMetrics metricsOf(const Star& star) const;
+  LeastMetrics metricsOf(const VertexStar& star) const;
   LeastMetrics metricsOfCell(Index cell) const;
   LeastMetrics metricsOfFace(Index face) const;
 
 private:
   void measure(Index face);
   void measureOne(Index cell);
-  void place(Star& star, const Vec3& p);
-  void measureFirst(const Star& star);
-  void measureRest(const Star& star);
-  void findFirst(Star& star) const;
-  void judgeInOrder(Star& star, Index place) const;
-  template <typename Sink> void judgeShort(Star& star, Sink& sink) const;
+  void place(VertexStar& star, const Vec3& p);
+  void measureFirst(const VertexStar& star);
+  void measureRest(const VertexStar& star);
+  void findFirst(VertexStar& star) const;
+  void judgeInOrder(VertexStar& star, Index place) const;
+  template <typename Sink> void judgeShort(VertexStar& star, Sink& sink) const;
   void measureSize(Index cell, const std::vector<double>& perimeters);
   double perimeterOf(Index face) const;
   void judgeAll(const RunContext& context);
@@ -222,7 +222,7 @@ private:
   std::array<Vec3, 4> halvesOf(Index face) const;
   Vec3 fanTriangle(Index face, std::size_t i) const;
   class ShapesOnDemand;
-  class ShapesOfStar;
+  class ShapesOfVertexStar;
   template <typename Shapes, typename Sink> void judgeCell(Index cell, const Shapes& shapes, Sink& score) const;
   template <typename Shapes, typename Sink> void judgeFace(Index face, const Shapes& shapes, Sink& score) const;
   template <typename Shapes, typename Sink>

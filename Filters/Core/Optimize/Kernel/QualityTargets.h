@@ -26,7 +26,7 @@ struct QualityRange
   QualityRange beyond(double share) const { return {limit, target + share * (target - limit)}; }
 };
 
-/// What hexahedra on curved walls, away from creases and rims, are to have; the less, the longer it takes.
+/// What hexahedra on curved walls, away from creases and boundary edges, are to have; the less, the longer it takes.
 struct CurvedWallTargets
 {
   /// Degrees, greater than 0 and below 90.
@@ -35,7 +35,8 @@ struct CurvedWallTargets
   double skewness = 0.5;
 };
 
-/// What good cells have. The limits leave a little room to those of OpenFOAM's checkMesh. See Judge for the measures.
+/// What good cells have. The limits leave a little room to those of OpenFOAM's checkMesh. See QualityEvaluator for the
+/// measures.
 struct QualityTargets
 {
   /// Cosine between a face's normal and the way from the cell's centroid to the face's: 1 - CellSquish.
@@ -55,7 +56,7 @@ struct QualityTargets
   double leastOfSkewness = -std::numeric_limits<double>::infinity();
   /// OpenFOAM's interpolation weight.
   QualityRange weight{0.06, 0.15};
-  /// Volumes of neighbours, the smaller over the larger.
+  /// Volumes of neighbors, the smaller over the larger.
   QualityRange volumeRatio{0.015, 0.05};
   /// Twelve times the least volume of a tetrahedron from the mean of the cell's face centroids to a corner of a face,
   /// over the cube of the cell's mean edge.

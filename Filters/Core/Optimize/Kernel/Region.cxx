@@ -13,15 +13,15 @@ namespace {
 constexpr std::size_t grain = 4096;
 
 /// For each point that is marked its leader, both as in the region; for others noIndex.
-std::vector<Index> leadersIn(const Region& region, const std::vector<char>& marked, const VertexGuide& guide,
-                             const RunContext& context)
+std::vector<Index> leadersIn(const Region& region, const std::vector<char>& marked,
+                             const VertexConstraints& constraints, const RunContext& context)
 {
   std::vector<Index> leaders(region.pointIds.size(), noIndex);
   context.executor.forEach(leaders.size(), grain, [&](std::size_t p) {
     const Index id = region.pointIds[p];
     if (marked[id])
     {
-      const Index leader = guide.leaderOf(id);
+      const Index leader = constraints.leaderOf(id);
       const auto found = std::ranges::lower_bound(region.pointIds, leader);
       leaders[p] = static_cast<Index>(leader == id ? p : found - region.pointIds.begin());
     }
@@ -81,12 +81,12 @@ Region extractCells(const CellSource& source, std::vector<Index> cells, bool wit
   return Extraction(source, std::move(cells), withNatives, Extraction::Order::any).run(context);
 }
 
-Region extractRegion(const CellSource& source, const std::vector<char>& marked, const VertexGuide& guide,
+Region extractRegion(const CellSource& source, const std::vector<char>& marked, const VertexConstraints& constraints,
                      bool withNatives, const RunContext& context)
 {
   Extraction extraction(source, cellsWithMarked(source, marked, context), withNatives, Extraction::Order::ofMesh);
   Region region = extraction.run(context);
-  addStars(region, extraction, leadersIn(region, marked, guide, context), context);
+  addStars(region, extraction, leadersIn(region, marked, constraints, context), context);
   context.progress.check();
   return region;
 }

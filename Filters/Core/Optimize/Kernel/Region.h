@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The part of a mesh that is optimised, in arrays of its own.
+/// The part of a mesh that is optimized, in arrays of its own.
 #pragma once
 
 #include "Optimize/Kernel/CellSource.h"
@@ -11,12 +11,12 @@ namespace atria {
 /// Faces and corners of the judged cells of a region, or of some of them.
 struct RegionCells
 {
-  /// Faces of judged cells, once each; the normal points out of the owner, which is judged. `neighbour` is a cell of
+  /// Faces of judged cells, once each; the normal points out of the owner, which is judged. `neighbor` is a cell of
   /// either kind, or noIndex on the mesh's boundary.
   std::vector<Index> faceOffsets{0};
   std::vector<Index> facePoints;
   std::vector<Index> owner;
-  std::vector<Index> neighbour;
+  std::vector<Index> neighbor;
   /// Of each judged cell, its corners numbered as in `points`; empty unless they were asked for.
   std::vector<NativeCell> natives;
 };
@@ -68,7 +68,7 @@ Region extractCells(const CellSource& source, std::vector<Index> cells, bool wit
 
 /// The region in which the points marked may move, each with all others that have the same leader; these are marked,
 /// too, and their leader is one of them. O(cells) to find it, the rest in the region's size.
-Region extractRegion(const CellSource& source, const std::vector<char>& marked, const VertexGuide& guide,
+Region extractRegion(const CellSource& source, const std::vector<char>& marked, const VertexConstraints& constraints,
                      bool withNatives, const RunContext& context);
 
 } // namespace atria

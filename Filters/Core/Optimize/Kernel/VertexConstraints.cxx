@@ -3,7 +3,7 @@
 
 namespace atria {
 
-Ways VertexGuide::waysFrom(Index point, const Vec3& p, double step) const
+Ways VertexConstraints::waysFrom(Index point, const Vec3& p, double step) const
 {
   // Of a step, what is more than rounding or the bend of a surface.
   constexpr double least = 0.05;

@@ -17,10 +17,10 @@ struct Ways
 };
 
 /// Where the points of a mesh may go.
-class VertexGuide
+class VertexConstraints
 {
 public:
-  virtual ~VertexGuide() = default;
+  virtual ~VertexConstraints() = default;
   /// Told which points are about to be moved.
   virtual void prepare(std::span<const Index> /*points*/, const RunContext& /*context*/) {}
   /// Whether the point may move at all.
@@ -30,7 +30,7 @@ public:
   /// The allowed place nearest to p. Called by several threads, but for one point by one at a time.
   virtual Vec3 place(Index point, const Vec3& p) const = 0;
   /// The ways a point that is at p, an allowed place, may go by as little as `step`. As `place`, by which they are
-  /// found unless a guide knows better.
+  /// found unless other constraints know better.
   virtual Ways waysFrom(Index point, const Vec3& p, double step) const;
 };
 

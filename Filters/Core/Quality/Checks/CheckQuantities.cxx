@@ -143,9 +143,9 @@ double weight(const MeasuredMesh& m, std::size_t f)
     return 1.0;
   }
   const Vec3& area = m.geometry.faceAreas[f];
-  const Vec3& centre = m.geometry.faceCentroids[f];
-  const double own = std::abs(dotInOrder(area, centre - m.geometry.cellCentroids[m.mesh.owner[f]]));
-  const double next = std::abs(dotInOrder(area, m.geometry.cellCentroids[m.mesh.neighbour[f]] - centre));
+  const Vec3& center = m.geometry.faceCentroids[f];
+  const double own = std::abs(dotInOrder(area, center - m.geometry.cellCentroids[m.mesh.owner[f]]));
+  const double next = std::abs(dotInOrder(area, m.geometry.cellCentroids[m.mesh.neighbor[f]] - center));
   return std::min(next, own) / (next + own + vSmall);
 }
 
@@ -156,7 +156,7 @@ double volumeRatio(const MeasuredMesh& m, std::size_t f)
     return 1.0;
   }
   const double own = m.geometry.cellVolumes[m.mesh.owner[f]];
-  const double next = m.geometry.cellVolumes[m.mesh.neighbour[f]];
+  const double next = m.geometry.cellVolumes[m.mesh.neighbor[f]];
   return std::min(own, next) / (std::max(own, next) + vSmall);
 }
 
@@ -168,13 +168,13 @@ double flatness(const MeasuredMesh& m, std::size_t f)
   {
     return 1.0;
   }
-  const Vec3& centre = m.geometry.faceCentroids[f];
+  const Vec3& center = m.geometry.faceCentroids[f];
   double sum = 0.0;
   for (std::size_t i = 0; i < face.size(); ++i)
   {
     const Vec3& here = m.mesh.points[face[i]];
     const Vec3& next = m.mesh.points[face[i + 1 < face.size() ? i + 1 : 0]];
-    sum += lengthInOrder(0.5 * (next - here).cross(centre - here));
+    sum += lengthInOrder(0.5 * (next - here).cross(center - here));
   }
   return area / (sum + rootVSmall);
 }
@@ -249,17 +249,17 @@ double faceTetQuality(const MeasuredMesh& m, std::size_t f)
   const auto face = m.mesh.face(f);
   const bool internal = f < m.mesh.internalFaceCount();
   const Vec3& own = m.geometry.cellCentroids[m.mesh.owner[f]];
-  const Vec3& next = internal ? m.geometry.cellCentroids[m.mesh.neighbour[f]] : own;
-  const Vec3& centre = m.geometry.faceCentroids[f];
+  const Vec3& next = internal ? m.geometry.cellCentroids[m.mesh.neighbor[f]] : own;
+  const Vec3& center = m.geometry.faceCentroids[f];
   double worst = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < face.size(); ++i)
   {
     const Vec3& a = m.mesh.points[face[i]];
     const Vec3& b = m.mesh.points[face[i + 1 < face.size() ? i + 1 : 0]];
-    worst = std::min(worst, -tetQuality(a, b, centre, own));
+    worst = std::min(worst, -tetQuality(a, b, center, own));
     if (internal)
     {
-      worst = std::min(worst, tetQuality(a, b, centre, next));
+      worst = std::min(worst, tetQuality(a, b, center, next));
     }
   }
   double best = -std::numeric_limits<double>::infinity();
@@ -360,7 +360,7 @@ double pyramidVolume(const MeasuredMesh& mesh, std::size_t f, Index cell)
 {
   const auto face = mesh.mesh.face(f);
   const auto point = [&](std::size_t i) -> const Vec3& { return mesh.mesh.points[face[i % face.size()]]; };
-  Vec3 centre = mesh.geometry.faceCentroids[f];
+  Vec3 center = mesh.geometry.faceCentroids[f];
   if (face.size() > 3)
   {
     Vec3 mean = Vec3::Zero();
@@ -377,10 +377,10 @@ double pyramidVolume(const MeasuredMesh& mesh, std::size_t f, Index cell)
       areas += area;
       moments += area * (point(i) + point(i + 1) + mean);
     }
-    centre = areas > vSmall ? Vec3(moments / (3.0 * areas)) : mean;
+    center = areas > vSmall ? Vec3(moments / (3.0 * areas)) : mean;
   }
   const double volume =
-      (1.0 / 3.0) * dotInOrder(mesh.geometry.faceAreas[f], mesh.geometry.cellCentroids[cell] - centre);
+      (1.0 / 3.0) * dotInOrder(mesh.geometry.faceAreas[f], mesh.geometry.cellCentroids[cell] - center);
   return mesh.mesh.owner[f] == cell ? -volume : volume;
 }
 

@@ -34,10 +34,10 @@ struct Limit
 };
 
 /// Runs the checks one after the other, so that no more than one value a face is held.
-class Judge
+class QualityEvaluator
 {
 public:
-  Judge(const MeasuredMesh& measured, const RunContext& within) : m(measured), context(within) {}
+  QualityEvaluator(const MeasuredMesh& measured, const RunContext& within) : m(measured), context(within) {}
 
   MeshVerdict run()
   {
@@ -142,7 +142,7 @@ private:
   {
     const auto cosine = [this](std::size_t f) {
       const Vec3& area = m.geometry.faceAreas[f];
-      const Vec3 d = m.geometry.cellCentroids[m.mesh.neighbour[f]] - m.geometry.cellCentroids[m.mesh.owner[f]];
+      const Vec3 d = m.geometry.cellCentroids[m.mesh.neighbor[f]] - m.geometry.cellCentroids[m.mesh.owner[f]];
       return dotInOrder(d, area) / (lengthInOrder(d) * lengthInOrder(area) + 1e-150);
     };
     const std::vector<double> cosines = valuesOf(m.mesh.internalFaceCount(), cosine);
@@ -167,7 +167,7 @@ private:
   {
     const auto least = [this](std::size_t f) {
       const double own = pyramidVolume(m, f, m.mesh.owner[f]);
-      return f < m.mesh.internalFaceCount() ? std::min(own, pyramidVolume(m, f, m.mesh.neighbour[f])) : own;
+      return f < m.mesh.internalFaceCount() ? std::min(own, pyramidVolume(m, f, m.mesh.neighbor[f])) : own;
     };
     judge({"FacePyramids", "wrongOrientedFaces", true, false, -small}, MeshPart::Faces,
           valuesOf(m.mesh.faceCount(), least));
@@ -288,7 +288,10 @@ int MeshVerdict::failedChecks() const
   return static_cast<int>(failed) - (both ? 1 : 0);
 }
 
-MeshVerdict checkMesh(const MeasuredMesh& mesh, const RunContext& context) { return Judge(mesh, context).run(); }
+MeshVerdict checkMesh(const MeasuredMesh& mesh, const RunContext& context)
+{
+  return QualityEvaluator(mesh, context).run();
+}
 
 std::vector<std::uint32_t> failedChecksOfCells(const MeasuredMesh& mesh, const MeshVerdict& verdict)
 {
@@ -298,7 +301,7 @@ std::vector<std::uint32_t> failedChecksOfCells(const MeasuredMesh& mesh, const M
     bits[mesh.mesh.owner[f]] |= bit;
     if (f < internalFaces)
     {
-      bits[mesh.mesh.neighbour[f]] |= bit;
+      bits[mesh.mesh.neighbor[f]] |= bit;
     }
   };
   std::vector<bool> marked(mesh.mesh.points.size());

@@ -56,10 +56,10 @@ public:
   void measureFace(std::size_t f)
   {
     const Vec3& area = geometry.faceAreas[f];
-    const Vec3& centre = geometry.cellCentroids[mesh.owner[f]];
+    const Vec3& center = geometry.cellCentroids[mesh.owner[f]];
     if (f < mesh.internalFaceCount())
     {
-      const double c = cosine(area, geometry.cellCentroids[mesh.neighbour[f]] - centre);
+      const double c = cosine(area, geometry.cellCentroids[mesh.neighbor[f]] - center);
       out.squishOfFaces[f] = 1.0 - c;
       out.nonOrthogonalityOfFaces[f] = degrees(c);
     }
@@ -68,7 +68,7 @@ public:
 
   void measureCell(std::size_t cell)
   {
-    const Vec3& centre = geometry.cellCentroids[cell];
+    const Vec3& center = geometry.cellCentroids[cell];
     double worstCosine = 1.0;
     double worstSquish = 0.0;
     double worstAngle = 0.0;
@@ -77,14 +77,14 @@ public:
     double nearest = std::numeric_limits<double>::infinity();
     double farthest = 0.0;
     const auto measureDistance = [&](const Vec3& to) {
-      const double distance = (to - centre).norm();
+      const double distance = (to - center).norm();
       nearest = std::min(nearest, distance);
       farthest = std::max(farthest, distance);
     };
     for (const Index f : cellFaces.of(cell))
     {
       const Vec3 area = mesh.owner[f] == cell ? geometry.faceAreas[f] : Vec3(-geometry.faceAreas[f]);
-      const Vec3 r = geometry.faceCentroids[f] - centre;
+      const Vec3 r = geometry.faceCentroids[f] - center;
       worstCosine = std::min(worstCosine, cosine(area, r));
       leastPyramid = std::min(leastPyramid, dotInOrder(area, r) / 3.0);
       worstSkewness = std::max(worstSkewness, out.skewnessOfFaces[f]);
@@ -137,10 +137,10 @@ double faceSkewness(const MeasuredMesh& measured, std::size_t f)
   const FaceMesh& mesh = measured.mesh;
   const MeshGeometry& geometry = measured.geometry;
   const Vec3& area = geometry.faceAreas[f];
-  const Vec3& centre = geometry.cellCentroids[mesh.owner[f]];
+  const Vec3& center = geometry.cellCentroids[mesh.owner[f]];
   const bool internal = f < mesh.internalFaceCount();
-  const Vec3 toFace = geometry.faceCentroids[f] - centre;
-  const Vec3 d = internal ? Vec3(geometry.cellCentroids[mesh.neighbour[f]] - centre) : normalPart(toFace, area);
+  const Vec3 toFace = geometry.faceCentroids[f] - center;
+  const Vec3 d = internal ? Vec3(geometry.cellCentroids[mesh.neighbor[f]] - center) : normalPart(toFace, area);
   const Vec3 offset = toFace - (dotInOrder(area, toFace) / (dotInOrder(area, d) + tiny)) * d;
   const double distance = lengthInOrder(offset);
   const Vec3 direction = offset / (distance + tiny);

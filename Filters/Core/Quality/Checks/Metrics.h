@@ -9,7 +9,7 @@
 namespace atria {
 
 /// Below, A is the outward area vector of a face, r goes from the cell's centroid to the face's, d from the
-/// centroid of a face's owner to that of its neighbour; see Geometry.h for how these are measured. Everything
+/// centroid of a face's owner to that of its neighbor; see Geometry.h for how these are measured. Everything
 /// is dimensionless unless a unit is given. A cell without internal faces is ideal in what needs d.
 struct QualityMetrics
 {

@@ -17,7 +17,7 @@ namespace {
 using Corners = std::array<Vec3, 8>;
 
 /// Determinant of three vectors over the product of their lengths; 0 where one has no length.
-double normalisedDeterminant(const Vec3& a, const Vec3& b, const Vec3& c)
+double normalizedDeterminant(const Vec3& a, const Vec3& b, const Vec3& c)
 {
   const double lengths = a.norm() * b.norm() * c.norm();
   return lengths > std::numeric_limits<double>::min() ? a.cross(b).dot(c) / lengths : 0.0;
@@ -25,17 +25,17 @@ double normalisedDeterminant(const Vec3& a, const Vec3& b, const Vec3& c)
 
 JacobianTerms ofHexahedron(const Corners& p)
 {
-  // Per corner its neighbours in right-handed order.
+  // Per corner its neighbors in right-handed order.
   static constexpr std::array<std::array<int, 4>, 8> stars{
       {{0, 1, 3, 4}, {1, 2, 0, 5}, {2, 3, 1, 6}, {3, 0, 2, 7}, {4, 7, 5, 0}, {5, 4, 6, 1}, {6, 5, 7, 2}, {7, 6, 4, 3}}};
   const Vec3 x = (p[1] + p[2] + p[5] + p[6]) - (p[0] + p[3] + p[4] + p[7]);
   const Vec3 y = (p[2] + p[3] + p[6] + p[7]) - (p[0] + p[1] + p[4] + p[5]);
   const Vec3 z = (p[4] + p[5] + p[6] + p[7]) - (p[0] + p[1] + p[2] + p[3]);
   JacobianTerms out;
-  out.values[out.count++] = normalisedDeterminant(x, y, z);
+  out.values[out.count++] = normalizedDeterminant(x, y, z);
   for (const auto& [corner, a, b, c] : stars)
   {
-    out.values[out.count++] = normalisedDeterminant(p[a] - p[corner], p[b] - p[corner], p[c] - p[corner]);
+    out.values[out.count++] = normalizedDeterminant(p[a] - p[corner], p[b] - p[corner], p[c] - p[corner]);
   }
   return out;
 }
@@ -66,7 +66,7 @@ JacobianTerms ofWedge(const Corners& p)
   for (const auto& [corner, a, b, c] : stars)
   {
     out.values[out.count++] =
-        2.0 / std::sqrt(3.0) * normalisedDeterminant(p[a] - p[corner], p[b] - p[corner], p[c] - p[corner]);
+        2.0 / std::sqrt(3.0) * normalizedDeterminant(p[a] - p[corner], p[b] - p[corner], p[c] - p[corner]);
   }
   return out;
 }

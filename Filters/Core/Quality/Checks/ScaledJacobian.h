@@ -11,9 +11,9 @@ namespace atria {
 
 /// Verdict's scaled Jacobian of a cell (Knupp et al., The Verdict Geometric Quality Library, 2006; wedges
 /// and pyramids as in Verdict 1.4 and later). Dimensionless; 1 for the ideal cell, not above 0 when inverted.
-/// - hexahedron, voxel: least normalised determinant at the 8 corners and of the principal axes; [-1, 1]
+/// - hexahedron, voxel: least normalized determinant at the 8 corners and of the principal axes; [-1, 1]
 /// - tetrahedron: determinant over the greatest product of three edges at a corner, times √2; [-1, 1]
-/// - wedge: least normalised determinant at the 6 corners, times 2/√3
+/// - wedge: least normalized determinant at the 6 corners, times 2/√3
 /// - pyramid: least of the four tetrahedra of three base corners and the apex, times √2; 0 when inverted
 /// - polyhedron: not a number
 /// Where Verdict returns its largest number, for cells with an edge of no length, this is 0. Wedges are read

@@ -237,7 +237,7 @@ Histogram makeHistogram(const Bins& bins, const std::vector<std::size_t>& counts
   for (std::size_t b = 0; b < bins.count; ++b)
   {
     running += counts[b];
-    out.centres.push_back(bins.start + (static_cast<double>(b) + 0.5) * bins.width);
+    out.centers.push_back(bins.start + (static_cast<double>(b) + 0.5) * bins.width);
     out.density.push_back(static_cast<double>(counts[b]) / (static_cast<double>(total) * bins.width));
     out.cumulative.push_back(static_cast<double>(running) / static_cast<double>(total));
   }

@@ -24,7 +24,7 @@ struct Statistics
 /// one wide in all; all is zero for an empty one.
 struct Histogram
 {
-  std::vector<double> centres;
+  std::vector<double> centers;
   std::vector<double> density;    ///< integrates to 1 (PDF)
   std::vector<double> cumulative; ///< share of the values up to the bin's upper end; the last is 1 (CDF)
   double binWidth = 0.0;

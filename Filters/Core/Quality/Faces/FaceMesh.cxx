@@ -278,7 +278,7 @@ public:
                      [&](std::size_t piece) { places[piece] = count(pieces.begin(piece), pieces.end(piece)); });
     const Place all = scan(places);
     mesh.owner.resize(all.internalFaces + all.boundaryFaces);
-    mesh.neighbour.resize(all.internalFaces);
+    mesh.neighbor.resize(all.internalFaces);
     mesh.faceOffsets.resize(mesh.owner.size() + 1);
     mesh.facePoints.resize(all.internalCorners + all.boundaryCorners);
     executor.forEach(pieces.count, 1, [&](std::size_t piece) {
@@ -327,9 +327,9 @@ private:
         }
       }
       std::sort(owned.begin(), owned.end());
-      for (const auto& [neighbour, h] : owned)
+      for (const auto& [neighbor, h] : owned)
       {
-        mesh.neighbour[place.internalFaces] = neighbour;
+        mesh.neighbor[place.internalFaces] = neighbor;
         put(h, place.internalFaces, place.internalCorners);
       }
     }
@@ -388,10 +388,10 @@ std::vector<Index> findBoundaryFaces(const FaceMesh& mesh, std::span<const Bound
   return found;
 }
 
-OrderedFace orderFace(Index face, Index owner, Index neighbour)
+OrderedFace orderFace(Index face, Index owner, Index neighbor)
 {
-  return {owner == noIndex || neighbour == noIndex, std::min(owner, neighbour), std::max(owner, neighbour), face,
-          owner > neighbour};
+  return {owner == noIndex || neighbor == noIndex, std::min(owner, neighbor), std::max(owner, neighbor), face,
+          owner > neighbor};
 }
 
 void appendFace(FaceMesh& mesh, const OrderedFace& face, std::span<const Index> loop)
@@ -404,7 +404,7 @@ void appendFace(FaceMesh& mesh, const OrderedFace& face, std::span<const Index> 
   mesh.owner.push_back(face.owner);
   if (!face.onBoundary)
   {
-    mesh.neighbour.push_back(face.neighbour);
+    mesh.neighbor.push_back(face.neighbor);
   }
 }
 

@@ -14,8 +14,8 @@
 
 namespace atria {
 
-/// Every face once, owner before neighbour, in the order OpenFOAM asks for: internal faces first, sorted by
-/// (owner, neighbour), then boundary faces sorted by owner. A face's normal (right-hand rule) points out of
+/// Every face once, owner before neighbor, in the order OpenFOAM asks for: internal faces first, sorted by
+/// (owner, neighbor), then boundary faces sorted by owner. A face's normal (right-hand rule) points out of
 /// its owner.
 struct FaceMesh
 {
@@ -24,12 +24,12 @@ struct FaceMesh
   Buffer<Index> faceOffsets{0};
   Buffer<Index> facePoints;
   Buffer<Index> owner;
-  /// One entry per internal face; internal faces are the first neighbour.size() faces.
-  Buffer<Index> neighbour;
+  /// One entry per internal face; internal faces are the first neighbor.size() faces.
+  Buffer<Index> neighbor;
   std::size_t cellCount = 0;
 
   std::size_t faceCount() const { return owner.size(); }
-  std::size_t internalFaceCount() const { return neighbour.size(); }
+  std::size_t internalFaceCount() const { return neighbor.size(); }
   std::span<const Index> face(std::size_t f) const
   {
     return {facePoints.data() + faceOffsets[f], facePoints.data() + faceOffsets[f + 1]};
@@ -94,15 +94,15 @@ struct OrderedFace
 {
   bool onBoundary;
   Index owner;
-  Index neighbour; ///< noIndex on the boundary
-  Index face;      ///< its number before
-  bool turned;     ///< whether what was its neighbour is its owner
+  Index neighbor; ///< noIndex on the boundary
+  Index face;     ///< its number before
+  bool turned;    ///< whether what was its neighbor is its owner
 
   auto operator<=>(const OrderedFace&) const = default;
 };
 
-/// Of the cells that the face's owner and neighbour are now, one of them noIndex on the boundary; not equal.
-OrderedFace orderFace(Index face, Index owner, Index neighbour);
+/// Of the cells that the face's owner and neighbor are now, one of them noIndex on the boundary; not equal.
+OrderedFace orderFace(Index face, Index owner, Index neighbor);
 /// Appends a face to a mesh that lists them in order. `loop` are its points, in the order they had.
 void appendFace(FaceMesh& mesh, const OrderedFace& face, std::span<const Index> loop);
 

@@ -53,15 +53,15 @@ PolygonMeasure measurePolygon(std::span<const Vec3> points, std::span<const Inde
 
 namespace {
 
-/// Those a cell owns are found side by side, as faces are sorted by owner; those it is the neighbour of are linked.
+/// Those a cell owns are found side by side, as faces are sorted by owner; those it is the neighbor of are linked.
 class CellFaceFinder
 {
 public:
   CellFaceFinder(const FaceMesh& source, const Executor& executor)
-      : mesh(source), fromNeighbours(source.cellCount, executor), next(source.internalFaceCount())
+      : mesh(source), fromNeighbors(source.cellCount, executor), next(source.internalFaceCount())
   {
     executor.forEach(next.size(), grain,
-                     [&](std::size_t f) { fromNeighbours.add(mesh.neighbour[f], static_cast<Index>(f), next[f]); });
+                     [&](std::size_t f) { fromNeighbors.add(mesh.neighbor[f], static_cast<Index>(f), next[f]); });
   }
 
   /// Calls use(cell, faces) for cells in a row, faces as CellFaces has them.
@@ -82,7 +82,7 @@ public:
         faces.push_back(static_cast<Index>(outside));
       }
       const auto owned = static_cast<std::ptrdiff_t>(faces.size());
-      for (Index f = fromNeighbours.first(cell); f != noIndex; f = next[f])
+      for (Index f = fromNeighbors.first(cell); f != noIndex; f = next[f])
       {
         faces.push_back(f);
       }
@@ -100,7 +100,7 @@ private:
   }
 
   const FaceMesh& mesh;
-  Chains fromNeighbours;
+  Chains fromNeighbors;
   Buffer<Index> next;
 };
 

@@ -55,7 +55,7 @@ template <typename FaceOf> CellMeasureInOrder measureCellInOrder(std::size_t fac
   return {std::abs(tripleVolume) > tinyVolume ? Vec3(moment / tripleVolume) : estimate, tripleVolume * (1.0 / 3.0)};
 }
 
-/// The faces of every cell: first those it owns, then those it is the neighbour of, each in rising order.
+/// The faces of every cell: first those it owns, then those it is the neighbor of, each in rising order.
 struct CellFaces
 {
   Buffer<Index> offsets{0};

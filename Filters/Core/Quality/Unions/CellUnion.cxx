@@ -22,7 +22,7 @@ constexpr std::size_t fewestFaces = 4;
 /// faces moves their centroids.
 constexpr double greatestPenalty = 0.99;
 
-/// Some cells and their neighbours as a mesh of their own, in which the cells are one, number 0.
+/// Some cells and their neighbors as a mesh of their own, in which the cells are one, number 0.
 struct Surroundings
 {
   FaceMesh mesh;
@@ -50,9 +50,9 @@ std::vector<OrderedFace> facesAbout(const CellUnions& unions, const std::map<Ind
   std::vector<OrderedFace> order;
   for (const Index face : faces)
   {
-    const auto [owner, neighbour] = unions.sidesOf(face);
+    const auto [owner, neighbor] = unions.sidesOf(face);
     const Index a = local(owner);
-    const Index b = local(neighbour);
+    const Index b = local(neighbor);
     if (a != b)
     {
       order.push_back(orderFace(face, a, b));
@@ -65,8 +65,8 @@ std::vector<OrderedFace> facesAbout(const CellUnions& unions, const std::map<Ind
 /// What lies beyond a face that is on the boundary of the surroundings: its patch, or another number for each cell.
 Index beyond(const CellUnions& unions, const OrderedFace& local)
 {
-  const auto [owner, neighbour] = unions.sidesOf(local.face);
-  return neighbour == noIndex ? unions.patchOf(local.face) : noIndex - 1 - (local.turned ? owner : neighbour);
+  const auto [owner, neighbor] = unions.sidesOf(local.face);
+  return neighbor == noIndex ? unions.patchOf(local.face) : noIndex - 1 - (local.turned ? owner : neighbor);
 }
 
 void split(Surroundings& about, std::span<const Index> cells)
@@ -90,7 +90,7 @@ Surroundings surroundingsOf(const CellUnions& unions, std::span<const Index> cel
   }
   Index count = 1;
   std::vector<Index> cut;
-  for (const Index cell : unions.neighboursOf(cells))
+  for (const Index cell : unions.neighborsOf(cells))
   {
     if (unions.isSplit(cell))
     {
@@ -145,7 +145,7 @@ std::vector<std::uint32_t> errorsOf(const MeasuredMesh& mesh, const RunContext& 
   return failed;
 }
 
-/// Whether faces have every edge of theirs twice, once each way, hang together over edges, and are a sphere by Euler's
+/// Whether faces have every edge of theirs twice, once each way, are connected over edges, and are a sphere by Euler's
 /// formula. All look out of cell 0, which owns them.
 bool isBall(const FaceMesh& mesh, std::span<const Index> faces)
 {
@@ -200,7 +200,7 @@ double worstPenalty(const MeasuredMesh& m, std::span<const Index> faces)
     if (f < m.mesh.internalFaceCount())
     {
       const Vec3& area = m.geometry.faceAreas[f];
-      const Vec3 way = m.geometry.cellCentroids[m.mesh.neighbour[f]] - m.geometry.cellCentroids[m.mesh.owner[f]];
+      const Vec3 way = m.geometry.cellCentroids[m.mesh.neighbor[f]] - m.geometry.cellCentroids[m.mesh.owner[f]];
       const double cosine = dotInOrder(way, area) / (lengthInOrder(way) * lengthInOrder(area) + 1e-150);
       const double degrees = std::acos(std::clamp(cosine, -1.0, 1.0)) * 180.0 / std::numbers::pi;
       worst = std::max(worst, degrees / severeDegrees);
@@ -246,7 +246,7 @@ CellUnions::CellUnions(const FaceMesh& faceMesh, std::span<const Index> patchOf,
 
 std::pair<Index, Index> CellUnions::sidesOf(Index face) const
 {
-  return {into[mesh.owner[face]], face < mesh.internalFaceCount() ? into[mesh.neighbour[face]] : noIndex};
+  return {into[mesh.owner[face]], face < mesh.internalFaceCount() ? into[mesh.neighbor[face]] : noIndex};
 }
 
 std::span<const Index> CellUnions::facesOf(Index cell) const
@@ -263,8 +263,8 @@ std::vector<Index> CellUnions::outerFaces(std::span<const Index> cells) const
   {
     for (const Index face : facesOf(cell))
     {
-      const auto [owner, neighbour] = sidesOf(face);
-      if (!isIn(owner) || !isIn(neighbour))
+      const auto [owner, neighbor] = sidesOf(face);
+      if (!isIn(owner) || !isIn(neighbor))
       {
         outer.push_back(face);
       }
@@ -274,16 +274,16 @@ std::vector<Index> CellUnions::outerFaces(std::span<const Index> cells) const
   return outer;
 }
 
-std::vector<Index> CellUnions::neighboursOf(std::span<const Index> cells) const
+std::vector<Index> CellUnions::neighborsOf(std::span<const Index> cells) const
 {
   const auto isIn = [&](Index cell) { return std::find(cells.begin(), cells.end(), cell) != cells.end(); };
   std::vector<Index> beyond;
   for (const Index face : outerFaces(cells))
   {
-    const auto [owner, neighbour] = sidesOf(face);
-    if (neighbour != noIndex)
+    const auto [owner, neighbor] = sidesOf(face);
+    if (neighbor != noIndex)
     {
-      beyond.push_back(isIn(owner) ? neighbour : owner);
+      beyond.push_back(isIn(owner) ? neighbor : owner);
     }
   }
   sortUnique(beyond);

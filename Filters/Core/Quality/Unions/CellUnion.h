@@ -32,7 +32,7 @@ public:
   /// The faces that some of these cells have and do not share with each other; rising.
   std::vector<Index> outerFaces(std::span<const Index> cells) const;
   /// The cells beyond the outer faces of these; rising.
-  std::vector<Index> neighboursOf(std::span<const Index> cells) const;
+  std::vector<Index> neighborsOf(std::span<const Index> cells) const;
   /// Makes these one. None of them is to be cut.
   void unite(std::span<const Index> cells);
   /// Whether other cells belong to this one.
@@ -64,11 +64,11 @@ struct UnionVerdict
   double penalty = 0.0; ///< of its worst face, 1 at 70 degrees of non-orthogonality or a skewness of 4
 };
 
-/// Judges the union of cells that hang together over faces, as it is and once its coplanar faces are merged.
+/// Judges the union of cells that are connected over faces, as it is and once its coplanar faces are merged.
 UnionVerdict judgeUnion(const CellUnions& unions, std::span<const Index> cells, const Executor& executor);
 
 /// Whether the pyramids of a cell would pass all of checkMesh()'s checks, with 69 degrees of non-orthogonality and a
-/// skewness of 3.9 at most, and its neighbours all they pass now, once coplanar faces are merged.
+/// skewness of 3.9 at most, and its neighbors all they pass now, once coplanar faces are merged.
 bool canBeSplit(const CellUnions& unions, Index cell, const Executor& executor);
 
 } // namespace atria

@@ -94,7 +94,7 @@ std::vector<PolygonMeasure> FaceUnions::measuresIn(const FaceUnion& change, Inde
 
 std::vector<Index> FaceUnions::cellsOf(Index face) const
 {
-  return isInternal(face) ? std::vector<Index>{mesh.owner[face], mesh.neighbour[face]}
+  return isInternal(face) ? std::vector<Index>{mesh.owner[face], mesh.neighbor[face]}
                           : std::vector<Index>{mesh.owner[face]};
 }
 
@@ -116,7 +116,7 @@ void FaceUnions::findCentroids(FaceUnion& change) const
 
 double FaceUnions::leastIn(const FaceUnion& change, Index face) const
 {
-  const Vec3* beyond = isInternal(face) ? &centroidIn(change, mesh.neighbour[face]) : nullptr;
+  const Vec3* beyond = isInternal(face) ? &centroidIn(change, mesh.neighbor[face]) : nullptr;
   return leastTetrahedron(mesh.points, loopIn(change, face), centroidIn(change, mesh.owner[face]), beyond);
 }
 
@@ -239,7 +239,7 @@ MergedFaces FaceUnions::writeFaces()
     out.owner.push_back(mesh.owner[f]);
     if (isInternal(f))
     {
-      out.neighbour.push_back(mesh.neighbour[f]);
+      out.neighbor.push_back(mesh.neighbor[f]);
     }
   }
   const auto replaceTail = [](Buffer<Index>& all, std::size_t kept, const Buffer<Index>& tail) {
@@ -249,7 +249,7 @@ MergedFaces FaceUnions::writeFaces()
   replaceTail(mesh.facePoints, out.faceOffsets.front(), out.facePoints);
   replaceTail(mesh.faceOffsets, first, out.faceOffsets);
   replaceTail(mesh.owner, first, out.owner);
-  replaceTail(mesh.neighbour, std::min<std::size_t>(first, mesh.neighbour.size()), out.neighbour);
+  replaceTail(mesh.neighbor, std::min<std::size_t>(first, mesh.neighbor.size()), out.neighbor);
   return {std::move(into), before - mesh.faceCount()};
 }
 

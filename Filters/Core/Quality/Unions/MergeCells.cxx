@@ -120,13 +120,13 @@ private:
       slotOf[cells[i]] = static_cast<Index>(i);
     }
     const std::vector<Index> faces = chosenNumbers(mesh.internalFaceCount(), context.executor, [&](std::size_t f) {
-      return slotOf[mesh.owner[f]] != noIndex || slotOf[mesh.neighbour[f]] != noIndex;
+      return slotOf[mesh.owner[f]] != noIndex || slotOf[mesh.neighbor[f]] != noIndex;
     });
     std::vector<Directions> directions(cells.size());
     for (const Index f : faces)
     {
       const Vec3 area = measurePolygon(mesh.points, mesh.face(f)).area;
-      for (const Index slot : {slotOf[mesh.owner[f]], slotOf[mesh.neighbour[f]]})
+      for (const Index slot : {slotOf[mesh.owner[f]], slotOf[mesh.neighbor[f]]})
       {
         if (slot != noIndex)
         {
@@ -185,13 +185,13 @@ private:
     return std::nullopt;
   }
 
-  /// The groups with a neighbour each that are closed balls, the best ones first.
+  /// The groups with a neighbor each that are closed balls, the best ones first.
   std::vector<Group> withOneMore(const CellUnions& unions, const std::vector<Group>& groups) const
   {
     std::set<std::vector<Index>> larger;
     for (const Group& group : groups)
     {
-      for (const Index next : unions.neighboursOf(group.cells))
+      for (const Index next : unions.neighborsOf(group.cells))
       {
         if (unions.isSplit(next))
         {
@@ -270,10 +270,10 @@ private:
     for (Index face = 0; face < mesh.faceCount(); ++face)
     {
       const Index owner = cellOf[mesh.owner[face]];
-      const Index neighbour = face < mesh.internalFaceCount() ? cellOf[mesh.neighbour[face]] : noIndex;
-      if (owner != neighbour)
+      const Index neighbor = face < mesh.internalFaceCount() ? cellOf[mesh.neighbor[face]] : noIndex;
+      if (owner != neighbor)
       {
-        order.push_back(orderFace(face, owner, neighbour));
+        order.push_back(orderFace(face, owner, neighbor));
       }
     }
     std::sort(order.begin(), order.end());

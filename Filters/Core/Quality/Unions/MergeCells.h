@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Cells with too few neighbours made part of one, for formats that know polyhedra.
+/// Cells with too few neighbors made part of one, for formats that know polyhedra.
 #pragma once
 
 #include "Quality/Faces/FaceMesh.h"
@@ -13,7 +13,7 @@ namespace atria {
 
 struct MergeCellsOptions
 {
-  /// A cell has too few neighbours where no more than three faces of it are within the mesh and its determinant (see
+  /// A cell has too few neighbors where no more than three faces of it are within the mesh and its determinant (see
   /// CheckQuantity::Determinant) is below this, checkMesh's limit. Thin cells of boundary layers have small
   /// determinants too, but more faces.
   double determinant = 1e-3;
@@ -34,8 +34,8 @@ struct MergedCells
   std::vector<Index> added;
 };
 
-/// Makes each cell from whose neighbours no gradient can be determined (in a corner between walls it has but one or
-/// two) one with a neighbour, or with several where one does not do; or, where no such union is convex, cuts it into
+/// Makes each cell from whose neighbors no gradient can be determined (in a corner between walls it has but one or
+/// two) one with a neighbor, or with several where one does not do; or, where no such union is convex, cuts it into
 /// pyramids about its centroid if these pass all of checkMesh()'s checks. Points and boundary faces stay, except that
 /// faces may get other numbers; apices come behind all other points. Cells keep their order, that of the lowest of
 /// those that became one, and faces have the order FaceMesh asks for. Cells serve where their union is a closed ball

@@ -69,11 +69,11 @@ private:
 
   double sineOf(Index face) const { return isInternal(face) ? options.internalSine : options.planarSine; }
 
-  /// Whether they have the same owner and, if there is one, the same neighbour.
+  /// Whether they have the same owner and, if there is one, the same neighbor.
   bool areOfOneRun(Index a, Index b) const
   {
     return mesh.owner[a] == mesh.owner[b] && isInternal(a) == isInternal(b) &&
-           (!isInternal(a) || mesh.neighbour[a] == mesh.neighbour[b]);
+           (!isInternal(a) || mesh.neighbor[a] == mesh.neighbor[b]);
   }
 
   /// Behind the last face of a run.

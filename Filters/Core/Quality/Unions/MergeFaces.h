@@ -33,10 +33,10 @@ struct MergedFaces
   Index nowOf(Index face) const { return faceOf.empty() ? face : faceOf[face]; }
 };
 
-/// Merges boundary faces of one owner and one patch, and internal ones of one owner and one neighbour, that are
+/// Merges boundary faces of one owner and one patch, and internal ones of one owner and one neighbor, that are
 /// coplanar and share one edge or one run of edges. Cells and points stay as they are; faces stay in the order FaceMesh
 /// asks for. A point that comes to lie inside a merged face is left without faces. All coplanar faces of a cell that
-/// hang together are merged where that is possible, else three or two of them. Not possible it is where
+/// are connected are merged where that is possible, else three or two of them. Not possible it is where
 /// - the merged face would not be a simple polygon, or would share with another face of its cell points that do not
 ///   follow each other;
 /// - it is not star-shaped as OpenFOAM's checkMesh asks for: triangles from its centroid to its edges, and those from

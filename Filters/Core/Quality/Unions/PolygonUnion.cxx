@@ -150,11 +150,11 @@ bool coplanar(std::span<const Vec3> points, std::span<const Index> a, std::span<
   return furthest <= sine * longest;
 }
 
-bool isStarShaped(std::span<const Vec3> points, std::span<const Index> loop, const Vec3& centre, double sine)
+bool isStarShaped(std::span<const Vec3> points, std::span<const Index> loop, const Vec3& center, double sine)
 {
   const PolygonMeasure face = measurePolygon(points, loop);
   const Vec3 normal = face.area.normalized();
-  if (!((face.centroid - centre).dot(normal) > sine * std::sqrt(face.area.norm())))
+  if (!((face.centroid - center).dot(normal) > sine * std::sqrt(face.area.norm())))
   {
     return false;
   }
@@ -184,7 +184,7 @@ bool isStarShaped(std::span<const Vec3> points, std::span<const Index> loop, con
   return false;
 }
 
-double leastTetrahedron(std::span<const Vec3> points, std::span<const Index> loop, const Vec3& centre,
+double leastTetrahedron(std::span<const Vec3> points, std::span<const Index> loop, const Vec3& center,
                         const Vec3* beyond)
 {
   const std::size_t size = loop.size();
@@ -198,7 +198,7 @@ double leastTetrahedron(std::span<const Vec3> points, std::span<const Index> loo
     {
       const Vec3& from = points[loop[i % size]];
       const Vec3& to = points[loop[(i + 1) % size]];
-      least = std::min(least, volume(from, to, apex, centre));
+      least = std::min(least, volume(from, to, apex, center));
       least = beyond ? std::min(least, -volume(from, to, apex, *beyond)) : least;
     }
     return least;

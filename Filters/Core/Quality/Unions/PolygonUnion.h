@@ -28,15 +28,15 @@ bool shareOneRun(std::span<const Index> a, std::span<const Index> b);
 bool coplanar(std::span<const Vec3> points, std::span<const Index> a, std::span<const Index> b, double sine);
 
 /// Whether triangles from the polygon's centroid to its edges, and those from one of its points, all look away from
-/// `centre`, with an angle at the centroid or point of a greater sine than `sine`; and whether `centre` is further from
+/// `center`, with an angle at the centroid or point of a greater sine than `sine`; and whether `center` is further from
 /// the polygon's plane than `sine` times the root of its area.
-bool isStarShaped(std::span<const Vec3> points, std::span<const Index> loop, const Vec3& centre, double sine);
+bool isStarShaped(std::span<const Vec3> points, std::span<const Index> loop, const Vec3& center, double sine);
 
-/// The least volume, over the cube of the root of the polygon's area, of the tetrahedra of `centre` with triangles from
+/// The least volume, over the cube of the root of the polygon's area, of the tetrahedra of `center` with triangles from
 /// the polygon's centroid to its edges and with those from one of its points, the best one, as OpenFOAM takes cells
-/// apart. Above 0 where all look away from `centre`. `beyond`, if not null, is a centre on the other side, whose
+/// apart. Above 0 where all look away from `center`. `beyond`, if not null, is a center on the other side, whose
 /// tetrahedra with the same triangles count as well.
-double leastTetrahedron(std::span<const Vec3> points, std::span<const Index> loop, const Vec3& centre,
+double leastTetrahedron(std::span<const Vec3> points, std::span<const Index> loop, const Vec3& center,
                         const Vec3* beyond);
 
 } // namespace atria

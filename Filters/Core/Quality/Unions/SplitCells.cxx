@@ -17,7 +17,7 @@ struct Triangle
 {
   std::array<Index, 3> points;
   Index owner;
-  Index neighbour;
+  Index neighbor;
 };
 
 class CellSplitter
@@ -25,9 +25,9 @@ class CellSplitter
 public:
   explicit CellSplitter(FaceMesh& faceMesh)
       : mesh(faceMesh), cellFaces(makeCellFaces(faceMesh)), owners(faceMesh.owner.begin(), faceMesh.owner.end()),
-        neighbours(faceMesh.neighbour.begin(), faceMesh.neighbour.end())
+        neighbors(faceMesh.neighbor.begin(), faceMesh.neighbor.end())
   {
-    neighbours.resize(owners.size(), noIndex);
+    neighbors.resize(owners.size(), noIndex);
   }
 
   void split(Index cell)
@@ -39,7 +39,7 @@ public:
     for (const Index face : cellFaces.of(cell))
     {
       const std::vector<Index> loop = outward(face, cell);
-      (mesh.owner[face] == cell ? owners : neighbours)[face] = pyramid;
+      (mesh.owner[face] == cell ? owners : neighbors)[face] = pyramid;
       for (std::size_t i = 0; i < loop.size(); ++i)
       {
         const std::pair<Index, Index> edge{loop[i], loop[(i + 1) % loop.size()]};
@@ -64,11 +64,11 @@ public:
     const auto before = static_cast<Index>(mesh.faceCount());
     for (Index face = 0; face < before; ++face)
     {
-      order.push_back(orderFace(face, owners[face], neighbours[face]));
+      order.push_back(orderFace(face, owners[face], neighbors[face]));
     }
     for (Index i = 0; i < triangles.size(); ++i)
     {
-      order.push_back(orderFace(before + i, triangles[i].owner, triangles[i].neighbour));
+      order.push_back(orderFace(before + i, triangles[i].owner, triangles[i].neighbor));
     }
     std::sort(order.begin(), order.end());
     FaceMesh out;
@@ -111,7 +111,7 @@ private:
   FaceMesh& mesh;
   const CellFaces cellFaces;
   std::vector<Index> owners;
-  std::vector<Index> neighbours; ///< noIndex on the boundary
+  std::vector<Index> neighbors; ///< noIndex on the boundary
   std::vector<Index> cellOf;
   std::vector<Triangle> triangles;
 };

@@ -85,7 +85,7 @@ private:
     }
   }
 
-  /// Cells of the tolerance's size hold the candidates: neighbours are in the 27 cells around.
+  /// Cells of the tolerance's size hold the candidates: neighbors are in the 27 cells around.
   void mergeNear()
   {
     using Cell = std::array<double, 3>; // whole numbers; doubles, since a cell number may exceed every integer type

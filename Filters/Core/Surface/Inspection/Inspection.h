@@ -10,7 +10,7 @@ namespace atria {
 
 /// What a surface model holds, without changing or judging it. An edge is open where one triangle uses it,
 /// non-manifold where three or more do. Edges count by places, not by point numbers; two triangles that meet
-/// across two names are neighbours all the same, but an edge is open for a name where the name alone leaves
+/// across two names are neighbors all the same, but an edge is open for a name where the name alone leaves
 /// it open.
 struct SurfaceSummary
 {
@@ -30,7 +30,7 @@ struct Inspection
   std::size_t points = 0;               ///< different places triangles use
 };
 
-/// Summarises a model. Points at a distance of up to `tolerance` of each other, in model units, are one; with
+/// Summarizes a model. Points at a distance of up to `tolerance` of each other, in model units, are one; with
 /// 0 those of equal coordinates are. Throws Error for a negative tolerance, points that are not finite and
 /// indices out of range. O(n log n).
 Inspection inspect(const TriangleSurface& surface, double tolerance = 0.0);

@@ -46,13 +46,13 @@ void forClosePairs(std::vector<Thing>& things, const Narrow& best, Measure&& mea
   }
 }
 
-struct Rim
+struct BoundaryEdge
 {
   Box3 box;
   std::array<Index, 2> ids;
   std::array<Vec3, 2> ends;
   Vec3 outward; ///< in the plane of its triangle, away from it
-  Index loop;   ///< the same for rims that are joined end to end
+  Index loop;   ///< the same for boundary edges that are joined end to end
   double length;
   Index surface;
 };
@@ -99,53 +99,55 @@ std::vector<Face> facesOf(const SurfaceModel& model, const GridFrame& frame)
   return faces;
 }
 
-std::vector<Rim> rimsOf(const SurfaceModel& model, const GridFrame& frame, const std::vector<Face>& faces)
+std::vector<BoundaryEdge> boundaryEdgesOf(const SurfaceModel& model, const GridFrame& frame,
+                                          const std::vector<Face>& faces)
 {
-  std::set<std::array<Index, 2>> isRim;
+  std::set<std::array<Index, 2>> isBoundaryEdge;
   UnionFind loops(model.points.size());
   for (const FeatureEdge& edge : model.featureEdges)
   {
-    if (model.kindOf(edge) == CurveKind::rim)
+    if (model.kindOf(edge) == CurveKind::boundary)
     {
-      isRim.insert({std::min(edge.a, edge.b), std::max(edge.a, edge.b)});
+      isBoundaryEdge.insert({std::min(edge.a, edge.b), std::max(edge.a, edge.b)});
       loops.join(edge.a, edge.b);
     }
   }
-  std::vector<Rim> rims;
+  std::vector<BoundaryEdge> boundaryEdges;
   for (const Face& face : faces)
   {
     for (int i = 0; i < 3; ++i)
     {
       const Index a = face.ids[i];
       const Index b = face.ids[(i + 1) % 3];
-      if (isRim.count({std::min(a, b), std::max(a, b)}) == 0)
+      if (isBoundaryEdge.count({std::min(a, b), std::max(a, b)}) == 0)
       {
         continue;
       }
-      Rim rim{{}, {a, b}, {face.points[i], face.points[(i + 1) % 3]}, {}, loops.find(a), 0.0, face.surface};
-      rim.length = (rim.ends[1] - rim.ends[0]).norm();
-      const Vec3 along = (rim.ends[1] - rim.ends[0]).normalized();
-      const Vec3 inward = face.points[(i + 2) % 3] - rim.ends[0];
-      rim.outward = -(inward - inward.dot(along) * along).normalized();
-      rim.box.extend(rim.ends[0]);
-      rim.box.extend(rim.ends[1]);
-      if (overlaps(rim.box, frame.domain, 0.0))
+      BoundaryEdge boundaryEdge{{},  {a, b},      {face.points[i], face.points[(i + 1) % 3]}, {}, loops.find(a),
+                                0.0, face.surface};
+      boundaryEdge.length = (boundaryEdge.ends[1] - boundaryEdge.ends[0]).norm();
+      const Vec3 along = (boundaryEdge.ends[1] - boundaryEdge.ends[0]).normalized();
+      const Vec3 inward = face.points[(i + 2) % 3] - boundaryEdge.ends[0];
+      boundaryEdge.outward = -(inward - inward.dot(along) * along).normalized();
+      boundaryEdge.box.extend(boundaryEdge.ends[0]);
+      boundaryEdge.box.extend(boundaryEdge.ends[1]);
+      if (overlaps(boundaryEdge.box, frame.domain, 0.0))
       {
-        rims.push_back(rim);
+        boundaryEdges.push_back(boundaryEdge);
       }
     }
   }
-  return rims;
+  return boundaryEdges;
 }
 
-/// Ways from the ends and the middle of either rim to the other.
-void measureRims(const Rim& a, const Rim& b, double least, Narrow& best)
+/// Ways from the ends and the middle of either boundary edge to the other.
+void measureBoundaryEdges(const BoundaryEdge& a, const BoundaryEdge& b, double least, Narrow& best)
 {
   if (sharePoint(a.ids, b.ids))
   {
     return;
   }
-  const auto test = [&](const Vec3& p, const Rim& own, const Rim& other) {
+  const auto test = [&](const Vec3& p, const BoundaryEdge& own, const BoundaryEdge& other) {
     const Vec3 q = nearestOnSegment(p, other.ends[0], other.ends[1]);
     const Vec3 way = q - p;
     const double width = way.norm();
@@ -195,9 +197,10 @@ void measureFaces(const Face& a, const Face& b, double least, Narrow& best)
 NarrowPlaces findNarrowPlaces(const SurfaceModel& model, const GridFrame& frame, double least)
 {
   std::vector<Face> faces = facesOf(model, frame);
-  std::vector<Rim> rims = rimsOf(model, frame, faces);
+  std::vector<BoundaryEdge> boundaryEdges = boundaryEdgesOf(model, frame, faces);
   NarrowPlaces out;
-  forClosePairs(rims, out.opening, [&](const Rim& a, const Rim& b) { measureRims(a, b, least, out.opening); });
+  forClosePairs(boundaryEdges, out.opening,
+                [&](const BoundaryEdge& a, const BoundaryEdge& b) { measureBoundaryEdges(a, b, least, out.opening); });
   forClosePairs(faces, out.gap, [&](const Face& a, const Face& b) { measureFaces(a, b, least, out.gap); });
   return out;
 }

@@ -21,10 +21,11 @@ struct Narrow
 
 struct NarrowPlaces
 {
-  /// The shortest way across an opening: between two rims that do not share a point and face each other, so that the
-  /// way leads away from the surface at either within 45 degrees; between rims that are not joined end to end only
-  /// where one is at least as long as the way. That holds of windows and doors cut out of a sheet, and of slots between
-  /// sheets. Openings that other surfaces border, such as reveals, have no rims: they are gaps.
+  /// The shortest way across an opening: between two boundary edges that do not share a point and face each other, so
+  /// that the way leads away from the surface at either within 45 degrees; between boundary edges that are not joined
+  /// end to end only where one is at least as long as the way. That holds of windows and doors cut out of a sheet, and
+  /// of slots between sheets. Openings that other surfaces border, such as reveals, have no boundary edges: they are
+  /// gaps.
   Narrow opening;
   /// The shortest way between two triangles that do not share a point, are parallel within 15 degrees and lie across
   /// each other within 30: between walls, or through one with thickness. Measured from the triangles' points, middles

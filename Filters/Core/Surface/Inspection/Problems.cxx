@@ -161,7 +161,7 @@ public:
     findContactsOfTriangles();
     context.progress.report(0.7, "Looking for gaps");
     findGaps();
-    crowds.moveTo(problems);
+    clusters.moveTo(problems);
     std::stable_sort(problems.begin(), problems.end(),
                      [](const Problem& a, const Problem& b) { return a.kind < b.kind; });
     return std::move(problems);
@@ -239,7 +239,7 @@ private:
     gatherEdges(ProblemKind::nonManifoldEdges, uses, many);
   }
 
-  /// One problem for edges that hang together.
+  /// One problem for edges that are connected.
   void gatherEdges(ProblemKind kind, const std::vector<SoupEdgeUse>& uses,
                    const std::vector<std::pair<std::size_t, std::size_t>>& edges)
   {
@@ -276,7 +276,7 @@ private:
   void findContactsOfTriangles()
   {
     constexpr std::int64_t reach = 4; // of rounding
-    leaveOut(findCrowds(soup, reach, maximumPairs(), context));
+    leaveOut(findClusters(soup, reach, maximumPairs(), context));
     const Contacts found =
         findContacts(soup, std::vector<char>(soup.triangles.size(), 1), reach, context.part(0.3, 0.7));
     SurfacesAtPoints atPoints;
@@ -333,7 +333,7 @@ private:
         continue; // another piece of it
       }
       wasLeftOut[soup.sources[i]] = 1;
-      Problem& problem = crowds.of({soup.surfaceIds[i]});
+      Problem& problem = clusters.of({soup.surfaceIds[i]});
       const auto [a, b, c] = cornersOf(soup.sources[i]);
       problem.place = problem.count++ == 0 ? Vec3((a + b + c) / 3.0) : problem.place;
     }
@@ -368,9 +368,9 @@ private:
     const std::vector<Index> parts = partsOf(soup);
     leaveOut(tangled);
     const auto margin = static_cast<std::int64_t>(std::ceil(tolerance));
-    leaveOut(findCrowds(soup, margin, maximumPairs(), context));
+    leaveOut(findClusters(soup, margin, maximumPairs(), context));
     autorefine(soup, {}, context.part(0.7, 0.9));
-    leaveOut(findCrowds(soup, margin, maximumPairs(), context)); // the pieces are more
+    leaveOut(findClusters(soup, margin, maximumPairs(), context)); // the pieces are more
     const std::vector<LatticePoint> start = soup.points;
     const std::vector<char> isMoved = closeGaps(soup, frame, tolerance, parts, start, context);
     SurfacesAtPoints atPoints;
@@ -405,8 +405,8 @@ private:
   TriangleSoup soup;        ///< with these points
   std::vector<Problem> problems;
   std::vector<char> tangled; ///< triangles that crossings would cut into too many pieces
-  Groups crowds{ProblemKind::crowds};
-  std::vector<char> wasLeftOut; ///< per triangle of the model, whether it is in crowds
+  Groups clusters{ProblemKind::clusters};
+  std::vector<char> wasLeftOut; ///< per triangle of the model, whether it is in clusters
 };
 
 } // namespace

@@ -10,17 +10,17 @@ namespace atria {
 
 enum class ProblemKind : std::uint8_t
 {
-  openEdges,        ///< edges that one triangle uses: free rims, and holes that should be none
+  openEdges,        ///< edges that one triangle uses: boundary edges, and holes that should be none
   nonManifoldEdges, ///< edges that three triangles use or more
   duplicates,       ///< triangles with the corners of an earlier one
   slivers,          ///< triangles whose height is less than a hundredth of their longest side
   crossings,        ///< places where an edge passes through a triangle or another edge
   contacts,         ///< points on an edge or triangle that does not have them as a corner
   gaps,             ///< points that fall short of what they nearly touch
-  crowds            ///< triangles among too many others in one place, not looked at for the three above
+  clusters          ///< triangles among too many others in one place, not looked at for the three above
 };
 inline constexpr const char* problemNames[]{"open edges", "non-manifold edges", "duplicates", "slivers",
-                                            "crossings",  "contacts",           "gaps",       "crowds"};
+                                            "crossings",  "contacts",           "gaps",       "clusters"};
 
 /// Problems of one kind in one place: connected edges, else what the same surfaces are part of.
 struct Problem
@@ -28,7 +28,7 @@ struct Problem
   ProblemKind kind = ProblemKind::openEdges;
   std::size_t count = 0;
   /// Length of edges together, area of duplicates together, least height of slivers, width of the widest gap, in model
-  /// units or their square; zero of crossings, contacts and crowds.
+  /// units or their square; zero of crossings, contacts and clusters.
   double size = 0.0;
   Vec3 place = Vec3::Zero();   ///< of the first one, of the thinnest sliver, of the widest gap
   std::vector<Index> surfaces; ///< ascending
@@ -38,7 +38,7 @@ struct ProblemOptions
 {
   double gapTolerance = 0.01; ///< gaps are looked for up to this width, in model units; none with 0
   /// Pairs of triangles that are looked at for crossings, contacts and gaps; 64 times the number of triangles where
-  /// that is more. Triangles that are in more pairs than others are left out first, and reported as crowds.
+  /// that is more. Triangles that are in more pairs than others are left out first, and reported as clusters.
   std::size_t maximumPairs = 5'000'000;
   /// The same for how often three triangles may meet, as bounded by boundOfTriples(), in the search for gaps.
   std::size_t maximumMeetings = 1'000'000;

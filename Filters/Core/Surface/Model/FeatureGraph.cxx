@@ -41,7 +41,7 @@ std::optional<CurveKind> kindOf(const SurfaceModel& model, const SoupEdgeUse* fi
   const auto count = last - first;
   if (count == 1)
   {
-    return CurveKind::rim;
+    return CurveKind::boundary;
   }
   if (count > 2)
   {

@@ -14,7 +14,7 @@ namespace atria {
 /// Why an edge of the model must be kept.
 enum class CurveKind : std::uint8_t
 {
-  rim,      ///< one triangle ends there
+  boundary, ///< one triangle ends there
   crease,   ///< two triangles meet at more than the feature angle
   junction, ///< three or more triangles meet
   border    ///< two named surfaces meet

@@ -241,7 +241,7 @@ public:
         width = std::max(width, std::min(loosening * width, widest * options.largestReach));
         knots = pointsOf(soup, contacts);
       }
-      alignNeedles(soup, contacts.edges);
+      alignSlivers(soup, contacts.edges);
       cutTriangles(soup, contacts, static_cast<double>(reach), changed, report.isSplit, report.meetings, context);
     }
   }

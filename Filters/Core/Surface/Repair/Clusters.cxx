@@ -87,8 +87,8 @@ std::vector<std::size_t> costsOf(std::size_t count, const TrianglePairs& pairs)
 
 } // namespace
 
-std::vector<char> findCrowds(const TriangleSoup& soup, std::int64_t margin, std::size_t limit,
-                             const RunContext& context)
+std::vector<char> findClusters(const TriangleSoup& soup, std::int64_t margin, std::size_t limit,
+                               const RunContext& context)
 {
   std::vector<char> isOut(soup.triangles.size(), 0);
   for (std::size_t allowed = limit;; allowed /= 2) // lower still where a sample did not show enough
@@ -142,13 +142,13 @@ std::vector<char> findTangles(std::size_t count, const TrianglePairs& pairs, std
   return isOut;
 }
 
-void refuseCrowds(std::size_t pairs)
+void refuseClusters(std::size_t pairs)
 {
   constexpr std::size_t most = 200'000'000;
   if (pairs > most)
   {
     throw Error("too many triangles lie in one place: more than 200 million pairs of them touch or nearly do; delete "
-                "copies there (inspect lists the surfaces and places as crowds)");
+                "copies there (inspect lists the surfaces and places as clusters)");
   }
 }
 
@@ -158,7 +158,7 @@ void refuseTangles(std::size_t count, const TrianglePairs& pairs)
   if (boundOfTriples(count, pairs) > most)
   {
     throw Error(std::to_string(pairs.size()) + " pairs of triangles overlap or cross, too many to cut along each " +
-                "other; delete copies (inspect lists the surfaces and places as crowds)");
+                "other; delete copies (inspect lists the surfaces and places as clusters)");
   }
 }
 

@@ -15,8 +15,8 @@ namespace atria {
 /// Marks triangles to leave out, so that of the others no more than `limit` pairs have boxes, `margin` wider on every
 /// side, that touch. Those that touch most go first, of equals the last. None are marked where there are fewer pairs.
 /// The limit should be well above ten times the number of triangles. O(n log n + limit).
-std::vector<char> findCrowds(const TriangleSoup& soup, std::int64_t margin, std::size_t limit,
-                             const RunContext& context);
+std::vector<char> findClusters(const TriangleSoup& soup, std::int64_t margin, std::size_t limit,
+                               const RunContext& context);
 
 using TrianglePairs = std::vector<std::pair<Index, Index>>;
 
@@ -29,7 +29,7 @@ std::size_t boundOfTriples(std::size_t count, const TrianglePairs& pairs);
 std::vector<char> findTangles(std::size_t count, const TrianglePairs& pairs, std::size_t limit);
 
 /// Throws Error for more pairs of boxes than can be looked at in reasonable time and memory: 200 million.
-void refuseCrowds(std::size_t pairs);
+void refuseClusters(std::size_t pairs);
 
 /// Throws Error where cutting triangles along each other would make too many pieces: the bound exceeds 5 million.
 void refuseTangles(std::size_t count, const TrianglePairs& pairs);

@@ -336,7 +336,7 @@ struct Search
   std::vector<std::pair<Index, Index>> later;
 };
 
-/// Looks at pairs as they are met. Where boxes crowd pairs are counted first, as looking at them takes far longer.
+/// Looks at pairs as they are met. Where boxes cluster pairs are counted first, as looking at them takes far longer.
 std::vector<Search> searchContacts(const TriangleSoup& soup, const BoxTree& tree, const std::vector<char>& changed,
                                    double reach, const RunContext& context)
 {
@@ -368,7 +368,7 @@ std::vector<Search> searchContacts(const TriangleSoup& soup, const BoxTree& tree
           pairs.emplace_back(std::min(a, b), std::max(a, b));
         }
       });
-      refuseCrowds(seen += touching);
+      refuseClusters(seen += touching);
       if (touching > manyEach)
       {
         later.insert(later.end(), pairs.begin(), pairs.end());

@@ -37,7 +37,7 @@ struct Contacts
 
 /// Finds all contacts of triangles of which one is marked in `changed`. A point within `reach` lattice units of an edge
 /// or a triangle lies on it. Sides are decided exactly, distances in double precision. All lists are sorted, without
-/// repeats. Throws Error where there are too many (refuseCrowds). O(n log n + pairs of triangles whose boxes touch).
+/// repeats. Throws Error where there are too many (refuseClusters). O(n log n + pairs of triangles whose boxes touch).
 Contacts findContacts(const TriangleSoup& soup, const std::vector<char>& changed, std::int64_t reach,
                       const RunContext& context);
 

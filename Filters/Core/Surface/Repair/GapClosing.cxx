@@ -23,7 +23,7 @@ namespace {
 
 /// A point or edge is preferred to the face up to this many times its distance.
 constexpr double sideways = 2.0;
-/// Details within this many tolerances hang together and are no gap.
+/// Details within this many tolerances are connected and are no gap.
 constexpr double detailReach = 3.0;
 /// A point may move by this much in all, in tolerances.
 constexpr double maximumDrift = 2.0;
@@ -35,17 +35,17 @@ constexpr double there = 2.0;
 constexpr double flat = 2.0;
 
 /// A free edge, from one of its ends.
-struct RimEnd
+struct BoundaryEdgeEnd
 {
   Index point;
   Index other;
   Index third; ///< of the edge's triangle
-  friend auto operator<=>(const RimEnd&, const RimEnd&) = default;
+  friend auto operator<=>(const BoundaryEdgeEnd&, const BoundaryEdgeEnd&) = default;
 };
 
-std::vector<RimEnd> rimEnds(const TriangleSoup& soup, const Executor& executor)
+std::vector<BoundaryEdgeEnd> boundaryEdgeEnds(const TriangleSoup& soup, const Executor& executor)
 {
-  std::vector<RimEnd> ends;
+  std::vector<BoundaryEdgeEnd> ends;
   const std::vector<SoupEdgeUse> uses = sortedEdgeUses(soup, executor);
   for (std::size_t i = 0; i < uses.size(); ++i)
   {
@@ -74,12 +74,13 @@ public:
   GapCloser(TriangleSoup& soup_, const GridFrame& frame_, double tolerance_, const std::vector<Index>& parts_,
             const std::vector<LatticePoint>& start_, const RunContext& runContext)
       : soup(soup_), frame(frame_), tolerance(tolerance_), parts(parts_), start(start_), context(runContext),
-        fans(soup), rims(rimEnds(soup, context.executor)), fixed(soup.points.size(), 0),
-        partOf(soup.points.size(), noIndex), hasSeveralParts(soup.points.size(), 0), hasRim(soup.points.size(), 0)
+        fans(soup), boundaryEdges(boundaryEdgeEnds(soup, context.executor)), fixed(soup.points.size(), 0),
+        partOf(soup.points.size(), noIndex), hasSeveralParts(soup.points.size(), 0),
+        hasBoundaryEdge(soup.points.size(), 0)
   {
-    for (const RimEnd& rim : rims)
+    for (const BoundaryEdgeEnd& boundaryEdge : boundaryEdges)
     {
-      hasRim[rim.point] = 1;
+      hasBoundaryEdge[boundaryEdge.point] = 1;
     }
     for (Index t = 0; t < soup.triangles.size(); ++t)
     {
@@ -138,14 +139,14 @@ private:
              return partOfTriangle(other) == part;
            }));
   }
-  std::span<const RimEnd> rimsAt(Index p) const
+  std::span<const BoundaryEdgeEnd> boundaryEdgesAt(Index p) const
   {
-    if (!hasRim[p])
+    if (!hasBoundaryEdge[p])
     {
       return {};
     }
-    const auto before = [](const RimEnd& l, const RimEnd& r) { return l.point < r.point; };
-    const auto range = std::equal_range(rims.begin(), rims.end(), RimEnd{p, 0, 0}, before);
+    const auto before = [](const BoundaryEdgeEnd& l, const BoundaryEdgeEnd& r) { return l.point < r.point; };
+    const auto range = std::equal_range(boundaryEdges.begin(), boundaryEdges.end(), BoundaryEdgeEnd{p, 0, 0}, before);
     return {range.first, range.second};
   }
 
@@ -156,7 +157,7 @@ private:
     std::vector<Gap> foreignGaps;
     /// Points with the parts they lie on without having a corner there.
     std::vector<std::pair<Index, Index>> touches;
-    /// The point looked at last for what hangs together with it, and that.
+    /// The point looked at last for what is connected with it, and that.
     Index hangingAt = noIndex;
     std::vector<Index> hanging;
   };
@@ -184,13 +185,13 @@ private:
         std::size_t touching = 0;
         tree.eachTouching({soup.points[p], soup.points[p], noIndex}, 0, [&](std::size_t place) {
           const Index t = tree.box(place).id;
-          if (hasRim[p] || isForeign(p, t))
+          if (hasBoundaryEdge[p] || isForeign(p, t))
           {
             ++touching;
             consider(p, t, searches[part]);
           }
         });
-        refuseCrowds(pairs += touching);
+        refuseClusters(pairs += touching);
       }
     });
     Found all;
@@ -215,7 +216,7 @@ private:
     std::vector<Index> points;
     for (Index p = 0; p < soup.points.size(); ++p)
     {
-      if (used(p) && (several || hasRim[p]))
+      if (used(p) && (several || hasBoundaryEdge[p]))
       {
         points.push_back(p);
       }
@@ -240,7 +241,7 @@ private:
       return;
     }
     const bool foreign = isForeign(p, t);
-    if (isAhead(p, between(soup.points[p], target->place)) || (hasRim[p] && !hangsTogether(p, t, found)))
+    if (isAhead(p, between(soup.points[p], target->place)) || (hasBoundaryEdge[p] && !hangsTogether(p, t, found)))
     {
       found.gaps.push_back({!(foreign && partOf[p] < partOfTriangle(t)), target->kind, target->distance, p, t});
     }
@@ -260,19 +261,20 @@ private:
     });
   }
 
-  bool isRim(Index p, Index q) const
+  bool isBoundaryEdge(Index p, Index q) const
   {
-    const auto here = rimsAt(p);
-    return std::any_of(here.begin(), here.end(), [&](const RimEnd& rim) { return rim.other == q; });
+    const auto here = boundaryEdgesAt(p);
+    return std::any_of(here.begin(), here.end(),
+                       [&](const BoundaryEdgeEnd& boundaryEdge) { return boundaryEdge.other == q; });
   }
 
   /// Whether a sheet that ends at the point would go on in this direction.
   bool isAhead(Index p, const Vec3& offset) const
   {
-    const auto here = rimsAt(p);
-    return std::any_of(here.begin(), here.end(), [&](const RimEnd& rim) {
-      const Vec3 along = between(soup.points[p], soup.points[rim.other]).normalized();
-      const Vec3 inward = between(soup.points[p], soup.points[rim.third]);
+    const auto here = boundaryEdgesAt(p);
+    return std::any_of(here.begin(), here.end(), [&](const BoundaryEdgeEnd& boundaryEdge) {
+      const Vec3 along = between(soup.points[p], soup.points[boundaryEdge.other]).normalized();
+      const Vec3 inward = between(soup.points[p], soup.points[boundaryEdge.third]);
       const Vec3 outward = (along.dot(inward) * along - inward).normalized();
       return offset.dot(outward) >= minimumCosine * offset.norm();
     });
@@ -440,7 +442,7 @@ private:
     if (after.norm() <= flat * between(soup.points[a], soup.points[b]).norm())
     {
       return (hasA && hasB) || (hasA && to == soup.points[a]) || (hasB && to == soup.points[b]) ||
-             !(isRim(p, a) || isRim(p, b) || isRim(a, b));
+             !(isBoundaryEdge(p, a) || isBoundaryEdge(p, b) || isBoundaryEdge(a, b));
     }
     return std::abs(after.dot(before)) >= minimumCosine * after.norm() * before.norm();
   }
@@ -452,13 +454,13 @@ private:
   const std::vector<LatticePoint>& start;
   const RunContext& context;
   Fans fans;
-  std::vector<RimEnd> rims;
+  std::vector<BoundaryEdgeEnd> boundaryEdges;
   std::vector<char> fixed;
   /// Per point, the smallest of the parts it belongs to.
   std::vector<Index> partOf;
   std::vector<char> hasSeveralParts;
   /// Per point, whether it is at a free edge.
-  std::vector<char> hasRim;
+  std::vector<char> hasBoundaryEdge;
   std::vector<Gap> gaps;
 };
 

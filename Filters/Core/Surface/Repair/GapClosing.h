@@ -16,7 +16,7 @@ namespace atria {
 /// face; the nearest pairs first, and points and edges only up to twice as far away as the face. `parts` are those of
 /// the soup as it was drawn, see partsOf. Points of a part move onto a larger part, then those of a larger one onto a
 /// smaller one. Points at free edges, those of one triangle, also move onto their own part: in the direction in which
-/// the triangle would go on, to 60 degrees; in other ones not onto what hangs together with them within three times the
+/// the triangle would go on, to 60 degrees; in other ones not onto what is connected with them within three times the
 /// tolerance, so that details stay. A move is left out that would take a point off a side of the domain it lies on, or
 /// by more than twice the tolerance from its place in `start`, or turn a triangle by more than 60 degrees out of its
 /// plane, or leave one without area that has a free edge, but for those between the point and what it moves onto.

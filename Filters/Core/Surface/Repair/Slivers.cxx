@@ -9,15 +9,15 @@ namespace atria {
 namespace {
 
 /// Points on edges, by edge.
-class Needles
+class Slivers
 {
 public:
-  Needles(const TriangleSoup& soup_, std::vector<EdgeContact>& contacts_) : soup(soup_), contacts(contacts_) {}
+  Slivers(const TriangleSoup& soup_, std::vector<EdgeContact>& contacts_) : soup(soup_), contacts(contacts_) {}
 
   void align()
   {
-    const std::vector<Index> needles = find();
-    if (needles.empty())
+    const std::vector<Index> slivers = find();
+    if (slivers.empty())
     {
       return;
     }
@@ -28,7 +28,7 @@ public:
     for (bool more = true; more;)
     {
       more = false;
-      for (const Index t : needles)
+      for (const Index t : slivers)
       {
         for (int i = 0; i < 3; ++i)
         {
@@ -104,6 +104,6 @@ private:
 
 } // namespace
 
-void alignNeedles(const TriangleSoup& soup, std::vector<EdgeContact>& contacts) { Needles(soup, contacts).align(); }
+void alignSlivers(const TriangleSoup& soup, std::vector<EdgeContact>& contacts) { Slivers(soup, contacts).align(); }
 
 } // namespace atria

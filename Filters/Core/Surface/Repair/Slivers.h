@@ -8,6 +8,6 @@ namespace atria {
 /// A triangle without width has a corner on its own long edge, by the contacts. Its long edge and the two others get
 /// the same points: cut, its outline then goes to and fro, and nothing of it is left. With points on one of its edges
 /// only it would be cut into more of its kind, and these into more. Contacts are sorted and stay so.
-void alignNeedles(const TriangleSoup& soup, std::vector<EdgeContact>& contacts);
+void alignSlivers(const TriangleSoup& soup, std::vector<EdgeContact>& contacts);
 
 } // namespace atria

@@ -21,7 +21,7 @@ NumberedBox boxOf(const TriangleSoup& soup, Index triangle, std::int64_t margin)
 
 /// Calls `visit` once for every pair of a box of `first` and a box of `second` that touch, in no certain order. O(n log
 /// n
-/// + pairs) where boxes of one size do not crowd (BoxTree).
+/// + pairs) where boxes of one size do not cluster (BoxTree).
 void forBoxPairs(const std::vector<NumberedBox>& first, const std::vector<NumberedBox>& second,
                  const RunContext& context, const std::function<void(Index, Index)>& visit);
 

@@ -106,8 +106,8 @@ void BoxTree::sortBoxes(std::vector<NumberedBox> boxes, const RunContext& contex
     GridCell cell;
     for (int axis = 0; axis < 3; ++axis)
     {
-      const std::int64_t centre = boxes[i].low[axis] + (boxes[i].high[axis] - boxes[i].low[axis]) / 2;
-      cell[axis] = static_cast<std::uint32_t>((centre - origin_[axis]) >> shift);
+      const std::int64_t center = boxes[i].low[axis] + (boxes[i].high[axis] - boxes[i].low[axis]) / 2;
+      cell[axis] = static_cast<std::uint32_t>((center - origin_[axis]) >> shift);
     }
     keys[i] = {std::uint64_t{sizeClassOf(boxes[i])} << (3 * keyBits) | mortonKey(cell), static_cast<Index>(i)};
   });

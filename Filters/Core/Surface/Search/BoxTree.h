@@ -13,7 +13,7 @@
 namespace atria {
 
 /// Finds the boxes that touch another one. Boxes of about one size (each size is four times the one before) are sorted
-/// by the Morton keys of their centres, and every eight that follow each other are one box of the level above. So long
+/// by the Morton keys of their centers, and every eight that follow each other are one box of the level above. So long
 /// boxes spoil no small ones' hierarchy. O(n log n) to build, on all threads.
 class BoxTree
 {

@@ -174,7 +174,7 @@ private:
   }
 
   /// Calls `visit` for every set of items of the same lowest place, ascending. A polygon or triangle coincides with one
-  /// of its set only, and sets are small and mostly of neighbours: this takes a fraction of the time of hashing.
+  /// of its set only, and sets are small and mostly of neighbors: this takes a fraction of the time of hashing.
   template <class Visit> void forBuckets(const std::vector<Index>& lowest, Visit&& visit) const
   {
     std::vector<Index> begins(numberOfPoints + 1, 0);

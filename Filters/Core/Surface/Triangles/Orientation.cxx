@@ -10,13 +10,13 @@ namespace atria {
 namespace {
 
 /// The triangle across each edge of each triangle; noIndex where the edge is not one of two triangles.
-struct Neighbours
+struct Neighbors
 {
   std::vector<std::array<Index, 3>> across;
   /// Whether the triangle across is wound like this one.
   std::vector<std::array<bool, 3>> alike;
 
-  Neighbours(const TriangleSoup& soup, const Executor& executor)
+  Neighbors(const TriangleSoup& soup, const Executor& executor)
       : across(soup.triangles.size(), {noIndex, noIndex, noIndex}), alike(soup.triangles.size())
   {
     const std::vector<SoupEdgeUse> uses = sortedEdgeUses(soup, executor);
@@ -55,7 +55,7 @@ struct Piece
 };
 
 /// The triangles connected with `first`; `turned` is set for those wound against it.
-Piece pieceOf(Index first, const Neighbours& neighbours, std::vector<char>& seen, std::vector<char>& turned)
+Piece pieceOf(Index first, const Neighbors& neighbors, std::vector<char>& seen, std::vector<char>& turned)
 {
   Piece piece;
   piece.triangles.push_back(first);
@@ -65,13 +65,13 @@ Piece pieceOf(Index first, const Neighbours& neighbours, std::vector<char>& seen
     const Index t = piece.triangles[i];
     for (int e = 0; e < 3; ++e)
     {
-      const Index next = neighbours.across[t][e];
+      const Index next = neighbors.across[t][e];
       if (next == noIndex)
       {
         piece.closed = false;
         continue;
       }
-      const char wanted = neighbours.alike[t][e] ? turned[t] : static_cast<char>(!turned[t]);
+      const char wanted = neighbors.alike[t][e] ? turned[t] : static_cast<char>(!turned[t]);
       if (!seen[next])
       {
         seen[next] = 1;
@@ -111,7 +111,7 @@ bool mustTurnOver(const TriangleSoup& soup, const Piece& piece, const std::vecto
 
 std::size_t orientTriangles(TriangleSoup& soup, const Executor& executor)
 {
-  const Neighbours neighbours(soup, executor);
+  const Neighbors neighbors(soup, executor);
   std::vector<char> seen(soup.triangles.size(), 0);
   std::vector<char> turned(soup.triangles.size(), 0);
   std::size_t count = 0;
@@ -121,7 +121,7 @@ std::size_t orientTriangles(TriangleSoup& soup, const Executor& executor)
     {
       continue;
     }
-    const Piece piece = pieceOf(first, neighbours, seen, turned);
+    const Piece piece = pieceOf(first, neighbors, seen, turned);
     const char over = mustTurnOver(soup, piece, turned) ? 1 : 0;
     for (const Index t : piece.triangles)
     {

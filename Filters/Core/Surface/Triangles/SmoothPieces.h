@@ -8,7 +8,7 @@
 
 namespace atria {
 
-/// Divides triangles into pieces that are smooth in themselves, such as the sides of a box: neighbours are together
+/// Divides triangles into pieces that are smooth in themselves, such as the sides of a box: neighbors are together
 /// where they share an edge that no other triangle of their group has, and their planes differ by `degrees` at most.
 /// Points at equal coordinates are one; winding does not matter; triangles of different `groups` are never together.
 /// Returns the piece of each triangle, numbered from 0 in the order of their first triangles. O(n log n).

@@ -7,7 +7,7 @@
 
 namespace atria {
 
-/// The parts of a soup that hang together by common points, by the source of their triangles: numbers that grow with
+/// The parts of a soup that are connected by common points, by the source of their triangles: numbers that grow with
 /// the greatest face of the part's box.
 std::vector<Index> partsOf(const TriangleSoup& soup);
 

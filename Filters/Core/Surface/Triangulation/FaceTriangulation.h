@@ -5,7 +5,7 @@
 
 namespace atria {
 
-/// A triangle with the points and segments that its neighbours put on it. All are indices of points of the lattice,
+/// A triangle with the points and segments that its neighbors put on it. All are indices of points of the lattice,
 /// which lie on the triangle but for rounding.
 struct DividedFace
 {

@@ -37,7 +37,7 @@ using Triangulation =
 using Vertex = Triangulation::Vertex_handle;
 using Face = Triangulation::Face_handle;
 
-/// The polygon moved and scaled into the unit box, so that neither national-grid nor millimetre coordinates
+/// The polygon moved and scaled into the unit box, so that neither national-grid nor millimeter coordinates
 /// cost digits.
 struct Outline
 {
@@ -47,7 +47,7 @@ struct Outline
 };
 
 /// Fills `out`; its memory is used again. False where there is nothing to triangulate.
-bool normalise(std::span<const Vec3> points, std::span<const Index> polygon, Outline& out)
+bool normalize(std::span<const Vec3> points, std::span<const Index> polygon, Outline& out)
 {
   out.ids.clear();
   out.points.clear();
@@ -283,7 +283,7 @@ private:
   }
 
   /// Where edges are missing from the triangulation the sides cannot be flooded: ask for each triangle's
-  /// centre.
+  /// center.
   void classifyByRays()
   {
     for (const Face face : cdt.finite_face_handles())
@@ -375,7 +375,7 @@ void triangulatePolygon(std::span<const Vec3> points, std::span<const Index> pol
   static thread_local Outline outline; // asking for memory would take most of the time
   out.triangles.clear();
   out.simple = true;
-  if (!normalise(points, polygon, outline) || !(outline.normal.norm() > noArea))
+  if (!normalize(points, polygon, outline) || !(outline.normal.norm() > noArea))
   {
     return;
   }
