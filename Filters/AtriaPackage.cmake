@@ -4,7 +4,7 @@ set(atria_package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/Atria")
 vtk_module_scan(
   MODULE_FILES ${atria_module_files}
   PROVIDES_MODULES atria_modules
-  REQUEST_MODULES Atria::FiltersMeshing Atria::FiltersQuality Atria::IOVRML Atria::IOModel Atria::IOCFD
+  REQUEST_MODULES Atria::FiltersMeshing Atria::FiltersQuality Atria::IOSurface Atria::IOVRML Atria::IOModel Atria::IOCFD
   ENABLE_TESTS OFF)
 vtk_module_build(
   MODULES ${atria_modules}

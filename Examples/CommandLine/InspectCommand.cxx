@@ -5,8 +5,8 @@
 #include "Files.h"
 #include "Report.h"
 
-#include <Surface/Inspection.h>
-#include <Surface/Problems.h>
+#include <Surface/Inspection/Inspection.h>
+#include <Surface/Inspection/Problems.h>
 
 #include <vtkAtriaFeatureGraph.h>
 #include <vtkAtriaSurfaceReader.h>

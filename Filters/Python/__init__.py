@@ -13,7 +13,8 @@ import vtkmodules.vtkIOCore
 from .AtriaFiltersMeshing import *
 from .AtriaFiltersQuality import *
 from .AtriaIOCFD import *
-from .AtriaIOVRML import *
-from .AtriaIOModel import * # derived from classes of the one before
+from .AtriaIOSurface import *
+from .AtriaIOVRML import *  # derived from classes of the one before
+from .AtriaIOModel import *
 
 __all__ = [name for name in globals() if name.startswith("vtkAtria")]

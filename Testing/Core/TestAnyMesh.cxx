@@ -162,7 +162,7 @@ TEST(MeshOptimizer, LeavesAloneWhatIsGoodEnough)
 {
   SampleMesh grid = atria::testing::hexahedra({4, 3, 5});
   const std::vector<Vec3> before = grid.points;
-  EXPECT_EQ(improve(grid).displacedPoints, 0u);
+  EXPECT_EQ(improve(grid).movedPoints, 0u);
   EXPECT_EQ(grid.points, before);
   std::mt19937 random(5);
   std::uniform_real_distribution<double> shift(-0.8, 0.8);
@@ -172,12 +172,12 @@ TEST(MeshOptimizer, LeavesAloneWhatIsGoodEnough)
     p += inside ? Vec3(shift(random), shift(random), shift(random)) : Vec3(Vec3::Zero());
   }
   const MeshOptimizerReport first = improve(grid);
-  EXPECT_GT(first.displacedPoints, 0u);
+  EXPECT_GT(first.movedPoints, 0u);
   ASSERT_EQ(first.shortAfter, 0u);
   const std::vector<Vec3> improved = grid.points;
   const MeshOptimizerReport again = improve(grid);
   EXPECT_EQ(again.shortBefore, 0u);
-  EXPECT_EQ(again.displacedPoints, 0u);
+  EXPECT_EQ(again.movedPoints, 0u);
   EXPECT_EQ(grid.points, improved);
 }
 
@@ -372,7 +372,7 @@ TEST(MeshOptimizer, KeepsEdgesBetweenPatches)
   const MeshOptimizerReport report = optimizeMesh(mesh, sample.view(), patches, MeshOptimizerOptions(),
                                                   {atria::SerialExecutor(), atria::ProgressRange(silent)});
   EXPECT_EQ(report.shortAfter, 0u);
-  EXPECT_GT(report.displacedPoints, 0u);
+  EXPECT_GT(report.movedPoints, 0u);
   for (Index p = 0; p < before.size(); ++p)
   {
     if (before[p][0] == 4.0 && before[p][2] == 0.0)

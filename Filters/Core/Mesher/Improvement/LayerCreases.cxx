@@ -61,11 +61,11 @@ double leastScaledJacobian(const DualMesh& mesh, const RunContext& context)
 }
 
 /// Improves the cells of crease sheets and those about them.
-class RowImprover
+class CreaseSheetImprover
 {
 public:
-  RowImprover(DualMesh& m, const CreaseSheets& creaseSheets, VertexConstraints& g, const QualityTargets& sound,
-              const RunContext& c)
+  CreaseSheetImprover(DualMesh& m, const CreaseSheets& creaseSheets, VertexConstraints& g, const QualityTargets& sound,
+                      const RunContext& c)
       : mesh(m), source(m), constraints(g), valid(sound), marked(m.points.size(), 0), context(c)
   {
     std::fill(marked.begin() + creaseSheets.firstPoint, marked.end(), 1);
@@ -171,16 +171,16 @@ void LayerImprover::addCreaseSheets()
   for (const double width : widths)
   {
     layer_ = before;
-    Constraints constraints(*this); // of the layer without crease sheets
+    Constraints plain(*this); // of the layer without crease sheets
     layer_.creaseSheets = insertCreaseSheets(layer_, plain_, walls_, charts, width);
-    CreaseSheetConstraints constraints(constraints.layer, layer_, context_.octree.frame(), context_.model,
+    CreaseSheetConstraints constraints(plain.layer, layer_, context_.octree.frame(), context_.model,
                                        context_.tree.get());
     context_.executor.forEach(layer_.creaseSheets.points.size(), 256, [&](std::size_t i) {
       const auto p = layer_.creaseSheets.firstPoint + static_cast<Index>(i);
       Vec3& place = layer_.mesh.points[p];
       place = constraints.isMovable(p) ? constraints.place(p, place) : place;
     });
-    const bool isValid = RowImprover(layer_.mesh, layer_.creaseSheets, constraints, targets(), context_).run();
+    const bool isValid = CreaseSheetImprover(layer_.mesh, layer_.creaseSheets, constraints, targets(), context_).run();
     const double worst = leastScaledJacobian(layer_.mesh, context_);
     if (isValid && worst >= bestWorst)
     {

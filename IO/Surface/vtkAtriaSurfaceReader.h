@@ -22,7 +22,7 @@
 #ifndef vtkAtriaSurfaceReader_h
 #define vtkAtriaSurfaceReader_h
 
-#include "AtriaIOVRMLModule.h" // For export macro
+#include "AtriaIOSurfaceModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h" // For arrays of strings
 
@@ -37,7 +37,7 @@ struct ModelSource;
 } // namespace vrml
 } // namespace atria
 
-class ATRIAIOVRML_EXPORT vtkAtriaSurfaceReader : public vtkPolyDataAlgorithm
+class ATRIAIOSURFACE_EXPORT vtkAtriaSurfaceReader : public vtkPolyDataAlgorithm
 {
 public:
   vtkAbstractTypeMacro(vtkAtriaSurfaceReader, vtkPolyDataAlgorithm);
