@@ -46,8 +46,7 @@ rooms=(Support Grid
 earlier=
 for room in "${rooms[@]}"; do
   earlier+="${earlier:+|}$room"
-  files=(Filters/Core/"$room"/*.h)
-  files+=($(find "Filters/Core/$room" -maxdepth 1 -name '*.cxx'))
+  mapfile -t files < <(find "Filters/Core/$room" -maxdepth 1 -name '*.h' -o -maxdepth 1 -name '*.cxx')
   found=$(grep -nE '^[[:space:]]*#[[:space:]]*include[[:space:]]*"' "${files[@]}" | grep -vE "\"($earlier)/[^/\"]*\"" || true)
   if [ -n "$found" ]; then
     printf 'Filters/Core/%s must not include rooms after it:\n%s\n' "$room" "$found" >&2

@@ -19,6 +19,7 @@ done
 
 Testing/check-layers.sh
 .ci/install-dependencies.sh test
+Testing/check-format.sh
 if [ -z "${ATRIA_COMPILER_LAUNCHER+set}" ]; then export ATRIA_COMPILER_LAUNCHER=ccache; fi
 
 failed=()
