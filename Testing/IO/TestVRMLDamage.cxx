@@ -203,7 +203,7 @@ TEST_F(VRMLDamage, SkipsUnknownNodesAndFieldsButReadsNodesInThem)
       readWithWarning("HAnim { joints [ DEF A " + box + " ] name \"x\" size 1 2 on TRUE more [1 2] look Foo {} } USE A",
                       "model.wrl:2:1: unknown node 'HAnim' is skipped");
   EXPECT_EQ(model.triangles(), 12);
-  EXPECT_EQ(readWithWarning("Group { color 1 0 0 children " + box + "}", "Group has no field 'color'").triangles(), 12);
+  EXPECT_EQ(readWithWarning("Group { colors 1 0 0 children " + box + "}", "Group has no field 'color'").triangles(), 12);
 }
 
 TEST_F(VRMLDamage, ReadsTheChildrenOfUnknownNodes)
@@ -219,13 +219,13 @@ TEST_F(VRMLDamage, TellsPlacesInAFileOfOneLine)
   std::string text = "#VRML V2.0 utf8\r";
   for (int i = 0; i < 3; ++i)
   {
-    text += box + " Group { color 1 } ";
+    text += box + " Group { colors 1 } ";
   }
   const VRMLModel model = readText(text);
   ASSERT_EQ(model.warnings().size(), 3u);
-  EXPECT_EQ(model.warnings()[0], "model.wrl:2:35: Group has no field 'color'");
-  EXPECT_EQ(model.warnings()[1], "model.wrl:2:80: Group has no field 'color'");
-  EXPECT_EQ(model.warnings()[2], "model.wrl:2:125: Group has no field 'color'");
+  EXPECT_EQ(model.warnings()[0], "model.wrl:2:35: Group has no field 'colors'");
+  EXPECT_EQ(model.warnings()[1], "model.wrl:2:80: Group has no field 'colors'");
+  EXPECT_EQ(model.warnings()[2], "model.wrl:2:125: Group has no field 'colors'");
   messages.takeWarnings();
 }
 
@@ -241,7 +241,7 @@ TEST_F(VRMLDamage, TellsPlacesFarIntoAFile)
     {
       text += filler + end;
     }
-    text += "Group { color 1 }" + end + box + end + " Group { color 2 }";
+    text += "Group { colors 1 }" + end + box + end + " Group { color 2 }";
     const VRMLModel model = readText(text);
     ASSERT_EQ(model.warnings().size(), 2u);
     const bool oneLine = end == " ";
@@ -249,7 +249,7 @@ TEST_F(VRMLDamage, TellsPlacesFarIntoAFile)
     const std::size_t between = oneLine ? before + box.size() + 21 : 1;
     const auto place = [&](int lines, std::size_t column) {
       const int line = 2 + (oneLine ? 0 : fillers + lines);
-      return "model.wrl:" + std::to_string(line) + ":" + std::to_string(column) + ": Group has no field 'color'";
+      return "model.wrl:" + std::to_string(line) + ":" + std::to_string(column) + ": Group has no field 'colors'";
     };
     EXPECT_EQ(model.warnings()[0], place(0, before + 9));
     EXPECT_EQ(model.warnings()[1], place(2, between + 9));

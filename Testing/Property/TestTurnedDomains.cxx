@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// What must hold of every mesh holds in turned domains and grids, whatever the surfaces.
 #include "Domain/PlacedModel.h"
-#include "Octree/Sizing/Refinement.h"
+#include "Mesher/MeshModel.h"
 #include "Support/DualMeshChecks.h"
 #include "Support/Shapes.h"
 
