@@ -37,8 +37,12 @@ def read_proxies(folder):
     result = {}
     for name, proxy in elements.items():
         base = elements.get(proxy.get("base_proxyname"))
-        properties = [e for source in (base, proxy) if source is not None for e in source if e.tag.endswith("Property")]
-        result[name] = (proxy.get("class"), proxy, properties)
+        properties = {}
+        for source in (base, proxy):
+            if source is not None:
+                # Stated again, a property replaces the inherited one.
+                properties.update({e.get("name"): e for e in source if e.tag.endswith("Property")})
+        result[name] = (proxy.get("class"), proxy, list(properties.values()))
     return result
 
 

@@ -126,6 +126,15 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(written[0], written[1])
         self.assertEqual(written[0], written[2])
 
+    def test_vrml_by_any_of_its_endings(self):
+        wanted = self.atria("inspect", HOUSE, "--json")
+        self.assertEqual(wanted.returncode, 0, wanted.stderr)
+        for name in ("house.vrml", "HOUSE.VRML"):
+            copy = self.folder / name
+            copy.write_bytes(HOUSE.read_bytes())
+            run = self.atria("inspect", copy, "--json")
+            self.assertEqual((run.returncode, run.stdout), (0, wanted.stdout), run.stderr)
+
     def test_inspect(self):
         report = json.loads(self.atria("inspect", HOUSE, "--json").stdout)
         surfaces = {surface["name"]: surface for surface in report["surfaces"]}
