@@ -43,6 +43,7 @@ struct MergedParts
   long long faces = 0;
   long long addedCells = 0;
 };
+/// `patches` may be null, for those recorded in the mesh.
 MergedParts writeOpenFOAM(const std::string& folder, vtkUnstructuredGrid* mesh,
                           vtkPartitionedDataSetCollection* patches, bool restoreOffset, Console& console);
 void writeText(const std::string& file, const std::string& text);

@@ -104,7 +104,9 @@ void writeFiles(vtkAtriaMeshOptimizer* optimizer, const Options& options, Consol
   }
   if (!options.openfoam.empty())
   {
-    writeOpenFOAM(options.openfoam, optimizer->GetOutput(), optimizer->GetPatches(), options.restoreOffset, console);
+    // Without patches those recorded in the mesh are written.
+    vtkPartitionedDataSetCollection* patches = options.patches.empty() ? nullptr : optimizer->GetPatches();
+    writeOpenFOAM(options.openfoam, optimizer->GetOutput(), patches, options.restoreOffset, console);
   }
 }
 
@@ -167,14 +169,15 @@ void addImproveCommand(CLI::App& app, Console& console, ExitStatus& status)
   command->add_option("-o,--output", options->output, "Where the mesh goes, a .vtu file")
       ->required()
       ->type_name("OUT.vtu");
-  auto* patches = command->add_option(
-      "--patches", options->patches, "Its patches, as `atria mesh --patches` writes them; edges between them are kept");
+  auto* patches = command->add_option("--patches", options->patches,
+                                      "Its patches, as `atria mesh --patches` writes them; edges between them are kept "
+                                      "(default: those recorded in it)");
   patches->type_name("IN.vtpc");
   command->add_option("--patches-output", options->patchesOutput, "Also write the patches as they are then")
       ->needs(patches)
       ->type_name("OUT.vtpc");
   auto* openfoam = command->add_option("--openfoam", options->openfoam, "Also write an OpenFOAM case with the mesh");
-  openfoam->needs(patches)->type_name("DIR");
+  openfoam->type_name("DIR");
   command
       ->add_flag("--restore-offset", options->restoreOffset,
                  "Write the OpenFOAM case where the model was before `atria mesh --recenter` moved it")

@@ -165,8 +165,10 @@ void addQualityCommand(CLI::App& app, Console& console, ExitStatus& status)
       app.add_subcommand("quality", "Measure a mesh; exit status 4 if it has elements that are not valid");
   auto options = std::make_shared<Options>();
   command->add_option("MESH.vtu", options->file, "Mesh to measure")->required();
-  command->add_option("--patches", options->patches,
-                      "FILE.vtpc with the mesh's patches: parts the two sides of sheets one element wide");
+  command->add_option(
+      "--patches", options->patches,
+      "FILE.vtpc with the mesh's patches: parts the two sides of sheets one element wide (default: those "
+      "recorded in the mesh)");
   command->add_flag("--json", options->json, "Print JSON");
   command->add_flag("--checks", options->checks, "Judge the mesh as OpenFOAM's checkMesh -allGeometry does");
   command

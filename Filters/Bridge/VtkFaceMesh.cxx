@@ -2,10 +2,15 @@
 #include "VtkFaceMesh.h"
 
 #include "Support/Error.h"
+#include "VtkRecordedPatches.h"
 
+#include <vtkPartitionedDataSetCollection.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <algorithm>
+#include <optional>
 #include <string>
+#include <utility>
 
 namespace atria {
 
@@ -48,6 +53,48 @@ void checkPatchFaces(const VtkFaceMesh& result)
   }
 }
 
+/// Whether the faces of the patches are all boundary faces of the mesh, each once.
+bool patchesAreTheBoundary(const VtkFaceMesh& result)
+{
+  const std::size_t internal = result.mesh.internalFaceCount();
+  std::vector<bool> met(result.mesh.faceCount() - internal, false);
+  const auto isNew = [&](Index face) {
+    const bool fresh = face != noIndex && !met[face - internal];
+    if (fresh)
+    {
+      met[face - internal] = true;
+    }
+    return fresh;
+  };
+  return result.patchFaces.size() == met.size() && std::ranges::all_of(result.patchFaces, isNew);
+}
+
+/// Makes the mesh of `cells`, with the faces of `patches` kept on its boundary.
+void findFaces(VtkFaceMesh& result, vtkUnstructuredGrid* volume, const Executor& executor)
+{
+  const std::vector<BoundaryFaceKey> keys = result.patches.keys();
+  result.mesh = makeFaceMesh(pointsFromVtk(volume->GetPoints(), executor), result.cells.view(), keys, executor);
+  result.patchFaces = findBoundaryFaces(result.mesh, keys, executor);
+}
+
+/// False where what is recorded belongs to other cells; the result then has no patches.
+bool findRecordedFaces(VtkFaceMesh& result, vtkUnstructuredGrid* volume, const Executor& executor)
+{
+  std::optional<VtkPatches> recorded = recordedPatches(volume);
+  if (!recorded)
+  {
+    return false;
+  }
+  result.patches = std::move(*recorded);
+  findFaces(result, volume, executor);
+  if (patchesAreTheBoundary(result))
+  {
+    return true;
+  }
+  result.patches = {};
+  return false;
+}
+
 } // namespace
 
 VtkFaceMesh faceMeshFromVtk(vtkUnstructuredGrid* volume, vtkPartitionedDataSetCollection* patches,
@@ -59,13 +106,22 @@ VtkFaceMesh faceMeshFromVtk(vtkUnstructuredGrid* volume, vtkPartitionedDataSetCo
   }
   VtkFaceMesh result;
   result.cells = cellsFromVtk(volume);
-  if (patches)
+  const bool given = patches && patches->GetNumberOfPartitionedDataSets() > 0;
+  if (!given && hasRecordedPatches(volume))
+  {
+    if (findRecordedFaces(result, volume, executor))
+    {
+      result.origin = PatchOrigin::Recorded;
+      return result;
+    }
+    result.origin = PatchOrigin::Lost;
+  }
+  if (given)
   {
     result.patches = patchesFromVtk(patches, volume);
+    result.origin = PatchOrigin::Given;
   }
-  const std::vector<BoundaryFaceKey> keys = result.patches.keys();
-  result.mesh = makeFaceMesh(pointsFromVtk(volume->GetPoints(), executor), result.cells.view(), keys, executor);
-  result.patchFaces = findBoundaryFaces(result.mesh, keys, executor);
+  findFaces(result, volume, executor);
   checkPatchFaces(result);
   return result;
 }

@@ -9,18 +9,28 @@
 
 namespace atria {
 
+enum class PatchOrigin
+{
+  Given,
+  Recorded, ///< in the mesh, see VtkRecordedPatches.h
+  None,
+  Lost ///< recorded, but for other cells or points than the mesh has now
+};
+
 /// A volume mesh by its faces, with the faces of its patches found in it.
 struct VtkFaceMesh
 {
   FaceMesh mesh;
   VtkCells cells;                ///< what `mesh` was made of
-  VtkPatches patches;            ///< empty without patches
+  VtkPatches patches;            ///< empty without any
   std::vector<Index> patchFaces; ///< for each face of `patches` the face of `mesh`
+  PatchOrigin origin = PatchOrigin::None;
 };
 
-/// `patches` may be null. `volume` must outlive the result. Throws Error as makeFaceMesh() and patchesFromVtk() do, for
-/// a mesh without cells, for a patch face that is no face of its owner cell and for one that is in two patches; names
-/// the patches and the face.
+/// Where `patches` is null or empty, those recorded in the mesh are taken, if they are all of its boundary and nothing
+/// else. `volume` must outlive the result. Throws Error as makeFaceMesh() and patchesFromVtk() do, for a mesh without
+/// cells, for a patch face that is no face of its owner cell and for one that is in two patches; names the patches and
+/// the face.
 VtkFaceMesh faceMeshFromVtk(vtkUnstructuredGrid* volume, vtkPartitionedDataSetCollection* patches,
                             const Executor& executor = SerialExecutor());
 

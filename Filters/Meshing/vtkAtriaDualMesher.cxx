@@ -7,6 +7,7 @@
 #include "Support/PatternRule.h"
 #include "VtkDualMesh.h"
 #include "VtkOctree.h"
+#include "VtkRecordedPatches.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
@@ -292,6 +293,7 @@ int vtkAtriaDualMesher::RequestData(vtkInformation*, vtkInformationVector** inpu
     atria::volumeToVtk(result.mesh, volume, context.executor);
     context.progress.report(0.95, "Converting patches");
     atria::patchesToVtk(result.mesh, result.names, result.layers, patches);
+    atria::recordPatches(patches, volume);
     atria::diagnosticsToVtk(result, result.names, diagnostics);
     atria::addSizingWarning(result.sizingWarning, *this, diagnostics);
     atria::repairToVtk(result.repair, diagnostics);

@@ -14,7 +14,9 @@
  *
  * Output port 0: vtkUnstructuredGrid of hexahedra, wedges, pyramids and polyhedra. Cell arrays: `ZoneId` (int; zones
  * are numbered from the largest, those left out included), `Level` (unsigned char, of the finest octant about the
- * element). Field array: `MaxLevel`. The same input and properties give the same bits, whatever the number of threads.
+ * element). Field arrays: `MaxLevel`; `PatchName`, `PatchFaceCount` and `PatchFace`, the patches of port 1, which so
+ * keep their names where the mesh goes alone. The same input and properties give the same bits, whatever the number of
+ * threads.
  *
  * With layers, a layer of elements lies about all walls (surfaces), one prism on each side of every wall, or several on
  * top of each other; prisms are the last elements. They taper to nothing where there is no room. If all octants are of

@@ -6,6 +6,7 @@
  * Input port 0 takes any volume mesh of tetrahedra, voxels, hexahedra, wedges, pyramids and polyhedra. Input port 1,
  * optional, takes its boundary patches as vtkAtriaMeshQuality does (vtkPartitionedDataSetCollection of vtkPolyData with
  * the cell array `OwnerCellId` and the point array `VolumePointId`, such as vtkAtriaDualMesher's second output).
+ * Without them those that the mesher recorded in the mesh are taken, if its cells are the same.
  *
  * Points of cells that fall short of a target, and those about them, are moved; all others stay as they are, bit by
  * bit. So a mesh that meets all targets is not changed, and one that shall get better needs stricter ones. Besides the

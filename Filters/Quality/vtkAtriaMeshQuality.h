@@ -7,7 +7,7 @@
  * port 1, optional, takes its boundary patches (vtkPartitionedDataSetCollection of vtkPolyData with the cell
  * array `OwnerCellId` and the point array `VolumePointId`, such as vtkAtriaDualMesher's second output). With
  * them the two sides of a sheet of zero thickness count as boundary, as they do for a solver, even where both
- * have the same points.
+ * have the same points. Without them those that the mesher recorded in the mesh are taken, if its cells are the same.
  *
  * Output port 0 is the mesh with these cell arrays (double). A is the outward area vector of a face, r goes
  * from the cell's centroid to the face's, d from the cell's centroid to its neighbor's:

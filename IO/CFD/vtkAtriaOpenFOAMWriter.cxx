@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <exception>
 #include <iterator>
+#include <string>
 
 vtkStandardNewMacro(vtkAtriaOpenFOAMWriter);
 
@@ -32,6 +33,26 @@ atria::Buffer<std::int64_t> zoneIdsOf(vtkUnstructuredGrid* volume, const atria::
     ids[cell] = static_cast<std::int64_t>(array->GetComponent(static_cast<vtkIdType>(cell), 0));
   });
   return ids;
+}
+
+/// What a user should know where the names of patches are lost; else nothing.
+std::string lossOf(atria::PatchOrigin origin)
+{
+  if (origin == atria::PatchOrigin::None)
+  {
+    return "No patches were given, and none are recorded in the mesh: all of its boundary goes to the patch "
+           "defaultFaces. "
+           "Give the patches on the second input, such as the mesher's second output; in ParaView choose them in the "
+           "dialog of Save Data.";
+  }
+  if (origin == atria::PatchOrigin::Lost)
+  {
+    return "The names of the patches are lost, as a filter such as Clip or Threshold has changed the mesh's cells: all "
+           "of "
+           "its boundary goes to the patch defaultFaces. Write the mesh as the mesher made it, or give the patches of "
+           "this mesh on the second input.";
+  }
+  return {};
 }
 
 std::vector<atria::BoundaryPatch> patchesOf(const atria::VtkFaceMesh& source)
@@ -198,6 +219,10 @@ void vtkAtriaOpenFOAMWriter::WriteCase(vtkUnstructuredGrid* volume, vtkPartition
   progress.report(0.95, "Completing the case");
   atria::completeCase(this->CaseDirectory);
   progress.report(1.0, "Case written");
+  if (const std::string loss = lossOf(source.origin); !loss.empty())
+  {
+    vtkWarningMacro("'" << this->CaseDirectory << "': " << loss);
+  }
 }
 
 void vtkAtriaOpenFOAMWriter::PrintSelf(ostream& os, vtkIndent indent)

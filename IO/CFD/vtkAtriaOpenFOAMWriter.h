@@ -6,7 +6,8 @@
  * Input port 0 takes the volume mesh (vtkUnstructuredGrid of tetrahedra, voxels, hexahedra, wedges, pyramids
  * and polyhedra). Input port 1, optional, takes its boundary patches: a vtkPartitionedDataSetCollection of
  * named vtkPolyData with the cell array `OwnerCellId` and the point array `VolumePointId`, such as
- * vtkAtriaDualMesher's second output.
+ * vtkAtriaDualMesher's second output. Without them those that the mesher recorded in the mesh are taken, as long as its
+ * cells are the same; where there are none, a warning says that names are lost.
  *
  * Written are constant/polyMesh (points, faces, owner, neighbor, boundary; cellZones where the mesh has a
  * cell array `ZoneId` of more than one value), the files in `system` without which OpenFOAM's utilities do

@@ -320,6 +320,7 @@ class CommandLine(unittest.TestCase):
         measured = json.loads(again.stdout)
         self.assertEqual(measured["counts"], counts)
         self.assertEqual(measured["quality"]["CellSquish"], data["quality"]["CellSquish"])
+        self.assertEqual(measured["quality"], data["quality"])
         parted = self.atria("quality", out, "--patches", patches, "--json")
         self.assertEqual(json.loads(parted.stdout)["quality"], data["quality"], parted.stderr)
         self.refuses(3, "atria mesh --patches", "quality", out, "--patches", out)
@@ -358,6 +359,8 @@ class CommandLine(unittest.TestCase):
         self.refuses(2, "--output", "quality", mesh, "--worst", 5)
         self.refuses(2, "--beyond", "quality", mesh, "--worst", 5, "--beyond", 1, "-o", worst)
         self.refuses(3, "CellSquish", "quality", mesh, "--worst", 5, "--metric", "Beauty", "-o", worst)
+        run = self.atria("improve", worst, "-o", self.folder / "few.vtu", "--openfoam", self.folder / "few")
+        self.assertIn("names of the patches are lost", run.stderr)
 
     def test_improve_moves_points_and_tells(self):
         mesh, patches = self.folder / "rough.vtu", self.folder / "rough.vtpc"
@@ -384,7 +387,15 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(again.read_bytes(), better.read_bytes())
         self.refuses(2, "--output", "improve", mesh)
         self.refuses(2, ".vtu", "improve", mesh, "-o", self.folder / "better.vtk")
-        self.refuses(2, "--patches", "improve", mesh, "-o", again, "--openfoam", case)
+        alone = self.folder / "alone"
+        run = self.atria("improve", mesh, "-o", again, "--openfoam", alone, *strict)
+        self.assertIn(run.returncode, (0, 4), run.stderr)
+        self.assertEqual(run.stderr, "")
+        self.assertEqual(again.read_bytes(), better.read_bytes())
+        for name in ("points", "faces", "owner", "neighbour", "boundary"):
+            self.assertEqual((alone / "constant/polyMesh" / name).read_bytes(), (case / "constant/polyMesh" / name).read_bytes())
+        self.assertIn("WallSouth_front", (alone / "constant/polyMesh/boundary").read_text())
+        self.refuses(2, "--patches", "improve", mesh, "-o", again, "--patches-output", patches_then)
         self.refuses(2, "--squish", "improve", mesh, "-o", again, "--squish", 2)
         self.refuses(3, "does not exist", "improve", self.folder / "absent.vtu", "-o", again)
 

@@ -84,6 +84,7 @@ protected:
     writer->MergeUnderdeterminedCellsOff();
     writer->MergeCoplanarFacesOff(); // ours are the checks of the mesh as it is
     EXPECT_EQ(writer->Write(), 1);
+    EXPECT_EQ(messages.takeWarnings().size(), patches ? 0u : 1u) << "of patches that were not given";
     const CheckMeshReport report = atria::testing::runCheckMesh(scratch.path(), "-allGeometry");
     EXPECT_TRUE(report.completed) << report.log;
 

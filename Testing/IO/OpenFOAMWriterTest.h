@@ -10,6 +10,8 @@
 #include <vtkPartitionedDataSetCollection.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <gmock/gmock.h>
+
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -36,6 +38,10 @@ protected:
     writer->SetMergeCoplanarFaces(mergeFaces);
     writer->SetMergeUnderdeterminedCells(mergeCells);
     const int written = writer->Write();
+    if (written && !patches)
+    {
+      EXPECT_THAT(messages.takeWarnings(), ::testing::ElementsAre(::testing::HasSubstr("No patches were given")));
+    }
     mergedCells = writer->GetNumberOfMergedCells();
     mergedFaces = writer->GetNumberOfMergedFaces();
     return written;

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Patches that a mesh carries in its field data, so that their names are not lost where a mesh goes alone: through
+/// ParaView's Save Data, .vtu files, and filters that leave its cells and points as they are.
+#pragma once
+
+#include "VtkArrays.h"
+
+#include <optional>
+
+namespace atria {
+
+/// Records the patches of a mesh in its field arrays PatchName, PatchFaceCount and PatchFace, 20 bytes a face. Throws
+/// Error for a face of more than four points, and as patchesFromVtk() does.
+void recordPatches(vtkPartitionedDataSetCollection* patches, vtkUnstructuredGrid* volume);
+
+/// Whether patches were recorded in the mesh, or in what it was made of by other filters.
+bool hasRecordedPatches(vtkUnstructuredGrid* volume);
+
+/// The patches as they were recorded. Filters pass field data on whatever they do to the cells, so that they may belong
+/// to a mesh of other cells. Nothing where the arrays are not as recordPatches() makes them.
+std::optional<VtkPatches> recordedPatches(vtkUnstructuredGrid* volume);
+
+} // namespace atria
