@@ -85,11 +85,11 @@ void declareSiteOptions(CLI::App& command, MeshOptions& options, CLI::Option* do
   automatic->excludes(domain)->excludes(site);
   command
       .add_option("--wind", options.wind,
-                  "Where the wind blows to, degrees from x, aounterclockwise from above; for --automatic")
+                  "Where the wind blows to, degrees from x, counterclockwise from above; for --automatic")
       ->needs(automatic)
       ->check(CLI::Range(-360.0, 360.0))
       ->type_name("DEG");
-  command.add_option("--domain-angle", options.domainAngle, "Turns the domain, degrees aounterclockwise from above")
+  command.add_option("--domain-angle", options.domainAngle, "Turns the domain, degrees counterclockwise from above")
       ->excludes(automatic)
       ->check(CLI::Range(-180.0, 180.0))
       ->type_name("DEG");

@@ -38,7 +38,7 @@ void declareModelOptions(CLI::App& command, ModelOptions& options)
                   "The axis that is up in the file; z unless given, y in glTF. With y the model is turned")
       ->check(CLI::IsMember({"y", "z"}))
       ->type_name("y|z");
-  command.add_flag("--recenter", options.recenter,
+  command.add_flag("--recenter,--recentre", options.recenter,
                    "Move a model that is far from the origin there, by whole hundreds of meters");
   command.add_flag("--keep-duplicates", options.keepDuplicates,
                    "Keep faces that coincide with earlier ones, such as the backs of sheets");

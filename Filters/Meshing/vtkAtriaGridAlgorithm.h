@@ -186,7 +186,7 @@ public:
 
   ///@{
   /**
-   * Degrees, aounterclockwise seen from above, by which the domain is turned: DomainBounds about their middle; from
+   * Degrees, counterclockwise seen from above, by which the domain is turned: DomainBounds about their middle; from
    * surfaces and site it is the smallest box along the turned axes. Not used if DomainMode is Automatic. Default 0;
    * clamped to
    * [-180, 180].
@@ -197,7 +197,7 @@ public:
 
   ///@{
   /**
-   * Where the wind blows to if DomainMode is Automatic, in degrees from the x axis, aounterclockwise seen from above.
+   * Where the wind blows to if DomainMode is Automatic, in degrees from the x axis, counterclockwise seen from above.
    * With x to the east and y to the north, a wind from the meteorological direction D has the angle 270 - D. The side
    * xMin of the domain is the inlet. Default 0, along +x; clamped to [-360, 360].
    */

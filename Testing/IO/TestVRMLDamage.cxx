@@ -203,7 +203,8 @@ TEST_F(VRMLDamage, SkipsUnknownNodesAndFieldsButReadsNodesInThem)
       readWithWarning("HAnim { joints [ DEF A " + box + " ] name \"x\" size 1 2 on TRUE more [1 2] look Foo {} } USE A",
                       "model.wrl:2:1: unknown node 'HAnim' is skipped");
   EXPECT_EQ(model.triangles(), 12);
-  EXPECT_EQ(readWithWarning("Group { colors 1 0 0 children " + box + "}", "Group has no field 'color'").triangles(), 12);
+  EXPECT_EQ(readWithWarning("Group { colors 1 0 0 children " + box + "}", "Group has no field 'color'").triangles(),
+            12);
 }
 
 TEST_F(VRMLDamage, ReadsTheChildrenOfUnknownNodes)

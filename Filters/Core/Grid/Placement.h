@@ -9,7 +9,7 @@
 namespace atria {
 
 /// Axes that are turned about the vertical through the model's origin. Angles are in degrees from the model's x axis,
-/// aounterclockwise seen from above. Quarter turns are exact, and no turn changes no bit.
+/// counterclockwise seen from above. Quarter turns are exact, and no turn changes no bit.
 class Placement
 {
 public:

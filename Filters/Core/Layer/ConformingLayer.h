@@ -9,7 +9,7 @@ namespace atria {
 
 /// Doubles the points of walls, one prism on each side of every wall, and moves the copies off the walls: along the
 /// direction that is farthest inside all of them, by the thickness asked for, or less where elements would become
-/// worse than they were. At boundary edges the layer wraps round the sheet in its plane.
+/// worse than they were. At boundary edges the layer tapers to nothing.
 ///
 /// Points are left single where `findLayerWalls` says so, where `excluded` (by point of the plain mesh; may be empty)
 /// is set, where no direction is feasible, and where a prism would lie flat on its wall as no copy lifts off it. The

@@ -132,10 +132,10 @@ private:
 };
 
 /// Codes of corners and edges are 4 * face + k.
-class RowBuilder : PiecedWalls
+class CreaseSheetBuilder : PiecedWalls
 {
 public:
-  RowBuilder(LayerMesh& l, const DualMesh& p, const LayerWalls& w, const CreaseCharts& c, double relativeWidth)
+  CreaseSheetBuilder(LayerMesh& l, const DualMesh& p, const LayerWalls& w, const CreaseCharts& c, double relativeWidth)
       : PiecedWalls(p, w, c.pieceOf), layer(l), charts(c), width(relativeWidth), runs(4 * p.boundaryFaces.size())
   {
   }
@@ -433,7 +433,7 @@ CreaseCharts findCreaseCharts(const LayerMesh& layer, const DualMesh& plain, con
 CreaseSheets insertCreaseSheets(LayerMesh& layer, const DualMesh& plain, const LayerWalls& walls,
                                 const CreaseCharts& charts, double width)
 {
-  return RowBuilder(layer, plain, walls, charts, width).build();
+  return CreaseSheetBuilder(layer, plain, walls, charts, width).build();
 }
 
 } // namespace atria

@@ -11,7 +11,7 @@ struct DirectionProblem
 {
   /// Normals into the fluid of the walls about the point.
   std::vector<Vec3> walls;
-  /// Normals of sheets that have a boundary edge there: the layer wraps round it, in the sheet's plane.
+  /// Normals of sheets that have a boundary edge there: the layer tapers to it, in the plane of the sheet.
   std::vector<Vec3> sheets;
   /// Ways out of those sheets across their boundary edges.
   std::vector<Vec3> ways;

@@ -26,10 +26,10 @@ MovingGrid::MovingGrid(GridPlaces& places, const Crossings& crossings, const Mes
       edgesOfLeaf(edgesByLeaf(crossings, tree.leafCount(), context)), movedOf(crossings.crossedEdges.size(), noIndex),
       view(*this)
 {
-  findQuestions(context);
+  findUnresolved(context);
 }
 
-void MovingGrid::findQuestions(const RunContext& context)
+void MovingGrid::findUnresolved(const RunContext& context)
 {
   constexpr std::size_t grain = 512;
   findings.resize(tree.leafCount());

@@ -156,7 +156,7 @@ private:
     std::vector<SurfaceCrossing> cuts;
   };
 
-  void findQuestions(const RunContext& context);
+  void findUnresolved(const RunContext& context);
   template <typename F> void eachEdge(Index leaf, F&& f) const;
   Edge at(Index id) const;
   Index idOf(Index point, int direction) const;

@@ -66,7 +66,7 @@ public:
 
   void run()
   {
-    while (undisplaceIf())
+    while (undisplaceWhereBetter())
     {
       context.progress.check();
     }
@@ -223,7 +223,7 @@ private:
   }
 
   /// Moves points home with which less is unresolved there, the farthest first. Returns whether any was.
-  bool undisplaceIf()
+  bool undisplaceWhereBetter()
   {
     std::vector<std::pair<double, Index>> order;
     for (const Index point : grid.places().displacedPoints())

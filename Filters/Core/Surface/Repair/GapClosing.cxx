@@ -241,7 +241,7 @@ private:
       return;
     }
     const bool foreign = isForeign(p, t);
-    if (isAhead(p, between(soup.points[p], target->place)) || (hasBoundaryEdge[p] && !hangsTogether(p, t, found)))
+    if (isAhead(p, between(soup.points[p], target->place)) || (hasBoundaryEdge[p] && !isConnected(p, t, found)))
     {
       found.gaps.push_back({!(foreign && partOf[p] < partOfTriangle(t)), target->kind, target->distance, p, t});
     }
@@ -362,7 +362,7 @@ private:
     return triangles;
   }
 
-  bool hangsTogether(Index p, Index t, Found& found) const
+  bool isConnected(Index p, Index t, Found& found) const
   {
     if (found.hangingAt != p)
     {

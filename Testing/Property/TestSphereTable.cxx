@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The six crease sheets of the published table: a sphere of radius 2 m in a cube of 10 m, the region between them
+/// The six rows of the published table: a sphere of radius 2 m in a cube of 10 m, the region between them
 /// meshed.
 #include "Support/DualMeshChecks.h"
 #include "Support/MeshIt.h"
