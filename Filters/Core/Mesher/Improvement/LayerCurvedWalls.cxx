@@ -18,12 +18,11 @@ namespace {
 /// A wall is flat if its chart is, or at a point if its faces there turn by less than a quarter of a degree.
 constexpr double flatCosine = 1.0 - 1e-5;
 /// It is smooth if they turn by less than 12 degrees, or are at an edge of the domain: other elements, where octants
-/// are coarse or a wall stands on the ground, do not come to be as good, and trying to takes long.
+/// are coarse or a wall stands on the ground, do not come to be as good, and trying to takes long for little: half of
+/// the whole time for one degree in the mean.
 constexpr double smoothCosine = 0.978;
 /// Beyond 60 degrees it is an edge, though none of one surface, as where a wall stands on the ground.
 constexpr double edgeCosine = 0.5;
-/// What is asked of elements where walls are not smooth.
-constexpr CurvedWallTargets coarse{30.0, 0.75};
 /// How much thicker a layer of no asked height may be on curved walls, where nothing beside it needs the room.
 constexpr double thicker = 5.0 / 3.0;
 /// What hexahedra of a uniform mesh keep of their scaled Jacobian where angles are made better.
@@ -264,17 +263,17 @@ QualityTargets LayerImprover::targetsOf(const CurvedStage& stage) const
   return out;
 }
 
-/// The hexahedra at smooth walls that are not known to be good, or those at other curved walls.
-std::vector<Index> LayerImprover::unsureAtCurved(bool smooth) const
+/// The hexahedra at smooth walls that are not known to be good.
+std::vector<Index> LayerImprover::unsureAtSmooth() const
 {
   std::vector<Index> cells;
   std::ranges::copy_if(unsure_, std::back_inserter(cells),
-                       [&](Index cell) { return isAtCurved(cell) && isAtSmooth(cell) == smooth; });
+                       [&](Index cell) { return isAtCurved(cell) && isAtSmooth(cell); });
   return cells;
 }
 
-/// First all that fall short, but not for long; then the few that are far from the targets. Elsewhere such targets
-/// would take long and gain little.
+/// First all at smooth walls that fall short, but not for long. Then the few that are far from the targets, where all
+/// walls are smooth: elsewhere the elements at edges are the worst of the mesh anyhow.
 void LayerImprover::improveAtCurved()
 {
   if (curved_.empty())
@@ -287,16 +286,12 @@ void LayerImprover::improveAtCurved()
   options.leastGain = 0.02;
   options.firstReach = 0.15;
   options.leastWorst = leastOfOthers;
-  for (const bool smooth : {false, true})
+  options.targets = targetsAtCurved(curvedWalls_);
+  move(findBelow(options.targets, 1.0F, unsureAtSmooth()), options);
+  if (std::ranges::none_of(curved_, [](std::uint8_t bend) { return (bend & edged) != 0; }))
   {
-    const CurvedWallTargets& own = curvedWalls_;
-    options.targets =
-        targetsAtCurved(smooth ? own
-                               : CurvedWallTargets{std::max(own.nonOrthogonality, coarse.nonOrthogonality),
-                                                   std::max(own.skewness, coarse.skewness)});
-    move(findBelow(options.targets, 1.0F, unsureAtCurved(smooth)), options);
+    bringClose();
   }
-  bringClose();
 }
 
 /// Moves those of the candidates that a stage is for; new ones are those that changed by it, and their neighbors.
@@ -322,7 +317,7 @@ void LayerImprover::bringClose()
   constexpr CurvedStage last{{0.0, -6.0}, {0.03, -0.07}, 0.3F};
   constexpr CurvedStage lowered{{4.0, -6.0}, {0.1, -0.07}, 0.5F};
   constexpr float leastShare = 0.5F; // above the last stage's, and of its range below those of all others
-  std::vector<Index> candidates = withNeighbors(DualSource(layer_.mesh), unsureAtCurved(true), context_);
+  std::vector<Index> candidates = withNeighbors(DualSource(layer_.mesh), unsureAtSmooth(), context_);
   std::erase_if(candidates, [&](Index cell) { return !isAtSmooth(cell) || !isAwayFromCreases(cell); });
   candidates = cellsOf(farAtCurved(targetsOf(last), leastShare, candidates));
   for (const CurvedStage& stage : {first, second, last})

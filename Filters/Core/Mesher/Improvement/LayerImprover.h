@@ -73,7 +73,7 @@ private:
   QualityTargets targetsOf(const CurvedStage& stage) const;
   std::vector<ShortCell> farAtCurved(const QualityTargets& wanted, float share,
                                      const std::vector<Index>& candidates) const;
-  std::vector<Index> unsureAtCurved(bool smooth) const;
+  std::vector<Index> unsureAtSmooth() const;
   void improveAtCurved();
   void bringClose(const CurvedStage& stage, std::vector<Index>& candidates);
   void bringClose();
