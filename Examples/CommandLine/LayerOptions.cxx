@@ -91,11 +91,12 @@ void configureLayers(vtkAtriaDualMesher* mesher, const LayerOptions& options)
     }
     else if (numbers.size() == 1)
     {
-      mesher->AddLayers(text.substr(0, equals), layers);
+      mesher->AddLayerRule(text.substr(0, equals), layers);
     }
     else
     {
-      mesher->AddLayers(text.substr(0, equals), layers, numbers[1], numbers.size() > 2 ? numbers[2] : options.growth);
+      mesher->AddLayerRule(text.substr(0, equals), layers, numbers[1],
+                           numbers.size() > 2 ? numbers[2] : options.growth);
     }
   }
 }

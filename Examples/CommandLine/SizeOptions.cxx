@@ -89,7 +89,7 @@ void configureSizes(vtkAtriaGridAlgorithm* filter, const SizeOptions& options)
   for (const auto& [pattern, text] : options.surfaces)
   {
     const auto [size, feature] = sizesFrom(text);
-    feature ? filter->AddSurfaceSize(pattern, size, *feature) : filter->AddSurfaceSize(pattern, size);
+    feature ? filter->AddSurfaceSizeRule(pattern, size, *feature) : filter->AddSurfaceSizeRule(pattern, size);
   }
   for (const auto& [x0, x1, y0, y1, z0, z1, size] : options.boxes)
   {
@@ -97,7 +97,7 @@ void configureSizes(vtkAtriaGridAlgorithm* filter, const SizeOptions& options)
   }
   for (const auto& [pattern, distance, size] : options.near)
   {
-    filter->AddDistanceSize(pattern, distance, size);
+    filter->AddDistanceSizeRule(pattern, distance, size);
   }
   filter->SetCurvatureAngle(options.curvatureAngle);
   filter->SetCellsAcrossGap(options.gapCells);

@@ -19,9 +19,9 @@ namespace {
 SizingOptions sizingOf(vtkAtriaGridAlgorithm& filter)
 {
   SizingOptions options;
-  for (int i = 0; i < filter.GetNumberOfSurfaceSizes(); ++i)
+  for (int i = 0; i < filter.GetNumberOfSurfaceSizeRules(); ++i)
   {
-    options.surfaceSizes.push_back(surfaceSizeFrom(filter.GetSurfaceSize(i)));
+    options.surfaceSizes.push_back(surfaceSizeFrom(filter.GetSurfaceSizeRule(i)));
   }
   for (int i = 0; i < filter.GetNumberOfRefinementBoxes(); ++i)
   {
@@ -29,9 +29,9 @@ SizingOptions sizingOf(vtkAtriaGridAlgorithm& filter)
     filter.GetRefinementBox(i, v);
     options.boxes.push_back({{Vec3(v[0], v[2], v[4]), Vec3(v[1], v[3], v[5])}, v[6]});
   }
-  for (int i = 0; i < filter.GetNumberOfDistanceSizes(); ++i)
+  for (int i = 0; i < filter.GetNumberOfDistanceSizeRules(); ++i)
   {
-    const std::vector<DistanceSize> sizes = distanceSizesFrom(filter.GetDistanceSize(i));
+    const std::vector<DistanceSize> sizes = distanceSizesFrom(filter.GetDistanceSizeRule(i));
     options.distanceSizes.insert(options.distanceSizes.end(), sizes.begin(), sizes.end());
   }
   options.curvatureAngle = filter.GetCurvatureAngle();

@@ -188,12 +188,12 @@ void vtkAtriaDualMesher::GetSealedSeed(int i, double seed[3])
 
 void vtkAtriaDualMesher::RemoveAllSealedSeeds() { this->SetNumberOfSealedSeeds(0); }
 
-void vtkAtriaDualMesher::AddLayers(const std::string& pattern, int layers)
+void vtkAtriaDualMesher::AddLayerRule(const std::string& pattern, int layers)
 {
   this->AddLayerRule(atria::textOf(atria::PatternRule{pattern, {static_cast<double>(layers)}}).c_str());
 }
 
-void vtkAtriaDualMesher::AddLayers(const std::string& pattern, int layers, double firstHeight, double growth)
+void vtkAtriaDualMesher::AddLayerRule(const std::string& pattern, int layers, double firstHeight, double growth)
 {
   const atria::PatternRule rule{pattern, {static_cast<double>(layers), firstHeight, growth}};
   this->AddLayerRule(atria::textOf(rule).c_str());

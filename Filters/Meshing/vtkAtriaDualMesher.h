@@ -145,8 +145,8 @@ public:
    * [FIRSTHEIGHT [GROWTH]]`, the pattern in double quotes where it holds blanks; GetLayerRule gives it so. A pattern
    * that matches nothing, or a number out of range, is an error of the run. None by default.
    */
-  void AddLayers(const std::string& pattern, int layers);
-  void AddLayers(const std::string& pattern, int layers, double firstHeight, double growth);
+  void AddLayerRule(const std::string& pattern, int layers);
+  void AddLayerRule(const std::string& pattern, int layers, double firstHeight, double growth);
   void AddLayerRule(const char* rule);
   int GetNumberOfLayerRules();
   std::string GetLayerRule(int i);

@@ -46,32 +46,32 @@ int vtkAtriaGridAlgorithm::FillInputPortInformation(int port, vtkInformation* in
   return 1;
 }
 
-void vtkAtriaGridAlgorithm::AddSurfaceSize(const std::string& pattern, double size)
+void vtkAtriaGridAlgorithm::AddSurfaceSizeRule(const std::string& pattern, double size)
 {
   this->AddSurfaceSizeRule(atria::textOf(atria::SurfaceSize{pattern, size, {}}).c_str());
 }
 
-void vtkAtriaGridAlgorithm::AddSurfaceSize(const std::string& pattern, double size, double featureSize)
+void vtkAtriaGridAlgorithm::AddSurfaceSizeRule(const std::string& pattern, double size, double featureSize)
 {
   this->AddSurfaceSizeRule(atria::textOf(atria::SurfaceSize{pattern, size, featureSize}).c_str());
 }
 
 void vtkAtriaGridAlgorithm::AddSurfaceSizeRule(const char* rule)
 {
-  this->SurfaceSizes.emplace_back(rule ? rule : "");
+  this->SurfaceSizeRules.emplace_back(rule ? rule : "");
   this->Modified();
 }
 
-int vtkAtriaGridAlgorithm::GetNumberOfSurfaceSizes() { return static_cast<int>(this->SurfaceSizes.size()); }
+int vtkAtriaGridAlgorithm::GetNumberOfSurfaceSizeRules() { return static_cast<int>(this->SurfaceSizeRules.size()); }
 
-std::string vtkAtriaGridAlgorithm::GetSurfaceSize(int i)
+std::string vtkAtriaGridAlgorithm::GetSurfaceSizeRule(int i)
 {
-  return i >= 0 && i < this->GetNumberOfSurfaceSizes() ? this->SurfaceSizes[i] : std::string();
+  return i >= 0 && i < this->GetNumberOfSurfaceSizeRules() ? this->SurfaceSizeRules[i] : std::string();
 }
 
-void vtkAtriaGridAlgorithm::RemoveAllSurfaceSizes()
+void vtkAtriaGridAlgorithm::RemoveAllSurfaceSizeRules()
 {
-  this->SurfaceSizes.clear();
+  this->SurfaceSizeRules.clear();
   this->Modified();
 }
 
@@ -106,27 +106,27 @@ void vtkAtriaGridAlgorithm::RemoveAllRefinementBoxes()
   this->Modified();
 }
 
-void vtkAtriaGridAlgorithm::AddDistanceSize(const std::string& pattern, double distance, double size)
+void vtkAtriaGridAlgorithm::AddDistanceSizeRule(const std::string& pattern, double distance, double size)
 {
   this->AddDistanceSizeRule(atria::textOf(atria::DistanceSize{pattern, distance, size}).c_str());
 }
 
 void vtkAtriaGridAlgorithm::AddDistanceSizeRule(const char* rule)
 {
-  this->DistanceSizes.emplace_back(rule ? rule : "");
+  this->DistanceSizeRules.emplace_back(rule ? rule : "");
   this->Modified();
 }
 
-int vtkAtriaGridAlgorithm::GetNumberOfDistanceSizes() { return static_cast<int>(this->DistanceSizes.size()); }
+int vtkAtriaGridAlgorithm::GetNumberOfDistanceSizeRules() { return static_cast<int>(this->DistanceSizeRules.size()); }
 
-std::string vtkAtriaGridAlgorithm::GetDistanceSize(int i)
+std::string vtkAtriaGridAlgorithm::GetDistanceSizeRule(int i)
 {
-  return i >= 0 && i < this->GetNumberOfDistanceSizes() ? this->DistanceSizes[i] : std::string();
+  return i >= 0 && i < this->GetNumberOfDistanceSizeRules() ? this->DistanceSizeRules[i] : std::string();
 }
 
-void vtkAtriaGridAlgorithm::RemoveAllDistanceSizes()
+void vtkAtriaGridAlgorithm::RemoveAllDistanceSizeRules()
 {
-  this->DistanceSizes.clear();
+  this->DistanceSizeRules.clear();
   this->Modified();
 }
 
@@ -138,9 +138,9 @@ void vtkAtriaGridAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SizeMin: " << this->SizeMin << "\n";
   os << indent << "StartLevel: " << this->StartLevel << "\n";
   os << indent << "FeatureAngle: " << this->FeatureAngle << "\n";
-  for (const std::string& rule : this->SurfaceSizes)
+  for (const std::string& rule : this->SurfaceSizeRules)
   {
-    os << indent << "SurfaceSize: " << rule << "\n";
+    os << indent << "SurfaceSizeRule: " << rule << "\n";
   }
   for (const auto& box : this->RefinementBoxes)
   {
@@ -148,9 +148,9 @@ void vtkAtriaGridAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
     std::for_each(box.begin(), box.end(), [&](double value) { os << " " << value; });
     os << "\n";
   }
-  for (const std::string& rule : this->DistanceSizes)
+  for (const std::string& rule : this->DistanceSizeRules)
   {
-    os << indent << "DistanceSize: " << rule << "\n";
+    os << indent << "DistanceSizeRule: " << rule << "\n";
   }
   os << indent << "CurvatureAngle: " << this->CurvatureAngle << "\n";
   os << indent << "CellsAcrossGap: " << this->CellsAcrossGap << "\n";

@@ -15,7 +15,7 @@
 
 #include <array>  // for RefinementBoxes
 #include <string> // for names
-#include <vector> // for SurfaceSizes
+#include <vector> // for SurfaceSizeRules
 
 class ATRIAFILTERSMESHING_EXPORT vtkAtriaGridAlgorithm : public vtkAlgorithm
 {
@@ -74,15 +74,15 @@ public:
    * `featureSize` (default: SizeMin, or `size` where that is finer). They take the place of SizeMid and SizeMin there.
    * Octants have a size of SizeMin * 2^j: the largest of these that is not above the size asked for is taken. Of
    * several rules for a surface the finest holds. AddSurfaceSizeRule takes a rule as text, `PATTERN SIZE
-   * [FEATURESIZE]`, the pattern in double quotes where it holds blanks; GetSurfaceSize gives it so. A pattern that
+   * [FEATURESIZE]`, the pattern in double quotes where it holds blanks; GetSurfaceSizeRule gives it so. A pattern that
    * matches no surface, or a size that is not positive, is an error of the run. None by default.
    */
-  void AddSurfaceSize(const std::string& pattern, double size);
-  void AddSurfaceSize(const std::string& pattern, double size, double featureSize);
+  void AddSurfaceSizeRule(const std::string& pattern, double size);
+  void AddSurfaceSizeRule(const std::string& pattern, double size, double featureSize);
   void AddSurfaceSizeRule(const char* rule);
-  int GetNumberOfSurfaceSizes();
-  std::string GetSurfaceSize(int i);
-  void RemoveAllSurfaceSizes();
+  int GetNumberOfSurfaceSizeRules();
+  std::string GetSurfaceSizeRule(int i);
+  void RemoveAllSurfaceSizeRules();
   ///@}
 
   ///@{
@@ -102,11 +102,11 @@ public:
    * Octants nearer than `distance` to a surface that matches `pattern` are at most `size` large. AddDistanceSizeRule
    * takes a rule as text, `PATTERN DISTANCE SIZE [DISTANCE SIZE ...]`. None by default.
    */
-  void AddDistanceSize(const std::string& pattern, double distance, double size);
+  void AddDistanceSizeRule(const std::string& pattern, double distance, double size);
   void AddDistanceSizeRule(const char* rule);
-  int GetNumberOfDistanceSizes();
-  std::string GetDistanceSize(int i);
-  void RemoveAllDistanceSizes();
+  int GetNumberOfDistanceSizeRules();
+  std::string GetDistanceSizeRule(int i);
+  void RemoveAllDistanceSizeRules();
   ///@}
 
   ///@{
@@ -266,9 +266,9 @@ protected:
   double SizeMin = 1.0;
   int StartLevel = 4;
   double FeatureAngle = 30.0;
-  std::vector<std::string> SurfaceSizes;
+  std::vector<std::string> SurfaceSizeRules;
   std::vector<std::array<double, 7>> RefinementBoxes;
-  std::vector<std::string> DistanceSizes;
+  std::vector<std::string> DistanceSizeRules;
   double CurvatureAngle = 0.0;
   int CellsAcrossGap = 0;
   int CellsPerLevel = 1;

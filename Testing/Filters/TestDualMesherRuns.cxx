@@ -75,11 +75,11 @@ TEST_F(DualMesherRuns, AnOctreeWithSizesOfItsOwnGivesTheSameMeshAsThoseSizes)
   for (vtkAtriaGridAlgorithm* filter :
        {static_cast<vtkAtriaGridAlgorithm*>(source), static_cast<vtkAtriaGridAlgorithm*>(mesher)})
   {
-    filter->AddSurfaceSize("*", 0.5, 0.25);
+    filter->AddSurfaceSizeRule("*", 0.5, 0.25);
     filter->SetCellsPerLevel(2);
   }
   const auto own = copiesOfOutputs();
-  mesher->RemoveAllSurfaceSizes();
+  mesher->RemoveAllSurfaceSizeRules();
   mesher->SetCellsPerLevel(1);
   mesher->SetInputConnection(1, source->GetOutputPort());
   expectOutputs(own);
@@ -87,7 +87,7 @@ TEST_F(DualMesherRuns, AnOctreeWithSizesOfItsOwnGivesTheSameMeshAsThoseSizes)
 
 TEST_F(DualMesherRuns, MaxElementsIsKeptToAndSaid)
 {
-  mesher->AddSurfaceSize("*", 0.25, 0.125);
+  mesher->AddSurfaceSizeRule("*", 0.25, 0.125);
   mesher->Update();
   const int limit = static_cast<int>(volume()->GetNumberOfCells() / 2);
   mesher->SetMaxElements(limit);

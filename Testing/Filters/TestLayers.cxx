@@ -89,8 +89,8 @@ TEST_F(Layers, FollowTheRules)
 {
   mesher->SetNumberOfLayers(2);
   mesher->SetFirstLayerHeight(0.02);
-  mesher->AddLayers("Scr*", 3, 0.01, 1.5);
-  mesher->AddLayers("zMin", 1);
+  mesher->AddLayerRule("Scr*", 3, 0.01, 1.5);
+  mesher->AddLayerRule("zMin", 1);
   mesher->Update();
   EXPECT_EQ(rangeOf("Building", "LayerCount")[1], 2.0);
   EXPECT_EQ(rangeOf("Screen_front", "LayerCount")[1], 3.0);

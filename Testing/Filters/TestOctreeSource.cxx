@@ -355,9 +355,9 @@ TEST_F(OctreeSource, RulesAsCallsAndAsTextAreTheSame)
 {
   const TriangleSurface surface = buildingAndDome();
   source->SetInputDataObject(toPolyData(surface));
-  source->AddSurfaceSize("Do*", 0.25, 0.25);
-  source->AddDistanceSize("Building", 1.0, 1.0);
-  source->AddDistanceSize("Building", 2.0, 2.0);
+  source->AddSurfaceSizeRule("Do*", 0.25, 0.25);
+  source->AddDistanceSizeRule("Building", 1.0, 1.0);
+  source->AddDistanceSizeRule("Building", 2.0, 2.0);
   source->AddRefinementBox(-1, 1, -1, 1, 1, 2, 0.5);
   const std::vector<OctreeLeaf> all = leaves();
   EXPECT_NEAR(coarsestOn(all, surface, 1), 0.25, 1e-12);
@@ -365,11 +365,12 @@ TEST_F(OctreeSource, RulesAsCallsAndAsTextAreTheSame)
   EXPECT_TRUE(LeafMap(all).tiles(domain));
   EXPECT_TRUE(LeafMap(all).isBalanced());
   const auto calls = copyOfOutput();
-  source->RemoveAllSurfaceSizes();
-  source->RemoveAllDistanceSizes();
+  source->RemoveAllSurfaceSizeRules();
+  source->RemoveAllDistanceSizeRules();
   source->RemoveAllRefinementBoxes();
-  EXPECT_EQ(
-      source->GetNumberOfSurfaceSizes() + source->GetNumberOfDistanceSizes() + source->GetNumberOfRefinementBoxes(), 0);
+  EXPECT_EQ(source->GetNumberOfSurfaceSizeRules() + source->GetNumberOfDistanceSizeRules() +
+                source->GetNumberOfRefinementBoxes(),
+            0);
   source->AddSurfaceSizeRule("Do* 0.25 0.25");
   source->AddDistanceSizeRule("\"Building\" 1 1 2 2");
   const double box[6] = {-1, 1, -1, 1, 1, 2};
@@ -380,7 +381,7 @@ TEST_F(OctreeSource, RulesAsCallsAndAsTextAreTheSame)
 TEST_F(OctreeSource, EstimateCountsTheLeavesOfTheOutput)
 {
   source->SetInputDataObject(toPolyData(buildingAndDome()));
-  source->AddSurfaceSize("Dome", 0.25);
+  source->AddSurfaceSizeRule("Dome", 0.25);
   source->SetCellsPerLevel(3);
   source->SetCellsAcrossGap(2);
   source->SetCurvatureAngle(30);
@@ -409,7 +410,7 @@ TEST_F(OctreeSourceError, SizeRulesThatAreNone)
   expectError(AllOf(HasSubstr("'Building'"), HasSubstr("PATTERN SIZE")));
   EXPECT_FALSE(source->Estimate());
   EXPECT_FALSE(messages.takeErrors().empty());
-  source->RemoveAllSurfaceSizes();
+  source->RemoveAllSurfaceSizeRules();
   source->AddDistanceSizeRule("Garden* 1 1");
   expectError(AllOf(HasSubstr("'Garden*'"), HasSubstr("Building, Dome")));
 }
