@@ -82,6 +82,9 @@ public:
    */
   vtkSetClampMacro(ZoneRule, int, Outside, Seeds);
   vtkGetMacro(ZoneRule, int);
+  void SetZoneRuleToOutside() { this->SetZoneRule(Outside); }
+  void SetZoneRuleToAll() { this->SetZoneRule(All); }
+  void SetZoneRuleToSeeds() { this->SetZoneRule(Seeds); }
   ///@}
 
   ///@{

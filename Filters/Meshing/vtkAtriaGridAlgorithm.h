@@ -173,6 +173,10 @@ public:
    */
   vtkSetClampMacro(DomainMode, int, FromSurfaces, Automatic);
   vtkGetMacro(DomainMode, int);
+  void SetDomainModeToFromSurfaces() { this->SetDomainMode(FromSurfaces); }
+  void SetDomainModeToExplicit() { this->SetDomainMode(Explicit); }
+  void SetDomainModeToSite() { this->SetDomainMode(Site); }
+  void SetDomainModeToAutomatic() { this->SetDomainMode(Automatic); }
   ///@}
 
   ///@{
@@ -241,6 +245,9 @@ public:
    */
   vtkSetClampMacro(AlignGrid, int, ToAxes, ToDomain);
   vtkGetMacro(AlignGrid, int);
+  void SetAlignGridToAxes() { this->SetAlignGrid(ToAxes); }
+  void SetAlignGridToWalls() { this->SetAlignGrid(ToWalls); }
+  void SetAlignGridToDomain() { this->SetAlignGrid(ToDomain); }
   ///@}
 
   ///@{

@@ -47,6 +47,8 @@ public:
    */
   vtkSetClampMacro(OutputType, int, UnstructuredGrid, HyperTreeGrid);
   vtkGetMacro(OutputType, int);
+  void SetOutputTypeToUnstructuredGrid() { this->SetOutputType(UnstructuredGrid); }
+  void SetOutputTypeToHyperTreeGrid() { this->SetOutputType(HyperTreeGrid); }
   ///@}
 
   /**

@@ -57,6 +57,9 @@ public:
    */
   vtkSetClampMacro(Order, int, Automatic, SmallestFirst);
   vtkGetMacro(Order, int);
+  void SetOrderToAutomatic() { this->SetOrder(Automatic); }
+  void SetOrderToGreatestFirst() { this->SetOrder(GreatestFirst); }
+  void SetOrderToSmallestFirst() { this->SetOrder(SmallestFirst); }
   ///@}
 
   ///@{

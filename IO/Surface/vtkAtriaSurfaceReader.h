@@ -65,6 +65,10 @@ public:
    */
   vtkSetClampMacro(SurfaceBy, int, Shape, Connected);
   vtkGetMacro(SurfaceBy, int);
+  void SetSurfaceByToShape() { this->SetSurfaceBy(Shape); }
+  void SetSurfaceByToGroup() { this->SetSurfaceBy(Group); }
+  void SetSurfaceByToMaterial() { this->SetSurfaceBy(Material); }
+  void SetSurfaceByToConnected() { this->SetSurfaceBy(Connected); }
   ///@}
 
   ///@{
@@ -99,6 +103,9 @@ public:
    */
   vtkSetClampMacro(UpAxis, int, UnstatedUp, ZUp);
   vtkGetMacro(UpAxis, int);
+  void SetUpAxisToY() { this->SetUpAxis(YUp); }
+  void SetUpAxisToZ() { this->SetUpAxis(ZUp); }
+  void SetUpAxisToUnstated() { this->SetUpAxis(UnstatedUp); }
   ///@}
 
   enum LengthUnitType
@@ -118,6 +125,12 @@ public:
    */
   vtkSetClampMacro(LengthUnit, int, UnstatedUnit, Feet);
   vtkGetMacro(LengthUnit, int);
+  void SetLengthUnitToUnstated() { this->SetLengthUnit(UnstatedUnit); }
+  void SetLengthUnitToMeters() { this->SetLengthUnit(Meters); }
+  void SetLengthUnitToMillimeters() { this->SetLengthUnit(Millimeters); }
+  void SetLengthUnitToCentimeters() { this->SetLengthUnit(Centimeters); }
+  void SetLengthUnitToInches() { this->SetLengthUnit(Inches); }
+  void SetLengthUnitToFeet() { this->SetLengthUnit(Feet); }
   ///@}
 
   ///@{
