@@ -45,6 +45,7 @@ void declareSizeOptions(CLI::App& command, SizeOptions& options)
   options.gapCells = filter->GetCellsAcrossGap();
   options.cellsPerLevel = filter->GetCellsPerLevel();
   options.maxElements = filter->GetMaxElements();
+  options.memoryLimit = filter->GetMemoryLimit();
 
   command
       .add_option("--size", options.surfaces,
@@ -82,6 +83,11 @@ void declareSizeOptions(CLI::App& command, SizeOptions& options)
       ->capture_default_str()
       ->check(CLI::NonNegativeNumber)
       ->type_name("N");
+  command
+      .add_option("--memory-limit", options.memoryLimit,
+                  "Refuse sizes whose mesh would take more memory, gigabytes (default: what the machine has)")
+      ->check(CLI::PositiveNumber)
+      ->type_name("GB");
 }
 
 void configureSizes(vtkAtriaGridAlgorithm* filter, const SizeOptions& options)
@@ -103,6 +109,7 @@ void configureSizes(vtkAtriaGridAlgorithm* filter, const SizeOptions& options)
   filter->SetCellsAcrossGap(options.gapCells);
   filter->SetCellsPerLevel(options.cellsPerLevel);
   filter->SetMaxElements(options.maxElements);
+  filter->SetMemoryLimit(options.memoryLimit);
 }
 
 std::string estimateText(vtkAtriaOctreeSource* source)
@@ -117,8 +124,11 @@ std::string estimateText(vtkAtriaOctreeSource* source)
           << std::right << std::setw(10) << octants << '\n';
     }
   }
-  out << "elements: " << source->GetEstimatedElements() << " (all zones)\n";
-  out << "memory: about " << std::max<long long>(1, source->GetEstimatedBytes() / 1000000) << " MB\n";
+  const bool tooLarge = source->GetEstimateIsTooLarge();
+  out << "elements: " << source->GetEstimatedElements()
+      << (tooLarge ? " or more (from a part of the octants, before they are balanced)\n" : " (all zones)\n");
+  out << "memory: about " << std::max<long long>(1, source->GetEstimatedBytes() / 1000000)
+      << (tooLarge ? " MB or more\n" : " MB\n");
   return out.str();
 }
 

@@ -26,6 +26,7 @@ struct SizeOptions
   int gapCells = 0;
   int cellsPerLevel = 1;
   int maxElements = 0;
+  double memoryLimit = 0.0;
 };
 
 void declareSizeOptions(CLI::App& command, SizeOptions& options);

@@ -2,6 +2,7 @@
 #include "GridInput.h"
 
 #include "Octree/Sizing/SizeRules.h"
+#include "Support/MachineMemory.h"
 #include "VtkSurface.h"
 #include "vtkAtriaGridAlgorithm.h"
 
@@ -10,11 +11,24 @@
 #include <vtkNew.h>
 #include <vtkStringArray.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace atria {
 
 namespace {
+
+/// Bytes that meshing may take: those of the filter's MemoryLimit, or what the machine allows.
+std::size_t memoryLimitOf(vtkAtriaGridAlgorithm& filter)
+{
+  const double bytes = 1e9 * filter.GetMemoryLimit();
+  if (!(bytes > 0.0))
+  {
+    return memoryOfMachine();
+  }
+  return bytes < static_cast<double>(unlimitedMemory) ? std::max<std::size_t>(static_cast<std::size_t>(bytes), 1)
+                                                      : unlimitedMemory;
+}
 
 SizingOptions sizingOf(vtkAtriaGridAlgorithm& filter)
 {
@@ -38,6 +52,7 @@ SizingOptions sizingOf(vtkAtriaGridAlgorithm& filter)
   options.cellsAcrossGap = filter.GetCellsAcrossGap();
   options.cellsPerLevel = filter.GetCellsPerLevel();
   options.maxElements = static_cast<std::size_t>(filter.GetMaxElements());
+  options.memoryLimit = memoryLimitOf(filter);
   return options;
 }
 

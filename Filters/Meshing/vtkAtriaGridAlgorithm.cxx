@@ -156,6 +156,7 @@ void vtkAtriaGridAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CellsAcrossGap: " << this->CellsAcrossGap << "\n";
   os << indent << "CellsPerLevel: " << this->CellsPerLevel << "\n";
   os << indent << "MaxElements: " << this->MaxElements << "\n";
+  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "GapTolerance: " << this->GapTolerance << "\n";
   os << indent << "DomainMode: " << this->DomainMode << "\n";
   os << indent << "DomainBounds:";

@@ -148,6 +148,16 @@ public:
 
   ///@{
   /**
+   * Gigabytes of memory (10^9 bytes) that meshing may take. Sizes that need more are refused while octants are sized,
+   * before the memory is gone, with the sizes that would do. About 700 bytes an element are counted, those of all zones
+   * and without layers. Default 0: what the machine, its container and the shell's ulimit allow; clamped to at least 0.
+   */
+  vtkSetClampMacro(MemoryLimit, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MemoryLimit, double);
+  ///@}
+
+  ///@{
+  /**
    * Points closer than this to another point, an edge or a face that they are not connected with are moved onto it,
    * so that parts that nearly touch do. 0 closes no gap; a negative value means 0.05 times SizeMin. Default -1.
    */
@@ -281,6 +291,7 @@ protected:
   int CellsPerLevel = 1;
   double GapTolerance = -1.0;
   int MaxElements = 0;
+  double MemoryLimit = 0.0;
   int DomainMode = FromSurfaces;
   double DomainBounds[6] = {-50.0, 50.0, -50.0, 50.0, 0.0, 50.0};
   double DomainAngle = 0.0;

@@ -100,6 +100,7 @@ bool vtkAtriaOctreeSource::Estimate()
   this->EstimatedOctants.clear();
   this->EstimatedElements = 0;
   this->EstimatedBytes = 0;
+  this->EstimateIsTooLarge = false;
   this->EstimateWarning.clear();
   try
   {
@@ -125,6 +126,7 @@ bool vtkAtriaOctreeSource::Estimate()
     }
     this->EstimatedElements = static_cast<vtkIdType>(estimate.elements);
     this->EstimatedBytes = static_cast<vtkTypeInt64>(estimate.bytes);
+    this->EstimateIsTooLarge = estimate.isTooLarge;
     this->EstimateWarning = estimate.warning;
   }
   catch (const atria::Aborted&)

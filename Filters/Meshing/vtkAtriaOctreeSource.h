@@ -53,7 +53,8 @@ public:
 
   /**
    * Sizes the octants for the present input and properties and counts what a mesh of them has, without building
-   * octree or mesh. The counts are exact for a mesh of all zones; what a zone rule leaves out has no elements. Returns
+   * octree or mesh. The counts are exact for a mesh of all zones; what a zone rule leaves out has no elements. Where a
+   * mesh would be refused for MemoryLimit they are estimates, of what there is at least: EstimateIsTooLarge. Returns
    * false, after an error, where sizes or domain cannot be met.
    */
   bool Estimate();
@@ -61,13 +62,15 @@ public:
   ///@{
   /**
    * What Estimate() found: elements; bytes of memory that meshing takes at its peak, roughly; by level of the octree
-   * the number and edge length of the leaves in the domain (0 out of range); what MaxElements leaves out, if anything.
+   * the number and edge length of the leaves in the domain (0 out of range); whether meshing would be refused, as it
+   * takes more memory than there is; what MaxElements leaves out, if anything, or why it would be refused.
    */
   vtkGetMacro(EstimatedElements, vtkIdType);
   vtkGetMacro(EstimatedBytes, vtkTypeInt64);
   int GetNumberOfEstimatedLevels() { return static_cast<int>(this->EstimatedOctants.size()); }
   vtkIdType GetEstimatedOctants(int level);
   double GetEstimatedOctantSize(int level);
+  vtkGetMacro(EstimateIsTooLarge, bool);
   std::string GetEstimateWarning() { return this->EstimateWarning; }
   ///@}
 
@@ -84,6 +87,7 @@ protected:
   std::vector<std::pair<double, vtkIdType>> EstimatedOctants; ///< size and number
   vtkIdType EstimatedElements = 0;
   vtkTypeInt64 EstimatedBytes = 0;
+  bool EstimateIsTooLarge = false;
   std::string EstimateWarning;
 
 private:

@@ -4,7 +4,6 @@
 #include "AlgorithmProgress.h"
 #include "GridInput.h"
 #include "Mesher/Preflight.h"
-#include "Octree/Sizing/Refinement.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>

@@ -15,7 +15,7 @@ import atria
 from house_pipeline import load_plugin
 
 VECTORS = {"IntVectorProperty", "DoubleVectorProperty", "StringVectorProperty", "IdTypeVectorProperty"}
-UNITS = re.compile(r"meters|degrees|no unit")
+UNITS = re.compile(r"meters|degrees|gigabytes|no unit")
 # Values beyond which a C++ clamp means "no limit".
 UNLIMITED = 1e30
 INT_MAX = 2**31 - 1

@@ -8,6 +8,7 @@ import json
 import os
 import pathlib
 import re
+import resource
 import struct
 import subprocess
 import sys
@@ -474,6 +475,33 @@ class CommandLine(unittest.TestCase):
         estimated, run = self.elements_estimated(*size, "--max-elements", limit)
         self.assertLessEqual(estimated, limit)
         self.assertIn(f"MaxElements {limit}", run.stderr)
+
+    def test_sizes_beyond_the_memory_are_refused_at_once(self):
+        """Either would run for hours, and fill any machine."""
+        fine = ["--size-max", "8", "--size-mid", "0.001", "--size-min", "0.001", "--site", "Site"]
+        out = self.folder / "fine.vtu"
+        self.refuses(3, "raise SizeMin and SizeMid", "mesh", HOUSE, *fine, "-o", out)
+        self.assertFalse(out.exists())
+        run = self.atria("mesh", HOUSE, *fine, "--estimate")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIn("warning: the sizes asked for make about", run.stderr)
+        self.assertGreater(int(run.stdout.split("elements: ")[1].split()[0]), 1e9)
+        self.assertIn("or more", run.stdout)
+        report = self.folder / "fine.json"
+        run = self.atria("mesh", HOUSE, *fine, "--preflight", "--report", report)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIn("MemoryLimit", json.loads(report.read_text())["warnings"][0])
+        self.refuses(3, "there are 0.001 GB", "mesh", HOUSE, *COARSE, "-o", out, "--memory-limit", "0.001")
+        self.refuses(3, "fewer layers", "mesh", HOUSE, *COARSE, "-o", out, "--layers", "90", "--memory-limit", "0.05")
+        self.refuses(2, "--memory-limit", "mesh", HOUSE, *COARSE, "-o", out, "--memory-limit", "0")
+
+    def test_what_ulimit_allows_is_the_memory_there_is(self):
+        def limit():
+            resource.setrlimit(resource.RLIMIT_DATA, (6_000_000_000, 6_000_000_000))
+        run = subprocess.run([ATRIA, "mesh", HOUSE, "-o", self.folder / "fine.vtu", "--site", "Site", "--size-mid", "0.01",
+                              "--size-min", "0.01"], capture_output=True, text=True, check=False, preexec_fn=limit)
+        self.assertEqual(run.returncode, 3, run.stderr)
+        self.assertIn("there are 6 GB", run.stderr)
 
     def test_sizes_of_unknown_surfaces_are_refused(self):
         self.refuses(3, "WallSouth", "mesh", HOUSE, "-o", self.folder / "out.vtu", "--size", "Wand*", "1")

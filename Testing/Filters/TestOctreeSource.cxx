@@ -403,6 +403,28 @@ TEST_F(OctreeSource, EstimateCountsTheLeavesOfTheOutput)
 
 using OctreeSourceError = OctreeSource;
 
+TEST_F(OctreeSourceError, SizesThatDoNotFitTheMemory)
+{
+  source->SetInputDataObject(toPolyData(buildingAndDome()));
+  source->SetSizeMin(1e-4);
+  source->SetSizeMid(1e-4);
+  expectError(AllOf(HasSubstr("GB"), HasSubstr("SizeMin and SizeMid"), HasSubstr("MemoryLimit")));
+  ASSERT_TRUE(source->Estimate());
+  EXPECT_TRUE(source->GetEstimateIsTooLarge());
+  EXPECT_GT(source->GetEstimatedElements(), 1'000'000'000);
+  EXPECT_GT(source->GetEstimatedBytes(), 100 * source->GetEstimatedElements());
+  EXPECT_THAT(source->GetEstimateWarning(), HasSubstr("MemoryLimit"));
+  // The limit is the user's to state.
+  source->SetSizeMin(0.25);
+  source->SetSizeMid(0.5);
+  source->SetMemoryLimit(0.001);
+  expectError(HasSubstr("there are 0.001 GB"));
+  source->SetMemoryLimit(1.0);
+  EXPECT_FALSE(leaves().empty());
+  ASSERT_TRUE(source->Estimate());
+  EXPECT_FALSE(source->GetEstimateIsTooLarge());
+}
+
 TEST_F(OctreeSourceError, SizeRulesThatAreNone)
 {
   source->SetInputDataObject(toPolyData(buildingAndDome()));

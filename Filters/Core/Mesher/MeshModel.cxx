@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesher/MeshModel.h"
 
+#include "Layer/LayerBudget.h"
 #include "Octree/Tree/Balance.h"
 
 namespace atria {
@@ -13,6 +14,7 @@ constexpr double octreeShare = 0.4;
 MeshedModel meshOctree(std::unique_ptr<MeshSources> sources, const MesherOptions& options, StageClock& clock,
                        const RunContext& context)
 {
+  checkLayerBudget(sources->octree, sources->model, options.mesh.layers, options.sizing.memoryLimit, context);
   MeshedModel out;
   static_cast<DualMeshResult&>(out) = makeDualMesh(sources->octree, sources->model, options.mesh, clock, context);
   out.names = sources->model.names;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesher/Preflight.h"
 
+#include "Octree/Sizing/ElementBudget.h"
+
 #include <algorithm>
 #include <sstream>
 
@@ -118,6 +120,22 @@ void warnOfTerrain(const TerrainOutline& terrain, std::vector<std::string>& warn
   }
 }
 
+/// Sizes that make too many elements are one of the things to report.
+void estimate(const SurfaceModel& model, const GridFrame& frame, const ModelOptions& options, Preflight& out,
+              const RunContext& context)
+{
+  try
+  {
+    const SizedOctants sized = sizeOctants(model, frame, options, context.part(0.0, 0.7));
+    out.estimatedElements = leavesInside(buildOctree(model, frame, sized, context.part(0.7, 1.0)));
+  }
+  catch (const TooManyElements& refusal)
+  {
+    out.estimatedElements = static_cast<std::size_t>(refusal.elements);
+    out.warnings.emplace_back(refusal.what());
+  }
+}
+
 } // namespace
 
 Preflight preflight(const TriangleSurface& surface, const ModelOptions& options, const RunContext& context)
@@ -126,10 +144,9 @@ Preflight preflight(const TriangleSurface& surface, const ModelOptions& options,
   const PlacedModel placed = placeModel(surface, plan, options);
   context.progress.report(0.02, "Repairing surfaces");
   const SurfaceModel model = makeSurfaceModel(placed, options, context.part(0.02, 0.1));
-  const SizedOctants sized = sizeOctants(model, placed.frame, options, context.part(0.1, 0.5));
-  const Octree octree = buildOctree(model, placed.frame, sized, context.part(0.5, 0.7));
-  context.progress.report(0.7, "Measuring narrow places");
   Preflight out;
+  estimate(model, placed.frame, options, out, context.part(0.1, 0.7));
+  context.progress.report(0.7, "Measuring narrow places");
   const GridFrame& frame = placed.frame;
   const double sizeMin = frame.sizeOf(frame.featureLevel);
   out.domain = plan.domain;
@@ -146,7 +163,6 @@ Preflight preflight(const TriangleSurface& surface, const ModelOptions& options,
   }
   out.octantsAcrossOpening = out.narrow.opening.width / sizeMin;
   out.octantsAcrossGap = out.narrow.gap.width / sizeMin;
-  out.estimatedElements = leavesInside(octree);
   warnOfDomain(out);
   warnOfNarrow("opening", out.narrow.opening, out.octantsAcrossOpening, surface.names, out.warnings);
   warnOfNarrow("gap or wall", out.narrow.gap, out.octantsAcrossGap, surface.names, out.warnings);

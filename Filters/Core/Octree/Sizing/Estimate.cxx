@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Octree/Sizing/Estimate.h"
 
+#include "Octree/Sizing/ElementBudget.h"
 #include "Octree/Tree/GeometryLists.h"
 
 #include <algorithm>
@@ -11,10 +12,6 @@ namespace atria {
 namespace {
 
 constexpr std::size_t grain = 4096;
-
-/// Peak of the whole of `atria mesh`, quality and files included: 630 to 740 bytes were measured at 0.3 to 2 million
-/// elements.
-constexpr std::size_t bytesPerElement = 700;
 
 /// Sums `count(i)` over [0, size).
 template <typename Count> std::size_t sumOver(std::size_t size, const RunContext& context, Count&& count)
@@ -114,8 +111,16 @@ private:
   std::int64_t half;
 };
 
-/// Children of refined octants that share volume with the domain.
-std::size_t childrenInDomain(const std::vector<MortonKey>& refined, int level, const GridFrame& frame,
+} // namespace
+
+std::size_t countNewPoints(const std::vector<MortonKey>& refined, int level, const GridFrame& frame,
+                           const RunContext& context)
+{
+  const PointCounter counter(refined, level, frame);
+  return sumOver(refined.size(), context, [&](std::size_t i) { return counter.pointsOf(refined[i]); });
+}
+
+std::size_t childrenInDomain(std::span<const MortonKey> refined, int level, const GridFrame& frame,
                              const RunContext& context)
 {
   return sumOver(refined.size(), context, [&](std::size_t i) {
@@ -128,15 +133,6 @@ std::size_t childrenInDomain(const std::vector<MortonKey>& refined, int level, c
   });
 }
 
-} // namespace
-
-std::size_t countNewPoints(const std::vector<MortonKey>& refined, int level, const GridFrame& frame,
-                           const RunContext& context)
-{
-  const PointCounter counter(refined, level, frame);
-  return sumOver(refined.size(), context, [&](std::size_t i) { return counter.pointsOf(refined[i]); });
-}
-
 std::size_t countElements(const RefinedSets& refined, const GridFrame& frame, const RunContext& context)
 {
   std::size_t elements = 0;
@@ -147,10 +143,10 @@ std::size_t countElements(const RefinedSets& refined, const GridFrame& frame, co
   return elements;
 }
 
-MeshEstimate estimateElements(const SurfaceModel& model, const GridFrame& frame, const SizingOptions& options,
-                              const RunContext& context)
+namespace {
+
+MeshEstimate estimateOf(const SizedOctants& sized, const GridFrame& frame, const RunContext& context)
 {
-  const SizedOctants sized = sizeOctants(model, frame, options, context);
   MeshEstimate estimate;
   estimate.octants.assign(sized.refined.size() + 1, 0);
   estimate.octants[0] = sized.refined.empty() ? 1 : 0;
@@ -163,6 +159,36 @@ MeshEstimate estimateElements(const SurfaceModel& model, const GridFrame& frame,
   estimate.bytes = estimate.elements * bytesPerElement;
   estimate.warning = sized.warning;
   return estimate;
+}
+
+MeshEstimate estimateOf(const TooManyElements& refusal)
+{
+  MeshEstimate estimate;
+  for (std::size_t l = 0; l <= refusal.octants.refined.size(); ++l)
+  {
+    estimate.octants.push_back(static_cast<std::size_t>(refusal.octants.leavesAt(l)));
+  }
+  constexpr double largest = 9e18; // any number of a file or a table holds that
+  estimate.elements = static_cast<std::size_t>(std::min(refusal.elements, largest));
+  estimate.bytes = static_cast<std::size_t>(std::min(refusal.elements * bytesPerElement, largest));
+  estimate.isTooLarge = true;
+  estimate.warning = refusal.what();
+  return estimate;
+}
+
+} // namespace
+
+MeshEstimate estimateElements(const SurfaceModel& model, const GridFrame& frame, const SizingOptions& options,
+                              const RunContext& context)
+{
+  try
+  {
+    return estimateOf(sizeOctants(model, frame, options, context), frame, context);
+  }
+  catch (const TooManyElements& refusal)
+  {
+    return estimateOf(refusal);
+  }
 }
 
 } // namespace atria

@@ -4,12 +4,18 @@
 
 #include "Octree/Sizing/Sizing.h"
 
+#include <span>
+
 namespace atria {
 
 /// Grid points inside the domain that refining the octants `refined` of `level` makes: those of level + 1 that are no
 /// grid points of `level`. Every grid point is one element if all zones are meshed. O(n log n).
 std::size_t countNewPoints(const std::vector<MortonKey>& refined, int level, const GridFrame& frame,
                            const RunContext& context);
+
+/// Children of refined octants of `level` that share volume with the domain.
+std::size_t childrenInDomain(std::span<const MortonKey> refined, int level, const GridFrame& frame,
+                             const RunContext& context);
 
 /// Grid points inside the domain of the octree that balanced sets make.
 std::size_t countElements(const RefinedSets& refined, const GridFrame& frame, const RunContext& context);
@@ -22,12 +28,15 @@ struct MeshEstimate
   std::size_t elements = 0;
   /// Memory that meshing takes at its peak, roughly.
   std::size_t bytes = 0;
-  /// See SizedOctants.
+  /// The elements do not fit the memory: all numbers are from a part of the octants, which are not balanced, so that
+  /// there are as many or more.
+  bool isTooLarge = false;
+  /// See SizedOctants; or why they are refused.
   std::string warning;
 };
 
 /// Sizes octants and counts what they make, without building octree or mesh. Takes a few per cent of the memory of
-/// meshing.
+/// meshing. Where sizeOctants() would throw TooManyElements, tells about how many there are.
 MeshEstimate estimateElements(const SurfaceModel& model, const GridFrame& frame, const SizingOptions& options,
                               const RunContext& context);
 

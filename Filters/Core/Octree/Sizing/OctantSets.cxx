@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Octree/Sizing/OctantSets.h"
 
+#include "Octree/Sizing/ElementBudget.h"
 #include "Octree/Sizing/Estimate.h"
 #include "Octree/Tree/Balance.h"
 #include "Support/Error.h"
@@ -10,8 +11,8 @@
 
 namespace atria {
 
-OctantSets::OctantSets(const GridFrame& frame, std::size_t maxElements)
-    : frame_(frame), limit(maxElements), kept_(2 * frame.depth)
+OctantSets::OctantSets(const GridFrame& frame, std::size_t maxElements, ElementBudget& budget)
+    : frame_(frame), limit(maxElements), budget_(budget), kept_(2 * frame.depth)
 {
 }
 
@@ -47,6 +48,14 @@ void OctantSets::add(int level, const std::vector<MortonKey>& keys, const std::v
       leaveOutMore(context);
     }
   }
+  checkBudget(context);
+}
+
+void OctantSets::checkBudget(const RunContext& context)
+{
+  std::vector<std::span<const MortonKey>> refined;
+  std::ranges::transform(levels, std::back_inserter(refined), [](const Level& l) { return std::span(l.keys); });
+  budget_.check(refined, context);
 }
 
 std::size_t OctantSets::pointsSoFar() const
@@ -110,6 +119,7 @@ RefinedSets OctantSets::balanced(int cellsPerLevel, const RunContext& context)
     elements_ = limit > 0 ? countElements(sets, frame_, context) : 0;
     if (elements_ <= limit)
     {
+      budget_.check(std::vector<std::span<const MortonKey>>(sets.begin(), sets.end()), context);
       return sets;
     }
     leaveOutMore(context);

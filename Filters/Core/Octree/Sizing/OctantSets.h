@@ -2,10 +2,11 @@
 /// Octants to refine, collected from several sources under a limit on elements.
 #pragma once
 
-#include "Octree/Tree/Octree.h"
-#include "Support/RunContext.h"
+#include "Octree/Sizing/OctantSink.h"
 
 namespace atria {
+
+class ElementBudget;
 
 /// Grows by what sources add, level by level from the root; every source adds an octant only if it has added its
 /// parent.
@@ -13,24 +14,21 @@ namespace atria {
 /// Octants that are refined add elements only. So where what has been added makes too many already, the rest would too,
 /// and the finest octants are left out at once: of the finest level first those that are not refined for features, then
 /// those that are, then the next level. What is left out does not depend on the order in which sources add.
-class OctantSets
+class OctantSets final : public OctantSink
 {
 public:
-  /// `maxElements` 0 is no limit.
-  OctantSets(const GridFrame& frame, std::size_t maxElements);
+  /// `maxElements` 0 is no limit. `budget` is asked whatever is added.
+  OctantSets(const GridFrame& frame, std::size_t maxElements, ElementBudget& budget);
 
-  const GridFrame& frame() const { return frame_; }
-  /// Whether octants of `level` may still be refined, at least for features.
-  bool takes(int level) const { return 2 * level < kept_; }
-  /// Whether a source must say which octants it refines for features.
-  bool wantsFeatures() const { return limit > 0; }
-
-  /// `keys` of `level`, sorted; `forFeatures` by key, or empty if none is.
+  const GridFrame& frame() const override { return frame_; }
+  bool takes(int level) const override { return 2 * level < kept_; }
+  bool wantsFeatures() const override { return limit > 0; }
   void add(int level, const std::vector<MortonKey>& keys, const std::vector<char>& forFeatures,
-           const RunContext& context);
+           const RunContext& context) override;
+  bool goesOn(int /*level*/, MortonKey /*key*/) const override { return true; }
 
   /// Balances what is there, and leaves out more until the balanced sets keep to the limit. Throws Error if not even
-  /// the start level does. Returns the balanced sets.
+  /// the start level does, or the budget is exceeded. Returns the balanced sets.
   RefinedSets balanced(int cellsPerLevel, const RunContext& context);
 
   /// What was left out, in words; empty if nothing.
@@ -48,8 +46,11 @@ private:
   void prune(int level, const RunContext& context);
   std::size_t pointsSoFar() const;
 
+  void checkBudget(const RunContext& context);
+
   GridFrame frame_;
   std::size_t limit;
+  ElementBudget& budget_;
   std::vector<Level> levels;
   /// Octants of level l refined for features have rank 2l, others 2l + 1; those of a rank below this one are kept.
   int kept_;

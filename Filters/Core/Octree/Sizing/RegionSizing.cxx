@@ -44,7 +44,7 @@ struct AskLists
 template <typename LevelOf, typename ReachOf> class AskDescent
 {
 public:
-  AskDescent(OctantSets& sets, LevelOf levelOf, ReachOf reachOf) : sets_(sets), levelOf_(levelOf), reachOf_(reachOf) {}
+  AskDescent(OctantSink& sets, LevelOf levelOf, ReachOf reachOf) : sets_(sets), levelOf_(levelOf), reachOf_(reachOf) {}
 
   void run(std::size_t count, const RunContext& context)
   {
@@ -115,7 +115,7 @@ private:
       context.progress.check();
       for (std::size_t i = part * grain; i < std::min((part + 1) * grain, parents.keys.size()); ++i)
       {
-        for (MortonKey k = 0; k < 8; ++k)
+        for (MortonKey k = 0; k < 8 && sets_.goesOn(level, parents.keys[i]); ++k)
         {
           appendOctant(parts[part], parents.keys[i] << 3 | k, level + 1, parents.of(i));
         }
@@ -130,7 +130,7 @@ private:
     return children;
   }
 
-  OctantSets& sets_;
+  OctantSink& sets_;
   LevelOf levelOf_;
   ReachOf reachOf_;
 };
@@ -174,7 +174,7 @@ Reach reachOf(const NearTriangle& near, const LatticeBox& box, const SurfaceMode
 
 } // namespace
 
-void sizeForBoxes(OctantSets& sets, const SizingOptions& options, const RunContext& context)
+void sizeForBoxes(OctantSink& sets, const SizingOptions& options, const RunContext& context)
 {
   const GridFrame& frame = sets.frame();
   std::vector<LevelledBox> boxes;
@@ -201,7 +201,7 @@ void sizeForBoxes(OctantSets& sets, const SizingOptions& options, const RunConte
       .run(boxes.size(), context);
 }
 
-void sizeForDistances(OctantSets& sets, const SurfaceModel& model, const SizingOptions& options,
+void sizeForDistances(OctantSink& sets, const SurfaceModel& model, const SizingOptions& options,
                       const RunContext& context)
 {
   std::vector<NearTriangle> near;
@@ -229,7 +229,7 @@ void sizeForDistances(OctantSets& sets, const SurfaceModel& model, const SizingO
       .run(near.size(), context);
 }
 
-void sizeForGaps(OctantSets& sets, const std::vector<GapLine>& lines, const RunContext& context)
+void sizeForGaps(OctantSink& sets, const std::vector<GapLine>& lines, const RunContext& context)
 {
   AskDescent(
       sets, [&](Index i) { return lines[i].level; },

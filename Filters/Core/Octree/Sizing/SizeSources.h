@@ -2,7 +2,7 @@
 /// What adds octants to refine; each walks down from the root by itself.
 #pragma once
 
-#include "Octree/Sizing/OctantSets.h"
+#include "Octree/Sizing/OctantSink.h"
 #include "Octree/Sizing/SizeRules.h"
 #include "Octree/Tree/GeometryLists.h"
 
@@ -21,17 +21,17 @@ struct GapLine
 
 /// All octants down to the top level; below it those with pieces of the model, for sizes at surfaces and features, for
 /// curvature and for gaps. Returns the gaps found, sorted by the octants they were found in.
-std::vector<GapLine> sizeForModel(OctantSets& sets, const SurfaceModel& model, const ModelLevels& levels,
+std::vector<GapLine> sizeForModel(OctantSink& sets, const SurfaceModel& model, const ModelLevels& levels,
                                   const SizingOptions& options, const RunContext& context);
 
 /// Octants that share volume with refinement boxes.
-void sizeForBoxes(OctantSets& sets, const SizingOptions& options, const RunContext& context);
+void sizeForBoxes(OctantSink& sets, const SizingOptions& options, const RunContext& context);
 
 /// Octants near surfaces.
-void sizeForDistances(OctantSets& sets, const SurfaceModel& model, const SizingOptions& options,
+void sizeForDistances(OctantSink& sets, const SurfaceModel& model, const SizingOptions& options,
                       const RunContext& context);
 
 /// Octants along gap lines.
-void sizeForGaps(OctantSets& sets, const std::vector<GapLine>& lines, const RunContext& context);
+void sizeForGaps(OctantSink& sets, const std::vector<GapLine>& lines, const RunContext& context);
 
 } // namespace atria

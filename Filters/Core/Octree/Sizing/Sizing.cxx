@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Octree/Sizing/Sizing.h"
 
+#include "Octree/Sizing/ElementBudget.h"
+#include "Octree/Sizing/OctantSets.h"
 #include "Octree/Sizing/SizeSources.h"
 #include "Support/Error.h"
 
@@ -27,7 +29,8 @@ SizedOctants sizeOctants(const SurfaceModel& model, const GridFrame& frame, cons
 {
   checkCounts(options);
   const ModelLevels levels = modelLevels(model, frame, options);
-  OctantSets sets(frame, options.maxElements);
+  ElementBudget budget(model, frame, options);
+  OctantSets sets(frame, options.maxElements, budget);
   const std::vector<GapLine> gaps = sizeForModel(sets, model, levels, options, context.part(0.0, 0.6));
   context.progress.report(0.6, "Sizing octants");
   sizeForBoxes(sets, options, context);

@@ -59,6 +59,8 @@ struct SizingOptions
   int cellsPerLevel = 1;
   /// Where the mesh would have more elements, the finest octants are left out; 0 is no limit.
   std::size_t maxElements = 0;
+  /// Bytes of memory that meshing may take; 0 is no limit.
+  std::size_t memoryLimit = 0;
 };
 
 /// The smallest size any rule asks for; infinity without rules.
@@ -76,7 +78,8 @@ struct SizedOctants
 /// Sizes octants and balances them. Below the top level, an octant is refined for what it holds of the model, for boxes
 /// and distances, for curvature and gaps (see docs/algorithm.md). `frame` must have been made with
 /// finestSizeOf(options). Throws Error for sizes that are not positive, patterns without a surface (naming those there
-/// are), boxes outside of the domain, or where not even the start level keeps to `maxElements`.
+/// are), boxes outside of the domain, or where not even the start level keeps to `maxElements`; TooManyElements (see
+/// ElementBudget.h) where the elements do not fit `memoryLimit`.
 SizedOctants sizeOctants(const SurfaceModel& model, const GridFrame& frame, const SizingOptions& options,
                          const RunContext& context);
 

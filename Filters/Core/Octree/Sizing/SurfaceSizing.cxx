@@ -162,7 +162,7 @@ private:
 
 } // namespace
 
-std::vector<GapLine> sizeForModel(OctantSets& sets, const SurfaceModel& model, const ModelLevels& levels,
+std::vector<GapLine> sizeForModel(OctantSink& sets, const SurfaceModel& model, const ModelLevels& levels,
                                   const SizingOptions& options, const RunContext& context)
 {
   const GridFrame& frame = sets.frame();
@@ -196,6 +196,10 @@ std::vector<GapLine> sizeForModel(OctantSets& sets, const SurfaceModel& model, c
       break;
     }
     sets.add(level, keys, forFeatures, context);
+    for (std::size_t i = 0; i < lists.size(); ++i)
+    {
+      chosen[i] = chosen[i] != 0 && sets.goesOn(level, lists.keys[i]) ? 1 : 0;
+    }
     const bool onlyOccupied = level + 1 >= std::max(frame.topLevel, frame.startLevel);
     lists = level == last ? GeometryLists{} : childLists(lists, level, chosen, onlyOccupied, model, frame, context);
   }
