@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Hints.h"
 
+#include "WallSizes.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -108,8 +110,48 @@ bool mentionsYUp(const std::vector<std::string_view>& words)
   return false;
 }
 
-void judgeUnit(const std::string& head, const std::vector<std::string_view>& words, const Vec3& size,
-               std::vector<std::string>& hints)
+std::string lengths(const Vec3& size, double factor)
+{
+  return shortNumber(factor * size.x()) + " by " + shortNumber(factor * size.y()) + " by " +
+         shortNumber(factor * size.z()) + " m";
+}
+
+/// Units in which walls of a size would be those of buildings.
+std::string unitsFor(double wall, const Vec3& size)
+{
+  constexpr double lowest = 1.5; // meters, of a storey or a parapet
+  constexpr double highest = 30.0;
+  std::string units;
+  for (const auto& [name, factor] : {std::pair("inches", 0.0254), {"centimeters", 0.01}, {"millimeters", 0.001}})
+  {
+    if (factor * wall >= lowest && factor * wall <= highest)
+    {
+      units += (units.empty() ? "" : " or ") + std::string(name) + " (" + lengths(size, factor) + ")";
+    }
+  }
+  return units.empty() ? "another unit" : units;
+}
+
+/// A house in inches is no taller than a tower; but its walls are as high and as wide as no tower's. Where it is not
+/// known what is up, grounds may be taken for walls.
+bool judgeWalls(const Scene& scene, const Vec3& size, bool axisKnown, const std::string& advice,
+                std::vector<std::string>& hints)
+{
+  constexpr double largest = 80.0;
+  double wall = wallSize(scene, 2, largest);
+  wall = wall < largest || axisKnown ? wall : std::min(wall, wallSize(scene, 1, largest));
+  if (wall < largest)
+  {
+    return false;
+  }
+  hints.push_back("the model would measure " + lengths(size, 1.0) +
+                  ", and a third of its walls are in faces that are at least " + shortNumber(wall) +
+                  " m high and wide, which " + unitsFor(wall, size) + " would explain" + advice);
+  return true;
+}
+
+void judgeUnit(const Scene& scene, const std::string& head, const std::vector<std::string_view>& words,
+               const Vec3& size, bool axisKnown, std::vector<std::string>& hints)
 {
   constexpr double tallest = 1000.0; // no building is
   constexpr double longest = 20000.0;
@@ -130,8 +172,11 @@ void judgeUnit(const std::string& head, const std::vector<std::string_view>& wor
     hints.push_back("the file comes from SketchUp, which writes inches without saying so" + advice);
     return;
   }
-  const std::string extents =
-      shortNumber(size.x()) + " by " + shortNumber(size.y()) + " by " + shortNumber(size.z()) + " m";
+  if (judgeWalls(scene, size, axisKnown, advice, hints))
+  {
+    return;
+  }
+  const std::string extents = lengths(size, 1.0);
   if (size.z() > tallest || size.maxCoeff() > longest)
   {
     hints.push_back("the model would measure " + extents + ", which millimeters or inches would explain" + advice);
@@ -193,7 +238,7 @@ std::vector<std::string> hintsOf(const Scene& scene, std::string_view head, cons
   const std::vector<std::string_view> words = wordsOf(text);
   if (!stated.unit)
   {
-    judgeUnit(text, words, box.size(), hints);
+    judgeUnit(scene, text, words, box.size(), stated.upAxis, hints);
   }
   if (!stated.upAxis)
   {

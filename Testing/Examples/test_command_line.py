@@ -495,6 +495,19 @@ class CommandLine(unittest.TestCase):
         self.refuses(3, "fewer layers", "mesh", HOUSE, *COARSE, "-o", out, "--layers", "90", "--memory-limit", "0.05")
         self.refuses(2, "--memory-limit", "mesh", HOUSE, *COARSE, "-o", out, "--memory-limit", "0")
 
+    def test_a_house_in_inches_is_told_before_it_is_meshed(self):
+        model = self.folder / "inches.wrl"
+        model.write_text("#VRML V2.0 utf8\nTransform { scale 39.37 39.37 39.37 children Inline { url \"%s\" } }\n" %
+                         HOUSE.resolve())
+        self.assertIn("inches (227 by 182 by 11 m)", self.atria("inspect", model).stderr)
+        run = self.atria("mesh", model, "--site", "Site", "--estimate", "--memory-limit", "8")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIn("inches (227 by 182 by 11 m)", run.stderr)
+        self.assertIn("the model 8937 by 7165 by 433.1 m: if that is not what it should, state its unit", run.stderr)
+        self.refuses(3, "--unit", "mesh", model, "--site", "Site", "-o", self.folder / "inches.vtu", "--memory-limit", "8")
+        run = self.atria("mesh", model, "--site", "Site", "--unit", "in", "--estimate")
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+
     def test_what_ulimit_allows_is_the_memory_there_is(self):
         def limit():
             resource.setrlimit(resource.RLIMIT_DATA, (6_000_000_000, 6_000_000_000))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Models others wrote, compared with what independent tools made of them (reference.csv in the corpus).
 #include "VRMLModel.h"
+#include "vtkAtriaVRMLReader.h"
 
 #include "Support/TestPaths.h"
 #include "Support/VtkErrorGuard.h"
@@ -239,6 +240,35 @@ TEST_F(VRMLCorpus, AgreesWithOtherToolsOrRefusesClearly)
       EXPECT_EQ(model.triangles(), 0);
       EXPECT_NE(atria::testing::joined(errors).find(special.error), std::string::npos);
     }
+  }
+}
+
+/// Whether the reader says that the walls are those of a model in another unit.
+bool findsWallsTooLarge(const fs::path& file)
+{
+  atria::testing::VtkErrorGuard messages;
+  const VRMLModel model(file, [](vtkAtriaVRMLReader& reader) {
+    reader.SetLengthUnit(vtkAtriaVRMLReader::UnstatedUnit);
+    reader.SetUpAxis(vtkAtriaVRMLReader::UnstatedUp);
+  });
+  messages.takeWarnings();
+  messages.takeErrors();
+  return atria::testing::joined(model.warnings()).find("m high and wide") != std::string::npos;
+}
+
+TEST_F(VRMLCorpus, WallsAreTooLargeInOtherUnitsOnly)
+{
+  for (const auto& [file, tools] : readReferences(*folder))
+  {
+    EXPECT_FALSE(findsWallsTooLarge(*folder / file)) << file;
+  }
+  const atria::testing::ScratchFolder scratch;
+  for (const char* building : {"d01_castle_blender_v97.wrl", "d11_deranged_house_blender.wrl",
+                               "d22_rotating_fan_room.wrl", "d23_rotterdam_lod2.wrl"})
+  {
+    const std::string inches = "#VRML V2.0 utf8\nTransform { scale 39.37 39.37 39.37 children Inline { url \"" +
+                               (*folder / building).string() + "\" } }\n";
+    EXPECT_TRUE(findsWallsTooLarge(atria::testing::writeFile(scratch.path(), "inches.wrl", inches))) << building;
   }
 }
 

@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 
@@ -174,7 +175,57 @@ TEST_F(VRMLPlacement, HintsAtSizesNothingHas)
   EXPECT_NE(hints(box(12000, 9000, 8000)).find("would measure 1.2e+04 by 9e+03 by 8e+03 m"), std::string::npos);
   EXPECT_NE(hints(box(0.1, 0.1, 0.1)).find("less than anything with rooms"), std::string::npos);
   EXPECT_EQ(hints(box(12, 9, 8)), "");
-  EXPECT_EQ(hints(box(3000, 3000, 300)), "");
+  // A site of three kilometers with a tower.
+  EXPECT_EQ(hints(box(3000, 3000, 1) + "Transform { translation 0 0 150 children " + box(60, 50, 300) + " }"), "");
+}
+
+/// A building that was drawn in meters, as another unit has it.
+std::string scaled(const std::string& building, double scale)
+{
+  std::ostringstream text;
+  text << "Transform { scale " << scale << ' ' << scale << ' ' << scale << " children Inline { url \""
+       << (atria::testing::dataFolder().parent_path().parent_path() / "Examples" / "Data" / building).string()
+       << "\" } }\n";
+  return text.str();
+}
+
+TEST_F(VRMLPlacement, HintsAtBuildingsWhoseWallsAreTooLarge)
+{
+  for (const char* building : {"house.wrl", "building.wrl", "house_turned17.wrl", "building_turned17.wrl"})
+  {
+    SCOPED_TRACE(building);
+    EXPECT_EQ(hints(scaled(building, 1.0)), "");
+    EXPECT_EQ(hints(scaled(building, 1.0 / 0.3048)), "") << "feet cannot be told from meters";
+    // 370 m high, which towers are, too.
+    const std::string inches = hints(scaled(building, 1.0 / 0.0254));
+    EXPECT_NE(inches.find("m high and wide, which inches (227 by 182 by 1"), std::string::npos) << inches;
+    EXPECT_NE(inches.find("LengthUnit"), std::string::npos);
+    EXPECT_NE(hints(scaled(building, 100.0)).find("centimeters (227 by 182 by 1"), std::string::npos);
+    EXPECT_NE(hints(scaled(building, 1000.0)).find("millimeters (227 by 182 by 1"), std::string::npos);
+  }
+}
+
+TEST_F(VRMLPlacement, TakesNoTowersGroundsOrMountainsForHousesInInches)
+{
+  std::string district = box(1500, 1500, 1);
+  for (int i = 0; i < 9; ++i)
+  {
+    const double height = 60 + 40 * i;
+    district += "Transform { translation " + std::to_string(150 * i - 600) + " 0 " + std::to_string(height / 2) +
+                " children " + box(60, 45, height) + " }\n";
+  }
+  EXPECT_EQ(hints(district), "");
+  EXPECT_EQ(hints(box(100, 1, 100) + box(5, 6, 5)), "") << "a lawn, drawn y up";
+  std::string heights;
+  for (int i = 0; i < 400; ++i)
+  {
+    heights += " " + std::to_string(150 + 150 * std::sin(i));
+  }
+  EXPECT_EQ(
+      hints("Transform { rotation 1 0 0 1.5707963267948966 children Shape { geometry ElevationGrid { xDimension 20 "
+            "zDimension 20 xSpacing 300 zSpacing 300 height [" +
+            heights + "] } } }"),
+      "");
 }
 
 TEST_F(VRMLPlacement, HintsAtTheAxisThatIsUp)

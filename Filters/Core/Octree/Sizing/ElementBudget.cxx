@@ -138,14 +138,14 @@ std::string ElementBudget::adviceFor() const
   }
   std::ostringstream text;
   text.precision(4);
+  text << "Octants of " << frame_.sizeOf(depth) << " m fit, ";
   if (depth < std::max(frame_.topLevel, frame_.startLevel))
   {
-    text << "Even without a model octants of SizeMax, or those that StartLevel asks for, are too many: raise SizeMax, "
-            "lower StartLevel, or make the domain smaller.";
+    text << "but SizeMax or StartLevel asks for finer ones everywhere: raise SizeMax, lower StartLevel, or make the "
+            "domain smaller.";
     return text.str();
   }
-  text << "Octants of " << frame_.sizeOf(depth) << " m fit, finer ones do not: raise SizeMin"
-       << (frame_.midLevel > depth ? " and SizeMid" : "")
+  text << "finer ones do not: raise SizeMin" << (frame_.midLevel > depth ? " and SizeMid" : "")
        << (frame_.depth > frame_.featureLevel ? ", and finer sizes asked for," : "") << " to that.";
   return text.str();
 }
