@@ -11,14 +11,15 @@ import sys
 from vtkmodules.vtkIOParallelXML import vtkXMLPartitionedDataSetCollectionWriter
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
 
+import atria
 from atria import vtkAtriaDualMesher, vtkAtriaMeshQuality, vtkAtriaVRMLReader
 
 
 def write(writer, connection, file):
     writer.SetInputConnection(connection)
     writer.SetFileName(str(file))
-    if not writer.Write():
-        sys.exit(f"{file} could not be written")
+    with atria.raising(writer):  # makes errors exceptions, as Atria's own classes do
+        writer.Write()
 
 
 def main(model, folder):

@@ -2,6 +2,7 @@
 #include "GridInput.h"
 
 #include "Octree/Sizing/SizeRules.h"
+#include "Support/Error.h"
 #include "Support/MachineMemory.h"
 #include "VtkSurface.h"
 #include "vtkAtriaGridAlgorithm.h"
@@ -12,6 +13,7 @@
 #include <vtkStringArray.h>
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 namespace atria {
@@ -41,7 +43,12 @@ SizingOptions sizingOf(vtkAtriaGridAlgorithm& filter)
   {
     double v[7];
     filter.GetRefinementBox(i, v);
-    options.boxes.push_back({{Vec3(v[0], v[2], v[4]), Vec3(v[1], v[3], v[5])}, v[6]});
+    const Box3 box{Vec3(v[0], v[2], v[4]), Vec3(v[1], v[3], v[5])};
+    if (box.empty())
+    {
+      throw Error("refinement box " + std::to_string(i + 1) + " is empty: give bounds with min < max on every axis");
+    }
+    options.boxes.push_back({box, v[6]});
   }
   for (int i = 0; i < filter.GetNumberOfDistanceSizeRules(); ++i)
   {

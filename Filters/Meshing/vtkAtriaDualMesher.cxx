@@ -4,6 +4,7 @@
 #include "AlgorithmProgress.h"
 #include "GridInput.h"
 #include "Mesher/MeshModel.h"
+#include "PropertyRange.h"
 #include "Support/PatternRule.h"
 #include "VtkDualMesh.h"
 #include "VtkOctree.h"
@@ -228,6 +229,18 @@ std::string vtkAtriaDualMesher::GetStageName(int i)
 double vtkAtriaDualMesher::GetStageSeconds(int i)
 {
   return i >= 0 && i < this->GetNumberOfStages() ? this->Stages[i].second : 0.0;
+}
+
+void vtkAtriaDualMesher::CheckProperties()
+{
+  this->Superclass::CheckProperties();
+  atriaCheckRange(ZoneRule);
+  atriaCheckRange(NumberOfLayers);
+  atriaCheckRange(FirstLayerHeight);
+  atriaCheckRange(LayerGrowth);
+  atriaCheckRange(TargetNonOrthogonality);
+  atriaCheckRange(TargetSkewness);
+  atriaCheckRange(CrackTolerance);
 }
 
 int vtkAtriaDualMesher::FillInputPortInformation(int port, vtkInformation* info)

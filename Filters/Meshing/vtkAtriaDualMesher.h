@@ -80,7 +80,7 @@ public:
    * Which zones are meshed. A zone is a part of the space that surfaces separate from the rest: outdoors with the rooms
    * that are open to it, a closed room, the inside of a solid. Default Outside.
    */
-  vtkSetClampMacro(ZoneRule, int, Outside, Seeds);
+  vtkAtriaSetInRangeMacro(ZoneRule, int, Outside, Seeds);
   vtkGetMacro(ZoneRule, int);
   void SetZoneRuleToOutside() { this->SetZoneRule(Outside); }
   void SetZoneRuleToAll() { this->SetZoneRule(All); }
@@ -116,26 +116,26 @@ public:
   ///@{
   /**
    * Layers of elements along all surfaces. 1, the default, is the conforming layer alone, which lets elements at
-   * creases and on sheets be convex; more are made by dividing it; 0 gives the plain dual. Clamped to [0, 100].
+   * creases and on sheets be convex; more are made by dividing it; 0 gives the plain dual. From 0 to 100.
    */
-  vtkSetClampMacro(NumberOfLayers, int, 0, 100);
+  vtkAtriaSetInRangeMacro(NumberOfLayers, int, 0, 100);
   vtkGetMacro(NumberOfLayers, int);
   ///@}
 
   ///@{
   /**
    * Height of the first layer on the wall; it and all others are less where there is no room. Default 0: all layers
-   * together are about a third of the elements beside the wall, and up to half on curved ones; clamped to at least 0.
+   * together are about a third of the elements beside the wall, and up to half on curved ones; at least 0.
    */
-  vtkSetClampMacro(FirstLayerHeight, double, 0.0, VTK_DOUBLE_MAX);
+  vtkAtriaSetInRangeMacro(FirstLayerHeight, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(FirstLayerHeight, double);
   ///@}
 
   ///@{
   /**
-   * Height of each further layer relative to the one below it. Default 1.2; clamped to [0.5, 5].
+   * Height of each further layer relative to the one below it. Default 1.2; from 0.5 to 5.
    */
-  vtkSetClampMacro(LayerGrowth, double, 0.5, 5.0);
+  vtkAtriaSetInRangeMacro(LayerGrowth, double, 0.5, 5.0);
   vtkGetMacro(LayerGrowth, double);
   ///@}
 
@@ -160,12 +160,12 @@ public:
   /**
    * Greatest non-orthogonality, in degrees, and OpenFOAM's skewness that hexahedra at curved walls are to have, away
    * from creases and boundary edges, if they can: those that have more are improved. With 30 and 0.75 the layer of a
-   * sphere takes half of the time or less. They count for a single layer without a height. Defaults 20 and 0.5; clamped
-   * to [1, 89.9] and [0.01, 1000].
+   * sphere takes half of the time or less. They count for a single layer without a height. Defaults 20 and 0.5; from 1
+   * to 89.9 and [0.01, 1000].
    */
-  vtkSetClampMacro(TargetNonOrthogonality, double, 1.0, 89.9);
+  vtkAtriaSetInRangeMacro(TargetNonOrthogonality, double, 1.0, 89.9);
   vtkGetMacro(TargetNonOrthogonality, double);
-  vtkSetClampMacro(TargetSkewness, double, 0.01, 1000.0);
+  vtkAtriaSetInRangeMacro(TargetSkewness, double, 0.01, 1000.0);
   vtkGetMacro(TargetSkewness, double);
   ///@}
 
@@ -175,7 +175,7 @@ public:
    * as ClosedCrack on output port 2. Wider ones, and windows and doors with them, are open where an edge of the grid
    * passes. 0 leaves all as the grid has them. In [0, 0.9]; default 0.5.
    */
-  vtkSetClampMacro(CrackTolerance, double, 0.0, 0.9);
+  vtkAtriaSetInRangeMacro(CrackTolerance, double, 0.0, 0.9);
   vtkGetMacro(CrackTolerance, double);
   ///@}
 
@@ -195,6 +195,7 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
+  void CheckProperties() override;
   int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 

@@ -2,12 +2,14 @@
 #include "vtkAtriaGridAlgorithm.h"
 
 #include "Octree/Sizing/SizeRules.h"
+#include "PropertyRange.h"
 
 #include <vtkDemandDrivenPipeline.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 
 #include <algorithm>
+#include <exception>
 
 vtkAtriaGridAlgorithm::vtkAtriaGridAlgorithm()
 {
@@ -30,9 +32,37 @@ vtkTypeBool vtkAtriaGridAlgorithm::ProcessRequest(vtkInformation* request, vtkIn
   }
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
   {
+    try
+    {
+      this->CheckProperties();
+    }
+    catch (const std::exception& error)
+    {
+      vtkErrorMacro(<< error.what());
+      return 0;
+    }
     return this->RequestData(request, inputs, outputs);
   }
   return this->Superclass::ProcessRequest(request, inputs, outputs);
+}
+
+void vtkAtriaGridAlgorithm::CheckProperties()
+{
+  atriaCheckRange(SizeMax);
+  atriaCheckRange(SizeMid);
+  atriaCheckRange(SizeMin);
+  atriaCheckRange(StartLevel);
+  atriaCheckRange(FeatureAngle);
+  atriaCheckRange(CurvatureAngle);
+  atriaCheckRange(CellsAcrossGap);
+  atriaCheckRange(CellsPerLevel);
+  atriaCheckRange(MaxElements);
+  atriaCheckRange(MemoryLimit);
+  atriaCheckRange(GapTolerance);
+  atriaCheckRange(DomainMode);
+  atriaCheckRange(DomainAngle);
+  atriaCheckRange(WindAngle);
+  atriaCheckRange(AlignGrid);
 }
 
 int vtkAtriaGridAlgorithm::FillInputPortInformation(int port, vtkInformation* info)

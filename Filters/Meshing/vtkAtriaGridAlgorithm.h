@@ -6,12 +6,15 @@
  * Lengths are in the model's units; defaults suit a building in meters. Input port 0 takes the surface model: a
  * vtkPolyData, or a composite of named vtkPolyData blocks. A vtkPolyData names its surfaces by the cell array
  * `SurfaceId` and the field array `SurfaceName`, as vtkAtriaVRMLReader writes them.
+ *
+ * A property outside of its range, or that is no number, is an error of the run that names it.
  */
 #ifndef vtkAtriaGridAlgorithm_h
 #define vtkAtriaGridAlgorithm_h
 
 #include "AtriaFiltersMeshingModule.h"
 #include "vtkAlgorithm.h"
+#include "vtkAtriaRangeMacros.h" // For properties with a range
 
 #include <array>  // for RefinementBoxes
 #include <string> // for names
@@ -26,44 +29,44 @@ public:
   ///@{
   /**
    * Edge length of the largest octants, those in the open. The level whose octants come closest to it is taken.
-   * Default 8; clamped to at least 1e-9.
+   * Default 8; at least 1e-9.
    */
-  vtkSetClampMacro(SizeMax, double, 1e-9, VTK_DOUBLE_MAX);
+  vtkAtriaSetInRangeMacro(SizeMax, double, 1e-9, VTK_DOUBLE_MAX);
   vtkGetMacro(SizeMax, double);
   ///@}
 
   ///@{
   /**
-   * Edge length of octants that a surface passes through. Default 2; clamped to at least 1e-9.
+   * Edge length of octants that a surface passes through. Default 2; at least 1e-9.
    */
-  vtkSetClampMacro(SizeMid, double, 1e-9, VTK_DOUBLE_MAX);
+  vtkAtriaSetInRangeMacro(SizeMid, double, 1e-9, VTK_DOUBLE_MAX);
   vtkGetMacro(SizeMid, double);
   ///@}
 
   ///@{
   /**
    * Edge length of octants with a feature curve, a corner, or surfaces that do not meet inside them, and the grid's
-   * unit: the finest octants unless a rule below asks for finer ones. Default 1; clamped to at least 1e-9.
+   * unit: the finest octants unless a rule below asks for finer ones. Default 1; at least 1e-9.
    */
-  vtkSetClampMacro(SizeMin, double, 1e-9, VTK_DOUBLE_MAX);
+  vtkAtriaSetInRangeMacro(SizeMin, double, 1e-9, VTK_DOUBLE_MAX);
   vtkGetMacro(SizeMin, double);
   ///@}
 
   ///@{
   /**
-   * Level to which every octant of the domain is refined at least; the root cube is level 0. Default 4; clamped to [0,
-   * 20].
+   * Level to which every octant of the domain is refined at least; the root cube is level 0. Default 4; from 0 to
+   * 20.
    */
-  vtkSetClampMacro(StartLevel, int, 0, 20);
+  vtkAtriaSetInRangeMacro(StartLevel, int, 0, 20);
   vtkGetMacro(StartLevel, int);
   ///@}
 
   ///@{
   /**
    * Degrees between the normals of two triangles above which their edge is a crease, and between two pieces of a curve
-   * above which their point is a corner. Default 30; clamped to [0, 180].
+   * above which their point is a corner. Default 30; from 0 to 180.
    */
-  vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
+  vtkAtriaSetInRangeMacro(FeatureAngle, double, 0.0, 180.0);
   vtkGetMacro(FeatureAngle, double);
   ///@}
 
@@ -112,9 +115,9 @@ public:
   ///@{
   /**
    * Degrees by which the normals of a smooth surface may differ in an octant before it is refined, down to the size of
-   * the surface's features at most. Default 0: curved surfaces are treated like flat ones; clamped to [0, 90].
+   * the surface's features at most. Default 0: curved surfaces are treated like flat ones; from 0 to 90.
    */
-  vtkSetClampMacro(CurvatureAngle, double, 0.0, 90.0);
+  vtkAtriaSetInRangeMacro(CurvatureAngle, double, 0.0, 90.0);
   vtkGetMacro(CurvatureAngle, double);
   ///@}
 
@@ -122,27 +125,27 @@ public:
   /**
    * Octants across the space between two surfaces that face each other, down to the size of their features at most.
    * Walls count as well as passages, as it is not known yet which of them is fluid. Default 0: gaps are not looked for;
-   * clamped to [0, 64].
+   * from 0 to 64.
    */
-  vtkSetClampMacro(CellsAcrossGap, int, 0, 64);
+  vtkAtriaSetInRangeMacro(CellsAcrossGap, int, 0, 64);
   vtkGetMacro(CellsAcrossGap, int);
   ///@}
 
   ///@{
   /**
    * Layers of octants of each size between the next finer and the next coarser ones. Default 1, the 2:1 balance alone;
-   * clamped to [1, 8].
+   * from 1 to 8.
    */
-  vtkSetClampMacro(CellsPerLevel, int, 1, 8);
+  vtkAtriaSetInRangeMacro(CellsPerLevel, int, 1, 8);
   vtkGetMacro(CellsPerLevel, int);
   ///@}
 
   ///@{
   /**
    * Where the mesh would have more elements (those of all zones counted, those of layers not), the finest octants are
-   * left out, level by level, those at features last; a warning says so. Default 0: no limit; clamped to at least 0.
+   * left out, level by level, those at features last; a warning says so. Default 0: no limit; at least 0.
    */
-  vtkSetClampMacro(MaxElements, int, 0, VTK_INT_MAX);
+  vtkAtriaSetInRangeMacro(MaxElements, int, 0, VTK_INT_MAX);
   vtkGetMacro(MaxElements, int);
   ///@}
 
@@ -150,9 +153,9 @@ public:
   /**
    * Gigabytes of memory (10^9 bytes) that meshing may take. Sizes that need more are refused while octants are sized,
    * before the memory is gone, with the sizes that would do. About 700 bytes an element are counted, those of all zones
-   * and without layers. Default 0: what the machine, its container and the shell's ulimit allow; clamped to at least 0.
+   * and without layers. Default 0: what the machine, its container and the shell's ulimit allow; at least 0.
    */
-  vtkSetClampMacro(MemoryLimit, double, 0.0, VTK_DOUBLE_MAX);
+  vtkAtriaSetInRangeMacro(MemoryLimit, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MemoryLimit, double);
   ///@}
 
@@ -161,7 +164,7 @@ public:
    * Points closer than this to another point, an edge or a face that they are not connected with are moved onto it,
    * so that parts that nearly touch do. 0 closes no gap; a negative value means 0.05 times SizeMin. Default -1.
    */
-  vtkSetMacro(GapTolerance, double);
+  vtkAtriaSetInRangeMacro(GapTolerance, double, VTK_DOUBLE_MIN, VTK_DOUBLE_MAX);
   vtkGetMacro(GapTolerance, double);
   ///@}
 
@@ -181,7 +184,7 @@ public:
   /**
    * Where the domain box comes from. Default FromSurfaces.
    */
-  vtkSetClampMacro(DomainMode, int, FromSurfaces, Automatic);
+  vtkAtriaSetInRangeMacro(DomainMode, int, FromSurfaces, Automatic);
   vtkGetMacro(DomainMode, int);
   void SetDomainModeToFromSurfaces() { this->SetDomainMode(FromSurfaces); }
   void SetDomainModeToExplicit() { this->SetDomainMode(Explicit); }
@@ -202,10 +205,9 @@ public:
   /**
    * Degrees, counterclockwise seen from above, by which the domain is turned: DomainBounds about their middle; from
    * surfaces and site it is the smallest box along the turned axes. Not used if DomainMode is Automatic. Default 0;
-   * clamped to
-   * [-180, 180].
+   * from -180 to 180.
    */
-  vtkSetClampMacro(DomainAngle, double, -180.0, 180.0);
+  vtkAtriaSetInRangeMacro(DomainAngle, double, -180.0, 180.0);
   vtkGetMacro(DomainAngle, double);
   ///@}
 
@@ -213,9 +215,9 @@ public:
   /**
    * Where the wind blows to if DomainMode is Automatic, in degrees from the x axis, counterclockwise seen from above.
    * With x to the east and y to the north, a wind from the meteorological direction D has the angle 270 - D. The side
-   * xMin of the domain is the inlet. Default 0, along +x; clamped to [-360, 360].
+   * xMin of the domain is the inlet. Default 0, along +x; from -360 to 360.
    */
-  vtkSetClampMacro(WindAngle, double, -360.0, 360.0);
+  vtkAtriaSetInRangeMacro(WindAngle, double, -360.0, 360.0);
   vtkGetMacro(WindAngle, double);
   ///@}
 
@@ -253,7 +255,7 @@ public:
    * What the grid stands along. Where that is not the direction of the domain's sides, these are meshed as surfaces
    * are. Default ToAxes.
    */
-  vtkSetClampMacro(AlignGrid, int, ToAxes, ToDomain);
+  vtkAtriaSetInRangeMacro(AlignGrid, int, ToAxes, ToDomain);
   vtkGetMacro(AlignGrid, int);
   void SetAlignGridToAxes() { this->SetAlignGrid(ToAxes); }
   void SetAlignGridToWalls() { this->SetAlignGrid(ToWalls); }
@@ -275,6 +277,10 @@ protected:
   ~vtkAtriaGridAlgorithm() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  /**
+   * Throws atria::Error naming a property that is outside of its range.
+   */
+  virtual void CheckProperties();
   virtual int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) { return 1; }
   virtual int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) = 0;
 

@@ -5,6 +5,7 @@
 #include "GridInput.h"
 #include "Octree/Sizing/Estimate.h"
 #include "Octree/Sizing/Refinement.h"
+#include "PropertyRange.h"
 #include "VtkOctree.h"
 
 #include <vtkHyperTreeGrid.h>
@@ -23,6 +24,12 @@ int vtkAtriaOctreeSource::FillInputPortInformation(int port, vtkInformation* inf
 {
   info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
   return this->Superclass::FillInputPortInformation(port, info);
+}
+
+void vtkAtriaOctreeSource::CheckProperties()
+{
+  this->Superclass::CheckProperties();
+  atriaCheckRange(OutputType);
 }
 
 int vtkAtriaOctreeSource::FillOutputPortInformation(int, vtkInformation* info)
@@ -104,6 +111,7 @@ bool vtkAtriaOctreeSource::Estimate()
   this->EstimateWarning.clear();
   try
   {
+    this->CheckProperties();
     vtkDataObject* surfaces = nullptr;
     if (this->GetNumberOfInputConnections(0) > 0)
     {

@@ -45,7 +45,7 @@ public:
   /**
    * Type of the output. Default UnstructuredGrid.
    */
-  vtkSetClampMacro(OutputType, int, UnstructuredGrid, HyperTreeGrid);
+  vtkAtriaSetInRangeMacro(OutputType, int, UnstructuredGrid, HyperTreeGrid);
   vtkGetMacro(OutputType, int);
   void SetOutputTypeToUnstructuredGrid() { this->SetOutputType(UnstructuredGrid); }
   void SetOutputTypeToHyperTreeGrid() { this->SetOutputType(HyperTreeGrid); }
@@ -80,6 +80,7 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
+  void CheckProperties() override;
   int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 

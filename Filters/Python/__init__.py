@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Atria's filters: conformal adaptive hexahedral-dominant meshes of architecture.
 
-The classes connect to those of `vtk` and `vtkmodules` as any VTK filters do.
+The classes connect to those of `vtk` and `vtkmodules` as any VTK filters do. An error that they, or algorithms that
+feed them, report while a method of theirs runs is raised as `atria.Error` when the method returns, and not printed.
+Where a class of VTK runs them, as a writer does, use `atria.raising`.
 """
 
 # The modules of the base classes must be there before the classes derived from them.
@@ -17,4 +19,17 @@ from .AtriaIOSurface import *
 from .AtriaIOVRML import *  # derived from classes of the one before
 from .AtriaIOModel import *
 
-__all__ = [name for name in globals() if name.startswith("vtkAtria")]
+from .errors import Error, raising, raising_class as _raising_class
+
+
+def _replace_classes():
+    """Classes that raise Error take the place of those that can be made; bases stay what others are derived from."""
+    classes = {name: cls for name, cls in globals().items() if name.startswith("vtkAtria")}
+    for name, cls in classes.items():
+        if not any(other is not cls and issubclass(other, cls) for other in classes.values()):
+            globals()[name] = _raising_class(cls)
+
+
+_replace_classes()
+
+__all__ = ["Error", "raising", *(name for name in globals() if name.startswith("vtkAtria"))]

@@ -3,6 +3,7 @@
 
 #include "AlgorithmProgress.h"
 #include "Optimize/AnyMesh/MeshOptimizer.h"
+#include "PropertyRange.h"
 #include "SmpExecutor.h"
 #include "VtkFaceMesh.h"
 
@@ -169,6 +170,16 @@ int vtkAtriaMeshOptimizer::FillOutputPortInformation(int port, vtkInformation* i
   return 1;
 }
 
+void vtkAtriaMeshOptimizer::CheckProperties()
+{
+  atriaCheckRange(FeatureAngle);
+  atriaCheckRange(TargetCellSquish);
+  atriaCheckRange(TargetNonOrthogonality);
+  atriaCheckRange(TargetSkewness);
+  atriaCheckRange(TargetScaledJacobian);
+  atriaCheckRange(NumberOfSweeps);
+}
+
 int vtkAtriaMeshOptimizer::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkUnstructuredGrid* volume = vtkUnstructuredGrid::GetData(inputs[0], 0);
@@ -178,6 +189,7 @@ int vtkAtriaMeshOptimizer::RequestData(vtkInformation*, vtkInformationVector** i
   this->NumberOfPoorCells = 0;
   try
   {
+    this->CheckProperties();
     atria::AlgorithmProgress monitor(*this);
     const atria::SmpExecutor executor;
     const atria::RunContext context{executor, atria::ProgressRange(monitor)};

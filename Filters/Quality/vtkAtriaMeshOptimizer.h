@@ -39,6 +39,7 @@
 #define vtkAtriaMeshOptimizer_h
 
 #include "AtriaFiltersQualityModule.h"
+#include "vtkAtriaRangeMacros.h" // For properties with a range
 #include "vtkUnstructuredGridAlgorithm.h"
 
 class vtkPartitionedDataSetCollection;
@@ -55,7 +56,7 @@ public:
    * Edges of the boundary where its normals differ by more are kept, and points where these edges turn by more;
    * degrees, from 0 to 180. Default 30.
    */
-  vtkSetClampMacro(FeatureAngle, double, 0.0, 180.0);
+  vtkAtriaSetInRangeMacro(FeatureAngle, double, 0.0, 180.0);
   vtkGetMacro(FeatureAngle, double);
   ///@}
 
@@ -72,7 +73,7 @@ public:
   /**
    * CellSquish that is good enough, from 0 to 0.999; no unit. Default 0.8.
    */
-  vtkSetClampMacro(TargetCellSquish, double, 0.0, 0.999);
+  vtkAtriaSetInRangeMacro(TargetCellSquish, double, 0.0, 0.999);
   vtkGetMacro(TargetCellSquish, double);
   ///@}
 
@@ -80,7 +81,7 @@ public:
   /**
    * NonOrthogonality that is good enough, in degrees, from 1 to 89.9. Default 60, which is a FaceSquish of 0.5.
    */
-  vtkSetClampMacro(TargetNonOrthogonality, double, 1.0, 89.9);
+  vtkAtriaSetInRangeMacro(TargetNonOrthogonality, double, 1.0, 89.9);
   vtkGetMacro(TargetNonOrthogonality, double);
   ///@}
 
@@ -88,7 +89,7 @@ public:
   /**
    * Skewness that is good enough, from 0.01 to 1000; no unit. Default 2.
    */
-  vtkSetClampMacro(TargetSkewness, double, 0.01, 1000.0);
+  vtkAtriaSetInRangeMacro(TargetSkewness, double, 0.01, 1000.0);
   vtkGetMacro(TargetSkewness, double);
   ///@}
 
@@ -96,7 +97,7 @@ public:
   /**
    * ScaledJacobian that is good enough for cells that have one, from 0 (do not look at it) to 1; no unit. Default 0.3.
    */
-  vtkSetClampMacro(TargetScaledJacobian, double, 0.0, 1.0);
+  vtkAtriaSetInRangeMacro(TargetScaledJacobian, double, 0.0, 1.0);
   vtkGetMacro(TargetScaledJacobian, double);
   ///@}
 
@@ -104,7 +105,7 @@ public:
   /**
    * How often at most all unresolved points are looked at, from 1 to 10000. Default 50.
    */
-  vtkSetClampMacro(NumberOfSweeps, int, 1, 10000);
+  vtkAtriaSetInRangeMacro(NumberOfSweeps, int, 1, 10000);
   vtkGetMacro(NumberOfSweeps, int);
   ///@}
 
@@ -141,6 +142,8 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
+  void CheckProperties();
+
   vtkAtriaMeshOptimizer(const vtkAtriaMeshOptimizer&) = delete;
   void operator=(const vtkAtriaMeshOptimizer&) = delete;
 

@@ -2,6 +2,7 @@
 #include "vtkAtriaMeshQuality.h"
 
 #include "AlgorithmProgress.h"
+#include "PropertyRange.h"
 #include "Quality/Checks/CheckQuantities.h"
 #include "Quality/Checks/MeshChecks.h"
 #include "Quality/Checks/Metrics.h"
@@ -278,6 +279,7 @@ int vtkAtriaMeshQuality::RequestData(vtkInformation*, vtkInformationVector** inp
   {
     const atria::AlgorithmRun run(*this);
     const atria::RunContext& context = run.context;
+    atriaCheckRange(NumberOfBins);
     const atria::Executor& executor = context.executor;
     context.progress.report(0.0, "Finding faces");
     const atria::VtkFaceMesh source = atria::faceMeshFromVtk(volume, patches, executor);

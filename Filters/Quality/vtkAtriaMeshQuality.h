@@ -56,6 +56,7 @@
 #define vtkAtriaMeshQuality_h
 
 #include "AtriaFiltersQualityModule.h"
+#include "vtkAtriaRangeMacros.h" // For properties with a range
 #include "vtkUnstructuredGridAlgorithm.h"
 
 class vtkPartitionedDataSetCollection;
@@ -72,7 +73,7 @@ public:
   /**
    * Number of bins of the histograms, from 2 to 10000. Default 50.
    */
-  vtkSetClampMacro(NumberOfBins, int, 2, 10000);
+  vtkAtriaSetInRangeMacro(NumberOfBins, int, 2, 10000);
   vtkGetMacro(NumberOfBins, int);
   ///@}
 

@@ -2,6 +2,7 @@
 #include "vtkAtriaWorstElements.h"
 
 #include "AlgorithmProgress.h"
+#include "PropertyRange.h"
 #include "Quality/Checks/WorstElements.h"
 #include "Support/Error.h"
 #include "VtkArrays.h"
@@ -149,6 +150,10 @@ int vtkAtriaWorstElements::RequestData(vtkInformation*, vtkInformationVector** i
   {
     const atria::AlgorithmRun run(*this);
     const atria::RunContext& context = run.context;
+    atriaCheckRange(Order);
+    atriaCheckRange(NumberOfElements);
+    atriaCheckRange(Limit);
+    atriaCheckRange(Rings);
     vtkDataArray* array = findArray(input, this->MetricName);
     std::vector<double> values(static_cast<std::size_t>(array->GetNumberOfTuples()));
     for (std::size_t i = 0; i < values.size(); ++i)

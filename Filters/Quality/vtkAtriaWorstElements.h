@@ -25,6 +25,7 @@
 #define vtkAtriaWorstElements_h
 
 #include "AtriaFiltersQualityModule.h"
+#include "vtkAtriaRangeMacros.h" // For properties with a range
 #include "vtkUnstructuredGridAlgorithm.h"
 
 #include <string>
@@ -55,7 +56,7 @@ public:
   /**
    * Which values are worst. Default Automatic.
    */
-  vtkSetClampMacro(Order, int, Automatic, SmallestFirst);
+  vtkAtriaSetInRangeMacro(Order, int, Automatic, SmallestFirst);
   vtkGetMacro(Order, int);
   void SetOrderToAutomatic() { this->SetOrder(Automatic); }
   void SetOrderToGreatestFirst() { this->SetOrder(GreatestFirst); }
@@ -66,7 +67,7 @@ public:
   /**
    * How many of the worst elements, at least 1. Not used if UseLimit is on. Default 10.
    */
-  vtkSetClampMacro(NumberOfElements, int, 1, VTK_INT_MAX);
+  vtkAtriaSetInRangeMacro(NumberOfElements, int, 1, VTK_INT_MAX);
   vtkGetMacro(NumberOfElements, int);
   ///@}
 
@@ -84,7 +85,7 @@ public:
   /**
    * The limit, in the unit of the array. Not used if UseLimit is off. Default 0.9.
    */
-  vtkSetMacro(Limit, double);
+  vtkAtriaSetInRangeMacro(Limit, double, VTK_DOUBLE_MIN, VTK_DOUBLE_MAX);
   vtkGetMacro(Limit, double);
   ///@}
 
@@ -92,7 +93,7 @@ public:
   /**
    * Rings of elements about the worst, from 0 to 100. Default 1.
    */
-  vtkSetClampMacro(Rings, int, 0, 100);
+  vtkAtriaSetInRangeMacro(Rings, int, 0, 100);
   vtkGetMacro(Rings, int);
   ///@}
 

@@ -7,6 +7,7 @@
 #include "Surfaces.h"
 
 #include "AlgorithmProgress.h"
+#include "PropertyRange.h"
 #include "Support/Error.h"
 #include "Support/Memory.h"
 
@@ -208,10 +209,20 @@ double vtkAtriaSurfaceReader::MetersPerUnit() const
   }
 }
 
+void vtkAtriaSurfaceReader::CheckProperties()
+{
+  atriaCheckRange(SurfaceBy);
+  atriaCheckRange(SplitAngle);
+  atriaCheckRange(UpAxis);
+  atriaCheckRange(LengthUnit);
+  atriaCheckRange(Scale);
+}
+
 /// False where the file has no surfaces.
 bool vtkAtriaSurfaceReader::ReadModel(vtkPolyData* output, atria::vrml::Diagnostics& diagnostics)
 {
   namespace vrml = atria::vrml;
+  this->CheckProperties();
   atria::AlgorithmProgress monitor(*this);
   const atria::ProgressRange progress(monitor);
   progress.report(0.0, "Reading the file");

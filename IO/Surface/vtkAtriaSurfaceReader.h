@@ -23,6 +23,7 @@
 #define vtkAtriaSurfaceReader_h
 
 #include "AtriaIOSurfaceModule.h" // For export macro
+#include "vtkAtriaRangeMacros.h"  // For properties with a range
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h" // For arrays of strings
 
@@ -63,7 +64,7 @@ public:
   /**
    * What makes a surface. Default Shape.
    */
-  vtkSetClampMacro(SurfaceBy, int, Shape, Connected);
+  vtkAtriaSetInRangeMacro(SurfaceBy, int, Shape, Connected);
   vtkGetMacro(SurfaceBy, int);
   void SetSurfaceByToShape() { this->SetSurfaceBy(Shape); }
   void SetSurfaceByToGroup() { this->SetSurfaceBy(Group); }
@@ -75,7 +76,7 @@ public:
   /**
    * Angle in degrees between neighboring triangles above which Connected parts them. Default 30, from 0 to 180.
    */
-  vtkSetClampMacro(SplitAngle, double, 0.0, 180.0);
+  vtkAtriaSetInRangeMacro(SplitAngle, double, 0.0, 180.0);
   vtkGetMacro(SplitAngle, double);
   ///@}
 
@@ -101,7 +102,7 @@ public:
   /**
    * The axis that is up in the file. With YUp, models are turned about x so that z is. Default UnstatedUp.
    */
-  vtkSetClampMacro(UpAxis, int, UnstatedUp, ZUp);
+  vtkAtriaSetInRangeMacro(UpAxis, int, UnstatedUp, ZUp);
   vtkGetMacro(UpAxis, int);
   void SetUpAxisToY() { this->SetUpAxis(YUp); }
   void SetUpAxisToZ() { this->SetUpAxis(ZUp); }
@@ -123,7 +124,7 @@ public:
    * The unit of length in the file; the output is in meters. VRML has no field for it, and programs write whatever they
    * work in. Default UnstatedUnit.
    */
-  vtkSetClampMacro(LengthUnit, int, UnstatedUnit, Feet);
+  vtkAtriaSetInRangeMacro(LengthUnit, int, UnstatedUnit, Feet);
   vtkGetMacro(LengthUnit, int);
   void SetLengthUnitToUnstated() { this->SetLengthUnit(UnstatedUnit); }
   void SetLengthUnitToMeters() { this->SetLengthUnit(Meters); }
@@ -137,7 +138,7 @@ public:
   /**
    * A further factor for all coordinates, for units that are not listed; no unit. Default 1, from 1e-9 to 1e9.
    */
-  vtkSetClampMacro(Scale, double, 1e-9, 1e9);
+  vtkAtriaSetInRangeMacro(Scale, double, 1e-9, 1e9);
   vtkGetMacro(Scale, double);
   ///@}
 
@@ -182,6 +183,11 @@ protected:
   ~vtkAtriaSurfaceReader() override;
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  /**
+   * Throws atria::Error naming a property that is outside of its range.
+   */
+  virtual void CheckProperties();
 
   /**
    * What a length in the file is in meters, Scale included.

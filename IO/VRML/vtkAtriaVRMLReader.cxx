@@ -5,6 +5,7 @@
 #include "Input.h"
 #include "Library.h"
 #include "ModelSource.h"
+#include "PropertyRange.h"
 
 #include <vtkObjectFactory.h>
 
@@ -15,6 +16,13 @@ bool vtkAtriaVRMLReader::CanReadFile(const char* fileName)
   using atria::vrml::Version;
   const Version version = fileName ? atria::vrml::versionOf(atria::vrml::readStart(fileName)) : Version::missing;
   return version == Version::vrml97 || version == Version::vrml1;
+}
+
+void vtkAtriaVRMLReader::CheckProperties()
+{
+  this->Superclass::CheckProperties();
+  atriaCheckRange(TessellationAngle);
+  atriaCheckRange(TessellationError);
 }
 
 atria::vrml::ModelSource vtkAtriaVRMLReader::ReadSource(atria::vrml::Diagnostics& diagnostics,

@@ -58,7 +58,7 @@ public:
    * Angle in degrees between neighboring points of spheres, cones and cylinders; the number of points around
    * is rounded up. Default 10 (36 points around), from 1 to 90.
    */
-  vtkSetClampMacro(TessellationAngle, double, 1.0, 90.0);
+  vtkAtriaSetInRangeMacro(TessellationAngle, double, 1.0, 90.0);
   vtkGetMacro(TessellationAngle, double);
   ///@}
 
@@ -69,7 +69,7 @@ public:
    * TessellationAngle asks for, up to 3600. Points lie on the true surface, so that facets are inside of it. Default
    * 0, for any.
    */
-  vtkSetClampMacro(TessellationError, double, 0.0, VTK_DOUBLE_MAX);
+  vtkAtriaSetInRangeMacro(TessellationError, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(TessellationError, double);
   ///@}
 
@@ -83,6 +83,7 @@ protected:
   vtkAtriaVRMLReader() = default;
   ~vtkAtriaVRMLReader() override = default;
 
+  void CheckProperties() override;
   atria::vrml::ModelSource ReadSource(atria::vrml::Diagnostics& diagnostics,
                                       const atria::ProgressRange& progress) override;
 

@@ -16,7 +16,7 @@ from house_pipeline import load_plugin
 
 VECTORS = {"IntVectorProperty", "DoubleVectorProperty", "StringVectorProperty", "IdTypeVectorProperty"}
 UNITS = re.compile(r"meters|degrees|gigabytes|no unit")
-# Values beyond which a C++ clamp means "no limit".
+# Values beyond which a limit of a C++ range means "no limit".
 UNLIMITED = 1e30
 INT_MAX = 2**31 - 1
 # Set in C++ by methods that have no getter.

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <limits>
 #include <sstream>
 #include <thread>
 
@@ -264,6 +265,36 @@ TEST_F(DualMesherError, SizesInTheWrongOrder)
 {
   mesher->SetSizeMid(0.1);
   expectError(HasSubstr("SizeMin"));
+}
+
+TEST_F(DualMesherError, SizesThatAreNotPositiveOrNoNumbers)
+{
+  const auto whole = copiesOfOutputs();
+  mesher->SetSizeMin(-5.0);
+  expectError(HasSubstr("SizeMin is -5; it must be a number of at least 1e-09"));
+  EXPECT_EQ(mesher->GetSizeMin(), -5.0);
+  mesher->SetSizeMin(0.5);
+  mesher->SetSizeMid(0.0);
+  expectError(HasSubstr("SizeMid is 0;"));
+  mesher->SetSizeMid(1.0);
+  mesher->SetSizeMax(std::numeric_limits<double>::quiet_NaN());
+  expectError(HasSubstr("SizeMax is nan;"));
+  mesher->SetSizeMax(std::numeric_limits<double>::infinity());
+  expectError(HasSubstr("SizeMax is inf;"));
+  mesher->SetSizeMax(2.0);
+  mesher->SetLayerGrowth(100.0);
+  expectError(HasSubstr("LayerGrowth is 100; it must be a number from 0.5 to 5"));
+  mesher->SetLayerGrowth(1.2);
+  mesher->SetZoneRule(7);
+  expectError(HasSubstr("ZoneRule is 7;"));
+  mesher->SetZoneRule(vtkAtriaDualMesher::Outside);
+  expectOutputs(whole);
+}
+
+TEST_F(DualMesherError, ARefinementBoxThatIsInsideOut)
+{
+  mesher->AddRefinementBox(1, -1, 0, 1, 0, 1, 0.5);
+  expectError(HasSubstr("refinement box 1 is empty"));
 }
 
 TEST_F(DualMesherError, UnknownSiteNamesThoseThereAre)

@@ -277,14 +277,18 @@ TEST_F(MeshOptimizer, AbortLeavesNothing)
   EXPECT_EQ(filter->GetPatches()->GetNumberOfPartitionedDataSets(), 0u);
 }
 
-TEST_F(MeshOptimizer, PropertiesAreClampedAndPrinted)
+TEST_F(MeshOptimizer, PropertiesOutsideOfTheirRangeAreErrors)
 {
-  filter->SetFeatureAngle(-1.0);
-  EXPECT_EQ(filter->GetFeatureAngle(), 0.0);
   filter->SetTargetCellSquish(2.0);
-  EXPECT_EQ(filter->GetTargetCellSquish(), 0.999);
-  filter->SetNumberOfSweeps(0);
-  EXPECT_EQ(filter->GetNumberOfSweeps(), 1);
+  EXPECT_EQ(run()->GetNumberOfCells(), 0);
+  EXPECT_THAT(messages.takeErrors(),
+              ::testing::Contains(HasSubstr("TargetCellSquish is 2; it must be a number from 0 to 0.999")));
+  filter->SetTargetCellSquish(0.8);
+  EXPECT_GT(run()->GetNumberOfCells(), 0);
+}
+
+TEST_F(MeshOptimizer, PropertiesArePrinted)
+{
   std::ostringstream text;
   filter->Print(text);
   EXPECT_THAT(text.str(), HasSubstr("TargetNonOrthogonality: 60"));

@@ -292,13 +292,16 @@ TEST_F(MeshQuality, JudgesAsCheckMeshDoesWhenAsked)
   }
 }
 
-TEST_F(MeshQuality, NumberOfBinsIsClamped)
+TEST_F(MeshQuality, TooFewOrTooManyBinsAreAnError)
 {
   EXPECT_EQ(filter->GetNumberOfBins(), 50);
-  filter->SetNumberOfBins(1);
-  EXPECT_EQ(filter->GetNumberOfBins(), 2);
-  filter->SetNumberOfBins(20000);
-  EXPECT_EQ(filter->GetNumberOfBins(), 10000);
+  for (const int bins : {1, 20000})
+  {
+    filter->SetNumberOfBins(bins);
+    run(toGrid(atria::testing::hexahedra({1, 1, 1})));
+    EXPECT_THAT(messages.takeErrors(),
+                ::testing::Contains(::testing::HasSubstr("NumberOfBins is " + std::to_string(bins))));
+  }
 }
 
 TEST_F(MeshQuality, PatchesKeepTheSidesOfASheetApart)

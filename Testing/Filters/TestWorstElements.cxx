@@ -218,12 +218,22 @@ TEST_F(WorstElements, OrderAndMissingNumbers)
   EXPECT_EQ(originals(), (std::vector<vtkIdType>{0, 1, 2, 4}));
 }
 
-TEST_F(WorstElements, PropertiesAreClampedAndPrinted)
+TEST_F(WorstElements, PropertiesOutsideOfTheirRangeAreErrors)
 {
   filter->SetRings(-1);
-  EXPECT_EQ(filter->GetRings(), 0);
+  run();
+  EXPECT_THAT(messages.takeErrors(), ::testing::Contains(HasSubstr("Rings is -1; it must be a number from 0 to 100")));
+  filter->SetRings(0);
   filter->SetNumberOfElements(0);
-  EXPECT_EQ(filter->GetNumberOfElements(), 1);
+  run();
+  EXPECT_THAT(messages.takeErrors(),
+              ::testing::Contains(HasSubstr("NumberOfElements is 0; it must be a number of at least 1")));
+  filter->SetNumberOfElements(1);
+  run();
+}
+
+TEST_F(WorstElements, PropertiesArePrinted)
+{
   std::ostringstream text;
   filter->Print(text);
   EXPECT_THAT(text.str(), HasSubstr("MetricName: CellSquish"));

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <sstream>
 
@@ -312,15 +313,10 @@ TEST_F(VRMLReader, PrintsItsProperties)
   vtkNew<vtkAtriaVRMLReader> reader;
   EXPECT_EQ(reader->GetTessellationAngle(), 10.0);
   EXPECT_EQ(reader->GetFileName(), nullptr);
-  reader->SetTessellationAngle(0.0);
-  EXPECT_EQ(reader->GetTessellationAngle(), 1.0);
-  reader->SetTessellationAngle(1000.0);
-  EXPECT_EQ(reader->GetTessellationAngle(), 90.0);
+  reader->SetTessellationAngle(90.0);
   reader->SetFileName("a.wrl");
   std::ostringstream text;
   reader->Print(text);
-  EXPECT_EQ(reader->GetTessellationError(), 0.0);
-  reader->SetTessellationError(-1.0);
   EXPECT_EQ(reader->GetTessellationError(), 0.0);
   for (const char* property :
        {"FileName: a.wrl", "TessellationAngle: 90", "TessellationError: 0", "NumberOfWarnings: 0", "SkippedNodes: 0",
@@ -329,6 +325,31 @@ TEST_F(VRMLReader, PrintsItsProperties)
   {
     EXPECT_NE(text.str().find(property), std::string::npos) << property;
   }
+}
+
+TEST_F(VRMLReader, PropertiesOutsideOfTheirRangeAreErrors)
+{
+  vtkNew<vtkAtriaVRMLReader> reader;
+  reader->SetFileName(data("house.wrl").c_str());
+  reader->SetUpAxis(vtkAtriaVRMLReader::ZUp);
+  const auto expectError = [&](const char* text) {
+    reader->Update();
+    EXPECT_EQ(reader->GetOutput()->GetNumberOfCells(), 0) << text;
+    const std::vector<std::string> errors = messages.takeErrors();
+    ASSERT_FALSE(errors.empty()) << text;
+    EXPECT_NE(errors.front().find(text), std::string::npos) << errors.front();
+  };
+  reader->SetTessellationAngle(0.0);
+  expectError("TessellationAngle is 0; it must be a number from 1 to 90");
+  reader->SetTessellationAngle(10.0);
+  reader->SetTessellationError(-1.0);
+  expectError("TessellationError is -1; it must be a number of at least 0");
+  reader->SetTessellationError(0.0);
+  reader->SetScale(std::numeric_limits<double>::quiet_NaN());
+  expectError("Scale is nan; it must be a number from 1e-09 to 1000000000");
+  reader->SetScale(1.0);
+  reader->Update();
+  EXPECT_GT(reader->GetOutput()->GetNumberOfCells(), 0);
 }
 
 TEST_F(VRMLReader, TellsWhichFilesItCanRead)
