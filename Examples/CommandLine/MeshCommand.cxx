@@ -52,7 +52,8 @@ struct MeshOptions
   double crack = 0.0;
   std::vector<double> domain;
   std::string site;
-  bool automatic = false;
+  bool automatic = false; ///< the default, too
+  bool modelBounds = false;
   double domainAngle = 0.0;
   double wind = 0.0;
   std::string terrain;
@@ -79,17 +80,24 @@ private:
 
 void declareSiteOptions(CLI::App& command, MeshOptions& options, CLI::Option* domain, CLI::Option* site)
 {
+  auto* bounds = command.add_flag("--model-bounds", options.modelBounds,
+                                  "Domain: the model's bounds, for rooms and channels whose walls are its sides");
+  bounds->excludes(domain)->excludes(site);
   auto* automatic =
       command.add_flag("--automatic", options.automatic,
-                       "Domain from the buildings' height H: 5 H, behind them 15 H, blockage at most 3 %");
-  automatic->excludes(domain)->excludes(site);
+                       "Domain from the buildings' height H: 5 H, behind them 15 H, blockage at most 3 % (default)");
+  automatic->excludes(domain)->excludes(site)->excludes(bounds);
   command
       .add_option("--wind", options.wind,
                   "Where the wind blows to, degrees from x, counterclockwise from above; for --automatic")
-      ->needs(automatic)
+      ->excludes(domain)
+      ->excludes(site)
+      ->excludes(bounds)
       ->check(CLI::Range(-360.0, 360.0))
       ->type_name("DEG");
-  command.add_option("--domain-angle", options.domainAngle, "Turns the domain, degrees counterclockwise from above")
+  command
+      .add_option("--domain-angle", options.domainAngle,
+                  "Turns the domain, degrees counterclockwise from above; for --domain, --site and --model-bounds")
       ->excludes(automatic)
       ->check(CLI::Range(-180.0, 180.0))
       ->type_name("DEG");
@@ -142,10 +150,9 @@ void declareOptions(CLI::App& command, MeshOptions& options)
       ->capture_default_str()
       ->check(CLI::Range(0.0, 0.9))
       ->type_name("PART");
-  auto* domain =
-      command.add_option("--domain", options.domain, "Bounds of the domain, meters (default: those of the model)")
-          ->expected(6)
-          ->type_name("X0 X1 Y0 Y1 Z0 Z1");
+  auto* domain = command.add_option("--domain", options.domain, "Bounds of the domain, meters")
+                     ->expected(6)
+                     ->type_name("X0 X1 Y0 Y1 Z0 Z1");
   auto* site = command
                    .add_option("--site", options.site,
                                "Surface whose rectangle is the domain's ground; height 0.3 of its longer side")
@@ -203,6 +210,11 @@ void checkOptions(const MeshOptions& options)
   {
     throw Failure(Usage, "sizes must not fall from --size-min over --size-mid to --size-max; give all three");
   }
+  if (options.domainAngle != 0.0 && options.domain.empty() && options.site.empty() && !options.modelBounds)
+  {
+    throw Failure(Usage, "--domain-angle needs --domain, --site or --model-bounds: the automatic domain stands along "
+                         "--wind");
+  }
   for (int axis = 0; axis < 3 && !options.domain.empty(); ++axis)
   {
     if (options.domain[2 * axis] >= options.domain[2 * axis + 1])
@@ -227,6 +239,7 @@ void checkSite(const std::string& site, vtkPolyData* model)
   throw Failure(Usage, "--site " + site + ": the model has no surface of that name; it has " + known);
 }
 
+/// Without an option the domain is the filter's default, the automatic one.
 void configureGrid(vtkAtriaGridAlgorithm* filter, const MeshOptions& options)
 {
   filter->SetSizeMax(options.sizeMax);
@@ -244,11 +257,11 @@ void configureGrid(vtkAtriaGridAlgorithm* filter, const MeshOptions& options)
     filter->SetDomainMode(vtkAtriaGridAlgorithm::Site);
     filter->SetSiteName(options.site.c_str());
   }
-  if (options.automatic)
+  if (options.modelBounds)
   {
-    filter->SetDomainMode(vtkAtriaGridAlgorithm::Automatic);
-    filter->SetWindAngle(options.wind);
+    filter->SetDomainMode(vtkAtriaGridAlgorithm::FromSurfaces);
   }
+  filter->SetWindAngle(options.wind);
   filter->SetDomainAngle(options.domainAngle);
   filter->SetTerrainName(options.terrain.c_str());
   filter->SetAlignGrid(options.align == "walls"    ? vtkAtriaGridAlgorithm::ToWalls
@@ -378,9 +391,10 @@ ExitStatus printEstimate(const MeshOptions& options, vtkAtriaSurfaceReader* read
   {
     throwIfErrors(console, BadInput, options.input);
   }
-  if (!source->GetEstimateWarning().empty())
+  std::istringstream warnings(source->GetEstimateWarning());
+  for (std::string warning; std::getline(warnings, warning);)
   {
-    console.warning(source->GetEstimateWarning());
+    console.warning(warning);
   }
   std::cout << estimateText(source);
   return Done;

@@ -173,7 +173,7 @@ public:
    */
   enum DomainModes
   {
-    FromSurfaces = 0, ///< the bounds of the surfaces
+    FromSurfaces = 0, ///< the bounds of the surfaces, for rooms and channels whose walls are the domain's sides
     Explicit = 1,     ///< DomainBounds
     Site = 2,         ///< above the surface SiteName: its bounds, and 0.3 times its longer side above its highest point
     Automatic =
@@ -182,7 +182,7 @@ public:
 
   ///@{
   /**
-   * Where the domain box comes from. Default FromSurfaces.
+   * Where the domain box comes from. Default Automatic.
    */
   vtkAtriaSetInRangeMacro(DomainMode, int, FromSurfaces, Automatic);
   vtkGetMacro(DomainMode, int);
@@ -298,7 +298,7 @@ protected:
   double GapTolerance = -1.0;
   int MaxElements = 0;
   double MemoryLimit = 0.0;
-  int DomainMode = FromSurfaces;
+  int DomainMode = Automatic;
   double DomainBounds[6] = {-50.0, 50.0, -50.0, 50.0, 0.0, 50.0};
   double DomainAngle = 0.0;
   double WindAngle = 0.0;

@@ -272,9 +272,42 @@ class CommandLine(unittest.TestCase):
         areas = {patch["name"]: patch["area"] for patch in json.loads(report.read_text())["patches"]}
         self.assertAlmostEqual(areas["xMin"] / areas["xMax"], 1, places=2)
         self.refuses(2, "--automatic", "mesh", HOUSE, "-o", out, "--automatic", "--site", "Site")
-        self.refuses(2, "--wind", "mesh", HOUSE, "-o", out, "--wind", "10")
+        self.refuses(2, "--wind", "mesh", HOUSE, "-o", out, "--wind", "10", "--site", "Site")
+        self.refuses(2, "--model-bounds", "mesh", HOUSE, "-o", out, "--model-bounds", "--site", "Site")
+        self.refuses(2, "--domain-angle needs", "mesh", HOUSE, "-o", out, "--domain-angle", "10")
         self.refuses(2, "--align", "mesh", HOUSE, "-o", out, "--align", "roof")
         self.refuses(3, "dgm*", "mesh", HOUSE, "-o", out, "--terrain", "dgm*")
+
+    def preflight(self, *options):
+        report = self.folder / "domain.json"
+        run = self.atria("mesh", *options, "--preflight", "--report", report)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        return json.loads(report.read_text())
+
+    def test_the_domain_follows_from_the_buildings_unless_it_is_given(self):
+        sizes = COARSE[:6]
+        plain = self.preflight(HOUSE, *sizes)
+        self.assertEqual(plain, self.preflight(HOUSE, *sizes, "--automatic"))
+        for side, heights in (("XMin", 5), ("XMax", 15), ("YMin", 5), ("YMax", 5), ("ZMax", 5)):
+            self.assertAlmostEqual(plain["Distance" + side], heights)
+        self.assertEqual(plain["DomainAngle"], 0)
+        self.assertEqual(self.preflight(HOUSE, *sizes, "--wind", 20)["DomainAngle"], 20)
+        bounds = self.preflight(HOUSE, *sizes, "--model-bounds")
+        self.assertEqual([bounds["Domain" + side] for side in ("XMin", "XMax", "YMin", "YMax", "ZMin", "ZMax")],
+                         [-90, 137, -84, 98, 0, 11])
+        self.assertEqual(self.preflight(HOUSE, *sizes, "--model-bounds", "--domain-angle", 5)["DomainAngle"], 5)
+
+    def test_a_room_is_meshed_by_its_bounds_or_by_a_seed(self):
+        model = self.folder / "room.wrl"
+        model.write_text("#VRML V2.0 utf8\nDEF Room Shape { geometry Box { size 8 6 3 } }\n")
+        sizes = ["--size-max", "1", "--size-mid", "0.5", "--size-min", "0.5", "--layers", "0"]
+        out, report = self.folder / "room.vtu", self.folder / "room.json"
+        for options in (["--model-bounds"], ["--seed", "0", "0", "0"]):
+            run = self.atria("mesh", model, *sizes, *options, "-o", out, "--report", report)
+            self.assertEqual((run.returncode, run.stderr), (0, ""))
+            zones = [zone for zone in json.loads(report.read_text())["zones"] if zone["kept"]]
+            self.assertEqual(len(zones), 1)
+            self.assertAlmostEqual(zones[0]["volume"], 8 * 6 * 3, places=6)
 
     def test_inspect_writes_features(self):
         out = self.folder / "features.vtp"

@@ -36,6 +36,7 @@ TEST_P(SphereQuality, IsValidAndNotSquished)
   vtkNew<vtkAtriaDualMesher> mesher;
   mesher->SetNumberOfLayers(0);
   mesher->SetInputData(atria::testing::exampleModel("sphere_in_cube.wrl"));
+  mesher->SetDomainMode(vtkAtriaDualMesher::FromSurfaces);
   mesher->SetSizeMin(row.size);
   mesher->SetSizeMid(row.size);
   mesher->SetSizeMax(row.adaptive ? 100.0 : row.size);

@@ -16,6 +16,15 @@ namespace {
 /// Terrain is as good as flat, and the domain along the grid, within this part of the finest octant.
 constexpr double flatRatio = 1e-3;
 
+void checkSurfaces(const TriangleSurface& surface)
+{
+  if (surface.triangles.empty())
+  {
+    throw Error("there are no surfaces to take the domain from: connect some, or give DomainBounds with DomainMode "
+                "Explicit");
+  }
+}
+
 PlacedBox domainOf(const TriangleSurface& surface, const SiteOptions& options, SitePlan& plan)
 {
   PlacedBox domain{Placement(options.domainAngle), {}};
@@ -27,17 +36,14 @@ PlacedBox domainOf(const TriangleSurface& surface, const SiteOptions& options, S
       domain.bounds = siteDomain(surface, options.site, domain.axes);
       return domain;
     case DomainMode::automatic: {
+      checkSurfaces(surface);
       const WindDomain wind = windDomain(surface, plan.isGround, options.windAngle);
       plan.widened = wind.widened;
       return wind.box;
     }
     default:
+      checkSurfaces(surface);
       domain.bounds = boundsOf(surface, domain.axes);
-      if (domain.bounds.empty())
-      {
-        throw Error("there are no surfaces to take the domain from: connect some, or give DomainBounds with DomainMode "
-                    "Explicit");
-      }
       return domain;
   }
 }

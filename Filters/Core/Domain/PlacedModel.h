@@ -26,7 +26,7 @@ enum class GridAlignment : std::uint8_t
 
 struct SiteOptions
 {
-  DomainMode mode = DomainMode::surfaces;
+  DomainMode mode = DomainMode::automatic;
   /// Used in mode `bounds`.
   Box3 bounds;
   /// Degrees by which the domain stands turned (see Placement): given bounds about their middle; from surfaces and site

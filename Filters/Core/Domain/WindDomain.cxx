@@ -188,7 +188,9 @@ WindDomain windDomain(const TriangleSurface& surface, const SurfaceFlags& isGrou
   if (!(out.height > 0.0))
   {
     throw Error("there are no buildings to take the domain from: every surface is ground or lies flat; connect the "
-                "buildings, correct SiteName and TerrainName, or choose another DomainMode");
+                "buildings, correct SiteName and TerrainName (--terrain), or choose another domain: above the site "
+                "(DomainMode Site, --site), the model's bounds (FromSurfaces, --model-bounds) or a given box "
+                "(Explicit, --domain)");
   }
   const Ground ground(surface, isGround, out.buildings.min[2]);
   const double floor = ground.empty() ? out.buildings.min[2] : ground.bounds().min[2];

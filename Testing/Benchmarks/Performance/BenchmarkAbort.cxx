@@ -113,6 +113,7 @@ int main(int argc, char* argv[])
   reader->Update();
   vtkNew<vtkAtriaDualMesher> mesher;
   mesher->SetInputConnection(reader->GetOutputPort());
+  mesher->SetDomainMode(vtkAtriaDualMesher::FromSurfaces);
   mesher->SetSizeMax(std::atof(argv[2]));
   mesher->SetSizeMid(std::atof(argv[3]));
   mesher->SetSizeMin(std::atof(argv[4]));
