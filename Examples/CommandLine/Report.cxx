@@ -266,13 +266,16 @@ Json diagnosticsOf(vtkPolyData* diagnostics)
     missing.push_back(without->GetValue(i));
   }
   counts["SurfaceWithoutFaces"] = missing;
-  Json warnings = Json::array();
-  vtkStringArray* texts = stringsOf(diagnostics, "SizingWarning");
-  for (vtkIdType i = 0; texts && i < texts->GetNumberOfValues(); ++i)
+  for (const char* name : {"InputWarning", "SizingWarning"})
   {
-    warnings.push_back(texts->GetValue(i));
+    Json warnings = Json::array();
+    vtkStringArray* texts = stringsOf(diagnostics, name);
+    for (vtkIdType i = 0; texts && i < texts->GetNumberOfValues(); ++i)
+    {
+      warnings.push_back(texts->GetValue(i));
+    }
+    counts[name] = warnings;
   }
-  counts["SizingWarning"] = warnings;
   return counts;
 }
 

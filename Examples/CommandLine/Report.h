@@ -38,7 +38,7 @@ Json checksOf(vtkTable* checks);
 Json stageSecondsOf(vtkAtriaDualMesher* mesher);
 
 /// {name: cells} from the cell array Diagnostic and the field array DiagnosticName, and the names in the field arrays
-/// SurfaceWithoutFaces and SizingWarning.
+/// SurfaceWithoutFaces, InputWarning and SizingWarning.
 Json diagnosticsOf(vtkPolyData* diagnostics);
 
 /// {name: number} from the field arrays RepairName and RepairValue: what of the surfaces was changed.

@@ -63,6 +63,19 @@ SizingOptions sizingOf(vtkAtriaGridAlgorithm& filter)
   return options;
 }
 
+void addWarnings(const char* name, const std::vector<std::string>& warnings, vtkAtriaGridAlgorithm& filter,
+                 vtkDataObject* out)
+{
+  vtkNew<vtkStringArray> texts;
+  texts->SetName(name);
+  for (const std::string& warning : warnings)
+  {
+    texts->InsertNextValue(warning);
+    vtkWarningWithObjectMacro(&filter, << warning);
+  }
+  out->GetFieldData()->AddArray(texts);
+}
+
 SiteOptions siteOptionsOf(vtkAtriaGridAlgorithm& filter)
 {
   SiteOptions options;
@@ -107,14 +120,12 @@ TriangleSurface readSurfaces(vtkDataObject* data) { return data ? surfaceFromVtk
 
 void addSizingWarning(const std::string& warning, vtkAtriaGridAlgorithm& filter, vtkDataObject* out)
 {
-  vtkNew<vtkStringArray> texts;
-  texts->SetName("SizingWarning");
-  if (!warning.empty())
-  {
-    texts->InsertNextValue(warning);
-    vtkWarningWithObjectMacro(&filter, << warning);
-  }
-  out->GetFieldData()->AddArray(texts);
+  addWarnings("SizingWarning", warning.empty() ? std::vector<std::string>() : std::vector{warning}, filter, out);
+}
+
+void addInputWarnings(const std::vector<std::string>& warnings, vtkAtriaGridAlgorithm& filter, vtkDataObject* out)
+{
+  addWarnings("InputWarning", warnings, filter, out);
 }
 
 } // namespace atria

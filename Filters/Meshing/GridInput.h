@@ -18,4 +18,7 @@ TriangleSurface readSurfaces(vtkDataObject* data);
 /// Adds the field array SizingWarning, with one text or none, and warns.
 void addSizingWarning(const std::string& warning, vtkAtriaGridAlgorithm& filter, vtkDataObject* out);
 
+/// Adds the field array InputWarning, and warns of each.
+void addInputWarnings(const std::vector<std::string>& warnings, vtkAtriaGridAlgorithm& filter, vtkDataObject* out);
+
 } // namespace atria

@@ -308,6 +308,7 @@ int vtkAtriaDualMesher::RequestData(vtkInformation*, vtkInformationVector** inpu
     atria::patchesToVtk(result.mesh, result.names, result.layers, patches);
     atria::recordPatches(patches, volume);
     atria::diagnosticsToVtk(result, result.names, diagnostics);
+    atria::addInputWarnings(result.inputWarnings, *this, diagnostics);
     atria::addSizingWarning(result.sizingWarning, *this, diagnostics);
     atria::repairToVtk(result.repair, diagnostics);
     atria::layersToVtk(result.layers, diagnostics);

@@ -51,6 +51,7 @@ int vtkAtriaFeatureGraph::RequestData(vtkInformation*, vtkInformationVector** in
   {
     range.report(0.0, "Reading surfaces");
     const atria::ModelOptions options = atria::modelOptionsOf(*this);
+    // Not checked: features are those of the model wherever the domain is.
     const atria::PlacedModel placed =
         atria::placeModel(atria::readSurfaces(vtkDataObject::GetData(inputs[0])), options);
     range.report(0.3, "Finding features");

@@ -70,8 +70,10 @@ int vtkAtriaOctreeSource::RequestData(vtkInformation*, vtkInformationVector** in
   {
     context.progress.report(0.0, "Reading surfaces");
     const atria::ModelOptions options = atria::modelOptionsOf(*this);
-    const atria::PlacedModel placed =
-        atria::placeModel(atria::readSurfaces(vtkDataObject::GetData(inputs[0])), options);
+    const atria::TriangleSurface surface = atria::readSurfaces(vtkDataObject::GetData(inputs[0]));
+    const atria::SitePlan plan = atria::planSite(surface, options);
+    const std::vector<std::string> warnings = atria::checkDomain(surface, plan, options);
+    const atria::PlacedModel placed = atria::placeModel(surface, plan, options);
     context.progress.report(0.02, "Repairing surfaces");
     const atria::SurfaceModel model = atria::makeSurfaceModel(placed, options, context.part(0.02, 0.1));
     const atria::SizedOctants sized = atria::sizeOctants(model, placed.frame, options, context.part(0.1, 0.5));
@@ -85,6 +87,7 @@ int vtkAtriaOctreeSource::RequestData(vtkInformation*, vtkInformationVector** in
     {
       atria::octreeToVtk(octree, vtkUnstructuredGrid::SafeDownCast(output));
     }
+    atria::addInputWarnings(warnings, *this, output);
     atria::addSizingWarning(sized.warning, *this, output);
     context.progress.report(1.0, "Octree made");
   }
@@ -123,7 +126,10 @@ bool vtkAtriaOctreeSource::Estimate()
     const atria::RunContext& context = run.context;
     context.progress.report(0.0, "Estimating");
     const atria::ModelOptions options = atria::modelOptionsOf(*this);
-    const atria::PlacedModel placed = atria::placeModel(atria::readSurfaces(surfaces), options);
+    const atria::TriangleSurface surface = atria::readSurfaces(surfaces);
+    const atria::SitePlan plan = atria::planSite(surface, options);
+    std::vector<std::string> warnings = atria::checkDomain(surface, plan, options);
+    const atria::PlacedModel placed = atria::placeModel(surface, plan, options);
     const atria::GridFrame& frame = placed.frame;
     const atria::MeshEstimate estimate =
         atria::estimateElements(atria::makeSurfaceModel(placed, options, context), frame, options, context);
@@ -135,7 +141,12 @@ bool vtkAtriaOctreeSource::Estimate()
     this->EstimatedElements = static_cast<vtkIdType>(estimate.elements);
     this->EstimatedBytes = static_cast<vtkTypeInt64>(estimate.bytes);
     this->EstimateIsTooLarge = estimate.isTooLarge;
-    this->EstimateWarning = estimate.warning;
+    warnings.push_back(estimate.warning);
+    for (const std::string& text : warnings)
+    {
+      const bool both = !this->EstimateWarning.empty() && !text.empty();
+      this->EstimateWarning += (both ? "\n" : "") + text;
+    }
   }
   catch (const atria::Aborted&)
   {

@@ -63,7 +63,8 @@ public:
   /**
    * What Estimate() found: elements; bytes of memory that meshing takes at its peak, roughly; by level of the octree
    * the number and edge length of the leaves in the domain (0 out of range); whether meshing would be refused, as it
-   * takes more memory than there is; what MaxElements leaves out, if anything, or why it would be refused.
+   * takes more memory than there is; warnings, one a line: where the domain does not suit the model, what MaxElements
+   * leaves out, why meshing would be refused.
    */
   vtkGetMacro(EstimatedElements, vtkIdType);
   vtkGetMacro(EstimatedBytes, vtkTypeInt64);

@@ -309,6 +309,24 @@ class CommandLine(unittest.TestCase):
             self.assertEqual(len(zones), 1)
             self.assertAlmostEqual(zones[0]["volume"], 8 * 6 * 3, places=6)
 
+    def test_domains_that_do_not_suit_the_model_are_told(self):
+        out, report = self.folder / "domain.vtu", self.folder / "domain.json"
+        beside = ["--domain", 200, 300, 200, 300, 0, 50]
+        self.refuses(3, "holds nothing of the model: it reaches x from 200 to 300", "mesh", HOUSE, *COARSE[:6], *beside, "-o", out)
+        self.refuses(3, "holds nothing of the model", "mesh", HOUSE, *COARSE[:6], *beside, "--estimate")
+        self.refuses(3, "holds nothing of the model", "mesh", HOUSE, *COARSE[:6], *beside, "--preflight")
+        self.assertFalse(out.exists())
+        through = ["--domain", -90, 137, -84, 98, 0, 8]
+        run = self.atria("mesh", HOUSE, *COARSE[:6], *through, "-o", out, "--report", report)
+        self.assertIn(run.returncode, (0, 4), run.stderr)
+        self.assertEqual(run.stderr.count("cuts through surfaces at zMax"), 1)
+        self.assertIn("'RoofSouth'", run.stderr)
+        self.assertEqual(len(json.loads(report.read_text())["diagnostics"]["InputWarning"]), 1)
+        self.assertIn("cuts through surfaces at zMax", self.atria("mesh", HOUSE, *COARSE[:6], *through, "--estimate").stderr)
+        self.assertIn("cuts through surfaces at zMax", self.preflight(HOUSE, *COARSE[:6], *through)["warnings"][0])
+        ridge = ["--domain", -90, 137, -84, 98, 0, 11]
+        self.assertIn("without air between: zMax", self.preflight(HOUSE, *COARSE[:6], *ridge)["warnings"][0])
+
     def test_inspect_writes_features(self):
         out = self.folder / "features.vtp"
         run = self.atria("inspect", HOUSE, "--features", out)

@@ -25,6 +25,10 @@ namespace atria::testing {
 void setGrid(vtkAtriaGridAlgorithm* filter, const Box3& domain, double sizeMin, double sizeMid, double sizeMax);
 
 /// The error a filter gave, which comes before the one VTK's executive adds; empty without.
+/// What stands in the filters' warnings of surfaces that go on beyond the domain, and of those that end on its sides.
+inline constexpr const char* cutAtSides = "cuts through surfaces at ";
+inline constexpr const char* endAtSides = "end on the domain's sides";
+
 std::string firstOf(const std::vector<std::string>& errors);
 
 /// The patches in alphabetical order.

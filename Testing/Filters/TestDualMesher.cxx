@@ -64,9 +64,7 @@ protected:
 
 TEST_F(DualMesher, SidesOfABareDomainAreNamedAndExact)
 {
-  TriangleSurface beyond;
-  addSheet(beyond, "Beyond", Vec3(20, 20, 20), Vec3(1, 0, 0), Vec3(0, 1, 0));
-  mesh(beyond);
+  mesh({});
   const auto all = namedPatches();
   EXPECT_THAT(namesOf(all), ElementsAre("xMax", "xMin", "yMax", "yMin", "zMax", "zMin"));
   const Vec3 s = domain.size();
@@ -252,6 +250,7 @@ TEST_F(DualMesher, FrontOfASheetIsWhereItsTrianglesRunCounterClockwise)
   addSheet(screen, "Screen", Vec3(-20, -20, 3.1), Vec3(40, 0, 0), Vec3(0, 40, 0)); // front upwards
   mesher->SetZoneRule(vtkAtriaDualMesher::All);
   mesh(screen);
+  EXPECT_EQ(messages.takeWarnings(atria::testing::cutAtSides).size(), 1u);
   const auto all = namedPatches();
   const Vec3 s = domain.size();
   for (const char* name : {"Screen_front", "Screen_back"})
@@ -284,8 +283,45 @@ TEST_F(DualMesher, RandomSurfacesGiveConformalMeshesThatFillTheDomain)
   {
     SCOPED_TRACE(seed);
     mesh(atria::testing::randomSoup(seed));
+    messages.takeWarnings(atria::testing::cutAtSides);
+    messages.takeWarnings(atria::testing::endAtSides);
     EXPECT_NEAR(meshVolume(), volumeOf(domain), 1e-9 * volumeOf(domain));
   }
+}
+
+TEST_F(DualMesher, ADomainThatHoldsNothingOfTheModelIsAnError)
+{
+  TriangleSurface surface;
+  addBox(surface, "Building", {Vec3(20, 20, 0), Vec3(30, 30, 9)});
+  setSurface(surface);
+  mesher->Update();
+  EXPECT_THAT(atria::testing::firstOf(messages.takeErrors()),
+              ::testing::AllOf(::testing::HasSubstr("holds nothing of the model: it reaches x from -5 to 7"),
+                               ::testing::HasSubstr("the model x from 20 to 30")));
+  expectEmpty();
+}
+
+TEST_F(DualMesher, ADomainThatDoesNotSuitTheModelIsWarnedOfOnceAndInTheDiagnostics)
+{
+  const auto told = [&] { return atria::testing::fieldStrings(diagnostics(), "InputWarning"); };
+  mesh(closedBox());
+  EXPECT_THAT(told(), ::testing::IsEmpty());
+  TriangleSurface tower;
+  addBox(tower, "Tower", {Vec3(-1, -1, 0), Vec3(1, 1, 20)});
+  mesh(tower);
+  ASSERT_EQ(told().size(), 1u);
+  EXPECT_THAT(told()[0], ::testing::HasSubstr("at zMax ('Tower')"));
+  EXPECT_EQ(messages.takeWarnings(told()[0]).size(), 1u);
+  TriangleSurface flat;
+  addBox(flat, "Flat", {Vec3(-1, -1, 0), Vec3(1, 1, 6)});
+  mesh(flat);
+  ASSERT_EQ(told().size(), 1u);
+  EXPECT_THAT(told()[0], ::testing::HasSubstr("without air between: zMax ('Flat')"));
+  EXPECT_EQ(messages.takeWarnings(told()[0]).size(), 1u);
+  mesher->SetDomainMode(vtkAtriaDualMesher::FromSurfaces);
+  mesher->SetZoneRule(vtkAtriaDualMesher::All);
+  mesher->Update();
+  EXPECT_THAT(told(), ::testing::IsEmpty()) << "asked for";
 }
 
 TEST_F(DualMesher, SurfacesThatGotNoFaceAreListed)
@@ -303,6 +339,7 @@ TEST_F(DualMesher, MergedSheetsAreReportedWhereTheyAre)
   addSheet(sheets, "A", Vec3(-20, -20, 3.1), Vec3(40, 0, 0), Vec3(0, 40, 0));
   addSheet(sheets, "B", Vec3(-20, -20, 3.2), Vec3(40, 0, 0), Vec3(0, 40, 0));
   mesh(sheets);
+  EXPECT_EQ(messages.takeWarnings(atria::testing::cutAtSides).size(), 1u);
   ASSERT_GT(diagnostics()->GetNumberOfCells(), 0);
   EXPECT_THAT(atria::testing::fieldStrings(diagnostics(), "DiagnosticName"), ::testing::Contains("MergedSheets"));
   double bounds[6];

@@ -145,6 +145,7 @@ TEST_F(DualMesherLeaks, DroppedZonesAreToldWithAPointThatIsASeedOfThem)
   }
   EXPECT_EQ(kept, elements);
   EXPECT_THAT(dropped, ::testing::UnorderedElementsAre("Terrain", "House"));
+  EXPECT_EQ(messages.takeWarnings(atria::testing::cutAtSides).size(), 3u) << "of a terrain that is not named as one";
 }
 
 TEST_F(DualMesherLeaks, AClosedCrackIsALineAlongIt)
@@ -154,6 +155,7 @@ TEST_F(DualMesherLeaks, AClosedCrackIsALineAlongIt)
   addSheet(surface, "North", Vec3(0.13, 0.6, -1), Vec3(0, 9, 0), Vec3(0, 0, 9));
   setSurface(surface);
   mesher->Update();
+  EXPECT_EQ(messages.takeWarnings(atria::testing::cutAtSides).size(), 1u);
   const auto cells = cellsOfKind("ClosedCrack");
   ASSERT_EQ(cells.size(), 1u);
   EXPECT_NEAR(width(cells[0]), 0.2, 1e-6);

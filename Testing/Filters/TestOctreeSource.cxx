@@ -111,6 +111,8 @@ TEST_F(OctreeSource, LeavesOfRandomSurfacesTileTheDomainAndAreBalanced)
     SCOPED_TRACE(seed);
     source->SetInputDataObject(toPolyData(atria::testing::randomSoup(seed)));
     const std::vector<OctreeLeaf> all = leaves();
+    messages.takeWarnings(atria::testing::cutAtSides);
+    messages.takeWarnings(atria::testing::endAtSides);
     ASSERT_FALSE(all.empty());
     const LeafMap map(all);
     EXPECT_TRUE(map.tiles(cube));
@@ -210,6 +212,7 @@ TEST_F(OctreeSource, SheetsThatDoNotMeetAreToldApartDownToSizeMin)
   atria::testing::addSheet(surface, "B", Vec3(-20, -20, 7.1), Vec3(40, 0, 0), Vec3(0, 40, 0));
   source->SetInputDataObject(toPolyData(surface));
   const auto found = leavesAt(leaves(), Vec3(0.3, 0.3, 7.05));
+  EXPECT_EQ(messages.takeWarnings(atria::testing::cutAtSides).size(), 1u);
   ASSERT_FALSE(found.empty());
   EXPECT_EQ(found.front().featureType, 4);
   EXPECT_NEAR(found.front().edge(), sizeMin, 1e-12);
@@ -261,6 +264,9 @@ TEST_F(OctreeSource, TheDomainCanBeTheBoundsOfTheSurfacesOrASite)
   EXPECT_TRUE(LeafMap(leaves()).tiles({Vec3(-10, -9, 1), Vec3(12, 9, domeCenter[2] + domeRadius)}));
   source->SetDomainMode(vtkAtriaOctreeSource::Site);
   EXPECT_TRUE(LeafMap(leaves()).tiles({Vec3(-10, -9, 1), Vec3(12, 9, 1 + 0.3 * 22)}));
+  const auto warnings = messages.takeWarnings(atria::testing::cutAtSides);
+  EXPECT_THAT(atria::testing::firstOf(warnings), HasSubstr("zMax ('Dome')"));
+  EXPECT_EQ(atria::testing::fieldStrings(source->GetOutputDataObject(0), "InputWarning").size(), 1u);
 }
 
 TEST_F(OctreeSource, TheInputIsNotModified)

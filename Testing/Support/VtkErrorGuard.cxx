@@ -4,6 +4,7 @@
 #include <vtkObjectFactory.h>
 #include <vtkOutputWindow.h>
 
+#include <algorithm>
 #include <mutex>
 #include <utility>
 
@@ -54,5 +55,15 @@ VtkErrorGuard::~VtkErrorGuard()
 
 std::vector<std::string> VtkErrorGuard::takeErrors() { return std::exchange(window->errors, {}); }
 std::vector<std::string> VtkErrorGuard::takeWarnings() { return std::exchange(window->warnings, {}); }
+
+std::vector<std::string> VtkErrorGuard::takeWarnings(const std::string& part)
+{
+  std::vector<std::string>& all = window->warnings;
+  const auto wanted = std::stable_partition(
+      all.begin(), all.end(), [&](const std::string& text) { return text.find(part) == std::string::npos; });
+  std::vector<std::string> taken(wanted, all.end());
+  all.erase(wanted, all.end());
+  return taken;
+}
 
 } // namespace atria::testing

@@ -23,6 +23,8 @@ public:
   /// What was reported since the last call, one text a message; these are then expected.
   std::vector<std::string> takeErrors();
   std::vector<std::string> takeWarnings();
+  /// Those warnings alone in which `part` stands.
+  std::vector<std::string> takeWarnings(const std::string& part);
 
 private:
   class Window;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesher/MeshModel.h"
 
+#include "Domain/DomainCheck.h"
 #include "Layer/LayerBudget.h"
 #include "Octree/Tree/Balance.h"
 
@@ -25,6 +26,16 @@ MeshedModel meshOctree(std::unique_ptr<MeshSources> sources, const MesherOptions
   return out;
 }
 
+/// Throws Error where the domain of a frame holds nothing of the model. What else there is to say of it whoever made
+/// the octants has been told.
+void checkHoldsModel(const TriangleSurface& surface, const SiteOptions& options, const GridFrame& frame)
+{
+  const double sizeMin = frame.sizeOf(frame.featureLevel);
+  SitePlan plan = groundOf(surface, options, sizeMin);
+  plan.domain = frame.turnedDomain.value_or(PlacedBox{frame.placement, frame.domain});
+  checkDomain(surface, plan, DomainMode::bounds, sizeMin);
+}
+
 } // namespace
 
 MeshedModel meshModel(const TriangleSurface& surface, const MesherOptions& options, const RunContext& context,
@@ -32,10 +43,12 @@ MeshedModel meshModel(const TriangleSurface& surface, const MesherOptions& optio
 {
   StageClock clock;
   auto sources = std::make_unique<MeshSources>();
+  const SitePlan plan = planSite(surface, options);
+  std::vector<std::string> inputWarnings = checkDomain(surface, plan, options);
   std::string warning;
   {
     context.progress.report(0.0, "Repairing surfaces");
-    const PlacedModel placed = placeModel(surface, options);
+    const PlacedModel placed = placeModel(surface, plan, options);
     sources->model = makeSurfaceModel(placed, options, context.part(0.0, 0.05));
     clock.lap("surface");
     const SizedOctants sized = sizeOctants(sources->model, placed.frame, options, context.part(0.05, 0.25));
@@ -44,6 +57,7 @@ MeshedModel meshModel(const TriangleSurface& surface, const MesherOptions& optio
     clock.lap("octree");
   }
   MeshedModel out = meshOctree(std::move(sources), options, clock, context.part(octreeShare, 1.0));
+  out.inputWarnings = std::move(inputWarnings);
   out.sizingWarning = std::move(warning);
   if (!keepSources)
   {
@@ -59,6 +73,7 @@ MeshedModel meshModel(const TriangleSurface& surface, OctreeSets octants, const 
   auto sources = std::make_unique<MeshSources>();
   {
     context.progress.report(0.0, "Repairing surfaces");
+    checkHoldsModel(surface, options.site, octants.frame);
     const PlacedModel placed = placeModel(surface, options.site, octants.frame);
     sources->model = makeSurfaceModel(placed, options, context.part(0.0, 0.1));
     clock.lap("surface");

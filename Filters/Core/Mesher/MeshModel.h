@@ -26,6 +26,8 @@ struct MeshedModel : DualMeshResult
   /// Names of the surfaces; tags of boundary faces from their number on are bare sides of the domain, by Direction.
   std::vector<std::string> names;
   SurfaceRepairReport repair;
+  /// What a user should know of the domain, a sentence each; see checkDomain.
+  std::vector<std::string> inputWarnings;
   /// What sizes had to be left out to keep to the limit of elements; empty if nothing.
   std::string sizingWarning;
   /// The level of the finest octants.

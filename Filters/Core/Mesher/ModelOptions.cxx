@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesher/ModelOptions.h"
 
+#include "Domain/DomainCheck.h"
+
 namespace atria {
 
 namespace {
@@ -29,6 +31,11 @@ SizingOptions alongGrid(SizingOptions sizing, const Placement& grid)
 SitePlan planSite(const TriangleSurface& surface, const ModelOptions& options)
 {
   return planSite(surface, options.site, sizesOf(options));
+}
+
+std::vector<std::string> checkDomain(const TriangleSurface& surface, const SitePlan& plan, const ModelOptions& options)
+{
+  return checkDomain(surface, plan, options.site.mode, options.sizes.sizeMin);
 }
 
 PlacedModel placeModel(const TriangleSurface& surface, const SitePlan& plan, const ModelOptions& options)

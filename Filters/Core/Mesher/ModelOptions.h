@@ -26,6 +26,10 @@ struct ModelOptions
 /// Domain and ground; see planSite.
 SitePlan planSite(const TriangleSurface& surface, const ModelOptions& options);
 
+/// What a user should know of the domain; see checkDomain in Domain/DomainCheck.h. Throws Error where it holds nothing
+/// of the model.
+std::vector<std::string> checkDomain(const TriangleSurface& surface, const SitePlan& plan, const ModelOptions& options);
+
 /// The model in the grid that a plan says. Throws Error where sizes and domain do not fit.
 PlacedModel placeModel(const TriangleSurface& surface, const SitePlan& plan, const ModelOptions& options);
 

@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Domain/DomainCheck.h"
+
+#include "Domain/Domain.h"
+#include "Support/Error.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <sstream>
+
+namespace atria {
+
+namespace {
+
+using Polygon = std::vector<Vec3>;
+
+double planeOf(const Box3& box, int side) { return isUpper(side) ? box.max[axisOf(side)] : box.min[axisOf(side)]; }
+
+/// How far a point lies within a side; negative beyond it.
+double distanceWithin(const Vec3& p, const Box3& box, int side)
+{
+  return isUpper(side) ? planeOf(box, side) - p[axisOf(side)] : p[axisOf(side)] - planeOf(box, side);
+}
+
+/// The part of a polygon within one side (Sutherland and Hodgman).
+Polygon cutAt(const Polygon& polygon, const Box3& box, int side)
+{
+  Polygon out;
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+  {
+    const Vec3& p = polygon[i];
+    const Vec3& q = polygon[(i + 1) % polygon.size()];
+    const double dp = distanceWithin(p, box, side);
+    const double dq = distanceWithin(q, box, side);
+    if (dp >= 0.0)
+    {
+      out.push_back(p);
+    }
+    if ((dp > 0.0 && dq < 0.0) || (dp < 0.0 && dq > 0.0))
+    {
+      out.push_back(p + dp / (dp - dq) * (q - p));
+      out.back()[axisOf(side)] = planeOf(box, side);
+    }
+  }
+  return out;
+}
+
+/// Twice the area vector.
+Vec3 normalOf(const Polygon& polygon)
+{
+  Vec3 normal = Vec3::Zero();
+  for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
+  {
+    normal += (polygon[i] - polygon[0]).cross(polygon[i + 1] - polygon[0]);
+  }
+  return normal;
+}
+
+/// How the faces of one surface meet the sides, as bits by Direction.
+struct Meeting
+{
+  unsigned reached = 0; ///< by any face
+  unsigned cut = 0;
+  unsigned blocked = 0; ///< by faces that are not square to the side
+};
+
+class ContactSearch
+{
+public:
+  ContactSearch(const TriangleSurface& model, const SitePlan& sitePlan, double size)
+      : surface(model), plan(sitePlan), box(plan.domain.bounds), onSide(sideRatio * size), near(0.5 * size),
+        meetings(model.names.size())
+  {
+  }
+
+  DomainContacts run()
+  {
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    {
+      look(t);
+    }
+    const Box3& b = buildings;
+    out.isBuried = !plan.hasTerrain && !b.empty() && out.holdsBuildings && box.min[2] > 0.5 * (b.min[2] + b.max[2]);
+    for (int side = 0; side < 6; ++side)
+    {
+      if (side != zMin)
+      {
+        sumUp(side);
+      }
+    }
+    return std::move(out);
+  }
+
+private:
+  /// A triangle along the domain's axes, with what lies as good as on a side put on it.
+  Polygon cornersOf(std::size_t triangle) const
+  {
+    Polygon corners;
+    for (const Index i : surface.triangles[triangle])
+    {
+      Vec3 p = plan.domain.axes.fromModel(surface.points[i]);
+      for (int side = 0; side < 6; ++side)
+      {
+        const bool on = std::abs(distanceWithin(p, box, side)) <= onSide;
+        p[axisOf(side)] = on ? planeOf(box, side) : p[axisOf(side)];
+      }
+      corners.push_back(p);
+    }
+    return corners;
+  }
+
+  void look(std::size_t triangle)
+  {
+    const Index id = surface.surfaceIds[triangle];
+    const Polygon corners = cornersOf(triangle);
+    Box3 bounds;
+    std::for_each(corners.begin(), corners.end(), [&](const Vec3& p) { bounds.extend(p); });
+    const bool isFloor = bounds.min[2] == box.min[2] && bounds.max[2] == box.min[2];
+    const bool isBuilding = !plan.isGround[id] && !isFloor;
+    out.hasBuildings = out.hasBuildings || isBuilding;
+    if (isBuilding)
+    {
+      lookBeyond(bounds);
+    }
+    if (!bounds.touches(box))
+    {
+      return;
+    }
+    Polygon part = corners;
+    for (int side = 0; side < 6 && part.size() > 2; ++side)
+    {
+      part = cutAt(part, box, side);
+    }
+    const Vec3 normal = normalOf(part);
+    const double leastArea = 1e-6 * onSide * onSide;
+    if (part.size() < 3 || !(normal.norm() > leastArea))
+    {
+      return;
+    }
+    out.holdsModel = true;
+    if (isBuilding)
+    {
+      out.holdsBuildings = true;
+      meet(corners, part, normal, meetings[id]);
+    }
+  }
+
+  /// Notes a face that goes on beyond sides, in front of them.
+  void lookBeyond(const Box3& bounds)
+  {
+    std::array<bool, 3> overlaps;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      overlaps[axis] = bounds.min[axis] < box.max[axis] && bounds.max[axis] > box.min[axis];
+    }
+    for (int side = 0; side < 6; ++side)
+    {
+      const int axis = axisOf(side);
+      const bool inFront = overlaps[(axis + 1) % 3] && overlaps[(axis + 2) % 3];
+      const bool isBeyond = isUpper(side) ? bounds.max[axis] > box.max[axis] : bounds.min[axis] < box.min[axis];
+      goesOn[side] = goesOn[side] || (inFront && isBeyond);
+    }
+    if (overlaps[0] && overlaps[1])
+    {
+      buildings.extend(bounds.min);
+      buildings.extend(bounds.max);
+    }
+  }
+
+  void meet(const Polygon& corners, const Polygon& part, const Vec3& normal, Meeting& meeting)
+  {
+    constexpr double square = 0.02;
+    for (int side = 0; side < 6; ++side)
+    {
+      const auto within = [&](const Polygon& polygon) {
+        double least = std::numeric_limits<double>::infinity();
+        double most = -least;
+        for (const Vec3& p : polygon)
+        {
+          least = std::min(least, distanceWithin(p, box, side));
+          most = std::max(most, distanceWithin(p, box, side));
+        }
+        return std::pair(least, most);
+      };
+      const auto [least, most] = within(part);
+      if (least > near)
+      {
+        continue;
+      }
+      const unsigned bit = 1u << side;
+      const bool isSquare = std::abs(normal[axisOf(side)]) <= square * normal.norm();
+      meeting.reached |= bit;
+      meeting.cut |= least <= 0.0 && within(corners).first < 0.0 ? bit : 0u;
+      meeting.blocked |= isSquare ? 0u : bit;
+      areas[side] += most <= 0.0 ? 0.5 * normal.norm() : 0.0;
+    }
+  }
+
+  void sumUp(int side)
+  {
+    constexpr double wallShare = 0.5;
+    Vec3 size = box.size();
+    size[axisOf(side)] = 1.0;
+    const bool isWall = areas[side] >= wallShare * size.prod();
+    const unsigned bit = 1u << side;
+    const unsigned across = 1u << opposite(side);
+    for (Index id = 0; id < meetings.size(); ++id)
+    {
+      const Meeting& m = meetings[id];
+      if ((m.cut & bit) != 0)
+      {
+        out.cut[side].push_back(id);
+      }
+      else if (!isWall && (m.reached & bit) != 0 &&
+               ((m.blocked & bit) != 0 || (m.reached & across) == 0 || goesOn[side]))
+      {
+        out.touching[side].push_back(id);
+      }
+    }
+    if (!out.cut[side].empty())
+    {
+      out.touching[side].clear(); // it is too near anyhow
+    }
+  }
+
+  const TriangleSurface& surface;
+  const SitePlan& plan;
+  Box3 box;
+  double onSide;
+  double near;
+  std::vector<Meeting> meetings;
+  /// By side: whether there are faces of buildings beyond it, in front of it.
+  std::array<bool, 6> goesOn{};
+  /// Of buildings over or under the domain.
+  Box3 buildings;
+  /// Of faces of buildings that lie in each side.
+  std::array<double, 6> areas{};
+  DomainContacts out;
+};
+
+std::string textOf(const Box3& box)
+{
+  std::ostringstream text;
+  text.precision(6);
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    text << (axis > 0 ? ", " : "") << "xyz"[axis] << " from " << box.min[axis] << " to " << box.max[axis];
+  }
+  return text.str();
+}
+
+/// Such as "zMax ('Roof', 'Wall' and 3 more) and xMin ('Wall')"; empty without any.
+std::string textOf(const std::array<std::vector<Index>, 6>& bySide, const std::vector<std::string>& names)
+{
+  constexpr std::size_t most = 4;
+  std::vector<std::string> parts;
+  for (int side = 0; side < 6; ++side)
+  {
+    const std::vector<Index>& ids = bySide[side];
+    std::string list;
+    for (std::size_t i = 0; i < std::min(most, ids.size()); ++i)
+    {
+      list += (i > 0 ? ", '" : "'") + names[ids[i]] + "'";
+    }
+    list += ids.size() > most ? " and " + std::to_string(ids.size() - most) + " more" : "";
+    if (!ids.empty())
+    {
+      parts.push_back(std::string(sideNames[side]) + " (" + list + ")");
+    }
+  }
+  std::string text;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    text += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
+  }
+  return text;
+}
+
+constexpr const char* otherDomains =
+    "make the domain larger (DomainBounds, --domain), or take the one that follows from the buildings (DomainMode "
+    "Automatic, --automatic)";
+
+void refuseEmpty(const TriangleSurface& surface, const SitePlan& plan)
+{
+  const bool turned = plan.domain.axes.angle() != 0.0;
+  throw Error("the domain holds nothing of the model: it reaches " + textOf(plan.domain.bounds) + ", the model " +
+              textOf(boundsOf(surface, plan.domain.axes)) + (turned ? ", along the domain's axes" : "") +
+              ". Check unit and place of the model and DomainBounds (--domain), or take the domain that follows from "
+              "the buildings (DomainMode Automatic, --automatic)");
+}
+
+} // namespace
+
+DomainContacts findDomainContacts(const TriangleSurface& surface, const SitePlan& plan, double sizeMin)
+{
+  return ContactSearch(surface, plan, sizeMin).run();
+}
+
+std::vector<std::string> checkDomain(const TriangleSurface& surface, const SitePlan& plan, DomainMode mode,
+                                     double sizeMin)
+{
+  std::vector<std::string> warnings;
+  if (mode == DomainMode::surfaces || mode == DomainMode::automatic || surface.triangles.empty())
+  {
+    return warnings;
+  }
+  const DomainContacts contacts = findDomainContacts(surface, plan, sizeMin);
+  if (!contacts.holdsModel)
+  {
+    refuseEmpty(surface, plan);
+  }
+  if (contacts.hasBuildings && !contacts.holdsBuildings)
+  {
+    warnings.push_back("the domain holds no building, only ground: it reaches " + textOf(plan.domain.bounds) +
+                       ", the buildings " + textOf(boundsOfBuildings(surface, plan.isGround, plan.domain.axes)) + ": " +
+                       otherDomains);
+  }
+  if (const std::string cut = textOf(contacts.cut, surface.names); !cut.empty())
+  {
+    warnings.push_back("the domain cuts through surfaces at " + cut + ", and leaves out what lies beyond: " +
+                       otherDomains + "; name those that are ground by SiteName or TerrainName (--terrain)");
+  }
+  if (const std::string touching = textOf(contacts.touching, surface.names); !touching.empty())
+  {
+    warnings.push_back("surfaces end on the domain's sides, without air between: " + touching + "; " + otherDomains +
+                       ". Where the model's walls are to be the sides take its bounds (DomainMode FromSurfaces, "
+                       "--model-bounds)");
+  }
+  if (contacts.isBuried)
+  {
+    warnings.push_back("most of the buildings' height lies below the domain's bottom: lower zMin (DomainBounds, "
+                       "--domain)");
+  }
+  return warnings;
+}
+
+} // namespace atria
