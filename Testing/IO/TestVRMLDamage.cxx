@@ -203,7 +203,7 @@ TEST_F(VRMLDamage, SkipsUnknownNodesAndFieldsButReadsNodesInThem)
       readWithWarning("HAnim { joints [ DEF A " + box + " ] name \"x\" size 1 2 on TRUE more [1 2] look Foo {} } USE A",
                       "model.wrl:2:1: unknown node 'HAnim' is skipped");
   EXPECT_EQ(model.triangles(), 12);
-  EXPECT_EQ(readWithWarning("Group { colors 1 0 0 children " + box + "}", "Group has no field 'color'").triangles(),
+  EXPECT_EQ(readWithWarning("Group { colors 1 0 0 children " + box + "}", "Group has no field 'colors'").triangles(),
             12);
 }
 
@@ -242,7 +242,7 @@ TEST_F(VRMLDamage, TellsPlacesFarIntoAFile)
     {
       text += filler + end;
     }
-    text += "Group { colors 1 }" + end + box + end + " Group { color 2 }";
+    text += "Group { colors 1 }" + end + box + end + " Group { colors 2 }";
     const VRMLModel model = readText(text);
     ASSERT_EQ(model.warnings().size(), 2u);
     const bool oneLine = end == " ";
