@@ -15,6 +15,7 @@
 #include <vtkIdList.h>
 #include <vtkInformation.h>
 #include <vtkNew.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
@@ -41,6 +42,9 @@ public:
         throw Error("surface '" + blockName + "' has a point that is not finite");
       }
     }
+    out.singlePrecision =
+        out.singlePrecision || (data->GetNumberOfPolys() + data->GetNumberOfStrips() > 0 &&
+                                data->GetPoints() != nullptr && data->GetPoints()->GetDataType() == VTK_FLOAT);
     base = static_cast<Index>(out.surface.points.size());
     out.surface.points.insert(out.surface.points.end(), points.begin(), points.end());
     const std::vector<Index> ids = surfaceIdsOf(data, blockName);
@@ -184,6 +188,20 @@ void addObject(Collector& collector, vtkDataObject* object, const std::string& n
 }
 
 } // namespace
+
+double coarseRounding(const TriangleSurface& surface)
+{
+  constexpr double coarse = 1e-5;
+  constexpr double rounding = 6e-8; // 2^-24
+  Box3 box;
+  double largest = 0.0;
+  for (const Vec3& p : surface.points)
+  {
+    box.extend(p);
+    largest = std::max(largest, p.cwiseAbs().maxCoeff());
+  }
+  return !box.empty() && rounding * largest > coarse * box.size().norm() ? rounding * largest : 0.0;
+}
 
 VtkSurface surfaceFromVtk(const std::vector<vtkDataObject*>& inputs)
 {

@@ -16,7 +16,12 @@ struct VtkSurface
   TriangleSurface surface;
   std::vector<Index> faceIds;   ///< per triangle: the polygon it was cut from; ascending
   std::size_t ignoredCells = 0; ///< lines, vertices, and cells of datasets that are not polydata
+  bool singlePrecision = false; ///< of the points of any polydata with faces
 };
+
+/// By how much numbers of 32 bits round the points at most, if that is more than a hundred-thousandth of the model's
+/// size; else 0.
+double coarseRounding(const TriangleSurface& surface);
 
 /// Reads polygons, triangles, quads and triangle strips of one polydata or of every polydata in a composite, however
 /// deep. Names come from the cells' SurfaceId and the field array SurfaceName where both are there, else from a cell

@@ -13,6 +13,7 @@
 #include <vtkStringArray.h>
 
 #include <algorithm>
+#include <sstream>
 #include <string>
 #include <utility>
 
@@ -116,7 +117,28 @@ ModelOptions modelOptionsOf(vtkAtriaGridAlgorithm& filter)
   return options;
 }
 
-TriangleSurface readSurfaces(vtkDataObject* data) { return data ? surfaceFromVtk({data}).surface : TriangleSurface(); }
+TriangleSurface readSurfaces(vtkDataObject* data, std::vector<std::string>& warnings)
+{
+  if (!data)
+  {
+    return {};
+  }
+  VtkSurface read = surfaceFromVtk({data});
+  if (const double rounding = read.singlePrecision ? coarseRounding(read.surface) : 0.0; rounding > 0.0)
+  {
+    std::ostringstream text;
+    text.precision(2);
+    text << "the model's points are in single precision, and so far from the origin that they are off by up to "
+         << rounding << " m: move the model to the origin before it is exported, or read it with a reader of Atria";
+    warnings.push_back(text.str());
+  }
+  return std::move(read.surface);
+}
+
+void addTo(std::vector<std::string>& warnings, const std::vector<std::string>& more)
+{
+  warnings.insert(warnings.end(), more.begin(), more.end());
+}
 
 void addSizingWarning(const std::string& warning, vtkAtriaGridAlgorithm& filter, vtkDataObject* out)
 {

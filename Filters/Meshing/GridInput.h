@@ -12,8 +12,10 @@ namespace atria {
 /// The properties of the filter. Throws Error for rules that are none.
 ModelOptions modelOptionsOf(vtkAtriaGridAlgorithm& filter);
 
-/// `data` may be null: a domain without surfaces.
-TriangleSurface readSurfaces(vtkDataObject* data);
+/// `data` may be null: a domain without surfaces. Adds what a user should know of it.
+TriangleSurface readSurfaces(vtkDataObject* data, std::vector<std::string>& warnings);
+
+void addTo(std::vector<std::string>& warnings, const std::vector<std::string>& more);
 
 /// Adds the field array SizingWarning, with one text or none, and warns.
 void addSizingWarning(const std::string& warning, vtkAtriaGridAlgorithm& filter, vtkDataObject* out);

@@ -295,7 +295,8 @@ int vtkAtriaDualMesher::RequestData(vtkInformation*, vtkInformationVector** inpu
   try
   {
     context.progress.report(0.0, "Reading surfaces");
-    const atria::TriangleSurface surface = atria::readSurfaces(vtkDataObject::GetData(inputs[0]));
+    std::vector<std::string> warnings;
+    const atria::TriangleSurface surface = atria::readSurfaces(vtkDataObject::GetData(inputs[0]), warnings);
     const atria::MesherOptions options = mesherOptionsOf(*this, this->SeedPoints, this->SealedSeedPoints);
     vtkDataObject* octree = vtkDataObject::GetData(inputs[1]);
     const atria::MeshedModel result =
@@ -308,7 +309,8 @@ int vtkAtriaDualMesher::RequestData(vtkInformation*, vtkInformationVector** inpu
     atria::patchesToVtk(result.mesh, result.names, result.layers, patches);
     atria::recordPatches(patches, volume);
     atria::diagnosticsToVtk(result, result.names, diagnostics);
-    atria::addInputWarnings(result.inputWarnings, *this, diagnostics);
+    atria::addTo(warnings, result.inputWarnings);
+    atria::addInputWarnings(warnings, *this, diagnostics);
     atria::addSizingWarning(result.sizingWarning, *this, diagnostics);
     atria::repairToVtk(result.repair, diagnostics);
     atria::layersToVtk(result.layers, diagnostics);

@@ -52,8 +52,9 @@ int vtkAtriaFeatureGraph::RequestData(vtkInformation*, vtkInformationVector** in
     range.report(0.0, "Reading surfaces");
     const atria::ModelOptions options = atria::modelOptionsOf(*this);
     // Not checked: features are those of the model wherever the domain is.
-    const atria::PlacedModel placed =
-        atria::placeModel(atria::readSurfaces(vtkDataObject::GetData(inputs[0])), options);
+    std::vector<std::string> warnings; // not shown: the mesher tells them
+    const atria::TriangleSurface surface = atria::readSurfaces(vtkDataObject::GetData(inputs[0]), warnings);
+    const atria::PlacedModel placed = atria::placeModel(surface, options);
     range.report(0.3, "Finding features");
     const atria::SurfaceModel model = atria::makeSurfaceModel(placed, options, run.context.part(0.3, 0.8));
     range.report(0.8, "Converting");

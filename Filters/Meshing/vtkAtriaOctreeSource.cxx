@@ -70,9 +70,10 @@ int vtkAtriaOctreeSource::RequestData(vtkInformation*, vtkInformationVector** in
   {
     context.progress.report(0.0, "Reading surfaces");
     const atria::ModelOptions options = atria::modelOptionsOf(*this);
-    const atria::TriangleSurface surface = atria::readSurfaces(vtkDataObject::GetData(inputs[0]));
+    std::vector<std::string> warnings;
+    const atria::TriangleSurface surface = atria::readSurfaces(vtkDataObject::GetData(inputs[0]), warnings);
     const atria::SitePlan plan = atria::planSite(surface, options);
-    const std::vector<std::string> warnings = atria::checkDomain(surface, plan, options);
+    atria::addTo(warnings, atria::checkDomain(surface, plan, options));
     const atria::PlacedModel placed = atria::placeModel(surface, plan, options);
     context.progress.report(0.02, "Repairing surfaces");
     const atria::SurfaceModel model = atria::makeSurfaceModel(placed, options, context.part(0.02, 0.1));
@@ -126,9 +127,10 @@ bool vtkAtriaOctreeSource::Estimate()
     const atria::RunContext& context = run.context;
     context.progress.report(0.0, "Estimating");
     const atria::ModelOptions options = atria::modelOptionsOf(*this);
-    const atria::TriangleSurface surface = atria::readSurfaces(surfaces);
+    std::vector<std::string> warnings;
+    const atria::TriangleSurface surface = atria::readSurfaces(surfaces, warnings);
     const atria::SitePlan plan = atria::planSite(surface, options);
-    std::vector<std::string> warnings = atria::checkDomain(surface, plan, options);
+    atria::addTo(warnings, atria::checkDomain(surface, plan, options));
     const atria::PlacedModel placed = atria::placeModel(surface, plan, options);
     const atria::GridFrame& frame = placed.frame;
     const atria::MeshEstimate estimate =

@@ -149,8 +149,10 @@ int vtkAtriaPreflight::RequestData(vtkInformation*, vtkInformationVector** input
   try
   {
     context.progress.report(0.0, "Reading surfaces");
-    const atria::TriangleSurface surface = atria::readSurfaces(vtkDataObject::GetData(inputs[0]));
-    const atria::Preflight report = atria::preflight(surface, atria::modelOptionsOf(*this), context);
+    std::vector<std::string> warnings;
+    const atria::TriangleSurface surface = atria::readSurfaces(vtkDataObject::GetData(inputs[0]), warnings);
+    atria::Preflight report = atria::preflight(surface, atria::modelOptionsOf(*this), context);
+    report.warnings.insert(report.warnings.begin(), warnings.begin(), warnings.end());
     preflightToVtk(report, surface.names, output);
     context.progress.report(1.0, "Estimated");
   }

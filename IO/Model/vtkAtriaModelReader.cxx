@@ -41,35 +41,6 @@ const Format* formatOf(const char* fileName)
   return found == std::end(formats) ? nullptr : found;
 }
 
-/// Where numbers of 32 bits leave less than a hundred-thousandth of the model, what to say of it; else empty.
-std::string coarseness(const atria::TriangleSurface& surface)
-{
-  constexpr double coarse = 1e-5;
-  constexpr double rounding = 6e-8; // 2^-24
-  if (surface.points.empty())
-  {
-    return {};
-  }
-  double largest = 0.0;
-  atria::Vec3 low = surface.points.front();
-  atria::Vec3 high = low;
-  for (const atria::Vec3& p : surface.points)
-  {
-    largest = std::max(largest, p.cwiseAbs().maxCoeff());
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  if (rounding * largest <= coarse * (high - low).norm())
-  {
-    return {};
-  }
-  std::ostringstream text;
-  text.precision(2);
-  text << "the model lies far from the origin, and this format is read in single precision: points are off by up to "
-       << rounding * largest << "; move it to the origin, or export it as OBJ or VRML";
-  return text.str();
-}
-
 /// Surfaces that have triangles, as shapes of a scene.
 atria::vrml::Scene sceneOf(const atria::model::Model& model, atria::VtkSurface read)
 {
@@ -157,9 +128,13 @@ atria::vrml::ModelSource vtkAtriaModelReader::ReadSource(atria::vrml::Diagnostic
   {
     warn(std::to_string(read.ignoredCells) + " cells are no faces and make no surface");
   }
-  if (const std::string text = model.singlePrecision ? coarseness(read.surface) : ""; !text.empty())
+  if (const double rounding = model.singlePrecision ? atria::coarseRounding(read.surface) : 0.0; rounding > 0.0)
   {
-    warn(text);
+    std::ostringstream text;
+    text.precision(2);
+    text << "the model lies far from the origin, and this format is read in single precision: points are off by up to "
+         << rounding << "; move it to the origin, or export it as OBJ or VRML";
+    warn(text.str());
   }
   source.scene = sceneOf(model, std::move(read));
   progress.report(1.0, "File read");

@@ -44,6 +44,19 @@ TEST(PointPlaces, HaveAStepThatGoesWithTheCoordinates)
   EXPECT_TRUE(std::isfinite(atria::placeStep(box)));
 }
 
+TEST(PointPlaces, FarFromTheOriginTheStepIsThatOfTheSizeUntilNumbersRunOut)
+{
+  for (const double far : {1e3, 1e5, 1e7})
+  {
+    const atria::Box3 box{Vec3(far, -far, 0), Vec3(far + 60, 30 - far, 9)};
+    EXPECT_LE(atria::placeStep(box), 1e-7 * 1.01) << far;
+    const double unit = std::nextafter(far, 2 * far) - far;
+    EXPECT_GT(atria::placeStep(box), 4.0 * unit) << far;
+  }
+  const atria::Box3 beyond{Vec3::Constant(1e12), Vec3::Constant(1e12 + 60)};
+  EXPECT_NEAR(atria::placeStep(beyond), 1e-2, 1e-4);
+}
+
 const std::vector<Vec3> square{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
 
 TEST(CoincidentFaces, ArePolygonsOfOneOutlineHoweverCut)

@@ -220,6 +220,23 @@ class CommandLine(unittest.TestCase):
             for axis in range(3):
                 self.assertAlmostEqual(here[axis] + shift[axis], there[axis], places=5)
 
+    def test_a_model_far_off_loses_nothing_where_it_is(self):
+        shift = [10_000_000, -20_000_000, 0]
+        far = self.folder / "farther.wrl"
+        far.write_text("#VRML V2.0 utf8\nTransform { translation %d %d %d children Inline { url \"%s\" } }\n" %
+                       (*shift, HOUSE.resolve()))
+        reports = []
+        for model in (HOUSE, far):
+            outputs = [self.folder / (model.stem + "_in_place" + ending) for ending in (".vtu", ".json")]
+            run = self.atria("mesh", model, *COARSE, "-o", outputs[0], "--report", outputs[1])
+            self.assertEqual(run.returncode, 0, run.stderr)
+            reports.append(json.loads(outputs[1].read_text()))
+        self.assertEqual(reports[0]["counts"], reports[1]["counts"])
+        self.assertEqual(reports[0]["repair"], reports[1]["repair"])
+        for here, there in zip(reports[0]["patches"], reports[1]["patches"]):
+            self.assertEqual((here["name"], here["faces"]), (there["name"], there["faces"]))
+            self.assertAlmostEqual(there["area"] / here["area"], 1, places=6)
+
     def test_round_solids(self):
         model = self.folder / "round.wrl"
         model.write_text("#VRML V2.0 utf8\nShape { geometry Cone { bottomRadius 100 height 1 } }\n")

@@ -324,6 +324,32 @@ TEST_F(DualMesher, ADomainThatDoesNotSuitTheModelIsWarnedOfOnceAndInTheDiagnosti
   EXPECT_THAT(told(), ::testing::IsEmpty()) << "asked for";
 }
 
+TEST_F(DualMesher, PointsThatSinglePrecisionHasRoundedAreWarnedOf)
+{
+  const auto moved = [](double far, int type) {
+    auto data = atria::testing::toPolyData(closedBox());
+    vtkNew<vtkPoints> points;
+    points->SetDataType(type);
+    for (vtkIdType i = 0; i < data->GetNumberOfPoints(); ++i)
+    {
+      const Vec3 p = Vec3(data->GetPoint(i)) + Vec3(far, 0, 0);
+      points->InsertNextPoint(p.data());
+    }
+    data->SetPoints(points);
+    return data;
+  };
+  mesher->SetDomainMode(vtkAtriaDualMesher::Automatic);
+  mesher->SetSizeMax(8.0);
+  for (const auto& [far, type, isWarned] :
+       {std::tuple(1e7, VTK_FLOAT, true), {1e7, VTK_DOUBLE, false}, {100.0, VTK_FLOAT, false}})
+  {
+    mesher->SetInputDataObject(moved(far, type));
+    mesher->Update();
+    EXPECT_EQ(messages.takeWarnings("single precision").size(), isWarned ? 1u : 0u) << far;
+    EXPECT_EQ(atria::testing::fieldStrings(diagnostics(), "InputWarning").size(), isWarned ? 1u : 0u);
+  }
+}
+
 TEST_F(DualMesher, SurfacesThatGotNoFaceAreListed)
 {
   TriangleSurface surface = closedBox();

@@ -111,6 +111,33 @@ TEST_F(VRMLPlacement, MergesWhatTransformsBringTogether)
   EXPECT_NEAR(model.area(), 0.01, 1e-12);
 }
 
+TEST_F(VRMLPlacement, LosesNothingFarFromTheOrigin)
+{
+  // A railing of bars that are two centimeters thick, and the same once more.
+  std::string railing;
+  for (int i = 0; i < 20; ++i)
+  {
+    railing += "Transform { translation " + std::to_string(0.12 * i) + " 0 0 children " + box(0.02, 0.02, 1.1) + " }\n";
+  }
+  const auto at = [](double far, const std::string& children) {
+    std::ostringstream text;
+    text << "Transform { translation " << std::setprecision(17) << far << ' ' << -2.0 * far << " 0 children ["
+         << children << "] }\n";
+    return text.str();
+  };
+  const double area = merged(at(0.0, railing)).area();
+  for (const double far : {1e5, 1e7, 1e8})
+  {
+    SCOPED_TRACE(far);
+    const VRMLModel once = merged(at(far, railing));
+    EXPECT_EQ(once.triangles(), 20 * 12);
+    EXPECT_NEAR(once.area(), area, 1e-5 * area);
+    EXPECT_TRUE(once.notes().empty()) << joined(once.notes());
+    EXPECT_EQ(merged(at(far, railing) + at(far, railing)).triangles(), 20 * 12) << "what is there twice is merged";
+    messages.takeWarnings("Recenter");
+  }
+}
+
 TEST_F(VRMLPlacement, KeepsFacesThatOnlyTouchOrOverlap)
 {
   const std::string points = "0 0 0, 1 0 0, 1 1 0, 0 1 0, 0.00001 0 0";

@@ -42,9 +42,16 @@ double placeStep(const Box3& bounds)
   {
     return 0.0;
   }
-  // Far from the origin rounding grows with the coordinates, not with the size.
-  const double extent = std::max(bounds.min.cwiseAbs().maxCoeff(), bounds.max.cwiseAbs().maxCoeff());
-  const double step = extent > 0.0 ? std::pow(10.0, std::floor(std::log10(extent)) - 8.0) : 0.0;
+  const double reach = std::max(bounds.min.cwiseAbs().maxCoeff(), bounds.max.cwiseAbs().maxCoeff());
+  const double extent = bounds.size().maxCoeff() > 0.0 ? bounds.size().maxCoeff() : reach;
+  if (!(reach > 0.0))
+  {
+    return 0.0;
+  }
+  // Numbers have sixteen digits; transforms may cost one or two.
+  const double ofSize = std::pow(10.0, std::floor(std::log10(extent)) - 8.0);
+  const double ofNumbers = std::pow(10.0, std::floor(std::log10(reach)) - 14.0);
+  const double step = std::max(ofSize, ofNumbers);
   return std::isnormal(step) ? step : 0.0;
 }
 

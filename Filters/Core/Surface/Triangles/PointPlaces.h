@@ -14,7 +14,8 @@ namespace atria {
 /// numbers that people and programs write. Points must be finite, and within 2^51 steps of the origin. O(n) on average.
 std::vector<Index> placesOf(std::span<const Vec3> points, double step);
 
-/// A step for models of this size: what rounding in transforms may cost, and less than any exporter's last digit.
+/// A step for models with these bounds: a part of their size that is less than any exporter's last digit; and where
+/// they lie so far from the origin that rounding in transforms costs more, that.
 double placeStep(const Box3& bounds);
 
 } // namespace atria
