@@ -39,7 +39,7 @@ inline std::size_t advise(void* start, std::size_t bytes, int advice)
   {
     return 0;
   }
-  static_cast<void>(madvise(reinterpret_cast<void*>(begin), end - begin, advice));
+  static_cast<void>(madvise(static_cast<char*>(start) + (begin - first), end - begin, advice));
   return end - first;
 }
 #endif
