@@ -158,11 +158,25 @@ private:
                              between(p, model.corner(t, 2)));
   }
 
-  /// Whether the place p + offset is on the triangle. Its bounds say quicker that it is not.
-  bool isOn(Index t, const LatticePoint& p, const Vec3& offset) const
+  /// Whether a place is also on a triangle that has one nearer to p, or is the boundary edge's own.
+  bool hangsOnNearer(const Place& place, const LatticePoint& p, Index boundaryEdge) const
   {
-    return model.bounds(t).squaredDistance(toVector(p) + offset) <= 4.0 * onTriangle * onTriangle &&
-           (nearestOn(t, p, offset) - offset).norm() <= onTriangle;
+    const LatticePoint there = moved(p, place.offset);
+    const auto margin = static_cast<std::int64_t>(2.0 * onTriangle);
+    LatticeBox box{there, there};
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      box.low[axis] -= margin;
+      box.high[axis] += margin;
+    }
+    return std::ranges::any_of(tree.touching(box), [&](Index t) {
+      if ((nearestOn(t, p, place.offset) - place.offset).norm() > onTriangle)
+      {
+        return false;
+      }
+      const double distance = nearestOn(t, p, Vec3::Zero()).norm();
+      return t == boundaryEdge || std::tie(distance, t) < std::tie(place.distance, place.triangle);
+    });
   }
 
   /// From a place of the boundary edge to the nearest thing ahead; zero where something touches; nothing beyond the
@@ -173,16 +187,20 @@ private:
     {
       return std::nullopt;
     }
-    const double size = static_cast<double>(frame.latticeSize(octree.level(octree.leafAt(p))));
+    const Index leaf = octree.leafAt(p);
+    if (octree.featureType(leaf) == FeatureType::cluster)
+    {
+      return std::nullopt;
+    }
+    const double size = static_cast<double>(frame.latticeSize(octree.level(leaf)));
     const double reach = tolerance * size;
     std::optional<Vec3> best = sideAhead(p, reach, outward);
     gather(p, boundaryEdge, reach);
-    for (auto place = places.begin(); place != places.end(); ++place)
+    for (const Place& place : places)
     {
-      const auto hangsOn = [&](const Place& nearer) { return isOn(nearer.triangle, p, place->offset); };
-      const bool touches = place->distance <= touchRatio * size;
-      const bool isAhead = place->offset.dot(outward) >= aheadCosine * place->distance;
-      if (place->triangle == boundaryEdge || !(touches || isAhead) || std::any_of(places.begin(), place, hangsOn))
+      const bool touches = place.distance <= touchRatio * size;
+      const bool isAhead = place.offset.dot(outward) >= aheadCosine * place.distance;
+      if (!(touches || isAhead) || hangsOnNearer(place, p, boundaryEdge))
       {
         continue; // what is connected with this is nearer
       }
@@ -190,13 +208,13 @@ private:
       {
         return Vec3(Vec3::Zero());
       }
-      best = best && best->norm() <= place->distance ? *best : place->offset;
+      best = best && best->norm() <= place.distance ? *best : place.offset;
       break;
     }
     return best;
   }
 
-  /// The triangles within the reach, nearest first, the boundary edge's own before all.
+  /// The triangles within the reach but for the boundary edge's own, nearest first.
   void gather(const LatticePoint& p, Index boundaryEdge, double reach)
   {
     const auto margin = static_cast<std::int64_t>(std::ceil(reach));
@@ -206,7 +224,7 @@ private:
       box.low[axis] -= margin;
       box.high[axis] += margin;
     }
-    places.assign(1, {-1.0, boundaryEdge, Vec3::Zero()});
+    places.clear();
     for (const Index t : tree.touching(box))
     {
       const Vec3 offset = nearestOn(t, p, Vec3::Zero());
