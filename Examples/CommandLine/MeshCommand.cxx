@@ -49,6 +49,7 @@ struct MeshOptions
   LayerOptions layers;
   bool estimate = false;
   double gap = 0.0;
+  double smallParts = 0.0;
   double crack = 0.0;
   std::vector<double> domain;
   std::string site;
@@ -122,6 +123,7 @@ void declareOptions(CLI::App& command, MeshOptions& options)
   options.sizeMid = mesher->GetSizeMid();
   options.sizeMin = mesher->GetSizeMin();
   options.gap = mesher->GetGapTolerance();
+  options.smallParts = mesher->GetSmallPartSize();
   options.crack = mesher->GetCrackTolerance();
 
   command.add_option("MODEL", options.input, modelFormats)->required();
@@ -144,6 +146,13 @@ void declareOptions(CLI::App& command, MeshOptions& options)
                   "Gaps narrower than this are closed, meters; 0 closes none (default: 0.05 of --size-min)")
       ->check(CLI::NonNegativeNumber)
       ->type_name("M");
+  command
+      .add_option("--small-parts", options.smallParts,
+                  "Parts of the model smaller than this many octants of --size-min are left out, but for surfaces that "
+                  "size rules name; 0 leaves out none")
+      ->capture_default_str()
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("N");
   command
       .add_option("--crack", options.crack,
                   "Gaps beside free edges no wider than this part of the octants there are closed; 0 closes none")
@@ -247,6 +256,7 @@ void configureGrid(vtkAtriaGridAlgorithm* filter, const MeshOptions& options)
   filter->SetSizeMin(options.sizeMin);
   configureSizes(filter, options.sizes);
   filter->SetGapTolerance(options.gap);
+  filter->SetSmallPartSize(options.smallParts);
   if (!options.domain.empty())
   {
     filter->SetDomainMode(vtkAtriaGridAlgorithm::Explicit);
@@ -305,6 +315,7 @@ Json makeReport(vtkAtriaDualMesher* mesher, vtkAtriaMeshQuality* quality, const 
   report["peak_memory_bytes"] = peakMemoryBytes();
   report["threads"] = threadsInUse();
   report["repair"] = repairOf(diagnostics);
+  report["hidden_detail"] = hiddenDetailOf(diagnostics);
   report["layers"] = layersOf(diagnostics);
   report["diagnostics"] = diagnosticsOf(diagnostics);
   return report;

@@ -294,6 +294,24 @@ Json repairOf(vtkPolyData* diagnostics)
   return repair;
 }
 
+Json hiddenDetailOf(vtkPolyData* diagnostics)
+{
+  vtkFieldData* fields = diagnostics->GetFieldData();
+  vtkStringArray* names = stringsOf(diagnostics, "HiddenDetailSurface");
+  Json list = Json::array();
+  for (vtkIdType i = 0; names && i < names->GetNumberOfValues(); ++i)
+  {
+    const auto number = [&](const char* name) { return fields->GetArray(name)->GetTuple1(i); };
+    const auto entry = [&](const char* triangles, const char* area) {
+      return Json{{"triangles", static_cast<long long>(number(triangles))}, {"area", number(area)}};
+    };
+    list.push_back({{"surface", names->GetValue(i)},
+                    {"left_out", entry("LeftOutTriangles", "LeftOutArea")},
+                    {"clustered", entry("ClusteredTriangles", "ClusteredArea")}});
+  }
+  return list;
+}
+
 Json layersOf(vtkPolyData* diagnostics)
 {
   vtkFieldData* fields = diagnostics->GetFieldData();

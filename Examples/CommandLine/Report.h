@@ -44,6 +44,10 @@ Json diagnosticsOf(vtkPolyData* diagnostics);
 /// {name: number} from the field arrays RepairName and RepairValue: what of the surfaces was changed.
 Json repairOf(vtkPolyData* diagnostics);
 
+/// [{surface, left_out: {triangles, area}, clustered: {triangles, area}}]: what of the surfaces is too fine for the
+/// mesh, from the mesher's diagnostics.
+Json hiddenDetailOf(vtkPolyData* diagnostics);
+
 /// [{surface, layers, area, covered, covered_in_full, thickness}] from the field arrays Layer… of the mesher's
 /// diagnostics: shares of the area, and the thickness got relative to that asked for.
 Json layersOf(vtkPolyData* diagnostics);

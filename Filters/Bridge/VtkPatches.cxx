@@ -205,6 +205,31 @@ void layersToVtk(const LayerReport& layers, vtkPolyData* out)
   add("LayerThicknessRatio", [](const LayerCoverage& s) { return s.thickness; });
 }
 
+void hiddenDetailToVtk(const std::vector<HiddenDetail>& hidden, const std::vector<std::string>& surfaceNames,
+                       vtkPolyData* out)
+{
+  vtkNew<vtkStringArray> surfaces;
+  surfaces->SetName("HiddenDetailSurface");
+  for (const HiddenDetail& detail : hidden)
+  {
+    surfaces->InsertNextValue(detail.surface < surfaceNames.size() ? surfaceNames[detail.surface] : "");
+  }
+  out->GetFieldData()->AddArray(surfaces);
+  const auto add = [&](const char* name, auto&& value) {
+    vtkNew<vtkDoubleArray> values;
+    values->SetName(name);
+    for (const HiddenDetail& detail : hidden)
+    {
+      values->InsertNextValue(static_cast<double>(value(detail)));
+    }
+    out->GetFieldData()->AddArray(values);
+  };
+  add("LeftOutTriangles", [](const HiddenDetail& d) { return d.leftOutTriangles; });
+  add("LeftOutArea", [](const HiddenDetail& d) { return d.leftOutArea; });
+  add("ClusteredTriangles", [](const HiddenDetail& d) { return d.clusteredTriangles; });
+  add("ClusteredArea", [](const HiddenDetail& d) { return d.clusteredArea; });
+}
+
 void repairToVtk(const SurfaceRepairReport& report, vtkPolyData* out)
 {
   const std::pair<const char*, double> entries[] = {

@@ -114,6 +114,7 @@ ModelOptions modelOptionsOf(vtkAtriaGridAlgorithm& filter)
   {
     options.gapTolerance = filter.GetGapTolerance();
   }
+  options.smallPartSize = filter.GetSmallPartSize();
   return options;
 }
 

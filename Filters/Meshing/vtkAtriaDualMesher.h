@@ -35,14 +35,15 @@
  * first to the last); UnresolvedFeature, where pieces that do not meet share a vertex; LeakPath, the way by which a
  * sealed seed reaches the outside; ClosedCrack, a gap beside a boundary edge, narrower than an octant, that the mesh
  * closes; OpenCrack, one that stays open; DetachedVertex, a vertex that had to leave the model for elements to be
- * valid, with the way to where it should be. Cell arrays: `Diagnostic` (int, index into the field array
+ * valid, with the way to where it should be; Cluster, a vertex in an octant with more pieces of the model than it can
+ * show. Cell arrays: `Diagnostic` (int, index into the field array
  * `DiagnosticName`), `CellId` (vtkIdType; -1 for a leak that is not in the mesh), `Width` (double, of leaks and
  * cracks). Field array `SurfaceWithoutFaces`: names of surfaces that got no face. Field arrays `Zone...` have an entry
  * for each zone, those left out included, by ZoneId; `Leak...` one for each leak: see docs/arrays.md. Field arrays
  * `LayerSurface`, `LayersAsked`, `LayerArea`, `LayerCoverage`, `LayerFullCoverage`, `LayerThicknessRatio`: what became
  * of layers, an entry for each surface that was to have some. Field array `SizingWarning`: what MaxElements left out,
- * if anything. Field arrays `RepairName` and `RepairValue`: what was changed to make the surfaces sound, see
- * docs/arrays.md.
+ * if anything. Field arrays `RepairName` and `RepairValue`: what was changed to make the surfaces sound, and
+ * `HiddenDetailSurface` with what of which surfaces is too fine for the mesh; see docs/arrays.md.
  *
  * Elements may still be inverted where the model is finer than the octants: vtkAtriaMeshQuality tells which.
  */

@@ -59,6 +59,7 @@ void vtkAtriaGridAlgorithm::CheckProperties()
   atriaCheckRange(MaxElements);
   atriaCheckRange(MemoryLimit);
   atriaCheckRange(GapTolerance);
+  atriaCheckRange(SmallPartSize);
   atriaCheckRange(DomainMode);
   atriaCheckRange(DomainAngle);
   atriaCheckRange(WindAngle);
@@ -188,6 +189,7 @@ void vtkAtriaGridAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaxElements: " << this->MaxElements << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "GapTolerance: " << this->GapTolerance << "\n";
+  os << indent << "SmallPartSize: " << this->SmallPartSize << "\n";
   os << indent << "DomainMode: " << this->DomainMode << "\n";
   os << indent << "DomainBounds:";
   for (const double bound : this->DomainBounds)

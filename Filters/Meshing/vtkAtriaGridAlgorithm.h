@@ -168,6 +168,17 @@ public:
   vtkGetMacro(GapTolerance, double);
   ///@}
 
+  ///@{
+  /**
+   * Connected parts of the model with a bounding box of a shorter diagonal than this many octants of SizeMin (or of the
+   * smaller size that is asked for there) are left out, as they could not be seen in the mesh. Parts close to each
+   * other count as one, and those that may close a hole stay; so do surfaces that size rules name. 0 leaves out none.
+   * Default 1.
+   */
+  vtkAtriaSetInRangeMacro(SmallPartSize, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(SmallPartSize, double);
+  ///@}
+
   /**
    * Where the domain box comes from.
    */
@@ -296,6 +307,7 @@ protected:
   int CellsAcrossGap = 0;
   int CellsPerLevel = 1;
   double GapTolerance = -1.0;
+  double SmallPartSize = 1.0;
   int MaxElements = 0;
   double MemoryLimit = 0.0;
   int DomainMode = Automatic;

@@ -127,10 +127,18 @@ void fillElements(DualMesh& mesh, const Octree& octree, const GridPoints& points
   });
 }
 
-/// Vertices that stand between pieces, each told once with an element that has it.
-void appendUnresolved(const DualMesh& mesh, std::vector<char>& compromised, std::vector<Diagnostic>& out)
+bool isCluster(const Octree& octree, Index leaf) { return octree.featureType(leaf) == FeatureType::cluster; }
+
+/// Of each vertex that stands between pieces or in a cluster, with an element that has it. `leaves` are those of the
+/// vertices.
+void appendUnresolved(const DualMesh& mesh, const Octree& octree, const std::vector<Index>& leaves,
+                      std::vector<char> compromised, std::vector<Diagnostic>& out)
 {
-  if (std::find(compromised.begin(), compromised.end(), 1) == compromised.end())
+  for (std::size_t v = 0; v < leaves.size(); ++v)
+  {
+    compromised[v] |= isCluster(octree, leaves[v]) ? 1 : 0;
+  }
+  if (std::ranges::find(compromised, 1) == compromised.end())
   {
     return;
   }
@@ -141,24 +149,28 @@ void appendUnresolved(const DualMesh& mesh, std::vector<char>& compromised, std:
       if (compromised[p])
       {
         compromised[p] = 0;
-        out.push_back({Diagnostic::unresolvedFeature, mesh.points[p], mesh.points[p], e});
+        const auto kind = isCluster(octree, leaves[p]) ? Diagnostic::cluster : Diagnostic::unresolvedFeature;
+        out.push_back({kind, mesh.points[p], mesh.points[p], e});
       }
     }
   }
 }
 
-void appendMerged(const Crossings& crossings, const std::vector<Index>& elements, const GridFrame& frame,
+void appendMerged(const Crossings& crossings, const std::vector<Index>& elements, const Octree& octree,
                   std::vector<Diagnostic>& out)
 {
   for (const CrossedEdge& edge : crossings.crossedEdges)
   {
     const Index here = elements[edge.point];
     const Index there = edge.other == noIndex ? noIndex : elements[edge.other];
-    if (edge.count < 2 || (here == noIndex && there == noIndex))
+    const auto isInCluster = [&](Index leaf) { return isCluster(octree, leaf); };
+    if (edge.count < 2 || (here == noIndex && there == noIndex) || std::ranges::any_of(edge.segment.about, isInCluster))
     {
       continue;
     }
-    const auto at = [&](const SurfaceCrossing& cut) { return frame.toModel(pointOn(edge.segment, cut.parameter)); };
+    const auto at = [&](const SurfaceCrossing& cut) {
+      return octree.frame().toModel(pointOn(edge.segment, cut.parameter));
+    };
     const auto cuts = crossings.of(edge);
     out.push_back({Diagnostic::mergedSheets, at(cuts.front()), at(cuts.back()), here != noIndex ? here : there});
   }
@@ -239,8 +251,8 @@ ClassifiedMesh fillMesh(DualMeshResult& result, const DualMeshOptions& options, 
   context.progress.check();
   const std::vector<Vec3> before = octree.frame().turnedDomain ? mesh.points : std::vector<Vec3>();
   sharpenTurnedEdges(mesh, octree.frame(), model.names.size());
-  appendMerged(crossings, elements, octree.frame(), result.diagnostics);
-  appendUnresolved(mesh, placed.compromised, result.diagnostics);
+  appendMerged(crossings, elements, octree, result.diagnostics);
+  appendUnresolved(mesh, octree, leaves, std::move(placed.compromised), result.diagnostics);
   keepWithinSides(mesh.points, octree.frame());
   fixMoved(before, mesh.points, placed.classification);
   return classified(std::move(mesh), std::move(placed.classification));

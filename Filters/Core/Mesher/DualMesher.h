@@ -38,7 +38,9 @@ struct Diagnostic
     leakPath,          ///< a way from a sealed seed to the outside
     closedCrack,       ///< a gap beside a boundary edge, narrower than an octant, that no octree edge passes
     openCrack,         ///< one that octree edges pass
-    detachedVertex     ///< a vertex that is not where the model wants it, as no valid element could be there
+    detachedVertex,    ///< a vertex that is not where the model wants it, as no valid element could be there
+    cluster            ///< an octant with more pieces of the model than it can show; of its merged sheets and features
+                       ///< nothing else is told
   };
   Kind kind;
   Vec3 begin;
@@ -50,8 +52,8 @@ struct Diagnostic
   /// The points of a line between its begin and end, in order.
   std::vector<Vec3> between = {};
 };
-inline constexpr std::array<const char*, 6> diagnosticNames{"MergedSheets", "UnresolvedFeature", "LeakPath",
-                                                            "ClosedCrack",  "OpenCrack",         "DetachedVertex"};
+inline constexpr std::array<const char*, 7> diagnosticNames{
+    "MergedSheets", "UnresolvedFeature", "LeakPath", "ClosedCrack", "OpenCrack", "DetachedVertex", "Cluster"};
 
 struct DualMeshResult
 {

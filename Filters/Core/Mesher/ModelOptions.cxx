@@ -2,6 +2,7 @@
 #include "Mesher/ModelOptions.h"
 
 #include "Domain/DomainCheck.h"
+#include "Octree/Sizing/SizeRules.h"
 
 namespace atria {
 
@@ -56,6 +57,9 @@ SurfaceModel makeSurfaceModel(const PlacedModel& placed, const ModelOptions& opt
   features.weldDistance = weldRatio * size;
   features.sideDistance = sideRatio * size;
   features.gapTolerance = options.gapTolerance.value_or(gapRatio * size);
+  features.smallPartSize = options.smallPartSize;
+  features.keptSurfaces = surfacesOfRules(placed.surface.names, options.sizing);
+  features.finerPlaces = finerPlaces(placed.surface, placed.frame, alongGrid(options.sizing, placed.frame.placement));
   return makeSurfaceModel(placed.surface, placed.frame, features, context);
 }
 

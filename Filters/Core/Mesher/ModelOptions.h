@@ -21,6 +21,9 @@ struct ModelOptions
   double featureAngle = 30.0;
   /// Gaps narrower than this are closed; a twentieth of `sizes.sizeMin` where nothing is given.
   std::optional<double> gapTolerance;
+  /// Connected parts of the model with a bounding box of a shorter diagonal than this many octants of sizeMin are left
+  /// out, but for those of surfaces that rules of sizes name; 0 leaves out none. See findSmallParts.
+  double smallPartSize = 1.0;
 };
 
 /// Domain and ground; see planSite.

@@ -47,7 +47,7 @@ public:
     gatherTriangles(leaf);
     for (const Index point : grid.points().atCorner[leaf])
     {
-      if (point != noIndex && !grid.places().isDisplaced(point) && !grid.isBesideTurnedSide(point))
+      if (point != noIndex && !grid.places().isDisplaced(point) && !grid.isFixed(point))
       {
         noteGaps(point, pairs);
         for (const auto& [chart, direction] : besideSides)

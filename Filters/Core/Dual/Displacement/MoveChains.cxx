@@ -18,7 +18,7 @@ constexpr std::size_t mostAbout = 6;
 
 } // namespace
 
-MoveChains::MoveChains(MovingGrid& moving, PlaceMoves& of, int most) : grid(moving), moves(of), mostSurplus(most)
+MoveChains::MoveChains(MovingGrid& moving, PlaceMoves& of) : grid(moving), moves(of)
 {
   for (const Index point : grid.places().displacedPoints())
   {
@@ -32,8 +32,7 @@ std::set<Index> MoveChains::run(const std::set<Index>& leaves, const RunContext&
   for (const Index leaf : leaves)
   {
     context.progress.check();
-    const int surplus = grid.surplus(leaf);
-    if (surplus > 0 && surplus <= mostSurplus)
+    if (grid.surplus(leaf) > 0)
     {
       moveChain(leaf, changed);
     }
@@ -75,7 +74,7 @@ std::vector<PlaceMoves::Places> MoveChains::returnsToPlanes(Index leaf) const
     for (const Index point : points)
     {
       const auto found = inPlanes.find(point);
-      if (found != inPlanes.end() && found->second != grid.places().place(point) && !moves.stays(point))
+      if (found != inPlanes.end() && found->second != grid.places().place(point) && !grid.isFixed(point))
       {
         places.emplace_back(point, found->second);
       }

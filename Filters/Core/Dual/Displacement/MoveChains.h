@@ -14,8 +14,8 @@ namespace atria {
 class MoveChains
 {
 public:
-  /// Points are in the planes of gaps. Octants with a surplus above `mostSurplus` are left as they are.
-  MoveChains(MovingGrid& grid, PlaceMoves& moves, int mostSurplus);
+  /// Points are in the planes of gaps.
+  MoveChains(MovingGrid& grid, PlaceMoves& moves);
 
   /// Begins at each of these leaves that is unresolved. Returns the points whose costs change.
   std::set<Index> run(const std::set<Index>& leaves, const RunContext& context);
@@ -32,7 +32,6 @@ private:
 
   MovingGrid& grid;
   PlaceMoves& moves;
-  int mostSurplus;
   /// Where points were in the planes of gaps.
   std::map<Index, LatticePoint> inPlanes;
 };

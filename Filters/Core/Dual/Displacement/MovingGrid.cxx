@@ -365,8 +365,13 @@ bool MovingGrid::isTangle(Index leaf, const Look& of) const
   });
 }
 
+/// Nothing of clusters: there is nothing to be gained.
 MovingGrid::Finding MovingGrid::find(Index leaf, Look& into) const
 {
+  if (tree.featureType(leaf) == FeatureType::cluster)
+  {
+    return {};
+  }
   bool isCut = false;
   bool isCutTwice = false;
   eachEdge(leaf, [&](Index id) {
@@ -450,13 +455,15 @@ std::int64_t MovingGrid::shortestEdge(Index point) const
   return tree.frame().latticeSize(level);
 }
 
-bool MovingGrid::isBesideTurnedSide(Index point) const
+bool MovingGrid::isFixed(Index point) const
 {
-  const auto& leaves = grid.points().leaves[point];
-  return tree.frame().turnedDomain && std::any_of(leaves.begin(), leaves.end(), [&](Index leaf) {
-           return std::ranges::any_of(tree.items(leaf, ModelItem::triangle),
-                                      [&](ModelItem piece) { return surfaces.isTurnedSide(piece.index); });
-         });
+  const auto hasTurnedSide = [&](Index leaf) {
+    return std::ranges::any_of(tree.items(leaf, ModelItem::triangle),
+                               [&](ModelItem piece) { return surfaces.isTurnedSide(piece.index); });
+  };
+  return std::ranges::any_of(grid.points().leaves[point], [&](Index leaf) {
+    return tree.featureType(leaf) == FeatureType::cluster || (tree.frame().turnedDomain && hasTurnedSide(leaf));
+  });
 }
 
 } // namespace atria

@@ -119,8 +119,9 @@ public:
   void addCorners(Index leaf, std::set<Index>& points) const;
 
   std::int64_t shortestEdge(Index point) const;
-  /// Points there stay: what is beyond the sides of a turned domain is told by where the points stand.
-  bool isBesideTurnedSide(Index point) const;
+  /// Points of clusters stay, as no place of theirs resolves them; so do those beside the sides of a turned domain,
+  /// which tell by where they stand what is beyond.
+  bool isFixed(Index point) const;
 
 private:
   /// What was found at a leaf when it was looked at last.

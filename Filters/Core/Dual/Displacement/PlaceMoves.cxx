@@ -33,7 +33,7 @@ PlaceMove PlaceMoves::best(Index point, bool across, MovingGrid::Look& look) con
 {
   PlaceMove best{0.0, point, {}};
   const double before = costAt(point, look);
-  if ((before < 1.0 && !grid.places().isDisplaced(point)) || stays(point))
+  if ((before < 1.0 && !grid.places().isDisplaced(point)) || grid.isFixed(point))
   {
     return best;
   }
@@ -92,7 +92,7 @@ void PlaceMoves::addAffected(Index point, std::set<Index>& affected) const
   {
     for (const Index corner : grid.points().atCorner[leaf])
     {
-      if (corner != noIndex && !left.contains(corner))
+      if (corner != noIndex && !grid.isFixed(corner))
       {
         affected.insert(corner);
       }

@@ -34,9 +34,6 @@ public:
   double make(Index point, const LatticePoint& place);
   void undo(const Places& before);
 
-  /// Corners of these leaves stay where they are.
-  void leave(Index leaf) { grid.addCorners(leaf, left); }
-  bool stays(Index point) const { return left.contains(point) || grid.isBesideTurnedSide(point); }
   /// Adds the points that may move and whose costs depend on where a point is.
   void addAffected(Index point, std::set<Index>& affected) const;
 
@@ -48,7 +45,6 @@ private:
   MovingGrid& grid;
   const RunContext& context;
   MovingGrid::Look own;
-  std::set<Index> left;
 };
 
 } // namespace atria

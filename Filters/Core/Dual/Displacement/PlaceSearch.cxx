@@ -18,8 +18,6 @@ namespace atria {
 namespace {
 
 constexpr int mostSweeps = 100;
-/// An octant with more surplus holds more than a moved corner can part; it is left as it is.
-constexpr int mostSurplus = 8;
 constexpr int mostChainRounds = 4;
 
 /// The points in rounds. Of two with a leaf in common the first in order is in the earlier round, and those of a round
@@ -60,7 +58,7 @@ class PlaceSearch
 {
 public:
   PlaceSearch(MovingGrid& moving, const RunContext& run)
-      : grid(moving), moves(moving, run), chains(moving, moves, mostSurplus), context(run)
+      : grid(moving), moves(moving, run), chains(moving, moves), context(run)
   {
   }
 
@@ -73,16 +71,9 @@ public:
     std::set<Index> dirty;
     for (const Index leaf : grid.unresolvedLeaves(context))
     {
-      if (grid.surplus(leaf) > mostSurplus)
-      {
-        moves.leave(leaf);
-      }
-      else
-      {
-        grid.addCorners(leaf, dirty);
-      }
+      grid.addCorners(leaf, dirty);
     }
-    std::erase_if(dirty, [&](Index point) { return moves.stays(point); });
+    std::erase_if(dirty, [&](Index point) { return grid.isFixed(point); });
     sweep(std::move(dirty));
     sweep(turnAboutCurves());
     const std::vector<Index> all = grid.unresolvedLeaves(context);
@@ -127,9 +118,11 @@ private:
     std::map<Index, std::set<Index>> leavesOf; // by feature edge
     for (const Index leaf : grid.unresolvedLeaves(context))
     {
+      std::set<Index> curves; // one edge of each stands for all
       for (const ModelItem piece : grid.octree().items(leaf, ModelItem::featureEdge))
       {
-        if (isCrossing(grid.model().featureEdges[piece.index]) && grid.surplus(leaf) <= mostSurplus)
+        const FeatureEdge& edge = grid.model().featureEdges[piece.index];
+        if (isCrossing(edge) && curves.insert(edge.curve).second)
         {
           leavesOf[piece.index].insert(leaf);
         }
@@ -147,7 +140,7 @@ private:
         }
       }
     }
-    std::erase_if(changed, [&](Index point) { return moves.stays(point); });
+    std::erase_if(changed, [&](Index point) { return grid.isFixed(point); });
     return changed;
   }
 
@@ -204,7 +197,7 @@ private:
       }
       for (const Index point : corners)
       {
-        if (moves.stays(point) || !seen.insert(point).second)
+        if (grid.isFixed(point) || !seen.insert(point).second)
         {
           continue;
         }
@@ -291,7 +284,7 @@ private:
         grid.addCorners(leaf, changed);
       }
     }
-    std::erase_if(changed, [&](Index point) { return moves.stays(point); });
+    std::erase_if(changed, [&](Index point) { return grid.isFixed(point); });
     return changed;
   }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Dual/Grid/EdgeProbe.h"
-#include "Octree/Search/BoxTests.h"
+#include "Surface/Search/BoxTests.h"
 
 #include <optional>
 

@@ -92,7 +92,7 @@ private:
     }
     const Index leaf = octree.leafAt(frame.toLattice(middle));
     const Index point = keptCorner(leaf);
-    if (point == noIndex || !outwards(edge, leaf, end - begin))
+    if (point == noIndex || octree.featureType(leaf) == FeatureType::cluster || !outwards(edge, leaf, end - begin))
     {
       return std::nullopt;
     }

@@ -2,8 +2,8 @@
 /// Distances between octants and triangles.
 #pragma once
 
-#include "Octree/Search/BoxTests.h"
 #include "Support/Types.h"
+#include "Surface/Search/BoxTests.h"
 #include "Surface/Triangles/TriangleSoup.h"
 
 namespace atria {

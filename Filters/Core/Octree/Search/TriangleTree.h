@@ -2,8 +2,8 @@
 /// Rays, boxes and points against all triangles of a model.
 #pragma once
 
-#include "Octree/Search/BoxTests.h"
 #include "Surface/Model/SurfaceModel.h"
+#include "Surface/Search/BoxTests.h"
 
 #include <functional>
 #include <mutex>

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 
 namespace atria {
@@ -175,6 +176,56 @@ ModelLevels modelLevels(const SurfaceModel& model, const GridFrame& frame, const
   levels.ofFeatureEdge = edgeLevels(model, levels.featureOfSurface);
   levels.ofCorner = cornerLevels(model, levels.ofFeatureEdge);
   return levels;
+}
+
+std::vector<char> surfacesOfRules(const std::vector<std::string>& names, const SizingOptions& options)
+{
+  std::vector<char> named(names.size(), 0);
+  const auto add = [&](const std::string& pattern) {
+    const std::vector<char> matching = matchingNames(pattern, names);
+    std::ranges::transform(named, matching, named.begin(), std::bit_or<>());
+  };
+  std::ranges::for_each(options.surfaceSizes, add, &SurfaceSize::pattern);
+  std::ranges::for_each(options.distanceSizes, add, &DistanceSize::pattern);
+  return named;
+}
+
+std::vector<FinerPlace> finerPlaces(const TriangleSurface& surface, const GridFrame& frame,
+                                    const SizingOptions& options)
+{
+  std::vector<FinerPlace> places;
+  const auto add = [&](const Box3& box, double size) {
+    const int level = levelNotAbove(size, frame);
+    if (level > frame.featureLevel && !box.empty())
+    {
+      places.push_back({{frame.toLattice(box.min), frame.toLattice(box.max)}, level});
+    }
+  };
+  const auto boundsOf = [&](const std::string& pattern, double margin) {
+    const std::vector<char> matching = matchingNames(pattern, surface.names);
+    Box3 box;
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    {
+      if (surface.surfaceIds[t] < matching.size() && matching[surface.surfaceIds[t]])
+      {
+        std::ranges::for_each(surface.triangles[t], [&](Index p) { box.extend(surface.points[p]); });
+      }
+    }
+    return box.empty() ? box : Box3{box.min - Vec3::Constant(margin), box.max + Vec3::Constant(margin)};
+  };
+  for (const SurfaceSize& rule : options.surfaceSizes)
+  {
+    add(boundsOf(rule.pattern, 0.0), std::min(rule.size, rule.featureSize.value_or(rule.size)));
+  }
+  for (const RefinementBox& rule : options.boxes)
+  {
+    add(rule.bounds, rule.size);
+  }
+  for (const DistanceSize& rule : options.distanceSizes)
+  {
+    add(boundsOf(rule.pattern, rule.distance), rule.size);
+  }
+  return places;
 }
 
 } // namespace atria

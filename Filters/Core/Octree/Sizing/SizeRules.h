@@ -45,4 +45,12 @@ struct ModelLevels
 /// A curve or corner of several surfaces has the finest of their levels. O(n log n). Throws Error for bad rules.
 ModelLevels modelLevels(const SurfaceModel& model, const GridFrame& frame, const SizingOptions& options);
 
+/// Which surfaces rules of sizes name. Throws Error for bad rules.
+std::vector<char> surfacesOfRules(const std::vector<std::string>& names, const SizingOptions& options);
+
+/// Where rules ask for octants finer than at features elsewhere: boxes, and bounds of named surfaces, as far as
+/// distances reach. Throws Error for bad rules.
+std::vector<FinerPlace> finerPlaces(const TriangleSurface& surface, const GridFrame& frame,
+                                    const SizingOptions& options);
+
 } // namespace atria

@@ -371,6 +371,31 @@ bool severalSurfaces(const LatticeBox& box, std::span<const ModelItem> pieces, c
                       : areSeveralOfMany(box, many, model);
 }
 
+bool isCluster(std::span<const ModelItem> pieces, const SurfaceModel& model)
+{
+  std::array<Index, mostPiecesOfOctant> charts;
+  std::size_t count = 0;
+  for (const ModelItem piece : pieces)
+  {
+    if (piece.kind != ModelItem::triangle)
+    {
+      continue;
+    }
+    const Index chart = model.charts[piece.index];
+    const auto end = charts.begin() + static_cast<std::ptrdiff_t>(count);
+    if (std::find(charts.begin(), end, chart) != end)
+    {
+      continue;
+    }
+    if (count == mostPiecesOfOctant)
+    {
+      return true;
+    }
+    charts[count++] = chart;
+  }
+  return false;
+}
+
 FeatureType featureTypeOf(const LatticeBox& box, std::span<const ModelItem> pieces, const SurfaceModel& model)
 {
   FeatureType type = FeatureType::none;
@@ -378,6 +403,10 @@ FeatureType featureTypeOf(const LatticeBox& box, std::span<const ModelItem> piec
   {
     const auto found = static_cast<FeatureType>(piece.kind + 1);
     type = std::max(type, found);
+  }
+  if (isCluster(pieces, model))
+  {
+    return FeatureType::cluster;
   }
   return type == FeatureType::surface && severalSurfaces(box, pieces, model) ? FeatureType::several : type;
 }

@@ -2,10 +2,10 @@
 /// The pieces of the model octants hold, handed down from parents to children.
 #pragma once
 
-#include "Octree/Search/BoxTests.h"
 #include "Octree/Tree/Octree.h"
 #include "Support/RunContext.h"
 #include "Surface/Model/SurfaceModel.h"
+#include "Surface/Search/BoxTests.h"
 
 namespace atria {
 
@@ -79,6 +79,9 @@ std::vector<Index> trianglesNear(const Octree& octree, const LatticeBox& box);
 /// Whether the triangles among `pieces` form more than one surface inside the box: sets connected through edges and
 /// points that lie in it.
 bool severalSurfaces(const LatticeBox& box, std::span<const ModelItem> pieces, const SurfaceModel& model);
+
+/// Whether the triangles among `pieces` are of more charts than mostPiecesOfOctant.
+bool isCluster(std::span<const ModelItem> pieces, const SurfaceModel& model);
 
 /// The dearest feature among `pieces`.
 FeatureType featureTypeOf(const LatticeBox& box, std::span<const ModelItem> pieces, const SurfaceModel& model);

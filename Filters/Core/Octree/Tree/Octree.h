@@ -32,7 +32,8 @@ enum class FeatureType : std::uint8_t
   surface,
   curve,
   corner,
-  several ///< surfaces that are not connected inside the leaf
+  several, ///< surfaces that are not connected inside the leaf
+  cluster  ///< more charts than a leaf can show: see mostPiecesOfOctant in Surface/Repair/ClusterCells.h
 };
 
 /// A piece of the model in an octant: a triangle, feature edge or corner.

@@ -278,7 +278,7 @@ private:
     constexpr std::int64_t reach = 4; // of rounding
     leaveOut(findClusters(soup, reach, maximumPairs(), context));
     const Contacts found =
-        findContacts(soup, std::vector<char>(soup.triangles.size(), 1), reach, context.part(0.3, 0.7));
+        findContacts(soup, std::vector<char>(soup.triangles.size(), 1), reach, {}, context.part(0.3, 0.7));
     SurfacesAtPoints atPoints;
     for (const FaceContact& contact : found.faces)
     {
@@ -365,14 +365,14 @@ private:
     {
       return;
     }
-    const std::vector<Index> parts = partsOf(soup);
+    const SoupAsDrawn drawn(soup);
     leaveOut(tangled);
     const auto margin = static_cast<std::int64_t>(std::ceil(tolerance));
     leaveOut(findClusters(soup, margin, maximumPairs(), context));
-    autorefine(soup, {}, context.part(0.7, 0.9));
+    autorefine(soup, {}, {}, context.part(0.7, 0.9));
     leaveOut(findClusters(soup, margin, maximumPairs(), context)); // the pieces are more
     const std::vector<LatticePoint> start = soup.points;
-    const std::vector<char> isMoved = closeGaps(soup, frame, tolerance, parts, start, context);
+    const std::vector<char> isMoved = closeGaps(soup, frame, {tolerance, drawn, {}}, start, context);
     SurfacesAtPoints atPoints;
     for (std::size_t i = 0; i < soup.triangles.size(); ++i)
     {

@@ -111,6 +111,9 @@ SurfaceModel makeSurfaceModel(const TriangleSurface& surface, const GridFrame& f
   SurfaceRepairOptions repair;
   repair.weldDistance = units(options.weldDistance);
   repair.gapTolerance = options.gapTolerance / frame.latticeUnit();
+  repair.clusters = {options.featureAngle, options.finerPlaces};
+  repair.smallPartSize = options.smallPartSize;
+  repair.keptSurfaces = options.keptSurfaces;
   TriangleSoup soup = weldedSoup(surface, frame, repair.weldDistance, units(options.sideDistance), model.repair);
   repairSurface(soup, frame, repair, model.repair, context);
   model.points = std::move(soup.points);

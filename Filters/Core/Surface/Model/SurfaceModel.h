@@ -90,12 +90,19 @@ struct FeatureOptions
   double sideDistance = 1e-4;
   /// Gaps narrower than this (model units) are closed.
   double gapTolerance = 0.05;
+  /// Parts of the model with a bounding box of a shorter diagonal, in octants at features, are left out; 0 leaves out
+  /// none. See findSmallParts.
+  double smallPartSize = 0.0;
+  /// Surfaces, by number, of which no part is left out; those beyond its end may be.
+  std::vector<char> keptSurfaces;
+  /// Where octants are finer than at features elsewhere.
+  std::vector<FinerPlace> finerPlaces;
 };
 
 /// Puts a surface on the lattice: welds points, drops triangles without area and repeated ones (whatever their winding;
-/// the first is kept), makes the model sound (repairSurface), finds what lies on the domain's sides, charts, curves and
-/// corners. Edges of the domain box are not features: the mesh has them anyway.
-/// The result does not depend on threads. Throws Aborted on demand.
+/// the first is kept), leaves out small parts, makes the model sound (repairSurface), finds what lies on the domain's
+/// sides, charts, curves and corners. Edges of the domain box are not features: the mesh has them anyway. The result
+/// does not depend on threads. Throws Aborted on demand.
 SurfaceModel makeSurfaceModel(const TriangleSurface& surface, const GridFrame& frame, const FeatureOptions& options,
                               const RunContext& context);
 

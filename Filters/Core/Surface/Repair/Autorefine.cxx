@@ -211,9 +211,10 @@ constexpr double dense = 0.05;
 class Rounds
 {
 public:
-  Rounds(TriangleSoup& soup_, const AutorefineOptions& options_, std::int64_t reach_, AutorefineReport& report_)
-      : soup(soup_), options(options_), reach(reach_), weldDistance(weldReaches * reach_), width(weldDistance),
-        report(report_)
+  Rounds(TriangleSoup& soup_, const AutorefineOptions& options_, const ClusterCells& clusters_, std::int64_t reach_,
+         AutorefineReport& report_)
+      : soup(soup_), options(options_), clusters(clusters_), reach(reach_), weldDistance(weldReaches * reach_),
+        width(weldDistance), report(report_)
   {
   }
 
@@ -223,7 +224,7 @@ public:
     for (int round = 0;; ++round)
     {
       tidy(changed, round == 0);
-      Contacts contacts = findContacts(soup, changed, reach, context);
+      Contacts contacts = findContacts(soup, changed, reach, clusters, context);
       const std::size_t found = contacts.edges.size() + contacts.faces.size();
       const bool slow = round > 0 && 2 * found > foundBefore;
       const bool hopeless = slow && 8 * found > 7 * foundBefore &&
@@ -234,7 +235,7 @@ public:
         report.unresolvedContacts = found;
         return hopeless;
       }
-      refuseTangles(soup.triangles.size(), contacts.pairs);
+      checkTriples(soup.triangles.size(), contacts.pairs);
       addNewPoints(soup, contacts, weldDistance);
       if (slow)
       {
@@ -275,6 +276,7 @@ private:
 
   TriangleSoup& soup;
   const AutorefineOptions& options;
+  const ClusterCells& clusters;
   std::int64_t reach;
   std::int64_t weldDistance;
   /// Within this, points at contacts that cuts do not get rid of become one.
@@ -288,26 +290,27 @@ private:
 
 std::size_t dropRepeated(TriangleSoup& soup) { return dropRepeated(soup, nullptr); }
 
-AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options, const RunContext& context)
+AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options, const ClusterCells& clusters,
+                            const RunContext& context)
 {
   AutorefineReport report;
   report.isSplit.resize(soup.sources.empty() ? 0 : soup.sources.back() + 1, 0);
-  refineAgain(soup, options, std::vector<char>(soup.triangles.size(), 1), report, context);
+  refineAgain(soup, options, clusters, std::vector<char>(soup.triangles.size(), 1), report, context);
   return report;
 }
 
-void refineAgain(TriangleSoup& soup, const AutorefineOptions& options, std::vector<char> changed,
-                 AutorefineReport& report, const RunContext& context)
+void refineAgain(TriangleSoup& soup, const AutorefineOptions& options, const ClusterCells& clusters,
+                 std::vector<char> changed, AutorefineReport& report, const RunContext& context)
 {
   const TriangleSoup soupBefore = soup;
   const AutorefineReport reportBefore = report;
   std::int64_t reach = std::max(options.reach, report.reach);
-  if (Rounds(soup, options, reach, report).run(std::move(changed), context) && reach < options.largestReach)
+  if (Rounds(soup, options, clusters, reach, report).run(std::move(changed), context) && reach < options.largestReach)
   {
     reach = options.largestReach;
     soup = soupBefore;
     report = reportBefore;
-    Rounds(soup, options, reach, report).run(std::vector<char>(soup.triangles.size(), 1), context);
+    Rounds(soup, options, clusters, reach, report).run(std::vector<char>(soup.triangles.size(), 1), context);
   }
   report.reach = reach;
   const std::size_t before = soup.triangles.size();

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Support/RunContext.h"
+#include "Surface/Repair/ClusterCells.h"
 #include "Surface/Triangles/TriangleSoup.h"
 
 #include <cstddef>
@@ -48,12 +49,14 @@ struct AutorefineReport
 /// points are rounded to the lattice, which can make new contacts; the next round looks at the cut triangles only.
 /// Where rounds find no less, the points at their contacts become one within an ever larger distance. Pieces take the
 /// place of their triangle, with its winding, surface and source. O(n log n) where little is cut.
-AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options, const RunContext& context);
+/// Nothing is cut in clusters. Throws TooManyContacts (Clusters.h).
+AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options, const ClusterCells& clusters,
+                            const RunContext& context);
 
 /// The same for a soup that was cut before and in which triangles marked in `changed` were changed since; goes on with
 /// the report.
-void refineAgain(TriangleSoup& soup, const AutorefineOptions& options, std::vector<char> changed,
-                 AutorefineReport& report, const RunContext& context);
+void refineAgain(TriangleSoup& soup, const AutorefineOptions& options, const ClusterCells& clusters,
+                 std::vector<char> changed, AutorefineReport& report, const RunContext& context);
 
 /// Drops triangles with repeated points, and those with the same points as an earlier one. Returns how many of the
 /// second sort.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Surface/Repair/Clusters.h"
 
-#include "Support/Error.h"
 #include "Surface/Search/BoxPairs.h"
 
 #include <algorithm>
@@ -142,23 +141,23 @@ std::vector<char> findTangles(std::size_t count, const TrianglePairs& pairs, std
   return isOut;
 }
 
-void refuseClusters(std::size_t pairs)
+void checkPairs(std::size_t pairs)
 {
   constexpr std::size_t most = 200'000'000;
   if (pairs > most)
   {
-    throw Error("too many triangles lie in one place: more than 200 million pairs of them touch or nearly do; delete "
-                "copies there (inspect lists the surfaces and places as clusters)");
+    throw TooManyContacts("too many triangles lie in one place: more than 200 million pairs of them touch or nearly "
+                          "do; delete copies there (inspect lists the surfaces and places as clusters)");
   }
 }
 
-void refuseTangles(std::size_t count, const TrianglePairs& pairs)
+void checkTriples(std::size_t count, const TrianglePairs& pairs)
 {
   constexpr std::size_t most = 5'000'000;
   if (boundOfTriples(count, pairs) > most)
   {
-    throw Error(std::to_string(pairs.size()) + " pairs of triangles overlap or cross, too many to cut along each " +
-                "other; delete copies (inspect lists the surfaces and places as clusters)");
+    throw TooManyContacts(std::to_string(pairs.size()) + " pairs of triangles overlap or cross, too many to cut " +
+                          "along each other; delete copies (inspect lists the surfaces and places as clusters)");
   }
 }
 

@@ -3,6 +3,7 @@
 /// that are nearly the same, faces that overlap all of each other.
 #pragma once
 
+#include "Support/Error.h"
 #include "Support/RunContext.h"
 #include "Surface/Triangles/TriangleSoup.h"
 
@@ -28,10 +29,16 @@ std::size_t boundOfTriples(std::size_t count, const TrianglePairs& pairs);
 /// Marks triangles to leave out, so that the bound is within `limit` for the others; which go first is as above.
 std::vector<char> findTangles(std::size_t count, const TrianglePairs& pairs, std::size_t limit);
 
-/// Throws Error for more pairs of boxes than can be looked at in reasonable time and memory: 200 million.
-void refuseClusters(std::size_t pairs);
+/// Too many pairs of triangles to look at, or too many pieces that they would be cut into.
+struct TooManyContacts : Error
+{
+  using Error::Error;
+};
 
-/// Throws Error where cutting triangles along each other would make too many pieces: the bound exceeds 5 million.
-void refuseTangles(std::size_t count, const TrianglePairs& pairs);
+/// Throws TooManyContacts for more pairs of boxes than can be looked at in reasonable time and memory.
+void checkPairs(std::size_t pairs);
+
+/// Throws TooManyContacts where cutting triangles along each other would make too many pieces, as the bound tells.
+void checkTriples(std::size_t count, const TrianglePairs& pairs);
 
 } // namespace atria

@@ -336,9 +336,20 @@ struct Search
   std::vector<std::pair<Index, Index>> later;
 };
 
+LatticeBox common(const NumberedBox& a, const NumberedBox& b)
+{
+  LatticeBox box;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    box.low[axis] = std::max(a.low[axis], b.low[axis]);
+    box.high[axis] = std::min(a.high[axis], b.high[axis]);
+  }
+  return box;
+}
+
 /// Looks at pairs as they are met. Where boxes cluster pairs are counted first, as looking at them takes far longer.
 std::vector<Search> searchContacts(const TriangleSoup& soup, const BoxTree& tree, const std::vector<char>& changed,
-                                   double reach, const RunContext& context)
+                                   double reach, const ClusterCells& clusters, const RunContext& context)
 {
   // Of few triangles many are near each other: pieces are small then, so that there are some for all threads.
   const std::size_t grain = std::clamp<std::size_t>(tree.size() / 128, 8, 1024);
@@ -362,13 +373,13 @@ std::vector<Search> searchContacts(const TriangleSoup& soup, const BoxTree& tree
       // Two that are changed meet twice.
       tree.eachTouching(tree.box(i), all ? i + 1 : 0, [&](std::size_t j) {
         const Index b = tree.box(j).id;
-        if (j != i && (!changed[b] || j > i))
+        if (j != i && (!changed[b] || j > i) && !clusters.hold(common(tree.box(i), tree.box(j))))
         {
           touching += changed[b] ? 2 : 1;
           pairs.emplace_back(std::min(a, b), std::max(a, b));
         }
       });
-      refuseClusters(seen += touching);
+      checkPairs(seen += touching);
       if (touching > manyEach)
       {
         later.insert(later.end(), pairs.begin(), pairs.end());
@@ -401,14 +412,11 @@ std::vector<Search> searchContacts(const TriangleSoup& soup, const BoxTree& tree
 } // namespace
 
 Contacts findContacts(const TriangleSoup& soup, const std::vector<char>& changed, std::int64_t reach,
-                      const RunContext& context)
+                      const ClusterCells& clusters, const RunContext& context)
 {
-  std::vector<NumberedBox> boxes(soup.triangles.size());
-  context.executor.forEach(boxes.size(), 4096,
-                           [&](std::size_t t) { boxes[t] = boxOf(soup, static_cast<Index>(t), reach); });
-  const BoxTree tree(std::move(boxes), context);
+  const BoxTree tree(boxesOf(soup, seenTriangles(soup, clusters, context), reach, context), context);
   ContactFinder finder(soup, static_cast<double>(reach));
-  for (const Search& search : searchContacts(soup, tree, changed, static_cast<double>(reach), context))
+  for (const Search& search : searchContacts(soup, tree, changed, static_cast<double>(reach), clusters, context))
   {
     finder.append(search.finder);
   }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Support/RunContext.h"
+#include "Surface/Repair/ClusterCells.h"
 #include "Surface/Triangles/TriangleSoup.h"
 
 namespace atria {
@@ -35,10 +36,10 @@ struct Contacts
   bool empty() const { return edges.empty() && faces.empty(); }
 };
 
-/// Finds all contacts of triangles of which one is marked in `changed`. A point within `reach` lattice units of an edge
-/// or a triangle lies on it. Sides are decided exactly, distances in double precision. All lists are sorted, without
-/// repeats. Throws Error where there are too many (refuseClusters). O(n log n + pairs of triangles whose boxes touch).
+/// Finds all contacts outside of clusters of triangles of which one is marked in `changed`. A point within `reach`
+/// lattice units of an edge or a triangle lies on it. Sides are decided exactly, distances in double precision. All
+/// lists are sorted, without repeats. Throws TooManyContacts. O(n log n + pairs of triangles whose boxes touch).
 Contacts findContacts(const TriangleSoup& soup, const std::vector<char>& changed, std::int64_t reach,
-                      const RunContext& context);
+                      const ClusterCells& clusters, const RunContext& context);
 
 } // namespace atria

@@ -6,6 +6,7 @@
 #include "Surface/Search/BoxTree.h"
 #include "Surface/Search/Distance.h"
 #include "Surface/Triangles/Fans.h"
+#include "Surface/Triangles/SoupParts.h"
 
 #include <Eigen/Geometry>
 
@@ -16,6 +17,7 @@
 #include <optional>
 #include <span>
 #include <tuple>
+#include <unordered_set>
 
 namespace atria {
 
@@ -27,6 +29,8 @@ constexpr double sideways = 2.0;
 constexpr double detailReach = 3.0;
 /// A point may move by this much in all, in tolerances.
 constexpr double maximumDrift = 2.0;
+/// Points of what was drawn with shorter edges than this many tolerances stay, as it could fold.
+constexpr double finestEdge = 2.0;
 /// Below this cosine a move turns a triangle too far, or does not lead on from a sheet.
 constexpr double minimumCosine = 0.5;
 /// What is this near, in lattice units, is there but for rounding.
@@ -71,12 +75,13 @@ std::vector<BoundaryEdgeEnd> boundaryEdgeEnds(const TriangleSoup& soup, const Ex
 class GapCloser
 {
 public:
-  GapCloser(TriangleSoup& soup_, const GridFrame& frame_, double tolerance_, const std::vector<Index>& parts_,
+  GapCloser(TriangleSoup& soup_, const GridFrame& frame_, const GapOptions& options,
             const std::vector<LatticePoint>& start_, const RunContext& runContext)
-      : soup(soup_), frame(frame_), tolerance(tolerance_), parts(parts_), start(start_), context(runContext),
-        fans(soup), boundaryEdges(boundaryEdgeEnds(soup, context.executor)), fixed(soup.points.size(), 0),
+      : soup(soup_), frame(frame_), tolerance(options.tolerance), parts(options.drawn.parts),
+        clusters(options.clusters), start(start_), context(runContext), fans(soup),
+        boundaryEdges(boundaryEdgeEnds(soup, context.executor)), fixed(soup.points.size(), 0),
         partOf(soup.points.size(), noIndex), hasSeveralParts(soup.points.size(), 0),
-        hasBoundaryEdge(soup.points.size(), 0)
+        hasBoundaryEdge(soup.points.size(), 0), isFine(soup.points.size(), 0)
   {
     for (const BoundaryEdgeEnd& boundaryEdge : boundaryEdges)
     {
@@ -89,6 +94,7 @@ public:
         const Index part = partOfTriangle(t);
         hasSeveralParts[p] |= partOf[p] != noIndex && partOf[p] != part;
         partOf[p] = std::min(partOf[p], part);
+        isFine[p] |= options.drawn.shortestEdges[soup.sources[t]] < finestEdge * tolerance ? 1 : 0;
       }
     }
   }
@@ -171,10 +177,7 @@ private:
     }
     constexpr std::size_t grain = 1024;
     const auto margin = static_cast<std::int64_t>(std::ceil(tolerance));
-    std::vector<NumberedBox> boxes(soup.triangles.size());
-    context.executor.forEach(boxes.size(), grain,
-                             [&](std::size_t t) { boxes[t] = boxOf(soup, static_cast<Index>(t), margin); });
-    const BoxTree tree(std::move(boxes), context);
+    const BoxTree tree(boxesOf(soup, seenTriangles(soup, clusters, context), margin, context), context);
     std::vector<Found> searches((places.size() + grain - 1) / grain);
     std::atomic<std::size_t> pairs{0};
     context.executor.forEach(searches.size(), 1, [&](std::size_t part) {
@@ -191,7 +194,7 @@ private:
             consider(p, t, searches[part]);
           }
         });
-        refuseClusters(pairs += touching);
+        checkPairs(pairs += touching);
       }
     });
     Found all;
@@ -204,7 +207,7 @@ private:
     addForeignGaps(all);
   }
 
-  /// Points at free edges, and all where there are several parts: no others are moved.
+  /// Points at free edges, and all where there are several parts; none of what is too fine.
   std::vector<Index> movablePoints() const
   {
     const Index first = soup.triangles.empty() ? noIndex : partOfTriangle(0);
@@ -216,7 +219,7 @@ private:
     std::vector<Index> points;
     for (Index p = 0; p < soup.points.size(); ++p)
     {
-      if (used(p) && (several || hasBoundaryEdge[p]))
+      if (used(p) && (several || hasBoundaryEdge[p]) && !isFine[p] && !clusters.hold(soup.points[p]))
       {
         points.push_back(p);
       }
@@ -335,28 +338,24 @@ private:
   /// The triangles that can be reached from the point along edges that stay close to it, in order.
   std::vector<Index> hangingTogether(Index p) const
   {
-    const double reach = detailReach * tolerance;
-    std::vector<Index> reached{p};
+    const double reachSquared = detailReach * detailReach * tolerance * tolerance;
+    std::unordered_set<Index> seen{p};
     std::vector<Index> triangles;
-    for (std::vector<Index> last{p}; !last.empty();)
+    for (std::vector<Index> open{p}; !open.empty();)
     {
-      std::vector<Index> corners;
-      for (const Index q : last)
+      const auto around = fans.at(open.back());
+      open.pop_back();
+      for (const Index t : around)
       {
-        const auto around = fans.at(q);
-        triangles.insert(triangles.end(), around.begin(), around.end());
-        for (const Index t : around)
+        triangles.push_back(t);
+        for (const Index q : soup.triangles[t])
         {
-          corners.insert(corners.end(), soup.triangles[t].begin(), soup.triangles[t].end());
+          if (seen.insert(q).second && between(soup.points[p], soup.points[q]).squaredNorm() <= reachSquared)
+          {
+            open.push_back(q);
+          }
         }
       }
-      sortUnique(corners);
-      last.clear();
-      std::set_difference(corners.begin(), corners.end(), reached.begin(), reached.end(), std::back_inserter(last));
-      std::erase_if(last, [&](Index q) { return between(soup.points[p], soup.points[q]).norm() > reach; });
-      std::vector<Index> all;
-      std::set_union(reached.begin(), reached.end(), last.begin(), last.end(), std::back_inserter(all));
-      reached = std::move(all);
     }
     sortUnique(triangles);
     return triangles;
@@ -451,6 +450,7 @@ private:
   const GridFrame& frame;
   double tolerance;
   const std::vector<Index>& parts;
+  const ClusterCells& clusters;
   const std::vector<LatticePoint>& start;
   const RunContext& context;
   Fans fans;
@@ -461,19 +461,33 @@ private:
   std::vector<char> hasSeveralParts;
   /// Per point, whether it is at a free edge.
   std::vector<char> hasBoundaryEdge;
+  /// Per point, whether it is of what is finer than the tolerance.
+  std::vector<char> isFine;
   std::vector<Gap> gaps;
 };
 
 } // namespace
 
-std::vector<char> closeGaps(TriangleSoup& soup, const GridFrame& frame, double tolerance,
-                            const std::vector<Index>& parts, const std::vector<LatticePoint>& start,
-                            const RunContext& context)
+SoupAsDrawn::SoupAsDrawn(const TriangleSoup& soup)
+    : parts(partsOf(soup)), shortestEdges(parts.size(), std::numeric_limits<double>::infinity())
+{
+  for (Index t = 0; t < soup.triangles.size(); ++t)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      double& shortest = shortestEdges[soup.sources[t]];
+      shortest = std::min(shortest, between(soup.corner(t, i), soup.corner(t, (i + 1) % 3)).norm());
+    }
+  }
+}
+
+std::vector<char> closeGaps(TriangleSoup& soup, const GridFrame& frame, const GapOptions& options,
+                            const std::vector<LatticePoint>& start, const RunContext& context)
 {
   std::vector<char> isMoved(soup.points.size(), 0);
-  if (tolerance >= 1.0)
+  if (options.tolerance >= 1.0)
   {
-    for (const Index p : GapCloser(soup, frame, tolerance, parts, start, context).run())
+    for (const Index p : GapCloser(soup, frame, options, start, context).run())
     {
       isMoved[p] = 1;
     }

@@ -2,10 +2,13 @@
 #include "Surface/Repair/SurfaceRepair.h"
 
 #include "Surface/Repair/Autorefine.h"
+#include "Surface/Repair/Clusters.h"
 #include "Surface/Repair/GapClosing.h"
+#include "Surface/Repair/SmallParts.h"
 #include "Surface/Triangles/Orientation.h"
-#include "Surface/Triangles/SoupParts.h"
 #include "Surface/Triangles/Weld.h"
+
+#include <Eigen/Geometry>
 
 namespace atria {
 
@@ -14,6 +17,10 @@ namespace {
 /// Against the gap tolerance: what is this near may be taken for touching where cuts do not end otherwise.
 constexpr double largestReach = 1.0 / 16.0;
 constexpr int maximumPasses = 6;
+/// Where triangles of few pieces have too many contacts, as many in an octant make a cluster: fewer and fewer.
+constexpr std::size_t mostTriangles = 4096;
+constexpr std::size_t fewerTriangles = 8;
+constexpr std::size_t fewestTriangles = 8;
 
 void dropUnusedPoints(TriangleSoup& soup)
 {
@@ -41,6 +48,21 @@ void dropUnusedPoints(TriangleSoup& soup)
   }
 }
 
+void dropTriangles(TriangleSoup& soup, const std::vector<char>& isOut)
+{
+  TriangleSoup rest;
+  for (Index t = 0; t < soup.triangles.size(); ++t)
+  {
+    if (!isOut[t])
+    {
+      rest.add(soup.triangles[t], soup.surfaceIds[t], soup.sources[t]);
+    }
+  }
+  rest.points = std::move(soup.points);
+  soup = std::move(rest);
+  dropUnusedPoints(soup);
+}
+
 /// Triangles with a point that was moved.
 std::vector<char> trianglesAt(const TriangleSoup& soup, const std::vector<char>& isMoved)
 {
@@ -53,7 +75,7 @@ std::vector<char> trianglesAt(const TriangleSoup& soup, const std::vector<char>&
 }
 
 /// Closes gaps and cuts what moved, in turn, until nothing moves.
-void closeAllGaps(TriangleSoup& soup, const GridFrame& frame, double tolerance, const std::vector<Index>& parts,
+void closeAllGaps(TriangleSoup& soup, const GridFrame& frame, const GapOptions& options,
                   const AutorefineOptions& refining, AutorefineReport& refined, SurfaceRepairReport& report,
                   const RunContext& context)
 {
@@ -62,7 +84,7 @@ void closeAllGaps(TriangleSoup& soup, const GridFrame& frame, double tolerance, 
   for (int pass = 0; pass < maximumPasses; ++pass)
   {
     context.progress.check();
-    const std::vector<char> isMoved = closeGaps(soup, frame, tolerance, parts, start, context);
+    const std::vector<char> isMoved = closeGaps(soup, frame, options, start, context);
     if (std::find(isMoved.begin(), isMoved.end(), 1) == isMoved.end())
     {
       break;
@@ -91,9 +113,87 @@ void closeAllGaps(TriangleSoup& soup, const GridFrame& frame, double tolerance, 
     {
       std::fill(changed.begin(), changed.end(), 1);
     }
-    refineAgain(soup, refining, std::move(changed), refined, context);
+    refineAgain(soup, refining, options.clusters, std::move(changed), refined, context);
   }
   report.closedGaps = static_cast<std::size_t>(std::count(everMoved.begin(), everMoved.end(), 1));
+}
+
+/// The entry of each surface.
+class HiddenDetails
+{
+public:
+  HiddenDetails(const TriangleSoup& soup, const GridFrame& frame)
+      : entries(soup.surfaceIds.empty() ? 0 : *std::ranges::max_element(soup.surfaceIds) + 1),
+        areaUnit(0.5 * frame.latticeUnit() * frame.latticeUnit())
+  {
+  }
+
+  void addClustered(const TriangleSoup& soup, const ClusterCells& clusters)
+  {
+    for (Index t = 0; t < soup.triangles.size(); ++t)
+    {
+      if (clusters.isHidden(soup.sources[t]))
+      {
+        HiddenDetail& entry = entries[soup.surfaceIds[t]];
+        ++entry.clusteredTriangles;
+        entry.clusteredArea += areaOf(soup, t);
+      }
+    }
+  }
+
+  void addLeftOut(const TriangleSoup& soup, const std::vector<char>& isOut)
+  {
+    for (Index t = 0; t < soup.triangles.size(); ++t)
+    {
+      if (isOut[t])
+      {
+        HiddenDetail& entry = entries[soup.surfaceIds[t]];
+        ++entry.leftOutTriangles;
+        entry.leftOutArea += areaOf(soup, t);
+      }
+    }
+  }
+
+  std::vector<HiddenDetail> take()
+  {
+    for (Index surface = 0; surface < entries.size(); ++surface)
+    {
+      entries[surface].surface = surface;
+    }
+    std::erase_if(entries, [](const HiddenDetail& e) { return e.clusteredTriangles + e.leftOutTriangles == 0; });
+    return std::move(entries);
+  }
+
+private:
+  double areaOf(const TriangleSoup& soup, Index t) const
+  {
+    return areaUnit *
+           between(soup.corner(t, 0), soup.corner(t, 1)).cross(between(soup.corner(t, 0), soup.corner(t, 2))).norm();
+  }
+
+  std::vector<HiddenDetail> entries;
+  double areaUnit;
+};
+
+void repairOutside(const ClusterCells& clusters, TriangleSoup& soup, const GridFrame& frame,
+                   const SurfaceRepairOptions& options, SurfaceRepairReport& report, const RunContext& context)
+{
+  // Pieces are closed as they were drawn; where they are cut they share edges with others.
+  report.flippedTriangles = orientTriangles(soup, context.executor);
+  const SoupAsDrawn drawn(soup);
+  AutorefineOptions refining;
+  refining.reach = std::max(refining.reach, options.weldDistance / 4);
+  refining.largestReach = std::max(refining.reach, static_cast<std::int64_t>(largestReach * options.gapTolerance));
+  AutorefineReport refined = autorefine(soup, refining, clusters, context);
+  closeAllGaps(soup, frame, {options.gapTolerance, drawn, clusters}, refining, refined, report, context);
+  report.weldedPoints += refined.mergedPoints;
+  report.degenerateTriangles += refined.degenerateTriangles;
+  report.overlappingTriangles += refined.overlappingTriangles;
+  report.splitTriangles = refined.splitTriangles;
+  report.intersectionEdges = refined.intersectionEdges;
+  report.unresolvedContacts = refined.unresolvedContacts;
+  report.flippedTriangles += orientTriangles(soup, context.executor);
+  dropUnusedPoints(soup);
 }
 
 } // namespace
@@ -101,24 +201,36 @@ void closeAllGaps(TriangleSoup& soup, const GridFrame& frame, double tolerance, 
 void repairSurface(TriangleSoup& soup, const GridFrame& frame, const SurfaceRepairOptions& options,
                    SurfaceRepairReport& report, const RunContext& context)
 {
-  dropUnusedPoints(soup);
-  // Pieces are closed as they were drawn; where they are cut they share edges with others.
-  report.flippedTriangles = orientTriangles(soup, context.executor);
-  const std::vector<Index> parts = partsOf(soup);
-  AutorefineOptions refining;
-  refining.reach = std::max(refining.reach, options.weldDistance / 4);
-  refining.largestReach = std::max(refining.reach, static_cast<std::int64_t>(largestReach * options.gapTolerance));
-  AutorefineReport refined = autorefine(soup, refining, context);
-  closeAllGaps(soup, frame, options.gapTolerance, parts, refining, refined, report, context);
-  report.weldedPoints += refined.mergedPoints;
-  report.degenerateTriangles += refined.degenerateTriangles;
-  report.overlappingTriangles += refined.overlappingTriangles;
-  report.splitTriangles = refined.splitTriangles;
-  report.intersectionEdges = refined.intersectionEdges;
-  report.unresolvedContacts = refined.unresolvedContacts;
-
-  report.flippedTriangles += orientTriangles(soup, context.executor);
-  dropUnusedPoints(soup);
+  HiddenDetails hidden(soup, frame);
+  const SmallPartOptions smallOptions{options.smallPartSize, options.gapTolerance, options.keptSurfaces,
+                                      options.clusters.finerPlaces};
+  const std::vector<char> isSmall = findSmallParts(soup, frame, smallOptions, context);
+  hidden.addLeftOut(soup, isSmall);
+  dropTriangles(soup, isSmall);
+  ClusterOptions clusterOptions = options.clusters;
+  for (;;)
+  {
+    TriangleSoup repaired = soup;
+    SurfaceRepairReport found = report;
+    try
+    {
+      const ClusterCells clusters(soup, frame, clusterOptions, context);
+      repairOutside(clusters, repaired, frame, options, found, context);
+      hidden.addClustered(soup, clusters);
+      soup = std::move(repaired);
+      report = found;
+      report.hidden = hidden.take();
+      return;
+    }
+    catch (const TooManyContacts&)
+    {
+      if (clusterOptions.mostTriangles <= fewestTriangles)
+      {
+        throw;
+      }
+      clusterOptions.mostTriangles = std::min(clusterOptions.mostTriangles / fewerTriangles, mostTriangles);
+    }
+  }
 }
 
 } // namespace atria

@@ -2,11 +2,24 @@
 #pragma once
 
 #include "Support/RunContext.h"
+#include "Surface/Repair/ClusterCells.h"
 #include "Surface/Triangles/TriangleSoup.h"
 
 #include <cstddef>
 
 namespace atria {
+
+/// What of a surface is too fine for the mesh.
+struct HiddenDetail
+{
+  Index surface;
+  /// Triangles in clusters, where nothing is cut or moved, and their area in model units.
+  std::size_t clusteredTriangles = 0;
+  double clusteredArea = 0.0;
+  /// The same of small parts that were left out.
+  std::size_t leftOutTriangles = 0;
+  double leftOutArea = 0.0;
+};
 
 /// What was changed to make a model sound.
 struct SurfaceRepairReport
@@ -30,6 +43,8 @@ struct SurfaceRepairReport
   std::size_t flippedTriangles = 0;
   /// Places where triangles still touch or pass through each other other than in common edges and points.
   std::size_t unresolvedContacts = 0;
+  /// Of surfaces that have any, in their order.
+  std::vector<HiddenDetail> hidden;
 };
 
 /// Distances in lattice units.
@@ -38,12 +53,17 @@ struct SurfaceRepairOptions
   std::int64_t weldDistance = 0;
   /// Gaps narrower than this are closed; below 1 none is.
   double gapTolerance = 0.0;
+  ClusterOptions clusters;
+  /// See SmallPartOptions.
+  double smallPartSize = 0.0;
+  std::vector<char> keptSurfaces;
 };
 
-/// Makes a soup sound: closes gaps, cuts triangles where they touch or pass through each other, drops all but the first
-/// of pieces that overlap, makes the winding consistent. Afterwards triangles meet in common edges and points only, but
-/// for the contacts that the report counts. Surfaces and sources of pieces are those of their triangles; points not
-/// used are dropped, and the others keep their order. The result does not depend on threads. Throws Aborted on demand.
+/// Makes a soup sound: leaves out small parts, closes gaps, cuts triangles where they touch or pass through each other,
+/// drops all but the first of pieces that overlap, makes the winding consistent. Afterwards triangles meet in common
+/// edges and points only, but in clusters and for the contacts that the report counts. Surfaces and sources of pieces
+/// are those of their triangles; points not used are dropped, and the others keep their order. The result does not
+/// depend on threads. Throws Aborted on demand.
 void repairSurface(TriangleSoup& soup, const GridFrame& frame, const SurfaceRepairOptions& options,
                    SurfaceRepairReport& report, const RunContext& context);
 

@@ -21,6 +21,15 @@ NumberedBox boxOf(const TriangleSoup& soup, Index triangle, std::int64_t margin)
   return box;
 }
 
+std::vector<NumberedBox> boxesOf(const TriangleSoup& soup, const std::vector<Index>& triangles, std::int64_t margin,
+                                 const RunContext& context)
+{
+  constexpr std::size_t grain = 4096;
+  std::vector<NumberedBox> boxes(triangles.size());
+  context.executor.forEach(boxes.size(), grain, [&](std::size_t i) { boxes[i] = boxOf(soup, triangles[i], margin); });
+  return boxes;
+}
+
 void forBoxPairs(const std::vector<NumberedBox>& first, const std::vector<NumberedBox>& second,
                  const RunContext& context, const std::function<void(Index, Index)>& visit)
 {

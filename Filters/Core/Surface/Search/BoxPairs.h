@@ -19,6 +19,10 @@ struct NumberedBox
 /// The box of a triangle, `margin` wider on every side.
 NumberedBox boxOf(const TriangleSoup& soup, Index triangle, std::int64_t margin);
 
+/// The boxes of some triangles, in their order.
+std::vector<NumberedBox> boxesOf(const TriangleSoup& soup, const std::vector<Index>& triangles, std::int64_t margin,
+                                 const RunContext& context);
+
 /// Calls `visit` once for every pair of a box of `first` and a box of `second` that touch, in no certain order. O(n log
 /// n
 /// + pairs) where boxes of one size do not cluster (BoxTree).

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Octree/Search/BoxTests.h"
+#include "Surface/Search/BoxTests.h"
 
 #include "Support/Types.h"
 

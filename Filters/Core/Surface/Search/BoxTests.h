@@ -22,6 +22,16 @@ struct LatticeBox
   }
 };
 
+inline bool overlap(const LatticeBox& a, const LatticeBox& b)
+{
+  bool apart = false;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    apart |= a.low[axis] > b.high[axis] || b.low[axis] > a.high[axis];
+  }
+  return !apart;
+}
+
 /// A triangle to test against several boxes: what does not depend on the box is found once, and not before it is
 /// needed. Separating axes (Akenine-Möller 2001).
 class TriangleBoxTest

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Surface/Repair/ClusterCells.h"
+
+#include "Support/Pieces.h"
+#include "Support/UnionFind.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace atria {
+
+namespace {
+
+Vec3 unitNormal(const TriangleSoup& soup, Index t)
+{
+  return between(soup.corner(t, 0), soup.corner(t, 1))
+      .cross(between(soup.corner(t, 0), soup.corner(t, 2)))
+      .normalized();
+}
+
+/// Per triangle the smooth piece of one surface that it is of: those that share an edge with no third one and bend by
+/// no more than the angle there.
+std::vector<Index> piecesOf(const TriangleSoup& soup, double degrees, const Executor& executor)
+{
+  const double leastCosine = std::cos(degrees * std::numbers::pi / 180.0);
+  const std::vector<SoupEdgeUse> uses = sortedEdgeUses(soup, executor);
+  UnionFind sets(soup.triangles.size());
+  for (std::size_t begin = 0, end = 0; begin < uses.size(); begin = end)
+  {
+    for (end = begin + 1; end < uses.size() && uses[end].edge == uses[begin].edge; ++end)
+    {
+    }
+    const Index s = uses[begin].triangle;
+    const Index t = uses[end - 1].triangle;
+    if (end - begin != 2 || soup.surfaceIds[s] != soup.surfaceIds[t])
+    {
+      continue;
+    }
+    const double orientation = uses[begin].forward != uses[begin + 1].forward ? 1.0 : -1.0;
+    if (orientation * unitNormal(soup, s).dot(unitNormal(soup, t)) >= leastCosine)
+    {
+      sets.join(s, t);
+    }
+  }
+  std::vector<Index> pieces(soup.triangles.size());
+  for (Index t = 0; t < pieces.size(); ++t)
+  {
+    pieces[t] = sets.find(t);
+  }
+  return pieces;
+}
+
+LatticeBox boxOfOctant(const GridFrame& frame, int level, MortonKey key)
+{
+  const GridCell cell = gridCell(key);
+  LatticeBox box;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    box.low[axis] = static_cast<std::int64_t>(cell[axis]) * frame.latticeSize(level);
+    box.high[axis] = box.low[axis] + frame.latticeSize(level);
+  }
+  return box;
+}
+
+/// Walks down from the root to where there are few pieces, or octants end.
+class ClusterSearch
+{
+public:
+  ClusterSearch(const TriangleSoup& soup_, const GridFrame& frame_, const ClusterOptions& options_,
+                const RunContext& runContext, std::vector<std::unordered_set<MortonKey>>& found,
+                std::vector<char>& seen)
+      : soup(soup_), frame(frame_), options(options_), context(runContext),
+        pieces(piecesOf(soup_, options_.featureAngle, runContext.executor)), keys(found), isSeen(seen)
+  {
+  }
+
+  void descend(int level, MortonKey key, const std::vector<Index>& triangles)
+  {
+    if (!isDense(triangles))
+    {
+      for (const Index t : triangles)
+      {
+        isSeen[soup.sources[t]] = 1;
+      }
+      return;
+    }
+    if (level >= levelAt(boxOfOctant(frame, level, key)))
+    {
+      keys[level - frame.featureLevel].insert(key);
+      return;
+    }
+    context.progress.check();
+    std::array<std::vector<Index>, 8> parts = divide(level, key, triangles);
+    for (unsigned k = 0; k < 8; ++k)
+    {
+      if (!parts[k].empty())
+      {
+        descend(level + 1, key << 3 | k, parts[k]);
+        parts[k] = {};
+      }
+    }
+  }
+
+private:
+  bool isDense(const std::vector<Index>& triangles) const
+  {
+    std::array<Index, mostPiecesOfOctant> seen;
+    std::size_t count = 0;
+    for (const Index t : triangles)
+    {
+      const auto end = seen.begin() + static_cast<std::ptrdiff_t>(count);
+      if (std::find(seen.begin(), end, pieces[t]) == end)
+      {
+        if (count == seen.size())
+        {
+          return true;
+        }
+        seen[count++] = pieces[t];
+      }
+    }
+    return triangles.size() > options.mostTriangles;
+  }
+
+  int levelAt(const LatticeBox& box) const
+  {
+    int level = frame.featureLevel;
+    for (const FinerPlace& place : options.finerPlaces)
+    {
+      level = overlap(place.box, box) ? std::max(level, place.level) : level;
+    }
+    return level;
+  }
+
+  std::array<std::vector<Index>, 8> divide(int level, MortonKey key, const std::vector<Index>& triangles) const
+  {
+    std::array<LatticeBox, 8> boxes;
+    for (unsigned k = 0; k < 8; ++k)
+    {
+      boxes[k] = boxOfOctant(frame, level + 1, key << 3 | k);
+    }
+    std::array<std::vector<Index>, 8> parts;
+    for (const Index t : triangles)
+    {
+      TriangleBoxTest test(soup.corner(t, 0), soup.corner(t, 1), soup.corner(t, 2));
+      for (unsigned k = 0; k < 8; ++k)
+      {
+        if (test.touches(boxes[k]))
+        {
+          parts[k].push_back(t);
+        }
+      }
+    }
+    return parts;
+  }
+
+  const TriangleSoup& soup;
+  const GridFrame& frame;
+  const ClusterOptions& options;
+  const RunContext& context;
+  std::vector<Index> pieces;
+  std::vector<std::unordered_set<MortonKey>>& keys;
+  std::vector<char>& isSeen;
+};
+
+} // namespace
+
+ClusterCells::ClusterCells(const TriangleSoup& soup, const GridFrame& frame, const ClusterOptions& options,
+                           const RunContext& context)
+    : frame_(frame)
+{
+  for (const FinerPlace& place : options.finerPlaces)
+  {
+    finestLevel_ = std::max(finestLevel_, place.level);
+  }
+  finestLevel_ = std::max(finestLevel_, frame.featureLevel);
+  keys_.resize(static_cast<std::size_t>(finestLevel_ - frame.featureLevel + 1));
+  isSeen_.resize(soup.sources.empty() ? 0 : soup.sources.back() + 1, 0);
+  const LatticeBox root = boxOfOctant(frame, 0, 0);
+  std::vector<Index> inRoot;
+  for (Index t = 0; t < soup.triangles.size(); ++t)
+  {
+    if (touches(root, soup.corner(t, 0), soup.corner(t, 1), soup.corner(t, 2)))
+    {
+      inRoot.push_back(t);
+    }
+  }
+  ClusterSearch(soup, frame, options, context, keys_, isSeen_).descend(0, 0, inRoot);
+}
+
+std::vector<Index> seenTriangles(const TriangleSoup& soup, const ClusterCells& clusters, const RunContext& context)
+{
+  return chosenNumbers(soup.triangles.size(), context.executor,
+                       [&](std::size_t t) { return !clusters.isHidden(soup.sources[t]); });
+}
+
+bool ClusterCells::hold(const LatticeBox& box) const
+{
+  const auto isIn = [&](const GridCell& cell) {
+    MortonKey key = mortonKey(cell);
+    for (int level = finestLevel_; level >= frame_.featureLevel; --level, key >>= 3)
+    {
+      if (keys_[level - frame_.featureLevel].contains(key))
+      {
+        return true;
+      }
+    }
+    return false;
+  };
+  if (std::ranges::all_of(keys_, [](const auto& keys) { return keys.empty(); }))
+  {
+    return false;
+  }
+  const std::int64_t size = frame_.latticeSize(finestLevel_);
+  const std::int64_t root = frame_.latticeSize(0);
+  GridCell low;
+  GridCell high;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (box.low[axis] < 0 || box.high[axis] >= root ||
+        box.high[axis] - box.low[axis] > frame_.latticeSize(frame_.featureLevel))
+    {
+      return false;
+    }
+    low[axis] = static_cast<std::uint32_t>(box.low[axis] / size);
+    high[axis] = static_cast<std::uint32_t>(box.high[axis] / size);
+  }
+  for (std::uint32_t z = low[2]; z <= high[2]; ++z)
+  {
+    for (std::uint32_t y = low[1]; y <= high[1]; ++y)
+    {
+      for (std::uint32_t x = low[0]; x <= high[0]; ++x)
+      {
+        if (!isIn({x, y, z}))
+        {
+          return false;
+        }
+      }
+    }
+  }
+  return true;
+}
+
+} // namespace atria

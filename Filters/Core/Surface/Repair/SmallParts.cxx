@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Surface/Repair/SmallParts.h"
+
+#include "Support/UnionFind.h"
+#include "Surface/Search/BoxTree.h"
+#include "Surface/Triangles/SoupParts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace atria {
+
+namespace {
+
+/// Edge, against the octants at features, of the cells in which small parts count as one.
+constexpr double cellRatio = 0.25;
+
+LatticeBox boxOfTriangle(const TriangleSoup& soup, Index t)
+{
+  const NumberedBox box = boxOf(soup, t, 0);
+  return {box.low, box.high};
+}
+
+void extend(LatticeBox& box, const LatticeBox& by)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    box.low[axis] = std::min(box.low[axis], by.low[axis]);
+    box.high[axis] = std::max(box.high[axis], by.high[axis]);
+  }
+}
+
+LatticeBox grown(LatticeBox box, double margin)
+{
+  const auto by = static_cast<std::int64_t>(std::ceil(margin));
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    box.low[axis] -= by;
+    box.high[axis] += by;
+  }
+  return box;
+}
+
+/// Groups of small parts.
+class SmallParts
+{
+public:
+  SmallParts(const TriangleSoup& soup_, const GridFrame& frame_, const SmallPartOptions& options_,
+             const RunContext& runContext)
+      : soup(soup_), frame(frame_), options(options_), context(runContext), parts(partsOf(soup))
+  {
+    for (Index t = 0; t < soup.triangles.size(); ++t)
+    {
+      const Index part = partOf(t);
+      if (part >= boxes.size())
+      {
+        boxes.resize(part + 1, noBox);
+      }
+      extend(boxes[part], boxOfTriangle(soup, t));
+    }
+    isOut.resize(boxes.size());
+    std::ranges::transform(boxes, isOut.begin(), [&](const LatticeBox& box) { return isSmall(box); });
+    for (Index t = 0; t < soup.triangles.size(); ++t)
+    {
+      const Index surface = soup.surfaceIds[t];
+      const bool isKept = surface < options.keptSurfaces.size() && options.keptSurfaces[surface];
+      isOut[partOf(t)] = isOut[partOf(t)] && !isKept ? 1 : 0;
+    }
+    groups.reset(boxes.size());
+  }
+
+  std::vector<char> find()
+  {
+    joinNear();
+    keepLargeGroups();
+    keepPatches();
+    std::vector<char> marked(soup.triangles.size());
+    for (Index t = 0; t < marked.size(); ++t)
+    {
+      marked[t] = isOut[partOf(t)];
+    }
+    return marked;
+  }
+
+private:
+  static constexpr std::int64_t far = std::numeric_limits<std::int64_t>::max();
+  static constexpr LatticeBox noBox{{far, far, far}, {-far, -far, -far}};
+
+  Index partOf(Index t) const { return parts[soup.sources[t]]; }
+
+  bool isSmall(const LatticeBox& box) const
+  {
+    if (box.empty())
+    {
+      return false;
+    }
+    auto size = static_cast<double>(frame.latticeSize(frame.featureLevel));
+    for (const FinerPlace& place : options.finerPlaces)
+    {
+      size = overlap(place.box, box) ? std::min(size, static_cast<double>(frame.latticeSize(place.level))) : size;
+    }
+    return between(box.low, box.high).norm() < options.size * size;
+  }
+
+  /// Joins small parts whose boxes pass the same cell.
+  void joinNear()
+  {
+    const auto cell =
+        static_cast<std::int64_t>(std::ceil(cellRatio * static_cast<double>(frame.latticeSize(frame.featureLevel))));
+    const auto cellOf = [&](std::int64_t at) { return at >= 0 ? at / cell : -((cell - 1 - at) / cell); };
+    std::map<LatticePoint, Index> firstIn;
+    for (Index part = 0; part < boxes.size(); ++part)
+    {
+      if (!isOut[part])
+      {
+        continue;
+      }
+      const LatticeBox box = grown(boxes[part], options.gapTolerance);
+      for (std::int64_t x = cellOf(box.low[0]); x <= cellOf(box.high[0]); ++x)
+      {
+        for (std::int64_t y = cellOf(box.low[1]); y <= cellOf(box.high[1]); ++y)
+        {
+          for (std::int64_t z = cellOf(box.low[2]); z <= cellOf(box.high[2]); ++z)
+          {
+            groups.join(part, firstIn.try_emplace({x, y, z}, part).first->second);
+          }
+        }
+      }
+    }
+  }
+
+  void keepLargeGroups()
+  {
+    std::vector<LatticeBox> ofGroup(boxes.size(), noBox);
+    for (Index part = 0; part < boxes.size(); ++part)
+    {
+      if (isOut[part])
+      {
+        extend(ofGroup[groups.find(part)], boxes[part]);
+      }
+    }
+    for (Index part = 0; part < boxes.size(); ++part)
+    {
+      isOut[part] = isOut[part] && isSmall(ofGroup[groups.find(part)]) ? 1 : 0;
+    }
+  }
+
+  /// Groups at a boundary edge of what stays may be what closes it.
+  void keepPatches()
+  {
+    std::vector<NumberedBox> small;
+    for (Index part = 0; part < boxes.size(); ++part)
+    {
+      if (isOut[part])
+      {
+        const LatticeBox box = grown(boxes[part], options.gapTolerance);
+        small.push_back({box.low, box.high, part});
+      }
+    }
+    if (small.empty())
+    {
+      return;
+    }
+    const BoxTree tree(std::move(small), context);
+    const std::vector<SoupEdgeUse> uses = sortedEdgeUses(soup, context.executor);
+    std::vector<char> isPatch(boxes.size(), 0);
+    for (std::size_t begin = 0, end = 0; begin < uses.size(); begin = end)
+    {
+      for (end = begin + 1; end < uses.size() && uses[end].edge == uses[begin].edge; ++end)
+      {
+      }
+      if (end - begin != 1 || isOut[partOf(uses[begin].triangle)])
+      {
+        continue;
+      }
+      LatticeBox box{soup.points[uses[begin].edge.first], soup.points[uses[begin].edge.first]};
+      extend(box, {soup.points[uses[begin].edge.second], soup.points[uses[begin].edge.second]});
+      tree.eachTouching({box.low, box.high, noIndex}, 0,
+                        [&](std::size_t place) { isPatch[groups.find(tree.box(place).id)] = 1; });
+    }
+    for (Index part = 0; part < boxes.size(); ++part)
+    {
+      isOut[part] = isOut[part] && !isPatch[groups.find(part)] ? 1 : 0;
+    }
+  }
+
+  const TriangleSoup& soup;
+  const GridFrame& frame;
+  const SmallPartOptions& options;
+  const RunContext& context;
+  std::vector<Index> parts;
+  std::vector<LatticeBox> boxes;
+  std::vector<char> isOut;
+  UnionFind groups;
+};
+
+} // namespace
+
+std::vector<char> findSmallParts(const TriangleSoup& soup, const GridFrame& frame, const SmallPartOptions& options,
+                                 const RunContext& context)
+{
+  if (!(options.size > 0.0) || soup.triangles.empty())
+  {
+    return std::vector<char>(soup.triangles.size(), 0);
+  }
+  return SmallParts(soup, frame, options, context).find();
+}
+
+} // namespace atria
