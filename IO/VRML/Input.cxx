@@ -146,6 +146,15 @@ std::string pathOf(std::string_view url)
   return path;
 }
 
+/// Empty for network addresses, and for what can be no path.
+std::string localPathOf(std::string_view url)
+{
+  const std::size_t colon = url.find(':');
+  const bool network = colon != std::string_view::npos && colon > 1 && !startsWith(url, "file:");
+  const std::string path = network ? std::string() : pathOf(url);
+  return path.find('\0') == std::string::npos ? path : std::string();
+}
+
 } // namespace
 
 void FileText::forget(std::size_t characters)
@@ -186,15 +195,14 @@ std::string readStart(const fs::path& file)
 
 std::optional<fs::path> findFile(const fs::path& folder, std::string_view url)
 {
-  const std::size_t colon = url.find(':');
-  const bool network = colon != std::string_view::npos && colon > 1 && !startsWith(url, "file:");
-  const std::string path = pathOf(url);
-  if (network || path.empty() || path.find('\0') != std::string::npos)
-  {
-    return std::nullopt;
-  }
-  const std::optional<fs::path> found = findPath(folder, path);
-  return found ? found : findPath(folder, fs::path(path).filename());
+  const std::string path = localPathOf(url);
+  return path.empty() ? std::nullopt : findPath(folder, path);
+}
+
+std::optional<fs::path> findNamesake(const fs::path& folder, std::string_view url)
+{
+  const fs::path name = fs::path(localPathOf(url)).filename();
+  return name.empty() ? std::nullopt : findPath(folder, name);
 }
 
 } // namespace atria::vrml

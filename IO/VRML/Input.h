@@ -39,9 +39,10 @@ FileText readText(const std::filesystem::path& file);
 std::string readStart(const std::filesystem::path& file);
 
 /// The file a URL in a model of `folder` means; nothing for network addresses and files that are not there.
-/// Accepts backslashes, file: URLs, %20 and the like, a trailing #Name, and names that differ in case; a file
-/// that is not where the URL says is also looked for in `folder` itself, since exporters write paths of the
-/// machine they ran on.
+/// Accepts backslashes, file: URLs, %20 and the like, a trailing #Name, and names that differ in case.
 std::optional<std::filesystem::path> findFile(const std::filesystem::path& folder, std::string_view url);
+
+/// A file of the same name in `folder` itself, since exporters write paths of the machine they ran on.
+std::optional<std::filesystem::path> findNamesake(const std::filesystem::path& folder, std::string_view url);
 
 } // namespace atria::vrml

@@ -125,33 +125,54 @@ const Document& Library::open(const fs::path& file)
   return *document;
 }
 
+const Document* Library::openOnce(const fs::path& file, const std::string& place)
+{
+  const auto [found, isNew] = documents.try_emplace(fs::weakly_canonical(file));
+  if (isNew)
+  {
+    try
+    {
+      found->second = read(file);
+    }
+    catch (const Error& error)
+    {
+      diagnostics.warn(place + ": " + error.what());
+    }
+  }
+  return found->second.get();
+}
+
+const Document* Library::openNamesake(const fs::path& folder, std::string_view url, const std::string& place)
+{
+  const std::optional<fs::path> file = findNamesake(folder, url);
+  const Document* document = file ? openOnce(*file, place) : nullptr;
+  if (document && namesakes.insert({toUtf8(url), *file}).second)
+  {
+    diagnostics.warn(place + ": '" + toUtf8(url) + "' is not there; '" + file->string() +
+                     "' is read instead, which has its name");
+  }
+  return document;
+}
+
 const Document* Library::openBeside(const Document& from, const Strings& urls, const Node& user)
 {
   const std::string place = placeOf(user);
+  const fs::path folder = from.file.parent_path();
   std::string tried;
   for (const std::string_view url : urls)
   {
     tried += (tried.empty() ? "'" : ", '") + toUtf8(url) + "'";
-    const std::optional<fs::path> file = findFile(from.file.parent_path(), url);
-    if (!file)
+    const std::optional<fs::path> file = findFile(folder, url);
+    if (const Document* document = file ? openOnce(*file, place) : nullptr)
     {
-      continue;
+      return document;
     }
-    const auto [found, isNew] = documents.try_emplace(fs::weakly_canonical(*file));
-    if (isNew)
+  }
+  for (const std::string_view url : urls)
+  {
+    if (const Document* document = openNamesake(folder, url, place))
     {
-      try
-      {
-        found->second = read(*file);
-      }
-      catch (const Error& error)
-      {
-        diagnostics.warn(place + ": " + error.what());
-      }
-    }
-    if (found->second)
-    {
-      return found->second.get();
+      return document;
     }
   }
   diagnostics.warn(place + (tried.empty() ? " has no URL" : ": cannot read " + tried) + "; skipped");

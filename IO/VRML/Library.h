@@ -9,7 +9,10 @@
 #include <filesystem>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace atria::vrml {
@@ -26,8 +29,8 @@ public:
   /// Throws Error where the file cannot be read or is not VRML, Aborted where the caller stops it.
   const Document& open(const std::filesystem::path& file);
 
-  /// The first of `urls` that can be read, relative to the document that mentions them; null and a warning if
-  /// none can. `user` is the node that needs it.
+  /// The first of `urls` that can be read, relative to the document that mentions them. Where none can, a file of the
+  /// same name beside that document, with a warning; else null, with another. `user` is the node that needs it.
   const Document* openBeside(const Document& from, const Strings& urls, const Node& user);
 
   /// ROUTE statements in all files.
@@ -35,10 +38,14 @@ public:
 
 private:
   std::unique_ptr<Document> read(const std::filesystem::path& file);
+  /// Null where the file cannot be read, with a warning the first time. `place` is that of the node that needs it.
+  const Document* openOnce(const std::filesystem::path& file, const std::string& place);
+  const Document* openNamesake(const std::filesystem::path& folder, std::string_view url, const std::string& place);
 
   Diagnostics& diagnostics;
   ProgressRange progress;
   std::map<std::filesystem::path, std::unique_ptr<Document>> documents; ///< null: tried in vain
+  std::set<std::pair<std::string, std::filesystem::path>> namesakes;    ///< URLs with what is read instead
 };
 
 } // namespace atria::vrml

@@ -151,8 +151,25 @@ TEST_F(VRMLReader, FindsInlinedFilesByBackslashCaseAndBareName)
   write("roof top.wrl", "#VRML V2.0 utf8\nDEF Roof " + box);
   const VRMLModel model =
       read("Inline { url \"parts\\\\wall.wrl\" } Inline { url [\"http://x.org/no.wrl\" \"roof%20top.wrl\"] }"
-           "Inline { url \"C:\\\\Users\\\\me\\\\ROOF TOP.WRL\" }");
+           "Inline { url [\"C:\\\\Users\\\\me\\\\other.wrl\" \"ROOF TOP.WRL\"] }");
   EXPECT_EQ(model.names(), (Names{"Wall", "Roof", "Roof_2"}));
+  EXPECT_TRUE(model.warnings().empty());
+}
+
+TEST_F(VRMLReader, WarnsOfInlinedFilesFoundElsewhere)
+{
+  fs::create_directory(scratch.path() / "parts");
+  write("parts/elsewhere.wrl", "#VRML V2.0 utf8\nDEF Far " + box);
+  write("elsewhere.wrl", "#VRML V2.0 utf8\nDEF Near " + box);
+  const std::string absent = "Inline { url \"C:\\\\Users\\\\me\\\\elsewhere.wrl\" }";
+  const VRMLModel model = read(absent + absent + "Inline { url [\"gone/elsewhere.wrl\" \"parts/elsewhere.wrl\"] }");
+  EXPECT_EQ(messages.takeWarnings().size(), 1u);
+  EXPECT_EQ(model.names(), (Names{"Near", "Near_2", "Far"}));
+  ASSERT_EQ(model.warnings().size(), 1u) << "once for each file";
+  const std::string warning = model.warnings().front();
+  EXPECT_NE(warning.find("model.wrl:2:1: Inline: 'C:\\Users\\me\\elsewhere.wrl'"), std::string::npos) << warning;
+  EXPECT_NE(warning.find("'" + (scratch.path() / "elsewhere.wrl").string() + "' is read"), std::string::npos)
+      << warning;
 }
 
 TEST_F(VRMLReader, WarnsOfInlinedFilesThatAreMissingOrCyclic)
