@@ -4,6 +4,7 @@
 #include "Console.h"
 #include "Files.h"
 #include "LayerOptions.h"
+#include "LeftOut.h"
 #include "Report.h"
 #include "SizeOptions.h"
 #include "Threads.h"
@@ -321,29 +322,6 @@ Json makeReport(vtkAtriaDualMesher* mesher, vtkAtriaMeshQuality* quality, const 
   return report;
 }
 
-/// Zones at lateral sides are left out as what is under terrain; they may be under a roof.
-void warnOfDropped(vtkAtriaDualMesher* mesher, const std::string& input, Console& console)
-{
-  auto* diagnostics = vtkPolyData::SafeDownCast(mesher->GetOutputDataObject(2));
-  for (const Json& zone : zonesOf(vtkUnstructuredGrid::SafeDownCast(mesher->GetOutputDataObject(0)), diagnostics))
-  {
-    const bool lateral = std::any_of(zone["sides"].begin(), zone["sides"].end(),
-                                     [](const Json& side) { return side != "zMin" && side != "zMax"; });
-    if (mesher->GetZoneRule() == vtkAtriaDualMesher::Outside && !zone["kept"].get<bool>() && lateral)
-    {
-      std::ostringstream text;
-      text << input << ": a space of " << zone["elements"]
-           << " elements reaches lateral sides of the domain but not its "
-           << "top, and is left out as under terrain; if it is not, give --seed";
-      for (const Json& coordinate : zone["inside"])
-      {
-        text << " " << coordinate;
-      }
-      console.warning(text.str());
-    }
-  }
-}
-
 void warnOfLeaks(vtkPolyData* diagnostics, const std::string& input, Console& console)
 {
   for (const Json& leak : leaksOf(diagnostics))
@@ -488,7 +466,10 @@ ExitStatus runMesh(const MeshOptions& options, Console& console)
               << " faces fewer, as coplanar ones of an element were merged\n";
   }
   printLayers(vtkPolyData::SafeDownCast(mesher->GetOutputDataObject(2)));
-  warnOfDropped(mesher, options.input, console);
+  if (mesher->GetZoneRule() == vtkAtriaDualMesher::Outside) // with seeds it was chosen what is left out
+  {
+    tellLeftOut(zonesOf(plainMesh, vtkPolyData::SafeDownCast(mesher->GetOutputDataObject(2))), options.input, console);
+  }
   warnOfLeaks(vtkPolyData::SafeDownCast(mesher->GetOutputDataObject(2)), options.input, console);
   if (const auto invalid = quality->GetNumberOfInvalidCells(); invalid > 0)
   {

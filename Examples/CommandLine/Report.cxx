@@ -135,9 +135,9 @@ Json countsOf(vtkUnstructuredGrid* mesh)
 Json zonesOf(vtkUnstructuredGrid* meshWithQuality, vtkPolyData* diagnostics)
 {
   vtkDataArray* ids = meshWithQuality->GetCellData()->GetArray("ZoneId");
-  vtkDataArray* cellVolumes = meshWithQuality->GetCellData()->GetArray("Volume");
+  vtkDataArray* cellVolumes = ids ? meshWithQuality->GetCellData()->GetArray("Volume") : nullptr;
   std::map<int, double> volumes;
-  for (vtkIdType i = 0; ids && cellVolumes && i < meshWithQuality->GetNumberOfCells(); ++i)
+  for (vtkIdType i = 0; cellVolumes && i < meshWithQuality->GetNumberOfCells(); ++i)
   {
     volumes[static_cast<int>(ids->GetTuple1(i))] += cellVolumes->GetTuple1(i);
   }
@@ -150,7 +150,8 @@ Json zonesOf(vtkUnstructuredGrid* meshWithQuality, vtkPolyData* diagnostics)
     list.push_back({{"id", i},
                     {"elements", static_cast<vtkIdType>(elements->GetTuple1(i))},
                     {"kept", kept},
-                    {"volume", kept ? Json(volumes[i]) : Json()},
+                    {"kind", stringsOf(diagnostics, "ZoneKind")->GetValue(i)},
+                    {"volume", kept && cellVolumes ? volumes[i] : zones->GetArray("ZoneVolume")->GetTuple1(i)},
                     {"inside", tupleOf(zones->GetArray("ZonePoint"), i)},
                     {"sides", linesOf(stringsOf(diagnostics, "ZoneSides")->GetValue(i))},
                     {"surfaces", linesOf(stringsOf(diagnostics, "ZoneSurfaces")->GetValue(i))}});

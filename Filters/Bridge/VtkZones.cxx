@@ -9,12 +9,16 @@
 #include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <array>
 #include <cmath>
 #include <sstream>
 
 namespace atria {
 
 namespace {
+
+/// By ZoneKind.
+constexpr std::array<const char*, 4> zoneKindNames{"open", "room", "solid", "narrow"};
 
 std::string nameOf(Index surface, const std::vector<std::string>& names)
 {
@@ -77,6 +81,8 @@ void zonesToVtk(const std::vector<ZoneSummary>& zones, const std::vector<std::st
   auto* elements = added<vtkIdTypeArray>(out, "ZoneElements");
   auto* kept = added<vtkUnsignedCharArray>(out, "ZoneKept");
   auto* places = added<vtkDoubleArray>(out, "ZonePoint", 3);
+  auto* volumes = added<vtkDoubleArray>(out, "ZoneVolume");
+  auto* kinds = added<vtkStringArray>(out, "ZoneKind");
   auto* sides = added<vtkStringArray>(out, "ZoneSides");
   auto* surfaces = added<vtkStringArray>(out, "ZoneSurfaces");
   for (const ZoneSummary& zone : zones)
@@ -84,6 +90,8 @@ void zonesToVtk(const std::vector<ZoneSummary>& zones, const std::vector<std::st
     elements->InsertNextValue(static_cast<vtkIdType>(zone.elements));
     kept->InsertNextValue(zone.kept ? 1 : 0);
     places->InsertNextTuple(zone.inside.data());
+    volumes->InsertNextValue(zone.volume);
+    kinds->InsertNextValue(zoneKindNames[static_cast<std::size_t>(zone.kind)]);
     std::vector<std::string> reached;
     for (int direction = 0; direction < 6; ++direction)
     {

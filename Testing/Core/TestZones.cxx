@@ -2,6 +2,8 @@
 /// Which zones are kept, and what is said of them.
 #include "FoundZones.h"
 
+#include "Dual/Zones/ZoneKinds.h"
+
 #include <gmock/gmock.h>
 
 namespace {
@@ -137,6 +139,51 @@ TEST(Zones, SummariesTellPlaceSizeAndSurfacesOfEveryZone)
   EXPECT_THAT(names, UnorderedElementsAre("ShedWest", "ShedEast", "ShedSouth", "ShedNorth", "ShedFloor", "ShedRoof"));
   const ZoneSummary& under = zones[found.zoneAt(Vec3(1, 1, 0.6))];
   EXPECT_EQ(under.sides, 1u << xMin | 1u << xMax | 1u << yMin | 1u << yMax | 1u << zMin);
+}
+
+TEST(Zones, RoomsAreToldFromSolidsAndGaps)
+{
+  TriangleSurface surface;
+  addSheet(surface, "Ground", Vec3(-8, -8, 0.6), Vec3(16, 0, 0), Vec3(0, 16, 0));
+  const Box3 solid{Vec3(-4.1, -3.2, 1.9), Vec3(-0.6, 0.2, 4.4)};
+  const Box3 room{Vec3(1.2, -3.1, 1.8), Vec3(4.3, 1.1, 4.6)};
+  addBox(surface, "Solid", solid);
+  addRoom(surface, "Room", room, {0.3, 0.3}, {0.3, 0.3}); // with a hole of no width
+  addBox(surface, "Slot", {Vec3(-3.1, 2.2, 2.1), Vec3(3.2, 2.9, 4.2)});
+  addSheet(surface, "Across", Vec3(0, 2.2, 2.1), Vec3(0, 0.7, 0), Vec3(0, 0, 2.1));
+  FoundZones found(surface, uniformGrid(domain, 0.5));
+  auto zones = summarizeZones(found.zones, found.kept(ZoneRule::outside), found.crossings, found.grid,
+                              found.model.names.size(), found.context());
+  describeZones(zones, found.zones, found.crossings, found.grid, found.model.names.size(), found.context());
+  const auto at = [&](const Vec3& p) { return zones[found.zoneAt(p)]; };
+  EXPECT_EQ(at(sky).kind, ZoneKind::open);
+  EXPECT_EQ(at(Vec3(0, 0, 0.3)).kind, ZoneKind::open) << "below the ground";
+  EXPECT_EQ(at(solid.center()).kind, ZoneKind::solid);
+  EXPECT_EQ(at(room.center()).kind, ZoneKind::room);
+  EXPECT_EQ(at(Vec3(2, 2.5, 3)).kind, ZoneKind::narrow);
+  double sum = 0.0;
+  for (const ZoneSummary& zone : zones)
+  {
+    sum += zone.volume;
+  }
+  EXPECT_NEAR(sum, domain.size().prod(), 0.2 * domain.size().prod());
+  for (const Box3& box : {solid, room})
+  {
+    EXPECT_GT(at(box.center()).volume, (box.size().array() - 0.5).prod());
+    EXPECT_LT(at(box.center()).volume, (box.size().array() + 0.5).prod());
+  }
+}
+
+TEST(Zones, SolidsMayStandOnTheGround)
+{
+  TriangleSurface surface;
+  addSheet(surface, "Ground", Vec3(-8, -8, 0.6), Vec3(16, 0, 0), Vec3(0, 16, 0));
+  addBox(surface, "Solid", {Vec3(-4.1, -3.2, -0.3), Vec3(-0.6, 0.2, 4.4)});
+  FoundZones found(surface, uniformGrid(domain, 0.5));
+  auto zones = summarizeZones(found.zones, found.kept(ZoneRule::outside), found.crossings, found.grid,
+                              found.model.names.size(), found.context());
+  describeZones(zones, found.zones, found.crossings, found.grid, found.model.names.size(), found.context());
+  EXPECT_EQ(zones[found.zoneAt(Vec3(-2, -1, 3))].kind, ZoneKind::solid);
 }
 
 TEST(Zones, SummariesPointsAreSeedsWhateverTheSurfaces)

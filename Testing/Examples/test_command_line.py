@@ -615,6 +615,41 @@ DEF Terrain Shape { geometry IndexedFaceSet {
         self.assertNotIn("left out", run.stderr)
         self.assertEqual(json.loads(report.read_text())["counts"]["elements"], left_out["elements"])
 
+    def test_rooms_that_nothing_opens_are_told_with_a_seed(self):
+        model, out, report = (self.folder / name for name in ("rooms.wrl", "rooms.vtu", "rooms.json"))
+        sheet = "DEF %s Shape { geometry IndexedFaceSet { coord Coordinate { point [ %s ] } coordIndex [ 0 1 2 3 ] } }\n"
+        corners = [(x, y, z) for z in (0, 4) for y in (0, 6) for x in (0, 8)]
+        sides = {"Floor": (0, 1, 3, 2), "Roof": (4, 5, 7, 6), "South": (0, 1, 5, 4), "North": (2, 3, 7, 6),
+                 "West": (0, 2, 6, 4), "East": (1, 3, 7, 5)}
+        def room(prefix, left_out=()):
+            return "".join(sheet % (prefix + name, ", ".join("%d %d %d" % corners[i] for i in side))
+                           for name, side in sides.items() if name not in left_out)
+        model.write_text("#VRML V2.0 utf8\n" + room("") + "Transform { translation 0 20 0 children [ " + room("Open", ["East"]) +
+                         "] }\nTransform { translation 20 0 2 children DEF Block Shape { geometry Box { size 6 6 4 } } }\n")
+        options = [model, "-o", out, "--report", report, "--size-max", "4", "--size-mid", "1", "--size-min", "1",
+                   "--domain", -20, 40, -20, 40, -4, 24]
+        run = self.atria("mesh", *options)
+        self.assertIn(run.returncode, (0, 4), run.stderr)
+        (warning,) = [line for line in run.stderr.splitlines() if "closed space" in line]
+        (note,) = [line for line in run.stderr.splitlines() if "insides of solids" in line]
+        self.assertIn("atria: warning: ", warning)
+        self.assertIn("left out: 1 (", note)
+        self.assertIn("the largest of Block", note)
+        self.assertIn("atria: note: ", note)
+        left_out = {zone["kind"]: zone for zone in json.loads(report.read_text())["zones"] if not zone["kept"]}
+        self.assertEqual(set(left_out), {"room", "solid"})
+        self.assertEqual(set(left_out["room"]["surfaces"]), set(sides))
+        self.assertAlmostEqual(left_out["room"]["volume"], 8 * 6 * 4, delta=0.3 * 8 * 6 * 4)
+        self.assertIn("%d elements, about %.3g m3" % (left_out["room"]["elements"], left_out["room"]["volume"]), warning)
+        seed = warning.split("--seed ")[1].split()
+        self.assertEqual([float(x) for x in seed], left_out["room"]["inside"])
+        run = self.atria("mesh", *options, "--layers", 0, "--seed", *seed)
+        self.assertIn(run.returncode, (0, 4), run.stderr)
+        self.assertNotIn("left out", run.stderr)
+        (kept,) = [zone for zone in json.loads(report.read_text())["zones"] if zone["kept"]]
+        self.assertEqual(kept["kind"], "room")
+        self.assertNotIn("left out", self.atria("mesh", *options, "--zone", "all").stderr)
+
     def test_a_leak_is_a_warning_that_names_place_and_surfaces(self):
         out, report = self.folder / "leak.vtu", self.folder / "leak.json"
         run = self.atria("mesh", "--sealed-seed", "12", "7", "2", HOUSE, "-o", out, *FINE, "--report", report)

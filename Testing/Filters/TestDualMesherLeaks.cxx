@@ -145,6 +145,9 @@ TEST_F(DualMesherLeaks, DroppedZonesAreToldWithAPointThatIsASeedOfThem)
   }
   EXPECT_EQ(kept, elements);
   EXPECT_THAT(dropped, ::testing::UnorderedElementsAre("Terrain", "House"));
+  EXPECT_THAT(atria::testing::fieldStrings(diagnostics(), "ZoneKind"),
+              ::testing::UnorderedElementsAre("open", "open", "solid"));
+  EXPECT_NEAR(field("ZoneVolume")->GetTuple1(2), 4 * 4 * 2, 12);
   EXPECT_EQ(messages.takeWarnings(atria::testing::cutAtSides).size(), 3u) << "of a terrain that is not named as one";
 }
 

@@ -6,6 +6,7 @@
 #include "Dual/Vertices/TurnedDomain.h"
 #include "Dual/Zones/CrackClosing.h"
 #include "Dual/Zones/Cracks.h"
+#include "Dual/Zones/ZoneKinds.h"
 #include "Mesher/DualImprover.h"
 #include "Support/Pieces.h"
 
@@ -187,6 +188,7 @@ void inspectZones(const GridPlaces& grid, const Crossings& crossings, const Zone
                   const MeshingContext& context)
 {
   result.zones = summarizeZones(zones, result.keptZones, crossings, grid, context.model.names.size(), context);
+  describeZones(result.zones, zones, crossings, grid, context.model.names.size(), context);
   result.leaks = findLeaks(options.sealedSeeds, zones, crossings, grid, context.model, context);
   for (const Leak& leak : result.leaks)
   {

@@ -45,6 +45,14 @@ Index pointOfSeed(const Vec3& seed, const char* kind, const GridPlaces& grid, co
 std::vector<char> keptZones(const Zones& zones, ZoneRule rule, const std::vector<Vec3>& seeds, const GridPlaces& grid,
                             const SurfaceModel& model);
 
+enum class ZoneKind : std::uint8_t
+{
+  open,  ///< reaches a side of the domain other than the bottom
+  room,  ///< closed
+  solid, ///< closed by one surface, whose back it sees: the inside of a solid, as far as one can tell
+  narrow ///< closed, and all of its elements are at its border
+};
+
 /// What there is to say of a zone, kept or not.
 struct ZoneSummary
 {
@@ -56,6 +64,9 @@ struct ZoneSummary
   Vec3 inside;
   /// Surfaces on its border, those with most faces first.
   std::vector<Index> surfaces;
+  /// See describeZones.
+  double volume = 0.0;
+  ZoneKind kind = ZoneKind::open;
 };
 std::vector<ZoneSummary> summarizeZones(const Zones& zones, const std::vector<char>& kept, const Crossings& crossings,
                                         const GridPlaces& grid, std::size_t surfaceCount, const RunContext& context);
