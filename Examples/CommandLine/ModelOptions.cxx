@@ -47,6 +47,11 @@ void declareModelOptions(CLI::App& command, ModelOptions& options)
       ->check(CLI::IsMember({"shape", "group", "material", "connected"}))
       ->type_name("shape|group|material|connected");
   command
+      .add_option("--without", options.without,
+                  "Leave out the surfaces whose name matches the pattern (* and ? stand for text); may be repeated")
+      ->allow_extra_args(false)
+      ->type_name("PATTERN");
+  command
       .add_option("--round-angle", options.roundAngle,
                   "Angle between neighboring points of VRML's spheres, cones and cylinders, degrees")
       ->capture_default_str()
@@ -69,6 +74,10 @@ void configure(vtkAtriaSurfaceReader* reader, const ModelOptions& options)
   if (!options.up.empty())
   {
     reader->SetUpAxis(axes.at(options.up));
+  }
+  for (const std::string& pattern : options.without)
+  {
+    reader->AddExcludedSurface(pattern.c_str());
   }
   reader->SetScale(options.scale);
   reader->SetRecenter(options.recenter);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -19,6 +20,7 @@ struct ModelOptions
   bool recenter = false;
   bool keepDuplicates = false;
   std::string surfacesBy = "shape";
+  std::vector<std::string> without;
   double roundAngle = 10.0;
   double roundError = 0.0;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Diagnostics.h"
 #include "Scene.h"
 
 namespace atria::vrml {
@@ -34,5 +35,10 @@ struct Surfaces
 /// Made-up names keep clear of the file's own. `splitAngle`, in degrees, is the angle between neighbors above which
 /// SurfaceBy::connected parts them.
 Surfaces makeSurfaces(const Scene& scene, SurfaceBy by, double splitAngle);
+
+/// Takes out the surfaces whose names match one of the patterns, with their points, and notes which. Throws Error for a
+/// pattern that matches none, and where nothing is left.
+void excludeSurfaces(Scene& scene, Surfaces& surfaces, const std::vector<std::string>& patterns,
+                     Diagnostics& diagnostics);
 
 } // namespace atria::vrml

@@ -168,6 +168,25 @@ vtkStringArray* vtkAtriaSurfaceReader::GetNotes() { return this->Notes; }
 
 vtkStringArray* vtkAtriaSurfaceReader::GetSkippedNodes() { return this->SkippedNodes; }
 
+void vtkAtriaSurfaceReader::AddExcludedSurface(const char* pattern)
+{
+  this->ExcludedSurfaces.emplace_back(pattern ? pattern : "");
+  this->Modified();
+}
+
+int vtkAtriaSurfaceReader::GetNumberOfExcludedSurfaces() { return static_cast<int>(this->ExcludedSurfaces.size()); }
+
+std::string vtkAtriaSurfaceReader::GetExcludedSurface(int i)
+{
+  return i >= 0 && i < this->GetNumberOfExcludedSurfaces() ? this->ExcludedSurfaces[i] : std::string();
+}
+
+void vtkAtriaSurfaceReader::RemoveAllExcludedSurfaces()
+{
+  this->ExcludedSurfaces.clear();
+  this->Modified();
+}
+
 /// Keeps the messages of a run, and shows warnings.
 void vtkAtriaSurfaceReader::Report(const atria::vrml::Diagnostics& diagnostics)
 {
@@ -251,7 +270,11 @@ bool vtkAtriaSurfaceReader::ReadModel(vtkPolyData* output, atria::vrml::Diagnost
   }
   progress.report(0.95, "Naming surfaces");
   scene.faceIds = {};
-  const auto surfaces = vrml::makeSurfaces(scene, static_cast<vrml::SurfaceBy>(this->SurfaceBy), this->SplitAngle);
+  auto surfaces = vrml::makeSurfaces(scene, static_cast<vrml::SurfaceBy>(this->SurfaceBy), this->SplitAngle);
+  if (!this->ExcludedSurfaces.empty())
+  {
+    vrml::excludeSurfaces(scene, surfaces, this->ExcludedSurfaces, diagnostics);
+  }
   fill(output, std::move(scene), surfaces);
   addOffset(output->GetFieldData(), offset);
   progress.report(1.0, "Model read");
@@ -314,6 +337,10 @@ void vtkAtriaSurfaceReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LengthUnit: " << this->LengthUnit << "\n";
   os << indent << "Scale: " << this->Scale << "\n";
   os << indent << "Recenter: " << (this->Recenter ? "on" : "off") << "\n";
+  for (const std::string& pattern : this->ExcludedSurfaces)
+  {
+    os << indent << "ExcludedSurface: " << pattern << "\n";
+  }
   os << indent << "NumberOfMergedFaces: " << this->NumberOfMergedFaces << "\n";
   os << indent << "Notes: " << this->Notes->GetNumberOfValues() << " strings\n";
   os << indent << "NumberOfWarnings: " << this->NumberOfWarnings << "\n";

@@ -27,6 +27,9 @@
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkSmartPointer.h" // For arrays of strings
 
+#include <string> // for patterns
+#include <vector> // for ExcludedSurfaces
+
 class vtkPolyData;
 class vtkStringArray;
 
@@ -152,6 +155,17 @@ public:
   vtkBooleanMacro(Recenter, bool);
   ///@}
 
+  ///@{
+  /**
+   * Surfaces whose name matches the pattern (`*` any text, `?` any one character) are left out, such as furniture and
+   * trees. A pattern that matches none is an error of the run. None by default.
+   */
+  void AddExcludedSurface(const char* pattern);
+  int GetNumberOfExcludedSurfaces();
+  std::string GetExcludedSurface(int i);
+  void RemoveAllExcludedSurfaces();
+  ///@}
+
   /**
    * The warnings of the last run, one string each, in the order of the file and without those beyond the
    * first thousand. Never null.
@@ -208,6 +222,7 @@ protected:
   int LengthUnit = UnstatedUnit;
   double Scale = 1.0;
   bool Recenter = false;
+  std::vector<std::string> ExcludedSurfaces;
   vtkIdType NumberOfMergedFaces = 0;
   vtkIdType NumberOfWarnings = 0;
   vtkSmartPointer<vtkStringArray> Warnings;

@@ -409,6 +409,12 @@ bool Lexer::nextInteger(int& value)
     moveTo(stop);
     return true;
   }
+  if (error == std::errc::result_out_of_range && last == stop)
+  {
+    value = *at == '-' ? std::numeric_limits<int>::min() : std::numeric_limits<int>::max();
+    moveTo(stop);
+    return true;
+  }
   const std::string_view text(at, static_cast<std::size_t>(stop - at));
   unsigned int bits = 0;
   if (text.size() > 2 && text[0] == '0' && (text[1] == 'x' || text[1] == 'X') &&

@@ -105,6 +105,22 @@ TEST(SizePatterns, StarsAndQuestionMarksStandForText)
   EXPECT_FALSE(matchesPattern("", "x"));
 }
 
+TEST(SizePatterns, MisspeltNamesAreToldWhatTheyAreLikelyToBe)
+{
+  const std::vector<std::string> names{"Floor", "WallSouth", "WallNorth", "Roof 1", "Garden"};
+  EXPECT_EQ(nearestName("Flor", names), "Floor");
+  EXPECT_EQ(nearestName("wallnorth", names), "WallNorth");
+  EXPECT_EQ(nearestName("WallSuoth", names), "WallSouth");
+  EXPECT_EQ(nearestName("wall*", names), "WallSouth");
+  EXPECT_EQ(nearestName("Gardens*", names), "Garden");
+  EXPECT_EQ(nearestName("Chimney", names), "");
+  EXPECT_EQ(nearestName("*", names), "");
+  EXPECT_EQ(nearestName("x", {}), "");
+  EXPECT_EQ(namesInstead("Flor", names),
+            "did you mean 'Floor'? There are: Floor, WallSouth, WallNorth, Roof 1, Garden");
+  EXPECT_EQ(namesInstead("Chimney", names), "there are: Floor, WallSouth, WallNorth, Roof 1, Garden");
+}
+
 TEST(SizePatterns, RulesAsTextComeBackAsTheyWere)
 {
   const SurfaceSize rule = surfaceSizeFrom(textOf(SurfaceSize{"Wall \"2\" *", 0.1, 0.3}));

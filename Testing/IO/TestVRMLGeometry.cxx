@@ -223,6 +223,15 @@ TEST_F(VRMLGeometry, WarnsOfFacesThatCannotBe)
                                  "taken once; 2 faces without area, skipped");
 }
 
+TEST_F(VRMLGeometry, ANumberBeyondAllIndicesCostsItsFace)
+{
+  const VRMLModel model = read(faces(square, "0 1 2 -1 0 2 99999999999 -1 0 2 3 -99999999999 1 2 3 -1"));
+  EXPECT_EQ(model.triangles(), 3);
+  EXPECT_EQ(messages.takeWarnings().size(), 1u);
+  ASSERT_EQ(model.warnings().size(), 1u);
+  EXPECT_EQ(model.warnings()[0], "model.wrl:2:18: IndexedFaceSet: 1 face with points that do not exist, skipped");
+}
+
 TEST_F(VRMLGeometry, WarnsOfSizesThatAreNotPositive)
 {
   for (const char* geometry : {"Box { size 1 0 0 }", "Box { size 1 0 -1 }", "Sphere { radius -1 }", "Cone { height 0 }",

@@ -12,6 +12,7 @@
 
 namespace {
 
+using atria::testing::joined;
 using atria::testing::VRMLModel;
 using atria::testing::writeFile;
 using Names = std::vector<std::string>;
@@ -55,6 +56,29 @@ TEST_F(VRMLSurfaces, PutsTheGroupAheadOfNamesThatRepeat)
   EXPECT_EQ(read("DEF East Group { children [ " + wall + " USE Wall ] } DEF West Group { children USE Wall }").names(),
             (Names{"East/Wall", "East/Wall_2", "West/Wall"}));
   EXPECT_EQ(read(wall + "USE Wall USE Wall").names(), (Names{"Wall", "Wall_2", "Wall_3"}));
+}
+
+TEST_F(VRMLSurfaces, LeavesOutThoseOfGivenNames)
+{
+  const auto file = writeFile(scratch.path(), "model.wrl", "#VRML V2.0 utf8\n" + town);
+  const auto without = [&](const std::vector<const char*>& patterns) {
+    return VRMLModel(file, [&](vtkAtriaVRMLReader& reader) {
+      reader.SetMergeDuplicateFaces(false);
+      for (const char* pattern : patterns)
+      {
+        reader.AddExcludedSurface(pattern);
+      }
+    });
+  };
+  const VRMLModel model = without({"B"});
+  EXPECT_EQ(model.names(), (Names{"A", "C"}));
+  EXPECT_EQ(model.materials(), (Names{"Brick", "Brick"}));
+  EXPECT_EQ(model.brokenPromise(), "");
+  EXPECT_EQ(model.triangles(), 24);
+  EXPECT_EQ(without({"A", "[B]", "?"}).triangles(), 0) << "a pattern that matches none";
+  EXPECT_NE(joined(messages.takeErrors()).find("no surface matches '[B]'"), std::string::npos);
+  EXPECT_EQ(without({"*"}).triangles(), 0);
+  EXPECT_NE(joined(messages.takeErrors()).find("all surfaces of the model are to be left out"), std::string::npos);
 }
 
 TEST_F(VRMLSurfaces, TellsUsesOfAGroupApartByWhereTheyAre)

@@ -26,8 +26,7 @@ Box3 siteDomain(const TriangleSurface& surface, std::string_view site, const Pla
   const auto found = std::find(surface.names.begin(), surface.names.end(), site);
   if (found == surface.names.end())
   {
-    throw Error("there is no surface '" + std::string(site) +
-                "' to be the site; there are: " + listOfNames(surface.names));
+    throw Error("there is no surface '" + std::string(site) + "' to be the site; " + namesInstead(site, surface.names));
   }
   const auto id = static_cast<Index>(found - surface.names.begin());
   Box3 box;

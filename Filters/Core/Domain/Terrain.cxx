@@ -320,8 +320,8 @@ SurfaceFlags terrainSurfaces(const TriangleSurface& surface, const std::string& 
   }
   if (std::find(flags.begin(), flags.end(), 1) == flags.end())
   {
-    throw Error("there is no surface whose name fits the terrain '" + pattern +
-                "'; there are: " + listOfNames(surface.names));
+    throw Error("there is no surface whose name fits the terrain '" + pattern + "'; " +
+                namesInstead(pattern, surface.names));
   }
   return flags;
 }

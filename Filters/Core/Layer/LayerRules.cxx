@@ -62,8 +62,8 @@ std::vector<WallLayers> resolveLayerRules(const std::vector<LayerRule>& rules,
     }
     if (!met)
     {
-      throw Error("no surface matches '" + rule.pattern + "', for which layers are asked; there are: " +
-                  listOfNames(surfaceNames) + ", and the domain's sides xMin to zMax");
+      throw Error("no surface matches '" + rule.pattern + "', for which layers are asked; " +
+                  namesInstead(rule.pattern, surfaceNames) + ", and the domain's sides xMin to zMax");
     }
   }
   return ofTag;

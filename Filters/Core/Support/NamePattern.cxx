@@ -2,8 +2,50 @@
 #include "Support/NamePattern.h"
 
 #include <algorithm>
+#include <cctype>
+#include <numeric>
 
 namespace atria {
+
+namespace {
+
+std::string plain(std::string_view name)
+{
+  std::string text;
+  for (const char c : name)
+  {
+    if (c != '*' && c != '?')
+    {
+      text += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+  }
+  return text;
+}
+
+/// Letters to be put in, taken out or changed (Levenshtein 1966), or to be exchanged with their neighbor, to make one
+/// text the other.
+std::size_t slipsBetween(const std::string& a, const std::string& b)
+{
+  std::vector<std::size_t> twoAgo, before(b.size() + 1), now(b.size() + 1);
+  std::iota(before.begin(), before.end(), std::size_t{0});
+  for (std::size_t i = 1; i <= a.size(); ++i)
+  {
+    now[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j)
+    {
+      now[j] = std::min({before[j] + 1, now[j - 1] + 1, before[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+      {
+        now[j] = std::min(now[j], twoAgo[j - 2] + 1);
+      }
+    }
+    twoAgo = before;
+    std::swap(before, now);
+  }
+  return before.back();
+}
+
+} // namespace
 
 bool matchesPattern(std::string_view pattern, std::string_view name)
 {
@@ -36,10 +78,30 @@ bool matchesPattern(std::string_view pattern, std::string_view name)
   return std::all_of(pattern.begin() + static_cast<std::ptrdiff_t>(p), pattern.end(), [](char c) { return c == '*'; });
 }
 
-std::string listOfNames(const std::vector<std::string>& names)
+std::string nearestName(std::string_view wanted, const std::vector<std::string>& names)
+{
+  const std::string asked = plain(wanted);
+  std::string best;
+  std::size_t fewest = asked.size() / 3 + 1; // more slips than in every third letter make another word
+  for (const std::string& name : names)
+  {
+    const std::string other = plain(name);
+    const bool isPart = asked.size() > 1 && other.find(asked) != std::string::npos;
+    const std::size_t slips = isPart ? 1 : slipsBetween(asked, other);
+    if (slips < fewest || (best.empty() && slips == fewest && slips < asked.size()))
+    {
+      best = name;
+      fewest = slips;
+    }
+  }
+  return best;
+}
+
+std::string namesInstead(std::string_view wanted, const std::vector<std::string>& names)
 {
   constexpr std::size_t most = 20;
-  std::string text;
+  const std::string nearest = nearestName(wanted, names);
+  std::string text = nearest.empty() ? "there are: " : "did you mean '" + nearest + "'? There are: ";
   for (std::size_t i = 0; i < std::min(names.size(), most); ++i)
   {
     text += (i > 0 ? ", " : "") + names[i];

@@ -62,7 +62,7 @@ std::vector<char> matchingNames(const std::string& pattern, const std::vector<st
                  [&](const std::string& name) { return matchesPattern(pattern, name); });
   if (std::find(matching.begin(), matching.end(), 1) == matching.end())
   {
-    throw Error("no surface matches '" + pattern + "', for which a size is asked; there are: " + listOfNames(names));
+    throw Error("no surface matches '" + pattern + "', for which a size is asked; " + namesInstead(pattern, names));
   }
   return matching;
 }
