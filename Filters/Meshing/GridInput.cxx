@@ -118,6 +118,16 @@ ModelOptions modelOptionsOf(vtkAtriaGridAlgorithm& filter)
   return options;
 }
 
+vtkDataObject* currentInput(vtkAtriaGridAlgorithm& filter)
+{
+  if (filter.GetNumberOfInputConnections(0) == 0)
+  {
+    return nullptr;
+  }
+  filter.GetInputAlgorithm(0, 0)->Update();
+  return filter.GetInputDataObject(0, 0);
+}
+
 TriangleSurface readSurfaces(vtkDataObject* data, std::vector<std::string>& warnings)
 {
   if (!data)

@@ -12,6 +12,9 @@ namespace atria {
 /// The properties of the filter. Throws Error for rules that are none.
 ModelOptions modelOptionsOf(vtkAtriaGridAlgorithm& filter);
 
+/// The data of input port 0, up to date; null without a connection.
+vtkDataObject* currentInput(vtkAtriaGridAlgorithm& filter);
+
 /// `data` may be null: a domain without surfaces. Adds what a user should know of it.
 TriangleSurface readSurfaces(vtkDataObject* data, std::vector<std::string>& warnings);
 

@@ -231,6 +231,30 @@ double vtkAtriaDualMesher::GetStageSeconds(int i)
   return i >= 0 && i < this->GetNumberOfStages() ? this->Stages[i].second : 0.0;
 }
 
+vtkIdType vtkAtriaDualMesher::EstimateLayerElements()
+{
+  try
+  {
+    this->CheckProperties();
+    vtkDataObject* input = atria::currentInput(*this);
+    this->SetAbortExecute(0);
+    const atria::AlgorithmRun run(*this);
+    std::vector<std::string> warnings; // the run repeats them
+    return static_cast<vtkIdType>(
+        atria::estimateLayerElements(atria::readSurfaces(input, warnings),
+                                     mesherOptionsOf(*this, this->SeedPoints, this->SealedSeedPoints), run.context));
+  }
+  catch (const atria::Aborted&)
+  {
+    return -1;
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< error.what());
+    return -1;
+  }
+}
+
 void vtkAtriaDualMesher::CheckProperties()
 {
   this->Superclass::CheckProperties();

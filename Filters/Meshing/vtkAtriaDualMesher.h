@@ -190,6 +190,13 @@ public:
   double GetStageSeconds(int i);
   ///@}
 
+  /**
+   * About how many elements the layers on walls add to those that vtkAtriaOctreeSource::Estimate tells, all zones
+   * counted; there are more where sheets have layers on both sides. Brings the input up to date and builds the octree,
+   * but no mesh. Negative where that is aborted or, with an error, fails.
+   */
+  vtkIdType EstimateLayerElements();
+
 protected:
   vtkAtriaDualMesher();
   ~vtkAtriaDualMesher() override;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkAtriaGridAlgorithm.h"
 
+#include "GridInput.h"
+#include "Mesher/SuggestedSizes.h"
 #include "Octree/Sizing/SizeRules.h"
 #include "PropertyRange.h"
 
@@ -22,6 +24,24 @@ vtkAtriaGridAlgorithm::~vtkAtriaGridAlgorithm() = default;
 void vtkAtriaGridAlgorithm::SetInputData(vtkDataObject* data) { this->SetInputDataInternal(0, data); }
 
 void vtkAtriaGridAlgorithm::SetInputData(int port, vtkDataObject* data) { this->SetInputDataInternal(port, data); }
+
+bool vtkAtriaGridAlgorithm::SuggestSizes()
+{
+  try
+  {
+    std::vector<std::string> warnings; // the run repeats them
+    const atria::GridOptions sizes = atria::suggestSizes(atria::readSurfaces(atria::currentInput(*this), warnings));
+    this->SetSizeMax(sizes.sizeMax);
+    this->SetSizeMid(sizes.sizeMid);
+    this->SetSizeMin(sizes.sizeMin);
+    return true;
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< error.what());
+    return false;
+  }
+}
 
 vtkTypeBool vtkAtriaGridAlgorithm::ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
                                                   vtkInformationVector* outputs)

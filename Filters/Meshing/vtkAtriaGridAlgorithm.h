@@ -52,6 +52,13 @@ public:
   vtkGetMacro(SizeMin, double);
   ///@}
 
+  /**
+   * Sets the three sizes for a first mesh of the model: SizeMid so that its surfaces take some fifty thousand octants,
+   * SizeMax four times as large, SizeMin half as large. Brings the input up to date. False, with an error, where the
+   * model has no area.
+   */
+  bool SuggestSizes();
+
   ///@{
   /**
    * Level to which every octant of the domain is refined at least; the root cube is level 0. Default 4; from 0 to

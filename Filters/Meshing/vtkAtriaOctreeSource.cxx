@@ -116,12 +116,7 @@ bool vtkAtriaOctreeSource::Estimate()
   try
   {
     this->CheckProperties();
-    vtkDataObject* surfaces = nullptr;
-    if (this->GetNumberOfInputConnections(0) > 0)
-    {
-      this->GetInputAlgorithm(0, 0)->Update();
-      surfaces = this->GetInputDataObject(0, 0);
-    }
+    vtkDataObject* surfaces = atria::currentInput(*this);
     this->SetAbortExecute(0);
     const atria::AlgorithmRun run(*this);
     const atria::RunContext& context = run.context;

@@ -88,4 +88,15 @@ MeshedModel meshModel(const TriangleSurface& surface, OctreeSets octants, const 
   return out;
 }
 
+std::size_t estimateLayerElements(const TriangleSurface& surface, const MesherOptions& options,
+                                  const RunContext& context)
+{
+  const PlacedModel placed = placeModel(surface, options);
+  const SurfaceModel model = makeSurfaceModel(placed, options, context.part(0.0, 0.2));
+  const SizedOctants sized = sizeOctants(model, placed.frame, options, context.part(0.2, 0.6));
+  const Octree octree = buildOctree(model, placed.frame, sized, context.part(0.6, 1.0));
+  return elementsWithLayers(octree, model, options.mesh.layers, context) -
+         elementsWithLayers(octree, model, {}, context);
+}
+
 } // namespace atria

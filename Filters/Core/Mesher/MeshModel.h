@@ -49,4 +49,9 @@ MeshedModel meshModel(const TriangleSurface& surface, const MesherOptions& optio
 MeshedModel meshModel(const TriangleSurface& surface, OctreeSets octants, const MesherOptions& options,
                       const RunContext& context);
 
+/// Elements that the layers asked for add to the mesh, all zones counted: roughly, as sheets have layers on both sides.
+/// Builds the octree. Throws as meshModel().
+std::size_t estimateLayerElements(const TriangleSurface& surface, const MesherOptions& options,
+                                  const RunContext& context);
+
 } // namespace atria

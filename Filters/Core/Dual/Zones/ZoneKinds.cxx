@@ -72,7 +72,8 @@ std::vector<char> wideZones(const Zones& zones, const Crossings& crossings)
   return wide;
 }
 
-/// Zones that see nothing but the backs of one surface. What is below them is not looked at: solids stand on the ground.
+/// Zones that see nothing but the backs of one surface. What is below them is not looked at: solids stand on the
+/// ground.
 std::vector<char> solidZones(const Zones& zones, const Crossings& crossings, std::size_t surfaceCount)
 {
   std::vector<Index> only(zones.count(), noIndex);

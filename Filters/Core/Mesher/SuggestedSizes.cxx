@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Mesher/SuggestedSizes.h"
+
+#include "Support/Error.h"
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+
+namespace atria {
+
+namespace {
+
+/// Octants on the model's surfaces: a mesh of one to a few hundred thousand elements, which takes seconds.
+constexpr double octantsOnSurfaces = 50000.0;
+
+double areaOf(const TriangleSurface& surface)
+{
+  double area = 0.0;
+  for (const auto& t : surface.triangles)
+  {
+    const Vec3& p = surface.points[t[0]];
+    area += 0.5 * (surface.points[t[1]] - p).cross(surface.points[t[2]] - p).norm();
+  }
+  return area;
+}
+
+/// The next of 1, 2 and 5 times a power of ten, as ratios go.
+double roundNumber(double x)
+{
+  const double power = std::pow(10.0, std::floor(std::log10(x)));
+  const double digit = x / power;
+  return power * (digit < std::sqrt(2.0) ? 1.0 : digit < std::sqrt(10.0) ? 2.0 : digit < std::sqrt(50.0) ? 5.0 : 10.0);
+}
+
+} // namespace
+
+GridOptions suggestSizes(const TriangleSurface& surface)
+{
+  const double area = areaOf(surface);
+  if (!(area > 0.0) || !std::isfinite(area))
+  {
+    throw Error(area > 0.0 ? "the model is so large that its area is not finite: check its unit and coordinates"
+                           : "the model has no area: check its scale");
+  }
+  const GridOptions standard;
+  GridOptions sizes;
+  sizes.sizeMid = roundNumber(std::sqrt(area / octantsOnSurfaces));
+  sizes.sizeMax = sizes.sizeMid * standard.sizeMax / standard.sizeMid;
+  sizes.sizeMin = sizes.sizeMid * standard.sizeMin / standard.sizeMid;
+  return sizes;
+}
+
+} // namespace atria
