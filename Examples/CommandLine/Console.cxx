@@ -2,6 +2,7 @@
 #include "Console.h"
 
 #include "Commands.h"
+#include "Words.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkCommand.h>
@@ -122,19 +123,19 @@ Console::~Console()
 void Console::error(const std::string& text)
 {
   clearBar();
-  std::cerr << "atria: error: " << text << '\n';
+  std::cerr << "atria: error: " << inOptions(text) << '\n';
 }
 
 void Console::warning(const std::string& text)
 {
   clearBar();
-  std::cerr << "atria: warning: " << text << '\n';
+  std::cerr << "atria: warning: " << inOptions(text) << '\n';
 }
 
 void Console::note(const std::string& text)
 {
   clearBar();
-  std::cerr << "atria: note: " << text << '\n';
+  std::cerr << "atria: note: " << inOptions(text) << '\n';
 }
 
 bool Console::wasInterrupted() { return interrupted != 0; }
@@ -186,6 +187,8 @@ void Console::clearBar()
     shown.clear();
   }
 }
+
+bool Console::hasErrors() const { return !window->errors.empty(); }
 
 std::vector<std::string> Console::takeErrors()
 {

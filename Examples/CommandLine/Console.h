@@ -40,6 +40,7 @@ public:
   /// VTK's errors since the last call, freed from addresses and source lines. Warnings are printed as they
   /// come.
   std::vector<std::string> takeErrors();
+  bool hasErrors() const;
 
 private:
   class Window;

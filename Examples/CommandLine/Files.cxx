@@ -2,6 +2,7 @@
 #include "Files.h"
 
 #include "Console.h"
+#include "Report.h"
 
 #include <vtkAtriaModelReader.h>
 #include <vtkAtriaOpenFOAMWriter.h>
@@ -21,10 +22,15 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 #include <string_view>
+#include <system_error>
 #include <vector>
+
+#include <sys/resource.h>
 
 namespace atria::tool {
 
@@ -129,6 +135,28 @@ private:
   fs::path folder;
 };
 
+/// What keeps a file of up to so many bytes from being written in a folder; empty if nothing. VTK's writers do not say.
+std::string hindrance(const fs::path& folder, double bytes)
+{
+  std::ostringstream text;
+  text.precision(3);
+  std::error_code error;
+  const fs::space_info space = fs::space(folder, error);
+  rlimit most{};
+  if (!error && static_cast<double>(space.available) < bytes)
+  {
+    text << "the disk is full, with " << static_cast<double>(space.available) / 1e6 << " MB left";
+  }
+  else if (getrlimit(RLIMIT_FSIZE, &most) == 0 && most.rlim_cur != RLIM_INFINITY &&
+           static_cast<double>(most.rlim_cur) < bytes)
+  {
+    text << "files may have " << static_cast<double>(most.rlim_cur) / 1e6 << " MB at most (ulimit -f)";
+  }
+  return text.str();
+}
+
+double bytesOf(vtkDataObject* data) { return 1024.0 * static_cast<double>(data->GetActualMemorySize()); }
+
 /// A VTK XML file, appended and compressed. VTK's writers share these methods, but not all of them a base.
 template <typename Writer>
 void writeCompressed(Writer* writer, const std::string& file, vtkDataObject* data, Console& console)
@@ -141,6 +169,14 @@ void writeCompressed(Writer* writer, const std::string& file, vtkDataObject* dat
   writer->EncodeAppendedDataOff();
   writer->SetCompressorTypeToLZ4(); // ten times as fast as zlib, for files twice as large
   const bool written = writer->Write() != 0;
+  // What is not compressed is the most that the file would have.
+  const std::string reason =
+      written && !console.hasErrors() ? "" : hindrance(fs::path(unfinished.file()).parent_path(), bytesOf(data));
+  if (!reason.empty())
+  {
+    console.takeErrors(); // which do not give it
+    throw Failure(Failed, file + " could not be written: " + reason);
+  }
   throwIfErrors(console, Failed, file);
   if (!written || !fs::exists(unfinished.file()))
   {
@@ -196,6 +232,23 @@ vtkSmartPointer<vtkAtriaSurfaceReader> readerFor(const std::string& file)
 
 } // namespace
 
+namespace {
+
+void checkArea(vtkPolyData* model, const std::string& file, Console& console)
+{
+  const double area = areaOf(model);
+  if (area == 0.0)
+  {
+    throw Failure(BadInput, file + ": the model has no extent: no face has an area; check the scale it is given in");
+  }
+  if (!std::isfinite(area))
+  {
+    console.warning(file + ": areas are not finite, as coordinates are too large; check the unit and the scale");
+  }
+}
+
+} // namespace
+
 vtkSmartPointer<vtkAtriaSurfaceReader> readModel(const std::string& file, const ModelOptions& options, Console& console)
 {
   checkReadable(file);
@@ -214,6 +267,7 @@ vtkSmartPointer<vtkAtriaSurfaceReader> readModel(const std::string& file, const 
   {
     throw Failure(BadInput, file + " holds no surfaces; export the model with its faces");
   }
+  checkArea(reader->GetOutput(), file, console);
   return reader;
 }
 
@@ -266,6 +320,11 @@ void writePolyData(const std::string& file, vtkPolyData* data, Console& console)
 
 void writePatches(const std::string& file, vtkPartitionedDataSetCollection* patches, Console& console)
 {
+  const fs::path parent = fs::path(file).parent_path();
+  if (const std::string reason = hindrance(parent.empty() ? "." : parent, bytesOf(patches)); !reason.empty())
+  {
+    throw Failure(Failed, file + " is not written: " + reason); // VTK's writer of collections would crash
+  }
   vtkNew<vtkXMLPartitionedDataSetCollectionWriter> writer;
   writeCompressed(writer.Get(), file, patches, console);
 }
@@ -313,6 +372,21 @@ void checkOutput(const std::string& option, const std::string& file, const std::
   if (!fs::is_directory(folder))
   {
     throw Failure(Usage, option + " " + file + ": the folder " + folder.string() + " does not exist; make it first");
+  }
+}
+
+void checkFolder(const std::string& option, const std::string& folder)
+{
+  fs::path path = fs::path(folder).lexically_normal();
+  path = path.has_filename() ? path : path.parent_path(); // without the last slash
+  const fs::path parent = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  if (fs::exists(path) && !fs::is_directory(path))
+  {
+    throw Failure(Usage, option + " " + folder + " is a file; name a folder");
+  }
+  if (!fs::is_directory(parent))
+  {
+    throw Failure(Usage, option + " " + folder + ": the folder " + parent.string() + " does not exist; make it first");
   }
 }
 

@@ -49,6 +49,8 @@ MergedParts writeOpenFOAM(const std::string& folder, vtkUnstructuredGrid* mesh,
 void writeText(const std::string& file, const std::string& text);
 
 /// Throws Failure(Usage) unless `file` ends in `ending`, such as ".vtu", and its folder exists.
+/// The folder itself is made where it is not there, but not the one it is to stand in.
+void checkFolder(const std::string& option, const std::string& folder);
 void checkOutput(const std::string& option, const std::string& file, const std::string& ending);
 
 /// If VTK reported errors, throws Failure with them, prefixed by `about`.

@@ -3,6 +3,7 @@
 #include "Commands.h"
 #include "Console.h"
 #include "Files.h"
+#include "Numbers.h"
 #include "Report.h"
 #include "Threads.h"
 
@@ -150,7 +151,7 @@ ExitStatus runImprove(const Options& options, Console& console)
 void addTargets(CLI::App& command, Options& options)
 {
   const auto target = [&](const char* name, double& value, double least, double most, const char* text) {
-    command.add_option(name, value, text)->capture_default_str()->check(CLI::Range(least, most));
+    command.add_option(name, value, text)->capture_default_str()->check(numberIn(least, most));
   };
   target("--squish", options.squish, 0.0, 0.999, "Cell squish that is good enough");
   target("--non-orthogonality", options.nonOrthogonality, 1.0, 89.9, "Non-orthogonality that is, degrees");
@@ -186,14 +187,14 @@ void addImproveCommand(CLI::App& app, Console& console, ExitStatus& status)
       ->add_option("--feature-angle", options->featureAngle,
                    "Edges of the boundary that turn by more are kept, degrees")
       ->capture_default_str()
-      ->check(CLI::Range(0.0, 180.0));
+      ->check(numberIn(0.0, 180.0));
   command->add_flag("--fix-boundary", options->fixBoundary, "Leave points on the boundary where they are");
   addTargets(*command, *options);
   command->add_option("--sweeps", options->sweeps, "How often at most all points in question are looked at")
       ->capture_default_str()
-      ->check(CLI::Range(1, 10000));
+      ->check(numberIn(1, 10000));
   command->add_option("--threads", options->threads, "Number of threads (default: all cores)")
-      ->check(CLI::PositiveNumber)
+      ->check(numberIn(1, 1024))
       ->type_name("N");
   command->add_flag("--json", options->json, "Print JSON");
   command->callback([options, &console, &status] { status = runImprove(*options, console); });

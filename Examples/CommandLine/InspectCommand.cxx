@@ -3,6 +3,7 @@
 #include "Commands.h"
 #include "Console.h"
 #include "Files.h"
+#include "Numbers.h"
 #include "Report.h"
 
 #include <Surface/Inspection/Inspection.h>
@@ -148,7 +149,12 @@ int digitsOf(const Box3& box)
 
 void printLine(const SurfaceSummary& summary, const std::string& name, int width, int digits)
 {
-  std::printf("%-*s %10zu %14.6g %8zu %8zu", width, name.c_str(), summary.triangles, summary.area, summary.openEdges,
+  std::array<char, 32> area{"not finite"};
+  if (std::isfinite(summary.area))
+  {
+    std::snprintf(area.data(), area.size(), "%.6g", summary.area);
+  }
+  std::printf("%-*s %10zu %14s %8zu %8zu", width, name.c_str(), summary.triangles, area.data(), summary.openEdges,
               summary.nonManifoldEdges);
   for (int axis = 0; axis < 3 && !summary.bounds.empty(); ++axis)
   {
@@ -292,20 +298,21 @@ ExitStatus runInspect(const InspectOptions& options, Console& console)
   }
   const TriangleSurface surface = trianglesOf(reader->GetOutput());
   const Inspection inspection = inspect(surface);
+  const bool looksForProblems = !options.noProblems && std::isfinite(inspection.total.area);
   const std::vector<Problem> problems =
-      options.noProblems ? std::vector<Problem>{} : findProblems(surface, options, console);
+      looksForProblems ? findProblems(surface, options, console) : std::vector<Problem>{};
   console.clearBar();
   if (options.json)
   {
     Json report = jsonOf(inspection, reader);
-    report["problems"] = options.noProblems ? Json() : jsonOf(problems, surface);
+    report["problems"] = looksForProblems ? jsonOf(problems, surface) : Json();
     std::cout << report.dump(2) << '\n';
   }
   else
   {
     printTable(inspection);
     printSkipped(reader->GetSkippedNodes());
-    if (!options.noProblems)
+    if (looksForProblems)
     {
       printProblems(problems, surface, digitsOf(inspection.total.bounds));
     }
@@ -329,7 +336,7 @@ void addInspectCommand(CLI::App& app, Console& console, ExitStatus& status)
       ->type_name("OUT.vtp");
   command->add_option("--gap", options->gap, "Width in meters up to which gaps are looked for; 0 for none")
       ->capture_default_str()
-      ->check(CLI::NonNegativeNumber)
+      ->check(atLeast(0.0))
       ->type_name("M");
   command->add_flag("--no-problems", options->noProblems, "List surfaces only, which is quicker");
   command->add_flag("--json", options->json, "Print JSON");

@@ -2,6 +2,7 @@
 #include "LayerOptions.h"
 
 #include "Commands.h"
+#include "Numbers.h"
 
 #include <vtkAtriaDualMesher.h>
 #include <vtkNew.h>
@@ -50,21 +51,21 @@ void declareLayerOptions(CLI::App& command, LayerOptions& options)
       ->type_name("N|PATTERN=N[:FIRST[:GROWTH]]");
   command.add_option("--first-layer", options.firstHeight, "Height of the layer on the wall, meters; 0 for any")
       ->capture_default_str()
-      ->check(CLI::NonNegativeNumber)
+      ->check(atLeast(0.0))
       ->type_name("M");
   command.add_option("--layer-growth", options.growth, "Height of each layer relative to the one below it")
       ->capture_default_str()
-      ->check(CLI::Range(filter->GetLayerGrowthMinValue(), filter->GetLayerGrowthMaxValue()))
+      ->check(numberIn(filter->GetLayerGrowthMinValue(), filter->GetLayerGrowthMaxValue()))
       ->type_name("X");
   command
       .add_option("--non-orthogonality", options.nonOrthogonality,
                   "What hexahedra at curved walls should have at most, degrees; less takes longer")
       ->capture_default_str()
-      ->check(CLI::Range(filter->GetTargetNonOrthogonalityMinValue(), filter->GetTargetNonOrthogonalityMaxValue()))
+      ->check(numberIn(filter->GetTargetNonOrthogonalityMinValue(), filter->GetTargetNonOrthogonalityMaxValue()))
       ->type_name("DEG");
   command.add_option("--skewness", options.skewness, "Skewness that they should have at most")
       ->capture_default_str()
-      ->check(CLI::Range(filter->GetTargetSkewnessMinValue(), filter->GetTargetSkewnessMaxValue()))
+      ->check(numberIn(filter->GetTargetSkewnessMinValue(), filter->GetTargetSkewnessMaxValue()))
       ->type_name("X");
 }
 

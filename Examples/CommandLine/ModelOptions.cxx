@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ModelOptions.h"
 
+#include "Numbers.h"
+
 #include <vtkAtriaSurfaceReader.h>
 #include <vtkAtriaVRMLReader.h>
 
@@ -28,15 +30,15 @@ const std::map<std::string, int> rules{{"shape", vtkAtriaSurfaceReader::Shape},
 void declareModelOptions(CLI::App& command, ModelOptions& options)
 {
   command.add_option("--unit", options.unit, "Unit of length in the file; meters unless given")
-      ->check(CLI::IsMember({"m", "mm", "cm", "in", "ft"}))
+      ->check(oneOf({"m", "mm", "cm", "in", "ft"}))
       ->type_name("m|mm|cm|in|ft");
   command.add_option("--scale", options.scale, "A further factor for all lengths")
       ->capture_default_str()
-      ->check(CLI::Range(1e-9, 1e9));
+      ->check(numberIn(1e-9, 1e9));
   command
       .add_option("--up", options.up,
                   "The axis that is up in the file; z unless given, y in glTF. With y the model is turned")
-      ->check(CLI::IsMember({"y", "z"}))
+      ->check(oneOf({"y", "z"}))
       ->type_name("y|z");
   command.add_flag("--recenter,--recentre", options.recenter,
                    "Move a model that is far from the origin there, by whole hundreds of meters");
@@ -44,7 +46,7 @@ void declareModelOptions(CLI::App& command, ModelOptions& options)
                    "Keep faces that coincide with earlier ones, such as the backs of sheets");
   command.add_option("--surfaces-by", options.surfacesBy, "What makes a named surface")
       ->capture_default_str()
-      ->check(CLI::IsMember({"shape", "group", "material", "connected"}))
+      ->check(oneOf({"shape", "group", "material", "connected"}))
       ->type_name("shape|group|material|connected");
   command
       .add_option("--without", options.without,
@@ -55,13 +57,13 @@ void declareModelOptions(CLI::App& command, ModelOptions& options)
       .add_option("--round-angle", options.roundAngle,
                   "Angle between neighboring points of VRML's spheres, cones and cylinders, degrees")
       ->capture_default_str()
-      ->check(CLI::Range(1.0, 90.0))
+      ->check(numberIn(1.0, 90.0))
       ->type_name("DEG");
   command
       .add_option("--round-error", options.roundError,
                   "Greatest distance of their facets from the true surface, meters; 0 for any")
       ->capture_default_str()
-      ->check(CLI::NonNegativeNumber)
+      ->check(atLeast(0.0))
       ->type_name("M");
 }
 

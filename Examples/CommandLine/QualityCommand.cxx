@@ -3,6 +3,7 @@
 #include "Commands.h"
 #include "Console.h"
 #include "Files.h"
+#include "Numbers.h"
 #include "QualityPlot.h"
 #include "Report.h"
 
@@ -180,12 +181,12 @@ void addQualityCommand(CLI::App& app, Console& console, ExitStatus& status)
       "-o,--output", options->output,
       "FILE.vtu for the mesh with an array for each metric; with --worst or --beyond for what they extract");
   auto* worst = command->add_option("--worst", options->worst, "Extract the N worst elements with those about them");
-  worst->check(CLI::PositiveNumber);
+  worst->check(atLeast(1));
   command->add_option("--beyond", options->beyond, "Extract all elements whose metric is worse than this")
       ->excludes(worst);
   command->add_option("--metric", options->metric, "Array that --worst and --beyond go by")->capture_default_str();
   command->add_option("--rings", options->rings, "Rings of elements about the worst")
-      ->check(CLI::Range(0, 100))
+      ->check(numberIn(0, 100))
       ->capture_default_str();
   command->callback([options, &console, &status] { status = runQuality(*options, console); });
 }

@@ -51,23 +51,6 @@ double polygonArea(vtkPoints* points, vtkIdType count, const vtkIdType* ids)
   return 0.5 * std::hypot(sum[0], sum[1], sum[2]);
 }
 
-double areaOf(vtkPolyData* surface)
-{
-  double area = 0.0;
-  auto faces = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
-  for (faces->GoToFirstCell(); !faces->IsDoneWithTraversal(); faces->GoToNextCell())
-  {
-    vtkIdType count = 0;
-    const vtkIdType* ids = nullptr;
-    faces->GetCurrentCell(count, ids);
-    if (count > 2)
-    {
-      area += polygonArea(surface->GetPoints(), count, ids);
-    }
-  }
-  return area;
-}
-
 vtkStringArray* stringsOf(vtkDataObject* data, const char* name)
 {
   return vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray(name));
@@ -95,6 +78,23 @@ Json linesOf(const std::string& text)
 }
 
 } // namespace
+
+double areaOf(vtkPolyData* surface)
+{
+  double area = 0.0;
+  auto faces = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
+  for (faces->GoToFirstCell(); !faces->IsDoneWithTraversal(); faces->GoToNextCell())
+  {
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    faces->GetCurrentCell(count, ids);
+    if (count > 2)
+    {
+      area += polygonArea(surface->GetPoints(), count, ids);
+    }
+  }
+  return area;
+}
 
 Json countsOf(vtkUnstructuredGrid* mesh)
 {

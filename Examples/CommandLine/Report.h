@@ -15,6 +15,9 @@ namespace atria::tool {
 /// Keeps the order in which keys are added.
 using Json = nlohmann::ordered_json;
 
+/// Of all polygons.
+double areaOf(vtkPolyData* surface);
+
 /// vertices, elements, and elements by shape.
 Json countsOf(vtkUnstructuredGrid* mesh);
 

@@ -2,6 +2,7 @@
 #include "SizeOptions.h"
 
 #include "Commands.h"
+#include "Numbers.h"
 
 #include <vtkAtriaOctreeSource.h>
 #include <vtkNew.h>
@@ -46,6 +47,8 @@ void declareSizeOptions(CLI::App& command, SizeOptions& options)
   options.cellsPerLevel = filter->GetCellsPerLevel();
   options.maxElements = filter->GetMaxElements();
   options.memoryLimit = filter->GetMemoryLimit();
+  options.startLevel = filter->GetStartLevel();
+  options.featureAngle = filter->GetFeatureAngle();
 
   command
       .add_option("--size", options.surfaces,
@@ -65,28 +68,38 @@ void declareSizeOptions(CLI::App& command, SizeOptions& options)
       .add_option("--curvature-angle", options.curvatureAngle,
                   "Refine where a smooth surface turns by more in an element, degrees; 0 for nowhere")
       ->capture_default_str()
-      ->check(CLI::Range(filter->GetCurvatureAngleMinValue(), filter->GetCurvatureAngleMaxValue()))
+      ->check(numberIn(filter->GetCurvatureAngleMinValue(), filter->GetCurvatureAngleMaxValue()))
       ->type_name("DEG");
   command
       .add_option("--gap-cells", options.gapCells,
                   "Elements across gaps between surfaces, down to --size-min; 0 for any")
       ->capture_default_str()
-      ->check(CLI::Range(filter->GetCellsAcrossGapMinValue(), filter->GetCellsAcrossGapMaxValue()))
+      ->check(numberIn(filter->GetCellsAcrossGapMinValue(), filter->GetCellsAcrossGapMaxValue()))
       ->type_name("N");
   command.add_option("--cells-per-level", options.cellsPerLevel, "Layers of elements of each size where sizes grow")
       ->capture_default_str()
-      ->check(CLI::Range(filter->GetCellsPerLevelMinValue(), filter->GetCellsPerLevelMaxValue()))
+      ->check(numberIn(filter->GetCellsPerLevelMinValue(), filter->GetCellsPerLevelMaxValue()))
       ->type_name("N");
   command
       .add_option("--max-elements", options.maxElements,
                   "Leave out the finest sizes where there would be more elements; 0 for no limit")
       ->capture_default_str()
-      ->check(CLI::NonNegativeNumber)
+      ->check(atLeast(0.0))
       ->type_name("N");
+  command.add_option("--start-level", options.startLevel, "Times the domain is halved everywhere, at least")
+      ->capture_default_str()
+      ->check(numberIn(filter->GetStartLevelMinValue(), filter->GetStartLevelMaxValue()))
+      ->type_name("N");
+  command
+      .add_option("--feature-angle", options.featureAngle,
+                  "Edges at which the model turns by more are kept as edges of the mesh, degrees")
+      ->capture_default_str()
+      ->check(numberIn(filter->GetFeatureAngleMinValue(), filter->GetFeatureAngleMaxValue()))
+      ->type_name("DEG");
   command
       .add_option("--memory-limit", options.memoryLimit,
                   "Refuse sizes whose mesh would take more memory, gigabytes (default: what the machine has)")
-      ->check(CLI::PositiveNumber)
+      ->check(positive())
       ->type_name("GB");
 }
 
@@ -110,6 +123,8 @@ void configureSizes(vtkAtriaGridAlgorithm* filter, const SizeOptions& options)
   filter->SetCellsPerLevel(options.cellsPerLevel);
   filter->SetMaxElements(options.maxElements);
   filter->SetMemoryLimit(options.memoryLimit);
+  filter->SetStartLevel(options.startLevel);
+  filter->SetFeatureAngle(options.featureAngle);
 }
 
 std::string estimateText(vtkAtriaOctreeSource* source)
@@ -126,7 +141,8 @@ std::string estimateText(vtkAtriaOctreeSource* source)
   }
   const bool tooLarge = source->GetEstimateIsTooLarge();
   out << "elements: " << source->GetEstimatedElements()
-      << (tooLarge ? " or more (from a part of the octants, before they are balanced)\n" : " (all zones)\n");
+      << (tooLarge ? " or more (from a part of the octants, before they are balanced)\n"
+                   : " (all zones, without layers)\n");
   out << "memory: about " << std::max<long long>(1, source->GetEstimatedBytes() / 1000000)
       << (tooLarge ? " MB or more\n" : " MB\n");
   return out.str();

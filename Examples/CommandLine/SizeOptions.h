@@ -27,6 +27,8 @@ struct SizeOptions
   int cellsPerLevel = 1;
   int maxElements = 0;
   double memoryLimit = 0.0;
+  int startLevel = 0;
+  double featureAngle = 0.0;
 };
 
 void declareSizeOptions(CLI::App& command, SizeOptions& options);

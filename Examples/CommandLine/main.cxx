@@ -1,25 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Commands.h"
 #include "Console.h"
+#include "Documents.h"
+#include "Numbers.h"
 #include "Support/Memory.h"
+#include "Usage.h"
 
 #include <CLI/CLI.hpp>
 
 #include <exception>
+#include <iostream>
+#include <memory>
 #include <new>
 #include <string>
 
 namespace {
 
-std::string usageMessage(const CLI::App*, const CLI::Error& error)
-{
-  return std::string("atria: error: ") + error.what() + "\nSee atria --help, or atria mesh --help and the like.\n";
-}
-
 int usageStatus(const CLI::App& app, const CLI::ParseError& error)
 {
   // CLI11 also reports --help this way, with status 0. Its other statuses are numbers of its own.
   return app.exit(error) == 0 ? atria::tool::Done : atria::tool::Usage;
+}
+
+/// What packagers and shells ask for.
+void addDocuments(CLI::App& app)
+{
+  using namespace atria::tool;
+  CLI::App* completion = app.add_subcommand("completion", "Print a completion script for a shell");
+  auto shell = std::make_shared<std::string>();
+  completion->add_option("SHELL", *shell, "bash, zsh or fish")->required()->check(oneOf({"bash", "zsh", "fish"}));
+  completion->callback([&app, shell] { std::cout << completionFor(app, *shell); });
+  app.add_subcommand("man", "Print the manual page, for man -l -")->callback([&app] { std::cout << manualOf(app); });
 }
 
 } // namespace
@@ -35,6 +46,11 @@ int main(int argc, char** argv)
   app.set_version_flag("--version", ATRIA_TOOL_VERSION);
   app.require_subcommand(1);
   app.failure_message(usageMessage);
+  app.allow_config_extras(CLI::config_extras_mode::error);
+  app.set_config("--config", "",
+                 "Take options from a file, those of `atria mesh` from its section [mesh]; what the command "
+                 "line says goes before it")
+      ->type_name("FILE.toml");
 
   Console console;
   ExitStatus status = Done;
@@ -42,6 +58,7 @@ int main(int argc, char** argv)
   addInspectCommand(app, console, status);
   addQualityCommand(app, console, status);
   addImproveCommand(app, console, status);
+  addDocuments(app);
   try
   {
     app.parse(argc, argv);

@@ -30,7 +30,8 @@ bool vtkAtriaGridAlgorithm::SuggestSizes()
   try
   {
     std::vector<std::string> warnings; // the run repeats them
-    const atria::GridOptions sizes = atria::suggestSizes(atria::readSurfaces(atria::currentInput(*this), warnings));
+    const atria::GridOptions sizes =
+        atria::suggestSizes(atria::readSurfaces(atria::currentInput(*this), warnings), atria::modelOptionsOf(*this));
     this->SetSizeMax(sizes.sizeMax);
     this->SetSizeMid(sizes.sizeMid);
     this->SetSizeMin(sizes.sizeMin);

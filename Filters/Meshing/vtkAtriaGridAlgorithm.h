@@ -54,8 +54,8 @@ public:
 
   /**
    * Sets the three sizes for a first mesh of the model: SizeMid so that its surfaces take some fifty thousand octants,
-   * SizeMax four times as large, SizeMin half as large. Brings the input up to date. False, with an error, where the
-   * model has no area.
+   * SizeMin half as large, SizeMax four times as large, or more so that the domain, which is to be set before, takes no
+   * more octants. Brings the input up to date. False, with an error, where the model has no area or there is no domain.
    */
   bool SuggestSizes();
 

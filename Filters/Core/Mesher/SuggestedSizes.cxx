@@ -5,14 +5,15 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 
 namespace atria {
 
 namespace {
 
-/// Octants on the model's surfaces: a mesh of one to a few hundred thousand elements, which takes seconds.
-constexpr double octantsOnSurfaces = 50000.0;
+/// On the model's surfaces, and in the open: a mesh of one to a few hundred thousand elements, which takes seconds.
+constexpr double octantsAtMost = 50000.0;
 
 double areaOf(const TriangleSurface& surface)
 {
@@ -35,7 +36,7 @@ double roundNumber(double x)
 
 } // namespace
 
-GridOptions suggestSizes(const TriangleSurface& surface)
+GridOptions suggestSizes(const TriangleSurface& surface, const ModelOptions& options)
 {
   const double area = areaOf(surface);
   if (!(area > 0.0) || !std::isfinite(area))
@@ -45,8 +46,10 @@ GridOptions suggestSizes(const TriangleSurface& surface)
   }
   const GridOptions standard;
   GridOptions sizes;
-  sizes.sizeMid = roundNumber(std::sqrt(area / octantsOnSurfaces));
-  sizes.sizeMax = sizes.sizeMid * standard.sizeMax / standard.sizeMid;
+  sizes.sizeMid = roundNumber(std::sqrt(area / octantsAtMost));
+  const double volume = planSite(surface, options).domain.bounds.size().prod();
+  sizes.sizeMax =
+      std::max(sizes.sizeMid * standard.sizeMax / standard.sizeMid, roundNumber(std::cbrt(volume / octantsAtMost)));
   sizes.sizeMin = sizes.sizeMid * standard.sizeMin / standard.sizeMid;
   return sizes;
 }

@@ -1,0 +1,317 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "MeshOptions.h"
+
+#include "Commands.h"
+#include "Files.h"
+#include "Numbers.h"
+#include "Support/NamePattern.h"
+
+#include <vtkAtriaDualMesher.h>
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <filesystem>
+
+namespace atria::tool {
+
+namespace {
+
+constexpr const char* examples = R"(Examples:
+  atria mesh house.wrl
+      a first mesh, house.vtu: the domain from the buildings' height, sizes from the model
+  atria mesh house.wrl --wind 30 --preflight
+      domain, blockage, narrowest places and number of elements, without a mesh
+  atria mesh house.wrl --size-mid 0.5 --size 'Chimney*' 0.1 --layers 'Wall*=5:0.01:1.2' --openfoam case
+      half a meter at surfaces, finer at chimneys, five layers on walls; a case for OpenFOAM, too
+  atria mesh house.wrl --unit in --up y --without 'Tree*' -o case.vtu --write-config case.toml
+      a file of all options to go on from, then: atria mesh --config case.toml
+Sizes that are not given are in the ratio 8 : 2 : 1 to those that are. Options of a file that --config FILE.toml names,
+in its section [mesh], hold where they are not on the command line.)";
+
+void declareSizes(CLI::App& command, MeshOptions& options)
+{
+  const auto size = [&](const char* name, std::optional<double>& value, const char* text) {
+    command.add_option(name, value, text)->check(positive())->type_name("M");
+  };
+  size("--size-max", options.sizeMax, "Element size away from surfaces, meters");
+  size("--size-mid", options.sizeMid, "Element size at surfaces, meters (default: from the model's area)");
+  size("--size-min", options.sizeMin, "Element size at edges, corners and close surfaces, meters; the grid's unit");
+}
+
+void declareDomain(CLI::App& command, MeshOptions& options)
+{
+  auto* domain = command.add_option("--domain", options.domain, "Bounds of the domain, meters")
+                     ->expected(6)
+                     ->check(anyNumber())
+                     ->type_name("X0 X1 Y0 Y1 Z0 Z1");
+  auto* site = command
+                   .add_option("--site", options.site,
+                               "Surface whose rectangle is the domain's ground; height 0.3 of its longer side")
+                   ->type_name("NAME");
+  site->excludes(domain);
+  auto* bounds = command.add_flag("--model-bounds", options.modelBounds,
+                                  "Domain: the model's bounds, for rooms and channels whose walls are its sides");
+  bounds->excludes(domain)->excludes(site);
+  auto* automatic =
+      command.add_flag("--automatic", options.automatic,
+                       "Domain from the buildings' height H: 5 H, behind them 15 H, blockage at most 3 % (default)");
+  automatic->excludes(domain)->excludes(site)->excludes(bounds);
+  command.add_option("--ground", options.ground, "Surface that is flat ground and no building (default: Site)")
+      ->excludes(site)
+      ->type_name("NAME");
+  command
+      .add_option("--wind", options.wind,
+                  "Where the wind blows to, degrees from x, counterclockwise from above; for --automatic")
+      ->excludes(domain)
+      ->excludes(site)
+      ->excludes(bounds)
+      ->check(numberIn(-360.0, 360.0))
+      ->type_name("DEG");
+  command
+      .add_option("--domain-angle", options.domainAngle,
+                  "Turns the domain, degrees counterclockwise from above; for --domain, --site and --model-bounds")
+      ->excludes(automatic)
+      ->check(numberIn(-180.0, 180.0))
+      ->type_name("DEG");
+  command
+      .add_option("--terrain", options.terrain,
+                  "Names of terrain surfaces, with * and ?; extended to the domain's sides")
+      ->type_name("PATTERN");
+  command.add_option("--align", options.align, "What the grid stands along")
+      ->capture_default_str()
+      ->check(oneOf({"axes", "walls", "domain"}))
+      ->type_name("axes|walls|domain");
+}
+
+void declareFluid(CLI::App& command, MeshOptions& options)
+{
+  auto* zone =
+      command
+          .add_option("--zone", options.zone,
+                      "Fluid is what the domain's top reaches, or its other sides if nothing does, or all there is")
+          ->capture_default_str()
+          ->check(oneOf({"outside", "all"}))
+          ->type_name("outside|all");
+  command.add_option("--seed", options.seeds, "Fluid is what this point reaches; may be repeated")
+      ->allow_extra_args(false)
+      ->check(anyNumber())
+      ->type_name("X Y Z")
+      ->excludes(zone);
+  command
+      .add_option("--sealed-seed", options.sealedSeeds,
+                  "Point in a space that should be closed; a way out is warned of; may be repeated")
+      ->allow_extra_args(false)
+      ->check(anyNumber())
+      ->type_name("X Y Z");
+}
+
+void declareRepair(CLI::App& command, MeshOptions& options)
+{
+  vtkNew<vtkAtriaDualMesher> mesher; // the one home of the defaults
+  options.gap = mesher->GetGapTolerance();
+  options.smallParts = mesher->GetSmallPartSize();
+  options.crack = mesher->GetCrackTolerance();
+  command
+      .add_option("--gap", options.gap,
+                  "Gaps narrower than this are closed, meters; 0 closes none (default: 0.05 of --size-min)")
+      ->check(atLeast(0.0))
+      ->type_name("M");
+  command
+      .add_option("--small-parts", options.smallParts,
+                  "Parts of the model smaller than this many octants of --size-min are left out, but for surfaces that "
+                  "size rules name; 0 leaves out none")
+      ->capture_default_str()
+      ->check(atLeast(0.0))
+      ->type_name("N");
+  command
+      .add_option("--crack", options.crack,
+                  "Gaps beside free edges no wider than this part of the octants there are closed; 0 closes none")
+      ->capture_default_str()
+      ->check(numberIn(0.0, 0.9))
+      ->type_name("PART");
+}
+
+void declareOutput(CLI::App& command, MeshOptions& options)
+{
+  command
+      .add_option("-o,--output", options.output,
+                  "Where the mesh goes, a .vtu file (default: here, by the name of the model)")
+      ->type_name("OUT.vtu");
+  command.add_option("--patches", options.patches, "Also write the named boundary patches")->type_name("OUT.vtpc");
+  command.add_option("--openfoam", options.openfoam, "Also write an OpenFOAM case with the mesh")->type_name("DIR");
+  command.add_flag("--restore-offset", options.restoreOffset,
+                   "Write the OpenFOAM case where the model was before --recenter moved it");
+  command
+      .add_option("--report", options.report,
+                  "Also write counts, zones, leaks, patches, quality, repairs and times as JSON")
+      ->type_name("OUT.json");
+}
+
+void declareRun(CLI::App& command, MeshOptions& options)
+{
+  command.add_flag(
+      "--preflight", options.preflight,
+      "Print domain, blockage, narrowest places and elements to expect, and make no mesh; --report writes them");
+  command.add_flag("--estimate", options.estimate, "Print octants by size, elements and memory, and make no mesh");
+  command
+      .add_option("--write-config", options.writeConfig,
+                  "Write these options, and what others there are, to a file for --config, and make no mesh")
+      ->configurable(false)
+      ->type_name("OUT.toml");
+  command.add_option("--threads", options.threads, "Number of threads (default: all cores)")
+      ->check(numberIn(1, 1024))
+      ->type_name("N");
+}
+
+} // namespace
+
+void declareMeshOptions(CLI::App& command, MeshOptions& options)
+{
+  // Options go to the group that is named before them.
+  const auto group = [&](const char* name) { command.option_defaults()->group(name); };
+  group("Model");
+  command.add_option("MODEL", options.input, modelFormats);
+  declareModelOptions(command, options.model);
+  group("Sizes, in meters");
+  declareSizes(command, options);
+  declareSizeOptions(command, options.sizes);
+  group("Domain");
+  declareDomain(command, options);
+  group("Fluid");
+  declareFluid(command, options);
+  group("Layers on walls");
+  declareLayerOptions(command, options.layers);
+  group("Repair");
+  declareRepair(command, options);
+  group("Output");
+  declareOutput(command, options);
+  group("Run");
+  declareRun(command, options);
+  command.footer(examples);
+}
+
+void completeMeshOptions(MeshOptions& options)
+{
+  if (options.output.empty())
+  {
+    std::filesystem::path name = std::filesystem::path(options.input).filename();
+    options.output = (name.extension() == ".gz" ? name.stem() : name).stem().string() + ".vtu";
+  }
+  checkOutput("--output", options.output, ".vtu");
+  if (!options.patches.empty())
+  {
+    checkOutput("--patches", options.patches, ".vtpc");
+  }
+  if (!options.report.empty())
+  {
+    checkOutput("--report", options.report, ".json");
+  }
+  if (!options.openfoam.empty())
+  {
+    checkFolder("--openfoam", options.openfoam);
+  }
+  if (options.hasSize())
+  {
+    vtkNew<vtkAtriaDualMesher> standard;
+    const double mid = options.sizeMid   ? *options.sizeMid
+                       : options.sizeMin ? *options.sizeMin * standard->GetSizeMid() / standard->GetSizeMin()
+                                         : *options.sizeMax * standard->GetSizeMid() / standard->GetSizeMax();
+    options.sizeMid = mid;
+    options.sizeMin = options.sizeMin.value_or(*options.sizeMid * standard->GetSizeMin() / standard->GetSizeMid());
+    options.sizeMax = options.sizeMax.value_or(*options.sizeMid * standard->GetSizeMax() / standard->GetSizeMid());
+    if (mid < *options.sizeMin || *options.sizeMax < mid)
+    {
+      throw Failure(Usage, "sizes must not fall from --size-min over --size-mid to --size-max");
+    }
+  }
+  if (options.domainAngle != 0.0 && options.domain.empty() && options.site.empty() && !options.modelBounds)
+  {
+    throw Failure(Usage, "--domain-angle needs --domain, --site or --model-bounds: the automatic domain stands along "
+                         "--wind");
+  }
+  for (int axis = 0; axis < 3 && !options.domain.empty(); ++axis)
+  {
+    if (options.domain[2 * axis] >= options.domain[2 * axis + 1])
+    {
+      throw Failure(Usage, std::string("--domain: ") + "xyz"[axis] + "0 must be less than " + "xyz"[axis] + "1");
+    }
+  }
+}
+
+void checkSite(const std::string& site, vtkPolyData* model)
+{
+  auto* names = vtkStringArray::SafeDownCast(model->GetFieldData()->GetAbstractArray("SurfaceName"));
+  std::vector<std::string> known;
+  for (vtkIdType i = 0; names && i < names->GetNumberOfValues(); ++i)
+  {
+    known.push_back(names->GetValue(i));
+  }
+  if (std::find(known.begin(), known.end(), site) == known.end())
+  {
+    throw Failure(Usage, "--site " + site + ": the model has no surface of that name; " + namesInstead(site, known));
+  }
+}
+
+void configureGrid(vtkAtriaGridAlgorithm* filter, const MeshOptions& options)
+{
+  if (options.hasSize())
+  {
+    filter->SetSizeMax(*options.sizeMax);
+    filter->SetSizeMid(*options.sizeMid);
+    filter->SetSizeMin(*options.sizeMin);
+  }
+  configureSizes(filter, options.sizes);
+  filter->SetGapTolerance(options.gap);
+  filter->SetSmallPartSize(options.smallParts);
+  if (!options.domain.empty())
+  {
+    filter->SetDomainMode(vtkAtriaGridAlgorithm::Explicit);
+    filter->SetDomainBounds(options.domain.data());
+  }
+  if (!options.site.empty())
+  {
+    filter->SetDomainMode(vtkAtriaGridAlgorithm::Site);
+    filter->SetSiteName(options.site);
+  }
+  if (!options.ground.empty())
+  {
+    filter->SetSiteName(options.ground);
+  }
+  if (options.modelBounds)
+  {
+    filter->SetDomainMode(vtkAtriaGridAlgorithm::FromSurfaces);
+  }
+  filter->SetWindAngle(options.wind);
+  filter->SetDomainAngle(options.domainAngle);
+  filter->SetTerrainName(options.terrain);
+  filter->SetAlignGrid(options.align == "walls"    ? vtkAtriaGridAlgorithm::ToWalls
+                       : options.align == "domain" ? vtkAtriaGridAlgorithm::ToDomain
+                                                   : vtkAtriaGridAlgorithm::ToAxes);
+}
+
+void configure(vtkAtriaDualMesher* mesher, const MeshOptions& options)
+{
+  configureGrid(mesher, options);
+  mesher->SetCrackTolerance(options.crack);
+  mesher->SetZoneRule(options.zone == "all" ? vtkAtriaDualMesher::All : vtkAtriaDualMesher::Outside);
+  if (!options.seeds.empty())
+  {
+    mesher->SetZoneRule(vtkAtriaDualMesher::Seeds);
+    for (const auto& [x, y, z] : options.seeds)
+    {
+      mesher->AddSeed(x, y, z);
+    }
+  }
+  for (const auto& [x, y, z] : options.sealedSeeds)
+  {
+    mesher->AddSealedSeed(x, y, z);
+  }
+  configureLayers(mesher, options.layers);
+}
+
+} // namespace atria::tool

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The options of `atria mesh`.
+#pragma once
+
+#include "LayerOptions.h"
+#include "ModelOptions.h"
+#include "SizeOptions.h"
+
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+class vtkAtriaDualMesher;
+class vtkPolyData;
+
+namespace atria::tool {
+
+class Console;
+
+struct MeshOptions
+{
+  std::string input;
+  ModelOptions model;
+  std::string output;
+  std::optional<double> sizeMax;
+  std::optional<double> sizeMid;
+  std::optional<double> sizeMin;
+  SizeOptions sizes;
+  LayerOptions layers;
+  bool estimate = false;
+  double gap = 0.0;
+  double smallParts = 0.0;
+  double crack = 0.0;
+  std::vector<double> domain;
+  std::string site;
+  std::string ground;
+  bool automatic = false; ///< the default, too
+  bool modelBounds = false;
+  double domainAngle = 0.0;
+  double wind = 0.0;
+  std::string terrain;
+  std::string align = "axes";
+  bool preflight = false;
+  std::string zone = "outside";
+  std::vector<std::tuple<double, double, double>> seeds;
+  std::vector<std::tuple<double, double, double>> sealedSeeds;
+  std::string patches;
+  std::string openfoam;
+  bool restoreOffset = false;
+  std::string report;
+  std::string writeConfig;
+  int threads = 0;
+
+  bool makesMesh() const { return !preflight && !estimate; }
+  bool hasSize() const { return sizeMax || sizeMid || sizeMin; }
+};
+
+void declareMeshOptions(CLI::App& command, MeshOptions& options);
+
+/// Names the output after the model where it has no name, and gives sizes that are not given their ratio to those that
+/// are. Throws Failure(Usage) for what does not go together.
+void completeMeshOptions(MeshOptions& options);
+
+/// Throws Failure(Usage) where the model has no surface of that name.
+void checkSite(const std::string& site, vtkPolyData* model);
+
+/// Without an option the domain is the filter's default, the automatic one; without sizes the filter keeps its own.
+void configureGrid(vtkAtriaGridAlgorithm* filter, const MeshOptions& options);
+void configure(vtkAtriaDualMesher* mesher, const MeshOptions& options);
+
+} // namespace atria::tool

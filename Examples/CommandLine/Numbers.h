@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Checks of values: numbers that refuse NaN and infinity, and say the range as people would.
+#pragma once
+
+#include "Support/NamePattern.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace atria::tool {
+
+/// Numbers in [least, most], or in (least, most] with `above`. Without `most` there is no upper limit.
+inline CLI::Validator numberIn(double least, double most, bool above = false)
+{
+  const bool open = most >= static_cast<double>(std::numeric_limits<int>::max());
+  std::ostringstream range;
+  range << (open ? above ? "more than " : "at least " : above ? "more than " : "from ") << least;
+  open ? range : range << (above ? " and at most " : " to ") << most;
+  const std::string shown = open ? "" : range.str().substr(above ? 0 : 5); // after the type in the help
+  return CLI::Validator(
+      [=, text = range.str()](std::string& input) {
+        double value = 0.0;
+        const bool isNumber = CLI::detail::lexical_cast(input, value) && std::isfinite(value);
+        const bool fits = isNumber && (above ? value > least : value >= least) && (open || value <= most);
+        return fits ? std::string() : "'" + input + "' is not a number " + text;
+      },
+      shown);
+}
+
+inline CLI::Validator atLeast(double least) { return numberIn(least, std::numeric_limits<double>::infinity()); }
+inline CLI::Validator positive() { return numberIn(0.0, std::numeric_limits<double>::infinity(), true); }
+
+inline CLI::Validator anyNumber()
+{
+  return CLI::Validator(
+      [](std::string& input) {
+        double value = 0.0;
+        const bool isNumber = CLI::detail::lexical_cast(input, value) && std::isfinite(value);
+        return isNumber ? std::string() : "'" + input + "' is not a number";
+      },
+      "");
+}
+
+/// One of some words, which the option's type lists.
+inline CLI::Validator oneOf(std::vector<std::string> words)
+{
+  return CLI::Validator(
+      [words = std::move(words)](std::string& input) {
+        if (std::find(words.begin(), words.end(), input) != words.end())
+        {
+          return std::string();
+        }
+        return "'" + input + "': " + namesInstead(input, words);
+      },
+      "");
+}
+
+} // namespace atria::tool

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Summary.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iomanip>
+#include <sstream>
+#include <utility>
+
+namespace atria::tool {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A label and what stands behind it.
+void line(std::ostringstream& out, const char* label, const std::string& text)
+{
+  out << std::left << std::setw(14) << label << text << '\n';
+}
+
+std::string number(double value, int digits = 3)
+{
+  std::ostringstream text;
+  text << std::setprecision(digits) << value;
+  return text.str();
+}
+
+std::string bytesText(double bytes)
+{
+  return bytes < 1e6   ? number(std::max(bytes / 1e3, 0.1)) + " kB"
+         : bytes < 1e9 ? number(bytes / 1e6) + " MB"
+                       : number(bytes / 1e9) + " GB";
+}
+
+std::string elementsText(const Json& counts)
+{
+  const auto all = counts["elements"].get<double>();
+  std::string text = std::to_string(counts["elements"].get<long long>());
+  bool first = true;
+  for (const char* kind : {"hexahedra", "wedges", "pyramids", "tetrahedra", "polyhedra"})
+  {
+    if (const auto count = counts[kind].get<long long>(); count > 0)
+    {
+      text += (first ? ": " : ", ") + std::to_string(count) + ' ' + kind;
+      text += first ? " (" + number(100.0 * static_cast<double>(count) / all) + " %)" : "";
+      first = false;
+    }
+  }
+  return text + "; " + std::to_string(counts["vertices"].get<long long>()) + " vertices";
+}
+
+std::string worstText(const Json& quality)
+{
+  std::string text;
+  const auto add = [&](const char* metric, const char* extreme, const char* words, const char* unit) {
+    if (quality.contains(metric))
+    {
+      text +=
+          (text.empty() ? "" : ", ") + std::string(words) + ' ' + number(quality[metric][extreme].get<double>()) + unit;
+    }
+  };
+  add("NonOrthogonality", "max", "non-orthogonality", " degrees");
+  add("Skewness", "max", "skewness", "");
+  add("CellSquish", "max", "cell squish", "");
+  add("ScaledJacobian", "min", "scaled Jacobian", "");
+  return text;
+}
+
+std::string patchesText(const Json& patches)
+{
+  constexpr std::size_t most = 6;
+  std::string text = std::to_string(patches.size());
+  for (std::size_t i = 0; i < std::min(most, patches.size()); ++i)
+  {
+    text += (i == 0 ? ": " : ", ") + patches[i]["name"].get<std::string>();
+  }
+  return text + (patches.size() > most ? " …" : "");
+}
+
+std::string repairText(const Json& repair)
+{
+  constexpr std::array words{
+      std::pair{"WeldedPoints", "points welded"},
+      std::pair{"DegenerateTriangles", "triangles without area dropped"},
+      std::pair{"DuplicateTriangles", "duplicate triangles dropped"},
+      std::pair{"OverlappingTriangles", "overlapping pieces dropped"},
+      std::pair{"SplitTriangles", "triangles cut at others"},
+      std::pair{"ClosedGaps", "points moved across gaps"},
+      std::pair{"FlippedTriangles", "triangles turned"},
+      std::pair{"UnresolvedContacts", "contacts left unresolved"},
+  };
+  std::string text;
+  for (const auto& [name, word] : words)
+  {
+    if (const auto count = repair.value(name, 0LL); count > 0)
+    {
+      text += (text.empty() ? "" : ", ") + std::to_string(count) + ' ' + word;
+    }
+  }
+  return text.empty() ? "nothing" : text;
+}
+
+std::string leftOutText(const Json& zones, const Json& withoutFaces)
+{
+  constexpr std::array words{std::pair{"open", "open spaces"}, std::pair{"room", "closed rooms"},
+                             std::pair{"solid", "insides of solids"}, std::pair{"narrow", "narrow spaces"}};
+  std::string text;
+  for (const auto& [kind, word] : words)
+  {
+    const auto count = std::count_if(zones.begin(), zones.end(), [&, name = kind](const Json& zone) {
+      return !zone["kept"].get<bool>() && zone["kind"] == name;
+    });
+    text += count == 0 ? "" : std::string(text.empty() ? "" : ", ") + word + " " + std::to_string(count);
+  }
+  if (!withoutFaces.empty())
+  {
+    text += std::string(text.empty() ? "" : ", ") + "surfaces without faces " + std::to_string(withoutFaces.size());
+  }
+  return text.empty() ? "nothing" : text;
+}
+
+std::string timeText(const Json& seconds)
+{
+  std::string text = number(seconds["Total"].get<double>()) + " s";
+  std::vector<std::pair<double, std::string>> stages;
+  for (const auto& [stage, value] : seconds.items())
+  {
+    if (stage != "Total")
+    {
+      stages.emplace_back(value.get<double>(), stage);
+    }
+  }
+  std::stable_sort(stages.begin(), stages.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  constexpr std::size_t most = 3;
+  for (std::size_t i = 0; i < std::min(most, stages.size()); ++i)
+  {
+    text += (i == 0 ? ", most of it " : ", ") + stages[i].second + ' ' + number(stages[i].first, 2);
+  }
+  return text;
+}
+
+double sizeOf(const fs::path& path)
+{
+  std::error_code error;
+  if (!fs::is_directory(path, error))
+  {
+    const auto size = fs::file_size(path, error);
+    return error ? 0.0 : static_cast<double>(size);
+  }
+  double sum = 0.0;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(path, error))
+  {
+    sum += entry.is_regular_file(error) ? static_cast<double>(entry.file_size(error)) : 0.0;
+  }
+  return sum;
+}
+
+} // namespace
+
+std::string summaryOf(const Json& report, const std::vector<std::string>& files)
+{
+  std::ostringstream out;
+  line(out, "elements", elementsText(report["counts"]));
+  const auto invalid = report["invalid_elements"].get<long long>();
+  line(out, "not valid", invalid == 0 ? "none" : std::to_string(invalid));
+  line(out, "worst", worstText(report["quality"]));
+  line(out, "patches", patchesText(report["patches"]));
+  line(out, "repaired", repairText(report["repair"]));
+  line(out, "left out", leftOutText(report["zones"], report["diagnostics"]["SurfaceWithoutFaces"]));
+  line(out, "time", timeText(report["seconds"]));
+  line(out, "memory",
+       bytesText(report["peak_memory_bytes"].get<double>()) + " at most, " +
+           std::to_string(report["threads"].get<int>()) + " threads");
+  const char* label = "files";
+  for (const std::string& file : files)
+  {
+    if (!file.empty() && fs::exists(file))
+    {
+      line(out, label, file + " (" + bytesText(sizeOf(file)) + ')');
+      label = "";
+    }
+  }
+  return out.str();
+}
+
+} // namespace atria::tool
