@@ -2,7 +2,7 @@
 # The Python package `atria`, in the build tree at lib/python3/dist-packages and installed likewise.
 set(atria_python_dir "${CMAKE_INSTALL_LIBDIR}/python3/dist-packages")
 set(atria_python_sources "${CMAKE_CURRENT_LIST_DIR}/Python")
-set(atria_python_files __init__.py errors.py)
+set(atria_python_files __init__.py errors.py meshing.py py.typed)
 
 macro (atria_wrap_python)
   vtk_module_wrap_python(
@@ -15,4 +15,22 @@ macro (atria_wrap_python)
     configure_file("${atria_python_sources}/${file}" "${CMAKE_BINARY_DIR}/${atria_python_dir}/atria/${file}" COPYONLY)
     install(FILES "${atria_python_sources}/${file}" DESTINATION "${atria_python_dir}/atria")
   endforeach ()
+  set(atria_python_build "${CMAKE_BINARY_DIR}/${atria_python_dir}")
+  file(CONFIGURE OUTPUT "${atria_python_build}/atria/_version.py" CONTENT "__version__ = \"${PROJECT_VERSION}\"\n")
+  set(atria_python_metadata "${atria_python_build}/atria-${PROJECT_VERSION}.dist-info")
+  configure_file("${atria_python_sources}/METADATA.in" "${atria_python_metadata}/METADATA" @ONLY)
+  install(FILES "${atria_python_build}/atria/_version.py" DESTINATION "${atria_python_dir}/atria")
+  install(DIRECTORY "${atria_python_metadata}" DESTINATION "${atria_python_dir}")
 endmacro ()
+
+# atria_make_stubs(): for editors and type checkers, from the wrapped classes; they must be importable where they are built.
+function (atria_make_stubs)
+  set(stub "${CMAKE_BINARY_DIR}/${atria_python_dir}/atria/__init__.pyi")
+  add_custom_command(OUTPUT "${stub}"
+    COMMAND "${CMAKE_COMMAND}" -E env "PYTHONPATH=${CMAKE_BINARY_DIR}/${atria_python_dir}" PYTHONDONTWRITEBYTECODE=1
+            "${Python3_EXECUTABLE}" "${atria_python_sources}/make_stubs.py" "${stub}"
+    DEPENDS ${ARGN} "${atria_python_sources}/make_stubs.py"
+    VERBATIM)
+  add_custom_target(AtriaPythonStubs ALL DEPENDS "${stub}")
+  install(FILES "${stub}" DESTINATION "${atria_python_dir}/atria")
+endfunction ()

@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Atria's filters: conformal adaptive hexahedral-dominant meshes of architecture.
 
+    import atria
+    result = atria.mesh("house.wrl", size=1.0, layers=5)
+    result.save("case")  # for OpenFOAM
+
 The classes connect to those of `vtk` and `vtkmodules` as any VTK filters do. An error that they, or algorithms that
 feed them, report while a method of theirs runs is raised as `atria.Error` when the method returns, and not printed.
 Where a class of VTK runs them, as a writer does, use `atria.raising`.
@@ -19,7 +23,9 @@ from .AtriaIOSurface import *
 from .AtriaIOVRML import *  # derived from classes of the one before
 from .AtriaIOModel import *
 
+from ._version import __version__
 from .errors import Error, raising, raising_class as _raising_class
+from .meshing import ModelWarning, Result, mesh
 
 
 def _replace_classes():
@@ -32,4 +38,4 @@ def _replace_classes():
 
 _replace_classes()
 
-__all__ = ["Error", "raising", *(name for name in globals() if name.startswith("vtkAtria"))]
+__all__ = ["Error", "ModelWarning", "Result", "mesh", "raising", *(name for name in globals() if name.startswith("vtkAtria"))]
