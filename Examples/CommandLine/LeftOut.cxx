@@ -63,7 +63,7 @@ struct LeftOut
     for (std::size_t i = first; i < list.size(); ++i)
     {
       elements += (*list[i])["elements"].get<std::size_t>();
-      volume += (*list[i])["volume"].get<double>();
+      volume += (*list[i])["rough_volume"].get<double>();
     }
     return sizeText(elements, volume);
   }
@@ -78,7 +78,7 @@ void tellRooms(const LeftOut& rooms, const std::string& model, Console& console)
   for (std::size_t i = 0; i < std::min(mostLines, rooms.list.size()); ++i)
   {
     const Json& zone = *rooms.list[i];
-    console.warning(model + ": a closed space (" + sizeText(zone["elements"], zone["volume"]) + ") within " +
+    console.warning(model + ": a closed space (" + sizeText(zone["elements"], zone["rough_volume"]) + ") within " +
                     surfacesText(zone["surfaces"]) +
                     " is left out, as nothing opens it; to mesh it too give --zone all, or it alone " + seedText(zone));
   }
@@ -95,7 +95,7 @@ void tellLateral(const LeftOut& spaces, const std::string& model, Console& conso
   for (std::size_t i = 0; i < std::min(mostLines, spaces.list.size()); ++i)
   {
     const Json& zone = *spaces.list[i];
-    console.warning(model + ": a space (" + sizeText(zone["elements"], zone["volume"]) +
+    console.warning(model + ": a space (" + sizeText(zone["elements"], zone["rough_volume"]) +
                     ") reaches lateral sides of the domain but not its top, and is left out as under terrain; if it "
                     "is not, give " +
                     seedText(zone));

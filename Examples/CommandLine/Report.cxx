@@ -151,7 +151,8 @@ Json zonesOf(vtkUnstructuredGrid* meshWithQuality, vtkPolyData* diagnostics)
                     {"elements", static_cast<vtkIdType>(elements->GetTuple1(i))},
                     {"kept", kept},
                     {"kind", stringsOf(diagnostics, "ZoneKind")->GetValue(i)},
-                    {"volume", kept && cellVolumes ? volumes[i] : zones->GetArray("ZoneVolume")->GetTuple1(i)},
+                    {"volume", kept && cellVolumes ? Json(volumes[i]) : Json()},
+                    {"rough_volume", zones->GetArray("ZoneVolume")->GetTuple1(i)},
                     {"inside", tupleOf(zones->GetArray("ZonePoint"), i)},
                     {"sides", linesOf(stringsOf(diagnostics, "ZoneSides")->GetValue(i))},
                     {"surfaces", linesOf(stringsOf(diagnostics, "ZoneSurfaces")->GetValue(i))}});

@@ -21,8 +21,8 @@ double areaOf(vtkPolyData* surface);
 /// vertices, elements, and elements by shape.
 Json countsOf(vtkUnstructuredGrid* mesh);
 
-/// [{id, elements, kept, kind, volume, inside, sides, surfaces}]: all zones there are, from the mesher's diagnostics.
-/// The volume is exact for zones in a mesh that has the cell arrays ZoneId and Volume.
+/// [{id, elements, kept, kind, volume, rough_volume, inside, sides, surfaces}]: all zones there are, from the mesher's
+/// diagnostics. The volume is from the cell arrays ZoneId and Volume, and null for zones that are not in the mesh.
 Json zonesOf(vtkUnstructuredGrid* meshWithQuality, vtkPolyData* diagnostics);
 
 /// [{seed, side, place, width, surfaces, message}] from the field arrays Leak… of the mesher's diagnostics.

@@ -296,7 +296,7 @@ void diagnosticsToVtk(const DualMeshResult& result, const std::vector<std::strin
   out->SetPoints(points);
   out->SetVerts(vertices);
   out->SetLines(lines);
-  out->GetCellData()->AddArray(kinds);
+  out->GetCellData()->SetScalars(kinds); // what programs color by unless told otherwise
   out->GetCellData()->AddArray(elements);
   out->GetCellData()->AddArray(widths);
   vtkNew<vtkStringArray> names;

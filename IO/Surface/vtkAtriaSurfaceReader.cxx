@@ -136,7 +136,7 @@ void fill(vtkPolyData* output, atria::vrml::Scene scene, const atria::vrml::Surf
   ids->SetNumberOfValues(static_cast<vtkIdType>(surfaces.ids.size()));
   atria::useLargePages(ids->GetPointer(0), surfaces.ids.size() * sizeof(int));
   std::copy(surfaces.ids.begin(), surfaces.ids.end(), ids->GetPointer(0));
-  output->GetCellData()->AddArray(ids);
+  output->GetCellData()->SetScalars(ids); // what programs color by unless told otherwise
   addSurfaces(output->GetFieldData(), surfaces.surfaces);
 }
 
