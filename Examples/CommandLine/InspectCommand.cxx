@@ -6,6 +6,7 @@
 #include "Numbers.h"
 #include "Report.h"
 
+#include <Mesher/ModelOptions.h>
 #include <Surface/Inspection/Inspection.h>
 #include <Surface/Inspection/Problems.h>
 
@@ -42,6 +43,7 @@ struct InspectOptions
   ModelOptions model;
   std::string features;
   double gap = ProblemOptions{}.gapTolerance;
+  double atSize = 0.0;
   bool json = false;
   bool noProblems = false;
 };
@@ -266,6 +268,36 @@ std::vector<Problem> findProblems(const TriangleSurface& surface, const InspectO
   }
 }
 
+/// What of the surfaces is too fine for octants of this size at features.
+Json hiddenAt(double size, const TriangleSurface& surface, Console& console)
+{
+  atria::ModelOptions model;
+  model.site.mode = DomainMode::bounds;
+  for (const Vec3& p : surface.points)
+  {
+    model.site.bounds.extend(p);
+  }
+  constexpr double margin = 4.0; // so that a flat model has a domain
+  model.site.bounds.min -= Vec3::Constant(margin * size);
+  model.site.bounds.max += Vec3::Constant(margin * size);
+  model.sizes.sizeMin = size;
+  model.sizes.sizeMid = 2.0 * size;
+  model.sizes.sizeMax = 4.0 * size;
+  const ThreadExecutor threads(static_cast<int>(std::max(1u, std::thread::hardware_concurrency())));
+  ConsoleMonitor monitor(console);
+  const AbortableExecutor executor(threads, monitor);
+  try
+  {
+    const RunContext context{executor, ProgressRange(monitor)};
+    return hiddenDetailOf(makeSurfaceModel(placeModel(surface, model), model, context).repair.hidden, surface.names);
+  }
+  catch (const Aborted&)
+  {
+    Console::throwIfInterrupted();
+    throw;
+  }
+}
+
 /// The curves of the whole model: a domain some way off it cuts none.
 void writeFeatures(const std::string& file, vtkAtriaSurfaceReader* reader, Console& console)
 {
@@ -301,11 +333,16 @@ ExitStatus runInspect(const InspectOptions& options, Console& console)
   const bool looksForProblems = !options.noProblems && std::isfinite(inspection.total.area);
   const std::vector<Problem> problems =
       looksForProblems ? findProblems(surface, options, console) : std::vector<Problem>{};
+  const Json hidden = options.atSize > 0.0 ? hiddenAt(options.atSize, surface, console) : Json();
   console.clearBar();
   if (options.json)
   {
     Json report = jsonOf(inspection, reader);
     report["problems"] = looksForProblems ? jsonOf(problems, surface) : Json();
+    if (options.atSize > 0.0)
+    {
+      report["hidden_detail"] = hidden;
+    }
     std::cout << report.dump(2) << '\n';
   }
   else
@@ -315,6 +352,11 @@ ExitStatus runInspect(const InspectOptions& options, Console& console)
     if (looksForProblems)
     {
       printProblems(problems, surface, digitsOf(inspection.total.bounds));
+    }
+    if (options.atSize > 0.0)
+    {
+      std::cout << "\nToo fine for elements of " << options.atSize
+                << " m: " << (hidden.empty() ? "nothing\n" : "\n" + hiddenDetailText(hidden, "  "));
     }
   }
   return Done;
@@ -336,6 +378,13 @@ void addInspectCommand(CLI::App& app, Console& console, ExitStatus& status)
       ->type_name("OUT.vtp");
   command->add_option("--gap", options->gap, "Width in meters up to which gaps are looked for; 0 for none")
       ->capture_default_str()
+      ->check(atLeast(0.0))
+      ->type_name("M");
+  command
+      ->add_option(
+          "--at-size", options->atSize,
+          "Also list what is too fine for elements of this size in meters (--size-min): small parts that would "
+          "be left out, and triangles in clusters")
       ->check(atLeast(0.0))
       ->type_name("M");
   command->add_flag("--no-problems", options->noProblems, "List surfaces only, which is quicker");

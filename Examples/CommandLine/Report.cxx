@@ -296,22 +296,51 @@ Json repairOf(vtkPolyData* diagnostics)
   return repair;
 }
 
-Json hiddenDetailOf(vtkPolyData* diagnostics)
+Json hiddenDetailOf(vtkDataObject* data)
 {
-  vtkFieldData* fields = diagnostics->GetFieldData();
-  vtkStringArray* names = stringsOf(diagnostics, "HiddenDetailSurface");
-  Json list = Json::array();
+  vtkFieldData* fields = data->GetFieldData();
+  vtkStringArray* names = stringsOf(data, "HiddenDetailSurface");
+  std::vector<HiddenDetail> hidden;
+  std::vector<std::string> surfaceNames;
   for (vtkIdType i = 0; names && i < names->GetNumberOfValues(); ++i)
   {
     const auto number = [&](const char* name) { return fields->GetArray(name)->GetTuple1(i); };
-    const auto entry = [&](const char* triangles, const char* area) {
-      return Json{{"triangles", static_cast<long long>(number(triangles))}, {"area", number(area)}};
-    };
-    list.push_back({{"surface", names->GetValue(i)},
-                    {"left_out", entry("LeftOutTriangles", "LeftOutArea")},
-                    {"clustered", entry("ClusteredTriangles", "ClusteredArea")}});
+    hidden.push_back({static_cast<Index>(i), static_cast<std::size_t>(number("ClusteredTriangles")),
+                      number("ClusteredArea"), static_cast<std::size_t>(number("LeftOutTriangles")),
+                      number("LeftOutArea")});
+    surfaceNames.push_back(names->GetValue(i));
+  }
+  return hiddenDetailOf(hidden, surfaceNames);
+}
+
+Json hiddenDetailOf(const std::vector<HiddenDetail>& hidden, const std::vector<std::string>& surfaceNames)
+{
+  Json list = Json::array();
+  for (const HiddenDetail& detail : hidden)
+  {
+    list.push_back({{"surface", detail.surface < surfaceNames.size() ? surfaceNames[detail.surface] : ""},
+                    {"left_out", {{"triangles", detail.leftOutTriangles}, {"area", detail.leftOutArea}}},
+                    {"clustered", {{"triangles", detail.clusteredTriangles}, {"area", detail.clusteredArea}}}});
   }
   return list;
+}
+
+std::string hiddenDetailText(const Json& hidden, const std::string& before)
+{
+  constexpr std::size_t most = 8;
+  const auto count = [](const Json& detail, const char* what) { return detail[what]["triangles"].get<long long>(); };
+  const auto all = [&](const Json& detail) { return count(detail, "left_out") + count(detail, "clustered"); };
+  std::vector<Json> sorted(hidden.begin(), hidden.end());
+  std::stable_sort(sorted.begin(), sorted.end(), [&](const Json& a, const Json& b) { return all(a) > all(b); });
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, sorted.size()); ++i)
+  {
+    text += before + sorted[i]["surface"].get<std::string>() + ": triangles in small parts left out " +
+            std::to_string(count(sorted[i], "left_out")) + ", in clusters " +
+            std::to_string(count(sorted[i], "clustered")) + '\n';
+  }
+  return text +
+         (sorted.size() > most ? before + "and " + std::to_string(sorted.size() - most) + " surfaces more\n" : "");
 }
 
 Json layersOf(vtkPolyData* diagnostics)
@@ -371,6 +400,7 @@ Json preflightOf(vtkTable* table)
     }
     return list;
   };
+  report["hidden_detail"] = hiddenDetailOf(table);
   report["opening_surfaces"] = strings("OpeningSurface");
   report["gap_surfaces"] = strings("GapSurface");
   report["warnings"] = strings("Warning");
@@ -384,6 +414,7 @@ void printPreflight(vtkTable* table)
     std::printf("%-22s %14.6g %s\n", table->GetValueByName(row, "Quantity").ToString().c_str(),
                 table->GetValueByName(row, "Value").ToDouble(), table->GetValueByName(row, "Unit").ToString().c_str());
   }
+  std::printf("%s", hiddenDetailText(hiddenDetailOf(table), "HiddenDetail           ").c_str());
 }
 
 long long peakMemoryBytes()

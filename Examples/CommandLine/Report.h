@@ -2,8 +2,11 @@
 /// The parts of the JSON reports.
 #pragma once
 
+#include <Surface/Repair/SurfaceRepair.h>
+
 #include <nlohmann/json.hpp>
 
+class vtkDataObject;
 class vtkAtriaDualMesher;
 class vtkPartitionedDataSetCollection;
 class vtkPolyData;
@@ -48,8 +51,12 @@ Json diagnosticsOf(vtkPolyData* diagnostics);
 Json repairOf(vtkPolyData* diagnostics);
 
 /// [{surface, left_out: {triangles, area}, clustered: {triangles, area}}]: what of the surfaces is too fine for the
-/// mesh, from the mesher's diagnostics.
-Json hiddenDetailOf(vtkPolyData* diagnostics);
+/// mesh, from the field arrays of diagnostics or preflight.
+Json hiddenDetailOf(vtkDataObject* data);
+Json hiddenDetailOf(const std::vector<HiddenDetail>& hidden, const std::vector<std::string>& surfaceNames);
+
+/// The same as lines of text, each with what is put before it; the surfaces with most triangles, and how many more.
+std::string hiddenDetailText(const Json& hidden, const std::string& before);
 
 /// [{surface, layers, area, covered, covered_in_full, thickness}] from the field arrays Layer… of the mesher's
 /// diagnostics: shares of the area, and the thickness got relative to that asked for.

@@ -120,6 +120,20 @@ std::string leftOutText(const Json& zones, const Json& withoutFaces)
   return text.empty() ? "nothing" : text;
 }
 
+std::string hiddenText(const Json& hidden)
+{
+  long long leftOut = 0;
+  long long clustered = 0;
+  for (const Json& detail : hidden)
+  {
+    leftOut += detail["left_out"]["triangles"].get<long long>();
+    clustered += detail["clustered"]["triangles"].get<long long>();
+  }
+  return hidden.empty() ? "nothing"
+                        : std::to_string(leftOut) + " triangles in small parts left out, " + std::to_string(clustered) +
+                              " in clusters, of surfaces " + std::to_string(hidden.size());
+}
+
 std::string timeText(const Json& seconds)
 {
   std::string text = number(seconds["Total"].get<double>()) + " s";
@@ -167,6 +181,7 @@ std::string summaryOf(const Json& report, const std::vector<std::string>& files)
   line(out, "worst", worstText(report["quality"]));
   line(out, "patches", patchesText(report["patches"]));
   line(out, "repaired", repairText(report["repair"]));
+  line(out, "too fine", hiddenText(report["hidden_detail"]));
   line(out, "left out", leftOutText(report["zones"], report["diagnostics"]["SurfaceWithoutFaces"]));
   line(out, "time", timeText(report["seconds"]));
   line(out, "memory",

@@ -31,7 +31,7 @@ void repairToVtk(const SurfaceRepairReport& report, vtkPolyData* out);
 /// What of which surfaces is too fine for the mesh, as field arrays with an entry a surface that has any:
 /// `HiddenDetailSurface`, `LeftOutTriangles`, `LeftOutArea`, `ClusteredTriangles` and `ClusteredArea`.
 void hiddenDetailToVtk(const std::vector<HiddenDetail>& hidden, const std::vector<std::string>& surfaceNames,
-                       vtkPolyData* out);
+                       vtkFieldData* out);
 
 /// A line or point for each diagnostic; surfaces that got no face are listed in the field array SurfaceWithoutFaces.
 /// Zones and leaks are field arrays too.

@@ -206,7 +206,7 @@ void layersToVtk(const LayerReport& layers, vtkPolyData* out)
 }
 
 void hiddenDetailToVtk(const std::vector<HiddenDetail>& hidden, const std::vector<std::string>& surfaceNames,
-                       vtkPolyData* out)
+                       vtkFieldData* out)
 {
   vtkNew<vtkStringArray> surfaces;
   surfaces->SetName("HiddenDetailSurface");
@@ -214,7 +214,7 @@ void hiddenDetailToVtk(const std::vector<HiddenDetail>& hidden, const std::vecto
   {
     surfaces->InsertNextValue(detail.surface < surfaceNames.size() ? surfaceNames[detail.surface] : "");
   }
-  out->GetFieldData()->AddArray(surfaces);
+  out->AddArray(surfaces);
   const auto add = [&](const char* name, auto&& value) {
     vtkNew<vtkDoubleArray> values;
     values->SetName(name);
@@ -222,7 +222,7 @@ void hiddenDetailToVtk(const std::vector<HiddenDetail>& hidden, const std::vecto
     {
       values->InsertNextValue(static_cast<double>(value(detail)));
     }
-    out->GetFieldData()->AddArray(values);
+    out->AddArray(values);
   };
   add("LeftOutTriangles", [](const HiddenDetail& d) { return d.leftOutTriangles; });
   add("LeftOutArea", [](const HiddenDetail& d) { return d.leftOutArea; });

@@ -337,7 +337,7 @@ int vtkAtriaDualMesher::RequestData(vtkInformation*, vtkInformationVector** inpu
     atria::addInputWarnings(warnings, *this, diagnostics);
     atria::addSizingWarning(result.sizingWarning, *this, diagnostics);
     atria::repairToVtk(result.repair, diagnostics);
-    atria::hiddenDetailToVtk(result.repair.hidden, result.names, diagnostics);
+    atria::hiddenDetailToVtk(result.repair.hidden, result.names, diagnostics->GetFieldData());
     atria::layersToVtk(result.layers, diagnostics);
     clock.lap("output");
     addFieldData(volume, result.maximumLevel);

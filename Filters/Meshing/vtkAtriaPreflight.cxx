@@ -4,6 +4,7 @@
 #include "AlgorithmProgress.h"
 #include "GridInput.h"
 #include "Mesher/Preflight.h"
+#include "VtkDualMesh.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
@@ -113,6 +114,7 @@ void preflightToVtk(const atria::Preflight& report, const std::vector<std::strin
   table.addNarrow("Gap", report.narrow.gap, report.octantsAcrossGap);
   table.add("EstimatedElements", static_cast<double>(report.estimatedElements), "");
   table.finish(out);
+  atria::hiddenDetailToVtk(report.hidden, names, out->GetFieldData());
   addStrings(out, "Warning", report.warnings);
   addStrings(out, "OpeningSurface", surfacesOf(report.narrow.opening, names));
   addStrings(out, "GapSurface", surfacesOf(report.narrow.gap, names));

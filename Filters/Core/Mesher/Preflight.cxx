@@ -146,6 +146,7 @@ Preflight preflight(const TriangleSurface& surface, const ModelOptions& options,
   const SurfaceModel model = makeSurfaceModel(placed, options, context.part(0.02, 0.1));
   Preflight out;
   out.warnings = checkDomain(surface, plan, options);
+  out.hidden = model.repair.hidden;
   estimate(model, placed.frame, options, out, context.part(0.1, 0.7));
   context.progress.report(0.7, "Measuring narrow places");
   const GridFrame& frame = placed.frame;

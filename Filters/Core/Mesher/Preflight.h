@@ -31,6 +31,8 @@ struct Preflight
   /// The octree's leaves inside the domain. The mesh has about as many elements, less those inside solids and below
   /// terrain.
   std::size_t estimatedElements = 0;
+  /// What is too fine for the mesh; see SurfaceRepairReport.
+  std::vector<HiddenDetail> hidden;
   std::vector<std::string> warnings;
 };
 
