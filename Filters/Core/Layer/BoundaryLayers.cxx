@@ -32,10 +32,6 @@ double growthFor(int count, double length, double low)
   return high;
 }
 
-/// Of the way, at points beside which layers end: what the outermost layer has there at least. Elements that taper off
-/// are flat otherwise.
-constexpr double leastOutermost = 0.5;
-
 /// Marks points with more layers than another one of a face.
 std::vector<char> besideFewer(const DualMesh& plain, const LayerMesh& one, const std::vector<Index>& counts)
 {
@@ -50,16 +46,6 @@ std::vector<char> besideFewer(const DualMesh& plain, const LayerMesh& one, const
     }
   }
   return marked;
-}
-
-/// Gives the outermost layer its least share.
-void thickenOutermost(std::vector<double>& shares)
-{
-  const double inner = shares[shares.size() - 2];
-  for (std::size_t i = 0; i + 1 < shares.size(); ++i)
-  {
-    shares[i] *= std::min(1.0, (1.0 - leastOutermost) / inner);
-  }
 }
 
 /// Puts the points of chains on their ways. Beside those marked in `ends` layers end.
@@ -78,11 +64,9 @@ void placeChains(LayerMesh& layer, const LayerMesh& one, const std::vector<WallL
     {
       WallLayers layers = asked[p];
       layers.layers = static_cast<int>(layer.copies[p] - point) + 1;
+      // Beside an end layers become wedges, whose determinants go with the fourth power of the thinnest.
+      layers.growth = ends[p] && layers.firstHeight == 0.0 ? 1.0 : layers.growth;
       shares = divideWay(layers, (copy - wall).norm());
-      if (ends[p] && layers.layers > 1 && layers.firstHeight == 0.0)
-      {
-        thickenOutermost(shares);
-      }
     }
     layer.mesh.points[point] =
         point == layer.copies[p] ? copy : Vec3(wall + shares[layer.places[i] - 1] * (copy - wall));

@@ -21,7 +21,7 @@ void limitSteps(const DualMesh& plain, const LayerMesh& one, std::vector<Index>&
 ///
 /// The layers fill the way. If it is shorter than they should be in all, all heights are scaled down alike; if it is
 /// longer, the first height is kept and growth is raised, to `maximumGrowth` at most, then all are scaled up. Without a
-/// first height they grow as asked, except beside points with fewer: there the outermost has half of the way.
+/// first height they grow as asked, except beside points with fewer: there they are of one height.
 LayerMesh divideLayer(const DualMesh& plain, const LayerWalls& walls, const LayerMesh& one, const LayerOptions& options,
                       const std::vector<Index>& counts);
 inline constexpr double maximumGrowth = 2.0;
