@@ -23,6 +23,11 @@ struct LayerOptions
   double dividedThickness = 0.6;
 
   Index surfaceCount() const { return static_cast<Index>(ofTag.size()) - 6; }
+  /// Whether several layers are asked for somewhere.
+  bool isDivided() const
+  {
+    return std::ranges::any_of(ofTag, [](const WallLayers& wall) { return wall.layers > 1; });
+  }
   /// Whether a height is asked for somewhere.
   bool hasHeights() const
   {

@@ -2,18 +2,31 @@
 // The conforming layer is divided into boundary layers, as many as elements are valid with.
 #include "Mesher/Improvement/LayerCells.h"
 #include "Mesher/Improvement/LayerImprover.h"
+#include "Optimize/Constraints/ChainConstraints.h"
 #include "Optimize/Constraints/LayerConstraints.h"
 
 #include <algorithm>
+#include <array>
 
 namespace atria {
 
 namespace {
 
-/// Elements below this share of a target are improved; those that are bad then lose layers.
-constexpr float poor = 0.3F;
+/// The share of the way to targets that is aimed at: there are many cells, and it is enough that they are sound.
+constexpr double soundShare = 0.6;
 /// After so many rounds of improving and lowering it is done by lowering alone.
 constexpr int mostRounds = 24;
+
+/// A pass over cells whose least measure is below `below`. Those that are bad after the last lose layers.
+struct DivisionPass
+{
+  bool byChains; ///< whether chains move as a whole, which brings most cells where they are to be with few moves
+  float below;
+  int sweeps;
+  int rings;
+};
+constexpr std::array divisionPasses{DivisionPass{true, 0.5F, 10, 0}, DivisionPass{false, 0.3F, 12, 0},
+                                    DivisionPass{false, soundEnough, 20, 1}};
 
 /// Takes a layer away at the points of cells that have several; where they have different numbers, at those with more.
 void lower(const LayerMesh& layer, const std::vector<ShortCell>& cells, std::vector<Index>& counts)
@@ -132,9 +145,7 @@ std::optional<LayerMesh> LayerImprover::divideAndImprove(const LayerMesh& given)
   for (int round = 0; round < mostRounds; ++round)
   {
     context_.progress.check();
-    std::vector<ShortCell> cells = findShortCells(DualSource(divided.mesh), toEvaluate, targets(), context_);
-    std::erase_if(cells, [](const ShortCell& cell) { return cell.worst >= poor; });
-    const std::vector<ShortCell> bad = badOf(improveDivided(divided, cells, held));
+    const std::vector<ShortCell> bad = badOf(improveDivided(divided, toEvaluate, held));
     if (bad.empty())
     {
       return divided;
@@ -158,32 +169,30 @@ std::optional<LayerMesh> LayerImprover::divideAndImprove(const LayerMesh& given)
   return std::nullopt;
 }
 
-/// Improves the cells given; those about their points that fall short then.
-std::vector<ShortCell> LayerImprover::improveDivided(LayerMesh& divided, const std::vector<ShortCell>& cells,
+/// Improves the poor cells at marked points; those about points that moved in the last pass that fall short then.
+std::vector<ShortCell> LayerImprover::improveDivided(LayerMesh& divided, const std::vector<char>& toEvaluate,
                                                      const std::vector<char>& held) const
 {
   ModelConstraints model(context_, classification_, divided.mesh.points, vertexOf_);
   LayerConstraints layer(divided, walls_, options_, vertexOf_, letGo_, model);
-  HeldConstraints constraints(layer, divided, held);
-  // There are many cells, and it is enough that they are sound.
+  HeldConstraints points(layer, divided, held);
+  ChainConstraints chains(divided, points);
+  const DualSource source(divided.mesh);
   OptimizerOptions options;
-  options.targets = targets();
-  options.rings = 0;
-  options.sweeps = 12;
+  options.targets = targets().within(soundShare);
   options.leastPenalty = 0.01;
   options.leastGain = 0.02;
   options.firstReach = 0.2;
-  std::vector<ShortCell> left =
-      optimize(DualSource(divided.mesh), divided.mesh.points, cells, constraints, options, context_);
-  // The few that are not get more room.
-  OptimizerOptions wider;
-  wider.targets = options.targets;
-  wider.rings = 2;
-  for (int i = 0; i < 2; ++i)
+  std::vector<ShortCell> cells = findShortCells(source, toEvaluate, options.targets, context_);
+  for (const DivisionPass& pass : divisionPasses)
   {
-    left = optimize(DualSource(divided.mesh), divided.mesh.points, badOf(left), constraints, wider, context_);
+    std::erase_if(cells, [&](const ShortCell& cell) { return cell.worst >= pass.below; });
+    options.sweeps = pass.sweeps;
+    options.rings = pass.rings;
+    VertexConstraints& constraints = pass.byChains ? static_cast<VertexConstraints&>(chains) : points;
+    cells = optimize(source, divided.mesh.points, cells, constraints, options, context_);
   }
-  return left;
+  return cells;
 }
 
 /// What is bad with one layer at its points was good before it was improved: these points go back there, and stay.

@@ -37,8 +37,7 @@ LayerImprover::LayerImprover(const MeshingContext& context, const VertexClassifi
     : context_(context), wanted_(classification), classification_(classification), vertexOf_(vertexOf), plain_(plain),
       walls_(walls), options_(options), curvedWalls_(curvedWalls),
       layered_(std::ranges::any_of(options.ofTag, [](const WallLayers& wall) { return wall.layers > 0; })),
-      hasHeights_(options.hasHeights()),
-      divided_(std::ranges::any_of(options.ofTag, [](const WallLayers& wall) { return wall.layers > 1; })),
+      hasHeights_(options.hasHeights()), divided_(options.isDivided()),
       uniform_(std::ranges::adjacent_find(plain.levels, std::not_equal_to()) == plain.levels.end()),
       mayLeave_(vertexOf.size(), 1), letGo_(vertexOf.size(), 0), excluded_(vertexOf.size(), 0),
       suspect_(vertexOf.size(), 0), isLeft_(vertexOf.size(), 0)

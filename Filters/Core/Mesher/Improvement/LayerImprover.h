@@ -90,7 +90,7 @@ private:
   LayerMesh divide(const LayerMesh& one) const;
   std::optional<LayerMesh> divideAndImprove(const LayerMesh& given) const;
   LayerMesh divideEvenly(const LayerMesh& one) const;
-  std::vector<ShortCell> improveDivided(LayerMesh& divided, const std::vector<ShortCell>& cells,
+  std::vector<ShortCell> improveDivided(LayerMesh& divided, const std::vector<char>& toEvaluate,
                                         const std::vector<char>& held) const;
   void restore(const LayerMesh& given, const LayerMesh& divided, const std::vector<ShortCell>& bad,
                const std::vector<Index>& counts, LayerMesh& one, std::vector<char>& held,

@@ -2,6 +2,7 @@
 // What is valid is brought within the angles that solvers do well with.
 #include "Mesher/Improvement/LayerCells.h"
 #include "Mesher/Improvement/PathConstraints.h"
+#include "Optimize/Constraints/ChainConstraints.h"
 #include "Support/Sorting.h"
 
 #include <algorithm>
@@ -18,6 +19,8 @@ constexpr float enoughOfDivided = 0.3F;
 constexpr QualityRange acceptable{0.5, 0.56};
 /// 72.5 to 66.4.
 constexpr QualityRange acceptableOfDivided{0.3, 0.4};
+/// Of divided layers, the share of the way to targets at which measures other than angles are left alone.
+constexpr double guardedShare = 0.3;
 /// Limit of pyramid cosines, a cell squish of 0.93: well above what is valid, so that cells come below 0.9.
 constexpr double leastPyramidCosine = 0.07;
 /// How far, in octants, vertices may leave their surfaces where nothing else helps, one after the other.
@@ -30,14 +33,19 @@ struct LayerImprover::OrthogonalityStage
 {
   QualityRange faceCosine;
   int rings;
+  bool byChains = false; ///< whether chains of divided layers move as a whole
 };
 
 QualityTargets LayerImprover::targetsOf(const OrthogonalityStage& stage) const
 {
   QualityTargets out = targets();
+  out.pyramidCosine.limit = leastPyramidCosine;
+  if (divided_)
+  {
+    out = out.within(guardedShare);
+  }
   out.faceCosine = stage.faceCosine;
   out.leastOfFaceCosine = leastOfOthers;
-  out.pyramidCosine.limit = leastPyramidCosine;
   return out;
 }
 
@@ -66,9 +74,11 @@ void LayerImprover::straighten(std::span<const OrthogonalityStage> stages, float
                                std::vector<Index>& candidates)
 {
   Constraints constraints(*this);
+  ChainConstraints chains(layer_, constraints.layer);
   const DualSource source(layer_.mesh);
   for (const OrthogonalityStage& stage : stages)
   {
+    VertexConstraints& allowed = stage.byChains ? static_cast<VertexConstraints&>(chains) : constraints.layer;
     OptimizerOptions options;
     options.targets = targetsOf(stage);
     options.leastWorst = leastOfOthers;
@@ -77,8 +87,8 @@ void LayerImprover::straighten(std::span<const OrthogonalityStage> stages, float
     options.leastPenalty = 0.1; // cells looked at are short by more
     std::vector<Index> changed;
     const std::vector<ShortCell> left =
-        optimize(source, layer_.mesh.points, findBelow(options.targets, share, candidates), constraints.layer, options,
-                 context_, &changed);
+        optimize(source, layer_.mesh.points, findBelow(options.targets, share, candidates), allowed, options, context_,
+                 &changed);
     std::vector<char> fresh(toEvaluate.size(), 0);
     for (const ShortCell& cell : left)
     {
@@ -136,7 +146,8 @@ void LayerImprover::straighten()
 /// There are many cells, and a limit as high as with one layer would take long.
 void LayerImprover::straightenDivided()
 {
-  constexpr std::array stages{OrthogonalityStage{{0.2, 0.4}, 1}, OrthogonalityStage{{0.35, 0.5}, 1}};
+  constexpr std::array stages{OrthogonalityStage{{0.2, 0.4}, 1, true}, OrthogonalityStage{{0.2, 0.4}, 1},
+                              OrthogonalityStage{{0.35, 0.5}, 1, true}, OrthogonalityStage{{0.35, 0.5}, 1}};
   std::vector<char> toEvaluate = pointsToEvaluate(layer_, context_.executor);
   std::vector<Index> candidates;
   for (const ShortCell& cell : findShortCells(DualSource(layer_.mesh), toEvaluate, targetsOf(stages.back()), context_))

@@ -120,6 +120,8 @@ void QualityEvaluator::enter(std::size_t movable, VertexStar& star) const
   star.point = region_.movable[movable];
   const auto members = region_.membersOf(movable);
   star.points.assign(members.begin(), members.end());
+  const auto shares = region_.sharesOf(movable);
+  star.shares.assign(shares.begin(), shares.end());
   const auto about = region_.cellsAbout(movable);
   star.cells.assign(about.begin(), about.end());
   star.faces.clear();
@@ -148,6 +150,11 @@ void QualityEvaluator::enter(std::size_t movable, VertexStar& star) const
 void QualityEvaluator::prepare(VertexStar& star) const
 {
   star.origin = region_.points[star.point];
+  star.pointsBefore.clear();
+  for (const Index point : star.points)
+  {
+    star.pointsBefore.push_back(region_.points[point]);
+  }
   star.moving.clear();
   star.facesBefore.clear();
   if (star.shapes.size() < star.faces.size())
@@ -213,9 +220,10 @@ void QualityEvaluator::findFirst(VertexStar& star) const
 
 void QualityEvaluator::place(VertexStar& star, const Vec3& p)
 {
-  for (const Index point : star.points)
+  for (std::size_t i = 0; i < star.points.size(); ++i)
   {
-    region_.points[point] = p;
+    const double share = star.shares[i];
+    region_.points[star.points[i]] = share == 1.0 ? p : Vec3(star.pointsBefore[i] + share * (p - star.origin));
   }
   for (const Index i : star.moving)
   {
@@ -291,9 +299,9 @@ Score QualityEvaluator::look(VertexStar& star, const Vec3& p, const LookLimits& 
 
 void QualityEvaluator::restore(const VertexStar& star)
 {
-  for (const Index point : star.points)
+  for (std::size_t i = 0; i < star.points.size(); ++i)
   {
-    region_.points[point] = star.origin;
+    region_.points[star.points[i]] = star.pointsBefore[i];
   }
   for (std::size_t i = 0; i < star.moving.size(); ++i)
   {

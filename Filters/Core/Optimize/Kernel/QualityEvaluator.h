@@ -120,7 +120,8 @@ struct VertexStar
 {
   Index point = noIndex; ///< the leader
   std::vector<Index> points;
-  double size = 0.0; ///< mean edge of the cells
+  std::vector<double> shares; ///< of the leader's way, by point
+  double size = 0.0;          ///< mean edge of the cells
   std::vector<Index> cells;
   std::vector<Index> faces; ///< all faces of the cells
   /// Of each cell's faces, in the region's order, the places in `faces`; those of cell i begin at offsets[i].
@@ -141,8 +142,9 @@ struct VertexStar
   /// Places in `scores`; first what fell short before, as it will tell soonest that a place is no better.
   std::vector<Index> order;
   std::size_t firstInOrder = 0;
-  /// As they were before the point was moved: the points' place, the faces that move, the cells.
+  /// As they were before the point was moved: the leader's place and all points', the faces that move, the cells.
   Vec3 origin;
+  std::vector<Vec3> pointsBefore;
   std::vector<FaceMeasure> facesBefore;
   std::vector<CellMeasure> cellsBefore;
   /// By face of the region, its place in `faces` if the entry is of this star.

@@ -81,6 +81,8 @@ struct QualityTargets
 
   /// All targets farther from their limits: measures creep up to what is aimed at and stop just short of it.
   QualityTargets beyond(double share) const;
+  /// All targets at this share of their way from the limits.
+  QualityTargets within(double share) const { return beyond(share - 1.0); }
 };
 
 } // namespace atria

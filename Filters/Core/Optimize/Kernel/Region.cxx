@@ -87,6 +87,9 @@ Region extractRegion(const CellSource& source, const std::vector<char>& marked, 
   Extraction extraction(source, cellsWithMarked(source, marked, context), withNatives, Extraction::Order::ofMesh);
   Region region = extraction.run(context);
   addStars(region, extraction, leadersIn(region, marked, constraints, context), context);
+  region.shares.resize(region.members.size());
+  std::ranges::transform(region.members, region.shares.begin(),
+                         [&](Index local) { return constraints.shareOf(region.pointIds[local]); });
   context.progress.check();
   return region;
 }

@@ -35,10 +35,12 @@ struct Region : RegionCells
   /// Centroid and volume of the others, after the judged ones.
   std::vector<Vec3> ghostCentroids;
   std::vector<double> ghostVolumes;
-  /// Points that may move, in sets that move as one: the leader of each set, its members, and the cells about them.
+  /// Points that may move, in sets that move as one: the leader of each set, its members with their shares of its way,
+  /// and the cells about them.
   std::vector<Index> movable;
   std::vector<Index> memberOffsets{0};
   Buffer<Index> members;
+  std::vector<double> shares;
   std::vector<Index> aboutOffsets{0};
   Buffer<Index> about;
 
@@ -56,6 +58,10 @@ struct Region : RegionCells
   std::span<const Index> membersOf(std::size_t movablePoint) const
   {
     return {members.data() + memberOffsets[movablePoint], members.data() + memberOffsets[movablePoint + 1]};
+  }
+  std::span<const double> sharesOf(std::size_t movablePoint) const
+  {
+    return {shares.data() + memberOffsets[movablePoint], shares.data() + memberOffsets[movablePoint + 1]};
   }
   std::span<const Index> cellsAbout(std::size_t movablePoint) const
   {

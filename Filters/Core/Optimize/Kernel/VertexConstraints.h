@@ -25,8 +25,9 @@ public:
   virtual void prepare(std::span<const Index> /*points*/, const RunContext& /*context*/) {}
   /// Whether the point may move at all.
   virtual bool isMovable(Index point) const = 0;
-  /// Points with the same leader are in one place and move as one.
+  /// Points with the same leader move as one: each goes its share of the leader's way. The leader's own share is 1.
   virtual Index leaderOf(Index point) const { return point; }
+  virtual double shareOf(Index /*point*/) const { return 1.0; }
   /// The allowed place nearest to p. Called by several threads, but for one point by one at a time.
   virtual Vec3 place(Index point, const Vec3& p) const = 0;
   /// The ways a point that is at p, an allowed place, may go by as little as `step`. As `place`, by which they are
