@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 #include <utility>
 
 namespace atria {
@@ -73,8 +72,10 @@ void QualityEvaluator::judgeInOrder(VertexStar& star, Index place) const
   judgeFace(star.faces[slot], ShapesOfVertexStar(*this, star, &slot), star.scores[place]);
 }
 
-template <typename Sink> void QualityEvaluator::judgeShort(VertexStar& star, Sink& out) const
+void QualityEvaluator::residualsOf(VertexStar& star, Residuals& out) const
 {
+  out.measures.clear();
+  out.values.clear();
   for (std::size_t i = 0; i < star.cells.size(); ++i)
   {
     if (cellScores[star.cells[i]].penalty > 0.0)
@@ -91,17 +92,48 @@ template <typename Sink> void QualityEvaluator::judgeShort(VertexStar& star, Sin
   }
 }
 
-void QualityEvaluator::residualsOf(VertexStar& star, Residuals& out) const
-{
-  out.values.clear();
-  judgeShort(star, out);
-}
-
 void QualityEvaluator::residualsBeside(VertexStar& star, const Residuals& before, std::vector<double>& out) const
 {
+  const ShapesOfVertexStar shapes(*this, star, nullptr);
   out.clear();
-  ResidualsBeside sink{before, out};
-  judgeShort(star, sink);
+  for (const Measure& measure : before.measures)
+  {
+    out.push_back(shortfallOf(measureOf(measure, shapes)));
+  }
+}
+
+/// As it is now.
+template <typename Shapes> double QualityEvaluator::measureOf(const Measure& measure, const Shapes& shapes) const
+{
+  const Index face = measure.face;
+  const auto owner = [&]() -> const CellMeasure& { return cells[region_.owner[face]]; };
+  const auto across = [&]() -> const CellMeasure& { return cells[region_.neighbor[face]]; };
+  switch (measure.kind)
+  {
+    case Measure::pyramidCosine:
+      return pyramidOf(face, measure.cell);
+    case Measure::corners:
+      return cornersOf(face, measure.cell, shapes, measure.slot);
+    case Measure::convexity:
+      return convexityOf(face, measure.other, measure.cell);
+    case Measure::determinant:
+      return targets_.determinantRoot.of(std::sqrt(std::sqrt(determinantOf(measure.cell))));
+    case Measure::jacobian:
+      return jacobianRange().of(jacobiansOf(measure.cell).values[measure.part]);
+    case Measure::fans:
+      return fansOf(face, shapes, measure.slot);
+    case Measure::boundaryShape:
+      return boundaryShapeOf(face, measure.part, shapes, measure.slot);
+    case Measure::faceCosine:
+      return orthogonalityOf(face);
+    case Measure::skewness:
+      return straightnessOf(face);
+    case Measure::weight:
+      return targets_.weight.of(weightOf(faces[face], owner(), across()));
+    case Measure::volumeRatio:
+      return targets_.volumeRatio.of(volumeRatioOf(owner(), across()));
+  }
+  return 1.0;
 }
 
 /// Of a face's edge and its centroid.
@@ -140,74 +172,71 @@ void QualityEvaluator::judgeCell(Index cell, const Shapes& shapes, Sink& score) 
 {
   const auto own = region_.facesOf(cell);
   const CellMeasure& measure = cells[cell];
-  // Residuals keep a place for each measure.
-  const bool looksAtPairs = targets_.convex && (!std::is_same_v<Sink, Score> || !isClearlyConvex(cell));
+  const bool looksAtPairs = targets_.convex && !isClearlyConvex(cell);
   for (std::size_t k = 0; k < own.size(); ++k)
   {
     const Index f = own[k];
-    const Vec3 normal = sign(cell, f) * faces[f].normal;
+    const Index slot = shapes.slotOf(k);
     const Vec3 toFace = faces[f].centroid - measure.centroid;
-    if (score.wantsNext() && !isAbove(normal.dot(toFace), targets_.pyramidCosine.target, toFace))
+    if (!isAbove(sign(cell, f) * faces[f].normal.dot(toFace), targets_.pyramidCosine.target, toFace))
     {
-      score.add(targets_.pyramidCosine.of(normal.dot(toFace) / (toFace.norm() + tiny)));
+      score.add({Measure::pyramidCosine, 0, cell, f}, pyramidOf(f, cell));
     }
-    else
-    {
-      score.addGood();
-    }
-    scoreCorners(f, cell, shapes, k, score);
+    score.add({Measure::corners, 0, cell, f, noIndex, slot}, cornersOf(f, cell, shapes, slot));
     if (looksAtPairs)
     {
-      scoreConvexity(f, cell, score);
+      judgeConvexity(f, cell, score);
     }
   }
   if (targets_.decomposed)
   {
-    score.add(targets_.determinantRoot.of(std::sqrt(std::sqrt(determinantOf(cell)))), targets_.leastOfDeterminant);
+    score.add({Measure::determinant, 0, cell}, targets_.determinantRoot.of(std::sqrt(std::sqrt(determinantOf(cell)))),
+              targets_.leastOfDeterminant);
   }
   if (targets_.scaledJacobian > 0.0)
   {
     // All that are below the target: the least alone has a kink where another one takes over.
     const JacobianTerms terms = jacobiansOf(cell);
-    const QualityRange jacobian{targets_.jacobianLimit, targets_.scaledJacobian};
-    for (std::size_t i = 0; i < terms.count; ++i)
+    for (std::uint8_t i = 0; i < terms.count; ++i)
     {
-      score.add(jacobian.of(terms.values[i]), targets_.leastOfJacobian);
+      score.add({Measure::jacobian, i, cell}, jacobianRange().of(terms.values[i]), targets_.leastOfJacobian);
     }
   }
 }
 
-/// How far the cell's other faces lie behind the plane of one.
-template <typename Sink> void QualityEvaluator::scoreConvexity(Index face, Index cell, Sink& score) const
+double QualityEvaluator::pyramidOf(Index face, Index cell) const
+{
+  const Vec3 toFace = faces[face].centroid - cells[cell].centroid;
+  return targets_.pyramidCosine.of(sign(cell, face) * faces[face].normal.dot(toFace) / (toFace.norm() + tiny));
+}
+
+/// How far one of the cell's faces lies behind the plane of another.
+double QualityEvaluator::convexityOf(Index face, Index other, Index cell) const
+{
+  const Vec3 between = faces[other].centroid - faces[face].centroid;
+  const double inside = -sign(cell, face) * faces[face].normal.dot(between);
+  const bool mayBeFlat = region_.neighbor[face] == noIndex && region_.neighbor[other] == noIndex;
+  if (mayBeFlat && inside >= -flatSine * between.norm())
+  {
+    return 1.0;
+  }
+  return targets_.convexity.of(inside / (between.norm() + tiny));
+}
+
+template <typename Sink> void QualityEvaluator::judgeConvexity(Index face, Index cell, Sink& score) const
 {
   const Vec3 normal = sign(cell, face) * faces[face].normal;
   for (const Index g : region_.facesOf(cell))
   {
-    if (face == g)
-    {
-      continue;
-    }
-    if (!score.wantsNext())
-    {
-      score.addGood();
-      continue;
-    }
     const Vec3 between = faces[g].centroid - faces[face].centroid;
-    const double inside = -normal.dot(between);
-    // Two faces on the boundary may lie in one plane.
-    const bool mayBeFlat = region_.neighbor[face] == noIndex && region_.neighbor[g] == noIndex;
-    if (mayBeFlat ? inside < -flatSine * between.norm() : !isAbove(inside, targets_.convexity.target, between))
+    if (face != g && !isAbove(-normal.dot(between), targets_.convexity.target, between))
     {
-      score.add(targets_.convexity.of(inside / (between.norm() + tiny)));
-    }
-    else
-    {
-      score.addGood();
+      score.add({Measure::convexity, 0, cell, face, g}, convexityOf(face, g, cell));
     }
   }
 }
 
-/// Whether no two faces fall short in scoreConvexity: a quicker look at both ways at once. May be false for cells of
+/// Whether no two faces fall short in judgeConvexity: a quicker look at both ways at once. May be false for cells of
 /// many faces.
 bool QualityEvaluator::isClearlyConvex(Index cell) const
 {
@@ -263,14 +292,9 @@ std::array<double, 4> QualityEvaluator::halfVolumes(Index face, const std::array
 }
 
 /// OpenFOAM takes a face apart into triangles about its centroid. In the tetrahedra of these, a parallelepiped has 24.
-template <typename Shapes, typename Sink>
-void QualityEvaluator::scoreCorners(Index face, Index cell, const Shapes& shapes, std::size_t k, Sink& score) const
+template <typename Shapes>
+double QualityEvaluator::cornersOf(Index face, Index cell, const Shapes& shapes, Index slot) const
 {
-  if (!score.wantsNext())
-  {
-    score.addGood();
-    return;
-  }
   const std::size_t size = region_.face(face).size();
   const Vec3& middle = middleOf(cell);
   const double scale = sign(cell, face) * cornerScales[cell];
@@ -278,47 +302,34 @@ void QualityEvaluator::scoreCorners(Index face, Index cell, const Shapes& shapes
   double least = std::numeric_limits<double>::infinity();
   if (size == 3)
   {
-    score.add(scale * 2.0 * faces[face].area.dot(toFace));
+    return scale * 2.0 * faces[face].area.dot(toFace);
   }
-  else if (size > 4)
+  if (size > 4)
   {
     for (std::size_t i = 0; i < size; ++i)
     {
       least = std::min(least, scale * fanTriangle(face, i).dot(toFace));
     }
-    score.add(0.5 * static_cast<double>(size) * least);
+    return 0.5 * static_cast<double>(size) * least;
   }
-  else if (targets_.decomposed)
+  if (targets_.decomposed)
   {
-    for (const Vec3& part : shapes.fan(face, k))
+    for (const Vec3& part : shapes.fan(face, slot))
     {
       least = std::min(least, scale * part.dot(toFace));
     }
-    score.add(2.0 * least);
+    return 2.0 * least;
   }
-  else
-  {
-    const std::array<double, 4> part = halfVolumes(face, shapes.halves(face, k), middle);
-    score.add(std::max(std::min(scale * part[0], scale * part[1]), std::min(scale * part[2], scale * part[3])));
-  }
+  const std::array<double, 4> part = halfVolumes(face, shapes.halves(face, slot), middle);
+  return std::max(std::min(scale * part[0], scale * part[1]), std::min(scale * part[2], scale * part[3]));
 }
 
 /// OpenFOAM also takes a face apart into triangles about one of its corners, the same for the cells on both sides. In
 /// a quadrilateral there are two ways.
-template <typename Shapes, typename Sink>
-void QualityEvaluator::scoreFans(Index face, const Shapes& shapes, Sink& score) const
+template <typename Shapes> double QualityEvaluator::fansOf(Index face, const Shapes& shapes, Index slot) const
 {
-  if (region_.face(face).size() != 4 || !targets_.decomposed)
-  {
-    return;
-  }
-  if (!score.wantsNext())
-  {
-    score.addGood();
-    return;
-  }
   std::array<double, 2> least{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
-  const auto& half = shapes.halves(face, 0);
+  const auto& half = shapes.halves(face, slot);
   const auto look = [&](const Vec3& middle, double scale) {
     const std::array<double, 4> part = halfVolumes(face, half, middle);
     for (std::size_t fan = 0; fan < 2; ++fan)
@@ -333,7 +344,7 @@ void QualityEvaluator::scoreFans(Index face, const Shapes& shapes, Sink& score) 
   {
     look(middleOf(across), -cornerScales[across < sizes.size() ? across : own]);
   }
-  score.add(std::max(least[0], least[1]));
+  return std::max(least[0], least[1]);
 }
 
 template <typename Shapes, typename Sink>
@@ -342,83 +353,90 @@ void QualityEvaluator::judgeFace(Index face, const Shapes& shapes, Sink& score) 
   const FaceMeasure& f = faces[face];
   const CellMeasure& own = cells[region_.owner[face]];
   const Index across = region_.neighbor[face];
-  scoreFans(face, shapes, score);
+  const Index slot = shapes.slotOf(0);
+  if (targets_.decomposed && region_.face(face).size() == 4)
+  {
+    score.add({Measure::fans, 0, noIndex, face, noIndex, slot}, fansOf(face, shapes, slot));
+  }
+  const Vec3 d = wayAcross(face);
+  if (across != noIndex && !isAbove(f.normal.dot(d), targets_.faceCosine.target, d))
+  {
+    score.add({Measure::faceCosine, 0, noIndex, face}, orthogonalityOf(face), targets_.leastOfFaceCosine);
+  }
+  if (!isClearlyStraight(face, d))
+  {
+    score.add({Measure::skewness, 0, noIndex, face}, straightnessOf(face), targets_.leastOfSkewness);
+  }
   if (across == noIndex)
   {
-    const double height = f.normal.dot(f.centroid - own.centroid);
-    scoreSkewness(face, height * f.normal, score);
-    scoreBoundary(face, shapes, score);
-    return;
-  }
-  const CellMeasure& other = cells[across];
-  const Vec3 d = other.centroid - own.centroid;
-  if (!isAbove(f.normal.dot(d), targets_.faceCosine.target, d))
-  {
-    score.add(targets_.faceCosine.of(f.normal.dot(d) / (d.norm() + tiny)), targets_.leastOfFaceCosine);
+    judgeBoundary(face, shapes, slot, score);
   }
   else
   {
-    score.addGood();
+    judgeSizes(f, {Measure::weight, 0, noIndex, face}, own, cells[across], score);
   }
-  scoreSkewness(face, d, score);
-  scoreSizes(f, own, other, score);
+}
+
+/// From the owner's centroid to that of the cell across, or to the boundary face's plane.
+Vec3 QualityEvaluator::wayAcross(Index face) const
+{
+  const FaceMeasure& f = faces[face];
+  const CellMeasure& own = cells[region_.owner[face]];
+  const Index across = region_.neighbor[face];
+  return across == noIndex ? Vec3(f.normal.dot(f.centroid - own.centroid) * f.normal)
+                           : Vec3(cells[across].centroid - own.centroid);
+}
+
+double QualityEvaluator::orthogonalityOf(Index face) const
+{
+  const Vec3 d = wayAcross(face);
+  return targets_.faceCosine.of(faces[face].normal.dot(d) / (d.norm() + tiny));
+}
+
+double QualityEvaluator::straightnessOf(Index face) const
+{
+  const double skewness =
+      faces[face].normal.isZero() ? wild : skewnessOf(face, wayAcross(face), targets_.skewness.target);
+  return targets_.skewness.of(std::min(skewness, wild));
 }
 
 /// Interpolation weight and ratio of volumes.
 template <typename Sink>
-void QualityEvaluator::scoreSizes(const FaceMeasure& face, const CellMeasure& own, const CellMeasure& other,
-                                  Sink& score) const
+void QualityEvaluator::judgeSizes(const FaceMeasure& face, const Measure& of, const CellMeasure& own,
+                                  const CellMeasure& other, Sink& score) const
 {
   const double here = std::abs(face.normal.dot(face.centroid - own.centroid));
   const double there = std::abs(face.normal.dot(other.centroid - face.centroid));
-  if (std::min(here, there) > clearly * targets_.weight.target * (here + there + tiny))
+  if (std::min(here, there) <= clearly * targets_.weight.target * (here + there + tiny))
   {
-    score.addGood();
-  }
-  else
-  {
-    score.add(targets_.weight.of(weightOf(face, own, other)));
+    score.add(of, targets_.weight.of(weightOf(face, own, other)));
   }
   const double larger = std::max(std::abs(own.volume), std::abs(other.volume));
-  if (std::min(own.volume, other.volume) > clearly * targets_.volumeRatio.target * (larger + tiny))
+  if (std::min(own.volume, other.volume) <= clearly * targets_.volumeRatio.target * (larger + tiny))
   {
-    score.addGood();
-  }
-  else
-  {
-    score.add(targets_.volumeRatio.of(volumeRatioOf(own, other)));
+    score.add({Measure::volumeRatio, 0, noIndex, of.face}, targets_.volumeRatio.of(volumeRatioOf(own, other)));
   }
 }
 
 template <typename Shapes, typename Sink>
-void QualityEvaluator::scoreBoundary(Index face, const Shapes& shapes, Sink& score) const
+void QualityEvaluator::judgeBoundary(Index face, const Shapes& shapes, Index slot, Sink& score) const
+{
+  const std::size_t size = region_.face(face).size();
+  for (std::size_t i = 0; size > 3 && i < size; ++i)
+  {
+    const Measure of{Measure::boundaryShape, static_cast<std::uint8_t>(i), noIndex, face, noIndex, slot};
+    score.add(of, boundaryShapeOf(face, i, shapes, slot));
+  }
+}
+
+template <typename Shapes>
+double QualityEvaluator::boundaryShapeOf(Index face, std::size_t part, const Shapes& shapes, Index slot) const
 {
   const FaceMeasure& f = faces[face];
   const std::size_t size = region_.face(face).size();
   const double mean = f.length / static_cast<double>(size) + tiny;
-  const auto add = [&](const Vec3& part) { score.add(targets_.boundaryShape.of(0.5 * part.dot(f.normal) / mean)); };
-  if (size == 4)
-  {
-    for (const Vec3& part : shapes.fan(face, 0))
-    {
-      add(part);
-    }
-  }
-  for (std::size_t i = 0; size > 4 && i < size; ++i)
-  {
-    add(fanTriangle(face, i));
-  }
-}
-
-template <typename Sink> void QualityEvaluator::scoreSkewness(Index face, const Vec3& d, Sink& score) const
-{
-  if (!score.wantsNext() || isClearlyStraight(face, d))
-  {
-    score.addGood();
-    return;
-  }
-  const double skewness = faces[face].normal.isZero() ? wild : skewnessOf(face, d, targets_.skewness.target);
-  score.add(targets_.skewness.of(std::min(skewness, wild)), targets_.leastOfSkewness);
+  const Vec3 triangle = size == 4 ? Vec3(shapes.fan(face, slot)[part]) : fanTriangle(face, part);
+  return targets_.boundaryShape.of(0.5 * triangle.dot(f.normal) / mean);
 }
 
 /// Whether the skewness is below its target, as far as that can be seen without roots and division.

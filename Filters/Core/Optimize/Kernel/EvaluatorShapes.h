@@ -11,14 +11,15 @@ class QualityEvaluator::ShapesOnDemand
 {
 public:
   explicit ShapesOnDemand(const QualityEvaluator& judge) : evaluator_(judge) {}
-  std::array<Vec3, 4> fan(Index face, std::size_t) const { return evaluator_.fanOf(face); }
-  std::array<Vec3, 4> halves(Index face, std::size_t) const { return evaluator_.halvesOf(face); }
+  static Index slotOf(std::size_t) { return noIndex; }
+  std::array<Vec3, 4> fan(Index face, Index) const { return evaluator_.fanOf(face); }
+  std::array<Vec3, 4> halves(Index face, Index) const { return evaluator_.halvesOf(face); }
 
 private:
   const QualityEvaluator& evaluator_;
 };
 
-/// Shapes of faces of a star: of those of a cell, by their number in the cell, or of one. Kept in the star.
+/// Shapes of faces of a star, kept in the star. `slots` are the places of those of a cell, or of one.
 class QualityEvaluator::ShapesOfVertexStar
 {
 public:
@@ -26,19 +27,20 @@ public:
       : evaluator_(judge), star_(star), slots_(slots)
   {
   }
-  const std::array<Vec3, 4>& fan(Index face, std::size_t k) const
+  Index slotOf(std::size_t k) const { return slots_[k]; }
+  const std::array<Vec3, 4>& fan(Index face, Index slot) const
   {
-    QuadShape& shape = star_.shapes[slots_[k]];
-    if (isMissing(k, QuadShape::fanPart))
+    QuadShape& shape = star_.shapes[slot];
+    if (isMissing(slot, QuadShape::fanPart))
     {
       shape.fan = evaluator_.fanOf(face);
     }
     return shape.fan;
   }
-  const std::array<Vec3, 4>& halves(Index face, std::size_t k) const
+  const std::array<Vec3, 4>& halves(Index face, Index slot) const
   {
-    QuadShape& shape = star_.shapes[slots_[k]];
-    if (isMissing(k, QuadShape::halfPart))
+    QuadShape& shape = star_.shapes[slot];
+    if (isMissing(slot, QuadShape::halfPart))
     {
       shape.half = evaluator_.halvesOf(face);
     }
@@ -47,9 +49,9 @@ public:
 
 private:
   /// It is not from then on.
-  bool isMissing(std::size_t k, QuadShape::Part part) const
+  bool isMissing(Index slot, QuadShape::Part part) const
   {
-    std::uint8_t& parts = star_.parts[slots_[k]];
+    std::uint8_t& parts = star_.parts[slot];
     const bool missing = (parts & part) == 0;
     parts |= part;
     return missing;

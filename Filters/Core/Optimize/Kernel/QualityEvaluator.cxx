@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Measures of a region, kept while points of it move. How they are judged is in JudgeScores.cxx.
+// Measures of a region, kept while points of it move. How they are judged is in EvaluatorScores.cxx.
 #include "Optimize/Kernel/QualityEvaluator.h"
 
 #include <algorithm>

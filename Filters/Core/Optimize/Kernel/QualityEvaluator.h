@@ -17,6 +17,31 @@ inline double shortfallOf(double q)
   return q >= 1.0 ? 0.0 : 1.0 - q + stress * std::max(0.0, poor - q);
 }
 
+/// One of the measures of a cell or a face.
+struct Measure
+{
+  enum Kind : std::uint8_t
+  {
+    pyramidCosine,
+    corners,
+    convexity,
+    determinant,
+    jacobian,
+    fans,
+    boundaryShape,
+    faceCosine,
+    skewness,
+    weight,
+    volumeRatio
+  };
+  Kind kind;
+  std::uint8_t part = 0; ///< of those that a cell or a face has several of
+  Index cell = noIndex;
+  Index face = noIndex;
+  Index other = noIndex; ///< face
+  Index slot = noIndex;  ///< the face's place in a star
+};
+
 /// Sum of the squares of what all measures fall short, and the least measure, if it is not far above 1.
 struct Score
 {
@@ -24,50 +49,43 @@ struct Score
   double penalty = 0.0;
   double worst = std::numeric_limits<double>::infinity();
 
-  static constexpr bool wantsNext() { return true; }
-  void add(double q) { add(q, q); }
+  void add(const Measure& /*measure*/, double q) { add(q, q); }
   /// Of the worst no less than `least`.
-  void add(double q, double least)
-  {
-    if (q >= farAbove)
-    {
-      return;
-    }
-    worst = std::min(worst, std::max(q, least));
-    const double shortfall = shortfallOf(q);
-    penalty += shortfall * shortfall;
-  }
-  /// Of a measure that was seen to be good without computing it.
-  void addGood() {}
+  void add(const Measure& /*measure*/, double q, double least) { add(q, std::max(q, least)); }
   void add(const Score& other)
   {
     penalty += other.penalty;
     worst = std::min(worst, other.worst);
   }
+
+private:
+  void add(double q, double forWorst)
+  {
+    if (q >= farAbove)
+    {
+      return;
+    }
+    worst = std::min(worst, forWorst);
+    const double shortfall = shortfallOf(q);
+    penalty += shortfall * shortfall;
+  }
 };
 
-/// What measures fall short, in the order they are looked at.
+/// The measures that fall short, and by how much.
 struct Residuals
 {
+  std::vector<Measure> measures;
   std::vector<double> values;
 
-  /// Whether the next measure has to be looked at.
-  static constexpr bool wantsNext() { return true; }
-  void add(double q) { values.push_back(shortfallOf(q)); }
-  void add(double q, double /*least*/) { add(q); }
-  void addGood() { values.push_back(0.0); }
-};
-
-/// As Residuals, but 0 where others are.
-struct ResidualsBeside
-{
-  const Residuals& others;
-  std::vector<double>& values;
-
-  bool wantsNext() const { return others.values[values.size()] > 0.0; }
-  void add(double q) { values.push_back(wantsNext() ? shortfallOf(q) : 0.0); }
-  void add(double q, double /*least*/) { add(q); }
-  void addGood() { values.push_back(0.0); }
+  void add(const Measure& measure, double q)
+  {
+    if (q < 1.0)
+    {
+      measures.push_back(measure);
+      values.push_back(shortfallOf(q));
+    }
+  }
+  void add(const Measure& measure, double q, double /*least*/) { add(measure, q); }
 };
 
 /// The least of what Quality/Metrics.h measures of cells and their faces, and some of Quality/CheckQuantities.h.
@@ -199,9 +217,9 @@ public:
   /// Of a cell and its faces, as they are, by other targets.
   Score scoreBy(const QualityTargets& targets, Index cell);
 
-  /// The residuals of the cells and faces of a star whose kept scores fall short, always in the same order.
+  /// The measures that fall short of the cells and faces of a star whose kept scores do, in the same order always.
   void residualsOf(VertexStar& star, Residuals& out) const;
-  /// The same after a move, of those that were not 0 only.
+  /// By how much these fall short after a move.
   void residualsBeside(VertexStar& star, const Residuals& before, std::vector<double>& out) const;
 
   LeastMetrics metricsOf(const VertexStar& star) const;
@@ -216,7 +234,6 @@ private:
   void measureRest(const VertexStar& star);
   void findFirst(VertexStar& star) const;
   void judgeInOrder(VertexStar& star, Index place) const;
-  template <typename Sink> void judgeShort(VertexStar& star, Sink& sink) const;
   void measureSize(Index cell, const std::vector<double>& perimeters);
   double perimeterOf(Index face) const;
   void judgeAll(const RunContext& context);
@@ -227,19 +244,28 @@ private:
   class ShapesOfVertexStar;
   template <typename Shapes, typename Sink> void judgeCell(Index cell, const Shapes& shapes, Sink& score) const;
   template <typename Shapes, typename Sink> void judgeFace(Index face, const Shapes& shapes, Sink& score) const;
+  template <typename Sink> void judgeConvexity(Index face, Index cell, Sink& score) const;
   template <typename Shapes, typename Sink>
-  void scoreCorners(Index face, Index cell, const Shapes& shapes, std::size_t k, Sink& score) const;
-  template <typename Sink> void scoreConvexity(Index face, Index cell, Sink& score) const;
-  template <typename Shapes, typename Sink> void scoreFans(Index face, const Shapes& shapes, Sink& score) const;
+  void judgeBoundary(Index face, const Shapes& shapes, Index slot, Sink& score) const;
+  template <typename Sink>
+  void judgeSizes(const FaceMeasure& face, const Measure& of, const CellMeasure& own, const CellMeasure& other,
+                  Sink& score) const;
+  template <typename Shapes> double measureOf(const Measure& measure, const Shapes& shapes) const;
+  double pyramidOf(Index face, Index cell) const;
+  double convexityOf(Index face, Index other, Index cell) const;
+  template <typename Shapes> double cornersOf(Index face, Index cell, const Shapes& shapes, Index slot) const;
+  template <typename Shapes> double fansOf(Index face, const Shapes& shapes, Index slot) const;
+  template <typename Shapes>
+  double boundaryShapeOf(Index face, std::size_t part, const Shapes& shapes, Index slot) const;
+  double orthogonalityOf(Index face) const;
+  double straightnessOf(Index face) const;
   std::array<double, 4> halfVolumes(Index face, const std::array<Vec3, 4>& half, const Vec3& middle) const;
   bool isClearlyConvex(Index cell) const;
   const Vec3& middleOf(Index cell) const;
   double determinantOf(Index cell) const;
   JacobianTerms jacobiansOf(Index cell) const;
-  template <typename Shapes, typename Sink> void scoreBoundary(Index face, const Shapes& shapes, Sink& score) const;
-  template <typename Sink> void scoreSkewness(Index face, const Vec3& d, Sink& score) const;
-  template <typename Sink>
-  void scoreSizes(const FaceMeasure& face, const CellMeasure& own, const CellMeasure& other, Sink& score) const;
+  QualityRange jacobianRange() const { return {targets_.jacobianLimit, targets_.scaledJacobian}; }
+  Vec3 wayAcross(Index face) const;
   bool isClearlyStraight(Index face, const Vec3& d) const;
   double skewnessOf(Index face, const Vec3& d, double good) const;
   double sign(Index cell, Index face) const { return region_.owner[face] == cell ? 1.0 : -1.0; }
