@@ -59,7 +59,7 @@ Score QualityEvaluator::scoreBy(const QualityTargets& targets, Index cell)
   return score;
 }
 
-void QualityEvaluator::judgeInOrder(VertexStar& star, Index place) const
+[[gnu::flatten]] void QualityEvaluator::judgeInOrder(VertexStar& star, Index place) const
 {
   const auto count = static_cast<Index>(star.cells.size());
   if (place < count)
@@ -72,7 +72,7 @@ void QualityEvaluator::judgeInOrder(VertexStar& star, Index place) const
   judgeFace(star.faces[slot], ShapesOfVertexStar(*this, star, &slot), star.scores[place]);
 }
 
-void QualityEvaluator::residualsOf(VertexStar& star, Residuals& out) const
+[[gnu::flatten]] void QualityEvaluator::residualsOf(VertexStar& star, Residuals& out) const
 {
   out.measures.clear();
   out.values.clear();
@@ -92,7 +92,8 @@ void QualityEvaluator::residualsOf(VertexStar& star, Residuals& out) const
   }
 }
 
-void QualityEvaluator::residualsBeside(VertexStar& star, const Residuals& before, std::vector<double>& out) const
+[[gnu::flatten]] void QualityEvaluator::residualsBeside(VertexStar& star, const Residuals& before,
+                                                        std::vector<double>& out) const
 {
   const ShapesOfVertexStar shapes(*this, star, nullptr);
   out.clear();
@@ -113,7 +114,7 @@ template <typename Shapes> double QualityEvaluator::measureOf(const Measure& mea
     case Measure::pyramidCosine:
       return pyramidOf(face, measure.cell);
     case Measure::corners:
-      return cornersOf(face, measure.cell, shapes, measure.slot);
+      return cornersOf(face, measure.cell, middleOf(measure.cell), shapes, measure.slot);
     case Measure::convexity:
       return convexityOf(face, measure.other, measure.cell);
     case Measure::determinant:
@@ -171,18 +172,19 @@ template <typename Shapes, typename Sink>
 void QualityEvaluator::judgeCell(Index cell, const Shapes& shapes, Sink& score) const
 {
   const auto own = region_.facesOf(cell);
-  const CellMeasure& measure = cells[cell];
+  const Vec3 centroid = cells[cell].centroid;
+  const Vec3 middle = middleOf(cell);
   const bool looksAtPairs = targets_.convex && !isClearlyConvex(cell);
   for (std::size_t k = 0; k < own.size(); ++k)
   {
     const Index f = own[k];
     const Index slot = shapes.slotOf(k);
-    const Vec3 toFace = faces[f].centroid - measure.centroid;
+    const Vec3 toFace = faces[f].centroid - centroid;
     if (!isAbove(sign(cell, f) * faces[f].normal.dot(toFace), targets_.pyramidCosine.target, toFace))
     {
       score.add({Measure::pyramidCosine, 0, cell, f}, pyramidOf(f, cell));
     }
-    score.add({Measure::corners, 0, cell, f, noIndex, slot}, cornersOf(f, cell, shapes, slot));
+    score.add({Measure::corners, 0, cell, f, noIndex, slot}, cornersOf(f, cell, middle, shapes, slot));
     if (looksAtPairs)
     {
       judgeConvexity(f, cell, score);
@@ -190,8 +192,13 @@ void QualityEvaluator::judgeCell(Index cell, const Shapes& shapes, Sink& score) 
   }
   if (targets_.decomposed)
   {
-    score.add({Measure::determinant, 0, cell}, targets_.determinantRoot.of(std::sqrt(std::sqrt(determinantOf(cell)))),
-              targets_.leastOfDeterminant);
+    const double determinant = determinantOf(cell);
+    const double good = Score::farAbove * targets_.determinantRoot.target;
+    if (determinant < good * good * good * good)
+    {
+      score.add({Measure::determinant, 0, cell}, targets_.determinantRoot.of(std::sqrt(std::sqrt(determinant))),
+                targets_.leastOfDeterminant);
+    }
   }
   if (targets_.scaledJacobian > 0.0)
   {
@@ -293,10 +300,9 @@ std::array<double, 4> QualityEvaluator::halfVolumes(Index face, const std::array
 
 /// OpenFOAM takes a face apart into triangles about its centroid. In the tetrahedra of these, a parallelepiped has 24.
 template <typename Shapes>
-double QualityEvaluator::cornersOf(Index face, Index cell, const Shapes& shapes, Index slot) const
+double QualityEvaluator::cornersOf(Index face, Index cell, const Vec3& middle, const Shapes& shapes, Index slot) const
 {
   const std::size_t size = region_.face(face).size();
-  const Vec3& middle = middleOf(cell);
   const double scale = sign(cell, face) * cornerScales[cell];
   const Vec3 toFace = faces[face].centroid - middle;
   double least = std::numeric_limits<double>::infinity();

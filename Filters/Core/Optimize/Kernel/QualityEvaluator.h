@@ -253,7 +253,8 @@ private:
   template <typename Shapes> double measureOf(const Measure& measure, const Shapes& shapes) const;
   double pyramidOf(Index face, Index cell) const;
   double convexityOf(Index face, Index other, Index cell) const;
-  template <typename Shapes> double cornersOf(Index face, Index cell, const Shapes& shapes, Index slot) const;
+  template <typename Shapes>
+  double cornersOf(Index face, Index cell, const Vec3& middle, const Shapes& shapes, Index slot) const;
   template <typename Shapes> double fansOf(Index face, const Shapes& shapes, Index slot) const;
   template <typename Shapes>
   double boundaryShapeOf(Index face, std::size_t part, const Shapes& shapes, Index slot) const;
