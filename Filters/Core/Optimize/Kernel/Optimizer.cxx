@@ -445,8 +445,11 @@ std::vector<ShortCell> approach(const CellSource& source, std::vector<Vec3>& poi
     context.progress.check();
     search.approach(m, wanted[m].place, least);
   }
+  const std::vector<Index> changed = cellsAboutMoved(region, points, context);
   takePoints(region, points);
-  return shortCellsOf(judge, 0.0, context);
+  std::vector<ShortCell> cells = shortCellsOf(judge, 0.0, context);
+  std::erase_if(cells, [&](const ShortCell& cell) { return !std::ranges::binary_search(changed, cell.cell); });
+  return cells;
 }
 
 } // namespace atria

@@ -75,7 +75,7 @@ struct WantedPlace
 
 /// Moves points towards where they ought to be, one after the other, each as far as no cell about it falls below
 /// `least` (see ShortCell) or, where one is below already, further. Points must be leaders, in rising order. Returns
-/// the cells about them that fall short then.
+/// the cells about those that moved that fall short then.
 std::vector<ShortCell> approach(const CellSource& source, std::vector<Vec3>& points,
                                 const std::vector<WantedPlace>& wanted, const VertexConstraints& constraints,
                                 double least, const QualityTargets& targets, const RunContext& context);
