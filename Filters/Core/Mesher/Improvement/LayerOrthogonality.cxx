@@ -17,10 +17,10 @@ constexpr float enough = 0.5F;
 constexpr float enoughOfDivided = 0.3F;
 /// Degrees of non-orthogonality: 60, beyond which vertices leave where the model wants them, to 55.9.
 constexpr QualityRange acceptable{0.5, 0.56};
-/// 72.5 to 66.4.
-constexpr QualityRange acceptableOfDivided{0.3, 0.4};
+/// 71.9 to 66.4.
+constexpr QualityRange acceptableOfDivided{0.31, 0.4};
 /// Of divided layers, the share of the way to targets at which measures other than angles are left alone.
-constexpr double guardedShare = 0.3;
+constexpr double guardedShare = 0.6;
 /// Limit of pyramid cosines, a cell squish of 0.93: well above what is valid, so that cells come below 0.9.
 constexpr double leastPyramidCosine = 0.07;
 /// How far, in octants, vertices may leave their surfaces where nothing else helps, one after the other.
@@ -147,7 +147,7 @@ void LayerImprover::straighten()
 void LayerImprover::straightenDivided()
 {
   constexpr std::array stages{OrthogonalityStage{{0.2, 0.4}, 1, true}, OrthogonalityStage{{0.2, 0.4}, 1},
-                              OrthogonalityStage{{0.35, 0.5}, 1, true}, OrthogonalityStage{{0.35, 0.5}, 1}};
+                              OrthogonalityStage{{0.35, 0.5}, 1, true}, OrthogonalityStage{{0.35, 0.5}, 2}};
   std::vector<char> toEvaluate = pointsToEvaluate(layer_, context_.executor);
   std::vector<Index> candidates;
   for (const ShortCell& cell : findShortCells(DualSource(layer_.mesh), toEvaluate, targetsOf(stages.back()), context_))
