@@ -176,7 +176,7 @@ ClusterCells::ClusterCells(const TriangleSoup& soup, const GridFrame& frame, con
     finestLevel_ = std::max(finestLevel_, place.level);
   }
   finestLevel_ = std::max(finestLevel_, frame.featureLevel);
-  keys_.resize(static_cast<std::size_t>(finestLevel_ - frame.featureLevel + 1));
+  keys_.resize(static_cast<std::size_t>(finestLevel_ - frame.featureLevel) + 1);
   isSeen_.resize(soup.sources.empty() ? 0 : soup.sources.back() + 1, 0);
   const LatticeBox root = boxOfOctant(frame, 0, 0);
   std::vector<Index> inRoot;
