@@ -252,7 +252,7 @@ void checkArea(vtkPolyData* model, const std::string& file, Console& console)
 vtkSmartPointer<vtkAtriaSurfaceReader> readModel(const std::string& file, const ModelOptions& options, Console& console)
 {
   checkReadable(file);
-  const vtkSmartPointer<vtkAtriaSurfaceReader> reader = readerFor(file);
+  vtkSmartPointer<vtkAtriaSurfaceReader> reader = readerFor(file);
   // An observer keeps the reader's one summarizing warning away from the console: printWarnings tells more.
   vtkNew<vtkCallbackCommand> silence;
   reader->AddObserver(vtkCommand::WarningEvent, silence);

@@ -305,7 +305,7 @@ void writeFeatures(const std::string& file, vtkAtriaSurfaceReader* reader, Conso
   features->SetInputConnection(reader->GetOutputPort());
   std::array<double, 6> bounds;
   reader->GetOutput()->GetBounds(bounds.data());
-  for (int axis = 0; axis < 3; ++axis)
+  for (std::size_t axis = 0; axis < 3; ++axis)
   {
     bounds[2 * axis] -= features->GetSizeMax();
     bounds[2 * axis + 1] += features->GetSizeMax();

@@ -234,7 +234,7 @@ void completeMeshOptions(MeshOptions& options)
     throw Failure(Usage, "--domain-angle needs --domain, --site or --model-bounds: the automatic domain stands along "
                          "--wind");
   }
-  for (int axis = 0; axis < 3 && !options.domain.empty(); ++axis)
+  for (std::size_t axis = 0; axis < 3 && !options.domain.empty(); ++axis)
   {
     if (options.domain[2 * axis] >= options.domain[2 * axis + 1])
     {

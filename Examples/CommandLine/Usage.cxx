@@ -52,7 +52,7 @@ std::string didYouMean(const std::string& wanted, const std::vector<std::string>
 std::string unexpected(const CLI::App& app)
 {
   const std::vector<std::string> left = app.remaining(true);
-  const auto option = std::find_if(left.begin(), left.end(), [](const std::string& s) { return s.rfind("-", 0) == 0; });
+  const auto option = std::find_if(left.begin(), left.end(), [](const std::string& s) { return s.starts_with('-'); });
   if (option != left.end())
   {
     const std::string name = option->substr(0, option->find('='));

@@ -56,8 +56,10 @@ std::string inOptions(const std::string& message)
   for (const auto& [property, option] : optionOf)
   {
     const std::string word(property);
-    text = std::regex_replace(
-        text, std::regex((word[0] == '\\' ? "" : "\\b") + word + (word.back() == ' ' ? "" : "\\b")), option);
+    std::string pattern = word[0] == '\\' ? "" : "\\b";
+    pattern += word;
+    pattern += word.back() == ' ' ? "" : "\\b";
+    text = std::regex_replace(text, std::regex(pattern), option);
   }
   // Where the message names the option itself, it is there twice now.
   static const std::regex again(R"((--[a-z-]+)((, |; | or | and )\1)+(?![a-z-]))");

@@ -100,10 +100,10 @@ struct LeastMetrics
     inverseAspectRatio,
     facePyramid,
     volume,
-    scaledJacobian,
-    weight,      ///< OpenFOAM's interpolation weight
-    volumeRatio, ///< of neighbors, the smaller over the larger
-    determinant, ///< OpenFOAM's
+    scaledJacobian, // NOLINT(clang-diagnostic-shadow): named as the function for it
+    weight,         ///< OpenFOAM's interpolation weight
+    volumeRatio,    ///< of neighbors, the smaller over the larger
+    determinant,    ///< OpenFOAM's
     count
   };
   std::array<double, count> values;

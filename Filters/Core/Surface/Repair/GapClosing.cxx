@@ -44,7 +44,10 @@ struct BoundaryEdgeEnd
   Index point;
   Index other;
   Index third; ///< of the edge's triangle
-  friend auto operator<=>(const BoundaryEdgeEnd&, const BoundaryEdgeEnd&) = default;
+  bool operator<(const BoundaryEdgeEnd& o) const
+  {
+    return std::tie(point, other, third) < std::tie(o.point, o.other, o.third);
+  }
 };
 
 std::vector<BoundaryEdgeEnd> boundaryEdgeEnds(const TriangleSoup& soup, const Executor& executor)
@@ -124,7 +127,11 @@ private:
     double distance;
     Index point;
     Index triangle;
-    friend auto operator<=>(const Gap&, const Gap&) = default;
+    bool operator<(const Gap& o) const
+    {
+      return std::tie(toLighter, kind, distance, point, triangle) <
+             std::tie(o.toLighter, o.kind, o.distance, o.point, o.triangle);
+    }
   };
 
   struct Target
