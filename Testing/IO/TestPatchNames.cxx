@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "OpenFOAMNames.h"
+#include "PatchNames.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@ namespace {
 std::vector<std::string> wordsFor(const std::vector<std::string>& names)
 {
   std::vector<std::string> words;
-  for (const atria::OpenFOAMName& name : atria::makeOpenFOAMNames(names))
+  for (const atria::PatchName& name : atria::makePatchNames(names, atria::openFOAMNames))
   {
     words.push_back(name.word);
   }
@@ -17,40 +17,40 @@ std::vector<std::string> wordsFor(const std::vector<std::string>& names)
 
 using Words = std::vector<std::string>;
 
-TEST(OpenFOAMNames, ValidNamesStayAsTheyAre)
+TEST(PatchNames, ValidNamesStayAsTheyAre)
 {
   EXPECT_EQ(wordsFor({"xMin", "roof-2", "a.b_c+d"}), (Words{"xMin", "roof-2", "a.b_c+d"}));
 }
 
-TEST(OpenFOAMNames, ReplacesWhatAWordMayNotHold)
+TEST(PatchNames, ReplacesWhatAWordMayNotHold)
 {
   EXPECT_EQ(wordsFor({"Wall 1", "SketchUp/group_0/ID12", "a;b{c}\"d\"", "(x)", "$v", "tab\tnew\nline"}),
             (Words{"Wall_1", "SketchUp_group_0_ID12", "a_b_c__d_", "_x_", "_v", "tab_new_line"}));
 }
 
-TEST(OpenFOAMNames, ReplacesACharacterOfSeveralBytesByOneUnderscore)
+TEST(PatchNames, ReplacesACharacterOfSeveralBytesByOneUnderscore)
 {
   EXPECT_EQ(wordsFor({"S\xC3\xBC"
                       "d"}),
             Words{"S_d"});
 }
 
-TEST(OpenFOAMNames, DoesNotBeginLikeANumber)
+TEST(PatchNames, DoesNotBeginLikeANumber)
 {
   EXPECT_EQ(wordsFor({"2nd floor", "-x", ".5", "+1"}), (Words{"_2nd_floor", "_-x", "_.5", "_+1"}));
 }
 
-TEST(OpenFOAMNames, NamesTheNameless) { EXPECT_EQ(wordsFor({"", ""}), (Words{"patch", "patch_2"})); }
+TEST(PatchNames, NamesTheNameless) { EXPECT_EQ(wordsFor({"", ""}), (Words{"patch", "patch_2"})); }
 
-TEST(OpenFOAMNames, MakesEqualNamesDifferent)
+TEST(PatchNames, MakesEqualNamesDifferent)
 {
   EXPECT_EQ(wordsFor({"a b", "a/b", "a_b", "a_b_2"}), (Words{"a_b", "a_b_2", "a_b_3", "a_b_2_2"}));
 }
 
-TEST(OpenFOAMNames, SidesOfASheetShareAGroup)
+TEST(PatchNames, SidesOfASheetShareAGroup)
 {
   const std::vector<std::string> names{"wall 1_back", "wall 1_front", "lone_front", "roof"};
-  const auto made = atria::makeOpenFOAMNames(names);
+  const auto made = atria::makePatchNames(names, atria::openFOAMNames);
   EXPECT_EQ(made[0].word, "wall_1_back");
   EXPECT_EQ(made[1].word, "wall_1_front");
   EXPECT_EQ(made[0].group, "wall_1");
@@ -60,20 +60,20 @@ TEST(OpenFOAMNames, SidesOfASheetShareAGroup)
   EXPECT_EQ(made[3].group, "");
 }
 
-TEST(OpenFOAMNames, SidesStayTogetherWhereTheirNameWasTaken)
+TEST(PatchNames, SidesStayTogetherWhereTheirNameWasTaken)
 {
   const std::vector<std::string> names{"a_b_front", "a b_front", "a b_back"};
-  const auto made = atria::makeOpenFOAMNames(names);
+  const auto made = atria::makePatchNames(names, atria::openFOAMNames);
   EXPECT_EQ(made[0].word, "a_b_front");
   EXPECT_EQ(made[1].word, "a_b_2_front");
   EXPECT_EQ(made[2].word, "a_b_2_back");
   EXPECT_EQ(made[1].group, "a_b_2");
 }
 
-TEST(OpenFOAMNames, APatchOfTheGroupsNameLeavesNoGroup)
+TEST(PatchNames, APatchOfTheGroupsNameLeavesNoGroup)
 {
   const std::vector<std::string> names{"sheet_front", "sheet_back", "sheet"};
-  const auto made = atria::makeOpenFOAMNames(names);
+  const auto made = atria::makePatchNames(names, atria::openFOAMNames);
   EXPECT_EQ(made[0].group, "");
   EXPECT_EQ(made[2].word, "sheet");
 }

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+
+namespace atria {
+
+class ProgressRange;
+
+/// A file that is written through a large buffer. All that fails throws Error naming the file.
+class OutputFile
+{
+public:
+  /// Creates the file. `progress` is asked whether to stop about once a megabyte.
+  explicit OutputFile(std::filesystem::path path, const ProgressRange* progress = nullptr);
+
+  OutputFile& text(std::string_view characters);
+  OutputFile& number(std::int64_t value);
+  /// The shortest digits that read back to the same value.
+  OutputFile& number(double value);
+  /// In base 16, without a prefix.
+  OutputFile& hex(std::uint64_t value);
+  OutputFile& raw(const void* bytes, std::size_t count);
+
+  /// Writes what is left. Not leaving it to the destructor makes a full disk an error.
+  void close();
+
+private:
+  struct Closer
+  {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+
+  char* room(std::size_t count);
+  void flush();
+  void write(const char* bytes, std::size_t count);
+  [[noreturn]] void fail() const;
+
+  std::filesystem::path path_;
+  const ProgressRange* progress_;
+  std::unique_ptr<std::FILE, Closer> file;
+  std::string buffer;
+  std::size_t used = 0;
+};
+
+} // namespace atria

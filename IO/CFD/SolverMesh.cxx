@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "SolverMesh.h"
+
+#include "Support/Error.h"
+#include "Support/Pieces.h"
+#include "VtkFaceMesh.h"
+
+#include <algorithm>
+#include <atomic>
+#include <functional>
+#include <utility>
+
+namespace atria {
+
+namespace {
+
+const char* const defaultPatchName = "defaultFaces";
+
+/// The boundary faces that are in no patch.
+std::vector<Index> unclaimedFaces(const FaceMesh& mesh, std::span<const BoundaryPatch> patches)
+{
+  const std::size_t internal = mesh.internalFaceCount();
+  std::vector<bool> claimed(mesh.faceCount() - internal, false);
+  for (const BoundaryPatch& patch : patches)
+  {
+    for (const Index face : patch.faces)
+    {
+      if (face < internal || face >= mesh.faceCount() || claimed[face - internal])
+      {
+        throw Error("face " + std::to_string(face) + " of patch '" + patch.name +
+                    "' is not on the boundary or in another patch too");
+      }
+      claimed[face - internal] = true;
+    }
+  }
+  std::vector<Index> rest;
+  for (std::size_t f = internal; f < mesh.faceCount(); ++f)
+  {
+    if (!claimed[f - internal])
+    {
+      rest.push_back(static_cast<Index>(f));
+    }
+  }
+  return rest;
+}
+
+/// Gives the boundary faces, which are all but the internal ones, a new order.
+void orderBoundary(FaceMesh& mesh, const std::vector<Index>& order)
+{
+  const std::size_t internal = mesh.internalFaceCount();
+  std::vector<Index> owners;
+  std::vector<Index> points;
+  std::vector<Index> sizes;
+  for (const Index f : order)
+  {
+    const auto loop = mesh.face(f);
+    owners.push_back(mesh.owner[f]);
+    points.insert(points.end(), loop.begin(), loop.end());
+    sizes.push_back(static_cast<Index>(loop.size()));
+  }
+  std::ranges::copy(owners, mesh.owner.begin() + static_cast<std::ptrdiff_t>(internal));
+  std::ranges::copy(points, mesh.facePoints.begin() + static_cast<std::ptrdiff_t>(mesh.faceOffsets[internal]));
+  for (std::size_t i = 0; i < sizes.size(); ++i)
+  {
+    mesh.faceOffsets[internal + i + 1] = mesh.faceOffsets[internal + i] + sizes[i];
+  }
+}
+
+void layOutPatches(SolverMesh& out, std::span<const BoundaryPatch> patches)
+{
+  std::vector<Index> order;
+  const auto add = [&](std::vector<Index> faces, const std::string& name, SolverPatch::Kind kind) {
+    std::ranges::sort(faces);
+    out.patches.push_back({name, kind, out.mesh.internalFaceCount() + order.size(), faces.size()});
+    order.insert(order.end(), faces.begin(), faces.end());
+  };
+  std::vector<Index> rest = unclaimedFaces(out.mesh, patches);
+  for (const BoundaryPatch& patch : patches)
+  {
+    const bool isSide = std::ranges::find(sideNames, patch.name) != sideNames.end();
+    add(patch.faces, patch.name, isSide ? SolverPatch::DomainSide : SolverPatch::Wall);
+  }
+  if (!rest.empty())
+  {
+    add(std::move(rest), defaultPatchName, SolverPatch::Unclaimed);
+  }
+  orderBoundary(out.mesh, order);
+}
+
+void dropUnusedPoints(FaceMesh& mesh, const Executor& executor)
+{
+  std::vector<char> isUsed(mesh.points.size(), 0);
+  executor.forEach(mesh.facePoints.size(), 65536, [&](std::size_t i) {
+    std::atomic_ref(isUsed[mesh.facePoints[i]]).store(1, std::memory_order_relaxed);
+  });
+  const std::vector<Index> kept =
+      chosenNumbers(isUsed.size(), executor, [&](std::size_t p) { return isUsed[p] != 0; });
+  if (kept.size() == mesh.points.size())
+  {
+    return;
+  }
+  std::vector<Index> newPoint(mesh.points.size());
+  std::vector<Vec3> points(kept.size());
+  executor.forEach(kept.size(), 65536, [&](std::size_t i) {
+    newPoint[kept[i]] = static_cast<Index>(i);
+    points[i] = mesh.points[kept[i]];
+  });
+  executor.forEach(mesh.facePoints.size(), 65536,
+                   [&](std::size_t i) { mesh.facePoints[i] = newPoint[mesh.facePoints[i]]; });
+  mesh.points = std::move(points);
+}
+
+std::map<std::int64_t, std::vector<Index>> cellsOfZones(std::span<const std::int64_t> zoneIds)
+{
+  std::map<std::int64_t, std::vector<Index>> zones;
+  if (std::ranges::adjacent_find(zoneIds, std::not_equal_to()) == zoneIds.end())
+  {
+    return zones; // one or none: nothing to tell
+  }
+  std::vector<Index>* cells = nullptr;
+  for (std::size_t cell = 0; cell < zoneIds.size(); ++cell)
+  {
+    if (cell == 0 || zoneIds[cell] != zoneIds[cell - 1])
+    {
+      cells = &zones[zoneIds[cell]];
+    }
+    cells->push_back(static_cast<Index>(cell));
+  }
+  return zones;
+}
+
+} // namespace
+
+std::vector<BoundaryPatch> boundaryPatchesOf(const VtkFaceMesh& source)
+{
+  std::vector<BoundaryPatch> patches;
+  for (const VtkPatches::Patch& patch : source.patches.patches)
+  {
+    const auto first = source.patchFaces.begin() + static_cast<std::ptrdiff_t>(patch.firstFace);
+    patches.push_back({patch.name, {first, first + static_cast<std::ptrdiff_t>(patch.faceCount)}});
+  }
+  return patches;
+}
+
+SolverMesh makeSolverMesh(FaceMesh mesh, std::span<const BoundaryPatch> patches, std::span<const std::int64_t> zoneIds,
+                          const Executor& executor)
+{
+  if (!zoneIds.empty() && zoneIds.size() != mesh.cellCount)
+  {
+    throw Error("there are " + std::to_string(zoneIds.size()) + " zone ids for " + std::to_string(mesh.cellCount) +
+                " cells");
+  }
+  SolverMesh out;
+  out.mesh = std::move(mesh);
+  layOutPatches(out, patches);
+  dropUnusedPoints(out.mesh, executor);
+  out.zones = cellsOfZones(zoneIds);
+  return out;
+}
+
+std::vector<PatchName> namesOf(std::span<const SolverPatch> patches, const NameRules& rules)
+{
+  // Who is named first keeps its name.
+  const bool hasRest = !patches.empty() && patches.back().kind == SolverPatch::Unclaimed;
+  std::vector<std::string> names;
+  for (const SolverPatch& patch : patches)
+  {
+    names.insert(patch.kind == SolverPatch::Unclaimed ? names.begin() : names.end(), patch.name);
+  }
+  std::vector<PatchName> words = makePatchNames(names, rules);
+  if (hasRest)
+  {
+    std::ranges::rotate(words, words.begin() + 1);
+  }
+  return words;
+}
+
+std::string zoneName(std::int64_t id)
+{
+  const std::string sign = id < 0 ? "_" : ""; // a word such as zone-1 reads badly in expressions
+  return "zone" + sign + std::to_string(id < 0 ? -id : id);
+}
+
+} // namespace atria

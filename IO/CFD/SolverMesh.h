@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// A volume mesh as formats of solvers take it, and what they share.
+#pragma once
+
+#include "PatchNames.h"
+#include "Quality/Faces/FaceMesh.h"
+#include "Support/Executor.h"
+
+#include <cstdint>
+#include <map>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace atria {
+
+struct VtkFaceMesh;
+
+/// Some of a mesh's boundary faces under one name.
+struct BoundaryPatch
+{
+  std::string name;
+  std::vector<Index> faces;
+};
+
+/// Those that came with a mesh.
+std::vector<BoundaryPatch> boundaryPatchesOf(const VtkFaceMesh& source);
+
+/// Boundary faces that follow each other.
+struct SolverPatch
+{
+  enum Kind
+  {
+    Wall,
+    DomainSide, ///< by its name, xMin … zMax
+    Unclaimed   ///< those in no patch, `defaultFaces`
+  };
+  std::string name; ///< as the input has it
+  Kind kind = Wall;
+  std::size_t firstFace = 0;
+  std::size_t faceCount = 0;
+
+  bool isWall() const { return kind == Wall; }
+};
+
+struct SolverMesh
+{
+  /// Boundary faces come patch by patch, in each by owner. All points have faces.
+  FaceMesh mesh;
+  /// All of the boundary. Boundary faces in no patch are the last one.
+  std::vector<SolverPatch> patches;
+  /// Cells by ZoneId, where there is more than one.
+  std::map<std::int64_t, std::vector<Index>> zones;
+};
+
+/// `zoneIds` has one for each cell, or none. Throws Error for faces in patches that are not on the boundary or in two
+/// patches, and for another number of zone ids.
+SolverMesh makeSolverMesh(FaceMesh mesh, std::span<const BoundaryPatch> patches, std::span<const std::int64_t> zoneIds,
+                          const Executor& executor);
+
+/// Of each patch. `defaultFaces` is the one to keep its name.
+std::vector<PatchName> namesOf(std::span<const SolverPatch> patches, const NameRules& rules);
+
+/// zone0, zone1 …
+std::string zoneName(std::int64_t id);
+
+} // namespace atria

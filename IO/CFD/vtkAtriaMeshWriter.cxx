@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkAtriaMeshWriter.h"
+
+#include "AlgorithmProgress.h"
+#include "VtkFaceMesh.h"
+
+#include <vtkDataArray.h>
+#include <vtkErrorCode.h>
+#include <vtkFieldData.h>
+#include <vtkInformation.h>
+#include <vtkPartitionedDataSetCollection.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <exception>
+
+namespace {
+
+/// What a user should know where the names of patches are lost; else nothing.
+std::string lossOf(atria::PatchOrigin origin)
+{
+  if (origin == atria::PatchOrigin::None)
+  {
+    return "No patches were given, and none are recorded in the mesh: all of its boundary goes to the patch "
+           "defaultFaces. "
+           "Give the patches on the second input, such as the mesher's second output; in ParaView choose them in the "
+           "dialog of Save Data.";
+  }
+  if (origin == atria::PatchOrigin::Lost)
+  {
+    return "The names of the patches are lost, as a filter such as Clip or Threshold has changed the mesh's cells: all "
+           "of "
+           "its boundary goes to the patch defaultFaces. Write the mesh as the mesher made it, or give the patches of "
+           "this mesh on the second input.";
+  }
+  return {};
+}
+
+} // namespace
+
+vtkAtriaMeshWriter::vtkAtriaMeshWriter() { this->SetNumberOfInputPorts(2); }
+
+void vtkAtriaMeshWriter::SetPatchesConnection(vtkAlgorithmOutput* patches) { this->SetInputConnection(1, patches); }
+
+void vtkAtriaMeshWriter::SetPatchesData(vtkPartitionedDataSetCollection* patches)
+{
+  this->SetInputDataInternal(1, patches);
+}
+
+int vtkAtriaMeshWriter::FillInputPortInformation(int port, vtkInformation* info)
+{
+  if (port == 0)
+  {
+    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
+    return 1;
+  }
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPartitionedDataSetCollection");
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return 1;
+}
+
+void vtkAtriaMeshWriter::WriteData()
+{
+  auto* volume = vtkUnstructuredGrid::SafeDownCast(this->GetInputDataObject(0, 0));
+  auto* patches = vtkPartitionedDataSetCollection::SafeDownCast(
+      this->GetNumberOfInputConnections(1) > 0 ? this->GetInputDataObject(1, 0) : nullptr);
+  if (this->GetTarget().empty())
+  {
+    vtkErrorMacro("No " << this->GetTargetProperty() << " was given.");
+    this->SetErrorCode(vtkErrorCode::NoFileNameError);
+    return;
+  }
+  try
+  {
+    this->WriteTarget(volume, patches);
+  }
+  catch (const atria::Aborted&)
+  {
+    this->SetErrorCode(vtkErrorCode::UserError);
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro("Cannot write " << this->GetFormatName() << " to '" << this->GetTarget() << "': " << error.what());
+    this->SetErrorCode(vtkErrorCode::UnknownError);
+  }
+}
+
+void vtkAtriaMeshWriter::WriteTarget(vtkUnstructuredGrid* volume, vtkPartitionedDataSetCollection* patches)
+{
+  const atria::AlgorithmRun run(*this);
+  const atria::ProgressRange& progress = run.context.progress;
+  progress.report(0.0, "Finding faces");
+  atria::VtkFaceMesh source = atria::faceMeshFromVtk(volume, patches, run.context.executor);
+  this->WriteMesh(volume, source, run.context.part(0.3, 1.0));
+  progress.report(1.0, "Mesh written");
+  if (const std::string loss = lossOf(source.origin); !loss.empty())
+  {
+    vtkWarningMacro("'" << this->GetTarget() << "': " << loss);
+  }
+}
+
+void vtkAtriaMeshWriter::Place(vtkUnstructuredGrid* volume, atria::FaceMesh& mesh) const
+{
+  vtkDataArray* offset = volume->GetFieldData()->GetArray("ModelOffset");
+  if (this->RestoreOffset && offset && offset->GetNumberOfValues() == 3)
+  {
+    const atria::Vec3 moved(offset->GetTuple3(0));
+    for (atria::Vec3& p : mesh.points)
+    {
+      p += moved;
+    }
+  }
+}
+
+void vtkAtriaMeshWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << this->GetTargetProperty() << ": " << (this->GetTarget().empty() ? "(none)" : this->GetTarget())
+     << "\n";
+  os << indent << "RestoreOffset: " << (this->RestoreOffset ? "on" : "off") << "\n";
+}

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class   vtkAtriaMeshWriter
+ * @brief   What the writers of solvers' formats have in common: a volume mesh with its named patches
+ *
+ * Input port 0 takes the volume mesh (vtkUnstructuredGrid of tetrahedra, voxels, hexahedra, wedges, pyramids
+ * and polyhedra). Input port 1, optional, takes its boundary patches: a vtkPartitionedDataSetCollection of
+ * named vtkPolyData with the cell array `OwnerCellId` and the point array `VolumePointId`, such as
+ * vtkAtriaDualMesher's second output. Without them those that the mesher recorded in the mesh are taken, as long as its
+ * cells are the same; where there are none, a warning says that names are lost. Boundary faces in no patch go to one
+ * named `defaultFaces`.
+ *
+ * Files are put in place when they are complete: what fails or is aborted leaves what was there.
+ *
+ * An input without cells, a mesh that is not a manifold, a patch face that is not a face of its owner cell
+ * and a file that cannot be written are errors: Write() returns 0.
+ *
+ * @sa vtkAtriaOpenFOAMWriter
+ */
+#ifndef vtkAtriaMeshWriter_h
+#define vtkAtriaMeshWriter_h
+
+#include "AtriaIOCFDModule.h" // For export macro
+#include "vtkWriter.h"
+
+#include <string> // For where it goes
+
+class vtkPartitionedDataSetCollection;
+class vtkUnstructuredGrid;
+
+namespace atria {
+struct FaceMesh;
+struct RunContext;
+struct VtkFaceMesh;
+} // namespace atria
+
+class ATRIAIOCFD_EXPORT vtkAtriaMeshWriter : public vtkWriter
+{
+public:
+  vtkAbstractTypeMacro(vtkAtriaMeshWriter, vtkWriter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Add to all points what the reader subtracted when it moved the model to the origin (field array `ModelOffset` of
+   * the mesh), so that the mesh written is where the model was. Off by default.
+   */
+  vtkSetMacro(RestoreOffset, bool);
+  vtkGetMacro(RestoreOffset, bool);
+  vtkBooleanMacro(RestoreOffset, bool);
+  ///@}
+
+  /**
+   * Connect the patches (input port 1).
+   */
+  void SetPatchesConnection(vtkAlgorithmOutput* patches);
+
+  /**
+   * Set the patches (input port 1) without a pipeline.
+   */
+  void SetPatchesData(vtkPartitionedDataSetCollection* patches);
+
+protected:
+  vtkAtriaMeshWriter();
+  ~vtkAtriaMeshWriter() override = default;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  void WriteData() override;
+
+  /**
+   * File or folder, as it was given; empty without.
+   */
+  virtual std::string GetTarget() const = 0;
+
+  /**
+   * What is written and by which property it is told where to, for messages.
+   */
+  virtual const char* GetFormatName() const = 0;
+  virtual const char* GetTargetProperty() const = 0;
+
+  /**
+   * Writes the mesh, once it is put in its place by Place(). Throws atria::Error or atria::Aborted.
+   */
+  virtual void WriteMesh(vtkUnstructuredGrid* volume, atria::VtkFaceMesh& source,
+                         const atria::RunContext& context) = 0;
+
+  /**
+   * Restores the offset where that is asked for. Cells are better judged before.
+   */
+  void Place(vtkUnstructuredGrid* volume, atria::FaceMesh& mesh) const;
+
+private:
+  vtkAtriaMeshWriter(const vtkAtriaMeshWriter&) = delete;
+  void operator=(const vtkAtriaMeshWriter&) = delete;
+
+  void WriteTarget(vtkUnstructuredGrid* volume, vtkPartitionedDataSetCollection* patches);
+
+  bool RestoreOffset = false;
+};
+
+#endif

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class   vtkAtriaPolyhedralMeshWriter
+ * @brief   What the writers of formats that hold polyhedra have in common: cells and faces that are made one
+ *
+ * Coplanar faces of one patch that one cell owns, and nearly coplanar ones between the same two cells, are written as
+ * one face where that is possible (see MergeCoplanarFaces): OpenFOAM's checkMesh takes such a cell, or one of such two,
+ * for concave.
+ *
+ * A cell with one or two neighbors, in a corner between walls, is made one with a neighbor where that is possible
+ * (see MergeUnderdeterminedCells): no gradient can be determined from two neighbors, and checkMesh objects to it.
+ *
+ * Cells keep their order; where some were merged, all later ones have lower numbers.
+ *
+ * @sa vtkAtriaOpenFOAMWriter
+ */
+#ifndef vtkAtriaPolyhedralMeshWriter_h
+#define vtkAtriaPolyhedralMeshWriter_h
+
+#include "AtriaIOCFDModule.h" // For export macro
+#include "vtkAtriaMeshWriter.h"
+
+namespace atria {
+struct SolverMesh;
+}
+
+class ATRIAIOCFD_EXPORT vtkAtriaPolyhedralMeshWriter : public vtkAtriaMeshWriter
+{
+public:
+  vtkAbstractTypeMacro(vtkAtriaPolyhedralMeshWriter, vtkAtriaMeshWriter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Make a cell with too few neighbors one with a neighbor, or with up to five other cells, where the union is valid
+   * and checkMesh does not object to it, concavity apart. Where the union would be concave, or there is none, the cell
+   * is cut into pyramids over its faces if checkMesh does not object to these. Too few are three at most with a
+   * determinant below checkMesh's limit of 0.001. The input's cells and patches stay as they are. On by default.
+   */
+  vtkSetMacro(MergeUnderdeterminedCells, bool);
+  vtkGetMacro(MergeUnderdeterminedCells, bool);
+  vtkBooleanMacro(MergeUnderdeterminedCells, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Write coplanar faces of one cell and one patch that share edges as one polygon, and faces that the same two cells
+   * share with less than 3 degrees between them. A patch keeps its area, a cell at least four faces. The input's cells
+   * and patches stay as they are. On by default.
+   */
+  vtkSetMacro(MergeCoplanarFaces, bool);
+  vtkGetMacro(MergeCoplanarFaces, bool);
+  vtkBooleanMacro(MergeCoplanarFaces, bool);
+  ///@}
+
+  /**
+   * How many cells fewer were written than the input has, as some were merged. 0 before the first Write().
+   */
+  vtkGetMacro(NumberOfMergedCells, vtkIdType);
+
+  /**
+   * How many cells more were written than the input has, as some were cut into pyramids. 0 before the first Write().
+   */
+  vtkGetMacro(NumberOfAddedCells, vtkIdType);
+
+  /**
+   * How many faces fewer were written than the input has, as coplanar ones were merged. 0 before the first Write().
+   */
+  vtkGetMacro(NumberOfMergedFaces, vtkIdType);
+
+protected:
+  vtkAtriaPolyhedralMeshWriter() = default;
+  ~vtkAtriaPolyhedralMeshWriter() override = default;
+
+  void WriteMesh(vtkUnstructuredGrid* volume, atria::VtkFaceMesh& source, const atria::RunContext& context) override;
+
+  /**
+   * Writes what all of that became.
+   */
+  virtual void WriteSolverMesh(const atria::SolverMesh& mesh, const atria::RunContext& context) = 0;
+
+private:
+  vtkAtriaPolyhedralMeshWriter(const vtkAtriaPolyhedralMeshWriter&) = delete;
+  void operator=(const vtkAtriaPolyhedralMeshWriter&) = delete;
+
+  bool MergeUnderdeterminedCells = true;
+  bool MergeCoplanarFaces = true;
+  vtkIdType NumberOfMergedCells = 0;
+  vtkIdType NumberOfAddedCells = 0;
+  vtkIdType NumberOfMergedFaces = 0;
+};
+
+#endif
