@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "OpenFOAMCase.h"
 
-#include "CaseFolders.h"
+#include "OutputFolders.h"
 #include "Support/Error.h"
 
 #include <algorithm>

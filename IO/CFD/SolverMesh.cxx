@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <atomic>
 #include <functional>
+#include <numeric>
 #include <utility>
 
 namespace atria {
@@ -87,19 +88,19 @@ void layOutPatches(SolverMesh& out, std::span<const BoundaryPatch> patches)
   orderBoundary(out.mesh, order);
 }
 
-void dropUnusedPoints(FaceMesh& mesh, const Executor& executor)
+/// Returns SolverMesh::newPoint.
+std::vector<Index> dropUnusedPoints(FaceMesh& mesh, const Executor& executor)
 {
   std::vector<char> isUsed(mesh.points.size(), 0);
   executor.forEach(mesh.facePoints.size(), 65536, [&](std::size_t i) {
     std::atomic_ref(isUsed[mesh.facePoints[i]]).store(1, std::memory_order_relaxed);
   });
-  const std::vector<Index> kept =
-      chosenNumbers(isUsed.size(), executor, [&](std::size_t p) { return isUsed[p] != 0; });
+  const std::vector<Index> kept = chosenNumbers(isUsed.size(), executor, [&](std::size_t p) { return isUsed[p] != 0; });
   if (kept.size() == mesh.points.size())
   {
-    return;
+    return {};
   }
-  std::vector<Index> newPoint(mesh.points.size());
+  std::vector<Index> newPoint(mesh.points.size(), noIndex);
   std::vector<Vec3> points(kept.size());
   executor.forEach(kept.size(), 65536, [&](std::size_t i) {
     newPoint[kept[i]] = static_cast<Index>(i);
@@ -108,6 +109,7 @@ void dropUnusedPoints(FaceMesh& mesh, const Executor& executor)
   executor.forEach(mesh.facePoints.size(), 65536,
                    [&](std::size_t i) { mesh.facePoints[i] = newPoint[mesh.facePoints[i]]; });
   mesh.points = std::move(points);
+  return newPoint;
 }
 
 std::map<std::int64_t, std::vector<Index>> cellsOfZones(std::span<const std::int64_t> zoneIds)
@@ -153,24 +155,47 @@ SolverMesh makeSolverMesh(FaceMesh mesh, std::span<const BoundaryPatch> patches,
   SolverMesh out;
   out.mesh = std::move(mesh);
   layOutPatches(out, patches);
-  dropUnusedPoints(out.mesh, executor);
+  out.newPoint = dropUnusedPoints(out.mesh, executor);
   out.zones = cellsOfZones(zoneIds);
   return out;
 }
 
-std::vector<PatchName> namesOf(std::span<const SolverPatch> patches, const NameRules& rules)
+CellFaces cellFacesOf(const SolverMesh& mesh)
 {
-  // Who is named first keeps its name.
-  const bool hasRest = !patches.empty() && patches.back().kind == SolverPatch::Unclaimed;
+  const FaceMesh& faces = mesh.mesh;
+  CellFaces out;
+  out.offsets.assign(faces.cellCount + 1, 0);
+  for (const Buffer<Index>* side : {&faces.owner, &faces.neighbor})
+  {
+    std::ranges::for_each(*side, [&](Index cell) { ++out.offsets[cell + 1]; });
+  }
+  std::partial_sum(out.offsets.begin(), out.offsets.end(), out.offsets.begin());
+  out.faces.resize(out.offsets.back());
+  std::vector<Index> next(out.offsets.begin(), out.offsets.end() - 1);
+  for (const Buffer<Index>* side : {&faces.owner, &faces.neighbor})
+  {
+    for (std::size_t f = 0; f < side->size(); ++f)
+    {
+      out.faces[next[(*side)[f]]++] = static_cast<Index>(f);
+    }
+  }
+  return out;
+}
+
+std::vector<PatchName> namesOf(std::span<const SolverPatch> patches, const NameRules& rules,
+                               std::span<const std::string> others)
+{
   std::vector<std::string> names;
   for (const SolverPatch& patch : patches)
   {
+    // Who is named first keeps its name.
     names.insert(patch.kind == SolverPatch::Unclaimed ? names.begin() : names.end(), patch.name);
   }
+  names.insert(names.end(), others.begin(), others.end());
   std::vector<PatchName> words = makePatchNames(names, rules);
-  if (hasRest)
+  if (!patches.empty() && patches.back().kind == SolverPatch::Unclaimed)
   {
-    std::ranges::rotate(words, words.begin() + 1);
+    std::rotate(words.begin(), words.begin() + 1, words.begin() + static_cast<std::ptrdiff_t>(patches.size()));
   }
   return words;
 }

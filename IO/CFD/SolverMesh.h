@@ -3,7 +3,7 @@
 #pragma once
 
 #include "PatchNames.h"
-#include "Quality/Faces/FaceMesh.h"
+#include "Quality/Faces/Geometry.h"
 #include "Support/Executor.h"
 
 #include <cstdint>
@@ -45,10 +45,13 @@ struct SolverPatch
 
 struct SolverMesh
 {
-  /// Boundary faces come patch by patch, in each by owner. All points have faces.
+  /// Boundary faces come patch by patch, in each by owner, so that what asks for all of them by owner, such as
+  /// makeCellFaces(), does not take it. All points have faces.
   FaceMesh mesh;
   /// All of the boundary. Boundary faces in no patch are the last one.
   std::vector<SolverPatch> patches;
+  /// Of each point there was the number it has now; empty where none was left out.
+  std::vector<Index> newPoint;
   /// Cells by ZoneId, where there is more than one.
   std::map<std::int64_t, std::vector<Index>> zones;
 };
@@ -58,8 +61,12 @@ struct SolverMesh
 SolverMesh makeSolverMesh(FaceMesh mesh, std::span<const BoundaryPatch> patches, std::span<const std::int64_t> zoneIds,
                           const Executor& executor);
 
-/// Of each patch. `defaultFaces` is the one to keep its name.
-std::vector<PatchName> namesOf(std::span<const SolverPatch> patches, const NameRules& rules);
+/// The faces of every cell as makeCellFaces() gives them.
+CellFaces cellFacesOf(const SolverMesh& mesh);
+
+/// Of each patch, and then of `others` that must not have the same. `defaultFaces` is the one to keep its name.
+std::vector<PatchName> namesOf(std::span<const SolverPatch> patches, const NameRules& rules,
+                               std::span<const std::string> others = {});
 
 /// zone0, zone1 …
 std::string zoneName(std::int64_t id);

@@ -81,8 +81,7 @@ protected:
   /**
    * Writes the mesh, once it is put in its place by Place(). Throws atria::Error or atria::Aborted.
    */
-  virtual void WriteMesh(vtkUnstructuredGrid* volume, atria::VtkFaceMesh& source,
-                         const atria::RunContext& context) = 0;
+  virtual void WriteMesh(vtkUnstructuredGrid* volume, atria::VtkFaceMesh& source, const atria::RunContext& context) = 0;
 
   /**
    * Restores the offset where that is asked for. Cells are better judged before.

@@ -114,8 +114,7 @@ void vtkAtriaPolyhedralMeshWriter::WriteMesh(vtkUnstructuredGrid* volume, atria:
     this->NumberOfMergedFaces = static_cast<vtkIdType>(mergeFaces(source, patches, context.part(0.2, 0.3)));
   }
   this->Place(volume, source.mesh);
-  const atria::SolverMesh mesh =
-      atria::makeSolverMesh(std::move(source.mesh), patches, zoneIds, context.executor);
+  const atria::SolverMesh mesh = atria::makeSolverMesh(std::move(source.mesh), patches, zoneIds, context.executor);
   context.progress.report(0.3, "Writing the mesh");
   this->WriteSolverMesh(mesh, context.part(0.3, 1.0));
 }

@@ -78,4 +78,37 @@ TEST(PatchNames, APatchOfTheGroupsNameLeavesNoGroup)
   EXPECT_EQ(made[2].word, "sheet");
 }
 
+std::vector<std::string> wordsFor(const std::vector<std::string>& names, const atria::NameRules& rules)
+{
+  std::vector<std::string> words;
+  for (const atria::PatchName& name : atria::makePatchNames(names, rules))
+  {
+    EXPECT_LE(name.word.size(), rules.longest);
+    words.push_back(name.word);
+  }
+  return words;
+}
+
+TEST(PatchNames, AreNoLongerThanTheFormatTakesAndStillUnique)
+{
+  const atria::NameRules rules{.punctuation = "_", .longest = 10};
+  EXPECT_EQ(wordsFor({"abcdefghijklm", "abcdefghijkl", "sheetWithALongName_front", "sheetWithALongName_back"}, rules),
+            (Words{"abcdefghij", "abcdefgh_2", "shee_front", "shee_back"}));
+}
+
+TEST(PatchNames, DifferInMoreThanCapitalsWhereTheseDoNotCount)
+{
+  const std::vector<std::string> names{"Wall", "wall", "WALL"};
+  EXPECT_EQ(wordsFor(names, {.caseMatters = false}), (Words{"Wall", "wall_2", "WALL_3"}));
+  EXPECT_EQ(wordsFor(names, {}), names);
+}
+
+TEST(PatchNames, SidesEndAsTheFormatHasIt)
+{
+  const atria::NameRules rules{.punctuation = "_-", .sides = {"", "-shadow"}};
+  const std::vector<std::string> names{"sheet_back", "sheet_front", "sheet"};
+  EXPECT_EQ(wordsFor(names, rules), (Words{"sheet-shadow", "sheet", "sheet_2"}));
+  EXPECT_EQ(atria::makePatchNames(names, rules)[0].group, "");
+}
+
 } // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "CaseFolders.h"
+#include "OutputFolders.h"
 
 #include "Support/Error.h"
 
@@ -92,6 +92,22 @@ void UnfinishedFolder::moveFilesTo(const fs::path& folder) const
       throw Error("cannot write '" + (folder / file.filename()).string() + "': " + error.message());
     }
   }
+}
+
+void writeInPlace(const fs::path& file, const std::function<void(const fs::path&)>& write)
+{
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  if (!fs::is_directory(folder))
+  {
+    throw Error("the folder '" + folder.string() + "' does not exist; make it first");
+  }
+  if (fs::is_directory(file))
+  {
+    throw Error("'" + file.string() + "' is a folder; name a file");
+  }
+  const UnfinishedFolder unfinished(folder / ('.' + file.filename().string() + ".unfinished"));
+  write(unfinished.path / file.filename());
+  unfinished.moveFilesTo(folder);
 }
 
 } // namespace atria

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <vector>
 
 namespace atria {
@@ -27,5 +28,9 @@ public:
 
   const std::filesystem::path path;
 };
+
+/// Has `write` make a file beside its place, and puts it there once that returns: what was there stays if it throws.
+/// Throws Error where the folder does not exist and where the file cannot be put in its place.
+void writeInPlace(const std::filesystem::path& file, const std::function<void(const std::filesystem::path&)>& write);
 
 } // namespace atria

@@ -1,0 +1,314 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "FluentMesh.h"
+
+#include "OutputFile.h"
+#include "OutputFolders.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <iterator>
+#include <map>
+#include <numeric>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace atria {
+
+namespace {
+
+/// Fluent's numbers of cell types.
+enum FluentCell : int
+{
+  mixedCells = 0,
+  fluentTetrahedron = 2,
+  fluentHexahedron = 4,
+  fluentPyramid = 5,
+  fluentWedge = 6,
+  fluentPolyhedron = 7
+};
+
+/// The type that a cell's faces make. A polyhedron is any that is none of the others.
+FluentCell typeOf(const FaceMesh& mesh, std::span<const Index> faces)
+{
+  constexpr std::size_t mostCorners = 24; // of six quadrilaterals
+  if (faces.size() > 6)
+  {
+    return fluentPolyhedron;
+  }
+  std::array<Index, mostCorners> corners;
+  std::size_t count = 0;
+  std::size_t quads = 0;
+  for (const Index f : faces)
+  {
+    const auto loop = mesh.face(f);
+    if (loop.size() > 4)
+    {
+      return fluentPolyhedron;
+    }
+    quads += loop.size() == 4 ? 1 : 0;
+    count = static_cast<std::size_t>(std::ranges::copy(loop, corners.begin() + count).out - corners.begin());
+  }
+  std::sort(corners.begin(), corners.begin() + count);
+  const auto points = static_cast<std::size_t>(std::unique(corners.begin(), corners.begin() + count) - corners.begin());
+  // By faces, quadrilaterals among them, and points. A closed ball that has these is of the type.
+  struct Type
+  {
+    std::size_t faces;
+    std::size_t quads;
+    std::size_t points;
+    FluentCell type;
+  };
+  constexpr Type types[] = {
+      {4, 0, 4, fluentTetrahedron}, {5, 1, 5, fluentPyramid}, {5, 3, 6, fluentWedge}, {6, 6, 8, fluentHexahedron}};
+  for (const Type& t : types)
+  {
+    if (t.faces == faces.size() && t.quads == quads && t.points == points)
+    {
+      return t.type;
+    }
+  }
+  return fluentPolyhedron;
+}
+
+/// Cells of a zone, which have numbers that follow each other.
+struct CellZone
+{
+  std::string name;
+  std::size_t firstCell;
+  std::size_t cellCount;
+};
+
+/// Faces of a section.
+struct FaceZone
+{
+  std::string name;
+  const char* type;
+  int typeNumber;
+  std::vector<Index> faces;
+};
+
+class FluentWriter
+{
+public:
+  FluentWriter(const std::filesystem::path& path, const SolverMesh& source, const RunContext& runContext)
+      : solverMesh(source), mesh(source.mesh), context(runContext), file(path, &runContext.progress)
+  {
+  }
+
+  void write()
+  {
+    numberCells();
+    sortFaces();
+    writeHeader();
+    context.progress.report(0.1, "Writing points");
+    writePoints();
+    context.progress.report(0.3, "Writing cells");
+    writeCells();
+    context.progress.report(0.4, "Writing faces");
+    for (std::size_t z = 0; z < faceZones.size(); ++z)
+    {
+      writeFaces(firstFaceZone() + z, faceZones[z]);
+    }
+    writeNames();
+    file.close();
+  }
+
+private:
+  static constexpr std::size_t pointZone = 1;
+  static constexpr std::size_t firstCellZone = 2;
+  std::size_t firstFaceZone() const { return firstCellZone + cellZones.size(); }
+
+  void numberCells()
+  {
+    newCell.resize(mesh.cellCount);
+    oldCell.resize(mesh.cellCount);
+    std::iota(oldCell.begin(), oldCell.end(), Index{0});
+    zoneOf.assign(mesh.cellCount, 0);
+    if (solverMesh.zones.empty())
+    {
+      cellZones.push_back({"fluid", 0, mesh.cellCount});
+    }
+    std::size_t next = 0;
+    for (const auto& [id, cells] : solverMesh.zones)
+    {
+      for (const Index cell : cells)
+      {
+        zoneOf[cell] = static_cast<Index>(cellZones.size());
+      }
+      std::ranges::copy(cells, oldCell.begin() + static_cast<std::ptrdiff_t>(next));
+      cellZones.push_back({zoneName(id), next, cells.size()});
+      next += cells.size();
+    }
+    for (std::size_t i = 0; i < oldCell.size(); ++i)
+    {
+      newCell[oldCell[i]] = static_cast<Index>(i);
+    }
+  }
+
+  /// Internal faces by the zones of their cells, then patches.
+  void sortFaces()
+  {
+    std::map<std::pair<Index, Index>, std::vector<Index>> internal;
+    for (std::size_t f = 0; f < mesh.internalFaceCount(); ++f)
+    {
+      internal[std::minmax(zoneOf[mesh.owner[f]], zoneOf[mesh.neighbor[f]])].push_back(static_cast<Index>(f));
+    }
+    for (auto& [zones, faces] : internal)
+    {
+      const std::string& first = cellZones[zones.first].name;
+      const std::string& second = cellZones[zones.second].name;
+      faceZones.push_back(
+          {"interior-" + (first == second ? first : first + "-" + second), "interior", 2, std::move(faces)});
+    }
+    nameZones();
+    for (std::size_t p = 0; p < solverMesh.patches.size(); ++p)
+    {
+      const SolverPatch& patch = solverMesh.patches[p];
+      if (patch.faceCount == 0)
+      {
+        continue;
+      }
+      FaceZone zone{patchNames[p].word, patch.isWall() ? "wall" : "pressure-outlet", patch.isWall() ? 3 : 5,
+                    std::vector<Index>(patch.faceCount)};
+      std::iota(zone.faces.begin(), zone.faces.end(), static_cast<Index>(patch.firstFace));
+      faceZones.push_back(std::move(zone));
+    }
+  }
+
+  /// Patches keep their names where others would have the same.
+  void nameZones()
+  {
+    std::vector<std::string> others;
+    std::ranges::transform(cellZones, std::back_inserter(others), &CellZone::name);
+    std::ranges::transform(faceZones, std::back_inserter(others), &FaceZone::name);
+    patchNames = namesOf(solverMesh.patches, fluentNames, others);
+    auto name = patchNames.begin() + static_cast<std::ptrdiff_t>(solverMesh.patches.size());
+    for (CellZone& zone : cellZones)
+    {
+      zone.name = (name++)->word;
+    }
+    for (FaceZone& zone : faceZones)
+    {
+      zone.name = (name++)->word;
+    }
+  }
+
+  void writeHeader()
+  {
+    file.text("(0 \"Atria\")\n(2 3)\n");
+    const auto total = [&](const char* section, std::size_t count, const char* end) {
+      file.text("(").text(section).text(" (0 1 ").hex(count).text(end);
+    };
+    total("10", mesh.points.size(), " 0 3))\n");
+    total("12", mesh.cellCount, " 0 0))\n");
+    total("13", mesh.faceCount(), " 0 0))\n");
+  }
+
+  void writeRange(const char* section, std::size_t zone, std::size_t first, std::size_t count)
+  {
+    file.text("(").text(section).text(" (").hex(zone).text(" ").hex(first + 1).text(" ").hex(first + count);
+  }
+
+  void writePoints()
+  {
+    writeRange("10", pointZone, 0, mesh.points.size());
+    file.text(" 1 3)(\n");
+    for (const Vec3& x : mesh.points)
+    {
+      file.number(x[0]).text(" ").number(x[1]).text(" ").number(x[2]).text("\n");
+    }
+    file.text("))\n");
+  }
+
+  void writeCells()
+  {
+    const CellFaces cellFaces = cellFacesOf(solverMesh);
+    std::vector<unsigned char> types(mesh.cellCount);
+    context.executor.forEach(types.size(), 4096, [&](std::size_t i) {
+      types[i] = static_cast<unsigned char>(typeOf(mesh, cellFaces.of(oldCell[i])));
+    });
+    for (std::size_t z = 0; z < cellZones.size(); ++z)
+    {
+      const CellZone& zone = cellZones[z];
+      const std::span own = std::span(types).subspan(zone.firstCell, zone.cellCount);
+      const bool uniform = std::ranges::adjacent_find(own, std::not_equal_to()) == own.end();
+      writeRange("12", firstCellZone + z, zone.firstCell, zone.cellCount);
+      file.text(" 1 ").hex(uniform ? std::uint64_t{own.front()} : std::uint64_t{mixedCells}).text(")");
+      if (!uniform)
+      {
+        file.text("(");
+        for (std::size_t i = 0; i < own.size(); ++i)
+        {
+          constexpr std::size_t perLine = 40;
+          file.text(i % perLine == 0 ? "\n" : " ").hex(own[i]);
+        }
+        file.text("\n)");
+      }
+      file.text(")\n");
+    }
+  }
+
+  void writeFaces(std::size_t id, const FaceZone& zone)
+  {
+    const bool hasPolygons = std::ranges::any_of(zone.faces, [&](Index f) { return mesh.face(f).size() > 4; });
+    writeRange("13", id, writtenFaces, zone.faces.size());
+    file.text(" ").hex(static_cast<std::uint64_t>(zone.typeNumber)).text(hasPolygons ? " 5)(\n" : " 0)(\n");
+    writtenFaces += zone.faces.size();
+    for (const Index f : zone.faces)
+    {
+      // Fluent's faces look into the cell that is named first.
+      const auto loop = mesh.face(f);
+      file.hex(loop.size());
+      for (auto point = loop.rbegin(); point != loop.rend(); ++point)
+      {
+        file.text(" ").hex(std::uint64_t{*point} + 1);
+      }
+      const bool isInternal = f < mesh.internalFaceCount();
+      file.text(" ").hex(std::uint64_t{newCell[mesh.owner[f]]} + 1).text(" ");
+      file.hex(isInternal ? std::uint64_t{newCell[mesh.neighbor[f]]} + 1 : 0).text("\n");
+    }
+    file.text("))\n");
+    context.progress.report(0.4 + 0.6 * static_cast<double>(writtenFaces) / static_cast<double>(mesh.faceCount()),
+                            "Writing faces");
+  }
+
+  void writeNames()
+  {
+    const auto name = [&](std::size_t id, const char* type, const std::string& word) {
+      file.text("(45 (").number(static_cast<std::int64_t>(id)).text(" ").text(type).text(" ").text(word).text(")())\n");
+    };
+    for (std::size_t z = 0; z < cellZones.size(); ++z)
+    {
+      name(firstCellZone + z, "fluid", cellZones[z].name);
+    }
+    for (std::size_t z = 0; z < faceZones.size(); ++z)
+    {
+      name(firstFaceZone() + z, faceZones[z].type, faceZones[z].name);
+    }
+  }
+
+  const SolverMesh& solverMesh;
+  const FaceMesh& mesh;
+  const RunContext& context;
+  OutputFile file;
+  std::vector<CellZone> cellZones;
+  std::vector<FaceZone> faceZones;
+  std::vector<PatchName> patchNames;
+  std::vector<Index> newCell; ///< of each cell its number in the file
+  std::vector<Index> oldCell; ///< and the other way
+  std::vector<Index> zoneOf;  ///< of each cell, in cellZones
+  std::size_t writtenFaces = 0;
+};
+
+} // namespace
+
+void writeFluentMesh(const std::filesystem::path& file, const SolverMesh& mesh, const RunContext& context)
+{
+  writeInPlace(file, [&](const std::filesystem::path& place) { FluentWriter(place, mesh, context).write(); });
+}
+
+} // namespace atria
