@@ -15,7 +15,7 @@ vtk_module_build(
   CMAKE_DESTINATION "${atria_package_dir}"
   LIBRARY_NAME_SUFFIX ""
   VERSION "${PROJECT_VERSION}"
-  SOVERSION "0.1"
+  SOVERSION "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}"
   TEST_DIRECTORY_NAME NONE)
 
 include(Filters/AtriaPython.cmake)
@@ -47,4 +47,5 @@ write_basic_package_version_file("${CMAKE_BINARY_DIR}/${atria_package_dir}/Atria
 install(FILES
   "${CMAKE_BINARY_DIR}/${atria_package_dir}/AtriaConfig.cmake"
   "${CMAKE_BINARY_DIR}/${atria_package_dir}/AtriaConfigVersion.cmake"
-  DESTINATION "${atria_package_dir}")
+  DESTINATION "${atria_package_dir}"
+  COMPONENT development)

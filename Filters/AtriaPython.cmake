@@ -1,6 +1,6 @@
 # atria_wrap_python(<argument of vtk_module_wrap_python>...)
 # The Python package `atria`, in the build tree at lib/python3/dist-packages and installed likewise.
-set(atria_python_dir "${CMAKE_INSTALL_LIBDIR}/python3/dist-packages")
+set(atria_python_dir "lib/python3/dist-packages") # where Debian's Python looks, whatever the architecture
 set(atria_python_sources "${CMAKE_CURRENT_LIST_DIR}/Python")
 set(atria_python_files __init__.py errors.py meshing.py py.typed)
 
@@ -13,14 +13,14 @@ macro (atria_wrap_python)
     ${ARGN})
   foreach (file IN LISTS atria_python_files)
     configure_file("${atria_python_sources}/${file}" "${CMAKE_BINARY_DIR}/${atria_python_dir}/atria/${file}" COPYONLY)
-    install(FILES "${atria_python_sources}/${file}" DESTINATION "${atria_python_dir}/atria")
+    install(FILES "${atria_python_sources}/${file}" DESTINATION "${atria_python_dir}/atria" COMPONENT python)
   endforeach ()
   set(atria_python_build "${CMAKE_BINARY_DIR}/${atria_python_dir}")
   file(CONFIGURE OUTPUT "${atria_python_build}/atria/_version.py" CONTENT "__version__ = \"${PROJECT_VERSION}\"\n")
   set(atria_python_metadata "${atria_python_build}/atria-${PROJECT_VERSION}.dist-info")
   configure_file("${atria_python_sources}/METADATA.in" "${atria_python_metadata}/METADATA" @ONLY)
-  install(FILES "${atria_python_build}/atria/_version.py" DESTINATION "${atria_python_dir}/atria")
-  install(DIRECTORY "${atria_python_metadata}" DESTINATION "${atria_python_dir}")
+  install(FILES "${atria_python_build}/atria/_version.py" DESTINATION "${atria_python_dir}/atria" COMPONENT python)
+  install(DIRECTORY "${atria_python_metadata}" DESTINATION "${atria_python_dir}" COMPONENT python)
 endmacro ()
 
 # atria_make_stubs(): for editors and type checkers, from the wrapped classes; they must be importable where they are built.
@@ -32,5 +32,5 @@ function (atria_make_stubs)
     DEPENDS ${ARGN} "${atria_python_sources}/make_stubs.py"
     VERBATIM)
   add_custom_target(AtriaPythonStubs ALL DEPENDS "${stub}")
-  install(FILES "${stub}" DESTINATION "${atria_python_dir}/atria")
+  install(FILES "${stub}" DESTINATION "${atria_python_dir}/atria" COMPONENT python)
 endfunction ()

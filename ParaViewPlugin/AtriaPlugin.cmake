@@ -9,4 +9,13 @@ paraview_plugin_build(
   PLUGINS ${atria_plugins}
   LIBRARY_SUBDIRECTORY "${atria_plugins_subdirectory}"
   PLUGINS_FILE_NAME "atria.xml"
+  PLUGINS_COMPONENT runtime
+  TARGET_COMPONENT runtime
+  INSTALL_HEADERS OFF
   AUTOLOAD ${atria_plugins})
+
+# The list of plugins that ParaView 5.11 loads lies beside its program; Debian's package has none.
+file(CONFIGURE OUTPUT "${CMAKE_BINARY_DIR}/paraview.conf" CONTENT
+  "../${CMAKE_INSTALL_LIBDIR}/${atria_plugins_subdirectory}/atria.xml\n")
+install(FILES "${CMAKE_BINARY_DIR}/paraview.conf" DESTINATION "${CMAKE_INSTALL_BINDIR}"
+  COMPONENT runtime EXCLUDE_FROM_ALL)

@@ -21,6 +21,7 @@ Testing/check-layers.sh
 .ci/install-dependencies.sh test
 Testing/check-format.sh
 if [ -z "${ATRIA_COMPILER_LAUNCHER+set}" ]; then export ATRIA_COMPILER_LAUNCHER=ccache; fi
+export CCACHE_BASEDIR=${CCACHE_BASEDIR:-$root} # builds of several presets share the core's objects
 
 failed=()
 for preset in vtk paraview; do
@@ -29,6 +30,7 @@ for preset in vtk paraview; do
   # Both are tested even if the first fails: one run tells all.
   ctest --preset "$preset" --no-tests=error || failed+=("$preset")
 done
+Testing/Package/debian.sh ${ATRIA_TEST_FULL:+--full} || failed+=(packages)
 if [ "${#failed[@]}" -gt 0 ]; then
   echo "tests failed in: ${failed[*]}" >&2
   exit 1
