@@ -13,10 +13,10 @@ import tempfile
 
 def main(folder):
     with tempfile.TemporaryDirectory() as scratch:
-        for script in ("make_building.py", "make_house.py", "make_sphere.py"):
+        for script in ("make_building.py", "make_house.py", "make_sketchup_house.py", "make_sphere.py"):
             subprocess.run([sys.executable, folder / script, scratch], check=True)
         written = sorted(pathlib.Path(scratch).iterdir())
-        assert len(written) == 7, written
+        assert len(written) == 8, written
         for file in written:
             if not filecmp.cmp(file, folder / file.name, shallow=False):
                 sys.exit(f"{folder / file.name} differs from what its script writes; run the script")
