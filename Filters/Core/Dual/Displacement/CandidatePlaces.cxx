@@ -129,7 +129,7 @@ private:
   /// Places in the middle between curves that the leaf's vertex cannot both be on.
   void addBetweenCurves(Index leaf)
   {
-    if (grid.surplus(leaf, look) == 0)
+    if (grid.isCalm(leaf) || grid.surplus(leaf, look) == 0)
     {
       return;
     }
@@ -155,7 +155,7 @@ private:
   /// along them, or cut them far off. Beyond the boundary edge of a sheet it has no other side.
   void addAcrossSheets(Index leaf)
   {
-    if (grid.surplus(leaf, look) == 0)
+    if (grid.isCalm(leaf) || grid.surplus(leaf, look) == 0)
     {
       return;
     }

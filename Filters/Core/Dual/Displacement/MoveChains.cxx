@@ -91,30 +91,22 @@ std::vector<PlaceMoves::Places> MoveChains::returnsToPlanes(Index leaf) const
 /// Returns the points and where they were; none where nothing is gained, and all is as before.
 PlaceMoves::Places MoveChains::follow(const Places& start)
 {
-  Places trail;
-  double gained = 0.0;
-  const auto make = [&](Index point, const LatticePoint& place) {
-    trail.emplace_back(point, grid.places().place(point));
-    gained -= moves.make(point, place);
-  };
-  for (const auto& [point, place] : start)
-  {
-    make(point, place);
-  }
+  MovingGrid::Trail trail;
+  double gained = -moves.make(start, trail);
   for (std::size_t i = 0; gained <= leastChainGain && gained > -greatestLoss && i < longestChain; ++i)
   {
-    const PlaceMove next = bestBeside(trail);
+    const PlaceMove next = bestBeside(trail.places);
     if (next.gain <= 0.0)
     {
       break;
     }
-    make(next.point, next.place);
+    gained -= moves.make({{next.point, next.place}}, trail);
   }
   if (gained > leastChainGain)
   {
-    return trail;
+    return trail.places;
   }
-  moves.undo(trail);
+  grid.takeBack(trail);
   return {};
 }
 

@@ -45,22 +45,6 @@ void MovingGrid::findUnresolved(const RunContext& context)
                              [&](std::size_t leaf) { return findings[leaf].unresolved != 0; });
 }
 
-/// f(id) for each edge of a leaf that was cut at some time.
-template <typename F> void MovingGrid::eachEdge(Index leaf, F&& f) const
-{
-  for (const Index id : edgesOfLeaf.of(leaf))
-  {
-    f(id);
-  }
-  if (const auto found = addedOfLeaf.find(leaf); found != addedOfLeaf.end())
-  {
-    for (const Index id : found->second)
-    {
-      f(id);
-    }
-  }
-}
-
 MovingGrid::Edge MovingGrid::at(Index id) const
 {
   if (movedOf[id] == noIndex)
@@ -128,8 +112,14 @@ MovingGrid::Live& MovingGrid::live(const Stored& edge, const EdgeSegment& segmen
   {
     id = static_cast<Index>(movedOf.size());
     addedIds.emplace(keyOf(edge.start, edge.along), id);
+    addedKeys.push_back(keyOf(edge.start, edge.along));
     movedOf.push_back(noIndex);
-    eachLeaf(segment.about, [&](Index leaf) { addedOfLeaf[leaf].push_back(id); });
+    const auto keyOfAdded = [&](Index added) { return addedKeys[added - undisplaced.crossedEdges.size()]; };
+    eachLeaf(segment.about, [&](Index leaf) {
+      // In an order that does not depend on which was cut first.
+      std::vector<Index>& ids = addedOfLeaf[leaf];
+      ids.insert(std::ranges::upper_bound(ids, addedKeys.back(), {}, keyOfAdded), id);
+    });
   }
   if (movedOf[id] == noIndex)
   {
@@ -139,19 +129,34 @@ MovingGrid::Live& MovingGrid::live(const Stored& edge, const EdgeSegment& segmen
   return moved[movedOf[id]];
 }
 
-void MovingGrid::setCuts(const Stored& edge, const EdgeSegment& segment, std::span<const SurfaceCrossing> cuts)
+/// Where the same charts cut it as before, nothing changes for its leaves.
+void MovingGrid::setCuts(const Stored& edge, const EdgeSegment& segment, std::span<const SurfaceCrossing> cuts,
+                         Trail* trail)
 {
-  if (cuts.empty() && idOf(edge.start, edge.along) == noIndex)
+  const Index id = idOf(edge.start, edge.along);
+  if (cuts.empty() && id == noIndex)
   {
     return;
+  }
+  const auto before = id == noIndex ? std::span<const SurfaceCrossing>() : at(id).cuts;
+  const auto chartOf = [&](const SurfaceCrossing& cut) { return surfaces.charts[cut.triangle]; };
+  const bool isSame = std::ranges::equal(before, cuts, {}, chartOf, chartOf);
+  if (trail)
+  {
+    const EdgeSegment& was = id == noIndex ? segment : at(id).segment;
+    trail->edges.push_back({edge, {was, edge.edge.other == noIndex, {before.begin(), before.end()}}});
   }
   Live& entry = live(edge, segment);
   entry.segment = segment;
   entry.cuts.assign(cuts.begin(), cuts.end());
   for (const Index leaf : segment.about)
   {
-    if (!findings[leaf].isStale)
+    if (!isSame && !findings[leaf].isStale)
     {
+      if (trail)
+      {
+        trail->leaves.emplace_back(leaf, findings[leaf]);
+      }
       findings[leaf].isStale = 1;
       stale.push_back(leaf);
     }
@@ -170,139 +175,107 @@ void MovingGrid::putAt(Index point, const LatticePoint& place)
   }
 }
 
-void MovingGrid::moveTo(Index point, const LatticePoint& place)
+/// The edges of these points, each once.
+std::vector<MovingGrid::Stored> MovingGrid::edgesOf(const PointPlaces& places) const
 {
-  putAt(point, place);
-  for (int direction = 0; direction < 6; ++direction)
+  std::vector<Stored> edges;
+  for (const auto& [point, place] : places)
   {
-    if (const auto edge = stored(point, direction))
+    for (int direction = 0; direction < 6; ++direction)
     {
-      const EdgeSegment segment = grid.segment(edge->start, edge->along, edge->edge);
-      setCuts(*edge, segment, atria::cutEdge(grid, view.probe, edge->start, edge->edge, segment));
+      if (const auto edge = stored(point, direction))
+      {
+        edges.push_back(*edge);
+      }
     }
+  }
+  if (places.size() > 1)
+  {
+    sortUnique(edges);
+  }
+  return edges;
+}
+
+void MovingGrid::moveTogether(const PointPlaces& places, Trail* trail)
+{
+  ++version;
+  for (const auto& [point, place] : places)
+  {
+    if (trail)
+    {
+      trail->places.emplace_back(point, grid.place(point));
+    }
+    putAt(point, place);
+  }
+  for (const Stored& edge : edgesOf(places))
+  {
+    const EdgeSegment segment = grid.segment(edge.start, edge.along, edge.edge);
+    setCuts(edge, segment, atria::cutEdge(grid, view.probe, edge.start, edge.edge, segment), trail);
   }
 }
 
-/// An edge between two points that move is told its cuts by the later one. Edges are numbered as they are first cut,
-/// though, which may be while only the first has moved: that is looked at before any moves.
+void MovingGrid::takeBack(const Trail& trail)
+{
+  ++version;
+  for (auto move = trail.places.rbegin(); move != trail.places.rend(); ++move)
+  {
+    putAt(move->first, move->second);
+  }
+  for (auto change = trail.edges.rbegin(); change != trail.edges.rend(); ++change)
+  {
+    live(change->first, change->second.segment) = change->second;
+  }
+  for (auto change = trail.leaves.rbegin(); change != trail.leaves.rend(); ++change)
+  {
+    findings[change->first] = change->second;
+  }
+}
+
 void MovingGrid::moveAll(const PointPlaces& places, const RunContext& context)
 {
-  constexpr std::size_t grain = 16;
-  std::vector<std::uint8_t> halfway(places.size());
-  context.executor.forRanges(places.size(), grain, [&](std::size_t first, std::size_t last) {
-    Look look(*this);
-    for (std::size_t i = first; i < last; ++i)
-    {
-      halfway[i] = cutHalfway(places[i], places, look);
-    }
-  });
+  constexpr std::size_t grain = 64;
+  ++version;
   for (const auto& [point, place] : places)
   {
     putAt(point, place);
   }
-  std::vector<NewCuts> parts((places.size() + grain - 1) / grain);
-  context.executor.forEach(parts.size(), 1, [&](std::size_t part) {
-    Look look(*this);
-    for (std::size_t i = part * grain; i < std::min((part + 1) * grain, places.size()); ++i)
+  const std::vector<Stored> edges = edgesOf(places);
+  std::vector<EdgeSegment> segments(edges.size());
+  std::vector<std::vector<SurfaceCrossing>> cuts(edges.size());
+  context.executor.forRanges(edges.size(), grain, [&](std::size_t first, std::size_t last) {
+    EdgeProbe probe(tree, surfaces, &triangles);
+    for (std::size_t i = first; i < last; ++i)
     {
-      cutAnew(places[i].first, halfway[i], places, look, parts[part]);
+      segments[i] = grid.segment(edges[i].start, edges[i].along, edges[i].edge);
+      const auto found = atria::cutEdge(grid, probe, edges[i].start, edges[i].edge, segments[i]);
+      cuts[i].assign(found.begin(), found.end());
     }
   });
-  for (const NewCuts& part : parts)
+  for (std::size_t i = 0; i < edges.size(); ++i)
   {
-    for (const NewCuts::Of& found : part.edges)
-    {
-      if (found.isHalfway)
-      {
-        live(found.edge, found.segment);
-      }
-      else
-      {
-        setCuts(found.edge, found.segment, std::span(part.cuts).subspan(found.begin, found.end - found.begin));
-      }
-    }
+    setCuts(edges[i], segments[i], cuts[i]);
   }
 }
 
-/// Whether the edge leads from a point to one that moves later.
-bool MovingGrid::movesLater(const Stored& edge, Index point, const PointPlaces& places)
+/// What the edges of a look say about their leaf.
+int MovingGrid::analyze(Index leaf, Look& into) const
 {
-  const Index other = edge.start == point ? edge.edge.other : edge.start;
-  const auto found = std::ranges::lower_bound(places, other, {}, &PointPlaces::value_type::first);
-  return other != noIndex && other > point && found != places.end() && found->first == other;
-}
-
-/// The directions in which there are edges to points that move later, which never were cut and are while those stay.
-std::uint8_t MovingGrid::cutHalfway(const PointPlaces::value_type& move, const PointPlaces& places, Look& look) const
-{
-  const GridTrial trial{move.first, move.second};
-  unsigned directions = 0;
-  for (int direction = 0; direction < 6; ++direction)
-  {
-    const auto edge = stored(move.first, direction);
-    if (edge && movesLater(*edge, move.first, places) && idOf(edge->start, edge->along) == noIndex)
-    {
-      const EdgeSegment segment = grid.segment(edge->start, edge->along, edge->edge, trial);
-      const bool isCut = !atria::cutEdge(grid, look.probe, edge->start, edge->edge, segment, trial).empty();
-      directions |= isCut ? 1u << direction : 0u;
-    }
-  }
-  return static_cast<std::uint8_t>(directions);
-}
-
-/// Cuts the edges of a point, but for those to points that move later.
-void MovingGrid::cutAnew(Index point, std::uint8_t halfway, const PointPlaces& places, Look& look, NewCuts& out) const
-{
-  for (int direction = 0; direction < 6; ++direction)
-  {
-    const auto edge = stored(point, direction);
-    const bool isHalfway = (halfway >> direction & 1) != 0;
-    if (!edge || (!isHalfway && movesLater(*edge, point, places)))
-    {
-      continue;
-    }
-    const EdgeSegment segment = grid.segment(edge->start, edge->along, edge->edge);
-    const std::size_t before = out.cuts.size();
-    if (!isHalfway)
-    {
-      const auto cuts = atria::cutEdge(grid, look.probe, edge->start, edge->edge, segment);
-      out.cuts.insert(out.cuts.end(), cuts.begin(), cuts.end());
-    }
-    out.edges.push_back({*edge, segment, before, out.cuts.size(), isHalfway});
-  }
-}
-
-void MovingGrid::look(Index leaf, Look& into) const
-{
-  into.edges.clear();
-  const auto add = [&](const EdgeSegment& segment, std::span<const SurfaceCrossing> cuts) {
-    if (!cuts.empty())
-    {
-      into.edges.push_back(seenFrom(leaf, segment, cuts));
-    }
-  };
-  eachEdge(leaf, [&](Index id) {
-    if (std::ranges::find(into.tried, id, &Look::Tried::id) == into.tried.end())
-    {
-      const Edge edge = at(id);
-      add(edge.segment, edge.cuts);
-    }
-  });
-  for (const Look::Tried& one : into.tried)
-  {
-    if (std::ranges::find(one.edge.segment.about, leaf) != one.edge.segment.about.end())
-    {
-      add(one.edge.segment, one.edge.cuts);
-    }
-  }
   listLeavesAbout(leaf, into.edges, into.about);
   into.topology_.analyze(leaf, into.edges);
+  return std::max(into.topology_.sheets() - 1, 0) + (isTangle(leaf, into) ? 1 : 0);
 }
 
 int MovingGrid::surplus(Index leaf, Look& into) const
 {
-  look(leaf, into);
-  return std::max(into.topology_.sheets() - 1, 0) + (isTangle(leaf, into) ? 1 : 0);
+  into.edges.clear();
+  eachEdge(leaf, [&](Index id) {
+    const Edge edge = at(id);
+    if (!edge.cuts.empty())
+    {
+      into.edges.push_back(seenFrom(leaf, edge.segment, edge.cuts));
+    }
+  });
+  return analyze(leaf, into);
 }
 
 MovingGrid::Surplus MovingGrid::surplusAbout(Index point, Look& look) const
@@ -319,35 +292,26 @@ MovingGrid::Surplus MovingGrid::surplusAbout(Index point, Look& look) const
   return sum;
 }
 
-MovingGrid::Surplus MovingGrid::surplusAbout(Index point, const LatticePoint& place, Look& look, double limit) const
+MovingGrid::Surplus MovingGrid::surplusAbout(const PointPlaces& places)
 {
-  tryEdges(point, place, look);
   Surplus sum;
-  for (const Look::Tried& one : look.tried)
+  for (const Stored& edge : edgesOf(places))
   {
-    sum.cuts += Edge{one.edge.segment, one.edge.leavesDomain, one.edge.cuts}.surplus();
+    const Index id = idOf(edge.start, edge.along);
+    sum.cuts += id == noIndex ? 0 : at(id).surplus();
   }
-  eachLeaf(grid.points().leaves[point],
-           [&](Index leaf) { sum.leaves += sum.cost() <= limit ? surplus(leaf, look) : 0; });
-  look.tried.clear();
+  std::vector<Index> leaves;
+  for (const auto& [point, place] : places)
+  {
+    leaves.insert(leaves.end(), grid.points().leaves[point].begin(), grid.points().leaves[point].end());
+  }
+  sortUnique(leaves);
+  for (const Index leaf : leaves)
+  {
+    isUnresolved(leaf);
+    sum.leaves += static_cast<int>(findings[leaf].surplus);
+  }
   return sum;
-}
-
-/// The edges of a point as they would be with it at this place.
-void MovingGrid::tryEdges(Index point, const LatticePoint& place, Look& look) const
-{
-  const GridTrial trial{point, place};
-  look.tried.clear();
-  for (int direction = 0; direction < 6; ++direction)
-  {
-    if (const auto edge = stored(point, direction))
-    {
-      const EdgeSegment segment = grid.segment(edge->start, edge->along, edge->edge, trial);
-      const auto cuts = atria::cutEdge(grid, look.probe, edge->start, edge->edge, segment, trial);
-      look.tried.push_back(
-          {idOf(edge->start, edge->along), {segment, edge->edge.other == noIndex, {cuts.begin(), cuts.end()}}});
-    }
-  }
 }
 
 /// Whether curves meet or end at the vertex of a leaf, but at no corner near it.
@@ -393,11 +357,6 @@ bool MovingGrid::isUnresolved(Index leaf)
     looked.push_back(leaf);
   }
   return findings[leaf].unresolved != 0;
-}
-
-void MovingGrid::lookAgain(Index point)
-{
-  eachLeaf(grid.points().leaves[point], [&](Index leaf) { isUnresolved(leaf); });
 }
 
 void MovingGrid::lookAgain(const RunContext& context)

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "Dual/Grid/Crossings.h"
-#include "Dual/Leaf/LeafTopology.h"
+#include "Dual/Displacement/PointTrial.h"
 #include "Octree/Tree/MeshingContext.h"
 
 #include <limits>
@@ -42,8 +41,28 @@ private:
     std::vector<SurfaceCrossing> cuts;
   };
 
+  /// What was found at a leaf when it was looked at last.
+  struct Finding
+  {
+    std::uint32_t surplus : 30 = 0;
+    std::uint32_t unresolved : 1 = 0;
+    /// Charts that cut its edges changed since.
+    std::uint32_t isStale : 1 = 0;
+  };
+
+  /// An edge as it is stored: from its lower point if it has two.
+  struct Stored
+  {
+    Index start;
+    int along;
+    GridPlaces::Edge edge;
+
+    bool operator<(const Stored& other) const { return std::tie(start, along) < std::tie(other.start, other.along); }
+    bool operator==(const Stored& other) const { return start == other.start && along == other.along; }
+  };
+
 public:
-  /// What one thread sees of the leaf that it looked at last.
+  /// What one thread sees of the leaf that it looked at last, and of the point that it tried last.
   class Look
   {
   public:
@@ -55,18 +74,22 @@ public:
 
   private:
     friend class MovingGrid;
-    /// An edge of a point that is looked at as if it were elsewhere; `id` is noIndex where it never was cut.
-    struct Tried
-    {
-      Index id;
-      Live edge;
-    };
 
     EdgeProbe probe;
     LeafTopology topology_;
     std::vector<CutEdge> edges;
     std::vector<Index> about;
-    std::vector<Tried> tried;
+    PointTrial trial;
+    /// The `version` of the grid that the trial is of.
+    std::uint64_t version = 0;
+  };
+
+  /// What moves changed, so that they can be taken back.
+  struct Trail
+  {
+    PointPlaces places;
+    std::vector<std::pair<Stored, Live>> edges;
+    std::vector<std::pair<Index, Finding>> leaves;
   };
 
   /// Of edges about a point and of the leaves there.
@@ -87,9 +110,12 @@ public:
   const Octree& octree() const { return tree; }
   const SurfaceModel& model() const { return surfaces; }
 
-  void moveTo(Index point, const LatticePoint& place);
-  /// The same for many points, which are in rising order, each once.
+  void moveTo(Index point, const LatticePoint& place) { moveTogether({{point, place}}); }
+  void moveTogether(const PointPlaces& places, Trail* trail = nullptr);
+  /// The same on all threads.
   void moveAll(const PointPlaces& places, const RunContext& context);
+  /// Takes back all that a trail has. Leaves must have been looked at when it began.
+  void takeBack(const Trail& trail);
 
   /// The edge that leaves a point in a direction, if it exists and was cut at some time.
   std::optional<Edge> cutEdge(Index point, int direction) const;
@@ -102,20 +128,23 @@ public:
   /// The same without a look of one's own.
   int surplus(Index leaf) { return surplus(leaf, view); }
 
-  /// What there is about a point, and what there would be with it at another place.
+  /// What there is about a point, and what there would be with it at another place. Places of one point that are tried
+  /// one after the other share what they look through.
   Surplus surplusAbout(Index point, Look& look) const;
+  /// What there is about some points, each edge and leaf once. Looks at leaves again.
+  Surplus surplusAbout(const PointPlaces& places);
   /// Where that costs more than the limit, not all is counted.
   Surplus surplusAbout(Index point, const LatticePoint& place, Look& look,
                        double limit = std::numeric_limits<double>::infinity()) const;
 
+  /// Whether a leaf is known to have neither surplus sheets nor curves.
+  bool isCalm(Index leaf) const { return !findings[leaf].isStale && findings[leaf].surplus == 0; }
   /// Whether a leaf has surplus cuts, sheets or curves.
   bool isUnresolved(Index leaf);
   /// Leaves with surplus cuts, sheets or curves; sorted.
   const std::vector<Index>& unresolvedLeaves(const RunContext& context);
   /// Looks at leaves where cuts changed. What is about points is then told without looking at them once for each point.
   void lookAgain(const RunContext& context);
-  /// The same of the leaves about one point.
-  void lookAgain(Index point);
   void addCorners(Index leaf, std::set<Index>& points) const;
 
   std::int64_t shortestEdge(Index point) const;
@@ -124,52 +153,20 @@ public:
   bool isFixed(Index point) const;
 
 private:
-  /// What was found at a leaf when it was looked at last.
-  struct Finding
-  {
-    std::uint32_t surplus : 30 = 0;
-    std::uint32_t unresolved : 1 = 0;
-    /// Cuts of its edges changed since.
-    std::uint32_t isStale : 1 = 0;
-  };
-
-  /// An edge as it is stored: from its lower point if it has two.
-  struct Stored
-  {
-    Index start;
-    int along;
-    GridPlaces::Edge edge;
-  };
-
-  /// Cuts of edges of moved points, in the order of the points.
-  struct NewCuts
-  {
-    struct Of
-    {
-      Stored edge;
-      EdgeSegment segment;
-      std::size_t begin;
-      std::size_t end;
-      /// It leads to a point that moves later, and was first cut before that. No cuts are kept.
-      bool isHalfway;
-    };
-    std::vector<Of> edges;
-    std::vector<SurfaceCrossing> cuts;
-  };
-
   void findUnresolved(const RunContext& context);
   template <typename F> void eachEdge(Index leaf, F&& f) const;
   Edge at(Index id) const;
   Index idOf(Index point, int direction) const;
   Live& live(const Stored& edge, const EdgeSegment& segment);
-  void setCuts(const Stored& edge, const EdgeSegment& segment, std::span<const SurfaceCrossing> cuts);
-  static bool movesLater(const Stored& edge, Index point, const PointPlaces& places);
-  std::uint8_t cutHalfway(const PointPlaces::value_type& move, const PointPlaces& places, Look& look) const;
-  void cutAnew(Index point, std::uint8_t halfway, const PointPlaces& places, Look& look, NewCuts& out) const;
+  void setCuts(const Stored& edge, const EdgeSegment& segment, std::span<const SurfaceCrossing> cuts,
+               Trail* trail = nullptr);
   void putAt(Index point, const LatticePoint& place);
   std::optional<Stored> stored(Index point, int direction) const;
-  void tryEdges(Index point, const LatticePoint& place, Look& look) const;
-  void look(Index leaf, Look& into) const;
+  std::vector<Stored> edgesOf(const PointPlaces& places) const;
+  void beginTrial(Index point, const LatticePoint& place, Look& look) const;
+  void beginTrialOf(Index id, PointTrial::Leaf& leaf, const PointTrial& trial) const;
+  int surplusOfTrial(PointTrial::Leaf& leaf, Look& look) const;
+  int analyze(Index leaf, Look& into) const;
   Finding find(Index leaf, Look& into) const;
   bool isTangle(Index leaf, const Look& of) const;
 
@@ -184,6 +181,7 @@ private:
   Buckets edgesOfLeaf;
   std::unordered_map<Index, std::vector<Index>> addedOfLeaf;
   std::unordered_map<std::uint64_t, Index> addedIds;
+  std::vector<std::uint64_t> addedKeys;
   /// Per edge its place in `moved`, or noIndex where it is as in `home`.
   std::vector<Index> movedOf;
   std::vector<Live> moved;
@@ -192,7 +190,25 @@ private:
   std::vector<Index> stale;
   std::vector<Index> looked;
   std::vector<Index> unresolved;
+  /// Rises with every change.
+  std::uint64_t version = 1;
   Look view;
 };
+
+/// f(id) for each edge of a leaf that was cut at some time.
+template <typename F> void MovingGrid::eachEdge(Index leaf, F&& f) const
+{
+  for (const Index id : edgesOfLeaf.of(leaf))
+  {
+    f(id);
+  }
+  if (const auto found = addedOfLeaf.find(leaf); found != addedOfLeaf.end())
+  {
+    for (const Index id : found->second)
+    {
+      f(id);
+    }
+  }
+}
 
 } // namespace atria

@@ -16,7 +16,7 @@ constexpr double moveCost = 0.05;
 
 std::vector<PlaceMove> PlaceMoves::best(const std::vector<Index>& points, bool across) const
 {
-  constexpr std::size_t grain = 2;
+  constexpr std::size_t grain = 8;
   grid.lookAgain(context);
   std::vector<PlaceMove> found(points.size());
   context.executor.forRanges(points.size(), grain, [&](std::size_t begin, std::size_t end) {
@@ -69,21 +69,22 @@ double PlaceMoves::costOfWay(Index point, const LatticePoint& place) const
   return moveCost * displacementOf(point, place) / static_cast<double>(grid.shortestEdge(point));
 }
 
-double PlaceMoves::make(Index point, const LatticePoint& place)
+/// Of what is about these points where they are.
+double PlaceMoves::costOf(const Places& places)
 {
-  grid.lookAgain(point);
-  const double before = costAt(point, own);
-  grid.moveTo(point, place);
-  grid.lookAgain(point);
-  return costAt(point, own) - before;
+  double cost = grid.surplusAbout(places).cost();
+  for (const auto& [point, place] : places)
+  {
+    cost += costOfWay(point, grid.places().place(point));
+  }
+  return cost;
 }
 
-void PlaceMoves::undo(const Places& before)
+double PlaceMoves::make(const Places& places, MovingGrid::Trail& trail)
 {
-  for (auto back = before.rbegin(); back != before.rend(); ++back)
-  {
-    grid.moveTo(back->first, back->second);
-  }
+  const double before = costOf(places);
+  grid.moveTogether(places, &trail);
+  return costOf(places) - before;
 }
 
 void PlaceMoves::addAffected(Index point, std::set<Index>& affected) const

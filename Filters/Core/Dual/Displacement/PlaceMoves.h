@@ -24,15 +24,14 @@ public:
   /// Points and their places.
   using Places = MovingGrid::PointPlaces;
 
-  PlaceMoves(MovingGrid& moving, const RunContext& run) : grid(moving), context(run), own(moving) {}
+  PlaceMoves(MovingGrid& moving, const RunContext& run) : grid(moving), context(run) {}
 
   double displacementOf(Index point, const LatticePoint& place) const;
   /// The best place for each of these points, found by trying; they stay where they are. A gain of 0 where there is
   /// none. For `across` see candidatePlaces.
   std::vector<PlaceMove> best(const std::vector<Index>& points, bool across = false) const;
-  /// Moves a point; what its costs change by.
-  double make(Index point, const LatticePoint& place);
-  void undo(const Places& before);
+  /// Moves points together, each once, and notes how to take that back; what costs change by.
+  double make(const Places& places, MovingGrid::Trail& trail);
 
   /// Adds the points that may move and whose costs depend on where a point is.
   void addAffected(Index point, std::set<Index>& affected) const;
@@ -40,11 +39,11 @@ public:
 private:
   PlaceMove best(Index point, bool across, MovingGrid::Look& look) const;
   double costAt(Index point, MovingGrid::Look& look) const;
+  double costOf(const Places& places);
   double costOfWay(Index point, const LatticePoint& place) const;
 
   MovingGrid& grid;
   const RunContext& context;
-  MovingGrid::Look own;
 };
 
 } // namespace atria

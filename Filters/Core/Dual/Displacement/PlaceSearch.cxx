@@ -155,26 +155,17 @@ private:
       for (const double scale : {1.0, 0.7})
       {
         const Places turned = placesAbout(edge, leaves, angle, scale);
-        Places before;
-        double cost = 0.0;
-        grid.lookAgain(context);
-        for (const auto& [point, place] : turned)
-        {
-          before.emplace_back(point, grid.places().place(point));
-          cost += moves.make(point, place);
-        }
+        MovingGrid::Trail trail;
+        const double cost = moves.make(turned, trail);
+        grid.takeBack(trail);
         if (cost < leastCost)
         {
           leastCost = cost;
           best = turned;
         }
-        moves.undo(before);
       }
     }
-    for (const auto& [point, place] : best)
-    {
-      grid.moveTo(point, place);
-    }
+    grid.moveTogether(best);
     return !best.empty();
   }
 

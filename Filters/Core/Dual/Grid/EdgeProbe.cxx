@@ -2,6 +2,7 @@
 #include "Dual/Grid/EdgeProbe.h"
 
 #include "Grid/Predicates.h"
+#include "Support/Sorting.h"
 #include "Surface/Search/Distance.h"
 
 #include <algorithm>
@@ -20,20 +21,34 @@ constexpr double foldCosine = 0.866;
 /// Pieces in a leaf beyond which a tree finds those near an edge sooner.
 constexpr std::size_t longList = 64;
 
-bool boundsMiss(const EdgeSegment& edge, const LatticePoint& p, const LatticePoint& q, const LatticePoint& r)
+bool boundsTouch(const LatticeBox& box, const LatticePoint& p, const LatticePoint& q, const LatticePoint& r)
 {
   for (int a = 0; a < 3; ++a)
   {
-    if (std::max(edge.start[a], edge.end[a]) < std::min({p[a], q[a], r[a]}) ||
-        std::min(edge.start[a], edge.end[a]) > std::max({p[a], q[a], r[a]}))
+    if (box.high[a] < std::min({p[a], q[a], r[a]}) || box.low[a] > std::max({p[a], q[a], r[a]}))
     {
-      return true;
+      return false;
     }
   }
-  return false;
+  return true;
 }
 
 } // namespace
+
+LatticeBox boundsOf(const EdgeSegment& edge)
+{
+  LatticeBox box;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    std::tie(box.low[axis], box.high[axis]) = std::minmax({edge.start[axis], edge.end[axis]});
+  }
+  return box;
+}
+
+bool touchesBounds(const LatticeBox& box, const SurfaceModel& model, Index triangle)
+{
+  return boundsTouch(box, model.corner(triangle, 0), model.corner(triangle, 1), model.corner(triangle, 2));
+}
 
 Vec3 pointOn(const EdgeSegment& edge, double parameter)
 {
@@ -43,7 +58,7 @@ Vec3 pointOn(const EdgeSegment& edge, double parameter)
 std::optional<SurfaceCrossing> crossingOf(const EdgeSegment& edge, const LatticePoint& a, const LatticePoint& b,
                                           const LatticePoint& c, Index triangle)
 {
-  if (boundsMiss(edge, a, b, c))
+  if (!boundsTouch(boundsOf(edge), a, b, c))
   {
     return std::nullopt;
   }
@@ -68,8 +83,20 @@ std::optional<SurfaceCrossing> crossingOf(const EdgeSegment& edge, const Lattice
 
 std::span<const SurfaceCrossing> EdgeProbe::cut(const EdgeSegment& edge, std::span<const Index> leaves)
 {
+  gather(boundsOf(edge), leaves, candidates);
+  return cutAmong(edge, candidates);
+}
+
+std::span<const SurfaceCrossing> EdgeProbe::cutAmong(const EdgeSegment& edge, std::span<const Index> triangles)
+{
   found.clear();
-  gather(edge, leaves);
+  for (const Index t : triangles)
+  {
+    if (const auto cut = crossingOf(edge, model.corner(t, 0), model.corner(t, 1), model.corner(t, 2), t))
+    {
+      found.push_back(*cut);
+    }
+  }
   std::sort(found.begin(), found.end(), [&](const SurfaceCrossing& l, const SurfaceCrossing& r) {
     return std::tie(l.parameter, l.triangle) < std::tie(r.parameter, r.triangle);
   });
@@ -91,59 +118,28 @@ Index EdgeProbe::sideTriangle(Index leaf, const LatticePoint& p, int direction) 
   return noIndex;
 }
 
-void EdgeProbe::gatherFromTree(const EdgeSegment& edge)
+void EdgeProbe::gather(const LatticeBox& box, std::span<const Index> leaves, std::vector<Index>& triangles) const
 {
-  LatticeBox box;
-  for (int axis = 0; axis < 3; ++axis)
+  const auto isObstacle = [&](Index triangle) { return model.domainSides[triangle] == SurfaceModel::noSide; };
+  triangles.clear();
+  if (triangleTree && std::ranges::any_of(leaves, [&](Index leaf) { return octree.items(leaf).size() > longList; }))
   {
-    std::tie(box.low[axis], box.high[axis]) = std::minmax({edge.start[axis], edge.end[axis]});
-  }
-  for (const Index triangle : triangleTree->get().touching(box))
-  {
-    if (model.domainSides[triangle] == SurfaceModel::noSide)
-    {
-      test(triangle, edge);
-    }
-  }
-}
-
-void EdgeProbe::gather(const EdgeSegment& edge, std::span<const Index> leaves)
-{
-  const auto isLong = [&](Index leaf) { return octree.items(leaf).size() > longList; };
-  if (triangleTree && std::ranges::any_of(leaves, isLong))
-  {
-    gatherFromTree(edge);
+    std::ranges::copy_if(triangleTree->get().touching(box), std::back_inserter(triangles), isObstacle);
     return;
   }
-  candidates.clear();
   for (const Index leaf : leaves)
   {
     for (const ModelItem piece : octree.items(leaf))
     {
-      if (piece.kind == ModelItem::triangle && model.domainSides[piece.index] == SurfaceModel::noSide)
+      if (piece.kind == ModelItem::triangle && isObstacle(piece.index) && touchesBounds(box, model, piece.index))
       {
-        candidates.push_back(piece.index);
+        triangles.push_back(piece.index);
       }
     }
   }
   if (leaves.size() > 1)
   {
-    std::sort(candidates.begin(), candidates.end());
-    candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
-  }
-  for (const Index triangle : candidates)
-  {
-    test(triangle, edge);
-  }
-}
-
-void EdgeProbe::test(Index triangle, const EdgeSegment& edge)
-{
-  const auto cut =
-      crossingOf(edge, model.corner(triangle, 0), model.corner(triangle, 1), model.corner(triangle, 2), triangle);
-  if (cut)
-  {
-    found.push_back(*cut);
+    sortUnique(triangles);
   }
 }
 

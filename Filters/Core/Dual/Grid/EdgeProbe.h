@@ -61,15 +61,18 @@ public:
   /// Crossings of an edge with the triangles of `leaves`, sorted from start to end; triangles on domain sides are not
   /// asked. Pairs that only reach through the edge and back are left out. The answer holds until the next call.
   std::span<const SurfaceCrossing> cut(const EdgeSegment& edge, std::span<const Index> leaves);
+  /// The same with some triangles, among which are all that touch the bounds of the edge.
+  std::span<const SurfaceCrossing> cutAmong(const EdgeSegment& edge, std::span<const Index> triangles);
+
+  /// The triangles of `leaves` whose bounds touch the box, each once, but for those on domain sides. Of a box that
+  /// reaches beyond these leaves there may be more.
+  void gather(const LatticeBox& box, std::span<const Index> leaves, std::vector<Index>& triangles) const;
 
   /// The triangle of a domain side that covers the point where the edge along `direction` through p leaves the domain;
   /// noIndex if none.
   Index sideTriangle(Index leaf, const LatticePoint& p, int direction) const;
 
 private:
-  void gather(const EdgeSegment& edge, std::span<const Index> leaves);
-  void gatherFromTree(const EdgeSegment& edge);
-  void test(Index triangle, const EdgeSegment& edge);
   bool isBulge(const EdgeSegment& edge, const SurfaceCrossing& l, const SurfaceCrossing& r) const;
   bool isNick(const EdgeSegment& edge, const SurfaceCrossing& l, const SurfaceCrossing& r) const;
   void dropBulges(const EdgeSegment& edge);
@@ -80,6 +83,11 @@ private:
   std::vector<Index> candidates;
   std::vector<SurfaceCrossing> found;
 };
+
+LatticeBox boundsOf(const EdgeSegment& edge);
+
+/// Whether the bounds of a triangle touch a box.
+bool touchesBounds(const LatticeBox& box, const SurfaceModel& model, Index triangle);
 
 /// Point of an edge, in lattice units.
 Vec3 pointOn(const EdgeSegment& edge, double parameter);

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// What MovingGrid does to try a point in other places.
+#include "Dual/Displacement/MovingGrid.h"
+
+#include <algorithm>
+
+namespace atria {
+
+namespace {
+
+LatticeBox joined(const LatticeBox& box, const LatticePoint& p)
+{
+  LatticeBox all = box;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    all.low[axis] = std::min(box.low[axis], p[axis]);
+    all.high[axis] = std::max(box.high[axis], p[axis]);
+  }
+  return all;
+}
+
+LatticeBox boxAbout(const LatticePoint& p, std::int64_t reach)
+{
+  return {{p[0] - reach, p[1] - reach, p[2] - reach}, {p[0] + reach, p[1] + reach, p[2] + reach}};
+}
+
+void addUnique(std::vector<Index>& list, std::span<const Index> more)
+{
+  for (const Index one : more)
+  {
+    if (std::ranges::find(list, one) == list.end())
+    {
+      list.push_back(one);
+    }
+  }
+}
+
+} // namespace
+
+void PointTrial::put(const LatticePoint& place, Spoke& spoke) const
+{
+  (spoke.startsHere ? spoke.segment.start : spoke.segment.end) = place;
+  spoke.segment.axis = place == undisplaced ? spoke.axis : -1;
+}
+
+void PointTrial::setWay(std::span<const SurfaceCrossing> cuts, const SurfaceModel& model, Spoke& spoke)
+{
+  const auto chartOf = [&](const SurfaceCrossing& cut) { return model.charts[cut.triangle]; };
+  const auto known = std::ranges::find_if(spoke.ways, [&](const std::vector<Index>& charts) {
+    return std::ranges::equal(charts, cuts, {}, {}, chartOf);
+  });
+  spoke.way = static_cast<std::size_t>(known - spoke.ways.begin());
+  if (known == spoke.ways.end())
+  {
+    std::ranges::transform(cuts, std::back_inserter(spoke.ways.emplace_back()), chartOf);
+  }
+}
+
+/// Of all its spokes in one number.
+std::uint64_t PointTrial::waysOf(const Leaf& leaf) const
+{
+  std::uint64_t key = 0;
+  for (std::size_t i = 0; i < spokeCount; ++i)
+  {
+    key = key << 10 | ((leaf.spokes >> i & 1) != 0 ? spokes[i].way : 0);
+  }
+  return key;
+}
+
+/// Gathers what is about a point for places up to its shortest edge from where it is undisplaced.
+void MovingGrid::beginTrial(Index point, const LatticePoint& place, Look& look) const
+{
+  PointTrial& trial = look.trial;
+  trial.point = point;
+  look.version = version;
+  trial.undisplaced = grid.undisplaced(point);
+  trial.reach = joined(boxAbout(trial.undisplaced, shortestEdge(point)), place);
+  trial.near.clear();
+  addUnique(trial.near, grid.points().leaves[point]);
+  trial.leafCount = trial.near.size();
+  LatticeBox all = trial.reach;
+  trial.spokeCount = 0;
+  for (int direction = 0; direction < 6; ++direction)
+  {
+    const auto edge = stored(point, direction);
+    if (!edge)
+    {
+      continue;
+    }
+    PointTrial::Spoke& spoke = trial.spokes[trial.spokeCount++];
+    spoke.id = idOf(edge->start, edge->along);
+    spoke.segment = grid.segment(edge->start, edge->along, edge->edge, {point, trial.undisplaced});
+    spoke.axis = spoke.segment.axis;
+    spoke.startsHere = edge->start == point;
+    spoke.leavesDomain = edge->edge.other == noIndex;
+    spoke.ways.clear();
+    trial.setWay(spoke.id == noIndex ? std::span<const SurfaceCrossing>() : at(spoke.id).cuts, surfaces, spoke);
+    all = joined(all, spoke.startsHere ? spoke.segment.end : spoke.segment.start);
+    if (!spoke.leavesDomain)
+    {
+      addUnique(trial.near, grid.points().leaves[spoke.startsHere ? edge->edge.other : edge->start]);
+    }
+  }
+  look.probe.gather(all, trial.near, trial.triangles);
+  for (PointTrial::Spoke& spoke : std::span(trial.spokes).first(trial.spokeCount))
+  {
+    const LatticeBox box = joined(trial.reach, spoke.startsHere ? spoke.segment.end : spoke.segment.start);
+    spoke.triangles.clear();
+    std::ranges::copy_if(trial.triangles, std::back_inserter(spoke.triangles),
+                         [&](Index triangle) { return touchesBounds(box, surfaces, triangle); });
+  }
+  for (std::size_t i = 0; i < trial.leafCount; ++i)
+  {
+    beginTrialOf(trial.near[i], trial.leaves[i], trial);
+  }
+}
+
+void MovingGrid::beginTrialOf(Index id, PointTrial::Leaf& leaf, const PointTrial& trial) const
+{
+  leaf.id = id;
+  leaf.spokes = 0;
+  for (std::size_t i = 0; i < trial.spokeCount; ++i)
+  {
+    const bool isThere = std::ranges::find(trial.spokes[i].segment.about, id) != trial.spokes[i].segment.about.end();
+    leaf.spokes |= isThere ? 1u << i : 0u;
+  }
+  leaf.hasOthers = false;
+  leaf.others.clear();
+  leaf.found.clear();
+  if (!findings[id].isStale)
+  {
+    leaf.found.emplace_back(trial.waysOf(leaf), findings[id].surplus);
+  }
+}
+
+/// What there is in a leaf with its spokes as they are tried.
+int MovingGrid::surplusOfTrial(PointTrial::Leaf& leaf, Look& look) const
+{
+  PointTrial& trial = look.trial;
+  const std::uint64_t ways = trial.waysOf(leaf);
+  const auto known = std::ranges::find(leaf.found, ways, &std::pair<std::uint64_t, int>::first);
+  if (known != leaf.found.end())
+  {
+    return known->second;
+  }
+  const auto spokes = std::span(trial.spokes).first(trial.spokeCount);
+  if (!leaf.hasOthers)
+  {
+    leaf.hasOthers = true;
+    eachEdge(leaf.id, [&](Index id) {
+      const Edge edge = at(id);
+      if (!edge.cuts.empty() && std::ranges::find(spokes, id, &PointTrial::Spoke::id) == spokes.end())
+      {
+        leaf.others.push_back(seenFrom(leaf.id, edge.segment, edge.cuts));
+      }
+    });
+  }
+  look.edges = leaf.others;
+  for (std::size_t i = 0; i < spokes.size(); ++i)
+  {
+    if ((leaf.spokes >> i & 1) != 0 && !spokes[i].cuts.empty())
+    {
+      look.edges.push_back(seenFrom(leaf.id, spokes[i].segment, spokes[i].cuts));
+    }
+  }
+  leaf.found.emplace_back(ways, analyze(leaf.id, look));
+  return leaf.found.back().second;
+}
+
+MovingGrid::Surplus MovingGrid::surplusAbout(Index point, const LatticePoint& place, Look& look, double limit) const
+{
+  PointTrial& trial = look.trial;
+  constexpr std::size_t mostWays = 1024; // fit the bits of a key
+  const auto hasMany = [](const PointTrial::Spoke& spoke) { return spoke.ways.size() >= mostWays; };
+  if (trial.point != point || look.version != version || !trial.reach.contains(place) ||
+      std::ranges::any_of(trial.spokes, hasMany))
+  {
+    beginTrial(point, place, look);
+  }
+  Surplus sum;
+  for (PointTrial::Spoke& spoke : std::span(trial.spokes).first(trial.spokeCount))
+  {
+    trial.put(place, spoke);
+    const auto cuts = look.probe.cutAmong(spoke.segment, spoke.triangles);
+    spoke.cuts.assign(cuts.begin(), cuts.end());
+    PointTrial::setWay(cuts, surfaces, spoke);
+    sum.cuts += Edge{spoke.segment, spoke.leavesDomain, spoke.cuts}.surplus();
+    if (sum.cost() > limit)
+    {
+      return sum;
+    }
+  }
+  for (PointTrial::Leaf& leaf : std::span(trial.leaves).first(trial.leafCount))
+  {
+    sum.leaves += sum.cost() <= limit ? surplusOfTrial(leaf, look) : 0;
+  }
+  return sum;
+}
+
+} // namespace atria

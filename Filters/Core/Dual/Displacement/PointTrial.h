@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Dual/Grid/Crossings.h"
+#include "Dual/Leaf/LeafTopology.h"
+
+namespace atria {
+
+/// A grid point that is looked at in one place after the other, and what does not depend on the place: the triangles
+/// its edges may meet, and the other edges of the leaves about it. What there is in a leaf depends on which charts cut
+/// its edges, so it is found once for every way in which they do.
+struct PointTrial
+{
+  /// An edge of the point.
+  struct Spoke
+  {
+    /// Its number in the grid; noIndex where it never was cut.
+    Index id;
+    EdgeSegment segment;
+    /// The axis along which it runs with the point undisplaced, or -1.
+    int axis;
+    bool startsHere;
+    bool leavesDomain;
+    std::vector<Index> triangles;
+    std::vector<SurfaceCrossing> cuts;
+    /// The ways in which charts cut it in places so far, and in this one.
+    std::vector<std::vector<Index>> ways;
+    std::size_t way;
+  };
+
+  struct Leaf
+  {
+    Index id;
+    /// A bit for each spoke it has.
+    unsigned spokes;
+    bool hasOthers;
+    std::vector<CutEdge> others;
+    /// What there is, by the ways of its spokes.
+    std::vector<std::pair<std::uint64_t, int>> found;
+  };
+
+  Index point = noIndex;
+  LatticePoint undisplaced;
+  /// The places for which the spokes' triangles are those that may be met.
+  LatticeBox reach;
+  std::size_t spokeCount = 0;
+  std::array<Spoke, 6> spokes;
+  std::size_t leafCount = 0;
+  std::array<Leaf, 8> leaves;
+  std::vector<Index> near;
+  std::vector<Index> triangles;
+
+  /// Sets the spoke's segment to what it is with the point there.
+  void put(const LatticePoint& place, Spoke& spoke) const;
+  /// Sets the spoke's way.
+  static void setWay(std::span<const SurfaceCrossing> cuts, const SurfaceModel& model, Spoke& spoke);
+  std::uint64_t waysOf(const Leaf& leaf) const;
+};
+
+} // namespace atria
