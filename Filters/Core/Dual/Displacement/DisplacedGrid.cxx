@@ -15,14 +15,7 @@ GridPlaces displacedPlaces(const GridPoints& points, const Crossings& undisplace
 {
   GridPlaces places(context.octree, points);
   MovingGrid grid(places, undisplaced, context);
-  constexpr int gapRounds = 4;
-  for (const double reach : {0.5, 1.0})
-  {
-    for (int round = 0; round < gapRounds && enterGaps(grid, reach, context); ++round)
-    {
-      context.progress.check();
-    }
-  }
+  enterGaps(grid, context);
   searchPlaces(grid, context);
   return places;
 }

@@ -107,19 +107,30 @@ private:
       }
     }
     sortUnique(triangles);
+    boxes.clear();
+    for (const auto& [chart, triangle] : triangles)
+    {
+      boxes.push_back(model().bounds(triangle));
+    }
   }
 
   std::optional<Nearest> nearestOn(Index chart, const Vec3& p) const
   {
     std::optional<Nearest> best;
+    double least = std::numeric_limits<double>::infinity();
     const auto first = std::lower_bound(triangles.begin(), triangles.end(), std::pair(chart, Index{0}));
     for (auto entry = first; entry != triangles.end() && entry->first == chart; ++entry)
     {
       const Index triangle = entry->second;
+      if (boxes[static_cast<std::size_t>(entry - triangles.begin())].squaredDistance(p) >= least)
+      {
+        continue;
+      }
       const Vec3 q = nearestOnTriangle(p, toVector(model().corner(triangle, 0)), toVector(model().corner(triangle, 1)),
                                        toVector(model().corner(triangle, 2)));
-      if (!best || (q - p).squaredNorm() < (best->at - p).squaredNorm())
+      if ((q - p).squaredNorm() < least)
       {
+        least = (q - p).squaredNorm();
         best = Nearest{q, triangle};
       }
     }
@@ -382,17 +393,17 @@ private:
   double reach;
   MovingGrid::Look look;
   std::vector<Place>& out;
-  /// About the leaf, and what is in them: charts and triangles.
+  /// About the leaf, and what is in them: charts and triangles, and the triangles' bounds.
   std::vector<Index> leaves;
   std::vector<std::pair<Index, Index>> triangles;
+  std::vector<Box3> boxes;
 };
 
-} // namespace
-
-bool enterGaps(MovingGrid& grid, double reach, const RunContext& context)
+/// Moves corners of these leaves into gaps. Returns the leaves about them, sorted: nowhere else is anything new.
+std::vector<Index> enterFrom(const std::vector<Index>& leaves, MovingGrid& grid, double reach,
+                             const RunContext& context)
 {
   constexpr std::size_t grain = 8;
-  const std::vector<Index>& leaves = grid.unresolvedLeaves(context);
   std::vector<std::vector<GapFinder::Place>> found((leaves.size() + grain - 1) / grain);
   context.executor.forEach(found.size(), 1, [&](std::size_t part) {
     GapFinder finder(grid, reach, found[part]);
@@ -412,12 +423,34 @@ bool enterGaps(MovingGrid& grid, double reach, const RunContext& context)
     }
   }
   MovingGrid::PointPlaces moves;
+  std::vector<Index> about;
   for (const auto& [point, place] : nearest)
   {
     moves.emplace_back(point, place.at);
+    about.insert(about.end(), grid.points().leaves[point].begin(), grid.points().leaves[point].end());
   }
   grid.moveAll(moves, context);
-  return !nearest.empty();
+  sortUnique(about);
+  return about;
+}
+
+} // namespace
+
+void enterGaps(MovingGrid& grid, const RunContext& context)
+{
+  constexpr int gapRounds = 4;
+  for (const double reach : {0.5, 1.0})
+  {
+    std::vector<Index> leaves = grid.unresolvedLeaves(context);
+    for (int round = 0; round < gapRounds && !leaves.empty(); ++round)
+    {
+      context.progress.check();
+      const std::vector<Index> about = enterFrom(leaves, grid, reach, context);
+      const std::vector<Index>& unresolved = grid.unresolvedLeaves(context);
+      leaves.clear();
+      std::ranges::set_intersection(about, unresolved, std::back_inserter(leaves));
+    }
+  }
 }
 
 } // namespace atria

@@ -46,9 +46,8 @@ void PointTrial::put(const LatticePoint& place, Spoke& spoke) const
 void PointTrial::setWay(std::span<const SurfaceCrossing> cuts, const SurfaceModel& model, Spoke& spoke)
 {
   const auto chartOf = [&](const SurfaceCrossing& cut) { return model.charts[cut.triangle]; };
-  const auto known = std::ranges::find_if(spoke.ways, [&](const std::vector<Index>& charts) {
-    return std::ranges::equal(charts, cuts, {}, {}, chartOf);
-  });
+  const auto known = std::ranges::find_if(
+      spoke.ways, [&](const std::vector<Index>& charts) { return std::ranges::equal(charts, cuts, {}, {}, chartOf); });
   spoke.way = static_cast<std::size_t>(known - spoke.ways.begin());
   if (known == spoke.ways.end())
   {
