@@ -1,4 +1,5 @@
 # Builds the ParaView plugin. The plugin holds the same modules as the package made against VTK.
+list(APPEND atria_module_files "${CMAKE_CURRENT_SOURCE_DIR}/ParaViewPlugin/Display/vtk.module")
 paraview_plugin_scan(
   PLUGIN_FILES "${CMAKE_CURRENT_SOURCE_DIR}/ParaViewPlugin/paraview.plugin"
   PROVIDES_PLUGINS atria_plugins

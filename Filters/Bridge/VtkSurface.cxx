@@ -22,10 +22,103 @@
 
 #include <algorithm>
 #include <unordered_map>
+#include <utility>
 
 namespace atria {
 
 namespace {
+
+/// Names as they are found, and the number of each.
+class SurfaceNames
+{
+public:
+  void add(vtkPolyData* data, const std::string& blockName)
+  {
+    auto* cellNames = namesOfCells(data);
+    auto* fieldNames = namesOfField(data);
+    if (data->GetCellData()->GetArray("SurfaceId") && fieldNames)
+    {
+      addAll(fieldNames);
+    }
+    else if (cellNames)
+    {
+      addAll(cellNames);
+    }
+    else if (data->GetNumberOfCells() > 0)
+    {
+      idOf(blockName);
+    }
+  }
+
+  /// The surface of each cell.
+  std::vector<Index> idsOf(vtkPolyData* data, const std::string& blockName)
+  {
+    vtkDataArray* ids = data->GetCellData()->GetArray("SurfaceId");
+    auto* fieldNames = namesOfField(data);
+    auto* cellNames = namesOfCells(data);
+    if (ids && fieldNames)
+    {
+      return idsOf(ids, fieldNames, blockName);
+    }
+    if (cellNames)
+    {
+      return addAll(cellNames);
+    }
+    const vtkIdType count = data->GetNumberOfCells();
+    return std::vector<Index>(count, count > 0 ? idOf(blockName) : 0);
+  }
+
+  std::vector<std::string> names;
+
+private:
+  static vtkStringArray* namesOfField(vtkPolyData* data)
+  {
+    return vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray("SurfaceName"));
+  }
+
+  static vtkStringArray* namesOfCells(vtkPolyData* data)
+  {
+    return vtkStringArray::SafeDownCast(data->GetCellData()->GetAbstractArray("SurfaceName"));
+  }
+
+  Index idOf(const std::string& name)
+  {
+    const auto [found, isNew] = known.try_emplace(name, static_cast<Index>(names.size()));
+    if (isNew)
+    {
+      names.push_back(name);
+    }
+    return found->second;
+  }
+
+  std::vector<Index> addAll(vtkStringArray* texts)
+  {
+    std::vector<Index> result(texts->GetNumberOfValues());
+    for (std::size_t i = 0; i < result.size(); ++i)
+    {
+      result[i] = idOf(texts->GetValue(static_cast<vtkIdType>(i)));
+    }
+    return result;
+  }
+
+  std::vector<Index> idsOf(vtkDataArray* ids, vtkStringArray* texts, const std::string& blockName)
+  {
+    const std::vector<Index> own = addAll(texts);
+    std::vector<Index> result(ids->GetNumberOfTuples());
+    for (std::size_t i = 0; i < result.size(); ++i)
+    {
+      const double id = ids->GetComponent(static_cast<vtkIdType>(i), 0);
+      if (!(id >= 0 && id < static_cast<double>(own.size())))
+      {
+        throw Error("cell " + std::to_string(i) + " of '" + blockName + "' has a SurfaceId without a SurfaceName");
+      }
+      result[i] = own[static_cast<std::size_t>(id)];
+    }
+    return result;
+  }
+
+  std::unordered_map<std::string, Index> known;
+};
 
 class Collector
 {
@@ -47,7 +140,7 @@ public:
                                 data->GetPoints() != nullptr && data->GetPoints()->GetDataType() == VTK_FLOAT);
     base = static_cast<Index>(out.surface.points.size());
     out.surface.points.insert(out.surface.points.end(), points.begin(), points.end());
-    const std::vector<Index> ids = surfaceIdsOf(data, blockName);
+    const std::vector<Index> ids = names.idsOf(data, blockName);
     vtkNew<vtkIdList> cell;
     for (vtkIdType i = 0; i < data->GetNumberOfCells(); ++i)
     {
@@ -59,6 +152,8 @@ public:
 
   void ignore(std::size_t cells) { out.ignoredCells += cells; }
 
+  std::vector<std::string> takeNames() { return std::move(names.names); }
+
 private:
   static void checkPoints(vtkIdType index, vtkIdList* cell, std::size_t count, const std::string& blockName)
   {
@@ -67,55 +162,6 @@ private:
     {
       throw Error("cell " + std::to_string(index) + " of '" + blockName + "' has a point that does not exist");
     }
-  }
-
-  Index idOf(const std::string& name)
-  {
-    const auto [found, isNew] = known.try_emplace(name, static_cast<Index>(out.surface.names.size()));
-    if (isNew)
-    {
-      out.surface.names.push_back(name);
-    }
-    return found->second;
-  }
-
-  std::vector<Index> surfaceIdsOf(vtkPolyData* data, const std::string& blockName)
-  {
-    vtkDataArray* ids = data->GetCellData()->GetArray("SurfaceId");
-    auto* names = vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray("SurfaceName"));
-    auto* cellNames = vtkStringArray::SafeDownCast(data->GetCellData()->GetAbstractArray("SurfaceName"));
-    std::vector<Index> result(data->GetNumberOfCells());
-    if (ids && names)
-    {
-      return surfaceIdsOf(ids, names, blockName);
-    }
-    for (std::size_t i = 0; i < result.size(); ++i)
-    {
-      result[i] = cellNames ? idOf(cellNames->GetValue(static_cast<vtkIdType>(i)))
-                  : i == 0  ? idOf(blockName)
-                            : result[0];
-    }
-    return result;
-  }
-
-  std::vector<Index> surfaceIdsOf(vtkDataArray* ids, vtkStringArray* names, const std::string& blockName)
-  {
-    std::vector<Index> ownIds(names->GetNumberOfValues());
-    for (std::size_t i = 0; i < ownIds.size(); ++i)
-    {
-      ownIds[i] = idOf(names->GetValue(static_cast<vtkIdType>(i)));
-    }
-    std::vector<Index> result(ids->GetNumberOfTuples());
-    for (std::size_t i = 0; i < result.size(); ++i)
-    {
-      const double id = ids->GetComponent(static_cast<vtkIdType>(i), 0);
-      if (!(id >= 0 && id < static_cast<double>(ownIds.size())))
-      {
-        throw Error("cell " + std::to_string(i) + " of '" + blockName + "' has a SurfaceId without a SurfaceName");
-      }
-      result[i] = ownIds[static_cast<std::size_t>(id)];
-    }
-    return result;
   }
 
   void addTriangle(Index a, Index b, Index c, Index surface)
@@ -158,16 +204,13 @@ private:
   VtkSurface& out;
   Index base = 0;
   Index face = 0; ///< of the triangles that come next
-  std::unordered_map<std::string, Index> known;
+  SurfaceNames names;
 };
 
-void addObject(Collector& collector, vtkDataObject* object, const std::string& name)
+/// Calls `visit(data, name)` for every leaf of the object, with its own name or that of what it is in.
+template <class Visitor> void visitLeaves(vtkDataObject* object, const std::string& name, const Visitor& visit)
 {
-  if (auto* polyData = vtkPolyData::SafeDownCast(object))
-  {
-    collector.add(polyData, name);
-  }
-  else if (auto* tree = vtkDataObjectTree::SafeDownCast(object))
+  if (auto* tree = vtkDataObjectTree::SafeDownCast(object))
   {
     // One level: blocks that hold blocks are taken as wholes, so that what has no name gets that of what it is in.
     vtkSmartPointer<vtkDataObjectTreeIterator> it;
@@ -178,14 +221,16 @@ void addObject(Collector& collector, vtkDataObject* object, const std::string& n
     {
       vtkInformation* about = it->HasCurrentMetaData() ? it->GetCurrentMetaData() : nullptr;
       const char* own = about ? about->Get(vtkCompositeDataSet::NAME()) : nullptr;
-      addObject(collector, it->GetCurrentDataObject(), own && *own ? own : name);
+      visitLeaves(it->GetCurrentDataObject(), own && *own ? own : name, visit);
     }
   }
   else if (object)
   {
-    collector.ignore(static_cast<std::size_t>(object->GetNumberOfElements(vtkDataObject::CELL)));
+    visit(object, name);
   }
 }
+
+constexpr const char* withoutName = "surface";
 
 } // namespace
 
@@ -209,9 +254,31 @@ VtkSurface surfaceFromVtk(const std::vector<vtkDataObject*>& inputs)
   Collector collector(result);
   for (vtkDataObject* input : inputs)
   {
-    addObject(collector, input, "surface");
+    visitLeaves(input, withoutName, [&](vtkDataObject* leaf, const std::string& name) {
+      if (auto* polyData = vtkPolyData::SafeDownCast(leaf))
+      {
+        collector.add(polyData, name);
+      }
+      else
+      {
+        collector.ignore(static_cast<std::size_t>(leaf->GetNumberOfElements(vtkDataObject::CELL)));
+      }
+    });
   }
+  result.surface.names = collector.takeNames();
   return result;
+}
+
+std::vector<std::string> surfaceNamesFromVtk(vtkDataObject* input)
+{
+  SurfaceNames found;
+  visitLeaves(input, withoutName, [&](vtkDataObject* leaf, const std::string& name) {
+    if (auto* polyData = vtkPolyData::SafeDownCast(leaf))
+    {
+      found.add(polyData, name);
+    }
+  });
+  return std::move(found.names);
 }
 
 } // namespace atria

@@ -4,6 +4,7 @@
 
 #include "Surface/Triangles/TriangleSurface.h"
 
+#include <string>
 #include <vector>
 
 class vtkDataObject;
@@ -29,5 +30,8 @@ double coarseRounding(const TriangleSurface& surface);
 /// else they are "surface"; equal names of different blocks are one surface. Polygons are triangulated. Throws Error
 /// for points that are not finite, for cells whose points do not exist, and for a SurfaceId outside of SurfaceName.
 VtkSurface surfaceFromVtk(const std::vector<vtkDataObject*>& inputs);
+
+/// The names of the surfaces that surfaceFromVtk finds, without reading points and triangles.
+std::vector<std::string> surfaceNamesFromVtk(vtkDataObject* input);
 
 } // namespace atria

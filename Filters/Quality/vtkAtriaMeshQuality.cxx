@@ -7,6 +7,7 @@
 #include "Quality/Checks/MeshChecks.h"
 #include "Quality/Checks/Metrics.h"
 #include "Quality/Checks/Statistics.h"
+#include "Support/Error.h"
 #include "VtkFaceMesh.h"
 
 #include <vtkCellData.h>
@@ -56,8 +57,8 @@ struct Sample
 class Outputs
 {
 public:
-  Outputs(int numberOfBins, const atria::Executor& threads)
-      : bins(static_cast<std::size_t>(numberOfBins)), executor(threads)
+  Outputs(int numberOfBins, const std::string& shownMetric, const atria::Executor& threads)
+      : bins(static_cast<std::size_t>(numberOfBins)), shown(shownMetric), executor(threads)
   {
     names->SetName("Metric");
     parts->SetName("Of");
@@ -85,6 +86,12 @@ public:
     histogram->AddColumn(makeColumn(name, h.centers));
     histogram->AddColumn(makeColumn(name + "_PDF", h.density));
     histogram->AddColumn(makeColumn(name + "_CDF", h.cumulative));
+    if (name == shown)
+    {
+      first->AddColumn(makeColumn("Value", h.centers));
+      first->AddColumn(makeColumn("PDF", h.density));
+      first->AddColumn(makeColumn("CDF", h.cumulative));
+    }
   }
 
   /// Frees the values once they are copied.
@@ -108,17 +115,39 @@ public:
     summary->AddColumn(makeColumn("Mean", means));
     summary->AddColumn(makeColumn("StandardDeviation", deviations));
     summary->AddColumn(counts);
-    histograms->ShallowCopy(histogram);
+    histograms->ShallowCopy(first);
+    for (vtkIdType i = 0; i < histogram->GetNumberOfColumns(); ++i)
+    {
+      histograms->AddColumn(histogram->GetColumn(i));
+    }
+  }
+
+  /// Throws Error where there is no such metric.
+  void checkShown() const
+  {
+    if (first->GetNumberOfColumns() > 0)
+    {
+      return;
+    }
+    std::string known;
+    for (vtkIdType i = 0; i < names->GetNumberOfValues(); ++i)
+    {
+      known += (i == 0 ? "" : ", ") + names->GetValue(i);
+    }
+    throw atria::Error("HistogramMetric is '" + shown + "', which was not measured; there are " + known +
+                       ", and with CheckMesh more");
   }
 
   std::vector<vtkSmartPointer<vtkDataArray>> arrays;
 
 private:
   std::size_t bins;
+  std::string shown;
   const atria::Executor& executor;
   vtkNew<vtkStringArray> names;
   vtkNew<vtkStringArray> parts;
   vtkNew<vtkIdTypeArray> counts;
+  vtkNew<vtkTable> first; ///< of the histogram, those of the metric that is shown
   vtkNew<vtkTable> histogram;
   std::vector<double> minima, maxima, means, deviations;
 };
@@ -285,7 +314,7 @@ int vtkAtriaMeshQuality::RequestData(vtkInformation*, vtkInformationVector** inp
     const atria::VtkFaceMesh source = atria::faceMeshFromVtk(volume, patches, executor);
     const double metricsEnd = this->CheckMesh ? 0.6 : 0.95;
     const atria::MeasuredMesh measured = atria::measureMesh(source.mesh, context.part(0.3, 0.5));
-    Outputs collected(this->NumberOfBins, executor);
+    Outputs collected(this->NumberOfBins, this->HistogramMetric, executor);
     vtkIdType invalidCells = 0;
     {
       atria::QualityMetrics quality =
@@ -303,6 +332,7 @@ int vtkAtriaMeshQuality::RequestData(vtkInformation*, vtkInformationVector** inp
       fillChecks(checks, verdict);
       failedChecks = verdict.failedChecks();
     }
+    collected.checkShown();
     context.progress.report(0.98, "Summarizing");
     vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs, 0);
     output->ShallowCopy(volume);
@@ -330,6 +360,7 @@ void vtkAtriaMeshQuality::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfBins: " << this->NumberOfBins << "\n";
+  os << indent << "HistogramMetric: " << this->HistogramMetric << "\n";
   os << indent << "CheckMesh: " << this->CheckMesh << "\n";
   os << indent << "NumberOfFailedChecks: " << this->NumberOfFailedChecks << "\n";
   os << indent << "NumberOfInvalidCells: " << this->NumberOfInvalidCells << "\n";

@@ -37,9 +37,9 @@
  * Output port 1 is a vtkTable with one row per metric: `Metric` (string), `Of` (string: cells or faces), `Minimum`,
  * `Maximum`, `Mean`, `StandardDeviation` (of the population), `Count`. Output port 2 is a vtkTable with NumberOfBins
  * rows and for each metric the columns `<Metric>` (bin center), `<Metric>_PDF` (integrates to 1) and `<Metric>_CDF`
- * (ends at 1), which charts take as they are. Both tables take what begins with Face, `VolumeRatio`, `TetQuality` and
- * `EdgeLength` face by face (FacePyramids excepted), all else cell by cell; `FaceNonOrthogonality` and `FaceSkewness`
- * are there only. What is not a number is not counted.
+ * (ends at 1), which charts take as they are; before them `Value`, `PDF` and `CDF`, the same of HistogramMetric. Both
+ * tables take what begins with Face, `VolumeRatio`, `TetQuality` and `EdgeLength` face by face (FacePyramids excepted),
+ * all else cell by cell; `FaceNonOrthogonality` and `FaceSkewness` are there only. What is not a number is not counted.
  *
  * Output port 3 is a vtkTable, empty unless CheckMesh is on, with one row per check of `checkMesh -allGeometry`:
  * `Check` (string), `Of` (string: cells, faces, points or mesh), `Limit`, `Worst`, `Mean`, `Failing` (number of those
@@ -58,6 +58,8 @@
 #include "AtriaFiltersQualityModule.h"
 #include "vtkAtriaRangeMacros.h" // For properties with a range
 #include "vtkUnstructuredGridAlgorithm.h"
+
+#include <string> // for HistogramMetric
 
 class vtkPartitionedDataSetCollection;
 class vtkTable;
@@ -79,7 +81,16 @@ public:
 
   ///@{
   /**
-   * QualityEvaluator the mesh as OpenFOAM's `checkMesh -allGeometry` does: more cell arrays, and output port 3. Default
+   * The metric that the first three columns of the histogram are of: a row of port 1. Those of CheckMesh take
+   * CheckMesh to be on. Default CellSquish.
+   */
+  vtkSetMacro(HistogramMetric, std::string);
+  vtkGetMacro(HistogramMetric, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * Judge the mesh as OpenFOAM's `checkMesh -allGeometry` does: more cell arrays, and output port 3. Default
    * off, as it takes about twice the time and memory.
    */
   vtkSetMacro(CheckMesh, bool);
@@ -129,6 +140,7 @@ private:
   void operator=(const vtkAtriaMeshQuality&) = delete;
 
   int NumberOfBins = 50;
+  std::string HistogramMetric = "CellSquish";
   bool CheckMesh = false;
   int NumberOfFailedChecks = 0;
   vtkIdType NumberOfInvalidCells = 0;

@@ -13,8 +13,13 @@ def load_plugin():
 
 
 def house():
-    """Reader, octree, mesher and quality for the example house, coarse enough for a test."""
+    """The pipeline of the example house, coarse enough for a test."""
     load_plugin()
+    return build_house()
+
+
+def build_house():
+    """Reader, octree, mesher and quality, where the plugin is loaded."""
     reader = simple.OpenDataFile(os.environ["ATRIA_MODEL"])
     grid = {"SizeMax": 16.0, "SizeMid": 4.0, "SizeMin": 1.0, "DomainMode": "Site", "SiteName": "Site"}
     octree = simple.AtriaOctreeSource(Input=reader, **grid)

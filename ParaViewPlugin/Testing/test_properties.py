@@ -22,6 +22,9 @@ INT_MAX = 2**31 - 1
 # Set in C++ by methods that have no getter.
 WITHOUT_GETTER = {"Seeds", "SealedSeeds"}
 
+# Groups of proxies that are made of ParaView's classes, for views and panels.
+ONLY_PARAVIEW = {"representations", "misc"}
+
 # What others inherit.
 ABSTRACT = {"AtriaGrid", "AtriaSurfaces"}
 
@@ -31,6 +34,8 @@ def read_proxies(folder):
     elements = {}
     for file in sorted(pathlib.Path(folder).glob("*.xml")):
         for group in ElementTree.parse(file).getroot():
+            if group.get("name") in ONLY_PARAVIEW:
+                continue
             for proxy in group:
                 proxy.set("group", group.get("name"))
                 elements[proxy.get("name")] = proxy

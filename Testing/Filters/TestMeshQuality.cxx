@@ -18,6 +18,7 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -27,6 +28,7 @@ using atria::Vec3;
 using atria::testing::SampleMesh;
 using atria::testing::toGrid;
 using atria::testing::toPatches;
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -211,7 +213,7 @@ TEST_F(MeshQuality, HistogramsIntegrateToOne)
   vtkTable* table = filter->GetHistogram();
   ASSERT_EQ(table->GetNumberOfRows(), 17);
   const std::vector<std::string> names = joined(metricNames, ofFacesOnly);
-  ASSERT_EQ(table->GetNumberOfColumns(), static_cast<vtkIdType>(3 * names.size()));
+  ASSERT_EQ(table->GetNumberOfColumns(), static_cast<vtkIdType>(3 + 3 * names.size()));
   for (const std::string& name : names)
   {
     const double width =
@@ -224,6 +226,35 @@ TEST_F(MeshQuality, HistogramsIntegrateToOne)
     EXPECT_NEAR(sum, 1.0, 1e-9) << name;
     EXPECT_EQ(table->GetValueByName(16, (name + "_CDF").c_str()).ToDouble(), 1.0) << name;
   }
+}
+
+TEST_F(MeshQuality, HistogramBeginsWithTheMetricThatIsChosen)
+{
+  const auto volume = toGrid(atria::testing::mixedCells({4, 4, 4}, 2, 0.2));
+  for (const std::string metric : {"CellSquish", "FaceSkewness"})
+  {
+    filter->SetHistogramMetric(metric);
+    run(volume);
+    vtkTable* table = filter->GetHistogram();
+    const std::array names{metric, metric + "_PDF", metric + "_CDF"};
+    const std::array shown{"Value", "PDF", "CDF"};
+    for (vtkIdType column = 0; column < 3; ++column)
+    {
+      EXPECT_STREQ(table->GetColumnName(column), shown[column]);
+      for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+      {
+        EXPECT_EQ(table->GetValue(row, column), table->GetValueByName(row, names[column].c_str()));
+      }
+    }
+  }
+  filter->SetHistogramMetric("Determinant");
+  run(volume);
+  EXPECT_THAT(messages.takeErrors(),
+              Contains(HasSubstr("HistogramMetric is 'Determinant', which was not measured; there are CellSquish, ")));
+  expectNoOutput();
+  filter->CheckMeshOn();
+  run(volume);
+  EXPECT_EQ(filter->GetHistogram()->GetNumberOfRows(), filter->GetNumberOfBins());
 }
 
 TEST_F(MeshQuality, HistogramsAreWhatBarAndLineChartsTake)

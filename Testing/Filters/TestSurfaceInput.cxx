@@ -25,6 +25,7 @@
 namespace {
 
 using atria::surfaceFromVtk;
+using atria::surfaceNamesFromVtk;
 using atria::Vec3;
 using atria::VtkSurface;
 using ::testing::ElementsAre;
@@ -111,6 +112,7 @@ TEST(SurfaceInput, NamesBlocksByTheirOwnNameOrThatOfTheNearestAround)
   addBlock(outer, nullptr, "Nothing");
   addBlock(outer, vtkNew<vtkUnstructuredGrid>(), "Volume");
   EXPECT_THAT(surfaceFromVtk({outer}).surface.names, ElementsAre("Wall", "Door", "Roof"));
+  EXPECT_THAT(surfaceNamesFromVtk(outer), ElementsAre("Wall", "Door", "Roof"));
   vtkNew<vtkPartitionedDataSetCollection> collection;
   collection->SetPartition(0, 0, arrowHead());
   collection->SetPartition(0, 1, arrowHead());
@@ -133,6 +135,7 @@ TEST(SurfaceInput, TakesNamesOfCellsFromAnArrayOfStrings)
   names->InsertNextValue("East");
   names->InsertNextValue("West");
   data->GetCellData()->AddArray(names);
+  EXPECT_THAT(surfaceNamesFromVtk(data), ElementsAre("East", "West"));
   const auto areas = areasOf(surfaceFromVtk({data}));
   EXPECT_EQ(areas.at("East"), 1.0);
   EXPECT_EQ(areas.at("West"), 1.0);

@@ -34,8 +34,8 @@ enum class LayerImprover::Step : std::uint8_t
 LayerImprover::LayerImprover(const MeshingContext& context, const VertexClassification& classification,
                              const std::vector<Index>& vertexOf, DualMesh& plain, const LayerWalls& walls,
                              const LayerOptions& options, const CurvedWallTargets& curvedWalls)
-    : context_(context), wanted_(classification), classification_(classification), vertexOf_(vertexOf), plain_(plain),
-      walls_(walls), options_(options), curvedWalls_(curvedWalls),
+    : context_(context), whole_(context.progress), wanted_(classification), classification_(classification),
+      vertexOf_(vertexOf), plain_(plain), walls_(walls), options_(options), curvedWalls_(curvedWalls),
       layered_(std::ranges::any_of(options.ofTag, [](const WallLayers& wall) { return wall.layers > 0; })),
       hasHeights_(options.hasHeights()), divided_(options.isDivided()),
       uniform_(std::ranges::adjacent_find(plain.levels, std::not_equal_to()) == plain.levels.end()),
@@ -78,37 +78,53 @@ QualityTargets LayerImprover::targets() const
   return targets;
 }
 
+/// Begins a phase, a part of the whole.
+void LayerImprover::enter(double begin, double end, const char* phase)
+{
+  context_.progress = whole_.part(begin, end);
+  context_.progress.report(0.0, phase);
+}
+
 LayerMesh LayerImprover::run()
 {
   const bool isSingle = layered_ && !hasHeights_ && !divided_;
+  enter(0.0, 0.1, "Growing layers");
   grow();
+  enter(0.1, 0.3, "Improving elements at walls");
   std::vector<ShortCell> shortCells = improve(isSingle ? thicken() : findAll(), 1);
   if (!badOf(shortCells).empty())
   {
+    enter(0.3, 0.4, "Mending elements");
     mend(improve(shortCells, 1));
   }
   if (!left_.empty())
   {
+    enter(0.4, 0.5, "Putting vertices back");
     putBack();
     mend(findAll());
     keepThoseAway();
   }
   if (divided_)
   {
+    enter(0.5, 0.6, "Dividing layers");
     layer_ = divide(layer_);
     if (!hasHeights_)
     {
+      enter(0.6, 1.0, "Straightening layers");
       straightenDivided();
     }
     return std::move(layer_);
   }
   if (isSingle)
   {
+    enter(0.5, 0.7, "Improving elements at curved walls");
     improveAtCurved();
   }
+  enter(0.7, 0.9, "Straightening elements");
   straighten();
   if (isSingle && uniform_)
   {
+    enter(0.9, 1.0, "Adding crease sheets");
     addCreaseSheets();
   }
   return std::move(layer_);

@@ -102,8 +102,11 @@ private:
   std::vector<ShortCell> findAll();
   template <typename Visit> void eachLeaderOf(const std::vector<ShortCell>& cells, Visit&& visit) const;
   QualityTargets targets() const;
+  void enter(double begin, double end, const char* phase);
 
-  const MeshingContext& context_;
+  /// Its progress is the part of the phase that is entered.
+  MeshingContext context_;
+  ProgressRange whole_;
   /// What the model wants, and what is allowed now.
   const VertexClassification& wanted_;
   VertexClassification classification_;

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class   vtkPVAtriaNamesInformation
+ * @brief   brings names from the data of an output port, wherever the server is, to the client
+ *
+ * With ArrayName `SurfaceName` they are the names of surfaces as the filters find them: of a field array, of a cell
+ * array, or of blocks. Any other ArrayName is a field array of strings.
+ */
+#ifndef vtkPVAtriaNamesInformation_h
+#define vtkPVAtriaNamesInformation_h
+
+#include "AtriaParaViewDisplayModule.h" // For export macro
+#include "vtkPVInformation.h"
+
+#include <string> // for names
+#include <vector> // for Names
+
+class vtkMultiProcessStream;
+
+class ATRIAPARAVIEWDISPLAY_EXPORT vtkPVAtriaNamesInformation : public vtkPVInformation
+{
+public:
+  static vtkPVAtriaNamesInformation* New();
+  vtkTypeMacro(vtkPVAtriaNamesInformation, vtkPVInformation);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Output port of the algorithm. Default 0.
+   */
+  vtkSetMacro(PortNumber, int);
+  vtkGetMacro(PortNumber, int);
+  ///@}
+
+  ///@{
+  /**
+   * Array the names are in. Default "SurfaceName".
+   */
+  vtkSetMacro(ArrayName, std::string);
+  vtkGetMacro(ArrayName, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * What was gathered; empty before, and where there is no data or array.
+   */
+  int GetNumberOfNames() { return static_cast<int>(this->Names.size()); }
+  std::string GetName(int i);
+  ///@}
+
+  void CopyFromObject(vtkObject* algorithm) override;
+  void AddInformation(vtkPVInformation* other) override;
+  void CopyToStream(vtkClientServerStream* stream) override;
+  void CopyFromStream(const vtkClientServerStream* stream) override;
+  void CopyParametersToStream(vtkMultiProcessStream& stream) override;
+  void CopyParametersFromStream(vtkMultiProcessStream& stream) override;
+
+protected:
+  vtkPVAtriaNamesInformation();
+  ~vtkPVAtriaNamesInformation() override;
+
+private:
+  vtkPVAtriaNamesInformation(const vtkPVAtriaNamesInformation&) = delete;
+  void operator=(const vtkPVAtriaNamesInformation&) = delete;
+
+  int PortNumber = 0;
+  std::string ArrayName = "SurfaceName";
+  std::vector<std::string> Names;
+};
+
+#endif

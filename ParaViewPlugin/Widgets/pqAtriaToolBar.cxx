@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pqAtriaToolBar.h"
+
+#include <pqActiveObjects.h>
+#include <pqApplicationCore.h>
+#include <pqCoreUtilities.h>
+#include <pqFiltersMenuReaction.h>
+#include <pqLoadDataReaction.h>
+#include <pqOutputPort.h>
+#include <pqPipelineSource.h>
+#include <pqRenderView.h>
+#include <pqSaveDataReaction.h>
+#include <pqServer.h>
+#include <pqServerManagerModel.h>
+#include <vtkSMInputProperty.h>
+#include <vtkSMSessionProxyManager.h>
+#include <vtkSMSourceProxy.h>
+
+#include <QAction>
+#include <QIcon>
+#include <QMainWindow>
+#include <QTimer>
+
+namespace {
+
+/// Whether the filter takes what the port has.
+bool accepts(const QString& filter, pqOutputPort* port)
+{
+  if (!port || port->getSource()->modifiedState() == pqProxy::UNINITIALIZED)
+  {
+    return false;
+  }
+  vtkSMSessionProxyManager* proxies = port->getServer()->proxyManager();
+  vtkSMProxy* prototype = proxies->GetPrototypeProxy("filters", filter.toUtf8().constData());
+  auto* input = vtkSMInputProperty::SafeDownCast(prototype ? prototype->GetProperty("Input") : nullptr);
+  if (!input)
+  {
+    return false;
+  }
+  input->RemoveAllUncheckedProxies();
+  input->AddUncheckedInputConnection(port->getSource()->getProxy(), static_cast<unsigned int>(port->getPortNumber()));
+  const bool accepted = input->IsInDomains() != 0;
+  input->RemoveAllUncheckedProxies();
+  return accepted;
+}
+
+/// Data is shown in the active view, and a table takes anything.
+void activateRenderView()
+{
+  pqActiveObjects& active = pqActiveObjects::instance();
+  if (!qobject_cast<pqRenderView*>(active.activeView()))
+  {
+    const QList<pqRenderView*> views =
+        pqApplicationCore::instance()->getServerManagerModel()->findItems<pqRenderView*>(active.activeServer());
+    if (!views.isEmpty())
+    {
+      active.setActiveView(views.first());
+    }
+  }
+}
+
+} // namespace
+
+pqAtriaToolBar::pqAtriaToolBar(QWidget* parent) : QToolBar(tr("Atria: From Model to Case"), parent)
+{
+  this->setObjectName("AtriaSteps");
+  this->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  QAction* open = this->addAction(QIcon(":/pqWidgets/Icons/pqOpen.svg"), tr("1 Model"));
+  open->setObjectName("AtriaOpen");
+  open->setToolTip(tr("Opens a model."));
+  new pqLoadDataReaction(open);
+  this->addFilter(tr("2 Preflight"), "AtriaPreflight",
+                  tr("Tells domain, blockage, narrow places and number of elements of the model that is selected."));
+  this->addFilter(tr("3 Mesh"), "AtriaDualMesher", tr("Meshes the space around the model that is selected."));
+  this->addFilter(tr("4 Quality"), "AtriaMeshQuality", tr("Measures the mesh that is selected."));
+  QAction* save = this->addAction(QIcon(":/pqWidgets/Icons/pqSave.svg"), tr("5 Case"));
+  save->setObjectName("AtriaSave");
+  save->setToolTip(
+      tr("Saves the mesh that is selected: as an OpenFOAM case where the folder's name ends in .openfoam."));
+  new pqSaveDataReaction(save);
+  pqActiveObjects& active = pqActiveObjects::instance();
+  this->connect(&active, SIGNAL(portChanged(pqOutputPort*)), SLOT(updateSteps()));
+  this->connect(&active, SIGNAL(dataUpdated()), SLOT(updateSteps()));
+  this->connect(pqApplicationCore::instance(), SIGNAL(forceFilterMenuRefresh()), SLOT(updateSteps()));
+  this->updateSteps();
+  // Once the window has it: in a row of its own, as the others are full.
+  QTimer::singleShot(0, this, [this] {
+    if (auto* window = qobject_cast<QMainWindow*>(pqCoreUtilities::mainWidget()))
+    {
+      window->insertToolBarBreak(this);
+    }
+  });
+}
+
+void pqAtriaToolBar::addFilter(const QString& text, const QString& name, const QString& tip)
+{
+  QAction* action = this->addAction(text);
+  action->setObjectName(name);
+  action->setToolTip(tip);
+  action->setProperty("filter", name);
+  this->connect(action, &QAction::triggered, [name] {
+    activateRenderView();
+    pqFiltersMenuReaction::createFilter("filters", name);
+  });
+}
+
+void pqAtriaToolBar::updateSteps()
+{
+  pqOutputPort* port = pqActiveObjects::instance().activePort();
+  for (QAction* action : this->actions())
+  {
+    const QString filter = action->property("filter").toString();
+    if (!filter.isEmpty())
+    {
+      action->setEnabled(accepts(filter, port));
+    }
+  }
+}
