@@ -148,11 +148,22 @@ def quality(window, mesher):
     found = simple.GetActiveSource()
     opened = [view.GetXMLName() for view in set(simple.GetViews()) - before]
     assert opened == ["XYBarChartView"], opened
+    window.dock().findChild(QtWidgets.QScrollArea, "scrollArea").verticalScrollBar().setValue(0)
     window.picture("quality")
     invalid = window.find(QtWidgets.QWidget, "NumberOfInvalidCells", window.dock())
     shown = [edit.text() for edit in invalid.findChildren(QtWidgets.QLineEdit)]
     assert shown == [str(found.GetPropertyValue("NumberOfInvalidCells"))], shown
     return found
+
+
+def check_help(window):
+    """The question mark opens the page of the filter."""
+    window.find(QtWidgets.QPushButton, "Help", window.dock()).click()
+    window.settle(1.0)
+    help_window = next(w for w in window.app.topLevelWidgets() if "HelpWindow" in w.metaObject().className())
+    pages = [browser.toPlainText() for browser in help_window.findChildren(QtWidgets.QTextBrowser)]
+    assert any("HistogramMetric" in page or "Histogram Metric" in page for page in pages), pages
+    help_window.close()
 
 
 def save(window, mesher):
@@ -197,6 +208,7 @@ def session():
     preflight(window, reader)
     mesher = mesh(window, reader)
     quality(window, mesher)
+    check_help(window)
     patches = save(window, mesher)
     diagnostics(window, reader)
     print(f"{len(SURFACES)} surfaces of the model, {len(patches)} patches of the case")
