@@ -37,5 +37,6 @@ void addMeshCommand(CLI::App& app, Console& console, ExitStatus& status);
 void addInspectCommand(CLI::App& app, Console& console, ExitStatus& status);
 void addQualityCommand(CLI::App& app, Console& console, ExitStatus& status);
 void addImproveCommand(CLI::App& app, Console& console, ExitStatus& status);
+void addConvertCommand(CLI::App& app, Console& console, ExitStatus& status);
 
 } // namespace atria::tool

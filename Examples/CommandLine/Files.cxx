@@ -5,7 +5,6 @@
 #include "Report.h"
 
 #include <vtkAtriaModelReader.h>
-#include <vtkAtriaOpenFOAMWriter.h>
 #include <vtkAtriaVRMLReader.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
@@ -327,25 +326,6 @@ void writePatches(const std::string& file, vtkPartitionedDataSetCollection* patc
   }
   vtkNew<vtkXMLPartitionedDataSetCollectionWriter> writer;
   writeCompressed(writer.Get(), file, patches, console);
-}
-
-MergedParts writeOpenFOAM(const std::string& folder, vtkUnstructuredGrid* mesh,
-                          vtkPartitionedDataSetCollection* patches, bool restoreOffset, Console& console)
-{
-  vtkNew<vtkAtriaOpenFOAMWriter> writer;
-  writer->SetRestoreOffset(restoreOffset);
-  writer->WriteBinaryOn();
-  writer->SetInputDataObject(0, mesh);
-  writer->SetInputDataObject(1, patches);
-  writer->SetCaseDirectory(folder.c_str());
-  console.follow(writer, 0.9, 1.0);
-  const bool written = writer->Write() != 0;
-  throwIfErrors(console, Failed, folder);
-  if (!written)
-  {
-    throw Failure(Failed, folder + ": the OpenFOAM case could not be written; check permissions and space");
-  }
-  return {writer->GetNumberOfMergedCells(), writer->GetNumberOfMergedFaces(), writer->GetNumberOfAddedCells()};
 }
 
 void writeText(const std::string& file, const std::string& text)

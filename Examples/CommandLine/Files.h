@@ -36,16 +36,6 @@ vtkSmartPointer<vtkPartitionedDataSetCollection> readPatches(const std::string& 
 void writeMesh(const std::string& file, vtkUnstructuredGrid* mesh, Console& console);
 void writePolyData(const std::string& file, vtkPolyData* data, Console& console);
 void writePatches(const std::string& file, vtkPartitionedDataSetCollection* patches, Console& console);
-/// What an OpenFOAM case has fewer than the mesh, as some were merged, and what it has more.
-struct MergedParts
-{
-  long long cells = 0;
-  long long faces = 0;
-  long long addedCells = 0;
-};
-/// `patches` may be null, for those recorded in the mesh.
-MergedParts writeOpenFOAM(const std::string& folder, vtkUnstructuredGrid* mesh,
-                          vtkPartitionedDataSetCollection* patches, bool restoreOffset, Console& console);
 void writeText(const std::string& file, const std::string& text);
 
 /// Throws Failure(Usage) unless `file` ends in `ending`, such as ".vtu", and its folder exists.

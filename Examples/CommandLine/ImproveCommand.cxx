@@ -2,6 +2,7 @@
 /// atria improve: a mesh on file with its points moved until its elements are valid and good.
 #include "Commands.h"
 #include "Console.h"
+#include "ExportOptions.h"
 #include "Files.h"
 #include "Numbers.h"
 #include "Report.h"
@@ -30,8 +31,7 @@ struct Options
   std::string output;
   std::string patches;
   std::string patchesOutput;
-  std::string openfoam;
-  bool restoreOffset = false;
+  ExportOptions exports;
   double featureAngle = 30.0;
   bool fixBoundary = false;
   double squish = 0.8;
@@ -46,6 +46,7 @@ struct Options
 void checkOptions(const Options& options)
 {
   checkOutput("--output", options.output, ".vtu");
+  checkExportOptions(options.exports);
   if (!options.patchesOutput.empty())
   {
     checkOutput("--patches-output", options.patchesOutput, ".vtpc");
@@ -103,12 +104,9 @@ void writeFiles(vtkAtriaMeshOptimizer* optimizer, const Options& options, Consol
   {
     writePatches(options.patchesOutput, optimizer->GetPatches(), console);
   }
-  if (!options.openfoam.empty())
-  {
-    // Without patches those recorded in the mesh are written.
-    vtkPartitionedDataSetCollection* patches = options.patches.empty() ? nullptr : optimizer->GetPatches();
-    writeOpenFOAM(options.openfoam, optimizer->GetOutput(), patches, options.restoreOffset, console);
-  }
+  // Without patches those recorded in the mesh are written.
+  vtkPartitionedDataSetCollection* patches = options.patches.empty() ? nullptr : optimizer->GetPatches();
+  writeExports(options.exports, optimizer->GetOutput(), patches, console);
 }
 
 ExitStatus runImprove(const Options& options, Console& console)
@@ -177,12 +175,7 @@ void addImproveCommand(CLI::App& app, Console& console, ExitStatus& status)
   command->add_option("--patches-output", options->patchesOutput, "Also write the patches as they are then")
       ->needs(patches)
       ->type_name("OUT.vtpc");
-  auto* openfoam = command->add_option("--openfoam", options->openfoam, "Also write an OpenFOAM case with the mesh");
-  openfoam->type_name("DIR");
-  command
-      ->add_flag("--restore-offset", options->restoreOffset,
-                 "Write the OpenFOAM case where the model was before `atria mesh --recenter` moved it")
-      ->needs(openfoam);
+  declareExportOptions(*command, options->exports);
   command
       ->add_option("--feature-angle", options->featureAngle,
                    "Edges of the boundary that turn by more are kept, degrees")

@@ -74,17 +74,12 @@ Json makeReport(vtkAtriaDualMesher* mesher, vtkAtriaMeshQuality* quality, const 
 MergedParts writeOutputs(const MeshOptions& options, vtkUnstructuredGrid* mesh,
                          vtkPartitionedDataSetCollection* patches, Console& console)
 {
-  MergedParts merged;
   writeMesh(options.output, mesh, console);
   if (!options.patches.empty())
   {
     writePatches(options.patches, patches, console);
   }
-  if (!options.openfoam.empty())
-  {
-    merged = writeOpenFOAM(options.openfoam, mesh, patches, options.restoreOffset, console);
-  }
-  return merged;
+  return writeExports(options.exports, mesh, patches, console);
 }
 
 /// What layers add, which the estimate of octants does not know.
@@ -220,7 +215,7 @@ ExitStatus makeMesh(const MeshOptions& options, vtkAtriaSurfaceReader* reader, d
   seconds["Total"] = total.seconds();
   Json report = makeReport(mesher, quality, seconds);
   report["openfoam"] =
-      options.openfoam.empty()
+      options.exports.openfoam.empty()
           ? Json()
           : Json{{"merged_cells", merged.cells}, {"added_cells", merged.addedCells}, {"merged_faces", merged.faces}};
   if (!options.report.empty())
@@ -228,9 +223,13 @@ ExitStatus makeMesh(const MeshOptions& options, vtkAtriaSurfaceReader* reader, d
     writeText(options.report, report.dump(2) + "\n");
   }
   console.clearBar();
-  printMerged(merged, options.openfoam);
+  printMerged(merged, options.exports.openfoam);
   printLayers(vtkPolyData::SafeDownCast(mesher->GetOutputDataObject(2)));
-  std::cout << summaryOf(report, {options.output, options.patches, options.openfoam, options.report}) << std::flush;
+  std::vector<std::string> files{options.output, options.patches};
+  const std::vector<std::string> exported = options.exports.targets();
+  files.insert(files.end(), exported.begin(), exported.end());
+  files.push_back(options.report);
+  std::cout << summaryOf(report, files) << std::flush;
   warn(mesher, report, options, console);
   return report["invalid_elements"].get<long long>() > 0 ? MeshNotValid : Done;
 }

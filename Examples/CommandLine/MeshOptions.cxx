@@ -143,9 +143,7 @@ void declareOutput(CLI::App& command, MeshOptions& options)
                   "Where the mesh goes, a .vtu file (default: here, by the name of the model)")
       ->type_name("OUT.vtu");
   command.add_option("--patches", options.patches, "Also write the named boundary patches")->type_name("OUT.vtpc");
-  command.add_option("--openfoam", options.openfoam, "Also write an OpenFOAM case with the mesh")->type_name("DIR");
-  command.add_flag("--restore-offset", options.restoreOffset,
-                   "Write the OpenFOAM case where the model was before --recenter moved it");
+  declareExportOptions(command, options.exports);
   command
       .add_option("--report", options.report,
                   "Also write counts, zones, leaks, patches, quality, repairs and times as JSON")
@@ -211,10 +209,7 @@ void completeMeshOptions(MeshOptions& options)
   {
     checkOutput("--report", options.report, ".json");
   }
-  if (!options.openfoam.empty())
-  {
-    checkFolder("--openfoam", options.openfoam);
-  }
+  checkExportOptions(options.exports);
   if (options.hasSize())
   {
     vtkNew<vtkAtriaDualMesher> standard;

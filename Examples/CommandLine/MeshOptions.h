@@ -2,6 +2,7 @@
 /// The options of `atria mesh`.
 #pragma once
 
+#include "ExportOptions.h"
 #include "LayerOptions.h"
 #include "ModelOptions.h"
 #include "SizeOptions.h"
@@ -46,8 +47,7 @@ struct MeshOptions
   std::vector<std::tuple<double, double, double>> seeds;
   std::vector<std::tuple<double, double, double>> sealedSeeds;
   std::string patches;
-  std::string openfoam;
-  bool restoreOffset = false;
+  ExportOptions exports;
   std::string report;
   std::string writeConfig;
   int threads = 0;

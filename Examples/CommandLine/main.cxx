@@ -58,6 +58,7 @@ int main(int argc, char** argv)
   addInspectCommand(app, console, status);
   addQualityCommand(app, console, status);
   addImproveCommand(app, console, status);
+  addConvertCommand(app, console, status);
   addDocuments(app);
   try
   {

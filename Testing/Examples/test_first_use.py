@@ -19,7 +19,7 @@ import unittest
 ATRIA = pathlib.Path(sys.argv[1]).resolve()
 HOUSE = (pathlib.Path(sys.argv[2]) / "house.wrl").resolve()
 COARSE = ["--size-max", "16", "--size-mid", "4", "--size-min", "2", "--site", "Site"]
-COMMANDS = ["mesh", "inspect", "quality", "improve"]
+COMMANDS = ["mesh", "inspect", "quality", "improve", "convert"]
 
 
 class FirstUse(unittest.TestCase):

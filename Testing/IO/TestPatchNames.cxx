@@ -99,7 +99,7 @@ TEST(PatchNames, AreNoLongerThanTheFormatTakesAndStillUnique)
 TEST(PatchNames, DifferInMoreThanCapitalsWhereTheseDoNotCount)
 {
   const std::vector<std::string> names{"Wall", "wall", "WALL"};
-  EXPECT_EQ(wordsFor(names, {.caseMatters = false}), (Words{"Wall", "wall_2", "WALL_3"}));
+  EXPECT_EQ(wordsFor(names, {.punctuation = "", .caseMatters = false}), (Words{"Wall", "wall_2", "WALL_3"}));
   EXPECT_EQ(wordsFor(names, {}), names);
 }
 

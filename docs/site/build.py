@@ -17,7 +17,7 @@ import reference
 
 CONTENTS = {
     "Use": ["docs/tutorial", "docs/building", "docs/paraview", "docs/choosing", "docs/formats", "docs/cases", "docs/troubleshooting"],
-    "Reference": ["reference/commands", "reference/filters", "docs/arrays", "docs/glossary", "CHANGELOG"],
+    "Reference": ["reference/commands", "reference/filters", "docs/arrays", "docs/formats", "docs/glossary", "CHANGELOG"],
     "Background": ["docs/comparison", "docs/results", "docs/benchmarks", "docs/algorithm", "docs/decisions"],
     "Develop": ["CONTRIBUTING", "docs/architecture", "docs/testing"],
 }

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ExportOptions.h"
+
+#include "Commands.h"
+#include "Console.h"
+#include "Files.h"
+
+#include <vtkAtriaCGNSWriter.h>
+#include <vtkAtriaFluentWriter.h>
+#include <vtkAtriaOpenFOAMWriter.h>
+#include <vtkAtriaSU2Writer.h>
+#include <vtkNew.h>
+#include <vtkPartitionedDataSetCollection.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <CLI/CLI.hpp>
+
+namespace atria::tool {
+
+std::vector<std::string> ExportOptions::targets() const
+{
+  std::vector<std::string> all;
+  for (const std::string* target : {&openfoam, &fluent, &cgns, &su2})
+  {
+    if (!target->empty())
+    {
+      all.push_back(*target);
+    }
+  }
+  return all;
+}
+
+void declareExportOptions(CLI::App& command, ExportOptions& options)
+{
+  command.add_option("--openfoam", options.openfoam, "Also write an OpenFOAM case with the mesh")->type_name("DIR");
+  command.add_flag("--ascii", options.ascii, "Write the OpenFOAM case as text (default: binary, which is faster)");
+  command.add_option("--fluent", options.fluent, "Also write a Fluent mesh")->type_name("OUT.msh");
+  command.add_option("--cgns", options.cgns, "Also write a CGNS file")->type_name("OUT.cgns");
+  command.add_option("--su2", options.su2, "Also write an SU2 mesh, with polyhedra divided")->type_name("OUT.su2");
+  command.add_flag("--restore-offset", options.restoreOffset,
+                   "Write these where the model was before --recenter of `atria mesh` moved it");
+}
+
+void checkExportOptions(const ExportOptions& options)
+{
+  const auto check = [](const char* option, const std::string& file, const char* ending) {
+    if (!file.empty())
+    {
+      checkOutput(option, file, ending);
+    }
+  };
+  check("--fluent", options.fluent, ".msh");
+  check("--cgns", options.cgns, ".cgns");
+  check("--su2", options.su2, ".su2");
+  if (!options.openfoam.empty())
+  {
+    checkFolder("--openfoam", options.openfoam);
+  }
+  if (!options.cgns.empty() && !vtkAtriaCGNSWriter::IsAvailable())
+  {
+    throw Failure(Usage, "--cgns: this atria was built without libcgns; choose another format");
+  }
+}
+
+namespace {
+
+void write(vtkAtriaMeshWriter* writer, const ExportOptions& options, const std::string& target,
+           vtkUnstructuredGrid* mesh, vtkPartitionedDataSetCollection* patches, Console& console)
+{
+  writer->SetRestoreOffset(options.restoreOffset);
+  writer->SetInputDataObject(0, mesh);
+  writer->SetInputDataObject(1, patches);
+  console.follow(writer, 0.9, 1.0);
+  const bool written = writer->Write() != 0;
+  throwIfErrors(console, Failed, target);
+  if (!written)
+  {
+    throw Failure(Failed, target + " could not be written; check permissions and space");
+  }
+}
+
+template <typename Writer>
+void writeFile(const ExportOptions& options, const std::string& file, vtkUnstructuredGrid* mesh,
+               vtkPartitionedDataSetCollection* patches, Console& console)
+{
+  if (!file.empty())
+  {
+    vtkNew<Writer> writer;
+    writer->SetFileName(file.c_str());
+    write(writer, options, file, mesh, patches, console);
+  }
+}
+
+} // namespace
+
+MergedParts writeExports(const ExportOptions& options, vtkUnstructuredGrid* mesh,
+                         vtkPartitionedDataSetCollection* patches, Console& console)
+{
+  MergedParts merged;
+  if (!options.openfoam.empty())
+  {
+    vtkNew<vtkAtriaOpenFOAMWriter> writer;
+    writer->SetWriteBinary(!options.ascii);
+    writer->SetCaseDirectory(options.openfoam.c_str());
+    write(writer, options, options.openfoam, mesh, patches, console);
+    merged = {writer->GetNumberOfMergedCells(), writer->GetNumberOfMergedFaces(), writer->GetNumberOfAddedCells()};
+  }
+  writeFile<vtkAtriaFluentWriter>(options, options.fluent, mesh, patches, console);
+  writeFile<vtkAtriaCGNSWriter>(options, options.cgns, mesh, patches, console);
+  writeFile<vtkAtriaSU2Writer>(options, options.su2, mesh, patches, console);
+  return merged;
+}
+
+} // namespace atria::tool

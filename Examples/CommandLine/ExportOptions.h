@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The options that write a mesh in formats of solvers.
+#pragma once
+
+#include <string>
+#include <vector>
+
+class vtkPartitionedDataSetCollection;
+class vtkUnstructuredGrid;
+
+namespace CLI {
+class App;
+}
+
+namespace atria::tool {
+
+class Console;
+
+struct ExportOptions
+{
+  std::string openfoam;
+  bool ascii = false;
+  std::string fluent;
+  std::string cgns;
+  std::string su2;
+  bool restoreOffset = false;
+
+  /// Those that are asked for.
+  std::vector<std::string> targets() const;
+};
+
+void declareExportOptions(CLI::App& command, ExportOptions& options);
+
+/// Throws Failure(Usage) for names and folders that cannot be, and for a format that this build does not have.
+void checkExportOptions(const ExportOptions& options);
+
+/// What an OpenFOAM case has fewer than the mesh, as some were merged, and what it has more.
+struct MergedParts
+{
+  long long cells = 0;
+  long long faces = 0;
+  long long addedCells = 0;
+};
+
+/// `patches` may be null, for those recorded in the mesh. Returns what was merged in the OpenFOAM case.
+MergedParts writeExports(const ExportOptions& options, vtkUnstructuredGrid* mesh,
+                         vtkPartitionedDataSetCollection* patches, Console& console);
+
+} // namespace atria::tool
