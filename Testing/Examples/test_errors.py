@@ -61,11 +61,12 @@ def runnable(cls):
     if cls is atria.vtkAtriaModelReader:
         instance.SetFileName(str(pathlib.Path(FOLDER.name) / "model.stl"))
         return instance
-    if hasattr(instance, "SetFileName"):
+    if issubclass(cls, atria.vtkAtriaMeshWriter):
+        set_target = instance.SetCaseDirectory if cls is atria.vtkAtriaOpenFOAMWriter else instance.SetFileName
+        set_target(str(pathlib.Path(FOLDER.name) / cls.__name__))
+    elif hasattr(instance, "SetFileName"):
         instance.SetFileName(MODEL)
         return instance
-    if cls is atria.vtkAtriaOpenFOAMWriter:
-        instance.SetCaseDirectory(str(pathlib.Path(FOLDER.name) / "case"))
     worst = cls is atria.vtkAtriaWorstElements
     source = runnable(atria.vtkAtriaMeshQuality) if worst else mesher_of_a_sphere()
     instance.SetInputConnection(source.GetOutputPort())

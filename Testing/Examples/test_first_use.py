@@ -40,7 +40,7 @@ class FirstUse(unittest.TestCase):
 
     def options(self, command):
         """Long options of the help, without --help."""
-        names = re.findall(r"^ +(?:-\w,)?(--[a-z-]+)", self.atria(command, "--help").stdout, re.MULTILINE)
+        names = re.findall(r"^ +(?:-\w,)?(--[a-z0-9-]+)", self.atria(command, "--help").stdout, re.MULTILINE)
         return [name for name in dict.fromkeys(names) if name != "--help"]
 
     def test_a_model_alone_is_meshed(self):
@@ -168,8 +168,8 @@ class FirstUse(unittest.TestCase):
         for run in runs:
             self.assertIn("atria: ", run.stderr)
             self.assertNotRegex(run.stderr, properties)
-            self.assertNotRegex(run.stderr, r"(--[a-z-]+)[,;]? \(?\1\b(?!-)")
-            for option in re.findall(r"(?<![\w-])--[a-z][a-z-]*", run.stderr):
+            self.assertNotRegex(run.stderr, r"(--[a-z0-9-]+)[,;]? \(?\1\b(?!-)")
+            for option in re.findall(r"(?<![\w-])--[a-z][a-z0-9-]*", run.stderr):
                 self.assertIn(option, self.options("mesh"))
 
     def test_models_without_extent_are_bad_input(self):
