@@ -281,6 +281,7 @@ void LayerImprover::improveAtCurved()
     return;
   }
   OptimizerOptions options;
+  options.rings = 1;
   options.sweeps = 8;
   options.leastPenalty = 5e-4;
   options.leastGain = 0.02;
@@ -299,6 +300,7 @@ void LayerImprover::bringClose(const CurvedStage& stage, std::vector<Index>& can
 {
   OptimizerOptions options;
   options.targets = targetsOf(stage);
+  options.rings = 1;
   options.sweeps = 12;
   options.patient = true;
   options.leastPenalty = 0.002;

@@ -23,10 +23,9 @@ struct DivisionPass
   bool byChains; ///< whether chains move as a whole, which brings most cells where they are to be with few moves
   float below;
   int sweeps;
-  int rings;
 };
-constexpr std::array divisionPasses{DivisionPass{true, 0.5F, 10, 0}, DivisionPass{false, 0.3F, 12, 0},
-                                    DivisionPass{false, soundEnough, 20, 1}};
+constexpr std::array divisionPasses{DivisionPass{true, 0.5F, 10}, DivisionPass{false, 0.3F, 12},
+                                    DivisionPass{false, soundEnough, 20}};
 
 /// Takes a layer away at the points of cells that have several; where they have different numbers, at those with more.
 void lower(const LayerMesh& layer, const std::vector<ShortCell>& cells, std::vector<Index>& counts)
@@ -188,7 +187,6 @@ std::vector<ShortCell> LayerImprover::improveDivided(LayerMesh& divided, const s
   {
     std::erase_if(cells, [&](const ShortCell& cell) { return cell.worst >= pass.below; });
     options.sweeps = pass.sweeps;
-    options.rings = pass.rings;
     VertexConstraints& constraints = pass.byChains ? static_cast<VertexConstraints&>(chains) : points;
     cells = optimize(source, divided.mesh.points, cells, constraints, options, context_);
   }

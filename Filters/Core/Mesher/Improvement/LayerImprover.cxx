@@ -16,6 +16,8 @@ namespace {
 constexpr double leastPutBack = 0.3;
 /// The least cosine of non-orthogonality they keep, 65 degrees: solvers need corrections beyond it.
 constexpr double leastFaceCosine = 0.4226;
+/// Cells with less than this share of the way to a target are improved.
+constexpr float clearlyShort = 0.5F;
 /// What hexahedra of a uniform mesh should have.
 constexpr double goodJacobian = 0.6;
 
@@ -91,12 +93,9 @@ LayerMesh LayerImprover::run()
   enter(0.0, 0.1, "Growing layers");
   grow();
   enter(0.1, 0.3, "Improving elements at walls");
-  std::vector<ShortCell> shortCells = improve(isSingle ? thicken() : findAll(), 1);
-  if (!badOf(shortCells).empty())
-  {
-    enter(0.3, 0.4, "Mending elements");
-    mend(improve(shortCells, 1));
-  }
+  const std::vector<ShortCell> shortCells = improve(isSingle ? thicken() : findAll());
+  enter(0.3, 0.4, "Mending elements");
+  mend(shortCells);
   if (!left_.empty())
   {
     enter(0.4, 0.5, "Putting vertices back");
@@ -170,11 +169,12 @@ std::vector<ShortCell> LayerImprover::move(const std::vector<ShortCell>& cells, 
   return left;
 }
 
-std::vector<ShortCell> LayerImprover::improve(const std::vector<ShortCell>& cells, int rings)
+/// Those that are clearly short: the others are good enough, and there are many. In uniform meshes all are to be good.
+std::vector<ShortCell> LayerImprover::improve(std::vector<ShortCell> cells)
 {
+  std::erase_if(cells, [&](const ShortCell& cell) { return !uniform_ && cell.worst >= clearlyShort; });
   OptimizerOptions options;
   options.targets = targets();
-  options.rings = rings;
   options.leastPenalty = 0.01; // about a tenth short of a target: good enough where cells are far from their limits
   std::vector<ShortCell> left = move(cells, options);
   markPoints(layer_, left, suspect_);
@@ -198,7 +198,7 @@ void LayerImprover::mend(const std::vector<ShortCell>& cells)
     {
       bad = badOf(findAll());
     }
-    bad = badOf(improve(bad, 2));
+    bad = badOf(improve(bad));
   }
 }
 
@@ -371,7 +371,7 @@ void LayerImprover::putBack()
     {
       return;
     }
-    improve(cells, 1);
+    improve(cells);
   }
 }
 

@@ -98,7 +98,7 @@ private:
   std::vector<WantedPlace> wantedPlaces() const;
   std::vector<ShortCell> move(const std::vector<ShortCell>& cells, const OptimizerOptions& options,
                               std::vector<Index>* about = nullptr);
-  std::vector<ShortCell> improve(const std::vector<ShortCell>& cells, int rings);
+  std::vector<ShortCell> improve(std::vector<ShortCell> cells);
   std::vector<ShortCell> findAll();
   template <typename Visit> void eachLeaderOf(const std::vector<ShortCell>& cells, Visit&& visit) const;
   QualityTargets targets() const;

@@ -24,15 +24,14 @@ constexpr double guardedShare = 0.6;
 /// Limit of pyramid cosines, a cell squish of 0.93: well above what is valid, so that cells come below 0.9.
 constexpr double leastPyramidCosine = 0.07;
 /// How far, in octants, vertices may leave their surfaces where nothing else helps, one after the other.
-constexpr std::array reaches{0.2, 0.4, 0.75};
+constexpr std::array reaches{0.4, 0.75};
 
 } // namespace
 
-/// A range of faces' cosines to hold cells to, and the rings of cells that make room.
+/// A range of faces' cosines to hold cells to.
 struct LayerImprover::OrthogonalityStage
 {
   QualityRange faceCosine;
-  int rings;
   bool byChains = false; ///< whether chains of divided layers move as a whole
 };
 
@@ -82,7 +81,6 @@ void LayerImprover::straighten(std::span<const OrthogonalityStage> stages, float
     OptimizerOptions options;
     options.targets = targetsOf(stage);
     options.leastWorst = leastOfOthers;
-    options.rings = stage.rings;
     options.patient = true;
     options.leastPenalty = 0.1; // cells looked at are short by more
     std::vector<Index> changed;
@@ -129,9 +127,9 @@ void LayerImprover::straightenOrDetach(std::span<const OrthogonalityStage> stage
 void LayerImprover::straighten()
 {
   // Degrees of non-orthogonality: 72.5 to 60, 66.4 to 57.3, 59.3 to 55.9.
-  constexpr std::array stages{OrthogonalityStage{{0.3, 0.5}, 2}, OrthogonalityStage{{0.4, 0.54}, 2},
-                              OrthogonalityStage{{0.51, acceptable.target}, 2},
-                              OrthogonalityStage{{0.51, acceptable.target}, 2}};
+  constexpr std::array stages{OrthogonalityStage{{0.3, 0.5}}, OrthogonalityStage{{0.4, 0.54}},
+                              OrthogonalityStage{{0.51, acceptable.target}},
+                              OrthogonalityStage{{0.51, acceptable.target}}};
   std::vector<char> toEvaluate = pointsToEvaluate(layer_, context_.executor);
   const DualSource source(layer_.mesh);
   std::erase_if(unsure_, [&](Index cell) { return !source.hasMarked(cell, toEvaluate); });
@@ -146,8 +144,8 @@ void LayerImprover::straighten()
 /// There are many cells, and a limit as high as with one layer would take long.
 void LayerImprover::straightenDivided()
 {
-  constexpr std::array stages{OrthogonalityStage{{0.2, 0.4}, 1, true}, OrthogonalityStage{{0.2, 0.4}, 1},
-                              OrthogonalityStage{{0.35, 0.5}, 1, true}, OrthogonalityStage{{0.35, 0.5}, 2}};
+  constexpr std::array stages{OrthogonalityStage{{0.2, 0.4}, true}, OrthogonalityStage{{0.2, 0.4}},
+                              OrthogonalityStage{{0.35, 0.5}, true}, OrthogonalityStage{{0.35, 0.5}}};
   std::vector<char> toEvaluate = pointsToEvaluate(layer_, context_.executor);
   std::vector<Index> candidates;
   for (const ShortCell& cell : findShortCells(DualSource(layer_.mesh), toEvaluate, targetsOf(stages.back()), context_))

@@ -7,6 +7,7 @@ namespace atria {
 
 MeshOptimizerOptions::MeshOptimizerOptions()
 {
+  optimizer.rings = 1;
   optimizer.sweeps = 50;
   optimizer.patient = true;
   optimizer.tellProgress = true;

@@ -19,7 +19,7 @@ struct OptimizerOptions
   /// better place.
   bool patient = false;
   /// Rings of cells about one that falls short whose points may move with its own.
-  int rings = 1;
+  int rings = 0;
   /// Whether no metric of LeastMetrics may get worse than it was in the worst of the cells looked at.
   bool keepWorst = false;
   /// Whether progress from 0 to 1 is told.
