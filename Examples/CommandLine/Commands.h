@@ -38,5 +38,6 @@ void addInspectCommand(CLI::App& app, Console& console, ExitStatus& status);
 void addQualityCommand(CLI::App& app, Console& console, ExitStatus& status);
 void addImproveCommand(CLI::App& app, Console& console, ExitStatus& status);
 void addConvertCommand(CLI::App& app, Console& console, ExitStatus& status);
+void addCaseCommand(CLI::App& app, Console& console, ExitStatus& status);
 
 } // namespace atria::tool

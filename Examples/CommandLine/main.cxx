@@ -59,6 +59,7 @@ int main(int argc, char** argv)
   addQualityCommand(app, console, status);
   addImproveCommand(app, console, status);
   addConvertCommand(app, console, status);
+  addCaseCommand(app, console, status);
   addDocuments(app);
   try
   {

@@ -28,11 +28,18 @@ from .errors import Error, raising, raising_class as _raising_class
 from .meshing import ModelWarning, Result, mesh
 
 
+def _can_be_made(cls):
+    try:
+        return cls() is not None
+    except (NotImplementedError, TypeError):
+        return False
+
+
 def _replace_classes():
-    """Classes that raise Error take the place of those that can be made; bases stay what others are derived from."""
+    """Classes that raise Error take the place of those that can be made; abstract bases stay."""
     classes = {name: cls for name, cls in globals().items() if name.startswith("vtkAtria")}
     for name, cls in classes.items():
-        if not any(other is not cls and issubclass(other, cls) for other in classes.values()):
+        if _can_be_made(cls):
             globals()[name] = _raising_class(cls)
 
 

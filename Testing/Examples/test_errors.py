@@ -62,7 +62,7 @@ def runnable(cls):
         instance.SetFileName(str(pathlib.Path(FOLDER.name) / "model.stl"))
         return instance
     if issubclass(cls, atria.vtkAtriaMeshWriter):
-        set_target = instance.SetCaseDirectory if cls is atria.vtkAtriaOpenFOAMWriter else instance.SetFileName
+        set_target = instance.SetCaseDirectory if hasattr(instance, "SetCaseDirectory") else instance.SetFileName
         set_target(str(pathlib.Path(FOLDER.name) / cls.__name__))
     elif hasattr(instance, "SetFileName"):
         instance.SetFileName(MODEL)

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// atria case: a case of OpenFOAM that runs, of a mesh.
+#include "Commands.h"
+#include "ConfigFile.h"
+#include "Console.h"
+#include "Files.h"
+#include "Numbers.h"
+
+#include <vtkAtriaOpenFOAMCaseWriter.h>
+#include <vtkNew.h>
+#include <vtkPartitionedDataSetCollection.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+#include <sstream>
+
+namespace atria::tool {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+using Words = std::vector<std::string>;
+/// In the order of vtkAtriaOpenFOAMCaseWriter's numbers.
+const Words turbulenceModels{"k-epsilon", "realizable", "k-omega-sst"};
+const Words dialects{"opencfd-1912", "opencfd", "foundation"};
+
+struct Options
+{
+  std::string input;
+  std::string patches;
+  std::string output;
+  std::string writeConfig;
+  double speed = 0.0, height = 0.0, roughness = 0.0, north = 0.0, pedestrian = 0.0;
+  std::vector<double> wind;
+  std::vector<double> from;
+  int rose = 0, iterations = 0, processors = 0;
+  std::string turbulence, dialect;
+  bool age = false;
+  std::vector<std::pair<std::string, std::string>> patchRules;
+  std::vector<std::tuple<std::string, std::string, std::string>> conditions;
+};
+
+constexpr const char* examples = R"(Examples:
+  atria case house.vtu -o case --speed 4 --roughness 0.5 && case/Allrun
+      wind of 4 m/s at 10 m over suburbs, along the domain from xMin to xMax
+  atria case house.vtu -o case --rose 12 --processors 4
+      twelve directions, which share the mesh; each runs on four processors
+  atria case openfoam -o case --from 225 --turbulence k-omega-sst --patch 'Glass*' slip
+      the mesh of an OpenFOAM case, wind from the southwest, another model of turbulence, walls without friction
+  atria case room.vtu -o case --patch Supply inlet --patch Exhaust outlet --condition Supply U
+      'type flowRateInletVelocity; volumetricFlowRate 0.05; value uniform (0 0 0);'
+      a room that air is blown into)";
+
+void declareWind(CLI::App& command, Options& options)
+{
+  vtkNew<vtkAtriaOpenFOAMCaseWriter> standard; // the one home of the defaults
+  options.speed = standard->GetReferenceSpeed();
+  options.height = standard->GetReferenceHeight();
+  options.roughness = standard->GetRoughnessLength();
+  const auto length = [&](const char* name, double& value, const char* text, const char* unit) {
+    command.add_option(name, value, text)->capture_default_str()->check(positive())->type_name(unit);
+  };
+  length("--speed", options.speed, "Speed of the wind at the reference height, m/s", "M/S");
+  length("--height", options.height, "Reference height above the ground, meters", "M");
+  length("--roughness", options.roughness,
+         "Roughness length of the ground, meters: 0.03 grass, 0.1 farmland, 0.5 suburbs, 1 and more cities", "M");
+  auto* wind = command
+                   .add_option("--wind", options.wind,
+                               "Where the wind blows to, degrees from x, counterclockwise from above; one run each "
+                               "(default: from the domain's xMin to its xMax)")
+                   ->check(numberIn(-360.0, 360.0))
+                   ->type_name("DEG");
+  auto* from = command
+                   .add_option("--from", options.from,
+                               "Where the wind comes from, degrees clockwise from north: 270 is west; one run each")
+                   ->check(numberIn(0.0, 360.0))
+                   ->type_name("DEG");
+  from->excludes(wind);
+  command.add_option("--rose", options.rose, "Runs for this many directions at equal steps, the first from north")
+      ->check(numberIn(standard->GetNumberOfRoseDirectionsMinValue(), standard->GetNumberOfRoseDirectionsMaxValue()))
+      ->excludes(wind)
+      ->excludes(from)
+      ->type_name("N");
+  command.add_option("--north", options.north, "Where north lies, degrees from y, counterclockwise from above")
+      ->capture_default_str()
+      ->check(numberIn(-360.0, 360.0))
+      ->type_name("DEG");
+}
+
+void declarePatches(CLI::App& command, Options& options)
+{
+  command
+      .add_option(
+          "--patch", options.patchRules,
+          "What the patches are whose name matches: inlet, outlet, inletOutlet (by the flow), slip, ground, wall "
+          "or rough:SIZE (sand grains, meters); may be repeated, the last holds")
+      ->allow_extra_args(false)
+      ->type_name("PATTERN ROLE");
+  command
+      .add_option(
+          "--condition", options.conditions,
+          "Entries of the patches whose name matches in one field, as in OpenFOAM's dictionaries; may be repeated")
+      ->allow_extra_args(false)
+      ->type_name("PATTERN FIELD ENTRIES");
+}
+
+void declareRun(CLI::App& command, Options& options)
+{
+  vtkNew<vtkAtriaOpenFOAMCaseWriter> standard;
+  options.turbulence = turbulenceModels[static_cast<std::size_t>(standard->GetTurbulenceModel())];
+  options.dialect = dialects[static_cast<std::size_t>(standard->GetDialect())];
+  options.iterations = standard->GetNumberOfIterations();
+  options.processors = standard->GetNumberOfProcessors();
+  options.pedestrian = standard->GetPedestrianHeight();
+  command.add_option("--turbulence", options.turbulence, "Model of turbulence")
+      ->capture_default_str()
+      ->check(oneOf(turbulenceModels))
+      ->type_name("k-epsilon|realizable|k-omega-sst");
+  command.add_option("--iterations", options.iterations, "Iterations of the solver, at most")
+      ->capture_default_str()
+      ->check(numberIn(standard->GetNumberOfIterationsMinValue(), standard->GetNumberOfIterationsMaxValue()))
+      ->type_name("N");
+  command.add_option("--processors", options.processors, "Processors to run on")
+      ->capture_default_str()
+      ->check(numberIn(standard->GetNumberOfProcessorsMinValue(), standard->GetNumberOfProcessorsMaxValue()))
+      ->type_name("N");
+  command.add_flag("--age-of-air", options.age, "Also compute the age of the air, seconds since it came in");
+  command
+      .add_option("--pedestrian-height", options.pedestrian,
+                  "Height above the ground where speeds are measured, meters")
+      ->capture_default_str()
+      ->check(positive())
+      ->type_name("M");
+  command
+      .add_option("--dialect", options.dialect,
+                  "Whose OpenFOAM: v1912, which Debian 12 has; OpenCFD's from v2006 on; the Foundation's from 11 on")
+      ->capture_default_str()
+      ->check(oneOf(dialects))
+      ->type_name("opencfd-1912|opencfd|foundation");
+}
+
+int numberOf(const Words& words, const std::string& word)
+{
+  return static_cast<int>(std::find(words.begin(), words.end(), word) - words.begin());
+}
+
+void configure(vtkAtriaOpenFOAMCaseWriter* writer, const Options& options)
+{
+  writer->WriteBinaryOn();
+  writer->SetCaseDirectory(options.output.c_str());
+  writer->SetReferenceSpeed(options.speed);
+  writer->SetReferenceHeight(options.height);
+  writer->SetRoughnessLength(options.roughness);
+  writer->SetNorthAngle(options.north);
+  writer->SetNumberOfRoseDirections(options.rose);
+  for (const double angle : options.wind)
+  {
+    writer->AddWindAngle(angle);
+  }
+  for (const double from : options.from)
+  {
+    writer->AddWindAngle(std::remainder(270.0 + options.north - from, 360.0));
+  }
+  writer->SetTurbulenceModel(numberOf(turbulenceModels, options.turbulence));
+  writer->SetDialect(numberOf(dialects, options.dialect));
+  writer->SetNumberOfIterations(options.iterations);
+  writer->SetNumberOfProcessors(options.processors);
+  writer->SetPedestrianHeight(options.pedestrian);
+  writer->SetAgeOfAir(options.age);
+  const auto text = [](const std::string& pattern, const std::string& rest) {
+    std::ostringstream rule;
+    rule << std::quoted(pattern) << ' ' << rest;
+    return rule.str();
+  };
+  for (const auto& [pattern, role] : options.patchRules)
+  {
+    writer->AddPatchRule(text(pattern, role).c_str());
+  }
+  for (const auto& [pattern, field, entries] : options.conditions)
+  {
+    writer->AddConditionRule(text(pattern, field + " " + entries).c_str());
+  }
+}
+
+bool writeCase(vtkAtriaOpenFOAMCaseWriter* writer, const Options& options, Console& console)
+{
+  console.follow(writer, 0.5, 1.0);
+  if (fs::is_directory(options.input))
+  {
+    return writer->WriteForMesh(options.input.c_str()) != 0;
+  }
+  const auto mesh = readMesh(options.input, console);
+  writer->SetInputDataObject(0, mesh);
+  if (!options.patches.empty())
+  {
+    writer->SetInputDataObject(1, readPatches(options.patches, console));
+  }
+  return writer->Write() != 0;
+}
+
+ExitStatus runCase(const Options& options, const CLI::App& command, Console& console)
+{
+  if (!options.writeConfig.empty())
+  {
+    checkOutput("--write-config", options.writeConfig, ".toml");
+    writeText(options.writeConfig, configFileOf(command));
+    return Done;
+  }
+  if (options.input.empty() || options.output.empty())
+  {
+    throw Failure(Usage, options.input.empty() ? "MESH is required: name a .vtu file or the folder of an OpenFOAM case"
+                                               : "--output is required: name the folder of the case");
+  }
+  checkFolder("--output", options.output);
+  vtkNew<vtkAtriaOpenFOAMCaseWriter> writer;
+  configure(writer, options);
+  const bool written = writeCase(writer, options, console);
+  Console::throwIfInterrupted();
+  throwIfErrors(console, BadInput, options.input);
+  console.clearBar();
+  if (!written)
+  {
+    throw Failure(Failed, options.output + ": the case could not be written; check permissions and space");
+  }
+  std::cout << "Run it: " << (fs::path(options.output) / "Allrun").string() << "\n";
+  return Done;
+}
+
+} // namespace
+
+void addCaseCommand(CLI::App& app, Console& console, ExitStatus& status)
+{
+  CLI::App* command = app.add_subcommand("case", "Make a case of OpenFOAM for wind, which runs, of a mesh");
+  command->fallthrough(); // to --config
+  auto options = std::make_shared<Options>();
+  const auto group = [&](const char* name) { command->option_defaults()->group(name); };
+  group("Mesh");
+  command->add_option("MESH", options->input, "Mesh: a .vtu file of `atria mesh`, or the folder of an OpenFOAM case");
+  command->add_option("--patches", options->patches,
+                      "FILE.vtpc with the mesh's patches (default: those recorded in the mesh)");
+  command->add_option("-o,--output", options->output, "Folder of the case; may be that of MESH")->type_name("DIR");
+  group("Wind");
+  declareWind(*command, *options);
+  group("Patches");
+  declarePatches(*command, *options);
+  group("Run");
+  declareRun(*command, *options);
+  command
+      ->add_option("--write-config", options->writeConfig,
+                   "Write these options, and what others there are, to a file for --config, and make no case")
+      ->configurable(false)
+      ->type_name("OUT.toml");
+  command->footer(examples);
+  command->callback([options, command, &console, &status] { status = runCase(*options, *command, console); });
+}
+
+} // namespace atria::tool

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// What a flow case must know of its mesh.
+#pragma once
+
+#include "PolyMesh.h"
+#include "Support/RunContext.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace atria {
+
+struct CasePatch
+{
+  std::string name;
+  std::string type;
+  Vec3 areaVector = Vec3::Zero(); ///< sum over its faces, out of the mesh, square meters
+  double area = 0.0;              ///< square meters
+  Box3 bounds;
+  bool meetsSides = false; ///< shares points with an upright, plane patch that is no wall
+
+  /// How much of the patch faces one way, 0 to 1: a plane has 1, a closed surface 0.
+  double flatness() const { return area > 0.0 ? areaVector.norm() / area : 0.0; }
+};
+
+/// A face zone; its normal points from the first of its rooms to the second.
+struct CaseOpening
+{
+  std::string name;
+  double area = 0.0; ///< square meters
+  std::array<std::string, 2> rooms;
+};
+
+/// A cell zone.
+struct CaseRoom
+{
+  std::string name;
+  double volume = 0.0; ///< cubic meters
+};
+
+/// Air that is in no cell zone, or in the one of this name, is outdoors.
+inline constexpr const char* outdoors = "outside";
+
+struct CaseMesh
+{
+  std::size_t cells = 0;
+  std::size_t faces = 0;
+  Box3 bounds;
+  double worstNonOrthogonality = 0.0; ///< degrees
+  double meanNonOrthogonality = 0.0;  ///< degrees
+  double worstSkewness = 0.0;
+  int failedChecks = 0; ///< of checkMesh -allGeometry
+  std::vector<CasePatch> patches;
+  std::vector<CaseOpening> openings;
+  std::vector<CaseRoom> rooms; ///< without the outdoors
+};
+
+CaseMesh describeMesh(const PolyMesh& poly, const RunContext& context);
+
+/// At most `most` places, spread over `over`, `height` above faces of the named patches.
+std::vector<Vec3> probePlaces(const PolyMesh& poly, const std::vector<std::string>& ground, const Box3& over,
+                              double height, std::size_t most);
+
+} // namespace atria

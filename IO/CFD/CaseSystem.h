@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "CaseFields.h"
+
+namespace atria {
+
+/// Schemes and correctors by the worst angle between a face's normal and the line between its cells, after the rules
+/// that users of OpenFOAM share: to 60 degrees all is corrected, to 70 half of it, beyond a third.
+struct OrthogonalityRule
+{
+  std::string correction; ///< of Laplacians and normal gradients
+  int correctors;         ///< solutions of the pressure more
+  double pressureRelaxation;
+  double equationRelaxation;   ///< of U
+  double turbulenceRelaxation; ///< of k, epsilon, omega
+};
+OrthogonalityRule ruleForAngle(double worstNonOrthogonality);
+
+/// Writes the folders constant (but for the mesh) and system. Throws Error for a file that cannot be written.
+void writeConstant(const std::filesystem::path& folder, const CaseOfDirection& flow);
+void writeSystem(const std::filesystem::path& folder, const CaseOfDirection& flow);
+/// The functions of system/controlDict: what is measured while the case runs.
+void addFunctions(FoamText& text, const CaseOfDirection& flow);
+
+} // namespace atria

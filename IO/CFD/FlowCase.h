@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// A case of steady wind about and through buildings, for simpleFoam.
+#pragma once
+
+#include "CaseMesh.h"
+#include "Support/RunContext.h"
+#include "WindProfile.h"
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace atria {
+
+enum class TurbulenceModel
+{
+  KEpsilon,
+  RealizableKEpsilon,
+  KOmegaSST
+};
+
+/// Whose OpenFOAM the case is for.
+enum class OpenFOAMDialect
+{
+  OpenCFD1912, ///< as Debian 12 has it
+  OpenCFD,     ///< v2006 and later
+  Foundation   ///< 11 and later
+};
+
+enum class PatchRole
+{
+  Inlet,
+  Outlet,
+  InletOutlet, ///< inlet where air comes in, outlet where it goes out
+  Slip,
+  Ground, ///< a wall with the roughness length of the wind's profile
+  Wall,
+  RoughWall, ///< with sand-grain roughness
+  Constraint ///< a type of OpenFOAM's mesh that each field has too, such as symmetryPlane
+};
+
+struct PatchChoice
+{
+  PatchRole role = PatchRole::Wall;
+  double sandGrain = 0.0; ///< of a RoughWall, meters
+};
+
+/// What a user says of patches whose name matches; of several rules that match the last holds.
+struct PatchRule
+{
+  std::string pattern; ///< see matchesPattern
+  PatchChoice choice;
+};
+
+/// Entries that replace those of patches whose name matches in one field.
+struct ConditionRule
+{
+  std::string pattern;
+  std::string field;   ///< U, p, k, epsilon, omega, nut, age
+  std::string entries; ///< as in a dictionary, such as "type fixedValue; value uniform (1 0 0);"
+};
+
+struct FlowCaseSettings
+{
+  WindProfile wind;
+  /// Where the wind blows to, degrees from x, counterclockwise from above. One makes a plain case; several make a
+  /// folder of a case for each, which share the mesh. None: from the domain's xMin to its xMax.
+  std::vector<double> directions;
+  double north = 0.0; ///< degrees from y, counterclockwise; names the directions
+  TurbulenceModel turbulence = TurbulenceModel::RealizableKEpsilon;
+  OpenFOAMDialect dialect = OpenFOAMDialect::OpenCFD1912;
+  int iterations = 1000;
+  int processors = 1;
+  double pedestrianHeight = 1.75; ///< meters
+  bool ageOfAir = false;
+  std::vector<PatchRule> patchRules;
+  std::vector<ConditionRule> conditionRules;
+};
+
+/// Of "inlet", "rough:0.02" and so on. Throws Error naming what there is.
+PatchChoice patchChoiceFrom(const std::string& text);
+/// Of `PATTERN ROLE` and `PATTERN FIELD ENTRIES`, the pattern in double quotes where it holds blanks. Throw Error where
+/// a part is missing.
+PatchRule patchRuleFrom(const std::string& text);
+ConditionRule conditionRuleFrom(const std::string& text);
+
+/// The role of every patch for wind in the direction `wind`. By themselves
+/// - patches of a constraint type keep it;
+/// - sides, which are plane, upright and no walls, are inlets where the wind crosses them inwards, outlets where it
+///   does so outwards, and slip where it runs along them to a degree; an upright patch that is not plane, such as a
+///   cylinder, is both by the flow;
+/// - what faces down (the sky) is slip;
+/// - what faces up is ground if it is no wall, or a wall that reaches sides;
+/// - all others are walls.
+/// Throws Error where a rule matches no patch, and where no patch lets air in or none lets it out.
+std::vector<PatchChoice> choosePatches(const CaseMesh& mesh, const FlowCaseSettings& settings, const Vec3& wind);
+
+/// Throws Error where the folder holds what a run leaves, which would be taken for results of another case.
+void refuseResults(const std::filesystem::path& caseFolder);
+
+/// Writes the case beside its mesh: 0, constant, system, Allrun, Allclean, and case.json, which tells `atria report`
+/// what the case is. Of several directions each has a folder `wind_<from>` with a link to the mesh. Sets the types of
+/// patches in the mesh's `boundary` to `wall` or `patch` by their role. Throws Error as choosePatches() does, and for
+/// what cannot be written. Returns what a user should know.
+std::vector<std::string> writeFlowCase(const std::filesystem::path& caseFolder, FlowCaseSettings settings,
+                                       const RunContext& context);
+
+} // namespace atria

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkAtriaOpenFOAMCaseWriter.h"
+
+#include "AlgorithmProgress.h"
+#include "FlowCase.h"
+#include "OpenFOAMCase.h"
+#include "OutputFolders.h"
+#include "PropertyRange.h"
+#include "Support/Error.h"
+
+#include <vtkErrorCode.h>
+#include <vtkObjectFactory.h>
+
+#include <exception>
+#include <filesystem>
+
+vtkStandardNewMacro(vtkAtriaOpenFOAMCaseWriter);
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void copyMesh(const fs::path& source, const fs::path& target)
+{
+  std::error_code ignored;
+  if (fs::equivalent(source, target, ignored))
+  {
+    return;
+  }
+  const fs::path from = source / "constant" / "polyMesh";
+  if (!fs::is_directory(from))
+  {
+    throw atria::Error("'" + source.string() +
+                       "' is no case of OpenFOAM with a mesh: it has no folder constant/polyMesh");
+  }
+  const fs::path to = target / "constant" / "polyMesh";
+  atria::makeFolder(to.parent_path());
+  std::error_code error;
+  fs::remove_all(to, error);
+  fs::copy(from, to, fs::copy_options::recursive, error);
+  if (error)
+  {
+    throw atria::Error("cannot copy the mesh to '" + to.string() + "': " + error.message());
+  }
+}
+
+} // namespace
+
+vtkAtriaOpenFOAMCaseWriter::vtkAtriaOpenFOAMCaseWriter() = default;
+
+vtkAtriaOpenFOAMCaseWriter::~vtkAtriaOpenFOAMCaseWriter() = default;
+
+void vtkAtriaOpenFOAMCaseWriter::AddWindAngle(double degrees)
+{
+  this->WindAngles.push_back(degrees);
+  this->Modified();
+}
+
+void vtkAtriaOpenFOAMCaseWriter::RemoveAllWindAngles()
+{
+  this->WindAngles.clear();
+  this->Modified();
+}
+
+int vtkAtriaOpenFOAMCaseWriter::GetNumberOfWindAngles() { return static_cast<int>(this->WindAngles.size()); }
+
+double vtkAtriaOpenFOAMCaseWriter::GetWindAngle(int i) { return this->WindAngles.at(static_cast<std::size_t>(i)); }
+
+void vtkAtriaOpenFOAMCaseWriter::AddPatchRule(const char* rule)
+{
+  this->PatchRules.emplace_back(rule ? rule : "");
+  this->Modified();
+}
+
+void vtkAtriaOpenFOAMCaseWriter::RemoveAllPatchRules()
+{
+  this->PatchRules.clear();
+  this->Modified();
+}
+
+int vtkAtriaOpenFOAMCaseWriter::GetNumberOfPatchRules() { return static_cast<int>(this->PatchRules.size()); }
+
+std::string vtkAtriaOpenFOAMCaseWriter::GetPatchRule(int i) { return this->PatchRules.at(static_cast<std::size_t>(i)); }
+
+void vtkAtriaOpenFOAMCaseWriter::AddConditionRule(const char* rule)
+{
+  this->ConditionRules.emplace_back(rule ? rule : "");
+  this->Modified();
+}
+
+void vtkAtriaOpenFOAMCaseWriter::RemoveAllConditionRules()
+{
+  this->ConditionRules.clear();
+  this->Modified();
+}
+
+int vtkAtriaOpenFOAMCaseWriter::GetNumberOfConditionRules() { return static_cast<int>(this->ConditionRules.size()); }
+
+std::string vtkAtriaOpenFOAMCaseWriter::GetConditionRule(int i)
+{
+  return this->ConditionRules.at(static_cast<std::size_t>(i));
+}
+
+void vtkAtriaOpenFOAMCaseWriter::CheckProperties()
+{
+  atriaCheckRange(ReferenceSpeed);
+  atriaCheckRange(ReferenceHeight);
+  atriaCheckRange(RoughnessLength);
+  atriaCheckRange(NumberOfRoseDirections);
+  atriaCheckRange(NorthAngle);
+  atriaCheckRange(TurbulenceModel);
+  atriaCheckRange(Dialect);
+  atriaCheckRange(NumberOfIterations);
+  atriaCheckRange(NumberOfProcessors);
+  atriaCheckRange(PedestrianHeight);
+  for (const double angle : this->WindAngles)
+  {
+    atria::checkRange("WindAngle", angle, -360.0, 360.0);
+  }
+}
+
+void vtkAtriaOpenFOAMCaseWriter::WriteFlow(const char* source)
+{
+  if (!this->GetCaseDirectory() || !*this->GetCaseDirectory())
+  {
+    vtkErrorMacro("No CaseDirectory was given.");
+    this->SetErrorCode(vtkErrorCode::NoFileNameError);
+    return;
+  }
+  try
+  {
+    this->CheckProperties();
+    atria::FlowCaseSettings settings;
+    settings.wind = {this->ReferenceSpeed, this->ReferenceHeight, this->RoughnessLength};
+    settings.north = this->NorthAngle;
+    settings.directions = this->WindAngles;
+    if (this->NumberOfRoseDirections > 0)
+    {
+      settings.directions = atria::windRose(this->NumberOfRoseDirections, this->NorthAngle);
+    }
+    settings.turbulence = static_cast<atria::TurbulenceModel>(this->TurbulenceModel);
+    settings.dialect = static_cast<atria::OpenFOAMDialect>(this->Dialect);
+    settings.iterations = this->NumberOfIterations;
+    settings.processors = this->NumberOfProcessors;
+    settings.pedestrianHeight = this->PedestrianHeight;
+    settings.ageOfAir = this->AgeOfAir;
+    for (const std::string& rule : this->PatchRules)
+    {
+      settings.patchRules.push_back(atria::patchRuleFrom(rule));
+    }
+    for (const std::string& rule : this->ConditionRules)
+    {
+      settings.conditionRules.push_back(atria::conditionRuleFrom(rule));
+    }
+    const fs::path folder = this->GetCaseDirectory();
+    atria::refuseResults(folder);
+    if (source)
+    {
+      copyMesh(source, folder);
+      atria::completeCase(folder);
+    }
+    else
+    {
+      this->Superclass::WriteData();
+    }
+    if (this->GetErrorCode() == vtkErrorCode::NoError)
+    {
+      const atria::AlgorithmRun run(*this);
+      for (const std::string& warning : atria::writeFlowCase(folder, settings, run.context))
+      {
+        vtkWarningMacro("'" << folder.string() << "': " << warning);
+      }
+    }
+  }
+  catch (const atria::Aborted&)
+  {
+    this->SetErrorCode(vtkErrorCode::UserError);
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro("Cannot write a case to '" << this->GetCaseDirectory() << "': " << error.what());
+    this->SetErrorCode(vtkErrorCode::UnknownError);
+  }
+}
+
+void vtkAtriaOpenFOAMCaseWriter::WriteData() { this->WriteFlow(nullptr); }
+
+int vtkAtriaOpenFOAMCaseWriter::WriteForMesh(const char* source)
+{
+  this->SetErrorCode(vtkErrorCode::NoError);
+  this->WriteFlow(source ? source : "");
+  return this->GetErrorCode() == vtkErrorCode::NoError ? 1 : 0;
+}
+
+void vtkAtriaOpenFOAMCaseWriter::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "ReferenceSpeed: " << this->ReferenceSpeed << "\n";
+  os << indent << "ReferenceHeight: " << this->ReferenceHeight << "\n";
+  os << indent << "RoughnessLength: " << this->RoughnessLength << "\n";
+  os << indent << "WindAngles:";
+  for (const double angle : this->WindAngles)
+  {
+    os << " " << angle;
+  }
+  os << "\n" << indent << "NumberOfRoseDirections: " << this->NumberOfRoseDirections << "\n";
+  os << indent << "NorthAngle: " << this->NorthAngle << "\n";
+  os << indent << "TurbulenceModel: " << this->TurbulenceModel << "\n";
+  os << indent << "Dialect: " << this->Dialect << "\n";
+  os << indent << "NumberOfIterations: " << this->NumberOfIterations << "\n";
+  os << indent << "NumberOfProcessors: " << this->NumberOfProcessors << "\n";
+  os << indent << "PedestrianHeight: " << this->PedestrianHeight << "\n";
+  os << indent << "AgeOfAir: " << (this->AgeOfAir ? "on" : "off") << "\n";
+  for (const std::string& rule : this->PatchRules)
+  {
+    os << indent << "PatchRule: " << rule << "\n";
+  }
+  for (const std::string& rule : this->ConditionRules)
+  {
+    os << indent << "ConditionRule: " << rule << "\n";
+  }
+}

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class   vtkAtriaOpenFOAMCaseWriter
+ * @brief   writes an OpenFOAM case of wind about and through buildings that runs as it is
+ *
+ * Inputs are those of vtkAtriaOpenFOAMWriter, which writes the mesh. Beside it are written the folders 0, constant and
+ * system for steady Reynolds-averaged flow by simpleFoam (incompressible, turbulent), the scripts Allrun and Allclean,
+ * and case.json, which tells `atria report` what the case is.
+ *
+ * Wind comes as the neutral boundary layer of Richards and Hoxey (1993), by a reference speed at a reference height and
+ * a roughness length; the ground has the wall function of the same length. By themselves patches become
+ * - inlet, outlet or slip: plane, upright sides of the domain, by their angle to the wind;
+ * - slip: the top of the domain;
+ * - ground: what closes the domain below, also a wall that reaches its sides;
+ * - walls: all others. PatchRules say otherwise by name, ConditionRules give entries of one field.
+ *
+ * With several wind directions each has a folder `wind_<degrees it comes from>` of its own, which shares the mesh by a
+ * link. Schemes and relaxation follow from the worst non-orthogonality of the mesh. While the case runs it measures the
+ * flow through every face zone and every open side, forces on walls, and speeds at pedestrian height.
+ *
+ * What is refused, beside what vtkAtriaOpenFOAMWriter refuses: a rule that matches no patch, a mesh no patch of which
+ * lets air in or out, and a folder that holds results of a run. Write() returns 0 then.
+ *
+ * @sa vtkAtriaOpenFOAMWriter
+ */
+#ifndef vtkAtriaOpenFOAMCaseWriter_h
+#define vtkAtriaOpenFOAMCaseWriter_h
+
+#include "vtkAtriaOpenFOAMWriter.h"
+#include "vtkAtriaRangeMacros.h"
+
+#include <string> // for PatchRules
+#include <vector> // for PatchRules
+
+class ATRIAIOCFD_EXPORT vtkAtriaOpenFOAMCaseWriter : public vtkAtriaOpenFOAMWriter
+{
+public:
+  static vtkAtriaOpenFOAMCaseWriter* New();
+  vtkTypeMacro(vtkAtriaOpenFOAMCaseWriter, vtkAtriaOpenFOAMWriter);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Speed of the wind at ReferenceHeight, m/s. Default 5.
+   */
+  vtkAtriaSetInRangeMacro(ReferenceSpeed, double, 1e-3, 1000.0);
+  vtkGetMacro(ReferenceSpeed, double);
+  ///@}
+
+  ///@{
+  /**
+   * Height above the ground at which the wind has ReferenceSpeed, meters. Default 10.
+   */
+  vtkAtriaSetInRangeMacro(ReferenceHeight, double, 1e-3, VTK_DOUBLE_MAX);
+  vtkGetMacro(ReferenceHeight, double);
+  ///@}
+
+  ///@{
+  /**
+   * Roughness length z0 of the ground, meters: some 0.0002 over water, 0.03 over grass, 0.1 over farmland, 0.5 in
+   * suburbs, 1 and more in cities. Default 0.1.
+   */
+  vtkAtriaSetInRangeMacro(RoughnessLength, double, 1e-9, 100.0);
+  vtkGetMacro(RoughnessLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * Where the wind blows to, degrees from x, counterclockwise from above; one run each. None, the default, is one run
+   * from the domain's xMin to its xMax, or along x where it has no such sides.
+   */
+  void AddWindAngle(double degrees);
+  void RemoveAllWindAngles();
+  int GetNumberOfWindAngles();
+  double GetWindAngle(int i);
+  ///@}
+
+  ///@{
+  /**
+   * Runs for this many directions at equal steps, the first with wind from north, instead of WindAngles; 0, the
+   * default, is none.
+   */
+  vtkAtriaSetInRangeMacro(NumberOfRoseDirections, int, 0, 360);
+  vtkGetMacro(NumberOfRoseDirections, int);
+  ///@}
+
+  ///@{
+  /**
+   * Where north lies, degrees from y, counterclockwise from above. Default 0.
+   */
+  vtkAtriaSetInRangeMacro(NorthAngle, double, -360.0, 360.0);
+  vtkGetMacro(NorthAngle, double);
+  ///@}
+
+  enum TurbulenceModels
+  {
+    KEpsilon,
+    RealizableKEpsilon,
+    KOmegaSST
+  };
+  ///@{
+  /**
+   * Model of turbulence. Default RealizableKEpsilon.
+   */
+  vtkAtriaSetInRangeMacro(TurbulenceModel, int, KEpsilon, KOmegaSST);
+  vtkGetMacro(TurbulenceModel, int);
+  ///@}
+
+  enum Dialects
+  {
+    OpenCFD1912, ///< v1912, which Debian 12 has
+    OpenCFD,     ///< v2006 and later
+    Foundation   ///< 11 and later; measures forces and speeds only, and no age of air
+  };
+  ///@{
+  /**
+   * Whose OpenFOAM the case is for. Default OpenCFD1912.
+   */
+  vtkAtriaSetInRangeMacro(Dialect, int, OpenCFD1912, Foundation);
+  vtkGetMacro(Dialect, int);
+  ///@}
+
+  ///@{
+  /**
+   * Iterations of the solver, at most. Default 1000.
+   */
+  vtkAtriaSetInRangeMacro(NumberOfIterations, int, 1, 10000000);
+  vtkGetMacro(NumberOfIterations, int);
+  ///@}
+
+  ///@{
+  /**
+   * Processors to run on; more than one have Allrun decompose the case. Default 1.
+   */
+  vtkAtriaSetInRangeMacro(NumberOfProcessors, int, 1, 100000);
+  vtkGetMacro(NumberOfProcessors, int);
+  ///@}
+
+  ///@{
+  /**
+   * Height above the ground of the places where speeds are measured, meters. Default 1.75.
+   */
+  vtkAtriaSetInRangeMacro(PedestrianHeight, double, 1e-3, 1000.0);
+  vtkGetMacro(PedestrianHeight, double);
+  ///@}
+
+  ///@{
+  /**
+   * Also compute the age of the air, seconds since it came into the domain. Off by default.
+   */
+  vtkSetMacro(AgeOfAir, bool);
+  vtkGetMacro(AgeOfAir, bool);
+  vtkBooleanMacro(AgeOfAir, bool);
+  ///@}
+
+  ///@{
+  /**
+   * What patches are, as `PATTERN ROLE`: the pattern (* and ? stand for text) in double quotes where it holds blanks,
+   * and inlet, outlet, inletOutlet (by the flow), slip, ground, wall or rough:SIZE (a wall with sand grains of that
+   * height, meters). Of several rules for a patch the last holds. None by default.
+   */
+  void AddPatchRule(const char* rule);
+  void RemoveAllPatchRules();
+  int GetNumberOfPatchRules();
+  std::string GetPatchRule(int i);
+  ///@}
+
+  ///@{
+  /**
+   * Conditions of patches in one field, as `PATTERN FIELD ENTRIES`, such as `Fan* U type fixedValue; value uniform (1 0
+   * 0);`. Fields are U, p, k, epsilon or omega, nut and age. None by default.
+   */
+  void AddConditionRule(const char* rule);
+  void RemoveAllConditionRules();
+  int GetNumberOfConditionRules();
+  std::string GetConditionRule(int i);
+  ///@}
+
+  /**
+   * Writes the case for a mesh that is there already: that of the OpenFOAM case in the folder `source`, which is copied
+   * unless it is CaseDirectory. Inputs are not used. Returns 1, or 0 after an error.
+   */
+  int WriteForMesh(const char* source);
+
+protected:
+  vtkAtriaOpenFOAMCaseWriter();
+  ~vtkAtriaOpenFOAMCaseWriter() override;
+
+  void WriteData() override;
+
+private:
+  vtkAtriaOpenFOAMCaseWriter(const vtkAtriaOpenFOAMCaseWriter&) = delete;
+  void operator=(const vtkAtriaOpenFOAMCaseWriter&) = delete;
+
+  void CheckProperties();
+  void WriteFlow(const char* source);
+
+  double ReferenceSpeed = 5.0;
+  double ReferenceHeight = 10.0;
+  double RoughnessLength = 0.1;
+  std::vector<double> WindAngles;
+  int NumberOfRoseDirections = 0;
+  double NorthAngle = 0.0;
+  int TurbulenceModel = RealizableKEpsilon;
+  int Dialect = OpenCFD1912;
+  int NumberOfIterations = 1000;
+  int NumberOfProcessors = 1;
+  double PedestrianHeight = 1.75;
+  bool AgeOfAir = false;
+  std::vector<std::string> PatchRules;
+  std::vector<std::string> ConditionRules;
+};
+
+#endif
