@@ -48,11 +48,13 @@ use_development_files() {
 use_plugin() {
   cat >"$work/use.py" <<'PYTHON'
 import glob
+import os
 import sys
 
 from paraview.simple import *
 
-prefix, model = sys.argv[1:]
+model = sys.argv[1]
+prefix = os.environ["ATRIA_PREFIX"]
 if prefix:
     LoadPlugin(glob.glob(prefix + "/usr/lib/*/paraview-*/plugins/Atria/Atria.so")[0], ns=globals())
 # Else ParaView has found the plugin itself.
@@ -66,7 +68,7 @@ import atria
 
 assert atria.mesh(model, size=4.0).mesh.GetNumberOfCells() > 1000
 PYTHON
-  "${ATRIA_PVPYTHON:-pvpython}" "$work/use.py" "$prefix" "$examples/Data/house.wrl"
+  ATRIA_PREFIX=$prefix "${ATRIA_PVPYTHON:-pvpython}" "$work/use.py" "$examples/Data/house.wrl"
 }
 
 case ${1:-} in
