@@ -21,6 +21,7 @@ enum ExitStatus : int
   Usage = 2,
   BadInput = 3,
   MeshNotValid = 4,
+  ChecksFailed = 5, ///< the mesh is valid, but what is written fails checks of checkMesh
   Interrupted = 130 ///< by Ctrl-C; what shells say too
 };
 
@@ -31,6 +32,12 @@ public:
   Failure(ExitStatus withStatus, const std::string& message) : std::runtime_error(message), status(withStatus) {}
   ExitStatus status;
 };
+
+/// The status of a mesh that is written.
+inline ExitStatus statusOf(long long invalidElements, bool checksFail)
+{
+  return invalidElements > 0 ? MeshNotValid : checksFail ? ChecksFailed : Done;
+}
 
 /// A subcommand stores its result in `status` from CLI11's callback.
 void addMeshCommand(CLI::App& app, Console& console, ExitStatus& status);

@@ -93,22 +93,26 @@ void writeFile(const ExportOptions& options, const std::string& file, vtkUnstruc
 
 } // namespace
 
-MergedParts writeExports(const ExportOptions& options, vtkUnstructuredGrid* mesh,
-                         vtkPartitionedDataSetCollection* patches, Console& console)
+Json writeExports(const ExportOptions& options, vtkUnstructuredGrid* mesh, vtkPartitionedDataSetCollection* patches,
+                  Console& console)
 {
-  MergedParts merged;
+  Json openfoam;
   if (!options.openfoam.empty())
   {
     vtkNew<vtkAtriaOpenFOAMWriter> writer;
     writer->SetWriteBinary(!options.ascii);
     writer->SetCaseDirectory(options.openfoam.c_str());
     write(writer, options, options.openfoam, mesh, patches, console);
-    merged = {writer->GetNumberOfMergedCells(), writer->GetNumberOfMergedFaces(), writer->GetNumberOfAddedCells()};
+    openfoam = {{"merged_cells", writer->GetNumberOfMergedCells()},
+                {"added_cells", writer->GetNumberOfAddedCells()},
+                {"merged_faces", writer->GetNumberOfMergedFaces()},
+                {"failed_checks", writer->GetNumberOfFailedChecks()},
+                {"checks", checksOf(writer->GetChecks())}};
   }
   writeFile<vtkAtriaFluentWriter>(options, options.fluent, mesh, patches, console);
   writeFile<vtkAtriaCGNSWriter>(options, options.cgns, mesh, patches, console);
   writeFile<vtkAtriaSU2Writer>(options, options.su2, mesh, patches, console);
-  return merged;
+  return openfoam;
 }
 
 } // namespace atria::tool

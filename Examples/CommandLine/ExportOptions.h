@@ -2,6 +2,8 @@
 /// The options that write a mesh in formats of solvers.
 #pragma once
 
+#include "Report.h"
+
 #include <string>
 #include <vector>
 
@@ -34,16 +36,10 @@ void declareExportOptions(CLI::App& command, ExportOptions& options);
 /// Throws Failure(Usage) for names and folders that cannot be, and for a format that this build does not have.
 void checkExportOptions(const ExportOptions& options);
 
-/// What an OpenFOAM case has fewer than the mesh, as some were merged, and what it has more.
-struct MergedParts
-{
-  long long cells = 0;
-  long long faces = 0;
-  long long addedCells = 0;
-};
-
-/// `patches` may be null, for those recorded in the mesh. Returns what was merged in the OpenFOAM case.
-MergedParts writeExports(const ExportOptions& options, vtkUnstructuredGrid* mesh,
-                         vtkPartitionedDataSetCollection* patches, Console& console);
+/// `patches` may be null, for those recorded in the mesh. Prints a warning for each check that fails. Returns what was
+/// merged in the OpenFOAM case and what checkMesh says of it: {merged_cells, added_cells, merged_faces, failed_checks,
+/// checks}; null where no case is written.
+Json writeExports(const ExportOptions& options, vtkUnstructuredGrid* mesh, vtkPartitionedDataSetCollection* patches,
+                  Console& console);
 
 } // namespace atria::tool

@@ -97,7 +97,8 @@ void applyOptions(vtkAtriaMeshOptimizer* optimizer, const Options& options)
   optimizer->SetNumberOfSweeps(options.sweeps);
 }
 
-void writeFiles(vtkAtriaMeshOptimizer* optimizer, const Options& options, Console& console)
+/// Returns what writeOpenFOAM() does, null where no case is written.
+Json writeFiles(vtkAtriaMeshOptimizer* optimizer, const Options& options, Console& console)
 {
   writeMesh(options.output, optimizer->GetOutput(), console);
   if (!options.patchesOutput.empty())
@@ -106,7 +107,7 @@ void writeFiles(vtkAtriaMeshOptimizer* optimizer, const Options& options, Consol
   }
   // Without patches those recorded in the mesh are written.
   vtkPartitionedDataSetCollection* patches = options.patches.empty() ? nullptr : optimizer->GetPatches();
-  writeExports(options.exports, optimizer->GetOutput(), patches, console);
+  return writeExports(options.exports, optimizer->GetOutput(), patches, console);
 }
 
 ExitStatus runImprove(const Options& options, Console& console)
@@ -133,7 +134,7 @@ ExitStatus runImprove(const Options& options, Console& console)
   report["after"] =
       measure(optimizer->GetOutput(), patches ? optimizer->GetPatches() : nullptr, options.output, console);
   report["after"]["poor_elements"] = optimizer->GetNumberOfPoorCells();
-  writeFiles(optimizer, options, console);
+  report["openfoam"] = writeFiles(optimizer, options, console);
   console.clearBar();
   if (options.json)
   {
@@ -143,7 +144,8 @@ ExitStatus runImprove(const Options& options, Console& console)
   {
     printTable(report);
   }
-  return report["after"]["invalid_elements"].get<long long>() > 0 ? MeshNotValid : Done;
+  const bool checksFail = !report["openfoam"].is_null() && report["openfoam"]["failed_checks"].get<int>() > 0;
+  return statusOf(report["after"]["invalid_elements"].get<long long>(), checksFail);
 }
 
 void addTargets(CLI::App& command, Options& options)
@@ -162,7 +164,8 @@ void addTargets(CLI::App& command, Options& options)
 void addImproveCommand(CLI::App& app, Console& console, ExitStatus& status)
 {
   CLI::App* command = app.add_subcommand(
-      "improve", "Move the points of any mesh until its elements are good; exit status 4 if some are not valid then");
+      "improve", "Move the points of any mesh until its elements are good; exit status 4 if some are not valid then, 5 "
+                 "if the OpenFOAM case fails a check");
   auto options = std::make_shared<Options>();
   command->add_option("MESH.vtu", options->file, "Mesh to improve")->required();
   command->add_option("-o,--output", options->output, "Where the mesh goes, a .vtu file")

@@ -70,9 +70,9 @@ Json makeReport(vtkAtriaDualMesher* mesher, vtkAtriaMeshQuality* quality, const 
   return report;
 }
 
-/// Returns what was merged in the OpenFOAM case.
-MergedParts writeOutputs(const MeshOptions& options, vtkUnstructuredGrid* mesh,
-                         vtkPartitionedDataSetCollection* patches, Console& console)
+/// Returns what writeOpenFOAM() does, null where no case is written.
+Json writeOutputs(const MeshOptions& options, vtkUnstructuredGrid* mesh, vtkPartitionedDataSetCollection* patches,
+                  Console& console)
 {
   writeMesh(options.output, mesh, console);
   if (!options.patches.empty())
@@ -164,22 +164,31 @@ void warn(vtkAtriaDualMesher* mesher, const Json& report, const MeshOptions& opt
   }
 }
 
-void printMerged(const MergedParts& merged, const std::string& folder)
+void printMerged(const Json& openfoam, const std::string& folder)
 {
-  if (merged.cells > 0)
+  const auto count = [&](const char* key) { return openfoam.is_null() ? 0LL : openfoam[key].get<long long>(); };
+  if (const auto cells = count("merged_cells"); cells > 0)
   {
-    std::cout << folder << ": " << merged.cells
+    std::cout << folder << ": " << cells
               << " cells fewer, as elements with too few neighbors were made one with one of them\n";
   }
-  if (merged.addedCells > 0)
+  if (const auto cells = count("added_cells"); cells > 0)
   {
-    std::cout << folder << ": " << merged.addedCells
-              << " cells more, as elements with too few neighbors were cut into pyramids\n";
+    std::cout << folder << ": " << cells << " cells more, as elements with too few neighbors were cut into pyramids\n";
   }
-  if (merged.faces > 0)
+  if (const auto faces = count("merged_faces"); faces > 0)
   {
-    std::cout << folder << ": " << merged.faces << " faces fewer, as coplanar ones of an element were merged\n";
+    std::cout << folder << ": " << faces << " faces fewer, as coplanar ones of an element were merged\n";
   }
+}
+
+/// Whether what is written fails a check that it should not.
+bool checksFail(const Json& report)
+{
+  const std::vector<std::string> failed =
+      report["openfoam"].is_null() ? std::vector<std::string>() : failedIn(report["openfoam"]["checks"]);
+  return std::any_of(failed.begin(), failed.end(),
+                     [&](const std::string& check) { return !report["layers"].empty() || !failsWithoutLayers(check); });
 }
 
 /// Mesh, quality and files of a model that was read.
@@ -205,7 +214,7 @@ ExitStatus makeMesh(const MeshOptions& options, vtkAtriaSurfaceReader* reader, d
   const double qualitySeconds = measuring.seconds();
 
   const Stopwatch writing;
-  const MergedParts merged =
+  const Json openfoam =
       writeOutputs(options, vtkUnstructuredGrid::SafeDownCast(quality->GetOutputDataObject(0)),
                    vtkPartitionedDataSetCollection::SafeDownCast(mesher->GetOutputDataObject(1)), console);
   Json seconds = {{"Read", readSeconds}};
@@ -214,16 +223,13 @@ ExitStatus makeMesh(const MeshOptions& options, vtkAtriaSurfaceReader* reader, d
   seconds["Write"] = writing.seconds();
   seconds["Total"] = total.seconds();
   Json report = makeReport(mesher, quality, seconds);
-  report["openfoam"] =
-      options.exports.openfoam.empty()
-          ? Json()
-          : Json{{"merged_cells", merged.cells}, {"added_cells", merged.addedCells}, {"merged_faces", merged.faces}};
+  report["openfoam"] = openfoam;
   if (!options.report.empty())
   {
     writeText(options.report, report.dump(2) + "\n");
   }
   console.clearBar();
-  printMerged(merged, options.exports.openfoam);
+  printMerged(openfoam, options.exports.openfoam);
   printLayers(vtkPolyData::SafeDownCast(mesher->GetOutputDataObject(2)));
   std::vector<std::string> files{options.output, options.patches};
   const std::vector<std::string> exported = options.exports.targets();
@@ -231,7 +237,7 @@ ExitStatus makeMesh(const MeshOptions& options, vtkAtriaSurfaceReader* reader, d
   files.push_back(options.report);
   std::cout << summaryOf(report, files) << std::flush;
   warn(mesher, report, options, console);
-  return report["invalid_elements"].get<long long>() > 0 ? MeshNotValid : Done;
+  return statusOf(report["invalid_elements"].get<long long>(), checksFail(report));
 }
 
 /// Sizes for a model of which nothing is said.

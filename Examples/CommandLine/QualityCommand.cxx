@@ -155,15 +155,16 @@ ExitStatus runQuality(const Options& options, Console& console)
   {
     printTable(report);
   }
-  return quality->GetNumberOfInvalidCells() > 0 ? MeshNotValid : Done;
+  return statusOf(quality->GetNumberOfInvalidCells(), quality->GetNumberOfFailedChecks() > 0);
 }
 
 } // namespace
 
 void addQualityCommand(CLI::App& app, Console& console, ExitStatus& status)
 {
-  CLI::App* command =
-      app.add_subcommand("quality", "Measure a mesh; exit status 4 if it has elements that are not valid");
+  CLI::App* command = app.add_subcommand(
+      "quality", "Measure a mesh; exit status 4 if it has elements that are not valid, 5 if it fails "
+                 "what --checks judges");
   auto options = std::make_shared<Options>();
   command->add_option("MESH.vtu", options->file, "Mesh to measure")->required();
   command->add_option(

@@ -232,10 +232,26 @@ Json checksOf(vtkTable* checks)
                                        {"mean", value("Mean").ToDouble()},
                                        {"failing", value("Failing").ToLongLong()},
                                        {"is_error", value("IsError").ToInt() != 0},
-                                       {"set", value("Set").ToString()}};
+                                       {"set", value("Set").ToString()},
+                                       {"advice", value("Advice").ToString()}};
   }
   return list;
 }
+
+std::vector<std::string> failedIn(const Json& checks)
+{
+  std::vector<std::string> names;
+  for (const auto& [name, check] : checks.items())
+  {
+    if (check["is_error"].get<bool>() && check["failing"].get<long long>() > 0)
+    {
+      names.push_back(name);
+    }
+  }
+  return names;
+}
+
+bool failsWithoutLayers(const std::string& check) { return check == "Concavity" || check == "Determinant"; }
 
 Json stageSecondsOf(vtkAtriaDualMesher* mesher)
 {

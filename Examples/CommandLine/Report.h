@@ -6,6 +6,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <string>
+#include <vector>
+
 class vtkDataObject;
 class vtkAtriaDualMesher;
 class vtkPartitionedDataSetCollection;
@@ -37,8 +40,16 @@ Json patchesOf(vtkPartitionedDataSetCollection* patches);
 /// {metric: {min, max, mean, std}} from the summary table of vtkAtriaMeshQuality.
 Json qualityOf(vtkTable* summary);
 
-/// {check: {of, limit, worst, mean, failing, is_error, set}} from the table of checks of vtkAtriaMeshQuality.
+/// {check: {of, limit, worst, mean, failing, is_error, set, advice}} from the table of checks of vtkAtriaMeshQuality or
+/// vtkAtriaOpenFOAMWriter.
 Json checksOf(vtkTable* checks);
+
+/// The names of those that count as failed.
+std::vector<std::string> failedIn(const Json& checks);
+
+/// Whether a check fails in sound meshes without layers: cells at walls that bend are concave there, and cells in
+/// corners have too few neighbors.
+bool failsWithoutLayers(const std::string& check);
 
 /// {stage: seconds} of the mesher's last run.
 Json stageSecondsOf(vtkAtriaDualMesher* mesher);

@@ -67,6 +67,24 @@ std::string worstText(const Json& quality)
   return text;
 }
 
+/// What fails in the OpenFOAM case.
+std::string checksText(const Json& openfoam, bool hasLayers)
+{
+  if (openfoam.is_null())
+  {
+    return "not judged; --openfoam judges what it writes, atria quality --checks a mesh";
+  }
+  std::string text;
+  for (const std::string& name : failedIn(openfoam["checks"]))
+  {
+    const Json& check = openfoam["checks"][name];
+    text += (text.empty() ? "fail: " : ", ") + name + " at " + std::to_string(check["failing"].get<long long>()) + ' ' +
+            check["of"].get<std::string>();
+    text += !hasLayers && failsWithoutLayers(name) ? " (usual without layers)" : "";
+  }
+  return text.empty() ? "all of checkMesh's pass" : text;
+}
+
 std::string patchesText(const Json& patches)
 {
   constexpr std::size_t most = 6;
@@ -178,6 +196,7 @@ std::string summaryOf(const Json& report, const std::vector<std::string>& files)
   line(out, "elements", elementsText(report["counts"]));
   const auto invalid = report["invalid_elements"].get<long long>();
   line(out, "not valid", invalid == 0 ? "none" : std::to_string(invalid));
+  line(out, "checks", checksText(report["openfoam"], !report["layers"].empty()));
   line(out, "worst", worstText(report["quality"]));
   line(out, "patches", patchesText(report["patches"]));
   line(out, "repaired", repairText(report["repair"]));

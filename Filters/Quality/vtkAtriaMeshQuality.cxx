@@ -8,6 +8,7 @@
 #include "Quality/Checks/Metrics.h"
 #include "Quality/Checks/Statistics.h"
 #include "Support/Error.h"
+#include "VtkChecks.h"
 #include "VtkFaceMesh.h"
 
 #include <vtkCellData.h>
@@ -190,58 +191,6 @@ void addCheckQuantities(Outputs& outputs, const atria::MeasuredMesh& mesh, const
   }
 }
 
-const char* nameOf(atria::MeshPart part)
-{
-  switch (part)
-  {
-    case atria::MeshPart::Cells:
-      return "cells";
-    case atria::MeshPart::Faces:
-      return "faces";
-    case atria::MeshPart::Points:
-      return "points";
-    case atria::MeshPart::Mesh:
-      break;
-  }
-  return "mesh";
-}
-
-void fillChecks(vtkTable* table, const atria::MeshVerdict& verdict)
-{
-  vtkNew<vtkStringArray> names;
-  names->SetName("Check");
-  vtkNew<vtkStringArray> parts;
-  parts->SetName("Of");
-  vtkNew<vtkIdTypeArray> failing;
-  failing->SetName("Failing");
-  vtkNew<vtkUnsignedCharArray> isError;
-  isError->SetName("IsError");
-  vtkNew<vtkStringArray> sets;
-  sets->SetName("Set");
-  std::vector<double> limits;
-  std::vector<double> worst;
-  std::vector<double> means;
-  for (const atria::MeshCheck& check : verdict.checks)
-  {
-    names->InsertNextValue(check.name);
-    parts->InsertNextValue(nameOf(check.part));
-    failing->InsertNextValue(static_cast<vtkIdType>(check.failing.size()));
-    isError->InsertNextValue(check.isError ? 1 : 0);
-    sets->InsertNextValue(check.set);
-    limits.push_back(check.limit);
-    worst.push_back(check.worst);
-    means.push_back(check.mean);
-  }
-  table->AddColumn(names);
-  table->AddColumn(parts);
-  table->AddColumn(makeColumn("Limit", limits));
-  table->AddColumn(makeColumn("Worst", worst));
-  table->AddColumn(makeColumn("Mean", means));
-  table->AddColumn(failing);
-  table->AddColumn(isError);
-  table->AddColumn(sets);
-}
-
 void clearOutputs(vtkInformationVector* outputs)
 {
   for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
@@ -329,7 +278,7 @@ int vtkAtriaMeshQuality::RequestData(vtkInformation*, vtkInformationVector** inp
       addCheckQuantities(collected, measured, context.part(metricsEnd, 0.8));
       const atria::MeshVerdict verdict = atria::checkMesh(measured, context.part(0.8, 0.98));
       collected.arrays.push_back(failedChecksArray(atria::failedChecksOfCells(measured, verdict)));
-      fillChecks(checks, verdict);
+      atria::checksToVtk(verdict, checks);
       failedChecks = verdict.failedChecks();
     }
     collected.checkShown();

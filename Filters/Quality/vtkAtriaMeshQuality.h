@@ -44,7 +44,8 @@
  * Output port 3 is a vtkTable, empty unless CheckMesh is on, with one row per check of `checkMesh -allGeometry`:
  * `Check` (string), `Of` (string: cells, faces, points or mesh), `Limit`, `Worst`, `Mean`, `Failing` (number of those
  * beyond the limit), `IsError` (1 where checkMesh counts it as failed, 0 where it only tells), `Set` (string:
- * checkMesh's name for the set of those failing). The numbers are checkMesh's own.
+ * checkMesh's name for the set of those failing), `Advice` (string: what to do where it fails). The numbers are
+ * checkMesh's own.
  *
  * Areas, volumes and centroids are those of OpenFOAM's primitiveMesh, so figures agree with checkMesh's. A
  * mesh without cells, of other cell types or whose faces more than two cells share is an error; the outputs

@@ -58,11 +58,15 @@ int vtkAtriaMeshWriter::FillInputPortInformation(int port, vtkInformation* info)
   return 1;
 }
 
+vtkPartitionedDataSetCollection* vtkAtriaMeshWriter::GetPatches()
+{
+  return vtkPartitionedDataSetCollection::SafeDownCast(
+      this->GetNumberOfInputConnections(1) > 0 ? this->GetInputDataObject(1, 0) : nullptr);
+}
+
 void vtkAtriaMeshWriter::WriteData()
 {
   auto* volume = vtkUnstructuredGrid::SafeDownCast(this->GetInputDataObject(0, 0));
-  auto* patches = vtkPartitionedDataSetCollection::SafeDownCast(
-      this->GetNumberOfInputConnections(1) > 0 ? this->GetInputDataObject(1, 0) : nullptr);
   if (this->GetTarget().empty())
   {
     vtkErrorMacro("No " << this->GetTargetProperty() << " was given.");
@@ -71,7 +75,7 @@ void vtkAtriaMeshWriter::WriteData()
   }
   try
   {
-    this->WriteTarget(volume, patches);
+    this->WriteTarget(volume, this->GetPatches());
   }
   catch (const atria::Aborted&)
   {

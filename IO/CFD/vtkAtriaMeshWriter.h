@@ -68,6 +68,11 @@ protected:
   void WriteData() override;
 
   /**
+   * Those of input port 1, or null.
+   */
+  vtkPartitionedDataSetCollection* GetPatches();
+
+  /**
    * File or folder, as it was given; empty without.
    */
   virtual std::string GetTarget() const = 0;

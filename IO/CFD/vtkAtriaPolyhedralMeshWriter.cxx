@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkAtriaPolyhedralMeshWriter.h"
 
-#include "Quality/Unions/MergeCells.h"
-#include "Quality/Unions/MergeFaces.h"
+#include "Quality/Unions/JudgedUnions.h"
 #include "SolverMesh.h"
 #include "Support/RunContext.h"
+#include "VtkChecks.h"
 #include "VtkFaceMesh.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
+#include <vtkPartitionedDataSetCollection.h>
+#include <vtkTable.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
 #include <iterator>
+#include <string>
 #include <utility>
 
 namespace {
@@ -42,82 +45,81 @@ std::vector<atria::Index> patchOfFaces(const atria::FaceMesh& mesh, const std::v
   return patchOf;
 }
 
-/// Merges cells of `source`, and has patches and zones go by what is left.
-atria::MergedCells mergeCells(atria::VtkFaceMesh& source, std::vector<atria::BoundaryPatch>& patches,
-                              atria::Buffer<std::int64_t>& zoneIds, const atria::RunContext& context)
+/// The patches by the faces that are written.
+void followFaces(std::vector<atria::BoundaryPatch>& patches, const std::vector<atria::Index>& faceOf)
 {
-  atria::MergedCells merged =
-      atria::mergeUnderdeterminedCells(source.mesh, patchOfFaces(source.mesh, patches), context);
-  if (merged.cellOf.empty())
+  if (faceOf.empty())
   {
-    return merged;
+    return;
   }
   for (atria::BoundaryPatch& patch : patches)
   {
     for (atria::Index& face : patch.faces)
     {
-      face = merged.faceOf[face];
-    }
-    std::sort(patch.faces.begin(), patch.faces.end());
-  }
-  for (std::size_t cell = 0; cell < zoneIds.size(); ++cell)
-  {
-    zoneIds[merged.cellOf[cell]] = zoneIds[cell]; // never a higher number; cells of one zone only become one
-  }
-  if (!zoneIds.empty())
-  {
-    zoneIds.resize(source.mesh.cellCount - merged.added.size());
-    std::ranges::transform(merged.added, std::back_inserter(zoneIds), [&](atria::Index cell) { return zoneIds[cell]; });
-  }
-  return merged;
-}
-
-/// Merges faces of `source`, and has patches name the faces that are left.
-std::size_t mergeFaces(atria::VtkFaceMesh& source, std::vector<atria::BoundaryPatch>& patches,
-                       const atria::RunContext& context)
-{
-  const atria::MergedFaces merged = atria::mergeCoplanarFaces(source.mesh, patchOfFaces(source.mesh, patches), context);
-  if (merged.count == 0)
-  {
-    return 0;
-  }
-  for (atria::BoundaryPatch& patch : patches)
-  {
-    for (atria::Index& face : patch.faces)
-    {
-      face = merged.faceOf[face];
+      face = faceOf[face];
     }
     std::sort(patch.faces.begin(), patch.faces.end());
     patch.faces.erase(std::unique(patch.faces.begin(), patch.faces.end()), patch.faces.end());
   }
-  return merged.count;
+}
+
+/// The zones by the cells that are written.
+void followCells(atria::Buffer<std::int64_t>& zoneIds, const atria::JudgedMesh& written)
+{
+  if (written.cellOf.empty() || zoneIds.empty())
+  {
+    return;
+  }
+  for (std::size_t cell = 0; cell < zoneIds.size(); ++cell)
+  {
+    zoneIds[written.cellOf[cell]] = zoneIds[cell]; // never a higher number; cells of one zone only become one
+  }
+  zoneIds.resize(written.mesh.cellCount - written.added.size());
+  std::ranges::transform(written.added, std::back_inserter(zoneIds), [&](atria::Index cell) { return zoneIds[cell]; });
 }
 
 } // namespace
+
+vtkAtriaPolyhedralMeshWriter::vtkAtriaPolyhedralMeshWriter() = default;
+
+vtkAtriaPolyhedralMeshWriter::~vtkAtriaPolyhedralMeshWriter() = default;
 
 void vtkAtriaPolyhedralMeshWriter::WriteMesh(vtkUnstructuredGrid* volume, atria::VtkFaceMesh& source,
                                              const atria::RunContext& context)
 {
   std::vector<atria::BoundaryPatch> patches = atria::boundaryPatchesOf(source);
   atria::Buffer<std::int64_t> zoneIds = zoneIdsOf(volume, context.executor);
-  this->NumberOfMergedCells = 0;
-  this->NumberOfAddedCells = 0;
-  this->NumberOfMergedFaces = 0;
-  if (this->MergeUnderdeterminedCells)
-  {
-    const atria::MergedCells merged = mergeCells(source, patches, zoneIds, context.part(0.0, 0.2));
-    this->NumberOfMergedCells = static_cast<vtkIdType>(merged.count);
-    this->NumberOfAddedCells = static_cast<vtkIdType>(merged.added.size());
-  }
-  if (this->MergeCoplanarFaces)
-  {
-    this->NumberOfMergedFaces = static_cast<vtkIdType>(mergeFaces(source, patches, context.part(0.2, 0.3)));
-  }
-  this->Place(volume, source.mesh);
-  const atria::SolverMesh mesh = atria::makeSolverMesh(std::move(source.mesh), patches, zoneIds, context.executor);
+  const std::vector<atria::Index> patchOf = patchOfFaces(source.mesh, patches);
+  const auto makeMesh = [&, isFirst = true]() mutable {
+    return std::exchange(isFirst, false) ? std::move(source.mesh)
+                                         : atria::faceMeshFromVtk(volume, this->GetPatches(), context.executor).mesh;
+  };
+  atria::JudgedMesh written = atria::uniteAndJudge(
+      makeMesh, patchOf, {this->MergeUnderdeterminedCells, this->MergeCoplanarFaces}, context.part(0.0, 0.3));
+  followFaces(patches, written.faceOf);
+  followCells(zoneIds, written);
+  this->Tell(written);
+  this->Place(volume, written.mesh);
+  const atria::SolverMesh mesh = atria::makeSolverMesh(std::move(written.mesh), patches, zoneIds, context.executor);
   context.progress.report(0.3, "Writing the mesh");
   this->WriteSolverMesh(mesh, context.part(0.3, 1.0));
+  for (const std::string& failure : written.failures)
+  {
+    vtkWarningMacro("'" << this->GetTarget() << "': " << failure);
+  }
 }
+
+void vtkAtriaPolyhedralMeshWriter::Tell(const atria::JudgedMesh& written)
+{
+  this->NumberOfMergedCells = static_cast<vtkIdType>(written.mergedCells);
+  this->NumberOfAddedCells = static_cast<vtkIdType>(written.added.size());
+  this->NumberOfMergedFaces = static_cast<vtkIdType>(written.mergedFaces);
+  this->NumberOfFailedChecks = written.verdict.failedChecks();
+  this->Checks->Initialize();
+  atria::checksToVtk(written.verdict, this->Checks);
+}
+
+vtkTable* vtkAtriaPolyhedralMeshWriter::GetChecks() { return this->Checks; }
 
 void vtkAtriaPolyhedralMeshWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
@@ -127,4 +129,5 @@ void vtkAtriaPolyhedralMeshWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfMergedCells: " << this->NumberOfMergedCells << "\n";
   os << indent << "NumberOfAddedCells: " << this->NumberOfAddedCells << "\n";
   os << indent << "NumberOfMergedFaces: " << this->NumberOfMergedFaces << "\n";
+  os << indent << "NumberOfFailedChecks: " << this->NumberOfFailedChecks << "\n";
 }

@@ -10,6 +10,10 @@
  * A cell with one or two neighbors, in a corner between walls, is made one with a neighbor where that is possible
  * (see MergeUnderdeterminedCells): no gradient can be determined from two neighbors, and checkMesh objects to it.
  *
+ * What is written is judged as OpenFOAM's `checkMesh -allGeometry` does. Cells and faces are left as they are where a
+ * sound cell would fail a check. For each check that fails a warning says where, in the coordinates of the input, and
+ * what to do.
+ *
  * Cells keep their order; where some were merged, all later ones have lower numbers.
  *
  * @sa vtkAtriaOpenFOAMWriter
@@ -19,10 +23,14 @@
 
 #include "AtriaIOCFDModule.h" // For export macro
 #include "vtkAtriaMeshWriter.h"
+#include "vtkNew.h" // For Checks
+
+class vtkTable;
 
 namespace atria {
+struct JudgedMesh;
 struct SolverMesh;
-}
+} // namespace atria
 
 class ATRIAIOCFD_EXPORT vtkAtriaPolyhedralMeshWriter : public vtkAtriaMeshWriter
 {
@@ -54,6 +62,17 @@ public:
   ///@}
 
   /**
+   * Number of checks that fail in what was written last, as checkMesh counts them. 0 before the first Write().
+   */
+  vtkGetMacro(NumberOfFailedChecks, int);
+
+  /**
+   * The checks of what was written last, with a row for each as in vtkAtriaMeshQuality's output port 3. Empty before
+   * the first Write().
+   */
+  vtkTable* GetChecks();
+
+  /**
    * How many cells fewer were written than the input has, as some were merged. 0 before the first Write().
    */
   vtkGetMacro(NumberOfMergedCells, vtkIdType);
@@ -69,8 +88,8 @@ public:
   vtkGetMacro(NumberOfMergedFaces, vtkIdType);
 
 protected:
-  vtkAtriaPolyhedralMeshWriter() = default;
-  ~vtkAtriaPolyhedralMeshWriter() override = default;
+  vtkAtriaPolyhedralMeshWriter();
+  ~vtkAtriaPolyhedralMeshWriter() override;
 
   void WriteMesh(vtkUnstructuredGrid* volume, atria::VtkFaceMesh& source, const atria::RunContext& context) override;
 
@@ -83,6 +102,10 @@ private:
   vtkAtriaPolyhedralMeshWriter(const vtkAtriaPolyhedralMeshWriter&) = delete;
   void operator=(const vtkAtriaPolyhedralMeshWriter&) = delete;
 
+  void Tell(const atria::JudgedMesh& written);
+
+  vtkNew<vtkTable> Checks;
+  int NumberOfFailedChecks = 0;
   bool MergeUnderdeterminedCells = true;
   bool MergeCoplanarFaces = true;
   vtkIdType NumberOfMergedCells = 0;

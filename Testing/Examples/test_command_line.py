@@ -27,6 +27,15 @@ REPORT_KEYS = [
 ]
 
 
+def expected_status(report):
+    """Of atria mesh: 4 for elements that are not valid, 5 for checks that fail and should not."""
+    checks = (report["openfoam"] or {"checks": {}})["checks"]
+    failed = {name for name, check in checks.items() if check["is_error"] and check["failing"]}
+    if not report["layers"]:
+        failed -= {"Concavity", "Determinant"}
+    return 4 if report["invalid_elements"] else 5 if failed else 0
+
+
 class CommandLine(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -203,8 +212,9 @@ class CommandLine(unittest.TestCase):
             outputs = [self.folder / (name + ending) for ending in (".vtu", "_case", ".json")]
             run = self.atria("mesh", model, *COARSE, "-o", outputs[0], "--openfoam", outputs[1], "--report", outputs[2],
                              *options)
-            self.assertEqual(run.returncode, 0, run.stderr)
             reports.append(json.loads(outputs[2].read_text()))
+            self.assertEqual(reports[-1]["invalid_elements"], 0)
+            self.assertEqual(run.returncode, expected_status(reports[-1]), run.stderr)
             data = (outputs[1] / "constant/polyMesh/points").read_bytes()
             count = re.search(rb"\n(\d+)\s*\(", data)
             values = struct.iter_unpack("<3d", data[count.end():count.end() + 24 * int(count.group(1))])
@@ -251,7 +261,7 @@ class CommandLine(unittest.TestCase):
         out, report, case = self.folder / "layers.vtu", self.folder / "layers.json", self.folder / "layers"
         options = ["--layers", "1", "--layers", "Wall*=3:0.05:1.5", "--layers", "Site=0", "--report", report]
         run = self.atria("mesh", HOUSE, "-o", out, *COARSE, *options, "--openfoam", case)
-        self.assertIn(run.returncode, (0, 4), run.stderr)
+        self.assertEqual(run.returncode, expected_status(json.loads(report.read_text())), run.stderr)
         self.assertIn("WallSouth", run.stdout)
         layers = {entry["surface"]: entry for entry in json.loads(report.read_text())["layers"]}
         self.assertEqual(layers["WallSouth"]["layers"], 3)
@@ -366,11 +376,15 @@ class CommandLine(unittest.TestCase):
         case = self.folder / "case"
         run = self.atria("mesh", HOUSE, "-o", out, *COARSE, "--patches", patches, "--report", report,
                          "--openfoam", case, "--threads", "2")
-        self.assertIn(run.returncode, (0, 4), run.stderr)
         self.assertNotIn("\r", run.stderr)
         data = json.loads(report.read_text())
         self.assertEqual(list(data), REPORT_KEYS)
-        self.assertEqual(run.returncode, 4 if data["invalid_elements"] else 0)
+        self.assertEqual(run.returncode, expected_status(data), run.stderr)
+        for name, check in data["openfoam"]["checks"].items():
+            fails = check["is_error"] and check["failing"] > 0
+            self.assertEqual(f"check {name} fails" in run.stderr, fails, run.stderr)
+            self.assertEqual(f"{name} at {check['failing']} " in run.stdout, fails, run.stdout)
+            self.assertEqual(bool(check["advice"]), check["is_error"], name)
         counts = data["counts"]
         shapes = ["hexahedra", "wedges", "pyramids", "tetrahedra", "polyhedra"]
         self.assertEqual(list(counts), ["vertices", "elements", *shapes])
@@ -385,7 +399,7 @@ class CommandLine(unittest.TestCase):
         self.assertTrue((case / "constant" / "polyMesh" / "faces").exists())
 
         again = self.atria("quality", out, "--json")
-        self.assertEqual(again.returncode, run.returncode, again.stderr)
+        self.assertEqual(again.returncode, 4 if data["invalid_elements"] else 0, again.stderr)
         measured = json.loads(again.stdout)
         self.assertEqual(measured["counts"], counts)
         self.assertEqual(measured["quality"]["CellSquish"], data["quality"]["CellSquish"])
@@ -402,7 +416,9 @@ class CommandLine(unittest.TestCase):
 
     def test_quality_judges_as_checkmesh_does(self):
         mesh = self.small_mesh()
-        report = json.loads(self.atria("quality", mesh, "--json", "--checks").stdout)
+        run = self.atria("quality", mesh, "--json", "--checks")
+        report = json.loads(run.stdout)
+        self.assertEqual(run.returncode, 4 if report["invalid_elements"] else 5 if report["failed_checks"] else 0)
         failed = [name for name, check in report["checks"].items() if check["is_error"] and check["failing"]]
         self.assertLessEqual(report["failed_checks"], len(failed))
         self.assertIn("Concavity", report["checks"])
@@ -439,8 +455,12 @@ class CommandLine(unittest.TestCase):
         strict = ["--squish", 0.5, "--non-orthogonality", 40]
         run = self.atria("improve", mesh, "--patches", patches, "-o", better, "--patches-output", patches_then,
                          "--openfoam", case, "--json", *strict)
-        self.assertIn(run.returncode, (0, 4), run.stderr)
-        report = json.loads(run.stdout)
+        report, warnings, status = json.loads(run.stdout), run.stderr, run.returncode
+        failed = [name for name, check in report["openfoam"]["checks"].items() if check["is_error"] and check["failing"]]
+        self.assertEqual(status, 4 if report["after"]["invalid_elements"] else 5 if failed else 0, warnings)
+        self.assertEqual(len(warnings.splitlines()), len(failed), warnings)
+        for name in failed:
+            self.assertIn(f"check {name} fails", warnings)
         before, after = report["before"], report["after"]
         self.assertGreater(report["moved_points"], 0)
         self.assertLess(after["poor_elements"], before["poor_elements"])
@@ -458,8 +478,8 @@ class CommandLine(unittest.TestCase):
         self.refuses(2, ".vtu", "improve", mesh, "-o", self.folder / "better.vtk")
         alone = self.folder / "alone"
         run = self.atria("improve", mesh, "-o", again, "--openfoam", alone, *strict)
-        self.assertIn(run.returncode, (0, 4), run.stderr)
-        self.assertEqual(run.stderr, "")
+        self.assertEqual(run.returncode, status, run.stderr)
+        self.assertEqual(run.stderr.replace(str(alone), str(case)), warnings)
         self.assertEqual(again.read_bytes(), better.read_bytes())
         for name in ("points", "faces", "owner", "neighbour", "boundary"):
             self.assertEqual((alone / "constant/polyMesh" / name).read_bytes(), (case / "constant/polyMesh" / name).read_bytes())

@@ -27,6 +27,7 @@ CheckMeshReport checkAsWritten(const Meshed& meshed)
   EXPECT_EQ(writer->Write(), 1);
   CheckMeshReport report = runCheckMesh(scratch.path());
   EXPECT_TRUE(report.completed) << report.log;
+  EXPECT_EQ(writer->GetNumberOfFailedChecks(), report.failedChecks) << report.log;
   return report;
 }
 

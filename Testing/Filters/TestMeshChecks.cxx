@@ -5,6 +5,7 @@
 #include "Quality/Checks/CheckQuantities.h"
 #include "Quality/Checks/MeshChecks.h"
 #include "Support/CheckMesh.h"
+#include "Support/CheckWarnings.h"
 #include "Support/SampleGrid.h"
 #include "Support/TestPaths.h"
 #include "VtkFaceMesh.h"
@@ -84,7 +85,8 @@ protected:
     writer->MergeUnderdeterminedCellsOff();
     writer->MergeCoplanarFacesOff(); // ours are the checks of the mesh as it is
     EXPECT_EQ(writer->Write(), 1);
-    EXPECT_EQ(messages.takeWarnings().size(), patches ? 0u : 1u) << "of patches that were not given";
+    EXPECT_EQ(messages.takeWarnings("No patches were given").size(), patches ? 0u : 1u);
+    atria::testing::expectCheckWarnings(messages, writer->GetChecks());
     const CheckMeshReport report = atria::testing::runCheckMesh(scratch.path(), "-allGeometry");
     EXPECT_TRUE(report.completed) << report.log;
 
@@ -106,6 +108,7 @@ protected:
       ++failures;
     }
     EXPECT_EQ(verdict.failedChecks(), failures) << geometry;
+    EXPECT_EQ(writer->GetNumberOfFailedChecks(), failures) << geometry;
     return verdict;
   }
 

@@ -3,6 +3,7 @@
 #include "DualMesherTest.h"
 #include "Quality/Faces/Geometry.h"
 #include "Support/CheckMesh.h"
+#include "Support/CheckWarnings.h"
 #include "Support/TestPaths.h"
 #include "VtkFaceMesh.h"
 #include "vtkAtriaMeshQuality.h"
@@ -93,6 +94,7 @@ private:
     writer->SetMergeUnderdeterminedCells(mergeCells);
     writer->SetMergeCoplanarFaces(mergeFaces);
     ASSERT_EQ(writer->Write(), 1);
+    atria::testing::expectCheckWarnings(messages, writer->GetChecks());
     ASSERT_GT(volume()->GetNumberOfCells(), 0);
     mergedCells = writer->GetNumberOfMergedCells();
     addedCells = writer->GetNumberOfAddedCells();

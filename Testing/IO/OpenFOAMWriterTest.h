@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Support/CheckWarnings.h"
 #include "Support/SampleGrid.h"
 #include "Support/TestPaths.h"
 #include "Support/VtkErrorGuard.h"
@@ -38,9 +39,9 @@ protected:
     writer->SetMergeCoplanarFaces(mergeFaces);
     writer->SetMergeUnderdeterminedCells(mergeCells);
     const int written = writer->Write();
-    if (written && !patches)
+    if (written)
     {
-      EXPECT_THAT(messages.takeWarnings(), ::testing::ElementsAre(::testing::HasSubstr("No patches were given")));
+      expectWarnings(writer, !patches);
     }
     mergedCells = writer->GetNumberOfMergedCells();
     mergedFaces = writer->GetNumberOfMergedFaces();
@@ -56,12 +57,21 @@ protected:
     return text.str();
   }
 
+  /// One for each check that fails, and no other.
+  void expectWarnings(vtkAtriaOpenFOAMWriter* writer, bool lacksPatches)
+  {
+    EXPECT_EQ(messages.takeWarnings("No patches were given").size(), lacksPatches ? 1u : 0u);
+    failedChecks = expectCheckWarnings(messages, writer->GetChecks());
+    EXPECT_EQ(writer->GetNumberOfFailedChecks() > 0, failedChecks > 0);
+  }
+
   ScratchFolder scratch;
   /// Most tests ask for the cells and faces of the input, one by one.
   bool mergeCells = false;
   bool mergeFaces = false;
   vtkIdType mergedCells = 0;
   vtkIdType mergedFaces = 0;
+  int failedChecks = 0; ///< of what was written last
 };
 
 inline FaceMesh facesOf(const SampleMesh& mesh) { return makeFaceMesh(mesh.points, mesh.view()); }

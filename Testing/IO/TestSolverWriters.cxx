@@ -3,6 +3,7 @@
 #include "OpenFOAMCase.h"
 #include "SolverMeshFacts.h"
 #include "Support/CheckMesh.h"
+#include "Support/CheckWarnings.h"
 #include "Support/SampleGrid.h"
 #include "Support/TestPaths.h"
 #include "Support/VtkErrorGuard.h"
@@ -31,6 +32,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
+#include <type_traits>
 
 namespace {
 
@@ -85,7 +87,15 @@ protected:
     writer->SetInputDataObject(grid);
     writer->SetPatchesData(patches);
     writer->SetFileName(file(name).c_str());
-    return writer->Write();
+    const int written = writer->Write();
+    if constexpr (std::is_base_of_v<vtkAtriaPolyhedralMeshWriter, Writer>)
+    {
+      if (written != 0)
+      {
+        atria::testing::expectCheckWarnings(messages, writer->GetChecks());
+      }
+    }
+    return written;
   }
 
   /// With all cells and faces as they are.

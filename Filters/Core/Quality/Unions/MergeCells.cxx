@@ -83,13 +83,15 @@ public:
     for (const Index cell : candidates)
     {
       context.progress.check();
-      any = resolve(unions, cell) || any;
+      any = (!isKept(cell) && resolve(unions, cell)) || any;
     }
     context.progress.report(0.8, "Merging cells");
     return any ? renumber(unions) : MergedCells();
   }
 
 private:
+  bool isKept(Index cell) const { return std::binary_search(options.kept.begin(), options.kept.end(), cell); }
+
   /// Cells at walls whose internal faces do not look all ways; rising.
   std::vector<Index> findCandidates() const
   {
@@ -193,7 +195,7 @@ private:
     {
       for (const Index next : unions.neighborsOf(group.cells))
       {
-        if (unions.isSplit(next))
+        if (unions.isSplit(next) || isKept(next))
         {
           continue;
         }
@@ -212,7 +214,7 @@ private:
       }
     }
     std::sort(found.begin(), found.end(), [](const Group& a, const Group& b) { return a.rank() < b.rank(); });
-    found.resize(std::min(found.size(), options.kept));
+    found.resize(std::min(found.size(), options.tried));
     return found;
   }
 

@@ -20,7 +20,9 @@ struct MergeCellsOptions
   /// How many cells are made one at most.
   std::size_t most = 6;
   /// How many of the groups of cells that do not serve are tried with one cell more.
-  std::size_t kept = 12;
+  std::size_t tried = 12;
+  /// Cells that stay as they are; rising.
+  std::span<const Index> kept;
 };
 
 struct MergedCells

@@ -67,6 +67,13 @@ private:
     return isInternal(a) || patchOf.empty() || patchOf[a - internal] == patchOf[b - internal];
   }
 
+  bool isKept(Index cell) const { return std::binary_search(options.kept.begin(), options.kept.end(), cell); }
+
+  bool hasKeptCell(Index face) const
+  {
+    return isKept(mesh.owner[face]) || (isInternal(face) && isKept(mesh.neighbor[face]));
+  }
+
   double sineOf(Index face) const { return isInternal(face) ? options.internalSine : options.planarSine; }
 
   /// Whether they have the same owner and, if there is one, the same neighbor.
@@ -98,7 +105,7 @@ private:
   {
     return chosenNumbers(mesh.faceCount(), executor, [&](std::size_t f) {
       const auto face = static_cast<Index>(f);
-      return !(face > 0 && areOfOneRun(face - 1, face)) && hasCoplanar(face, endOfRun(face));
+      return !(face > 0 && areOfOneRun(face - 1, face)) && hasCoplanar(face, endOfRun(face)) && !hasKeptCell(face);
     });
   }
 
@@ -290,7 +297,7 @@ private:
         const auto own = loopOf(face);
         if (!contains(pair, face) && contains(own, point))
         {
-          if (!isInternal(face) || own.size() < 4 || besideIn(own, point) != beside)
+          if (!isInternal(face) || hasKeptCell(face) || own.size() < 4 || besideIn(own, point) != beside)
           {
             return std::nullopt;
           }

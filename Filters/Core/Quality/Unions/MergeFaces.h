@@ -22,6 +22,8 @@ struct MergeFacesOptions
   /// The same for internal faces. One of the cells that share two faces is concave however its points are placed, by
   /// little where it is else well-shaped. No patch changes with such faces, so they need not be as flat.
   double internalSine = 0.05;
+  /// Cells whose faces stay as they are; rising.
+  std::span<const Index> kept;
 };
 
 struct MergedFaces

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Quality/Unions/JudgedUnions.h"
+
+#include "Quality/Checks/CheckTexts.h"
+#include "Quality/Unions/MergeCells.h"
+#include "Quality/Unions/MergeFaces.h"
+#include "Support/Sorting.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <utility>
+
+namespace atria {
+
+namespace {
+
+/// What of each cell as it is now stems from unions.
+enum UnionPart : std::uint8_t
+{
+  noUnion = 0,
+  ofCells = 1,
+  ofFaces = 2
+};
+
+/// The cells that fail a check which is an error, or have faces that do.
+std::vector<bool> failingCells(const MeasuredMesh& mesh, const MeshVerdict& verdict)
+{
+  std::uint32_t errors = 0;
+  for (std::size_t i = 0; i < verdict.checks.size(); ++i)
+  {
+    errors |= verdict.checks[i].isError ? 1U << i : 0U;
+  }
+  const std::vector<std::uint32_t> failed = failedChecksOfCells(mesh, verdict);
+  std::vector<bool> fails(failed.size());
+  std::transform(failed.begin(), failed.end(), fails.begin(), [&](std::uint32_t bits) { return (bits & errors) != 0; });
+  return fails;
+}
+
+class UnionJudge
+{
+public:
+  UnionJudge(const std::function<FaceMesh()>& meshSource, std::span<const Index> patchOfFace,
+             const UnionOptions& unionOptions, const RunContext& within)
+      : makeMesh(meshSource), patchOf(patchOfFace), options(unionOptions), context(within)
+  {
+  }
+
+  JudgedMesh run()
+  {
+    FaceMesh start = makeMesh();
+    for (double left = 1.0;; left *= 0.5)
+    {
+      const RunContext round = context.part(1.0 - left, 1.0 - 0.5 * left);
+      JudgedMesh now = unite(std::move(start), round);
+      const MeasuredMesh measured = measureMesh(now.mesh, round.part(0.5, 0.6));
+      now.verdict = checkMesh(measured, round.part(0.6, 0.8));
+      if ((now.cellOf.empty() && now.faceOf.empty()) || now.verdict.ok() ||
+          !keepSound(measured, now, round.part(0.8, 1.0)))
+      {
+        now.failures = failureTexts(measured, now.verdict);
+        return now;
+      }
+      start = source;
+    }
+  }
+
+private:
+  JudgedMesh unite(FaceMesh&& mesh, const RunContext& round) const
+  {
+    JudgedMesh now;
+    now.mesh = std::move(mesh);
+    const std::size_t internalBefore = now.mesh.internalFaceCount();
+    if (options.mergeCells)
+    {
+      MergeCellsOptions merging;
+      merging.kept = keptCells;
+      MergedCells cells = mergeUnderdeterminedCells(now.mesh, patchOf, round.part(0.0, 0.3), merging);
+      now.cellOf = std::move(cells.cellOf);
+      now.added = std::move(cells.added);
+      now.faceOf = std::move(cells.faceOf);
+      now.mergedCells = cells.count;
+    }
+    if (options.mergeFaces)
+    {
+      MergeFacesOptions merging;
+      std::vector<Index> kept = keptFaces;
+      std::ranges::transform(kept, kept.begin(),
+                             [&](Index cell) { return now.cellOf.empty() ? cell : now.cellOf[cell]; });
+      sortUnique(kept);
+      merging.kept = kept;
+      const MergedFaces faces =
+          mergeCoplanarFaces(now.mesh, patchNow(now, internalBefore), round.part(0.3, 0.5), merging);
+      now.mergedFaces = faces.count;
+      follow(now.faceOf, faces);
+    }
+    return now;
+  }
+
+  /// `patchOf` once cells were merged.
+  std::vector<Index> patchNow(const JudgedMesh& now, std::size_t internalBefore) const
+  {
+    std::vector<Index> patches(patchOf.begin(), patchOf.end());
+    const std::size_t internal = now.mesh.internalFaceCount();
+    for (std::size_t i = 0; !now.faceOf.empty() && i < patchOf.size(); ++i)
+    {
+      patches[now.faceOf[internalBefore + i] - internal] = patchOf[i];
+    }
+    return patches;
+  }
+
+  static void follow(std::vector<Index>& faceOf, const MergedFaces& faces)
+  {
+    if (faceOf.empty())
+    {
+      faceOf = faces.faceOf;
+      return;
+    }
+    for (Index& face : faceOf)
+    {
+      face = face == noIndex ? noIndex : faces.nowOf(face);
+    }
+  }
+
+  /// Has sound cells whose union, or what is beside it, fails kept as they were in the next round; whether there are.
+  bool keepSound(const MeasuredMesh& measured, const JudgedMesh& now, const RunContext& within)
+  {
+    judgeSource(within);
+    const std::vector<bool> fails = failingCells(measured, now.verdict);
+    const std::vector<bool> sound = soundBefore(now);
+    const std::vector<std::uint8_t> parts = partsOf(now);
+    std::vector<Index> undone;
+    for (Index cell = 0; cell < fails.size(); ++cell)
+    {
+      if (fails[cell] && sound[cell])
+      {
+        parts[cell] != noUnion ? undone.push_back(cell) : addUnionsBeside(measured, cell, parts, undone);
+      }
+    }
+    std::erase_if(undone, [&](Index cell) { return !sound[cell]; });
+    sortUnique(undone);
+    return keep(undone, parts, now);
+  }
+
+  /// Of the mesh without unions.
+  void judgeSource(const RunContext& within)
+  {
+    if (failedBefore.empty())
+    {
+      source = makeMesh();
+      const MeasuredMesh measured = measureMesh(source, within.part(0.0, 0.3));
+      failedBefore = failingCells(measured, checkMesh(measured, within.part(0.3, 1.0)));
+    }
+  }
+
+  /// By cell as it is now, whether none of the cells that it was made of failed.
+  std::vector<bool> soundBefore(const JudgedMesh& now) const
+  {
+    std::vector<bool> sound(now.mesh.cellCount, true);
+    for (Index cell = 0; cell < failedBefore.size(); ++cell)
+    {
+      sound[cellNow(now, cell)] = sound[cellNow(now, cell)] && !failedBefore[cell];
+    }
+    for (std::size_t i = 0; i < now.added.size(); ++i)
+    {
+      sound[now.mesh.cellCount - now.added.size() + i] = sound[now.added[i]];
+    }
+    return sound;
+  }
+
+  static Index cellNow(const JudgedMesh& now, Index cell) { return now.cellOf.empty() ? cell : now.cellOf[cell]; }
+
+  /// By cell as it is now.
+  std::vector<std::uint8_t> partsOf(const JudgedMesh& now) const
+  {
+    std::vector<std::uint8_t> parts(now.mesh.cellCount, noUnion);
+    markCells(now, parts);
+    std::vector<std::uint8_t> uses(now.mesh.faceCount(), 0);
+    for (const Index face : now.faceOf)
+    {
+      if (face != noIndex && uses[face]++ == 1)
+      {
+        parts[now.mesh.owner[face]] |= ofFaces;
+        if (face < now.mesh.internalFaceCount())
+        {
+          parts[now.mesh.neighbor[face]] |= ofFaces;
+        }
+      }
+    }
+    return parts;
+  }
+
+  static void markCells(const JudgedMesh& now, std::vector<std::uint8_t>& parts)
+  {
+    std::vector<bool> seen(now.mesh.cellCount, false);
+    for (const Index cell : now.cellOf)
+    {
+      parts[cell] |= seen[cell] ? ofCells : noUnion;
+      seen[cell] = true;
+    }
+    for (std::size_t i = 0; i < now.added.size(); ++i)
+    {
+      parts[now.added[i]] |= ofCells;
+      parts[now.mesh.cellCount - now.added.size() + i] |= ofCells;
+    }
+  }
+
+  static void addUnionsBeside(const MeasuredMesh& measured, Index cell, const std::vector<std::uint8_t>& parts,
+                              std::vector<Index>& found)
+  {
+    const FaceMesh& mesh = measured.mesh;
+    for (const Index face : measured.cellFaces.of(cell))
+    {
+      for (const Index beside : {mesh.owner[face], face < mesh.internalFaceCount() ? mesh.neighbor[face] : cell})
+      {
+        if (parts[beside] != noUnion)
+        {
+          found.push_back(beside);
+        }
+      }
+    }
+  }
+
+  /// Of a cell that is a union only this is undone at first, and not that of its faces. Whether anything is undone.
+  bool keep(const std::vector<Index>& undone, const std::vector<std::uint8_t>& parts, const JudgedMesh& now)
+  {
+    std::vector<bool> isUndone(now.mesh.cellCount, false);
+    for (const Index cell : undone)
+    {
+      isUndone[cell] = true;
+    }
+    for (std::size_t i = 0; i < now.added.size(); ++i)
+    {
+      if (isUndone[now.mesh.cellCount - now.added.size() + i])
+      {
+        isUndone[now.added[i]] = true;
+      }
+    }
+    const std::size_t keptBefore = keptCells.size() + keptFaces.size();
+    for (Index cell = 0; cell < failedBefore.size(); ++cell)
+    {
+      const Index at = cellNow(now, cell);
+      if (isUndone[at])
+      {
+        ((parts[at] & ofCells) != 0 ? keptCells : keptFaces).push_back(cell);
+      }
+    }
+    sortUnique(keptCells);
+    sortUnique(keptFaces);
+    return keptCells.size() + keptFaces.size() > keptBefore;
+  }
+
+  const std::function<FaceMesh()>& makeMesh;
+  std::span<const Index> patchOf;
+  const UnionOptions& options;
+  const RunContext& context;
+  FaceMesh source;                ///< without unions, once they have to be judged
+  std::vector<bool> failedBefore; ///< cell by cell of it
+  std::vector<Index> keptCells;   ///< that are not made one with others, nor cut; rising
+  std::vector<Index> keptFaces;   ///< cells whose faces are not merged; rising
+};
+
+} // namespace
+
+JudgedMesh uniteAndJudge(const std::function<FaceMesh()>& makeMesh, std::span<const Index> patchOf,
+                         const UnionOptions& options, const RunContext& context)
+{
+  return UnionJudge(makeMesh, patchOf, options, context).run();
+}
+
+} // namespace atria
