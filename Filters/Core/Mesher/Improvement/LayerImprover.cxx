@@ -169,10 +169,11 @@ std::vector<ShortCell> LayerImprover::move(const std::vector<ShortCell>& cells, 
   return left;
 }
 
-/// Those that are clearly short: the others are good enough, and there are many. In uniform meshes all are to be good.
+/// Under layers those that are clearly short: the others are good enough, and there are many. In uniform meshes all are
+/// to be good, and without layers determinants gain by it.
 std::vector<ShortCell> LayerImprover::improve(std::vector<ShortCell> cells)
 {
-  std::erase_if(cells, [&](const ShortCell& cell) { return !uniform_ && cell.worst >= clearlyShort; });
+  std::erase_if(cells, [&](const ShortCell& cell) { return layered_ && !uniform_ && cell.worst >= clearlyShort; });
   OptimizerOptions options;
   options.targets = targets();
   options.leastPenalty = 0.01; // about a tenth short of a target: good enough where cells are far from their limits
