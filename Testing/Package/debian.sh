@@ -96,7 +96,8 @@ use_unpacked() {
     esac
   done
   "$use" vtk "$debian/unpacked"
-  ATRIA_PVPYTHON=$paraview/usr/bin/pvpython "$use" paraview "$debian/unpacked-paraview"
+  # The plugin's panels need libraries of ParaView's window, which an installed ParaView has where the loader looks.
+  LD_LIBRARY_PATH=$(echo "$paraview"/usr/lib/*-linux-gnu) ATRIA_PVPYTHON=$paraview/usr/bin/pvpython "$use" paraview "$debian/unpacked-paraview"
   rm -rf "$debian/unpacked" "$debian/unpacked-paraview"
 }
 

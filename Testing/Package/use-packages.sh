@@ -8,7 +8,7 @@ prefix=${2:-}
 examples=$prefix/usr/share/doc/atria-doc/examples
 if [ -n "$prefix" ]; then
   libraries=$(echo "$prefix"/usr/lib/*-linux-gnu)
-  export LD_LIBRARY_PATH=$libraries PYTHONPATH=$prefix/usr/lib/python3/dist-packages
+  export LD_LIBRARY_PATH=$libraries${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH} PYTHONPATH=$prefix/usr/lib/python3/dist-packages
   export CMAKE_PREFIX_PATH=$prefix/usr PATH=$prefix/usr/bin:$PATH
 fi
 work=$(mktemp -d)
