@@ -5,11 +5,13 @@
 
 namespace {
 
-std::vector<std::string> wordsFor(const std::vector<std::string>& names)
+std::vector<std::string> wordsFor(const std::vector<std::string>& names,
+                                  const atria::NameRules& rules = atria::openFOAMNames)
 {
   std::vector<std::string> words;
-  for (const atria::PatchName& name : atria::makePatchNames(names, atria::openFOAMNames))
+  for (const atria::PatchName& name : atria::makePatchNames(names, rules))
   {
+    EXPECT_LE(name.word.size(), rules.longest);
     words.push_back(name.word);
   }
   return words;
@@ -76,17 +78,6 @@ TEST(PatchNames, APatchOfTheGroupsNameLeavesNoGroup)
   const auto made = atria::makePatchNames(names, atria::openFOAMNames);
   EXPECT_EQ(made[0].group, "");
   EXPECT_EQ(made[2].word, "sheet");
-}
-
-std::vector<std::string> wordsFor(const std::vector<std::string>& names, const atria::NameRules& rules)
-{
-  std::vector<std::string> words;
-  for (const atria::PatchName& name : atria::makePatchNames(names, rules))
-  {
-    EXPECT_LE(name.word.size(), rules.longest);
-    words.push_back(name.word);
-  }
-  return words;
 }
 
 TEST(PatchNames, AreNoLongerThanTheFormatTakesAndStillUnique)
