@@ -4,6 +4,8 @@
 #include "Console.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iomanip>
 #include <sstream>
 #include <vector>
 
@@ -19,13 +21,16 @@ std::string sizeText(std::size_t elements, double volume)
   return text.str();
 }
 
+/// The point as short as it can be typed: to a hundredth of an element.
 std::string seedText(const Json& zone)
 {
+  const double size = std::cbrt(zone["rough_volume"].get<double>() / zone["elements"].get<double>());
+  const double step = std::pow(10.0, std::floor(std::log10(size / 100.0)));
   std::ostringstream text;
-  text << "--seed";
+  text << "--seed" << std::setprecision(12);
   for (const Json& coordinate : zone["inside"])
   {
-    text << ' ' << coordinate;
+    text << ' ' << std::round(coordinate.get<double>() / step) * step;
   }
   return text.str();
 }

@@ -41,6 +41,7 @@ constexpr std::array optionOf{
     std::pair{"LayerGrowth", "--layer-growth"},
     std::pair{"LengthUnit", "--unit"},
     std::pair{"UpAxis", "--up"},
+    std::pair{"SurfaceBy", "--surfaces-by"},
     std::pair{"Recenter", "--recenter"},
     std::pair{"check Scale", "check --scale"},
     std::pair{"set Scale", "give --scale"},

@@ -188,15 +188,19 @@ void judgeUnit(const Scene& scene, const std::string& head, const std::vector<st
 }
 
 /// Ground, floors and roofs share one axis, walls have the two others. Where the first is y, and the model is flat
-/// along it, it was drawn y up.
-bool looksYUp(const Scene& scene, const Vec3& size)
+/// along it, it was drawn y up. Walls are compared with what stands on the ground, which can be of any size.
+bool looksYUp(const Scene& scene, const Box3& box)
 {
+  const Vec3 size = box.size();
   if (!(size.y() < 0.6 * std::min(size.x(), size.z())))
   {
     return false;
   }
   Vec3 area = Vec3::Zero();
   double all = 0.0;
+  Box3 ground;
+  double groundArea = 0.0;
+  const double groundLevel = box.min.y() + 1e-3 * size.y();
   for (const auto& [a, b, c] : scene.triangles)
   {
     const Vec3 n = (scene.points[b] - scene.points[a]).cross(scene.points[c] - scene.points[a]);
@@ -205,12 +209,29 @@ bool looksYUp(const Scene& scene, const Vec3& size)
     const bool along = n.cwiseAbs().maxCoeff(&axis) > 0.99 * length;
     area[axis] += along ? length : 0.0;
     all += length;
+    if (along && axis == 1 && scene.points[a].y() < groundLevel)
+    {
+      groundArea += length;
+      for (const Index p : {a, b, c})
+      {
+        ground.extend(scene.points[p]);
+      }
+    }
   }
-  return area.y() > 0.4 * all && area.x() > 0.03 * all && area.z() > 0.03 * all &&
-         area.y() > 1.5 * std::max(area.x(), area.z());
+  const bool underAll = !ground.empty() && ground.size().x() > 0.99 * size.x() && ground.size().z() > 0.99 * size.z();
+  const double least = 0.03 * (underAll ? all - groundArea : all);
+  return area.y() > 0.4 * all && area.x() > least && area.z() > least && area.y() > 1.5 * std::max(area.x(), area.z());
 }
 
-void judgeUpAxis(const Scene& scene, const std::vector<std::string_view>& words, const Vec3& size,
+/// id and a number, as SketchUp names what is in its groups.
+bool isNumbered(const std::string& name)
+{
+  const std::string text = lowered(name);
+  return text.size() > 2 && text.compare(0, 2, "id") == 0 &&
+         std::all_of(text.begin() + 2, text.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
+}
+
+void judgeUpAxis(const Scene& scene, const std::vector<std::string_view>& words, const Box3& box,
                  std::vector<std::string>& hints)
 {
   const std::string advice = "; z is taken to be up: state which is (UpAxis, --up), if only z";
@@ -218,7 +239,7 @@ void judgeUpAxis(const Scene& scene, const std::vector<std::string_view>& words,
   {
     hints.push_back("the file mentions that y is up" + advice);
   }
-  else if (looksYUp(scene, size))
+  else if (looksYUp(scene, box))
   {
     hints.push_back("most horizontal faces would be walls, as if y were up" + advice);
   }
@@ -242,7 +263,7 @@ std::vector<std::string> hintsOf(const Scene& scene, std::string_view head, cons
   }
   if (!stated.upAxis)
   {
-    judgeUpAxis(scene, words, box.size(), hints);
+    judgeUpAxis(scene, words, box, hints);
   }
   // Single precision, which viewers and some solvers use, has seven digits.
   constexpr double far = 1e5;
@@ -254,6 +275,37 @@ std::vector<std::string> hintsOf(const Scene& scene, std::string_view head, cons
         " m from the origin, where single precision loses centimeters; Recenter or --recenter moves it there");
   }
   return hints;
+}
+
+std::string hintAtGroupNames(const Scene& scene)
+{
+  std::vector<std::string> groups;
+  for (const Shape& shape : scene.shapes)
+  {
+    const std::string& group = shape.group == noIndex ? std::string() : scene.groups[shape.group].name;
+    if (!isNumbered(shape.name) || isNumbered(group))
+    {
+      return {};
+    }
+    if (!group.empty() && std::find(groups.begin(), groups.end(), group) == groups.end())
+    {
+      groups.push_back(group);
+    }
+  }
+  if (groups.size() < 2)
+  {
+    return {};
+  }
+  const std::string more = groups.size() > 3 ? " and " + std::to_string(groups.size() - 3) + " more" : "";
+  groups.resize(std::min<std::size_t>(groups.size(), 3));
+  std::string names;
+  for (const std::string& group : groups)
+  {
+    names += (names.empty() ? "" : ", ") + group;
+  }
+  return "surfaces are called '" + scene.shapes.front().name +
+         "' and the like; the groups that hold them have names (" + names + more +
+         "): take those (SurfaceBy, --surfaces-by group)";
 }
 
 } // namespace atria::vrml

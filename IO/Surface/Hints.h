@@ -22,4 +22,8 @@ struct Stated
 /// that single precision loses centimeters. `scene` is as placed. Sentences; nothing is changed by them.
 std::vector<std::string> hintsOf(const Scene& scene, std::string_view head, const Stated& stated);
 
+/// Where shapes have numbers for names, as SketchUp gives them (id1, id2), and groups have words: a sentence that says
+/// how these become the names of surfaces. Empty else.
+std::string hintAtGroupNames(const Scene& scene);
+
 } // namespace atria::vrml

@@ -270,6 +270,10 @@ bool vtkAtriaSurfaceReader::ReadModel(vtkPolyData* output, atria::vrml::Diagnost
   }
   progress.report(0.95, "Naming surfaces");
   scene.faceIds = {};
+  if (const std::string hint = vrml::hintAtGroupNames(scene); this->SurfaceBy == Shape && !hint.empty())
+  {
+    diagnostics.warn(source.name + ": " + hint);
+  }
   auto surfaces = vrml::makeSurfaces(scene, static_cast<vrml::SurfaceBy>(this->SurfaceBy), this->SplitAngle);
   if (!this->ExcludedSurfaces.empty())
   {

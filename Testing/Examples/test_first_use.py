@@ -53,6 +53,15 @@ class FirstUse(unittest.TestCase):
         self.assertGreaterEqual(high, 4 * mid)
         elements = int(re.search(r"^elements +(\d+)", run.stdout, re.MULTILINE).group(1))
         self.assertTrue(10_000 < elements < 1_000_000, elements)
+        self.assertRegex(run.stderr, r"--seed( -?\d+(\.\d{1,3})?){3} means it")
+
+    def test_sketchups_model_is_told_from_one_in_meters(self):
+        run = self.atria("inspect", HOUSE.parent / "sketchup_house.wrl")
+        for option in ("--unit", "--up", "--surfaces-by group"):
+            self.assertRegex(run.stderr, rf"warning: sketchup_house.wrl: .*{option}\b")
+        run = self.atria("inspect", HOUSE.parent / "sketchup_house.wrl", "--unit", "in", "--up", "y", "--surfaces-by", "group")
+        self.assertNotIn("warning", run.stderr)
+        self.assertIn("WallSouth", run.stdout)
 
     def test_sizes_follow_the_model(self):
         mids = []

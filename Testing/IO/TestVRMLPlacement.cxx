@@ -261,7 +261,30 @@ TEST_F(VRMLPlacement, HintsAtTheAxisThatIsUp)
                            "Transform { translation 30 8 0 children " + box(10, 15, 30) + " }";
   EXPECT_NE(hints(site).find("as if y were up"), std::string::npos);
   EXPECT_EQ(hints("Transform { rotation 1 0 0 1.5707963267948966 children [" + site + "] }"), "");
+  // Ground that is a hundred times as large as all walls, and the same with z up.
+  const std::string ground =
+      "Shape { geometry IndexedFaceSet { coord Coordinate { point [-900 -1 -900, -900 -1 900, 900 -1 "
+      "900, 900 -1 -900] } coordIndex [0 1 2 3] } }" +
+      site;
+  EXPECT_NE(hints(ground).find("as if y were up"), std::string::npos);
+  EXPECT_EQ(hints("Transform { rotation 1 0 0 1.5707963267948966 children [" + ground + "] }"), "");
   EXPECT_NE(hints("# up axis: y\n" + box(9, 9, 9)).find("mentions that y is up"), std::string::npos);
+}
+
+TEST_F(VRMLPlacement, HintsAtNamesOfGroupsWhereShapesHaveNumbers)
+{
+  const auto group = [](const std::string& name, const std::string& shape, double x) {
+    return "DEF " + name + " Transform { translation " + std::to_string(x) + " 0 0 children " +
+           faceSet(shape, square, "0 1 2 3") + " }\n";
+  };
+  const std::string said = hints(group("Floor", "id1", 0) + group("Wall", "ID12", 3) + group("Wall", "id3", 6));
+  EXPECT_NE(said.find("(Floor, Wall): take those (SurfaceBy, --surfaces-by group)"), std::string::npos) << said;
+  EXPECT_EQ(hints(group("Floor", "id1", 0) + group("Wall", "Brick", 3)), "") << "a name of its own";
+  EXPECT_EQ(hints(group("id7", "id1", 0) + group("id8", "id2", 3)), "") << "groups have numbers, too";
+  EXPECT_EQ(hints(group("House", "id1", 0) + group("House", "id2", 3)), "") << "one name says less than numbers";
+  const VRMLModel model = read(group("Floor", "id1", 0) + group("Wall", "id2", 3),
+                               [](vtkAtriaVRMLReader& reader) { reader.SetSurfaceByToGroup(); });
+  EXPECT_TRUE(model.warnings().empty()) << joined(model.warnings());
 }
 
 TEST_F(VRMLPlacement, HintsAtModelsFarFromTheOrigin)

@@ -256,8 +256,8 @@ private:
         }
       }
     }
-    addNote({"PointDistance", "nearPoints", false, false, std::sqrt(limit)},
-            near.empty() ? notANumber : std::sqrt(least), std::move(near));
+    const double worst = near.empty() ? notANumber : std::sqrt(least);
+    addNote({"PointDistance", "nearPoints", false, false, std::sqrt(limit)}, worst, std::move(near));
   }
 
   const MeasuredMesh& m;
