@@ -35,7 +35,7 @@ fi
 
 # In the order in which they are read.
 rooms=(Support Grid
-  Surface/Triangles Surface/Search Surface/Triangulation Surface/Repair Surface/Model Surface/Inspection
+  Surface/Triangles Surface/Search Surface/Triangulation Surface/Repair Surface/Model Surface/Openings Surface/Inspection
   Domain
   Octree/Search Octree/Tree Octree/Sizing
   Dual/Mesh Dual/Grid Dual/Leaf Dual/Zones Dual/Displacement Dual/Vertices

@@ -10,6 +10,7 @@
 #include <Surface/Inspection/Inspection.h>
 #include <Surface/Inspection/Problems.h>
 
+#include <vtkAtriaDualMesher.h>
 #include <vtkAtriaFeatureGraph.h>
 #include <vtkAtriaSurfaceReader.h>
 #include <vtkCellArray.h>
@@ -46,6 +47,7 @@ struct InspectOptions
   double atSize = 0.0;
   bool json = false;
   bool noProblems = false;
+  bool openings = false;
 };
 
 /// The reader's output, which is triangles only.
@@ -317,6 +319,48 @@ void writeFeatures(const std::string& file, vtkAtriaSurfaceReader* reader, Conso
   writePolyData(file, vtkPolyData::SafeDownCast(features->GetOutputDataObject(0)), console);
 }
 
+/// What the model's openings and rooms are at sizes that suit it, or at those asked for. The mesh has them.
+Json roomsAt(double size, const std::string& file, vtkAtriaSurfaceReader* reader, Console& console)
+{
+  vtkNew<vtkAtriaDualMesher> mesher;
+  mesher->SetInputConnection(0, reader->GetOutputPort());
+  mesher->SetFindOpenings(true);
+  mesher->SetNumberOfLayers(0);
+  if (size > 0.0)
+  {
+    mesher->SetSizeMin(size);
+    mesher->SetSizeMid(2.0 * size);
+    mesher->SetSizeMax(8.0 * size);
+  }
+  else
+  {
+    mesher->SuggestSizes();
+    throwIfErrors(console, BadInput, file);
+  }
+  console.follow(mesher, 0.05, 0.9);
+  updateOrFail(mesher, file, console);
+  auto* diagnostics = vtkPolyData::SafeDownCast(mesher->GetOutputDataObject(2));
+  return {{"openings", openingsOf(diagnostics)}, {"rooms", roomsOf(diagnostics)}};
+}
+
+std::string nameOf(const Json& room) { return room.is_null() ? "-" : room.get<std::string>(); }
+
+void printRooms(const Json& found)
+{
+  std::printf("\n%-32s %12s  %s\n", "opening", "area", "between");
+  for (const Json& opening : found["openings"])
+  {
+    std::printf("%-32s %12.5g  %s, %s\n", opening["name"].get<std::string>().c_str(), opening["area"].get<double>(),
+                nameOf(opening["rooms"][0]).c_str(), nameOf(opening["rooms"][1]).c_str());
+  }
+  std::printf("\n%-32s %12s %12s %9s\n", "room", "volume", "floor area", "openings");
+  for (const Json& room : found["rooms"])
+  {
+    std::printf("%-32s %12.5g %12.5g %9zu\n", room["name"].get<std::string>().c_str(), room["volume"].get<double>(),
+                room["floor_area"].get<double>(), room["openings"].size());
+  }
+}
+
 ExitStatus runInspect(const InspectOptions& options, Console& console)
 {
   if (!options.features.empty())
@@ -334,6 +378,7 @@ ExitStatus runInspect(const InspectOptions& options, Console& console)
   const std::vector<Problem> problems =
       looksForProblems ? findProblems(surface, options, console) : std::vector<Problem>{};
   const Json hidden = options.atSize > 0.0 ? hiddenAt(options.atSize, surface, console) : Json();
+  const Json rooms = options.openings ? roomsAt(options.atSize, options.file, reader, console) : Json();
   console.clearBar();
   if (options.json)
   {
@@ -342,6 +387,10 @@ ExitStatus runInspect(const InspectOptions& options, Console& console)
     if (options.atSize > 0.0)
     {
       report["hidden_detail"] = hidden;
+    }
+    if (options.openings)
+    {
+      report.update(rooms);
     }
     std::cout << report.dump(2) << '\n';
   }
@@ -352,6 +401,10 @@ ExitStatus runInspect(const InspectOptions& options, Console& console)
     if (looksForProblems)
     {
       printProblems(problems, surface, digitsOf(inspection.total.bounds));
+    }
+    if (options.openings)
+    {
+      printRooms(rooms);
     }
     if (options.atSize > 0.0)
     {
@@ -388,6 +441,10 @@ void addInspectCommand(CLI::App& app, Console& console, ExitStatus& status)
       ->check(atLeast(0.0))
       ->type_name("M");
   command->add_flag("--no-problems", options->noProblems, "List surfaces only, which is quicker");
+  command->add_flag(
+      "--openings", options->openings,
+      "Also list windows, doors and hatches, and the rooms they join, as a mesh of --at-size has them, or "
+      "of sizes that suit the model");
   command->add_flag("--json", options->json, "Print JSON");
   command->callback([options, &console, &status] { status = runInspect(*options, console); });
 }

@@ -55,6 +55,8 @@ Json makeReport(vtkAtriaDualMesher* mesher, vtkAtriaMeshQuality* quality, const 
   Json report;
   report["counts"] = countsOf(mesh);
   report["zones"] = zonesOf(mesh, diagnostics);
+  report["rooms"] = roomsOf(diagnostics);
+  report["openings"] = openingsOf(diagnostics);
   report["leaks"] = leaksOf(diagnostics);
   report["patches"] = patchesOf(vtkPartitionedDataSetCollection::SafeDownCast(mesher->GetOutputDataObject(1)));
   report["quality"] = qualityOf(vtkTable::SafeDownCast(quality->GetOutputDataObject(1)));

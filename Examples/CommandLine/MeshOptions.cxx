@@ -110,6 +110,34 @@ void declareFluid(CLI::App& command, MeshOptions& options)
       ->type_name("X Y Z");
 }
 
+void declareZones(CLI::App& command, MeshOptions& options)
+{
+  auto* openings = command.add_flag("--openings", options.openings,
+                                    "Find windows, doors, hatches and gaps between walls: each is a face zone "
+                                    "SURFACE_opening_N, and they part rooms, "
+                                    "which are cell zones");
+  command
+      .add_option("--no-openings", options.withoutOpenings,
+                  "Surfaces in which none are found, by pattern, such as furniture; may be repeated")
+      ->needs(openings)
+      ->allow_extra_args(false)
+      ->type_name("PATTERN");
+  command
+      .add_option(
+          "--face-zone", options.faceZones,
+          "Surfaces one can look through, by pattern (* and ? stand for text): the mesh conforms to them, but they "
+          "separate nothing; their faces are a face zone; may be repeated")
+      ->allow_extra_args(false)
+      ->type_name("PATTERN");
+  command
+      .add_option(
+          "--cell-zone", options.cellZones,
+          "Closed surfaces, by pattern, that are no walls, such as trees: elements in them are a cell zone; may be "
+          "repeated")
+      ->allow_extra_args(false)
+      ->type_name("PATTERN");
+}
+
 void declareRepair(CLI::App& command, MeshOptions& options)
 {
   vtkNew<vtkAtriaDualMesher> mesher; // the one home of the defaults
@@ -182,6 +210,8 @@ void declareMeshOptions(CLI::App& command, MeshOptions& options)
   declareDomain(command, options);
   group("Fluid");
   declareFluid(command, options);
+  group("Face zones and rooms");
+  declareZones(command, options);
   group("Layers on walls");
   declareLayerOptions(command, options.layers);
   group("Repair");
@@ -261,6 +291,19 @@ void configureGrid(vtkAtriaGridAlgorithm* filter, const MeshOptions& options)
     filter->SetSizeMin(*options.sizeMin);
   }
   configureSizes(filter, options.sizes);
+  for (const std::string& pattern : options.faceZones)
+  {
+    filter->AddFaceZone(pattern.c_str());
+  }
+  filter->SetFindOpenings(options.openings);
+  for (const std::string& pattern : options.withoutOpenings)
+  {
+    filter->AddSurfaceWithoutOpenings(pattern.c_str());
+  }
+  for (const std::string& pattern : options.cellZones)
+  {
+    filter->AddCellZone(pattern.c_str());
+  }
   filter->SetGapTolerance(options.gap);
   filter->SetSmallPartSize(options.smallParts);
   if (!options.domain.empty())

@@ -46,6 +46,10 @@ struct MeshOptions
   std::string zone = "outside";
   std::vector<std::tuple<double, double, double>> seeds;
   std::vector<std::tuple<double, double, double>> sealedSeeds;
+  std::vector<std::string> faceZones;
+  std::vector<std::string> cellZones;
+  bool openings = false;
+  std::vector<std::string> withoutOpenings;
   std::string patches;
   ExportOptions exports;
   std::string report;

@@ -160,6 +160,41 @@ Json zonesOf(vtkUnstructuredGrid* meshWithQuality, vtkPolyData* diagnostics)
   return list;
 }
 
+Json roomsOf(vtkPolyData* diagnostics)
+{
+  vtkFieldData* fields = diagnostics->GetFieldData();
+  vtkStringArray* names = stringsOf(diagnostics, "RoomName");
+  Json list = Json::array();
+  for (vtkIdType i = 0; names && i < names->GetNumberOfValues(); ++i)
+  {
+    list.push_back({{"name", names->GetValue(i)},
+                    {"volume", fields->GetArray("RoomVolume")->GetTuple1(i)},
+                    {"floor_area", fields->GetArray("RoomFloorArea")->GetTuple1(i)},
+                    {"openings", linesOf(stringsOf(diagnostics, "RoomOpenings")->GetValue(i))}});
+  }
+  return list;
+}
+
+Json openingsOf(vtkPolyData* diagnostics)
+{
+  vtkFieldData* fields = diagnostics->GetFieldData();
+  vtkStringArray* names = stringsOf(diagnostics, "OpeningName");
+  vtkStringArray* rooms = stringsOf(diagnostics, "RoomName");
+  Json list = Json::array();
+  for (vtkIdType i = 0; names && i < names->GetNumberOfValues(); ++i)
+  {
+    const auto room = [&](int side) {
+      const auto id = static_cast<vtkIdType>(fields->GetArray("OpeningRooms")->GetComponent(i, side));
+      return id < 0 ? Json() : Json(rooms->GetValue(id));
+    };
+    list.push_back({{"name", names->GetValue(i)},
+                    {"surface", stringsOf(diagnostics, "OpeningSurface")->GetValue(i)},
+                    {"area", fields->GetArray("OpeningArea")->GetTuple1(i)},
+                    {"rooms", {room(0), room(1)}}});
+  }
+  return list;
+}
+
 Json leaksOf(vtkPolyData* diagnostics)
 {
   vtkStringArray* kinds = stringsOf(diagnostics, "DiagnosticName");
@@ -191,13 +226,19 @@ Json patchesOf(vtkPartitionedDataSetCollection* patches)
   {
     vtkIdType faces = 0;
     double area = 0.0;
+    bool isFaceZone = false;
     for (unsigned int j = 0; j < patches->GetNumberOfPartitions(i); ++j)
     {
       if (auto* part = vtkPolyData::SafeDownCast(patches->GetPartition(i, j)))
       {
         faces += part->GetNumberOfCells();
         area += areaOf(part);
+        isFaceZone = isFaceZone || part->GetCellData()->HasArray("NeighborCellId") != 0;
       }
+    }
+    if (isFaceZone)
+    {
+      continue;
     }
     const bool named = patches->HasMetaData(i) && patches->GetMetaData(i)->Has(vtkCompositeDataSet::NAME());
     const char* name = named ? patches->GetMetaData(i)->Get(vtkCompositeDataSet::NAME()) : "";

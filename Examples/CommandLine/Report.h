@@ -31,10 +31,15 @@ Json countsOf(vtkUnstructuredGrid* mesh);
 /// diagnostics. The volume is from the cell arrays ZoneId and Volume, and null for zones that are not in the mesh.
 Json zonesOf(vtkUnstructuredGrid* meshWithQuality, vtkPolyData* diagnostics);
 
+/// [{name, volume, floor_area, openings}] and [{name, surface, area, rooms}] from the field arrays Room… and Opening…
+/// of the mesher's diagnostics; empty without face zones.
+Json roomsOf(vtkPolyData* diagnostics);
+Json openingsOf(vtkPolyData* diagnostics);
+
 /// [{seed, side, place, width, surfaces, message}] from the field arrays Leak… of the mesher's diagnostics.
 Json leaksOf(vtkPolyData* diagnostics);
 
-/// [{name, faces, area}], area in square model units.
+/// [{name, faces, area}], area in square model units. Face zones are no patches.
 Json patchesOf(vtkPartitionedDataSetCollection* patches);
 
 /// {metric: {min, max, mean, std}} from the summary table of vtkAtriaMeshQuality.

@@ -85,7 +85,8 @@ std::string checksText(const Json& openfoam, bool hasLayers)
   return text.empty() ? "all of checkMesh's pass" : text;
 }
 
-std::string patchesText(const Json& patches)
+/// How many there are and the first of their names.
+std::string namesText(const Json& patches)
 {
   constexpr std::size_t most = 6;
   std::string text = std::to_string(patches.size());
@@ -198,7 +199,14 @@ std::string summaryOf(const Json& report, const std::vector<std::string>& files)
   line(out, "not valid", invalid == 0 ? "none" : std::to_string(invalid));
   line(out, "checks", checksText(report["openfoam"], !report["layers"].empty()));
   line(out, "worst", worstText(report["quality"]));
-  line(out, "patches", patchesText(report["patches"]));
+  line(out, "patches", namesText(report["patches"]));
+  for (const char* kind : {"openings", "rooms"})
+  {
+    if (!report[kind].empty())
+    {
+      line(out, kind, namesText(report[kind]));
+    }
+  }
   line(out, "repaired", repairText(report["repair"]));
   line(out, "too fine", hiddenText(report["hidden_detail"]));
   line(out, "left out", leftOutText(report["zones"], report["diagnostics"]["SurfaceWithoutFaces"]));

@@ -34,6 +34,19 @@ Buffer<std::int64_t> integers(vtkDataArray* array)
   return values;
 }
 
+Index cellOf(vtkDataArray* array, vtkIdType face, const std::string& name, vtkUnstructuredGrid* volume)
+{
+  const auto cell = static_cast<vtkIdType>(array->GetComponent(face, 0));
+  if (cell < 0 || cell >= volume->GetNumberOfCells())
+  {
+    throw Error("patch '" + name + "': face " + std::to_string(face) + " belongs to cell " + std::to_string(cell) +
+                ", which the volume mesh does not have");
+  }
+  return static_cast<Index>(cell);
+}
+
+vtkDataArray* neighborsOf(vtkPolyData* patch) { return patch->GetCellData()->GetArray("NeighborCellId"); }
+
 /// Appends one patch; `ids` maps its points to the volume mesh's.
 void appendPatch(VtkPatches& out, const std::string& name, vtkPolyData* patch, vtkUnstructuredGrid* volume)
 {
@@ -49,13 +62,11 @@ void appendPatch(VtkPatches& out, const std::string& name, vtkPolyData* patch, v
   vtkNew<vtkIdList> face;
   for (vtkIdType cell = 0; cell < patch->GetNumberOfCells(); ++cell)
   {
-    const auto owner = static_cast<vtkIdType>(owners->GetComponent(cell, 0));
-    if (owner < 0 || owner >= volume->GetNumberOfCells())
+    out.owners.push_back(cellOf(owners, cell, name, volume));
+    if (vtkDataArray* neighbors = neighborsOf(patch))
     {
-      throw Error("patch '" + name + "': face " + std::to_string(cell) + " belongs to cell " + std::to_string(owner) +
-                  ", which the volume mesh does not have");
+      out.neighbors.push_back(cellOf(neighbors, cell, name, volume));
     }
-    out.owners.push_back(static_cast<Index>(owner));
     patch->GetCellPoints(cell, face);
     for (vtkIdType i = 0; i < face->GetNumberOfIds(); ++i)
     {
@@ -78,6 +89,33 @@ std::string nameOf(vtkPartitionedDataSetCollection* patches, unsigned int i)
     return patches->GetMetaData(i)->Get(vtkCompositeDataSet::NAME());
   }
   return "patch" + std::to_string(i);
+}
+
+/// The blocks that are face zones, or those that are not.
+VtkPatches blocksFromVtk(vtkPartitionedDataSetCollection* patches, vtkUnstructuredGrid* volume, bool zones)
+{
+  VtkPatches out;
+  for (unsigned int i = 0; i < patches->GetNumberOfPartitionedDataSets(); ++i)
+  {
+    const std::string name = nameOf(patches, i);
+    const std::size_t first = out.owners.size();
+    bool isZone = false;
+    vtkPartitionedDataSet* parts = patches->GetPartitionedDataSet(i);
+    for (unsigned int j = 0; parts && j < parts->GetNumberOfPartitions(); ++j)
+    {
+      auto* polyData = vtkPolyData::SafeDownCast(parts->GetPartitionAsDataObject(j));
+      isZone = isZone || (polyData && neighborsOf(polyData));
+      if (polyData && (neighborsOf(polyData) != nullptr) == zones)
+      {
+        appendPatch(out, name, polyData, volume);
+      }
+    }
+    if (isZone == zones)
+    {
+      out.patches.push_back({name, first, out.owners.size() - first});
+    }
+  }
+  return out;
 }
 
 } // namespace
@@ -144,22 +182,12 @@ std::vector<BoundaryFaceKey> VtkPatches::keys() const
 
 VtkPatches patchesFromVtk(vtkPartitionedDataSetCollection* patches, vtkUnstructuredGrid* volume)
 {
-  VtkPatches out;
-  for (unsigned int i = 0; i < patches->GetNumberOfPartitionedDataSets(); ++i)
-  {
-    const std::string name = nameOf(patches, i);
-    const std::size_t first = out.owners.size();
-    vtkPartitionedDataSet* parts = patches->GetPartitionedDataSet(i);
-    for (unsigned int j = 0; parts && j < parts->GetNumberOfPartitions(); ++j)
-    {
-      if (auto* polyData = vtkPolyData::SafeDownCast(parts->GetPartitionAsDataObject(j)))
-      {
-        appendPatch(out, name, polyData, volume);
-      }
-    }
-    out.patches.push_back({name, first, out.owners.size() - first});
-  }
-  return out;
+  return blocksFromVtk(patches, volume, false);
+}
+
+VtkPatches faceZonesFromVtk(vtkPartitionedDataSetCollection* patches, vtkUnstructuredGrid* volume)
+{
+  return blocksFromVtk(patches, volume, true);
 }
 
 } // namespace atria

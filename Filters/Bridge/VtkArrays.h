@@ -37,7 +37,7 @@ private:
 };
 VtkCells cellsFromVtk(vtkUnstructuredGrid* grid);
 
-/// The faces of named patches in terms of the volume mesh they belong to.
+/// The faces of named patches, or of face zones, in terms of the volume mesh they belong to.
 struct VtkPatches
 {
   struct Patch
@@ -48,14 +48,19 @@ struct VtkPatches
   };
   std::vector<Patch> patches;
   std::vector<Index> owners;            ///< per face
+  std::vector<Index> neighbors;         ///< per face of a zone, the cell across; empty for patches
   std::vector<std::int64_t> offsets{0}; ///< per face, into points
   std::vector<std::int64_t> points;     ///< ids of the volume mesh's points
 
   std::vector<BoundaryFaceKey> keys() const;
 };
 
-/// Reads the mesher's patches by their arrays OwnerCellId (cells) and VolumePointId (points). Throws Error naming the
-/// patch that lacks them or refers to cells or points that the volume mesh does not have.
+/// Reads the mesher's patches by their arrays OwnerCellId (cells) and VolumePointId (points), and leaves out its face
+/// zones. Throws Error naming the patch that lacks them or refers to cells or points that the volume mesh does not
+/// have.
 VtkPatches patchesFromVtk(vtkPartitionedDataSetCollection* patches, vtkUnstructuredGrid* volume);
+
+/// The same of the face zones among them, which have the cell array NeighborCellId.
+VtkPatches faceZonesFromVtk(vtkPartitionedDataSetCollection* patches, vtkUnstructuredGrid* volume);
 
 } // namespace atria

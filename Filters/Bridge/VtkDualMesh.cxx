@@ -7,10 +7,12 @@
 #include <vtkCellData.h>
 #include <vtkCellType.h>
 #include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
+#include <vtkStringArray.h>
 #include <vtkTypeInt32Array.h>
 #include <vtkTypeInt64Array.h>
 #include <vtkUnsignedCharArray.h>
@@ -224,6 +226,16 @@ template <typename Array> vtkNew<Array> arrayOf(vtkIdType count, const char* nam
   return array;
 }
 
+template <typename NumberOf>
+void addLabels(const char* name, const Buffer<std::int32_t>& labels, NumberOf&& numberOf, vtkUnstructuredGrid* out,
+               const Executor& executor)
+{
+  const auto ids = arrayOf<vtkIntArray>(static_cast<vtkIdType>(labels.size()), name);
+  executor.forEach(labels.size(), 65536,
+                   [&](std::size_t e) { ids->SetValue(static_cast<vtkIdType>(e), numberOf(labels[e])); });
+  out->GetCellData()->AddArray(ids);
+}
+
 /// 32-bit where they suffice.
 template <typename Array> void fillCells(const DualMesh& mesh, vtkUnstructuredGrid* out, const Executor& executor)
 {
@@ -283,6 +295,46 @@ void volumeToVtk(const DualMesh& mesh, vtkUnstructuredGrid* out, const Executor&
   });
   out->GetCellData()->AddArray(zones);
   out->GetCellData()->AddArray(levels);
+  if (!mesh.rooms.empty())
+  {
+    addLabels(
+        "RoomId", mesh.rooms, [](std::int32_t room) { return room; }, out, executor);
+  }
+}
+
+void roomsToVtk(const RoomReport& report, vtkUnstructuredGrid* out)
+{
+  if (report.rooms.empty())
+  {
+    return;
+  }
+  vtkNew<vtkStringArray> names;
+  names->SetName("RoomName");
+  std::ranges::for_each(report.rooms, [&](const Room& room) { names->InsertNextValue(room.name); });
+  out->GetFieldData()->AddArray(names);
+}
+
+void cellZonesToVtk(const DualMesh& mesh, const std::vector<std::string>& surfaceNames,
+                    const std::vector<SurfaceKind>& kinds, vtkUnstructuredGrid* out, const Executor& executor)
+{
+  if (mesh.cellZones.empty())
+  {
+    return;
+  }
+  vtkNew<vtkStringArray> names;
+  names->SetName("CellZoneName");
+  std::vector<std::int32_t> numbers(kinds.size(), -1);
+  for (std::size_t surface = 0; surface < kinds.size(); ++surface)
+  {
+    if (kinds[surface] == SurfaceKind::cellZone)
+    {
+      numbers[surface] = static_cast<std::int32_t>(names->InsertNextValue(surfaceNames[surface]));
+    }
+  }
+  addLabels(
+      "CellZoneId", mesh.cellZones, [&](std::int32_t surface) { return surface < 0 ? -1 : numbers[surface]; }, out,
+      executor);
+  out->GetFieldData()->AddArray(names);
 }
 
 } // namespace atria

@@ -15,11 +15,20 @@ namespace atria {
 /// Hexahedra, wedges, pyramids, tetrahedra where corners coincide so, polyhedra otherwise. Cell i is element i.
 void volumeToVtk(const DualMesh& mesh, vtkUnstructuredGrid* out, const Executor& executor);
 
+/// The field array RoomName, by RoomId; nothing without rooms.
+void roomsToVtk(const RoomReport& report, vtkUnstructuredGrid* out);
+
+/// The cell array CellZoneId and the field array CellZoneName; nothing where no surface is a cell zone.
+void cellZonesToVtk(const DualMesh& mesh, const std::vector<std::string>& surfaceNames,
+                    const std::vector<SurfaceKind>& kinds, vtkUnstructuredGrid* out, const Executor& executor);
+
 /// One polydata a patch: surfaces in order of their ids, then bare domain sides. A surface that has elements of the
 /// mesh on its front and on its back, somewhere on both at once, is two patches, `<name>_front` and `<name>_back`.
 /// Faces are seen counter-clockwise from outside of the mesh. LayerCount and LayerThickness are from the report; zero
-/// where that is empty.
-void patchesToVtk(const DualMesh& mesh, const std::vector<std::string>& surfaceNames, const LayerReport& layers,
+/// where that is empty. Then one for each face zone, whose faces are within the mesh, between OwnerCellId, at the back
+/// of the surface, and NeighborCellId.
+void patchesToVtk(const DualMesh& mesh, const std::vector<std::string>& surfaceNames,
+                  const std::vector<SurfaceKind>& kinds, const LayerReport& layers,
                   vtkPartitionedDataSetCollection* out);
 
 /// What became of the layers on each surface, as field arrays Layer…, an entry for each.
@@ -36,6 +45,9 @@ void hiddenDetailToVtk(const std::vector<HiddenDetail>& hidden, const std::vecto
 /// A line or point for each diagnostic; surfaces that got no face are listed in the field array SurfaceWithoutFaces.
 /// Zones and leaks are field arrays too.
 void diagnosticsToVtk(const DualMeshResult& result, const std::vector<std::string>& surfaceNames, vtkPolyData* out);
+
+/// Rooms and openings as the field arrays Room… and Opening…, an entry for each.
+void roomsToVtk(const RoomReport& report, const std::vector<std::string>& surfaceNames, vtkFieldData* out);
 
 /// The field arrays Zone…, an entry for each zone.
 void zonesToVtk(const std::vector<ZoneSummary>& zones, const std::vector<std::string>& surfaceNames, vtkFieldData* out);

@@ -77,6 +77,36 @@ void findFaces(VtkFaceMesh& result, vtkUnstructuredGrid* volume, const Executor&
   result.patchFaces = findBoundaryFaces(result.mesh, keys, executor);
 }
 
+/// Finds the faces of zones in the mesh; returns the first that is not there, else their number.
+std::size_t findZoneFaces(VtkFaceMesh& result, const Executor& executor)
+{
+  const std::vector<BoundaryFaceKey> keys = result.zones.keys();
+  result.zoneFaces = findInternalFaces(result.mesh, keys, result.zones.neighbors, executor);
+  return static_cast<std::size_t>(std::ranges::find(result.zoneFaces, noIndex) - result.zoneFaces.begin());
+}
+
+void takeGivenZones(VtkFaceMesh& result, vtkPartitionedDataSetCollection* patches, vtkUnstructuredGrid* volume,
+                    const Executor& executor)
+{
+  result.zones = faceZonesFromVtk(patches, volume);
+  if (const std::size_t lost = findZoneFaces(result, executor); lost < result.zoneFaces.size())
+  {
+    throw Error(describe(result.zones, lost) + " is no face between its cells, " +
+                std::to_string(result.zones.owners[lost]) + " and " + std::to_string(result.zones.neighbors[lost]));
+  }
+}
+
+/// Without any where they belong to other cells.
+void takeRecordedZones(VtkFaceMesh& result, vtkUnstructuredGrid* volume, const Executor& executor)
+{
+  result.zones = recordedFaceZones(volume).value_or(VtkPatches());
+  if (findZoneFaces(result, executor) < result.zoneFaces.size())
+  {
+    result.zones = {};
+    result.zoneFaces.clear();
+  }
+}
+
 /// False where what is recorded belongs to other cells; the result then has no patches.
 bool findRecordedFaces(VtkFaceMesh& result, vtkUnstructuredGrid* volume, const Executor& executor)
 {
@@ -112,6 +142,7 @@ VtkFaceMesh faceMeshFromVtk(vtkUnstructuredGrid* volume, vtkPartitionedDataSetCo
     if (findRecordedFaces(result, volume, executor))
     {
       result.origin = PatchOrigin::Recorded;
+      takeRecordedZones(result, volume, executor);
       return result;
     }
     result.origin = PatchOrigin::Lost;
@@ -123,6 +154,10 @@ VtkFaceMesh faceMeshFromVtk(vtkUnstructuredGrid* volume, vtkPartitionedDataSetCo
   }
   findFaces(result, volume, executor);
   checkPatchFaces(result);
+  if (given)
+  {
+    takeGivenZones(result, patches, volume, executor);
+  }
   return result;
 }
 

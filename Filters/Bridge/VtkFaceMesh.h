@@ -24,13 +24,15 @@ struct VtkFaceMesh
   VtkCells cells;                ///< what `mesh` was made of
   VtkPatches patches;            ///< empty without any
   std::vector<Index> patchFaces; ///< for each face of `patches` the face of `mesh`
+  VtkPatches zones;              ///< the faces of face zones, seen from their owners; empty without any
+  std::vector<Index> zoneFaces;  ///< for each face of `zones` the internal face of `mesh`
   PatchOrigin origin = PatchOrigin::None;
 };
 
 /// Where `patches` is null or empty, those recorded in the mesh are taken, if they are all of its boundary and nothing
-/// else. `volume` must outlive the result. Throws Error as makeFaceMesh() and patchesFromVtk() do, for a mesh without
-/// cells, for a patch face that is no face of its owner cell and for one that is in two patches; names the patches and
-/// the face.
+/// else; face zones are taken from where patches are. `volume` must outlive the result. Throws Error as makeFaceMesh()
+/// and patchesFromVtk() do, for a mesh without cells, for a patch face that is no face of its owner cell, for one that
+/// is in two patches, and for a face of a zone that is not between its two cells; names the patches and the face.
 VtkFaceMesh faceMeshFromVtk(vtkUnstructuredGrid* volume, vtkPartitionedDataSetCollection* patches,
                             const Executor& executor = SerialExecutor());
 

@@ -64,7 +64,7 @@ std::string uniqueName(std::string name, std::set<std::string>& taken)
 }
 
 /// Two slots a tag, front and back; one-sided surfaces and domain sides use the first.
-std::vector<Patch> sortFaces(const DualMesh& mesh, const std::vector<std::string>& names)
+std::vector<Patch> sortFaces(const DualMesh& mesh, const std::vector<std::string>& names, std::set<std::string>& taken)
 {
   const std::vector<char> twoSided = twoSidedSurfaces(mesh, names.size());
   std::vector<Patch> patches(2 * (names.size() + sideNames.size()));
@@ -74,7 +74,6 @@ std::vector<Patch> sortFaces(const DualMesh& mesh, const std::vector<std::string
     const bool second = face.tag < names.size() && twoSided[face.tag] && face.side == SheetSide::back;
     patches[2 * face.tag + (second ? 1 : 0)].faces.push_back(f);
   }
-  std::set<std::string> taken;
   for (std::size_t i = 0; i < patches.size(); ++i)
   {
     const std::size_t tag = i / 2;
@@ -89,6 +88,27 @@ std::vector<Patch> sortFaces(const DualMesh& mesh, const std::vector<std::string
   return patches;
 }
 
+/// The faces within the mesh of each face zone, in the order of surfaces.
+std::vector<Patch> sortZones(const DualMesh& mesh, const std::vector<std::string>& names,
+                             const std::vector<SurfaceKind>& kinds, std::set<std::string>& taken)
+{
+  std::vector<Patch> zones(names.size());
+  for (Index f = 0; f < mesh.zoneFaces.size(); ++f)
+  {
+    const Index tag = mesh.zoneFaces[f].tag;
+    if (kinds[tag] == SurfaceKind::faceZone)
+    {
+      zones[tag].faces.push_back(f);
+    }
+  }
+  for (std::size_t tag = 0; tag < zones.size(); ++tag)
+  {
+    zones[tag].name = zones[tag].faces.empty() ? std::string() : uniqueName(names[tag], taken);
+  }
+  std::erase_if(zones, [](const Patch& zone) { return zone.faces.empty(); });
+  return zones;
+}
+
 class PatchWriter
 {
 public:
@@ -99,6 +119,71 @@ public:
 
   void write(const Patch& patch, vtkPolyData* out)
   {
+    writeFaces(
+        patch, mesh.boundaryFaces, [](const BoundaryFace& face) { return face; }, out);
+    vtkNew<vtkIntArray> sides;
+    sides->SetName("Side");
+    vtkNew<vtkIntArray> counts;
+    counts->SetName("LayerCount");
+    vtkNew<vtkDoubleArray> thicknesses;
+    thicknesses->SetName("LayerThickness");
+    for (const Index f : patch.faces)
+    {
+      sides->InsertNextValue(static_cast<int>(mesh.boundaryFaces[f].side));
+      counts->InsertNextValue(f < layers.counts.size() ? layers.counts[f] : 0);
+      thicknesses->InsertNextValue(f < layers.thicknesses.size() ? layers.thicknesses[f] : 0.0);
+    }
+    out->GetCellData()->AddArray(sides);
+    out->GetCellData()->AddArray(counts);
+    out->GetCellData()->AddArray(thicknesses);
+  }
+
+  /// Seen from the elements at the back of the surface.
+  void writeZone(const Patch& zone, vtkPolyData* out)
+  {
+    writeFaces(
+        zone, mesh.zoneFaces, [&](const ZoneFace& face) { return atBack(face); }, out);
+    vtkNew<vtkIdTypeArray> neighbors;
+    neighbors->SetName("NeighborCellId");
+    for (const Index f : zone.faces)
+    {
+      const ZoneFace face = atBack(mesh.zoneFaces[f]);
+      neighbors->InsertNextValue(mesh.neighbors[face.element][face.direction]);
+    }
+    out->GetCellData()->AddArray(neighbors);
+  }
+
+private:
+  /// The same face, from the element at the back.
+  ZoneFace atBack(ZoneFace face) const
+  {
+    if (face.side == SheetSide::back)
+    {
+      return face;
+    }
+    const auto other = static_cast<Index>(mesh.neighbors[face.element][face.direction]);
+    const auto code = static_cast<std::int32_t>(face.element);
+    const ReducedFace wanted = faceOf(mesh.corners[face.element], face.direction);
+    for (std::uint8_t direction = 0; direction < 6; ++direction)
+    {
+      // Two elements may share two faces.
+      const ReducedFace candidate = faceOf(mesh.corners[other], direction);
+      if (mesh.neighbors[other][direction] == code &&
+          std::is_permutation(wanted.points.begin(), wanted.points.begin() + wanted.count, candidate.points.begin(),
+                              candidate.points.begin() + candidate.count))
+      {
+        face.direction = direction;
+      }
+    }
+    face.element = other;
+    face.side = SheetSide::back;
+    return face;
+  }
+
+  /// Points, polygons and what patches and zones have in common. seen(face) is the face as it is to be seen.
+  template <typename Faces, typename Seen>
+  void writeFaces(const Patch& patch, const Faces& faces, Seen&& seen, vtkPolyData* out)
+  {
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();
     vtkNew<vtkIdTypeArray> ids;
@@ -108,15 +193,9 @@ public:
     surfaceIds->SetName("SurfaceId");
     vtkNew<vtkIdTypeArray> owners;
     owners->SetName("OwnerCellId");
-    vtkNew<vtkIntArray> sides;
-    sides->SetName("Side");
-    vtkNew<vtkIntArray> counts;
-    counts->SetName("LayerCount");
-    vtkNew<vtkDoubleArray> thicknesses;
-    thicknesses->SetName("LayerThickness");
     for (const Index f : patch.faces)
     {
-      const BoundaryFace& face = mesh.boundaryFaces[f];
+      const auto face = seen(faces[f]);
       const ReducedFace corners = faceOf(mesh.corners[face.element], face.direction);
       polys->InsertNextCell(corners.count);
       for (int i = 0; i < corners.count; ++i)
@@ -125,9 +204,6 @@ public:
       }
       surfaceIds->InsertNextValue(face.tag < surfaces ? static_cast<int>(face.tag) : -1);
       owners->InsertNextValue(face.element);
-      sides->InsertNextValue(static_cast<int>(face.side));
-      counts->InsertNextValue(f < layers.counts.size() ? layers.counts[f] : 0);
-      thicknesses->InsertNextValue(f < layers.thicknesses.size() ? layers.thicknesses[f] : 0.0);
     }
     for (vtkIdType i = 0; i < ids->GetNumberOfValues(); ++i)
     {
@@ -138,12 +214,8 @@ public:
     out->GetPointData()->AddArray(ids);
     out->GetCellData()->AddArray(surfaceIds);
     out->GetCellData()->AddArray(owners);
-    out->GetCellData()->AddArray(sides);
-    out->GetCellData()->AddArray(counts);
-    out->GetCellData()->AddArray(thicknesses);
   }
 
-private:
   vtkIdType localPoint(Index p, vtkPoints* points, vtkIdTypeArray* ids)
   {
     if (local[p] == noIndex)
@@ -162,18 +234,28 @@ private:
 
 } // namespace
 
-void patchesToVtk(const DualMesh& mesh, const std::vector<std::string>& surfaceNames, const LayerReport& layers,
+void patchesToVtk(const DualMesh& mesh, const std::vector<std::string>& surfaceNames,
+                  const std::vector<SurfaceKind>& kinds, const LayerReport& layers,
                   vtkPartitionedDataSetCollection* out)
 {
   PatchWriter writer(mesh, surfaceNames.size(), layers);
-  const std::vector<Patch> patches = sortFaces(mesh, surfaceNames);
-  out->SetNumberOfPartitionedDataSets(static_cast<unsigned>(patches.size()));
-  for (unsigned i = 0; i < patches.size(); ++i)
-  {
+  std::set<std::string> taken;
+  const std::vector<Patch> patches = sortFaces(mesh, surfaceNames, taken);
+  const std::vector<Patch> zones = sortZones(mesh, surfaceNames, kinds, taken);
+  out->SetNumberOfPartitionedDataSets(static_cast<unsigned>(patches.size() + zones.size()));
+  const auto add = [&](std::size_t i, const Patch& patch, auto&& write) {
     vtkNew<vtkPolyData> polyData;
-    writer.write(patches[i], polyData);
-    out->SetPartition(i, 0, polyData);
-    out->GetMetaData(i)->Set(vtkCompositeDataSet::NAME(), patches[i].name.c_str());
+    (writer.*write)(patch, polyData);
+    out->SetPartition(static_cast<unsigned>(i), 0, polyData);
+    out->GetMetaData(static_cast<unsigned>(i))->Set(vtkCompositeDataSet::NAME(), patch.name.c_str());
+  };
+  for (std::size_t i = 0; i < patches.size(); ++i)
+  {
+    add(i, patches[i], &PatchWriter::write);
+  }
+  for (std::size_t i = 0; i < zones.size(); ++i)
+  {
+    add(patches.size() + i, zones[i], &PatchWriter::writeZone);
   }
 }
 
@@ -314,9 +396,13 @@ void diagnosticsToVtk(const DualMeshResult& result, const std::vector<std::strin
       met[face.tag] = 1;
     }
   }
+  for (const ZoneFace& face : result.mesh.zoneFaces)
+  {
+    met[face.tag] = 1;
+  }
   vtkNew<vtkStringArray> lost;
   lost->SetName("SurfaceWithoutFaces");
-  for (std::size_t i = 0; i < met.size(); ++i)
+  for (std::size_t i = 0; i + result.rooms.found < met.size(); ++i)
   {
     if (!met[i])
     {

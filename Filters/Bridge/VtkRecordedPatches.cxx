@@ -18,88 +18,92 @@ namespace atria {
 
 namespace {
 
-const char* const namesArray = "PatchName";
-const char* const countsArray = "PatchFaceCount";
-const char* const facesArray = "PatchFace";
+/// The field arrays of one kind of faces. Each has `cells` cells, then its points; a triangle has its last point twice.
+struct Arrays
+{
+  const char* names;
+  const char* counts;
+  const char* faces;
+  int cells;
 
-/// The cell, then the points; a triangle has its last point twice.
-constexpr int faceLength = 5;
-using RecordedFace = std::array<vtkTypeUInt32, faceLength>;
+  int length() const { return cells + 4; }
+};
+constexpr Arrays patchArrays{"PatchName", "PatchFaceCount", "PatchFace", 1};
+constexpr Arrays zoneArrays{"FaceZoneName", "FaceZoneFaceCount", "FaceZoneFace", 2};
+
+using RecordedFace = std::array<vtkTypeUInt32, 6>;
 static_assert(sizeof(Index) == sizeof(vtkTypeUInt32));
 
-RecordedFace recordOf(const VtkPatches& patches, std::size_t f)
+RecordedFace recordOf(const VtkPatches& patches, std::size_t f, int cells)
 {
   const auto begin = patches.points.begin() + patches.offsets[f];
   const auto end = patches.points.begin() + patches.offsets[f + 1];
-  if (end - begin < 3 || end - begin >= faceLength)
+  if (end - begin < 3 || end - begin > 4)
   {
     throw Error("a face of a patch has " + std::to_string(end - begin) + " points; three or four can be recorded");
   }
   RecordedFace record;
   record.fill(static_cast<Index>(*(end - 1)));
   record[0] = patches.owners[f];
-  std::transform(begin, end, record.begin() + 1, [](std::int64_t p) { return static_cast<Index>(p); });
+  record[1] = cells > 1 ? patches.neighbors[f] : 0;
+  std::transform(begin, end, record.begin() + cells, [](std::int64_t p) { return static_cast<Index>(p); });
   return record;
 }
 
 /// Appends a face; false where it holds what is no id.
-bool appendRecord(vtkDataArray* faces, vtkIdType f, VtkPatches& out)
+bool appendRecord(vtkDataArray* faces, vtkIdType f, const Arrays& arrays, VtkPatches& out)
 {
-  std::array<double, faceLength> record;
+  std::array<double, 6> record;
   faces->GetTuple(f, record.data());
-  const bool sound = std::ranges::all_of(record, [](double id) { return id >= 0.0 && id < double{noIndex}; });
-  if (!sound)
+  const auto end = record.begin() + arrays.length();
+  if (!std::all_of(record.begin(), end, [](double id) { return id >= 0.0 && id < double{noIndex}; }))
   {
     return false;
   }
   out.owners.push_back(static_cast<Index>(record[0]));
-  const int length = record[faceLength - 1] == record[faceLength - 2] ? faceLength - 1 : faceLength;
-  std::for_each(record.begin() + 1, record.begin() + length,
+  if (arrays.cells > 1)
+  {
+    out.neighbors.push_back(static_cast<Index>(record[1]));
+  }
+  const auto last = *(end - 1) == *(end - 2) ? end - 1 : end;
+  std::for_each(record.begin() + arrays.cells, last,
                 [&](double id) { out.points.push_back(static_cast<std::int64_t>(id)); });
   out.offsets.push_back(static_cast<std::int64_t>(out.points.size()));
   return true;
 }
 
-} // namespace
-
-void recordPatches(vtkPartitionedDataSetCollection* patches, vtkUnstructuredGrid* volume)
+void record(const VtkPatches& all, const Arrays& arrays, vtkUnstructuredGrid* volume)
 {
-  const VtkPatches all = patchesFromVtk(patches, volume);
   vtkNew<vtkStringArray> names;
-  names->SetName(namesArray);
+  names->SetName(arrays.names);
   vtkNew<vtkIdTypeArray> counts;
-  counts->SetName(countsArray);
+  counts->SetName(arrays.counts);
   for (const VtkPatches::Patch& patch : all.patches)
   {
     names->InsertNextValue(patch.name);
     counts->InsertNextValue(static_cast<vtkIdType>(patch.faceCount));
   }
   vtkNew<vtkTypeUInt32Array> faces;
-  faces->SetName(facesArray);
-  faces->SetNumberOfComponents(faceLength);
+  faces->SetName(arrays.faces);
+  faces->SetNumberOfComponents(arrays.length());
   faces->SetNumberOfTuples(static_cast<vtkIdType>(all.owners.size()));
   for (std::size_t f = 0; f < all.owners.size(); ++f)
   {
-    faces->SetTypedTuple(static_cast<vtkIdType>(f), recordOf(all, f).data());
+    faces->SetTypedTuple(static_cast<vtkIdType>(f), recordOf(all, f, arrays.cells).data());
   }
   volume->GetFieldData()->AddArray(names);
   volume->GetFieldData()->AddArray(counts);
   volume->GetFieldData()->AddArray(faces);
 }
 
-bool hasRecordedPatches(vtkUnstructuredGrid* volume)
-{
-  return volume->GetFieldData()->GetAbstractArray(facesArray) != nullptr;
-}
-
-std::optional<VtkPatches> recordedPatches(vtkUnstructuredGrid* volume)
+std::optional<VtkPatches> recorded(vtkUnstructuredGrid* volume, const Arrays& arrays)
 {
   vtkFieldData* data = volume->GetFieldData();
-  auto* names = vtkStringArray::SafeDownCast(data->GetAbstractArray(namesArray));
-  vtkDataArray* counts = data->GetArray(countsArray);
-  vtkDataArray* faces = data->GetArray(facesArray);
+  auto* names = vtkStringArray::SafeDownCast(data->GetAbstractArray(arrays.names));
+  vtkDataArray* counts = data->GetArray(arrays.counts);
+  vtkDataArray* faces = data->GetArray(arrays.faces);
   if (!names || !counts || !faces || counts->GetNumberOfValues() != names->GetNumberOfValues() ||
-      faces->GetNumberOfComponents() != faceLength)
+      faces->GetNumberOfComponents() != arrays.length())
   {
     return std::nullopt;
   }
@@ -122,12 +126,32 @@ std::optional<VtkPatches> recordedPatches(vtkUnstructuredGrid* volume)
   }
   for (std::size_t f = 0; f < total; ++f)
   {
-    if (!appendRecord(faces, static_cast<vtkIdType>(f), out))
+    if (!appendRecord(faces, static_cast<vtkIdType>(f), arrays, out))
     {
       return std::nullopt;
     }
   }
   return out;
 }
+
+} // namespace
+
+void recordPatches(vtkPartitionedDataSetCollection* patches, vtkUnstructuredGrid* volume)
+{
+  record(patchesFromVtk(patches, volume), patchArrays, volume);
+  if (const VtkPatches zones = faceZonesFromVtk(patches, volume); !zones.patches.empty())
+  {
+    record(zones, zoneArrays, volume);
+  }
+}
+
+bool hasRecordedPatches(vtkUnstructuredGrid* volume)
+{
+  return volume->GetFieldData()->GetAbstractArray(patchArrays.faces) != nullptr;
+}
+
+std::optional<VtkPatches> recordedPatches(vtkUnstructuredGrid* volume) { return recorded(volume, patchArrays); }
+
+std::optional<VtkPatches> recordedFaceZones(vtkUnstructuredGrid* volume) { return recorded(volume, zoneArrays); }
 
 } // namespace atria

@@ -9,8 +9,9 @@
 
 namespace atria {
 
-/// Records the patches of a mesh in its field arrays PatchName, PatchFaceCount and PatchFace, 20 bytes a face. Throws
-/// Error for a face of more than four points, and as patchesFromVtk() does.
+/// Records the patches of a mesh in its field arrays PatchName, PatchFaceCount and PatchFace, 20 bytes a face, and face
+/// zones among them, if there are any, in FaceZoneName, FaceZoneFaceCount and FaceZoneFace. Throws Error for a face of
+/// more than four points, and as patchesFromVtk() does.
 void recordPatches(vtkPartitionedDataSetCollection* patches, vtkUnstructuredGrid* volume);
 
 /// Whether patches were recorded in the mesh, or in what it was made of by other filters.
@@ -19,5 +20,8 @@ bool hasRecordedPatches(vtkUnstructuredGrid* volume);
 /// The patches as they were recorded. Filters pass field data on whatever they do to the cells, so that they may belong
 /// to a mesh of other cells. Nothing where the arrays are not as recordPatches() makes them.
 std::optional<VtkPatches> recordedPatches(vtkUnstructuredGrid* volume);
+
+/// The same of face zones.
+std::optional<VtkPatches> recordedFaceZones(vtkUnstructuredGrid* volume);
 
 } // namespace atria

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Zones and leaks of VtkDualMesh.h.
+/// Zones, rooms and leaks of VtkDualMesh.h.
 #include "VtkDualMesh.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
+#include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <sstream>
 
 namespace atria {
@@ -102,6 +105,39 @@ void zonesToVtk(const std::vector<ZoneSummary>& zones, const std::vector<std::st
     }
     sides->InsertNextValue(joined(reached, "\n"));
     surfaces->InsertNextValue(joined(namesOf(zone.surfaces, surfaceNames), "\n"));
+  }
+}
+
+void roomsToVtk(const RoomReport& report, const std::vector<std::string>& surfaceNames, vtkFieldData* out)
+{
+  if (report.rooms.empty())
+  {
+    return;
+  }
+  auto* rooms = added<vtkStringArray>(out, "RoomName");
+  auto* volumes = added<vtkDoubleArray>(out, "RoomVolume");
+  auto* floors = added<vtkDoubleArray>(out, "RoomFloorArea");
+  auto* openingsOf = added<vtkStringArray>(out, "RoomOpenings");
+  for (const Room& room : report.rooms)
+  {
+    rooms->InsertNextValue(room.name);
+    volumes->InsertNextValue(room.volume);
+    floors->InsertNextValue(room.floorArea);
+    std::vector<Index> openings;
+    std::ranges::transform(room.openings, std::back_inserter(openings),
+                           [&](Index opening) { return report.openings[opening].surface; });
+    openingsOf->InsertNextValue(joined(namesOf(openings, surfaceNames), "\n"));
+  }
+  auto* names = added<vtkStringArray>(out, "OpeningName");
+  auto* walls = added<vtkStringArray>(out, "OpeningSurface");
+  auto* areas = added<vtkDoubleArray>(out, "OpeningArea");
+  auto* between = added<vtkIntArray>(out, "OpeningRooms", 2);
+  for (const RoomOpening& opening : report.openings)
+  {
+    names->InsertNextValue(surfaceNames[opening.surface]);
+    walls->InsertNextValue(surfaceNames[opening.wall]);
+    areas->InsertNextValue(opening.area);
+    between->InsertNextTuple2(opening.rooms[0], opening.rooms[1]);
   }
 }
 

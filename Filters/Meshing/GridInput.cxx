@@ -115,6 +115,19 @@ ModelOptions modelOptionsOf(vtkAtriaGridAlgorithm& filter)
     options.gapTolerance = filter.GetGapTolerance();
   }
   options.smallPartSize = filter.GetSmallPartSize();
+  for (int i = 0; i < filter.GetNumberOfFaceZones(); ++i)
+  {
+    options.faceZones.push_back(filter.GetFaceZone(i));
+  }
+  options.findOpenings = filter.GetFindOpenings();
+  for (int i = 0; i < filter.GetNumberOfSurfacesWithoutOpenings(); ++i)
+  {
+    options.withoutOpenings.push_back(filter.GetSurfaceWithoutOpenings(i));
+  }
+  for (int i = 0; i < filter.GetNumberOfCellZones(); ++i)
+  {
+    options.cellZones.push_back(filter.GetCellZone(i));
+  }
   return options;
 }
 

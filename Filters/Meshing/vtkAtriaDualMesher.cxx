@@ -329,8 +329,10 @@ int vtkAtriaDualMesher::RequestData(vtkInformation*, vtkInformationVector** inpu
     atria::StageClock clock;
     context.progress.report(0.9, "Converting elements");
     atria::volumeToVtk(result.mesh, volume, context.executor);
+    atria::roomsToVtk(result.rooms, volume);
+    atria::cellZonesToVtk(result.mesh, result.names, result.kinds, volume, context.executor);
     context.progress.report(0.95, "Converting patches");
-    atria::patchesToVtk(result.mesh, result.names, result.layers, patches);
+    atria::patchesToVtk(result.mesh, result.names, result.kinds, result.layers, patches);
     atria::recordPatches(patches, volume);
     atria::diagnosticsToVtk(result, result.names, diagnostics);
     atria::addTo(warnings, result.inputWarnings);
@@ -339,6 +341,7 @@ int vtkAtriaDualMesher::RequestData(vtkInformation*, vtkInformationVector** inpu
     atria::repairToVtk(result.repair, diagnostics);
     atria::hiddenDetailToVtk(result.repair.hidden, result.names, diagnostics->GetFieldData());
     atria::layersToVtk(result.layers, diagnostics);
+    atria::roomsToVtk(result.rooms, result.names, diagnostics->GetFieldData());
     clock.lap("output");
     addFieldData(volume, result.maximumLevel);
     addModelOffset(volume, vtkDataObject::GetData(inputs[0]));

@@ -182,6 +182,66 @@ void vtkAtriaGridAlgorithm::RemoveAllDistanceSizeRules()
   this->Modified();
 }
 
+void vtkAtriaGridAlgorithm::AddFaceZone(const char* pattern)
+{
+  this->FaceZones.emplace_back(pattern ? pattern : "");
+  this->Modified();
+}
+
+int vtkAtriaGridAlgorithm::GetNumberOfFaceZones() { return static_cast<int>(this->FaceZones.size()); }
+
+std::string vtkAtriaGridAlgorithm::GetFaceZone(int i)
+{
+  return i >= 0 && i < this->GetNumberOfFaceZones() ? this->FaceZones[i] : std::string();
+}
+
+void vtkAtriaGridAlgorithm::RemoveAllFaceZones()
+{
+  this->FaceZones.clear();
+  this->Modified();
+}
+
+void vtkAtriaGridAlgorithm::AddSurfaceWithoutOpenings(const char* pattern)
+{
+  this->SurfacesWithoutOpenings.emplace_back(pattern ? pattern : "");
+  this->Modified();
+}
+
+int vtkAtriaGridAlgorithm::GetNumberOfSurfacesWithoutOpenings()
+{
+  return static_cast<int>(this->SurfacesWithoutOpenings.size());
+}
+
+std::string vtkAtriaGridAlgorithm::GetSurfaceWithoutOpenings(int i)
+{
+  return i >= 0 && i < this->GetNumberOfSurfacesWithoutOpenings() ? this->SurfacesWithoutOpenings[i] : std::string();
+}
+
+void vtkAtriaGridAlgorithm::RemoveAllSurfacesWithoutOpenings()
+{
+  this->SurfacesWithoutOpenings.clear();
+  this->Modified();
+}
+
+void vtkAtriaGridAlgorithm::AddCellZone(const char* pattern)
+{
+  this->CellZones.emplace_back(pattern ? pattern : "");
+  this->Modified();
+}
+
+int vtkAtriaGridAlgorithm::GetNumberOfCellZones() { return static_cast<int>(this->CellZones.size()); }
+
+std::string vtkAtriaGridAlgorithm::GetCellZone(int i)
+{
+  return i >= 0 && i < this->GetNumberOfCellZones() ? this->CellZones[i] : std::string();
+}
+
+void vtkAtriaGridAlgorithm::RemoveAllCellZones()
+{
+  this->CellZones.clear();
+  this->Modified();
+}
+
 void vtkAtriaGridAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -203,6 +263,19 @@ void vtkAtriaGridAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   for (const std::string& rule : this->DistanceSizeRules)
   {
     os << indent << "DistanceSizeRule: " << rule << "\n";
+  }
+  for (const std::string& pattern : this->FaceZones)
+  {
+    os << indent << "FaceZone: " << pattern << "\n";
+  }
+  for (const std::string& pattern : this->CellZones)
+  {
+    os << indent << "CellZone: " << pattern << "\n";
+  }
+  os << indent << "FindOpenings: " << (this->FindOpenings ? "on" : "off") << "\n";
+  for (const std::string& pattern : this->SurfacesWithoutOpenings)
+  {
+    os << indent << "SurfaceWithoutOpenings: " << pattern << "\n";
   }
   os << indent << "CurvatureAngle: " << this->CurvatureAngle << "\n";
   os << indent << "CellsAcrossGap: " << this->CellsAcrossGap << "\n";

@@ -186,6 +186,54 @@ public:
   vtkGetMacro(SmallPartSize, double);
   ///@}
 
+  ///@{
+  /**
+   * Patterns of the names of surfaces one can look through, such as panes of open windows, screens and planes to
+   * measure at (`*` any text, `?` any one character). The mesh conforms to them as to others, but they separate nothing
+   * and get no layers: their faces are within the mesh, and make a face zone of the surface's name. A pattern that
+   * matches no surface is an error of the run. None by default.
+   */
+  void AddFaceZone(const char* pattern);
+  int GetNumberOfFaceZones();
+  std::string GetFaceZone(int i);
+  void RemoveAllFaceZones();
+  ///@}
+
+  ///@{
+  /**
+   * Whether windows, doors, hatches and gaps between walls are found by rule. Each is a face zone
+   * `<Surface>_opening_<n>`, and they part rooms. What is open in a plane wall and closed all round, by ends of walls
+   * and by what passes through the plane, such as floors, is an opening if it is no narrower than 0.9 times SizeMin.
+   * Default off.
+   */
+  vtkSetMacro(FindOpenings, bool);
+  vtkGetMacro(FindOpenings, bool);
+  vtkBooleanMacro(FindOpenings, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Patterns of the names of surfaces in which no openings are found, such as furniture. A pattern that matches no
+   * surface is an error of the run. None by default.
+   */
+  void AddSurfaceWithoutOpenings(const char* pattern);
+  int GetNumberOfSurfacesWithoutOpenings();
+  std::string GetSurfaceWithoutOpenings(int i);
+  void RemoveAllSurfacesWithoutOpenings();
+  ///@}
+
+  ///@{
+  /**
+   * Patterns of the names of closed surfaces that enclose a cell zone, such as trees, porous screens and sources of
+   * heat. The mesh conforms to them, but they are no walls; elements in them are in the cell zone of the surface's
+   * name. A pattern that matches no surface, and a surface that is not closed, is an error of the run. None by default.
+   */
+  void AddCellZone(const char* pattern);
+  int GetNumberOfCellZones();
+  std::string GetCellZone(int i);
+  void RemoveAllCellZones();
+  ///@}
+
   /**
    * Where the domain box comes from.
    */
@@ -313,6 +361,10 @@ protected:
   double CurvatureAngle = 0.0;
   int CellsAcrossGap = 0;
   int CellsPerLevel = 1;
+  std::vector<std::string> FaceZones;
+  std::vector<std::string> CellZones;
+  bool FindOpenings = false;
+  std::vector<std::string> SurfacesWithoutOpenings;
   double GapTolerance = -1.0;
   double SmallPartSize = 1.0;
   int MaxElements = 0;

@@ -110,17 +110,32 @@ public:
     file.text(")\n").close();
   }
 
+  void writeFaceZones() const
+  {
+    writeZones("faceZones", std::span<const FaceZone>(solverMesh.faceZones),
+               [&](OpenFOAMFile& file, const FaceZone& zone) {
+                 file.text("    type faceZone;\n    faceLabels List<label>\n");
+                 writeLabels(file, zone.faces);
+                 file.text(";\n    flipMap List<bool>\n");
+                 writeFlips(file, zone.flips);
+                 file.text(";\n");
+               });
+  }
+
+  /// Rooms tell more than zones by number, which are for meshes without.
   void writeCellZones() const
   {
-    OpenFOAMFile file = open("cellZones", "regIOobject");
-    file.number(size(solverMesh.zones)).text("\n(\n");
+    std::vector<CellZone> numbered;
     for (const auto& [id, cells] : solverMesh.zones)
     {
-      file.text(zoneName(id)).text("\n{\n    type cellZone;\n    cellLabels List<label>\n");
-      writeLabels(file, cells);
-      file.text(";\n}\n");
+      numbered.push_back({zoneName(id), cells});
     }
-    file.text(")\n").close();
+    writeZones("cellZones", std::span<const CellZone>(solverMesh.cellZones.empty() ? numbered : solverMesh.cellZones),
+               [&](OpenFOAMFile& file, const CellZone& zone) {
+                 file.text("    type cellZone;\n    cellLabels List<label>\n");
+                 writeLabels(file, zone.cells);
+                 file.text(";\n");
+               });
   }
 
 private:
@@ -133,6 +148,43 @@ private:
   OpenFOAMFile open(const char* name, const char* className, const std::string& itsNote = {}) const
   {
     return OpenFOAMFile(folder / name, {className, meshLocation, itsNote, format}, &progress);
+  }
+
+  /// Nothing without zones; write(file, zone) what is in one.
+  template <typename Zone, typename Write>
+  void writeZones(const char* name, std::span<const Zone> zones, Write&& write) const
+  {
+    if (zones.empty())
+    {
+      return;
+    }
+    std::vector<std::string> names;
+    std::ranges::transform(zones, std::back_inserter(names), &Zone::name);
+    const std::vector<PatchName> words = makePatchNames(names, openFOAMNames);
+    OpenFOAMFile file = open(name, "regIOobject");
+    file.number(size(zones)).text("\n(\n");
+    for (std::size_t z = 0; z < zones.size(); ++z)
+    {
+      file.text(words[z].word).text("\n{\n");
+      write(file, zones[z]);
+      file.text("}\n");
+    }
+    file.text(")\n").close();
+  }
+
+  void writeFlips(OpenFOAMFile& file, std::span<const char> flips) const
+  {
+    file.number(size(flips)).text("\n(");
+    if (binary())
+    {
+      file.raw(flips.data(), flips.size()).text(")");
+      return;
+    }
+    for (const char flip : flips)
+    {
+      file.text(flip ? "\n1" : "\n0");
+    }
+    file.text("\n)");
   }
 
   void writeLabels(OpenFOAMFile& file, std::span<const Index> labels) const
@@ -219,10 +271,8 @@ void writePolyMesh(const fs::path& caseFolder, const SolverMesh& mesh, OpenFOAMF
   context.executor.forEach(files.size(), 1, [&](std::size_t i) { (writer.*files[i])(); });
   context.progress.report(0.9, "Writing patches");
   writer.writeBoundary();
-  if (!mesh.zones.empty())
-  {
-    writer.writeCellZones();
-  }
+  writer.writeFaceZones();
+  writer.writeCellZones();
   context.progress.report(1.0, "Mesh written");
   removeEarlierMesh(folder);
   unfinished.moveFilesTo(folder);

@@ -23,6 +23,21 @@ struct BoundaryPatch
   std::vector<Index> faces;
 };
 
+/// Internal faces under one name.
+struct FaceZone
+{
+  std::string name;
+  std::vector<Index> faces; ///< rising
+  std::vector<char> flips;  ///< per face, whether the zone's normal points into its owner
+};
+
+/// Cells under one name.
+struct CellZone
+{
+  std::string name;
+  std::vector<Index> cells; ///< rising
+};
+
 /// Those that came with a mesh.
 std::vector<BoundaryPatch> boundaryPatchesOf(const VtkFaceMesh& source);
 
@@ -54,6 +69,9 @@ struct SolverMesh
   std::vector<Index> newPoint;
   /// Cells by ZoneId, where there is more than one.
   std::map<std::int64_t, std::vector<Index>> zones;
+  std::vector<FaceZone> faceZones;
+  /// Rooms and cell zones by name. A cell may be in one of each.
+  std::vector<CellZone> cellZones;
 };
 
 /// `zoneIds` has one for each cell, or none. Throws Error for faces in patches that are not on the boundary or in two

@@ -22,8 +22,8 @@ HOUSE = DATA / "house.wrl"
 COARSE = ["--size-max", "16", "--size-mid", "4", "--size-min", "2", "--site", "Site"]
 FINE = ["--size-max", "16", "--size-mid", "2", "--size-min", "1", "--site", "Site"]
 REPORT_KEYS = [
-    "counts", "zones", "leaks", "patches", "quality", "invalid_elements", "max_level", "seconds", "peak_memory_bytes",
-    "threads", "repair", "hidden_detail", "layers", "diagnostics", "openfoam",
+    "counts", "zones", "rooms", "openings", "leaks", "patches", "quality", "invalid_elements", "max_level", "seconds",
+    "peak_memory_bytes", "threads", "repair", "hidden_detail", "layers", "diagnostics", "openfoam",
 ]
 
 

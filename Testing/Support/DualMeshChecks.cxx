@@ -46,6 +46,13 @@ bool sameFaces(const std::vector<BoundaryFace>& a, const std::vector<BoundaryFac
                     [&](const BoundaryFace& l, const BoundaryFace& r) { return key(l) == key(r); });
 }
 
+bool sameZones(const std::vector<ZoneFace>& a, const std::vector<ZoneFace>& b)
+{
+  const auto key = [](const ZoneFace& f) { return std::tuple(f.element, f.tag, f.direction, f.side); };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [&](const ZoneFace& l, const ZoneFace& r) { return key(l) == key(r); });
+}
+
 } // namespace
 
 ::testing::AssertionResult isConformal(const DualMesh& mesh, Index plainElements)
@@ -203,7 +210,9 @@ double totalVolume(const DualMesh& mesh)
 bool identical(const DualMesh& a, const DualMesh& b)
 {
   return sameBits(a.points, b.points) && sameBits(a.corners, b.corners) && sameBits(a.neighbors, b.neighbors) &&
-         sameBits(a.levels, b.levels) && sameBits(a.zones, b.zones) && sameFaces(a.boundaryFaces, b.boundaryFaces);
+         sameBits(a.levels, b.levels) && sameBits(a.zones, b.zones) && sameBits(a.rooms, b.rooms) &&
+         sameBits(a.cellZones, b.cellZones) && sameFaces(a.boundaryFaces, b.boundaryFaces) &&
+         sameZones(a.zoneFaces, b.zoneFaces);
 }
 
 FaceCounts faceCounts(const DualMesh& mesh, Index element)

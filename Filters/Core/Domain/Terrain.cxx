@@ -253,7 +253,7 @@ private:
     std::vector<Index> numbers(ring.points.size(), noIndex);
     for (std::size_t t = 0; t < ring.triangles.size(); ++t)
     {
-      if (!ring.outside[t])
+      if (!ring.isOutside(t))
       {
         continue;
       }
@@ -285,7 +285,7 @@ private:
     {
       for (const Index p : ring.triangles[t])
       {
-        touched[std::min<std::size_t>(p, plane.size() - 1)] |= ring.outside[t];
+        touched[std::min<std::size_t>(p, plane.size() - 1)] |= ring.isOutside(t) ? 1 : 0;
       }
     }
     return std::count_if(segments.begin(), segments.begin() + static_cast<std::ptrdiff_t>(borderCount),

@@ -48,8 +48,17 @@ protected:
   const std::vector<Index>& pieceOf;
 };
 
-/// Whether the layer is there at all corners of a wall, and nothing is behind it.
-bool isWhole(Index f, const LayerMesh& layer, const DualMesh& plain, const LayerWalls& walls)
+/// The points of faces of zones.
+std::vector<char> zonePoints(const DualMesh& mesh)
+{
+  std::vector<char> marked(mesh.points.size(), 0);
+  markZonePoints(mesh, marked);
+  return marked;
+}
+
+/// Whether the layer is there at all corners of a wall, none of them `kept`, and nothing is behind it.
+bool isWhole(Index f, const LayerMesh& layer, const DualMesh& plain, const LayerWalls& walls,
+             const std::vector<char>& kept)
 {
   if (walls.roles[f] != FaceRole::wall || plain.boundaryFaces[f].opposite != noIndex)
   {
@@ -58,7 +67,8 @@ bool isWhole(Index f, const LayerMesh& layer, const DualMesh& plain, const Layer
   for (int k = 0; k < 4; ++k)
   {
     const Index code = walls.graph.across[f][k];
-    if (layer.copies[cornerOf(plain, plain.boundaryFaces[f], k)] == noIndex || !BoundaryGraph::isEdge(code) ||
+    const Index p = cornerOf(plain, plain.boundaryFaces[f], k);
+    if (layer.copies[p] == noIndex || kept[p] || !BoundaryGraph::isEdge(code) ||
         walls.roles[BoundaryGraph::faceOf(code)] == FaceRole::fixed)
     {
       return false;
@@ -72,9 +82,10 @@ Index findPieces(const LayerMesh& layer, const DualMesh& plain, const LayerWalls
 {
   pieceOf.assign(plain.boundaryFaces.size(), noIndex);
   std::map<std::array<Index, 3>, Index> pieces;
+  const std::vector<char> kept = zonePoints(plain);
   for (Index f = 0; f < pieceOf.size(); ++f)
   {
-    if (isWhole(f, layer, plain, walls))
+    if (isWhole(f, layer, plain, walls, kept))
     {
       const BoundaryFace& face = plain.boundaryFaces[f];
       const std::array<Index, 3> key = face.chart == noIndex
@@ -282,10 +293,7 @@ private:
 
   void addElement(Index like, const std::array<Index, 8>& corners, const std::array<std::int32_t, 6>& neighbors)
   {
-    layer.mesh.corners.push_back(corners);
-    layer.mesh.neighbors.push_back(neighbors);
-    layer.mesh.levels.push_back(std::uint8_t(layer.mesh.levels[like]));
-    layer.mesh.zones.push_back(std::int32_t(layer.mesh.zones[like]));
+    appendElement(layer.mesh, corners, neighbors, layer.mesh, like);
   }
 
   /// A boundary face like another one.

@@ -2,6 +2,7 @@
 #include "Layer/LayerTopology.h"
 
 #include "Layer/PrismAxes.h"
+#include "Layer/ZoneEdges.h"
 
 #include <algorithm>
 
@@ -33,6 +34,7 @@ public:
     {
       moveBoundary(f);
     }
+    extendZones();
     return std::move(out);
   }
 
@@ -87,6 +89,8 @@ private:
     out.mesh.neighbors.reserve(total);
     out.mesh.levels.reserve(total);
     out.mesh.zones.reserve(total);
+    out.mesh.rooms.reserve(plain.rooms.empty() ? 0 : total);
+    out.mesh.cellZones.reserve(plain.cellZones.empty() ? 0 : total);
   }
 
   /// Those of the plain mesh; their corners become the copies.
@@ -94,10 +98,13 @@ private:
   {
     out.plainElements = static_cast<Index>(plain.elementCount());
     out.mesh.boundaryFaces = plain.boundaryFaces;
+    out.mesh.zoneFaces = plain.zoneFaces;
     out.mesh.corners.resize(out.plainElements);
     out.mesh.neighbors.resize(out.plainElements);
     out.mesh.levels.resize(out.plainElements);
     out.mesh.zones.resize(out.plainElements);
+    out.mesh.rooms.resize(plain.rooms.size());
+    out.mesh.cellZones.resize(plain.cellZones.size());
     executor.forRanges(out.plainElements, 16384, [&](std::size_t begin, std::size_t end) {
       const auto copy = [&](const auto& from, auto& to) {
         std::copy_n(from.begin() + static_cast<std::ptrdiff_t>(begin), end - begin,
@@ -106,6 +113,14 @@ private:
       copy(plain.neighbors, out.mesh.neighbors);
       copy(plain.levels, out.mesh.levels);
       copy(plain.zones, out.mesh.zones);
+      if (!plain.rooms.empty())
+      {
+        copy(plain.rooms, out.mesh.rooms);
+      }
+      if (!plain.cellZones.empty())
+      {
+        copy(plain.cellZones, out.mesh.cellZones);
+      }
       copy(plain.corners, out.mesh.corners);
       for (std::size_t e = begin; e < end && !out.wallPoints.empty(); ++e)
       {
@@ -137,10 +152,7 @@ private:
     {
       neighbors[besideEdge(face.direction, edge)] = lateral(f, edge, height, prism);
     }
-    out.mesh.corners.push_back(corners);
-    out.mesh.neighbors.push_back(neighbors);
-    out.mesh.levels.push_back(plain.levels[face.element]);
-    out.mesh.zones.push_back(plain.zones[face.element]);
+    appendElement(out.mesh, corners, neighbors, plain, face.element);
     out.wallFaces.push_back(f);
     out.heights.push_back(height);
   }
@@ -181,6 +193,26 @@ private:
     {
       out.mesh.neighbors[face.element][face.direction] = static_cast<std::int32_t>(prismAt(f, stackOf(f) - 1));
       face.element = prismAt(f, 0);
+    }
+  }
+
+  /// Faces between the prisms on either side of a zone's faces are the zone's.
+  void extendZones()
+  {
+    if (plain.zoneFaces.empty())
+    {
+      return;
+    }
+    for (const ZoneEdge& zone : findZoneEdges(plain, walls))
+    {
+      const BoundaryFace& face = plain.boundaryFaces[zone.face];
+      const Index most =
+          std::max(counts[cornerOf(plain, face, zone.edge)], counts[cornerOf(plain, face, zone.edge + 1)]);
+      for (Index height = 0; height < most; ++height)
+      {
+        out.mesh.zoneFaces.push_back({prismAt(zone.face, height), zone.tag,
+                                      static_cast<std::uint8_t>(besideEdge(face.direction, zone.edge)), zone.side});
+      }
     }
   }
 

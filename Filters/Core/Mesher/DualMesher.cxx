@@ -6,6 +6,7 @@
 #include "Dual/Vertices/TurnedDomain.h"
 #include "Dual/Zones/CrackClosing.h"
 #include "Dual/Zones/Cracks.h"
+#include "Dual/Zones/ZoneFaces.h"
 #include "Dual/Zones/ZoneKinds.h"
 #include "Mesher/DualImprover.h"
 #include "Support/Pieces.h"
@@ -90,6 +91,63 @@ std::vector<std::int32_t> fillBoundary(DualMesh& mesh, const Crossings& crossing
     mesh.boundaryFaces[f] = face;
   });
   return codes;
+}
+
+/// What permeable surfaces make of the grid points: face zones, rooms and cell zones.
+struct Labels
+{
+  std::vector<ZoneFace> zoneFaces;
+  Rooms rooms;
+  std::vector<std::int32_t> cellZones;
+};
+
+Labels findLabels(const GridPlaces& grid, const Crossings& crossings, const Zones& zones,
+                  const DualMeshOptions& options, DualMeshResult& result, const MeshingContext& context)
+{
+  Labels labels;
+  labels.zoneFaces = findZoneFaces(crossings, context.model);
+  labels.rooms = findRooms(zones, result.zones, crossings, labels.zoneFaces, context.model, options.rooms, context);
+  labels.cellZones = findCellZones(crossings, grid, context.model, context);
+  result.rooms.rooms.resize(labels.rooms.count);
+  result.rooms.found = context.model.walls.size();
+  result.rooms.hasOutside = labels.rooms.hasOutside;
+  return labels;
+}
+
+/// Both elements of a face are in one zone.
+std::vector<ZoneFace> zoneFacesOf(std::vector<ZoneFace> faces, const std::vector<Index>& elements)
+{
+  std::erase_if(faces, [&](const ZoneFace& face) { return elements[face.element] == noIndex; });
+  for (ZoneFace& face : faces)
+  {
+    face.element = elements[face.element];
+  }
+  return faces;
+}
+
+/// Labels of elements from those of grid points, if there are any.
+void fillLabels(Buffer<std::int32_t>& out, const std::vector<std::int32_t>& ofPoint, const std::vector<Index>& elements,
+                std::size_t count, const RunContext& context)
+{
+  if (ofPoint.empty())
+  {
+    return;
+  }
+  out.resize(count);
+  context.executor.forEach(elements.size(), 8192, [&](std::size_t i) {
+    if (elements[i] != noIndex)
+    {
+      out[elements[i]] = ofPoint[i];
+    }
+  });
+}
+
+void takeLabels(DualMesh& mesh, Labels labels, const std::vector<Index>& elements, const RunContext& context)
+{
+  const std::size_t count = mesh.elementCount();
+  fillLabels(mesh.rooms, labels.rooms.ofPoint, elements, count, context);
+  fillLabels(mesh.cellZones, labels.cellZones, elements, count, context);
+  mesh.zoneFaces = zoneFacesOf(std::move(labels.zoneFaces), elements);
 }
 
 void fillElements(DualMesh& mesh, const Octree& octree, const GridPoints& points, const Crossings& crossings,
@@ -239,6 +297,7 @@ ClassifiedMesh fillMesh(DualMeshResult& result, const DualMeshOptions& options, 
   result.keptZones = zonesWithinSides(keptZones(zones, options.zoneRule, options.seeds, places, model), zones, places);
   const std::vector<Index> elements = numberElements(zones, result.keptZones, context);
   inspectZones(places, crossings, zones, elements, options, result, context);
+  Labels labels = findLabels(places, crossings, zones, options, result, context);
   clock.lap("zones");
   context.progress.report(0.7, "Placing vertices");
   std::vector<Index> vertexOfLeaf;
@@ -250,6 +309,7 @@ ClassifiedMesh fillMesh(DualMeshResult& result, const DualMeshOptions& options, 
   context.progress.report(0.9, "Making elements");
   context.progress.check();
   fillElements(mesh, octree, points, crossings, zones, elements, vertexOfLeaf, context);
+  takeLabels(mesh, std::move(labels), elements, context);
   context.progress.check();
   const std::vector<Vec3> before = octree.frame().turnedDomain ? mesh.points : std::vector<Vec3>();
   sharpenTurnedEdges(mesh, octree.frame(), model.names.size());
@@ -346,6 +406,7 @@ DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, con
   takeImproved(growLayers(std::move(mesh), options.layers, options.curvedWalls, context.part(0.55, 0.98)), result);
   context.progress.report(0.98, "Placing the mesh in the model");
   placeInModel(result, octree.frame().placement, context);
+  measureRooms(result.mesh, model, result.rooms);
   clock.lap("layers");
   context.progress.report(1.0, "Meshed");
   return result;

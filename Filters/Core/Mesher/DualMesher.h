@@ -4,8 +4,10 @@
 
 #include "Dual/Mesh/DualMesh.h"
 #include "Dual/Zones/Leaks.h"
+#include "Dual/Zones/Rooms.h"
 #include "Dual/Zones/Zones.h"
 #include "Layer/LayerCoverage.h"
+#include "Mesher/RoomReport.h"
 #include "Optimize/Kernel/QualityTargets.h"
 #include "Support/StageClock.h"
 
@@ -26,6 +28,7 @@ struct DualMeshOptions
   /// Cracks beside boundary edges that are no wider than this part of the octants there are closed; 0 closes none.
   /// Wider ones are open where an edge of the grid passes.
   double crackTolerance = 0.5;
+  RoomOptions rooms = {};
 };
 
 /// Something the mesh could not follow, or that a user should know of it.
@@ -66,6 +69,8 @@ struct DualMeshResult
   std::vector<Leak> leaks;
   /// Empty where no layers were asked for.
   LayerReport layers = {};
+  /// Empty where no surface is a face zone. `rooms` of the mesh are indices into its rooms.
+  RoomReport rooms = {};
 };
 
 /// The dual of an octree whose leaves know their pieces of the model. The octree and its model are along the grid's

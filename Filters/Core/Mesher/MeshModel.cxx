@@ -17,8 +17,11 @@ MeshedModel meshOctree(std::unique_ptr<MeshSources> sources, const MesherOptions
 {
   checkLayerBudget(sources->octree, sources->model, options.mesh.layers, options.sizing.memoryLimit, context);
   MeshedModel out;
-  static_cast<DualMeshResult&>(out) = makeDualMesh(sources->octree, sources->model, options.mesh, clock, context);
+  DualMeshOptions mesh = options.mesh;
+  mesh.rooms.sidesAreWalls = options.site.mode == DomainMode::surfaces;
+  static_cast<DualMeshResult&>(out) = makeDualMesh(sources->octree, sources->model, mesh, clock, context);
   out.names = sources->model.names;
+  out.kinds = sources->model.kinds;
   out.repair = sources->model.repair;
   out.maximumLevel = sources->octree.maximumLevel();
   out.stages = clock.stages();

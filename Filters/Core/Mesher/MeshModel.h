@@ -25,6 +25,8 @@ struct MeshedModel : DualMeshResult
 {
   /// Names of the surfaces; tags of boundary faces from their number on are bare sides of the domain, by Direction.
   std::vector<std::string> names;
+  /// Of each surface; empty where all are walls.
+  std::vector<SurfaceKind> kinds;
   SurfaceRepairReport repair;
   /// What a user should know of the domain, a sentence each; see checkDomain.
   std::vector<std::string> inputWarnings;

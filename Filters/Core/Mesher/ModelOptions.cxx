@@ -2,7 +2,10 @@
 #include "Mesher/ModelOptions.h"
 
 #include "Domain/DomainCheck.h"
+#include "Mesher/ModelOpenings.h"
 #include "Octree/Sizing/SizeRules.h"
+#include "Support/Error.h"
+#include "Support/NamePattern.h"
 
 namespace atria {
 
@@ -16,6 +19,42 @@ GridOptions sizesOf(const ModelOptions& options)
   GridOptions sizes = options.sizes;
   sizes.finestAsked = finestSizeOf(options.sizing);
   return sizes;
+}
+
+void setKind(SurfaceKind kind, const std::vector<std::string>& patterns, const std::vector<std::string>& names,
+             std::vector<SurfaceKind>& kinds)
+{
+  const char* zone = kind == SurfaceKind::faceZone ? "a face zone" : "a cell zone";
+  for (const std::string& pattern : patterns)
+  {
+    kinds.resize(names.size(), SurfaceKind::wall);
+    bool met = false;
+    for (std::size_t i = 0; i < names.size(); ++i)
+    {
+      if (matchesPattern(pattern, names[i]))
+      {
+        if (kinds[i] != SurfaceKind::wall && kinds[i] != kind)
+        {
+          throw Error("surface '" + names[i] + "' is asked to be both a face zone and a cell zone");
+        }
+        kinds[i] = kind;
+        met = true;
+      }
+    }
+    if (!met)
+    {
+      throw Error("no surface matches '" + pattern + "', which is to be " + zone + "; " + namesInstead(pattern, names));
+    }
+  }
+}
+
+/// Empty where all are walls.
+std::vector<SurfaceKind> kindsOf(const std::vector<std::string>& names, const ModelOptions& options)
+{
+  std::vector<SurfaceKind> kinds;
+  setKind(SurfaceKind::faceZone, options.faceZones, names, kinds);
+  setKind(SurfaceKind::cellZone, options.cellZones, names, kinds);
+  return kinds;
 }
 
 SizingOptions alongGrid(SizingOptions sizing, const Placement& grid)
@@ -59,8 +98,12 @@ SurfaceModel makeSurfaceModel(const PlacedModel& placed, const ModelOptions& opt
   features.gapTolerance = options.gapTolerance.value_or(gapRatio * size);
   features.smallPartSize = options.smallPartSize;
   features.keptSurfaces = surfacesOfRules(placed.surface.names, options.sizing);
+  features.kinds = kindsOf(placed.surface.names, options);
   features.finerPlaces = finerPlaces(placed.surface, placed.frame, alongGrid(options.sizing, placed.frame.placement));
-  return makeSurfaceModel(placed.surface, placed.frame, features, context);
+  SurfaceModel model =
+      makeSurfaceModel(placed.surface, placed.frame, features, options.findOpenings ? context.part(0.0, 0.5) : context);
+  return options.findOpenings ? withOpenings(std::move(model), placed, features, options, context.part(0.5, 1.0))
+                              : model;
 }
 
 SizedOctants sizeOctants(const SurfaceModel& model, const GridFrame& frame, const ModelOptions& options,

@@ -24,6 +24,14 @@ struct ModelOptions
   /// Connected parts of the model with a bounding box of a shorter diagonal than this many octants of sizeMin are left
   /// out, but for those of surfaces that rules of sizes name; 0 leaves out none. See findSmallParts.
   double smallPartSize = 1.0;
+  /// Patterns of the names of surfaces one can look through, SurfaceKind::faceZone.
+  std::vector<std::string> faceZones;
+  /// Of closed surfaces that enclose a zone, without being walls: SurfaceKind::cellZone.
+  std::vector<std::string> cellZones;
+  /// Whether openings are found by rule; see withOpenings in Mesher/ModelOpenings.h.
+  bool findOpenings = false;
+  /// Patterns of the names of surfaces in which none are.
+  std::vector<std::string> withoutOpenings;
 };
 
 /// Domain and ground; see planSite.
@@ -39,7 +47,8 @@ PlacedModel placeModel(const TriangleSurface& surface, const SitePlan& plan, con
 /// The model in its grid. Throws Error where the options cannot be met.
 PlacedModel placeModel(const TriangleSurface& surface, const ModelOptions& options);
 
-/// The model on the lattice, repaired, with its features; see makeSurfaceModel.
+/// The model on the lattice, repaired, with its features; see makeSurfaceModel. Throws Error for patterns that match no
+/// surface, and for surfaces that are to be zones of both kinds.
 SurfaceModel makeSurfaceModel(const PlacedModel& placed, const ModelOptions& options, const RunContext& context);
 
 /// See sizeOctants. In a turned grid a refinement box is the box along the grid's axes that holds the one given.

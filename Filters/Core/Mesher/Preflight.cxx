@@ -143,7 +143,9 @@ Preflight preflight(const TriangleSurface& surface, const ModelOptions& options,
   const SitePlan plan = planSite(surface, options);
   const PlacedModel placed = placeModel(surface, plan, options);
   context.progress.report(0.02, "Repairing surfaces");
-  const SurfaceModel model = makeSurfaceModel(placed, options, context.part(0.02, 0.1));
+  ModelOptions asDrawn = options;
+  asDrawn.findOpenings = false; // they are to be measured
+  const SurfaceModel model = makeSurfaceModel(placed, asDrawn, context.part(0.02, 0.1));
   Preflight out;
   out.warnings = checkDomain(surface, plan, options);
   out.hidden = model.repair.hidden;

@@ -57,12 +57,12 @@ private:
   {
     const EdgeSegment segment = grid.segment(point, direction, edge);
     const auto cuts = cutEdge(grid, probe, point, edge, segment);
-    if (!cuts.empty())
+    record(point, edge.other, direction, segment, cuts, part);
+    const auto walls = [&](const SurfaceCrossing& cut) { return isWall(cut); };
+    if (const auto first = std::ranges::find_if(cuts, walls); first != cuts.end())
     {
-      record(point, edge.other, direction, segment, cuts, part);
-      part.faces.push_back({point, model.surfaceIds[cuts.front().triangle], noIndex,
-                            static_cast<std::uint8_t>(direction), seenFromStart(cuts.front()), false,
-                            model.charts[cuts.front().triangle]});
+      part.faces.push_back({point, model.surfaceIds[first->triangle], noIndex, static_cast<std::uint8_t>(direction),
+                            seenFromStart(*first), false, model.charts[first->triangle]});
       return;
     }
     const Index triangle = probe.sideTriangle(edge.at.leaf, segment.end, direction);
@@ -75,22 +75,30 @@ private:
   {
     const EdgeSegment segment = grid.segment(point, direction, edge);
     const auto cuts = cutEdge(grid, probe, point, edge, segment);
-    if (cuts.empty())
+    record(point, edge.other, direction, segment, cuts, part);
+    const auto walls = [&](const SurfaceCrossing& cut) { return isWall(cut); };
+    const auto first = std::ranges::find_if(cuts, walls);
+    if (first == cuts.end())
     {
       return;
     }
-    record(point, edge.other, direction, segment, cuts, part);
-    part.faces.push_back({point, model.surfaceIds[cuts.front().triangle], edge.other,
-                          static_cast<std::uint8_t>(direction), seenFromStart(cuts.front()), false,
-                          model.charts[cuts.front().triangle]});
-    part.faces.push_back({edge.other, model.surfaceIds[cuts.back().triangle], point,
-                          static_cast<std::uint8_t>(opposite(direction)), seenFromEnd(cuts.back()), false,
-                          model.charts[cuts.back().triangle]});
+    const SurfaceCrossing& last = *std::find_if(cuts.rbegin(), cuts.rend(), walls);
+    part.faces.push_back({point, model.surfaceIds[first->triangle], edge.other, static_cast<std::uint8_t>(direction),
+                          seenFromStart(*first), false, model.charts[first->triangle]});
+    part.faces.push_back({edge.other, model.surfaceIds[last.triangle], point,
+                          static_cast<std::uint8_t>(opposite(direction)), seenFromEnd(last), false,
+                          model.charts[last.triangle]});
   }
+
+  bool isWall(const SurfaceCrossing& cut) const { return !model.isPermeable(cut.triangle); }
 
   static void record(Index point, Index other, int direction, const EdgeSegment& segment,
                      std::span<const SurfaceCrossing> cuts, Part& part)
   {
+    if (cuts.empty())
+    {
+      return;
+    }
     part.edges.push_back({point, other, static_cast<std::uint8_t>(direction), segment,
                           static_cast<std::uint32_t>(part.cuts.size()), static_cast<std::uint32_t>(cuts.size())});
     part.cuts.insert(part.cuts.end(), cuts.begin(), cuts.end());

@@ -8,7 +8,8 @@
 
 namespace atria {
 
-/// An octree edge that surfaces cut: between grid points, or from one to outside the domain.
+/// An octree edge that surfaces cut: between grid points, or from one to outside the domain. Permeable surfaces do so
+/// as well, but alone they part nothing: the points remain neighbors, or the last one that of the side.
 struct CrossedEdge
 {
   /// The grid point the edge starts from, and the one at its end or noIndex. Edges between two points start from the
@@ -59,7 +60,8 @@ std::span<const SurfaceCrossing> cutEdge(const GridPlaces& grid, EdgeProbe& prob
 
 /// Joins grid points across edges, and finds which edges are cut by surfaces or by the domain's sides. Decisions are
 /// exact; see Predicates.h. A surface that reaches through an edge and back, by a bulge or the tip of a crease, does
-/// not cut it. Cost: O(1) an edge, plus the triangles in the leaf beside it.
+/// not cut it. Faces are those of walls; of a permeable surface only the crossed edges tell. Cost: O(1) an edge, plus
+/// the triangles in the leaf beside it.
 Crossings findCrossings(const GridPlaces& grid, const SurfaceModel& model, const RunContext& context);
 
 /// The same crossings as findCrossings, from those found before these points moved or went back. Cost: O(1) for each of

@@ -97,10 +97,21 @@ std::span<const SurfaceCrossing> EdgeProbe::cutAmong(const EdgeSegment& edge, st
       found.push_back(*cut);
     }
   }
-  std::sort(found.begin(), found.end(), [&](const SurfaceCrossing& l, const SurfaceCrossing& r) {
+  const auto isBefore = [](const SurfaceCrossing& l, const SurfaceCrossing& r) {
     return std::tie(l.parameter, l.triangle) < std::tie(r.parameter, r.triangle);
-  });
-  dropBulges(edge);
+  };
+  std::sort(found.begin(), found.end(), isBefore);
+  if (model.kinds.empty())
+  {
+    dropBulges(edge, 0, found.size());
+    return found;
+  }
+  const auto permeable = std::stable_partition(
+      found.begin(), found.end(), [&](const SurfaceCrossing& cut) { return !model.isPermeable(cut.triangle); });
+  const auto walls = static_cast<std::size_t>(permeable - found.begin());
+  dropBulges(edge, walls, found.size());
+  dropBulges(edge, 0, walls);
+  std::sort(found.begin(), found.end(), isBefore);
   return found;
 }
 
@@ -193,14 +204,15 @@ bool EdgeProbe::isNick(const EdgeSegment& edge, const SurfaceCrossing& l, const 
 }
 
 /// Taking out pairs keeps the parity of crossings along every closed path, so that closed surfaces stay closed.
-void EdgeProbe::dropBulges(const EdgeSegment& edge)
+void EdgeProbe::dropBulges(const EdgeSegment& edge, std::size_t begin, std::size_t end)
 {
-  for (std::size_t i = 0; i + 1 < found.size();)
+  for (std::size_t i = begin; i + 1 < end;)
   {
     if (isBulge(edge, found[i], found[i + 1]))
     {
       found.erase(found.begin() + static_cast<std::ptrdiff_t>(i), found.begin() + static_cast<std::ptrdiff_t>(i) + 2);
-      i = i > 0 ? i - 1 : 0;
+      end -= 2;
+      i = i > begin ? i - 1 : begin;
     }
     else
     {

@@ -59,7 +59,8 @@ public:
   }
 
   /// Crossings of an edge with the triangles of `leaves`, sorted from start to end; triangles on domain sides are not
-  /// asked. Pairs that only reach through the edge and back are left out. The answer holds until the next call.
+  /// asked. Pairs that only reach through the edge and back are left out, as if there were nothing but walls for walls,
+  /// and nothing but what is permeable for that. The answer holds until the next call.
   std::span<const SurfaceCrossing> cut(const EdgeSegment& edge, std::span<const Index> leaves);
   /// The same with some triangles, among which are all that touch the bounds of the edge.
   std::span<const SurfaceCrossing> cutAmong(const EdgeSegment& edge, std::span<const Index> triangles);
@@ -75,7 +76,7 @@ public:
 private:
   bool isBulge(const EdgeSegment& edge, const SurfaceCrossing& l, const SurfaceCrossing& r) const;
   bool isNick(const EdgeSegment& edge, const SurfaceCrossing& l, const SurfaceCrossing& r) const;
-  void dropBulges(const EdgeSegment& edge);
+  void dropBulges(const EdgeSegment& edge, std::size_t begin, std::size_t end);
 
   const Octree& octree;
   const SurfaceModel& model;

@@ -42,6 +42,17 @@ struct BoundaryFace
   Index chart = noIndex;
 };
 
+/// A face within the mesh that lies on a permeable surface.
+struct ZoneFace
+{
+  Index element;
+  /// The surface's id.
+  Index tag;
+  std::uint8_t direction;
+  /// The side of the surface the element lies on; the neighbor lies on the other.
+  SheetSide side;
+};
+
 /// An element is the dual of a grid point; its corners are the vertices of the octants about the point, one an octant
 /// direction, and its faces the duals of the octree's edges in the six axis directions. A face is the quad of its four
 /// corners, less those that coincide; with fewer than three left it is none. Layer elements have the same form.
@@ -59,12 +70,35 @@ struct DualMesh
   /// Per element and Direction: the element across, or ~i for boundary face i, or noFace.
   Buffer<std::array<std::int32_t, 6>> neighbors;
   std::vector<BoundaryFace> boundaryFaces;
+  /// Each face once.
+  std::vector<ZoneFace> zoneFaces;
   /// Per element: the level of the finest octant about it; its zone.
   Buffer<std::uint8_t> levels;
   Buffer<std::int32_t> zones;
+  /// Per element its room, and the surface that encloses it as a cell zone; -1 for none. Empty where there are none.
+  Buffer<std::int32_t> rooms;
+  Buffer<std::int32_t> cellZones;
 
   std::size_t elementCount() const { return corners.size(); }
 };
+
+/// Appends an element that is for all but its place as element `like` of a mesh, which may be the same.
+inline void appendElement(DualMesh& to, const std::array<Index, 8>& corners,
+                          const std::array<std::int32_t, 6>& neighbors, const DualMesh& from, Index like)
+{
+  to.corners.push_back(corners);
+  to.neighbors.push_back(neighbors);
+  to.levels.push_back(std::uint8_t(from.levels[like]));
+  to.zones.push_back(std::int32_t(from.zones[like]));
+  if (!from.rooms.empty())
+  {
+    to.rooms.push_back(std::int32_t(from.rooms[like]));
+  }
+  if (!from.cellZones.empty())
+  {
+    to.cellZones.push_back(std::int32_t(from.cellZones[like]));
+  }
+}
 
 /// A face with coinciding corners taken out; `count` is below 3 where there is no face.
 struct ReducedFace
@@ -100,6 +134,18 @@ inline bool hasMarked(const std::array<Index, 8>& corners, const std::vector<cha
     any |= marked[p];
   }
   return any != 0;
+}
+
+/// Marks the points of faces of zones.
+inline void markZonePoints(const DualMesh& mesh, std::vector<char>& marked)
+{
+  for (const ZoneFace& face : mesh.zoneFaces)
+  {
+    for (const std::uint8_t c : hexahedronFace[face.direction])
+    {
+      marked[mesh.corners[face.element][c]] = 1;
+    }
+  }
 }
 
 /// Marks the points of boundary faces.

@@ -49,6 +49,7 @@ public:
   {
     triangles = trianglesNear(
         octree, {frame.toLattice(place - Vec3::Constant(reach)), frame.toLattice(place + Vec3::Constant(reach))});
+    std::erase_if(triangles, [&](Index triangle) { return model.isPermeable(triangle); });
     for (const Index triangle : triangles)
     {
       corners.push_back(cornersOf(triangle, model, frame));
@@ -273,7 +274,7 @@ void Clearance::collect(Index point, std::vector<Index>& triangles) const
   {
     for (const ModelItem piece : octree.items(leaf))
     {
-      if (piece.kind == ModelItem::triangle)
+      if (piece.kind == ModelItem::triangle && !model.isPermeable(piece.index))
       {
         triangles.push_back(piece.index);
       }

@@ -53,7 +53,7 @@ std::vector<BoundaryEdge> boundaryEdgesOf(const SurfaceModel& model)
   std::vector<BoundaryEdge> boundaryEdges;
   for (Index t = 0; t < model.triangles.size() && !keys.empty(); ++t)
   {
-    for (int i = 0; i < 3 && model.domainSides[t] == SurfaceModel::noSide; ++i)
+    for (int i = 0; i < 3 && model.domainSides[t] == SurfaceModel::noSide && !model.isPermeable(t); ++i)
     {
       const auto& corners = model.triangles[t];
       if (std::binary_search(keys.begin(), keys.end(), edgeKey(corners, i)))
@@ -228,7 +228,7 @@ private:
     for (const Index t : tree.touching(box))
     {
       const Vec3 offset = nearestOn(t, p, Vec3::Zero());
-      if (t != boundaryEdge && offset.norm() <= reach)
+      if (t != boundaryEdge && !model.isPermeable(t) && offset.norm() <= reach)
       {
         places.push_back({offset.norm(), t, offset});
       }

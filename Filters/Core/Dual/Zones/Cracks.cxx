@@ -114,7 +114,7 @@ private:
   }
 
   /// Finds the boundary edge's triangle, and with it the direction in which it would go on. False for one on a domain
-  /// side.
+  /// side or a permeable surface.
   bool outwards(const FeatureEdge& edge, Index leaf, const Vec3& along)
   {
     if (boundaryEdge == noIndex)
@@ -140,7 +140,7 @@ private:
       const Vec3 direction = along.normalized();
       outward = (a - third - direction * direction.dot(a - third)).normalized();
     }
-    return model.domainSides[boundaryEdge] == SurfaceModel::noSide;
+    return model.domainSides[boundaryEdge] == SurfaceModel::noSide && !model.isPermeable(boundaryEdge);
   }
 
   bool hasEdge(Index triangle, const FeatureEdge& edge) const
@@ -154,7 +154,7 @@ private:
     const LatticeBox box{frame.toLattice(middle - Vec3::Constant(reach)),
                          frame.toLattice(middle + Vec3::Constant(reach))};
     triangles = tree.touching(box);
-    triangles.erase(std::remove(triangles.begin(), triangles.end(), boundaryEdge), triangles.end());
+    std::erase_if(triangles, [&](Index t) { return t == boundaryEdge || model.isPermeable(t); });
   }
 
   /// From the boundary edge to the nearest thing in the direction in which its triangle would go on.

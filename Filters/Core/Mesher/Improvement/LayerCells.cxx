@@ -22,6 +22,7 @@ std::vector<Index> cellsOf(const std::vector<ShortCell>& cells)
 std::vector<char> pointsToEvaluate(const LayerMesh& layer, const Executor& executor)
 {
   std::vector<char> marked = boundaryPoints(layer.mesh, executor);
+  markZonePoints(layer.mesh, marked);
   std::fill(marked.begin() + layer.plainPoints, marked.end(), 1);
   return marked;
 }

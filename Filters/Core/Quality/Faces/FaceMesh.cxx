@@ -388,6 +388,31 @@ std::vector<Index> findBoundaryFaces(const FaceMesh& mesh, std::span<const Bound
   return found;
 }
 
+std::vector<Index> findInternalFaces(const FaceMesh& mesh, std::span<const BoundaryFaceKey> keys,
+                                     std::span<const Index> neighbors, const Executor& executor)
+{
+  std::vector<Index> found(keys.size(), noIndex);
+  const auto last = mesh.owner.begin() + static_cast<std::ptrdiff_t>(mesh.internalFaceCount());
+  executor.forRanges(keys.size(), Pieces::length, [&](std::size_t begin, std::size_t end) {
+    std::vector<Index> points;
+    for (std::size_t k = begin; k < end; ++k)
+    {
+      points.assign(keys[k].points.begin(), keys[k].points.end());
+      const auto [owner, neighbor] = std::minmax(keys[k].cell, neighbors[k]);
+      const auto range = std::equal_range(mesh.owner.begin(), last, owner);
+      for (auto it = range.first; it != range.second && found[k] == noIndex; ++it)
+      {
+        const auto face = static_cast<std::size_t>(it - mesh.owner.begin());
+        if (mesh.neighbor[face] == neighbor && samePoints(mesh.face(face), points))
+        {
+          found[k] = static_cast<Index>(face);
+        }
+      }
+    }
+  });
+  return found;
+}
+
 OrderedFace orderFace(Index face, Index owner, Index neighbor)
 {
   return {owner == noIndex || neighbor == noIndex, std::min(owner, neighbor), std::max(owner, neighbor), face,

@@ -89,6 +89,11 @@ FaceMesh makeFaceMesh(std::vector<Vec3> points, const CellArrays& cells,
 std::vector<Index> findBoundaryFaces(const FaceMesh& mesh, std::span<const BoundaryFaceKey> keys,
                                      const Executor& executor = SerialExecutor());
 
+/// Per key the internal face between its cell and the one of `neighbors`, whichever owns it, that has its points; or
+/// noIndex.
+std::vector<Index> findInternalFaces(const FaceMesh& mesh, std::span<const BoundaryFaceKey> keys,
+                                     std::span<const Index> neighbors, const Executor& executor = SerialExecutor());
+
 /// A face of a mesh whose cells have other numbers now. They sort in the order FaceMesh asks for.
 struct OrderedFace
 {

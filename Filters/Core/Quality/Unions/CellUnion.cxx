@@ -238,8 +238,10 @@ UnionVerdict judgeFirst(const FaceMesh& mesh, const RunContext& context)
 
 } // namespace
 
-CellUnions::CellUnions(const FaceMesh& faceMesh, std::span<const Index> patchOf, const Executor& executor)
-    : mesh(faceMesh), patches(patchOf), faces(makeCellFaces(faceMesh, executor)), into(faceMesh.cellCount)
+CellUnions::CellUnions(const FaceMesh& faceMesh, std::span<const Index> patchOf, const Executor& executor,
+                       std::span<const Index> zoneOf)
+    : mesh(faceMesh), patches(patchOf), zones(zoneOf), faces(makeCellFaces(faceMesh, executor)),
+      into(faceMesh.cellCount)
 {
   std::iota(into.begin(), into.end(), Index{0});
 }
@@ -278,15 +280,17 @@ std::vector<Index> CellUnions::neighborsOf(std::span<const Index> cells) const
 {
   const auto isIn = [&](Index cell) { return std::find(cells.begin(), cells.end(), cell) != cells.end(); };
   std::vector<Index> beyond;
+  std::vector<Index> barred;
   for (const Index face : outerFaces(cells))
   {
     const auto [owner, neighbor] = sidesOf(face);
     if (neighbor != noIndex)
     {
-      beyond.push_back(isIn(owner) ? neighbor : owner);
+      (isOfZone(face) ? barred : beyond).push_back(isIn(owner) ? neighbor : owner);
     }
   }
   sortUnique(beyond);
+  std::erase_if(beyond, [&](Index cell) { return std::ranges::find(barred, cell) != barred.end(); });
   return beyond;
 }
 

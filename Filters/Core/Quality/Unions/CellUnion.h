@@ -18,8 +18,9 @@ namespace atria {
 class CellUnions
 {
 public:
-  /// `patchOf` as for mergeCoplanarFaces(); it must outlive this, as the mesh must.
-  CellUnions(const FaceMesh& mesh, std::span<const Index> patchOf, const Executor& executor);
+  /// `patchOf` as for mergeCoplanarFaces(), `zoneOf` as in MergeCellsOptions; they must outlive this, as the mesh must.
+  CellUnions(const FaceMesh& mesh, std::span<const Index> patchOf, const Executor& executor,
+             std::span<const Index> zoneOf = {});
 
   /// Of a boundary face.
   Index patchOf(Index face) const { return patches.empty() ? 0 : patches[face - mesh.internalFaceCount()]; }
@@ -31,7 +32,7 @@ public:
   std::span<const Index> facesOf(Index cell) const;
   /// The faces that some of these cells have and do not share with each other; rising.
   std::vector<Index> outerFaces(std::span<const Index> cells) const;
-  /// The cells beyond the outer faces of these; rising.
+  /// The cells beyond the outer faces of these, but for those beyond a face of a zone; rising.
   std::vector<Index> neighborsOf(std::span<const Index> cells) const;
   /// Makes these one. None of them is to be cut.
   void unite(std::span<const Index> cells);
@@ -45,7 +46,10 @@ public:
   const FaceMesh& mesh;
 
 private:
+  bool isOfZone(Index face) const { return face < zones.size() && zones[face] != noIndex; }
+
   std::span<const Index> patches;
+  std::span<const Index> zones;
   CellFaces faces;
   std::vector<Index> into;
   std::map<Index, std::vector<Index>> united;    ///< faces of cells that others belong to

@@ -75,6 +75,7 @@ private:
     {
       MergeCellsOptions merging;
       merging.kept = keptCells;
+      merging.zoneOf = options.zoneOf;
       MergedCells cells = mergeUnderdeterminedCells(now.mesh, patchOf, round.part(0.0, 0.3), merging);
       now.cellOf = std::move(cells.cellOf);
       now.added = std::move(cells.added);
@@ -88,7 +89,9 @@ private:
       std::ranges::transform(kept, kept.begin(),
                              [&](Index cell) { return now.cellOf.empty() ? cell : now.cellOf[cell]; });
       sortUnique(kept);
+      const std::vector<Index> zones = zonesNow(now);
       merging.kept = kept;
+      merging.zoneOf = zones;
       const MergedFaces faces =
           mergeCoplanarFaces(now.mesh, patchNow(now, internalBefore), round.part(0.3, 0.5), merging);
       now.mergedFaces = faces.count;
@@ -107,6 +110,24 @@ private:
       patches[now.faceOf[internalBefore + i] - internal] = patchOf[i];
     }
     return patches;
+  }
+
+  /// `options.zoneOf` once cells were merged.
+  std::vector<Index> zonesNow(const JudgedMesh& now) const
+  {
+    if (now.faceOf.empty() || options.zoneOf.empty())
+    {
+      return {options.zoneOf.begin(), options.zoneOf.end()};
+    }
+    std::vector<Index> zones(now.mesh.internalFaceCount(), noIndex);
+    for (std::size_t face = 0; face < options.zoneOf.size(); ++face)
+    {
+      if (options.zoneOf[face] != noIndex)
+      {
+        zones[now.faceOf[face]] = options.zoneOf[face]; // never within a cell
+      }
+    }
+    return zones;
   }
 
   static void follow(std::vector<Index>& faceOf, const MergedFaces& faces)

@@ -18,6 +18,8 @@ struct UnionOptions
 {
   bool mergeCells = true; ///< see mergeUnderdeterminedCells()
   bool mergeFaces = true; ///< see mergeCoplanarFaces()
+  /// For each internal face the number of its zone or noIndex, as in MergeCellsOptions and MergeFacesOptions.
+  std::span<const Index> zoneOf = {};
 };
 
 struct JudgedMesh
@@ -38,9 +40,8 @@ struct JudgedMesh
 /// Merges cells and faces of a mesh, judges what comes of it, and undoes unions of sound cells about cells that fail a
 /// check though they were sound before. Sound cells fail no check that is an error. Unions of cells that failed already
 /// stay: mostly they trade a cell with too few neighbors for a concave one, which solvers rather take. `makeMesh` gives
-/// the mesh; it is called once more where a union may have to be
-/// undone. `patchOf` is as for mergeCoplanarFaces(). The result does not depend on threads. Throws Aborted when asked
-/// to.
+/// the mesh; it is called once more where a union may have to be undone. `patchOf` is as for mergeCoplanarFaces(). The
+/// result does not depend on threads. Throws Aborted when asked to.
 JudgedMesh uniteAndJudge(const std::function<FaceMesh()>& makeMesh, std::span<const Index> patchOf,
                          const UnionOptions& options, const RunContext& context);
 

@@ -78,7 +78,7 @@ public:
       return {};
     }
     context.progress.report(0.3, "Merging cells");
-    CellUnions unions(mesh, patchOf, context.executor);
+    CellUnions unions(mesh, patchOf, context.executor, options.zoneOf);
     bool any = false;
     for (const Index cell : candidates)
     {

@@ -23,6 +23,9 @@ struct MergeCellsOptions
   std::size_t tried = 12;
   /// Cells that stay as they are; rising.
   std::span<const Index> kept;
+  /// For each internal face the number of its zone or noIndex; empty, none is in one. Faces of zones stay: cells on
+  /// either side of one are not made one.
+  std::span<const Index> zoneOf = {};
 };
 
 struct MergedCells

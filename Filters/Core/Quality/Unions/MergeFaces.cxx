@@ -64,7 +64,8 @@ private:
   bool samePatch(Index a, Index b) const
   {
     const std::size_t internal = mesh.internalFaceCount();
-    return isInternal(a) || patchOf.empty() || patchOf[a - internal] == patchOf[b - internal];
+    return isInternal(a) ? options.zoneOf.empty() || options.zoneOf[a] == options.zoneOf[b]
+                         : patchOf.empty() || patchOf[a - internal] == patchOf[b - internal];
   }
 
   bool isKept(Index cell) const { return std::binary_search(options.kept.begin(), options.kept.end(), cell); }

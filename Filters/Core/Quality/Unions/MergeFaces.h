@@ -24,6 +24,9 @@ struct MergeFacesOptions
   double internalSine = 0.05;
   /// Cells whose faces stay as they are; rising.
   std::span<const Index> kept;
+  /// For each internal face the number of its zone or noIndex; empty, none is in one. Faces of different zones are not
+  /// merged.
+  std::span<const Index> zoneOf = {};
 };
 
 struct MergedFaces

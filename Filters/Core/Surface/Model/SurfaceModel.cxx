@@ -108,6 +108,7 @@ SurfaceModel makeSurfaceModel(const TriangleSurface& surface, const GridFrame& f
   };
   SurfaceModel model;
   model.names = surface.names;
+  model.kinds = options.kinds;
   SurfaceRepairOptions repair;
   repair.weldDistance = units(options.weldDistance);
   repair.gapTolerance = options.gapTolerance / frame.latticeUnit();

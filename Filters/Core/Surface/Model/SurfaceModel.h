@@ -20,6 +20,14 @@ enum class CurveKind : std::uint8_t
   border    ///< two named surfaces meet
 };
 
+/// What a surface is to the air.
+enum class SurfaceKind : std::uint8_t
+{
+  wall,
+  faceZone, ///< one can look through it: the faces on it are within the mesh, under its name
+  cellZone  ///< one can look through it, and what it encloses has its name
+};
+
 /// An edge of the model on a feature curve.
 struct FeatureEdge
 {
@@ -58,12 +66,28 @@ struct SurfaceModel
   /// Points where curves end, meet or turn sharply.
   std::vector<Index> corners;
   std::vector<std::string> names;
+  /// Per surface; empty where all are walls.
+  std::vector<SurfaceKind> kinds;
+  /// Of the surfaces that are openings found by rule, the last of `names`: the one each is an opening of.
+  std::vector<Index> walls;
 
   /// What of the model was changed.
   SurfaceRepairReport repair;
 
   /// Whether a triangle is a side of a domain that stands turned in the grid (see TurnedSides.h).
   bool isTurnedSide(Index triangle) const { return surfaceIds[triangle] >= names.size(); }
+  /// A triangle on a side of the domain names it, whatever its kind.
+  SurfaceKind kindOf(Index triangle) const
+  {
+    return kinds.empty() || isTurnedSide(triangle) ? SurfaceKind::wall : kinds[surfaceIds[triangle]];
+  }
+  /// The surface that one is an opening of; itself where it was drawn.
+  Index wallOf(Index surface) const
+  {
+    const std::size_t drawn = names.size() - walls.size();
+    return surface < drawn ? surface : walls[surface - drawn];
+  }
+  bool isPermeable(Index triangle) const { return kindOf(triangle) != SurfaceKind::wall; }
   CurveKind kindOf(const FeatureEdge& edge) const { return curves[edge.curve].kind; }
   const LatticePoint& corner(Index triangle, int i) const { return points[triangles[triangle][i]]; }
   /// Of a triangle, in lattice units.
@@ -95,6 +119,8 @@ struct FeatureOptions
   double smallPartSize = 0.0;
   /// Surfaces, by number, of which no part is left out; those beyond its end may be.
   std::vector<char> keptSurfaces;
+  /// As SurfaceModel::kinds.
+  std::vector<SurfaceKind> kinds;
   /// Where octants are finer than at features elsewhere.
   std::vector<FinerPlace> finerPlaces;
 };

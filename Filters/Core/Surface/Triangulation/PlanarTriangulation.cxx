@@ -11,26 +11,23 @@ namespace atria {
 namespace {
 
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-/// A vertex's point; none, at first, where segments cross.
+/// A vertex's point, which there is none of at first where segments cross; or a face's region.
 struct Number
 {
   Index value = noIndex;
 };
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<Number, Kernel>;
-/// A face knows whether it is outside.
+/// A face knows its region.
 using FaceBase =
-    CGAL::Triangulation_face_base_with_info_2<char, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
+    CGAL::Triangulation_face_base_with_info_2<Number, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
 using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
 using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::Exact_predicates_tag>;
 
-void markOutside(Triangulation& plane)
+/// Gives a region to the faces one comes to from one without passing through a segment.
+void markRegion(Triangulation& plane, Triangulation::Face_handle first, Index region)
 {
-  for (auto face = plane.all_faces_begin(); face != plane.all_faces_end(); ++face)
-  {
-    face->info() = 0;
-  }
-  std::vector<Triangulation::Face_handle> open{plane.infinite_face()};
-  open.front()->info() = 1;
+  std::vector<Triangulation::Face_handle> open{first};
+  first->info().value = region;
   while (!open.empty())
   {
     const Triangulation::Face_handle face = open.back();
@@ -38,9 +35,9 @@ void markOutside(Triangulation& plane)
     for (int i = 0; i < 3; ++i)
     {
       const Triangulation::Face_handle next = face->neighbor(i);
-      if (next->info() == 0 && !plane.is_constrained({face, i}))
+      if (next->info().value == noIndex && !plane.is_constrained({face, i}))
       {
-        next->info() = 1;
+        next->info().value = region;
         open.push_back(next);
       }
     }
@@ -81,12 +78,16 @@ PlanarTriangulation triangulatePlane(std::span<const Vec2> points, std::span<con
       out.points.emplace_back(vertex->point().x(), vertex->point().y());
     }
   }
-  markOutside(plane);
+  markRegion(plane, plane.infinite_face(), out.regionCount++);
   for (auto face = plane.finite_faces_begin(); face != plane.finite_faces_end(); ++face)
   {
+    if (face->info().value == noIndex)
+    {
+      markRegion(plane, face, out.regionCount++);
+    }
     out.triangles.push_back(
         {face->vertex(0)->info().value, face->vertex(1)->info().value, face->vertex(2)->info().value});
-    out.outside.push_back(face->info());
+    out.regions.push_back(face->info().value);
   }
   return out;
 }

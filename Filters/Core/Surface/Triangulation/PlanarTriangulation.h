@@ -16,8 +16,12 @@ struct PlanarTriangulation
   std::vector<Vec2> points;
   /// Counter-clockwise; of points in one place the first is used.
   std::vector<std::array<Index, 3>> triangles;
-  /// Per triangle: whether one comes to it from the hull without passing through a segment.
-  std::vector<char> outside;
+  /// Per triangle: the region it is in. Segments part regions; 0 is what one comes to from the hull without passing
+  /// through a segment.
+  std::vector<Index> regions;
+  Index regionCount = 0;
+
+  bool isOutside(std::size_t triangle) const { return regions[triangle] == 0; }
 };
 
 /// Constrained Delaunay triangulation (CGAL) of the convex hull of points, with segments between them as edges.

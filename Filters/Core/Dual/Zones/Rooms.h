@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// What face zones part: rooms. And what cell zones enclose.
+#pragma once
+
+#include "Dual/Zones/Zones.h"
+
+namespace atria {
+
+/// Of grid points that are in no room, or in no cell zone.
+inline constexpr std::int32_t noRoom = -1;
+
+/// Rooms are the parts of the kept zones that faces of face zones divide them into. The outdoors is one room, whatever
+/// parts it has: those that reach a side of the domain, but for its bottom, where no surface lies on it. A part all of
+/// whose points are at its border, such as a sliver between a wall and a face zone, belongs to the room with which it
+/// has most faces in common. Insides of solids are in no room.
+struct Rooms
+{
+  /// Per grid point; empty where no surface is a face zone.
+  std::vector<std::int32_t> ofPoint;
+  /// The outdoors first, if there are any, then by falling number of points.
+  std::size_t count = 0;
+  bool hasOutside = false;
+};
+
+struct RoomOptions
+{
+  /// The domain is a room or a building whose walls are its sides: there are no outdoors.
+  bool sidesAreWalls = false;
+};
+
+/// `zoneFaces` as findZoneFaces() has them, `summaries` with the kind of each zone. Where an opening found by rule
+/// leads to a part that is no room of its own, as where a pane closes it, its faces are taken out of `zoneFaces`.
+Rooms findRooms(const Zones& zones, const std::vector<ZoneSummary>& summaries, const Crossings& crossings,
+                std::vector<ZoneFace>& zoneFaces, const SurfaceModel& model, const RoomOptions& options,
+                const RunContext& context);
+
+/// Per grid point the surface of kind SurfaceKind::cellZone that encloses it, the first if there are several, or
+/// noRoom; empty where no surface is of that kind. Throws Error for a surface that is not closed.
+std::vector<std::int32_t> findCellZones(const Crossings& crossings, const GridPlaces& grid, const SurfaceModel& model,
+                                        const RunContext& context);
+
+} // namespace atria

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Dual/Grid/Crossings.h"
+
+namespace atria {
+
+/// The faces between grid points that lie on permeable surfaces, in the order of the crossed edges. Where an edge
+/// crosses several surfaces, its face is on the first one that it does not pass back through.
+std::vector<ZoneFace> findZoneFaces(const Crossings& crossings, const SurfaceModel& model);
+
+} // namespace atria

@@ -1,0 +1,368 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Face zones, rooms and cell zones of meshes of buildings that are known, along the axes and turned, without and with
+/// layers.
+#include "Support/Buildings.h"
+#include "Support/DualMeshChecks.h"
+
+#include "Mesher/MeshModel.h"
+#include "Support/Error.h"
+
+#include <Eigen/Geometry>
+#include <gmock/gmock.h>
+
+#include <map>
+#include <numbers>
+#include <set>
+
+namespace {
+
+using namespace atria;
+using atria::testing::addBox;
+using atria::testing::addSheet;
+using atria::testing::addSphere;
+using atria::testing::addWall;
+using atria::testing::addWalls;
+using atria::testing::elementsAreClosed;
+using atria::testing::Hole;
+using atria::testing::isConformal;
+using atria::testing::volumes;
+using ::testing::UnorderedElementsAre;
+
+constexpr double size = 0.25;
+const Vec3 low(-2.1, -3.1, 0);
+const Vec3 high(2.4, 2.5, 3);
+
+MesherOptions optionsOf(int layers)
+{
+  MesherOptions options;
+  options.site.mode = DomainMode::bounds;
+  options.site.bounds = {Vec3(-7, -7, 0), Vec3(7, 7, 7)};
+  options.sizes.sizeMin = size;
+  options.sizes.sizeMid = 2.0 * size;
+  options.sizes.sizeMax = 1.0;
+  options.mesh.layers = {{"*", {layers}}};
+  return options;
+}
+
+MeshedModel meshed(const TriangleSurface& surface, const MesherOptions& options, int threads = 2)
+{
+  const ThreadExecutor executor(threads);
+  SilentMonitor silent;
+  return meshModel(surface, options, {executor, ProgressRange(silent)});
+}
+
+const Room& roomOf(const MeshedModel& mesh, const std::string& name)
+{
+  const auto& rooms = mesh.rooms.rooms;
+  return *std::find_if(rooms.begin(), rooms.end(), [&](const Room& room) { return room.name == name; });
+}
+
+/// The openings and the rooms at their backs and fronts, by name.
+std::map<std::string, std::pair<std::string, std::string>> connections(const MeshedModel& mesh)
+{
+  std::map<std::string, std::pair<std::string, std::string>> out;
+  for (const RoomOpening& opening : mesh.rooms.openings)
+  {
+    const auto name = [&](int side) {
+      return opening.rooms[side] < 0 ? std::string() : mesh.rooms.rooms[opening.rooms[side]].name;
+    };
+    out[mesh.names[opening.surface]] = {name(0), name(1)};
+  }
+  return out;
+}
+
+Vec3 areaOf(const DualMesh& mesh, const ZoneFace& zone)
+{
+  const ReducedFace face = faceOf(mesh.corners[zone.element], zone.direction);
+  Vec3 area = Vec3::Zero();
+  for (int i = 0; i < face.count; ++i)
+  {
+    area += 0.5 * mesh.points[face.points[i]].cross(mesh.points[face.points[(i + 1) % face.count]]);
+  }
+  return area;
+}
+
+/// Area vectors of face zones, from the back of their surfaces to the front.
+std::map<std::string, Vec3> zoneAreas(const MeshedModel& mesh)
+{
+  std::map<std::string, Vec3> areas;
+  for (const ZoneFace& face : mesh.mesh.zoneFaces)
+  {
+    const double sign = face.side == SheetSide::back ? 1.0 : -1.0;
+    areas.try_emplace(mesh.names[face.tag], Vec3::Zero()).first->second += sign * areaOf(mesh.mesh, face);
+  }
+  return areas;
+}
+
+/// Elements that share a face are in one room, but where the face is of a face zone: also within layers, down to the
+/// wall.
+void expectRoomsEndAtZones(const MeshedModel& meshed)
+{
+  const DualMesh& mesh = meshed.mesh;
+  std::set<std::pair<Index, int>> ofZones;
+  for (const ZoneFace& face : mesh.zoneFaces)
+  {
+    const std::int32_t other = mesh.neighbors[face.element][face.direction];
+    ASSERT_GE(other, 0);
+    ASSERT_TRUE(ofZones.emplace(face.element, face.direction).second) << "twice";
+    for (int d = 0; d < 6; ++d)
+    {
+      if (mesh.neighbors[other][d] == static_cast<std::int32_t>(face.element))
+      {
+        ofZones.emplace(other, d);
+      }
+    }
+  }
+  std::size_t between = 0;
+  for (Index e = 0; e < mesh.elementCount(); ++e)
+  {
+    for (int d = 0; d < 6; ++d)
+    {
+      const std::int32_t other = mesh.neighbors[e][d];
+      const bool differ = other >= 0 && mesh.rooms[e] != mesh.rooms[other];
+      between += differ ? 1 : 0;
+      ASSERT_TRUE(!differ || ofZones.count({e, d}) == 1) << "element " << e << ", side " << d;
+    }
+  }
+  EXPECT_GT(between, 0U);
+}
+
+void expectSound(const MeshedModel& meshed)
+{
+  EXPECT_TRUE(elementsAreClosed(meshed.mesh));
+  const std::vector<double> all = volumes(meshed.mesh);
+  EXPECT_GT(*std::min_element(all.begin(), all.end()), 0.0);
+}
+
+/// Two rooms with a window, a door to the outside, and a door between them.
+TriangleSurface house()
+{
+  TriangleSurface surface;
+  addWalls(surface, low, high, {{{{0.6, 0.9, 1.8, 2.1}}, {{3.9, 0.0, 4.8, 2.1}}, {}, {}}});
+  const Vec3 x(high[0] - low[0], 0, 0), y(0, high[1] - low[1], 0);
+  addSheet(surface, "Roof", low + Vec3(0, 0, 3), x, y);
+  addSheet(surface, "Floor", low, y, x);
+  addWall(surface, "Partition", low + Vec3(0, 3.2, 0), x, Vec3(0, 0, 3), {{1.5, 0.0, 2.4, 2.1}});
+  return surface;
+}
+
+TEST(Rooms, OfAHouseHaveTheirVolumesFloorsAndOpenings)
+{
+  const double width = high[0] - low[0];
+  const double deep = high[1] - low[1];
+  for (const double degrees : {0.0, 17.0})
+  {
+    for (const int layers : {0, 1, 3})
+    {
+      SCOPED_TRACE("turned by " + std::to_string(degrees) + ", layers " + std::to_string(layers));
+      TriangleSurface surface = house();
+      atria::testing::turn(surface, degrees);
+      MesherOptions options = optionsOf(layers);
+      options.findOpenings = true;
+      const MeshedModel mesh = meshed(surface, options);
+      ASSERT_EQ(mesh.rooms.rooms.size(), 3U);
+      EXPECT_EQ(mesh.rooms.rooms[0].name, "outside");
+      const Room& south = roomOf(mesh, "room_1");
+      const Room& north = roomOf(mesh, "room_2");
+      EXPECT_NEAR(south.volume, width * 3.2 * 3.0, 0.01 * width * 3.2 * 3.0);
+      EXPECT_NEAR(north.volume, width * (deep - 3.2) * 3.0, 0.01 * width * (deep - 3.2) * 3.0);
+      EXPECT_NEAR(south.floorArea, width * 3.2, 0.01 * width * 3.2);
+      EXPECT_NEAR(north.floorArea, width * (deep - 3.2), 0.01 * width * (deep - 3.2));
+      EXPECT_NEAR(mesh.rooms.rooms[0].volume, 14.0 * 14.0 * 7.0 - width * deep * 3.0, 0.005 * 14.0 * 14.0 * 7.0);
+      // Fronts of outer walls look out, that of the partition to -y.
+      const std::map<std::string, std::pair<std::string, std::string>> wanted{
+          {"South_opening_1", {"room_1", "outside"}},
+          {"East_opening_1", {"room_2", "outside"}},
+          {"Partition_opening_1", {"room_2", "room_1"}}};
+      EXPECT_EQ(connections(mesh), wanted);
+      EXPECT_EQ(south.openings.size(), 2U);
+      EXPECT_EQ(north.openings.size(), 2U);
+      const double turn = degrees * std::numbers::pi / 180.0;
+      const Vec3 toSouth(std::sin(turn), -std::cos(turn), 0.0);
+      const Vec3 toEast(std::cos(turn), std::sin(turn), 0.0);
+      const std::map<std::string, Vec3> areas = zoneAreas(mesh);
+      EXPECT_LT((areas.at("South_opening_1") - 1.44 * toSouth).norm(), 0.02 * 1.44);
+      EXPECT_LT((areas.at("East_opening_1") - 1.89 * toEast).norm(), 0.02 * 1.89);
+      EXPECT_LT((areas.at("Partition_opening_1") - 1.89 * toSouth).norm(), 0.02 * 1.89);
+      for (const RoomOpening& opening : mesh.rooms.openings)
+      {
+        EXPECT_NEAR(opening.area, areas.at(mesh.names[opening.surface]).norm(), 1e-6);
+        EXPECT_EQ(mesh.names[opening.surface], mesh.names[opening.wall] + "_opening_1");
+      }
+      expectRoomsEndAtZones(mesh);
+      expectSound(mesh);
+    }
+  }
+}
+
+TEST(Rooms, AreTheSameForAnyNumberOfThreads)
+{
+  TriangleSurface surface = house();
+  atria::testing::turn(surface, 17.0);
+  MesherOptions options = optionsOf(1);
+  options.findOpenings = true;
+  EXPECT_TRUE(atria::testing::identical(meshed(surface, options, 1).mesh, meshed(surface, options, 3).mesh));
+}
+
+/// Three storeys with an atrium, and a hatch from the lowest to the one above.
+TEST(Rooms, AreStoreysWhereSlabsHaveHoles)
+{
+  TriangleSurface surface;
+  const Vec3 top(2.4, 2.5, 6);
+  addWalls(surface, low, top, {{{{1.0, 0.7, 2.2, 1.5}}, {}, {}, {}}});
+  const Vec3 x(high[0] - low[0], 0, 0), y(0, high[1] - low[1], 0);
+  addSheet(surface, "Roof", low + Vec3(0, 0, 6), x, y);
+  const Hole atrium{1.2, 1.4, 3.1, 3.8};
+  addWall(surface, "First", low + Vec3(0, 0, 2), x, y, {atrium, {3.5, 4.4, 4.2, 5.1}});
+  addWall(surface, "Second", low + Vec3(0, 0, 4), x, y, {atrium});
+  MesherOptions options = optionsOf(0);
+  options.findOpenings = true;
+  const MeshedModel mesh = meshed(surface, options);
+  ASSERT_EQ(mesh.rooms.rooms.size(), 4U);
+  const auto found = connections(mesh);
+  ASSERT_EQ(found.size(), 4U);
+  // The fronts of slabs look up: the storeys follow each other.
+  const auto [lowest, outside] = found.at("South_opening_1");
+  EXPECT_EQ(outside, "outside");
+  EXPECT_EQ(found.at("First_opening_1").first, lowest);
+  EXPECT_EQ(found.at("First_opening_2"), found.at("First_opening_1"));
+  EXPECT_EQ(found.at("Second_opening_1").first, found.at("First_opening_1").second);
+  const double storey = x[0] * y[1] * 2.0;
+  for (const Room& room : mesh.rooms.rooms)
+  {
+    EXPECT_TRUE(room.name == "outside" || std::abs(room.volume - storey) < 0.02 * storey) << room.name;
+  }
+  expectRoomsEndAtZones(mesh);
+}
+
+TEST(Rooms, HaveTheNameOfTheGroupThatTheirSurfacesAreOf)
+{
+  TriangleSurface surface = house();
+  for (std::string& name : surface.names)
+  {
+    name = "Ground/" + name;
+  }
+  MesherOptions options = optionsOf(0);
+  options.findOpenings = true;
+  const MeshedModel mesh = meshed(surface, options);
+  std::vector<std::string> names;
+  for (const Room& room : mesh.rooms.rooms)
+  {
+    names.push_back(room.name);
+  }
+  EXPECT_THAT(names, UnorderedElementsAre("outside", "Ground", "Ground_2"));
+}
+
+TEST(Rooms, WithoutOpeningsAreNotLookedForAndTheMeshKeepsItsBits)
+{
+  TriangleSurface surface;
+  addBox(surface, "House", {low, high});
+  addSheet(surface, "Fence", Vec3(-5, 4, 0), Vec3(9, 1, 0), Vec3(0, 0, 1.8));
+  MesherOptions options = optionsOf(1);
+  const MeshedModel without = meshed(surface, options);
+  EXPECT_TRUE(without.rooms.rooms.empty());
+  EXPECT_TRUE(without.mesh.rooms.empty());
+  options.findOpenings = true;
+  EXPECT_TRUE(atria::testing::identical(without.mesh, meshed(surface, options).mesh));
+}
+
+/// A screen in the open, one that stands on a wall, and a wall: only this parts anything.
+TEST(FaceZones, ConformToTheirSurfaceAndPartNothing)
+{
+  for (const double degrees : {0.0, 17.0})
+  {
+    for (const int layers : {0, 1, 3})
+    {
+      SCOPED_TRACE("turned by " + std::to_string(degrees) + ", layers " + std::to_string(layers));
+      TriangleSurface surface;
+      addBox(surface, "House", {Vec3(-2.1, -1.1, 0), Vec3(0.9, 1.2, 2.3)});
+      addSheet(surface, "Screen", Vec3(2.1, -1.5, 0.7), Vec3(0.4, 2.6, 0), Vec3(0, 0, 1.9));
+      addSheet(surface, "Plane", Vec3(-0.4, 1.2, 0), Vec3(0, 2.3, 0), Vec3(0, 0, 1.6));
+      atria::testing::turn(surface, degrees);
+      MesherOptions options = optionsOf(layers);
+      options.faceZones = {"Screen", "Pl*"};
+      const MeshedModel mesh = meshed(surface, options);
+      for (const BoundaryFace& face : mesh.mesh.boundaryFaces)
+      {
+        ASSERT_NE(face.tag, 1U);
+        ASSERT_NE(face.tag, 2U);
+      }
+      const std::map<std::string, Vec3> areas = zoneAreas(mesh);
+      const double turn = degrees * std::numbers::pi / 180.0;
+      const auto turned = [&](const Vec3& v) { return Vec3(Eigen::AngleAxisd(turn, Vec3::UnitZ()) * v); };
+      const Vec3 screen = turned(Vec3(0.4, 2.6, 0).cross(Vec3(0, 0, 1.9)));
+      const Vec3 plane = turned(Vec3(2.3 * 1.6, 0, 0));
+      EXPECT_LT((areas.at("Screen") - screen).norm(), 0.02 * screen.norm());
+      EXPECT_LT((areas.at("Plane") - plane).norm(), 0.03 * plane.norm());
+      EXPECT_EQ(mesh.rooms.rooms.size(), 1U);
+      const double box = 3.0 * 2.3 * 2.3;
+      EXPECT_NEAR(atria::testing::totalVolume(mesh.mesh), 14.0 * 14.0 * 7.0 - box, 0.01 * box);
+      expectSound(mesh);
+    }
+  }
+}
+
+TEST(FaceZones, AreToMatchSurfaces)
+{
+  TriangleSurface surface;
+  addBox(surface, "House", {low, high});
+  MesherOptions options = optionsOf(0);
+  options.faceZones = {"Screen"};
+  EXPECT_THROW(meshed(surface, options), Error);
+  options.faceZones = {"House"};
+  options.cellZones = {"House"};
+  EXPECT_THROW(meshed(surface, options), Error);
+}
+
+double enclosedVolume(const TriangleSurface& surface, Index id)
+{
+  double volume = 0.0;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    const auto& [a, b, c] = surface.triangles[t];
+    volume +=
+        surface.surfaceIds[t] == id ? surface.points[a].dot(surface.points[b].cross(surface.points[c])) / 6.0 : 0.0;
+  }
+  return volume;
+}
+
+/// A round tree, and a hedge that stands on the ground and touches a house.
+TEST(CellZones, AreWhatTheirSurfacesEnclose)
+{
+  for (const int layers : {0, 1})
+  {
+    TriangleSurface surface;
+    addBox(surface, "House", {Vec3(-4, -2, 0), Vec3(-1, 2, 2.5)});
+    addSphere(surface, "Tree", Vec3(2.6, 0.1, 2.4), 1.4, 3);
+    addBox(surface, "Hedge", {Vec3(-1, -3, 0), Vec3(0, 3, 1.2)});
+    MesherOptions options = optionsOf(layers);
+    options.cellZones = {"Tree", "Hedge"};
+    options.sizing.surfaceSizes = {{"Tree", 0.25, {}}};
+    const MeshedModel mesh = meshed(surface, options);
+    const std::vector<double> all = volumes(mesh.mesh);
+    std::map<std::int32_t, double> inside;
+    double total = 0.0;
+    for (std::size_t e = 0; e < all.size(); ++e)
+    {
+      inside[mesh.mesh.cellZones[e]] += all[e];
+      total += all[e];
+    }
+    // Square faces with corners on a sphere are at most size^2 / 4 radius inside of it.
+    EXPECT_NEAR(inside[1], enclosedVolume(surface, 1), std::numbers::pi * 1.4 * size * size);
+    EXPECT_NEAR(inside[2], 7.2, 0.1);
+    EXPECT_NEAR(total, 14.0 * 14.0 * 7.0 - 30.0, 0.3);
+    EXPECT_TRUE(mesh.rooms.rooms.empty());
+    expectSound(mesh);
+  }
+}
+
+TEST(CellZones, OfSurfacesWithHolesAreAnError)
+{
+  TriangleSurface surface;
+  addWalls(surface, low, high, {});
+  MesherOptions options = optionsOf(0);
+  options.cellZones = {"South"};
+  EXPECT_THROW(meshed(surface, options), Error);
+}
+
+} // namespace
