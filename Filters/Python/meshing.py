@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import base64
 import difflib
 import html
 import os
@@ -19,6 +20,7 @@ from vtkmodules.vtkCommonDataModel import (
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 from .errors import Error
+from .picture import picture_of
 
 Model = Union[str, "os.PathLike[str]", vtkDataObject, vtkAlgorithm]
 Point = Sequence[float]
@@ -59,6 +61,7 @@ class Result:
         self.patches = patches
         self.diagnostics = diagnostics
         self.report = report
+        self._picture = None  # not drawn yet
 
     def save(self, file: Union[str, "os.PathLike[str]"]) -> None:
         """Writes the mesh: a .vtu file, or else a folder that becomes an OpenFOAM case."""
@@ -98,7 +101,11 @@ class Result:
     def _repr_html_(self) -> str:
         rows = "".join(f"<tr><th style='text-align:left'>{html.escape(label)}</th>"
                        f"<td style='text-align:left'>{html.escape(text)}</td></tr>" for label, text in self._rows())
-        return f"<table>{rows}</table>"
+        if self._picture is None:
+            self._picture = picture_of(self.patches) or b""
+        picture = base64.b64encode(self._picture).decode()
+        image = f'<img alt="patches" src="data:image/png;base64,{picture}"/>' if picture else ""
+        return f"<div><table>{rows}</table>{image}</div>"
 
 
 def _reader_of(file, unit, up, without):

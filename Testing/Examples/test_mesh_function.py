@@ -5,9 +5,12 @@ Usage: test_mesh_function.py MODEL.wrl VERSION
 """
 
 import ast
+import base64
 import importlib.metadata
 import inspect
+import os
 import pathlib
+import shutil
 import tempfile
 import unittest
 import warnings
@@ -16,6 +19,7 @@ import xml.etree.ElementTree
 
 from vtkmodules.vtkCommonDataModel import vtkImageData, vtkPolyData, vtkUnstructuredGrid
 from vtkmodules.vtkFiltersSources import vtkCubeSource
+from vtkmodules.vtkIOImage import vtkPNGReader
 
 import atria
 
@@ -115,6 +119,31 @@ class Mesh(unittest.TestCase):
         text = " ".join(table.itertext())
         for word in (elements, "not valid", "WallSouth_front", "left out"):
             self.assertIn(word, text)
+        image = table.find(".//img")
+        if shutil.which("xvfb-run") or os.environ.get("DISPLAY"):
+            self.check_picture(base64.b64decode(image.get("src").split(",")[1]))
+        display = os.environ.pop("DISPLAY", None)
+        path = os.environ["PATH"]
+        try:  # neither a display nor a substitute
+            os.environ["PATH"] = ""
+            again = atria.Result(result.mesh, result.patches, result.diagnostics, result.report)
+            self.assertIsNone(xml.etree.ElementTree.fromstring(again._repr_html_()).find(".//img"))
+        finally:
+            os.environ["PATH"] = path
+            if display is not None:
+                os.environ["DISPLAY"] = display
+
+    def check_picture(self, data):
+        """It shows more than one shade of one color."""
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "picture.png"
+            file.write_bytes(data)
+            reader = vtkPNGReader()
+            reader.SetFileName(str(file))
+            reader.Update()
+        pixels = reader.GetOutput().GetPointData().GetScalars()
+        seen = {pixels.GetTuple(i) for i in range(0, pixels.GetNumberOfTuples(), 7)}
+        self.assertGreater(len(seen), 50)
 
     def test_it_is_saved(self):
         result = atria.mesh(MODEL, 2, domain=BOX, layers=0)
