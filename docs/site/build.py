@@ -16,7 +16,8 @@ import urllib.parse
 import reference
 
 CONTENTS = {
-    "Use": ["docs/tutorial", "docs/building", "docs/paraview", "docs/choosing", "docs/formats", "docs/cases", "docs/troubleshooting"],
+    "Use": ["docs/tutorial", "docs/gallery", "docs/building", "docs/paraview", "docs/choosing", "docs/formats", "docs/cases",
+            "docs/troubleshooting"],
     "Reference": ["reference/commands", "reference/filters", "docs/arrays", "docs/formats", "docs/glossary", "CHANGELOG"],
     "Background": ["docs/comparison", "docs/results", "docs/benchmarks", "docs/algorithm", "docs/decisions"],
     "Develop": ["CONTRIBUTING", "docs/architecture", "docs/testing"],
