@@ -318,7 +318,9 @@ protected:
     return found;
   }
 
-  fs::path folder = fs::temp_directory_path() / "atria_progress_case";
+  /// Of each test its own, as they may run side by side.
+  fs::path folder = fs::temp_directory_path() /
+                    (std::string("atria_progress_") + ::testing::UnitTest::GetInstance()->current_test_info()->name());
   vtkSmartPointer<vtkAtriaOpenFOAMWriter> writer = onMesh<vtkAtriaOpenFOAMWriter>();
 };
 
