@@ -92,15 +92,15 @@ ImprovedMesh growLayers(ClassifiedMesh given, const std::vector<LayerRule>& rule
     walls = findLayerWalls(given.mesh, options, context);
   }
   context.progress.check();
-  LayerImprover improver(context, given.classification, given.vertexOf, given.mesh, walls, options, curvedWalls);
-  LayerMesh layer = improver.run();
+  auto [layer, detached] =
+      improveLayer(context, given.classification, given.vertexOf, given.mesh, walls, options, curvedWalls);
   if (std::ranges::any_of(options.ofTag, [](const WallLayers& wall) { return wall.layers > 0; }))
   {
     out.layers = reportLayers(given.mesh, walls, layer, options, context.model.names, context);
   }
   out.mesh = std::move(layer.mesh);
   out.plainElements = layer.plainElements;
-  out.detached = improver.detached();
+  out.detached = std::move(detached);
   return out;
 }
 

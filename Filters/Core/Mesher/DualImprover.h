@@ -38,7 +38,7 @@ struct ImprovedMesh
   std::vector<DetachedVertex> detached;
 };
 
-/// Grows layers on walls and makes the elements at the boundary valid (see LayerImprover), also where rules ask for no
+/// Grows layers on walls and makes the elements at the boundary valid (see improveLayer), also where rules ask for no
 /// layer. Without rules the mesh is returned as it is.
 ImprovedMesh growLayers(ClassifiedMesh given, const std::vector<LayerRule>& rules, const CurvedWallTargets& curvedWalls,
                         const MeshingContext& context);

@@ -2,21 +2,49 @@
 #include "Mesher/Improvement/LayerCells.h"
 
 #include <algorithm>
+#include <numeric>
+#include <unordered_map>
 
 namespace atria {
+
+namespace {
+
+/// The elements on each wall face.
+class Stacks
+{
+public:
+  struct Stack
+  {
+    Index first = noIndex;
+    Index height = 0;
+  };
+
+  explicit Stacks(const LayerMesh& layer)
+  {
+    for (std::size_t i = 0; i < layer.wallFaces.size(); ++i)
+    {
+      Stack& stack = stacks_[layer.wallFaces[i]];
+      stack.first = std::min(stack.first, layer.plainElements + static_cast<Index>(i));
+      ++stack.height;
+    }
+  }
+  Stack of(Index wallFace) const
+  {
+    const auto found = stacks_.find(wallFace);
+    return found == stacks_.end() ? Stack{} : found->second;
+  }
+
+private:
+  std::unordered_map<Index, Stack> stacks_;
+};
+
+} // namespace
 
 std::vector<ShortCell> badOf(const std::vector<ShortCell>& cells)
 {
   std::vector<ShortCell> bad;
   std::ranges::copy_if(cells, std::back_inserter(bad), [](const ShortCell& cell) { return cell.worst < soundEnough; });
   return bad;
-}
-
-std::vector<Index> cellsOf(const std::vector<ShortCell>& cells)
-{
-  std::vector<Index> out;
-  std::ranges::transform(cells, std::back_inserter(out), &ShortCell::cell);
-  return out;
 }
 
 std::vector<char> pointsToEvaluate(const LayerMesh& layer, const Executor& executor)
@@ -47,6 +75,43 @@ void markPoints(const LayerMesh& layer, const std::vector<ShortCell>& cells, std
       marked[layer.wallPointOf(p)] = 1;
     }
   }
+}
+
+std::vector<Index> cellsIn(const LayerMesh& layer, const LayerMesh& before)
+{
+  const Stacks stacks(layer);
+  const Stacks stacksBefore(before);
+  std::vector<Index> numbers(before.mesh.elementCount(), noIndex);
+  std::iota(numbers.begin(), numbers.begin() + before.plainElements, Index{0});
+  for (std::size_t i = 0; i < before.wallFaces.size(); ++i)
+  {
+    const auto [first, height] = stacks.of(before.wallFaces[i]);
+    if (height == stacksBefore.of(before.wallFaces[i]).height)
+    {
+      numbers[before.plainElements + i] = first + before.heights[i];
+    }
+  }
+  return numbers;
+}
+
+std::vector<char> pointsChanged(const LayerMesh& layer, const LayerMesh& before, const Executor& executor)
+{
+  std::vector<char> changed(layer.plainPoints);
+  executor.forEach(changed.size(), 8192, [&](std::size_t p) {
+    const Index copy = layer.copies[p];
+    const Index copyBefore = before.copies[p];
+    const auto chainOf = [](const LayerMesh& of, Index last) {
+      return last == noIndex ? 0 : of.places[last - of.plainPoints];
+    };
+    const Index chain = chainOf(layer, copy);
+    bool same = layer.mesh.points[p] == before.mesh.points[p] && chain == chainOf(before, copyBefore);
+    for (Index i = 0; same && i < chain; ++i)
+    {
+      same = layer.mesh.points[copy - i] == before.mesh.points[copyBefore - i];
+    }
+    changed[p] = same ? 0 : 1;
+  });
+  return changed;
 }
 
 } // namespace atria

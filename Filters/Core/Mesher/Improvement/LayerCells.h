@@ -1,21 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Cells and points of a mesh with a layer that the stages of LayerImprover look at.
+/// Cells and points of a mesh with a layer that the stages of the improver look at.
 #pragma once
 
 #include "Layer/LayerTopology.h"
-#include "Optimize/Kernel/Optimizer.h"
+#include "Mesher/Improvement/ImproverStages.h"
 
 namespace atria {
 
-/// Cells below this share of a target are no better than not valid.
-inline constexpr float soundEnough = 0.02F;
-
-/// What no cell falls below by other measures for the good of angles, where the limit of these rises.
-inline constexpr double leastOfOthers = 0.1;
-
 std::vector<ShortCell> badOf(const std::vector<ShortCell>& cells);
-
-std::vector<Index> cellsOf(const std::vector<ShortCell>& cells);
 
 /// Those on the boundary, and those of the layer.
 std::vector<char> pointsToEvaluate(const LayerMesh& layer, const Executor& executor);
@@ -26,5 +18,12 @@ void takeCopies(const LayerMesh& from, const std::vector<char>& but, LayerMesh& 
 
 /// Marks the points of cells, or those of the wall that they stand above.
 void markPoints(const LayerMesh& layer, const std::vector<ShortCell>& cells, std::vector<char>& marked);
+
+/// By element of one layer mesh its number in another one of the same plain mesh: those of the plain mesh keep theirs,
+/// those of the layer have that of the element in the same place of a stack as high; noIndex for others.
+std::vector<Index> cellsIn(const LayerMesh& layer, const LayerMesh& before);
+
+/// Marks points of the plain mesh that are not where they were in another layer mesh of it, or whose chain is not.
+std::vector<char> pointsChanged(const LayerMesh& layer, const LayerMesh& before, const Executor& executor);
 
 } // namespace atria

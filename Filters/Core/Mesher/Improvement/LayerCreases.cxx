@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Uniform meshes get crease sheets of hexahedra along creases, where else no hexahedron could be good.
+#include "Mesher/Improvement/LayerCreases.h"
+
 #include "Layer/CreaseSheets.h"
 #include "Mesher/Improvement/LayerCells.h"
-#include "Mesher/Improvement/LayerImprover.h"
-#include "Mesher/Improvement/PathConstraints.h"
 #include "Optimize/Constraints/CreaseSheetConstraints.h"
 #include "Support/Pieces.h"
 
@@ -156,35 +155,35 @@ private:
 
 } // namespace
 
-/// Of the widths tried the one with the best worst hexahedron is taken. Where none becomes valid, or that is worse than
-/// without crease sheets, the mesh stays as it is.
-void LayerImprover::addCreaseSheets()
+void addCreaseSheets(ImproverState& state)
 {
-  const CreaseCharts charts = findCreaseCharts(layer_, plain_, walls_);
+  const CreaseCharts charts = findCreaseCharts(state.layer, state.plain, state.walls);
   if (charts.isEmpty())
   {
     return;
   }
-  const LayerMesh before = layer_;
-  LayerMesh best = layer_;
-  double bestWorst = leastScaledJacobian(before.mesh, context_);
+  const LayerMesh before = state.layer;
+  LayerMesh best = state.layer;
+  double bestWorst = leastScaledJacobian(before.mesh, state.context);
   for (const double width : widths)
   {
-    layer_ = before;
-    Constraints plain(*this); // of the layer without crease sheets
-    layer_.creaseSheets = insertCreaseSheets(layer_, plain_, walls_, charts, width);
-    CreaseSheetConstraints constraints(plain.layer, layer_, context_.octree.frame(), context_.model,
-                                       context_.tree.get());
-    context_.executor.forEach(layer_.creaseSheets.points.size(), 256, [&](std::size_t i) {
-      const auto p = layer_.creaseSheets.firstPoint + static_cast<Index>(i);
-      Vec3& place = layer_.mesh.points[p];
+    state.layer = before;
+    LayerFreedom plain(state); // of the layer without crease sheets
+    state.layer.creaseSheets = insertCreaseSheets(state.layer, state.plain, state.walls, charts, width);
+    CreaseSheetConstraints constraints(plain.layer, state.layer, state.context.octree.frame(), state.context.model,
+                                       state.context.tree.get());
+    state.context.executor.forEach(state.layer.creaseSheets.points.size(), 256, [&](std::size_t i) {
+      const auto p = state.layer.creaseSheets.firstPoint + static_cast<Index>(i);
+      Vec3& place = state.layer.mesh.points[p];
       place = constraints.isMovable(p) ? constraints.place(p, place) : place;
     });
-    const bool isValid = CreaseSheetImprover(layer_.mesh, layer_.creaseSheets, constraints, targets(), context_).run();
-    const double worst = leastScaledJacobian(layer_.mesh, context_);
+    const bool isValid = CreaseSheetImprover(state.layer.mesh, state.layer.creaseSheets, constraints,
+                                             baseTargets(state.traits), state.context)
+                             .run();
+    const double worst = leastScaledJacobian(state.layer.mesh, state.context);
     if (isValid && worst >= bestWorst)
     {
-      best = std::move(layer_);
+      best = std::move(state.layer);
       bestWorst = worst;
       if (worst >= wantedJacobian.limit)
       {
@@ -192,7 +191,7 @@ void LayerImprover::addCreaseSheets()
       }
     }
   }
-  layer_ = std::move(best);
+  state.layer = std::move(best);
 }
 
 } // namespace atria

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The conforming layer is divided into boundary layers, as many as elements are valid with.
+#include "Mesher/Improvement/LayerDivision.h"
+
+#include "Layer/BoundaryLayers.h"
 #include "Mesher/Improvement/LayerCells.h"
-#include "Mesher/Improvement/LayerImprover.h"
 #include "Optimize/Constraints/ChainConstraints.h"
-#include "Optimize/Constraints/LayerConstraints.h"
 
 #include <algorithm>
 #include <array>
@@ -11,21 +11,6 @@
 namespace atria {
 
 namespace {
-
-/// The share of the way to targets that is aimed at: there are many cells, and it is enough that they are sound.
-constexpr double soundShare = 0.6;
-/// After so many rounds of improving and lowering it is done by lowering alone.
-constexpr int mostRounds = 24;
-
-/// A pass over cells whose least measure is below `below`. Those that are bad after the last lose layers.
-struct DivisionPass
-{
-  bool byChains; ///< whether chains move as a whole, which brings most cells where they are to be with few moves
-  float below;
-  int sweeps;
-};
-constexpr std::array divisionPasses{DivisionPass{true, 0.5F, 10}, DivisionPass{false, 0.3F, 12},
-                                    DivisionPass{false, soundEnough, 20}};
 
 /// Takes a layer away at the points of cells that have several; where they have different numbers, at those with more.
 void lower(const LayerMesh& layer, const std::vector<ShortCell>& cells, std::vector<Index>& counts)
@@ -47,8 +32,8 @@ void lower(const LayerMesh& layer, const std::vector<ShortCell>& cells, std::vec
 }
 
 /// Marks the points of a layer that are, or are of a face with one, above points of the wall whose counts differ.
-std::vector<char> pointsChanged(const DualMesh& plain, const LayerMesh& layer, const std::vector<Index>& before,
-                                const std::vector<Index>& after)
+std::vector<char> pointsBesideChange(const DualMesh& plain, const LayerMesh& layer, const std::vector<Index>& before,
+                                     const std::vector<Index>& after)
 {
   std::vector<char> about(before.size(), 0);
   for (const Index f : layer.wallFaces)
@@ -119,101 +104,106 @@ private:
 
 } // namespace
 
-/// Layers of an asked height stay as they are: nothing can be improved by moving their points.
-LayerMesh LayerImprover::divide(const LayerMesh& one) const
+void LayerDivision::run()
 {
-  if (!hasHeights_)
+  const bool mayMove = !state_.traits.hasHeights;
+  if (mayMove)
   {
-    if (std::optional<LayerMesh> divided = divideAndImprove(one))
-    {
-      return std::move(*divided);
-    }
+    flattenTops();
   }
-  return divideEvenly(one);
+  const LayerMesh one = state_.layer;
+  if (!mayMove || !divideAndImprove(one))
+  {
+    divideEvenly(one);
+  }
+}
+
+/// Of the cells of the layer, and those beside it.
+void LayerDivision::flattenTops()
+{
+  const ImproverStage stage = flatteningStage(state_.traits);
+  state_.measureBy(stage.options.targets);
+  std::vector<ShortCell> cells = state_.findShort(stage.options.targets, stage.below);
+  std::erase_if(cells, [&](const ShortCell& cell) {
+    return std::ranges::none_of(state_.layer.mesh.corners[cell.cell], [&](Index p) { return state_.layer.isNew(p); });
+  });
+  state_.run(stage, cells);
 }
 
 /// All layers everywhere, up to where there are none; elements that are poor are improved, and those that are bad still
-/// lose layers. Nothing where that does not come to an end.
-std::optional<LayerMesh> LayerImprover::divideAndImprove(const LayerMesh& given) const
+/// lose layers. Whether that came to an end.
+bool LayerDivision::divideAndImprove(const LayerMesh& given)
 {
   LayerMesh one = given;
-  std::vector<Index> counts = layersWanted(plain_, walls_, one, options_);
+  std::vector<Index> counts = layersWanted(state_.plain, state_.walls, one, state_.options);
   std::vector<char> held(one.plainPoints, 0);
-  LayerMesh divided = divideLayer(plain_, walls_, one, options_, counts);
-  std::vector<char> toEvaluate = pointsToEvaluate(divided, context_.executor);
-  for (int round = 0; round < mostRounds; ++round)
+  state_.layer = divideLayer(state_.plain, state_.walls, one, state_.options, counts);
+  state_.measureBy(strictestOfDivided(state_.traits));
+  std::vector<char> marked = pointsToEvaluate(state_.layer, state_.context.executor);
+  for (int round = 0; round < mostDivisionRounds; ++round)
   {
-    context_.progress.check();
-    const std::vector<ShortCell> bad = badOf(improveDivided(divided, toEvaluate, held));
+    const std::vector<ShortCell> bad = improve(marked, held);
     if (bad.empty())
     {
-      return divided;
+      return true;
     }
-    std::copy_n(divided.mesh.points.begin(), one.plainPoints, one.mesh.points.begin());
-    takeCopies(divided, held, one);
+    std::copy_n(state_.layer.mesh.points.begin(), one.plainPoints, one.mesh.points.begin());
+    takeCopies(state_.layer, held, one);
     const std::vector<Index> before = counts;
-    lower(divided, bad, counts);
+    lower(state_.layer, bad, counts);
     std::vector<char> changed(one.plainPoints, 0);
-    restore(given, divided, bad, before, one, held, changed);
-    const LayerMesh previous = std::move(divided);
-    divided = divideLayer(plain_, walls_, one, options_, counts);
-    takeChains(previous, held, divided);
-    toEvaluate = pointsChanged(plain_, divided, before, counts);
-    markPoints(previous, bad, changed);
-    for (Index p = 0; p < toEvaluate.size(); ++p)
+    restore(given, bad, before, one, held, changed);
+    markPoints(state_.layer, bad, changed);
+    LayerMesh next = divideLayer(state_.plain, state_.walls, one, state_.options, counts);
+    takeChains(state_.layer, held, next);
+    state_.replaceLayer(std::move(next));
+    marked = pointsBesideChange(state_.plain, state_.layer, before, counts);
+    for (Index p = 0; p < marked.size(); ++p)
     {
-      toEvaluate[p] |= changed[divided.wallPointOf(p)];
+      marked[p] |= changed[state_.layer.wallPointOf(p)];
     }
   }
-  return std::nullopt;
+  return false;
 }
 
-/// Improves the poor cells at marked points; those about points that moved in the last pass that fall short then.
-std::vector<ShortCell> LayerImprover::improveDivided(LayerMesh& divided, const std::vector<char>& toEvaluate,
-                                                     const std::vector<char>& held) const
+/// Improves the poor cells at marked points. Returns those that are bad then.
+std::vector<ShortCell> LayerDivision::improve(const std::vector<char>& marked, const std::vector<char>& held)
 {
-  ModelConstraints model(context_, classification_, divided.mesh.points, vertexOf_);
-  LayerConstraints layer(divided, walls_, options_, vertexOf_, letGo_, model);
-  HeldConstraints points(layer, divided, held);
-  ChainConstraints chains(divided, points);
-  const DualSource source(divided.mesh);
-  OptimizerOptions options;
-  options.targets = targets().within(soundShare);
-  options.leastPenalty = 0.01;
-  options.leastGain = 0.02;
-  options.firstReach = 0.2;
-  std::vector<ShortCell> cells = findShortCells(source, toEvaluate, options.targets, context_);
-  for (const DivisionPass& pass : divisionPasses)
+  LayerFreedom freedom(state_);
+  HeldConstraints points(freedom.layer, state_.layer, held);
+  ChainConstraints chains(state_.layer, points);
+  const std::vector<ImproverStage> stages = divisionStages(state_.traits);
+  const QualityTargets& targets = stages.front().options.targets;
+  std::vector<ShortCell> cells = state_.findShort(targets);
+  std::erase_if(cells, [&](const ShortCell& cell) { return !hasMarked(state_.layer.mesh.corners[cell.cell], marked); });
+  for (const ImproverStage& stage : stages)
   {
-    std::erase_if(cells, [&](const ShortCell& cell) { return cell.worst >= pass.below; });
-    options.sweeps = pass.sweeps;
-    VertexConstraints& constraints = pass.byChains ? static_cast<VertexConstraints&>(chains) : points;
-    cells = optimize(source, divided.mesh.points, cells, constraints, options, context_);
+    std::erase_if(cells, [&](const ShortCell& cell) { return cell.worst >= stage.below; });
+    cells = state_.run(stage.options, cells, stage.byChains ? static_cast<VertexConstraints&>(chains) : points);
   }
-  return cells;
+  return state_.findShort(targets, soundEnough);
 }
 
 /// What is bad with one layer at its points was good before it was improved: these points go back there, and stay.
-void LayerImprover::restore(const LayerMesh& given, const LayerMesh& divided, const std::vector<ShortCell>& bad,
-                            const std::vector<Index>& counts, LayerMesh& one, std::vector<char>& held,
-                            std::vector<char>& changed) const
+void LayerDivision::restore(const LayerMesh& given, const std::vector<ShortCell>& bad, const std::vector<Index>& counts,
+                            LayerMesh& one, std::vector<char>& held, std::vector<char>& changed) const
 {
   std::vector<char> leads(one.plainPoints, 0);
   for (const ShortCell& cell : bad)
   {
-    const auto& corners = divided.mesh.corners[cell.cell];
-    if (std::ranges::all_of(corners, [&](Index p) { return counts[divided.wallPointOf(p)] <= 1; }))
+    const auto& corners = state_.layer.mesh.corners[cell.cell];
+    if (std::ranges::all_of(corners, [&](Index p) { return counts[state_.layer.wallPointOf(p)] <= 1; }))
     {
       for (const Index p : corners)
       {
-        leads[vertexOf_[divided.wallPointOf(p)]] = 1;
+        leads[state_.vertexOf[state_.layer.wallPointOf(p)]] = 1;
       }
     }
   }
   // The two sides of a sheet go together, whatever layers the other one has.
   for (Index p = 0; p < one.plainPoints; ++p)
   {
-    if (leads[vertexOf_[p]])
+    if (leads[state_.vertexOf[p]])
     {
       held[p] = changed[p] = 1;
       one.mesh.points[p] = given.mesh.points[p];
@@ -226,25 +216,22 @@ void LayerImprover::restore(const LayerMesh& given, const LayerMesh& divided, co
 }
 
 /// Layers taper one at a time, and elements that are bad lose some until there are none.
-LayerMesh LayerImprover::divideEvenly(const LayerMesh& one) const
+void LayerDivision::divideEvenly(const LayerMesh& one)
 {
-  std::vector<Index> counts = layersWanted(plain_, walls_, one, options_);
-  limitSteps(plain_, one, counts);
-  LayerMesh divided = divideLayer(plain_, walls_, one, options_, counts);
-  std::vector<char> toEvaluate = pointsToEvaluate(divided, context_.executor);
-  for (;;)
+  std::vector<Index> counts = layersWanted(state_.plain, state_.walls, one, state_.options);
+  std::vector<Index> before;
+  std::vector<char> marked;
+  while (counts != before)
   {
-    context_.progress.check();
-    const std::vector<Index> before = counts;
-    lower(divided, badOf(findShortCells(DualSource(divided.mesh), toEvaluate, targets(), context_)), counts);
-    if (counts == before)
-    {
-      return divided;
-    }
-    limitSteps(plain_, one, counts);
-    divided = divideLayer(plain_, walls_, one, options_, counts);
-    toEvaluate = pointsChanged(plain_, divided, before, counts);
+    limitSteps(state_.plain, one, counts);
+    state_.layer = divideLayer(state_.plain, state_.walls, one, state_.options, counts);
+    marked = before.empty() ? pointsToEvaluate(state_.layer, state_.context.executor)
+                            : pointsBesideChange(state_.plain, state_.layer, before, counts);
+    before = counts;
+    const DualSource source(state_.layer.mesh);
+    lower(state_.layer, badOf(findShortCells(source, marked, baseTargets(state_.traits), state_.context)), counts);
   }
+  state_.measureBy(strictestOfDivided(state_.traits));
 }
 
 } // namespace atria

@@ -135,22 +135,14 @@ std::vector<Index> cellsToEvaluate(const CellSource& source, const std::vector<I
   std::vector<char> good(cells.size());
   context.executor.forEach(cells.size(), grain,
                            [&](std::size_t i) { good[i] = isGoodBox(source, cells[i], kinds, targets) ? 1 : 0; });
-  std::vector<char> judged(source.cellCount(), 0);
-  std::vector<Index> beside;
+  std::vector<Index> out;
   for (std::size_t i = 0; i < cells.size(); ++i)
   {
     if (!good[i])
     {
-      judged[cells[i]] = 1;
-      source.neighborsOf(cells[i], beside);
-      for (const Index other : beside)
-      {
-        judged[other] = 1;
-      }
+      out.push_back(cells[i]);
     }
   }
-  std::vector<Index> out;
-  std::ranges::copy_if(cells, std::back_inserter(out), [&](Index cell) { return judged[cell] != 0; });
   return out;
 }
 

@@ -25,23 +25,28 @@ double volumeRatioOf(const CellMeasure& own, const CellMeasure& other)
   return std::min(own.volume, other.volume) / (larger + tiny);
 }
 
-CellMeasure measureCell(const CellSource& source, Index cell, CellSource::Scratch& scratch,
-                        std::vector<FaceMeasure>& faces)
+SizedCell measureCell(const CellSource& source, Index cell, CellSource::Scratch& scratch,
+                      std::vector<FaceMeasure>& faces)
 {
   source.facesOf(cell, scratch);
   const std::vector<Vec3>& points = source.points();
   faces.clear();
+  double length = 0.0;
+  std::size_t count = 0;
   for (const CellFace& face : scratch.faces)
   {
-    faces.push_back(
-        measureAnyFace(face.points.size(), [&](std::size_t i) -> const Vec3& { return points[face.points[i]]; }));
+    const auto pointOf = [&](std::size_t i) -> const Vec3& { return points[face.points[i]]; };
+    faces.push_back(measureAnyFace(face.points.size(), pointOf));
+    length += perimeterOf(face.points.size(), pointOf);
+    count += face.points.size();
   }
-  return measureCell([&](auto&& visit) {
+  const CellMeasure measure = measureCell([&](auto&& visit) {
     for (const FaceMeasure& face : faces)
     {
       visit(face.centroid, face.area);
     }
   });
+  return {measure, length / std::max(static_cast<double>(count), 1.0)};
 }
 
 } // namespace atria

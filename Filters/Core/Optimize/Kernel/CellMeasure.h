@@ -2,7 +2,7 @@
 /// Faces and cells measured as in Quality/Geometry.h, one at a time.
 #pragma once
 
-#include "Optimize/Kernel/Region.h"
+#include "Optimize/Kernel/CellSource.h"
 
 namespace atria {
 
@@ -91,8 +91,25 @@ double weightOf(const FaceMeasure& face, const CellMeasure& own, const CellMeasu
 /// The smaller over the larger; negative where one of them is.
 double volumeRatioOf(const CellMeasure& own, const CellMeasure& other);
 
+/// Of some points, one after the other and back to the first: `pointOf(i)` is the i-th.
+template <typename PointOf> double perimeterOf(std::size_t size, PointOf&& pointOf)
+{
+  double length = (pointOf(0) - pointOf(size - 1)).norm();
+  for (std::size_t i = 1; i < size; ++i)
+  {
+    length += (pointOf(i) - pointOf(i - 1)).norm();
+  }
+  return length;
+}
+
+struct SizedCell
+{
+  CellMeasure measure;
+  double size; ///< mean edge of its faces
+};
+
 /// Measures a cell of a source; `faces` is room for its faces.
-CellMeasure measureCell(const CellSource& source, Index cell, CellSource::Scratch& scratch,
-                        std::vector<FaceMeasure>& faces);
+SizedCell measureCell(const CellSource& source, Index cell, CellSource::Scratch& scratch,
+                      std::vector<FaceMeasure>& faces);
 
 } // namespace atria

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace atria {
 
@@ -45,18 +44,22 @@ void QualityEvaluator::judgeAll(const RunContext& context)
                            [&](std::size_t f) { judgeFace(static_cast<Index>(f), shapes, faceScores[f]); });
 }
 
-Score QualityEvaluator::scoreBy(const QualityTargets& targets, Index cell)
+std::array<double, Measure::kinds> QualityEvaluator::leastOf(Index cell) const
 {
-  const QualityTargets own = std::exchange(targets_, targets);
+  struct Least
+  {
+    std::array<double, Measure::kinds> values;
+    void add(const Measure& measure, double q) { values[measure.kind] = std::min(values[measure.kind], q); }
+    void add(const Measure& measure, double q, double /*least*/) { add(measure, q); }
+  } least;
+  least.values.fill(std::numeric_limits<double>::infinity());
   const ShapesOnDemand shapes(*this);
-  Score score;
-  judgeCell(cell, shapes, score);
+  judgeCell(cell, shapes, least);
   for (const Index f : region_.facesOf(cell))
   {
-    judgeFace(f, shapes, score);
+    judgeFace(f, shapes, least);
   }
-  targets_ = own;
-  return score;
+  return least.values;
 }
 
 [[gnu::flatten]] void QualityEvaluator::judgeInOrder(VertexStar& star, Index place) const
@@ -133,6 +136,8 @@ template <typename Shapes> double QualityEvaluator::measureOf(const Measure& mea
       return targets_.weight.of(weightOf(faces[face], owner(), across()));
     case Measure::volumeRatio:
       return targets_.volumeRatio.of(volumeRatioOf(owner(), across()));
+    case Measure::kinds:
+      break;
   }
   return 1.0;
 }
@@ -284,7 +289,7 @@ bool QualityEvaluator::isClearlyConvex(Index cell) const
 const Vec3& QualityEvaluator::middleOf(Index cell) const
 {
   const auto isFlat = [&] { return cells[cell].volume < flatVolume * (sizes[cell] * sizes[cell] * sizes[cell]); };
-  const bool trusted = cell >= sizes.size() || (targets_.decomposed && !isFlat());
+  const bool trusted = targets_.decomposed && !isFlat();
   return trusted ? cells[cell].centroid : cells[cell].mean;
 }
 
@@ -348,7 +353,7 @@ template <typename Shapes> double QualityEvaluator::fansOf(Index face, const Sha
   look(middleOf(own), cornerScales[own]);
   if (across != noIndex)
   {
-    look(middleOf(across), -cornerScales[across < sizes.size() ? across : own]);
+    look(middleOf(across), -cornerScales[across]);
   }
   return std::max(least[0], least[1]);
 }

@@ -228,16 +228,13 @@ void Extraction::addCellFaces(const RunContext& context)
 
 void Extraction::measureGhosts(const RunContext& context)
 {
-  region.ghostCentroids.resize(ghosts.size());
-  region.ghostVolumes.resize(ghosts.size());
+  region.ghosts.resize(ghosts.size());
   context.executor.forRanges(ghosts.size(), grain, [&](std::size_t begin, std::size_t end) {
     CellSource::Scratch scratch;
     std::vector<FaceMeasure> faces;
     for (std::size_t i = begin; i < end; ++i)
     {
-      const CellMeasure ghost = measureCell(source, ghosts[i], scratch, faces);
-      region.ghostCentroids[i] = ghost.centroid;
-      region.ghostVolumes[i] = ghost.volume;
+      region.ghosts[i] = measureCell(source, ghosts[i], scratch, faces);
     }
   });
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Optimize/Kernel/Optimizer.h"
 
-#include "Optimize/Kernel/BoxCells.h"
 #include "Optimize/Kernel/Coloring.h"
 #include "Optimize/Kernel/PointSearch.h"
 #include "Support/Buckets.h"
@@ -222,21 +221,6 @@ private:
   Buckets pointsOf; ///< by judged cell
 };
 
-/// Per judged cell its measures, those of its faces included.
-std::vector<Score> scoresOfCells(const QualityEvaluator& judge, const RunContext& context)
-{
-  const Region& region = judge.region();
-  std::vector<Score> scores(region.judgedCount());
-  context.executor.forEach(scores.size(), grain, [&](std::size_t c) {
-    scores[c] = judge.scoreOfCell(static_cast<Index>(c));
-    for (const Index f : region.facesOf(c))
-    {
-      scores[c].add(judge.scoreOfFace(f));
-    }
-  });
-  return scores;
-}
-
 void prepareConstraints(const Region& region, VertexConstraints& constraints, const RunContext& context)
 {
   std::vector<Index> ids(region.movable.size());
@@ -264,85 +248,6 @@ void sweepWhileWorthwhile(Sweeper& sweeper, const OptimizerOptions& options, con
       return;
     }
   }
-}
-
-/// `margin` as in OptimizerOptions.
-std::vector<ShortCell> shortCellsOf(const QualityEvaluator& judge, double margin, const RunContext& context)
-{
-  std::vector<ShortCell> cells;
-  const std::vector<Score> scores = scoresOfCells(judge, context);
-  for (Index c = 0; c < scores.size(); ++c)
-  {
-    // All measures were divided by this.
-    const double worst = (1.0 + margin) * scores[c].worst;
-    if (worst < 1.0)
-    {
-      cells.push_back({judge.region().cellIds[c], static_cast<float>(worst)});
-    }
-  }
-  return cells;
-}
-
-/// Of `cells`, which are all of the region that can be.
-std::vector<ShortCell> shortCellsBy(QualityEvaluator& judge, const QualityTargets& targets,
-                                    const std::vector<ShortCell>& cells)
-{
-  const std::vector<Index>& ids = judge.region().cellIds;
-  std::vector<ShortCell> out;
-  for (const ShortCell& cell : cells)
-  {
-    const auto local = static_cast<Index>(std::ranges::lower_bound(ids, cell.cell) - ids.begin());
-    const double worst = judge.scoreBy(targets, local).worst;
-    if (worst < 1.0)
-    {
-      out.push_back({cell.cell, static_cast<float>(worst)});
-    }
-  }
-  return out;
-}
-
-bool looksAtJacobians(const QualityTargets& targets) { return targets.scaledJacobian > 0.0; }
-
-/// By targets, the cells of a piece that fall short.
-std::vector<std::vector<ShortCell>> findShortIn(const CellSource& source, std::vector<Index> piece,
-                                                std::span<const QualityTargets> targets, const RunContext& context)
-{
-  std::ranges::sort(piece);
-  Region region = extractCells(source, std::move(piece), std::ranges::any_of(targets, looksAtJacobians), context);
-  QualityEvaluator judge(region, targets.front(), context);
-  std::vector<std::vector<ShortCell>> found{shortCellsOf(judge, 0.0, context)};
-  for (const QualityTargets& less : targets.subspan(1))
-  {
-    found.push_back(shortCellsBy(judge, less, found.front()));
-  }
-  return found;
-}
-
-/// Piece by piece, as measures take many times the cells' own memory. Of cells beyond a piece not all is known. A piece
-/// is for one thread, unless there are few.
-std::vector<std::vector<ShortCell>> findShortIn(const CellSource& source, std::vector<std::vector<Index>> pieces,
-                                                std::span<const QualityTargets> targets, const RunContext& context)
-{
-  const SerialExecutor one;
-  const RunContext serial{one, context.progress};
-  const bool areFew = pieces.size() < 4 * static_cast<std::size_t>(context.executor.threads());
-  std::vector<std::vector<std::vector<ShortCell>>> found(pieces.size());
-  (areFew ? serial : context).executor.forEach(pieces.size(), 1, [&](std::size_t piece) {
-    found[piece] = findShortIn(source, std::move(pieces[piece]), targets, areFew ? context : serial);
-  });
-  std::vector<std::vector<ShortCell>> all(targets.size());
-  for (const std::vector<std::vector<ShortCell>>& piece : found)
-  {
-    for (std::size_t i = 0; i < all.size(); ++i)
-    {
-      all[i].insert(all[i].end(), piece[i].begin(), piece[i].end());
-    }
-  }
-  for (std::vector<ShortCell>& shortCells : all)
-  {
-    std::ranges::sort(shortCells, {}, &ShortCell::cell);
-  }
-  return all;
 }
 
 /// Of points that are not where they were: the cells about them, in order.
@@ -373,28 +278,6 @@ void takePoints(const Region& region, std::vector<Vec3>& points)
 
 } // namespace
 
-std::vector<ShortCell> findShortCells(const CellSource& source, const std::vector<char>& marked,
-                                      const QualityTargets& targets, const RunContext& context)
-{
-  const std::vector<Index> cells = cellsWithMarked(source, marked, context);
-  return findShortCells(source, cells, {&targets, 1}, context).front();
-}
-
-std::vector<std::vector<ShortCell>> findShortCells(const CellSource& source, const std::vector<Index>& cells,
-                                                   std::span<const QualityTargets> targets, const RunContext& context)
-{
-  return findShortIn(source, inPieces(source, cellsToEvaluate(source, cells, targets, context)), targets, context);
-}
-
-std::vector<ShortCell> findShortAmong(const CellSource& source, const std::vector<Index>& cells,
-                                      const QualityTargets& targets, const RunContext& context)
-{
-  std::vector<ShortCell> found =
-      findShortCells(source, withNeighbors(source, cells, context), {&targets, 1}, context).front();
-  std::erase_if(found, [&](const ShortCell& cell) { return !std::ranges::binary_search(cells, cell.cell); });
-  return found;
-}
-
 std::vector<ShortCell> optimize(const CellSource& source, std::vector<Vec3>& points,
                                 const std::vector<ShortCell>& cells, VertexConstraints& constraints,
                                 const OptimizerOptions& options, const RunContext& context, std::vector<Index>* changed)
@@ -405,7 +288,7 @@ std::vector<ShortCell> optimize(const CellSource& source, std::vector<Vec3>& poi
     return cells;
   }
   Region region =
-      extractRegion(source, moving, constraints, options.keepWorst || looksAtJacobians(options.targets), context);
+      extractRegion(source, moving, constraints, options.keepWorst || options.targets.looksAtJacobians(), context);
   QualityEvaluator judge(region, options.targets.beyond(options.margin), context);
   context.progress.check();
   prepareConstraints(region, constraints, context);
@@ -425,7 +308,8 @@ std::vector<ShortCell> optimize(const CellSource& source, std::vector<Vec3>& poi
 
 std::vector<ShortCell> approach(const CellSource& source, std::vector<Vec3>& points,
                                 const std::vector<WantedPlace>& wanted, const VertexConstraints& constraints,
-                                double least, const QualityTargets& targets, const RunContext& context)
+                                double least, const QualityTargets& targets, const RunContext& context,
+                                std::vector<Index>& changed)
 {
   std::vector<char> leaders(points.size(), 0);
   for (const WantedPlace& one : wanted)
@@ -437,7 +321,7 @@ std::vector<ShortCell> approach(const CellSource& source, std::vector<Vec3>& poi
   {
     moving[p] = leaders[constraints.leaderOf(p)];
   }
-  Region region = extractRegion(source, moving, constraints, looksAtJacobians(targets), context);
+  Region region = extractRegion(source, moving, constraints, targets.looksAtJacobians(), context);
   QualityEvaluator judge(region, targets, context);
   PointSearch search(judge, constraints);
   for (Index m = 0; m < region.movable.size(); ++m)
@@ -445,7 +329,7 @@ std::vector<ShortCell> approach(const CellSource& source, std::vector<Vec3>& poi
     context.progress.check();
     search.approach(m, wanted[m].place, least);
   }
-  const std::vector<Index> changed = cellsAboutMoved(region, points, context);
+  changed = cellsAboutMoved(region, points, context);
   takePoints(region, points);
   std::vector<ShortCell> cells = shortCellsOf(judge, 0.0, context);
   std::erase_if(cells, [&](const ShortCell& cell) { return !std::ranges::binary_search(changed, cell.cell); });

@@ -2,7 +2,7 @@
 /// Moves points until the cells about them are valid and good.
 #pragma once
 
-#include "Optimize/Kernel/QualityEvaluator.h"
+#include "Optimize/Kernel/MeasuredCells.h"
 #include "Optimize/Kernel/VertexConstraints.h"
 
 namespace atria {
@@ -36,25 +36,6 @@ struct OptimizerOptions
   double firstReach = 0.1;
 };
 
-/// A cell that falls short of some target, and its least measure: 0 at the limit of what is valid.
-struct ShortCell
-{
-  Index cell;
-  float worst;
-};
-
-/// The cells about marked points that fall short, in order.
-std::vector<ShortCell> findShortCells(const CellSource& source, const std::vector<char>& marked,
-                                      const QualityTargets& targets, const RunContext& context);
-/// Of some cells, in order, those that fall short of each of several targets, the first of which ask for no less than
-/// any other.
-std::vector<std::vector<ShortCell>> findShortCells(const CellSource& source, const std::vector<Index>& cells,
-                                                   std::span<const QualityTargets> targets, const RunContext& context);
-
-/// Of some cells, in order, those that fall short; cells beside them are looked at as well as they are themselves.
-std::vector<ShortCell> findShortAmong(const CellSource& source, const std::vector<Index>& cells,
-                                      const QualityTargets& targets, const RunContext& context);
-
 /// Improves cells that fall short of the targets by moving points, those of the cells and of `rings` of cells about
 /// them, one after the other, each to where the penalty of the cells about it is less and their worst, unless it is bad
 /// already, no worse. `points` are those of the source, which must see changes to them. Returns those of
@@ -75,9 +56,10 @@ struct WantedPlace
 
 /// Moves points towards where they ought to be, one after the other, each as far as no cell about it falls below
 /// `least` (see ShortCell) or, where one is below already, further. Points must be leaders, in rising order. Returns
-/// the cells about those that moved that fall short then.
+/// the cells about those that moved that fall short then; `changed` gets all cells about them.
 std::vector<ShortCell> approach(const CellSource& source, std::vector<Vec3>& points,
                                 const std::vector<WantedPlace>& wanted, const VertexConstraints& constraints,
-                                double least, const QualityTargets& targets, const RunContext& context);
+                                double least, const QualityTargets& targets, const RunContext& context,
+                                std::vector<Index>& changed);
 
 } // namespace atria

@@ -37,21 +37,26 @@ template <typename IsFirst> std::size_t listFirst(std::vector<Index>& list, std:
 
 QualityEvaluator::QualityEvaluator(Region& region, const QualityTargets& targets, const RunContext& context)
     : region_(region), targets_(targets), faces(region.faceCount()), cells(region.cellCount()),
-      sizes(region.judgedCount()), cornerScales(sizes.size()), cellScores(sizes.size()), faceScores(faces.size())
+      sizes(region.cellCount()), cornerScales(sizes.size()), cellScores(region.judgedCount()), faceScores(faces.size())
 {
   std::vector<double> perimeters(faces.size());
   context.executor.forEach(faces.size(), grain, [&](std::size_t f) {
     measure(static_cast<Index>(f));
-    perimeters[f] = perimeterOf(static_cast<Index>(f));
+    const auto points = region.face(f);
+    perimeters[f] = perimeterOf(points.size(), [&](std::size_t i) -> const Vec3& { return region.points[points[i]]; });
   });
-  context.executor.forEach(sizes.size(), grain, [&](std::size_t c) {
+  const std::size_t judged = region.judgedCount();
+  context.executor.forEach(judged, grain, [&](std::size_t c) {
     measureOne(static_cast<Index>(c));
-    measureSize(static_cast<Index>(c), perimeters);
+    sizes[c] = meanEdgeOf(static_cast<Index>(c), perimeters);
   });
-  for (std::size_t g = 0; g < region.ghostVolumes.size(); ++g)
+  for (std::size_t g = 0; g < region.ghosts.size(); ++g)
   {
-    cells[sizes.size() + g] = {region.ghostCentroids[g], region.ghostVolumes[g], region.ghostCentroids[g]};
+    cells[judged + g] = region.ghosts[g].measure;
+    sizes[judged + g] = region.ghosts[g].size;
   }
+  std::ranges::transform(sizes, cornerScales.begin(),
+                         [&](double size) { return 2.0 / (size * size * size + tiny) / targets.cornerVolume.target; });
   judgeAll(context);
 }
 
@@ -71,29 +76,16 @@ void QualityEvaluator::measureOne(Index cell)
   });
 }
 
-double QualityEvaluator::perimeterOf(Index face) const
-{
-  const auto points = region_.face(face);
-  double length = (region_.points[points.front()] - region_.points[points.back()]).norm();
-  for (std::size_t i = 1; i < points.size(); ++i)
-  {
-    length += (region_.points[points[i]] - region_.points[points[i - 1]]).norm();
-  }
-  return length;
-}
-
-void QualityEvaluator::measureSize(Index cell, const std::vector<double>& perimeters)
+double QualityEvaluator::meanEdgeOf(Index cell, const std::vector<double>& perimeters) const
 {
   double length = 0.0;
-  double count = 0.0;
+  std::size_t count = 0;
   for (const Index f : region_.facesOf(cell))
   {
     length += perimeters[f];
-    count += static_cast<double>(region_.face(f).size());
+    count += region_.face(f).size();
   }
-  sizes[cell] = length / std::max(count, 1.0);
-  const double cube = sizes[cell] * sizes[cell] * sizes[cell];
-  cornerScales[cell] = 2.0 / (cube + tiny) / targets_.cornerVolume.target;
+  return length / std::max(static_cast<double>(count), 1.0);
 }
 
 /// Faces between cells about the point are counted twice.
@@ -129,7 +121,12 @@ void QualityEvaluator::enter(std::size_t movable, VertexStar& star) const
   star.offsets.clear();
   star.size = 0.0;
   star.entries.resize(faces.size());
+  star.stars.resize(region_.points.size());
   ++star.number;
+  for (const Index point : star.points)
+  {
+    star.stars[point] = star.number;
+  }
   for (const Index cell : about)
   {
     star.offsets.push_back(static_cast<Index>(star.slots.size()));
@@ -162,7 +159,7 @@ void QualityEvaluator::prepare(VertexStar& star) const
     star.shapes.resize(star.faces.size());
   }
   star.parts.assign(star.faces.size(), QuadShape::none);
-  const auto isOfStar = [&](Index point) { return std::ranges::find(star.points, point) != star.points.end(); };
+  const auto isOfStar = [&](Index point) { return star.stars[point] == star.number; };
   for (Index i = 0; i < star.faces.size(); ++i)
   {
     if (std::ranges::any_of(region_.face(star.faces[i]), isOfStar))

@@ -2,8 +2,8 @@
 /// How far the cells of a region are from good, by the measures solvers judge by.
 #pragma once
 
-#include "Optimize/Kernel/CellMeasure.h"
 #include "Optimize/Kernel/QualityTargets.h"
+#include "Optimize/Kernel/Region.h"
 #include "Quality/Checks/ScaledJacobian.h"
 
 namespace atria {
@@ -32,7 +32,8 @@ struct Measure
     faceCosine,
     skewness,
     weight,
-    volumeRatio
+    volumeRatio,
+    kinds ///< how many there are
   };
   Kind kind;
   std::uint8_t part = 0; ///< of those that a cell or a face has several of
@@ -172,6 +173,8 @@ struct VertexStar
     Index place = 0;
   };
   std::vector<Entry> entries;
+  /// By point of the region, the last star that it was one of the points of.
+  std::vector<Index> stars;
   Index number = 0; ///< of this star, from 1 on
   /// Room for marks.
   std::vector<char> marks;
@@ -214,8 +217,9 @@ public:
   Score scoreOf(const VertexStar& star) const;
   Score scoreOfCell(Index cell) const { return cellScores[cell]; }
   Score scoreOfFace(Index face) const { return faceScores[face]; }
-  /// Of a cell and its faces, as they are, by other targets.
-  Score scoreBy(const QualityTargets& targets, Index cell);
+  /// Of a cell and its faces, the least of each kind of measure as a share of the way from limit to target; those that
+  /// are not below the target need not be told.
+  std::array<double, Measure::kinds> leastOf(Index cell) const;
 
   /// The measures that fall short of the cells and faces of a star whose kept scores do, in the same order always.
   void residualsOf(VertexStar& star, Residuals& out) const;
@@ -234,8 +238,7 @@ private:
   void measureRest(const VertexStar& star);
   void findFirst(VertexStar& star) const;
   void judgeInOrder(VertexStar& star, Index place) const;
-  void measureSize(Index cell, const std::vector<double>& perimeters);
-  double perimeterOf(Index face) const;
+  double meanEdgeOf(Index cell, const std::vector<double>& perimeters) const;
   void judgeAll(const RunContext& context);
   std::array<Vec3, 4> fanOf(Index face) const;
   std::array<Vec3, 4> halvesOf(Index face) const;

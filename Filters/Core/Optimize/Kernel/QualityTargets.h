@@ -15,6 +15,8 @@ struct QualityRange
 
   /// 0 at the limit, 1 at the target.
   double of(double measure) const { return (measure - limit) / (target - limit); }
+  /// The measure that this is of.
+  double at(double share) const { return limit + share * (target - limit); }
   /// Another target. The limit moves on where it would come too close.
   void aimAt(double wanted)
   {
@@ -79,6 +81,7 @@ struct QualityTargets
   /// As leastOfDeterminant.
   double leastOfJacobian = -std::numeric_limits<double>::infinity();
 
+  bool looksAtJacobians() const { return scaledJacobian > 0.0; }
   /// All targets farther from their limits: measures creep up to what is aimed at and stop just short of it.
   QualityTargets beyond(double share) const;
   /// All targets at this share of their way from the limits.

@@ -2,7 +2,7 @@
 /// The part of a mesh that is optimized, in arrays of its own.
 #pragma once
 
-#include "Optimize/Kernel/CellSource.h"
+#include "Optimize/Kernel/CellMeasure.h"
 #include "Optimize/Kernel/VertexConstraints.h"
 #include "Support/Buffer.h"
 
@@ -21,7 +21,7 @@ struct RegionCells
   std::vector<NativeCell> natives;
 };
 
-/// Cells about points that may move, and beside them cells that only lend their centroids. Every cell about a
+/// Cells about points that may move, and beside them cells that are only measured. Every cell about a
 /// point that may move is judged, so what is outside the region does not change. Cells are any closed polyhedra.
 struct Region : RegionCells
 {
@@ -32,9 +32,8 @@ struct Region : RegionCells
   Buffer<Index> cellOffsets{0};
   Buffer<Index> cellFaces;
   std::vector<Index> cellIds;
-  /// Centroid and volume of the others, after the judged ones.
-  std::vector<Vec3> ghostCentroids;
-  std::vector<double> ghostVolumes;
+  /// The others, after the judged ones.
+  std::vector<SizedCell> ghosts;
   /// Points that may move, in sets that move as one: the leader of each set, its members with their shares of its way,
   /// and the cells about them.
   std::vector<Index> movable;
@@ -45,7 +44,7 @@ struct Region : RegionCells
   Buffer<Index> about;
 
   std::size_t judgedCount() const { return cellOffsets.size() - 1; }
-  std::size_t cellCount() const { return judgedCount() + ghostVolumes.size(); }
+  std::size_t cellCount() const { return judgedCount() + ghosts.size(); }
   std::size_t faceCount() const { return owner.size(); }
   std::span<const Index> face(std::size_t f) const
   {

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Mesher/Improvement/ImproverStages.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace atria {
+
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Cells with less than this share of the way to a target are improved.
+constexpr float clearlyShort = 0.5F;
+/// What hexahedra of a uniform mesh should have, and what they keep where angles are made better.
+constexpr double goodJacobian = 0.6;
+constexpr double curvedJacobian = 0.52;
+constexpr double leastCurvedJacobian = 0.5;
+/// The least cosine of non-orthogonality of what vertices go back by, 65 degrees: solvers need corrections beyond it.
+constexpr double leastFaceCosine = 0.4226;
+/// What corner volumes are to be before layers are divided, where 0.02 is enough for one.
+constexpr double volumeToDivide = 0.15;
+/// Of divided layers, the share of the way to targets that is aimed at.
+constexpr double soundShare = 0.6;
+/// The least targets at curved walls.
+constexpr double leastDegrees = 1.0;
+constexpr double leastSkewness = 0.01;
+/// Limit of pyramid cosines, a cell squish of 0.93: well above what is valid, so that cells come below 0.9.
+constexpr double leastPyramidCosine = 0.07;
+/// Degrees of non-orthogonality: 60, beyond which vertices leave where the model wants them, to 55.9.
+constexpr QualityRange acceptable{0.5, 0.56};
+/// 71.9 to 66.4.
+constexpr QualityRange acceptableOfDivided{0.31, 0.4};
+
+double cosineOf(double degrees) { return std::cos(std::max(degrees, leastDegrees) * std::numbers::pi / 180.0); }
+
+/// What falls short is made sound quickly: points do not creep, and what is within a tenth of a target stays.
+OptimizerOptions quick()
+{
+  OptimizerOptions options;
+  options.leastPenalty = 0.01;
+  options.leastGain = 0.02;
+  options.firstReach = 0.2;
+  return options;
+}
+
+ImproverStage straighteningStage(const MeshTraits& traits, const QualityRange& faceCosine, bool byChains = false)
+{
+  ImproverStage stage;
+  stage.below = traits.divided ? 0.3F : 0.5F;
+  stage.byChains = byChains;
+  stage.options.leastWorst = leastOfOthers;
+  stage.options.patient = true;
+  stage.options.leastPenalty = 0.1; // cells looked at are short by more
+  QualityTargets& targets = stage.options.targets;
+  targets = baseTargets(traits);
+  targets.pyramidCosine.limit = leastPyramidCosine;
+  targets = traits.divided ? targets.within(soundShare) : targets;
+  targets.faceCosine = faceCosine;
+  targets.leastOfFaceCosine = leastOfOthers;
+  return stage;
+}
+
+/// How far the limits and the aims of a stage lie beyond what is asked for, in degrees and in skewness.
+ImproverStage closeStage(const MeshTraits& traits, const CurvedWallTargets& wanted, const QualityRange& degrees,
+                         const QualityRange& skewness, float below)
+{
+  ImproverStage stage;
+  stage.below = below;
+  stage.options.rings = 1;
+  stage.options.sweeps = 12;
+  stage.options.patient = true;
+  stage.options.leastPenalty = 0.002;
+  stage.options.leastWorst = leastOfOthers;
+  QualityTargets& targets = stage.options.targets;
+  targets = baseTargets(traits);
+  const auto cosineAt = [&](double beyond) { return cosineOf(wanted.nonOrthogonality + beyond); };
+  targets.faceCosine = {std::max(targets.faceCosine.limit, cosineAt(degrees.limit)),
+                        std::max(targets.faceCosine.target, cosineAt(degrees.target))};
+  const auto skewnessAt = [&](double beyond) { return std::max(wanted.skewness + beyond, leastSkewness); };
+  targets.skewness = {std::min(targets.skewness.limit, skewnessAt(skewness.limit)),
+                      std::min(targets.skewness.target, skewnessAt(skewness.target))};
+  targets.scaledJacobian = std::min(targets.scaledJacobian, curvedJacobian);
+  targets.jacobianLimit = std::min(leastCurvedJacobian, targets.scaledJacobian);
+  targets.leastOfFaceCosine = targets.leastOfSkewness = leastOfOthers;
+  return stage;
+}
+
+} // namespace
+
+QualityTargets baseTargets(const MeshTraits& traits)
+{
+  QualityTargets targets;
+  targets.convex = traits.layered;
+  if (traits.layered && traits.uniform)
+  {
+    targets.scaledJacobian = goodJacobian;
+    targets.leastOfJacobian = leastPutBack;
+  }
+  if (!traits.layered || traits.hasHeights)
+  {
+    targets.leastOfDeterminant = infinity;
+  }
+  if (traits.hasHeights)
+  {
+    // Users who ask for a height have the jump in size that comes with it.
+    targets.weight.limit = 0.0;
+    targets.volumeRatio.limit = 0.0;
+  }
+  return targets;
+}
+
+ImproverStage firstStage(const MeshTraits& traits)
+{
+  ImproverStage stage{quick(), traits.layered && !traits.uniform ? clearlyShort : 1.0F};
+  if (!traits.layered)
+  {
+    // Vertices have no layer to give way to them: by short ways more of them stay where the model wants them.
+    stage.options.leastGain = 0.01;
+    stage.options.firstReach = 0.1;
+  }
+  stage.options.targets = baseTargets(traits);
+  return stage;
+}
+
+QualityTargets targetsBack(const MeshTraits& traits)
+{
+  QualityTargets targets = baseTargets(traits);
+  QualityRange& cosine = targets.faceCosine;
+  cosine.limit = (leastFaceCosine - leastPutBack * cosine.target) / (1.0 - leastPutBack);
+  return targets;
+}
+
+ImproverStage flatteningStage(const MeshTraits& traits)
+{
+  ImproverStage stage{quick(), clearlyShort};
+  stage.options.targets = baseTargets(traits);
+  stage.options.targets.cornerVolume.target = volumeToDivide;
+  stage.options.leastWorst = leastOfOthers;
+  stage.options.sweeps = 10;
+  return stage;
+}
+
+std::vector<ImproverStage> divisionStages(const MeshTraits& traits)
+{
+  const auto stage = [&](float below, int sweeps, bool byChains) {
+    ImproverStage out{quick(), below, byChains};
+    out.options.targets = baseTargets(traits).within(soundShare);
+    out.options.sweeps = sweeps;
+    return out;
+  };
+  // Chains first: that brings most cells where they are to be with few moves.
+  return {stage(0.5F, 10, true), stage(0.3F, 12, false), stage(soundEnough, 20, false)};
+}
+
+QualityTargets targetsAtCurved(const MeshTraits& traits, const CurvedWallTargets& wanted)
+{
+  QualityTargets targets = baseTargets(traits);
+  targets.faceCosine.target = std::max(targets.faceCosine.target, cosineOf(wanted.nonOrthogonality));
+  targets.skewness.target = std::min(targets.skewness.target, wanted.skewness);
+  targets.scaledJacobian = std::min(targets.scaledJacobian, curvedJacobian);
+  return targets;
+}
+
+ImproverStage curvedStage(const MeshTraits& traits, const CurvedWallTargets& wanted)
+{
+  ImproverStage stage;
+  stage.options.rings = 1;
+  stage.options.sweeps = 8;
+  stage.options.leastPenalty = 5e-4;
+  stage.options.leastGain = 0.02;
+  stage.options.firstReach = 0.15;
+  stage.options.leastWorst = leastOfOthers;
+  stage.options.targets = targetsAtCurved(traits, wanted);
+  return stage;
+}
+
+std::vector<ImproverStage> closeStages(const MeshTraits& traits, const CurvedWallTargets& wanted)
+{
+  return {closeStage(traits, wanted, {4.0, -2.0}, {0.1, 0.0}, 0.5F),
+          closeStage(traits, wanted, {1.0, -5.0}, {0.05, -0.05}, 0.4F),
+          closeStage(traits, wanted, {0.0, -6.0}, {0.03, -0.07}, 0.3F)};
+}
+
+ImproverStage loweredStage(const MeshTraits& traits, const CurvedWallTargets& wanted)
+{
+  return closeStage(traits, wanted, {4.0, -6.0}, {0.1, -0.07}, 0.5F);
+}
+
+std::vector<ImproverStage> straighteningStages(const MeshTraits& traits)
+{
+  if (traits.divided)
+  {
+    // Degrees of non-orthogonality: 78.5 to 66.4, 69.5 to 60. A limit as high as with one layer would take long.
+    return {straighteningStage(traits, {0.2, 0.4}, true), straighteningStage(traits, {0.2, 0.4}),
+            straighteningStage(traits, {0.35, 0.5}, true), straighteningStage(traits, {0.35, 0.5})};
+  }
+  // 72.5 to 60, 66.4 to 57.3, 59.3 to 55.9.
+  return {straighteningStage(traits, {0.3, 0.5}), straighteningStage(traits, {0.4, 0.54}),
+          straighteningStage(traits, {0.51, acceptable.target}), straighteningStage(traits, {0.51, acceptable.target})};
+}
+
+QualityTargets targetsOfLargestAngle(const MeshTraits& traits)
+{
+  QualityTargets targets = baseTargets(traits);
+  targets.faceCosine = traits.divided ? acceptableOfDivided : acceptable;
+  return targets;
+}
+
+QualityTargets strictestTargets(const MeshTraits& traits, const CurvedWallTargets* curvedWalls)
+{
+  QualityTargets targets = curvedWalls ? targetsAtCurved(traits, *curvedWalls) : baseTargets(traits);
+  targets.faceCosine.target = std::max(targets.faceCosine.target, acceptable.target);
+  targets.scaledJacobian = baseTargets(traits).scaledJacobian;
+  return targets;
+}
+
+QualityTargets strictestOfDivided(const MeshTraits& traits)
+{
+  QualityTargets targets = baseTargets(traits).within(soundShare);
+  targets.faceCosine.target =
+      std::max(targets.faceCosine.target, straighteningStages(traits).back().options.targets.faceCosine.target);
+  return targets;
+}
+
+} // namespace atria

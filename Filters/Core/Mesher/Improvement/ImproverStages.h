@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// What the stages of the improver aim at and how they go there, in the order in which they run.
+#pragma once
+
+#include "Optimize/Kernel/Optimizer.h"
+
+#include <array>
+#include <vector>
+
+namespace atria {
+
+/// Cells below this share of a target are no better than not valid.
+inline constexpr float soundEnough = 0.02F;
+/// What no cell falls below by other measures for the good of angles, where the limit of these rises.
+inline constexpr double leastOfOthers = 0.1;
+
+/// A pass of the optimizer over the cells whose least measure is below `below`.
+struct ImproverStage
+{
+  OptimizerOptions options;
+  float below = 1.0F;
+  bool byChains = false; ///< whether chains of divided layers move as a whole
+};
+
+/// What a mesh is like, as far as targets depend on it.
+struct MeshTraits
+{
+  bool layered;    ///< whether a layer is asked for somewhere
+  bool hasHeights; ///< whether a height of layers is asked for somewhere
+  bool divided;    ///< whether several layers are asked for somewhere
+  bool uniform;    ///< whether all octants at elements are of one size, so that these are hexahedra
+
+  /// Single layers of a height left to the mesh.
+  bool isSingle() const { return layered && !hasHeights && !divided; }
+};
+
+/// What all elements are to be.
+QualityTargets baseTargets(const MeshTraits& traits);
+
+/// 1. All that falls short becomes sound. Under layers of a mesh with several sizes those that are clearly short do:
+/// the others are good enough, and there are many.
+ImproverStage firstStage(const MeshTraits& traits);
+
+/// 2. What stays bad gets more room, step by step.
+enum class RoomStep : std::uint8_t
+{
+  leaveCurves,
+  leaveALittle,
+  leaveSurfaces,
+  goHalfway,
+  startAgain,
+  exclude
+};
+inline constexpr std::array roomSteps{RoomStep::leaveCurves,   RoomStep::leaveALittle, RoomStep::leaveSurfaces,
+                                      RoomStep::goHalfway,     RoomStep::startAgain,   RoomStep::exclude,
+                                      RoomStep::leaveSurfaces, RoomStep::goHalfway,    RoomStep::startAgain,
+                                      RoomStep::exclude,       RoomStep::leaveSurfaces};
+/// How far, in octants, vertices leave their surfaces by `leaveALittle` and by `leaveSurfaces`.
+inline constexpr double aLittle = 0.2;
+inline constexpr double anOctant = 0.75;
+
+/// 3. Those that left go back, in so many rounds, as far as elements keep this share of the targets.
+inline constexpr int roundsBack = 6;
+inline constexpr double leastPutBack = 0.3;
+QualityTargets targetsBack(const MeshTraits& traits);
+
+/// 4. Before layers are divided, the copies about each face are brought nearer to a plane: slices are so thin that half
+/// of a bent face would leave them no room, and it takes a fifth of the time to do it at once.
+ImproverStage flatteningStage(const MeshTraits& traits);
+
+/// 5. Divided layers are improved in passes, as many rounds as these; cells that are bad after the last pass of a round
+/// lose layers. It is enough that they are sound: there are many.
+inline constexpr int mostDivisionRounds = 24;
+std::vector<ImproverStage> divisionStages(const MeshTraits& traits);
+
+/// 6. At curved walls, hexahedra are brought to what is asked for: all at smooth walls that fall short, but not for
+/// long; then in stages the few that are far from it, where all walls are smooth.
+QualityTargets targetsAtCurved(const MeshTraits& traits, const CurvedWallTargets& wanted);
+ImproverStage curvedStage(const MeshTraits& traits, const CurvedWallTargets& wanted);
+/// The limits rise. By the last one cells are moved that have 1.6 degrees less than what is asked for.
+std::vector<ImproverStage> closeStages(const MeshTraits& traits, const CurvedWallTargets& wanted);
+/// What is just at a limit is hard to move on, as what is above may not fall below: the limit is lowered, then raised.
+ImproverStage loweredStage(const MeshTraits& traits, const CurvedWallTargets& wanted);
+inline constexpr int mostLowered = 4;
+
+/// 7. What is valid is brought within the angles that solvers do well with. The limit rises in stages: held to the last
+/// one at once, cells that are far from it find no way there.
+std::vector<ImproverStage> straighteningStages(const MeshTraits& traits);
+/// Where faces stay beyond the largest angle, below its limit, vertices leave their surfaces by so many octants.
+QualityTargets targetsOfLargestAngle(const MeshTraits& traits);
+inline constexpr std::array reachesForAngles{0.4, 0.75};
+
+/// What no stage from here on asks more than: before layers are divided, and after.
+QualityTargets strictestTargets(const MeshTraits& traits, const CurvedWallTargets* curvedWalls);
+QualityTargets strictestOfDivided(const MeshTraits& traits);
+
+} // namespace atria

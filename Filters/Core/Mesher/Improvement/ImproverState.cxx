@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Mesher/Improvement/ImproverState.h"
+
+#include "Mesher/Improvement/LayerCells.h"
+#include "Optimize/Constraints/ChainConstraints.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace atria {
+
+namespace {
+
+MeshTraits traitsOf(const DualMesh& plain, const LayerOptions& options)
+{
+  return {.layered = std::ranges::any_of(options.ofTag, [](const WallLayers& wall) { return wall.layers > 0; }),
+          .hasHeights = options.hasHeights(),
+          .divided = options.isDivided(),
+          .uniform = std::ranges::adjacent_find(plain.levels, std::not_equal_to()) == plain.levels.end()};
+}
+
+} // namespace
+
+ImproverState::ImproverState(const MeshingContext& meshingContext, const VertexClassification& given,
+                             const std::vector<Index>& vertices, DualMesh& plainMesh, const LayerWalls& layerWalls,
+                             const LayerOptions& layerOptions)
+    : context(meshingContext), wanted(given), classification(given), vertexOf(vertices), plain(plainMesh),
+      walls(layerWalls), options(layerOptions), traits(traitsOf(plain, options)), mayLeave(vertexOf.size(), 1),
+      letGo(vertexOf.size(), 0), excluded(vertexOf.size(), 0), suspect(vertexOf.size(), 0),
+      measured(baseTargets(traits))
+{
+  if (!context.octree.frame().turnedDomain)
+  {
+    return;
+  }
+  // Octants know the planes of an upright domain's sides, not of a turned one's.
+  for (const BoundaryFace& face : plain.boundaryFaces)
+  {
+    for (int i = 0; i < 4 && face.tag >= options.surfaceCount(); ++i)
+    {
+      mayLeave[vertexOf[cornerOf(plain, face, i)]] = 0;
+    }
+  }
+}
+
+std::vector<ShortCell> ImproverState::findShort(const QualityTargets& targets, float below)
+{
+  context.progress.check();
+  measured.update(DualSource(layer.mesh), context);
+  return measured.shortOf(targets, below);
+}
+
+std::vector<ShortCell> ImproverState::run(const ImproverStage& stage, const std::vector<ShortCell>& cells)
+{
+  LayerFreedom freedom(*this);
+  if (!stage.byChains)
+  {
+    return run(stage.options, cells, freedom.layer);
+  }
+  ChainConstraints chains(layer, freedom.layer);
+  return run(stage.options, cells, chains);
+}
+
+std::vector<ShortCell> ImproverState::run(const OptimizerOptions& optimizerOptions, const std::vector<ShortCell>& cells,
+                                          VertexConstraints& constraints)
+{
+  std::vector<Index> changed;
+  std::vector<ShortCell> left =
+      optimize(DualSource(layer.mesh), layer.mesh.points, cells, constraints, optimizerOptions, context, &changed);
+  outdate(changed);
+  return left;
+}
+
+void ImproverState::measureBy(const QualityTargets& strictest)
+{
+  measured = MeasuredCells(strictest);
+  std::vector<char> marked = pointsToEvaluate(layer, context.executor);
+  for (Index p = 0; p < layer.plainPoints; ++p)
+  {
+    marked[p] |= suspect[p];
+  }
+  measured.outdate(cellsWithMarked(DualSource(layer.mesh), marked, context));
+}
+
+void ImproverState::outdate(const std::vector<Index>& cells)
+{
+  measured.outdate(withNeighbors(DualSource(layer.mesh), cells, context));
+}
+
+void ImproverState::outdateAt(const std::vector<char>& points)
+{
+  std::vector<char> marked(layer.mesh.points.size());
+  for (Index p = 0; p < marked.size(); ++p)
+  {
+    marked[p] = points[layer.wallPointOf(p)];
+  }
+  outdate(cellsWithMarked(DualSource(layer.mesh), marked, context));
+}
+
+void ImproverState::grow()
+{
+  context.progress.check();
+  layer = traits.layered ? growLayer(plain, walls, options, excluded, context) : withoutLayer(std::move(plain));
+  context.progress.check();
+}
+
+void ImproverState::growAgain(const std::vector<char>& fresh)
+{
+  if (!traits.layered)
+  {
+    return;
+  }
+  std::copy_n(layer.mesh.points.begin(), layer.plainPoints, plain.points.begin());
+  LayerMesh again = growLayer(plain, walls, options, excluded, context);
+  takeCopies(layer, fresh, again);
+  replaceLayer(std::move(again));
+}
+
+void ImproverState::replaceLayer(LayerMesh other)
+{
+  const LayerMesh before = std::exchange(layer, std::move(other));
+  measured.renumber(cellsIn(layer, before));
+  outdateAt(pointsChanged(layer, before, context.executor));
+}
+
+} // namespace atria

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Mesher/Improvement/VertexDetachment.h"
+
+#include "Mesher/Improvement/LayerCells.h"
+
+#include <algorithm>
+
+namespace atria {
+
+/// Calls visit(leader) for the points of cells, or those their copies stand on; more than once for some.
+template <typename Visit> void VertexDetachment::eachLeaderOf(const std::vector<ShortCell>& cells, Visit&& visit) const
+{
+  for (const ShortCell& cell : cells)
+  {
+    for (const Index p : state_.layer.mesh.corners[cell.cell])
+    {
+      visit(state_.vertexOf[state_.layer.wallPointOf(p)]);
+    }
+  }
+}
+
+std::vector<ShortCell> VertexDetachment::improve(std::vector<ShortCell> cells)
+{
+  std::erase_if(cells, [&](const ShortCell& cell) { return cell.worst >= first_.below; });
+  std::vector<ShortCell> left = state_.run(first_, cells);
+  markPoints(state_.layer, left, state_.suspect);
+  return left;
+}
+
+void VertexDetachment::improveAndMend() { mend(improve(state_.findShort(first_.options.targets))); }
+
+void VertexDetachment::mend(const std::vector<ShortCell>& cells)
+{
+  std::vector<ShortCell> bad = badOf(cells);
+  for (const RoomStep step : roomSteps)
+  {
+    if (bad.empty())
+    {
+      return;
+    }
+    make(step, bad);
+    const bool mayMakeOthersBad = step >= RoomStep::goHalfway;
+    bad = mayMakeOthersBad ? badOf(state_.findShort(first_.options.targets)) : bad;
+    bad = badOf(improve(bad));
+  }
+}
+
+void VertexDetachment::make(RoomStep step, const std::vector<ShortCell>& bad)
+{
+  state_.context.progress.check();
+  if (step == RoomStep::exclude)
+  {
+    exclude(bad);
+    return;
+  }
+  eachLeaderOf(bad, [&](Index leader) {
+    state_.letGo[leader] = 1;
+    step == RoomStep::leaveCurves ? leaveCurve(leader)
+                                  : leaveSurface(leader, step == RoomStep::leaveALittle ? aLittle : anOctant);
+  });
+  if (step == RoomStep::goHalfway || step == RoomStep::startAgain)
+  {
+    startAgain(bad, step == RoomStep::startAgain ? 1.0 : 0.5);
+  }
+}
+
+/// A vertex may leave more than once: those that did not get back stay where they are, but may have to go on.
+void VertexDetachment::noteLeft(Index leader)
+{
+  if (!isLeft_[leader])
+  {
+    isLeft_[leader] = 1;
+    left_.push_back({leader, state_.layer.mesh.points[leader]});
+  }
+}
+
+void VertexDetachment::leaveCurve(Index leader)
+{
+  VertexClass& vertexClass = state_.classification.classes[leader];
+  if (state_.mayLeave[leader] && vertexClass == VertexClass::curve)
+  {
+    noteLeft(leader);
+    vertexClass = VertexClass::adjacent;
+  }
+}
+
+/// By `reach` times the size of the vertex's octant.
+void VertexDetachment::leaveSurface(Index leader, double reach)
+{
+  VertexClass& vertexClass = state_.classification.classes[leader];
+  if (!state_.mayLeave[leader] || vertexClass == VertexClass::free)
+  {
+    return;
+  }
+  noteLeft(leader);
+  vertexClass = VertexClass::detached;
+  const Octree& octree = state_.context.octree;
+  const double size = octree.frame().sizeOf(octree.level(state_.classification.leaves[leader]));
+  state_.classification.displacementLimits.try_emplace(leader, DisplacementLimit{state_.layer.mesh.points[leader], 0.0})
+      .first->second.reach = reach * size;
+}
+
+void VertexDetachment::detach(const std::vector<ShortCell>& cells, double reach)
+{
+  eachLeaderOf(cells, [&](Index leader) {
+    state_.letGo[leader] = 1;
+    leaveCurve(leader);
+    leaveSurface(leader, reach);
+  });
+}
+
+/// Takes the points of cells towards the centers of their octants.
+void VertexDetachment::startAgain(const std::vector<ShortCell>& bad, double share)
+{
+  std::vector<char> fresh(state_.layer.plainPoints, 0);
+  eachLeaderOf(bad, [&](Index leader) { fresh[leader] = state_.mayLeave[leader]; });
+  const LayerFreedom freedom(state_);
+  for (Index p = 0; p < fresh.size(); ++p)
+  {
+    fresh[p] = fresh[state_.vertexOf[p]];
+    if (fresh[p])
+    {
+      const Vec3 center = freedom.model.centerOf(p);
+      state_.layer.mesh.points[p] += share * (center - state_.layer.mesh.points[p]);
+      if (const auto found = state_.classification.displacementLimits.find(state_.vertexOf[p]);
+          found != state_.classification.displacementLimits.end())
+      {
+        found->second.origin = center;
+      }
+    }
+  }
+  state_.outdateAt(fresh);
+  state_.growAgain(fresh);
+}
+
+/// Leaves the layer out at the points of cells that have it; gives it back to those that are bad without it.
+void VertexDetachment::exclude(const std::vector<ShortCell>& bad)
+{
+  for (const ShortCell& cell : bad)
+  {
+    const auto& corners = state_.layer.mesh.corners[cell.cell];
+    const bool has = std::ranges::any_of(corners, [&](Index p) { return state_.layer.isNew(p); });
+    for (const Index p : corners)
+    {
+      if (!has || state_.layer.isNew(p))
+      {
+        state_.excluded[state_.layer.wallPointOf(p)] = has ? 1 : 0;
+      }
+    }
+  }
+  state_.growAgain(std::vector<char>(state_.layer.plainPoints, 0));
+}
+
+/// Where the points that left their pieces of the model ought to be, seen from where they are.
+std::vector<WantedPlace> VertexDetachment::wantedPlaces() const
+{
+  ModelConstraints constraints(state_.context, state_.wanted, state_.layer.mesh.points, state_.vertexOf);
+  std::vector<Index> points;
+  std::ranges::transform(left_, std::back_inserter(points), &WantedPlace::point);
+  constraints.prepare(points, state_.context);
+  std::vector<WantedPlace> places(left_.size());
+  state_.context.executor.forEach(left_.size(), 64, [&](std::size_t i) {
+    const Index p = left_[i].point;
+    const bool was = state_.wanted.classes[state_.vertexOf[p]] == VertexClass::fixed;
+    places[i] = {p, was ? left_[i].place : constraints.nearest(p, state_.layer.mesh.points[p])};
+  });
+  return places;
+}
+
+void VertexDetachment::putBack()
+{
+  if (left_.empty())
+  {
+    return;
+  }
+  std::ranges::sort(left_, {}, &WantedPlace::point); // as approach() asks
+  const QualityTargets targets = targetsBack(state_.traits);
+  for (int round = 1; round <= roundsBack && !left_.empty(); ++round)
+  {
+    state_.context.progress.check();
+    std::vector<Index> changed;
+    const std::vector<ShortCell> cells =
+        approach(DualSource(state_.layer.mesh), state_.layer.mesh.points, wantedPlaces(), LayerFreedom(state_).layer,
+                 leastPutBack, targets, state_.context, changed);
+    state_.outdate(changed);
+    const std::size_t before = left_.size();
+    keepThoseAway();
+    if (before == left_.size() || round == roundsBack)
+    {
+      break;
+    }
+    improve(cells);
+  }
+  mend(state_.findShort(first_.options.targets));
+  keepThoseAway();
+}
+
+void VertexDetachment::keepThoseAway()
+{
+  constexpr double nearlyThere = 1e-6;
+  std::vector<WantedPlace> away;
+  detached_.clear();
+  std::ranges::sort(left_, {}, &WantedPlace::point);
+  const std::vector<WantedPlace> wanted = wantedPlaces();
+  for (std::size_t i = 0; i < left_.size(); ++i)
+  {
+    const Index p = left_[i].point;
+    const Index vertex = state_.vertexOf[p];
+    const Octree& octree = state_.context.octree;
+    const double size = octree.frame().sizeOf(octree.level(state_.wanted.leaves[vertex]));
+    const bool back = (state_.layer.mesh.points[p] - wanted[i].place).norm() <= nearlyThere * size;
+    state_.classification.classes[vertex] = back ? state_.wanted.classes[vertex] : VertexClass::fixed;
+    isLeft_[p] = back ? 0 : 1;
+    if (!back)
+    {
+      away.push_back(left_[i]);
+      detached_.push_back({p, wanted[i].place});
+    }
+  }
+  left_ = std::move(away);
+}
+
+} // namespace atria

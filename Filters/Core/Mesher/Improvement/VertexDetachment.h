@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Gives elements room that cannot be made valid where the model wants their vertices.
+#pragma once
+
+#include "Mesher/Improvement/ImproverState.h"
+
+namespace atria {
+
+/// A vertex that is not where the model wants it, as no element would be valid there otherwise.
+struct DetachedVertex
+{
+  Index point;
+  Vec3 wanted;
+};
+
+/// Vertices leave curves for the surfaces that meet there; they leave surfaces; they start again from the centers of
+/// their octants, where the plain mesh is valid; the layer is left out. Then each goes back as far as it can.
+class VertexDetachment
+{
+public:
+  explicit VertexDetachment(ImproverState& state) : state_(state), isLeft_(state.vertexOf.size(), 0) {}
+
+  /// Improves cells by the first stage, and takes all room steps that bad ones need.
+  void improveAndMend();
+  /// Takes vertices back to where the model wants them, as far as elements stay valid; their neighbors make room.
+  void putBack();
+  /// Lets the points of cells leave their curves, and their surfaces by `reach` octants.
+  void detach(const std::vector<ShortCell>& cells, double reach);
+  /// Forgets the points that are back; the others stay where they are.
+  void keepThoseAway();
+  /// Those that did not get back, in rising order of points.
+  const std::vector<DetachedVertex>& detached() const { return detached_; }
+
+private:
+  std::vector<ShortCell> improve(std::vector<ShortCell> cells);
+  void mend(const std::vector<ShortCell>& cells);
+  void make(RoomStep step, const std::vector<ShortCell>& bad);
+  void noteLeft(Index leader);
+  void leaveCurve(Index leader);
+  void leaveSurface(Index leader, double reach);
+  void startAgain(const std::vector<ShortCell>& bad, double share);
+  void exclude(const std::vector<ShortCell>& bad);
+  std::vector<WantedPlace> wantedPlaces() const;
+  template <typename Visit> void eachLeaderOf(const std::vector<ShortCell>& cells, Visit&& visit) const;
+
+  ImproverState& state_;
+  ImproverStage first_ = firstStage(state_.traits);
+  /// Leaders that were detached, each once, and where they were.
+  std::vector<WantedPlace> left_;
+  std::vector<char> isLeft_;
+  std::vector<DetachedVertex> detached_;
+};
+
+} // namespace atria
