@@ -50,6 +50,7 @@ if (ATRIA_BUILD_PARAVIEW_PLUGIN)
     "${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/${atria_plugins_subdirectory}/Atria")
   math(EXPR next_minor "${ParaView_VERSION_MINOR} + 1")
   set(paraview "${ParaView_VERSION_MAJOR}.${ParaView_VERSION_MINOR}")
+  set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "atria-assimp")
   atria_debian_package(runtime NAME paraview-atria SECTION science
     DEPENDS "paraview (>= ${paraview})" "paraview (<< ${ParaView_VERSION_MAJOR}.${next_minor}~)"
     TEXT "The plugin of ParaView, which ParaView loads when it starts.")
@@ -64,6 +65,11 @@ else ()
     TEXT "Headers, and what find_package(Atria) of CMake needs.")
   atria_debian_package(command_line NAME atria SECTION science DEPENDS "${library} ${same_version}"
     TEXT "The command line, with its manual page and completion for shells.")
+  if (TARGET atria-assimp)
+    atria_debian_package(assimp NAME atria-assimp SECTION science
+      TEXT "The program by which the library reads COLLADA, 3DS, FBX, DXF and IFC.")
+    set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "atria-assimp")
+  endif ()
   atria_debian_package(python NAME python3-atria SECTION python CONFLICTS python3-atria-paraview
     DEPENDS "${library} ${same_version}" "python3 (>= 3.11~)" "python3 (<< 3.12)" python3-vtk9
     TEXT "The Python package atria.")

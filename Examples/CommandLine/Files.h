@@ -21,7 +21,8 @@ class Console;
 
 /// What the model of a command may be, for its help.
 inline constexpr const char* modelFormats =
-    "VRML (.wrl, .vrml, .wrz, .wrl.gz), OBJ, STL, PLY, glTF (.gltf, .glb) or VTK's .vtp, .vtm, .vtpc";
+    "VRML (.wrl, .vrml, .wrz, .wrl.gz), OBJ, STL, PLY, glTF (.gltf, .glb), COLLADA (.dae), IFC, DXF, FBX, 3DS, "
+    "CityJSON (.json, .jsonl) or VTK's .vtp, .vtm, .vtpc";
 
 /// A reader that has read `file`, whose format follows from its ending, or if that is none of them from a header of
 /// VRML. Its warnings and notes have been printed. Throws Failure(BadInput).

@@ -37,7 +37,7 @@ void declareModelOptions(CLI::App& command, ModelOptions& options)
       ->check(numberIn(1e-9, 1e9));
   command
       .add_option("--up", options.up,
-                  "The axis that is up in the file; z unless given, y in glTF. With y the model is turned")
+                  "The axis that is up in the file; z unless given here or by the file. With y the model is turned")
       ->check(oneOf({"y", "z"}))
       ->type_name("y|z");
   command.add_flag("--recenter,--recentre", options.recenter,

@@ -291,8 +291,8 @@ def mesh(
 ) -> Result:
     """Meshes the air about a model, or in it. Lengths are in meters.
 
-    model       a file (VRML, OBJ, STL, PLY, glTF, .vtp), a vtkPolyData or composite, also as PyVista wraps it, or an
-                algorithm that makes one
+    model       a file (VRML, OBJ, STL, PLY, glTF, COLLADA, IFC, DXF, FBX, 3DS, CityJSON, .vtp), a vtkPolyData or composite,
+                also as PyVista wraps it, or an algorithm that makes one
     size        of elements at surfaces; half as large at edges (size_min), four times in the open (size_max). Without
                 any of the three they follow from the model
     sizes       {"Chimney*": 0.1}: at surfaces by name, * and ? stand for text

@@ -359,7 +359,8 @@ Model NodeWalk::run()
   result.data = faces.polyData(names);
   result.singlePrecision = true;
   result.upAxis = 1;
-  result.defined = true;
+  result.unitKnown = true;
+  result.axisKnown = true;
   keepParts(result, parts, names);
   addWarnings(result);
   return result;

@@ -28,21 +28,29 @@ bool ModelFaces::add(std::span<const std::size_t> corners, int part)
   return true;
 }
 
+void ModelFaces::scale(double factor)
+{
+  for (auto& p : points)
+  {
+    p = {factor * p[0], factor * p[1], factor * p[2]};
+  }
+}
+
 vtkSmartPointer<vtkPolyData> ModelFaces::polyData(const std::vector<std::string>& names) const
 {
   vtkNew<vtkPoints> places;
   places->SetDataTypeToDouble();
-  for (const auto& p : points)
-  {
-    const bool finite = std::all_of(p.begin(), p.end(), [](double value) { return std::isfinite(value); });
-    places->InsertNextPoint(finite ? p.data() : std::array<double, 3>{}.data());
-  }
+  std::vector<vtkIdType> placeOf(points.size(), -1); // points that no face has are left out
   vtkNew<vtkCellArray> cells;
   for (std::size_t i = 0; i + 1 < offsets.size(); ++i)
   {
-    const std::vector<vtkIdType> face(ids.begin() + static_cast<std::ptrdiff_t>(offsets[i]),
-                                      ids.begin() + static_cast<std::ptrdiff_t>(offsets[i + 1]));
-    cells->InsertNextCell(static_cast<vtkIdType>(face.size()), face.data());
+    cells->InsertNextCell(static_cast<int>(offsets[i + 1] - offsets[i]));
+    for (std::size_t k = offsets[i]; k < offsets[i + 1]; ++k)
+    {
+      vtkIdType& place = placeOf[ids[k]];
+      place = place < 0 ? places->InsertNextPoint(points[ids[k]].data()) : place;
+      cells->InsertCellPoint(place);
+    }
   }
   const auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(places);

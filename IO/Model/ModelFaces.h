@@ -18,10 +18,14 @@ public:
   /// A point with a coordinate that is not finite is kept, and faces with it are not.
   void addPoint(const std::array<double, 3>& p) { points.push_back(p); }
   std::size_t numberOfPoints() const { return points.size(); }
+  const std::array<double, 3>& point(std::size_t i) const { return points[i]; }
 
   /// Leaves out and counts a face with less than three corners, with one beyond the last point or with one that is not
   /// finite. `part` counts from 0.
   bool add(std::span<const std::size_t> corners, int part);
+
+  /// Multiplies all coordinates.
+  void scale(double factor);
 
   std::size_t numberOfFaces() const { return parts.size(); }
   std::size_t numberLeftOut() const { return leftOut; }

@@ -26,33 +26,49 @@
 
 namespace atria::model {
 
-std::vector<std::string> uniqueNames(const std::vector<Part>& parts, const std::string& fallback)
+std::vector<std::string> namesByMaterial(const std::vector<Part>& parts, const std::string& fallback)
 {
   std::map<std::size_t, std::set<std::string>> materials;
   for (const Part& part : parts)
   {
     materials[part.owner].insert(part.material);
   }
-  std::unordered_map<std::string, int>
-      used; // with the last number tried behind each, so that many equal ones are quick
   std::vector<std::string> names;
   for (const Part& part : parts)
   {
-    std::string wanted = part.name.empty() ? fallback : part.name;
-    if (materials[part.owner].size() > 1 && !part.material.empty())
-    {
-      wanted += "_" + part.material;
-    }
-    std::string name = wanted;
+    const bool several = materials[part.owner].size() > 1 && !part.material.empty();
+    names.push_back((part.name.empty() ? fallback : part.name) + (several ? "_" + part.material : ""));
+  }
+  return names;
+}
+
+std::vector<std::string> uniqueNames(const std::vector<Part>& parts, const std::string& fallback)
+{
+  std::unordered_map<std::string, int>
+      used; // with the last number tried behind each, so that many equal ones are quick
+  std::vector<std::string> names = namesByMaterial(parts, fallback);
+  for (std::string& name : names)
+  {
+    const std::string wanted = name;
     const auto [found, isNew] = used.try_emplace(wanted, 1);
     int& number = found->second; // stays where it is as the table grows
     for (bool isFree = isNew; !isFree; isFree = used.try_emplace(name, 1).second)
     {
       name = wanted + "_" + std::to_string(++number);
     }
-    names.push_back(name);
   }
   return names;
+}
+
+std::vector<std::string> keepTree(Model& model, const std::vector<Part>& parts)
+{
+  std::vector<std::string> numbers;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    numbers.push_back(std::to_string(i));
+  }
+  keepParts(model, parts, numbers);
+  return numbers;
 }
 
 void keepParts(Model& model, const std::vector<Part>& parts, const std::vector<std::string>& names)

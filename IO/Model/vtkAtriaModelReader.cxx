@@ -21,16 +21,30 @@ vtkStandardNewMacro(vtkAtriaModelReader);
 
 namespace {
 
+namespace model = atria::model;
+
 struct Format
 {
   const char* ending;
-  atria::model::Model (*read)(const std::string& file);
+  model::Model (*read)(const std::string& file, const atria::ProgressRange& progress);
 };
 
+/// A reader that is done before anybody could abort it.
+template <model::Model (*Read)(const std::string&)>
+model::Model quick(const std::string& file, const atria::ProgressRange&)
+{
+  return Read(file);
+}
+
 constexpr Format formats[] = {
-    {".obj", atria::model::readObj},   {".stl", atria::model::readStl},  {".ply", atria::model::readPly},
-    {".gltf", atria::model::readGltf}, {".glb", atria::model::readGltf}, {".vtp", atria::model::readXml},
-    {".vtm", atria::model::readXml},   {".vtpc", atria::model::readXml},
+    {".obj", quick<model::readObj>},       {".stl", quick<model::readStl>},
+    {".ply", quick<model::readPly>},       {".gltf", quick<model::readGltf>},
+    {".glb", quick<model::readGltf>},      {".vtp", quick<model::readXml>},
+    {".vtm", quick<model::readXml>},       {".vtpc", quick<model::readXml>},
+    {".json", quick<model::readCityJson>}, {".jsonl", quick<model::readCityJson>},
+    {".dae", model::readAssimp},           {".3ds", model::readAssimp},
+    {".fbx", model::readAssimp},           {".dxf", model::readAssimp},
+    {".ifc", model::readAssimp},
 };
 
 const Format* formatOf(const char* fileName)
@@ -41,6 +55,18 @@ const Format* formatOf(const char* fileName)
   return found == std::end(formats) ? nullptr : found;
 }
 
+/// Groups of a scene, which hold all parts where the format has a tree.
+std::vector<atria::vrml::Group> groupsOf(const model::Model& model)
+{
+  std::vector<atria::vrml::Group> groups;
+  for (const model::PartGroup& group : model.groups)
+  {
+    const auto parent = group.parent ? static_cast<atria::Index>(*group.parent) : atria::noIndex;
+    groups.push_back({group.name, parent, group.parent ? groups.at(parent).depth + 1 : 0});
+  }
+  return groups;
+}
+
 /// Surfaces that have triangles, as shapes of a scene.
 atria::vrml::Scene sceneOf(const atria::model::Model& model, atria::VtkSurface read)
 {
@@ -49,6 +75,7 @@ atria::vrml::Scene sceneOf(const atria::model::Model& model, atria::VtkSurface r
   std::vector<atria::Index> shapeOf(surface.names.size(), atria::noIndex);
   std::map<std::string, atria::Index> materials;
   std::map<std::string, atria::Index> groups;
+  scene.groups = groupsOf(model);
   const auto indexOf = [](auto& known, auto& list, const std::string& key, auto&& make) {
     const auto [found, isNew] = known.try_emplace(key, static_cast<atria::Index>(list.size()));
     if (isNew)
@@ -72,8 +99,11 @@ atria::vrml::Scene sceneOf(const atria::model::Model& model, atria::VtkSurface r
           shape.material =
               indexOf(materials, scene.materials, p.material, [&] { return atria::vrml::Material{p.material}; });
         }
-        shape.group = indexOf(groups, scene.groups, std::to_string(p.owner),
-                              [&] { return atria::vrml::Group{p.name.empty() ? name : p.name}; });
+        shape.group = !model.groups.empty() ? static_cast<atria::Index>(p.owner)
+                                            : indexOf(groups, scene.groups, std::to_string(p.owner), [&] {
+                                                return atria::vrml::Group{p.name.empty() ? name : p.name};
+                                              });
+        shape.name = model.groups.empty() ? name : p.name;
       }
       scene.shapes.push_back(shape);
     }
@@ -113,17 +143,19 @@ atria::vrml::ModelSource vtkAtriaModelReader::ReadSource(atria::vrml::Diagnostic
     throw atria::Error("'" + file + "' is of a format that is not known; give a file that ends in one of " +
                        GetFileExtensions() + ", unpacked");
   }
-  const atria::model::Model model = format->read(file);
+  const atria::model::Model model = format->read(file, progress.part(0.0, 0.5));
   progress.report(0.5, "Triangulating faces");
   atria::VtkSurface read = atria::surfaceFromVtk({model.data});
   atria::vrml::ModelSource source;
   source.name = std::filesystem::path(file).filename().string();
   source.head = model.head;
   source.upAxis = model.upAxis;
-  source.axisKnown = model.defined;
-  source.unitKnown = model.defined;
+  source.axisKnown = model.axisKnown;
+  source.unitKnown = model.unitKnown;
+  source.unitConverted = model.unitConverted;
   const auto warn = [&](const std::string& text) { diagnostics.warn(source.name + ": " + text); };
   std::for_each(model.warnings.begin(), model.warnings.end(), warn);
+  std::for_each(model.notes.begin(), model.notes.end(), [&](const std::string& text) { diagnostics.note(text); });
   if (read.ignoredCells > 0)
   {
     warn(std::to_string(read.ignoredCells) + " cells are no faces and make no surface");

@@ -13,22 +13,39 @@
  * | .gltf, .glb | glTF 2.0 | a primitive (one material) of a node of the scene |
  * | .vtp | VTK XML polydata | as the arrays SurfaceId and SurfaceName say, else the file |
  * | .vtm, .vtpc | VTK XML composites | likewise in each block, else a named block |
+ * | .json, .jsonl | CityJSON, text sequences | a semantic class of a city object, else the object |
+ * | .dae | COLLADA | a node, in one material |
+ * | .3ds | 3D Studio | an object, in one material |
+ * | .fbx | FBX, ASCII or binary | a node, in one material |
+ * | .dxf | DXF: faces and meshes | a layer |
+ * | .ifc | IFC 2x3 | an element by class and name, `IfcWall_South`, in one material |
  *
  * The strings are UTF-8. An object or node of several materials is as many surfaces, `Wall_Brick` and `Wall_Glass`.
  * Names that repeat by accident are numbered, `Wall`, `Wall_2`; equal names of solids of STL or of blocks are one
- * surface. What has no name is called by its material, else like the file. SurfaceBy Group takes together what is one
- * object and group, or one node.
+ * surface. Names that repeat in formats that have a tree get the name of the outermost node in which they differ ahead
+ * of them, such as the storey of IFC or the object of CityJSON. What has no name is called by its material, else like
+ * the file. SurfaceBy Group takes together what is one object and group, or one node. The material of CityJSON is the
+ * class.
  *
  * Polygons, concave ones too, quads and triangle strips are triangulated; faces without area are dropped. Lines and
  * points make no surface and are counted in a warning, as is anything else that was left out. Colors are not read.
  *
- * glTF is Y up and in meters by definition, and taken so unless UpAxis and LengthUnit say otherwise. Binary STL and
- * glTF have single precision; a warning says so where that is coarse for the model, as far from the origin.
+ * glTF is Y up and in meters by definition, and taken so unless UpAxis and LengthUnit say otherwise. COLLADA, FBX and
+ * IFC state their unit and axis, DXF may state its unit: these are taken, and LengthUnit is left out with a warning
+ * where it is set as well. 3DS and DXF are Z up. CityJSON is Z up and in meters. Binary STL, glTF and what assimp reads
+ * have single precision; a warning says so where that is coarse for the model, as far from the origin.
  *
- * Of a damaged OBJ, STL, PLY or glTF file the faces that can be read are read, and a warning says what is wrong with
- * the rest; an error is reported where none can be. VTK's own formats are read by VTK, which asks for sound files.
+ * COLLADA, 3DS, FBX, DXF and IFC are read by assimp, in the program atria-assimp, which runs for as long as it reads.
+ * It crashes on many damaged files: this is an error of the run that names the file. Nothing is left of such files.
  *
- * Limits: OBJ's free-form surfaces, glTF's skins, animations and compressed meshes, and PLY's strips are not read.
+ * Of the levels of detail of a city object the highest is read; an object whose children have a higher one is left out.
+ *
+ * Of a damaged OBJ, STL, PLY, glTF or CityJSON file the faces that can be read are read, and a warning says what is
+ * wrong with the rest; an error is reported where none can be. VTK's own formats are read by VTK, which asks for sound
+ * files.
+ *
+ * Limits: IFC 4 is read as far as its shapes are those of 2x3; solids of DXF (ACIS) are not read; OBJ's free-form
+ * surfaces, glTF's skins, animations and compressed meshes, and PLY's strips are not read.
  */
 #ifndef vtkAtriaModelReader_h
 #define vtkAtriaModelReader_h

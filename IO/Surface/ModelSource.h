@@ -11,11 +11,12 @@ namespace atria::vrml {
 struct ModelSource
 {
   Scene scene;
-  std::string name;       ///< of the file, for messages
-  std::string head;       ///< its first characters, where programs say who they are; empty for binary files
-  int upAxis = 2;         ///< 1 y, 2 z, where nothing else is stated
-  bool unitKnown = false; ///< the format defines its unit, which then is the meter
-  bool axisKnown = false; ///< the format defines what is up
+  std::string name;           ///< of the file, for messages
+  std::string head;           ///< its first characters, where programs say who they are; empty for binary files
+  int upAxis = 2;             ///< 1 y, 2 z, where nothing else is stated
+  bool unitKnown = false;     ///< lengths are meters, as the format or the file says
+  bool unitConverted = false; ///< they were something else in the file
+  bool axisKnown = false;     ///< the format defines what is up
 };
 
 } // namespace atria::vrml

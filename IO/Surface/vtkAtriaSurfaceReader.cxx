@@ -257,7 +257,14 @@ bool vtkAtriaSurfaceReader::ReadModel(vtkPolyData* output, atria::vrml::Diagnost
   }
   progress.report(0.9, "Merging faces");
   const int upAxis = this->UpAxis == UnstatedUp ? source.upAxis : this->UpAxis == YUp ? 1 : 2;
-  const atria::Vec3 offset = vrml::place(scene, {upAxis, this->MetersPerUnit(), this->Recenter});
+  const bool isConverted = source.unitConverted && this->LengthUnit != UnstatedUnit;
+  if (isConverted)
+  {
+    diagnostics.warn(source.name +
+                     ": the file states its unit itself, and LengthUnit is left out; correct it by Scale");
+  }
+  const double scale = isConverted ? this->Scale : this->MetersPerUnit();
+  const atria::Vec3 offset = vrml::place(scene, {upAxis, scale, this->Recenter});
   if (this->MergeDuplicateFaces)
   {
     this->NumberOfMergedFaces = static_cast<vtkIdType>(vrml::mergeDuplicateFaces(scene, diagnostics));

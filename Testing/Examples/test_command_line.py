@@ -119,7 +119,7 @@ class CommandLine(unittest.TestCase):
         patches = {patch["name"] for patch in json.loads(out.read_text())["patches"]}
         self.assertLessEqual({"Roof_front", "Wall South_back", "Floor"}, patches)
         self.assertEqual(self.atria("mesh", obj, "--preflight", "--automatic").returncode, 0)
-        for name in ("shed.dxf", "shed.obj.gz", "shed"):
+        for name in ("shed.dwg", "shed.obj.gz", "shed"):
             other = self.folder / name
             other.write_text("0\nSECTION\n")
             self.refuses(3, "of no format that is known; give VRML", "inspect", other)

@@ -60,6 +60,7 @@ check_contents() {
   holds libatria-dev "/usr/include/atria/.*\.h" "$lib/libAtria[A-Za-z]+\.so" "$lib/cmake/Atria/.*\.cmake" "$lib/vtk/.*\.txt"
   holds atria /usr/bin/atria /usr/share/man/man1/atria.1.gz /usr/share/bash-completion/completions/atria \
     /usr/share/zsh/site-functions/_atria /usr/share/fish/vendor_completions.d/atria.fish
+  holds atria-assimp /usr/libexec/atria/atria-assimp
   holds python3-atria "$python/atria/.*" "$python/atria-$version.dist-info/METADATA"
   holds atria-doc "/usr/share/doc/atria-doc/.*\.md" "/usr/share/doc/atria-doc/.*"
   holds paraview-atria /usr/bin/paraview.conf "$lib/paraview-5.11/plugins/atria.xml" "$lib/paraview-5.11/plugins/Atria/.*\.so"
@@ -67,7 +68,7 @@ check_contents() {
 
   # No file is in two packages, but for those of Python, which conflict.
   local twice
-  twice=$(for package in "libatria$short" libatria-dev atria python3-atria atria-doc paraview-atria; do
+  twice=$(for package in "libatria$short" libatria-dev atria atria-assimp python3-atria atria-doc paraview-atria; do
     contents "$package"
   done | sort | uniq -d)
   [ -z "$twice" ] || fail "in two packages: $twice"
@@ -80,7 +81,7 @@ check_nothing_is_left_out() {
   DESTDIR=$installed cmake --install build/package >/dev/null
   (cd "$installed" && find . -type f -o -type l) | sed 's/^\.//' | sort >"$debian/installed.txt"
   rm -rf "$installed"
-  for package in "libatria${version%.*}" libatria-dev atria python3-atria atria-doc; do contents "$package"; done |
+  for package in "libatria${version%.*}" libatria-dev atria atria-assimp python3-atria atria-doc; do contents "$package"; done |
     sort | diff - "$debian/installed.txt" || fail "packages and installation differ"
   rm "$debian/installed.txt"
 }
@@ -117,7 +118,7 @@ check_contents
 check_nothing_is_left_out
 use_unpacked
 if [ -n "$full" ]; then
-  in_bare_system vtk ./libatria0*.deb ./libatria-dev_*.deb ./atria_*.deb ./python3-atria_*.deb ./atria-doc_*.deb g++ cmake make
+  in_bare_system vtk ./libatria0*.deb ./libatria-dev_*.deb ./atria_*.deb ./atria-assimp_*.deb ./python3-atria_*.deb ./atria-doc_*.deb g++ cmake make
   in_bare_system paraview ./libatria0*.deb ./atria_*.deb ./paraview-atria_*.deb ./python3-atria-paraview_*.deb ./atria-doc_*.deb
 fi
 echo "The packages are good:"

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Reads a model by assimp and writes what is in it to the standard output, as CBOR. A process of its own: assimp
+/// crashes on some damaged files, or asks for all memory there is, which must not end the program that reads them.
+///
+/// Usage: atria-assimp FILE
+///
+/// Output: a map with `error`, or with
+/// - `groups`: list of `name` and `parent` (absent at the root), parents first;
+/// - `parts`: list of `name`, `material`, `group`, `points` (doubles), `corners` and `sizes` of faces (unsigned, 32
+/// bits);
+/// - `metadata`: what assimp says of the whole scene; `skipped`: numbers of faces that are points or lines.
+#include <assimp/DefaultLogger.hpp>
+#include <assimp/Importer.hpp>
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <Eigen/Geometry>
+#include <nlohmann/json.hpp>
+
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <iostream>
+#include <vector>
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+namespace {
+
+using Json = nlohmann::json;
+
+template <typename T> Json binary(const std::vector<T>& values)
+{
+  std::vector<std::uint8_t> bytes(values.size() * sizeof(T));
+  if (!bytes.empty())
+  {
+    std::memcpy(bytes.data(), values.data(), bytes.size());
+  }
+  return Json::binary(std::move(bytes));
+}
+
+Eigen::Affine3d transformOf(const aiMatrix4x4& m)
+{
+  Eigen::Affine3d transform = Eigen::Affine3d::Identity();
+  for (int row = 0; row < 3; ++row)
+  {
+    for (int column = 0; column < 4; ++column)
+    {
+      transform.matrix()(row, column) = m[static_cast<unsigned>(row)][column];
+    }
+  }
+  return transform;
+}
+
+class Scene
+{
+public:
+  explicit Scene(const aiScene& read) : scene(read) {}
+
+  Json written()
+  {
+    visit(*scene.mRootNode, Eigen::Affine3d::Identity(), -1);
+    return {{"groups", groups}, {"parts", parts}, {"metadata", metadata()}, {"skipped", skipped}};
+  }
+
+private:
+  void visit(const aiNode& node, const Eigen::Affine3d& around, int parent)
+  {
+    const Eigen::Affine3d here = around * transformOf(node.mTransformation);
+    Json group{{"name", node.mName.C_Str()}};
+    if (parent >= 0)
+    {
+      group["parent"] = parent;
+    }
+    const int own = static_cast<int>(groups.size());
+    groups.push_back(std::move(group));
+    for (unsigned i = 0; i < node.mNumMeshes; ++i)
+    {
+      addPart(*scene.mMeshes[node.mMeshes[i]], here, own);
+    }
+    for (unsigned i = 0; i < node.mNumChildren; ++i)
+    {
+      visit(*node.mChildren[i], here, own);
+    }
+  }
+
+  void addPart(const aiMesh& mesh, const Eigen::Affine3d& transform, int group)
+  {
+    std::vector<double> points;
+    for (unsigned i = 0; i < mesh.mNumVertices; ++i)
+    {
+      const aiVector3D& v = mesh.mVertices[i];
+      const Eigen::Vector3d p = transform * Eigen::Vector3d(v.x, v.y, v.z);
+      points.insert(points.end(), p.data(), p.data() + 3);
+    }
+    const bool mirrored = transform.linear().determinant() < 0.0;
+    std::vector<std::uint32_t> corners;
+    std::vector<std::uint32_t> sizes;
+    for (unsigned i = 0; i < mesh.mNumFaces; ++i)
+    {
+      const aiFace& face = mesh.mFaces[i];
+      if (face.mNumIndices < 3)
+      {
+        ++skipped;
+        continue;
+      }
+      sizes.push_back(face.mNumIndices);
+      for (unsigned k = 0; k < face.mNumIndices; ++k)
+      {
+        corners.push_back(face.mIndices[mirrored ? face.mNumIndices - 1 - k : k]);
+      }
+    }
+    aiString material;
+    scene.mMaterials[mesh.mMaterialIndex]->Get(AI_MATKEY_NAME, material);
+    parts.push_back({{"name", mesh.mName.C_Str()},
+                     {"material", material.C_Str()},
+                     {"group", group},
+                     {"points", binary(points)},
+                     {"corners", binary(corners)},
+                     {"sizes", binary(sizes)}});
+  }
+
+  Json metadata() const
+  {
+    Json out = Json::object();
+    const aiMetadata* data = scene.mMetaData;
+    for (unsigned i = 0; data && i < data->mNumProperties; ++i)
+    {
+      const aiMetadataEntry& entry = data->mValues[i];
+      const std::string key = data->mKeys[i].C_Str();
+      switch (entry.mType)
+      {
+        case AI_INT32:
+          out[key] = *static_cast<std::int32_t*>(entry.mData);
+          break;
+        case AI_FLOAT:
+          out[key] = *static_cast<float*>(entry.mData);
+          break;
+        case AI_DOUBLE:
+          out[key] = *static_cast<double*>(entry.mData);
+          break;
+        case AI_AISTRING:
+          out[key] = static_cast<aiString*>(entry.mData)->C_Str();
+          break;
+        default:
+          break;
+      }
+    }
+    return out;
+  }
+
+  const aiScene& scene;
+  Json groups = Json::array();
+  Json parts = Json::array();
+  std::size_t skipped = 0;
+};
+
+/// Memory and time that no sound file of this size needs, so that a damaged one ends. No core is left. Sanitizers take
+/// more memory than there is.
+void limitResources(const std::string& file)
+{
+  std::error_code none;
+  const std::uintmax_t bytes = std::filesystem::file_size(file, none);
+  const auto limit = [](auto resource, rlim_t most) {
+    const rlimit both{most, most};
+    setrlimit(resource, &both);
+  };
+  const auto memory = static_cast<rlim_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
+#ifndef __SANITIZE_ADDRESS__
+  limit(RLIMIT_AS, memory);
+#endif
+  limit(RLIMIT_CPU, 20 + static_cast<rlim_t>(none ? 0 : bytes / 50'000)); // seconds
+  limit(RLIMIT_CORE, 0);
+}
+
+Json read(const std::string& file)
+{
+  Assimp::Importer importer;
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true); // else they are ids
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);
+  importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, aiComponent_ANIMATIONS);
+  const aiScene* scene = importer.ReadFile(file, 0);
+  if (!scene || !scene->mRootNode)
+  {
+    return {{"error", importer.GetErrorString()}};
+  }
+  return Scene(*scene).written();
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  if (argc != 2)
+  {
+    std::cerr << "usage: atria-assimp FILE\n";
+    return 2;
+  }
+  limitResources(argv[1]);
+  Json result;
+  try
+  {
+    result = read(argv[1]);
+  }
+  catch (const std::exception& error)
+  {
+    result = {{"error", error.what()}};
+  }
+  Json::to_cbor(result, nlohmann::detail::output_adapter<char>(std::cout));
+  return std::cout.flush() ? 0 : 1;
+}

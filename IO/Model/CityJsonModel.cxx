@@ -1,0 +1,388 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// CityJSON 1.0 to 2.0, one document or a text sequence of features.
+#include "DamagedJson.h"
+#include "ModelFaces.h"
+#include "ModelFile.h"
+#include "ModelText.h"
+
+#include "Support/Error.h"
+#include "Support/Types.h"
+
+#include <vtkPolyData.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <set>
+
+namespace atria::model {
+
+namespace {
+
+using Json = nlohmann::json;
+using Transform = Eigen::Affine3d;
+
+/// An entry of an object; null where there is none.
+const Json& entryOf(const Json& object, const char* key)
+{
+  static const Json none;
+  const auto found = object.is_object() ? object.find(key) : object.end();
+  return object.is_object() && found != object.end() ? *found : none;
+}
+
+std::string textOf(const Json& value) { return value.is_string() ? value.get<std::string>() : std::string(); }
+
+/// "2.2" to 2.2; numbers were allowed once.
+double levelOf(const Json& geometry)
+{
+  const Json& lod = entryOf(geometry, "lod");
+  double level = lod.is_number() ? lod.get<double>() : 0.0;
+  const std::string text = textOf(lod);
+  return parse(text, level) || !lod.is_string() ? level : 0.0;
+}
+
+Vec3 vectorOf(const Json& list, const Vec3& fallback)
+{
+  const bool good = list.is_array() && list.size() == 3 &&
+                    std::all_of(list.begin(), list.end(), [](const Json& v) { return v.is_number(); });
+  return good ? Vec3(list[0].get<double>(), list[1].get<double>(), list[2].get<double>()) : fallback;
+}
+
+/// How deep the surfaces of a geometry are within its boundaries; 0 for what has none.
+int depthOf(const std::string& type)
+{
+  static const std::map<std::string, int> depths{
+      {"MultiSurface", 1}, {"CompositeSurface", 1}, {"Solid", 2}, {"MultiSolid", 3}, {"CompositeSolid", 3}};
+  const auto found = depths.find(type);
+  return found == depths.end() ? 0 : found->second;
+}
+
+class CityReader
+{
+public:
+  explicit CityReader(std::string path) : file(std::move(path)) {}
+
+  /// A document, or one of a sequence: the first states the transform and templates of all.
+  void add(const Json& document);
+  Model finish();
+
+private:
+  struct Place
+  {
+    std::size_t group; ///< of the object
+    std::string id;
+    std::string type; ///< of the object
+  };
+  /// Points of one list as the faces have them.
+  struct Points
+  {
+    std::size_t first = 0;
+    std::size_t count = 0;
+  };
+
+  Points addPoints(const Json& vertices, const Transform& transform);
+  void addObjects(const Json& objects, const Points& points);
+  std::size_t groupOf(const Json& objects, const std::string& id);
+  void addObject(const Json& objects, const std::string& id, const Points& points);
+  void addGeometry(const Json& geometry, const Points& points, const Place& place);
+  void addInstance(const Json& geometry, const Points& points, const Place& place);
+  void addSurfaces(const Json& boundaries, const Json& values, int depth, const Json& semantics, const Points& points,
+                   const Place& place);
+  void addSurface(const Json& rings, const std::string& semantic, const Points& points, const Place& place);
+  double highestOf(const Json& objects, const std::string& id, std::set<std::string>& seen) const;
+
+  std::string file;
+  Model model;
+  ModelFaces faces;
+  std::vector<Part> parts;
+  std::map<std::string, std::size_t> groups; ///< by identifier of the object
+  std::map<std::pair<std::size_t, std::string>, int> partOf;
+  Transform transform = Transform::Identity();
+  Json templates;
+  std::size_t lowerLevels = 0;
+  std::size_t noSurfaces = 0;
+};
+
+void CityReader::add(const Json& document)
+{
+  const std::string type = textOf(entryOf(document, "type"));
+  if (type != "CityJSON" && type != "CityJSONFeature")
+  {
+    throw Error("'" + file +
+                "' is no CityJSON: it has no \"type\": \"CityJSON\"; give a city model, or another format");
+  }
+  if (const Json& stated = entryOf(document, "transform"); stated.is_object())
+  {
+    transform = Eigen::Translation3d(vectorOf(entryOf(stated, "translate"), Vec3::Zero())) *
+                Eigen::Scaling(vectorOf(entryOf(stated, "scale"), Vec3::Ones()));
+  }
+  if (const Json& stated = entryOf(document, "geometry-templates"); stated.is_object())
+  {
+    templates = stated;
+  }
+  const std::string system = textOf(entryOf(entryOf(document, "metadata"), "referenceSystem"));
+  for (const char* degrees : {"/4326", "/4979", "::4326", "::4979"})
+  {
+    if (system.size() > 6 &&
+        system.compare(system.size() - std::char_traits<char>::length(degrees), std::string::npos, degrees) == 0)
+    {
+      throw Error("'" + file + "' has coordinates in degrees (" + system + "); convert it to a system in meters");
+    }
+  }
+  addObjects(entryOf(document, "CityObjects"), addPoints(entryOf(document, "vertices"), transform));
+}
+
+CityReader::Points CityReader::addPoints(const Json& vertices, const Transform& placed)
+{
+  const Points points{faces.numberOfPoints(), vertices.is_array() ? vertices.size() : 0};
+  const Vec3 nowhere = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t i = 0; i < points.count; ++i)
+  {
+    const Vec3 p = placed * vectorOf(vertices[i], nowhere);
+    faces.addPoint({p.x(), p.y(), p.z()});
+  }
+  return points;
+}
+
+void CityReader::addObjects(const Json& objects, const Points& points)
+{
+  for (auto object = objects.is_object() ? objects.begin() : objects.end(); object != objects.end(); ++object)
+  {
+    addObject(objects, object.key(), points);
+  }
+}
+
+/// Parents come before their children.
+std::size_t CityReader::groupOf(const Json& objects, const std::string& id)
+{
+  std::vector<std::string> chain{id};
+  while (groups.find(chain.back()) == groups.end())
+  {
+    const Json& parents = entryOf(entryOf(objects, chain.back().c_str()), "parents");
+    const std::string parent = parents.is_array() && !parents.empty() ? textOf(parents[0]) : std::string();
+    if (parent.empty() || std::find(chain.begin(), chain.end(), parent) != chain.end())
+    {
+      break;
+    }
+    chain.push_back(parent);
+  }
+  std::optional<std::size_t> around;
+  for (auto name = chain.rbegin(); name != chain.rend(); ++name)
+  {
+    const auto [found, isNew] = groups.try_emplace(*name, model.groups.size());
+    if (isNew)
+    {
+      model.groups.push_back({*name, around});
+    }
+    around = found->second;
+  }
+  return *around;
+}
+
+/// The highest level of detail of an object and what it consists of.
+double CityReader::highestOf(const Json& objects, const std::string& id, std::set<std::string>& seen) const
+{
+  double highest = 0.0;
+  std::vector<std::string> open{id};
+  while (!open.empty())
+  {
+    const std::string next = open.back();
+    open.pop_back();
+    if (!seen.insert(next).second)
+    {
+      continue;
+    }
+    const Json& object = entryOf(objects, next.c_str());
+    for (const Json& geometry : entryOf(object, "geometry"))
+    {
+      highest = std::max(highest, levelOf(geometry));
+    }
+    for (const Json& child : entryOf(object, "children"))
+    {
+      open.push_back(textOf(child));
+    }
+  }
+  return highest;
+}
+
+/// Of several levels of detail the highest is taken; none where a child has a higher one.
+void CityReader::addObject(const Json& objects, const std::string& id, const Points& points)
+{
+  const Json& object = objects[id];
+  const Place place{groupOf(objects, id), id, textOf(entryOf(object, "type"))};
+  std::set<std::string> seen;
+  const double highest = highestOf(objects, id, seen);
+  for (const Json& geometry : entryOf(object, "geometry"))
+  {
+    if (levelOf(geometry) < highest)
+    {
+      ++lowerLevels;
+    }
+    else if (textOf(entryOf(geometry, "type")) == "GeometryInstance")
+    {
+      addInstance(geometry, points, place);
+    }
+    else
+    {
+      addGeometry(geometry, points, place);
+    }
+  }
+}
+
+void CityReader::addGeometry(const Json& geometry, const Points& points, const Place& place)
+{
+  const int depth = depthOf(textOf(entryOf(geometry, "type")));
+  if (depth == 0)
+  {
+    ++noSurfaces;
+    return;
+  }
+  const Json& semantics = entryOf(geometry, "semantics");
+  addSurfaces(entryOf(geometry, "boundaries"), entryOf(semantics, "values"), depth, entryOf(semantics, "surfaces"),
+              points, place);
+}
+
+/// A template at a place: a matrix, row by row, about one of the document's vertices.
+void CityReader::addInstance(const Json& geometry, const Points& points, const Place& place)
+{
+  const Json& number = entryOf(geometry, "template");
+  const Json& all = entryOf(templates, "templates");
+  const Json& at = entryOf(geometry, "boundaries");
+  const bool good = number.is_number_unsigned() && all.is_array() && number.get<std::size_t>() < all.size() &&
+                    at.is_array() && at.size() == 1 && at[0].is_number_unsigned() &&
+                    at[0].get<std::size_t>() < points.count;
+  if (!good)
+  {
+    model.warnings.push_back("an instance in '" + place.id + "' is left out: its template or place does not exist");
+    return;
+  }
+  Transform placed = Transform::Identity();
+  const Json& matrix = entryOf(geometry, "transformationMatrix");
+  for (int i = 0; matrix.is_array() && matrix.size() == 16 && i < 12; ++i)
+  {
+    placed.matrix()(i / 4, i % 4) = matrix[static_cast<std::size_t>(i)].is_number()
+                                        ? matrix[static_cast<std::size_t>(i)].get<double>()
+                                        : placed.matrix()(i / 4, i % 4);
+  }
+  const auto& origin = faces.point(points.first + at[0].get<std::size_t>());
+  placed.pretranslate(Vec3(origin[0], origin[1], origin[2]));
+  const Points own = addPoints(entryOf(templates, "vertices-templates"), placed);
+  addGeometry(all[number.get<std::size_t>()], own, place);
+}
+
+void CityReader::addSurfaces(const Json& boundaries, const Json& values, int depth, const Json& semantics,
+                             const Points& points, const Place& place)
+{
+  static const Json none;
+  for (std::size_t i = 0; boundaries.is_array() && i < boundaries.size(); ++i)
+  {
+    const Json& value = values.is_array() && i < values.size() ? values[i] : none;
+    if (depth > 1)
+    {
+      addSurfaces(boundaries[i], value, depth - 1, semantics, points, place);
+      continue;
+    }
+    const bool isNamed =
+        value.is_number_unsigned() && semantics.is_array() && value.get<std::size_t>() < semantics.size();
+    addSurface(boundaries[i], isNamed ? textOf(entryOf(semantics[value.get<std::size_t>()], "type")) : "", points,
+               place);
+  }
+}
+
+/// The first ring is the outline, others are holes: bridges to them, walked both ways, cancel out.
+void CityReader::addSurface(const Json& rings, const std::string& semantic, const Points& points, const Place& place)
+{
+  constexpr auto nowhere = static_cast<std::size_t>(-1);
+  std::vector<std::size_t> corners;
+  for (std::size_t r = 0; rings.is_array() && r < rings.size(); ++r)
+  {
+    const std::size_t start = corners.size();
+    for (const Json& id : rings[r])
+    {
+      const bool good = id.is_number_unsigned() && id.get<std::size_t>() < points.count;
+      corners.push_back(good ? points.first + id.get<std::size_t>() : nowhere);
+    }
+    if (rings.size() > 1 && corners.size() > start)
+    {
+      corners.push_back(corners[start]);
+      corners.push_back(corners[0]);
+    }
+  }
+  const std::string name = semantic.empty() ? place.id : semantic;
+  const std::string kind = semantic.empty() ? place.type : semantic;
+  const auto [known, isNew] = partOf.try_emplace({place.group, name}, static_cast<int>(parts.size()));
+  if (isNew)
+  {
+    parts.push_back({name, kind, place.group});
+  }
+  faces.add(corners, known->second);
+}
+
+Model CityReader::finish()
+{
+  if (noSurfaces > 0)
+  {
+    model.warnings.push_back(std::to_string(noSurfaces) + " geometries of points or lines make no surface");
+  }
+  if (faces.numberLeftOut() > 0)
+  {
+    model.warnings.push_back(std::to_string(faces.numberLeftOut()) +
+                             " surfaces are left out: they have corners that do not exist or are no numbers");
+  }
+  if (lowerLevels > 0)
+  {
+    model.notes.push_back(std::to_string(lowerLevels) +
+                          " geometries are left out for those of a higher level of detail");
+  }
+  model.data = faces.polyData(keepTree(model, parts));
+  model.unitKnown = true; // of the reference systems that are in use for buildings
+  model.axisKnown = true;
+  return std::move(model);
+}
+
+/// What is damaged is read as far as it goes.
+Json parsed(std::string_view text, const std::string& where, std::vector<std::string>& warnings)
+{
+  Json document = Json::parse(text, nullptr, false);
+  if (document.is_discarded())
+  {
+    std::string complaint;
+    document = readDamagedJson(text, complaint);
+    if (!complaint.empty())
+    {
+      warnings.push_back(where + " is damaged: " + complaint);
+    }
+  }
+  return document;
+}
+
+} // namespace
+
+Model readCityJson(const std::string& file)
+{
+  const std::string bytes = readBytes(file);
+  CityReader reader(file);
+  std::vector<std::string> warnings;
+  if (lowerEnding(file) == ".jsonl")
+  {
+    std::size_t number = 0;
+    for (std::size_t at = 0; at < bytes.size();)
+    {
+      const std::string_view line = nextLine(bytes, at);
+      ++number;
+      if (line.find_first_not_of(blanks) != line.npos)
+      {
+        reader.add(parsed(line, "line " + std::to_string(number), warnings));
+      }
+    }
+  }
+  else
+  {
+    reader.add(parsed(bytes, "its JSON", warnings));
+  }
+  Model model = reader.finish();
+  model.warnings.insert(model.warnings.begin(), warnings.begin(), warnings.end());
+  return model;
+}
+
+} // namespace atria::model
