@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// CityJSON 1.0 to 2.0, one document or a text sequence of features.
-#include "DamagedJson.h"
+#include "JsonText.h"
 #include "ModelFaces.h"
 #include "ModelFile.h"
 #include "ModelText.h"
@@ -340,20 +340,16 @@ Model CityReader::finish()
   return std::move(model);
 }
 
-/// What is damaged is read as far as it goes.
-Json parsed(std::string_view text, const std::string& where, std::vector<std::string>& warnings)
+Json parsed(std::string_view text, const std::string& file, const std::string& where)
 {
-  Json document = Json::parse(text, nullptr, false);
-  if (document.is_discarded())
+  try
   {
-    std::string complaint;
-    document = readDamagedJson(text, complaint);
-    if (!complaint.empty())
-    {
-      warnings.push_back(where + " is damaged: " + complaint);
-    }
+    return parseJson(text);
   }
-  return document;
+  catch (const Error& error)
+  {
+    throw Error("'" + file + "' cannot be read as CityJSON: " + where + error.what() + "; export it again");
+  }
 }
 
 } // namespace
@@ -362,7 +358,6 @@ Model readCityJson(const std::string& file)
 {
   const std::string bytes = readBytes(file);
   CityReader reader(file);
-  std::vector<std::string> warnings;
   if (lowerEnding(file) == ".jsonl")
   {
     std::size_t number = 0;
@@ -372,17 +367,15 @@ Model readCityJson(const std::string& file)
       ++number;
       if (line.find_first_not_of(blanks) != line.npos)
       {
-        reader.add(parsed(line, "line " + std::to_string(number), warnings));
+        reader.add(parsed(line, file, "line " + std::to_string(number) + ": "));
       }
     }
   }
   else
   {
-    reader.add(parsed(bytes, "its JSON", warnings));
+    reader.add(parsed(bytes, file, ""));
   }
-  Model model = reader.finish();
-  model.warnings.insert(model.warnings.begin(), warnings.begin(), warnings.end());
-  return model;
+  return reader.finish();
 }
 
 } // namespace atria::model

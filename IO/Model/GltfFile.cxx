@@ -2,7 +2,7 @@
 #include "GltfFile.h"
 
 #include "Base64.h"
-#include "DamagedJson.h"
+#include "JsonText.h"
 #include "ModelParts.h"
 
 #include "Support/Error.h"
@@ -109,61 +109,40 @@ void File::openBinary(std::string_view bytes)
 {
   constexpr std::size_t header = 12;
   constexpr std::size_t chunkHeader = 8;
-  constexpr std::string_view binary("BIN\0", 4);
   const bool begins =
       bytes.size() >= header + chunkHeader && (bytes.substr(0, 4) == "glTF" || bytes.substr(header + 4, 4) == "JSON");
   if (!begins)
   {
     throw Error("'" + name + "' cannot be read as glTF 2.0: it does not begin as binary glTF does; export it again");
   }
-  std::size_t jsonSize = valueAt<std::uint32_t>(bytes.substr(header));
+  const std::size_t jsonSize = valueAt<std::uint32_t>(bytes.substr(header));
   bytes.remove_prefix(header + chunkHeader);
-  const std::size_t stated = jsonSize;
-  if (jsonSize > bytes.size() ||
-      (jsonSize < bytes.size() && bytes.substr(std::min(jsonSize + 4, bytes.size()), 4) != binary))
-  {
-    // There is no such text in JSON, and the length of the chunk stands before it.
-    const std::size_t found = bytes.find(binary);
-    jsonSize = found == bytes.npos ? bytes.size() : std::max(found, std::size_t{4}) - 4;
-    faults.push_back("its JSON has " + std::to_string(jsonSize) + " of " + std::to_string(stated) + " bytes");
-  }
   parse(bytes.substr(0, jsonSize));
-  bytes.remove_prefix(jsonSize);
+  bytes.remove_prefix(std::min(jsonSize, bytes.size()));
   if (bytes.size() >= chunkHeader)
   {
+    if (bytes.substr(4, 4) != std::string_view("BIN\0", 4))
+    {
+      throw Error("'" + name + "' cannot be read as glTF 2.0: no binary chunk follows the " + std::to_string(jsonSize) +
+                  " bytes stated for its JSON; export it again");
+    }
     chunk = bytes.substr(chunkHeader, valueAt<std::uint32_t>(bytes));
   }
 }
 
 void File::parse(std::string_view json)
 {
-  // The parser calls itself for each level; no glTF is deeper than a few.
-  constexpr int deepest = 500;
-  const auto tooDeep = [](int depth, Json::parse_event_t, Json&) -> bool {
-    if (depth > deepest)
-    {
-      throw Damaged("its JSON is nested too deeply");
-    }
-    return true;
-  };
-  std::string what = "its JSON is no object";
   try
   {
-    document = Json::parse(json.begin(), json.end(), tooDeep);
-  }
-  catch (const std::exception& error)
-  {
-    what = error.what();
-    std::string complaint;
-    document = readDamagedJson(json, complaint);
-    if (!complaint.empty())
+    document = parseJson(json);
+    if (!document.is_object() || document.empty())
     {
-      faults.push_back("its JSON is damaged in " + complaint + "; what is left is read, and may be wrong");
+      throw Error("its JSON is no object");
     }
   }
-  if (!document.is_object() || document.empty())
+  catch (const Error& error)
   {
-    throw Error("'" + name + "' cannot be read as glTF 2.0: " + what + "; export it again");
+    throw Error("'" + name + "' cannot be read as glTF 2.0: " + error.what() + "; export it again");
   }
   const auto asset = document.find("asset");
   const std::string version = asset != document.end() ? text(*asset, "version") : "";

@@ -34,13 +34,12 @@ template <typename T> struct Values
 class File
 {
 public:
-  /// Opens .gltf and .glb files. Throws Error where there is no JSON object in it, or one of another version.
+  /// Opens .gltf and .glb files. Throws Error where its JSON is damaged or of another version.
+  /// Texts that are no UTF-8 are taken as Latin-1.
   explicit File(const std::string& path);
 
   const std::string& path() const { return name; }
   const Json& root() const { return document; }
-  /// What was wrong with the file as a whole, and could be passed over.
-  const std::vector<std::string>& complaints() const { return faults; }
   /// The list of that name; an empty one where there is none.
   const Json& list(const char* key) const;
   /// An object of a list; null where it is none.
@@ -88,7 +87,6 @@ private:
   std::map<std::string, std::string> files; ///< those in files, by URI
   std::vector<std::string_view> buffers;
   std::vector<std::string> bufferFaults; ///< why a buffer is shorter than stated
-  std::vector<std::string> faults;
 };
 
 } // namespace atria::model::gltf

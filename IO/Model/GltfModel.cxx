@@ -7,7 +7,6 @@
 
 #include "Support/Error.h"
 #include "Support/Types.h"
-#include "Support/Utf8.h"
 
 #include <vtkPolyData.h>
 
@@ -52,10 +51,7 @@ template <typename Add> void forTriangles(std::size_t mode, const std::vector<st
 class NodeWalk
 {
 public:
-  explicit NodeWalk(const File& source)
-      : file(source), nodes(file.list("nodes")), meshes(file.list("meshes")), complaints(file.complaints())
-  {
-  }
+  explicit NodeWalk(const File& source) : file(source), nodes(file.list("nodes")), meshes(file.list("meshes")) {}
 
   Model run();
 
@@ -192,7 +188,7 @@ void NodeWalk::addTriangles(const Json& primitive, std::size_t mode, std::size_t
 
 void NodeWalk::addMesh(const Json& mesh, const Visit& at, const std::string& nodeName)
 {
-  const std::string meshName = toUtf8(file.text(mesh, "name"));
+  const std::string meshName = file.text(mesh, "name");
   const std::string& name = !nodeName.empty() ? nodeName : !meshName.empty() ? meshName : at.name;
   const auto primitives = mesh.find("primitives");
   for (std::size_t i = 0; primitives != mesh.end() && primitives->is_array() && i < primitives->size(); ++i)
@@ -226,7 +222,7 @@ void NodeWalk::visit(const Visit& at)
   }
   Visit here = at;
   here.transform = at.transform * transformOf(*node);
-  const std::string name = toUtf8(file.text(*node, "name"));
+  const std::string name = file.text(*node, "name");
   if (const auto mesh = file.index(*node, "mesh"))
   {
     if (const Json* found = file.entry(meshes, *mesh))

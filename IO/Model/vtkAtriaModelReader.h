@@ -41,8 +41,8 @@
  * Of the levels of detail of a city object the highest is read; an object whose children have a higher one is left out.
  *
  * Of a damaged OBJ, STL, PLY, glTF or CityJSON file the faces that can be read are read, and a warning says what is
- * wrong with the rest; an error is reported where none can be. VTK's own formats are read by VTK, which asks for sound
- * files.
+ * wrong with the rest; an error is reported where none can be, and where JSON is damaged: it names line and column.
+ * VTK's own formats are read by VTK, which asks for sound files.
  *
  * Limits: IFC 4 is read as far as its shapes are those of 2x3; solids of DXF (ACIS) are not read; OBJ's free-form
  * surfaces, glTF's skins, animations and compressed meshes, and PLY's strips are not read.

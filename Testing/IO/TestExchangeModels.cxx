@@ -177,15 +177,16 @@ TEST_F(ExchangeModels, CityJsonReadsSolidsTemplatesAndSequences)
   EXPECT_EQ(reader->GetOutput()->GetBounds()[0], 100.0);
 }
 
-TEST_F(ExchangeModels, CityJsonThatIsDamagedIsReadAsFarAsItGoes)
+TEST_F(ExchangeModels, CityJsonSaysWhatIsWrong)
 {
   read("a.json", city(object("House", surface("1", R"("boundaries":[[[0,1,2,3]],[[0,1,99]],[[0,1,"x"]],7])"))));
   EXPECT_EQ(triangles(), 2);
   EXPECT_THAT(warned, AllOf(HasSubstr("a.json"), HasSubstr("3 surfaces are left out")));
   const std::string whole = city(object("House", surface("1", square)));
   read("a.json", whole.substr(0, whole.size() - 1));
-  EXPECT_EQ(triangles(), 2);
-  EXPECT_THAT(warned, HasSubstr("its JSON is damaged: line 1, column"));
+  EXPECT_THAT(error(), AllOf(HasSubstr("a.json"), HasSubstr("its JSON is damaged: parse error at line 1, column")));
+  read("a.jsonl", whole + "\n" + whole.substr(0, whole.size() - 1));
+  EXPECT_THAT(error(), AllOf(HasSubstr("a.jsonl"), HasSubstr("line 2: its JSON is damaged")));
   read("a.json", R"({"type":"FeatureCollection"})");
   EXPECT_THAT(error(), AllOf(HasSubstr("a.json"), HasSubstr("is no CityJSON")));
   read("a.json", city("", R"("metadata":{"referenceSystem":"https://www.opengis.net/def/crs/EPSG/0/4979"},)"));

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "JsonText.h"
+
+#include "Support/Error.h"
+#include "Support/Utf8.h"
+
+#include <string>
+
+namespace atria::model {
+
+nlohmann::json parseJson(std::string_view text)
+{
+  try
+  {
+    return nlohmann::json::parse(toUtf8(text));
+  }
+  catch (const nlohmann::json::exception& error)
+  {
+    // Behind its position nlohmann-json repeats what it read, which may be a whole buffer.
+    const std::string_view said(error.what());
+    const std::size_t begin = said.find("] ") + 2;
+    throw Error("its JSON is damaged: " + std::string(said.substr(begin, said.find("; last read") - begin)));
+  }
+}
+
+} // namespace atria::model

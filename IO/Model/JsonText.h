@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <string_view>
+
+namespace atria::model {
+
+/// JSON, whose texts that are no UTF-8 are taken as Latin-1. Throws Error where it is damaged, with line, column and
+/// what is wrong, but without the file's name.
+nlohmann::json parseJson(std::string_view text);
+
+} // namespace atria::model
