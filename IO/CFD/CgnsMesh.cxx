@@ -179,12 +179,12 @@ void writeFaces(const CgnsFile& file, const FaceMesh& mesh, const CellFaces& cel
 /// A cell's faces by number, negative where their normals look into it.
 void writeCells(const CgnsFile& file, const FaceMesh& mesh, const CellFaces& cellFaces)
 {
-  std::vector<cgsize_t> faces(cellFaces.faces.size());
+  std::vector<cgsize_t> faces(cellFaces.entries.size());
   for (std::size_t cell = 0; cell < mesh.cellCount; ++cell)
   {
     for (std::size_t i = cellFaces.offsets[cell]; i < cellFaces.offsets[cell + 1]; ++i)
     {
-      const Index face = cellFaces.faces[i];
+      const Index face = cellFaces.entries[i];
       const auto number = static_cast<cgsize_t>(face) + 1;
       faces[i] = mesh.owner[face] == cell ? number : -number;
     }
@@ -227,7 +227,7 @@ void writeCgnsMesh(const std::filesystem::path& file, const SolverMesh& mesh, co
     cgns.writeZone(mesh.mesh.points.size(), mesh.mesh.cellCount);
     context.progress.report(0.1, "Writing points");
     writePoints(cgns, mesh.mesh);
-    const CellFaces cellFaces = cellFacesOf(mesh);
+    const CellFaces cellFaces = makeCellFaces(mesh.mesh);
     context.progress.report(0.3, "Writing faces");
     writeFaces(cgns, mesh.mesh, cellFaces);
     context.progress.report(0.6, "Writing cells");

@@ -226,7 +226,7 @@ private:
 
   void writeCells()
   {
-    const CellFaces cellFaces = cellFacesOf(solverMesh);
+    const CellFaces cellFaces = makeCellFaces(solverMesh.mesh);
     std::vector<unsigned char> types(mesh.cellCount);
     context.executor.forEach(types.size(), 4096, [&](std::size_t i) {
       types[i] = static_cast<unsigned char>(typeOf(mesh, cellFaces.of(oldCell[i])));

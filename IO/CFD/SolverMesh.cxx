@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <atomic>
 #include <functional>
-#include <numeric>
 #include <utility>
 
 namespace atria {
@@ -157,28 +156,6 @@ SolverMesh makeSolverMesh(FaceMesh mesh, std::span<const BoundaryPatch> patches,
   layOutPatches(out, patches);
   out.newPoint = dropUnusedPoints(out.mesh, executor);
   out.zones = cellsOfZones(zoneIds);
-  return out;
-}
-
-CellFaces cellFacesOf(const SolverMesh& mesh)
-{
-  const FaceMesh& faces = mesh.mesh;
-  CellFaces out;
-  out.offsets.assign(faces.cellCount + 1, 0);
-  for (const Buffer<Index>* side : {&faces.owner, &faces.neighbor})
-  {
-    std::ranges::for_each(*side, [&](Index cell) { ++out.offsets[cell + 1]; });
-  }
-  std::partial_sum(out.offsets.begin(), out.offsets.end(), out.offsets.begin());
-  out.faces.resize(out.offsets.back());
-  std::vector<Index> next(out.offsets.begin(), out.offsets.end() - 1);
-  for (const Buffer<Index>* side : {&faces.owner, &faces.neighbor})
-  {
-    for (std::size_t f = 0; f < side->size(); ++f)
-    {
-      out.faces[next[(*side)[f]]++] = static_cast<Index>(f);
-    }
-  }
   return out;
 }
 

@@ -60,8 +60,7 @@ struct SolverPatch
 
 struct SolverMesh
 {
-  /// Boundary faces come patch by patch, in each by owner, so that what asks for all of them by owner, such as
-  /// makeCellFaces(), does not take it. All points have faces.
+  /// Boundary faces come patch by patch, in each by owner. All points have faces.
   FaceMesh mesh;
   /// All of the boundary. Boundary faces in no patch are the last one.
   std::vector<SolverPatch> patches;
@@ -78,9 +77,6 @@ struct SolverMesh
 /// patches, and for another number of zone ids.
 SolverMesh makeSolverMesh(FaceMesh mesh, std::span<const BoundaryPatch> patches, std::span<const std::int64_t> zoneIds,
                           const Executor& executor);
-
-/// The faces of every cell as makeCellFaces() gives them.
-CellFaces cellFacesOf(const SolverMesh& mesh);
 
 /// Of each patch, and then of `others` that must not have the same. `defaultFaces` is the one to keep its name.
 std::vector<PatchName> namesOf(std::span<const SolverPatch> patches, const NameRules& rules,

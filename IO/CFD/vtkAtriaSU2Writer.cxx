@@ -24,7 +24,7 @@ void vtkAtriaSU2Writer::WriteMesh(vtkUnstructuredGrid* volume, atria::VtkFaceMes
   this->Place(volume, source.mesh);
   const std::vector<atria::BoundaryPatch> patches = atria::boundaryPatchesOf(source);
   const atria::SolverMesh mesh = atria::makeSolverMesh(std::move(source.mesh), patches, {}, context.executor);
-  const atria::NativeCells cells = atria::makeNativeCells(mesh.mesh, cellFacesOf(mesh), source.cells.view(),
+  const atria::NativeCells cells = atria::makeNativeCells(mesh.mesh, makeCellFaces(mesh.mesh), source.cells.view(),
                                                           mesh.newPoint, context.progress.part(0.0, 0.3));
   atria::writeSU2Mesh(this->FileName, mesh, cells, context.part(0.3, 1.0));
   if (cells.invertedCells > 0)

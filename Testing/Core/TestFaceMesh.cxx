@@ -188,7 +188,7 @@ TEST(FaceMesh, IsTheSameForAnyNumberOfThreads)
     EXPECT_EQ(many.facePoints, one.facePoints);
     const atria::CellFaces cellFaces = makeCellFaces(many, atria::ThreadExecutor(threads));
     EXPECT_EQ(cellFaces.offsets, facesOfOne.offsets);
-    EXPECT_EQ(cellFaces.faces, facesOfOne.faces);
+    EXPECT_EQ(cellFaces.entries, facesOfOne.entries);
   }
 }
 

@@ -2,12 +2,12 @@
 #include "Quality/Faces/FaceMesh.h"
 
 #include "Quality/Faces/HalfFaces.h"
-#include "Support/Chains.h"
 #include "Support/Error.h"
 #include "Support/Pieces.h"
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <string>
 #include <utility>
 
@@ -95,7 +95,7 @@ public:
 
   Buffer<Index> run(std::size_t pointCount)
   {
-    const Chains bySmallest = linkBySmallestPoint(pointCount);
+    const Buffer<Index> bySmallest = linkBySmallestPoint(pointCount);
     FirstError error;
     executor.forRanges(pointCount, Pieces::length, [&](std::size_t begin, std::size_t end) {
       std::vector<Key> bucket;
@@ -104,7 +104,7 @@ public:
       {
         for (; b < end; ++b)
         {
-          matchBucket(bySmallest.first(b), bucket);
+          matchBucket(bySmallest[b], bucket);
         }
       }
       catch (const Error& problem)
@@ -128,17 +128,20 @@ private:
     return smallest;
   }
 
-  /// Lists of a handful of half-faces, which are sorted when they are matched. Until then `mates` links them.
-  Chains linkBySmallestPoint(std::size_t pointCount)
+  /// The first of the half-faces with each smallest point, a handful, which are sorted when they are matched. Until
+  /// then `mates` links them: buckets would take as much memory again as all mates.
+  Buffer<Index> linkBySmallestPoint(std::size_t pointCount)
   {
-    Chains chains(pointCount, executor);
+    Buffer<Index> heads(pointCount);
+    executor.forEach(pointCount, Pieces::length, [&](std::size_t p) { heads[p] = noIndex; });
     executor.forEach(halves.count(), Pieces::length, [&](std::size_t h) {
       if (mates[h] != keptApart)
       {
-        chains.add(smallestPoint(h), static_cast<Index>(h), mates[h]);
+        std::atomic_ref<Index> head(heads[smallestPoint(h)]);
+        mates[h] = head.exchange(static_cast<Index>(h), std::memory_order_relaxed);
       }
     });
-    return chains;
+    return heads;
   }
 
   std::vector<Index> sortedPoints(Index h) const

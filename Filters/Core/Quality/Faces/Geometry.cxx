@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Quality/Faces/Geometry.h"
 
-#include "Support/Chains.h"
-#include "Support/Pieces.h"
-
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -53,57 +50,6 @@ PolygonMeasure measurePolygon(std::span<const Vec3> points, std::span<const Inde
 
 namespace {
 
-/// Those a cell owns are found side by side, as faces are sorted by owner; those it is the neighbor of are linked.
-class CellFaceFinder
-{
-public:
-  CellFaceFinder(const FaceMesh& source, const Executor& executor)
-      : mesh(source), fromNeighbors(source.cellCount, executor), next(source.internalFaceCount())
-  {
-    executor.forEach(next.size(), grain,
-                     [&](std::size_t f) { fromNeighbors.add(mesh.neighbor[f], static_cast<Index>(f), next[f]); });
-  }
-
-  /// Calls use(cell, faces) for cells in a row, faces as CellFaces has them.
-  template <typename F> void forCells(std::size_t begin, std::size_t end, F&& use) const
-  {
-    std::size_t inside = firstOwned(0, next.size(), begin);
-    std::size_t outside = firstOwned(next.size(), mesh.faceCount(), begin);
-    std::vector<Index> faces;
-    for (std::size_t cell = begin; cell < end; ++cell)
-    {
-      faces.clear();
-      for (; inside < next.size() && mesh.owner[inside] == cell; ++inside)
-      {
-        faces.push_back(static_cast<Index>(inside));
-      }
-      for (; outside < mesh.faceCount() && mesh.owner[outside] == cell; ++outside)
-      {
-        faces.push_back(static_cast<Index>(outside));
-      }
-      const auto owned = static_cast<std::ptrdiff_t>(faces.size());
-      for (Index f = fromNeighbors.first(cell); f != noIndex; f = next[f])
-      {
-        faces.push_back(f);
-      }
-      std::sort(faces.begin() + owned, faces.end());
-      use(cell, std::span<const Index>(faces));
-    }
-  }
-
-private:
-  /// Of the faces from one to before another, the first of a cell or a later one.
-  std::size_t firstOwned(std::size_t from, std::size_t to, std::size_t cell) const
-  {
-    const Index* const owners = mesh.owner.data();
-    return static_cast<std::size_t>(std::lower_bound(owners + from, owners + to, cell) - owners);
-  }
-
-  const FaceMesh& mesh;
-  Chains fromNeighbors;
-  Buffer<Index> next;
-};
-
 void measureCell(const FaceMesh& mesh, std::span<const Index> faces, std::size_t cell, MeshGeometry& out)
 {
   const CellMeasureInOrder measure = measureCellInOrder(faces.size(), [&](std::size_t i) {
@@ -118,25 +64,15 @@ void measureCell(const FaceMesh& mesh, std::span<const Index> faces, std::size_t
 
 CellFaces makeCellFaces(const FaceMesh& mesh, const Executor& executor)
 {
-  const CellFaceFinder finder(mesh, executor);
-  const Pieces pieces(mesh.cellCount);
-  std::vector<Index> starts(pieces.count);
-  executor.forEach(pieces.count, 1, [&](std::size_t piece) {
-    finder.forCells(pieces.begin(piece), pieces.end(piece), [&](std::size_t, std::span<const Index> faces) {
-      starts[piece] += static_cast<Index>(faces.size());
-    });
+  // Faces that a cell is the neighbor of have numbers behind all others while they are sorted.
+  const auto faceCount = static_cast<Index>(mesh.faceCount());
+  CellFaces out = fillInOrder(mesh.cellCount, executor, [&](auto&& use) {
+    executor.forEach(faceCount, grain, [&](std::size_t f) { use(mesh.owner[f], static_cast<Index>(f)); });
+    executor.forEach(mesh.internalFaceCount(), grain,
+                     [&](std::size_t f) { use(mesh.neighbor[f], faceCount + static_cast<Index>(f)); });
   });
-  CellFaces out;
-  out.faces.resize(scan(starts));
-  out.offsets.resize(mesh.cellCount + 1);
-  executor.forEach(pieces.count, 1, [&](std::size_t piece) {
-    Index at = starts[piece];
-    finder.forCells(pieces.begin(piece), pieces.end(piece), [&](std::size_t cell, std::span<const Index> faces) {
-      std::copy(faces.begin(), faces.end(), out.faces.begin() + at);
-      at += static_cast<Index>(faces.size());
-      out.offsets[cell + 1] = at;
-    });
-  });
+  executor.forEach(out.entries.size(), grain,
+                   [&](std::size_t i) { out.entries[i] -= out.entries[i] < faceCount ? 0U : faceCount; });
   return out;
 }
 

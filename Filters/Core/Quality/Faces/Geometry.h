@@ -4,7 +4,7 @@
 
 #include "Quality/Faces/FaceMesh.h"
 #include "Quality/Faces/InOrder.h"
-#include "Support/Buffer.h"
+#include "Support/Buckets.h"
 #include "Support/RunContext.h"
 
 #include <algorithm>
@@ -56,16 +56,7 @@ template <typename FaceOf> CellMeasureInOrder measureCellInOrder(std::size_t fac
 }
 
 /// The faces of every cell: first those it owns, then those it is the neighbor of, each in rising order.
-struct CellFaces
-{
-  Buffer<Index> offsets{0};
-  Buffer<Index> faces;
-
-  std::span<const Index> of(std::size_t cell) const
-  {
-    return {faces.data() + offsets[cell], faces.data() + offsets[cell + 1]};
-  }
-};
+using CellFaces = Buckets;
 
 CellFaces makeCellFaces(const FaceMesh& mesh, const Executor& executor = SerialExecutor());
 

@@ -5,7 +5,6 @@
 #include "Surface/Repair/Clusters.h"
 #include "Surface/Search/BoxTree.h"
 #include "Surface/Search/Distance.h"
-#include "Surface/Triangles/Fans.h"
 #include "Surface/Triangles/SoupParts.h"
 
 #include <Eigen/Geometry>
@@ -81,7 +80,7 @@ public:
   GapCloser(TriangleSoup& soup_, const GridFrame& frame_, const GapOptions& options,
             const std::vector<LatticePoint>& start_, const RunContext& runContext)
       : soup(soup_), frame(frame_), tolerance(options.tolerance), parts(options.drawn.parts),
-        clusters(options.clusters), start(start_), context(runContext), fans(soup),
+        clusters(options.clusters), start(start_), context(runContext), fans(trianglesAtPoints(soup)),
         boundaryEdges(boundaryEdgeEnds(soup, context.executor)), fixed(soup.points.size(), 0),
         partOf(soup.points.size(), noIndex), hasSeveralParts(soup.points.size(), 0),
         hasBoundaryEdge(soup.points.size(), 0), isFine(soup.points.size(), 0)
@@ -141,13 +140,13 @@ private:
     LatticePoint place;
   };
 
-  bool used(Index p) const { return !fans.at(p).empty(); }
+  bool used(Index p) const { return !fans.of(p).empty(); }
   Index partOfTriangle(Index t) const { return parts[soup.sources[t]]; }
   /// Whether no triangle at the point is of the triangle's part. Thousands of them may meet in a point.
   bool isForeign(Index p, Index t) const
   {
     const Index part = partOfTriangle(t);
-    const auto around = fans.at(p);
+    const auto around = fans.of(p);
     return partOf[p] != part && (!hasSeveralParts[p] || std::none_of(around.begin(), around.end(), [&](Index other) {
              return partOfTriangle(other) == part;
            }));
@@ -350,7 +349,7 @@ private:
     std::vector<Index> triangles;
     for (std::vector<Index> open{p}; !open.empty();)
     {
-      const auto around = fans.at(open.back());
+      const auto around = fans.of(open.back());
       open.pop_back();
       for (const Index t : around)
       {
@@ -428,7 +427,7 @@ private:
         return false;
       }
     }
-    const auto around = fans.at(p);
+    const auto around = fans.of(p);
     return between(start[p], to).norm() <= maximumDrift * tolerance &&
            std::all_of(around.begin(), around.end(), [&](Index t) { return keepsItsShape(t, p, to, onto); });
   }
@@ -460,7 +459,7 @@ private:
   const ClusterCells& clusters;
   const std::vector<LatticePoint>& start;
   const RunContext& context;
-  Fans fans;
+  Buckets fans; ///< triangles at each point
   std::vector<BoundaryEdgeEnd> boundaryEdges;
   std::vector<char> fixed;
   /// Per point, the smallest of the parts it belongs to.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Surface/Triangles/CoincidentFaces.h"
 
+#include "Support/Buckets.h"
 #include "Support/IndexTable.h"
 #include "Support/Memory.h"
 #include "Surface/Triangles/PointPlaces.h"
@@ -177,23 +178,17 @@ private:
   /// of its set only, and sets are small and mostly of neighbors: this takes a fraction of the time of hashing.
   template <class Visit> void forBuckets(const std::vector<Index>& lowest, Visit&& visit) const
   {
-    std::vector<Index> begins(numberOfPoints + 1, 0);
-    for (const Index low : lowest)
-    {
-      ++begins[low + 1];
-    }
-    std::partial_sum(begins.begin(), begins.end(), begins.begin());
-    std::vector<Index> items(lowest.size());
-    std::vector<Index> next(begins.begin(), begins.end() - 1);
-    for (Index i = 0; i < lowest.size(); ++i)
-    {
-      items[next[lowest[i]]++] = i;
-    }
+    const Buckets items = fillBuckets(numberOfPoints, SerialExecutor(), [&](auto&& use) {
+      for (Index i = 0; i < lowest.size(); ++i)
+      {
+        use(lowest[i], i);
+      }
+    });
     for (std::size_t i = 0; i < numberOfPoints; ++i)
     {
-      if (begins[i + 1] - begins[i] > 1)
+      if (items.of(i).size() > 1)
       {
-        visit(std::span<const Index>(items).subspan(begins[i], begins[i + 1] - begins[i]));
+        visit(items.of(i));
       }
     }
   }

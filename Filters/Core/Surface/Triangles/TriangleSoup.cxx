@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Surface/Triangles/TriangleSoup.h"
 
-#include "Support/Buckets.h"
-
 #include <tuple>
 
 namespace atria {
@@ -33,6 +31,19 @@ std::vector<SoupEdgeUse> sortedEdgeUses(std::span<const std::array<Index, 3>> tr
     });
   });
   return uses;
+}
+
+Buckets trianglesAtPoints(const TriangleSoup& soup)
+{
+  return fillBuckets(soup.points.size(), SerialExecutor(), [&](auto&& use) {
+    for (Index t = 0; t < soup.triangles.size(); ++t)
+    {
+      for (const Index p : soup.triangles[t])
+      {
+        use(p, t);
+      }
+    }
+  });
 }
 
 std::vector<SoupEdgeUse> sortedEdgeUses(const TriangleSoup& soup, const Executor& executor)

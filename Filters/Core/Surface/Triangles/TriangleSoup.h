@@ -3,7 +3,7 @@
 #pragma once
 
 #include "Grid/GridFrame.h"
-#include "Support/Executor.h"
+#include "Support/Buckets.h"
 
 #include <algorithm>
 #include <span>
@@ -51,6 +51,9 @@ inline Vec3 between(const LatticePoint& p, const LatticePoint& q)
 {
   return toVector({q[0] - p[0], q[1] - p[1], q[2] - p[2]});
 }
+
+/// In order.
+Buckets trianglesAtPoints(const TriangleSoup& soup);
 
 /// One use of an edge by a triangle; `forward` where the triangle runs from the lower point to the higher.
 struct SoupEdgeUse
