@@ -2,94 +2,214 @@
 #include "Surface/Triangulation/PlanarTriangulation.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Constrained_triangulation_plus_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <set>
+#include <utility>
 
 namespace atria {
 
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 /// A vertex's point, which there is none of at first where segments cross; or a face's region.
 struct Number
 {
   Index value = noIndex;
 };
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<Number, Kernel>;
-/// A face knows its region.
 using FaceBase =
     CGAL::Triangulation_face_base_with_info_2<Number, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
 using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
-using Triangulation = CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, CGAL::Exact_predicates_tag>;
+/// It knows into which edges a segment was cut.
+template <typename Crossing>
+using Triangulation =
+    CGAL::Constrained_triangulation_plus_2<CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure, Crossing>>;
 
-/// Gives a region to the faces one comes to from one without passing through a segment.
-void markRegion(Triangulation& plane, Triangulation::Face_handle first, Index region)
+/// One object a triangulation.
+template <typename Crossing> class Plane
 {
-  std::vector<Triangulation::Face_handle> open{first};
-  first->info().value = region;
-  while (!open.empty())
+public:
+  Plane(std::span<const Vec2> points_, std::span<const std::array<Index, 2>> segments_, const PlanarOutline& outline_)
+      : points(points_), segments(segments_), outline(outline_)
   {
-    const Triangulation::Face_handle face = open.back();
-    open.pop_back();
-    for (int i = 0; i < 3; ++i)
+    out.points.assign(points.begin(), points.end());
+    vertices.reserve(points.size());
+  }
+
+  PlanarTriangulation run()
+  {
+    insertPoints(outline.points);
+    insertSegments(0, outline.segments);
+    insertPoints(points.size());
+    insertSegments(outline.segments, segments.size());
+    if (plane.dimension() == 2)
     {
-      const Triangulation::Face_handle next = face->neighbor(i);
-      if (next->info().value == noIndex && !plane.is_constrained({face, i}))
+      numberCrossings();
+      if (out.simple)
       {
-        next->info().value = region;
-        open.push_back(next);
+        findRegions();
+      }
+      collect();
+    }
+    return std::move(out);
+  }
+
+private:
+  using Cgal = Triangulation<Crossing>;
+  using Vertex = typename Cgal::Vertex_handle;
+  using Face = typename Cgal::Face_handle;
+  using Edge = std::pair<Vertex, Vertex>;
+
+  bool hasOutline() const { return outline.points > 0; }
+  static Edge edgeOf(Vertex a, Vertex b) { return &*a < &*b ? Edge(a, b) : Edge(b, a); }
+
+  void insertPoints(std::size_t end)
+  {
+    for (std::size_t i = vertices.size(); i < end; ++i)
+    {
+      const Face near = vertices.empty() ? Face() : vertices.back()->face();
+      vertices.push_back(plane.insert({points[i][0], points[i][1]}, near));
+      Index& number = vertices.back()->info().value;
+      number = number == noIndex ? static_cast<Index>(i) : number;
+    }
+  }
+
+  void insertSegments(std::size_t begin, std::size_t end)
+  {
+    for (const auto& [a, b] : segments.subspan(begin, end - begin))
+    {
+      if (vertices[a] == vertices[b])
+      {
+        continue;
+      }
+      try
+      {
+        constraints.push_back(plane.insert_constraint(vertices[a], vertices[b]));
+      }
+      catch (const typename Cgal::Intersection_of_constraints_exception&)
+      {
+        out.simple = false;
+      }
+    }
+    if (begin == 0)
+    {
+      outlineConstraints = constraints.size();
+    }
+  }
+
+  void numberCrossings()
+  {
+    for (const Vertex vertex : plane.finite_vertex_handles())
+    {
+      if (vertex->info().value == noIndex)
+      {
+        vertex->info().value = static_cast<Index>(out.points.size());
+        out.points.emplace_back(vertex->point().x(), vertex->point().y());
       }
     }
   }
-}
+
+  /// Edges of the outline that are walked an odd number of times.
+  std::set<Edge> boundary() const
+  {
+    std::set<Edge> odd;
+    for (std::size_t i = 0; i < outlineConstraints; ++i)
+    {
+      auto next = plane.vertices_in_constraint_begin(constraints[i]);
+      for (auto at = next++; next != plane.vertices_in_constraint_end(constraints[i]); at = next++)
+      {
+        const Edge edge = edgeOf(*at, *next);
+        if (!odd.erase(edge))
+        {
+          odd.insert(edge);
+        }
+      }
+    }
+    return odd;
+  }
+
+  void findRegions()
+  {
+    const std::set<Edge> odd = boundary();
+    flood(plane.infinite_face(), odd);
+    for (const Face face : plane.finite_face_handles())
+    {
+      if (face->info().value == noIndex)
+      {
+        flood(face, odd);
+      }
+    }
+    out.regionCount = hasOutline() ? 2 : out.regionCount;
+  }
+
+  /// Gives the next region to all that is reached from a face. Each edge of an outline that is crossed changes sides;
+  /// without one, segments are not crossed.
+  void flood(Face first, const std::set<Edge>& odd)
+  {
+    std::vector<Face> open{first};
+    first->info().value = out.regionCount++;
+    while (!open.empty())
+    {
+      const Face face = open.back();
+      open.pop_back();
+      for (int i = 0; i < 3; ++i)
+      {
+        const Face next = face->neighbor(i);
+        if (next->info().value != noIndex)
+        {
+          continue;
+        }
+        if (hasOutline())
+        {
+          const bool crosses = odd.count(edgeOf(face->vertex(Cgal::cw(i)), face->vertex(Cgal::ccw(i)))) != 0;
+          next->info().value = face->info().value ^ Index { crosses };
+          open.push_back(next);
+        }
+        else if (!plane.is_constrained({face, i}))
+        {
+          next->info().value = face->info().value;
+          open.push_back(next);
+        }
+      }
+    }
+  }
+
+  void collect()
+  {
+    for (const Face face : plane.finite_face_handles())
+    {
+      out.triangles.push_back(
+          {face->vertex(0)->info().value, face->vertex(1)->info().value, face->vertex(2)->info().value});
+      if (out.simple)
+      {
+        out.regions.push_back(face->info().value);
+      }
+    }
+  }
+
+  std::span<const Vec2> points;
+  std::span<const std::array<Index, 2>> segments;
+  const PlanarOutline& outline;
+  Cgal plane;
+  std::vector<Vertex> vertices;
+  std::vector<typename Cgal::Constraint_id> constraints;
+  std::size_t outlineConstraints = 0;
+  PlanarTriangulation out;
+};
 
 } // namespace
 
-PlanarTriangulation triangulatePlane(std::span<const Vec2> points, std::span<const std::array<Index, 2>> segments)
+PlanarTriangulation triangulatePlane(std::span<const Vec2> points, std::span<const std::array<Index, 2>> segments,
+                                     const PlanarOutline& outline)
 {
-  Triangulation plane;
-  std::vector<Triangulation::Vertex_handle> vertices;
-  Triangulation::Face_handle near;
-  for (Index i = 0; i < points.size(); ++i)
-  {
-    const auto vertex = plane.insert({points[i][0], points[i][1]}, near);
-    if (vertex->info().value == noIndex)
-    {
-      vertex->info().value = i;
-    }
-    near = vertex->face();
-    vertices.push_back(vertex);
-  }
-  for (const auto& [a, b] : segments)
-  {
-    if (vertices[a] != vertices[b])
-    {
-      plane.insert_constraint(vertices[a], vertices[b]);
-    }
-  }
-  PlanarTriangulation out;
-  out.points.assign(points.begin(), points.end());
-  for (auto vertex = plane.finite_vertices_begin(); vertex != plane.finite_vertices_end(); ++vertex)
-  {
-    if (vertex->info().value == noIndex)
-    {
-      vertex->info().value = static_cast<Index>(out.points.size());
-      out.points.emplace_back(vertex->point().x(), vertex->point().y());
-    }
-  }
-  markRegion(plane, plane.infinite_face(), out.regionCount++);
-  for (auto face = plane.finite_faces_begin(); face != plane.finite_faces_end(); ++face)
-  {
-    if (face->info().value == noIndex)
-    {
-      markRegion(plane, face, out.regionCount++);
-    }
-    out.triangles.push_back(
-        {face->vertex(0)->info().value, face->vertex(1)->info().value, face->vertex(2)->info().value});
-    out.regions.push_back(face->info().value);
-  }
-  return out;
+  return outline.cutsCrossings
+             ? Plane<CGAL::Exact_predicates_tag>(points, segments, outline).run()
+             : Plane<CGAL::No_constraint_intersection_requiring_constructions_tag>(points, segments, outline).run();
 }
 
 } // namespace atria

@@ -1,41 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Surface/Triangulation/PolygonTriangulation.h"
 
-#include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Triangulation_face_base_with_info_2.h>
-#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+#include "Surface/Triangulation/PlanarTriangulation.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <utility>
 
 namespace atria {
 
 namespace {
-
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Point2 = Kernel::Point_2;
-
-enum class Side : std::uint8_t
-{
-  unknown,
-  inside,
-  outside
-};
-
-using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<Index, Kernel>;
-using FaceBase =
-    CGAL::Triangulation_face_base_with_info_2<Side, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
-using Structure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
-using Triangulation =
-    CGAL::Constrained_Delaunay_triangulation_2<Kernel, Structure,
-                                               CGAL::No_constraint_intersection_requiring_constructions_tag>;
-using Vertex = Triangulation::Vertex_handle;
-using Face = Triangulation::Face_handle;
 
 /// The polygon moved and scaled into the unit box, so that neither national-grid nor millimeter coordinates
 /// cost digits.
@@ -141,197 +119,76 @@ bool cutPlainQuad(std::span<const Vec3> points, std::span<const Index, 4> ids, P
   return normal.norm() > noArea && cutQuad(ids, p, normal, out);
 }
 
-/// The general way: one object a polygon.
-class Triangulator
+std::vector<Vec2> project(const Outline& outline)
 {
-public:
-  explicit Triangulator(const Outline& source) : outline(source) {}
-
-  PolygonTriangles run()
+  const Vec3 n = outline.normal.normalized();
+  int axis = 0;
+  n.cwiseAbs().minCoeff(&axis);
+  const Vec3 u = n.cross(Vec3::Unit(axis)).normalized();
+  const Vec3 v = n.cross(u);
+  std::vector<Vec2> flat;
+  for (const Vec3& p : outline.points)
   {
-    project();
-    insertPoints();
-    insertEdges();
-    if (cdt.dimension() == 2)
-    {
-      countEdges();
-      out.simple ? flood() : classifyByRays();
-      collect();
-    }
-    return std::move(out);
+    flat.emplace_back(p.dot(u), p.dot(v));
   }
+  return flat;
+}
 
-private:
-  void project()
+/// Edges between places that are walked an even number of times bound nothing.
+std::vector<std::array<Index, 2>> oddEdges(const std::vector<Vec2>& flat)
+{
+  std::map<std::pair<double, double>, Index> places;
+  std::vector<Index> placeOf;
+  for (const Vec2& p : flat)
   {
-    const Vec3 n = outline.normal.normalized();
-    int axis = 0;
-    n.cwiseAbs().minCoeff(&axis);
-    const Vec3 u = n.cross(Vec3::Unit(axis)).normalized();
-    const Vec3 v = n.cross(u);
-    for (const Vec3& p : outline.points)
-    {
-      flat.emplace_back(p.dot(u), p.dot(v));
-    }
+    placeOf.push_back(places.try_emplace({p[0], p[1]}, static_cast<Index>(placeOf.size())).first->second);
   }
-
-  void insertPoints()
+  std::set<std::array<Index, 2>> odd;
+  for (std::size_t i = 0; i < flat.size(); ++i)
   {
-    Face hint;
-    for (std::size_t i = 0; i < flat.size(); ++i)
+    const auto [low, high] = std::minmax(placeOf[i], placeOf[(i + 1) % flat.size()]);
+    if (low != high && !odd.erase({low, high}))
     {
-      const std::size_t before = cdt.number_of_vertices();
-      const Vertex v = cdt.insert(flat[i], hint);
-      if (cdt.number_of_vertices() > before)
-      {
-        v->info() = static_cast<Index>(i); // of points that fall together the first stands for all
-      }
-      vertices.push_back(v);
-      hint = v->face();
+      odd.insert({low, high});
     }
   }
+  return {odd.begin(), odd.end()};
+}
 
-  using Edge = std::pair<Index, Index>;
-  static Edge edgeOf(Vertex a, Vertex b) { return std::minmax(a->info(), b->info()); }
-
-  static void toggle(std::set<Edge>& edges, const Edge& edge)
+bool isInside(const std::vector<Vec2>& flat, const Vec2& p)
+{
+  bool inside = false;
+  for (std::size_t i = 0; i < flat.size(); ++i)
   {
-    if (!edges.erase(edge))
+    const Vec2& a = flat[i];
+    const Vec2& b = flat[(i + 1) % flat.size()];
+    if ((a[1] > p[1]) != (b[1] > p[1]) && p[0] < a[0] + (p[1] - a[1]) / (b[1] - a[1]) * (b[0] - a[0]))
     {
-      edges.insert(edge);
+      inside = !inside;
     }
   }
+  return inside;
+}
 
-  /// Edges walked an even number of times bound nothing.
-  void insertEdges()
-  {
-    std::set<Edge> odd;
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-    {
-      const Vertex next = vertices[(i + 1) % vertices.size()];
-      if (vertices[i] != next)
-      {
-        toggle(odd, edgeOf(vertices[i], next));
-      }
-    }
-    for (const Edge& e : odd)
-    {
-      edges.emplace_back(vertices[e.first], vertices[e.second]);
-      try
-      {
-        cdt.insert_constraint(edges.back().first, edges.back().second);
-      }
-      catch (const Triangulation::Intersection_of_constraints_exception&)
-      {
-        out.simple = false;
-      }
-    }
-  }
-
-  /// Splits the edges at points that lie on them, and counts the pieces: overlaps cancel out.
-  void countEdges()
-  {
-    for (auto [from, to] : edges)
-    {
-      while (from != to)
-      {
-        Vertex next;
-        Face face;
-        int i = 0;
-        if (!cdt.includes_edge(from, to, next, face, i))
-        {
-          out.simple = false;
-          break;
-        }
-        toggle(boundary, edgeOf(from, next));
-        from = next;
-      }
-    }
-  }
-
-  bool isBoundary(Face face, int i) const
-  {
-    const Vertex a = face->vertex(Triangulation::cw(i));
-    const Vertex b = face->vertex(Triangulation::ccw(i));
-    return !cdt.is_infinite(a) && !cdt.is_infinite(b) && boundary.count(edgeOf(a, b)) != 0;
-  }
-
-  /// From the outside inwards: each boundary crossed changes sides.
-  void flood()
-  {
-    for (const Face face : cdt.all_face_handles())
-    {
-      face->info() = Side::unknown;
-    }
-    std::vector<Face> open{cdt.infinite_face()};
-    open.back()->info() = Side::outside;
-    while (!open.empty())
-    {
-      const Face face = open.back();
-      open.pop_back();
-      for (int i = 0; i < 3; ++i)
-      {
-        const Face next = face->neighbor(i);
-        if (next->info() == Side::unknown)
-        {
-          const bool inside = (face->info() == Side::inside) != isBoundary(face, i);
-          next->info() = inside ? Side::inside : Side::outside;
-          open.push_back(next);
-        }
-      }
-    }
-  }
-
-  /// Where edges are missing from the triangulation the sides cannot be flooded: ask for each triangle's
-  /// center.
-  void classifyByRays()
-  {
-    for (const Face face : cdt.finite_face_handles())
-    {
-      const Point2 center = CGAL::centroid(cdt.triangle(face));
-      face->info() = insideOutline(center) ? Side::inside : Side::outside;
-    }
-  }
-
-  bool insideOutline(const Point2& p) const
-  {
-    bool inside = false;
-    for (std::size_t i = 0; i < flat.size(); ++i)
-    {
-      const Point2& a = flat[i];
-      const Point2& b = flat[(i + 1) % flat.size()];
-      if ((a.y() > p.y()) != (b.y() > p.y()) && p.x() < a.x() + (p.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
-      {
-        inside = !inside;
-      }
-    }
-    return inside;
-  }
-
-  void collect()
-  {
-    for (const Face face : cdt.finite_face_handles())
-    {
-      if (face->info() == Side::inside)
-      {
-        out.triangles.push_back({outline.ids[face->vertex(0)->info()], outline.ids[face->vertex(1)->info()],
-                                 outline.ids[face->vertex(2)->info()]});
-      }
-    }
-  }
-
-  const Outline& outline;
-  std::vector<Point2> flat;
-  Triangulation cdt;
-  std::vector<Vertex> vertices;
-  std::vector<std::pair<Vertex, Vertex>> edges;
-  std::set<Edge> boundary;
+/// The general way. Where edges are missing from the triangulation it does not know the sides: each triangle's center
+/// is asked for.
+PolygonTriangles triangulateOutline(const Outline& outline)
+{
+  const std::vector<Vec2> flat = project(outline);
+  const std::vector<std::array<Index, 2>> edges = oddEdges(flat);
+  const PlanarTriangulation plane = triangulatePlane(flat, edges, {flat.size(), edges.size(), false});
   PolygonTriangles out;
-};
-
-} // namespace
-
-namespace {
+  out.simple = plane.simple;
+  for (std::size_t t = 0; t < plane.triangles.size(); ++t)
+  {
+    const auto& [a, b, c] = plane.triangles[t];
+    if (plane.simple ? !plane.isOutside(t) : isInside(flat, (flat[a] + flat[b] + flat[c]) / 3.0))
+    {
+      out.triangles.push_back({outline.ids[a], outline.ids[b], outline.ids[c]});
+    }
+  }
+  return out;
+}
 
 /// Whether a triangle passes as a polygon does, in a fraction of the time.
 bool hasArea(std::span<const Vec3> points, std::span<const Index> t)
@@ -386,7 +243,7 @@ void triangulatePolygon(std::span<const Vec3> points, std::span<const Index> pol
   else if (outline.ids.size() != 4 ||
            !cutQuad(std::span(outline.ids).first<4>(), std::span(outline.points).first<4>(), outline.normal, out))
   {
-    out = Triangulator(outline).run();
+    out = triangulateOutline(outline);
   }
 }
 
