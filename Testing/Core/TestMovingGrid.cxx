@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What a grid says about its leaves and points does not depend on how its points came to where they are.
+/// What a grid says about its leaves and points does not depend on how its points came to where they are, and the
+/// search for places leaves less to say.
 #include "Dual/Displacement/MovingGrid.h"
+#include "Dual/Displacement/PlaceMoves.h"
+#include "Dual/Displacement/PlaceSearch.h"
 #include "Dual/Grid/Crossings.h"
 #include "Octree/Search/TriangleTree.h"
 #include "Support/MeshIt.h"
@@ -138,6 +141,66 @@ TEST_P(MovedGrids, TellTheSameOfPointsWhetherLeavesWereLookedAtOrNot)
     sum += cost;
   }
   EXPECT_GT(sum, 0.0);
+}
+
+TEST_P(MovedGrids, CostLessAfterTheSearchForPlaces)
+{
+  Moving moving(meshed, points, undisplaced, context);
+  PlaceMoves moves(moving.grid, context);
+  const auto cost = [&] {
+    MovingGrid::Look look(moving.grid);
+    double sum = 0.0;
+    for (Index point = 0; point < points.size(); ++point)
+    {
+      sum += moving.grid.surplusAbout(point, look).cost();
+    }
+    return sum;
+  };
+  PointPlaces start = somePlaces(moving.places, GetParam());
+  std::erase_if(start, [&](const auto& moved) { return moving.grid.isFixed(moved.first); });
+  moving.grid.moveAll(start, context);
+  const std::size_t unresolved = moving.grid.unresolvedLeaves(context).size();
+  const double before = cost();
+  ASSERT_GT(unresolved, 0u);
+  searchPlaces(moving.grid, context);
+  EXPECT_LT(cost(), before);
+  EXPECT_LT(moving.grid.unresolvedLeaves(context).size(), unresolved);
+  Index displaced = 0;
+  for (Index point = 0; point < points.size(); ++point)
+  {
+    displaced += moving.places.place(point) != moving.places.undisplaced(point) ? 1 : 0;
+    EXPECT_TRUE(!moving.grid.isFixed(point) || moving.places.place(point) == moving.places.undisplaced(point)) << point;
+  }
+  EXPECT_GT(displaced, 0u);
+  // What was moved one by one is at its best: no point at an unresolved leaf gains by moving alone.
+  std::set<Index> corners;
+  for (const Index leaf : moving.grid.unresolvedLeaves(context))
+  {
+    moving.grid.addCorners(leaf, corners);
+  }
+  std::erase_if(corners, [&](Index point) { return moving.grid.isFixed(point); });
+  moving.grid.lookAgain(context);
+  for (const PlaceMove& move : moves.best({corners.begin(), corners.end()}))
+  {
+    EXPECT_LE(move.gain, smallestGain) << "point " << move.point;
+  }
+}
+
+TEST_P(MovedGrids, AreAsTheyWereWhenATrialIsTakenBack)
+{
+  Moving tried(meshed, points, undisplaced, context);
+  Moving untouched(meshed, points, undisplaced, context);
+  PlaceMoves moves(tried.grid, context);
+  for (const unsigned seed : {4u, 5u})
+  {
+    PointPlaces places = somePlaces(tried.places, seed);
+    places.resize(std::min<std::size_t>(places.size(), 40));
+    tried.grid.lookAgain(context);
+    MovingGrid::Trail trail;
+    moves.make(places, trail);
+    tried.grid.takeBack(trail);
+  }
+  expectSame(tried, untouched, context);
 }
 
 INSTANTIATE_TEST_SUITE_P(Soups, MovedGrids, ::testing::Values(1u, 2u, 3u));
