@@ -236,7 +236,7 @@ TEST_P(LayeredBuilding, PassesAllOfCheckMesh)
 {
   if (!haveCheckMesh())
   {
-    GTEST_SKIP() << "checkMesh is not installed";
+    GTEST_SKIP() << withoutCheckMesh;
   }
   const auto [degrees, layers] = GetParam();
   TriangleSurface surface = surfaceFromVtk({exampleModel("building.wrl")}).surface;

@@ -67,7 +67,7 @@ protected:
   {
     if (!atria::testing::haveCheckMesh())
     {
-      GTEST_SKIP() << "checkMesh is not installed";
+      GTEST_SKIP() << atria::testing::withoutCheckMesh;
     }
   }
 

@@ -59,7 +59,7 @@ TEST_F(OpenFOAMWriter, CheckMeshFindsAMixedMeshSoundAndAgreesOnItsQuality)
 {
   if (!atria::testing::haveCheckMesh())
   {
-    GTEST_SKIP() << "checkMesh is not installed";
+    GTEST_SKIP() << atria::testing::withoutCheckMesh;
   }
   const SampleMesh sample = atria::testing::mixedCells(size, 3, 0.12);
   const FaceMesh mesh = facesOf(sample);
@@ -91,7 +91,7 @@ TEST_F(OpenFOAMWriter, CheckMeshAgreesOnTheQualityOfDistortedMeshes)
 {
   if (!atria::testing::haveCheckMesh())
   {
-    GTEST_SKIP() << "checkMesh is not installed";
+    GTEST_SKIP() << atria::testing::withoutCheckMesh;
   }
   for (unsigned seed = 1; seed <= 5; ++seed)
   {
@@ -110,7 +110,7 @@ TEST_F(OpenFOAMWriter, CheckMeshAgreesOnWhichMeshesAreInvalid)
 {
   if (!atria::testing::haveCheckMesh())
   {
-    GTEST_SKIP() << "checkMesh is not installed";
+    GTEST_SKIP() << atria::testing::withoutCheckMesh;
   }
   int invalidMeshes = 0;
   for (unsigned seed = 1; seed <= 8; ++seed)

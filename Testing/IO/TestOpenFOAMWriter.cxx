@@ -71,13 +71,17 @@ TEST_F(OpenFOAMWriter, SidesOfASheetAreTwoWallsOfOneGroup)
       EXPECT_EQ(report.counts.at("internal faces"), static_cast<long>(mesh.internalFaceCount()) - 4);
     }
   }
+  if (!atria::testing::haveCheckMesh())
+  {
+    GTEST_SKIP() << atria::testing::withoutCheckMesh;
+  }
 }
 
 TEST_F(OpenFOAMWriter, CubesAreAFlawlessMeshToCheckMeshAndFoamToVTKReadsThem)
 {
   if (!atria::testing::haveCheckMesh())
   {
-    GTEST_SKIP() << "checkMesh is not installed";
+    GTEST_SKIP() << atria::testing::withoutCheckMesh;
   }
   const SampleMesh sample = atria::testing::hexahedra(size);
   const auto patches = toPatches(facesOf(sample), atria::testing::sidesOfBox(size));
@@ -109,12 +113,13 @@ TEST_F(OpenFOAMWriter, ZonesBecomeCellZones)
   {
     const fs::path target = folder(binary ? "binary" : "ascii");
     ASSERT_EQ(write(grid, nullptr, binary, target), 1);
-    if (atria::testing::haveCheckMesh())
+    if (!atria::testing::haveCheckMesh())
     {
-      const CheckMeshReport report = atria::testing::runCheckMesh(target);
-      ASSERT_TRUE(report.completed) << report.log;
-      EXPECT_EQ(report.counts.at("cell zones"), 2);
+      GTEST_SKIP() << atria::testing::withoutCheckMesh;
     }
+    const CheckMeshReport report = atria::testing::runCheckMesh(target);
+    ASSERT_TRUE(report.completed) << report.log;
+    EXPECT_EQ(report.counts.at("cell zones"), 2);
   }
 }
 
@@ -215,6 +220,10 @@ TEST_F(OpenFOAMWriter, MergesCoplanarFacesOfACellPatchByPatch)
       EXPECT_EQ(report.counts.at("faces"), 7);
     }
   }
+  if (!atria::testing::haveCheckMesh())
+  {
+    GTEST_SKIP() << atria::testing::withoutCheckMesh;
+  }
 }
 
 TEST_F(OpenFOAMWriter, MergesCellsWithTooFewNeighborsAndKeepsPatchesAndZones)
@@ -255,13 +264,17 @@ TEST_F(OpenFOAMWriter, MergesCellsWithTooFewNeighborsAndKeepsPatchesAndZones)
     EXPECT_THAT(report.failures, ::testing::Each(::testing::AnyOf(HasSubstr("Concave"), HasSubstr("determinant"))));
   }
   EXPECT_EQ(boundary[0], boundary[1]);
+  if (!atria::testing::haveCheckMesh())
+  {
+    GTEST_SKIP() << atria::testing::withoutCheckMesh;
+  }
 }
 
 TEST_F(OpenFOAMWriter, ACellWhoseSidesAreMergedIsConvexToCheckMesh)
 {
   if (!atria::testing::haveCheckMesh())
   {
-    GTEST_SKIP() << "checkMesh is not installed";
+    GTEST_SKIP() << atria::testing::withoutCheckMesh;
   }
   for (const bool merge : {false, true})
   {

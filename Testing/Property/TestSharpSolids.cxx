@@ -114,10 +114,11 @@ TEST_P(SharpSolids, HaveGoodHexahedra)
   EXPECT_EQ(metrics.invalidCells, 0u);
   EXPECT_GE(leastScaledJacobian(meshed.mesh()), poor.contains(seed) ? 0.19 : 0.3);
   EXPECT_LE(std::ranges::max(metrics.nonOrthogonalityOfFaces), 61.0);
-  if (haveCheckMesh())
+  if (!haveCheckMesh())
   {
-    EXPECT_THAT(checkAsWritten(meshed).failures, ::testing::IsEmpty());
+    GTEST_SKIP() << withoutCheckMesh;
   }
+  EXPECT_THAT(checkAsWritten(meshed).failures, ::testing::IsEmpty());
 }
 
 INSTANTIATE_TEST_SUITE_P(All, SharpSolids, ::testing::Range(0u, allSolids));

@@ -29,6 +29,8 @@ struct CheckMeshReport
 
 /// Whether checkMesh can be run here.
 bool haveCheckMesh();
+/// Why a test is skipped, wholly or in part, where it cannot.
+inline constexpr const char* withoutCheckMesh = "checkMesh is not installed";
 
 /// Runs one of OpenFOAM's utilities on a case; returns whether it succeeded. Its output is appended to `log`.
 bool runOpenFOAM(const std::string& utility, const std::filesystem::path& caseFolder, std::string& log);
