@@ -4,6 +4,7 @@
 #include "Dual/Displacement/DisplacedGrid.h"
 #include "Dual/Vertices/DualVertices.h"
 #include "Dual/Vertices/TurnedDomain.h"
+#include "Dual/Zones/CellZones.h"
 #include "Dual/Zones/CrackClosing.h"
 #include "Dual/Zones/Cracks.h"
 #include "Dual/Zones/ZoneFaces.h"

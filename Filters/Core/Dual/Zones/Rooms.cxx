@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Dual/Zones/Rooms.h"
 
-#include "Support/Error.h"
-
 #include <algorithm>
 #include <map>
-#include <set>
 #include <tuple>
 
 namespace atria {
@@ -214,143 +211,6 @@ private:
   std::vector<std::pair<Index, Index>> narrow;
 };
 
-/// The points that one closed surface encloses.
-class EnclosedPoints
-{
-public:
-  EnclosedPoints(Index s, const Crossings& found, const GridPlaces& places, const SurfaceModel& surfaces)
-      : surface(s), crossings(found), grid(places), model(surfaces)
-  {
-    for (Index t = 0; t < model.triangles.size(); ++t)
-    {
-      if (model.surfaceIds[t] == surface)
-      {
-        bounds.extend(model.bounds(t).min);
-        bounds.extend(model.bounds(t).max);
-      }
-    }
-    for (const CrossedEdge& edge : crossings.crossedEdges)
-    {
-      int sense = 0;
-      for (const SurfaceCrossing& cut : crossings.of(edge))
-      {
-        sense += model.surfaceIds[cut.triangle] == surface ? cut.orientation : 0;
-      }
-      if (sense != 0 && edge.other != noIndex)
-      {
-        senses[{edge.point, edge.direction}] = sense;
-        senses[{edge.other, static_cast<std::uint8_t>(opposite(edge.direction))}] = -sense;
-      }
-    }
-  }
-
-  /// Rising. How often the surface lies about a point follows from the crossings on the way to it from beyond the
-  /// surface's bounds.
-  std::vector<Index> find()
-  {
-    std::vector<Index> inside;
-    std::set<Index> seen;
-    for (const auto& [edge, sense] : senses)
-    {
-      if (isBeyond(edge.first) || seen.contains(edge.first))
-      {
-        continue;
-      }
-      flood(edge.first);
-      const int beyond = anchor();
-      for (const Index point : front)
-      {
-        if (!isBeyond(point))
-        {
-          seen.insert(point);
-        }
-        if (depths.at(point) > beyond)
-        {
-          inside.push_back(point);
-        }
-      }
-    }
-    if (inside.empty() && !senses.empty())
-    {
-      fail();
-    }
-    std::ranges::sort(inside);
-    return inside;
-  }
-
-private:
-  [[noreturn]] void fail() const
-  {
-    throw Error("surface '" + model.names[surface] +
-                "' is to enclose a cell zone, but it is not closed: close its holes, or leave it out");
-  }
-
-  bool isBeyond(Index point) const
-  {
-    const Vec3 p = toVector(grid.place(point));
-    return (p.array() < bounds.min.array()).any() || (p.array() > bounds.max.array()).any();
-  }
-
-  /// The point at the other end of an edge, whatever is between.
-  Index across(Index point, int direction) const
-  {
-    const std::int32_t code = crossings.neighbors[point][direction];
-    return code >= 0                    ? static_cast<Index>(code)
-           : DualMesh::isBoundary(code) ? crossings.boundaryFaces[DualMesh::boundaryFaceOf(code)].opposite
-                                        : noIndex;
-  }
-
-  /// Depths of the points about one, as far as the surface's bounds.
-  void flood(Index start)
-  {
-    front.assign(1, start);
-    depths.clear();
-    depths[start] = 0;
-    for (std::size_t i = 0; i < front.size(); ++i)
-    {
-      const Index point = front[i];
-      for (std::uint8_t direction = 0; direction < 6 && !isBeyond(point); ++direction)
-      {
-        const Index other = across(point, direction);
-        if (other == noIndex)
-        {
-          continue;
-        }
-        // Along the normal the way leads out.
-        const auto found = senses.find({point, direction});
-        const int depth = depths.at(point) - (found == senses.end() ? 0 : found->second);
-        const auto [known, isNew] = depths.try_emplace(other, depth);
-        if (isNew)
-        {
-          front.push_back(other);
-        }
-        else if (known->second != depth)
-        {
-          fail();
-        }
-      }
-    }
-  }
-
-  /// The depth of the points that are surely not enclosed.
-  int anchor() const
-  {
-    const auto beyond = std::ranges::find_if(front, [&](Index point) { return isBeyond(point); });
-    const auto depth = [&](Index point) { return depths.at(point); };
-    return beyond != front.end() ? depth(*beyond) : depth(std::ranges::min(front, {}, depth));
-  }
-
-  Index surface;
-  const Crossings& crossings;
-  const GridPlaces& grid;
-  const SurfaceModel& model;
-  Box3 bounds;
-  /// By point and direction, how often the edge crosses the surface along its normal, less against it.
-  std::map<std::pair<Index, std::uint8_t>, int> senses;
-  std::unordered_map<Index, int> depths;
-  std::vector<Index> front;
-};
-
 } // namespace
 
 Rooms findRooms(const Zones& zones, const std::vector<ZoneSummary>& summaries, const Crossings& crossings,
@@ -365,26 +225,6 @@ Rooms findRooms(const Zones& zones, const std::vector<ZoneSummary>& summaries, c
   Rooms rooms = finder.find(zones, summaries, options, context);
   std::erase_if(zoneFaces, [&](const ZoneFace& face) { return finder.leadsNowhere(face); });
   return rooms;
-}
-
-std::vector<std::int32_t> findCellZones(const Crossings& crossings, const GridPlaces& grid, const SurfaceModel& model,
-                                        const RunContext& context)
-{
-  std::vector<std::int32_t> zoneOf;
-  for (Index surface = 0; surface < model.kinds.size(); ++surface)
-  {
-    if (model.kinds[surface] != SurfaceKind::cellZone)
-    {
-      continue;
-    }
-    context.progress.check();
-    zoneOf.resize(crossings.neighbors.size(), noRoom);
-    for (const Index point : EnclosedPoints(surface, crossings, grid, model).find())
-    {
-      zoneOf[point] = zoneOf[point] == noRoom ? static_cast<std::int32_t>(surface) : zoneOf[point];
-    }
-  }
-  return zoneOf;
 }
 
 } // namespace atria

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What face zones part: rooms. And what cell zones enclose.
+/// What face zones part: rooms.
 #pragma once
 
 #include "Dual/Zones/Zones.h"
 
 namespace atria {
 
-/// Of grid points that are in no room, or in no cell zone.
+/// Of grid points that are in no room.
 inline constexpr std::int32_t noRoom = -1;
 
 /// Rooms are the parts of the kept zones that faces of face zones divide them into. The outdoors is one room, whatever
@@ -33,10 +33,5 @@ struct RoomOptions
 Rooms findRooms(const Zones& zones, const std::vector<ZoneSummary>& summaries, const Crossings& crossings,
                 std::vector<ZoneFace>& zoneFaces, const SurfaceModel& model, const RoomOptions& options,
                 const RunContext& context);
-
-/// Per grid point the surface of kind SurfaceKind::cellZone that encloses it, the first if there are several, or
-/// noRoom; empty where no surface is of that kind. Throws Error for a surface that is not closed.
-std::vector<std::int32_t> findCellZones(const Crossings& crossings, const GridPlaces& grid, const SurfaceModel& model,
-                                        const RunContext& context);
 
 } // namespace atria

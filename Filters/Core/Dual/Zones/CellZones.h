@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// What closed surfaces enclose that are no walls.
+#pragma once
+
+#include "Dual/Grid/Crossings.h"
+#include "Dual/Grid/GridPlaces.h"
+
+namespace atria {
+
+/// Of grid points that are in no cell zone.
+inline constexpr std::int32_t noCellZone = -1;
+
+/// Per grid point the surface of kind SurfaceKind::cellZone that encloses it, the first if there are several, or
+/// noCellZone; empty where no surface is of that kind. Throws Error for a surface that is not closed.
+std::vector<std::int32_t> findCellZones(const Crossings& crossings, const GridPlaces& grid, const SurfaceModel& model,
+                                        const RunContext& context);
+
+} // namespace atria
