@@ -66,6 +66,27 @@ std::vector<atria::Index> patchOfFaces(const atria::VtkFaceMesh& source)
   return out;
 }
 
+/// Of faces in face zones, and between cells of different cell zones.
+std::vector<atria::Index> pointsOfZones(const atria::VtkFaceMesh& source, vtkUnstructuredGrid* volume)
+{
+  const atria::FaceMesh& mesh = source.mesh;
+  std::vector<atria::Index> faces = source.zoneFaces;
+  vtkDataArray* cellZones = volume->GetCellData()->GetArray("CellZoneId");
+  for (atria::Index face = 0; cellZones && face < mesh.internalFaceCount(); ++face)
+  {
+    if (cellZones->GetComponent(mesh.owner[face], 0) != cellZones->GetComponent(mesh.neighbor[face], 0))
+    {
+      faces.push_back(face);
+    }
+  }
+  std::vector<atria::Index> points;
+  for (const atria::Index face : faces)
+  {
+    points.insert(points.end(), mesh.face(face).begin(), mesh.face(face).end());
+  }
+  return points;
+}
+
 /// The patches with their points where those of the mesh are now. They are known to have the array VolumePointId.
 void movePatches(vtkPartitionedDataSetCollection* from, const std::vector<atria::Vec3>& points,
                  vtkPartitionedDataSetCollection* to)
@@ -198,6 +219,7 @@ int vtkAtriaMeshOptimizer::RequestData(vtkInformation*, vtkInformationVector** i
     atria::MeshOptimizerOptions options;
     options.featureAngle = this->FeatureAngle;
     options.fixedBoundary = this->FixBoundary;
+    options.keptPoints = pointsOfZones(source, volume);
     options.optimizer.sweeps = this->NumberOfSweeps;
     atria::QualityTargets& targets = options.optimizer.targets;
     targets.pyramidCosine.aimAt(1.0 - this->TargetCellSquish);

@@ -62,7 +62,8 @@ public:
 
   ///@{
   /**
-   * Leave all points on the boundary where they are. Default off.
+   * Leave all points on the boundary where they are. Default off. Those of face zones, and between cell zones, always
+   * stay.
    */
   vtkSetMacro(FixBoundary, bool);
   vtkGetMacro(FixBoundary, bool);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "DualMesherTest.h"
 #include "SmpThreads.h"
+#include "Support/Buildings.h"
 #include "Support/SampleGrid.h"
 #include "vtkAtriaMeshOptimizer.h"
 #include "vtkAtriaMeshQuality.h"
@@ -341,6 +342,46 @@ TEST_F(OptimizedDual, KeepsItsWallsAndGetsNoWorse)
   {
     EXPECT_NEAR(atria::testing::areaOf(after.at(name)), atria::testing::areaOf(patch), 1e-9) << name;
   }
+}
+
+class MeshOptimizerOfBuildings : public atria::testing::DualMesherTest
+{
+};
+
+TEST_F(MeshOptimizerOfBuildings, LeavesPointsOfZonesWhereTheyAre)
+{
+  atria::TriangleSurface surface;
+  atria::testing::addWalls(surface, {-1.7, -1.9, 0}, {1.1, 1.4, 2.6}, {{{{1.0, 0.8, 2.0, 1.8}}, {}, {}, {}}});
+  atria::testing::addSheet(surface, "Roof", {-1.7, -1.9, 2.6}, {2.8, 0, 0}, {0, 3.3, 0});
+  atria::testing::addBox(surface, "Tree", {Vec3(1.9, -1, 0.5), Vec3(3.1, 1, 2.5)});
+  setSurface(surface);
+  mesher->SetFindOpenings(true);
+  mesher->AddCellZone("Tree");
+  vtkNew<vtkAtriaMeshOptimizer> filter;
+  filter->SetInputConnection(mesher->GetOutputPort());
+  filter->SetTargetCellSquish(0.3); // so that many move
+  filter->Update();
+  EXPECT_GT(filter->GetNumberOfMovedPoints(), 0);
+  vtkPolyData* zone = namedPatches().at("South_opening_1");
+  vtkDataArray* points = zone->GetPointData()->GetArray("VolumePointId");
+  vtkUnstructuredGrid* improved = filter->GetOutput();
+  for (vtkIdType p = 0; p < zone->GetNumberOfPoints(); ++p)
+  {
+    EXPECT_EQ(Vec3(zone->GetPoint(p)), Vec3(improved->GetPoint(static_cast<vtkIdType>(points->GetTuple1(p)))));
+  }
+  const auto treeOf = [](vtkUnstructuredGrid* of) {
+    vtkNew<vtkAtriaMeshQuality> quality;
+    quality->SetInputData(of);
+    quality->Update();
+    vtkCellData* cells = quality->GetOutput()->GetCellData();
+    double volume = 0.0;
+    for (vtkIdType cell = 0; cell < of->GetNumberOfCells(); ++cell)
+    {
+      volume += cells->GetArray("CellZoneId")->GetTuple1(cell) >= 0 ? cells->GetArray("Volume")->GetTuple1(cell) : 0.0;
+    }
+    return volume;
+  };
+  EXPECT_NEAR(treeOf(improved), treeOf(volume()), 1e-9);
 }
 
 } // namespace

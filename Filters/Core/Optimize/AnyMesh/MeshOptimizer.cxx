@@ -22,8 +22,12 @@ MeshOptimizerReport optimizeMesh(FaceMesh& mesh, const CellArrays& cells, std::s
   MeshOptimizerReport report;
   context.progress.report(0.0, "Finding edges");
   const CellFaces cellFaces = makeCellFaces(mesh, context.executor);
-  const BoundaryFeatures features =
+  BoundaryFeatures features =
       findBoundaryFeatures(mesh, cellFaces, patches, options.featureAngle, context.part(0.0, 0.2));
+  for (const Index point : options.keptPoints)
+  {
+    features.kinds[features.leaders[point]] = BoundaryKind::corner;
+  }
   BoundaryConstraints constraints(mesh, features, options.fixedBoundary);
   const FaceMeshSource source(mesh, cellFaces, cells);
   const QualityTargets& targets = options.optimizer.targets;

@@ -14,6 +14,8 @@ struct MeshOptimizerOptions
   double featureAngle = 30.0;
   /// Whether points on the boundary stay where they are.
   bool fixedBoundary = false;
+  /// Points that stay where they are, such as those of zones.
+  std::vector<Index> keptPoints;
   /// Here no metric's worst gets worse, and cells that have a scaled Jacobian are judged by it, too.
   OptimizerOptions optimizer;
 };
