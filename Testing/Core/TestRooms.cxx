@@ -235,6 +235,53 @@ TEST(Rooms, AreStoreysWhereSlabsHaveHoles)
   expectRoomsEndAtZones(mesh);
 }
 
+/// A door that stands ajar, a window round the corner of two walls, and a slot one element wide.
+TEST(Rooms, HaveOpeningsOfOddShapes)
+{
+  const double width = high[0] - low[0];
+  const double deep = high[1] - low[1];
+  const double volume = width * deep * 3.0;
+  for (const double degrees : {0.0, 17.0})
+  {
+    for (const int layers : {0, 1})
+    {
+      SCOPED_TRACE("turned by " + std::to_string(degrees) + ", layers " + std::to_string(layers));
+      TriangleSurface surface;
+      const std::vector<Hole> north{{1.0, 0.0, 1.9, 2.1}};
+      const std::vector<Hole> west{{2.0, 0.8, 2.0 + size, 2.0}};
+      addWalls(surface, low, high, {{{{3.3, 1.0, width, 2.0}}, {{0.0, 1.0, 1.4, 2.0}}, north, west}});
+      const Vec3 x(width, 0, 0), y(0, deep, 0);
+      addSheet(surface, "Roof", low + Vec3(0, 0, 3), x, y);
+      addSheet(surface, "Floor", low, y, x);
+      addSheet(surface, "Leaf", Vec3(high[0] - 1.0, high[1], 0), Vec3(-0.54, 0.72, 0), Vec3(0, 0, 2.1));
+      atria::testing::turn(surface, degrees);
+      MesherOptions options = optionsOf(layers);
+      options.findOpenings = true;
+      const MeshedModel mesh = meshed(surface, options);
+      const std::pair<std::string, std::string> outwards{"room_1", "outside"};
+      const std::map<std::string, std::pair<std::string, std::string>> wanted{{"South_opening_1", outwards},
+                                                                              {"East_opening_1", outwards},
+                                                                              {"North_opening_1", outwards},
+                                                                              {"West_opening_1", outwards}};
+      EXPECT_EQ(connections(mesh), wanted);
+      EXPECT_EQ(mesh.rooms.rooms.size(), 2U);
+      EXPECT_NEAR(roomOf(mesh, "room_1").volume, volume, 0.01 * volume);
+      const std::map<std::string, double> areas{{"South_opening_1", width - 3.3},
+                                                {"East_opening_1", 1.4},
+                                                {"North_opening_1", 0.9 * 2.1},
+                                                {"West_opening_1", 1.2 * size}};
+      for (const RoomOpening& opening : mesh.rooms.openings)
+      {
+        const auto known = areas.find(mesh.names[opening.surface]);
+        ASSERT_NE(known, areas.end());
+        EXPECT_NEAR(opening.area, known->second, 0.03 * known->second) << known->first;
+      }
+      expectRoomsEndAtZones(mesh);
+      expectSound(mesh);
+    }
+  }
+}
+
 TEST(Rooms, HaveTheNameOfTheGroupThatTheirSurfacesAreOf)
 {
   TriangleSurface surface = house();
