@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -108,11 +110,13 @@ public:
     }
   }
 
-  void writeRegion(const std::string& name, const std::vector<cgsize_t>& cells) const
+  void writeRegion(const std::string& name, const std::string& original, const std::vector<cgsize_t>& cells) const
   {
     int region = 0;
     check(cg_subreg_ptset_write(file, base, zone, name.c_str(), 3, CGNS_ENUMV(CellCenter), CGNS_ENUMV(PointList),
                                 static_cast<cgsize_t>(cells.size()), cells.data(), &region));
+    check(cg_goto(file, base, "Zone_t", zone, "ZoneSubRegion_t", region, "end"));
+    check(cg_descriptor_write("OriginalName", original.c_str()));
   }
 
   void close()
@@ -215,6 +219,29 @@ void writePatches(const CgnsFile& file, const SolverMesh& mesh)
   }
 }
 
+/// Rooms and cell zones, or zones by number. Face zones are left out: cgnscheck takes what is within the mesh for
+/// cells.
+void writeZones(const CgnsFile& file, const SolverMesh& mesh)
+{
+  std::vector<CellZone> zones = mesh.cellZones;
+  for (const auto& [id, cells] : zones.empty() ? mesh.zones : std::map<std::int64_t, std::vector<Index>>())
+  {
+    zones.push_back({zoneName(id), cells});
+  }
+  std::vector<std::string> names{"Faces", "Cells", "GridCoordinates", "ZoneBC", "ZoneType"}; // which are taken
+  const auto taken = static_cast<std::ptrdiff_t>(names.size());
+  std::ranges::transform(zones, std::back_inserter(names), &CellZone::name);
+  const std::vector<PatchName> words = makePatchNames(names, cgnsNames);
+  auto word = words.begin() + taken;
+  for (const CellZone& zone : zones)
+  {
+    std::vector<cgsize_t> elements(zone.cells.size());
+    std::ranges::transform(zone.cells, elements.begin(),
+                           [&](Index cell) { return static_cast<cgsize_t>(mesh.mesh.faceCount() + cell + 1); });
+    file.writeRegion((word++)->word, zone.name, elements);
+  }
+}
+
 } // namespace
 
 bool cgnsIsAvailable() { return true; }
@@ -234,13 +261,7 @@ void writeCgnsMesh(const std::filesystem::path& file, const SolverMesh& mesh, co
     writeCells(cgns, mesh.mesh, cellFaces);
     context.progress.report(0.9, "Writing patches");
     writePatches(cgns, mesh);
-    for (const auto& [id, cells] : mesh.zones)
-    {
-      std::vector<cgsize_t> elements(cells.size());
-      std::ranges::transform(cells, elements.begin(),
-                             [&](Index cell) { return static_cast<cgsize_t>(mesh.mesh.faceCount() + cell + 1); });
-      cgns.writeRegion(zoneName(id), elements);
-    }
+    writeZones(cgns, mesh);
     cgns.close();
     context.progress.report(1.0, "File written");
   });

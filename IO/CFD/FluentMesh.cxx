@@ -75,15 +75,15 @@ FluentCell typeOf(const FaceMesh& mesh, std::span<const Index> faces)
 }
 
 /// Cells of a zone, which have numbers that follow each other.
-struct CellZone
+struct CellSection
 {
   std::string name;
   std::size_t firstCell;
   std::size_t cellCount;
 };
 
-/// Faces of a section.
-struct FaceZone
+/// Faces of a zone.
+struct FaceSection
 {
   std::string name;
   const char* type;
@@ -122,39 +122,53 @@ private:
   static constexpr std::size_t firstCellZone = 2;
   std::size_t firstFaceZone() const { return firstCellZone + cellZones.size(); }
 
+  /// A cell is in one zone: where there are several, such as a tree in a room, in the last.
   void numberCells()
   {
-    newCell.resize(mesh.cellCount);
+    std::vector<std::string> names{"fluid"};
+    std::vector<Index> labels(mesh.cellCount, 0);
+    const auto label = [&](const std::string& name, const std::vector<Index>& cells) {
+      std::ranges::for_each(cells, [&](Index cell) { labels[cell] = static_cast<Index>(names.size()); });
+      names.push_back(name);
+    };
+    std::ranges::for_each(solverMesh.cellZones, [&](const CellZone& zone) { label(zone.name, zone.cells); });
+    if (solverMesh.cellZones.empty())
+    {
+      std::ranges::for_each(solverMesh.zones, [&](const auto& zone) { label(zoneName(zone.first), zone.second); });
+    }
     oldCell.resize(mesh.cellCount);
     std::iota(oldCell.begin(), oldCell.end(), Index{0});
-    zoneOf.assign(mesh.cellCount, 0);
-    if (solverMesh.zones.empty())
-    {
-      cellZones.push_back({"fluid", 0, mesh.cellCount});
-    }
-    std::size_t next = 0;
-    for (const auto& [id, cells] : solverMesh.zones)
-    {
-      for (const Index cell : cells)
-      {
-        zoneOf[cell] = static_cast<Index>(cellZones.size());
-      }
-      std::ranges::copy(cells, oldCell.begin() + static_cast<std::ptrdiff_t>(next));
-      cellZones.push_back({zoneName(id), next, cells.size()});
-      next += cells.size();
-    }
+    std::ranges::stable_sort(oldCell, {}, [&](Index cell) { return labels[cell]; });
+    newCell.resize(mesh.cellCount);
+    zoneOf.resize(mesh.cellCount);
     for (std::size_t i = 0; i < oldCell.size(); ++i)
     {
-      newCell[oldCell[i]] = static_cast<Index>(i);
+      const Index cell = oldCell[i];
+      if (i == 0 || labels[cell] != labels[oldCell[i - 1]])
+      {
+        cellZones.push_back({names[labels[cell]], i, 0});
+      }
+      ++cellZones.back().cellCount;
+      zoneOf[cell] = static_cast<Index>(cellZones.size() - 1);
+      newCell[cell] = static_cast<Index>(i);
     }
   }
 
-  /// Internal faces by the zones of their cells, then patches.
+  /// Internal faces by the zones of their cells, but for those of face zones, which come next, then patches.
   void sortFaces()
   {
+    std::vector<bool> inZone(mesh.internalFaceCount(), false);
+    for (const FaceZone& zone : solverMesh.faceZones)
+    {
+      std::ranges::for_each(zone.faces, [&](Index face) { inZone[face] = true; });
+    }
     std::map<std::pair<Index, Index>, std::vector<Index>> internal;
     for (std::size_t f = 0; f < mesh.internalFaceCount(); ++f)
     {
+      if (inZone[f])
+      {
+        continue;
+      }
       internal[std::minmax(zoneOf[mesh.owner[f]], zoneOf[mesh.neighbor[f]])].push_back(static_cast<Index>(f));
     }
     for (auto& [zones, faces] : internal)
@@ -164,6 +178,10 @@ private:
       faceZones.push_back(
           {"interior-" + (first == second ? first : first + "-" + second), "interior", 2, std::move(faces)});
     }
+    for (const FaceZone& zone : solverMesh.faceZones)
+    {
+      faceZones.push_back({zone.name, "interior", 2, zone.faces});
+    }
     nameZones();
     for (std::size_t p = 0; p < solverMesh.patches.size(); ++p)
     {
@@ -172,8 +190,8 @@ private:
       {
         continue;
       }
-      FaceZone zone{patchNames[p].word, patch.isWall() ? "wall" : "pressure-outlet", patch.isWall() ? 3 : 5,
-                    std::vector<Index>(patch.faceCount)};
+      FaceSection zone{patchNames[p].word, patch.isWall() ? "wall" : "pressure-outlet", patch.isWall() ? 3 : 5,
+                       std::vector<Index>(patch.faceCount)};
       std::iota(zone.faces.begin(), zone.faces.end(), static_cast<Index>(patch.firstFace));
       faceZones.push_back(std::move(zone));
     }
@@ -183,15 +201,15 @@ private:
   void nameZones()
   {
     std::vector<std::string> others;
-    std::ranges::transform(cellZones, std::back_inserter(others), &CellZone::name);
-    std::ranges::transform(faceZones, std::back_inserter(others), &FaceZone::name);
+    std::ranges::transform(cellZones, std::back_inserter(others), &CellSection::name);
+    std::ranges::transform(faceZones, std::back_inserter(others), &FaceSection::name);
     patchNames = namesOf(solverMesh.patches, fluentNames, others);
     auto name = patchNames.begin() + static_cast<std::ptrdiff_t>(solverMesh.patches.size());
-    for (CellZone& zone : cellZones)
+    for (CellSection& zone : cellZones)
     {
       zone.name = (name++)->word;
     }
-    for (FaceZone& zone : faceZones)
+    for (FaceSection& zone : faceZones)
     {
       zone.name = (name++)->word;
     }
@@ -233,7 +251,7 @@ private:
     });
     for (std::size_t z = 0; z < cellZones.size(); ++z)
     {
-      const CellZone& zone = cellZones[z];
+      const CellSection& zone = cellZones[z];
       const std::span own = std::span(types).subspan(zone.firstCell, zone.cellCount);
       const bool uniform = std::ranges::adjacent_find(own, std::not_equal_to()) == own.end();
       writeRange("12", firstCellZone + z, zone.firstCell, zone.cellCount);
@@ -252,7 +270,7 @@ private:
     }
   }
 
-  void writeFaces(std::size_t id, const FaceZone& zone)
+  void writeFaces(std::size_t id, const FaceSection& zone)
   {
     const bool hasPolygons = std::ranges::any_of(zone.faces, [&](Index f) { return mesh.face(f).size() > 4; });
     writeRange("13", id, writtenFaces, zone.faces.size());
@@ -295,8 +313,8 @@ private:
   const FaceMesh& mesh;
   const RunContext& context;
   OutputFile file;
-  std::vector<CellZone> cellZones;
-  std::vector<FaceZone> faceZones;
+  std::vector<CellSection> cellZones;
+  std::vector<FaceSection> faceZones;
   std::vector<PatchName> patchNames;
   std::vector<Index> newCell; ///< of each cell its number in the file
   std::vector<Index> oldCell; ///< and the other way

@@ -103,6 +103,21 @@ class Openings(unittest.TestCase):
         run = self.atria("convert", self.folder / "mesh.vtu", "--openfoam", self.folder / "again", "--ascii")
         for name in ("faceZones", "cellZones", "boundary"):
             self.assertEqual(content(self.folder / "again", name), content(self.folder / "case", name), run.stderr)
+        self.check_fluent(Mesh(self.folder / "case"))
+
+    def check_fluent(self, mesh):
+        """Zones of a Fluent mesh are those of the OpenFOAM case."""
+        self.atria("convert", self.folder / "mesh.vtu", "--fluent", self.folder / "mesh.msh")
+        text = (self.folder / "mesh.msh").read_text()
+        sizes = {(section, int(zone, 16)): int(last, 16) - int(first, 16) + 1
+                 for section, zone, first, last in re.findall(r"^\((12|13) \((\w+) (\w+) (\w+) \w+", text, re.MULTILINE)}
+        named = {name: (kind, int(zone)) for zone, kind, name in re.findall(r"^\(45 \((\d+) (\S+) ([^\s)]+)\)", text, re.MULTILINE)}
+        for name, (faces, _) in mesh.face_zones.items():
+            self.assertEqual(named[name][0], "interior")
+            self.assertEqual(sizes["13", named[name][1]], len(faces), name)
+        for name, cells in mesh.cell_zones.items():
+            self.assertEqual(named[name][0], "fluid")
+            self.assertEqual(sizes["12", named[name][1]], len(cells), name)
 
     def test_of_the_turned_building_with_a_layer(self):
         self.check("building_turned17", 1)
