@@ -113,9 +113,10 @@ QualityTargets baseTargets(const MeshTraits& traits)
 ImproverStage firstStage(const MeshTraits& traits)
 {
   ImproverStage stage{quick(), traits.layered && !traits.uniform ? clearlyShort : 1.0F};
-  if (!traits.layered)
+  if (!traits.layered || traits.uniform)
   {
-    // Vertices have no layer to give way to them: by short ways more of them stay where the model wants them.
+    // By short ways more vertices stay where the model wants them where no layer gives way to them, and hexahedra of
+    // uniform meshes come to be better.
     stage.options.leastGain = 0.01;
     stage.options.firstReach = 0.1;
   }

@@ -4,8 +4,12 @@
 namespace atria {
 
 ChainConstraints::ChainConstraints(const LayerMesh& layer, VertexConstraints& points)
-    : layer_(layer), points_(points), shares_(layer.wallPoints.size(), 1.0)
+    : layer_(layer), points_(points), shares_(layer.wallPoints.size(), 1.0), hasChain_(layer.copies.size(), 0)
 {
+  for (Index p = 0; p < layer.plainPoints; ++p)
+  {
+    hasChain_[points.leaderOf(p)] |= layer.copies[p] != noIndex ? 1 : 0;
+  }
   for (std::size_t i = 0; i < shares_.size(); ++i)
   {
     const Index wall = layer.wallPoints[i];

@@ -17,7 +17,7 @@ public:
   void prepare(std::span<const Index> points, const RunContext& context) override { points_.prepare(points, context); }
   bool isMovable(Index point) const override
   {
-    return (layer_.isNew(point) || layer_.copies[point] == noIndex) && points_.isMovable(leaderOf(point));
+    return (layer_.isNew(point) || !hasChain_[points_.leaderOf(point)]) && points_.isMovable(leaderOf(point));
   }
   Index leaderOf(Index point) const override
   {
@@ -32,6 +32,8 @@ private:
   VertexConstraints& points_;
   /// By new point.
   std::vector<double> shares_;
+  /// By leader of points in one place, as on the two sides of a sheet, whether a chain stands on one of them.
+  std::vector<char> hasChain_;
 };
 
 } // namespace atria
