@@ -37,7 +37,7 @@ fi
 rooms=(Support Grid
   Surface/Triangles Surface/Search Surface/Triangulation Surface/Repair Surface/Model Surface/Openings Surface/Inspection
   Domain
-  Octree/Search Octree/Tree Octree/Sizing
+  Octree/Tree Octree/Sizing
   Dual/Mesh Dual/Grid Dual/Leaf Dual/Zones Dual/Displacement Dual/Vertices
   Layer
   Quality/Faces Quality/Checks Quality/Unions

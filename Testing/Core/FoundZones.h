@@ -46,7 +46,7 @@ struct FoundZones
   }
   void closeCracksUpTo(double tolerance)
   {
-    crossings = closeCracks(std::move(crossings), grid, tolerance, context());
+    crossings = closeCracks(std::move(crossings), findBoundaryGaps(context()), grid, tolerance, context());
     zones = findZones(crossings, model.names.size(), context());
   }
 
@@ -62,7 +62,7 @@ struct FoundZones
   }
   std::vector<Crack> cracks(ZoneRule rule = ZoneRule::all)
   {
-    return findCracks(zones, kept(rule), crossings, grid, context());
+    return findCracks(findBoundaryGaps(context()), zones, kept(rule), crossings, grid, context());
   }
   Vec3 position(Index point) const { return octree.frame().toModel(grid.place(point)); }
 

@@ -105,7 +105,7 @@ TEST(Cracks, AlongATurnedWallEveryPlaceIsListedAsClosedOrOpen)
   }
 }
 
-TEST(Cracks, BetweenARimAndAFaceAndOverTheGround)
+TEST(Cracks, BetweenAnEdgeAndAFaceAndOverTheGround)
 {
   TriangleSurface surface;
   // Grid planes across z are at 0.25 + i * 0.5: the wall hangs between the ground and a slab, near to both.
@@ -139,7 +139,24 @@ TEST(Cracks, FreeSheetsTheirCornersAndSheetsThatMeetHaveNone)
   EXPECT_TRUE(FoundZones(surface, uniformGrid(wide, size)).cracks().empty());
 }
 
-TEST(Cracks, RunsGoOnOverThePointsOfARim)
+TEST(Cracks, AreNoneAtCornersOfOpeningsAsWideAsAnOctant)
+{
+  for (const double degrees : {0.0, 17.0, 31.0, 45.0})
+  {
+    for (const double width : {1.0, 1.25, 2.0})
+    {
+      SCOPED_TRACE(std::to_string(degrees) + " degrees, " + std::to_string(width));
+      TriangleSurface surface;
+      const double half = 0.5 * width * size;
+      atria::testing::addPierced(surface, "Wall", Vec3(0.13, -9, -9), Vec3(0, 18, 0), Vec3(0, 0, 24),
+                                 {0.5 + (0.11 - half) / 18, 10.21 / 24}, {0.5 + (0.11 + half) / 18, 13.63 / 24});
+      atria::testing::turn(surface, degrees);
+      EXPECT_TRUE(FoundZones(surface, uniformGrid(domain, size)).cracks().empty());
+    }
+  }
+}
+
+TEST(Cracks, RunsGoOnOverPointsOfTheBoundary)
 {
   // A wall in eight parts, one beside another, each welded to the next: the boundary edge is a chain of edges.
   TriangleSurface surface;
@@ -245,7 +262,7 @@ TEST(ClosedCracks, LeaveWindowsAsTheyAreDownToTheTolerance)
   }
 }
 
-TEST(ClosedCracks, BetweenARimAndAFaceOverTheGroundAndInAWedge)
+TEST(ClosedCracks, BetweenAnEdgeAndAFaceOverTheGroundAndInAWedge)
 {
   for (const double z : {0.0, 0.1, 0.23, 0.31})
   {

@@ -5,9 +5,9 @@
 #include "Dual/Displacement/PlaceMoves.h"
 #include "Dual/Displacement/PlaceSearch.h"
 #include "Dual/Grid/Crossings.h"
-#include "Octree/Search/TriangleTree.h"
 #include "Support/MeshIt.h"
 #include "Support/Shapes.h"
+#include "Surface/Model/TriangleTree.h"
 
 #include <gtest/gtest.h>
 

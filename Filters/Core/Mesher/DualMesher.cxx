@@ -242,7 +242,7 @@ Diagnostic lineOf(Diagnostic::Kind kind, const std::vector<Vec3>& path, Index el
 }
 
 /// Sums up the zones and looks for ways through which they leak, and for gaps through which they do not.
-void inspectZones(const GridPlaces& grid, const Crossings& crossings, const Zones& zones,
+void inspectZones(const GridPlaces& grid, const Crossings& crossings, const Zones& zones, const BoundaryGaps& gaps,
                   const std::vector<Index>& elements, const DualMeshOptions& options, DualMeshResult& result,
                   const MeshingContext& context)
 {
@@ -253,7 +253,7 @@ void inspectZones(const GridPlaces& grid, const Crossings& crossings, const Zone
   {
     result.diagnostics.push_back(lineOf(Diagnostic::leakPath, leak.path, elements[leak.point], leak.width));
   }
-  for (const Crack& crack : findCracks(zones, result.keptZones, crossings, grid, context))
+  for (const Crack& crack : findCracks(gaps, zones, result.keptZones, crossings, grid, context))
   {
     result.diagnostics.push_back(lineOf(crack.open ? Diagnostic::openCrack : Diagnostic::closedCrack, crack.path,
                                         elements[crack.point], crack.width));
@@ -270,13 +270,14 @@ void fixMoved(const std::vector<Vec3>& before, const std::vector<Vec3>& points, 
 }
 
 /// Displaces grid points and closes cracks.
-DisplacedGrid findBoundary(const GridPoints& points, double crackTolerance, const MeshingContext& context)
+DisplacedGrid findBoundary(const GridPoints& points, const BoundaryGaps& gaps, double crackTolerance,
+                           const MeshingContext& context)
 {
   context.progress.report(0.3, "Finding crossings");
   Crossings undisplaced = findCrossings(GridPlaces(context.octree, points), context.model, context);
   context.progress.report(0.45, "Moving grid points");
   DisplacedGrid grid = displaceGrid(points, std::move(undisplaced), context);
-  grid.crossings = closeCracks(std::move(grid.crossings), grid.places, crackTolerance, context);
+  grid.crossings = closeCracks(std::move(grid.crossings), gaps, grid.places, crackTolerance, context);
   grid.crossings = markTurnedSides(std::move(grid.crossings), context.model.names.size());
   return grid;
 }
@@ -291,13 +292,14 @@ ClassifiedMesh fillMesh(DualMeshResult& result, const DualMeshOptions& options, 
   context.progress.report(0.0, "Finding grid points");
   const GridPoints points = findGridPoints(octree, context);
   clock.lap("dual");
-  const auto [places, crossings] = findBoundary(points, options.crackTolerance, context);
+  const BoundaryGaps gaps = findBoundaryGaps(context);
+  const auto [places, crossings] = findBoundary(points, gaps, options.crackTolerance, context);
   clock.lap("crossings");
   context.progress.report(0.6, "Finding zones");
   const Zones zones = findZones(crossings, model.names.size(), context);
   result.keptZones = zonesWithinSides(keptZones(zones, options.zoneRule, options.seeds, places, model), zones, places);
   const std::vector<Index> elements = numberElements(zones, result.keptZones, context);
-  inspectZones(places, crossings, zones, elements, options, result, context);
+  inspectZones(places, crossings, zones, gaps, elements, options, result, context);
   Labels labels = findLabels(places, crossings, zones, options, result, context);
   clock.lap("zones");
   context.progress.report(0.7, "Placing vertices");

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "Dual/Mesh/DualMesh.h"
-#include "Octree/Search/TriangleTree.h"
 #include "Octree/Tree/Octree.h"
 #include "Surface/Model/SurfaceModel.h"
+#include "Surface/Model/TriangleTree.h"
 
 #include <optional>
 #include <span>

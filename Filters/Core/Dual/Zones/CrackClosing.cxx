@@ -1,96 +1,56 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Dual/Zones/CrackClosing.h"
 
-#include "Dual/Zones/CrackStrips.h"
 #include "Octree/Tree/GeometryLists.h"
+#include "Support/Sorting.h"
 
 #include <algorithm>
-#include <tuple>
 
 namespace atria {
 
 namespace {
 
-/// An edge of the grid that passes through a strip.
-struct Passage
+/// Whether the edge from its lower end, or to an end of the domain, is one that nothing cuts.
+bool isUncut(Index point, int direction, const Crossings& crossings)
 {
-  Index point;
-  std::uint8_t direction;
-  SurfaceCrossing cut;
+  const std::int32_t code = crossings.neighbors[point][direction];
+  return code >= 0 ? isUpper(direction)
+                   : DualMesh::isBoundary(code) && crossings.boundaryFaces[DualMesh::boundaryFaceOf(code)].onDomainSide;
+}
 
-  std::pair<Index, std::uint8_t> edge() const { return {point, direction}; }
-  bool operator<(const Passage& other) const
-  {
-    return std::tie(point, direction, cut.parameter, cut.triangle, cut.orientation) <
-           std::tie(other.point, other.direction, other.cut.parameter, other.cut.triangle, other.cut.orientation);
-  }
-};
-
-class PassageFinder
+/// Uncut edges of the leaves about a bridge.
+std::vector<std::pair<Index, int>> edgesAbout(const BridgeTriangle& bridge, const Crossings& crossings,
+                                              const GridPlaces& grid)
 {
-public:
-  PassageFinder(const Crossings& found, const GridPlaces& places) : crossings(found), grid(places) {}
-
-  void look(const StripTriangle& strip, std::vector<Passage>& out)
+  const auto& [a, b, c] = bridge;
+  const Octree& octree = grid.octree();
+  const GridFrame& frame = octree.frame();
+  // Edges with an end that was moved lie off their leaves, by up to an octant.
+  const std::int64_t margin =
+      grid.displacedCount() == 0 || !frame.inDomain(a) ? 0 : frame.latticeSize(octree.level(octree.leafAt(a)));
+  LatticeBox box;
+  for (int axis = 0; axis < 3; ++axis)
   {
-    gatherEdges(strip);
-    for (const auto& [point, direction] : edges)
-    {
-      const EdgeSegment segment = grid.segment(point, direction, grid.edge(point, direction));
-      const auto& [a, b, c] = strip.corners;
-      if (const auto cut = crossingOf(segment, a, b, c, strip.boundaryEdge))
-      {
-        out.push_back({point, static_cast<std::uint8_t>(direction), *cut});
-      }
-    }
+    box.low[axis] = std::min({a[axis], b[axis], c[axis]}) - margin;
+    box.high[axis] = std::max({a[axis], b[axis], c[axis]}) + margin;
   }
-
-private:
-  /// Uncut edges of the leaves about a strip, each from its lower end.
-  void gatherEdges(const StripTriangle& strip)
+  std::vector<std::pair<Index, int>> edges;
+  for (const Index leaf : leavesTouching(octree, box))
   {
-    const auto& [a, b, c] = strip.corners;
-    LatticeBox box{a, a};
-    // Edges with an end that was moved lie off their leaves, by up to an octant.
-    const Octree& octree = grid.octree();
-    const GridFrame& frame = octree.frame();
-    const std::int64_t margin =
-        grid.displacedCount() == 0 || !frame.inDomain(a) ? 0 : frame.latticeSize(octree.level(octree.leafAt(a)));
-    for (int axis = 0; axis < 3; ++axis)
+    for (const Index point : grid.points().atCorner[leaf])
     {
-      box.low[axis] = std::min({a[axis], b[axis], c[axis]}) - margin;
-      box.high[axis] = std::max({a[axis], b[axis], c[axis]}) + margin;
-    }
-    edges.clear();
-    for (const Index leaf : leavesTouching(octree, box))
-    {
-      for (const Index point : grid.points().atCorner[leaf])
+      for (int direction = 0; point != noIndex && direction < 6; ++direction)
       {
-        for (int direction = 0; point != noIndex && direction < 6; ++direction)
+        if (isUncut(point, direction, crossings))
         {
-          if (isUncut(point, direction))
-          {
-            edges.emplace_back(point, direction);
-          }
+          edges.emplace_back(point, direction);
         }
       }
     }
-    std::sort(edges.begin(), edges.end());
-    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
   }
-
-  bool isUncut(Index point, int direction) const
-  {
-    const std::int32_t code = crossings.neighbors[point][direction];
-    return code >= 0
-               ? isUpper(direction)
-               : DualMesh::isBoundary(code) && crossings.boundaryFaces[DualMesh::boundaryFaceOf(code)].onDomainSide;
-  }
-
-  const Crossings& crossings;
-  const GridPlaces& grid;
-  std::vector<std::pair<Index, int>> edges;
-};
+  sortUnique(edges);
+  return edges;
+}
 
 /// Puts the cut of an edge on record, as findCrossings does.
 void cut(Crossings& crossings, const GridPlaces& grid, const SurfaceModel& model, const Passage& passage)
@@ -118,23 +78,66 @@ void cut(Crossings& crossings, const GridPlaces& grid, const SurfaceModel& model
        false, chart});
 }
 
+/// The passages of an edge's bridges, and of those to the next edge at its ends.
+std::vector<Passage> passagesOf(Index edge, const BoundaryGaps& gaps, const Crossings& crossings,
+                                const GridPlaces& grid, double tolerance, const SurfaceModel& model)
+{
+  const Index triangle = gaps.boundary.edges()[edge].triangle;
+  std::vector<Passage> found;
+  const auto look = [&](const std::vector<BridgeTriangle>& bridges) {
+    for (const BridgeTriangle& bridge : bridges)
+    {
+      const std::vector<Passage> passages = passagesOf(bridge, triangle, crossings, grid);
+      found.insert(found.end(), passages.begin(), passages.end());
+    }
+  };
+  for (std::size_t step = 0; step + 1 < gaps.stations[edge].size(); ++step)
+  {
+    look(gaps.bridge(edge, step, tolerance));
+  }
+  for (const unsigned which : {0u, 1u})
+  {
+    const auto ends = gaps.boundary.at(gaps.boundary.edges()[edge].end(which));
+    const auto here = std::ranges::find_if(
+        ends, [&](const BoundaryEdges::End& end) { return end.edge == edge && end.which == which; });
+    if (here != ends.end() && std::next(here) != ends.end())
+    {
+      look(gaps.cornerBridge(*here, *std::next(here), tolerance, model));
+    }
+  }
+  return found;
+}
+
 } // namespace
 
-Crossings closeCracks(Crossings crossings, const GridPlaces& grid, double tolerance, const MeshingContext& context)
+std::vector<Passage> passagesOf(const BridgeTriangle& bridge, Index triangle, const Crossings& crossings,
+                                const GridPlaces& grid)
+{
+  std::vector<Passage> passages;
+  for (const auto& [point, direction] : edgesAbout(bridge, crossings, grid))
+  {
+    const EdgeSegment segment = grid.segment(point, direction, grid.edge(point, direction));
+    if (const auto cut = crossingOf(segment, bridge[0], bridge[1], bridge[2], triangle))
+    {
+      passages.push_back({point, static_cast<std::uint8_t>(direction), *cut});
+    }
+  }
+  return passages;
+}
+
+Crossings closeCracks(Crossings crossings, const BoundaryGaps& gaps, const GridPlaces& grid, double tolerance,
+                      const MeshingContext& context)
 {
   if (!(tolerance > 0.0))
   {
     return crossings;
   }
-  const std::vector<StripTriangle> strips = crackStrips(tolerance, context);
-  constexpr std::size_t grain = 256;
-  std::vector<std::vector<Passage>> found((strips.size() + grain - 1) / grain);
-  context.executor.forEach(found.size(), 1, [&](std::size_t part) {
+  std::vector<std::vector<Passage>> found(gaps.stations.size());
+  context.executor.forEach(found.size(), 16, [&](std::size_t edge) {
     context.progress.check();
-    PassageFinder finder(crossings, grid);
-    for (std::size_t i = part * grain; i < std::min((part + 1) * grain, strips.size()); ++i)
+    if (!gaps.stations[edge].empty())
     {
-      finder.look(strips[i], found[part]);
+      found[edge] = passagesOf(static_cast<Index>(edge), gaps, crossings, grid, tolerance, context.model);
     }
   });
   std::vector<Passage> passages;

@@ -2,14 +2,37 @@
 #pragma once
 
 #include "Dual/Grid/Crossings.h"
-#include "Octree/Tree/MeshingContext.h"
+#include "Dual/Zones/BoundaryGaps.h"
+
+#include <tuple>
 
 namespace atria {
 
-/// Closes cracks no wider than `tolerance` times the octants there: edges of the grid that pass through their strips
-/// (crackStrips) and that nothing cuts are cut by the triangle beside the boundary edge. Nothing is done at tolerance
-/// 0. Exact as all crossings are, so that edges round a place agree. Cost: that of the boundary edges. The result does
-/// not depend on threads.
-Crossings closeCracks(Crossings crossings, const GridPlaces& grid, double tolerance, const MeshingContext& context);
+/// An edge of the grid that passes a triangle.
+struct Passage
+{
+  Index point;
+  std::uint8_t direction;
+  SurfaceCrossing cut;
+
+  std::pair<Index, std::uint8_t> edge() const { return {point, direction}; }
+  bool operator<(const Passage& other) const
+  {
+    return std::tie(point, direction, cut.parameter, cut.triangle, cut.orientation) <
+           std::tie(other.point, other.direction, other.cut.parameter, other.cut.triangle, other.cut.orientation);
+  }
+};
+
+/// Edges of the grid that nothing cuts and that pass a bridge: exact as all crossings are, so that edges round a place
+/// agree. `triangle` is what cuts them.
+std::vector<Passage> passagesOf(const BridgeTriangle& bridge, Index triangle, const Crossings& crossings,
+                                const GridPlaces& grid);
+
+/// Closes gaps ahead of boundary edges that are no wider than `tolerance` times the octants there: edges of the grid
+/// that pass their bridges, and those between the bridges of edges that meet, are cut by the boundary edges' triangles.
+/// Both boundary edges of a crack have their bridge. Nothing is done at tolerance 0. The result does not depend on
+/// threads.
+Crossings closeCracks(Crossings crossings, const BoundaryGaps& gaps, const GridPlaces& grid, double tolerance,
+                      const MeshingContext& context);
 
 } // namespace atria

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Octree/Sizing/GapSizing.h"
 
-#include "Octree/Search/BoxDistance.h"
+#include "Octree/Sizing/BoxDistance.h"
 
 #include <algorithm>
 #include <cmath>

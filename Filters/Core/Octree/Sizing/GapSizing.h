@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "Octree/Search/TriangleTree.h"
 #include "Octree/Sizing/SizeSources.h"
+#include "Surface/Model/TriangleTree.h"
 
 namespace atria {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "Octree/Search/TriangleTree.h"
 #include "Octree/Tree/Octree.h"
 #include "Support/RunContext.h"
 #include "Surface/Model/SurfaceModel.h"
+#include "Surface/Model/TriangleTree.h"
 
 namespace atria {
 

@@ -25,10 +25,10 @@ Vec3 CreaseSheetConstraints::onSides(Index point, const Vec3& p) const
 
 Vec3 CreaseSheetConstraints::onChart(Index chart, const Vec3& p) const
 {
-  const auto isWanted = [&](Index triangle) { return model_.charts[triangle] == chart; };
+  const TriangleTree::AnyPlaceOn ofChart([&](Index triangle) { return model_.charts[triangle] == chart; });
   const auto found =
-      tree_.nearest((p - frame_.origin) / frame_.latticeUnit(), std::numeric_limits<double>::infinity(), isWanted);
-  return found ? frame_.toModel(*found) : p;
+      tree_.nearest((p - frame_.origin) / frame_.latticeUnit(), std::numeric_limits<double>::infinity(), ofChart);
+  return found ? frame_.toModel(found->at) : p;
 }
 
 Vec3 CreaseSheetConstraints::place(Index point, const Vec3& p) const

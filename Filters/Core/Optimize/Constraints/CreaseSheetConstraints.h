@@ -3,8 +3,8 @@
 
 #include "Grid/GridFrame.h"
 #include "Layer/LayerTopology.h"
-#include "Octree/Search/TriangleTree.h"
 #include "Optimize/Kernel/VertexConstraints.h"
+#include "Surface/Model/TriangleTree.h"
 
 namespace atria {
 

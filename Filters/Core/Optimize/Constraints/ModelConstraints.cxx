@@ -182,13 +182,14 @@ Vec3 ModelConstraints::nearestOf(Target& target, const Vec3& p) const
   const GridFrame& frame = octree_.frame();
   if (target.kind == Kind::charts)
   {
-    const auto isWanted = [&](Index t) { return std::ranges::binary_search(target.pieces, model_.charts[t]); };
+    const TriangleTree::AnyPlaceOn onCharts(
+        [&](Index t) { return std::ranges::binary_search(target.pieces, model_.charts[t]); });
     const Vec3 wanted = (p - frame.origin) / frame.latticeUnit();
     // Where it starts a vertex is on its charts, mostly: what is farther away than that is not nearest.
     const double atMost = 1.001 * (target.start - p).norm() / frame.latticeUnit() + 1.0;
-    std::optional<Vec3> found = tree_.get().nearest(wanted, atMost, isWanted);
-    found = found ? found : tree_.get().nearest(wanted, std::numeric_limits<double>::infinity(), isWanted);
-    return found ? frame.toModel(*found) : p;
+    auto found = tree_.get().nearest(wanted, atMost, onCharts);
+    found = found ? found : tree_.get().nearest(wanted, std::numeric_limits<double>::infinity(), onCharts);
+    return found ? frame.toModel(found->at) : p;
   }
   return nearestPiece(target, p).place;
 }

@@ -188,6 +188,13 @@ std::vector<std::vector<Index>> surfacesOfCurves(const SurfaceModel& model)
   return surfaces;
 }
 
+BoundaryEdges boundaryOf(const SurfaceModel& model, const Executor& executor)
+{
+  return {model.triangles, model.points.size(), executor, [&](Index t) {
+            return model.domainSides[t] == SurfaceModel::noSide && !model.isTurnedSide(t) && !model.isPermeable(t);
+          }};
+}
+
 void findFeatures(SurfaceModel& model, const GridFrame& frame, const FeatureOptions& options, const Executor& executor)
 {
   const double minimumCosine = std::cos(options.featureAngle * std::numbers::pi / 180.0);

@@ -2,12 +2,16 @@
 #pragma once
 
 #include "Surface/Model/SurfaceModel.h"
+#include "Surface/Triangles/BoundaryEdges.h"
 
 namespace atria {
 
 /// Fills `charts`, `featureEdges`, `curves` and `corners` of a model whose points, triangles, surface ids and domain
 /// sides are set.
 void findFeatures(SurfaceModel& model, const GridFrame& frame, const FeatureOptions& options, const Executor& executor);
+
+/// The boundary edges of a model's walls, but for those of triangles on sides of the domain.
+BoundaryEdges boundaryOf(const SurfaceModel& model, const Executor& executor);
 
 /// Per curve, the surfaces of the charts that meet there, sorted, each once.
 std::vector<std::vector<Index>> surfacesOfCurves(const SurfaceModel& model);

@@ -5,6 +5,7 @@
 #include "Surface/Repair/Clusters.h"
 #include "Surface/Search/BoxTree.h"
 #include "Surface/Search/Distance.h"
+#include "Surface/Triangles/BoundaryEdges.h"
 #include "Surface/Triangles/SoupParts.h"
 
 #include <Eigen/Geometry>
@@ -30,48 +31,12 @@ constexpr double detailReach = 3.0;
 constexpr double maximumDrift = 2.0;
 /// Points of what was drawn with shorter edges than this many tolerances stay, as it could fold.
 constexpr double finestEdge = 2.0;
-/// Below this cosine a move turns a triangle too far, or does not lead on from a sheet.
-constexpr double minimumCosine = 0.5;
+/// Of 60 degrees: a move that turns a triangle farther folds it.
+constexpr double foldCosine = 0.5;
 /// What is this near, in lattice units, is there but for rounding.
 constexpr double there = 2.0;
 /// A triangle no higher than this, in lattice units, has no area but for rounding.
 constexpr double flat = 2.0;
-
-/// A free edge, from one of its ends.
-struct BoundaryEdgeEnd
-{
-  Index point;
-  Index other;
-  Index third; ///< of the edge's triangle
-  bool operator<(const BoundaryEdgeEnd& o) const
-  {
-    return std::tie(point, other, third) < std::tie(o.point, o.other, o.third);
-  }
-};
-
-std::vector<BoundaryEdgeEnd> boundaryEdgeEnds(const TriangleSoup& soup, const Executor& executor)
-{
-  std::vector<BoundaryEdgeEnd> ends;
-  const std::vector<SoupEdgeUse> uses = sortedEdgeUses(soup, executor);
-  for (std::size_t i = 0; i < uses.size(); ++i)
-  {
-    const EdgeKey& edge = uses[i].edge;
-    if ((i > 0 && uses[i - 1].edge == edge) || (i + 1 < uses.size() && uses[i + 1].edge == edge))
-    {
-      continue;
-    }
-    for (const Index p : soup.triangles[uses[i].triangle])
-    {
-      if (p != edge.first && p != edge.second)
-      {
-        ends.push_back({edge.first, edge.second, p});
-        ends.push_back({edge.second, edge.first, p});
-      }
-    }
-  }
-  std::sort(ends.begin(), ends.end());
-  return ends;
-}
 
 /// One pass over a soup.
 class GapCloser
@@ -81,14 +46,9 @@ public:
             const std::vector<LatticePoint>& start_, const RunContext& runContext)
       : soup(soup_), frame(frame_), tolerance(options.tolerance), parts(options.drawn.parts),
         clusters(options.clusters), start(start_), context(runContext), fans(trianglesAtPoints(soup)),
-        boundaryEdges(boundaryEdgeEnds(soup, context.executor)), fixed(soup.points.size(), 0),
-        partOf(soup.points.size(), noIndex), hasSeveralParts(soup.points.size(), 0),
-        hasBoundaryEdge(soup.points.size(), 0), isFine(soup.points.size(), 0)
+        boundary(soup.triangles, soup.points.size(), context.executor), fixed(soup.points.size(), 0),
+        partOf(soup.points.size(), noIndex), hasSeveralParts(soup.points.size(), 0), isFine(soup.points.size(), 0)
   {
-    for (const BoundaryEdgeEnd& boundaryEdge : boundaryEdges)
-    {
-      hasBoundaryEdge[boundaryEdge.point] = 1;
-    }
     for (Index t = 0; t < soup.triangles.size(); ++t)
     {
       for (const Index p : soup.triangles[t])
@@ -151,16 +111,7 @@ private:
              return partOfTriangle(other) == part;
            }));
   }
-  std::span<const BoundaryEdgeEnd> boundaryEdgesAt(Index p) const
-  {
-    if (!hasBoundaryEdge[p])
-    {
-      return {};
-    }
-    const auto before = [](const BoundaryEdgeEnd& l, const BoundaryEdgeEnd& r) { return l.point < r.point; };
-    const auto range = std::equal_range(boundaryEdges.begin(), boundaryEdges.end(), BoundaryEdgeEnd{p, 0, 0}, before);
-    return {range.first, range.second};
-  }
+  bool isOnBoundary(Index p) const { return !boundary.at(p).empty(); }
 
   /// What a search among some of the points finds.
   struct Found
@@ -194,7 +145,7 @@ private:
         std::size_t touching = 0;
         tree.eachTouching({soup.points[p], soup.points[p], noIndex}, 0, [&](std::size_t place) {
           const Index t = tree.box(place).id;
-          if (hasBoundaryEdge[p] || isForeign(p, t))
+          if (isOnBoundary(p) || isForeign(p, t))
           {
             ++touching;
             consider(p, t, searches[part]);
@@ -213,7 +164,7 @@ private:
     addForeignGaps(all);
   }
 
-  /// Points at free edges, and all where there are several parts; none of what is too fine.
+  /// Points at boundary edges, and all where there are several parts; none of what is too fine.
   std::vector<Index> movablePoints() const
   {
     const Index first = soup.triangles.empty() ? noIndex : partOfTriangle(0);
@@ -225,7 +176,7 @@ private:
     std::vector<Index> points;
     for (Index p = 0; p < soup.points.size(); ++p)
     {
-      if (used(p) && (several || hasBoundaryEdge[p]) && !isFine[p] && !clusters.hold(soup.points[p]))
+      if (used(p) && (several || isOnBoundary(p)) && !isFine[p] && !clusters.hold(soup.points[p]))
       {
         points.push_back(p);
       }
@@ -250,7 +201,7 @@ private:
       return;
     }
     const bool foreign = isForeign(p, t);
-    if (isAhead(p, between(soup.points[p], target->place)) || (hasBoundaryEdge[p] && !isConnected(p, t, found)))
+    if (leadsOn(p, between(soup.points[p], target->place)) || (isOnBoundary(p) && !isConnected(p, t, found)))
     {
       found.gaps.push_back({!(foreign && partOf[p] < partOfTriangle(t)), target->kind, target->distance, p, t});
     }
@@ -260,7 +211,7 @@ private:
     }
   }
 
-  /// What touches another part already is done, but for its free edges.
+  /// What touches another part already is done, but for its boundary edges.
   void addForeignGaps(Found& found)
   {
     std::sort(found.touches.begin(), found.touches.end());
@@ -272,20 +223,17 @@ private:
 
   bool isBoundaryEdge(Index p, Index q) const
   {
-    const auto here = boundaryEdgesAt(p);
-    return std::any_of(here.begin(), here.end(),
-                       [&](const BoundaryEdgeEnd& boundaryEdge) { return boundaryEdge.other == q; });
+    return std::ranges::any_of(boundary.at(p), [&](const BoundaryEdges::End& end) {
+      return boundary.edges()[end.edge].end(1 - end.which) == q;
+    });
   }
 
   /// Whether a sheet that ends at the point would go on in this direction.
-  bool isAhead(Index p, const Vec3& offset) const
+  bool leadsOn(Index p, const Vec3& offset) const
   {
-    const auto here = boundaryEdgesAt(p);
-    return std::any_of(here.begin(), here.end(), [&](const BoundaryEdgeEnd& boundaryEdge) {
-      const Vec3 along = between(soup.points[p], soup.points[boundaryEdge.other]).normalized();
-      const Vec3 inward = between(soup.points[p], soup.points[boundaryEdge.third]);
-      const Vec3 outward = (along.dot(inward) * along - inward).normalized();
-      return offset.dot(outward) >= minimumCosine * offset.norm();
+    return std::ranges::any_of(boundary.at(p), [&](const BoundaryEdges::End& end) {
+      const auto& [a, b, third, triangle] = boundary.edges()[end.edge];
+      return isAhead(outwardOf(soup.points[a], soup.points[b], soup.points[third]), offset);
     });
   }
 
@@ -449,7 +397,7 @@ private:
       return (hasA && hasB) || (hasA && to == soup.points[a]) || (hasB && to == soup.points[b]) ||
              !(isBoundaryEdge(p, a) || isBoundaryEdge(p, b) || isBoundaryEdge(a, b));
     }
-    return std::abs(after.dot(before)) >= minimumCosine * after.norm() * before.norm();
+    return std::abs(after.dot(before)) >= foldCosine * after.norm() * before.norm();
   }
 
   TriangleSoup& soup;
@@ -460,13 +408,11 @@ private:
   const std::vector<LatticePoint>& start;
   const RunContext& context;
   Buckets fans; ///< triangles at each point
-  std::vector<BoundaryEdgeEnd> boundaryEdges;
+  BoundaryEdges boundary;
   std::vector<char> fixed;
   /// Per point, the smallest of the parts it belongs to.
   std::vector<Index> partOf;
   std::vector<char> hasSeveralParts;
-  /// Per point, whether it is at a free edge.
-  std::vector<char> hasBoundaryEdge;
   /// Per point, whether it is of what is finer than the tolerance.
   std::vector<char> isFine;
   std::vector<Gap> gaps;

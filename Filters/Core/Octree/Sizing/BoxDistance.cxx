@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Octree/Search/BoxDistance.h"
+#include "Octree/Sizing/BoxDistance.h"
 
 #include "Surface/Search/Distance.h"
 

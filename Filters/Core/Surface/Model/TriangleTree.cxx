@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Octree/Search/TriangleTree.h"
+#include "Surface/Model/TriangleTree.h"
 
 #include "Surface/Search/Distance.h"
 
@@ -177,59 +177,10 @@ std::vector<Index> TriangleTree::touching(const LatticeBox& box) const
   return found;
 }
 
-std::optional<Vec3> TriangleTree::nearest(const Vec3& p, double farthest,
-                                          const std::function<bool(Index)>& accepts) const
+Vec3 TriangleTree::nearestOn(Index triangle, const Vec3& p) const
 {
-  std::optional<Vec3> best;
-  Hit least;
-  least.distance = farthest * farthest;
-  // Nodes with a lower bound of their distance; the nearer child is looked at first.
-  std::vector<std::pair<double, Index>> open;
-  const auto add = [&](Index id) {
-    const double distance = nodes_[id].box.squaredDistance(p);
-    if (distance <= least.distance)
-    {
-      open.emplace_back(distance, id);
-    }
-  };
-  if (!nodes_.empty())
-  {
-    add(0);
-  }
-  while (!open.empty())
-  {
-    const auto [bound, id] = open.back();
-    open.pop_back();
-    const Node& node = nodes_[id];
-    if (bound > least.distance)
-    {
-      continue;
-    }
-    if (node.upper != noIndex)
-    {
-      const bool lowerFirst = nodes_[id + 1].box.squaredDistance(p) <= nodes_[node.upper].box.squaredDistance(p);
-      add(lowerFirst ? node.upper : id + 1);
-      add(lowerFirst ? id + 1 : node.upper);
-      continue;
-    }
-    for (Index i = node.begin; i < node.end; ++i)
-    {
-      const Index t = order_[i];
-      if (!accepts(t))
-      {
-        continue;
-      }
-      const Vec3 q = nearestOnTriangle(p, toVector(model_.corner(t, 0)), toVector(model_.corner(t, 1)),
-                                       toVector(model_.corner(t, 2)));
-      const double distance = (q - p).squaredNorm();
-      if (std::tie(distance, t) < std::tie(least.distance, least.triangle))
-      {
-        least = {distance, t};
-        best = q;
-      }
-    }
-  }
-  return best;
+  return nearestOnTriangle(p, toVector(model_.corner(triangle, 0)), toVector(model_.corner(triangle, 1)),
+                           toVector(model_.corner(triangle, 2)));
 }
 
 } // namespace atria

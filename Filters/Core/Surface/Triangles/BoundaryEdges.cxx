@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Surface/Triangles/BoundaryEdges.h"
+
+#include <tuple>
+
+namespace atria {
+
+BoundaryEdges::BoundaryEdges(std::span<const std::array<Index, 3>> triangles, std::size_t pointCount,
+                             const Executor& executor, const std::function<bool(Index)>& wants)
+{
+  const std::vector<SoupEdgeUse> uses = sortedEdgeUses(triangles, pointCount, executor);
+  for (std::size_t i = 0; i < uses.size(); ++i)
+  {
+    const auto& [edge, triangle, forward] = uses[i];
+    const bool isShared = (i > 0 && uses[i - 1].edge == edge) || (i + 1 < uses.size() && uses[i + 1].edge == edge);
+    if (isShared || (wants && !wants(triangle)))
+    {
+      continue;
+    }
+    const auto [a, b] = forward ? edge : EdgeKey(edge.second, edge.first);
+    for (const Index p : triangles[triangle])
+    {
+      if (p != a && p != b)
+      {
+        edges_.push_back({a, b, p, triangle});
+      }
+    }
+  }
+  std::sort(edges_.begin(), edges_.end(), [](const BoundaryEdge& l, const BoundaryEdge& r) {
+    return std::tie(l.triangle, l.a) < std::tie(r.triangle, r.a);
+  });
+  ends_ = fillInOrder(pointCount, executor, [&](auto&& use) {
+    executor.forEach(edges_.size(), 4096, [&](std::size_t e) {
+      use(edges_[e].a, 2 * static_cast<Index>(e));
+      use(edges_[e].b, 2 * static_cast<Index>(e) + 1);
+    });
+  });
+}
+
+std::span<const BoundaryEdge> BoundaryEdges::of(Index triangle) const
+{
+  const auto found = std::ranges::equal_range(edges_, triangle, {}, &BoundaryEdge::triangle);
+  return {found.begin(), found.end()};
+}
+
+std::vector<BoundaryEdges::Run> BoundaryEdges::runs() const
+{
+  std::vector<Run> runs;
+  std::vector<char> isUsed(edges_.size(), 0);
+  // Follows edges from one that is begun at its end `from`.
+  const auto follow = [&](Index first, unsigned from) {
+    Run& run = runs.emplace_back();
+    End begin{first, from};
+    while (!isUsed[begin.edge])
+    {
+      isUsed[begin.edge] = 1;
+      run.links.push_back({begin.edge, begin.which == 0});
+      const unsigned last = 1 - begin.which;
+      const auto ends = at(edges_[begin.edge].end(last));
+      if (ends.size() != 2)
+      {
+        return;
+      }
+      begin = ends[ends[0].edge == begin.edge && ends[0].which == last ? 1 : 0];
+    }
+    run.isRing = true;
+  };
+  for (Index e = 0; e < edges_.size(); ++e)
+  {
+    for (const unsigned from : {0u, 1u})
+    {
+      if (!isUsed[e] && at(edges_[e].end(from)).size() != 2)
+      {
+        follow(e, from);
+      }
+    }
+  }
+  for (Index e = 0; e < edges_.size(); ++e)
+  {
+    if (!isUsed[e])
+    {
+      follow(e, 0);
+    }
+  }
+  return runs;
+}
+
+} // namespace atria

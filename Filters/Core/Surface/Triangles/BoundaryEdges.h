@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Boundary edges: edges of one triangle alone, at which a sheet ends.
+#pragma once
+
+#include "Support/Buckets.h"
+#include "Surface/Triangles/TriangleSoup.h"
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <ranges>
+
+namespace atria {
+
+/// An edge in the sense in which its triangle is wound: from a to b, and on to the third point.
+struct BoundaryEdge
+{
+  Index a;
+  Index b;
+  Index third;
+  Index triangle;
+
+  Index end(unsigned which) const { return which == 0 ? a : b; }
+};
+
+/// The boundary edges of a list of triangles, by triangle.
+class BoundaryEdges
+{
+public:
+  /// Only of triangles that `wants`.
+  BoundaryEdges(std::span<const std::array<Index, 3>> triangles, std::size_t pointCount, const Executor& executor,
+                const std::function<bool(Index)>& wants = nullptr);
+
+  const std::vector<BoundaryEdge>& edges() const { return edges_; }
+
+  struct End
+  {
+    Index edge;
+    unsigned which; ///< 0 at a, 1 at b
+  };
+  /// Those of a triangle.
+  std::span<const BoundaryEdge> of(Index triangle) const;
+  /// The ends of edges at a point, in order.
+  auto at(Index point) const
+  {
+    return ends_.of(point) | std::views::transform([](Index code) { return End{code / 2, code % 2}; });
+  }
+
+  struct Link
+  {
+    Index edge;
+    bool forward; ///< from a to b
+  };
+  /// Edges that follow each other. A run ends at the points where not just two edges meet; a ring has none.
+  struct Run
+  {
+    std::vector<Link> links;
+    bool isRing = false;
+  };
+  /// Each edge is in one run. Runs with ends come first.
+  std::vector<Run> runs() const;
+
+private:
+  std::vector<BoundaryEdge> edges_;
+  /// Per point, 2 * edge + end.
+  Buckets ends_;
+};
+
+/// The unit vector in the plane of a triangle that leads away from it, square to its edge a-b.
+inline Vec3 outwardOf(const LatticePoint& a, const LatticePoint& b, const LatticePoint& third)
+{
+  const Vec3 along = between(a, b).normalized();
+  const Vec3 inward = between(a, third);
+  return (along.dot(inward) * along - inward).normalized();
+}
+
+/// Of 45 degrees: the two sides of an opening's corner are that far from being ahead of each other, also of a gable's.
+inline constexpr double aheadCosine = std::numbers::sqrt2 / 2.0;
+
+/// Whether a way leads ahead: within 45 degrees of where a sheet would go on.
+inline bool isAhead(const Vec3& outward, const Vec3& way) { return way.dot(outward) >= aheadCosine * way.norm(); }
+
+/// How far a box reaches from p in a direction.
+inline double reachOf(const Box3& box, const Vec3& p, const Vec3& direction)
+{
+  const Vec3 farthest = (direction.array() > 0.0).select(box.max, box.min);
+  return (farthest - p).dot(direction);
+}
+
+/// False for a box of which nothing is ahead of p.
+inline bool reachesAhead(const Vec3& outward, const Vec3& p, const Box3& box)
+{
+  return reachOf(box, p, outward) >= aheadCosine * std::sqrt(box.squaredDistance(p));
+}
+
+} // namespace atria
