@@ -159,7 +159,7 @@ Preflight preflight(const TriangleSurface& surface, const ModelOptions& options,
   measureSite(surface, plan, out);
   // Closer than this surfaces become one anyhow.
   constexpr double seamRatio = 1e-3;
-  out.narrow = findNarrowPlaces(model, frame, seamRatio * sizeMin);
+  out.narrow = findNarrowPlaces(model, frame, seamRatio * sizeMin, context);
   for (Narrow* narrow : {&out.narrow.opening, &out.narrow.gap})
   {
     narrow->from = frame.placement.toModel(narrow->from);

@@ -2,207 +2,198 @@
 #include "Surface/Inspection/NarrowPlaces.h"
 
 #include "Support/UnionFind.h"
+#include "Surface/Model/FeatureGraph.h"
+#include "Surface/Model/TriangleTree.h"
 #include "Surface/Search/Distance.h"
 
-#include <Eigen/Geometry>
-
-#include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <set>
 
 namespace atria {
 
 namespace {
 
-const double cos15 = std::cos(std::numbers::pi / 12.0);
-const double cos30 = std::cos(std::numbers::pi / 6.0);
-const double cos45 = std::cos(std::numbers::pi / 4.0);
+/// Of 15 degrees: between the normals of surfaces that face each other.
+constexpr double parallelCosine = 0.966;
+/// Of 30 degrees: between their normals and the way from one to the other.
+constexpr double acrossCosine = 0.866;
+/// In lattice units: a place on an edge, but for rounding.
+constexpr double onEdge = 2.0;
 
-bool overlaps(const Box3& a, const Box3& b, double reach)
-{
-  return (a.min.array() - reach <= b.max.array()).all() && (b.min.array() - reach <= a.max.array()).all();
-}
+using Place = TriangleTree::Place;
 
-/// Calls `measure(i, j)` for pairs of things whose boxes are closer than the shortest way known, which it may shorten.
-template <typename Thing, typename Measure>
-void forClosePairs(std::vector<Thing>& things, const Narrow& best, Measure&& measure)
+/// The shortest way from places of a model, on the lattice.
+class NarrowSearch
 {
-  std::stable_sort(things.begin(), things.end(),
-                   [](const Thing& l, const Thing& r) { return l.box.min[0] < r.box.min[0]; });
-  std::vector<Index> active;
-  for (Index i = 0; i < things.size(); ++i)
+public:
+  NarrowSearch(const SurfaceModel& m, const GridFrame& f, double leastWidth, const RunContext& runContext)
+      : model(m), frame(f), least(leastWidth / f.latticeUnit()), context(runContext),
+        tree(m), domain{toVector(f.domainLow), toVector(f.domainHigh)}, inDomain(m.triangles.size())
   {
-    std::erase_if(active, [&](Index j) { return things[j].box.max[0] + best.width < things[i].box.min[0]; });
-    // The latest are the closest, and shorten the search for the others.
-    for (auto j = active.rbegin(); j != active.rend(); ++j)
+    for (Index t = 0; t < model.triangles.size(); ++t)
     {
-      if (overlaps(things[i].box, things[*j].box, best.width))
+      normals.push_back(model.normal(t).normalized());
+      inDomain[t] = !model.isTurnedSide(t) && model.bounds(t).touches(domain) ? 1 : 0;
+    }
+  }
+
+  Narrow gap() const
+  {
+    Narrow best;
+    for (Index t = 0; t < model.triangles.size(); ++t)
+    {
+      context.progress.check();
+      const Vec3 a = toVector(model.corner(t, 0));
+      const Vec3 b = toVector(model.corner(t, 1));
+      const Vec3 c = toVector(model.corner(t, 2));
+      for (const Vec3& p :
+           {a, b, c, Vec3(0.5 * (a + b)), Vec3(0.5 * (b + c)), Vec3(0.5 * (c + a)), Vec3((a + b + c) / 3.0)})
       {
-        measure(things[i], things[*j]);
+        if (inDomain[t])
+        {
+          shorten(best, p, model.surfaceIds[t], AcrossFace(*this, t, p));
+        }
       }
     }
-    active.push_back(i);
+    return inModel(best);
   }
-}
 
-struct BoundaryEdge
-{
-  Box3 box;
-  std::array<Index, 2> ids;
-  std::array<Vec3, 2> ends;
-  Vec3 outward; ///< in the plane of its triangle, away from it
-  Index loop;   ///< the same for boundary edges that are joined end to end
-  double length;
-  Index surface;
-};
-
-struct Face
-{
-  Box3 box;
-  std::array<Index, 3> ids;
-  std::array<Vec3, 3> points;
-  Vec3 normal;
-  Index surface;
-};
-
-template <std::size_t N, std::size_t M> bool sharePoint(const std::array<Index, N>& a, const std::array<Index, M>& b)
-{
-  return std::any_of(a.begin(), a.end(), [&](Index p) { return std::find(b.begin(), b.end(), p) != b.end(); });
-}
-
-void shorten(Narrow& best, const Vec3& from, const Vec3& to, Index first, Index second)
-{
-  const double width = (to - from).norm();
-  if (width < best.width)
+  Narrow opening() const
   {
-    best = {width, from, to, {first, second}};
-  }
-}
-
-std::vector<Face> facesOf(const SurfaceModel& model, const GridFrame& frame)
-{
-  std::vector<Face> faces;
-  for (Index t = 0; t < model.triangles.size(); ++t)
-  {
-    Face face{{}, model.triangles[t], {}, model.normal(t).normalized(), model.surfaceIds[t]};
-    for (int i = 0; i < 3; ++i)
+    const BoundaryEdges boundary = boundaryOf(model, context.executor);
+    UnionFind loops(model.points.size());
+    for (const BoundaryEdge& edge : boundary.edges())
     {
-      face.points[i] = frame.toModel(model.corner(t, i));
-      face.box.extend(face.points[i]);
-    }
-    if (!model.isTurnedSide(t) && overlaps(face.box, frame.domain, 0.0))
-    {
-      faces.push_back(face);
-    }
-  }
-  return faces;
-}
-
-std::vector<BoundaryEdge> boundaryEdgesOf(const SurfaceModel& model, const GridFrame& frame,
-                                          const std::vector<Face>& faces)
-{
-  std::set<std::array<Index, 2>> isBoundaryEdge;
-  UnionFind loops(model.points.size());
-  for (const FeatureEdge& edge : model.featureEdges)
-  {
-    if (model.kindOf(edge) == CurveKind::boundary)
-    {
-      isBoundaryEdge.insert({std::min(edge.a, edge.b), std::max(edge.a, edge.b)});
       loops.join(edge.a, edge.b);
     }
-  }
-  std::vector<BoundaryEdge> boundaryEdges;
-  for (const Face& face : faces)
-  {
-    for (int i = 0; i < 3; ++i)
+    Narrow best;
+    for (const BoundaryEdge& edge : boundary.edges())
     {
-      const Index a = face.ids[i];
-      const Index b = face.ids[(i + 1) % 3];
-      if (isBoundaryEdge.count({std::min(a, b), std::max(a, b)}) == 0)
+      context.progress.check();
+      const Vec3 a = toVector(model.points[edge.a]);
+      const Vec3 b = toVector(model.points[edge.b]);
+      for (const Vec3& p : {a, Vec3(0.5 * (a + b)), b})
       {
-        continue;
-      }
-      BoundaryEdge boundaryEdge{{},  {a, b},      {face.points[i], face.points[(i + 1) % 3]}, {}, loops.find(a),
-                                0.0, face.surface};
-      boundaryEdge.length = (boundaryEdge.ends[1] - boundaryEdge.ends[0]).norm();
-      const Vec3 along = (boundaryEdge.ends[1] - boundaryEdge.ends[0]).normalized();
-      const Vec3 inward = face.points[(i + 2) % 3] - boundaryEdge.ends[0];
-      boundaryEdge.outward = -(inward - inward.dot(along) * along).normalized();
-      boundaryEdge.box.extend(boundaryEdge.ends[0]);
-      boundaryEdge.box.extend(boundaryEdge.ends[1]);
-      if (overlaps(boundaryEdge.box, frame.domain, 0.0))
-      {
-        boundaryEdges.push_back(boundaryEdge);
+        if (inDomain[edge.triangle])
+        {
+          shorten(best, p, model.surfaceIds[edge.triangle], AcrossOpening(*this, boundary, loops, edge, p));
+        }
       }
     }
+    return inModel(best);
   }
-  return boundaryEdges;
-}
 
-/// Ways from the ends and the middle of either boundary edge to the other.
-void measureBoundaryEdges(const BoundaryEdge& a, const BoundaryEdge& b, double least, Narrow& best)
-{
-  if (sharePoint(a.ids, b.ids))
+private:
+  /// Triangles across a gap.
+  struct AcrossFace : TriangleTree::AnyPlace
   {
-    return;
-  }
-  const auto test = [&](const Vec3& p, const BoundaryEdge& own, const BoundaryEdge& other) {
-    const Vec3 q = nearestOnSegment(p, other.ends[0], other.ends[1]);
-    const Vec3 way = q - p;
-    const double width = way.norm();
-    const bool belongs = own.loop == other.loop || width <= std::max(own.length, other.length);
-    if (width >= least && belongs && way.dot(own.outward) >= cos45 * width && -way.dot(other.outward) >= cos45 * width)
+    const NarrowSearch& search;
+    Index own;
+    Vec3 p;
+
+    AcrossFace(const NarrowSearch& s, Index triangle, const Vec3& from) : search(s), own(triangle), p(from) {}
+
+    bool isAcross(Index triangle, const Vec3& way) const
     {
-      shorten(best, p, q, own.surface, other.surface);
+      return std::abs(way.dot(search.normals[triangle])) >= acrossCosine * way.norm();
+    }
+    bool reaches(const Box3& box) const
+    {
+      const Vec3& normal = search.normals[own];
+      return std::max(reachOf(box, p, normal), reachOf(box, p, -normal)) >=
+             acrossCosine * std::sqrt(box.squaredDistance(p));
+    }
+    bool wants(Index t) const
+    {
+      return search.inDomain[t] && std::abs(search.normals[t].dot(search.normals[own])) >= parallelCosine &&
+             std::ranges::none_of(search.model.triangles[t],
+                                  [&](Index q) { return contains(search.model.triangles[own], q); });
+    }
+    bool takes(const Place& place) const
+    {
+      const Vec3 way = place.at - p;
+      return way.norm() >= search.least && isAcross(own, way) && isAcross(place.triangle, way);
     }
   };
-  for (const double t : {0.0, 0.5, 1.0})
-  {
-    test(a.ends[0] + t * (a.ends[1] - a.ends[0]), a, b);
-    test(b.ends[0] + t * (b.ends[1] - b.ends[0]), b, a);
-  }
-}
 
-void measureFaces(const Face& a, const Face& b, double least, Narrow& best)
-{
-  if (std::abs(a.normal.dot(b.normal)) < cos15 || sharePoint(a.ids, b.ids))
+  /// Boundary edges across an opening.
+  struct AcrossOpening : TriangleTree::AnyPlace
   {
-    return;
-  }
-  const auto test = [&](const Vec3& p, const Face& own, const Face& other) {
-    const Vec3 q = nearestOnTriangle(p, other.points[0], other.points[1], other.points[2]);
-    const Vec3 way = q - p;
-    const double width = way.norm();
-    if (width >= least && std::abs(way.dot(own.normal)) >= cos30 * width &&
-        std::abs(way.dot(other.normal)) >= cos30 * width)
+    const NarrowSearch& search;
+    const BoundaryEdges& boundary;
+    UnionFind& loops;
+    const BoundaryEdge& own;
+    Vec3 p;
+    Vec3 outward;
+
+    AcrossOpening(const NarrowSearch& s, const BoundaryEdges& b, UnionFind& l, const BoundaryEdge& edge,
+                  const Vec3& from)
+        : search(s), boundary(b), loops(l), own(edge), p(from), outward(search.outward(edge))
     {
-      shorten(best, p, q, own.surface, other.surface);
+    }
+
+    bool reaches(const Box3& box) const { return reachesAhead(outward, p, box); }
+    bool wants(Index t) const { return search.inDomain[t] && !boundary.of(t).empty(); }
+    bool takes(const Place& place) const
+    {
+      const Vec3 way = place.at - p;
+      return way.norm() >= search.least && isAhead(outward, way) &&
+             std::ranges::any_of(boundary.of(place.triangle),
+                                 [&](const BoundaryEdge& edge) { return isAcross(edge, place.at); });
+    }
+
+  private:
+    bool isAcross(const BoundaryEdge& edge, const Vec3& at) const
+    {
+      const Vec3 a = toVector(search.model.points[edge.a]);
+      const Vec3 b = toVector(search.model.points[edge.b]);
+      const bool sharesPoint = edge.a == own.a || edge.a == own.b || edge.b == own.a || edge.b == own.b;
+      const double longer = std::max((b - a).norm(), search.lengthOf(own));
+      return !sharesPoint && (nearestOnSegment(at, a, b) - at).norm() <= onEdge &&
+             (loops.find(edge.a) == loops.find(own.a) || (at - p).norm() <= longer) &&
+             isAhead(search.outward(edge), p - at);
     }
   };
-  for (const auto& [own, other] : {std::pair(&a, &b), std::pair(&b, &a)})
+
+  Vec3 outward(const BoundaryEdge& edge) const
   {
-    const auto& p = own->points;
-    for (int i = 0; i < 3; ++i)
-    {
-      test(p[i], *own, *other);
-      test(0.5 * (p[i] + p[(i + 1) % 3]), *own, *other);
-    }
-    test((p[0] + p[1] + p[2]) / 3.0, *own, *other);
+    return outwardOf(model.points[edge.a], model.points[edge.b], model.points[edge.third]);
   }
-}
+  double lengthOf(const BoundaryEdge& edge) const { return between(model.points[edge.a], model.points[edge.b]).norm(); }
+
+  template <typename Rule> void shorten(Narrow& best, const Vec3& p, Index surface, const Rule& rule) const
+  {
+    const auto place = tree.nearest(p, best.width, rule);
+    if (place && std::sqrt(place->squaredDistance) < best.width)
+    {
+      best = {std::sqrt(place->squaredDistance), p, place->at, {surface, model.surfaceIds[place->triangle]}};
+    }
+  }
+
+  Narrow inModel(Narrow narrow) const
+  {
+    narrow.width *= frame.latticeUnit();
+    narrow.from = frame.toModel(narrow.from);
+    narrow.to = frame.toModel(narrow.to);
+    return narrow;
+  }
+
+  const SurfaceModel& model;
+  const GridFrame& frame;
+  double least;
+  const RunContext& context;
+  TriangleTree tree;
+  Box3 domain;
+  std::vector<char> inDomain;
+  std::vector<Vec3> normals;
+};
 
 } // namespace
 
-NarrowPlaces findNarrowPlaces(const SurfaceModel& model, const GridFrame& frame, double least)
+NarrowPlaces findNarrowPlaces(const SurfaceModel& model, const GridFrame& frame, double least,
+                              const RunContext& context)
 {
-  std::vector<Face> faces = facesOf(model, frame);
-  std::vector<BoundaryEdge> boundaryEdges = boundaryEdgesOf(model, frame, faces);
-  NarrowPlaces out;
-  forClosePairs(boundaryEdges, out.opening,
-                [&](const BoundaryEdge& a, const BoundaryEdge& b) { measureBoundaryEdges(a, b, least, out.opening); });
-  forClosePairs(faces, out.gap, [&](const Face& a, const Face& b) { measureFaces(a, b, least, out.gap); });
-  return out;
+  const NarrowSearch search(model, frame, least, context);
+  return {search.opening(), search.gap()};
 }
 
 } // namespace atria

@@ -2,6 +2,7 @@
 /// The narrowest places of a model.
 #pragma once
 
+#include "Support/RunContext.h"
 #include "Surface/Model/SurfaceModel.h"
 
 namespace atria {
@@ -34,7 +35,9 @@ struct NarrowPlaces
 };
 
 /// Measures what lies in the domain; ways shorter than `least` (model units), which are seams rather than spaces, do
-/// not count, nor does what lies on sides of a turned domain. O(n log n) for models of even spread, O(n^2) at worst.
-NarrowPlaces findNarrowPlaces(const SurfaceModel& model, const GridFrame& frame, double least);
+/// not count, nor does what lies on sides of a turned domain, nor openings in what lies on a domain side. For each
+/// triangle a search of the model's tree, no farther than the shortest way known. Throws Aborted on demand.
+NarrowPlaces findNarrowPlaces(const SurfaceModel& model, const GridFrame& frame, double least,
+                              const RunContext& context);
 
 } // namespace atria
