@@ -23,7 +23,7 @@ constexpr double alongCosine = 0.707;
 constexpr double stackCosine = 0.819;
 
 /// Finds places in gaps for the corners of leaves. Not for several threads at once.
-class GapFinder
+class GapPlaceFinder
 {
 public:
   /// A place for a point, and how far away it is.
@@ -34,7 +34,7 @@ public:
     LatticePoint at;
   };
 
-  GapFinder(const MovingGrid& moving, double reachRatio, std::vector<Place>& found)
+  GapPlaceFinder(const MovingGrid& moving, double reachRatio, std::vector<Place>& found)
       : grid(moving), reach(reachRatio), look(moving), out(found)
   {
   }
@@ -404,17 +404,17 @@ std::vector<Index> enterFrom(const std::vector<Index>& leaves, MovingGrid& grid,
                              const RunContext& context)
 {
   constexpr std::size_t grain = 8;
-  std::vector<std::vector<GapFinder::Place>> found((leaves.size() + grain - 1) / grain);
+  std::vector<std::vector<GapPlaceFinder::Place>> found((leaves.size() + grain - 1) / grain);
   context.executor.forEach(found.size(), 1, [&](std::size_t part) {
-    GapFinder finder(grid, reach, found[part]);
+    GapPlaceFinder finder(grid, reach, found[part]);
     for (std::size_t i = part * grain; i < std::min((part + 1) * grain, leaves.size()); ++i)
     {
       finder.find(leaves[i]);
     }
   });
   // The nearest place of each point; of equal ones that which was found at the first leaf.
-  std::map<Index, GapFinder::Place> nearest;
-  for (const GapFinder::Place& place : std::views::join(found))
+  std::map<Index, GapPlaceFinder::Place> nearest;
+  for (const GapPlaceFinder::Place& place : std::views::join(found))
   {
     const auto [known, isNew] = nearest.try_emplace(place.point, place);
     if (!isNew && place.step < known->second.step)

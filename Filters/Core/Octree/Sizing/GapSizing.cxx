@@ -49,7 +49,7 @@ std::vector<Vec3> clipTriangle(const LatticeBox& box, const SurfaceModel& model,
 
 } // namespace
 
-GapFinder::GapFinder(const SurfaceModel& model, const GridFrame& frame, const ModelLevels& levels, int cellsAcross)
+GapSizer::GapSizer(const SurfaceModel& model, const GridFrame& frame, const ModelLevels& levels, int cellsAcross)
     : model_(model), frame_(frame), levels_(levels), cellsAcross_(cellsAcross), tree_(model)
 {
   constexpr double coincident = 1e-3;
@@ -57,14 +57,14 @@ GapFinder::GapFinder(const SurfaceModel& model, const GridFrame& frame, const Mo
   most_ = cellsAcross * static_cast<double>(frame.latticeSize(std::max(frame.topLevel, frame.startLevel)));
 }
 
-int GapFinder::levelFor(double width, Index triangle, Index other) const
+int GapSizer::levelFor(double width, Index triangle, Index other) const
 {
   const int finest = std::max(levels_.featureOfSurface[model_.surfaceIds[triangle]],
                               levels_.featureOfSurface[model_.surfaceIds[other]]);
   return std::min(levelNotAbove(width * frame_.latticeUnit() / cellsAcross_, frame_), finest);
 }
 
-void GapFinder::findFrom(const LatticeBox& box, Index triangle, double sense, std::vector<GapLine>& lines) const
+void GapSizer::findFrom(const LatticeBox& box, Index triangle, double sense, std::vector<GapLine>& lines) const
 {
   const std::vector<Vec3> polygon = clipTriangle(box, model_, triangle);
   if (polygon.size() < 3)
@@ -105,7 +105,7 @@ void GapFinder::findFrom(const LatticeBox& box, Index triangle, double sense, st
   }
 }
 
-int GapFinder::find(const LatticeBox& box, std::span<const ModelItem> pieces, std::vector<GapLine>& lines) const
+int GapSizer::find(const LatticeBox& box, std::span<const ModelItem> pieces, std::vector<GapLine>& lines) const
 {
   const std::size_t begin = lines.size();
   for (const ModelItem piece : pieces)

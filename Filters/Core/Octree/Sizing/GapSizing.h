@@ -11,10 +11,10 @@ namespace atria {
 /// From points of a triangle's part in the octant rays go along its normal to both sides. The first triangle that one
 /// meets faces it if their normals, whatever their sense, are within 30 degrees. The way between is a gap: the space
 /// between two walls, and the inside of a wall or pipe as well, as which of them is fluid is not known yet.
-class GapFinder
+class GapSizer
 {
 public:
-  GapFinder(const SurfaceModel& model, const GridFrame& frame, const ModelLevels& levels, int cellsAcross);
+  GapSizer(const SurfaceModel& model, const GridFrame& frame, const ModelLevels& levels, int cellsAcross);
 
   /// Appends the gaps that ask for a level below the top level; returns the finest level asked for, 0 without gaps.
   int find(const LatticeBox& box, std::span<const ModelItem> pieces, std::vector<GapLine>& lines) const;

@@ -157,7 +157,7 @@ private:
   const ModelLevels& levels_;
   double curvature;
   int finestFeature;
-  std::optional<GapFinder> gaps;
+  std::optional<GapSizer> gaps;
 };
 
 } // namespace
