@@ -63,14 +63,24 @@ def outputs(model):
               for i in range(report.GetFieldData().GetNumberOfArrays())}
     worst.Update()
     mesh = names_of(mesher.GetOutputDataObject(0))
+    zoned = vtkAtriaDualMesher()  # with all that is there where openings and zones are asked for only
+    zoned.SetInputConnection(reader.GetOutputPort())
+    zoned.SetSizeMax(8.0)
+    zoned.SetSizeMid(1.0)
+    zoned.SetSizeMin(0.5)
+    zoned.SetDomainMode(vtkAtriaDualMesher.Site)
+    zoned.SetSiteName("Site")
+    zoned.SetFindOpenings(True)
+    zoned.AddCellZone("Neighbor")
+    zoned.Update()
     return {
         "Surfaces": names_of(reader.GetOutput()),
         "Feature curves": names_of(features.GetOutputDataObject(0)),
         "Model": names_of(features.GetOutputDataObject(1)),
         "Octree": names_of(octree.GetOutputDataObject(0)),
-        "Mesh": mesh,
-        "Patches": names_of(mesher.GetOutputDataObject(1)),
-        "Diagnostics": names_of(mesher.GetOutputDataObject(2)),
+        "Mesh": mesh | names_of(zoned.GetOutputDataObject(0)),
+        "Patches": names_of(mesher.GetOutputDataObject(1)) | names_of(zoned.GetOutputDataObject(1)),
+        "Diagnostics": names_of(mesher.GetOutputDataObject(2)) | names_of(zoned.GetOutputDataObject(2)),
         "Preflight": names_of(report) | fields,
         "Quality": (names_of(quality.GetOutput()) - mesh) | names_of(quality.GetSummary()) | names_of(quality.GetChecks()),
         "Worst elements": names_of(worst.GetOutput()) - names_of(quality.GetOutput()),

@@ -35,11 +35,11 @@ constexpr QualityRange acceptableOfDivided{0.31, 0.4};
 double cosineOf(double degrees) { return std::cos(std::max(degrees, leastDegrees) * std::numbers::pi / 180.0); }
 
 /// What falls short is made sound quickly: points do not creep, and what is within a tenth of a target stays.
-OptimizerOptions quick()
+OptimizerOptions quick(double leastGain)
 {
   OptimizerOptions options;
   options.leastPenalty = 0.01;
-  options.leastGain = 0.02;
+  options.leastGain = leastGain;
   options.firstReach = 0.2;
   return options;
 }
@@ -112,7 +112,7 @@ QualityTargets baseTargets(const MeshTraits& traits)
 
 ImproverStage firstStage(const MeshTraits& traits)
 {
-  ImproverStage stage{quick(), traits.layered && !traits.uniform ? clearlyShort : 1.0F};
+  ImproverStage stage{quick(0.05), traits.layered && !traits.uniform ? clearlyShort : 1.0F};
   if (!traits.layered || traits.uniform)
   {
     // By short ways more vertices stay where the model wants them where no layer gives way to them, and hexahedra of
@@ -134,7 +134,7 @@ QualityTargets targetsBack(const MeshTraits& traits)
 
 ImproverStage flatteningStage(const MeshTraits& traits)
 {
-  ImproverStage stage{quick(), clearlyShort};
+  ImproverStage stage{quick(0.02), clearlyShort};
   stage.options.targets = baseTargets(traits);
   stage.options.targets.cornerVolume.target = volumeToDivide;
   stage.options.leastWorst = leastOfOthers;
@@ -145,7 +145,7 @@ ImproverStage flatteningStage(const MeshTraits& traits)
 std::vector<ImproverStage> divisionStages(const MeshTraits& traits)
 {
   const auto stage = [&](float below, int sweeps, bool byChains) {
-    ImproverStage out{quick(), below, byChains};
+    ImproverStage out{quick(0.02), below, byChains};
     out.options.targets = baseTargets(traits).within(soundShare);
     out.options.sweeps = sweeps;
     return out;
