@@ -75,6 +75,8 @@ private:
     return isKept(mesh.owner[face]) || (isInternal(face) && isKept(mesh.neighbor[face]));
   }
 
+  bool isOfZone(Index face) const { return face < options.zoneOf.size() && options.zoneOf[face] != noIndex; }
+
   double sineOf(Index face) const { return isInternal(face) ? options.internalSine : options.planarSine; }
 
   /// Whether they have the same owner and, if there is one, the same neighbor.
@@ -269,7 +271,7 @@ private:
   bool mergeWithoutPoint(const std::vector<Index>& pair)
   {
     const std::optional<std::vector<Index>> loop = unionOf(pair);
-    if (!isInternal(pair.front()) || !loop || loop->size() < 4)
+    if (!isInternal(pair.front()) || isOfZone(pair.front()) || !loop || loop->size() < 4)
     {
       return false;
     }
@@ -298,7 +300,8 @@ private:
         const auto own = loopOf(face);
         if (!contains(pair, face) && contains(own, point))
         {
-          if (!isInternal(face) || hasKeptCell(face) || own.size() < 4 || besideIn(own, point) != beside)
+          if (!isInternal(face) || isOfZone(face) || hasKeptCell(face) || own.size() < 4 ||
+              besideIn(own, point) != beside)
           {
             return std::nullopt;
           }
