@@ -139,6 +139,17 @@ TEST(Cracks, FreeSheetsTheirCornersAndSheetsThatMeetHaveNone)
   EXPECT_TRUE(FoundZones(surface, uniformGrid(wide, size)).cracks().empty());
 }
 
+/// A wall with a window as many octants wide.
+TriangleSurface wallWithWindow(double width, double degrees)
+{
+  TriangleSurface surface;
+  const double half = 0.5 * width * size;
+  atria::testing::addPierced(surface, "Wall", Vec3(0.13, -9, -9), Vec3(0, 18, 0), Vec3(0, 0, 24),
+                             {0.5 + (0.11 - half) / 18, 10.21 / 24}, {0.5 + (0.11 + half) / 18, 13.63 / 24});
+  atria::testing::turn(surface, degrees);
+  return surface;
+}
+
 TEST(Cracks, AreNoneAtCornersOfOpeningsAsWideAsAnOctant)
 {
   for (const double degrees : {0.0, 17.0, 31.0, 45.0})
@@ -146,11 +157,7 @@ TEST(Cracks, AreNoneAtCornersOfOpeningsAsWideAsAnOctant)
     for (const double width : {1.0, 1.25, 2.0})
     {
       SCOPED_TRACE(std::to_string(degrees) + " degrees, " + std::to_string(width));
-      TriangleSurface surface;
-      const double half = 0.5 * width * size;
-      atria::testing::addPierced(surface, "Wall", Vec3(0.13, -9, -9), Vec3(0, 18, 0), Vec3(0, 0, 24),
-                                 {0.5 + (0.11 - half) / 18, 10.21 / 24}, {0.5 + (0.11 + half) / 18, 13.63 / 24});
-      atria::testing::turn(surface, degrees);
+      const TriangleSurface surface = wallWithWindow(width, degrees);
       EXPECT_TRUE(FoundZones(surface, uniformGrid(domain, size)).cracks().empty());
     }
   }
@@ -249,11 +256,7 @@ TEST(ClosedCracks, LeaveWindowsAsTheyAreDownToTheTolerance)
     for (const double width : {0.6, 1.0, 2.0})
     {
       SCOPED_TRACE(std::to_string(degrees) + " degrees, " + std::to_string(width));
-      TriangleSurface surface;
-      const double half = 0.5 * width * size;
-      atria::testing::addPierced(surface, "Wall", Vec3(0.13, -9, -9), Vec3(0, 18, 0), Vec3(0, 0, 24),
-                                 {0.5 + (0.11 - half) / 18, 10.21 / 24}, {0.5 + (0.11 + half) / 18, 13.63 / 24});
-      atria::testing::turn(surface, degrees);
+      const TriangleSurface surface = wallWithWindow(width, degrees);
       FoundZones found(surface, uniformGrid(domain, size));
       const auto neighbors = found.crossings.neighbors;
       found.closeCracksUpTo(0.5);
