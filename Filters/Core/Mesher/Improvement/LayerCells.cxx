@@ -3,40 +3,29 @@
 
 #include <algorithm>
 #include <numeric>
-#include <unordered_map>
 
 namespace atria {
 
 namespace {
 
-/// The elements on each wall face.
-class Stacks
+struct Stack
 {
-public:
-  struct Stack
-  {
-    Index first = noIndex;
-    Index height = 0;
-  };
-
-  explicit Stacks(const LayerMesh& layer)
-  {
-    for (std::size_t i = 0; i < layer.wallFaces.size(); ++i)
-    {
-      Stack& stack = stacks_[layer.wallFaces[i]];
-      stack.first = std::min(stack.first, layer.plainElements + static_cast<Index>(i));
-      ++stack.height;
-    }
-  }
-  Stack of(Index wallFace) const
-  {
-    const auto found = stacks_.find(wallFace);
-    return found == stacks_.end() ? Stack{} : found->second;
-  }
-
-private:
-  std::unordered_map<Index, Stack> stacks_;
+  Index first = noIndex;
+  Index height = 0;
 };
+
+/// The elements on each wall face, by boundary face of the plain mesh.
+std::vector<Stack> stacksOf(const LayerMesh& layer, std::size_t faces)
+{
+  std::vector<Stack> stacks(faces);
+  for (std::size_t i = 0; i < layer.wallFaces.size(); ++i)
+  {
+    Stack& stack = stacks[layer.wallFaces[i]];
+    stack.first = std::min(stack.first, layer.plainElements + static_cast<Index>(i));
+    ++stack.height;
+  }
+  return stacks;
+}
 
 } // namespace
 
@@ -79,14 +68,16 @@ void markPoints(const LayerMesh& layer, const std::vector<ShortCell>& cells, std
 
 std::vector<Index> cellsIn(const LayerMesh& layer, const LayerMesh& before)
 {
-  const Stacks stacks(layer);
-  const Stacks stacksBefore(before);
+  // Boundary faces of the plain mesh keep their numbers.
+  const std::size_t faces = std::max(layer.mesh.boundaryFaces.size(), before.mesh.boundaryFaces.size());
+  const std::vector<Stack> stacks = stacksOf(layer, faces);
+  const std::vector<Stack> stacksBefore = stacksOf(before, faces);
   std::vector<Index> numbers(before.mesh.elementCount(), noIndex);
   std::iota(numbers.begin(), numbers.begin() + before.plainElements, Index{0});
   for (std::size_t i = 0; i < before.wallFaces.size(); ++i)
   {
-    const auto [first, height] = stacks.of(before.wallFaces[i]);
-    if (height == stacksBefore.of(before.wallFaces[i]).height)
+    const auto [first, height] = stacks[before.wallFaces[i]];
+    if (height == stacksBefore[before.wallFaces[i]].height)
     {
       numbers[before.plainElements + i] = first + before.heights[i];
     }

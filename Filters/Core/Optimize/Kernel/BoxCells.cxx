@@ -78,10 +78,8 @@ enum Kind : char
 };
 
 /// `kinds` are those of cells, as far as they are known.
-bool isGoodBox(const CellSource& source, Index cell, const std::vector<char>& kinds,
-               std::span<const QualityTargets> targets)
+bool isGoodBox(const CellSource& source, Index cell, const std::vector<char>& kinds, const QualityTargets& targets)
 {
-  const auto good = [&](auto&& test) { return std::ranges::all_of(targets, test); };
   CellBox own;
   if (kinds[cell] == other || !source.boxOf(cell, own) ||
       std::ranges::any_of(own.across, [&](Index c) { return c != noIndex && kinds[c] == other; }))
@@ -93,7 +91,7 @@ bool isGoodBox(const CellSource& source, Index cell, const std::vector<char>& ki
   {
     across[axisOf(direction)] += own.across[direction] != noIndex ? 1 : 0;
   }
-  if (!good([&](const QualityTargets& t) { return hasGoodLengths(own.lengths, across, t); }))
+  if (!hasGoodLengths(own.lengths, across, targets))
   {
     return false;
   }
@@ -106,23 +104,22 @@ bool isGoodBox(const CellSource& source, Index cell, const std::vector<char>& ki
     {
       continue;
     }
-    if (!source.boxOf(own.across[direction], beside) ||
-        !good([&](const QualityTargets& t) { return suits(own.lengths, beside.lengths, axisOf(direction), t); }))
+    if (!source.boxOf(own.across[direction], beside) || !suits(own.lengths, beside.lengths, axisOf(direction), targets))
     {
       return false;
     }
     volume = std::min(volume, volumeOf(beside.lengths));
     cube = std::max(cube, cubeOf(beside.lengths));
   }
-  return good([&](const QualityTargets& t) { return hasGoodCorners(volume, cube, t); });
+  return hasGoodCorners(volume, cube, targets);
 }
 
 } // namespace
 
 std::vector<Index> cellsToEvaluate(const CellSource& source, const std::vector<Index>& cells,
-                                   std::span<const QualityTargets> targets, const RunContext& context)
+                                   const QualityTargets& targets, const RunContext& context)
 {
-  if (std::ranges::any_of(targets, asksForMoreThanBoxes))
+  if (asksForMoreThanBoxes(targets))
   {
     return cells;
   }

@@ -10,6 +10,6 @@ namespace atria {
 /// Of some cells those that are not seen to be good, in the same order. Looks at lengths of boxes only, so it costs a
 /// small part of judging them.
 std::vector<Index> cellsToEvaluate(const CellSource& source, const std::vector<Index>& cells,
-                                   std::span<const QualityTargets> targets, const RunContext& context);
+                                   const QualityTargets& targets, const RunContext& context);
 
 } // namespace atria

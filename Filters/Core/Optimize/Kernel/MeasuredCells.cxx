@@ -5,6 +5,7 @@
 #include "Support/Sorting.h"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace atria {
 
@@ -60,18 +61,23 @@ double leastOf(Measure::Kind kind, const QualityTargets& targets)
   }
 }
 
-/// Piece by piece, as measures take many times the cells' own memory: calls use(piece, context) for each and returns
-/// what it does. A piece is for one thread, unless there are few.
+/// Measures cells that are not seen to be good, piece by piece, as measures take many times the cells' own memory:
+/// calls use(evaluator, context) for each piece and returns what it does. A piece is for one thread, unless there are
+/// few.
 template <typename Use>
-auto forPieces(const CellSource& source, const std::vector<Index>& cells, const RunContext& context, Use&& use)
+auto measurePieces(const CellSource& source, const std::vector<Index>& cells, const QualityTargets& targets,
+                   const RunContext& context, Use&& use)
 {
   const SerialExecutor one;
   const RunContext serial{one, context.progress};
-  std::vector<std::vector<Index>> pieces = inPieces(source, cells);
+  std::vector<std::vector<Index>> pieces = inPieces(source, cellsToEvaluate(source, cells, targets, context));
   const bool areFew = pieces.size() < 4 * static_cast<std::size_t>(context.executor.threads());
-  std::vector<decltype(use(pieces[0], context))> found(pieces.size());
+  std::vector<std::invoke_result_t<Use, const QualityEvaluator&, const RunContext&>> found(pieces.size());
   (areFew ? serial : context).executor.forEach(pieces.size(), 1, [&](std::size_t piece) {
-    found[piece] = use(std::move(pieces[piece]), areFew ? context : serial);
+    const RunContext& run = areFew ? context : serial;
+    std::ranges::sort(pieces[piece]);
+    Region region = extractCells(source, std::move(pieces[piece]), targets.looksAtJacobians(), run);
+    found[piece] = use(QualityEvaluator(region, targets, run), run);
   });
   return found;
 }
@@ -116,13 +122,9 @@ std::vector<ShortCell> shortCellsOf(const QualityEvaluator& evaluator, double ma
 std::vector<ShortCell> findShortCells(const CellSource& source, const std::vector<char>& marked,
                                       const QualityTargets& targets, const RunContext& context)
 {
-  const std::vector<Index> cells =
-      cellsToEvaluate(source, cellsWithMarked(source, marked, context), {&targets, 1}, context);
-  return joined(forPieces(source, cells, context, [&](std::vector<Index> piece, const RunContext& run) {
-    std::ranges::sort(piece);
-    Region region = extractCells(source, std::move(piece), targets.looksAtJacobians(), run);
-    return shortCellsOf(QualityEvaluator(region, targets, run), 0.0, run);
-  }));
+  return joined(measurePieces(
+      source, cellsWithMarked(source, marked, context), targets, context,
+      [](const QualityEvaluator& evaluator, const RunContext& run) { return shortCellsOf(evaluator, 0.0, run); }));
 }
 
 void MeasuredCells::outdate(const std::vector<Index>& cells) { mergeUnique(outdated_, cells); }
@@ -133,11 +135,9 @@ void MeasuredCells::update(const CellSource& source, const RunContext& context)
   {
     return;
   }
-  const std::vector<Index> cells = cellsToEvaluate(source, outdated_, {&targets_, 1}, context);
-  const std::vector<Record> fresh =
-      joined(forPieces(source, cells, context, [&](std::vector<Index> piece, const RunContext& run) {
-        return measure(source, std::move(piece), run);
-      }));
+  const std::vector<Record> fresh = joined(measurePieces(
+      source, outdated_, targets_, context,
+      [&](const QualityEvaluator& evaluator, const RunContext& run) { return recordsOf(evaluator, run); }));
   std::erase_if(records_, [&](const Record& r) { return std::ranges::binary_search(outdated_, r.cell); });
   const auto kept = static_cast<std::ptrdiff_t>(records_.size());
   records_.insert(records_.end(), fresh.begin(), fresh.end());
@@ -145,19 +145,15 @@ void MeasuredCells::update(const CellSource& source, const RunContext& context)
   outdated_.clear();
 }
 
-auto MeasuredCells::measure(const CellSource& source, std::vector<Index> piece, const RunContext& context) const
-    -> std::vector<Record>
+auto MeasuredCells::recordsOf(const QualityEvaluator& evaluator, const RunContext& context) const -> std::vector<Record>
 {
-  std::ranges::sort(piece);
-  Region region = extractCells(source, std::move(piece), targets_.looksAtJacobians(), context);
-  const QualityEvaluator evaluator(region, targets_, context);
+  const std::vector<Index>& ids = evaluator.region().cellIds;
   std::vector<Record> records;
-  std::size_t local = 0;
   for (const ShortCell& cell : shortCellsOf(evaluator, 0.0, context))
   {
-    local = static_cast<std::size_t>(std::ranges::lower_bound(region.cellIds, cell.cell) - region.cellIds.begin());
+    const auto local = static_cast<Index>(std::ranges::lower_bound(ids, cell.cell) - ids.begin());
+    const std::array<double, Measure::kinds> least = evaluator.leastOf(local);
     Record& record = records.emplace_back(Record{cell.cell, {}});
-    const std::array<double, Measure::kinds> least = evaluator.leastOf(static_cast<Index>(local));
     for (std::size_t k = 0; k < least.size(); ++k)
     {
       const bool isShort = least[k] < 1.0;

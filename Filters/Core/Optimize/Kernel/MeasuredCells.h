@@ -45,7 +45,7 @@ private:
     /// The least of each kind of measure, infinite where it does not fall short.
     std::array<float, Measure::kinds> least;
   };
-  std::vector<Record> measure(const CellSource& source, std::vector<Index> piece, const RunContext& context) const;
+  std::vector<Record> recordsOf(const QualityEvaluator& evaluator, const RunContext& context) const;
 
   QualityTargets targets_;
   std::vector<Record> records_; ///< in the order of cells
