@@ -21,7 +21,7 @@ namespace atria {
 namespace {
 
 /// By ZoneKind.
-constexpr std::array<const char*, 4> zoneKindNames{"open", "room", "solid", "narrow"};
+constexpr std::array<const char*, 5> zoneKindNames{"open", "room", "solid", "narrow", "beyond"};
 
 std::string nameOf(Index surface, const std::vector<std::string>& names)
 {

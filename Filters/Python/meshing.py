@@ -87,7 +87,7 @@ class Result:
         for metric in ("NonOrthogonality", "Skewness", "CellSquish"):
             yield f"worst {metric}", f"{self.report['quality'][metric]['max']:.3g}"
         yield "patches", ", ".join(f"{name} ({patch.GetNumberOfCells()})" for name, patch in self.patches.items())
-        left_out = [zone for zone in self.report["zones"] if not zone["kept"]]
+        left_out = [zone for zone in self.report["zones"] if not zone["kept"] and zone["kind"] != "beyond"]
         yield "left out", ", ".join(f"{zone['kind']} of {zone['elements']} elements" for zone in left_out) or "nothing"
         yield "seconds", f"{sum(self.report['seconds'].values()):.3g}"
         for text in self.report["warnings"]:

@@ -99,6 +99,8 @@ TEST_F(SiteMeshes, ATurnedDomainKeepsBuildingsAndItsGround)
   EXPECT_NEAR(meshVolume(), volumeOf(domain) - inside, 1e-3 * inside);
   EXPECT_NEAR(areaOf(namedPatches().at("Site")), 400.0 - 4.3 * 3.3, 1e-6 * 400.0);
   EXPECT_THAT(atria::testing::fieldStrings(diagnostics(), "SurfaceWithoutFaces"), ::testing::IsEmpty());
+  EXPECT_THAT(atria::testing::fieldStrings(diagnostics(), "ZoneKind"),
+              ::testing::UnorderedElementsAre("open", "solid", "beyond"));
 }
 
 TEST_F(SiteMeshes, SidesOfATurnedDomainDoNotRefine)

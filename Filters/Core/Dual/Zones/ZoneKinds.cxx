@@ -90,6 +90,20 @@ std::vector<char> solidZones(const Zones& zones, const Crossings& crossings, std
   return solid;
 }
 
+/// Zones that see the sides of a turned domain, which are sheets there, from outside.
+std::vector<char> zonesBeyond(const Zones& zones, const Crossings& crossings, std::size_t surfaceCount)
+{
+  std::vector<char> beyond(zones.count(), 0);
+  for (const BoundaryFace& face : crossings.boundaryFaces)
+  {
+    if (face.tag >= surfaceCount && face.opposite != noIndex && face.side == SheetSide::front)
+    {
+      beyond[zones.ofPoint[face.element]] = 1;
+    }
+  }
+  return beyond;
+}
+
 } // namespace
 
 void describeZones(std::vector<ZoneSummary>& summaries, const Zones& zones, const Crossings& crossings,
@@ -99,13 +113,15 @@ void describeZones(std::vector<ZoneSummary>& summaries, const Zones& zones, cons
   context.progress.check();
   const std::vector<char> wide = wideZones(zones, crossings);
   const std::vector<char> solid = solidZones(zones, crossings, surfaceCount);
+  const std::vector<char> beyond = zonesBeyond(zones, crossings, surfaceCount);
   constexpr unsigned bottom = 1U << zMin;
   for (std::size_t i = 0; i < summaries.size(); ++i)
   {
-    summaries[i].kind = (zones.sides[i] & ~bottom) != 0 ? ZoneKind::open
-                        : solid[i]                      ? ZoneKind::solid
-                        : wide[i]                       ? ZoneKind::room
-                                                        : ZoneKind::narrow;
+    summaries[i].kind = beyond[i]                         ? ZoneKind::beyond
+                        : (zones.sides[i] & ~bottom) != 0 ? ZoneKind::open
+                        : solid[i]                        ? ZoneKind::solid
+                        : wide[i]                         ? ZoneKind::room
+                                                          : ZoneKind::narrow;
   }
 }
 

@@ -47,10 +47,11 @@ std::vector<char> keptZones(const Zones& zones, ZoneRule rule, const std::vector
 
 enum class ZoneKind : std::uint8_t
 {
-  open,  ///< reaches a side of the domain other than the bottom
-  room,  ///< closed
-  solid, ///< closed by one surface, whose back it sees: the inside of a solid, as far as one can tell
-  narrow ///< closed, and all of its elements are at its border
+  open,   ///< reaches a side of the domain other than the bottom
+  room,   ///< closed
+  solid,  ///< closed by one surface, whose back it sees: the inside of a solid, as far as one can tell
+  narrow, ///< closed, and all of its elements are at its border
+  beyond  ///< behind the sides of a domain that does not stand along the grid
 };
 
 /// What there is to say of a zone, kept or not.
