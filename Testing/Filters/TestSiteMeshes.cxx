@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Meshes of domains that stand turned, of grids that are turned, and above terrain.
 #include "DualMesherTest.h"
+#include "vtkAtriaMeshQuality.h"
 #include "vtkAtriaOctreeSource.h"
 
 #include <vtkCellData.h>
@@ -59,6 +60,42 @@ protected:
       EXPECT_NEAR(areaOf(all.at(name)), area, tolerance * area) << name;
       EXPECT_EQ(all.at(name)->GetCellData()->GetArray("SurfaceId")->GetRange()[1], -1.0);
     }
+  }
+
+  /// Of the lateral sides' vertices that are not on their planes, how far they are from these.
+  std::vector<double> distancesFromSides(double angle)
+  {
+    std::vector<double> away;
+    const Vec3 half = 0.5 * domain.size();
+    const auto all = namedPatches();
+    for (const auto& [name, axis] :
+         {std::pair("xMin", 0), std::pair("xMax", 0), std::pair("yMin", 1), std::pair("yMax", 1)})
+    {
+      vtkPolyData* patch = all.at(name);
+      for (vtkIdType i = 0; i < patch->GetNumberOfPoints(); ++i)
+      {
+        const Vec3 p = turned(Vec3(patch->GetPoint(i)) - domain.center(), -angle);
+        const double distance = half[axis] - std::abs(p[axis]);
+        EXPECT_GT(distance, -1e-6);
+        if (distance > 1e-6)
+        {
+          away.push_back(distance);
+        }
+      }
+    }
+    return away;
+  }
+
+  std::size_t detachedVertices()
+  {
+    const std::vector<std::string> names = atria::testing::fieldStrings(diagnostics(), "DiagnosticName");
+    vtkDataArray* kinds = diagnostics()->GetCellData()->GetArray("Diagnostic");
+    std::size_t count = 0;
+    for (vtkIdType i = 0; i < kinds->GetNumberOfTuples(); ++i)
+    {
+      count += names[static_cast<std::size_t>(kinds->GetTuple1(i))] == "DetachedVertex" ? 1 : 0;
+    }
+    return count;
   }
 };
 
@@ -284,6 +321,31 @@ TEST_F(SiteMeshes, AnAutomaticDomainStandsAlongTheWind)
   // The site refines to it, so that levels change along the upright edges.
   expectSides(1e-6);
   EXPECT_NEAR(meshVolume(), volumeOf(domain) - 6 * 4 * 3, 1e-6 * volumeOf(domain));
+}
+
+/// Octants of several sizes meet at the sides, and some elements would have all of their vertices on one side: there
+/// vertices leave it, by less than an octant, and are told.
+TEST_F(SiteMeshes, WhereElementsAtTurnedSidesNeedRoomVerticesLeaveTheseAndAreTold)
+{
+  domain = {Vec3(-28, -27, 0), Vec3(66, 31, 40)};
+  setGrid(mesher, domain, 0.5, 1.0, 8.0);
+  TriangleSurface surface;
+  addBox(surface, "House", {Vec3(-6, -4, 0), Vec3(5, 4, 6)});
+  addSheet(surface, "Site", Vec3(-55, -45, 0), Vec3(105, 0, 0), Vec3(0, 95, 0));
+  for (const double angle : {20.0, 30.0, 45.0, 110.0})
+  {
+    SCOPED_TRACE(angle);
+    mesher->SetDomainAngle(angle);
+    mesh(surface);
+    vtkNew<vtkAtriaMeshQuality> quality;
+    quality->SetInputConnection(mesher->GetOutputPort());
+    quality->Update();
+    EXPECT_EQ(quality->GetNumberOfInvalidCells(), 0);
+    EXPECT_NEAR(meshVolume(), volumeOf(domain) - 11 * 8 * 6, 1e-4 * volumeOf(domain));
+    const std::vector<double> away = distancesFromSides(angle);
+    EXPECT_LE(away.size(), detachedVertices());
+    EXPECT_THAT(away, ::testing::Each(::testing::Lt(8.0)));
+  }
 }
 
 TEST_F(SiteMeshes, AnAutomaticDomainNeedsBuildings)

@@ -320,6 +320,7 @@ ClassifiedMesh fillMesh(DualMeshResult& result, const DualMeshOptions& options, 
   appendUnresolved(mesh, octree, leaves, std::move(placed.compromised), result.diagnostics);
   keepWithinSides(mesh.points, octree.frame());
   fixMoved(before, mesh.points, placed.classification);
+  placed.classification.turnedSides = turnedSidesOf(mesh, octree.frame(), model.names.size());
   return classified(std::move(mesh), std::move(placed.classification));
 }
 

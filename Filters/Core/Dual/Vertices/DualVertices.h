@@ -33,6 +33,8 @@ struct VertexClassification
   /// Charts of vertices on surfaces, curves of those on curves.
   std::vector<Index> offsets;
   std::vector<Index> pieces;
+  /// Lateral sides of a turned domain (by Direction, as bits) on which vertices stay; empty without such a domain.
+  std::vector<std::uint8_t> turnedSides = {};
   /// Of detached vertices.
   std::unordered_map<Index, DisplacementLimit> displacementLimits = {};
 

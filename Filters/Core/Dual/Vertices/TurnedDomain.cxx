@@ -13,6 +13,15 @@ namespace {
 
 using Edge = std::array<Index, 2>;
 
+/// The sides are surfaces whose corners are on the lattice: points on them are this near to the planes.
+constexpr double roundingUnits = 4.0;
+
+/// From the axes of the grid to those of the domain.
+Placement turnOf(const GridFrame& frame)
+{
+  return Placement(frame.turnedDomain->axes.angle() - frame.placement.angle());
+}
+
 /// By the two sides, as bits by Direction: the mesh edges in which faces of one lateral side meet those of another.
 std::map<unsigned, std::vector<Edge>> edgesBetweenSides(const DualMesh& mesh, std::size_t surfaceCount)
 {
@@ -120,7 +129,7 @@ std::vector<char> zonesWithinSides(std::vector<char> kept, const Zones& zones, c
     return kept;
   }
   const Box3& box = frame.turnedDomain->bounds;
-  const Placement relative(frame.turnedDomain->axes.angle() - frame.placement.angle());
+  const Placement relative = turnOf(frame);
   std::vector<double> farthest(zones.count(), 0.0);
   for (Index point = 0; point < grid.points().size(); ++point)
   {
@@ -140,24 +149,51 @@ std::vector<char> zonesWithinSides(std::vector<char> kept, const Zones& zones, c
   return kept;
 }
 
-void keepWithinSides(std::span<Vec3> positions, const GridFrame& frame)
+Vec3 onTurnedSides(const Vec3& position, unsigned sides, const GridFrame& frame)
 {
   if (!frame.turnedDomain)
   {
-    return;
+    return position;
   }
   const Box3& box = frame.turnedDomain->bounds;
-  const Placement relative(frame.turnedDomain->axes.angle() - frame.placement.angle());
-  for (Vec3& position : positions)
+  const Placement relative = turnOf(frame);
+  const Vec3 p = relative.fromModel(position);
+  Vec3 inside = p;
+  inside.head<2>() = p.head<2>().cwiseMax(box.min.head<2>()).cwiseMin(box.max.head<2>());
+  for (int side = xMin; side <= yMax; ++side)
   {
-    const Vec3 p = relative.fromModel(position);
-    Vec3 inside = p;
-    inside.head<2>() = p.head<2>().cwiseMax(box.min.head<2>()).cwiseMin(box.max.head<2>());
-    if (inside != p)
+    if (sides >> side & 1)
     {
-      position = relative.toModel(inside);
+      inside[axisOf(side)] = isUpper(side) ? box.max[axisOf(side)] : box.min[axisOf(side)];
     }
   }
+  return inside == p ? position : relative.toModel(inside);
+}
+
+void keepWithinSides(std::span<Vec3> positions, const GridFrame& frame)
+{
+  std::ranges::transform(positions, positions.begin(), [&](const Vec3& p) { return onTurnedSides(p, 0, frame); });
+}
+
+std::vector<std::uint8_t> turnedSidesOf(const DualMesh& mesh, const GridFrame& frame, std::size_t surfaceCount)
+{
+  std::vector<std::uint8_t> sides(frame.turnedDomain ? mesh.points.size() : 0, 0);
+  for (const BoundaryFace& face : mesh.boundaryFaces)
+  {
+    if (sides.empty() || face.tag < surfaceCount || face.tag - surfaceCount > yMax)
+    {
+      continue;
+    }
+    const unsigned side = 1U << (face.tag - surfaceCount);
+    const ReducedFace reduced = faceOf(mesh.corners[face.element], face.direction);
+    for (int i = 0; i < reduced.count; ++i)
+    {
+      const Index p = reduced.points[i];
+      const double away = (onTurnedSides(mesh.points[p], side, frame) - mesh.points[p]).norm();
+      sides[p] |= static_cast<std::uint8_t>(away <= roundingUnits * frame.latticeUnit() ? side : 0);
+    }
+  }
+  return sides;
 }
 
 void sharpenTurnedEdges(DualMesh& mesh, const GridFrame& frame, std::size_t surfaceCount)
@@ -167,7 +203,7 @@ void sharpenTurnedEdges(DualMesh& mesh, const GridFrame& frame, std::size_t surf
     return;
   }
   const Box3& box = frame.turnedDomain->bounds;
-  const Placement relative(frame.turnedDomain->axes.angle() - frame.placement.angle());
+  const Placement relative = turnOf(frame);
   for (auto& [sides, edges] : edgesBetweenSides(mesh, surfaceCount))
   {
     Vec3 upright = Vec3::Zero();

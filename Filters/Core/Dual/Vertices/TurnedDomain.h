@@ -19,6 +19,12 @@ std::vector<char> zonesWithinSides(std::vector<char> kept, const Zones& zones, c
 /// which no corner is inside the domain; without this the mesh would cut it off there. O(n log n) in boundary faces.
 void sharpenTurnedEdges(DualMesh& mesh, const GridFrame& frame, std::size_t surfaceCount);
 
+/// The sides (by Direction, as bits) on which the vertices of their faces are. Empty where the frame has none.
+std::vector<std::uint8_t> turnedSidesOf(const DualMesh& mesh, const GridFrame& frame, std::size_t surfaceCount);
+
+/// The place nearest to `position` on `sides`, within the domain's others.
+Vec3 onTurnedSides(const Vec3& position, unsigned sides, const GridFrame& frame);
+
 /// Outward normals of the domain's sides, along the grid's axes.
 std::array<Vec3, 6> sideNormalsOf(const GridFrame& frame);
 

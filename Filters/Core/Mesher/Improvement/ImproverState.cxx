@@ -33,12 +33,14 @@ ImproverState::ImproverState(const MeshingContext& meshingContext, const VertexC
   {
     return;
   }
-  // Octants know the planes of an upright domain's sides, not of a turned one's.
+  // Vertices of turned sides that are not on these, as at corners of the model beside them, are not led back to them.
   for (const BoundaryFace& face : plain.boundaryFaces)
   {
-    for (int i = 0; i < 4 && face.tag >= options.surfaceCount(); ++i)
+    const bool isLateral = face.tag >= options.surfaceCount() && face.tag - options.surfaceCount() <= yMax;
+    for (int i = 0; i < 4 && isLateral; ++i)
     {
-      mayLeave[vertexOf[cornerOf(plain, face, i)]] = 0;
+      const Index vertex = vertexOf[cornerOf(plain, face, i)];
+      mayLeave[vertex] = mayLeave[vertex] && classification.turnedSides[vertex] != 0;
     }
   }
 }

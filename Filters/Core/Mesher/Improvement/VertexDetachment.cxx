@@ -53,6 +53,11 @@ void VertexDetachment::make(RoomStep step, const std::vector<ShortCell>& bad)
     exclude(bad);
     return;
   }
+  if (step == RoomStep::leaveSides)
+  {
+    leaveSides();
+    return;
+  }
   eachLeaderOf(bad, [&](Index leader) {
     state_.letGo[leader] = 1;
     step == RoomStep::leaveCurves ? leaveCurve(leader)
@@ -82,6 +87,23 @@ void VertexDetachment::leaveCurve(Index leader)
     noteLeft(leader);
     vertexClass = VertexClass::adjacent;
   }
+}
+
+/// Only points of cells that are not valid leave the sides: what falls short by its determinant is at two of them.
+void VertexDetachment::leaveSides()
+{
+  if (state_.classification.turnedSides.empty())
+  {
+    return;
+  }
+  QualityTargets valid;
+  valid.convex = valid.decomposed = false;
+  valid.weight.limit = valid.volumeRatio.limit = 0.0;
+  valid.leastOfFaceCosine = valid.leastOfSkewness = valid.leastOfDeterminant = std::numeric_limits<double>::infinity();
+  eachLeaderOf(badOf(state_.findShort(valid)), [&](Index leader) {
+    state_.classification.turnedSides[leader] = 0;
+    state_.mayLeave[leader] = 1;
+  });
 }
 
 /// By `reach` times the size of the vertex's octant.
@@ -211,6 +233,10 @@ void VertexDetachment::keepThoseAway()
     const bool back = (state_.layer.mesh.points[p] - wanted[i].place).norm() <= nearlyThere * size;
     state_.classification.classes[vertex] = back ? state_.wanted.classes[vertex] : VertexClass::fixed;
     isLeft_[p] = back ? 0 : 1;
+    if (back && !state_.wanted.turnedSides.empty())
+    {
+      state_.classification.turnedSides[vertex] = state_.wanted.turnedSides[vertex];
+    }
     if (!back)
     {
       away.push_back(left_[i]);

@@ -38,6 +38,7 @@ private:
   void noteLeft(Index leader);
   void leaveCurve(Index leader);
   void leaveSurface(Index leader, double reach);
+  void leaveSides();
   void startAgain(const std::vector<ShortCell>& bad, double share);
   void exclude(const std::vector<ShortCell>& bad);
   std::vector<WantedPlace> wantedPlaces() const;

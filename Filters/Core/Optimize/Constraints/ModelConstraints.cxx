@@ -112,14 +112,22 @@ ModelConstraints::Target& ModelConstraints::targetOf(Index point) const
   return target;
 }
 
-unsigned ModelConstraints::planesOf(Index leaf) const
+unsigned ModelConstraints::planesOf(Index point) const
 {
+  const Index leaf = classification_.leaves[vertexOf_[point]];
   return octree_.frame().domainPlanes(octree_.lowCorner(leaf), octree_.highCorner(leaf));
 }
 
-Vec3 ModelConstraints::onPlanes(Vec3 p, unsigned planes) const
+unsigned ModelConstraints::turnedSidesOf(Index point) const
+{
+  return classification_.turnedSides.empty() ? 0 : classification_.turnedSides[vertexOf_[point]];
+}
+
+/// Within the domain, and on those of its sides on which the point stays.
+Vec3 ModelConstraints::onSides(Index point, Vec3 p) const
 {
   const GridFrame& frame = octree_.frame();
+  const unsigned planes = planesOf(point);
   for (int direction = 0; direction < 6; ++direction)
   {
     if (planes >> direction & 1)
@@ -127,30 +135,26 @@ Vec3 ModelConstraints::onPlanes(Vec3 p, unsigned planes) const
       p[axisOf(direction)] = frame.planeOf(direction);
     }
   }
-  p = p.cwiseMax(frame.domain.min).cwiseMin(frame.domain.max);
-  keepWithinSides({&p, 1}, frame);
-  return p;
+  return onTurnedSides(p.cwiseMax(frame.domain.min).cwiseMin(frame.domain.max), turnedSidesOf(point), frame);
 }
 
 Vec3 ModelConstraints::centerOf(Index point) const
 {
-  const Index leaf = classification_.leaves[vertexOf_[point]];
-  return onPlanes(octree_.center(leaf), planesOf(leaf));
+  return onSides(point, octree_.center(classification_.leaves[vertexOf_[point]]));
 }
 
 Vec3 ModelConstraints::place(Index point, const Vec3& p) const
 {
-  const Index leaf = classification_.leaves[vertexOf_[point]];
-  const unsigned planes = planesOf(leaf);
   if (classOf(point) == VertexClass::free)
   {
-    return onPlanes(p, planes);
+    return onSides(point, p);
   }
   if (classOf(point) == VertexClass::detached)
   {
     const auto& [origin, reach] = classification_.displacementLimits.at(vertexOf_[point]);
-    return onPlanes(p.cwiseMax(origin - Vec3::Constant(reach)).cwiseMin(origin + Vec3::Constant(reach)), planes);
+    return onSides(point, p.cwiseMax(origin - Vec3::Constant(reach)).cwiseMin(origin + Vec3::Constant(reach)));
   }
+  const Index leaf = classification_.leaves[vertexOf_[point]];
   const Vec3 q = nearest(point, p);
   // Where a corner has no vertex of its own, those beside it must not cut it off.
   constexpr double reach = 0.6;
@@ -166,13 +170,13 @@ Vec3 ModelConstraints::nearest(Index point, const Vec3& p) const
   {
     return target.start;
   }
-  const unsigned planes = planesOf(classification_.leaves[vertexOf_[point]]);
   // On a domain side, surface and plane in turn.
   constexpr int turns = 8;
+  const bool isOnSide = planesOf(point) != 0 || turnedSidesOf(point) != 0;
   Vec3 q = p;
-  for (int i = 0; i < (planes != 0 ? turns : 1); ++i)
+  for (int i = 0; i < (isOnSide ? turns : 1); ++i)
   {
-    q = onPlanes(nearestOf(target, q), planes);
+    q = onSides(point, nearestOf(target, q));
   }
   return q;
 }
@@ -263,7 +267,7 @@ ModelConstraints::OnPiece ModelConstraints::nearestPiece(Target& target, const V
 /// edges, and one piece would promise ways there are not.
 Ways ModelConstraints::waysFrom(Index point, const Vec3& p, double step) const
 {
-  const bool isAtSide = planesOf(classification_.leaves[vertexOf_[point]]) != 0 || octree_.frame().turnedDomain;
+  const bool isAtSide = planesOf(point) != 0 || octree_.frame().turnedDomain;
   if (!isAtSide && !hasPieces(point))
   {
     return {};

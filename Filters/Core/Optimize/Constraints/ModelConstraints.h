@@ -62,8 +62,9 @@ private:
   OnPiece nearestPiece(Target& target, const Vec3& p) const;
   Vec3 nearestOf(Target& target, const Vec3& p) const;
   bool isBeyond(const Target& target, Index piece, const Vec3& wanted, double reach) const;
-  Vec3 onPlanes(Vec3 p, unsigned planes) const;
-  unsigned planesOf(Index leaf) const;
+  Vec3 onSides(Index point, Vec3 p) const;
+  unsigned planesOf(Index point) const;
+  unsigned turnedSidesOf(Index point) const;
 
   const Octree& octree_;
   const SurfaceModel& model_;
