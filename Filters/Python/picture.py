@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A picture of patches, for notebooks.
+"""A picture of patches, for notebooks, and what pictures without a display take.
 
 VTK ends the process where it finds no display, and a notebook should survive that: the picture is drawn by an
 interpreter of its own, which runs this file as `picture.py PATCHES.vtm PICTURE.png`, under xvfb-run if need be.
@@ -28,19 +28,26 @@ def picture_of(patches: Mapping[str, vtkPolyData]) -> bytes | None:
     blocks = vtkMultiBlockDataSet()
     for index, patch in enumerate(patches.values()):
         blocks.SetBlock(index, patch)
-    command = [sys.executable, __file__]
+    with tempfile.TemporaryDirectory() as folder:
+        file = pathlib.Path(folder) / "patches.vtm"
+        writer = vtkXMLMultiBlockDataWriter()
+        writer.SetFileName(str(file))
+        writer.SetInputData(blocks)
+        writer.Write()
+        return drawn_apart(__file__, str(file))
+
+
+def drawn_apart(script, *arguments) -> bytes | None:
+    """What a script draws as `script ARGUMENTS PICTURE.png`; None where it cannot, such as without a display."""
+    command = [sys.executable, script]
     if not os.environ.get("DISPLAY") and sys.platform.startswith("linux"):
         if not shutil.which("xvfb-run"):
             return None
         command = ["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24", *command]
     with tempfile.TemporaryDirectory() as folder:
-        file, picture = pathlib.Path(folder) / "patches.vtm", pathlib.Path(folder) / "picture.png"
-        writer = vtkXMLMultiBlockDataWriter()
-        writer.SetFileName(str(file))
-        writer.SetInputData(blocks)
-        writer.Write()
+        picture = pathlib.Path(folder) / "picture.png"
         try:
-            subprocess.run([*command, str(file), str(picture)], check=True, capture_output=True, timeout=SECONDS)
+            subprocess.run([*command, *arguments, str(picture)], check=True, capture_output=True, timeout=SECONDS)
             return picture.read_bytes()
         except (OSError, subprocess.SubprocessError):
             return None
