@@ -65,13 +65,15 @@ else ()
     TEXT "Headers, and what find_package(Atria) of CMake needs.")
   atria_debian_package(command_line NAME atria SECTION science DEPENDS "${library} ${same_version}"
     TEXT "The command line, with its manual page and completion for shells.")
+  set(CPACK_DEBIAN_COMMAND_LINE_PACKAGE_RECOMMENDS python3-atria) # for atria report
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "xvfb, xauth") # for pictures without a display
   if (TARGET atria-assimp)
     atria_debian_package(assimp NAME atria-assimp SECTION science
       TEXT "The program by which the library reads COLLADA, 3DS, FBX, DXF and IFC.")
     set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "atria-assimp")
   endif ()
   atria_debian_package(python NAME python3-atria SECTION python CONFLICTS python3-atria-paraview
-    DEPENDS "${library} ${same_version}" "python3 (>= 3.11~)" "python3 (<< 3.12)" python3-vtk9
+    DEPENDS "${library} ${same_version}" "python3 (>= 3.11~)" "python3 (<< 3.12)" python3-vtk9 python3-numpy
     TEXT "The Python package atria.")
   atria_debian_package(documentation NAME atria-doc SECTION doc TEXT "Documents and examples.")
   set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_ARCHITECTURE all)

@@ -2,7 +2,9 @@
 # The Python package `atria`, in the build tree at lib/python3/dist-packages and installed likewise.
 set(atria_python_dir "lib/python3/dist-packages") # where Debian's Python looks, whatever the architecture
 set(atria_python_sources "${CMAKE_CURRENT_LIST_DIR}/Python")
-set(atria_python_files __init__.py errors.py meshing.py picture.py py.typed)
+set(atria_python_files __init__.py errors.py meshing.py picture.py py.typed
+  report/__init__.py report/__main__.py report/case.py report/charts.py report/comfort.py report/fields.py report/page.py
+  report/pictures.py report/results.py report/scene.py)
 
 macro (atria_wrap_python)
   vtk_module_wrap_python(
@@ -13,7 +15,8 @@ macro (atria_wrap_python)
     ${ARGN})
   foreach (file IN LISTS atria_python_files)
     configure_file("${atria_python_sources}/${file}" "${CMAKE_BINARY_DIR}/${atria_python_dir}/atria/${file}" COPYONLY)
-    install(FILES "${atria_python_sources}/${file}" DESTINATION "${atria_python_dir}/atria" COMPONENT python)
+    get_filename_component(folder "${file}" DIRECTORY)
+    install(FILES "${atria_python_sources}/${file}" DESTINATION "${atria_python_dir}/atria/${folder}" COMPONENT python)
   endforeach ()
   set(atria_python_build "${CMAKE_BINARY_DIR}/${atria_python_dir}")
   file(CONFIGURE OUTPUT "${atria_python_build}/atria/_version.py" CONTENT "__version__ = \"${PROJECT_VERSION}\"\n")

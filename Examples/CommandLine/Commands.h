@@ -46,5 +46,7 @@ void addQualityCommand(CLI::App& app, Console& console, ExitStatus& status);
 void addImproveCommand(CLI::App& app, Console& console, ExitStatus& status);
 void addConvertCommand(CLI::App& app, Console& console, ExitStatus& status);
 void addCaseCommand(CLI::App& app, Console& console, ExitStatus& status);
+/// Goes on as another program, whose exit status is the result.
+void addReportCommand(CLI::App& app);
 
 } // namespace atria::tool

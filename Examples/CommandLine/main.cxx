@@ -62,6 +62,7 @@ int main(int argc, char** argv)
   addImproveCommand(app, console, status);
   addConvertCommand(app, console, status);
   addCaseCommand(app, console, status);
+  addReportCommand(app);
   addDocuments(app);
   try
   {

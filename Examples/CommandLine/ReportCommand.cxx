@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// atria report: a page of what the runs of a case say. The Python package makes it.
+#include "Commands.h"
+#include "Console.h"
+#include "Numbers.h"
+
+#include <CLI/CLI.hpp>
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace atria::tool {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options
+{
+  std::string folder;
+  std::string output;
+  std::string climate;
+  std::vector<double> station;
+};
+
+constexpr const char* examples = R"(Examples:
+  case/Allrun && atria report case
+      case/report.html: air changes of rooms, pictures, convergence, and what to doubt
+  atria report rose --climate climate.csv --station 10 0.03
+      also classes of wind comfort, of a case with many directions and a climate that was measured 10 m above grass)";
+
+/// What the interpreter runs; a package that it cannot load is told in words.
+constexpr const char* script = R"(import sys
+try:
+    from atria.report.__main__ import main
+except ImportError as error:
+    sys.exit(f"atria: error: {sys.executable}: {error}; let ATRIA_PYTHON name the Python whose VTK Atria was built for")
+sys.exit(main())
+)";
+
+/// Where the package `atria` is: beside this program, in the tree of a build or of an installation.
+fs::path packages()
+{
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  const fs::path found = program.parent_path().parent_path() / "lib" / "python3" / "dist-packages";
+  if (error || !fs::exists(found / "atria" / "report" / "__main__.py"))
+  {
+    throw Failure(Failed, "the page is made by Atria's Python package, which is not in '" + found.string() +
+                              "': install python3-atria");
+  }
+  return found;
+}
+
+/// The interpreter that the package is for: the system's, whose VTK it uses, unless ATRIA_PYTHON names another.
+std::string interpreter()
+{
+  const char* const chosen = std::getenv("ATRIA_PYTHON");
+  return chosen && *chosen ? chosen : "/usr/bin/python3";
+}
+
+std::vector<std::string> commandOf(const Options& options)
+{
+  std::vector<std::string> command{interpreter(), "-c", script};
+  if (!options.output.empty())
+  {
+    command.insert(command.end(), {"--output", options.output});
+  }
+  if (!options.climate.empty())
+  {
+    command.insert(command.end(), {"--climate", options.climate});
+  }
+  if (!options.station.empty())
+  {
+    command.push_back("--station");
+    for (const double value : options.station)
+    {
+      command.push_back(CLI::detail::to_string(value));
+    }
+  }
+  command.insert(command.end(), {"--", options.folder});
+  return command;
+}
+
+/// Goes on as the interpreter, whose exit status is that of the command.
+[[noreturn]] void runReport(const Options& options)
+{
+  const char* const others = std::getenv("PYTHONPATH");
+  const std::string path = packages().string() + (others && *others ? std::string(":") + others : "");
+  ::setenv("PYTHONPATH", path.c_str(), 1);
+  std::vector<std::string> command = commandOf(options);
+  std::vector<char*> words;
+  for (std::string& word : command)
+  {
+    words.push_back(word.data());
+  }
+  words.push_back(nullptr);
+  ::execvp(words[0], words.data());
+  throw Failure(Failed, "cannot run '" + command[0] + "': " + std::strerror(errno) +
+                            "; let ATRIA_PYTHON name the Python that has VTK");
+}
+
+} // namespace
+
+void addReportCommand(CLI::App& app)
+{
+  CLI::App* command = app.add_subcommand("report", "Make a page of what the runs of a case say: air changes, comfort");
+  auto options = std::make_shared<Options>();
+  command->add_option("CASE", options->folder, "Folder that `atria case` wrote and whose Allrun has run")->required();
+  command->add_option("-o,--output", options->output, "Where the page goes (default: CASE/report.html)")
+      ->type_name("PAGE.html");
+  auto* climate = command
+                      ->add_option("--climate", options->climate,
+                                   "Statistics of the wind, for classes of comfort: .csv or .json with the columns "
+                                   "from (degrees clockwise from north), frequency, scale (m/s) and shape (Weibull)")
+                      ->type_name("FILE");
+  command
+      ->add_option("--station", options->station,
+                   "Where the climate was measured: height above the ground and roughness length there, meters "
+                   "(default: as the wind of the case)")
+      ->expected(2)
+      ->check(positive())
+      ->needs(climate)
+      ->type_name("HEIGHT ROUGHNESS");
+  command->footer(examples);
+  command->callback([options] { runReport(*options); });
+}
+
+} // namespace atria::tool

@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""python3 -m atria.report CASE [-o PAGE.html] [--climate FILE [--station HEIGHT ROUGHNESS]]"""
+
+from __future__ import annotations
+
+import argparse
+import pathlib
+import sys
+
+from . import Case, page_of, read_climate
+from ..errors import Error
+from .comfort import at_reference
+
+BAD_INPUT = 3  # as the command line's others
+
+
+def _arguments(given):
+    parser = argparse.ArgumentParser(prog="atria report", description="Makes a page of what the runs of a case say.")
+    parser.add_argument("case", metavar="CASE", help="folder that `atria case` wrote and whose Allrun has run")
+    parser.add_argument("-o", "--output", metavar="PAGE.html", help="where the page goes (default: CASE/report.html)")
+    parser.add_argument("--climate", metavar="FILE", help="wind statistics: .csv or .json with from, frequency, scale, shape")
+    parser.add_argument("--station", metavar=("HEIGHT", "ROUGHNESS"), nargs=2, type=float,
+                        help="where the climate was measured, meters (default: as the case's wind)")
+    return parser.parse_args(given)
+
+
+def main(given=None) -> int:
+    options = _arguments(given)
+    target = pathlib.Path(options.output or pathlib.Path(options.case) / "report.html")
+    try:
+        climate = read_climate(options.climate) if options.climate else None
+        case = Case(options.case)
+        if climate and options.station:
+            climate = at_reference(climate, *options.station, case.described)
+        target.write_text(page_of(case, climate), encoding="utf-8")
+    except Error as error:
+        print(f"atria: error: {error}", file=sys.stderr)
+        return BAD_INPUT
+    except OSError as error:
+        print(f"atria: error: {target}: {error.strerror}", file=sys.stderr)
+        return 1
+    print(f"Written: {target}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,181 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A case that `atria case` wrote, with what its runs measured."""
+
+from __future__ import annotations
+
+import json
+import pathlib
+from dataclasses import dataclass
+
+import numpy
+
+from ..errors import Error
+from . import results
+from .results import History
+
+OUTSIDE = "outside"
+# Wall functions of smooth walls hold up to here, roughly.
+MOST_Y_PLUS = 300.0
+# Where no place of a probe is, OpenFOAM writes a number larger than this.
+_NOWHERE = 1e100
+
+
+@dataclass(frozen=True)
+class Judged:
+    """A quantity that must have settled; its drift is compared with `scale`."""
+
+    name: str
+    history: History
+    scale: float
+    unit: str
+
+    @property
+    def verdict(self) -> str:
+        return results.verdict(self.history, self.scale)
+
+
+@dataclass(frozen=True)
+class Direction:
+    """Where the wind comes from (degrees clockwise from north) and blows to (counterclockwise from x), and what patches are."""
+
+    folder: str
+    origin: float
+    towards: float
+    roles: dict[str, str]
+
+
+class Run:
+    """One direction of the wind."""
+
+    def __init__(self, case, direction):
+        self.case = case
+        self.folder = case.folder / direction.folder
+        self.origin, self.towards, self.roles = direction.origin, direction.towards, direction.roles
+        log = next((self.folder / name for name in ("log.simpleFoam", "log.foamRun") if (self.folder / name).exists()), None)
+        self.log = results.read_log(log) if log else None
+        sides = [patch for patch, role in self.roles.items() if role in ("inlet", "outlet", "inletOutlet")]
+        flows = {patch: results.read_flow(self.folder, "flow_" + patch) for patch in sides}
+        self.flows = {patch: flow for patch, flow in flows.items() if flow is not None}
+        self.openings = results.read_openings(self.folder, case.openings)
+        self.forces = results.read_columns(self.folder / "postProcessing" / "forces", "force.dat", 3)
+        self.y_plus = results.read_y_plus(self.folder / "postProcessing" / "yPlus")
+
+    @property
+    def title(self):
+        return f"wind from {self.origin:g}°"
+
+    @property
+    def ran(self):
+        return self.log is not None and bool(self.log.residuals)
+
+    def patches_of(self, *roles):
+        return [name for name, role in self.roles.items() if role in roles]
+
+    def inflow(self, room):
+        """Air that comes into a room, m3/s; None where nothing is measured."""
+        into = results.inflow(room, self.openings)
+        return into.last() if into else None
+
+    def air_changes(self, room):
+        """Of one room, per hour, as a History."""
+        into = results.inflow(room, self.openings)
+        return into.times_factor(3600.0 / self.case.volumes[room]) if into else None
+
+    def all_air_changes(self):
+        """Of all rooms that openings join, taken as one: with the air from outside alone."""
+        into = results.inflow_from(OUTSIDE, self.openings)
+        volume = sum(self.case.volumes[room] for room in self.case.ventilated)
+        return into.times_factor(3600.0 / volume) if into and volume > 0 else None
+
+    def unbalanced(self):
+        """Rooms that do not lose as much air through their openings as they get: (room, share that is missing)."""
+        for room in self.case.ventilated:
+            into, net = results.inflow(room, self.openings), results.net_inflow(room, self.openings)
+            passing = max(into.last(), into.last() - net.last()) if into else 0.0
+            if passing > 0 and abs(net.last()) / passing > results.NEARLY:
+                yield room, abs(net.last()) / passing
+
+    def speed(self):
+        """Mean speed over the places at pedestrian height."""
+        table = results.read_table(self.folder / "postProcessing" / "pedestrians", "U")
+        if not table.size:
+            return None
+        speeds = numpy.linalg.norm(table[:, 1:].reshape(len(table), -1, 3), axis=2)
+        there = (speeds < _NOWHERE).all(axis=0)
+        return History(table[:, 0], speeds[:, there].mean(axis=1)) if there.any() else None
+
+    def judged(self):
+        """What must have settled, the answers first."""
+        rows = []
+        if (whole := self.all_air_changes()) is not None:
+            rows.append(Judged("air changes of the building", whole, whole.last(), "1/h"))
+        for room in self.case.ventilated:
+            if (changes := self.air_changes(room)) is not None:
+                rows.append(Judged(f"air changes of {room}", changes, changes.last(), "1/h"))
+        # An opening is judged by all that passes openings on average: where little passes, little depends on it.
+        passing = [o.both.last() for o in self.openings]
+        rows += [Judged(f"flow through {o.name}", o.net, sum(passing) / len(passing), "m³/s") for o in self.openings]
+        incoming = sum(-flow.last() for flow in self.flows.values() if flow.last() < 0)
+        rows += [Judged(f"flow through {name}", flow, incoming, "m³/s") for name, flow in self.flows.items()]
+        size = max((abs(force.last()) for force in self.forces), default=0.0)
+        rows += [Judged(f"force along {axis}", force, size, "N") for axis, force in zip("xyz", self.forces)]
+        if (speed := self.speed()) is not None:
+            rows.append(Judged("speed at pedestrian height", speed, speed.last(), "m/s"))
+        return rows
+
+    def imbalance(self):
+        """What is missing between the flows into the domain and out of it, relative; None where not measured."""
+        return results.imbalance(flow.last() for flow in self.flows.values()) if self.flows else None
+
+    def high_y_plus(self):
+        """Averages on walls where wall functions no longer hold."""
+        return [value for patch, value in self.y_plus.items() if value > MOST_Y_PLUS and self.roles.get(patch) == "wall"]
+
+    def doubts(self):
+        """In words."""
+        if not self.ran:
+            return [f"no results: there is no log of a solver in {self.folder}; run its Allrun"]
+        found = [] if self.log.ended else [f"the run did not end: see {self.log.file}"]
+        if any(not numpy.isfinite(h.values).all() for h in self.log.residuals.values()):
+            found.append("the run blew up: residuals are no numbers")
+        unsettled = [judged.name for judged in self.judged() if judged.verdict == results.UNSETTLED]
+        if unsettled:
+            found.append(f"not settled: {', '.join(unsettled)}. Run more iterations; if they go on to swing, the flow is not "
+                         "steady, and the means of the last fifth are what there is")
+        missing = self.imbalance()
+        if missing is not None and missing > results.SETTLED:
+            found.append(f"flows into the domain and out of it differ by {100 * missing:.2g} %")
+        found += [f"{room}: the air that enters and leaves through its openings differs by {100 * share:.2g} %. The run has not "
+                  "settled, or air passes where no opening is known" for room, share in self.unbalanced()]
+        return found
+
+
+class Case:
+    """What case.json says, and its runs."""
+
+    def __init__(self, folder):
+        self.folder = pathlib.Path(folder)
+        file = self.folder / "case.json"
+        try:
+            self.described = json.loads(file.read_text(encoding="utf-8"))
+        except OSError as error:
+            raise Error(f"{file}: {error.strerror}; name a folder that `atria case` wrote") from None
+        except ValueError as error:
+            raise Error(f"{file}: {error}; make the case anew with `atria case`") from None
+        try:
+            self.openings = self.described["openings"]
+            self.volumes = {room["name"]: float(room["volume"]) for room in self.described["rooms"]}
+            self.mesh = self.described["mesh"]
+            self.speed = float(self.described["reference_speed"])
+            self.pedestrian_height = float(self.described["pedestrian_height"])
+            directions = [Direction(d["folder"], float(d["from"]), float(d["towards"]), dict(d["patches"]))
+                          for d in self.described["directions"]]
+        except (KeyError, TypeError, ValueError) as error:
+            raise Error(f"{file}: {error!r} is missing or wrong; make the case anew with `atria case`") from None
+        self.runs = [Run(self, direction) for direction in directions]
+
+    @property
+    def ventilated(self):
+        """Rooms that openings join."""
+        joined = {room for opening in self.openings if len(set(opening["rooms"])) > 1 for room in opening["rooms"]}
+        return [room for room in self.volumes if room in joined]

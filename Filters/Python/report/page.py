@@ -1,0 +1,270 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The page of a case: what its runs say, and what to doubt."""
+
+from __future__ import annotations
+
+import html
+
+import numpy
+
+from . import charts, comfort, pictures, results
+from .case import MOST_Y_PLUS, OUTSIDE
+from .fields import Fields
+
+_STYLE = """body { font-family: Arial, Helvetica, sans-serif; color: #282828; }
+body { margin: 24px auto; max-width: 1180px; padding: 0 16px; }
+h2 { border-bottom: 1px solid #ccc; padding-bottom: 4px; margin-top: 36px; }
+table { border-collapse: collapse; margin: 12px 0; } th, td { padding: 3px 14px; text-align: right; vertical-align: top; }
+th { border-bottom: 1px solid; }
+th:first-child, td:first-child, .words th:last-child, .words td:last-child { text-align: left; }
+.row { display: flex; flex-wrap: wrap; gap: 16px; }
+figure { margin: 12px 0; } figcaption { color: #555; }
+img { max-width: 100%; } svg { max-width: 100%; height: auto; } summary { cursor: pointer; font-weight: bold; margin: 12px 0; }
+.bar { display: flex; align-items: center; gap: 8px; } .bar i { width: 240px; height: 12px; }
+.good { color: #2f855a; } .fair { color: #b7791f; } .bad { color: #c53030; }
+.key { max-width: 540px; } .key i { display: inline-block; width: 12px; height: 12px; margin: 0 4px 0 14px; }"""
+_WORD_STYLES = {"settled": "good", "nearly settled": "fair", "unsettled": "bad",
+                "low": "good", "levelled off": "fair", "high": "bad"}
+# In the chart of what must settle: the answers come first.
+MOST_LINES = 8
+_CLASS_COLORS = ("#2f855a", "#9ac66b", "#f6e05e", "#ed8936", "#c53030")
+
+
+def _table(head, rows, kind=""):
+    """Cells are HTML. In a table of the kind `words` the last column is text."""
+    def cells(tag, row):
+        return "".join(f"<{tag}>{cell}</{tag}>" for cell in row)
+
+    lines = "".join(f"<tr>{cells('td', row)}</tr>" for row in rows)
+    return f'<table class="{kind}"><tr>{cells("th", head)}</tr>{lines}</table>'
+
+
+def _judgement(word):
+    return f'<span class="{_WORD_STYLES[word]}">{word}</span>'
+
+
+def _folded(title, content, several):
+    """Of several directions each is folded up."""
+    if not several:
+        return content
+    return f"<details><summary>{html.escape(title)}</summary>{content}</details>"
+
+
+def _number(value, digits=3):
+    return "–" if value is None else f"{value:.{digits}g}"
+
+
+def _doubts_of_mesh(case):
+    mesh = case.mesh
+    if mesh["worst_non_orthogonality"] > 70:
+        yield (f"{mesh['worst_non_orthogonality']:.1f}° of non-orthogonality at worst; above 70° fluxes are corrected in part "
+               "only")
+    if mesh["failed_checks"]:
+        yield f"it fails {mesh['failed_checks']} of checkMesh's checks; see atria quality --checks"
+    high = max((run.high_y_plus() for run in case.runs), key=len, default=[])
+    if high:
+        yield (f"y⁺ is above {MOST_Y_PLUS:g} on average on {len(high)} walls, up to {max(high):.0f}: friction there is a guess. It "
+               "matters little where the flow separates at edges, more on long or curved walls; layers make it smaller")
+    yield "one mesh does not tell its own error; halve the sizes and compare"
+
+
+def _doubts_of_comfort(case, climate):
+    widest = comfort.widest_gap(climate, [run.origin for run in case.runs])
+    if widest > comfort.FAR_APART:
+        yield (f"a sector of the climate is {widest:.3g}° from the next direction that was run; make the case with --rose 12 "
+               "or more")
+    yield "hourly means alone; gusts count by the limits' own margins"
+
+
+def doubts(case, climate):
+    found = []
+    for run in case.runs:
+        prefix = f"{run.title}: " if len(case.runs) > 1 else ""
+        found += [prefix + doubt for doubt in run.doubts()]
+    found += ["mesh: " + doubt for doubt in _doubts_of_mesh(case)]
+    found += ["comfort: " + doubt for doubt in _doubts_of_comfort(case, climate)] if climate else []
+    found.append("model: steady Reynolds-averaged flow has the speeds of wakes and of lee sides too low, whatever the mesh, and "
+                 "knows no exchange through an opening by turbulence alone: single-sided ventilation comes out too small")
+    return "<h2>What to doubt</h2><ul>" + "".join(f"<li>{html.escape(text)}</li>" for text in found) + "</ul>"
+
+
+def _summary(case):
+    """The answers of all directions in one table."""
+    rows = []
+    for run in case.runs:
+        whole = run.all_air_changes()
+        rooms = [_number(changes.last() if (changes := run.air_changes(room)) else None) for room in case.ventilated]
+        rows.append([run.title, f"<b>{_number(whole.last() if whole else None)}</b>", *rooms])
+    head = ("air changes per hour", "building", *map(html.escape, case.ventilated))
+    return _table(head, rows) + ("<p>Of the building: the air that comes in from outside over the volume of all rooms that "
+                                 "openings join. Of a room: all the air that comes in, also from other rooms.</p>")
+
+
+def _room_rows(case, run, fields):
+    for room in case.volumes:
+        joining = [o for o in run.openings if room in o.rooms and o.rooms[0] != o.rooms[1]]
+        fresh = results.inflow(room, [o for o in joining if OUTSIDE in o.rooms])
+        changes = run.air_changes(room) if joining else None
+        from_outside = fresh.last() if fresh else 0.0 if joining else None
+        row = [html.escape(room), f"{case.volumes[room]:.4g}", _number(run.inflow(room)), _number(from_outside),
+               _number(changes.last() if changes else None)]
+        if case.described.get("age_of_air"):
+            age = fields.mean(room, "age") if fields else None
+            row.append(_number(None if age is None else age / 60.0))
+        yield [*row, ", ".join(html.escape(o.name) for o in joining)]
+
+
+def _rooms_of(case, run, fields):
+    head = ["room", "volume, m³", "air in, m³/s", "of it from outside", "air changes per hour"]
+    head += ["mean age of air, min"] if case.described.get("age_of_air") else []
+    text = _table([*head, "openings"], _room_rows(case, run, fields), "words")
+    return text + _table(("opening", "area, m²", "most air goes", "this way, m³/s", "back, m³/s", "mean speed through it, m/s"),
+                         map(_opening_row, run.openings))
+
+
+def _opening_row(opening):
+    ways = [(opening.forward(), opening.rooms), (opening.backward(), opening.rooms[::-1])]
+    (most, rooms_), (least, _) = sorted(ways, key=lambda way: -way[0])
+    speed = opening.both.last() / opening.area if opening.area > 0 else None
+    way = html.escape(f"{rooms_[0]} → {rooms_[1]}")
+    return (html.escape(opening.name), f"{opening.area:.3g}", way, _number(most), _number(least), _number(speed))
+
+
+def rooms(case, fields_of):
+    if not case.openings and not case.volumes:
+        return ("<h2>Rooms and openings</h2><p>The mesh has no openings (face zones) and no rooms (cell zones). "
+                "<code>atria mesh --openings</code> finds them.</p>")
+    text = "<h2>Rooms and openings</h2>"
+    if not any(run.openings for run in case.runs):
+        return text + "<p>No flow through openings is measured: the case has not run, or its dialect measures none.</p>"
+    if case.ventilated:
+        text += _summary(case)
+    several = len(case.runs) > 1
+    return text + "".join(_folded(run.title, _rooms_of(case, run, fields_of.get(run)), several) for run in case.runs)
+
+
+def pictures_of(case, view, ratios, fields_of):
+    """Speeds over the ground in all directions, and sections of each."""
+    if view is None:
+        return ""
+    known = ratios[numpy.isfinite(ratios)]
+    high = float(numpy.percentile(known, 99.5)) if known.size else 1.0
+    text = [f'<h2>Speed {case.pedestrian_height:g} m above the ground</h2><div class="row">']
+    for (run, fields), ratio in zip(fields_of.items(), ratios):
+        walls = pictures.walls_of(run, fields)
+        lines = view.lines(walls) if view.flat and walls else ()
+        arrows = view.arrows(fields.mesh, fields.velocity) if view.flat and len(case.runs) == 1 else ()
+        text.append(charts.figure(charts.plot(charts.colored(view.image(ratio), 0.0, high), lines, arrows), run.title))
+    unit = f"of the reference speed, {case.speed:g} m/s at {case.described['reference_height']:g} m"
+    text += ["</div>", charts.color_bar(0.0, high, unit), "<h2>The flow</h2>"]
+    several = len(case.runs) > 1
+    return "\n".join(text + [_folded(run.title, _flow(case, run, fields), several) for run, fields in fields_of.items()])
+
+
+def _flow(case, run, fields):
+    high = pictures.fastest_near(run, fields, case)
+    text = ['<div class="row">', *pictures.level_plots(run, fields, high), *pictures.wind_plot(run, fields, case, high), "</div>",
+            charts.color_bar(0.0, high, "m/s; arrows are the flow in the section")]
+    picture = pictures.in_space(run, fields, high)
+    if picture is None:
+        text.append("<p>A picture in space is missing: it needs walls and, without a display, the command xvfb-run.</p>")
+    else:
+        image = f'<img alt="pressure and paths" src="{charts.embedded(picture)}">'
+        text.append(charts.figure(image, "pressure on the walls (kinematic), and paths of the air through the openings, or past "
+                                         "the walls where there are none"))
+    return "\n".join(text)
+
+
+def _class_figure(title, words, found, view, lines):
+    colors = [_CLASS_COLORS[round(i * 4 / (len(words) - 1))] for i in range(len(words))]
+    palette = numpy.array([[int(c[i:i + 2], 16) for i in (1, 3, 5)] for c in colors] + [charts.UNKNOWN], numpy.uint8)
+    key = "".join(f'<i style="background: {color}"></i>{word} {100 * share:.1f} %'
+                  for color, word, share in zip(colors, words, comfort.shares(found, len(words))))
+    return charts.figure(charts.plot(palette[view.image(found)], lines) + f'<p class="key">{key}</p>', title)
+
+
+def comfort_of(case, view, ratios, fields_of, climate):
+    text = "<h2>Wind comfort</h2>"
+    if climate is None:
+        return text + ("<p>Classes of comfort need the wind's statistics: give a table of the climate with "
+                       "<code>--climate</code>.</p>")
+    if view is None:
+        return text + "<p>The case has not run.</p>"
+    origins = [run.origin for run in fields_of]
+    if (widest := comfort.widest_gap(climate, origins)) > comfort.MOST_APART:
+        return text + (f"<p>A sector of the climate is {widest:.3g}° from the next direction that was run, which is too far: make "
+                       "the case for a rose, <code>atria case --rose 12</code>.</p>")
+    run, fields = next(iter(fields_of.items()))
+    outdoors = numpy.where(fields.inside(case.volumes, view.places), numpy.nan, ratios)
+    walls = pictures.walls_of(run, fields)
+    lines = view.lines(walls) if view.flat and walls else ()
+    figures = [_class_figure(title, words, classes(climate, origins, outdoors), view, lines) for title, words, classes in (
+        ("NEN 8100: hours with more than 5 m/s; A below 2.5 %, then 5, 10, 20 %", comfort.NEN_8100_CLASSES, comfort.nen_8100),
+        ("Lawson: 4, 6, 8, 10 m/s are exceeded in 5 % of hours at most", comfort.LAWSON_CLASSES, comfort.lawson),
+        ("NEN 8100, danger: hours with more than 15 m/s; 0.05 and 0.3 %", comfort.DANGER_CLASSES, comfort.danger))]
+    return text + '<div class="row">' + "\n".join(figures) + "</div><p>Shares are of the area shown, without rooms.</p>"
+
+
+def mesh_and_wind(case):
+    mesh, described = case.mesh, case.described
+    rows = [("cells", f"{mesh['cells']:,}"), ("worst non-orthogonality", f"{mesh['worst_non_orthogonality']:.1f}°"),
+            ("mean non-orthogonality", f"{mesh['mean_non_orthogonality']:.1f}°"), ("worst skewness", f"{mesh['worst_skewness']:.2f}"),
+            ("failed checks of checkMesh", mesh["failed_checks"]), ("turbulence", html.escape(described["turbulence"])),
+            ("wind", f"{case.speed:g} m/s at {described['reference_height']:g} m"),
+            ("roughness length", f"{described['roughness_length']:g} m"),
+            ("friction velocity", f"{described['friction_velocity']:.3g} m/s")]
+    return "<h2>Mesh and wind</h2>" + _table(("", ""), rows)
+
+
+def _converged(run):
+    rows = [(html.escape(judged.name), f"{judged.history.last():.4g} {judged.unit}", f"{judged.history.spread():.2g}",
+             f"{100 * judged.history.drift() / judged.scale:.2g} %" if judged.scale > 0 else "–", _judgement(judged.verdict))
+            for judged in run.judged()]
+    text = _table(("quantity", "mean of the last fifth", "deviation", "drift", ""), rows)
+    residuals = [(html.escape(field), f"{history.last():.2g}", _judgement(results.residual_verdict(history)))
+                 for field, history in run.log.residuals.items()]
+    text += _table(("initial residual of", "mean of the last fifth", ""), residuals)
+    lines = [(name, history.times, history.values) for name, history in run.log.residuals.items()]
+    drawn = [(j.name, j.history.times, j.history.values / j.scale) for j in run.judged()[:MOST_LINES] if j.scale > 0]
+    iterations = max((int(h.times[-1]) for h in run.log.residuals.values()), default=0)
+    facts = f"<p>{iterations} iterations" + (f", {run.log.seconds:,.0f} s of processor time" if run.log.seconds else "")
+    if (missing := run.imbalance()) is not None:
+        facts += f"; flows into the domain and out of it differ by {100 * missing:.2g} %"
+    return (facts + ".</p>" + '<div class="row">' + charts.line_chart("Initial residuals", lines, logarithmic=True)
+            + charts.line_chart("Quantities, relative to their scale", drawn) + "</div>" + text)
+
+
+def convergence(case):
+    text = ("<h2>Convergence</h2><p>A quantity has settled where the means of the last two fifths of the run differ (its drift) by "
+            f"at most {100 * results.SETTLED:g} % of its scale, nearly where by at most {100 * results.NEARLY:g} %. Residuals are low "
+            f"up to {results.LOW_RESIDUAL:g} and high above {results.HIGH_RESIDUAL:g}; those of flows that are not steady level off, "
+            "and the quantities count.</p>")
+    several = len(case.runs) > 1
+    return text + "".join(_folded(run.title, _converged(run), several) for run in case.runs if run.ran)
+
+
+def _sampled(case):
+    """The fields of each run, the view from above, and by run the speeds at its places over the reference speed."""
+    fields_of = {run: Fields(run.folder) for run in case.runs if run.ran}
+    view, ratios = None, []
+    for run, fields in fields_of.items():
+        view = view or pictures.plan(run, fields, case)
+        ratios.append(numpy.linalg.norm(view.sample(fields.mesh, fields.velocity), axis=1) / case.speed)
+    return fields_of, view, numpy.array(ratios)
+
+
+def page_of(case, climate=None) -> str:
+    """HTML that needs no other file. `climate` are sectors at the case's reference height, as `comfort` reads them."""
+    fields_of, view, ratios = _sampled(case)
+    title = html.escape(f"Wind case {case.folder.resolve().name}")
+    return "\n".join([
+        f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>{title}</title><style>{_STYLE}</style></head>',
+        f"<body><h1>{title}</h1>",
+        rooms(case, fields_of),
+        doubts(case, climate),
+        pictures_of(case, view, ratios, fields_of),
+        comfort_of(case, view, ratios, fields_of, climate),
+        mesh_and_wind(case),
+        convergence(case),
+        "</body></html>\n",
+    ])
