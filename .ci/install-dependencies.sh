@@ -2,6 +2,7 @@
 # Installs what Atria is built and tested with on Debian 12.
 #
 #   install-dependencies.sh build      the compiler, VTK and the libraries: enough for the command line
+#   install-dependencies.sh case       what `build` does, and OpenFOAM, which runs cases
 #   install-dependencies.sh test       the above, the referees of the tests, and ParaView
 #   install-dependencies.sh benchmark  what `build` does, and what the benchmarks measure with and against
 #
@@ -63,13 +64,14 @@ install_paraview() {
 
 case $what in
   build) install_missing "${build_packages[@]}" ;;
+  case) install_missing "${build_packages[@]}" openfoam ;;
   test)
     install_missing "${build_packages[@]}" "${test_packages[@]}"
     install_paraview
     ;;
   benchmark) install_missing "${build_packages[@]}" "${benchmark_packages[@]}" ;;
   *)
-    echo "usage: $0 build|test|benchmark" >&2
+    echo "usage: $0 build|case|test|benchmark" >&2
     exit 2
     ;;
 esac

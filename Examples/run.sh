@@ -3,16 +3,8 @@
 # Everything goes to build/example.
 set -euo pipefail
 
-root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-cd "$root"
-.ci/install-dependencies.sh build
-if [ -z "${ATRIA_COMPILER_LAUNCHER+set}" ]; then export ATRIA_COMPILER_LAUNCHER=ccache; fi
-
-# The tests are left out: they need packages of their own.
-tests=()
-[ -e build/vtk/CMakeCache.txt ] || tests=(-DATRIA_BUILD_TESTING=OFF)
-cmake --preset vtk "${tests[@]}"
-cmake --build --preset vtk
+# shellcheck source=Examples/build.sh
+. "$(dirname "${BASH_SOURCE[0]}")/build.sh"
 
 out=build/example
 mkdir -p "$out"

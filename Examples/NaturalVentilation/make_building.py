@@ -102,6 +102,24 @@ def site(length, width):
     return [[(x, y, 0.0), (x + length, y, 0.0), (x + length, y + width, 0.0), (x, y + width, 0.0)]]
 
 
+def volume():
+    """Of all rooms, cubic meters."""
+    return LENGTH * WIDTH * HEIGHT
+
+
+PLACES = {"WallSouth": along(0.0), "WallNorth": along(WIDTH), "Corridor": along(CORRIDOR), "CrossSouth": across(CROSS_SOUTH),
+          "CrossNorth": across(CROSS_NORTH)}
+
+
+def openings():
+    """Rectangles by the names that Atria gives openings of these surfaces, but for the order of the numbers."""
+    return {
+        f"{name}_opening_{number}": [[PLACES[name](*corner) for corner in ((u0, w0), (u1, w0), (u1, w1), (u0, w1))]]
+        for name, holes in HOLES.items()
+        for number, (u0, w0, u1, w1) in enumerate(holes, 1)
+    }
+
+
 def model(length, width):
     parts = [surface(name, polygons) for name, (polygons, _) in with_points_in_between(sheets()).items()]
     parts += [surface("Neighbor", neighbor()), surface("Site", site(length, width))]

@@ -1,0 +1,185 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The tables of docs/ventilation.md: air changes of one building by meshes of many kinds.
+
+Each row has its mesh made, its case run by OpenFOAM on one processor, and what was measured written as JSON to
+OUT/results. Rows that are there are not made again, so that the study goes on where it stopped. A row that fails is
+told and left out. OUT/tables.md has the tables of what there is.
+
+Usage: study.py ATRIA OUT [ROW ...]     (PYTHONPATH must hold the package `atria`)
+       study.py --list
+"""
+
+import dataclasses
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+import time
+from dataclasses import dataclass
+
+import make_building
+import snappy
+
+WIND = ("--from", "180", "--speed", "4", "--height", "10", "--roughness", "0.1")
+NEAR_GROUND = 8.0  # of domains that are too large for fine ground, meters
+
+
+@dataclass(frozen=True)
+class Row:
+    name: str
+    finest: float = 2.0  # on all surfaces and at their edges, meters
+    far: float = 8.0  # away from them, meters
+    layers: int = 1
+    site: tuple = make_building.SITE  # length and width of the domain, meters; its height is 0.3 of the longer
+    ground: float = 0.0  # on the ground, meters; 0 for the finest
+    mesher: str = "atria"
+    most_iterations: int = 500  # limiters keep residuals from falling without end; the air changes settle far earlier
+
+
+FAR = [Row("uniform", far=2.0), Row("far4", far=4.0), Row("far8"), Row("far16", far=16.0), Row("far32", far=32.0),
+       Row("far8_ground8", ground=8.0)]
+FINER = [Row("far8"), *(Row(f"finest{size:g}", finest=size, far=4 * size) for size in (1.4, 1.0, 0.8))]
+DOMAINS = [Row("domain227", far=16.0, ground=NEAR_GROUND),
+           Row("domain500", far=16.0, ground=NEAR_GROUND, site=(500.0, 400.0)),
+           Row("domain1000", far=16.0, ground=NEAR_GROUND, site=(1000.0, 1000.0))]
+LAYERS = [Row("layers0", layers=0), Row("far8"), Row("layers5", layers=5)]
+MESHERS = [Row("layers0_uniform", far=2.0, layers=0), Row("layers0"), Row("snappy_uniform", far=2.0, layers=0, mesher="snappyHexMesh"),
+           Row("snappy_far8", layers=0, mesher="snappyHexMesh")]
+TABLES = {"Uniform and adaptive": FAR, "Finer": FINER, "Domains": DOMAINS, "Layers": LAYERS, "snappyHexMesh": MESHERS}
+
+
+def rows():
+    """Each once, those that take least first."""
+    found = {row.name: row for table in TABLES.values() for row in table}
+    return sorted(found.values(), key=lambda row: row.far == row.finest)
+
+
+class Failed(Exception):
+    pass
+
+
+def run(command, folder, name):
+    """Runs a command, its output in a log; returns its seconds."""
+    log = folder / f"log.{name}"
+    begin = time.monotonic()
+    with open(log, "w", encoding="utf-8") as output:
+        status = subprocess.run([str(word) for word in command], stdout=output, stderr=subprocess.STDOUT, check=False).returncode
+    if status not in (0, 5):  # 5: written, but it fails checks of checkMesh, which the row tells
+        raise Failed(f"{name} ended with {status}: see {log}")
+    return time.monotonic() - begin
+
+
+def mesh_by_atria(atria, row, model, folder):
+    command = [atria, "mesh", model, "-o", folder / "mesh.vtu", "--site", "Site", "--openings", "--size-min", row.finest,
+               "--size-mid", row.finest, "--size-max", row.far, "--layers", row.layers, "--threads", 1]
+    if row.ground:
+        command += ["--size", "Site", row.ground]
+    return folder / "mesh.vtu", run(command, folder, "mesh")
+
+
+def mesh_by_snappy(row, folder):
+    case = folder / "snappy"
+    commands = snappy.write_case(case, row.finest, row.far, row.site)
+    return case, sum(run(command, folder, name) for name, command in commands.items())
+
+
+def measure(case):
+    """What the row's table tells of a case that has run."""
+    from atria.report import Case
+
+    described = Case(case)
+    flow = described.runs[0]
+    through = [o for o in flow.openings if o.name.startswith(("WallSouth", "WallNorth"))]
+    if len(through) != 6:
+        raise Failed(f"{len(through)} of 6 windows were measured")
+    # What comes in is half of all that passes.
+    into = [o.both.times_factor(0.5) for o in through]
+    history = type(into[0])(into[0].times, sum(flow.values for flow in into)).times_factor(3600.0 / make_building.volume())
+    return {
+        "cells": described.mesh["cells"],
+        "worst_non_orthogonality": described.mesh["worst_non_orthogonality"],
+        "failed_checks": described.mesh["failed_checks"],
+        "iterations": int(history.times[-1]),
+        "air_changes": history.last(),
+        "drift": history.drift() / history.last(),
+        "spread": history.spread() / history.last(),
+        "imbalance": flow.imbalance(),
+        "residuals": {field: h.last() for field, h in flow.log.residuals.items()},
+        "solve_seconds": flow.log.seconds,
+    }
+
+
+def make(atria, row, out):
+    folder = out / "rows" / row.name
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    model = folder / "school.wrl"
+    make_building.main(model, *row.site)
+    mesh, seconds = mesh_by_atria(atria, row, model, folder) if row.mesher == "atria" else mesh_by_snappy(row, folder)
+    case = folder / "case"
+    run([atria, "case", mesh, "-o", case, *WIND, "--iterations", row.most_iterations], folder, "case")
+    run([case / "Allrun"], folder, "run")
+    result = {**dataclasses.asdict(row), "mesh_seconds": seconds, **measure(case)}
+    (out / "results").mkdir(exist_ok=True)
+    target = out / "results" / f"{row.name}.json"
+    target.with_suffix(".part").write_text(json.dumps(result, indent=1) + "\n")
+    target.with_suffix(".part").rename(target)
+    shutil.rmtree(folder)
+
+
+def known(row, out):
+    """The row's result; None where there is none, or one of other settings."""
+    try:
+        result = json.loads((out / "results" / f"{row.name}.json").read_text())
+    except (OSError, ValueError):
+        return None
+    settings = json.loads(json.dumps(dataclasses.asdict(row)))
+    return result if all(result.get(key) == value for key, value in settings.items()) else None
+
+
+def table(title, members, out):
+    results = {row: known(row, out) for row in members}
+    first = next(iter(results.values()))
+    lines = [f"## {title}", "", "| row | finest–far, m | layers | elements | meshing, s | solving, s | iterations | air changes, 1/h "
+             "| against the first | drift | worst angle |", "|---|---|---|---|---|---|---|---|---|---|---|"]
+    for row, result in results.items():
+        start = f"| {row.name} | {row.finest:g}–{row.far:g} | {row.layers} "
+        if result is None:
+            lines.append(start + "| not run ||||||||")
+            continue
+        against = f"{100 * (result['air_changes'] / first['air_changes'] - 1):+.2f} %" if first else "–"
+        lines.append(start + f"| {result['cells']:,} | {result['mesh_seconds']:.1f} | {result['solve_seconds']:.0f} "
+                     f"| {result['iterations']} | {result['air_changes']:.3f} | {against} | {100 * result['drift']:.2g} % "
+                     f"| {result['worst_non_orthogonality']:.1f}° |")
+    return "\n".join([*lines, ""])
+
+
+def main(atria, out, *names):
+    out = pathlib.Path(out)
+    wanted = [row for row in rows() if not names or row.name in names]
+    if unknown := set(names) - {row.name for row in wanted}:
+        sys.exit(f"study.py: there is no row {', '.join(sorted(unknown))}; --list names them")
+    failures = 0
+    for row in wanted:
+        if known(row, out):
+            continue
+        print(f"{row.name} …", flush=True)
+        try:
+            make(pathlib.Path(atria).resolve(), row, out)
+        except Failed as failure:
+            failures += 1
+            print(f"{row.name}: {failure}", file=sys.stderr)
+        (out / "tables.md").write_text("\n".join(table(title, members, out) for title, members in TABLES.items()))
+    print(f"In {out}: tables.md")
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    if sys.argv[1:] == ["--list"]:
+        print("\n".join(row.name for row in rows()))
+    elif len(sys.argv) < 3:
+        sys.exit(__doc__)
+    else:
+        sys.exit(main(*sys.argv[1:]))

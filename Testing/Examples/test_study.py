@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The study of natural ventilation: its building, that it goes on where it stopped, and that it tells what failed.
+
+Usage: test_study.py FOLDER_OF_THE_STUDY ATRIA
+"""
+
+import contextlib
+import dataclasses
+import io
+import json
+import math
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+FOLDER = pathlib.Path(sys.argv[1])
+ATRIA = pathlib.Path(sys.argv[2])
+sys.path.insert(0, str(FOLDER))
+
+import make_building  # noqa: E402
+import snappy  # noqa: E402
+import study  # noqa: E402
+from polygons import area  # noqa: E402  (make_building knows where it is)
+
+
+class Study(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.out = pathlib.Path(scratch.name)
+
+    def keep(self, row, **values):
+        (self.out / "results").mkdir(exist_ok=True)
+        result = {**dataclasses.asdict(row), "cells": 1000, "mesh_seconds": 1.0, "solve_seconds": 2.0, "iterations": 3,
+                  "air_changes": 10.0, "drift": 0.001, "worst_non_orthogonality": 50.0, **values}
+        (self.out / "results" / f"{row.name}.json").write_text(json.dumps(result))
+
+    def main(self, atria, *names):
+        output, errors = io.StringIO(), io.StringIO()
+        with contextlib.redirect_stdout(output), contextlib.redirect_stderr(errors):
+            status = study.main(str(atria), str(self.out), *names)
+        return status, output.getvalue(), errors.getvalue()
+
+    def test_walls_and_openings_fill_each_plane(self):
+        sheets, openings = make_building.sheets(), make_building.openings()
+        whole = {"WallSouth": make_building.LENGTH * make_building.HEIGHT, "Corridor": make_building.LENGTH * make_building.HEIGHT,
+                 "CrossSouth": make_building.CORRIDOR * make_building.HEIGHT}
+        for name, wanted in whole.items():
+            holes = sum(area(polygons[0]) for opening, polygons in openings.items() if opening.startswith(name))
+            self.assertAlmostEqual(sum(map(area, sheets[name][0])) + holes, wanted)
+        self.assertEqual(sum(name.startswith(("WallSouth", "WallNorth")) for name in openings), 6)
+
+    def test_atria_finds_the_openings_and_rooms(self):
+        model, report = self.out / "school.wrl", self.out / "report.json"
+        make_building.main(model)
+        run = subprocess.run([ATRIA, "mesh", model, "-o", self.out / "mesh.vtu", "--site", "Site", "--openings", "--size-min", "2",
+                              "--size-mid", "2", "--size", "Site", "16", "--size-max", "16", "--report", report],
+                             capture_output=True, text=True, check=False)
+        self.assertIn(run.returncode, (0, 5), run.stderr)
+        found = json.loads(report.read_text())
+        wanted = {name: area(polygons[0]) for name, polygons in make_building.openings().items()}
+        measured = {opening["name"]: opening["area"] for opening in found["openings"]}
+        self.assertEqual(measured.keys(), wanted.keys())
+        for name, value in wanted.items():
+            self.assertAlmostEqual(measured[name], value, delta=1e-3 * value)
+        volume = sum(room["volume"] for room in found["rooms"] if room["name"] != "outside")
+        self.assertAlmostEqual(volume, make_building.volume(), delta=1e-3 * volume)
+
+    def test_rows_that_are_there_are_not_made_again(self):
+        for row in study.rows():
+            self.keep(row)
+        status, output, errors = self.main("/absent")
+        self.assertEqual((status, errors), (0, ""))
+        self.assertNotIn("…", output)
+
+    def test_rows_of_other_settings_are_made_again(self):
+        row = study.rows()[0]
+        self.keep(row, far=row.far * 2)
+        self.assertIsNone(study.known(row, self.out))
+        (self.out / "results" / f"{row.name}.json").write_text('{"name": ')
+        self.assertIsNone(study.known(row, self.out))
+
+    def test_what_failed_is_told_and_the_others_go_on(self):
+        broken = self.out / "atria"
+        broken.write_text("#!/bin/sh\necho sizes make no sense\nexit 3\n")
+        broken.chmod(0o755)
+        status, output, errors = self.main(broken, "far4", "far8")
+        self.assertEqual(status, 1)
+        self.assertEqual(len(re.findall(r"^(far[48]): mesh ended with 3: see (.*)$", errors, re.MULTILINE)), 2)
+        self.assertIn("sizes make no sense", (self.out / "rows/far8/log.mesh").read_text())
+        tables = (self.out / "tables.md").read_text()
+        self.assertEqual(tables.count("| not run |"), sum(map(len, study.TABLES.values())))
+        with self.assertRaisesRegex(SystemExit, "no row far7"):
+            self.main(broken, "far7")
+
+    def test_tables_compare_with_their_first_row(self):
+        self.keep(study.FAR[0], air_changes=20.0)
+        self.keep(study.FAR[1], air_changes=20.5)
+        lines = study.table("Far", study.FAR[:3], self.out).splitlines()
+        columns = lines[2].count("|")
+        self.assertTrue(all(line.count("|") == columns for line in lines[2:] if line), lines)
+        self.assertIn("+2.50 %", lines[5])
+        self.assertIn("not run", lines[6])
+
+    def test_the_other_mesher_gets_the_same_surfaces_and_sizes(self):
+        commands = snappy.write_case(self.out / "case", 2.0, 8.0, make_building.SITE)
+        self.assertEqual(list(commands), ["blockMesh", "surfaceFeatureExtract", "snappyHexMesh"])
+        surfaces = {file.stem for file in (self.out / "case/constant/triSurface").glob("*.stl")}
+        self.assertEqual(surfaces, make_building.sheets().keys() | make_building.openings().keys() | {"Neighbor"})
+        text = (self.out / "case/system/blockMeshDict").read_text()
+        cells = [int(n) for n in re.search(r"\(0 1 2 3 4 5 6 7\) \((\d+) (\d+) (\d+)\)", text).groups()]
+        for count, length in zip(cells, (*make_building.SITE, 0.3 * max(make_building.SITE))):
+            self.assertLess(abs(math.log(length / count / 8.0)), 0.07)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
