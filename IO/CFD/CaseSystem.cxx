@@ -100,10 +100,23 @@ void writeSolution(const std::filesystem::path& folder, const CaseOfDirection& f
   writeFoamFile(folder, "system", "fvSolution", "dictionary", text);
 }
 
+/// Parts with as many cells each, in a grid over the ground that is as square as their number allows. It needs no
+/// library; Debian's OpenFOAM is built without scotch.
 void writeDecomposition(const std::filesystem::path& folder, const CaseOfDirection& flow)
 {
+  const int count = flow.settings.processors;
+  int fewer = 1;
+  for (int divisor = 1; divisor * divisor <= count; ++divisor)
+  {
+    fewer = count % divisor == 0 ? divisor : fewer;
+  }
+  const Vec3 size = flow.mesh.bounds.size();
+  const int alongX = size[0] < size[1] ? fewer : count / fewer;
   FoamText text;
-  text.entry("numberOfSubdomains", flow.settings.processors).entry("method", "scotch");
+  text.entry("numberOfSubdomains", count).entry("method", "hierarchical");
+  text.open("hierarchicalCoeffs")
+      .entry("n", "(" + std::to_string(alongX) + " " + std::to_string(count / alongX) + " 1)");
+  text.entry("delta", "0.001").entry("order", "xyz").close();
   writeFoamFile(folder, "system", "decomposeParDict", "dictionary", text);
 }
 
