@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "VtkPieces.h"
+
+#include "Support/Error.h"
+
+#include <vtkAppendFilter.h>
+#include <vtkCompositeDataSet.h>
+#include <vtkDataObjectTree.h>
+#include <vtkDataObjectTreeIterator.h>
+#include <vtkFieldData.h>
+#include <vtkInformation.h>
+#include <vtkMultiBlockDataSet.h>
+#include <vtkNew.h>
+#include <vtkPartitionedDataSetCollection.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
+#include <map>
+#include <string>
+
+namespace atria {
+
+namespace {
+
+using Pieces = std::vector<vtkSmartPointer<vtkDataObject>>;
+
+template <class Type> bool areAll(const Pieces& pieces)
+{
+  return std::all_of(pieces.begin(), pieces.end(), [](vtkDataObject* p) { return Type::SafeDownCast(p) != nullptr; });
+}
+
+void removeGhosts(vtkDataObject* data)
+{
+  if (auto* surfaces = vtkPolyData::SafeDownCast(data))
+  {
+    surfaces->RemoveGhostCells();
+  }
+  else if (auto* mesh = vtkUnstructuredGrid::SafeDownCast(data))
+  {
+    mesh->RemoveGhostCells();
+  }
+}
+
+vtkSmartPointer<vtkDataObject> joinCollections(const Pieces& pieces)
+{
+  const auto joined = vtkSmartPointer<vtkPartitionedDataSetCollection>::New();
+  std::map<std::string, unsigned int> known;
+  for (vtkDataObject* piece : pieces)
+  {
+    auto* sets = vtkPartitionedDataSetCollection::SafeDownCast(piece);
+    for (unsigned int i = 0; i < sets->GetNumberOfPartitionedDataSets(); ++i)
+    {
+      const char* name = sets->HasMetaData(i) ? sets->GetMetaData(i)->Get(vtkCompositeDataSet::NAME()) : nullptr;
+      const unsigned int next = joined->GetNumberOfPartitionedDataSets();
+      const unsigned int at = name ? known.try_emplace(name, next).first->second : next;
+      if (at == next)
+      {
+        joined->SetNumberOfPartitionedDataSets(next + 1);
+        joined->GetMetaData(at)->Copy(sets->GetMetaData(i));
+      }
+      for (unsigned int j = 0; j < sets->GetNumberOfPartitions(i); ++j)
+      {
+        joined->SetPartition(at, joined->GetNumberOfPartitions(at), sets->GetPartitionAsDataObject(i, j));
+      }
+    }
+  }
+  joined->GetFieldData()->PassData(pieces.front()->GetFieldData());
+  return joined;
+}
+
+vtkSmartPointer<vtkDataObject> joinGrids(const Pieces& pieces)
+{
+  vtkNew<vtkAppendFilter> append;
+  append->MergePointsOn(); // by their ids alone
+  for (vtkDataObject* piece : pieces)
+  {
+    auto* grid = vtkUnstructuredGrid::SafeDownCast(piece);
+    if (!grid->GetPointData()->GetArray("GlobalPointIds"))
+    {
+      throw Error("the mesh comes in " + std::to_string(pieces.size()) +
+                  " pieces, whose points have no global ids (GlobalPointIds) by which they could be joined: give the "
+                  "points such ids before the mesh is distributed, or have one rank hold it");
+    }
+    append->AddInputData(grid);
+  }
+  append->Update();
+  vtkSmartPointer<vtkDataObject> joined = append->GetOutput();
+  joined->GetFieldData()->PassData(pieces.front()->GetFieldData());
+  return joined;
+}
+
+vtkSmartPointer<vtkDataObject> joinSurfaces(const Pieces& pieces)
+{
+  const auto joined = vtkSmartPointer<vtkMultiBlockDataSet>::New();
+  for (vtkDataObject* piece : pieces)
+  {
+    joined->SetBlock(joined->GetNumberOfBlocks(), piece);
+  }
+  joined->GetFieldData()->PassData(pieces.front()->GetFieldData());
+  return joined;
+}
+
+} // namespace
+
+bool isEmptyPiece(vtkDataObject* piece) { return piece->GetNumberOfElements(vtkDataObject::CELL) == 0; }
+
+vtkSmartPointer<vtkDataObject> withoutGhosts(vtkDataObject* piece)
+{
+  auto copy = vtkSmartPointer<vtkDataObject>::Take(piece->NewInstance());
+  copy->ShallowCopy(piece);
+  if (auto* tree = vtkDataObjectTree::SafeDownCast(copy))
+  {
+    vtkSmartPointer<vtkDataObjectTreeIterator> it;
+    it.TakeReference(tree->NewTreeIterator());
+    for (it->InitTraversal(); !it->IsDoneWithTraversal(); it->GoToNextItem())
+    {
+      tree->SetDataSet(it, withoutGhosts(it->GetCurrentDataObject()));
+    }
+  }
+  removeGhosts(copy);
+  return copy;
+}
+
+vtkSmartPointer<vtkDataObject> joinPieces(const Pieces& pieces)
+{
+  if (pieces.size() == 1)
+  {
+    return pieces.front();
+  }
+  if (areAll<vtkPartitionedDataSetCollection>(pieces))
+  {
+    return joinCollections(pieces);
+  }
+  if (areAll<vtkUnstructuredGrid>(pieces))
+  {
+    return joinGrids(pieces);
+  }
+  const bool hasGrid = std::any_of(pieces.begin(), pieces.end(), [](vtkDataObject* piece) {
+    return !vtkPolyData::SafeDownCast(piece) && !vtkDataObjectTree::SafeDownCast(piece);
+  });
+  if (hasGrid)
+  {
+    throw Error(std::string("pieces of a ") + pieces.front()->GetClassName() +
+                " cannot be joined: have one rank hold it all");
+  }
+  return joinSurfaces(pieces);
+}
+
+} // namespace atria

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Pieces of one data object, as the ranks of a parallel run hold them.
+#pragma once
+
+#include <vtkDataObject.h>
+#include <vtkSmartPointer.h>
+
+#include <vector>
+
+namespace atria {
+
+/// Without cells, however many blocks there are.
+bool isEmptyPiece(vtkDataObject* piece);
+
+/// The piece, or a copy of it without cells that are another piece's.
+vtkSmartPointer<vtkDataObject> withoutGhosts(vtkDataObject* piece);
+
+/// One object of all pieces, in their order. Surfaces of models become blocks of one composite, with the first piece's
+/// field data. Collections become one, whose sets of the same name are one set. Unstructured grids become one whose
+/// points of the same global id (GlobalPointIds) are one point. Throws Error where they have no such ids, as the two
+/// sides of a sheet have the same places, and for other types. \pre There is at least one.
+vtkSmartPointer<vtkDataObject> joinPieces(const std::vector<vtkSmartPointer<vtkDataObject>>& pieces);
+
+} // namespace atria
