@@ -2,8 +2,10 @@
 #include "GridInput.h"
 
 #include "Octree/Sizing/SizeRules.h"
+#include "Ranks.h"
 #include "Support/Error.h"
 #include "Support/MachineMemory.h"
+#include "Support/Progress.h"
 #include "VtkSurface.h"
 #include "vtkAtriaGridAlgorithm.h"
 
@@ -13,6 +15,7 @@
 #include <vtkStringArray.h>
 
 #include <algorithm>
+#include <exception>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -131,14 +134,33 @@ ModelOptions modelOptionsOf(vtkAtriaGridAlgorithm& filter)
   return options;
 }
 
-vtkDataObject* currentInput(vtkAtriaGridAlgorithm& filter)
+bool onCurrentInput(vtkAtriaGridAlgorithm& filter, std::span<double> values,
+                    const std::function<void(vtkDataObject*)>& work)
 {
-  if (filter.GetNumberOfInputConnections(0) == 0)
+  const bool isConnected = filter.GetNumberOfInputConnections(0) > 0;
+  const Ranks ranks(isConnected ? filter.GetInputInformation(0, 0) : nullptr);
+  if (isConnected)
   {
-    return nullptr;
+    filter.GetInputAlgorithm(0, 0)->Update();
   }
-  filter.GetInputAlgorithm(0, 0)->Update();
-  return filter.GetInputDataObject(0, 0);
+  const int done = ranks.run(filter, [&] {
+    try
+    {
+      work(isConnected ? filter.GetInputDataObject(0, 0) : nullptr);
+      return 1;
+    }
+    catch (const Aborted&)
+    {
+      return 0;
+    }
+    catch (const std::exception& error)
+    {
+      vtkErrorWithObjectMacro(&filter, << error.what());
+      return 0;
+    }
+  });
+  ranks.share(values);
+  return done == 1;
 }
 
 TriangleSurface readSurfaces(vtkDataObject* data, std::vector<std::string>& warnings)

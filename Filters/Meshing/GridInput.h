@@ -4,6 +4,9 @@
 
 #include "Mesher/ModelOptions.h"
 
+#include <functional>
+#include <span>
+
 class vtkAtriaGridAlgorithm;
 class vtkDataObject;
 
@@ -12,8 +15,11 @@ namespace atria {
 /// The properties of the filter. Throws Error for rules that are none.
 ModelOptions modelOptionsOf(vtkAtriaGridAlgorithm& filter);
 
-/// The data of input port 0, up to date; null without a connection.
-vtkDataObject* currentInput(vtkAtriaGridAlgorithm& filter);
+/// Runs `work` on the data of input port 0, up to date, or null without a connection: on the rank that has it all, see
+/// Ranks.h. What `work` throws is an error of the filter. Returns whether it was done, and gives all ranks `values` as
+/// `work` left them.
+bool onCurrentInput(vtkAtriaGridAlgorithm& filter, std::span<double> values,
+                    const std::function<void(vtkDataObject*)>& work);
 
 /// `data` may be null: a domain without surfaces. Adds what a user should know of it.
 TriangleSurface readSurfaces(vtkDataObject* data, std::vector<std::string>& warnings);

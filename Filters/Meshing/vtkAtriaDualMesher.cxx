@@ -233,26 +233,17 @@ double vtkAtriaDualMesher::GetStageSeconds(int i)
 
 vtkIdType vtkAtriaDualMesher::EstimateLayerElements()
 {
-  try
-  {
+  double elements = -1.0;
+  const bool estimated = atria::onCurrentInput(*this, {&elements, 1}, [&](vtkDataObject* input) {
     this->CheckProperties();
-    vtkDataObject* input = atria::currentInput(*this);
     this->SetAbortExecute(0);
     const atria::AlgorithmRun run(*this);
     std::vector<std::string> warnings; // the run repeats them
-    return static_cast<vtkIdType>(
+    elements = static_cast<double>(
         atria::estimateLayerElements(atria::readSurfaces(input, warnings),
                                      mesherOptionsOf(*this, this->SeedPoints, this->SealedSeedPoints), run.context));
-  }
-  catch (const atria::Aborted&)
-  {
-    return -1;
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro(<< error.what());
-    return -1;
-  }
+  });
+  return estimated ? static_cast<vtkIdType>(elements) : -1;
 }
 
 void vtkAtriaDualMesher::CheckProperties()

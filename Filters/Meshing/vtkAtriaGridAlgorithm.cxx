@@ -5,12 +5,14 @@
 #include "Mesher/SuggestedSizes.h"
 #include "Octree/Sizing/SizeRules.h"
 #include "PropertyRange.h"
+#include "Ranks.h"
 
 #include <vtkDemandDrivenPipeline.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 
 #include <algorithm>
+#include <array>
 #include <exception>
 
 vtkAtriaGridAlgorithm::vtkAtriaGridAlgorithm()
@@ -27,25 +29,31 @@ void vtkAtriaGridAlgorithm::SetInputData(int port, vtkDataObject* data) { this->
 
 bool vtkAtriaGridAlgorithm::SuggestSizes()
 {
-  try
-  {
+  std::array<double, 3> sizes{};
+  const bool suggested = atria::onCurrentInput(*this, sizes, [&](vtkDataObject* input) {
     std::vector<std::string> warnings; // the run repeats them
-    const atria::GridOptions sizes =
-        atria::suggestSizes(atria::readSurfaces(atria::currentInput(*this), warnings), atria::modelOptionsOf(*this));
-    this->SetSizeMax(sizes.sizeMax);
-    this->SetSizeMid(sizes.sizeMid);
-    this->SetSizeMin(sizes.sizeMin);
-    return true;
-  }
-  catch (const std::exception& error)
+    const atria::GridOptions options =
+        atria::suggestSizes(atria::readSurfaces(input, warnings), atria::modelOptionsOf(*this));
+    sizes = {options.sizeMax, options.sizeMid, options.sizeMin};
+  });
+  if (suggested)
   {
-    vtkErrorMacro(<< error.what());
-    return false;
+    this->SetSizeMax(sizes[0]);
+    this->SetSizeMid(sizes[1]);
+    this->SetSizeMin(sizes[2]);
   }
+  return suggested;
 }
 
 vtkTypeBool vtkAtriaGridAlgorithm::ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
                                                   vtkInformationVector* outputs)
+{
+  return atria::processOnRanks(*this, request, inputs, outputs,
+                               [&] { return this->ProcessRequestHere(request, inputs, outputs); });
+}
+
+vtkTypeBool vtkAtriaGridAlgorithm::ProcessRequestHere(vtkInformation* request, vtkInformationVector** inputs,
+                                                      vtkInformationVector* outputs)
 {
   if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
   {

@@ -349,6 +349,7 @@ protected:
   virtual void CheckProperties();
   virtual int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) { return 1; }
   virtual int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) = 0;
+  vtkTypeBool ProcessRequestHere(vtkInformation*, vtkInformationVector**, vtkInformationVector*);
 
   double SizeMax = 8.0;
   double SizeMid = 2.0;

@@ -113,10 +113,8 @@ bool vtkAtriaOctreeSource::Estimate()
   this->EstimatedBytes = 0;
   this->EstimateIsTooLarge = false;
   this->EstimateWarning.clear();
-  try
-  {
+  return atria::onCurrentInput(*this, {}, [&](vtkDataObject* surfaces) {
     this->CheckProperties();
-    vtkDataObject* surfaces = atria::currentInput(*this);
     this->SetAbortExecute(0);
     const atria::AlgorithmRun run(*this);
     const atria::RunContext& context = run.context;
@@ -144,17 +142,7 @@ bool vtkAtriaOctreeSource::Estimate()
       const bool both = !this->EstimateWarning.empty() && !text.empty();
       this->EstimateWarning += (both ? "\n" : "") + text;
     }
-  }
-  catch (const atria::Aborted&)
-  {
-    return false;
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro(<< error.what());
-    return false;
-  }
-  return true;
+  });
 }
 
 vtkIdType vtkAtriaOctreeSource::GetEstimatedOctants(int level)

@@ -4,6 +4,7 @@
 #include "AlgorithmProgress.h"
 #include "Optimize/AnyMesh/MeshOptimizer.h"
 #include "PropertyRange.h"
+#include "Ranks.h"
 #include "SmpExecutor.h"
 #include "VtkFaceMesh.h"
 
@@ -199,6 +200,13 @@ void vtkAtriaMeshOptimizer::CheckProperties()
   atriaCheckRange(TargetSkewness);
   atriaCheckRange(TargetScaledJacobian);
   atriaCheckRange(NumberOfSweeps);
+}
+
+vtkTypeBool vtkAtriaMeshOptimizer::ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
+                                                  vtkInformationVector* outputs)
+{
+  return atria::processOnRanks(*this, request, inputs, outputs,
+                               [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 int vtkAtriaMeshOptimizer::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)

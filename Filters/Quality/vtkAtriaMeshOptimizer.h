@@ -134,6 +134,8 @@ public:
    */
   vtkPartitionedDataSetCollection* GetPatches();
 
+  vtkTypeBool ProcessRequest(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
 protected:
   vtkAtriaMeshOptimizer();
   ~vtkAtriaMeshOptimizer() override = default;

@@ -7,6 +7,7 @@
 #include "Quality/Checks/MeshChecks.h"
 #include "Quality/Checks/Metrics.h"
 #include "Quality/Checks/Statistics.h"
+#include "Ranks.h"
 #include "Support/Error.h"
 #include "VtkChecks.h"
 #include "VtkFaceMesh.h"
@@ -245,6 +246,13 @@ int vtkAtriaMeshQuality::FillOutputPortInformation(int port, vtkInformation* inf
 {
   info->Set(vtkDataObject::DATA_TYPE_NAME(), port == 0 ? "vtkUnstructuredGrid" : "vtkTable");
   return 1;
+}
+
+vtkTypeBool vtkAtriaMeshQuality::ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
+                                                vtkInformationVector* outputs)
+{
+  return atria::processOnRanks(*this, request, inputs, outputs,
+                               [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 int vtkAtriaMeshQuality::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)

@@ -128,6 +128,8 @@ public:
   vtkTable* GetChecks();
   ///@}
 
+  vtkTypeBool ProcessRequest(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
 protected:
   vtkAtriaMeshQuality();
   ~vtkAtriaMeshQuality() override = default;

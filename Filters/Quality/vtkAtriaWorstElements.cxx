@@ -4,6 +4,7 @@
 #include "AlgorithmProgress.h"
 #include "PropertyRange.h"
 #include "Quality/Checks/WorstElements.h"
+#include "Ranks.h"
 #include "Support/Error.h"
 #include "VtkArrays.h"
 
@@ -142,6 +143,13 @@ void addColumn(vtkUnstructuredGrid* grid, const char* name, const std::vector<st
 }
 
 } // namespace
+
+vtkTypeBool vtkAtriaWorstElements::ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
+                                                  vtkInformationVector* outputs)
+{
+  return atria::processOnRanks(*this, request, inputs, outputs,
+                               [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+}
 
 int vtkAtriaWorstElements::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {

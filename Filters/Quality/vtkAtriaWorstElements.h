@@ -97,6 +97,8 @@ public:
   vtkGetMacro(Rings, int);
   ///@}
 
+  vtkTypeBool ProcessRequest(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
 protected:
   vtkAtriaWorstElements() = default;
   ~vtkAtriaWorstElements() override = default;

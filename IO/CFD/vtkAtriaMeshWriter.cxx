@@ -2,6 +2,7 @@
 #include "vtkAtriaMeshWriter.h"
 
 #include "AlgorithmProgress.h"
+#include "Ranks.h"
 #include "VtkFaceMesh.h"
 
 #include <vtkDataArray.h>
@@ -9,6 +10,7 @@
 #include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkPartitionedDataSetCollection.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <exception>
@@ -62,6 +64,26 @@ vtkPartitionedDataSetCollection* vtkAtriaMeshWriter::GetPatches()
 {
   return vtkPartitionedDataSetCollection::SafeDownCast(
       this->GetNumberOfInputConnections(1) > 0 ? this->GetInputDataObject(1, 0) : nullptr);
+}
+
+vtkTypeBool vtkAtriaMeshWriter::ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
+                                               vtkInformationVector* outputs)
+{
+  const auto process = [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); };
+  const atria::Ranks ranks(this->Piece, this->NumberOfPieces);
+  if (request->Has(vtkStreamingDemandDrivenPipeline::REQUEST_UPDATE_EXTENT()))
+  {
+    ranks.askFor(inputs, this->GetNumberOfInputPorts());
+  }
+  if (!request->Has(vtkDemandDrivenPipeline::REQUEST_DATA()))
+  {
+    return process();
+  }
+  const int result = ranks.run(*this, inputs, outputs, process);
+  double code = static_cast<double>(this->GetErrorCode());
+  ranks.share({&code, 1});
+  this->SetErrorCode(static_cast<unsigned long>(code));
+  return result;
 }
 
 void vtkAtriaMeshWriter::WriteData()
@@ -121,4 +143,6 @@ void vtkAtriaMeshWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << this->GetTargetProperty() << ": " << (this->GetTarget().empty() ? "(none)" : this->GetTarget())
      << "\n";
   os << indent << "RestoreOffset: " << (this->RestoreOffset ? "on" : "off") << "\n";
+  os << indent << "NumberOfPieces: " << this->NumberOfPieces << "\n";
+  os << indent << "Piece: " << this->Piece << "\n";
 }

@@ -50,6 +50,17 @@ public:
   vtkBooleanMacro(RestoreOffset, bool);
   ///@}
 
+  ///@{
+  /**
+   * How many ranks write together, and the number of this one: what they hold is brought to the first one, which writes
+   * it, once. ParaView sets both. 1 and 0 by default: the mesh is written by who is told to.
+   */
+  vtkSetMacro(NumberOfPieces, int);
+  vtkGetMacro(NumberOfPieces, int);
+  vtkSetMacro(Piece, int);
+  vtkGetMacro(Piece, int);
+  ///@}
+
   /**
    * Connect the patches (input port 1).
    */
@@ -65,6 +76,7 @@ protected:
   ~vtkAtriaMeshWriter() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  vtkTypeBool ProcessRequest(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   void WriteData() override;
 
   /**
@@ -100,6 +112,8 @@ private:
   void WriteTarget(vtkUnstructuredGrid* volume, vtkPartitionedDataSetCollection* patches);
 
   bool RestoreOffset = false;
+  int NumberOfPieces = 1;
+  int Piece = 0;
 };
 
 #endif

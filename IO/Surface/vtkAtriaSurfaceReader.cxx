@@ -8,6 +8,7 @@
 
 #include "AlgorithmProgress.h"
 #include "PropertyRange.h"
+#include "Ranks.h"
 #include "Support/Error.h"
 #include "Support/Memory.h"
 
@@ -290,6 +291,13 @@ bool vtkAtriaSurfaceReader::ReadModel(vtkPolyData* output, atria::vrml::Diagnost
   addOffset(output->GetFieldData(), offset);
   progress.report(1.0, "Model read");
   return true;
+}
+
+vtkTypeBool vtkAtriaSurfaceReader::ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
+                                                  vtkInformationVector* outputs)
+{
+  return atria::processOnRanks(*this, request, inputs, outputs,
+                               [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
 }
 
 int vtkAtriaSurfaceReader::RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)

@@ -192,6 +192,8 @@ public:
    */
   vtkStringArray* GetSkippedNodes();
 
+  vtkTypeBool ProcessRequest(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
 protected:
   vtkAtriaSurfaceReader();
   ~vtkAtriaSurfaceReader() override;

@@ -22,6 +22,9 @@ INT_MAX = 2**31 - 1
 # Set in C++ by methods that have no getter.
 WITHOUT_GETTER = {"Seeds", "SealedSeeds"}
 
+# Set by ParaView itself, on each rank.
+SET_BY_RANK = {"NumberOfPieces", "Piece"}
+
 # Groups of proxies that are made of ParaView's classes, for views and panels.
 ONLY_PARAVIEW = {"representations", "misc"}
 
@@ -106,7 +109,7 @@ def check_documentation(element, where, complain):
 
 def check_all_there(instance, properties, where, complain):
     """Every pair of Set and Get of Atria's own classes is a property."""
-    known = {e.get("command", "")[3:] for e in properties}
+    known = SET_BY_RANK | {e.get("command", "")[3:] for e in properties}
     known |= {"NumberOf" + e.get("name") for e in properties if e.get("repeat_command") == "1"}
     for cls in type(instance).__mro__:
         if not cls.__name__.startswith("vtkAtria"):

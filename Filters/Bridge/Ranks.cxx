@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Ranks.h"
+
+#include "AlgorithmProgress.h"
+#include "VtkPieces.h"
+
+#include <vtkAlgorithm.h>
+#include <vtkCompositeDataSet.h>
+#include <vtkDataObject.h>
+#include <vtkDemandDrivenPipeline.h>
+#include <vtkExecutive.h>
+#include <vtkInformation.h>
+#include <vtkInformationIntegerKey.h>
+#include <vtkInformationVector.h>
+#include <vtkMultiProcessController.h>
+#include <vtkMultiProcessStream.h>
+#include <vtkNew.h>
+#include <vtkPartitionedDataSetCollection.h>
+#include <vtkSmartPointer.h>
+#include <vtkStreamingDemandDrivenPipeline.h>
+
+#include <exception>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace atria {
+
+namespace {
+
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+constexpr int root = 0;
+constexpr int pieceTag = 27182;
+
+/// On an output: whether the pipeline runs the filter for each block of a composite input. How many there are may
+/// differ from rank to rank, so each rank works on its own.
+vtkInformationIntegerKey* runsByBlock()
+{
+  static vtkInformationIntegerKey* const key = vtkInformationIntegerKey::MakeKey("RUNS_BY_BLOCK", "Atria");
+  return key;
+}
+
+bool takesComposite(vtkAlgorithm& algorithm, int port)
+{
+  vtkInformation* info = algorithm.GetInputPortInformation(port);
+  for (int i = 0; i < info->Length(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE()); ++i)
+  {
+    const std::string type = info->Get(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), i);
+    if (type == "vtkDataObject" || type == "vtkCompositeDataSet" || type == "vtkPartitionedDataSetCollection")
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool isRunByBlock(vtkAlgorithm& algorithm, vtkInformationVector** inputs)
+{
+  for (int port = 0; port < algorithm.GetNumberOfInputPorts(); ++port)
+  {
+    if (vtkCompositeDataSet::GetData(inputs[port]) && !takesComposite(algorithm, port))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+using Pieces = std::vector<vtkSmartPointer<vtkDataObject>>;
+
+/// The pieces that are not empty of all ranks, on the root; nothing on others.
+Pieces gather(vtkDataObject* own, vtkMultiProcessController& controller)
+{
+  const bool isRoot = controller.GetLocalProcessId() == root;
+  const int holds = own && !isEmptyPiece(own) ? 1 : 0;
+  std::vector<int> held(static_cast<std::size_t>(controller.GetNumberOfProcesses()));
+  controller.AllGather(&holds, held.data(), 1);
+  Pieces pieces;
+  if (!isRoot && holds)
+  {
+    controller.Send(withoutGhosts(own), root, pieceTag);
+  }
+  for (int rank = 0; isRoot && rank < controller.GetNumberOfProcesses(); ++rank)
+  {
+    if (held[static_cast<std::size_t>(rank)])
+    {
+      pieces.push_back(rank == root
+                           ? withoutGhosts(own)
+                           : vtkSmartPointer<vtkDataObject>::Take(controller.ReceiveDataObject(rank, pieceTag)));
+    }
+  }
+  return pieces;
+}
+
+/// Inputs in place of others while it lives.
+class InputsInPlace
+{
+public:
+  InputsInPlace() = default;
+  InputsInPlace(const InputsInPlace&) = delete;
+  InputsInPlace& operator=(const InputsInPlace&) = delete;
+  ~InputsInPlace()
+  {
+    for (const auto& [info, data] : replaced)
+    {
+      put(data, info);
+    }
+  }
+
+  void replace(vtkInformation* info, vtkDataObject* data)
+  {
+    replaced.emplace_back(info, vtkDataObject::GetData(info));
+    put(data, info);
+  }
+
+private:
+  static void put(vtkDataObject* data, vtkInformation* info) { info->Set(vtkDataObject::DATA_OBJECT(), data); }
+
+  std::vector<std::pair<vtkInformation*, vtkSmartPointer<vtkDataObject>>> replaced;
+};
+
+void writeStructure(vtkDataObject* output, vtkMultiProcessStream& stream)
+{
+  auto* sets = vtkPartitionedDataSetCollection::SafeDownCast(output);
+  const unsigned int count = sets ? sets->GetNumberOfPartitionedDataSets() : 0;
+  stream << count;
+  for (unsigned int i = 0; i < count; ++i)
+  {
+    const char* name = sets->HasMetaData(i) ? sets->GetMetaData(i)->Get(vtkCompositeDataSet::NAME()) : nullptr;
+    stream << std::string(name ? name : "");
+  }
+}
+
+void makeEmpty(vtkDataObject* output, vtkMultiProcessStream& structure)
+{
+  output->Initialize();
+  unsigned int count = 0;
+  structure >> count;
+  auto* sets = vtkPartitionedDataSetCollection::SafeDownCast(output);
+  if (sets)
+  {
+    sets->SetNumberOfPartitionedDataSets(count);
+  }
+  for (unsigned int i = 0; i < count; ++i)
+  {
+    std::string name;
+    structure >> name;
+    sets->SetNumberOfPartitions(i, 0);
+    sets->GetMetaData(i)->Set(vtkCompositeDataSet::NAME(), name.c_str());
+  }
+}
+
+bool wasAborted(vtkInformationVector* outputs)
+{
+  vtkInformation* first = outputs->GetInformationObject(0);
+  return first && first->Get(vtkDemandDrivenPipeline::DATA_NOT_GENERATED()) == 1;
+}
+
+/// Tells the others of the root's result and outputs.
+int shareResult(int result, vtkInformationVector* outputs, vtkMultiProcessController& controller)
+{
+  const int count = outputs->GetNumberOfInformationObjects();
+  const bool isRoot = controller.GetLocalProcessId() == root;
+  vtkMultiProcessStream told;
+  if (isRoot)
+  {
+    told << result << (wasAborted(outputs) ? 1 : 0);
+    for (int i = 0; i < count; ++i)
+    {
+      writeStructure(vtkDataObject::GetData(outputs, i), told);
+    }
+  }
+  controller.Broadcast(told, root);
+  if (!isRoot)
+  {
+    int aborted = 0;
+    told >> result >> aborted;
+    for (int i = 0; i < count; ++i)
+    {
+      makeEmpty(vtkDataObject::GetData(outputs, i), told);
+    }
+    if (aborted)
+    {
+      markAborted(outputs);
+    }
+  }
+  return result;
+}
+
+} // namespace
+
+Ranks::Ranks(int piece_, int pieces_) : piece(piece_), pieces(pieces_)
+{
+  auto* global = vtkMultiProcessController::GetGlobalController();
+  if (pieces > 1 && global && global->GetNumberOfProcesses() == pieces && global->GetLocalProcessId() == piece)
+  {
+    controller = global;
+  }
+}
+
+Ranks::Ranks(vtkInformation* info)
+    : Ranks(info && info->Has(Pipeline::UPDATE_PIECE_NUMBER()) ? info->Get(Pipeline::UPDATE_PIECE_NUMBER()) : 0,
+            info && info->Has(Pipeline::UPDATE_NUMBER_OF_PIECES()) ? info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) : 1)
+{
+}
+
+void Ranks::askFor(vtkInformationVector** inputs, int ports) const
+{
+  for (int port = 0; port < ports; ++port)
+  {
+    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
+    {
+      vtkInformation* info = inputs[port]->GetInformationObject(i);
+      info->Set(Pipeline::UPDATE_PIECE_NUMBER(), controller ? piece : 0);
+      info->Set(Pipeline::UPDATE_NUMBER_OF_PIECES(), controller ? pieces : 1);
+      info->Set(Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+    }
+  }
+}
+
+int Ranks::run(vtkAlgorithm& algorithm, vtkInformationVector** inputs, vtkInformationVector* outputs,
+               const std::function<int()>& work) const
+{
+  if (!controller)
+  {
+    if (isRoot())
+    {
+      return work();
+    }
+    for (int i = 0; i < outputs->GetNumberOfInformationObjects(); ++i)
+    {
+      vtkDataObject::GetData(outputs, i)->Initialize();
+    }
+    return 1;
+  }
+  std::vector<std::pair<vtkInformation*, Pieces>> gathered;
+  for (int port = 0; port < algorithm.GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
+    {
+      vtkInformation* info = inputs[port]->GetInformationObject(i);
+      gathered.emplace_back(info, gather(vtkDataObject::GetData(info), *controller));
+    }
+  }
+  int result = 0;
+  try
+  {
+    InputsInPlace whole;
+    for (const auto& [info, pieces_] : gathered)
+    {
+      if (!pieces_.empty())
+      {
+        whole.replace(info, joinPieces(pieces_));
+      }
+    }
+    result = isRoot() ? work() : 0;
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorWithObjectMacro(&algorithm, << error.what());
+  }
+  return shareResult(result, outputs, *controller);
+}
+
+int Ranks::run(vtkAlgorithm& algorithm, const std::function<int()>& work) const
+{
+  return run(algorithm, algorithm.GetExecutive()->GetInputInformation(), vtkNew<vtkInformationVector>(), work);
+}
+
+void Ranks::share(std::span<double> values) const
+{
+  if (controller)
+  {
+    controller->Broadcast(values.data(), static_cast<vtkIdType>(values.size()), root);
+  }
+}
+
+vtkTypeBool processOnRanks(vtkAlgorithm& algorithm, vtkInformation* request, vtkInformationVector** inputs,
+                           vtkInformationVector* outputs, const std::function<vtkTypeBool()>& process)
+{
+  const int asked = request->Has(vtkExecutive::FROM_OUTPUT_PORT()) ? request->Get(vtkExecutive::FROM_OUTPUT_PORT()) : 0;
+  vtkInformation* output = outputs->GetInformationObject(asked > 0 ? asked : 0);
+  if (request->Has(Pipeline::REQUEST_DATA()))
+  {
+    return output->Get(runsByBlock()) ? process() : Ranks(output).run(algorithm, inputs, outputs, process);
+  }
+  const vtkTypeBool result = process();
+  if (request->Has(Pipeline::REQUEST_INFORMATION()))
+  {
+    for (int i = 0; i < outputs->GetNumberOfInformationObjects(); ++i)
+    {
+      outputs->GetInformationObject(i)->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
+    }
+  }
+  // The pipeline's own request; those of its loop over blocks come after forwarding.
+  if (request->Has(Pipeline::REQUEST_UPDATE_EXTENT()) && request->Has(vtkExecutive::ALGORITHM_BEFORE_FORWARD()))
+  {
+    output->Set(runsByBlock(), isRunByBlock(algorithm, inputs) ? 1 : 0);
+    Ranks(output).askFor(inputs, algorithm.GetNumberOfInputPorts());
+  }
+  return result;
+}
+
+} // namespace atria

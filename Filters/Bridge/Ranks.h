@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Filters, readers and writers where VTK's pipeline works in pieces: ParaView's servers and pvbatch ask each MPI rank
+/// for the piece of its number.
+///
+/// What all ranks hold of the inputs is brought to the first one, the root, which does the work and holds the outputs.
+/// The others hold empty outputs of the same structure, and succeed, fail or abort as the root does, without messages.
+/// So all ranks must run a filter at the same time, as ParaView has them.
+///
+/// Ranks are those of VTK's global controller, if it has as many as there are pieces. Where it has not, one process is
+/// asked for one piece after the other: the first is everything, made of all of the input, the others are empty.
+#pragma once
+
+#include <vtkType.h>
+
+#include <functional>
+#include <span>
+
+class vtkAlgorithm;
+class vtkInformation;
+class vtkInformationVector;
+class vtkMultiProcessController;
+
+namespace atria {
+
+/// One piece of a number of them, and the ranks that are asked for the others.
+class Ranks
+{
+public:
+  Ranks(int piece, int pieces);
+  /// Of the pieces last asked for at an output of an algorithm.
+  explicit Ranks(vtkInformation* info);
+
+  bool isRoot() const { return piece == 0; }
+  /// Whether there are others.
+  explicit operator bool() const { return controller != nullptr; }
+
+  /// Has the inputs asked for what `run` needs.
+  void askFor(vtkInformationVector** inputs, int ports) const;
+
+  /// Puts what there is of the inputs on all ranks in place of the root's inputs while `work` runs there, and returns
+  /// what `work` did, on all ranks. `work` returns as RequestData does. On the others the outputs become empty. Inputs
+  /// that cannot be brought together are an error of `algorithm`.
+  int run(vtkAlgorithm& algorithm, vtkInformationVector** inputs, vtkInformationVector* outputs,
+          const std::function<int()>& work) const;
+
+  /// The same outside of a request, with the inputs that the algorithm has now and no outputs.
+  int run(vtkAlgorithm& algorithm, const std::function<int()>& work) const;
+
+  /// Makes the root's values those of all.
+  void share(std::span<double> values) const;
+
+private:
+  int piece = 0;
+  int pieces = 1;
+  vtkMultiProcessController* controller = nullptr; ///< of several ranks, else null
+};
+
+/// What ProcessRequest is to do on any number of ranks. `process` does what it does on one.
+vtkTypeBool processOnRanks(vtkAlgorithm& algorithm, vtkInformation* request, vtkInformationVector** inputs,
+                           vtkInformationVector* outputs, const std::function<vtkTypeBool()>& process);
+
+} // namespace atria
