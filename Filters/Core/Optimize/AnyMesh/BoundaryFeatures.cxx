@@ -13,7 +13,6 @@ namespace atria {
 
 namespace {
 
-constexpr double tiny = 1e-150;
 /// Cosine of the angle between what folds back onto itself and its mirror image.
 constexpr double folded = 1.0 - 1e-4;
 
@@ -147,7 +146,7 @@ private:
     middle /= static_cast<double>(own.size());
     const PolygonMeasure measure = measurePolygon(mesh.points, mesh.face(face));
     const Vec3 way = measure.centroid - middle;
-    return measure.area.dot(way) / (measure.area.norm() * way.norm() + tiny);
+    return measure.area.dot(way) / (measure.area.norm() * way.norm() + rootVSmall);
   }
 
   void collectFaces()
@@ -182,7 +181,7 @@ private:
       patchesOf.push_back(patch);
       const Vec3 area = measurePolygon(mesh.points, mesh.face(first + face)).area;
       const double length = area.norm();
-      normals.push_back(length > tiny ? Vec3(area / length) : Vec3(Vec3::Zero()));
+      normals.push_back(length > rootVSmall ? Vec3(area / length) : Vec3(Vec3::Zero()));
     }
   }
 
@@ -345,7 +344,7 @@ private:
     };
     const Vec3 back = wayAlong(first);
     const Vec3 on = wayAlong(second);
-    const double cosine = -back.dot(on) / (back.norm() * on.norm() + tiny);
+    const double cosine = -back.dot(on) / (back.norm() * on.norm() + rootVSmall);
     return cosine >= smooth || cosine <= -folded;
   }
 

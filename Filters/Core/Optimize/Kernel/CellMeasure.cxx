@@ -8,21 +8,19 @@ namespace atria {
 
 namespace {
 
-constexpr double tiny = 1e-150;
-
 } // namespace
 
 double weightOf(const FaceMeasure& face, const CellMeasure& own, const CellMeasure& other)
 {
   const double nearer = std::abs(face.normal.dot(face.centroid - own.centroid));
   const double farther = std::abs(face.normal.dot(other.centroid - face.centroid));
-  return std::min(nearer, farther) / (nearer + farther + tiny);
+  return std::min(nearer, farther) / (nearer + farther + rootVSmall);
 }
 
 double volumeRatioOf(const CellMeasure& own, const CellMeasure& other)
 {
   const double larger = std::max(std::abs(own.volume), std::abs(other.volume));
-  return std::min(own.volume, other.volume) / (larger + tiny);
+  return std::min(own.volume, other.volume) / (larger + rootVSmall);
 }
 
 SizedCell measureCell(const CellSource& source, Index cell, CellSource::Scratch& scratch,

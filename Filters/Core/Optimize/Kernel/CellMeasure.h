@@ -54,10 +54,9 @@ template <typename PointOf> FaceMeasure measureFace(std::size_t size, PointOf&& 
       addTriangle(pointOf(i), pointOf(i + 1 < size ? i + 1 : 0), mean);
     }
   }
-  constexpr double tiny = 1e-150;
   const double length = area.norm();
-  return {magnitude > tiny ? Vec3(moment / (3.0 * magnitude)) : mean, 0.5 * area,
-          length > tiny ? Vec3(area / length) : Vec3(Vec3::Zero()), 0.5 * length};
+  return {magnitude > rootVSmall ? Vec3(moment / (3.0 * magnitude)) : mean, 0.5 * area,
+          length > rootVSmall ? Vec3(area / length) : Vec3(Vec3::Zero()), 0.5 * length};
 }
 
 template <typename PointOf> FaceMeasure measureAnyFace(std::size_t size, PointOf&& pointOf)
@@ -82,8 +81,7 @@ template <typename EachFace> CellMeasure measureCell(EachFace&& eachFace)
     moment += pyramid * (0.75 * centroid + 0.25 * estimate);
     triple += pyramid;
   });
-  constexpr double tiny = 1e-300;
-  return {std::abs(triple) > tiny ? Vec3(moment / triple) : estimate, triple / 3.0, estimate};
+  return {std::abs(triple) > vSmall ? Vec3(moment / triple) : estimate, triple / 3.0, estimate};
 }
 
 /// OpenFOAM's interpolation weight.

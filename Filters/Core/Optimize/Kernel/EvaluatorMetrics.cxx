@@ -11,8 +11,6 @@ namespace atria {
 
 namespace {
 
-constexpr double tiny = 1e-150;
-
 } // namespace
 
 LeastMetrics QualityEvaluator::metricsOf(const VertexStar& star) const
@@ -44,7 +42,7 @@ LeastMetrics QualityEvaluator::metricsOfCell(Index cell) const
   {
     const Vec3 toFace = faces[f].centroid - measure.centroid;
     const double side = sign(cell, f);
-    least.take(LeastMetrics::pyramidCosine, side * faces[f].normal.dot(toFace) / (toFace.norm() + tiny));
+    least.take(LeastMetrics::pyramidCosine, side * faces[f].normal.dot(toFace) / (toFace.norm() + rootVSmall));
     least.take(LeastMetrics::facePyramid, side * faces[f].area.dot(toFace) / 3.0);
     measureDistance(faces[f].centroid);
     for (const Index point : region_.face(f))
@@ -76,7 +74,7 @@ LeastMetrics QualityEvaluator::metricsOfFace(Index face) const
   }
   const CellMeasure& other = cells[across];
   const Vec3 d = other.centroid - own.centroid;
-  least.take(LeastMetrics::faceCosine, f.normal.dot(d) / (d.norm() + tiny));
+  least.take(LeastMetrics::faceCosine, f.normal.dot(d) / (d.norm() + rootVSmall));
   least.take(LeastMetrics::skewness, -skewnessOf(face, d, 0.0));
   least.take(LeastMetrics::weight, weightOf(f, own, other));
   least.take(LeastMetrics::volumeRatio, volumeRatioOf(own, other));
@@ -103,7 +101,7 @@ double QualityEvaluator::determinantOf(Index cell) const
       ++count;
     }
   }
-  if (mean <= tiny)
+  if (mean <= rootVSmall)
   {
     return 0.0;
   }

@@ -11,7 +11,6 @@ namespace atria {
 namespace {
 
 constexpr std::size_t grain = 256;
-constexpr double tiny = 1e-150;
 /// Over the cube of the mean edge.
 constexpr double flatVolume = 0.004;
 /// Of what is flat but for rounding.
@@ -219,7 +218,7 @@ void QualityEvaluator::judgeCell(Index cell, const Shapes& shapes, Sink& score) 
 double QualityEvaluator::pyramidOf(Index face, Index cell) const
 {
   const Vec3 toFace = faces[face].centroid - cells[cell].centroid;
-  return targets_.pyramidCosine.of(sign(cell, face) * faces[face].normal.dot(toFace) / (toFace.norm() + tiny));
+  return targets_.pyramidCosine.of(sign(cell, face) * faces[face].normal.dot(toFace) / (toFace.norm() + rootVSmall));
 }
 
 /// How far one of the cell's faces lies behind the plane of another.
@@ -232,7 +231,7 @@ double QualityEvaluator::convexityOf(Index face, Index other, Index cell) const
   {
     return 1.0;
   }
-  return targets_.convexity.of(inside / (between.norm() + tiny));
+  return targets_.convexity.of(inside / (between.norm() + rootVSmall));
 }
 
 template <typename Sink> void QualityEvaluator::judgeConvexity(Index face, Index cell, Sink& score) const
@@ -401,7 +400,7 @@ Vec3 QualityEvaluator::wayAcross(Index face) const
 double QualityEvaluator::orthogonalityOf(Index face) const
 {
   const Vec3 d = wayAcross(face);
-  return targets_.faceCosine.of(faces[face].normal.dot(d) / (d.norm() + tiny));
+  return targets_.faceCosine.of(faces[face].normal.dot(d) / (d.norm() + rootVSmall));
 }
 
 double QualityEvaluator::straightnessOf(Index face) const
@@ -418,12 +417,12 @@ void QualityEvaluator::judgeSizes(const FaceMeasure& face, const Measure& of, co
 {
   const double here = std::abs(face.normal.dot(face.centroid - own.centroid));
   const double there = std::abs(face.normal.dot(other.centroid - face.centroid));
-  if (std::min(here, there) <= clearly * targets_.weight.target * (here + there + tiny))
+  if (std::min(here, there) <= clearly * targets_.weight.target * (here + there + rootVSmall))
   {
     score.add(of, targets_.weight.of(weightOf(face, own, other)));
   }
   const double larger = std::max(std::abs(own.volume), std::abs(other.volume));
-  if (std::min(own.volume, other.volume) <= clearly * targets_.volumeRatio.target * (larger + tiny))
+  if (std::min(own.volume, other.volume) <= clearly * targets_.volumeRatio.target * (larger + rootVSmall))
   {
     score.add({Measure::volumeRatio, 0, noIndex, of.face}, targets_.volumeRatio.of(volumeRatioOf(own, other)));
   }
@@ -445,7 +444,7 @@ double QualityEvaluator::boundaryShapeOf(Index face, std::size_t part, const Sha
 {
   const FaceMeasure& f = faces[face];
   const std::size_t size = region_.face(face).size();
-  const double mean = f.length / static_cast<double>(size) + tiny;
+  const double mean = f.length / static_cast<double>(size) + rootVSmall;
   const Vec3 triangle = size == 4 ? Vec3(shapes.fan(face, slot)[part]) : fanTriangle(face, part);
   return targets_.boundaryShape.of(0.5 * triangle.dot(f.normal) / mean);
 }
@@ -472,13 +471,13 @@ double QualityEvaluator::skewnessOf(Index face, const Vec3& d, double good) cons
   const Vec3 toFace = f.centroid - cells[region_.owner[face]].centroid;
   const double along = f.normal.dot(d);
   const bool hasArea = !f.normal.isZero();
-  if (hasArea && std::abs(along) < tiny)
+  if (hasArea && std::abs(along) < rootVSmall)
   {
     return std::numeric_limits<double>::infinity();
   }
   const Vec3 offset = hasArea ? Vec3(toFace - (f.normal.dot(toFace) / along) * d) : toFace;
   const double distance = offset.norm();
-  double extent = (internal ? 0.2 : 0.4) * d.norm() + tiny;
+  double extent = (internal ? 0.2 : 0.4) * d.norm() + rootVSmall;
   if (distance <= good * extent)
   {
     return distance / extent;

@@ -9,7 +9,6 @@ namespace atria {
 namespace {
 
 constexpr std::size_t grain = 256;
-constexpr double tiny = 1e-150;
 
 /// Lists the numbers below `count`, first those that `isFirst`. Returns how many these are.
 template <typename IsFirst> std::size_t listFirst(std::vector<Index>& list, std::size_t count, IsFirst&& isFirst)
@@ -55,8 +54,9 @@ QualityEvaluator::QualityEvaluator(Region& region, const QualityTargets& targets
     cells[judged + g] = region.ghosts[g].measure;
     sizes[judged + g] = region.ghosts[g].size;
   }
-  std::ranges::transform(sizes, cornerScales.begin(),
-                         [&](double size) { return 2.0 / (size * size * size + tiny) / targets.cornerVolume.target; });
+  std::ranges::transform(sizes, cornerScales.begin(), [&](double size) {
+    return 2.0 / (size * size * size + rootVSmall) / targets.cornerVolume.target;
+  });
   judgeAll(context);
 }
 

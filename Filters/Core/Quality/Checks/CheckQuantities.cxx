@@ -14,10 +14,8 @@ namespace atria {
 
 namespace {
 
-/// OpenFOAM's SMALL, VSMALL, ROOTVSMALL and GREAT.
+/// OpenFOAM's SMALL and GREAT.
 constexpr double small = 1e-15;
-constexpr double vSmall = 1e-300;
-constexpr double rootVSmall = 1e-150;
 constexpr double great = 1e15;
 constexpr double minTetQuality = small * small;
 constexpr double leastConcaveDegrees = 10.0;

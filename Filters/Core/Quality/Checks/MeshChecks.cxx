@@ -16,9 +16,8 @@ namespace atria {
 
 namespace {
 
-/// OpenFOAM's SMALL and VSMALL.
+/// OpenFOAM's SMALL.
 constexpr double small = 1e-15;
-constexpr double vSmall = 1e-300;
 constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t grain = 4096;
 
@@ -143,7 +142,7 @@ private:
     const auto cosine = [this](std::size_t f) {
       const Vec3& area = m.geometry.faceAreas[f];
       const Vec3 d = m.geometry.cellCentroids[m.mesh.neighbor[f]] - m.geometry.cellCentroids[m.mesh.owner[f]];
-      return dotInOrder(d, area) / (lengthInOrder(d) * lengthInOrder(area) + 1e-150);
+      return dotInOrder(d, area) / (lengthInOrder(d) * lengthInOrder(area) + rootVSmall);
     };
     const std::vector<double> cosines = valuesOf(m.mesh.internalFaceCount(), cosine);
     constexpr double severe = 70.0;

@@ -14,14 +14,12 @@ namespace atria {
 
 namespace {
 
-/// Keeps divisions by nothing finite (OpenFOAM's ROOTVSMALL).
-constexpr double tiny = 1e-150;
 constexpr double maxOpenness = 1e-6;
 constexpr std::size_t grain = 4096;
 
 double cosine(const Vec3& a, const Vec3& b)
 {
-  return std::clamp(dotInOrder(a, b) / (lengthInOrder(a) * lengthInOrder(b) + tiny), -1.0, 1.0);
+  return std::clamp(dotInOrder(a, b) / (lengthInOrder(a) * lengthInOrder(b) + rootVSmall), -1.0, 1.0);
 }
 
 double degrees(double cosineOfAngle) { return std::acos(cosineOfAngle) * 180.0 / std::numbers::pi; }
@@ -30,7 +28,7 @@ double degrees(double cosineOfAngle) { return std::acos(cosineOfAngle) * 180.0 /
 Vec3 normalPart(const Vec3& v, const Vec3& area)
 {
   const double size = lengthInOrder(area);
-  const Vec3 normal = size < tiny ? Vec3(Vec3::Zero()) : Vec3(area / size);
+  const Vec3 normal = size < rootVSmall ? Vec3(Vec3::Zero()) : Vec3(area / size);
   return dotInOrder(normal, v) * normal;
 }
 
@@ -141,10 +139,10 @@ double faceSkewness(const MeasuredMesh& measured, std::size_t f)
   const bool internal = f < mesh.internalFaceCount();
   const Vec3 toFace = geometry.faceCentroids[f] - center;
   const Vec3 d = internal ? Vec3(geometry.cellCentroids[mesh.neighbor[f]] - center) : normalPart(toFace, area);
-  const Vec3 offset = toFace - (dotInOrder(area, toFace) / (dotInOrder(area, d) + tiny)) * d;
+  const Vec3 offset = toFace - (dotInOrder(area, toFace) / (dotInOrder(area, d) + rootVSmall)) * d;
   const double distance = lengthInOrder(offset);
-  const Vec3 direction = offset / (distance + tiny);
-  double extent = (internal ? 0.2 : 0.4) * lengthInOrder(d) + tiny;
+  const Vec3 direction = offset / (distance + rootVSmall);
+  double extent = (internal ? 0.2 : 0.4) * lengthInOrder(d) + rootVSmall;
   for (const Index point : mesh.face(f))
   {
     extent = std::max(extent, std::abs(dotInOrder(direction, mesh.points[point] - geometry.faceCentroids[f])));

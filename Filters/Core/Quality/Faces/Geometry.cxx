@@ -12,7 +12,6 @@ namespace atria {
 namespace {
 
 /// Below this a sum is taken for zero, as OpenFOAM does (its ROOTVSMALL).
-constexpr double tinyArea = 1e-150;
 constexpr std::size_t grain = 4096;
 
 } // namespace
@@ -44,7 +43,7 @@ PolygonMeasure measurePolygon(std::span<const Vec3> points, std::span<const Inde
     magnitudeSum += magnitude;
     momentSum += magnitude * (here + next + mean);
   }
-  const bool flat = magnitudeSum < tinyArea;
+  const bool flat = magnitudeSum < rootVSmall;
   return {flat ? Vec3(Vec3::Zero()) : Vec3(0.5 * areaSum), flat ? mean : Vec3((1.0 / 3.0) * momentSum / magnitudeSum)};
 }
 

@@ -36,7 +36,6 @@ struct CellMeasureInOrder
 /// taken as OpenFOAM takes them.
 template <typename FaceOf> CellMeasureInOrder measureCellInOrder(std::size_t faceCount, FaceOf&& faceOf)
 {
-  constexpr double tinyVolume = 1e-300; // OpenFOAM's VSMALL
   Vec3 estimate = Vec3::Zero();
   for (std::size_t i = 0; i < faceCount; ++i)
   {
@@ -52,7 +51,7 @@ template <typename FaceOf> CellMeasureInOrder measureCellInOrder(std::size_t fac
     moment += pyramid * (0.75 * face.centroid + 0.25 * estimate);
     tripleVolume += pyramid;
   }
-  return {std::abs(tripleVolume) > tinyVolume ? Vec3(moment / tripleVolume) : estimate, tripleVolume * (1.0 / 3.0)};
+  return {std::abs(tripleVolume) > vSmall ? Vec3(moment / tripleVolume) : estimate, tripleVolume * (1.0 / 3.0)};
 }
 
 /// The faces of every cell: first those it owns, then those it is the neighbor of, each in rising order.

@@ -9,6 +9,10 @@
 
 namespace atria {
 
+/// OpenFOAM's VSMALL and ROOTVSMALL, which keep divisors off 0.
+inline constexpr double vSmall = 1e-300;
+inline constexpr double rootVSmall = 1e-150;
+
 inline double dotInOrder(const Vec3& a, const Vec3& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 inline double lengthInOrder(const Vec3& a) { return std::sqrt(dotInOrder(a, a)); }

@@ -201,7 +201,7 @@ double worstPenalty(const MeasuredMesh& m, std::span<const Index> faces)
     {
       const Vec3& area = m.geometry.faceAreas[f];
       const Vec3 way = m.geometry.cellCentroids[m.mesh.neighbor[f]] - m.geometry.cellCentroids[m.mesh.owner[f]];
-      const double cosine = dotInOrder(way, area) / (lengthInOrder(way) * lengthInOrder(area) + 1e-150);
+      const double cosine = dotInOrder(way, area) / (lengthInOrder(way) * lengthInOrder(area) + rootVSmall);
       const double degrees = std::acos(std::clamp(cosine, -1.0, 1.0)) * 180.0 / std::numbers::pi;
       worst = std::max(worst, degrees / severeDegrees);
     }
