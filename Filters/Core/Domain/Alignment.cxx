@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Domain/Alignment.h"
 
+#include "Support/Angles.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -28,7 +30,7 @@ double folded(double degrees)
 
 std::vector<Wall> wallsOf(const TriangleSurface& surface)
 {
-  static const double mostVertical = std::sin(5.0 * std::numbers::pi / 180.0);
+  static const double mostVertical = std::sin(radians(5.0));
   std::vector<Wall> walls;
   for (const auto& [a, b, c] : surface.triangles)
   {

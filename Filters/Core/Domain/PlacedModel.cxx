@@ -4,6 +4,7 @@
 #include "Domain/Alignment.h"
 #include "Domain/Domain.h"
 #include "Domain/TurnedSides.h"
+#include "Support/Angles.h"
 #include "Support/Error.h"
 
 #include <algorithm>
@@ -58,9 +59,8 @@ Placement gridAxes(const TriangleSurface& surface, GridAlignment alignment, cons
   const double angle = alignment == GridAlignment::walls ? dominantWallAngle(surface) : 0.0;
   const double wanted = domain.axes.angle();
   const Placement grid(angle + 90.0 * std::round((wanted - angle) / 90.0));
-  constexpr double perDegree = std::numbers::pi / 180.0;
   const double difference = std::remainder(grid.angle() - wanted, 360.0);
-  const bool along = std::abs(difference) * perDegree * domain.bounds.size().norm() <= sideRatio * sizeMin;
+  const bool along = radians(std::abs(difference)) * domain.bounds.size().norm() <= sideRatio * sizeMin;
   return along ? domain.axes : grid;
 }
 

@@ -2,6 +2,7 @@
 #include "Layer/CreaseSheets.h"
 
 #include "Layer/PrismAxes.h"
+#include "Support/Angles.h"
 #include "Support/UnionFind.h"
 
 #include <algorithm>
@@ -12,8 +13,8 @@ namespace atria {
 
 namespace {
 
-/// Of 150 degrees: the angle between two edges on creases beyond which a face's piece gets crease sheets.
-constexpr double widestCosine = -0.866;
+/// The angle between two edges on creases beyond which a face's piece gets crease sheets.
+const double widestCosine = cosOfDegrees(149.99);
 
 /// Walls and the pieces they are of. Corner k of a face comes after edge k - 1 and before edge k.
 class PiecedWalls

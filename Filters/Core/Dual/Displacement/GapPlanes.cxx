@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Dual/Displacement/GapPlanes.h"
 
+#include "Support/Angles.h"
 #include "Support/Sorting.h"
 #include "Surface/Search/Distance.h"
 
@@ -17,10 +18,10 @@ constexpr double rounding = 1e-6;
 /// A point in a gap stays where it is if it is farther than this part of the gap's width from both sheets.
 constexpr double thinnestClearance = 0.1;
 
-/// Of 45 degrees: a sheet runs along a gap, up to this between its normal and the way across.
-constexpr double alongCosine = 0.707;
-/// Of 35 degrees: it is in the stack of a gap beside it.
-constexpr double stackCosine = 0.819;
+/// A sheet runs along a gap, up to this between its normal and the way across.
+const double alongCosine = cosOfDegrees(45.01);
+/// It is in the stack of a gap beside it.
+const double stackCosine = cosOfDegrees(35.01);
 
 /// Finds places in gaps for the corners of leaves. Not for several threads at once.
 class GapPlaceFinder

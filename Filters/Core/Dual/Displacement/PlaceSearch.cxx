@@ -3,6 +3,7 @@
 
 #include "Dual/Displacement/CandidatePlaces.h"
 #include "Dual/Displacement/MoveChains.h"
+#include "Support/Angles.h"
 #include "Support/Sorting.h"
 
 #include <Eigen/Geometry>
@@ -10,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 #include <unordered_set>
 
 namespace atria {
@@ -174,7 +174,7 @@ private:
   {
     const Vec3 a = toVector(grid.model().points[edge.a]);
     const Vec3 axis = (toVector(grid.model().points[edge.b]) - a).normalized();
-    const Eigen::AngleAxisd turn(angle * std::numbers::pi / 180.0, axis);
+    const Eigen::AngleAxisd turn(radians(angle), axis);
     std::set<Index> seen;
     Places places;
     for (const Index leaf : leaves)

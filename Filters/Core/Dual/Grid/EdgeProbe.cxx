@@ -2,6 +2,7 @@
 #include "Dual/Grid/EdgeProbe.h"
 
 #include "Grid/Predicates.h"
+#include "Support/Angles.h"
 #include "Support/Sorting.h"
 #include "Surface/Search/Distance.h"
 
@@ -15,8 +16,8 @@ namespace {
 /// How far beyond an edge, against the edge's length, the tip of a crease may reach for the edge to count as uncut.
 constexpr double nickDepth = 0.3;
 
-/// Of 30 degrees: creases more acute than that are sheets side by side.
-constexpr double foldCosine = 0.866;
+/// Creases more acute than this are sheets side by side.
+const double foldCosine = cosOfDegrees(30.01);
 
 /// Pieces in a leaf beyond which a tree finds those near an edge sooner.
 constexpr std::size_t longList = 64;

@@ -2,6 +2,7 @@
 #include "Dual/Zones/BoundaryGaps.h"
 
 #include "Grid/Predicates.h"
+#include "Support/Angles.h"
 #include "Surface/Model/FeatureGraph.h"
 
 #include <Eigen/Geometry>
@@ -20,6 +21,8 @@ constexpr double beforeEnd = 0.01;
 constexpr double touchDistance = 1e-4;
 /// In lattice units: a place on a triangle, but for rounding.
 constexpr double onTriangle = 2.0;
+/// Bridges that turn by more leave a corner between them.
+const double straightCosine = cosOfDegrees(14.99);
 
 LatticePoint moved(const LatticePoint& p, const Vec3& by)
 {
@@ -176,8 +179,6 @@ std::vector<BridgeTriangle> BoundaryGaps::bridge(Index edge, std::size_t step, d
 std::vector<BridgeTriangle> BoundaryGaps::cornerBridge(const BoundaryEdges::End& one, const BoundaryEdges::End& other,
                                                        double widest, const SurfaceModel& model) const
 {
-  // Of 15 degrees: bridges that turn by more leave a corner between them.
-  constexpr double straightCosine = 0.966;
   std::vector<BridgeTriangle> out;
   if (stations[one.edge].empty() || stations[other.edge].empty())
   {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesher/Improvement/CurveJogs.h"
 
+#include "Support/Angles.h"
 #include "Support/Sorting.h"
 
 #include <algorithm>
@@ -9,8 +10,8 @@ namespace atria {
 
 namespace {
 
-/// Of 150 degrees: the angle between two edges on a curve beyond which they are in line.
-constexpr double widestCosine = -0.866;
+/// The angle between two edges on a curve beyond which they are in line.
+const double widestCosine = cosOfDegrees(149.99);
 /// A jog may have another beside it.
 constexpr int mostSweeps = 4;
 

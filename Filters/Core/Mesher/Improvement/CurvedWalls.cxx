@@ -2,6 +2,7 @@
 #include "Mesher/Improvement/CurvedWalls.h"
 
 #include "Mesher/Improvement/LayerCells.h"
+#include "Support/Angles.h"
 
 #include <algorithm>
 #include <array>
@@ -14,12 +15,12 @@ namespace {
 
 /// A wall is flat if its chart is, or at a point if its faces there turn by less than a quarter of a degree.
 constexpr double flatCosine = 1.0 - 1e-5;
-/// It is smooth if they turn by less than 12 degrees, or are at an edge of the domain: other elements, where octants
+/// It is smooth if they turn by less than this, or are at an edge of the domain: other elements, where octants
 /// are coarse or a wall stands on the ground, do not come to be as good, and trying to takes long for little: half of
 /// the whole time for one degree in the mean.
-constexpr double smoothCosine = 0.978;
-/// Beyond 60 degrees it is an edge, though none of one surface, as where a wall stands on the ground.
-constexpr double edgeCosine = 0.5;
+const double smoothCosine = cosOfDegrees(12.01);
+/// Beyond this it is an edge, though none of one surface, as where a wall stands on the ground.
+const double edgeCosine = cosOfDegrees(60.0);
 /// How much thicker a layer of no asked height may be on curved walls, where nothing beside it needs the room.
 constexpr double thicker = 5.0 / 3.0;
 

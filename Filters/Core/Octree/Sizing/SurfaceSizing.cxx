@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Octree/Sizing/GapSizing.h"
 #include "Octree/Sizing/SizeSources.h"
+#include "Support/Angles.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 namespace atria {
@@ -53,7 +53,7 @@ class ModelRules
 {
 public:
   ModelRules(const SurfaceModel& model, const GridFrame& frame, const ModelLevels& levels, const SizingOptions& options)
-      : model_(model), frame_(frame), levels_(levels), curvature(options.curvatureAngle * std::numbers::pi / 180.0)
+      : model_(model), frame_(frame), levels_(levels), curvature(radians(options.curvatureAngle))
   {
     finestFeature = frame.featureLevel;
     for (const int level : levels.featureOfSurface)

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Optimize/AnyMesh/BoundaryFeatures.h"
 
+#include "Support/Angles.h"
 #include "Support/UnionFind.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 namespace atria {
@@ -32,8 +32,7 @@ class FeatureSearch
 public:
   FeatureSearch(const FaceMesh& source, const CellFaces& facesOfCells, std::span<const Index> patchOfFace, double angle,
                 const RunContext& runContext)
-      : mesh(source), cellFaces(facesOfCells), patches(patchOfFace), smooth(std::cos(angle * std::numbers::pi / 180.0)),
-        context(runContext)
+      : mesh(source), cellFaces(facesOfCells), patches(patchOfFace), smooth(cosOfDegrees(angle)), context(runContext)
   {
   }
 

@@ -2,13 +2,13 @@
 #include "Quality/Checks/CheckQuantities.h"
 
 #include "Quality/Faces/InOrder.h"
+#include "Support/Angles.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace atria {
 
@@ -179,8 +179,7 @@ double flatness(const MeasuredMesh& m, std::size_t f)
 
 double concaveAngle(const MeasuredMesh& m, std::size_t f)
 {
-  constexpr double radian = std::numbers::pi / 180.0;
-  const double leastSine = std::sin(leastConcaveDegrees * radian);
+  const double leastSine = std::sin(radians(leastConcaveDegrees));
   const auto face = m.mesh.face(f);
   const Vec3 normal = m.geometry.faceAreas[f] / (lengthInOrder(m.geometry.faceAreas[f]) + rootVSmall);
   const auto unitEdge = [&](Index from, Index to, double& length) {
@@ -207,7 +206,7 @@ double concaveAngle(const MeasuredMesh& m, std::size_t f)
     previous = edge;
     previousLength = length;
   }
-  return std::asin(std::min(1.0, worst)) / radian;
+  return std::asin(std::min(1.0, worst)) / radians(1.0);
 }
 
 /// Signed volume over that of the regular tetrahedron of the same circumradius.

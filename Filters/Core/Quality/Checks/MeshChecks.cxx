@@ -4,12 +4,12 @@
 #include "Quality/Checks/CheckQuantities.h"
 #include "Quality/Checks/Metrics.h"
 #include "Quality/Faces/InOrder.h"
+#include "Support/Angles.h"
 #include "Support/Error.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <numeric>
 
 namespace atria {
@@ -20,8 +20,6 @@ namespace {
 constexpr double small = 1e-15;
 constexpr double notANumber = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t grain = 4096;
-
-double degrees(double cosine) { return std::acos(std::clamp(cosine, -1.0, 1.0)) * 180.0 / std::numbers::pi; }
 
 struct Limit
 {
@@ -146,7 +144,7 @@ private:
     };
     const std::vector<double> cosines = valuesOf(m.mesh.internalFaceCount(), cosine);
     constexpr double severe = 70.0;
-    const double severeCosine = std::cos(severe * std::numbers::pi / 180.0);
+    const double severeCosine = cosOfDegrees(severe);
     inDegrees(judge({"NonOrthogonality", "nonOrthoFaces", false, false, severeCosine}, MeshPart::Faces, cosines),
               severe);
     // The next number above SMALL: a cosine of SMALL itself fails too.
@@ -158,8 +156,8 @@ private:
   {
     check.greaterFails = true;
     check.limit = limit;
-    check.worst = degrees(check.worst);
-    check.mean = degrees(check.mean);
+    check.worst = degreesOfCosine(check.worst);
+    check.mean = degreesOfCosine(check.mean);
   }
 
   void judgePyramids()

@@ -3,11 +3,11 @@
 
 #include "Quality/Checks/ScaledJacobian.h"
 #include "Quality/Faces/InOrder.h"
+#include "Support/Angles.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <numeric>
 
 namespace atria {
@@ -21,8 +21,6 @@ double cosine(const Vec3& a, const Vec3& b)
 {
   return std::clamp(dotInOrder(a, b) / (lengthInOrder(a) * lengthInOrder(b) + rootVSmall), -1.0, 1.0);
 }
-
-double degrees(double cosineOfAngle) { return std::acos(cosineOfAngle) * 180.0 / std::numbers::pi; }
 
 /// The component of v along an area vector.
 Vec3 normalPart(const Vec3& v, const Vec3& area)
@@ -59,7 +57,7 @@ public:
     {
       const double c = cosine(area, geometry.cellCentroids[mesh.neighbor[f]] - center);
       out.squishOfFaces[f] = 1.0 - c;
-      out.nonOrthogonalityOfFaces[f] = degrees(c);
+      out.nonOrthogonalityOfFaces[f] = degreesOfCosine(c);
     }
     out.skewnessOfFaces[f] = faceSkewness(measured, f);
   }

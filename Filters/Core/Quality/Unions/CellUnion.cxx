@@ -6,11 +6,11 @@
 #include "Quality/Faces/InOrder.h"
 #include "Quality/Unions/MergeFaces.h"
 #include "Quality/Unions/SplitCells.h"
+#include "Support/Angles.h"
 #include "Support/Sorting.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <numeric>
 
 namespace atria {
@@ -202,8 +202,7 @@ double worstPenalty(const MeasuredMesh& m, std::span<const Index> faces)
       const Vec3& area = m.geometry.faceAreas[f];
       const Vec3 way = m.geometry.cellCentroids[m.mesh.neighbor[f]] - m.geometry.cellCentroids[m.mesh.owner[f]];
       const double cosine = dotInOrder(way, area) / (lengthInOrder(way) * lengthInOrder(area) + rootVSmall);
-      const double degrees = std::acos(std::clamp(cosine, -1.0, 1.0)) * 180.0 / std::numbers::pi;
-      worst = std::max(worst, degrees / severeDegrees);
+      worst = std::max(worst, degreesOfCosine(cosine) / severeDegrees);
     }
   }
   return worst;

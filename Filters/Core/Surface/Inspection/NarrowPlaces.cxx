@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Surface/Inspection/NarrowPlaces.h"
 
+#include "Support/Angles.h"
 #include "Support/UnionFind.h"
 #include "Surface/Model/FeatureGraph.h"
 #include "Surface/Model/TriangleTree.h"
@@ -12,10 +13,10 @@ namespace atria {
 
 namespace {
 
-/// Of 15 degrees: between the normals of surfaces that face each other.
-constexpr double parallelCosine = 0.966;
-/// Of 30 degrees: between their normals and the way from one to the other.
-constexpr double acrossCosine = 0.866;
+/// Between the normals of surfaces that face each other.
+const double parallelCosine = cosOfDegrees(14.99);
+/// Between their normals and the way from one to the other.
+const double acrossCosine = cosOfDegrees(30.01);
 /// In lattice units: a place on an edge, but for rounding.
 constexpr double onEdge = 2.0;
 

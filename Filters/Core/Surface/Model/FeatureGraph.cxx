@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Surface/Model/FeatureGraph.h"
 
+#include "Support/Angles.h"
 #include "Support/Pieces.h"
 #include "Support/UnionFind.h"
 #include "Surface/Triangles/TriangleSoup.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 namespace atria {
@@ -197,7 +197,7 @@ BoundaryEdges boundaryOf(const SurfaceModel& model, const Executor& executor)
 
 void findFeatures(SurfaceModel& model, const GridFrame& frame, const FeatureOptions& options, const Executor& executor)
 {
-  const double minimumCosine = std::cos(options.featureAngle * std::numbers::pi / 180.0);
+  const double minimumCosine = cosOfDegrees(options.featureAngle);
   const std::vector<SoupEdgeUse> uses = sortedEdgeUses(model.triangles, model.points.size(), executor);
   std::vector<Index> begins =
       chosenNumbers(uses.size(), executor, [&](std::size_t i) { return i == 0 || uses[i].edge != uses[i - 1].edge; });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Surface/Repair/ClusterCells.h"
 
+#include "Support/Angles.h"
 #include "Support/Pieces.h"
 #include "Support/UnionFind.h"
 
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace atria {
 
@@ -25,7 +25,7 @@ Vec3 unitNormal(const TriangleSoup& soup, Index t)
 /// no more than the angle there.
 std::vector<Index> piecesOf(const TriangleSoup& soup, double degrees, const Executor& executor)
 {
-  const double leastCosine = std::cos(degrees * std::numbers::pi / 180.0);
+  const double leastCosine = cosOfDegrees(degrees);
   const std::vector<SoupEdgeUse> uses = sortedEdgeUses(soup, executor);
   UnionFind sets(soup.triangles.size());
   for (std::size_t begin = 0, end = 0; begin < uses.size(); begin = end)

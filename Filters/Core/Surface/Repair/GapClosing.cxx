@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Surface/Repair/GapClosing.h"
 
+#include "Support/Angles.h"
 #include "Support/Sorting.h"
 #include "Surface/Repair/Clusters.h"
 #include "Surface/Search/BoxTree.h"
@@ -31,8 +32,8 @@ constexpr double detailReach = 3.0;
 constexpr double maximumDrift = 2.0;
 /// Points of what was drawn with shorter edges than this many tolerances stay, as it could fold.
 constexpr double finestEdge = 2.0;
-/// Of 60 degrees: a move that turns a triangle farther folds it.
-constexpr double foldCosine = 0.5;
+/// A move that turns a triangle farther folds it.
+const double foldCosine = cosOfDegrees(60.0);
 /// What is this near, in lattice units, is there but for rounding.
 constexpr double there = 2.0;
 /// A triangle no higher than this, in lattice units, has no area but for rounding.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Surface/Triangles/SmoothPieces.h"
 
+#include "Support/Angles.h"
 #include "Support/UnionFind.h"
 #include "Surface/Triangles/PointPlaces.h"
 
@@ -8,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <tuple>
 
 namespace atria {
@@ -56,7 +56,7 @@ std::vector<Index> smoothPieces(std::span<const Vec3> points, std::span<const st
     return Vec3((points[b] - points[a]).cross(points[c] - points[a]).stableNormalized());
   };
   constexpr double rounding = 1e-12; // so that planes that differ by the very angle are together
-  const double leastCosine = std::cos(degrees * std::numbers::pi / 180.0) - rounding;
+  const double leastCosine = cosOfDegrees(degrees) - rounding;
   UnionFind pieces(triangles.size());
   const std::vector<EdgeUse> uses = edgeUses(triangles, groups, placesOf(points, 0.0));
   for (std::size_t i = 0; i < uses.size();)
