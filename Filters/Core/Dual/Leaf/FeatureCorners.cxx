@@ -10,13 +10,15 @@ namespace {
 
 using Ending = std::vector<Index>;
 
-/// Leaves about a point, out to 0.6 of the size of the one that holds it.
+/// How far from an octant, against its size, a corner may be that its vertex takes.
+constexpr double cornerReach = 0.6;
+
+/// Leaves about a point, out to this part of the size of the one that holds it.
 std::vector<Index> leavesAbout(const Octree& octree, const LatticePoint& p, Index holder)
 {
-  constexpr double reach = 0.6;
   const std::int64_t end = octree.frame().latticeSize(0);
   const auto step =
-      static_cast<std::int64_t>(reach * static_cast<double>(octree.frame().latticeSize(octree.level(holder))));
+      static_cast<std::int64_t>(cornerReach * static_cast<double>(octree.frame().latticeSize(octree.level(holder))));
   std::vector<Index> leaves;
   for (int i = 0; i < 27; ++i)
   {
@@ -85,7 +87,6 @@ struct Claim
 
 std::vector<Claim> findClaims(const Octree& octree, const SurfaceModel& model, const std::vector<ChainVertex>& vertices)
 {
-  constexpr double farthest = 0.6;
   const std::vector<std::vector<Ending>> curves = curvesAtCorners(model);
   const std::int64_t end = octree.frame().latticeSize(0);
   std::vector<Claim> claims;
@@ -107,7 +108,7 @@ std::vector<Claim> findClaims(const Octree& octree, const SurfaceModel& model, c
       }
       const double ill = misfit(*found, curves[c]);
       const double distance = leaf == holder ? 0.0 : distanceFrom(octree, leaf, p);
-      if (ill >= 0.0 && distance <= farthest)
+      if (ill >= 0.0 && distance <= cornerReach)
       {
         claims.push_back({distance + ill, c, static_cast<Index>(found - vertices.begin())});
       }

@@ -181,10 +181,8 @@ Vec3 LeafGeometry::surfacePosition()
   {
     return onPlanes(*fold);
   }
-  // On a domain side, surface and plane in turn.
-  constexpr int turns = 8;
   Vec3 p = onPlanes(tipOrMean());
-  for (int i = 0; i < (planes != 0 ? turns : 1); ++i)
+  for (int i = 0; i < (planes != 0 ? projectionTurns : 1); ++i)
   {
     p = onPlanes(nearestOnPieces(p, [&](Index chart) { return hasChart(chart); }).value_or(p));
   }

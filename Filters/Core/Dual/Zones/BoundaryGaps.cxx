@@ -4,6 +4,7 @@
 #include "Grid/Predicates.h"
 #include "Support/Angles.h"
 #include "Surface/Model/FeatureGraph.h"
+#include "Surface/Search/Distance.h"
 
 #include <Eigen/Geometry>
 
@@ -19,8 +20,6 @@ constexpr double stepLength = 0.25;
 constexpr double beforeEnd = 0.01;
 /// What is this near, in octants, touches.
 constexpr double touchDistance = 1e-4;
-/// In lattice units: a place on a triangle, but for rounding.
-constexpr double onTriangle = 2.0;
 /// Bridges that turn by more leave a corner between them.
 const double straightCosine = cosOfDegrees(14.99);
 
@@ -64,11 +63,11 @@ private:
       return t == own || TriangleTree::Place{(tree.nearestOn(t, p) - p).squaredNorm(), t, p}.isNearerThan(place);
     };
     const LatticePoint there = moved({}, place.at);
-    const auto margin = static_cast<std::int64_t>(onTriangle) + 1;
+    const auto margin = static_cast<std::int64_t>(latticeRounding) + 1;
     const LatticeBox box{{there[0] - margin, there[1] - margin, there[2] - margin},
                          {there[0] + margin, there[1] + margin, there[2] + margin}};
     return std::ranges::any_of(tree.touching(box), [&](Index t) {
-      return (tree.nearestOn(t, place.at) - place.at).norm() <= onTriangle && isNearer(t);
+      return (tree.nearestOn(t, place.at) - place.at).norm() <= latticeRounding && isNearer(t);
     });
   }
 };
@@ -114,7 +113,7 @@ private:
     }
     const auto size = static_cast<double>(frame.latticeSize(octree.level(leaf)));
     // What is as wide as an octant, but for rounding, is no gap.
-    const double narrow = size - onTriangle;
+    const double narrow = size - latticeRounding;
     const std::optional<Vec3> side = sideAhead(p, narrow, outward);
     const double reach = side ? side->norm() : narrow;
     const Vec3 from = toVector(p);

@@ -94,7 +94,7 @@ public:
     {
       for (int i = 0; i < 3; ++i)
       {
-        if ((nearestOnSegment(p, c[i], c[(i + 1) % 3]) - nearest).norm() <= 2.0 * frame.latticeUnit())
+        if ((nearestOnSegment(p, c[i], c[(i + 1) % 3]) - nearest).norm() <= latticeRounding * frame.latticeUnit())
         {
           add((c[1] - c[0]).cross(c[2] - c[0]));
           add(towards.cross(c[(i + 1) % 3] - c[i]));

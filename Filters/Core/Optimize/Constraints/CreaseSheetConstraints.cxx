@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Optimize/Constraints/CreaseSheetConstraints.h"
 
+#include "Surface/Search/Distance.h"
+
 #include <algorithm>
 
 namespace atria {
@@ -41,10 +43,8 @@ Vec3 CreaseSheetConstraints::place(Index point, const Vec3& p) const
   {
     return onSides(point, p);
   }
-  // On a side, surface and plane in turn.
-  constexpr int turns = 8;
   Vec3 q = p;
-  for (int i = 0; i < (at(point).onSide ? turns : 1); ++i)
+  for (int i = 0; i < (at(point).onSide ? projectionTurns : 1); ++i)
   {
     q = onSides(point, onChart(at(point).chart, q));
   }

@@ -170,11 +170,9 @@ Vec3 ModelConstraints::nearest(Index point, const Vec3& p) const
   {
     return target.start;
   }
-  // On a domain side, surface and plane in turn.
-  constexpr int turns = 8;
   const bool isOnSide = planesOf(point) != 0 || turnedSidesOf(point) != 0;
   Vec3 q = p;
-  for (int i = 0; i < (isOnSide ? turns : 1); ++i)
+  for (int i = 0; i < (isOnSide ? projectionTurns : 1); ++i)
   {
     q = onSides(point, nearestOf(target, q));
   }

@@ -17,8 +17,6 @@ namespace {
 const double parallelCosine = cosOfDegrees(14.99);
 /// Between their normals and the way from one to the other.
 const double acrossCosine = cosOfDegrees(30.01);
-/// In lattice units: a place on an edge, but for rounding.
-constexpr double onEdge = 2.0;
 
 using Place = TriangleTree::Place;
 
@@ -149,7 +147,7 @@ private:
       const Vec3 b = toVector(search.model.points[edge.b]);
       const bool sharesPoint = edge.a == own.a || edge.a == own.b || edge.b == own.a || edge.b == own.b;
       const double longer = std::max((b - a).norm(), search.lengthOf(own));
-      return !sharesPoint && (nearestOnSegment(at, a, b) - at).norm() <= onEdge &&
+      return !sharesPoint && (nearestOnSegment(at, a, b) - at).norm() <= latticeRounding &&
              (loops.find(edge.a) == loops.find(own.a) || (at - p).norm() <= longer) &&
              isAhead(search.outward(edge), p - at);
     }

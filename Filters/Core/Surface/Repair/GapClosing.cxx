@@ -34,10 +34,6 @@ constexpr double maximumDrift = 2.0;
 constexpr double finestEdge = 2.0;
 /// A move that turns a triangle farther folds it.
 const double foldCosine = cosOfDegrees(60.0);
-/// What is this near, in lattice units, is there but for rounding.
-constexpr double there = 2.0;
-/// A triangle no higher than this, in lattice units, has no area but for rounding.
-constexpr double flat = 2.0;
 
 /// One pass over a soup.
 class GapCloser
@@ -191,7 +187,7 @@ private:
     {
       return;
     }
-    if (offsetTo(p, t).norm() <= there)
+    if (offsetTo(p, t).norm() <= latticeRounding)
     {
       found.touches.emplace_back(p, partOfTriangle(t));
       return;
@@ -256,7 +252,7 @@ private:
     const Vec3 origin = Vec3::Zero();
     const std::array<Vec3, 3> corners = cornersFrom(p, t);
     const Vec3 nearest = offsetTo(p, t);
-    if (nearest.norm() > tolerance || nearest.norm() <= there)
+    if (nearest.norm() > tolerance || nearest.norm() <= latticeRounding)
     {
       return std::nullopt;
     }
@@ -393,7 +389,7 @@ private:
     const Vec3 after = between(to, soup.points[a]).cross(between(to, soup.points[b]));
     const bool hasA = contains(soup.triangles[onto], a);
     const bool hasB = contains(soup.triangles[onto], b);
-    if (after.norm() <= flat * between(soup.points[a], soup.points[b]).norm())
+    if (after.norm() <= latticeRounding * between(soup.points[a], soup.points[b]).norm())
     {
       return (hasA && hasB) || (hasA && to == soup.points[a]) || (hasB && to == soup.points[b]) ||
              !(isBoundaryEdge(p, a) || isBoundaryEdge(p, b) || isBoundaryEdge(a, b));
