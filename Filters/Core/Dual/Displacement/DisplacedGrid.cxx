@@ -30,23 +30,16 @@ DisplacedGrid displaceGrid(const GridPoints& points, Crossings undisplaced, cons
   {
     return {std::move(places), std::move(undisplaced)};
   }
-  constexpr int mostRounds = 20;
   const std::vector<Index> apart = wideZones(points, undisplaced, context);
   Crossings crossings = updateCrossings(places, model, std::move(undisplaced), places.displacedPoints(), context);
-  for (int round = 0; round < mostRounds; ++round)
+  // Each round takes back displaced points, so that there is a last one.
+  for (std::vector<Index> joining = joiningPoints(places, crossings, apart); !joining.empty();
+       joining = joiningPoints(places, crossings, apart))
   {
     context.progress.check();
-    const std::vector<Index> joining = joiningPoints(places, crossings, apart);
-    if (joining.empty())
-    {
-      return {std::move(places), std::move(crossings)};
-    }
     std::for_each(joining.begin(), joining.end(), [&](Index point) { places.undisplace(point); });
     crossings = updateCrossings(places, model, std::move(crossings), joining, context);
   }
-  const std::vector<Index> moved = places.displacedPoints();
-  places.undisplaceAll();
-  crossings = updateCrossings(places, model, std::move(crossings), moved, context);
   return {std::move(places), std::move(crossings)};
 }
 

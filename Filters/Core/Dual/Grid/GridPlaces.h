@@ -44,7 +44,6 @@ public:
   }
   std::size_t displacedCount() const { return moved_.size(); }
   void move(Index point, const LatticePoint& to) { moved_[point] = to; }
-  void undisplaceAll() { moved_.clear(); }
   /// Sorted.
   std::vector<Index> displacedPoints() const;
   void undisplace(Index point) { moved_.erase(point); }
