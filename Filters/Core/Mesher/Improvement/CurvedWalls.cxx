@@ -158,10 +158,9 @@ std::vector<Index> CurvedWalls::pointsAtCurved() const
 /// Takes copies back to where they were, as long as cells at their points fall short.
 void CurvedWalls::takeBack(std::vector<WantedPlace> thick)
 {
-  constexpr int rounds = 10;
-  for (int round = 0; round <= rounds && !thick.empty(); ++round)
+  while (!thick.empty())
   {
-    std::vector<char> back(state_.layer.plainPoints, round == rounds ? 1 : 0);
+    std::vector<char> back(state_.layer.plainPoints, 0);
     markPoints(state_.layer, state_.findShort(baseTargets(state_.traits)), back);
     std::vector<char> moved(state_.layer.mesh.points.size(), 0);
     const std::size_t wentBack = std::erase_if(thick, [&](const WantedPlace& was) {
