@@ -403,6 +403,18 @@ TEST(CellZones, AreWhatTheirSurfacesEnclose)
   }
 }
 
+TEST(CellZones, WithoutElementsAreWarnedOf)
+{
+  TriangleSurface surface;
+  addBox(surface, "Hedge", {Vec3(-1, -3, 0), Vec3(0, 3, 1.2)});
+  addBox(surface, "Fan", {Vec3(2.26, 1.26, 1.76), Vec3(2.3, 1.3, 1.8)});
+  MesherOptions options = optionsOf(0);
+  options.cellZones = {"Hedge", "Fan"};
+  const MeshedModel mesh = meshed(surface, options);
+  ASSERT_EQ(mesh.inputWarnings.size(), 1u);
+  EXPECT_NE(mesh.inputWarnings.front().find("cell zone 'Fan' holds no element"), std::string::npos);
+}
+
 TEST(CellZones, OfSurfacesWithHolesAreAnError)
 {
   TriangleSurface surface;

@@ -2,6 +2,7 @@
 #include "Mesher/MeshModel.h"
 
 #include "Domain/DomainCheck.h"
+#include "Dual/Zones/CellZones.h"
 #include "Layer/LayerBudget.h"
 #include "Octree/Tree/Balance.h"
 
@@ -20,6 +21,7 @@ MeshedModel meshOctree(std::unique_ptr<MeshSources> sources, const MesherOptions
   DualMeshOptions mesh = options.mesh;
   mesh.rooms.sidesAreWalls = options.site.mode == DomainMode::surfaces;
   static_cast<DualMeshResult&>(out) = makeDualMesh(sources->octree, sources->model, mesh, clock, context);
+  out.inputWarnings = warningsOfEmptyCellZones(out.mesh.cellZones, sources->model);
   out.names = sources->model.names;
   out.kinds = sources->model.kinds;
   out.repair = sources->model.repair;
@@ -47,7 +49,7 @@ MeshedModel meshModel(const TriangleSurface& surface, const MesherOptions& optio
   StageClock clock;
   auto sources = std::make_unique<MeshSources>();
   const SitePlan plan = planSite(surface, options);
-  std::vector<std::string> inputWarnings = checkDomain(surface, plan, options);
+  const std::vector<std::string> inputWarnings = checkDomain(surface, plan, options);
   std::string warning;
   {
     context.progress.report(0.0, "Repairing surfaces");
@@ -60,7 +62,7 @@ MeshedModel meshModel(const TriangleSurface& surface, const MesherOptions& optio
     clock.lap("octree");
   }
   MeshedModel out = meshOctree(std::move(sources), options, clock, context.part(octreeShare, 1.0));
-  out.inputWarnings = std::move(inputWarnings);
+  out.inputWarnings.insert(out.inputWarnings.begin(), inputWarnings.begin(), inputWarnings.end());
   out.sizingWarning = std::move(warning);
   if (!keepSources)
   {

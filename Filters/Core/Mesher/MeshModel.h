@@ -28,7 +28,7 @@ struct MeshedModel : DualMeshResult
   /// Of each surface; empty where all are walls.
   std::vector<SurfaceKind> kinds;
   SurfaceRepairReport repair;
-  /// What a user should know of the domain, a sentence each; see checkDomain.
+  /// What a user should know of the domain and of cell zones, a sentence each; see checkDomain.
   std::vector<std::string> inputWarnings;
   /// What sizes had to be left out to keep to the limit of elements; empty if nothing.
   std::string sizingWarning;

@@ -204,4 +204,20 @@ std::vector<std::int32_t> findCellZones(const Crossings& crossings, const GridPl
   return zoneOf;
 }
 
+std::vector<std::string> warningsOfEmptyCellZones(std::span<const std::int32_t> zones, const SurfaceModel& model)
+{
+  const std::set<std::int32_t> met(zones.begin(), zones.end());
+  std::vector<std::string> warnings;
+  for (std::size_t surface = 0; surface < model.kinds.size(); ++surface)
+  {
+    if (model.kinds[surface] == SurfaceKind::cellZone && !met.contains(static_cast<std::int32_t>(surface)))
+    {
+      warnings.push_back("cell zone '" + model.names[surface] +
+                         "' holds no element: it is outside of the mesh, within another zone, or smaller than elements "
+                         "there; if so, give its surface a size");
+    }
+  }
+  return warnings;
+}
+
 } // namespace atria

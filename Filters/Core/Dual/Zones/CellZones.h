@@ -5,6 +5,8 @@
 #include "Dual/Grid/Crossings.h"
 #include "Dual/Grid/GridPlaces.h"
 
+#include <span>
+
 namespace atria {
 
 /// Of grid points that are in no cell zone.
@@ -14,5 +16,8 @@ inline constexpr std::int32_t noCellZone = -1;
 /// noCellZone; empty where no surface is of that kind. Throws Error for a surface that is not closed.
 std::vector<std::int32_t> findCellZones(const Crossings& crossings, const GridPlaces& grid, const SurfaceModel& model,
                                         const RunContext& context);
+
+/// A warning for each cell zone of the model that none of `zones`, by element, names.
+std::vector<std::string> warningsOfEmptyCellZones(std::span<const std::int32_t> zones, const SurfaceModel& model);
 
 } // namespace atria
