@@ -104,30 +104,6 @@ public:
     return planes;
   }
 
-  /// Whether surfaces within `reach` of p are on opposite sides of it, seen in a plane.
-  bool isBetween(const Vec3& p, double reach, const Plane& plane) const
-  {
-    constexpr double leastInPlane = 0.7;
-    constexpr double opposite = -0.3;
-    std::vector<Vec3> directions;
-    const auto add = [&](const Vec3& contact) {
-      const Vec3 towards = contact - p;
-      const Vec3 inPlane = towards - plane.normal * plane.normal.dot(towards);
-      if (towards.norm() <= reach && inPlane.norm() >= leastInPlane * towards.norm())
-      {
-        directions.push_back(inPlane.normalized());
-      }
-    };
-    add(Vec3(p[0], p[1], frame.domain.min[2]));
-    for (const Corners& c : corners)
-    {
-      add(nearestOnTriangle(p, c[0], c[1], c[2]));
-    }
-    return std::any_of(directions.begin(), directions.end(), [&](const Vec3& a) {
-      return std::any_of(directions.begin(), directions.end(), [&](const Vec3& b) { return a.dot(b) <= opposite; });
-    });
-  }
-
   /// Surfaces within `reach` of p, nearest first, each once.
   std::vector<Index> within(const Vec3& p, double reach) const
   {
@@ -174,7 +150,7 @@ struct Ball
 };
 
 /// Climbs in a plane from the point nearest to `place` to where surfaces are farthest. The ball is infinite where that
-/// leads farther than `reach`, or to where it touches nothing on opposite sides: the plane is not that of a gap then.
+/// leads farther than `reach`: the plane is not that of a gap then.
 Ball largestBall(const Surroundings& about, const Vec3& place, const Plane& plane, double size, double reach)
 {
   constexpr double finestStep = 1e-3;
@@ -200,8 +176,7 @@ Ball largestBall(const Surroundings& about, const Vec3& place, const Plane& plan
     }
     step = moved ? step : 0.5 * step;
   }
-  const bool isGap = about.isBetween(ball.center, ball.radius + 4.0 * finestStep * size, plane);
-  return isGap ? ball : Ball{place, std::numeric_limits<double>::infinity()};
+  return ball;
 }
 
 /// The largest ball in the gap about a place: in the plane in which there is least room, as long as the gap is open at
