@@ -195,19 +195,13 @@ void CurvedWalls::thicken()
   takeBack(std::move(thick));
 }
 
-/// At smooth walls: of hexahedra those below a share of targets, of other shapes, which may be far from them wherever
-/// their points are, those that are slightly beyond the limit.
+/// Hexahedra at smooth walls that are below a share of targets.
 std::vector<ShortCell> CurvedWalls::farAtSmooth(const QualityTargets& wanted, float share)
 {
   QualityTargets by = wanted;
   by.leastOfFaceCosine = by.leastOfSkewness = -std::numeric_limits<double>::infinity();
   std::vector<ShortCell> found = state_.findShort(by, share);
-  constexpr float slightly = -0.5F;
-  std::erase_if(found, [&](const ShortCell& cell) {
-    const bool isSlight = cell.worst < 0.0F && cell.worst >= slightly;
-    return !isAtSmooth(cell.cell) || !hasCurved(cell.cell) || !isAwayFromCreases(cell.cell) ||
-           (!isSlight && !isAtCurved(cell.cell));
-  });
+  std::erase_if(found, [&](const ShortCell& cell) { return !isAtSmooth(cell.cell) || !isAtCurved(cell.cell); });
   return found;
 }
 
