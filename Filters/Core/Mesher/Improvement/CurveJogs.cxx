@@ -12,8 +12,6 @@ namespace {
 
 /// The angle between two edges on a curve beyond which they are in line.
 const double widestCosine = cosOfDegrees(149.99);
-/// A jog may have another beside it.
-constexpr int mostSweeps = 4;
 
 class JogRemover
 {
@@ -26,8 +24,8 @@ public:
   RemovedJogs run()
   {
     RemovedJogs out;
-    bool isDone = false;
-    for (int sweep = 0; sweep < mostSweeps && !isDone; ++sweep)
+    // A jog may have another beside it. Each leaves the curve shorter by two edges, so that there is a last one.
+    for (bool isDone = false; !isDone;)
     {
       isDone = true;
       for (Index f = 0; f < mesh.boundaryFaces.size(); ++f)
