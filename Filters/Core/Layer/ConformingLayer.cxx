@@ -15,8 +15,6 @@ namespace {
 /// An element is crowded where its shape's cosine is below this, and was not without the layer. What was flat or
 /// inverted then is not helped by less height: copies that lift it off the wall by more are what opens it.
 constexpr double crowdedCosine = 0.05;
-/// Below this an element counts as flat.
-constexpr double flatCosine = 1e-3;
 /// What a crowded element's copies keep of their height in a round, and how many rounds there are.
 constexpr double shrinkFactor = 0.7;
 constexpr int shrinkRounds = 8;
