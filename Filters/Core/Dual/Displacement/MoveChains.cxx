@@ -9,6 +9,7 @@ namespace atria {
 namespace {
 
 /// Of a chain of moves: what there may be more unresolved meanwhile, how many follow, and what must be gained in all.
+/// Buildings need no chains; of twelve fans of sheets in random poses they leave 60 merged edges instead of 70.
 constexpr double greatestLoss = 8.0;
 constexpr std::size_t longestChain = 5;
 constexpr double leastChainGain = 0.5;
