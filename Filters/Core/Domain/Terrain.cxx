@@ -122,7 +122,7 @@ public:
       heights.push_back(heights[at]);
       ids.push_back(ids[at]);
     }
-    append(surface, ring, found);
+    append(surface, ring);
     found.openBorders = openBorders(ring);
   }
 
@@ -248,7 +248,7 @@ private:
     return best;
   }
 
-  void append(TriangleSurface& surface, const PlanarTriangulation& ring, TerrainOutline& found) const
+  void append(TriangleSurface& surface, const PlanarTriangulation& ring) const
   {
     std::vector<Index> numbers(ring.points.size(), noIndex);
     for (std::size_t t = 0; t < ring.triangles.size(); ++t)
@@ -273,7 +273,6 @@ private:
         std::swap(triangle[1], triangle[2]);
       }
       surface.triangles.push_back(triangle);
-      ++found.newTriangles;
     }
   }
 

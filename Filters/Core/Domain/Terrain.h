@@ -18,7 +18,6 @@ struct TerrainOutline
   std::size_t borderEdges = 0;      ///< that one triangle uses
   std::size_t nonManifoldEdges = 0; ///< that three or more use
   std::size_t openBorders = 0;      ///< border edges about holes, which are left open: buildings may stand in them
-  std::size_t newTriangles = 0;
 };
 
 /// Extends the terrain level to the rectangle that holds it and `reach` (x and y alone count): the outline's points go
