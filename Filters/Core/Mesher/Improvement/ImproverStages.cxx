@@ -32,6 +32,14 @@ constexpr QualityRange acceptable{0.5, 0.56};
 /// 71.9 to 66.4.
 constexpr QualityRange acceptableOfDivided{0.31, 0.4};
 
+/// The scaled Jacobian that crease sheets are to have. At a corner of three surfaces at right angles 0.41 is the most
+/// there is.
+constexpr QualityRange creaseJacobian{0.3, 0.31};
+/// And the cosine of non-orthogonality: 60 degrees.
+constexpr QualityRange creaseFaceCosine{0.5, 0.51};
+/// What is aimed at first.
+constexpr double goodCreaseJacobian = 0.45;
+
 double cosineOf(double degrees) { return std::cos(std::max(degrees, leastDegrees) * std::numbers::pi / 180.0); }
 
 /// What falls short is made sound quickly: points do not creep, and what is within a tenth of a target stays.
@@ -84,6 +92,16 @@ ImproverStage closeStage(const MeshTraits& traits, const CurvedWallTargets& want
   targets.jacobianLimit = std::min(leastCurvedJacobian, targets.scaledJacobian);
   targets.leastOfFaceCosine = targets.leastOfSkewness = leastOfOthers;
   return stage;
+}
+
+QualityTargets targetsOfCreases(const MeshTraits& traits, const QualityRange& jacobian, const QualityRange& faceCosine)
+{
+  QualityTargets out = baseTargets(traits);
+  out.jacobianLimit = jacobian.limit;
+  out.scaledJacobian = jacobian.target;
+  out.leastOfJacobian = -infinity;
+  out.faceCosine = faceCosine;
+  return out;
 }
 
 } // namespace
@@ -206,6 +224,64 @@ QualityTargets targetsOfLargestAngle(const MeshTraits& traits)
   QualityTargets targets = baseTargets(traits);
   targets.faceCosine = traits.divided ? acceptableOfDivided : acceptable;
   return targets;
+}
+
+std::vector<ImproverStage> soundCreaseStages(const MeshTraits& traits)
+{
+  const auto stage = [&](float below, int rings, double firstReach, bool tryMiddle) {
+    ImproverStage out;
+    out.below = below;
+    out.options.targets = targetsOfCreases(traits, {0.0, goodCreaseJacobian}, baseTargets(traits).faceCosine);
+    out.options.rings = rings;
+    out.options.tryMiddle = tryMiddle;
+    out.options.patient = true;
+    out.options.firstReach = firstReach;
+    return out;
+  };
+  return {stage(1.0F, 2, 0.3, false),       stage(soundEnough, 2, 0.1, false), stage(soundEnough, 3, 0.3, true),
+          stage(soundEnough, 3, 0.1, true), stage(soundEnough, 3, 0.3, true),  stage(soundEnough, 3, 0.1, true)};
+}
+
+std::vector<ImproverStage> creaseStages(const MeshTraits& traits)
+{
+  const auto stage = [&](const QualityRange& jacobian, const QualityRange& faceCosine, bool isFirst) {
+    ImproverStage out;
+    out.options.targets = targetsOfCreases(traits, jacobian, faceCosine);
+    out.options.targets.leastOfJacobian = leastOfOthers;
+    out.options.targets.leastOfFaceCosine = leastOfOthers;
+    out.options.leastWorst = leastOfOthers;
+    out.options.rings = isFirst ? 2 : 3;
+    out.options.sweeps = isFirst ? 20 : 60;
+    out.options.leastGain = isFirst ? 0.01 : 0.001;
+    out.options.patient = true;
+    out.options.firstReach = 0.3;
+    return out;
+  };
+  const auto last = [&](const QualityRange& jacobian, const QualityRange& faceCosine) {
+    return stage(jacobian, faceCosine, false);
+  };
+  // What is just above a limit may not fall below it, and holds others back: in the last ones limits go down and up.
+  const ImproverStage wide = last({0.28, 0.33}, {0.47, 0.53});
+  const ImproverStage widest = last({0.27, 0.33}, {0.47, 0.53});
+  const ImproverStage narrow = last({0.29, 0.32}, {0.49, 0.52});
+  return {stage({0.1, 0.45}, {0.3, 0.5}, true),
+          stage({0.2, 0.4}, {0.4, 0.54}, true),
+          stage({0.25, 0.35}, {0.46, 0.54}, true),
+          stage({0.28, 0.35}, {0.48, 0.54}, true),
+          last({0.29, 0.33}, {0.49, 0.53}),
+          wide,
+          narrow,
+          widest,
+          narrow,
+          wide,
+          narrow,
+          widest,
+          narrow};
+}
+
+QualityTargets wantedOfCreaseSheets(const MeshTraits& traits)
+{
+  return targetsOfCreases(traits, creaseJacobian, creaseFaceCosine);
 }
 
 QualityTargets strictestTargets(const MeshTraits& traits, const CurvedWallTargets* curvedWalls)

@@ -91,6 +91,16 @@ std::vector<ImproverStage> straighteningStages(const MeshTraits& traits);
 QualityTargets targetsOfLargestAngle(const MeshTraits& traits);
 inline constexpr std::array reachesForAngles{0.4, 0.75};
 
+/// 8. Crease sheets begin flat; what does not come right at once gets more room. Then limits rise, as cells far from
+/// the last ones find no way there. The stages after the first few are for what is still short of
+/// `wantedOfCreaseSheets`.
+std::vector<ImproverStage> soundCreaseStages(const MeshTraits& traits);
+std::vector<ImproverStage> creaseStages(const MeshTraits& traits);
+inline constexpr std::size_t firstCreaseStages = 4;
+QualityTargets wantedOfCreaseSheets(const MeshTraits& traits);
+/// Widths of crease sheets, tried in turn until one comes to what is wanted.
+inline constexpr std::array creaseWidths{0.35, 0.25, 0.45, 0.3, 0.4};
+
 /// What no stage from here on asks more than: before layers are divided, and after.
 QualityTargets strictestTargets(const MeshTraits& traits, const CurvedWallTargets* curvedWalls);
 QualityTargets strictestOfDivided(const MeshTraits& traits);
