@@ -8,6 +8,7 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -50,7 +51,7 @@ fs::path packages()
 {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  const fs::path found = program.parent_path().parent_path() / "lib" / "python3" / "dist-packages";
+  fs::path found = program.parent_path().parent_path() / "lib" / "python3" / "dist-packages";
   if (error || !fs::exists(found / "atria" / "report" / "__main__.py"))
   {
     throw Failure(Failed, "the page is made by Atria's Python package, which is not in '" + found.string() +
@@ -96,12 +97,8 @@ std::vector<std::string> commandOf(const Options& options)
   const std::string path = packages().string() + (others && *others ? std::string(":") + others : "");
   ::setenv("PYTHONPATH", path.c_str(), 1);
   std::vector<std::string> command = commandOf(options);
-  std::vector<char*> words;
-  for (std::string& word : command)
-  {
-    words.push_back(word.data());
-  }
-  words.push_back(nullptr);
+  std::vector<char*> words(command.size() + 1, nullptr);
+  std::ranges::transform(command, words.begin(), [](std::string& word) { return word.data(); });
   ::execvp(words[0], words.data());
   throw Failure(Failed, "cannot run '" + command[0] + "': " + std::strerror(errno) +
                             "; let ATRIA_PYTHON name the Python that has VTK");

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <ranges>
 
 namespace atria {
 
@@ -415,12 +414,15 @@ std::vector<Index> enterFrom(const std::vector<Index>& leaves, MovingGrid& grid,
   });
   // The nearest place of each point; of equal ones that which was found at the first leaf.
   std::map<Index, GapPlaceFinder::Place> nearest;
-  for (const GapPlaceFinder::Place& place : std::views::join(found))
+  for (const std::vector<GapPlaceFinder::Place>& part : found)
   {
-    const auto [known, isNew] = nearest.try_emplace(place.point, place);
-    if (!isNew && place.step < known->second.step)
+    for (const GapPlaceFinder::Place& place : part)
     {
-      known->second = place;
+      const auto [known, isNew] = nearest.try_emplace(place.point, place);
+      if (!isNew && place.step < known->second.step)
+      {
+        known->second = place;
+      }
     }
   }
   MovingGrid::PointPlaces moves;

@@ -98,11 +98,10 @@ std::vector<Passage> passagesOf(Index edge, const BoundaryGaps& gaps, const Cros
   for (const unsigned which : {0u, 1u})
   {
     const auto ends = gaps.boundary.at(gaps.boundary.edges()[edge].end(which));
-    const auto here = std::ranges::find_if(
-        ends, [&](const BoundaryEdges::End& end) { return end.edge == edge && end.which == which; });
+    const auto here = std::ranges::find(ends, BoundaryEdges::codeOf({edge, which}));
     if (here != ends.end() && std::next(here) != ends.end())
     {
-      look(gaps.cornerBridge(*here, *std::next(here), tolerance, model));
+      look(gaps.cornerBridge(BoundaryEdges::endOf(*here), BoundaryEdges::endOf(*std::next(here)), tolerance, model));
     }
   }
   return found;

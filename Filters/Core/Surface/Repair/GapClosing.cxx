@@ -220,18 +220,20 @@ private:
 
   bool isBoundaryEdge(Index p, Index q) const
   {
-    return std::ranges::any_of(boundary.at(p), [&](const BoundaryEdges::End& end) {
+    const auto leadsThere = [&](const BoundaryEdges::End& end) {
       return boundary.edges()[end.edge].end(1 - end.which) == q;
-    });
+    };
+    return std::ranges::any_of(boundary.at(p), leadsThere, BoundaryEdges::endOf);
   }
 
   /// Whether a sheet that ends at the point would go on in this direction.
   bool leadsOn(Index p, const Vec3& offset) const
   {
-    return std::ranges::any_of(boundary.at(p), [&](const BoundaryEdges::End& end) {
+    const auto isOut = [&](const BoundaryEdges::End& end) {
       const auto& [a, b, third, triangle] = boundary.edges()[end.edge];
       return isAhead(outwardOf(soup.points[a], soup.points[b], soup.points[third]), offset);
-    });
+    };
+    return std::ranges::any_of(boundary.at(p), isOut, BoundaryEdges::endOf);
   }
 
   std::array<Vec3, 3> cornersFrom(Index p, Index t) const

@@ -39,8 +39,9 @@ BoundaryEdges::BoundaryEdges(std::span<const std::array<Index, 3>> triangles, st
 
 std::span<const BoundaryEdge> BoundaryEdges::of(Index triangle) const
 {
-  const auto found = std::ranges::equal_range(edges_, triangle, {}, &BoundaryEdge::triangle);
-  return {found.begin(), found.end()};
+  // Clang 14 cannot compile std::ranges::equal_range of this library.
+  return {std::ranges::lower_bound(edges_, triangle, {}, &BoundaryEdge::triangle),
+          std::ranges::upper_bound(edges_, triangle, {}, &BoundaryEdge::triangle)};
 }
 
 std::vector<BoundaryEdges::Run> BoundaryEdges::runs() const
@@ -61,7 +62,7 @@ std::vector<BoundaryEdges::Run> BoundaryEdges::runs() const
       {
         return;
       }
-      begin = ends[ends[0].edge == begin.edge && ends[0].which == last ? 1 : 0];
+      begin = endOf(ends[ends[0] == codeOf({begin.edge, last}) ? 1 : 0]);
     }
     run.isRing = true;
   };

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
-#include <ranges>
 
 namespace atria {
 
@@ -40,11 +39,10 @@ public:
   };
   /// Those of a triangle.
   std::span<const BoundaryEdge> of(Index triangle) const;
-  /// The ends of edges at a point, in order.
-  auto at(Index point) const
-  {
-    return ends_.of(point) | std::views::transform([](Index code) { return End{code / 2, code % 2}; });
-  }
+  /// The ends of edges at a point, in order, as codes that `endOf` takes.
+  std::span<const Index> at(Index point) const { return ends_.of(point); }
+  static End endOf(Index code) { return {code / 2, code % 2}; }
+  static Index codeOf(const End& end) { return 2 * end.edge + end.which; }
 
   struct Link
   {
