@@ -74,7 +74,8 @@ def run(command, folder, name):
 
 def mesh_by_atria(atria, row, model, folder):
     command = [atria, "mesh", model, "-o", folder / "mesh.vtu", "--site", "Site", "--openings", "--size-min", row.finest,
-               "--size-mid", row.finest, "--size-max", row.far, "--layers", row.layers, "--threads", 1, "--start-level", 3]  # else far32 is cut at 16 m
+               "--size-mid", row.finest, "--size-max", row.far, "--layers", row.layers, "--threads", 1,
+               "--start-level", 3]  # the fourth level of this domain has 16 m
     if row.ground:
         command += ["--size", "Site", row.ground]
     return folder / "mesh.vtu", run(command, folder, "mesh")

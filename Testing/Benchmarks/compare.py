@@ -28,7 +28,8 @@ import time
 import numpy
 
 HERE = pathlib.Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE), str(HERE.parents[1] / "Examples" / "Data")]
+EXAMPLES = HERE.parents[1] / "Examples"
+sys.path[:0] = [str(HERE), str(EXAMPLES / "Data"), str(EXAMPLES / "NaturalVentilation")]
 
 import make_building  # noqa: E402
 import make_sphere  # noqa: E402

@@ -5,19 +5,20 @@ Where a peer cannot be given exactly what Atria gets, it is given what takes it 
 where it does not fit and is not grown on the ground, and the exact sphere, not the faceted one, is gmsh's.
 """
 
-import itertools
 import os
 import pathlib
 import shutil
 import subprocess
+
+from snappy_dictionaries import CONTROLS, begin, block_mesh, fans, stl, words, write
 
 FOAM = {
     "WM_PROJECT_DIR": os.environ.get("WM_PROJECT_DIR", "/usr/share/openfoam"),
     "OMPI_ALLOW_RUN_AS_ROOT": "1",
     "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
 }
-HEADER = "FoamFile {{ version 2.0; format ascii; class dictionary; object {}; }}\n"
 
+SIDES = "sides { type patch; faces ((0 3 2 1) (4 5 6 7) (0 1 5 4) (3 7 6 2) (0 4 7 3) (1 2 6 5)); }"
 SNAPPY = """
 castellatedMesh true; snap true; addLayers {layered};
 geometry {{ model.stl {{ type triSurfaceMesh; name model; }} near {{ type searchableBox; min ({low}); max ({high}); }} }}
@@ -29,56 +30,11 @@ castellatedMeshControls
   resolveFeatureAngle 30; refinementRegions {{ {regions} }}
   locationInMesh ({inside}); allowFreeStandingZoneFaces false;
 }}
-snapControls
-{{
-  nSmoothPatch 3; tolerance 2.0; nSolveIter 30; nRelaxIter 5;
-  nFeatureSnapIter 10; implicitFeatureSnap false; explicitFeatureSnap {snap}; multiRegionFeatureSnap {snap};
-}}
-addLayersControls
-{{
-  relativeSizes true; layers {{ {layers} }} expansionRatio 1; finalLayerThickness 0.3; minThickness 0.1; nGrow 0;
-  featureAngle 60; nRelaxIter 3; nSmoothSurfaceNormals 1; nSmoothNormals 3; nSmoothThickness 10;
-  maxFaceThicknessRatio 0.5; maxThicknessToMedialRatio 0.3; minMedianAxisAngle 90; nBufferCellsNoExtrude 0; nLayerIter 50;
-}}
-meshQualityControls
-{{
-  maxNonOrtho 65; maxBoundarySkewness 20; maxInternalSkewness 4; maxConcave 80; minVol 1e-13; minTetQuality 1e-15;
-  minArea -1; minTwist 0.02; minDeterminant 0.001; minFaceWeight 0.05; minVolRatio 0.01; minTriangleTwist -1;
-  nSmoothScale 4; errorReduction 0.75;
-}}
-writeFlags (); mergeTolerance 1e-6;
-"""
+""" + CONTROLS
 
 
 def available():
     return {"snappyHexMesh": bool(shutil.which("snappyHexMesh")), "gmsh": bool(shutil.which("gmsh"))}
-
-
-def words(point):
-    return " ".join(f"{c:.17g}" for c in point)
-
-
-def fans(polygons):
-    """Triangles of convex polygons."""
-    return [(p[0], p[i], p[i + 1]) for p in polygons for i in range(1, len(p) - 1)]
-
-
-def stl(triangles):
-    facets = "\n".join(
-        "facet normal 0 0 0\nouter loop\n" + "".join(f"vertex {words(p)}\n" for p in t) + "endloop\nendfacet"
-        for t in triangles
-    )
-    return f"solid model\n{facets}\nendsolid model\n"
-
-
-def block_mesh(box, cells):
-    corners = [(box[0][i], box[1][j], box[2][k]) for k, j, i in itertools.product((0, 1), (0, 1), (0, 1))]
-    order = [corners[i] for i in (0, 1, 3, 2, 4, 5, 7, 6)]
-    return (
-        f"vertices ({' '.join(f'({words(p)})' for p in order)});\n"
-        f"blocks (hex (0 1 2 3 4 5 6 7) ({words(cells)}) simpleGrading (1 1 1));\n"
-        "boundary (sides { type patch; faces ((0 3 2 1) (4 5 6 7) (0 1 5 4) (3 7 6 2) (0 4 7 3) (1 2 6 5)); });\n"
-    )
 
 
 def snappy_case(folder: pathlib.Path, case, threads):
@@ -86,22 +42,13 @@ def snappy_case(folder: pathlib.Path, case, threads):
     levels = case.levels
     base = case.sizes[2] * 2 ** levels[2]
     cells = [round((high - low) / base) for low, high in case.box]
-    (folder / "system").mkdir(parents=True)
-    (folder / "constant" / "triSurface").mkdir(parents=True)
-    (folder / "constant" / "triSurface" / "model.stl").write_text(stl(fans(case.polygons)))
-
-    def write(name, text):
-        (folder / "system" / name).write_text(HEADER.format(name) + text)
-
-    write("controlDict", "application x; startFrom startTime; startTime 0; stopAt endTime; endTime 1; deltaT 1;\n"
-          "writeControl timeStep; writeInterval 1; writeFormat binary; writePrecision 8;\n")
-    write("fvSchemes", "ddtSchemes {} gradSchemes {} divSchemes {} laplacianSchemes {} interpolationSchemes {}\n")
-    write("fvSolution", "solvers {}\n")
-    write("blockMeshDict", block_mesh(case.box, cells))
+    begin(folder)
+    (folder / "constant" / "triSurface" / "model.stl").write_text(stl("model", fans(case.polygons)))
+    write(folder, "blockMeshDict", block_mesh(case.box, cells, SIDES))
     # A cell is refined for the sides where its center is near: in steps, each with the centers of its level.
     steps = [f"({1.05 * 0.5 * case.sizes[2] * 2 ** (levels[2] - n + 1):g} {n})" for n in range(levels[0], 0, -1)]
     near = case.near or case.box
-    write("snappyHexMeshDict", SNAPPY.format(
+    write(folder, "snappyHexMeshDict", SNAPPY.format(
         low=words([c[0] for c in near]), high=words([c[1] for c in near]), inside=words(case.inside),
         features='{ file "model.eMesh"; level %d; }' % levels[1] if case.creases else "",
         regions=f"near {{ mode distance; levels ({' '.join(steps)}); }}" if case.near else "",
@@ -109,12 +56,12 @@ def snappy_case(folder: pathlib.Path, case, threads):
         layers=f'"{case.walls}" {{ nSurfaceLayers {case.layers}; }}' if case.layers else "",
         surface=levels[0], fine=levels[1], snap="true" if case.creases else "false"))
     if case.creases:
-        write("surfaceFeatureExtractDict", "model.stl { extractionMethod extractFromSurface; writeObj no;\n"
+        write(folder, "surfaceFeatureExtractDict", "model.stl { extractionMethod extractFromSurface; writeObj no;\n"
               "extractFromSurfaceCoeffs { includedAngle 150; } subsetFeatures { nonManifoldEdges yes; openEdges yes; } }\n")
         subprocess.run(["surfaceFeatureExtract"], cwd=folder, env=os.environ | FOAM, check=True, capture_output=True)
     parallel = []
     if threads > 1:
-        write("decomposeParDict", f"numberOfSubdomains {threads}; method simple; "
+        write(folder, "decomposeParDict", f"numberOfSubdomains {threads}; method simple; "
               f"simpleCoeffs {{ n ({threads} 1 1); delta 0.001; }}\n")
         subprocess.run(["blockMesh"], cwd=folder, env=os.environ | FOAM, check=True, capture_output=True)
         subprocess.run(["decomposePar"], cwd=folder, env=os.environ | FOAM, check=True, capture_output=True)
