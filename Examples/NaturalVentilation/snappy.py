@@ -5,7 +5,7 @@ import math
 import os
 
 import make_building
-from snappy_dictionaries import CONTROLS, begin, block_mesh, fans, stl, words, write
+from snappy_dictionaries import begin, block_mesh, controls, fans, stl, words, write
 
 SNAPPY = """
 castellatedMesh true; snap true; addLayers false;
@@ -25,7 +25,7 @@ castellatedMeshControls
   resolveFeatureAngle 30; refinementRegions {{ ground {{ mode inside; levels ((1e15 {level})); }} }}
   locationInMesh ({inside}); allowFreeStandingZoneFaces true;
 }}
-""" + CONTROLS
+"""
 
 
 def sides():
@@ -54,13 +54,12 @@ def write_case(folder, finest, far, site):
         "subsetFeatures { nonManifoldEdges yes; openEdges yes; } }\n" for name in walls))
     zones = {name: f"faceZone {name}; faceType internal;" for name in openings}
     write(folder, "snappyHexMeshDict", SNAPPY.format(
-        snap="true", layers="",
         geometry="\n".join(f"  {name}.stl {{ type triSurfaceMesh; name {name}; }}" for name in walls | openings),
         features=" ".join(f'{{ file "{name}.eMesh"; level {level}; }}' for name in walls),
         surfaces="\n".join(f"    {name} {{ level ({level} {level}); {zones.get(name, 'patchInfo { type wall; }')} }}"
                            for name in walls | openings),
         ground_low=words((x0, y0, 0.0)), ground_high=words((x1, y1, finest)), level=level,
-        inside=words((x0 + 1.1, y0 + 1.3, box[2][1] - 1.7))))
+        inside=words((x0 + 1.1, y0 + 1.3, box[2][1] - 1.7))) + controls(snap=True))
     os.environ.setdefault("WM_PROJECT_DIR", "/usr/share/openfoam")
     return {name: [name, "-case", folder, *(["-overwrite"] if name == "snappyHexMesh" else [])]
             for name in ("blockMesh", "surfaceFeatureExtract", "snappyHexMesh")}

@@ -5,7 +5,6 @@ import itertools
 
 HEADER = "FoamFile {{ version 2.0; format ascii; class dictionary; object {}; }}\n"
 
-# The end of snappyHexMeshDict, for str.format with `snap`, whether to snap to features, and `layers`.
 CONTROLS = """snapControls
 {{
   nSmoothPatch 3; tolerance 2.0; nSolveIter 30; nRelaxIter 5;
@@ -13,7 +12,7 @@ CONTROLS = """snapControls
 }}
 addLayersControls
 {{
-  relativeSizes true; layers {{ {layers} }} expansionRatio 1; finalLayerThickness 0.3; minThickness 0.1; nGrow 0;
+  relativeSizes true; layers {{ "{walls}" {{ nSurfaceLayers {layers}; }} }} expansionRatio {growth}; finalLayerThickness {last:g}; minThickness 0.1; nGrow 0;
   featureAngle 60; nRelaxIter 3; nSmoothSurfaceNormals 1; nSmoothNormals 3; nSmoothThickness 10;
   maxFaceThicknessRatio 0.5; maxThicknessToMedialRatio 0.3; minMedianAxisAngle 90; nBufferCellsNoExtrude 0; nLayerIter 50;
 }}
@@ -25,6 +24,14 @@ meshQualityControls
 }}
 writeFlags (); mergeTolerance 1e-6;
 """
+
+
+def controls(snap, walls=".*", layers=0):
+    """The end of snappyHexMeshDict: whether to snap to features, and how many layers which patches have. They are as thick
+    as Atria's by default: 0.3 of a cell for one, 0.6 for more, each a fifth thicker than the one below it."""
+    growth = 1.2
+    last = 0.3 if layers < 2 else 0.6 * growth ** (layers - 1) / sum(growth**n for n in range(layers))
+    return CONTROLS.format(snap="true" if snap else "false", walls=walls, layers=layers, growth=growth, last=last)
 
 
 def words(point):

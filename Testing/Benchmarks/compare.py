@@ -83,8 +83,9 @@ def cases():
     ]
 
 
-def measure(command, folder, environment=None):
-    """Seconds of the clock and of the processor, bytes of the largest process, and what was printed."""
+def measure(command, folder, environment=None, accepted=(0,)):
+    """Seconds of the clock and of the processor, bytes of the largest process, and what was printed. RuntimeError where its
+    exit status is not accepted."""
     log = folder / "log"
     with log.open("w") as out:
         start = time.monotonic()
@@ -94,7 +95,7 @@ def measure(command, folder, environment=None):
         wall = time.monotonic() - start
     process.returncode = os.waitstatus_to_exitcode(status)
     text = log.read_text(errors="replace")
-    if process.returncode != 0:
+    if process.returncode not in accepted:
         raise RuntimeError(f"{command[0]} ended with {process.returncode}:\n{text[-2000:]}")
     return {"wall": wall, "processor": usage.ru_utime + usage.ru_stime, "bytes": 1024 * usage.ru_maxrss}, text
 
@@ -195,13 +196,15 @@ def growth_in_elements(benchmark, largest, data):
     return series
 
 
-def write_sphere(file, parts):
-    """A sphere of 20 * parts^2 triangles as binary STL, without a list of Python's for each."""
+def write_sphere(file, parts, radius=lambda directions: numpy.ones(directions.shape[:-1])):
+    """A sphere of 20 * parts^2 triangles as binary STL, or a body of other radii by direction, without a list of Python's
+    for each."""
     corners = numpy.array(make_sphere.sphere(1.0, 0))
     a, b, c = (corners[:, i][:, None, None, :] for i in range(3))
     i, j = (n[None, :, :, None] for n in numpy.mgrid[0 : parts + 1, 0 : parts + 1])
     grid = a * ((parts - i - j) / parts) + b * (i / parts) + c * (j / parts)
-    grid = (grid / numpy.linalg.norm(grid, axis=3)[..., None]).round(6)  # the same from both sides of an edge
+    grid /= numpy.linalg.norm(grid, axis=3)[..., None]
+    grid = (grid * radius(grid)[..., None]).round(6)  # the same from both sides of an edge
     up = numpy.stack([grid[:, :-1, :-1], grid[:, 1:, :-1], grid[:, :-1, 1:]], axis=3)
     down = numpy.stack([grid[:, 1:, :-1], grid[:, 1:, 1:], grid[:, :-1, 1:]], axis=3)
     place = numpy.add.outer(numpy.arange(parts), numpy.arange(parts))

@@ -10,7 +10,7 @@ import pathlib
 import shutil
 import subprocess
 
-from snappy_dictionaries import CONTROLS, begin, block_mesh, fans, stl, words, write
+from snappy_dictionaries import begin, block_mesh, controls, fans, stl, words, write
 
 FOAM = {
     "WM_PROJECT_DIR": os.environ.get("WM_PROJECT_DIR", "/usr/share/openfoam"),
@@ -30,7 +30,7 @@ castellatedMeshControls
   resolveFeatureAngle 30; refinementRegions {{ {regions} }}
   locationInMesh ({inside}); allowFreeStandingZoneFaces false;
 }}
-""" + CONTROLS
+"""
 
 
 def available():
@@ -52,9 +52,8 @@ def snappy_case(folder: pathlib.Path, case, threads):
         low=words([c[0] for c in near]), high=words([c[1] for c in near]), inside=words(case.inside),
         features='{ file "model.eMesh"; level %d; }' % levels[1] if case.creases else "",
         regions=f"near {{ mode distance; levels ({' '.join(steps)}); }}" if case.near else "",
-        layered="true" if case.layers else "false",
-        layers=f'"{case.walls}" {{ nSurfaceLayers {case.layers}; }}' if case.layers else "",
-        surface=levels[0], fine=levels[1], snap="true" if case.creases else "false"))
+        layered="true" if case.layers else "false", surface=levels[0], fine=levels[1])
+        + controls(case.creases, case.walls, case.layers))
     if case.creases:
         write(folder, "surfaceFeatureExtractDict", "model.stl { extractionMethod extractFromSurface; writeObj no;\n"
               "extractFromSurfaceCoeffs { includedAngle 150; } subsetFeatures { nonManifoldEdges yes; openEdges yes; } }\n")

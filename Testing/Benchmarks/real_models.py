@@ -1,0 +1,273 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Meshes models as people draw them by Atria and by snappyHexMesh, whole commands on one thread, with the same sizes, and
+tables what both take and get: houses full of detail, buildings at four angles, a body of two million triangles, and models
+that others wrote (left out where ATRIA_CORPUS names no folder).
+
+Usage: real_models.py ATRIA RESULTS.json                  measures what is not in the results yet
+       real_models.py ATRIA RESULTS.json --models NAME    of those whose names hold it
+       real_models.py ATRIA RESULTS.json --again          measures Atria again, and keeps what is known of snappyHexMesh
+       real_models.py ATRIA RESULTS.json --report FILE    also writes the table
+
+PYTHONPATH must hold the package `atria` of the same build, which reads models for snappyHexMesh.
+"""
+
+import argparse
+import dataclasses
+import json
+import math
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+import numpy
+from vtkmodules.vtkCommonCore import vtkObject
+from vtkmodules.vtkFiltersCore import vtkTriangleFilter
+from vtkmodules.vtkIOGeometry import vtkSTLWriter
+
+from compare import machine, measure, write_sphere
+from fingerprints import DATA, building
+from peers import FOAM
+from snappy_dictionaries import begin, block_mesh, controls, words, write
+from tables import row
+
+import atria
+
+LONGEST = 900  # seconds that a mesher may take
+ACROSS = 60  # octants of the smallest size along a model
+OTHERS = ("d01_castle_blender_v97.wrl", "d09_nonplanar_quads_sci.wrl.gz", "d10_forest_v1_crlf.wrl", "d13_sketchup_car_door.wrl",
+          "d14_labo1/pipes.wrl", "d14_labo1/rack1.wrl", "d14_labo1/tank.wrl", "d19_single_line_arrays.wrl",
+          "d22_rotating_fan_room.wrl", "d23_rotterdam_lod2.wrl")
+SIDES = "sides { type patch; faces ((0 3 2 1) (4 5 6 7) (0 1 5 4) (3 7 6 2) (0 4 7 3) (1 2 6 5)); }"
+SNAPPY = """
+castellatedMesh true; snap true; addLayers {layered};
+geometry {{ model.stl {{ type triSurfaceMesh; name model; }} }}
+castellatedMeshControls
+{{
+  maxLocalCells 200000000; maxGlobalCells 200000000; minRefinementCells 0; maxLoadUnbalance 0.1;
+  nCellsBetweenLevels 1; features ({{ file "model.eMesh"; level {fine}; }});
+  refinementSurfaces {{ model {{ level ({surface} {fine}); }} }}
+  resolveFeatureAngle 30; refinementRegions {{ }} locationInMesh ({inside}); allowFreeStandingZoneFaces false;
+}}
+"""
+
+
+@dataclasses.dataclass
+class Work:
+    name: str
+    make: object  # writes the model into a folder and returns its path
+    layers: int = 1
+    sizes: tuple = ()  # largest, at surfaces, at edges; by the model's length where not given
+    options: tuple = ()
+
+
+def organic(folder):
+    """A body with bumps, as a scan has."""
+    def bumps(points):
+        return 1.0 + 0.12 * numpy.sin(4.0 * points).prod(axis=-1) + 0.03 * numpy.sin(17.0 * points).prod(axis=-1)
+
+    write_sphere(folder / "organic.stl", 316, bumps)
+    return folder / "organic.stl"
+
+
+def house(triangles, *kinds):
+    def make(folder):
+        only = ["--only", *kinds] if kinds else []
+        subprocess.run([sys.executable, DATA / "make_detailed_house.py", folder / "house.wrl", "--triangles", str(triangles),
+                        "--seed", "3", *only], check=True, stdout=subprocess.DEVNULL)
+        return folder / "house.wrl"
+
+    return make
+
+
+def works(corpus):
+    for angle in (0, 17, 30, 45):
+        for layers in (0, 1, 5):
+            yield Work(f"building of sheets, {angle}°, {layers} layers", lambda folder, angle=angle: building(folder, angle),
+                       layers, (8.0, 2.0, 1.0), ("--without", "Site"))
+    for triangles in (1_000, 10_000, 100_000):
+        yield Work(f"furnished house, {triangles:,} triangles", house(triangles))
+    yield Work("furnished house, 10,000 triangles, 5 layers", house(10_000), 5)
+    for kind in ("foliage", "railing", "pipes"):
+        yield Work(f"house with {kind}, 10,000 triangles", house(10_000, kind))
+    yield Work("organic body, 2 million triangles", organic)
+    for name in OTHERS if corpus else ():
+        yield Work(name.split("/")[-1].split(".")[0], lambda _, name=name: corpus / name)
+
+
+def surface_of(model, without):
+    """All triangles of a model."""
+    surfaces = atria.vtkAtriaModelReader() if atria.vtkAtriaModelReader.CanReadFile(str(model)) else atria.vtkAtriaVRMLReader()
+    surfaces.SetFileName(str(model))
+    for pattern in without:
+        surfaces.AddExcludedSurface(pattern)
+    triangles = vtkTriangleFilter()
+    triangles.SetInputConnection(surfaces.GetOutputPort())
+    triangles.Update()
+    return triangles.GetOutput()
+
+
+def box_about(bounds, sizes):
+    """A quarter of the model's length on all sides, in whole octants of the largest size."""
+    margin = 0.25 * max(bounds[i + 1] - bounds[i] for i in (0, 2, 4))
+    return [(sizes[0] * math.floor((bounds[i] - margin) / sizes[0]), sizes[0] * math.ceil((bounds[i + 1] + margin) / sizes[0]))
+            for i in (0, 2, 4)]
+
+
+def checked(case):
+    """Names of the checks that fail."""
+    run = subprocess.run(["checkMesh", "-case", case, "-allGeometry", "-allTopology", "-constant"], env=os.environ | FOAM,
+                         capture_output=True, text=True)
+    if "Mesh OK" in run.stdout:
+        return []
+    return [line.strip(" *").split(",")[0][:60] for line in run.stdout.splitlines() if line.startswith(" ***")] or ["not read"]
+
+
+def run_atria(program, model, work, sizes, box, folder):
+    options = [*work.options, "--domain", *(repr(bound) for pair in box for bound in pair), "--layers", work.layers,
+               "--size-max", sizes[0], "--size-mid", sizes[1], "--size-min", sizes[2]]
+    command = [program, "mesh", model, "--openfoam", "case", "--report", "report.json", "--threads", 1, *options]
+    result, _ = measure(["timeout", LONGEST, *command], folder, accepted=(0, 4, 5))
+    report = json.loads((folder / "report.json").read_text())
+    walls = sum(layer["area"] for layer in report["layers"])
+    covered = sum(layer["area"] * layer["covered_in_full"] for layer in report["layers"]) / walls if walls else 0.0
+    return result | {"elements": sum(n for kind, n in report["counts"].items() if kind != "vertices"), "covered": covered,
+                     "seconds": report["seconds"], "failed": checked(folder / "case")}
+
+
+def run_snappy(surface, work, sizes, box, folder):
+    begin(folder)
+    writer = vtkSTLWriter()
+    writer.SetFileName(str(folder / "constant" / "triSurface" / "model.stl"))
+    writer.SetFileTypeToBinary()
+    writer.SetInputData(surface)
+    writer.Write()
+    write(folder, "blockMeshDict", block_mesh(box, [round((high - low) / sizes[0]) for low, high in box], SIDES))
+    write(folder, "surfaceFeatureExtractDict", "model.stl { extractionMethod extractFromSurface; writeObj no;\n"
+          "extractFromSurfaceCoeffs { includedAngle 150; } subsetFeatures { nonManifoldEdges yes; openEdges yes; } }\n")
+    levels = [round(math.log2(sizes[0] / size)) for size in sizes[1:]]
+    inside = [high - (0.31 + 0.01 * i) * sizes[2] for i, (_, high) in enumerate(box)]
+    write(folder, "snappyHexMeshDict", SNAPPY.format(layered="true" if work.layers else "false", surface=levels[0],
+                                                     fine=levels[1], inside=words(inside))
+          + controls(True, "model.*", work.layers))
+    total = {"wall": 0.0, "processor": 0.0, "bytes": 0}
+    for command in (["surfaceFeatureExtract"], ["blockMesh"], ["snappyHexMesh", "-overwrite"]):
+        one, text = measure(["timeout", LONGEST, *command], folder, FOAM)
+        total = {"wall": total["wall"] + one["wall"], "processor": total["processor"] + one["processor"],
+                 "bytes": max(total["bytes"], one["bytes"])}
+    grown = re.findall(r"^model\S* +\d+ +([\d.]+) +[\d.e+-]+ +[\d.]+ *$", text, re.MULTILINE)
+    covered = float(grown[-1]) / work.layers if grown and work.layers else 0.0
+    return total | {"elements": int(re.findall(r"cells:\s*(\d+)", text)[-1]), "covered": covered, "failed": checked(folder)}
+
+
+def attempt(run):
+    with tempfile.TemporaryDirectory() as folder:
+        try:
+            return run(pathlib.Path(folder))
+        except RuntimeError as failure:
+            text = str(failure)
+            return {"refused": f"more than {LONGEST} s" if "ended with 124" in text else text.strip().splitlines()[-1][:120]}
+
+
+def compared(program, work, known):
+    """What is known already stays."""
+    with tempfile.TemporaryDirectory() as folder:
+        model = work.make(pathlib.Path(folder))
+        surface = surface_of(model, work.options[1:])
+        bounds = surface.GetBounds()
+        size = max(bounds[i + 1] - bounds[i] for i in (0, 2, 4)) / ACROSS
+        sizes = work.sizes or (4 * size, 2 * size, size)
+        box = box_about(bounds, sizes)
+        meshers = {"Atria": lambda place: run_atria(program, model, work, sizes, box, place),
+                   "snappyHexMesh": lambda place: run_snappy(surface, work, sizes, box, place)}
+        return {"triangles": surface.GetNumberOfCells(), "layers": work.layers} | {
+            mesher: known.get(mesher) or attempt(run) for mesher, run in meshers.items()}
+
+
+def rate(result):
+    """Elements a second of the processor; nothing of a mesh that there is not."""
+    return result["elements"] / result["processor"] if "elements" in result else 0.0
+
+
+def cells_of(result, layers):
+    if "refused" in result:
+        return [result["refused"], "", "", "", ""]
+    failed = ", ".join(result["failed"]) or "Mesh OK"
+    return [f"{result['elements']:,}", f"{result['processor']:.1f}", f"{rate(result):,.0f}",
+            f"{100 * result['covered']:.0f} %" if layers else "", failed]
+
+
+def report(results):
+    m = results["machine"]
+    found = results["models"]
+    ratios = {name: rate(r["Atria"]) / rate(r["snappyHexMesh"]) for name, r in found.items()
+              if rate(r["Atria"]) and rate(r["snappyHexMesh"])}
+    rates = sorted((rate(r["Atria"]), name) for name, r in found.items())
+    mean = math.exp(sum(math.log(value) for value, _ in rates if value) / len(rates))
+    lines = [
+        "# Benchmarks", "",
+        "Models as people draw them; [smooth and aligned ones](benchmarks-smooth.md) are apart. Written by",
+        "`Testing/Benchmarks/real_models.py`: whole commands on one thread, from the file of the model to the mesh as files of",
+        "OpenFOAM, with quality and judgment, against snappyHexMesh with the same sizes, domain and thickness of layers, from its",
+        f"STL on. Sizes are the model's length / {ACROSS} at edges, twice that at surfaces, four times away from them; of the buildings",
+        "1, 2 and 8 m. Seconds are of the processor. Layers: the part of the walls' area with all of them (of snappyHexMesh the mean",
+        "number over those asked for). Checks are those of `checkMesh -allGeometry -allTopology` that fail.",
+        f"{m['processor']}, {m['cores']} cores, {m['date']}.", "",
+        row("headline", "got"), row("---", "---")]
+    for name, ratio in sorted(ratios.items(), key=lambda item: item[1])[:1]:
+        lines.append(row("Elements a second of the processor over snappyHexMesh's, the worst of all models", f"{ratio:.1f} times, {name}"))
+    refused = [name for name, r in found.items() if "refused" in r["snappyHexMesh"]]
+    lines += [row("The same, median", f"{sorted(ratios.values())[len(ratios) // 2]:.1f} times"),
+              row("Elements a second of the processor, the least", f"{rates[0][0]:,.0f}, {rates[0][1]}"),
+              row("The same, geometric mean", f"{mean:,.0f}"),
+              row("Models of which all checks pass", *[" / ".join(
+                  f"{mesher} {sum(r[mesher].get('failed') == [] for r in found.values())}" for mesher in ("Atria", "snappyHexMesh"))
+                  + f" of {len(found)}"])]
+    if refused:
+        lines.append(row("Models that snappyHexMesh did not mesh", ", ".join(refused)))
+    lines += ["", row("model", "triangles", "mesher", "elements", "s", "elements a s", "layers", "checks", "times snappyHexMesh"),
+              row(*["---"] * 9)]
+    for name, result in sorted(found.items(), key=lambda item: ratios.get(item[0], math.inf)):
+        for mesher in ("Atria", "snappyHexMesh"):
+            own = mesher == "Atria"
+            lines.append(row(name if own else "", f"{result['triangles']:,}" if own else "", mesher,
+                             *cells_of(result[mesher], result["layers"]), f"{ratios[name]:.1f}" if own and name in ratios else ""))
+    lines += ["", "Where Atria's time goes, in seconds:", ""]
+    stages = [s for s in next(iter(found.values()))["Atria"]["seconds"] if s not in ("Total",)]
+    lines += [row("model", *stages), row(*["---"] * (len(stages) + 1))]
+    lines += [row(name, *(f"{r['Atria']['seconds'].get(s, 0.0):.2f}" for s in stages)) for name, r in found.items()
+              if "seconds" in r["Atria"]]
+    return "\n".join(lines) + "\n"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program", type=pathlib.Path)
+    parser.add_argument("results", type=pathlib.Path)
+    parser.add_argument("--models", nargs="+", default=[])
+    parser.add_argument("--again", action="store_true")
+    parser.add_argument("--report", type=pathlib.Path)
+    arguments = parser.parse_args()
+    vtkObject.GlobalWarningDisplayOff()  # of what is wrong with a model, which Atria tells as it meshes
+    corpus = pathlib.Path(os.environ["ATRIA_CORPUS"]) if os.environ.get("ATRIA_CORPUS") else None
+    results = json.loads(arguments.results.read_text()) if arguments.results.exists() else {"models": {}}
+    results["machine"] = machine()
+    for work in works(corpus):
+        known = results["models"].get(work.name, {})
+        if arguments.again:
+            known.pop("Atria", None)
+        if "Atria" in known or arguments.models and not any(part in work.name for part in arguments.models):
+            continue
+        found = results["models"][work.name] = compared(arguments.program.resolve(), work, known)
+        arguments.results.write_text(json.dumps(results, indent=1) + "\n")
+        print(work.name, *(f"{mesher}: {' '.join(cells_of(found[mesher], work.layers))}" for mesher in ("Atria", "snappyHexMesh")),
+              sep="\n  ", flush=True)
+    if arguments.report:
+        arguments.report.write_text(report(results))
+
+
+if __name__ == "__main__":
+    main()
