@@ -4,6 +4,7 @@
 #include "Commands.h"
 #include "Console.h"
 #include "Files.h"
+#include "Numbers.h"
 
 #include <vtkAtriaCGNSWriter.h>
 #include <vtkAtriaFluentWriter.h>
@@ -34,6 +35,12 @@ void declareExportOptions(CLI::App& command, ExportOptions& options)
 {
   command.add_option("--openfoam", options.openfoam, "Also write an OpenFOAM case with the mesh")->type_name("DIR");
   command.add_flag("--ascii", options.ascii, "Write the OpenFOAM case as text (default: binary, which is faster)");
+  vtkNew<vtkAtriaOpenFOAMWriter> standard;
+  options.processors = standard->GetNumberOfProcessors();
+  command.add_option("--processors", options.processors, "Write the OpenFOAM case also divided among N processors")
+      ->capture_default_str()
+      ->check(numberIn(standard->GetNumberOfProcessorsMinValue(), standard->GetNumberOfProcessorsMaxValue()))
+      ->type_name("N");
   command.add_option("--fluent", options.fluent, "Also write a Fluent mesh")->type_name("OUT.msh");
   command.add_option("--cgns", options.cgns, "Also write a CGNS file")->type_name("OUT.cgns");
   command.add_option("--su2", options.su2, "Also write an SU2 mesh, with polyhedra divided")->type_name("OUT.su2");
@@ -101,6 +108,7 @@ Json writeExports(const ExportOptions& options, vtkUnstructuredGrid* mesh, vtkPa
   {
     vtkNew<vtkAtriaOpenFOAMWriter> writer;
     writer->SetWriteBinary(!options.ascii);
+    writer->SetNumberOfProcessors(options.processors);
     writer->SetCaseDirectory(options.openfoam.c_str());
     write(writer, options, options.openfoam, mesh, patches, console);
     openfoam = {{"merged_cells", writer->GetNumberOfMergedCells()},

@@ -22,6 +22,7 @@ struct ExportOptions
 {
   std::string openfoam;
   bool ascii = false;
+  int processors = 1;
   std::string fluent;
   std::string cgns;
   std::string su2;

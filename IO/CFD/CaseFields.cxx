@@ -276,6 +276,11 @@ void writeField(const std::filesystem::path& folder, const Field& field, const C
     }
     text.close();
   }
+  if (flow.settings.processors > 1)
+  {
+    // The group of patches between processors, which goes before a pattern.
+    text.open("processor").entry("type", "processor").entry("value", "$internalField").close();
+  }
   text.close();
   writeFoamFile(folder, "0", field.name, field.className, text);
 }

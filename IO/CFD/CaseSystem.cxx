@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CaseSystem.h"
 
+#include "Decomposition.h"
+
 #include <algorithm>
 
 namespace atria {
@@ -100,26 +102,6 @@ void writeSolution(const std::filesystem::path& folder, const CaseOfDirection& f
   writeFoamFile(folder, "system", "fvSolution", "dictionary", text);
 }
 
-/// Parts with as many cells each, in a grid over the ground that is as square as their number allows. It needs no
-/// library; Debian's OpenFOAM is built without scotch.
-void writeDecomposition(const std::filesystem::path& folder, const CaseOfDirection& flow)
-{
-  const int count = flow.settings.processors;
-  int fewer = 1;
-  for (int divisor = 1; divisor * divisor <= count; ++divisor)
-  {
-    fewer = count % divisor == 0 ? divisor : fewer;
-  }
-  const Vec3 size = flow.mesh.bounds.size();
-  const int alongX = size[0] < size[1] ? fewer : count / fewer;
-  FoamText text;
-  text.entry("numberOfSubdomains", count).entry("method", "hierarchical");
-  text.open("hierarchicalCoeffs")
-      .entry("n", "(" + std::to_string(alongX) + " " + std::to_string(count / alongX) + " 1)");
-  text.entry("delta", "0.001").entry("order", "xyz").close();
-  writeFoamFile(folder, "system", "decomposeParDict", "dictionary", text);
-}
-
 } // namespace
 
 OrthogonalityRule ruleForAngle(double worst)
@@ -158,7 +140,7 @@ void writeSystem(const std::filesystem::path& folder, const CaseOfDirection& flo
   writeSolution(folder, flow);
   if (flow.settings.processors > 1)
   {
-    writeDecomposition(folder, flow);
+    writeDecomposition(folder, static_cast<std::size_t>(flow.settings.processors), flow.mesh.bounds.size());
   }
 }
 

@@ -2,6 +2,7 @@
 #include "FlowCase.h"
 
 #include "CaseSystem.h"
+#include "Decomposition.h"
 #include "OutputFolders.h"
 #include "Support/Error.h"
 
@@ -111,7 +112,8 @@ std::string runScript(const CaseOfDirection& flow)
   };
   if (isParallel)
   {
-    text += "run decomposePar decomposePar -force\n";
+    text += "# Comes with the case; made again where it was removed.\n"
+            "[ -d processor0 ] || run decomposePar decomposePar\n";
   }
   run("potentialFoam", " -initialiseUBCs");
   run(solver, "");
@@ -124,8 +126,12 @@ std::string runScript(const CaseOfDirection& flow)
 
 std::string cleanScript()
 {
-  return std::string(scriptHead) + "# All that a run leaves; the mesh and the folder 0 stay.\n"
-                                   "rm -rf processor* postProcessing log.* [1-9]* 0/phi 0/Phi 0/uniform dynamicCode\n";
+  return std::string(scriptHead) +
+         "# All that a run leaves; meshes and the folder 0 stay.\n"
+         "rm -rf postProcessing log.* [1-9]* 0/phi 0/Phi 0/uniform dynamicCode processor*/[1-9]*\n"
+         "for processor in processor*; do\n"
+         "  if [ -d \"$processor\" ]; then rm -rf \"$processor/0\" && cp -r 0 \"$processor/0\"; fi\n"
+         "done\n";
 }
 
 std::string scriptOfAll(const std::vector<std::string>& folders, const char* script)
@@ -138,7 +144,8 @@ std::string scriptOfAll(const std::vector<std::string>& folders, const char* scr
   return text;
 }
 
-void linkMesh(const fs::path& folder)
+/// `other` is the case that has the mesh, as seen from the folder constant.
+void linkMesh(const fs::path& folder, const fs::path& other)
 {
   makeFolder(folder / "constant");
   const fs::path link = folder / "constant" / "polyMesh";
@@ -147,7 +154,7 @@ void linkMesh(const fs::path& folder)
   {
     fs::remove(link, error);
   }
-  fs::create_directory_symlink("../../constant/polyMesh", link, error);
+  fs::create_directory_symlink(other / "constant" / "polyMesh", link, error);
   if (error)
   {
     throw Error("cannot make the link '" + link.string() + "': " + error.message());
@@ -205,6 +212,36 @@ Json describeDirection(const CaseOfDirection& flow, double towards, const std::s
       {"folder", folder}, {"towards", towards}, {"from", windFrom(towards, flow.settings.north)}, {"patches", patches}};
 }
 
+void setTypes(const fs::path& caseFolder, PolyMesh& poly, const std::map<std::string, std::string>& types)
+{
+  setPatchTypes(caseFolder, types);
+  for (PolyPatch& patch : poly.patches)
+  {
+    const auto wanted = types.find(patch.name);
+    patch.type = wanted == types.end() ? patch.type : wanted->second;
+  }
+}
+
+/// The fields of each processor, which are the case's as long as these are uniform, and of a direction a link to its
+/// mesh.
+void addProcessors(const fs::path& folder, bool isDirection, int processors)
+{
+  for (int i = 0; processors > 1 && i < processors; ++i)
+  {
+    const std::string name = "processor" + std::to_string(i);
+    if (isDirection)
+    {
+      linkMesh(folder / name, fs::path("../../..") / name);
+    }
+    std::error_code error;
+    fs::copy(folder / "0", folder / name / "0", fs::copy_options::recursive, error);
+    if (error)
+    {
+      throw Error("cannot copy the fields to '" + (folder / name / "0").string() + "': " + error.message());
+    }
+  }
+}
+
 /// The folders of the directions, within that of the case.
 std::vector<std::string> foldersOf(const FlowCaseSettings& settings)
 {
@@ -235,7 +272,8 @@ void refuseResults(const fs::path& caseFolder)
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(caseFolder))
   {
     const std::string name = entry.path().filename().string();
-    if (name.starts_with("log.") || name == "postProcessing" || name.starts_with("processor"))
+    const bool isOfProcessor = entry.path().parent_path().filename().string().starts_with("processor");
+    if (name.starts_with("log.") || name == "postProcessing" || (isOfProcessor && name != "0" && name != "constant"))
     {
       throw Error("'" + caseFolder.string() + "' holds results of a run (" +
                   entry.path().lexically_relative(caseFolder).string() +
@@ -250,7 +288,7 @@ std::vector<std::string> writeFlowCase(const fs::path& caseFolder, FlowCaseSetti
   {
     throw Error("the age of air is computed in OpenCFD's OpenFOAM only");
   }
-  const PolyMesh poly = readPolyMesh(caseFolder);
+  PolyMesh poly = readPolyMesh(caseFolder);
   const CaseMesh mesh = describeMesh(poly, context);
   if (settings.directions.empty())
   {
@@ -259,6 +297,7 @@ std::vector<std::string> writeFlowCase(const fs::path& caseFolder, FlowCaseSetti
   const std::vector<std::string> folders = foldersOf(settings);
   Json report = describeCase(mesh, settings);
   std::vector<std::string> notes;
+  removeProcessors(caseFolder); // of another mesh, and of another number
   for (std::size_t d = 0; d < folders.size(); ++d)
   {
     const fs::path folder = folders[d] == "." ? caseFolder : caseFolder / folders[d];
@@ -273,13 +312,19 @@ std::vector<std::string> writeFlowCase(const fs::path& caseFolder, FlowCaseSetti
     writeScript(folder / "Allclean", cleanScript());
     if (folders[d] != ".")
     {
-      linkMesh(folder);
+      removeProcessors(folder);
+      linkMesh(folder, "../..");
       writePlainFile(folder / (folders[d] + ".foam"), "");
     }
     if (d == 0)
     {
-      setPatchTypes(caseFolder, changedTypes(mesh, flow.choices));
+      setTypes(caseFolder, poly, changedTypes(mesh, flow.choices));
+      if (settings.processors > 1)
+      {
+        writeProcessors(caseFolder, poly, static_cast<std::size_t>(settings.processors), settings.format, context);
+      }
     }
+    addProcessors(folder, folders[d] != ".", settings.processors);
     report["directions"].push_back(describeDirection(flow, settings.directions[d], folders[d]));
   }
   if (folders.size() > 1)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "CaseMesh.h"
+#include "OpenFOAMFile.h"
 #include "Support/RunContext.h"
 #include "WindProfile.h"
 
@@ -72,7 +73,8 @@ struct FlowCaseSettings
   OpenFOAMDialect dialect = OpenFOAMDialect::OpenCFD1912;
   int iterations = 1000;
   int processors = 1;
-  double pedestrianHeight = 1.75; ///< meters
+  OpenFOAMFormat format = OpenFOAMFormat::Ascii; ///< of the processors' meshes
+  double pedestrianHeight = 1.75;                ///< meters
   bool ageOfAir = false;
   std::vector<PatchRule> patchRules;
   std::vector<ConditionRule> conditionRules;
@@ -101,7 +103,8 @@ void refuseResults(const std::filesystem::path& caseFolder);
 
 /// Writes the case beside its mesh: 0, constant, system, Allrun, Allclean, and case.json, which tells `atria report`
 /// what the case is. Of several directions each has a folder `wind_<from>` with a link to the mesh. Sets the types of
-/// patches in the mesh's `boundary` to `wall` or `patch` by their role. Throws Error as choosePatches() does, and for
+/// patches in the mesh's `boundary` to `wall` or `patch` by their role. For several processors each has its part in
+/// `processor<i>`, as decomposePar would make it. Throws Error as choosePatches() does, and for
 /// what cannot be written. Returns what a user should know.
 std::vector<std::string> writeFlowCase(const std::filesystem::path& caseFolder, FlowCaseSettings settings,
                                        const RunContext& context);

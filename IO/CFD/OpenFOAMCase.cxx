@@ -2,13 +2,14 @@
 #include "OpenFOAMCase.h"
 
 #include "OutputFolders.h"
+#include "PolyMeshWriter.h"
 #include "Support/Error.h"
 
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <iterator>
 #include <limits>
-#include <span>
 #include <string_view>
 
 namespace atria {
@@ -16,8 +17,6 @@ namespace atria {
 namespace {
 
 namespace fs = std::filesystem;
-
-const char* const meshLocation = "constant/polyMesh";
 
 /// An earlier mesh's zones or compressed files would be read along with, or instead of, the new ones.
 void removeEarlierMesh(const fs::path& folder)
@@ -41,210 +40,64 @@ void checkLabels(const FaceMesh& mesh)
   }
 }
 
-class PolyMeshWriter
+/// A name as it may stand in a comment of one line.
+std::string comment(std::string name)
 {
-public:
-  PolyMeshWriter(const fs::path& target, const SolverMesh& source, OpenFOAMFormat listFormat,
-                 const ProgressRange& range)
-      : folder(target), solverMesh(source), mesh(source.mesh), format(listFormat), progress(range)
-  {
-    note = "nPoints:" + std::to_string(mesh.points.size()) + "  nCells:" + std::to_string(mesh.cellCount) +
-           "  nFaces:" + std::to_string(mesh.faceCount()) +
-           "  nInternalFaces:" + std::to_string(mesh.internalFaceCount());
-  }
+  std::replace_if(
+      name.begin(), name.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F || c == '\\'; }, ' ');
+  return '"' + name + '"';
+}
 
-  void writePoints() const
+std::vector<PatchEntry> patchEntries(const SolverMesh& mesh)
+{
+  const std::vector<PatchName> names = namesOf(mesh.patches, openFOAMNames);
+  std::vector<PatchEntry> patches;
+  for (std::size_t p = 0; p < names.size(); ++p)
   {
-    OpenFOAMFile file = open("points", "vectorField");
-    file.number(size(mesh.points)).text("\n(");
-    if (binary())
-    {
-      file.raw(mesh.points.data(), mesh.points.size() * sizeof(Vec3));
-    }
-    for (std::size_t i = 0; i < mesh.points.size() && !binary(); ++i)
-    {
-      const Vec3& x = mesh.points[i];
-      file.text("\n(").number(x[0]).text(" ").number(x[1]).text(" ").number(x[2]).text(")");
-    }
-    file.text(binary() ? ")\n" : "\n)\n").close();
-  }
-
-  void writeFaces() const
-  {
-    OpenFOAMFile file = open("faces", binary() ? "faceCompactList" : "faceList");
-    if (binary())
-    {
-      // Two lists: where each face's points begin, and the points of all.
-      writeLabels(file, mesh.faceOffsets);
-      file.text("\n\n");
-      writeLabels(file, mesh.facePoints);
-      file.text("\n").close();
-      return;
-    }
-    file.number(static_cast<std::int64_t>(mesh.faceCount())).text("\n(");
-    for (std::size_t f = 0; f < mesh.faceCount(); ++f)
-    {
-      writeFace(file, mesh.face(f));
-    }
-    file.text("\n)\n").close();
-  }
-
-  void writeOwners() const { writeLabelFile("owner", mesh.owner); }
-  void writeNeighbors() const { writeLabelFile("neighbour", mesh.neighbor); }
-
-  void writeBoundary() const
-  {
-    // Always text, as OpenFOAM itself writes it.
-    OpenFOAMFile file(folder / "boundary", {"polyBoundaryMesh", meshLocation, "", OpenFOAMFormat::Ascii});
-    const std::vector<PatchName> names = namesOf(solverMesh.patches, openFOAMNames);
-    file.number(size(names)).text("\n(\n");
-    for (std::size_t p = 0; p < names.size(); ++p)
-    {
-      const SolverPatch& patch = solverMesh.patches[p];
-      file.text("    // ").text(comment(patch.name)).text("\n    ").text(names[p].word).text("\n    {\n");
-      file.text("        type            ").text(patch.isWall() ? "wall" : "patch").text(";\n");
-      writeGroups(file, names[p].group, patch.isWall());
-      file.text("        nFaces          ").number(static_cast<std::int64_t>(patch.faceCount)).text(";\n");
-      file.text("        startFace       ").number(static_cast<std::int64_t>(patch.firstFace)).text(";\n    }\n");
-    }
-    file.text(")\n").close();
-  }
-
-  void writeFaceZones() const
-  {
-    writeZones("faceZones", std::span<const FaceZone>(solverMesh.faceZones),
-               [&](OpenFOAMFile& file, const FaceZone& zone) {
-                 file.text("    type faceZone;\n    faceLabels List<label>\n");
-                 writeLabels(file, zone.faces);
-                 file.text(";\n    flipMap List<bool>\n");
-                 writeFlips(file, zone.flips);
-                 file.text(";\n");
-               });
-  }
-
-  /// Rooms tell more than zones by number, which are for meshes without.
-  void writeCellZones() const
-  {
-    std::vector<CellZone> numbered;
-    for (const auto& [id, cells] : solverMesh.zones)
-    {
-      numbered.push_back({zoneName(id), cells});
-    }
-    writeZones("cellZones", std::span<const CellZone>(solverMesh.cellZones.empty() ? numbered : solverMesh.cellZones),
-               [&](OpenFOAMFile& file, const CellZone& zone) {
-                 file.text("    type cellZone;\n    cellLabels List<label>\n");
-                 writeLabels(file, zone.cells);
-                 file.text(";\n");
-               });
-  }
-
-private:
-  bool binary() const { return format == OpenFOAMFormat::Binary; }
-  template <typename Container> static std::int64_t size(const Container& container)
-  {
-    return static_cast<std::int64_t>(container.size());
-  }
-
-  OpenFOAMFile open(const char* name, const char* className, const std::string& itsNote = {}) const
-  {
-    return OpenFOAMFile(folder / name, {className, meshLocation, itsNote, format}, &progress);
-  }
-
-  /// Nothing without zones; write(file, zone) what is in one.
-  template <typename Zone, typename Write>
-  void writeZones(const char* name, std::span<const Zone> zones, Write&& write) const
-  {
-    if (zones.empty())
-    {
-      return;
-    }
-    std::vector<std::string> names;
-    std::ranges::transform(zones, std::back_inserter(names), &Zone::name);
-    const std::vector<PatchName> words = makePatchNames(names, openFOAMNames);
-    OpenFOAMFile file = open(name, "regIOobject");
-    file.number(size(zones)).text("\n(\n");
-    for (std::size_t z = 0; z < zones.size(); ++z)
-    {
-      file.text(words[z].word).text("\n{\n");
-      write(file, zones[z]);
-      file.text("}\n");
-    }
-    file.text(")\n").close();
-  }
-
-  void writeFlips(OpenFOAMFile& file, std::span<const char> flips) const
-  {
-    file.number(size(flips)).text("\n(");
-    if (binary())
-    {
-      file.raw(flips.data(), flips.size()).text(")");
-      return;
-    }
-    for (const char flip : flips)
-    {
-      file.text(flip ? "\n1" : "\n0");
-    }
-    file.text("\n)");
-  }
-
-  void writeLabels(OpenFOAMFile& file, std::span<const Index> labels) const
-  {
-    file.number(size(labels)).text("\n(");
-    if (binary())
-    {
-      file.raw(labels.data(), labels.size_bytes()).text(")");
-      return;
-    }
-    for (const Index label : labels)
-    {
-      file.text("\n").number(std::int64_t{label});
-    }
-    file.text("\n)");
-  }
-
-  void writeLabelFile(const char* name, std::span<const Index> labels) const
-  {
-    OpenFOAMFile file = open(name, "labelList", note);
-    writeLabels(file, labels);
-    file.text("\n").close();
-  }
-
-  static void writeFace(OpenFOAMFile& file, std::span<const Index> face)
-  {
-    file.text("\n").number(static_cast<std::int64_t>(face.size())).text("(");
-    for (std::size_t i = 0; i < face.size(); ++i)
-    {
-      file.text(i == 0 ? "" : " ").number(std::int64_t{face[i]});
-    }
-    file.text(")");
-  }
-
-  static void writeGroups(OpenFOAMFile& file, const std::string& group, bool isWall)
-  {
-    // OpenFOAM puts a wall into the group `wall` only where no other groups are given.
+    const SolverPatch& patch = mesh.patches[p];
+    const std::string& group = names[p].group;
+    PatchEntry entry{names[p].word,
+                     {{"type", patch.isWall() ? "wall" : "patch"}},
+                     patch.firstFace,
+                     patch.faceCount,
+                     comment(patch.name)};
     if (!group.empty())
     {
-      const bool addWall = isWall && group != "wall";
-      file.text("        inGroups        ").text(addWall ? "2(wall " : "1(").text(group).text(");\n");
+      // OpenFOAM puts a wall into the group `wall` only where no other groups are given.
+      entry.entries.emplace_back("inGroups", (patch.isWall() && group != "wall" ? "2(wall " : "1(") + group + ")");
     }
+    patches.push_back(std::move(entry));
   }
+  return patches;
+}
 
-  /// A name as it may stand in a comment of one line.
-  static std::string comment(std::string name)
+/// With names that OpenFOAM takes.
+template <typename Zone> std::vector<Zone> namedZones(std::vector<Zone> zones)
+{
+  std::vector<std::string> names;
+  std::ranges::transform(zones, std::back_inserter(names), &Zone::name);
+  const std::vector<PatchName> words = makePatchNames(names, openFOAMNames);
+  for (std::size_t z = 0; z < zones.size(); ++z)
   {
-    std::replace_if(
-        name.begin(), name.end(), [](unsigned char c) { return c < 0x20 || c == 0x7F || c == '\\'; }, ' ');
-    return '"' + name + '"';
+    zones[z].name = words[z].word;
   }
+  return zones;
+}
 
-  fs::path folder;
-  const SolverMesh& solverMesh;
-  const FaceMesh& mesh;
-  OpenFOAMFormat format;
-  const ProgressRange& progress;
-  std::string note;
-};
-static_assert(sizeof(Vec3) == 3 * sizeof(double)); // written as they are
+/// Rooms tell more than zones by number, which are for meshes without.
+std::vector<CellZone> cellZonesOf(const SolverMesh& mesh)
+{
+  if (!mesh.cellZones.empty())
+  {
+    return mesh.cellZones;
+  }
+  std::vector<CellZone> numbered;
+  for (const auto& [id, cells] : mesh.zones)
+  {
+    numbered.push_back({zoneName(id), cells});
+  }
+  return numbered;
+}
 
 void writeDictionary(const fs::path& caseFolder, const char* name, std::string_view content)
 {
@@ -264,15 +117,15 @@ void writePolyMesh(const fs::path& caseFolder, const SolverMesh& mesh, OpenFOAMF
   const fs::path folder = caseFolder / "constant" / "polyMesh";
   makeFolder(folder);
   const UnfinishedFolder unfinished(folder / ".unfinished");
-  const PolyMeshWriter writer(unfinished.path, mesh, format, context.progress);
+  const PolyMeshWriter writer(unfinished.path, mesh.mesh, format, context.progress);
   context.progress.report(0.0, "Writing points and faces");
   const std::array files{&PolyMeshWriter::writeFaces, &PolyMeshWriter::writePoints, &PolyMeshWriter::writeOwners,
                          &PolyMeshWriter::writeNeighbors};
   context.executor.forEach(files.size(), 1, [&](std::size_t i) { (writer.*files[i])(); });
   context.progress.report(0.9, "Writing patches");
-  writer.writeBoundary();
-  writer.writeFaceZones();
-  writer.writeCellZones();
+  writer.writeBoundary(patchEntries(mesh));
+  writer.writeFaceZones(namedZones(mesh.faceZones));
+  writer.writeCellZones(namedZones(cellZonesOf(mesh)));
   context.progress.report(1.0, "Mesh written");
   removeEarlierMesh(folder);
   unfinished.moveFilesTo(folder);

@@ -250,6 +250,13 @@ std::vector<PolyPatch> readPatches(FoamParser file, const std::vector<Index>& ne
   {
     const auto type = entries.find("type");
     PolyPatch patch{name, type == entries.end() ? "" : type->second.text, {}};
+    for (const auto& [key, value] : entries)
+    {
+      if (key != "type" && key != "startFace" && key != "nFaces")
+      {
+        patch.others[key] = value.text;
+      }
+    }
     const std::size_t start = numberOf(entries, "startFace", name, file);
     const std::size_t count = numberOf(entries, "nFaces", name, file);
     if (start != next || count > newNumber.size() - start)

@@ -15,7 +15,8 @@ struct PolyPatch
 {
   std::string name;
   std::string type;
-  std::vector<Index> faces;
+  std::vector<Index> faces;                       ///< in the order of the file
+  std::map<std::string, std::string> others = {}; ///< entries but for its type and place, such as inGroups
 };
 
 struct PolyFaceZone

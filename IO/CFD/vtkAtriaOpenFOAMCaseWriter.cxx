@@ -103,6 +103,7 @@ std::string vtkAtriaOpenFOAMCaseWriter::GetConditionRule(int i)
 
 void vtkAtriaOpenFOAMCaseWriter::CheckProperties()
 {
+  this->Superclass::CheckProperties();
   atriaCheckRange(ReferenceSpeed);
   atriaCheckRange(ReferenceHeight);
   atriaCheckRange(RoughnessLength);
@@ -111,7 +112,6 @@ void vtkAtriaOpenFOAMCaseWriter::CheckProperties()
   atriaCheckRange(TurbulenceModel);
   atriaCheckRange(Dialect);
   atriaCheckRange(NumberOfIterations);
-  atriaCheckRange(NumberOfProcessors);
   atriaCheckRange(PedestrianHeight);
   for (const double angle : this->WindAngles)
   {
@@ -141,7 +141,8 @@ void vtkAtriaOpenFOAMCaseWriter::WriteFlow(const char* source)
     settings.turbulence = static_cast<atria::TurbulenceModel>(this->TurbulenceModel);
     settings.dialect = static_cast<atria::OpenFOAMDialect>(this->Dialect);
     settings.iterations = this->NumberOfIterations;
-    settings.processors = this->NumberOfProcessors;
+    settings.processors = this->GetNumberOfProcessors();
+    settings.format = this->GetFormat();
     settings.pedestrianHeight = this->PedestrianHeight;
     settings.ageOfAir = this->AgeOfAir;
     for (const std::string& rule : this->PatchRules)
@@ -208,7 +209,6 @@ void vtkAtriaOpenFOAMCaseWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TurbulenceModel: " << this->TurbulenceModel << "\n";
   os << indent << "Dialect: " << this->Dialect << "\n";
   os << indent << "NumberOfIterations: " << this->NumberOfIterations << "\n";
-  os << indent << "NumberOfProcessors: " << this->NumberOfProcessors << "\n";
   os << indent << "PedestrianHeight: " << this->PedestrianHeight << "\n";
   os << indent << "AgeOfAir: " << (this->AgeOfAir ? "on" : "off") << "\n";
   for (const std::string& rule : this->PatchRules)

@@ -130,14 +130,6 @@ public:
 
   ///@{
   /**
-   * Processors to run on; more than one have Allrun decompose the case. Default 1.
-   */
-  vtkAtriaSetInRangeMacro(NumberOfProcessors, int, 1, 100000);
-  vtkGetMacro(NumberOfProcessors, int);
-  ///@}
-
-  ///@{
-  /**
    * Height above the ground of the places where speeds are measured, meters. Default 1.75.
    */
   vtkAtriaSetInRangeMacro(PedestrianHeight, double, 1e-3, 1000.0);
@@ -187,12 +179,14 @@ protected:
   ~vtkAtriaOpenFOAMCaseWriter() override;
 
   void WriteData() override;
+  /// Those of the case as a whole, once its patches have their types.
+  void WriteProcessors(const atria::RunContext&) override {}
 
 private:
   vtkAtriaOpenFOAMCaseWriter(const vtkAtriaOpenFOAMCaseWriter&) = delete;
   void operator=(const vtkAtriaOpenFOAMCaseWriter&) = delete;
 
-  void CheckProperties();
+  void CheckProperties() override;
   void WriteFlow(const char* source);
 
   double ReferenceSpeed = 5.0;
@@ -204,7 +198,6 @@ private:
   int TurbulenceModel = RealizableKEpsilon;
   int Dialect = OpenCFD1912;
   int NumberOfIterations = 1000;
-  int NumberOfProcessors = 1;
   double PedestrianHeight = 1.75;
   bool AgeOfAir = false;
   std::vector<std::string> PatchRules;

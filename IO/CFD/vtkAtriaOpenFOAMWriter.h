@@ -23,6 +23,11 @@
 
 #include "AtriaIOCFDModule.h" // For export macro
 #include "vtkAtriaPolyhedralMeshWriter.h"
+#include "vtkAtriaRangeMacros.h"
+
+namespace atria {
+enum class OpenFOAMFormat;
+}
 
 class ATRIAIOCFD_EXPORT vtkAtriaOpenFOAMWriter : public vtkAtriaPolyhedralMeshWriter
 {
@@ -49,6 +54,17 @@ public:
   vtkBooleanMacro(WriteBinary, bool);
   ///@}
 
+  ///@{
+  /**
+   * Also write the mesh divided among so many processors, as OpenFOAM's decomposePar does:
+   * `processor0/constant/polyMesh` and so on, with the patches between processors and what belongs to what in the whole
+   * mesh, in place of all that are there. Parts have as many cells within a few; METIS divides them. Results of a run
+   * in these folders, and patches of a cyclic type, are an error. Default 1: the whole mesh alone.
+   */
+  vtkAtriaSetInRangeMacro(NumberOfProcessors, int, 1, 100000);
+  vtkGetMacro(NumberOfProcessors, int);
+  ///@}
+
 protected:
   vtkAtriaOpenFOAMWriter() = default;
   ~vtkAtriaOpenFOAMWriter() override;
@@ -57,6 +73,15 @@ protected:
   const char* GetFormatName() const override;
   const char* GetTargetProperty() const override;
   void WriteSolverMesh(const atria::SolverMesh& mesh, const atria::RunContext& context) override;
+  /**
+   * Divides the mesh that was written.
+   */
+  virtual void WriteProcessors(const atria::RunContext& context);
+  /**
+   * Throws atria::Error naming a property that is outside of its range.
+   */
+  virtual void CheckProperties();
+  atria::OpenFOAMFormat GetFormat() const;
 
 private:
   vtkAtriaOpenFOAMWriter(const vtkAtriaOpenFOAMWriter&) = delete;
@@ -64,6 +89,7 @@ private:
 
   char* CaseDirectory = nullptr;
   bool WriteBinary = false;
+  int NumberOfProcessors = 1;
 };
 
 #endif

@@ -199,18 +199,16 @@ class Case(unittest.TestCase):
         self.assertIn("foamRun", (other / "Allrun").read_text())
 
     def test_processors_share_the_cells(self):
-        """Along both sides of the ground, the more along the longer one."""
+        """Where decomposePar divides anew: along both sides of the ground, the more along the longer one."""
         for count, parts in ((6, "(3 2 1)"), (7, "(7 1 1)"), (16, "(4 4 1)")):
             folder = self.case(self.box, f"parts{count}", "--processors", count)
             self.assertRegex((folder / "system/decomposeParDict").read_text(), rf"n +{re.escape(parts)};")
-        if HAVE_OPENFOAM and shutil.which("mpirun"):
-            folder = self.case(self.box, "two", "--processors", "2", "--iterations", "3")
-            as_root = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
-            run = subprocess.run([folder / "Allrun"], capture_output=True, text=True, env={**os.environ, **as_root}, check=False)
+        if HAVE_OPENFOAM:
+            folder = self.case(self.box, "two", "--processors", "2")
+            run = subprocess.run(["decomposePar", "-force"], cwd=folder, env=os.environ | {"WM_PROJECT_DIR": "/usr/share/openfoam"},
+                                 capture_output=True, text=True, check=False)
             self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
-            cells = re.findall(r"Number of cells = (\d+)", (folder / "log.decomposePar").read_text())
-            self.assertEqual(sorted(map(int, cells)), [640, 640])
-            self.assertEqual(len(field_list(folder / "3/U")), 1280)
+            self.assertEqual(sorted(map(int, re.findall(r"Number of cells = (\d+)", run.stdout))), [640, 640])
 
     @unittest.skipUnless(HAVE_OPENFOAM, "OpenFOAM is not installed")
     def test_air_through_an_opening(self):

@@ -1,0 +1,417 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Decomposition.h"
+
+#include "FoamText.h"
+#include "OutputFolders.h"
+#include "Support/Error.h"
+
+#include <metis.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <string>
+#include <tuple>
+
+namespace atria {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Label = std::int32_t;
+
+/// Faces of all parts: numbers in the whole mesh from 1 on, negative where the part is the neighbor's.
+struct PartFaces
+{
+  std::vector<Label> faces;
+  std::size_t internal = 0;
+  std::vector<std::size_t> ofPatch;           ///< number in each patch of the whole mesh
+  std::map<Index, std::vector<Label>> shared; ///< by the other part
+};
+
+/// Faces of the whole mesh in the order of its files.
+std::vector<Index> facesInFile(const PolyMesh& poly)
+{
+  std::vector<Index> faces(poly.mesh.internalFaceCount());
+  std::iota(faces.begin(), faces.end(), 0);
+  for (const PolyPatch& patch : poly.patches)
+  {
+    faces.insert(faces.end(), patch.faces.begin(), patch.faces.end());
+  }
+  return faces;
+}
+
+std::vector<PartFaces> distributeFaces(const PolyMesh& poly, std::span<const Index> partOf, std::size_t parts)
+{
+  std::vector<PartFaces> out(parts);
+  const FaceMesh& mesh = poly.mesh;
+  Label label = 0;
+  for (std::size_t f = 0; f < mesh.internalFaceCount(); ++f)
+  {
+    ++label;
+    const Index own = partOf[mesh.owner[f]];
+    const Index other = partOf[mesh.neighbor[f]];
+    if (own == other)
+    {
+      out[own].faces.push_back(label);
+    }
+    else
+    {
+      out[own].shared[other].push_back(label);
+      out[other].shared[own].push_back(-label);
+    }
+  }
+  for (PartFaces& part : out)
+  {
+    part.internal = part.faces.size();
+    part.ofPatch.resize(poly.patches.size());
+  }
+  for (std::size_t p = 0; p < poly.patches.size(); ++p)
+  {
+    for (const Index face : poly.patches[p].faces)
+    {
+      PartFaces& part = out[partOf[mesh.owner[face]]];
+      part.faces.push_back(++label);
+      ++part.ofPatch[p];
+    }
+  }
+  for (PartFaces& part : out)
+  {
+    for (const auto& [other, faces] : part.shared)
+    {
+      part.faces.insert(part.faces.end(), faces.begin(), faces.end());
+    }
+  }
+  return out;
+}
+
+/// Where each member of zones is in them: member, zone, flip; sorted.
+using Members = std::vector<std::tuple<Index, std::size_t, char>>;
+
+std::span<const Members::value_type> zonesOf(const Members& members, Index member)
+{
+  const auto range = std::ranges::equal_range(members, member, {}, [](const auto& m) { return std::get<0>(m); });
+  return {range.begin(), range.end()};
+}
+
+class PartMaker
+{
+public:
+  PartMaker(const PolyMesh& whole, std::span<const Index> partOfCells, std::size_t parts)
+      : poly(whole), partOf(partOfCells), inFile(facesInFile(whole)), faces(distributeFaces(whole, partOfCells, parts)),
+        cells(parts), localCell(whole.mesh.cellCount)
+  {
+    for (Index cell = 0; cell < localCell.size(); ++cell)
+    {
+      std::vector<Label>& own = cells[partOf[cell]];
+      localCell[cell] = static_cast<Index>(own.size());
+      own.push_back(static_cast<Label>(cell));
+    }
+    for (std::size_t z = 0; z < poly.faceZones.size(); ++z)
+    {
+      const PolyFaceZone& zone = poly.faceZones[z];
+      for (std::size_t i = 0; i < zone.faces.size(); ++i)
+      {
+        zoneFaces.emplace_back(zone.faces[i], z, zone.flips[i] ? 1 : 0);
+      }
+    }
+    for (std::size_t z = 0; z < poly.cellZones.size(); ++z)
+    {
+      for (const Index cell : poly.cellZones[z].cells)
+      {
+        zoneCells.emplace_back(cell, z, 0);
+      }
+    }
+    std::sort(zoneFaces.begin(), zoneFaces.end());
+    std::sort(zoneCells.begin(), zoneCells.end());
+  }
+
+  ProcessorMesh make(std::size_t part) const
+  {
+    ProcessorMesh out;
+    out.cells = cells[part];
+    out.faces = faces[part].faces;
+    addPoints(out);
+    addFaces(faces[part], out);
+    addPatches(part, out);
+    addZones(out);
+    return out;
+  }
+
+private:
+  Index wholeFace(Label face) const { return inFile[static_cast<std::size_t>(std::abs(face) - 1)]; }
+
+  void addPoints(ProcessorMesh& out) const
+  {
+    for (const Label face : out.faces)
+    {
+      const auto corners = poly.mesh.face(wholeFace(face));
+      out.points.insert(out.points.end(), corners.begin(), corners.end());
+    }
+    std::sort(out.points.begin(), out.points.end());
+    out.points.erase(std::unique(out.points.begin(), out.points.end()), out.points.end());
+    for (const Label point : out.points)
+    {
+      out.mesh.points.push_back(poly.mesh.points[static_cast<std::size_t>(point)]);
+    }
+  }
+
+  void addFaces(const PartFaces& part, ProcessorMesh& out) const
+  {
+    const FaceMesh& whole = poly.mesh;
+    const auto addPoint = [&](Index point) {
+      const auto at = std::lower_bound(out.points.begin(), out.points.end(), static_cast<Label>(point));
+      out.mesh.facePoints.push_back(static_cast<Index>(at - out.points.begin()));
+    };
+    for (std::size_t i = 0; i < out.faces.size(); ++i)
+    {
+      const Index f = wholeFace(out.faces[i]);
+      const bool isTurned = out.faces[i] < 0;
+      const auto corners = whole.face(f);
+      for (std::size_t c = 0; c < corners.size(); ++c) // turned around, the first stays the first
+      {
+        addPoint(corners[isTurned && c > 0 ? corners.size() - c : c]);
+      }
+      out.mesh.faceOffsets.push_back(static_cast<Index>(out.mesh.facePoints.size()));
+      out.mesh.owner.push_back(localCell[isTurned ? whole.neighbor[f] : whole.owner[f]]);
+      if (i < part.internal)
+      {
+        out.mesh.neighbor.push_back(localCell[whole.neighbor[f]]);
+      }
+    }
+    out.mesh.cellCount = out.cells.size();
+  }
+
+  void addPatches(std::size_t part, ProcessorMesh& out) const
+  {
+    std::size_t next = faces[part].internal;
+    const auto add = [&](const std::string& name, std::size_t count, Label number) -> PatchEntry& {
+      out.patches.push_back({name, {}, next, count});
+      out.ofPatches.push_back(number);
+      next += count;
+      return out.patches.back();
+    };
+    for (std::size_t p = 0; p < poly.patches.size(); ++p)
+    {
+      const PolyPatch& patch = poly.patches[p];
+      PatchEntry& entry = add(patch.name, faces[part].ofPatch[p], static_cast<Label>(p));
+      entry.entries.emplace_back("type", patch.type);
+      entry.entries.insert(entry.entries.end(), patch.others.begin(), patch.others.end());
+    }
+    for (const auto& [other, shared] : faces[part].shared)
+    {
+      const std::string own = std::to_string(part);
+      const std::string to = std::to_string(other);
+      add("procBoundary" + own + "to" + to, shared.size(), -1).entries = {
+          {"type", "processor"}, {"inGroups", "1(processor)"}, {"matchTolerance", "0.0001"}, {"transform", "unknown"},
+          {"myProcNo", own},     {"neighbProcNo", to}};
+    }
+  }
+
+  void addZones(ProcessorMesh& out) const
+  {
+    for (const PolyFaceZone& zone : poly.faceZones)
+    {
+      out.faceZones.push_back({zone.name, {}, {}});
+    }
+    for (const PolyCellZone& zone : poly.cellZones)
+    {
+      out.cellZones.push_back({zone.name, {}});
+    }
+    for (std::size_t i = 0; i < out.faces.size() && !zoneFaces.empty(); ++i)
+    {
+      for (const auto& [face, zone, flip] : zonesOf(zoneFaces, wholeFace(out.faces[i])))
+      {
+        out.faceZones[zone].faces.push_back(static_cast<Index>(i));
+        out.faceZones[zone].flips.push_back((flip != 0) != (out.faces[i] < 0) ? 1 : 0);
+      }
+    }
+    for (std::size_t i = 0; i < out.cells.size() && !zoneCells.empty(); ++i)
+    {
+      for (const auto& [cell, zone, unused] : zonesOf(zoneCells, static_cast<Index>(out.cells[i])))
+      {
+        out.cellZones[zone].cells.push_back(static_cast<Index>(i));
+      }
+    }
+  }
+
+  const PolyMesh& poly;
+  std::span<const Index> partOf;
+  std::vector<Index> inFile;
+  std::vector<PartFaces> faces;
+  std::vector<std::vector<Label>> cells;
+  std::vector<Index> localCell;
+  Members zoneFaces, zoneCells;
+};
+
+bool isProcessorFolder(const fs::directory_entry& entry)
+{
+  const std::string name = entry.path().filename().string();
+  return entry.is_directory() && name.starts_with("processor") &&
+         name.find_first_not_of("0123456789", 9) == std::string::npos;
+}
+
+void writePart(const fs::path& folder, const ProcessorMesh& part, OpenFOAMFormat format, const ProgressRange& progress)
+{
+  makeFolder(folder);
+  const PolyMeshWriter writer(folder, part.mesh, format, progress);
+  writer.writePoints();
+  writer.writeFaces();
+  writer.writeOwners();
+  writer.writeNeighbors();
+  writer.writeBoundary(part.patches);
+  writer.writeFaceZones(part.faceZones);
+  writer.writeCellZones(part.cellZones);
+  writer.writeLabelFile("cellProcAddressing", part.cells);
+  writer.writeLabelFile("faceProcAddressing", part.faces);
+  writer.writeLabelFile("pointProcAddressing", part.points);
+  writer.writeLabelFile("boundaryProcAddressing", part.ofPatches);
+}
+
+} // namespace
+
+std::vector<Index> partitionCells(const FaceMesh& mesh, std::size_t parts)
+{
+  if (parts > mesh.cellCount)
+  {
+    throw Error("a mesh of " + std::to_string(mesh.cellCount) + " cells cannot be divided among " +
+                std::to_string(parts) + " processors");
+  }
+  std::vector<Index> partOf(mesh.cellCount, 0);
+  if (parts == 1)
+  {
+    return partOf;
+  }
+  // The neighbors of each cell, as METIS takes them.
+  std::vector<idx_t> offsets(mesh.cellCount + 1, 0);
+  for (std::size_t f = 0; f < mesh.internalFaceCount(); ++f)
+  {
+    ++offsets[mesh.owner[f] + 1];
+    ++offsets[mesh.neighbor[f] + 1];
+  }
+  std::partial_sum(offsets.begin(), offsets.end(), offsets.begin());
+  std::vector<idx_t> neighbors(static_cast<std::size_t>(offsets.back()));
+  std::vector<idx_t> next(offsets.begin(), offsets.end() - 1);
+  for (std::size_t f = 0; f < mesh.internalFaceCount(); ++f)
+  {
+    neighbors[static_cast<std::size_t>(next[mesh.owner[f]]++)] = static_cast<idx_t>(mesh.neighbor[f]);
+    neighbors[static_cast<std::size_t>(next[mesh.neighbor[f]]++)] = static_cast<idx_t>(mesh.owner[f]);
+  }
+  auto cells = static_cast<idx_t>(mesh.cellCount);
+  idx_t weights = 1;
+  auto count = static_cast<idx_t>(parts);
+  idx_t cut = 0;
+  std::vector<idx_t> found(mesh.cellCount);
+  const int status = METIS_PartGraphRecursive(&cells, &weights, offsets.data(), neighbors.data(), nullptr, nullptr,
+                                              nullptr, &count, nullptr, nullptr, nullptr, &cut, found.data());
+  if (status != METIS_OK)
+  {
+    throw Error("METIS cannot divide the mesh among " + std::to_string(parts) + " processors: " +
+                (status == METIS_ERROR_MEMORY ? "not enough memory" : "status " + std::to_string(status)));
+  }
+  std::transform(found.begin(), found.end(), partOf.begin(), [](idx_t part) { return static_cast<Index>(part); });
+  return partOf;
+}
+
+std::vector<ProcessorMesh> decompose(const PolyMesh& poly, std::span<const Index> partOf, std::size_t parts,
+                                     const Executor& executor)
+{
+  for (const PolyPatch& patch : poly.patches)
+  {
+    if (patch.type.starts_with("cyclic"))
+    {
+      throw Error("patch '" + patch.name + "' is of type " + patch.type +
+                  ", whose halves only OpenFOAM's decomposePar divides: write the case for one processor and run that");
+    }
+  }
+  const PartMaker maker(poly, partOf, parts);
+  std::vector<ProcessorMesh> meshes(parts);
+  executor.forEach(parts, 1, [&](std::size_t part) { meshes[part] = maker.make(part); });
+  return meshes;
+}
+
+void refuseProcessorResults(const fs::path& caseFolder)
+{
+  if (!fs::is_directory(caseFolder))
+  {
+    return;
+  }
+  for (const fs::directory_entry& entry : fs::directory_iterator(caseFolder))
+  {
+    if (!isProcessorFolder(entry))
+    {
+      continue;
+    }
+    for (const fs::directory_entry& content : fs::directory_iterator(entry.path()))
+    {
+      const std::string name = content.path().filename().string();
+      if (name != "0" && name != "constant")
+      {
+        throw Error("'" + caseFolder.string() + "' holds results of a run (" +
+                    content.path().lexically_relative(caseFolder).string() +
+                    "): run ./Allclean there or choose another folder");
+      }
+    }
+  }
+}
+
+void writeDecomposition(const fs::path& caseFolder, std::size_t parts, const Vec3& size)
+{
+  std::size_t fewer = 1;
+  for (std::size_t divisor = 1; divisor * divisor <= parts; ++divisor)
+  {
+    fewer = parts % divisor == 0 ? divisor : fewer;
+  }
+  const std::size_t alongX = size[0] < size[1] ? fewer : parts / fewer;
+  FoamText text;
+  text.comment(
+      "The parts came with the case. This divides it anew, without a library: Debian's OpenFOAM has no scotch.");
+  text.entry("numberOfSubdomains", static_cast<double>(parts)).entry("method", "hierarchical");
+  text.open("hierarchicalCoeffs")
+      .entry("n", foamVector({static_cast<double>(alongX), static_cast<double>(parts / alongX), 1.0}));
+  text.entry("delta", "0.001").entry("order", "xyz").close();
+  writeFoamFile(caseFolder, "system", "decomposeParDict", "dictionary", text);
+}
+
+void removeProcessors(const fs::path& caseFolder)
+{
+  std::vector<fs::path> folders;
+  for (const fs::directory_entry& entry : fs::directory_iterator(caseFolder))
+  {
+    if (isProcessorFolder(entry))
+    {
+      folders.push_back(entry.path());
+    }
+  }
+  for (const fs::path& folder : folders)
+  {
+    std::error_code error;
+    fs::remove_all(folder, error);
+    if (error)
+    {
+      throw Error("cannot remove '" + folder.string() + "': " + error.message());
+    }
+  }
+}
+
+void writeProcessors(const fs::path& caseFolder, const PolyMesh& poly, std::size_t parts, OpenFOAMFormat format,
+                     const RunContext& context)
+{
+  context.progress.report(0.0, "Dividing the mesh among processors");
+  const std::vector<ProcessorMesh> meshes = decompose(poly, partitionCells(poly.mesh, parts), parts, context.executor);
+  context.progress.report(0.4, "Writing the processors' meshes");
+  const UnfinishedFolder unfinished(caseFolder / ".processors.unfinished");
+  context.executor.forEach(parts, 1, [&](std::size_t part) {
+    writePart(unfinished.path / ("processor" + std::to_string(part)) / "constant" / "polyMesh", meshes[part], format,
+              context.progress);
+  });
+  refuseProcessorResults(caseFolder);
+  removeProcessors(caseFolder);
+  unfinished.moveFilesTo(caseFolder);
+  Box3 bounds;
+  std::for_each(poly.mesh.points.begin(), poly.mesh.points.end(), [&](const Vec3& point) { bounds.extend(point); });
+  writeDecomposition(caseFolder, parts, bounds.size());
+  context.progress.report(1.0, "Processors' meshes written");
+}
+
+} // namespace atria
