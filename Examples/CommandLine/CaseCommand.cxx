@@ -75,7 +75,7 @@ void declareWind(CLI::App& command, Options& options)
   auto* wind = command
                    .add_option("--wind", options.wind,
                                "Where the wind blows to, degrees from x, counterclockwise from above; one run each "
-                               "(default: from the domain's xMin to its xMax)")
+                               "(default: from the domain's xMin to its xMax, or into its domainSide1)")
                    ->check(numberIn(-360.0, 360.0))
                    ->type_name("DEG");
   auto* from = command

@@ -45,22 +45,30 @@ void declareSizes(CLI::App& command, MeshOptions& options)
 
 void declareDomain(CLI::App& command, MeshOptions& options)
 {
+  vtkNew<vtkAtriaDualMesher> standard;
   auto* domain = command.add_option("--domain", options.domain, "Bounds of the domain, meters")
                      ->expected(6)
                      ->check(anyNumber())
                      ->type_name("X0 X1 Y0 Y1 Z0 Z1");
+  auto* cylinder =
+      command
+          .add_option("--domain-cylinder", options.cylinder, "Domain about a circle of radius R, of 16 sides, meters")
+          ->expected(5)
+          ->check(anyNumber())
+          ->type_name("X Y R Z0 Z1")
+          ->excludes(domain);
   auto* site = command
                    .add_option("--site", options.site,
                                "Surface whose rectangle is the domain's ground; height 0.3 of its longer side")
                    ->type_name("NAME");
-  site->excludes(domain);
+  site->excludes(domain)->excludes(cylinder);
   auto* bounds = command.add_flag("--model-bounds", options.modelBounds,
                                   "Domain: the model's bounds, for rooms and channels whose walls are its sides");
-  bounds->excludes(domain)->excludes(site);
+  bounds->excludes(domain)->excludes(cylinder)->excludes(site);
   auto* automatic =
       command.add_flag("--automatic", options.automatic,
                        "Domain from the buildings' height H: 5 H, behind them 15 H, blockage at most 3 % (default)");
-  automatic->excludes(domain)->excludes(site)->excludes(bounds);
+  automatic->excludes(domain)->excludes(cylinder)->excludes(site)->excludes(bounds);
   command.add_option("--ground", options.ground, "Surface that is flat ground and no building (default: Site)")
       ->excludes(site)
       ->type_name("NAME");
@@ -68,16 +76,24 @@ void declareDomain(CLI::App& command, MeshOptions& options)
       .add_option("--wind", options.wind,
                   "Where the wind blows to, degrees from x, counterclockwise from above; for --automatic")
       ->excludes(domain)
+      ->excludes(cylinder)
       ->excludes(site)
       ->excludes(bounds)
       ->check(numberIn(-360.0, 360.0))
       ->type_name("DEG");
   command
       .add_option("--domain-angle", options.domainAngle,
-                  "Turns the domain, degrees counterclockwise from above; for --domain, --site and --model-bounds")
+                  "Turns the domain, degrees counterclockwise from above; for --domain, --domain-cylinder, --site and "
+                  "--model-bounds")
       ->excludes(automatic)
       ->check(numberIn(-180.0, 180.0))
       ->type_name("DEG");
+  command
+      .add_option(
+          "--domain-sides", options.domainSides,
+          "Upright sides of the domain, a polygon in its bounds; if not 4, --automatic is for wind from all around")
+      ->check(numberIn(standard->GetDomainSidesMinValue(), standard->GetDomainSidesMaxValue()))
+      ->type_name("N");
   command
       .add_option("--terrain", options.terrain,
                   "Names of terrain surfaces, with * and ?; extended to the domain's sides")
@@ -254,10 +270,15 @@ void completeMeshOptions(MeshOptions& options)
       throw Failure(Usage, "sizes must not fall from --size-min over --size-mid to --size-max");
     }
   }
-  if (options.domainAngle != 0.0 && options.domain.empty() && options.site.empty() && !options.modelBounds)
+  if (options.domainAngle != 0.0 && options.domain.empty() && options.cylinder.empty() && options.site.empty() &&
+      !options.modelBounds)
   {
-    throw Failure(Usage, "--domain-angle needs --domain, --site or --model-bounds: the automatic domain stands along "
-                         "--wind");
+    throw Failure(Usage, "--domain-angle needs --domain, --domain-cylinder, --site or --model-bounds: the automatic "
+                         "domain stands along --wind");
+  }
+  if (!options.cylinder.empty() && (options.cylinder[2] <= 0.0 || options.cylinder[3] >= options.cylinder[4]))
+  {
+    throw Failure(Usage, "--domain-cylinder: R must be above 0, and Z0 less than Z1");
   }
   for (std::size_t axis = 0; axis < 3 && !options.domain.empty(); ++axis)
   {
@@ -310,6 +331,14 @@ void configureGrid(vtkAtriaGridAlgorithm* filter, const MeshOptions& options)
   {
     filter->SetDomainMode(vtkAtriaGridAlgorithm::Explicit);
     filter->SetDomainBounds(options.domain.data());
+  }
+  constexpr int sidesOfCylinder = 16;
+  filter->SetDomainSides(
+      options.domainSides.value_or(options.cylinder.empty() ? filter->GetDomainSides() : sidesOfCylinder));
+  if (!options.cylinder.empty())
+  {
+    const std::vector<double>& c = options.cylinder;
+    filter->SetDomainCylinder(c[0], c[1], c[2], c[3], c[4]);
   }
   if (!options.site.empty())
   {

@@ -39,6 +39,8 @@ struct MeshOptions
   bool automatic = false; ///< the default, too
   bool modelBounds = false;
   double domainAngle = 0.0;
+  std::optional<int> domainSides;
+  std::vector<double> cylinder;
   double wind = 0.0;
   std::string terrain;
   std::string align = "axes";

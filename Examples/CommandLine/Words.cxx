@@ -18,6 +18,7 @@ constexpr std::array optionOf{
     std::pair{"FromSurfaces", "--model-bounds"},
     std::pair{"DomainBounds", "--domain"},
     std::pair{"DomainAngle", "--domain-angle"},
+    std::pair{"DomainSides", "--domain-sides"},
     std::pair{"WindAngle", "--wind"},
     std::pair{"SiteName", "--ground"},
     std::pair{"TerrainName", "--terrain"},

@@ -77,7 +77,7 @@ std::string joined(const SurfaceModel& model, const std::vector<Index>& surfaces
   for (const Index s : surfaces)
   {
     text += (text.empty() ? "" : " + ") +
-            (s < model.names.size() ? model.names[s] : std::string(sideNames[s - model.names.size()]));
+            (s < model.names.size() ? model.names[s] : sideName(static_cast<Index>(s - model.names.size())));
   }
   return text;
 }
@@ -168,9 +168,11 @@ void modelToVtk(const SurfaceModel& model, const GridFrame& frame, vtkPolyData* 
   out->SetPoints(numbers.points());
   out->SetPolys(triangles);
   std::vector<std::string> names = model.names;
-  if (std::ranges::any_of(model.surfaceIds, [&](Index id) { return id >= model.names.size(); }))
+  // Of a turned domain the sides follow, by number.
+  const auto count = model.surfaceIds.empty() ? 0 : *std::ranges::max_element(model.surfaceIds) + 1;
+  for (auto id = static_cast<Index>(names.size()); id < count; ++id)
   {
-    names.insert(names.end(), sideNames.begin(), sideNames.end()); // of a turned domain
+    names.push_back(sideName(static_cast<Index>(id - model.names.size())));
   }
   addStrings(out, "SurfaceName", names);
 }

@@ -27,7 +27,7 @@ namespace atria {
 namespace {
 
 constexpr const char* frameArrayName = "OctreeFrame";
-constexpr vtkIdType frameValueCount = 23;
+constexpr vtkIdType frameValueCount = 24;
 
 void addFrame(const GridFrame& f, vtkDataObject* out)
 {
@@ -39,9 +39,10 @@ void addFrame(const GridFrame& f, vtkDataObject* out)
   {
     values->InsertNextValue(v);
   }
-  const PlacedBox turned = f.turnedDomain.value_or(PlacedBox{f.placement, f.domain});
-  for (const double v : {f.placement.angle(), f.turnedDomain ? 1.0 : 0.0, turned.axes.angle(), turned.bounds.min[0],
-                         turned.bounds.max[0], turned.bounds.min[1], turned.bounds.max[1]})
+  const PlacedPrism turned = f.turnedDomain.value_or(PlacedBox{f.placement, f.domain});
+  for (const double v :
+       {f.placement.angle(), f.turnedDomain ? 1.0 : 0.0, turned.axes.angle(), turned.bounds.min[0],
+        turned.bounds.max[0], turned.bounds.min[1], turned.bounds.max[1], double(turned.sides().size())})
   {
     values->InsertNextValue(v);
   }
@@ -75,7 +76,8 @@ GridFrame frameOf(vtkDataObject* data)
   f.placement = Placement(at(16));
   if (at(17) != 0.0)
   {
-    f.turnedDomain = PlacedBox{Placement(at(18)), {{at(19), at(21), at(13)}, {at(20), at(22), at(14)}}};
+    const PlacedBox box{Placement(at(18)), {{at(19), at(21), at(13)}, {at(20), at(22), at(14)}}};
+    f.turnedDomain = PlacedPrism(box, static_cast<int>(at(23)));
   }
   f.domainLow = f.toLattice(f.domain.min);
   f.domainHigh = f.toLattice(f.domain.max);

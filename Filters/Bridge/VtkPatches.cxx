@@ -67,7 +67,7 @@ std::string uniqueName(std::string name, std::set<std::string>& taken)
 std::vector<Patch> sortFaces(const DualMesh& mesh, const std::vector<std::string>& names, std::set<std::string>& taken)
 {
   const std::vector<char> twoSided = twoSidedSurfaces(mesh, names.size());
-  std::vector<Patch> patches(2 * (names.size() + sideNames.size()));
+  std::vector<Patch> patches(2 * (names.size() + sideNumbers));
   for (Index f = 0; f < mesh.boundaryFaces.size(); ++f)
   {
     const BoundaryFace& face = mesh.boundaryFaces[f];
@@ -79,7 +79,7 @@ std::vector<Patch> sortFaces(const DualMesh& mesh, const std::vector<std::string
     const std::size_t tag = i / 2;
     if (!patches[i].faces.empty())
     {
-      const std::string name = tag < names.size() ? names[tag] : sideNames[tag - names.size()];
+      const std::string name = tag < names.size() ? names[tag] : sideName(static_cast<Index>(tag - names.size()));
       const char* side = tag < names.size() && twoSided[tag] ? (i % 2 == 0 ? "_front" : "_back") : "";
       patches[i].name = uniqueName(name + side, taken);
     }

@@ -96,11 +96,11 @@ void zonesToVtk(const std::vector<ZoneSummary>& zones, const std::vector<std::st
     volumes->InsertNextValue(zone.volume);
     kinds->InsertNextValue(zoneKindNames[static_cast<std::size_t>(zone.kind)]);
     std::vector<std::string> reached;
-    for (int direction = 0; direction < 6; ++direction)
+    for (Index side = 0; side < sideNumbers; ++side)
     {
-      if ((zone.sides >> direction & 1) != 0)
+      if ((zone.sides >> side & 1) != 0)
       {
-        reached.emplace_back(sideNames[direction]);
+        reached.push_back(sideName(side));
       }
     }
     sides->InsertNextValue(joined(reached, "\n"));

@@ -86,6 +86,7 @@ SiteOptions siteOptionsOf(vtkAtriaGridAlgorithm& filter)
   options.mode = static_cast<DomainMode>(filter.GetDomainMode());
   const double* b = filter.GetDomainBounds();
   options.bounds = {Vec3(b[0], b[2], b[4]), Vec3(b[1], b[3], b[5])};
+  options.domainSides = filter.GetDomainSides();
   options.domainAngle = filter.GetDomainAngle();
   options.windAngle = filter.GetWindAngle();
   options.site = filter.GetSiteName();

@@ -25,10 +25,10 @@
  *
  * Output port 1: vtkPartitionedDataSetCollection, one named vtkPolyData a patch. A surface with elements on its front
  * and its back is two patches, `<name>_front` and `<name>_back`; the two sides have points of their own, but at
- * boundary edges. Bare domain sides are `xMin` … `zMax`. Cell arrays: `SurfaceId` (int; -1 on bare domain sides),
- * `OwnerCellId` (vtkIdType, cell of port 0), `Side` (int; 0 front, 1 back), `LayerCount` (int) and `LayerThickness`
- * (double): layers at the face. Point array: `VolumePointId` (vtkIdType, point of port 0). Every face is a face of its
- * owner, seen counter-clockwise from outside of the mesh.
+ * boundary edges. Bare domain sides are `xMin` … `zMax`, of prisms also `domainSide1` …. Cell arrays: `SurfaceId` (int;
+ * -1 on bare domain sides), `OwnerCellId` (vtkIdType, cell of port 0), `Side` (int; 0 front, 1 back), `LayerCount`
+ * (int) and `LayerThickness` (double): layers at the face. Point array: `VolumePointId` (vtkIdType, point of port 0).
+ * Every face is a face of its owner, seen counter-clockwise from outside of the mesh.
  *
  * Output port 2: vtkPolyData with a line or vertex for each place where the mesh could not follow the model, or where
  * one should look: MergedSheets, where an octree edge is cut more than once and the sheets became one (line from the

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkAtriaGridAlgorithm.h"
 
+#include "Grid/Prism.h"
 #include "GridInput.h"
 #include "Mesher/SuggestedSizes.h"
 #include "Octree/Sizing/SizeRules.h"
@@ -91,6 +92,7 @@ void vtkAtriaGridAlgorithm::CheckProperties()
   atriaCheckRange(SmallPartSize);
   atriaCheckRange(DomainMode);
   atriaCheckRange(DomainAngle);
+  atriaCheckRange(DomainSides);
   atriaCheckRange(WindAngle);
   atriaCheckRange(AlignGrid);
 }
@@ -250,6 +252,14 @@ void vtkAtriaGridAlgorithm::RemoveAllCellZones()
   this->Modified();
 }
 
+void vtkAtriaGridAlgorithm::SetDomainCylinder(double x, double y, double radius, double bottom, double top)
+{
+  const atria::Box3 box = atria::boundsAboutCircle({x, y}, radius, this->DomainSides, bottom, top);
+  this->SetDomainBounds(box.min[0], box.max[0], box.min[1], box.max[1], box.min[2], box.max[2]);
+  this->SetDomainModeToExplicit();
+}
+
+//------------------------------------------------------------------------------
 void vtkAtriaGridAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
@@ -299,6 +309,7 @@ void vtkAtriaGridAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
     os << " " << bound;
   }
   os << "\n" << indent << "DomainAngle: " << this->DomainAngle << "\n";
+  os << indent << "DomainSides: " << this->DomainSides << "\n";
   os << indent << "WindAngle: " << this->WindAngle << "\n";
   os << indent << "SiteName: " << this->SiteName << "\n";
   os << indent << "TerrainName: " << this->TerrainName << "\n";

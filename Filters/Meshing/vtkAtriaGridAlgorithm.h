@@ -279,6 +279,23 @@ public:
 
   ///@{
   /**
+   * Upright sides of the domain. Default 4, a box; from 3 to 48. Otherwise a regular polygon, stretched to fill the
+   * bounds, whose sides are the patches domainSide1, domainSide2 and so on, counterclockwise; the normal of the first
+   * points along the domain's -x. If DomainMode is Automatic it then serves wind from all around: 15 H from the circle
+   * that holds the buildings to the sides, 5 H to the top, and side 1 faces WindAngle.
+   */
+  vtkAtriaSetInRangeMacro(DomainSides, int, 3, 48);
+  vtkGetMacro(DomainSides, int);
+  ///@}
+
+  /**
+   * Sets DomainMode to Explicit, and DomainBounds so that the regular polygon of DomainSides, which is to be set
+   * before, touches the circle about (x, y).
+   */
+  void SetDomainCylinder(double x, double y, double radius, double bottom, double top);
+
+  ///@{
+  /**
    * Where the wind blows to if DomainMode is Automatic, in degrees from the x axis, counterclockwise seen from above.
    * With x to the east and y to the north, a wind from the meteorological direction D has the angle 270 - D. The side
    * xMin of the domain is the inlet. Default 0, along +x; from -360 to 360.
@@ -373,6 +390,7 @@ protected:
   int DomainMode = Automatic;
   double DomainBounds[6] = {-50.0, 50.0, -50.0, 50.0, 0.0, 50.0};
   double DomainAngle = 0.0;
+  int DomainSides = 4;
   double WindAngle = 0.0;
   std::string SiteName = "Site";
   std::string TerrainName;

@@ -92,6 +92,7 @@ void preflightToVtk(const atria::Preflight& report, const std::vector<std::strin
   static const char* const sides[6] = {"XMin", "XMax", "YMin", "YMax", "ZMin", "ZMax"};
   TableWriter table;
   table.add("DomainAngle", report.domain.axes.angle(), "degrees");
+  table.add("DomainSides", static_cast<double>(report.domain.sides().size()), "");
   for (int direction = 0; direction < 6; ++direction)
   {
     const auto& bounds = report.domain.bounds;

@@ -3,6 +3,7 @@
 
 #include "CaseSystem.h"
 #include "Decomposition.h"
+#include "Grid/Prism.h"
 #include "OutputFolders.h"
 #include "Support/Error.h"
 
@@ -30,12 +31,12 @@ const char* roleName(PatchRole role)
   return names[static_cast<std::size_t>(role)];
 }
 
-/// From the domain's xMin to its xMax, where there is such a side.
+/// From the domain's xMin to its xMax, or against its first side, where there is such a side.
 double directionOfDomain(const CaseMesh& mesh)
 {
   for (const CasePatch& patch : mesh.patches)
   {
-    if (patch.name == sideNames[xMin] && patch.area > 0.0)
+    if ((patch.name == sideNames[xMin] || patch.name == sideName(firstPrismSide)) && patch.area > 0.0)
     {
       return std::atan2(-patch.areaVector[1], -patch.areaVector[0]) * 180.0 / std::numbers::pi;
     }

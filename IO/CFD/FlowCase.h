@@ -66,7 +66,8 @@ struct FlowCaseSettings
 {
   WindProfile wind;
   /// Where the wind blows to, degrees from x, counterclockwise from above. One makes a plain case; several make a
-  /// folder of a case for each, which share the mesh. None: from the domain's xMin to its xMax.
+  /// folder of a case for each, which share the mesh. None: from the domain's xMin to its xMax, or into its
+  /// domainSide1.
   std::vector<double> directions;
   double north = 0.0; ///< degrees from y, counterclockwise; names the directions
   TurbulenceModel turbulence = TurbulenceModel::RealizableKEpsilon;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SolverMesh.h"
 
+#include "Grid/Prism.h"
 #include "Support/Error.h"
 #include "Support/Pieces.h"
 #include "VtkFaceMesh.h"
@@ -77,7 +78,7 @@ void layOutPatches(SolverMesh& out, std::span<const BoundaryPatch> patches)
   std::vector<Index> rest = unclaimedFaces(out.mesh, patches);
   for (const BoundaryPatch& patch : patches)
   {
-    const bool isSide = std::ranges::find(sideNames, patch.name) != sideNames.end();
+    const bool isSide = isSideName(patch.name);
     add(patch.faces, patch.name, isSide ? SolverPatch::DomainSide : SolverPatch::Wall);
   }
   if (!rest.empty())

@@ -47,7 +47,7 @@ struct SolverPatch
   enum Kind
   {
     Wall,
-    DomainSide, ///< by its name, xMin … zMax
+    DomainSide, ///< by its name: xMin … zMax, domainSide1 …
     Unclaimed   ///< those in no patch, `defaultFaces`
   };
   std::string name; ///< as the input has it

@@ -8,7 +8,7 @@
  * Written is Fluent's text format (.msh) of faces, which holds polyhedra: points, cells with their types, faces zone by
  * zone, and the names of zones. Cells of one `ZoneId` are one fluid zone; they are numbered zone by zone.
  *
- * Patches are zones of type `wall`, but for the domain's sides (xMin, xMax, yMin, yMax, zMin, zMax) and
+ * Patches are zones of type `wall`, but for the domain's sides (xMin, xMax, yMin, yMax, zMin, zMax, domainSide1 …) and
  * `defaultFaces`: these are of type `pressure-outlet`, which is for the user to change. Names are made valid (ASCII
  * letters, digits and _ . -, none twice if capitals do not count). The two sides of a sheet, `<name>_front` and
  * `<name>_back`, are the wall `<name>` and its shadow `<name>-shadow`. Patches without faces are left out.

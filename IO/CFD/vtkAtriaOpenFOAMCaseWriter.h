@@ -67,7 +67,7 @@ public:
   ///@{
   /**
    * Where the wind blows to, degrees from x, counterclockwise from above; one run each. None, the default, is one run
-   * from the domain's xMin to its xMax, or along x where it has no such sides.
+   * from the domain's xMin to its xMax, or into its domainSide1, or along x where it has no such sides.
    */
   void AddWindAngle(double degrees);
   void RemoveAllWindAngles();

@@ -10,11 +10,10 @@
  * not start, where these are missing, and an empty file `<case>.foam` to open in ParaView. Faces are in
  * upper-triangular order, internal ones first, then patch by patch.
  *
- * Patches named after the domain's sides (xMin, xMax, yMin, yMax, zMin, zMax) become OpenFOAM patches of type
- * `patch`, all others of type `wall`. Names are made valid and unique; a comment in `boundary` keeps what
- * they were. The two sides of a sheet, `<name>_front` and `<name>_back`, share the group `<name>`, so one
- * entry in a field's boundaryField serves both. Boundary faces in no patch go to `defaultFaces`, of type
- * `patch`.
+ * Patches named after the domain's sides (xMin, xMax, yMin, yMax, zMin, zMax, domainSide1 …) become OpenFOAM patches of
+ * type `patch`, all others of type `wall`. Names are made valid and unique; a comment in `boundary` keeps what they
+ * were. The two sides of a sheet, `<name>_front` and `<name>_back`, share the group `<name>`, so one entry in a field's
+ * boundaryField serves both. Boundary faces in no patch go to `defaultFaces`, of type `patch`.
  *
  * @sa vtkAtriaDualMesher vtkAtriaMeshQuality
  */

@@ -188,6 +188,30 @@ class Case(unittest.TestCase):
             self.assertRegex((folder / "system/fvSolution").read_text(),
                              rf"consistent +yes;\n +nNonOrthogonalCorrectors {correctors};")
 
+    def test_one_prism_serves_all_directions(self):
+        """Each side is what the wind makes of it; what comes in goes out."""
+        run = self.atria("mesh", DATA / "house.wrl", "-o", self.folder / "prism.vtu", "--size-max", "16", "--size-mid", "4",
+                         "--size-min", "2", "--domain-sides", "8", "--wind", "10")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        folder = self.folder / "prism"
+        run = self.atria("case", self.folder / "prism.vtu", "-o", folder, "--wind", "10", "--wind", "120", "--iterations", "50")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        for direction in self.described(folder)["directions"]:
+            sides = {name: role for name, role in direction["patches"].items() if name.startswith("domainSide")}
+            self.assertEqual(len(sides), 8)
+            for i in range(8):
+                outwards = math.cos(math.radians(190 + 45 * i - direction["towards"]))  # side 1 faces the wind of the mesh
+                wanted = "slip" if abs(outwards) < 0.01 else "outlet" if outwards > 0 else "inlet"
+                self.assertEqual(sides[f"domainSide{i + 1}"], wanted, (direction["towards"], i))
+            if not HAVE_OPENFOAM:
+                continue
+            self.run_case(folder / direction["folder"])
+            speeds = [math.hypot(*u) for u in field_list(folder / direction["folder"] / "50/U")]
+            self.assertLess(max(speeds), 3 * 4.0)
+            flow = [float(file.read_text().split()[-1])
+                    for file in (folder / direction["folder"] / "postProcessing").glob("flow_domainSide*/0/*.dat")]
+            self.assertAlmostEqual(sum(flow) / max(flow), 0.0, delta=0.01)
+
     def test_dialects(self):
         current = self.case(self.box, "opencfd", "--dialect", "opencfd", "--turbulence", "k-omega-sst")
         self.assertEqual(entry((current / "0/nut").read_text(), "zMin", "type"), "atmNutkWallFunction")

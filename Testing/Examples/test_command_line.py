@@ -302,6 +302,8 @@ class CommandLine(unittest.TestCase):
         self.refuses(2, "--wind", "mesh", HOUSE, "-o", out, "--wind", "10", "--site", "Site")
         self.refuses(2, "--model-bounds", "mesh", HOUSE, "-o", out, "--model-bounds", "--site", "Site")
         self.refuses(2, "--domain-angle needs", "mesh", HOUSE, "-o", out, "--domain-angle", "10")
+        self.refuses(2, "--domain-sides", "mesh", HOUSE, "-o", out, "--domain-sides", "2")
+        self.refuses(2, "R must be above 0", "mesh", HOUSE, "-o", out, "--domain-cylinder", "0", "0", "0", "0", "5")
         self.refuses(2, "--align", "mesh", HOUSE, "-o", out, "--align", "roof")
         self.refuses(3, "dgm*", "mesh", HOUSE, "-o", out, "--terrain", "dgm*")
 
@@ -323,6 +325,11 @@ class CommandLine(unittest.TestCase):
         self.assertEqual([bounds["Domain" + side] for side in ("XMin", "XMax", "YMin", "YMax", "ZMin", "ZMax")],
                          [-90, 137, -84, 98, 0, 11])
         self.assertEqual(self.preflight(HOUSE, *sizes, "--model-bounds", "--domain-angle", 5)["DomainAngle"], 5)
+        self.assertEqual((plain["DomainSides"], self.preflight(HOUSE, *sizes, "--domain-sides", 8)["DomainSides"]), (4, 8))
+        cylinder = self.preflight(HOUSE, *sizes, "--domain-cylinder", 30, 5, 200, 0, 60)
+        self.assertEqual(cylinder["DomainSides"], 16)
+        for side, wanted in (("XMin", -170), ("XMax", 230), ("YMin", -195), ("YMax", 205), ("ZMin", 0), ("ZMax", 60)):
+            self.assertAlmostEqual(cylinder["Domain" + side], wanted, places=6)
 
     def test_a_room_is_meshed_by_its_bounds_or_by_a_seed(self):
         model = self.folder / "room.wrl"

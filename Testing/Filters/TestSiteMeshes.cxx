@@ -236,20 +236,52 @@ TEST_F(SiteMeshes, AnOctreeOfATurnedGridGivesTheSameMesh)
   atria::testing::turn(house, 17.0);
   vtkNew<vtkAtriaOctreeSource> source;
   source->SetInputDataObject(atria::testing::toPolyData(house));
-  for (auto* filter : {static_cast<vtkAtriaGridAlgorithm*>(source), static_cast<vtkAtriaGridAlgorithm*>(mesher)})
+  for (const int sides : {4, 7})
   {
-    setGrid(filter, domain, 0.5, 1.0, 2.0);
-    filter->SetAlignGrid(vtkAtriaDualMesher::ToWalls);
+    SCOPED_TRACE(sides);
+    for (auto* filter : {static_cast<vtkAtriaGridAlgorithm*>(source), static_cast<vtkAtriaGridAlgorithm*>(mesher)})
+    {
+      setGrid(filter, domain, 0.5, 1.0, 2.0);
+      filter->SetAlignGrid(vtkAtriaDualMesher::ToWalls);
+      filter->SetDomainSides(sides);
+    }
+    setSurface(house);
+    const auto alone = copiesOfOutputs();
+    vtkNew<vtkAtriaDualMesher> second;
+    second->SetInputDataObject(0, atria::testing::toPolyData(house));
+    second->SetInputConnection(1, source->GetOutputPort());
+    second->Update();
+    ASSERT_GT(volume()->GetNumberOfCells(), 0);
+    EXPECT_TRUE(identical(alone[0], second->GetOutputDataObject(0)));
+    EXPECT_TRUE(identical(alone[1], second->GetOutputDataObject(1)));
   }
-  setSurface(house);
-  const auto alone = copiesOfOutputs();
-  vtkNew<vtkAtriaDualMesher> second;
-  second->SetInputDataObject(0, atria::testing::toPolyData(house));
-  second->SetInputConnection(1, source->GetOutputPort());
-  second->Update();
-  ASSERT_GT(volume()->GetNumberOfCells(), 0);
-  EXPECT_TRUE(identical(alone[0], second->GetOutputDataObject(0)));
-  EXPECT_TRUE(identical(alone[1], second->GetOutputDataObject(1)));
+}
+
+TEST_F(SiteMeshes, APrismHasPatchesOfItsSides)
+{
+  mesher->SetDomainSides(5);
+  mesh({});
+  EXPECT_THAT(namesOf(namedPatches()),
+              ElementsAre("domainSide1", "domainSide2", "domainSide3", "domainSide4", "domainSide5", "zMax", "zMin"));
+}
+
+/// About a circle a polygon of n sides has the area n r^2 tan(pi / n).
+TEST_F(SiteMeshes, ACylinderIsMeshedByThePrismAboutIt)
+{
+  setGrid(mesher, domain, 0.5, 1.0, 2.0);
+  mesher->SetDomainSides(8);
+  mesher->SetDomainCylinder(3.0, -2.0, 10.0, 1.0, 9.0);
+  mesh({});
+  const double exact = 8.0 * 100.0 * std::tan(std::numbers::pi / 8.0) * 8.0;
+  EXPECT_NEAR(meshVolume(), exact, 1e-7 * exact);
+}
+
+TEST_F(SiteMeshes, SidesTooNarrowForTheElementsAreWarnedOf)
+{
+  setGrid(mesher, domain, 0.5, 1.0, 4.0);
+  mesher->SetDomainSides(48);
+  mesh({});
+  EXPECT_THAT(atria::testing::firstOf(messages.takeWarnings()), ::testing::HasSubstr("fewer sides"));
 }
 
 TEST_F(SiteMeshes, AHyperTreeGridIsNotTurned)

@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What must hold of every mesh holds in turned domains and grids, whatever the surfaces.
+/// What must hold of every mesh holds in turned domains, prisms and grids, whatever the surfaces.
 #include "Domain/PlacedModel.h"
 #include "Mesher/MeshModel.h"
 #include "Support/DualMeshChecks.h"
 #include "Support/Shapes.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
+#include <numbers>
 #include <random>
+#include <ranges>
 #include <set>
 
 namespace {
@@ -24,6 +29,10 @@ struct Case
   atria::GridOptions sizes;
   TriangleSurface surface;
 };
+
+/// From this seed on domains are prisms.
+constexpr unsigned firstPrism = 62;
+constexpr int sideCounts[] = {3, 5, 8, 16, 32};
 
 /// A soup, on ground that is bumpy in every second case, in a domain at any angle to walls and axes.
 Case randomCase(unsigned seed)
@@ -52,6 +61,7 @@ Case randomCase(unsigned seed)
   const Vec3 half(3.0 + 3.0 * unit(random), 3.0 + 3.0 * unit(random), 3.0);
   out.options.mode = atria::DomainMode::bounds;
   out.options.bounds = {-half, half};
+  out.options.domainSides = seed < firstPrism ? 4 : sideCounts[(seed - firstPrism) / 2 % std::size(sideCounts)];
   out.options.domainAngle = 360.0 * unit(random) - 180.0;
   out.options.alignment = static_cast<atria::GridAlignment>(seed % 3);
   out.sizes.sizeMin = 0.25 + 0.25 * unit(random);
@@ -81,7 +91,9 @@ class TurnedDomains : public ::testing::TestWithParam<unsigned>
 protected:
   void SetUp() override
   {
-    if (GetParam() >= usualSeeds && GetParam() != jogAtSide && !std::getenv("ATRIA_TEST_FULL"))
+    const bool isUsual = GetParam() < usualSeeds || GetParam() == jogAtSide ||
+                         (GetParam() >= firstPrism && GetParam() < firstPrism + 2 * std::size(sideCounts));
+    if (!isUsual && !std::getenv("ATRIA_TEST_FULL"))
     {
       GTEST_SKIP() << "set ATRIA_TEST_FULL for more seeds";
     }
@@ -100,6 +112,12 @@ TEST_P(TurnedDomains, AreConformalAndWatertightAndTheSameForAnyThreads)
   EXPECT_TRUE(atria::testing::identical(result.mesh, meshOf(c, 3).mesh));
 }
 
+double shortestSide(const atria::PlacedPrism& domain)
+{
+  const auto lengthOf = [](const atria::PrismSide& side) { return (side.end - side.start).norm(); };
+  return std::ranges::min(domain.sides() | std::views::transform(lengthOf));
+}
+
 TEST_P(TurnedDomains, EndAtTheirSidesOnly)
 {
   const Case c = randomCase(GetParam());
@@ -116,25 +134,49 @@ TEST_P(TurnedDomains, EndAtTheirSidesOnly)
       EXPECT_EQ(face.opposite, atria::noIndex);
     }
   }
-  EXPECT_EQ(sides, (std::set<atria::Index>{0, 1, 2, 3, 4, 5}));
-  const double slack = 1e-4 * c.sizes.sizeMin;
-  Box3 along;
-  for (const Vec3& p : result.mesh.points)
+  std::set<atria::Index> expected{atria::zMin, atria::zMax};
+  std::ranges::transform(plan.domain.sides(), std::inserter(expected, expected.end()), &atria::PrismSide::number);
+  EXPECT_TRUE(std::ranges::includes(expected, sides));
+  if (shortestSide(plan.domain) > std::numbers::sqrt2 * c.sizes.sizeMax)
   {
-    along.extend(plan.domain.axes.fromModel(p));
+    EXPECT_EQ(sides, expected); // narrower ones may lie between elements
   }
-  EXPECT_TRUE((along.min.array() >= plan.domain.bounds.min.array() - slack).all())
-      << (along.min - plan.domain.bounds.min).transpose();
-  EXPECT_TRUE((along.max.array() <= plan.domain.bounds.max.array() + slack).all())
-      << (along.max - plan.domain.bounds.max).transpose();
+  const double slack = 1e-4 * c.sizes.sizeMin;
+  for (const Vec3& point : result.mesh.points)
+  {
+    const Vec3 p = plan.domain.axes.fromModel(point);
+    ASSERT_LE(plan.domain.beyond(p.head<2>()), slack) << point.transpose();
+    ASSERT_GE(p[2], plan.domain.bounds.min[2] - slack);
+    ASSERT_LE(p[2], plan.domain.bounds.max[2] + slack);
+  }
 }
 
-/// How far inside its side of the domain a point is. Planes are along the domain's axes.
-double offSide(const Vec3& point, int side, const atria::PlacedBox& domain)
+/// The side of a number; of the bottom and the top none.
+const atria::PrismSide* uprightSide(const atria::PlacedPrism& domain, int number)
 {
-  const Box3& box = domain.bounds;
-  const int axis = atria::axisOf(side);
-  return std::abs(domain.axes.fromModel(point)[axis] - (atria::isUpper(side) ? box.max : box.min)[axis]);
+  const auto found = std::ranges::find(domain.sides(), static_cast<atria::Index>(number), &atria::PrismSide::number);
+  return found == domain.sides().end() ? nullptr : &*found;
+}
+
+/// The nearest point of a side's plane.
+Vec3 onSide(const Vec3& point, int number, const atria::PlacedPrism& domain)
+{
+  Vec3 p = domain.axes.fromModel(point);
+  if (const atria::PrismSide* side = uprightSide(domain, number))
+  {
+    p.head<2>() = side->foot(p.head<2>());
+  }
+  else
+  {
+    p[2] = (number == atria::zMax ? domain.bounds.max : domain.bounds.min)[2];
+  }
+  return domain.axes.toModel(p);
+}
+
+/// How far from its side of the domain a point is.
+double offSide(const Vec3& point, int number, const atria::PlacedPrism& domain)
+{
+  return (onSide(point, number, domain) - point).norm();
 }
 
 /// Calls visit(point, side) for the points of faces named after sides of the domain.
@@ -152,7 +194,7 @@ template <typename Visit> void eachPointOfSides(const atria::DualMesh& mesh, atr
 }
 
 /// Of the points of sides that are as far off as none of `told` the one that is farthest.
-double farthestOff(const atria::DualMesh& mesh, const atria::PlacedBox& domain, atria::Index names,
+double farthestOff(const atria::DualMesh& mesh, const atria::PlacedPrism& domain, atria::Index names,
                    const std::vector<double>& told)
 {
   constexpr double rounding = 1e-6;
@@ -166,26 +208,31 @@ double farthestOff(const atria::DualMesh& mesh, const atria::PlacedBox& domain, 
 }
 
 /// Were the points of sides on these.
-double volumeWithinSides(atria::DualMesh mesh, const atria::PlacedBox& domain, atria::Index names)
+double volumeWithinSides(atria::DualMesh mesh, const atria::PlacedPrism& domain, atria::Index names)
 {
   eachPointOfSides(mesh, names, [&](atria::Index point, int side) {
-    Vec3 p = domain.axes.fromModel(mesh.points[point]);
-    const int axis = atria::axisOf(side);
-    p[axis] = (atria::isUpper(side) ? domain.bounds.max : domain.bounds.min)[axis];
-    mesh.points[point] = domain.axes.toModel(p);
+    mesh.points[point] = onSide(mesh.points[point], side, domain);
   });
   return atria::testing::totalVolume(mesh);
 }
 
 /// Of the vertices that diagnostics list, how far each is from each side.
-std::vector<double> distancesOfDetached(const DualMeshResult& result, const atria::PlacedBox& domain)
+std::vector<double> distancesOfDetached(const DualMeshResult& result, const atria::PlacedPrism& domain)
 {
   std::vector<double> distances;
   for (const atria::Diagnostic& diagnostic : result.diagnostics)
   {
-    for (int side = 0; side < 6 && diagnostic.kind == atria::Diagnostic::detachedVertex; ++side)
+    if (diagnostic.kind != atria::Diagnostic::detachedVertex)
+    {
+      continue;
+    }
+    for (const int side : {atria::zMin, atria::zMax})
     {
       distances.push_back(offSide(diagnostic.begin, side, domain));
+    }
+    for (const atria::PrismSide& side : domain.sides())
+    {
+      distances.push_back(offSide(diagnostic.begin, static_cast<int>(side.number), domain));
     }
   }
   return distances;
@@ -206,13 +253,72 @@ TEST_P(TurnedDomains, HaveLayersThatEndOnTheirSides)
   EXPECT_GT(std::ranges::min(atria::testing::volumes(mesh)), 0.0);
   // What of a side is off its plane in the mesh without layers may stay so; vertices that left it are told.
   const auto names = static_cast<atria::Index>(c.surface.names.size());
-  const atria::PlacedBox domain = atria::planSite(c.surface, c.options, c.sizes).domain;
+  const atria::PlacedPrism domain = atria::planSite(c.surface, c.options, c.sizes).domain;
   EXPECT_LE(farthestOff(mesh, domain, names, distancesOfDetached(layered, domain)),
             farthestOff(plain, domain, names, {}) + 1e-6 * c.sizes.sizeMin);
-  // Points of walls slide along them to make room, also where the mesh cuts a corner of the model.
-  EXPECT_NEAR(volumeWithinSides(mesh, domain, names) / volumeWithinSides(plain, domain, names), 1.0, 2e-3);
+  // Points of walls slide along them to make room, also where the mesh cuts a corner of the model. How much that is
+  // does not depend on how much of the bounds the domain fills.
+  const double filled = domain.volume() / domain.bounds.size().prod();
+  EXPECT_NEAR(volumeWithinSides(mesh, domain, names) / volumeWithinSides(plain, domain, names), 1.0, 2e-3 / filled);
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, TurnedDomains, ::testing::Range(0u, 60u));
+INSTANTIATE_TEST_SUITE_P(Seeds, TurnedDomains, ::testing::Range(0u, 120u));
+
+/// A house within, away from the sides; ground that reaches over them where `hasGround`.
+Case calmCase(int sideCount, bool hasGround)
+{
+  Case out;
+  atria::testing::addBox(out.surface, "House", {Vec3(-1.3, -0.9, 0.0), Vec3(1.2, 1.1, 2.0)});
+  if (hasGround)
+  {
+    const std::vector<Vec3> corners{{-20, -20, -1.5}, {20, -20, 0.5}, {20, 20, 1.0}, {-20, 20, -0.5}, {0.1, 0.2, -0.2}};
+    atria::testing::addSurface(out.surface, "Site", corners, {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}});
+  }
+  out.options.mode = atria::DomainMode::bounds;
+  out.options.bounds = {Vec3(-8.0, -6.5, -2.0), Vec3(7.0, 7.5, 5.0)};
+  out.options.domainSides = sideCount;
+  out.options.domainAngle = 17.0 + sideCount;
+  out.sizes.sizeMin = 0.25;
+  out.sizes.sizeMid = 0.5;
+  out.sizes.sizeMax = 1.0;
+  return out;
+}
+
+class Prisms : public ::testing::TestWithParam<std::tuple<int, bool>>
+{
+};
+
+TEST_P(Prisms, HaveTheAreaOfEachSideAndTheVolumeOfTheExactOne)
+{
+  const auto& [sideCount, hasGround] = GetParam();
+  const Case c = calmCase(sideCount, hasGround);
+  const DualMeshResult result = meshOf(c, 2);
+  const auto names = static_cast<atria::Index>(c.surface.names.size());
+  const atria::PlacedPrism domain = atria::planSite(c.surface, c.options, c.sizes).domain;
+  ASSERT_EQ(domain.sides().size(), static_cast<std::size_t>(sideCount));
+  EXPECT_TRUE(atria::testing::isConformal(result.mesh));
+  EXPECT_TRUE(atria::testing::boundaryIsWatertight(result.mesh));
+  EXPECT_GT(std::ranges::min(atria::testing::volumes(result.mesh)), 0.0);
+  // Where the ground meets an upright edge, elements may cut it off.
+  EXPECT_NEAR(atria::testing::totalVolume(result.mesh) / domain.volume(), 1.0, hasGround ? 1e-3 : 1e-6);
+  std::vector<double> areas(atria::sideNumbers, 0.0);
+  for (const atria::BoundaryFace& face : result.mesh.boundaryFaces)
+  {
+    const auto at = [&](int i) { return result.mesh.points[atria::cornerOf(result.mesh, face, i)]; };
+    if (face.tag >= names)
+    {
+      areas[face.tag - names] += 0.5 * (at(2) - at(0)).cross(at(3) - at(1)).norm();
+    }
+  }
+  for (const atria::PrismSide& side : domain.sides())
+  {
+    const double exact = (side.end - side.start).norm() * domain.bounds.size()[2];
+    const double face = c.sizes.sizeMid * c.sizes.sizeMid;
+    EXPECT_NEAR(areas[side.number], exact, hasGround ? 0.5 * face : 1e-5 * exact) << atria::sideName(side.number);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(SideCounts, Prisms,
+                         ::testing::Combine(::testing::Values(3, 4, 5, 8, 16, 32), ::testing::Bool()));
 
 } // namespace

@@ -250,23 +250,27 @@ std::string textOf(const Box3& box)
   return text.str();
 }
 
+/// Such as "'Roof', 'Wall' and 3 more"; empty without any.
+std::string textOf(const std::vector<Index>& ids, const std::vector<std::string>& names)
+{
+  constexpr std::size_t most = 4;
+  std::string list;
+  for (std::size_t i = 0; i < std::min(most, ids.size()); ++i)
+  {
+    list += (i > 0 ? ", '" : "'") + names[ids[i]] + "'";
+  }
+  return list + (ids.size() > most ? " and " + std::to_string(ids.size() - most) + " more" : "");
+}
+
 /// Such as "zMax ('Roof', 'Wall' and 3 more) and xMin ('Wall')"; empty without any.
 std::string textOf(const std::array<std::vector<Index>, 6>& bySide, const std::vector<std::string>& names)
 {
-  constexpr std::size_t most = 4;
   std::vector<std::string> parts;
   for (int side = 0; side < 6; ++side)
   {
-    const std::vector<Index>& ids = bySide[side];
-    std::string list;
-    for (std::size_t i = 0; i < std::min(most, ids.size()); ++i)
+    if (!bySide[side].empty())
     {
-      list += (i > 0 ? ", '" : "'") + names[ids[i]] + "'";
-    }
-    list += ids.size() > most ? " and " + std::to_string(ids.size() - most) + " more" : "";
-    if (!ids.empty())
-    {
-      parts.push_back(std::string(sideNames[side]) + " (" + list + ")");
+      parts.push_back(std::string(sideNames[side]) + " (" + textOf(bySide[side], names) + ")");
     }
   }
   std::string text;
@@ -275,6 +279,34 @@ std::string textOf(const std::array<std::vector<Index>, 6>& bySide, const std::v
     text += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
   }
   return text;
+}
+
+/// Surfaces of buildings with faces on both sides of the upright planes of a prism.
+std::vector<Index> cutByPrism(const TriangleSurface& surface, const SitePlan& plan, double tolerance)
+{
+  std::vector<char> isCut(surface.names.size(), 0);
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    double least = std::numeric_limits<double>::infinity();
+    double most = -least;
+    for (const Index i : surface.triangles[t])
+    {
+      const double beyond = plan.domain.beyond(plan.domain.axes.fromModel(surface.points[i]).head<2>());
+      least = std::min(least, beyond);
+      most = std::max(most, beyond);
+    }
+    const Index id = surface.surfaceIds[t];
+    isCut[id] |= !plan.isGround[id] && least < -tolerance && most > tolerance ? 1 : 0;
+  }
+  std::vector<Index> ids;
+  for (Index id = 0; id < isCut.size(); ++id)
+  {
+    if (isCut[id])
+    {
+      ids.push_back(id);
+    }
+  }
+  return ids;
 }
 
 constexpr const char* otherDomains =
@@ -316,7 +348,13 @@ std::vector<std::string> checkDomain(const TriangleSurface& surface, const SiteP
                        ", the buildings " + textOf(boundsOfBuildings(surface, plan.isGround, plan.domain.axes)) + ": " +
                        otherDomains);
   }
-  if (const std::string cut = textOf(contacts.cut, surface.names); !cut.empty())
+  std::string cut = textOf(contacts.cut, surface.names);
+  if (!plan.domain.isBox())
+  {
+    const std::string byPrism = textOf(cutByPrism(surface, plan, sideRatio * sizeMin), surface.names);
+    cut = byPrism.empty() ? byPrism : "its upright sides (" + byPrism + ")";
+  }
+  if (!cut.empty())
   {
     warnings.push_back("the domain cuts through surfaces at " + cut + ", and leaves out what lies beyond: " +
                        otherDomains + "; name those that are ground by SiteName or TerrainName (--terrain)");

@@ -6,7 +6,8 @@
 
 namespace atria {
 
-/// How the buildings, which are all surfaces that are no ground, lie at the domain's sides. The bottom is the ground:
+/// How the buildings, which are all surfaces that are no ground, lie at the domain's sides; of a prism of other than
+/// four sides those of the box about it. The bottom is the ground:
 /// what is below it does not count.
 struct DomainContacts
 {

@@ -26,7 +26,7 @@ void checkSurfaces(const TriangleSurface& surface)
   }
 }
 
-PlacedBox domainOf(const TriangleSurface& surface, const SiteOptions& options, SitePlan& plan)
+PlacedBox boundsOfDomain(const TriangleSurface& surface, const SiteOptions& options, SitePlan& plan)
 {
   PlacedBox domain{Placement(options.domainAngle), {}};
   switch (options.mode)
@@ -38,7 +38,7 @@ PlacedBox domainOf(const TriangleSurface& surface, const SiteOptions& options, S
       return domain;
     case DomainMode::automatic: {
       checkSurfaces(surface);
-      const WindDomain wind = windDomain(surface, plan.isGround, options.windAngle);
+      const WindDomain wind = windDomain(surface, plan.isGround, options.windAngle, options.domainSides);
       plan.widened = wind.widened;
       return wind.box;
     }
@@ -86,9 +86,9 @@ PlacedModel inGrid(const TriangleSurface& surface, const SitePlan& plan, const G
   {
     out.terrain = extendTerrain(out.surface, plan.isTerrain, reach, weldRatio * sizes.sizeMin);
   }
-  if (plan.grid.angle() != plan.domain.axes.angle())
+  if (plan.hasSheetSides())
   {
-    cutToSides(out.surface, plan.domain.bounds, beyond, sideRatio * sizes.sizeMin);
+    cutToSides(out.surface, plan.domain, beyond, sideRatio * sizes.sizeMin);
     turnAll(out.surface, Placement(plan.grid.angle() - plan.domain.axes.angle()));
   }
   return out;
@@ -112,7 +112,7 @@ SitePlan groundOf(const TriangleSurface& surface, const SiteOptions& options, do
 SitePlan planSite(const TriangleSurface& surface, const SiteOptions& options, const GridOptions& sizes)
 {
   SitePlan plan = groundOf(surface, options, sizes.sizeMin);
-  plan.domain = domainOf(surface, options, plan);
+  plan.domain = PlacedPrism(boundsOfDomain(surface, options, plan), options.domainSides);
   if (plan.hasTerrain)
   {
     const double lowest = Ground(surface, plan.isTerrain, 0.0).bounds().min[2];
@@ -126,7 +126,7 @@ PlacedModel placeModel(const TriangleSurface& surface, const SitePlan& plan, con
 {
   GridOptions options = sizes;
   options.domain = boundsAlong(plan.grid, plan.domain);
-  const bool turned = plan.grid.angle() != plan.domain.axes.angle();
+  const bool turned = plan.hasSheetSides();
   GridOptions upright = sizes;
   upright.domain = plan.domain.bounds;
   makeGridFrame(upright, {}); // checks

@@ -29,6 +29,9 @@ struct SiteOptions
   DomainMode mode = DomainMode::automatic;
   /// Used in mode `bounds`.
   Box3 bounds;
+  /// Upright sides of the domain: 4 of a box, else of a polygon that fills the bounds (see PlacedPrism). In mode
+  /// `automatic` of other than 4 it serves wind from all around (see WindDomain.h).
+  int domainSides = 4;
   /// Degrees by which the domain stands turned (see Placement): given bounds about their middle; from surfaces and site
   /// it is the smallest box along the turned axes. Not in mode `automatic`.
   double domainAngle = 0.0;
@@ -47,7 +50,7 @@ inline constexpr double sideRatio = 1e-4;
 /// Domain and ground of a model.
 struct SitePlan
 {
-  PlacedBox domain;
+  PlacedPrism domain;
   Placement grid;
   SurfaceFlags isTerrain;
   /// Terrain, or the site: what is no building.
@@ -55,13 +58,16 @@ struct SitePlan
   bool hasTerrain = false;
   /// As WindDomain; 1 in other modes.
   double widened = 1.0;
+
+  /// Whether the domain's upright sides are surfaces, not planes of the grid.
+  bool hasSheetSides() const { return !domain.isBox() || grid.angle() != domain.axes.angle(); }
 };
 
 /// The domain, as the options say, and how the grid stands. Where there is a terrain, the domain's bottom is lowered to
 /// two of the largest octants below it, so that the bottom cuts nothing. Throws Error where the options cannot be met.
 SitePlan planSite(const TriangleSurface& surface, const SiteOptions& options, const GridOptions& sizes);
 
-/// A model in the grid's coordinates: terrain extended, and where the domain stands turned in the grid, cut to it and
+/// A model in the grid's coordinates: terrain extended, and where the domain is no box along the grid, cut to it and
 /// closed by sides (see TurnedSides.h).
 struct PlacedModel
 {

@@ -10,138 +10,153 @@ namespace atria {
 
 namespace {
 
-using Polygon = std::vector<Vec3>;
-
-double planeOf(const Box3& box, int direction)
+/// A point, and the sides on which it lies.
+struct Corner
 {
-  return isUpper(direction) ? box.max[axisOf(direction)] : box.min[axisOf(direction)];
-}
+  Vec3 at;
+  SideBits on = 0;
+};
+using Polygon = std::vector<Corner>;
 
-void snap(std::vector<Vec3>& points, const Box3& domain, double tolerance)
+bool isOn(const Corner& corner, const PrismSide& side) { return (corner.on >> side.number & 1) != 0; }
+
+/// Puts what is within `tolerance` of sides on these: where two meet, on their edge.
+Corner snapped(Corner corner, const PlacedPrism& domain, double tolerance)
 {
-  for (Vec3& p : points)
+  const std::vector<PrismSide>& sides = domain.sides();
+  const Vec2 at = corner.at.head<2>();
+  for (std::size_t i = 0; i < sides.size(); ++i)
   {
-    for (int direction = xMin; direction <= yMax; ++direction)
+    const PrismSide& side = sides[i];
+    if (isOn(corner, side) || std::abs(side.beyond(at)) <= tolerance)
     {
-      const double plane = planeOf(domain, direction);
-      if (std::abs(p[axisOf(direction)] - plane) <= tolerance)
-      {
-        p[axisOf(direction)] = plane;
-      }
+      corner.on |= SideBits{1} << side.number;
+      corner.at.head<2>() = side.foot(at);
     }
   }
+  for (std::size_t i = 0; i < sides.size(); ++i)
+  {
+    if (isOn(corner, sides[i]) && isOn(corner, sides[(i + 1) % sides.size()]))
+    {
+      corner.at.head<2>() = sides[i].end;
+    }
+  }
+  return corner;
 }
 
-/// Where the edge meets the plane; the same bits from both ends, so that neighbors stay connected.
-Vec3 cutEdge(const Vec3& p, const Vec3& q, int axis, double plane)
+double beyond(const Corner& corner, const PrismSide& side)
 {
-  const bool ordered = std::tie(p[0], p[1], p[2]) < std::tie(q[0], q[1], q[2]);
-  const Vec3& a = ordered ? p : q;
-  const Vec3& b = ordered ? q : p;
-  Vec3 at = a + (plane - a[axis]) / (b[axis] - a[axis]) * (b - a);
-  at[axis] = plane;
-  return at;
+  return isOn(corner, side) ? 0.0 : side.beyond(corner.at.head<2>());
+}
+
+/// Where the edge meets the side; the same bits from both ends, so that neighbors stay connected.
+Corner cutEdge(const Corner& p, const Corner& q, const PrismSide& side)
+{
+  const bool ordered = std::tie(p.at[0], p.at[1], p.at[2]) < std::tie(q.at[0], q.at[1], q.at[2]);
+  const Corner& a = ordered ? p : q;
+  const Corner& b = ordered ? q : p;
+  const double from = beyond(a, side);
+  return {a.at + from / (from - beyond(b, side)) * (b.at - a.at), (a.on & b.on) | SideBits{1} << side.number};
 }
 
 /// The part of a convex polygon on the inner side of a plane (Sutherland and Hodgman 1974).
-Polygon clipped(const Polygon& polygon, const Box3& domain, int direction)
+Polygon clipped(const Polygon& polygon, const PlacedPrism& domain, const PrismSide& side, double tolerance)
 {
-  const int axis = axisOf(direction);
-  const double plane = planeOf(domain, direction);
-  const double sign = isUpper(direction) ? 1.0 : -1.0;
-  const auto beyond = [&](const Vec3& p) { return sign * (p[axis] - plane); };
   Polygon out;
   for (std::size_t i = 0; i < polygon.size(); ++i)
   {
-    const Vec3& p = polygon[i];
-    const Vec3& q = polygon[(i + 1) % polygon.size()];
-    if (beyond(p) <= 0.0)
+    const Corner& p = polygon[i];
+    const Corner& q = polygon[(i + 1) % polygon.size()];
+    const double ofP = beyond(p, side);
+    const double ofQ = beyond(q, side);
+    if (ofP <= 0.0)
     {
       out.push_back(p);
     }
-    if ((beyond(p) < 0.0 && beyond(q) > 0.0) || (beyond(p) > 0.0 && beyond(q) < 0.0))
+    if ((ofP < 0.0 && ofQ > 0.0) || (ofP > 0.0 && ofQ < 0.0))
     {
-      out.push_back(cutEdge(p, q, axis, plane));
+      out.push_back(snapped(cutEdge(p, q, side), domain, tolerance));
     }
   }
   return out;
 }
 
-bool liesIn(const Polygon& polygon, int axis, double plane)
-{
-  return std::all_of(polygon.begin(), polygon.end(), [&](const Vec3& p) { return p[axis] == plane; });
-}
-
-/// One side of the domain: the outline, what surfaces draw on it, and triangles of surfaces that lie in it.
+/// One side of the domain: the outline, what surfaces draw on it, and triangles of surfaces that lie in it. Seen from
+/// outside, counterclockwise is counterclockwise in (along, z).
 class Side
 {
 public:
-  Side(const Box3& box, int ofDirection, double reach)
-      : direction(ofDirection), across(axisOf(ofDirection)), along(1 - axisOf(ofDirection)),
-        plane(planeOf(box, ofDirection)), low(box.min[along], box.min[2] - reach),
-        high(box.max[along], box.max[2] + reach)
-  {
-  }
+  Side(const PrismSide& ofPrism, double bottom, double top) : prismSide(ofPrism), low(bottom), high(top) {}
 
   void draw(const Polygon& polygon)
   {
     for (std::size_t i = 0; i < polygon.size(); ++i)
     {
-      const Vec3& p = polygon[i];
-      const Vec3& q = polygon[(i + 1) % polygon.size()];
-      if (p[across] == plane && q[across] == plane)
+      const Corner& p = polygon[i];
+      const Corner& q = polygon[(i + 1) % polygon.size()];
+      if (isOn(p, prismSide) && isOn(q, prismSide))
       {
-        const auto first = static_cast<Index>(points.size());
-        points.push_back(flat(p));
-        points.push_back(flat(q));
+        const auto first = static_cast<Index>(places.size());
+        places.push_back(p.at);
+        places.push_back(q.at);
         segments.push_back({first, first + 1});
-        for (const Vec3& r : {p, q})
-        {
-          low[1] = std::min(low[1], r[2]);
-          high[1] = std::max(high[1], r[2]);
-        }
+        low = std::min({low, p.at[2], q.at[2]});
+        high = std::max({high, p.at[2], q.at[2]});
       }
     }
   }
 
-  bool holds(const Polygon& polygon) const { return liesIn(polygon, across, plane); }
-
-  void cover(const Polygon& triangle, Index surface) { covers.push_back({triangle, surface}); }
-
-  void append(TriangleSurface& to, double lowest, double highest)
+  bool holds(const Polygon& polygon) const
   {
-    const double bottom = std::min(low[1], lowest);
-    const double top = std::max(high[1], highest);
-    points.insert(points.begin(), {{low[0], bottom}, {high[0], bottom}, {high[0], top}, {low[0], top}});
-    for (auto& segment : segments)
+    return std::ranges::all_of(polygon, [&](const Corner& corner) { return isOn(corner, prismSide); });
+  }
+
+  void cover(const Polygon& triangle, Index surface)
+  {
+    covers.push_back({{flat(triangle[0].at), flat(triangle[1].at), flat(triangle[2].at)}, surface});
+  }
+
+  void append(TriangleSurface& to, double bottom, double top)
+  {
+    for (const auto& [corner, height] : {std::pair(prismSide.start, bottom), std::pair(prismSide.end, bottom),
+                                         std::pair(prismSide.end, top), std::pair(prismSide.start, top)})
     {
-      segment = {segment[0] + 4, segment[1] + 4};
+      places.emplace_back(corner[0], corner[1], height);
     }
-    const PlanarTriangulation flatSide = triangulatePlane(points, segments);
+    std::vector<Vec2> points(places.size());
+    std::ranges::transform(places, points.begin(), [&](const Vec3& p) { return flat(p); });
+    const PlanarTriangulation triangulation = triangulatePlane(points, segments);
     const auto base = static_cast<Index>(to.points.size());
-    for (const Vec2& p : flatSide.points)
+    to.points.insert(to.points.end(), places.begin(), places.end());
+    for (std::size_t i = places.size(); i < triangulation.points.size(); ++i)
     {
-      Vec3 q;
-      q[across] = plane;
-      q[along] = p[0];
-      q[2] = p[1];
-      to.points.push_back(q);
+      to.points.push_back(placeOf(triangulation.points[i]));
     }
-    // Counter-clockwise in (x, z) looks along +y, in (y, z) against +x.
-    const bool outwards = (across == 0) == isUpper(direction);
-    for (const auto& [a, b, c] : flatSide.triangles)
+    for (const auto& [a, b, c] : triangulation.triangles)
     {
-      to.triangles.push_back({base + a, base + (outwards ? b : c), base + (outwards ? c : b)});
-      const Vec2 middle = (flatSide.points[a] + flatSide.points[b] + flatSide.points[c]) / 3.0;
-      to.surfaceIds.push_back(coveredBy(middle, static_cast<Index>(to.names.size()) + direction));
+      to.triangles.push_back({base + a, base + b, base + c});
+      const Vec2 middle = (triangulation.points[a] + triangulation.points[b] + triangulation.points[c]) / 3.0;
+      to.surfaceIds.push_back(coveredBy(middle, static_cast<Index>(to.names.size()) + prismSide.number));
     }
   }
 
-  double bottom() const { return low[1]; }
-  double top() const { return high[1]; }
+  double bottom() const { return low; }
+  double top() const { return high; }
 
 private:
-  Vec2 flat(const Vec3& p) const { return {p[along], p[2]}; }
+  struct Cover
+  {
+    std::array<Vec2, 3> triangle;
+    Index surface;
+  };
+
+  Vec2 flat(const Vec3& p) const { return {prismSide.tangent().dot(p.head<2>()), p[2]}; }
+
+  Vec3 placeOf(const Vec2& p) const
+  {
+    const Vec2 at = prismSide.offset * prismSide.normal + p[0] * prismSide.tangent();
+    return {at[0], at[1], p[1]};
+  }
 
   Index coveredBy(const Vec2& p, Index otherwise) const
   {
@@ -150,9 +165,8 @@ private:
       int signs[3];
       for (int i = 0; i < 3; ++i)
       {
-        const Vec2 a = flat(triangle[i]);
-        const Vec2 edge = flat(triangle[(i + 1) % 3]) - a;
-        signs[i] = edge[0] * (p[1] - a[1]) - edge[1] * (p[0] - a[0]) > 0.0 ? 1 : -1;
+        const Vec2 edge = triangle[(i + 1) % 3] - triangle[i];
+        signs[i] = edge[0] * (p[1] - triangle[i][1]) - edge[1] * (p[0] - triangle[i][0]) > 0.0 ? 1 : -1;
       }
       if (signs[0] == signs[1] && signs[1] == signs[2])
       {
@@ -162,21 +176,18 @@ private:
     return otherwise;
   }
 
-  int direction;
-  int across;
-  int along;
-  double plane;
-  Vec2 low;
-  Vec2 high;
-  std::vector<Vec2> points;
+  PrismSide prismSide;
+  double low;
+  double high;
+  std::vector<Vec3> places;
   std::vector<std::array<Index, 2>> segments;
-  std::vector<std::pair<Polygon, Index>> covers;
+  std::vector<Cover> covers;
 };
 
 void appendPolygon(TriangleSurface& to, const Polygon& polygon, Index surface)
 {
   const auto base = static_cast<Index>(to.points.size());
-  to.points.insert(to.points.end(), polygon.begin(), polygon.end());
+  std::ranges::transform(polygon, std::back_inserter(to.points), &Corner::at);
   for (Index i = 2; i < polygon.size(); ++i)
   {
     to.triangles.push_back({base, base + i - 1, base + i});
@@ -186,24 +197,29 @@ void appendPolygon(TriangleSurface& to, const Polygon& polygon, Index surface)
 
 } // namespace
 
-void cutToSides(TriangleSurface& surface, const Box3& domain, double reach, double tolerance)
+void cutToSides(TriangleSurface& surface, const PlacedPrism& domain, double reach, double tolerance)
 {
-  snap(surface.points, domain, tolerance);
+  std::vector<Corner> corners(surface.points.size());
+  std::ranges::transform(surface.points, corners.begin(),
+                         [&](const Vec3& p) { return snapped({p}, domain, tolerance); });
+  // All sides end at the same heights, so that they share their upright edges.
+  double bottom = domain.bounds.min[2] - reach;
+  double top = domain.bounds.max[2] + reach;
   std::vector<Side> sides;
-  for (int direction = xMin; direction <= yMax; ++direction)
+  for (const PrismSide& side : domain.sides())
   {
-    sides.emplace_back(domain, direction, reach);
+    sides.emplace_back(side, bottom, top);
   }
   TriangleSurface out;
   out.names = surface.names;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
   {
     const auto& [a, b, c] = surface.triangles[t];
-    Polygon polygon{surface.points[a], surface.points[b], surface.points[c]};
-    const Polygon whole = polygon;
-    for (int direction = xMin; direction <= yMax; ++direction)
+    const Polygon whole{corners[a], corners[b], corners[c]};
+    Polygon polygon = whole;
+    for (const PrismSide& side : domain.sides())
     {
-      polygon = clipped(polygon, domain, direction);
+      polygon = clipped(polygon, domain, side, tolerance);
     }
     if (polygon.size() < 3)
     {
@@ -224,9 +240,6 @@ void cutToSides(TriangleSurface& surface, const Box3& domain, double reach, doub
       appendPolygon(out, polygon, surface.surfaceIds[t]);
     }
   }
-  // All sides end at the same heights, so that they share their upright edges.
-  double bottom = domain.min[2];
-  double top = domain.max[2];
   for (const Side& side : sides)
   {
     bottom = std::min(bottom, side.bottom());

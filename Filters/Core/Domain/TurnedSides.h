@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Grid/Prism.h"
 #include "Surface/Triangles/TriangleSurface.h"
 
 namespace atria {
 
-/// Closes a domain that does not stand along the grid. Coordinates are along the domain's own axes.
+/// Closes a domain that is no box along the grid. Coordinates are along the domain's own axes.
 ///
-/// Cuts triangles at the four lateral planes of `domain`, drops what is beyond them, and adds the four sides, upright
-/// sheets with normals outwards from `reach` below to `reach` above the domain. Sides and surfaces share points and
-/// edges where they meet. The triangles of a side have the number of names plus the Direction as their surface id,
+/// Cuts triangles at the upright planes of `domain`, drops what is beyond them, and adds the sides, upright sheets with
+/// normals outwards from `reach` below to `reach` above the domain. Sides and surfaces share points and edges where
+/// they meet. The triangles of a side have the number of names plus that of the side (see Prism.h) as their surface id,
 /// which is the tag of bare domain sides; triangles that lie in a side's plane take its place. Points within
 /// `tolerance` of a plane are put on it.
-void cutToSides(TriangleSurface& surface, const Box3& domain, double reach, double tolerance);
+void cutToSides(TriangleSurface& surface, const PlacedPrism& domain, double reach, double tolerance);
 
 } // namespace atria

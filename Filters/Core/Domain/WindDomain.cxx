@@ -178,7 +178,52 @@ double frontalArea(const TriangleSurface& surface, const SurfaceFlags& isGround,
   return area;
 }
 
-WindDomain windDomain(const TriangleSurface& surface, const SurfaceFlags& isGround, double windAngle,
+namespace {
+
+/// (width + 2 side f)(rise + top f) = needed, for the factor f; 1 where the section is large enough.
+double widening(double width, double side, double rise, double top, double needed)
+{
+  if ((width + 2.0 * side) * (rise + top) >= needed)
+  {
+    return 1.0;
+  }
+  const double square = 2.0 * side * top;
+  const double linear = width * top + 2.0 * side * rise;
+  const double constant = width * rise - needed;
+  return (-linear + std::sqrt(linear * linear - 4.0 * square * constant)) / (2.0 * square);
+}
+
+/// The largest, for wind square to a side of a prism.
+double frontalAreaAround(const TriangleSurface& surface, const SurfaceFlags& isGround, const Placement& axes,
+                         double floor, int sideCount)
+{
+  double area = 0.0;
+  const bool pairs = sideCount % 2 == 0; // of opposite sides, which see the same
+  for (int i = 0; i < (pairs ? sideCount / 2 : sideCount); ++i)
+  {
+    area = std::max(area, frontalArea(surface, isGround, Placement(axes.angle() + 360.0 * i / sideCount), floor));
+  }
+  return area;
+}
+
+double radiusAbout(const TriangleSurface& surface, const SurfaceFlags& isGround, const Placement& axes,
+                   const Vec2& middle)
+{
+  double radius = 0.0;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    for (const Index p : surface.triangles[t])
+    {
+      const double away = (axes.fromModel(surface.points[p]).head<2>() - middle).norm();
+      radius = isGround[surface.surfaceIds[t]] ? radius : std::max(radius, away);
+    }
+  }
+  return radius;
+}
+
+} // namespace
+
+WindDomain windDomain(const TriangleSurface& surface, const SurfaceFlags& isGround, double windAngle, int sideCount,
                       const WindRules& rules)
 {
   WindDomain out;
@@ -195,21 +240,25 @@ WindDomain windDomain(const TriangleSurface& surface, const SurfaceFlags& isGrou
   const Ground ground(surface, isGround, out.buildings.min[2]);
   const double floor = ground.empty() ? out.buildings.min[2] : ground.bounds().min[2];
   const Box3& b = out.buildings;
-  const double width = b.size()[1];
   const double rise = b.max[2] - floor;
+  if (sideCount != 4)
+  {
+    const Vec2 middle = b.center().head<2>();
+    const double radius = radiusAbout(surface, isGround, out.box.axes, middle);
+    const double needed = frontalAreaAround(surface, isGround, out.box.axes, floor, sideCount) / rules.mostBlockage;
+    const double away = rules.outletHeights * out.height;
+    const double top = rules.topHeights * out.height;
+    out.widened = widening(2.0 * radius, away, rise, top, needed);
+    out.box.bounds =
+        boundsAboutCircle(middle, radius + out.widened * away, sideCount, floor, b.max[2] + out.widened * top);
+    return out;
+  }
+  const double needed = frontalArea(surface, isGround, out.box.axes, floor) / rules.mostBlockage;
   double side = rules.sideHeights * out.height;
   double top = rules.topHeights * out.height;
-  const double needed = frontalArea(surface, isGround, out.box.axes, floor) / rules.mostBlockage;
-  if ((width + 2.0 * side) * (rise + top) < needed)
-  {
-    // (width + 2 s f)(rise + t f) = needed, for the factor f.
-    const double square = 2.0 * side * top;
-    const double linear = width * top + 2.0 * side * rise;
-    const double constant = width * rise - needed;
-    out.widened = (-linear + std::sqrt(linear * linear - 4.0 * square * constant)) / (2.0 * square);
-    side *= out.widened;
-    top *= out.widened;
-  }
+  out.widened = widening(b.size()[1], side, rise, top, needed);
+  side *= out.widened;
+  top *= out.widened;
   out.box.bounds.min = {b.min[0] - rules.inletHeights * out.height, b.min[1] - side, floor};
   out.box.bounds.max = {b.max[0] + rules.outletHeights * out.height, b.max[1] + side, b.max[2] + top};
   return out;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "Domain/Ground.h"
-#include "Grid/Placement.h"
+#include "Grid/Prism.h"
 
 namespace atria {
 
@@ -28,10 +28,12 @@ struct WindDomain
   double widened = 1.0;
 };
 
-/// The domain for wind towards `windAngle` (see Placement): along the box's x axis, so that xMin is the inlet.
-/// Buildings are all surfaces that are no ground; without ground they stand on their lowest point. Throws Error where
-/// there are none or they have no height.
-WindDomain windDomain(const TriangleSurface& surface, const SurfaceFlags& isGround, double windAngle,
+/// The domain for wind towards `windAngle` (see Placement): along the box's x axis, so that xMin is the inlet. For a
+/// prism of other than four sides it is that for wind from all around: a circle about the buildings' middle, with the
+/// distance of the outlet from the circle that holds them, touches its sides; the blockage is that of the wind square
+/// to any of them. Buildings are all surfaces that are no ground; without ground they stand on their lowest point.
+/// Throws Error where there are none or they have no height.
+WindDomain windDomain(const TriangleSurface& surface, const SurfaceFlags& isGround, double windAngle, int sideCount = 4,
                       const WindRules& rules = {});
 
 /// Bounds along `axes` of all surfaces that are no ground.

@@ -2,7 +2,7 @@
 /// Where the octree stands in the model, and the integer lattice on which all decisions are taken.
 #pragma once
 
-#include "Grid/Placement.h"
+#include "Grid/Prism.h"
 
 #include <optional>
 
@@ -57,9 +57,9 @@ struct GridFrame
   LatticePoint domainLow{};
   LatticePoint domainHigh{};
   Placement placement;
-  /// The domain proper where it stands at an angle to the grid: its sides then are surfaces, and `domain` is a box of
+  /// The domain proper where it is no box along the grid: its upright sides then are surfaces, and `domain` is a box of
   /// the grid about it, with the same bottom and top.
-  std::optional<PlacedBox> turnedDomain;
+  std::optional<PlacedPrism> turnedDomain;
 
   double rootSize() const { return finestSize * static_cast<double>(std::int64_t{1} << depth); }
   double latticeUnit() const { return finestSize / static_cast<double>(std::int64_t{1} << subBits); }

@@ -64,7 +64,4 @@ struct PlacedBox
 /// The box along turned axes about the middle of `box`, with its lengths.
 PlacedBox turnedAboutMiddle(const Box3& box, double degrees);
 
-/// Bounds, along other axes, of a placed box.
-Box3 boundsAlong(const Placement& axes, const PlacedBox& box);
-
 } // namespace atria

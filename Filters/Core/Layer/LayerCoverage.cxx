@@ -48,7 +48,7 @@ public:
       LayerCoverage& surface = ofTag[tag];
       if (surface.area > 0.0)
       {
-        surface.surface = tag < names.size() ? names[tag] : sideNames[tag - names.size()];
+        surface.surface = tag < names.size() ? names[tag] : sideName(static_cast<Index>(tag - names.size()));
         surface.layers = options.ofTag[tag].layers;
         out.surfaces.push_back(std::move(surface));
       }

@@ -48,22 +48,24 @@ LayerRule layerRuleFrom(const std::string& text, const WallLayers& otherwise)
 std::vector<WallLayers> resolveLayerRules(const std::vector<LayerRule>& rules,
                                           const std::vector<std::string>& surfaceNames)
 {
-  std::vector<WallLayers> ofTag(surfaceNames.size() + sideNames.size());
+  std::vector<WallLayers> ofTag(surfaceNames.size() + sideNumbers);
   for (const LayerRule& rule : rules)
   {
     checkRule(rule);
     bool met = rule.pattern == "*";
     for (std::size_t tag = 0; tag < ofTag.size(); ++tag)
     {
-      const bool matches = tag < surfaceNames.size() ? matchesPattern(rule.pattern, surfaceNames[tag])
-                                                     : rule.pattern == sideNames[tag - surfaceNames.size()];
+      const bool matches = tag < surfaceNames.size()
+                               ? matchesPattern(rule.pattern, surfaceNames[tag])
+                               : rule.pattern == sideName(static_cast<Index>(tag - surfaceNames.size()));
       ofTag[tag] = matches ? rule.layers : ofTag[tag];
       met = met || matches;
     }
     if (!met)
     {
       throw Error("no surface matches '" + rule.pattern + "', for which layers are asked; " +
-                  namesInstead(rule.pattern, surfaceNames) + ", and the domain's sides xMin to zMax");
+                  namesInstead(rule.pattern, surfaceNames) +
+                  ", and the domain's sides: xMin to zMax, domainSide1 and so on");
     }
   }
   return ofTag;

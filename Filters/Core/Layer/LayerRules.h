@@ -2,6 +2,8 @@
 /// Which layers users ask for on which walls.
 #pragma once
 
+#include "Grid/Prism.h"
+
 #include <string>
 #include <vector>
 

@@ -13,16 +13,16 @@ struct LayerOptions
 {
   /// By tag: see resolveLayerRules.
   std::vector<WallLayers> ofTag;
-  /// Normals of the domain's sides by Direction, unit vectors; along the axes unless the domain is turned.
-  std::array<Vec3, 6> sideNormals{-Vec3::UnitX(), Vec3::UnitX(),  -Vec3::UnitY(),
-                                  Vec3::UnitY(),  -Vec3::UnitZ(), Vec3::UnitZ()};
+  /// Normals of the domain's sides by number, unit vectors; along the axes unless the domain is turned.
+  std::vector<Vec3> sideNormals{-Vec3::UnitX(), Vec3::UnitX(),  -Vec3::UnitY(),
+                                Vec3::UnitY(),  -Vec3::UnitZ(), Vec3::UnitZ()};
   /// Thickness of a layer without a height of its own, relative to the size of the elements beside the wall
   /// (findWallSizes).
   double relativeThickness = 0.3;
   /// The same for more layers than one, which else would be very thin.
   double dividedThickness = 0.6;
 
-  Index surfaceCount() const { return static_cast<Index>(ofTag.size()) - 6; }
+  Index surfaceCount() const { return static_cast<Index>(ofTag.size()) - sideNumbers; }
   /// Whether several layers are asked for somewhere.
   bool isDivided() const
   {

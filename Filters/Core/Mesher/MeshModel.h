@@ -23,7 +23,7 @@ struct MeshSources
 
 struct MeshedModel : DualMeshResult
 {
-  /// Names of the surfaces; tags of boundary faces from their number on are bare sides of the domain, by Direction.
+  /// Names of the surfaces; tags of boundary faces from their number on are bare sides of the domain, by number.
   std::vector<std::string> names;
   /// Of each surface; empty where all are walls.
   std::vector<SurfaceKind> kinds;

@@ -7,6 +7,11 @@
 #include "Support/Error.h"
 #include "Support/NamePattern.h"
 
+#include <algorithm>
+#include <limits>
+#include <numbers>
+#include <sstream>
+
 namespace atria {
 
 namespace {
@@ -57,11 +62,22 @@ std::vector<SurfaceKind> kindsOf(const std::vector<std::string>& names, const Mo
   return kinds;
 }
 
+/// Width of the narrowest side of a prism that is no box; else infinite.
+double narrowestSide(const PlacedPrism& domain)
+{
+  double narrowest = std::numeric_limits<double>::infinity();
+  for (const PrismSide& side : domain.sides())
+  {
+    narrowest = domain.isBox() ? narrowest : std::min(narrowest, (side.end - side.start).norm());
+  }
+  return narrowest;
+}
+
 SizingOptions alongGrid(SizingOptions sizing, const Placement& grid)
 {
   for (RefinementBox& box : sizing.boxes)
   {
-    box.bounds = boundsAlong(grid, {Placement(), box.bounds});
+    box.bounds = boundsAlong(grid, PlacedPrism(PlacedBox{{}, box.bounds}));
   }
   return sizing;
 }
@@ -75,7 +91,16 @@ SitePlan planSite(const TriangleSurface& surface, const ModelOptions& options)
 
 std::vector<std::string> checkDomain(const TriangleSurface& surface, const SitePlan& plan, const ModelOptions& options)
 {
-  return checkDomain(surface, plan, options.site.mode, options.sizes.sizeMin);
+  std::vector<std::string> warnings = checkDomain(surface, plan, options.site.mode, options.sizes.sizeMin);
+  if (const double width = narrowestSide(plan.domain); width < std::numbers::sqrt2 * options.sizes.sizeMax)
+  {
+    std::ostringstream text;
+    text << "sides of the domain are as narrow as " << width
+         << " m, so that some may lie between elements and have no face: give it fewer sides (DomainSides, "
+            "--domain-sides), or a SizeMax (--size-max) of less than 0.7 of that";
+    warnings.push_back(text.str());
+  }
+  return warnings;
 }
 
 PlacedModel placeModel(const TriangleSurface& surface, const SitePlan& plan, const ModelOptions& options)

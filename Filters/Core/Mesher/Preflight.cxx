@@ -40,6 +40,19 @@ void measureSite(const TriangleSurface& surface, const SitePlan& plan, Preflight
         isUpper(direction) ? box.max[axis] - buildings.max[axis] : buildings.min[axis] - box.min[axis];
     out.distances[direction] = distance / out.buildingHeight;
   }
+  if (!plan.domain.isBox())
+  {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    {
+      for (const Index p : surface.triangles[t])
+      {
+        const double within = -plan.domain.beyond(plan.domain.axes.fromModel(surface.points[p]).head<2>());
+        nearest = plan.isGround[surface.surfaceIds[t]] ? nearest : std::min(nearest, within);
+      }
+    }
+    std::fill_n(out.distances.begin(), zMin, nearest / out.buildingHeight);
+  }
   const Ground ground(surface, plan.isGround, buildings.min[2]);
   const double floor = std::max(ground.empty() ? buildings.min[2] : ground.bounds().min[2], box.min[2]);
   const double section = box.size()[1] * (box.max[2] - floor);
@@ -83,9 +96,18 @@ void warnOfDomain(Preflight& out)
                                 " % of the domain's cross-section, more than ", 100.0 * rules.mostBlockage,
                                 " %: make the domain wider or higher"));
   }
-  const std::array<double, 6> least{
-      rules.inletHeights, rules.outletHeights, rules.sideHeights, rules.sideHeights, -1e300, rules.topHeights};
-  for (int direction = 0; direction < 6; ++direction)
+  std::array<double, 6> least{rules.inletHeights, rules.outletHeights, rules.sideHeights, rules.sideHeights, -1e300,
+                              rules.topHeights};
+  if (!out.domain.isBox())
+  {
+    least[xMin] = rules.outletHeights; // of any side
+    if (out.distances[xMin] < least[xMin] * (1.0 - 1e-6))
+    {
+      out.warnings.push_back(text("the nearest side is ", out.distances[xMin], " building heights away, less than ",
+                                  least[xMin], ", and any side may be the outlet"));
+    }
+  }
+  for (int direction = out.domain.isBox() ? xMin : zMin; direction < 6; ++direction)
   {
     if (out.distances[direction] < least[direction] * (1.0 - 1e-6))
     {

@@ -14,11 +14,12 @@ struct Preflight
 {
   /// H: the largest height of a point of the buildings above the ground below it. 0 without buildings.
   double buildingHeight = 0.0;
-  PlacedBox domain;
+  PlacedPrism domain;
   /// Degrees from the model's axes to the grid's.
   double gridAngle = 0.0;
   /// From the buildings' bounds to the sides xMin (the inlet, for wind along the domain's x), xMax, yMin and yMax, and
-  /// from their highest point to zMax; in H. Negative where buildings reach beyond the side.
+  /// from their highest point to zMax; in H. Negative where buildings reach beyond the side. In a prism of other than
+  /// four sides the distance to the nearest of these stands for all upright ones.
   std::array<double, 6> distances{};
   /// Frontal area of the buildings along the domain's x, against the domain's cross-section above the lowest ground.
   double blockage = 0.0;

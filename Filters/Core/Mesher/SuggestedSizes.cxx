@@ -47,7 +47,7 @@ GridOptions suggestSizes(const TriangleSurface& surface, const ModelOptions& opt
   const GridOptions standard;
   GridOptions sizes;
   sizes.sizeMid = roundNumber(std::sqrt(area / octantsAtMost));
-  const double volume = planSite(surface, options).domain.bounds.size().prod();
+  const double volume = planSite(surface, options).domain.volume();
   sizes.sizeMax =
       std::max(sizes.sizeMid * standard.sizeMax / standard.sizeMid, roundNumber(std::cbrt(volume / octantsAtMost)));
   sizes.sizeMin = sizes.sizeMid * standard.sizeMin / standard.sizeMid;

@@ -34,7 +34,7 @@ struct VertexClassification
   std::vector<Index> offsets;
   std::vector<Index> pieces;
   /// Lateral sides of a turned domain (by Direction, as bits) on which vertices stay; empty without such a domain.
-  std::vector<std::uint8_t> turnedSides = {};
+  std::vector<SideBits> turnedSides = {};
   /// Of detached vertices.
   std::unordered_map<Index, DisplacementLimit> displacementLimits = {};
 

@@ -4,6 +4,7 @@
 #include "Support/Error.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <map>
 
@@ -22,13 +23,13 @@ Placement turnOf(const GridFrame& frame)
   return Placement(frame.turnedDomain->axes.angle() - frame.placement.angle());
 }
 
-/// By the two sides, as bits by Direction: the mesh edges in which faces of one lateral side meet those of another.
-std::map<unsigned, std::vector<Edge>> edgesBetweenSides(const DualMesh& mesh, std::size_t surfaceCount)
+/// By the two sides: the mesh edges in which faces of one upright side meet those of another.
+std::map<SideBits, std::vector<Edge>> edgesBetweenSides(const DualMesh& mesh, std::size_t surfaceCount)
 {
-  std::map<Edge, unsigned> sidesOf;
+  std::map<Edge, SideBits> sidesOf;
   for (const BoundaryFace& face : mesh.boundaryFaces)
   {
-    if (face.tag < surfaceCount || face.tag - surfaceCount > yMax)
+    if (face.tag < surfaceCount || !isUprightSide(face.tag - surfaceCount))
     {
       continue;
     }
@@ -37,19 +38,33 @@ std::map<unsigned, std::vector<Edge>> edgesBetweenSides(const DualMesh& mesh, st
     {
       const Index p = reduced.points[i];
       const Index q = reduced.points[(i + 1) % reduced.count];
-      sidesOf[{std::min(p, q), std::max(p, q)}] |= 1u << (face.tag - surfaceCount);
+      sidesOf[{std::min(p, q), std::max(p, q)}] |= SideBits{1} << (face.tag - surfaceCount);
     }
   }
-  std::map<unsigned, std::vector<Edge>> between;
+  std::map<SideBits, std::vector<Edge>> between;
   for (const auto& [edge, sides] : sidesOf)
   {
-    constexpr unsigned alongX = 1u << xMin | 1u << xMax;
-    if ((sides & alongX) != 0 && (sides & ~alongX) != 0)
+    if (std::popcount(sides) == 2)
     {
       between[sides].push_back(edge);
     }
   }
   return between;
+}
+
+/// Where the two sides meet, if they do.
+std::optional<Vec2> cornerOf(const PlacedPrism& domain, SideBits sides)
+{
+  const std::vector<PrismSide>& all = domain.sides();
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    const Index next = all[(i + 1) % all.size()].number;
+    if ((SideBits{1} << all[i].number | SideBits{1} << next) == sides)
+    {
+      return all[i].end;
+    }
+  }
+  return std::nullopt;
 }
 
 /// The chains that edges form, each from its lower end up. Rings and what branches are left out.
@@ -128,13 +143,12 @@ std::vector<char> zonesWithinSides(std::vector<char> kept, const Zones& zones, c
   {
     return kept;
   }
-  const Box3& box = frame.turnedDomain->bounds;
   const Placement relative = turnOf(frame);
   std::vector<double> farthest(zones.count(), 0.0);
   for (Index point = 0; point < grid.points().size(); ++point)
   {
     const Vec3 p = relative.fromModel(frame.toModel(grid.place(point)));
-    const double beyond = std::max({box.min[0] - p[0], p[0] - box.max[0], box.min[1] - p[1], p[1] - box.max[1]});
+    const double beyond = frame.turnedDomain->beyond(p.head<2>());
     double& known = farthest[zones.ofPoint[point]];
     known = std::abs(beyond) > std::abs(known) ? beyond : known;
   }
@@ -144,29 +158,21 @@ std::vector<char> zonesWithinSides(std::vector<char> kept, const Zones& zones, c
   }
   if (std::find(kept.begin(), kept.end(), 1) == kept.end())
   {
-    throw Error("no zone is left to mesh inside the turned domain: keep all zones, or give seeds inside it");
+    throw Error("no zone is left to mesh inside the domain: keep all zones, or give seeds inside it");
   }
   return kept;
 }
 
-Vec3 onTurnedSides(const Vec3& position, unsigned sides, const GridFrame& frame)
+Vec3 onTurnedSides(const Vec3& position, SideBits sides, const GridFrame& frame)
 {
   if (!frame.turnedDomain)
   {
     return position;
   }
-  const Box3& box = frame.turnedDomain->bounds;
   const Placement relative = turnOf(frame);
   const Vec3 p = relative.fromModel(position);
   Vec3 inside = p;
-  inside.head<2>() = p.head<2>().cwiseMax(box.min.head<2>()).cwiseMin(box.max.head<2>());
-  for (int side = xMin; side <= yMax; ++side)
-  {
-    if (sides >> side & 1)
-    {
-      inside[axisOf(side)] = isUpper(side) ? box.max[axisOf(side)] : box.min[axisOf(side)];
-    }
-  }
+  inside.head<2>() = frame.turnedDomain->nearest(p.head<2>(), sides);
   return inside == p ? position : relative.toModel(inside);
 }
 
@@ -175,22 +181,22 @@ void keepWithinSides(std::span<Vec3> positions, const GridFrame& frame)
   std::ranges::transform(positions, positions.begin(), [&](const Vec3& p) { return onTurnedSides(p, 0, frame); });
 }
 
-std::vector<std::uint8_t> turnedSidesOf(const DualMesh& mesh, const GridFrame& frame, std::size_t surfaceCount)
+std::vector<SideBits> turnedSidesOf(const DualMesh& mesh, const GridFrame& frame, std::size_t surfaceCount)
 {
-  std::vector<std::uint8_t> sides(frame.turnedDomain ? mesh.points.size() : 0, 0);
+  std::vector<SideBits> sides(frame.turnedDomain ? mesh.points.size() : 0, 0);
   for (const BoundaryFace& face : mesh.boundaryFaces)
   {
-    if (sides.empty() || face.tag < surfaceCount || face.tag - surfaceCount > yMax)
+    if (sides.empty() || face.tag < surfaceCount || !isUprightSide(face.tag - surfaceCount))
     {
       continue;
     }
-    const unsigned side = 1U << (face.tag - surfaceCount);
+    const SideBits side = SideBits{1} << (face.tag - surfaceCount);
     const ReducedFace reduced = faceOf(mesh.corners[face.element], face.direction);
     for (int i = 0; i < reduced.count; ++i)
     {
       const Index p = reduced.points[i];
       const double away = (onTurnedSides(mesh.points[p], side, frame) - mesh.points[p]).norm();
-      sides[p] |= static_cast<std::uint8_t>(away <= roundingUnits * frame.latticeUnit() ? side : 0);
+      sides[p] |= away <= roundingUnits * frame.latticeUnit() ? side : 0;
     }
   }
   return sides;
@@ -202,14 +208,15 @@ void sharpenTurnedEdges(DualMesh& mesh, const GridFrame& frame, std::size_t surf
   {
     return;
   }
-  const Box3& box = frame.turnedDomain->bounds;
   const Placement relative = turnOf(frame);
   for (auto& [sides, edges] : edgesBetweenSides(mesh, surfaceCount))
   {
-    Vec3 upright = Vec3::Zero();
-    upright[0] = sides & 1u << xMax ? box.max[0] : box.min[0];
-    upright[1] = sides & 1u << yMax ? box.max[1] : box.min[1];
-    upright = relative.toModel(upright);
+    const std::optional<Vec2> corner = cornerOf(*frame.turnedDomain, sides);
+    if (!corner)
+    {
+      continue; // sides shorter than elements part them
+    }
+    const Vec3 upright = relative.toModel({(*corner)[0], (*corner)[1], 0.0});
     for (const std::vector<Index>& chain : chainsOf(edges, mesh.points))
     {
       const std::vector<double> heights = risingHeights(chain, mesh.points);
@@ -221,13 +228,16 @@ void sharpenTurnedEdges(DualMesh& mesh, const GridFrame& frame, std::size_t surf
   }
 }
 
-std::array<Vec3, 6> sideNormalsOf(const GridFrame& frame)
+std::vector<Vec3> sideNormalsOf(const GridFrame& frame)
 {
-  const Placement relative(frame.turnedDomain ? frame.turnedDomain->axes.angle() - frame.placement.angle() : 0.0);
-  std::array<Vec3, 6> normals;
-  for (int side = 0; side < 6; ++side)
+  std::vector<Vec3> normals(sideNumbers, Vec3::Zero());
+  normals[zMin] = -Vec3::UnitZ();
+  normals[zMax] = Vec3::UnitZ();
+  const PlacedPrism domain = frame.turnedDomain.value_or(PlacedBox{frame.placement, frame.domain});
+  const Placement relative(domain.axes.angle() - frame.placement.angle());
+  for (const PrismSide& side : domain.sides())
   {
-    normals[side] = relative.toModel((isUpper(side) ? 1.0 : -1.0) * Vec3::Unit(axisOf(side)));
+    normals[side.number] = relative.toModel({side.normal[0], side.normal[1], 0.0});
   }
   return normals;
 }

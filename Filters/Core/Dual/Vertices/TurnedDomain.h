@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What a domain that stands at an angle to the grid asks of the mesh.
+/// What a domain that is no box along the grid asks of the mesh.
 #pragma once
 
 #include "Dual/Zones/Zones.h"
@@ -19,14 +19,14 @@ std::vector<char> zonesWithinSides(std::vector<char> kept, const Zones& zones, c
 /// which no corner is inside the domain; without this the mesh would cut it off there. O(n log n) in boundary faces.
 void sharpenTurnedEdges(DualMesh& mesh, const GridFrame& frame, std::size_t surfaceCount);
 
-/// The sides (by Direction, as bits) on which the vertices of their faces are. Empty where the frame has none.
-std::vector<std::uint8_t> turnedSidesOf(const DualMesh& mesh, const GridFrame& frame, std::size_t surfaceCount);
+/// The sides on which the vertices of their faces are. Empty where the frame has none.
+std::vector<SideBits> turnedSidesOf(const DualMesh& mesh, const GridFrame& frame, std::size_t surfaceCount);
 
 /// The place nearest to `position` on `sides`, within the domain's others.
-Vec3 onTurnedSides(const Vec3& position, unsigned sides, const GridFrame& frame);
+Vec3 onTurnedSides(const Vec3& position, SideBits sides, const GridFrame& frame);
 
-/// Outward normals of the domain's sides, along the grid's axes.
-std::array<Vec3, 6> sideNormalsOf(const GridFrame& frame);
+/// Outward normals of the domain's sides by number, along the grid's axes; 0 of those it has not.
+std::vector<Vec3> sideNormalsOf(const GridFrame& frame);
 
 /// Moves vertices that follow a curve or corner of the model beyond the sides of a turned domain back onto the sides.
 void keepWithinSides(std::span<Vec3> positions, const GridFrame& frame);

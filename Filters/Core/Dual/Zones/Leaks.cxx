@@ -309,7 +309,7 @@ std::vector<Leak> findLeaks(const std::vector<Vec3>& sealedSeeds, const Zones& z
   {
     const Index start = pointOfSeed(sealedSeeds[i], "sealed seed", grid, model);
     const std::int32_t zone = zones.ofPoint[start];
-    if ((zones.openSides[zone] & ~(1u << zMin)) == 0)
+    if ((zones.openSides[zone] & ~(SideBits{1} << zMin)) == 0)
     {
       continue;
     }

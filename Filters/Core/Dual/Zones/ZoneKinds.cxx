@@ -114,7 +114,7 @@ void describeZones(std::vector<ZoneSummary>& summaries, const Zones& zones, cons
   const std::vector<char> wide = wideZones(zones, crossings);
   const std::vector<char> solid = solidZones(zones, crossings, surfaceCount);
   const std::vector<char> beyond = zonesBeyond(zones, crossings, surfaceCount);
-  constexpr unsigned bottom = 1U << zMin;
+  constexpr SideBits bottom = SideBits{1} << zMin;
   for (std::size_t i = 0; i < summaries.size(); ++i)
   {
     summaries[i].kind = beyond[i]                         ? ZoneKind::beyond

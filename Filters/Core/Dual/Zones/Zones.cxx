@@ -14,8 +14,8 @@ namespace atria {
 
 namespace {
 
-constexpr unsigned bottom = 1u << zMin;
-constexpr unsigned top = 1u << zMax;
+constexpr SideBits bottom = SideBits{1} << zMin;
+constexpr SideBits top = SideBits{1} << zMax;
 
 /// Points in a row that are of one set.
 struct Run
@@ -53,9 +53,9 @@ std::vector<Index> rootsBySize(const std::vector<std::vector<Run>>& runs, std::v
 }
 
 /// Keeps the zones that reach one of `sides`, by their bits in `reached`. Returns whether there are any.
-bool keepReaching(unsigned sides, const std::vector<std::uint8_t>& reached, std::vector<char>& kept)
+bool keepReaching(SideBits sides, const std::vector<SideBits>& reached, std::vector<char>& kept)
 {
-  std::transform(reached.begin(), reached.end(), kept.begin(), [&](unsigned r) { return (r & sides) != 0 ? 1 : 0; });
+  std::transform(reached.begin(), reached.end(), kept.begin(), [&](SideBits r) { return (r & sides) != 0 ? 1 : 0; });
   return std::find(kept.begin(), kept.end(), 1) != kept.end();
 }
 
@@ -356,10 +356,11 @@ Zones findZones(const Crossings& crossings, std::size_t surfaceCount, const RunC
   {
     if (face.onDomainSide)
     {
-      const auto bit = static_cast<std::uint8_t>(1u << face.direction);
+      const bool isOpen = face.tag >= surfaceCount;
+      const SideBits bit = SideBits{1} << (isOpen ? face.tag - surfaceCount : face.direction);
       const std::int32_t zone = zones.ofPoint[face.element];
       zones.sides[zone] |= bit;
-      zones.openSides[zone] |= face.tag >= surfaceCount ? bit : std::uint8_t{0};
+      zones.openSides[zone] |= isOpen ? bit : 0;
     }
   }
   return zones;

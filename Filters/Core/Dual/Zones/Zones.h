@@ -24,9 +24,9 @@ struct Zones
 {
   std::vector<std::int32_t> ofPoint;
   std::vector<std::size_t> sizes;
-  /// Per zone, the domain sides it reaches, as bits by Direction; and those it reaches where no surface lies on them.
-  std::vector<std::uint8_t> sides;
-  std::vector<std::uint8_t> openSides;
+  /// Per zone, the domain sides it reaches; and those it reaches where no surface lies on them.
+  std::vector<SideBits> sides;
+  std::vector<SideBits> openSides;
 
   std::size_t count() const { return sizes.size(); }
 };
@@ -59,8 +59,8 @@ struct ZoneSummary
 {
   std::size_t elements = 0;
   bool kept = false;
-  /// The domain sides it reaches, as bits by Direction.
-  std::uint8_t sides = 0;
+  /// The domain sides it reaches.
+  SideBits sides = 0;
   /// A point that, as a seed, means this zone; in a large octant, away from surfaces where the zone has such a place.
   Vec3 inside;
   /// Surfaces on its border, those with most faces first.

@@ -36,7 +36,7 @@ ImproverState::ImproverState(const MeshingContext& meshingContext, const VertexC
   // Vertices of turned sides that are not on these, as at corners of the model beside them, are not led back to them.
   for (const BoundaryFace& face : plain.boundaryFaces)
   {
-    const bool isLateral = face.tag >= options.surfaceCount() && face.tag - options.surfaceCount() <= yMax;
+    const bool isLateral = face.tag >= options.surfaceCount() && isUprightSide(face.tag - options.surfaceCount());
     for (int i = 0; i < 4 && isLateral; ++i)
     {
       const Index vertex = vertexOf[cornerOf(plain, face, i)];

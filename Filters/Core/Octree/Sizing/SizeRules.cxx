@@ -171,8 +171,8 @@ ModelLevels modelLevels(const SurfaceModel& model, const GridFrame& frame, const
     levels.featureOfSurface[s] = std::max(feature, levels.ofSurface[s]);
   }
   // Sides of a turned domain, whose ids follow the surfaces', ask for nothing.
-  levels.ofSurface.resize(model.names.size() + sideNames.size(), 0);
-  levels.featureOfSurface.resize(model.names.size() + sideNames.size(), 0);
+  levels.ofSurface.resize(model.names.size() + sideNumbers, 0);
+  levels.featureOfSurface.resize(model.names.size() + sideNumbers, 0);
   levels.ofFeatureEdge = edgeLevels(model, levels.featureOfSurface);
   levels.ofCorner = cornerLevels(model, levels.ofFeatureEdge);
   return levels;

@@ -23,7 +23,7 @@ LayerConstraints::LayerConstraints(const LayerMesh& layer, const LayerWalls& wal
       if (p < layer.plainPoints && layer.copies[p] != noIndex)
       {
         sides_[layer.copies[p] - layer.plainPoints] |=
-            static_cast<std::uint8_t>(1U << (isBare ? face.tag - options.surfaceCount() : face.direction));
+            SideBits{1} << (isBare ? face.tag - options.surfaceCount() : Index{face.direction});
       }
     }
   }
@@ -76,16 +76,15 @@ Vec3 LayerConstraints::place(Index point, const Vec3& p) const
   }
   const Index wall = layer_.wallPoints[point - layer_.plainPoints];
   const Vec3& start = layer_.mesh.points[wall];
-  const unsigned sides = sidesOf(wall);
+  const SideBits sides = sidesOf(wall);
   Vec3 q = p;
-  for (int side = 0; side < 6; ++side)
+  for (std::size_t side = 0; side < options_.sideNormals.size(); ++side)
   {
     if (sides >> side & 1)
     {
       const Vec3& normal = options_.sideNormals[side];
       q -= normal.dot(q - start) * normal;
-      const int axis = axisOf(side);
-      q[axis] = std::abs(normal[axis]) == 1.0 ? start[axis] : q[axis];
+      q = (normal.array().abs() == 1.0).select(start, q); // no rounding along the axes
     }
   }
   return q;

@@ -26,7 +26,7 @@ public:
 private:
   void pin(const std::vector<char>& letGo);
   bool isPinned(Index plainPoint) const { return !pinned_.empty() && pinned_[leaders_[plainPoint]] != 0; }
-  std::uint8_t sidesOf(Index wallPoint) const { return sides_[layer_.copies[wallPoint] - layer_.plainPoints]; }
+  SideBits sidesOf(Index wallPoint) const { return sides_[layer_.copies[wallPoint] - layer_.plainPoints]; }
 
   const LayerMesh& layer_;
   const LayerOptions& options_;
@@ -34,9 +34,9 @@ private:
   const std::vector<Index>& leaders_;
   /// Per leader, whether layers at its points have a height of their own; empty where none have.
   std::vector<char> pinned_;
-  /// The domain sides that a point with copies slides on, as bits by Direction, in the place of its copy among the new
+  /// The domain sides that a point with copies slides on, in the place of its copy among the new
   /// points.
-  std::vector<std::uint8_t> sides_;
+  std::vector<SideBits> sides_;
 };
 
 } // namespace atria

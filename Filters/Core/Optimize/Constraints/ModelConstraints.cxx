@@ -118,7 +118,7 @@ unsigned ModelConstraints::planesOf(Index point) const
   return octree_.frame().domainPlanes(octree_.lowCorner(leaf), octree_.highCorner(leaf));
 }
 
-unsigned ModelConstraints::turnedSidesOf(Index point) const
+SideBits ModelConstraints::turnedSidesOf(Index point) const
 {
   return classification_.turnedSides.empty() ? 0 : classification_.turnedSides[vertexOf_[point]];
 }

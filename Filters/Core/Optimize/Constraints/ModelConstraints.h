@@ -64,7 +64,7 @@ private:
   bool isBeyond(const Target& target, Index piece, const Vec3& wanted, double reach) const;
   Vec3 onSides(Index point, Vec3 p) const;
   unsigned planesOf(Index point) const;
-  unsigned turnedSidesOf(Index point) const;
+  SideBits turnedSidesOf(Index point) const;
 
   const Octree& octree_;
   const SurfaceModel& model_;

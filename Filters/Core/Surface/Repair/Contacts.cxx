@@ -221,7 +221,8 @@ private:
   {
     static const double least = cosOfDegrees(90.0 - 15.0);
     const Vec3 normal = (a[0] + a[1] - b[0] - b[1]).normalized();
-    return std::min(normal.dot(a[0]), normal.dot(a[1])) > least && std::max(normal.dot(b[0]), normal.dot(b[1])) < -least;
+    return std::min(normal.dot(a[0]), normal.dot(a[1])) > least &&
+           std::max(normal.dot(b[0]), normal.dot(b[1])) < -least;
   }
 
   bool liesOn(const LatticePoint& p, const EdgeKey& edge) const

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "Support/Types.h"
+#include "Grid/Prism.h"
 
 #include <span>
 #include <vector>
 
 namespace atria {
-
-using Vec2 = Eigen::Vector2d;
 
 /// How many of the first points and segments are the outline, and what is to be done where segments cross.
 struct PlanarOutline

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Domains that stand upright on a convex polygon; a box is one of four sides.
+#pragma once
+
+#include "Grid/Placement.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace atria {
+
+using Vec2 = Eigen::Vector2d;
+
+/// Sides of a domain have numbers: a box by Direction, and the bottom and the top of every domain, too. The upright
+/// sides of other prisms follow these.
+inline constexpr int fewestPrismSides = 3;
+inline constexpr int mostPrismSides = 48;
+inline constexpr Index firstPrismSide = 6;
+inline constexpr Index sideNumbers = firstPrismSide + mostPrismSides;
+/// A set of sides, by number.
+using SideBits = std::uint64_t;
+static_assert(sideNumbers <= 64);
+
+inline bool isUprightSide(Index number) { return number != zMin && number != zMax; }
+/// `xMin` … `zMax`, and `domainSide1` and so on of other prisms.
+std::string sideName(Index number);
+bool isSideName(std::string_view name);
+
+/// An upright side; coordinates are along the prism's axes.
+struct PrismSide
+{
+  Index number = 0;
+  Vec2 normal = Vec2::Zero(); ///< outwards, a unit vector
+  double offset = 0.0;        ///< of its points along the normal
+  Vec2 start = Vec2::Zero();
+  Vec2 end = Vec2::Zero(); ///< where the next side starts, counterclockwise seen from above
+
+  /// How far a point is beyond the side's plane; negative within.
+  double beyond(const Vec2& p) const { return normal.dot(p) - offset; }
+  /// Counterclockwise, square to the normal.
+  Vec2 tangent() const { return {-normal[1], normal[0]}; }
+  /// The nearest point of the side's plane.
+  Vec2 foot(const Vec2& p) const { return offset * normal + tangent().dot(p) * tangent(); }
+};
+
+/// A regular polygon, stretched to fill `bounds`, from bottom to top. The normal of its first side points along -x,
+/// others follow counterclockwise: with four sides it is the box.
+class PlacedPrism : public PlacedBox
+{
+public:
+  PlacedPrism() = default;
+  /// Throws Error where there may not be so many sides.
+  PlacedPrism(const PlacedBox& box, int sideCount = 4);
+
+  const std::vector<PrismSide>& sides() const { return sides_; }
+  bool isBox() const { return sides_.size() == 4; }
+  /// How far a point along the prism's axes is beyond the upright side it is farthest out of; negative within all.
+  double beyond(const Vec2& p) const;
+  /// Of a point of the model.
+  bool contains(const Vec3& modelPoint) const;
+  /// The place within the prism, and on all of the sides `on`, that is nearest.
+  Vec2 nearest(const Vec2& p, SideBits on) const;
+  double volume() const;
+
+private:
+  std::vector<PrismSide> sides_;
+};
+
+/// Bounds of a regular prism about a circle, which touches its sides.
+Box3 boundsAboutCircle(const Vec2& center, double radius, int sideCount, double bottom, double top);
+
+/// Bounds, along other axes, of a prism.
+Box3 boundsAlong(const Placement& axes, const PlacedPrism& prism);
+
+} // namespace atria
