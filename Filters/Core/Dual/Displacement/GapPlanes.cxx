@@ -17,6 +17,9 @@ constexpr double rounding = 1e-6;
 /// A point in a gap stays where it is if it is farther than this part of the gap's width from both sheets.
 constexpr double thinnestClearance = 0.1;
 
+/// Where more pairs of sheets are side by side than those of four, an octant and those about it have no planes for all.
+constexpr std::size_t mostPairs = 6;
+
 /// A sheet runs along a gap, up to this between its normal and the way across.
 const double alongCosine = cosOfDegrees(45.01);
 /// It is in the stack of a gap beside it.
@@ -43,6 +46,10 @@ public:
   {
     grid.surplus(leaf, look);
     const auto pairs = sheetsSideBySide();
+    if (pairs.size() > mostPairs)
+    {
+      return;
+    }
     const auto besideSides = sheetsBesideSides(leaf);
     gatherTriangles(leaf);
     for (const Index point : grid.points().atCorner[leaf])

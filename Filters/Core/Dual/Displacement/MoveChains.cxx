@@ -33,7 +33,9 @@ std::set<Index> MoveChains::run(const std::set<Index>& leaves, const RunContext&
   for (const Index leaf : leaves)
   {
     context.progress.check();
-    if (grid.surplus(leaf) > 0)
+    std::set<Index> corners;
+    grid.addCorners(leaf, corners);
+    if (grid.surplus(leaf) > 0 && unresolvedAbout(corners).size() <= mostAbout)
     {
       moveChain(leaf, changed);
     }

@@ -17,7 +17,8 @@ namespace atria {
 
 namespace {
 
-constexpr int mostSweeps = 100;
+/// The tenth sweep gains a hundredth of what the first does.
+constexpr int mostSweeps = 10;
 constexpr int mostChainRounds = 4;
 
 /// The points in rounds. Of two with a leaf in common the first in order is in the earlier round, and those of a round
@@ -64,7 +65,9 @@ public:
 
   void run()
   {
-    while (undisplaceWhereBetter())
+    // After the first time, only those are asked about which something changed.
+    for (std::vector<Index> asked = grid.places().displacedPoints(); !asked.empty();
+         asked = undisplaceWhereBetter(asked))
     {
       context.progress.check();
     }
@@ -95,6 +98,7 @@ private:
     for (int round = 0; round < mostSweeps && !dirty.empty(); ++round)
     {
       context.progress.check();
+      std::erase_if(dirty, [&](Index point) { return isHopeless(point); });
       for (const PlaceMove& move : moves.best({dirty.begin(), dirty.end()}))
       {
         if (move.gain > 0.0)
@@ -108,6 +112,18 @@ private:
       }
       dirty = makeMoves();
     }
+  }
+
+  /// No move of it is open then.
+  bool isHopeless(Index point)
+  {
+    const auto& leaves = grid.points().leaves[point];
+    const bool hopeless = std::ranges::none_of(leaves, [&](Index leaf) { return grid.isHopeful(leaf); });
+    if (hopeless)
+    {
+      open.erase(point);
+    }
+    return hopeless;
   }
 
   /// Where sheets cross each other along the octants' diagonals, the corners of the octants about the curve lie on
@@ -206,16 +222,17 @@ private:
     return places;
   }
 
-  /// Moves points home with which less is unresolved there, the farthest first. Returns whether any was.
-  bool undisplaceWhereBetter()
+  /// Moves those of some points home with which less is unresolved there, the farthest first. Returns the displaced
+  /// points about which that changes anything.
+  std::vector<Index> undisplaceWhereBetter(const std::vector<Index>& points)
   {
     std::vector<std::pair<double, Index>> order;
-    for (const Index point : grid.places().displacedPoints())
+    for (const Index point : points)
     {
       order.emplace_back(-moves.displacementOf(point, grid.places().place(point)), point);
     }
     std::sort(order.begin(), order.end());
-    bool wasAny = false;
+    std::set<Index> changed;
     for (const std::vector<Index>& round : roundsOf(order, grid.points()))
     {
       const std::vector<char> isBetter = areBetterUndisplaced(round);
@@ -223,12 +240,12 @@ private:
       {
         if (isBetter[i])
         {
-          grid.moveTo(round[i], grid.places().undisplaced(round[i]));
-          wasAny = true;
+          movePoint(round[i], grid.places().undisplaced(round[i]), changed);
         }
       }
     }
-    return wasAny;
+    std::erase_if(changed, [&](Index point) { return !grid.places().isDisplaced(point); });
+    return {changed.begin(), changed.end()};
   }
 
   std::vector<char> areBetterUndisplaced(const std::vector<Index>& points)
@@ -269,14 +286,30 @@ private:
         continue;
       }
       touched.insert(leaves.begin(), leaves.end());
-      grid.moveTo(move.point, move.place);
-      for (const Index leaf : leaves)
-      {
-        grid.addCorners(leaf, changed);
-      }
+      movePoint(move.point, move.place, changed);
     }
     std::erase_if(changed, [&](Index point) { return grid.isFixed(point); });
     return changed;
+  }
+
+  /// Moves a point, and adds those for which other places may be best now: it and the ends of its edges, and the
+  /// corners of leaves whose edges other charts cut. All that leaves say of a move depends on these charts alone.
+  void movePoint(Index point, const LatticePoint& place, std::set<Index>& changed)
+  {
+    MovingGrid::Trail trail;
+    grid.moveTogether({{point, place}}, &trail);
+    changed.insert(point);
+    for (int direction = 0; direction < 6; ++direction)
+    {
+      if (const GridPlaces::Edge edge = grid.places().edge(point, direction); edge.exists() && edge.other != noIndex)
+      {
+        changed.insert(edge.other);
+      }
+    }
+    for (const auto& [leaf, finding] : trail.leaves)
+    {
+      grid.addCorners(leaf, changed);
+    }
   }
 
   MovingGrid& grid;

@@ -43,6 +43,19 @@ void PointTrial::put(const LatticePoint& place, Spoke& spoke) const
   spoke.segment.axis = place == undisplaced ? spoke.axis : -1;
 }
 
+void PointTrial::listTouching(const Spoke& spoke)
+{
+  const LatticeBox box = boundsOf(spoke.segment);
+  touching.clear();
+  for (const BoundedTriangle& one : spoke.triangles)
+  {
+    if (overlap(box, one.bounds))
+    {
+      touching.push_back(one.triangle);
+    }
+  }
+}
+
 void PointTrial::setWay(std::span<const SurfaceCrossing> cuts, const SurfaceModel& model, Spoke& spoke)
 {
   const auto chartOf = [&](const SurfaceCrossing& cut) { return model.charts[cut.triangle]; };
@@ -101,12 +114,19 @@ void MovingGrid::beginTrial(Index point, const LatticePoint& place, Look& look) 
     }
   }
   look.probe.gather(all, trial.near, trial.triangles);
+  std::vector<PointTrial::BoundedTriangle>& bounded = trial.bounded;
+  bounded.clear();
+  std::ranges::transform(trial.triangles, std::back_inserter(bounded), [&](Index triangle) {
+    const LatticePoint& a = surfaces.corner(triangle, 0);
+    return PointTrial::BoundedTriangle{
+        joined(joined({a, a}, surfaces.corner(triangle, 1)), surfaces.corner(triangle, 2)), triangle};
+  });
   for (PointTrial::Spoke& spoke : std::span(trial.spokes).first(trial.spokeCount))
   {
     const LatticeBox box = joined(trial.reach, spoke.startsHere ? spoke.segment.end : spoke.segment.start);
     spoke.triangles.clear();
-    std::ranges::copy_if(trial.triangles, std::back_inserter(spoke.triangles),
-                         [&](Index triangle) { return touchesBounds(box, surfaces, triangle); });
+    std::ranges::copy_if(bounded, std::back_inserter(spoke.triangles),
+                         [&](const PointTrial::BoundedTriangle& one) { return overlap(box, one.bounds); });
   }
   for (std::size_t i = 0; i < trial.leafCount; ++i)
   {
@@ -180,7 +200,8 @@ MovingGrid::Surplus MovingGrid::surplusAbout(Index point, const LatticePoint& pl
   for (PointTrial::Spoke& spoke : std::span(trial.spokes).first(trial.spokeCount))
   {
     trial.put(place, spoke);
-    const auto cuts = look.probe.cutAmong(spoke.segment, spoke.triangles);
+    trial.listTouching(spoke);
+    const auto cuts = look.probe.cutAmong(spoke.segment, trial.touching);
     spoke.cuts.assign(cuts.begin(), cuts.end());
     PointTrial::setWay(cuts, surfaces, spoke);
     sum.cuts += Edge{spoke.segment, spoke.leavesDomain, spoke.cuts}.surplus();

@@ -11,6 +11,13 @@ namespace atria {
 /// its edges, so it is found once for every way in which they do.
 struct PointTrial
 {
+  /// Bounds side by side, as most triangles are left for them.
+  struct BoundedTriangle
+  {
+    LatticeBox bounds;
+    Index triangle;
+  };
+
   /// An edge of the point.
   struct Spoke
   {
@@ -21,7 +28,7 @@ struct PointTrial
     int axis;
     bool startsHere;
     bool leavesDomain;
-    std::vector<Index> triangles;
+    std::vector<BoundedTriangle> triangles;
     std::vector<SurfaceCrossing> cuts;
     /// The ways in which charts cut it in places so far, and in this one.
     std::vector<std::vector<Index>> ways;
@@ -49,9 +56,15 @@ struct PointTrial
   std::array<Leaf, 8> leaves;
   std::vector<Index> near;
   std::vector<Index> triangles;
+  std::vector<BoundedTriangle> bounded;
+
+  /// Those of a spoke that touch the bounds of its segment as it is.
+  std::vector<Index> touching;
 
   /// Sets the spoke's segment to what it is with the point there.
   void put(const LatticePoint& place, Spoke& spoke) const;
+  /// Lists `touching`.
+  void listTouching(const Spoke& spoke);
   /// Sets the spoke's way.
   static void setWay(std::span<const SurfaceCrossing> cuts, const SurfaceModel& model, Spoke& spoke);
   std::uint64_t waysOf(const Leaf& leaf) const;
