@@ -123,7 +123,7 @@ def octrees(series):
 def report(results, cases):
     m = results["machine"]
     lines = [
-        "# Benchmarks", "",
+        "# Benchmarks of smooth and aligned models", "",
         "Written by `Testing/Benchmarks/compare.py`. All figures are of one run of it, so ratios hold between them; seconds hold for",
         f"this machine: {m['processor']}, {m['cores']} cores, {m['memory'] / 2**30:.0f} GB, {m['system']}, {m['date']}, load "
         f"{m['load']:.1f} before.", "",

@@ -227,6 +227,7 @@ private:
   std::vector<Index> undisplaceWhereBetter(const std::vector<Index>& points)
   {
     std::vector<std::pair<double, Index>> order;
+    order.reserve(points.size());
     for (const Index point : points)
     {
       order.emplace_back(-moves.displacementOf(point, grid.places().place(point)), point);
