@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// How much memory there is, whoever limits it.
 #include "Support/MachineMemory.h"
+#include "Support/TestPaths.h"
 
 #include <gtest/gtest.h>
 
@@ -18,16 +19,14 @@ using atria::unlimitedMemory;
 class ControlGroups : public ::testing::Test
 {
 protected:
-  ControlGroups() : root(fs::path(::testing::TempDir()) / "atria_control_groups") { fs::remove_all(root); }
-  ~ControlGroups() override { fs::remove_all(root); }
-
   void write(const std::string& file, const std::string& text) const
   {
     fs::create_directories((root / file).parent_path());
     std::ofstream(root / file) << text << "\n";
   }
 
-  fs::path root;
+  const atria::testing::ScratchFolder scratch;
+  const fs::path root = scratch.path();
 };
 
 TEST_F(ControlGroups, TheLeastLimitOfAGroupAndThoseAroundItHolds)

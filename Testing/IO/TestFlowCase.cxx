@@ -4,6 +4,7 @@
 #include "FoamText.h"
 #include "PolyMesh.h"
 #include "Support/Error.h"
+#include "Support/TestPaths.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -134,7 +135,6 @@ class PolyMeshFiles : public testing::Test
 protected:
   void SetUp() override
   {
-    fs::remove_all(folder);
     fs::create_directories(folder / "constant" / "polyMesh");
     // A unit cube.
     write("points", "vectorField", "8((0 0 0)(1 0 0)(0 1 0)(1 1 0)(0 0 1)(1 0 1)(0 1 1)(1 1 1)) // done\n");
@@ -144,8 +144,6 @@ protected:
     write("boundary", "polyBoundaryMesh",
           "1(\n/* all */ sides { type patch; inGroups 1(open); nFaces 6; startFace 0; }\n)");
   }
-  void TearDown() override { fs::remove_all(folder); }
-
   void write(const std::string& name, const std::string& of, const std::string& content) const
   {
     std::ofstream(folder / "constant" / "polyMesh" / name)
@@ -153,7 +151,8 @@ protected:
         << content;
   }
 
-  const fs::path folder = fs::path(testing::TempDir()) / "poly_mesh_files";
+  const atria::testing::ScratchFolder scratch;
+  const fs::path folder = scratch.path();
 };
 
 TEST_F(PolyMeshFiles, AreRead)
