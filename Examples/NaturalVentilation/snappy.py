@@ -5,7 +5,7 @@ import math
 import os
 
 import make_building
-from snappy_dictionaries import begin, block_mesh, controls, fans, stl, words, write
+from snappy_dictionaries import begin, block_mesh, controls, fans, stl, words, write, write_feature_extraction
 
 SNAPPY = """
 castellatedMesh true; snap true; addLayers false;
@@ -49,9 +49,7 @@ def write_case(folder, finest, far, site):
     for name, polygons in (walls | openings).items():
         (folder / "constant" / "triSurface" / f"{name}.stl").write_text(stl(name, fans(polygons)))
     write(folder, "blockMeshDict", block_mesh(box, [max(1, round((high - low) / far)) for low, high in box], sides()))
-    write(folder, "surfaceFeatureExtractDict", "".join(
-        f"{name}.stl {{ extractionMethod extractFromSurface; writeObj no; extractFromSurfaceCoeffs {{ includedAngle 150; }} "
-        "subsetFeatures { nonManifoldEdges yes; openEdges yes; } }\n" for name in walls))
+    write_feature_extraction(folder, walls)
     zones = {name: f"faceZone {name}; faceType internal;" for name in openings}
     write(folder, "snappyHexMeshDict", SNAPPY.format(
         geometry="\n".join(f"  {name}.stl {{ type triSurfaceMesh; name {name}; }}" for name in walls | openings),

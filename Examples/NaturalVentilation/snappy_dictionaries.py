@@ -12,7 +12,8 @@ CONTROLS = """snapControls
 }}
 addLayersControls
 {{
-  relativeSizes true; layers {{ "{walls}" {{ nSurfaceLayers {layers}; }} }} expansionRatio {growth}; finalLayerThickness {last:g}; minThickness 0.1; nGrow 0;
+  relativeSizes true; layers {{ "{walls}" {{ nSurfaceLayers {layers}; }} }} expansionRatio {growth};
+  finalLayerThickness {last:g}; minThickness 0.1; nGrow 0;
   featureAngle 60; nRelaxIter 3; nSmoothSurfaceNormals 1; nSmoothNormals 3; nSmoothThickness 10;
   maxFaceThicknessRatio 0.5; maxThicknessToMedialRatio 0.3; minMedianAxisAngle 90; nBufferCellsNoExtrude 0; nLayerIter 50;
 }}
@@ -64,6 +65,13 @@ def block_mesh(box, cells, boundary):
 
 def write(folder, name, text):
     (folder / "system" / name).write_text(HEADER.format(name) + text)
+
+
+def write_feature_extraction(folder, names):
+    """For surfaceFeatureExtract: edges of these surfaces at which they bend by more than 30 degrees, end, or branch."""
+    write(folder, "surfaceFeatureExtractDict", "".join(
+        f"{name}.stl {{ extractionMethod extractFromSurface; writeObj no; extractFromSurfaceCoeffs {{ includedAngle 150; }} "
+        "subsetFeatures { nonManifoldEdges yes; openEdges yes; } }\n" for name in names))
 
 
 def begin(folder):

@@ -10,7 +10,7 @@ import pathlib
 import shutil
 import subprocess
 
-from snappy_dictionaries import begin, block_mesh, controls, fans, stl, words, write
+from snappy_dictionaries import begin, block_mesh, controls, fans, stl, words, write, write_feature_extraction
 
 FOAM = {
     "WM_PROJECT_DIR": os.environ.get("WM_PROJECT_DIR", "/usr/share/openfoam"),
@@ -55,8 +55,7 @@ def snappy_case(folder: pathlib.Path, case, threads):
         layered="true" if case.layers else "false", surface=levels[0], fine=levels[1])
         + controls(case.creases, case.walls, case.layers))
     if case.creases:
-        write(folder, "surfaceFeatureExtractDict", "model.stl { extractionMethod extractFromSurface; writeObj no;\n"
-              "extractFromSurfaceCoeffs { includedAngle 150; } subsetFeatures { nonManifoldEdges yes; openEdges yes; } }\n")
+        write_feature_extraction(folder, ["model"])
         subprocess.run(["surfaceFeatureExtract"], cwd=folder, env=os.environ | FOAM, check=True, capture_output=True)
     parallel = []
     if threads > 1:

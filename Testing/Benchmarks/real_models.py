@@ -30,8 +30,8 @@ from vtkmodules.vtkIOGeometry import vtkSTLWriter
 
 from compare import machine, measure, write_sphere
 from fingerprints import DATA, building
-from peers import FOAM
-from snappy_dictionaries import begin, block_mesh, controls, words, write
+from peers import FOAM, SIDES
+from snappy_dictionaries import begin, block_mesh, controls, words, write, write_feature_extraction
 from tables import row
 
 import atria
@@ -41,7 +41,6 @@ ACROSS = 60  # octants of the smallest size along a model
 OTHERS = ("d01_castle_blender_v97.wrl", "d09_nonplanar_quads_sci.wrl.gz", "d10_forest_v1_crlf.wrl", "d13_sketchup_car_door.wrl",
           "d14_labo1/pipes.wrl", "d14_labo1/rack1.wrl", "d14_labo1/tank.wrl", "d19_single_line_arrays.wrl",
           "d22_rotating_fan_room.wrl", "d23_rotterdam_lod2.wrl")
-SIDES = "sides { type patch; faces ((0 3 2 1) (4 5 6 7) (0 1 5 4) (3 7 6 2) (0 4 7 3) (1 2 6 5)); }"
 SNAPPY = """
 castellatedMesh true; snap true; addLayers {layered};
 geometry {{ model.stl {{ type triSurfaceMesh; name model; }} }}
@@ -146,8 +145,7 @@ def run_snappy(surface, work, sizes, box, folder):
     writer.SetInputData(surface)
     writer.Write()
     write(folder, "blockMeshDict", block_mesh(box, [round((high - low) / sizes[0]) for low, high in box], SIDES))
-    write(folder, "surfaceFeatureExtractDict", "model.stl { extractionMethod extractFromSurface; writeObj no;\n"
-          "extractFromSurfaceCoeffs { includedAngle 150; } subsetFeatures { nonManifoldEdges yes; openEdges yes; } }\n")
+    write_feature_extraction(folder, ["model"])
     levels = [round(math.log2(sizes[0] / size)) for size in sizes[1:]]
     inside = [high - (0.31 + 0.01 * i) * sizes[2] for i, (_, high) in enumerate(box)]
     write(folder, "snappyHexMeshDict", SNAPPY.format(layered="true" if work.layers else "false", surface=levels[0],
