@@ -2,7 +2,11 @@
 """Writes meshes of OpenFOAM for tests: boxes of hexahedra, with a face zone across and cell zones on its sides."""
 
 import itertools
+import pathlib
+import tempfile
+import unittest
 
+BOX = ((0.0, 100.0), (-20.0, 20.0), (0.0, 40.0))
 SIDES = ("xMin", "xMax", "yMin", "yMax", "zMin", "zMax")
 
 
@@ -69,3 +73,18 @@ def write_box(case, counts, bounds, *, zone_at=None, turned=None):
         hall = [str(cell(i, j, k)) for i in range(zone_at) for j in range(ny) for k in range(nz)]
         write("cellZones", "regIOobject",
               f"1\n(\nhall {{ type cellZone; cellLabels List<label> {len(hall)}({' '.join(hall)}); }}\n)\n")
+
+
+class BoxCase(unittest.TestCase):
+    """Tests with a scratch folder for all of them, and in it the case `box`, with a zone across."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.scratch = tempfile.TemporaryDirectory()
+        cls.folder = pathlib.Path(cls.scratch.name)
+        cls.box = cls.folder / "box"
+        write_box(cls.box, (20, 8, 8), BOX, zone_at=10)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.scratch.cleanup()

@@ -13,15 +13,13 @@ import shutil
 import struct
 import subprocess
 import sys
-import tempfile
 import unittest
 
-from box_mesh import write_box
+from box_mesh import BOX, BoxCase, write_box
 
 ATRIA = pathlib.Path(sys.argv[1])
 DATA = pathlib.Path(sys.argv[2])
 COARSE = ["--size-max", "16", "--size-mid", "4", "--size-min", "2", "--site", "Site"]
-BOX = ((0.0, 100.0), (-20.0, 20.0), (0.0, 40.0))
 HAVE_OPENFOAM = shutil.which("simpleFoam") is not None
 KAPPA, CMU = 0.41, 0.09
 
@@ -49,18 +47,7 @@ def field_list(file, patch=None):
     return [numbers[i : i + width] for i in range(0, len(numbers), width)]
 
 
-class Case(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.scratch = tempfile.TemporaryDirectory()
-        cls.folder = pathlib.Path(cls.scratch.name)
-        cls.box = cls.folder / "box"
-        write_box(cls.box, (20, 8, 8), BOX, zone_at=10)
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.scratch.cleanup()
-
+class Case(BoxCase):
     def atria(self, *arguments):
         return subprocess.run([ATRIA, *map(str, arguments)], capture_output=True, text=True, check=False)
 

@@ -12,14 +12,12 @@ import re
 import shutil
 import subprocess
 import sys
-import tempfile
 import unittest
 
-from box_mesh import write_box
+from box_mesh import BOX, BoxCase, write_box
 
 ATRIA = pathlib.Path(sys.argv[1])
 DATA = pathlib.Path(sys.argv[2])
-BOX = ((0.0, 100.0), (-20.0, 20.0), (0.0, 40.0))
 HOUSE = ["--size-max", "16", "--size-mid", "4", "--size-min", "1", "--site", "Site", "--openings"]
 HAVE_OPENFOAM = shutil.which("simpleFoam") is not None
 # Of Open MPI, for root, and for more processors than this machine has.
@@ -54,21 +52,14 @@ def all_of(part, parts):
     return [case / f"processor{part}" / "constant" / "polyMesh" for case in parts]
 
 
-class Processors(unittest.TestCase):
+class Processors(BoxCase):
     @classmethod
     def setUpClass(cls):
-        cls.scratch = tempfile.TemporaryDirectory()
-        cls.folder = pathlib.Path(cls.scratch.name)
-        cls.box = cls.folder / "box"
-        write_box(cls.box, (20, 8, 8), BOX, zone_at=10)
+        super().setUpClass()
         cls.case = cls.folder / "house"
         run = subprocess.run([ATRIA, "mesh", DATA / "house.wrl", "-o", cls.folder / "house.vtu", *HOUSE, "--openfoam", cls.case,
                               "--ascii", "--processors", str(PARTS)], capture_output=True, text=True, check=False)
         assert run.returncode == 0, run.stderr
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.scratch.cleanup()
 
     def atria(self, *arguments, status=0):
         run = subprocess.run([ATRIA, *map(str, arguments)], capture_output=True, text=True, check=False)

@@ -23,11 +23,10 @@ import numpy
 from atria import Error
 from atria.report import Case, comfort, page_of, read_climate, results
 from atria.report.pictures import levels
-from box_mesh import write_box
+from box_mesh import BOX, write_box
 
 ATRIA = pathlib.Path(sys.argv[1])
 BUILDING = pathlib.Path(sys.argv[2])
-BOX = ((0.0, 100.0), (-20.0, 20.0), (0.0, 40.0))
 HAVE_OPENFOAM = shutil.which("simpleFoam") is not None
 CANNOT_DRAW = not os.environ.get("DISPLAY") and not shutil.which("xvfb-run")
 
