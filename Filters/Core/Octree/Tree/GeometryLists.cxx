@@ -373,7 +373,7 @@ bool severalSurfaces(const LatticeBox& box, std::span<const ModelItem> pieces, c
 
 bool isCluster(std::span<const ModelItem> pieces, const SurfaceModel& model)
 {
-  std::array<Index, mostPiecesOfOctant> charts;
+  std::array<Index, mostChartsOfLeaf> charts;
   std::size_t count = 0;
   for (const ModelItem piece : pieces)
   {
@@ -387,7 +387,7 @@ bool isCluster(std::span<const ModelItem> pieces, const SurfaceModel& model)
     {
       continue;
     }
-    if (count == mostPiecesOfOctant)
+    if (count == mostChartsOfLeaf)
     {
       return true;
     }

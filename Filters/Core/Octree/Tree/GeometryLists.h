@@ -80,7 +80,11 @@ std::vector<Index> trianglesNear(const Octree& octree, const LatticeBox& box);
 /// points that lie in it.
 bool severalSurfaces(const LatticeBox& box, std::span<const ModelItem> pieces, const SurfaceModel& model);
 
-/// Whether the triangles among `pieces` are of more charts than mostPiecesOfOctant.
+/// A leaf of more charts than this is a cluster. Three planes that cross, as a slab and two walls do, are twelve charts
+/// once they are cut, and a leaf's eight corners tell apart all eight regions between them.
+inline constexpr std::size_t mostChartsOfLeaf = 12;
+
+/// Whether the triangles among `pieces` are of more charts than mostChartsOfLeaf.
 bool isCluster(std::span<const ModelItem> pieces, const SurfaceModel& model);
 
 /// The dearest feature among `pieces`.

@@ -33,7 +33,7 @@ enum class FeatureType : std::uint8_t
   curve,
   corner,
   several, ///< surfaces that are not connected inside the leaf
-  cluster  ///< more charts than a leaf can show: see mostPiecesOfOctant in Surface/Repair/ClusterCells.h
+  cluster  ///< more charts than a leaf can show: see isCluster in Octree/Tree/GeometryLists.h
 };
 
 /// A piece of the model in an octant: a triangle, feature edge or corner.

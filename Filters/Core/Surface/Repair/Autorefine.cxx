@@ -10,6 +10,7 @@
 #include "Surface/Triangles/Weld.h"
 #include "Surface/Triangulation/LatticeSegments.h"
 
+#include <limits>
 #include <numeric>
 
 namespace atria {
@@ -198,56 +199,62 @@ std::vector<Index> pointsOf(const TriangleSoup& soup, const Contacts& contacts)
   return points;
 }
 
-/// Where a round finds more than half of what the one before did, points at its contacts become one within a distance
-/// that grows by this factor.
-constexpr std::int64_t loosening = 4;
-/// It grows up to this many times the largest reach.
-constexpr std::int64_t widest = 16;
-/// Where contacts are more than this part of the triangles and hardly get fewer, cuts only make more triangles of what
-/// lies closer together than the reach can tell apart.
-constexpr double dense = 0.05;
+/// From the second round on points at contacts become one within a distance that grows by this factor: what rounding
+/// makes anew in every round lies a few lattice units apart, and what is left after three rounds is folded.
+constexpr std::int64_t loosening = 16;
 
-/// Cuts in rounds, with one reach.
+/// Cuts in rounds until nothing is found, or no fewer than two rounds before.
 class Rounds
 {
 public:
-  Rounds(TriangleSoup& soup_, const AutorefineOptions& options_, const ClusterCells& clusters_, std::int64_t reach_,
+  Rounds(TriangleSoup& soup_, const AutorefineOptions& options_, const ClusterCells& clusters_,
          AutorefineReport& report_)
-      : soup(soup_), options(options_), clusters(clusters_), reach(reach_), weldDistance(weldReaches * reach_),
+      : soup(soup_), options(options_), clusters(clusters_), weldDistance(weldReaches * options.reach),
         width(weldDistance), report(report_)
   {
   }
 
-  /// Until nothing is found, or nothing better. What then is left is in the report. True where another reach may serve.
-  bool run(std::vector<char> changed, const RunContext& context)
+  void run(std::vector<char> changed, const RunContext& context)
   {
+    // Of the two rounds before.
+    std::array<std::size_t, 2> before{std::numeric_limits<std::size_t>::max(), std::numeric_limits<std::size_t>::max()};
     for (int round = 0;; ++round)
     {
       tidy(changed, round == 0);
-      Contacts contacts = findContacts(soup, changed, reach, clusters, context);
+      Contacts contacts = findContacts(soup, changed, options.reach, clusters, context);
       const std::size_t found = contacts.edges.size() + contacts.faces.size();
-      const bool slow = round > 0 && 2 * found > foundBefore;
-      const bool hopeless = slow && 8 * found > 7 * foundBefore &&
-                            static_cast<double>(found) > dense * static_cast<double>(soup.triangles.size());
-      foundBefore = found;
-      if (found == 0 || round == options.maximumRounds || hopeless)
+      const bool isStuck = width >= options.widestWeld && found >= before[0];
+      if (found == 0 || round == options.maximumRounds || isStuck)
       {
-        report.unresolvedContacts = found;
-        return hopeless;
+        leave(contacts);
+        return;
       }
+      before = {before[1], found};
       checkTriples(soup.triangles.size(), contacts.pairs);
       addNewPoints(soup, contacts, weldDistance);
-      if (slow)
+      if (round > 0)
       {
-        width = std::max(width, std::min(loosening * width, widest * options.largestReach));
+        width = std::max(width, std::min(loosening * width, options.widestWeld));
         knots = pointsOf(soup, contacts);
       }
       alignSlivers(soup, contacts.edges);
-      cutTriangles(soup, contacts, static_cast<double>(reach), changed, report.isSplit, report.meetings, context);
+      cutTriangles(soup, contacts, static_cast<double>(options.reach), changed, report.isSplit, report.meetings,
+                   context);
     }
   }
 
 private:
+  /// Counts what is found still.
+  void leave(const Contacts& contacts)
+  {
+    report.unresolvedContacts = contacts.edges.size() + contacts.faces.size();
+    std::ranges::fill(report.isUnresolved, 0);
+    for (const auto& [first, second] : contacts.pairs)
+    {
+      report.isUnresolved[soup.sources[first]] = report.isUnresolved[soup.sources[second]] = 1;
+    }
+  }
+
   /// Points close to each other become one, and triangles that are there no longer or twice are dropped.
   void tidy(std::vector<char>& changed, bool isFirst)
   {
@@ -277,12 +284,10 @@ private:
   TriangleSoup& soup;
   const AutorefineOptions& options;
   const ClusterCells& clusters;
-  std::int64_t reach;
   std::int64_t weldDistance;
   /// Within this, points at contacts that cuts do not get rid of become one.
   std::int64_t width;
   std::vector<Index> knots;
-  std::size_t foundBefore = 0;
   AutorefineReport& report;
 };
 
@@ -295,6 +300,7 @@ AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options
 {
   AutorefineReport report;
   report.isSplit.resize(soup.sources.empty() ? 0 : soup.sources.back() + 1, 0);
+  report.isUnresolved.resize(report.isSplit.size(), 0);
   refineAgain(soup, options, clusters, std::vector<char>(soup.triangles.size(), 1), report, context);
   return report;
 }
@@ -302,17 +308,11 @@ AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options
 void refineAgain(TriangleSoup& soup, const AutorefineOptions& options, const ClusterCells& clusters,
                  std::vector<char> changed, AutorefineReport& report, const RunContext& context)
 {
-  const TriangleSoup soupBefore = soup;
-  const AutorefineReport reportBefore = report;
-  std::int64_t reach = std::max(options.reach, report.reach);
-  if (Rounds(soup, options, clusters, reach, report).run(std::move(changed), context) && reach < options.largestReach)
+  for (std::size_t t = 0; t < changed.size(); ++t)
   {
-    reach = options.largestReach;
-    soup = soupBefore;
-    report = reportBefore;
-    Rounds(soup, options, clusters, reach, report).run(std::vector<char>(soup.triangles.size(), 1), context);
+    changed[t] |= report.isUnresolved[soup.sources[t]];
   }
-  report.reach = reach;
+  Rounds(soup, options, clusters, report).run(std::move(changed), context);
   const std::size_t before = soup.triangles.size();
   filter(soup, nullptr, [&](const auto& t) { return hasArea(soup, t); });
   report.degenerateTriangles += before - soup.triangles.size();

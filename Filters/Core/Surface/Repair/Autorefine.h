@@ -14,8 +14,8 @@ struct AutorefineOptions
 {
   /// A point this close to an edge or a triangle, in lattice units, lies on it. At least 3, as points are rounded.
   std::int64_t reach = 4;
-  /// Where contacts are many and hardly get fewer, all begins anew with this reach.
-  std::int64_t largestReach = 4;
+  /// Points at contacts that cuts do not get rid of become one up to this far from each other, in lattice units.
+  std::int64_t widestWeld = 0;
   /// Rounds after which what is still found is left and counted.
   int maximumRounds = 16;
 };
@@ -32,12 +32,12 @@ struct AutorefineReport
   std::size_t splitTriangles = 0;
   /// Edges on which triangles now meet that only touched or cut each other before.
   std::size_t intersectionEdges = 0;
-  /// The reach that was used last, in lattice units; a later call begins with it.
-  std::int64_t reach = 0;
   /// Contacts left after the last round.
   std::size_t unresolvedContacts = 0;
-  /// What the counts are of: per source, whether it was cut; the edges on which triangles now meet.
+  /// What the counts are of: per source, whether it was cut, and whether a piece of it has such a contact; the edges
+  /// on which triangles now meet.
   std::vector<char> isSplit;
+  std::vector<char> isUnresolved;
   std::set<EdgeKey> meetings;
 };
 
@@ -47,9 +47,11 @@ struct AutorefineReport
 /// they lie on are triangulated anew with these points, and with the segments that two triangles have in common as
 /// edges; points closer than the reach allows become one; of triangles with the same points the first is kept. New
 /// points are rounded to the lattice, which can make new contacts; the next round looks at the cut triangles only.
-/// Where rounds find no less, the points at their contacts become one within an ever larger distance. Pieces take the
-/// place of their triangle, with its winding, surface and source. O(n log n) where little is cut.
-/// Nothing is cut in clusters. Throws TooManyContacts (Clusters.h).
+/// From the second on, points at contacts become one within a distance that grows to the widest weld, as what is left
+/// then lies closer together than cuts can tell apart. Rounds end where one finds no fewer contacts than the last but
+/// one. Pieces take the place of their triangle, with its winding, surface and source; those of one triangle are not
+/// compared with each other. O(n log n) where little is cut. Nothing is cut in clusters. Throws TooManyContacts
+/// (Clusters.h).
 AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options, const ClusterCells& clusters,
                             const RunContext& context);
 

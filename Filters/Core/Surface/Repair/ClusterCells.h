@@ -12,9 +12,9 @@
 
 namespace atria {
 
-/// An octant has one vertex. Of more smooth pieces than this in it, it can show neither sheets nor curves one by one,
-/// only which of its edges they cut: it is a cluster.
-inline constexpr std::size_t mostPiecesOfOctant = 16;
+/// An octant has eight corners, so its edges tell apart eight regions at most. Of more smooth pieces than this in it,
+/// it can show neither sheets nor curves one by one, only which of its edges they cut: it is a cluster.
+inline constexpr std::size_t mostPiecesOfOctant = 8;
 
 /// A place where octants are finer than those at features.
 struct FinerPlace

@@ -2,8 +2,8 @@
 #include "Surface/Repair/Contacts.h"
 
 #include "Grid/Predicates.h"
-#include "Support/Angles.h"
 #include "Support/Sorting.h"
+#include "Surface/Repair/ApartTriangles.h"
 #include "Surface/Repair/Clusters.h"
 #include "Surface/Search/BoxTree.h"
 #include "Surface/Triangulation/LatticeSegments.h"
@@ -43,7 +43,7 @@ public:
 
   void look(Index first, Index second)
   {
-    if (isBeyond(first, second) || isBeyond(second, first) || partInCommonPoints(first, second))
+    if (areApart(soup, first, second, reach))
     {
       return;
     }
@@ -139,91 +139,6 @@ private:
   };
 
   const LatticePoint& point(Index p) const { return soup.points[p]; }
-
-  /// Whether a triangle, but for common points, lies on one side of the plane of another, beyond the reach and what
-  /// rounding of doubles may hide. As most do, this comes before exact signs.
-  bool isBeyond(Index of, Index from) const
-  {
-    constexpr double rounding = 1e-15;
-    const Vec3 a = between(soup.corner(from, 0), soup.corner(from, 1));
-    const Vec3 b = between(soup.corner(from, 0), soup.corner(from, 2));
-    const Vec3 normal = a.cross(b);
-    const double length = normal.norm();
-    const double lengths = a.norm() * b.norm();
-    bool above = length > 0.0;
-    bool below = above;
-    for (int i = 0; i < 3 && (above || below); ++i)
-    {
-      if (!contains(soup.triangles[from], soup.triangles[of][i]))
-      {
-        const Vec3 way = between(soup.corner(from, 0), soup.corner(of, i));
-        const double distance = normal.dot(way);
-        const double margin = reach * length + rounding * lengths * way.norm();
-        above = above && distance > margin;
-        below = below && distance < -margin;
-      }
-    }
-    return above || below;
-  }
-
-  /// Whether two triangles have points in common, as most that are near each other do, and part there by more than 30
-  /// degrees: then they touch nowhere else. What of one is within reach of the other would be within twice that of the
-  /// common point or edge. No other point is so near to a point, as they would have become one; a triangle with a point
-  /// so near to the common edge is looked at.
-  bool partInCommonPoints(Index first, Index second) const
-  {
-    std::array<int, 3> common{};
-    std::array<int, 3> inFirst{};
-    std::array<int, 3> inSecond{};
-    int count = 0;
-    int only = 0;
-    for (int i = 0; i < 3; ++i)
-    {
-      if (contains(soup.triangles[second], soup.triangles[first][i]))
-      {
-        common[count++] = i;
-      }
-      else
-      {
-        inFirst[only++] = i;
-      }
-    }
-    only = 0;
-    for (int i = 0; i < 3; ++i)
-    {
-      if (!contains(soup.triangles[first], soup.triangles[second][i]))
-      {
-        inSecond[only++] = i;
-      }
-    }
-    if (count == 0 || count + only != 3)
-    {
-      return false;
-    }
-    const LatticePoint& corner = soup.corner(first, common[0]);
-    const auto way = [&](Index t, int i) { return between(corner, soup.corner(t, i)); };
-    if (count == 1)
-    {
-      return areApart({way(first, inFirst[0]).normalized(), way(first, inFirst[1]).normalized()},
-                      {way(second, inSecond[0]).normalized(), way(second, inSecond[1]).normalized()});
-    }
-    const Vec3 along = way(first, common[1]).normalized();
-    const auto across = [&](const Vec3& v) { return Vec3(v - along.dot(v) * along); };
-    const Vec3 a = across(way(first, inFirst[0]));
-    const Vec3 b = across(way(second, inSecond[0]));
-    const double near = 2.0 * reach;
-    return std::min(a.norm(), b.norm()) > near &&
-           areApart({a.normalized(), a.normalized()}, {b.normalized(), b.normalized()});
-  }
-
-  /// Whether two cones with these unit vectors as sides are on either side of a plane, 15 degrees from it each.
-  static bool areApart(const std::array<Vec3, 2>& a, const std::array<Vec3, 2>& b)
-  {
-    static const double least = cosOfDegrees(90.0 - 15.0);
-    const Vec3 normal = (a[0] + a[1] - b[0] - b[1]).normalized();
-    return std::min(normal.dot(a[0]), normal.dot(a[1])) > least &&
-           std::max(normal.dot(b[0]), normal.dot(b[1])) < -least;
-  }
 
   bool liesOn(const LatticePoint& p, const EdgeKey& edge) const
   {
@@ -463,7 +378,8 @@ std::vector<Search> searchContacts(const TriangleSoup& soup, const BoxTree& tree
       // Two that are changed meet twice.
       tree.eachTouching(tree.box(i), all ? i + 1 : 0, [&](std::size_t j) {
         const Index b = tree.box(j).id;
-        if (j != i && (!changed[b] || j > i) && !clusters.hold(common(tree.box(i), tree.box(j))))
+        const bool isOther = soup.sources[a] != soup.sources[b] && (!changed[b] || j > i);
+        if (isOther && !clusters.hold(common(tree.box(i), tree.box(j))))
         {
           touching += changed[b] ? 2 : 1;
           pairs.emplace_back(std::min(a, b), std::max(a, b));

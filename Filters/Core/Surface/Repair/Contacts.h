@@ -23,7 +23,7 @@ struct FaceContact
   friend auto operator<=>(const FaceContact&, const FaceContact&) = default;
 };
 
-/// Where triangles touch or cut each other other than along common edges and at common points.
+/// Where pieces of different triangles touch or cut each other other than along common edges and at common points.
 struct Contacts
 {
   /// Points where edges cut edges or faces; contacts number them on from the points of the soup.

@@ -14,8 +14,8 @@ namespace atria {
 
 namespace {
 
-/// Against the gap tolerance: what is this near may be taken for touching where cuts do not end otherwise.
-constexpr double largestReach = 1.0 / 16.0;
+/// Against the gap tolerance: what is this near may become one point where cuts do not end otherwise.
+constexpr double widestWeld = 0.5;
 constexpr int maximumPasses = 6;
 /// Where triangles of few pieces have too many contacts, as many in an octant make a cluster: fewer and fewer.
 constexpr std::size_t mostTriangles = 4096;
@@ -109,10 +109,6 @@ void closeAllGaps(TriangleSoup& soup, const GridFrame& frame, const GapOptions& 
   std::vector<char> changed = trianglesAt(soup, everMoved);
   if (std::find(changed.begin(), changed.end(), 1) != changed.end())
   {
-    if (refined.unresolvedContacts > 0)
-    {
-      std::fill(changed.begin(), changed.end(), 1);
-    }
     refineAgain(soup, refining, options.clusters, std::move(changed), refined, context);
   }
   report.closedGaps = static_cast<std::size_t>(std::count(everMoved.begin(), everMoved.end(), 1));
@@ -183,7 +179,7 @@ void repairOutside(const ClusterCells& clusters, TriangleSoup& soup, const GridF
   const SoupAsDrawn drawn(soup);
   AutorefineOptions refining;
   refining.reach = std::max(refining.reach, options.weldDistance / 4);
-  refining.largestReach = std::max(refining.reach, static_cast<std::int64_t>(largestReach * options.gapTolerance));
+  refining.widestWeld = static_cast<std::int64_t>(widestWeld * options.gapTolerance);
   AutorefineReport refined = autorefine(soup, refining, clusters, context);
   closeAllGaps(soup, frame, {options.gapTolerance, drawn, clusters}, refining, refined, report, context);
   report.weldedPoints += refined.mergedPoints;
