@@ -4,6 +4,7 @@
 #include "Support/UnionFind.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace atria {
 
@@ -46,35 +47,40 @@ unsigned childrenTouched(const std::array<LatticeBox, 8>& boxes, ModelItem piece
   return bits;
 }
 
-/// One end of a shared edge or point, to find which triangles of an octant meet there.
-struct Contact
+/// An edge with both ends outside of an octant, to find which of the octant's triangles meet there.
+struct OuterEdge
 {
-  std::array<Index, 2> points;
+  EdgeKey edge;
   Index triangle; ///< position among the octant's triangles
+  friend auto operator<=>(const OuterEdge&, const OuterEdge&) = default;
 };
 
-std::vector<Contact> contactsIn(const LatticeBox& box, std::span<const Index> triangles, const SurfaceModel& model)
+/// For points, the first triangle that was seen at each.
+class FirstAtPoints
 {
-  std::vector<Contact> contacts;
-  for (Index i = 0; i < triangles.size(); ++i)
+public:
+  explicit FirstAtPoints(std::size_t most) : slots(std::bit_ceil(2 * most), {noIndex, 0}) {}
+
+  /// The triangle, if none was there before.
+  Index insert(Index point, Index triangle)
   {
-    const auto& t = model.triangles[triangles[i]];
-    for (int e = 0; e < 3; ++e)
+    // Neighbors in numbers lie apart (Fibonacci hashing).
+    constexpr std::uint64_t golden = 0x9E3779B97F4A7C15;
+    std::size_t at = (point * golden) >> 32 & (slots.size() - 1);
+    while (slots[at].first != noIndex && slots[at].first != point)
     {
-      const Index a = t[e];
-      const Index b = t[(e + 1) % 3];
-      contacts.push_back({{std::min(a, b), std::max(a, b)}, i});
-      if (box.contains(model.points[a]))
-      {
-        contacts.push_back({{a, a}, i});
-      }
+      at = (at + 1) & (slots.size() - 1);
     }
+    if (slots[at].first == noIndex)
+    {
+      slots[at] = {point, triangle};
+    }
+    return slots[at].second;
   }
-  std::sort(contacts.begin(), contacts.end(), [](const Contact& l, const Contact& r) {
-    return std::tie(l.points, l.triangle) < std::tie(r.points, r.triangle);
-  });
-  return contacts;
-}
+
+private:
+  std::vector<std::pair<Index, Index>> slots;
+};
 
 /// Whether two triangles share an edge or a point within the box.
 bool meetIn(const LatticeBox& box, const std::array<Index, 3>& first, const std::array<Index, 3>& second,
@@ -119,18 +125,36 @@ bool areSeveral(const LatticeBox& box, std::span<Index> triangles, const Surface
   return reached != triangles.end();
 }
 
-/// The same by sorted contacts.
+/// The same by what is at points in the box and by sorted edges that may pass it without a point in it, which are few.
 bool areSeveralOfMany(const LatticeBox& box, std::span<const Index> triangles, const SurfaceModel& model)
 {
-  const std::vector<Contact> contacts = contactsIn(box, triangles, model);
   UnionFind sets(triangles.size());
-  for (std::size_t i = 1; i < contacts.size(); ++i)
+  FirstAtPoints firstAt(3 * triangles.size());
+  std::vector<OuterEdge> edges;
+  for (Index i = 0; i < triangles.size(); ++i)
   {
-    const Contact& l = contacts[i - 1];
-    const Contact& r = contacts[i];
-    if (l.points == r.points && touches(box, model.points[l.points[0]], model.points[l.points[1]]))
+    const auto& t = model.triangles[triangles[i]];
+    const auto isIn = [&](int k) { return box.contains(model.points[t[k]]); };
+    const std::array<bool, 3> inside{isIn(0), isIn(1), isIn(2)};
+    for (int e = 0; e < 3; ++e)
     {
-      sets.join(l.triangle, r.triangle);
+      if (inside[e])
+      {
+        sets.join(firstAt.insert(t[e], i), i);
+      }
+      else if (!inside[(e + 1) % 3])
+      {
+        edges.push_back({edgeKey(t, e), i});
+      }
+    }
+  }
+  std::ranges::sort(edges);
+  for (std::size_t i = 1; i < edges.size(); ++i)
+  {
+    const auto& [edge, triangle] = edges[i];
+    if (edges[i - 1].edge == edge && touches(box, model.points[edge.first], model.points[edge.second]))
+    {
+      sets.join(edges[i - 1].triangle, triangle);
     }
   }
   for (Index i = 1; i < triangles.size(); ++i)
