@@ -3,6 +3,7 @@
 
 #include "Grid/Predicates.h"
 #include "Support/Buckets.h"
+#include "Support/Sorting.h"
 #include "Surface/Repair/Clusters.h"
 #include "Surface/Repair/Contacts.h"
 #include "Surface/Repair/Slivers.h"
@@ -90,9 +91,9 @@ void replacePoints(TriangleSoup& soup, const std::vector<Index>& became, std::ve
 /// For each point what it becomes where, of the points given, those closer than the distance become one.
 std::vector<Index> weldSome(const TriangleSoup& soup, std::vector<Index> some, std::int64_t distance)
 {
-  std::sort(some.begin(), some.end());
-  some.erase(std::unique(some.begin(), some.end()), some.end());
+  sortUnique(some);
   std::vector<LatticePoint> places;
+  places.reserve(some.size());
   for (const Index p : some)
   {
     places.push_back(soup.points[p]);
@@ -136,8 +137,7 @@ void addNewPoints(TriangleSoup& soup, Contacts& contacts, std::int64_t distance)
   }
   std::erase_if(contacts.edges,
                 [](const EdgeContact& c) { return c.point == c.edge.first || c.point == c.edge.second; });
-  std::sort(contacts.edges.begin(), contacts.edges.end());
-  contacts.edges.erase(std::unique(contacts.edges.begin(), contacts.edges.end()), contacts.edges.end());
+  sortUnique(contacts.edges);
   std::erase_if(contacts.faces, [&](const FaceContact& c) {
     const auto& corners = soup.triangles[c.triangle];
     const auto onEdge = [&](int i) {
@@ -146,8 +146,7 @@ void addNewPoints(TriangleSoup& soup, Contacts& contacts, std::int64_t distance)
     };
     return contains(corners, c.point) || onEdge(0) || onEdge(1) || onEdge(2);
   });
-  std::sort(contacts.faces.begin(), contacts.faces.end());
-  contacts.faces.erase(std::unique(contacts.faces.begin(), contacts.faces.end()), contacts.faces.end());
+  sortUnique(contacts.faces);
 }
 
 bool hasArea(const TriangleSoup& soup, const std::array<Index, 3>& t)
