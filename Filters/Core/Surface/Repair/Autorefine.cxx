@@ -202,33 +202,35 @@ std::vector<Index> pointsOf(const TriangleSoup& soup, const Contacts& contacts)
 /// makes anew in every round lies a few lattice units apart, and what is left after three rounds is folded.
 constexpr std::int64_t loosening = 16;
 
-/// Cuts in rounds until nothing is found, or no fewer than two rounds before.
+/// Cuts in rounds until nothing is found but contacts of triangles that are left.
 class Rounds
 {
 public:
   Rounds(TriangleSoup& soup_, const AutorefineOptions& options_, const ClusterCells& clusters_,
-         AutorefineReport& report_)
+         AutorefineReport& report_, const RunContext& context_)
       : soup(soup_), options(options_), clusters(clusters_), weldDistance(weldReaches * options.reach),
-        width(weldDistance), report(report_)
+        width(weldDistance), report(report_), context(context_)
   {
   }
 
-  void run(std::vector<char> changed, const RunContext& context)
+  void run(std::vector<char> changed)
   {
-    // Of the two rounds before.
-    std::array<std::size_t, 2> before{std::numeric_limits<std::size_t>::max(), std::numeric_limits<std::size_t>::max()};
-    for (int round = 0;; ++round)
+    std::size_t foundBefore = std::numeric_limits<std::size_t>::max();
+    for (int round = 0; round < options.maximumRounds; ++round)
     {
       tidy(changed, round == 0);
-      Contacts contacts = findContacts(soup, changed, options.reach, clusters, context);
-      const std::size_t found = contacts.edges.size() + contacts.faces.size();
-      const bool isStuck = width >= options.widestWeld && found >= before[0];
-      if (found == 0 || round == options.maximumRounds || isStuck)
+      Contacts contacts = find(changed);
+      if (leaveHopeless(contacts.pairs))
       {
-        leave(contacts);
-        return;
+        contacts = find(changed);
       }
-      before = {before[1], found};
+      // Slivers with a corner on their own edge may stay that.
+      const std::size_t found = contacts.edges.size() + contacts.faces.size();
+      if (found == 0 || (contacts.pairs.empty() && found >= foundBefore))
+      {
+        break;
+      }
+      foundBefore = found;
       checkTriples(soup.triangles.size(), contacts.pairs);
       addNewPoints(soup, contacts, weldDistance);
       if (round > 0)
@@ -240,18 +242,48 @@ public:
       cutTriangles(soup, contacts, static_cast<double>(options.reach), changed, report.isSplit, report.meetings,
                    context);
     }
+    countLeft(changed);
   }
 
 private:
-  /// Counts what is found still.
-  void leave(const Contacts& contacts)
+  Contacts find(const std::vector<char>& changed) const
   {
-    report.unresolvedContacts = contacts.edges.size() + contacts.faces.size();
-    std::ranges::fill(report.isUnresolved, 0);
-    for (const auto& [first, second] : contacts.pairs)
+    return findContacts(soup, changed, report.isLeft, options.reach, clusters, context);
+  }
+
+  /// Leaves triangles that have more contacts than two rounds before, or as many where points do not become one
+  /// farther apart any more. Whether there are any.
+  bool leaveHopeless(const TrianglePairs& pairs)
+  {
+    std::vector<Index> counts(report.isLeft.size(), 0);
+    for (const auto& [first, second] : pairs)
     {
-      report.isUnresolved[soup.sources[first]] = report.isUnresolved[soup.sources[second]] = 1;
+      ++counts[soup.sources[first]];
+      ++counts[soup.sources[second]];
     }
+    const Index enough = width >= options.widestWeld ? 0 : 1;
+    bool any = false;
+    for (std::size_t s = 0; s < countsBefore[0].size(); ++s)
+    {
+      const Index before = countsBefore[0][s];
+      const bool isHopeless = before > 0 && counts[s] >= before + enough && !report.isLeft[s];
+      report.isLeft[s] |= isHopeless ? 1 : 0;
+      any = any || isHopeless;
+    }
+    countsBefore = {std::move(countsBefore[1]), std::move(counts)};
+    return any;
+  }
+
+  /// Counts the contacts that there are still.
+  void countLeft(std::vector<char>& changed)
+  {
+    tidy(changed, false);
+    for (std::size_t t = 0; t < changed.size(); ++t)
+    {
+      changed[t] |= report.isLeft[soup.sources[t]];
+    }
+    const Contacts contacts = findContacts(soup, changed, {}, options.reach, clusters, context);
+    report.unresolvedContacts = contacts.edges.size() + contacts.faces.size();
   }
 
   /// Points close to each other become one, and triangles that are there no longer or twice are dropped.
@@ -287,7 +319,10 @@ private:
   /// Within this, points at contacts that cuts do not get rid of become one.
   std::int64_t width;
   std::vector<Index> knots;
+  /// Of the two rounds before, by source the pairs of touching triangles that it has pieces in.
+  std::array<std::vector<Index>, 2> countsBefore;
   AutorefineReport& report;
+  const RunContext& context;
 };
 
 } // namespace
@@ -299,7 +334,7 @@ AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options
 {
   AutorefineReport report;
   report.isSplit.resize(soup.sources.empty() ? 0 : soup.sources.back() + 1, 0);
-  report.isUnresolved.resize(report.isSplit.size(), 0);
+  report.isLeft.resize(report.isSplit.size(), 0);
   refineAgain(soup, options, clusters, std::vector<char>(soup.triangles.size(), 1), report, context);
   return report;
 }
@@ -307,11 +342,7 @@ AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options
 void refineAgain(TriangleSoup& soup, const AutorefineOptions& options, const ClusterCells& clusters,
                  std::vector<char> changed, AutorefineReport& report, const RunContext& context)
 {
-  for (std::size_t t = 0; t < changed.size(); ++t)
-  {
-    changed[t] |= report.isUnresolved[soup.sources[t]];
-  }
-  Rounds(soup, options, clusters, report).run(std::move(changed), context);
+  Rounds(soup, options, clusters, report, context).run(std::move(changed));
   const std::size_t before = soup.triangles.size();
   filter(soup, nullptr, [&](const auto& t) { return hasArea(soup, t); });
   report.degenerateTriangles += before - soup.triangles.size();

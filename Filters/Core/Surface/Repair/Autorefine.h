@@ -34,10 +34,10 @@ struct AutorefineReport
   std::size_t intersectionEdges = 0;
   /// Contacts left after the last round.
   std::size_t unresolvedContacts = 0;
-  /// What the counts are of: per source, whether it was cut, and whether a piece of it has such a contact; the edges
-  /// on which triangles now meet.
+  /// What the counts are of: per source, whether it was cut, and whether its contacts with others so marked are left,
+  /// as cuts only made more of them; the edges on which triangles now meet.
   std::vector<char> isSplit;
-  std::vector<char> isUnresolved;
+  std::vector<char> isLeft;
   std::set<EdgeKey> meetings;
 };
 
@@ -48,10 +48,10 @@ struct AutorefineReport
 /// edges; points closer than the reach allows become one; of triangles with the same points the first is kept. New
 /// points are rounded to the lattice, which can make new contacts; the next round looks at the cut triangles only.
 /// From the second on, points at contacts become one within a distance that grows to the widest weld, as what is left
-/// then lies closer together than cuts can tell apart. Rounds end where one finds no fewer contacts than the last but
-/// one. Pieces take the place of their triangle, with its winding, surface and source; those of one triangle are not
-/// compared with each other. O(n log n) where little is cut. Nothing is cut in clusters. Throws TooManyContacts
-/// (Clusters.h).
+/// then lies closer together than cuts can tell apart. A triangle with more contacts than two rounds before, or as many
+/// once the distance no longer grows, is left: its contacts with others that are left are only counted. Pieces take the
+/// place of their triangle, with its winding, surface and source; those of one triangle are not compared with each
+/// other. O(n log n) where little is cut. Nothing is cut in clusters. Throws TooManyContacts (Clusters.h).
 AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options, const ClusterCells& clusters,
                             const RunContext& context);
 

@@ -354,8 +354,10 @@ LatticeBox common(const NumberedBox& a, const NumberedBox& b)
 
 /// Looks at pairs as they are met. Where boxes cluster pairs are counted first, as looking at them takes far longer.
 std::vector<Search> searchContacts(const TriangleSoup& soup, const BoxTree& tree, const std::vector<char>& changed,
-                                   double reach, const ClusterCells& clusters, const RunContext& context)
+                                   const std::vector<char>& isLeft, double reach, const ClusterCells& clusters,
+                                   const RunContext& context)
 {
+  const auto areLeft = [&](Index s, Index t) { return !isLeft.empty() && isLeft[s] && isLeft[t]; };
   // Of few triangles many are near each other: pieces are small then, so that there are some for all threads.
   const std::size_t grain = std::clamp<std::size_t>(tree.size() / 128, 8, 1024);
   constexpr std::size_t manyEach = 200;
@@ -378,7 +380,8 @@ std::vector<Search> searchContacts(const TriangleSoup& soup, const BoxTree& tree
       // Two that are changed meet twice.
       tree.eachTouching(tree.box(i), all ? i + 1 : 0, [&](std::size_t j) {
         const Index b = tree.box(j).id;
-        const bool isOther = soup.sources[a] != soup.sources[b] && (!changed[b] || j > i);
+        const bool isOther =
+            soup.sources[a] != soup.sources[b] && !areLeft(soup.sources[a], soup.sources[b]) && (!changed[b] || j > i);
         if (isOther && !clusters.hold(common(tree.box(i), tree.box(j))))
         {
           touching += changed[b] ? 2 : 1;
@@ -417,12 +420,13 @@ std::vector<Search> searchContacts(const TriangleSoup& soup, const BoxTree& tree
 
 } // namespace
 
-Contacts findContacts(const TriangleSoup& soup, const std::vector<char>& changed, std::int64_t reach,
-                      const ClusterCells& clusters, const RunContext& context)
+Contacts findContacts(const TriangleSoup& soup, const std::vector<char>& changed, const std::vector<char>& isLeft,
+                      std::int64_t reach, const ClusterCells& clusters, const RunContext& context)
 {
   const BoxTree tree(boxesOf(soup, seenTriangles(soup, clusters, context), reach, context), context);
   ContactFinder finder(soup, static_cast<double>(reach));
-  for (const Search& search : searchContacts(soup, tree, changed, static_cast<double>(reach), clusters, context))
+  for (const Search& search :
+       searchContacts(soup, tree, changed, isLeft, static_cast<double>(reach), clusters, context))
   {
     finder.append(search.finder);
   }
