@@ -254,6 +254,24 @@ void fillPieces(VertexClassification& classification, const std::vector<Part>& p
   }
 }
 
+/// Vertices of clusters, and those that are not where they should be, need not stay where they are: elements about them
+/// are better, and valid sooner, where they give way.
+void detachUnresolved(const Octree& octree, const Buckets& cutsOf, DualVertices& vertices)
+{
+  constexpr double reach = 0.25; // octants
+  VertexClassification& classification = vertices.classification;
+  for (Index v = 0; v < classification.classes.size(); ++v)
+  {
+    const Index leaf = classification.leaves[v];
+    const bool isInCluster = octree.featureType(leaf) == FeatureType::cluster && !cutsOf.of(leaf).empty();
+    if (isInCluster || vertices.compromised[v])
+    {
+      classification.classes[v] = VertexClass::detached;
+      classification.displacementLimits[v] = {vertices.positions[v], reach * octree.frame().sizeOf(octree.level(leaf))};
+    }
+  }
+}
+
 } // namespace
 
 DualVertices placeVertices(const Octree& octree, const SurfaceModel& model, const Crossings& crossings,
@@ -299,6 +317,7 @@ DualVertices placeVertices(const Octree& octree, const SurfaceModel& model, cons
     }
   }
   fillPieces(vertices.classification, parts, chain, detachCoincident(chain, corners, vertices), model);
+  detachUnresolved(octree, byLeaf, vertices);
   return vertices;
 }
 

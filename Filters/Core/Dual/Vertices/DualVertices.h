@@ -15,7 +15,7 @@ enum class VertexClass : std::uint8_t
   curve,    ///< on feature curves
   adjacent, ///< on the charts that meet at its curves: detached from these
   fixed,    ///< at a corner, or where it is on several pieces or on none it should be on
-  detached  ///< near where it was, although it should be on some piece
+  detached  ///< near where it was: off the pieces it should be on, or in a cluster
 };
 
 /// How far a detached vertex may be, along each axis, from where it was.
@@ -60,8 +60,8 @@ struct DualVertices
 /// on a corner of the model, on a feature curve, on a surface, or free. A free one keeps the center of its octant; one
 /// on a curve goes to the middle of the curve's piece in the octant, one on a surface to the mean of the points where
 /// the octant's edges are cut, projected. Corners go to the vertices of their curves that are nearest to them, one
-/// each. On a domain side the vertex lies exactly in the side's plane, and on corners and curves of the surfaces that
-/// lie there.
+/// each. Vertices that are compromised or in a cluster are detached. On a domain side the vertex lies exactly in the
+/// side's plane, and on corners and curves of the surfaces that lie there.
 DualVertices placeVertices(const Octree& octree, const SurfaceModel& model, const Crossings& crossings,
                            const std::vector<Index>& leaves, const RunContext& context);
 

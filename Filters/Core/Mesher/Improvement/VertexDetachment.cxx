@@ -69,10 +69,11 @@ void VertexDetachment::make(RoomStep step, const std::vector<ShortCell>& bad)
   }
 }
 
-/// A vertex may leave more than once: those that did not get back stay where they are, but may have to go on.
+/// A vertex may leave more than once: those that did not get back stay where they are, but may have to go on. Those that
+/// were detached from the first belong nowhere.
 void VertexDetachment::noteLeft(Index leader)
 {
-  if (!isLeft_[leader])
+  if (!isLeft_[leader] && state_.wanted.classes[leader] != VertexClass::detached)
   {
     isLeft_[leader] = 1;
     left_.push_back({leader, state_.layer.mesh.points[leader]});
