@@ -22,6 +22,7 @@ enum ExitStatus : int
   BadInput = 3,
   MeshNotValid = 4,
   ChecksFailed = 5, ///< the mesh is valid, but what is written fails checks of checkMesh
+  // 6: the page of a case is written, but its runs are not to be believed; see atria.report
   Interrupted = 130 ///< by Ctrl-C; what shells say too
 };
 

@@ -43,7 +43,8 @@ int main(int argc, char** argv)
       "Meshes architecture for flow simulation: a VRML, COLLADA, IFC, OBJ, STL, PLY, glTF or CityJSON model in, a "
       "hexahedral-dominant mesh with named patches out.\nExit status: 0 done, 2 usage, 3 bad input, 4 the "
       "mesh is written but has elements that are not valid, 5 it is written and valid but fails checks of "
-      "OpenFOAM's checkMesh, 130 interrupted, 1 any other failure.");
+      "OpenFOAM's checkMesh, 6 a case's page is written but its runs are not to be believed, 130 interrupted, 1 any "
+      "other failure.");
   app.name("atria");
   app.set_version_flag("--version", ATRIA_TOOL_VERSION);
   app.require_subcommand(1);

@@ -23,7 +23,7 @@ import numpy
 from atria import Error
 from atria.report import Case, comfort, page_of, read_climate, results
 from atria.report.pictures import levels
-from box_mesh import BOX, write_box
+from box_mesh import BOX, header, write_box
 
 ATRIA = pathlib.Path(sys.argv[1])
 BUILDING = pathlib.Path(sys.argv[2])
@@ -222,9 +222,9 @@ class Runs(Folder):
         self.assertEqual((run.returncode, run.stderr), (0, ""))
         return self.folder / name
 
-    def box(self):
-        write_box(self.folder / "box", (20, 8, 8), BOX, zone_at=10)
-        return self.folder / "box"
+    def box(self, name="box"):
+        write_box(self.folder / name, (20, 8, 8), BOX, zone_at=10)
+        return self.folder / name
 
     def run_case(self, folder):
         run = subprocess.run([folder / "Allrun"], capture_output=True, text=True, check=False)
@@ -286,7 +286,46 @@ class Runs(Folder):
                      "hall: the air that enters and leaves"):
             self.assertIn(text, doubts)
         self.file("made/log.simpleFoam", "Time = 1\nsmoothSolver:  Solving for Ux, Initial residual = nan, Final residual = nan\n")
-        self.assertIn("blew up", "\n".join(Case(self.folder / "made").runs[0].doubts()))
+        self.assertIn("blew up", "\n".join(Case(self.folder / "made").runs[0].failures()))
+
+    def solved(self, fastest, **patches):
+        """A case with made results: 2 m/s, 4 m/s at the inlet, and `fastest` in the cell about (52.5, 7.5, 22.5)."""
+        folder = self.folder / f"solved{len(list(self.folder.iterdir()))}"
+        self.case(self.box(f"box{folder.name}"), folder.name)
+        self.file(f"{folder.name}/log.simpleFoam",
+                  "Time = 1\nsmoothSolver:  Solving for Ux, Initial residual = 0.1, Final residual = 0\nEnd\n")
+        velocity = numpy.tile([2.0, 0.0, 0.0], (1280, 1))
+        velocity[10 + 20 * (5 + 8 * 4)] = 0.0, 0.0, fastest
+        at = {"xMin": "(4 0 0)", "xMax": "(2 0 0)", "yMin": "(2 0 0)", "yMax": "(2 0 0)", "zMin": "(0 0 0)", "zMax": "(99 0 0)"} | patches
+        listed = b"nonuniform List<vector> 1280(" + velocity.tobytes() + b")"
+        for name, of, inside, boundary in (("U", "volVectorField", listed, at),
+                                           ("p", "volScalarField", b"uniform 0", dict.fromkeys(at, 0))):
+            rows = " ".join(f"{patch} {{ type fixedValue; value uniform {value}; }}" for patch, value in boundary.items())
+            head = header(name, of).replace("constant/polyMesh", "1").replace("ascii", "binary")
+            file = self.file(f"{folder.name}/1/{name}", "")
+            file.write_bytes(f"{head}dimensions [0 0 0 0 0 0 0];\ninternalField ".encode() + inside +
+                             f";\nboundaryField {{ {rows} }}\n".encode())
+        return folder
+
+    def test_speeds_that_no_wind_has_are_doubted(self):
+        page = self.report(self.solved(11.9))
+        self.assertFalse([item for item in page.items if "no wind has" in item])
+        folder = self.solved(12.1)
+        run = self.atria("report", folder)
+        self.assertEqual(run.returncode, 6)
+        page = Page((folder / "report.html").read_text(encoding="utf-8"))
+        for text in (run.stderr, page.items[0]):
+            for part in ("12.1 m/s at (52.5, 7.5, 22.5)", "the 4 m/s", "as much: 1)"):
+                self.assertIn(part, text)
+
+    def test_speeds_follow_from_what_comes_in_or_is_drawn_out(self):
+        """Not from those along slip, nor from a place where air goes out fast beside one where it comes back."""
+        failures = lambda *args, **patches: Case(self.solved(*args, **patches)).runs[0].failures()
+        self.assertTrue(failures(30.0, xMax="(5 0 0)"))
+        self.assertFalse(failures(30.0, xMax="(11 0 0)"))
+        self.assertTrue(failures(30.0, xMax="(-11 0 0)"))
+        self.assertFalse(failures(30.0, zMin="(0 0 11)"))
+        self.assertIn("no number", failures(math.nan)[0])
 
     def test_results_without_fields_are_refused(self):
         run = self.atria("report", self.measured())

@@ -11,7 +11,9 @@ from . import Case, page_of, read_climate
 from ..errors import Error
 from .comfort import at_reference
 
-BAD_INPUT = 3  # as the command line's others
+# As the command line's others.
+BAD_INPUT = 3
+NOT_BELIEVABLE = 6
 
 
 def _arguments(given):
@@ -40,7 +42,10 @@ def main(given=None) -> int:
         print(f"atria: error: {target}: {error.strerror}", file=sys.stderr)
         return 1
     print(f"Written: {target}")
-    return 0
+    failures = [(run.title, failure) for run in case.runs for failure in run.failures()]
+    for title, failure in failures:
+        print(f"atria: warning: {title}: {failure}", file=sys.stderr)
+    return NOT_BELIEVABLE if failures else 0
 
 
 if __name__ == "__main__":

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import functools
 import json
 import pathlib
 from dataclasses import dataclass
@@ -10,7 +11,8 @@ from dataclasses import dataclass
 import numpy
 
 from ..errors import Error
-from . import results
+from . import results, speeds
+from .fields import Fields
 from .results import History
 
 OUTSIDE = "outside"
@@ -67,6 +69,11 @@ class Run:
     @property
     def ran(self):
         return self.log is not None and bool(self.log.residuals)
+
+    @functools.cached_property
+    def fields(self):
+        """Of the last time; Error where there are none."""
+        return Fields(self.folder)
 
     def patches_of(self, *roles):
         return [name for name, role in self.roles.items() if role in roles]
@@ -131,13 +138,20 @@ class Run:
         """Averages on walls where wall functions no longer hold."""
         return [value for patch, value in self.y_plus.items() if value > MOST_Y_PLUS and self.roles.get(patch) == "wall"]
 
+    def failures(self):
+        """Why nothing of the run is to be believed, in words."""
+        if not self.ran:
+            return []
+        if any(not numpy.isfinite(h.values).all() for h in self.log.residuals.values()):
+            return ["the run blew up: residuals are no numbers"]
+        found = speeds.impossible(self.fields, self.roles)
+        return [found] if found else []
+
     def doubts(self):
-        """In words."""
+        """What has not settled or is missing, in words."""
         if not self.ran:
             return [f"no results: there is no log of a solver in {self.folder}; run its Allrun"]
         found = [] if self.log.ended else [f"the run did not end: see {self.log.file}"]
-        if any(not numpy.isfinite(h.values).all() for h in self.log.residuals.values()):
-            found.append("the run blew up: residuals are no numbers")
         unsettled = [judged.name for judged in self.judged() if judged.verdict == results.UNSETTLED]
         if unsettled:
             found.append(f"not settled: {', '.join(unsettled)}. Run more iterations; if they go on to swing, the flow is not "

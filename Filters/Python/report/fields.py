@@ -63,6 +63,8 @@ class Fields:
             reader.UpdateTimeStep(self.time)
         blocks = _blocks_of(reader.GetOutput())
         self.mesh = blocks.pop("internalMesh")
+        if not self.mesh.GetCellData().HasArray("U"):
+            raise Error(f"{case}: U of time {self.time:g} is missing or cannot be read")
         zones = _blocks_of(blocks.pop("zones")) if "zones" in blocks else {}
         face_zones = _blocks_of(zones["faceZones"]) if "faceZones" in zones else {}
         self.face_zones = {name: _without_unused_points(zone) for name, zone in face_zones.items()}

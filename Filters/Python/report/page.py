@@ -9,7 +9,6 @@ import numpy
 
 from . import charts, comfort, pictures, results
 from .case import MOST_Y_PLUS, OUTSIDE
-from .fields import Fields
 
 _STYLE = """body { font-family: Arial, Helvetica, sans-serif; color: #282828; }
 body { margin: 24px auto; max-width: 1180px; padding: 0 16px; }
@@ -80,7 +79,7 @@ def doubts(case, climate):
     found = []
     for run in case.runs:
         prefix = f"{run.title}: " if len(case.runs) > 1 else ""
-        found += [prefix + doubt for doubt in run.doubts()]
+        found += [prefix + doubt for doubt in [*run.failures(), *run.doubts()]]
     found += ["mesh: " + doubt for doubt in _doubts_of_mesh(case)]
     found += ["comfort: " + doubt for doubt in _doubts_of_comfort(case, climate)] if climate else []
     found.append("model: steady Reynolds-averaged flow has the speeds of wakes and of lee sides too low, whatever the mesh, and "
@@ -245,7 +244,7 @@ def convergence(case):
 
 def _sampled(case):
     """The fields of each run, the view from above, and by run the speeds at its places over the reference speed."""
-    fields_of = {run: Fields(run.folder) for run in case.runs if run.ran}
+    fields_of = {run: run.fields for run in case.runs if run.ran}
     view, ratios = None, []
     for run, fields in fields_of.items():
         view = view or pictures.plan(run, fields, case)
