@@ -67,7 +67,7 @@ std::string at(const Vec3& p)
 std::string messageOf(const Leak& leak, const std::vector<std::string>& beside)
 {
   std::ostringstream text;
-  text << "the zone at " << at(leak.seed) << " should be sealed but reaches the side " << sideNames[leak.side]
+  text << "the zone at " << at(leak.seed) << " should be sealed but reaches the side " << sideName(leak.side)
        << "; the narrowest place on the widest way is at " << at(leak.place);
   text << ", " << leak.width << " wide";
   if (!beside.empty())
@@ -154,7 +154,7 @@ void leaksToVtk(const std::vector<Leak>& leaks, const std::vector<std::string>& 
     seeds->InsertNextTuple(leak.seed.data());
     places->InsertNextTuple(leak.place.data());
     surfaces->InsertNextValue(joined(beside, "\n"));
-    sides->InsertNextValue(sideNames[leak.side]);
+    sides->InsertNextValue(sideName(leak.side));
     messages->InsertNextValue(messageOf(leak, beside));
   }
 }

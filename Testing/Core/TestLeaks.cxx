@@ -127,9 +127,11 @@ void expectWay(const Leak& leak, const FoundZones& found, const Vec3& seed)
     EXPECT_THAT(neighbors, ::testing::Contains(static_cast<std::int32_t>(leak.points[i + 1])));
     EXPECT_EQ(leak.path[i], found.position(leak.points[i]));
   }
-  const std::int32_t code = found.crossings.neighbors[leak.points.back()][leak.side];
+  const std::int32_t code = found.crossings.neighbors[leak.points.back()][leak.direction];
   ASSERT_TRUE(DualMesh::isBoundary(code));
-  EXPECT_TRUE(found.crossings.boundaryFaces[DualMesh::boundaryFaceOf(code)].onDomainSide);
+  const BoundaryFace& exit = found.crossings.boundaryFaces[DualMesh::boundaryFaceOf(code)];
+  EXPECT_TRUE(exit.onDomainSide);
+  EXPECT_EQ(exit.tag, found.model.names.size() + leak.side);
   ASSERT_EQ(leak.path.size(), leak.points.size() + 1);
   EXPECT_EQ(leak.path.back()[axisOf(leak.side)], found.octree.frame().planeOf(leak.side));
   EXPECT_EQ(std::set<Index>(leak.points.begin(), leak.points.end()).size(), leak.points.size()) << "no point twice";

@@ -2,14 +2,18 @@
 /// Zones, leaks and closed cracks as the mesher's third output tells them.
 #include "DualMesherTest.h"
 
+#include <vtkCell.h>
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkIdList.h>
+#include <vtkPoints.h>
 #include <vtkStringArray.h>
 
+#include <Eigen/Geometry>
 #include <gmock/gmock.h>
 
+#include <cmath>
 #include <sstream>
 
 namespace {
@@ -83,6 +87,41 @@ TEST_F(DualMesherLeaks, ALeakIsALineFromTheSealedSeedToTheOutsideAndNamesItsNarr
   const double* owner = diagnostics()->GetCellData()->GetArray("CellId")->GetRange();
   EXPECT_GE(owner[0], 0);
   EXPECT_LT(owner[1], volume()->GetNumberOfCells());
+}
+
+/// Of a plane patch.
+double distanceToPlane(const Vec3& place, vtkPolyData* patch)
+{
+  vtkPoints* points = patch->GetCell(0)->GetPoints();
+  const Vec3 a(points->GetPoint(0)), b(points->GetPoint(1)), c(points->GetPoint(2));
+  return std::abs((b - a).cross(c - a).normalized().dot(place - a));
+}
+
+TEST_F(DualMesherLeaks, ALeakEndsOnTheSideOfThePrismThatItNames)
+{
+  TriangleSurface surface = roomWithGapBelowItsDoor();
+  addSheet(surface, "Sky", Vec3(-20, -20, 6), Vec3(40, 0, 0), Vec3(0, 40, 0)); // no way out
+  setSurface(surface);
+  mesher->AddSealedSeed(0, 0, 1.5);
+  for (const int sides : {4, 5, 8})
+  {
+    SCOPED_TRACE(sides);
+    mesher->SetDomainSides(sides);
+    mesher->SetDomainAngle(20.0 + sides);
+    mesher->Update();
+    const auto side = atria::testing::fieldStrings(diagnostics(), "LeakSide");
+    ASSERT_EQ(side.size(), 1u);
+    const auto named = namedPatches();
+    const auto found = named.find(side[0]);
+    ASSERT_NE(found, named.end()) << side[0];
+    EXPECT_THAT(atria::testing::fieldStrings(diagnostics(), "LeakMessage")[0],
+                HasSubstr("reaches the side " + side[0] + ";"));
+    vtkNew<vtkIdList> ids;
+    diagnostics()->GetCellPoints(cellsOfKind("LeakPath").at(0), ids);
+    const Vec3 last(diagnostics()->GetPoint(ids->GetId(ids->GetNumberOfIds() - 1)));
+    EXPECT_LT(distanceToPlane(last, found->second), 1e-3);
+  }
+  messages.takeWarnings(atria::testing::cutAtSides); // of the sky
 }
 
 TEST_F(DualMesherLeaks, ASealedSeedDoesNotChangeTheMesh)

@@ -23,8 +23,8 @@ public:
   {
   }
 
-  /// The open side a point reaches; none: noSide.
-  std::uint8_t sideAt(Index point) const
+  /// The face of an open side that a point reaches, or null.
+  const BoundaryFace* exitAt(Index point) const
   {
     for (const std::uint8_t direction : {zMax, xMin, xMax, yMin, yMax})
     {
@@ -34,12 +34,15 @@ public:
         const BoundaryFace& face = crossings.boundaryFaces[DualMesh::boundaryFaceOf(code)];
         if (face.onDomainSide && face.tag >= surfaceCount)
         {
-          return direction;
+          return &face;
         }
       }
     }
-    return noSide;
+    return nullptr;
   }
+
+  /// The number of the side that a face is on.
+  Index sideOf(const BoundaryFace& face) const { return face.tag - static_cast<Index>(surfaceCount); }
 
   /// Widest edges first (Prim 1957): on the tree that grows so, every way is the widest between its ends.
   std::vector<Index> widest(Index from)
@@ -65,7 +68,7 @@ public:
         continue;
       }
       parents[step.to] = step.from;
-      if (sideAt(step.to) != noSide)
+      if (exitAt(step.to))
       {
         return wayTo(step.to);
       }
@@ -98,7 +101,7 @@ public:
         continue;
       }
       parents[point] = before;
-      if (to == noIndex ? sideAt(point) != noSide : point == to)
+      if (to == noIndex ? exitAt(point) != nullptr : point == to)
       {
         return wayTo(point);
       }
@@ -117,8 +120,6 @@ public:
     }
     return {};
   }
-
-  static constexpr std::uint8_t noSide = 6;
 
 private:
   std::vector<Index> wayTo(Index point) const
@@ -227,15 +228,28 @@ std::vector<Index> shorten(const std::vector<Index>& way, const std::vector<Clea
   return out;
 }
 
+/// The place of the leak's side that is nearest to a point.
+Vec3 onSide(const Leak& leak, const Vec3& point, const GridFrame& frame)
+{
+  Vec3 end = point;
+  if (!frame.turnedDomain || !isUprightSide(leak.side))
+  {
+    end[axisOf(leak.direction)] = frame.planeOf(leak.direction);
+    return end;
+  }
+  const Placement relative(frame.turnedDomain->axes.angle() - frame.placement.angle());
+  end = relative.fromModel(end);
+  end.head<2>() = frame.turnedDomain->nearest(end.head<2>(), SideBits{1} << leak.side);
+  return relative.toModel(end);
+}
+
 void drawPath(Leak& leak, const Clearance& clearance, const GridFrame& frame)
 {
   for (const Index point : leak.points)
   {
     leak.path.push_back(clearance.position(point));
   }
-  Vec3 end = leak.path.back();
-  end[axisOf(leak.side)] = frame.planeOf(leak.side);
-  leak.path.push_back(end);
+  leak.path.push_back(onSide(leak, leak.path.back(), frame));
 }
 
 /// Edge of the finest leaf about a point.
@@ -292,7 +306,9 @@ Leak leakFrom(Index start, const Clearance& clearance, const Crossings& crossing
     leak.place = clearance.position(start);
     leak.width = 2.0 * clearance.ofPoint(start);
   }
-  leak.side = finder.sideAt(leak.points.back());
+  const BoundaryFace& exit = *finder.exitAt(leak.points.back());
+  leak.side = finder.sideOf(exit);
+  leak.direction = exit.direction;
   drawPath(leak, clearance, octree.frame());
   return leak;
 }

@@ -12,9 +12,10 @@ struct Leak
   std::size_t index;
   Vec3 seed;
   /// The way: grid points, each joined to the next across an uncut octree edge. The first is the seed's; from the last,
-  /// an edge leaves the domain in the direction `side`.
+  /// an edge of the grid leaves the domain in a `direction`, through the side of the number `side`.
   std::vector<Index> points;
-  std::uint8_t side;
+  std::uint8_t direction;
+  Index side;
   /// The same in model units, with the point on the domain's side at the end.
   std::vector<Vec3> path;
   /// The narrowest place of the way: the center of the largest ball that fits there, and its diameter.
