@@ -15,6 +15,10 @@
 #include <vtkStringArray.h>
 #include <vtkTable.h>
 
+#include <algorithm>
+#include <cctype>
+#include <iterator>
+
 vtkStandardNewMacro(vtkAtriaPreflight);
 
 namespace {
@@ -87,6 +91,33 @@ std::vector<std::string> surfacesOf(const atria::Narrow& narrow, const std::vect
   return found;
 }
 
+/// Distances to the sides, the largest blockage, and of a prism that is no box the blockages of all winds square to a
+/// side.
+void addBySide(const atria::Preflight& report, TableWriter& table)
+{
+  std::vector<atria::Index> upright;
+  std::ranges::transform(report.domain.sides(), std::back_inserter(upright), &atria::PrismSide::number);
+  std::ranges::sort(upright); // those of a box by Direction
+  const auto named = [](const char* what, atria::Index side) {
+    std::string name = atria::sideName(side);
+    name[0] = static_cast<char>(std::toupper(name[0]));
+    return what + name;
+  };
+  for (const atria::Index side : upright)
+  {
+    table.add(named("Distance", side), report.distances[side], "H");
+  }
+  table.add(named("Distance", atria::zMax), report.distances[atria::zMax], "H");
+  table.add("Blockage", report.blockages[report.mostBlocked], "");
+  for (const atria::Index side : upright)
+  {
+    if (!report.domain.isBox())
+    {
+      table.add(named("Blockage", side), report.blockages[side], "");
+    }
+  }
+}
+
 void preflightToVtk(const atria::Preflight& report, const std::vector<std::string>& names, vtkTable* out)
 {
   static const char* const sides[6] = {"XMin", "XMax", "YMin", "YMax", "ZMin", "ZMax"};
@@ -104,11 +135,7 @@ void preflightToVtk(const atria::Preflight& report, const std::vector<std::strin
   if (report.buildingHeight > 0.0)
   {
     table.add("BuildingHeight", report.buildingHeight, "m");
-    for (const int direction : {atria::xMin, atria::xMax, atria::yMin, atria::yMax, atria::zMax})
-    {
-      table.add(std::string("Distance") + sides[direction], report.distances[direction], "H");
-    }
-    table.add("Blockage", report.blockage, "");
+    addBySide(report, table);
     table.add("Widened", report.widened, "");
   }
   table.addNarrow("Opening", report.narrow.opening, report.octantsAcrossOpening);

@@ -5,7 +5,9 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace {
 
@@ -96,20 +98,62 @@ TEST(Preflight, MeasuresAgainstTheRules)
   addBox(surface, "Tower", {Vec3(0, 0, 0), Vec3(4, 5, 8)});
   const Preflight report = reportOn(surface, within(around));
   EXPECT_EQ(report.buildingHeight, 8.0);
-  EXPECT_NEAR(report.blockage, 5.0 * 8.0 / (30.0 * 16.0), rounding);
+  EXPECT_NEAR(report.blockages[atria::xMin], 5.0 * 8.0 / (30.0 * 16.0), rounding);
   EXPECT_NEAR(report.distances[atria::xMin], 10.0 / 8.0, rounding);
   EXPECT_NEAR(report.distances[atria::xMax], 16.0 / 8.0, rounding);
   EXPECT_NEAR(report.distances[atria::zMax], 8.0 / 8.0, rounding);
   EXPECT_THAT(report.warnings, Contains(HasSubstr("block")));
   EXPECT_THAT(report.warnings, Contains(HasSubstr("xMax")));
   // Seen along a turned domain the tower is broader.
-  EXPECT_NEAR(reportOn(surface, within(around, 90.0)).blockage, 4.0 * 8.0 / (30.0 * 16.0), rounding);
+  EXPECT_NEAR(reportOn(surface, within(around, 90.0)).blockages[atria::xMin], 4.0 * 8.0 / (30.0 * 16.0), rounding);
   atria::SiteOptions automatic;
   automatic.mode = DomainMode::automatic;
   const Preflight good = reportOn(surface, automatic, 1.0);
   EXPECT_THAT(good.warnings, IsEmpty());
   EXPECT_NEAR(good.distances[atria::xMax], 15.0, rounding);
   EXPECT_EQ(good.widened, 1.0);
+}
+
+/// A slab that looks along y, in the corner of an octagon.
+TEST(Preflight, MeasuresAPrismByItsOwnSides)
+{
+  TriangleSurface surface;
+  const Box3 slab{Vec3(2, 1, 0), Vec3(8, 4, 4)};
+  addBox(surface, "Slab", slab);
+  atria::SiteOptions options = within({Vec3(-20, -20, 0), Vec3(20, 20, 16)});
+  options.domainSides = 8;
+  const Preflight report = reportOn(surface, options);
+  ASSERT_EQ(report.domain.sides().size(), 8u);
+  for (std::size_t i = 0; i < 8; ++i)
+  {
+    const Index side = atria::firstPrismSide + static_cast<Index>(i);
+    SCOPED_TRACE(atria::sideName(side));
+    // Its normal: the first looks along -x, others follow counterclockwise.
+    const double angle = (180.0 + 45.0 * static_cast<double>(i)) * std::numbers::pi / 180.0;
+    const atria::Vec2 normal(std::cos(angle), std::sin(angle));
+    double farthest = -1e9;
+    double least = 1e9, most = -1e9;
+    for (const double x : {2.0, 8.0})
+    {
+      for (const double y : {1.0, 4.0})
+      {
+        farthest = std::max(farthest, normal.dot(atria::Vec2(x, y)));
+        least = std::min(least, normal[0] * y - normal[1] * x);
+        most = std::max(most, normal[0] * y - normal[1] * x);
+      }
+    }
+    EXPECT_NEAR(report.distances[side], (20.0 - farthest) / 4.0, rounding);
+    EXPECT_NEAR(report.blockages[side], (most - least) * 4.0 / (40.0 * 16.0), 1e-3 * report.blockages[side]);
+  }
+  EXPECT_NEAR(report.distances[atria::zMax], 3.0, rounding);
+  // Nearest is the side that looks along x and y; the slab is the broadest for wind across its diagonal.
+  EXPECT_THAT(report.warnings,
+              Contains(HasSubstr("the side domainSide6 is 2.879 building heights away, less than 15, as are 7 "
+                                 "others; any side may be the outlet")));
+  EXPECT_THAT(report.warnings, Contains(HasSubstr("for wind into domainSide2")));
+  EXPECT_GE(report.blockages[report.mostBlocked], *std::ranges::max_element(report.blockages));
+  options.mode = DomainMode::automatic;
+  EXPECT_THAT(reportOn(surface, options, 1.0).warnings, IsEmpty());
 }
 
 TEST(Preflight, EstimatesElements)

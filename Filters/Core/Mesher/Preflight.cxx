@@ -4,6 +4,9 @@
 #include "Octree/Sizing/ElementBudget.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
 #include <sstream>
 
 namespace atria {
@@ -23,6 +26,58 @@ template <typename... Parts> std::string text(const Parts&... parts)
   return out.str();
 }
 
+void measureDistances(const TriangleSurface& surface, const SitePlan& plan, const Box3& buildings, Preflight& out)
+{
+  std::vector<double> nearest(sideNumbers, std::numeric_limits<double>::infinity());
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    for (const Index p : surface.triangles[t])
+    {
+      const Vec2 at = plan.domain.axes.fromModel(surface.points[p]).head<2>();
+      for (const PrismSide& side : plan.domain.sides())
+      {
+        double& least = nearest[side.number];
+        least = plan.isGround[surface.surfaceIds[t]] ? least : std::min(least, -side.beyond(at));
+      }
+    }
+  }
+  for (const PrismSide& side : plan.domain.sides())
+  {
+    out.distances[side.number] = nearest[side.number] / out.buildingHeight;
+  }
+  out.distances[zMax] = (plan.domain.bounds.max[2] - buildings.max[2]) / out.buildingHeight;
+}
+
+void measureBlockages(const TriangleSurface& surface, const SitePlan& plan, double floor, Preflight& out)
+{
+  std::vector<const PrismSide*> known;
+  for (const PrismSide& side : plan.domain.sides())
+  {
+    if (plan.domain.isBox() && side.number != xMin)
+    {
+      continue;
+    }
+    // Sides that face each other see the same.
+    const auto facing = std::ranges::find_if(
+        known, [&](const PrismSide* other) { return other->normal.dot(side.normal) < -1.0 + 1e-12; });
+    double& blockage = out.blockages[side.number];
+    if (facing != known.end())
+    {
+      blockage = out.blockages[(*facing)->number];
+      continue;
+    }
+    const double towards = std::atan2(-side.normal[1], -side.normal[0]) * 180.0 / std::numbers::pi;
+    const Placement along(plan.domain.axes.angle() + towards);
+    const double section = boundsAlong(along, plan.domain).size()[1] * (plan.domain.bounds.max[2] - floor);
+    blockage = section > 0.0 ? frontalArea(surface, plan.isGround, along, floor) / section : 0.0;
+    known.push_back(&side);
+  }
+  for (const PrismSide* side : known)
+  {
+    out.mostBlocked = out.blockages[side->number] > out.blockages[out.mostBlocked] ? side->number : out.mostBlocked;
+  }
+}
+
 void measureSite(const TriangleSurface& surface, const SitePlan& plan, Preflight& out)
 {
   const Box3 buildings = boundsOfBuildings(surface, plan.isGround, plan.domain.axes);
@@ -32,31 +87,10 @@ void measureSite(const TriangleSurface& surface, const SitePlan& plan, Preflight
     out.buildingHeight = 0.0;
     return;
   }
-  const Box3& box = plan.domain.bounds;
-  for (int direction = 0; direction < 6; ++direction)
-  {
-    const int axis = axisOf(direction);
-    const double distance =
-        isUpper(direction) ? box.max[axis] - buildings.max[axis] : buildings.min[axis] - box.min[axis];
-    out.distances[direction] = distance / out.buildingHeight;
-  }
-  if (!plan.domain.isBox())
-  {
-    double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-    {
-      for (const Index p : surface.triangles[t])
-      {
-        const double within = -plan.domain.beyond(plan.domain.axes.fromModel(surface.points[p]).head<2>());
-        nearest = plan.isGround[surface.surfaceIds[t]] ? nearest : std::min(nearest, within);
-      }
-    }
-    std::fill_n(out.distances.begin(), zMin, nearest / out.buildingHeight);
-  }
+  measureDistances(surface, plan, buildings, out);
   const Ground ground(surface, plan.isGround, buildings.min[2]);
-  const double floor = std::max(ground.empty() ? buildings.min[2] : ground.bounds().min[2], box.min[2]);
-  const double section = box.size()[1] * (box.max[2] - floor);
-  out.blockage = section > 0.0 ? frontalArea(surface, plan.isGround, plan.domain.axes, floor) / section : 0.0;
+  const double lowest = ground.empty() ? buildings.min[2] : ground.bounds().min[2];
+  measureBlockages(surface, plan, std::max(lowest, plan.domain.bounds.min[2]), out);
 }
 
 std::size_t leavesInside(const Octree& octree)
@@ -70,6 +104,44 @@ std::size_t leavesInside(const Octree& octree)
     count += octree.inDomain(leaf) && inside ? 1 : 0;
   }
   return count;
+}
+
+/// Of a prism that is no box the nearest side stands for all, as each may be the outlet.
+void warnOfDistances(Preflight& out, const WindRules& rules)
+{
+  const std::array<double, 6> ofBox{
+      rules.inletHeights, rules.outletHeights, rules.sideHeights, rules.sideHeights, -1e300, rules.topHeights};
+  const auto isTooNear = [&](Index side, double least) { return out.distances[side] < least * (1.0 - 1e-6); };
+  const auto warn = [&](Index side, double least, const std::string& why) {
+    out.warnings.push_back(text("the side ", sideName(side), " is ", out.distances[side],
+                                " building heights away, less than ", least, why));
+  };
+  std::vector<Index> tooNear;
+  for (const PrismSide& side : out.domain.sides())
+  {
+    if (isTooNear(side.number, out.domain.isBox() ? ofBox[side.number] : rules.outletHeights))
+    {
+      tooNear.push_back(side.number);
+    }
+  }
+  std::ranges::sort(tooNear); // those of a box by Direction
+  if (!out.domain.isBox() && !tooNear.empty())
+  {
+    const Index nearest = std::ranges::min(tooNear, {}, [&](Index side) { return out.distances[side]; });
+    const std::string others = tooNear.size() == 1   ? ""
+                               : tooNear.size() == 2 ? ", as is another"
+                                                     : text(", as are ", tooNear.size() - 1, " others");
+    warn(nearest, rules.outletHeights, others + "; any side may be the outlet");
+    tooNear.clear();
+  }
+  for (const Index side : tooNear)
+  {
+    warn(side, ofBox[side], "");
+  }
+  if (isTooNear(zMax, rules.topHeights))
+  {
+    warn(zMax, rules.topHeights, "");
+  }
 }
 
 void warnOfDomain(Preflight& out)
@@ -90,31 +162,14 @@ void warnOfDomain(Preflight& out)
     out.warnings.push_back(text("the distances to the sides and the top were made ", out.widened,
                                 " times as large to keep the blockage at 3 %"));
   }
-  if (out.blockage > rules.mostBlockage * (1.0 + 1e-9))
+  const double blockage = out.blockages[out.mostBlocked];
+  if (blockage > rules.mostBlockage * (1.0 + 1e-9))
   {
-    out.warnings.push_back(text("the buildings block ", 100.0 * out.blockage,
-                                " % of the domain's cross-section, more than ", 100.0 * rules.mostBlockage,
-                                " %: make the domain wider or higher"));
+    const std::string wind = out.domain.isBox() ? "" : ", for wind into " + sideName(out.mostBlocked);
+    out.warnings.push_back(text("the buildings block ", 100.0 * blockage, " % of the domain's cross-section", wind,
+                                ", more than ", 100.0 * rules.mostBlockage, " %: make the domain wider or higher"));
   }
-  std::array<double, 6> least{rules.inletHeights, rules.outletHeights, rules.sideHeights, rules.sideHeights, -1e300,
-                              rules.topHeights};
-  if (!out.domain.isBox())
-  {
-    least[xMin] = rules.outletHeights; // of any side
-    if (out.distances[xMin] < least[xMin] * (1.0 - 1e-6))
-    {
-      out.warnings.push_back(text("the nearest side is ", out.distances[xMin], " building heights away, less than ",
-                                  least[xMin], ", and any side may be the outlet"));
-    }
-  }
-  for (int direction = out.domain.isBox() ? xMin : zMin; direction < 6; ++direction)
-  {
-    if (out.distances[direction] < least[direction] * (1.0 - 1e-6))
-    {
-      out.warnings.push_back(text("the side ", sideNames[direction], " is ", out.distances[direction],
-                                  " building heights away, less than ", least[direction]));
-    }
-  }
+  warnOfDistances(out, rules);
 }
 
 void warnOfNarrow(const char* what, const Narrow& narrow, double across, const std::vector<std::string>& names,

@@ -17,12 +17,14 @@ struct Preflight
   PlacedPrism domain;
   /// Degrees from the model's axes to the grid's.
   double gridAngle = 0.0;
-  /// From the buildings' bounds to the sides xMin (the inlet, for wind along the domain's x), xMax, yMin and yMax, and
-  /// from their highest point to zMax; in H. Negative where buildings reach beyond the side. In a prism of other than
-  /// four sides the distance to the nearest of these stands for all upright ones.
-  std::array<double, 6> distances{};
-  /// Frontal area of the buildings along the domain's x, against the domain's cross-section above the lowest ground.
-  double blockage = 0.0;
+  /// From the buildings to each upright side, by its number (see Prism.h), and from their highest point to zMax; in H.
+  /// Negative where buildings reach beyond the side, 0 of sides that the domain has not.
+  std::vector<double> distances = std::vector<double>(sideNumbers, 0.0);
+  /// Frontal area of the buildings against the domain's cross-section above the lowest ground, for wind square into a
+  /// side, by its number. A box is for one wind, along its x into xMin; any side of another prism may be the inlet.
+  std::vector<double> blockages = std::vector<double>(sideNumbers, 0.0);
+  /// The inlet for which it is largest; xMin without buildings.
+  Index mostBlocked = xMin;
   /// As in WindDomain.
   double widened = 1.0;
   NarrowPlaces narrow;
