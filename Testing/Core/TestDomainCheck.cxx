@@ -98,6 +98,28 @@ TEST(DomainCheck, TellsWhichSidesCutWhichSurfaces)
               ElementsAre(HasSubstr("at zMax ('House0', 'House1', 'House2', 'House3' and 5 more),")));
 }
 
+TEST(DomainCheck, TellsWhichSidesOfAPrismCutWhichSurfaces)
+{
+  TriangleSurface surface = house();
+  addSheet(surface, "Sky", Vec3(-100, -100, 10), Vec3(200, 0, 0), Vec3(0, 200, 0)); // no corner of it is within
+  addSheet(surface, "Above", Vec3(-100, -100, 30), Vec3(200, 0, 0), Vec3(0, 200, 0));
+  SiteOptions options = within({Vec3(-20, -20, 0), Vec3(20, 20, 20)});
+  options.domainSides = 6;
+  EXPECT_THAT(
+      check(surface, options),
+      ElementsAre(HasSubstr("at domainSide1 ('Sky'), domainSide2 ('Sky'), domainSide3 ('Sky'), domainSide4 ('Sky'), "
+                            "domainSide5 ('Sky') and domainSide6 ('Sky'),")));
+  // In the corner of the box that the triangle leaves out.
+  TriangleSurface shed;
+  addBox(shed, "House", {Vec3(0, 0, 0), Vec3(4, 4, 4)});
+  addBox(shed, "Shed", {Vec3(17, 17, 0), Vec3(19, 19, 3)});
+  options.domainSides = 3;
+  EXPECT_THAT(check(shed, options), IsEmpty());
+  addBox(shed, "Barn", {Vec3(8, -2, 0), Vec3(30, 2, 30)});
+  EXPECT_THAT(check(shed, options),
+              ElementsAre(HasSubstr("at domainSide2 ('Barn'), domainSide3 ('Barn') and zMax ('Barn'),")));
+}
+
 TEST(DomainCheck, TellsWhereThereIsNoAirAboveOrBeside)
 {
   // The model's own bounds, given as a box: the ridge is on the top, and gables are open.

@@ -23,16 +23,18 @@ double distanceWithin(const Vec3& p, const Box3& box, int side)
   return isUpper(side) ? planeOf(box, side) - p[axisOf(side)] : p[axisOf(side)] - planeOf(box, side);
 }
 
-/// The part of a polygon within one side (Sutherland and Hodgman).
-Polygon cutAt(const Polygon& polygon, const Box3& box, int side)
+/// The part of a polygon where `within` is not negative, which is linear (Sutherland and Hodgman). `onto` puts points
+/// where edges are cut exactly on the border.
+template <typename Within, typename Onto>
+Polygon partWithin(const Polygon& polygon, const Within& within, const Onto& onto)
 {
   Polygon out;
   for (std::size_t i = 0; i < polygon.size(); ++i)
   {
     const Vec3& p = polygon[i];
     const Vec3& q = polygon[(i + 1) % polygon.size()];
-    const double dp = distanceWithin(p, box, side);
-    const double dq = distanceWithin(q, box, side);
+    const double dp = within(p);
+    const double dq = within(q);
     if (dp >= 0.0)
     {
       out.push_back(p);
@@ -40,10 +42,24 @@ Polygon cutAt(const Polygon& polygon, const Box3& box, int side)
     if ((dp > 0.0 && dq < 0.0) || (dp < 0.0 && dq > 0.0))
     {
       out.push_back(p + dp / (dp - dq) * (q - p));
-      out.back()[axisOf(side)] = planeOf(box, side);
+      onto(out.back());
     }
   }
   return out;
+}
+
+Polygon cutAt(const Polygon& polygon, const Box3& box, int side)
+{
+  return partWithin(
+      polygon, [&](const Vec3& p) { return distanceWithin(p, box, side); },
+      [&](Vec3& p) { p[axisOf(side)] = planeOf(box, side); });
+}
+
+Polygon cutAt(const Polygon& polygon, const PrismSide& side)
+{
+  return partWithin(
+      polygon, [&](const Vec3& p) { return -side.beyond(p.head<2>()); },
+      [&](Vec3& p) { p.head<2>() = side.foot(p.head<2>()); });
 }
 
 /// Twice the area vector.
@@ -262,16 +278,39 @@ std::string textOf(const std::vector<Index>& ids, const std::vector<std::string>
   return list + (ids.size() > most ? " and " + std::to_string(ids.size() - most) + " more" : "");
 }
 
-/// Such as "zMax ('Roof', 'Wall' and 3 more) and xMin ('Wall')"; empty without any.
-std::string textOf(const std::array<std::vector<Index>, 6>& bySide, const std::vector<std::string>& names)
+/// Surfaces at a side of the domain.
+struct AtSide
 {
-  std::vector<std::string> parts;
-  for (int side = 0; side < 6; ++side)
+  std::string side;
+  std::vector<Index> ids;
+};
+
+std::vector<AtSide> namedSides(const std::array<std::vector<Index>, 6>& bySide)
+{
+  std::vector<AtSide> named;
+  for (Index side = 0; side < 6; ++side)
   {
-    if (!bySide[side].empty())
+    named.push_back({sideName(side), bySide[side]});
+  }
+  return named;
+}
+
+/// Such as "zMax ('Roof', 'Wall' and 3 more) and xMin ('Wall')"; empty without any.
+std::string textOf(const std::vector<AtSide>& sides, const std::vector<std::string>& names)
+{
+  constexpr std::size_t most = 6;
+  std::vector<std::string> parts;
+  for (const auto& [side, ids] : sides)
+  {
+    if (!ids.empty())
     {
-      parts.push_back(std::string(sideNames[side]) + " (" + textOf(bySide[side], names) + ")");
+      parts.push_back(side + " (" + textOf(ids, names) + ")");
     }
+  }
+  if (parts.size() > most)
+  {
+    parts[most - 1] = std::to_string(parts.size() - most + 1) + " other sides";
+    parts.resize(most);
   }
   std::string text;
   for (std::size_t i = 0; i < parts.size(); ++i)
@@ -281,32 +320,68 @@ std::string textOf(const std::array<std::vector<Index>, 6>& bySide, const std::v
   return text;
 }
 
-/// Surfaces of buildings with faces on both sides of the upright planes of a prism.
-std::vector<Index> cutByPrism(const TriangleSurface& surface, const SitePlan& plan, double tolerance)
+/// Whether a side has a polygon's part that is within all others on both of its sides.
+bool cuts(const PrismSide& side, Polygon polygon, const PlacedPrism& domain, double tolerance)
 {
-  std::vector<char> isCut(surface.names.size(), 0);
+  for (const PrismSide& other : domain.sides())
+  {
+    polygon = other.number == side.number ? std::move(polygon) : cutAt(polygon, other);
+  }
+  const auto beyond = [&](const Vec3& p) { return side.beyond(p.head<2>()); };
+  return std::ranges::any_of(polygon, [&](const Vec3& p) { return beyond(p) < -tolerance; }) &&
+         std::ranges::any_of(polygon, [&](const Vec3& p) { return beyond(p) > tolerance; });
+}
+
+/// Surfaces of buildings with faces on both sides of the upright sides of a prism, between its bottom and its top.
+std::vector<AtSide> cutByPrism(const TriangleSurface& surface, const SitePlan& plan, double tolerance)
+{
+  std::vector<std::vector<char>> isCut(plan.domain.sides().size(), std::vector<char>(surface.names.size(), 0));
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
   {
-    double least = std::numeric_limits<double>::infinity();
-    double most = -least;
+    const Index id = surface.surfaceIds[t];
+    Polygon polygon;
     for (const Index i : surface.triangles[t])
     {
-      const double beyond = plan.domain.beyond(plan.domain.axes.fromModel(surface.points[i]).head<2>());
-      least = std::min(least, beyond);
-      most = std::max(most, beyond);
+      polygon.push_back(plan.domain.axes.fromModel(surface.points[i]));
     }
-    const Index id = surface.surfaceIds[t];
-    isCut[id] |= !plan.isGround[id] && least < -tolerance && most > tolerance ? 1 : 0;
-  }
-  std::vector<Index> ids;
-  for (Index id = 0; id < isCut.size(); ++id)
-  {
-    if (isCut[id])
+    const auto isBeyond = [&](const Vec3& p) { return plan.domain.beyond(p.head<2>()) > tolerance; };
+    if (plan.isGround[id] || std::ranges::none_of(polygon, isBeyond))
     {
-      ids.push_back(id);
+      continue;
+    }
+    polygon = cutAt(cutAt(polygon, plan.domain.bounds, zMin), plan.domain.bounds, zMax);
+    for (std::size_t s = 0; s < isCut.size(); ++s)
+    {
+      isCut[s][id] |= cuts(plan.domain.sides()[s], polygon, plan.domain, tolerance) ? 1 : 0;
     }
   }
-  return ids;
+  std::vector<AtSide> found;
+  for (std::size_t s = 0; s < isCut.size(); ++s)
+  {
+    found.push_back({sideName(plan.domain.sides()[s].number), {}});
+    for (Index id = 0; id < isCut[s].size(); ++id)
+    {
+      if (isCut[s][id])
+      {
+        found.back().ids.push_back(id);
+      }
+    }
+  }
+  return found;
+}
+
+/// What the domain's sides cut; of a prism that is no box its own upright sides.
+std::string textOfCuts(const TriangleSurface& surface, const SitePlan& plan, const DomainContacts& contacts,
+                       double tolerance)
+{
+  std::vector<AtSide> sides = namedSides(contacts.cut);
+  if (!plan.domain.isBox())
+  {
+    sides.erase(sides.begin(), sides.begin() + zMin);
+    const std::vector<AtSide> upright = cutByPrism(surface, plan, tolerance);
+    sides.insert(sides.begin(), upright.begin(), upright.end());
+  }
+  return textOf(sides, surface.names);
 }
 
 constexpr const char* otherDomains =
@@ -348,18 +423,13 @@ std::vector<std::string> checkDomain(const TriangleSurface& surface, const SiteP
                        ", the buildings " + textOf(boundsOfBuildings(surface, plan.isGround, plan.domain.axes)) + ": " +
                        otherDomains);
   }
-  std::string cut = textOf(contacts.cut, surface.names);
-  if (!plan.domain.isBox())
-  {
-    const std::string byPrism = textOf(cutByPrism(surface, plan, sideRatio * sizeMin), surface.names);
-    cut = byPrism.empty() ? byPrism : "its upright sides (" + byPrism + ")";
-  }
+  const std::string cut = textOfCuts(surface, plan, contacts, sideRatio * sizeMin);
   if (!cut.empty())
   {
     warnings.push_back("the domain cuts through surfaces at " + cut + ", and leaves out what lies beyond: " +
                        otherDomains + "; name those that are ground by SiteName or TerrainName (--terrain)");
   }
-  if (const std::string touching = textOf(contacts.touching, surface.names); !touching.empty())
+  if (const std::string touching = textOf(namedSides(contacts.touching), surface.names); !touching.empty())
   {
     warnings.push_back("surfaces end on the domain's sides, without air between: " + touching + "; " + otherDomains +
                        ". Where the model's walls are to be the sides take its bounds (DomainMode FromSurfaces, "
