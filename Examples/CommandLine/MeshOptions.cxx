@@ -15,7 +15,9 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <sstream>
 
 namespace atria::tool {
 
@@ -45,7 +47,6 @@ void declareSizes(CLI::App& command, MeshOptions& options)
 
 void declareDomain(CLI::App& command, MeshOptions& options)
 {
-  vtkNew<vtkAtriaDualMesher> standard;
   auto* domain = command.add_option("--domain", options.domain, "Bounds of the domain, meters")
                      ->expected(6)
                      ->check(anyNumber())
@@ -57,43 +58,69 @@ void declareDomain(CLI::App& command, MeshOptions& options)
           ->check(anyNumber())
           ->type_name("X Y R Z0 Z1")
           ->excludes(domain);
+  auto* polygon = command
+                      .add_option("--domain-polygon", options.polygon,
+                                  "Corners of a convex polygon that the domain stands on, meters; bottom and top as "
+                                  "without it, or by --domain-heights")
+                      ->excludes(domain)
+                      ->excludes(cylinder)
+                      ->type_name("\"X,Y X,Y ...\"");
+  auto* heights =
+      command.add_option("--domain-heights", options.heights, "Bottom and top of a --domain-polygon, meters")
+          ->expected(2)
+          ->check(anyNumber())
+          ->needs(polygon)
+          ->type_name("Z0 Z1");
   auto* site = command
                    .add_option("--site", options.site,
                                "Surface whose rectangle is the domain's ground; height 0.3 of its longer side")
                    ->type_name("NAME");
-  site->excludes(domain)->excludes(cylinder);
+  site->excludes(domain)->excludes(cylinder)->excludes(heights);
   auto* bounds = command.add_flag("--model-bounds", options.modelBounds,
                                   "Domain: the model's bounds, for rooms and channels whose walls are its sides");
-  bounds->excludes(domain)->excludes(cylinder)->excludes(site);
+  bounds->excludes(domain)->excludes(cylinder)->excludes(heights)->excludes(site);
   auto* automatic =
       command.add_flag("--automatic", options.automatic,
                        "Domain from the buildings' height H: 5 H, behind them 15 H, blockage at most 3 % (default)");
-  automatic->excludes(domain)->excludes(cylinder)->excludes(site)->excludes(bounds);
-  command.add_option("--ground", options.ground, "Surface that is flat ground and no building (default: Site)")
-      ->excludes(site)
-      ->type_name("NAME");
-  command
-      .add_option("--wind", options.wind,
-                  "Where the wind blows to, degrees from x, counterclockwise from above; for --automatic")
-      ->excludes(domain)
-      ->excludes(cylinder)
-      ->excludes(site)
-      ->excludes(bounds)
-      ->check(numberIn(-360.0, 360.0))
-      ->type_name("DEG");
-  command
-      .add_option("--domain-angle", options.domainAngle,
-                  "Turns the domain, degrees counterclockwise from above; for --domain, --domain-cylinder, --site and "
-                  "--model-bounds")
-      ->excludes(automatic)
-      ->check(numberIn(-180.0, 180.0))
-      ->type_name("DEG");
-  command
-      .add_option(
-          "--domain-sides", options.domainSides,
-          "Upright sides of the domain, a polygon in its bounds; if not 4, --automatic is for wind from all around")
-      ->check(numberIn(standard->GetDomainSidesMinValue(), standard->GetDomainSidesMaxValue()))
-      ->type_name("N");
+  automatic->excludes(domain)->excludes(cylinder)->excludes(heights)->excludes(site)->excludes(bounds);
+}
+
+/// What goes with some of the domains that declareDomain() declares.
+void declareGround(CLI::App& command, MeshOptions& options)
+{
+  vtkNew<vtkAtriaDualMesher> standard;
+  const auto excludes = [&](CLI::Option* option, const std::vector<std::string>& others) {
+    for (const std::string& other : others)
+    {
+      option->excludes(command.get_option(other));
+    }
+  };
+  auto* ground =
+      command.add_option("--ground", options.ground, "Surface that is flat ground and no building (default: Site)")
+          ->type_name("NAME");
+  excludes(ground, {"--site"});
+  auto* wind = command
+                   .add_option("--wind", options.wind,
+                               "Where the wind blows to, degrees from x, counterclockwise from above; for --automatic")
+                   ->check(numberIn(-360.0, 360.0))
+                   ->type_name("DEG");
+  excludes(wind, {"--domain", "--domain-cylinder", "--domain-polygon", "--site", "--model-bounds"});
+  auto* angle =
+      command
+          .add_option("--domain-angle", options.domainAngle,
+                      "Turns the domain, degrees counterclockwise from above; for --domain, --domain-cylinder, --site "
+                      "and --model-bounds")
+          ->check(numberIn(-180.0, 180.0))
+          ->type_name("DEG");
+  excludes(angle, {"--automatic", "--domain-polygon"});
+  auto* sides =
+      command
+          .add_option(
+              "--domain-sides", options.domainSides,
+              "Upright sides of the domain, a polygon in its bounds; if not 4, --automatic is for wind from all around")
+          ->check(numberIn(standard->GetDomainSidesMinValue(), standard->GetDomainSidesMaxValue()))
+          ->type_name("N");
+  excludes(sides, {"--domain-polygon"});
   command
       .add_option("--terrain", options.terrain,
                   "Names of terrain surfaces, with * and ?; extended to the domain's sides")
@@ -210,6 +237,28 @@ void declareRun(CLI::App& command, MeshOptions& options)
       ->type_name("N");
 }
 
+/// Of "x,y x,y ..."; none where there is no text.
+std::vector<std::array<double, 2>> cornersIn(const std::string& text)
+{
+  std::vector<std::array<double, 2>> corners;
+  std::istringstream words(text);
+  for (std::string word; words >> word;)
+  {
+    const std::size_t comma = word.find(',');
+    std::array<double, 2> corner{};
+    const bool isCorner = comma != std::string::npos && CLI::detail::lexical_cast(word.substr(0, comma), corner[0]) &&
+                          CLI::detail::lexical_cast(word.substr(comma + 1), corner[1]) && std::isfinite(corner[0]) &&
+                          std::isfinite(corner[1]);
+    if (!isCorner)
+    {
+      throw Failure(Usage, "--domain-polygon: '" + word +
+                               "' is no corner; give x and y with a comma between, such as \"0,0 50,0 30,40\"");
+    }
+    corners.push_back(corner);
+  }
+  return corners;
+}
+
 } // namespace
 
 void declareMeshOptions(CLI::App& command, MeshOptions& options)
@@ -224,6 +273,7 @@ void declareMeshOptions(CLI::App& command, MeshOptions& options)
   declareSizeOptions(command, options.sizes);
   group("Domain");
   declareDomain(command, options);
+  declareGround(command, options);
   group("Fluid");
   declareFluid(command, options);
   group("Face zones and rooms");
@@ -275,6 +325,11 @@ void completeMeshOptions(MeshOptions& options)
   {
     throw Failure(Usage, "--domain-angle needs --domain, --domain-cylinder, --site or --model-bounds: the automatic "
                          "domain stands along --wind");
+  }
+  options.corners = cornersIn(options.polygon);
+  if (!options.heights.empty() && options.heights[0] >= options.heights[1])
+  {
+    throw Failure(Usage, "--domain-heights: Z0 must be less than Z1");
   }
   if (!options.cylinder.empty() && (options.cylinder[2] <= 0.0 || options.cylinder[3] >= options.cylinder[4]))
   {
@@ -339,6 +394,15 @@ void configureGrid(vtkAtriaGridAlgorithm* filter, const MeshOptions& options)
   {
     const std::vector<double>& c = options.cylinder;
     filter->SetDomainCylinder(c[0], c[1], c[2], c[3], c[4]);
+  }
+  for (const auto& [x, y] : options.corners)
+  {
+    filter->AddDomainCorner(x, y);
+  }
+  if (!options.heights.empty())
+  {
+    filter->SetDomainMode(vtkAtriaGridAlgorithm::Explicit);
+    filter->SetDomainBounds(0.0, 0.0, 0.0, 0.0, options.heights[0], options.heights[1]);
   }
   if (!options.site.empty())
   {

@@ -7,6 +7,7 @@
 #include "ModelOptions.h"
 #include "SizeOptions.h"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <tuple>
@@ -41,6 +42,9 @@ struct MeshOptions
   double domainAngle = 0.0;
   std::optional<int> domainSides;
   std::vector<double> cylinder;
+  std::string polygon;
+  std::vector<std::array<double, 2>> corners; ///< of the polygon
+  std::vector<double> heights;
   double wind = 0.0;
   std::string terrain;
   std::string align = "axes";

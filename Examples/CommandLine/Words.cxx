@@ -19,6 +19,7 @@ constexpr std::array optionOf{
     std::pair{"DomainBounds", "--domain"},
     std::pair{"DomainAngle", "--domain-angle"},
     std::pair{"DomainSides", "--domain-sides"},
+    std::pair{"DomainPolygon", "--domain-polygon"},
     std::pair{"WindAngle", "--wind"},
     std::pair{"SiteName", "--ground"},
     std::pair{"TerrainName", "--terrain"},

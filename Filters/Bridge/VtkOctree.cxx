@@ -46,13 +46,40 @@ void addFrame(const GridFrame& f, vtkDataObject* out)
   {
     values->InsertNextValue(v);
   }
+  for (const PrismSide& side : turned.sides())
+  {
+    if (!turned.isBox())
+    {
+      values->InsertNextValue(side.start[0]);
+      values->InsertNextValue(side.start[1]);
+    }
+  }
   out->GetFieldData()->AddArray(values);
+}
+
+/// Its corners follow the other values.
+PlacedPrism prismOf(const PlacedBox& box, vtkDoubleArray& values)
+{
+  const auto count = static_cast<vtkIdType>(values.GetValue(frameValueCount - 1));
+  if (values.GetNumberOfValues() != frameValueCount + 2 * count)
+  {
+    throw Error("the octree's field array OctreeFrame is damaged");
+  }
+  std::vector<Vec2> corners;
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    corners.emplace_back(values.GetValue(frameValueCount + 2 * i), values.GetValue(frameValueCount + 2 * i + 1));
+  }
+  // A regular one may be stretched beyond what a polygon may be.
+  PlacedPrism regular(box, static_cast<int>(count));
+  const bool isRegular = !regular.isBox() && std::ranges::equal(regular.sides(), corners, {}, &PrismSide::start);
+  return isRegular ? regular : PlacedPrism(box.axes, corners, box.bounds.min[2], box.bounds.max[2]);
 }
 
 GridFrame frameOf(vtkDataObject* data)
 {
   auto* values = vtkDoubleArray::SafeDownCast(data->GetFieldData()->GetAbstractArray(frameArrayName));
-  if (!values || values->GetNumberOfValues() != frameValueCount)
+  if (!values || values->GetNumberOfValues() < frameValueCount)
   {
     throw Error("the octree lacks the field array OctreeFrame: it must come from the octree source");
   }
@@ -77,7 +104,7 @@ GridFrame frameOf(vtkDataObject* data)
   if (at(17) != 0.0)
   {
     const PlacedBox box{Placement(at(18)), {{at(19), at(21), at(13)}, {at(20), at(22), at(14)}}};
-    f.turnedDomain = PlacedPrism(box, static_cast<int>(at(23)));
+    f.turnedDomain = values->GetNumberOfValues() == frameValueCount ? PlacedPrism(box) : prismOf(box, *values);
   }
   f.domainLow = f.toLattice(f.domain.min);
   f.domainHigh = f.toLattice(f.domain.max);

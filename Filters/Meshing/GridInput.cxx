@@ -87,6 +87,12 @@ SiteOptions siteOptionsOf(vtkAtriaGridAlgorithm& filter)
   const double* b = filter.GetDomainBounds();
   options.bounds = {Vec3(b[0], b[2], b[4]), Vec3(b[1], b[3], b[5])};
   options.domainSides = filter.GetDomainSides();
+  for (int i = 0; i < filter.GetNumberOfDomainCorners(); ++i)
+  {
+    Vec2 corner;
+    filter.GetDomainCorner(i, corner.data());
+    options.polygon.push_back(corner);
+  }
   options.domainAngle = filter.GetDomainAngle();
   options.windAngle = filter.GetWindAngle();
   options.site = filter.GetSiteName();

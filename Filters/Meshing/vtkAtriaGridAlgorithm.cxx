@@ -252,6 +252,30 @@ void vtkAtriaGridAlgorithm::RemoveAllCellZones()
   this->Modified();
 }
 
+void vtkAtriaGridAlgorithm::AddDomainCorner(double x, double y)
+{
+  this->DomainPolygon.push_back({x, y});
+  this->Modified();
+}
+
+int vtkAtriaGridAlgorithm::GetNumberOfDomainCorners() { return static_cast<int>(this->DomainPolygon.size()); }
+
+void vtkAtriaGridAlgorithm::GetDomainCorner(int i, double corner[2])
+{
+  if (i < 0 || i >= this->GetNumberOfDomainCorners())
+  {
+    vtkErrorMacro("There is no domain corner " << i << ".");
+    return;
+  }
+  std::copy(this->DomainPolygon[i].begin(), this->DomainPolygon[i].end(), corner);
+}
+
+void vtkAtriaGridAlgorithm::RemoveAllDomainCorners()
+{
+  this->DomainPolygon.clear();
+  this->Modified();
+}
+
 void vtkAtriaGridAlgorithm::SetDomainCylinder(double x, double y, double radius, double bottom, double top)
 {
   const atria::Box3 box = atria::boundsAboutCircle({x, y}, radius, this->DomainSides, bottom, top);
@@ -310,6 +334,10 @@ void vtkAtriaGridAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   }
   os << "\n" << indent << "DomainAngle: " << this->DomainAngle << "\n";
   os << indent << "DomainSides: " << this->DomainSides << "\n";
+  for (const auto& [x, y] : this->DomainPolygon)
+  {
+    os << indent << "DomainCorner: " << x << " " << y << "\n";
+  }
   os << indent << "WindAngle: " << this->WindAngle << "\n";
   os << indent << "SiteName: " << this->SiteName << "\n";
   os << indent << "TerrainName: " << this->TerrainName << "\n";

@@ -296,6 +296,19 @@ public:
 
   ///@{
   /**
+   * Corners of a convex polygon, in x and y, that the domain stands on; from 3 to 48. DomainMode then says only where
+   * its bottom and top are: DomainBounds in z, the surfaces', the site's, or the lowest ground and 5 H above the
+   * buildings. Sides are the patches domainSide1 and so on, the first from the first corner, counterclockwise; corners
+   * that run clockwise are turned round. DomainSides is not used, and DomainAngle must be 0. None by default.
+   */
+  void AddDomainCorner(double x, double y);
+  int GetNumberOfDomainCorners();
+  void GetDomainCorner(int i, double corner[2]);
+  void RemoveAllDomainCorners();
+  ///@}
+
+  ///@{
+  /**
    * Where the wind blows to if DomainMode is Automatic, in degrees from the x axis, counterclockwise seen from above.
    * With x to the east and y to the north, a wind from the meteorological direction D has the angle 270 - D. The side
    * xMin of the domain is the inlet. Default 0, along +x; from -360 to 360.
@@ -391,6 +404,7 @@ protected:
   double DomainBounds[6] = {-50.0, 50.0, -50.0, 50.0, 0.0, 50.0};
   double DomainAngle = 0.0;
   int DomainSides = 4;
+  std::vector<std::array<double, 2>> DomainPolygon;
   double WindAngle = 0.0;
   std::string SiteName = "Site";
   std::string TerrainName;

@@ -165,10 +165,16 @@ def _set_domain(mesher, domain):
         if domain not in modes:
             raise ValueError(f"domain is {domain!r}; it must be {', '.join(modes)}, or six bounds")
         modes[domain]()
+        return
+    domain = list(domain)
+    if domain and all(isinstance(corner, Sequence) and len(corner) == 2 for corner in domain):
+        for x, y in domain:
+            mesher.AddDomainCorner(x, y)
     else:
         bounds = [float(bound) for bound in domain]
         if len(bounds) != 6:
-            raise ValueError(f"domain has {len(bounds)} numbers; it must have six: xmin, xmax, ymin, ymax, zmin, zmax")
+            raise ValueError(f"domain has {len(bounds)} numbers; it must have six: xmin, xmax, ymin, ymax, zmin, zmax; or it "
+                             "is a list of corners (x, y)")
         mesher.SetDomainModeToExplicit()
         mesher.SetDomainBounds(bounds)
 
@@ -279,7 +285,7 @@ def mesh(
     size_max: float | None = None,
     sizes: Mapping[str, float] | None = None,
     layers: Union[int, Mapping[str, Union[int, Sequence[float]]]] = 1,
-    domain: Union[str, Iterable[float]] = "automatic",
+    domain: Union[str, Iterable[float], Iterable[Sequence[float]]] = "automatic",
     wind: float = 0.0,
     ground: str | None = None,
     terrain: str | None = None,
@@ -298,7 +304,8 @@ def mesh(
     sizes       {"Chimney*": 0.1}: at surfaces by name, * and ? stand for text
     layers      of elements on walls: a number, or by name {"*": 1, "Wall*": 5, "Floor": (3, 0.01, 1.2)} with the first
                 height and the growth
-    domain      "automatic" from the buildings' height, "model" for its bounds, "site" above the ground, or six bounds
+    domain      "automatic" from the buildings' height, "model" for its bounds, "site" above the ground, six bounds, or
+                the corners (x, y) of a convex polygon, whose height follows from the buildings'
     wind        where it blows to, degrees from x, counterclockwise
     ground      name of the surface that is flat ground; "Site" by default
     terrain     pattern of the names of surfaces that are terrain

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
 #include <random>
 
 namespace {
@@ -117,6 +119,76 @@ TEST(Prism, NamesItsSides)
   {
     EXPECT_FALSE(atria::isSideName(name)) << name;
   }
+}
+
+/// Of corners along axes of their own.
+PlacedPrism polygon(const std::vector<Vec2>& corners) { return {atria::Placement(20.0), corners, 1.0, 4.0}; }
+
+const std::vector<Vec2> kite{{0.0, 0.0}, {5.0, -3.0}, {12.0, 0.0}, {5.0, 8.0}};
+
+TEST(Prism, StandsOnAnyConvexPolygon)
+{
+  const PlacedPrism prism = polygon(kite);
+  EXPECT_FALSE(prism.isBox());
+  ASSERT_EQ(prism.sides().size(), 4u);
+  EXPECT_EQ(prism.bounds.min, Vec3(0, -3, 1));
+  EXPECT_EQ(prism.bounds.max, Vec3(12, 8, 4));
+  EXPECT_NEAR(prism.volume(), 0.5 * 12.0 * 11.0 * 3.0, rounding);
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    const PrismSide& side = prism.sides()[i];
+    EXPECT_EQ(side.number, atria::firstPrismSide + i);
+    EXPECT_EQ(side.start, kite[i]);
+    EXPECT_EQ(side.end, kite[(i + 1) % 4]);
+    EXPECT_LT(prism.beyond(0.5 * (side.start + side.end) - 0.1 * side.normal), 0.0);
+    EXPECT_NEAR(prism.beyond(0.5 * (side.start + side.end) + 0.1 * side.normal), 0.1, rounding);
+  }
+}
+
+TEST(Prism, TurnsAClockwisePolygonRoundFromItsFirstCorner)
+{
+  const PlacedPrism prism = polygon({kite[0], kite[3], kite[2], kite[1]});
+  const PlacedPrism wanted = polygon(kite);
+  for (std::size_t i = 0; i < 4; ++i)
+  {
+    EXPECT_EQ(prism.sides()[i].start, wanted.sides()[i].start);
+    EXPECT_EQ(prism.sides()[i].normal, wanted.sides()[i].normal);
+  }
+}
+
+TEST(PrismError, PolygonsThatAreNotConvexNameTheCorner)
+{
+  const auto errorOf = [](const std::vector<Vec2>& corners) {
+    try
+    {
+      polygon(corners);
+    }
+    catch (const atria::Error& error)
+    {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const auto expect = [&](const std::vector<Vec2>& corners, const std::string& part) {
+    EXPECT_NE(errorOf(corners).find(part), std::string::npos) << errorOf(corners);
+  };
+  EXPECT_EQ(errorOf(kite), "");
+  expect({{0, 0}, {4, 0}, {1, 1}, {0, 4}}, "not convex at corner 3 (1, 1)");
+  expect({{0, 4}, {1, 1}, {4, 0}, {0, 0}}, "not convex at corner 2 (1, 1)"); // clockwise
+  expect({{0, 0}, {4, 0}, {4, 4}, {0, 0}}, "corner 4 (0, 0) repeats corner 1");
+  expect({{0, 0}, {4, 0}, {4, 0}, {4, 4}}, "corner 3 (4, 0) repeats corner 2");
+  expect({{0, 0}, {2, 0}, {4, 0}, {4, 4}}, "at corner 2 (2, 0) its sides go straight on");
+  expect({{0, 0}, {4, 0}, {1, 0.01}, {2, 3}}, "corner 2 (4, 0) its sides fold back");
+  expect({{0, 0}, {4, 4}, {4, 0}, {0, 4}}, "not convex at corner"); // a bow tie
+  std::vector<Vec2> star;
+  for (int i = 0; i < 5; ++i)
+  {
+    const double angle = 4.0 * std::numbers::pi * i / 5.0;
+    star.emplace_back(std::cos(angle), std::sin(angle));
+  }
+  expect(star, "more than once");
+  expect({{0, 0}, {4, 0}}, "3 to 48");
+  expect({{0, 0}, {4, 0}, {std::nan(""), 4}}, "no number");
 }
 
 TEST(PrismError, NumberOfSides)

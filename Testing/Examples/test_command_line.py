@@ -304,6 +304,11 @@ class CommandLine(unittest.TestCase):
         self.refuses(2, "--domain-angle needs", "mesh", HOUSE, "-o", out, "--domain-angle", "10")
         self.refuses(2, "--domain-sides", "mesh", HOUSE, "-o", out, "--domain-sides", "2")
         self.refuses(2, "R must be above 0", "mesh", HOUSE, "-o", out, "--domain-cylinder", "0", "0", "0", "0", "5")
+        self.refuses(2, "'1' is no corner", "mesh", HOUSE, "-o", out, "--domain-polygon", "0,0 1")
+        self.refuses(2, "--domain-sides", "mesh", HOUSE, "-o", out, "--domain-polygon", "0,0 9,0 0,9", "--domain-sides", "3")
+        self.refuses(2, "--domain-polygon", "mesh", HOUSE, "-o", out, "--domain-heights", "0", "9")
+        self.refuses(2, "Z0 must be less", "mesh", HOUSE, "-o", out, "--domain-polygon", "0,0 9,0 0,9", "--domain-heights", "9", "0")
+        self.refuses(3, "not convex at corner 3 (1, 1)", "mesh", HOUSE, "-o", out, "--domain-polygon", "0,0 9,0 1,1 0,9")
         self.refuses(2, "--align", "mesh", HOUSE, "-o", out, "--align", "roof")
         self.refuses(3, "dgm*", "mesh", HOUSE, "-o", out, "--terrain", "dgm*")
 
@@ -328,6 +333,13 @@ class CommandLine(unittest.TestCase):
         self.assertEqual((plain["DomainSides"], self.preflight(HOUSE, *sizes, "--domain-sides", 8)["DomainSides"]), (4, 8))
         cylinder = self.preflight(HOUSE, *sizes, "--domain-cylinder", 30, 5, 200, 0, 60)
         self.assertEqual(cylinder["DomainSides"], 16)
+        triangle = self.preflight(HOUSE, *sizes, "--domain-polygon", "-90,-80 130,-70 20,95")
+        self.assertEqual((triangle["DomainSides"], triangle["DomainXMin"], triangle["DomainYMax"]), (3, -90, 95))
+        self.assertEqual((triangle["DomainZMin"], triangle["DomainZMax"]), (plain["DomainZMin"], plain["DomainZMax"]))
+        self.assertEqual({name for name in triangle if name.startswith("DistanceDomainSide")},
+                         {f"DistanceDomainSide{i}" for i in (1, 2, 3)})
+        high = self.preflight(HOUSE, *sizes, "--domain-polygon", "-90,-80 130,-70 20,95", "--domain-heights", -1, 70)
+        self.assertEqual((high["DomainZMin"], high["DomainZMax"]), (-1, 70))
         for side, wanted in (("XMin", -170), ("XMax", 230), ("YMin", -195), ("YMax", 205), ("ZMin", 0), ("ZMax", 60)):
             self.assertAlmostEqual(cylinder["Domain" + side], wanted, places=6)
 

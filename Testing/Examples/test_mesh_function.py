@@ -145,6 +145,14 @@ class Mesh(unittest.TestCase):
         seen = {pixels.GetTuple(i) for i in range(0, pixels.GetNumberOfTuples(), 7)}
         self.assertGreater(len(seen), 50)
 
+    def test_a_domain_is_a_polygon_by_its_corners(self):
+        result = atria.mesh(MODEL, 4, domain=[(-60, -50), (90, -40), (20, 80)], layers=0)
+        self.assertEqual([name for name in result.patches if name.startswith("domainSide")],
+                         ["domainSide1", "domainSide2", "domainSide3"])
+        self.assertEqual(result.mesh.GetBounds()[:4], (-60, 90, -50, 80))
+        with self.assertRaisesRegex(ValueError, r"corners \(x, y\)"):
+            atria.mesh(MODEL, 4, domain=[1, 2])
+
     def test_it_is_saved(self):
         result = atria.mesh(MODEL, 2, domain=BOX, layers=0)
         with tempfile.TemporaryDirectory() as folder:

@@ -236,14 +236,19 @@ TEST_F(SiteMeshes, AnOctreeOfATurnedGridGivesTheSameMesh)
   atria::testing::turn(house, 17.0);
   vtkNew<vtkAtriaOctreeSource> source;
   source->SetInputDataObject(atria::testing::toPolyData(house));
-  for (const int sides : {4, 7})
+  for (const int sides : {4, 7, 0})
   {
     SCOPED_TRACE(sides);
     for (auto* filter : {static_cast<vtkAtriaGridAlgorithm*>(source), static_cast<vtkAtriaGridAlgorithm*>(mesher)})
     {
       setGrid(filter, domain, 0.5, 1.0, 2.0);
       filter->SetAlignGrid(vtkAtriaDualMesher::ToWalls);
-      filter->SetDomainSides(sides);
+      filter->SetDomainSides(sides == 0 ? 4 : sides);
+      for (const auto& [x, y] :
+           {std::pair(-11.0, -8.0), std::pair(12.0, -5.0), std::pair(9.0, 8.0), std::pair(-8.0, 9.0)})
+      {
+        sides == 0 ? filter->AddDomainCorner(x, y) : void(); // another quadrilateral than the box
+      }
     }
     setSurface(house);
     const auto alone = copiesOfOutputs();
@@ -263,6 +268,52 @@ TEST_F(SiteMeshes, APrismHasPatchesOfItsSides)
   mesh({});
   EXPECT_THAT(namesOf(namedPatches()),
               ElementsAre("domainSide1", "domainSide2", "domainSide3", "domainSide4", "domainSide5", "zMax", "zMin"));
+}
+
+TEST_F(SiteMeshes, APolygonGivesTheDomainItsSides)
+{
+  setGrid(mesher, domain, 0.5, 1.0, 2.0);
+  for (const auto& [x, y] :
+       {std::pair(0.0, 0.0), std::pair(3.0, 9.0), std::pair(12.0, 7.0), std::pair(10.0, -4.0)}) // clockwise
+  {
+    mesher->AddDomainCorner(x, y);
+  }
+  ASSERT_EQ(mesher->GetNumberOfDomainCorners(), 4);
+  mesh({});
+  EXPECT_THAT(namesOf(namedPatches()),
+              ElementsAre("domainSide1", "domainSide2", "domainSide3", "domainSide4", "zMax", "zMin"));
+  const double height = domain.size()[2];
+  // By the first corner, from which the sides go round the other way.
+  EXPECT_NEAR(areaOf(namedPatches().at("domainSide1")), std::hypot(10.0, 4.0) * height, 1e-6 * height);
+  EXPECT_NEAR(areaOf(namedPatches().at("domainSide4")), std::hypot(3.0, 9.0) * height, 1e-6 * height);
+  const double ground = 0.5 * (12.0 * 9.0 - 3.0 * 7.0 + 10.0 * 7.0 + 12.0 * 4.0);
+  EXPECT_NEAR(meshVolume(), ground * height, 1e-6 * ground * height);
+  mesher->RemoveAllDomainCorners();
+  mesh({});
+  EXPECT_EQ(namesOf(namedPatches()).size(), 6u);
+  EXPECT_NEAR(meshVolume(), volumeOf(domain), 1e-7 * volumeOf(domain));
+}
+
+TEST_F(SiteMeshes, ThePolygonOfAnAutomaticDomainHasItsHeight)
+{
+  TriangleSurface surface;
+  addBox(surface, "House", {Vec3(-2, -2, 1), Vec3(2, 2, 4)});
+  mesher->SetDomainModeToAutomatic();
+  for (const auto& [x, y] : {std::pair(-20.0, -20.0), std::pair(20.0, -20.0), std::pair(0.0, 25.0)})
+  {
+    mesher->AddDomainCorner(x, y);
+  }
+  mesher->SetInputDataObject(atria::testing::toPolyData(surface));
+  mesher->Update();
+  EXPECT_EQ(volume()->GetBounds()[4], 1.0);
+  EXPECT_EQ(volume()->GetBounds()[5], 4.0 + 5.0 * 3.0);
+  mesher->SetDomainAngle(10.0);
+  mesher->Update();
+  EXPECT_THAT(atria::testing::firstOf(messages.takeErrors()), ::testing::HasSubstr("DomainPolygon or DomainAngle"));
+  mesher->SetDomainAngle(0.0);
+  mesher->AddDomainCorner(0.0, 0.0);
+  mesher->Update();
+  EXPECT_THAT(atria::testing::firstOf(messages.takeErrors()), ::testing::HasSubstr("not convex at corner 4 (0, 0)"));
 }
 
 /// About a circle a polygon of n sides has the area n r^2 tan(pi / n).

@@ -34,6 +34,27 @@ struct Case
 constexpr unsigned firstPrism = 62;
 constexpr int sideCounts[] = {3, 5, 8, 16, 32};
 
+/// And from this one on prisms on any convex polygon.
+constexpr unsigned firstPolygon = 120;
+
+/// On an ellipse that touches the box of `half` its size, at angles that leave at least 20 degrees between them; every
+/// third one clockwise.
+std::vector<atria::Vec2> randomPolygon(unsigned seed, std::mt19937& random, const Vec3& half)
+{
+  std::uniform_real_distribution<double> gap(20.0, 100.0);
+  std::vector<atria::Vec2> corners;
+  for (double angle = gap(random); angle < 360.0; angle += gap(random))
+  {
+    const double radians = angle * std::numbers::pi / 180.0;
+    corners.emplace_back(half[0] * std::cos(radians), half[1] * std::sin(radians));
+  }
+  if (seed % 3 == 0)
+  {
+    std::ranges::reverse(corners);
+  }
+  return corners;
+}
+
 /// A soup, on ground that is bumpy in every second case, in a domain at any angle to walls and axes.
 Case randomCase(unsigned seed)
 {
@@ -63,6 +84,11 @@ Case randomCase(unsigned seed)
   out.options.bounds = {-half, half};
   out.options.domainSides = seed < firstPrism ? 4 : sideCounts[(seed - firstPrism) / 2 % std::size(sideCounts)];
   out.options.domainAngle = 360.0 * unit(random) - 180.0;
+  if (seed >= firstPolygon)
+  {
+    out.options.domainAngle = 0.0;
+    out.options.polygon = randomPolygon(seed, random, half);
+  }
   out.options.alignment = static_cast<atria::GridAlignment>(seed % 3);
   out.sizes.sizeMin = 0.25 + 0.25 * unit(random);
   out.sizes.sizeMid = 2.0 * out.sizes.sizeMin;
@@ -92,7 +118,8 @@ protected:
   void SetUp() override
   {
     const bool isUsual = GetParam() < usualSeeds || GetParam() == jogAtSide ||
-                         (GetParam() >= firstPrism && GetParam() < firstPrism + 2 * std::size(sideCounts));
+                         (GetParam() >= firstPrism && GetParam() < firstPrism + 2 * std::size(sideCounts)) ||
+                         (GetParam() >= firstPolygon && GetParam() < firstPolygon + 8);
     if (!isUsual && !std::getenv("ATRIA_TEST_FULL"))
     {
       GTEST_SKIP() << "set ATRIA_TEST_FULL for more seeds";
@@ -262,7 +289,7 @@ TEST_P(TurnedDomains, HaveLayersThatEndOnTheirSides)
   EXPECT_NEAR(volumeWithinSides(mesh, domain, names) / volumeWithinSides(plain, domain, names), 1.0, 2e-3 / filled);
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, TurnedDomains, ::testing::Range(0u, 120u));
+INSTANTIATE_TEST_SUITE_P(Seeds, TurnedDomains, ::testing::Range(0u, 160u));
 
 /// A house within, away from the sides; ground that reaches over them where `hasGround`.
 Case calmCase(int sideCount, bool hasGround)
@@ -284,18 +311,12 @@ Case calmCase(int sideCount, bool hasGround)
   return out;
 }
 
-class Prisms : public ::testing::TestWithParam<std::tuple<int, bool>>
+void expectExactSides(const Case& c, std::size_t sideCount, bool hasGround)
 {
-};
-
-TEST_P(Prisms, HaveTheAreaOfEachSideAndTheVolumeOfTheExactOne)
-{
-  const auto& [sideCount, hasGround] = GetParam();
-  const Case c = calmCase(sideCount, hasGround);
   const DualMeshResult result = meshOf(c, 2);
   const auto names = static_cast<atria::Index>(c.surface.names.size());
   const atria::PlacedPrism domain = atria::planSite(c.surface, c.options, c.sizes).domain;
-  ASSERT_EQ(domain.sides().size(), static_cast<std::size_t>(sideCount));
+  ASSERT_EQ(domain.sides().size(), sideCount);
   EXPECT_TRUE(atria::testing::isConformal(result.mesh));
   EXPECT_TRUE(atria::testing::boundaryIsWatertight(result.mesh));
   EXPECT_GT(std::ranges::min(atria::testing::volumes(result.mesh)), 0.0);
@@ -318,7 +339,37 @@ TEST_P(Prisms, HaveTheAreaOfEachSideAndTheVolumeOfTheExactOne)
   }
 }
 
+class Prisms : public ::testing::TestWithParam<std::tuple<int, bool>>
+{
+};
+
+TEST_P(Prisms, HaveTheAreaOfEachSideAndTheVolumeOfTheExactOne)
+{
+  const auto& [sideCount, hasGround] = GetParam();
+  expectExactSides(calmCase(sideCount, hasGround), static_cast<std::size_t>(sideCount), hasGround);
+}
+
 INSTANTIATE_TEST_SUITE_P(SideCounts, Prisms,
                          ::testing::Combine(::testing::Values(3, 4, 5, 8, 16, 32), ::testing::Bool()));
+
+class Polygons : public ::testing::TestWithParam<bool>
+{
+};
+
+TEST_P(Polygons, HaveTheAreaOfEachSideAndTheVolumeOfTheExactOne)
+{
+  for (const std::vector<atria::Vec2>& polygon : {std::vector<atria::Vec2>{{-8, -6}, {9, -4}, {1, 9}},
+                                                  {{-7, -6}, {-9, 5}, {6, 8}, {8, -3}}, // clockwise
+                                                  {{-8, -2}, {-4, -6}, {5, -6.5}, {9, 0}, {8, 5}, {0, 7.5}, {-6, 4}}})
+  {
+    SCOPED_TRACE(polygon.size());
+    Case c = calmCase(4, GetParam());
+    c.options.domainAngle = 0.0;
+    c.options.polygon = polygon;
+    expectExactSides(c, polygon.size(), GetParam());
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Grounds, Polygons, ::testing::Bool());
 
 } // namespace

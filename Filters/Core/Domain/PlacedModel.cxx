@@ -49,6 +49,23 @@ PlacedBox boundsOfDomain(const TriangleSurface& surface, const SiteOptions& opti
   }
 }
 
+/// The sides are given; the mode says where bottom and top are.
+PlacedPrism prismOfPolygon(const TriangleSurface& surface, const SiteOptions& options, SitePlan& plan)
+{
+  if (options.domainAngle != 0.0)
+  {
+    throw Error("a domain that is a polygon is not turned: give DomainPolygon or DomainAngle, not both");
+  }
+  if (options.mode == DomainMode::automatic)
+  {
+    checkSurfaces(surface);
+    const auto [bottom, top] = windHeights(surface, plan.isGround);
+    return {Placement(), options.polygon, bottom, top};
+  }
+  const Box3 bounds = boundsOfDomain(surface, options, plan).bounds;
+  return {Placement(), options.polygon, bounds.min[2], bounds.max[2]};
+}
+
 /// The axes nearest to the domain's that quarter turns make of an angle, so that the domain's sides keep their names.
 Placement gridAxes(const TriangleSurface& surface, GridAlignment alignment, const PlacedBox& domain, double sizeMin)
 {
@@ -112,7 +129,8 @@ SitePlan groundOf(const TriangleSurface& surface, const SiteOptions& options, do
 SitePlan planSite(const TriangleSurface& surface, const SiteOptions& options, const GridOptions& sizes)
 {
   SitePlan plan = groundOf(surface, options, sizes.sizeMin);
-  plan.domain = PlacedPrism(boundsOfDomain(surface, options, plan), options.domainSides);
+  plan.domain = options.polygon.empty() ? PlacedPrism(boundsOfDomain(surface, options, plan), options.domainSides)
+                                        : prismOfPolygon(surface, options, plan);
   if (plan.hasTerrain)
   {
     const double lowest = Ground(surface, plan.isTerrain, 0.0).bounds().min[2];

@@ -32,6 +32,9 @@ struct SiteOptions
   /// Upright sides of the domain: 4 of a box, else of a polygon that fills the bounds (see PlacedPrism). In mode
   /// `automatic` of other than 4 it serves wind from all around (see WindDomain.h).
   int domainSides = 4;
+  /// Corners of the domain seen from above, in the model's x and y; see PlacedPrism. Where there are some the mode says
+  /// only where bottom and top are, and the domain has neither other sides nor an angle.
+  std::vector<Vec2> polygon;
   /// Degrees by which the domain stands turned (see Placement): given bounds about their middle; from surfaces and site
   /// it is the smallest box along the turned axes. Not in mode `automatic`.
   double domainAngle = 0.0;

@@ -221,7 +221,35 @@ double radiusAbout(const TriangleSurface& surface, const SurfaceFlags& isGround,
   return radius;
 }
 
+/// The largest height of the buildings, of which there must be some.
+double neededHeight(const TriangleSurface& surface, const SurfaceFlags& isGround)
+{
+  const double height = heightOfBuildings(surface, isGround);
+  if (!(height > 0.0))
+  {
+    throw Error("there are no buildings to take the domain from: every surface is ground or lies flat; connect the "
+                "buildings, correct SiteName and TerrainName (--terrain), or choose another domain: above the site "
+                "(DomainMode Site, --site), the model's bounds (FromSurfaces, --model-bounds) or a given box "
+                "(Explicit, --domain)");
+  }
+  return height;
+}
+
+/// The lowest ground; without ground the buildings stand on their lowest point.
+double floorOf(const TriangleSurface& surface, const SurfaceFlags& isGround, const Box3& buildings)
+{
+  const Ground ground(surface, isGround, buildings.min[2]);
+  return ground.empty() ? buildings.min[2] : ground.bounds().min[2];
+}
+
 } // namespace
+
+std::array<double, 2> windHeights(const TriangleSurface& surface, const SurfaceFlags& isGround, const WindRules& rules)
+{
+  const double height = neededHeight(surface, isGround);
+  const Box3 buildings = boundsOfBuildings(surface, isGround, {});
+  return {floorOf(surface, isGround, buildings), buildings.max[2] + rules.topHeights * height};
+}
 
 WindDomain windDomain(const TriangleSurface& surface, const SurfaceFlags& isGround, double windAngle, int sideCount,
                       const WindRules& rules)
@@ -229,16 +257,8 @@ WindDomain windDomain(const TriangleSurface& surface, const SurfaceFlags& isGrou
   WindDomain out;
   out.box.axes = Placement(windAngle);
   out.buildings = boundsOfBuildings(surface, isGround, out.box.axes);
-  out.height = heightOfBuildings(surface, isGround);
-  if (!(out.height > 0.0))
-  {
-    throw Error("there are no buildings to take the domain from: every surface is ground or lies flat; connect the "
-                "buildings, correct SiteName and TerrainName (--terrain), or choose another domain: above the site "
-                "(DomainMode Site, --site), the model's bounds (FromSurfaces, --model-bounds) or a given box "
-                "(Explicit, --domain)");
-  }
-  const Ground ground(surface, isGround, out.buildings.min[2]);
-  const double floor = ground.empty() ? out.buildings.min[2] : ground.bounds().min[2];
+  out.height = neededHeight(surface, isGround);
+  const double floor = floorOf(surface, isGround, out.buildings);
   const Box3& b = out.buildings;
   const double rise = b.max[2] - floor;
   if (sideCount != 4)

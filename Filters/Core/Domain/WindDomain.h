@@ -36,6 +36,11 @@ struct WindDomain
 WindDomain windDomain(const TriangleSurface& surface, const SurfaceFlags& isGround, double windAngle, int sideCount = 4,
                       const WindRules& rules = {});
 
+/// Bottom and top of the same domain where its sides are given: the lowest ground, and 5 H above the highest point.
+/// Throws Error as windDomain().
+std::array<double, 2> windHeights(const TriangleSurface& surface, const SurfaceFlags& isGround,
+                                  const WindRules& rules = {});
+
 /// Bounds along `axes` of all surfaces that are no ground.
 Box3 boundsOfBuildings(const TriangleSurface& surface, const SurfaceFlags& isGround, const Placement& axes);
 

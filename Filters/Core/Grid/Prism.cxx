@@ -4,7 +4,9 @@
 #include "Support/Error.h"
 
 #include <algorithm>
-#include <charconv>
+#include <cmath>
+#include <numbers>
+#include <sstream>
 
 namespace atria {
 
@@ -42,6 +44,91 @@ double between(double low, double high, double share)
   return share < rounding ? low : share > 1.0 - rounding ? high : low + share * (high - low);
 }
 
+void checkCount(int sideCount)
+{
+  if (sideCount < fewestPrismSides || sideCount > mostPrismSides)
+  {
+    throw Error("a domain has " + std::to_string(fewestPrismSides) + " to " + std::to_string(mostPrismSides) +
+                " upright sides, not " + std::to_string(sideCount));
+  }
+}
+
+double crossProduct(const Vec2& a, const Vec2& b) { return a[0] * b[1] - a[1] * b[0]; }
+
+/// Degrees to the left, from -180 to 180, from the side that ends at a corner to that which starts there.
+double turnAt(const std::vector<Vec2>& corners, std::size_t i)
+{
+  const std::size_t count = corners.size();
+  const Vec2 from = corners[i] - corners[(i + count - 1) % count];
+  const Vec2 to = corners[(i + 1) % count] - corners[i];
+  return std::atan2(crossProduct(from, to), from.dot(to)) * 180.0 / std::numbers::pi;
+}
+
+std::string nameOf(std::size_t i, const Vec2& corner)
+{
+  std::ostringstream text;
+  text << "corner " << i + 1 << " (" << corner[0] << ", " << corner[1] << ")";
+  return text.str();
+}
+
+void refuseRepeated(const std::vector<Vec2>& corners)
+{
+  const auto [low, high] = boundsOf(corners);
+  const double same = 1e-9 * (high - low).norm();
+  for (std::size_t j = 1; j < corners.size(); ++j)
+  {
+    for (std::size_t i = 0; i < j; ++i)
+    {
+      if (!((corners[i] - corners[j]).norm() > same))
+      {
+        throw Error("the polygon of the domain: " + nameOf(j, corners[j]) + " repeats corner " + std::to_string(i + 1) +
+                    "; each is given once, and the last is joined to the first");
+      }
+    }
+  }
+}
+
+/// The corners of a convex polygon, from the first on. Throws Error where it is none, naming the corner as given.
+std::vector<Vec2> counterclockwise(std::vector<Vec2> corners)
+{
+  constexpr double straight = 1.0; // degrees
+  const auto isFinite = [](const Vec2& corner) { return corner.allFinite(); };
+  if (!std::ranges::all_of(corners, isFinite))
+  {
+    throw Error("the polygon of the domain has a corner that is no number");
+  }
+  refuseRepeated(corners);
+  double around = 0.0;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    around += turnAt(corners, i);
+  }
+  const double way = around < 0.0 ? -1.0 : 1.0;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    const double turn = way * turnAt(corners, i);
+    if (std::abs(turn) < straight || turn > 180.0 - straight)
+    {
+      throw Error("the polygon of the domain: at " + nameOf(i, corners[i]) + " its sides " +
+                  (turn > straight ? "fold back" : "go straight on") + " to within a degree; leave the corner out");
+    }
+    if (turn < 0.0)
+    {
+      throw Error("the polygon of the domain is not convex at " + nameOf(i, corners[i]) +
+                  ": all of its corners must turn the same way; leave the corner out, or move it outwards");
+    }
+  }
+  if (std::abs(around) > 540.0)
+  {
+    throw Error("the polygon of the domain goes round more than once: its sides cross each other");
+  }
+  if (way < 0.0)
+  {
+    std::reverse(corners.begin() + 1, corners.end());
+  }
+  return corners;
+}
+
 Vec2 nearestOn(const PrismSide& side, const Vec2& p)
 {
   const Vec2 along = side.end - side.start;
@@ -71,11 +158,7 @@ bool isSideName(std::string_view name)
 
 PlacedPrism::PlacedPrism(const PlacedBox& box, int sideCount) : PlacedBox(box)
 {
-  if (sideCount < fewestPrismSides || sideCount > mostPrismSides)
-  {
-    throw Error("a domain has " + std::to_string(fewestPrismSides) + " to " + std::to_string(mostPrismSides) +
-                " upright sides, not " + std::to_string(sideCount));
-  }
+  checkCount(sideCount);
   std::vector<Vec2> corners = regularCorners(sideCount);
   const auto [low, high] = boundsOf(corners);
   for (Vec2& corner : corners)
@@ -86,11 +169,26 @@ PlacedPrism::PlacedPrism(const PlacedBox& box, int sideCount) : PlacedBox(box)
       corner[axis] = between(bounds.min[axis], bounds.max[axis], share);
     }
   }
+  setSides(corners, sideCount == 4);
+}
+
+PlacedPrism::PlacedPrism(const Placement& axesOfCorners, const std::vector<Vec2>& corners, double bottom, double top)
+{
+  checkCount(static_cast<int>(corners.size()));
+  const std::vector<Vec2> round = counterclockwise(corners);
+  const auto [low, high] = boundsOf(round);
+  axes = axesOfCorners;
+  bounds = {{low[0], low[1], bottom}, {high[0], high[1], top}};
+  setSides(round, false);
+}
+
+void PlacedPrism::setSides(const std::vector<Vec2>& corners, bool isOfBox)
+{
   constexpr std::array<Index, 4> ofBox{xMin, yMin, xMax, yMax}; // counterclockwise
   for (std::size_t i = 0; i < corners.size(); ++i)
   {
     PrismSide side;
-    side.number = sideCount == 4 ? ofBox[i] : firstPrismSide + static_cast<Index>(i);
+    side.number = isOfBox ? ofBox[i] : firstPrismSide + static_cast<Index>(i);
     side.start = corners[i];
     side.end = corners[(i + 1) % corners.size()];
     const Vec2 along = side.end - side.start;

@@ -45,16 +45,20 @@ struct PrismSide
 };
 
 /// A regular polygon, stretched to fill `bounds`, from bottom to top. The normal of its first side points along -x,
-/// others follow counterclockwise: with four sides it is the box.
+/// others follow counterclockwise: with four sides it is the box. Or any convex polygon by its corners.
 class PlacedPrism : public PlacedBox
 {
 public:
   PlacedPrism() = default;
   /// Throws Error where there may not be so many sides.
   PlacedPrism(const PlacedBox& box, int sideCount = 4);
+  /// By corners along `axes`; the first side starts at the first corner, others follow counterclockwise. Corners that
+  /// run clockwise are turned round. Throws Error that names the corner where the polygon is not convex, is straight to
+  /// a degree, or repeats a corner, and for fewer or more sides than there may be.
+  PlacedPrism(const Placement& axes, const std::vector<Vec2>& corners, double bottom, double top);
 
   const std::vector<PrismSide>& sides() const { return sides_; }
-  bool isBox() const { return sides_.size() == 4; }
+  bool isBox() const { return !sides_.empty() && sides_.front().number < firstPrismSide; }
   /// How far a point along the prism's axes is beyond the upright side it is farthest out of; negative within all.
   double beyond(const Vec2& p) const;
   /// Of a point of the model.
@@ -64,6 +68,8 @@ public:
   double volume() const;
 
 private:
+  void setSides(const std::vector<Vec2>& corners, bool isOfBox);
+
   std::vector<PrismSide> sides_;
 };
 

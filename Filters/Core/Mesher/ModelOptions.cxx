@@ -91,7 +91,9 @@ SitePlan planSite(const TriangleSurface& surface, const ModelOptions& options)
 
 std::vector<std::string> checkDomain(const TriangleSurface& surface, const SitePlan& plan, const ModelOptions& options)
 {
-  std::vector<std::string> warnings = checkDomain(surface, plan, options.site.mode, options.sizes.sizeMin);
+  // A polygon is given, whatever the heights follow from.
+  const DomainMode mode = options.site.polygon.empty() ? options.site.mode : DomainMode::bounds;
+  std::vector<std::string> warnings = checkDomain(surface, plan, mode, options.sizes.sizeMin);
   if (const double width = narrowestSide(plan.domain); width < std::numbers::sqrt2 * options.sizes.sizeMax)
   {
     std::ostringstream text;
