@@ -5,6 +5,7 @@
 #include "Files.h"
 #include "Numbers.h"
 #include "Report.h"
+#include "Words.h"
 
 #include <Mesher/ModelOptions.h>
 #include <Surface/Inspection/Inspection.h>
@@ -105,6 +106,16 @@ Json jsonOf(vtkStringArray* texts)
   return list;
 }
 
+Json messagesOf(vtkStringArray* texts)
+{
+  Json list = Json::array();
+  for (vtkIdType i = 0; i < texts->GetNumberOfValues(); ++i)
+  {
+    list.push_back(inOptions(texts->GetValue(i)));
+  }
+  return list;
+}
+
 Json jsonOf(const std::vector<Problem>& problems, const TriangleSurface& surface)
 {
   Json list = Json::array();
@@ -135,8 +146,8 @@ Json jsonOf(const Inspection& inspection, vtkAtriaSurfaceReader* reader)
   report["total"] = jsonOf(inspection.total);
   report["total"].erase("name");
   report["total"]["points"] = inspection.points;
-  report["warnings"] = jsonOf(reader->GetWarnings());
-  report["notes"] = jsonOf(reader->GetNotes());
+  report["warnings"] = messagesOf(reader->GetWarnings());
+  report["notes"] = messagesOf(reader->GetNotes());
   report["skipped"] = jsonOf(reader->GetSkippedNodes());
   report["merged_faces"] = reader->GetNumberOfMergedFaces();
   return report;

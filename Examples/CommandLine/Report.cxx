@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Report.h"
 
+#include "Words.h"
+
 #include <vtkAtriaDualMesher.h>
 #include <vtkCell.h>
 #include <vtkCellArray.h>
@@ -20,6 +22,7 @@
 #include <vtkTable.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <map>
@@ -214,7 +217,7 @@ Json leaksOf(vtkPolyData* diagnostics)
                     {"place", tupleOf(fields->GetArray("LeakPlace"), i)},
                     {"width", widths->GetTuple1(cell)},
                     {"surfaces", linesOf(stringsOf(diagnostics, "LeakSurfaces")->GetValue(i))},
-                    {"message", stringsOf(diagnostics, "LeakMessage")->GetValue(i)}});
+                    {"message", inOptions(stringsOf(diagnostics, "LeakMessage")->GetValue(i))}});
   }
   return list;
 }
@@ -274,7 +277,7 @@ Json checksOf(vtkTable* checks)
                                        {"failing", value("Failing").ToLongLong()},
                                        {"is_error", value("IsError").ToInt() != 0},
                                        {"set", value("Set").ToString()},
-                                       {"advice", value("Advice").ToString()}};
+                                       {"advice", inOptions(value("Advice").ToString())}};
   }
   return list;
 }
@@ -457,10 +460,15 @@ Json preflightOf(vtkTable* table)
     }
     return list;
   };
+  const auto messages = [&](const char* name) {
+    Json list = strings(name);
+    std::transform(list.begin(), list.end(), list.begin(), [](const Json& text) { return inOptions(text); });
+    return list;
+  };
   report["hidden_detail"] = hiddenDetailOf(table);
   report["opening_surfaces"] = strings("OpeningSurface");
   report["gap_surfaces"] = strings("GapSurface");
-  report["warnings"] = strings("Warning");
+  report["warnings"] = messages("Warning");
   return report;
 }
 

@@ -597,7 +597,7 @@ class CommandLine(unittest.TestCase):
         report = self.folder / "fine.json"
         run = self.atria("mesh", HOUSE, *fine, "--preflight", "--report", report)
         self.assertEqual(run.returncode, 0, run.stderr)
-        self.assertIn("MemoryLimit", json.loads(report.read_text())["warnings"][0])
+        self.assertIn("--memory-limit", json.loads(report.read_text())["warnings"][0])
         self.refuses(3, "there are 0.001 GB", "mesh", HOUSE, *COARSE, "-o", out, "--memory-limit", "0.001")
         self.refuses(3, "fewer layers", "mesh", HOUSE, *COARSE, "-o", out, "--layers", "90", "--memory-limit", "0.05")
         self.refuses(2, "--memory-limit", "mesh", HOUSE, *COARSE, "-o", out, "--memory-limit", "0")

@@ -10,11 +10,10 @@ namespace atria {
 namespace {
 
 constexpr const char* notClosed = "the mesh is not closed; write it as the mesher made it";
-constexpr const char* notValid =
-    "solvers fail on such cells; make elements smaller there (SizeMin, SizeRules), or have "
-    "no layers on that surface (LayerRules)";
+constexpr const char* notValid = "solvers fail on such cells; make elements smaller there (SizeMin, SurfaceSizeRules), "
+                                 "or have no layers on that surface (LayerRules)";
 constexpr const char* distorted = "solvers lose accuracy there; make elements smaller where walls come close to each "
-                                  "other or meet at sharp angles (SizeMin, SizeRules)";
+                                  "other or meet at sharp angles (SizeMin, SurfaceSizeRules)";
 constexpr const char* thin = "cells differ too much from their neighbors; make layers thicker (FirstLayerHeight), or "
                              "elements beside them smaller";
 
