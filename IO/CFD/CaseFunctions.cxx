@@ -15,30 +15,52 @@ std::string quoted(const std::string& name) { return '"' + name + '"'; }
 
 void everyStep(FoamText& text) { text.entry("writeControl", "timeStep").entry("writeInterval", "1"); }
 
-/// The sum over faces of the flow, m3/s: with its sign, or without.
-void addFlow(FoamText& text, const std::string& function, const char* region, const std::string& name,
-             const char* operation)
+/// Whether flows are summed up with their signs.
+enum class Flow
 {
+  Net,
+  BothWays
+};
+
+/// The sum over faces of the flow, m3/s.
+void addFlow(FoamText& text, OpenFOAMDialect dialect, const std::string& function, const char* region,
+             const std::string& name, Flow kind)
+{
+  const bool isFoundation = dialect == OpenFOAMDialect::Foundation;
   text.open(function).entry("type", "surfaceFieldValue").entry("libs", "(\"libfieldFunctionObjects.so\")");
   everyStep(text);
   text.entry("log", "no").entry("writeFields", "no");
-  text.entry("regionType", region).entry("name", name).entry("operation", operation).entry("fields", "(phi)");
+  if (isFoundation)
+  {
+    // As 11 asks for, and as 13 does; each passes over the other's.
+    text.entry("select", region).entry("name", name).entry(region, name);
+  }
+  else
+  {
+    text.entry("regionType", region).entry("name", name);
+  }
+  // OpenCFD's sum heeds the orientation of a zone's faces by itself.
+  const char* const net = isFoundation ? "orientedSum" : "sum";
+  text.entry("operation", kind == Flow::Net ? net : "sumMag").entry("fields", "(phi)");
   text.close();
 }
 
 void addFlows(FoamText& text, const CaseOfDirection& flow)
 {
+  const auto add = [&](const std::string& function, const char* region, const std::string& name, Flow kind) {
+    addFlow(text, flow.settings.dialect, function, region, name, kind);
+  };
   // What comes in and goes out follows from both sums.
   for (const CaseOpening& opening : flow.mesh.openings)
   {
-    addFlow(text, "flow_" + opening.name, "faceZone", opening.name, "sum");
-    addFlow(text, "flowBothWays_" + opening.name, "faceZone", opening.name, "sumMag");
+    add("flow_" + opening.name, "faceZone", opening.name, Flow::Net);
+    add("flowBothWays_" + opening.name, "faceZone", opening.name, Flow::BothWays);
   }
   for (const PatchRole role : {PatchRole::Inlet, PatchRole::Outlet, PatchRole::InletOutlet})
   {
     for (const std::string& patch : flow.namesOf(role))
     {
-      addFlow(text, "flow_" + patch, "patch", patch, "sum");
+      add("flow_" + patch, "patch", patch, Flow::Net);
     }
   }
 }
@@ -94,8 +116,15 @@ void addAge(FoamText& text)
 
 void addAverage(FoamText& text, const CaseOfDirection& flow)
 {
+  const bool isFoundation = flow.settings.dialect == OpenFOAMDialect::Foundation;
   text.open("average").entry("type", "fieldAverage").entry("libs", "(\"libfieldFunctionObjects.so\")");
-  text.entry("timeStart", std::max(1, flow.settings.iterations * 4 / 5)).entry("writeControl", "writeTime");
+  text.entry(isFoundation ? "startTime" : "timeStart", std::max(1, flow.settings.iterations * 4 / 5));
+  text.entry("writeControl", "writeTime");
+  if (isFoundation)
+  {
+    text.entry("mean", "yes").entry("prime2Mean", "no").entry("base", "time").entry("fields", "(U p)").close();
+    return;
+  }
   text.line("fields").line("(");
   for (const char* field : {"U", "p"})
   {
@@ -111,16 +140,13 @@ void addFunctions(FoamText& text, const CaseOfDirection& flow)
   text.open("functions");
   addForces(text, flow);
   addProbes(text, flow);
-  if (flow.settings.dialect != OpenFOAMDialect::Foundation) // where these are spelled in other ways
+  addFlows(text, flow);
+  addAverage(text, flow);
+  text.open("yPlus").entry("type", "yPlus").entry("libs", "(\"libfieldFunctionObjects.so\")");
+  text.entry("writeControl", "writeTime").close();
+  if (flow.settings.ageOfAir)
   {
-    addFlows(text, flow);
-    addAverage(text, flow);
-    text.open("yPlus").entry("type", "yPlus").entry("libs", "(\"libfieldFunctionObjects.so\")");
-    text.entry("writeControl", "writeTime").close();
-    if (flow.settings.ageOfAir)
-    {
-      addAge(text);
-    }
+    addAge(text);
   }
   text.close();
 }

@@ -135,7 +135,7 @@ def rooms(case, fields_of):
                 "<code>atria mesh --openings</code> finds them.</p>")
     text = "<h2>Rooms and openings</h2>"
     if not any(run.openings for run in case.runs):
-        return text + "<p>No flow through openings is measured: the case has not run, or its dialect measures none.</p>"
+        return text + "<p>No flow through openings is measured: the case has not run.</p>"
     if case.ventilated:
         text += _summary(case)
     several = len(case.runs) > 1
