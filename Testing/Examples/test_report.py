@@ -325,6 +325,9 @@ class Runs(Folder):
         self.assertFalse(failures(30.0, xMax="(11 0 0)"))
         self.assertTrue(failures(30.0, xMax="(-11 0 0)"))
         self.assertFalse(failures(30.0, zMin="(0 0 11)"))
+        # Where all goes out through the inlet, the wind at the top is what counts: 5 m/s at 10 m, 6.5 at 40 m.
+        self.assertFalse(failures(19.0, xMin="(-4 0 0)", xMax="(0 0 0)"))
+        self.assertTrue(failures(20.0, xMin="(-4 0 0)", xMax="(0 0 0)"))
         self.assertIn("no number", failures(math.nan)[0])
 
     def test_results_without_fields_are_refused(self):

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import functools
 import json
+import math
 import pathlib
 from dataclasses import dataclass
 
@@ -16,6 +17,8 @@ from .fields import Fields
 from .results import History
 
 OUTSIDE = "outside"
+# As OpenFOAM's atmospheric conditions have it.
+KAPPA = 0.41
 # Wall functions of smooth walls hold up to here, roughly.
 MOST_Y_PLUS = 300.0
 # Where no place of a probe is, OpenFOAM writes a number larger than this.
@@ -144,7 +147,7 @@ class Run:
             return []
         if any(not numpy.isfinite(h.values).all() for h in self.log.residuals.values()):
             return ["the run blew up: residuals are no numbers"]
-        found = speeds.impossible(self.fields, self.roles)
+        found = speeds.impossible(self.fields, self.roles, self.case.top_speed)
         return [found] if found else []
 
     def doubts(self):
@@ -187,6 +190,13 @@ class Case:
         except (KeyError, TypeError, ValueError) as error:
             raise Error(f"{file}: {error!r} is missing or wrong; make the case anew with `atria case`") from None
         self.runs = [Run(self, direction) for direction in directions]
+
+    @property
+    def top_speed(self):
+        """Of the wind at the domain's top."""
+        roughness = self.described["roughness_length"]
+        height = self.mesh["bounds"][5] - self.mesh["bounds"][4]
+        return self.described["friction_velocity"] / KAPPA * math.log((height + roughness) / roughness)
 
     @property
     def ventilated(self):
