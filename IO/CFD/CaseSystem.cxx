@@ -60,8 +60,7 @@ void writeSchemes(const std::filesystem::path& folder, const CaseOfDirection& fl
   {
     text.entry("div(phi,age)", "bounded Gauss upwind");
   }
-  text.entry("div((nuEff*dev2(T(grad(U)))))", "Gauss linear");
-  text.entry("div(div(phi,U))", "Gauss linear").close().blank(); // potentialFoam's pressure
+  text.entry("div((nuEff*dev2(T(grad(U)))))", "Gauss linear").close().blank();
   text.open("laplacianSchemes").entry("default", "Gauss linear " + rule.correction).close().blank();
   text.open("interpolationSchemes").entry("default", "linear").close().blank();
   text.open("snGradSchemes").entry("default", rule.correction).close().blank();
@@ -85,10 +84,8 @@ void writeSolution(const std::filesystem::path& folder, const CaseOfDirection& f
   FoamText text;
   text.open("solvers");
   solver(text, "p", true, "0.05");
-  solver(text, "Phi", true, "0.01");
   solver(text, "\"(U|k|epsilon|omega|age)\"", false, "0.1");
   text.close().blank();
-  text.open("potentialFlow").entry("nNonOrthogonalCorrectors", std::to_string(5 + 5 * rule.correctors)).close().blank();
   text.open("SIMPLE").entry("consistent", "yes").entry("nNonOrthogonalCorrectors", correctors);
   text.entry("pRefCell", "0").entry("pRefValue", "0"); // for cases that fix no pressure
   text.blank().open("residualControl");

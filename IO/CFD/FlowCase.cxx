@@ -116,7 +116,6 @@ std::string runScript(const CaseOfDirection& flow)
     text += "# Comes with the case; made again where it was removed.\n"
             "[ -d processor0 ] || run decomposePar decomposePar\n";
   }
-  run("potentialFoam", " -initialiseUBCs");
   run(solver, "");
   if (isParallel)
   {
@@ -129,7 +128,7 @@ std::string cleanScript()
 {
   return std::string(scriptHead) +
          "# All that a run leaves; meshes and the folder 0 stay.\n"
-         "rm -rf postProcessing log.* [1-9]* 0/phi 0/Phi 0/uniform dynamicCode processor*/[1-9]*\n"
+         "rm -rf postProcessing log.* [1-9]* 0/uniform dynamicCode processor*/[1-9]*\n"
          "for processor in processor*; do\n"
          "  if [ -d \"$processor\" ]; then rm -rf \"$processor/0\" && cp -r 0 \"$processor/0\"; fi\n"
          "done\n";

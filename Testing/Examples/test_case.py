@@ -241,6 +241,26 @@ class Case(BoxCase):
             self.assertGreater(max(ages), 10.0) # 100 m at some 6 m/s at most
 
     @unittest.skipUnless(HAVE_OPENFOAM, "OpenFOAM is not installed")
+    def test_a_run_starts_without_overshoot(self):
+        """At a size at which some cells at walls are flat."""
+        mesh = self.folder / "fine.vtu"
+        self.assertEqual(self.atria("mesh", DATA / "house.wrl", "-o", mesh, "--size-min", "0.5", "--size-mid", "1", "--size-max",
+                                    "8").returncode, 0)
+        folder = self.folder / "start"
+        self.assertEqual(self.atria("case", mesh, "-o", folder, "--speed", "5", "--iterations", "12").returncode, 0)
+        control = folder / "system/controlDict"
+        control.write_text(control.read_text().replace("functions\n{", """functions
+{
+    fastest { type fieldMinMax; libs ("libfieldFunctionObjects.so"); fields (U); mode magnitude; writeControl timeStep; }""", 1))
+        self.run_case(folder)
+        friction = 5.0 * KAPPA / math.log(10.1 / 0.1)
+        top = friction / KAPPA * math.log((self.described(folder)["mesh"]["bounds"][5] + 0.1) / 0.1)
+        rows = [line.split("\t") for line in (folder / "postProcessing/fastest/0/fieldMinMax.dat").read_text().splitlines()]
+        fastest = [float(row[-2]) for row in rows if not row[0].startswith("#")]
+        self.assertEqual(len(fastest), 12)
+        self.assertLess(max(fastest), 2.0 * top)
+
+    @unittest.skipUnless(HAVE_OPENFOAM, "OpenFOAM is not installed")
     def test_a_house_in_the_wind(self):
         speed, height, roughness = 4.0, 8.0, 0.3
         mesh = self.folder / "house.vtu"
