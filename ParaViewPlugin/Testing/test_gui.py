@@ -13,7 +13,7 @@ import sys
 # The client runs the script as text, so that it has no folder of its own.
 sys.path.insert(0, os.environ["ATRIA_SCRIPTS"])
 
-from PyQt5 import QtWidgets
+from PyQt5 import QtCore, QtWidgets
 
 from paraview import simple
 
@@ -43,7 +43,29 @@ def open_model(window):
     assert set(legend[1::2]) == SURFACES, legend
     window.look_at(*VIEW)
     window.picture("reader")
+    check_left_out(window, reader)
     return reader
+
+
+def check_toolbar(window):
+    """The five steps from model to case, in their order."""
+    bar = next(bar for bar in window.main.findChildren(QtWidgets.QToolBar) if any(a.objectName() == "AtriaOpen" for a in bar.actions()))
+    assert [action.text() for action in bar.actions()] == ["1 Model", "2 Preflight", "3 Mesh", "4 Quality", "5 Case"]
+
+
+def check_left_out(window, reader):
+    """A surface that is ticked in the list of the model's is left out."""
+    window.show_advanced(True)
+    table = window.find(QtWidgets.QWidget, "ExcludedSurfaces", window.dock()).findChild(QtWidgets.QTableWidget, "Rules")
+    names = [table.item(row, 0).text() for row in range(table.rowCount())]
+    assert set(names) == SURFACES, names
+    for state, left in ((QtCore.Qt.Checked, SURFACES - {"Neighbor"}), (QtCore.Qt.Unchecked, SURFACES)):
+        table.item(names.index("Neighbor"), 0).setCheckState(state)
+        window.apply()
+        legend = simple.servermanager.Fetch(reader).GetFieldData().GetAbstractArray("SurfaceName")
+        found = {legend.GetValue(i) for i in range(legend.GetNumberOfValues())}
+        assert found == left, found
+    window.show_advanced(False)
 
 
 def preflight(window, reader):
@@ -68,6 +90,7 @@ def check_panel(window):
     for table in tables:
         assert {row[0] for row in rows_of(table)} == SURFACES, rows_of(table)
     check_rules(window, tables[0])
+    check_lists(window)
     window.show_advanced(False)
     check_box(window)
     return int(re.sub(r"\D", "", text.split(" elements")[0]))
@@ -84,6 +107,47 @@ def check_rules(window, table):
     window.picture("tables")
     table.item(row, 1).setText("")
     assert mesher.SMProxy.GetProperty("SurfaceSizeRules").GetNumberOfUncheckedElements() == 0
+
+
+def unchecked(name):
+    """What the panel has of a property before Apply."""
+    values = simple.GetActiveSource().SMProxy.GetProperty(name)
+    return [values.GetUncheckedElement(i) for i in range(values.GetNumberOfUncheckedElements())]
+
+
+def check_lists(window):
+    """Boxes and points are added one by one, each with a widget in the view and its numbers in the panel."""
+    zones = window.find(QtWidgets.QComboBox, "ComboBox", window.find(QtWidgets.QWidget, "ZoneRule", window.dock()))
+    zones.setCurrentText("Seeds")
+    window.settle()
+    lists = [w for w in window.dock().findChildren(QtWidgets.QWidget)
+             if w.metaObject().className() == "pqPropertyCollectionWidget" and w.isVisible()]
+    for name, widget, edit, count in (("RefinementBoxes", "AtriaBox", "bound1", 7), ("Seeds", "InteractiveHandle", "worldPositionY", 3),
+                                      ("SealedSeeds", "InteractiveHandle", "worldPositionY", 3)):
+        shown = lists.pop(0)
+        assert unchecked(name) == []
+        shown.findChild(QtWidgets.QToolButton, "addItemButton").click()
+        window.settle()
+        assert shown.findChild(QtWidgets.QCheckBox, "show3DWidget").isChecked()
+        assert shown.findChild(QtWidgets.QWidget, widget) is not None
+        number = shown.findChild(QtWidgets.QLineEdit, edit)
+        number.setText("4.5")
+        number.textEdited.emit("4.5")  # as by a key
+        number.editingFinished.emit()
+        window.settle()
+        assert len(unchecked(name)) == count and unchecked(name)[1] == 4.5, unchecked(name)
+        if name == "Seeds":
+            window.dock().findChild(QtWidgets.QScrollArea, "scrollArea").ensureWidgetVisible(shown)
+            window.picture("points")
+        shown.findChild(QtWidgets.QToolButton, "removeAllButton").click()
+        window.settle()
+        assert unchecked(name) == []
+    assert not lists
+    zones.setCurrentText("Outside")
+    octree = window.find(QtWidgets.QWidget, "Octree", window.dock())
+    assert octree.findChild(QtWidgets.QComboBox) is not None, "an octree is chosen from a list"
+    corners = window.find(QtWidgets.QWidget, "DomainPolygon", window.dock()).findChild(QtWidgets.QTableView, "Table")
+    assert corners.model().columnCount() == 2, "x and y of each corner"
 
 
 def check_box(window):
@@ -204,6 +268,7 @@ def diagnostics(window, reader):
 
 def session():
     window = Window("gui")
+    check_toolbar(window)
     reader = open_model(window)
     preflight(window, reader)
     mesher = mesh(window, reader)
