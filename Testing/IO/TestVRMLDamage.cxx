@@ -164,6 +164,15 @@ TEST_F(VRMLDamage, LosesOnlyTheFacesWhoseArrayIsDamaged)
   EXPECT_EQ(model.names(), Names{"B"});
 }
 
+TEST_F(VRMLDamage, LosesOnlyTheFaceWhoseIndexIsTooLarge)
+{
+  const std::string faces = "IndexedFaceSet { coord Coordinate { point [0 0 0, 1 0 0, 0 1 0, 1 1 0] } "
+                            "coordIndex [0 1 2 -1 1 3 2 -1 0 1 999999999 -1] }";
+  const VRMLModel model = readWithWarning("DEF Wall Shape { geometry " + faces + " }", "points that do not exist");
+  EXPECT_EQ(model.names(), Names{"Wall"});
+  EXPECT_EQ(model.triangles(), 2);
+}
+
 TEST_F(VRMLDamage, UnderstandsNodesWithoutTheWordChildren)
 {
   EXPECT_EQ(
