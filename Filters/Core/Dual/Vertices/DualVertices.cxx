@@ -255,16 +255,21 @@ void fillPieces(VertexClassification& classification, const std::vector<Part>& p
 }
 
 /// Vertices of clusters, and those that are not where they should be, need not stay where they are: elements about them
-/// are better, and valid sooner, where they give way.
-void detachUnresolved(const Octree& octree, const Buckets& cutsOf, DualVertices& vertices)
+/// are better, and valid sooner, where they give way. Those at sides of a turned domain stay there.
+void detachUnresolved(const Octree& octree, const SurfaceModel& model, const Buckets& cutsOf, DualVertices& vertices)
 {
   constexpr double reach = 0.25; // octants
   VertexClassification& classification = vertices.classification;
+  const auto isAtTurnedSide = [&](Index leaf) {
+    return octree.frame().turnedDomain &&
+           std::ranges::any_of(octree.items(leaf, ModelItem::triangle),
+                               [&](ModelItem piece) { return model.isTurnedSide(piece.index); });
+  };
   for (Index v = 0; v < classification.classes.size(); ++v)
   {
     const Index leaf = classification.leaves[v];
     const bool isInCluster = octree.featureType(leaf) == FeatureType::cluster && !cutsOf.of(leaf).empty();
-    if (isInCluster || vertices.compromised[v])
+    if ((isInCluster || vertices.compromised[v]) && !isAtTurnedSide(leaf))
     {
       classification.classes[v] = VertexClass::detached;
       classification.displacementLimits[v] = {vertices.positions[v], reach * octree.frame().sizeOf(octree.level(leaf))};
@@ -317,7 +322,7 @@ DualVertices placeVertices(const Octree& octree, const SurfaceModel& model, cons
     }
   }
   fillPieces(vertices.classification, parts, chain, detachCoincident(chain, corners, vertices), model);
-  detachUnresolved(octree, byLeaf, vertices);
+  detachUnresolved(octree, model, byLeaf, vertices);
   return vertices;
 }
 

@@ -69,8 +69,8 @@ void VertexDetachment::make(RoomStep step, const std::vector<ShortCell>& bad)
   }
 }
 
-/// A vertex may leave more than once: those that did not get back stay where they are, but may have to go on. Those that
-/// were detached from the first belong nowhere.
+/// A vertex may leave more than once: those that did not get back stay where they are, but may have to go on. Those
+/// that were detached from the first belong nowhere.
 void VertexDetachment::noteLeft(Index leader)
 {
   if (!isLeft_[leader] && state_.wanted.classes[leader] != VertexClass::detached)
