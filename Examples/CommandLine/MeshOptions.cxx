@@ -358,30 +358,10 @@ void checkSite(const std::string& site, vtkPolyData* model)
   }
 }
 
-void configureGrid(vtkAtriaGridAlgorithm* filter, const MeshOptions& options)
+namespace {
+
+void configureDomain(vtkAtriaGridAlgorithm* filter, const MeshOptions& options)
 {
-  if (options.hasSize())
-  {
-    filter->SetSizeMax(*options.sizeMax);
-    filter->SetSizeMid(*options.sizeMid);
-    filter->SetSizeMin(*options.sizeMin);
-  }
-  configureSizes(filter, options.sizes);
-  for (const std::string& pattern : options.faceZones)
-  {
-    filter->AddFaceZone(pattern.c_str());
-  }
-  filter->SetFindOpenings(options.openings);
-  for (const std::string& pattern : options.withoutOpenings)
-  {
-    filter->AddSurfaceWithoutOpenings(pattern.c_str());
-  }
-  for (const std::string& pattern : options.cellZones)
-  {
-    filter->AddCellZone(pattern.c_str());
-  }
-  filter->SetGapTolerance(options.gap);
-  filter->SetSmallPartSize(options.smallParts);
   if (!options.domain.empty())
   {
     filter->SetDomainMode(vtkAtriaGridAlgorithm::Explicit);
@@ -417,6 +397,35 @@ void configureGrid(vtkAtriaGridAlgorithm* filter, const MeshOptions& options)
   {
     filter->SetDomainMode(vtkAtriaGridAlgorithm::FromSurfaces);
   }
+}
+
+} // namespace
+
+void configureGrid(vtkAtriaGridAlgorithm* filter, const MeshOptions& options)
+{
+  if (options.hasSize())
+  {
+    filter->SetSizeMax(*options.sizeMax);
+    filter->SetSizeMid(*options.sizeMid);
+    filter->SetSizeMin(*options.sizeMin);
+  }
+  configureSizes(filter, options.sizes);
+  for (const std::string& pattern : options.faceZones)
+  {
+    filter->AddFaceZone(pattern.c_str());
+  }
+  filter->SetFindOpenings(options.openings);
+  for (const std::string& pattern : options.withoutOpenings)
+  {
+    filter->AddSurfaceWithoutOpenings(pattern.c_str());
+  }
+  for (const std::string& pattern : options.cellZones)
+  {
+    filter->AddCellZone(pattern.c_str());
+  }
+  filter->SetGapTolerance(options.gap);
+  filter->SetSmallPartSize(options.smallParts);
+  configureDomain(filter, options);
   filter->SetWindAngle(options.wind);
   filter->SetDomainAngle(options.domainAngle);
   filter->SetTerrainName(options.terrain);
