@@ -37,13 +37,13 @@ constexpr int sideCounts[] = {3, 5, 8, 16, 32};
 /// And from this one on prisms on any convex polygon.
 constexpr unsigned firstPolygon = 120;
 
-/// On an ellipse that touches the box of `half` its size, at angles that leave at least 20 degrees between them; every
-/// third one clockwise.
+/// On an ellipse that touches the box of `half` its size, at angles of 20 to 100 degrees between them, and at most 160
+/// from the last to the first, so that the middle is within; every third one clockwise.
 std::vector<atria::Vec2> randomPolygon(unsigned seed, std::mt19937& random, const Vec3& half)
 {
   std::uniform_real_distribution<double> gap(20.0, 100.0);
   std::vector<atria::Vec2> corners;
-  for (double angle = gap(random); angle < 360.0; angle += gap(random))
+  for (double angle = 0.6 * gap(random); angle < 360.0; angle += gap(random))
   {
     const double radians = angle * std::numbers::pi / 180.0;
     corners.emplace_back(half[0] * std::cos(radians), half[1] * std::sin(radians));
