@@ -33,7 +33,7 @@ public:
 private:
   struct Closer
   {
-    void operator()(std::FILE* file) const { std::fclose(file); }
+    void operator()(std::FILE* open) const { std::fclose(open); }
   };
 
   char* room(std::size_t count);
