@@ -295,8 +295,6 @@ std::vector<std::string> failedIn(const Json& checks)
   return names;
 }
 
-bool failsWithoutLayers(const std::string& check) { return check == "Concavity" || check == "Determinant"; }
-
 Json stageSecondsOf(vtkAtriaDualMesher* mesher)
 {
   Json stages = Json::object();

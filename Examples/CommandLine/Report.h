@@ -52,10 +52,6 @@ Json checksOf(vtkTable* checks);
 /// The names of those that count as failed.
 std::vector<std::string> failedIn(const Json& checks);
 
-/// Whether a check fails in sound meshes without layers: cells at walls that bend are concave there, and cells in
-/// corners have too few neighbors.
-bool failsWithoutLayers(const std::string& check);
-
 /// {stage: seconds} of the mesher's last run.
 Json stageSecondsOf(vtkAtriaDualMesher* mesher);
 

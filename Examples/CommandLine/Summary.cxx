@@ -68,7 +68,7 @@ std::string worstText(const Json& quality)
 }
 
 /// What fails in the OpenFOAM case.
-std::string checksText(const Json& openfoam, bool hasLayers)
+std::string checksText(const Json& openfoam)
 {
   if (openfoam.is_null())
   {
@@ -80,7 +80,6 @@ std::string checksText(const Json& openfoam, bool hasLayers)
     const Json& check = openfoam["checks"][name];
     text += (text.empty() ? "fail: " : ", ") + name + " at " + std::to_string(check["failing"].get<long long>()) + ' ' +
             check["of"].get<std::string>();
-    text += !hasLayers && failsWithoutLayers(name) ? " (usual without layers)" : "";
   }
   return text.empty() ? "all of checkMesh's pass" : text;
 }
@@ -197,7 +196,7 @@ std::string summaryOf(const Json& report, const std::vector<std::string>& files)
   line(out, "elements", elementsText(report["counts"]));
   const auto invalid = report["invalid_elements"].get<long long>();
   line(out, "not valid", invalid == 0 ? "none" : std::to_string(invalid));
-  line(out, "checks", checksText(report["openfoam"], !report["layers"].empty()));
+  line(out, "checks", checksText(report["openfoam"]));
   line(out, "worst", worstText(report["quality"]));
   line(out, "patches", namesText(report["patches"]));
   for (const char* kind : {"openings", "rooms"})
