@@ -337,6 +337,7 @@ Json roomsAt(double size, const std::string& file, vtkAtriaSurfaceReader* reader
   mesher->SetInputConnection(0, reader->GetOutputPort());
   mesher->SetFindOpenings(true);
   mesher->SetNumberOfLayers(0);
+  mesher->SetSupportElements(false);
   if (size > 0.0)
   {
     mesher->SetSizeMin(size);

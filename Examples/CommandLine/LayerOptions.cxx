@@ -49,6 +49,8 @@ void declareLayerOptions(CLI::App& command, LayerOptions& options)
                   "text) and on domain sides of that name; may be repeated, the last that matches holds (default: 1)")
       ->allow_extra_args(false)
       ->type_name("N|PATTERN=N[:FIRST[:GROWTH]]");
+  command.add_flag("--no-support", options.withoutSupport,
+                   "No layer on walls without layers, also at elements that cannot be valid without");
   command.add_option("--first-layer", options.firstHeight, "Height of the layer on the wall, meters; 0 for any")
       ->capture_default_str()
       ->check(atLeast(0.0))
@@ -71,6 +73,7 @@ void declareLayerOptions(CLI::App& command, LayerOptions& options)
 
 void configureLayers(vtkAtriaDualMesher* mesher, const LayerOptions& options)
 {
+  mesher->SetSupportElements(!options.withoutSupport);
   mesher->SetFirstLayerHeight(options.firstHeight);
   mesher->SetLayerGrowth(options.growth);
   mesher->SetTargetNonOrthogonality(options.nonOrthogonality);

@@ -16,6 +16,7 @@ namespace atria::tool {
 struct LayerOptions
 {
   std::vector<std::string> layers; ///< N or PATTERN=N[:FIRST[:GROWTH]]
+  bool withoutSupport = false;
   double firstHeight = 0.0;
   double growth = 0.0;
   double nonOrthogonality = 0.0;

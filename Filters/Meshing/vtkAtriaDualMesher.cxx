@@ -98,6 +98,7 @@ atria::MesherOptions mesherOptionsOf(vtkAtriaDualMesher& filter, const Points& s
   options.mesh.seeds = toCore(seeds);
   options.mesh.sealedSeeds = toCore(sealedSeeds);
   options.mesh.layers = layerRulesOf(filter);
+  options.mesh.supportElements = filter.GetSupportElements();
   options.mesh.curvedWalls = {filter.GetTargetNonOrthogonality(), filter.GetTargetSkewness()};
   options.mesh.crackTolerance = filter.GetCrackTolerance();
   return options;
@@ -366,6 +367,7 @@ void vtkAtriaDualMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfSealedSeeds: " << this->SealedSeedPoints.size() << "\n";
   printPoints(this->SealedSeedPoints, os, indent);
   os << indent << "NumberOfLayers: " << this->NumberOfLayers << "\n";
+  os << indent << "SupportElements: " << (this->SupportElements ? "on" : "off") << "\n";
   os << indent << "FirstLayerHeight: " << this->FirstLayerHeight << "\n";
   os << indent << "LayerGrowth: " << this->LayerGrowth << "\n";
   for (const std::string& rule : this->LayerRules)

@@ -117,10 +117,21 @@ public:
   ///@{
   /**
    * Layers of elements along all surfaces. 1, the default, is the conforming layer alone, which lets elements at
-   * creases and on sheets be convex; more are made by dividing it; 0 gives the plain dual. From 0 to 100.
+   * creases and on sheets be convex; more are made by dividing it; 0 gives the plain dual, but for SupportElements.
+   * From 0 to 100.
    */
   vtkAtriaSetInRangeMacro(NumberOfLayers, int, 0, 100);
   vtkGetMacro(NumberOfLayers, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether walls without layers have one at those elements that cannot be valid without, wherever their vertices are:
+   * elements that are concave at walls, or have too few neighbors. Default on.
+   */
+  vtkSetMacro(SupportElements, bool);
+  vtkGetMacro(SupportElements, bool);
+  vtkBooleanMacro(SupportElements, bool);
   ///@}
 
   ///@{
@@ -209,6 +220,7 @@ protected:
 
   int ZoneRule = Outside;
   int NumberOfLayers = 1;
+  bool SupportElements = true;
   double FirstLayerHeight = 0.0;
   double LayerGrowth = 1.2;
   std::vector<std::string> LayerRules;

@@ -37,6 +37,7 @@ Meshed meshAll(const TriangleSurface& surface, const GridOptions& grid)
   DualMeshOptions options;
   options.zoneRule = ZoneRule::all;
   options.layers = {{"*", {0}}}; // the plain dual, made valid
+  options.supportElements = false;
   return meshIt(surface, grid, options);
 }
 

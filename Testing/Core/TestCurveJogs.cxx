@@ -51,6 +51,7 @@ Meshed meshOf(const TriangleSurface& surface, ZoneRule zones, const std::vector<
   DualMeshOptions options;
   options.zoneRule = zones;
   options.layers = layers;
+  options.supportElements = false;
   return meshIt(surface, grid, options);
 }
 

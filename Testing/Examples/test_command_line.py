@@ -270,7 +270,7 @@ class CommandLine(unittest.TestCase):
             self.assertTrue(0.0 < entry["covered"] <= 1.0, entry)
         # The layer tapers to nothing at openings, which are many in faces of two meters.
         self.assertGreater(layers["Neighbor"]["covered"], 0.9)
-        plain = self.atria("mesh", HOUSE, "-o", out, *COARSE, "--layers", "0", "--report", report)
+        plain = self.atria("mesh", HOUSE, "-o", out, *COARSE, "--layers", "0", "--no-support", "--report", report)
         self.assertNotIn("covered", plain.stdout)
         self.assertEqual(json.loads(report.read_text())["layers"], [])
         self.refuses(3, "no surface matches 'Wal'", "mesh", HOUSE, "-o", out, *COARSE, "--layers", "Wal=1")
@@ -557,7 +557,7 @@ class CommandLine(unittest.TestCase):
         report = self.folder / "estimate.json"
         out = self.folder / "estimate.vtu"
         elements, run = self.elements_estimated(*options)
-        plain = ["--layers", "0"]
+        plain = ["--layers", "0", "--no-support"]
         self.assertIn(self.atria("mesh", HOUSE, *COARSE, *options, *plain, "-o", out, "--report", report).returncode, (0, 4))
         self.assertEqual(json.loads(report.read_text())["counts"]["elements"], elements)
         self.assertIn("memory: about", run.stdout)
@@ -650,7 +650,7 @@ DEF Terrain Shape { geometry IndexedFaceSet {
         for said, inside in zip(seed, left_out["inside"]):
             self.assertAlmostEqual(float(said), inside, delta=0.01)
         run = self.atria("mesh", model, "-o", out, "--report", report, "--domain", -20, 20, -20, 20, 0, 30, "--layers", 0,
-                         "--seed", *seed)
+                         "--no-support", "--seed", *seed)
         self.assertIn(run.returncode, (0, 4), run.stderr)
         self.assertNotIn("left out", run.stderr)
         self.assertEqual(json.loads(report.read_text())["counts"]["elements"], left_out["elements"])

@@ -57,6 +57,7 @@ TEST_F(Layers, AreOneByDefault)
 TEST_F(Layers, FillTheSameSpaceWithOneAndFive)
 {
   mesher->SetNumberOfLayers(0);
+  mesher->SetSupportElements(false);
   mesher->Update();
   const double space = meshVolume();
   const vtkIdType plain = volume()->GetNumberOfCells();

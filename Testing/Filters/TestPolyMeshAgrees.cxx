@@ -237,6 +237,7 @@ protected:
   std::pair<CheckMeshReport, CheckMeshReport> reportWithoutAndWith(bool& option, const char* model)
   {
     mesher->SetNumberOfLayers(0);
+    mesher->SetSupportElements(false);
     option = false;
     meshHouse(model);
     EXPECT_EQ(&option == &mergeCells ? mergedCells : mergedFaces, 0);
@@ -313,6 +314,19 @@ TEST_F(CheckMeshAgrees, ASphereWhosePoleIsAGridPointHasNoFaceWithoutArea)
   meshSphere(0.4, 3.2);
   const CheckMeshReport report = atria::testing::runCheckMesh(scratch.path());
   EXPECT_THAT(report.failures, Each(AnyOf(HasSubstr("Concave"), HasSubstr("skewness")))) << report.log;
+}
+
+TEST_F(CheckMeshAgrees, NoCheckFailsWithoutLayersWhereTheySupportElements)
+{
+  mesher->SetNumberOfLayers(0);
+  mergeCells = mergeFaces = true;
+  for (const char* model : {"house.wrl", "house_turned17.wrl"})
+  {
+    SCOPED_TRACE(model);
+    meshHouse(model);
+    const CheckMeshReport report = atria::testing::runCheckMesh(scratch.path());
+    EXPECT_EQ(report.failedChecks, 0) << report.log;
+  }
 }
 
 TEST_F(CheckMeshAgrees, MergedFacesLeaveFewerConcaveCellsAndNothingNewToObjectTo)

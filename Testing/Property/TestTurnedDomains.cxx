@@ -105,6 +105,7 @@ DualMeshResult meshOf(const Case& c, int threads, int layers = 0)
   options.sizes = c.sizes;
   options.mesh.zoneRule = atria::ZoneRule::all;
   options.mesh.layers = {{"*", {layers}}};
+  options.mesh.supportElements = false;
   return atria::meshModel(c.surface, options, {executor, atria::ProgressRange(silent)});
 }
 

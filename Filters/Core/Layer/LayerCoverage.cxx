@@ -46,10 +46,11 @@ public:
     for (std::size_t tag = 0; tag < ofTag.size(); ++tag)
     {
       LayerCoverage& surface = ofTag[tag];
-      if (surface.area > 0.0)
+      const bool isSupporting = options.isSupporting(static_cast<Index>(tag));
+      if (isSupporting ? surface.layered > 0.0 : surface.area > 0.0)
       {
         surface.surface = tag < names.size() ? names[tag] : sideName(static_cast<Index>(tag - names.size()));
-        surface.layers = options.ofTag[tag].layers;
+        surface.layers = isSupporting ? 0 : options.ofTag[tag].layers;
         out.surfaces.push_back(std::move(surface));
       }
     }

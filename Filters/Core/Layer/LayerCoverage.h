@@ -10,7 +10,7 @@ namespace atria {
 struct LayerCoverage
 {
   std::string surface;
-  /// What was asked for.
+  /// What was asked for; 0 where a layer is only at elements that cannot be valid without.
   int layers = 0;
   /// Area of its faces; of those on which elements of a layer stand, which may thin out to nothing at a corner or edge;
   /// of those on which elements of all layers stand, which may taper off likewise. Square model units.
@@ -27,7 +27,7 @@ struct LayerReport
   /// the face, mean of the corners; 0 where there are none.
   std::vector<std::int32_t> counts;
   std::vector<double> thicknesses;
-  /// Surfaces, and bare sides, on which layers were asked for and that have faces.
+  /// Surfaces, and bare sides, on which layers were asked for and that have faces, or on which elements needed one.
   std::vector<LayerCoverage> surfaces;
 };
 

@@ -21,7 +21,18 @@ struct LayerOptions
   double relativeThickness = 0.3;
   /// The same for more layers than one, which else would be very thin.
   double dividedThickness = 0.6;
+  /// By tag: whether no layer was asked for, and one is there only at elements that cannot be valid without. Empty:
+  /// none is like that.
+  std::vector<char> supporting;
 
+  bool isSupporting(Index tag) const { return !supporting.empty() && supporting[tag] != 0; }
+  /// Whether a layer was asked for somewhere.
+  bool isAsked() const
+  {
+    return std::ranges::any_of(ofTag, [&](const WallLayers& wall) {
+      return wall.layers > 0 && !isSupporting(static_cast<Index>(&wall - ofTag.data()));
+    });
+  }
   Index surfaceCount() const { return static_cast<Index>(ofTag.size()) - sideNumbers; }
   /// Whether several layers are asked for somewhere.
   bool isDivided() const

@@ -48,6 +48,20 @@ bool straightenCurves(ClassifiedMesh& plain, const BoundaryGraph& graph, const M
   return faces > 0;
 }
 
+/// Surfaces without layers may have one where elements cannot be valid without.
+void support(LayerOptions& options)
+{
+  options.supporting.assign(options.ofTag.size(), 0);
+  for (Index tag = 0; tag < options.surfaceCount(); ++tag)
+  {
+    if (options.ofTag[tag].layers == 0)
+    {
+      options.supporting[tag] = 1;
+      options.ofTag[tag] = {.layers = 1};
+    }
+  }
+}
+
 } // namespace
 
 ClassifiedMesh classified(DualMesh mesh, VertexClassification classification)
@@ -73,18 +87,21 @@ ClassifiedMesh splitPoints(ClassifiedMesh given, const MeshingContext& context)
   return given;
 }
 
-ImprovedMesh growLayers(ClassifiedMesh given, const std::vector<LayerRule>& rules, const CurvedWallTargets& curvedWalls,
-                        const MeshingContext& context)
+ImprovedMesh growLayers(ClassifiedMesh given, const WallOptions& wallOptions, const MeshingContext& context)
 {
   ImprovedMesh out;
-  if (rules.empty())
+  if (wallOptions.layers.empty())
   {
     out.plainElements = given.mesh.elementCount();
     out.mesh = std::move(given.mesh);
     return out;
   }
   LayerOptions options;
-  options.ofTag = resolveLayerRules(rules, context.model.names);
+  options.ofTag = resolveLayerRules(wallOptions.layers, context.model.names);
+  if (wallOptions.supportElements)
+  {
+    support(options);
+  }
   options.sideNormals = sideNormalsOf(context.octree.frame());
   LayerWalls walls = findLayerWalls(given.mesh, options, context);
   if (straightenCurves(given, walls.graph, context))
@@ -93,11 +110,8 @@ ImprovedMesh growLayers(ClassifiedMesh given, const std::vector<LayerRule>& rule
   }
   context.progress.check();
   auto [layer, detached] =
-      improveLayer(context, given.classification, given.vertexOf, given.mesh, walls, options, curvedWalls);
-  if (std::ranges::any_of(options.ofTag, [](const WallLayers& wall) { return wall.layers > 0; }))
-  {
-    out.layers = reportLayers(given.mesh, walls, layer, options, context.model.names, context);
-  }
+      improveLayer(context, given.classification, given.vertexOf, given.mesh, walls, options, wallOptions.curvedWalls);
+  out.layers = reportLayers(given.mesh, walls, layer, options, context.model.names, context);
   out.mesh = std::move(layer.mesh);
   out.plainElements = layer.plainElements;
   out.detached = std::move(detached);

@@ -27,12 +27,20 @@ ClassifiedMesh unfoldWalls(ClassifiedMesh given, const MeshingContext& context);
 /// Gives both sides of sheets points of their own; see splitSheets.
 ClassifiedMesh splitPoints(ClassifiedMesh given, const MeshingContext& context);
 
+/// As in DualMeshOptions.
+struct WallOptions
+{
+  const std::vector<LayerRule>& layers;
+  bool supportElements;
+  CurvedWallTargets curvedWalls;
+};
+
 struct ImprovedMesh
 {
   DualMesh mesh;
   /// Elements before this one are those of the mesh that was given; those of layers follow.
   std::size_t plainElements = 0;
-  /// Empty where no layers were asked for.
+  /// Empty without rules.
   LayerReport layers;
   /// Points that are not where the model wants them, in rising order.
   std::vector<DetachedVertex> detached;
@@ -40,7 +48,6 @@ struct ImprovedMesh
 
 /// Grows layers on walls and makes the elements at the boundary valid (see improveLayer), also where rules ask for no
 /// layer. Without rules the mesh is returned as it is.
-ImprovedMesh growLayers(ClassifiedMesh given, const std::vector<LayerRule>& rules, const CurvedWallTargets& curvedWalls,
-                        const MeshingContext& context);
+ImprovedMesh growLayers(ClassifiedMesh given, const WallOptions& wallOptions, const MeshingContext& context);
 
 } // namespace atria

@@ -407,7 +407,9 @@ DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, con
   mesh = splitPoints(unfoldWalls(std::move(mesh), context), context);
   clock.lap("elements");
   context.progress.report(0.55, "Growing layers");
-  takeImproved(growLayers(std::move(mesh), options.layers, options.curvedWalls, context.part(0.55, 0.98)), result);
+  takeImproved(growLayers(std::move(mesh), {options.layers, options.supportElements, options.curvedWalls},
+                          context.part(0.55, 0.98)),
+               result);
   context.progress.report(0.98, "Placing the mesh in the model");
   placeInModel(result, octree.frame().placement, context);
   measureRooms(result.mesh, model, result.rooms);

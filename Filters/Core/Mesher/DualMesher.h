@@ -23,6 +23,9 @@ struct DualMeshOptions
   /// Layers of elements on walls. Elements at the boundary are made valid, too, also by a rule that asks for no layers;
   /// without rules the mesh is the dual as it is.
   std::vector<LayerRule> layers = {};
+  /// Whether walls for which a rule asks for no layers have one at elements that cannot be valid without: those that
+  /// are concave there or have too few neighbors, wherever their vertices are.
+  bool supportElements = true;
   /// Where walls have a layer.
   CurvedWallTargets curvedWalls = {};
   /// Cracks beside boundary edges that are no wider than this part of the octants there are closed; 0 closes none.
@@ -67,7 +70,7 @@ struct DualMeshResult
   std::vector<ZoneSummary> zones;
   /// In the order of the diagnostics of their kind.
   std::vector<Leak> leaks;
-  /// Empty where no layers were asked for.
+  /// Empty without rules for layers.
   LayerReport layers = {};
   /// Empty where no surface is a face zone. `rooms` of the mesh are indices into its rooms.
   RoomReport rooms = {};

@@ -142,6 +142,15 @@ ImproverStage firstStage(const MeshTraits& traits)
   return stage;
 }
 
+QualityTargets targetsOfSupport(const MeshTraits& traits)
+{
+  constexpr QualityRange anything{0.0, 0.0};
+  QualityTargets targets = baseTargets(traits);
+  targets.pyramidCosine = targets.faceCosine = targets.skewness = targets.weight = targets.volumeRatio = anything;
+  targets.cornerVolume = targets.boundaryShape = targets.convexity = anything;
+  return targets;
+}
+
 QualityTargets targetsBack(const MeshTraits& traits)
 {
   QualityTargets targets = baseTargets(traits);

@@ -25,13 +25,15 @@ struct ImproverStage
 /// What a mesh is like, as far as targets depend on it.
 struct MeshTraits
 {
-  bool layered;    ///< whether a layer is asked for somewhere
+  bool layered;    ///< whether there may be layers somewhere
+  bool asked;      ///< whether a layer is asked for somewhere
+  bool supported;  ///< whether layers are somewhere only where elements cannot be valid without
   bool hasHeights; ///< whether a height of layers is asked for somewhere
   bool divided;    ///< whether several layers are asked for somewhere
   bool uniform;    ///< whether all octants at elements are of one size, so that these are hexahedra
 
   /// Single layers of a height left to the mesh.
-  bool isSingle() const { return layered && !hasHeights && !divided; }
+  bool isSingle() const { return asked && !hasHeights && !divided; }
 };
 
 /// What all elements are to be.
@@ -40,6 +42,11 @@ QualityTargets baseTargets(const MeshTraits& traits);
 /// 1. All that falls short becomes sound. Under layers of a mesh with several sizes those that are clearly short do:
 /// the others are good enough, and there are many.
 ImproverStage firstStage(const MeshTraits& traits);
+
+/// Where no layers are asked for, elements that fall short of these have one too few neighbors wherever their points
+/// are: they get a layer, as those do that are concave at walls. Some more do once points have moved.
+QualityTargets targetsOfSupport(const MeshTraits& traits);
+inline constexpr int mostSupportRounds = 8;
 
 /// 2. What stays bad gets more room, step by step.
 enum class RoomStep : std::uint8_t

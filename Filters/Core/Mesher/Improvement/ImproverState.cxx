@@ -14,6 +14,8 @@ namespace {
 MeshTraits traitsOf(const DualMesh& plain, const LayerOptions& options)
 {
   return {.layered = std::ranges::any_of(options.ofTag, [](const WallLayers& wall) { return wall.layers > 0; }),
+          .asked = options.isAsked(),
+          .supported = std::ranges::find(options.supporting, 1) != options.supporting.end(),
           .hasHeights = options.hasHeights(),
           .divided = options.isDivided(),
           .uniform = std::ranges::adjacent_find(plain.levels, std::not_equal_to()) == plain.levels.end()};
@@ -29,6 +31,13 @@ ImproverState::ImproverState(const MeshingContext& meshingContext, const VertexC
       letGo(vertexOf.size(), 0), excluded(vertexOf.size(), 0), suspect(vertexOf.size(), 0),
       measured(baseTargets(traits))
 {
+  for (const BoundaryFace& face : plain.boundaryFaces)
+  {
+    for (int i = 0; i < 4 && options.isSupporting(face.tag); ++i)
+    {
+      excluded[cornerOf(plain, face, i)] = 1;
+    }
+  }
   if (!context.octree.frame().turnedDomain)
   {
     return;
@@ -49,7 +58,14 @@ std::vector<ShortCell> ImproverState::findShort(const QualityTargets& targets, f
 {
   context.progress.check();
   measured.update(DualSource(layer.mesh), context);
-  return measured.shortOf(targets, below);
+  std::vector<ShortCell> cells = measured.shortOf(targets, below);
+  if (!focus.empty())
+  {
+    std::erase_if(cells, [&](const ShortCell& cell) {
+      return std::ranges::none_of(layer.mesh.corners[cell.cell], [&](Index p) { return focus[layer.wallPointOf(p)]; });
+    });
+  }
+  return cells;
 }
 
 std::vector<ShortCell> ImproverState::run(const ImproverStage& stage, const std::vector<ShortCell>& cells)
@@ -86,7 +102,12 @@ void ImproverState::measureBy(const QualityTargets& strictest)
 
 void ImproverState::outdate(const std::vector<Index>& cells)
 {
-  measured.outdate(withNeighbors(DualSource(layer.mesh), cells, context));
+  const std::vector<Index> outdated = withNeighbors(DualSource(layer.mesh), cells, context);
+  measured.outdate(outdated);
+  for (std::size_t i = 0; i < outdated.size() && !focus.empty(); ++i)
+  {
+    std::ranges::for_each(layer.mesh.corners[outdated[i]], [&](Index p) { focus[layer.wallPointOf(p)] = 1; });
+  }
 }
 
 void ImproverState::outdateAt(const std::vector<char>& points)

@@ -61,6 +61,8 @@ struct ImproverState
   std::vector<char> letGo;
   std::vector<char> excluded;
   std::vector<char> suspect;
+  /// By point of the plain mesh, where cells are looked for, which grows by what is outdated; empty, everywhere.
+  std::vector<char> focus;
   /// The cells at the boundary, of the layer, and about points that moved.
   MeasuredCells measured;
 };

@@ -4,6 +4,7 @@
 #include "Mesher/Improvement/CurvedWalls.h"
 #include "Mesher/Improvement/LayerCreases.h"
 #include "Mesher/Improvement/LayerDivision.h"
+#include "Mesher/Improvement/SupportingLayer.h"
 
 #include <optional>
 
@@ -28,6 +29,23 @@ void straighten(ImproverState& state, VertexDetachment& detachment)
     runAll();
   }
   detachment.keepThoseAway();
+}
+
+/// Elements that came to need a layer as points moved get one, and what is about it is improved again.
+void supportMore(ImproverState& state, VertexDetachment& detachment)
+{
+  for (int round = 0; round < mostSupportRounds && addSupport(state); ++round)
+  {
+    if (detachment.improveAndMend())
+    {
+      detachment.putBack();
+    }
+    if (!state.traits.divided && !state.findShort(targetsOfLargestAngle(state.traits), 0.0F).empty())
+    {
+      straighten(state, detachment);
+    }
+    state.focus.clear();
+  }
 }
 
 } // namespace
@@ -57,12 +75,18 @@ ImprovedLayer improveLayer(const MeshingContext& context, const VertexClassifica
   {
     curved->thicken();
   }
+  if (traits.supported)
+  {
+    addSupport(state);
+    state.focus.clear();
+  }
   detachment.improveAndMend();
   enter(0.4, 0.5, "Putting vertices back");
   detachment.putBack();
   if (traits.divided)
   {
     enter(0.5, 0.7, "Dividing layers");
+    supportMore(state, detachment);
     LayerDivision(state).run();
   }
   if (isCurved)
@@ -74,6 +98,10 @@ ImprovedLayer improveLayer(const MeshingContext& context, const VertexClassifica
   {
     enter(0.7, 0.9, "Straightening elements");
     straighten(state, detachment);
+  }
+  if (!traits.divided)
+  {
+    supportMore(state, detachment);
   }
   if (traits.isSingle() && traits.uniform)
   {

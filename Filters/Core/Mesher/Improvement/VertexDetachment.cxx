@@ -27,7 +27,12 @@ std::vector<ShortCell> VertexDetachment::improve(std::vector<ShortCell> cells)
   return left;
 }
 
-void VertexDetachment::improveAndMend() { mend(improve(state_.findShort(first_.options.targets))); }
+bool VertexDetachment::improveAndMend()
+{
+  const std::size_t before = left_.size();
+  mend(improve(state_.findShort(first_.options.targets)));
+  return left_.size() > before;
+}
 
 void VertexDetachment::mend(const std::vector<ShortCell>& cells)
 {
@@ -196,6 +201,10 @@ void VertexDetachment::putBack()
   {
     return;
   }
+  std::vector<WantedPlace> elsewhere; // than cells are looked for
+  std::ranges::copy_if(left_, std::back_inserter(elsewhere),
+                       [&](const WantedPlace& place) { return !state_.focus.empty() && !state_.focus[place.point]; });
+  std::erase_if(left_, [&](const WantedPlace& place) { return !state_.focus.empty() && !state_.focus[place.point]; });
   std::ranges::sort(left_, {}, &WantedPlace::point); // as approach() asks
   const QualityTargets targets = targetsBack(state_.traits);
   for (int round = 1; round <= roundsBack && !left_.empty(); ++round)
@@ -214,6 +223,7 @@ void VertexDetachment::putBack()
     }
     improve(cells);
   }
+  left_.insert(left_.end(), elsewhere.begin(), elsewhere.end());
   mend(state_.findShort(first_.options.targets));
   keepThoseAway();
 }

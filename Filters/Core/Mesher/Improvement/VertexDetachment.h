@@ -20,8 +20,8 @@ class VertexDetachment
 public:
   explicit VertexDetachment(ImproverState& state) : state_(state), isLeft_(state.vertexOf.size(), 0) {}
 
-  /// Improves cells by the first stage, and takes all room steps that bad ones need.
-  void improveAndMend();
+  /// Improves cells by the first stage, and takes all room steps that bad ones need. Whether vertices left.
+  bool improveAndMend();
   /// Takes vertices back to where the model wants them, as far as elements stay valid; their neighbors make room.
   void putBack();
   /// Lets the points of cells leave their curves, and their surfaces by `reach` octants.

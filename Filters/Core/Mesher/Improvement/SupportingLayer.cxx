@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Mesher/Improvement/SupportingLayer.h"
+
+#include "Mesher/Improvement/ConcaveElements.h"
+#include "Mesher/Improvement/LayerCells.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace atria {
+
+namespace {
+
+/// The points of the plain mesh at which these elements get a layer now.
+std::vector<char> pointsToDouble(const ImproverState& state, const std::vector<Index>& elements)
+{
+  std::vector<char> chosen(state.layer.plainPoints, 0);
+  for (const Index e : elements)
+  {
+    for (const Index p : state.layer.mesh.corners[e])
+    {
+      if (!state.layer.isNew(p))
+      {
+        chosen[p] = state.excluded[p] && state.walls.counts[p] > 0 ? 1 : 0;
+      }
+    }
+  }
+  return chosen;
+}
+
+} // namespace
+
+bool addSupport(ImproverState& state)
+{
+  std::vector<Index> elements = findConcaveAtWalls(state.layer.mesh, state.context);
+  std::ranges::transform(badOf(state.findShort(targetsOfSupport(state.traits))), std::back_inserter(elements),
+                         &ShortCell::cell);
+  const std::vector<char> doubled = pointsToDouble(state, elements);
+  if (std::ranges::find(doubled, 1) == doubled.end())
+  {
+    return false;
+  }
+  for (Index p = 0; p < doubled.size(); ++p)
+  {
+    state.excluded[p] = doubled[p] ? 0 : state.excluded[p];
+  }
+  state.focus.assign(state.layer.plainPoints, 0);
+  state.growAgain(std::vector<char>(state.layer.plainPoints, 0));
+  return true;
+}
+
+} // namespace atria
