@@ -54,15 +54,17 @@ enum class RoomStep : std::uint8_t
   leaveCurves,
   leaveALittle,
   leaveSurfaces,
+  widenSupport, ///< layers that were not asked for reach one element farther about bad ones
   goHalfway,
   startAgain,
   exclude,
   leaveSides ///< the sides of a turned domain: before, vertices stay in their planes
 };
-inline constexpr std::array roomSteps{RoomStep::leaveCurves, RoomStep::leaveALittle,  RoomStep::leaveSurfaces,
-                                      RoomStep::goHalfway,   RoomStep::startAgain,    RoomStep::exclude,
-                                      RoomStep::leaveSides,  RoomStep::leaveSurfaces, RoomStep::goHalfway,
-                                      RoomStep::startAgain,  RoomStep::exclude,       RoomStep::leaveSurfaces};
+inline constexpr std::array roomSteps{RoomStep::leaveCurves,  RoomStep::leaveALittle, RoomStep::leaveSurfaces,
+                                      RoomStep::widenSupport, RoomStep::goHalfway,    RoomStep::startAgain,
+                                      RoomStep::exclude,      RoomStep::leaveSides,   RoomStep::leaveSurfaces,
+                                      RoomStep::goHalfway,    RoomStep::startAgain,   RoomStep::exclude,
+                                      RoomStep::leaveSurfaces};
 /// How far, in octants, vertices leave their surfaces by `leaveALittle` and by `leaveSurfaces`.
 inline constexpr double aLittle = 0.2;
 inline constexpr double anOctant = 0.75;

@@ -28,6 +28,16 @@ std::vector<char> pointsToDouble(const ImproverState& state, const std::vector<I
   return chosen;
 }
 
+/// Points of the plain mesh that are marked get a copy where they had none.
+void doublePoints(ImproverState& state, const std::vector<char>& points)
+{
+  for (Index p = 0; p < points.size(); ++p)
+  {
+    state.excluded[p] = points[p] ? 0 : state.excluded[p];
+  }
+  state.growAgain(std::vector<char>(state.layer.plainPoints, 0));
+}
+
 } // namespace
 
 bool addSupport(ImproverState& state)
@@ -40,13 +50,25 @@ bool addSupport(ImproverState& state)
   {
     return false;
   }
-  for (Index p = 0; p < doubled.size(); ++p)
-  {
-    state.excluded[p] = doubled[p] ? 0 : state.excluded[p];
-  }
   state.focus.assign(state.layer.plainPoints, 0);
-  state.growAgain(std::vector<char>(state.layer.plainPoints, 0));
+  doublePoints(state, doubled);
   return true;
+}
+
+void widenSupport(ImproverState& state, const std::vector<ShortCell>& cells)
+{
+  std::vector<char> marked(state.layer.plainPoints, 0);
+  markPoints(state.layer, cells, marked);
+  std::vector<Index> about;
+  for (Index e = 0; e < state.layer.mesh.elementCount(); ++e)
+  {
+    const auto& corners = state.layer.mesh.corners[e];
+    if (std::ranges::any_of(corners, [&](Index p) { return marked[state.layer.wallPointOf(p)] != 0; }))
+    {
+      about.push_back(e);
+    }
+  }
+  doublePoints(state, pointsToDouble(state, about));
 }
 
 } // namespace atria

@@ -11,4 +11,7 @@ namespace atria {
 /// whether there were any that can have one.
 bool addSupport(ImproverState& state);
 
+/// Gives a layer to the walls of all elements that have a point of one of some cells, or a point above it.
+void widenSupport(ImproverState& state, const std::vector<ShortCell>& cells);
+
 } // namespace atria

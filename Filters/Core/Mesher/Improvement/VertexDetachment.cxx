@@ -2,6 +2,7 @@
 #include "Mesher/Improvement/VertexDetachment.h"
 
 #include "Mesher/Improvement/LayerCells.h"
+#include "Mesher/Improvement/SupportingLayer.h"
 
 #include <algorithm>
 
@@ -43,8 +44,12 @@ void VertexDetachment::mend(const std::vector<ShortCell>& cells)
     {
       return;
     }
+    if (step == RoomStep::widenSupport && !state_.traits.supported)
+    {
+      continue;
+    }
     make(step, bad);
-    const bool mayMakeOthersBad = step >= RoomStep::goHalfway;
+    const bool mayMakeOthersBad = step >= RoomStep::widenSupport;
     bad = mayMakeOthersBad ? badOf(state_.findShort(first_.options.targets)) : bad;
     bad = badOf(improve(bad));
   }
@@ -56,6 +61,11 @@ void VertexDetachment::make(RoomStep step, const std::vector<ShortCell>& bad)
   if (step == RoomStep::exclude)
   {
     exclude(bad);
+    return;
+  }
+  if (step == RoomStep::widenSupport)
+  {
+    widenSupport(state_, bad);
     return;
   }
   if (step == RoomStep::leaveSides)
