@@ -35,9 +35,28 @@ bool VertexDetachment::improveAndMend()
   return left_.size() > before;
 }
 
-void VertexDetachment::mend(const std::vector<ShortCell>& cells)
+/// Bad ones but for those that no room helps: elements that have too few neighbors and cannot have a layer.
+std::vector<ShortCell> VertexDetachment::badAmong(const std::vector<ShortCell>& cells) const
 {
   std::vector<ShortCell> bad = badOf(cells);
+  if (bad.empty() || !state_.traits.supported)
+  {
+    return bad;
+  }
+  QualityTargets targets = first_.options.targets;
+  targets.leastOfDeterminant = std::numeric_limits<double>::infinity();
+  const std::vector<ShortCell> otherwise = badOf(state_.findShort(targets));
+  std::erase_if(bad, [&](const ShortCell& cell) {
+    return !std::ranges::binary_search(otherwise, cell.cell, {}, &ShortCell::cell) &&
+           std::ranges::none_of(state_.layer.mesh.corners[cell.cell],
+                                [&](Index p) { return state_.walls.counts[state_.layer.wallPointOf(p)] > 0; });
+  });
+  return bad;
+}
+
+void VertexDetachment::mend(const std::vector<ShortCell>& cells)
+{
+  std::vector<ShortCell> bad = badAmong(cells);
   for (const RoomStep step : roomSteps)
   {
     if (bad.empty())
@@ -51,7 +70,7 @@ void VertexDetachment::mend(const std::vector<ShortCell>& cells)
     make(step, bad);
     const bool mayMakeOthersBad = step >= RoomStep::widenSupport;
     bad = mayMakeOthersBad ? badOf(state_.findShort(first_.options.targets)) : bad;
-    bad = badOf(improve(bad));
+    bad = badAmong(improve(bad));
   }
 }
 
