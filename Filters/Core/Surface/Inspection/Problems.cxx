@@ -369,10 +369,10 @@ private:
     leaveOut(tangled);
     const auto margin = static_cast<std::int64_t>(std::ceil(tolerance));
     leaveOut(findClusters(soup, margin, maximumPairs(), context));
-    autorefine(soup, {}, {}, context.part(0.7, 0.9));
-    leaveOut(findClusters(soup, margin, maximumPairs(), context)); // the pieces are more
+    ClusterCells hidden;
+    autorefine(soup, {}, hidden, context.part(0.7, 0.9));
     const std::vector<LatticePoint> start = soup.points;
-    const std::vector<char> isMoved = closeGaps(soup, frame, {tolerance, drawn, {}}, start, context);
+    const std::vector<char> isMoved = closeGaps(soup, frame, {tolerance, drawn, hidden}, start, context);
     SurfacesAtPoints atPoints;
     for (std::size_t i = 0; i < soup.triangles.size(); ++i)
     {

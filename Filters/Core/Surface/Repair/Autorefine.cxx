@@ -206,8 +206,8 @@ constexpr std::int64_t loosening = 16;
 class Rounds
 {
 public:
-  Rounds(TriangleSoup& soup_, const AutorefineOptions& options_, const ClusterCells& clusters_,
-         AutorefineReport& report_, const RunContext& context_)
+  Rounds(TriangleSoup& soup_, const AutorefineOptions& options_, ClusterCells& clusters_, AutorefineReport& report_,
+         const RunContext& context_)
       : soup(soup_), options(options_), clusters(clusters_), weldDistance(weldReaches * options.reach),
         width(weldDistance), report(report_), context(context_)
   {
@@ -219,10 +219,10 @@ public:
     for (int round = 0; round < options.maximumRounds; ++round)
     {
       tidy(changed, round == 0);
-      Contacts contacts = find(changed);
-      if (leaveHopeless(contacts.pairs))
+      Contacts contacts = find(changed, report.isLeft);
+      if (leaveHopeless(contacts.pairs) || hideTangles(soup, contacts.pairs, clusters))
       {
-        contacts = find(changed);
+        contacts = find(changed, report.isLeft);
       }
       // Slivers with a corner on their own edge may stay that.
       const std::size_t found = contacts.edges.size() + contacts.faces.size();
@@ -231,7 +231,6 @@ public:
         break;
       }
       foundBefore = found;
-      checkTriples(soup.triangles.size(), contacts.pairs);
       addNewPoints(soup, contacts, weldDistance);
       if (round > 0)
       {
@@ -246,9 +245,10 @@ public:
   }
 
 private:
-  Contacts find(const std::vector<char>& changed) const
+  Contacts find(const std::vector<char>& changed, const std::vector<char>& isLeft) const
   {
-    return findContacts(soup, changed, report.isLeft, options.reach, clusters, context);
+    return searchSeen(soup, options.reach, clusters, context,
+                      [&] { return findContacts(soup, changed, isLeft, options.reach, clusters, context); });
   }
 
   /// Leaves triangles that have more contacts than two rounds before, or as many where points do not become one
@@ -282,7 +282,7 @@ private:
     {
       changed[t] |= report.isLeft[soup.sources[t]];
     }
-    const Contacts contacts = findContacts(soup, changed, {}, options.reach, clusters, context);
+    const Contacts contacts = find(changed, {});
     report.unresolvedContacts = contacts.edges.size() + contacts.faces.size();
   }
 
@@ -314,7 +314,7 @@ private:
 
   TriangleSoup& soup;
   const AutorefineOptions& options;
-  const ClusterCells& clusters;
+  ClusterCells& clusters;
   std::int64_t weldDistance;
   /// Within this, points at contacts that cuts do not get rid of become one.
   std::int64_t width;
@@ -329,7 +329,7 @@ private:
 
 std::size_t dropRepeated(TriangleSoup& soup) { return dropRepeated(soup, nullptr); }
 
-AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options, const ClusterCells& clusters,
+AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options, ClusterCells& clusters,
                             const RunContext& context)
 {
   AutorefineReport report;
@@ -339,7 +339,7 @@ AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options
   return report;
 }
 
-void refineAgain(TriangleSoup& soup, const AutorefineOptions& options, const ClusterCells& clusters,
+void refineAgain(TriangleSoup& soup, const AutorefineOptions& options, ClusterCells& clusters,
                  std::vector<char> changed, AutorefineReport& report, const RunContext& context)
 {
   Rounds(soup, options, clusters, report, context).run(std::move(changed));

@@ -51,13 +51,14 @@ struct AutorefineReport
 /// then lies closer together than cuts can tell apart. A triangle with more contacts than two rounds before, or as many
 /// once the distance no longer grows, is left: its contacts with others that are left are only counted. Pieces take the
 /// place of their triangle, with its winding, surface and source; those of one triangle are not compared with each
-/// other. O(n log n) where little is cut. Nothing is cut in clusters. Throws TooManyContacts (Clusters.h).
-AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options, const ClusterCells& clusters,
+/// other. O(n log n) where little is cut. Nothing is cut in clusters; what touches too
+/// many others is hidden as if it were in one.
+AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options, ClusterCells& clusters,
                             const RunContext& context);
 
 /// The same for a soup that was cut before and in which triangles marked in `changed` were changed since; goes on with
 /// the report.
-void refineAgain(TriangleSoup& soup, const AutorefineOptions& options, const ClusterCells& clusters,
+void refineAgain(TriangleSoup& soup, const AutorefineOptions& options, ClusterCells& clusters,
                  std::vector<char> changed, AutorefineReport& report, const RunContext& context);
 
 /// Drops triangles with repeated points, and those with the same points as an earlier one. Returns how many of the

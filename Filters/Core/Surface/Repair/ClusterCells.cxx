@@ -121,7 +121,7 @@ private:
         seen[count++] = pieces[t];
       }
     }
-    return triangles.size() > options.mostTriangles;
+    return false;
   }
 
   int levelAt(const LatticeBox& box) const
@@ -188,6 +188,12 @@ ClusterCells::ClusterCells(const TriangleSoup& soup, const GridFrame& frame, con
     }
   }
   ClusterSearch(soup, frame, options, context, keys_, isSeen_).descend(0, 0, inRoot);
+}
+
+void ClusterCells::hide(Index source)
+{
+  isSeen_.resize(std::max<std::size_t>(isSeen_.size(), source + 1), 1);
+  isSeen_[source] = 0;
 }
 
 std::vector<Index> seenTriangles(const TriangleSoup& soup, const ClusterCells& clusters, const RunContext& context)

@@ -6,7 +6,6 @@
 #include "Surface/Search/BoxTests.h"
 #include "Surface/Triangles/TriangleSoup.h"
 
-#include <limits>
 #include <unordered_set>
 #include <vector>
 
@@ -28,8 +27,6 @@ struct ClusterOptions
   /// Degrees between normals up to which triangles are one smooth piece.
   double featureAngle = 30.0;
   std::vector<FinerPlace> finerPlaces;
-  /// More triangles than this make a cluster, however few pieces they are of.
-  std::size_t mostTriangles = std::numeric_limits<std::size_t>::max();
 };
 
 /// Octants of the size at features that a model is a cluster in, before it is repaired: foliage, railings, books. What
@@ -43,7 +40,9 @@ public:
                const RunContext& context);
 
   /// Whether a triangle of the input lies in clusters, or outside of the root octant, wherever it is.
-  bool isHidden(Index source) const { return !isSeen_.empty() && !isSeen_[source]; }
+  bool isHidden(Index source) const { return source < isSeen_.size() && !isSeen_[source]; }
+  /// Hides another one.
+  void hide(Index source);
   /// Whether a box lies in clusters; false for boxes longer than an octant.
   bool hold(const LatticeBox& box) const;
   bool hold(const LatticePoint& p) const { return hold(LatticeBox{p, p}); }
@@ -53,7 +52,7 @@ private:
   int finestLevel_ = 0;
   /// Keys of the clusters, by level from that of features on.
   std::vector<std::unordered_set<MortonKey>> keys_;
-  /// Per triangle of the input, whether some of it lies outside of clusters.
+  /// Per triangle of the input, whether some of it lies outside of clusters, and it was not hidden since.
   std::vector<char> isSeen_;
 };
 

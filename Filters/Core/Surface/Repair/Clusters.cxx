@@ -13,6 +13,9 @@ namespace {
 /// Where there are too many pairs, every so manieth box is asked, and every so manieth of these.
 constexpr std::size_t coarser = 4;
 
+/// Of triangles that meet, as boundOfTriples has it: about the pieces they are cut into.
+constexpr std::size_t mostTriples = 5'000'000;
+
 /// Ends a search for pairs.
 struct TooMany
 {
@@ -66,6 +69,19 @@ void leaveOutDearest(const std::vector<std::size_t>& costs, std::size_t limit, s
   }
 }
 
+/// Whether any was marked.
+bool hide(const TriangleSoup& soup, const std::vector<char>& isOut, ClusterCells& clusters)
+{
+  for (Index t = 0; t < isOut.size(); ++t)
+  {
+    if (isOut[t])
+    {
+      clusters.hide(soup.sources[t]);
+    }
+  }
+  return std::ranges::find(isOut, 1) != isOut.end();
+}
+
 std::vector<std::size_t> costsOf(std::size_t count, const TrianglePairs& pairs)
 {
   std::vector<std::size_t> degrees(count, 0);
@@ -87,9 +103,9 @@ std::vector<std::size_t> costsOf(std::size_t count, const TrianglePairs& pairs)
 } // namespace
 
 std::vector<char> findClusters(const TriangleSoup& soup, std::int64_t margin, std::size_t limit,
-                               const RunContext& context)
+                               const RunContext& context, std::vector<char> isOut)
 {
-  std::vector<char> isOut(soup.triangles.size(), 0);
+  isOut.resize(soup.triangles.size(), 0);
   for (std::size_t allowed = limit;; allowed /= 2) // lower still where a sample did not show enough
   {
     std::vector<NumberedBox> boxes;
@@ -143,22 +159,23 @@ std::vector<char> findTangles(std::size_t count, const TrianglePairs& pairs, std
 
 void checkPairs(std::size_t pairs)
 {
-  constexpr std::size_t most = 200'000'000;
-  if (pairs > most)
+  if (pairs > mostPairs)
   {
-    throw TooManyContacts("too many triangles lie in one place: more than 200 million pairs of them touch or nearly "
-                          "do; delete copies there (inspect lists the surfaces and places as clusters)");
+    throw TooManyPairs{};
   }
 }
 
-void checkTriples(std::size_t count, const TrianglePairs& pairs)
+void hideClusters(const TriangleSoup& soup, std::int64_t margin, std::size_t limit, ClusterCells& clusters,
+                  const RunContext& context)
 {
-  constexpr std::size_t most = 5'000'000;
-  if (boundOfTriples(count, pairs) > most)
-  {
-    throw TooManyContacts(std::to_string(pairs.size()) + " pairs of triangles overlap or cross, too many to cut " +
-                          "along each other; delete copies (inspect lists the surfaces and places as clusters)");
-  }
+  std::vector<char> isOut(soup.triangles.size());
+  std::ranges::transform(soup.sources, isOut.begin(), [&](Index source) { return clusters.isHidden(source) ? 1 : 0; });
+  hide(soup, findClusters(soup, margin, limit, context, std::move(isOut)), clusters);
+}
+
+bool hideTangles(const TriangleSoup& soup, const TrianglePairs& pairs, ClusterCells& clusters)
+{
+  return hide(soup, findTangles(soup.triangles.size(), pairs, mostTriples), clusters);
 }
 
 } // namespace atria

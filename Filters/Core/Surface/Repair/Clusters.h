@@ -3,8 +3,8 @@
 /// that are nearly the same, faces that overlap all of each other.
 #pragma once
 
-#include "Support/Error.h"
 #include "Support/RunContext.h"
+#include "Surface/Repair/ClusterCells.h"
 #include "Surface/Triangles/TriangleSoup.h"
 
 #include <cstddef>
@@ -14,10 +14,11 @@
 namespace atria {
 
 /// Marks triangles to leave out, so that of the others no more than `limit` pairs have boxes, `margin` wider on every
-/// side, that touch. Those that touch most go first, of equals the last. None are marked where there are fewer pairs.
-/// The limit should be well above ten times the number of triangles. O(n log n + limit).
+/// side, that touch. Those that touch most go first, of equals the last. None are marked where there are fewer pairs,
+/// but for those that are from the first. The limit should be well above ten times the number of triangles.
+/// O(n log n + limit).
 std::vector<char> findClusters(const TriangleSoup& soup, std::int64_t margin, std::size_t limit,
-                               const RunContext& context);
+                               const RunContext& context, std::vector<char> isOut = {});
 
 using TrianglePairs = std::vector<std::pair<Index, Index>>;
 
@@ -29,16 +30,41 @@ std::size_t boundOfTriples(std::size_t count, const TrianglePairs& pairs);
 /// Marks triangles to leave out, so that the bound is within `limit` for the others; which go first is as above.
 std::vector<char> findTangles(std::size_t count, const TrianglePairs& pairs, std::size_t limit);
 
-/// Too many pairs of triangles to look at, or too many pieces that they would be cut into.
-struct TooManyContacts : Error
+/// What a search throws that meets more pairs of boxes than can be looked at in reasonable time and memory.
+struct TooManyPairs
 {
-  using Error::Error;
 };
+inline constexpr std::size_t mostPairs = 200'000'000;
 
-/// Throws TooManyContacts for more pairs of boxes than can be looked at in reasonable time and memory.
+/// Throws TooManyPairs where these are more.
 void checkPairs(std::size_t pairs);
 
-/// Throws TooManyContacts where cutting triangles along each other would make too many pieces, as the bound tells.
-void checkTriples(std::size_t count, const TrianglePairs& pairs);
+/// Hides triangles so that of the others no more than `limit` pairs have boxes, `margin` wider on every side, that
+/// touch. Sources are hidden as a whole.
+void hideClusters(const TriangleSoup& soup, std::int64_t margin, std::size_t limit, ClusterCells& clusters,
+                  const RunContext& context);
+
+/// Calls search() and returns what it does; where it throws TooManyPairs, hides triangles and calls it again.
+template <typename Search>
+auto searchSeen(const TriangleSoup& soup, std::int64_t margin, ClusterCells& clusters, const RunContext& context,
+                Search&& search)
+{
+  // Pairs may be met from both sides.
+  for (std::size_t limit = mostPairs / 2;; limit /= 2)
+  {
+    try
+    {
+      return search();
+    }
+    catch (const TooManyPairs&)
+    {
+      hideClusters(soup, margin, limit, clusters, context);
+    }
+  }
+}
+
+/// Hides triangles that would be cut into too many pieces along others, as the bound tells, where these pairs meet.
+/// Whether there were any.
+bool hideTangles(const TriangleSoup& soup, const TrianglePairs& pairs, ClusterCells& clusters);
 
 } // namespace atria

@@ -39,7 +39,8 @@ struct Contacts
 /// Finds all contacts outside of clusters of triangles of which one is marked in `changed`, but for those of which the
 /// sources of both are in `isLeft`, which may be empty. A point within `reach`
 /// lattice units of an edge or a triangle lies on it. Sides are decided exactly, distances in double precision. All
-/// lists are sorted, without repeats. Throws TooManyContacts. O(n log n + pairs of triangles whose boxes touch).
+/// lists are sorted, without repeats. Throws TooManyPairs (Clusters.h). O(n log n + pairs of triangles whose boxes
+/// touch).
 Contacts findContacts(const TriangleSoup& soup, const std::vector<char>& changed, const std::vector<char>& isLeft,
                       std::int64_t reach, const ClusterCells& clusters, const RunContext& context);
 

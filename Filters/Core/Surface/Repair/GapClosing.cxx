@@ -438,7 +438,10 @@ std::vector<char> closeGaps(TriangleSoup& soup, const GridFrame& frame, const Ga
   std::vector<char> isMoved(soup.points.size(), 0);
   if (options.tolerance >= 1.0)
   {
-    for (const Index p : GapCloser(soup, frame, options, start, context).run())
+    const auto margin = static_cast<std::int64_t>(std::ceil(options.tolerance));
+    const std::vector<Index> moved = searchSeen(soup, margin, options.clusters, context,
+                                                [&] { return GapCloser(soup, frame, options, start, context).run(); });
+    for (const Index p : moved)
     {
       isMoved[p] = 1;
     }

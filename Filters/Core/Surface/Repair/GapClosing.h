@@ -24,7 +24,7 @@ struct GapOptions
   /// In lattice units; below 1 nothing is moved.
   double tolerance = 0.0;
   const SoupAsDrawn& drawn;
-  const ClusterCells& clusters;
+  ClusterCells& clusters;
 };
 
 /// Moves points onto what they nearly touch, so that no gap narrower than `tolerance` (lattice units) is left between
@@ -39,7 +39,8 @@ struct GapOptions
 /// lies on, or by more than twice the tolerance from its place in `start`, or turn a triangle by more than 60 degrees
 /// out of its plane, or leave one without area that has a boundary edge, but for those between the point and what it
 /// moves onto. No point moves where an edge shorter than twice
-/// the tolerance was drawn, as what is that fine could fold, and none in clusters. Points only move: triangles are not
+/// the tolerance was drawn, as what is that fine could fold, and none in clusters; what lies
+/// near too many others is hidden. Points only move: triangles are not
 /// cut. Returns for each point whether it was moved. O(n log n + pairs of triangles and points near them that are at
 /// boundary edges or of another part).
 std::vector<char> closeGaps(TriangleSoup& soup, const GridFrame& frame, const GapOptions& options,

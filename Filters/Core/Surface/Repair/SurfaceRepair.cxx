@@ -17,10 +17,6 @@ namespace {
 /// Against the gap tolerance: what is this near may become one point where cuts do not end otherwise.
 constexpr double widestWeld = 0.5;
 constexpr int maximumPasses = 6;
-/// Where triangles of few pieces have too many contacts, as many in an octant make a cluster: fewer and fewer.
-constexpr std::size_t mostTriangles = 4096;
-constexpr std::size_t fewerTriangles = 8;
-constexpr std::size_t fewestTriangles = 8;
 
 void dropUnusedPoints(TriangleSoup& soup)
 {
@@ -171,7 +167,7 @@ private:
   double areaUnit;
 };
 
-void repairOutside(const ClusterCells& clusters, TriangleSoup& soup, const GridFrame& frame,
+void repairOutside(ClusterCells& clusters, TriangleSoup& soup, const GridFrame& frame,
                    const SurfaceRepairOptions& options, SurfaceRepairReport& report, const RunContext& context)
 {
   // Pieces are closed as they were drawn; where they are cut they share edges with others.
@@ -203,30 +199,11 @@ void repairSurface(TriangleSoup& soup, const GridFrame& frame, const SurfaceRepa
   const std::vector<char> isSmall = findSmallParts(soup, frame, smallOptions, context);
   hidden.addLeftOut(soup, isSmall);
   dropTriangles(soup, isSmall);
-  ClusterOptions clusterOptions = options.clusters;
-  for (;;)
-  {
-    TriangleSoup repaired = soup;
-    SurfaceRepairReport found = report;
-    try
-    {
-      const ClusterCells clusters(soup, frame, clusterOptions, context);
-      repairOutside(clusters, repaired, frame, options, found, context);
-      hidden.addClustered(soup, clusters);
-      soup = std::move(repaired);
-      report = found;
-      report.hidden = hidden.take();
-      return;
-    }
-    catch (const TooManyContacts&)
-    {
-      if (clusterOptions.mostTriangles <= fewestTriangles)
-      {
-        throw;
-      }
-      clusterOptions.mostTriangles = std::min(clusterOptions.mostTriangles / fewerTriangles, mostTriangles);
-    }
-  }
+  ClusterCells clusters(soup, frame, options.clusters, context);
+  const TriangleSoup drawn = soup;
+  repairOutside(clusters, soup, frame, options, report, context);
+  hidden.addClustered(drawn, clusters);
+  report.hidden = hidden.take();
 }
 
 } // namespace atria
