@@ -81,11 +81,11 @@ class Mesh(unittest.TestCase):
         self.assertRaises(TypeError, atria.mesh, cube, 1, unit="in")
 
     def test_options_of_files_and_properties(self):
-        small = atria.mesh(MODEL, 2 * 0.0254, unit="in", domain=[0.0254 * x for x in BOX], layers=0)
-        whole = atria.mesh(MODEL, 2, domain=BOX, layers=0)
+        small = atria.mesh(MODEL, 2 * 0.0254, unit="in", domain=[0.0254 * x for x in BOX], layers=0, SupportElements=False)
+        whole = atria.mesh(MODEL, 2, domain=BOX, layers=0, SupportElements=False)
         self.assertEqual(small.report["counts"]["elements"], whole.report["counts"]["elements"])
         self.assertNotIn("Neighbor", atria.mesh(MODEL, 2, domain=BOX, layers=0, without=["Neighbor"]).patches)
-        self.assertNotEqual(atria.mesh(MODEL, 2, domain=BOX, layers=0, CellsPerLevel=3).report["counts"],
+        self.assertNotEqual(atria.mesh(MODEL, 2, domain=BOX, layers=0, SupportElements=False, CellsPerLevel=3).report["counts"],
                             whole.report["counts"])
         with self.assertRaisesRegex(TypeError, "did you mean CellsPerLevel"):
             atria.mesh(MODEL, 2, CellPerLevel=3)
