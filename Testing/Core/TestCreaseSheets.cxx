@@ -56,6 +56,7 @@ Meshed meshAbout(const Solid& solid, int layers, int threads = 2)
   grid.sizeMin = grid.sizeMid = grid.sizeMax = size;
   DualMeshOptions options;
   options.layers = {{"*", {layers}}};
+  options.supportElements = false; // with 0 layers this is the plain mesh
   return meshIt(turned, grid, options, threads);
 }
 

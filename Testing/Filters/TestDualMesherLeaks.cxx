@@ -173,6 +173,7 @@ TEST_F(DualMesherLeaks, DroppedZonesAreToldWithAPointThatIsASeedOfThem)
     const Vec3 inside(field("ZonePoint")->GetTuple3(zone));
     vtkNew<vtkAtriaDualMesher> other;
     other->SetNumberOfLayers(0);
+    other->SetSupportElements(false);
     atria::testing::setGrid(other, domain, 0.5, 1.0, 2.0);
     other->SetInputDataObject(atria::testing::toPolyData(surface));
     other->SetZoneRule(vtkAtriaDualMesher::Seeds);
