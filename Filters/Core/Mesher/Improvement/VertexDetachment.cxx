@@ -153,8 +153,11 @@ void VertexDetachment::leaveSurface(Index leader, double reach)
   vertexClass = VertexClass::detached;
   const Octree& octree = state_.context.octree;
   const double size = octree.frame().sizeOf(octree.level(state_.classification.leaves[leader]));
-  state_.classification.displacementLimits.try_emplace(leader, DisplacementLimit{state_.layer.mesh.points[leader], 0.0})
-      .first->second.reach = reach * size;
+  double& limit = state_.classification.displacementLimits
+                      .try_emplace(leader, DisplacementLimit{state_.layer.mesh.points[leader], 0.0})
+                      .first->second.reach;
+  // Those that were detached from the first lose nothing.
+  limit = state_.wanted.classes[leader] == VertexClass::detached ? std::max(limit, reach * size) : reach * size;
 }
 
 void VertexDetachment::detach(const std::vector<ShortCell>& cells, double reach)
