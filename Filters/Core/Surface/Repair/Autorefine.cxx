@@ -216,19 +216,18 @@ public:
   void run(std::vector<char> changed)
   {
     std::size_t foundBefore = std::numeric_limits<std::size_t>::max();
-    for (int round = 0; round < options.maximumRounds; ++round)
+    for (int round = 0;; ++round)
     {
       tidy(changed, round == 0);
-      Contacts contacts = find(changed, report.isLeft);
-      if (leaveHopeless(contacts.pairs) || hideTangles(soup, contacts.pairs, clusters))
-      {
-        contacts = find(changed, report.isLeft);
-      }
-      // Slivers with a corner on their own edge may stay that.
+      const bool isLast = round == options.maximumRounds;
+      Contacts contacts = isLast ? find(changed, report.isLeft) : findHopeful(changed);
       const std::size_t found = contacts.edges.size() + contacts.faces.size();
-      if (found == 0 || (contacts.pairs.empty() && found >= foundBefore))
+      // Slivers with a corner on their own edge may stay that.
+      if (isLast || found == 0 || (contacts.pairs.empty() && found >= foundBefore))
       {
-        break;
+        report.unresolvedContacts =
+            std::ranges::find(report.isLeft, 1) == report.isLeft.end() ? found : countAll(changed);
+        return;
       }
       foundBefore = found;
       addNewPoints(soup, contacts, weldDistance);
@@ -241,7 +240,6 @@ public:
       cutTriangles(soup, contacts, static_cast<double>(options.reach), changed, report.isSplit, report.meetings,
                    context);
     }
-    countLeft(changed);
   }
 
 private:
@@ -249,6 +247,21 @@ private:
   {
     return searchSeen(soup, options.reach, clusters, context,
                       [&] { return findContacts(soup, changed, isLeft, options.reach, clusters, context); });
+  }
+
+  /// Once hopeless triangles are left, and tangled ones hidden.
+  Contacts findHopeful(const std::vector<char>& changed)
+  {
+    Contacts contacts = find(changed, report.isLeft);
+    if (leaveHopeless(contacts.pairs))
+    {
+      contacts = find(changed, report.isLeft);
+    }
+    if (hideTangles(soup, contacts.pairs, clusters))
+    {
+      contacts = find(changed, report.isLeft);
+    }
+    return contacts;
   }
 
   /// Leaves triangles that have more contacts than two rounds before, or as many where points do not become one
@@ -274,16 +287,15 @@ private:
     return any;
   }
 
-  /// Counts the contacts that there are still.
-  void countLeft(std::vector<char>& changed)
+  /// The contacts that there are still, those of triangles that are left, too.
+  std::size_t countAll(std::vector<char>& changed) const
   {
-    tidy(changed, false);
     for (std::size_t t = 0; t < changed.size(); ++t)
     {
       changed[t] |= report.isLeft[soup.sources[t]];
     }
     const Contacts contacts = find(changed, {});
-    report.unresolvedContacts = contacts.edges.size() + contacts.faces.size();
+    return contacts.edges.size() + contacts.faces.size();
   }
 
   /// Points close to each other become one, and triangles that are there no longer or twice are dropped.
