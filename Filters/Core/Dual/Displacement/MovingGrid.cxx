@@ -2,6 +2,7 @@
 #include "Dual/Displacement/MovingGrid.h"
 
 #include "Dual/Leaf/FeatureCorners.h"
+#include "Octree/Tree/GeometryLists.h"
 #include "Support/Pieces.h"
 #include "Support/Sorting.h"
 
@@ -416,12 +417,8 @@ std::int64_t MovingGrid::shortestEdge(Index point) const
 
 bool MovingGrid::isFixed(Index point) const
 {
-  const auto hasTurnedSide = [&](Index leaf) {
-    return std::ranges::any_of(tree.items(leaf, ModelItem::triangle),
-                               [&](ModelItem piece) { return surfaces.isTurnedSide(piece.index); });
-  };
   return std::ranges::any_of(grid.points().leaves[point], [&](Index leaf) {
-    return tree.featureType(leaf) == FeatureType::cluster || (tree.frame().turnedDomain && hasTurnedSide(leaf));
+    return tree.featureType(leaf) == FeatureType::cluster || hasTurnedSide(tree, leaf, surfaces);
   });
 }
 

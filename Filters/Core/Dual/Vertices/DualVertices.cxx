@@ -4,6 +4,7 @@
 #include "Dual/Leaf/FeatureCorners.h"
 #include "Dual/Leaf/LeafGeometry.h"
 #include "Dual/Leaf/LeafTopology.h"
+#include "Octree/Tree/GeometryLists.h"
 
 #include <algorithm>
 #include <map>
@@ -260,16 +261,11 @@ void detachUnresolved(const Octree& octree, const SurfaceModel& model, const Buc
 {
   constexpr double reach = 0.25; // octants
   VertexClassification& classification = vertices.classification;
-  const auto isAtTurnedSide = [&](Index leaf) {
-    return octree.frame().turnedDomain &&
-           std::ranges::any_of(octree.items(leaf, ModelItem::triangle),
-                               [&](ModelItem piece) { return model.isTurnedSide(piece.index); });
-  };
   for (Index v = 0; v < classification.classes.size(); ++v)
   {
     const Index leaf = classification.leaves[v];
     const bool isInCluster = octree.featureType(leaf) == FeatureType::cluster && !cutsOf.of(leaf).empty();
-    if ((isInCluster || vertices.compromised[v]) && !isAtTurnedSide(leaf))
+    if ((isInCluster || vertices.compromised[v]) && !hasTurnedSide(octree, leaf, model))
     {
       classification.classes[v] = VertexClass::detached;
       classification.displacementLimits[v] = {vertices.positions[v], reach * octree.frame().sizeOf(octree.level(leaf))};

@@ -18,37 +18,23 @@ bool isUncut(Index point, int direction, const Crossings& crossings)
                    : DualMesh::isBoundary(code) && crossings.boundaryFaces[DualMesh::boundaryFaceOf(code)].onDomainSide;
 }
 
-LatticeBox boxOf(std::span<const LatticePoint> points)
+/// Grid points of the leaves about a bridge.
+std::vector<Index> pointsAbout(const BridgeTriangle& bridge, const GridPlaces& grid)
 {
-  LatticeBox box{points[0], points[0]};
-  for (const LatticePoint& p : points)
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      box.low[axis] = std::min(box.low[axis], p[axis]);
-      box.high[axis] = std::max(box.high[axis], p[axis]);
-    }
-  }
-  return box;
-}
-
-/// Grid points of the leaves about a bridge, whose box is given.
-std::vector<Index> pointsAbout(const BridgeTriangle& bridge, const LatticeBox& box, const GridPlaces& grid)
-{
+  const auto& [a, b, c] = bridge;
   const Octree& octree = grid.octree();
   const GridFrame& frame = octree.frame();
   // Edges with an end that was moved lie off their leaves, by up to an octant.
-  const LatticePoint& a = bridge[0];
   const std::int64_t margin =
       grid.displacedCount() == 0 || !frame.inDomain(a) ? 0 : frame.latticeSize(octree.level(octree.leafAt(a)));
-  LatticeBox wide = box;
+  LatticeBox box;
   for (int axis = 0; axis < 3; ++axis)
   {
-    wide.low[axis] -= margin;
-    wide.high[axis] += margin;
+    box.low[axis] = std::min({a[axis], b[axis], c[axis]}) - margin;
+    box.high[axis] = std::max({a[axis], b[axis], c[axis]}) + margin;
   }
   std::vector<Index> points;
-  for (const Index leaf : leavesTouching(octree, wide))
+  for (const Index leaf : leavesTouching(octree, box))
   {
     const auto& corners = grid.points().atCorner[leaf];
     std::ranges::copy_if(corners, std::back_inserter(points), [](Index point) { return point != noIndex; });
@@ -117,9 +103,8 @@ std::vector<Passage> passagesOf(Index edge, const BoundaryGaps& gaps, const Cros
 std::vector<Passage> passagesOf(const BridgeTriangle& bridge, Index triangle, const Crossings& crossings,
                                 const GridPlaces& grid)
 {
-  const LatticeBox box = boxOf(bridge);
   std::vector<Passage> passages;
-  for (const Index point : pointsAbout(bridge, box, grid))
+  for (const Index point : pointsAbout(bridge, grid))
   {
     for (int direction = 0; direction < 6; ++direction)
     {
@@ -128,10 +113,6 @@ std::vector<Passage> passagesOf(const BridgeTriangle& bridge, Index triangle, co
         continue;
       }
       const EdgeSegment segment = grid.segment(point, direction, grid.edge(point, direction));
-      if (!overlap(boxOf(std::array{segment.start, segment.end}), box))
-      {
-        continue;
-      }
       if (const auto cut = crossingOf(segment, bridge[0], bridge[1], bridge[2], triangle))
       {
         passages.push_back({point, static_cast<std::uint8_t>(direction), *cut});

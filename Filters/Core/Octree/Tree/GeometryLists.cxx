@@ -395,6 +395,13 @@ bool severalSurfaces(const LatticeBox& box, std::span<const ModelItem> pieces, c
                       : areSeveralOfMany(box, many, model);
 }
 
+bool hasTurnedSide(const Octree& octree, Index leaf, const SurfaceModel& model)
+{
+  return octree.frame().turnedDomain &&
+         std::ranges::any_of(octree.items(leaf, ModelItem::triangle),
+                             [&](ModelItem piece) { return model.isTurnedSide(piece.index); });
+}
+
 bool isCluster(std::span<const ModelItem> pieces, const SurfaceModel& model)
 {
   std::array<Index, mostChartsOfLeaf> charts;

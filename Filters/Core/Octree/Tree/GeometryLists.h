@@ -80,6 +80,9 @@ std::vector<Index> trianglesNear(const Octree& octree, const LatticeBox& box);
 /// points that lie in it.
 bool severalSurfaces(const LatticeBox& box, std::span<const ModelItem> pieces, const SurfaceModel& model);
 
+/// Whether a leaf holds a piece of a side of a turned domain.
+bool hasTurnedSide(const Octree& octree, Index leaf, const SurfaceModel& model);
+
 /// A leaf of more charts than this is a cluster. Three planes that cross, as a slab and two walls do, are twelve charts
 /// once they are cut, and a leaf's eight corners tell apart all eight regions between them.
 inline constexpr std::size_t mostChartsOfLeaf = 12;
