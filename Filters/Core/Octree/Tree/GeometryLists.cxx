@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Octree/Tree/GeometryLists.h"
 
+#include "Support/FewNumbers.h"
 #include "Support/UnionFind.h"
 
 #include <algorithm>
@@ -404,27 +405,10 @@ bool hasTurnedSide(const Octree& octree, Index leaf, const SurfaceModel& model)
 
 bool isCluster(std::span<const ModelItem> pieces, const SurfaceModel& model)
 {
-  std::array<Index, mostChartsOfLeaf> charts;
-  std::size_t count = 0;
-  for (const ModelItem piece : pieces)
-  {
-    if (piece.kind != ModelItem::triangle)
-    {
-      continue;
-    }
-    const Index chart = model.charts[piece.index];
-    const auto end = charts.begin() + static_cast<std::ptrdiff_t>(count);
-    if (std::find(charts.begin(), end, chart) != end)
-    {
-      continue;
-    }
-    if (count == mostChartsOfLeaf)
-    {
-      return true;
-    }
-    charts[count++] = chart;
-  }
-  return false;
+  FewNumbers<mostChartsOfLeaf> charts;
+  return !std::ranges::all_of(pieces, [&](ModelItem piece) {
+    return piece.kind != ModelItem::triangle || charts.add(model.charts[piece.index]);
+  });
 }
 
 FeatureType featureTypeOf(const LatticeBox& box, std::span<const ModelItem> pieces, const SurfaceModel& model)

@@ -2,6 +2,7 @@
 #include "Surface/Repair/ClusterCells.h"
 
 #include "Support/Angles.h"
+#include "Support/FewNumbers.h"
 #include "Support/Pieces.h"
 #include "Support/UnionFind.h"
 
@@ -107,21 +108,8 @@ public:
 private:
   bool isDense(const std::vector<Index>& triangles) const
   {
-    std::array<Index, mostPiecesOfOctant> seen;
-    std::size_t count = 0;
-    for (const Index t : triangles)
-    {
-      const auto end = seen.begin() + static_cast<std::ptrdiff_t>(count);
-      if (std::find(seen.begin(), end, pieces[t]) == end)
-      {
-        if (count == seen.size())
-        {
-          return true;
-        }
-        seen[count++] = pieces[t];
-      }
-    }
-    return false;
+    FewNumbers<mostPiecesOfOctant> seen;
+    return !std::ranges::all_of(triangles, [&](Index t) { return seen.add(pieces[t]); });
   }
 
   int levelAt(const LatticeBox& box) const
