@@ -8,26 +8,6 @@
 
 namespace atria {
 
-namespace {
-
-/// Distance of two segments (Ericson 2005, 5.1.9).
-double segmentDistance(const Vec3& p, const Vec3& alongP, const Vec3& q, const Vec3& alongQ)
-{
-  const Vec3 apart = p - q;
-  const double a = alongP.squaredNorm();
-  const double e = alongQ.squaredNorm();
-  const double b = alongP.dot(alongQ);
-  const double c = alongP.dot(apart);
-  const double f = alongQ.dot(apart);
-  const double denominator = a * e - b * b;
-  double s = denominator > 1e-12 * a * e ? std::clamp((b * f - c * e) / denominator, 0.0, 1.0) : 0.0;
-  const double t = e > 0.0 ? std::clamp((b * s + f) / e, 0.0, 1.0) : 0.0;
-  s = a > 0.0 ? std::clamp((b * t - c) / a, 0.0, 1.0) : 0.0;
-  return (apart + s * alongP - t * alongQ).norm();
-}
-
-} // namespace
-
 TriangleDistance::TriangleDistance(const LatticeBox& box, const LatticePoint& a, const LatticePoint& b,
                                    const LatticePoint& c)
     : box_(box), lattice_{a, b, c}, corners_{toVector(a), toVector(b), toVector(c)}
@@ -89,8 +69,8 @@ double TriangleDistance::fromBoundary() const
     {
       for (int i = 0; i < 3 && (k >> axis & 1) == 0; ++i)
       {
-        const Vec3 along = corners_[(i + 1) % 3] - corners_[i];
-        least = std::min(least, segmentDistance(corner, boxCorner(k | 1u << axis) - corner, corners_[i], along));
+        least = std::min(
+            least, nearestOfSegments(corner, boxCorner(k | 1u << axis), corners_[i], corners_[(i + 1) % 3]).distance());
       }
     }
   }
@@ -101,29 +81,6 @@ double TriangleDistance::fromBoundary() const
     least = std::min(least, (corner.cwiseMax(low).cwiseMin(high) - corner).norm());
   }
   return least;
-}
-
-bool segmentWithin(const LatticeBox& box, const Vec3& margin, const Vec3& from, const Vec3& to)
-{
-  double begin = 0.0;
-  double end = 1.0;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double low = static_cast<double>(box.low[axis]) - margin[axis] - from[axis];
-    const double high = static_cast<double>(box.high[axis]) + margin[axis] - from[axis];
-    const double along = to[axis] - from[axis];
-    if (along == 0.0)
-    {
-      if (low > 0.0 || high < 0.0)
-      {
-        return false;
-      }
-      continue;
-    }
-    begin = std::max(begin, std::min(low / along, high / along));
-    end = std::min(end, std::max(low / along, high / along));
-  }
-  return begin <= end;
 }
 
 } // namespace atria

@@ -32,7 +32,4 @@ private:
   double radius_;
 };
 
-/// Whether the segment passes the box grown by `margin` along each axis.
-bool segmentWithin(const LatticeBox& box, const Vec3& margin, const Vec3& from, const Vec3& to);
-
 } // namespace atria

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Octree/Sizing/GapSizing.h"
 
-#include "Octree/Sizing/BoxDistance.h"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>

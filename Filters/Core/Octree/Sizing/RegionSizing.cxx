@@ -3,6 +3,7 @@
 #include "Octree/Sizing/SizeSources.h"
 #include "Octree/Tree/GeometryLists.h"
 #include "Support/Error.h"
+#include "Surface/Search/Slabs.h"
 
 #include <algorithm>
 
@@ -235,7 +236,9 @@ void sizeForGaps(OctantSink& sets, const std::vector<GapLine>& lines, const RunC
       sets, [&](Index i) { return lines[i].level; },
       [&](Index i, const LatticeBox& octant) {
         const GapLine& line = lines[i];
-        return segmentWithin(octant, line.half, line.from, line.to) ? Reach::part : Reach::none;
+        const Vec3 low = toVector(octant.low) - line.half - line.from;
+        const Vec3 high = toVector(octant.high) + line.half - line.from;
+        return clipLine(low, high, line.to - line.from, 1.0).empty() ? Reach::none : Reach::part;
       })
       .run(lines.size(), context);
 }

@@ -2,6 +2,7 @@
 #include "Surface/Model/TriangleTree.h"
 
 #include "Surface/Search/Distance.h"
+#include "Surface/Search/Slabs.h"
 
 #include <Eigen/Geometry>
 
@@ -15,21 +16,8 @@ namespace {
 /// The ray's parameter where it enters the box; infinity where it misses it before `farthest`.
 double entry(const Box3& box, const Vec3& origin, const Vec3& direction, double farthest)
 {
-  double begin = 0.0;
-  double end = farthest;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const double low = box.min[axis] - origin[axis];
-    const double high = box.max[axis] - origin[axis];
-    if (direction[axis] == 0.0)
-    {
-      end = low > 0.0 || high < 0.0 ? -1.0 : end;
-      continue;
-    }
-    begin = std::max(begin, std::min(low / direction[axis], high / direction[axis]));
-    end = std::min(end, std::max(low / direction[axis], high / direction[axis]));
-  }
-  return begin <= end ? begin : std::numeric_limits<double>::infinity();
+  const SegmentRange range = clipLine(box.min - origin, box.max - origin, direction, farthest);
+  return range.empty() ? std::numeric_limits<double>::infinity() : range.begin;
 }
 
 /// Möller and Trumbore 1997; edges count.

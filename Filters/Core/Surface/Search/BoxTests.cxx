@@ -2,6 +2,8 @@
 #include "Surface/Search/BoxTests.h"
 
 #include "Support/Types.h"
+#include "Surface/Search/Slabs.h"
+#include "Surface/Triangles/TriangleSoup.h"
 
 #include <Eigen/Geometry>
 
@@ -130,25 +132,7 @@ bool touches(const LatticeBox& box, const LatticePoint& a, const LatticePoint& b
 
 SegmentRange clipSegment(const LatticeBox& box, const LatticePoint& a, const LatticePoint& b)
 {
-  constexpr SegmentRange none{1.0, 0.0};
-  SegmentRange range;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    const auto low = static_cast<double>(box.low[axis] - a[axis]);
-    const auto high = static_cast<double>(box.high[axis] - a[axis]);
-    const auto along = static_cast<double>(b[axis] - a[axis]);
-    if (along == 0.0)
-    {
-      if (low > 0.0 || high < 0.0)
-      {
-        return none;
-      }
-      continue;
-    }
-    range.begin = std::max(range.begin, std::min(low / along, high / along));
-    range.end = std::min(range.end, std::max(low / along, high / along));
-  }
-  return range;
+  return clipLine(between(a, box.low), between(a, box.high), between(a, b), 1.0);
 }
 
 } // namespace atria
