@@ -186,7 +186,7 @@ private:
     // Without, more stays unresolved in most models of others, and the search takes longer.
     constexpr double acrossCosine = 0.99;
     const SurfaceModel& model = grid.model();
-    std::optional<Vec3> best;
+    NearestPlace best{p};
     Vec3 normal = Vec3::Zero();
     for (const Index leaf : look.leavesAbout())
     {
@@ -199,21 +199,20 @@ private:
         const Vec3 q =
             nearestOnTriangle(p, toVector(model.corner(piece.index, 0)), toVector(model.corner(piece.index, 1)),
                               toVector(model.corner(piece.index, 2)));
-        if (!best || (q - p).squaredNorm() < (*best - p).squaredNorm())
+        if (best.offer(q))
         {
-          best = q;
           normal = model.normal(piece.index).normalized();
         }
       }
     }
-    const bool isFoot = best && std::abs(normal.dot(*best - p)) >= acrossCosine * (*best - p).norm();
-    return isFoot ? best : std::nullopt;
+    const bool isFoot = std::abs(normal.dot(best.at - p)) >= acrossCosine * (best.at - p).norm();
+    return isFoot ? best.place() : std::nullopt;
   }
 
   std::optional<Vec3> nearestOnCurve(const Vec3& p, const std::vector<Index>& ending) const
   {
     const SurfaceModel& model = grid.model();
-    std::optional<Vec3> best;
+    NearestPlace best{p};
     for (const Index leaf : look.leavesAbout())
     {
       for (const ModelItem piece : grid.octree().items(leaf, ModelItem::featureEdge))
@@ -221,12 +220,11 @@ private:
         const FeatureEdge& edge = model.featureEdges[piece.index];
         if (model.curves[edge.curve].ending == ending)
         {
-          const Vec3 q = nearestOnSegment(p, toVector(model.points[edge.a]), toVector(model.points[edge.b]));
-          best = !best || (q - p).squaredNorm() < (*best - p).squaredNorm() ? q : *best;
+          best.offer(nearestOnSegment(p, toVector(model.points[edge.a]), toVector(model.points[edge.b])));
         }
       }
     }
-    return best;
+    return best.place();
   }
 
   const MovingGrid& grid;

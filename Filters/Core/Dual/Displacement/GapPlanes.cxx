@@ -123,25 +123,22 @@ private:
 
   std::optional<Nearest> nearestOn(Index chart, const Vec3& p) const
   {
-    std::optional<Nearest> best;
-    double least = std::numeric_limits<double>::infinity();
+    NearestPlace best{p};
+    Index on = noIndex;
     const auto first = std::lower_bound(triangles.begin(), triangles.end(), std::pair(chart, Index{0}));
     for (auto entry = first; entry != triangles.end() && entry->first == chart; ++entry)
     {
       const Index triangle = entry->second;
-      if (boxes[static_cast<std::size_t>(entry - triangles.begin())].squaredDistance(p) >= least)
+      const Box3& box = boxes[static_cast<std::size_t>(entry - triangles.begin())];
+      if (box.squaredDistance(p) >= best.squaredDistance)
       {
         continue;
       }
       const Vec3 q = nearestOnTriangle(p, toVector(model().corner(triangle, 0)), toVector(model().corner(triangle, 1)),
                                        toVector(model().corner(triangle, 2)));
-      if ((q - p).squaredNorm() < least)
-      {
-        least = (q - p).squaredNorm();
-        best = Nearest{q, triangle};
-      }
+      on = best.offer(q) ? triangle : on;
     }
-    return best;
+    return best.found() ? std::optional(Nearest{best.at, on}) : std::nullopt;
   }
 
   /// The nearest points of the charts about a point, by chart.

@@ -150,7 +150,7 @@ std::optional<Vec3> LeafGeometry::sidePosition()
 /// The corner, nearest to the center, of what lies on the domain sides through the leaf.
 std::optional<Vec3> LeafGeometry::sideCorner() const
 {
-  std::optional<Vec3> best;
+  NearestPlace best{center_};
   for (const ModelItem corner : octree.items(leaf_))
   {
     if (corner.kind != ModelItem::corner || !owns(model.points[model.corners[corner.index]]))
@@ -162,13 +162,12 @@ std::optional<Vec3> LeafGeometry::sideCorner() const
       return piece.kind == ModelItem::triangle && onOwnPlane(piece.index) &&
              std::ranges::find(model.triangles[piece.index], point) != model.triangles[piece.index].end();
     });
-    const Vec3 p = modelPoint(point);
-    if (onSide && (!best || (p - center_).squaredNorm() < (*best - center_).squaredNorm()))
+    if (onSide)
     {
-      best = p;
+      best.offer(modelPoint(point));
     }
   }
-  return best;
+  return best.place();
 }
 
 Vec3 LeafGeometry::surfacePosition()
@@ -317,21 +316,17 @@ template <typename Wanted> std::optional<Vec3> LeafGeometry::nearestOnCurves(con
 
 std::optional<Vec3> LeafGeometry::nearestOfSegments(const Vec3& p) const
 {
-  std::optional<Vec3> best;
+  NearestPlace best{p};
   for (const auto& [a, b] : segments)
   {
-    const Vec3 q = nearestOnSegment(p, a, b);
-    if (!best || (q - p).squaredNorm() < (*best - p).squaredNorm())
-    {
-      best = q;
-    }
+    best.offer(nearestOnSegment(p, a, b));
   }
-  return best;
+  return best.place();
 }
 
 std::optional<Vec3> LeafGeometry::whereSegmentsMeetPlanes(const Vec3& p) const
 {
-  std::optional<Vec3> best;
+  NearestPlace best{p};
   for (const auto& [a, b] : segments)
   {
     for (int direction = 0; direction < 6; ++direction)
@@ -343,43 +338,36 @@ std::optional<Vec3> LeafGeometry::whereSegmentsMeetPlanes(const Vec3& p) const
         continue;
       }
       const double t = (plane - a[axis]) / (b[axis] - a[axis]);
-      const Vec3 q = a + std::clamp(t, 0.0, 1.0) * (b - a);
-      const bool meets = t >= -1e-6 && t <= 1.0 + 1e-6;
-      if (meets && (!best || (q - p).squaredNorm() < (*best - p).squaredNorm()))
+      if (t >= -1e-6 && t <= 1.0 + 1e-6)
       {
-        best = q;
+        best.offer(a + std::clamp(t, 0.0, 1.0) * (b - a));
       }
     }
   }
-  return best;
+  return best.place();
 }
 
 /// The nearest point of triangles whose chart is wanted: those in the leaf, or, where there are none or the grid was
 /// moved, in the leaves beside it as well.
 template <typename Wanted> std::optional<Vec3> LeafGeometry::nearestOnPieces(const Vec3& p, Wanted&& wanted) const
 {
-  std::optional<Vec3> best;
+  NearestPlace best{p};
   for (const Index leaf : leaves)
   {
     for (const ModelItem piece : octree.items(leaf))
     {
-      if (piece.kind != ModelItem::triangle || !wanted(model.charts[piece.index]))
+      if (piece.kind == ModelItem::triangle && wanted(model.charts[piece.index]))
       {
-        continue;
-      }
-      const auto& t = model.triangles[piece.index];
-      const Vec3 q = nearestOnTriangle(p, modelPoint(t[0]), modelPoint(t[1]), modelPoint(t[2]));
-      if (!best || (q - p).squaredNorm() < (*best - p).squaredNorm())
-      {
-        best = q;
+        const auto& t = model.triangles[piece.index];
+        best.offer(nearestOnTriangle(p, modelPoint(t[0]), modelPoint(t[1]), modelPoint(t[2])));
       }
     }
-    if (best && !isDisplaced)
+    if (best.found() && !isDisplaced)
     {
       break;
     }
   }
-  return best;
+  return best.place();
 }
 
 } // namespace atria

@@ -3,6 +3,8 @@
 
 #include "Support/Types.h"
 
+#include <optional>
+
 namespace atria {
 
 /// In lattice units: what is this near is there, as points are rounded.
@@ -13,6 +15,26 @@ inline constexpr int projectionTurns = 8;
 /// The point of a triangle, or segment, nearest to p (Ericson 2005, 5.1).
 Vec3 nearestOnTriangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
 Vec3 nearestOnSegment(const Vec3& p, const Vec3& a, const Vec3& b);
+
+/// The nearest to p of the places it is offered, of equally near ones the first.
+struct NearestPlace
+{
+  Vec3 p;
+  Vec3 at = Vec3::Zero();
+  double squaredDistance = std::numeric_limits<double>::infinity();
+
+  /// Whether that is nearer than all before.
+  bool offer(const Vec3& place)
+  {
+    const double squared = (place - p).squaredNorm();
+    const bool isNearer = squared < squaredDistance;
+    at = isNearer ? place : at;
+    squaredDistance = isNearer ? squared : squaredDistance;
+    return isNearer;
+  }
+  bool found() const { return squaredDistance < std::numeric_limits<double>::infinity(); }
+  std::optional<Vec3> place() const { return found() ? std::optional(at) : std::nullopt; }
+};
 
 /// The nearest points of two segments, or of a segment and a triangle that it does not pass through.
 struct NearestPair
