@@ -114,7 +114,8 @@ TEST(BoundaryEdges, LeaveOutUnwantedTriangles)
 
 TEST(BoundaryEdges, AheadIsWithin45DegreesOfWhereTheSheetGoesOn)
 {
-  const Vec3 outward = outwardOf({0, 0, 0}, {1000, 0, 0}, {300, -700, 0});
+  const std::vector<LatticePoint> points{{0, 0, 0}, {1000, 0, 0}, {300, -700, 0}};
+  const Vec3 outward = outwardOf(BoundaryEdge{0, 1, 2, 0}, points);
   EXPECT_LT((outward - Vec3::UnitY()).norm(), 1e-12);
   for (const double degrees : {0.0, 30.0, 44.0, 46.0, 90.0, 180.0})
   {

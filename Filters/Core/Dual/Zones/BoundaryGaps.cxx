@@ -87,7 +87,7 @@ public:
     const LatticePoint& a = model.points[edge.a];
     const LatticePoint& b = model.points[edge.b];
     const Vec3 along = between(a, b);
-    const Vec3 outward = outwardOf(a, b, model.points[edge.third]);
+    const Vec3 outward = outwardOf(edge, model.points);
     const double wanted = along.norm() / (stepLength * static_cast<double>(frame.latticeSize(frame.depth)));
     const auto count = static_cast<std::uint32_t>(std::clamp(std::ceil(wanted), 1.0, 1e6));
     std::vector<BoundaryStation> stations;

@@ -126,7 +126,7 @@ private:
 
     AcrossOpening(const NarrowSearch& s, const BoundaryEdges& b, UnionFind& l, const BoundaryEdge& edge,
                   const Vec3& from)
-        : search(s), boundary(b), loops(l), own(edge), p(from), outward(search.outward(edge))
+        : search(s), boundary(b), loops(l), own(edge), p(from), outward(outwardOf(edge, s.model.points))
     {
     }
 
@@ -149,14 +149,10 @@ private:
       const double longer = std::max((b - a).norm(), search.lengthOf(own));
       return !sharesPoint && (nearestOnSegment(at, a, b) - at).norm() <= latticeRounding &&
              (loops.find(edge.a) == loops.find(own.a) || (at - p).norm() <= longer) &&
-             isAhead(search.outward(edge), p - at);
+             isAhead(outwardOf(edge, search.model.points), p - at);
     }
   };
 
-  Vec3 outward(const BoundaryEdge& edge) const
-  {
-    return outwardOf(model.points[edge.a], model.points[edge.b], model.points[edge.third]);
-  }
   double lengthOf(const BoundaryEdge& edge) const { return between(model.points[edge.a], model.points[edge.b]).norm(); }
 
   template <typename Rule> void shorten(Narrow& best, const Vec3& p, Index surface, const Rule& rule) const

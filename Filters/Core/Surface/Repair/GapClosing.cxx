@@ -230,8 +230,7 @@ private:
   bool leadsOn(Index p, const Vec3& offset) const
   {
     const auto isOut = [&](const BoundaryEdges::End& end) {
-      const auto& [a, b, third, triangle] = boundary.edges()[end.edge];
-      return isAhead(outwardOf(soup.points[a], soup.points[b], soup.points[third]), offset);
+      return isAhead(outwardOf(boundary.edges()[end.edge], soup.points), offset);
     };
     return std::ranges::any_of(boundary.at(p), isOut, BoundaryEdges::endOf);
   }

@@ -64,11 +64,11 @@ private:
   Buckets ends_;
 };
 
-/// The unit vector in the plane of a triangle that leads away from it, square to its edge a-b.
-inline Vec3 outwardOf(const LatticePoint& a, const LatticePoint& b, const LatticePoint& third)
+/// The unit vector in the plane of a boundary edge's triangle that leads away from it, square to the edge.
+inline Vec3 outwardOf(const BoundaryEdge& edge, std::span<const LatticePoint> points)
 {
-  const Vec3 along = between(a, b).normalized();
-  const Vec3 inward = between(a, third);
+  const Vec3 along = between(points[edge.a], points[edge.b]).normalized();
+  const Vec3 inward = between(points[edge.a], points[edge.third]);
   return (along.dot(inward) * along - inward).normalized();
 }
 
