@@ -8,6 +8,7 @@
 #include "Surface/Repair/Contacts.h"
 #include "Surface/Repair/GapClosing.h"
 #include "Surface/Triangles/CoincidentFaces.h"
+#include "Surface/Triangles/EachEdge.h"
 #include "Surface/Triangles/PointPlaces.h"
 #include "Surface/Triangles/SoupParts.h"
 
@@ -220,41 +221,33 @@ private:
   void findEdges()
   {
     const std::vector<SoupEdgeUse> uses = sortedEdgeUses(soup, context.executor);
-    using Range = std::pair<std::size_t, std::size_t>;
-    std::vector<Range> open;
-    std::vector<Range> many;
-    for (std::size_t i = 0; i < uses.size();)
-    {
-      const std::size_t first = i;
-      while (i < uses.size() && uses[i].edge == uses[first].edge)
+    std::vector<std::span<const SoupEdgeUse>> open;
+    std::vector<std::span<const SoupEdgeUse>> many;
+    eachEdge(uses, [&](std::span<const SoupEdgeUse> edge) {
+      if (edge.size() != 2)
       {
-        ++i;
+        (edge.size() == 1 ? open : many).push_back(edge);
       }
-      if (i - first != 2)
-      {
-        (i - first == 1 ? open : many).emplace_back(first, i);
-      }
-    }
-    gatherEdges(ProblemKind::openEdges, uses, open);
-    gatherEdges(ProblemKind::nonManifoldEdges, uses, many);
+    });
+    gatherEdges(ProblemKind::openEdges, open);
+    gatherEdges(ProblemKind::nonManifoldEdges, many);
   }
 
   /// One problem for edges that are connected.
-  void gatherEdges(ProblemKind kind, const std::vector<SoupEdgeUse>& uses,
-                   const std::vector<std::pair<std::size_t, std::size_t>>& edges)
+  void gatherEdges(ProblemKind kind, const std::vector<std::span<const SoupEdgeUse>>& edges)
   {
     UnionFind runs(soup.points.size());
-    for (const auto& [first, last] : edges)
+    for (const std::span<const SoupEdgeUse> uses : edges)
     {
-      runs.join(uses[first].edge.first, uses[first].edge.second);
+      runs.join(uses[0].edge.first, uses[0].edge.second);
     }
     std::unordered_map<Index, std::size_t> indexOf;
     const std::size_t before = problems.size();
-    for (const auto& [first, last] : edges)
+    for (const std::span<const SoupEdgeUse> uses : edges)
     {
-      const Vec3& a = points[uses[first].edge.first];
-      const Vec3& b = points[uses[first].edge.second];
-      const auto [found, isNew] = indexOf.try_emplace(runs.find(uses[first].edge.first), problems.size());
+      const Vec3& a = points[uses[0].edge.first];
+      const Vec3& b = points[uses[0].edge.second];
+      const auto [found, isNew] = indexOf.try_emplace(runs.find(uses[0].edge.first), problems.size());
       if (isNew)
       {
         problems.push_back({kind, 0, 0.0, 0.5 * (a + b), {}});
@@ -262,9 +255,9 @@ private:
       Problem& problem = problems[found->second];
       ++problem.count;
       problem.size += (b - a).norm();
-      for (std::size_t i = first; i < last; ++i)
+      for (const SoupEdgeUse& use : uses)
       {
-        problem.surfaces.push_back(soup.surfaceIds[uses[i].triangle]);
+        problem.surfaces.push_back(soup.surfaceIds[use.triangle]);
       }
     }
     for (std::size_t i = before; i < problems.size(); ++i)

@@ -39,7 +39,7 @@ std::vector<EdgeKey> chainEnds(const WallPlane& plane, const SectionSource& sour
   {
     for (int i = 0; i < 3 && !source.model.isPermeable(t); ++i)
     {
-      if (source.usesOf(t, i).size() == 1)
+      if (source.usesOf[t][i].size() == 1)
       {
         const auto [a, b] = edgeKey(source.model.triangles[t], i);
         next[a].push_back(b);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Surface/Openings/PlaneSection.h"
 
+#include "Surface/Triangles/EachEdge.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -137,7 +139,7 @@ private:
                 t,
                 {}};
     const double front = model.normal(t).dot(plane.normal) > 0.0 ? 1.0 : -1.0;
-    for (const SoupEdgeUse& use : source.usesOf(t, i))
+    for (const SoupEdgeUse& use : source.usesOf[t][i])
     {
       if (use.triangle == t)
       {
@@ -165,7 +167,7 @@ private:
     {
       for (int i = 0; i < 3; ++i)
       {
-        const auto uses = source.usesOf(t, i);
+        const auto uses = source.usesOf[t][i];
         const auto inPlane =
             std::ranges::count_if(uses, [&](const SoupEdgeUse& use) { return isInPlane(use.triangle); });
         if (inPlane == 1 || uses.size() > 2)
@@ -303,33 +305,17 @@ private:
 
 SectionSource::SectionSource(const SurfaceModel& m, const GridFrame& f, bool walls, double d, const RunContext& context)
     : model(m), frame(f), sidesAreWalls(walls), distance(d), triangles(boxesOfWalls(m), context),
-      uses(sortedEdgeUses(m.triangles, m.points.size(), context.executor)), firstUses(m.triangles.size())
+      uses(sortedEdgeUses(m.triangles, m.points.size(), context.executor)), usesOf(m.triangles.size())
 {
-  for (std::size_t first = 0, end = 0; first < uses.size(); first = end)
-  {
-    for (end = first; end < uses.size() && uses[end].edge == uses[first].edge; ++end)
+  eachEdge(uses, [&](std::span<const SoupEdgeUse> edge) {
+    for (const auto& [key, t, forward] : edge)
     {
-      const Index t = uses[end].triangle;
       for (int i = 0; i < 3; ++i)
       {
-        if (edgeKey(model.triangles[t], i) == uses[end].edge)
-        {
-          firstUses[t][i] = static_cast<Index>(first);
-        }
+        usesOf[t][i] = edgeKey(model.triangles[t], i) == key ? edge : usesOf[t][i];
       }
     }
-  }
-}
-
-std::span<const SoupEdgeUse> SectionSource::usesOf(Index triangle, int edge) const
-{
-  const std::size_t first = firstUses[triangle][edge];
-  std::size_t end = first;
-  while (end < uses.size() && uses[end].edge == uses[first].edge)
-  {
-    ++end;
-  }
-  return std::span(uses).subspan(first, end - first);
+  });
 }
 
 PlaneSection sectionAt(const WallPlane& plane, std::span<const EdgeKey> lines, const SectionSource& source)

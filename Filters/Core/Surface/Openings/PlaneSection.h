@@ -21,10 +21,8 @@ struct SectionSource
   double distance;
   BoxTree triangles;
   std::vector<SoupEdgeUse> uses;
-  /// Per triangle and edge, where the uses of the edge begin.
-  std::vector<std::array<Index, 3>> firstUses;
-
-  std::span<const SoupEdgeUse> usesOf(Index triangle, int edge) const;
+  /// Per triangle and edge, the uses of the edge.
+  std::vector<std::array<std::span<const SoupEdgeUse>, 3>> usesOf;
 };
 
 /// An edge of a plane's walls at which they end.

@@ -5,6 +5,7 @@
 #include "Support/FewNumbers.h"
 #include "Support/Pieces.h"
 #include "Support/UnionFind.h"
+#include "Surface/Triangles/EachEdge.h"
 
 #include <Eigen/Geometry>
 
@@ -27,25 +28,20 @@ Vec3 unitNormal(const TriangleSoup& soup, Index t)
 std::vector<Index> piecesOf(const TriangleSoup& soup, double degrees, const Executor& executor)
 {
   const double leastCosine = cosOfDegrees(degrees);
-  const std::vector<SoupEdgeUse> uses = sortedEdgeUses(soup, executor);
   UnionFind sets(soup.triangles.size());
-  for (std::size_t begin = 0, end = 0; begin < uses.size(); begin = end)
-  {
-    for (end = begin + 1; end < uses.size() && uses[end].edge == uses[begin].edge; ++end)
+  eachEdge(sortedEdgeUses(soup, executor), [&](std::span<const SoupEdgeUse> uses) {
+    const Index s = uses.front().triangle;
+    const Index t = uses.back().triangle;
+    if (uses.size() != 2 || soup.surfaceIds[s] != soup.surfaceIds[t])
     {
+      return;
     }
-    const Index s = uses[begin].triangle;
-    const Index t = uses[end - 1].triangle;
-    if (end - begin != 2 || soup.surfaceIds[s] != soup.surfaceIds[t])
-    {
-      continue;
-    }
-    const double orientation = uses[begin].forward != uses[begin + 1].forward ? 1.0 : -1.0;
+    const double orientation = uses[0].forward != uses[1].forward ? 1.0 : -1.0;
     if (orientation * unitNormal(soup, s).dot(unitNormal(soup, t)) >= leastCosine)
     {
       sets.join(s, t);
     }
-  }
+  });
   std::vector<Index> pieces(soup.triangles.size());
   for (Index t = 0; t < pieces.size(); ++t)
   {

@@ -3,6 +3,7 @@
 
 #include "Support/UnionFind.h"
 #include "Surface/Search/BoxTree.h"
+#include "Surface/Triangles/BoundaryEdges.h"
 #include "Surface/Triangles/SoupParts.h"
 
 #include <algorithm>
@@ -163,19 +164,13 @@ private:
       return;
     }
     const BoxTree tree(std::move(small), context);
-    const std::vector<SoupEdgeUse> uses = sortedEdgeUses(soup, context.executor);
+    const BoundaryEdges boundary(soup.triangles, soup.points.size(), context.executor,
+                                 [&](Index t) { return !isOut[partOf(t)]; });
     std::vector<char> isPatch(boxes.size(), 0);
-    for (std::size_t begin = 0, end = 0; begin < uses.size(); begin = end)
+    for (const BoundaryEdge& edge : boundary.edges())
     {
-      for (end = begin + 1; end < uses.size() && uses[end].edge == uses[begin].edge; ++end)
-      {
-      }
-      if (end - begin != 1 || isOut[partOf(uses[begin].triangle)])
-      {
-        continue;
-      }
-      LatticeBox box{soup.points[uses[begin].edge.first], soup.points[uses[begin].edge.first]};
-      extend(box, {soup.points[uses[begin].edge.second], soup.points[uses[begin].edge.second]});
+      LatticeBox box{soup.points[edge.a], soup.points[edge.a]};
+      extend(box, {soup.points[edge.b], soup.points[edge.b]});
       tree.eachTouching({box.low, box.high, noIndex}, 0,
                         [&](std::size_t place) { isPatch[groups.find(tree.box(place).id)] = 1; });
     }

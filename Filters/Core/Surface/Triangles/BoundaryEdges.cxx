@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Surface/Triangles/BoundaryEdges.h"
 
+#include "Surface/Triangles/EachEdge.h"
+
 #include <tuple>
 
 namespace atria {
@@ -8,14 +10,11 @@ namespace atria {
 BoundaryEdges::BoundaryEdges(std::span<const std::array<Index, 3>> triangles, std::size_t pointCount,
                              const Executor& executor, const std::function<bool(Index)>& wants)
 {
-  const std::vector<SoupEdgeUse> uses = sortedEdgeUses(triangles, pointCount, executor);
-  for (std::size_t i = 0; i < uses.size(); ++i)
-  {
-    const auto& [edge, triangle, forward] = uses[i];
-    const bool isShared = (i > 0 && uses[i - 1].edge == edge) || (i + 1 < uses.size() && uses[i + 1].edge == edge);
-    if (isShared || (wants && !wants(triangle)))
+  eachEdge(sortedEdgeUses(triangles, pointCount, executor), [&](std::span<const SoupEdgeUse> uses) {
+    const auto& [edge, triangle, forward] = uses.front();
+    if (uses.size() > 1 || (wants && !wants(triangle)))
     {
-      continue;
+      return;
     }
     const auto [a, b] = forward ? edge : EdgeKey(edge.second, edge.first);
     for (const Index p : triangles[triangle])
@@ -25,7 +24,7 @@ BoundaryEdges::BoundaryEdges(std::span<const std::array<Index, 3>> triangles, st
         edges_.push_back({a, b, p, triangle});
       }
     }
-  }
+  });
   std::sort(edges_.begin(), edges_.end(), [](const BoundaryEdge& l, const BoundaryEdge& r) {
     return std::tie(l.triangle, l.a) < std::tie(r.triangle, r.a);
   });

@@ -2,6 +2,7 @@
 #include "Surface/Triangles/Orientation.h"
 
 #include "Grid/Predicates.h"
+#include "Surface/Triangles/EachEdge.h"
 
 #include <Eigen/Geometry>
 
@@ -19,18 +20,13 @@ struct Neighbors
   Neighbors(const TriangleSoup& soup, const Executor& executor)
       : across(soup.triangles.size(), {noIndex, noIndex, noIndex}), alike(soup.triangles.size())
   {
-    const std::vector<SoupEdgeUse> uses = sortedEdgeUses(soup, executor);
-    for (std::size_t begin = 0, end = 0; begin < uses.size(); begin = end)
-    {
-      for (end = begin + 1; end < uses.size() && uses[end].edge == uses[begin].edge; ++end)
+    eachEdge(sortedEdgeUses(soup, executor), [&](std::span<const SoupEdgeUse> uses) {
+      if (uses.size() == 2)
       {
+        join(soup, uses[0], uses[1]);
+        join(soup, uses[1], uses[0]);
       }
-      if (end - begin == 2)
-      {
-        join(soup, uses[begin], uses[begin + 1]);
-        join(soup, uses[begin + 1], uses[begin]);
-      }
-    }
+    });
   }
 
 private:
