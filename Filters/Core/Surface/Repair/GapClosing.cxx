@@ -331,12 +331,12 @@ private:
     {
       return false;
     }
-    const LatticePoint place = keptOnSides(gap.point, *target);
-    if (!mayMove(gap.point, place, gap.triangle))
+    const std::optional<LatticePoint> place = keptOnSides(gap.point, *target);
+    if (!place || !mayMove(gap.point, *place, gap.triangle))
     {
       return false;
     }
-    soup.points[gap.point] = place;
+    soup.points[gap.point] = *place;
     fixed[gap.point] = 1;
     for (const Index corner : soup.triangles[gap.triangle])
     {
@@ -346,33 +346,29 @@ private:
   }
 
   /// The foot on a wall that is not quite upright is a little off the side: the point slides along its side instead.
-  LatticePoint keptOnSides(Index p, const Target& target) const
+  /// Nothing where it would leave the side.
+  std::optional<LatticePoint> keptOnSides(Index p, const Target& target) const
   {
     constexpr double slope = 0.1;
     const LatticePoint& from = soup.points[p];
     LatticePoint place = target.place;
     for (int axis = 0; axis < 3; ++axis)
     {
-      const bool onSide = from[axis] == frame.domainLow[axis] || from[axis] == frame.domainHigh[axis];
-      if (onSide && static_cast<double>(std::abs(place[axis] - from[axis])) <= slope * target.distance)
+      if (from[axis] != frame.domainLow[axis] && from[axis] != frame.domainHigh[axis])
       {
-        place[axis] = from[axis];
+        continue;
       }
+      if (static_cast<double>(std::abs(place[axis] - from[axis])) > slope * target.distance)
+      {
+        return std::nullopt;
+      }
+      place[axis] = from[axis];
     }
     return place;
   }
 
   bool mayMove(Index p, const LatticePoint& to, Index onto) const
   {
-    const LatticePoint& from = soup.points[p];
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const bool onSide = from[axis] == frame.domainLow[axis] || from[axis] == frame.domainHigh[axis];
-      if (onSide && to[axis] != from[axis])
-      {
-        return false;
-      }
-    }
     const auto around = fans.of(p);
     return between(start[p], to).norm() <= maximumDrift * tolerance &&
            std::all_of(around.begin(), around.end(), [&](Index t) { return keepsItsShape(t, p, to, onto); });
