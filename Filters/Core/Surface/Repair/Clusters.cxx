@@ -16,11 +16,6 @@ constexpr std::size_t coarser = 4;
 /// Of triangles that meet, as boundOfTriples has it: about the pieces they are cut into.
 constexpr std::size_t mostTriples = 5'000'000;
 
-/// Ends a search for pairs.
-struct TooMany
-{
-};
-
 /// How many boxes each box touches among every `step`th of them; empty where these are more than `limit` in all.
 std::vector<std::size_t> countTouching(const std::vector<NumberedBox>& boxes, std::size_t triangles, std::size_t step,
                                        std::size_t limit, const RunContext& context)
@@ -38,11 +33,11 @@ std::vector<std::size_t> countTouching(const std::vector<NumberedBox>& boxes, st
       ++counts[b];
       if (++total > limit)
       {
-        throw TooMany{};
+        throw TooManyPairs{};
       }
     });
   }
-  catch (const TooMany&)
+  catch (const TooManyPairs&)
   {
     return {};
   }
