@@ -111,7 +111,8 @@ class Rewriter:
             return match[0]
         head = match["head"]
         if head.startswith("  "):
-            head = head.replace("static", "inline static") if "static" in head else head + "static "
+            member = "static" in head and "constexpr" in match[0]
+            head = head.replace("static", "inline static") if member else head if "static" in head else head + "static "
         is_table = "{" in out.value
         return f"{head}const {match['type']} {out.name}" + (out.tuned_table() if is_table else f" = {out.tuned()}") + ";"
 
