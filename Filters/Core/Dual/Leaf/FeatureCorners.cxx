@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Dual/Leaf/FeatureCorners.h"
 
+#include "Support/Sorting.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -28,8 +30,7 @@ std::vector<Index> leavesAbout(const Octree& octree, const LatticePoint& p, Inde
       leaves.push_back(octree.leafAt({q[0] - 1, q[1] - 1, q[2] - 1}));
     }
   }
-  std::sort(leaves.begin(), leaves.end());
-  leaves.erase(std::unique(leaves.begin(), leaves.end()), leaves.end());
+  sortUnique(leaves);
   return leaves;
 }
 
@@ -140,8 +141,7 @@ std::vector<std::vector<Ending>> curvesAtCorners(const SurfaceModel& model)
   }
   for (auto& list : curves)
   {
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
+    sortUnique(list);
   }
   return curves;
 }

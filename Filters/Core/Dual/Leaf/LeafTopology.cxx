@@ -99,8 +99,7 @@ std::vector<std::vector<Index>> LeafTopology::curves() const
   {
     endings.push_back(link.ending);
   }
-  std::sort(endings.begin(), endings.end());
-  endings.erase(std::unique(endings.begin(), endings.end()), endings.end());
+  sortUnique(endings);
   return endings;
 }
 

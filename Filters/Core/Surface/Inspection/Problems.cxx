@@ -2,6 +2,7 @@
 #include "Surface/Inspection/Problems.h"
 
 #include "Support/Error.h"
+#include "Support/Sorting.h"
 #include "Support/UnionFind.h"
 #include "Surface/Repair/Autorefine.h"
 #include "Surface/Repair/Clusters.h"
@@ -29,8 +30,7 @@ using Surfaces = std::vector<Index>;
 
 Surfaces sortedUnique(Surfaces ids)
 {
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  sortUnique(ids);
   return ids;
 }
 
@@ -80,8 +80,7 @@ public:
   /// Calls `visit` with each point and its surfaces, both ascending.
   template <typename Visitor> void forEach(const Visitor& visit)
   {
-    std::sort(uses.begin(), uses.end());
-    uses.erase(std::unique(uses.begin(), uses.end()), uses.end());
+    sortUnique(uses);
     Surfaces surfaces;
     for (std::size_t i = 0; i < uses.size(); ++i)
     {
@@ -262,7 +261,7 @@ private:
     }
     for (std::size_t i = before; i < problems.size(); ++i)
     {
-      problems[i].surfaces = sortedUnique(std::move(problems[i].surfaces));
+      sortUnique(problems[i].surfaces);
     }
   }
 
