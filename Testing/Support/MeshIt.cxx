@@ -18,12 +18,12 @@ Meshed meshIt(const TriangleSurface& surface, const GridOptions& grid, const Dua
   all.site.bounds = grid.domain;
   all.sizes = grid;
   all.mesh = options;
-  MeshedModel meshed = meshModel(surface, all, context, true);
+  StageCache cache;
   Meshed out;
-  out.frame = meshed.sources->octree.frame();
-  out.model = std::move(meshed.sources->model);
-  out.octree = std::move(meshed.sources->octree);
-  out.result = std::move(meshed);
+  out.result = meshModel(surface, all, context, &cache);
+  out.frame = cache.sources()->octree.frame();
+  out.model = cache.sources()->model;
+  out.octree = cache.sources()->octree;
   return out;
 }
 

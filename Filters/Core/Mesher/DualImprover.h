@@ -27,12 +27,17 @@ ClassifiedMesh unfoldWalls(ClassifiedMesh given, const MeshingContext& context);
 /// Gives both sides of sheets points of their own; see splitSheets.
 ClassifiedMesh splitPoints(ClassifiedMesh given, const MeshingContext& context);
 
-/// As in DualMeshOptions.
+/// What is made of walls.
 struct WallOptions
 {
-  const std::vector<LayerRule>& layers;
-  bool supportElements;
-  CurvedWallTargets curvedWalls;
+  /// Layers of elements on walls. Elements at the boundary are made valid, too, also by a rule that asks for no layers;
+  /// without rules the mesh is the dual as it is.
+  std::vector<LayerRule> layers = {};
+  /// Whether walls for which a rule asks for no layers have one at elements that cannot be valid without: those that
+  /// are concave there or have too few neighbors, wherever their vertices are.
+  bool supportElements = true;
+  /// Where walls have a layer.
+  CurvedWallTargets curvedWalls = {};
 };
 
 struct ImprovedMesh

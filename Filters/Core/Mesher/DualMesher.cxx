@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesher/DualMesher.h"
 
-#include "Dual/Displacement/DisplacedGrid.h"
 #include "Dual/Vertices/DualVertices.h"
 #include "Dual/Vertices/TurnedDomain.h"
 #include "Dual/Zones/CellZones.h"
@@ -9,7 +8,7 @@
 #include "Dual/Zones/Cracks.h"
 #include "Dual/Zones/ZoneFaces.h"
 #include "Dual/Zones/ZoneKinds.h"
-#include "Mesher/DualImprover.h"
+#include "Mesher/StageOptions.h"
 #include "Support/Pieces.h"
 
 #include <algorithm>
@@ -102,8 +101,8 @@ struct Labels
   std::vector<std::int32_t> cellZones;
 };
 
-Labels findLabels(const GridPlaces& grid, const Crossings& crossings, const Zones& zones,
-                  const DualMeshOptions& options, DualMeshResult& result, const MeshingContext& context)
+Labels findLabels(const GridPlaces& grid, const Crossings& crossings, const Zones& zones, const ZoneOptions& options,
+                  DualMeshResult& result, const MeshingContext& context)
 {
   Labels labels;
   labels.zoneFaces = findZoneFaces(crossings, context.model);
@@ -242,10 +241,10 @@ Diagnostic lineOf(Diagnostic::Kind kind, const std::vector<Vec3>& path, Index el
 }
 
 /// Sums up the zones and looks for ways through which they leak, and for gaps through which they do not.
-void inspectZones(const GridPlaces& grid, const Crossings& crossings, const Zones& zones, const BoundaryGaps& gaps,
-                  const std::vector<Index>& elements, const DualMeshOptions& options, DualMeshResult& result,
-                  const MeshingContext& context)
+void inspectZones(const CrossedGrid& crossed, const Zones& zones, const std::vector<Index>& elements,
+                  const ZoneOptions& options, DualMeshResult& result, const MeshingContext& context)
 {
+  const auto& [grid, crossings] = crossed.displaced;
   result.zones = summarizeZones(zones, result.keptZones, crossings, grid, context.model.names.size(), context);
   describeZones(result.zones, zones, crossings, grid, context.model.names.size(), context);
   result.leaks = findLeaks(options.sealedSeeds, zones, crossings, grid, context.model, context);
@@ -253,7 +252,7 @@ void inspectZones(const GridPlaces& grid, const Crossings& crossings, const Zone
   {
     result.diagnostics.push_back(lineOf(Diagnostic::leakPath, leak.path, elements[leak.point], leak.width));
   }
-  for (const Crack& crack : findCracks(gaps, zones, result.keptZones, crossings, grid, context))
+  for (const Crack& crack : findCracks(crossed.gaps, zones, result.keptZones, crossings, grid, context))
   {
     result.diagnostics.push_back(lineOf(crack.open ? Diagnostic::openCrack : Diagnostic::closedCrack, crack.path,
                                         elements[crack.point], crack.width));
@@ -282,36 +281,38 @@ DisplacedGrid findBoundary(const GridPoints& points, const BoundaryGaps& gaps, d
   return grid;
 }
 
-/// Grid points, crossings and zones, and from them elements and vertices. What only these need is freed here: it is
-/// larger than the mesh.
-ClassifiedMesh fillMesh(DualMeshResult& result, const DualMeshOptions& options, StageClock& clock,
+GridPoints pointsOf(StageClock& clock, const MeshingContext& context)
+{
+  context.progress.report(0.0, "Finding grid points");
+  GridPoints points = findGridPoints(context.octree, context);
+  clock.lap("dual");
+  return points;
+}
+
+/// Zones, and from them elements and vertices.
+ClassifiedMesh fillMesh(DualMeshResult& result, const CrossedGrid& grid, const ZoneOptions& options, StageClock& clock,
                         const MeshingContext& context)
 {
   const Octree& octree = context.octree;
   const SurfaceModel& model = context.model;
-  context.progress.report(0.0, "Finding grid points");
-  const GridPoints points = findGridPoints(octree, context);
-  clock.lap("dual");
-  const BoundaryGaps gaps = findBoundaryGaps(context);
-  const auto [places, crossings] = findBoundary(points, gaps, options.crackTolerance, context);
-  clock.lap("crossings");
+  const auto& [places, crossings] = grid.displaced;
   context.progress.report(0.6, "Finding zones");
   const Zones zones = findZones(crossings, model.names.size(), context);
   result.keptZones = zonesWithinSides(keptZones(zones, options.zoneRule, options.seeds, places, model), zones, places);
   const std::vector<Index> elements = numberElements(zones, result.keptZones, context);
-  inspectZones(places, crossings, zones, gaps, elements, options, result, context);
+  inspectZones(grid, zones, elements, options, result, context);
   Labels labels = findLabels(places, crossings, zones, options, result, context);
   clock.lap("zones");
   context.progress.report(0.7, "Placing vertices");
   std::vector<Index> vertexOfLeaf;
-  const std::vector<Index> leaves = numberVertices(points, elements, octree.leafCount(), vertexOfLeaf, context);
+  const std::vector<Index> leaves = numberVertices(grid.points, elements, octree.leafCount(), vertexOfLeaf, context);
   DualMesh mesh;
   DualVertices placed = placeVertices(octree, model, crossings, leaves, context);
   mesh.points = std::move(placed.positions);
   clock.lap("vertices");
   context.progress.report(0.9, "Making elements");
   context.progress.check();
-  fillElements(mesh, octree, points, crossings, zones, elements, vertexOfLeaf, context);
+  fillElements(mesh, octree, grid.points, crossings, zones, elements, vertexOfLeaf, context);
   takeLabels(mesh, std::move(labels), elements, context);
   context.progress.check();
   const std::vector<Vec3> before = octree.frame().turnedDomain ? mesh.points : std::vector<Vec3>();
@@ -395,21 +396,59 @@ void placeInModel(DualMeshResult& result, const Placement& placement, const RunC
   }
 }
 
+/// The stages up to the plain mesh, as far as they are not there; what only they need is freed unless it is kept: it is
+/// larger than the mesh.
+void makePlain(DualStages& stages, bool keep, const DualMeshOptions& options, StageClock& clock,
+               const MeshingContext& context)
+{
+  if (!stages.grid.isOf(options))
+  {
+    stages.plain = {};
+    stages.grid = {};
+    stages.grid.result = std::make_unique<CrossedGrid>(options, clock, context);
+    stages.grid.options = options;
+  }
+  if (stages.plain.isOf(options))
+  {
+    return;
+  }
+  stages.plain = {};
+  auto plain = std::make_unique<PlainDual>();
+  ClassifiedMesh mesh = fillMesh(plain->found, *stages.grid.result, options, clock, context);
+  if (!keep)
+  {
+    stages.grid = {};
+  }
+  plain->mesh = splitPoints(unfoldWalls(std::move(mesh), context), context);
+  stages.plain.result = std::move(plain);
+  stages.plain.options = options;
+  clock.lap("elements");
+}
+
 } // namespace
 
-DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, const DualMeshOptions& options,
-                            StageClock& clock, const RunContext& run)
+CrossedGrid::CrossedGrid(const CrossingOptions& options, StageClock& clock, const MeshingContext& context)
+    : points(pointsOf(clock, context)), gaps(findBoundaryGaps(context)),
+      displaced(findBoundary(points, gaps, options.crackTolerance, context))
 {
-  const TriangleTreeOnDemand tree(model);
-  const MeshingContext context{run, octree, model, tree};
-  DualMeshResult result;
-  ClassifiedMesh mesh = fillMesh(result, options, clock, context.part(0.0, 0.55));
-  mesh = splitPoints(unfoldWalls(std::move(mesh), context), context);
-  clock.lap("elements");
+  clock.lap("crossings");
+}
+
+DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, const DualMeshOptions& options,
+                            StageClock& clock, const RunContext& run, DualStages* kept)
+{
+  DualStages own;
+  DualStages& stages = kept ? *kept : own;
+  if (!stages.tree)
+  {
+    stages.tree.emplace(model);
+  }
+  const MeshingContext context{run, octree, model, *stages.tree};
+  makePlain(stages, kept != nullptr, options, clock, context.part(0.0, 0.55));
+  PlainDual plain = kept ? *kept->plain.result : std::move(*own.plain.result);
+  DualMeshResult result = std::move(plain.found);
   context.progress.report(0.55, "Growing layers");
-  takeImproved(growLayers(std::move(mesh), {options.layers, options.supportElements, options.curvedWalls},
-                          context.part(0.55, 0.98)),
-               result);
+  takeImproved(growLayers(std::move(plain.mesh), options, context.part(0.55, 0.98)), result);
   context.progress.report(0.98, "Placing the mesh in the model");
   placeInModel(result, octree.frame().placement, context);
   measureRooms(result.mesh, model, result.rooms);

@@ -2,36 +2,38 @@
 /// From octree and model to mesh.
 #pragma once
 
-#include "Dual/Mesh/DualMesh.h"
+#include "Dual/Displacement/DisplacedGrid.h"
+#include "Dual/Zones/BoundaryGaps.h"
 #include "Dual/Zones/Leaks.h"
 #include "Dual/Zones/Rooms.h"
-#include "Dual/Zones/Zones.h"
-#include "Layer/LayerCoverage.h"
+#include "Mesher/DualImprover.h"
+#include "Mesher/KeptStage.h"
 #include "Mesher/RoomReport.h"
-#include "Optimize/Kernel/QualityTargets.h"
 #include "Support/StageClock.h"
 
 namespace atria {
 
-struct DualMeshOptions
+/// What the grid's crossings depend on beyond octree and model.
+struct CrossingOptions
+{
+  /// Cracks beside boundary edges that are no wider than this part of the octants there are closed; 0 closes none.
+  /// Wider ones are open where an edge of the grid passes.
+  double crackTolerance = 0.5;
+};
+
+/// What is meshed of it.
+struct ZoneOptions
 {
   ZoneRule zoneRule = ZoneRule::outside;
   /// Along the model's axes.
   std::vector<Vec3> seeds;
   /// Points in zones that should be closed: see findLeaks.
   std::vector<Vec3> sealedSeeds;
-  /// Layers of elements on walls. Elements at the boundary are made valid, too, also by a rule that asks for no layers;
-  /// without rules the mesh is the dual as it is.
-  std::vector<LayerRule> layers = {};
-  /// Whether walls for which a rule asks for no layers have one at elements that cannot be valid without: those that
-  /// are concave there or have too few neighbors, wherever their vertices are.
-  bool supportElements = true;
-  /// Where walls have a layer.
-  CurvedWallTargets curvedWalls = {};
-  /// Cracks beside boundary edges that are no wider than this part of the octants there are closed; 0 closes none.
-  /// Wider ones are open where an edge of the grid passes.
-  double crackTolerance = 0.5;
   RoomOptions rooms = {};
+};
+
+struct DualMeshOptions : CrossingOptions, ZoneOptions, WallOptions
+{
 };
 
 /// Something the mesh could not follow, or that a user should know of it.
@@ -76,11 +78,37 @@ struct DualMeshResult
   RoomReport rooms = {};
 };
 
+/// The octree's grid: its points, what is ahead of boundary edges, and what cuts its edges.
+struct CrossedGrid
+{
+  CrossedGrid(const CrossingOptions& options, StageClock& clock, const MeshingContext& context);
+
+  GridPoints points;
+  BoundaryGaps gaps;
+  DisplacedGrid displaced; ///< of these points
+};
+
+/// The dual before walls are improved and have layers, and what was found on the way.
+struct PlainDual
+{
+  /// Without a mesh.
+  DualMeshResult found;
+  ClassifiedMesh mesh;
+};
+
+/// What runs leave for later ones on the same octree and model, where they are.
+struct DualStages
+{
+  std::optional<TriangleTreeOnDemand> tree;
+  KeptStage<CrossingOptions, CrossedGrid> grid;
+  KeptStage<ZoneOptions, PlainDual> plain;
+};
+
 /// The dual of an octree whose leaves know their pieces of the model. The octree and its model are along the grid's
-/// axes
-/// (`GridFrame::placement`), the mesh is along the model's. Throws Error where no zone is left, Aborted on
-/// demand.
+/// axes (`GridFrame::placement`), the mesh is along the model's. Stages whose options are those of the run before are
+/// taken from `kept`, if that is given, and the others left there; else each is freed as soon as it is used. Throws
+/// Error where no zone is left, Aborted on demand.
 DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, const DualMeshOptions& options,
-                            StageClock& clock, const RunContext& context);
+                            StageClock& clock, const RunContext& context, DualStages* kept = nullptr);
 
 } // namespace atria

@@ -4,6 +4,7 @@
 #include "Domain/DomainCheck.h"
 #include "Dual/Zones/CellZones.h"
 #include "Layer/LayerBudget.h"
+#include "Mesher/StageOptions.h"
 #include "Octree/Tree/Balance.h"
 
 namespace atria {
@@ -12,24 +13,6 @@ namespace {
 
 /// The part of the run that is over when there is an octree.
 constexpr double octreeShare = 0.4;
-
-MeshedModel meshOctree(std::unique_ptr<MeshSources> sources, const MesherOptions& options, StageClock& clock,
-                       const RunContext& context)
-{
-  checkLayerBudget(sources->octree, sources->model, options.mesh.layers, options.sizing.memoryLimit, context);
-  MeshedModel out;
-  DualMeshOptions mesh = options.mesh;
-  mesh.rooms.sidesAreWalls = options.site.mode == DomainMode::surfaces;
-  static_cast<DualMeshResult&>(out) = makeDualMesh(sources->octree, sources->model, mesh, clock, context);
-  out.inputWarnings = warningsOfEmptyCellZones(out.mesh.cellZones, sources->model);
-  out.names = sources->model.names;
-  out.kinds = sources->model.kinds;
-  out.repair = sources->model.repair;
-  out.maximumLevel = sources->octree.maximumLevel();
-  out.stages = clock.stages();
-  out.sources = std::move(sources);
-  return out;
-}
 
 /// Throws Error where the domain of a frame holds nothing of the model. What else there is to say of it whoever made
 /// the octants has been told.
@@ -41,56 +24,128 @@ void checkHoldsModel(const TriangleSurface& surface, const SiteOptions& options,
   checkDomain(surface, plan, DomainMode::bounds, sizeMin);
 }
 
+void makeOctree(const TriangleSurface& surface, const ModelOptions& options, ModelOctree& out, StageClock& clock,
+                const RunContext& context)
+{
+  const SitePlan plan = planSite(surface, options);
+  out.inputWarnings = checkDomain(surface, plan, options);
+  context.progress.report(0.0, "Repairing surfaces");
+  const PlacedModel placed = placeModel(surface, plan, options);
+  out.model = makeSurfaceModel(placed, options, context.part(0.0, 0.125));
+  clock.lap("surface");
+  SizedOctants sized = sizeOctants(out.model, placed.frame, options, context.part(0.125, 0.625));
+  out.octree = buildOctree(out.model, placed.frame, sized, context.part(0.625, 1.0));
+  out.sizingWarning = std::move(sized.warning);
+  clock.lap("octree");
+}
+
+void takeOctree(const TriangleSurface& surface, const OctreeSets& octants, const ModelOptions& options,
+                ModelOctree& out, StageClock& clock, const RunContext& context)
+{
+  context.progress.report(0.0, "Repairing surfaces");
+  checkHoldsModel(surface, options.site, octants.frame);
+  const PlacedModel placed = placeModel(surface, options.site, octants.frame);
+  out.model = makeSurfaceModel(placed, options, context.part(0.0, 0.25));
+  clock.lap("surface");
+  context.progress.report(0.25, "Balancing");
+  RefinedSets refined = octants.refined;
+  balance(refined, placed.frame, context.part(0.25, 0.5));
+  out.octree = Octree(placed.frame, refined);
+  locateModel(out.octree, out.model, context.part(0.5, 1.0));
+  clock.lap("octree");
+}
+
 } // namespace
 
-MeshedModel meshModel(const TriangleSurface& surface, const MesherOptions& options, const RunContext& context,
-                      bool keepSources)
+/// What the octree is made of.
+struct OctreeInput
+{
+  TriangleSurface surface;
+  std::optional<OctreeSets> octants;
+  ModelOptions options;
+};
+
+struct StageCache::Stages
+{
+  std::optional<OctreeInput> input;
+  std::unique_ptr<ModelOctree> octree;
+  DualStages dual;
+
+  bool isOf(const TriangleSurface& surface, const OctreeSets* octants, const ModelOptions& options) const
+  {
+    return octree && input && isSame(input->options, options) && isSame(input->surface, surface) &&
+           input->octants.has_value() == (octants != nullptr) && (!octants || isSame(*input->octants, *octants));
+  }
+};
+
+StageCache::StageCache() : stages_(std::make_unique<Stages>()) {}
+StageCache::~StageCache() = default;
+void StageCache::clear() { stages_ = std::make_unique<Stages>(); }
+const ModelOctree* StageCache::sources() const { return stages_->octree.get(); }
+
+namespace {
+
+void prepareOctree(const TriangleSurface& surface, const OctreeSets* octants, const ModelOptions& options,
+                   StageCache& cache, StageClock& clock, const RunContext& context)
+{
+  cache.clear();
+  auto made = std::make_unique<ModelOctree>();
+  if (octants)
+  {
+    takeOctree(surface, *octants, options, *made, clock, context);
+  }
+  else
+  {
+    makeOctree(surface, options, *made, clock, context);
+  }
+  cache.stages().octree = std::move(made);
+}
+
+MeshedModel mesh(const TriangleSurface& surface, const OctreeSets* octants, const MesherOptions& options,
+                 const RunContext& context, StageCache* kept)
 {
   StageClock clock;
-  auto sources = std::make_unique<MeshSources>();
-  const SitePlan plan = planSite(surface, options);
-  const std::vector<std::string> inputWarnings = checkDomain(surface, plan, options);
-  std::string warning;
+  StageCache own;
+  StageCache& cache = kept ? *kept : own;
+  if (!cache.stages().isOf(surface, octants, options))
   {
-    context.progress.report(0.0, "Repairing surfaces");
-    const PlacedModel placed = placeModel(surface, plan, options);
-    sources->model = makeSurfaceModel(placed, options, context.part(0.0, 0.05));
-    clock.lap("surface");
-    const SizedOctants sized = sizeOctants(sources->model, placed.frame, options, context.part(0.05, 0.25));
-    warning = sized.warning;
-    sources->octree = buildOctree(sources->model, placed.frame, sized, context.part(0.25, octreeShare));
-    clock.lap("octree");
+    prepareOctree(surface, octants, options, cache, clock, context.part(0.0, octreeShare));
+    if (kept)
+    {
+      cache.stages().input = {surface, octants ? std::optional(*octants) : std::nullopt, options};
+    }
   }
-  MeshedModel out = meshOctree(std::move(sources), options, clock, context.part(octreeShare, 1.0));
-  out.inputWarnings.insert(out.inputWarnings.begin(), inputWarnings.begin(), inputWarnings.end());
-  out.sizingWarning = std::move(warning);
-  if (!keepSources)
-  {
-    out.sources.reset();
-  }
+  const auto& [model, octree, inputWarnings, sizingWarning] = *cache.sources();
+  checkLayerBudget(octree, model, options.mesh.layers, options.sizing.memoryLimit, context);
+  MeshedModel out;
+  DualMeshOptions dual = options.mesh;
+  dual.rooms.sidesAreWalls = options.site.mode == DomainMode::surfaces;
+  static_cast<DualMeshResult&>(out) =
+      makeDualMesh(octree, model, dual, clock, context.part(octreeShare, 1.0), kept ? &cache.stages().dual : nullptr);
+  out.inputWarnings = inputWarnings;
+  const std::vector<std::string> empty = warningsOfEmptyCellZones(out.mesh.cellZones, model);
+  out.inputWarnings.insert(out.inputWarnings.end(), empty.begin(), empty.end());
+  out.sizingWarning = sizingWarning;
+  out.names = model.names;
+  out.kinds = model.kinds;
+  out.repair = model.repair;
+  out.maximumLevel = octree.maximumLevel();
+  out.stages = clock.stages();
   return out;
 }
 
-MeshedModel meshModel(const TriangleSurface& surface, OctreeSets octants, const MesherOptions& options,
-                      const RunContext& context)
+} // namespace
+
+MeshedModel meshModel(const TriangleSurface& surface, const MesherOptions& options, const RunContext& context,
+                      StageCache* cache)
 {
-  StageClock clock;
-  auto sources = std::make_unique<MeshSources>();
-  {
-    context.progress.report(0.0, "Repairing surfaces");
-    checkHoldsModel(surface, options.site, octants.frame);
-    const PlacedModel placed = placeModel(surface, options.site, octants.frame);
-    sources->model = makeSurfaceModel(placed, options, context.part(0.0, 0.1));
-    clock.lap("surface");
-    context.progress.report(0.1, "Balancing");
-    balance(octants.refined, placed.frame, context.part(0.1, 0.2));
-    sources->octree = Octree(placed.frame, octants.refined);
-    locateModel(sources->octree, sources->model, context.part(0.2, octreeShare));
-    clock.lap("octree");
-  }
-  MeshedModel out = meshOctree(std::move(sources), options, clock, context.part(octreeShare, 1.0));
-  out.sources.reset();
-  return out;
+  return mesh(surface, nullptr, options, context, cache);
+}
+
+MeshedModel meshModel(const TriangleSurface& surface, const OctreeSets& octants, const MesherOptions& options,
+                      const RunContext& context, StageCache* cache)
+{
+  return mesh(surface, &octants, options, context, cache);
 }
 
 std::size_t estimateLayerElements(const TriangleSurface& surface, const MesherOptions& options,

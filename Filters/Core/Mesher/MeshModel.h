@@ -14,11 +14,36 @@ struct MesherOptions : ModelOptions
   DualMeshOptions mesh;
 };
 
-/// What a mesh was made from.
-struct MeshSources
+/// The model in its grid, repaired, and the octree that holds it.
+struct ModelOctree
 {
   SurfaceModel model;
   Octree octree;
+  /// As in MeshedModel.
+  std::vector<std::string> inputWarnings;
+  std::string sizingWarning;
+};
+
+/// What runs leave for later ones: the stages up to layers. A later run takes from it those whose input and options are
+/// the same, bit by bit; its mesh is that of a run without. It may be left with what an aborted run has finished.
+/// About 200 bytes an element, and 100 while layers grow, for a copy of the mesh without them.
+class StageCache
+{
+public:
+  StageCache();
+  ~StageCache();
+  StageCache(const StageCache&) = delete;
+  StageCache& operator=(const StageCache&) = delete;
+
+  void clear();
+  /// Null before the first run.
+  const ModelOctree* sources() const;
+
+  struct Stages; ///< of meshModel()
+  Stages& stages() { return *stages_; }
+
+private:
+  std::unique_ptr<Stages> stages_;
 };
 
 struct MeshedModel : DualMeshResult
@@ -36,20 +61,17 @@ struct MeshedModel : DualMeshResult
   int maximumLevel = 0;
   /// Names of the stages and the seconds that each took.
   std::vector<std::pair<std::string, double>> stages;
-  /// Where they were asked for.
-  std::unique_ptr<MeshSources> sources;
 };
 
-/// Places the model in its grid, repairs it, sizes octants, and meshes their dual. With `keepSources` the result holds
-/// octree and repaired model too, which else are freed. The result does not depend on threads. Throws Error where the
-/// options cannot be met, Aborted on demand.
+/// Places the model in its grid, repairs it, sizes octants, and meshes their dual. The result depends neither on
+/// threads nor on what `cache` holds. Throws Error where the options cannot be met, Aborted on demand.
 MeshedModel meshModel(const TriangleSurface& surface, const MesherOptions& options, const RunContext& context,
-                      bool keepSources = false);
+                      StageCache* cache = nullptr);
 
 /// The same for octants that are given, which are balanced if they are not. Of the options those of sizes and domain
 /// are not used.
-MeshedModel meshModel(const TriangleSurface& surface, OctreeSets octants, const MesherOptions& options,
-                      const RunContext& context);
+MeshedModel meshModel(const TriangleSurface& surface, const OctreeSets& octants, const MesherOptions& options,
+                      const RunContext& context, StageCache* cache = nullptr);
 
 /// Elements that the layers asked for add to the mesh, all zones counted: roughly, as sheets have layers on both sides.
 /// Builds the octree. Throws as meshModel().

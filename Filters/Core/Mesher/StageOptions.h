@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Whether stages would be made of the same, bit by bit.
+#pragma once
+
+#include "Mesher/DualMesher.h"
+#include "Mesher/ModelOptions.h"
+#include "Octree/Tree/Octree.h"
+
+namespace atria {
+
+bool isSame(const TriangleSurface& a, const TriangleSurface& b);
+bool isSame(const OctreeSets& a, const OctreeSets& b);
+bool isSame(const ModelOptions& a, const ModelOptions& b);
+bool isSame(const CrossingOptions& a, const CrossingOptions& b);
+bool isSame(const ZoneOptions& a, const ZoneOptions& b);
+
+} // namespace atria
