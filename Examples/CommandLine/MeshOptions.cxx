@@ -437,6 +437,7 @@ void configureGrid(vtkAtriaGridAlgorithm* filter, const MeshOptions& options)
 void configure(vtkAtriaDualMesher* mesher, const MeshOptions& options)
 {
   configureGrid(mesher, options);
+  mesher->CacheStagesOff(); // there is one run
   mesher->SetCrackTolerance(options.crack);
   mesher->SetZoneRule(options.zone == "all" ? vtkAtriaDualMesher::All : vtkAtriaDualMesher::Outside);
   if (!options.seeds.empty())

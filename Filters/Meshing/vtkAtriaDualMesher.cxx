@@ -108,7 +108,8 @@ atria::MesherOptions mesherOptionsOf(vtkAtriaDualMesher& filter, const Points& s
 
 vtkAtriaDualMesher::vtkAtriaDualMesher()
     : TargetNonOrthogonality(atria::CurvedWallTargets{}.nonOrthogonality),
-      TargetSkewness(atria::CurvedWallTargets{}.skewness), CrackTolerance(atria::DualMeshOptions{}.crackTolerance)
+      TargetSkewness(atria::CurvedWallTargets{}.skewness), CrackTolerance(atria::DualMeshOptions{}.crackTolerance),
+      Cache(std::make_unique<atria::StageCache>())
 {
   this->SetNumberOfInputPorts(2);
   this->SetNumberOfOutputPorts(3);
@@ -220,6 +221,15 @@ void vtkAtriaDualMesher::RemoveAllLayerRules()
   this->Modified();
 }
 
+void vtkAtriaDualMesher::SetCacheStages(bool cache)
+{
+  this->CacheStages = cache; // not Modified: the mesh is the same
+  if (!cache)
+  {
+    this->Cache->clear();
+  }
+}
+
 int vtkAtriaDualMesher::GetNumberOfStages() { return static_cast<int>(this->Stages.size()); }
 
 std::string vtkAtriaDualMesher::GetStageName(int i)
@@ -315,9 +325,10 @@ int vtkAtriaDualMesher::RequestData(vtkInformation*, vtkInformationVector** inpu
     const atria::TriangleSurface surface = atria::readSurfaces(vtkDataObject::GetData(inputs[0]), warnings);
     const atria::MesherOptions options = mesherOptionsOf(*this, this->SeedPoints, this->SealedSeedPoints);
     vtkDataObject* octree = vtkDataObject::GetData(inputs[1]);
+    atria::StageCache* cache = this->CacheStages ? this->Cache.get() : nullptr;
     const atria::MeshedModel result =
-        octree ? atria::meshModel(surface, atria::octreeFromVtk(octree), options, context.part(0.01, 0.9))
-               : atria::meshModel(surface, options, context.part(0.01, 0.9));
+        octree ? atria::meshModel(surface, atria::octreeFromVtk(octree), options, context.part(0.01, 0.9), cache)
+               : atria::meshModel(surface, options, context.part(0.01, 0.9), cache);
     atria::StageClock clock;
     context.progress.report(0.9, "Converting elements");
     atria::volumeToVtk(result.mesh, volume, context.executor);
@@ -367,6 +378,7 @@ void vtkAtriaDualMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfSealedSeeds: " << this->SealedSeedPoints.size() << "\n";
   printPoints(this->SealedSeedPoints, os, indent);
   os << indent << "NumberOfLayers: " << this->NumberOfLayers << "\n";
+  os << indent << "CacheStages: " << (this->CacheStages ? "on" : "off") << "\n";
   os << indent << "SupportElements: " << (this->SupportElements ? "on" : "off") << "\n";
   os << indent << "FirstLayerHeight: " << this->FirstLayerHeight << "\n";
   os << indent << "LayerGrowth: " << this->LayerGrowth << "\n";

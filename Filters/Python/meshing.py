@@ -319,6 +319,7 @@ def mesh(
     from . import vtkAtriaDualMesher, vtkAtriaMeshQuality
 
     mesher = vtkAtriaDualMesher()
+    mesher.CacheStagesOff()  # there is one run
     reader = _connect(mesher, model, unit, up, list(without))
     _set_domain(mesher, domain)
     mesher.SetWindAngle(wind)

@@ -130,9 +130,17 @@ vtkSmartPointer<vtkAlgorithm> vrmlReader(const char* model)
   return reader;
 }
 
-vtkSmartPointer<vtkAlgorithm> mesherOfOctree()
+/// All stages have their events in each run.
+vtkSmartPointer<vtkAtriaDualMesher> wholeMesher()
 {
   auto mesher = onScene<vtkAtriaDualMesher>();
+  mesher->CacheStagesOff();
+  return mesher;
+}
+
+vtkSmartPointer<vtkAlgorithm> mesherOfOctree()
+{
+  auto mesher = wholeMesher();
   const auto source = onScene<vtkAtriaOctreeSource>();
   source->Update();
   mesher->SetInputDataObject(1, source->GetOutputDataObject(0));
@@ -163,7 +171,7 @@ const std::map<std::string, Maker>& filters()
          return source;
        }},
       {"Preflight", [] { return onScene<vtkAtriaPreflight>(); }},
-      {"DualMesher", [] { return onScene<vtkAtriaDualMesher>(); }},
+      {"DualMesher", wholeMesher},
       {"DualMesherOfAnOctree", mesherOfOctree},
       {"MeshQuality", [] { return onMesh<vtkAtriaMeshQuality>(); }},
       {"MeshQualityWithChecks",

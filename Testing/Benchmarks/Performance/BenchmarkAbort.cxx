@@ -112,6 +112,7 @@ int main(int argc, char* argv[])
   reader->SetFileName(argv[1]);
   reader->Update();
   vtkNew<vtkAtriaDualMesher> mesher;
+  mesher->CacheStagesOff();
   mesher->SetInputConnection(reader->GetOutputPort());
   mesher->SetDomainMode(vtkAtriaDualMesher::FromSurfaces);
   mesher->SetSizeMax(std::atof(argv[2]));

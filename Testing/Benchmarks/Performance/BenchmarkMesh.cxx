@@ -123,6 +123,7 @@ int main(int argc, char* argv[])
   reader->Update();
   const double reading = secondsSince(start);
   vtkNew<vtkAtriaDualMesher> mesher;
+  mesher->CacheStagesOff();
   mesher->SetDomainMode(vtkAtriaDualMesher::FromSurfaces);
   mesher->SetSizeMax(std::atof(argv[2]));
   mesher->SetSizeMid(std::atof(argv[3]));

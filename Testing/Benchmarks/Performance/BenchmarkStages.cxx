@@ -125,6 +125,7 @@ vtkAtriaDualMesher* meshOf(const Case& which)
     reader->SetFileName(fileOf(which).c_str());
     mesher = vtkSmartPointer<vtkAtriaDualMesher>::New();
     mesher->SetInputConnection(reader->GetOutputPort());
+    mesher->CacheStagesOff();
     mesher->SetDomainMode(vtkAtriaDualMesher::FromSurfaces);
     mesher->SetSizeMax(which.sizes[0]);
     mesher->SetSizeMid(which.sizes[1]);
