@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// The evaluator keeps what the filters report, whatever way its points came to where they are; the search for a better
 /// place keeps its promises.
+#include "Optimize/Kernel/MeasuredCells.h"
 #include "Optimize/Kernel/PointSearch.h"
 #include "Quality/Checks/CheckQuantities.h"
 #include "Quality/Checks/Metrics.h"
@@ -314,6 +315,35 @@ TEST(PointSearch, ApproachesAPlaceAsFarAsCellsStayAboveTheLeast)
     EXPECT_GE(all.evaluator.scoreOf(star).worst, least);
     EXPECT_LT((all.region.points[star.point] - origin).norm(), 1.0);
     expectMeasuresAsAnew(all);
+  }
+}
+
+/// A hexahedron of which the second of two boundary faces goes on where the first ends, their centroids in each other's
+/// plane, twisted by so much.
+std::vector<ShortCell> concaveTwisted(double twist)
+{
+  const SampleMesh sample = atria::testing::singleCell(
+      12, {{1, 0, 0}, {1, 1, 0}, {1 - twist, 2, 0}, {0, 0.5, 0}, {1, 0, 1}, {1, 1, 1}, {1 + twist, 2, 1}, {0, 0.5, 1}});
+  const FaceMesh mesh = makeFaceMesh(sample.points, sample.view());
+  const CellFaces cellFaces = makeCellFaces(mesh);
+  const CellArrays cells = sample.view();
+  constexpr QualityRange anything{0.0, 0.0};
+  QualityTargets targets;
+  targets.pyramidCosine = targets.cornerVolume = targets.boundaryShape = anything;
+  targets.decomposed = false;
+  return findShortCells(FaceMeshSource(mesh, cellFaces, cells), std::vector<char>(sample.points.size(), 1), targets,
+                        context);
+}
+
+/// In one plane they are written as one face. Twisted they are not, and checkMesh takes the cell for concave.
+TEST(Convexity, IsAskedOfBoundaryFacesThatAreNotInOnePlane)
+{
+  EXPECT_TRUE(concaveTwisted(0.0).empty());
+  for (const double twist : {0.001, 0.01, 0.1})
+  {
+    const std::vector<ShortCell> cells = concaveTwisted(twist);
+    ASSERT_EQ(cells.size(), 1u) << twist;
+    EXPECT_LT(cells.front().worst, 0.0F) << twist;
   }
 }
 

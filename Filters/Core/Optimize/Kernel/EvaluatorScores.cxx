@@ -15,6 +15,9 @@ constexpr std::size_t grain = 256;
 constexpr double flatVolume = 0.004;
 /// Of what is flat but for rounding.
 constexpr double flatSine = 1e-7;
+/// Boundary faces in one plane are written as one, where the sine between their normals is below this; from the same
+/// sine on checkMesh takes a face to lie behind the plane of another. See MergeFacesOptions::planarSine.
+constexpr double planarSine = 1e-6;
 /// Skewness is not more than this, so that one wild face does not drown the others.
 constexpr double wild = 8.0;
 /// Most measures are far above their target. What is above it by more than rounding can make is not divided, and no
@@ -25,6 +28,13 @@ constexpr double clearly = 1.0001;
 bool isAbove(double along, double share, const Vec3& vector)
 {
   return along > 0.0 && along * along >= share * share * vector.squaredNorm();
+}
+
+/// Whether one boundary face of a cell is far enough behind the plane of another, or in it with its whole plane.
+bool isBehindOrFlat(double inside, double length, const Vec3& normal, const Vec3& other)
+{
+  return inside > 2.0 * planarSine * length ||
+         (inside >= -flatSine * length && (normal - other).squaredNorm() < planarSine * planarSine);
 }
 
 Vec3 cross(const Vec3& u, const Vec3& v)
@@ -226,8 +236,9 @@ double QualityEvaluator::convexityOf(Index face, Index other, Index cell) const
 {
   const Vec3 between = faces[other].centroid - faces[face].centroid;
   const double inside = -sign(cell, face) * faces[face].normal.dot(between);
-  const bool mayBeFlat = region_.neighbor[face] == noIndex && region_.neighbor[other] == noIndex;
-  if (mayBeFlat && inside >= -flatSine * between.norm())
+  const bool onBoundary = region_.neighbor[face] == noIndex && region_.neighbor[other] == noIndex;
+  // The cell is the owner of both then.
+  if (onBoundary && isBehindOrFlat(inside, between.norm(), faces[face].normal, faces[other].normal))
   {
     return 1.0;
   }
@@ -274,8 +285,9 @@ bool QualityEvaluator::isClearlyConvex(Index cell) const
       const double one = -own[i].normal.dot(between);
       const double other = own[j].normal.dot(between);
       const double least = std::min(one, other);
-      const bool mayBeFlat = own[i].onBoundary && own[j].onBoundary;
-      if (mayBeFlat ? least < -flatSine * between.norm() : !isAbove(least, targets_.convexity.target, between))
+      const bool onBoundary = own[i].onBoundary && own[j].onBoundary;
+      if (onBoundary ? !isBehindOrFlat(least, between.norm(), own[i].normal, own[j].normal)
+                     : !isAbove(least, targets_.convexity.target, between))
       {
         return false;
       }
