@@ -235,6 +235,18 @@ QualityTargets targetsOfLargestAngle(const MeshTraits& traits)
   return targets;
 }
 
+QualityTargets targetsOfChecks(const MeshTraits& traits)
+{
+  QualityTargets targets = baseTargets(traits);
+  targets.pyramidCosine.limit = targets.faceCosine.limit = 0.0;
+  targets.convexity.limit = 1e-6;
+  targets.skewness.limit = 4.0;
+  targets.weight.limit = traits.hasHeights ? 0.0 : 0.05;
+  targets.volumeRatio.limit = traits.hasHeights ? 0.0 : 0.01;
+  targets.determinantRoot.limit = std::sqrt(std::sqrt(0.001));
+  return targets;
+}
+
 std::vector<ImproverStage> soundCreaseStages(const MeshTraits& traits)
 {
   const auto stage = [&](float below, int rings, double firstReach, bool tryMiddle) {

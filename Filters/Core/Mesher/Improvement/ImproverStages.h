@@ -100,7 +100,17 @@ std::vector<ImproverStage> straighteningStages(const MeshTraits& traits);
 QualityTargets targetsOfLargestAngle(const MeshTraits& traits);
 inline constexpr std::array reachesForAngles{0.4, 0.75};
 
-/// 8. Crease sheets begin flat; what does not come right at once gets more room. Then limits rise, as cells far from
+/// 8. What checkMesh objects to by its own limits begins anew in turn, with so many rows of cells about it, until
+/// nothing is left.
+QualityTargets targetsOfChecks(const MeshTraits& traits);
+struct Retreat
+{
+  int rows;
+  bool layered;
+};
+inline constexpr std::array retreats{Retreat{1, true}, Retreat{1, false}, Retreat{2, true}, Retreat{2, false}};
+
+/// 9. Crease sheets begin flat; what does not come right at once gets more room. Then limits rise, as cells far from
 /// the last ones find no way there. The stages after the first few are for what is still short of
 /// `wantedOfCreaseSheets`.
 std::vector<ImproverStage> soundCreaseStages(const MeshTraits& traits);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesher/Improvement/LayerImprover.h"
 
+#include "Mesher/Improvement/ConcaveElements.h"
 #include "Mesher/Improvement/CurvedWalls.h"
 #include "Mesher/Improvement/LayerCreases.h"
 #include "Mesher/Improvement/LayerDivision.h"
@@ -48,6 +49,37 @@ void supportMore(ImproverState& state, VertexDetachment& detachment)
   }
 }
 
+/// Elements that checkMesh would object to, and those that are concave at walls.
+std::size_t countFailing(ImproverState& state)
+{
+  return state.findShort(targetsOfChecks(state.traits), 0.0F).size() +
+         findConcaveAtWalls(state.layer.mesh, state.context).size();
+}
+
+/// Where elements are not valid in spite of all room, they and those about them begin anew from the centers of their
+/// octants, where the plain mesh is valid. What is no better for it stays as it was.
+void retreat(ImproverState& state, VertexDetachment& detachment)
+{
+  QualityTargets targets = targetsOfChecks(state.traits);
+  targets.leastOfDeterminant = std::numeric_limits<double>::infinity(); // mended by a layer, if at all
+  for (const Retreat& attempt : retreats)
+  {
+    const std::vector<ShortCell> bad = state.findShort(targets, 0.0F);
+    if (bad.empty())
+    {
+      return;
+    }
+    const std::size_t before = countFailing(state);
+    VertexDetachment::Kept kept = detachment.keep();
+    detachment.beginAnew(bad, attempt.rows, attempt.layered);
+    supportMore(state, detachment);
+    if (countFailing(state) >= before)
+    {
+      detachment.takeAgain(std::move(kept));
+    }
+  }
+}
+
 } // namespace
 
 ImprovedLayer improveLayer(const MeshingContext& context, const VertexClassification& classification,
@@ -87,6 +119,7 @@ ImprovedLayer improveLayer(const MeshingContext& context, const VertexClassifica
   {
     enter(0.5, 0.7, "Dividing layers");
     supportMore(state, detachment);
+    retreat(state, detachment);
     LayerDivision(state).run();
   }
   if (isCurved)
@@ -102,6 +135,7 @@ ImprovedLayer improveLayer(const MeshingContext& context, const VertexClassifica
   if (!traits.divided)
   {
     supportMore(state, detachment);
+    retreat(state, detachment);
   }
   if (traits.isSingle() && traits.uniform)
   {

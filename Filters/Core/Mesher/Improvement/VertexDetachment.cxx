@@ -172,17 +172,24 @@ void VertexDetachment::detach(const std::vector<ShortCell>& cells, double reach)
 /// Takes the points of cells towards the centers of their octants.
 void VertexDetachment::startAgain(const std::vector<ShortCell>& bad, double share)
 {
+  std::vector<char> leaders(state_.layer.plainPoints, 0);
+  eachLeaderOf(bad, [&](Index leader) { leaders[leader] = 1; });
+  takeToCenters(leaders, share);
+}
+
+void VertexDetachment::takeToCenters(const std::vector<char>& leaders, double share)
+{
   std::vector<char> fresh(state_.layer.plainPoints, 0);
-  eachLeaderOf(bad, [&](Index leader) { fresh[leader] = state_.mayLeave[leader]; });
   const LayerFreedom freedom(state_);
   for (Index p = 0; p < fresh.size(); ++p)
   {
-    fresh[p] = fresh[state_.vertexOf[p]];
+    const Index leader = state_.vertexOf[p];
+    fresh[p] = leaders[leader] && state_.mayLeave[leader] ? 1 : 0;
     if (fresh[p])
     {
       const Vec3 center = freedom.model.centerOf(p);
       state_.layer.mesh.points[p] += share * (center - state_.layer.mesh.points[p]);
-      if (const auto found = state_.classification.displacementLimits.find(state_.vertexOf[p]);
+      if (const auto found = state_.classification.displacementLimits.find(leader);
           found != state_.classification.displacementLimits.end())
       {
         found->second.origin = center;
@@ -191,6 +198,67 @@ void VertexDetachment::startAgain(const std::vector<ShortCell>& bad, double shar
   }
   state_.outdateAt(fresh);
   state_.growAgain(fresh);
+}
+
+/// Marks the leaders of all points of the cells that have one of the points of these.
+std::vector<char> VertexDetachment::leadersAbout(const std::vector<ShortCell>& cells, int rows) const
+{
+  std::vector<char> leaders(state_.layer.plainPoints, 0);
+  eachLeaderOf(cells, [&](Index leader) { leaders[leader] = 1; });
+  std::vector<char> marked(state_.layer.mesh.points.size());
+  for (int row = 0; row < rows; ++row)
+  {
+    for (Index p = 0; p < marked.size(); ++p)
+    {
+      marked[p] = leaders[state_.vertexOf[state_.layer.wallPointOf(p)]];
+    }
+    for (const Index cell : cellsWithMarked(DualSource(state_.layer.mesh), marked, state_.context))
+    {
+      for (const Index p : state_.layer.mesh.corners[cell])
+      {
+        leaders[state_.vertexOf[state_.layer.wallPointOf(p)]] = 1;
+      }
+    }
+  }
+  return leaders;
+}
+
+void VertexDetachment::beginAnew(const std::vector<ShortCell>& cells, int rows, bool layered)
+{
+  const std::vector<char> leaders = leadersAbout(cells, rows);
+  for (Index p = 0; p < state_.layer.plainPoints; ++p)
+  {
+    const Index leader = state_.vertexOf[p];
+    state_.excluded[p] = leaders[leader] ? (layered ? 0 : 1) : state_.excluded[p];
+    if (leaders[p])
+    {
+      state_.letGo[p] = 1;
+      leaveCurve(p);
+      leaveSurface(p, anOctant);
+    }
+  }
+  takeToCenters(leaders, 1.0);
+  improve(badOf(state_.findShort(first_.options.targets)));
+  putBack();
+}
+
+VertexDetachment::Kept VertexDetachment::keep() const
+{
+  return {state_.layer, state_.classification, state_.mayLeave, state_.letGo, state_.excluded, left_, isLeft_,
+          detached_};
+}
+
+void VertexDetachment::takeAgain(Kept kept)
+{
+  state_.replaceLayer(std::move(kept.layer));
+  std::copy_n(state_.layer.mesh.points.begin(), state_.layer.plainPoints, state_.plain.points.begin());
+  state_.classification = std::move(kept.classification);
+  state_.mayLeave = std::move(kept.mayLeave);
+  state_.letGo = std::move(kept.letGo);
+  state_.excluded = std::move(kept.excluded);
+  left_ = std::move(kept.left);
+  isLeft_ = std::move(kept.isLeft);
+  detached_ = std::move(kept.detached);
 }
 
 /// Leaves the layer out at the points of cells that have it; gives it back to those that are bad without it.

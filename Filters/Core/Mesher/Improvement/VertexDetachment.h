@@ -28,6 +28,24 @@ public:
   void detach(const std::vector<ShortCell>& cells, double reach);
   /// Forgets the points that are back; the others stay where they are.
   void keepThoseAway();
+  /// Takes the vertices of cells, and of so many rows about them, to the centers of their octants, and as far back as
+  /// elements stay valid, with a layer or without.
+  void beginAnew(const std::vector<ShortCell>& cells, int rows, bool layered);
+
+  /// What this changes, here and in the state.
+  struct Kept
+  {
+    LayerMesh layer;
+    VertexClassification classification;
+    std::vector<char> mayLeave;
+    std::vector<char> letGo;
+    std::vector<char> excluded;
+    std::vector<WantedPlace> left;
+    std::vector<char> isLeft;
+    std::vector<DetachedVertex> detached;
+  };
+  Kept keep() const;
+  void takeAgain(Kept kept);
   /// Those that did not get back, in rising order of points.
   const std::vector<DetachedVertex>& detached() const { return detached_; }
 
@@ -41,6 +59,8 @@ private:
   void leaveSurface(Index leader, double reach);
   void leaveSides();
   void startAgain(const std::vector<ShortCell>& bad, double share);
+  void takeToCenters(const std::vector<char>& leaders, double share);
+  std::vector<char> leadersAbout(const std::vector<ShortCell>& cells, int rows) const;
   void exclude(const std::vector<ShortCell>& bad);
   std::vector<WantedPlace> wantedPlaces() const;
   template <typename Visit> void eachLeaderOf(const std::vector<ShortCell>& cells, Visit&& visit) const;
