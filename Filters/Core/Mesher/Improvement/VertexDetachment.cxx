@@ -251,7 +251,10 @@ VertexDetachment::Kept VertexDetachment::keep() const
 void VertexDetachment::takeAgain(Kept kept)
 {
   state_.replaceLayer(std::move(kept.layer));
-  std::copy_n(state_.layer.mesh.points.begin(), state_.layer.plainPoints, state_.plain.points.begin());
+  if (state_.traits.layered) // else the layer's mesh is the plain one itself
+  {
+    std::copy_n(state_.layer.mesh.points.begin(), state_.layer.plainPoints, state_.plain.points.begin());
+  }
   state_.classification = std::move(kept.classification);
   state_.mayLeave = std::move(kept.mayLeave);
   state_.letGo = std::move(kept.letGo);
