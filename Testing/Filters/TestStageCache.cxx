@@ -24,8 +24,8 @@ using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::Not;
 
-/// A building with a canopy, a room with a window, a dome, a lamp on a ground, a post close to the room, and a fin that nearly
-/// meets it.
+/// A building with a canopy, a room with a window, a dome, a lamp on a ground, a post close to the room, and a fin that
+/// nearly meets it.
 TriangleSurface scene()
 {
   TriangleSurface surface;
@@ -244,7 +244,7 @@ TEST_P(EveryChange, GivesWhatAFreshFilterDoes)
 }
 
 INSTANTIATE_TEST_SUITE_P(Properties, EveryChange, ::testing::ValuesIn(allChanges()),
-                         [](const auto& info) { return info.param.command; });
+                         [](const auto& tested) { return tested.param.command; });
 
 /// The commands of the properties in a part of a file.
 void addCommands(const char* file, const std::string& begin, const std::string& end, std::set<std::string>& commands)
@@ -282,8 +282,9 @@ TEST_F(StageCacheTest, ChangesInARowGiveWhatAFreshFilterDoes)
   std::vector<Change> changes = allChanges();
   std::erase_if(changes, [](const Change& c) {
     // with others these ask for what cannot be, or leave less to be seen of others
-    return c.command == "SetMaxElements" || c.command == "AddDomainCorner" || c.command == "SetSiteName" || c.command == "SetTerrainName" ||
-           c.command == "SetWindAngle" || c.command == "SetSmallPartSize" || c.command == "SetGapTolerance";
+    return c.command == "SetMaxElements" || c.command == "AddDomainCorner" || c.command == "SetSiteName" ||
+           c.command == "SetTerrainName" || c.command == "SetWindAngle" || c.command == "SetSmallPartSize" ||
+           c.command == "SetGapTolerance";
   });
   std::shuffle(changes.begin(), changes.end(), random);
   std::vector<Set> sets;
@@ -314,7 +315,7 @@ TEST_F(StageCacheTest, TakesStagesThatDoNotDependOnTheChange)
     mesher->Update();
     change.change(*mesher);
     mesher->Update();
-    EXPECT_THAT(stages(), change.command == "SetCrackTolerance"       ? afterCrossings
+    EXPECT_THAT(stages(), change.command == "SetCrackTolerance" ? afterCrossings
                           : change.command.find("Seed") < std::string::npos || change.command == "SetZoneRule"
                               ? afterZones
                               : afterLayers);
