@@ -111,11 +111,8 @@ struct Same
     return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
   }
   template <typename T>
-    requires std::integral<T> || std::is_enum_v<T>
-  bool operator()(T a, T b) const
-  {
-    return a == b;
-  }
+  requires std::integral<T> || std::is_enum_v<T>
+  bool operator()(T a, T b) const { return a == b; }
   bool operator()(const std::string& a, const std::string& b) const { return a == b; }
   bool operator()(const Placement& a, const Placement& b) const { return operator()(a.angle(), b.angle()); }
   bool operator()(const PlacedPrism& a, const PlacedPrism& b) const
@@ -132,10 +129,11 @@ struct Same
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), *this);
   }
   template <typename T>
-    requires requires(const T& of) { membersOf(of); }
+  requires requires(const T& of) { membersOf(of); }
   bool operator()(const T& a, const T& b) const
   {
-    const auto compare = [&]<std::size_t... I>(const auto& x, const auto& y, std::index_sequence<I...>) {
+    const auto compare = [&]<std::size_t... I>(const auto& x, const auto& y, std::index_sequence<I...>)
+    {
       return (operator()(std::get<I>(x), std::get<I>(y)) && ...);
     };
     const auto members = membersOf(a);
