@@ -364,7 +364,7 @@ private:
     ClusterCells hidden;
     autorefine(soup, {}, hidden, context.part(0.7, 0.9));
     const std::vector<LatticePoint> start = soup.points;
-    const std::vector<char> isMoved = closeGaps(soup, frame, {tolerance, drawn, hidden}, start, context);
+    const std::vector<char> isMoved = closeGaps(soup, frame, {tolerance, drawn, hidden}, context);
     SurfacesAtPoints atPoints;
     for (std::size_t i = 0; i < soup.triangles.size(); ++i)
     {

@@ -28,8 +28,6 @@ namespace {
 constexpr double sideways = 2.0;
 /// Details within this many tolerances are connected and are no gap.
 constexpr double detailReach = 3.0;
-/// A point may move by this much in all, in tolerances.
-constexpr double maximumDrift = 2.0;
 /// Points of what was drawn with shorter edges than this many tolerances stay, as it could fold.
 constexpr double finestEdge = 2.0;
 /// A move that turns a triangle farther folds it.
@@ -39,10 +37,9 @@ const double foldCosine = cosOfDegrees(60.0);
 class GapCloser
 {
 public:
-  GapCloser(TriangleSoup& soup_, const GridFrame& frame_, const GapOptions& options,
-            const std::vector<LatticePoint>& start_, const RunContext& runContext)
+  GapCloser(TriangleSoup& soup_, const GridFrame& frame_, const GapOptions& options, const RunContext& runContext)
       : soup(soup_), frame(frame_), tolerance(options.tolerance), parts(options.drawn.parts),
-        clusters(options.clusters), start(start_), context(runContext), fans(trianglesAtPoints(soup)),
+        clusters(options.clusters), context(runContext), fans(trianglesAtPoints(soup)),
         boundary(soup.triangles, soup.points.size(), context.executor), fixed(soup.points.size(), 0),
         partOf(soup.points.size(), noIndex), hasSeveralParts(soup.points.size(), 0), isFine(soup.points.size(), 0)
   {
@@ -370,8 +367,7 @@ private:
   bool mayMove(Index p, const LatticePoint& to, Index onto) const
   {
     const auto around = fans.of(p);
-    return between(start[p], to).norm() <= maximumDrift * tolerance &&
-           std::all_of(around.begin(), around.end(), [&](Index t) { return keepsItsShape(t, p, to, onto); });
+    return std::all_of(around.begin(), around.end(), [&](Index t) { return keepsItsShape(t, p, to, onto); });
   }
 
   /// A triangle may turn over in its plane, as those beside it then cover more; and it may vanish in the edge or point
@@ -399,7 +395,6 @@ private:
   double tolerance;
   const std::vector<Index>& parts;
   const ClusterCells& clusters;
-  const std::vector<LatticePoint>& start;
   const RunContext& context;
   Buckets fans; ///< triangles at each point
   BoundaryEdges boundary;
@@ -428,14 +423,14 @@ SoupAsDrawn::SoupAsDrawn(const TriangleSoup& soup)
 }
 
 std::vector<char> closeGaps(TriangleSoup& soup, const GridFrame& frame, const GapOptions& options,
-                            const std::vector<LatticePoint>& start, const RunContext& context)
+                            const RunContext& context)
 {
   std::vector<char> isMoved(soup.points.size(), 0);
   if (options.tolerance >= 1.0)
   {
     const auto margin = static_cast<std::int64_t>(std::ceil(options.tolerance));
     const std::vector<Index> moved = searchSeen(soup, margin, options.clusters, context,
-                                                [&] { return GapCloser(soup, frame, options, start, context).run(); });
+                                                [&] { return GapCloser(soup, frame, options, context).run(); });
     for (const Index p : moved)
     {
       isMoved[p] = 1;

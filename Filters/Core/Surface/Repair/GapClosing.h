@@ -36,14 +36,12 @@ struct GapOptions
 /// it was drawn, move onto a larger part, then those of a larger one onto a smaller one. Points at boundary edges also
 /// move onto their own part: onto what is ahead (isAhead); elsewhere not onto what is connected with them within three
 /// times the tolerance, so that details stay. A move is left out that would take a point off a side of the domain it
-/// lies on, or by more than twice the tolerance from its place in `start`, or turn a triangle by more than 60 degrees
-/// out of its plane, or leave one without area that has a boundary edge, but for those between the point and what it
-/// moves onto. No point moves where an edge shorter than twice
-/// the tolerance was drawn, as what is that fine could fold, and none in clusters; what lies
-/// near too many others is hidden. Points only move: triangles are not
-/// cut. Returns for each point whether it was moved. O(n log n + pairs of triangles and points near them that are at
-/// boundary edges or of another part).
+/// lies on, or turn a triangle by more than 60 degrees out of its plane, or leave one without area that has a boundary
+/// edge, but for those between the point and what it moves onto. No point moves where an edge shorter than twice the
+/// tolerance was drawn, as what is that fine could fold, and none in clusters; what lies near too many others is
+/// hidden. Points only move: triangles are not cut. Returns for each point whether it was moved. O(n log n + pairs of
+/// triangles and points near them that are at boundary edges or of another part).
 std::vector<char> closeGaps(TriangleSoup& soup, const GridFrame& frame, const GapOptions& options,
-                            const std::vector<LatticePoint>& start, const RunContext& context);
+                            const RunContext& context);
 
 } // namespace atria

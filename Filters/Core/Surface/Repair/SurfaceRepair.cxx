@@ -80,7 +80,7 @@ void closeAllGaps(TriangleSoup& soup, const GridFrame& frame, const GapOptions& 
   for (int pass = 0; pass < maximumPasses; ++pass)
   {
     context.progress.check();
-    const std::vector<char> isMoved = closeGaps(soup, frame, options, start, context);
+    const std::vector<char> isMoved = closeGaps(soup, frame, options, context);
     if (std::find(isMoved.begin(), isMoved.end(), 1) == isMoved.end())
     {
       break;
