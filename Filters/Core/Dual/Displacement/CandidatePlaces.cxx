@@ -7,7 +7,7 @@ namespace atria {
 
 namespace {
 
-/// Curves of an octant between which places are looked for.
+/// Curves of an octant between which places are looked for; with more there are too many pairs to try.
 constexpr std::size_t mostCurves = 6;
 /// Where an edge passes a curve nearer to its other end than this part of it, its end is not moved for that.
 constexpr double leastPart = 0.2;

@@ -445,11 +445,10 @@ std::vector<Index> enterFrom(const std::vector<Index>& leaves, MovingGrid& grid,
 
 void enterGaps(MovingGrid& grid, const RunContext& context)
 {
-  constexpr int gapRounds = 4;
   for (const double reach : {0.5, 1.0})
   {
-    std::vector<Index> leaves = grid.unresolvedLeaves(context);
-    for (int round = 0; round < gapRounds && !leaves.empty(); ++round)
+    // Points enter gaps once, so that there is a last round.
+    for (std::vector<Index> leaves = grid.unresolvedLeaves(context); !leaves.empty();)
     {
       context.progress.check();
       const std::vector<Index> about = enterFrom(leaves, grid, reach, context);
