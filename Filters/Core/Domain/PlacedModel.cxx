@@ -14,9 +14,6 @@ namespace atria {
 
 namespace {
 
-/// Terrain is as good as flat, and the domain along the grid, within this part of the finest octant.
-constexpr double flatRatio = 1e-3;
-
 void checkSurfaces(const TriangleSurface& surface)
 {
   if (surface.triangles.empty())
@@ -116,7 +113,7 @@ PlacedModel inGrid(const TriangleSurface& surface, const SitePlan& plan, const G
 SitePlan groundOf(const TriangleSurface& surface, const SiteOptions& options, double sizeMin)
 {
   SitePlan plan;
-  plan.isTerrain = terrainSurfaces(surface, options.terrain, options.site, flatRatio * sizeMin);
+  plan.isTerrain = terrainSurfaces(surface, options.terrain, options.site, sideRatio * sizeMin);
   plan.isGround = plan.isTerrain;
   for (std::size_t i = 0; i < plan.isGround.size(); ++i)
   {

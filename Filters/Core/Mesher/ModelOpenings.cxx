@@ -4,6 +4,7 @@
 #include "Support/Error.h"
 #include "Support/NamePattern.h"
 #include "Surface/Openings/Openings.h"
+#include "Surface/Search/Distance.h"
 
 #include <algorithm>
 #include <set>
@@ -14,8 +15,6 @@ namespace {
 
 /// Against octants at features. Narrower ones CrackTolerance may close.
 constexpr double leastWidth = 0.9;
-/// Against octants at features, as what walls are drawn to.
-constexpr double planarDistance = 1e-3;
 
 std::vector<char> surfacesWith(const std::vector<std::string>& names, const std::vector<std::string>& without)
 {
@@ -86,7 +85,7 @@ SurfaceModel withOpenings(SurfaceModel model, const PlacedModel& placed, Feature
   OpeningOptions finding;
   finding.surfaces = surfacesWith(placed.surface.names, options.withoutOpenings);
   finding.leastWidth = leastWidth * size;
-  finding.planarDistance = planarDistance * size;
+  finding.planarDistance = coincidentRatio * size;
   finding.sidesAreWalls = options.site.mode == DomainMode::surfaces;
   const std::vector<FoundOpening> openings = findOpenings(model, placed.frame, finding, context.part(0.0, 0.3));
   if (openings.empty())

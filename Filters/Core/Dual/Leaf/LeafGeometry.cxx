@@ -11,9 +11,6 @@ namespace atria {
 
 namespace {
 
-/// Cuts closer together than this part of a leaf's edge are one point.
-constexpr double tipRatio = 1e-3;
-
 LatticePoint pointAlong(const LatticePoint& a, const LatticePoint& b, double t)
 {
   LatticePoint p = a;
@@ -92,7 +89,7 @@ Vec3 LeafGeometry::meanOfCuts() const { return count > 0.0 ? Vec3(sum / count) :
 Vec3 LeafGeometry::tipOrMean() const
 {
   const double edgeLength = frame.latticeUnit() * static_cast<double>(box.high[0] - box.low[0]);
-  const bool isTip = count > 0.0 && extent.size().maxCoeff() < tipRatio * edgeLength;
+  const bool isTip = count > 0.0 && extent.size().maxCoeff() < coincidentRatio * edgeLength;
   return isTip ? Vec3(0.5 * (meanOfCuts() + center_)) : meanOfCuts();
 }
 
@@ -251,8 +248,7 @@ void LeafGeometry::addNeighbors()
 
 bool LeafGeometry::misses(const Vec3& p) const
 {
-  constexpr double ratio = 1e-4;
-  const double allowed = ratio * frame.finestSize;
+  const double allowed = coincidentRatio * frame.finestSize;
   return charts_.size() > 1 && std::ranges::any_of(charts_, [&](Index chart) {
            const auto nearest = nearestOnPieces(p, [&](Index c) { return c == chart; });
            return nearest && (*nearest - p).norm() > allowed;

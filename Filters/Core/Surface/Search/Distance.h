@@ -9,6 +9,8 @@ namespace atria {
 
 /// In lattice units: what is this near is there, as points are rounded.
 inline constexpr double latticeRounding = 2.0;
+/// In octants: what is this near is in one place or plane, as walls are drawn.
+inline constexpr double coincidentRatio = 1e-3;
 /// What lies on a surface and in a plane is found by going to the nearest place of either in turn, so often.
 inline constexpr int projectionTurns = 8;
 
