@@ -2,7 +2,6 @@
 #include "Dual/Zones/BoundaryGaps.h"
 
 #include "Grid/Predicates.h"
-#include "Support/Angles.h"
 #include "Surface/Model/FeatureGraph.h"
 #include "Surface/Search/Distance.h"
 
@@ -20,8 +19,6 @@ constexpr double stepLength = 0.25;
 constexpr double beforeEnd = 0.01;
 /// What is this near, in octants, touches.
 constexpr double touchDistance = 1e-4;
-/// Bridges that turn by more leave a corner between them.
-const double straightCosine = cosOfDegrees(14.99);
 
 LatticePoint moved(const LatticePoint& p, const Vec3& by)
 {
@@ -196,13 +193,10 @@ std::vector<BridgeTriangle> BoundaryGaps::cornerBridge(const BoundaryEdges::End&
   const LatticePoint pu = moved(u.at, *u.across);
   const LatticePoint pv = moved(u.at, *v.across);
   addTriangle(out, {u.at, pu, pv});
-  if (u.across->dot(*v.across) < straightCosine * u.across->norm() * v.across->norm())
-  {
-    // As far off the edge's plane as the two bridges are.
-    const Vec3 both = *u.across + *v.across;
-    const Vec3 normal = model.normal(boundary.edges()[one.edge].triangle).normalized();
-    addTriangle(out, {pv, pu, moved(u.at, both - 0.5 * normal.dot(both) * normal)});
-  }
+  // The corner between the bridges, as far off the edge's plane as these are.
+  const Vec3 both = *u.across + *v.across;
+  const Vec3 normal = model.normal(boundary.edges()[one.edge].triangle).normalized();
+  addTriangle(out, {pv, pu, moved(u.at, both - 0.5 * normal.dot(both) * normal)});
   return out;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Octree/Sizing/GapSizing.h"
 
+#include "Surface/Search/Distance.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -50,8 +52,7 @@ std::vector<Vec3> clipTriangle(const LatticeBox& box, const SurfaceModel& model,
 GapSizer::GapSizer(const SurfaceModel& model, const GridFrame& frame, const ModelLevels& levels, int cellsAcross)
     : model_(model), frame_(frame), levels_(levels), cellsAcross_(cellsAcross), tree_(model)
 {
-  constexpr double coincident = 1e-3;
-  least_ = coincident * static_cast<double>(frame.latticeSize(frame.featureLevel));
+  least_ = coincidentRatio * static_cast<double>(frame.latticeSize(frame.featureLevel));
   most_ = cellsAcross * static_cast<double>(frame.latticeSize(std::max(frame.topLevel, frame.startLevel)));
 }
 
@@ -87,11 +88,7 @@ void GapSizer::findFrom(const LatticeBox& box, Index triangle, double sense, std
     }
   };
   probe(middle);
-  for (const Vec3& p : polygon)
-  {
-    constexpr double inwards = 0.1;
-    probe(p + inwards * (middle - p));
-  }
+  std::ranges::for_each(polygon, probe);
   if (narrowest.triangle != noIndex)
   {
     // A little short on all sides, so that octants which only touch the gap are none of it.

@@ -6,6 +6,7 @@
 #include "Surface/Repair/ApartTriangles.h"
 #include "Surface/Repair/Clusters.h"
 #include "Surface/Search/BoxTree.h"
+#include "Surface/Search/Distance.h"
 #include "Surface/Triangulation/LatticeSegments.h"
 
 #include <Eigen/Geometry>
@@ -17,9 +18,6 @@
 namespace atria {
 
 namespace {
-
-/// Lattice units that points on two edges may be apart where both are rounded.
-constexpr double rounded = 3.0;
 
 /// One object a search.
 class ContactFinder
@@ -221,7 +219,7 @@ private:
         const EdgeKey e = edgeKey(soup.triangles[first], i);
         const EdgeKey f = edgeKey(soup.triangles[second], j);
         const bool isFlat = !isSteep(first, i, a) && !isSteep(second, j, b);
-        cutEdge(std::min(e, f), std::max(e, f), isFlat ? 2.0 * reach : rounded);
+        cutEdge(std::min(e, f), std::max(e, f), isFlat ? 2.0 * reach : latticeRounding);
       }
     }
   }
