@@ -39,7 +39,7 @@ NO_MESH = ("Quality", "Support", "Surface/Inspection", "Domain/DomainCheck", "Me
            "Layer/LayerBudget", "Octree/Sizing/Sizing.h", "Domain/WindDomain")
 NO_TUNING = re.compile(r"grain|tiny|rounding|noise|partLength|leastPiece|few|many|width|keyBits|latticeBits|perDegree|"
                        r"rounder|roundingUnits|leafSize|unset|maximumDepth|octreeShare|far|length|largest|slack|quarter|"
-                       r"square|surely|mostNumbers|longList")
+                       r"square|surely|mostNumbers|longList|enough|manyEach|mostWays|smallestGain|tie|noArea")
 HEADER = """#pragma once
 #include <cmath>
 #include <cstdlib>
