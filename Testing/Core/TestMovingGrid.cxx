@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// What a grid says about its leaves and points does not depend on how its points came to where they are, and the
 /// search for places leaves less to say.
+#include "FoundZones.h"
+
 #include "Dual/Displacement/MovingGrid.h"
 #include "Dual/Displacement/PlaceMoves.h"
 #include "Dual/Displacement/PlaceSearch.h"
+#include "Dual/Displacement/ZonesApart.h"
 #include "Dual/Grid/Crossings.h"
 #include "Support/MeshIt.h"
 #include "Support/Shapes.h"
@@ -204,5 +207,22 @@ TEST_P(MovedGrids, AreAsTheyWereWhenATrialIsTakenBack)
 }
 
 INSTANTIATE_TEST_SUITE_P(Soups, MovedGrids, ::testing::Values(1u, 2u, 3u));
+
+TEST(ZonesApart, AMovedPointThroughWhichTwoZonesMeetGoesBack)
+{
+  atria::testing::FoundZones found({}, atria::testing::uniformGrid({Vec3::Constant(-2), Vec3::Constant(2)}, 0.5));
+  const auto across = [&](Index point) { return found.grid.undisplaced(point)[0]; };
+  const auto moved = static_cast<Index>(found.points.size() / 2);
+  std::vector<Index> apart(found.points.size());
+  for (Index point = 0; point < apart.size(); ++point)
+  {
+    apart[point] = across(point) == across(moved) ? noIndex : across(point) < across(moved) ? 0 : 1;
+  }
+  EXPECT_TRUE(joiningPoints(found.grid, found.crossings, apart).empty());
+  found.grid.move(moved, found.grid.undisplaced(moved));
+  EXPECT_EQ(joiningPoints(found.grid, found.crossings, apart), std::vector<Index>{moved});
+  std::ranges::replace(apart, Index{1}, Index{0});
+  EXPECT_TRUE(joiningPoints(found.grid, found.crossings, apart).empty());
+}
 
 } // namespace
