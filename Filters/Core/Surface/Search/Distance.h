@@ -29,10 +29,13 @@ struct NearestPlace
   bool offer(const Vec3& place)
   {
     const double squared = (place - p).squaredNorm();
-    const bool isNearer = squared < squaredDistance;
-    at = isNearer ? place : at;
-    squaredDistance = isNearer ? squared : squaredDistance;
-    return isNearer;
+    if (squared >= squaredDistance)
+    {
+      return false;
+    }
+    at = place;
+    squaredDistance = squared;
+    return true;
   }
   bool found() const { return squaredDistance < std::numeric_limits<double>::infinity(); }
   std::optional<Vec3> place() const { return found() ? std::optional(at) : std::nullopt; }
