@@ -9,7 +9,8 @@ namespace atria {
 namespace {
 
 /// Of a chain of moves: what there may be more unresolved meanwhile, how many follow, and what must be gained in all.
-/// Buildings need no chains; of twelve fans of sheets in random poses they leave 60 merged edges instead of 70.
+/// Buildings need no chains. Without them eight of nine models of others have 1 to 18 % more unresolved features, and
+/// 24 fans of sheets in random poses 0.5 % more. The limit of what may be lost saves time.
 constexpr double greatestLoss = 8.0;
 constexpr std::size_t longestChain = 5;
 constexpr double leastChainGain = 0.5;

@@ -24,7 +24,8 @@ namespace atria {
 
 namespace {
 
-/// A point or edge is preferred to the face up to this many times its distance.
+/// A point or edge is preferred to the face up to this many times its distance. Where any in reach is, contacts that
+/// are left grow by a third in one model of others, by nine tenths in another.
 constexpr double sideways = 2.0;
 /// Details within this many tolerances are connected and are no gap.
 constexpr double detailReach = 3.0;
