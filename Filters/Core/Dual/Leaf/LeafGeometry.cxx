@@ -110,7 +110,7 @@ bool LeafGeometry::owns(const LatticePoint& p) const
 
 bool LeafGeometry::onOwnPlane(Index triangle) const
 {
-  const int side = model.domainSides[triangle];
+  const std::int8_t side = model.domainSides[triangle];
   return side != SurfaceModel::noSide && (planes >> side & 1);
 }
 
@@ -189,7 +189,7 @@ std::optional<Vec3> LeafGeometry::curvePosition(const std::vector<std::vector<In
 {
   if (planes == 0)
   {
-    if (const auto found = middleOfPieces([&](const FeatureEdge& edge) { return isOneOf(edge, endings); }))
+    if (auto found = middleOfPieces([&](const FeatureEdge& edge) { return isOneOf(edge, endings); }))
     {
       return found;
     }
@@ -302,7 +302,7 @@ template <typename Wanted> std::optional<Vec3> LeafGeometry::nearestOnCurves(con
   }
   if (planes != 0)
   {
-    if (const auto meeting = whereSegmentsMeetPlanes(p))
+    if (auto meeting = whereSegmentsMeetPlanes(p))
     {
       return meeting;
     }
