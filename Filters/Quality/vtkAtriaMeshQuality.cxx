@@ -3,6 +3,7 @@
 
 #include "AlgorithmProgress.h"
 #include "PropertyRange.h"
+#include "Quality/Checks/BoxQuality.h"
 #include "Quality/Checks/CheckQuantities.h"
 #include "Quality/Checks/MeshChecks.h"
 #include "Quality/Checks/Metrics.h"
@@ -11,6 +12,7 @@
 #include "Support/Error.h"
 #include "VtkChecks.h"
 #include "VtkFaceMesh.h"
+#include "VtkRecordedPatches.h"
 
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
@@ -28,6 +30,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -36,12 +39,18 @@ vtkStandardNewMacro(vtkAtriaMeshQuality);
 
 namespace {
 
-vtkSmartPointer<vtkDoubleArray> makeColumn(const std::string& name, std::span<const double> values,
-                                           const atria::Executor& executor = atria::SerialExecutor())
+vtkSmartPointer<vtkDoubleArray> emptyColumn(const std::string& name, std::size_t size)
 {
   auto column = vtkSmartPointer<vtkDoubleArray>::New();
   column->SetName(name.c_str());
-  column->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
+  column->SetNumberOfValues(static_cast<vtkIdType>(size));
+  return column;
+}
+
+vtkSmartPointer<vtkDoubleArray> makeColumn(const std::string& name, std::span<const double> values,
+                                           const atria::Executor& executor = atria::SerialExecutor())
+{
+  auto column = emptyColumn(name, values.size());
   double* to = column->GetPointer(0);
   executor.forEach(values.size(), 65536, [&](std::size_t i) { to[i] = values[i]; });
   return column;
@@ -53,6 +62,7 @@ struct Sample
   const char* name;
   bool ofFaces;
   std::span<const double> values;
+  atria::Repeated repeated = {};
 };
 
 /// Collects cell arrays and the two tables of metrics.
@@ -74,7 +84,7 @@ public:
 
   void addSample(const Sample& sample)
   {
-    const atria::Distribution distribution = atria::distributionOf(sample.values, bins, executor);
+    const atria::Distribution distribution = atria::distributionOf(sample.values, bins, executor, sample.repeated);
     const atria::Statistics& s = distribution.statistics;
     names->InsertNextValue(sample.name);
     parts->InsertNextValue(sample.ofFaces ? "faces" : "cells");
@@ -96,12 +106,50 @@ public:
     }
   }
 
+  void addFaces(const char* name, std::span<const double> values, std::size_t ideal)
+  {
+    addSample({name, true, values, {0.0, ideal}});
+  }
+
   /// Frees the values once they are copied.
   void addBoth(const char* name, atria::Buffer<double>& values)
   {
     addCells(name, values);
     addSample({name, false, values});
     atria::Buffer<double>().swap(values);
+  }
+
+  /// The same where all regular boxes have one value, or each its own; `values` are those of other cells.
+  void addBoth(const char* name, const atria::QualityByBoxes& boxes, atria::Buffer<double>& values, double ofBoxes,
+               bool withSample = true)
+  {
+    spread(name, boxes, values, [ofBoxes](std::size_t) { return ofBoxes; });
+    if (withSample)
+    {
+      addSample({name, false, values, {ofBoxes, boxes.regularCount}});
+    }
+    atria::Buffer<double>().swap(values);
+  }
+  template <typename OfBox>
+  void addBoth(const char* name, const atria::QualityByBoxes& boxes, atria::Buffer<double>& values, OfBox&& ofBox)
+  {
+    const std::span<const double> all = spread(name, boxes, values, ofBox);
+    addSample({name, false, all});
+    atria::Buffer<double>().swap(values);
+  }
+
+  void addValid(std::size_t cellCount, std::span<const unsigned char> values, std::span<const atria::Index> cells)
+  {
+    vtkNew<vtkUnsignedCharArray> valid;
+    valid->SetName("Valid");
+    valid->SetNumberOfValues(static_cast<vtkIdType>(cellCount));
+    unsigned char* const to = valid->GetPointer(0);
+    std::fill_n(to, cellCount, static_cast<unsigned char>(1));
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      to[cells.empty() ? i : cells[i]] = values[i];
+    }
+    arrays.emplace_back(valid);
   }
 
   void fill(vtkUnstructuredGrid* grid, vtkTable* summary, vtkTable* histograms)
@@ -143,6 +191,20 @@ public:
   std::vector<vtkSmartPointer<vtkDataArray>> arrays;
 
 private:
+  /// Adds an array of cells, and returns what is in it.
+  template <typename OfBox>
+  std::span<const double> spread(const char* name, const atria::QualityByBoxes& boxes, std::span<const double> values,
+                                 OfBox&& ofBox)
+  {
+    auto column = emptyColumn(name, boxes.isRegular.size());
+    double* const to = column->GetPointer(0);
+    executor.forEach(boxes.isRegular.size(), 65536,
+                     [&](std::size_t c) { to[c] = boxes.isRegular[c] ? ofBox(c) : 0.0; });
+    executor.forEach(values.size(), 65536, [&](std::size_t i) { to[boxes.others[i]] = values[i]; });
+    arrays.push_back(column);
+    return {to, boxes.isRegular.size()};
+  }
+
   std::size_t bins;
   std::string shown;
   const atria::Executor& executor;
@@ -154,26 +216,52 @@ private:
   std::vector<double> minima, maxima, means, deviations;
 };
 
-void addMetrics(Outputs& outputs, atria::QualityMetrics& q)
+struct Verdict
+{
+  vtkIdType invalidCells = 0;
+  int failedChecks = 0;
+};
+
+/// Frees the metrics.
+Verdict addMetrics(Outputs& outputs, atria::QualityMetrics& q)
 {
   outputs.addBoth("CellSquish", q.cellSquish);
   outputs.addCells("FaceSquish", q.faceSquish);
-  outputs.addSample({"FaceSquish", true, q.squishOfFaces});
+  outputs.addFaces("FaceSquish", q.squishOfFaces, 0);
   outputs.addBoth("AspectRatio", q.aspectRatio);
   outputs.addBoth("InverseAspectRatio", q.inverseAspectRatio);
   outputs.addBoth("OrthogonalQuality", q.orthogonalQuality);
   outputs.addBoth("NonOrthogonality", q.nonOrthogonality);
-  outputs.addSample({"FaceNonOrthogonality", true, q.nonOrthogonalityOfFaces});
+  outputs.addFaces("FaceNonOrthogonality", q.nonOrthogonalityOfFaces, 0);
   outputs.addBoth("Skewness", q.skewness);
-  outputs.addSample({"FaceSkewness", true, q.skewnessOfFaces});
+  outputs.addFaces("FaceSkewness", q.skewnessOfFaces, 0);
   outputs.addBoth("Volume", q.volume);
   outputs.addBoth("FacePyramids", q.facePyramids);
   outputs.addBoth("ScaledJacobian", q.scaledJacobian);
-  vtkNew<vtkUnsignedCharArray> valid;
-  valid->SetName("Valid");
-  valid->SetNumberOfValues(static_cast<vtkIdType>(q.valid.size()));
-  std::copy(q.valid.begin(), q.valid.end(), valid->GetPointer(0));
-  outputs.arrays.emplace_back(valid);
+  outputs.addValid(q.valid.size(), q.valid, {});
+  return {static_cast<vtkIdType>(q.invalidCells), 0};
+}
+
+/// The same where most cells are boxes, which are ideal in what depends on directions.
+Verdict addMetrics(Outputs& outputs, atria::QualityByBoxes& boxes)
+{
+  atria::QualityMetrics& q = boxes.metrics;
+  outputs.addBoth("CellSquish", boxes, q.cellSquish, 0.0);
+  outputs.addBoth("FaceSquish", boxes, q.faceSquish, 0.0, false);
+  outputs.addFaces("FaceSquish", q.squishOfFaces, boxes.idealFaces);
+  outputs.addBoth("AspectRatio", boxes, q.aspectRatio, [&](std::size_t c) { return boxes.aspectRatios[c]; });
+  outputs.addBoth("InverseAspectRatio", boxes, q.inverseAspectRatio,
+                  [&](std::size_t c) { return 1.0 / boxes.aspectRatios[c]; });
+  outputs.addBoth("OrthogonalQuality", boxes, q.orthogonalQuality, 1.0);
+  outputs.addBoth("NonOrthogonality", boxes, q.nonOrthogonality, 0.0);
+  outputs.addFaces("FaceNonOrthogonality", q.nonOrthogonalityOfFaces, boxes.idealFaces);
+  outputs.addBoth("Skewness", boxes, q.skewness, 0.0);
+  outputs.addFaces("FaceSkewness", q.skewnessOfFaces, boxes.idealFaces);
+  outputs.addBoth("Volume", boxes, q.volume, [&](std::size_t c) { return boxes.volumes[c]; });
+  outputs.addBoth("FacePyramids", boxes, q.facePyramids, [&](std::size_t c) { return boxes.volumes[c] / 6.0; });
+  outputs.addBoth("ScaledJacobian", boxes, q.scaledJacobian, 1.0);
+  outputs.addValid(boxes.isRegular.size(), q.valid, boxes.others);
+  return {static_cast<vtkIdType>(q.invalidCells), 0};
 }
 
 /// One quantity after the other, as each has up to one value a face.
@@ -207,6 +295,69 @@ vtkSmartPointer<vtkDataArray> failedChecksArray(const std::vector<std::uint32_t>
   array->SetNumberOfValues(static_cast<vtkIdType>(bits.size()));
   std::copy(bits.begin(), bits.end(), array->GetPointer(0));
   return array;
+}
+
+/// Where most cells are boxes, the metrics without finding all faces; see computeQualityByBoxes.
+std::optional<Verdict> measureByBoxes(Outputs& outputs, vtkUnstructuredGrid* volume,
+                                      vtkPartitionedDataSetCollection* given, const atria::RunContext& context)
+{
+  if (!volume || volume->GetNumberOfCells() == 0)
+  {
+    return std::nullopt;
+  }
+  const bool areGiven = given && given->GetNumberOfPartitionedDataSets() > 0;
+  const bool areRecorded = !areGiven && atria::hasRecordedPatches(volume);
+  std::optional<atria::VtkPatches> patches(std::in_place);
+  atria::VtkPatches zones;
+  if (areGiven)
+  {
+    patches = atria::patchesFromVtk(given, volume);
+    zones = atria::faceZonesFromVtk(given, volume);
+  }
+  else if (areRecorded)
+  {
+    patches = atria::recordedPatches(volume);
+    zones = atria::recordedFaceZones(volume).value_or(atria::VtkPatches());
+  }
+  if (!patches)
+  {
+    return std::nullopt;
+  }
+  const std::vector<atria::BoundaryFaceKey> patchFaces = patches->keys();
+  const std::vector<atria::BoundaryFaceKey> zoneFaces = zones.keys();
+  const atria::VtkCells cells(volume);
+  std::optional<atria::QualityByBoxes> quality =
+      atria::computeQualityByBoxes(atria::pointsFromVtk(volume->GetPoints(), context.executor), cells.view(),
+                                   {patchFaces, areRecorded, zoneFaces, zones.neighbors}, context);
+  if (!quality)
+  {
+    return std::nullopt;
+  }
+  return addMetrics(outputs, *quality);
+}
+
+/// By all faces.
+Verdict measureAll(Outputs& outputs, vtkUnstructuredGrid* volume, vtkPartitionedDataSetCollection* patches,
+                   bool checkMesh, vtkTable* checks, const atria::RunContext& context)
+{
+  context.progress.report(0.0, "Finding faces");
+  const atria::VtkFaceMesh source = atria::faceMeshFromVtk(volume, patches, context.executor);
+  const double metricsEnd = checkMesh ? 0.6 : 0.95;
+  const atria::MeasuredMesh measured = atria::measureMesh(source.mesh, context.part(0.3, 0.5));
+  Verdict verdict;
+  {
+    atria::QualityMetrics quality = atria::computeQuality(measured, source.cells.view(), context.part(0.5, metricsEnd));
+    verdict = addMetrics(outputs, quality);
+  }
+  if (checkMesh)
+  {
+    addCheckQuantities(outputs, measured, context.part(metricsEnd, 0.8));
+    const atria::MeshVerdict found = atria::checkMesh(measured, context.part(0.8, 0.98));
+    outputs.arrays.push_back(failedChecksArray(atria::failedChecksOfCells(measured, found)));
+    atria::checksToVtk(found, checks);
+    verdict.failedChecks = found.failedChecks();
+  }
+  return verdict;
 }
 
 } // namespace
@@ -267,36 +418,21 @@ int vtkAtriaMeshQuality::RequestData(vtkInformation*, vtkInformationVector** inp
     const atria::RunContext& context = run.context;
     atriaCheckRange(NumberOfBins);
     const atria::Executor& executor = context.executor;
-    context.progress.report(0.0, "Finding faces");
-    const atria::VtkFaceMesh source = atria::faceMeshFromVtk(volume, patches, executor);
-    const double metricsEnd = this->CheckMesh ? 0.6 : 0.95;
-    const atria::MeasuredMesh measured = atria::measureMesh(source.mesh, context.part(0.3, 0.5));
     Outputs collected(this->NumberOfBins, this->HistogramMetric, executor);
-    vtkIdType invalidCells = 0;
-    {
-      atria::QualityMetrics quality =
-          atria::computeQuality(measured, source.cells.view(), context.part(0.5, metricsEnd));
-      addMetrics(collected, quality);
-      invalidCells = static_cast<vtkIdType>(quality.invalidCells);
-    }
     vtkNew<vtkTable> checks;
-    int failedChecks = 0;
-    if (this->CheckMesh)
-    {
-      addCheckQuantities(collected, measured, context.part(metricsEnd, 0.8));
-      const atria::MeshVerdict verdict = atria::checkMesh(measured, context.part(0.8, 0.98));
-      collected.arrays.push_back(failedChecksArray(atria::failedChecksOfCells(measured, verdict)));
-      atria::checksToVtk(verdict, checks);
-      failedChecks = verdict.failedChecks();
-    }
+    const std::optional<Verdict> byBoxes =
+        this->CheckMesh ? std::nullopt : measureByBoxes(collected, volume, patches, context.part(0.0, 0.5));
+    const Verdict verdict = byBoxes ? *byBoxes
+                                    : measureAll(collected, volume, patches, this->CheckMesh, checks,
+                                                 context.part(this->CheckMesh ? 0.0 : 0.2, 0.98));
     collected.checkShown();
     context.progress.report(0.98, "Summarizing");
     vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs, 0);
     output->ShallowCopy(volume);
     collected.fill(output, vtkTable::GetData(outputs, 1), vtkTable::GetData(outputs, 2));
     vtkTable::GetData(outputs, 3)->ShallowCopy(checks);
-    this->NumberOfInvalidCells = invalidCells;
-    this->NumberOfFailedChecks = failedChecks;
+    this->NumberOfInvalidCells = verdict.invalidCells;
+    this->NumberOfFailedChecks = verdict.failedChecks;
     context.progress.report(1.0, "Quality known");
   }
   catch (const atria::Aborted&)

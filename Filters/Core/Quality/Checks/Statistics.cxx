@@ -171,6 +171,16 @@ struct FirstLook
     sum = total(sums);
   }
 
+  void add(const Repeated& repeated)
+  {
+    if (repeated.count > 0)
+    {
+      extremes.add(repeated.value);
+      extremes.count += repeated.count - 1;
+      sum += repeated.value * static_cast<double>(repeated.count);
+    }
+  }
+
   Extremes extremes;
   double sum; ///< of the finite values
 };
@@ -225,6 +235,13 @@ struct SecondLook
     squares = total(sums);
   }
 
+  void add(const Repeated& repeated, double mean, const Bins& bins)
+  {
+    const double deviation = repeated.value - mean;
+    squares += deviation * deviation * static_cast<double>(repeated.count);
+    counts[bins.of(repeated.value)] += repeated.count;
+  }
+
   double squares; ///< sum of those of the deviations from the mean
   std::vector<std::size_t> counts;
 };
@@ -246,11 +263,13 @@ Histogram makeHistogram(const Bins& bins, const std::vector<std::size_t>& counts
 
 } // namespace
 
-Distribution distributionOf(std::span<const double> values, std::size_t binCount, const Executor& executor)
+Distribution distributionOf(std::span<const double> values, std::size_t binCount, const Executor& executor,
+                            const Repeated& repeated)
 {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const std::size_t atLeastOne = std::max<std::size_t>(binCount, 1);
-  const FirstLook first(values, executor);
+  FirstLook first(values, executor);
+  first.add(repeated);
   const Extremes& extremes = first.extremes;
   Distribution out{{extremes.count, extremes.leastOfAll(), extremes.greatestOfAll(), none, none}, {}};
   if (extremes.count == 0)
@@ -262,7 +281,8 @@ Distribution distributionOf(std::span<const double> values, std::size_t binCount
   const auto count = static_cast<double>(extremes.count);
   const Bins bins(extremes, atLeastOne);
   out.statistics.mean = first.sum / count;
-  const SecondLook second(values, out.statistics.mean, bins, executor);
+  SecondLook second(values, out.statistics.mean, bins, executor);
+  second.add(repeated, out.statistics.mean, bins);
   out.statistics.standardDeviation = std::sqrt(second.squares / count);
   out.histogram = makeHistogram(bins, second.counts, extremes.count);
   return out;

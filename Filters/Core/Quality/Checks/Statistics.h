@@ -36,8 +36,16 @@ struct Distribution
   Histogram histogram;
 };
 
-/// Goes through the values twice. At least one bin is made. The same bits for any number of threads.
+/// Values that are all the same.
+struct Repeated
+{
+  double value = 0.0; ///< finite
+  std::size_t count = 0;
+};
+
+/// Of values and of repeated ones. Goes through the values twice. At least one bin is made. The same bits for any
+/// number of threads.
 Distribution distributionOf(std::span<const double> values, std::size_t binCount,
-                            const Executor& executor = SerialExecutor());
+                            const Executor& executor = SerialExecutor(), const Repeated& repeated = {});
 
 } // namespace atria

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Quality of meshes most of which are regular boxes.
+#pragma once
+
+#include "Quality/Checks/Metrics.h"
+
+#include <optional>
+
+namespace atria {
+
+/// Faces that a mesh is to have.
+struct AskedFaces
+{
+  /// Those of patches, which stay on the boundary.
+  std::span<const BoundaryFaceKey> patches;
+  /// Whether they are to be all of it.
+  bool patchesAreTheBoundary = false;
+  /// Those of face zones, each between its cell and that of `neighbors`.
+  std::span<const BoundaryFaceKey> zones;
+  std::span<const Index> neighbors;
+};
+
+/// The metrics that computeQuality() finds in a mesh, up to rounding, without all of its faces: regular boxes
+/// (RegularBoxes.h) are ideal, and only what is about the others is measured.
+struct QualityByBoxes
+{
+  /// As in RegularBoxes.
+  Buffer<char> isRegular;
+  Buffer<double> volumes;
+  Buffer<double> aspectRatios;
+  std::size_t regularCount = 0;
+  /// Internal faces whose metrics are 0.
+  std::size_t idealFaces = 0;
+  /// The cells that are not regular, in rising order, and their metrics; those of faces are of all but ideal ones.
+  std::vector<Index> others;
+  QualityMetrics metrics;
+};
+
+/// Nothing where few cells are regular, and where something is wrong with cells or faces: makeFaceMesh() of the whole
+/// mesh tells it. The same bits for any number of threads. Throws Aborted when asked to.
+std::optional<QualityByBoxes> computeQualityByBoxes(std::vector<Vec3> points, const CellArrays& cells,
+                                                    const AskedFaces& asked, const RunContext& context);
+
+} // namespace atria
