@@ -200,7 +200,7 @@ public:
   /**
    * Whether stages before layers are kept for the next run, which takes those whose input and properties are the same:
    * after a change of layers all of them, after one of zones or seeds those up to crossings. The mesh is the same in
-   * any case. They take about 200 bytes an element, and 100 more while layers grow; off frees them at once. Default on.
+   * any case. They take 150 to 200 bytes an element; off frees them at once. Default on.
    */
   void SetCacheStages(bool cache);
   vtkGetMacro(CacheStages, bool);

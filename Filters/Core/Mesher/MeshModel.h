@@ -26,7 +26,7 @@ struct ModelOctree
 
 /// What runs leave for later ones: the stages up to layers. A later run takes from it those whose input and options are
 /// the same, bit by bit; its mesh is that of a run without. It may be left with what an aborted run has finished.
-/// About 200 bytes an element, and 100 while layers grow, for a copy of the mesh without them.
+/// 150 to 200 bytes an element, the copy of the mesh that layers are grown on among them.
 class StageCache
 {
 public:
