@@ -136,6 +136,19 @@ std::vector<Vec3> pointsFromVtk(vtkPoints* points, const Executor& executor)
   return out;
 }
 
+VtkPoints::VtkPoints(vtkPoints* points, const Executor& executor)
+{
+  if (auto* doubles = points ? vtkDoubleArray::SafeDownCast(points->GetData()) : nullptr)
+  {
+    static_assert(sizeof(Vec3) == 3 * sizeof(double));
+    points_ = {reinterpret_cast<const Vec3*>(doubles->GetPointer(0)),
+               static_cast<std::size_t>(points->GetNumberOfPoints())};
+    return;
+  }
+  copy_ = pointsFromVtk(points, executor);
+  points_ = copy_;
+}
+
 IdView VtkCells::viewOrCopy(vtkDataArray* array)
 {
   const bool sameLayout = array && array->GetDataTypeSize() == sizeof(std::int64_t) &&

@@ -6,6 +6,7 @@
 #include "Support/Buffer.h"
 #include "Support/Executor.h"
 
+#include <span>
 #include <vector>
 
 class vtkDataArray;
@@ -17,6 +18,21 @@ namespace atria {
 
 /// The points in double precision.
 std::vector<Vec3> pointsFromVtk(vtkPoints* points, const Executor& executor = SerialExecutor());
+
+/// The same without a copy where they are in double precision. VTK's must outlive it, unchanged.
+class VtkPoints
+{
+public:
+  VtkPoints(vtkPoints* points, const Executor& executor);
+  VtkPoints(const VtkPoints&) = delete;
+  VtkPoints& operator=(const VtkPoints&) = delete;
+
+  std::span<const Vec3> view() const { return points_; }
+
+private:
+  std::vector<Vec3> copy_;
+  std::span<const Vec3> points_;
+};
 
 /// A grid's cell arrays: VTK's own where they can be viewed directly, else copies. The grid must outlive it, unchanged.
 class VtkCells

@@ -326,9 +326,9 @@ std::optional<Verdict> measureByBoxes(Outputs& outputs, vtkUnstructuredGrid* vol
   const std::vector<atria::BoundaryFaceKey> patchFaces = patches->keys();
   const std::vector<atria::BoundaryFaceKey> zoneFaces = zones.keys();
   const atria::VtkCells cells(volume);
-  std::optional<atria::QualityByBoxes> quality =
-      atria::computeQualityByBoxes(atria::pointsFromVtk(volume->GetPoints(), context.executor), cells.view(),
-                                   {patchFaces, areRecorded, zoneFaces, zones.neighbors}, context);
+  const atria::VtkPoints points(volume->GetPoints(), context.executor);
+  std::optional<atria::QualityByBoxes> quality = atria::computeQualityByBoxes(
+      points.view(), cells.view(), {patchFaces, areRecorded, zoneFaces, zones.neighbors}, context);
   if (!quality)
   {
     return std::nullopt;

@@ -138,10 +138,11 @@ Sample randomSample(unsigned seed)
 }
 
 std::optional<QualityByBoxes> byBoxes(const SampleMesh& mesh, const AskedFaces& asked = {},
-                                      const atria::Executor& executor = atria::SerialExecutor())
+                                      const atria::Executor& executor = atria::SerialExecutor(),
+                                      std::size_t length = atria::measuredAtOnce)
 {
   atria::SilentMonitor silent;
-  return computeQualityByBoxes(mesh.points, mesh.view(), asked, {executor, atria::ProgressRange(silent)});
+  return computeQualityByBoxes(mesh.points, mesh.view(), asked, {executor, atria::ProgressRange(silent)}, length);
 }
 
 QualityMetrics whole(const SampleMesh& mesh, std::span<const BoundaryFaceKey> patches = {})
@@ -229,15 +230,17 @@ TEST(BoxQuality, IsThatOfTheWholeMesh)
       EXPECT_FALSE(byBoxes(sample.mesh, {patches, false, {}, {}}));
       continue;
     }
-    const std::optional<QualityByBoxes> boxes = byBoxes(sample.mesh, {patches, false, {}, {}});
-    if (boxes)
+    for (const std::size_t length : {300u, 100000u})
     {
-      EXPECT_GT(boxes->regularCount, 0u);
+      const std::optional<QualityByBoxes> boxes =
+          byBoxes(sample.mesh, {patches, false, {}, {}}, atria::SerialExecutor(), length);
+      ASSERT_TRUE(boxes);
+      EXPECT_GT(boxes->regularCount, boxes->others.size());
       expectSame(*boxes, all);
       ++known;
     }
   }
-  EXPECT_GT(known, 10);
+  EXPECT_GT(known, 60);
 }
 
 TEST(BoxQuality, OfAPlainGridOnlyItsBorderIsMeasured)
@@ -266,15 +269,21 @@ TEST(BoxQuality, HasTheSameBitsForAnyNumberOfThreads)
   }
 }
 
-TEST(BoxQuality, LeavesMeshesOfFewBoxesAlone)
+TEST(BoxQuality, OfMeshesWithoutBoxesIsThatOfTheWholeMesh)
 {
-  EXPECT_FALSE(byBoxes(atria::testing::hexahedra({4, 4, 4})));
-  SampleMesh turned = atria::testing::hexahedra({24, 24, 24});
-  for (Vec3& p : turned.points)
+  for (unsigned seed = 1; seed <= 10; ++seed)
   {
-    p = Vec3(0.8 * p[0] - 0.6 * p[1], 0.6 * p[0] + 0.8 * p[1], p[2]);
+    SCOPED_TRACE(seed);
+    const SampleMesh mesh = atria::testing::mixedCells({6, 5, 7}, seed, 0.1);
+    for (const std::size_t length : {7u, 50u})
+    {
+      SCOPED_TRACE(length);
+      const std::optional<QualityByBoxes> boxes = byBoxes(mesh, {}, atria::SerialExecutor(), length);
+      ASSERT_TRUE(boxes);
+      expectSame(*boxes, whole(mesh));
+    }
+    EXPECT_FALSE(byBoxes(mesh)); // it would be one window
   }
-  EXPECT_FALSE(byBoxes(turned));
 }
 
 TEST(BoxQuality, LeavesWhatIsWrongToTheWholeMesh)

@@ -8,6 +8,9 @@
 
 namespace atria {
 
+/// Cells that are measured at once: with those about them, some 80 MB.
+inline constexpr std::size_t measuredAtOnce = 131072;
+
 /// Faces that a mesh is to have.
 struct AskedFaces
 {
@@ -36,9 +39,12 @@ struct QualityByBoxes
   QualityMetrics metrics;
 };
 
-/// Nothing where few cells are regular, and where something is wrong with cells or faces: makeFaceMesh() of the whole
-/// mesh tells it. The same bits for any number of threads. Throws Aborted when asked to.
-std::optional<QualityByBoxes> computeQualityByBoxes(std::vector<Vec3> points, const CellArrays& cells,
-                                                    const AskedFaces& asked, const RunContext& context);
+/// The others are measured in windows of `length` cells and up to twice as many (CellWindow.h), so that no more of
+/// their faces and geometry is there at once. Nothing where that saves nothing, as most cells are to be measured and
+/// there are no two windows of them, and where something is wrong with cells or faces: makeFaceMesh() of the whole mesh
+/// tells it. The same bits for any number of threads. Throws Aborted when asked to.
+std::optional<QualityByBoxes> computeQualityByBoxes(std::span<const Vec3> points, const CellArrays& cells,
+                                                    const AskedFaces& asked, const RunContext& context,
+                                                    std::size_t length = measuredAtOnce);
 
 } // namespace atria
