@@ -129,12 +129,12 @@ void PointSearch::approach(Index movable, const Vec3& place, double least)
   judge.enter(movable, star);
   judge.prepare(star);
   origin = judge.region().points[star.point];
-  const double floor = std::min(judge.scoreOf(star).worst, least);
+  const LookLimits limits{.worst = std::min(judge.scoreOf(star).worst, least)};
   constexpr int halvings = 4;
   double share = 1.0;
   for (int i = 0; i < halvings; ++i, share *= 0.5)
   {
-    if (judge.look(star, i == 0 ? place : Vec3(origin + share * (place - origin))).worst >= floor)
+    if (judge.look(star, i == 0 ? place : Vec3(origin + share * (place - origin)), limits).worst >= limits.worst)
     {
       judge.accept(star);
       return;
