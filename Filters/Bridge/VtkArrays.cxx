@@ -122,8 +122,12 @@ VtkPatches blocksFromVtk(vtkPartitionedDataSetCollection* patches, vtkUnstructur
 
 std::vector<Vec3> pointsFromVtk(vtkPoints* points, const Executor& executor)
 {
-  std::vector<Vec3> out(points ? points->GetNumberOfPoints() : 0);
-  if (auto* doubles = points ? vtkDoubleArray::SafeDownCast(points->GetData()) : nullptr)
+  if (!points)
+  {
+    return {};
+  }
+  std::vector<Vec3> out(static_cast<std::size_t>(points->GetNumberOfPoints()));
+  if (auto* doubles = vtkDoubleArray::SafeDownCast(points->GetData()))
   {
     const double* values = doubles->GetPointer(0);
     executor.forEach(out.size(), 65536, [&](std::size_t i) { out[i] = Vec3(values + 3 * i); });
