@@ -32,6 +32,15 @@ void straighten(ImproverState& state, VertexDetachment& detachment)
   detachment.keepThoseAway();
 }
 
+/// The same where single layers have such faces.
+void straightenWhereNeeded(ImproverState& state, VertexDetachment& detachment)
+{
+  if (!state.traits.divided && !state.findShort(targetsOfLargestAngle(state.traits), 0.0F).empty())
+  {
+    straighten(state, detachment);
+  }
+}
+
 /// Elements that came to need a layer as points moved get one, and what is about it is improved again.
 void supportMore(ImproverState& state, VertexDetachment& detachment)
 {
@@ -41,10 +50,7 @@ void supportMore(ImproverState& state, VertexDetachment& detachment)
     {
       detachment.putBack();
     }
-    if (!state.traits.divided && !state.findShort(targetsOfLargestAngle(state.traits), 0.0F).empty())
-    {
-      straighten(state, detachment);
-    }
+    straightenWhereNeeded(state, detachment);
     state.focus.clear();
   }
 }
@@ -72,6 +78,7 @@ void retreat(ImproverState& state, VertexDetachment& detachment)
     const std::size_t before = countFailing(state);
     VertexDetachment::Kept kept = detachment.keep();
     detachment.beginAnew(bad, attempt.rows, attempt.layered);
+    straightenWhereNeeded(state, detachment);
     supportMore(state, detachment);
     if (countFailing(state) >= before)
     {
