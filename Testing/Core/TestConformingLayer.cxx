@@ -9,9 +9,12 @@
 #include "Support/MeshIt.h"
 #include "Support/Shapes.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <random>
 
 namespace {
@@ -129,6 +132,60 @@ TEST(ConformingLayer, CoversASphereAndABoxWhole)
     EXPECT_DOUBLE_EQ(report.surfaces[0].full, report.surfaces[0].area);
     EXPECT_GT(report.surfaces[0].thickness, 0.5);
   }
+}
+
+/// Ways out of wall faces at those of their angles that are nearly 180 degrees, by point.
+std::map<Index, std::vector<Vec3>> waysOutOfStraight(const DualMesh& mesh)
+{
+  std::map<Index, std::vector<Vec3>> ways;
+  for (const BoundaryFace& face : mesh.boundaryFaces)
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      const Index p = cornerOf(mesh, face, i);
+      const Vec3 before = (mesh.points[cornerOf(mesh, face, i + 3)] - mesh.points[p]).normalized();
+      const Vec3 after = (mesh.points[cornerOf(mesh, face, i + 1)] - mesh.points[p]).normalized();
+      if (before.dot(after) < -0.999)
+      {
+        const Vec3 inwards = mesh.points[cornerOf(mesh, face, i + 2)] - mesh.points[p];
+        ways[p].push_back((inwards.dot(after) * after - inwards).normalized());
+      }
+    }
+  }
+  return ways;
+}
+
+/// Halfway between the normals of the walls about a point, where there are two.
+std::optional<Vec3> halfway(const Layered& layered, Index point)
+{
+  std::map<Index, Vec3> normals;
+  for (const Index f : layered.walls.graph.facesAt(point))
+  {
+    const BoundaryFace& face = layered.plain().boundaryFaces[f];
+    normals[face.chart] = wallNormal(layered.plain(), face).normalized();
+  }
+  return normals.size() == 2 ? std::optional((normals.begin()->second + normals.rbegin()->second).normalized())
+                             : std::nullopt;
+}
+
+TEST(ConformingLayer, LeansOutOfFacesThatAreStraightOnACrease)
+{
+  TriangleSurface box;
+  addBox(box, "Solid", {Vec3(-1.1, -0.9, -0.7), Vec3(0.8, 1.2, 1.0)});
+  const Eigen::AngleAxisd turn(0.5, Vec3(1.0, 2.0, 3.0).normalized());
+  std::ranges::transform(box.points, box.points.begin(), [&](const Vec3& p) { return Vec3(turn * p); });
+  const Layered layered(meshAll(box, gridOf(0.2)), single);
+  std::size_t leaning = 0;
+  for (const auto& [p, ways] : waysOutOfStraight(layered.plain()))
+  {
+    const std::optional<Vec3> upright = halfway(layered, p);
+    if (upright && ways.size() == 1 && layered.one.copies[p] != noIndex)
+    {
+      EXPECT_GT((layered.wayOf(p).normalized() - *upright).dot(ways[0]), 0.1);
+      ++leaning;
+    }
+  }
+  EXPECT_GT(leaning, 20u);
 }
 
 TEST(ConformingLayer, TapersToNothingAtTheBoundaryEdgeOfASheet)

@@ -266,11 +266,12 @@ LayerMesh growLayer(const DualMesh& plain, const LayerWalls& walls, const LayerO
     return buildLayer(plain, walls, counts, context.executor);
   }
   const std::vector<Vec3> normals = wallNormals(plain, context);
-  const std::vector<LayerDirection> directions = findDirections(plain, walls, normals, counts, options, context);
+  std::vector<LayerDirection> directions = findDirections(plain, walls, normals, counts, options, context);
   for (std::size_t p = 0; p < counts.size(); ++p)
   {
     counts[p] = directions[p].cosine < feasibleCosine ? 0 : counts[p];
   }
+  leanFromStraight(plain, walls, normals, directions);
   dropFlat(plain, walls, normals, directions, counts);
   LayerMesh layer = buildLayer(plain, walls, counts, context.executor);
   Spacing(plain, layer, directions, thicknesses(plain, walls, counts, options, context), context).run();

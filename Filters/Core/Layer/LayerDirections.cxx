@@ -14,6 +14,10 @@ namespace {
 constexpr double tiny = 1e-6;
 /// Faces of a side that slope by more are off its plane.
 constexpr double sideSlope = 1e-5;
+/// An angle of a wall face is straight if its sine is below this: within 6 degrees of 180.
+constexpr double straightSine = 0.1;
+/// How far directions lean there, as a part of the height: it makes the prism's convexity what is aimed at.
+constexpr double lean = 0.25;
 
 /// Takes directions out of space until a plane, a line or a point is left.
 class Subspace
@@ -187,6 +191,37 @@ DirectionProblem problemAt(const DualMesh& mesh, const LayerWalls& walls, const 
   return problem;
 }
 
+/// Ways out of the wall faces that have an angle of nearly 180 degrees, by the point where it is.
+std::vector<Vec3> waysFromStraight(const DualMesh& mesh, const LayerWalls& walls, const std::vector<Vec3>& normals)
+{
+  std::vector<Vec3> ways(mesh.points.size(), Vec3::Zero());
+  for (Index f = 0; f < walls.roles.size(); ++f)
+  {
+    const std::array<Index, 4> corners = cornersOf(mesh, mesh.boundaryFaces[f]);
+    for (std::size_t i = 0; i < 4 && walls.roles[f] == FaceRole::wall; ++i)
+    {
+      const Vec3 before = mesh.points[corners[(i + 3) % 4]] - mesh.points[corners[i]];
+      const Vec3 after = mesh.points[corners[(i + 1) % 4]] - mesh.points[corners[i]];
+      const double length = before.norm() * after.norm();
+      if (before.dot(after) < 0.0 && before.cross(after).norm() < straightSine * length)
+      {
+        ways[corners[i]] += normals[f].cross(after - before).normalized();
+      }
+    }
+  }
+  return ways;
+}
+
+double leastCosine(const Vec3& direction, std::span<const Index> faces, const std::vector<Vec3>& normals)
+{
+  double least = 1.0;
+  for (const Index f : faces)
+  {
+    least = std::min(least, direction.dot(normals[f].normalized()));
+  }
+  return least;
+}
+
 } // namespace
 
 LayerDirection solveDirection(const DirectionProblem& problem)
@@ -248,6 +283,28 @@ std::vector<LayerDirection> findDirections(const DualMesh& mesh, const LayerWall
     }
   });
   return out;
+}
+
+void leanFromStraight(const DualMesh& mesh, const LayerWalls& walls, const std::vector<Vec3>& normals,
+                      std::vector<LayerDirection>& directions)
+{
+  const std::vector<Vec3> ways = waysFromStraight(mesh, walls, normals);
+  for (Index p = 0; p < directions.size(); ++p)
+  {
+    const Vec3& direction = directions[p].direction;
+    const Vec3 way = ways[p] - direction.dot(ways[p]) * direction;
+    const auto star = walls.graph.facesAt(p);
+    if (way.isZero() || std::ranges::any_of(star, [&](Index f) { return walls.roles[f] != FaceRole::wall; }))
+    {
+      continue;
+    }
+    const Vec3 leaning = (direction + lean / std::max(1.0, way.norm()) * way).normalized();
+    const double cosine = leastCosine(leaning, star, normals);
+    if (cosine >= feasibleCosine)
+    {
+      directions[p] = {leaning, cosine};
+    }
+  }
 }
 
 } // namespace atria

@@ -49,4 +49,9 @@ std::vector<LayerDirection> findDirections(const DualMesh& mesh, const LayerWall
                                            const std::vector<Vec3>& normals, const std::vector<Index>& counts,
                                            const LayerOptions& options, const RunContext& context);
 
+/// Where a wall face has two edges on a crease, the prism on it would have two faces in one plane. Directions there
+/// lean away from that face, if they stay off all walls.
+void leanFromStraight(const DualMesh& mesh, const LayerWalls& walls, const std::vector<Vec3>& normals,
+                      std::vector<LayerDirection>& directions);
+
 } // namespace atria
