@@ -63,6 +63,10 @@ void VertexDetachment::mend(const std::vector<ShortCell>& cells)
     {
       return;
     }
+    if (step == RoomStep::leaveSides && state_.classification.turnedSides.empty())
+    {
+      return;
+    }
     if (step == RoomStep::widenSupport && !state_.traits.supported)
     {
       continue;
@@ -127,10 +131,6 @@ void VertexDetachment::leaveCurve(Index leader)
 /// Only points of cells that are not valid leave the sides: what falls short by its determinant is at two of them.
 void VertexDetachment::leaveSides()
 {
-  if (state_.classification.turnedSides.empty())
-  {
-    return;
-  }
   QualityTargets valid;
   valid.convex = valid.decomposed = false;
   valid.weight.limit = valid.volumeRatio.limit = 0.0;
