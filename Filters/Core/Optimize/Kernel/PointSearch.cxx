@@ -13,7 +13,7 @@ namespace {
 constexpr double difference = 1e-3; ///< of the cells' size, for derivatives
 constexpr double leastTrust = 1e-3;
 constexpr double mostTrust = 0.5;
-constexpr int tries = 4;
+constexpr int tries = 2;
 /// Of measures that are nothing but rounding.
 constexpr double noise = 1e-6;
 constexpr double badAnyway = 0.3;
