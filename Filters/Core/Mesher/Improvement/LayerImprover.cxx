@@ -41,17 +41,29 @@ void straightenWhereNeeded(ImproverState& state, VertexDetachment& detachment)
   }
 }
 
-/// Elements that came to need a layer as points moved get one, and what is about it is improved again.
+/// Elements at some points get a layer, and what is about it is improved again.
+void supportAt(const std::vector<char>& points, ImproverState& state, VertexDetachment& detachment)
+{
+  addSupport(state, points);
+  if (detachment.improveAndMend())
+  {
+    detachment.putBack();
+  }
+  straightenWhereNeeded(state, detachment);
+  state.focus.clear();
+}
+
+/// Those that came to need one as points moved.
 void supportMore(ImproverState& state, VertexDetachment& detachment)
 {
-  for (int round = 0; round < mostSupportRounds && addSupport(state); ++round)
+  for (int round = 0; round < mostSupportRounds; ++round)
   {
-    if (detachment.improveAndMend())
+    const std::vector<char> points = pointsToSupport(state);
+    if (points.empty())
     {
-      detachment.putBack();
+      return;
     }
-    straightenWhereNeeded(state, detachment);
-    state.focus.clear();
+    supportAt(points, state, detachment);
   }
 }
 
@@ -87,6 +99,25 @@ void retreat(ImproverState& state, VertexDetachment& detachment)
   }
 }
 
+/// Divides layers. Where elements need a layer that was not asked for as points have moved, they get it before, and all
+/// are divided again.
+void divide(ImproverState& state, VertexDetachment& detachment)
+{
+  for (int round = 0; state.traits.supported && round < mostDividedAgain; ++round)
+  {
+    VertexDetachment::Kept whole = detachment.keep();
+    LayerDivision(state).run();
+    const std::vector<char> points = pointsToSupport(state);
+    if (points.empty())
+    {
+      return;
+    }
+    detachment.takeAgain(std::move(whole));
+    supportAt(points, state, detachment);
+  }
+  LayerDivision(state).run();
+}
+
 } // namespace
 
 ImprovedLayer improveLayer(const MeshingContext& context, const VertexClassification& classification,
@@ -116,8 +147,11 @@ ImprovedLayer improveLayer(const MeshingContext& context, const VertexClassifica
   }
   if (traits.supported)
   {
-    addSupport(state);
-    state.focus.clear();
+    if (const std::vector<char> points = pointsToSupport(state); !points.empty())
+    {
+      addSupport(state, points);
+      state.focus.clear();
+    }
   }
   detachment.improveAndMend();
   enter(0.4, 0.5, "Putting vertices back");
@@ -127,7 +161,7 @@ ImprovedLayer improveLayer(const MeshingContext& context, const VertexClassifica
     enter(0.5, 0.7, "Dividing layers");
     supportMore(state, detachment);
     retreat(state, detachment);
-    LayerDivision(state).run();
+    divide(state, detachment);
   }
   if (isCurved)
   {

@@ -40,19 +40,23 @@ void doublePoints(ImproverState& state, const std::vector<char>& points)
 
 } // namespace
 
-bool addSupport(ImproverState& state)
+std::vector<char> pointsToSupport(ImproverState& state)
 {
   std::vector<Index> elements = findConcaveAtWalls(state.layer.mesh, state.context);
   std::ranges::transform(badOf(state.findShort(targetsOfSupport(state.traits))), std::back_inserter(elements),
                          &ShortCell::cell);
-  const std::vector<char> doubled = pointsToDouble(state, elements);
-  if (std::ranges::find(doubled, 1) == doubled.end())
+  std::vector<char> points = pointsToDouble(state, elements);
+  if (std::ranges::find(points, 1) == points.end())
   {
-    return false;
+    points.clear();
   }
+  return points;
+}
+
+void addSupport(ImproverState& state, const std::vector<char>& points)
+{
   state.focus.assign(state.layer.plainPoints, 0);
-  doublePoints(state, doubled);
-  return true;
+  doublePoints(state, points);
 }
 
 void widenSupport(ImproverState& state, const std::vector<ShortCell>& cells)

@@ -6,10 +6,13 @@
 
 namespace atria {
 
-/// Gives a layer to elements at walls for which none was asked: to those that are concave at walls (see
-/// findConcaveAtWalls), and to those with too few neighbors. The state's focus is on what this changes then. Returns
-/// whether there were any that can have one.
-bool addSupport(ImproverState& state);
+/// The points of the plain mesh, marked, that are to have a layer for which none was asked: those of elements that are
+/// concave at walls (see findConcaveAtWalls), and of those with too few neighbors. Empty where there are none that can
+/// have one.
+std::vector<char> pointsToSupport(ImproverState& state);
+
+/// Gives them the layer. The state's focus is on what this changes then.
+void addSupport(ImproverState& state, const std::vector<char>& points);
 
 /// Gives a layer to the walls of all elements that have a point of one of some cells, or a point above it.
 void widenSupport(ImproverState& state, const std::vector<ShortCell>& cells);
