@@ -147,11 +147,8 @@ ImprovedLayer improveLayer(const MeshingContext& context, const VertexClassifica
   }
   if (traits.supported)
   {
-    if (const std::vector<char> points = pointsToSupport(state); !points.empty())
-    {
-      addSupport(state, points);
-      state.focus.clear();
-    }
+    addSupport(state, pointsToSupport(state));
+    state.focus.clear();
   }
   detachment.improveAndMend();
   enter(0.4, 0.5, "Putting vertices back");

@@ -55,6 +55,10 @@ std::vector<char> pointsToSupport(ImproverState& state)
 
 void addSupport(ImproverState& state, const std::vector<char>& points)
 {
+  if (points.empty())
+  {
+    return;
+  }
   state.focus.assign(state.layer.plainPoints, 0);
   doublePoints(state, points);
 }
