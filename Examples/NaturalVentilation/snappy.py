@@ -2,10 +2,13 @@
 """The same building for OpenFOAM's snappyHexMesh: sheets as baffles, openings as face zones, the same sizes."""
 
 import math
-import os
+import pathlib
+import sys
 
-import make_building
-from snappy_dictionaries import begin, block_mesh, controls, fans, stl, words, write, write_feature_extraction
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent / "Study"))
+
+import make_building  # noqa: E402
+from snappy_dictionaries import begin, block_mesh, controls, fans, stl, words, write, write_feature_extraction  # noqa: E402
 
 SNAPPY = """
 castellatedMesh true; snap true; addLayers false;
@@ -58,6 +61,5 @@ def write_case(folder, finest, far, site):
                            for name in walls | openings),
         ground_low=words((x0, y0, 0.0)), ground_high=words((x1, y1, finest)), level=level,
         inside=words((x0 + 1.1, y0 + 1.3, box[2][1] - 1.7))) + controls(snap=True))
-    os.environ.setdefault("WM_PROJECT_DIR", "/usr/share/openfoam")
     return {name: [name, "-case", folder, *(["-overwrite"] if name == "snappyHexMesh" else [])]
             for name in ("blockMesh", "surfaceFeatureExtract", "snappyHexMesh")}

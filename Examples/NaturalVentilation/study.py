@@ -10,17 +10,15 @@ Usage: study.py ATRIA OUT [ROW ...]     (PYTHONPATH must hold the package `atria
        study.py --list
 """
 
-import dataclasses
-import json
 import pathlib
-import shutil
-import subprocess
 import sys
-import time
 from dataclasses import dataclass
 
-import make_building
-import snappy
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent / "Study"))
+
+import make_building  # noqa: E402
+import snappy  # noqa: E402
+from kept_rows import Failed, go_on, known, lines_of, run  # noqa: E402
 
 WIND = ("--from", "180", "--speed", "4", "--height", "10", "--roughness", "0.1")
 NEAR_GROUND = 8.0  # of domains that are too large for fine ground, meters
@@ -55,21 +53,6 @@ def rows():
     """Each once, those that take least first."""
     found = {row.name: row for table in TABLES.values() for row in table}
     return sorted(found.values(), key=lambda row: row.far == row.finest)
-
-
-class Failed(Exception):
-    pass
-
-
-def run(command, folder, name):
-    """Runs a command, its output in a log; returns its seconds."""
-    log = folder / f"log.{name}"
-    begin = time.monotonic()
-    with open(log, "w", encoding="utf-8") as output:
-        status = subprocess.run([str(word) for word in command], stdout=output, stderr=subprocess.STDOUT, check=False).returncode
-    if status not in (0, 5):  # 5: written, but it fails checks of checkMesh, which the row tells
-        raise Failed(f"{name} ended with {status}: see {log}")
-    return time.monotonic() - begin
 
 
 def mesh_by_atria(atria, row, model, folder):
@@ -113,32 +96,14 @@ def measure(case):
     }
 
 
-def make(atria, row, out):
-    folder = out / "rows" / row.name
-    shutil.rmtree(folder, ignore_errors=True)
-    folder.mkdir(parents=True)
+def make(atria, row, folder):
     model = folder / "school.wrl"
     make_building.main(model, *row.site)
     mesh, seconds = mesh_by_atria(atria, row, model, folder) if row.mesher == "atria" else mesh_by_snappy(row, folder)
     case = folder / "case"
     run([atria, "case", mesh, "-o", case, *WIND, "--iterations", row.most_iterations], folder, "case")
     run([case / "Allrun"], folder, "run")
-    result = {**dataclasses.asdict(row), "mesh_seconds": seconds, **measure(case)}
-    (out / "results").mkdir(exist_ok=True)
-    target = out / "results" / f"{row.name}.json"
-    target.with_suffix(".part").write_text(json.dumps(result, indent=1) + "\n")
-    target.with_suffix(".part").rename(target)
-    shutil.rmtree(folder)
-
-
-def known(row, out):
-    """The row's result; None where there is none, or one of other settings."""
-    try:
-        result = json.loads((out / "results" / f"{row.name}.json").read_text())
-    except (OSError, ValueError):
-        return None
-    settings = json.loads(json.dumps(dataclasses.asdict(row)))
-    return result if all(result.get(key) == value for key, value in settings.items()) else None
+    return {"mesh_seconds": seconds, **measure(case)}
 
 
 HEAD = ("row", "finest–far, m", "layers", "elements", "meshing, s", "solving, s", "iterations", "residuals", "air changes, 1/h",
@@ -161,28 +126,16 @@ def cells(row, result, first):
 def table(title, members, out):
     results = {row: known(row, out) for row in members}
     first = next(iter(results.values()))
-    lines = [HEAD, ["---"] * len(HEAD), *(cells(row, result, first) for row, result in results.items())]
-    return "\n".join([f"## {title}", "", *("| " + " | ".join(map(str, line)) + " |" for line in lines), ""])
+    return f"## {title}\n\n{lines_of(HEAD, [cells(row, result, first) for row, result in results.items()])}\n"
+
+
+def tables(out):
+    return "\n".join(table(title, members, out) for title, members in TABLES.items())
 
 
 def main(atria, out, *names):
-    out = pathlib.Path(out)
-    wanted = [row for row in rows() if not names or row.name in names]
-    if unknown := set(names) - {row.name for row in wanted}:
-        sys.exit(f"study.py: there is no row {', '.join(sorted(unknown))}; --list names them")
-    failures = 0
-    for row in wanted:
-        if known(row, out):
-            continue
-        print(f"{row.name} …", flush=True)
-        try:
-            make(pathlib.Path(atria).resolve(), row, out)
-        except Failed as failure:
-            failures += 1
-            print(f"{row.name}: {failure}", file=sys.stderr)
-        (out / "tables.md").write_text("\n".join(table(title, members, out) for title, members in TABLES.items()))
-    print(f"In {out}: tables.md")
-    return 1 if failures else 0
+    atria = pathlib.Path(atria).resolve()
+    return go_on(lambda row, folder: make(atria, row, folder), rows(), tables, out, names)
 
 
 if __name__ == "__main__":

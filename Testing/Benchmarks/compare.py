@@ -29,7 +29,7 @@ import numpy
 
 HERE = pathlib.Path(__file__).resolve().parent
 EXAMPLES = HERE.parents[1] / "Examples"
-sys.path[:0] = [str(HERE), str(EXAMPLES / "Data"), str(EXAMPLES / "NaturalVentilation")]
+sys.path[:0] = [str(HERE), str(EXAMPLES / "Data"), str(EXAMPLES / "Study")]
 
 import make_building  # noqa: E402
 import make_sphere  # noqa: E402
