@@ -1,0 +1,50 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Writes tower.wrl: a square building twice as high as wide in a wind tunnel, and the tunnel's floor.
+
+Lengths are in meters of the tunnel's model, Z is up, the wind comes along x. The building stands about the origin. Of
+the tunnel only the half at y > 0 is meshed: the mean flow is the same on both sides.
+
+Usage: make_building.py FILE.wrl
+"""
+
+import pathlib
+import sys
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent / "Data"))
+
+from vrml_text import surface  # noqa: E402
+
+WIDTH = 0.08  # b
+HEIGHT = 2 * WIDTH
+DOMAIN = ((-4 * WIDTH, 8 * WIDTH), (0.0, 3 * WIDTH), (0.0, 5 * WIDTH))
+# Where elements are as at the building: about it, and over its wake.
+NEAR = ((-WIDTH, 3.5 * WIDTH), (0.0, 1.25 * WIDTH), (0.0, 2.75 * WIDTH))
+
+
+def box(xs, ys, zs):
+    """A closed solid, faces outward."""
+    (x0, x1), (y0, y1), (z0, z1) = xs, ys, zs
+    floor = [(x0, y0), (x0, y1), (x1, y1), (x1, y0)]
+    sides = [[(*a, z0), (*b, z0), (*b, z1), (*a, z1)] for a, b in zip(floor[1:] + floor[:1], floor)]
+    return [[(*p, z0) for p in floor], [(*p, z1) for p in floor[::-1]], *sides]
+
+
+def building():
+    return box((-WIDTH / 2, WIDTH / 2), (-WIDTH / 2, WIDTH / 2), (0.0, HEIGHT))
+
+
+def ground():
+    (x0, x1), (_, y1), _ = DOMAIN
+    return [[(x0, -y1, 0.0), (x1, -y1, 0.0), (x1, y1, 0.0), (x0, y1, 0.0)]]
+
+
+def main(file):
+    parts = [surface("Building", building()), surface("Ground", ground())]
+    pathlib.Path(file).write_text("#VRML V2.0 utf8\n# Written by make_building.py. Meters, Z up.\n" + "".join(parts))
+
+
+if __name__ == "__main__":
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
+    main(sys.argv[1])

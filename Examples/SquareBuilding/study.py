@@ -1,0 +1,166 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The tables of docs/validation.md: wind about a square building, by meshes of several kinds, against measurement.
+
+Each row has its mesh made, its case run by OpenFOAM on one processor, and what was measured written as JSON to
+OUT/results. Rows that are there are not made again, so that the study goes on where it stopped. A row that fails is
+told and left out. OUT/tables.md has the tables of what there is.
+
+Usage: study.py ATRIA OUT [ROW ...]     (PYTHONPATH must hold the package `atria`)
+       study.py --list
+"""
+
+import math
+import pathlib
+import sys
+from dataclasses import dataclass
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent / "Study"))
+
+import make_building  # noqa: E402
+import reference  # noqa: E402
+import snappy  # noqa: E402
+from convergence import convergence  # noqa: E402
+from kept_rows import go_on, known, lines_of, run  # noqa: E402
+
+B = make_building.WIDTH
+GROUND, FAR = 2, 4  # sizes on the ground and far away of adaptive meshes, in finest sizes
+MODELS = {"realizable": "realizable k-epsilon", "k-epsilon": "k-epsilon", "k-omega-sst": "k-omega SST"}
+
+
+@dataclass(frozen=True)
+class Row:
+    name: str
+    kind: str  # uniform, adaptive, layered: by Atria; snappy: by snappyHexMesh
+    across: int  # elements across the building's width
+    turbulence: str = "realizable"
+    inflow: str = "measured"  # or logarithmic, as the case has it by itself
+    most_iterations: int = 300  # the drag changes by less than 1e-4 of itself from then on; on uniform meshes later
+
+    @property
+    def finest(self):
+        return B / self.across
+
+
+KINDS = {"uniform": (8, 12, 16), "adaptive": (8, 12, 16, 24), "layered": (8, 12, 16, 24), "snappy": (8, 12, 16, 24)}
+FAMILIES = {kind: [Row(f"{kind}{across}", kind, across, most_iterations=400 if kind == "uniform" else 300) for across in sizes]
+            for kind, sizes in KINDS.items()}
+OTHERS = [FAMILIES["layered"][2], Row("k-epsilon", "layered", 16, turbulence="k-epsilon"),
+          Row("k-omega-sst", "layered", 16, turbulence="k-omega-sst"), Row("logarithmic", "layered", 16, inflow="logarithmic")]
+TRUSTED = FAMILIES["uniform"][-1]  # the mesh that others are compared with
+
+
+def rows():
+    """Each once, those that take least first."""
+    found = {row.name: row for row in [*sum(FAMILIES.values(), []), *OTHERS]}
+    return sorted(found.values(), key=lambda row: (row.across**3) * (10 if row.kind == "uniform" else 1))
+
+
+def mesh_by_atria(atria, row, model, folder):
+    adaptive = row.kind != "uniform"
+    bounds = [c for pair in make_building.DOMAIN for c in pair]
+    command = [atria, "mesh", model, "-o", folder / "mesh.vtu", "--domain", *bounds, "--size-min", row.finest, "--size-mid",
+               row.finest, "--size-max", FAR * row.finest if adaptive else row.finest, "--layers", int(row.kind == "layered"),
+               "--start-level", 3, "--threads", 1]
+    if adaptive:
+        near = [c for pair in make_building.NEAR for c in pair]
+        command += ["--size", "Ground", GROUND * row.finest, "--refine-box", *near, row.finest]
+    return folder / "mesh.vtu", run(command, folder, "mesh")
+
+
+def mesh_by_snappy(row, folder):
+    case = folder / "snappy"
+    commands = snappy.write_case(case, row.finest, GROUND * row.finest, FAR * row.finest)
+    return case, sum(run(command, folder, name) for name, command in commands.items())
+
+
+def make(atria, row, folder):
+    from measures import measure
+
+    model = folder / "tower.wrl"
+    make_building.main(model)
+    mesh, seconds = mesh_by_snappy(row, folder) if row.kind == "snappy" else mesh_by_atria(atria, row, model, folder)
+    case = folder / "case"
+    wind = ["--speed", reference.SPEED, "--height", make_building.HEIGHT, "--roughness", reference.ROUGHNESS]
+    if row.inflow == "measured":
+        wind += reference.inflow_conditions("xMin", row.turbulence == "k-omega-sst")
+    run([atria, "case", mesh, "-o", case, *wind, "--turbulence", row.turbulence, "--iterations", row.most_iterations], folder,
+        "case")
+    run([case / "Allrun"], folder, "run")
+    run(["simpleFoam", "-postProcess", "-func", "wallShearStress", "-latestTime", "-case", case], folder, "friction")
+    return {"mesh_seconds": seconds, **measure(case)}
+
+
+def length(value):
+    """Of reversed flow, as a table has it: 'none', or beyond where it was looked for."""
+    return "none" if value is None else "beyond" if math.isinf(value) else f"{value:.2f}"
+
+
+def difference(result, other, plane):
+    """Root of the mean square of differences of U/U_H in a plane; `other` are values by place."""
+    pairs = [(a, b) for x, values in result["profiles"][plane].items() for a, b in zip(values, other[x])]
+    return math.sqrt(sum((a - b) ** 2 for a, b in pairs) / len(pairs))
+
+
+def by_text(places):
+    """Places as JSON has them."""
+    return {str(x): values for x, values in places.items()}
+
+
+MEASURED = {"middle": by_text(reference.MIDDLE), "near_ground": by_text(reference.NEAR_GROUND)}
+HEAD = ("row", "elements", "worst angle", "meshing, s", "solving, s", "iterations", "residuals", "roof", "wake", "drag",
+        "middle plane", "near the ground", "against trusted")
+
+
+def cells(row, out):
+    result, trusted = known(row, out), known(TRUSTED, out)
+    if result is None:
+        return [row.name, "not run", *[""] * (len(HEAD) - 2)]
+    against = difference(result, trusted["profiles"]["middle"], "middle") if trusted and row != TRUSTED else None
+    return [row.name, f"{result['cells']:,}", f"{result['worst_non_orthogonality']:.0f}°", f"{result['mesh_seconds']:.1f}",
+            f"{result['solve_seconds']:.0f}", result["iterations"], f"{max(result['residuals'].values()):.0e}",
+            length(result["roof"]), length(result["wake"]), f"{result['drag']:.3f}",
+            f"{difference(result, MEASURED['middle'], 'middle'):.3f}",
+            f"{difference(result, MEASURED['near_ground'], 'near_ground'):.3f}", "" if against is None else f"{against:.3f}"]
+
+
+def convergences(out):
+    """A line for each three sizes of a family and each quantity: its values, the finest last, and what they tend to."""
+    for kind, family in FAMILIES.items():
+        for three in zip(family[2:], family[1:], family):
+            results = [known(row, out) for row in three]
+            if all(results):
+                for quantity in ("roof", "wake", "drag"):
+                    values = [result[quantity] for result in results]
+                    if all(value is not None and math.isfinite(value) for value in values):
+                        yield [kind, ", ".join(str(row.across) for row in three[::-1]), quantity, *tendency(three, values)]
+
+
+def tendency(three, values):
+    found = convergence([row.finest for row in three], values)
+    limit = ["", "", ""] if found.kind == "diverging" else [f"{found.order:.1f}", f"{found.limit:.3f}", f"{100 * found.index:.1f} %"]
+    return [*(f"{value:.3f}" for value in values[::-1]), found.kind, *limit]
+
+
+def tables(out):
+    groups = {**{kind.capitalize(): family for kind, family in FAMILIES.items()}, "Models and wind": OTHERS}
+    parts = [(title, lines_of(HEAD, [cells(row, out) for row in members])) for title, members in groups.items()]
+    head = ("meshes", "elements across b", "quantity", "coarse", "medium", "fine", "convergence", "order", "limit", "index")
+    parts.append(("Grid convergence", lines_of(head, convergences(out))))
+    published = [("measured", reference.ROOF_LENGTH, reference.WAKE_LENGTH), *reference.PUBLISHED]
+    parts.append(("Published", lines_of(("by", "roof", "wake"), published)))
+    return "\n".join(f"## {title}\n\n{table}\n" for title, table in parts)
+
+
+def main(atria, out, *names):
+    atria = pathlib.Path(atria).resolve()
+    return go_on(lambda row, folder: make(atria, row, folder), rows(), tables, out, names)
+
+
+if __name__ == "__main__":
+    if sys.argv[1:] == ["--list"]:
+        print("\n".join(row.name for row in rows()))
+    elif len(sys.argv) < 3:
+        sys.exit(__doc__)
+    else:
+        sys.exit(main(*sys.argv[1:]))
