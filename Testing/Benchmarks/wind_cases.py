@@ -3,7 +3,9 @@
 """Whether cases run as they are made: each model is meshed with --openings and default sizes, and the wind is run about
 it for a hundred iterations. Prints a table.
 
-Usage: wind_cases.py ATRIA OUT MOST_ELEMENTS MODEL ...    Folders are searched for models; PYTHONPATH must hold `atria`
+Usage: wind_cases.py ATRIA OUT MOST_ELEMENTS MODEL ... [-- OPTION ...]
+
+Folders are searched for models. Options are those of `atria mesh`, such as the unit. PYTHONPATH must hold `atria`.
 """
 
 import json
@@ -49,12 +51,12 @@ def outcome(case):
     return word, last, speed.last() if speed else float("nan")
 
 
-def measured(atria, model, folder, most_elements):
+def measured(atria, model, folder, most_elements, options):
     """A line of the table."""
     folder.mkdir(parents=True, exist_ok=True)
     begin = time.monotonic()
     mesh, case = folder / "mesh.vtu", folder / "case"
-    status = run([atria, "mesh", model, "-o", mesh, "--openings", "--max-elements", most_elements], folder / "log.mesh")
+    status = run([atria, "mesh", model, "-o", mesh, "--openings", "--max-elements", most_elements, *options], folder / "log.mesh")
     if status not in (0, 4, 5):
         return f"| {model.name} | no mesh: {last_line(folder / 'log.mesh')} | | | | |"
     if run([atria, "case", mesh, "-o", case, "--iterations", ITERATIONS], folder / "log.case") != 0:
@@ -77,11 +79,13 @@ def models_in(places):
         yield from (path for path in found if path.name.lower().endswith(ENDINGS))
 
 
-def main(atria, out, most_elements, *places):
+def main(atria, out, most_elements, *arguments):
+    end = arguments.index("--") if "--" in arguments else len(arguments)
+    places, options = arguments[:end], arguments[end + 1:]
     print("| model | elements | worst angle | failed checks | rooms, openings | outcome, mean speed of pedestrians |\n"
           "|---|---|---|---|---|---|", flush=True)
     for model in models_in(places):
-        print(measured(atria, model, pathlib.Path(out) / model.name, most_elements), flush=True)
+        print(measured(atria, model, pathlib.Path(out) / model.name, most_elements, options), flush=True)
 
 
 if __name__ == "__main__":
