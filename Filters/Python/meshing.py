@@ -6,6 +6,8 @@ from __future__ import annotations
 import base64
 import difflib
 import html
+import math
+import numbers
 import os
 import pathlib
 import warnings
@@ -25,6 +27,8 @@ from .picture import picture_of
 Model = Union[str, "os.PathLike[str]", vtkDataObject, vtkAlgorithm]
 Point = Sequence[float]
 
+# Files that end so are VRML even without its header.
+_VRML = (".wrl", ".vrml", ".wrz", ".wrl.gz", ".vrml.gz")
 _UNITS = {"m": "Meters", "mm": "Millimeters", "cm": "Centimeters", "in": "Inches", "ft": "Feet"}
 _SHAPES = {
     "hexahedra": VTK_HEXAHEDRON, "wedges": VTK_WEDGE, "pyramids": VTK_PYRAMID, "tetrahedra": VTK_TETRA,
@@ -108,12 +112,23 @@ class Result:
         return f"<div><table>{rows}</table>{image}</div>"
 
 
-def _reader_of(file, unit, up, without):
+def _class_of_reader(file):
     from . import vtkAtriaModelReader, vtkAtriaVRMLReader
 
+    if file.is_dir():
+        raise Error(f"{file} is a folder; name a file")
     if not file.is_file():
         raise Error(f"{file} does not exist")
-    reader = vtkAtriaModelReader() if vtkAtriaModelReader.CanReadFile(str(file)) else vtkAtriaVRMLReader()
+    if vtkAtriaModelReader.CanReadFile(str(file)):
+        return vtkAtriaModelReader
+    if not file.name.lower().endswith(_VRML) and not vtkAtriaVRMLReader.CanReadFile(str(file)):
+        raise Error(f"{file} is of no format that is known; give VRML ({', '.join(_VRML)}), or a file that ends in one of "
+                    f"{vtkAtriaModelReader.GetFileExtensions()}")
+    return vtkAtriaVRMLReader
+
+
+def _reader_of(file, unit, up, without):
+    reader = _class_of_reader(file)()
     reader.SetFileName(str(file))
     if unit is not None:
         if unit not in _UNITS:
@@ -147,6 +162,9 @@ def _connect(mesher, model, unit, up, without):
 
 def _set_sizes(mesher, size, size_max, size_min):
     """Those that are not given are in the ratio of the defaults to those that are; without any they are suggested."""
+    for name, value in (("size", size), ("size_max", size_max), ("size_min", size_min)):
+        if value is not None and not (isinstance(value, numbers.Real) and 0 < value < math.inf):
+            raise Error(f"{name} is {value!r}; it must be a number more than 0")
     mid, low, high = mesher.GetSizeMid(), mesher.GetSizeMin(), mesher.GetSizeMax()
     if size is None and size_max is None and size_min is None:
         mesher.SuggestSizes()
@@ -188,6 +206,15 @@ def _set_layers(mesher, layers):
             mesher.SetNumberOfLayers(value)
         else:
             mesher.AddLayerRule(pattern, *(value if isinstance(value, Sequence) else [value]))
+
+
+def _set_seeds(mesher, seeds):
+    points = list(seeds)
+    if len(points) == 3 and all(isinstance(number, numbers.Real) for number in points):
+        points = [points]  # one point, not a list of them
+    for point in points:
+        mesher.SetZoneRule(mesher.Seeds)
+        mesher.AddSeed(*point)
 
 
 def _set_properties(mesher, properties):
@@ -289,10 +316,10 @@ def mesh(
     wind: float = 0.0,
     ground: str | None = None,
     terrain: str | None = None,
-    seeds: Iterable[Point] = (),
+    seeds: Union[Point, Iterable[Point]] = (),
     unit: str | None = None,
     up: str | None = None,
-    without: Iterable[str] = (),
+    without: Union[str, Iterable[str]] = (),
     **properties: Any,
 ) -> Result:
     """Meshes the air about a model, or in it. Lengths are in meters.
@@ -309,9 +336,9 @@ def mesh(
     wind        where it blows to, degrees from x, counterclockwise
     ground      name of the surface that is flat ground; "Site" by default
     terrain     pattern of the names of surfaces that are terrain
-    seeds       points; what they reach is meshed, in place of what the sky reaches
+    seeds       a point or several; what they reach is meshed, in place of what the sky reaches
     unit, up    of a file: "m", "mm", "cm", "in", "ft"; "y" or "z"
-    without     patterns of surfaces of a file to leave out
+    without     pattern, or several, of surfaces of a file to leave out
 
     Further properties of vtkAtriaDualMesher go by their names, as CurvatureAngle=20. Raises atria.Error; what is only
     doubtful is an atria.ModelWarning.
@@ -320,7 +347,7 @@ def mesh(
 
     mesher = vtkAtriaDualMesher()
     mesher.CacheStagesOff()  # there is one run
-    reader = _connect(mesher, model, unit, up, list(without))
+    reader = _connect(mesher, model, unit, up, [without] if isinstance(without, str) else list(without))
     _set_domain(mesher, domain)
     mesher.SetWindAngle(wind)
     if ground is not None:
@@ -330,9 +357,7 @@ def mesh(
     for pattern, value in (sizes or {}).items():
         mesher.AddSurfaceSizeRule(pattern, value)
     _set_layers(mesher, layers)
-    for seed in seeds:
-        mesher.SetZoneRule(vtkAtriaDualMesher.Seeds)
-        mesher.AddSeed(*seed)
+    _set_seeds(mesher, seeds)
     _set_properties(mesher, properties)
 
     warned: list[str] = []
@@ -341,6 +366,8 @@ def mesh(
     quality.SetInputConnection(1, mesher.GetOutputPort(1))
     observed = _warnings_of((reader, mesher, quality), warned)
     try:
+        if reader:
+            reader.Update()  # what fails here has one error, not one of each that follows
         _set_sizes(mesher, size, size_max, size_min)
         quality.Update()
     finally:

@@ -85,12 +85,14 @@ class Mesh(unittest.TestCase):
         whole = atria.mesh(MODEL, 2, domain=BOX, layers=0, SupportElements=False)
         self.assertEqual(small.report["counts"]["elements"], whole.report["counts"]["elements"])
         self.assertNotIn("Neighbor", atria.mesh(MODEL, 2, domain=BOX, layers=0, without=["Neighbor"]).patches)
+        self.assertNotIn("Neighbor", atria.mesh(MODEL, 2, domain=BOX, layers=0, without="Neighbor").patches)
         self.assertNotEqual(atria.mesh(MODEL, 2, domain=BOX, layers=0, SupportElements=False, CellsPerLevel=3).report["counts"],
                             whole.report["counts"])
         with self.assertRaisesRegex(TypeError, "did you mean CellsPerLevel"):
             atria.mesh(MODEL, 2, CellPerLevel=3)
-        rooms = atria.mesh(MODEL, 2, domain=BOX, layers=0, seeds=[(51, 5, 3)])
-        self.assertEqual([zone["surfaces"] for zone in rooms.report["zones"] if zone["kept"]], [["Neighbor"]])
+        for seeds in ([(51, 5, 3)], (51, 5, 3)):
+            rooms = atria.mesh(MODEL, 2, domain=BOX, layers=0, seeds=seeds)
+            self.assertEqual([zone["surfaces"] for zone in rooms.report["zones"] if zone["kept"]], [["Neighbor"]])
         self.assertRaises(ValueError, atria.mesh, MODEL, unit="yd")
         self.assertRaises(ValueError, atria.mesh, MODEL, domain="everywhere")
         self.assertRaises(ValueError, atria.mesh, MODEL, domain=(0, 1))
@@ -98,10 +100,15 @@ class Mesh(unittest.TestCase):
     def test_errors_and_warnings(self):
         with self.assertRaisesRegex(atria.Error, "absent.wrl does not exist"):
             atria.mesh("absent.wrl", size=1)
-        with self.assertRaisesRegex(atria.Error, "SizeMid is -1"):
-            atria.mesh(MODEL, size=-1, size_min=1, size_max=8)
+        for name in ("size", "size_min", "size_max"):
+            for value in (-1, 0, float("nan"), float("inf"), "1"):
+                with self.assertRaisesRegex(atria.Error, f"^{name} is {value!r}; "):
+                    atria.mesh(MODEL, **{name: value})
         with self.assertRaisesRegex(atria.Error, "did you mean 'WallSouth'"):
             atria.mesh(MODEL, size=2, sizes={"WallSouht": 1})
+        with self.assertRaises(atria.Error) as caught:
+            atria.mesh(MODEL, without="Absent")
+        self.assertEqual(str(caught.exception).count("\n"), 0, "one error, and none of what follows from it")
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
             result = atria.mesh(MODEL, 2, domain=(5, 20, 0, 14, 0, 30), layers=0)
@@ -110,6 +117,17 @@ class Mesh(unittest.TestCase):
         self.assertEqual([str(one.message) for one in caught], result.report["warnings"])
         self.assertIn("cuts through", result.report["warnings"][0])
         self.assertIn(__file__, caught[0].filename)
+
+    def test_files_that_are_no_models(self):
+        with tempfile.TemporaryDirectory() as folder:
+            with self.assertRaisesRegex(atria.Error, "is a folder"):
+                atria.mesh(folder)
+            headless = pathlib.Path(folder) / "headless"
+            headless.write_text(pathlib.Path(MODEL).read_text().split("\n", 1)[1])
+            with self.assertRaisesRegex(atria.Error, r"no format that is known; give VRML \(.wrl.* \.obj"):
+                atria.mesh(headless)
+            named = headless.rename(headless.with_suffix(".WRL"))
+            self.assertIn("WallSouth_front", atria.mesh(named, 2, domain=BOX, layers=0).patches)
 
     def test_it_shows_itself(self):
         result = atria.mesh(MODEL, 2, domain=BOX, layers=0)
