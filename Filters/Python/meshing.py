@@ -68,16 +68,10 @@ class Result:
         self._picture = None  # not drawn yet
 
     def save(self, file: Union[str, "os.PathLike[str]"]) -> None:
-        """Writes the mesh: a .vtu file, or else a folder that becomes an OpenFOAM case."""
-        from . import raising, vtkAtriaOpenFOAMWriter
-        from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
+        """Writes the mesh: a .vtu file; .msh for Fluent, .su2 for SU2; or a folder that becomes an OpenFOAM case."""
+        from . import raising
 
-        if pathlib.Path(file).suffix == ".vtu":
-            writer = vtkXMLUnstructuredGridWriter()
-            writer.SetFileName(os.fspath(file))
-        else:
-            writer = vtkAtriaOpenFOAMWriter()
-            writer.SetCaseDirectory(os.fspath(file))
+        writer = _writer_of(pathlib.Path(file))
         writer.SetInputData(self.mesh)
         with raising(writer):
             if not writer.Write():
@@ -110,6 +104,23 @@ class Result:
         picture = base64.b64encode(self._picture).decode()
         image = f'<img alt="patches" src="data:image/png;base64,{picture}"/>' if picture else ""
         return f"<div><table>{rows}</table>{image}</div>"
+
+
+def _writer_of(file):
+    from . import vtkAtriaFluentWriter, vtkAtriaOpenFOAMWriter, vtkAtriaSU2Writer
+    from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridWriter
+
+    writers = {".vtu": vtkXMLUnstructuredGridWriter, ".msh": vtkAtriaFluentWriter, ".su2": vtkAtriaSU2Writer}
+    if file.suffix in writers:
+        writer = writers[file.suffix]()
+        writer.SetFileName(os.fspath(file))
+        return writer
+    if file.suffix not in ("", ".openfoam") and not file.is_dir():
+        raise ValueError(f"{file} ends in {file.suffix}; it must end in {', '.join(writers)}, or be a folder, which has no "
+                         "ending or is there already")
+    writer = vtkAtriaOpenFOAMWriter()
+    writer.SetCaseDirectory(os.fspath(file))
+    return writer
 
 
 def _class_of_reader(file):

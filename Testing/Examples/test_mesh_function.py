@@ -180,6 +180,22 @@ class Mesh(unittest.TestCase):
             self.assertIn("WallSouth_front", (pathlib.Path(folder) / "case/constant/polyMesh/boundary").read_text())
             self.assertRaises(atria.Error, result.save, pathlib.Path(folder) / "absent" / "mesh.vtu")
 
+    def test_its_ending_says_what_is_saved(self):
+        result = atria.mesh(MODEL, 2, domain=BOX, layers=0)
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            result.save(folder / "mesh.msh")
+            result.save(folder / "mesh.su2")
+            self.assertTrue("WallSouth_front" in (folder / "mesh.su2").read_text())
+            self.assertTrue("WallSouth-shadow" in (folder / "mesh.msh").read_text())
+            (folder / "version.2").mkdir()
+            for case in ("house.openfoam", "version.2"):
+                result.save(folder / case)
+                self.assertTrue((folder / case / "constant" / "polyMesh" / "faces").is_file())
+            with self.assertRaisesRegex(ValueError, "ends in .stl; it must end in .vtu, .msh, .su2"):
+                result.save(folder / "mesh.stl")
+            self.assertFalse((folder / "mesh.stl").exists())
+
 
 class Package(unittest.TestCase):
     def test_version_and_metadata(self):
