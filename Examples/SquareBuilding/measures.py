@@ -87,7 +87,7 @@ def measure(case):
         "y_plus": flow.y_plus,
         "roof": roof,
         "wake": wake,
-        "drag": drag.last(),
+        "drag": float(drag.values[-1]),
         "drift": drag.drift() / drag.last(),
         "profiles": profiles(fields.mesh),
     }
