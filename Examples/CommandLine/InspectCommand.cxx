@@ -32,6 +32,7 @@
 #include <cstdio>
 #include <iostream>
 #include <memory>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -162,6 +163,15 @@ int digitsOf(const Box3& box)
   return size > 0.0 ? std::min(near + static_cast<int>(std::log10(distance / size)), 15) : near;
 }
 
+/// A coordinate in that many digits; what is nothing beside the size of the model is zero.
+std::string coordinate(double value, int digits, double size)
+{
+  constexpr double nothing = 1e-9;
+  std::array<char, 32> text;
+  std::snprintf(text.data(), text.size(), "%.*g", digits, std::abs(value) < nothing * size ? 0.0 : value);
+  return text.data();
+}
+
 void printLine(const SurfaceSummary& summary, const std::string& name, int width, int digits)
 {
   std::array<char, 32> area{"not finite"};
@@ -209,7 +219,7 @@ void printSkipped(vtkStringArray* nodes)
 }
 
 /// At most `most` of a kind, those with the highest counts first.
-void printProblems(std::vector<Problem> problems, const TriangleSurface& surface, int digits)
+void printProblems(std::vector<Problem> problems, const TriangleSurface& surface, const Box3& bounds)
 {
   constexpr std::size_t most = 10;
   if (problems.empty())
@@ -217,6 +227,8 @@ void printProblems(std::vector<Problem> problems, const TriangleSurface& surface
     std::printf("\nno problems\n");
     return;
   }
+  const int digits = digitsOf(bounds);
+  const double size = bounds.empty() ? 0.0 : bounds.size().maxCoeff();
   std::stable_sort(problems.begin(), problems.end(), [](const Problem& a, const Problem& b) {
     return std::pair(a.kind, b.count) < std::pair(b.kind, a.count);
   });
@@ -229,10 +241,10 @@ void printProblems(std::vector<Problem> problems, const TriangleSurface& surface
     const bool isLast = i + 1 == problems.size() || problems[i + 1].kind != problem.kind;
     if (ofKind < most)
     {
-      std::array<char, 64> place;
-      std::snprintf(place.data(), place.size(), "%.*g %.*g %.*g", digits, problem.place.x(), digits, problem.place.y(),
-                    digits, problem.place.z());
-      std::printf("%-18s %8zu %12.4g  %-32s", kind, problem.count, problem.size, place.data());
+      const Vec3& p = problem.place;
+      const std::string place = coordinate(p.x(), digits, size) + ' ' + coordinate(p.y(), digits, size) + ' ' +
+                                coordinate(p.z(), digits, size);
+      std::printf("%-18s %8zu %12.4g  %-32s", kind, problem.count, problem.size, place.c_str());
       for (std::size_t k = 0; k < problem.surfaces.size() && k < 3; ++k)
       {
         std::printf("%s%s", k == 0 ? " " : " + ", surface.names[problem.surfaces[k]].c_str());
@@ -412,7 +424,7 @@ ExitStatus runInspect(const InspectOptions& options, Console& console)
     printSkipped(reader->GetSkippedNodes());
     if (looksForProblems)
     {
-      printProblems(problems, surface, digitsOf(inspection.total.bounds));
+      printProblems(problems, surface, inspection.total.bounds);
     }
     if (options.openings)
     {

@@ -472,10 +472,19 @@ Json preflightOf(vtkTable* table)
 
 void printPreflight(vtkTable* table)
 {
+  constexpr double nothing = 1e-9; // beside the largest length
+  const auto unit = [&](vtkIdType row) { return table->GetValueByName(row, "Unit").ToString(); };
+  const auto value = [&](vtkIdType row) { return table->GetValueByName(row, "Value").ToDouble(); };
+  double largest = 0.0;
   for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
   {
+    largest = unit(row) == "m" ? std::max(largest, std::abs(value(row))) : largest;
+  }
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    const bool isNothing = unit(row) == "m" && std::abs(value(row)) < nothing * largest;
     std::printf("%-22s %14.6g %s\n", table->GetValueByName(row, "Quantity").ToString().c_str(),
-                table->GetValueByName(row, "Value").ToDouble(), table->GetValueByName(row, "Unit").ToString().c_str());
+                isNothing ? 0.0 : value(row), unit(row).c_str());
   }
   std::printf("%s", hiddenDetailText(hiddenDetailOf(table), "HiddenDetail           ").c_str());
 }

@@ -177,6 +177,12 @@ class CommandLine(unittest.TestCase):
         model.write_text("#VRML V2.0 utf8\nTransform { translation 3500000 5400000.25 0 children Shape { geometry Box {} } }\n")
         self.assertIn("3499999..3500001  5399999.25..5400001.25  -1..1", self.atria("inspect", model).stdout)
 
+    def test_places_at_zero_are_zero(self):
+        """Points of a repaired model lie a rounding of its grid off."""
+        for model in (HOUSE, DATA / "building.wrl"):
+            self.assertNotRegex(self.atria("inspect", model).stdout, r"\de-\d")
+            self.assertNotRegex(self.atria("mesh", model, "--preflight").stdout, r"\de-\d")
+
     def test_model_options(self):
         model = self.folder / "options.wrl"
         square = "coord Coordinate { point [0 0 0, 400 0 0, 400 400 0, 0 400 0] } coordIndex [0 1 2 3]"
