@@ -15,7 +15,7 @@ prefix=${ATRIA_PARAVIEW_PREFIX:-/opt/atria-paraview}
 
 build_packages=(g++ cmake ninja-build ccache libvtk9-dev libcgal-dev libeigen3-dev zlib1g-dev
   libcli11-dev nlohmann-json3-dev libcgns-dev libmetis-dev libassimp-dev python3-numpy python3-vtk9 xvfb xauth libgl1-mesa-dri)
-test_packages=(libgtest-dev libgmock-dev libcoin-dev openfoam cgns-convert clang-format clang-tidy
+test_packages=(libgtest-dev libgmock-dev openmpi-bin libcoin-dev openfoam cgns-convert clang-format clang-tidy
   dpkg-dev python3-wheel mmdebstrap python3-sphinx python3-myst-parser furo
   qtbase5-dev qttools5-dev qttools5-dev-tools qtxmlpatterns5-dev-tools libqt5svg5-dev libqt5opengl5-dev python3-pyqt5)
 benchmark_packages=(libgtest-dev libgmock-dev libbenchmark-dev libp4est-dev openfoam gmsh)

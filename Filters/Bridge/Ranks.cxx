@@ -2,6 +2,8 @@
 #include "Ranks.h"
 
 #include "AlgorithmProgress.h"
+#include "DealtMesh.h"
+#include "Transport.h"
 #include "VtkPieces.h"
 
 #include <vtkAlgorithm.h>
@@ -19,6 +21,7 @@
 #include <vtkSmartPointer.h>
 #include <vtkStreamingDemandDrivenPipeline.h>
 
+#include <algorithm>
 #include <exception>
 #include <string>
 #include <utility>
@@ -31,8 +34,6 @@ namespace {
 using Pipeline = vtkStreamingDemandDrivenPipeline;
 
 constexpr int root = 0;
-constexpr int pieceTag = 27182;
-
 /// On an output: whether the pipeline runs the filter for each block of a composite input. How many there are may
 /// differ from rank to rank, so each rank works on its own.
 vtkInformationIntegerKey* runsByBlock()
@@ -67,9 +68,13 @@ bool isRunByBlock(vtkAlgorithm& algorithm, vtkInformationVector** inputs)
   return false;
 }
 
-using Pieces = std::vector<vtkSmartPointer<vtkDataObject>>;
-
 /// The pieces that are not empty of all ranks, on the root; nothing on others.
+struct Pieces
+{
+  std::vector<vtkSmartPointer<vtkDataObject>> data;
+  std::vector<Index> ranks;
+};
+
 Pieces gather(vtkDataObject* own, vtkMultiProcessController& controller)
 {
   const bool isRoot = controller.GetLocalProcessId() == root;
@@ -79,18 +84,30 @@ Pieces gather(vtkDataObject* own, vtkMultiProcessController& controller)
   Pieces pieces;
   if (!isRoot && holds)
   {
-    controller.Send(withoutGhosts(own), root, pieceTag);
+    sendData(withoutGhosts(own), root, controller);
   }
   for (int rank = 0; isRoot && rank < controller.GetNumberOfProcesses(); ++rank)
   {
     if (held[static_cast<std::size_t>(rank)])
     {
-      pieces.push_back(rank == root
-                           ? withoutGhosts(own)
-                           : vtkSmartPointer<vtkDataObject>::Take(controller.ReceiveDataObject(rank, pieceTag)));
+      pieces.data.push_back(rank == root ? withoutGhosts(own) : receiveData(rank, controller));
+      pieces.ranks.push_back(static_cast<Index>(rank));
     }
   }
   return pieces;
+}
+
+/// Frees the pieces. `rankOf`, if given, becomes the rank of each cell where these came from several.
+vtkSmartPointer<vtkDataObject> joinFound(Pieces& found, std::vector<Index>* rankOf)
+{
+  const bool wasDivided = found.data.size() > 1;
+  const std::vector<vtkSmartPointer<vtkDataObject>> pieces = std::exchange(found.data, {});
+  const vtkSmartPointer<vtkDataObject> whole = joinPieces(pieces, wasDivided ? rankOf : nullptr);
+  if (rankOf)
+  {
+    std::ranges::transform(*rankOf, rankOf->begin(), [&](Index piece) { return found.ranks[piece]; });
+  }
+  return whole;
 }
 
 /// Inputs in place of others while it lives.
@@ -148,6 +165,18 @@ void makeEmpty(vtkDataObject* output, vtkMultiProcessStream& structure)
     structure >> name;
     sets->SetNumberOfPartitions(i, 0);
     sets->GetMetaData(i)->Set(vtkCompositeDataSet::NAME(), name.c_str());
+  }
+}
+
+/// Has the pipeline know that there will be a ghost level, so that a filter that asks for one later does not run all
+/// again.
+void askForGhosts(vtkInformationVector* outputs)
+{
+  for (int i = 0; i < outputs->GetNumberOfInformationObjects(); ++i)
+  {
+    vtkInformation* info = outputs->GetInformationObject(i);
+    auto* key = Pipeline::UPDATE_NUMBER_OF_GHOST_LEVELS();
+    info->Set(key, std::max(1, info->Has(key) ? info->Get(key) : 0));
   }
 }
 
@@ -220,7 +249,7 @@ void Ranks::askFor(vtkInformationVector** inputs, int ports) const
 }
 
 int Ranks::run(vtkAlgorithm& algorithm, vtkInformationVector** inputs, vtkInformationVector* outputs,
-               const std::function<int()>& work) const
+               const std::function<int()>& work, const DealtOutputs& dealt) const
 {
   if (!controller)
   {
@@ -244,14 +273,15 @@ int Ranks::run(vtkAlgorithm& algorithm, vtkInformationVector** inputs, vtkInform
     }
   }
   int result = 0;
+  std::vector<Index> rankOf; // of the cells of the first input
   try
   {
     InputsInPlace whole;
-    for (const auto& [info, pieces_] : gathered)
+    for (auto& [info, found] : gathered)
     {
-      if (!pieces_.empty())
+      if (!found.data.empty())
       {
-        whole.replace(info, joinPieces(pieces_));
+        whole.replace(info, joinFound(found, &found == &gathered.front().second ? &rankOf : nullptr));
       }
     }
     result = isRoot() ? work() : 0;
@@ -260,7 +290,8 @@ int Ranks::run(vtkAlgorithm& algorithm, vtkInformationVector** inputs, vtkInform
   {
     vtkErrorWithObjectMacro(&algorithm, << error.what());
   }
-  return shareResult(result, outputs, *controller);
+  result = shareResult(result, outputs, *controller);
+  return result == 1 && dealt.mesh >= 0 ? dealMesh(algorithm, outputs, dealt, std::move(rankOf), *controller) : result;
 }
 
 int Ranks::run(vtkAlgorithm& algorithm, const std::function<int()>& work) const
@@ -277,13 +308,14 @@ void Ranks::share(std::span<double> values) const
 }
 
 vtkTypeBool processOnRanks(vtkAlgorithm& algorithm, vtkInformation* request, vtkInformationVector** inputs,
-                           vtkInformationVector* outputs, const std::function<vtkTypeBool()>& process)
+                           vtkInformationVector* outputs, const std::function<vtkTypeBool()>& process,
+                           const DealtOutputs& dealt)
 {
   const int asked = request->Has(vtkExecutive::FROM_OUTPUT_PORT()) ? request->Get(vtkExecutive::FROM_OUTPUT_PORT()) : 0;
   vtkInformation* output = outputs->GetInformationObject(asked > 0 ? asked : 0);
   if (request->Has(Pipeline::REQUEST_DATA()))
   {
-    return output->Get(runsByBlock()) ? process() : Ranks(output).run(algorithm, inputs, outputs, process);
+    return output->Get(runsByBlock()) ? process() : Ranks(output).run(algorithm, inputs, outputs, process, dealt);
   }
   const vtkTypeBool result = process();
   if (request->Has(Pipeline::REQUEST_INFORMATION()))
@@ -297,7 +329,12 @@ vtkTypeBool processOnRanks(vtkAlgorithm& algorithm, vtkInformation* request, vtk
   if (request->Has(Pipeline::REQUEST_UPDATE_EXTENT()) && request->Has(vtkExecutive::ALGORITHM_BEFORE_FORWARD()))
   {
     output->Set(runsByBlock(), isRunByBlock(algorithm, inputs) ? 1 : 0);
-    Ranks(output).askFor(inputs, algorithm.GetNumberOfInputPorts());
+    const Ranks ranks(output);
+    ranks.askFor(inputs, algorithm.GetNumberOfInputPorts());
+    if (ranks && dealt.mesh >= 0)
+    {
+      askForGhosts(outputs);
+    }
   }
   return result;
 }

@@ -2,9 +2,10 @@
 /// Filters, readers and writers where VTK's pipeline works in pieces: ParaView's servers and pvbatch ask each MPI rank
 /// for the piece of its number.
 ///
-/// What all ranks hold of the inputs is brought to the first one, the root, which does the work and holds the outputs.
-/// The others hold empty outputs of the same structure, and succeed, fail or abort as the root does, without messages.
-/// So all ranks must run a filter at the same time, as ParaView has them.
+/// What all ranks hold of the inputs is brought to the first one, the root, which does the work. A mesh among its
+/// outputs is dealt out, each rank its piece; of all else the root holds everything, and the others hold empty outputs
+/// of the same structure. All succeed, fail or abort as the root does, without messages from the others. So all ranks
+/// must run a filter at the same time, as ParaView has them.
 ///
 /// Ranks are those of VTK's global controller, if it has as many as there are pieces. Where it has not, one process is
 /// asked for one piece after the other: the first is everything, made of all of the input, the others are empty.
@@ -22,6 +23,16 @@ class vtkMultiProcessController;
 
 namespace atria {
 
+/// Which outputs of an algorithm are a mesh and its patches, to be dealt out to the ranks.
+struct DealtOutputs
+{
+  int mesh = -1;
+  int patches = -1;
+  /// Divide the mesh anew, in any case; else cells go back to the ranks that have them in the first input, if they came
+  /// from several.
+  bool anew = false;
+};
+
 /// One piece of a number of them, and the ranks that are asked for the others.
 class Ranks
 {
@@ -38,10 +49,11 @@ public:
   void askFor(vtkInformationVector** inputs, int ports) const;
 
   /// Puts what there is of the inputs on all ranks in place of the root's inputs while `work` runs there, and returns
-  /// what `work` did, on all ranks. `work` returns as RequestData does. On the others the outputs become empty. Inputs
-  /// that cannot be brought together are an error of `algorithm`.
+  /// what `work` did, on all ranks. `work` returns as RequestData does. Then deals out what is `dealt`, with as many
+  /// ghost levels as it is asked for, but one at least; on the others all else becomes empty. Inputs that cannot be
+  /// brought together are an error of `algorithm`.
   int run(vtkAlgorithm& algorithm, vtkInformationVector** inputs, vtkInformationVector* outputs,
-          const std::function<int()>& work) const;
+          const std::function<int()>& work, const DealtOutputs& dealt = {}) const;
 
   /// The same outside of a request, with the inputs that the algorithm has now and no outputs.
   int run(vtkAlgorithm& algorithm, const std::function<int()>& work) const;
@@ -57,6 +69,7 @@ private:
 
 /// What ProcessRequest is to do on any number of ranks. `process` does what it does on one.
 vtkTypeBool processOnRanks(vtkAlgorithm& algorithm, vtkInformation* request, vtkInformationVector** inputs,
-                           vtkInformationVector* outputs, const std::function<vtkTypeBool()>& process);
+                           vtkInformationVector* outputs, const std::function<vtkTypeBool()>& process,
+                           const DealtOutputs& dealt = {});
 
 } // namespace atria

@@ -2,6 +2,7 @@
 #include "VtkPieces.h"
 
 #include "Support/Error.h"
+#include "VtkNumberedPieces.h"
 
 #include <vtkAppendFilter.h>
 #include <vtkCompositeDataSet.h>
@@ -17,8 +18,10 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <string>
+#include <utility>
 
 namespace atria {
 
@@ -31,6 +34,12 @@ template <class Type> bool areAll(const Pieces& pieces)
   return std::all_of(pieces.begin(), pieces.end(), [](vtkDataObject* p) { return Type::SafeDownCast(p) != nullptr; });
 }
 
+bool isNumberedGrid(vtkDataObject* piece)
+{
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(piece);
+  return grid && isNumbered(grid);
+}
+
 void removeGhosts(vtkDataObject* data)
 {
   if (auto* surfaces = vtkPolyData::SafeDownCast(data))
@@ -40,6 +49,26 @@ void removeGhosts(vtkDataObject* data)
   else if (auto* mesh = vtkUnstructuredGrid::SafeDownCast(data))
   {
     mesh->RemoveGhostCells();
+  }
+}
+
+/// The partitions as one, where they are polygons with ids; else as they are.
+void joinPartitions(vtkPartitionedDataSetCollection* sets, unsigned int set)
+{
+  std::vector<vtkSmartPointer<vtkPolyData>> parts;
+  for (unsigned int j = 0; j < sets->GetNumberOfPartitions(set); ++j)
+  {
+    auto* part = vtkPolyData::SafeDownCast(sets->GetPartitionAsDataObject(set, j));
+    if (!part || !isNumbered(part) || part->GetNumberOfPolys() != part->GetNumberOfCells())
+    {
+      return;
+    }
+    parts.emplace_back(part);
+  }
+  if (!parts.empty())
+  {
+    sets->SetNumberOfPartitions(set, 1);
+    sets->SetPartition(set, 0, joinNumberedSurfaces({parts.begin(), parts.end()}));
   }
 }
 
@@ -66,8 +95,25 @@ vtkSmartPointer<vtkDataObject> joinCollections(const Pieces& pieces)
       }
     }
   }
+  for (unsigned int i = 0; i < joined->GetNumberOfPartitionedDataSets(); ++i)
+  {
+    joinPartitions(joined, i);
+  }
   joined->GetFieldData()->PassData(pieces.front()->GetFieldData());
   return joined;
+}
+
+vtkSmartPointer<vtkDataObject> joinGridsByIds(const Pieces& pieces, std::vector<Index>* pieceOfCells)
+{
+  std::vector<vtkUnstructuredGrid*> grids;
+  std::ranges::transform(pieces, std::back_inserter(grids),
+                         [](vtkDataObject* piece) { return vtkUnstructuredGrid::SafeDownCast(piece); });
+  NumberedWhole whole = joinNumberedGrids(grids);
+  if (pieceOfCells)
+  {
+    *pieceOfCells = std::move(whole.pieceOf);
+  }
+  return whole.grid;
 }
 
 vtkSmartPointer<vtkDataObject> joinGrids(const Pieces& pieces)
@@ -108,6 +154,10 @@ bool isEmptyPiece(vtkDataObject* piece) { return piece->GetNumberOfElements(vtkD
 
 vtkSmartPointer<vtkDataObject> withoutGhosts(vtkDataObject* piece)
 {
+  if (isNumberedGrid(piece))
+  {
+    return piece;
+  }
   auto copy = vtkSmartPointer<vtkDataObject>::Take(piece->NewInstance());
   copy->ShallowCopy(piece);
   if (auto* tree = vtkDataObjectTree::SafeDownCast(copy))
@@ -123,8 +173,12 @@ vtkSmartPointer<vtkDataObject> withoutGhosts(vtkDataObject* piece)
   return copy;
 }
 
-vtkSmartPointer<vtkDataObject> joinPieces(const Pieces& pieces)
+vtkSmartPointer<vtkDataObject> joinPieces(const Pieces& pieces, std::vector<Index>* pieceOfCells)
 {
+  if (std::ranges::all_of(pieces, isNumberedGrid))
+  {
+    return joinGridsByIds(pieces, pieceOfCells);
+  }
   if (pieces.size() == 1)
   {
     return pieces.front();

@@ -5,6 +5,7 @@
 #include "GridInput.h"
 #include "Mesher/MeshModel.h"
 #include "PropertyRange.h"
+#include "Ranks.h"
 #include "Support/PatternRule.h"
 #include "VtkDualMesh.h"
 #include "VtkOctree.h"
@@ -269,6 +270,11 @@ void vtkAtriaDualMesher::CheckProperties()
   atriaCheckRange(CrackTolerance);
 }
 
+atria::DealtOutputs vtkAtriaDualMesher::GetDealtOutputs() const
+{
+  return this->DistributeOutput ? atria::DealtOutputs{0, 1, true} : atria::DealtOutputs{};
+}
+
 int vtkAtriaDualMesher::FillInputPortInformation(int port, vtkInformation* info)
 {
   if (port == 1)
@@ -379,6 +385,7 @@ void vtkAtriaDualMesher::PrintSelf(ostream& os, vtkIndent indent)
   printPoints(this->SealedSeedPoints, os, indent);
   os << indent << "NumberOfLayers: " << this->NumberOfLayers << "\n";
   os << indent << "CacheStages: " << (this->CacheStages ? "on" : "off") << "\n";
+  os << indent << "DistributeOutput: " << (this->DistributeOutput ? "on" : "off") << "\n";
   os << indent << "SupportElements: " << (this->SupportElements ? "on" : "off") << "\n";
   os << indent << "FirstLayerHeight: " << this->FirstLayerHeight << "\n";
   os << indent << "LayerGrowth: " << this->LayerGrowth << "\n";

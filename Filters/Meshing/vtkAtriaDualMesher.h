@@ -209,6 +209,18 @@ public:
 
   ///@{
   /**
+   * On several MPI ranks, whether each gets a piece of the mesh, with a ring of ghost cells, and of each patch the
+   * faces whose owners are its own; else the first one has it all and the others nothing. `OwnerCellId`,
+   * `VolumePointId` and the field arrays keep the numbers of the whole mesh, which are the global ids of cells and
+   * points. The mesh is made on the first rank in any case. Default on.
+   */
+  vtkSetMacro(DistributeOutput, bool);
+  vtkGetMacro(DistributeOutput, bool);
+  vtkBooleanMacro(DistributeOutput, bool);
+  ///@}
+
+  ///@{
+  /**
    * Name and wall time, in seconds, of the stages of the last run that came to its end, but for those that it took from
    * the run before. They are not in the output, which does not differ from run to run. An index out of range gives an
    * empty name and 0.
@@ -232,6 +244,7 @@ protected:
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int FillOutputPortInformation(int port, vtkInformation* info) override;
   void CheckProperties() override;
+  atria::DealtOutputs GetDealtOutputs() const override;
   int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
@@ -248,6 +261,7 @@ protected:
   std::vector<std::array<double, 3>> SealedSeedPoints;
   std::vector<std::pair<std::string, double>> Stages;
   bool CacheStages = true;
+  bool DistributeOutput = true;
 
 private:
   std::unique_ptr<atria::StageCache> Cache;

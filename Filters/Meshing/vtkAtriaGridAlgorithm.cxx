@@ -49,9 +49,12 @@ bool vtkAtriaGridAlgorithm::SuggestSizes()
 vtkTypeBool vtkAtriaGridAlgorithm::ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
                                                   vtkInformationVector* outputs)
 {
-  return atria::processOnRanks(*this, request, inputs, outputs,
-                               [&] { return this->ProcessRequestHere(request, inputs, outputs); });
+  return atria::processOnRanks(
+      *this, request, inputs, outputs, [&] { return this->ProcessRequestHere(request, inputs, outputs); },
+      this->GetDealtOutputs());
 }
+
+atria::DealtOutputs vtkAtriaGridAlgorithm::GetDealtOutputs() const { return {}; }
 
 vtkTypeBool vtkAtriaGridAlgorithm::ProcessRequestHere(vtkInformation* request, vtkInformationVector** inputs,
                                                       vtkInformationVector* outputs)

@@ -20,6 +20,10 @@
 #include <string> // for names
 #include <vector> // for SurfaceSizeRules
 
+namespace atria {
+struct DealtOutputs;
+}
+
 class ATRIAFILTERSMESHING_EXPORT vtkAtriaGridAlgorithm : public vtkAlgorithm
 {
 public:
@@ -377,6 +381,10 @@ protected:
    * Throws atria::Error naming a property that is outside of its range.
    */
   virtual void CheckProperties();
+  /**
+   * Outputs that are a mesh, of which each rank gets a piece. None of them by default.
+   */
+  virtual atria::DealtOutputs GetDealtOutputs() const;
   virtual int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) { return 1; }
   virtual int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) = 0;
   vtkTypeBool ProcessRequestHere(vtkInformation*, vtkInformationVector**, vtkInformationVector*);

@@ -206,7 +206,7 @@ vtkTypeBool vtkAtriaMeshOptimizer::ProcessRequest(vtkInformation* request, vtkIn
                                                   vtkInformationVector* outputs)
 {
   return atria::processOnRanks(*this, request, inputs, outputs,
-                               [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+                               [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); }, {0, 1});
 }
 
 int vtkAtriaMeshOptimizer::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)

@@ -403,7 +403,7 @@ vtkTypeBool vtkAtriaMeshQuality::ProcessRequest(vtkInformation* request, vtkInfo
                                                 vtkInformationVector* outputs)
 {
   return atria::processOnRanks(*this, request, inputs, outputs,
-                               [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); });
+                               [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); }, {0});
 }
 
 int vtkAtriaMeshQuality::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)

@@ -79,6 +79,24 @@ def hashes(data):
     return found
 
 
+def tables(source):
+    """Hashes of the tables of quality, which the first rank has whatever is divided."""
+    for port in range(4):
+        simple.UpdatePipeline(proxy=simple.OutputPort(source, port))
+    return [hashes(source.GetClientSideObject().GetOutputDataObject(port)) for port in (1, 2, 3)]
+
+
+def check_pieces(mesher):
+    """The first rank has its share."""
+    mesher.UpdatePipeline()
+    ranks = vtkMultiProcessController.GetGlobalController().GetNumberOfProcesses()
+    piece = mesher.GetClientSideObject().GetOutputDataObject(0)
+    own = piece.GetCellGhostArray()
+    count = list(memoryview(own)).count(0) if own else piece.GetNumberOfCells()
+    whole = mesher.GetDataInformation().GetNumberOfCells() # with ghosts
+    assert 0 < count <= whole / ranks, (count, whole)
+
+
 def outputs(source):
     """Hashes of all outputs that the first rank holds; the others must hold nothing but names."""
     found = []
@@ -101,6 +119,7 @@ def share():
 
 def main(folder):
     pipeline = house()
+    pipeline.mesher.DistributeOutput = 0
     pipeline.quality.CheckMesh = 1
     features = simple.AtriaFeatureGraph(Input=pipeline.reader)
     worst = simple.AtriaWorstElements(Input=pipeline.quality, MetricName="NonOrthogonality")
@@ -114,6 +133,10 @@ def main(folder):
         found[name] = outputs(source)
     pipeline.mesher.Input = share()
     found["mesher of pieces"] = outputs(pipeline.mesher)
+    pipeline.mesher.DistributeOutput = 1
+    check_pieces(pipeline.mesher)
+    found["quality of dealt mesh"] = tables(pipeline.quality)
+    found["worst of dealt mesh"] = outputs(worst)
     for name in ("case.openfoam", "wind.windcase", "mesh.msh"):
         simple.SaveData(str(folder / name), proxy=pipeline.mesher)
     (folder / "hashes.json").write_text(json.dumps(found, indent=1))

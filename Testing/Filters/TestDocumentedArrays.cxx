@@ -4,6 +4,7 @@
 #include "Support/Buildings.h"
 #include "Support/SampleGrid.h"
 #include "Support/TestPaths.h"
+#include "VtkShares.h"
 #include "vtkAtriaFeatureGraph.h"
 #include "vtkAtriaMeshOptimizer.h"
 #include "vtkAtriaOctreeSource.h"
@@ -157,6 +158,25 @@ TEST_F(DocumentedArrays, OfMeshesWithZones)
   EXPECT_THAT(present(namedPatches().at("South_opening_1")),
               UnorderedElementsAre("SurfaceId cells int", "OwnerCellId cells id", "NeighborCellId cells id",
                                    "VolumePointId points id"));
+}
+
+TEST_F(DocumentedArrays, OfPieces)
+{
+  setSurface(building());
+  mesher->Update();
+  const auto added = [](vtkDataObject* piece, vtkDataObject* whole) {
+    std::vector<std::string> rows = present(piece);
+    for (const std::string& row : present(whole))
+    {
+      std::erase(rows, row);
+    }
+    return rows;
+  };
+  atria::MeshShares shares(volume(), std::vector<atria::Index>(volume()->GetNumberOfCells(), 0), 1, 1);
+  EXPECT_THAT(added(shares.mesh(0), volume()), UnorderedElementsAreArray(documented("Pieces of a mesh")));
+  const auto pieces = shares.patches(patches(), 0);
+  EXPECT_THAT(added(pieces->GetPartitionAsDataObject(0, 0), patches()->GetPartitionAsDataObject(0, 0)),
+              UnorderedElementsAre("GlobalCellIds cells id", "GlobalPointIds points id"));
 }
 
 TEST_F(DocumentedArrays, OfImprovedMeshes)

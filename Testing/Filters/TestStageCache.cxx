@@ -268,6 +268,7 @@ TEST(StageCache, EveryPropertyIsAmongTheChanges)
   addCommands("AtriaGrid.xml", "<Proxy", "</Proxy>", properties);
   addCommands("AtriaMeshing.xml", "name=\"AtriaDualMesher\"", "</SourceProxy>", properties);
   EXPECT_EQ(properties.erase("SetCacheStages"), 1u);
+  EXPECT_EQ(properties.erase("SetDistributeOutput"), 1u); // which changes nothing on one rank
   std::set<std::string> changed;
   for (const Change& change : allChanges())
   {

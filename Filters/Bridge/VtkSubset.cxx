@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "VtkSubset.h"
+
+#include <vtkAbstractArray.h>
+#include <vtkCellArray.h>
+#include <vtkCellType.h>
+#include <vtkDataSetAttributes.h>
+#include <vtkIdList.h>
+#include <vtkIdTypeArray.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkTypeInt32Array.h>
+#include <vtkTypeInt64Array.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace atria {
+
+namespace {
+
+vtkNew<vtkIdList> listOf(const VtkIds& ids)
+{
+  vtkNew<vtkIdList> list;
+  list->SetNumberOfIds(static_cast<vtkIdType>(ids.size()));
+  std::copy(ids.begin(), ids.end(), list->GetPointer(0));
+  return list;
+}
+
+template <typename Array> vtkNew<Array> arrayOf(const VtkIds& ids)
+{
+  vtkNew<Array> array;
+  array->SetNumberOfValues(static_cast<vtkIdType>(ids.size()));
+  std::transform(ids.begin(), ids.end(), array->GetPointer(0),
+                 [](vtkIdType id) { return static_cast<typename Array::ValueType>(id); });
+  return array;
+}
+
+} // namespace
+
+vtkSmartPointer<vtkIdTypeArray> idArray(const char* name, std::span<const vtkIdType> ids)
+{
+  auto array = vtkSmartPointer<vtkIdTypeArray>::New();
+  array->SetName(name);
+  array->SetNumberOfValues(static_cast<vtkIdType>(ids.size()));
+  std::copy(ids.begin(), ids.end(), array->GetPointer(0));
+  return array;
+}
+
+void takeTuples(vtkDataSetAttributes* from, const VtkIds& ids, vtkDataSetAttributes* to)
+{
+  const vtkNew<vtkIdList> list = listOf(ids);
+  for (int i = 0; i < from->GetNumberOfArrays(); ++i)
+  {
+    vtkAbstractArray* array = from->GetAbstractArray(i);
+    const auto part = vtkSmartPointer<vtkAbstractArray>::Take(array->NewInstance());
+    part->SetName(array->GetName());
+    part->SetNumberOfComponents(array->GetNumberOfComponents());
+    part->CopyComponentNames(array);
+    part->SetNumberOfTuples(list->GetNumberOfIds());
+    if (!ids.empty())
+    {
+      array->GetTuples(list, part);
+    }
+    to->AddArray(part);
+  }
+  for (int attribute = 0; attribute < vtkDataSetAttributes::NUM_ATTRIBUTES; ++attribute)
+  {
+    if (vtkAbstractArray* active = from->GetAbstractAttribute(attribute); active && active->GetName())
+    {
+      to->SetActiveAttribute(active->GetName(), attribute);
+    }
+  }
+}
+
+vtkSmartPointer<vtkPoints> takePoints(vtkPoints* from, const VtkIds& ids)
+{
+  auto points = vtkSmartPointer<vtkPoints>::New();
+  points->SetDataType(from ? from->GetDataType() : VTK_DOUBLE);
+  points->SetNumberOfPoints(static_cast<vtkIdType>(ids.size()));
+  if (!ids.empty())
+  {
+    from->GetData()->GetTuples(listOf(ids), points->GetData());
+  }
+  return points;
+}
+
+void GridBuilder::add(vtkUnstructuredGrid* from, vtkIdType cell, std::span<const vtkIdType> newPoint)
+{
+  const int type = from->GetCellType(cell);
+  types.push_back(static_cast<unsigned char>(type));
+  vtkIdType count = 0;
+  const vtkIdType* points = nullptr;
+  from->GetCellPoints(cell, count, points);
+  std::for_each(points, points + count,
+                [&](vtkIdType p) { connectivity.push_back(newPoint[static_cast<std::size_t>(p)]); });
+  offsets.push_back(static_cast<vtkIdType>(connectivity.size()));
+  locations.push_back(-1);
+  if (type != VTK_POLYHEDRON)
+  {
+    return;
+  }
+  hasPolyhedra = true;
+  locations.back() = static_cast<vtkIdType>(stream.size());
+  const vtkIdType* face = nullptr;
+  vtkIdType faces = 0;
+  from->GetFaceStream(cell, faces, face);
+  stream.push_back(faces);
+  for (vtkIdType f = 0; f < faces; ++f)
+  {
+    const vtkIdType corners = *face++;
+    stream.push_back(corners);
+    for (vtkIdType i = 0; i < corners; ++i)
+    {
+      stream.push_back(newPoint[static_cast<std::size_t>(*face++)]);
+    }
+  }
+}
+
+vtkSmartPointer<vtkCellArray> cellArray(const VtkIds& offsets, const VtkIds& connectivity, bool narrow)
+{
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  if (narrow && connectivity.size() < static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
+  {
+    cells->SetData(arrayOf<vtkTypeInt32Array>(offsets), arrayOf<vtkTypeInt32Array>(connectivity));
+  }
+  else
+  {
+    cells->SetData(arrayOf<vtkTypeInt64Array>(offsets), arrayOf<vtkTypeInt64Array>(connectivity));
+  }
+  return cells;
+}
+
+void GridBuilder::finish(vtkUnstructuredGrid* out, bool narrow)
+{
+  vtkNew<vtkUnsignedCharArray> cellTypes;
+  cellTypes->SetNumberOfValues(static_cast<vtkIdType>(types.size()));
+  std::copy(types.begin(), types.end(), cellTypes->GetPointer(0));
+  const auto cells = cellArray(offsets, connectivity, narrow);
+  VtkIds().swap(connectivity);
+  VtkIds().swap(offsets);
+  const auto faceLocations = hasPolyhedra ? idArray(nullptr, locations) : nullptr;
+  const auto faces = hasPolyhedra ? idArray(nullptr, stream) : nullptr;
+  out->SetCells(cellTypes, cells, faceLocations, faces);
+}
+
+} // namespace atria

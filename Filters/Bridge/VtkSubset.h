@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Parts of VTK's data objects, cell by cell and point by point, and such parts put together again.
+#pragma once
+
+#include <vtkSmartPointer.h>
+#include <vtkType.h>
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+class vtkCellArray;
+class vtkDataArray;
+class vtkDataSetAttributes;
+class vtkIdTypeArray;
+class vtkPoints;
+class vtkUnstructuredGrid;
+
+namespace atria {
+
+using VtkIds = std::vector<vtkIdType>;
+
+/// The name is null for arrays that need none.
+vtkSmartPointer<vtkIdTypeArray> idArray(const char* name, std::span<const vtkIdType> ids);
+
+/// Adds what `from` has for `ids`, in their order, and makes attributes what they are there.
+void takeTuples(vtkDataSetAttributes* from, const VtkIds& ids, vtkDataSetAttributes* to);
+
+/// Of the same precision.
+vtkSmartPointer<vtkPoints> takePoints(vtkPoints* from, const VtkIds& ids);
+
+/// Makes cells one after the other, with new numbers for points.
+class GridBuilder
+{
+public:
+  /// Appends a cell of a grid; `newPoint` has the new number of each of its points.
+  void add(vtkUnstructuredGrid* from, vtkIdType cell, std::span<const vtkIdType> newPoint);
+
+  /// Gives `out` the cells that were added, with 32-bit numbers if `narrow` and they suffice.
+  void finish(vtkUnstructuredGrid* out, bool narrow);
+
+private:
+  std::vector<unsigned char> types;
+  VtkIds offsets{0};
+  VtkIds connectivity;
+  VtkIds stream;
+  VtkIds locations;
+  bool hasPolyhedra = false;
+};
+
+/// Cells of the points given, with 32-bit numbers if `narrow` and they suffice.
+vtkSmartPointer<vtkCellArray> cellArray(const VtkIds& offsets, const VtkIds& connectivity, bool narrow);
+
+} // namespace atria
