@@ -193,7 +193,7 @@ class Study(unittest.TestCase):
 
     def test_tables_tell_lengths_differences_and_convergence(self):
         family = study.FAMILIES["uniform"]
-        for row, wake in zip(family, (2.4, 2.2, 2.1)):
+        for row, wake in zip(family[1:], (2.4, 2.2, 2.1)):
             self.keep(row, wake=wake, roof=None)
         shifted = {x: [value + 0.1 for value in values] for x, values in study.MEASURED["middle"].items()}
         self.keep(study.OTHERS[1], roof=math.inf, profiles={**study.MEASURED, "middle": shifted})
