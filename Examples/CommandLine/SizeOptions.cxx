@@ -127,6 +127,19 @@ void configureSizes(vtkAtriaGridAlgorithm* filter, const SizeOptions& options)
   filter->SetFeatureAngle(options.featureAngle);
 }
 
+namespace {
+
+/// In MB up to some thousand, else in GB.
+std::string memoryText(long long bytes)
+{
+  constexpr long long megabyte = 1'000'000;
+  constexpr long long gigabyte = 1000 * megabyte;
+  return bytes < 10 * gigabyte ? std::to_string(std::max(1LL, bytes / megabyte)) + " MB"
+                               : std::to_string(bytes / gigabyte) + " GB";
+}
+
+} // namespace
+
 std::string estimateText(vtkAtriaOctreeSource* source)
 {
   std::ostringstream out;
@@ -143,8 +156,7 @@ std::string estimateText(vtkAtriaOctreeSource* source)
   out << "elements: " << source->GetEstimatedElements()
       << (tooLarge ? " or more (from a part of the octants, before they are balanced)\n"
                    : " (all zones, without layers)\n");
-  out << "memory: about " << std::max<long long>(1, source->GetEstimatedBytes() / 1000000)
-      << (tooLarge ? " MB or more\n" : " MB\n");
+  out << "memory: about " << memoryText(source->GetEstimatedBytes()) << (tooLarge ? " or more\n" : "\n");
   return out.str();
 }
 

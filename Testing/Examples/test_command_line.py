@@ -597,7 +597,7 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(run.returncode, 0, run.stderr)
         self.assertIn("warning: the sizes asked for make about", run.stderr)
         self.assertGreater(int(run.stdout.split("elements: ")[1].split()[0]), 1e9)
-        self.assertIn("or more", run.stdout)
+        self.assertRegex(run.stdout, r"memory: about \d{2,} GB or more")
         report = self.folder / "fine.json"
         run = self.atria("mesh", HOUSE, *fine, "--preflight", "--report", report)
         self.assertEqual(run.returncode, 0, run.stderr)
