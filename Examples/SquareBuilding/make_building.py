@@ -39,8 +39,9 @@ def ground():
     return [[(x0, -y1, 0.0), (x1, -y1, 0.0), (x1, y1, 0.0), (x0, y1, 0.0)]]
 
 
-def main(file):
-    parts = [surface("Building", building()), surface("Ground", ground())]
+def main(file, with_building=True):
+    parts = [surface("Building", building())] if with_building else []
+    parts.append(surface("Ground", ground()))
     pathlib.Path(file).write_text("#VRML V2.0 utf8\n# Written by make_building.py. Meters, Z up.\n" + "".join(parts))
 
 

@@ -31,7 +31,7 @@ MODELS = {"realizable": "realizable k-epsilon", "k-epsilon": "k-epsilon", "k-ome
 @dataclass(frozen=True)
 class Row:
     name: str
-    kind: str  # uniform, adaptive, layered: by Atria; snappy: by snappyHexMesh
+    kind: str  # uniform, adaptive, layered, empty (as layered, without the building): by Atria; snappy: by snappyHexMesh
     across: int  # elements across the building's width
     turbulence: str = "realizable"
     inflow: str = "measured"  # or logarithmic, as the case has it by itself
@@ -49,26 +49,28 @@ UNIFORM_ITERATIONS = {6: 400, 8: 400, 12: 500, 16: 600}
 
 
 def family_of(kind, sizes):
-    return [Row(f"{kind}{n}", kind, n, most_iterations=(UNIFORM_ITERATIONS if kind == "uniform" else ITERATIONS)[n]) for n in sizes]
+    most = UNIFORM_ITERATIONS if kind == "uniform" else ITERATIONS
+    return [Row(f"{kind}{across}", kind, across, most_iterations=most[across]) for across in sizes]
 
 
 FAMILIES = {kind: family_of(kind, sizes) for kind, sizes in KINDS.items()}
 OTHERS = [FAMILIES["layered"][2], Row("k-epsilon", "layered", 16, turbulence="k-epsilon"),
           Row("k-omega-sst", "layered", 16, turbulence="k-omega-sst"), Row("logarithmic", "layered", 16, inflow="logarithmic")]
+EMPTY = family_of("empty", (8, 16))
 TRUSTED = FAMILIES["uniform"][-1]  # the mesh that others are compared with
 
 
 def rows():
     """Each once, those that take least first."""
-    found = {row.name: row for row in [*sum(FAMILIES.values(), []), *OTHERS]}
+    found = {row.name: row for row in [*sum(FAMILIES.values(), []), *OTHERS, *EMPTY]}
     return sorted(found.values(), key=lambda row: (row.across**3) * (10 if row.kind == "uniform" else 1))
 
 
 def mesh_by_atria(atria, row, model, folder):
-    adaptive = row.kind != "uniform"
+    adaptive, layers = row.kind != "uniform", int(row.kind in ("layered", "empty"))
     bounds = [c for pair in make_building.DOMAIN for c in pair]
     command = [atria, "mesh", model, "-o", folder / "mesh.vtu", "--domain", *bounds, "--size-min", row.finest, "--size-mid",
-               row.finest, "--size-max", FAR * row.finest if adaptive else row.finest, "--layers", int(row.kind == "layered"),
+               row.finest, "--size-max", FAR * row.finest if adaptive else row.finest, "--layers", layers,
                "--start-level", 3, "--threads", 1]
     if adaptive:
         near = [c for pair in make_building.NEAR for c in pair]
@@ -86,7 +88,7 @@ def make(atria, row, folder):
     from measures import measure
 
     model = folder / "tower.wrl"
-    make_building.main(model)
+    make_building.main(model, row.kind != "empty")
     mesh, seconds = mesh_by_snappy(row, folder) if row.kind == "snappy" else mesh_by_atria(atria, row, model, folder)
     case = folder / "case"
     wind = ["--speed", reference.SPEED, "--height", make_building.HEIGHT, "--roughness", reference.ROUGHNESS]
@@ -146,8 +148,17 @@ def convergences(out):
 
 def tendency(three, values):
     found = convergence([row.finest for row in three], values)
-    limit = ["", "", ""] if found.kind == "diverging" else [f"{found.order:.1f}", f"{found.limit:.3f}", f"{100 * found.index:.1f} %"]
-    return [*(f"{value:.3f}" for value in values[::-1]), found.kind, *limit]
+    numbers = [f"{value:.3f}" for value in values[::-1]]
+    if found.kind == "diverging":
+        return [*numbers, found.kind, "", "", ""]
+    return [*numbers, found.kind, f"{found.order:.1f}", f"{found.limit:.3f}", f"{100 * found.index:.1f} %"]
+
+
+def wind_rows(out):
+    """U/U_H at the building's place without it, over that of the inflow."""
+    for row in EMPTY:
+        if result := known(row, out):
+            yield [row.name, *(f"{found / speed:.2f}" for found, (_, speed, _) in zip(result["wind"], reference.INFLOW))]
 
 
 def tables(out):
@@ -155,6 +166,8 @@ def tables(out):
     parts = [(title, lines_of(HEAD, [cells(row, out) for row in members])) for title, members in groups.items()]
     head = ("meshes", "elements across b", "quantity", "coarse", "medium", "fine", "convergence", "order", "limit", "index")
     parts.append(("Grid convergence", lines_of(head, convergences(out))))
+    heights = [f"{height:g}" for height, _, _ in reference.INFLOW[:-1]]
+    parts.append(("Wind without the building, over the inflow, by z/b", lines_of(("row", *heights), wind_rows(out))))
     published = [("measured", reference.ROOF_LENGTH, reference.WAKE_LENGTH), *reference.PUBLISHED]
     parts.append(("Published", lines_of(("by", "roof", "wake"), published)))
     return "\n".join(f"## {title}\n\n{table}\n" for title, table in parts)

@@ -188,7 +188,7 @@ class Study(unittest.TestCase):
         self.assertIn("ground { mode inside; levels ((1e15 1)); }", text)
 
     def test_a_name_means_one_row(self):
-        members = [*sum(study.FAMILIES.values(), []), *study.OTHERS]
+        members = [*sum(study.FAMILIES.values(), []), *study.OTHERS, *study.EMPTY]
         self.assertEqual(len({row.name for row in members}), len(set(members)))
 
     def test_tables_tell_lengths_differences_and_convergence(self):
@@ -197,6 +197,7 @@ class Study(unittest.TestCase):
             self.keep(row, wake=wake, roof=None)
         shifted = {x: [value + 0.1 for value in values] for x, values in study.MEASURED["middle"].items()}
         self.keep(study.OTHERS[1], roof=math.inf, profiles={**study.MEASURED, "middle": shifted})
+        self.keep(study.EMPTY[0], wind=[0.9 * speed for _, speed, _ in reference.INFLOW[:-1]])
         text = study.tables(self.out)
         for table in text.split("\n\n")[1::2]:
             self.assertEqual(len({line.count("|") for line in table.strip().splitlines()}), 1, table)
@@ -206,6 +207,7 @@ class Study(unittest.TestCase):
         self.assertIn("| uniform | 8, 12, 16 | wake | 2.400 | 2.200 | 2.100 | monotonic |", text)
         self.assertNotIn("| roof | 0", text)
         self.assertIn("| adaptive24 | not run |", text)
+        self.assertIn("| empty8 |" + 13 * " 0.90 |", text)
 
 
 if __name__ == "__main__":
