@@ -48,13 +48,13 @@ volatile std::sig_atomic_t interrupted = 0;
 
 extern "C" void noteInterrupt(int) { interrupted = 1; }
 
-void catchInterrupts()
+void catchInterrupts(int signal)
 {
   struct sigaction action = {};
   action.sa_handler = noteInterrupt;
   action.sa_flags = static_cast<int>(SA_RESETHAND); // the second ends the program
   sigemptyset(&action.sa_mask);
-  sigaction(SIGINT, &action, nullptr);
+  sigaction(signal, &action, nullptr);
 }
 
 bool isOurs(vtkAlgorithm* algorithm) { return std::string_view(algorithm->GetClassName()).starts_with("vtkAtria"); }
@@ -111,7 +111,7 @@ Console::Console()
   window->console = this;
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // VTK also logs what it tells the window
   vtkOutputWindow::SetInstance(window);
-  catchInterrupts();
+  catchInterrupts(SIGINT);
 }
 
 Console::~Console()
@@ -137,6 +137,8 @@ void Console::note(const std::string& text)
   clearBar();
   std::cerr << "atria: note: " << inOptions(text) << '\n';
 }
+
+void Console::catchTermination() { catchInterrupts(SIGTERM); }
 
 bool Console::wasInterrupted() { return interrupted != 0; }
 

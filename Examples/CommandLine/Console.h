@@ -28,6 +28,8 @@ public:
   /// by their abort flag, so that the caller must ask wasInterrupted() after them; VTK's by throwing Failure, as not
   /// all of them look at theirs. `phase` is for those that have no text of their own.
   void follow(vtkAlgorithm* algorithm, double first, double last, const std::string& phase = {});
+  /// Takes SIGTERM for Ctrl-C, too: it is what mpiexec sends where that was pressed, or where another rank has ended.
+  static void catchTermination();
   /// Whether Ctrl-C was pressed. The second time it ends the program at once.
   static bool wasInterrupted();
   /// Throws Failure if so.

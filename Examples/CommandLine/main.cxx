@@ -5,6 +5,7 @@
 #include "Numbers.h"
 #include "Support/Memory.h"
 #include "Usage.h"
+#include "Workers.h"
 
 #include <CLI/CLI.hpp>
 
@@ -33,12 +34,10 @@ void addDocuments(CLI::App& app)
   app.add_subcommand("man", "Print the manual page, for man -l -")->callback([&app] { std::cout << manualOf(app); });
 }
 
-} // namespace
-
-int main(int argc, char** argv)
+/// What the program does on one rank.
+int runProgram(int argc, char** argv, bool hasWorkers)
 {
   using namespace atria::tool;
-  atria::keepFreedMemory();
   CLI::App app(
       "Meshes architecture for flow simulation: a VRML, COLLADA, IFC, OBJ, STL, PLY, glTF or CityJSON model in, a "
       "hexahedral-dominant mesh with named patches out.\nExit status: 0 done, 2 usage, 3 bad input, 4 the "
@@ -56,6 +55,10 @@ int main(int argc, char** argv)
       ->type_name("FILE.toml");
 
   Console console;
+  if (hasWorkers)
+  {
+    Console::catchTermination();
+  }
   ExitStatus status = Done;
   addMeshCommand(app, console, status);
   addInspectCommand(app, console, status);
@@ -89,4 +92,13 @@ int main(int argc, char** argv)
     console.error(error.what());
   }
   return Failed;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  atria::keepFreedMemory();
+  atria::tool::Workers workers(&argc, &argv);
+  return workers.isWorker() ? workers.serve() : workers.end(runProgram(argc, argv, static_cast<bool>(workers)));
 }

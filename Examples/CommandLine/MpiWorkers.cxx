@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Workers of a build with VTK's MPI.
+#include "Workers.h"
+
+#include <vtkMPIController.h>
+#include <vtkNew.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cstdlib>
+#include <string_view>
+#include <thread>
+
+namespace atria::tool {
+
+namespace {
+
+constexpr int first = 0;
+constexpr int taskTag = 1;
+
+/// By what Open MPI, MPICH and Intel's, and process managers say. Alone, the program need not wait for MPI to start.
+bool isStartedOnRanks(int argc, char** argv)
+{
+  const auto isSeveral = [](const char* name) {
+    const char* value = std::getenv(name);
+    return value && std::atoi(value) > 1;
+  };
+  constexpr std::array sizes{"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "MV2_COMM_WORLD_SIZE"};
+  const bool isBySlurm = std::getenv("PMIX_RANK") && isSeveral("SLURM_STEP_NUM_TASKS");
+  // `atria report` goes on as another program, which knows nothing of ranks.
+  const auto isReport = [](const char* argument) { return std::string_view(argument) == "report"; };
+  return (isBySlurm || std::ranges::any_of(sizes, isSeveral)) && std::none_of(argv + 1, argv + argc, isReport);
+}
+
+} // namespace
+
+class Workers::Ranks
+{
+public:
+  Ranks(int* argc, char*** argv) { mpi->Initialize(argc, argv); }
+  ~Ranks() { mpi->Finalize(); }
+  Ranks(const Ranks&) = delete;
+  Ranks& operator=(const Ranks&) = delete;
+
+  vtkNew<vtkMPIController> mpi;
+};
+
+Workers::Workers(int* argc, char*** argv)
+    : ranks(isStartedOnRanks(*argc, *argv) ? std::make_unique<Ranks>(argc, argv) : nullptr)
+{
+}
+
+Workers::~Workers() = default;
+
+Workers::operator bool() const { return ranks && ranks->mpi->GetNumberOfProcesses() > 1; }
+
+bool Workers::isWorker() const { return ranks && ranks->mpi->GetLocalProcessId() != first; }
+
+int Workers::serve()
+{
+  // MPI's own waiting would take a core from the first rank's threads.
+  for (int is = 0; !is;)
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    ranks->mpi->Iprobe(first, taskTag, &is, nullptr);
+  }
+  int status = 0;
+  ranks->mpi->Receive(&status, 1, first, taskTag);
+  return status;
+}
+
+int Workers::end(int status)
+{
+  for (int rank = first + 1; *this && rank < ranks->mpi->GetNumberOfProcesses(); ++rank)
+  {
+    ranks->mpi->Send(&status, 1, rank, taskTag);
+  }
+  return status;
+}
+
+} // namespace atria::tool

@@ -1,0 +1,145 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The command line under mpiexec does what it does alone.
+
+Usage: test_ranks.py MPIEXEC ATRIA FOLDER_OF_MODELS
+"""
+
+import os
+import pathlib
+import re
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+MPIEXEC = sys.argv[1]
+ATRIA = pathlib.Path(sys.argv[2])
+HOUSE = pathlib.Path(sys.argv[3]) / "house.wrl"
+COARSE = ["--size-max", "16", "--size-mid", "4", "--size-min", "2", "--site", "Site"]
+# What takes longer than a test waits.
+FINE = ["--size-max", "8", "--size-mid", "0.3", "--size-min", "0.3", "--site", "Site"]
+ENVIRONMENT = os.environ | {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+
+
+def launched(ranks, *arguments):
+    """The command on so many ranks; alone without mpiexec for 0."""
+    launcher = [MPIEXEC, "--oversubscribe", "-n", str(ranks)] if ranks else []
+    return [*launcher, str(ATRIA), *map(str, arguments)]
+
+
+def run(ranks, *arguments, **options):
+    return subprocess.run(launched(ranks, *arguments), env=ENVIRONMENT, capture_output=True, text=True, timeout=300,
+                          **options)
+
+
+def said(result):
+    """What the program told, without what differs from run to run and what mpiexec says of a status other than 0."""
+    lines = [line for line in result.stdout.splitlines() if not line.startswith(("time ", "memory "))]
+    return lines, [line for line in result.stderr.splitlines() if line.startswith("atria: ")]
+
+
+def processes_of(launcher):
+    """Process ids of the program under mpiexec, by rank."""
+    found = {}
+    for folder in pathlib.Path("/proc").glob("[0-9]*"):
+        try:
+            parent = re.search(r"^PPid:\s+(\d+)", (folder / "status").read_text(), re.MULTILINE)
+            if int(parent[1]) == launcher.pid and os.readlink(folder / "exe") == str(ATRIA.resolve()):
+                rank = re.search(rb"\0OMPI_COMM_WORLD_RANK=(\d+)", (folder / "environ").read_bytes())
+                found[int(rank[1])] = int(folder.name)
+        except (OSError, TypeError):  # it has ended, or has not begun
+            continue
+    return found
+
+
+def runs(process):
+    """Whether there is such a process, other than one whose end nobody has asked for."""
+    try:
+        return "State:\tZ" not in pathlib.Path(f"/proc/{process}/status").read_text()
+    except OSError:
+        return False
+
+
+class Ranks(unittest.TestCase):
+    def setUp(self):
+        self.scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(self.scratch.cleanup)
+
+    def folder(self, name):
+        path = pathlib.Path(self.scratch.name) / name
+        path.mkdir()
+        return path
+
+    def contents(self, folder):
+        return {str(path.relative_to(folder)): path.read_bytes() for path in sorted(folder.rglob("*")) if path.is_file()}
+
+    def test_any_number_of_ranks_writes_and_tells_what_one_process_does(self):
+        outputs = ["-o", "mesh.vtu", "--patches", "mesh.vtpc", "--openfoam", "case", "--processors", "2", "--su2", "mesh.su2"]
+        results = {}
+        for ranks in (0, 1, 2, 3, 5):
+            folder = self.folder(str(ranks))
+            result = run(ranks, "mesh", HOUSE, *COARSE, "--layers", "2", *outputs, cwd=folder)
+            results[ranks] = (result.returncode, said(result), self.contents(folder))
+        self.assertIn("case/processor1/constant/polyMesh/owner", results[0][2])
+        for ranks, (status, texts, files) in results.items():
+            self.assertEqual(status, results[0][0])
+            self.assertEqual(texts, results[0][1], ranks)
+            self.assertEqual(files.keys(), results[0][2].keys())
+            for name, data in files.items():
+                self.assertEqual(data, results[0][2][name], (ranks, name))
+
+    def test_an_error_ends_all_with_its_status(self):
+        for arguments in (["mesh", "missing.wrl"], ["mesh", HOUSE, "--size-mni", "1"], ["mesh", HOUSE, "--site", "Nowhere"]):
+            alone = run(0, *arguments, cwd=self.scratch.name)
+            together = run(3, *arguments, cwd=self.scratch.name)
+            self.assertNotEqual(alone.returncode, 0)
+            self.assertEqual((together.returncode, said(together)), (alone.returncode, said(alone)))
+
+    def test_other_commands_run_once(self):
+        self.assertEqual(run(3, "inspect", HOUSE).stdout, run(0, "inspect", HOUSE).stdout)
+
+    def signaled(self, send):
+        """Status and messages of a run of three ranks that is signaled while it meshes; nothing may be left of it."""
+        folder = self.folder(send.__name__)
+        launcher = subprocess.Popen(launched(3, "mesh", HOUSE, *FINE, "-o", "mesh.vtu", "--openfoam", "case"),
+                                    env=ENVIRONMENT, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        for _ in range(100):
+            time.sleep(0.1)
+            if len(processes_of(launcher)) == 3:
+                break
+        time.sleep(0.7)
+        processes = processes_of(launcher)
+        send(launcher, processes)
+        _, messages = launcher.communicate(timeout=30)
+        self.assertEqual(list(folder.iterdir()), [])
+        self.assertFalse(any(map(runs, processes.values())))
+        return launcher.returncode, messages
+
+    def test_control_c_on_the_first_rank_ends_all(self):
+        def interrupt_first(launcher, processes):
+            os.kill(processes[0], signal.SIGINT)
+
+        status, messages = self.signaled(interrupt_first)
+        self.assertEqual(status, 130, messages)
+        self.assertEqual(messages.count("atria: error: interrupted"), 1, messages)
+
+    def test_control_c_on_mpiexec_ends_all(self):
+        def interrupt_all(launcher, processes):
+            launcher.send_signal(signal.SIGINT)
+
+        status, _ = self.signaled(interrupt_all)
+        self.assertNotEqual(status, 0)
+
+    def test_a_rank_that_dies_ends_all(self):
+        def kill_last(launcher, processes):
+            os.kill(processes[2], signal.SIGKILL)
+
+        status, _ = self.signaled(kill_last)
+        self.assertNotEqual(status, 0)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
