@@ -81,8 +81,10 @@ QualityTargets targetsBack(const MeshTraits& traits);
 ImproverStage flatteningStage(const MeshTraits& traits);
 
 /// 5. Divided layers are improved in passes, as many rounds as these; cells that are bad after the last pass of a round
-/// lose layers. It is enough that they are sound: there are many.
+/// lose layers. It is enough that they are sound: there are many. Those that stay bad or beyond the largest angle once
+/// all are straightened lose layers, too, and what is about them is improved again, so often.
 inline constexpr int mostDivisionRounds = 24;
+inline constexpr int mostGivenWay = 6;
 std::vector<ImproverStage> divisionStages(const MeshTraits& traits);
 
 /// 6. At curved walls, hexahedra are brought to what is asked for: all at smooth walls that fall short, but not for

@@ -106,16 +106,28 @@ private:
 
 void LayerDivision::run()
 {
-  const bool mayMove = !state_.traits.hasHeights;
-  if (mayMove)
+  if (state_.traits.hasHeights)
   {
-    flattenTops();
+    divideEvenly();
+    return;
   }
-  const LayerMesh one = state_.layer;
-  if (!mayMove || !divideAndImprove(one))
+  flattenTops();
+  given_ = one_ = state_.layer;
+  counts_ = layersWanted(state_.plain, state_.walls, one_, state_.options);
+  held_.assign(one_.plainPoints, 0);
+  state_.layer = divideLayer(state_.plain, state_.walls, one_, state_.options, counts_);
+  state_.measureBy(strictestOfDivided(state_.traits));
+  improveUntilSound(pointsToEvaluate(state_.layer, state_.context.executor));
+}
+
+bool LayerDivision::giveWay(const std::vector<ShortCell>& cells)
+{
+  const std::optional<std::vector<char>> marked = takeAway(cells);
+  if (marked)
   {
-    divideEvenly(one);
+    improveUntilSound(*marked);
   }
+  return marked.has_value();
 }
 
 /// Of the cells of the layer, and those beside it.
@@ -130,47 +142,77 @@ void LayerDivision::flattenTops()
   state_.run(stage, cells);
 }
 
-/// All layers everywhere, up to where there are none; elements that are poor are improved, and those that are bad still
-/// lose layers. Whether that came to an end.
-bool LayerDivision::divideAndImprove(const LayerMesh& given)
+/// Elements at marked points that are poor are improved, and those that are bad still lose layers, until there are
+/// none.
+void LayerDivision::improveUntilSound(std::vector<char> marked)
 {
-  LayerMesh one = given;
-  std::vector<Index> counts = layersWanted(state_.plain, state_.walls, one, state_.options);
-  std::vector<char> held(one.plainPoints, 0);
-  state_.layer = divideLayer(state_.plain, state_.walls, one, state_.options, counts);
-  state_.measureBy(strictestOfDivided(state_.traits));
-  std::vector<char> marked = pointsToEvaluate(state_.layer, state_.context.executor);
   for (int round = 0; round < mostDivisionRounds; ++round)
   {
-    const std::vector<ShortCell> bad = improve(marked, held);
-    if (bad.empty())
+    std::optional<std::vector<char>> next = takeAway(improve(marked));
+    if (!next)
     {
-      return true;
+      return;
     }
-    std::copy_n(state_.layer.mesh.points.begin(), one.plainPoints, one.mesh.points.begin());
-    takeCopies(state_.layer, held, one);
-    const std::vector<Index> before = counts;
-    lower(state_.layer, bad, counts);
-    std::vector<char> changed(one.plainPoints, 0);
-    restore(given, bad, before, one, held, changed);
-    markPoints(state_.layer, bad, changed);
-    LayerMesh next = divideLayer(state_.plain, state_.walls, one, state_.options, counts);
-    takeChains(state_.layer, held, next);
-    state_.replaceLayer(std::move(next));
-    marked = pointsBesideChange(state_.plain, state_.layer, before, counts);
-    for (Index p = 0; p < marked.size(); ++p)
+    marked = std::move(*next);
+  }
+}
+
+/// Takes layers away at cells, and those that have one only go back to where they were before they were divided.
+/// Returns the points that this changes; nothing where there is nothing to take away.
+std::optional<std::vector<char>> LayerDivision::takeAway(std::vector<ShortCell> cells)
+{
+  addAroundHeld(cells);
+  if (std::ranges::all_of(cells, [&](const ShortCell& cell) { return isHeld(cell); }))
+  {
+    return {};
+  }
+  std::copy_n(state_.layer.mesh.points.begin(), one_.plainPoints, one_.mesh.points.begin());
+  takeCopies(state_.layer, held_, one_);
+  const std::vector<Index> before = counts_;
+  lower(state_.layer, cells, counts_);
+  std::vector<char> changed(one_.plainPoints, 0);
+  restore(cells, before, changed);
+  markPoints(state_.layer, cells, changed);
+  LayerMesh next = divideLayer(state_.plain, state_.walls, one_, state_.options, counts_);
+  takeChains(state_.layer, held_, next);
+  state_.replaceLayer(std::move(next));
+  std::vector<char> marked = pointsBesideChange(state_.plain, state_.layer, before, counts_);
+  for (Index p = 0; p < marked.size(); ++p)
+  {
+    marked[p] |= changed[state_.layer.wallPointOf(p)];
+  }
+  return marked;
+}
+
+bool LayerDivision::isHeld(const ShortCell& cell) const
+{
+  return std::ranges::all_of(state_.layer.mesh.corners[cell.cell],
+                             [&](Index p) { return held_[state_.layer.wallPointOf(p)] != 0; });
+}
+
+/// Where all points of a cell are back already, what is beside it is in its way.
+void LayerDivision::addAroundHeld(std::vector<ShortCell>& cells) const
+{
+  const LayerMesh& layer = state_.layer;
+  std::vector<char> marked(layer.mesh.points.size(), 0);
+  for (const ShortCell& cell : cells)
+  {
+    for (std::size_t i = 0; i < 8 && isHeld(cell); ++i)
     {
-      marked[p] |= changed[state_.layer.wallPointOf(p)];
+      marked[layer.mesh.corners[cell.cell][i]] = 1;
     }
   }
-  return false;
+  for (const Index cell : cellsWithMarked(DualSource(layer.mesh), marked, state_.context))
+  {
+    cells.push_back({cell, 0.0F});
+  }
 }
 
 /// Improves the poor cells at marked points. Returns those that are bad then.
-std::vector<ShortCell> LayerDivision::improve(const std::vector<char>& marked, const std::vector<char>& held)
+std::vector<ShortCell> LayerDivision::improve(const std::vector<char>& marked)
 {
   LayerFreedom freedom(state_);
-  HeldConstraints points(freedom.layer, state_.layer, held);
+  HeldConstraints points(freedom.layer, state_.layer, held_);
   ChainConstraints chains(state_.layer, points);
   const std::vector<ImproverStage> stages = divisionStages(state_.traits);
   const QualityTargets& targets = stages.front().options.targets;
@@ -184,12 +226,12 @@ std::vector<ShortCell> LayerDivision::improve(const std::vector<char>& marked, c
   return state_.findShort(targets, soundEnough);
 }
 
-/// What is bad with one layer at its points was good before it was improved: these points go back there, and stay.
-void LayerDivision::restore(const LayerMesh& given, const std::vector<ShortCell>& bad, const std::vector<Index>& counts,
-                            LayerMesh& one, std::vector<char>& held, std::vector<char>& changed) const
+/// What is bad with one layer at its points was good before it was divided: these points go back there, and stay.
+void LayerDivision::restore(const std::vector<ShortCell>& cells, const std::vector<Index>& counts,
+                            std::vector<char>& changed)
 {
-  std::vector<char> leads(one.plainPoints, 0);
-  for (const ShortCell& cell : bad)
+  std::vector<char> leads(one_.plainPoints, 0);
+  for (const ShortCell& cell : cells)
   {
     const auto& corners = state_.layer.mesh.corners[cell.cell];
     if (std::ranges::all_of(corners, [&](Index p) { return counts[state_.layer.wallPointOf(p)] <= 1; }))
@@ -201,23 +243,24 @@ void LayerDivision::restore(const LayerMesh& given, const std::vector<ShortCell>
     }
   }
   // The two sides of a sheet go together, whatever layers the other one has.
-  for (Index p = 0; p < one.plainPoints; ++p)
+  for (Index p = 0; p < one_.plainPoints; ++p)
   {
     if (leads[state_.vertexOf[p]])
     {
-      held[p] = changed[p] = 1;
-      one.mesh.points[p] = given.mesh.points[p];
-      if (given.copies[p] != noIndex)
+      held_[p] = changed[p] = 1;
+      one_.mesh.points[p] = given_.mesh.points[p];
+      if (given_.copies[p] != noIndex)
       {
-        one.mesh.points[one.copies[p]] = given.mesh.points[given.copies[p]];
+        one_.mesh.points[one_.copies[p]] = given_.mesh.points[given_.copies[p]];
       }
     }
   }
 }
 
 /// Layers taper one at a time, and elements that are bad lose some until there are none.
-void LayerDivision::divideEvenly(const LayerMesh& one)
+void LayerDivision::divideEvenly()
 {
+  const LayerMesh one = state_.layer;
   std::vector<Index> counts = layersWanted(state_.plain, state_.walls, one, state_.options);
   std::vector<Index> before;
   std::vector<char> marked;

@@ -4,6 +4,8 @@
 
 #include "Mesher/Improvement/ImproverState.h"
 
+#include <optional>
+
 namespace atria {
 
 class LayerDivision
@@ -13,16 +15,27 @@ public:
 
   /// Layers of an asked height stay as they are: nothing can be improved by moving their points.
   void run();
+  /// After that, without heights: takes layers away at cells, and improves what is about these. Whether there were some
+  /// to take away.
+  bool giveWay(const std::vector<ShortCell>& cells);
 
 private:
   void flattenTops();
-  bool divideAndImprove(const LayerMesh& given);
-  std::vector<ShortCell> improve(const std::vector<char>& marked, const std::vector<char>& held);
-  void restore(const LayerMesh& given, const std::vector<ShortCell>& bad, const std::vector<Index>& counts,
-               LayerMesh& one, std::vector<char>& held, std::vector<char>& changed) const;
-  void divideEvenly(const LayerMesh& one);
+  void improveUntilSound(std::vector<char> marked);
+  std::vector<ShortCell> improve(const std::vector<char>& marked);
+  std::optional<std::vector<char>> takeAway(std::vector<ShortCell> cells);
+  bool isHeld(const ShortCell& cell) const;
+  void addAroundHeld(std::vector<ShortCell>& cells) const;
+  void restore(const std::vector<ShortCell>& cells, const std::vector<Index>& counts, std::vector<char>& changed);
+  void divideEvenly();
 
   ImproverState& state_;
+  /// The layer before it was divided, and with its outermost points as they are now.
+  LayerMesh given_;
+  LayerMesh one_;
+  /// By point of the plain mesh: how many layers it has, and whether it is back where it was in `given_`, to stay.
+  std::vector<Index> counts_;
+  std::vector<char> held_;
 };
 
 } // namespace atria

@@ -101,21 +101,45 @@ void retreat(ImproverState& state, VertexDetachment& detachment)
 
 /// Divides layers. Where elements need a layer that was not asked for as points have moved, they get it before, and all
 /// are divided again.
-void divide(ImproverState& state, VertexDetachment& detachment)
+LayerDivision divide(ImproverState& state, VertexDetachment& detachment)
 {
   for (int round = 0; state.traits.supported && round < mostDividedAgain; ++round)
   {
     VertexDetachment::Kept whole = detachment.keep();
-    LayerDivision(state).run();
+    LayerDivision division(state);
+    division.run();
     const std::vector<char> points = pointsToSupport(state);
     if (points.empty())
     {
-      return;
+      return division;
     }
     detachment.takeAgain(std::move(whole));
     supportAt(points, state, detachment);
   }
-  LayerDivision(state).run();
+  LayerDivision division(state);
+  division.run();
+  return division;
+}
+
+/// Elements that stay beyond the largest angle, or bad, lose layers.
+void straightenDivided(LayerDivision division, ImproverState& state, VertexDetachment& detachment)
+{
+  straighten(state, detachment);
+  for (int round = 0; round < mostGivenWay; ++round)
+  {
+    std::vector<ShortCell> failing = state.findShort(targetsOfLargestAngle(state.traits), 0.0F);
+    std::ranges::transform(findConcaveAtWalls(state.layer.mesh, state.context), std::back_inserter(failing),
+                           [](Index cell) {
+                             return ShortCell{cell, 0.0F};
+                           });
+    state.focus.assign(state.layer.plainPoints, 0);
+    if (failing.empty() || !division.giveWay(failing))
+    {
+      break;
+    }
+    straighten(state, detachment);
+  }
+  state.focus.clear();
 }
 
 } // namespace
@@ -158,20 +182,22 @@ ImprovedLayer improveLayer(const MeshingContext& context, const VertexClassifica
     enter(0.5, 0.7, "Dividing layers");
     supportMore(state, detachment);
     retreat(state, detachment);
-    divide(state, detachment);
+    LayerDivision division = divide(state, detachment);
+    if (!traits.hasHeights)
+    {
+      enter(0.7, 0.9, "Straightening elements");
+      straightenDivided(std::move(division), state, detachment);
+    }
   }
   if (isCurved)
   {
     enter(0.5, 0.7, "Improving elements at curved walls");
     curved->improve();
   }
-  if (!traits.divided || !traits.hasHeights)
+  if (!traits.divided)
   {
     enter(0.7, 0.9, "Straightening elements");
     straighten(state, detachment);
-  }
-  if (!traits.divided)
-  {
     supportMore(state, detachment);
     retreat(state, detachment);
   }
