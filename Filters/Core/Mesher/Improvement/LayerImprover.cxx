@@ -74,27 +74,40 @@ std::size_t countFailing(ImproverState& state)
          findConcaveAtWalls(state.layer.mesh, state.context).size();
 }
 
+/// One attempt at the elements of one place. What is no better for it stays as it was.
+void tryAnew(const std::vector<ShortCell>& cells, const Retreat& attempt, ImproverState& state,
+             VertexDetachment& detachment)
+{
+  const std::size_t before = countFailing(state);
+  VertexDetachment::Kept kept = detachment.keep();
+  state.focus.assign(state.layer.plainPoints, 0);
+  detachment.beginAnew(cells, attempt.rows, attempt.layered);
+  straightenWhereNeeded(state, detachment);
+  state.focus.clear();
+  supportMore(state, detachment);
+  if (countFailing(state) >= before)
+  {
+    detachment.takeAgain(std::move(kept));
+  }
+}
+
 /// Where elements are not valid in spite of all room, they and those about them begin anew from the centers of their
-/// octants, where the plain mesh is valid. What is no better for it stays as it was.
+/// octants, where the plain mesh is valid, place by place.
 void retreat(ImproverState& state, VertexDetachment& detachment)
 {
   QualityTargets targets = targetsOfChecks(state.traits);
   targets.leastOfDeterminant = std::numeric_limits<double>::infinity(); // mended by a layer, if at all
   for (const Retreat& attempt : retreats)
   {
-    const std::vector<ShortCell> bad = state.findShort(targets, 0.0F);
-    if (bad.empty())
+    std::vector<char> tried(state.layer.plainPoints, 0);
+    for (;;)
     {
-      return;
-    }
-    const std::size_t before = countFailing(state);
-    VertexDetachment::Kept kept = detachment.keep();
-    detachment.beginAnew(bad, attempt.rows, attempt.layered);
-    straightenWhereNeeded(state, detachment);
-    supportMore(state, detachment);
-    if (countFailing(state) >= before)
-    {
-      detachment.takeAgain(std::move(kept));
+      const std::vector<ShortCell> place = detachment.takePlace(state.findShort(targets, 0.0F), attempt.rows, tried);
+      if (place.empty())
+      {
+        break;
+      }
+      tryAnew(place, attempt, state, detachment);
     }
   }
 }

@@ -223,6 +223,28 @@ std::vector<char> VertexDetachment::leadersAbout(const std::vector<ShortCell>& c
   return leaders;
 }
 
+std::vector<ShortCell> VertexDetachment::takePlace(std::vector<ShortCell> cells, int rows,
+                                                   std::vector<char>& tried) const
+{
+  const auto countOf = [&](const ShortCell& cell, const std::vector<char>& leaders) {
+    int count = 0;
+    eachLeaderOf({cell}, [&](Index leader) { count += leaders[leader]; });
+    return count;
+  };
+  std::erase_if(cells, [&](const ShortCell& cell) { return countOf(cell, tried) == 8; });
+  std::vector<ShortCell> place(cells.begin(), cells.begin() + (cells.empty() ? 0 : 1));
+  for (std::size_t before = 0; before < place.size();)
+  {
+    before = place.size();
+    const std::vector<char> about = leadersAbout(place, 2 * rows);
+    place.clear();
+    std::ranges::copy_if(cells, std::back_inserter(place),
+                         [&](const ShortCell& cell) { return countOf(cell, about) > 0; });
+  }
+  eachLeaderOf(place, [&](Index leader) { tried[leader] = 1; });
+  return place;
+}
+
 void VertexDetachment::beginAnew(const std::vector<ShortCell>& cells, int rows, bool layered)
 {
   const std::vector<char> leaders = leadersAbout(cells, rows);

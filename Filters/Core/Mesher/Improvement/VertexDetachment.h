@@ -28,6 +28,9 @@ public:
   void detach(const std::vector<ShortCell>& cells, double reach);
   /// Forgets the points that are back; the others stay where they are.
   void keepThoseAway();
+  /// The first of the cells that has a leader not tried yet, with those near enough for the same rows about them to
+  /// meet; their leaders count as tried then. None: all were tried.
+  std::vector<ShortCell> takePlace(std::vector<ShortCell> cells, int rows, std::vector<char>& tried) const;
   /// Takes the vertices of cells, and of so many rows about them, to the centers of their octants, and as far back as
   /// elements stay valid, with a layer or without.
   void beginAnew(const std::vector<ShortCell>& cells, int rows, bool layered);
