@@ -102,7 +102,7 @@ vtkSmartPointer<vtkDataObject> joinFound(Pieces& found, std::vector<Index>* rank
 {
   const bool wasDivided = found.data.size() > 1;
   const std::vector<vtkSmartPointer<vtkDataObject>> pieces = std::exchange(found.data, {});
-  const vtkSmartPointer<vtkDataObject> whole = joinPieces(pieces, wasDivided ? rankOf : nullptr);
+  vtkSmartPointer<vtkDataObject> whole = joinPieces(pieces, wasDivided ? rankOf : nullptr);
   if (rankOf)
   {
     std::ranges::transform(*rankOf, rankOf->begin(), [&](Index piece) { return found.ranks[piece]; });

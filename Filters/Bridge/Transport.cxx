@@ -101,7 +101,7 @@ vtkSmartPointer<vtkAbstractArray> arrayAsDescribed(vtkMultiProcessStream& in)
   vtkTypeInt64 tuples = 0;
   std::string name;
   in >> type >> components >> tuples >> hasName >> name;
-  const auto array = vtkSmartPointer<vtkAbstractArray>::Take(vtkAbstractArray::CreateArray(type));
+  auto array = vtkSmartPointer<vtkAbstractArray>::Take(vtkAbstractArray::CreateArray(type));
   array->SetNumberOfComponents(components);
   array->SetNumberOfTuples(tuples);
   array->SetName(hasName ? name.c_str() : nullptr);

@@ -80,7 +80,7 @@ vtkSmartPointer<vtkPoints> takePoints(vtkPoints* from, const VtkIds& ids)
   auto points = vtkSmartPointer<vtkPoints>::New();
   points->SetDataType(from ? from->GetDataType() : VTK_DOUBLE);
   points->SetNumberOfPoints(static_cast<vtkIdType>(ids.size()));
-  if (!ids.empty())
+  if (from && !ids.empty())
   {
     from->GetData()->GetTuples(listOf(ids), points->GetData());
   }
