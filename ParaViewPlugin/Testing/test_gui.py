@@ -22,6 +22,8 @@ from gui_window import OUTPUT, Window, accept, choose_file, choose_reader, run
 MODEL = pathlib.Path(os.environ["ATRIA_MODEL"])
 # The middle of the buildings, from where, and how far.
 VIEW = [12, 7, 3], (-0.45, -0.75, 0.45), 55
+# The whole site.
+FAR_VIEW = [23, 7, 5], VIEW[1], 480
 # What holds others is no surface.
 SURFACES = set(re.findall(r"DEF\s+(\w+)\s+Transform", MODEL.read_text())) - {"Buildings"}
 
@@ -161,7 +163,9 @@ def check_box(window):
     shown = [float(box.findChild(QtWidgets.QLineEdit, f"bound{i}").text()) for i in range(6)]
     model = simple.GetActiveSource().Input.GetDataInformation().GetBounds()
     assert all(abs(a - b) < 1e-3 for a, b in zip(shown, model)), (shown, model)
+    window.look_at(*FAR_VIEW)
     window.picture("domain-box")
+    window.look_at(*VIEW)
     mode.setCurrentText("Automatic")
     window.settle()
 
