@@ -152,8 +152,8 @@ class Study(unittest.TestCase):
         self.out = pathlib.Path(scratch.name)
 
     def keep(self, row, **values):
-        keep(row, self.out, {"cells": 1000, "mesh_seconds": 1.0, "solve_seconds": 2.0, "iterations": 3, "residuals": {"p": 1e-4},
-                             "worst_non_orthogonality": 50.0, "roof": 0.5, "wake": 2.0, "drag": 1.3,
+        keep(row, self.out, {"cells": 1000, "mesh_seconds": 1.0, "solve_seconds": 2.0, "iterations": 3,
+                             "residuals": {"p": 1e-4}, "worst_non_orthogonality": 50.0, "roof": 0.5, "wake": 2.0, "drag": 1.3, "drift": 1e-4,
                              "profiles": study.MEASURED, **values})
 
     def test_half_of_the_tunnel_is_meshed_and_gets_the_measured_wind(self):
