@@ -45,7 +45,7 @@ class Row:
 KINDS = {"uniform": (6, 8, 12, 16), "adaptive": (8, 12, 16, 24), "layered": (8, 12, 16, 24), "snappy": (8, 12, 16, 24)}
 # From these on the drag changes by some 1e-4 of itself; finer meshes and uniform ones take more.
 ITERATIONS = {8: 300, 12: 300, 16: 400, 24: 500}
-UNIFORM_ITERATIONS = {6: 400, 8: 600, 12: 1000, 16: 1500}
+UNIFORM_ITERATIONS = {6: 400, 8: 600, 12: 750, 16: 1000}
 
 
 def family_of(kind, sizes):
