@@ -19,8 +19,8 @@ CONTENTS = {
     "Use": ["docs/tutorial", "docs/gallery", "docs/building", "docs/paraview", "docs/choosing", "docs/formats", "docs/cases",
             "docs/troubleshooting"],
     "Reference": ["reference/commands", "reference/filters", "docs/arrays", "docs/formats", "docs/glossary", "CHANGELOG"],
-    "Background": ["docs/comparison", "docs/results", "docs/ventilation", "docs/benchmarks", "docs/benchmarks-smooth",
-                   "docs/algorithm", "docs/decisions"],
+    "Background": ["docs/comparison", "docs/results", "docs/ventilation", "docs/validation", "docs/benchmarks",
+                   "docs/benchmarks-smooth", "docs/algorithm", "docs/decisions"],
     "Develop": ["CONTRIBUTING", "docs/architecture", "docs/testing", "docs/constants"],
 }
 
