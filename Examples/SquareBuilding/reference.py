@@ -5,8 +5,9 @@ Japan (AIJ).
 Measured by Meng and Hibi (1998), "Turbulent measurements of the flow field around a high-rise building", Journal of Wind
 Engineering 76, 55-64, in a tunnel, with split-fiber probes. The data are the AIJ's under CC BY 4.0,
 https://doi.org/10.5281/zenodo.15050147; here they are rounded, heights and places in widths b of the building, speeds
-along the wind relative to U_H, k to its square. Computed lengths are those of Mochida et al. (2002), "Comparison of
-various k-epsilon models and DSM applied to flow around a high-rise building", Wind and Structures 5, 227-244.
+along the wind relative to U_H, k to its square. Computed lengths are those of the AIJ's working group: its Guidebook for
+CFD predictions of urban wind environment (2016), table 2-1-3, and Mochida et al. (2002), "Comparison of various k-epsilon
+models and DSM applied to flow around a high-rise building", Wind and Structures 5, 227-244.
 """
 
 import math
