@@ -44,7 +44,7 @@ std::vector<Index> pointsAbout(const BridgeTriangle& bridge, const GridPlaces& g
 }
 
 /// Puts the cut of an edge on record, as findCrossings does.
-void cut(Crossings& crossings, const GridPlaces& grid, const SurfaceModel& model, const Passage& passage)
+void cut(Crossings& crossings, const GridPlaces& grid, const SurfaceModel& model, const PassingEdge& passage)
 {
   const GridPlaces::Edge edge = grid.edge(passage.point, passage.direction);
   crossings.crossedEdges.push_back({passage.point, edge.other, passage.direction,
@@ -70,15 +70,15 @@ void cut(Crossings& crossings, const GridPlaces& grid, const SurfaceModel& model
 }
 
 /// The passages of an edge's bridges, and of those to the next edge at its ends.
-std::vector<Passage> passagesOf(Index edge, const BoundaryGaps& gaps, const Crossings& crossings,
-                                const GridPlaces& grid, double tolerance, const SurfaceModel& model)
+std::vector<PassingEdge> passingEdgesOf(Index edge, const BoundaryGaps& gaps, const Crossings& crossings,
+                                        const GridPlaces& grid, double tolerance, const SurfaceModel& model)
 {
   const Index triangle = gaps.boundary.edges()[edge].triangle;
-  std::vector<Passage> found;
+  std::vector<PassingEdge> found;
   const auto look = [&](const std::vector<BridgeTriangle>& bridges) {
     for (const BridgeTriangle& bridge : bridges)
     {
-      const std::vector<Passage> passages = passagesOf(bridge, triangle, crossings, grid);
+      const std::vector<PassingEdge> passages = passingEdgesOf(bridge, triangle, crossings, grid);
       found.insert(found.end(), passages.begin(), passages.end());
     }
   };
@@ -100,10 +100,10 @@ std::vector<Passage> passagesOf(Index edge, const BoundaryGaps& gaps, const Cros
 
 } // namespace
 
-std::vector<Passage> passagesOf(const BridgeTriangle& bridge, Index triangle, const Crossings& crossings,
-                                const GridPlaces& grid)
+std::vector<PassingEdge> passingEdgesOf(const BridgeTriangle& bridge, Index triangle, const Crossings& crossings,
+                                        const GridPlaces& grid)
 {
-  std::vector<Passage> passages;
+  std::vector<PassingEdge> passages;
   for (const Index point : pointsAbout(bridge, grid))
   {
     for (int direction = 0; direction < 6; ++direction)
@@ -129,15 +129,15 @@ Crossings closeCracks(Crossings crossings, const BoundaryGaps& gaps, const GridP
   {
     return crossings;
   }
-  std::vector<std::vector<Passage>> found(gaps.stations.size());
+  std::vector<std::vector<PassingEdge>> found(gaps.stations.size());
   context.executor.forEach(found.size(), 16, [&](std::size_t edge) {
     context.progress.check();
     if (!gaps.stations[edge].empty())
     {
-      found[edge] = passagesOf(static_cast<Index>(edge), gaps, crossings, grid, tolerance, context.model);
+      found[edge] = passingEdgesOf(static_cast<Index>(edge), gaps, crossings, grid, tolerance, context.model);
     }
   });
-  std::vector<Passage> passages;
+  std::vector<PassingEdge> passages;
   for (const auto& part : found)
   {
     passages.insert(passages.end(), part.begin(), part.end());

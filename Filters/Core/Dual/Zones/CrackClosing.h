@@ -9,14 +9,14 @@
 namespace atria {
 
 /// An edge of the grid that passes a triangle.
-struct Passage
+struct PassingEdge
 {
   Index point;
   std::uint8_t direction;
   SurfaceCrossing cut;
 
   std::pair<Index, std::uint8_t> edge() const { return {point, direction}; }
-  bool operator<(const Passage& other) const
+  bool operator<(const PassingEdge& other) const
   {
     return std::tie(point, direction, cut.parameter, cut.triangle, cut.orientation) <
            std::tie(other.point, other.direction, other.cut.parameter, other.cut.triangle, other.cut.orientation);
@@ -25,8 +25,8 @@ struct Passage
 
 /// Edges of the grid that nothing cuts and that pass a bridge: exact as all crossings are, so that edges round a place
 /// agree. `triangle` is what cuts them.
-std::vector<Passage> passagesOf(const BridgeTriangle& bridge, Index triangle, const Crossings& crossings,
-                                const GridPlaces& grid);
+std::vector<PassingEdge> passingEdgesOf(const BridgeTriangle& bridge, Index triangle, const Crossings& crossings,
+                                        const GridPlaces& grid);
 
 /// Closes gaps ahead of boundary edges that are no wider than `tolerance` times the octants there: edges of the grid
 /// that pass their bridges, and those between the bridges of edges that meet, are cut by the boundary edges' triangles.

@@ -75,7 +75,7 @@ private:
       return {};
     }
     const bool isOpen = std::ranges::any_of(bridge, [&](const BridgeTriangle& triangle) {
-      return !passagesOf(triangle, gaps.boundary.edges()[edge].triangle, crossings, grid).empty();
+      return !passingEdgesOf(triangle, gaps.boundary.edges()[edge].triangle, crossings, grid).empty();
     });
     const double unit = frame.latticeUnit();
     return {isOpen ? StepKind::open : StepKind::closed,
