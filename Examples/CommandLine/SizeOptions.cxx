@@ -36,20 +36,9 @@ std::pair<double, std::optional<double>> sizesFrom(const std::string& text)
   throw Failure(Usage, "--size: " + text + " is not of the form SIZE or SIZE:FEATURE");
 }
 
-} // namespace
-
-void declareSizeOptions(CLI::App& command, SizeOptions& options)
+/// Sizes at places.
+void declareRules(CLI::App& command, SizeOptions& options)
 {
-  // The filter is the one home of the defaults.
-  vtkNew<vtkAtriaOctreeSource> filter;
-  options.curvatureAngle = filter->GetCurvatureAngle();
-  options.gapCells = filter->GetCellsAcrossGap();
-  options.cellsPerLevel = filter->GetCellsPerLevel();
-  options.maxElements = filter->GetMaxElements();
-  options.memoryLimit = filter->GetMemoryLimit();
-  options.startLevel = filter->GetStartLevel();
-  options.featureAngle = filter->GetFeatureAngle();
-
   command
       .add_option("--size", options.surfaces,
                   "Element size at the surfaces whose name matches the pattern (* and ? stand for text), and at their "
@@ -64,6 +53,23 @@ void declareSizeOptions(CLI::App& command, SizeOptions& options)
                   "Element size up to a distance from the surfaces that match, meters; may be repeated")
       ->allow_extra_args(false)
       ->type_name("PATTERN DISTANCE SIZE");
+}
+
+} // namespace
+
+void declareSizeOptions(CLI::App& command, SizeOptions& options)
+{
+  // The filter is the one home of the defaults.
+  vtkNew<vtkAtriaOctreeSource> filter;
+  options.curvatureAngle = filter->GetCurvatureAngle();
+  options.gapCells = filter->GetCellsAcrossGap();
+  options.cellsPerLevel = filter->GetCellsPerLevel();
+  options.maxElements = filter->GetMaxElements();
+  options.memoryLimit = filter->GetMemoryLimit();
+  options.startLevel = filter->GetStartLevel();
+  options.featureAngle = filter->GetFeatureAngle();
+
+  declareRules(command, options);
   command
       .add_option("--curvature-angle", options.curvatureAngle,
                   "Refine where a smooth surface turns by more in an element, degrees; 0 for nowhere")
