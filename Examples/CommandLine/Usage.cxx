@@ -32,7 +32,7 @@ std::vector<std::string> optionsOf(const CLI::App& command)
   return names;
 }
 
-std::vector<std::string> subcommandsOf(const CLI::App& app)
+std::vector<std::string> subcommandNames(const CLI::App& app)
 {
   std::vector<std::string> names;
   for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
@@ -61,7 +61,7 @@ std::string unexpected(const CLI::App& app)
   const CLI::App& command = commandOf(app);
   if (&command == &app && !left.empty())
   {
-    return "there is no subcommand " + left.front() + didYouMean(left.front(), subcommandsOf(app));
+    return "there is no subcommand " + left.front() + didYouMean(left.front(), subcommandNames(app));
   }
   return left.empty() ? "" : "'" + left.back() + "' is one argument too many";
 }
