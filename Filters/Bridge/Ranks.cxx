@@ -137,6 +137,27 @@ private:
   std::vector<std::pair<vtkInformation*, vtkSmartPointer<vtkDataObject>>> replaced;
 };
 
+template <typename F> void forInputs(vtkAlgorithm& algorithm, vtkInformationVector** inputs, F&& body)
+{
+  for (int port = 0; port < algorithm.GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
+    {
+      body(inputs[port]->GetInformationObject(i));
+    }
+  }
+}
+
+void putInOnePiece(vtkInformation* info, InputsInPlace& places)
+{
+  vtkDataObject* data = vtkDataObject::GetData(info);
+  const vtkSmartPointer<vtkDataObject> whole = data ? inOnePiece(data) : nullptr;
+  if (whole != data)
+  {
+    places.replace(info, whole);
+  }
+}
+
 void writeStructure(vtkDataObject* output, vtkMultiProcessStream& stream)
 {
   auto* sets = vtkPartitionedDataSetCollection::SafeDownCast(output);
@@ -255,6 +276,8 @@ int Ranks::run(vtkAlgorithm& algorithm, vtkInformationVector** inputs, vtkInform
   {
     if (isRoot())
     {
+      InputsInPlace whole;
+      forInputs(algorithm, inputs, [&](vtkInformation* info) { putInOnePiece(info, whole); });
       return work();
     }
     for (int i = 0; i < outputs->GetNumberOfInformationObjects(); ++i)
@@ -264,14 +287,9 @@ int Ranks::run(vtkAlgorithm& algorithm, vtkInformationVector** inputs, vtkInform
     return 1;
   }
   std::vector<std::pair<vtkInformation*, Pieces>> gathered;
-  for (int port = 0; port < algorithm.GetNumberOfInputPorts(); ++port)
-  {
-    for (int i = 0; i < inputs[port]->GetNumberOfInformationObjects(); ++i)
-    {
-      vtkInformation* info = inputs[port]->GetInformationObject(i);
-      gathered.emplace_back(info, gather(vtkDataObject::GetData(info), *controller));
-    }
-  }
+  forInputs(algorithm, inputs, [&](vtkInformation* info) {
+    gathered.emplace_back(info, gather(vtkDataObject::GetData(info), *controller));
+  });
   int result = 0;
   std::vector<Index> rankOf; // of the cells of the first input
   try

@@ -214,6 +214,22 @@ bool isNumbered(vtkDataSet* piece)
   return globalIds(piece->GetCellData(), cellIdsName) && globalIds(piece->GetPointData(), pointIdsName);
 }
 
+bool isInPieces(vtkUnstructuredGrid* grid)
+{
+  if (grid->HasAnyGhostCells())
+  {
+    return true;
+  }
+  Order points;
+  vtkDataArray* ids = globalIds(grid->GetPointData(), pointIdsName);
+  for (vtkIdType p = 0; p < grid->GetNumberOfPoints(); ++p)
+  {
+    append(ids, 0, p, points);
+  }
+  std::ranges::sort(points);
+  return std::ranges::adjacent_find(points, {}, &Numbered::id) != points.end();
+}
+
 NumberedWhole joinNumberedGrids(const std::vector<vtkUnstructuredGrid*>& pieces)
 {
   NumberedWhole out{vtkSmartPointer<vtkUnstructuredGrid>::New(), {}};

@@ -18,6 +18,10 @@ namespace atria {
 /// Whether cells and points have global ids: the attributes, or arrays GlobalCellIds and GlobalPointIds.
 bool isNumbered(vtkDataSet* piece);
 
+/// Whether a numbered grid is what stands in several pieces, one after the other, as readers of .pvtu files give them:
+/// it has ghost cells, or points of the same id.
+bool isInPieces(vtkUnstructuredGrid* grid);
+
 struct NumberedWhole
 {
   vtkSmartPointer<vtkUnstructuredGrid> grid;

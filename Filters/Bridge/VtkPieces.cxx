@@ -91,7 +91,10 @@ vtkSmartPointer<vtkDataObject> joinCollections(const Pieces& pieces)
       }
       for (unsigned int j = 0; j < sets->GetNumberOfPartitions(i); ++j)
       {
-        joined->SetPartition(at, joined->GetNumberOfPartitions(at), sets->GetPartitionAsDataObject(i, j));
+        if (vtkDataObject* part = sets->GetPartitionAsDataObject(i, j)) // readers leave out what was empty
+        {
+          joined->SetPartition(at, joined->GetNumberOfPartitions(at), part);
+        }
       }
     }
   }
@@ -171,6 +174,24 @@ vtkSmartPointer<vtkDataObject> withoutGhosts(vtkDataObject* piece)
   }
   removeGhosts(copy);
   return copy;
+}
+
+vtkSmartPointer<vtkDataObject> inOnePiece(vtkDataObject* data)
+{
+  if (auto* sets = vtkPartitionedDataSetCollection::SafeDownCast(data))
+  {
+    unsigned int most = 0;
+    for (unsigned int i = 0; i < sets->GetNumberOfPartitionedDataSets(); ++i)
+    {
+      most = std::max(most, sets->GetNumberOfPartitions(i));
+    }
+    return most > 1 ? joinCollections({data}) : vtkSmartPointer<vtkDataObject>(data);
+  }
+  if (isNumberedGrid(data) && isInPieces(vtkUnstructuredGrid::SafeDownCast(data)))
+  {
+    return joinGridsByIds({data}, nullptr);
+  }
+  return data;
 }
 
 vtkSmartPointer<vtkDataObject> joinPieces(const Pieces& pieces, std::vector<Index>* pieceOfCells)

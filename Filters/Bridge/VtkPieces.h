@@ -18,6 +18,9 @@ bool isEmptyPiece(vtkDataObject* piece);
 /// keeps them: joinPieces() knows.
 vtkSmartPointer<vtkDataObject> withoutGhosts(vtkDataObject* piece);
 
+/// A mesh, or patches, in one where it stands in several pieces with global ids, one after the other; else as it is.
+vtkSmartPointer<vtkDataObject> inOnePiece(vtkDataObject* data);
+
 /// One object of all pieces, in their order. Surfaces of models become blocks of one composite, with the first piece's
 /// field data. Collections become one, whose sets of the same name are one set. Unstructured grids become one whose
 /// points of the same global id (GlobalPointIds) are one point. Throws Error where they have no such ids, as the two
