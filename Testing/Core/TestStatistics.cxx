@@ -4,10 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <barrier>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <numeric>
 #include <random>
+#include <thread>
 
 namespace {
 
@@ -155,6 +158,82 @@ TEST(Histogram, OfNothingIsZero)
   const atria::Histogram h = atria::distributionOf({}, 5).histogram;
   EXPECT_EQ(h.density, std::vector<double>(5, 0.0));
   EXPECT_EQ(h.cumulative, std::vector<double>(5, 0.0));
+}
+
+/// Threads that have a part each and wait for one another.
+class Threads : public atria::Reduction
+{
+public:
+  explicit Threads(int count) : barrier(count) {}
+
+  void sum(std::span<double> values) const override
+  {
+    reduce(values, [](double a, double b) { return a + b; });
+  }
+  void least(std::span<double> values) const override
+  {
+    reduce(values, [](double a, double b) { return std::min(a, b); });
+  }
+  void greatest(std::span<double> values) const override
+  {
+    reduce(values, [](double a, double b) { return std::max(a, b); });
+  }
+
+private:
+  template <typename F> void reduce(std::span<double> values, F&& both) const
+  {
+    {
+      const std::lock_guard lock(mutex);
+      for (std::size_t i = 0; i < values.size(); ++i)
+      {
+        all.size() > i ? void(all[i] = both(all[i], values[i])) : all.push_back(values[i]);
+      }
+    }
+    barrier.arrive_and_wait();
+    std::copy_n(all.begin(), values.size(), values.begin());
+    barrier.arrive_and_wait();
+    {
+      const std::lock_guard lock(mutex);
+      all.clear();
+    }
+    barrier.arrive_and_wait();
+  }
+
+  mutable std::barrier<> barrier;
+  mutable std::mutex mutex;
+  mutable std::vector<double> all;
+};
+
+TEST(Statistics, OfPartsAreThoseOfTheWhole)
+{
+  std::mt19937 random(5);
+  std::normal_distribution<double> some(3.0, 2.0);
+  std::vector<std::vector<double>> parts(3);
+  for (const std::size_t part : {0, 2}) // one has nothing
+  {
+    parts[part].resize(1000 + part);
+    std::ranges::generate(parts[part], [&] { return some(random); });
+  }
+  parts[2][5] = inf;
+  std::vector<double> values(7, 1.5);
+  std::ranges::for_each(parts, [&](const auto& part) { values.insert(values.end(), part.begin(), part.end()); });
+  const atria::Distribution whole = atria::distributionOf(values, 20);
+  const Threads together(3);
+  std::vector<std::thread> threads;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    threads.emplace_back([&, i] {
+      const atria::Repeated repeated{1.5, i == 1 ? 7u : 0u};
+      const atria::Distribution d = atria::distributionOf(parts[i], 20, atria::SerialExecutor(), repeated, &together);
+      EXPECT_EQ(d.statistics.count, whole.statistics.count);
+      EXPECT_EQ(d.statistics.minimum, whole.statistics.minimum);
+      EXPECT_EQ(d.statistics.maximum, inf);
+      EXPECT_NEAR(d.statistics.mean, whole.statistics.mean, 1e-13);
+      EXPECT_NEAR(d.statistics.standardDeviation, whole.statistics.standardDeviation, 1e-13);
+      EXPECT_EQ(d.histogram.density, whole.histogram.density);
+    });
+  }
+  std::ranges::for_each(threads, &std::thread::join);
 }
 
 } // namespace

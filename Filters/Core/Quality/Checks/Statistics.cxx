@@ -181,6 +181,20 @@ struct FirstLook
     }
   }
 
+  void add(const Reduction& together)
+  {
+    double sums[] = {static_cast<double>(extremes.count), sum}; // whole numbers are exact up to 2^53
+    double greatest[] = {extremes.maximum, extremes.hasInfinite[0] ? 1.0 : 0.0, extremes.hasInfinite[1] ? 1.0 : 0.0};
+    together.sum(sums);
+    together.least({&extremes.minimum, 1});
+    together.greatest(greatest);
+    extremes.count = static_cast<std::size_t>(sums[0]);
+    sum = sums[1];
+    extremes.maximum = greatest[0];
+    extremes.hasInfinite[0] = greatest[1] > 0.0;
+    extremes.hasInfinite[1] = greatest[2] > 0.0;
+  }
+
   Extremes extremes;
   double sum; ///< of the finite values
 };
@@ -242,6 +256,16 @@ struct SecondLook
     counts[bins.of(repeated.value)] += repeated.count;
   }
 
+  void add(const Reduction& together)
+  {
+    std::vector<double> sums(counts.begin(), counts.end());
+    sums.push_back(squares);
+    together.sum(sums);
+    squares = sums.back();
+    std::transform(sums.begin(), sums.end() - 1, counts.begin(),
+                   [](double count) { return static_cast<std::size_t>(count); });
+  }
+
   double squares; ///< sum of those of the deviations from the mean
   std::vector<std::size_t> counts;
 };
@@ -264,12 +288,16 @@ Histogram makeHistogram(const Bins& bins, const std::vector<std::size_t>& counts
 } // namespace
 
 Distribution distributionOf(std::span<const double> values, std::size_t binCount, const Executor& executor,
-                            const Repeated& repeated)
+                            const Repeated& repeated, const Reduction* together)
 {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const std::size_t atLeastOne = std::max<std::size_t>(binCount, 1);
   FirstLook first(values, executor);
   first.add(repeated);
+  if (together)
+  {
+    first.add(*together);
+  }
   const Extremes& extremes = first.extremes;
   Distribution out{{extremes.count, extremes.leastOfAll(), extremes.greatestOfAll(), none, none}, {}};
   if (extremes.count == 0)
@@ -283,6 +311,10 @@ Distribution distributionOf(std::span<const double> values, std::size_t binCount
   out.statistics.mean = first.sum / count;
   SecondLook second(values, out.statistics.mean, bins, executor);
   second.add(repeated, out.statistics.mean, bins);
+  if (together)
+  {
+    second.add(*together);
+  }
   out.statistics.standardDeviation = std::sqrt(second.squares / count);
   out.histogram = makeHistogram(bins, second.counts, extremes.count);
   return out;

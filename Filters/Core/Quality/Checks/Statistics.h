@@ -43,9 +43,22 @@ struct Repeated
   std::size_t count = 0;
 };
 
+/// Has several processes, each with a part of a sample, look at it as one: replaces values by their sums, least or
+/// greatest over all. All call the same in the same order.
+class Reduction
+{
+public:
+  virtual ~Reduction() = default;
+  virtual void sum(std::span<double> values) const = 0;
+  virtual void least(std::span<double> values) const = 0;
+  virtual void greatest(std::span<double> values) const = 0;
+};
+
 /// Of values and of repeated ones. Goes through the values twice. At least one bin is made. The same bits for any
-/// number of threads.
+/// number of threads. With `together` the distribution is that of all processes, on all of them; sums are then the same
+/// up to rounding.
 Distribution distributionOf(std::span<const double> values, std::size_t binCount,
-                            const Executor& executor = SerialExecutor(), const Repeated& repeated = {});
+                            const Executor& executor = SerialExecutor(), const Repeated& repeated = {},
+                            const Reduction* together = nullptr);
 
 } // namespace atria
