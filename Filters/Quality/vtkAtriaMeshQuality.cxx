@@ -7,24 +7,19 @@
 #include "Quality/Checks/CheckQuantities.h"
 #include "Quality/Checks/MeshChecks.h"
 #include "Quality/Checks/Metrics.h"
-#include "Quality/Checks/Statistics.h"
+#include "QualityOutputs.h"
 #include "Ranks.h"
-#include "Support/Error.h"
 #include "VtkChecks.h"
 #include "VtkFaceMesh.h"
 #include "VtkRecordedPatches.h"
 
 #include <vtkCellData.h>
-#include <vtkDoubleArray.h>
-#include <vtkIdTypeArray.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPartitionedDataSetCollection.h>
-#include <vtkStringArray.h>
 #include <vtkTable.h>
-#include <vtkUnsignedCharArray.h>
 #include <vtkUnsignedIntArray.h>
 #include <vtkUnstructuredGrid.h>
 
@@ -39,182 +34,7 @@ vtkStandardNewMacro(vtkAtriaMeshQuality);
 
 namespace {
 
-vtkSmartPointer<vtkDoubleArray> emptyColumn(const std::string& name, std::size_t size)
-{
-  auto column = vtkSmartPointer<vtkDoubleArray>::New();
-  column->SetName(name.c_str());
-  column->SetNumberOfValues(static_cast<vtkIdType>(size));
-  return column;
-}
-
-vtkSmartPointer<vtkDoubleArray> makeColumn(const std::string& name, std::span<const double> values,
-                                           const atria::Executor& executor = atria::SerialExecutor())
-{
-  auto column = emptyColumn(name, values.size());
-  double* to = column->GetPointer(0);
-  executor.forEach(values.size(), 65536, [&](std::size_t i) { to[i] = values[i]; });
-  return column;
-}
-
-/// The values of a metric that the tables are made of, and whether they are those of faces.
-struct Sample
-{
-  const char* name;
-  bool ofFaces;
-  std::span<const double> values;
-  atria::Repeated repeated = {};
-};
-
-/// Collects cell arrays and the two tables of metrics.
-class Outputs
-{
-public:
-  Outputs(int numberOfBins, const std::string& shownMetric, const atria::Executor& threads)
-      : bins(static_cast<std::size_t>(numberOfBins)), shown(shownMetric), executor(threads)
-  {
-    names->SetName("Metric");
-    parts->SetName("Of");
-    counts->SetName("Count");
-  }
-
-  void addCells(const char* name, std::span<const double> values)
-  {
-    arrays.push_back(makeColumn(name, values, executor));
-  }
-
-  void addSample(const Sample& sample)
-  {
-    const atria::Distribution distribution = atria::distributionOf(sample.values, bins, executor, sample.repeated);
-    const atria::Statistics& s = distribution.statistics;
-    names->InsertNextValue(sample.name);
-    parts->InsertNextValue(sample.ofFaces ? "faces" : "cells");
-    counts->InsertNextValue(static_cast<vtkIdType>(s.count));
-    minima.push_back(s.minimum);
-    maxima.push_back(s.maximum);
-    means.push_back(s.mean);
-    deviations.push_back(s.standardDeviation);
-    const std::string name = sample.name;
-    const atria::Histogram& h = distribution.histogram;
-    histogram->AddColumn(makeColumn(name, h.centers));
-    histogram->AddColumn(makeColumn(name + "_PDF", h.density));
-    histogram->AddColumn(makeColumn(name + "_CDF", h.cumulative));
-    if (name == shown)
-    {
-      first->AddColumn(makeColumn("Value", h.centers));
-      first->AddColumn(makeColumn("PDF", h.density));
-      first->AddColumn(makeColumn("CDF", h.cumulative));
-    }
-  }
-
-  void addFaces(const char* name, std::span<const double> values, std::size_t ideal)
-  {
-    addSample({name, true, values, {0.0, ideal}});
-  }
-
-  /// Frees the values once they are copied.
-  void addBoth(const char* name, atria::Buffer<double>& values)
-  {
-    addCells(name, values);
-    addSample({name, false, values});
-    atria::Buffer<double>().swap(values);
-  }
-
-  /// The same where all regular boxes have one value, or each its own; `values` are those of other cells.
-  void addBoth(const char* name, const atria::QualityByBoxes& boxes, atria::Buffer<double>& values, double ofBoxes,
-               bool withSample = true)
-  {
-    spread(name, boxes, values, [ofBoxes](std::size_t) { return ofBoxes; });
-    if (withSample)
-    {
-      addSample({name, false, values, {ofBoxes, boxes.regularCount}});
-    }
-    atria::Buffer<double>().swap(values);
-  }
-  template <typename OfBox>
-  void addBoth(const char* name, const atria::QualityByBoxes& boxes, atria::Buffer<double>& values, OfBox&& ofBox)
-  {
-    const std::span<const double> all = spread(name, boxes, values, ofBox);
-    addSample({name, false, all});
-    atria::Buffer<double>().swap(values);
-  }
-
-  void addValid(std::size_t cellCount, std::span<const unsigned char> values, std::span<const atria::Index> cells)
-  {
-    vtkNew<vtkUnsignedCharArray> valid;
-    valid->SetName("Valid");
-    valid->SetNumberOfValues(static_cast<vtkIdType>(cellCount));
-    unsigned char* const to = valid->GetPointer(0);
-    std::fill_n(to, cellCount, static_cast<unsigned char>(1));
-    for (std::size_t i = 0; i < values.size(); ++i)
-    {
-      to[cells.empty() ? i : cells[i]] = values[i];
-    }
-    arrays.emplace_back(valid);
-  }
-
-  void fill(vtkUnstructuredGrid* grid, vtkTable* summary, vtkTable* histograms)
-  {
-    for (const auto& array : arrays)
-    {
-      grid->GetCellData()->AddArray(array);
-    }
-    summary->AddColumn(names);
-    summary->AddColumn(parts);
-    summary->AddColumn(makeColumn("Minimum", minima));
-    summary->AddColumn(makeColumn("Maximum", maxima));
-    summary->AddColumn(makeColumn("Mean", means));
-    summary->AddColumn(makeColumn("StandardDeviation", deviations));
-    summary->AddColumn(counts);
-    histograms->ShallowCopy(first);
-    for (vtkIdType i = 0; i < histogram->GetNumberOfColumns(); ++i)
-    {
-      histograms->AddColumn(histogram->GetColumn(i));
-    }
-  }
-
-  /// Throws Error where there is no such metric.
-  void checkShown() const
-  {
-    if (first->GetNumberOfColumns() > 0)
-    {
-      return;
-    }
-    std::string known;
-    for (vtkIdType i = 0; i < names->GetNumberOfValues(); ++i)
-    {
-      known += (i == 0 ? "" : ", ") + names->GetValue(i);
-    }
-    throw atria::Error("HistogramMetric is '" + shown + "', which was not measured; there are " + known +
-                       ", and with CheckMesh more");
-  }
-
-  std::vector<vtkSmartPointer<vtkDataArray>> arrays;
-
-private:
-  /// Adds an array of cells, and returns what is in it.
-  template <typename OfBox>
-  std::span<const double> spread(const char* name, const atria::QualityByBoxes& boxes, std::span<const double> values,
-                                 OfBox&& ofBox)
-  {
-    auto column = emptyColumn(name, boxes.isRegular.size());
-    double* const to = column->GetPointer(0);
-    executor.forEach(boxes.isRegular.size(), 65536,
-                     [&](std::size_t c) { to[c] = boxes.isRegular[c] ? ofBox(c) : 0.0; });
-    executor.forEach(values.size(), 65536, [&](std::size_t i) { to[boxes.others[i]] = values[i]; });
-    arrays.push_back(column);
-    return {to, boxes.isRegular.size()};
-  }
-
-  std::size_t bins;
-  std::string shown;
-  const atria::Executor& executor;
-  vtkNew<vtkStringArray> names;
-  vtkNew<vtkStringArray> parts;
-  vtkNew<vtkIdTypeArray> counts;
-  vtkNew<vtkTable> first; ///< of the histogram, those of the metric that is shown
-  vtkNew<vtkTable> histogram;
-  std::vector<double> minima, maxima, means, deviations;
-};
+using atria::QualityOutputs;
 
 struct Verdict
 {
@@ -223,7 +43,7 @@ struct Verdict
 };
 
 /// Frees the metrics.
-Verdict addMetrics(Outputs& outputs, atria::QualityMetrics& q)
+Verdict addMetrics(QualityOutputs& outputs, atria::QualityMetrics& q)
 {
   outputs.addBoth("CellSquish", q.cellSquish);
   outputs.addCells("FaceSquish", q.faceSquish);
@@ -243,7 +63,7 @@ Verdict addMetrics(Outputs& outputs, atria::QualityMetrics& q)
 }
 
 /// The same where most cells are boxes, which are ideal in what depends on directions.
-Verdict addMetrics(Outputs& outputs, atria::QualityByBoxes& boxes)
+Verdict addMetrics(QualityOutputs& outputs, atria::QualityByBoxes& boxes)
 {
   atria::QualityMetrics& q = boxes.metrics;
   outputs.addBoth("CellSquish", boxes, q.cellSquish, 0.0);
@@ -265,7 +85,7 @@ Verdict addMetrics(Outputs& outputs, atria::QualityByBoxes& boxes)
 }
 
 /// One quantity after the other, as each has up to one value a face.
-void addCheckQuantities(Outputs& outputs, const atria::MeasuredMesh& mesh, const atria::RunContext& context)
+void addCheckQuantities(QualityOutputs& outputs, const atria::MeasuredMesh& mesh, const atria::RunContext& context)
 {
   double done = 0.0;
   for (const atria::CheckQuantityInfo& info : atria::checkQuantities())
@@ -298,7 +118,7 @@ vtkSmartPointer<vtkDataArray> failedChecksArray(const std::vector<std::uint32_t>
 }
 
 /// Where most cells are boxes, the metrics without finding all faces; see computeQualityByBoxes.
-std::optional<Verdict> measureByBoxes(Outputs& outputs, vtkUnstructuredGrid* volume,
+std::optional<Verdict> measureByBoxes(QualityOutputs& outputs, vtkUnstructuredGrid* volume,
                                       vtkPartitionedDataSetCollection* given, const atria::RunContext& context)
 {
   if (!volume || volume->GetNumberOfCells() == 0)
@@ -337,7 +157,7 @@ std::optional<Verdict> measureByBoxes(Outputs& outputs, vtkUnstructuredGrid* vol
 }
 
 /// By all faces.
-Verdict measureAll(Outputs& outputs, vtkUnstructuredGrid* volume, vtkPartitionedDataSetCollection* patches,
+Verdict measureAll(QualityOutputs& outputs, vtkUnstructuredGrid* volume, vtkPartitionedDataSetCollection* patches,
                    bool checkMesh, vtkTable* checks, const atria::RunContext& context)
 {
   context.progress.report(0.0, "Finding faces");
@@ -418,7 +238,7 @@ int vtkAtriaMeshQuality::RequestData(vtkInformation*, vtkInformationVector** inp
     const atria::RunContext& context = run.context;
     atriaCheckRange(NumberOfBins);
     const atria::Executor& executor = context.executor;
-    Outputs collected(this->NumberOfBins, this->HistogramMetric, executor);
+    QualityOutputs collected(this->NumberOfBins, this->HistogramMetric, executor);
     vtkNew<vtkTable> checks;
     const std::optional<Verdict> byBoxes =
         this->CheckMesh ? std::nullopt : measureByBoxes(collected, volume, patches, context.part(0.0, 0.5));

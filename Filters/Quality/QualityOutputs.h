@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Quality/Checks/BoxQuality.h"
+#include "Quality/Checks/Statistics.h"
+#include "Support/Executor.h"
+
+#include <vtkDoubleArray.h>
+#include <vtkIdTypeArray.h>
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+#include <vtkStringArray.h>
+#include <vtkTable.h>
+
+#include <span>
+#include <string>
+#include <vector>
+
+class vtkUnstructuredGrid;
+
+namespace atria {
+
+/// The values of a metric that the tables are made of, and whether they are those of faces.
+struct QualitySample
+{
+  const char* name;
+  bool ofFaces;
+  std::span<const double> values;
+  Repeated repeated = {};
+};
+
+/// Collects cell arrays and the two tables of metrics.
+class QualityOutputs
+{
+public:
+  QualityOutputs(int numberOfBins, const std::string& shownMetric, const Executor& threads);
+
+  void addCells(const char* name, std::span<const double> values);
+  void addSample(const QualitySample& sample);
+  void addFaces(const char* name, std::span<const double> values, std::size_t ideal);
+  /// Frees the values once they are copied.
+  void addBoth(const char* name, Buffer<double>& values);
+  /// The same where all regular boxes have one value, or each its own; `values` are those of other cells.
+  void addBoth(const char* name, const QualityByBoxes& boxes, Buffer<double>& values, double ofBoxes,
+               bool withSample = true);
+  template <typename OfBox>
+  void addBoth(const char* name, const QualityByBoxes& boxes, Buffer<double>& values, OfBox&& ofBox)
+  {
+    const std::span<const double> all = spread(name, boxes, values, ofBox);
+    addSample({name, false, all});
+    Buffer<double>().swap(values);
+  }
+  void addValid(std::size_t cellCount, std::span<const unsigned char> values, std::span<const Index> cells);
+
+  void fill(vtkUnstructuredGrid* grid, vtkTable* summary, vtkTable* histograms);
+
+  /// Throws Error where there is no such metric.
+  void checkShown() const;
+
+  std::vector<vtkSmartPointer<vtkDataArray>> arrays;
+
+private:
+  static vtkSmartPointer<vtkDoubleArray> emptyColumn(const std::string& name, std::size_t size);
+
+  /// Adds an array of cells, and returns what is in it.
+  template <typename OfBox>
+  std::span<const double> spread(const char* name, const QualityByBoxes& boxes, std::span<const double> values,
+                                 OfBox&& ofBox)
+  {
+    auto column = emptyColumn(name, boxes.isRegular.size());
+    double* const to = column->GetPointer(0);
+    executor.forEach(boxes.isRegular.size(), 65536,
+                     [&](std::size_t c) { to[c] = boxes.isRegular[c] ? ofBox(c) : 0.0; });
+    executor.forEach(values.size(), 65536, [&](std::size_t i) { to[boxes.others[i]] = values[i]; });
+    arrays.push_back(column);
+    return {to, boxes.isRegular.size()};
+  }
+
+  std::size_t bins;
+  std::string shown;
+  const Executor& executor;
+  vtkNew<vtkStringArray> names;
+  vtkNew<vtkStringArray> parts;
+  vtkNew<vtkIdTypeArray> counts;
+  vtkNew<vtkTable> first; ///< of the histogram, those of the metric that is shown
+  vtkNew<vtkTable> histogram;
+  std::vector<double> minima, maxima, means, deviations;
+};
+
+} // namespace atria
