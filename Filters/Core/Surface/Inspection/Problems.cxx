@@ -270,7 +270,8 @@ private:
     constexpr std::int64_t reach = 4; // of rounding
     leaveOut(findClusters(soup, reach, maximumPairs(), context));
     const Contacts found =
-        findContacts(soup, std::vector<char>(soup.triangles.size(), 1), {}, reach, {}, context.part(0.3, 0.7));
+        findContacts(soup, std::vector<char>(soup.triangles.size(), 1), {}, reach, {}, context.part(0.3, 0.7))
+            .sorted(soup);
     SurfacesAtPoints atPoints;
     for (const FaceContact& contact : found.faces)
     {

@@ -220,13 +220,12 @@ public:
     {
       tidy(changed, round == 0);
       const bool isLast = round == options.maximumRounds;
-      Contacts contacts = isLast ? find(changed, report.isLeft) : findHopeful(changed);
+      Contacts contacts = isLast ? find(changed).sorted(soup) : findHopeful(changed);
       const std::size_t found = contacts.edges.size() + contacts.faces.size();
       // Slivers with a corner on their own edge may stay that.
       if (isLast || found == 0 || (contacts.pairs.empty() && found >= foundBefore))
       {
-        report.unresolvedContacts =
-            std::ranges::find(report.isLeft, 1) == report.isLeft.end() ? found : countAll(changed);
+        report.unresolvedContacts = found;
         return;
       }
       foundBefore = found;
@@ -243,59 +242,38 @@ public:
   }
 
 private:
-  Contacts find(const std::vector<char>& changed, const std::vector<char>& isLeft) const
+  FoundContacts find(const std::vector<char>& changed) const
   {
     return searchSeen(soup, options.reach, clusters, context,
-                      [&] { return findContacts(soup, changed, isLeft, options.reach, clusters, context); });
+                      [&] { return findContacts(soup, changed, report.isLeft, options.reach, clusters, context); });
   }
 
   /// Once hopeless triangles are left, and tangled ones hidden.
   Contacts findHopeful(const std::vector<char>& changed)
   {
-    Contacts contacts = find(changed, report.isLeft);
-    if (leaveHopeless(contacts.pairs))
-    {
-      contacts = find(changed, report.isLeft);
-    }
-    if (hideTangles(soup, contacts.pairs, clusters))
-    {
-      contacts = find(changed, report.isLeft);
-    }
-    return contacts;
+    const FoundContacts found = find(changed);
+    leaveHopeless(found.pairs);
+    Contacts contacts = found.sorted(soup, report.isLeft);
+    return hideTangles(soup, contacts.pairs, clusters) ? find(changed).sorted(soup) : contacts;
   }
 
   /// Leaves triangles that have more contacts than two rounds before, or as many where points do not become one
-  /// farther apart any more. Whether there are any.
-  bool leaveHopeless(const TrianglePairs& pairs)
+  /// farther apart any more.
+  void leaveHopeless(const std::vector<FoundContacts::Pair>& pairs)
   {
     std::vector<Index> counts(report.isLeft.size(), 0);
-    for (const auto& [first, second] : pairs)
+    for (const FoundContacts::Pair& pair : pairs)
     {
-      ++counts[soup.sources[first]];
-      ++counts[soup.sources[second]];
+      ++counts[soup.sources[pair.first]];
+      ++counts[soup.sources[pair.second]];
     }
     const Index enough = width >= options.widestWeld ? 0 : 1;
-    bool any = false;
     for (std::size_t s = 0; s < countsBefore[0].size(); ++s)
     {
       const Index before = countsBefore[0][s];
-      const bool isHopeless = before > 0 && counts[s] >= before + enough && !report.isLeft[s];
-      report.isLeft[s] |= isHopeless ? 1 : 0;
-      any = any || isHopeless;
+      report.isLeft[s] |= before > 0 && counts[s] >= before + enough ? 1 : 0;
     }
     countsBefore = {std::move(countsBefore[1]), std::move(counts)};
-    return any;
-  }
-
-  /// The contacts that there are still, those of triangles that are left, too.
-  std::size_t countAll(std::vector<char>& changed) const
-  {
-    for (std::size_t t = 0; t < changed.size(); ++t)
-    {
-      changed[t] |= report.isLeft[soup.sources[t]];
-    }
-    const Contacts contacts = find(changed, {});
-    return contacts.edges.size() + contacts.faces.size();
   }
 
   /// Points close to each other become one, and triangles that are there no longer or twice are dropped.
@@ -338,6 +316,25 @@ private:
 };
 
 } // namespace
+
+std::size_t countLeftContacts(const TriangleSoup& soup, const AutorefineOptions& options, ClusterCells& clusters,
+                              const AutorefineReport& report, const RunContext& context)
+{
+  TriangleSoup left;
+  left.points = soup.points;
+  for (Index t = 0; t < soup.triangles.size(); ++t)
+  {
+    if (report.isLeft[soup.sources[t]])
+    {
+      left.add(soup.triangles[t], soup.surfaceIds[t], soup.sources[t]);
+    }
+  }
+  const std::vector<char> all(left.triangles.size(), 1);
+  const Contacts contacts = searchSeen(left, options.reach, clusters, context, [&] {
+                              return findContacts(left, all, {}, options.reach, clusters, context);
+                            }).sorted(left);
+  return contacts.edges.size() + contacts.faces.size();
+}
 
 std::size_t dropRepeated(TriangleSoup& soup) { return dropRepeated(soup, nullptr); }
 

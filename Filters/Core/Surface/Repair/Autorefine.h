@@ -32,7 +32,7 @@ struct AutorefineReport
   std::size_t splitTriangles = 0;
   /// Edges on which triangles now meet that only touched or cut each other before.
   std::size_t intersectionEdges = 0;
-  /// Contacts left after the last round.
+  /// Contacts left after the last round, but for those among triangles that are left.
   std::size_t unresolvedContacts = 0;
   /// What the counts are of: per source, whether it was cut, and whether its contacts with others so marked are left,
   /// as cuts only made more of them; the edges on which triangles now meet.
@@ -60,6 +60,10 @@ AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options
 /// the report.
 void refineAgain(TriangleSoup& soup, const AutorefineOptions& options, ClusterCells& clusters,
                  std::vector<char> changed, AutorefineReport& report, const RunContext& context);
+
+/// Contacts among triangles that were left, as they are now.
+std::size_t countLeftContacts(const TriangleSoup& soup, const AutorefineOptions& options, ClusterCells& clusters,
+                              const AutorefineReport& report, const RunContext& context);
 
 /// Drops triangles with repeated points, and those with the same points as an earlier one. Returns how many of the
 /// second sort.

@@ -55,15 +55,17 @@ public:
     {
       return;
     }
-    const std::size_t before = out.edges.size() + out.faces.size();
+    const std::size_t edgesBefore = out.edges.size();
+    const std::size_t facesBefore = out.faces.size();
     std::array<bool, 3> aTouches = touchCorners(first, second, a);
     std::array<bool, 3> bTouches = touchCorners(second, first, b);
     cutEdges(first, second, a, b);
     cutFace(first, second, a, aTouches);
     cutFace(second, first, b, bTouches);
-    if (out.edges.size() + out.faces.size() != before)
+    if (out.edges.size() != edgesBefore || out.faces.size() != facesBefore)
     {
-      out.pairs.push_back(std::minmax(first, second));
+      const auto [low, high] = std::minmax(first, second);
+      out.pairs.push_back({low, high, edgesBefore, out.edges.size(), facesBefore, out.faces.size()});
     }
   }
 
@@ -72,6 +74,8 @@ public:
   {
     const auto base = static_cast<Index>(soup.points.size());
     const auto shift = static_cast<Index>(out.newPoints.size());
+    const std::size_t edges = out.edges.size();
+    const std::size_t faces = out.faces.size();
     const auto add = [&](auto& to, const auto& from) {
       for (auto contact : from)
       {
@@ -82,17 +86,14 @@ public:
     add(out.edges, other.out.edges);
     add(out.faces, other.out.faces);
     out.newPoints.insert(out.newPoints.end(), other.out.newPoints.begin(), other.out.newPoints.end());
-    out.pairs.insert(out.pairs.end(), other.out.pairs.begin(), other.out.pairs.end());
+    for (const FoundContacts::Pair& pair : other.out.pairs)
+    {
+      out.pairs.push_back({pair.first, pair.second, edges + pair.edgesBegin, edges + pair.edgesEnd,
+                           faces + pair.facesBegin, faces + pair.facesEnd});
+    }
   }
 
-  Contacts take()
-  {
-    numberNewPoints();
-    sortUnique(out.edges);
-    sortUnique(out.faces);
-    sortUnique(out.pairs);
-    return std::move(out);
-  }
+  FoundContacts take() { return std::move(out); }
 
 private:
   /// Where the corners of a triangle lie as seen from the plane of another.
@@ -305,30 +306,9 @@ private:
     }
   }
 
-  /// Equal points become one, numbered by their coordinates: the order in which they were found does not matter.
-  void numberNewPoints()
-  {
-    std::vector<LatticePoint> sorted = out.newPoints;
-    sortUnique(sorted);
-    const auto base = static_cast<Index>(soup.points.size());
-    const auto renumber = [&](auto& contacts) {
-      for (auto& contact : contacts)
-      {
-        if (contact.point >= base)
-        {
-          const auto at = std::lower_bound(sorted.begin(), sorted.end(), out.newPoints[contact.point - base]);
-          contact.point = base + static_cast<Index>(at - sorted.begin());
-        }
-      }
-    };
-    renumber(out.edges);
-    renumber(out.faces);
-    out.newPoints = std::move(sorted);
-  }
-
   const TriangleSoup& soup;
   double reach;
-  Contacts out;
+  FoundContacts out;
 };
 
 /// The search among some of the triangles.
@@ -350,39 +330,38 @@ LatticeBox common(const NumberedBox& a, const NumberedBox& b)
   return box;
 }
 
-/// Looks at pairs as they are met. Where boxes cluster pairs are counted first, as looking at them takes far longer.
-std::vector<Search> searchContacts(const TriangleSoup& soup, const BoxTree& tree, const std::vector<char>& changed,
-                                   const std::vector<char>& isLeft, double reach, const ClusterCells& clusters,
-                                   const RunContext& context)
+/// Looks at pairs as they are met: of those in the tree, and of the others with them. Where boxes cluster pairs are
+/// counted first, as looking at them takes far longer.
+std::vector<Search> searchContacts(const TriangleSoup& soup, const BoxTree& tree,
+                                   const std::vector<NumberedBox>& others, const std::vector<char>& isLeft,
+                                   double reach, const ClusterCells& clusters, const RunContext& context)
 {
-  const auto areLeft = [&](Index s, Index t) { return !isLeft.empty() && isLeft[s] && isLeft[t]; };
+  const std::size_t count = tree.size() + others.size();
   // Of few triangles many are near each other: pieces are small then, so that there are some for all threads.
-  const std::size_t grain = std::clamp<std::size_t>(tree.size() / 128, 8, 1024);
+  const std::size_t grain = std::clamp<std::size_t>(count / 128, 8, 1024);
   constexpr std::size_t manyEach = 200;
-  const bool all = std::ranges::find(changed, 0) == changed.end();
-  std::vector<Search> searches((tree.size() + grain - 1) / grain, Search{ContactFinder(soup, reach), {}});
+  std::vector<Search> searches((count + grain - 1) / grain, Search{ContactFinder(soup, reach), {}});
   std::atomic<std::size_t> seen{0};
   context.executor.forEach(searches.size(), 1, [&](std::size_t piece) {
     context.progress.check();
     auto& [finder, later] = searches[piece];
     std::vector<std::pair<Index, Index>> pairs;
-    for (std::size_t i = piece * grain; i < std::min((piece + 1) * grain, tree.size()); ++i)
+    for (std::size_t i = piece * grain; i < std::min((piece + 1) * grain, count); ++i)
     {
-      const Index a = tree.box(i).id;
-      if (!changed[a])
+      const bool isInTree = i < tree.size();
+      const NumberedBox& box = isInTree ? tree.box(i) : others[i - tree.size()];
+      const Index a = box.id;
+      if (isInTree)
       {
-        continue;
+        finder.look(a);
       }
-      finder.look(a);
       std::size_t touching = 0;
-      // Two that are changed meet twice.
-      tree.eachTouching(tree.box(i), all ? i + 1 : 0, [&](std::size_t j) {
+      tree.eachTouching(box, isInTree ? i + 1 : 0, [&](std::size_t j) {
         const Index b = tree.box(j).id;
-        const bool isOther =
-            soup.sources[a] != soup.sources[b] && !areLeft(soup.sources[a], soup.sources[b]) && (!changed[b] || j > i);
-        if (isOther && !clusters.hold(common(tree.box(i), tree.box(j))))
+        const bool isOther = soup.sources[a] != soup.sources[b] && !areLeft(soup, a, b, isLeft);
+        if (isOther && !clusters.hold(common(box, tree.box(j))))
         {
-          touching += changed[b] ? 2 : 1;
+          touching += isInTree ? 2 : 1; // seen from both sides
           pairs.emplace_back(std::min(a, b), std::max(a, b));
         }
       });
@@ -416,15 +395,75 @@ std::vector<Search> searchContacts(const TriangleSoup& soup, const BoxTree& tree
   return searches;
 }
 
+/// Equal points become one, numbered by their coordinates: the order in which they were found does not matter.
+void numberNewPoints(Contacts& contacts, const std::vector<LatticePoint>& found, Index base)
+{
+  std::vector<LatticePoint>& points = contacts.newPoints;
+  const auto collect = [&](const auto& contact) {
+    if (contact.point >= base)
+    {
+      points.push_back(found[contact.point - base]);
+    }
+  };
+  std::ranges::for_each(contacts.edges, collect);
+  std::ranges::for_each(contacts.faces, collect);
+  sortUnique(points);
+  const auto renumber = [&](auto& contact) {
+    if (contact.point >= base)
+    {
+      const auto at = std::ranges::lower_bound(points, found[contact.point - base]);
+      contact.point = base + static_cast<Index>(at - points.begin());
+    }
+  };
+  std::ranges::for_each(contacts.edges, renumber);
+  std::ranges::for_each(contacts.faces, renumber);
+}
+
 } // namespace
 
-Contacts findContacts(const TriangleSoup& soup, const std::vector<char>& changed, const std::vector<char>& isLeft,
-                      std::int64_t reach, const ClusterCells& clusters, const RunContext& context)
+Contacts FoundContacts::sorted(const TriangleSoup& soup, const std::vector<char>& isLeft) const
 {
-  const BoxTree tree(boxesOf(soup, seenTriangles(soup, clusters, context), reach, context), context);
+  Contacts contacts;
+  std::size_t edge = 0;
+  std::size_t face = 0;
+  const auto takeUpTo = [&](std::size_t edgeEnd, std::size_t faceEnd) {
+    contacts.edges.insert(contacts.edges.end(), edges.begin() + static_cast<std::ptrdiff_t>(edge),
+                          edges.begin() + static_cast<std::ptrdiff_t>(edgeEnd));
+    contacts.faces.insert(contacts.faces.end(), faces.begin() + static_cast<std::ptrdiff_t>(face),
+                          faces.begin() + static_cast<std::ptrdiff_t>(faceEnd));
+  };
+  for (const Pair& pair : pairs)
+  {
+    if (areLeft(soup, pair.first, pair.second, isLeft))
+    {
+      takeUpTo(pair.edgesBegin, pair.facesBegin);
+      edge = pair.edgesEnd;
+      face = pair.facesEnd;
+    }
+    else
+    {
+      contacts.pairs.emplace_back(pair.first, pair.second);
+    }
+  }
+  takeUpTo(edges.size(), faces.size());
+  numberNewPoints(contacts, newPoints, static_cast<Index>(soup.points.size()));
+  sortUnique(contacts.edges);
+  sortUnique(contacts.faces);
+  sortUnique(contacts.pairs);
+  return contacts;
+}
+
+FoundContacts findContacts(const TriangleSoup& soup, const std::vector<char>& changed, const std::vector<char>& isLeft,
+                           std::int64_t reach, const ClusterCells& clusters, const RunContext& context)
+{
+  std::vector<Index> inTree = seenTriangles(soup, clusters, context);
+  const auto others = std::ranges::stable_partition(inTree, [&](Index triangle) { return changed[triangle] != 0; });
+  const std::vector<NumberedBox> otherBoxes = boxesOf(soup, {others.begin(), others.end()}, reach, context);
+  inTree.erase(others.begin(), others.end());
+  const BoxTree tree(boxesOf(soup, inTree, reach, context), context);
   ContactFinder finder(soup, static_cast<double>(reach));
   for (const Search& search :
-       searchContacts(soup, tree, changed, isLeft, static_cast<double>(reach), clusters, context))
+       searchContacts(soup, tree, otherBoxes, isLeft, static_cast<double>(reach), clusters, context))
   {
     finder.append(search.finder);
   }

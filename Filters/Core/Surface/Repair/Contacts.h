@@ -36,12 +36,38 @@ struct Contacts
   bool empty() const { return edges.empty() && faces.empty(); }
 };
 
+/// Contacts as they were found, with those of each pair together.
+struct FoundContacts
+{
+  struct Pair
+  {
+    Index first;
+    Index second;
+    std::size_t edgesBegin;
+    std::size_t edgesEnd;
+    std::size_t facesBegin;
+    std::size_t facesEnd;
+  };
+  std::vector<LatticePoint> newPoints;
+  std::vector<EdgeContact> edges;
+  std::vector<FaceContact> faces;
+  std::vector<Pair> pairs;
+
+  /// All but those of pairs of which the sources of both are in `isLeft`; sorted, without repeats.
+  Contacts sorted(const TriangleSoup& soup, const std::vector<char>& isLeft = {}) const;
+};
+
+/// Whether the sources of both triangles are in `isLeft`, which may be empty.
+inline bool areLeft(const TriangleSoup& soup, Index first, Index second, const std::vector<char>& isLeft)
+{
+  return !isLeft.empty() && isLeft[soup.sources[first]] && isLeft[soup.sources[second]];
+}
+
 /// Finds all contacts outside of clusters of triangles of which one is marked in `changed`, but for those of which the
 /// sources of both are in `isLeft`, which may be empty. A point within `reach`
-/// lattice units of an edge or a triangle lies on it. Sides are decided exactly, distances in double precision. All
-/// lists are sorted, without repeats. Throws TooManyPairs (Clusters.h). O(n log n + pairs of triangles whose boxes
-/// touch).
-Contacts findContacts(const TriangleSoup& soup, const std::vector<char>& changed, const std::vector<char>& isLeft,
-                      std::int64_t reach, const ClusterCells& clusters, const RunContext& context);
+/// lattice units of an edge or a triangle lies on it. Sides are decided exactly, distances in double precision. Throws
+/// TooManyPairs (Clusters.h). O(n log n + pairs of triangles whose boxes touch).
+FoundContacts findContacts(const TriangleSoup& soup, const std::vector<char>& changed, const std::vector<char>& isLeft,
+                           std::int64_t reach, const ClusterCells& clusters, const RunContext& context);
 
 } // namespace atria

@@ -183,7 +183,8 @@ void repairOutside(ClusterCells& clusters, TriangleSoup& soup, const GridFrame& 
   report.overlappingTriangles += refined.overlappingTriangles;
   report.splitTriangles = refined.splitTriangles;
   report.intersectionEdges = refined.intersectionEdges;
-  report.unresolvedContacts = refined.unresolvedContacts;
+  report.unresolvedContacts =
+      refined.unresolvedContacts + countLeftContacts(soup, refining, clusters, refined, context);
   report.flippedTriangles += orientTriangles(soup, context.executor);
   dropUnusedPoints(soup);
 }
