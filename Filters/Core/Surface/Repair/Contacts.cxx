@@ -3,8 +3,8 @@
 
 #include "Grid/Predicates.h"
 #include "Support/Sorting.h"
-#include "Surface/Repair/ApartTriangles.h"
 #include "Surface/Repair/Clusters.h"
+#include "Surface/Repair/PlaneSides.h"
 #include "Surface/Search/BoxTree.h"
 #include "Surface/Search/Distance.h"
 #include "Surface/Triangulation/LatticeSegments.h"
@@ -41,17 +41,13 @@ public:
 
   void look(Index first, Index second)
   {
-    if (areApart(soup, first, second, reach))
+    const PlaneSides a(soup, first, second, reach);
+    if (a.apart())
     {
       return;
     }
-    const Side a(*this, first, second);
-    if (a.apart)
-    {
-      return;
-    }
-    const Side b(*this, second, first);
-    if (b.apart)
+    const PlaneSides b(soup, second, first, reach);
+    if (b.apart())
     {
       return;
     }
@@ -96,47 +92,6 @@ public:
   FoundContacts take() { return std::move(out); }
 
 private:
-  /// Where the corners of a triangle lie as seen from the plane of another.
-  struct Side
-  {
-    std::array<Wide, 3> exact{};
-    std::array<double, 3> distance{};
-    LatticeNormal normal;
-    bool apart = false;
-
-    Side(const ContactFinder& finder, Index of, Index from)
-        : normal(finder.soup.corner(from, 0), finder.soup.corner(from, 1), finder.soup.corner(from, 2))
-    {
-      const double length = std::hypot(static_cast<double>(normal.n[0]), static_cast<double>(normal.n[1]),
-                                       static_cast<double>(normal.n[2]));
-      if (length == 0.0)
-      {
-        return;
-      }
-      const LatticePoint& origin = finder.soup.corner(from, 0);
-      int above = 0;
-      int below = 0;
-      int shared = 0;
-      for (int i = 0; i < 3; ++i)
-      {
-        if (contains(finder.soup.triangles[from], finder.soup.triangles[of][i]))
-        {
-          ++shared;
-          continue;
-        }
-        const LatticePoint& p = finder.soup.corner(of, i);
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          exact[i] += normal.n[axis] * (p[axis] - origin[axis]);
-        }
-        distance[i] = static_cast<double>(exact[i]) / length;
-        above += distance[i] > finder.reach ? 1 : 0;
-        below += distance[i] < -finder.reach ? 1 : 0;
-      }
-      apart = above + shared == 3 || below + shared == 3;
-    }
-  };
-
   const LatticePoint& point(Index p) const { return soup.points[p]; }
 
   bool liesOn(const LatticePoint& p, const EdgeKey& edge) const
@@ -161,7 +116,7 @@ private:
   }
 
   /// Corners of `of` on edges or the face of `on`.
-  std::array<bool, 3> touchCorners(Index of, Index on, const Side& side)
+  std::array<bool, 3> touchCorners(Index of, Index on, const PlaneSides& side)
   {
     std::array<bool, 3> touches{};
     const auto& other = soup.triangles[on];
@@ -173,7 +128,7 @@ private:
         touches[i] = true;
         continue;
       }
-      if (std::abs(side.distance[i]) > reach)
+      if (std::abs(side.distance(i)) > reach)
       {
         continue;
       }
@@ -185,13 +140,26 @@ private:
           out.edges.push_back({edgeKey(other, j), p});
         }
       }
-      if (!touches[i] && isInside(point(p), on, side.normal))
+      if (!touches[i] && isInside(point(p), on, side.normal()))
       {
         touches[i] = true;
         out.faces.push_back({on, p});
       }
     }
     return touches;
+  }
+
+  /// Whether the boxes of two edges are as near as these must be to cut each other. Most are not.
+  bool areNear(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c, const LatticePoint& d) const
+  {
+    const auto apart = static_cast<std::int64_t>(2.0 * (reach + latticeRounding));
+    bool near = true;
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      near &= std::min(a[axis], b[axis]) - std::max(c[axis], d[axis]) <= apart &&
+              std::min(c[axis], d[axis]) - std::max(a[axis], b[axis]) <= apart;
+    }
+    return near;
   }
 
   Index addPoint(const LatticePoint& p)
@@ -201,16 +169,16 @@ private:
   }
 
   /// Whether edge i of a triangle passes through the plane of another in a definite point.
-  bool isSteep(Index t, int i, const Side& side) const
+  bool isSteep(Index t, int i, const PlaneSides& side) const
   {
     constexpr double slope = 0.02;
-    const double rise = side.distance[i] - side.distance[(i + 1) % 3];
+    const double rise = side.distance(i) - side.distance((i + 1) % 3);
     return std::abs(rise) > slope * between(soup.corner(t, i), soup.corner(t, (i + 1) % 3)).norm();
   }
 
   /// Where triangles lie in one plane edges cut each other within the reach. Elsewhere cutFace tells where they meet:
   /// near the line in which two planes meet at a small angle all edges are close to each other that do not.
-  void cutEdges(Index first, Index second, const Side& a, const Side& b)
+  void cutEdges(Index first, Index second, const PlaneSides& a, const PlaneSides& b)
   {
     for (int i = 0; i < 3; ++i)
     {
@@ -232,6 +200,10 @@ private:
       return;
     }
     const LatticePoint &a = point(e.first), &b = point(e.second), &c = point(f.first), &d = point(f.second);
+    if (!areNear(a, b, c, d))
+    {
+      return;
+    }
     int axis = 0;
     if (!(between(a, b).cross(between(c, d)).cwiseAbs().maxCoeff(&axis) > 0.0))
     {
@@ -260,25 +232,40 @@ private:
   }
 
   /// Edges of `of` that pass through the face of `through`.
-  void cutFace(Index of, Index through, const Side& side, const std::array<bool, 3>& touches)
+  void cutFace(Index of, Index through, const PlaneSides& side, const std::array<bool, 3>& touches)
   {
     for (int i = 0; i < 3; ++i)
     {
       const int next = (i + 1) % 3;
-      if (touches[i] || touches[next] || signOf(side.exact[i]) * signOf(side.exact[next]) >= 0)
+      if (touches[i] || touches[next] || side.sign(i) * side.sign(next) >= 0)
+      {
+        continue;
+      }
+      if (isBeside(side.passage(i, next), through))
       {
         continue;
       }
       const EdgeKey edge = edgeKey(soup.triangles[of], i);
       const bool forward = edge.first == soup.triangles[of][i];
-      const Wide begin = side.exact[forward ? i : next];
-      const Wide end = side.exact[forward ? next : i];
+      const Wide begin = side.exact(forward ? i : next);
+      const Wide end = side.exact(forward ? next : i);
       const LatticePoint p = partWay(point(edge.first), point(edge.second), begin, begin - end);
       cutAt(p, edge, through, side);
     }
   }
 
-  void cutAt(const LatticePoint& p, const EdgeKey& edge, Index through, const Side& side)
+  /// Whether a place is too far from the box of a triangle to lie on it.
+  bool isBeside(const PlaneSides::Passage& passage, Index t) const
+  {
+    const double apart = passage.error + 2.0 * (reach + latticeRounding);
+    const Vec3 a = toVector(soup.corner(t, 0));
+    const Vec3 b = toVector(soup.corner(t, 1));
+    const Vec3 c = toVector(soup.corner(t, 2));
+    return ((a.cwiseMin(b).cwiseMin(c) - passage.at).array() > apart).any() ||
+           ((passage.at - a.cwiseMax(b).cwiseMax(c)).array() > apart).any();
+  }
+
+  void cutAt(const LatticePoint& p, const EdgeKey& edge, Index through, const PlaneSides& side)
   {
     std::array<EdgeKey, 3> met;
     int count = 0;
@@ -290,7 +277,7 @@ private:
         met[count++] = other;
       }
     }
-    if (count == 0 && !isInside(p, through, side.normal))
+    if (count == 0 && !isInside(p, through, side.normal()))
     {
       return;
     }

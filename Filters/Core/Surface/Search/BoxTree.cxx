@@ -15,16 +15,19 @@ namespace {
 
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
+/// Of the order of what rounding to a float may be off by, and never less.
+constexpr float rounding = std::numeric_limits<float>::epsilon();
+
 float below(std::int64_t value)
 {
   const auto rounded = static_cast<float>(value);
-  return static_cast<double>(rounded) > static_cast<double>(value) ? std::nextafter(rounded, -infinite) : rounded;
+  return rounded - rounding * std::abs(rounded);
 }
 
 float above(std::int64_t value)
 {
   const auto rounded = static_cast<float>(value);
-  return static_cast<double>(rounded) < static_cast<double>(value) ? std::nextafter(rounded, infinite) : rounded;
+  return rounded + rounding * std::abs(rounded);
 }
 
 /// By size and then by place; no two are the same.
