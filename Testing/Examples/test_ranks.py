@@ -115,6 +115,10 @@ class Ranks(unittest.TestCase):
         send(launcher, processes)
         _, messages = launcher.communicate(timeout=30)
         self.assertEqual(list(folder.iterdir()), [])
+        for _ in range(100):  # mpiexec may be gone a little before what it signaled
+            if not any(map(runs, processes.values())):
+                break
+            time.sleep(0.1)
         self.assertFalse(any(map(runs, processes.values())))
         return launcher.returncode, messages
 
