@@ -19,6 +19,14 @@ const char* modelName(TurbulenceModel model)
                                                         : "kOmegaSST";
 }
 
+/// Iterations between fields that are written. The last must be among those: OpenFOAM writes none at the end by itself.
+int iterationsBetweenFields(int iterations)
+{
+  constexpr int most = 500;
+  const int times = (iterations + most - 1) / most;
+  return times > 1 && iterations % times == 0 ? iterations / times : std::max(1, iterations);
+}
+
 bool isFoundation(const CaseOfDirection& flow) { return flow.settings.dialect == OpenFOAMDialect::Foundation; }
 
 void writeControl(const std::filesystem::path& folder, const CaseOfDirection& flow)
@@ -35,7 +43,7 @@ void writeControl(const std::filesystem::path& folder, const CaseOfDirection& fl
   const int iterations = flow.settings.iterations;
   text.entry("startFrom", "latestTime").entry("startTime", "0").entry("stopAt", "endTime");
   text.entry("endTime", iterations).entry("deltaT", "1");
-  text.entry("writeControl", "timeStep").entry("writeInterval", std::max(1, std::min(iterations, 500)));
+  text.entry("writeControl", "timeStep").entry("writeInterval", iterationsBetweenFields(iterations));
   text.entry("purgeWrite", "2").entry("writeFormat", "binary").entry("writePrecision", "10");
   text.entry("writeCompression", "off").entry("timeFormat", "general").entry("timePrecision", "6");
   text.entry("runTimeModifiable", "yes").blank();

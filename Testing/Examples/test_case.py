@@ -240,6 +240,14 @@ class Case(BoxCase):
             self.assertGreaterEqual(min(ages), 0.0)
             self.assertGreater(max(ages), 10.0) # 100 m at some 6 m/s at most
 
+    def test_the_last_iteration_is_written(self):
+        """OpenFOAM writes fields at multiples of an interval, and none at the end by itself."""
+        for iterations in (1, 12, 500, 501, 600, 750, 751, 1000, 1499, 1500, 2200):
+            folder = self.case(self.box, f"last{iterations}", "--iterations", iterations)
+            text = (folder / "system/controlDict").read_text()
+            end, interval = (int(re.search(rf"^{key}\s+(\d+);", text, re.MULTILINE)[1]) for key in ("endTime", "writeInterval"))
+            self.assertEqual((end, end % interval), (iterations, 0))
+
     @unittest.skipUnless(HAVE_OPENFOAM, "OpenFOAM is not installed")
     def test_a_run_starts_without_overshoot(self):
         """At a size at which some cells at walls are flat."""
