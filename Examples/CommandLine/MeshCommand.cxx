@@ -110,10 +110,6 @@ ExitStatus runPreflight(const MeshOptions& options, vtkAtriaSurfaceReader* reade
   console.clearBar();
   printPreflight(preflight->GetOutput());
   printLayerEstimate(options, reader, report["EstimatedElements"].get<vtkIdType>(), console);
-  for (const Json& warning : report["warnings"])
-  {
-    console.warning(options.input + ": " + warning.get<std::string>());
-  }
   if (!options.report.empty())
   {
     writeText(options.report, report.dump(2) + "\n");

@@ -184,6 +184,10 @@ int vtkAtriaPreflight::RequestData(vtkInformation*, vtkInformationVector** input
     atria::Preflight report = atria::preflight(surface, atria::modelOptionsOf(*this), context);
     report.warnings.insert(report.warnings.begin(), warnings.begin(), warnings.end());
     preflightToVtk(report, surface.names, output);
+    for (const std::string& warning : report.warnings)
+    {
+      vtkWarningMacro(<< warning);
+    }
     context.progress.report(1.0, "Estimated");
   }
   catch (const atria::Aborted&)

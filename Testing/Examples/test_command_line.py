@@ -293,6 +293,8 @@ class CommandLine(unittest.TestCase):
         self.assertAlmostEqual(data["DomainZMax"], 68.1)
         self.assertAlmostEqual(data["Blockage"], (14 * 7 + 14 * 2) / (182 * 68.1), places=6)
         self.assertTrue(data["warnings"])
+        # The filter itself warns, as ParaView shows nothing of a table's field arrays.
+        self.assertEqual(run.stderr.count("warning:"), len(data["warnings"]), run.stderr)
 
     def test_domain_and_grid_options(self):
         turned = DATA / "house_turned17.wrl"
