@@ -68,6 +68,8 @@ import atria
 
 assert atria.mesh(model, size=4.0).mesh.GetNumberOfCells() > 1000
 PYTHON
+  # Else Open MPI starts a daemon, which may outlive pvpython and keep a bare system from being removed.
+  export OMPI_MCA_ess_singleton_isolated=1
   ATRIA_PREFIX=$prefix "${ATRIA_PVPYTHON:-pvpython}" "$work/use.py" "$examples/Data/house.wrl"
 }
 
