@@ -270,7 +270,7 @@ void Ranks::askFor(vtkInformationVector** inputs, int ports) const
 }
 
 int Ranks::run(vtkAlgorithm& algorithm, vtkInformationVector** inputs, vtkInformationVector* outputs,
-               const std::function<int()>& work, const DealtOutputs& dealt) const
+               const std::function<int()>& work, const DealtOutputs& dealt, const WorkOnPieces& onPieces) const
 {
   if (!controller)
   {
@@ -285,6 +285,10 @@ int Ranks::run(vtkAlgorithm& algorithm, vtkInformationVector** inputs, vtkInform
       vtkDataObject::GetData(outputs, i)->Initialize();
     }
     return 1;
+  }
+  if (const std::optional<int> done = onPieces ? onPieces(*controller) : std::nullopt)
+  {
+    return *done;
   }
   std::vector<std::pair<vtkInformation*, Pieces>> gathered;
   forInputs(algorithm, inputs, [&](vtkInformation* info) {
@@ -327,13 +331,14 @@ void Ranks::share(std::span<double> values) const
 
 vtkTypeBool processOnRanks(vtkAlgorithm& algorithm, vtkInformation* request, vtkInformationVector** inputs,
                            vtkInformationVector* outputs, const std::function<vtkTypeBool()>& process,
-                           const DealtOutputs& dealt)
+                           const DealtOutputs& dealt, const WorkOnPieces& onPieces)
 {
   const int asked = request->Has(vtkExecutive::FROM_OUTPUT_PORT()) ? request->Get(vtkExecutive::FROM_OUTPUT_PORT()) : 0;
   vtkInformation* output = outputs->GetInformationObject(asked > 0 ? asked : 0);
   if (request->Has(Pipeline::REQUEST_DATA()))
   {
-    return output->Get(runsByBlock()) ? process() : Ranks(output).run(algorithm, inputs, outputs, process, dealt);
+    return output->Get(runsByBlock()) ? process()
+                                      : Ranks(output).run(algorithm, inputs, outputs, process, dealt, onPieces);
   }
   const vtkTypeBool result = process();
   if (request->Has(Pipeline::REQUEST_INFORMATION()))

@@ -14,6 +14,7 @@
 #include <vtkType.h>
 
 #include <functional>
+#include <optional>
 #include <span>
 
 class vtkAlgorithm;
@@ -32,6 +33,9 @@ struct DealtOutputs
   /// from several.
   bool anew = false;
 };
+
+/// Does the work of a filter on pieces, if it can.
+using WorkOnPieces = std::function<std::optional<int>(vtkMultiProcessController&)>;
 
 /// One piece of a number of them, and the ranks that are asked for the others.
 class Ranks
@@ -52,8 +56,11 @@ public:
   /// what `work` did, on all ranks. `work` returns as RequestData does. Then deals out what is `dealt`, with as many
   /// ghost levels as it is asked for, but one at least; on the others all else becomes empty. Inputs that cannot be
   /// brought together are an error of `algorithm`.
+  ///
+  /// `onPieces`, if given, is run first, on all ranks and with what each of them holds: where it returns a result, the
+  /// same on all, this is it.
   int run(vtkAlgorithm& algorithm, vtkInformationVector** inputs, vtkInformationVector* outputs,
-          const std::function<int()>& work, const DealtOutputs& dealt = {}) const;
+          const std::function<int()>& work, const DealtOutputs& dealt = {}, const WorkOnPieces& onPieces = {}) const;
 
   /// The same outside of a request, with the inputs that the algorithm has now and no outputs.
   int run(vtkAlgorithm& algorithm, const std::function<int()>& work) const;
@@ -70,6 +77,6 @@ private:
 /// What ProcessRequest is to do on any number of ranks. `process` does what it does on one.
 vtkTypeBool processOnRanks(vtkAlgorithm& algorithm, vtkInformation* request, vtkInformationVector** inputs,
                            vtkInformationVector* outputs, const std::function<vtkTypeBool()>& process,
-                           const DealtOutputs& dealt = {});
+                           const DealtOutputs& dealt = {}, const WorkOnPieces& onPieces = {});
 
 } // namespace atria

@@ -24,10 +24,25 @@ vtkSmartPointer<vtkDoubleArray> makeColumn(const std::string& name, std::span<co
   return column;
 }
 
+/// Those there are values for: some metrics have none for faces on the boundary, which come last.
+std::vector<double> chosen(std::span<const double> values, std::span<const Index> numbers)
+{
+  std::vector<double> out;
+  for (const Index i : numbers)
+  {
+    if (i < values.size())
+    {
+      out.push_back(values[i]);
+    }
+  }
+  return out;
+}
+
 } // namespace
 
-QualityOutputs::QualityOutputs(int numberOfBins, const std::string& shownMetric, const Executor& threads)
-    : bins(static_cast<std::size_t>(numberOfBins)), shown(shownMetric), executor(threads)
+QualityOutputs::QualityOutputs(int numberOfBins, const std::string& shownMetric, const Executor& threads,
+                               const SampledPiece* sampled)
+    : bins(static_cast<std::size_t>(numberOfBins)), shown(shownMetric), executor(threads), piece(sampled)
 {
   names->SetName("Metric");
   parts->SetName("Of");
@@ -49,7 +64,10 @@ void QualityOutputs::addCells(const char* name, std::span<const double> values)
 
 void QualityOutputs::addSample(const QualitySample& sample)
 {
-  const Distribution distribution = distributionOf(sample.values, bins, executor, sample.repeated);
+  const std::vector<double> own =
+      piece ? chosen(sample.values, sample.ofFaces ? piece->faces : piece->cells) : std::vector<double>();
+  const Distribution distribution = distributionOf(piece ? std::span<const double>(own) : sample.values, bins, executor,
+                                                   sample.repeated, piece ? &piece->together : nullptr);
   const Statistics& s = distribution.statistics;
   names->InsertNextValue(sample.name);
   parts->InsertNextValue(sample.ofFaces ? "faces" : "cells");

@@ -29,11 +29,21 @@ struct QualitySample
   Repeated repeated = {};
 };
 
+/// The part of a mesh that a rank holds: what of its cells and faces counts there, and how all are one sample.
+struct SampledPiece
+{
+  std::vector<Index> cells;
+  std::vector<Index> faces;
+  const Reduction& together;
+};
+
 /// Collects cell arrays and the two tables of metrics.
 class QualityOutputs
 {
 public:
-  QualityOutputs(int numberOfBins, const std::string& shownMetric, const Executor& threads);
+  /// `sampled`, if given, must outlive this; all ranks then add the same metrics in the same order.
+  QualityOutputs(int numberOfBins, const std::string& shownMetric, const Executor& threads,
+                 const SampledPiece* sampled = nullptr);
 
   void addCells(const char* name, std::span<const double> values);
   void addSample(const QualitySample& sample);
@@ -79,6 +89,7 @@ private:
   std::size_t bins;
   std::string shown;
   const Executor& executor;
+  const SampledPiece* piece;
   vtkNew<vtkStringArray> names;
   vtkNew<vtkStringArray> parts;
   vtkNew<vtkIdTypeArray> counts;

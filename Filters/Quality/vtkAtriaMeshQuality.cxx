@@ -2,6 +2,7 @@
 #include "vtkAtriaMeshQuality.h"
 
 #include "AlgorithmProgress.h"
+#include "MeshPiece.h"
 #include "PropertyRange.h"
 #include "Quality/Checks/BoxQuality.h"
 #include "Quality/Checks/CheckQuantities.h"
@@ -9,6 +10,7 @@
 #include "Quality/Checks/Metrics.h"
 #include "QualityOutputs.h"
 #include "Ranks.h"
+#include "Support/Error.h"
 #include "VtkChecks.h"
 #include "VtkFaceMesh.h"
 #include "VtkRecordedPatches.h"
@@ -16,6 +18,7 @@
 #include <vtkCellData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
+#include <vtkMultiProcessController.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPartitionedDataSetCollection.h>
@@ -28,6 +31,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkAtriaMeshQuality);
@@ -180,6 +184,48 @@ Verdict measureAll(QualityOutputs& outputs, vtkUnstructuredGrid* volume, vtkPart
   return verdict;
 }
 
+/// What a rank knows of its piece before all look at it together.
+struct MeasuredPiece
+{
+  atria::QualityMetrics quality;
+  std::vector<atria::Index> faces; ///< that count here
+};
+
+/// How measuring ended; over all ranks the greatest holds.
+constexpr double wasMeasured = 0.0, wasAborted = 1.0, cannotMeasure = 2.0;
+
+double measurePiece(const atria::MeshPiece& piece, vtkUnstructuredGrid* volume, std::optional<MeasuredPiece>& out,
+                    const atria::RunContext& context)
+{
+  out.emplace();
+  if (volume->GetNumberOfCells() == 0)
+  {
+    return wasMeasured;
+  }
+  try
+  {
+    context.progress.report(0.0, "Finding faces");
+    const atria::VtkCells cells(volume);
+    const std::optional<atria::FaceMesh> mesh = piece.faces(cells, context.executor);
+    if (!mesh)
+    {
+      return cannotMeasure;
+    }
+    const atria::MeasuredMesh measured = atria::measureMesh(*mesh, context.part(0.3, 0.5));
+    out->quality = atria::computeQuality(measured, cells.view(), context.part(0.5, 0.95));
+    out->faces = piece.ownFaces(*mesh);
+    return wasMeasured;
+  }
+  catch (const atria::Aborted&)
+  {
+    return wasAborted;
+  }
+  catch (const std::exception&)
+  {
+    return cannotMeasure;
+  }
+}
+
 } // namespace
 
 vtkAtriaMeshQuality::vtkAtriaMeshQuality()
@@ -224,6 +270,65 @@ vtkTypeBool vtkAtriaMeshQuality::ProcessRequest(vtkInformation* request, vtkInfo
 {
   return atria::processOnRanks(*this, request, inputs, outputs,
                                [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); }, {0});
+}
+
+std::optional<int> vtkAtriaMeshQuality::MeasurePieces(vtkInformationVector** inputs, vtkInformationVector* outputs,
+                                                      vtkMultiProcessController& controller)
+{
+  vtkUnstructuredGrid* volume = vtkUnstructuredGrid::GetData(inputs[0], 0);
+  vtkPartitionedDataSetCollection* patches = vtkPartitionedDataSetCollection::GetData(inputs[1], 0);
+  const auto piece = this->CheckMesh ? std::nullopt : atria::MeshPiece::of(volume, patches, controller);
+  if (!piece)
+  {
+    return std::nullopt;
+  }
+  const atria::AlgorithmRun run(*this);
+  const atria::RankReduction together(controller);
+  std::optional<MeasuredPiece> measured;
+  double state = measurePiece(*piece, volume, measured, run.context);
+  together.greatest({&state, 1});
+  if (state == cannotMeasure)
+  {
+    return std::nullopt; // the first rank will say why
+  }
+  if (state == wasAborted)
+  {
+    clearOutputs(outputs);
+    atria::markAborted(outputs);
+    return 1;
+  }
+  try
+  {
+    atriaCheckRange(NumberOfBins);
+    const atria::SampledPiece sampled{piece->ownCells(), std::move(measured->faces), together};
+    double invalid = static_cast<double>(
+        std::ranges::count_if(sampled.cells, [&](atria::Index cell) { return measured->quality.valid[cell] == 0; }));
+    together.sum({&invalid, 1});
+    QualityOutputs collected(this->NumberOfBins, this->HistogramMetric, run.context.executor, &sampled);
+    addMetrics(collected, measured->quality);
+    collected.checkShown();
+    piece->fillGhosts(collected.arrays);
+    vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs, 0);
+    output->ShallowCopy(volume);
+    vtkNew<vtkTable> summary, histogram;
+    collected.fill(output, summary, histogram);
+    if (controller.GetLocalProcessId() > 0) // tables are the first rank's
+    {
+      summary->Initialize();
+      histogram->Initialize();
+    }
+    vtkTable::GetData(outputs, 1)->ShallowCopy(summary);
+    vtkTable::GetData(outputs, 2)->ShallowCopy(histogram);
+    vtkTable::GetData(outputs, 3)->Initialize();
+    this->NumberOfInvalidCells = static_cast<vtkIdType>(invalid);
+    this->NumberOfFailedChecks = 0;
+  }
+  catch (const atria::Error&)
+  {
+    return std::nullopt; // of properties, so that it is the same on all ranks, and the first one says it
+  }
+  run.context.progress.report(1.0, "Quality known");
+  return 1;
 }
 
 int vtkAtriaMeshQuality::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)

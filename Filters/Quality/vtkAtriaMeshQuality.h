@@ -60,8 +60,10 @@
 #include "vtkAtriaRangeMacros.h" // For properties with a range
 #include "vtkUnstructuredGridAlgorithm.h"
 
-#include <string> // for HistogramMetric
+#include <optional> // for MeasurePieces
+#include <string>   // for HistogramMetric
 
+class vtkMultiProcessController;
 class vtkPartitionedDataSetCollection;
 class vtkTable;
 
@@ -139,6 +141,11 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
+  /**
+   * What RequestData does, with the pieces of a mesh where they are; nothing where all of it is needed in one place.
+   */
+  std::optional<int> MeasurePieces(vtkInformationVector**, vtkInformationVector*, vtkMultiProcessController&);
+
   vtkAtriaMeshQuality(const vtkAtriaMeshQuality&) = delete;
   void operator=(const vtkAtriaMeshQuality&) = delete;
 

@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "MeshPiece.h"
+
+#include "VtkNumberedPieces.h"
+#include "VtkRecordedPatches.h"
+
+#include <vtkCellData.h>
+#include <vtkCommunicator.h>
+#include <vtkDataArray.h>
+#include <vtkIdList.h>
+#include <vtkMultiProcessController.h>
+#include <vtkNew.h>
+#include <vtkPartitionedDataSetCollection.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
+#include <array>
+
+namespace atria {
+
+namespace {
+
+constexpr int tag = 27185;
+
+std::vector<vtkIdType> idsOf(vtkDataSetAttributes* data, const char* name)
+{
+  vtkDataArray* ids = data->GetGlobalIds() ? data->GetGlobalIds() : data->GetArray(name);
+  std::vector<vtkIdType> out(static_cast<std::size_t>(ids ? ids->GetNumberOfTuples() : 0));
+  for (std::size_t i = 0; i < out.size(); ++i)
+  {
+    out[i] = static_cast<vtkIdType>(ids->GetComponent(static_cast<vtkIdType>(i), 0)); // exact up to 2^53
+  }
+  return out;
+}
+
+std::vector<std::pair<vtkIdType, Index>> placesOf(const std::vector<vtkIdType>& ids)
+{
+  std::vector<std::pair<vtkIdType, Index>> places;
+  for (std::size_t i = 0; i < ids.size(); ++i)
+  {
+    places.emplace_back(ids[i], static_cast<Index>(i));
+  }
+  std::ranges::sort(places);
+  return places;
+}
+
+Index find(const std::vector<std::pair<vtkIdType, Index>>& places, vtkIdType id)
+{
+  const auto found = std::ranges::lower_bound(places, id, {}, [](const auto& place) { return place.first; });
+  return found != places.end() && found->first == id ? found->second : noIndex;
+}
+
+bool hasGhosts(vtkUnstructuredGrid* grid)
+{
+  vtkUnsignedCharArray* ghosts = grid->GetCellGhostArray();
+  return ghosts && std::any_of(ghosts->Begin(), ghosts->End(), [](unsigned char ghost) { return ghost != 0; });
+}
+
+/// What each rank has, of all of them.
+vtkIdType total(vtkIdType count, vtkMultiProcessController& controller)
+{
+  vtkIdType sum = 0;
+  controller.AllReduce(&count, &sum, 1, vtkCommunicator::SUM_OP);
+  return sum;
+}
+
+void sendValues(const std::vector<double>& values, int rank, vtkMultiProcessController& controller)
+{
+  const auto count = static_cast<vtkIdType>(values.size());
+  controller.Send(&count, 1, rank, tag);
+  if (count > 0)
+  {
+    controller.Send(values.data(), count, rank, tag);
+  }
+}
+
+std::vector<double> receiveValues(int rank, vtkMultiProcessController& controller)
+{
+  vtkIdType count = 0;
+  controller.Receive(&count, 1, rank, tag);
+  std::vector<double> values(static_cast<std::size_t>(count));
+  if (count > 0)
+  {
+    controller.Receive(values.data(), count, rank, tag);
+  }
+  return values;
+}
+
+} // namespace
+
+void RankReduction::reduce(std::span<double> values, int operation) const
+{
+  const std::vector<double> own(values.begin(), values.end());
+  controller.AllReduce(own.data(), values.data(), static_cast<vtkIdType>(own.size()), operation);
+}
+
+void RankReduction::sum(std::span<double> values) const { reduce(values, vtkCommunicator::SUM_OP); }
+void RankReduction::least(std::span<double> values) const { reduce(values, vtkCommunicator::MIN_OP); }
+void RankReduction::greatest(std::span<double> values) const { reduce(values, vtkCommunicator::MAX_OP); }
+
+MeshPiece::MeshPiece(vtkUnstructuredGrid* piece, vtkMultiProcessController& ranks)
+    : grid(piece), controller(&ranks), own(static_cast<std::size_t>(piece->GetNumberOfCells()), 1)
+{
+  if (own.empty())
+  {
+    return;
+  }
+  vtkUnsignedCharArray* marks = grid->GetCellGhostArray();
+  for (Index cell = 0; cell < own.size(); ++cell)
+  {
+    if (marks->GetValue(cell) != 0)
+    {
+      own[cell] = 0;
+      ghosts.push_back(cell);
+    }
+  }
+  cellIds = idsOf(grid->GetCellData(), "GlobalCellIds");
+  cells = placesOf(cellIds);
+  points = placesOf(idsOf(grid->GetPointData(), "GlobalPointIds"));
+}
+
+std::optional<MeshPiece> MeshPiece::of(vtkUnstructuredGrid* grid, vtkPartitionedDataSetCollection* given,
+                                       vtkMultiProcessController& controller)
+{
+  const vtkIdType count = grid ? grid->GetNumberOfCells() : 0;
+  const vtkIdType faces = given ? given->GetNumberOfElements(vtkDataObject::CELL) : 0;
+  const bool areGiven = total(faces, controller) > 0;
+  const bool fits =
+      grid && (count == 0 || (isNumbered(grid) && hasGhosts(grid) && (areGiven || hasRecordedPatches(grid))));
+  if (total(fits ? 0 : 1, controller) > 0 || total(count, controller) == 0)
+  {
+    return std::nullopt;
+  }
+  MeshPiece piece(grid, controller);
+  if (areGiven && given)
+  {
+    piece.takePatches(given);
+  }
+  else if (count > 0 && !areGiven)
+  {
+    piece.takePatches(recordedPatches(grid).value_or(VtkPatches()));
+  }
+  return piece;
+}
+
+template <typename IdOf> void MeshPiece::takeFace(vtkIdType owner, std::size_t corners, IdOf&& idOf)
+{
+  const Index cell = find(cells, owner);
+  std::vector<std::int64_t> face;
+  for (std::size_t i = 0; i < corners && cell != noIndex; ++i)
+  {
+    face.push_back(find(points, idOf(i)));
+  }
+  if (face.empty() || std::ranges::find(face, std::int64_t{noIndex}) != face.end())
+  {
+    return;
+  }
+  patches.owners.push_back(cell);
+  patches.points.insert(patches.points.end(), face.begin(), face.end());
+  patches.offsets.push_back(static_cast<std::int64_t>(patches.points.size()));
+}
+
+void MeshPiece::takePatches(const VtkPatches& all)
+{
+  for (std::size_t f = 0; f < all.owners.size(); ++f)
+  {
+    const auto first = static_cast<std::size_t>(all.offsets[f]);
+    takeFace(all.owners[f], static_cast<std::size_t>(all.offsets[f + 1]) - first,
+             [&](std::size_t i) { return static_cast<vtkIdType>(all.points[first + i]); });
+  }
+}
+
+void MeshPiece::takePatches(vtkPartitionedDataSetCollection* given)
+{
+  vtkNew<vtkIdList> corners;
+  for (unsigned int i = 0; i < given->GetNumberOfPartitionedDataSets(); ++i)
+  {
+    for (unsigned int j = 0; j < given->GetNumberOfPartitions(i); ++j)
+    {
+      auto* patch = vtkPolyData::SafeDownCast(given->GetPartitionAsDataObject(i, j));
+      vtkDataArray* owners = patch ? patch->GetCellData()->GetArray("OwnerCellId") : nullptr;
+      vtkDataArray* ids = patch ? patch->GetPointData()->GetArray("VolumePointId") : nullptr;
+      if (!owners || !ids || patch->GetCellData()->GetArray("NeighborCellId")) // the last has face zones
+      {
+        continue;
+      }
+      for (vtkIdType face = 0; face < patch->GetNumberOfCells(); ++face)
+      {
+        patch->GetCellPoints(face, corners);
+        takeFace(static_cast<vtkIdType>(owners->GetComponent(face, 0)),
+                 static_cast<std::size_t>(corners->GetNumberOfIds()), [&](std::size_t corner) {
+                   const vtkIdType point = corners->GetId(static_cast<vtkIdType>(corner));
+                   return static_cast<vtkIdType>(ids->GetComponent(point, 0));
+                 });
+      }
+    }
+  }
+}
+
+std::vector<Index> MeshPiece::ownCells() const
+{
+  std::vector<Index> list;
+  for (Index cell = 0; cell < own.size(); ++cell)
+  {
+    if (own[cell])
+    {
+      list.push_back(cell);
+    }
+  }
+  return list;
+}
+
+std::optional<FaceMesh> MeshPiece::faces(const VtkCells& itsCells, const Executor& executor) const
+{
+  const std::vector<BoundaryFaceKey> keys = patches.keys();
+  FaceMesh mesh = makeFaceMesh(pointsFromVtk(grid->GetPoints(), executor), itsCells.view(), keys, executor);
+  std::vector<char> isOfPatch(mesh.faceCount(), 0);
+  for (const Index face : findBoundaryFaces(mesh, keys, executor))
+  {
+    if (face == noIndex)
+    {
+      return std::nullopt;
+    }
+    isOfPatch[face] = 1;
+  }
+  for (std::size_t face = mesh.internalFaceCount(); face < mesh.faceCount(); ++face)
+  {
+    if (isOwn(mesh.owner[face]) && !isOfPatch[face])
+    {
+      return std::nullopt;
+    }
+  }
+  return mesh;
+}
+
+std::vector<Index> MeshPiece::ownFaces(const FaceMesh& mesh) const
+{
+  std::vector<Index> list;
+  for (Index face = 0; face < mesh.faceCount(); ++face)
+  {
+    Index cell = mesh.owner[face];
+    if (face < mesh.internalFaceCount() && cellIds[mesh.neighbor[face]] < cellIds[cell])
+    {
+      cell = mesh.neighbor[face];
+    }
+    if (isOwn(cell))
+    {
+      list.push_back(face);
+    }
+  }
+  return list;
+}
+
+/// Where the cell is among those asked for, then its values.
+std::vector<double> MeshPiece::answer(std::span<const vtkIdType> asked,
+                                      const std::vector<vtkSmartPointer<vtkDataArray>>& arrays) const
+{
+  std::vector<double> values;
+  for (std::size_t i = 0; i < asked.size(); ++i)
+  {
+    const Index cell = find(cells, asked[i]);
+    if (cell != noIndex && isOwn(cell))
+    {
+      values.push_back(static_cast<double>(i));
+      std::ranges::transform(arrays, std::back_inserter(values),
+                             [cell](vtkDataArray* array) { return array->GetComponent(cell, 0); });
+    }
+  }
+  return values;
+}
+
+void MeshPiece::take(const std::vector<double>& answers, const std::vector<vtkSmartPointer<vtkDataArray>>& arrays) const
+{
+  for (auto value = answers.begin(); value != answers.end();)
+  {
+    const Index cell = ghosts[static_cast<std::size_t>(*value++)];
+    for (vtkDataArray* array : arrays)
+    {
+      array->SetComponent(cell, 0, *value++);
+    }
+  }
+}
+
+void MeshPiece::fillGhosts(const std::vector<vtkSmartPointer<vtkDataArray>>& arrays) const
+{
+  const auto ranks = static_cast<std::size_t>(controller->GetNumberOfProcesses());
+  const int self = controller->GetLocalProcessId();
+  std::vector<vtkIdType> wanted;
+  std::ranges::transform(ghosts, std::back_inserter(wanted), [this](Index cell) { return cellIds[cell]; });
+  const auto count = static_cast<vtkIdType>(wanted.size());
+  std::vector<vtkIdType> counts(ranks);
+  controller->AllGather(&count, counts.data(), 1);
+  for (int asking = 0; asking < static_cast<int>(ranks); ++asking)
+  {
+    std::vector<vtkIdType> asked =
+        asking == self ? wanted : std::vector<vtkIdType>(static_cast<std::size_t>(counts[asking]));
+    if (asked.empty())
+    {
+      continue;
+    }
+    controller->Broadcast(asked.data(), counts[asking], asking);
+    if (asking != self)
+    {
+      sendValues(answer(asked, arrays), asking, *controller);
+      continue;
+    }
+    for (int other = 0; other < static_cast<int>(ranks); ++other)
+    {
+      if (other != self)
+      {
+        take(receiveValues(other, *controller), arrays);
+      }
+    }
+  }
+}
+
+} // namespace atria

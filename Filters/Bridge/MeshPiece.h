@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// What a rank holds of a mesh that was dealt out, to be worked on where it is.
+#pragma once
+
+#include "Quality/Checks/Statistics.h"
+#include "VtkArrays.h"
+
+#include <vtkSmartPointer.h>
+#include <vtkType.h>
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+class vtkDataArray;
+class vtkMultiProcessController;
+class vtkPartitionedDataSetCollection;
+class vtkUnstructuredGrid;
+
+namespace atria {
+
+/// Sums and extremes over ranks.
+class RankReduction : public Reduction
+{
+public:
+  explicit RankReduction(vtkMultiProcessController& ranks) : controller(ranks) {}
+  void sum(std::span<double> values) const override;
+  void least(std::span<double> values) const override;
+  void greatest(std::span<double> values) const override;
+
+private:
+  void reduce(std::span<double> values, int operation) const;
+
+  vtkMultiProcessController& controller;
+};
+
+/// A piece with ghost cells and global ids. All ranks make theirs, and call what is said to be of all, at the same
+/// time.
+class MeshPiece
+{
+public:
+  /// Nothing, on all ranks, unless every rank that has cells has such a piece, and one has cells. `grid` outlives this.
+  /// Patches are those given, if they have faces anywhere, else those recorded in the mesh.
+  static std::optional<MeshPiece> of(vtkUnstructuredGrid* grid, vtkPartitionedDataSetCollection* given,
+                                     vtkMultiProcessController& controller);
+
+  bool isOwn(std::size_t cell) const { return own[cell] != 0; }
+  std::vector<Index> ownCells() const;
+
+  /// The faces of the piece: those of its own cells are as in the whole mesh. Nothing where the faces of patches are
+  /// not all of the boundary of its own cells.
+  std::optional<FaceMesh> faces(const VtkCells& cells, const Executor& executor) const;
+  /// Those that this rank counts, so that each face of the whole mesh is counted once.
+  std::vector<Index> ownFaces(const FaceMesh& mesh) const;
+
+  /// Gives ghost cells the values that their ranks have; of all.
+  void fillGhosts(const std::vector<vtkSmartPointer<vtkDataArray>>& arrays) const;
+
+private:
+  MeshPiece(vtkUnstructuredGrid* piece, vtkMultiProcessController& ranks);
+  void takePatches(const VtkPatches& all);
+  void takePatches(vtkPartitionedDataSetCollection* given);
+  template <typename IdOf> void takeFace(vtkIdType owner, std::size_t corners, IdOf&& idOf);
+  std::vector<double> answer(std::span<const vtkIdType> asked,
+                             const std::vector<vtkSmartPointer<vtkDataArray>>& arrays) const;
+  void take(const std::vector<double>& answers, const std::vector<vtkSmartPointer<vtkDataArray>>& arrays) const;
+
+  using Places = std::vector<std::pair<vtkIdType, Index>>; ///< by global id the number in the piece
+
+  vtkUnstructuredGrid* grid;
+  vtkMultiProcessController* controller;
+  std::vector<char> own;
+  std::vector<Index> ghosts;
+  std::vector<vtkIdType> cellIds;
+  Places cells;
+  Places points;
+  VtkPatches patches; ///< faces alone, with the numbers of the piece
+};
+
+} // namespace atria
