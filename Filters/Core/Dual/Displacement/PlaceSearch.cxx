@@ -165,24 +165,31 @@ private:
   bool turnAbout(const FeatureEdge& edge, const std::set<Index>& leaves)
   {
     Places best;
-    double leastCost = -smallestGain;
+    double bestAngle = 0.0;
+    double leastCost = std::numeric_limits<double>::infinity();
+    const auto tryTurn = [&](double angle, double scale) {
+      Places turned = placesAbout(edge, leaves, angle, scale);
+      MovingGrid::Trail trail;
+      const double cost = moves.make(turned, trail);
+      grid.takeBack(trail);
+      if (cost < leastCost)
+      {
+        leastCost = cost;
+        bestAngle = angle;
+        best = std::move(turned);
+      }
+    };
     for (const double angle : {0.0, 22.5, -22.5, 45.0, -45.0})
     {
-      for (const double scale : {1.0, 0.7})
-      {
-        const Places turned = placesAbout(edge, leaves, angle, scale);
-        MovingGrid::Trail trail;
-        const double cost = moves.make(turned, trail);
-        grid.takeBack(trail);
-        if (cost < leastCost)
-        {
-          leastCost = cost;
-          best = turned;
-        }
-      }
+      tryTurn(angle, 1.0);
+    }
+    tryTurn(bestAngle, 0.7);
+    if (leastCost >= -smallestGain)
+    {
+      return false;
     }
     grid.moveTogether(best);
-    return !best.empty();
+    return true;
   }
 
   /// The corners of the leaves, moved such that the curve is in the middle, and turned about it.
