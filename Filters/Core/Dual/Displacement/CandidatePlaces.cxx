@@ -40,10 +40,14 @@ public:
     const auto& leaves = grid.points().leaves[point];
     for (const Index leaf : std::set<Index>(leaves.begin(), leaves.end()))
     {
-      addBetweenCurves(leaf);
+      if (grid.isCalm(leaf) || grid.surplus(leaf, look) == 0)
+      {
+        continue;
+      }
+      addBetweenCurves();
       if (across)
       {
-        addAcrossSheets(leaf);
+        addAcrossSheets();
       }
     }
     return std::move(found.places);
@@ -126,13 +130,9 @@ private:
            }) != cuts.end();
   }
 
-  /// Places in the middle between curves that the leaf's vertex cannot both be on.
-  void addBetweenCurves(Index leaf)
+  /// Places in the middle between curves that the vertex of the leaf looked at cannot both be on.
+  void addBetweenCurves()
   {
-    if (grid.isCalm(leaf) || grid.surplus(leaf, look) == 0)
-    {
-      return;
-    }
     const auto curves = look.topology().curves();
     if (curves.size() > mostCurves)
     {
@@ -151,14 +151,10 @@ private:
     }
   }
 
-  /// Places on the other side of sheets of the leaf that do not meet in it, by the shortest way: as its edges may run
-  /// along them, or cut them far off. Beyond the boundary edge of a sheet it has no other side.
-  void addAcrossSheets(Index leaf)
+  /// Places on the other side of sheets of the leaf looked at that do not meet in it, by the shortest way: as its edges
+  /// may run along them, or cut them far off. Beyond the boundary edge of a sheet it has no other side.
+  void addAcrossSheets()
   {
-    if (grid.isCalm(leaf) || grid.surplus(leaf, look) == 0)
-    {
-      return;
-    }
     const Vec3 p = toVector(grid.places().place(point));
     const auto size = static_cast<double>(grid.shortestEdge(point));
     for (const auto& [a, b] : look.topology().apart())
