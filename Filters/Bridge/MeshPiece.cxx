@@ -28,7 +28,11 @@ constexpr int tag = 27185;
 std::vector<vtkIdType> idsOf(vtkDataSetAttributes* data, const char* name)
 {
   vtkDataArray* ids = data->GetGlobalIds() ? data->GetGlobalIds() : data->GetArray(name);
-  std::vector<vtkIdType> out(static_cast<std::size_t>(ids ? ids->GetNumberOfTuples() : 0));
+  if (!ids)
+  {
+    return {};
+  }
+  std::vector<vtkIdType> out(static_cast<std::size_t>(ids->GetNumberOfTuples()));
   for (std::size_t i = 0; i < out.size(); ++i)
   {
     out[i] = static_cast<vtkIdType>(ids->GetComponent(static_cast<vtkIdType>(i), 0)); // exact up to 2^53
@@ -104,11 +108,11 @@ void RankReduction::greatest(std::span<double> values) const { reduce(values, vt
 MeshPiece::MeshPiece(vtkUnstructuredGrid* piece, vtkMultiProcessController& ranks)
     : grid(piece), controller(&ranks), own(static_cast<std::size_t>(piece->GetNumberOfCells()), 1)
 {
-  if (own.empty())
+  vtkUnsignedCharArray* marks = grid->GetCellGhostArray();
+  if (own.empty() || !marks)
   {
     return;
   }
-  vtkUnsignedCharArray* marks = grid->GetCellGhostArray();
   for (Index cell = 0; cell < own.size(); ++cell)
   {
     if (marks->GetValue(cell) != 0)
