@@ -134,7 +134,8 @@ std::optional<MeshPiece> MeshPiece::of(vtkUnstructuredGrid* grid, vtkPartitioned
   const bool areGiven = total(faces, controller) > 0;
   const bool fits =
       grid && (count == 0 || (isNumbered(grid) && hasGhosts(grid) && (areGiven || hasRecordedPatches(grid))));
-  if (total(fits ? 0 : 1, controller) > 0 || total(count, controller) == 0)
+  const bool isNone = total(fits ? 0 : 1, controller) > 0 || total(count, controller) == 0;
+  if (!grid || isNone)
   {
     return std::nullopt;
   }

@@ -444,9 +444,10 @@ FoundContacts findContacts(const TriangleSoup& soup, const std::vector<char>& ch
                            std::int64_t reach, const ClusterCells& clusters, const RunContext& context)
 {
   std::vector<Index> inTree = seenTriangles(soup, clusters, context);
-  const auto others = std::ranges::stable_partition(inTree, [&](Index triangle) { return changed[triangle] != 0; });
-  const std::vector<NumberedBox> otherBoxes = boxesOf(soup, {others.begin(), others.end()}, reach, context);
-  inTree.erase(others.begin(), others.end());
+  // Clang 14 cannot compile std::ranges::stable_partition of this library.
+  const auto others = std::stable_partition(inTree.begin(), inTree.end(), [&](Index t) { return changed[t] != 0; });
+  const std::vector<NumberedBox> otherBoxes = boxesOf(soup, {others, inTree.end()}, reach, context);
+  inTree.erase(others, inTree.end());
   const BoxTree tree(boxesOf(soup, inTree, reach, context), context);
   ContactFinder finder(soup, static_cast<double>(reach));
   for (const Search& search :
