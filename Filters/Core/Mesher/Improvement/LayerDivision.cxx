@@ -12,10 +12,8 @@ namespace atria {
 
 namespace {
 
-/// Takes layers away at the points of cells that have several; where they have different numbers, at those with more.
-/// `lowered` gives the number that is left of one.
-void lower(const LayerMesh& layer, const std::vector<ShortCell>& cells, std::vector<Index>& counts,
-           Index (*lowered)(Index))
+/// Takes a layer away at the points of cells that have several; where they have different numbers, at those with more.
+void lower(const LayerMesh& layer, const std::vector<ShortCell>& cells, std::vector<Index>& counts)
 {
   std::vector<char> marked(counts.size(), 0);
   for (const ShortCell& cell : cells)
@@ -29,7 +27,7 @@ void lower(const LayerMesh& layer, const std::vector<ShortCell>& cells, std::vec
   }
   for (Index p = 0; p < counts.size(); ++p)
   {
-    counts[p] = marked[p] && counts[p] > 1 ? lowered(counts[p]) : counts[p];
+    counts[p] = marked[p] && counts[p] > 1 ? counts[p] - 1 : counts[p];
   }
 }
 
@@ -171,7 +169,7 @@ std::optional<std::vector<char>> LayerDivision::takeAway(std::vector<ShortCell> 
   std::copy_n(state_.layer.mesh.points.begin(), one_.plainPoints, one_.mesh.points.begin());
   takeCopies(state_.layer, held_, one_);
   const std::vector<Index> before = counts_;
-  lower(state_.layer, cells, counts_, [](Index count) { return count / 2; });
+  lower(state_.layer, cells, counts_);
   std::vector<char> changed(one_.plainPoints, 0);
   restore(cells, before, changed);
   markPoints(state_.layer, cells, changed);
@@ -274,8 +272,7 @@ void LayerDivision::divideEvenly()
                             : pointsBesideChange(state_.plain, state_.layer, before, counts);
     before = counts;
     const DualSource source(state_.layer.mesh);
-    lower(state_.layer, badOf(findShortCells(source, marked, baseTargets(state_.traits), state_.context)), counts,
-          [](Index count) { return count - 1; });
+    lower(state_.layer, badOf(findShortCells(source, marked, baseTargets(state_.traits), state_.context)), counts);
   }
   state_.measureBy(strictestOfDivided(state_.traits));
 }
