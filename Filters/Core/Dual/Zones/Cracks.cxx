@@ -161,7 +161,8 @@ void addCracks(const BoundaryEdges::Run& run, const std::vector<std::vector<Crac
   {
     // A ring begins where its kind changes.
     const auto change = std::ranges::adjacent_find(steps, std::ranges::not_equal_to(), &CrackStep::kind);
-    std::ranges::rotate(steps, change == steps.end() ? steps.begin() : std::next(change));
+    // Clang 14 cannot compile std::ranges::rotate of this library.
+    std::rotate(steps.begin(), change == steps.end() ? steps.begin() : std::next(change), steps.end());
   }
   StepKind last = StepKind::none;
   for (const CrackStep& step : steps)
