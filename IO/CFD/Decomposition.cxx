@@ -90,8 +90,10 @@ using Members = std::vector<std::tuple<Index, std::size_t, char>>;
 
 std::span<const Members::value_type> zonesOf(const Members& members, Index member)
 {
-  const auto range = std::ranges::equal_range(members, member, {}, [](const auto& m) { return std::get<0>(m); });
-  return {range.begin(), range.end()};
+  const auto memberOf = [](const auto& entry) { return std::get<0>(entry); };
+  // Clang 14 cannot compile std::ranges::equal_range of this library.
+  return {std::ranges::lower_bound(members, member, {}, memberOf),
+          std::ranges::upper_bound(members, member, {}, memberOf)};
 }
 
 class PartMaker
@@ -202,7 +204,8 @@ private:
     {
       const std::string own = std::to_string(part);
       const std::string to = std::to_string(other);
-      add("procBoundary" + own + "to" + to, shared.size(), -1).entries = {
+      const std::string name = std::string("procBoundary").append(own).append("to").append(to);
+      add(name, shared.size(), -1).entries = {
           {"type", "processor"}, {"inGroups", "1(processor)"}, {"matchTolerance", "0.0001"}, {"transform", "unknown"},
           {"myProcNo", own},     {"neighbProcNo", to}};
     }
@@ -362,13 +365,15 @@ void writeDecomposition(const fs::path& caseFolder, std::size_t parts, const Vec
   {
     fewer = parts % divisor == 0 ? divisor : fewer;
   }
-  const std::size_t alongX = size[0] < size[1] ? fewer : parts / fewer;
+  const std::size_t more = parts / fewer;
+  const std::size_t alongX = size[0] < size[1] ? fewer : more;
+  const std::size_t alongY = size[0] < size[1] ? more : fewer;
   FoamText text;
   text.comment(
       "The parts came with the case. This divides it anew, without a library: Debian's OpenFOAM has no scotch.");
   text.entry("numberOfSubdomains", static_cast<double>(parts)).entry("method", "hierarchical");
   text.open("hierarchicalCoeffs")
-      .entry("n", foamVector({static_cast<double>(alongX), static_cast<double>(parts / alongX), 1.0}));
+      .entry("n", foamVector({static_cast<double>(alongX), static_cast<double>(alongY), 1.0}));
   text.entry("delta", "0.001").entry("order", "xyz").close();
   writeFoamFile(caseFolder, "system", "decomposeParDict", "dictionary", text);
 }

@@ -66,8 +66,9 @@ std::span<const LeafCurves::Entry> LeafCurves::of(Index leaf) const
 
 std::span<const LeafCurves::Entry> LeafCurves::atChart(std::span<const Entry> entries, Index chart)
 {
-  const auto found = std::ranges::equal_range(entries, chart, {}, &Entry::chart);
-  return {found.begin(), found.end()};
+  // Clang 14 cannot compile std::ranges::equal_range of this library.
+  return {std::ranges::lower_bound(entries, chart, {}, &Entry::chart),
+          std::ranges::upper_bound(entries, chart, {}, &Entry::chart)};
 }
 
 } // namespace atria
