@@ -55,6 +55,13 @@ class FirstUse(unittest.TestCase):
         self.assertTrue(10_000 < elements < 1_000_000, elements)
         self.assertRegex(run.stderr, r"--seed( -?\d+(\.\d{1,3})?){3} means it")
 
+    def test_the_examples_pass_all_checks_by_themselves(self):
+        for name in ("house.wrl", "house_turned17.wrl", "building.wrl"):
+            for layers in ("0", "1"):
+                run = self.atria("mesh", HOUSE.parent / name, "--layers", layers, "--openfoam", "case")
+                self.assertIn(run.returncode, (0, 4), (name, layers, run.stderr))
+                self.assertRegex(run.stdout, r"(?m)^checks +all of checkMesh's pass", (name, layers))
+
     def test_sketchups_model_is_told_from_one_in_meters(self):
         run = self.atria("inspect", HOUSE.parent / "sketchup_house.wrl")
         for option in ("--unit", "--up", "--surfaces-by group"):

@@ -48,13 +48,23 @@ bool straightenCurves(ClassifiedMesh& plain, const BoundaryGraph& graph, const M
   return faces > 0;
 }
 
-/// Surfaces without layers may have one where elements cannot be valid without.
-void support(LayerOptions& options)
+/// Whether a surface, as a site, lies on the domain's bottom.
+bool hasGround(const DualMesh& mesh, const LayerOptions& options)
 {
+  return std::ranges::any_of(mesh.boundaryFaces, [&](const BoundaryFace& face) {
+    return face.onDomainSide && face.tag < options.surfaceCount() && face.direction == zMin;
+  });
+}
+
+/// Surfaces without layers may have one where elements cannot be valid without, and so may the bottom beside a site:
+/// where sizes change at the domain's edges, elements may have two neighbors only.
+void support(const DualMesh& mesh, LayerOptions& options)
+{
+  const Index bottom = hasGround(mesh, options) ? options.surfaceCount() + zMin : noIndex;
   options.supporting.assign(options.ofTag.size(), 0);
-  for (Index tag = 0; tag < options.surfaceCount(); ++tag)
+  for (Index tag = 0; tag < options.ofTag.size(); ++tag)
   {
-    if (options.ofTag[tag].layers == 0)
+    if (options.ofTag[tag].layers == 0 && (tag < options.surfaceCount() || tag == bottom))
     {
       options.supporting[tag] = 1;
       options.ofTag[tag] = {.layers = 1};
@@ -100,7 +110,7 @@ ImprovedMesh growLayers(ClassifiedMesh given, const WallOptions& wallOptions, co
   options.ofTag = resolveLayerRules(wallOptions.layers, context.model.names);
   if (wallOptions.supportElements)
   {
-    support(options);
+    support(given.mesh, options);
   }
   options.sideNormals = sideNormalsOf(context.octree.frame());
   LayerWalls walls = findLayerWalls(given.mesh, options, context);
