@@ -3,7 +3,8 @@
 """Meshes houses full of detail below the mesh: none is refused, none takes long, and all are valid.
 
 Eight houses, or a thousand with ATRIA_TEST_FULL=1, of up to 100,000 triangles, 60 octants of the finest size long, with a
-layer. Where OpenFOAM's checkMesh is installed, it is asked.
+layer, and every third with five: these stay on most of the walls, and no face is beyond 72 degrees. Where OpenFOAM's
+checkMesh is installed, it is asked.
 
 Usage: test_detailed_models.py ATRIA DATA [FIRST [LAST]]
 """
@@ -19,6 +20,8 @@ import tempfile
 
 OCTANTS = 60
 MOST_SECONDS = 60.0  # of the processor
+MOST_DEGREES = {1: 60.0, 5: 72.0}  # of non-orthogonality
+LEAST_COVERED = 0.8  # of the walls' area, with all layers
 SKIPPED = 77
 
 
@@ -28,7 +31,7 @@ def bounds_of(atria, model):
     return [(max if i % 2 else min)(b[i] for b in bounds) for i in range(6)]
 
 
-def mesh(atria, model, folder):
+def mesh(atria, model, folder, layers):
     """Exit status, messages, report and seconds of the processor."""
     b = bounds_of(atria, model)
     longest = max(b[1] - b[0], b[3] - b[2], b[5] - b[4])
@@ -36,8 +39,8 @@ def mesh(atria, model, folder):
     size = 1.5 * longest / OCTANTS
     before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
     run = subprocess.run(
-        [atria, "mesh", model, "--domain", *map(repr, domain), "--zone", "all", "--layers", "1", "--size-min", repr(size),
-         "--size-mid", repr(2 * size), "--size-max", repr(4 * size), "--openfoam", folder / "case", "--report",
+        [atria, "mesh", model, "--domain", *map(repr, domain), "--zone", "all", "--layers", str(layers),
+         "--size-min", repr(size), "--size-mid", repr(2 * size), "--size-max", repr(4 * size), "--openfoam", folder / "case", "--report",
          folder / "report.json", "-o", folder / "mesh.vtu"],
         capture_output=True, text=True)
     seconds = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
@@ -51,12 +54,20 @@ def faults_of(atria, data, seed, triangles):
         model = folder / "house.wrl"
         subprocess.run([sys.executable, data / "make_detailed_house.py", model, "--seed", str(seed), "--triangles",
                         str(triangles)], check=True, stdout=subprocess.DEVNULL)
-        status, messages, report, seconds = mesh(atria, model, folder)
+        layers = 1 if seed % 3 else 5
+        status, messages, report, seconds = mesh(atria, model, folder, layers)
         if status not in (0, 5):  # checkMesh judges below
             return [f"exit status {status}: {messages.strip()[-300:]}"], seconds
         faults = []
         if report["invalid_elements"]:
             faults.append(f"{report['invalid_elements']} invalid elements")
+        worst = report["openfoam"]["checks"]["NonOrthogonality"]["worst"]
+        if worst > MOST_DEGREES[layers]:
+            faults.append(f"{worst:.1f} degrees with {layers} layers")
+        walls = report["layers"]
+        covered = sum(wall["area"] * wall["covered_in_full"] for wall in walls) / sum(wall["area"] for wall in walls)
+        if covered < LEAST_COVERED:
+            faults.append(f"{layers} layers on {100 * covered:.0f} % of the walls")
         if seconds > MOST_SECONDS:
             faults.append(f"{seconds:.0f} s of the processor")
         if shutil.which("checkMesh"):
