@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 #include <numeric>
 #include <string>
 #include <tuple>
@@ -254,23 +255,6 @@ bool isProcessorFolder(const fs::directory_entry& entry)
          name.find_first_not_of("0123456789", 9) == std::string::npos;
 }
 
-void writePart(const fs::path& folder, const ProcessorMesh& part, OpenFOAMFormat format, const ProgressRange& progress)
-{
-  makeFolder(folder);
-  const PolyMeshWriter writer(folder, part.mesh, format, progress);
-  writer.writePoints();
-  writer.writeFaces();
-  writer.writeOwners();
-  writer.writeNeighbors();
-  writer.writeBoundary(part.patches);
-  writer.writeFaceZones(part.faceZones);
-  writer.writeCellZones(part.cellZones);
-  writer.writeLabelFile("cellProcAddressing", part.cells);
-  writer.writeLabelFile("faceProcAddressing", part.faces);
-  writer.writeLabelFile("pointProcAddressing", part.points);
-  writer.writeLabelFile("boundaryProcAddressing", part.ofPatches);
-}
-
 } // namespace
 
 std::vector<Index> partitionCells(const FaceMesh& mesh, std::size_t parts)
@@ -316,8 +300,7 @@ std::vector<Index> partitionCells(const FaceMesh& mesh, std::size_t parts)
   return partOf;
 }
 
-std::vector<ProcessorMesh> decompose(const PolyMesh& poly, std::span<const Index> partOf, std::size_t parts,
-                                     const Executor& executor)
+ProcessorMeshes decompose(const PolyMesh& poly, std::span<const Index> partOf, std::size_t parts)
 {
   for (const PolyPatch& patch : poly.patches)
   {
@@ -327,10 +310,39 @@ std::vector<ProcessorMesh> decompose(const PolyMesh& poly, std::span<const Index
                   ", whose halves only OpenFOAM's decomposePar divides: write the case for one processor and run that");
     }
   }
-  const PartMaker maker(poly, partOf, parts);
-  std::vector<ProcessorMesh> meshes(parts);
-  executor.forEach(parts, 1, [&](std::size_t part) { meshes[part] = maker.make(part); });
-  return meshes;
+  const auto maker = std::make_shared<const PartMaker>(poly, partOf, parts);
+  return [maker](std::size_t part) { return maker->make(part); };
+}
+
+void writeProcessor(const fs::path& folder, std::size_t part, const ProcessorMesh& mesh, OpenFOAMFormat format,
+                    const ProgressRange& progress)
+{
+  const fs::path target = folder / ("processor" + std::to_string(part)) / "constant" / "polyMesh";
+  makeFolder(target);
+  const PolyMeshWriter writer(target, mesh.mesh, format, progress);
+  writer.writePoints();
+  writer.writeFaces();
+  writer.writeOwners();
+  writer.writeNeighbors();
+  writer.writeBoundary(mesh.patches);
+  writer.writeFaceZones(mesh.faceZones);
+  writer.writeCellZones(mesh.cellZones);
+  writer.writeLabelFile("cellProcAddressing", mesh.cells);
+  writer.writeLabelFile("faceProcAddressing", mesh.faces);
+  writer.writeLabelFile("pointProcAddressing", mesh.points);
+  writer.writeLabelFile("boundaryProcAddressing", mesh.ofPatches);
+}
+
+fs::path unfinishedProcessors(const fs::path& caseFolder) { return caseFolder / ".processors.unfinished"; }
+
+void placeProcessors(const fs::path& caseFolder, const PolyMesh& poly, std::size_t parts)
+{
+  refuseProcessorResults(caseFolder);
+  removeProcessors(caseFolder);
+  moveFiles(unfinishedProcessors(caseFolder), caseFolder);
+  Box3 bounds;
+  std::for_each(poly.mesh.points.begin(), poly.mesh.points.end(), [&](const Vec3& point) { bounds.extend(point); });
+  writeDecomposition(caseFolder, parts, bounds.size());
 }
 
 void refuseProcessorResults(const fs::path& caseFolder)
@@ -403,19 +415,14 @@ void writeProcessors(const fs::path& caseFolder, const PolyMesh& poly, std::size
                      const RunContext& context)
 {
   context.progress.report(0.0, "Dividing the mesh among processors");
-  const std::vector<ProcessorMesh> meshes = decompose(poly, partitionCells(poly.mesh, parts), parts, context.executor);
+  const std::vector<Index> partOf = partitionCells(poly.mesh, parts);
+  const ProcessorMeshes meshes = decompose(poly, partOf, parts);
   context.progress.report(0.4, "Writing the processors' meshes");
-  const UnfinishedFolder unfinished(caseFolder / ".processors.unfinished");
+  const UnfinishedFolder unfinished(unfinishedProcessors(caseFolder));
   context.executor.forEach(parts, 1, [&](std::size_t part) {
-    writePart(unfinished.path / ("processor" + std::to_string(part)) / "constant" / "polyMesh", meshes[part], format,
-              context.progress);
+    writeProcessor(unfinished.path, part, meshes(part), format, context.progress);
   });
-  refuseProcessorResults(caseFolder);
-  removeProcessors(caseFolder);
-  unfinished.moveFilesTo(caseFolder);
-  Box3 bounds;
-  std::for_each(poly.mesh.points.begin(), poly.mesh.points.end(), [&](const Vec3& point) { bounds.extend(point); });
-  writeDecomposition(caseFolder, parts, bounds.size());
+  placeProcessors(caseFolder, poly, parts);
   context.progress.report(1.0, "Processors' meshes written");
 }
 

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -33,9 +34,23 @@ struct ProcessorMesh
   std::vector<std::int32_t> ofPatches; ///< -1 of those between processors
 };
 
-/// Of all processors. `partOf` has the part of each cell. Throws Error for a patch of a cyclic type.
-std::vector<ProcessorMesh> decompose(const PolyMesh& poly, std::span<const Index> partOf, std::size_t parts,
-                                     const Executor& executor);
+/// Makes the mesh of a processor, of any number of them at the same time.
+using ProcessorMeshes = std::function<ProcessorMesh(std::size_t)>;
+
+/// `partOf` has the part of each cell; it and `poly` outlive what is returned. Throws Error for a patch of a cyclic
+/// type.
+ProcessorMeshes decompose(const PolyMesh& poly, std::span<const Index> partOf, std::size_t parts);
+
+/// Writes processor<part>/constant/polyMesh into a folder, with cellProcAddressing and so on.
+void writeProcessor(const std::filesystem::path& folder, std::size_t part, const ProcessorMesh& mesh,
+                    OpenFOAMFormat format, const ProgressRange& progress);
+
+/// Where the folders of processors stand until all are complete: a hidden one in the case's.
+std::filesystem::path unfinishedProcessors(const std::filesystem::path& caseFolder);
+
+/// Puts the complete folders in place of all processor folders there are, and writes system/decomposeParDict. Throws
+/// Error as refuseProcessorResults() does.
+void placeProcessors(const std::filesystem::path& caseFolder, const PolyMesh& poly, std::size_t parts);
 
 /// Throws Error where the case has processor folders with more than a mesh and the folder 0: results of a run.
 void refuseProcessorResults(const std::filesystem::path& caseFolder);

@@ -60,6 +60,19 @@ void removeFiles(const std::vector<fs::path>& files)
   }
 }
 
+void moveFiles(const fs::path& from, const fs::path& to)
+{
+  for (const fs::path& file : filesIn(from))
+  {
+    std::error_code error;
+    fs::rename(file, to / file.filename(), error);
+    if (error)
+    {
+      throw Error("cannot write '" + (to / file.filename()).string() + "': " + error.message());
+    }
+  }
+}
+
 UnfinishedFolder::UnfinishedFolder(fs::path where) : path(std::move(where))
 {
   std::error_code ignored;
@@ -79,19 +92,6 @@ UnfinishedFolder::~UnfinishedFolder()
   }
   std::error_code ignored;
   fs::remove_all(path, ignored);
-}
-
-void UnfinishedFolder::moveFilesTo(const fs::path& folder) const
-{
-  for (const fs::path& file : filesIn(path))
-  {
-    std::error_code error;
-    fs::rename(file, folder / file.filename(), error);
-    if (error)
-    {
-      throw Error("cannot write '" + (folder / file.filename()).string() + "': " + error.message());
-    }
-  }
 }
 
 void writeInPlace(const fs::path& file, const std::function<void(const fs::path&)>& write)

@@ -14,6 +14,9 @@ void makeFolder(const std::filesystem::path& folder);
 /// who aborts waits for it. Throws Error naming one that cannot be removed.
 void removeFiles(const std::vector<std::filesystem::path>& files);
 
+/// Throws Error naming the file that cannot be written there.
+void moveFiles(const std::filesystem::path& from, const std::filesystem::path& to);
+
 /// Holds files until all are complete, and is removed whatever happens.
 class UnfinishedFolder
 {
@@ -23,8 +26,7 @@ public:
   UnfinishedFolder(const UnfinishedFolder&) = delete;
   UnfinishedFolder& operator=(const UnfinishedFolder&) = delete;
 
-  /// Throws Error naming the file that cannot be written there.
-  void moveFilesTo(const std::filesystem::path& folder) const;
+  void moveFilesTo(const std::filesystem::path& folder) const { moveFiles(path, folder); }
 
   const std::filesystem::path path;
 };

@@ -15,41 +15,12 @@ import sys
 import unittest
 
 from box_mesh import BOX, BoxCase, write_box
+from decomposed import HAVE_OPENFOAM, content, expect_decompose_par, labels, patches, run_in
 
 ATRIA = pathlib.Path(sys.argv[1])
 DATA = pathlib.Path(sys.argv[2])
 HOUSE = ["--size-max", "16", "--size-mid", "4", "--size-min", "1", "--site", "Site", "--openings"]
-HAVE_OPENFOAM = shutil.which("simpleFoam") is not None
-# Of Open MPI, for root, and for more processors than this machine has.
-MPI = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_rmaps_base_oversubscribe": "1",
-       "OMPI_MCA_mpi_yield_when_idle": "1", "WM_PROJECT_DIR": "/usr/share/openfoam"}
 PARTS = 3
-
-
-def content(file):
-    """Words and numbers of a file of OpenFOAM, without its header, comments and marks."""
-    text = re.sub(r"/\*.*?\*/|//[^\n]*", " ", file.read_text(), flags=re.DOTALL)
-    text = re.sub(r"^\s*FoamFile\s*\{.*?\}", " ", text, flags=re.DOTALL)
-    text = re.sub(r"(\d+)\{([-\d]+)\}", lambda same: same[1] + int(same[1]) * f" {same[2]}", text.replace("List<label>", "")
-                  .replace("List<bool>", ""))
-    words = re.findall(r'[^\s(){};]+', text)
-    return [float(word) if re.fullmatch(r"[-+.\d][-+.\de]*", word) else word for word in words]
-
-
-def patches(file):
-    """Each patch of `boundary`, in order, with its entries."""
-    text = re.sub(r"//[^\n]*", "", file.read_text())
-    found = re.findall(r"(\w+)\s*\{([^}]*)\}", text)
-    entries_of = lambda text: {key: value for key, value in re.findall(r"(\w+)\s+([^;]*);", text) if value != "1(wall)"}
-    return [(name, entries_of(entries)) for name, entries in found if name != "FoamFile"]  # each wall is in group wall
-
-
-def labels(file):
-    return [int(number) for number in content(file)[1:]]
-
-
-def all_of(part, parts):
-    return [case / f"processor{part}" / "constant" / "polyMesh" for case in parts]
 
 
 class Processors(BoxCase):
@@ -67,9 +38,7 @@ class Processors(BoxCase):
         return run.stderr
 
     def run_in(self, folder, *command):
-        run = subprocess.run(list(map(str, command)), cwd=folder, env=os.environ | MPI, capture_output=True, text=True, check=False)
-        self.assertEqual(run.returncode, 0, run.stdout[-3000:] + run.stderr)
-        return run.stdout
+        return run_in(self, folder, *command)
 
     def test_every_cell_and_face_is_there_once(self):
         whole = self.case / "constant" / "polyMesh"
@@ -95,27 +64,7 @@ class Processors(BoxCase):
 
     @unittest.skipUnless(HAVE_OPENFOAM, "OpenFOAM is not installed")
     def test_parts_are_those_of_decompose_par(self):
-        other = self.folder / "decomposed"
-        shutil.copytree(self.case, other, ignore=shutil.ignore_patterns("processor*"))
-        part_of = {}
-        for part in range(PARTS):
-            for cell in labels(self.case / f"processor{part}/constant/polyMesh/cellProcAddressing"):
-                part_of[cell] = part
-        header = 'FoamFile { version 2.0; format ascii; class %s; location "%s"; object %s; }\n'
-        (other / "constant/division").write_text(header % ("labelList", "constant", "division") + f"{len(part_of)}\n(\n" +
-                                                 "\n".join(str(part_of[c]) for c in range(len(part_of))) + "\n)\n")
-        (other / "system/decomposeParDict").write_text(
-            header % ("dictionary", "system", "decomposeParDict") +
-            f"numberOfSubdomains {PARTS};\nmethod manual;\nmanualCoeffs {{ dataFile \"division\"; }}\n")
-        self.run_in(other, "decomposePar")
-        for part in range(PARTS):
-            own, theirs = all_of(part, (self.case, other))
-            for name in ("faces", "owner", "neighbour", "cellProcAddressing", "faceProcAddressing", "pointProcAddressing",
-                         "boundaryProcAddressing", "faceZones", "cellZones"):
-                self.assertEqual(content(own / name), content(theirs / name), f"{part} {name}")
-            for a, b in itertools.zip_longest(content(own / "points"), content(theirs / "points")):
-                self.assertAlmostEqual(a, b, delta=1e-9)
-            self.assertEqual(patches(own / "boundary"), patches(theirs / "boundary"))
+        expect_decompose_par(self, self.case, self.folder / "decomposed", PARTS)
         self.assertGreater(len(content(self.case / "processor0/constant/polyMesh/faceZones")), 20)
 
     @unittest.skipUnless(HAVE_OPENFOAM, "OpenFOAM is not installed")
