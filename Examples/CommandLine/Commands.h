@@ -12,6 +12,7 @@ class App;
 namespace atria::tool {
 
 class Console;
+class Workers;
 
 /// What the program's exit status means. 1 is left to failures that are nobody's input, such as a full disk.
 enum ExitStatus : int
@@ -41,11 +42,11 @@ inline ExitStatus statusOf(long long invalidElements, bool checksFail)
 }
 
 /// A subcommand stores its result in `status` from CLI11's callback.
-void addMeshCommand(CLI::App& app, Console& console, ExitStatus& status);
+void addMeshCommand(CLI::App& app, Console& console, const Workers& workers, ExitStatus& status);
 void addInspectCommand(CLI::App& app, Console& console, ExitStatus& status);
 void addQualityCommand(CLI::App& app, Console& console, ExitStatus& status);
-void addImproveCommand(CLI::App& app, Console& console, ExitStatus& status);
-void addConvertCommand(CLI::App& app, Console& console, ExitStatus& status);
+void addImproveCommand(CLI::App& app, Console& console, const Workers& workers, ExitStatus& status);
+void addConvertCommand(CLI::App& app, Console& console, const Workers& workers, ExitStatus& status);
 void addCaseCommand(CLI::App& app, Console& console, ExitStatus& status);
 /// Goes on as another program, whose exit status is the result.
 void addReportCommand(CLI::App& app);

@@ -23,7 +23,7 @@ struct Options
   ExportOptions exports;
 };
 
-ExitStatus runConvert(const Options& options, Console& console)
+ExitStatus runConvert(const Options& options, Console& console, const Workers& workers)
 {
   if (options.exports.targets().empty())
   {
@@ -36,14 +36,14 @@ ExitStatus runConvert(const Options& options, Console& console)
   {
     patches = readPatches(options.patches, console);
   }
-  writeExports(options.exports, mesh, patches, console);
+  writeExports(options.exports, mesh, patches, console, workers);
   console.clearBar();
   return Done;
 }
 
 } // namespace
 
-void addConvertCommand(CLI::App& app, Console& console, ExitStatus& status)
+void addConvertCommand(CLI::App& app, Console& console, const Workers& workers, ExitStatus& status)
 {
   CLI::App* command = app.add_subcommand("convert", "Write a mesh in formats of solvers");
   auto options = std::make_shared<Options>();
@@ -53,7 +53,7 @@ void addConvertCommand(CLI::App& app, Console& console, ExitStatus& status)
                    "Its patches, as `atria mesh --patches` writes them (default: those recorded in it)")
       ->type_name("IN.vtpc");
   declareExportOptions(*command, options->exports);
-  command->callback([options, &console, &status] { status = runConvert(*options, console); });
+  command->callback([options, &console, &workers, &status] { status = runConvert(*options, console, workers); });
 }
 
 } // namespace atria::tool

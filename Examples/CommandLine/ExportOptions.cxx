@@ -5,11 +5,13 @@
 #include "Console.h"
 #include "Files.h"
 #include "Numbers.h"
+#include "Workers.h"
 
 #include <vtkAtriaCGNSWriter.h>
 #include <vtkAtriaFluentWriter.h>
 #include <vtkAtriaOpenFOAMWriter.h>
 #include <vtkAtriaSU2Writer.h>
+#include <vtkMultiProcessController.h>
 #include <vtkNew.h>
 #include <vtkPartitionedDataSetCollection.h>
 #include <vtkUnstructuredGrid.h>
@@ -37,7 +39,11 @@ void declareExportOptions(CLI::App& command, ExportOptions& options)
   command.add_flag("--ascii", options.ascii, "Write the OpenFOAM case as text (default: binary, which is faster)");
   vtkNew<vtkAtriaOpenFOAMWriter> standard;
   options.processors = standard->GetNumberOfProcessors();
-  command.add_option("--processors", options.processors, "Write the OpenFOAM case also divided among N processors")
+  command
+      .add_option("--processors", options.processors,
+                  "Write the OpenFOAM case also divided among N processors (under mpiexec, unless this is "
+                  "said: its ranks, each of which writes its own part)")
+      ->each([&options](const std::string&) { options.saysProcessors = true; })
       ->capture_default_str()
       ->check(numberIn(standard->GetNumberOfProcessorsMinValue(), standard->GetNumberOfProcessorsMaxValue()))
       ->type_name("N");
@@ -100,17 +106,63 @@ void writeFile(const ExportOptions& options, const std::string& file, vtkUnstruc
 
 } // namespace
 
+namespace {
+
+/// What workers need to know of a case.
+Json caseTask(const ExportOptions& options, bool hasPatches)
+{
+  return {{"case", options.openfoam}, {"binary", !options.ascii}, {"patches", hasPatches}};
+}
+
+/// `controller` is null for one rank.
+void configure(vtkAtriaOpenFOAMWriter* writer, const Json& task, vtkMultiProcessController* controller)
+{
+  writer->SetCaseDirectory(task["case"].get<std::string>().c_str());
+  writer->SetWriteBinary(task["binary"].get<bool>());
+  if (controller)
+  {
+    writer->UseRanksAsProcessorsOn();
+    writer->SetNumberOfPieces(controller->GetNumberOfProcesses());
+    writer->SetPiece(controller->GetLocalProcessId());
+  }
+}
+
+} // namespace
+
+void writeWithOthers(const std::string& text, vtkMultiProcessController& controller)
+{
+  const Json task = Json::parse(text);
+  vtkNew<vtkAtriaOpenFOAMWriter> writer;
+  configure(writer, task, &controller);
+  writer->SetInputDataObject(0, vtkNew<vtkUnstructuredGrid>());
+  if (task["patches"].get<bool>())
+  {
+    writer->SetInputDataObject(1, vtkNew<vtkPartitionedDataSetCollection>());
+  }
+  writer->Write(); // the first rank tells what was wrong
+}
+
 Json writeExports(const ExportOptions& options, vtkUnstructuredGrid* mesh, vtkPartitionedDataSetCollection* patches,
-                  Console& console)
+                  Console& console, const Workers& workers)
 {
   Json openfoam;
   if (!options.openfoam.empty())
   {
     vtkNew<vtkAtriaOpenFOAMWriter> writer;
-    writer->SetWriteBinary(!options.ascii);
     writer->SetNumberOfProcessors(options.processors);
-    writer->SetCaseDirectory(options.openfoam.c_str());
-    write(writer, options, options.openfoam, mesh, patches, console);
+    const Json task = caseTask(options, patches != nullptr);
+    const auto writeCase = [&](vtkMultiProcessController* controller) {
+      configure(writer, task, controller);
+      write(writer, options, options.openfoam, mesh, patches, console);
+    };
+    if (workers && !options.saysProcessors)
+    {
+      workers.doTogether(task.dump(), [&](vtkMultiProcessController& controller) { writeCase(&controller); });
+    }
+    else
+    {
+      writeCase(nullptr);
+    }
     openfoam = {{"merged_cells", writer->GetNumberOfMergedCells()},
                 {"added_cells", writer->GetNumberOfAddedCells()},
                 {"merged_faces", writer->GetNumberOfMergedFaces()},

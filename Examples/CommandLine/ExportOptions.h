@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+class vtkMultiProcessController;
 class vtkPartitionedDataSetCollection;
 class vtkUnstructuredGrid;
 
@@ -17,12 +18,14 @@ class App;
 namespace atria::tool {
 
 class Console;
+class Workers;
 
 struct ExportOptions
 {
   std::string openfoam;
   bool ascii = false;
   int processors = 1;
+  bool saysProcessors = false; ///< or takes them as they are by default
   std::string fluent;
   std::string cgns;
   std::string su2;
@@ -39,8 +42,12 @@ void checkExportOptions(const ExportOptions& options);
 
 /// `patches` may be null, for those recorded in the mesh. Prints a warning for each check that fails. Returns what was
 /// merged in the OpenFOAM case and what checkMesh says of it: {merged_cells, added_cells, merged_faces, failed_checks,
-/// checks}; null where no case is written.
+/// checks}; null where no case is written. With workers, and unless a number of processors is said, each rank writes
+/// the folder of the case's processor of its number.
 Json writeExports(const ExportOptions& options, vtkUnstructuredGrid* mesh, vtkPartitionedDataSetCollection* patches,
-                  Console& console);
+                  Console& console, const Workers& workers);
+
+/// A worker's part of what writeExports() has all ranks do.
+void writeWithOthers(const std::string& task, vtkMultiProcessController& controller);
 
 } // namespace atria::tool

@@ -98,7 +98,7 @@ void applyOptions(vtkAtriaMeshOptimizer* optimizer, const Options& options)
 }
 
 /// Returns what writeOpenFOAM() does, null where no case is written.
-Json writeFiles(vtkAtriaMeshOptimizer* optimizer, const Options& options, Console& console)
+Json writeFiles(vtkAtriaMeshOptimizer* optimizer, const Options& options, Console& console, const Workers& workers)
 {
   writeMesh(options.output, optimizer->GetOutput(), console);
   if (!options.patchesOutput.empty())
@@ -107,10 +107,10 @@ Json writeFiles(vtkAtriaMeshOptimizer* optimizer, const Options& options, Consol
   }
   // Without patches those recorded in the mesh are written.
   vtkPartitionedDataSetCollection* patches = options.patches.empty() ? nullptr : optimizer->GetPatches();
-  return writeExports(options.exports, optimizer->GetOutput(), patches, console);
+  return writeExports(options.exports, optimizer->GetOutput(), patches, console, workers);
 }
 
-ExitStatus runImprove(const Options& options, Console& console)
+ExitStatus runImprove(const Options& options, Console& console, const Workers& workers)
 {
   checkOptions(options);
   setThreads(options.threads);
@@ -134,7 +134,7 @@ ExitStatus runImprove(const Options& options, Console& console)
   report["after"] =
       measure(optimizer->GetOutput(), patches ? optimizer->GetPatches() : nullptr, options.output, console);
   report["after"]["poor_elements"] = optimizer->GetNumberOfPoorCells();
-  report["openfoam"] = writeFiles(optimizer, options, console);
+  report["openfoam"] = writeFiles(optimizer, options, console, workers);
   console.clearBar();
   if (options.json)
   {
@@ -161,7 +161,7 @@ void addTargets(CLI::App& command, Options& options)
 
 } // namespace
 
-void addImproveCommand(CLI::App& app, Console& console, ExitStatus& status)
+void addImproveCommand(CLI::App& app, Console& console, const Workers& workers, ExitStatus& status)
 {
   CLI::App* command = app.add_subcommand(
       "improve", "Move the points of any mesh until its elements are good; exit status 4 if some are not valid then, 5 "
@@ -193,7 +193,7 @@ void addImproveCommand(CLI::App& app, Console& console, ExitStatus& status)
       ->check(numberIn(1, 1024))
       ->type_name("N");
   command->add_flag("--json", options->json, "Print JSON");
-  command->callback([options, &console, &status] { status = runImprove(*options, console); });
+  command->callback([options, &console, &workers, &status] { status = runImprove(*options, console, workers); });
 }
 
 } // namespace atria::tool

@@ -73,14 +73,14 @@ Json makeReport(vtkAtriaDualMesher* mesher, vtkAtriaMeshQuality* quality, const 
 
 /// Returns what writeOpenFOAM() does, null where no case is written.
 Json writeOutputs(const MeshOptions& options, vtkUnstructuredGrid* mesh, vtkPartitionedDataSetCollection* patches,
-                  Console& console)
+                  Console& console, const Workers& workers)
 {
   writeMesh(options.output, mesh, console);
   if (!options.patches.empty())
   {
     writePatches(options.patches, patches, console);
   }
-  return writeExports(options.exports, mesh, patches, console);
+  return writeExports(options.exports, mesh, patches, console, workers);
 }
 
 /// What layers add, which the estimate of octants does not know.
@@ -187,7 +187,7 @@ bool checksFail(const Json& report)
 
 /// Mesh, quality and files of a model that was read.
 ExitStatus makeMesh(const MeshOptions& options, vtkAtriaSurfaceReader* reader, double readSeconds,
-                    const Stopwatch& total, Console& console)
+                    const Stopwatch& total, Console& console, const Workers& workers)
 {
   vtkNew<vtkAtriaDualMesher> mesher;
   configure(mesher, options);
@@ -210,7 +210,7 @@ ExitStatus makeMesh(const MeshOptions& options, vtkAtriaSurfaceReader* reader, d
   const Stopwatch writing;
   const Json openfoam =
       writeOutputs(options, vtkUnstructuredGrid::SafeDownCast(quality->GetOutputDataObject(0)),
-                   vtkPartitionedDataSetCollection::SafeDownCast(mesher->GetOutputDataObject(1)), console);
+                   vtkPartitionedDataSetCollection::SafeDownCast(mesher->GetOutputDataObject(1)), console, workers);
   Json seconds = {{"Read", readSeconds}};
   seconds.update(stageSecondsOf(mesher));
   seconds["Quality"] = qualitySeconds;
@@ -251,7 +251,7 @@ void suggestSizes(MeshOptions& options, vtkAtriaSurfaceReader* reader, Console& 
   console.note(text.str());
 }
 
-ExitStatus runMesh(MeshOptions options, const CLI::App& command, Console& console)
+ExitStatus runMesh(MeshOptions options, const CLI::App& command, Console& console, const Workers& workers)
 {
   if (!options.writeConfig.empty())
   {
@@ -278,18 +278,19 @@ ExitStatus runMesh(MeshOptions options, const CLI::App& command, Console& consol
   }
   return options.preflight  ? runPreflight(options, reader, console)
          : options.estimate ? printEstimate(options, reader, console)
-                            : makeMesh(options, reader, readSeconds, total, console);
+                            : makeMesh(options, reader, readSeconds, total, console, workers);
 }
 
 } // namespace
 
-void addMeshCommand(CLI::App& app, Console& console, ExitStatus& status)
+void addMeshCommand(CLI::App& app, Console& console, const Workers& workers, ExitStatus& status)
 {
   CLI::App* command = app.add_subcommand("mesh", "Make a volume mesh of a model");
   command->fallthrough(); // to --config
   auto options = std::make_shared<MeshOptions>();
   declareMeshOptions(*command, *options);
-  command->callback([options, command, &console, &status] { status = runMesh(*options, *command, console); });
+  command->callback(
+      [options, command, &console, &workers, &status] { status = runMesh(*options, *command, console, workers); });
 }
 
 } // namespace atria::tool

@@ -3,6 +3,7 @@
 #include "Workers.h"
 
 #include <vtkMPIController.h>
+#include <vtkMultiProcessStream.h>
 #include <vtkNew.h>
 
 #include <algorithm>
@@ -33,6 +34,19 @@ bool isStartedOnRanks(int argc, char** argv)
   return (isBySlurm || std::ranges::any_of(sizes, isSeveral)) && std::none_of(argv + 1, argv + argc, isReport);
 }
 
+/// Has VTK's filters and writers know of the ranks while it lives.
+class InGlobalPlace
+{
+public:
+  explicit InGlobalPlace(vtkMultiProcessController* controller)
+  {
+    vtkMultiProcessController::SetGlobalController(controller);
+  }
+  InGlobalPlace(const InGlobalPlace&) = delete;
+  InGlobalPlace& operator=(const InGlobalPlace&) = delete;
+  ~InGlobalPlace() { vtkMultiProcessController::SetGlobalController(nullptr); }
+};
+
 } // namespace
 
 class Workers::Ranks
@@ -42,6 +56,17 @@ public:
   ~Ranks() { mpi->Finalize(); }
   Ranks(const Ranks&) = delete;
   Ranks& operator=(const Ranks&) = delete;
+
+  /// A task, or with none the end and its status.
+  void tellOthers(int status, const std::string& task)
+  {
+    for (int rank = first + 1; rank < mpi->GetNumberOfProcesses(); ++rank)
+    {
+      vtkMultiProcessStream message;
+      message << status << task;
+      mpi->Send(message, rank, taskTag);
+    }
+  }
 
   vtkNew<vtkMPIController> mpi;
 };
@@ -57,24 +82,42 @@ Workers::operator bool() const { return ranks && ranks->mpi->GetNumberOfProcesse
 
 bool Workers::isWorker() const { return ranks && ranks->mpi->GetLocalProcessId() != first; }
 
-int Workers::serve()
+int Workers::serve(const Work& work)
 {
-  // MPI's own waiting would take a core from the first rank's threads.
-  for (int is = 0; !is;)
+  for (;;)
   {
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    ranks->mpi->Iprobe(first, taskTag, &is, nullptr);
+    // MPI's own waiting would take a core from the first rank's threads.
+    for (int is = 0; !is;)
+    {
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+      ranks->mpi->Iprobe(first, taskTag, &is, nullptr);
+    }
+    vtkMultiProcessStream message;
+    ranks->mpi->Receive(message, first, taskTag);
+    int status = 0;
+    std::string task;
+    message >> status >> task;
+    if (task.empty())
+    {
+      return status;
+    }
+    const InGlobalPlace place(ranks->mpi);
+    work(task, *ranks->mpi);
   }
-  int status = 0;
-  ranks->mpi->Receive(&status, 1, first, taskTag);
-  return status;
+}
+
+void Workers::doTogether(const std::string& task, const std::function<void(vtkMultiProcessController&)>& own) const
+{
+  ranks->tellOthers(0, task);
+  const InGlobalPlace place(ranks->mpi);
+  own(*ranks->mpi);
 }
 
 int Workers::end(int status)
 {
-  for (int rank = first + 1; *this && rank < ranks->mpi->GetNumberOfProcesses(); ++rank)
+  if (*this)
   {
-    ranks->mpi->Send(&status, 1, rank, taskTag);
+    ranks->tellOthers(status, {});
   }
   return status;
 }

@@ -16,7 +16,9 @@ Workers::operator bool() const { return false; }
 
 bool Workers::isWorker() const { return false; }
 
-int Workers::serve() { return 0; }
+int Workers::serve(const Work&) { return 0; }
+
+void Workers::doTogether(const std::string&, const std::function<void(vtkMultiProcessController&)>&) const {}
 
 int Workers::end(int status) { return status; }
 

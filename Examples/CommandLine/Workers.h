@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// The MPI ranks that mpiexec has started the program on. The first one does what the program does alone and talks to
-/// people; the others wait for it, asleep, and end with its status. Without mpiexec, or in a build without VTK's MPI,
-/// there is one rank, and MPI is not started.
+/// people; the others wait for it, asleep, for files to write together, and end with its status. Without mpiexec, or in
+/// a build without VTK's MPI, there is one rank, and MPI is not started.
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <string>
+
+class vtkMultiProcessController;
 
 namespace atria::tool {
 
@@ -21,8 +25,13 @@ public:
   explicit operator bool() const;
   bool isWorker() const;
 
-  /// On all but the first rank: waits for its end, and returns its status.
-  int serve();
+  /// Does a task with all ranks, on one that is not the first.
+  using Work = std::function<void(const std::string& task, vtkMultiProcessController&)>;
+  /// On all but the first rank: does what the first one asks for until its end, and returns its status.
+  int serve(const Work& work);
+  /// On the first, with others: has them do a task, and does its own part with them. Meanwhile VTK's global controller
+  /// is that of the ranks.
+  void doTogether(const std::string& task, const std::function<void(vtkMultiProcessController&)>& own) const;
   /// On the first: ends the others with a status, and returns it.
   int end(int status);
 

@@ -2,6 +2,7 @@
 #include "Commands.h"
 #include "Console.h"
 #include "Documents.h"
+#include "ExportOptions.h"
 #include "Numbers.h"
 #include "Support/Memory.h"
 #include "Usage.h"
@@ -35,7 +36,7 @@ void addDocuments(CLI::App& app)
 }
 
 /// What the program does on one rank.
-int runProgram(int argc, char** argv, bool hasWorkers)
+int runProgram(int argc, char** argv, const atria::tool::Workers& workers)
 {
   using namespace atria::tool;
   CLI::App app(
@@ -55,16 +56,16 @@ int runProgram(int argc, char** argv, bool hasWorkers)
       ->type_name("FILE.toml");
 
   Console console;
-  if (hasWorkers)
+  if (workers)
   {
     Console::catchTermination();
   }
   ExitStatus status = Done;
-  addMeshCommand(app, console, status);
+  addMeshCommand(app, console, workers, status);
   addInspectCommand(app, console, status);
   addQualityCommand(app, console, status);
-  addImproveCommand(app, console, status);
-  addConvertCommand(app, console, status);
+  addImproveCommand(app, console, workers, status);
+  addConvertCommand(app, console, workers, status);
   addCaseCommand(app, console, status);
   addReportCommand(app);
   addDocuments(app);
@@ -100,5 +101,6 @@ int main(int argc, char** argv)
 {
   atria::keepFreedMemory();
   atria::tool::Workers workers(&argc, &argv);
-  return workers.isWorker() ? workers.serve() : workers.end(runProgram(argc, argv, static_cast<bool>(workers)));
+  return workers.isWorker() ? workers.serve(atria::tool::writeWithOthers)
+                            : workers.end(runProgram(argc, argv, workers));
 }

@@ -270,7 +270,7 @@ void Ranks::askFor(vtkInformationVector** inputs, int ports) const
 }
 
 int Ranks::run(vtkAlgorithm& algorithm, vtkInformationVector** inputs, vtkInformationVector* outputs,
-               const std::function<int()>& work, const DealtOutputs& dealt, const WorkOnPieces& onPieces) const
+               const WorkOnWhole& work, const DealtOutputs& dealt, const WorkOnPieces& onPieces) const
 {
   if (!controller)
   {
@@ -278,7 +278,7 @@ int Ranks::run(vtkAlgorithm& algorithm, vtkInformationVector** inputs, vtkInform
     {
       InputsInPlace whole;
       forInputs(algorithm, inputs, [&](vtkInformation* info) { putInOnePiece(info, whole); });
-      return work();
+      return work({});
     }
     for (int i = 0; i < outputs->GetNumberOfInformationObjects(); ++i)
     {
@@ -306,7 +306,7 @@ int Ranks::run(vtkAlgorithm& algorithm, vtkInformationVector** inputs, vtkInform
         whole.replace(info, joinFound(found, &found == &gathered.front().second ? &rankOf : nullptr));
       }
     }
-    result = isRoot() ? work() : 0;
+    result = isRoot() ? work(rankOf) : 0;
   }
   catch (const std::exception& error)
   {
@@ -318,7 +318,8 @@ int Ranks::run(vtkAlgorithm& algorithm, vtkInformationVector** inputs, vtkInform
 
 int Ranks::run(vtkAlgorithm& algorithm, const std::function<int()>& work) const
 {
-  return run(algorithm, algorithm.GetExecutive()->GetInputInformation(), vtkNew<vtkInformationVector>(), work);
+  return run(algorithm, algorithm.GetExecutive()->GetInputInformation(), vtkNew<vtkInformationVector>(),
+             [&](std::span<const Index>) { return work(); });
 }
 
 void Ranks::share(std::span<double> values) const
@@ -337,8 +338,9 @@ vtkTypeBool processOnRanks(vtkAlgorithm& algorithm, vtkInformation* request, vtk
   vtkInformation* output = outputs->GetInformationObject(asked > 0 ? asked : 0);
   if (request->Has(Pipeline::REQUEST_DATA()))
   {
+    const auto work = [&](std::span<const Index>) { return process(); };
     return output->Get(runsByBlock()) ? process()
-                                      : Ranks(output).run(algorithm, inputs, outputs, process, dealt, onPieces);
+                                      : Ranks(output).run(algorithm, inputs, outputs, work, dealt, onPieces);
   }
   const vtkTypeBool result = process();
   if (request->Has(Pipeline::REQUEST_INFORMATION()))

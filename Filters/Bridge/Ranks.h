@@ -11,6 +11,8 @@
 /// asked for one piece after the other: the first is everything, made of all of the input, the others are empty.
 #pragma once
 
+#include "Support/Types.h"
+
 #include <vtkType.h>
 
 #include <functional>
@@ -34,6 +36,10 @@ struct DealtOutputs
   bool anew = false;
 };
 
+/// Does the work of a filter on the whole, and returns as RequestData does. The argument has the rank of each cell of
+/// the first input, where these came from several.
+using WorkOnWhole = std::function<int(std::span<const Index>)>;
+
 /// Does the work of a filter on pieces, if it can.
 using WorkOnPieces = std::function<std::optional<int>(vtkMultiProcessController&)>;
 
@@ -48,19 +54,21 @@ public:
   bool isRoot() const { return piece == 0; }
   /// Whether there are others.
   explicit operator bool() const { return controller != nullptr; }
+  /// That of the ranks; null without others.
+  vtkMultiProcessController* getController() const { return controller; }
 
   /// Has the inputs asked for what `run` needs.
   void askFor(vtkInformationVector** inputs, int ports) const;
 
   /// Puts what there is of the inputs on all ranks in place of the root's inputs while `work` runs there, and returns
-  /// what `work` did, on all ranks. `work` returns as RequestData does. Then deals out what is `dealt`, with as many
+  /// what `work` did, on all ranks. Then deals out what is `dealt`, with as many
   /// ghost levels as it is asked for, but one at least; on the others all else becomes empty. Inputs that cannot be
   /// brought together are an error of `algorithm`.
   ///
   /// `onPieces`, if given, is run first, on all ranks and with what each of them holds: where it returns a result, the
   /// same on all, this is it.
   int run(vtkAlgorithm& algorithm, vtkInformationVector** inputs, vtkInformationVector* outputs,
-          const std::function<int()>& work, const DealtOutputs& dealt = {}, const WorkOnPieces& onPieces = {}) const;
+          const WorkOnWhole& work, const DealtOutputs& dealt = {}, const WorkOnPieces& onPieces = {}) const;
 
   /// The same outside of a request, with the inputs that the algorithm has now and no outputs.
   int run(vtkAlgorithm& algorithm, const std::function<int()>& work) const;

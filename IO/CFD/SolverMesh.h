@@ -71,6 +71,8 @@ struct SolverMesh
   std::vector<FaceZone> faceZones;
   /// Rooms and cell zones by name. A cell may be in one of each.
   std::vector<CellZone> cellZones;
+  /// Of each cell, where they are to be written in parts; else empty.
+  std::vector<Index> partOf;
 };
 
 /// `zoneIds` has one for each cell, or none. Throws Error for faces in patches that are not on the boundary or in two

@@ -64,7 +64,7 @@ void addFaceZones(SolverSource& source, const VtkFaceMesh& from)
   }
 }
 
-/// Gives labels to the cells there are now; cells of one zone only became one.
+/// Gives labels to the cells there are now: where some became one, that of the last.
 void renumberCells(Buffer<std::int64_t>& labels, const JudgedMesh& written)
 {
   if (written.cellOf.empty() || labels.empty())
@@ -150,7 +150,7 @@ std::vector<CellZone> cellZonesOf(const SolverSource& source)
 
 SolverSource solverSourceOf(vtkUnstructuredGrid* volume, const VtkFaceMesh& faces, const Executor& executor)
 {
-  SolverSource source{boundaryPatchesOf(faces), {}, {}, {{}, idsOf(volume, "ZoneId", executor)}, {}};
+  SolverSource source{boundaryPatchesOf(faces), {}, {}, {{}, idsOf(volume, "ZoneId", executor)}, {}, {}};
   addFaceZones(source, faces);
   addNamedZones(source, volume, "RoomId", "RoomName", executor);
   addNamedZones(source, volume, "CellZoneId", "CellZoneName", executor);
@@ -196,6 +196,7 @@ void followUnions(SolverSource& source, const JudgedMesh& written)
 {
   renumberFaces(source, written.faceOf);
   renumberCells(source.zones.ofCell, written);
+  renumberCells(source.partOf, written);
   for (CellLabels& zones : source.cellZones)
   {
     renumberCells(zones.ofCell, written);
@@ -208,6 +209,7 @@ SolverMesh solverMeshFrom(SolverSource source, FaceMesh mesh, const Executor& ex
   SolverMesh out = makeSolverMesh(std::move(mesh), source.patches, source.zones.ofCell, executor);
   out.faceZones = std::move(source.faceZones);
   out.cellZones = cellZonesOf(source);
+  out.partOf.assign(source.partOf.begin(), source.partOf.end());
   return out;
 }
 

@@ -28,6 +28,8 @@ struct SolverSource
   /// By ZoneId, without names; and those that have names, one after the other.
   CellLabels zones;
   std::vector<CellLabels> cellZones;
+  /// Of each cell, where they are to be written in parts; else empty. A union is in the part of its last cell.
+  Buffer<std::int64_t> partOf;
 };
 
 /// Of a mesh and its faces. Named are rooms, by the cell array RoomId and the field array RoomName, and cell zones, by

@@ -79,10 +79,25 @@ vtkTypeBool vtkAtriaMeshWriter::ProcessRequest(vtkInformation* request, vtkInfor
   {
     return process();
   }
-  const int result = ranks.run(*this, inputs, outputs, process);
+  const int result = ranks.run(*this, inputs, outputs, [&](std::span<const atria::Index> rankOf) {
+    if (ranks)
+    {
+      this->TakeRanks(*ranks.getController(), rankOf);
+    }
+    return process();
+  });
   double code = static_cast<double>(this->GetErrorCode());
   ranks.share({&code, 1});
   this->SetErrorCode(static_cast<unsigned long>(code));
+  if (ranks && result && this->GetErrorCode() == vtkErrorCode::NoError)
+  {
+    this->WriteAndTell([&] {
+      if (!this->WriteOnRanks(*ranks.getController()))
+      {
+        this->SetErrorCode(vtkErrorCode::UnknownError);
+      }
+    });
+  }
   return result;
 }
 
@@ -95,9 +110,14 @@ void vtkAtriaMeshWriter::WriteData()
     this->SetErrorCode(vtkErrorCode::NoFileNameError);
     return;
   }
+  this->WriteAndTell([&] { this->WriteTarget(volume, this->GetPatches()); });
+}
+
+void vtkAtriaMeshWriter::WriteAndTell(const std::function<void()>& write)
+{
   try
   {
-    this->WriteTarget(volume, this->GetPatches());
+    write();
   }
   catch (const atria::Aborted&)
   {

@@ -23,8 +23,12 @@
 #include "AtriaIOCFDModule.h" // For export macro
 #include "vtkWriter.h"
 
-#include <string> // For where it goes
+#include <cstdint>    // For numbers of ranks
+#include <functional> // For what is written
+#include <span>       // For numbers of ranks
+#include <string>     // For where it goes
 
+class vtkMultiProcessController;
 class vtkPartitionedDataSetCollection;
 class vtkUnstructuredGrid;
 
@@ -96,6 +100,17 @@ protected:
   virtual const char* GetTargetProperty() const = 0;
 
   /**
+   * On the first of several ranks, before all is written: the rank of each cell, where the mesh came from several.
+   */
+  virtual void TakeRanks(vtkMultiProcessController&, std::span<const std::uint32_t>) {}
+
+  /**
+   * On all of several ranks, once the first has written what it has to. Throws as WriteMesh(), on the first rank for
+   * all of them. Returns whether all went well.
+   */
+  virtual bool WriteOnRanks(vtkMultiProcessController&) { return true; }
+
+  /**
    * Writes the mesh, once it is put in its place by Place(). Throws atria::Error or atria::Aborted.
    */
   virtual void WriteMesh(vtkUnstructuredGrid* volume, atria::VtkFaceMesh& source, const atria::RunContext& context) = 0;
@@ -109,6 +124,7 @@ private:
   vtkAtriaMeshWriter(const vtkAtriaMeshWriter&) = delete;
   void operator=(const vtkAtriaMeshWriter&) = delete;
 
+  void WriteAndTell(const std::function<void()>& write);
   void WriteTarget(vtkUnstructuredGrid* volume, vtkPartitionedDataSetCollection* patches);
 
   bool RestoreOffset = false;

@@ -104,6 +104,10 @@ std::string vtkAtriaOpenFOAMCaseWriter::GetConditionRule(int i)
 void vtkAtriaOpenFOAMCaseWriter::CheckProperties()
 {
   this->Superclass::CheckProperties();
+  if (this->GetUseRanksAsProcessors())
+  {
+    throw atria::Error("UseRanksAsProcessors is for the mesh alone: divide a case by NumberOfProcessors");
+  }
   atriaCheckRange(ReferenceSpeed);
   atriaCheckRange(ReferenceHeight);
   atriaCheckRange(RoughnessLength);

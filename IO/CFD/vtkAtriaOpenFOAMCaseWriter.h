@@ -180,7 +180,7 @@ protected:
 
   void WriteData() override;
   /// Those of the case as a whole, once its patches have their types.
-  void WriteProcessors(const atria::RunContext&) override {}
+  void WriteProcessors(const std::vector<std::uint32_t>&, const atria::RunContext&) override {}
 
 private:
   vtkAtriaOpenFOAMCaseWriter(const vtkAtriaOpenFOAMCaseWriter&) = delete;

@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkAtriaOpenFOAMWriter.h"
 
+#include "AlgorithmProgress.h"
 #include "Decomposition.h"
 #include "OpenFOAMCase.h"
 #include "PropertyRange.h"
+#include "RankProcessors.h"
+#include "VtkShares.h"
 
+#include <vtkMultiProcessController.h>
 #include <vtkObjectFactory.h>
 
+#include <utility>
+
 vtkStandardNewMacro(vtkAtriaOpenFOAMWriter);
+
+vtkAtriaOpenFOAMWriter::vtkAtriaOpenFOAMWriter() = default;
 
 vtkAtriaOpenFOAMWriter::~vtkAtriaOpenFOAMWriter() { this->SetCaseDirectory(nullptr); }
 
@@ -20,23 +28,60 @@ const char* vtkAtriaOpenFOAMWriter::GetTargetProperty() const { return "CaseDire
 void vtkAtriaOpenFOAMWriter::WriteSolverMesh(const atria::SolverMesh& mesh, const atria::RunContext& context)
 {
   this->CheckProperties();
-  if (this->NumberOfProcessors > 1)
+  if (this->NumberOfProcessors > 1 || !mesh.partOf.empty())
   {
     atria::refuseProcessorResults(this->CaseDirectory);
   }
   atria::writePolyMesh(this->CaseDirectory, mesh, this->GetFormat(), context.part(0.0, 0.5));
   context.progress.report(0.5, "Completing the case");
   atria::completeCase(this->CaseDirectory);
-  this->WriteProcessors(context.part(0.5, 1.0));
+  this->WriteProcessors(mesh.partOf, context.part(0.5, 1.0));
 }
 
-void vtkAtriaOpenFOAMWriter::WriteProcessors(const atria::RunContext& context)
+void vtkAtriaOpenFOAMWriter::TakeRanks(vtkMultiProcessController& controller, std::span<const std::uint32_t> rankOf)
 {
+  this->Parts.reset();
+  this->Ranks = controller.GetNumberOfProcesses();
+  this->RankOfCells.assign(rankOf.begin(), rankOf.end());
+}
+
+std::vector<std::uint32_t> vtkAtriaOpenFOAMWriter::DivideCells(vtkUnstructuredGrid* volume,
+                                                               const atria::Executor& executor)
+{
+  std::vector<std::uint32_t> known = std::exchange(this->RankOfCells, {});
+  const auto ranks = static_cast<std::size_t>(std::exchange(this->Ranks, 1));
+  if (!this->UseRanksAsProcessors || ranks == 1)
+  {
+    return {};
+  }
+  return known.empty() ? atria::divideCells(volume, ranks, executor) : known;
+}
+
+void vtkAtriaOpenFOAMWriter::WriteProcessors(const std::vector<std::uint32_t>& partOf, const atria::RunContext& context)
+{
+  if (!partOf.empty())
+  {
+    this->Parts =
+        std::make_unique<atria::DividedMesh>(atria::DividedMesh{atria::readPolyMesh(this->CaseDirectory), partOf});
+    return; // to WriteOnRanks()
+  }
   if (this->NumberOfProcessors > 1)
   {
     atria::writeProcessors(this->CaseDirectory, atria::readPolyMesh(this->CaseDirectory),
                            static_cast<std::size_t>(this->NumberOfProcessors), this->GetFormat(), context);
   }
+}
+
+bool vtkAtriaOpenFOAMWriter::WriteOnRanks(vtkMultiProcessController& controller)
+{
+  if (!this->UseRanksAsProcessors)
+  {
+    return true;
+  }
+  const atria::AlgorithmRun run(*this);
+  const std::unique_ptr<atria::DividedMesh> mesh = std::move(this->Parts);
+  return atria::writeProcessorsOnRanks(this->CaseDirectory, mesh.get(), this->GetFormat(), controller,
+                                       run.context.progress);
 }
 
 void vtkAtriaOpenFOAMWriter::CheckProperties() { atriaCheckRange(NumberOfProcessors); }
@@ -51,4 +96,5 @@ void vtkAtriaOpenFOAMWriter::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "WriteBinary: " << (this->WriteBinary ? "on" : "off") << "\n";
   os << indent << "NumberOfProcessors: " << this->NumberOfProcessors << "\n";
+  os << indent << "UseRanksAsProcessors: " << (this->UseRanksAsProcessors ? "on" : "off") << "\n";
 }

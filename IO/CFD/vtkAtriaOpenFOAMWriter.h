@@ -24,9 +24,13 @@
 #include "vtkAtriaPolyhedralMeshWriter.h"
 #include "vtkAtriaRangeMacros.h"
 
+#include <memory> // For the mesh in parts
+#include <vector> // For parts
+
 namespace atria {
+struct DividedMesh;
 enum class OpenFOAMFormat;
-}
+} // namespace atria
 
 class ATRIAIOCFD_EXPORT vtkAtriaOpenFOAMWriter : public vtkAtriaPolyhedralMeshWriter
 {
@@ -64,18 +68,34 @@ public:
   vtkGetMacro(NumberOfProcessors, int);
   ///@}
 
+  ///@{
+  /**
+   * Where several ranks write together (NumberOfPieces), have each of them write the folder of the processor of its
+   * number, in place of NumberOfProcessors. A processor has the cells that the rank has of the mesh; where one rank
+   * holds it all, as many as the others, in the order in which vtkAtriaDualMesher deals them out. A cell that was made
+   * one with others is where the last of these is. Files are as decomposePar makes them of the same division; all ranks
+   * see the folder of the case. Off by default.
+   */
+  vtkSetMacro(UseRanksAsProcessors, bool);
+  vtkGetMacro(UseRanksAsProcessors, bool);
+  vtkBooleanMacro(UseRanksAsProcessors, bool);
+  ///@}
+
 protected:
-  vtkAtriaOpenFOAMWriter() = default;
+  vtkAtriaOpenFOAMWriter();
   ~vtkAtriaOpenFOAMWriter() override;
 
   std::string GetTarget() const override;
   const char* GetFormatName() const override;
   const char* GetTargetProperty() const override;
   void WriteSolverMesh(const atria::SolverMesh& mesh, const atria::RunContext& context) override;
+  void TakeRanks(vtkMultiProcessController& controller, std::span<const std::uint32_t> rankOf) override;
+  std::vector<std::uint32_t> DivideCells(vtkUnstructuredGrid* volume, const atria::Executor& executor) override;
+  bool WriteOnRanks(vtkMultiProcessController& controller) override;
   /**
-   * Divides the mesh that was written.
+   * Divides the mesh that was written, in the given parts if there are some.
    */
-  virtual void WriteProcessors(const atria::RunContext& context);
+  virtual void WriteProcessors(const std::vector<std::uint32_t>& partOf, const atria::RunContext& context);
   /**
    * Throws atria::Error naming a property that is outside of its range.
    */
@@ -89,6 +109,10 @@ private:
   char* CaseDirectory = nullptr;
   bool WriteBinary = false;
   int NumberOfProcessors = 1;
+  bool UseRanksAsProcessors = false;
+  int Ranks = 1;                             ///< that write together now
+  std::vector<std::uint32_t> RankOfCells;    ///< of the input, if known
+  std::unique_ptr<atria::DividedMesh> Parts; ///< that the ranks are to write
 };
 
 #endif

@@ -20,6 +20,8 @@ void vtkAtriaPolyhedralMeshWriter::WriteMesh(vtkUnstructuredGrid* volume, atria:
                                              const atria::RunContext& context)
 {
   atria::SolverSource parts = atria::solverSourceOf(volume, source, context.executor);
+  const std::vector<atria::Index> partOf = this->DivideCells(volume, context.executor);
+  parts.partOf = {partOf.begin(), partOf.end()};
   const std::vector<atria::Index> patchOf = atria::patchOfFaces(parts, source.mesh);
   const std::vector<atria::Index> zoneOf = atria::zoneOfFaces(parts, source.mesh, context.executor);
   const auto makeMesh = [&, isFirst = true]() mutable {

@@ -25,9 +25,12 @@
 #include "vtkAtriaMeshWriter.h"
 #include "vtkNew.h" // For Checks
 
+#include <vector> // For parts
+
 class vtkTable;
 
 namespace atria {
+class Executor;
 struct JudgedMesh;
 struct SolverMesh;
 } // namespace atria
@@ -92,6 +95,12 @@ protected:
   ~vtkAtriaPolyhedralMeshWriter() override;
 
   void WriteMesh(vtkUnstructuredGrid* volume, atria::VtkFaceMesh& source, const atria::RunContext& context) override;
+
+  /**
+   * The part of each cell of the input, where cells are to be written in parts: SolverMesh::partOf. None, if not
+   * overridden.
+   */
+  virtual std::vector<std::uint32_t> DivideCells(vtkUnstructuredGrid*, const atria::Executor&) { return {}; }
 
   /**
    * Writes what all of that became.

@@ -15,10 +15,14 @@ import tempfile
 import time
 import unittest
 
+from decomposed import HAVE_OPENFOAM, expect_decompose_par, run_in
+
 MPIEXEC = sys.argv[1]
 ATRIA = pathlib.Path(sys.argv[2])
 HOUSE = pathlib.Path(sys.argv[3]) / "house.wrl"
 COARSE = ["--size-max", "16", "--size-mid", "4", "--size-min", "2", "--site", "Site"]
+# With face zones in openings.
+OPEN = ["--size-max", "16", "--size-mid", "4", "--size-min", "1", "--site", "Site", "--openings"]
 # What takes longer than a test waits.
 FINE = ["--size-max", "8", "--size-mid", "0.3", "--size-min", "0.3", "--site", "Site"]
 ENVIRONMENT = os.environ | {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
@@ -63,6 +67,15 @@ def runs(process):
         return False
 
 
+def catches(process, number):
+    """Whether a process has a handler for a signal."""
+    try:
+        caught = re.search(r"^SigCgt:\s+(\w+)", pathlib.Path(f"/proc/{process}/status").read_text(), re.MULTILINE)
+        return int(caught[1], 16) >> (number - 1) & 1 == 1
+    except OSError:
+        return False
+
+
 class Ranks(unittest.TestCase):
     def setUp(self):
         self.scratch = tempfile.TemporaryDirectory()
@@ -91,6 +104,36 @@ class Ranks(unittest.TestCase):
             for name, data in files.items():
                 self.assertEqual(data, results[0][2][name], (ranks, name))
 
+    @unittest.skipUnless(HAVE_OPENFOAM, "OpenFOAM is not installed")
+    def test_each_rank_writes_the_processor_of_its_number(self):
+        options = [*OPEN, "--layers", "2", "-o", "mesh.vtu", "--openfoam", "case", "--ascii"]
+        alone = self.folder("alone")
+        self.assertEqual(run(0, "mesh", HOUSE, *options, cwd=alone).returncode, 0)
+        for ranks in (2, 3, 5):
+            folder = self.folder(f"on{ranks}")
+            result = run(ranks, "mesh", HOUSE, *options, cwd=folder)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            written = self.contents(folder)
+            for name, data in self.contents(alone).items():
+                self.assertEqual(written[name], data, name)
+            # Read from file, the mesh is divided alike.
+            converted = run(ranks, "convert", "mesh.vtu", "--openfoam", "again", "--ascii", cwd=folder)
+            self.assertEqual(converted.returncode, 0, converted.stderr)
+            again = self.contents(folder / "again")
+            for name, data in self.contents(folder / "case").items():
+                self.assertEqual(again[name.replace("case.foam", "again.foam")], data, name)
+            expect_decompose_par(self, folder / "case", folder / "decomposed", ranks)
+            said = run_in(self, folder / "case", "mpirun", "-np", ranks, "checkMesh", "-parallel", "-allTopology", "-allGeometry")
+            self.assertIn("Mesh OK.", said)
+
+    def test_one_rank_or_a_number_of_processors_leaves_ranks_out(self):
+        options = [*COARSE, "-o", "mesh.vtu", "--openfoam", "case"]
+        for name, ranks, processors, there in (("one", 1, [], 0), ("whole", 2, ["--processors", "1"], 0),
+                                               ("said", 2, ["--processors", "3"], 3)):
+            folder = self.folder(name)
+            self.assertEqual(run(ranks, "mesh", HOUSE, *options, *processors, cwd=folder).returncode, 0)
+            self.assertEqual(len(list((folder / "case").glob("processor*"))), there)
+
     def test_an_error_ends_all_with_its_status(self):
         for arguments in (["mesh", "missing.wrl"], ["mesh", HOUSE, "--size-mni", "1"], ["mesh", HOUSE, "--site", "Nowhere"]):
             alone = run(0, *arguments, cwd=self.scratch.name)
@@ -108,9 +151,10 @@ class Ranks(unittest.TestCase):
                                     env=ENVIRONMENT, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         for _ in range(100):
             time.sleep(0.1)
-            if len(processes_of(launcher)) == 3:
+            processes = processes_of(launcher)
+            if len(processes) == 3 and catches(processes[0], signal.SIGINT):
                 break
-        time.sleep(0.7)
+        time.sleep(0.5)
         processes = processes_of(launcher)
         send(launcher, processes)
         _, messages = launcher.communicate(timeout=30)

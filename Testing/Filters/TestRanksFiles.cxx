@@ -3,6 +3,7 @@
 #include "OnRanks.h"
 #include "VtkPieces.h"
 #include "vtkAtriaMeshQuality.h"
+#include "vtkAtriaOpenFOAMWriter.h"
 
 #include <vtkCellArray.h>
 #include <vtkXMLPUnstructuredGridReader.h>
@@ -12,7 +13,12 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <sstream>
 #include <string>
 
 #include <unistd.h>
@@ -101,6 +107,138 @@ TEST_F(WrittenPieces, OfPatchesAreThePatchesAgain)
   {
     const auto pieces = read<vtkXMLPartitionedDataSetCollectionReader>(name);
     EXPECT_TRUE(identical(alone[1], atria::inOnePiece(pieces)));
+  }
+}
+
+namespace fs = std::filesystem;
+
+std::string textOf(const fs::path& file)
+{
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// The files of a case's processors, by their place in it.
+std::map<std::string, std::string> processorFiles(const fs::path& folder)
+{
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+  {
+    const std::string name = entry.path().lexically_relative(folder).string();
+    if (entry.is_regular_file() && name.find("processor") != std::string::npos)
+    {
+      files[name] = textOf(entry.path());
+    }
+  }
+  return files;
+}
+
+/// A list of labels on file, as text.
+std::vector<vtkIdType> labelsOf(const fs::path& file)
+{
+  std::string text = textOf(file);
+  text.erase(0, text.find('('));
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == '(' || c == ')' || c == '/' || c == '*'; }, ' ');
+  std::istringstream stream(text);
+  return {std::istream_iterator<vtkIdType>(stream), {}};
+}
+
+/// The processors of a case.
+class WrittenProcessors : public WrittenPieces
+{
+protected:
+  WrittenProcessors() { writer->UseRanksAsProcessorsOn(); }
+
+  /// Writes what each rank holds.
+  int write(const std::string& caseFolder) { return write(volume(), patches(), caseFolder); }
+  int write(vtkUnstructuredGrid* mesh, vtkPartitionedDataSetCollection* its, const std::string& caseFolder)
+  {
+    writer->SetInputDataObject(0, mesh);
+    writer->SetInputDataObject(1, its);
+    writer->SetCaseDirectory(caseFolder.c_str());
+    writer->SetNumberOfPieces(ranks());
+    writer->SetPiece(rank());
+    const int written = writer->Write();
+    controller()->Barrier();
+    return written;
+  }
+
+  vtkNew<vtkAtriaOpenFOAMWriter> writer;
+};
+
+TEST_F(WrittenProcessors, HaveTheCellsOfTheRanks)
+{
+  writer->MergeUnderdeterminedCellsOff();
+  writer->MergeCoplanarFacesOff();
+  update(mesher);
+  ASSERT_EQ(write(file("case")), 1);
+  const fs::path own = fs::path(file("case")) / ("processor" + std::to_string(rank())) / "constant" / "polyMesh";
+  EXPECT_EQ(fs::exists(own), ranks() > 1); // one has the mesh of the case
+  if (ranks() > 1)
+  {
+    const std::set<vtkIdType> cells = ownCells();
+    EXPECT_EQ(labelsOf(own / "cellProcAddressing"), std::vector<vtkIdType>(cells.begin(), cells.end()));
+  }
+}
+
+TEST_F(WrittenProcessors, AreTheSameWhereOneRankHoldsTheMesh)
+{
+  update(mesher);
+  ASSERT_EQ(write(file("pieces")), 1);
+  mesher->DistributeOutputOff();
+  update(mesher);
+  ASSERT_EQ(write(file("whole")), 1);
+  EXPECT_EQ(processorFiles(file("pieces")), processorFiles(file("whole")));
+  EXPECT_EQ(processorFiles(file("pieces")).empty(), ranks() == 1);
+}
+
+TEST_F(WrittenProcessors, AreAllThereOrNone)
+{
+  if (ranks() == 1)
+  {
+    return;
+  }
+  update(mesher);
+  std::ofstream(file("file").c_str()) << "no folder";
+  controller()->Barrier();
+  const bool isLast = rank() == ranks() - 1;
+  EXPECT_EQ(write(isLast ? file("file") : file("case")), 0);
+  const auto errors = messages.takeErrors();
+  if (rank() == 0)
+  {
+    EXPECT_THAT(firstOf(errors), ::testing::HasSubstr("rank " + std::to_string(ranks() - 1) + ": cannot make"));
+  }
+  else
+  {
+    EXPECT_TRUE(errors.empty());
+  }
+  EXPECT_TRUE(processorFiles(file("case")).empty());
+  EXPECT_FALSE(fs::exists(fs::path(file("case")) / ".processors.unfinished"));
+  EXPECT_EQ(write(file("case")), 1); // all go on
+  EXPECT_FALSE(processorFiles(file("case")).empty());
+}
+
+TEST_F(WrittenProcessors, HaveCellsEach)
+{
+  vtkNew<vtkUnstructuredGrid> cube;
+  if (rank() == 0)
+  {
+    vtkNew<vtkPoints> points;
+    for (int corner = 0; corner < 8; ++corner)
+    {
+      points->InsertNextPoint(corner & 1, (corner >> 1) & 1, corner >> 2);
+    }
+    cube->SetPoints(points);
+    const std::array<vtkIdType, 8> corners{0, 1, 2, 3, 4, 5, 6, 7};
+    cube->InsertNextCell(VTK_VOXEL, 8, corners.data());
+  }
+  EXPECT_EQ(write(cube, nullptr, file("case")), ranks() == 1 ? 1 : 0);
+  messages.takeWarnings(); // one cell fails checks
+  const auto errors = messages.takeErrors();
+  if (rank() == 0 && ranks() > 1)
+  {
+    EXPECT_THAT(firstOf(errors), ::testing::HasSubstr("cannot be divided"));
   }
 }
 
