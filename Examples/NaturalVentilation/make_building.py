@@ -6,9 +6,12 @@ All lengths are in meters, Z is up, y points north. Walls, roof and partitions a
 in the walls to the south and the north only; doors in the partitions join the rooms. Openings are wide enough for
 elements of 2 m. The site is a rectangle of 227 x 182 m, or of the sizes asked for, with the building in its middle.
 
-Usage: make_building.py FILE.wrl [LENGTH WIDTH]
+Usage: make_building.py FILE.wrl [LENGTH WIDTH [ANGLE]]
+
+With ANGLE, degrees counterclockwise from above, building, neighbor and site are turned about the origin.
 """
 
+import math
 import pathlib
 import sys
 
@@ -120,17 +123,26 @@ def openings():
     }
 
 
-def model(length, width):
-    parts = [surface(name, polygons) for name, (polygons, _) in with_points_in_between(sheets()).items()]
-    parts += [surface("Neighbor", neighbor()), surface("Site", site(length, width))]
+def turned(polygons, degrees):
+    """About the origin, counterclockwise from above."""
+    c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    return [[(c * x - s * y, s * x + c * y, z) for x, y, z in polygon] for polygon in polygons]
+
+
+def model(length, width, angle):
+    parts = {name: polygons for name, (polygons, _) in with_points_in_between(sheets()).items()}
+    parts |= {"Neighbor": neighbor(), "Site": site(length, width)}
+    if angle:
+        parts = {name: turned(polygons, angle) for name, polygons in parts.items()}
+    parts = [surface(name, polygons) for name, polygons in parts.items()]
     return "#VRML V2.0 utf8\n# Written by make_building.py. Meters, Z up.\n" + "".join(parts)
 
 
-def main(file, length=SITE[0], width=SITE[1]):
-    pathlib.Path(file).write_text(model(float(length), float(width)))
+def main(file, length=SITE[0], width=SITE[1], angle=0.0):
+    pathlib.Path(file).write_text(model(float(length), float(width), float(angle)))
 
 
 if __name__ == "__main__":
-    if len(sys.argv) not in (2, 4):
+    if len(sys.argv) not in (2, 4, 5):
         sys.exit(__doc__)
     main(*sys.argv[1:])

@@ -20,7 +20,8 @@ import make_building  # noqa: E402
 import snappy  # noqa: E402
 from kept_rows import Failed, go_on, known, lines_of, run  # noqa: E402
 
-WIND = ("--from", "180", "--speed", "4", "--height", "10", "--roughness", "0.1")
+WIND = ("--speed", "4", "--height", "10", "--roughness", "0.1")
+FEW = 200  # iterations of large meshes, whose air changes have settled by then
 NEAR_GROUND = 8.0  # of domains that are too large for fine ground, meters
 
 
@@ -32,21 +33,26 @@ class Row:
     layers: int = 1
     site: tuple = make_building.SITE  # length and width of the domain, meters; its height is 0.3 of the longer
     ground: float = 0.0  # on the ground, meters; 0 for the finest
+    angle: float = 0.0  # of building, domain and wind against the grid, degrees
     mesher: str = "atria"
     most_iterations: int = 500  # limiters keep residuals from falling without end; the air changes settle far earlier
 
 
 FAR = [Row("uniform", far=2.0), Row("far4", far=4.0), Row("far8"), Row("far16", far=16.0), Row("far32", far=32.0),
        Row("far8_ground4", ground=4.0), Row("far8_ground8", ground=8.0)]
+ONE_AND_A_HALF = [Row("uniform1.5", finest=1.5, far=1.5, most_iterations=FEW), Row("finest1.5", finest=1.5, far=6.0)]
+TURNED = [Row("uniform", far=2.0), Row("far8"), Row("turned_uniform", far=2.0, angle=17.0, most_iterations=FEW),
+          Row("turned_far8", angle=17.0)]
 FINER = [Row("far8"), *(Row(f"finest{size:g}", finest=size, far=4 * size) for size in (1.4, 1.0, 0.8))]
 DOMAINS = [Row("domain227", far=16.0, ground=NEAR_GROUND),
            Row("domain500", far=16.0, ground=NEAR_GROUND, site=(500.0, 400.0)),
            Row("domain1000", far=16.0, ground=NEAR_GROUND, site=(1000.0, 1000.0))]
 LAYERS = [Row("far8"), Row("layers0", layers=0), Row("layers5", layers=5)]
 MESHERS = [Row("layers0_uniform", far=2.0, layers=0), Row("layers0", layers=0),
-           Row("snappy_uniform", far=2.0, layers=0, mesher="snappyHexMesh"),
+           Row("snappy_uniform", far=2.0, layers=0, mesher="snappyHexMesh", most_iterations=FEW),
            Row("snappy_far8", layers=0, mesher="snappyHexMesh")]
-TABLES = {"Uniform and adaptive": FAR, "Finer": FINER, "Domains": DOMAINS, "Layers": LAYERS, "snappyHexMesh": MESHERS}
+TABLES = {"Uniform and adaptive": FAR, "At 1.5 m": ONE_AND_A_HALF, "Across the grid": TURNED, "Finer": FINER,
+          "Domains": DOMAINS, "Layers": LAYERS, "snappyHexMesh": MESHERS}
 
 
 def rows():
@@ -59,6 +65,8 @@ def mesh_by_atria(atria, row, model, folder):
     command = [atria, "mesh", model, "-o", folder / "mesh.vtu", "--site", "Site", "--openings", "--size-min", row.finest,
                "--size-mid", row.finest, "--size-max", row.far, "--layers", row.layers, "--threads", 1,
                "--start-level", 3]  # the fourth level of this domain has 16 m
+    if row.angle:
+        command += ["--domain-angle", row.angle, "--align", "axes"]
     if row.ground:
         command += ["--size", "Site", row.ground]
     return folder / "mesh.vtu", run(command, folder, "mesh")
@@ -68,6 +76,11 @@ def mesh_by_snappy(row, folder):
     case = folder / "snappy"
     commands = snappy.write_case(case, row.finest, row.far, row.site)
     return case, sum(run(command, folder, name) for name, command in commands.items())
+
+
+def case_command(atria, row, mesh, case):
+    """The wind comes along the domain."""
+    return [atria, "case", mesh, "-o", case, "--from", str(180.0 - row.angle), *WIND, "--iterations", str(row.most_iterations)]
 
 
 def measure(case):
@@ -98,10 +111,10 @@ def measure(case):
 
 def make(atria, row, folder):
     model = folder / "school.wrl"
-    make_building.main(model, *row.site)
+    make_building.main(model, *row.site, row.angle)
     mesh, seconds = mesh_by_atria(atria, row, model, folder) if row.mesher == "atria" else mesh_by_snappy(row, folder)
     case = folder / "case"
-    run([atria, "case", mesh, "-o", case, *WIND, "--iterations", row.most_iterations], folder, "case")
+    run(case_command(atria, row, mesh, case), folder, "case")
     run([case / "Allrun"], folder, "run")
     return {"mesh_seconds": seconds, **measure(case)}
 

@@ -70,6 +70,20 @@ class Study(unittest.TestCase):
         volume = sum(room["volume"] for room in found["rooms"] if room["name"] != "outside")
         self.assertAlmostEqual(volume, make_building.volume(), delta=1e-3 * volume)
 
+    def test_the_whole_may_stand_across_the_grid(self):
+        model = self.out / "school.wrl"
+        row = study.Row("turned", far=16.0, ground=16.0, layers=0, angle=17.0)
+        make_building.main(model, *row.site, row.angle)
+        mesh, _ = study.mesh_by_atria(ATRIA.resolve(), row, model, self.out)
+        case = self.out / "case"
+        subprocess.run(study.case_command(ATRIA, row, mesh, case), check=True, capture_output=True)
+        described = json.loads((case / "case.json").read_text())
+        self.assertEqual([described["directions"][0]["patches"][side] for side in ("yMin", "yMax", "xMin", "xMax")],
+                         ["inlet", "outlet", "slip", "slip"])
+        wanted = sorted(area(polygons[0]) for polygons in make_building.openings().values())
+        for found, value in zip(sorted(opening["area"] for opening in described["openings"]), wanted, strict=True):
+            self.assertAlmostEqual(found, value, delta=0.01 * value)
+
     def test_a_name_means_one_row(self):
         members = {row for table in study.TABLES.values() for row in table}
         self.assertEqual(len({row.name for row in members}), len(members))
