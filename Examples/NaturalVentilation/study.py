@@ -33,6 +33,7 @@ class Row:
     layers: int = 1
     site: tuple = make_building.SITE  # length and width of the domain, meters; its height is 0.3 of the longer
     ground: float = 0.0  # on the ground, meters; 0 for the finest
+    sides: int = 4  # upright ones of the domain
     angle: float = 0.0  # of building, domain and wind against the grid, degrees
     mesher: str = "atria"
     most_iterations: int = 500  # limiters keep residuals from falling without end; the air changes settle far earlier
@@ -47,12 +48,14 @@ FINER = [Row("far8"), *(Row(f"finest{size:g}", finest=size, far=4 * size) for si
 DOMAINS = [Row("domain227", far=16.0, ground=NEAR_GROUND),
            Row("domain500", far=16.0, ground=NEAR_GROUND, site=(500.0, 400.0)),
            Row("domain1000", far=16.0, ground=NEAR_GROUND, site=(1000.0, 1000.0))]
+PRISMS = [Row("square", far=16.0, ground=NEAR_GROUND, site=(500.0, 500.0)),
+          Row("prism", far=16.0, ground=NEAR_GROUND, site=(500.0, 500.0), sides=16)]
 LAYERS = [Row("far8"), Row("layers0", layers=0), Row("layers5", layers=5)]
 MESHERS = [Row("layers0_uniform", far=2.0, layers=0), Row("layers0", layers=0),
            Row("snappy_uniform", far=2.0, layers=0, mesher="snappyHexMesh", most_iterations=FEW),
            Row("snappy_far8", layers=0, mesher="snappyHexMesh")]
 TABLES = {"Uniform and adaptive": FAR, "At 1.5 m": ONE_AND_A_HALF, "Across the grid": TURNED, "Finer": FINER,
-          "Domains": DOMAINS, "Layers": LAYERS, "snappyHexMesh": MESHERS}
+          "Domains": DOMAINS, "Box and prism": PRISMS, "Layers": LAYERS, "snappyHexMesh": MESHERS}
 
 
 def rows():
@@ -64,7 +67,7 @@ def rows():
 def mesh_by_atria(atria, row, model, folder):
     command = [atria, "mesh", model, "-o", folder / "mesh.vtu", "--site", "Site", "--openings", "--size-min", row.finest,
                "--size-mid", row.finest, "--size-max", row.far, "--layers", row.layers, "--threads", 1,
-               "--start-level", 3]  # the fourth level of this domain has 16 m
+               "--domain-sides", row.sides, "--start-level", 3]  # the fourth level of this domain has 16 m
     if row.angle:
         command += ["--domain-angle", row.angle, "--align", "axes"]
     if row.ground:
