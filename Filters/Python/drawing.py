@@ -17,11 +17,13 @@ from vtkmodules.vtkCommonColor import vtkColorSeries
 from vtkmodules.vtkCommonDataModel import vtkBoundingBox
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 from vtkmodules.vtkFiltersCore import vtkTubeFilter
+from vtkmodules.vtkFiltersSources import vtkPlaneSource
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkIOXML import vtkXMLMultiBlockDataReader, vtkXMLPolyDataReader
 from vtkmodules.vtkRenderingAnnotation import vtkScalarBarActor
 from vtkmodules.vtkRenderingCore import (
-    vtkActor, vtkColorTransferFunction, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkWindowToImageFilter,
+    vtkActor, vtkActor2D, vtkColorTransferFunction, vtkCoordinate, vtkPolyDataMapper, vtkPolyDataMapper2D, vtkRenderer,
+    vtkRenderWindow, vtkWindowToImageFilter,
 )
 
 
@@ -133,7 +135,25 @@ def _speed_table(high):
     return table
 
 
+def _white_behind(x, width, height):
+    """A sheet behind a bar, wide enough for labels that are centered at its ends; shares of the picture."""
+    sheet = vtkPlaneSource()
+    sheet.SetOrigin(x - 0.03, 0.0, 0.0)
+    sheet.SetPoint1(x + width + 0.03, 0.0, 0.0)
+    sheet.SetPoint2(x - 0.03, height + 0.03, 0.0)
+    places = vtkCoordinate()
+    places.SetCoordinateSystemToNormalizedViewport()
+    mapper = vtkPolyDataMapper2D()
+    mapper.SetInputConnection(sheet.GetOutputPort())
+    mapper.SetTransformCoordinate(places)
+    actor = vtkActor2D()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetColor(1.0, 1.0, 1.0)
+    return actor
+
+
 def _bar(title, table, x):
+    """What is to be added to the renderer."""
     bar = vtkScalarBarActor()
     bar.SetLookupTable(table)
     bar.SetTitle(title)
@@ -144,15 +164,13 @@ def _bar(title, table, x):
     bar.SetHeight(0.10)
     bar.UnconstrainedFontSizeOn()
     bar.SetLabelFormat("%.3g")
-    bar.DrawBackgroundOn()
-    bar.GetBackgroundProperty().SetColor(1.0, 1.0, 1.0)
     for text in (bar.GetTitleTextProperty(), bar.GetLabelTextProperty()):
         text.SetColor(0.15, 0.15, 0.15)
         text.SetFontSize(13)
         text.ItalicOff()
         text.BoldOff()
         text.ShadowOff()
-    return bar
+    return _white_behind(x, bar.GetWidth(), bar.GetHeight()), bar
 
 
 def _of_air(file):
@@ -171,8 +189,8 @@ def _of_air(file):
     tubes.SetRadius(scene["camera"]["reach"] * 0.0018)
     tubes.SetNumberOfSides(6)
     renderer.AddActor(_shaded(_actor(tubes, "Speed", speed, points=True), 0.5))
-    renderer.AddActor2D(_bar("pressure on walls, m²/s²", pressure, 0.05))
-    renderer.AddActor2D(_bar("speed on paths, m/s", speed, 0.68))
+    for part in (*_bar("pressure on walls, m²/s²", pressure, 0.05), *_bar("speed on paths, m/s", speed, 0.68)):
+        renderer.AddActor2D(part)
     renderer.SetUseDepthPeeling(True)
     renderer.SetMaximumNumberOfPeels(8)
     camera = renderer.GetActiveCamera()
