@@ -2,7 +2,7 @@
 # The Python package `atria`, in the build tree at lib/python3/dist-packages and installed likewise.
 set(atria_python_dir "lib/python3/dist-packages") # where Debian's Python looks, whatever the architecture
 set(atria_python_sources "${CMAKE_CURRENT_LIST_DIR}/Python")
-set(atria_python_files __init__.py drawing.py errors.py meshing.py picture.py py.typed
+set(atria_python_files __init__.py drawing.py errors.py meshing.py picture.py py.typed vtk_check.py
   report/__init__.py report/__main__.py report/case.py report/charts.py report/comfort.py report/fields.py report/page.py
   report/pictures.py report/results.py report/scene.py report/speeds.py)
 
@@ -19,7 +19,8 @@ macro (atria_wrap_python)
     install(FILES "${atria_python_sources}/${file}" DESTINATION "${atria_python_dir}/atria/${folder}" COMPONENT python)
   endforeach ()
   set(atria_python_build "${CMAKE_BINARY_DIR}/${atria_python_dir}")
-  file(CONFIGURE OUTPUT "${atria_python_build}/atria/_version.py" CONTENT "__version__ = \"${PROJECT_VERSION}\"\n")
+  file(CONFIGURE OUTPUT "${atria_python_build}/atria/_version.py" CONTENT
+    "__version__ = \"${PROJECT_VERSION}\"\nvtk_version = (${VTK_MAJOR_VERSION}, ${VTK_MINOR_VERSION})\n")
   set(atria_python_metadata "${atria_python_build}/atria-${PROJECT_VERSION}.dist-info")
   configure_file("${atria_python_sources}/METADATA.in" "${atria_python_metadata}/METADATA" @ONLY)
   install(FILES "${atria_python_build}/atria/_version.py" DESTINATION "${atria_python_dir}/atria" COMPONENT python)

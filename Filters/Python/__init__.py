@@ -10,6 +10,8 @@ feed them, report while a method of theirs runs is raised as `atria.Error` when 
 Where a class of VTK runs them, as a writer does, use `atria.raising`.
 """
 
+from . import vtk_check
+
 # The modules of the base classes must be there before the classes derived from them.
 import vtkmodules.vtkCommonCore
 import vtkmodules.vtkCommonDataModel
