@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CaseFields.h"
 
+#include "PatchNames.h"
 #include "Support/Error.h"
 #include "Support/NamePattern.h"
 
@@ -239,7 +240,7 @@ const ConditionRule* ruleFor(const CaseOfDirection& flow, const Field& field, co
 {
   const auto& rules = flow.settings.conditionRules;
   const auto found = std::find_if(rules.rbegin(), rules.rend(), [&](const ConditionRule& rule) {
-    return rule.field == field.name && matchesPattern(rule.pattern, patch.name);
+    return rule.field == field.name && matchesPattern(patternOfPatchNames(rule.pattern, openFOAMNames), patch.name);
   });
   return found == rules.rend() ? nullptr : &*found;
 }

@@ -50,7 +50,7 @@ struct PatchChoice
 /// What a user says of patches whose name matches; of several rules that match the last holds.
 struct PatchRule
 {
-  std::string pattern; ///< see matchesPattern
+  std::string pattern; ///< see matchesPattern; of names in the model or in the case
   PatchChoice choice;
 };
 

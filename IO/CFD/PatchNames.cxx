@@ -157,4 +157,14 @@ std::vector<PatchName> makePatchNames(std::span<const std::string> names, const 
   return NameMaker(names, rules).run();
 }
 
+std::string patternOfPatchNames(std::string_view pattern, const NameRules& rules)
+{
+  constexpr std::string_view wildcards = "*?";
+  const std::string punctuation = std::string(rules.punctuation) + std::string(wildcards);
+  NameRules wide = rules;
+  wide.punctuation = punctuation;
+  wide.anyStart = rules.anyStart || pattern.find_first_of(wildcards) == 0;
+  return pattern.empty() ? "" : makeWord(pattern, wide);
+}
+
 } // namespace atria

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "FlowCase.h"
 
+#include "PatchNames.h"
 #include "Support/Error.h"
 #include "Support/NamePattern.h"
 
@@ -59,10 +60,11 @@ void applyRules(const CaseMesh& mesh, const std::vector<PatchRule>& rules, std::
   }
   for (const PatchRule& rule : rules)
   {
+    const std::string pattern = patternOfPatchNames(rule.pattern, openFOAMNames);
     bool isUsed = false;
     for (std::size_t i = 0; i < names.size(); ++i)
     {
-      if (matchesPattern(rule.pattern, names[i]))
+      if (matchesPattern(pattern, names[i]))
       {
         choices[i] = rule.choice;
         isUsed = true;

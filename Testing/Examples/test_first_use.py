@@ -239,6 +239,19 @@ class FirstUse(unittest.TestCase):
         (self.folder / "file").write_text("")
         self.refuses(2, "is a file", "mesh", HOUSE, *COARSE, "--openfoam", "file")
 
+    def test_names_that_openfoam_does_not_take(self):
+        """Patches of a case are found by the names in the model, too, and files may be called anything."""
+        house = self.folder / "Büro Süd" / "Haus 1 ä.wrl"
+        house.parent.mkdir()
+        house.write_text(HOUSE.read_text().replace("WallSouth", "Wand_Süd"))
+        run = self.atria("mesh", house, *COARSE, "-o", house.with_suffix(".vtu"))
+        self.assertEqual(run.returncode, 0, run.stderr)
+        for pattern in ("Wand_Süd*", "Wand_S_d*", "*Süd_*"):
+            run = self.atria("case", house.with_suffix(".vtu"), "-o", "Büro Süd/Fall 1", "--patch", pattern, "slip")
+            self.assertEqual(run.returncode, 0, run.stderr)
+            roles = json.loads((house.parent / "Fall 1" / "case.json").read_text())["directions"][0]["patches"]
+            self.assertEqual((roles["Wand_S_d_front"], roles["WallNorth_front"]), ("slip", "wall"))
+
     def test_a_full_disk_is_told_by_name(self):
         """Stood in for by the limit on files, which systems enforce alike."""
         def limit():

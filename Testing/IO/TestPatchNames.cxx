@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "PatchNames.h"
 
+#include "Support/NamePattern.h"
+
 #include <gtest/gtest.h>
 
 namespace {
@@ -92,6 +94,22 @@ TEST(PatchNames, DifferInMoreThanCapitalsWhereTheseDoNotCount)
   const std::vector<std::string> names{"Wall", "wall", "WALL"};
   EXPECT_EQ(wordsFor(names, {.punctuation = "", .caseMatters = false}), (Words{"Wall", "wall_2", "WALL_3"}));
   EXPECT_EQ(wordsFor(names, {}), names);
+}
+
+TEST(PatchNames, PatternsOfOriginalsFitTheNamesMadeOfThem)
+{
+  const std::vector<std::string> originals{"Wand S\u00fcd", "2.OG", "Roof", "D\u00e4cher"};
+  const std::vector<std::string> patterns{"Wand S\u00fc*", "2.OG", "R?of", "*\u00e4cher"};
+  const Words words = wordsFor(originals, atria::openFOAMNames);
+  for (std::size_t i = 0; i < originals.size(); ++i)
+  {
+    for (const std::string& pattern : {originals[i], patterns[i], words[i]})
+    {
+      EXPECT_TRUE(atria::matchesPattern(atria::patternOfPatchNames(pattern, atria::openFOAMNames), words[i]))
+          << pattern;
+    }
+  }
+  EXPECT_FALSE(atria::matchesPattern(atria::patternOfPatchNames("Wand", atria::openFOAMNames), words[0]));
 }
 
 TEST(PatchNames, SidesEndAsTheFormatHasIt)
