@@ -85,15 +85,15 @@ std::string checksText(const Json& openfoam)
 }
 
 /// How many there are and the first of their names.
-std::string namesText(const Json& patches)
+std::string namesText(const Json& names)
 {
   constexpr std::size_t most = 6;
-  std::string text = std::to_string(patches.size());
-  for (std::size_t i = 0; i < std::min(most, patches.size()); ++i)
+  std::string text = std::to_string(names.size());
+  for (std::size_t i = 0; i < std::min(most, names.size()); ++i)
   {
-    text += (i == 0 ? ": " : ", ") + patches[i]["name"].get<std::string>();
+    text += (i == 0 ? ": " : ", ") + (names[i].is_string() ? names[i] : names[i]["name"]).get<std::string>();
   }
-  return text + (patches.size() > most ? " …" : "");
+  return text + (names.size() > most ? " …" : "");
 }
 
 std::string repairText(const Json& repair)
@@ -133,7 +133,7 @@ std::string leftOutText(const Json& zones, const Json& withoutFaces)
   }
   if (!withoutFaces.empty())
   {
-    text += std::string(text.empty() ? "" : ", ") + "surfaces without faces " + std::to_string(withoutFaces.size());
+    text += std::string(text.empty() ? "" : ", ") + "surfaces without faces " + namesText(withoutFaces);
   }
   return text.empty() ? "nothing" : text;
 }

@@ -239,6 +239,16 @@ class FirstUse(unittest.TestCase):
         (self.folder / "file").write_text("")
         self.refuses(2, "is a file", "mesh", HOUSE, *COARSE, "--openfoam", "file")
 
+    def test_a_mesh_without_the_model_is_warned_of(self):
+        """Sizes beyond the house leave nothing but the ground."""
+        run = self.atria("mesh", HOUSE, "--size-min", "20", "--report", "report.json")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIn("no surface of the model has a face in the mesh, but for ground", run.stderr)
+        self.assertIn("lower --size-min, which is 20", run.stderr)
+        self.assertRegex(run.stdout, r"left out +surfaces without faces 12: Floor, WallSouth, .* …")
+        for options in (COARSE, (*COARSE, "--seed", "51", "5", "3")):
+            self.assertNotIn("no surface of the model has", self.atria("mesh", HOUSE, *options).stderr)
+
     def test_names_that_openfoam_does_not_take(self):
         """Patches of a case are found by the names in the model, too, and files may be called anything."""
         house = self.folder / "Büro Süd" / "Haus 1 ä.wrl"
