@@ -224,6 +224,10 @@ vtkSmartPointer<vtkAtriaSurfaceReader> readerFor(const std::string& file)
   }
   if (!endsLikeVrml(file) && !vtkAtriaVRMLReader::CanReadFile(file.c_str()))
   {
+    if (const std::string advice = vtkAtriaModelReader::GetExportAdvice(file.c_str()); !advice.empty())
+    {
+      throw Failure(BadInput, file + ' ' + advice);
+    }
     throw Failure(BadInput, file + " is of no format that is known; give " + modelFormats + ", unpacked but for VRML");
   }
   return vtkSmartPointer<vtkAtriaVRMLReader>::New();

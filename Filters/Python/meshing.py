@@ -133,6 +133,8 @@ def _class_of_reader(file):
     if vtkAtriaModelReader.CanReadFile(str(file)):
         return vtkAtriaModelReader
     if not file.name.lower().endswith(_VRML) and not vtkAtriaVRMLReader.CanReadFile(str(file)):
+        if advice := vtkAtriaModelReader.GetExportAdvice(str(file)):
+            raise Error(f"{file} {advice}")
         raise Error(f"{file} is of no format that is known; give VRML ({', '.join(_VRML)}), or a file that ends in one of "
                     f"{vtkAtriaModelReader.GetFileExtensions()}")
     return vtkAtriaVRMLReader

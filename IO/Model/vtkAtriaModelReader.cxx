@@ -2,6 +2,7 @@
 #include "vtkAtriaModelReader.h"
 
 #include "Diagnostics.h"
+#include "ForeignFormats.h"
 #include "ModelFile.h"
 #include "ModelSource.h"
 
@@ -123,6 +124,11 @@ atria::vrml::Scene sceneOf(const atria::model::Model& model, atria::VtkSurface r
 
 bool vtkAtriaModelReader::CanReadFile(const char* fileName) { return formatOf(fileName) != nullptr; }
 
+std::string vtkAtriaModelReader::GetExportAdvice(const char* fileName)
+{
+  return fileName ? atria::model::adviceOnForeignFile(fileName) : "";
+}
+
 std::string vtkAtriaModelReader::GetFileExtensions()
 {
   std::string all;
@@ -140,6 +146,10 @@ atria::vrml::ModelSource vtkAtriaModelReader::ReadSource(atria::vrml::Diagnostic
   const Format* format = formatOf(this->FileName);
   if (!format)
   {
+    if (const std::string advice = GetExportAdvice(this->FileName); !advice.empty())
+    {
+      throw atria::Error("'" + file + "' " + advice);
+    }
     throw atria::Error("'" + file + "' is of a format that is not known; give a file that ends in one of " +
                        GetFileExtensions() + ", unpacked");
   }

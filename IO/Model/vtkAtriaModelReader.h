@@ -67,6 +67,12 @@ public:
   static bool CanReadFile(const char* fileName);
 
   /**
+   * Of a file that cannot be read: the program it is of and what that exports, by the file's ending, such as `.skp`.
+   * Empty where nothing is known of it.
+   */
+  static std::string GetExportAdvice(const char* fileName);
+
+  /**
    * The endings above, parted by spaces.
    */
   static std::string GetFileExtensions();

@@ -26,7 +26,10 @@
 #include <vtkStringArray.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <new>
+#include <string>
+#include <system_error>
 #include <utility>
 
 namespace {
@@ -293,6 +296,20 @@ bool vtkAtriaSurfaceReader::ReadModel(vtkPolyData* output, atria::vrml::Diagnost
   return true;
 }
 
+namespace {
+
+/// Whatever the format is, and before anything is warned of.
+void checkNotEmpty(const std::string& file)
+{
+  std::error_code error;
+  if (std::filesystem::is_regular_file(file, error) && std::filesystem::file_size(file, error) == 0 && !error)
+  {
+    throw atria::Error("'" + file + "' holds no surfaces: it is empty; export the model with its faces");
+  }
+}
+
+} // namespace
+
 vtkTypeBool vtkAtriaSurfaceReader::ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
                                                   vtkInformationVector* outputs)
 {
@@ -316,6 +333,7 @@ int vtkAtriaSurfaceReader::RequestData(vtkInformation*, vtkInformationVector**, 
   atria::vrml::Diagnostics diagnostics;
   try
   {
+    checkNotEmpty(this->FileName);
     const bool found = this->ReadModel(output, diagnostics);
     this->Report(diagnostics);
     if (!found)

@@ -117,10 +117,18 @@ class CommandLine(unittest.TestCase):
         patches = {patch["name"] for patch in json.loads(out.read_text())["patches"]}
         self.assertLessEqual({"Roof_front", "Wall South_back", "Floor"}, patches)
         self.assertEqual(self.atria("mesh", obj, "--preflight", "--automatic").returncode, 0)
-        for name in ("shed.dwg", "shed.obj.gz", "shed"):
+        unknown = "of no format that is known; give VRML"
+        for name, what in (("shed.xyz", unknown), ("shed", unknown), ("shed.obj.gz", "is an archive; unpack it first"),
+                           ("shed.dwg", "AutoCAD's own format, which is not read; export it there as DXF"),
+                           ("shed.SKP", "SketchUp's own format"), ("shed.stp", "export it as OBJ or STL")):
             other = self.folder / name
             other.write_text("0\nSECTION\n")
-            self.refuses(3, "of no format that is known; give VRML", "inspect", other)
+            self.refuses(3, what, "inspect", other)
+        for ending in ("wrl", "obj", "stl", "ply", "glb", "dae", "ifc", "dxf", "json", "vtp"):
+            other = self.folder / f"empty.{ending}"
+            other.write_text("")
+            self.refuses(3, "holds no surfaces: it is empty", "mesh", other)
+            self.assertNotIn("warning", self.atria("mesh", other).stderr)
         broken = self.folder / "broken.stl"
         broken.write_text("solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0\n")
         self.refuses(3, "broken.stl", "inspect", broken)

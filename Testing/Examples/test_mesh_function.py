@@ -126,6 +126,10 @@ class Mesh(unittest.TestCase):
             headless.write_text(pathlib.Path(MODEL).read_text().split("\n", 1)[1])
             with self.assertRaisesRegex(atria.Error, r"no format that is known; give VRML \(.wrl.* \.obj"):
                 atria.mesh(headless)
+            foreign = pathlib.Path(folder) / "Haus.SKP"
+            foreign.write_text("x")
+            with self.assertRaisesRegex(atria.Error, r"SketchUp's own format, .* export it there as COLLADA \(.dae\) or VRML"):
+                atria.mesh(foreign)
             named = headless.rename(headless.with_suffix(".WRL"))
             self.assertIn("WallSouth_front", atria.mesh(named, 2, domain=BOX, layers=0).patches)
 
