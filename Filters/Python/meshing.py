@@ -30,6 +30,7 @@ Point = Sequence[float]
 # Files that end so are VRML even without its header.
 _VRML = (".wrl", ".vrml", ".wrz", ".wrl.gz", ".vrml.gz")
 _UNITS = {"m": "Meters", "mm": "Millimeters", "cm": "Centimeters", "in": "Inches", "ft": "Feet"}
+_SURFACES_BY = ("shape", "group", "material", "connected")
 _SHAPES = {
     "hexahedra": VTK_HEXAHEDRON, "wedges": VTK_WEDGE, "pyramids": VTK_PYRAMID, "tetrahedra": VTK_TETRA,
     "polyhedra": VTK_POLYHEDRON,
@@ -140,7 +141,7 @@ def _class_of_reader(file):
     return vtkAtriaVRMLReader
 
 
-def _reader_of(file, unit, up, without):
+def _reader_of(file, unit, up, surfaces_by, without):
     reader = _class_of_reader(file)()
     reader.SetFileName(str(file))
     if unit is not None:
@@ -151,25 +152,29 @@ def _reader_of(file, unit, up, without):
         if up not in ("y", "z"):
             raise ValueError(f"up is {up!r}; it must be y or z")
         getattr(reader, f"SetUpAxisTo{up.upper()}")()
+    if surfaces_by is not None:
+        if surfaces_by not in _SURFACES_BY:
+            raise ValueError(f"surfaces_by is {surfaces_by!r}; it must be one of {', '.join(_SURFACES_BY)}")
+        getattr(reader, f"SetSurfaceByTo{surfaces_by.capitalize()}")()
     for pattern in without:
         reader.AddExcludedSurface(pattern)
     return reader
 
 
-def _connect(mesher, model, unit, up, without):
+def _connect(mesher, model, unit, up, surfaces_by, without):
     """The reader, where the model is a file."""
     if isinstance(model, vtkAlgorithm):
         mesher.SetInputConnection(0, model.GetOutputPort())
     elif isinstance(model, (vtkPolyData, vtkCompositeDataSet)):
         mesher.SetInputDataObject(0, model)
     elif isinstance(model, (str, os.PathLike)):
-        reader = _reader_of(pathlib.Path(model), unit, up, without)
+        reader = _reader_of(pathlib.Path(model), unit, up, surfaces_by, without)
         mesher.SetInputConnection(0, reader.GetOutputPort())
         return reader
     else:
         raise TypeError(f"model is a {type(model).__name__}; it must be a file, surfaces of VTK, or what makes them")
-    if unit is not None or up is not None or without:
-        raise TypeError("unit, up and without are for models from a file")
+    if unit is not None or up is not None or surfaces_by is not None or without:
+        raise TypeError("unit, up, surfaces_by and without are for models from a file")
     return None
 
 
@@ -332,6 +337,7 @@ def mesh(
     seeds: Union[Point, Iterable[Point]] = (),
     unit: str | None = None,
     up: str | None = None,
+    surfaces_by: str | None = None,
     without: Union[str, Iterable[str]] = (),
     **properties: Any,
 ) -> Result:
@@ -351,6 +357,7 @@ def mesh(
     terrain     pattern of the names of surfaces that are terrain
     seeds       a point or several; what they reach is meshed, in place of what the sky reaches
     unit, up    of a file: "m", "mm", "cm", "in", "ft"; "y" or "z"
+    surfaces_by what makes a named surface of a file: "shape", "group" (as SketchUp needs), "material" or "connected"
     without     pattern, or several, of surfaces of a file to leave out
 
     Further properties of vtkAtriaDualMesher go by their names, as CurvatureAngle=20. Raises atria.Error; what is only
@@ -360,7 +367,7 @@ def mesh(
 
     mesher = vtkAtriaDualMesher()
     mesher.CacheStagesOff()  # there is one run
-    reader = _connect(mesher, model, unit, up, [without] if isinstance(without, str) else list(without))
+    reader = _connect(mesher, model, unit, up, surfaces_by, [without] if isinstance(without, str) else list(without))
     _set_domain(mesher, domain)
     mesher.SetWindAngle(wind)
     if ground is not None:

@@ -94,6 +94,12 @@ class Mesh(unittest.TestCase):
             rooms = atria.mesh(MODEL, 2, domain=BOX, layers=0, seeds=seeds)
             self.assertEqual([zone["surfaces"] for zone in rooms.report["zones"] if zone["kept"]], [["Neighbor"]])
         self.assertRaises(ValueError, atria.mesh, MODEL, unit="yd")
+        self.assertRaises(ValueError, atria.mesh, MODEL, surfaces_by="Group")
+        sketchup = pathlib.Path(MODEL).parent / "sketchup_house.wrl"
+        with warnings.catch_warnings():
+            warnings.simplefilter("error", atria.ModelWarning)
+            drawn = atria.mesh(sketchup, 2, unit="in", up="y", surfaces_by="group", domain=BOX, layers=0)
+        self.assertIn("WallSouth_front", drawn.patches)
         self.assertRaises(ValueError, atria.mesh, MODEL, domain="everywhere")
         self.assertRaises(ValueError, atria.mesh, MODEL, domain=(0, 1))
 
