@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "PatchNames.h"
 
+#include "Support/Text.h"
+
 #include <algorithm>
-#include <cctype>
 #include <set>
 
 namespace atria {
@@ -133,14 +134,7 @@ private:
     return candidate;
   }
 
-  std::string keyOf(std::string word) const
-  {
-    if (!rules.caseMatters)
-    {
-      std::ranges::transform(word, word.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    }
-    return word;
-  }
+  std::string keyOf(const std::string& word) const { return rules.caseMatters ? word : lowered(word); }
   bool isUsed(const std::string& word) const { return used.contains(keyOf(word)); }
   void use(const std::string& word) { used.insert(keyOf(word)); }
 

@@ -6,12 +6,12 @@
 #include "ModelText.h"
 
 #include "Support/Error.h"
+#include "Support/Text.h"
 #include "Support/Utf8.h"
 
 #include <vtkPolyData.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -24,12 +24,6 @@ using std::string_view;
 
 constexpr std::size_t headerSize = 80;
 constexpr std::size_t facetSize = 50;
-
-bool isWord(string_view word, string_view wanted)
-{
-  return std::equal(word.begin(), word.end(), wanted.begin(), wanted.end(),
-                    [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; });
-}
 
 /// The number of facets a binary file states; a file too short for it has none.
 std::size_t statedFacets(const std::string& bytes)
@@ -50,8 +44,7 @@ bool isText(const std::string& bytes)
   {
     return false;
   }
-  std::string start = bytes.substr(0, 1024);
-  std::transform(start.begin(), start.end(), start.begin(), [](unsigned char c) { return std::tolower(c); });
+  const std::string start = lowered(string_view(bytes).substr(0, 1024));
   const bool hasWords = start.find("vertex") != start.npos && start.find("facet") != start.npos;
   return hasWords || start.find('\0') == start.npos;
 }
@@ -66,22 +59,22 @@ public:
     for (number = 1; at < text.size(); ++number)
     {
       string_view line = nextLine(text, at);
-      const string_view word = nextWord(line);
-      if (isWord(word, "solid"))
+      const std::string word = lowered(nextWord(line));
+      if (word == "solid")
       {
         const std::size_t first = line.find_first_not_of(blanks);
         const std::size_t last = line.find_last_not_of(blanks);
         names.push_back(first == line.npos ? std::string() : toUtf8(line.substr(first, last - first + 1)));
       }
-      else if (isWord(word, "facet"))
+      else if (word == "facet")
       {
         corners.clear();
       }
-      else if (isWord(word, "vertex"))
+      else if (word == "vertex")
       {
         addCorner(line);
       }
-      else if (isWord(word, "endfacet"))
+      else if (word == "endfacet")
       {
         endFacet();
       }

@@ -4,6 +4,7 @@
 
 #include "Support/Error.h"
 #include "Support/NamePattern.h"
+#include "Support/Text.h"
 
 #include <algorithm>
 
@@ -107,13 +108,8 @@ void excludeSurfaces(Scene& scene, Surfaces& surfaces, const std::vector<std::st
   surfaces.surfaces = std::move(kept);
   keepTriangles(scene, surfaces, newIds);
   dropUnusedPoints(scene);
-  std::string names;
-  for (const std::string& name : gone)
-  {
-    names += (names.empty() ? "" : ", ") + name;
-  }
   diagnostics.note(std::to_string(gone.size()) + (gone.size() == 1 ? " surface is" : " surfaces are") +
-                   " left out as asked for: " + names);
+                   " left out as asked for: " + joined(gone));
 }
 
 } // namespace atria::vrml

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Hints.h"
 
+#include "Support/Text.h"
 #include "WallSizes.h"
 
 #include <Eigen/Geometry>
@@ -32,14 +33,6 @@ Box3 boundsOf(const Scene& scene)
     }
   }
   return box;
-}
-
-std::string lowered(std::string_view text)
-{
-  std::string out(text);
-  std::transform(out.begin(), out.end(), out.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return out;
 }
 
 /// Runs of letters and digits.
@@ -298,13 +291,8 @@ std::string hintAtGroupNames(const Scene& scene)
   }
   const std::string more = groups.size() > 3 ? " and " + std::to_string(groups.size() - 3) + " more" : "";
   groups.resize(std::min<std::size_t>(groups.size(), 3));
-  std::string names;
-  for (const std::string& group : groups)
-  {
-    names += (names.empty() ? "" : ", ") + group;
-  }
   return "surfaces are called '" + scene.shapes.front().name +
-         "' and the like; the groups that hold them have names (" + names + more +
+         "' and the like; the groups that hold them have names (" + joined(groups) + more +
          "): take those (SurfaceBy, --surfaces-by group)";
 }
 

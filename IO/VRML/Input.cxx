@@ -3,6 +3,7 @@
 
 #include "Support/Error.h"
 #include "Support/Memory.h"
+#include "Support/Text.h"
 
 #include <zlib.h>
 
@@ -77,12 +78,6 @@ FileText unpack(std::string_view packed)
 
 bool startsWith(std::string_view text, std::string_view start) { return text.substr(0, start.size()) == start; }
 
-bool equalButForCase(std::string_view a, std::string_view b)
-{
-  const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](char x, char y) { return lower(x) == lower(y); });
-}
-
 /// `folder / name`, or the entry that differs from it in case only.
 std::optional<fs::path> findEntry(const fs::path& folder, const fs::path& name)
 {
@@ -93,7 +88,7 @@ std::optional<fs::path> findEntry(const fs::path& folder, const fs::path& name)
   }
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
   {
-    if (equalButForCase(entry->path().filename().string(), name.string()))
+    if (sameButForCapitals(entry->path().filename().string(), name.string()))
     {
       return entry->path();
     }

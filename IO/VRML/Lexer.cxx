@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Lexer.h"
 
+#include "Support/Text.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -372,16 +374,12 @@ bool Lexer::nextNoNumber(double& value)
 {
   skipBlanks();
   const char* stop = wordEnd(at, end);
-  std::string text(at, stop);
   double ignored = 0.0;
   const char* first = at + (stop != at && *at == '+' ? 1 : 0);
   const auto [last, error] = std::from_chars(first, stop, ignored);
   const bool tooLarge = error == std::errc::result_out_of_range && last == stop;
+  std::string text = lowered({at, stop});
   text.erase(0, text.find_first_not_of("+-"));
-  for (char& c : text)
-  {
-    c = static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c);
-  }
   const auto begins = [&](std::string_view with) { return text.compare(0, with.size(), with) == 0; };
   if (!tooLarge && !begins("nan") && text != "inf" && text != "infinity" && !begins("1.#ind") && !begins("1.#inf") &&
       !begins("1.#qnan") && !begins("1.#snan"))

@@ -4,6 +4,8 @@
 #include "NodeTypes.h"
 #include "Parser.h"
 
+#include "Support/Text.h"
+
 #include <algorithm>
 #include <type_traits>
 
@@ -147,9 +149,7 @@ namespace {
 /// Some programs write True, or true.
 bool isTruth(const Token& token, std::string_view capitals)
 {
-  return token.kind == TokenKind::word &&
-         std::equal(token.text.begin(), token.text.end(), capitals.begin(), capitals.end(),
-                    [](char a, char b) { return a == b || a == b - 'A' + 'a'; });
+  return token.kind == TokenKind::word && sameButForCapitals(token.text, capitals);
 }
 
 } // namespace

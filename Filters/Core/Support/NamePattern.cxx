@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Support/NamePattern.h"
 
+#include "Support/Text.h"
+
 #include <algorithm>
-#include <cctype>
 #include <numeric>
 
 namespace atria {
@@ -11,14 +12,8 @@ namespace {
 
 std::string plain(std::string_view name)
 {
-  std::string text;
-  for (const char c : name)
-  {
-    if (c != '*' && c != '?')
-    {
-      text += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    }
-  }
+  std::string text = lowered(name);
+  std::erase_if(text, [](char c) { return c == '*' || c == '?'; });
   return text;
 }
 
@@ -101,12 +96,9 @@ std::string namesInstead(std::string_view wanted, const std::vector<std::string>
 {
   constexpr std::size_t most = 20;
   const std::string nearest = nearestName(wanted, names);
-  std::string text = nearest.empty() ? "there are: " : "did you mean '" + nearest + "'? There are: ";
-  for (std::size_t i = 0; i < std::min(names.size(), most); ++i)
-  {
-    text += (i > 0 ? ", " : "") + names[i];
-  }
-  return names.size() > most ? text + ", …" : text;
+  const std::string start = nearest.empty() ? "there are: " : "did you mean '" + nearest + "'? There are: ";
+  const auto last = names.begin() + static_cast<std::ptrdiff_t>(std::min(names.size(), most));
+  return start + joined({names.begin(), last}) + (names.size() > most ? ", …" : "");
 }
 
 } // namespace atria
