@@ -2,6 +2,7 @@
 #include "VtkArrays.h"
 
 #include "Support/Error.h"
+#include "Support/Memory.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -137,6 +138,21 @@ std::vector<Vec3> pointsFromVtk(vtkPoints* points, const Executor& executor)
   {
     points->GetPoint(static_cast<vtkIdType>(i), out[i].data());
   }
+  return out;
+}
+
+vtkSmartPointer<vtkPoints> pointsToVtk(std::span<const Vec3> points, const Executor& executor)
+{
+  vtkNew<vtkDoubleArray> coordinates;
+  coordinates->SetNumberOfComponents(3);
+  coordinates->SetNumberOfTuples(static_cast<vtkIdType>(points.size()));
+  double* const to = coordinates->GetPointer(0);
+  useLargePages(to, points.size_bytes());
+  executor.forRanges(points.size(), 65536, [&](std::size_t begin, std::size_t end) {
+    std::copy_n(points[begin].data(), 3 * (end - begin), to + 3 * begin);
+  });
+  auto out = vtkSmartPointer<vtkPoints>::New();
+  out->SetData(coordinates);
   return out;
 }
 

@@ -6,6 +6,8 @@
 #include "Support/Buffer.h"
 #include "Support/Executor.h"
 
+#include <vtkSmartPointer.h>
+
 #include <span>
 #include <vector>
 
@@ -19,7 +21,10 @@ namespace atria {
 /// The points in double precision.
 std::vector<Vec3> pointsFromVtk(vtkPoints* points, const Executor& executor = SerialExecutor());
 
-/// The same without a copy where they are in double precision. VTK's must outlive it, unchanged.
+/// In double precision.
+vtkSmartPointer<vtkPoints> pointsToVtk(std::span<const Vec3> points, const Executor& executor = SerialExecutor());
+
+/// The points in double precision without a copy, where they are so. VTK's must outlive it, unchanged.
 class VtkPoints
 {
 public:

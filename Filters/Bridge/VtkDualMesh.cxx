@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "VtkDualMesh.h"
 
+#include "AddArray.h"
 #include "Support/Pieces.h"
+#include "VtkArrays.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCellType.h>
-#include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
 #include <vtkIntArray.h>
@@ -269,16 +270,7 @@ template <typename Array> void fillCells(const DualMesh& mesh, vtkUnstructuredGr
 void volumeToVtk(const DualMesh& mesh, vtkUnstructuredGrid* out, const Executor& executor)
 {
   constexpr std::size_t grain = 65536;
-  vtkNew<vtkDoubleArray> coordinates;
-  coordinates->SetNumberOfComponents(3);
-  coordinates->SetNumberOfTuples(static_cast<vtkIdType>(mesh.points.size()));
-  executor.forRanges(mesh.points.size(), grain, [&](std::size_t begin, std::size_t end) {
-    double* target = coordinates->GetPointer(3 * static_cast<vtkIdType>(begin));
-    std::copy_n(mesh.points[begin].data(), 3 * (end - begin), target);
-  });
-  vtkNew<vtkPoints> points;
-  points->SetData(coordinates);
-  out->SetPoints(points);
+  out->SetPoints(pointsToVtk(mesh.points, executor));
   if (8 * mesh.elementCount() < static_cast<std::size_t>(std::numeric_limits<std::int32_t>::max()))
   {
     fillCells<vtkTypeInt32Array>(mesh, out, executor);
@@ -308,10 +300,7 @@ void roomsToVtk(const RoomReport& report, vtkUnstructuredGrid* out)
   {
     return;
   }
-  vtkNew<vtkStringArray> names;
-  names->SetName("RoomName");
-  std::ranges::for_each(report.rooms, [&](const Room& room) { names->InsertNextValue(room.name); });
-  out->GetFieldData()->AddArray(names);
+  addArrayOf<vtkStringArray>(out->GetFieldData(), "RoomName", report.rooms, &Room::name);
 }
 
 void cellZonesToVtk(const DualMesh& mesh, const std::vector<std::string>& surfaceNames,
@@ -321,8 +310,7 @@ void cellZonesToVtk(const DualMesh& mesh, const std::vector<std::string>& surfac
   {
     return;
   }
-  vtkNew<vtkStringArray> names;
-  names->SetName("CellZoneName");
+  auto* names = addArray<vtkStringArray>(out->GetFieldData(), "CellZoneName");
   std::vector<std::int32_t> numbers(kinds.size(), -1);
   for (std::size_t surface = 0; surface < kinds.size(); ++surface)
   {
@@ -334,7 +322,6 @@ void cellZonesToVtk(const DualMesh& mesh, const std::vector<std::string>& surfac
   addLabels(
       "CellZoneId", mesh.cellZones, [&](std::int32_t surface) { return surface < 0 ? -1 : numbers[surface]; }, out,
       executor);
-  out->GetFieldData()->AddArray(names);
 }
 
 } // namespace atria

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "VtkFeatureGraph.h"
 
+#include "AddArray.h"
+#include "Support/Text.h"
 #include "Surface/Model/FeatureGraph.h"
 
 #include <vtkCellArray.h>
@@ -14,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -50,36 +53,18 @@ private:
   vtkNew<vtkPoints> points_;
 };
 
-vtkIntArray* addArray(vtkPolyData* out, const char* name, int components)
+/// Of surfaces and, by the numbers that follow, domain sides.
+std::string nameOf(const SurfaceModel& model, Index surface)
 {
-  vtkNew<vtkIntArray> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  out->GetCellData()->AddArray(array);
-  return array; // held by the data
+  const auto count = static_cast<Index>(model.names.size());
+  return surface < count ? model.names[surface] : sideName(surface - count);
 }
 
-template <typename Names> void addStrings(vtkPolyData* out, const char* name, const Names& names)
+std::string namesOf(const SurfaceModel& model, const std::vector<Index>& surfaces)
 {
-  vtkNew<vtkStringArray> array;
-  array->SetName(name);
-  for (const auto& text : names)
-  {
-    array->InsertNextValue(text);
-  }
-  out->GetFieldData()->AddArray(array);
-}
-
-/// Names of surfaces, parted by " + ".
-std::string joined(const SurfaceModel& model, const std::vector<Index>& surfaces)
-{
-  std::string text;
-  for (const Index s : surfaces)
-  {
-    text += (text.empty() ? "" : " + ") +
-            (s < model.names.size() ? model.names[s] : sideName(static_cast<Index>(s - model.names.size())));
-  }
-  return text;
+  std::vector<std::string> names;
+  std::ranges::transform(surfaces, std::back_inserter(names), [&](Index surface) { return nameOf(model, surface); });
+  return joined(names, " + ");
 }
 
 /// Per point: how many feature edges end there, and the surfaces along them.
@@ -116,12 +101,11 @@ void featureCurvesToVtk(const SurfaceModel& model, const GridFrame& frame, vtkPo
   const std::vector<std::vector<Index>> surfacesOf = surfacesOfCurves(model);
   const std::vector<Meeting> meetings = meetingsOf(model, surfacesOf);
   PointNumbers numbers(model, frame);
-  vtkIntArray* kinds = addArray(out, "CurveKind", 1);
-  vtkIntArray* ids = addArray(out, "CurveId", 1);
-  vtkIntArray* charts = addArray(out, "ChartId", 2);
-  vtkIntArray* degrees = addArray(out, "EdgeCount", 1);
-  vtkNew<vtkStringArray> surfaces;
-  surfaces->SetName("Surfaces");
+  auto* kinds = addArray<vtkIntArray>(out->GetCellData(), "CurveKind");
+  auto* ids = addArray<vtkIntArray>(out->GetCellData(), "CurveId");
+  auto* charts = addArray<vtkIntArray>(out->GetCellData(), "ChartId", 2);
+  auto* degrees = addArray<vtkIntArray>(out->GetCellData(), "EdgeCount");
+  auto* surfaces = addArray<vtkStringArray>(out->GetCellData(), "Surfaces");
   const auto addCell = [&](int kind, int curve, int chart, int otherChart, int degree,
                            const std::vector<Index>& names) {
     kinds->InsertNextValue(kind);
@@ -129,7 +113,7 @@ void featureCurvesToVtk(const SurfaceModel& model, const GridFrame& frame, vtkPo
     charts->InsertNextValue(chart);
     charts->InsertNextValue(otherChart);
     degrees->InsertNextValue(degree);
-    surfaces->InsertNextValue(joined(model, names));
+    surfaces->InsertNextValue(namesOf(model, names));
   };
   vtkNew<vtkCellArray> corners;
   for (const Index p : model.corners)
@@ -145,25 +129,21 @@ void featureCurvesToVtk(const SurfaceModel& model, const GridFrame& frame, vtkPo
     addCell(static_cast<int>(curve.kind), static_cast<int>(edge.curve), static_cast<int>(curve.charts.front()),
             static_cast<int>(curve.charts.back()), 1, surfacesOf[edge.curve]);
   }
-  out->GetCellData()->AddArray(surfaces);
   out->SetPoints(numbers.points());
   out->SetVerts(corners);
   out->SetLines(lines);
-  addStrings(out, "CurveKindName", curveKindNames);
+  addArrayOf<vtkStringArray>(out->GetFieldData(), "CurveKindName", curveKindNames);
 }
 
 void modelToVtk(const SurfaceModel& model, const GridFrame& frame, vtkPolyData* out)
 {
   PointNumbers numbers(model, frame);
-  vtkIntArray* surfaceIds = addArray(out, "SurfaceId", 1);
-  vtkIntArray* charts = addArray(out, "ChartId", 1);
+  addArrayOf<vtkIntArray>(out->GetCellData(), "SurfaceId", model.surfaceIds);
+  addArrayOf<vtkIntArray>(out->GetCellData(), "ChartId", model.charts);
   vtkNew<vtkCellArray> triangles;
-  for (Index t = 0; t < model.triangles.size(); ++t)
+  for (const auto& [a, b, c] : model.triangles)
   {
-    const auto& [a, b, c] = model.triangles[t];
     triangles->InsertNextCell({numbers(a), numbers(b), numbers(c)});
-    surfaceIds->InsertNextValue(static_cast<int>(model.surfaceIds[t]));
-    charts->InsertNextValue(static_cast<int>(model.charts[t]));
   }
   out->SetPoints(numbers.points());
   out->SetPolys(triangles);
@@ -172,9 +152,9 @@ void modelToVtk(const SurfaceModel& model, const GridFrame& frame, vtkPolyData* 
   const auto count = model.surfaceIds.empty() ? 0 : *std::ranges::max_element(model.surfaceIds) + 1;
   for (auto id = static_cast<Index>(names.size()); id < count; ++id)
   {
-    names.push_back(sideName(static_cast<Index>(id - model.names.size())));
+    names.push_back(nameOf(model, id));
   }
-  addStrings(out, "SurfaceName", names);
+  addArrayOf<vtkStringArray>(out->GetFieldData(), "SurfaceName", names);
 }
 
 } // namespace atria

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "VtkOctree.h"
 
+#include "AddArray.h"
 #include "Support/Error.h"
 
 #include <vtkBitArray.h>
@@ -31,8 +32,7 @@ constexpr vtkIdType frameValueCount = 24;
 
 void addFrame(const GridFrame& f, vtkDataObject* out)
 {
-  vtkNew<vtkDoubleArray> values;
-  values->SetName(frameArrayName);
+  auto* values = addArray<vtkDoubleArray>(out->GetFieldData(), frameArrayName);
   for (const double v : {f.origin[0], f.origin[1], f.origin[2], f.finestSize, double(f.depth), double(f.startLevel),
                          double(f.midLevel), double(f.topLevel), double(f.subBits), f.domain.min[0], f.domain.max[0],
                          f.domain.min[1], f.domain.max[1], f.domain.min[2], f.domain.max[2], double(f.featureLevel)})
@@ -54,7 +54,6 @@ void addFrame(const GridFrame& f, vtkDataObject* out)
       values->InsertNextValue(side.start[1]);
     }
   }
-  out->GetFieldData()->AddArray(values);
 }
 
 /// Its corners follow the other values.
@@ -228,17 +227,15 @@ RefinedSets setsOf(vtkHyperTreeGrid* grid, const GridFrame& frame)
 class HyperTreeFiller
 {
 public:
-  HyperTreeFiller(const Octree& source, vtkHyperTreeGrid* target) : octree(source)
+  HyperTreeFiller(const Octree& source, vtkHyperTreeGrid* target)
+      : octree(source), levels(addArray<vtkUnsignedCharArray>(target->GetCellData(), "Level")),
+        types(addArray<vtkUnsignedCharArray>(target->GetCellData(), "FeatureType"))
   {
-    levels->SetName("Level");
-    types->SetName("FeatureType");
     vtkNew<vtkHyperTreeGridNonOrientedCursor> cursor;
     target->InitializeNonOrientedCursor(cursor, 0, true);
     cursor->SetGlobalIndexStart(0);
     fill(cursor, octree.root(), 0);
     target->SetMask(mask);
-    target->GetCellData()->AddArray(levels);
-    target->GetCellData()->AddArray(types);
   }
 
 private:
@@ -263,8 +260,8 @@ private:
   }
 
   const Octree& octree;
-  vtkNew<vtkUnsignedCharArray> levels;
-  vtkNew<vtkUnsignedCharArray> types;
+  vtkUnsignedCharArray* levels;
+  vtkUnsignedCharArray* types;
   vtkNew<vtkBitArray> mask;
 };
 
@@ -322,10 +319,8 @@ void octreeToVtk(const Octree& octree, vtkUnstructuredGrid* out)
   const bool turned = octree.frame().placement.angle() != 0.0;
   vtkNew<vtkCellArray> cells;
   cells->AllocateExact(static_cast<vtkIdType>(leaves.size()), static_cast<vtkIdType>(8 * leaves.size()));
-  vtkNew<vtkUnsignedCharArray> levels;
-  levels->SetName("Level");
-  vtkNew<vtkUnsignedCharArray> types;
-  types->SetName("FeatureType");
+  auto* levels = addArray<vtkUnsignedCharArray>(out->GetCellData(), "Level");
+  auto* types = addArray<vtkUnsignedCharArray>(out->GetCellData(), "FeatureType");
   for (std::size_t i = 0; i < leaves.size(); ++i)
   {
     if (turned)
@@ -339,8 +334,6 @@ void octreeToVtk(const Octree& octree, vtkUnstructuredGrid* out)
   }
   out->SetPoints(points);
   out->SetCells(turned ? VTK_HEXAHEDRON : VTK_VOXEL, cells);
-  out->GetCellData()->AddArray(levels);
-  out->GetCellData()->AddArray(types);
   addFrame(octree.frame(), out);
 }
 

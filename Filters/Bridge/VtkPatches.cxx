@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Patches and diagnostics of VtkDualMesh.h.
+#include "AddArray.h"
 #include "VtkDualMesh.h"
 
 #include <vtkCellArray.h>
@@ -121,21 +122,13 @@ public:
   {
     writeFaces(
         patch, mesh.boundaryFaces, [](const BoundaryFace& face) { return face; }, out);
-    vtkNew<vtkIntArray> sides;
-    sides->SetName("Side");
-    vtkNew<vtkIntArray> counts;
-    counts->SetName("LayerCount");
-    vtkNew<vtkDoubleArray> thicknesses;
-    thicknesses->SetName("LayerThickness");
-    for (const Index f : patch.faces)
-    {
-      sides->InsertNextValue(static_cast<int>(mesh.boundaryFaces[f].side));
-      counts->InsertNextValue(f < layers.counts.size() ? layers.counts[f] : 0);
-      thicknesses->InsertNextValue(f < layers.thicknesses.size() ? layers.thicknesses[f] : 0.0);
-    }
-    out->GetCellData()->AddArray(sides);
-    out->GetCellData()->AddArray(counts);
-    out->GetCellData()->AddArray(thicknesses);
+    vtkCellData* data = out->GetCellData();
+    addArrayOf<vtkIntArray>(data, "Side", patch.faces,
+                            [&](Index f) { return static_cast<int>(mesh.boundaryFaces[f].side); });
+    addArrayOf<vtkIntArray>(data, "LayerCount", patch.faces,
+                            [&](Index f) { return f < layers.counts.size() ? layers.counts[f] : 0; });
+    addArrayOf<vtkDoubleArray>(data, "LayerThickness", patch.faces,
+                               [&](Index f) { return f < layers.thicknesses.size() ? layers.thicknesses[f] : 0.0; });
   }
 
   /// Seen from the elements at the back of the surface.
@@ -143,14 +136,10 @@ public:
   {
     writeFaces(
         zone, mesh.zoneFaces, [&](const ZoneFace& face) { return atBack(face); }, out);
-    vtkNew<vtkIdTypeArray> neighbors;
-    neighbors->SetName("NeighborCellId");
-    for (const Index f : zone.faces)
-    {
+    addArrayOf<vtkIdTypeArray>(out->GetCellData(), "NeighborCellId", zone.faces, [&](Index f) {
       const ZoneFace face = atBack(mesh.zoneFaces[f]);
-      neighbors->InsertNextValue(mesh.neighbors[face.element][face.direction]);
-    }
-    out->GetCellData()->AddArray(neighbors);
+      return mesh.neighbors[face.element][face.direction];
+    });
   }
 
 private:
@@ -186,13 +175,10 @@ private:
   {
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();
-    vtkNew<vtkIdTypeArray> ids;
-    ids->SetName("VolumePointId");
     vtkNew<vtkCellArray> polys;
-    vtkNew<vtkIntArray> surfaceIds;
-    surfaceIds->SetName("SurfaceId");
-    vtkNew<vtkIdTypeArray> owners;
-    owners->SetName("OwnerCellId");
+    auto* ids = addArray<vtkIdTypeArray>(out->GetPointData(), "VolumePointId");
+    auto* surfaceIds = addArray<vtkIntArray>(out->GetCellData(), "SurfaceId");
+    auto* owners = addArray<vtkIdTypeArray>(out->GetCellData(), "OwnerCellId");
     for (const Index f : patch.faces)
     {
       const auto face = seen(faces[f]);
@@ -211,9 +197,6 @@ private:
     }
     out->SetPoints(points);
     out->SetPolys(polys);
-    out->GetPointData()->AddArray(ids);
-    out->GetCellData()->AddArray(surfaceIds);
-    out->GetCellData()->AddArray(owners);
   }
 
   vtkIdType localPoint(Index p, vtkPoints* points, vtkIdTypeArray* ids)
@@ -261,55 +244,27 @@ void patchesToVtk(const DualMesh& mesh, const std::vector<std::string>& surfaceN
 
 void layersToVtk(const LayerReport& layers, vtkPolyData* out)
 {
-  vtkNew<vtkStringArray> names;
-  names->SetName("LayerSurface");
-  vtkNew<vtkIntArray> asked;
-  asked->SetName("LayersAsked");
-  for (const LayerCoverage& surface : layers.surfaces)
-  {
-    names->InsertNextValue(surface.surface);
-    asked->InsertNextValue(surface.layers);
-  }
-  out->GetFieldData()->AddArray(names);
-  out->GetFieldData()->AddArray(asked);
-  const auto add = [&](const char* name, auto&& value) {
-    vtkNew<vtkDoubleArray> values;
-    values->SetName(name);
-    for (const LayerCoverage& surface : layers.surfaces)
-    {
-      values->InsertNextValue(value(surface));
-    }
-    out->GetFieldData()->AddArray(values);
-  };
-  add("LayerArea", [](const LayerCoverage& s) { return s.area; });
-  add("LayerCoverage", [](const LayerCoverage& s) { return s.layered / s.area; });
-  add("LayerFullCoverage", [](const LayerCoverage& s) { return s.full / s.area; });
-  add("LayerThicknessRatio", [](const LayerCoverage& s) { return s.thickness; });
+  vtkFieldData* data = out->GetFieldData();
+  addArrayOf<vtkStringArray>(data, "LayerSurface", layers.surfaces, &LayerCoverage::surface);
+  addArrayOf<vtkIntArray>(data, "LayersAsked", layers.surfaces, &LayerCoverage::layers);
+  addArrayOf<vtkDoubleArray>(data, "LayerArea", layers.surfaces, &LayerCoverage::area);
+  addArrayOf<vtkDoubleArray>(data, "LayerCoverage", layers.surfaces,
+                             [](const LayerCoverage& s) { return s.layered / s.area; });
+  addArrayOf<vtkDoubleArray>(data, "LayerFullCoverage", layers.surfaces,
+                             [](const LayerCoverage& s) { return s.full / s.area; });
+  addArrayOf<vtkDoubleArray>(data, "LayerThicknessRatio", layers.surfaces, &LayerCoverage::thickness);
 }
 
 void hiddenDetailToVtk(const std::vector<HiddenDetail>& hidden, const std::vector<std::string>& surfaceNames,
                        vtkFieldData* out)
 {
-  vtkNew<vtkStringArray> surfaces;
-  surfaces->SetName("HiddenDetailSurface");
-  for (const HiddenDetail& detail : hidden)
-  {
-    surfaces->InsertNextValue(detail.surface < surfaceNames.size() ? surfaceNames[detail.surface] : "");
-  }
-  out->AddArray(surfaces);
-  const auto add = [&](const char* name, auto&& value) {
-    vtkNew<vtkDoubleArray> values;
-    values->SetName(name);
-    for (const HiddenDetail& detail : hidden)
-    {
-      values->InsertNextValue(static_cast<double>(value(detail)));
-    }
-    out->AddArray(values);
-  };
-  add("LeftOutTriangles", [](const HiddenDetail& d) { return d.leftOutTriangles; });
-  add("LeftOutArea", [](const HiddenDetail& d) { return d.leftOutArea; });
-  add("ClusteredTriangles", [](const HiddenDetail& d) { return d.clusteredTriangles; });
-  add("ClusteredArea", [](const HiddenDetail& d) { return d.clusteredArea; });
+  addArrayOf<vtkStringArray>(out, "HiddenDetailSurface", hidden, [&](const HiddenDetail& detail) {
+    return detail.surface < surfaceNames.size() ? surfaceNames[detail.surface] : std::string();
+  });
+  addArrayOf<vtkDoubleArray>(out, "LeftOutTriangles", hidden, &HiddenDetail::leftOutTriangles);
+  addArrayOf<vtkDoubleArray>(out, "LeftOutArea", hidden, &HiddenDetail::leftOutArea);
+  addArrayOf<vtkDoubleArray>(out, "ClusteredTriangles", hidden, &HiddenDetail::clusteredTriangles);
+  addArrayOf<vtkDoubleArray>(out, "ClusteredArea", hidden, &HiddenDetail::clusteredArea);
 }
 
 void repairToVtk(const SurfaceRepairReport& report, vtkPolyData* out)
@@ -325,17 +280,8 @@ void repairToVtk(const SurfaceRepairReport& report, vtkPolyData* out)
       {"LargestGap", report.largestGap},
       {"FlippedTriangles", static_cast<double>(report.flippedTriangles)},
       {"UnresolvedContacts", static_cast<double>(report.unresolvedContacts)}};
-  vtkNew<vtkStringArray> names;
-  names->SetName("RepairName");
-  vtkNew<vtkDoubleArray> values;
-  values->SetName("RepairValue");
-  for (const auto& [name, value] : entries)
-  {
-    names->InsertNextValue(name);
-    values->InsertNextValue(value);
-  }
-  out->GetFieldData()->AddArray(names);
-  out->GetFieldData()->AddArray(values);
+  addArrayOf<vtkStringArray>(out->GetFieldData(), "RepairName", entries, &std::pair<const char*, double>::first);
+  addArrayOf<vtkDoubleArray>(out->GetFieldData(), "RepairValue", entries, &std::pair<const char*, double>::second);
 }
 
 void diagnosticsToVtk(const DualMeshResult& result, const std::vector<std::string>& surfaceNames, vtkPolyData* out)
@@ -344,12 +290,9 @@ void diagnosticsToVtk(const DualMeshResult& result, const std::vector<std::strin
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> vertices;
   vtkNew<vtkCellArray> lines;
-  vtkNew<vtkIntArray> kinds;
-  kinds->SetName("Diagnostic");
-  vtkNew<vtkIdTypeArray> elements;
-  elements->SetName("CellId");
-  vtkNew<vtkDoubleArray> widths;
-  widths->SetName("Width");
+  auto* kinds = addArray<vtkIntArray>(out->GetCellData(), "Diagnostic");
+  auto* elements = addArray<vtkIdTypeArray>(out->GetCellData(), "CellId");
+  auto* widths = addArray<vtkDoubleArray>(out->GetCellData(), "Width");
   // Polydata keeps the data of vertices before those of lines.
   for (const bool asLines : {false, true})
   {
@@ -378,16 +321,8 @@ void diagnosticsToVtk(const DualMeshResult& result, const std::vector<std::strin
   out->SetPoints(points);
   out->SetVerts(vertices);
   out->SetLines(lines);
-  out->GetCellData()->SetScalars(kinds); // what programs color by unless told otherwise
-  out->GetCellData()->AddArray(elements);
-  out->GetCellData()->AddArray(widths);
-  vtkNew<vtkStringArray> names;
-  names->SetName("DiagnosticName");
-  for (const char* name : diagnosticNames)
-  {
-    names->InsertNextValue(name);
-  }
-  out->GetFieldData()->AddArray(names);
+  out->GetCellData()->SetActiveScalars("Diagnostic"); // what programs color by unless told otherwise
+  addArrayOf<vtkStringArray>(out->GetFieldData(), "DiagnosticName", diagnosticNames);
   std::vector<char> met(surfaceNames.size(), 0);
   for (const BoundaryFace& face : result.mesh.boundaryFaces)
   {
@@ -400,8 +335,7 @@ void diagnosticsToVtk(const DualMeshResult& result, const std::vector<std::strin
   {
     met[face.tag] = 1;
   }
-  vtkNew<vtkStringArray> lost;
-  lost->SetName("SurfaceWithoutFaces");
+  auto* lost = addArray<vtkStringArray>(out->GetFieldData(), "SurfaceWithoutFaces");
   for (std::size_t i = 0; i + result.rooms.found < met.size(); ++i)
   {
     if (!met[i])
@@ -409,7 +343,6 @@ void diagnosticsToVtk(const DualMeshResult& result, const std::vector<std::strin
       lost->InsertNextValue(surfaceNames[i]);
     }
   }
-  out->GetFieldData()->AddArray(lost);
   zonesToVtk(result.zones, surfaceNames, out->GetFieldData());
   leaksToVtk(result.leaks, surfaceNames, out->GetFieldData());
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "VtkRecordedPatches.h"
 
+#include "AddArray.h"
 #include "Support/Error.h"
 
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
-#include <vtkNew.h>
 #include <vtkStringArray.h>
 #include <vtkTypeUInt32Array.h>
 #include <vtkUnstructuredGrid.h>
@@ -74,26 +74,15 @@ bool appendRecord(vtkDataArray* faces, vtkIdType f, const Arrays& arrays, VtkPat
 
 void record(const VtkPatches& all, const Arrays& arrays, vtkUnstructuredGrid* volume)
 {
-  vtkNew<vtkStringArray> names;
-  names->SetName(arrays.names);
-  vtkNew<vtkIdTypeArray> counts;
-  counts->SetName(arrays.counts);
-  for (const VtkPatches::Patch& patch : all.patches)
-  {
-    names->InsertNextValue(patch.name);
-    counts->InsertNextValue(static_cast<vtkIdType>(patch.faceCount));
-  }
-  vtkNew<vtkTypeUInt32Array> faces;
-  faces->SetName(arrays.faces);
-  faces->SetNumberOfComponents(arrays.length());
+  vtkFieldData* data = volume->GetFieldData();
+  addArrayOf<vtkStringArray>(data, arrays.names, all.patches, &VtkPatches::Patch::name);
+  addArrayOf<vtkIdTypeArray>(data, arrays.counts, all.patches, &VtkPatches::Patch::faceCount);
+  auto* faces = addArray<vtkTypeUInt32Array>(data, arrays.faces, arrays.length());
   faces->SetNumberOfTuples(static_cast<vtkIdType>(all.owners.size()));
   for (std::size_t f = 0; f < all.owners.size(); ++f)
   {
     faces->SetTypedTuple(static_cast<vtkIdType>(f), recordOf(all, f, arrays.cells).data());
   }
-  volume->GetFieldData()->AddArray(names);
-  volume->GetFieldData()->AddArray(counts);
-  volume->GetFieldData()->AddArray(faces);
 }
 
 std::optional<VtkPatches> recorded(vtkUnstructuredGrid* volume, const Arrays& arrays)

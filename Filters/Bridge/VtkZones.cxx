@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Zones, rooms and leaks of VtkDualMesh.h.
+#include "AddArray.h"
+#include "Support/Text.h"
 #include "VtkDualMesh.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
 #include <vtkIntArray.h>
-#include <vtkNew.h>
 #include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -28,16 +29,6 @@ std::string nameOf(Index surface, const std::vector<std::string>& names)
   return surface < names.size() ? names[surface] : sideNames[zMin];
 }
 
-std::string joined(const std::vector<std::string>& parts, const char* between)
-{
-  std::string text;
-  for (const std::string& part : parts)
-  {
-    text += (text.empty() ? "" : between) + part;
-  }
-  return text;
-}
-
 std::vector<std::string> namesOf(const std::vector<Index>& surfaces, const std::vector<std::string>& names)
 {
   std::vector<std::string> out;
@@ -46,15 +37,6 @@ std::vector<std::string> namesOf(const std::vector<Index>& surfaces, const std::
     out.push_back(nameOf(surface, names));
   }
   return out;
-}
-
-template <typename Array> Array* added(vtkFieldData* to, const char* name, int components = 1)
-{
-  vtkNew<Array> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  to->AddArray(array);
-  return array;
 }
 
 /// Without the digits that rounding leaves.
@@ -72,7 +54,7 @@ std::string messageOf(const Leak& leak, const std::vector<std::string>& beside)
   text << ", " << leak.width << " wide";
   if (!beside.empty())
   {
-    text << ", beside " << joined(beside, ", ");
+    text << ", beside " << joined(beside);
   }
   return text.str();
 }
@@ -81,13 +63,13 @@ std::string messageOf(const Leak& leak, const std::vector<std::string>& beside)
 
 void zonesToVtk(const std::vector<ZoneSummary>& zones, const std::vector<std::string>& surfaceNames, vtkFieldData* out)
 {
-  auto* elements = added<vtkIdTypeArray>(out, "ZoneElements");
-  auto* kept = added<vtkUnsignedCharArray>(out, "ZoneKept");
-  auto* places = added<vtkDoubleArray>(out, "ZonePoint", 3);
-  auto* volumes = added<vtkDoubleArray>(out, "ZoneVolume");
-  auto* kinds = added<vtkStringArray>(out, "ZoneKind");
-  auto* sides = added<vtkStringArray>(out, "ZoneSides");
-  auto* surfaces = added<vtkStringArray>(out, "ZoneSurfaces");
+  auto* elements = addArray<vtkIdTypeArray>(out, "ZoneElements");
+  auto* kept = addArray<vtkUnsignedCharArray>(out, "ZoneKept");
+  auto* places = addArray<vtkDoubleArray>(out, "ZonePoint", 3);
+  auto* volumes = addArray<vtkDoubleArray>(out, "ZoneVolume");
+  auto* kinds = addArray<vtkStringArray>(out, "ZoneKind");
+  auto* sides = addArray<vtkStringArray>(out, "ZoneSides");
+  auto* surfaces = addArray<vtkStringArray>(out, "ZoneSurfaces");
   for (const ZoneSummary& zone : zones)
   {
     elements->InsertNextValue(static_cast<vtkIdType>(zone.elements));
@@ -114,10 +96,10 @@ void roomsToVtk(const RoomReport& report, const std::vector<std::string>& surfac
   {
     return;
   }
-  auto* rooms = added<vtkStringArray>(out, "RoomName");
-  auto* volumes = added<vtkDoubleArray>(out, "RoomVolume");
-  auto* floors = added<vtkDoubleArray>(out, "RoomFloorArea");
-  auto* openingsOf = added<vtkStringArray>(out, "RoomOpenings");
+  auto* rooms = addArray<vtkStringArray>(out, "RoomName");
+  auto* volumes = addArray<vtkDoubleArray>(out, "RoomVolume");
+  auto* floors = addArray<vtkDoubleArray>(out, "RoomFloorArea");
+  auto* openingsOf = addArray<vtkStringArray>(out, "RoomOpenings");
   for (const Room& room : report.rooms)
   {
     rooms->InsertNextValue(room.name);
@@ -128,10 +110,10 @@ void roomsToVtk(const RoomReport& report, const std::vector<std::string>& surfac
                            [&](Index opening) { return report.openings[opening].surface; });
     openingsOf->InsertNextValue(joined(namesOf(openings, surfaceNames), "\n"));
   }
-  auto* names = added<vtkStringArray>(out, "OpeningName");
-  auto* walls = added<vtkStringArray>(out, "OpeningSurface");
-  auto* areas = added<vtkDoubleArray>(out, "OpeningArea");
-  auto* between = added<vtkIntArray>(out, "OpeningRooms", 2);
+  auto* names = addArray<vtkStringArray>(out, "OpeningName");
+  auto* walls = addArray<vtkStringArray>(out, "OpeningSurface");
+  auto* areas = addArray<vtkDoubleArray>(out, "OpeningArea");
+  auto* between = addArray<vtkIntArray>(out, "OpeningRooms", 2);
   for (const RoomOpening& opening : report.openings)
   {
     names->InsertNextValue(surfaceNames[opening.surface]);
@@ -143,11 +125,11 @@ void roomsToVtk(const RoomReport& report, const std::vector<std::string>& surfac
 
 void leaksToVtk(const std::vector<Leak>& leaks, const std::vector<std::string>& surfaceNames, vtkFieldData* out)
 {
-  auto* seeds = added<vtkDoubleArray>(out, "LeakSeed", 3);
-  auto* places = added<vtkDoubleArray>(out, "LeakPlace", 3);
-  auto* surfaces = added<vtkStringArray>(out, "LeakSurfaces");
-  auto* sides = added<vtkStringArray>(out, "LeakSide");
-  auto* messages = added<vtkStringArray>(out, "LeakMessage");
+  auto* seeds = addArray<vtkDoubleArray>(out, "LeakSeed", 3);
+  auto* places = addArray<vtkDoubleArray>(out, "LeakPlace", 3);
+  auto* surfaces = addArray<vtkStringArray>(out, "LeakSurfaces");
+  auto* sides = addArray<vtkStringArray>(out, "LeakSide");
+  auto* messages = addArray<vtkStringArray>(out, "LeakMessage");
   for (const Leak& leak : leaks)
   {
     const std::vector<std::string> beside = namesOf(leak.surfaces, surfaceNames);

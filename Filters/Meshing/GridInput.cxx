@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "GridInput.h"
 
+#include "AddArray.h"
 #include "Octree/Sizing/SizeRules.h"
 #include "Ranks.h"
 #include "Support/Error.h"
@@ -11,7 +12,6 @@
 
 #include <vtkDataObject.h>
 #include <vtkFieldData.h>
-#include <vtkNew.h>
 #include <vtkStringArray.h>
 
 #include <algorithm>
@@ -70,14 +70,11 @@ SizingOptions sizingOf(vtkAtriaGridAlgorithm& filter)
 void addWarnings(const char* name, const std::vector<std::string>& warnings, vtkAtriaGridAlgorithm& filter,
                  vtkDataObject* out)
 {
-  vtkNew<vtkStringArray> texts;
-  texts->SetName(name);
+  addArrayOf<vtkStringArray>(out->GetFieldData(), name, warnings);
   for (const std::string& warning : warnings)
   {
-    texts->InsertNextValue(warning);
     vtkWarningWithObjectMacro(&filter, << warning);
   }
-  out->GetFieldData()->AddArray(texts);
 }
 
 SiteOptions siteOptionsOf(vtkAtriaGridAlgorithm& filter)

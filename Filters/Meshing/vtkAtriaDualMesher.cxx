@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkAtriaDualMesher.h"
 
+#include "AddArray.h"
 #include "AlgorithmProgress.h"
 #include "GridInput.h"
 #include "Mesher/MeshModel.h"
@@ -55,28 +56,14 @@ std::vector<atria::Vec3> toCore(const Points& points)
   return out;
 }
 
-void addFieldData(vtkUnstructuredGrid* out, int maximumLevel)
-{
-  vtkNew<vtkIntArray> level;
-  level->SetName("MaxLevel");
-  level->InsertNextValue(maximumLevel);
-  out->GetFieldData()->AddArray(level);
-}
-
 /// What a reader subtracted from the model's points, so that writers can add it again.
 void addModelOffset(vtkUnstructuredGrid* out, vtkDataObject* surfaces)
 {
   constexpr const char* name = "ModelOffset";
   vtkDataArray* given = surfaces->GetFieldData()->GetArray(name);
-  vtkNew<vtkDoubleArray> offset;
-  offset->SetName(name);
-  offset->SetNumberOfComponents(3);
-  offset->InsertNextTuple3(0.0, 0.0, 0.0);
-  if (given && given->GetNumberOfValues() == 3)
-  {
-    offset->SetTuple(0, given->GetTuple(0));
-  }
-  out->GetFieldData()->AddArray(offset);
+  const bool isGiven = given && given->GetNumberOfValues() == 3;
+  const atria::Vec3 offset = isGiven ? atria::Vec3(given->GetTuple3(0)) : atria::Vec3(atria::Vec3::Zero());
+  atria::addArray<vtkDoubleArray>(out->GetFieldData(), name, 3)->InsertNextTuple(offset.data());
 }
 
 /// What holds for all surfaces, then the rules.
@@ -352,7 +339,7 @@ int vtkAtriaDualMesher::RequestData(vtkInformation*, vtkInformationVector** inpu
     atria::layersToVtk(result.layers, diagnostics);
     atria::roomsToVtk(result.rooms, result.names, diagnostics->GetFieldData());
     clock.lap("output");
-    addFieldData(volume, result.maximumLevel);
+    atria::addArrayOf<vtkIntArray>(volume->GetFieldData(), "MaxLevel", std::array{result.maximumLevel});
     addModelOffset(volume, vtkDataObject::GetData(inputs[0]));
     this->Stages = result.stages;
     this->Stages.push_back(clock.stages().back());

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkAtriaPreflight.h"
 
+#include "AddArray.h"
 #include "AlgorithmProgress.h"
 #include "GridInput.h"
 #include "Mesher/Preflight.h"
 #include "VtkDualMesh.h"
 
+#include <vtkDataSetAttributes.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkInformation.h>
@@ -26,11 +28,11 @@ namespace {
 class TableWriter
 {
 public:
-  TableWriter()
+  explicit TableWriter(vtkTable* out)
+      : quantities(atria::addArray<vtkStringArray>(out->GetRowData(), "Quantity")),
+        values(atria::addArray<vtkDoubleArray>(out->GetRowData(), "Value")),
+        units(atria::addArray<vtkStringArray>(out->GetRowData(), "Unit"))
   {
-    quantities->SetName("Quantity");
-    values->SetName("Value");
-    units->SetName("Unit");
   }
 
   void add(const std::string& quantity, double value, const char* unit)
@@ -54,29 +56,11 @@ public:
     }
   }
 
-  void finish(vtkTable* out)
-  {
-    out->AddColumn(quantities);
-    out->AddColumn(values);
-    out->AddColumn(units);
-  }
-
 private:
-  vtkNew<vtkStringArray> quantities;
-  vtkNew<vtkDoubleArray> values;
-  vtkNew<vtkStringArray> units;
+  vtkStringArray* quantities;
+  vtkDoubleArray* values;
+  vtkStringArray* units;
 };
-
-void addStrings(vtkTable* out, const char* name, const std::vector<std::string>& texts)
-{
-  vtkNew<vtkStringArray> strings;
-  strings->SetName(name);
-  for (const std::string& text : texts)
-  {
-    strings->InsertNextValue(text);
-  }
-  out->GetFieldData()->AddArray(strings);
-}
 
 std::vector<std::string> surfacesOf(const atria::Narrow& narrow, const std::vector<std::string>& names)
 {
@@ -121,7 +105,7 @@ void addBySide(const atria::Preflight& report, TableWriter& table)
 void preflightToVtk(const atria::Preflight& report, const std::vector<std::string>& names, vtkTable* out)
 {
   static const char* const sides[6] = {"XMin", "XMax", "YMin", "YMax", "ZMin", "ZMax"};
-  TableWriter table;
+  TableWriter table(out);
   table.add("DomainAngle", report.domain.axes.angle(), "degrees");
   table.add("DomainSides", static_cast<double>(report.domain.sides().size()), "");
   for (int direction = 0; direction < 6; ++direction)
@@ -141,11 +125,11 @@ void preflightToVtk(const atria::Preflight& report, const std::vector<std::strin
   table.addNarrow("Opening", report.narrow.opening, report.octantsAcrossOpening);
   table.addNarrow("Gap", report.narrow.gap, report.octantsAcrossGap);
   table.add("EstimatedElements", static_cast<double>(report.estimatedElements), "");
-  table.finish(out);
   atria::hiddenDetailToVtk(report.hidden, names, out->GetFieldData());
-  addStrings(out, "Warning", report.warnings);
-  addStrings(out, "OpeningSurface", surfacesOf(report.narrow.opening, names));
-  addStrings(out, "GapSurface", surfacesOf(report.narrow.gap, names));
+  vtkFieldData* data = out->GetFieldData();
+  atria::addArrayOf<vtkStringArray>(data, "Warning", report.warnings);
+  atria::addArrayOf<vtkStringArray>(data, "OpeningSurface", surfacesOf(report.narrow.opening, names));
+  atria::addArrayOf<vtkStringArray>(data, "GapSurface", surfacesOf(report.narrow.gap, names));
 }
 
 } // namespace

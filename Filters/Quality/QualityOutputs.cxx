@@ -1,28 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "QualityOutputs.h"
 
+#include "AddArray.h"
 #include "Support/Error.h"
+#include "Support/Text.h"
 
 #include <vtkCellData.h>
+#include <vtkDataSetAttributes.h>
+#include <vtkIdTypeArray.h>
+#include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
+#include <iterator>
 
 namespace atria {
 
 namespace {
-
-vtkSmartPointer<vtkDoubleArray> makeColumn(const std::string& name, std::span<const double> values,
-                                           const Executor& executor = SerialExecutor())
-{
-  auto column = vtkSmartPointer<vtkDoubleArray>::New();
-  column->SetName(name.c_str());
-  column->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
-  double* to = column->GetPointer(0);
-  executor.forEach(values.size(), 65536, [&](std::size_t i) { to[i] = values[i]; });
-  return column;
-}
 
 /// Those there are values for: some metrics have none for faces on the boundary, which come last.
 std::vector<double> chosen(std::span<const double> values, std::span<const Index> numbers)
@@ -44,9 +39,6 @@ QualityOutputs::QualityOutputs(int numberOfBins, const std::string& shownMetric,
                                const SampledPiece* sampled)
     : bins(static_cast<std::size_t>(numberOfBins)), shown(shownMetric), executor(threads), piece(sampled)
 {
-  names->SetName("Metric");
-  parts->SetName("Of");
-  counts->SetName("Count");
 }
 
 vtkSmartPointer<vtkDoubleArray> QualityOutputs::emptyColumn(const std::string& name, std::size_t size)
@@ -59,7 +51,10 @@ vtkSmartPointer<vtkDoubleArray> QualityOutputs::emptyColumn(const std::string& n
 
 void QualityOutputs::addCells(const char* name, std::span<const double> values)
 {
-  arrays.push_back(makeColumn(name, values, executor));
+  auto column = emptyColumn(name, values.size());
+  double* const to = column->GetPointer(0);
+  executor.forEach(values.size(), 65536, [&](std::size_t i) { to[i] = values[i]; });
+  arrays.push_back(column);
 }
 
 void QualityOutputs::addSample(const QualitySample& sample)
@@ -68,24 +63,17 @@ void QualityOutputs::addSample(const QualitySample& sample)
       piece ? chosen(sample.values, sample.ofFaces ? piece->faces : piece->cells) : std::vector<double>();
   const Distribution distribution = distributionOf(piece ? std::span<const double>(own) : sample.values, bins, executor,
                                                    sample.repeated, piece ? &piece->together : nullptr);
-  const Statistics& s = distribution.statistics;
-  names->InsertNextValue(sample.name);
-  parts->InsertNextValue(sample.ofFaces ? "faces" : "cells");
-  counts->InsertNextValue(static_cast<vtkIdType>(s.count));
-  minima.push_back(s.minimum);
-  maxima.push_back(s.maximum);
-  means.push_back(s.mean);
-  deviations.push_back(s.standardDeviation);
+  metrics.push_back({sample.name, sample.ofFaces ? "faces" : "cells", distribution.statistics});
   const std::string name = sample.name;
   const Histogram& h = distribution.histogram;
-  histogram->AddColumn(makeColumn(name, h.centers));
-  histogram->AddColumn(makeColumn(name + "_PDF", h.density));
-  histogram->AddColumn(makeColumn(name + "_CDF", h.cumulative));
+  addArrayOf<vtkDoubleArray>(histogram->GetRowData(), name.c_str(), h.centers);
+  addArrayOf<vtkDoubleArray>(histogram->GetRowData(), (name + "_PDF").c_str(), h.density);
+  addArrayOf<vtkDoubleArray>(histogram->GetRowData(), (name + "_CDF").c_str(), h.cumulative);
   if (name == shown)
   {
-    first->AddColumn(makeColumn("Value", h.centers));
-    first->AddColumn(makeColumn("PDF", h.density));
-    first->AddColumn(makeColumn("CDF", h.cumulative));
+    addArrayOf<vtkDoubleArray>(first->GetRowData(), "Value", h.centers);
+    addArrayOf<vtkDoubleArray>(first->GetRowData(), "PDF", h.density);
+    addArrayOf<vtkDoubleArray>(first->GetRowData(), "CDF", h.cumulative);
   }
 }
 
@@ -133,13 +121,17 @@ void QualityOutputs::fill(vtkUnstructuredGrid* grid, vtkTable* summary, vtkTable
   {
     grid->GetCellData()->AddArray(array);
   }
-  summary->AddColumn(names);
-  summary->AddColumn(parts);
-  summary->AddColumn(makeColumn("Minimum", minima));
-  summary->AddColumn(makeColumn("Maximum", maxima));
-  summary->AddColumn(makeColumn("Mean", means));
-  summary->AddColumn(makeColumn("StandardDeviation", deviations));
-  summary->AddColumn(counts);
+  vtkDataSetAttributes* rows = summary->GetRowData();
+  addArrayOf<vtkStringArray>(rows, "Metric", metrics, &Metric::name);
+  addArrayOf<vtkStringArray>(rows, "Of", metrics, &Metric::part);
+  const auto addFigure = [&](const char* name, double Statistics::*figure) {
+    addArrayOf<vtkDoubleArray>(rows, name, metrics, [&](const Metric& metric) { return metric.statistics.*figure; });
+  };
+  addFigure("Minimum", &Statistics::minimum);
+  addFigure("Maximum", &Statistics::maximum);
+  addFigure("Mean", &Statistics::mean);
+  addFigure("StandardDeviation", &Statistics::standardDeviation);
+  addArrayOf<vtkIdTypeArray>(rows, "Count", metrics, [](const Metric& metric) { return metric.statistics.count; });
   histograms->ShallowCopy(first);
   for (vtkIdType i = 0; i < histogram->GetNumberOfColumns(); ++i)
   {
@@ -153,12 +145,9 @@ void QualityOutputs::checkShown() const
   {
     return;
   }
-  std::string known;
-  for (vtkIdType i = 0; i < names->GetNumberOfValues(); ++i)
-  {
-    known += (i == 0 ? "" : ", ") + names->GetValue(i);
-  }
-  throw Error("HistogramMetric is '" + shown + "', which was not measured; there are " + known +
+  std::vector<std::string> known;
+  std::ranges::transform(metrics, std::back_inserter(known), &Metric::name);
+  throw Error("HistogramMetric is '" + shown + "', which was not measured; there are " + joined(known) +
               ", and with CheckMesh more");
 }
 

@@ -6,10 +6,8 @@
 #include "Support/Executor.h"
 
 #include <vtkDoubleArray.h>
-#include <vtkIdTypeArray.h>
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
-#include <vtkStringArray.h>
 #include <vtkTable.h>
 
 #include <span>
@@ -70,6 +68,13 @@ public:
   std::vector<vtkSmartPointer<vtkDataArray>> arrays;
 
 private:
+  struct Metric
+  {
+    const char* name;
+    const char* part; ///< what it is of
+    Statistics statistics;
+  };
+
   static vtkSmartPointer<vtkDoubleArray> emptyColumn(const std::string& name, std::size_t size);
 
   /// Adds an array of cells, and returns what is in it.
@@ -90,12 +95,9 @@ private:
   std::string shown;
   const Executor& executor;
   const SampledPiece* piece;
-  vtkNew<vtkStringArray> names;
-  vtkNew<vtkStringArray> parts;
-  vtkNew<vtkIdTypeArray> counts;
+  std::vector<Metric> metrics;
   vtkNew<vtkTable> first; ///< of the histogram, those of the metric that is shown
   vtkNew<vtkTable> histogram;
-  std::vector<double> minima, maxima, means, deviations;
 };
 
 } // namespace atria

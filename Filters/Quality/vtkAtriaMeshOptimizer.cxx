@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkAtriaMeshOptimizer.h"
 
+#include "AddArray.h"
 #include "AlgorithmProgress.h"
 #include "Optimize/AnyMesh/MeshOptimizer.h"
 #include "PropertyRange.h"
 #include "Ranks.h"
 #include "SmpExecutor.h"
+#include "VtkArrays.h"
 #include "VtkFaceMesh.h"
 
 #include <vtkCellData.h>
@@ -24,7 +26,7 @@
 #include <vtkPolyData.h>
 #include <vtkUnstructuredGrid.h>
 
-#include <algorithm>
+#include <array>
 #include <cmath>
 #include <exception>
 #include <numbers>
@@ -33,19 +35,6 @@
 vtkStandardNewMacro(vtkAtriaMeshOptimizer);
 
 namespace {
-
-vtkSmartPointer<vtkPoints> toVtkPoints(const std::vector<atria::Vec3>& points)
-{
-  auto out = vtkSmartPointer<vtkPoints>::New();
-  out->SetDataTypeToDouble();
-  out->SetNumberOfPoints(static_cast<vtkIdType>(points.size()));
-  if (!points.empty())
-  {
-    double* values = vtkDoubleArray::SafeDownCast(out->GetData())->GetPointer(0);
-    std::copy_n(points.front().data(), 3 * points.size(), values);
-  }
-  return out;
-}
 
 /// The patch of each boundary face; all faces without one have the same number. Empty without patches.
 std::vector<atria::Index> patchOfFaces(const atria::VtkFaceMesh& source)
@@ -113,7 +102,7 @@ void movePatches(vtkPartitionedDataSetCollection* from, const std::vector<atria:
       }
       vtkNew<vtkPolyData> moved;
       moved->ShallowCopy(patch);
-      moved->SetPoints(toVtkPoints(own));
+      moved->SetPoints(atria::pointsToVtk(own));
       parts->SetPartition(parts->GetNumberOfPartitions(), moved);
     }
     to->SetPartitionedDataSet(i, parts);
@@ -124,35 +113,21 @@ void movePatches(vtkPartitionedDataSetCollection* from, const std::vector<atria:
   }
 }
 
-void addCount(const char* name, std::size_t count, vtkFieldData* data)
-{
-  vtkNew<vtkIdTypeArray> array;
-  array->SetName(name);
-  array->InsertNextValue(static_cast<vtkIdType>(count));
-  data->AddArray(array);
-}
-
 /// What was done, and how far it got.
 void addReport(const atria::MeshOptimizerReport& report, vtkUnstructuredGrid* before, vtkUnstructuredGrid* mesh)
 {
-  vtkNew<vtkFloatArray> shares;
-  shares->SetName("TargetShare");
-  shares->SetNumberOfTuples(mesh->GetNumberOfCells());
-  std::ranges::copy(report.shares, shares->GetPointer(0));
-  mesh->GetCellData()->AddArray(shares);
-  vtkNew<vtkDoubleArray> moves;
-  moves->SetName("Displacement");
-  moves->SetNumberOfComponents(3);
+  atria::addArrayOf<vtkFloatArray>(mesh->GetCellData(), "TargetShare", report.shares);
+  auto* moves = atria::addArray<vtkDoubleArray>(mesh->GetPointData(), "Displacement", 3);
   moves->SetNumberOfTuples(mesh->GetNumberOfPoints());
   for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
   {
     const atria::Vec3 move = atria::Vec3(mesh->GetPoint(p)) - atria::Vec3(before->GetPoint(p));
     moves->SetTypedTuple(p, move.data());
   }
-  mesh->GetPointData()->AddArray(moves);
-  addCount("MovedPoints", report.movedPoints, mesh->GetFieldData());
-  addCount("PoorCellsBefore", report.shortBefore, mesh->GetFieldData());
-  addCount("PoorCells", report.shortAfter, mesh->GetFieldData());
+  vtkFieldData* data = mesh->GetFieldData();
+  atria::addArrayOf<vtkIdTypeArray>(data, "MovedPoints", std::array{report.movedPoints});
+  atria::addArrayOf<vtkIdTypeArray>(data, "PoorCellsBefore", std::array{report.shortBefore});
+  atria::addArrayOf<vtkIdTypeArray>(data, "PoorCells", std::array{report.shortAfter});
 }
 
 } // namespace
@@ -238,7 +213,7 @@ int vtkAtriaMeshOptimizer::RequestData(vtkInformation*, vtkInformationVector** i
         atria::optimizeMesh(source.mesh, source.cells.view(), patchOfFaces(source), options, context.part(0.1, 0.98));
     vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs, 0);
     output->ShallowCopy(volume);
-    output->SetPoints(toVtkPoints(source.mesh.points));
+    output->SetPoints(atria::pointsToVtk(source.mesh.points));
     addReport(report, volume, output);
     if (patches)
     {

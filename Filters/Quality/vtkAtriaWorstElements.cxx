@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkAtriaWorstElements.h"
 
+#include "AddArray.h"
 #include "AlgorithmProgress.h"
 #include "PropertyRange.h"
 #include "Quality/Checks/WorstElements.h"
 #include "Ranks.h"
 #include "Support/Error.h"
+#include "Support/Text.h"
 #include "VtkArrays.h"
 
 #include <vtkCellData.h>
@@ -38,17 +40,17 @@ vtkDataArray* findArray(vtkUnstructuredGrid* mesh, const std::string& name)
   {
     return array;
   }
-  std::string known;
+  std::vector<std::string> known;
   for (int i = 0; i < cellData->GetNumberOfArrays(); ++i)
   {
     if (vtkDataArray* array = cellData->GetArray(i))
     {
-      known += (known.empty() ? "" : ", ") + std::string(array->GetName() ? array->GetName() : "(no name)");
+      known.emplace_back(array->GetName() ? array->GetName() : "(no name)");
     }
   }
-  throw atria::Error(
-      "the mesh has no cell array '" + name + "'; " +
-      (known.empty() ? "it has none: measure it with vtkAtriaMeshQuality first" : "choose MetricName from " + known));
+  throw atria::Error("the mesh has no cell array '" + name + "'; " +
+                     (known.empty() ? "it has none: measure it with vtkAtriaMeshQuality first"
+                                    : "choose MetricName from " + atria::joined(known)));
 }
 
 /// Copies cells of a grid with the points they need.
@@ -133,15 +135,6 @@ private:
   vtkNew<vtkIdList> ids;
 };
 
-void addColumn(vtkUnstructuredGrid* grid, const char* name, const std::vector<std::int32_t>& values)
-{
-  vtkNew<vtkIntArray> array;
-  array->SetName(name);
-  array->SetNumberOfValues(static_cast<vtkIdType>(values.size()));
-  std::copy(values.begin(), values.end(), array->GetPointer(0));
-  grid->GetCellData()->AddArray(array);
-}
-
 } // namespace
 
 vtkTypeBool vtkAtriaWorstElements::ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
@@ -185,8 +178,8 @@ int vtkAtriaWorstElements::RequestData(vtkInformation*, vtkInformationVector** i
         values, cells.view(), static_cast<std::size_t>(input->GetNumberOfPoints()), options, context.part(0.0, 0.9));
     vtkNew<vtkUnstructuredGrid> extracted;
     Extractor(input, extracted).run(worst.elements);
-    addColumn(extracted, "WorstRank", worst.ranks);
-    addColumn(extracted, "Ring", worst.rings);
+    atria::addArrayOf<vtkIntArray>(extracted->GetCellData(), "WorstRank", worst.ranks);
+    atria::addArrayOf<vtkIntArray>(extracted->GetCellData(), "Ring", worst.rings);
     context.progress.report(1.0, "Worst elements extracted");
     vtkUnstructuredGrid::GetData(outputs, 0)->ShallowCopy(extracted);
   }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ModelParts.h"
 
+#include "AddArray.h"
 #include "Support/Error.h"
+#include "Support/Text.h"
 #include "Support/Utf8.h"
 
 #include <vtkAlgorithm.h>
@@ -17,7 +19,6 @@
 #include <vtkStringArray.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <regex>
@@ -88,27 +89,12 @@ std::string headOf(const std::string& bytes)
 
 std::string stemOf(const std::string& file) { return toUtf8(std::filesystem::path(file).stem().string()); }
 
-std::string lowerEnding(const std::string& file)
-{
-  std::string ending = std::filesystem::path(file).extension().string();
-  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  return ending;
-}
+std::string lowerEnding(const std::string& file) { return lowered(std::filesystem::path(file).extension().string()); }
 
 void setSurfaces(vtkPolyData* data, const std::vector<int>& ids, const std::vector<std::string>& names)
 {
-  vtkNew<vtkIntArray> surfaceIds;
-  surfaceIds->SetName("SurfaceId");
-  surfaceIds->SetNumberOfValues(static_cast<vtkIdType>(ids.size()));
-  std::copy(ids.begin(), ids.end(), surfaceIds->GetPointer(0));
-  data->GetCellData()->AddArray(surfaceIds);
-  vtkNew<vtkStringArray> surfaceNames;
-  surfaceNames->SetName("SurfaceName");
-  for (const std::string& name : names)
-  {
-    surfaceNames->InsertNextValue(name);
-  }
-  data->GetFieldData()->AddArray(surfaceNames);
+  addArrayOf<vtkIntArray>(data->GetCellData(), "SurfaceId", ids);
+  addArrayOf<vtkStringArray>(data->GetFieldData(), "SurfaceName", names);
 }
 
 std::string readBytes(const std::string& file)

@@ -6,11 +6,13 @@
 #include "SceneChanges.h"
 #include "Surfaces.h"
 
+#include "AddArray.h"
 #include "AlgorithmProgress.h"
 #include "PropertyRange.h"
 #include "Ranks.h"
 #include "Support/Error.h"
 #include "Support/Memory.h"
+#include "VtkArrays.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -48,20 +50,6 @@ vtkNew<vtkStringArray> toStrings(const std::vector<std::string>& texts, const ch
   return array;
 }
 
-vtkNew<vtkPoints> toPoints(const std::vector<atria::Vec3>& source)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(static_cast<vtkIdType>(source.size()));
-  static_assert(sizeof(atria::Vec3) == 3 * sizeof(double));
-  atria::useLargePages(points->GetVoidPointer(0), source.size() * sizeof(atria::Vec3));
-  if (!source.empty())
-  {
-    std::copy_n(source[0].data(), 3 * source.size(), static_cast<double*>(points->GetVoidPointer(0)));
-  }
-  return points;
-}
-
 vtkNew<vtkCellArray> toCells(const std::vector<std::array<atria::Index, 3>>& triangles)
 {
   vtkNew<vtkIdTypeArray> offsets;
@@ -88,50 +76,22 @@ vtkNew<vtkCellArray> toCells(const std::vector<std::array<atria::Index, 3>>& tri
 /// Names and looks of the surfaces.
 void addSurfaces(vtkFieldData* data, const std::vector<atria::vrml::Surface>& surfaces)
 {
-  vtkNew<vtkStringArray> names;
-  vtkNew<vtkStringArray> materials;
-  vtkNew<vtkDoubleArray> colors;
-  vtkNew<vtkDoubleArray> transparencies;
-  names->SetName("SurfaceName");
-  materials->SetName("MaterialName");
-  colors->SetName("DiffuseColor");
-  colors->SetNumberOfComponents(3);
-  transparencies->SetName("Transparency");
-  for (vtkAbstractArray* array :
-       {static_cast<vtkAbstractArray*>(names), static_cast<vtkAbstractArray*>(materials),
-        static_cast<vtkAbstractArray*>(colors), static_cast<vtkAbstractArray*>(transparencies)})
+  using atria::vrml::Surface;
+  atria::addArrayOf<vtkStringArray>(data, "SurfaceName", surfaces, &Surface::name);
+  atria::addArrayOf<vtkStringArray>(data, "MaterialName", surfaces, [](const Surface& s) { return s.material.name; });
+  auto* colors = atria::addArray<vtkDoubleArray>(data, "DiffuseColor", 3);
+  for (const Surface& surface : surfaces)
   {
-    array->SetNumberOfTuples(static_cast<vtkIdType>(surfaces.size()));
+    colors->InsertNextTuple(surface.material.diffuse.data());
   }
-  for (std::size_t i = 0; i < surfaces.size(); ++i)
-  {
-    const auto id = static_cast<vtkIdType>(i);
-    names->SetValue(id, surfaces[i].name);
-    materials->SetValue(id, surfaces[i].material.name);
-    colors->SetTuple(id, surfaces[i].material.diffuse.data());
-    transparencies->SetValue(id, surfaces[i].material.transparency);
-  }
-  for (vtkAbstractArray* array :
-       {static_cast<vtkAbstractArray*>(names), static_cast<vtkAbstractArray*>(materials),
-        static_cast<vtkAbstractArray*>(colors), static_cast<vtkAbstractArray*>(transparencies)})
-  {
-    data->AddArray(array);
-  }
-}
-
-void addOffset(vtkFieldData* data, const atria::Vec3& offset)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName("ModelOffset");
-  array->SetNumberOfComponents(3);
-  array->InsertNextTuple(offset.data());
-  data->AddArray(array);
+  atria::addArrayOf<vtkDoubleArray>(data, "Transparency", surfaces,
+                                    [](const Surface& s) { return s.material.transparency; });
 }
 
 /// What has been copied goes at once.
 void fill(vtkPolyData* output, atria::vrml::Scene scene, const atria::vrml::Surfaces& surfaces)
 {
-  output->SetPoints(toPoints(scene.points));
+  output->SetPoints(atria::pointsToVtk(scene.points));
   scene.points = {};
   output->SetPolys(toCells(scene.triangles));
   scene.triangles = {};
@@ -291,7 +251,7 @@ bool vtkAtriaSurfaceReader::ReadModel(vtkPolyData* output, atria::vrml::Diagnost
     vrml::excludeSurfaces(scene, surfaces, this->ExcludedSurfaces, diagnostics);
   }
   fill(output, std::move(scene), surfaces);
-  addOffset(output->GetFieldData(), offset);
+  atria::addArray<vtkDoubleArray>(output->GetFieldData(), "ModelOffset", 3)->InsertNextTuple(offset.data());
   progress.report(1.0, "Model read");
   return true;
 }

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Arrays with a name, as docs/arrays.md lists them.
+#pragma once
+
+#include <vtkFieldData.h>
+#include <vtkNew.h>
+
+#include <functional>
+#include <iterator>
+#include <type_traits>
+
+namespace atria {
+
+/// Adds an empty array; the data holds it.
+template <typename Array> Array* addArray(vtkFieldData* data, const char* name, int components = 1)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  data->AddArray(array);
+  return array;
+}
+
+/// Adds an array with valueOf(entry) for each entry of a list.
+template <typename Array, typename List, typename ValueOf = std::identity>
+void addArrayOf(vtkFieldData* data, const char* name, const List& list, ValueOf&& valueOf = {})
+{
+  Array* const array = addArray<Array>(data, name);
+  array->Allocate(static_cast<vtkIdType>(std::size(list)));
+  for (const auto& entry : list)
+  {
+    const auto& value = std::invoke(valueOf, entry);
+    if constexpr (std::is_arithmetic_v<std::decay_t<decltype(value)>>)
+    {
+      array->InsertNextValue(static_cast<typename Array::ValueType>(value));
+    }
+    else
+    {
+      array->InsertNextValue(value);
+    }
+  }
+}
+
+} // namespace atria
