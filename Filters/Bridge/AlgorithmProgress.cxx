@@ -2,12 +2,14 @@
 #include "AlgorithmProgress.h"
 
 #include <vtkAlgorithm.h>
+#include <vtkDataObject.h>
 #include <vtkDemandDrivenPipeline.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkVersion.h>
 
 #include <algorithm>
+#include <exception>
 
 namespace atria {
 
@@ -64,6 +66,37 @@ bool AlgorithmProgress::aborted() const
 AlgorithmRun::AlgorithmRun(vtkAlgorithm& algorithm)
     : progress(algorithm), executor(threads, progress), context{executor, ProgressRange(progress)}
 {
+}
+
+void clearOutputs(vtkInformationVector* outputs)
+{
+  for (int i = 0; i < outputs->GetNumberOfInformationObjects(); ++i)
+  {
+    vtkDataObject::GetData(outputs, i)->Initialize();
+  }
+}
+
+int runFilter(vtkAlgorithm& algorithm, vtkInformationVector* outputs, const char* task,
+              const std::function<void(const RunContext&)>& work)
+{
+  try
+  {
+    const AlgorithmRun run(algorithm);
+    work(run.context);
+    return 1;
+  }
+  catch (const Aborted&)
+  {
+    clearOutputs(outputs);
+    markAborted(outputs);
+    return 1;
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorWithObjectMacro(&algorithm, << task << error.what());
+  }
+  clearOutputs(outputs);
+  return 0;
 }
 
 void markAborted(vtkInformationVector* outputs)

@@ -7,6 +7,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <functional>
 #include <string>
 #include <thread>
 
@@ -54,6 +55,14 @@ private:
 public:
   const RunContext context;
 };
+
+/// Leaves nothing in any output, nor the field data of the input that the pipeline has put there.
+void clearOutputs(vtkInformationVector* outputs);
+
+/// Does the work of RequestData and returns what that has to return. What the core throws is told behind `task`, as an
+/// error of the filter, but for Aborted. Both leave all outputs empty; an abort also marks them as markAborted() does.
+int runFilter(vtkAlgorithm& algorithm, vtkInformationVector* outputs, const char* task,
+              const std::function<void(const RunContext&)>& work);
 
 /// Has the pipeline run the filter again at the next update, although nothing was modified: its outputs are not what
 /// was asked for.

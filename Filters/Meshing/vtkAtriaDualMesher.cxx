@@ -302,17 +302,9 @@ int vtkAtriaDualMesher::RequestData(vtkInformation*, vtkInformationVector** inpu
   auto* volume = vtkUnstructuredGrid::GetData(outputs, 0);
   auto* patches = vtkPartitionedDataSetCollection::GetData(outputs, 1);
   auto* diagnostics = vtkPolyData::GetData(outputs, 2);
-  const auto clear = [&] {
-    volume->Initialize();
-    patches->Initialize();
-    diagnostics->Initialize();
-  };
-  clear();
   this->Stages.clear();
-  const atria::AlgorithmRun run(*this);
-  const atria::RunContext& context = run.context;
-  try
-  {
+  atria::clearOutputs(outputs);
+  return atria::runFilter(*this, outputs, "", [&](const atria::RunContext& context) {
     context.progress.report(0.0, "Reading surfaces");
     std::vector<std::string> warnings;
     const atria::TriangleSurface surface = atria::readSurfaces(vtkDataObject::GetData(inputs[0]), warnings);
@@ -344,19 +336,7 @@ int vtkAtriaDualMesher::RequestData(vtkInformation*, vtkInformationVector** inpu
     this->Stages = result.stages;
     this->Stages.push_back(clock.stages().back());
     context.progress.report(1.0, "Mesh made");
-  }
-  catch (const atria::Aborted&)
-  {
-    clear();
-    atria::markAborted(outputs);
-  }
-  catch (const std::exception& error)
-  {
-    clear();
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
-  return 1;
+  });
 }
 
 void vtkAtriaDualMesher::PrintSelf(ostream& os, vtkIndent indent)

@@ -38,17 +38,9 @@ int vtkAtriaFeatureGraph::RequestDataObject(vtkInformation*, vtkInformationVecto
 
 int vtkAtriaFeatureGraph::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  vtkPolyData* curves = vtkPolyData::GetData(outputs, 0);
-  vtkPolyData* triangles = vtkPolyData::GetData(outputs, 1);
-  const auto clear = [&] {
-    curves->Initialize();
-    triangles->Initialize();
-  };
-  clear();
-  const atria::AlgorithmRun run(*this);
-  const atria::ProgressRange& range = run.context.progress;
-  try
-  {
+  atria::clearOutputs(outputs);
+  return atria::runFilter(*this, outputs, "", [&](const atria::RunContext& context) {
+    const atria::ProgressRange& range = context.progress;
     range.report(0.0, "Reading surfaces");
     const atria::ModelOptions options = atria::modelOptionsOf(*this);
     // Not checked: features are those of the model wherever the domain is.
@@ -56,24 +48,12 @@ int vtkAtriaFeatureGraph::RequestData(vtkInformation*, vtkInformationVector** in
     const atria::TriangleSurface surface = atria::readSurfaces(vtkDataObject::GetData(inputs[0]), warnings);
     const atria::PlacedModel placed = atria::placeModel(surface, options);
     range.report(0.3, "Finding features");
-    const atria::SurfaceModel model = atria::makeSurfaceModel(placed, options, run.context.part(0.3, 0.8));
+    const atria::SurfaceModel model = atria::makeSurfaceModel(placed, options, context.part(0.3, 0.8));
     range.report(0.8, "Converting");
-    atria::featureCurvesToVtk(model, placed.frame, curves);
-    atria::modelToVtk(model, placed.frame, triangles);
+    atria::featureCurvesToVtk(model, placed.frame, vtkPolyData::GetData(outputs, 0));
+    atria::modelToVtk(model, placed.frame, vtkPolyData::GetData(outputs, 1));
     range.report(1.0, "Found features");
-  }
-  catch (const atria::Aborted&)
-  {
-    clear();
-    atria::markAborted(outputs);
-  }
-  catch (const std::exception& error)
-  {
-    clear();
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
-  return 1;
+  });
 }
 
 void vtkAtriaFeatureGraph::PrintSelf(ostream& os, vtkIndent indent) { this->Superclass::PrintSelf(os, indent); }

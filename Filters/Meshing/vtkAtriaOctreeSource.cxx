@@ -63,11 +63,8 @@ int vtkAtriaOctreeSource::RequestDataObject(vtkInformation*, vtkInformationVecto
 int vtkAtriaOctreeSource::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkDataObject* output = vtkDataObject::GetData(outputs);
-  output->Initialize();
-  const atria::AlgorithmRun run(*this);
-  const atria::RunContext& context = run.context;
-  try
-  {
+  atria::clearOutputs(outputs);
+  return atria::runFilter(*this, outputs, "", [&](const atria::RunContext& context) {
     context.progress.report(0.0, "Reading surfaces");
     const atria::ModelOptions options = atria::modelOptionsOf(*this);
     std::vector<std::string> warnings;
@@ -91,19 +88,7 @@ int vtkAtriaOctreeSource::RequestData(vtkInformation*, vtkInformationVector** in
     atria::addInputWarnings(warnings, *this, output);
     atria::addSizingWarning(sized.warning, *this, output);
     context.progress.report(1.0, "Octree made");
-  }
-  catch (const atria::Aborted&)
-  {
-    output->Initialize();
-    atria::markAborted(outputs);
-  }
-  catch (const std::exception& error)
-  {
-    output->Initialize();
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
-  return 1;
+  });
 }
 
 bool vtkAtriaOctreeSource::Estimate()

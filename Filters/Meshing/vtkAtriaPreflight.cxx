@@ -157,11 +157,8 @@ int vtkAtriaPreflight::RequestDataObject(vtkInformation*, vtkInformationVector**
 int vtkAtriaPreflight::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkTable* output = vtkTable::GetData(outputs);
-  output->Initialize();
-  const atria::AlgorithmRun run(*this);
-  const atria::RunContext& context = run.context;
-  try
-  {
+  atria::clearOutputs(outputs);
+  return atria::runFilter(*this, outputs, "", [&](const atria::RunContext& context) {
     context.progress.report(0.0, "Reading surfaces");
     std::vector<std::string> warnings;
     const atria::TriangleSurface surface = atria::readSurfaces(vtkDataObject::GetData(inputs[0]), warnings);
@@ -173,19 +170,7 @@ int vtkAtriaPreflight::RequestData(vtkInformation*, vtkInformationVector** input
       vtkWarningMacro(<< warning);
     }
     context.progress.report(1.0, "Estimated");
-  }
-  catch (const atria::Aborted&)
-  {
-    output->Initialize();
-    atria::markAborted(outputs);
-  }
-  catch (const std::exception& error)
-  {
-    output->Initialize();
-    vtkErrorMacro(<< error.what());
-    return 0;
-  }
-  return 1;
+  });
 }
 
 void vtkAtriaPreflight::PrintSelf(ostream& os, vtkIndent indent) { this->Superclass::PrintSelf(os, indent); }

@@ -6,7 +6,6 @@
 #include "Optimize/AnyMesh/MeshOptimizer.h"
 #include "PropertyRange.h"
 #include "Ranks.h"
-#include "SmpExecutor.h"
 #include "VtkArrays.h"
 #include "VtkFaceMesh.h"
 
@@ -28,7 +27,6 @@
 
 #include <array>
 #include <cmath>
-#include <exception>
 #include <numbers>
 #include <vector>
 
@@ -191,14 +189,10 @@ int vtkAtriaMeshOptimizer::RequestData(vtkInformation*, vtkInformationVector** i
   this->NumberOfMovedPoints = 0;
   this->NumberOfPoorCellsBefore = 0;
   this->NumberOfPoorCells = 0;
-  try
-  {
+  return atria::runFilter(*this, outputs, "Cannot improve the mesh: ", [&](const atria::RunContext& context) {
     this->CheckProperties();
-    atria::AlgorithmProgress monitor(*this);
-    const atria::SmpExecutor executor;
-    const atria::RunContext context{executor, atria::ProgressRange(monitor)};
     context.progress.report(0.0, "Finding faces");
-    atria::VtkFaceMesh source = atria::faceMeshFromVtk(volume, patches, executor);
+    atria::VtkFaceMesh source = atria::faceMeshFromVtk(volume, patches, context.executor);
     atria::MeshOptimizerOptions options;
     options.featureAngle = this->FeatureAngle;
     options.fixedBoundary = this->FixBoundary;
@@ -223,17 +217,7 @@ int vtkAtriaMeshOptimizer::RequestData(vtkInformation*, vtkInformationVector** i
     this->NumberOfMovedPoints = static_cast<vtkIdType>(report.movedPoints);
     this->NumberOfPoorCellsBefore = static_cast<vtkIdType>(report.shortBefore);
     this->NumberOfPoorCells = static_cast<vtkIdType>(report.shortAfter);
-  }
-  catch (const atria::Aborted&)
-  {
-    return 1;
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro("Cannot improve the mesh: " << error.what());
-    return 0;
-  }
-  return 1;
+  });
 }
 
 void vtkAtriaMeshOptimizer::PrintSelf(ostream& os, vtkIndent indent)

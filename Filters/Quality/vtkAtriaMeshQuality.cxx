@@ -104,14 +104,6 @@ void addCheckQuantities(QualityOutputs& outputs, const atria::MeasuredMesh& mesh
   }
 }
 
-void clearOutputs(vtkInformationVector* outputs)
-{
-  for (int port = 0; port < outputs->GetNumberOfInformationObjects(); ++port)
-  {
-    vtkDataObject::GetData(outputs, port)->Initialize();
-  }
-}
-
 vtkSmartPointer<vtkDataArray> failedChecksArray(const std::vector<std::uint32_t>& bits)
 {
   auto array = vtkSmartPointer<vtkUnsignedIntArray>::New();
@@ -293,7 +285,7 @@ std::optional<int> vtkAtriaMeshQuality::MeasurePieces(vtkInformationVector** inp
   }
   if (state == wasAborted)
   {
-    clearOutputs(outputs);
+    atria::clearOutputs(outputs);
     atria::markAborted(outputs);
     return 1;
   }
@@ -337,13 +329,9 @@ int vtkAtriaMeshQuality::RequestData(vtkInformation*, vtkInformationVector** inp
   vtkPartitionedDataSetCollection* patches = vtkPartitionedDataSetCollection::GetData(inputs[1], 0);
   this->NumberOfInvalidCells = 0;
   this->NumberOfFailedChecks = 0;
-  try
-  {
-    const atria::AlgorithmRun run(*this);
-    const atria::RunContext& context = run.context;
+  return atria::runFilter(*this, outputs, "Cannot measure the mesh: ", [&](const atria::RunContext& context) {
     atriaCheckRange(NumberOfBins);
-    const atria::Executor& executor = context.executor;
-    QualityOutputs collected(this->NumberOfBins, this->HistogramMetric, executor);
+    QualityOutputs collected(this->NumberOfBins, this->HistogramMetric, context.executor);
     vtkNew<vtkTable> checks;
     const std::optional<Verdict> byBoxes =
         this->CheckMesh ? std::nullopt : measureByBoxes(collected, volume, patches, context.part(0.0, 0.5));
@@ -359,19 +347,7 @@ int vtkAtriaMeshQuality::RequestData(vtkInformation*, vtkInformationVector** inp
     this->NumberOfInvalidCells = verdict.invalidCells;
     this->NumberOfFailedChecks = verdict.failedChecks;
     context.progress.report(1.0, "Quality known");
-  }
-  catch (const atria::Aborted&)
-  {
-    clearOutputs(outputs);
-    atria::markAborted(outputs);
-    return 1;
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro("Cannot measure the mesh: " << error.what());
-    return 0;
-  }
-  return 1;
+  });
 }
 
 void vtkAtriaMeshQuality::PrintSelf(ostream& os, vtkIndent indent)

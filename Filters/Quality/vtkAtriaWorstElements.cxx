@@ -23,7 +23,6 @@
 #include <vtkPoints.h>
 #include <vtkUnstructuredGrid.h>
 
-#include <exception>
 
 vtkStandardNewMacro(vtkAtriaWorstElements);
 
@@ -147,10 +146,7 @@ vtkTypeBool vtkAtriaWorstElements::ProcessRequest(vtkInformation* request, vtkIn
 int vtkAtriaWorstElements::RequestData(vtkInformation*, vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
   vtkUnstructuredGrid* input = vtkUnstructuredGrid::GetData(inputs[0], 0);
-  try
-  {
-    const atria::AlgorithmRun run(*this);
-    const atria::RunContext& context = run.context;
+  return atria::runFilter(*this, outputs, "Cannot find the worst elements: ", [&](const atria::RunContext& context) {
     atriaCheckRange(Order);
     atriaCheckRange(NumberOfElements);
     atriaCheckRange(Limit);
@@ -182,19 +178,7 @@ int vtkAtriaWorstElements::RequestData(vtkInformation*, vtkInformationVector** i
     atria::addArrayOf<vtkIntArray>(extracted->GetCellData(), "Ring", worst.rings);
     context.progress.report(1.0, "Worst elements extracted");
     vtkUnstructuredGrid::GetData(outputs, 0)->ShallowCopy(extracted);
-  }
-  catch (const atria::Aborted&)
-  {
-    vtkUnstructuredGrid::GetData(outputs, 0)->Initialize();
-    atria::markAborted(outputs);
-    return 1;
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro("Cannot find the worst elements: " << error.what());
-    return 0;
-  }
-  return 1;
+  });
 }
 
 void vtkAtriaWorstElements::PrintSelf(ostream& os, vtkIndent indent)

@@ -7,6 +7,7 @@
 #include "SurfaceInput.h"
 #include "vtkAtriaDualMesher.h"
 #include "vtkAtriaFeatureGraph.h"
+#include "vtkAtriaMeshOptimizer.h"
 #include "vtkAtriaMeshQuality.h"
 #include "vtkAtriaModelReader.h"
 #include "vtkAtriaOctreeSource.h"
@@ -156,6 +157,14 @@ vtkSmartPointer<vtkAlgorithm> worstElements()
   return worst;
 }
 
+vtkSmartPointer<vtkAlgorithm> meshOptimizer()
+{
+  auto optimizer = onMesh<vtkAtriaMeshOptimizer>();
+  optimizer->SetTargetCellSquish(0.2); // some cells fall short of it
+  optimizer->SetNumberOfSweeps(3);
+  return optimizer;
+}
+
 const std::map<std::string, Maker>& filters()
 {
   static const std::map<std::string, Maker> all{
@@ -181,6 +190,7 @@ const std::map<std::string, Maker>& filters()
          return quality;
        }},
       {"WorstElements", worstElements},
+      {"MeshOptimizer", meshOptimizer},
   };
   return all;
 }
