@@ -64,16 +64,13 @@ TEST(Inspection, CountsEdgesOfThreeTrianglesOnce)
   EXPECT_EQ(result.surfaces[0].nonManifoldEdges, 0u);
 }
 
-TEST(Inspection, MergesPointsWithinTheToleranceOnly)
+TEST(Inspection, TakesPointsOfEqualCoordinatesAloneForOne)
 {
   TriangleSurface surface = tetrahedron();
-  for (std::size_t i = 0; i < surface.points.size(); ++i)
-  {
-    surface.points[i].x() += 1e-6 * static_cast<double>(i % 3);
-  }
+  EXPECT_EQ(inspect(surface).points, 4u);
+  EXPECT_EQ(inspect(surface).total.openEdges, 0u);
+  surface.points[0].x() += 1e-6;
   EXPECT_GT(inspect(surface).total.openEdges, 0u);
-  EXPECT_EQ(inspect(surface, 3e-6).total.openEdges, 0u);
-  EXPECT_EQ(inspect(surface, 3e-6).points, 4u);
 }
 
 TEST(Inspection, CountsDegenerateTrianglesWithoutTheirEdges)
@@ -99,7 +96,6 @@ TEST(Inspection, TakesAnEmptyModel)
 
 TEST(Inspection, TellsWhatIsWrongWithItsInput)
 {
-  EXPECT_THROW(inspect(tetrahedron(), -1.0), atria::Error);
   TriangleSurface surface = tetrahedron();
   surface.points[3].x() = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(inspect(surface), atria::Error);

@@ -30,9 +30,8 @@ struct Inspection
   std::size_t points = 0;               ///< different places triangles use
 };
 
-/// Summarizes a model. Points at a distance of up to `tolerance` of each other, in model units, are one; with
-/// 0 those of equal coordinates are. Throws Error for a negative tolerance, points that are not finite and
-/// indices out of range. O(n log n).
-Inspection inspect(const TriangleSurface& surface, double tolerance = 0.0);
+/// Summarizes a model. Points of equal coordinates are one. Throws Error for points that are not finite and indices out
+/// of range. O(n log n).
+Inspection inspect(const TriangleSurface& surface);
 
 } // namespace atria
