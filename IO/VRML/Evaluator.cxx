@@ -288,10 +288,12 @@ Index Evaluator::materialOf(const NodeRef& ref)
   std::string_view own;
   const NodeRef node = instances.expand(instances.node(appearance, "material"), &own);
   name = own.empty() ? name : own;
-  if (!node && name.empty())
-  {
-    return noIndex;
-  }
+  return node || !name.empty() ? materialOf(node, name) : noIndex;
+}
+
+/// Of a Material, if there is one, of either language.
+Index Evaluator::materialOf(const NodeRef& node, std::string_view name)
+{
   Material material;
   material.name = toUtf8(name);
   if (node)

@@ -69,6 +69,7 @@ private:
   void addGeometry(const Visit& at, const NodeRef& geometry, std::string_view name, Index material);
   void add(const NodeRef& geometry, const LocalSurface& surface, const Transform& transform, const Shape& shape);
   Index materialOf(const NodeRef& appearance);
+  Index materialOf(const NodeRef& node, std::string_view name);
   const LocalSurface& localSurface(const NodeRef& geometry, const Transform& transform);
   void setStretch(const NodeRef& geometry, const Transform& transform);
   void warn(const Node& node, const std::string& text);

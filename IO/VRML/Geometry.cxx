@@ -125,6 +125,7 @@ LocalSurface Geometry::make(const NodeRef& node)
 {
   using Maker = LocalSurface (Geometry::*)(const NodeRef&);
   static const std::unordered_map<std::string_view, Maker> makers{{"Box", &Geometry::box},
+                                                                  {"Cube", &Geometry::cube},
                                                                   {"Sphere", &Geometry::sphere},
                                                                   {"Cylinder", &Geometry::cylinder},
                                                                   {"Cone", &Geometry::cone},
@@ -177,9 +178,9 @@ LocalSurface Geometry::cylinder(const NodeRef& node)
   Cylinder in;
   in.radius = instances.number(node, "radius", in.radius);
   in.height = instances.number(node, "height", in.height);
-  in.side = instances.flag(node, "side", in.side);
-  in.bottom = instances.flag(node, "bottom", in.bottom);
-  in.top = instances.flag(node, "top", in.top);
+  in.side = hasPart(node, "side", "SIDES");
+  in.bottom = hasPart(node, "bottom", "BOTTOM");
+  in.top = hasPart(node, "top", "TOP");
   return positive(node, {in.radius, in.height}) ? makeCylinder(in, segments(in.radius)) : LocalSurface{};
 }
 
@@ -188,8 +189,8 @@ LocalSurface Geometry::cone(const NodeRef& node)
   Cone in;
   in.bottomRadius = instances.number(node, "bottomRadius", in.bottomRadius);
   in.height = instances.number(node, "height", in.height);
-  in.side = instances.flag(node, "side", in.side);
-  in.bottom = instances.flag(node, "bottom", in.bottom);
+  in.side = hasPart(node, "side", "SIDES");
+  in.bottom = hasPart(node, "bottom", "BOTTOM");
   return positive(node, {in.bottomRadius, in.height}) ? makeCone(in, segments(in.bottomRadius)) : LocalSurface{};
 }
 
@@ -286,51 +287,27 @@ LocalSurface Geometry::faces(const NodeRef& node, const Numbers& points, const I
 
 LocalSurface Geometry::make(const NodeRef& node, const State& state)
 {
-  const std::string_view type = node.node->type->name;
-  if (type == "IndexedFaceSet")
+  if (node.node->type->name != "IndexedFaceSet")
   {
-    const auto* index = instances.get<Integers>(node, "coordIndex");
-    return state.points && index ? faces(node, *state.points, *index, state.clockwise) : LocalSurface{};
+    return make(node);
   }
-  return type == "Cube"       ? cube1(node)
-         : type == "Cylinder" ? cylinder1(node)
-         : type == "Cone"     ? cone1(node)
-                              : sphere(node);
+  const auto* index = instances.get<Integers>(node, "coordIndex");
+  return state.points && index ? faces(node, *state.points, *index, state.clockwise) : LocalSurface{};
 }
 
-LocalSurface Geometry::cube1(const NodeRef& node)
+LocalSurface Geometry::cube(const NodeRef& node)
 {
   const Vec3 size(instances.number(node, "width", 2.0), instances.number(node, "height", 2.0),
                   instances.number(node, "depth", 2.0));
   return boxOf(node, size);
 }
 
-LocalSurface Geometry::cylinder1(const NodeRef& node)
-{
-  Cylinder in;
-  in.radius = instances.number(node, "radius", in.radius);
-  in.height = instances.number(node, "height", in.height);
-  in.side = hasPart(node, "SIDES");
-  in.bottom = hasPart(node, "BOTTOM");
-  in.top = hasPart(node, "TOP");
-  return positive(node, {in.radius, in.height}) ? makeCylinder(in, segments(in.radius)) : LocalSurface{};
-}
-
-LocalSurface Geometry::cone1(const NodeRef& node)
-{
-  Cone in;
-  in.bottomRadius = instances.number(node, "bottomRadius", in.bottomRadius);
-  in.height = instances.number(node, "height", in.height);
-  in.side = hasPart(node, "SIDES");
-  in.bottom = hasPart(node, "BOTTOM");
-  return positive(node, {in.bottomRadius, in.height}) ? makeCone(in, segments(in.bottomRadius)) : LocalSurface{};
-}
-
-bool Geometry::hasPart(const NodeRef& node, std::string_view part) const
+bool Geometry::hasPart(const NodeRef& node, std::string_view flag, std::string_view part) const
 {
   const auto* words = instances.get<Strings>(node, "parts");
-  return !words || std::any_of(words->begin(), words->end(),
-                               [&](std::string_view word) { return word == part || word == "ALL"; });
+  return instances.flag(node, flag, true) &&
+         (!words || std::any_of(words->begin(), words->end(),
+                                [&](std::string_view word) { return word == part || word == "ALL"; }));
 }
 
 } // namespace atria::vrml

@@ -57,10 +57,9 @@ private:
   LocalSurface extrusion(const NodeRef& node);
   LocalSurface faceSet(const NodeRef& node);
   LocalSurface faces(const NodeRef& node, const Numbers& points, const Integers& index, bool turned);
-  LocalSurface cube1(const NodeRef& node);
-  LocalSurface cylinder1(const NodeRef& node);
-  LocalSurface cone1(const NodeRef& node);
-  bool hasPart(const NodeRef& node, std::string_view part) const;
+  LocalSurface cube(const NodeRef& node);
+  /// By a flag of VRML97, or among the `parts` of VRML 1.0.
+  bool hasPart(const NodeRef& node, std::string_view flag, std::string_view part) const;
   void warn(const NodeRef& node, const std::string& text);
   bool positive(const NodeRef& node, std::initializer_list<double> sizes);
   LocalSurface boxOf(const NodeRef& node, const Vec3& size);

@@ -136,77 +136,50 @@ std::vector<NodeType> shapes1()
 }
 
 using Table = std::unordered_map<std::string_view, NodeType>;
+using Names = std::initializer_list<std::string_view>;
 
-void addWithoutFields(Table& types, NodeKind kind, std::initializer_list<std::string_view> names)
+/// Of types, and of those whose fields are not looked at.
+Table tableOf(std::initializer_list<std::vector<NodeType>> parts, Names properties, Names others)
 {
-  for (const std::string_view name : names)
+  Table types;
+  for (const std::vector<NodeType>& part : parts)
   {
-    types.emplace(name, NodeType{name, kind, {}, {}, true});
+    for (const NodeType& type : part)
+    {
+      types.emplace(type.name, type);
+    }
   }
+  for (const auto& [kind, names] : {std::pair(NodeKind::property, properties), {NodeKind::other, others}})
+  {
+    for (const std::string_view name : names)
+    {
+      types.emplace(name, NodeType{name, kind, {}, {}, true});
+    }
+  }
+  return types;
 }
 
 const Table& table1()
 {
-  static const Table all = [] {
-    Table types;
-    for (const auto& part : {groups1(), states1(), shapes1()})
-    {
-      for (const NodeType& type : part)
-      {
-        types.emplace(type.name, type);
-      }
-    }
-    addWithoutFields(types, NodeKind::property,
-                     {"FontStyle", "Info", "MaterialBinding", "Normal", "NormalBinding", "Texture2",
-                      "Texture2Transform", "TextureCoordinate2"});
-    addWithoutFields(types, NodeKind::other,
-                     {"DirectionalLight", "OrthographicCamera", "PerspectiveCamera", "PointLight", "SpotLight"});
-    return types;
-  }();
+  static const Table all =
+      tableOf({groups1(), states1(), shapes1()},
+              {"FontStyle", "Info", "MaterialBinding", "Normal", "NormalBinding", "Texture2", "Texture2Transform",
+               "TextureCoordinate2"},
+              {"DirectionalLight", "OrthographicCamera", "PerspectiveCamera", "PointLight", "SpotLight"});
   return all;
 }
 
 const Table& table97()
 {
-  static const Table all = [] {
-    Table types;
-    for (const auto& part : {groups(), shapes()})
-    {
-      for (const NodeType& type : part)
-      {
-        types.emplace(type.name, type);
-      }
-    }
-    addWithoutFields(types, NodeKind::property,
-                     {"ImageTexture", "PixelTexture", "MovieTexture", "TextureTransform", "TextureCoordinate", "Normal",
-                      "Color", "FontStyle"});
-    addWithoutFields(types, NodeKind::other,
-                     {"AudioClip",
-                      "Background",
-                      "ColorInterpolator",
-                      "CoordinateInterpolator",
-                      "CylinderSensor",
-                      "DirectionalLight",
-                      "Fog",
-                      "NavigationInfo",
-                      "NormalInterpolator",
-                      "OrientationInterpolator",
-                      "PlaneSensor",
-                      "PointLight",
-                      "PositionInterpolator",
-                      "ProximitySensor",
-                      "ScalarInterpolator",
-                      "Script",
-                      "Sound",
-                      "SphereSensor",
-                      "SpotLight",
-                      "TimeSensor",
-                      "TouchSensor",
-                      "Viewpoint",
-                      "VisibilitySensor",
-                      "WorldInfo"});
-    return types;
-  }();
+  static const Table all =
+      tableOf({groups(), shapes()},
+              {"ImageTexture", "PixelTexture", "MovieTexture", "TextureTransform", "TextureCoordinate", "Normal",
+               "Color", "FontStyle"},
+              {"AudioClip", "Background", "ColorInterpolator", "CoordinateInterpolator", "CylinderSensor",
+               "DirectionalLight", "Fog", "NavigationInfo", "NormalInterpolator", "OrientationInterpolator",
+               "PlaneSensor", "PointLight", "PositionInterpolator", "ProximitySensor", "ScalarInterpolator", "Script",
+               "Sound", "SphereSensor", "SpotLight", "TimeSensor", "TouchSensor", "Viewpoint", "VisibilitySensor",
+               "WorldInfo"});
   return all;
 }
 

@@ -31,6 +31,7 @@ struct NodeType
   bool anyField = false;                                      ///< fields are not looked at: nothing of it is used
 
   std::optional<FieldType> fieldType(std::string_view field) const;
+  bool takesChildren() const { return kind == NodeKind::group && fieldType("children"); }
 };
 
 /// Null for a name the language does not know. All languages but VRML 1.0 are read as VRML97.

@@ -123,7 +123,7 @@ void Parser::stepNode()
       lexer.next();
       return;
     case TokenKind::openBracket:
-      if (node.type && node.type->kind == NodeKind::group && node.type->fieldType("children"))
+      if (node.type && node.type->takesChildren())
       {
         warn("expected a field of " + std::string(node.typeName) + ", found a list of nodes; taken as its children");
         return readNodes(slotOf(node, "children"), true);
@@ -241,8 +241,7 @@ void Parser::openNode(Slot slot, const std::vector<std::string_view>& names)
   const bool inUnknown = around.node && !around.node->type && !around.node->prototype;
   if (!node.type && !node.prototype && !inUnknown)
   {
-    diagnostics.warn(document.displayName() + ":" + std::to_string(place.line) + ":" + std::to_string(place.column) +
-                     ": unknown node '" + toUtf8(type.text) + "' is skipped");
+    diagnostics.warn(textOf(place) + ": unknown node '" + toUtf8(type.text) + "' is skipped");
   }
   frames.push_back({Open::node, {}, &node, nullptr, node.line});
 }
@@ -314,11 +313,11 @@ void Parser::readNodeWithoutField()
 {
   Node& node = *frames.back().node;
   const Token token = lexer.peek();
-  if (isVersion1() && (!node.type || (node.type->kind == NodeKind::group && node.type->fieldType("children"))))
+  if (isVersion1() && (!node.type || node.type->takesChildren()))
   {
     return readNode(slotOf(node, "children"));
   }
-  if (node.type && node.type->kind == NodeKind::group && node.type->fieldType("children"))
+  if (node.type && node.type->takesChildren())
   {
     warn("expected a field of " + std::string(node.typeName) + ", found " + tell(token) + "; taken as its child");
     return readNode(slotOf(node, "children"));
@@ -362,7 +361,7 @@ void Parser::readField()
   const bool known = node.prototype || (node.type && node.type->name == node.typeName);
   if (!type && !is && known && !node.damaged)
   {
-    const bool adopts = node.type && node.type->kind == NodeKind::group && node.type->fieldType("children");
+    const bool adopts = node.type && node.type->takesChildren();
     const Lexer start = lexer; // for the place in the warning
     lexer.next();
     const bool adopted = adopts && holdsNodes();

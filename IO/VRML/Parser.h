@@ -118,7 +118,7 @@ private:
   void expected(std::string_view what, const std::string& consequence = {});
   void warn(const std::string& text);
   void unexpectedEnd();
-  std::string where();
+  std::string textOf(const Place& place) const;
   std::string tell(const Token& token) const;
   void tick();
   void forget();

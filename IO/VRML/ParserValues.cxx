@@ -434,7 +434,7 @@ void Parser::expected(std::string_view what, const std::string& consequence)
 void Parser::warn(const std::string& text)
 {
   // Finding the column is slow in files of one line, so only for warnings somebody can read.
-  diagnostics.warn(diagnostics.count() < Diagnostics::keptAtMost ? where() + ": " + text : text);
+  diagnostics.warn(diagnostics.count() < Diagnostics::keptAtMost ? textOf(lexer.place()) + ": " + text : text);
 }
 
 /// The file ends while something is open: what was read of it is kept.
@@ -451,9 +451,8 @@ void Parser::unexpectedEnd()
   frames.clear();
 }
 
-std::string Parser::where()
+std::string Parser::textOf(const Place& place) const
 {
-  const Place place = lexer.place();
   return document.displayName() + ":" + std::to_string(place.line) + ":" + std::to_string(place.column);
 }
 

@@ -115,16 +115,7 @@ void Evaluator::addGeometry1(const Visit& at)
     local.points = instances.get<Numbers>({state.coordinates, nullptr}, "point");
   }
   local.clockwise = state.clockwise;
-  Index material = noIndex;
-  if (state.material)
-  {
-    const NodeRef ref{state.material, nullptr};
-    Material look;
-    look.name = toUtf8(state.material->name);
-    look.diffuse = instances.vector(ref, "diffuseColor", look.diffuse);
-    look.transparency = instances.number(ref, "transparency", look.transparency);
-    material = scene.material(look);
-  }
+  const Index material = state.material ? materialOf({state.material, nullptr}, state.material->name) : noIndex;
   setStretch(at.ref, state.transform);
   geometries.setName(at.ref.node->name.empty() ? scene.groupName(at.group) : at.ref.node->name);
   geometries.recycle(std::move(current));
