@@ -63,9 +63,9 @@ bool isOneOf(std::string_view word, WordList list) { return std::find(list.begin
 /// The unit a header mentions, such as "units: inches" or "exported in mm".
 std::string mentionedUnit(const std::vector<std::string_view>& words)
 {
-  const WordList units{"m",           "meter",      "meters",      "meter", "meters",     "mm",          "millimeter",
-                       "millimeters", "millimeter", "millimeters", "cm",    "centimeter", "centimeters", "centimeter",
-                       "centimeters", "inch",       "inches",      "ft",    "foot",       "feet"};
+  const WordList units{"m",           "meter",      "meters",      "metre", "metres",     "mm",          "millimeter",
+                       "millimeters", "millimetre", "millimetres", "cm",    "centimeter", "centimeters", "centimetre",
+                       "centimetres", "inch",       "inches",      "ft",    "foot",       "feet"};
   for (std::size_t i = 0; i + 1 < words.size(); ++i)
   {
     if (!isOneOf(words[i],
@@ -86,7 +86,7 @@ std::string mentionedUnit(const std::vector<std::string_view>& words)
   return {};
 }
 
-bool isMeters(std::string_view unit) { return isOneOf(unit, {"m", "meter", "meters", "meter", "meters"}); }
+bool isMeters(std::string_view unit) { return isOneOf(unit, {"m", "meter", "meters", "metre", "metres"}); }
 
 bool mentionsYUp(const std::vector<std::string_view>& words)
 {

@@ -186,7 +186,9 @@ TEST_F(VRMLPlacement, HintsAtUnitsTheFileMentions)
 {
   EXPECT_NE(hints("# Units: inches\n" + box(9, 9, 9)).find("mentions the unit 'inches'"), std::string::npos);
   EXPECT_NE(hints("# exported in mm by X\n" + box(9, 9, 9)).find("mentions the unit 'mm'"), std::string::npos);
+  EXPECT_NE(hints("# units: millimetres\n" + box(9, 9, 9)).find("mentions the unit 'millimetres'"), std::string::npos);
   EXPECT_EQ(hints("# units = meters, SketchUp\n" + box(9, 9, 9)), "");
+  EXPECT_EQ(hints("# units = metres, SketchUp\n" + box(9, 9, 9)), "");
   EXPECT_EQ(hints("# many units of housing\n" + box(9, 9, 9)), "");
 }
 
