@@ -34,6 +34,16 @@ constexpr std::array<CheckQuantityInfo, checkQuantityCount> infos{{
     {CheckQuantity::EdgeLength, "EdgeLength", true, false, false},
 }};
 
+/// Calls use(from, to) for the edges of a face, one after the other.
+template <typename F> void forEdges(const MeasuredMesh& m, std::size_t f, F&& use)
+{
+  const auto face = m.mesh.face(f);
+  for (std::size_t i = 0; i < face.size(); ++i)
+  {
+    use(m.mesh.points[face[i]], m.mesh.points[face[i + 1 < face.size() ? i + 1 : 0]]);
+  }
+}
+
 /// Sums over the faces of a cell: of A, outward, and of its components' sizes.
 struct AreaSums
 {
@@ -160,20 +170,15 @@ double volumeRatio(const MeasuredMesh& m, std::size_t f)
 
 double flatness(const MeasuredMesh& m, std::size_t f)
 {
-  const auto face = m.mesh.face(f);
   const double area = lengthInOrder(m.geometry.faceAreas[f]);
-  if (face.size() == 3 || area <= rootVSmall)
+  if (m.mesh.face(f).size() == 3 || area <= rootVSmall)
   {
     return 1.0;
   }
   const Vec3& center = m.geometry.faceCentroids[f];
   double sum = 0.0;
-  for (std::size_t i = 0; i < face.size(); ++i)
-  {
-    const Vec3& here = m.mesh.points[face[i]];
-    const Vec3& next = m.mesh.points[face[i + 1 < face.size() ? i + 1 : 0]];
-    sum += lengthInOrder(0.5 * (next - here).cross(center - here));
-  }
+  forEdges(m, f,
+           [&](const Vec3& here, const Vec3& next) { sum += lengthInOrder(0.5 * (next - here).cross(center - here)); });
   return area / (sum + rootVSmall);
 }
 
@@ -182,18 +187,17 @@ double concaveAngle(const MeasuredMesh& m, std::size_t f)
   const double leastSine = std::sin(radians(leastConcaveDegrees));
   const auto face = m.mesh.face(f);
   const Vec3 normal = m.geometry.faceAreas[f] / (lengthInOrder(m.geometry.faceAreas[f]) + rootVSmall);
-  const auto unitEdge = [&](Index from, Index to, double& length) {
-    const Vec3 edge = m.mesh.points[to] - m.mesh.points[from];
+  const auto unitEdge = [](const Vec3& from, const Vec3& to, double& length) {
+    const Vec3 edge = to - from;
     length = lengthInOrder(edge);
     return Vec3(edge / (length + rootVSmall));
   };
   double previousLength = 0.0;
-  Vec3 previous = unitEdge(face.back(), face.front(), previousLength);
+  Vec3 previous = unitEdge(m.mesh.points[face.back()], m.mesh.points[face.front()], previousLength);
   double worst = 0.0;
-  for (std::size_t i = 0; i < face.size(); ++i)
-  {
+  forEdges(m, f, [&](const Vec3& from, const Vec3& to) {
     double length = 0.0;
-    const Vec3 edge = unitEdge(face[i], face[i + 1 < face.size() ? i + 1 : 0], length);
+    const Vec3 edge = unitEdge(from, to, length);
     if (previousLength > small && length > small)
     {
       const Vec3 turn = previous.cross(edge);
@@ -205,7 +209,7 @@ double concaveAngle(const MeasuredMesh& m, std::size_t f)
     }
     previous = edge;
     previousLength = length;
-  }
+  });
   return std::asin(std::min(1.0, worst)) / radians(1.0);
 }
 
@@ -249,16 +253,13 @@ double faceTetQuality(const MeasuredMesh& m, std::size_t f)
   const Vec3& next = internal ? m.geometry.cellCentroids[m.mesh.neighbor[f]] : own;
   const Vec3& center = m.geometry.faceCentroids[f];
   double worst = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < face.size(); ++i)
-  {
-    const Vec3& a = m.mesh.points[face[i]];
-    const Vec3& b = m.mesh.points[face[i + 1 < face.size() ? i + 1 : 0]];
+  forEdges(m, f, [&](const Vec3& a, const Vec3& b) {
     worst = std::min(worst, -tetQuality(a, b, center, own));
     if (internal)
     {
       worst = std::min(worst, tetQuality(a, b, center, next));
     }
-  }
+  });
   double best = -std::numeric_limits<double>::infinity();
   for (std::size_t base = 0; base < face.size() && best <= minTetQuality; ++base)
   {
@@ -274,31 +275,18 @@ double faceTetQuality(const MeasuredMesh& m, std::size_t f)
 
 double edgeLength(const MeasuredMesh& m, std::size_t f)
 {
-  const auto face = m.mesh.face(f);
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < face.size(); ++i)
-  {
-    const Vec3& here = m.mesh.points[face[i]];
-    const Vec3& next = m.mesh.points[face[i + 1 < face.size() ? i + 1 : 0]];
+  forEdges(m, f, [&](const Vec3& here, const Vec3& next) {
     const Vec3 edge = here - next;
     least = std::min(least, dotInOrder(edge, edge));
-  }
+  });
   return std::sqrt(least);
 }
 
-template <double (*valueOf)(const MeasuredMesh&, std::size_t)>
-std::vector<double> measureEach(const MeasuredMesh& mesh, std::size_t count, const RunContext& context)
-{
-  std::vector<double> values(count);
-  context.executor.forRanges(count, grain, [&](std::size_t begin, std::size_t end) {
-    context.progress.check();
-    for (std::size_t i = begin; i < end; ++i)
-    {
-      values[i] = valueOf(mesh, i);
-    }
-  });
-  return values;
-}
+/// In the order of the quantities.
+constexpr std::array<double (*)(const MeasuredMesh&, std::size_t), checkQuantityCount> valuesOf{
+    openness,    areaAspectRatio, determinant,  concavity,      weight,
+    volumeRatio, flatness,        concaveAngle, faceTetQuality, edgeLength};
 
 } // namespace
 
@@ -308,31 +296,10 @@ const CheckQuantityInfo& describe(CheckQuantity quantity) { return infos[static_
 
 std::vector<double> measure(const MeasuredMesh& mesh, CheckQuantity quantity, const RunContext& context)
 {
-  const std::size_t count = describe(quantity).ofFaces ? mesh.mesh.faceCount() : mesh.mesh.cellCount;
-  switch (quantity)
-  {
-    case CheckQuantity::Openness:
-      return measureEach<openness>(mesh, count, context);
-    case CheckQuantity::AreaAspectRatio:
-      return measureEach<areaAspectRatio>(mesh, count, context);
-    case CheckQuantity::Determinant:
-      return measureEach<determinant>(mesh, count, context);
-    case CheckQuantity::Concavity:
-      return measureEach<concavity>(mesh, count, context);
-    case CheckQuantity::FaceWeight:
-      return measureEach<weight>(mesh, count, context);
-    case CheckQuantity::VolumeRatio:
-      return measureEach<volumeRatio>(mesh, count, context);
-    case CheckQuantity::FaceFlatness:
-      return measureEach<flatness>(mesh, count, context);
-    case CheckQuantity::FaceConcaveAngle:
-      return measureEach<concaveAngle>(mesh, count, context);
-    case CheckQuantity::TetQuality:
-      return measureEach<faceTetQuality>(mesh, count, context);
-    case CheckQuantity::EdgeLength:
-      return measureEach<edgeLength>(mesh, count, context);
-  }
-  return {};
+  std::vector<double> values(describe(quantity).ofFaces ? mesh.mesh.faceCount() : mesh.mesh.cellCount);
+  const auto valueOf = valuesOf[static_cast<std::size_t>(quantity)];
+  context.executor.forEach(values.size(), grain, [&](std::size_t i) { values[i] = valueOf(mesh, i); });
+  return values;
 }
 
 std::vector<double> worstOverFaces(const MeasuredMesh& mesh, const std::vector<double>& values, bool greaterIsWorse,
@@ -340,14 +307,10 @@ std::vector<double> worstOverFaces(const MeasuredMesh& mesh, const std::vector<d
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   std::vector<double> worst(mesh.mesh.cellCount, greaterIsWorse ? -infinity : infinity);
-  context.executor.forRanges(worst.size(), grain, [&](std::size_t begin, std::size_t end) {
-    context.progress.check();
-    for (std::size_t c = begin; c < end; ++c)
+  context.executor.forEach(worst.size(), grain, [&](std::size_t c) {
+    for (const Index f : mesh.cellFaces.of(c))
     {
-      for (const Index f : mesh.cellFaces.of(c))
-      {
-        worst[c] = greaterIsWorse ? std::max(worst[c], values[f]) : std::min(worst[c], values[f]);
-      }
+      worst[c] = greaterIsWorse ? std::max(worst[c], values[f]) : std::min(worst[c], values[f]);
     }
   });
   return worst;

@@ -31,10 +31,10 @@ struct Limit
 };
 
 /// Runs the checks one after the other, so that no more than one value a face is held.
-class QualityEvaluator
+class MeshChecker
 {
 public:
-  QualityEvaluator(const MeasuredMesh& measured, const RunContext& within) : m(measured), context(within) {}
+  MeshChecker(const MeasuredMesh& measured, const RunContext& within) : m(measured), context(within) {}
 
   MeshVerdict run()
   {
@@ -69,13 +69,7 @@ private:
   template <typename F> std::vector<double> valuesOf(std::size_t count, F&& valueOf) const
   {
     std::vector<double> values(count);
-    context.executor.forRanges(count, grain, [&](std::size_t begin, std::size_t end) {
-      context.progress.check();
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        values[i] = valueOf(i);
-      }
-    });
+    context.executor.forEach(count, grain, [&](std::size_t i) { values[i] = valueOf(i); });
     return values;
   }
 
@@ -137,12 +131,8 @@ private:
   /// checkMesh's set holds what is beyond 70 degrees; it fails only beyond 90.
   void judgeOrthogonality()
   {
-    const auto cosine = [this](std::size_t f) {
-      const Vec3& area = m.geometry.faceAreas[f];
-      const Vec3 d = m.geometry.cellCentroids[m.mesh.neighbor[f]] - m.geometry.cellCentroids[m.mesh.owner[f]];
-      return dotInOrder(d, area) / (lengthInOrder(d) * lengthInOrder(area) + rootVSmall);
-    };
-    const std::vector<double> cosines = valuesOf(m.mesh.internalFaceCount(), cosine);
+    const std::vector<double> cosines =
+        valuesOf(m.mesh.internalFaceCount(), [this](std::size_t f) { return faceCosine(m, f); });
     constexpr double severe = 70.0;
     const double severeCosine = cosOfDegrees(severe);
     inDegrees(judge({"NonOrthogonality", "nonOrthoFaces", false, false, severeCosine}, MeshPart::Faces, cosines),
@@ -285,10 +275,7 @@ int MeshVerdict::failedChecks() const
   return static_cast<int>(failed) - (both ? 1 : 0);
 }
 
-MeshVerdict checkMesh(const MeasuredMesh& mesh, const RunContext& context)
-{
-  return QualityEvaluator(mesh, context).run();
-}
+MeshVerdict checkMesh(const MeasuredMesh& mesh, const RunContext& context) { return MeshChecker(mesh, context).run(); }
 
 std::vector<std::uint32_t> failedChecksOfCells(const MeasuredMesh& mesh, const MeshVerdict& verdict)
 {

@@ -19,7 +19,7 @@ constexpr std::size_t grain = 4096;
 
 double cosine(const Vec3& a, const Vec3& b)
 {
-  return std::clamp(dotInOrder(a, b) / (lengthInOrder(a) * lengthInOrder(b) + rootVSmall), -1.0, 1.0);
+  return dotInOrder(a, b) / (lengthInOrder(a) * lengthInOrder(b) + rootVSmall);
 }
 
 /// The component of v along an area vector.
@@ -51,11 +51,9 @@ public:
 
   void measureFace(std::size_t f)
   {
-    const Vec3& area = geometry.faceAreas[f];
-    const Vec3& center = geometry.cellCentroids[mesh.owner[f]];
     if (f < mesh.internalFaceCount())
     {
-      const double c = cosine(area, geometry.cellCentroids[mesh.neighbor[f]] - center);
+      const double c = std::clamp(faceCosine(measured, f), -1.0, 1.0);
       out.squishOfFaces[f] = 1.0 - c;
       out.nonOrthogonalityOfFaces[f] = degreesOfCosine(c);
     }
@@ -81,7 +79,7 @@ public:
     {
       const Vec3 area = mesh.owner[f] == cell ? geometry.faceAreas[f] : Vec3(-geometry.faceAreas[f]);
       const Vec3 r = geometry.faceCentroids[f] - center;
-      worstCosine = std::min(worstCosine, cosine(area, r));
+      worstCosine = std::min(worstCosine, std::clamp(cosine(area, r), -1.0, 1.0));
       leastPyramid = std::min(leastPyramid, dotInOrder(area, r) / 3.0);
       worstSkewness = std::max(worstSkewness, out.skewnessOfFaces[f]);
       if (f < mesh.internalFaceCount())
@@ -148,27 +146,22 @@ double faceSkewness(const MeasuredMesh& measured, std::size_t f)
   return distance / extent;
 }
 
+double faceCosine(const MeasuredMesh& measured, std::size_t f)
+{
+  const Buffer<Vec3>& centroids = measured.geometry.cellCentroids;
+  return cosine(measured.geometry.faceAreas[f],
+                centroids[measured.mesh.neighbor[f]] - centroids[measured.mesh.owner[f]]);
+}
+
 QualityMetrics computeQuality(const MeasuredMesh& measured, const CellArrays& cells, const RunContext& context)
 {
   QualityMetrics out;
   const FaceMesh& mesh = measured.mesh;
   Measurement measurement(measured, out);
   context.progress.report(0.0, "Judging faces");
-  context.executor.forRanges(mesh.faceCount(), grain, [&](std::size_t begin, std::size_t end) {
-    context.progress.check();
-    for (std::size_t f = begin; f < end; ++f)
-    {
-      measurement.measureFace(f);
-    }
-  });
+  context.executor.forEach(mesh.faceCount(), grain, [&](std::size_t f) { measurement.measureFace(f); });
   context.progress.report(0.4, "Judging cells");
-  context.executor.forRanges(mesh.cellCount, grain, [&](std::size_t begin, std::size_t end) {
-    context.progress.check();
-    for (std::size_t c = begin; c < end; ++c)
-    {
-      measurement.measureCell(c);
-    }
-  });
+  context.executor.forEach(mesh.cellCount, grain, [&](std::size_t c) { measurement.measureCell(c); });
   context.progress.report(0.8, "Judging corners");
   out.scaledJacobian = scaledJacobians(mesh.points, cells, context.part(0.8, 1.0));
   out.volume.resize(mesh.cellCount);

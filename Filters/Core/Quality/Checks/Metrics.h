@@ -53,6 +53,9 @@ struct QualityMetrics
 /// What skewnessOfFaces holds, for one face.
 double faceSkewness(const MeasuredMesh& mesh, std::size_t face);
 
+/// A·d/(|A||d|) of an internal face, up to rounding at most 1.
+double faceCosine(const MeasuredMesh& mesh, std::size_t face);
+
 /// Measures all of the above. `cells` are those the mesh was made of. The result has the same bits for any
 /// number of threads. Throws Aborted when asked to.
 QualityMetrics computeQuality(const FaceMesh& mesh, const CellArrays& cells, const RunContext& context);

@@ -115,18 +115,14 @@ double scaledJacobian(unsigned char cellType, const std::array<Vec3, 8>& corners
 Buffer<double> scaledJacobians(std::span<const Vec3> points, const CellArrays& cells, const RunContext& context)
 {
   Buffer<double> out(cells.types.size());
-  context.executor.forRanges(out.size(), 4096, [&](std::size_t begin, std::size_t end) {
-    context.progress.check();
-    for (std::size_t c = begin; c < end; ++c)
+  context.executor.forEach(out.size(), 4096, [&](std::size_t c) {
+    const auto first = static_cast<std::size_t>(cells.offsets[c]);
+    std::array<Vec3, 8> corners;
+    for (std::size_t i = 0; i < shapeOf(cells.types[c]).corners; ++i)
     {
-      const auto first = static_cast<std::size_t>(cells.offsets[c]);
-      std::array<Vec3, 8> corners;
-      for (std::size_t i = 0; i < shapeOf(cells.types[c]).corners; ++i)
-      {
-        corners[i] = points[static_cast<std::size_t>(cells.connectivity[first + i])];
-      }
-      out[c] = scaledJacobian(cells.types[c], corners);
+      corners[i] = points[static_cast<std::size_t>(cells.connectivity[first + i])];
     }
+    out[c] = scaledJacobian(cells.types[c], corners);
   });
   return out;
 }

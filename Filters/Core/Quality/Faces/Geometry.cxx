@@ -11,7 +11,6 @@ namespace atria {
 
 namespace {
 
-/// Below this a sum is taken for zero, as OpenFOAM does (its ROOTVSMALL).
 constexpr std::size_t grain = 4096;
 
 } // namespace
@@ -83,23 +82,13 @@ MeshGeometry computeGeometry(const FaceMesh& mesh, const CellFaces& cellFaces, c
   out.cellCentroids.resize(mesh.cellCount);
   out.cellVolumes.resize(mesh.cellCount);
   context.progress.report(0.0, "Measuring faces");
-  context.executor.forRanges(mesh.faceCount(), grain, [&](std::size_t begin, std::size_t end) {
-    context.progress.check();
-    for (std::size_t f = begin; f < end; ++f)
-    {
-      const PolygonMeasure face = measurePolygon(mesh.points, mesh.face(f));
-      out.faceAreas[f] = face.area;
-      out.faceCentroids[f] = face.centroid;
-    }
+  context.executor.forEach(mesh.faceCount(), grain, [&](std::size_t f) {
+    const PolygonMeasure face = measurePolygon(mesh.points, mesh.face(f));
+    out.faceAreas[f] = face.area;
+    out.faceCentroids[f] = face.centroid;
   });
   context.progress.report(0.5, "Measuring cells");
-  context.executor.forRanges(mesh.cellCount, grain, [&](std::size_t begin, std::size_t end) {
-    context.progress.check();
-    for (std::size_t c = begin; c < end; ++c)
-    {
-      measureCell(mesh, cellFaces.of(c), c, out);
-    }
-  });
+  context.executor.forEach(mesh.cellCount, grain, [&](std::size_t c) { measureCell(mesh, cellFaces.of(c), c, out); });
   return out;
 }
 

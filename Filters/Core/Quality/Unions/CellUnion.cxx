@@ -3,7 +3,6 @@
 
 #include "Quality/Checks/MeshChecks.h"
 #include "Quality/Checks/Metrics.h"
-#include "Quality/Faces/InOrder.h"
 #include "Quality/Unions/MergeFaces.h"
 #include "Quality/Unions/SplitCells.h"
 #include "Support/Angles.h"
@@ -199,10 +198,7 @@ double worstPenalty(const MeasuredMesh& m, std::span<const Index> faces)
     worst = std::max(worst, faceSkewness(m, f) / severeSkewness);
     if (f < m.mesh.internalFaceCount())
     {
-      const Vec3& area = m.geometry.faceAreas[f];
-      const Vec3 way = m.geometry.cellCentroids[m.mesh.neighbor[f]] - m.geometry.cellCentroids[m.mesh.owner[f]];
-      const double cosine = dotInOrder(way, area) / (lengthInOrder(way) * lengthInOrder(area) + rootVSmall);
-      worst = std::max(worst, degreesOfCosine(cosine) / severeDegrees);
+      worst = std::max(worst, degreesOfCosine(faceCosine(m, f)) / severeDegrees);
     }
   }
   return worst;
