@@ -75,7 +75,7 @@ void renumberCells(Buffer<std::int64_t>& labels, const JudgedMesh& written)
   {
     labels[written.cellOf[cell]] = labels[cell]; // never a higher number
   }
-  labels.resize(written.mesh.cellCount - written.added.size());
+  labels.resize(written.pyramid(0));
   std::ranges::transform(written.added, std::back_inserter(labels),
                          [&](Index cell) { return std::int64_t(labels[cell]); });
 }

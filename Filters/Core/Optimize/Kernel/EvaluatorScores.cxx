@@ -16,7 +16,7 @@ constexpr double flatVolume = 0.004;
 /// Of what is flat but for rounding.
 constexpr double flatSine = 1e-7;
 /// Boundary faces in one plane are written as one, where the sine between their normals is below this; from the same
-/// sine on checkMesh takes a face to lie behind the plane of another. See MergeFacesOptions::planarSine.
+/// sine on checkMesh takes a face to lie behind the plane of another. See mergedPlanarSine.
 constexpr double planarSine = 1e-6;
 /// Skewness is not more than this, so that one wild face does not drown the others.
 constexpr double wild = 8.0;

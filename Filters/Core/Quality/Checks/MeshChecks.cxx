@@ -326,4 +326,19 @@ std::vector<std::uint32_t> failedChecksOfCells(const MeasuredMesh& mesh, const M
   return bits;
 }
 
+std::vector<std::uint32_t> failedErrorsOfCells(const MeasuredMesh& mesh, const MeshVerdict& verdict)
+{
+  std::uint32_t errors = 0;
+  for (std::size_t i = 0; i < verdict.checks.size(); ++i)
+  {
+    errors |= verdict.checks[i].isError ? 1U << i : 0U;
+  }
+  std::vector<std::uint32_t> failed = failedChecksOfCells(mesh, verdict);
+  for (std::uint32_t& of : failed)
+  {
+    of &= errors;
+  }
+  return failed;
+}
+
 } // namespace atria

@@ -52,4 +52,7 @@ MeshVerdict checkMesh(const MeasuredMesh& mesh, const RunContext& context);
 /// For each cell the checks that it, one of its faces or one of its points fails: bit i stands for checks[i].
 std::vector<std::uint32_t> failedChecksOfCells(const MeasuredMesh& mesh, const MeshVerdict& verdict);
 
+/// The same of checks that are errors.
+std::vector<std::uint32_t> failedErrorsOfCells(const MeasuredMesh& mesh, const MeshVerdict& verdict);
+
 } // namespace atria

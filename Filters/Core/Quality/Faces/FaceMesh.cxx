@@ -367,53 +367,49 @@ FaceMesh makeFaceMesh(std::vector<Vec3> points, const CellArrays& cells, std::sp
   return mesh;
 }
 
-std::vector<Index> findBoundaryFaces(const FaceMesh& mesh, std::span<const BoundaryFaceKey> keys,
-                                     const Executor& executor)
+namespace {
+
+/// Per key the first of its faces that has its points and isWanted(key, face). The owner of a key's faces is
+/// ownerOf(key); they are all within the mesh, or all on its boundary.
+template <typename OwnerOf, typename IsWanted>
+std::vector<Index> findFaces(const FaceMesh& mesh, std::span<const BoundaryFaceKey> keys, bool onBoundary,
+                             const Executor& executor, const OwnerOf& ownerOf, const IsWanted& isWanted)
 {
   std::vector<Index> found(keys.size(), noIndex);
-  const auto first = mesh.owner.begin() + static_cast<std::ptrdiff_t>(mesh.internalFaceCount());
+  const auto middle = mesh.owner.begin() + static_cast<std::ptrdiff_t>(mesh.internalFaceCount());
   executor.forRanges(keys.size(), Pieces::length, [&](std::size_t begin, std::size_t end) {
     std::vector<Index> points;
     for (std::size_t k = begin; k < end; ++k)
     {
       points.assign(keys[k].points.begin(), keys[k].points.end());
-      const auto range = std::equal_range(first, mesh.owner.end(), keys[k].cell);
+      const auto range = std::equal_range(onBoundary ? middle : mesh.owner.begin(),
+                                          onBoundary ? mesh.owner.end() : middle, ownerOf(k));
       for (auto it = range.first; it != range.second && found[k] == noIndex; ++it)
       {
-        const auto face = static_cast<std::size_t>(it - mesh.owner.begin());
-        if (samePoints(mesh.face(face), points))
-        {
-          found[k] = static_cast<Index>(face);
-        }
+        const auto face = static_cast<Index>(it - mesh.owner.begin());
+        found[k] = isWanted(k, face) && samePoints(mesh.face(face), points) ? face : noIndex;
       }
     }
   });
   return found;
 }
 
+} // namespace
+
+std::vector<Index> findBoundaryFaces(const FaceMesh& mesh, std::span<const BoundaryFaceKey> keys,
+                                     const Executor& executor)
+{
+  const auto ownerOf = [&](std::size_t k) { return keys[k].cell; };
+  return findFaces(mesh, keys, true, executor, ownerOf, [](std::size_t, Index) { return true; });
+}
+
 std::vector<Index> findInternalFaces(const FaceMesh& mesh, std::span<const BoundaryFaceKey> keys,
                                      std::span<const Index> neighbors, const Executor& executor)
 {
-  std::vector<Index> found(keys.size(), noIndex);
-  const auto last = mesh.owner.begin() + static_cast<std::ptrdiff_t>(mesh.internalFaceCount());
-  executor.forRanges(keys.size(), Pieces::length, [&](std::size_t begin, std::size_t end) {
-    std::vector<Index> points;
-    for (std::size_t k = begin; k < end; ++k)
-    {
-      points.assign(keys[k].points.begin(), keys[k].points.end());
-      const auto [owner, neighbor] = std::minmax(keys[k].cell, neighbors[k]);
-      const auto range = std::equal_range(mesh.owner.begin(), last, owner);
-      for (auto it = range.first; it != range.second && found[k] == noIndex; ++it)
-      {
-        const auto face = static_cast<std::size_t>(it - mesh.owner.begin());
-        if (mesh.neighbor[face] == neighbor && samePoints(mesh.face(face), points))
-        {
-          found[k] = static_cast<Index>(face);
-        }
-      }
-    }
+  const auto ownerOf = [&](std::size_t k) { return std::min(keys[k].cell, neighbors[k]); };
+  return findFaces(mesh, keys, false, executor, ownerOf, [&](std::size_t k, Index face) {
+    return mesh.neighbor[face] == std::max(keys[k].cell, neighbors[k]);
   });
-  return found;
 }
 
 OrderedFace orderFace(Index face, Index owner, Index neighbor)

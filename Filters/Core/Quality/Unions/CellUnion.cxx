@@ -7,6 +7,7 @@
 #include "Quality/Unions/SplitCells.h"
 #include "Support/Angles.h"
 #include "Support/Sorting.h"
+#include "Support/UnionFind.h"
 
 #include <algorithm>
 #include <cmath>
@@ -127,30 +128,13 @@ Surroundings surroundingsOf(const CellUnions& unions, std::span<const Index> cel
   return out;
 }
 
-/// Of all cells the errors that checkMesh() finds, as bits.
-std::vector<std::uint32_t> errorsOf(const MeasuredMesh& mesh, const RunContext& context)
-{
-  const MeshVerdict verdict = checkMesh(mesh, context);
-  std::uint32_t errors = 0;
-  for (std::size_t i = 0; i < verdict.checks.size(); ++i)
-  {
-    errors |= verdict.checks[i].isError ? 1U << i : 0U;
-  }
-  std::vector<std::uint32_t> failed = failedChecksOfCells(mesh, verdict);
-  for (std::uint32_t& of : failed)
-  {
-    of &= errors;
-  }
-  return failed;
-}
-
 /// Whether faces have every edge of theirs twice, once each way, are connected over edges, and are a sphere by Euler's
 /// formula. All look out of cell 0, which owns them.
 bool isBall(const FaceMesh& mesh, std::span<const Index> faces)
 {
-  std::map<std::pair<Index, Index>, std::size_t> faceOfEdge;
+  std::map<std::pair<Index, Index>, Index> faceOfEdge;
   std::vector<Index> points;
-  for (std::size_t i = 0; i < faces.size(); ++i)
+  for (Index i = 0; i < faces.size(); ++i)
   {
     const auto loop = mesh.face(faces[i]);
     points.insert(points.end(), loop.begin(), loop.end());
@@ -162,15 +146,7 @@ bool isBall(const FaceMesh& mesh, std::span<const Index> faces)
       }
     }
   }
-  std::vector<std::size_t> part(faces.size());
-  std::iota(part.begin(), part.end(), std::size_t{0});
-  const auto root = [&](std::size_t i) {
-    while (part[i] != i)
-    {
-      i = part[i];
-    }
-    return i;
-  };
+  UnionFind connected(faces.size());
   std::size_t parts = faces.size();
   for (const auto& [edge, face] : faceOfEdge)
   {
@@ -179,10 +155,8 @@ bool isBall(const FaceMesh& mesh, std::span<const Index> faces)
     {
       return false;
     }
-    const std::size_t a = root(face);
-    const std::size_t b = root(back->second);
-    parts -= a != b ? 1 : 0;
-    part[a] = b;
+    parts -= connected.find(face) != connected.find(back->second) ? 1 : 0;
+    connected.join(face, back->second);
   }
   sortUnique(points);
   return parts == 1 && points.size() + faces.size() == faceOfEdge.size() / 2 + 2;
@@ -323,13 +297,14 @@ bool canBeSplit(const CellUnions& unions, Index cell, const Executor& executor)
   Surroundings cut = whole;
   const Index first[] = {0};
   split(cut, first);
+  const auto errorsOf = [&](const MeasuredMesh& mesh) { return failedErrorsOfCells(mesh, checkMesh(mesh, context)); };
   for (Surroundings* about : {&whole, &cut})
   {
     mergeCoplanarFaces(about->mesh, about->patchOf, context);
   }
-  const std::vector<std::uint32_t> before = errorsOf(measureMesh(whole.mesh, context), context);
+  const std::vector<std::uint32_t> before = errorsOf(measureMesh(whole.mesh, context));
   const MeasuredMesh measured = measureMesh(cut.mesh, context);
-  const std::vector<std::uint32_t> after = errorsOf(measured, context);
+  const std::vector<std::uint32_t> after = errorsOf(measured);
   for (Index c = 0; c < after.size(); ++c)
   {
     const bool isPyramid = c == 0 || c >= before.size();

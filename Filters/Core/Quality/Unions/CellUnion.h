@@ -18,7 +18,7 @@ namespace atria {
 class CellUnions
 {
 public:
-  /// `patchOf` as for mergeCoplanarFaces(), `zoneOf` as in MergeCellsOptions; they must outlive this, as the mesh must.
+  /// `patchOf` as for mergeCoplanarFaces(), `zoneOf` as in KeptParts; they must outlive this, as the mesh must.
   CellUnions(const FaceMesh& mesh, std::span<const Index> patchOf, const Executor& executor,
              std::span<const Index> zoneOf = {});
 

@@ -18,7 +18,7 @@ constexpr double rounding = 1e-12;
 
 /// How many of a cell's faces, outward, look at another one from behind or from within its plane, as checkMesh tells
 /// concave cells.
-std::size_t concavePairs(const std::vector<PolygonMeasure>& faces, double sine)
+std::size_t concavePairs(const std::vector<PolygonMeasure>& faces)
 {
   std::size_t pairs = 0;
   for (const PolygonMeasure& a : faces)
@@ -26,7 +26,7 @@ std::size_t concavePairs(const std::vector<PolygonMeasure>& faces, double sine)
     for (const PolygonMeasure& b : faces)
     {
       const Vec3 way = b.centroid - a.centroid;
-      pairs += &a != &b && way.dot(a.area) > -sine * way.norm() * a.area.norm() ? 1 : 0;
+      pairs += &a != &b && way.dot(a.area) > -mergedPlanarSine * way.norm() * a.area.norm() ? 1 : 0;
     }
   }
   return pairs;
@@ -34,8 +34,8 @@ std::size_t concavePairs(const std::vector<PolygonMeasure>& faces, double sine)
 
 } // namespace
 
-FaceUnions::FaceUnions(FaceMesh& faceMesh, double leastSine, const RunContext& context)
-    : mesh(faceMesh), sine(leastSine), into(faceMesh.faceCount()), cellFaces(makeCellFaces(faceMesh, context.executor)),
+FaceUnions::FaceUnions(FaceMesh& faceMesh, const RunContext& context)
+    : mesh(faceMesh), into(faceMesh.faceCount()), cellFaces(makeCellFaces(faceMesh, context.executor)),
       cellCentroids(computeGeometry(faceMesh, cellFaces, context).cellCentroids), uses(faceMesh.points.size(), 0)
 {
   std::iota(into.begin(), into.end(), Index{0});
@@ -152,7 +152,7 @@ bool FaceUnions::fits(const FaceUnion& change) const
       return false;
     }
     const auto seesAll = [&](const Vec3& from) {
-      return isStarShaped(mesh.points, outwardLoopIn(change, merged, cell), from, sine);
+      return isStarShaped(mesh.points, outwardLoopIn(change, merged, cell), from, mergedPlanarSine);
     };
     if (contains(faces, merged) && (!seesAll(cellCentroids[cell]) || !seesAll(centroid)))
     {
@@ -195,8 +195,8 @@ bool FaceUnions::isLessConcave(const FaceUnion& change) const
   std::size_t after = 0;
   for (const auto& [cell, centroid] : change.centroids)
   {
-    const std::size_t were = concavePairs(measuresIn({}, cell), sine);
-    const std::size_t are = concavePairs(measuresIn(change, cell), sine);
+    const std::size_t were = concavePairs(measuresIn({}, cell));
+    const std::size_t are = concavePairs(measuresIn(change, cell));
     if (are > were)
     {
       return false;

@@ -23,7 +23,7 @@ struct FaceUnion
 class FaceUnions
 {
 public:
-  FaceUnions(FaceMesh& faceMesh, double leastSine, const RunContext& context);
+  FaceUnions(FaceMesh& faceMesh, const RunContext& context);
 
   /// Whether the face did not become a part of another one.
   bool isLeft(Index face) const { return into[face] == face; }
@@ -59,7 +59,6 @@ private:
   bool isInternal(Index face) const { return face < mesh.internalFaceCount(); }
 
   FaceMesh& mesh;
-  double sine;             ///< MergeFacesOptions::planarSine
   std::vector<Index> into; ///< the face each became a part of, itself where none
   CellFaces cellFaces;
   Buffer<Vec3> cellCentroids;

@@ -26,15 +26,8 @@ enum UnionPart : std::uint8_t
 /// The cells that fail a check which is an error, or have faces that do.
 std::vector<bool> failingCells(const MeasuredMesh& mesh, const MeshVerdict& verdict)
 {
-  std::uint32_t errors = 0;
-  for (std::size_t i = 0; i < verdict.checks.size(); ++i)
-  {
-    errors |= verdict.checks[i].isError ? 1U << i : 0U;
-  }
-  const std::vector<std::uint32_t> failed = failedChecksOfCells(mesh, verdict);
-  std::vector<bool> fails(failed.size());
-  std::transform(failed.begin(), failed.end(), fails.begin(), [&](std::uint32_t bits) { return (bits & errors) != 0; });
-  return fails;
+  const std::vector<std::uint32_t> failed = failedErrorsOfCells(mesh, verdict);
+  return {failed.begin(), failed.end()};
 }
 
 class UnionJudge
@@ -73,10 +66,8 @@ private:
     const std::size_t internalBefore = now.mesh.internalFaceCount();
     if (options.mergeCells)
     {
-      MergeCellsOptions merging;
-      merging.kept = keptCells;
-      merging.zoneOf = options.zoneOf;
-      MergedCells cells = mergeUnderdeterminedCells(now.mesh, patchOf, round.part(0.0, 0.3), merging);
+      MergedCells cells =
+          mergeUnderdeterminedCells(now.mesh, patchOf, round.part(0.0, 0.3), {keptCells, options.zoneOf});
       now.cellOf = std::move(cells.cellOf);
       now.added = std::move(cells.added);
       now.faceOf = std::move(cells.faceOf);
@@ -84,16 +75,13 @@ private:
     }
     if (options.mergeFaces)
     {
-      MergeFacesOptions merging;
       std::vector<Index> kept = keptFaces;
       std::ranges::transform(kept, kept.begin(),
                              [&](Index cell) { return now.cellOf.empty() ? cell : now.cellOf[cell]; });
       sortUnique(kept);
       const std::vector<Index> zones = zonesNow(now);
-      merging.kept = kept;
-      merging.zoneOf = zones;
       const MergedFaces faces =
-          mergeCoplanarFaces(now.mesh, patchNow(now, internalBefore), round.part(0.3, 0.5), merging);
+          mergeCoplanarFaces(now.mesh, patchNow(now, internalBefore), round.part(0.3, 0.5), {kept, zones});
       now.mergedFaces = faces.count;
       follow(now.faceOf, faces);
     }
@@ -184,7 +172,7 @@ private:
     }
     for (std::size_t i = 0; i < now.added.size(); ++i)
     {
-      sound[now.mesh.cellCount - now.added.size() + i] = sound[now.added[i]];
+      sound[now.pyramid(i)] = sound[now.added[i]];
     }
     return sound;
   }
@@ -222,7 +210,7 @@ private:
     for (std::size_t i = 0; i < now.added.size(); ++i)
     {
       parts[now.added[i]] |= ofCells;
-      parts[now.mesh.cellCount - now.added.size() + i] |= ofCells;
+      parts[now.pyramid(i)] |= ofCells;
     }
   }
 
@@ -252,7 +240,7 @@ private:
     }
     for (std::size_t i = 0; i < now.added.size(); ++i)
     {
-      if (isUndone[now.mesh.cellCount - now.added.size() + i])
+      if (isUndone[now.pyramid(i)])
       {
         isUndone[now.added[i]] = true;
       }

@@ -18,7 +18,7 @@ struct UnionOptions
 {
   bool mergeCells = true; ///< see mergeUnderdeterminedCells()
   bool mergeFaces = true; ///< see mergeCoplanarFaces()
-  /// For each internal face the number of its zone or noIndex, as in MergeCellsOptions and MergeFacesOptions.
+  /// For each internal face the number of its zone or noIndex, as in KeptParts.
   std::span<const Index> zoneOf = {};
 };
 
@@ -35,6 +35,9 @@ struct JudgedMesh
   std::size_t mergedFaces = 0;
   MeshVerdict verdict;
   std::vector<std::string> failures; ///< see failureTexts()
+
+  /// The cell that an entry of `added` stands for.
+  std::size_t pyramid(std::size_t i) const { return mesh.cellCount - added.size() + i; }
 };
 
 /// Merges cells and faces of a mesh, judges what comes of it, and undoes unions of sound cells about cells that fail a

@@ -20,6 +20,15 @@ namespace {
 
 using Mat3 = Eigen::Matrix3d;
 
+/// A cell has too few neighbors where no more than three faces of it are within the mesh and its determinant (see
+/// CheckQuantity::Determinant) is below this, checkMesh's limit. Thin cells of boundary layers have small determinants
+/// too, but more faces.
+constexpr double leastDeterminant = 1e-3;
+/// How many cells are made one at most.
+constexpr std::size_t mostCells = 6;
+/// How many of the groups of cells that do not serve are tried with one cell more.
+constexpr std::size_t mostTried = 12;
+
 /// Sums over the internal faces of a cell.
 struct Directions
 {
@@ -36,7 +45,7 @@ struct Directions
   }
 
   /// Four or more faces of a thin cell have a small determinant as well, but look all ways.
-  bool areFew(double leastDeterminant) const
+  bool areFew() const
   {
     if (count != 3 || area <= 0.0)
     {
@@ -64,8 +73,8 @@ class CellMerger
 {
 public:
   CellMerger(FaceMesh& faceMesh, std::span<const Index> patchOfFace, const RunContext& within,
-             const MergeCellsOptions& mergeOptions)
-      : mesh(faceMesh), patchOf(patchOfFace), context(within), options(mergeOptions)
+             const KeptParts& keptParts)
+      : mesh(faceMesh), patchOf(patchOfFace), context(within), kept(keptParts)
   {
   }
 
@@ -78,7 +87,7 @@ public:
       return {};
     }
     context.progress.report(0.3, "Merging cells");
-    CellUnions unions(mesh, patchOf, context.executor, options.zoneOf);
+    CellUnions unions(mesh, patchOf, context.executor, kept.zoneOf);
     bool any = false;
     for (const Index cell : candidates)
     {
@@ -90,7 +99,7 @@ public:
   }
 
 private:
-  bool isKept(Index cell) const { return std::binary_search(options.kept.begin(), options.kept.end(), cell); }
+  bool isKept(Index cell) const { return std::binary_search(kept.cells.begin(), kept.cells.end(), cell); }
 
   /// Cells at walls whose internal faces do not look all ways; rising.
   std::vector<Index> findCandidates() const
@@ -106,7 +115,7 @@ private:
     }
     for (std::size_t i = 0; i < cells.size(); ++i)
     {
-      if (directions[i].areFew(options.determinant))
+      if (directions[i].areFew())
       {
         found.push_back(cells[i]);
       }
@@ -176,7 +185,7 @@ private:
   std::optional<Group> findGroup(const CellUnions& unions, const Group& alone) const
   {
     std::vector<Group> groups{alone};
-    for (std::size_t size = 2; size <= options.most && !groups.empty(); ++size)
+    for (std::size_t size = 2; size <= mostCells && !groups.empty(); ++size)
     {
       groups = withOneMore(unions, groups);
       if (!groups.empty() && groups[0].serves())
@@ -214,7 +223,7 @@ private:
       }
     }
     std::sort(found.begin(), found.end(), [](const Group& a, const Group& b) { return a.rank() < b.rank(); });
-    found.resize(std::min(found.size(), options.tried));
+    found.resize(std::min(found.size(), mostTried));
     return found;
   }
 
@@ -285,15 +294,15 @@ private:
   FaceMesh& mesh;
   std::span<const Index> patchOf;
   const RunContext& context;
-  const MergeCellsOptions& options;
+  const KeptParts& kept;
 };
 
 } // namespace
 
 MergedCells mergeUnderdeterminedCells(FaceMesh& mesh, std::span<const Index> patchOf, const RunContext& context,
-                                      const MergeCellsOptions& options)
+                                      const KeptParts& kept)
 {
-  return CellMerger(mesh, patchOf, context, options).run();
+  return CellMerger(mesh, patchOf, context, kept).run();
 }
 
 } // namespace atria

@@ -2,7 +2,7 @@
 /// Cells with too few neighbors made part of one, for formats that know polyhedra.
 #pragma once
 
-#include "Quality/Faces/FaceMesh.h"
+#include "Quality/Unions/MergeFaces.h"
 #include "Support/RunContext.h"
 
 #include <cstddef>
@@ -10,23 +10,6 @@
 #include <vector>
 
 namespace atria {
-
-struct MergeCellsOptions
-{
-  /// A cell has too few neighbors where no more than three faces of it are within the mesh and its determinant (see
-  /// CheckQuantity::Determinant) is below this, checkMesh's limit. Thin cells of boundary layers have small
-  /// determinants too, but more faces.
-  double determinant = 1e-3;
-  /// How many cells are made one at most.
-  std::size_t most = 6;
-  /// How many of the groups of cells that do not serve are tried with one cell more.
-  std::size_t tried = 12;
-  /// Cells that stay as they are; rising.
-  std::span<const Index> kept;
-  /// For each internal face the number of its zone or noIndex; empty, none is in one. Faces of zones stay: cells on
-  /// either side of one are not made one.
-  std::span<const Index> zoneOf = {};
-};
 
 struct MergedCells
 {
@@ -52,6 +35,6 @@ struct MergedCells
 /// numbers, one after the other: the result does not depend on threads. Linear in the number of faces, but for their
 /// sorting where cells change. Throws Aborted when asked to.
 MergedCells mergeUnderdeterminedCells(FaceMesh& mesh, std::span<const Index> patchOf, const RunContext& context,
-                                      const MergeCellsOptions& options = {});
+                                      const KeptParts& kept = {});
 
 } // namespace atria

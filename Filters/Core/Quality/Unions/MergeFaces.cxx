@@ -15,6 +15,10 @@ namespace atria {
 
 namespace {
 
+/// As mergedPlanarSine, of internal faces. One of the cells that share two faces is concave however its points are
+/// placed, by little where it is else well-shaped. No patch changes with such faces, so they need not be as flat.
+constexpr double internalSine = 0.05;
+
 std::vector<Index> without(std::span<const Index> loop, Index point)
 {
   std::vector<Index> out(loop.begin(), loop.end());
@@ -32,8 +36,8 @@ std::pair<Index, Index> besideIn(std::span<const Index> loop, Index point)
 class FaceMerger
 {
 public:
-  FaceMerger(FaceMesh& faceMesh, std::span<const Index> patchOfFace, const MergeFacesOptions& mergeOptions)
-      : mesh(faceMesh), patchOf(patchOfFace), options(mergeOptions)
+  FaceMerger(FaceMesh& faceMesh, std::span<const Index> patchOfFace, const KeptParts& keptParts)
+      : mesh(faceMesh), patchOf(patchOfFace), kept(keptParts)
   {
   }
 
@@ -45,7 +49,7 @@ public:
     {
       return {};
     }
-    unions.emplace(mesh, options.planarSine, context.part(0.1, 0.7));
+    unions.emplace(mesh, context.part(0.1, 0.7));
     for (const Index first : firstFaces)
     {
       context.progress.check();
@@ -64,20 +68,20 @@ private:
   bool samePatch(Index a, Index b) const
   {
     const std::size_t internal = mesh.internalFaceCount();
-    return isInternal(a) ? options.zoneOf.empty() || options.zoneOf[a] == options.zoneOf[b]
+    return isInternal(a) ? kept.zoneOf.empty() || kept.zoneOf[a] == kept.zoneOf[b]
                          : patchOf.empty() || patchOf[a - internal] == patchOf[b - internal];
   }
 
-  bool isKept(Index cell) const { return std::binary_search(options.kept.begin(), options.kept.end(), cell); }
+  bool isKept(Index cell) const { return std::binary_search(kept.cells.begin(), kept.cells.end(), cell); }
 
   bool hasKeptCell(Index face) const
   {
     return isKept(mesh.owner[face]) || (isInternal(face) && isKept(mesh.neighbor[face]));
   }
 
-  bool isOfZone(Index face) const { return face < options.zoneOf.size() && options.zoneOf[face] != noIndex; }
+  bool isOfZone(Index face) const { return face < kept.zoneOf.size() && kept.zoneOf[face] != noIndex; }
 
-  double sineOf(Index face) const { return isInternal(face) ? options.internalSine : options.planarSine; }
+  double sineOf(Index face) const { return isInternal(face) ? internalSine : mergedPlanarSine; }
 
   /// Whether they have the same owner and, if there is one, the same neighbor.
   bool areOfOneRun(Index a, Index b) const
@@ -320,16 +324,16 @@ private:
 
   FaceMesh& mesh;
   std::span<const Index> patchOf;
-  const MergeFacesOptions& options;
+  const KeptParts& kept;
   std::optional<FaceUnions> unions; ///< once there is something to merge
 };
 
 } // namespace
 
 MergedFaces mergeCoplanarFaces(FaceMesh& mesh, std::span<const Index> patchOf, const RunContext& context,
-                               const MergeFacesOptions& options)
+                               const KeptParts& kept)
 {
-  return FaceMerger(mesh, patchOf, options).run(context);
+  return FaceMerger(mesh, patchOf, kept).run(context);
 }
 
 } // namespace atria

@@ -12,20 +12,19 @@
 
 namespace atria {
 
-struct MergeFacesOptions
+/// Two faces are coplanar where the sine of the angle between their normals is below this, and no point of theirs is
+/// further from their common plane than this share of their longest edge. At 1e-6, the sine to which OpenFOAM's
+/// checkMesh tells concave cells, the area of a patch changes by less than 2e-13 of it. The merged face's triangles
+/// have to have angles with a greater sine than this.
+inline constexpr double mergedPlanarSine = 1e-6;
+
+/// What unions of cells, or of faces, leave as it is.
+struct KeptParts
 {
-  /// Two faces are coplanar where the sine of the angle between their normals is below this, and no point of theirs is
-  /// further from their common plane than this share of their longest edge. At 1e-6, the sine to which OpenFOAM's
-  /// checkMesh tells concave cells, the area of a patch changes by less than 2e-13 of it. The merged face's triangles
-  /// have to have angles with a greater sine than this.
-  double planarSine = 1e-6;
-  /// The same for internal faces. One of the cells that share two faces is concave however its points are placed, by
-  /// little where it is else well-shaped. No patch changes with such faces, so they need not be as flat.
-  double internalSine = 0.05;
-  /// Cells whose faces stay as they are; rising.
-  std::span<const Index> kept;
+  /// Cells that are not made one with others, or whose faces are not; rising.
+  std::span<const Index> cells = {};
   /// For each internal face the number of its zone or noIndex; empty, none is in one. Faces of different zones are not
-  /// merged.
+  /// merged, nor cells on either side of a face of a zone.
   std::span<const Index> zoneOf = {};
 };
 
@@ -57,6 +56,6 @@ struct MergedFaces
 /// of their numbers, one cell after the other: the result does not depend on threads. Merging again changes nothing.
 /// Throws Aborted when asked to.
 MergedFaces mergeCoplanarFaces(FaceMesh& mesh, std::span<const Index> patchOf, const RunContext& context,
-                               const MergeFacesOptions& options = {});
+                               const KeptParts& kept = {});
 
 } // namespace atria
