@@ -6,12 +6,8 @@
 #include "Support/Text.h"
 #include "Support/Utf8.h"
 
-#include <vtkAlgorithm.h>
-#include <vtkCallbackCommand.h>
 #include <vtkCellData.h>
-#include <vtkCommand.h>
 #include <vtkDataObject.h>
-#include <vtkExecutive.h>
 #include <vtkFieldData.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
@@ -21,7 +17,6 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <regex>
 #include <set>
 #include <unordered_map>
 
@@ -112,57 +107,6 @@ std::string readBytes(const std::string& file)
     throw Error("cannot read '" + file + "'; check its permissions");
   }
   return bytes;
-}
-
-namespace {
-
-/// "ERROR: In file.cxx, line 1\nvtkClass (0x1): text\n\n" to "text".
-std::string withoutPlace(const std::string& message)
-{
-  static const std::regex place(R"(^(ERROR|Warning): In [^\n]*\n[^\n]*?\([^)\n]*\): )");
-  std::string text = std::regex_replace(message, place, "");
-  text.erase(text.find_last_not_of(" \n\r") + 1);
-  return text;
-}
-
-} // namespace
-
-Messages::Messages(vtkObject* watched)
-{
-  vtkNew<vtkCallbackCommand> command;
-  command->SetClientData(this);
-  command->SetCallback([](vtkObject*, unsigned long, void* self, void* text) {
-    std::string& kept = static_cast<Messages*>(self)->firstError;
-    if (kept.empty())
-    {
-      kept = withoutPlace(static_cast<const char*>(text));
-    }
-  });
-  onError = command;
-  watch(watched);
-  if (auto* algorithm = vtkAlgorithm::SafeDownCast(watched))
-  {
-    watch(algorithm->GetExecutive());
-  }
-}
-
-void Messages::watch(vtkObject* object)
-{
-  observers.emplace_back(object, object->AddObserver(vtkCommand::ErrorEvent, onError));
-  vtkNew<vtkCallbackCommand> onWarning;
-  onWarning->SetClientData(this);
-  onWarning->SetCallback([](vtkObject*, unsigned long, void* self, void* text) {
-    static_cast<Messages*>(self)->allWarnings.push_back(withoutPlace(static_cast<const char*>(text)));
-  });
-  observers.emplace_back(object, object->AddObserver(vtkCommand::WarningEvent, onWarning));
-}
-
-Messages::~Messages()
-{
-  for (const auto& [object, observer] : observers)
-  {
-    object->RemoveObserver(observer);
-  }
 }
 
 } // namespace atria::model

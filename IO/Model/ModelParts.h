@@ -2,18 +2,15 @@
 /// What a file of any format is read as, and what its readers share.
 #pragma once
 
-#include <vtkCommand.h>
 #include <vtkSmartPointer.h>
 
 #include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 class vtkDataObject;
-class vtkObject;
 class vtkPolyData;
 
 namespace atria::model {
@@ -78,30 +75,5 @@ std::string headOf(const std::string& bytes);
 
 /// Throws Error where `file` cannot be read; else its bytes.
 std::string readBytes(const std::string& file);
-
-/// Keeps the errors and warnings of a VTK object, and of its executive if it is an algorithm, which would go to the
-/// console, for as long as it lives.
-class Messages
-{
-public:
-  explicit Messages(vtkObject* watched);
-  ~Messages();
-  Messages(const Messages&) = delete;
-  Messages& operator=(const Messages&) = delete;
-
-  /// The first error, without addresses and source lines; empty where there was none.
-  const std::string& error() const { return firstError; }
-  const std::vector<std::string>& warnings() const { return allWarnings; }
-  /// For objects that others make.
-  vtkCommand* errorObserver() const { return onError; }
-
-private:
-  void watch(vtkObject* object);
-
-  vtkSmartPointer<vtkCommand> onError;
-  std::vector<std::pair<vtkSmartPointer<vtkObject>, unsigned long>> observers;
-  std::string firstError;
-  std::vector<std::string> allWarnings;
-};
 
 } // namespace atria::model

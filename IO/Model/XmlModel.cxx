@@ -5,9 +5,11 @@
 #include "Support/Error.h"
 
 #include <vtkCellArray.h>
+#include <vtkCommand.h>
 #include <vtkCompositeDataSet.h>
 #include <vtkDataObjectTree.h>
 #include <vtkDataObjectTreeIterator.h>
+#include <vtkExecutive.h>
 #include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkMultiBlockDataSet.h>
@@ -19,10 +21,39 @@
 #include <vtkXMLPolyDataReader.h>
 
 #include <algorithm>
+#include <initializer_list>
+#include <regex>
 
 namespace atria::model {
 
 namespace {
+
+/// Keeps errors and warnings of VTK's objects, which would go to the console.
+class Messages : public vtkCommand
+{
+public:
+  vtkTypeMacro(Messages, vtkCommand);
+  static Messages* New() { return new Messages; }
+
+  void Execute(vtkObject*, unsigned long event, void* text) override
+  {
+    // "ERROR: In file.cxx, line 1\nvtkClass (0x1): text\n\n"
+    static const std::regex place(R"(^(ERROR|Warning): In [^\n]*\n[^\n]*?\([^)\n]*\): )");
+    std::string message = std::regex_replace(static_cast<const char*>(text), place, "");
+    message.erase(message.find_last_not_of(" \n\r") + 1);
+    if (event == vtkCommand::WarningEvent)
+    {
+      warnings.push_back(message);
+    }
+    else if (firstError.empty())
+    {
+      firstError = message;
+    }
+  }
+
+  std::string firstError;
+  std::vector<std::string> warnings;
+};
 
 void keepPartsOf(vtkPolyData* data, Model& model)
 {
@@ -81,8 +112,13 @@ Model readXml(const std::string& file)
 {
   checkXmlSizes(file);
   const vtkSmartPointer<vtkXMLReader> reader = readerFor(file);
-  const Messages messages(reader);
-  reader->SetParserErrorObserver(messages.errorObserver());
+  vtkNew<Messages> messages;
+  for (vtkObject* watched : std::initializer_list<vtkObject*>{reader, reader->GetExecutive()})
+  {
+    watched->AddObserver(vtkCommand::ErrorEvent, messages);
+    watched->AddObserver(vtkCommand::WarningEvent, messages);
+  }
+  reader->SetParserErrorObserver(messages);
   if (!reader->CanReadFile(file.c_str()))
   {
     throw Error("'" + file + "' does not hold the VTK XML data that its ending says; write it again");
@@ -90,14 +126,14 @@ Model readXml(const std::string& file)
   reader->SetFileName(file.c_str());
   reader->Update();
   vtkDataObject* output = reader->GetOutputDataObject(0);
-  if (!messages.error().empty() || !output)
+  if (!messages->firstError.empty() || !output)
   {
     throw Error("'" + file + "' cannot be read as a VTK XML file" +
-                (messages.error().empty() ? "" : ": " + messages.error()) + "; write it again");
+                (messages->firstError.empty() ? "" : ": " + messages->firstError) + "; write it again");
   }
   checkCells(output, file);
   Model model;
-  model.warnings = messages.warnings();
+  model.warnings = messages->warnings;
   model.data = output;
   if (auto* data = vtkPolyData::SafeDownCast(output))
   {
