@@ -113,11 +113,6 @@ public:
     {
       model.warnings.push_back(std::to_string(skipped) + " points and lines make no surface");
     }
-    if (faces.numberLeftOut() > 0)
-    {
-      model.warnings.push_back(std::to_string(faces.numberLeftOut()) +
-                               " faces are left out: they have corners that do not exist or are no numbers");
-    }
   }
 
   Model finish(const Placing& placing)
@@ -128,7 +123,7 @@ public:
     {
       parts[i].name = names[i];
     }
-    model.data = faces.polyData(keepTree(model, parts));
+    faces.giveTo(model, keepTree(model, parts), "faces");
     model.singlePrecision = true;
     model.upAxis = placing.upAxis;
     model.axisKnown = placing.axisKnown;

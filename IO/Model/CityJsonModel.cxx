@@ -22,16 +22,6 @@ namespace {
 using Json = nlohmann::json;
 using Transform = Eigen::Affine3d;
 
-/// An entry of an object; null where there is none.
-const Json& entryOf(const Json& object, const char* key)
-{
-  static const Json none;
-  const auto found = object.is_object() ? object.find(key) : object.end();
-  return object.is_object() && found != object.end() ? *found : none;
-}
-
-std::string textOf(const Json& value) { return value.is_string() ? value.get<std::string>() : std::string(); }
-
 /// "2.2" to 2.2; numbers were allowed once.
 double levelOf(const Json& geometry)
 {
@@ -324,17 +314,12 @@ Model CityReader::finish()
   {
     model.warnings.push_back(std::to_string(noSurfaces) + " geometries of points or lines make no surface");
   }
-  if (faces.numberLeftOut() > 0)
-  {
-    model.warnings.push_back(std::to_string(faces.numberLeftOut()) +
-                             " surfaces are left out: they have corners that do not exist or are no numbers");
-  }
   if (lowerLevels > 0)
   {
     model.notes.push_back(std::to_string(lowerLevels) +
                           " geometries are left out for those of a higher level of detail");
   }
-  model.data = faces.polyData(keepTree(model, parts));
+  faces.giveTo(model, keepTree(model, parts), "surfaces");
   model.unitKnown = true; // of the reference systems that are in use for buildings
   model.axisKnown = true;
   return std::move(model);

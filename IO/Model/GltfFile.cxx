@@ -7,6 +7,8 @@
 
 #include "Support/Error.h"
 
+#include <vtksys/SystemTools.hxx>
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -23,28 +25,6 @@ template <typename T> T valueAt(std::string_view bytes)
   T value;
   std::memcpy(&value, bytes.data(), sizeof(T)); // little endian, as all machines in use
   return value;
-}
-
-int hexDigit(char c)
-{
-  return c >= '0' && c <= '9'   ? c - '0'
-         : c >= 'a' && c <= 'f' ? c - 'a' + 10
-         : c >= 'A' && c <= 'F' ? c - 'A' + 10
-                                : -1;
-}
-
-/// %20 and the like as the characters they stand for.
-std::string withoutEscapes(const std::string& uri)
-{
-  std::string out;
-  for (std::size_t i = 0; i < uri.size(); ++i)
-  {
-    const int high = uri[i] == '%' && i + 2 < uri.size() ? hexDigit(uri[i + 1]) : -1;
-    const int low = high >= 0 ? hexDigit(uri[i + 2]) : -1;
-    out.push_back(low >= 0 ? static_cast<char>(16 * high + low) : uri[i]);
-    i += low >= 0 ? 2 : 0;
-  }
-  return out;
 }
 
 /// Bytes of a component; 0 for a type there is not.
@@ -144,8 +124,7 @@ void File::parse(std::string_view json)
   {
     throw Error("'" + name + "' cannot be read as glTF 2.0: " + error.what() + "; export it again");
   }
-  const auto asset = document.find("asset");
-  const std::string version = asset != document.end() ? text(*asset, "version") : "";
+  const std::string version = text(entryOf(document, "asset"), "version");
   if (!version.empty() && version.front() != '2')
   {
     throw Error("'" + name + "' is glTF " + version + "; export it as glTF 2.0");
@@ -173,7 +152,7 @@ void File::checkExtensions() const
 
 void File::loadBuffer(const Json& buffer, std::size_t number)
 {
-  const std::string uri = buffer.is_object() ? text(buffer, "uri") : "";
+  const std::string uri = text(buffer, "uri");
   if (uri.empty())
   {
     buffers[number] = number == 0 ? chunk : std::string_view();
@@ -191,7 +170,8 @@ void File::loadBuffer(const Json& buffer, std::size_t number)
     const auto [found, isNew] = files.try_emplace(uri);
     if (isNew)
     {
-      found->second = readBytes((std::filesystem::path(name).parent_path() / withoutEscapes(uri)).string());
+      found->second =
+          readBytes((std::filesystem::path(name).parent_path() / vtksys::SystemTools::DecodeURL(uri)).string());
     }
     buffers[number] = found->second;
   }
@@ -204,8 +184,8 @@ void File::loadBuffer(const Json& buffer, std::size_t number)
 const Json& File::list(const char* key) const
 {
   static const Json empty = Json::array();
-  const auto found = document.find(key);
-  return found != document.end() && found->is_array() ? *found : empty;
+  const Json& found = entryOf(document, key);
+  return found.is_array() ? found : empty;
 }
 
 const Json* File::entry(const Json& of, std::size_t i) const
@@ -215,42 +195,38 @@ const Json* File::entry(const Json& of, std::size_t i) const
 
 std::optional<std::size_t> File::index(const Json& object, const char* key) const
 {
-  const auto found = object.is_object() ? object.find(key) : object.end();
-  if (found == object.end())
+  const Json& found = entryOf(object, key);
+  if (found.is_null())
   {
     return std::nullopt;
   }
-  if (!found->is_number_unsigned())
+  if (!found.is_number_unsigned())
   {
     throw Damaged(std::string("'") + key + "' is not a number from 0");
   }
-  return found->get<std::size_t>();
+  return found.get<std::size_t>();
 }
 
 std::vector<double> File::numbers(const Json& object, const char* key, std::size_t count) const
 {
   std::vector<double> out;
-  const auto found = object.find(key);
-  if (found == object.end())
+  const Json& found = entryOf(object, key);
+  if (found.is_null())
   {
     return out;
   }
-  for (std::size_t i = 0; found->is_array() && i < found->size() && (*found)[i].is_number(); ++i)
+  for (std::size_t i = 0; found.is_array() && i < found.size() && found[i].is_number(); ++i)
   {
-    out.push_back((*found)[i].get<double>());
+    out.push_back(found[i].get<double>());
   }
-  if (out.size() != count || found->size() != count)
+  if (out.size() != count || found.size() != count)
   {
     throw Damaged(std::string("'") + key + "' is no list of " + std::to_string(count) + " numbers");
   }
   return out;
 }
 
-std::string File::text(const Json& object, const char* key) const
-{
-  const auto found = object.is_object() ? object.find(key) : object.end();
-  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
-}
+std::string File::text(const Json& object, const char* key) const { return textOf(entryOf(object, key)); }
 
 std::string File::nameOf(const char* key, const std::optional<std::size_t>& i) const
 {
@@ -308,22 +284,21 @@ File::Items File::itemsOf(const Json& accessor, std::size_t count, std::size_t i
 template <typename Put>
 void File::forSparse(const Json& accessor, std::size_t count, std::size_t itemSize, const Put& put) const
 {
-  const auto sparse = accessor.find("sparse");
-  if (sparse == accessor.end())
+  const Json& sparse = entryOf(accessor, "sparse");
+  if (sparse.is_null())
   {
     return;
   }
-  const auto places = sparse->is_object() ? sparse->find("indices") : sparse->end();
-  const auto values = sparse->is_object() ? sparse->find("values") : sparse->end();
-  const std::size_t changed = index(*sparse, "count").value_or(0);
-  if (!sparse->is_object() || places == sparse->end() || values == sparse->end() || changed == 0 ||
-      !index(*places, "bufferView") || !index(*values, "bufferView"))
+  const Json& places = entryOf(sparse, "indices");
+  const Json& values = entryOf(sparse, "values");
+  const std::size_t changed = index(sparse, "count").value_or(0);
+  if (changed == 0 || !index(places, "bufferView") || !index(values, "bufferView"))
   {
     throw Damaged("an accessor's sparse values are incomplete");
   }
-  const std::size_t size = sizeOfComponent(index(*places, "componentType").value_or(0));
-  const Items at = itemsOf(*places, changed, std::max(size, std::size_t{1}));
-  const Items items = itemsOf(*values, changed, itemSize);
+  const std::size_t size = sizeOfComponent(index(places, "componentType").value_or(0));
+  const Items at = itemsOf(places, changed, std::max(size, std::size_t{1}));
+  const Items items = itemsOf(values, changed, itemSize);
   if (!at.fault.empty() || !items.fault.empty())
   {
     throw Damaged(at.fault.empty() ? items.fault : at.fault); // points would stay where they should not be
@@ -344,8 +319,7 @@ Values<double> File::floats(std::size_t number, std::size_t width) const
   const Json& accessor = accessorOf(number);
   const std::size_t type = index(accessor, "componentType").value_or(0);
   const std::size_t size = sizeOfComponent(type);
-  const auto flag = accessor.find("normalized");
-  const bool normalized = flag != accessor.end() && *flag == true;
+  const bool normalized = entryOf(accessor, "normalized") == true;
   std::size_t count = index(accessor, "count").value_or(0);
   const bool isSparse = !index(accessor, "bufferView");
   // No more is asked for than the file can hold, or could with sparse values.

@@ -2,6 +2,7 @@
 /// glTF: the nodes of a scene, and the primitives of their meshes. Of our own: VTK 9.1's loader names its blocks by
 /// number, and reads beyond the ends of buffers in a damaged file.
 #include "GltfFile.h"
+#include "JsonText.h"
 #include "ModelFaces.h"
 #include "ModelFile.h"
 
@@ -12,6 +13,7 @@
 
 #include <Eigen/Geometry>
 
+#include <numeric>
 #include <set>
 
 namespace atria::model {
@@ -117,8 +119,7 @@ Transform NodeWalk::transformOf(const Json& node) const
 void NodeWalk::addPrimitive(const Json& primitive, const Visit& at, const std::string& name)
 {
   const std::size_t mode = file.index(primitive, "mode").value_or(trianglesMode);
-  const auto attributes = primitive.find("attributes");
-  const auto position = attributes == primitive.end() ? std::nullopt : file.index(*attributes, "POSITION");
+  const auto position = file.index(entryOf(primitive, "attributes"), "POSITION");
   if (mode < trianglesMode || mode > fanMode || !position)
   {
     ++notSurfaces;
@@ -163,10 +164,7 @@ void NodeWalk::addTriangles(const Json& primitive, std::size_t mode, std::size_t
   else
   {
     ids.resize(points.size() / 3);
-    for (std::size_t i = 0; i < ids.size(); ++i)
-    {
-      ids[i] = i;
-    }
+    std::iota(ids.begin(), ids.end(), std::size_t{0});
   }
   const std::size_t first = faces.numberOfPoints();
   for (std::size_t i = 0; i + 2 < points.size(); i += 3)
@@ -190,12 +188,12 @@ void NodeWalk::addMesh(const Json& mesh, const Visit& at, const std::string& nod
 {
   const std::string meshName = file.text(mesh, "name");
   const std::string& name = !nodeName.empty() ? nodeName : !meshName.empty() ? meshName : at.name;
-  const auto primitives = mesh.find("primitives");
-  for (std::size_t i = 0; primitives != mesh.end() && primitives->is_array() && i < primitives->size(); ++i)
+  const Json& primitives = entryOf(mesh, "primitives");
+  for (std::size_t i = 0; primitives.is_array() && i < primitives.size(); ++i)
   {
     try
     {
-      if (const Json& primitive = (*primitives)[i]; primitive.is_object())
+      if (const Json& primitive = primitives[i]; primitive.is_object())
       {
         addPrimitive(primitive, at, name);
       }
@@ -281,17 +279,17 @@ std::vector<std::size_t> NodeWalk::roots()
 std::vector<std::size_t> NodeWalk::nodesIn(const Json& object, const char* key)
 {
   std::vector<std::size_t> out;
-  const auto found = object.find(key);
-  if (found != object.end() && !found->is_array())
+  const Json& found = entryOf(object, key);
+  if (!found.is_null() && !found.is_array())
   {
     complaints.push_back(std::string("'") + key + "' is no list of numbers from 0");
     return out;
   }
-  for (std::size_t i = 0; found != object.end() && i < found->size(); ++i)
+  for (const Json& entry : found)
   {
-    if ((*found)[i].is_number_unsigned())
+    if (entry.is_number_unsigned())
     {
-      out.push_back((*found)[i].get<std::size_t>());
+      out.push_back(entry.get<std::size_t>());
     }
     else
     {
@@ -323,11 +321,6 @@ void NodeWalk::addWarnings(Model& model) const
   {
     model.warnings.push_back(std::to_string(notSurfaces) + " sets of lines and points make no surface");
   }
-  if (faces.numberLeftOut() > 0)
-  {
-    model.warnings.push_back(std::to_string(faces.numberLeftOut()) +
-                             " triangles are left out: they have corners that do not exist");
-  }
 }
 
 Model NodeWalk::run()
@@ -352,13 +345,13 @@ Model NodeWalk::run()
   }
   const std::vector<std::string> names = uniqueNames(parts, stemOf(file.path()));
   Model result;
-  result.data = faces.polyData(names);
   result.singlePrecision = true;
   result.upAxis = 1;
   result.unitKnown = true;
   result.axisKnown = true;
   keepParts(result, parts, names);
   addWarnings(result);
+  faces.giveTo(result, names, "triangles");
   return result;
 }
 

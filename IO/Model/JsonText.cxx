@@ -23,4 +23,13 @@ nlohmann::json parseJson(std::string_view text)
   }
 }
 
+const nlohmann::json& entryOf(const nlohmann::json& object, const char* key)
+{
+  static const nlohmann::json none;
+  const auto found = object.is_object() ? object.find(key) : object.end();
+  return object.is_object() && found != object.end() ? *found : none;
+}
+
+std::string textOf(const nlohmann::json& value) { return value.is_string() ? value.get<std::string>() : std::string(); }
+
 } // namespace atria::model

@@ -11,4 +11,10 @@ namespace atria::model {
 /// what is wrong, but without the file's name.
 nlohmann::json parseJson(std::string_view text);
 
+/// An entry of an object; null where there is none.
+const nlohmann::json& entryOf(const nlohmann::json& object, const char* key);
+
+/// Empty where the value is no text.
+std::string textOf(const nlohmann::json& value);
+
 } // namespace atria::model

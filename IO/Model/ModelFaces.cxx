@@ -36,7 +36,7 @@ void ModelFaces::scale(double factor)
   }
 }
 
-vtkSmartPointer<vtkPolyData> ModelFaces::polyData(const std::vector<std::string>& names) const
+void ModelFaces::giveTo(Model& model, const std::vector<std::string>& names, const char* kind) const
 {
   vtkNew<vtkPoints> places;
   places->SetDataTypeToDouble();
@@ -56,7 +56,12 @@ vtkSmartPointer<vtkPolyData> ModelFaces::polyData(const std::vector<std::string>
   data->SetPoints(places);
   data->SetPolys(cells);
   setSurfaces(data, parts, names);
-  return data;
+  model.data = data;
+  if (leftOut > 0)
+  {
+    model.warnings.push_back(std::to_string(leftOut) + " " + kind + " are left out: they have fewer than three " +
+                             "corners, or some that do not exist or are no numbers");
+  }
 }
 
 } // namespace atria::model

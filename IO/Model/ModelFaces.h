@@ -28,10 +28,10 @@ public:
   void scale(double factor);
 
   std::size_t numberOfFaces() const { return parts.size(); }
-  std::size_t numberLeftOut() const { return leftOut; }
 
-  /// All of it in double precision, with names for the parts.
-  vtkSmartPointer<vtkPolyData> polyData(const std::vector<std::string>& names) const;
+  /// Gives a model all of it, in double precision, with names for the parts. Where faces were left out, which it calls
+  /// `kind`, it gets a warning.
+  void giveTo(Model& model, const std::vector<std::string>& names, const char* kind) const;
 
 private:
   std::vector<std::array<double, 3>> points;

@@ -27,6 +27,13 @@ inline std::string_view nextWord(std::string_view& text)
   return word;
 }
 
+/// Without blanks around it.
+inline std::string_view trimmed(std::string_view text)
+{
+  const std::size_t start = text.find_first_not_of(blanks);
+  return start == text.npos ? std::string_view() : text.substr(start, text.find_last_not_of(blanks) + 1 - start);
+}
+
 /// The number `word` begins with; false where it is none or is followed by anything but a character of `end`. One too
 /// small for its type is 0, as one that is too large is none.
 template <typename Number> bool parse(std::string_view word, Number& value, std::string_view end = "")

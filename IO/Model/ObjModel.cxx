@@ -135,14 +135,6 @@ private:
   std::size_t complained = 0; ///< how often; the first are kept
 };
 
-/// What is left of a line, without blanks around it.
-std::string nameIn(string_view line)
-{
-  const std::size_t start = line.find_first_not_of(blanks);
-  const std::size_t end = line.find_last_not_of(blanks);
-  return start == string_view::npos ? std::string() : toUtf8(line.substr(start, end - start + 1));
-}
-
 void ObjReader::statement(string_view line)
 {
   const string_view keyword = nextWord(line);
@@ -156,7 +148,7 @@ void ObjReader::statement(string_view line)
   }
   else if (keyword == "o" || keyword == "g" || keyword == "usemtl")
   {
-    (keyword == "o" ? object : keyword == "g" ? group : material) = nameIn(line);
+    (keyword == "o" ? object : keyword == "g" ? group : material) = toUtf8(trimmed(line));
     part = -1;
   }
   else if (keyword == "l" || keyword == "p")

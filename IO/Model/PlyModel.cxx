@@ -279,16 +279,11 @@ public:
                   "; export it again");
     }
     Model result;
-    result.data = faces.polyData({stemOf(file)});
     if (!what.empty())
     {
       result.warnings.push_back(what + "; what is left is read");
     }
-    if (faces.numberLeftOut() > 0)
-    {
-      result.warnings.push_back(std::to_string(faces.numberLeftOut()) +
-                                " faces are left out: they have less than three corners, or some that do not exist");
-    }
+    faces.giveTo(result, {stemOf(file)}, "faces");
     return result;
   }
 

@@ -62,9 +62,7 @@ public:
       const std::string word = lowered(nextWord(line));
       if (word == "solid")
       {
-        const std::size_t first = line.find_first_not_of(blanks);
-        const std::size_t last = line.find_last_not_of(blanks);
-        names.push_back(first == line.npos ? std::string() : toUtf8(line.substr(first, last - first + 1)));
+        names.push_back(toUtf8(trimmed(line)));
       }
       else if (word == "facet")
       {
@@ -182,15 +180,11 @@ Model modelOf(const ModelFaces& faces, std::vector<std::string> names, const std
   }
   nameTheRest(names, stemOf(file));
   Model model;
-  model.data = faces.polyData(names);
   if (!complaint.empty())
   {
     model.warnings.push_back("the file is damaged: " + complaint + "; what is left is read");
   }
-  if (faces.numberLeftOut() > 0)
-  {
-    model.warnings.push_back(std::to_string(faces.numberLeftOut()) + " facets with a corner nowhere are left out");
-  }
+  faces.giveTo(model, names, "facets");
   return model;
 }
 

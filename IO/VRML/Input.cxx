@@ -5,11 +5,12 @@
 #include "Support/Memory.h"
 #include "Support/Text.h"
 
+#include <vtksys/SystemTools.hxx>
+
 #include <zlib.h>
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <fstream>
 #include <iterator>
 
@@ -123,22 +124,9 @@ std::string pathOf(std::string_view url)
       break;
     }
   }
-  std::string path;
-  for (std::size_t i = 0; i < url.size() && url[i] != '#'; ++i)
-  {
-    const bool escaped = url[i] == '%' && i + 2 < url.size() && std::isxdigit(static_cast<unsigned char>(url[i + 1])) &&
-                         std::isxdigit(static_cast<unsigned char>(url[i + 2]));
-    if (escaped)
-    {
-      path += static_cast<char>(std::stoi(std::string(url.substr(i + 1, 2)), nullptr, 16));
-      i += 2;
-    }
-    else
-    {
-      path += url[i] == '\\' ? '/' : url[i];
-    }
-  }
-  return path;
+  std::string path(url.substr(0, url.find('#')));
+  std::replace(path.begin(), path.end(), '\\', '/');
+  return vtksys::SystemTools::DecodeURL(path);
 }
 
 /// Empty for network addresses, and for what can be no path.

@@ -171,15 +171,33 @@ const Table& table1()
 
 const Table& table97()
 {
-  static const Table all =
-      tableOf({groups(), shapes()},
-              {"ImageTexture", "PixelTexture", "MovieTexture", "TextureTransform", "TextureCoordinate", "Normal",
-               "Color", "FontStyle"},
-              {"AudioClip", "Background", "ColorInterpolator", "CoordinateInterpolator", "CylinderSensor",
-               "DirectionalLight", "Fog", "NavigationInfo", "NormalInterpolator", "OrientationInterpolator",
-               "PlaneSensor", "PointLight", "PositionInterpolator", "ProximitySensor", "ScalarInterpolator", "Script",
-               "Sound", "SphereSensor", "SpotLight", "TimeSensor", "TouchSensor", "Viewpoint", "VisibilitySensor",
-               "WorldInfo"});
+  static const Table all = tableOf({groups(), shapes()},
+                                   {"ImageTexture", "PixelTexture", "MovieTexture", "TextureTransform",
+                                    "TextureCoordinate", "Normal", "Color", "FontStyle"},
+                                   {"AudioClip",
+                                    "Background",
+                                    "ColorInterpolator",
+                                    "CoordinateInterpolator",
+                                    "CylinderSensor",
+                                    "DirectionalLight",
+                                    "Fog",
+                                    "NavigationInfo",
+                                    "NormalInterpolator",
+                                    "OrientationInterpolator",
+                                    "PlaneSensor",
+                                    "PointLight",
+                                    "PositionInterpolator",
+                                    "ProximitySensor",
+                                    "ScalarInterpolator",
+                                    "Script",
+                                    "Sound",
+                                    "SphereSensor",
+                                    "SpotLight",
+                                    "TimeSensor",
+                                    "TouchSensor",
+                                    "Viewpoint",
+                                    "VisibilitySensor",
+                                    "WorldInfo"});
   return all;
 }
 
