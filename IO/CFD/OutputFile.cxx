@@ -30,26 +30,19 @@ OutputFile::OutputFile(std::filesystem::path path, const ProgressRange* progress
 
 OutputFile& OutputFile::text(std::string_view characters) { return raw(characters.data(), characters.size()); }
 
-OutputFile& OutputFile::number(std::int64_t value)
+/// As std::to_chars() writes them.
+template <typename... Value> OutputFile& OutputFile::digits(Value... value)
 {
-  char* first = room(longestNumber);
-  used += static_cast<std::size_t>(std::to_chars(first, first + longestNumber, value).ptr - first);
+  char* const first = room(longestNumber);
+  used += static_cast<std::size_t>(std::to_chars(first, first + longestNumber, value...).ptr - first);
   return *this;
 }
 
-OutputFile& OutputFile::number(double value)
-{
-  char* first = room(longestNumber);
-  used += static_cast<std::size_t>(std::to_chars(first, first + longestNumber, value).ptr - first);
-  return *this;
-}
+OutputFile& OutputFile::number(std::int64_t value) { return digits(value); }
 
-OutputFile& OutputFile::hex(std::uint64_t value)
-{
-  char* first = room(longestNumber);
-  used += static_cast<std::size_t>(std::to_chars(first, first + longestNumber, value, 16).ptr - first);
-  return *this;
-}
+OutputFile& OutputFile::number(double value) { return digits(value); }
+
+OutputFile& OutputFile::hex(std::uint64_t value) { return digits(value, 16); }
 
 OutputFile& OutputFile::raw(const void* bytes, std::size_t count)
 {

@@ -36,6 +36,7 @@ private:
     void operator()(std::FILE* open) const { std::fclose(open); }
   };
 
+  template <typename... Value> OutputFile& digits(Value... value);
   char* room(std::size_t count);
   void flush();
   void write(const char* bytes, std::size_t count);
