@@ -201,8 +201,6 @@ VtkCells::VtkCells(vtkUnstructuredGrid* grid)
   arrays.faceLocations = viewOrCopy(grid->GetFaceLocations());
 }
 
-VtkCells cellsFromVtk(vtkUnstructuredGrid* grid) { return VtkCells(grid); }
-
 std::vector<BoundaryFaceKey> VtkPatches::keys() const
 {
   std::vector<BoundaryFaceKey> out(owners.size());

@@ -56,7 +56,6 @@ private:
   CellArrays arrays;
   std::vector<Buffer<std::int64_t>> copies;
 };
-VtkCells cellsFromVtk(vtkUnstructuredGrid* grid);
 
 /// The faces of named patches, or of face zones, in terms of the volume mesh they belong to.
 struct VtkPatches

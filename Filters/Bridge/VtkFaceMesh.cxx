@@ -4,6 +4,8 @@
 #include "Support/Error.h"
 #include "VtkRecordedPatches.h"
 
+#include <vtkAlgorithm.h>
+#include <vtkInformation.h>
 #include <vtkPartitionedDataSetCollection.h>
 #include <vtkUnstructuredGrid.h>
 
@@ -127,6 +129,17 @@ bool findRecordedFaces(VtkFaceMesh& result, vtkUnstructuredGrid* volume, const E
 
 } // namespace
 
+int acceptMeshAndPatches(int port, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(),
+            port == 0 ? "vtkUnstructuredGrid" : "vtkPartitionedDataSetCollection");
+  if (port == 1)
+  {
+    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
 VtkFaceMesh faceMeshFromVtk(vtkUnstructuredGrid* volume, vtkPartitionedDataSetCollection* patches,
                             const Executor& executor)
 {
@@ -135,7 +148,7 @@ VtkFaceMesh faceMeshFromVtk(vtkUnstructuredGrid* volume, vtkPartitionedDataSetCo
     throw Error("the volume mesh has no cells");
   }
   VtkFaceMesh result;
-  result.cells = cellsFromVtk(volume);
+  result.cells = VtkCells(volume);
   const bool given = patches && patches->GetNumberOfPartitionedDataSets() > 0;
   if (!given && hasRecordedPatches(volume))
   {

@@ -7,6 +7,8 @@
 
 #include <vector>
 
+class vtkInformation;
+
 namespace atria {
 
 enum class PatchOrigin
@@ -28,6 +30,9 @@ struct VtkFaceMesh
   std::vector<Index> zoneFaces;  ///< for each face of `zones` the internal face of `mesh`
   PatchOrigin origin = PatchOrigin::None;
 };
+
+/// For FillInputPortInformation(): port 0 takes a volume mesh, port 1 its patches, if there are any.
+int acceptMeshAndPatches(int port, vtkInformation* info);
 
 /// Where `patches` is null or empty, those recorded in the mesh are taken, if they are all of its boundary and nothing
 /// else; face zones are taken from where patches are. `volume` must outlive the result. Throws Error as makeFaceMesh()

@@ -150,13 +150,7 @@ vtkPartitionedDataSetCollection* vtkAtriaMeshOptimizer::GetPatches()
 
 int vtkAtriaMeshOptimizer::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(),
-            port == 0 ? "vtkUnstructuredGrid" : "vtkPartitionedDataSetCollection");
-  if (port == 1)
-  {
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  return 1;
+  return atria::acceptMeshAndPatches(port, info);
 }
 
 int vtkAtriaMeshOptimizer::FillOutputPortInformation(int port, vtkInformation* info)

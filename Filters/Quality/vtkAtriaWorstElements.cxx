@@ -169,7 +169,7 @@ int vtkAtriaWorstElements::RequestData(vtkInformation*, vtkInformationVector** i
       options.count = static_cast<std::size_t>(this->NumberOfElements);
     }
     options.rings = this->Rings;
-    const atria::VtkCells cells = atria::cellsFromVtk(input);
+    const atria::VtkCells cells(input);
     const atria::WorstElements worst = atria::findWorstElements(
         values, cells.view(), static_cast<std::size_t>(input->GetNumberOfPoints()), options, context.part(0.0, 0.9));
     vtkNew<vtkUnstructuredGrid> extracted;

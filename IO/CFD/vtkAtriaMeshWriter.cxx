@@ -50,14 +50,7 @@ void vtkAtriaMeshWriter::SetPatchesData(vtkPartitionedDataSetCollection* patches
 
 int vtkAtriaMeshWriter::FillInputPortInformation(int port, vtkInformation* info)
 {
-  if (port == 0)
-  {
-    info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGrid");
-    return 1;
-  }
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPartitionedDataSetCollection");
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  return 1;
+  return atria::acceptMeshAndPatches(port, info);
 }
 
 vtkPartitionedDataSetCollection* vtkAtriaMeshWriter::GetPatches()
