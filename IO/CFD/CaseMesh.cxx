@@ -83,7 +83,7 @@ std::vector<int> zonesOfCells(const PolyMesh& poly)
 }
 
 /// The rooms behind and before most of a zone's faces.
-std::array<std::string, 2> roomsBeside(const PolyMesh& poly, const PolyFaceZone& zone, const std::vector<int>& zoneOf)
+std::array<std::string, 2> roomsBeside(const PolyMesh& poly, const FaceZone& zone, const std::vector<int>& zoneOf)
 {
   std::array<std::map<std::string, std::size_t>, 2> found;
   for (std::size_t i = 0; i < zone.faces.size(); ++i)
@@ -116,7 +116,7 @@ std::array<std::string, 2> roomsBeside(const PolyMesh& poly, const PolyFaceZone&
 void describeZones(const PolyMesh& poly, const MeshGeometry& geometry, CaseMesh& described)
 {
   const std::vector<int> zoneOf = zonesOfCells(poly);
-  for (const PolyFaceZone& zone : poly.faceZones)
+  for (const FaceZone& zone : poly.faceZones)
   {
     double area = 0.0;
     for (const Index face : zone.faces)
@@ -125,7 +125,7 @@ void describeZones(const PolyMesh& poly, const MeshGeometry& geometry, CaseMesh&
     }
     described.openings.push_back({zone.name, area, roomsBeside(poly, zone, zoneOf)});
   }
-  for (const PolyCellZone& zone : poly.cellZones)
+  for (const CellZone& zone : poly.cellZones)
   {
     double volume = 0.0;
     for (const Index cell : zone.cells)

@@ -112,10 +112,10 @@ public:
     }
     for (std::size_t z = 0; z < poly.faceZones.size(); ++z)
     {
-      const PolyFaceZone& zone = poly.faceZones[z];
+      const FaceZone& zone = poly.faceZones[z];
       for (std::size_t i = 0; i < zone.faces.size(); ++i)
       {
-        zoneFaces.emplace_back(zone.faces[i], z, zone.flips[i] ? 1 : 0);
+        zoneFaces.emplace_back(zone.faces[i], z, zone.flips[i]);
       }
     }
     for (std::size_t z = 0; z < poly.cellZones.size(); ++z)
@@ -214,11 +214,11 @@ private:
 
   void addZones(ProcessorMesh& out) const
   {
-    for (const PolyFaceZone& zone : poly.faceZones)
+    for (const FaceZone& zone : poly.faceZones)
     {
       out.faceZones.push_back({zone.name, {}, {}});
     }
-    for (const PolyCellZone& zone : poly.cellZones)
+    for (const CellZone& zone : poly.cellZones)
     {
       out.cellZones.push_back({zone.name, {}});
     }

@@ -263,13 +263,13 @@ std::vector<Index> FoamParser::labels()
   return list<Index>([&] { return checked(rawLabel()); }, [&] { return checked(label()); });
 }
 
-std::vector<bool> FoamParser::flags()
+std::vector<char> FoamParser::flags()
 {
-  return list<bool>([&] { return *bytes(1) != 0; },
-                    [&] {
-                      const std::string text = word();
-                      return text == "1" || text == "true" || text == "yes" || text == "on";
-                    });
+  const auto text = [&]() -> char {
+    const std::string told = word();
+    return told == "1" || told == "true" || told == "yes" || told == "on" ? 1 : 0;
+  };
+  return list<char>([&]() -> char { return *bytes(1) != 0 ? 1 : 0; }, text);
 }
 
 std::vector<Vec3> FoamParser::vectors()

@@ -43,7 +43,8 @@ public:
   std::map<std::string, Value> entries();
 
   std::vector<Index> labels();
-  std::vector<bool> flags();
+  /// 0 or 1 each.
+  std::vector<char> flags();
   std::vector<Vec3> vectors();
 
   /// The whole file.

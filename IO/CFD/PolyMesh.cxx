@@ -187,9 +187,9 @@ std::vector<Index> listOfLabels(FoamParser& file)
   return list;
 }
 
-std::vector<PolyFaceZone> readFaceZones(const fs::path& path)
+std::vector<FaceZone> readFaceZones(const fs::path& path)
 {
-  return readZones<PolyFaceZone>(path, [](PolyFaceZone& zone, const std::string& key, FoamParser& file) {
+  return readZones<FaceZone>(path, [](FaceZone& zone, const std::string& key, FoamParser& file) {
     if (key == "faceLabels")
     {
       zone.faces = listOfLabels(file);
@@ -206,9 +206,9 @@ std::vector<PolyFaceZone> readFaceZones(const fs::path& path)
   });
 }
 
-std::vector<PolyCellZone> readCellZones(const fs::path& path)
+std::vector<CellZone> readCellZones(const fs::path& path)
 {
-  return readZones<PolyCellZone>(path, [](PolyCellZone& zone, const std::string& key, FoamParser& file) {
+  return readZones<CellZone>(path, [](CellZone& zone, const std::string& key, FoamParser& file) {
     if (key == "cellLabels")
     {
       zone.cells = listOfLabels(file);
@@ -221,7 +221,7 @@ std::vector<PolyCellZone> readCellZones(const fs::path& path)
 /// Has zones go by the new numbers of faces.
 void renumberZones(PolyMesh& poly, const std::vector<Index>& newNumber, const fs::path& caseFolder)
 {
-  for (PolyFaceZone& zone : poly.faceZones)
+  for (FaceZone& zone : poly.faceZones)
   {
     const bool fits =
         std::all_of(zone.faces.begin(), zone.faces.end(), [&](Index face) { return face < newNumber.size(); });
@@ -232,7 +232,7 @@ void renumberZones(PolyMesh& poly, const std::vector<Index>& newNumber, const fs
     }
     std::ranges::transform(zone.faces, zone.faces.begin(), [&](Index face) { return newNumber[face]; });
   }
-  for (const PolyCellZone& zone : poly.cellZones)
+  for (const CellZone& zone : poly.cellZones)
   {
     if (std::any_of(zone.cells.begin(), zone.cells.end(), [&](Index cell) { return cell >= poly.mesh.cellCount; }))
     {

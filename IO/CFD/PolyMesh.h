@@ -2,6 +2,8 @@
 /// A mesh as OpenFOAM has it on file.
 #pragma once
 
+#include "MeshZones.h"
+
 #include "Quality/Faces/FaceMesh.h"
 
 #include <filesystem>
@@ -19,25 +21,12 @@ struct PolyPatch
   std::map<std::string, std::string> others = {}; ///< entries but for its type and place, such as inGroups
 };
 
-struct PolyFaceZone
-{
-  std::string name;
-  std::vector<Index> faces;
-  std::vector<bool> flips; ///< whether the zone's normal is against that of the face
-};
-
-struct PolyCellZone
-{
-  std::string name;
-  std::vector<Index> cells;
-};
-
 struct PolyMesh
 {
   FaceMesh mesh; ///< boundary faces are sorted by owner, so they have other numbers than on file
   std::vector<PolyPatch> patches;
-  std::vector<PolyFaceZone> faceZones;
-  std::vector<PolyCellZone> cellZones;
+  std::vector<FaceZone> faceZones;
+  std::vector<CellZone> cellZones;
 };
 
 /// Reads constant/polyMesh of a case, ascii or binary, compressed or not. Throws Error naming the file and line where

@@ -2,6 +2,7 @@
 /// A volume mesh as formats of solvers take it, and what they share.
 #pragma once
 
+#include "MeshZones.h"
 #include "PatchNames.h"
 #include "Quality/Faces/Geometry.h"
 #include "Support/Executor.h"
@@ -21,21 +22,6 @@ struct BoundaryPatch
 {
   std::string name;
   std::vector<Index> faces;
-};
-
-/// Internal faces under one name.
-struct FaceZone
-{
-  std::string name;
-  std::vector<Index> faces; ///< rising
-  std::vector<char> flips;  ///< per face, whether the zone's normal points into its owner
-};
-
-/// Cells under one name.
-struct CellZone
-{
-  std::string name;
-  std::vector<Index> cells; ///< rising
 };
 
 /// Those that came with a mesh.
@@ -68,6 +54,7 @@ struct SolverMesh
   std::vector<Index> newPoint;
   /// Cells by ZoneId, where there is more than one.
   std::map<std::int64_t, std::vector<Index>> zones;
+  /// Faces, and cells below, are rising.
   std::vector<FaceZone> faceZones;
   /// Rooms and cell zones by name. A cell may be in one of each.
   std::vector<CellZone> cellZones;
