@@ -21,7 +21,6 @@ public:
 
   /// Of the header: what kind of content it is.
   const std::string& className() const { return kind; }
-  bool isBinary() const { return binary; }
 
   /// Whether nothing but space and comments is left.
   bool atEnd();

@@ -136,7 +136,6 @@ private:
   {
     return token.is("eventIn") || token.is("eventOut") || token.is("inputOnly") || token.is("outputOnly");
   }
-  static bool isList(Open what) { return what != Open::node && what != Open::interface; }
 
   Document& document;
   FileText source; ///< of which ever less is left
