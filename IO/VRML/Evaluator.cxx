@@ -84,7 +84,7 @@ void Evaluator::perform(const Visit& at)
     case Task::visit:
       if (enter(at))
       {
-        at.ref.node->document->version == Version::vrml1 ? visit1(at) : visit(at);
+        visit(at);
       }
       return;
   }
@@ -114,6 +114,7 @@ bool Evaluator::enter(const Visit& at)
 void Evaluator::visit(const Visit& at)
 {
   const Node& node = *at.ref.node;
+  const bool isVersion1 = node.document->version == Version::vrml1;
   if (node.prototype)
   {
     return visitInstance(at);
@@ -125,17 +126,22 @@ void Evaluator::visit(const Visit& at)
   switch (node.type->kind)
   {
     case NodeKind::group:
-      return visitGroup(at);
+      return isVersion1 ? visitGroup1(at) : visitGroup(at);
     case NodeKind::shape:
       return addShape(at);
     case NodeKind::surface:
+      if (isVersion1)
+      {
+        return addGeometry1(at);
+      }
       warn(node, "stands outside of a Shape; taken as one");
       return addGeometry(at, at.ref, node.name, noIndex);
+    case NodeKind::state:
+      return changeState(at.ref);
     case NodeKind::drawing:
     case NodeKind::other:
-      return scene.skip(std::string(node.typeName));
+      return scene.skip(std::string(node.type->name));
     case NodeKind::property:
-    case NodeKind::state:
       return;
   }
 }

@@ -75,7 +75,6 @@ private:
   void warn(const Node& node, const std::string& text);
 
   // VRML 1.0, in StateNodes.cxx
-  void visit1(const Visit& at);
   void visitGroup1(const Visit& at);
   void changeState(const NodeRef& ref);
   void addGeometry1(const Visit& at);

@@ -9,30 +9,6 @@
 
 namespace atria::vrml {
 
-void Evaluator::visit1(const Visit& at)
-{
-  const Node& node = *at.ref.node;
-  if (!node.type)
-  {
-    return visitUnknown(at);
-  }
-  switch (node.type->kind)
-  {
-    case NodeKind::group:
-      return visitGroup1(at);
-    case NodeKind::surface:
-      return addGeometry1(at);
-    case NodeKind::state:
-      return changeState(at.ref);
-    case NodeKind::drawing:
-    case NodeKind::other:
-      return scene.skip(std::string(node.type->name));
-    case NodeKind::shape:
-    case NodeKind::property:
-      return;
-  }
-}
-
 void Evaluator::visitGroup1(const Visit& at)
 {
   const std::string_view type = at.ref.node->type->name;
