@@ -155,15 +155,21 @@ Index Evaluator::groupOf(const Visit& at)
 
 void Evaluator::visitInstance(const Visit& at)
 {
-  Visit inner{at.ref, at.transform, groupOf(at)};
+  const auto isVersion1 = [](const NodeRef& ref) { return ref.node->document->version == Version::vrml1; };
+  Visit inner{at.ref, isVersion1(at.ref) ? states.back().transform : at.transform, groupOf(at)};
   const NodeRef body = instances.enter(at.ref);
   const NodeRefs children = body ? NodeRefs{} : instances.nodes(at.ref, "children");
   if (!children.empty())
   {
     // Of an EXTERNPROTO whose file is missing, most likely.
     warn(*at.ref.node, "has no prototype, but its children are read as those of a Transform");
-    inner.transform = at.transform * transformOf(at.ref, "scale");
+    inner.transform = inner.transform * transformOf(at.ref, "scale");
     return pushChildren(inner, children);
+  }
+  if (body && isVersion1(body) && !isVersion1(at.ref))
+  {
+    states.push_back({inner.transform});
+    open.push_back({at.ref, inner.transform, noIndex, Task::restoreState});
   }
   open.push_back({body, inner.transform, inner.group});
 }

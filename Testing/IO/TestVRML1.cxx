@@ -166,6 +166,21 @@ TEST_F(VRML1, FollowsInlinedFilesOfBothLanguages)
   expectBounds(model.bounds("Last"), {-1, 1, -1, 1, -1, 1}); // the inlined file's state ends with it
 }
 
+TEST_F(VRML1, UsesPrototypesOfBothLanguages)
+{
+  writeFile(scratch.path(), "old.wrl", "#VRML V1.0 ascii\nPROTO P [] { Separator { Cube {} } }");
+  writeFile(scratch.path(), "new.wrl", "#VRML V2.0 utf8\nPROTO P [] { Shape { geometry Box {} } }");
+  const std::string placed = "Translation { translation 5 0 0 } ";
+  const VRMLModel own = read("PROTO P [] { Separator { Cube {} } } " + placed + "DEF A P {}");
+  expectBounds(own.bounds("A"), {4, 6, -1, 1, -1, 1});
+  const VRMLModel newer = read("EXTERNPROTO P [] \"new.wrl#P\" " + placed + "DEF A P {}");
+  expectBounds(newer.bounds("A"), {4, 6, -1, 1, -1, 1});
+  const VRMLModel older(writeFile(scratch.path(), "model.wrl",
+                                  "#VRML V2.0 utf8\nEXTERNPROTO P [] \"old.wrl#P\" "
+                                  "Transform { translation 5 0 0 children DEF A P {} }"));
+  expectBounds(older.bounds("A"), {4, 6, -1, 1, -1, 1});
+}
+
 TEST_F(VRML1, SkipsWhatMakesNoSurfaceAndReadsValuesWithoutQuotes)
 {
   const VRMLModel model =
