@@ -10,7 +10,6 @@
 #include <array>
 #include <iterator>
 #include <limits>
-#include <map>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -219,21 +218,16 @@ void writePatches(const CgnsFile& file, const SolverMesh& mesh)
   }
 }
 
-/// Rooms and cell zones, or zones by number. Face zones are left out: cgnscheck takes what is within the mesh for
+/// Of cells. Face zones are left out: cgnscheck takes what is within the mesh for
 /// cells.
 void writeZones(const CgnsFile& file, const SolverMesh& mesh)
 {
-  std::vector<CellZone> zones = mesh.cellZones;
-  for (const auto& [id, cells] : zones.empty() ? mesh.zones : std::map<std::int64_t, std::vector<Index>>())
-  {
-    zones.push_back({zoneName(id), cells});
-  }
   std::vector<std::string> names{"Faces", "Cells", "GridCoordinates", "ZoneBC", "ZoneType"}; // which are taken
   const auto taken = static_cast<std::ptrdiff_t>(names.size());
-  std::ranges::transform(zones, std::back_inserter(names), &CellZone::name);
+  std::ranges::transform(mesh.cellZones, std::back_inserter(names), &CellZone::name);
   const std::vector<PatchName> words = makePatchNames(names, cgnsNames);
   auto word = words.begin() + taken;
-  for (const CellZone& zone : zones)
+  for (const CellZone& zone : mesh.cellZones)
   {
     std::vector<cgsize_t> elements(zone.cells.size());
     std::ranges::transform(zone.cells, elements.begin(),

@@ -132,10 +132,6 @@ private:
       names.push_back(name);
     };
     std::ranges::for_each(solverMesh.cellZones, [&](const CellZone& zone) { label(zone.name, zone.cells); });
-    if (solverMesh.cellZones.empty())
-    {
-      std::ranges::for_each(solverMesh.zones, [&](const auto& zone) { label(zoneName(zone.first), zone.second); });
-    }
     oldCell.resize(mesh.cellCount);
     std::iota(oldCell.begin(), oldCell.end(), Index{0});
     std::ranges::stable_sort(oldCell, {}, [&](Index cell) { return labels[cell]; });

@@ -84,21 +84,6 @@ template <typename Zone> std::vector<Zone> namedZones(std::vector<Zone> zones)
   return zones;
 }
 
-/// Rooms tell more than zones by number, which are for meshes without.
-std::vector<CellZone> cellZonesOf(const SolverMesh& mesh)
-{
-  if (!mesh.cellZones.empty())
-  {
-    return mesh.cellZones;
-  }
-  std::vector<CellZone> numbered;
-  for (const auto& [id, cells] : mesh.zones)
-  {
-    numbered.push_back({zoneName(id), cells});
-  }
-  return numbered;
-}
-
 void writeDictionary(const fs::path& caseFolder, const char* name, std::string_view content)
 {
   const fs::path path = caseFolder / "system" / name;
@@ -125,7 +110,7 @@ void writePolyMesh(const fs::path& caseFolder, const SolverMesh& mesh, OpenFOAMF
   context.progress.report(0.9, "Writing patches");
   writer.writeBoundary(patchEntries(mesh));
   writer.writeFaceZones(namedZones(mesh.faceZones));
-  writer.writeCellZones(namedZones(cellZonesOf(mesh)));
+  writer.writeCellZones(namedZones(mesh.cellZones));
   context.progress.report(1.0, "Mesh written");
   removeEarlierMesh(folder);
   unfinished.moveFilesTo(folder);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <atomic>
 #include <functional>
+#include <map>
 #include <utility>
 
 namespace atria {
@@ -112,21 +113,32 @@ std::vector<Index> dropUnusedPoints(FaceMesh& mesh, const Executor& executor)
   return newPoint;
 }
 
-std::map<std::int64_t, std::vector<Index>> cellsOfZones(std::span<const std::int64_t> zoneIds)
+std::string zoneName(std::int64_t id)
 {
-  std::map<std::int64_t, std::vector<Index>> zones;
+  const std::string sign = id < 0 ? "_" : ""; // a word such as zone-1 reads badly in expressions
+  return "zone" + sign + std::to_string(id < 0 ? -id : id);
+}
+
+std::vector<CellZone> numberedZones(std::span<const std::int64_t> zoneIds)
+{
   if (std::ranges::adjacent_find(zoneIds, std::not_equal_to()) == zoneIds.end())
   {
-    return zones; // one or none: nothing to tell
+    return {}; // one or none: nothing to tell
   }
+  std::map<std::int64_t, std::vector<Index>> cellsOf;
   std::vector<Index>* cells = nullptr;
   for (std::size_t cell = 0; cell < zoneIds.size(); ++cell)
   {
     if (cell == 0 || zoneIds[cell] != zoneIds[cell - 1])
     {
-      cells = &zones[zoneIds[cell]];
+      cells = &cellsOf[zoneIds[cell]];
     }
     cells->push_back(static_cast<Index>(cell));
+  }
+  std::vector<CellZone> zones;
+  for (auto& [id, own] : cellsOf)
+  {
+    zones.push_back({zoneName(id), std::move(own)});
   }
   return zones;
 }
@@ -156,7 +168,7 @@ SolverMesh makeSolverMesh(FaceMesh mesh, std::span<const BoundaryPatch> patches,
   out.mesh = std::move(mesh);
   layOutPatches(out, patches);
   out.newPoint = dropUnusedPoints(out.mesh, executor);
-  out.zones = cellsOfZones(zoneIds);
+  out.cellZones = numberedZones(zoneIds);
   return out;
 }
 
@@ -176,12 +188,6 @@ std::vector<PatchName> namesOf(std::span<const SolverPatch> patches, const NameR
     std::rotate(words.begin(), words.begin() + 1, words.begin() + static_cast<std::ptrdiff_t>(patches.size()));
   }
   return words;
-}
-
-std::string zoneName(std::int64_t id)
-{
-  const std::string sign = id < 0 ? "_" : ""; // a word such as zone-1 reads badly in expressions
-  return "zone" + sign + std::to_string(id < 0 ? -id : id);
 }
 
 } // namespace atria

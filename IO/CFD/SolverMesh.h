@@ -8,7 +8,6 @@
 #include "Support/Executor.h"
 
 #include <cstdint>
-#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -52,11 +51,10 @@ struct SolverMesh
   std::vector<SolverPatch> patches;
   /// Of each point there was the number it has now; empty where none was left out.
   std::vector<Index> newPoint;
-  /// Cells by ZoneId, where there is more than one.
-  std::map<std::int64_t, std::vector<Index>> zones;
   /// Faces, and cells below, are rising.
   std::vector<FaceZone> faceZones;
-  /// Rooms and cell zones by name. A cell may be in one of each.
+  /// Rooms and cell zones by name, of which a cell may be in one of each. Where there are none, cells by ZoneId, as
+  /// zone0, zone1 …, if there is more than one.
   std::vector<CellZone> cellZones;
   /// Of each cell, where they are to be written in parts; else empty.
   std::vector<Index> partOf;
@@ -70,8 +68,5 @@ SolverMesh makeSolverMesh(FaceMesh mesh, std::span<const BoundaryPatch> patches,
 /// Of each patch, and then of `others` that must not have the same. `defaultFaces` is the one to keep its name.
 std::vector<PatchName> namesOf(std::span<const SolverPatch> patches, const NameRules& rules,
                                std::span<const std::string> others = {});
-
-/// zone0, zone1 …
-std::string zoneName(std::int64_t id);
 
 } // namespace atria

@@ -208,7 +208,10 @@ SolverMesh solverMeshFrom(SolverSource source, FaceMesh mesh, const Executor& ex
   flipZones(source, mesh);
   SolverMesh out = makeSolverMesh(std::move(mesh), source.patches, source.zones.ofCell, executor);
   out.faceZones = std::move(source.faceZones);
-  out.cellZones = cellZonesOf(source);
+  if (std::vector<CellZone> named = cellZonesOf(source); !named.empty())
+  {
+    out.cellZones = std::move(named); // which tell more than numbers
+  }
   out.partOf.assign(source.partOf.begin(), source.partOf.end());
   return out;
 }
