@@ -7,6 +7,7 @@
 #include "Numbers.h"
 
 #include <vtkAtriaOpenFOAMCaseWriter.h>
+#include <vtkErrorCode.h>
 #include <vtkNew.h>
 #include <vtkPartitionedDataSetCollection.h>
 #include <vtkUnstructuredGrid.h>
@@ -224,7 +225,8 @@ ExitStatus runCase(const Options& options, const CLI::App& command, Console& con
   configure(writer, options);
   const bool written = writeCase(writer, options, console);
   Console::throwIfInterrupted();
-  throwIfErrors(console, BadInput, options.input);
+  const bool isFull = writer->GetErrorCode() == vtkErrorCode::CannotOpenFileError;
+  throwIfErrors(console, isFull ? Failed : BadInput, isFull ? options.output : options.input);
   console.clearBar();
   if (!written)
   {

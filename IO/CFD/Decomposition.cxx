@@ -406,7 +406,7 @@ void removeProcessors(const fs::path& caseFolder)
     fs::remove_all(folder, error);
     if (error)
     {
-      throw Error("cannot remove '" + folder.string() + "': " + error.message());
+      throw OutputError("cannot remove '" + folder.string() + "': " + error.message());
     }
   }
 }

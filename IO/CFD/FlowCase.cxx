@@ -157,7 +157,7 @@ void linkMesh(const fs::path& folder, const fs::path& other)
   fs::create_directory_symlink(other / "constant" / "polyMesh", link, error);
   if (error)
   {
-    throw Error("cannot make the link '" + link.string() + "': " + error.message());
+    throw OutputError("cannot make the link '" + link.string() + "': " + error.message());
   }
 }
 
@@ -237,7 +237,7 @@ void addProcessors(const fs::path& folder, bool isDirection, int processors)
     fs::copy(folder / "0", folder / name / "0", fs::copy_options::recursive, error);
     if (error)
     {
-      throw Error("cannot copy the fields to '" + (folder / name / "0").string() + "': " + error.message());
+      throw OutputError("cannot copy the fields to '" + (folder / name / "0").string() + "': " + error.message());
     }
   }
 }

@@ -109,7 +109,9 @@ void writePlainFile(const std::filesystem::path& path, std::string_view content)
   }
   if (!file || error)
   {
-    throw Error("cannot write '" + path.string() + "'");
+    std::error_code ignored;
+    std::filesystem::remove(beside, ignored);
+    throw OutputError("cannot write '" + path.string() + "'");
   }
 }
 

@@ -134,7 +134,7 @@ void completeCase(const fs::path& caseFolder)
   const fs::path marker = caseFolder / (named.filename().string() + ".foam");
   if (!std::ofstream(marker, std::ios::app))
   {
-    throw Error("cannot write '" + marker.string() + "'");
+    throw OutputError("cannot write '" + marker.string() + "'");
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "OutputFile.h"
 
-#include "Support/Error.h"
+#include "OutputFolders.h"
 #include "Support/Progress.h"
 
 #include <algorithm>
@@ -104,6 +104,6 @@ void OutputFile::write(const char* bytes, std::size_t count)
   }
 }
 
-void OutputFile::fail() const { throw Error("cannot write '" + path_.string() + "': " + std::strerror(errno)); }
+void OutputFile::fail() const { throw OutputError("cannot write '" + path_.string() + "': " + std::strerror(errno)); }
 
 } // namespace atria

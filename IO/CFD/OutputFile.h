@@ -12,7 +12,7 @@ namespace atria {
 
 class ProgressRange;
 
-/// A file that is written through a large buffer. All that fails throws Error naming the file.
+/// A file that is written through a large buffer. All that fails throws OutputError naming the file.
 class OutputFile
 {
 public:

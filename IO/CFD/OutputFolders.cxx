@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "OutputFolders.h"
 
-#include "Support/Error.h"
-
 #include <future>
 #include <system_error>
 #include <utility>
@@ -31,7 +29,7 @@ void makeFolder(const fs::path& folder)
   fs::create_directories(folder, error);
   if (error)
   {
-    throw Error("cannot make the folder '" + folder.string() + "': " + error.message());
+    throw OutputError("cannot make the folder '" + folder.string() + "': " + error.message());
   }
 }
 
@@ -50,7 +48,7 @@ void removeFiles(const std::vector<fs::path>& files)
       fs::remove(file, problem);
       if (problem)
       {
-        throw Error("cannot remove '" + file.string() + "': " + problem.message());
+        throw OutputError("cannot remove '" + file.string() + "': " + problem.message());
       }
     }));
   }
@@ -68,7 +66,7 @@ void moveFiles(const fs::path& from, const fs::path& to)
     fs::rename(file, to / file.filename(), error);
     if (error)
     {
-      throw Error("cannot write '" + (to / file.filename()).string() + "': " + error.message());
+      throw OutputError("cannot write '" + (to / file.filename()).string() + "': " + error.message());
     }
   }
 }
@@ -92,6 +90,33 @@ UnfinishedFolder::~UnfinishedFolder()
   }
   std::error_code ignored;
   fs::remove_all(path, ignored);
+}
+
+NewFolders::NewFolders(const std::vector<fs::path>& folders)
+{
+  for (const fs::path& folder : folders)
+  {
+    fs::path outermost;
+    std::error_code ignored;
+    for (fs::path at = fs::absolute(folder).lexically_normal();
+         fs::symlink_status(at, ignored).type() == fs::file_type::not_found; at = at.parent_path())
+    {
+      outermost = at;
+    }
+    if (!outermost.empty())
+    {
+      made_.push_back(outermost);
+    }
+  }
+}
+
+NewFolders::~NewFolders()
+{
+  for (const fs::path& folder : made_)
+  {
+    std::error_code ignored;
+    fs::remove_all(folder, ignored);
+  }
 }
 
 void writeInPlace(const fs::path& file, const std::function<void(const fs::path&)>& write)

@@ -2,6 +2,7 @@
 #include "vtkAtriaMeshWriter.h"
 
 #include "AlgorithmProgress.h"
+#include "OutputFolders.h"
 #include "Ranks.h"
 #include "VtkFaceMesh.h"
 
@@ -119,8 +120,14 @@ void vtkAtriaMeshWriter::WriteAndTell(const std::function<void()>& write)
   catch (const std::exception& error)
   {
     vtkErrorMacro("Cannot write " << this->GetFormatName() << " to '" << this->GetTarget() << "': " << error.what());
-    this->SetErrorCode(vtkErrorCode::UnknownError);
+    this->SetErrorCode(ErrorCodeFor(error));
   }
+}
+
+unsigned long vtkAtriaMeshWriter::ErrorCodeFor(const std::exception& error)
+{
+  return dynamic_cast<const atria::OutputError*>(&error) ? vtkErrorCode::CannotOpenFileError
+                                                         : vtkErrorCode::UnknownError;
 }
 
 void vtkAtriaMeshWriter::WriteTarget(vtkUnstructuredGrid* volume, vtkPartitionedDataSetCollection* patches)

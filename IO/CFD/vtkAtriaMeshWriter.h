@@ -13,7 +13,8 @@
  * Files are put in place when they are complete: what fails or is aborted leaves what was there.
  *
  * An input without cells, a mesh that is not a manifold, a patch face that is not a face of its owner cell
- * and a file that cannot be written are errors: Write() returns 0.
+ * and a file that cannot be written are errors: Write() returns 0. For the last GetErrorCode() is
+ * vtkErrorCode::CannotOpenFileError.
  *
  * @sa vtkAtriaOpenFOAMWriter
  */
@@ -24,6 +25,7 @@
 #include "vtkWriter.h"
 
 #include <cstdint>    // For numbers of ranks
+#include <exception>  // For what went wrong
 #include <functional> // For what is written
 #include <span>       // For numbers of ranks
 #include <string>     // For where it goes
@@ -114,6 +116,11 @@ protected:
    * Writes the mesh, once it is put in its place by Place(). Throws atria::Error or atria::Aborted.
    */
   virtual void WriteMesh(vtkUnstructuredGrid* volume, atria::VtkFaceMesh& source, const atria::RunContext& context) = 0;
+
+  /**
+   * What GetErrorCode() is to be.
+   */
+  static unsigned long ErrorCodeFor(const std::exception& error);
 
   /**
    * Restores the offset where that is asked for. Cells are better judged before.

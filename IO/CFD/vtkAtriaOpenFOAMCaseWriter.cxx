@@ -34,14 +34,18 @@ void copyMesh(const fs::path& source, const fs::path& target)
                        "' is no case of OpenFOAM with a mesh: it has no folder constant/polyMesh");
   }
   const fs::path to = target / "constant" / "polyMesh";
-  atria::makeFolder(to.parent_path());
+  const atria::UnfinishedFolder unfinished(to.parent_path() / ".unfinished");
   std::error_code error;
-  fs::remove_all(to, error);
-  fs::copy(from, to, fs::copy_options::recursive, error);
+  fs::copy(from, unfinished.path / to.filename(), fs::copy_options::recursive, error);
+  if (!error)
+  {
+    fs::remove_all(to, error);
+  }
   if (error)
   {
-    throw atria::Error("cannot copy the mesh to '" + to.string() + "': " + error.message());
+    throw atria::OutputError("cannot copy the mesh to '" + to.string() + "': " + error.message());
   }
+  unfinished.moveFilesTo(to.parent_path());
 }
 
 } // namespace
@@ -159,6 +163,7 @@ void vtkAtriaOpenFOAMCaseWriter::WriteFlow(const char* source)
     }
     const fs::path folder = this->GetCaseDirectory();
     atria::refuseResults(folder);
+    atria::NewFolders made({folder / "constant" / "polyMesh", folder / "system", folder / "0"});
     if (source)
     {
       copyMesh(source, folder);
@@ -175,6 +180,7 @@ void vtkAtriaOpenFOAMCaseWriter::WriteFlow(const char* source)
       {
         vtkWarningMacro("'" << folder.string() << "': " << warning);
       }
+      made.keep();
     }
   }
   catch (const atria::Aborted&)
@@ -184,7 +190,7 @@ void vtkAtriaOpenFOAMCaseWriter::WriteFlow(const char* source)
   catch (const std::exception& error)
   {
     vtkErrorMacro("Cannot write a case to '" << this->GetCaseDirectory() << "': " << error.what());
-    this->SetErrorCode(vtkErrorCode::UnknownError);
+    this->SetErrorCode(ErrorCodeFor(error));
   }
 }
 

@@ -4,6 +4,7 @@
 #include "AlgorithmProgress.h"
 #include "Decomposition.h"
 #include "OpenFOAMCase.h"
+#include "OutputFolders.h"
 #include "PropertyRange.h"
 #include "RankProcessors.h"
 #include "VtkShares.h"
@@ -11,6 +12,7 @@
 #include <vtkMultiProcessController.h>
 #include <vtkObjectFactory.h>
 
+#include <filesystem>
 #include <utility>
 
 vtkStandardNewMacro(vtkAtriaOpenFOAMWriter);
@@ -32,10 +34,12 @@ void vtkAtriaOpenFOAMWriter::WriteSolverMesh(const atria::SolverMesh& mesh, cons
   {
     atria::refuseProcessorResults(this->CaseDirectory);
   }
-  atria::writePolyMesh(this->CaseDirectory, mesh, this->GetFormat(), context.part(0.0, 0.5));
-  context.progress.report(0.5, "Completing the case");
-  atria::completeCase(this->CaseDirectory);
+  const std::filesystem::path folder = this->CaseDirectory;
+  atria::NewFolders made({folder / "constant" / "polyMesh", folder / "system"});
+  atria::completeCase(folder);
+  atria::writePolyMesh(folder, mesh, this->GetFormat(), context.part(0.0, 0.5));
   this->WriteProcessors(mesh.partOf, context.part(0.5, 1.0));
+  made.keep();
 }
 
 void vtkAtriaOpenFOAMWriter::TakeRanks(vtkMultiProcessController& controller, std::span<const std::uint32_t> rankOf)

@@ -41,7 +41,8 @@ public:
 
   ///@{
   /**
-   * Folder of the case; made if missing. A mesh that is there already is replaced. No default.
+   * Folder of the case; made if missing. A mesh that is there already is replaced. Where writing fails or is aborted,
+   * folders that were made are removed, and an earlier mesh stays. No default.
    */
   vtkSetFilePathMacro(CaseDirectory);
   vtkGetFilePathMacro(CaseDirectory);

@@ -274,6 +274,33 @@ class FirstUse(unittest.TestCase):
             self.assertNotIn("vtk", run.stderr)
             self.assertEqual(list(self.folder.iterdir()), [])
 
+    def test_a_full_disk_leaves_no_part_of_a_case(self):
+        """But what was there before."""
+        self.atria("mesh", HOUSE, *COARSE, "-o", "mesh.vtu")
+        self.atria("mesh", HOUSE, *COARSE, "-o", "mesh.vtu", "--openfoam", "earlier")
+        for large in (0, 1000, 50_000):  # its first file, its last ones, its mesh
+            def limit():
+                signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+                resource.setrlimit(resource.RLIMIT_FSIZE, (large, large))
+            run = self.atria("case", "mesh.vtu", "-o", "made/case", preexec_fn=limit)
+            self.assertEqual(run.returncode, 2, run.stderr)  # of two folders the first must be there
+            for source in ("mesh.vtu", "earlier"):
+                run = self.atria("case", source, "-o", "case", preexec_fn=limit)
+                self.assertEqual(run.returncode, 1, run.stderr)
+                self.assertRegex(run.stderr, r"cannot (write|copy).*case/")
+                self.assertFalse((self.folder / "case").exists(), run.stderr)
+        case = self.folder / "case"
+        (case / "constant").mkdir(parents=True)
+        (case / "mine").write_text("mine")
+        run = self.atria("case", "mesh.vtu", "-o", "case", preexec_fn=limit)
+        self.assertEqual(run.returncode, 1, run.stderr)
+        self.assertEqual(sorted(path.name for path in case.iterdir()), ["case.foam", "constant", "mine"])
+        self.assertEqual(list((case / "constant").iterdir()), [])
+        self.atria("case", "mesh.vtu", "-o", "case")
+        before = {path: path.read_bytes() for path in case.rglob("*") if path.is_file()}
+        self.assertEqual(self.atria("case", "earlier", "-o", "case", "--speed", "7", preexec_fn=limit).returncode, 1)
+        self.assertEqual({path: path.read_bytes() for path in case.rglob("*") if path.is_file()}, before)
+
     def completed(self, *words):
         """What bash offers for the last word."""
         script = self.folder / "atria.bash"
