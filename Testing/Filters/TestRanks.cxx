@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// The mesh on ranks.
 #include "OnRanks.h"
+#include "vtkAtriaMeshDivider.h"
 #include "vtkAtriaMeshOptimizer.h"
 
 #include <vtkCellData.h>
@@ -145,6 +146,33 @@ TEST_F(OnRanks, TheFirstHasItAllWhereThatIsAskedFor)
     EXPECT_EQ(patches()->GetNumberOfPartitionedDataSets(),
               vtkPartitionedDataSetCollection::SafeDownCast(alone[1])->GetNumberOfPartitionedDataSets());
   }
+}
+
+TEST_F(OnRanks, AMeshThatOneRankHoldsIsDealtOutAlike)
+{
+  update(mesher);
+  vtkNew<vtkUnstructuredGrid> piece;
+  piece->DeepCopy(volume());
+  vtkNew<vtkPartitionedDataSetCollection> pieceOfPatches;
+  pieceOfPatches->DeepCopy(patches());
+  mesher->DistributeOutputOff();
+  vtkNew<vtkAtriaMeshDivider> divider;
+  divider->SetInputConnection(0, mesher->GetOutputPort(0));
+  divider->SetInputConnection(1, mesher->GetOutputPort(1));
+  update(divider);
+  EXPECT_TRUE(identical(piece, divider->GetOutput()));
+  EXPECT_TRUE(identical(pieceOfPatches, divider->GetPatches()));
+}
+
+TEST_F(OnRanks, AMeshInPiecesIsDealtOutAlike)
+{
+  vtkNew<vtkAtriaMeshDivider> divider;
+  divider->SetInputConnection(0, mesher->GetOutputPort(0));
+  divider->SetInputConnection(1, mesher->GetOutputPort(1));
+  update(divider);
+  EXPECT_GT(divider->GetOutput()->GetNumberOfCells(), 0);
+  EXPECT_TRUE(identical(volume(), divider->GetOutput()));
+  EXPECT_TRUE(identical(patches(), divider->GetPatches()));
 }
 
 TEST_F(OnRanks, RanksMayHaveNothing)
