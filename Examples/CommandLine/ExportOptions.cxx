@@ -129,9 +129,8 @@ void configure(vtkAtriaOpenFOAMWriter* writer, const Json& task, vtkMultiProcess
 
 } // namespace
 
-void writeWithOthers(const std::string& text, vtkMultiProcessController& controller)
+void writeCaseWithOthers(const Json& task, vtkMultiProcessController& controller)
 {
-  const Json task = Json::parse(text);
   vtkNew<vtkAtriaOpenFOAMWriter> writer;
   configure(writer, task, &controller);
   writer->SetInputDataObject(0, vtkNew<vtkUnstructuredGrid>());

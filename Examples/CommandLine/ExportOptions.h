@@ -47,7 +47,7 @@ void checkExportOptions(const ExportOptions& options);
 Json writeExports(const ExportOptions& options, vtkUnstructuredGrid* mesh, vtkPartitionedDataSetCollection* patches,
                   Console& console, const Workers& workers);
 
-/// A worker's part of what writeExports() has all ranks do.
-void writeWithOthers(const std::string& task, vtkMultiProcessController& controller);
+/// A worker's part of a case that all ranks write.
+void writeCaseWithOthers(const Json& task, vtkMultiProcessController& controller);
 
 } // namespace atria::tool

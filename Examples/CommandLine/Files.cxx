@@ -3,16 +3,22 @@
 
 #include "Console.h"
 #include "Report.h"
+#include "Workers.h"
 
+#include <vtkAtriaMeshDivider.h>
 #include <vtkAtriaModelReader.h>
 #include <vtkAtriaVRMLReader.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
+#include <vtkCommunicator.h>
+#include <vtkDummyController.h>
 #include <vtkNew.h>
 #include <vtkPartitionedDataSetCollection.h>
 #include <vtkPolyData.h>
 #include <vtkStringArray.h>
 #include <vtkUnstructuredGrid.h>
+#include <vtkXMLPUnstructuredGridReader.h>
+#include <vtkXMLPUnstructuredGridWriter.h>
 #include <vtkXMLPartitionedDataSetCollectionReader.h>
 #include <vtkXMLPartitionedDataSetCollectionWriter.h>
 #include <vtkXMLPolyDataWriter.h>
@@ -24,6 +30,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <sstream>
 #include <string_view>
 #include <system_error>
@@ -156,17 +163,23 @@ std::string hindrance(const fs::path& folder, double bytes)
 
 double bytesOf(vtkDataObject* data) { return 1024.0 * static_cast<double>(data->GetActualMemorySize()); }
 
-/// A VTK XML file, appended and compressed. VTK's writers share these methods, but not all of them a base.
-template <typename Writer>
-void writeCompressed(Writer* writer, const std::string& file, vtkDataObject* data, Console& console)
+/// Appended and compressed. VTK's writers share these methods, but not all of them a base.
+template <typename Writer> void prepare(Writer* writer, const std::string& file, vtkDataObject* data)
 {
-  const Unfinished unfinished(file);
-  writer->SetFileName(unfinished.file().c_str());
-  console.follow(writer, 0.9, 1.0, "Writing");
+  writer->SetFileName(file.c_str());
   writer->SetInputDataObject(data);
   writer->SetDataModeToAppended();
   writer->EncodeAppendedDataOff();
   writer->SetCompressorTypeToLZ4(); // ten times as fast as zlib, for files twice as large
+}
+
+/// A VTK XML file.
+template <typename Writer>
+void writeCompressed(Writer* writer, const std::string& file, vtkDataObject* data, Console& console)
+{
+  const Unfinished unfinished(file);
+  prepare(writer, unfinished.file(), data);
+  console.follow(writer, 0.9, 1.0, "Writing");
   const bool written = writer->Write() != 0;
   // What is not compressed is the most that the file would have.
   const std::string reason =
@@ -274,9 +287,30 @@ vtkSmartPointer<vtkAtriaSurfaceReader> readModel(const std::string& file, const 
   return reader;
 }
 
+namespace {
+
+/// As it was before it was divided.
+vtkSmartPointer<vtkUnstructuredGrid> readPieces(const std::string& file, Console& console)
+{
+  vtkNew<vtkXMLPUnstructuredGridReader> reader;
+  reader->SetFileName(file.c_str());
+  console.follow(reader, 0.0, 0.5, "Reading the mesh");
+  vtkNew<vtkAtriaMeshDivider> divider;
+  divider->SetInputConnection(reader->GetOutputPort());
+  divider->Update();
+  throwIfErrors(console, BadInput, file);
+  return divider->GetOutput();
+}
+
+} // namespace
+
 vtkSmartPointer<vtkUnstructuredGrid> readMesh(const std::string& file, Console& console)
 {
   checkReadable(file);
+  if (isInPieces(file))
+  {
+    return readPieces(file, console);
+  }
   vtkNew<vtkXMLUnstructuredGridReader> reader;
   if (!reader->CanReadFile(file.c_str()))
   {
@@ -330,6 +364,80 @@ void writePatches(const std::string& file, vtkPartitionedDataSetCollection* patc
   }
   vtkNew<vtkXMLPartitionedDataSetCollectionWriter> writer;
   writeCompressed(writer.Get(), file, patches, console);
+}
+
+bool isInPieces(const std::string& file) { return fs::path(file).extension() == ".pvtu"; }
+
+namespace {
+
+/// Writes what is this rank's of a mesh and patches that the first rank holds, on all ranks. Whether all could.
+bool writeOwnPieces(const Json& task, vtkUnstructuredGrid* mesh, vtkPartitionedDataSetCollection* patches,
+                    vtkMultiProcessController& controller)
+{
+  const int rank = controller.GetLocalProcessId();
+  const int ranks = controller.GetNumberOfProcesses();
+  vtkNew<vtkAtriaMeshDivider> divider;
+  divider->SetInputDataObject(0, mesh);
+  divider->SetInputDataObject(1, patches);
+  divider->UpdatePiece(rank, ranks, 1);
+  vtkNew<vtkXMLPUnstructuredGridWriter> meshWriter;
+  prepare(meshWriter.Get(), task["mesh"].get<std::string>(), divider->GetOutput());
+  meshWriter->SetController(&controller);
+  meshWriter->SetNumberOfPieces(ranks);
+  meshWriter->SetStartPiece(rank);
+  meshWriter->SetEndPiece(rank);
+  int done = meshWriter->Write();
+  if (const auto file = task["patches"].get<std::string>(); !file.empty())
+  {
+    vtkNew<vtkXMLPartitionedDataSetCollectionWriter> patchesWriter;
+    prepare(patchesWriter.Get(), file, divider->GetPatches());
+    patchesWriter->SetController(&controller);
+    done = std::min(patchesWriter->Write(), done);
+  }
+  int allDone = done;
+  controller.AllReduce(&done, &allDone, 1, vtkCommunicator::MIN_OP);
+  return allDone == 1;
+}
+
+} // namespace
+
+void writePieces(const std::string& meshFile, const std::string& patchesFile, vtkUnstructuredGrid* mesh,
+                 vtkPartitionedDataSetCollection* patches, Console& console, const Workers& workers)
+{
+  const Unfinished unfinishedMesh(meshFile);
+  std::optional<Unfinished> unfinishedPatches;
+  Json task = {{"mesh", unfinishedMesh.file()}, {"patches", ""}};
+  if (!patchesFile.empty())
+  {
+    task["patches"] = unfinishedPatches.emplace(patchesFile).file();
+  }
+  bool written = false;
+  const auto write = [&](vtkMultiProcessController& controller) {
+    written = writeOwnPieces(task, mesh, patches, controller);
+  };
+  if (workers)
+  {
+    workers.doTogether(task.dump(), write);
+  }
+  else
+  {
+    write(*vtkNew<vtkDummyController>());
+  }
+  throwIfErrors(console, Failed, meshFile);
+  if (!written)
+  {
+    throw Failure(Failed, meshFile + " could not be written by all ranks; check permissions and space");
+  }
+  unfinishedMesh.complete();
+  if (unfinishedPatches)
+  {
+    unfinishedPatches->complete();
+  }
+}
+
+void writePiecesWithOthers(const Json& task, vtkMultiProcessController& controller)
+{
+  writeOwnPieces(task, vtkNew<vtkUnstructuredGrid>(), vtkNew<vtkPartitionedDataSetCollection>(), controller);
 }
 
 void writeText(const std::string& file, const std::string& text)

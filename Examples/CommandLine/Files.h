@@ -4,6 +4,7 @@
 
 #include "Commands.h"
 #include "ModelOptions.h"
+#include "Report.h"
 
 #include <vtkSmartPointer.h>
 
@@ -11,6 +12,7 @@
 
 class vtkAlgorithm;
 class vtkAtriaSurfaceReader;
+class vtkMultiProcessController;
 class vtkPartitionedDataSetCollection;
 class vtkPolyData;
 class vtkUnstructuredGrid;
@@ -18,6 +20,7 @@ class vtkUnstructuredGrid;
 namespace atria::tool {
 
 class Console;
+class Workers;
 
 /// What the model of a command may be, for its help.
 inline constexpr const char* modelFormats =
@@ -28,6 +31,7 @@ inline constexpr const char* modelFormats =
 /// VRML. Its warnings and notes have been printed. Throws Failure(BadInput).
 vtkSmartPointer<vtkAtriaSurfaceReader> readModel(const std::string& file, const ModelOptions& options,
                                                  Console& console);
+/// Of a .vtu file, or the whole of a .pvtu file's pieces.
 vtkSmartPointer<vtkUnstructuredGrid> readMesh(const std::string& file, Console& console);
 /// What writePatches() wrote.
 vtkSmartPointer<vtkPartitionedDataSetCollection> readPatches(const std::string& file, Console& console);
@@ -38,6 +42,14 @@ void writeMesh(const std::string& file, vtkUnstructuredGrid* mesh, Console& cons
 void writePolyData(const std::string& file, vtkPolyData* data, Console& console);
 void writePatches(const std::string& file, vtkPartitionedDataSetCollection* patches, Console& console);
 void writeText(const std::string& file, const std::string& text);
+/// A mesh (.pvtu) and, unless their file's name is empty, its patches (.vtpc) in pieces, one for each rank, that these
+/// write.
+void writePieces(const std::string& meshFile, const std::string& patchesFile, vtkUnstructuredGrid* mesh,
+                 vtkPartitionedDataSetCollection* patches, Console& console, const Workers& workers);
+/// A worker's part of that.
+void writePiecesWithOthers(const Json& task, vtkMultiProcessController& controller);
+/// Whether a file holds a mesh in pieces, by its name.
+bool isInPieces(const std::string& file);
 
 /// Throws Failure(Usage) unless `file` ends in `ending`, such as ".vtu", and its folder exists.
 /// The folder itself is made where it is not there, but not the one it is to stand in.

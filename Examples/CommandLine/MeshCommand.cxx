@@ -75,10 +75,17 @@ Json makeReport(vtkAtriaDualMesher* mesher, vtkAtriaMeshQuality* quality, const 
 Json writeOutputs(const MeshOptions& options, vtkUnstructuredGrid* mesh, vtkPartitionedDataSetCollection* patches,
                   Console& console, const Workers& workers)
 {
-  writeMesh(options.output, mesh, console);
-  if (!options.patches.empty())
+  if (isInPieces(options.output))
   {
-    writePatches(options.patches, patches, console);
+    writePieces(options.output, options.patches, mesh, patches, console, workers);
+  }
+  else
+  {
+    writeMesh(options.output, mesh, console);
+    if (!options.patches.empty())
+    {
+      writePatches(options.patches, patches, console);
+    }
   }
   return writeExports(options.exports, mesh, patches, console, workers);
 }

@@ -211,7 +211,9 @@ void declareOutput(CLI::App& command, MeshOptions& options)
 {
   command
       .add_option("-o,--output", options.output,
-                  "Where the mesh goes, a .vtu file (default: here, by the name of the model)")
+                  "Where the mesh goes, a .vtu file (default: here, by the name of the model), or a .pvtu file: under "
+                  "mpiexec each rank writes "
+                  "its piece of the mesh, and of the patches")
       ->type_name("OUT.vtu");
   command.add_option("--patches", options.patches, "Also write the named boundary patches")->type_name("OUT.vtpc");
   declareExportOptions(command, options.exports);
@@ -296,7 +298,7 @@ void completeMeshOptions(MeshOptions& options)
     std::filesystem::path name = std::filesystem::path(options.input).filename();
     options.output = (name.extension() == ".gz" ? name.stem() : name).stem().string() + ".vtu";
   }
-  checkOutput("--output", options.output, ".vtu");
+  checkOutput("--output", options.output, isInPieces(options.output) ? ".pvtu" : ".vtu");
   if (!options.patches.empty())
   {
     checkOutput("--patches", options.patches, ".vtpc");

@@ -3,6 +3,7 @@
 #include "Console.h"
 #include "Documents.h"
 #include "ExportOptions.h"
+#include "Files.h"
 #include "Numbers.h"
 #include "Support/Memory.h"
 #include "Usage.h"
@@ -95,12 +96,19 @@ int runProgram(int argc, char** argv, const atria::tool::Workers& workers)
   return Failed;
 }
 
+/// What a worker does for the first rank.
+void writeWithOthers(const std::string& text, vtkMultiProcessController& controller)
+{
+  const atria::tool::Json task = atria::tool::Json::parse(text);
+  task.contains("case") ? atria::tool::writeCaseWithOthers(task, controller)
+                        : atria::tool::writePiecesWithOthers(task, controller);
+}
+
 } // namespace
 
 int main(int argc, char** argv)
 {
   atria::keepFreedMemory();
   atria::tool::Workers workers(&argc, &argv);
-  return workers.isWorker() ? workers.serve(atria::tool::writeWithOthers)
-                            : workers.end(runProgram(argc, argv, workers));
+  return workers.isWorker() ? workers.serve(writeWithOthers) : workers.end(runProgram(argc, argv, workers));
 }

@@ -126,6 +126,23 @@ class Ranks(unittest.TestCase):
             said = run_in(self, folder / "case", "mpirun", "-np", ranks, "checkMesh", "-parallel", "-allTopology", "-allGeometry")
             self.assertIn("Mesh OK.", said)
 
+    def test_each_rank_writes_its_piece_and_pieces_are_the_mesh(self):
+        whole = self.folder("whole")
+        files = ["--patches", "patches.vtpc"]
+        run(0, "mesh", HOUSE, *COARSE, *files, "-o", "mesh.vtu", "--openfoam", "case", cwd=whole)
+        wanted = self.contents(whole / "case")
+        for ranks in (0, 2, 3, 5):
+            folder = self.folder(f"pieces{ranks}")
+            result = run(ranks, "mesh", HOUSE, *COARSE, *files, "-o", "mesh.pvtu", cwd=folder)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertEqual(sorted(path.name for path in folder.glob("*.vtu")), [f"mesh_{i}.vtu" for i in range(max(ranks, 1))])
+            self.assertEqual([path.name for path in folder.glob(".*")], [])
+            for name, given in (("recorded", []), ("given", files)):
+                (folder / name).mkdir()
+                convert = run(0, "convert", "mesh.pvtu", *given, "--openfoam", f"{name}/case", cwd=folder)
+                self.assertEqual(convert.returncode, 0, convert.stderr)
+                self.assertEqual(self.contents(folder / name / "case"), wanted)
+
     def test_one_rank_or_a_number_of_processors_leaves_ranks_out(self):
         options = [*COARSE, "-o", "mesh.vtu", "--openfoam", "case"]
         for name, ranks, processors, there in (("one", 1, [], 0), ("whole", 2, ["--processors", "1"], 0),
