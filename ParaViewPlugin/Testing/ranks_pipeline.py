@@ -139,6 +139,8 @@ def main(folder):
     found["worst of dealt mesh"] = outputs(worst)
     for name in ("case.openfoam", "wind.windcase", "mesh.msh"):
         simple.SaveData(str(folder / name), proxy=pipeline.mesher)
+    if vtkMultiProcessController.GetGlobalController().GetNumberOfProcesses() > 1:
+        simple.SaveData(str(folder / "divided.openfoam"), proxy=pipeline.mesher, UseRanksAsProcessors=1)
     (folder / "hashes.json").write_text(json.dumps(found, indent=1))
 
 

@@ -24,12 +24,29 @@ def start(mpiexec, pvbatch, ranks, *arguments):
     return result.returncode, result.stdout + result.stderr
 
 
+def check_division(folder, ranks):
+    """Each rank has written the folder of its processor, of the case that is written undivided; OpenFOAM takes them."""
+    case, divided = folder / "case.openfoam", folder / "divided.openfoam"
+    for name in ("points", "faces", "owner", "boundary"):
+        mesh = pathlib.Path("constant") / "polyMesh" / name
+        assert (case / mesh).read_bytes() == (divided / mesh).read_bytes(), name
+    assert sorted(path.name for path in divided.glob("processor*")) == [f"processor{i}" for i in range(ranks)]
+    if shutil.which("checkMesh"):
+        command = ["mpirun", "--oversubscribe", "-np", str(ranks), "checkMesh", "-parallel", "-allTopology"]
+        allowed = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "WM_PROJECT_DIR": "/usr/share/openfoam"}
+        said = subprocess.run(command, cwd=divided, env=os.environ | allowed, capture_output=True, text=True, timeout=300)
+        assert "Mesh OK." in said.stdout, said.stdout + said.stderr
+    shutil.rmtree(divided)
+
+
 def run(mpiexec, pvbatch, ranks):
     """The hashes of outputs and files."""
     folder = FOLDER / str(ranks)
     folder.mkdir(parents=True)
     status, said = start(mpiexec, pvbatch, ranks, str(folder))
     assert (status, said) == (0, ""), (ranks, status, said)
+    if ranks > 1:
+        check_division(folder, ranks)
     found = json.loads((folder / "hashes.json").read_text())
     for path in sorted(folder.rglob("*")):
         if path.is_file() and path.name != "hashes.json":
