@@ -253,8 +253,9 @@ int vtkAtriaMeshQuality::FillOutputPortInformation(int port, vtkInformation* inf
 vtkTypeBool vtkAtriaMeshQuality::ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,
                                                 vtkInformationVector* outputs)
 {
-  return atria::processOnRanks(*this, request, inputs, outputs,
-                               [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); }, {0});
+  return atria::processOnRanks(
+      *this, request, inputs, outputs, [&] { return this->Superclass::ProcessRequest(request, inputs, outputs); }, {0},
+      [&](vtkMultiProcessController& controller) { return this->MeasurePieces(inputs, outputs, controller); });
 }
 
 std::optional<int> vtkAtriaMeshQuality::MeasurePieces(vtkInformationVector** inputs, vtkInformationVector* outputs,
