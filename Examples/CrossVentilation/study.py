@@ -32,7 +32,7 @@ class Row:
     finest: float  # millimeters
     adaptive: bool = True  # or of one size
     layers: int = 0
-    most_iterations: int = 300
+    most_iterations: int = 200
 
 
 ROWS = [Row("uniform10", 10, False), Row("adaptive10", 10), Row("layered10", 10, layers=1),

@@ -21,7 +21,8 @@ import snappy  # noqa: E402
 from kept_rows import Failed, go_on, known, lines_of, run  # noqa: E402
 
 WIND = ("--speed", "4", "--height", "10", "--roughness", "0.1")
-FEW = 200  # iterations of large meshes, whose air changes have settled by then
+FEW = 200  # iterations, by which the air changes of most meshes have settled
+LAYER = 0.6  # height of the layer on ground of 2 m, meters
 NEAR_GROUND = 8.0  # of domains that are too large for fine ground, meters
 
 
@@ -33,6 +34,8 @@ class Row:
     layers: int = 1
     site: tuple = make_building.SITE  # length and width of the domain, meters; its height is 0.3 of the longer
     ground: float = 0.0  # on the ground, meters; 0 for the finest
+    fine_about: float = 0.0  # where the ground has the finest size all the same, meters about the building
+    ground_layer: float = 0.0  # height of the layer there, meters; 0 for the share of the size that layers have
     sides: int = 4  # upright ones of the domain
     angle: float = 0.0  # of building, domain and wind against the grid, degrees
     mesher: str = "atria"
@@ -40,16 +43,20 @@ class Row:
 
 
 FAR = [Row("uniform", far=2.0), Row("far4", far=4.0), Row("far8"), Row("far16", far=16.0), Row("far32", far=32.0),
-       Row("far8_ground4", ground=4.0), Row("far8_ground8", ground=8.0)]
-ONE_AND_A_HALF = [Row("uniform1.5", finest=1.5, far=1.5, most_iterations=FEW), Row("finest1.5", finest=1.5, far=6.0)]
+       Row("far8_ground4", ground=4.0), Row("far8_ground8", ground=8.0),
+       *(Row(f"ground4_about{about}", ground=4.0, fine_about=about, most_iterations=FEW) for about in (24, 48)),
+       Row("ground4_layer", ground=4.0, ground_layer=LAYER, most_iterations=FEW),
+       Row("ground8_layer", ground=8.0, ground_layer=LAYER, most_iterations=FEW)]
+ONE_AND_A_HALF = [Row("uniform1.5", finest=1.5, far=1.5, most_iterations=300),
+                  Row("finest1.5", finest=1.5, far=6.0, most_iterations=FEW)]
 TURNED = [Row("uniform", far=2.0), Row("far8"), Row("turned_uniform", far=2.0, angle=17.0, most_iterations=FEW),
-          Row("turned_far8", angle=17.0)]
+          Row("turned_far8", angle=17.0, most_iterations=FEW)]
 FINER = [Row("far8"), *(Row(f"finest{size:g}", finest=size, far=4 * size) for size in (1.4, 1.0, 0.8))]
 DOMAINS = [Row("domain227", far=16.0, ground=NEAR_GROUND),
            Row("domain500", far=16.0, ground=NEAR_GROUND, site=(500.0, 400.0)),
            Row("domain1000", far=16.0, ground=NEAR_GROUND, site=(1000.0, 1000.0))]
-PRISMS = [Row("square", far=16.0, ground=NEAR_GROUND, site=(500.0, 500.0)),
-          Row("prism", far=16.0, ground=NEAR_GROUND, site=(500.0, 500.0), sides=16)]
+PRISMS = [Row("square", far=16.0, ground=NEAR_GROUND, site=(500.0, 500.0), most_iterations=FEW),
+          Row("prism", far=16.0, ground=NEAR_GROUND, site=(500.0, 500.0), sides=16, most_iterations=FEW)]
 LAYERS = [Row("far8"), Row("layers0", layers=0), Row("layers5", layers=5)]
 MESHERS = [Row("layers0_uniform", far=2.0, layers=0), Row("layers0", layers=0),
            Row("snappy_uniform", far=2.0, layers=0, mesher="snappyHexMesh", most_iterations=FEW),
@@ -72,6 +79,11 @@ def mesh_by_atria(atria, row, model, folder):
         command += ["--domain-angle", row.angle, "--align", "axes"]
     if row.ground:
         command += ["--size", "Site", row.ground]
+    if row.fine_about:
+        (x0, x1), (y0, y1) = ((-row.fine_about, length + row.fine_about) for length in (make_building.LENGTH, make_building.WIDTH))
+        command += ["--refine-box", x0, x1, y0, y1, 0.0, 0.5 * row.finest, row.finest]
+    if row.ground_layer:
+        command += ["--layers", f"Site={row.layers}:{row.ground_layer:g}"]
     return folder / "mesh.vtu", run(command, folder, "mesh")
 
 
