@@ -12,6 +12,7 @@
 #include "AtriaParaViewDisplayModule.h" // For export macro
 #include "vtkPVInformation.h"
 
+#include <set>    // for Indices
 #include <string> // for names
 #include <vector> // for Names
 
@@ -42,10 +43,20 @@ public:
 
   ///@{
   /**
+   * Cell array of integers, indices into the names; those that occur are gathered as well. Empty by default: none are.
+   */
+  vtkSetMacro(IndexArrayName, std::string);
+  vtkGetMacro(IndexArrayName, std::string);
+  ///@}
+
+  ///@{
+  /**
    * What was gathered; empty before, and where there is no data or array.
    */
   int GetNumberOfNames() { return static_cast<int>(this->Names.size()); }
   std::string GetName(int i);
+  int GetNumberOfIndices() { return static_cast<int>(this->Indices.size()); }
+  int GetIndex(int i);
   ///@}
 
   void CopyFromObject(vtkObject* algorithm) override;
@@ -65,7 +76,9 @@ private:
 
   int PortNumber = 0;
   std::string ArrayName = "SurfaceName";
+  std::string IndexArrayName;
   std::vector<std::string> Names;
+  std::set<int> Indices;
 };
 
 #endif

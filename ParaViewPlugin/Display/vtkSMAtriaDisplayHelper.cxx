@@ -1,96 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkSMAtriaDisplayHelper.h"
 
-#include "vtkPVAtriaNamesInformation.h"
+#include "AtriaLegend.h"
 
 #include <vtkDataObject.h>
-#include <vtkMath.h>
-#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPVArrayInformation.h>
 #include <vtkPVDataInformation.h>
 #include <vtkPVDataSetAttributesInformation.h>
 #include <vtkPVXMLElement.h>
-#include <vtkSMPVRepresentationProxy.h>
 #include <vtkSMPropertyHelper.h>
 #include <vtkSMSourceProxy.h>
 
-#include <cmath>
 #include <string>
-#include <vector>
 
 vtkStandardNewMacro(vtkSMAtriaDisplayHelper);
 
 namespace {
-
-/// More names do not fit beside the view, and no palette tells so many colors apart.
-constexpr int longestLegend = 40;
-
-std::vector<std::string> namesIn(vtkSMSourceProxy* source, int port, const char* array)
-{
-  vtkNew<vtkPVAtriaNamesInformation> information;
-  information->SetPortNumber(port);
-  information->SetArrayName(array);
-  source->GatherInformation(information);
-  std::vector<std::string> names;
-  for (int i = 0; i < information->GetNumberOfNames(); ++i)
-  {
-    names.push_back(information->GetName(i));
-  }
-  return names;
-}
-
-/// Hues by the golden angle, so that neighbors differ whatever their number is.
-std::vector<double> paletteOf(std::size_t count)
-{
-  std::vector<double> colors;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    double unused = 0.0;
-    const double hue = std::modf(0.58 + 0.381966 * static_cast<double>(i), &unused);
-    double rgb[3];
-    vtkMath::HSVToRGB(hue, i % 2 ? 0.35 : 0.55, i % 3 ? 0.95 : 0.8, rgb, rgb + 1, rgb + 2);
-    colors.insert(colors.end(), rgb, rgb + 3);
-  }
-  return colors;
-}
-
-void nameCategories(vtkSMProxy* colors, const std::vector<std::string>& names)
-{
-  const std::vector<double> palette = paletteOf(names.size());
-  vtkSMPropertyHelper annotations(colors, "Annotations");
-  annotations.SetNumberOfElements(static_cast<unsigned int>(2 * names.size()));
-  for (std::size_t i = 0; i < names.size(); ++i)
-  {
-    annotations.Set(static_cast<unsigned int>(2 * i), std::to_string(i).c_str());
-    annotations.Set(static_cast<unsigned int>(2 * i + 1), names[i].c_str());
-  }
-  vtkSMPropertyHelper(colors, "IndexedColors").Set(palette.data(), static_cast<unsigned int>(palette.size()));
-  vtkSMPropertyHelper(colors, "IndexedLookup").Set(1);
-  const double nameless[3] = {0.85, 0.85, 0.85}; // such as bare sides of the domain
-  vtkSMPropertyHelper(colors, "NanColor").Set(nameless, 3);
-  colors->UpdateVTKObjects();
-}
-
-void colorByNames(vtkSMProxy* representation, vtkSMSourceProxy* source, int port, const char* array, const char* names)
-{
-  vtkPVDataInformation* data = source->GetDataInformation(port);
-  if (data->GetNumberOfCells() == 0 || !data->GetArrayInformation(array, vtkDataObject::CELL))
-  {
-    return;
-  }
-  vtkSMPVRepresentationProxy::SetScalarColoring(representation, array, vtkDataObject::CELL);
-  if (!names)
-  {
-    return;
-  }
-  const std::vector<std::string> found = namesIn(source, port, names);
-  vtkSMProxy* colors = vtkSMPropertyHelper(representation, "LookupTable").GetAsProxy();
-  if (colors && !found.empty() && found.size() <= longestLegend)
-  {
-    nameCategories(colors, found);
-  }
-}
 
 void showSeries(vtkSMProxy* representation, vtkSMSourceProxy* source, int port, const char* x, const char* series)
 {
@@ -129,11 +55,15 @@ void vtkSMAtriaDisplayHelper::PostInitializeProxy(vtkSMProxy* proxy, vtkPVXMLEle
   {
     vtkSMPropertyHelper(proxy, "BackfaceRepresentation").Set("Cull Frontface");
   }
-  const char* array = xml->GetAttribute("array");
-  const char* names = xml->GetAttribute("names");
-  if (array)
+  if (const char* width = xml->GetAttribute("line_width"))
   {
-    colorByNames(proxy, source, port, array, names);
+    const double pixels = std::stod(width);
+    vtkSMPropertyHelper(proxy, "LineWidth").Set(pixels);
+    vtkSMPropertyHelper(proxy, "PointSize").Set(2.0 * pixels);
+  }
+  if (xml->GetAttribute("array"))
+  {
+    atria::showCategories(proxy);
   }
   const char* x = xml->GetAttribute("x");
   const char* series = xml->GetAttribute("series");

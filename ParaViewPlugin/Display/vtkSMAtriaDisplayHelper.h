@@ -5,9 +5,10 @@
  *
  * Named in the hints of a representation. What the attributes of the hint do, each optional:
  * - `cull_front="1"`: faces seen from outside of the fluid are not drawn, so that the domain is open to the eye;
- * - `array="SurfaceId" names="SurfaceName"`: the cells' array is shown in categorical colors, with the names that the
- *   array of strings has, where the data has cells and not more names than a legend holds. Without `names` the colors
- *   are those that the array has elsewhere;
+ * - `array="SurfaceId" names="SurfaceName"`: the cells' array is shown in categorical colors, and those that occur have
+ *   the names of the array of strings, as long as a legend can hold them, also after the data has changed. With
+ *   `strong="1"` the colors suit lines. Without `names` they are those that the array has elsewhere;
+ * - `line_width="4"`: in pixels; points are twice as large;
  * - `x="Value" series="PDF"`: a chart shows one column over another.
  */
 #ifndef vtkSMAtriaDisplayHelper_h

@@ -78,16 +78,67 @@ def check_views(pipeline):
     assert diagnostics.Representation != "Surface With Edges"
 
 
+def occurring(mesher):
+    """The kinds of diagnostics that are there."""
+    data = mesher.GetClientSideObject().GetOutputDataObject(2)
+    kinds, names = data.GetCellData().GetArray("Diagnostic"), data.GetFieldData().GetAbstractArray("DiagnosticName")
+    return {names.GetValue(int(kinds.GetValue(i))) for i in range(kinds.GetNumberOfValues())} if kinds else set()
+
+
 def check_diagnostics(pipeline):
-    """A sealed seed in a house with a door gives a leak at least."""
+    """A sealed seed in a house with a door gives a leak at least. The legend has what occurs, whatever changes."""
     mesher = simple.AtriaDualMesher(Input=pipeline.reader, SizeMax=16.0, SizeMid=4.0, SizeMin=1.0, DomainMode="Site")
     mesher.SealedSeeds = [5.0, 4.0, 1.5]
     output = simple.OutputPort(mesher, 2)
     output.UpdatePipeline()
-    assert output.GetDataInformation().GetNumberOfCells() > 0
     shown = simple.Show(output)
     assert list(shown.ColorArrayName) == ["CELLS", "Diagnostic"], shown.ColorArrayName
-    assert {"MergedSheets", "LeakPath", "OpenCrack"} <= set(names_of(shown)), names_of(shown)
+    sealed = occurring(mesher)
+    assert "LeakPath" in sealed and set(names_of(shown)) == sealed, (names_of(shown), sealed)
+    mine = [0.1, 0.2, 0.3]
+    colors = list(shown.LookupTable.IndexedColors)
+    place = 3 * names_of(shown).index("OpenCrack")
+    shown.LookupTable.IndexedColors = colors[:place] + mine + colors[place + 3:]
+    mesher.SealedSeeds, mesher.CrackTolerance = [], 0.0
+    output.UpdatePipeline()
+    others = occurring(mesher)
+    assert "LeakPath" not in others and set(names_of(shown)) == others, (names_of(shown), others)
+    place = 3 * names_of(shown).index("OpenCrack")
+    assert list(shown.LookupTable.IndexedColors)[place:place + 3] == mine, "colors of one's own stay"
+
+
+def check_first_diagnostics(pipeline):
+    """What comes only after a change is colored and named as well, but not against a user's choice."""
+    box = simple.Box(XLength=4, YLength=4, ZLength=4)
+    mesher = simple.AtriaDualMesher(Input=box, SizeMax=1.0, SizeMid=1.0, SizeMin=1.0, DomainMode="Explicit",
+                                    DomainBounds=[-5, 5, -5, 5, -5, 5])
+    output = simple.OutputPort(mesher, 2)
+    output.UpdatePipeline()
+    assert not occurring(mesher)
+    shown = simple.Show(output)
+    assert not shown.ColorArrayName[1], shown.ColorArrayName
+    mesher.Input, mesher.DomainMode = pipeline.reader, "Site"
+    output.UpdatePipeline()
+    assert occurring(mesher) and occurring(mesher) <= set(names_of(shown)), (occurring(mesher), names_of(shown))
+    simple.ColorBy(shown, None)
+    mesher.SizeMin = 0.5
+    output.UpdatePipeline()
+    assert not shown.ColorArrayName[1], shown.ColorArrayName
+
+
+def check_legend(pipeline):
+    """Dark letters on a light ground; and the names of a model that is read otherwise are its new ones."""
+    view = simple.GetActiveViewOrCreate("RenderView")
+    shown = simple.Show(pipeline.reader, view)
+    shown.SetScalarBarVisibility(view, True)
+    legend = simple.GetScalarBar(shown.LookupTable, view)
+    assert legend.DrawBackground == 1 and min(legend.BackgroundColor[:3]) > 0.9, list(legend.BackgroundColor)
+    assert max(legend.LabelColor) < 0.2 and max(legend.TitleColor) < 0.2, list(legend.LabelColor)
+    simple.LoadPalette("WhiteBackground")
+    assert max(legend.LabelColor) < 0.2 and min(legend.BackgroundColor[:3]) > 0.9
+    pipeline.reader.ExcludedSurfaces = ["Neighbor"]
+    pipeline.reader.UpdatePipeline()
+    assert "WallSouth" in names_of(shown) and "Neighbor" not in names_of(shown), names_of(shown)
 
 
 def check_first_views(quality):
@@ -118,3 +169,5 @@ check_views(pipeline)
 check_diagnostics(pipeline)
 check_first_views(pipeline.quality)
 check_metrics(pipeline)
+check_first_diagnostics(pipeline)
+check_legend(pipeline)
