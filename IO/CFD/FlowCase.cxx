@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <numbers>
 #include <set>
 
@@ -128,7 +129,7 @@ std::string cleanScript()
 {
   return std::string(scriptHead) +
          "# All that a run leaves; meshes and the folder 0 stay.\n"
-         "rm -rf postProcessing log.* [1-9]* 0/uniform dynamicCode processor*/[1-9]*\n"
+         "rm -rf postProcessing log.* [1-9]* 0.[0-9]* 0/uniform dynamicCode processor*/[1-9]* processor*/0.[0-9]*\n"
          "for processor in processor*; do\n"
          "  if [ -d \"$processor\" ]; then rm -rf \"$processor/0\" && cp -r 0 \"$processor/0\"; fi\n"
          "done\n";
@@ -261,6 +262,12 @@ std::vector<std::string> foldersOf(const FlowCaseSettings& settings)
   return folders;
 }
 
+/// Whether OpenFOAM would take a folder of that name for the fields of a time after the first.
+bool isLaterTime(const std::string& name)
+{
+  return name.find_first_not_of("0123456789.e-+") == std::string::npos && std::atof(name.c_str()) > 0.0;
+}
+
 } // namespace
 
 void refuseResults(const fs::path& caseFolder)
@@ -273,7 +280,8 @@ void refuseResults(const fs::path& caseFolder)
   {
     const std::string name = entry.path().filename().string();
     const bool isOfProcessor = entry.path().parent_path().filename().string().starts_with("processor");
-    if (name.starts_with("log.") || name == "postProcessing" || (isOfProcessor && name != "0" && name != "constant"))
+    if (name.starts_with("log.") || name == "postProcessing" || (entry.is_directory() && isLaterTime(name)) ||
+        (isOfProcessor && name != "0" && name != "constant"))
     {
       throw Error("'" + caseFolder.string() + "' holds results of a run (" +
                   entry.path().lexically_relative(caseFolder).string() +

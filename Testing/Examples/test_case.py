@@ -137,6 +137,10 @@ class Case(BoxCase):
         self.assertTrue((folder / "log.simpleFoam").exists())
         subprocess.run([folder / "Allclean"], check=True)
         self.case(self.box, "kept")
+        (folder / "0.5").mkdir()  # of a run without Allrun
+        self.refuses(3, "holds results of a run (0.5)", self.box, "-o", folder)
+        subprocess.run([folder / "Allclean"], check=True)
+        self.case(self.box, "kept")
 
     def test_config(self):
         config = self.folder / "case.toml"
