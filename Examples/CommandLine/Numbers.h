@@ -16,6 +16,20 @@
 
 namespace atria::tool {
 
+/// What is wrong with a text that is no number, `range` included.
+inline std::string notANumber(const std::string& input, const std::string& range)
+{
+  std::string text = "'" + input + "' is not a number" + (range.empty() ? "" : " " + range);
+  std::string pointed = input;
+  double value = 0.0;
+  if (std::count(input.begin(), input.end(), ',') == 1)
+  {
+    pointed[input.find(',')] = '.';
+    text += CLI::detail::lexical_cast(pointed, value) ? "; decimals follow a point: " + pointed : "";
+  }
+  return text;
+}
+
 /// Numbers in [least, most], or in (least, most] with `above`. Without `most` there is no upper limit.
 inline CLI::Validator numberIn(double least, double most, bool above = false)
 {
@@ -29,7 +43,7 @@ inline CLI::Validator numberIn(double least, double most, bool above = false)
         double value = 0.0;
         const bool isNumber = CLI::detail::lexical_cast(input, value) && std::isfinite(value);
         const bool fits = isNumber && (above ? value > least : value >= least) && (open || value <= most);
-        return fits ? std::string() : "'" + input + "' is not a number " + text;
+        return fits ? std::string() : notANumber(input, text);
       },
       shown);
 }
@@ -43,7 +57,7 @@ inline CLI::Validator anyNumber()
       [](std::string& input) {
         double value = 0.0;
         const bool isNumber = CLI::detail::lexical_cast(input, value) && std::isfinite(value);
-        return isNumber ? std::string() : "'" + input + "' is not a number";
+        return isNumber ? std::string() : notANumber(input, "");
       },
       "");
 }

@@ -67,6 +67,7 @@ class CommandLine(unittest.TestCase):
         self.refuses(2, "subcommand")
         self.refuses(2, "MODEL", "mesh", "-o", out)
         self.refuses(2, "--size-min", "mesh", HOUSE, "-o", out, "--size-min", "-1")
+        self.refuses(2, "'0,5' is not a number more than 0; decimals follow a point: 0.5", "mesh", HOUSE, "--size-min", "0,5")
         self.refuses(2, "sizes", "mesh", HOUSE, "-o", out, "--size-mid", "16", "--size-max", "8")
         self.refuses(2, "--domain", "mesh", HOUSE, "-o", out, "--domain", "1", "0", "0", "1", "0", "1")
         self.refuses(2, "--site", "mesh", HOUSE, "-o", out, "--site", "Site", "--domain", "0", "1", "0", "1", "0", "1")
