@@ -240,7 +240,7 @@ const ConditionRule* ruleFor(const CaseOfDirection& flow, const Field& field, co
 {
   const auto& rules = flow.settings.conditionRules;
   const auto found = std::find_if(rules.rbegin(), rules.rend(), [&](const ConditionRule& rule) {
-    return rule.field == field.name && matchesPattern(patternOfPatchNames(rule.pattern, openFOAMNames), patch.name);
+    return rule.field == field.name && matchesPatchName(rule.pattern, patch.name, openFOAMNames);
   });
   return found == rules.rend() ? nullptr : &*found;
 }

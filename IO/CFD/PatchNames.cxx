@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "PatchNames.h"
 
+#include "Support/NamePattern.h"
 #include "Support/Text.h"
 
 #include <algorithm>
@@ -151,14 +152,14 @@ std::vector<PatchName> makePatchNames(std::span<const std::string> names, const 
   return NameMaker(names, rules).run();
 }
 
-std::string patternOfPatchNames(std::string_view pattern, const NameRules& rules)
+bool matchesPatchName(std::string_view pattern, std::string_view word, const NameRules& rules)
 {
   constexpr std::string_view wildcards = "*?";
   const std::string punctuation = std::string(rules.punctuation) + std::string(wildcards);
   NameRules wide = rules;
   wide.punctuation = punctuation;
   wide.anyStart = rules.anyStart || pattern.find_first_of(wildcards) == 0;
-  return pattern.empty() ? "" : makeWord(pattern, wide);
+  return matchesPattern(pattern, word) || (!pattern.empty() && matchesPattern(makeWord(pattern, wide), word));
 }
 
 } // namespace atria

@@ -34,7 +34,7 @@ struct PatchName
 /// sides of one sheet: they keep a common stem, which is their group unless a patch has that very name.
 std::vector<PatchName> makePatchNames(std::span<const std::string> names, const NameRules& rules);
 
-/// A pattern (see matchesPattern) for original names as one for the names that makePatchNames makes of them.
-std::string patternOfPatchNames(std::string_view pattern, const NameRules& rules);
+/// Whether a name as a format takes it matches a pattern (see matchesPattern) that may be for what it was made of.
+bool matchesPatchName(std::string_view pattern, std::string_view word, const NameRules& rules);
 
 } // namespace atria

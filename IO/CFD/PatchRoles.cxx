@@ -60,11 +60,10 @@ void applyRules(const CaseMesh& mesh, const std::vector<PatchRule>& rules, std::
   }
   for (const PatchRule& rule : rules)
   {
-    const std::string pattern = patternOfPatchNames(rule.pattern, openFOAMNames);
     bool isUsed = false;
     for (std::size_t i = 0; i < names.size(); ++i)
     {
-      if (matchesPattern(pattern, names[i]))
+      if (matchesPatchName(rule.pattern, names[i], openFOAMNames))
       {
         choices[i] = rule.choice;
         isUsed = true;
