@@ -443,7 +443,9 @@ TEST_F(ModelReader, RefusesWhatIsNoModelAndNamesTheFile)
   reader->SetFileName((scratch.path() / "absent.obj").c_str());
   reader->Update();
   EXPECT_THAT(messages.takeErrors().front(), AllOf(HasSubstr("absent.obj"), HasSubstr("does not exist")));
-  EXPECT_THAT(errorOf("model.dwg", "0\nSECTION\n"), AllOf(HasSubstr("model.dwg"), HasSubstr(".obj .stl .ply")));
+  EXPECT_THAT(errorOf("model.xyz", "0\nSECTION\n"), AllOf(HasSubstr("model.xyz"), HasSubstr(".obj .stl .ply")));
+  EXPECT_THAT(errorOf("model.DWG", "AC1032"), AllOf(HasSubstr("model.DWG"), HasSubstr("export it there as DXF")));
+  EXPECT_THAT(errorOf("a.stl", ""), HasSubstr("a.stl' holds no surfaces: it is empty"));
   EXPECT_THAT(errorOf("a.obj", "v 1 2\nf 1 1 1\n"),
               AllOf(HasSubstr("a.obj"), HasSubstr("line 1"), HasSubstr("export")));
   EXPECT_THAT(errorOf("a.obj", "v 1 2 nan\n"), HasSubstr("line 1"));
