@@ -14,9 +14,9 @@ import unittest
 SOURCE, ATRIA = pathlib.Path(sys.argv[1]).resolve(), sys.argv[2]
 DOCUMENTS = [SOURCE / "README.md", SOURCE / "CONTRIBUTING.md", *sorted((SOURCE / "docs").glob("*.md"))]
 SOURCES = ("Filters", "IO", "ParaViewPlugin", "Examples", "Testing", ".ci", "docs/pictures", "docs/site")
-# Names of VTK and of IFC, and options of other programs: Python's venv, our tests.
+# Names of VTK and of IFC, and options of other programs: Python's venv and pip, our tests.
 OTHERS = re.compile(r"vtk(?!Atria)\w+|Ifc\w+")
-OTHER_OPTIONS = {"--system-site-packages", "--full"}
+OTHER_OPTIONS = {"--system-site-packages", "--no-deps", "--full"}
 # Made when there is something to keep in them.
 LATER = {"Testing/Data/VRML/damaged", "Testing/Data/Models/damaged"}
 COMMANDS = re.findall(r"^  (\w+) ", subprocess.run([ATRIA, "--help"], capture_output=True, text=True, check=True).stdout
