@@ -3,9 +3,9 @@
 #include "DualMesherTest.h"
 #include "SmpExecutor.h"
 #include "SmpThreads.h"
+#include "Support/ProgressWatch.h"
 #include "vtkAtriaOctreeSource.h"
 
-#include <vtkCallbackCommand.h>
 #include <vtkFieldData.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkStringArray.h>
@@ -23,6 +23,8 @@ namespace {
 using atria::Box3;
 using atria::TriangleSurface;
 using atria::Vec3;
+using atria::testing::beyond;
+using atria::testing::ProgressWatch;
 using ::testing::HasSubstr;
 
 /// A building with a canopy whose boundary edge ends in the open, next to a dome, on a ground.
@@ -175,20 +177,12 @@ TEST_F(DualMesherRuns, AbortLeavesNothingAndTheNextRunIsWhole)
   for (const double when : {0.1, 0.5, 0.8})
   {
     SCOPED_TRACE(when);
-    double limit = when;
-    vtkNew<vtkCallbackCommand> observer;
-    observer->SetClientData(&limit);
-    observer->SetCallback([](vtkObject* caller, unsigned long, void* data, void* fraction) {
-      if (*static_cast<double*>(fraction) > *static_cast<double*>(data))
-      {
-        vtkAlgorithm::SafeDownCast(caller)->AbortExecuteOn();
-      }
-    });
-    const unsigned long tag = mesher->AddObserver(vtkCommand::ProgressEvent, observer);
-    mesher->Modified();
-    mesher->Update();
-    expectEmpty();
-    mesher->RemoveObserver(tag);
+    {
+      const ProgressWatch watch(mesher, beyond(when));
+      mesher->Modified();
+      mesher->Update();
+      expectEmpty();
+    }
     mesher->Modified();
     expectOutputs(whole);
   }
@@ -196,20 +190,7 @@ TEST_F(DualMesherRuns, AbortLeavesNothingAndTheNextRunIsWhole)
 
 TEST_F(DualMesherRuns, ProgressRisesToOneWithText)
 {
-  struct Seen
-  {
-    std::vector<double> fractions;
-    std::vector<std::string> texts;
-  } seen;
-  vtkNew<vtkCallbackCommand> observer;
-  observer->SetClientData(&seen);
-  observer->SetCallback([](vtkObject* caller, unsigned long, void* data, void* fraction) {
-    auto* all = static_cast<Seen*>(data);
-    all->fractions.push_back(*static_cast<double*>(fraction));
-    const char* text = vtkAlgorithm::SafeDownCast(caller)->GetProgressText();
-    all->texts.emplace_back(text ? text : "");
-  });
-  mesher->AddObserver(vtkCommand::ProgressEvent, observer);
+  const ProgressWatch seen(mesher);
   mesher->Update();
   EXPECT_TRUE(std::is_sorted(seen.fractions.begin(), seen.fractions.end()));
   ASSERT_FALSE(seen.fractions.empty());

@@ -2,14 +2,13 @@
 #include "DualMesherTest.h"
 #include "SmpThreads.h"
 #include "Support/Buildings.h"
+#include "Support/ProgressWatch.h"
 #include "Support/SampleGrid.h"
 #include "vtkAtriaMeshOptimizer.h"
 #include "vtkAtriaMeshQuality.h"
 
-#include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
-#include <vtkCommand.h>
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
 #include <vtkPointData.h>
@@ -25,6 +24,8 @@
 namespace {
 
 using atria::Vec3;
+using atria::testing::beyond;
+using atria::testing::ProgressWatch;
 using atria::testing::toGrid;
 using ::testing::HasSubstr;
 
@@ -266,14 +267,7 @@ TEST_F(MeshOptimizer, MovesThePatchesAlong)
 
 TEST_F(MeshOptimizer, AbortLeavesNothing)
 {
-  vtkNew<vtkCallbackCommand> observer;
-  observer->SetCallback([](vtkObject* caller, unsigned long, void*, void* fraction) {
-    if (*static_cast<double*>(fraction) > 0.5)
-    {
-      vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
-    }
-  });
-  filter->AddObserver(vtkCommand::ProgressEvent, observer);
+  const ProgressWatch watch(filter, beyond(0.5));
   EXPECT_EQ(run()->GetNumberOfPoints(), 0);
   EXPECT_EQ(filter->GetPatches()->GetNumberOfPartitionedDataSets(), 0u);
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Quality/Faces/CellShapes.h"
+#include "Support/ProgressWatch.h"
 #include "Support/SampleGrid.h"
 #include "Support/VtkErrorGuard.h"
 #include "vtkAtriaMeshQuality.h"
 
-#include <vtkCallbackCommand.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
 #include <vtkMeshQuality.h>
@@ -25,6 +25,8 @@
 namespace {
 
 using atria::Vec3;
+using atria::testing::beyond;
+using atria::testing::ProgressWatch;
 using atria::testing::SampleMesh;
 using atria::testing::toGrid;
 using atria::testing::toPatches;
@@ -366,14 +368,9 @@ TEST_F(MeshQuality, CountsInvalidCells)
 
 TEST_F(MeshQuality, ProgressRisesToOne)
 {
-  std::vector<double> seen;
-  vtkNew<vtkCallbackCommand> observer;
-  observer->SetClientData(&seen);
-  observer->SetCallback([](vtkObject*, unsigned long, void* data, void* fraction) {
-    static_cast<std::vector<double>*>(data)->push_back(*static_cast<double*>(fraction));
-  });
-  filter->AddObserver(vtkCommand::ProgressEvent, observer);
+  const ProgressWatch watch(filter);
   run(toGrid(atria::testing::hexahedra({4, 4, 4})));
+  const std::vector<double>& seen = watch.fractions;
   EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
   ASSERT_FALSE(seen.empty());
   EXPECT_EQ(seen.back(), 1.0);
@@ -381,14 +378,7 @@ TEST_F(MeshQuality, ProgressRisesToOne)
 
 TEST_F(MeshQuality, AbortLeavesNothing)
 {
-  vtkNew<vtkCallbackCommand> observer;
-  observer->SetCallback([](vtkObject* caller, unsigned long, void*, void* fraction) {
-    if (*static_cast<double*>(fraction) > 0.5)
-    {
-      vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
-    }
-  });
-  filter->AddObserver(vtkCommand::ProgressEvent, observer);
+  const ProgressWatch watch(filter, beyond(0.5));
   run(toGrid(atria::testing::hexahedra({4, 4, 4})));
   expectNoOutput();
 }

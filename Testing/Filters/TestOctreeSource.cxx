@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "MeshOutput.h"
 #include "OctreeLeaves.h"
+#include "Support/ProgressWatch.h"
 #include "Support/Shapes.h"
 #include "Support/VtkErrorGuard.h"
 #include "SurfaceInput.h"
 #include "vtkAtriaOctreeSource.h"
 
-#include <vtkCallbackCommand.h>
 #include <vtkHyperTreeGrid.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
@@ -23,9 +23,11 @@ namespace {
 using atria::Box3;
 using atria::TriangleSurface;
 using atria::Vec3;
+using atria::testing::beyond;
 using atria::testing::LeafMap;
 using atria::testing::leavesOf;
 using atria::testing::OctreeLeaf;
+using atria::testing::ProgressWatch;
 using atria::testing::toPolyData;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
@@ -305,33 +307,22 @@ TEST_F(OctreeSource, AbortLeavesNothingAndTheNextRunIsWhole)
 {
   source->SetInputDataObject(toPolyData(buildingAndDome()));
   const auto whole = copyOfOutput();
-  vtkNew<vtkCallbackCommand> observer;
-  observer->SetCallback([](vtkObject* caller, unsigned long, void*, void* fraction) {
-    if (*static_cast<double*>(fraction) > 0.2)
-    {
-      vtkAlgorithm::SafeDownCast(caller)->AbortExecuteOn();
-    }
-  });
-  const unsigned long tag = source->AddObserver(vtkCommand::ProgressEvent, observer);
-  source->Modified();
-  EXPECT_TRUE(leaves().empty());
-  EXPECT_EQ(vtkUnstructuredGrid::SafeDownCast(source->GetOutputDataObject(0))->GetNumberOfPoints(), 0);
-  source->RemoveObserver(tag);
+  {
+    const ProgressWatch watch(source, beyond(0.2));
+    source->Modified();
+    EXPECT_TRUE(leaves().empty());
+    EXPECT_EQ(vtkUnstructuredGrid::SafeDownCast(source->GetOutputDataObject(0))->GetNumberOfPoints(), 0);
+  }
   source->Modified();
   EXPECT_TRUE(atria::testing::identical(whole, copyOfOutput()));
 }
 
 TEST_F(OctreeSource, ProgressRisesToOne)
 {
-  std::vector<double> seen;
-  vtkNew<vtkCallbackCommand> observer;
-  observer->SetClientData(&seen);
-  observer->SetCallback([](vtkObject*, unsigned long, void* data, void* fraction) {
-    static_cast<std::vector<double>*>(data)->push_back(*static_cast<double*>(fraction));
-  });
-  source->AddObserver(vtkCommand::ProgressEvent, observer);
+  const ProgressWatch watch(source);
   source->SetInputDataObject(toPolyData(buildingAndDome()));
   source->Update();
+  const std::vector<double>& seen = watch.fractions;
   EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end()));
   EXPECT_GT(seen.size(), 3u);
   EXPECT_EQ(seen.back(), 1.0);

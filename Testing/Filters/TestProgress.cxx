@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Progress and abort of every filter, reader and writer.
 #include "MeshOutput.h"
+#include "Support/ProgressWatch.h"
 #include "Support/Shapes.h"
 #include "Support/TestPaths.h"
 #include "Support/VtkErrorGuard.h"
@@ -16,7 +17,6 @@
 #include "vtkAtriaVRMLReader.h"
 #include "vtkAtriaWorstElements.h"
 
-#include <vtkCallbackCommand.h>
 #include <vtkNew.h>
 #include <vtkPartitionedDataSetCollection.h>
 #include <vtkPolyData.h>
@@ -35,46 +35,14 @@ namespace {
 namespace fs = std::filesystem;
 
 using atria::Vec3;
+using atria::testing::ProgressWatch;
 using Maker = std::function<vtkSmartPointer<vtkAlgorithm>()>;
 
-/// Notes events, and aborts at one of them.
-class Listener
+/// For a watch that aborts at an event, counted from one.
+ProgressWatch::Condition atEvent(std::size_t wanted)
 {
-public:
-  explicit Listener(vtkAlgorithm* target, int abortAt = -1) : algorithm(target), limit(abortAt)
-  {
-    observer->SetClientData(this);
-    observer->SetCallback([](vtkObject*, unsigned long, void* self, void* fraction) {
-      static_cast<Listener*>(self)->note(*static_cast<double*>(fraction));
-    });
-    tag = algorithm->AddObserver(vtkCommand::ProgressEvent, observer);
-  }
-  ~Listener() { algorithm->RemoveObserver(tag); }
-  Listener(const Listener&) = delete;
-  Listener& operator=(const Listener&) = delete;
-
-  std::vector<double> fractions;
-  std::vector<std::string> texts;
-  bool aborted = false;
-
-private:
-  void note(double fraction)
-  {
-    const char* text = algorithm->GetProgressText();
-    fractions.push_back(fraction);
-    texts.emplace_back(text ? text : "");
-    if (static_cast<int>(fractions.size()) == limit)
-    {
-      aborted = true;
-      algorithm->AbortExecuteOn();
-    }
-  }
-
-  vtkAlgorithm* algorithm;
-  int limit;
-  unsigned long tag = 0;
-  vtkNew<vtkCallbackCommand> observer;
-};
+  return [wanted, count = std::size_t(0)](double, const std::string&) mutable { return ++count == wanted; };
+}
 
 atria::TriangleSurface scene()
 {
@@ -259,7 +227,7 @@ protected:
 
 TEST_P(EveryFilter, TellsRisingProgressWithText)
 {
-  const Listener heard(filter);
+  const ProgressWatch heard(filter);
   filter->Update();
   ASSERT_GT(heard.fractions.size(), 2u);
   EXPECT_TRUE(std::is_sorted(heard.fractions.begin(), heard.fractions.end()));
@@ -274,7 +242,7 @@ TEST_P(EveryFilter, AbortedAtAnyEventLeavesNothingAndTheNextUpdateGivesAll)
 {
   std::size_t events = 0;
   {
-    const Listener heard(filter);
+    const ProgressWatch heard(filter);
     filter->Update();
     events = heard.fractions.size();
   }
@@ -290,7 +258,7 @@ TEST_P(EveryFilter, AbortedAtAnyEventLeavesNothingAndTheNextUpdateGivesAll)
     SCOPED_TRACE(n);
     filter->Modified();
     {
-      const Listener heard(filter, static_cast<int>(n));
+      const ProgressWatch heard(filter, atEvent(n));
       filter->Update();
       // On a machine that stalls, events also come by the clock, and may have been more the first time.
       const std::size_t count = heard.fractions.size();
@@ -352,7 +320,7 @@ protected:
 
 TEST_F(WriterProgress, RisesWithText)
 {
-  const Listener heard(writer);
+  const ProgressWatch heard(writer);
   EXPECT_TRUE(writer->Write());
   EXPECT_TRUE(std::is_sorted(heard.fractions.begin(), heard.fractions.end()));
   EXPECT_EQ(heard.fractions.back(), 1.0);
@@ -364,7 +332,7 @@ TEST_F(WriterProgress, AbortedAtAnyEventTheEarlierMeshIsWholeOrTheNewOneIs)
   std::size_t events = 0;
   writer->WriteBinaryOn();
   {
-    const Listener heard(writer);
+    const ProgressWatch heard(writer);
     ASSERT_TRUE(writer->Write());
     events = heard.fractions.size();
   }
@@ -378,7 +346,7 @@ TEST_F(WriterProgress, AbortedAtAnyEventTheEarlierMeshIsWholeOrTheNewOneIs)
   {
     SCOPED_TRACE(n);
     {
-      const Listener heard(writer, static_cast<int>(n));
+      const ProgressWatch heard(writer, atEvent(n));
       writer->Write();
       ASSERT_TRUE(heard.aborted);
     }

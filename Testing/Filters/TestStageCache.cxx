@@ -2,9 +2,8 @@
 /// What the dual mesher keeps of a run for the next one: whatever changes in between, its outputs are those of a fresh
 /// filter.
 #include "DualMesherTest.h"
+#include "Support/ProgressWatch.h"
 #include "vtkAtriaOctreeSource.h"
-
-#include <vtkCallbackCommand.h>
 
 #include <gmock/gmock.h>
 
@@ -20,6 +19,7 @@ namespace {
 using atria::Box3;
 using atria::TriangleSurface;
 using atria::Vec3;
+using atria::testing::ProgressWatch;
 using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::Not;
@@ -376,18 +376,11 @@ TEST_F(StageCacheTest, OctreesAreToldApart)
 
 TEST_F(StageCacheTest, WhatAnAbortedRunFinishedIsTaken)
 {
-  vtkNew<vtkCallbackCommand> observer;
-  observer->SetCallback([](vtkObject* caller, unsigned long, void*, void*) {
-    auto* filter = vtkAlgorithm::SafeDownCast(caller);
-    if (filter->GetProgressText() && std::string(filter->GetProgressText()) == "Growing layers")
-    {
-      filter->AbortExecuteOn();
-    }
-  });
-  const unsigned long tag = mesher->AddObserver(vtkCommand::ProgressEvent, observer);
-  mesher->Update();
-  expectEmpty();
-  mesher->RemoveObserver(tag);
+  {
+    const ProgressWatch watch(mesher, [](double, const std::string& text) { return text == "Growing layers"; });
+    mesher->Update();
+    expectEmpty();
+  }
   mesher->Modified();
   expectAsFresh({});
   EXPECT_THAT(stages(), afterLayers);

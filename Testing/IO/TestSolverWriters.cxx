@@ -4,6 +4,7 @@
 #include "SolverMeshFacts.h"
 #include "Support/CheckMesh.h"
 #include "Support/CheckWarnings.h"
+#include "Support/ProgressWatch.h"
 #include "Support/SampleGrid.h"
 #include "Support/TestPaths.h"
 #include "Support/VtkErrorGuard.h"
@@ -12,10 +13,8 @@
 #include "vtkAtriaSU2Writer.h"
 
 #include <vtkCGNSReader.h>
-#include <vtkCallbackCommand.h>
 #include <vtkCellData.h>
 #include <vtkCellType.h>
-#include <vtkCommand.h>
 #include <vtkDataArraySelection.h>
 #include <vtkFLUENTReader.h>
 #include <vtkIntArray.h>
@@ -307,12 +306,7 @@ TYPED_TEST(SolverWritersError, AbortLeavesTheFileOfBefore)
 {
   std::ofstream(this->file("mesh.x")) << "before";
   vtkNew<TypeParam> writer;
-  vtkNew<vtkCallbackCommand> stop;
-  stop->SetCallback([](vtkObject* caller, unsigned long, void*, void*) {
-    auto* algorithm = static_cast<vtkAlgorithm*>(caller);
-    algorithm->SetAbortExecute(algorithm->GetProgress() > 0.6);
-  });
-  writer->AddObserver(vtkCommand::ProgressEvent, stop);
+  const atria::testing::ProgressWatch watch(writer, atria::testing::beyond(0.6));
   EXPECT_EQ(this->write(writer, "mesh.x"), 0);
   this->messages.takeErrors();
   EXPECT_EQ(this->textOf(this->file("mesh.x")), "before");

@@ -3,11 +3,10 @@
 #include "VRMLModel.h"
 #include "vtkAtriaVRMLReader.h"
 
+#include "Support/ProgressWatch.h"
 #include "Support/TestPaths.h"
 #include "Support/VtkErrorGuard.h"
 
-#include <vtkCallbackCommand.h>
-#include <vtkCommand.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 
@@ -21,6 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using atria::testing::joined;
+using atria::testing::ProgressWatch;
 using atria::testing::VRMLModel;
 using Names = std::vector<std::string>;
 
@@ -339,10 +339,7 @@ TEST_F(VRMLDamage, StopsWhenAskedAndLeavesTheOutputEmpty)
   }
   const fs::path file = atria::testing::writeFile(scratch.path(), "big.wrl", "#VRML V2.0 utf8\n" + body);
   vtkNew<vtkAtriaVRMLReader> reader;
-  vtkNew<vtkCallbackCommand> stop;
-  stop->SetCallback(
-      [](vtkObject* caller, unsigned long, void*, void*) { vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1); });
-  reader->AddObserver(vtkCommand::ProgressEvent, stop);
+  const ProgressWatch watch(reader, [](double, const std::string&) { return true; });
   reader->SetFileName(file.c_str());
   reader->Update();
   EXPECT_EQ(reader->GetOutput()->GetNumberOfCells(), 0);
@@ -351,16 +348,11 @@ TEST_F(VRMLDamage, StopsWhenAskedAndLeavesTheOutputEmpty)
 TEST_F(VRMLDamage, ReportsProgressThatNeverFalls)
 {
   vtkNew<vtkAtriaVRMLReader> reader;
-  std::vector<double> seen;
-  vtkNew<vtkCallbackCommand> watch;
-  watch->SetClientData(&seen);
-  watch->SetCallback([](vtkObject*, unsigned long, void* list, void* value) {
-    static_cast<std::vector<double>*>(list)->push_back(*static_cast<double*>(value));
-  });
-  reader->AddObserver(vtkCommand::ProgressEvent, watch);
+  const ProgressWatch watch(reader);
   reader->SetFileName((atria::testing::dataFolder() / "VRML" / "site.wrl").c_str());
   reader->SetUpAxisToY(); // which the model leaves open
   reader->Update();
+  const std::vector<double>& seen = watch.fractions;
   ASSERT_FALSE(seen.empty());
   EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end() - 1));
 }
