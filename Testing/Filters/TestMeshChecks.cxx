@@ -18,10 +18,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <optional>
 #include <random>
 #include <set>
+#include <sstream>
 
 namespace {
 
@@ -38,8 +38,7 @@ using atria::testing::SampleMesh;
 std::set<Index> readSet(const fs::path& caseFolder, const std::string& name)
 {
   std::set<Index> ids;
-  std::ifstream file(caseFolder / "constant" / "polyMesh" / "sets" / name);
-  const std::string text((std::istreambuf_iterator<char>(file)), {});
+  const std::string text = atria::testing::bytesOf(caseFolder / "constant" / "polyMesh" / "sets" / name);
   const std::size_t begin = text.rfind('(');
   if (begin == std::string::npos || text.find(')', begin) == std::string::npos)
   {

@@ -304,9 +304,7 @@ protected:
     {
       if (entry.is_regular_file())
       {
-        std::ostringstream text;
-        text << std::ifstream(entry.path()).rdbuf();
-        found[fs::relative(entry.path(), folder)] = text.str();
+        found[fs::relative(entry.path(), folder)] = atria::testing::bytesOf(entry.path());
       }
     }
     return found;

@@ -24,9 +24,7 @@
 
 #include <gmock/gmock.h>
 
-#include <fstream>
 #include <limits>
-#include <sstream>
 
 namespace {
 
@@ -46,9 +44,7 @@ std::map<std::string, std::string> filesOf(const fs::path& folder)
   std::map<std::string, std::string> files;
   for (const fs::directory_entry& file : fs::directory_iterator(folder / "constant/polyMesh"))
   {
-    std::ostringstream text;
-    text << std::ifstream(file.path()).rdbuf();
-    files[file.path().filename().string()] = text.str();
+    files[file.path().filename().string()] = atria::testing::bytesOf(file.path());
   }
   return files;
 }

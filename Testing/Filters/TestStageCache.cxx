@@ -3,16 +3,16 @@
 /// filter.
 #include "DualMesherTest.h"
 #include "Support/ProgressWatch.h"
+#include "Support/TestPaths.h"
 #include "vtkAtriaOctreeSource.h"
 
 #include <gmock/gmock.h>
 
-#include <fstream>
+#include <filesystem>
 #include <functional>
 #include <random>
 #include <regex>
 #include <set>
-#include <sstream>
 
 namespace {
 
@@ -249,10 +249,7 @@ INSTANTIATE_TEST_SUITE_P(Properties, EveryChange, ::testing::ValuesIn(allChanges
 /// The commands of the properties in a part of a file.
 void addCommands(const char* file, const std::string& begin, const std::string& end, std::set<std::string>& commands)
 {
-  std::ifstream in(std::string(ATRIA_PLUGIN_DIR) + "/" + file);
-  std::stringstream text;
-  text << in.rdbuf();
-  std::string part = text.str();
+  std::string part = atria::testing::bytesOf(std::filesystem::path(ATRIA_PLUGIN_DIR) / file);
   part = part.substr(part.find(begin));
   part = part.substr(0, part.find(end));
   const std::regex command("<\\w+VectorProperty[^>]* command=\"((?:Set|Add)\\w+)\"");

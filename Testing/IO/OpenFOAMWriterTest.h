@@ -14,8 +14,6 @@
 #include <gmock/gmock.h>
 
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 #include <string>
 
 namespace atria::testing {
@@ -49,13 +47,6 @@ protected:
   }
 
   std::filesystem::path folder(const char* name) const { return scratch.path() / name; }
-
-  static std::string textOf(const std::filesystem::path& file)
-  {
-    std::ostringstream text;
-    text << std::ifstream(file).rdbuf();
-    return text.str();
-  }
 
   /// One for each check that fails, and no other.
   void expectWarnings(vtkAtriaOpenFOAMWriter* writer, bool lacksPatches)

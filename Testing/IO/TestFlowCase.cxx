@@ -170,9 +170,8 @@ TEST_F(PolyMeshFiles, TypesOfPatchesChangeInPlace)
 {
   atria::setPatchTypes(folder, {{"sides", "wall"}, {"others", "patch"}});
   EXPECT_EQ(atria::readPolyMesh(folder).patches[0].type, "wall");
-  std::ifstream file(folder / "constant" / "polyMesh" / "boundary");
-  const std::string text{std::istreambuf_iterator<char>(file), {}};
-  EXPECT_THAT(text, HasSubstr("/* all */ sides { type wall; inGroups 1(open); nFaces 6; startFace 0; }"));
+  EXPECT_THAT(atria::testing::bytesOf(folder / "constant" / "polyMesh" / "boundary"),
+              HasSubstr("/* all */ sides { type wall; inGroups 1(open); nFaces 6; startFace 0; }"));
 }
 
 TEST_F(PolyMeshFiles, DamageIsToldWithItsPlace)

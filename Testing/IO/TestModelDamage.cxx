@@ -24,25 +24,16 @@
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
 #include <map>
 #include <random>
-#include <sstream>
 
 namespace {
 
 namespace fs = std::filesystem;
+using atria::testing::bytesOf;
 using atria::testing::writeFile;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
-
-std::string bytesOf(const fs::path& file)
-{
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
 
 /// The house in one format, by the ending of the file; formats that TestModelReader does not write, too.
 std::string sampleOf(const std::string& format, const fs::path& folder)

@@ -27,12 +27,14 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <sstream>
 
 namespace {
 
 namespace fs = std::filesystem;
 using atria::FaceMesh;
 using atria::Vec3;
+using atria::testing::bytesOf;
 using atria::testing::CheckMeshReport;
 using atria::testing::facesOf;
 using atria::testing::OpenFOAMWriter;
@@ -59,7 +61,7 @@ TEST_F(OpenFOAMWriter, SidesOfASheetAreTwoWallsOfOneGroup)
   {
     const fs::path target = folder(binary ? "binary" : "ascii");
     ASSERT_EQ(write(toGrid(sample), patches, binary, target), 1);
-    const std::string boundary = textOf(target / "constant/polyMesh/boundary");
+    const std::string boundary = bytesOf(target / "constant/polyMesh/boundary");
     EXPECT_THAT(boundary, HasSubstr("// \"canopy 1_front\"\n    canopy_1_front\n"));
     EXPECT_THAT(boundary, HasSubstr("inGroups        2(wall canopy_1);"));
     if (atria::testing::haveCheckMesh())
@@ -206,7 +208,7 @@ TEST_F(OpenFOAMWriter, MergesCoplanarFacesOfACellPatchByPatch)
     const fs::path target = folder(binary ? "binary" : "ascii");
     ASSERT_EQ(write(toGrid(boxOfSquares()), patches, binary, target), 1);
     EXPECT_EQ(mergedFaces, 3) << "front, back and bottom";
-    const std::string boundary = textOf(target / "constant/polyMesh/boundary");
+    const std::string boundary = bytesOf(target / "constant/polyMesh/boundary");
     for (const char* name : {"ground", "left", "right"})
     {
       EXPECT_THAT(boundary, HasSubstr(patchOfOneFace(name, "wall")));
@@ -247,7 +249,7 @@ TEST_F(OpenFOAMWriter, MergesCellsWithTooFewNeighborsAndKeepsPatchesAndZones)
     const fs::path target = folder(merge ? "merged" : "plain");
     ASSERT_EQ(write(grid, patches, false, target), 1);
     EXPECT_EQ(mergedCells > 0, merge);
-    std::istringstream lines(textOf(target / "constant/polyMesh/boundary"));
+    std::istringstream lines(bytesOf(target / "constant/polyMesh/boundary"));
     for (std::string line; std::getline(lines, line);)
     {
       boundary[merge ? 1 : 0] += line.find("startFace") == std::string::npos ? line + "\n" : "";
@@ -329,7 +331,7 @@ TEST_F(OpenFOAMWriter, FacesInNoPatchGoToDefaultFaces)
   const auto patches = toPatches(
       facesOf(sample), [](const Vec3& center) { return center[2] < 1e-9 ? std::string("ground") : std::string(); });
   ASSERT_EQ(write(toGrid(sample), patches, false, folder("case")), 1);
-  const std::string boundary = textOf(folder("case") / "constant/polyMesh/boundary");
+  const std::string boundary = bytesOf(folder("case") / "constant/polyMesh/boundary");
   EXPECT_THAT(boundary, HasSubstr("ground\n    {\n        type            wall;\n        nFaces          4;"));
   EXPECT_THAT(boundary, HasSubstr("defaultFaces\n    {\n        type            patch;\n        nFaces          20;"));
 }
@@ -343,7 +345,7 @@ TEST_F(OpenFOAMWriter, PointsThatNoCellHasAreLeftOut)
     id += id >= 3 ? 1 : 0;
   }
   ASSERT_EQ(write(toGrid(sample), nullptr, false, folder("case")), 1);
-  const std::string points = textOf(folder("case") / "constant/polyMesh/points");
+  const std::string points = bytesOf(folder("case") / "constant/polyMesh/points");
   EXPECT_THAT(points, HasSubstr("\n8\n("));
   EXPECT_THAT(points, ::testing::Not(HasSubstr("9 9 9")));
 }
@@ -359,7 +361,7 @@ TEST_F(OpenFOAMWriter, ReplacesAnEarlierMeshButNoSettings)
   ASSERT_EQ(write(toGrid(atria::testing::hexahedra({1, 1, 1})), nullptr, false, folder("case")), 1);
   EXPECT_FALSE(fs::exists(mesh / "points.gz"));
   EXPECT_FALSE(fs::exists(mesh / "cellZones"));
-  EXPECT_EQ(textOf(folder("case") / "system/controlDict"), "mine");
+  EXPECT_EQ(bytesOf(folder("case") / "system/controlDict"), "mine");
   EXPECT_TRUE(fs::exists(folder("case") / "system/fvSchemes"));
 }
 
@@ -378,7 +380,7 @@ TEST_F(OpenFOAMWriter, PutsTheMeshBackWhereTheModelWasIfAsked)
     writer->SetRestoreOffset(restore);
     EXPECT_EQ(writer->Write(), 1);
     expectWarnings(writer, true);
-    return textOf(folder("case") / "constant/polyMesh/points");
+    return bytesOf(folder("case") / "constant/polyMesh/points");
   };
   EXPECT_THAT(pointsOf(true), HasSubstr("(92301 437001 -6)"));
   EXPECT_THAT(pointsOf(false), HasSubstr("(1 1 1)"));

@@ -30,7 +30,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <fstream>
-#include <sstream>
 #include <type_traits>
 
 namespace {
@@ -38,6 +37,7 @@ namespace {
 namespace fs = std::filesystem;
 using atria::FaceMesh;
 using atria::Vec3;
+using atria::testing::bytesOf;
 using atria::testing::expectSameFacts;
 using atria::testing::MeshFacts;
 using atria::testing::SampleMesh;
@@ -108,13 +108,6 @@ protected:
 
   fs::path file(const char* name) const { return scratch.path() / name; }
 
-  static std::string textOf(const fs::path& path)
-  {
-    std::ostringstream text;
-    text << std::ifstream(path).rdbuf();
-    return text.str();
-  }
-
   /// What it would be with other names of patches.
   MeshFacts renamed(const std::map<std::string, std::string>& names) const
   {
@@ -173,7 +166,7 @@ TEST_F(SolverWriters, VtkReadsFluentMeshesWithTheirZones)
 {
   addZones();
   ASSERT_EQ(writeAsItIs<vtkAtriaFluentWriter>("mesh.msh"), 1);
-  const std::string text = textOf(file("mesh.msh"));
+  const std::string text = bytesOf(file("mesh.msh"));
   EXPECT_THAT(text, HasSubstr(" wall canopy_1)())"));
   EXPECT_THAT(text, HasSubstr(" wall canopy_1-shadow)())"));
   EXPECT_THAT(text, HasSubstr(" pressure-outlet xMin)())"));
@@ -220,7 +213,7 @@ TEST_F(SolverWriters, MarkersAreTheBoundaryOfSU2sElements)
   expected = atria::testing::factsOf(grid, patches);
   vtkNew<vtkAtriaSU2Writer> writer;
   ASSERT_EQ(write(writer, "mesh.su2"), 1);
-  EXPECT_THAT(textOf(file("mesh.su2")), HasSubstr("% \"ground, wet\"\nMARKER_TAG= ground__wet\n"));
+  EXPECT_THAT(bytesOf(file("mesh.su2")), HasSubstr("% \"ground, wet\"\nMARKER_TAG= ground__wet\n"));
   const MeshFacts facts = atria::testing::factsOfSU2(file("mesh.su2"));
   EXPECT_GT(facts.cells, expected.cells) << "there are polyhedra to divide";
   expectSameFacts(facts, renamed({{"ground, wet", "ground__wet"}}), doublePrecision, false);
@@ -269,7 +262,7 @@ TEST_F(SolverWriters, CgnscheckHasNothingToSay)
   ASSERT_EQ(writeAsItIs<vtkAtriaCGNSWriter>("mesh.cgns"), 1);
   const fs::path log = file("log");
   EXPECT_EQ(std::system(("cgnscheck '" + file("mesh.cgns").string() + "' > '" + log.string() + "' 2>&1").c_str()), 0);
-  const std::string said = textOf(log);
+  const std::string said = bytesOf(log);
   EXPECT_THAT(said, ::testing::Not(HasSubstr("ERROR"))) << said;
   EXPECT_THAT(said, ::testing::Not(HasSubstr("WARNING"))) << said;
   EXPECT_THAT(said, HasSubstr("checking BC \"zMax\""));
@@ -309,7 +302,7 @@ TYPED_TEST(SolverWritersError, AbortLeavesTheFileOfBefore)
   const atria::testing::ProgressWatch watch(writer, atria::testing::beyond(0.6));
   EXPECT_EQ(this->write(writer, "mesh.x"), 0);
   this->messages.takeErrors();
-  EXPECT_EQ(this->textOf(this->file("mesh.x")), "before");
+  EXPECT_EQ(bytesOf(this->file("mesh.x")), "before");
   EXPECT_EQ(std::distance(fs::directory_iterator(this->scratch.path()), {}), 1) << "nothing unfinished is left";
 }
 

@@ -13,8 +13,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
 
 namespace {
 
@@ -66,10 +64,8 @@ TEST_F(VRMLDamage, ReadsGzipWhateverTheName)
 
 TEST_F(VRMLDamage, ReadsATruncatedGzipAsFarAsItGoes)
 {
-  std::ifstream in(atria::testing::dataFolder() / "VRML" / "house.wrz", std::ios::binary);
-  std::ostringstream bytes;
-  bytes << in.rdbuf();
-  const VRMLModel model = readText(bytes.str().substr(0, bytes.str().size() - 60));
+  const std::string bytes = atria::testing::bytesOf(atria::testing::dataFolder() / "VRML" / "house.wrz");
+  const VRMLModel model = readText(bytes.substr(0, bytes.size() - 60));
   EXPECT_EQ(messages.takeWarnings().size(), 1u);
   EXPECT_NE(joined(model.warnings()).find("damaged or ends early"), std::string::npos);
 }

@@ -12,9 +12,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
-#include <fstream>
 #include <random>
-#include <sstream>
 
 namespace {
 
@@ -41,14 +39,6 @@ std::vector<fs::path> models()
   }
   std::sort(files.begin(), files.end());
   return files;
-}
-
-std::string textOf(const fs::path& file)
-{
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
 }
 
 class Mutator
@@ -154,7 +144,7 @@ TEST(VRMLMutations, NeitherCrashNorHang)
   const atria::testing::ScratchFolder scratch;
   for (const fs::path& file : models())
   {
-    const std::string text = textOf(file);
+    const std::string text = atria::testing::bytesOf(file);
     const int rounds = text.size() > largest ? std::max(1, copies / 20) : copies;
     for (int i = 0; i <= rounds; ++i) // the first as it is
     {

@@ -2,6 +2,8 @@
 #include "Support/TestPaths.h"
 
 #include <cstdlib>
+#include <fstream>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -16,6 +18,13 @@ std::optional<fs::path> corpusFolder()
   const char* set = std::getenv("ATRIA_CORPUS");
   const fs::path folder = set ? fs::path(set) : fs::path(ATRIA_SOURCE_DIR).parent_path() / "shared" / "corpus";
   return fs::is_directory(folder) ? std::optional(folder) : std::nullopt;
+}
+
+std::string bytesOf(const fs::path& file)
+{
+  std::ostringstream bytes;
+  bytes << std::ifstream(file, std::ios::binary).rdbuf();
+  return bytes.str();
 }
 
 ScratchFolder::ScratchFolder()

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 namespace atria::testing {
 
@@ -11,6 +12,9 @@ std::filesystem::path dataFolder();
 
 /// Models others wrote: ATRIA_CORPUS, or ../shared/corpus beside the repository; nothing where it is absent.
 std::optional<std::filesystem::path> corpusFolder();
+
+/// All that a file holds.
+std::string bytesOf(const std::filesystem::path& file);
 
 /// A fresh folder, removed with the object.
 class ScratchFolder
