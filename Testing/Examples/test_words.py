@@ -14,7 +14,8 @@ import unittest
 
 ATRIA, DATA, SOURCES = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
 # The command line neither sets these nor runs what tells them, and neither do options for names of files.
-WITHOUT_OPTION = {"OutputType", "HistogramMetric", "NumberOfBins", "Order", "CaseDirectory", "FileName", "SplitAngle", "DomainMode"}
+WITHOUT_OPTION = {"OutputType", "HistogramMetric", "NumberOfBins", "Order", "CaseDirectory", "FileName", "SplitAngle", "DomainMode",
+                  "UseRanksAsProcessors"}
 TEXT = re.compile(r'"((?:[^"\\]|\\.)*)"')
 
 
