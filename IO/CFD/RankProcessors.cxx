@@ -23,7 +23,7 @@ constexpr int tag = 27185;
 
 template <typename List> void sendList(const List& list, int rank, vtkMultiProcessController& controller)
 {
-  const auto bytes = static_cast<vtkIdType>(list.size() * sizeof(*list.data()));
+  const auto bytes = static_cast<vtkIdType>(list.size()) * static_cast<vtkIdType>(sizeof(*list.data()));
   controller.Send(&bytes, 1, rank, tag);
   if (bytes > 0)
   {

@@ -19,7 +19,7 @@ vtkStandardNewMacro(vtkAtriaOpenFOAMWriter);
 
 vtkAtriaOpenFOAMWriter::vtkAtriaOpenFOAMWriter() = default;
 
-vtkAtriaOpenFOAMWriter::~vtkAtriaOpenFOAMWriter() { this->SetCaseDirectory(nullptr); }
+vtkAtriaOpenFOAMWriter::~vtkAtriaOpenFOAMWriter() { delete[] this->CaseDirectory; }
 
 std::string vtkAtriaOpenFOAMWriter::GetTarget() const { return this->CaseDirectory ? this->CaseDirectory : ""; }
 
