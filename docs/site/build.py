@@ -20,7 +20,7 @@ CONTENTS = {
             "docs/troubleshooting"],
     "Reference": ["reference/commands", "reference/filters", "docs/arrays", "docs/formats", "docs/glossary", "CHANGELOG"],
     "Background": ["docs/comparison", "docs/results", "docs/ventilation", "docs/validation", "docs/benchmarks",
-                   "docs/benchmarks-smooth", "docs/algorithm", "docs/decisions"],
+                   "docs/benchmarks-smooth", "docs/ranks", "docs/algorithm", "docs/decisions"],
     "Develop": ["CONTRIBUTING", "docs/architecture", "docs/testing", "docs/constants"],
 }
 
