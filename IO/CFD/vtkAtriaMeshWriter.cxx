@@ -92,6 +92,7 @@ vtkTypeBool vtkAtriaMeshWriter::ProcessRequest(vtkInformation* request, vtkInfor
       }
     });
   }
+  this->LeaveRanks();
   return result;
 }
 

@@ -113,6 +113,11 @@ protected:
   virtual bool WriteOnRanks(vtkMultiProcessController&) { return true; }
 
   /**
+   * On all of several ranks in the end, whether all went well or not.
+   */
+  virtual void LeaveRanks() {}
+
+  /**
    * Writes the mesh, once it is put in its place by Place(). Throws atria::Error or atria::Aborted.
    */
   virtual void WriteMesh(vtkUnstructuredGrid* volume, atria::VtkFaceMesh& source, const atria::RunContext& context) = 0;

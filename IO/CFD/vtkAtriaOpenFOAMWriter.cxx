@@ -35,16 +35,23 @@ void vtkAtriaOpenFOAMWriter::WriteSolverMesh(const atria::SolverMesh& mesh, cons
     atria::refuseProcessorResults(this->CaseDirectory);
   }
   const std::filesystem::path folder = this->CaseDirectory;
-  atria::NewFolders made({folder / "constant" / "polyMesh", folder / "system"});
+  auto made = std::make_unique<atria::NewFolders>(
+      std::vector<std::filesystem::path>{folder / "constant" / "polyMesh", folder / "system"});
   atria::completeCase(folder);
   atria::writePolyMesh(folder, mesh, this->GetFormat(), context.part(0.0, 0.5));
   this->WriteProcessors(mesh.partOf, context.part(0.5, 1.0));
-  made.keep();
+  if (this->Parts)
+  {
+    this->Made = std::move(made);
+  }
+  else
+  {
+    made->keep();
+  }
 }
 
 void vtkAtriaOpenFOAMWriter::TakeRanks(vtkMultiProcessController& controller, std::span<const std::uint32_t> rankOf)
 {
-  this->Parts.reset();
   this->Ranks = controller.GetNumberOfProcesses();
   this->RankOfCells.assign(rankOf.begin(), rankOf.end());
 }
@@ -83,9 +90,19 @@ bool vtkAtriaOpenFOAMWriter::WriteOnRanks(vtkMultiProcessController& controller)
     return true;
   }
   const atria::AlgorithmRun run(*this);
-  const std::unique_ptr<atria::DividedMesh> mesh = std::move(this->Parts);
-  return atria::writeProcessorsOnRanks(this->CaseDirectory, mesh.get(), this->GetFormat(), controller,
-                                       run.context.progress);
+  const bool written = atria::writeProcessorsOnRanks(this->CaseDirectory, this->Parts.get(), this->GetFormat(),
+                                                     controller, run.context.progress);
+  if (this->Made && written)
+  {
+    this->Made->keep();
+  }
+  return written;
+}
+
+void vtkAtriaOpenFOAMWriter::LeaveRanks()
+{
+  this->Parts.reset();
+  this->Made.reset();
 }
 
 void vtkAtriaOpenFOAMWriter::CheckProperties() { atriaCheckRange(NumberOfProcessors); }

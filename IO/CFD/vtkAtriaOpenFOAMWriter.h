@@ -29,6 +29,7 @@
 
 namespace atria {
 struct DividedMesh;
+class NewFolders;
 enum class OpenFOAMFormat;
 } // namespace atria
 
@@ -93,6 +94,7 @@ protected:
   void TakeRanks(vtkMultiProcessController& controller, std::span<const std::uint32_t> rankOf) override;
   std::vector<std::uint32_t> DivideCells(vtkUnstructuredGrid* volume, const atria::Executor& executor) override;
   bool WriteOnRanks(vtkMultiProcessController& controller) override;
+  void LeaveRanks() override;
   /**
    * Divides the mesh that was written, in the given parts if there are some.
    */
@@ -114,6 +116,7 @@ private:
   int Ranks = 1;                             ///< that write together now
   std::vector<std::uint32_t> RankOfCells;    ///< of the input, if known
   std::unique_ptr<atria::DividedMesh> Parts; ///< that the ranks are to write
+  std::unique_ptr<atria::NewFolders> Made;   ///< that go again if they cannot
 };
 
 #endif
