@@ -50,7 +50,7 @@ FAR = [Row("uniform", far=2.0), Row("far4", far=4.0), Row("far8"), Row("far16", 
 ONE_AND_A_HALF = [Row("uniform1.5", finest=1.5, far=1.5, most_iterations=300),
                   Row("finest1.5", finest=1.5, far=6.0, most_iterations=FEW)]
 TURNED = [Row("uniform", far=2.0), Row("far8"), Row("turned_uniform", far=2.0, angle=17.0, most_iterations=FEW),
-          Row("turned_far8", angle=17.0, most_iterations=FEW)]
+          Row("turned_far8", angle=17.0, most_iterations=100)]
 FINER = [Row("far8"), *(Row(f"finest{size:g}", finest=size, far=4 * size) for size in (1.4, 1.0, 0.8))]
 DOMAINS = [Row("domain227", far=16.0, ground=NEAR_GROUND),
            Row("domain500", far=16.0, ground=NEAR_GROUND, site=(500.0, 400.0)),
