@@ -23,7 +23,6 @@
 #include <vtkPoints.h>
 #include <vtkUnstructuredGrid.h>
 
-
 vtkStandardNewMacro(vtkAtriaWorstElements);
 
 namespace {
