@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ForeignFormats.h"
 
+#include "Support/Text.h"
+
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <string_view>
 
@@ -36,8 +37,7 @@ constexpr std::string_view archives[] = {".zip", ".7z", ".rar", ".tar", ".gz", "
 
 std::string adviceOnForeignFile(const std::string& file)
 {
-  std::string ending = std::filesystem::path(file).extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const std::string ending = lowered(std::filesystem::path(file).extension().string());
   for (const Program& program : programs)
   {
     if (ending == program.ending)
