@@ -151,8 +151,8 @@ bool FaceUnions::fits(const FaceUnion& change) const
     {
       return false;
     }
-    const auto seesAll = [&](const Vec3& from) {
-      return isStarShaped(mesh.points, outwardLoopIn(change, merged, cell), from, mergedPlanarSine);
+    const auto seesAll = [&, within = cell](const Vec3& from) {
+      return isStarShaped(mesh.points, outwardLoopIn(change, merged, within), from, mergedPlanarSine);
     };
     if (contains(faces, merged) && (!seesAll(cellCentroids[cell]) || !seesAll(centroid)))
     {
