@@ -136,6 +136,7 @@ std::vector<CellZone> numberedZones(std::span<const std::int64_t> zoneIds)
     cells->push_back(static_cast<Index>(cell));
   }
   std::vector<CellZone> zones;
+  zones.reserve(cellsOf.size());
   for (auto& [id, own] : cellsOf)
   {
     zones.push_back({zoneName(id), std::move(own)});
