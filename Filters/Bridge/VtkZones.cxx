@@ -31,11 +31,8 @@ std::string nameOf(Index surface, const std::vector<std::string>& names)
 
 std::vector<std::string> namesOf(const std::vector<Index>& surfaces, const std::vector<std::string>& names)
 {
-  std::vector<std::string> out;
-  for (const Index surface : surfaces)
-  {
-    out.push_back(nameOf(surface, names));
-  }
+  std::vector<std::string> out(surfaces.size());
+  std::ranges::transform(surfaces, out.begin(), [&](Index surface) { return nameOf(surface, names); });
   return out;
 }
 

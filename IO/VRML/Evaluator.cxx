@@ -54,11 +54,11 @@ Evaluator::Visit Evaluator::next()
   Visit& top = open.back();
   if (top.task != Task::visitEach)
   {
-    const Visit at = top;
+    Visit at = top;
     open.pop_back();
     return at;
   }
-  const Visit at{top.list.takeFirst(), top.transform, top.group};
+  Visit at{top.list.takeFirst(), top.transform, top.group};
   if (top.list.empty())
   {
     open.pop_back();
