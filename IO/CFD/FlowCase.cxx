@@ -4,6 +4,7 @@
 #include "CaseSystem.h"
 #include "Decomposition.h"
 #include "Grid/Prism.h"
+#include "OpenFOAMCase.h"
 #include "OutputFolders.h"
 #include "Support/Error.h"
 
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <numbers>
 #include <set>
 
@@ -262,31 +262,14 @@ std::vector<std::string> foldersOf(const FlowCaseSettings& settings)
   return folders;
 }
 
-/// Whether OpenFOAM would take a folder of that name for the fields of a time after the first.
-bool isLaterTime(const std::string& name)
-{
-  return name.find_first_not_of("0123456789.e-+") == std::string::npos && std::atof(name.c_str()) > 0.0;
-}
-
 } // namespace
 
 void refuseResults(const fs::path& caseFolder)
 {
-  if (!fs::is_directory(caseFolder))
+  if (const std::string result = resultIn(caseFolder); !result.empty())
   {
-    return;
-  }
-  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(caseFolder))
-  {
-    const std::string name = entry.path().filename().string();
-    const bool isOfProcessor = entry.path().parent_path().filename().string().starts_with("processor");
-    if (name.starts_with("log.") || name == "postProcessing" || (entry.is_directory() && isLaterTime(name)) ||
-        (isOfProcessor && name != "0" && name != "constant"))
-    {
-      throw Error("'" + caseFolder.string() + "' holds results of a run (" +
-                  entry.path().lexically_relative(caseFolder).string() +
-                  "): run ./Allclean there or choose another folder");
-    }
+    throw Error("'" + caseFolder.string() + "' holds results of a run (" + result +
+                "): run ./Allclean there or choose another folder");
   }
 }
 

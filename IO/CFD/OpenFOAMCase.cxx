@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <limits>
@@ -94,6 +95,12 @@ void writeDictionary(const fs::path& caseFolder, const char* name, std::string_v
   }
 }
 
+/// Whether OpenFOAM would take a folder of that name for the fields of a time after the first.
+bool isLaterTime(const std::string& name)
+{
+  return name.find_first_not_of("0123456789.e-+") == std::string::npos && std::atof(name.c_str()) > 0.0;
+}
+
 } // namespace
 
 void writePolyMesh(const fs::path& caseFolder, const SolverMesh& mesh, OpenFOAMFormat format, const RunContext& context)
@@ -136,6 +143,30 @@ void completeCase(const fs::path& caseFolder)
   {
     throw OutputError("cannot write '" + marker.string() + "'");
   }
+}
+
+std::string resultIn(const fs::path& caseFolder)
+{
+  if (!fs::is_directory(caseFolder))
+  {
+    return {};
+  }
+  const bool isOfProcessor = caseFolder.filename().string().starts_with("processor");
+  for (const fs::directory_entry& entry : fs::directory_iterator(caseFolder))
+  {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with("log.") || name == "postProcessing" || (entry.is_directory() && isLaterTime(name)) ||
+        (isOfProcessor && name != "0" && name != "constant"))
+    {
+      return name;
+    }
+    const bool isPart = name.starts_with("processor") || name.starts_with("wind_");
+    if (const std::string result = isPart ? resultIn(entry.path()) : std::string(); !result.empty())
+    {
+      return name + "/" + result;
+    }
+  }
+  return {};
 }
 
 } // namespace atria

@@ -7,6 +7,7 @@
 #include "Support/RunContext.h"
 
 #include <filesystem>
+#include <string>
 
 namespace atria {
 
@@ -24,5 +25,9 @@ void writePolyMesh(const std::filesystem::path& caseFolder, const SolverMesh& me
 /// fvSolution, and an empty <case>.foam by which ParaView opens it. Throws Error for a file that cannot be
 /// written.
 void completeCase(const std::filesystem::path& caseFolder);
+
+/// What a run has left in a case, its parts or its directions of the wind, such as the fields of a later time, by its
+/// path within; empty if there is nothing.
+std::string resultIn(const std::filesystem::path& caseFolder);
 
 } // namespace atria

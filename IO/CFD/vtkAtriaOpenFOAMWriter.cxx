@@ -35,6 +35,11 @@ void vtkAtriaOpenFOAMWriter::WriteSolverMesh(const atria::SolverMesh& mesh, cons
     atria::refuseProcessorResults(this->CaseDirectory);
   }
   const std::filesystem::path folder = this->CaseDirectory;
+  if (const std::string result = atria::resultIn(folder); !result.empty())
+  {
+    vtkWarningMacro("'" << folder.string() << "' holds results of a run with an earlier mesh (" << result
+                        << "), which are of no use with this one");
+  }
   auto made = std::make_unique<atria::NewFolders>(
       std::vector<std::filesystem::path>{folder / "constant" / "polyMesh", folder / "system"});
   atria::completeCase(folder);

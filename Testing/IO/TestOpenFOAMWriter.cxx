@@ -365,6 +365,21 @@ TEST_F(OpenFOAMWriter, ReplacesAnEarlierMeshButNoSettings)
   EXPECT_TRUE(fs::exists(folder("case") / "system/fvSchemes"));
 }
 
+TEST_F(OpenFOAMWriter, WarnsOfResultsWithAnEarlierMeshAndKeepsThem)
+{
+  for (const char* result : {"100", "0.5", "postProcessing", "wind_270/200", "processor1/5", "wind_90/processor0/1e-3"})
+  {
+    const fs::path inCase = folder("case") / result;
+    fs::create_directories(inCase);
+    fs::create_directories(folder("case") / "0");
+    fs::create_directories(folder("case") / "mine/7");
+    EXPECT_EQ(write(toGrid(atria::testing::hexahedra({1, 1, 1})), nullptr, false, folder("case")), 1);
+    EXPECT_EQ(messages.takeWarnings(std::string("an earlier mesh (") + result + ")").size(), 1u) << result;
+    EXPECT_TRUE(fs::exists(inCase));
+    fs::remove_all(folder("case"));
+  }
+}
+
 TEST_F(OpenFOAMWriter, PutsTheMeshBackWhereTheModelWasIfAsked)
 {
   const auto grid = toGrid(atria::testing::hexahedra({1, 1, 1}));
