@@ -12,8 +12,9 @@ namespace atria {
 
 namespace {
 
-/// Takes a layer away at the points of cells that have several; where they have different numbers, at those with more.
-void lower(const LayerMesh& layer, const std::vector<ShortCell>& cells, std::vector<Index>& counts)
+/// Marks the points of cells that are to lose layers: where they have different numbers, those with more.
+std::vector<char> pointsWithMost(const LayerMesh& layer, const std::vector<ShortCell>& cells,
+                                 const std::vector<Index>& counts)
 {
   std::vector<char> marked(counts.size(), 0);
   for (const ShortCell& cell : cells)
@@ -25,10 +26,7 @@ void lower(const LayerMesh& layer, const std::vector<ShortCell>& cells, std::vec
       marked[layer.wallPointOf(p)] |= countOf(p) > countOf(fewest) || countOf(fewest) == countOf(most) ? 1 : 0;
     }
   }
-  for (Index p = 0; p < counts.size(); ++p)
-  {
-    counts[p] = marked[p] && counts[p] > 1 ? counts[p] - 1 : counts[p];
-  }
+  return marked;
 }
 
 /// Marks the points of a layer that are, or are of a face with one, above points of the wall whose counts differ.
@@ -113,7 +111,7 @@ void LayerDivision::run()
   }
   flattenTops();
   given_ = one_ = state_.layer;
-  counts_ = layersWanted(state_.plain, state_.walls, one_, state_.options);
+  wanted_ = counts_ = layersWanted(state_.plain, state_.walls, one_, state_.options);
   held_.assign(one_.plainPoints, 0);
   state_.layer = divideLayer(state_.plain, state_.walls, one_, state_.options, counts_);
   state_.measureBy(strictestOfDivided(state_.traits));
@@ -169,7 +167,7 @@ std::optional<std::vector<char>> LayerDivision::takeAway(std::vector<ShortCell> 
   std::copy_n(state_.layer.mesh.points.begin(), one_.plainPoints, one_.mesh.points.begin());
   takeCopies(state_.layer, held_, one_);
   const std::vector<Index> before = counts_;
-  lower(state_.layer, cells, counts_);
+  lower(cells);
   std::vector<char> changed(one_.plainPoints, 0);
   restore(cells, before, changed);
   markPoints(state_.layer, cells, changed);
@@ -182,6 +180,21 @@ std::optional<std::vector<char>> LayerDivision::takeAway(std::vector<ShortCell> 
     marked[p] |= changed[state_.layer.wallPointOf(p)];
   }
   return marked;
+}
+
+/// Takes layers away at the points of cells that have several. Those that lost some before lose twice as many as these:
+/// where one is not enough, most often none but the last is left in the end.
+void LayerDivision::lower(const std::vector<ShortCell>& cells)
+{
+  const std::vector<char> lowered = pointsWithMost(state_.layer, cells, counts_);
+  for (Index p = 0; p < counts_.size(); ++p)
+  {
+    if (lowered[p] && counts_[p] > 1)
+    {
+      const Index loss = std::max<Index>(1, 2 * (wanted_[p] - counts_[p]));
+      counts_[p] -= std::min(loss, counts_[p] - 1);
+    }
+  }
 }
 
 bool LayerDivision::isHeld(const ShortCell& cell) const
@@ -272,7 +285,13 @@ void LayerDivision::divideEvenly()
                             : pointsBesideChange(state_.plain, state_.layer, before, counts);
     before = counts;
     const DualSource source(state_.layer.mesh);
-    lower(state_.layer, badOf(findShortCells(source, marked, baseTargets(state_.traits), state_.context)), counts);
+    const std::vector<ShortCell> cells =
+        badOf(findShortCells(source, marked, baseTargets(state_.traits), state_.context));
+    const std::vector<char> lowered = pointsWithMost(state_.layer, cells, counts);
+    for (Index p = 0; p < counts.size(); ++p)
+    {
+      counts[p] -= lowered[p] && counts[p] > 1 ? 1 : 0;
+    }
   }
   state_.measureBy(strictestOfDivided(state_.traits));
 }

@@ -24,6 +24,7 @@ private:
   void improveUntilSound(std::vector<char> marked);
   std::vector<ShortCell> improve(const std::vector<char>& marked);
   std::optional<std::vector<char>> takeAway(std::vector<ShortCell> cells);
+  void lower(const std::vector<ShortCell>& cells);
   bool isHeld(const ShortCell& cell) const;
   void addAroundHeld(std::vector<ShortCell>& cells) const;
   void restore(const std::vector<ShortCell>& cells, const std::vector<Index>& counts, std::vector<char>& changed);
@@ -33,7 +34,9 @@ private:
   /// The layer before it was divided, and with its outermost points as they are now.
   LayerMesh given_;
   LayerMesh one_;
-  /// By point of the plain mesh: how many layers it has, and whether it is back where it was in `given_`, to stay.
+  /// By point of the plain mesh: how many layers are wanted, how many it has, and whether it is back where it was in
+  /// `given_`, to stay.
+  std::vector<Index> wanted_;
   std::vector<Index> counts_;
   std::vector<char> held_;
 };
