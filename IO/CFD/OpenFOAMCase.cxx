@@ -154,7 +154,7 @@ std::string resultIn(const fs::path& caseFolder)
   const bool isOfProcessor = caseFolder.filename().string().starts_with("processor");
   for (const fs::directory_entry& entry : fs::directory_iterator(caseFolder))
   {
-    const std::string name = entry.path().filename().string();
+    std::string name = entry.path().filename().string();
     if (name.starts_with("log.") || name == "postProcessing" || (entry.is_directory() && isLaterTime(name)) ||
         (isOfProcessor && name != "0" && name != "constant"))
     {
@@ -163,7 +163,7 @@ std::string resultIn(const fs::path& caseFolder)
     const bool isPart = name.starts_with("processor") || name.starts_with("wind_");
     if (const std::string result = isPart ? resultIn(entry.path()) : std::string(); !result.empty())
     {
-      return name + "/" + result;
+      return name.append("/").append(result);
     }
   }
   return {};
