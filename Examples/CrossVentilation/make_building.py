@@ -13,7 +13,7 @@ import sys
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent / "Data"))
 
-from polygons import with_points_in_between  # noqa: E402
+from polygons import tunnel_floor, with_points_in_between  # noqa: E402
 from vrml_text import surface  # noqa: E402
 
 LENGTH, HEIGHT = 0.1, 0.08  # as wide as long
@@ -45,11 +45,6 @@ def sheets():
     }
 
 
-def ground():
-    (x0, x1), (_, y1), _ = DOMAIN
-    return [[(x0, -y1, 0.0), (x1, -y1, 0.0), (x1, y1, 0.0), (x0, y1, 0.0)]]
-
-
 def opening_area():
     """Of the half that is meshed, square meters."""
     _, z0, y1, z1 = OPENING
@@ -63,7 +58,7 @@ def volume():
 
 def main(file):
     parts = [surface(name, polygons) for name, (polygons, _) in with_points_in_between(sheets()).items()]
-    parts.append(surface("Ground", ground()))
+    parts.append(surface("Ground", tunnel_floor(DOMAIN)))
     pathlib.Path(file).write_text("#VRML V2.0 utf8\n# Written by make_building.py. Meters, Z up.\n" + "".join(parts))
 
 

@@ -20,7 +20,7 @@ sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent / "Study"))
 
 import make_building  # noqa: E402
 import numpy  # noqa: E402
-from kept_rows import Failed, go_on, known, lines_of, run  # noqa: E402
+from kept_rows import Failed, command_line, go_on, known, lines_of, run  # noqa: E402
 
 SPEED, ROUGHNESS = 6.97, 2.5e-5  # of the wind at the height of the roof, m/s, and of the tunnel's floor, meters
 GROUND, FAR = 2, 4  # sizes on the ground and far away of adaptive meshes, in finest sizes
@@ -133,9 +133,4 @@ def main(atria, out, *names):
 
 
 if __name__ == "__main__":
-    if sys.argv[1:] == ["--list"]:
-        print("\n".join(row.name for row in rows()))
-    elif len(sys.argv) < 3:
-        sys.exit(__doc__)
-    else:
-        sys.exit(main(*sys.argv[1:]))
+    command_line(main, rows(), __doc__)

@@ -28,6 +28,12 @@ def on_edge(edge, points):
     return [a, *sorted(inside, key=lambda p: math.dist(a, p))]
 
 
+def tunnel_floor(domain):
+    """The floor of a wind tunnel of whose domain the half at y > 0 is given."""
+    (x0, x1), (_, y1), _ = domain
+    return [[(x0, -y1, 0.0), (x1, -y1, 0.0), (x1, y1, 0.0), (x0, y1, 0.0)]]
+
+
 def area(polygon):
     """Newell's formula."""
     total = [0.0, 0.0, 0.0]

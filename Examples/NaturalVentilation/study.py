@@ -18,7 +18,7 @@ sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent / "Study"))
 
 import make_building  # noqa: E402
 import snappy  # noqa: E402
-from kept_rows import Failed, go_on, known, lines_of, run  # noqa: E402
+from kept_rows import Failed, command_line, go_on, known, lines_of, run  # noqa: E402
 
 WIND = ("--speed", "4", "--height", "10", "--roughness", "0.1")
 FEW = 200  # iterations, by which the air changes of most meshes have settled
@@ -167,9 +167,4 @@ def main(atria, out, *names):
 
 
 if __name__ == "__main__":
-    if sys.argv[1:] == ["--list"]:
-        print("\n".join(row.name for row in rows()))
-    elif len(sys.argv) < 3:
-        sys.exit(__doc__)
-    else:
-        sys.exit(main(*sys.argv[1:]))
+    command_line(main, rows(), __doc__)

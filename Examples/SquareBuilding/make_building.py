@@ -13,6 +13,7 @@ import sys
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent / "Data"))
 
+from polygons import tunnel_floor  # noqa: E402
 from vrml_text import surface  # noqa: E402
 
 WIDTH = 0.08  # b
@@ -34,14 +35,9 @@ def building():
     return box((-WIDTH / 2, WIDTH / 2), (-WIDTH / 2, WIDTH / 2), (0.0, HEIGHT))
 
 
-def ground():
-    (x0, x1), (_, y1), _ = DOMAIN
-    return [[(x0, -y1, 0.0), (x1, -y1, 0.0), (x1, y1, 0.0), (x0, y1, 0.0)]]
-
-
 def main(file, with_building=True):
     parts = [surface("Building", building())] if with_building else []
-    parts.append(surface("Ground", ground()))
+    parts.append(surface("Ground", tunnel_floor(DOMAIN)))
     pathlib.Path(file).write_text("#VRML V2.0 utf8\n# Written by make_building.py. Meters, Z up.\n" + "".join(parts))
 
 

@@ -21,7 +21,7 @@ import make_building  # noqa: E402
 import reference  # noqa: E402
 import snappy  # noqa: E402
 from convergence import convergence  # noqa: E402
-from kept_rows import go_on, known, lines_of, run  # noqa: E402
+from kept_rows import command_line, go_on, known, lines_of, run  # noqa: E402
 
 B = make_building.WIDTH
 GROUND, FAR = 2, 4  # sizes on the ground and far away of adaptive meshes, in finest sizes
@@ -179,9 +179,4 @@ def main(atria, out, *names):
 
 
 if __name__ == "__main__":
-    if sys.argv[1:] == ["--list"]:
-        print("\n".join(row.name for row in rows()))
-    elif len(sys.argv) < 3:
-        sys.exit(__doc__)
-    else:
-        sys.exit(main(*sys.argv[1:]))
+    command_line(main, rows(), __doc__)

@@ -86,6 +86,16 @@ def go_on(make, rows, tables, out, names):
     return 1 if failures else 0
 
 
+def command_line(main, rows, usage):
+    """What all studies do with their arguments."""
+    if sys.argv[1:] == ["--list"]:
+        print("\n".join(row.name for row in rows))
+    elif len(sys.argv) < 3:
+        sys.exit(usage)
+    else:
+        sys.exit(main(*sys.argv[1:]))
+
+
 def lines_of(head, rows):
     """A table in Markdown."""
     return "\n".join("| " + " | ".join(map(str, cells)) + " |" for cells in (head, ["---"] * len(head), *rows))
