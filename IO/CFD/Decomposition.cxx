@@ -2,6 +2,7 @@
 #include "Decomposition.h"
 
 #include "FoamText.h"
+#include "OpenFOAMCase.h"
 #include "OutputFolders.h"
 #include "Support/Error.h"
 
@@ -353,20 +354,8 @@ void refuseProcessorResults(const fs::path& caseFolder)
   }
   for (const fs::directory_entry& entry : fs::directory_iterator(caseFolder))
   {
-    if (!isProcessorFolder(entry))
-    {
-      continue;
-    }
-    for (const fs::directory_entry& content : fs::directory_iterator(entry.path()))
-    {
-      const std::string name = content.path().filename().string();
-      if (name != "0" && name != "constant")
-      {
-        throw Error("'" + caseFolder.string() + "' holds results of a run (" +
-                    content.path().lexically_relative(caseFolder).string() +
-                    "): run ./Allclean there or choose another folder");
-      }
-    }
+    const std::string result = isProcessorFolder(entry) ? resultIn(entry.path()) : std::string();
+    refuseResult(caseFolder, result.empty() ? result : entry.path().filename().string() + "/" + result);
   }
 }
 

@@ -4,7 +4,6 @@
 #include "CaseSystem.h"
 #include "Decomposition.h"
 #include "Grid/Prism.h"
-#include "OpenFOAMCase.h"
 #include "OutputFolders.h"
 #include "Support/Error.h"
 
@@ -263,15 +262,6 @@ std::vector<std::string> foldersOf(const FlowCaseSettings& settings)
 }
 
 } // namespace
-
-void refuseResults(const fs::path& caseFolder)
-{
-  if (const std::string result = resultIn(caseFolder); !result.empty())
-  {
-    throw Error("'" + caseFolder.string() + "' holds results of a run (" + result +
-                "): run ./Allclean there or choose another folder");
-  }
-}
 
 std::vector<std::string> writeFlowCase(const fs::path& caseFolder, FlowCaseSettings settings, const RunContext& context)
 {

@@ -99,9 +99,6 @@ ConditionRule conditionRuleFrom(const std::string& text);
 /// Throws Error where a rule matches no patch, and where no patch lets air in or none lets it out.
 std::vector<PatchChoice> choosePatches(const CaseMesh& mesh, const FlowCaseSettings& settings, const Vec3& wind);
 
-/// Throws Error where the folder holds what a run leaves, which would be taken for results of another case.
-void refuseResults(const std::filesystem::path& caseFolder);
-
 /// Writes the case beside its mesh: 0, constant, system, Allrun, Allclean, and case.json, which tells `atria report`
 /// what the case is. Of several directions each has a folder `wind_<from>` with a link to the mesh. Sets the types of
 /// patches in the mesh's `boundary` to `wall` or `patch` by their role. For several processors each has its part in

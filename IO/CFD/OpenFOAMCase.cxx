@@ -169,4 +169,13 @@ std::string resultIn(const fs::path& caseFolder)
   return {};
 }
 
+void refuseResult(const fs::path& caseFolder, const std::string& result)
+{
+  if (!result.empty())
+  {
+    throw Error("'" + caseFolder.string() + "' holds results of a run (" + result +
+                "): run ./Allclean there or choose another folder");
+  }
+}
+
 } // namespace atria

@@ -30,4 +30,7 @@ void completeCase(const std::filesystem::path& caseFolder);
 /// path within; empty if there is nothing.
 std::string resultIn(const std::filesystem::path& caseFolder);
 
+/// Throws Error unless `result`, as resultIn() gives it, is empty: it would be taken for one of another mesh or case.
+void refuseResult(const std::filesystem::path& caseFolder, const std::string& result);
+
 } // namespace atria

@@ -162,7 +162,7 @@ void vtkAtriaOpenFOAMCaseWriter::WriteFlow(const char* source)
       settings.conditionRules.push_back(atria::conditionRuleFrom(rule));
     }
     const fs::path folder = this->GetCaseDirectory();
-    atria::refuseResults(folder);
+    atria::refuseResult(folder, atria::resultIn(folder));
     atria::NewFolders made({folder / "constant" / "polyMesh", folder / "system", folder / "0"});
     if (source)
     {
