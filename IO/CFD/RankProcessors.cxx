@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int root = 0;
-constexpr int tag = 27185;
+constexpr int tag = 27186;
 
 template <typename List> void sendList(const List& list, int rank, vtkMultiProcessController& controller)
 {
