@@ -104,10 +104,6 @@ void writeFile(const ExportOptions& options, const std::string& file, vtkUnstruc
   }
 }
 
-} // namespace
-
-namespace {
-
 /// What workers need to know of a case.
 Json caseTask(const ExportOptions& options, bool hasPatches)
 {

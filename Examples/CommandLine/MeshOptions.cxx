@@ -212,8 +212,7 @@ void declareOutput(CLI::App& command, MeshOptions& options)
   command
       .add_option("-o,--output", options.output,
                   "Where the mesh goes, a .vtu file (default: here, by the name of the model), or a .pvtu file: under "
-                  "mpiexec each rank writes "
-                  "its piece of the mesh, and of the patches")
+                  "mpiexec each rank writes its piece of the mesh, and of the patches")
       ->type_name("OUT.vtu");
   command.add_option("--patches", options.patches, "Also write the named boundary patches")->type_name("OUT.vtpc");
   declareExportOptions(command, options.exports);

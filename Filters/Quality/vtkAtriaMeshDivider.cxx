@@ -2,6 +2,7 @@
 #include "vtkAtriaMeshDivider.h"
 
 #include "Ranks.h"
+#include "VtkFaceMesh.h"
 
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
@@ -24,13 +25,7 @@ vtkPartitionedDataSetCollection* vtkAtriaMeshDivider::GetPatches()
 
 int vtkAtriaMeshDivider::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(),
-            port == 0 ? "vtkUnstructuredGrid" : "vtkPartitionedDataSetCollection");
-  if (port == 1)
-  {
-    info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  }
-  return 1;
+  return atria::acceptMeshAndPatches(port, info);
 }
 
 int vtkAtriaMeshDivider::FillOutputPortInformation(int port, vtkInformation* info)

@@ -118,8 +118,7 @@ std::vector<std::string> warningsOfLostModel(const TriangleSurface& surface, con
   }
   std::ostringstream text;
   text << "no surface of the model has a face in the mesh, but for ground: all are finer than its elements; lower "
-          "SizeMin "
-          "(--size-min), which is "
+          "SizeMin (--size-min), which is "
        << sizeMin;
   return {text.str()};
 }
