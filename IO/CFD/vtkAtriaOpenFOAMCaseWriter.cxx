@@ -127,6 +127,34 @@ void vtkAtriaOpenFOAMCaseWriter::CheckProperties()
   }
 }
 
+atria::FlowCaseSettings vtkAtriaOpenFOAMCaseWriter::GetSettings()
+{
+  atria::FlowCaseSettings settings;
+  settings.wind = {this->ReferenceSpeed, this->ReferenceHeight, this->RoughnessLength};
+  settings.north = this->NorthAngle;
+  settings.directions = this->WindAngles;
+  if (this->NumberOfRoseDirections > 0)
+  {
+    settings.directions = atria::windRose(this->NumberOfRoseDirections, this->NorthAngle);
+  }
+  settings.turbulence = static_cast<atria::TurbulenceModel>(this->TurbulenceModel);
+  settings.dialect = static_cast<atria::OpenFOAMDialect>(this->Dialect);
+  settings.iterations = this->NumberOfIterations;
+  settings.processors = this->GetNumberOfProcessors();
+  settings.format = this->GetFormat();
+  settings.pedestrianHeight = this->PedestrianHeight;
+  settings.ageOfAir = this->AgeOfAir;
+  for (const std::string& rule : this->PatchRules)
+  {
+    settings.patchRules.push_back(atria::patchRuleFrom(rule));
+  }
+  for (const std::string& rule : this->ConditionRules)
+  {
+    settings.conditionRules.push_back(atria::conditionRuleFrom(rule));
+  }
+  return settings;
+}
+
 void vtkAtriaOpenFOAMCaseWriter::WriteFlow(const char* source)
 {
   if (!this->GetCaseDirectory() || !*this->GetCaseDirectory())
@@ -138,29 +166,7 @@ void vtkAtriaOpenFOAMCaseWriter::WriteFlow(const char* source)
   try
   {
     this->CheckProperties();
-    atria::FlowCaseSettings settings;
-    settings.wind = {this->ReferenceSpeed, this->ReferenceHeight, this->RoughnessLength};
-    settings.north = this->NorthAngle;
-    settings.directions = this->WindAngles;
-    if (this->NumberOfRoseDirections > 0)
-    {
-      settings.directions = atria::windRose(this->NumberOfRoseDirections, this->NorthAngle);
-    }
-    settings.turbulence = static_cast<atria::TurbulenceModel>(this->TurbulenceModel);
-    settings.dialect = static_cast<atria::OpenFOAMDialect>(this->Dialect);
-    settings.iterations = this->NumberOfIterations;
-    settings.processors = this->GetNumberOfProcessors();
-    settings.format = this->GetFormat();
-    settings.pedestrianHeight = this->PedestrianHeight;
-    settings.ageOfAir = this->AgeOfAir;
-    for (const std::string& rule : this->PatchRules)
-    {
-      settings.patchRules.push_back(atria::patchRuleFrom(rule));
-    }
-    for (const std::string& rule : this->ConditionRules)
-    {
-      settings.conditionRules.push_back(atria::conditionRuleFrom(rule));
-    }
+    const atria::FlowCaseSettings settings = this->GetSettings();
     const fs::path folder = this->GetCaseDirectory();
     atria::refuseResult(folder, atria::resultIn(folder));
     atria::NewFolders made({folder / "constant" / "polyMesh", folder / "system", folder / "0"});

@@ -32,6 +32,10 @@
 #include <string> // for PatchRules
 #include <vector> // for PatchRules
 
+namespace atria {
+struct FlowCaseSettings;
+} // namespace atria
+
 class ATRIAIOCFD_EXPORT vtkAtriaOpenFOAMCaseWriter : public vtkAtriaOpenFOAMWriter
 {
 public:
@@ -188,6 +192,7 @@ private:
 
   void CheckProperties() override;
   void WriteFlow(const char* source);
+  atria::FlowCaseSettings GetSettings();
 
   double ReferenceSpeed = 5.0;
   double ReferenceHeight = 10.0;
