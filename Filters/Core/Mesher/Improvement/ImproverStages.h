@@ -56,14 +56,13 @@ enum class RoomStep : std::uint8_t
   leaveCurves,
   leaveALittle,
   leaveSurfaces,
-  widenSupport, ///< layers that were not asked for reach one element farther about bad ones
   goHalfway,
   startAgain,
   exclude,
   leaveSides ///< the sides of a turned domain: before, vertices stay in their planes
 };
 inline constexpr std::array roomSteps{RoomStep::leaveCurves,  RoomStep::leaveALittle, RoomStep::leaveSurfaces,
-                                      RoomStep::widenSupport, RoomStep::goHalfway,    RoomStep::startAgain,
+                                      RoomStep::goHalfway,    RoomStep::startAgain,
                                       RoomStep::exclude,      RoomStep::leaveSides,   RoomStep::leaveSurfaces,
                                       RoomStep::goHalfway,    RoomStep::startAgain,   RoomStep::exclude,
                                       RoomStep::leaveSurfaces};

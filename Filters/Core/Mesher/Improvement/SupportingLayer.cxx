@@ -28,6 +28,30 @@ std::vector<char> pointsToDouble(const ImproverState& state, const std::vector<I
   return chosen;
 }
 
+/// Marks all points that can have a layer of the surfaces that have a face with marked points only.
+void markWholeSurfaces(const ImproverState& state, std::vector<char>& points)
+{
+  std::vector<char> surfaces(state.options.surfaceCount(), 0);
+  const auto eachFace = [&](auto&& visit) {
+    for (const BoundaryFace& face : state.plain.boundaryFaces)
+    {
+      if (face.tag < state.options.surfaceCount() && state.options.isSupporting(face.tag))
+      {
+        visit(face, cornersOf(state.plain, face));
+      }
+    }
+  };
+  eachFace([&](const BoundaryFace& face, const auto& corners) {
+    surfaces[face.tag] |= std::ranges::all_of(corners, [&](Index p) { return points[p] != 0; }) ? 1 : 0;
+  });
+  eachFace([&](const BoundaryFace& face, const auto& corners) {
+    for (const Index p : corners)
+    {
+      points[p] |= surfaces[face.tag] && state.excluded[p] && state.walls.counts[p] > 0 ? 1 : 0;
+    }
+  });
+}
+
 /// Points of the plain mesh that are marked get a copy where they had none.
 void doublePoints(ImproverState& state, const std::vector<char>& points)
 {
@@ -46,6 +70,7 @@ std::vector<char> pointsToSupport(ImproverState& state)
   std::ranges::transform(badOf(state.findShort(targetsOfSupport(state.traits))), std::back_inserter(elements),
                          &ShortCell::cell);
   std::vector<char> points = pointsToDouble(state, elements);
+  markWholeSurfaces(state, points);
   if (std::ranges::find(points, 1) == points.end())
   {
     points.clear();

@@ -35,28 +35,9 @@ bool VertexDetachment::improveAndMend()
   return left_.size() > before;
 }
 
-/// Bad ones but for those that no room helps: elements that have too few neighbors and cannot have a layer.
-std::vector<ShortCell> VertexDetachment::badAmong(const std::vector<ShortCell>& cells) const
-{
-  std::vector<ShortCell> bad = badOf(cells);
-  if (bad.empty() || !state_.traits.supported)
-  {
-    return bad;
-  }
-  QualityTargets targets = first_.options.targets;
-  targets.leastOfDeterminant = std::numeric_limits<double>::infinity();
-  const std::vector<ShortCell> otherwise = badOf(state_.findShort(targets));
-  std::erase_if(bad, [&](const ShortCell& cell) {
-    return !std::ranges::binary_search(otherwise, cell.cell, {}, &ShortCell::cell) &&
-           std::ranges::none_of(state_.layer.mesh.corners[cell.cell],
-                                [&](Index p) { return state_.walls.counts[state_.layer.wallPointOf(p)] > 0; });
-  });
-  return bad;
-}
-
 void VertexDetachment::mend(const std::vector<ShortCell>& cells)
 {
-  std::vector<ShortCell> bad = badAmong(cells);
+  std::vector<ShortCell> bad = badOf(cells);
   for (const RoomStep step : roomSteps)
   {
     if (bad.empty())
@@ -67,14 +48,10 @@ void VertexDetachment::mend(const std::vector<ShortCell>& cells)
     {
       return;
     }
-    if (step == RoomStep::widenSupport && !state_.traits.supported)
-    {
-      continue;
-    }
     make(step, bad);
-    const bool mayMakeOthersBad = step >= RoomStep::widenSupport;
+    const bool mayMakeOthersBad = step >= RoomStep::goHalfway;
     bad = mayMakeOthersBad ? badOf(state_.findShort(first_.options.targets)) : bad;
-    bad = badAmong(improve(bad));
+    bad = badOf(improve(bad));
   }
 }
 
@@ -84,11 +61,6 @@ void VertexDetachment::make(RoomStep step, const std::vector<ShortCell>& bad)
   if (step == RoomStep::exclude)
   {
     exclude(bad);
-    return;
-  }
-  if (step == RoomStep::widenSupport)
-  {
-    widenSupport(state_, bad);
     return;
   }
   if (step == RoomStep::leaveSides)

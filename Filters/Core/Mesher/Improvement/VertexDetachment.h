@@ -54,7 +54,6 @@ public:
 
 private:
   std::vector<ShortCell> improve(std::vector<ShortCell> cells);
-  std::vector<ShortCell> badAmong(const std::vector<ShortCell>& cells) const;
   void mend(const std::vector<ShortCell>& cells);
   void make(RoomStep step, const std::vector<ShortCell>& bad);
   void noteLeft(Index leader);
