@@ -50,7 +50,7 @@ void declareLayerOptions(CLI::App& command, LayerOptions& options)
       ->allow_extra_args(false)
       ->type_name("N|PATTERN=N[:FIRST[:GROWTH]]");
   command.add_flag("--no-support", options.withoutSupport,
-                   "No layer on walls without layers, also at elements that cannot be valid without");
+                   "No layer on surfaces for which none is asked, also where elements cannot be valid without");
   command.add_option("--first-layer", options.firstHeight, "Height of the layer on the wall, meters; 0 for any")
       ->capture_default_str()
       ->check(atLeast(0.0))

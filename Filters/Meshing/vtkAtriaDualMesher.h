@@ -131,8 +131,9 @@ public:
 
   ///@{
   /**
-   * Whether walls without layers have one at those elements that cannot be valid without, wherever their vertices are:
-   * elements that are concave at walls, or have too few neighbors. Default on.
+   * Whether surfaces for which no layers are asked have one if an element there cannot be valid without, wherever its
+   * vertices are: one that is concave at walls, or has too few neighbors. It is on the whole surface; on the domain's
+   * bottom beside a site, only at such elements. Default on.
    */
   vtkSetMacro(SupportElements, bool);
   vtkGetMacro(SupportElements, bool);

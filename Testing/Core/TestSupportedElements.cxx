@@ -91,6 +91,18 @@ TEST(SupportedElements, HaveALayerOnNoMoreThanTheyNeed)
   EXPECT_TRUE(supported.result.layers.surfaces.empty());
 }
 
+TEST(SupportedElements, HaveALayerOnTheWholeOfTheirSurfaceAndOnNoOther)
+{
+  TriangleSurface boxes;
+  addBox(boxes, "Turned", {Vec3(-1.5, -0.5, -0.8), Vec3(-0.4, 0.6, 0.9)});
+  turn(boxes, 17.0);
+  addBox(boxes, "Straight", {Vec3(0.6, -0.5, -0.8), Vec3(1.4, 0.6, 0.9)});
+  const std::vector<LayerCoverage> surfaces = meshOf(boxes, true).result.layers.surfaces;
+  ASSERT_EQ(surfaces.size(), 1u);
+  EXPECT_EQ(surfaces[0].surface, "Turned");
+  EXPECT_NEAR(surfaces[0].layered, surfaces[0].area, 1e-9 * surfaces[0].area);
+}
+
 TEST(SupportedElements, AreToldBySurfaceWithNoLayersAskedFor)
 {
   const Meshed supported = meshOf(sphere(), true);

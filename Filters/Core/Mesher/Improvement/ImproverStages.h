@@ -61,11 +61,10 @@ enum class RoomStep : std::uint8_t
   exclude,
   leaveSides ///< the sides of a turned domain: before, vertices stay in their planes
 };
-inline constexpr std::array roomSteps{RoomStep::leaveCurves,  RoomStep::leaveALittle, RoomStep::leaveSurfaces,
-                                      RoomStep::goHalfway,    RoomStep::startAgain,
-                                      RoomStep::exclude,      RoomStep::leaveSides,   RoomStep::leaveSurfaces,
-                                      RoomStep::goHalfway,    RoomStep::startAgain,   RoomStep::exclude,
-                                      RoomStep::leaveSurfaces};
+inline constexpr std::array roomSteps{RoomStep::leaveCurves, RoomStep::leaveALittle,  RoomStep::leaveSurfaces,
+                                      RoomStep::goHalfway,   RoomStep::startAgain,    RoomStep::exclude,
+                                      RoomStep::leaveSides,  RoomStep::leaveSurfaces, RoomStep::goHalfway,
+                                      RoomStep::startAgain,  RoomStep::exclude,       RoomStep::leaveSurfaces};
 /// How far, in octants, vertices leave their surfaces by `leaveALittle` and by `leaveSurfaces`.
 inline constexpr double aLittle = 0.2;
 inline constexpr double anOctant = 0.75;

@@ -28,10 +28,13 @@ std::vector<char> pointsToDouble(const ImproverState& state, const std::vector<I
   return chosen;
 }
 
-/// Marks all points that can have a layer of the surfaces that have a face with marked points only.
+/// Marks all points that can have a layer of the surfaces that have a face of which all points are marked, but for
+/// those of surfaces that have it already: where they have none there is no room.
 void markWholeSurfaces(const ImproverState& state, std::vector<char>& points)
 {
-  std::vector<char> surfaces(state.options.surfaceCount(), 0);
+  std::vector<char> wanted(state.options.surfaceCount(), 0);
+  std::vector<char> given(wanted);
+  const auto mayHave = [&](Index p) { return state.walls.counts[p] > 0; };
   const auto eachFace = [&](auto&& visit) {
     for (const BoundaryFace& face : state.plain.boundaryFaces)
     {
@@ -42,24 +45,15 @@ void markWholeSurfaces(const ImproverState& state, std::vector<char>& points)
     }
   };
   eachFace([&](const BoundaryFace& face, const auto& corners) {
-    surfaces[face.tag] |= std::ranges::all_of(corners, [&](Index p) { return points[p] != 0; }) ? 1 : 0;
+    wanted[face.tag] |= std::ranges::all_of(corners, [&](Index p) { return points[p] != 0; }) ? 1 : 0;
+    given[face.tag] |= std::ranges::all_of(corners, [&](Index p) { return mayHave(p) && !state.excluded[p]; }) ? 1 : 0;
   });
   eachFace([&](const BoundaryFace& face, const auto& corners) {
     for (const Index p : corners)
     {
-      points[p] |= surfaces[face.tag] && state.excluded[p] && state.walls.counts[p] > 0 ? 1 : 0;
+      points[p] |= wanted[face.tag] && !given[face.tag] && state.excluded[p] && mayHave(p) ? 1 : 0;
     }
   });
-}
-
-/// Points of the plain mesh that are marked get a copy where they had none.
-void doublePoints(ImproverState& state, const std::vector<char>& points)
-{
-  for (Index p = 0; p < points.size(); ++p)
-  {
-    state.excluded[p] = points[p] ? 0 : state.excluded[p];
-  }
-  state.growAgain(std::vector<char>(state.layer.plainPoints, 0));
 }
 
 } // namespace
@@ -85,23 +79,11 @@ void addSupport(ImproverState& state, const std::vector<char>& points)
     return;
   }
   state.focus.assign(state.layer.plainPoints, 0);
-  doublePoints(state, points);
-}
-
-void widenSupport(ImproverState& state, const std::vector<ShortCell>& cells)
-{
-  std::vector<char> marked(state.layer.plainPoints, 0);
-  markPoints(state.layer, cells, marked);
-  std::vector<Index> about;
-  for (Index e = 0; e < state.layer.mesh.elementCount(); ++e)
+  for (Index p = 0; p < points.size(); ++p)
   {
-    const auto& corners = state.layer.mesh.corners[e];
-    if (std::ranges::any_of(corners, [&](Index p) { return marked[state.layer.wallPointOf(p)] != 0; }))
-    {
-      about.push_back(e);
-    }
+    state.excluded[p] = points[p] ? 0 : state.excluded[p];
   }
-  doublePoints(state, pointsToDouble(state, about));
+  state.growAgain(std::vector<char>(state.layer.plainPoints, 0));
 }
 
 } // namespace atria

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The layer where none was asked for, at elements that cannot be valid without.
+/// The layer where none was asked for, on surfaces that have elements that cannot be valid without.
 #pragma once
 
 #include "Mesher/Improvement/ImproverState.h"
@@ -7,14 +7,11 @@
 namespace atria {
 
 /// The points of the plain mesh, marked, that are to have a layer for which none was asked: those of elements that are
-/// concave at walls (see findConcaveAtWalls), and of those with too few neighbors. Empty where there are none that can
-/// have one.
+/// concave at walls (see findConcaveAtWalls), and of those with too few neighbors, and all of the surfaces at these.
+/// In patches the layer would taper on all sides. Empty where there are none that can have one.
 std::vector<char> pointsToSupport(ImproverState& state);
 
 /// Gives them the layer. The state's focus is on what this changes then.
 void addSupport(ImproverState& state, const std::vector<char>& points);
-
-/// Gives a layer to the walls of all elements that have a point of one of some cells, or a point above it.
-void widenSupport(ImproverState& state, const std::vector<ShortCell>& cells);
 
 } // namespace atria
