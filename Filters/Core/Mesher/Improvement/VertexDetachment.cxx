@@ -5,8 +5,21 @@
 #include "Mesher/Improvement/SupportingLayer.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace atria {
+
+VertexDetachment::VertexDetachment(ImproverState& state)
+    : state_(state), isOnSide_(state.vertexOf.size(), 0), isLeft_(state.vertexOf.size(), 0)
+{
+  for (const BoundaryFace& face : state.plain.boundaryFaces)
+  {
+    for (int i = 0; i < 4 && face.tag >= state.options.surfaceCount(); ++i)
+    {
+      isOnSide_[state.vertexOf[cornerOf(state.plain, face, i)]] = 1;
+    }
+  }
+}
 
 /// Calls visit(leader) for the points of cells, or those their copies stand on; more than once for some.
 template <typename Visit> void VertexDetachment::eachLeaderOf(const std::vector<ShortCell>& cells, Visit&& visit) const
@@ -35,9 +48,34 @@ bool VertexDetachment::improveAndMend()
   return left_.size() > before;
 }
 
-void VertexDetachment::mend(const std::vector<ShortCell>& cells)
+/// Bad ones but for those that no room helps: elements that have too few neighbors, with all vertices on bare sides of
+/// the domain.
+std::vector<ShortCell> VertexDetachment::badAmong(const std::vector<ShortCell>& cells) const
 {
   std::vector<ShortCell> bad = badOf(cells);
+  std::vector<ShortCell> atSides;
+  std::ranges::copy_if(bad, std::back_inserter(atSides), [&](const ShortCell& cell) {
+    bool all = true;
+    eachLeaderOf({cell}, [&](Index leader) { all = all && isOnSide_[leader]; });
+    return all;
+  });
+  if (atSides.empty())
+  {
+    return bad;
+  }
+  QualityTargets targets = first_.options.targets;
+  targets.leastOfDeterminant = std::numeric_limits<double>::infinity();
+  const std::vector<ShortCell> otherwise = badOf(state_.findShort(targets));
+  const auto contains = [](const std::vector<ShortCell>& list, const ShortCell& cell) {
+    return std::ranges::binary_search(list, cell.cell, {}, &ShortCell::cell);
+  };
+  std::erase_if(bad, [&](const ShortCell& cell) { return contains(atSides, cell) && !contains(otherwise, cell); });
+  return bad;
+}
+
+void VertexDetachment::mend(const std::vector<ShortCell>& cells)
+{
+  std::vector<ShortCell> bad = badAmong(cells);
   for (const RoomStep step : roomSteps)
   {
     if (bad.empty())
@@ -51,7 +89,7 @@ void VertexDetachment::mend(const std::vector<ShortCell>& cells)
     make(step, bad);
     const bool mayMakeOthersBad = step >= RoomStep::goHalfway;
     bad = mayMakeOthersBad ? badOf(state_.findShort(first_.options.targets)) : bad;
-    bad = badOf(improve(bad));
+    bad = badAmong(improve(bad));
   }
 }
 

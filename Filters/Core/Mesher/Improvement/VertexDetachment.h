@@ -18,7 +18,7 @@ struct DetachedVertex
 class VertexDetachment
 {
 public:
-  explicit VertexDetachment(ImproverState& state) : state_(state), isLeft_(state.vertexOf.size(), 0) {}
+  explicit VertexDetachment(ImproverState& state);
 
   /// Improves cells by the first stage, and takes all room steps that bad ones need. Whether vertices left.
   bool improveAndMend();
@@ -54,6 +54,7 @@ public:
 
 private:
   std::vector<ShortCell> improve(std::vector<ShortCell> cells);
+  std::vector<ShortCell> badAmong(const std::vector<ShortCell>& cells) const;
   void mend(const std::vector<ShortCell>& cells);
   void make(RoomStep step, const std::vector<ShortCell>& bad);
   void noteLeft(Index leader);
@@ -69,6 +70,8 @@ private:
 
   ImproverState& state_;
   ImproverStage first_ = firstStage(state_.traits);
+  /// By leader: whether it is on a side of the domain that is bare there.
+  std::vector<char> isOnSide_;
   /// Leaders that were detached, each once, and where they were.
   std::vector<WantedPlace> left_;
   std::vector<char> isLeft_;
