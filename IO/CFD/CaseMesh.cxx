@@ -16,6 +16,8 @@ namespace {
 /// Share of a patch's area that its area vector must have for the patch to count as plane.
 constexpr double planeShare = 0.99;
 constexpr double uprightCosine = 0.05;
+/// The same for an opening, of which layers may bend faces at the border.
+constexpr double planeShareOfOpening = 0.95;
 
 bool isSide(const CasePatch& patch)
 {
@@ -113,17 +115,25 @@ std::array<std::string, 2> roomsBeside(const PolyMesh& poly, const FaceZone& zon
   return rooms;
 }
 
+double areaOf(const FaceZone& zone, const Buffer<Vec3>& areas)
+{
+  Vec3 vector = Vec3::Zero();
+  double sum = 0.0;
+  for (std::size_t i = 0; i < zone.faces.size(); ++i)
+  {
+    const Vec3& area = areas[zone.faces[i]];
+    vector += zone.flips[i] ? Vec3(-area) : area;
+    sum += area.norm();
+  }
+  return vector.norm() > planeShareOfOpening * sum ? vector.norm() : sum;
+}
+
 void describeZones(const PolyMesh& poly, const MeshGeometry& geometry, CaseMesh& described)
 {
   const std::vector<int> zoneOf = zonesOfCells(poly);
   for (const FaceZone& zone : poly.faceZones)
   {
-    double area = 0.0;
-    for (const Index face : zone.faces)
-    {
-      area += geometry.faceAreas[face].norm();
-    }
-    described.openings.push_back({zone.name, area, roomsBeside(poly, zone, zoneOf)});
+    described.openings.push_back({zone.name, areaOf(zone, geometry.faceAreas), roomsBeside(poly, zone, zoneOf)});
   }
   for (const CellZone& zone : poly.cellZones)
   {

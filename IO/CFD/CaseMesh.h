@@ -28,7 +28,7 @@ struct CasePatch
 struct CaseOpening
 {
   std::string name;
-  double area = 0.0; ///< square meters
+  double area = 0.0; ///< square meters; of one that is nearly plane, that of its outline
   std::array<std::string, 2> rooms;
 };
 
