@@ -3,6 +3,7 @@
 
 #include "Support/Error.h"
 #include "VtkNumberedPieces.h"
+#include "VtkSubset.h"
 
 #include <vtkAppendFilter.h>
 #include <vtkCompositeDataSet.h>
@@ -38,18 +39,6 @@ bool isNumberedGrid(vtkDataObject* piece)
 {
   auto* grid = vtkUnstructuredGrid::SafeDownCast(piece);
   return grid && isNumbered(grid);
-}
-
-void removeGhosts(vtkDataObject* data)
-{
-  if (auto* surfaces = vtkPolyData::SafeDownCast(data))
-  {
-    surfaces->RemoveGhostCells();
-  }
-  else if (auto* mesh = vtkUnstructuredGrid::SafeDownCast(data))
-  {
-    mesh->RemoveGhostCells();
-  }
 }
 
 /// The partitions as one, where they are polygons with ids; else as they are.
@@ -161,6 +150,10 @@ vtkSmartPointer<vtkDataObject> withoutGhosts(vtkDataObject* piece)
   {
     return piece;
   }
+  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(piece))
+  {
+    return withoutGhostCells(grid);
+  }
   auto copy = vtkSmartPointer<vtkDataObject>::Take(piece->NewInstance());
   copy->ShallowCopy(piece);
   if (auto* tree = vtkDataObjectTree::SafeDownCast(copy))
@@ -172,7 +165,10 @@ vtkSmartPointer<vtkDataObject> withoutGhosts(vtkDataObject* piece)
       tree->SetDataSet(it, withoutGhosts(it->GetCurrentDataObject()));
     }
   }
-  removeGhosts(copy);
+  else if (auto* surfaces = vtkPolyData::SafeDownCast(copy))
+  {
+    surfaces->RemoveGhostCells();
+  }
   return copy;
 }
 

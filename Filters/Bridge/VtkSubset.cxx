@@ -3,11 +3,13 @@
 
 #include <vtkAbstractArray.h>
 #include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkCellType.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkIdList.h>
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkTypeInt32Array.h>
 #include <vtkTypeInt64Array.h>
@@ -144,6 +146,47 @@ void GridBuilder::finish(vtkUnstructuredGrid* out, bool narrow)
   const auto faceLocations = hasPolyhedra ? idArray(nullptr, locations) : nullptr;
   const auto faces = hasPolyhedra ? idArray(nullptr, stream) : nullptr;
   out->SetCells(cellTypes, cells, faceLocations, faces);
+}
+
+vtkSmartPointer<vtkUnstructuredGrid> withoutGhostCells(vtkUnstructuredGrid* grid)
+{
+  constexpr int leftOut = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
+  vtkUnsignedCharArray* ghosts = grid->GetCellGhostArray();
+  if (!ghosts || std::none_of(ghosts->Begin(), ghosts->End(), [](int ghost) { return (ghost & leftOut) != 0; }))
+  {
+    return grid;
+  }
+  VtkIds cells, points, newPoint(static_cast<std::size_t>(grid->GetNumberOfPoints()), -1);
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    if ((ghosts->GetValue(cell) & leftOut) == 0)
+    {
+      cells.push_back(cell);
+      vtkIdType count = 0;
+      const vtkIdType* corners = nullptr;
+      grid->GetCellPoints(cell, count, corners);
+      std::for_each(corners, corners + count, [&](vtkIdType p) { newPoint[static_cast<std::size_t>(p)] = 0; });
+    }
+  }
+  for (std::size_t p = 0; p < newPoint.size(); ++p)
+  {
+    if (newPoint[p] == 0)
+    {
+      newPoint[p] = static_cast<vtkIdType>(points.size());
+      points.push_back(static_cast<vtkIdType>(p));
+    }
+  }
+  auto rest = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  rest->SetPoints(takePoints(grid->GetPoints(), points));
+  GridBuilder builder;
+  std::ranges::for_each(cells, [&](vtkIdType cell) { builder.add(grid, cell, newPoint); });
+  builder.finish(rest, !grid->GetCells()->IsStorage64Bit());
+  takeTuples(grid->GetPointData(), points, rest->GetPointData());
+  takeTuples(grid->GetCellData(), cells, rest->GetCellData());
+  rest->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+  rest->GetCellData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());
+  rest->GetFieldData()->PassData(grid->GetFieldData());
+  return rest;
 }
 
 } // namespace atria

@@ -48,6 +48,10 @@ private:
   bool hasPolyhedra = false;
 };
 
+/// A grid without its ghost and hidden cells, and without points that these alone have; itself if it has none.
+/// VTK 9.1's RemoveGhostCells takes the points of polyhedra for their faces.
+vtkSmartPointer<vtkUnstructuredGrid> withoutGhostCells(vtkUnstructuredGrid* grid);
+
 /// Cells of the points given, with 32-bit numbers if `narrow` and they suffice.
 vtkSmartPointer<vtkCellArray> cellArray(const VtkIds& offsets, const VtkIds& connectivity, bool narrow);
 

@@ -4,12 +4,14 @@
 #include "Support/Error.h"
 #include "VtkFaceMesh.h"
 #include "VtkPieces.h"
+#include "VtkSubset.h"
 #include "vtkAtriaMeshQuality.h"
 #include "vtkAtriaOctreeSource.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkExtractCells.h>
+#include <vtkGenericCell.h>
 #include <vtkIdTypeArray.h>
 #include <vtkInformation.h>
 #include <vtkPointData.h>
@@ -19,6 +21,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <numeric>
 
 namespace {
@@ -26,6 +29,7 @@ namespace {
 using atria::joinPieces;
 using atria::TriangleSurface;
 using atria::Vec3;
+using atria::VtkIds;
 using ::testing::HasSubstr;
 using Pieces = std::vector<vtkSmartPointer<vtkDataObject>>;
 
@@ -173,6 +177,47 @@ TEST_F(JoinedPieces, LeaveOutGhosts)
   model->GetCellData()->AddArray(ghosts);
   EXPECT_EQ(atria::withoutGhosts(model)->GetNumberOfElements(vtkDataObject::CELL), model->GetNumberOfCells() - 1);
   EXPECT_EQ(model->GetNumberOfCells(), static_cast<vtkIdType>(scene().triangles.size()));
+}
+
+TEST_F(JoinedPieces, LeaveOutGhostsBesidePolyhedra)
+{
+  mesher->Update();
+  vtkNew<vtkUnstructuredGrid> mesh;
+  mesh->ShallowCopy(volume());
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  VtkIds own;
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    const bool isOwn = cell % 3 == 0 || mesh->GetCellType(cell) == VTK_POLYHEDRON;
+    ghosts->InsertNextValue(isOwn ? 0 : vtkDataSetAttributes::DUPLICATECELL);
+    if (isOwn)
+    {
+      own.push_back(cell);
+    }
+  }
+  ASSERT_GT(std::ranges::count_if(own, [&](vtkIdType c) { return mesh->GetCellType(c) == VTK_POLYHEDRON; }), 0);
+  mesh->GetCellData()->AddArray(ghosts);
+  const auto left = atria::withoutGhosts(mesh);
+  auto* rest = vtkUnstructuredGrid::SafeDownCast(left);
+  ASSERT_EQ(rest->GetNumberOfCells(), static_cast<vtkIdType>(own.size()));
+  for (std::size_t i = 0; i < own.size(); ++i)
+  {
+    vtkCell* wanted = mesh->GetCell(own[i]);
+    vtkNew<vtkGenericCell> cell;
+    rest->GetCell(static_cast<vtkIdType>(i), cell);
+    ASSERT_EQ(cell->GetNumberOfFaces(), wanted->GetNumberOfFaces());
+    for (int face = 0; face < wanted->GetNumberOfFaces(); ++face)
+    {
+      vtkPoints* points = wanted->GetFace(face)->GetPoints();
+      vtkPoints* found = cell->GetFace(face)->GetPoints();
+      ASSERT_EQ(found->GetNumberOfPoints(), points->GetNumberOfPoints());
+      for (vtkIdType p = 0; p < points->GetNumberOfPoints(); ++p)
+      {
+        ASSERT_EQ(Vec3(found->GetPoint(p)), Vec3(points->GetPoint(p)));
+      }
+    }
+  }
 }
 
 } // namespace
