@@ -67,7 +67,7 @@ def main(mpiexec, pvbatch):
     alone = run(mpiexec, pvbatch, 1)
     assert alone["mesher of pieces"] == alone["mesher"]
     assert "case.openfoam/constant/polyMesh/owner" in alone and "mesh.msh" in alone, alone.keys()
-    for ranks in (2, 3, 5):
+    for ranks in (2, 3, 5, 8):
         together = run(mpiexec, pvbatch, ranks)
         differing = [name for name in alone.keys() | together.keys() if alone.get(name) != together.get(name)]
         assert not differing, (ranks, differing)

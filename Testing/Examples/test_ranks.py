@@ -92,7 +92,7 @@ class Ranks(unittest.TestCase):
     def test_any_number_of_ranks_writes_and_tells_what_one_process_does(self):
         outputs = ["-o", "mesh.vtu", "--patches", "mesh.vtpc", "--openfoam", "case", "--processors", "2", "--su2", "mesh.su2"]
         results = {}
-        for ranks in (0, 1, 2, 3, 5):
+        for ranks in (0, 1, 2, 3, 5, 8):
             folder = self.folder(str(ranks))
             result = run(ranks, "mesh", HOUSE, *COARSE, "--layers", "2", *outputs, cwd=folder)
             results[ranks] = (result.returncode, said(result), self.contents(folder))
@@ -109,7 +109,7 @@ class Ranks(unittest.TestCase):
         options = [*OPEN, "--layers", "2", "-o", "mesh.vtu", "--openfoam", "case", "--ascii"]
         alone = self.folder("alone")
         self.assertEqual(run(0, "mesh", HOUSE, *options, cwd=alone).returncode, 0)
-        for ranks in (2, 3, 5):
+        for ranks in (2, 3, 5, 8):
             folder = self.folder(f"on{ranks}")
             result = run(ranks, "mesh", HOUSE, *options, cwd=folder)
             self.assertEqual(result.returncode, 0, result.stderr)
@@ -131,7 +131,7 @@ class Ranks(unittest.TestCase):
         files = ["--patches", "patches.vtpc"]
         run(0, "mesh", HOUSE, *COARSE, *files, "-o", "mesh.vtu", "--openfoam", "case", cwd=whole)
         wanted = self.contents(whole / "case")
-        for ranks in (0, 2, 3, 5):
+        for ranks in (0, 2, 3, 5, 8):
             folder = self.folder(f"pieces{ranks}")
             result = run(ranks, "mesh", HOUSE, *COARSE, *files, "-o", "mesh.pvtu", cwd=folder)
             self.assertEqual(result.returncode, 0, result.stderr)
