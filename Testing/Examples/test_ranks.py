@@ -23,6 +23,8 @@ HOUSE = pathlib.Path(sys.argv[3]) / "house.wrl"
 COARSE = ["--size-max", "16", "--size-mid", "4", "--size-min", "2", "--site", "Site"]
 # With face zones in openings.
 OPEN = ["--size-max", "16", "--size-mid", "4", "--size-min", "1", "--site", "Site", "--openings"]
+# What takes some time to write.
+MANY = ["--size-max", "8", "--size-mid", "1", "--size-min", "1", "--site", "Site"]
 # What takes longer than a test waits.
 FINE = ["--size-max", "8", "--size-mid", "0.3", "--size-min", "0.3", "--site", "Site"]
 ENVIRONMENT = os.environ | {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
@@ -204,6 +206,29 @@ class Ranks(unittest.TestCase):
 
         status, _ = self.signaled(kill_last)
         self.assertNotEqual(status, 0)
+
+    def test_a_rank_that_dies_as_files_are_written_leaves_none_half_written(self):
+        whole, folder = self.folder("whole"), self.folder("killed")
+        arguments = ["mesh", HOUSE, *MANY, "-o", "mesh.pvtu", "--patches", "patches.vtpc", "--openfoam", "case"]
+        self.assertEqual(run(3, *arguments, cwd=whole).returncode, 0)
+        wanted = self.contents(whole)
+        for victim, begun in ((1, ".mesh.pvtu.unfinished/*.vtu"), (2, "case/.processors.unfinished/*")):
+            launcher = subprocess.Popen(launched(3, *arguments), env=ENVIRONMENT, cwd=folder, stdout=subprocess.DEVNULL,
+                                        stderr=subprocess.DEVNULL)
+            processes = {}
+            while launcher.poll() is None and not any(folder.glob(begun)):
+                processes = processes if len(processes) == 3 else processes_of(launcher)
+                time.sleep(0.001)
+            self.assertIsNone(launcher.returncode, "it ended before it was found writing")
+            os.kill(processes[victim], signal.SIGKILL)
+            self.assertNotEqual(launcher.wait(timeout=30), 0)
+            self.assertFalse(any(folder.glob("case/processor*")))
+            for name, data in self.contents(folder).items():
+                if ".unfinished/" not in name:
+                    self.assertEqual(data, wanted[name], name)
+        # What a killed run has begun is in no one's way.
+        self.assertEqual(run(3, *arguments, cwd=folder).returncode, 0)
+        self.assertEqual(self.contents(folder), wanted)
 
 
 if __name__ == "__main__":
