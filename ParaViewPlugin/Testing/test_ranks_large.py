@@ -57,7 +57,7 @@ def run(mpiexec, pvbatch, ranks, folder, model, properties, *rest):
                json.dumps(properties), *rest]
     result = subprocess.run(command, env=ENVIRONMENT, capture_output=True, text=True, check=False)
     said = result.stdout + result.stderr
-    assert (result.returncode, said) == (0, ""), said
+    assert result.returncode == 0 and not re.search(r"ERR\||Traceback", said), said
     found = [json.loads((folder / f"rank{rank}.json").read_text()) for rank in range(ranks)]
     return found, json.loads((folder / "time.json").read_text())
 
