@@ -45,20 +45,33 @@ template <typename Predicate> void filter(TriangleSoup& soup, std::vector<char>*
   }
 }
 
+/// Where triangles changed, only these can be the same as others.
 std::size_t dropRepeated(TriangleSoup& soup, std::vector<char>* changed)
 {
   filter(soup, changed, [](const auto& t) { return !hasRepeatedPoint(t); });
   const std::size_t before = soup.triangles.size();
+  std::vector<char> isAsked(soup.points.size(), changed ? 0 : 1);
+  for (Index t = 0; changed && t < before; ++t)
+  {
+    isAsked[std::ranges::min(soup.triangles[t])] |= (*changed)[t];
+  }
   const Buckets byLeast = fillBuckets(soup.points.size(), SerialExecutor(), [&](auto&& use) {
     for (Index t = 0; t < before; ++t)
     {
-      use(std::ranges::min(soup.triangles[t]), t);
+      if (const Index least = std::ranges::min(soup.triangles[t]); isAsked[least])
+      {
+        use(least, t);
+      }
     }
   });
   std::vector<char> repeated(before, 0);
   std::vector<std::pair<std::array<Index, 3>, Index>> sorted;
   for (std::size_t p = 0; p < soup.points.size(); ++p)
   {
+    if (byLeast.of(p).size() < 2)
+    {
+      continue;
+    }
     sorted.clear();
     for (const Index t : byLeast.of(p))
     {
@@ -110,31 +123,30 @@ std::vector<Index> weldSome(const TriangleSoup& soup, std::vector<Index> some, s
 
 void renumber(std::set<EdgeKey>& edges, const std::vector<Index>& became)
 {
-  std::set<EdgeKey> next;
-  for (const auto& [a, b] : edges)
-  {
-    if (became[a] != became[b])
+  std::vector<EdgeKey> moved;
+  std::erase_if(edges, [&](const EdgeKey& edge) {
+    const bool isMoved = became[edge.first] != edge.first || became[edge.second] != edge.second;
+    if (isMoved && became[edge.first] != became[edge.second])
     {
-      next.insert(edgeKey(became[a], became[b]));
+      moved.push_back(edgeKey(became[edge.first], became[edge.second]));
     }
-  }
-  edges = std::move(next);
+    return isMoved;
+  });
+  edges.insert(moved.begin(), moved.end());
 }
 
 /// Appends the new points, except those that fall together with one there is; contacts that say nothing new then are
 /// dropped.
-void addNewPoints(TriangleSoup& soup, Contacts& contacts, std::int64_t distance)
+void addNewPoints(TriangleSoup& soup, Contacts& contacts, PointWelder& welder)
 {
+  const std::size_t base = soup.points.size();
   soup.points.insert(soup.points.end(), contacts.newPoints.begin(), contacts.newPoints.end());
-  const std::vector<Index> became = weldPoints(soup.points, distance);
-  for (EdgeContact& c : contacts.edges)
-  {
-    c.point = became[c.point];
-  }
-  for (FaceContact& c : contacts.faces)
-  {
-    c.point = became[c.point];
-  }
+  const std::vector<Index> became = welder.addRest();
+  const auto replace = [&](auto& contact) {
+    contact.point = contact.point < base ? contact.point : became[contact.point - base];
+  };
+  std::ranges::for_each(contacts.edges, replace);
+  std::ranges::for_each(contacts.faces, replace);
   std::erase_if(contacts.edges,
                 [](const EdgeContact& c) { return c.point == c.edge.first || c.point == c.edge.second; });
   sortUnique(contacts.edges);
@@ -208,8 +220,8 @@ class Rounds
 public:
   Rounds(TriangleSoup& soup_, const AutorefineOptions& options_, ClusterCells& clusters_, AutorefineReport& report_,
          const RunContext& context_)
-      : soup(soup_), options(options_), clusters(clusters_), weldDistance(weldReaches * options.reach),
-        width(weldDistance), report(report_), context(context_)
+      : soup(soup_), options(options_), clusters(clusters_), width(weldReaches * options.reach),
+        welder(soup.points, width), report(report_), context(context_)
   {
   }
 
@@ -229,7 +241,7 @@ public:
         return;
       }
       foundBefore = found;
-      addNewPoints(soup, contacts, weldDistance);
+      addNewPoints(soup, contacts, welder);
       if (round > 0)
       {
         width = std::max(width, std::min(loosening * width, options.widestWeld));
@@ -280,7 +292,10 @@ private:
   void tidy(std::vector<char>& changed, bool isFirst)
   {
     const std::size_t usedBefore = isFirst ? countUsed(soup) : 0;
-    merge(weldPoints(soup.points, weldDistance), changed);
+    if (const std::vector<Index> became = weldRest(); !became.empty())
+    {
+      merge(became, changed);
+    }
     if (isFirst)
     {
       report.mergedPoints += usedBefore - countUsed(soup);
@@ -295,6 +310,20 @@ private:
     report.overlappingTriangles += dropRepeated(soup, &changed);
   }
 
+  /// For each point what it becomes; empty where none was added since points were asked about last.
+  std::vector<Index> weldRest()
+  {
+    const std::vector<Index> rest = welder.addRest();
+    std::vector<Index> became;
+    if (!rest.empty())
+    {
+      became.resize(soup.points.size() - rest.size());
+      std::iota(became.begin(), became.end(), Index{0});
+      became.insert(became.end(), rest.begin(), rest.end());
+    }
+    return became;
+  }
+
   void merge(const std::vector<Index>& became, std::vector<char>& changed)
   {
     replacePoints(soup, became, changed);
@@ -305,9 +334,10 @@ private:
   TriangleSoup& soup;
   const AutorefineOptions& options;
   ClusterCells& clusters;
-  std::int64_t weldDistance;
   /// Within this, points at contacts that cuts do not get rid of become one.
   std::int64_t width;
+  /// Of all points.
+  PointWelder welder;
   std::vector<Index> knots;
   /// Of the two rounds before, by source the pairs of touching triangles that it has pieces in.
   std::array<std::vector<Index>, 2> countsBefore;

@@ -5,6 +5,7 @@
 #include "Support/Sorting.h"
 #include "Surface/Repair/Clusters.h"
 #include "Surface/Repair/PlaneSides.h"
+#include "Surface/Search/BoxRaster.h"
 #include "Surface/Search/BoxTree.h"
 #include "Surface/Search/Distance.h"
 #include "Surface/Triangulation/LatticeSegments.h"
@@ -408,6 +409,16 @@ void numberNewPoints(Contacts& contacts, const std::vector<LatticePoint>& found,
 
 } // namespace
 
+std::vector<char> beginsOfEdges(std::span<const EdgeContact> contacts, std::size_t pointCount)
+{
+  std::vector<char> begins(pointCount, 0);
+  for (const EdgeContact& c : contacts)
+  {
+    begins[c.edge.first] = 1;
+  }
+  return begins;
+}
+
 Contacts FoundContacts::sorted(const TriangleSoup& soup, const std::vector<char>& isLeft) const
 {
   Contacts contacts;
@@ -446,9 +457,16 @@ FoundContacts findContacts(const TriangleSoup& soup, const std::vector<char>& ch
   std::vector<Index> inTree = seenTriangles(soup, clusters, context);
   // Clang 14 cannot compile std::ranges::stable_partition of this library.
   const auto others = std::stable_partition(inTree.begin(), inTree.end(), [&](Index t) { return changed[t] != 0; });
-  const std::vector<NumberedBox> otherBoxes = boxesOf(soup, {others, inTree.end()}, reach, context);
+  std::vector<NumberedBox> otherBoxes = boxesOf(soup, {others, inTree.end()}, reach, context);
   inTree.erase(others, inTree.end());
-  const BoxTree tree(boxesOf(soup, inTree, reach, context), context);
+  std::vector<NumberedBox> treeBoxes = boxesOf(soup, inTree, reach, context);
+  if (treeBoxes.empty())
+  {
+    return {};
+  }
+  const BoxRaster raster(treeBoxes);
+  std::erase_if(otherBoxes, [&](const NumberedBox& box) { return !raster.mayTouch(box); });
+  const BoxTree tree(std::move(treeBoxes), context);
   ContactFinder finder(soup, static_cast<double>(reach));
   for (const Search& search :
        searchContacts(soup, tree, otherBoxes, isLeft, static_cast<double>(reach), clusters, context))

@@ -23,6 +23,9 @@ struct FaceContact
   friend auto operator<=>(const FaceContact&, const FaceContact&) = default;
 };
 
+/// Marks the points at which an edge with points on it begins, so that triangles without any are passed over at once.
+std::vector<char> beginsOfEdges(std::span<const EdgeContact> contacts, std::size_t pointCount);
+
 /// Where pieces of different triangles touch or cut each other other than along common edges and at common points.
 struct Contacts
 {

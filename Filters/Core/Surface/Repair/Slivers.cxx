@@ -54,10 +54,15 @@ private:
 
   std::vector<Index> find() const
   {
+    const std::vector<char> begins = beginsOfEdges(contacts, soup.points.size());
     std::vector<Index> found;
     for (Index t = 0; t < soup.triangles.size(); ++t)
     {
       const auto& corners = soup.triangles[t];
+      if (!begins[corners[0]] && !begins[corners[1]] && !begins[corners[2]])
+      {
+        continue;
+      }
       if (isOn(edgeKey(corners, 0), corners[2]) || isOn(edgeKey(corners, 1), corners[0]) ||
           isOn(edgeKey(corners, 2), corners[1]))
       {

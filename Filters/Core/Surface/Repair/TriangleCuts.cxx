@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Surface/Repair/TriangleCuts.h"
 
+#include "Support/Sorting.h"
 #include "Surface/Triangulation/FaceTriangulation.h"
 #include "Surface/Triangulation/LatticeSegments.h"
 
@@ -18,12 +19,22 @@ class Cutter
 {
 public:
   Cutter(TriangleSoup& soup_, const Contacts& contacts_, double reach_)
-      : soup(soup_), contacts(contacts_), reach(reach_), segments(soup.triangles.size())
+      : soup(soup_), contacts(contacts_), reach(reach_), begins(beginsOfEdges(contacts.edges, soup.points.size())),
+        hasInside(soup.triangles.size(), 0)
   {
     sortAlongEdges();
     for (const auto& [a, b] : contacts.pairs)
     {
       joinPair(a, b);
+    }
+    sortUnique(segments);
+    for (const Segment& segment : segments)
+    {
+      hasInside[segment.triangle] = 1;
+    }
+    for (const FaceContact& contact : contacts.faces)
+    {
+      hasInside[contact.triangle] = 1;
     }
   }
 
@@ -33,6 +44,10 @@ public:
     TriangleSoup next;
     next.points = std::move(soup.points);
     changed.clear();
+    const auto add = [&](Index t, const std::array<Index, 3>& triangle, char isPiece) {
+      next.add(triangle, soup.surfaceIds[t], soup.sources[t]);
+      changed.push_back(isPiece);
+    };
     std::vector<std::array<Index, 3>> pieces;
     for (Index t = 0; t < soup.triangles.size(); ++t)
     {
@@ -40,20 +55,18 @@ public:
       {
         context.progress.check();
       }
-      DividedFace face = dividedFace(t);
-      const bool whole = face.inside.empty() && face.segments.empty() && face.alongEdges[0].empty() &&
-                         face.alongEdges[1].empty() && face.alongEdges[2].empty();
-      pieces.assign(1, face.corners);
-      if (!whole)
+      if (!isCut(t))
       {
-        pieces.clear();
-        triangulateFace(next.points, face, reach, pieces);
-        sourceIsSplit[soup.sources[t]] = 1;
+        add(t, soup.triangles[t], 0);
+        continue;
       }
+      DividedFace face = dividedFace(t);
+      pieces.clear();
+      triangulateFace(next.points, face, reach, pieces);
+      sourceIsSplit[soup.sources[t]] = 1;
       for (const auto& piece : pieces)
       {
-        next.add(piece, soup.surfaceIds[t], soup.sources[t]);
-        changed.push_back(whole ? 0 : 1);
+        add(t, piece, 1);
       }
     }
     soup = std::move(next);
@@ -63,11 +76,11 @@ public:
   void updateEdges(std::set<EdgeKey>& edges) const
   {
     std::vector<EdgeKey> cut;
-    for (const EdgeKey& edge : edges)
+    for (const EdgeContact& contact : alongEdges)
     {
-      if (!pointsOn(edge).empty())
+      if ((cut.empty() || cut.back() != contact.edge) && edges.contains(contact.edge))
       {
-        cut.push_back(edge);
+        cut.push_back(contact.edge);
       }
     }
     for (const EdgeKey& edge : cut)
@@ -81,9 +94,9 @@ public:
       }
       edges.insert(edgeKey(from, edge.second));
     }
-    for (const auto& list : segments)
+    for (const Segment& segment : segments)
     {
-      edges.insert(list.begin(), list.end());
+      edges.insert(segment.edge);
     }
   }
 
@@ -95,6 +108,14 @@ private:
     unsigned edges;
   };
   using Placed = std::vector<PlacedPoint>;
+
+  /// What is to be an edge of a triangle.
+  struct Segment
+  {
+    Index triangle;
+    EdgeKey edge;
+    friend auto operator<=>(const Segment&, const Segment&) = default;
+  };
 
   double along(const EdgeKey& edge, Index p) const
   {
@@ -123,6 +144,24 @@ private:
         std::equal_range(contacts.faces.begin(), contacts.faces.end(), FaceContact{triangle, 0},
                          [](const FaceContact& l, const FaceContact& r) { return l.triangle < r.triangle; });
     return {range.first, range.second};
+  }
+
+  std::span<const Segment> segmentsOf(Index triangle) const
+  {
+    // Clang 14 cannot compile std::ranges::equal_range of this library.
+    return {std::ranges::lower_bound(segments, triangle, {}, &Segment::triangle),
+            std::ranges::upper_bound(segments, triangle, {}, &Segment::triangle)};
+  }
+
+  /// Whether there is anything on a triangle.
+  bool isCut(Index t) const
+  {
+    const auto& corners = soup.triangles[t];
+    const auto hasPoints = [&](int i) {
+      const EdgeKey edge = edgeKey(corners, i);
+      return begins[edge.first] && !pointsOn(edge).empty();
+    };
+    return hasPoints(0) || hasPoints(1) || hasPoints(2) || hasInside[t];
   }
 
   /// All points of a triangle, by index.
@@ -232,11 +271,11 @@ private:
       const EdgeKey segment = edgeKey(row[i].point, row[i + 1].point);
       if ((row[i].onA & row[i + 1].onA) == 0) // else it is a piece of the outline
       {
-        segments[a].push_back(segment);
+        segments.push_back({a, segment});
       }
       if ((row[i].onB & row[i + 1].onB) == 0)
       {
-        segments[b].push_back(segment);
+        segments.push_back({b, segment});
       }
     }
   }
@@ -284,9 +323,10 @@ private:
     {
       face.inside.push_back(contact.point);
     }
-    face.segments = std::move(segments[t]);
-    std::sort(face.segments.begin(), face.segments.end());
-    face.segments.erase(std::unique(face.segments.begin(), face.segments.end()), face.segments.end());
+    for (const Segment& segment : segmentsOf(t))
+    {
+      face.segments.push_back(segment.edge);
+    }
     return face;
   }
 
@@ -294,7 +334,10 @@ private:
   const Contacts& contacts;
   double reach;
   std::vector<EdgeContact> alongEdges;
-  std::vector<std::vector<EdgeKey>> segments;
+  std::vector<char> begins;
+  /// Per triangle, whether there are points or segments off its edges.
+  std::vector<char> hasInside;
+  std::vector<Segment> segments;
   std::map<Index, Placed> placed;
 };
 

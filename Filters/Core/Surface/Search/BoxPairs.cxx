@@ -5,6 +5,20 @@
 
 namespace atria {
 
+NumberedBox boundsOf(const std::vector<NumberedBox>& boxes)
+{
+  NumberedBox all = boxes.front();
+  for (const NumberedBox& box : boxes)
+  {
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      all.low[axis] = std::min(all.low[axis], box.low[axis]);
+      all.high[axis] = std::max(all.high[axis], box.high[axis]);
+    }
+  }
+  return all;
+}
+
 NumberedBox boxOf(const TriangleSoup& soup, Index triangle, std::int64_t margin)
 {
   NumberedBox box{soup.corner(triangle, 0), soup.corner(triangle, 0), triangle};

@@ -16,6 +16,19 @@ struct NumberedBox
   Index id;
 };
 
+inline bool touch(const NumberedBox& a, const NumberedBox& b)
+{
+  bool apart = false;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    apart |= a.low[axis] > b.high[axis] || b.low[axis] > a.high[axis];
+  }
+  return !apart;
+}
+
+/// About some boxes. There is one at least.
+NumberedBox boundsOf(const std::vector<NumberedBox>& boxes);
+
 /// The box of a triangle, `margin` wider on every side.
 NumberedBox boxOf(const TriangleSoup& soup, Index triangle, std::int64_t margin);
 

@@ -38,20 +38,6 @@ struct SortKey
   friend auto operator<=>(const SortKey&, const SortKey&) = default;
 };
 
-NumberedBox boundsOf(const std::vector<NumberedBox>& boxes)
-{
-  NumberedBox all = boxes.front();
-  for (const NumberedBox& box : boxes)
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      all.low[axis] = std::min(all.low[axis], box.low[axis]);
-      all.high[axis] = std::max(all.high[axis], box.high[axis]);
-    }
-  }
-  return all;
-}
-
 /// Sizes are powers of four.
 unsigned sizeClassOf(const NumberedBox& box)
 {

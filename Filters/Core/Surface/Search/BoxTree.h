@@ -70,16 +70,6 @@ private:
     std::size_t group;
   };
 
-  static bool touch(const NumberedBox& a, const NumberedBox& b)
-  {
-    bool apart = false;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      apart |= a.low[axis] > b.high[axis] || b.low[axis] > a.high[axis];
-    }
-    return !apart;
-  }
-
   /// Bits of the children that touch, or nearly do.
   static unsigned touching(const Group& group, const Query& query)
   {

@@ -14,104 +14,128 @@ bool within(const LatticePoint& a, const LatticePoint& b, std::int64_t distance)
   return std::abs(a[0] - b[0]) <= distance && std::abs(a[1] - b[1]) <= distance && std::abs(a[2] - b[2]) <= distance;
 }
 
-/// Kept points by bin, in a hash table with linear probing. Bins are wide against the distance, so that nearly always
-/// one has to be searched.
-class Bins
+} // namespace
+
+PointWelder::PointWelder(const std::vector<LatticePoint>& points_, std::int64_t reach)
+    : points(points_), distance(reach), shift(std::bit_width(static_cast<std::uint64_t>(16 * reach)))
 {
-public:
-  Bins(std::span<const LatticePoint> points_, std::int64_t reach)
-      : points(points_), distance(reach), shift(std::bit_width(static_cast<std::uint64_t>(16 * reach))),
-        heads(std::bit_ceil(2 * points_.size() + 1), noIndex), next(points_.size(), noIndex)
-  {
-  }
+  reserve(points.size());
+}
 
-  Index find(const LatticePoint& p) const
+Index PointWelder::addNext()
+{
+  const auto id = static_cast<Index>(added++);
+  reserve(added);
+  const LatticePoint& p = points[id];
+  const LatticePoint bin = binOf(p);
+  const std::size_t slot = slotOf(bin);
+  const Index found = std::min(findFrom(heads[slot], p), findBeside(bin, p));
+  if (found != noIndex)
   {
-    const LatticePoint low = binOf({p[0] - distance, p[1] - distance, p[2] - distance});
-    const LatticePoint high = binOf({p[0] + distance, p[1] + distance, p[2] + distance});
-    Index best = noIndex;
-    for (std::int64_t z = low[2]; z <= high[2]; ++z)
-    {
-      for (std::int64_t y = low[1]; y <= high[1]; ++y)
-      {
-        for (std::int64_t x = low[0]; x <= high[0]; ++x)
-        {
-          best = std::min(best, findInBin({x, y, z}, p));
-        }
-      }
-    }
-    return best;
+    return found;
   }
-
-  void add(Index id)
+  Index& head = heads[slot];
+  if (head == noIndex)
   {
-    Index& head = heads[slotOf(binOf(points[id]))];
-    if (head == noIndex)
-    {
-      head = id;
-      return;
-    }
+    head = id;
+  }
+  else
+  {
     next[id] = next[head];
     next[head] = id;
   }
+  return id;
+}
 
-private:
-  LatticePoint binOf(const LatticePoint& p) const { return {p[0] >> shift, p[1] >> shift, p[2] >> shift}; }
-
-  /// Of the bin, or a free one.
-  std::size_t slotOf(const LatticePoint& bin) const
+std::vector<Index> PointWelder::addRest()
+{
+  std::vector<Index> representatives;
+  representatives.reserve(points.size() - added);
+  reserve(points.size());
+  while (added < points.size())
   {
-    std::uint64_t hash = 0;
-    for (const std::int64_t c : bin)
-    {
-      hash = (hash ^ static_cast<std::uint64_t>(c)) * 0x9E3779B97F4A7C15ull;
-      hash ^= hash >> 29;
-    }
-    const std::size_t mask = heads.size() - 1;
-    std::size_t slot = hash & mask;
-    while (heads[slot] != noIndex && binOf(points[heads[slot]]) != bin)
-    {
-      slot = (slot + 1) & mask;
-    }
-    return slot;
+    representatives.push_back(addNext());
   }
+  return representatives;
+}
 
-  Index findInBin(const LatticePoint& bin, const LatticePoint& p) const
+/// Of the bin, or a free one.
+std::size_t PointWelder::slotOf(const LatticePoint& bin) const
+{
+  std::uint64_t hash = 0;
+  for (const std::int64_t c : bin)
   {
-    Index best = noIndex;
-    for (Index i = heads[slotOf(bin)]; i != noIndex; i = next[i])
+    hash = (hash ^ static_cast<std::uint64_t>(c)) * 0x9E3779B97F4A7C15ull;
+    hash ^= hash >> 29;
+  }
+  const std::size_t mask = heads.size() - 1;
+  std::size_t slot = hash & mask;
+  while (heads[slot] != noIndex && binOf(points[heads[slot]]) != bin)
+  {
+    slot = (slot + 1) & mask;
+  }
+  return slot;
+}
+
+Index PointWelder::findFrom(Index head, const LatticePoint& p) const
+{
+  Index best = noIndex;
+  for (Index i = head; i != noIndex; i = next[i])
+  {
+    if (within(points[i], p, distance))
     {
-      if (within(points[i], p, distance))
+      best = std::min(best, i);
+    }
+  }
+  return best;
+}
+
+/// In the bins about that of the point.
+Index PointWelder::findBeside(const LatticePoint& bin, const LatticePoint& p) const
+{
+  const LatticePoint low = binOf({p[0] - distance, p[1] - distance, p[2] - distance});
+  const LatticePoint high = binOf({p[0] + distance, p[1] + distance, p[2] + distance});
+  if (low == high)
+  {
+    return noIndex;
+  }
+  Index best = noIndex;
+  for (std::int64_t z = low[2]; z <= high[2]; ++z)
+  {
+    for (std::int64_t y = low[1]; y <= high[1]; ++y)
+    {
+      for (std::int64_t x = low[0]; x <= high[0]; ++x)
       {
-        best = std::min(best, i);
+        const LatticePoint beside{x, y, z};
+        best = beside == bin ? best : std::min(best, findFrom(heads[slotOf(beside)], p));
       }
     }
-    return best;
   }
+  return best;
+}
 
-  std::span<const LatticePoint> points;
-  std::int64_t distance;
-  int shift;
-  std::vector<Index> heads;
-  std::vector<Index> next;
-};
-
-} // namespace
-
-std::vector<Index> weldPoints(std::span<const LatticePoint> points, std::int64_t distance)
+/// Room for so many points. One of each bin stands for its chain.
+void PointWelder::reserve(std::size_t count)
 {
-  std::vector<Index> representative(points.size());
-  Bins bins(points, distance);
-  for (Index i = 0; i < points.size(); ++i)
+  next.resize(std::max(next.size(), count), noIndex);
+  if (2 * count < heads.size())
   {
-    const Index found = bins.find(points[i]);
-    representative[i] = found == noIndex ? i : found;
-    if (found == noIndex)
+    return;
+  }
+  std::vector<Index> before(std::bit_ceil(2 * count + 1), noIndex);
+  before.swap(heads);
+  for (const Index head : before)
+  {
+    if (head != noIndex)
     {
-      bins.add(i);
+      heads[slotOf(binOf(points[head]))] = head;
     }
   }
-  return representative;
+}
+
+std::vector<Index> weldPoints(const std::vector<LatticePoint>& points, std::int64_t distance)
+{
+  return PointWelder(points, distance).addRest();
 }
 
 } // namespace atria

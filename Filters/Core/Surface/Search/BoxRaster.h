@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Surface/Search/BoxPairs.h"
+
+#include <cstdint>
+
+namespace atria {
+
+/// Where some boxes are, roughly: of most boxes elsewhere it tells in a few steps that they touch none of these.
+class BoxRaster
+{
+public:
+  explicit BoxRaster(const std::vector<NumberedBox>& boxes);
+
+  /// False for most boxes that touch none, and for no other.
+  bool mayTouch(const NumberedBox& box) const;
+
+private:
+  /// Along each axis. A row along x is the bits of a word.
+  static constexpr std::int64_t width = 64;
+
+  struct Cells
+  {
+    LatticePoint low;
+    LatticePoint high;
+    std::uint64_t row;
+  };
+  Cells cellsOf(const NumberedBox& box) const;
+  std::uint64_t& rowAt(std::int64_t y, std::int64_t z) { return rows[static_cast<std::size_t>(z * width + y)]; }
+
+  NumberedBox bounds;
+  int shift = 0;
+  std::vector<std::uint64_t> rows;
+};
+
+} // namespace atria
