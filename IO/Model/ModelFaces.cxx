@@ -7,9 +7,61 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace atria::model {
+
+namespace {
+
+/// Of points asked for last; a power of two.
+constexpr int recentBits = 12;
+
+} // namespace
+
+std::uint64_t ModelFaces::hashOf(const std::array<double, 3>& p)
+{
+  std::uint64_t hash = 0;
+  for (const double value : p)
+  {
+    hash = mixed(hash ^ std::bit_cast<std::uint64_t>(value));
+  }
+  return hash;
+}
+
+/// Room for twice as many points once it is full.
+void ModelFaces::reserveTable()
+{
+  if (points.size() < room)
+  {
+    return;
+  }
+  room = std::max<std::size_t>(1024, 2 * points.size());
+  places = IndexTable(room);
+  recent.resize(std::size_t{1} << recentBits, noIndex);
+  for (Index i = 0; i < points.size(); ++i)
+  {
+    places.findOrAdd(hashOf(points[i]), i, [&](Index other) { return points[other] == points[i]; });
+  }
+}
+
+std::size_t ModelFaces::pointAt(const std::array<double, 3>& p)
+{
+  reserveTable();
+  const std::uint64_t hash = hashOf(p);
+  Index& last = recent[hash >> (64 - recentBits)];
+  if (last < points.size() && points[last] == p)
+  {
+    return last;
+  }
+  const auto next = static_cast<Index>(points.size());
+  last = places.findOrAdd(hash, next, [&](Index other) { return points[other] == p; });
+  if (last == next)
+  {
+    points.push_back(p);
+  }
+  return last;
+}
 
 bool ModelFaces::add(std::span<const std::size_t> corners, int part)
 {

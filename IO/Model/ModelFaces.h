@@ -4,8 +4,11 @@
 
 #include "ModelParts.h"
 
+#include "Support/IndexTable.h"
+
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,6 +20,9 @@ class ModelFaces
 public:
   /// A point with a coordinate that is not finite is kept, and faces with it are not.
   void addPoint(const std::array<double, 3>& p) { points.push_back(p); }
+  /// The number of the first point at these coordinates of those that were asked for so; it is added where there is none.
+  /// Neighbors in files that repeat points for every face then share them, and all that follows has fewer to go through.
+  std::size_t pointAt(const std::array<double, 3>& p);
   std::size_t numberOfPoints() const { return points.size(); }
   const std::array<double, 3>& point(std::size_t i) const { return points[i]; }
 
@@ -34,7 +40,15 @@ public:
   void giveTo(Model& model, const std::vector<std::string>& names, const char* kind) const;
 
 private:
+  static std::uint64_t hashOf(const std::array<double, 3>& p);
+  void reserveTable();
+
   std::vector<std::array<double, 3>> points;
+  /// Points that pointAt() can find, and as many as there is room for.
+  IndexTable places{0};
+  std::size_t room = 0;
+  /// Points asked for last: most are asked for again soon, and the table is large.
+  std::vector<Index> recent;
   std::vector<std::size_t> ids;
   std::vector<std::size_t> offsets{0};
   std::vector<int> parts;

@@ -115,9 +115,8 @@ private:
       {
         names.emplace_back();
       }
-      const std::size_t first = faces.numberOfPoints();
-      std::for_each(corners.begin(), corners.end(), [&](const auto& p) { faces.addPoint(p); });
-      faces.add(std::array{first, first + 1, first + 2}, static_cast<int>(names.size()) - 1);
+      faces.add(std::array{faces.pointAt(corners[0]), faces.pointAt(corners[1]), faces.pointAt(corners[2])},
+                static_cast<int>(names.size()) - 1);
     }
     corners.clear();
   }
@@ -145,13 +144,14 @@ ModelFaces binaryFaces(const std::string& bytes)
   const std::size_t present = bytes.size() < start ? 0 : (bytes.size() - start) / facetSize;
   for (std::size_t i = 0; i < std::min(present, statedFacets(bytes)); ++i)
   {
+    std::array<std::size_t, 3> corners;
     for (std::size_t corner = 0; corner < 3; ++corner)
     {
       std::array<float, 3> p;
       std::memcpy(p.data(), bytes.data() + start + i * facetSize + normalSize + corner * sizeof p, sizeof p);
-      faces.addPoint({p[0], p[1], p[2]});
+      corners[corner] = faces.pointAt({p[0], p[1], p[2]});
     }
-    faces.add(std::array{3 * i, 3 * i + 1, 3 * i + 2}, 0);
+    faces.add(corners, 0);
   }
   return faces;
 }

@@ -86,6 +86,7 @@ class ContactSearch
 public:
   ContactSearch(const TriangleSurface& model, const SitePlan& sitePlan, double size)
       : surface(model), plan(sitePlan), box(plan.domain.bounds), onSide(sideRatio * size), near(0.5 * size),
+        leastArea(1e-6 * onSide * onSide),
         meetings(model.names.size())
   {
   }
@@ -126,8 +127,38 @@ private:
     return corners;
   }
 
+  /// Of most triangles nothing but that they are there, away from all sides.
+  bool isInside(std::size_t triangle)
+  {
+    const auto& t = surface.triangles[triangle];
+    const Vec3 a = plan.domain.axes.fromModel(surface.points[t[0]]);
+    const Vec3 b = plan.domain.axes.fromModel(surface.points[t[1]]);
+    const Vec3 c = plan.domain.axes.fromModel(surface.points[t[2]]);
+    const Vec3 low = a.cwiseMin(b).cwiseMin(c);
+    const Vec3 high = a.cwiseMax(b).cwiseMax(c);
+    if (!((low - box.min).array() > near).all() || !((box.max - high).array() > near).all())
+    {
+      return false;
+    }
+    const bool isBuilding = !plan.isGround[surface.surfaceIds[triangle]];
+    const bool hasArea = (b - a).cross(c - a).norm() > leastArea;
+    out.hasBuildings |= isBuilding;
+    out.holdsModel |= hasArea;
+    out.holdsBuildings |= hasArea && isBuilding;
+    if (isBuilding)
+    {
+      buildings.extend(low);
+      buildings.extend(high);
+    }
+    return true;
+  }
+
   void look(std::size_t triangle)
   {
+    if (isInside(triangle))
+    {
+      return;
+    }
     const Index id = surface.surfaceIds[triangle];
     const Polygon corners = cornersOf(triangle);
     Box3 bounds;
@@ -149,7 +180,6 @@ private:
       part = cutAt(part, box, side);
     }
     const Vec3 normal = normalOf(part);
-    const double leastArea = 1e-6 * onSide * onSide;
     if (part.size() < 3 || !(normal.norm() > leastArea))
     {
       return;
@@ -245,6 +275,7 @@ private:
   Box3 box;
   double onSide;
   double near;
+  double leastArea; ///< twice of what counts as a face
   std::vector<Meeting> meetings;
   /// By side: whether there are faces of buildings beyond it, in front of it.
   std::array<bool, 6> goesOn{};
