@@ -86,8 +86,7 @@ class ContactSearch
 public:
   ContactSearch(const TriangleSurface& model, const SitePlan& sitePlan, double size)
       : surface(model), plan(sitePlan), box(plan.domain.bounds), onSide(sideRatio * size), near(0.5 * size),
-        leastArea(1e-6 * onSide * onSide),
-        meetings(model.names.size())
+        leastArea(1e-6 * onSide * onSide), meetings(model.names.size())
   {
   }
 

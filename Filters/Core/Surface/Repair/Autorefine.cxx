@@ -369,12 +369,14 @@ std::size_t countLeftContacts(const TriangleSoup& soup, const AutorefineOptions&
 std::size_t dropRepeated(TriangleSoup& soup) { return dropRepeated(soup, nullptr); }
 
 AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options, ClusterCells& clusters,
-                            const RunContext& context)
+                            const RunContext& context, std::span<const char> isLone)
 {
   AutorefineReport report;
   report.isSplit.resize(soup.sources.empty() ? 0 : soup.sources.back() + 1, 0);
   report.isLeft.resize(report.isSplit.size(), 0);
-  refineAgain(soup, options, clusters, std::vector<char>(soup.triangles.size(), 1), report, context);
+  std::vector<char> asked(soup.triangles.size(), 1);
+  std::ranges::transform(isLone, asked.begin(), [](char lone) { return lone ? 0 : 1; });
+  refineAgain(soup, options, clusters, std::move(asked), report, context);
   return report;
 }
 

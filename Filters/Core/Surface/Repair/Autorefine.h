@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <set>
+#include <span>
 
 namespace atria {
 
@@ -52,9 +53,9 @@ struct AutorefineReport
 /// once the distance no longer grows, is left: its contacts with others that are left are only counted. Pieces take the
 /// place of their triangle, with its winding, surface and source; those of one triangle are not compared with each
 /// other. O(n log n) where little is cut. Nothing is cut in clusters; what touches too
-/// many others is hidden as if it were in one.
+/// many others is hidden as if it were in one. Triangles in `isLone` are known to meet no others; it may be empty.
 AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options, ClusterCells& clusters,
-                            const RunContext& context);
+                            const RunContext& context, std::span<const char> isLone = {});
 
 /// The same for a soup that was cut before and in which triangles marked in `changed` were changed since; goes on with
 /// the report.

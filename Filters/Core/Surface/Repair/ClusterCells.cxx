@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Surface/Repair/ClusterCells.h"
 
-#include "Support/Angles.h"
 #include "Support/FewNumbers.h"
 #include "Support/Pieces.h"
-#include "Support/UnionFind.h"
-#include "Surface/Triangles/EachEdge.h"
-
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
@@ -15,40 +10,6 @@
 namespace atria {
 
 namespace {
-
-Vec3 unitNormal(const TriangleSoup& soup, Index t)
-{
-  return between(soup.corner(t, 0), soup.corner(t, 1))
-      .cross(between(soup.corner(t, 0), soup.corner(t, 2)))
-      .normalized();
-}
-
-/// Per triangle the smooth piece of one surface that it is of: those that share an edge with no third one and bend by
-/// no more than the angle there.
-std::vector<Index> piecesOf(const TriangleSoup& soup, double degrees, const Executor& executor)
-{
-  const double leastCosine = cosOfDegrees(degrees);
-  UnionFind sets(soup.triangles.size());
-  eachEdge(sortedEdgeUses(soup, executor), [&](std::span<const SoupEdgeUse> uses) {
-    const Index s = uses.front().triangle;
-    const Index t = uses.back().triangle;
-    if (uses.size() != 2 || soup.surfaceIds[s] != soup.surfaceIds[t])
-    {
-      return;
-    }
-    const double orientation = uses[0].forward != uses[1].forward ? 1.0 : -1.0;
-    if (orientation * unitNormal(soup, s).dot(unitNormal(soup, t)) >= leastCosine)
-    {
-      sets.join(s, t);
-    }
-  });
-  std::vector<Index> pieces(soup.triangles.size());
-  for (Index t = 0; t < pieces.size(); ++t)
-  {
-    pieces[t] = sets.find(t);
-  }
-  return pieces;
-}
 
 LatticeBox boxOfOctant(const GridFrame& frame, int level, MortonKey key)
 {
@@ -66,11 +27,10 @@ LatticeBox boxOfOctant(const GridFrame& frame, int level, MortonKey key)
 class ClusterSearch
 {
 public:
-  ClusterSearch(const TriangleSoup& soup_, const GridFrame& frame_, const ClusterOptions& options_,
-                const RunContext& runContext, std::vector<std::unordered_set<MortonKey>>& found,
-                std::vector<char>& seen)
-      : soup(soup_), frame(frame_), options(options_), context(runContext),
-        pieces(piecesOf(soup_, options_.featureAngle, runContext.executor)), keys(found), isSeen(seen)
+  ClusterSearch(const TriangleSoup& soup_, const std::vector<Index>& piecesOf, const GridFrame& frame_,
+                const ClusterOptions& options_, const RunContext& runContext,
+                std::vector<std::unordered_set<MortonKey>>& found, std::vector<char>& seen)
+      : soup(soup_), pieces(piecesOf), frame(frame_), options(options_), context(runContext), keys(found), isSeen(seen)
   {
   }
 
@@ -141,18 +101,18 @@ private:
   }
 
   const TriangleSoup& soup;
+  const std::vector<Index>& pieces;
   const GridFrame& frame;
   const ClusterOptions& options;
   const RunContext& context;
-  std::vector<Index> pieces;
   std::vector<std::unordered_set<MortonKey>>& keys;
   std::vector<char>& isSeen;
 };
 
 } // namespace
 
-ClusterCells::ClusterCells(const TriangleSoup& soup, const GridFrame& frame, const ClusterOptions& options,
-                           const RunContext& context)
+ClusterCells::ClusterCells(const TriangleSoup& soup, const std::vector<Index>& pieces, const GridFrame& frame,
+                           const ClusterOptions& options, const RunContext& context)
     : frame_(frame)
 {
   for (const FinerPlace& place : options.finerPlaces)
@@ -171,7 +131,7 @@ ClusterCells::ClusterCells(const TriangleSoup& soup, const GridFrame& frame, con
       inRoot.push_back(t);
     }
   }
-  ClusterSearch(soup, frame, options, context, keys_, isSeen_).descend(0, 0, inRoot);
+  ClusterSearch(soup, pieces, frame, options, context, keys_, isSeen_).descend(0, 0, inRoot);
 }
 
 void ClusterCells::hide(Index source)

@@ -36,9 +36,12 @@ class ClusterCells
 public:
   /// None.
   ClusterCells() = default;
-  ClusterCells(const TriangleSoup& soup, const GridFrame& frame, const ClusterOptions& options,
-               const RunContext& context);
+  /// `pieces` says per triangle which smooth piece it is of.
+  ClusterCells(const TriangleSoup& soup, const std::vector<Index>& pieces, const GridFrame& frame,
+               const ClusterOptions& options, const RunContext& context);
 
+  /// Of the smallest octants at features.
+  int finestLevel() const { return finestLevel_; }
   /// Whether a triangle of the input lies in clusters, or outside of the root octant, wherever it is.
   bool isHidden(Index source) const { return source < isSeen_.size() && !isSeen_[source]; }
   /// Hides another one.

@@ -2,6 +2,7 @@
 #include "Surface/Repair/Contacts.h"
 
 #include "Grid/Predicates.h"
+#include "Support/Pieces.h"
 #include "Support/Sorting.h"
 #include "Surface/Repair/Clusters.h"
 #include "Surface/Repair/PlaneSides.h"
@@ -383,6 +384,17 @@ std::vector<Search> searchContacts(const TriangleSoup& soup, const BoxTree& tree
   return searches;
 }
 
+/// The boxes of those triangles that may touch what a raster is of.
+std::vector<NumberedBox> boxesAt(const BoxRaster& raster, const TriangleSoup& soup, const std::vector<Index>& triangles,
+                                 std::int64_t reach, const RunContext& context)
+{
+  std::vector<Index> near = chosenNumbers(triangles.size(), context.executor, [&](std::size_t i) {
+    return raster.mayTouch(boxOf(soup, triangles[i], reach));
+  });
+  std::ranges::transform(near, near.begin(), [&](Index i) { return triangles[i]; });
+  return boxesOf(soup, near, reach, context);
+}
+
 /// Equal points become one, numbered by their coordinates: the order in which they were found does not matter.
 void numberNewPoints(Contacts& contacts, const std::vector<LatticePoint>& found, Index base)
 {
@@ -457,15 +469,14 @@ FoundContacts findContacts(const TriangleSoup& soup, const std::vector<char>& ch
   std::vector<Index> inTree = seenTriangles(soup, clusters, context);
   // Clang 14 cannot compile std::ranges::stable_partition of this library.
   const auto others = std::stable_partition(inTree.begin(), inTree.end(), [&](Index t) { return changed[t] != 0; });
-  std::vector<NumberedBox> otherBoxes = boxesOf(soup, {others, inTree.end()}, reach, context);
+  const std::vector<Index> rest(others, inTree.end());
   inTree.erase(others, inTree.end());
   std::vector<NumberedBox> treeBoxes = boxesOf(soup, inTree, reach, context);
   if (treeBoxes.empty())
   {
     return {};
   }
-  const BoxRaster raster(treeBoxes);
-  std::erase_if(otherBoxes, [&](const NumberedBox& box) { return !raster.mayTouch(box); });
+  const std::vector<NumberedBox> otherBoxes = boxesAt(BoxRaster(treeBoxes), soup, rest, reach, context);
   const BoxTree tree(std::move(treeBoxes), context);
   ContactFinder finder(soup, static_cast<double>(reach));
   for (const Search& search :

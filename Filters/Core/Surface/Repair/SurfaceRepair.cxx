@@ -5,6 +5,7 @@
 #include "Surface/Repair/Clusters.h"
 #include "Surface/Repair/GapClosing.h"
 #include "Surface/Repair/SmallParts.h"
+#include "Surface/Repair/SmoothCells.h"
 #include "Surface/Triangles/Orientation.h"
 #include "Surface/Triangles/Weld.h"
 
@@ -56,7 +57,6 @@ void dropTriangles(TriangleSoup& soup, const std::vector<char>& isOut)
   }
   rest.points = std::move(soup.points);
   soup = std::move(rest);
-  dropUnusedPoints(soup);
 }
 
 /// Triangles with a point that was moved.
@@ -167,16 +167,12 @@ private:
   double areaUnit;
 };
 
-void repairOutside(ClusterCells& clusters, TriangleSoup& soup, const GridFrame& frame,
-                   const SurfaceRepairOptions& options, SurfaceRepairReport& report, const RunContext& context)
+void repairOutside(ClusterCells& clusters, const std::vector<char>& isLone, TriangleSoup& soup, const GridFrame& frame,
+                   const SurfaceRepairOptions& options, const AutorefineOptions& refining, SurfaceRepairReport& report,
+                   const RunContext& context)
 {
-  // Pieces are closed as they were drawn; where they are cut they share edges with others.
-  report.flippedTriangles = orientTriangles(soup, context.executor);
   const SoupAsDrawn drawn(soup);
-  AutorefineOptions refining;
-  refining.reach = std::max(refining.reach, options.weldDistance / 4);
-  refining.widestWeld = static_cast<std::int64_t>(widestWeld * options.gapTolerance);
-  AutorefineReport refined = autorefine(soup, refining, clusters, context);
+  AutorefineReport refined = autorefine(soup, refining, clusters, context, isLone);
   closeAllGaps(soup, frame, {options.gapTolerance, drawn, clusters}, refining, refined, report, context);
   report.weldedPoints += refined.mergedPoints;
   report.degenerateTriangles += refined.degenerateTriangles;
@@ -199,10 +195,26 @@ void repairSurface(TriangleSoup& soup, const GridFrame& frame, const SurfaceRepa
                                       options.clusters.finerPlaces};
   const std::vector<char> isSmall = findSmallParts(soup, frame, smallOptions, context);
   hidden.addLeftOut(soup, isSmall);
-  dropTriangles(soup, isSmall);
-  ClusterCells clusters(soup, frame, options.clusters, context);
+  if (std::ranges::find(isSmall, 1) != isSmall.end())
+  {
+    dropTriangles(soup, isSmall);
+  }
+  dropUnusedPoints(soup);
+  AutorefineOptions refining;
+  refining.reach = std::max(refining.reach, options.weldDistance / 4);
+  refining.widestWeld = static_cast<std::int64_t>(widestWeld * options.gapTolerance);
+  ClusterCells clusters;
+  std::vector<char> isLone;
+  {
+    // Pieces are closed as they were drawn; where they are cut they share edges with others.
+    std::vector<SoupEdgeUse> uses = sortedEdgeUses(soup, context.executor);
+    report.flippedTriangles = orientTriangles(soup, uses);
+    const SmoothPieces smooth(soup, uses, options.clusters.featureAngle, context.executor);
+    clusters = ClusterCells(soup, smooth.pieces, frame, options.clusters, context);
+    isLone = findLoneTriangles(soup, uses, smooth, frame.latticeSize(clusters.finestLevel()), refining.reach);
+  }
   const TriangleSoup drawn = soup;
-  repairOutside(clusters, soup, frame, options, report, context);
+  repairOutside(clusters, isLone, soup, frame, options, refining, report, context);
   hidden.addClustered(drawn, clusters);
   report.hidden = hidden.take();
 }

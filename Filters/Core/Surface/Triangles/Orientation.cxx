@@ -17,10 +17,10 @@ struct Neighbors
   /// Whether the triangle across is wound like this one.
   std::vector<std::array<bool, 3>> alike;
 
-  Neighbors(const TriangleSoup& soup, const Executor& executor)
+  Neighbors(const TriangleSoup& soup, std::span<const SoupEdgeUse> all)
       : across(soup.triangles.size(), {noIndex, noIndex, noIndex}), alike(soup.triangles.size())
   {
-    eachEdge(sortedEdgeUses(soup, executor), [&](std::span<const SoupEdgeUse> uses) {
+    eachEdge(all, [&](std::span<const SoupEdgeUse> uses) {
       if (uses.size() == 2)
       {
         join(soup, uses[0], uses[1]);
@@ -107,9 +107,16 @@ bool mustTurnOver(const TriangleSoup& soup, const Piece& piece, const std::vecto
 
 std::size_t orientTriangles(TriangleSoup& soup, const Executor& executor)
 {
-  const Neighbors neighbors(soup, executor);
+  std::vector<SoupEdgeUse> uses = sortedEdgeUses(soup, executor);
+  return orientTriangles(soup, uses);
+}
+
+std::size_t orientTriangles(TriangleSoup& soup, std::span<SoupEdgeUse> uses)
+{
+  const Neighbors neighbors(soup, uses);
   std::vector<char> seen(soup.triangles.size(), 0);
   std::vector<char> turned(soup.triangles.size(), 0);
+  std::vector<char> isTurned(soup.triangles.size(), 0);
   std::size_t count = 0;
   for (Index first = 0; first < soup.triangles.size(); ++first)
   {
@@ -125,8 +132,13 @@ std::size_t orientTriangles(TriangleSoup& soup, const Executor& executor)
       {
         std::swap(soup.triangles[t][1], soup.triangles[t][2]);
         ++count;
+        isTurned[t] = 1;
       }
     }
+  }
+  for (SoupEdgeUse& use : uses)
+  {
+    use.forward = use.forward != (isTurned[use.triangle] != 0);
   }
   return count;
 }

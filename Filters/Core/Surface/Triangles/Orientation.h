@@ -12,5 +12,7 @@ namespace atria {
 /// equal ones that of the first triangle. A piece that has but one side (a Moebius strip) stays as it is. Returns how
 /// many triangles were turned. O(n log n).
 std::size_t orientTriangles(TriangleSoup& soup, const Executor& executor);
+/// The same where the uses of edges are known; they are kept up to date.
+std::size_t orientTriangles(TriangleSoup& soup, std::span<SoupEdgeUse> uses);
 
 } // namespace atria
