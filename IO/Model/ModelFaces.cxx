@@ -14,19 +14,15 @@ namespace atria::model {
 
 namespace {
 
-/// Of points asked for last; a power of two.
-constexpr int recentBits = 12;
+/// Of the number of points asked for last.
+constexpr int recentBits = 11;
 
 } // namespace
 
 std::uint64_t ModelFaces::hashOf(const std::array<double, 3>& p)
 {
-  std::uint64_t hash = 0;
-  for (const double value : p)
-  {
-    hash = mixed(hash ^ std::bit_cast<std::uint64_t>(value));
-  }
-  return hash;
+  const auto bits = [&](int axis) { return std::bit_cast<std::uint64_t>(p[axis]); };
+  return mixed(bits(0) * 0x9e3779b97f4a7c15 + bits(1) * 0xc2b2ae3d27d4eb4f + bits(2) * 0x165667b19e3779f9);
 }
 
 /// Room for twice as many points once it is full.
@@ -38,7 +34,7 @@ void ModelFaces::reserveTable()
   }
   room = std::max<std::size_t>(1024, 2 * points.size());
   places = IndexTable(room);
-  recent.resize(std::size_t{1} << recentBits, noIndex);
+  recent.resize(std::size_t{1} << recentBits);
   for (Index i = 0; i < points.size(); ++i)
   {
     places.findOrAdd(hashOf(points[i]), i, [&](Index other) { return points[other] == points[i]; });
@@ -49,18 +45,17 @@ std::size_t ModelFaces::pointAt(const std::array<double, 3>& p)
 {
   reserveTable();
   const std::uint64_t hash = hashOf(p);
-  Index& last = recent[hash >> (64 - recentBits)];
-  if (last < points.size() && points[last] == p)
+  Recent& last = recent[hash >> (64 - recentBits)];
+  if (last.point == noIndex || last.place != p)
   {
-    return last;
+    const auto next = static_cast<Index>(points.size());
+    last = {p, places.findOrAdd(hash, next, [&](Index other) { return points[other] == p; })};
+    if (last.point == next)
+    {
+      points.push_back(p);
+    }
   }
-  const auto next = static_cast<Index>(points.size());
-  last = places.findOrAdd(hash, next, [&](Index other) { return points[other] == p; });
-  if (last == next)
-  {
-    points.push_back(p);
-  }
-  return last;
+  return last.point;
 }
 
 bool ModelFaces::add(std::span<const std::size_t> corners, int part)

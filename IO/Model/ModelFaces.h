@@ -20,8 +20,9 @@ class ModelFaces
 public:
   /// A point with a coordinate that is not finite is kept, and faces with it are not.
   void addPoint(const std::array<double, 3>& p) { points.push_back(p); }
-  /// The number of the first point at these coordinates of those that were asked for so; it is added where there is none.
-  /// Neighbors in files that repeat points for every face then share them, and all that follows has fewer to go through.
+  /// The number of the first point at these coordinates of those that were asked for so; it is added where there is
+  /// none. Neighbors in files that repeat points for every face then share them, and all that follows has fewer to go
+  /// through.
   std::size_t pointAt(const std::array<double, 3>& p);
   std::size_t numberOfPoints() const { return points.size(); }
   const std::array<double, 3>& point(std::size_t i) const { return points[i]; }
@@ -48,7 +49,12 @@ private:
   IndexTable places{0};
   std::size_t room = 0;
   /// Points asked for last: most are asked for again soon, and the table is large.
-  std::vector<Index> recent;
+  struct Recent
+  {
+    std::array<double, 3> place;
+    Index point = noIndex;
+  };
+  std::vector<Recent> recent;
   std::vector<std::size_t> ids;
   std::vector<std::size_t> offsets{0};
   std::vector<int> parts;

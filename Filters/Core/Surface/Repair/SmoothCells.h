@@ -23,10 +23,10 @@ struct SmoothPieces
 
 /// Marks triangles that can meet no other one than along common edges and at common points.
 ///
-/// In a cell of the size of an octant at features that holds one connected patch, whose normals are within 45 degrees of
-/// their mean, nothing meets: such a patch does not fold onto itself (Volino and Magnenat-Thalmann 1994). Triangles are
-/// marked of which all cells within `reach` are like that. A body of many small triangles is then searched for contacts
-/// only where it may have any. O(n) on average.
+/// In a cell of the size of an octant at features that holds one connected patch, whose normals are within 45 degrees
+/// of their mean, nothing meets: such a patch does not fold onto itself (Volino and Magnenat-Thalmann 1994). Triangles
+/// are marked of which all cells within `reach` are like that. A body of many small triangles is then searched for
+/// contacts only where it may have any. O(n) on average.
 std::vector<char> findLoneTriangles(const TriangleSoup& soup, std::span<const SoupEdgeUse> uses,
                                     const SmoothPieces& smooth, std::int64_t cellSize, std::int64_t reach);
 

@@ -171,6 +171,7 @@ void repairOutside(ClusterCells& clusters, const std::vector<char>& isLone, Tria
                    const SurfaceRepairOptions& options, const AutorefineOptions& refining, SurfaceRepairReport& report,
                    const RunContext& context)
 {
+  const std::vector<std::array<Index, 3>> drawnTriangles = soup.triangles;
   const SoupAsDrawn drawn(soup);
   AutorefineReport refined = autorefine(soup, refining, clusters, context, isLone);
   closeAllGaps(soup, frame, {options.gapTolerance, drawn, clusters}, refining, refined, report, context);
@@ -181,7 +182,10 @@ void repairOutside(ClusterCells& clusters, const std::vector<char>& isLone, Tria
   report.intersectionEdges = refined.intersectionEdges;
   report.unresolvedContacts =
       refined.unresolvedContacts + countLeftContacts(soup, refining, clusters, refined, context);
-  report.flippedTriangles += orientTriangles(soup, context.executor);
+  if (soup.triangles != drawnTriangles)
+  {
+    report.flippedTriangles += orientTriangles(soup, context.executor);
+  }
   dropUnusedPoints(soup);
 }
 
