@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Dual/Displacement/CandidatePlaces.h"
 
+#include "Support/Sorting.h"
 #include "Surface/Search/Distance.h"
 
 namespace atria {
@@ -26,19 +27,19 @@ class Candidates
 public:
   Candidates(const MovingGrid& moving, Index of, bool sheets, MovingGrid::Look& by)
       : grid(moving), point(of), across(sheets),
-        look(by), found{moving.places().undisplaced(of), farthestReach(moving, of), {moving.places().undisplaced(of)}}
+        look(by), about(moving.points().leaves[of].begin(), moving.points().leaves[of].end()), found{moving.places().undisplaced(of), farthestReach(moving, of), {moving.places().undisplaced(of)}}
   {
   }
 
   std::vector<LatticePoint> places()
   {
+    sortUnique(about);
     for (int direction = 0; direction < 6; ++direction)
     {
       addBetweenCuts(direction);
       addPastCurves(direction);
     }
-    const auto& leaves = grid.points().leaves[point];
-    for (const Index leaf : std::set<Index>(leaves.begin(), leaves.end()))
+    for (const Index leaf : about)
     {
       if (grid.isCalm(leaf) || grid.surplus(leaf, look) == 0)
       {
@@ -96,8 +97,7 @@ private:
     const Vec3 p = toVector(grid.places().place(point));
     const Vec3 q = toVector(grid.startsAt(point, direction) ? edge->segment.end : edge->segment.start);
     const double step = thinnestGap * static_cast<double>(grid.shortestEdge(point));
-    const auto& about = grid.points().leaves[point];
-    for (const Index leaf : std::set<Index>(about.begin(), about.end()))
+    for (const Index leaf : about)
     {
       for (const ModelItem piece : grid.octree().items(leaf, ModelItem::featureEdge))
       {
@@ -227,6 +227,8 @@ private:
   Index point;
   bool across;
   MovingGrid::Look& look;
+  /// The leaves at the point, in order.
+  std::vector<Index> about;
   CandidatePlaces found;
 };
 

@@ -51,16 +51,21 @@ public:
       return;
     }
     const auto besideSides = sheetsBesideSides(leaf);
-    gatherTriangles(leaf);
-    for (const Index point : grid.points().atCorner[leaf])
+    std::vector<Index> points;
+    std::ranges::copy_if(grid.points().atCorner[leaf], std::back_inserter(points), [&](Index point) {
+      return point != noIndex && !grid.places().isDisplaced(point) && !grid.isFixed(point);
+    });
+    if (points.empty() || (pairs.empty() && besideSides.empty()))
     {
-      if (point != noIndex && !grid.places().isDisplaced(point) && !grid.isFixed(point))
+      return;
+    }
+    gatherTriangles(leaf);
+    for (const Index point : points)
+    {
+      noteGaps(point, pairs);
+      for (const auto& [chart, direction] : besideSides)
       {
-        noteGaps(point, pairs);
-        for (const auto& [chart, direction] : besideSides)
-        {
-          noteSideGap(point, chart, direction);
-        }
+        noteSideGap(point, chart, direction);
       }
     }
   }
@@ -102,18 +107,21 @@ private:
       }
     }
     sortUnique(leaves);
-    triangles.clear();
-    for (const Index near : leaves)
+    near.clear();
+    for (const Index one : leaves)
     {
-      for (const ModelItem piece : grid.octree().items(near))
+      for (const ModelItem piece : grid.octree().items(one, ModelItem::triangle))
       {
-        if (piece.kind == ModelItem::triangle)
-        {
-          triangles.emplace_back(model().charts[piece.index], piece.index);
-        }
+        near.push_back(piece.index);
       }
     }
-    sortUnique(triangles);
+    sortUnique(near);
+    triangles.clear();
+    for (const Index triangle : near)
+    {
+      triangles.emplace_back(model().charts[triangle], triangle);
+    }
+    std::ranges::sort(triangles);
     boxes.clear();
     for (const auto& [chart, triangle] : triangles)
     {
@@ -399,6 +407,7 @@ private:
   std::vector<Place>& out;
   /// About the leaf, and what is in them: charts and triangles, and the triangles' bounds.
   std::vector<Index> leaves;
+  std::vector<Index> near;
   std::vector<std::pair<Index, Index>> triangles;
   std::vector<Box3> boxes;
 };

@@ -7,6 +7,7 @@
 #include "Support/Sorting.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace atria {
 
@@ -24,9 +25,14 @@ MovingGrid::Look::Look(const MovingGrid& grid)
 MovingGrid::MovingGrid(GridPlaces& places, const Crossings& crossings, const MeshingContext& context)
     : grid(places), tree(context.octree), surfaces(context.model), triangles(context.tree), undisplaced(crossings),
       atCorners(curvesAtCorners(surfaces)), leafCurves(tree, surfaces, context),
-      edgesOfLeaf(edgesByLeaf(crossings, tree.leafCount(), context)), movedOf(crossings.crossedEdges.size(), noIndex),
+      edgesOfLeaf(edgesByLeaf(crossings, tree.leafCount(), context)), firstEdge(places.points().size() + 1, 0), movedOf(crossings.crossedEdges.size(), noIndex),
       view(*this)
 {
+  for (const CrossedEdge& edge : crossings.crossedEdges)
+  {
+    ++firstEdge[edge.point + 1];
+  }
+  std::partial_sum(firstEdge.begin(), firstEdge.end(), firstEdge.begin());
   findUnresolved(context);
 }
 
@@ -60,14 +66,12 @@ MovingGrid::Edge MovingGrid::at(Index id) const
 /// The edge that is stored from this point; noIndex if it was never cut.
 Index MovingGrid::idOf(Index point, int direction) const
 {
-  const auto& edges = undisplaced.crossedEdges;
-  const auto found = std::lower_bound(edges.begin(), edges.end(), std::pair(point, direction),
-                                      [](const CrossedEdge& edge, const std::pair<Index, int>& wanted) {
-                                        return std::pair<Index, int>(edge.point, edge.direction) < wanted;
-                                      });
-  if (found != edges.end() && found->point == point && found->direction == direction)
+  for (Index id = firstEdge[point]; id < firstEdge[point + 1]; ++id)
   {
-    return static_cast<Index>(found - edges.begin());
+    if (undisplaced.crossedEdges[id].direction == direction)
+    {
+      return id;
+    }
   }
   const auto added = addedIds.find(keyOf(point, direction));
   return added == addedIds.end() ? noIndex : added->second;

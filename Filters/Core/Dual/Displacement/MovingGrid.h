@@ -190,6 +190,8 @@ private:
   LeafCurves leafCurves;
   /// Edges are numbered as in `home`, and then as they come. Those of a leaf are in both.
   Buckets edgesOfLeaf;
+  /// Per point its first edge in `home`, where they are in the order of points.
+  std::vector<Index> firstEdge;
   std::unordered_map<Index, std::vector<Index>> addedOfLeaf;
   std::unordered_map<std::uint64_t, Index> addedIds;
   std::vector<std::uint64_t> addedKeys;

@@ -152,16 +152,17 @@ void MovingGrid::beginTrialOf(Index id, PointTrial::Leaf& leaf, const PointTrial
   }
 }
 
+/// What was found in a leaf when its spokes went the same ways.
+std::optional<int> PointTrial::foundIn(const Leaf& leaf) const
+{
+  const auto known = std::ranges::find(leaf.found, waysOf(leaf), &std::pair<std::uint64_t, int>::first);
+  return known == leaf.found.end() ? std::nullopt : std::optional(known->second);
+}
+
 /// What there is in a leaf with its spokes as they are tried.
 int MovingGrid::surplusOfTrial(PointTrial::Leaf& leaf, Look& look) const
 {
   PointTrial& trial = look.trial;
-  const std::uint64_t ways = trial.waysOf(leaf);
-  const auto known = std::ranges::find(leaf.found, ways, &std::pair<std::uint64_t, int>::first);
-  if (known != leaf.found.end())
-  {
-    return known->second;
-  }
   const auto spokes = std::span(trial.spokes).first(trial.spokeCount);
   if (!leaf.hasOthers)
   {
@@ -182,7 +183,7 @@ int MovingGrid::surplusOfTrial(PointTrial::Leaf& leaf, Look& look) const
       look.edges.push_back(seenFrom(leaf.id, spokes[i].segment, spokes[i].cuts));
     }
   }
-  leaf.found.emplace_back(ways, analyze(leaf.id, look));
+  leaf.found.emplace_back(trial.waysOf(leaf), analyze(leaf.id, look));
   return leaf.found.back().second;
 }
 
@@ -210,9 +211,17 @@ MovingGrid::Surplus MovingGrid::surplusAbout(Index point, const LatticePoint& pl
       return sum;
     }
   }
-  for (PointTrial::Leaf& leaf : std::span(trial.leaves).first(trial.leafCount))
+  // What is known goes first, as it often costs too much already.
+  unsigned open = 0;
+  for (std::size_t i = 0; i < trial.leafCount; ++i)
   {
-    sum.leaves += sum.cost() <= limit ? surplusOfTrial(leaf, look) : 0;
+    const std::optional<int> known = trial.foundIn(trial.leaves[i]);
+    sum.leaves += known.value_or(0);
+    open |= known ? 0u : 1u << i;
+  }
+  for (std::size_t i = 0; i < trial.leafCount && sum.cost() <= limit; ++i)
+  {
+    sum.leaves += (open >> i & 1) != 0 ? surplusOfTrial(trial.leaves[i], look) : 0;
   }
   return sum;
 }

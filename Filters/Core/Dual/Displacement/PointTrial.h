@@ -4,6 +4,8 @@
 #include "Dual/Grid/Crossings.h"
 #include "Dual/Leaf/LeafTopology.h"
 
+#include <optional>
+
 namespace atria {
 
 /// A grid point that is looked at in one place after the other, and what does not depend on the place: the triangles
@@ -68,6 +70,7 @@ struct PointTrial
   /// Sets the spoke's way.
   static void setWay(std::span<const SurfaceCrossing> cuts, const SurfaceModel& model, Spoke& spoke);
   std::uint64_t waysOf(const Leaf& leaf) const;
+  std::optional<int> foundIn(const Leaf& leaf) const;
 };
 
 } // namespace atria
