@@ -25,6 +25,27 @@ bool touchesPiece(const LatticeBox& box, ModelItem piece, const SurfaceModel& mo
   }
 }
 
+/// Of the boxes of an octant's children the one within which a triangle lies, off its faces, as most small ones do; 8
+/// where there is none.
+unsigned childThatHolds(const std::array<LatticeBox, 8>& boxes, const LatticePoint& a, const LatticePoint& b,
+                        const LatticePoint& c)
+{
+  unsigned k = 0;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    k |= a[axis] > boxes[0].high[axis] ? 1u << axis : 0u;
+  }
+  bool holds = !boxes[0].empty();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const std::int64_t low = boxes[k].low[axis];
+    const std::int64_t high = boxes[k].high[axis];
+    holds =
+        holds && a[axis] > low && a[axis] < high && b[axis] > low && b[axis] < high && c[axis] > low && c[axis] < high;
+  }
+  return holds ? k : 8;
+}
+
 /// Bits of the boxes of an octant's children that a piece touches. Empty boxes are touched by none.
 unsigned childrenTouched(const std::array<LatticeBox, 8>& boxes, ModelItem piece, const SurfaceModel& model)
 {
@@ -38,6 +59,10 @@ unsigned childrenTouched(const std::array<LatticeBox, 8>& boxes, ModelItem piece
   if (piece.kind == ModelItem::triangle)
   {
     const auto corner = [&](int i) -> const LatticePoint& { return model.corner(piece.index, i); };
+    if (const unsigned k = childThatHolds(boxes, corner(0), corner(1), corner(2)); k < 8)
+    {
+      return 1u << k;
+    }
     TriangleBoxTest triangle(corner(0), corner(1), corner(2));
     test([&](const LatticeBox& box) { return triangle.touches(box); });
   }
