@@ -20,6 +20,7 @@ sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent / "Study"))
 
 import make_building  # noqa: E402
 import numpy  # noqa: E402
+from convergence import TENDENCY, tendency  # noqa: E402
 from kept_rows import Failed, command_line, go_on, known, lines_of, run  # noqa: E402
 
 SPEED, ROUGHNESS = 6.97, 2.5e-5  # of the wind at the height of the roof, m/s, and of the tunnel's floor, meters
@@ -123,8 +124,21 @@ def cells(row, out):
             f"{result['solve_seconds']:.0f}", result["iterations"], f"{result['drift']:.0e}", flow, along]
 
 
+def convergences(out):
+    """A line for each kind of mesh of which all three sizes are there."""
+    kinds = {}
+    for row in ROWS:
+        kinds.setdefault(row.name.rstrip("0123456789"), []).append(row)
+    for kind, family in kinds.items():
+        family = sorted(family, key=lambda row: row.finest)
+        results = [known(row, out) for row in family]
+        if all(results):
+            yield [kind, *tendency([row.finest for row in family], [result["flow"] for result in results])]
+
+
 def tables(out):
-    return f"## A building in a wind tunnel\n\n{lines_of(HEAD, [cells(row, out) for row in ROWS])}\n"
+    return (f"## A building in a wind tunnel\n\n{lines_of(HEAD, [cells(row, out) for row in ROWS])}\n\n"
+            f"{lines_of(('meshes', *TENDENCY), convergences(out))}\n")
 
 
 def main(atria, out, *names):

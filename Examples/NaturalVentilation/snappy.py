@@ -11,7 +11,7 @@ import make_building  # noqa: E402
 from snappy_dictionaries import begin, block_mesh, controls, fans, stl, words, write, write_feature_extraction  # noqa: E402
 
 SNAPPY = """
-castellatedMesh true; snap true; addLayers false;
+castellatedMesh true; snap true; addLayers {layered};
 geometry
 {{
 {geometry}
@@ -40,8 +40,8 @@ def sides():
     )
 
 
-def write_case(folder, finest, far, site):
-    """Returns the commands by their names."""
+def write_case(folder, finest, far, site, layers=0):
+    """Returns the commands by their names. Layers are on the ground and both sides of every sheet."""
     begin(folder)
     (x0, y0, _), _, (x1, y1, _), _ = make_building.site(*site)[0]
     box = ((x0, x1), (y0, y1), (0.0, 0.3 * max(site)))
@@ -54,12 +54,14 @@ def write_case(folder, finest, far, site):
     write(folder, "blockMeshDict", block_mesh(box, [max(1, round((high - low) / far)) for low, high in box], sides()))
     write_feature_extraction(folder, walls)
     zones = {name: f"faceZone {name}; faceType internal;" for name in openings}
+    layered = f"({'|'.join(['Site', *walls])})"
     write(folder, "snappyHexMeshDict", SNAPPY.format(
+        layered="true" if layers else "false",
         geometry="\n".join(f"  {name}.stl {{ type triSurfaceMesh; name {name}; }}" for name in walls | openings),
         features=" ".join(f'{{ file "{name}.eMesh"; level {level}; }}' for name in walls),
         surfaces="\n".join(f"    {name} {{ level ({level} {level}); {zones.get(name, 'patchInfo { type wall; }')} }}"
                            for name in walls | openings),
         ground_low=words((x0, y0, 0.0)), ground_high=words((x1, y1, finest)), level=level,
-        inside=words((x0 + 1.1, y0 + 1.3, box[2][1] - 1.7))) + controls(snap=True))
+        inside=words((x0 + 1.1, y0 + 1.3, box[2][1] - 1.7))) + controls(True, layered, layers))
     return {name: [name, "-case", folder, *(["-overwrite"] if name == "snappyHexMesh" else [])]
             for name in ("blockMesh", "surfaceFeatureExtract", "snappyHexMesh")}

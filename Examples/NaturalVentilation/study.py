@@ -61,8 +61,11 @@ LAYERS = [Row("far8"), Row("layers0", layers=0), Row("layers5", layers=5)]
 MESHERS = [Row("layers0_uniform", far=2.0, layers=0), Row("layers0", layers=0),
            Row("snappy_uniform", far=2.0, layers=0, mesher="snappyHexMesh", most_iterations=FEW),
            Row("snappy_far8", layers=0, mesher="snappyHexMesh")]
+LAYERED_MESHERS = [Row("far8"), *(Row(f"snappy_layers{n}", layers=n, mesher="snappyHexMesh", most_iterations=FEW) for n in (1, 5)),
+                   Row("layers5", layers=5)]
 TABLES = {"Uniform and adaptive": FAR, "At 1.5 m": ONE_AND_A_HALF, "Across the grid": TURNED, "Finer": FINER,
-          "Domains": DOMAINS, "Box and prism": PRISMS, "Layers": LAYERS, "snappyHexMesh": MESHERS}
+          "Domains": DOMAINS, "Box and prism": PRISMS, "Layers": LAYERS, "snappyHexMesh": MESHERS,
+          "snappyHexMesh with layers": LAYERED_MESHERS}
 
 
 def rows():
@@ -89,7 +92,7 @@ def mesh_by_atria(atria, row, model, folder):
 
 def mesh_by_snappy(row, folder):
     case = folder / "snappy"
-    commands = snappy.write_case(case, row.finest, row.far, row.site)
+    commands = snappy.write_case(case, row.finest, row.far, row.site, row.layers)
     return case, sum(run(command, folder, name) for name, command in commands.items())
 
 

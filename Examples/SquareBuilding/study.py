@@ -20,7 +20,7 @@ sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent / "Study"))
 import make_building  # noqa: E402
 import reference  # noqa: E402
 import snappy  # noqa: E402
-from convergence import convergence  # noqa: E402
+from convergence import TENDENCY, tendency  # noqa: E402
 from kept_rows import command_line, go_on, known, lines_of, run  # noqa: E402
 
 B = make_building.WIDTH
@@ -143,15 +143,8 @@ def convergences(out):
                 for quantity in ("roof", "wake", "drag"):
                     values = [result[quantity] for result in results]
                     if all(value is not None and math.isfinite(value) for value in values):
-                        yield [kind, ", ".join(str(row.across) for row in three[::-1]), quantity, *tendency(three, values)]
-
-
-def tendency(three, values):
-    found = convergence([row.finest for row in three], values)
-    numbers = [f"{value:.3f}" for value in values[::-1]]
-    if found.kind == "diverging":
-        return [*numbers, found.kind, "", "", ""]
-    return [*numbers, found.kind, f"{found.order:.1f}", f"{found.limit:.3f}", f"{100 * found.index:.1f} %"]
+                        yield [kind, ", ".join(str(row.across) for row in three[::-1]), quantity,
+                               *tendency([row.finest for row in three], values)]
 
 
 def wind_rows(out):
@@ -164,7 +157,7 @@ def wind_rows(out):
 def tables(out):
     groups = {**{kind.capitalize(): family for kind, family in FAMILIES.items()}, "Models and wind": OTHERS}
     parts = [(title, lines_of(HEAD, [cells(row, out) for row in members])) for title, members in groups.items()]
-    head = ("meshes", "elements across b", "quantity", "coarse", "medium", "fine", "convergence", "order", "limit", "index")
+    head = ("meshes", "elements across b", "quantity", *TENDENCY)
     parts.append(("Grid convergence", lines_of(head, convergences(out))))
     heights = [f"{height:g}" for height, _, _ in reference.INFLOW[:-1]]
     parts.append(("Wind without the building, over the inflow, by z/b", lines_of(("row", *heights), wind_rows(out))))

@@ -59,12 +59,21 @@ class CrossVentilation(unittest.TestCase):
             keep(row, self.out, {"cells": cells, "worst_non_orthogonality": 50.0, "mesh_seconds": 1.0, "solve_seconds": 2.0,
                                  "iterations": 3, "flow": flow, "drift": 1e-4, "speeds": [speed] * 4})
         text = study.tables(self.out)
-        lines = text.strip().splitlines()[2:]
+        lines = text.split("\n\n")[1].splitlines()
         self.assertEqual(len({line.count("|") for line in lines}), 1, text)
         self.assertIn("| 0.500 |  |", lines[2])
         self.assertIn("| 100 (10 %) |", lines[3])
         self.assertIn("| 0.510 (+2.0 %) | 0.100 |", lines[3])
         self.assertIn("not run", lines[5])
+
+    def test_a_kind_with_all_sizes_tells_what_its_flow_tends_to(self):
+        for row in study.ROWS:
+            if row.adaptive and not row.layers:
+                keep(row, self.out, {"cells": 1, "worst_non_orthogonality": 0.0, "mesh_seconds": 1.0, "solve_seconds": 2.0, "iterations": 3,
+                                     "flow": 0.5 + 0.001 * row.finest**2, "drift": 0.0, "speeds": []})
+        found = list(study.convergences(self.out))
+        self.assertEqual([line[:2] for line in found], [["adaptive", "0.600"]])
+        self.assertEqual(found[0][4:7], ["monotonic", "2.0", "0.500"])
 
     def test_a_name_means_one_row(self):
         self.assertEqual(len({row.name for row in study.rows()}), len(study.ROWS))

@@ -134,6 +134,20 @@ class Study(unittest.TestCase):
         for count, length in zip(cells, (*make_building.SITE, 0.3 * max(make_building.SITE))):
             self.assertLess(abs(math.log(length / count / 8.0)), 0.07)
 
+    def test_the_other_mesher_gets_layers_on_walls_and_ground_only(self):
+        def layers_of(number):
+            case = self.out / f"layers{number}"
+            snappy.write_case(case, 2.0, 8.0, make_building.SITE, number)
+            text = (case / "system/snappyHexMeshDict").read_text()
+            pattern, count = re.search(r'layers \{ "(.*?)" \{ nSurfaceLayers (\d+); \} \}', text).groups()
+            return "addLayers true" in text, re.compile(pattern), int(count)
+
+        self.assertFalse(layers_of(0)[0])
+        added, pattern, count = layers_of(5)
+        self.assertEqual((added, count), (True, 5))
+        self.assertTrue(all(pattern.fullmatch(name) for name in ("Site", "Neighbor", *make_building.sheets())))
+        self.assertFalse(any(pattern.fullmatch(name) for name in ("zMax", "xMin", *make_building.openings())))
+
 
 if __name__ == "__main__":
     unittest.main(argv=sys.argv[:1])

@@ -11,6 +11,9 @@ SAFETY = 1.25  # for three sizes
 FORMAL_ORDER = 2.0
 
 
+TENDENCY = ("coarse", "medium", "fine", "convergence", "order", "limit", "index")  # columns of tendency()
+
+
 @dataclass(frozen=True)
 class Convergence:
     kind: str  # monotonic, oscillating, or diverging: then order, limit and index say nothing
@@ -55,3 +58,12 @@ def apparent_order(fine_ratio, coarse_ratio, change):
         middle = 0.5 * (low + high)
         low, high = (middle, high) if change_of(middle) < abs(change) else (low, middle)
     return high
+
+
+def tendency(sizes, values):
+    """Of a table's line: the values, the finest last, and what they tend to."""
+    found = convergence(sizes, values)
+    numbers = [f"{value:.3f}" for value in values[::-1]]
+    if found.kind == "diverging":
+        return [*numbers, found.kind, "", "", ""]
+    return [*numbers, found.kind, f"{found.order:.1f}", f"{found.limit:.3f}", f"{100 * found.index:.1f} %"]
