@@ -157,7 +157,7 @@ def _bar(title, table, x):
     bar = vtkScalarBarActor()
     bar.SetLookupTable(table)
     bar.SetTitle(title)
-    bar.SetNumberOfLabels(3)
+    bar.SetNumberOfLabels(2)  # one in the middle would be written over the title
     bar.SetOrientationToHorizontal()
     bar.SetPosition(x, 0.02)
     bar.SetWidth(0.26)

@@ -21,7 +21,7 @@ from html.parser import HTMLParser
 import numpy
 
 from atria import Error
-from atria.report import Case, comfort, page_of, read_climate, results
+from atria.report import Case, charts, comfort, page_of, read_climate, results
 from atria.report.pictures import levels
 from box_mesh import BOX, header, write_box
 
@@ -205,6 +205,14 @@ class Results(Folder):
 
     def test_what_is_missing_between_flows(self):
         self.assertAlmostEqual(results.imbalance([-4.0, 1.0, 2.0]), 0.25)
+
+    def test_long_names_beside_a_chart_still_differ(self):
+        names = [f"flow through {wall}_opening_{number}" for wall in ("WallSouth", "WallOfTheOldHouseToTheSouth") for number in (1, 2)]
+        chart = charts.line_chart("Flows", [(name, [1, 2], [0.0, 1.0]) for name in names])
+        written = re.findall(r"<text[^>]*>(flow .*?)</text>", chart)
+        self.assertEqual(written[:2], names[:2])
+        self.assertEqual(len(set(written)), 4)
+        self.assertLess(len(written[2]), len(names[2]))
 
     def test_levels_cut_every_opening(self):
         self.assertEqual(levels([(1.0, 2.5), (0.0, 2.0), (4.0, 5.0), (3.0, 6.0)]), [1.5, 4.5])

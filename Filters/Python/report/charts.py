@@ -13,10 +13,11 @@ from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkPNGWriter
 
 _COLORS = ("#2b6cb0", "#c05621", "#2f855a", "#805ad5", "#b83280", "#718096", "#b7791f", "#285e61")
-_WIDTH, _HEIGHT = 580, 280
-_LEFT, _RIGHT, _TOP, _BOTTOM = 64, 200, 30, 34
+_WIDTH, _HEIGHT = 640, 280
+_LEFT, _RIGHT, _TOP, _BOTTOM = 64, 260, 30, 34
 _MOST_POINTS = 400
 _MOST_NAMES = 13
+_MOST_LETTERS = 36  # of a name, as wide as _RIGHT
 UNKNOWN = (235, 235, 235)
 
 
@@ -31,6 +32,12 @@ def ticks(low, high, about=5):
 def _decades(low, high):
     step = max(1, math.ceil((high - low) / 6))
     return list(range(math.ceil(low), math.floor(high) + 1, step))
+
+
+def _shortened(name):
+    """Names that differ at their end, as those of openings do, still differ."""
+    half = _MOST_LETTERS // 2
+    return name if len(name) <= _MOST_LETTERS else f"{name[:half]}…{name[-half:]}"
 
 
 def _drawable(series, logarithmic):
@@ -101,7 +108,7 @@ def _line(i, name, points, right):
     y = _TOP + 8 + 16 * i
     if i < _MOST_NAMES:
         text.append(f'<path d="M{right + 8} {y}h14" stroke="{color}" stroke-width="3"/>'
-                    f'<text x="{right + 26}" y="{y + 4}">{html.escape(name[:30])}</text>')
+                    f'<text x="{right + 26}" y="{y + 4}">{html.escape(_shortened(name))}</text>')
     elif i == _MOST_NAMES:
         text.append(f'<text x="{right + 26}" y="{y + 4}">… and others</text>')
     return text
