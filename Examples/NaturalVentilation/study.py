@@ -49,8 +49,8 @@ FAR = [Row("uniform", far=2.0), Row("far4", far=4.0), Row("far8"), Row("far16", 
        Row("ground8_layer", ground=8.0, ground_layer=LAYER, most_iterations=FEW)]
 ONE_AND_A_HALF = [Row("uniform1.5", finest=1.5, far=1.5, most_iterations=300),
                   Row("finest1.5", finest=1.5, far=6.0, most_iterations=FEW)]
-TURNED = [Row("uniform", far=2.0), Row("far8"), Row("turned_uniform", far=2.0, angle=17.0, most_iterations=400),
-          Row("turned_far8", angle=17.0, most_iterations=100)]
+TURNED = [Row("uniform", far=2.0), Row("far8"), Row("turned_uniform", far=2.0, angle=17.0, most_iterations=300),
+          Row("turned_far8", angle=17.0, most_iterations=FEW)]
 FINER = [Row("far8"), *(Row(f"finest{size:g}", finest=size, far=4 * size) for size in (1.4, 1.0, 0.8))]
 DOMAINS = [Row("domain227", far=16.0, ground=NEAR_GROUND),
            Row("domain500", far=16.0, ground=NEAR_GROUND, site=(500.0, 400.0)),
@@ -59,7 +59,7 @@ PRISMS = [Row("square", far=16.0, ground=NEAR_GROUND, site=(500.0, 500.0), most_
           Row("prism", far=16.0, ground=NEAR_GROUND, site=(500.0, 500.0), sides=16, most_iterations=FEW)]
 LAYERS = [Row("far8"), Row("layers0", layers=0), Row("layers5", layers=5)]
 MESHERS = [Row("layers0_uniform", far=2.0, layers=0), Row("layers0", layers=0),
-           Row("snappy_uniform", far=2.0, layers=0, mesher="snappyHexMesh", most_iterations=400),
+           Row("snappy_uniform", far=2.0, layers=0, mesher="snappyHexMesh", most_iterations=FEW),
            Row("snappy_far8", layers=0, mesher="snappyHexMesh")]
 LAYERED_MESHERS = [Row("far8"), *(Row(f"snappy_layers{n}", layers=n, mesher="snappyHexMesh", most_iterations=FEW) for n in (1, 5)),
                    Row("layers5", layers=5)]
