@@ -24,7 +24,8 @@ fi
 /usr/bin/python3 $here/make_building.py "$out/school.wrl"
 "$atria" mesh "$out/school.wrl" -o "$out/school.vtu" --site Site --openings --size-min 2 --size-mid 2 --size-max 8
 if [ -e "$out/case" ]; then "$out/case/Allclean"; fi
-"$atria" case "$out/school.vtu" -o "$out/case" --from 180 --speed 4 --roughness 0.1 --age-of-air --processors "$(nproc)"
+# Air changes have settled after 100 iterations.
+"$atria" case "$out/school.vtu" -o "$out/case" --from 180 --speed 4 --roughness 0.1 --age-of-air --iterations 300 --processors "$(nproc)"
 # In a container one is root, as whom Open MPI runs nothing unless it is told to.
 if [ "$(id -u)" -eq 0 ]; then export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1; fi
 "$out/case/Allrun"
