@@ -50,7 +50,8 @@ FAR = [Row("uniform", far=2.0), Row("far4", far=4.0), Row("far8"), Row("far16", 
 ONE_AND_A_HALF = [Row("uniform1.5", finest=1.5, far=1.5, most_iterations=300),
                   Row("finest1.5", finest=1.5, far=6.0, most_iterations=FEW)]
 TURNED = [Row("uniform", far=2.0), Row("far8"), Row("turned_uniform", far=2.0, angle=17.0, most_iterations=300),
-          Row("turned_far8", angle=17.0, most_iterations=FEW)]
+          Row("turned_far8", angle=17.0, most_iterations=FEW),
+          Row("turned_about24", ground=4.0, fine_about=24.0, angle=17.0, most_iterations=FEW)]
 FINER = [Row("far8"), *(Row(f"finest{size:g}", finest=size, far=4 * size) for size in (1.4, 1.0, 0.8))]
 DOMAINS = [Row("domain227", far=16.0, ground=NEAR_GROUND),
            Row("domain500", far=16.0, ground=NEAR_GROUND, site=(500.0, 400.0)),
@@ -74,6 +75,13 @@ def rows():
     return sorted(found.values(), key=lambda row: row.far == row.finest)
 
 
+def bounds_about_building(distance, angle):
+    """Along the grid, which the building may be turned against: least and greatest x and y."""
+    (x0, x1), (y0, y1) = ((-distance, length + distance) for length in (make_building.LENGTH, make_building.WIDTH))
+    corners = make_building.turned([[(x, y, 0.0) for x in (x0, x1) for y in (y0, y1)]], angle)[0]
+    return tuple(tuple(least(axis) for axis in list(zip(*corners))[:2]) for least in (min, max))
+
+
 def mesh_by_atria(atria, row, model, folder):
     command = [atria, "mesh", model, "-o", folder / "mesh.vtu", "--site", "Site", "--openings", "--size-min", row.finest,
                "--size-mid", row.finest, "--size-max", row.far, "--layers", row.layers, "--threads", 1,
@@ -83,7 +91,7 @@ def mesh_by_atria(atria, row, model, folder):
     if row.ground:
         command += ["--size", "Site", row.ground]
     if row.fine_about:
-        (x0, x1), (y0, y1) = ((-row.fine_about, length + row.fine_about) for length in (make_building.LENGTH, make_building.WIDTH))
+        (x0, y0), (x1, y1) = bounds_about_building(row.fine_about, row.angle)
         command += ["--refine-box", x0, x1, y0, y1, 0.0, 0.5 * row.finest, row.finest]
     if row.ground_layer:
         command += ["--layers", f"Site={row.layers}:{row.ground_layer:g}"]

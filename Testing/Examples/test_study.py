@@ -84,6 +84,14 @@ class Study(unittest.TestCase):
         for found, value in zip(sorted(opening["area"] for opening in described["openings"]), wanted, strict=True):
             self.assertAlmostEqual(found, value, delta=0.01 * value)
 
+    def test_fine_ground_holds_the_building_however_it_is_turned(self):
+        self.assertEqual(study.bounds_about_building(5.0, 0.0), ((-5.0, -5.0), (make_building.LENGTH + 5.0, make_building.WIDTH + 5.0)))
+        for angle in (17.0, 90.0, 200.0):
+            low, high = study.bounds_about_building(5.0, angle)
+            for polygon in make_building.turned(make_building.sheets()["Roof"][0], angle):
+                for x, y, _ in polygon:
+                    self.assertTrue(low[0] + 4.9 < x < high[0] - 4.9 and low[1] + 4.9 < y < high[1] - 4.9, angle)
+
     def test_a_name_means_one_row(self):
         members = {row for table in study.TABLES.values() for row in table}
         self.assertEqual(len({row.name for row in members}), len(members))
