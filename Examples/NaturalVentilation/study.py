@@ -49,7 +49,7 @@ FAR = [Row("uniform", far=2.0), Row("far4", far=4.0), Row("far8"), Row("far16", 
        Row("ground8_layer", ground=8.0, ground_layer=LAYER, most_iterations=FEW)]
 ONE_AND_A_HALF = [Row("uniform1.5", finest=1.5, far=1.5, most_iterations=300),
                   Row("finest1.5", finest=1.5, far=6.0, most_iterations=FEW)]
-TURNED = [Row("uniform", far=2.0), Row("far8"), Row("turned_uniform", far=2.0, angle=17.0, most_iterations=300),
+TURNED = [Row("turned_uniform", far=2.0, angle=17.0, most_iterations=300),
           Row("turned_far8", angle=17.0, most_iterations=FEW),
           Row("turned_about24", ground=4.0, fine_about=24.0, angle=17.0, most_iterations=FEW)]
 FINER = [Row("far8"), *(Row(f"finest{size:g}", finest=size, far=4 * size) for size in (1.4, 1.0, 0.8))]
