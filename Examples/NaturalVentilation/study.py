@@ -35,6 +35,7 @@ class Row:
     site: tuple = make_building.SITE  # length and width of the domain, meters; its height is 0.3 of the longer
     ground: float = 0.0  # on the ground, meters; 0 for the finest
     fine_about: float = 0.0  # where the ground has the finest size all the same, meters about the building
+    near: float = 0.0  # where the air has it, too, meters about and above the building; 0 for nowhere
     ground_layer: float = 0.0  # height of the layer there, meters; 0 for the share of the size that layers have
     sides: int = 4  # upright ones of the domain
     angle: float = 0.0  # of building, domain and wind against the grid, degrees
@@ -45,13 +46,18 @@ class Row:
 FAR = [Row("uniform", far=2.0), Row("far4", far=4.0), Row("far8"), Row("far16", far=16.0), Row("far32", far=32.0),
        Row("far8_ground4", ground=4.0), Row("far8_ground8", ground=8.0),
        *(Row(f"ground4_about{about}", ground=4.0, fine_about=about, most_iterations=FEW) for about in (24, 48)),
+       Row("near12_ground4", near=12.0, ground=4.0, most_iterations=FEW),
        Row("ground4_layer", ground=4.0, ground_layer=LAYER, most_iterations=FEW),
        Row("ground8_layer", ground=8.0, ground_layer=LAYER, most_iterations=FEW)]
 ONE_AND_A_HALF = [Row("uniform1.5", finest=1.5, far=1.5, most_iterations=300),
-                  Row("finest1.5", finest=1.5, far=6.0, most_iterations=FEW)]
+                  Row("finest1.5", finest=1.5, far=6.0, most_iterations=FEW),
+                  Row("far3_finest1.5", finest=1.5, far=3.0, most_iterations=FEW),
+                  Row("near12_finest1.5", finest=1.5, far=6.0, near=12.0, most_iterations=FEW),
+                  Row("near12_ground3", finest=1.5, far=6.0, near=12.0, ground=3.0, most_iterations=FEW)]
 TURNED = [Row("turned_uniform", far=2.0, angle=17.0, most_iterations=300),
           Row("turned_far8", angle=17.0, most_iterations=FEW),
-          Row("turned_about24", ground=4.0, fine_about=24.0, angle=17.0, most_iterations=FEW)]
+          Row("turned_about24", ground=4.0, fine_about=24.0, angle=17.0, most_iterations=FEW),
+          Row("turned_near12", near=12.0, ground=4.0, angle=17.0, most_iterations=FEW)]
 FINER = [Row("far8"), *(Row(f"finest{size:g}", finest=size, far=4 * size) for size in (1.4, 1.0, 0.8))]
 DOMAINS = [Row("domain227", far=16.0, ground=NEAR_GROUND),
            Row("domain500", far=16.0, ground=NEAR_GROUND, site=(500.0, 400.0)),
@@ -93,6 +99,9 @@ def mesh_by_atria(atria, row, model, folder):
     if row.fine_about:
         (x0, y0), (x1, y1) = bounds_about_building(row.fine_about, row.angle)
         command += ["--refine-box", x0, x1, y0, y1, 0.0, 0.5 * row.finest, row.finest]
+    if row.near:
+        (x0, y0), (x1, y1) = bounds_about_building(row.near, row.angle)
+        command += ["--refine-box", x0, x1, y0, y1, 0.0, make_building.HEIGHT + row.near, row.finest]
     if row.ground_layer:
         command += ["--layers", f"Site={row.layers}:{row.ground_layer:g}"]
     return folder / "mesh.vtu", run(command, folder, "mesh")
