@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// What is looked for among many boxes, points and edges, against looking at all of them.
 #include "Support/Sorting.h"
+#include "Surface/Repair/Autorefine.h"
+#include "Surface/Repair/SmoothCells.h"
+#include "Surface/Search/BoxRaster.h"
 #include "Surface/Search/BoxTree.h"
 #include "Surface/Triangles/Weld.h"
 
@@ -42,7 +45,7 @@ std::vector<NumberedBox> randomBoxes(std::mt19937& random, std::size_t count)
   return boxes;
 }
 
-bool touch(const NumberedBox& a, const NumberedBox& b)
+bool areTouching(const NumberedBox& a, const NumberedBox& b)
 {
   bool both = true;
   for (int axis = 0; axis < 3; ++axis)
@@ -70,7 +73,7 @@ TEST(BoxTree, FindsTheBoxesThatTouch)
         std::multiset<std::size_t> expected;
         for (std::size_t place = first; place < count; ++place)
         {
-          if (touch(tree.box(place), box))
+          if (areTouching(tree.box(place), box))
           {
             expected.insert(place);
           }
@@ -110,7 +113,7 @@ TEST(BoxPairs, AreThoseThatTouchOnceEach)
   {
     for (const NumberedBox& b : boxes)
     {
-      if (a.id != b.id && touch(a, b))
+      if (a.id != b.id && areTouching(a, b))
       {
         expected.emplace(a.id, b.id);
       }
@@ -147,6 +150,115 @@ TEST(Weld, PointsBecomeTheFirstOfThoseKeptNearThem)
       ASSERT_EQ(became[p], expected);
     }
   }
+}
+
+TEST(Weld, PointsMayComeLater)
+{
+  std::mt19937 random(7);
+  std::vector<LatticePoint> points;
+  PointWelder welder(points, 5);
+  std::vector<Index> became;
+  for (const std::size_t count : {1, 10, 100, 3000})
+  {
+    while (points.size() < count)
+    {
+      points.push_back(randomPoint(random, 40));
+    }
+    const std::vector<Index> rest = welder.addRest();
+    became.insert(became.end(), rest.begin(), rest.end());
+    ASSERT_EQ(became, weldPoints(points, 5));
+  }
+}
+
+TEST(BoxRaster, MissesNoneThatTouchesAndLeavesOutMostOthers)
+{
+  std::mt19937 random(8);
+  const std::int64_t far = std::int64_t{1} << 30;
+  std::vector<NumberedBox> boxes;
+  for (Index i = 0; i < 200; ++i)
+  {
+    const LatticePoint low = randomPoint(random, far);
+    const std::int64_t size = i % 20 == 0 ? far / 4 : far / 15;
+    boxes.push_back({low, {low[0] + size, low[1] + size, low[2] + size}, i});
+  }
+  const BoxRaster raster(boxes);
+  std::size_t found = 0;
+  std::size_t touching = 0;
+  for (int i = 0; i < 5000; ++i)
+  {
+    const LatticePoint low = randomPoint(random, far);
+    const NumberedBox box{low, {low[0] + far / 100, low[1] + far / 100, low[2] + far / 100}, 0};
+    const bool touches = std::ranges::any_of(boxes, [&](const NumberedBox& other) { return areTouching(box, other); });
+    EXPECT_TRUE(raster.mayTouch(box) || !touches);
+    found += raster.mayTouch(box) ? 1 : 0;
+    touching += touches ? 1 : 0;
+  }
+  EXPECT_GT(touching, 20u);
+  EXPECT_LT(found, 4 * touching);
+}
+
+/// A wavy sheet of many triangles, with normals about an axis of two.
+void addSheet(TriangleSoup& soup, int across, std::int64_t size, std::int64_t at, bool upright)
+{
+  const auto first = static_cast<Index>(soup.points.size());
+  const auto source = static_cast<Index>(soup.triangles.size());
+  for (int i = 0; i <= across; ++i)
+  {
+    for (int j = 0; j <= across; ++j)
+    {
+      const std::int64_t wave =
+          at + std::llround(0.2 * static_cast<double>(size) * std::sin(9.0 * i / across + 0.3 * j / across));
+      const LatticePoint p{size * i / across, size * j / across, wave};
+      soup.points.push_back(upright ? LatticePoint{p[2], p[1], p[0]} : p);
+    }
+  }
+  const auto row = static_cast<Index>(across + 1);
+  Index added = 0;
+  for (Index i = 0; i + 1 < row; ++i)
+  {
+    for (Index j = 0; j + 1 < row; ++j)
+    {
+      const Index p = first + i * row + j;
+      soup.add({p, p + row, p + row + 1}, 0, source + added++);
+      soup.add({p, p + row + 1, p + 1}, 0, source + added++);
+    }
+  }
+}
+
+TEST(LoneTriangles, AreMostOfSheetsThatCrossAndChangeNothing)
+{
+  const std::int64_t size = std::int64_t{1} << 24;
+  TriangleSoup soup;
+  addSheet(soup, 120, size, size / 2, false);
+  addSheet(soup, 90, size, size / 3, true);
+  SilentMonitor silent;
+  const SerialExecutor executor;
+  const RunContext context{executor, ProgressRange(silent)};
+  const std::vector<SoupEdgeUse> uses = sortedEdgeUses(soup, executor);
+  const SmoothPieces smooth(soup, uses, 30.0, executor);
+  const AutorefineOptions options;
+  const std::vector<char> isLone = findLoneTriangles(soup, uses, smooth, size / 32, options.reach);
+  EXPECT_GT(std::ranges::count(isLone, 1), static_cast<std::ptrdiff_t>(soup.triangles.size() / 2));
+  TriangleSoup other = soup;
+  ClusterCells none;
+  const AutorefineReport all = autorefine(soup, options, none, context);
+  const AutorefineReport few = autorefine(other, options, none, context, isLone);
+  EXPECT_GT(all.splitTriangles, 100u);
+  EXPECT_EQ(few.splitTriangles, all.splitTriangles);
+  EXPECT_EQ(other.triangles, soup.triangles);
+  EXPECT_EQ(other.points, soup.points);
+}
+
+TEST(LoneTriangles, AreNoneOfSheetsSideBySideInACell)
+{
+  const std::int64_t size = std::int64_t{1} << 24;
+  TriangleSoup soup;
+  addSheet(soup, 60, size, size / 2, false);
+  addSheet(soup, 60, size, size / 2 + size / 1000, false);
+  const SerialExecutor executor;
+  const std::vector<SoupEdgeUse> uses = sortedEdgeUses(soup, executor);
+  const SmoothPieces smooth(soup, uses, 30.0, executor);
+  EXPECT_EQ(std::ranges::count(findLoneTriangles(soup, uses, smooth, size / 16, 4), 1), 0);
 }
 
 TEST(EdgeUses, AreSortedByEdgeAndTriangle)

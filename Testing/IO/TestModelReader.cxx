@@ -24,7 +24,9 @@
 #include <Eigen/Geometry>
 #include <gmock/gmock.h>
 
+#include <array>
 #include <fstream>
+#include <set>
 
 namespace {
 
@@ -263,6 +265,20 @@ TEST_F(ModelReader, CallsTheSurfaceOfFilesWithoutNamesLikeTheFile)
 }
 
 const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+
+TEST_F(ModelReader, SharesCornersOfFacets)
+{
+  const fs::path stl = scratch.path() / "house.stl";
+  atria::testing::writeBinaryStl(atria::testing::sampleHouse(), stl);
+  vtkPolyData* data = read(stl);
+  std::set<std::array<double, 3>> places;
+  for (vtkIdType p = 0; p < data->GetNumberOfPoints(); ++p)
+  {
+    places.insert({data->GetPoint(p)[0], data->GetPoint(p)[1], data->GetPoint(p)[2]});
+  }
+  EXPECT_EQ(data->GetNumberOfPoints(), static_cast<vtkIdType>(places.size()));
+  EXPECT_LT(data->GetNumberOfPoints(), 3 * data->GetNumberOfCells());
+}
 
 TEST_F(ModelReader, TellsObjObjectsGroupsAndMaterialsApart)
 {
