@@ -26,8 +26,9 @@ class Candidates
 {
 public:
   Candidates(const MovingGrid& moving, Index of, bool sheets, MovingGrid::Look& by)
-      : grid(moving), point(of), across(sheets),
-        look(by), about(moving.points().leaves[of].begin(), moving.points().leaves[of].end()), found{moving.places().undisplaced(of), farthestReach(moving, of), {moving.places().undisplaced(of)}}
+      : grid(moving), point(of), across(sheets), look(by),
+        about(moving.points().leaves[of].begin(), moving.points().leaves[of].end()),
+        found{moving.places().undisplaced(of), farthestReach(moving, of), {moving.places().undisplaced(of)}}
   {
   }
 

@@ -25,8 +25,8 @@ MovingGrid::Look::Look(const MovingGrid& grid)
 MovingGrid::MovingGrid(GridPlaces& places, const Crossings& crossings, const MeshingContext& context)
     : grid(places), tree(context.octree), surfaces(context.model), triangles(context.tree), undisplaced(crossings),
       atCorners(curvesAtCorners(surfaces)), leafCurves(tree, surfaces, context),
-      edgesOfLeaf(edgesByLeaf(crossings, tree.leafCount(), context)), firstEdge(places.points().size() + 1, 0), movedOf(crossings.crossedEdges.size(), noIndex),
-      view(*this)
+      edgesOfLeaf(edgesByLeaf(crossings, tree.leafCount(), context)), firstEdge(places.points().size() + 1, 0),
+      movedOf(crossings.crossedEdges.size(), noIndex), view(*this)
 {
   for (const CrossedEdge& edge : crossings.crossedEdges)
   {
