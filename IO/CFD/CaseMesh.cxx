@@ -131,6 +131,7 @@ double areaOf(const FaceZone& zone, const Buffer<Vec3>& areas)
 void describeZones(const PolyMesh& poly, const MeshGeometry& geometry, CaseMesh& described)
 {
   const std::vector<int> zoneOf = zonesOfCells(poly);
+  described.openings.reserve(poly.faceZones.size());
   for (const FaceZone& zone : poly.faceZones)
   {
     described.openings.push_back({zone.name, areaOf(zone, geometry.faceAreas), roomsBeside(poly, zone, zoneOf)});

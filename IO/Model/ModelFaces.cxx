@@ -85,8 +85,8 @@ void ModelFaces::scale(double factor)
 
 void ModelFaces::giveTo(Model& model, const std::vector<std::string>& names, const char* kind) const
 {
-  vtkNew<vtkPoints> places;
-  places->SetDataTypeToDouble();
+  vtkNew<vtkPoints> kept;
+  kept->SetDataTypeToDouble();
   std::vector<vtkIdType> placeOf(points.size(), -1); // points that no face has are left out
   vtkNew<vtkCellArray> cells;
   for (std::size_t i = 0; i + 1 < offsets.size(); ++i)
@@ -94,13 +94,13 @@ void ModelFaces::giveTo(Model& model, const std::vector<std::string>& names, con
     cells->InsertNextCell(static_cast<int>(offsets[i + 1] - offsets[i]));
     for (std::size_t k = offsets[i]; k < offsets[i + 1]; ++k)
     {
-      vtkIdType& place = placeOf[ids[k]];
-      place = place < 0 ? places->InsertNextPoint(points[ids[k]].data()) : place;
-      cells->InsertCellPoint(place);
+      vtkIdType& target = placeOf[ids[k]];
+      target = target < 0 ? kept->InsertNextPoint(points[ids[k]].data()) : target;
+      cells->InsertCellPoint(target);
     }
   }
   const auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(places);
+  data->SetPoints(kept);
   data->SetPolys(cells);
   setSurfaces(data, parts, names);
   model.data = data;

@@ -295,6 +295,7 @@ private:
     const bool straight = std::all_of(
         row.begin(), row.end(), [&](const CommonPoint& p) { return at(p).cross(along).norm() <= width * length; });
     std::vector<std::pair<double, CommonPoint>> keyed;
+    keyed.reserve(row.size());
     for (const CommonPoint& p : row)
     {
       keyed.emplace_back(at(p).dot(along), p);
