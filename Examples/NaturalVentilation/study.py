@@ -46,18 +46,22 @@ class Row:
 FAR = [Row("uniform", far=2.0), Row("far4", far=4.0), Row("far8"), Row("far16", far=16.0), Row("far32", far=32.0),
        Row("far8_ground4", ground=4.0), Row("far8_ground8", ground=8.0),
        *(Row(f"ground4_about{about}", ground=4.0, fine_about=about, most_iterations=FEW) for about in (24, 48)),
+       Row("near12_far8", near=12.0, most_iterations=FEW),
        Row("near12_ground4", near=12.0, ground=4.0, most_iterations=FEW),
+       Row("near12_about24", near=12.0, ground=4.0, fine_about=24.0, most_iterations=FEW),
        Row("ground4_layer", ground=4.0, ground_layer=LAYER, most_iterations=FEW),
        Row("ground8_layer", ground=8.0, ground_layer=LAYER, most_iterations=FEW)]
 ONE_AND_A_HALF = [Row("uniform1.5", finest=1.5, far=1.5, most_iterations=300),
                   Row("finest1.5", finest=1.5, far=6.0, most_iterations=FEW),
-                  Row("far3_finest1.5", finest=1.5, far=3.0, most_iterations=FEW),
                   Row("near12_finest1.5", finest=1.5, far=6.0, near=12.0, most_iterations=FEW),
-                  Row("near12_ground3", finest=1.5, far=6.0, near=12.0, ground=3.0, most_iterations=FEW)]
+                  Row("near12_ground3", finest=1.5, far=6.0, near=12.0, ground=3.0, most_iterations=FEW),
+                  Row("near12_ground3_about24", finest=1.5, far=6.0, near=12.0, ground=3.0, fine_about=24.0, most_iterations=FEW)]
 TURNED = [Row("turned_uniform", far=2.0, angle=17.0, most_iterations=300),
           Row("turned_far8", angle=17.0, most_iterations=FEW),
           Row("turned_about24", ground=4.0, fine_about=24.0, angle=17.0, most_iterations=FEW),
-          Row("turned_near12", near=12.0, ground=4.0, angle=17.0, most_iterations=FEW)]
+          Row("turned_near12_far8", near=12.0, angle=17.0, most_iterations=FEW),
+          Row("turned_near12", near=12.0, ground=4.0, angle=17.0, most_iterations=FEW),
+          Row("turned_near12_about24", near=12.0, ground=4.0, fine_about=24.0, angle=17.0, most_iterations=FEW)]
 FINER = [Row("far8"), *(Row(f"finest{size:g}", finest=size, far=4 * size) for size in (1.4, 1.0, 0.8))]
 DOMAINS = [Row("domain227", far=16.0, ground=NEAR_GROUND),
            Row("domain500", far=16.0, ground=NEAR_GROUND, site=(500.0, 400.0)),
