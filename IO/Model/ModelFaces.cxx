@@ -94,9 +94,9 @@ void ModelFaces::giveTo(Model& model, const std::vector<std::string>& names, con
     cells->InsertNextCell(static_cast<int>(offsets[i + 1] - offsets[i]));
     for (std::size_t k = offsets[i]; k < offsets[i + 1]; ++k)
     {
-      vtkIdType& target = placeOf[ids[k]];
-      target = target < 0 ? kept->InsertNextPoint(points[ids[k]].data()) : target;
-      cells->InsertCellPoint(target);
+      vtkIdType& place = placeOf[ids[k]];
+      place = place < 0 ? kept->InsertNextPoint(points[ids[k]].data()) : place;
+      cells->InsertCellPoint(place);
     }
   }
   const auto data = vtkSmartPointer<vtkPolyData>::New();

@@ -324,10 +324,7 @@ private:
     {
       face.inside.push_back(contact.point);
     }
-    for (const Segment& segment : segmentsOf(t))
-    {
-      face.segments.push_back(segment.edge);
-    }
+    std::ranges::transform(segmentsOf(t), std::back_inserter(face.segments), &Segment::edge);
     return face;
   }
 
