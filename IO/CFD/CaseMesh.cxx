@@ -213,6 +213,7 @@ std::vector<Vec3> probePlaces(const PolyMesh& poly, const std::vector<std::strin
     }
   }
   std::vector<Vec3> places;
+  places.reserve(nearest.size());
   for (const auto& [square, place] : nearest)
   {
     places.push_back(place.second + Vec3(0.0, 0.0, height));
