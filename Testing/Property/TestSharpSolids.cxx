@@ -83,9 +83,9 @@ QualityMetrics measure(const DualMesh& mesh)
   return computeQuality(faces.mesh, faces.cells.view(), {SerialExecutor(), ProgressRange(silent)});
 }
 
-/// Those whose worst hexahedron has less than 0.3: 0.23 where a crease is lost on the ground, 0.25 in a row along a
-/// crease of an angle, and 0.20 beside a corner that has no room for the layer.
-const std::set<unsigned> poor{27, 37, 70};
+/// Those whose worst hexahedron has less than 0.3, 0.26 to 0.28: in a row along a crease, or where one is lost on the
+/// ground.
+const std::set<unsigned> poor{27, 37, 57, 97};
 constexpr unsigned usualSolids = 10;
 constexpr unsigned allSolids = 100;
 
@@ -112,7 +112,7 @@ TEST_P(SharpSolids, HaveGoodHexahedra)
   const Meshed meshed = meshIt(solid.surface, grid, options, 2);
   const QualityMetrics metrics = measure(meshed.mesh());
   EXPECT_EQ(metrics.invalidCells, 0u);
-  EXPECT_GE(leastScaledJacobian(meshed.mesh()), poor.contains(seed) ? 0.19 : 0.3);
+  EXPECT_GE(leastScaledJacobian(meshed.mesh()), poor.contains(seed) ? 0.25 : 0.3);
   EXPECT_LE(std::ranges::max(metrics.nonOrthogonalityOfFaces), 61.0);
   if (!haveCheckMesh())
   {

@@ -37,6 +37,9 @@ constexpr QualityRange acceptableOfDivided{0.31, 0.4};
 constexpr QualityRange creaseJacobian{0.3, 0.31};
 /// And the cosine of non-orthogonality: 60 degrees.
 constexpr QualityRange creaseFaceCosine{0.5, 0.51};
+/// How far below these the first limits are, each next one half of that; and how far beyond them aims are at least.
+constexpr double farthestBelow = 0.2;
+constexpr double leastBeyond = 0.03;
 /// What is aimed at first.
 constexpr double goodCreaseJacobian = 0.45;
 
@@ -49,6 +52,17 @@ OptimizerOptions quick(double leastGain)
   options.leastPenalty = 0.01;
   options.leastGain = leastGain;
   options.firstReach = 0.2;
+  return options;
+}
+
+/// For few cells that are hard to improve: nothing is left untried.
+OptimizerOptions thorough()
+{
+  OptimizerOptions options;
+  options.patient = true;
+  options.firstReach = 0.3;
+  options.tries = 4;
+  options.leastChange = 0.05;
   return options;
 }
 
@@ -249,55 +263,48 @@ QualityTargets targetsOfChecks(const MeshTraits& traits)
 
 std::vector<ImproverStage> soundCreaseStages(const MeshTraits& traits)
 {
-  const auto stage = [&](float below, int rings, double firstReach, bool tryMiddle) {
-    ImproverStage out;
-    out.below = below;
-    out.options.targets = targetsOfCreases(traits, {0.0, goodCreaseJacobian}, baseTargets(traits).faceCosine);
-    out.options.rings = rings;
-    out.options.tryMiddle = tryMiddle;
-    out.options.patient = true;
-    out.options.firstReach = firstReach;
-    return out;
-  };
-  return {stage(1.0F, 2, 0.3, false),       stage(soundEnough, 2, 0.1, false), stage(soundEnough, 3, 0.3, true),
-          stage(soundEnough, 3, 0.1, true), stage(soundEnough, 3, 0.3, true),  stage(soundEnough, 3, 0.1, true)};
+  std::vector<ImproverStage> stages(6);
+  for (std::size_t i = 0; i < stages.size(); ++i)
+  {
+    const bool isLater = i > 1;
+    stages[i].below = i == 0 ? 1.0F : soundEnough;
+    OptimizerOptions& options = stages[i].options = thorough();
+    options.targets = targetsOfCreases(traits, {0.0, goodCreaseJacobian}, baseTargets(traits).faceCosine);
+    options.rings = isLater ? 3 : 2;
+    options.tryMiddle = isLater;
+    options.firstReach = i % 2 == 0 ? options.firstReach : OptimizerOptions().firstReach;
+  }
+  return stages;
 }
 
 std::vector<ImproverStage> creaseStages(const MeshTraits& traits)
 {
-  const auto stage = [&](const QualityRange& jacobian, const QualityRange& faceCosine, bool isFirst) {
-    ImproverStage out;
-    out.options.targets = targetsOfCreases(traits, jacobian, faceCosine);
-    out.options.targets.leastOfJacobian = leastOfOthers;
-    out.options.targets.leastOfFaceCosine = leastOfOthers;
-    out.options.leastWorst = leastOfOthers;
-    out.options.rings = isFirst ? 2 : 3;
-    out.options.sweeps = isFirst ? 20 : 60;
-    out.options.leastGain = isFirst ? 0.01 : 0.001;
-    out.options.patient = true;
-    out.options.firstReach = 0.3;
+  const auto stage = [&](double below, bool isFirst) {
+    const auto about = [&](const QualityRange& wanted, double beyond) {
+      return QualityRange{wanted.limit - below, wanted.limit + std::max(leastBeyond, beyond)};
+    };
+    ImproverStage out{thorough()};
+    OptimizerOptions& options = out.options;
+    options.targets = targetsOfCreases(traits, about(creaseJacobian, 0.75 * below), about(creaseFaceCosine, 0.0));
+    options.targets.leastOfJacobian = options.targets.leastOfFaceCosine = options.leastWorst = leastOfOthers;
+    options.rings = isFirst ? 2 : 3;
+    options.sweeps = isFirst ? 20 : 60;
+    options.leastGain = isFirst ? 0.01 : 0.001;
     return out;
   };
-  const auto last = [&](const QualityRange& jacobian, const QualityRange& faceCosine) {
-    return stage(jacobian, faceCosine, false);
-  };
+  std::vector<ImproverStage> stages;
+  double below = farthestBelow;
+  for (std::size_t i = 0; i < firstCreaseStages; ++i, below *= 0.5)
+  {
+    stages.push_back(stage(below, true));
+  }
   // What is just above a limit may not fall below it, and holds others back: in the last ones limits go down and up.
-  const ImproverStage wide = last({0.28, 0.33}, {0.47, 0.53});
-  const ImproverStage widest = last({0.27, 0.33}, {0.47, 0.53});
-  const ImproverStage narrow = last({0.29, 0.32}, {0.49, 0.52});
-  return {stage({0.1, 0.45}, {0.3, 0.5}, true),
-          stage({0.2, 0.4}, {0.4, 0.54}, true),
-          stage({0.25, 0.35}, {0.46, 0.54}, true),
-          stage({0.28, 0.35}, {0.48, 0.54}, true),
-          last({0.29, 0.33}, {0.49, 0.53}),
-          wide,
-          narrow,
-          widest,
-          narrow,
-          wide,
-          narrow,
-          widest,
-          narrow};
+  for (int i = 0; i < 4; ++i)
+  {
+    stages.push_back(stage(0.03, false));
+    stages.push_back(stage(0.01, false));
+  }
+  return stages;
 }
 
 QualityTargets wantedOfCreaseSheets(const MeshTraits& traits)

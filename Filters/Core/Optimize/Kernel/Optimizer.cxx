@@ -98,8 +98,13 @@ public:
     {
       floor = leastOf(judge, context);
     }
-    rules = {options.keepWorst ? &floor : nullptr, options.tryMiddle, options.leastPenalty, options.leastGain,
-             options.leastWorst};
+    rules = {options.keepWorst ? &floor : nullptr,
+             options.tryMiddle,
+             options.leastPenalty,
+             options.leastGain,
+             options.leastWorst,
+             options.tries,
+             options.leastChange};
   }
 
   /// The number of points moved.

@@ -34,6 +34,10 @@ struct OptimizerOptions
   double leastWorst = -std::numeric_limits<double>::infinity();
   /// How far a point is moved at first, as a part of the cells' size.
   double firstReach = 0.1;
+  /// Steps that are tried for a point, each 0.4 of the one before, and by which share of itself the penalty has to
+  /// change before a point that found no better place is looked at again.
+  int tries = 2;
+  double leastChange = 0.3;
 };
 
 /// Improves cells that fall short of the targets by moving points, those of the cells and of `rings` of cells about

@@ -13,12 +13,9 @@ namespace {
 constexpr double difference = 1e-3; ///< of the cells' size, for derivatives
 constexpr double leastTrust = 1e-3;
 constexpr double mostTrust = 0.5;
-constexpr int tries = 2;
 /// Of measures that are nothing but rounding.
 constexpr double noise = 1e-6;
 constexpr double badAnyway = 0.3;
-/// By which share of itself a penalty has to change before a point that found no better place is looked at again.
-constexpr double muchTheSame = 0.3;
 /// Of the trace of the normal equations: where residuals hardly depend on a direction, steps along it stay short.
 constexpr double damping = 0.03;
 
@@ -80,7 +77,7 @@ bool PointSearch::improve(Index movable, SearchState& state)
   }
   judge.enter(movable, star);
   const Score now = judge.scoreOf(star);
-  if (now.penalty < rules_.leastPenalty || std::abs(now.penalty - state.stuckAt) < muchTheSame * state.stuckAt)
+  if (now.penalty < rules_.leastPenalty || std::abs(now.penalty - state.stuckAt) < rules_.leastChange * state.stuckAt)
   {
     return false;
   }
@@ -106,7 +103,7 @@ bool PointSearch::move(const Score& now, double& trust)
   }
   const Step step = gaussNewtonStep(trust * star.size);
   double scale = 1.0;
-  for (int i = 0; i < tries && step.gain > rules_.leastGain * now.penalty; ++i, scale *= 0.4)
+  for (int i = 0; i < rules_.tries && step.gain > rules_.leastGain * now.penalty; ++i, scale *= 0.4)
   {
     if (moveIfBetter(origin + scale * step.way, now))
     {

@@ -16,6 +16,8 @@ struct SearchRules
   double leastPenalty = 0.0;
   double leastGain = 0.0;
   double leastWorst = -std::numeric_limits<double>::infinity();
+  int tries = 2;
+  double leastChange = 0.3;
 };
 
 /// What is known of a point from one search to the next.
