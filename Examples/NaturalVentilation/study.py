@@ -106,6 +106,8 @@ def mesh_by_atria(atria, row, model, folder):
     if row.near:
         (x0, y0), (x1, y1) = bounds_about_building(row.near, row.angle)
         command += ["--refine-box", x0, x1, y0, y1, 0.0, make_building.HEIGHT + row.near, row.finest]
+    if row.layers == 0:
+        command += ["--no-support"]  # nor where elements cannot be valid without: these rows tell what a layer changes
     if row.ground_layer:
         command += ["--layers", f"Site={row.layers}:{row.ground_layer:g}"]
     return folder / "mesh.vtu", run(command, folder, "mesh")

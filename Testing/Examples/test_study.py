@@ -72,7 +72,7 @@ class Study(unittest.TestCase):
 
     def test_the_whole_may_stand_across_the_grid(self):
         model = self.out / "school.wrl"
-        row = study.Row("turned", far=16.0, ground=16.0, layers=0, angle=17.0)
+        row = study.Row("turned", far=16.0, ground=16.0, angle=17.0)
         make_building.main(model, *row.site, row.angle)
         mesh, _ = study.mesh_by_atria(ATRIA.resolve(), row, model, self.out)
         case = self.out / "case"
