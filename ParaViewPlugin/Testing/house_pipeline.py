@@ -27,3 +27,20 @@ def build_house():
     patches = simple.OutputPort(mesher, 1)
     quality = simple.AtriaMeshQuality(Input=mesher, Patches=patches)
     return types.SimpleNamespace(reader=reader, octree=octree, mesher=mesher, patches=patches, quality=quality)
+
+
+def render_cut(view, source, colors, with_bar):
+    """Renders a cut through the house's mesh, colored by an array: (association, name)."""
+    cut = simple.Slice(Input=source, Crinkleslice=1)
+    cut.SliceType.Origin = [12.3, 7.1, 5.0]
+    cut.SliceType.Normal = [0.0, 1.0, 0.0]
+    display = simple.Show(cut, view)
+    display.SetRepresentationType("Surface With Edges")
+    simple.ColorBy(display, colors)
+    display.RescaleTransferFunctionToDataRange()
+    display.SetScalarBarVisibility(view, with_bar)
+    simple.Render(view)  # the first rendering moves the camera
+    view.CameraPosition = [25.0, -75.0, 24.0]
+    view.CameraFocalPoint = [25.0, 7.0, 14.0]
+    view.CameraViewUp = [0.0, 0.0, 1.0]
+    simple.Render(view)

@@ -13,7 +13,7 @@ from paraview import simple
 from paraview.vtk.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 
-from house_pipeline import build_house
+from house_pipeline import build_house, render_cut
 
 FOLDER = pathlib.Path(os.environ["ATRIA_OUTPUT"])
 
@@ -37,19 +37,7 @@ def picture(source, colors, name, remote):
     """What the server, or the client, draws of a cut through the mesh."""
     simple.GetSettingsProxy("RenderViewSettings").RemoteRenderThreshold = 0 if remote else 1e6
     view = simple.CreateRenderView(ViewSize=[900, 600], OrientationAxesVisibility=0)
-    cut = simple.Slice(Input=source, Crinkleslice=1)
-    cut.SliceType.Origin = [12.3, 7.1, 5.0]
-    cut.SliceType.Normal = [0.0, 1.0, 0.0]
-    display = simple.Show(cut, view)
-    display.SetRepresentationType("Surface With Edges")
-    simple.ColorBy(display, colors)
-    display.RescaleTransferFunctionToDataRange()
-    display.SetScalarBarVisibility(view, False)
-    simple.Render(view)  # the first rendering moves the camera
-    view.CameraPosition = [25.0, -75.0, 24.0]
-    view.CameraFocalPoint = [25.0, 7.0, 14.0]
-    view.CameraViewUp = [0.0, 0.0, 1.0]
-    simple.Render(view)
+    render_cut(view, source, colors, False)
     file = FOLDER / f"{name}.png"
     file.unlink(missing_ok=True)
     simple.SaveScreenshot(str(file), view)

@@ -9,24 +9,12 @@ from paraview.vtk.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 import numpy
 
-from house_pipeline import house
+from house_pipeline import house, render_cut
 
 
 def draw(quality, file):
     view = simple.CreateRenderView(ViewSize=[1200, 800])
-    cut = simple.Slice(Input=quality, Crinkleslice=1)
-    cut.SliceType.Origin = [12.3, 7.1, 5.0]
-    cut.SliceType.Normal = [0.0, 1.0, 0.0]
-    display = simple.Show(cut, view)
-    display.SetRepresentationType("Surface With Edges")
-    simple.ColorBy(display, ("CELLS", "CellSquish"))
-    display.RescaleTransferFunctionToDataRange()
-    display.SetScalarBarVisibility(view, True)
-    simple.Render(view)  # the first rendering moves the camera
-    view.CameraPosition = [25.0, -75.0, 24.0]
-    view.CameraFocalPoint = [25.0, 7.0, 14.0]
-    view.CameraViewUp = [0.0, 0.0, 1.0]
-    simple.Render(view)
+    render_cut(view, quality, ("CELLS", "CellSquish"), True)
     simple.SaveScreenshot(str(file), view)
 
 

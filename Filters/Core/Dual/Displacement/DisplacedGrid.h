@@ -21,9 +21,9 @@ struct DisplacedGrid
 ///
 /// Planes of points enter the gaps (GapPlanes.h); what is left is searched point by point (PlaceSearch.h). No move
 /// opens a way between zones that the octree's own grid keeps apart: points through which they would meet go back again
-/// (ZonesApart.h). `home` are the crossings of the octree's own grid, `points`. The cost is that of the places in
-/// question, and going through the cut edges a few times. Places are looked for on all threads; the moves are made in
-/// the order of points.
+/// (ZonesApart.h). `undisplaced` are the crossings of the octree's own grid, `points`. The cost is that of the places
+/// in question, and going through the cut edges a few times. Places are looked for on all threads; the moves are made
+/// in the order of points.
 DisplacedGrid displaceGrid(const GridPoints& points, Crossings undisplaced, const MeshingContext& context);
 
 } // namespace atria

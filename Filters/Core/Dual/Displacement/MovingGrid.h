@@ -106,7 +106,7 @@ public:
     double cost() const { return 2.0 * static_cast<double>(cuts) + leaves; }
   };
 
-  /// `home` are the crossings while no point is moved; they are referred to.
+  /// `crossings` are those while no point is moved; they are referred to.
   MovingGrid(GridPlaces& places, const Crossings& crossings, const MeshingContext& context);
 
   const GridPlaces& places() const { return grid; }
@@ -188,14 +188,14 @@ private:
   const Crossings& undisplaced;
   std::vector<std::vector<std::vector<Index>>> atCorners;
   LeafCurves leafCurves;
-  /// Edges are numbered as in `home`, and then as they come. Those of a leaf are in both.
+  /// Edges are numbered as in `undisplaced`, and then as they come. Those of a leaf are in both.
   Buckets edgesOfLeaf;
-  /// Per point its first edge in `home`, where they are in the order of points.
+  /// Per point its first edge in `undisplaced`, where they are in the order of points.
   std::vector<Index> firstEdge;
   std::unordered_map<Index, std::vector<Index>> addedOfLeaf;
   std::unordered_map<std::uint64_t, Index> addedIds;
   std::vector<std::uint64_t> addedKeys;
-  /// Per edge its place in `moved`, or noIndex where it is as in `home`.
+  /// Per edge its place in `moved`, or noIndex where it is as in `undisplaced`.
   std::vector<Index> movedOf;
   std::vector<Live> moved;
   std::vector<Finding> findings;
