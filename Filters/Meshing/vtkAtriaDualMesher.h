@@ -133,7 +133,8 @@ public:
   /**
    * Whether surfaces for which no layers are asked have one if an element there cannot be valid without, wherever its
    * vertices are: one that is concave at walls, or has too few neighbors. It is on the whole surface; on the domain's
-   * bottom beside a site, only at such elements. Default on.
+   * bottom beside a site, only at such elements. So have the upright sides of a domain that is turned against the grid,
+   * everywhere. Default on.
    */
   vtkSetMacro(SupportElements, bool);
   vtkGetMacro(SupportElements, bool);

@@ -23,6 +23,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <set>
+#include <vector>
 
 namespace {
 
@@ -31,11 +32,21 @@ using namespace atria::testing;
 
 constexpr int parts = 20;
 
-/// ATRIA_TEST_SOUPS asks for another number of them in all.
-int soupsInPart()
+/// ATRIA_TEST_SOUPS asks for another number of them in all, ATRIA_TEST_SOUP for a single one in place of each part.
+std::vector<unsigned> soupsOfPart(int part)
 {
+  if (const char* single = std::getenv("ATRIA_TEST_SOUP"))
+  {
+    return {static_cast<unsigned>(std::atoi(single))};
+  }
   const char* number = std::getenv("ATRIA_TEST_SOUPS");
-  return number != nullptr ? std::atoi(number) / parts : std::getenv("ATRIA_TEST_FULL") != nullptr ? 50 : 3;
+  const int count = number != nullptr ? std::atoi(number) / parts : std::getenv("ATRIA_TEST_FULL") != nullptr ? 50 : 3;
+  std::vector<unsigned> seeds;
+  for (int i = 0; i < count; ++i)
+  {
+    seeds.push_back(static_cast<unsigned>(part + parts * i));
+  }
+  return seeds;
 }
 
 /// The element whose corners' mean is nearest.
@@ -162,9 +173,8 @@ class DirtySoups : public ::testing::TestWithParam<int>
 
 TEST_P(DirtySoups, AreMeshedSoundlyAndKeepTheirSpaces)
 {
-  for (int i = 0; i < soupsInPart(); ++i)
+  for (const unsigned seed : soupsOfPart(GetParam()))
   {
-    const auto seed = static_cast<unsigned>(GetParam() + parts * i);
     const DirtySoup soup = dirtySoup(seed);
     const std::string what = "soup " + std::to_string(seed) + ": " + soup.description;
     SCOPED_TRACE(what);
@@ -183,9 +193,8 @@ TEST_P(DirtySoups, AreMeshedSoundlyAndKeepTheirSpaces)
 
 TEST_P(DirtySoups, HaveALayerAndNothingToObjectTo)
 {
-  for (int i = 0; i < soupsInPart(); ++i)
+  for (const unsigned seed : soupsOfPart(GetParam()))
   {
-    const auto seed = static_cast<unsigned>(GetParam() + parts * i);
     const DirtySoup soup = dirtySoup(seed);
     const std::string what = "soup " + std::to_string(seed) + ": " + soup.description;
     SCOPED_TRACE(what);

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// What must hold of every mesh holds in turned domains, prisms and grids, whatever the surfaces.
+#include "CheckWritten.h"
 #include "Domain/PlacedModel.h"
 #include "Mesher/MeshModel.h"
 #include "Support/DualMeshChecks.h"
 #include "Support/Shapes.h"
 
 #include <Eigen/Geometry>
+
+#include <gmock/gmock.h>
 
 #include <algorithm>
 #include <cmath>
@@ -372,5 +375,50 @@ TEST_P(Polygons, HaveTheAreaOfEachSideAndTheVolumeOfTheExactOne)
 }
 
 INSTANTIATE_TEST_SUITE_P(Grounds, Polygons, ::testing::Bool());
+
+class TurnedHouses : public ::testing::TestWithParam<std::tuple<int, bool, int>>
+{
+};
+
+/// Sides that cut the grid have elements as good as those at walls.
+TEST_P(TurnedHouses, HaveNothingToObjectTo)
+{
+  const auto& [sideCount, hasGround, layers] = GetParam();
+  Case c = calmCase(sideCount, hasGround);
+  for (const double angle : {0.0, 5.0, 14.0, 28.0, 43.0})
+  {
+    SCOPED_TRACE(angle);
+    c.options.domainAngle = angle;
+    atria::MesherOptions options;
+    options.site = c.options;
+    options.sizes = c.sizes;
+    options.mesh.layers = {{"*", {layers}}};
+    atria::SilentMonitor silent;
+    const atria::ThreadExecutor executor(2);
+    const atria::MeshedModel result = atria::meshModel(c.surface, options, {executor, atria::ProgressRange(silent)});
+    EXPECT_TRUE(atria::testing::elementsAreClosed(result.mesh));
+    EXPECT_TRUE(atria::testing::boundaryIsWatertight(result.mesh));
+    for (const atria::LayerCoverage& surface : result.layers.surfaces)
+    {
+      EXPECT_GE(surface.layered, (surface.layers > 0 ? 0.99 : 0.0) * surface.area) << surface.surface;
+    }
+    if (atria::testing::haveCheckMesh())
+    {
+      atria::testing::Meshed meshed;
+      meshed.model.names = result.names;
+      meshed.model.kinds = result.kinds;
+      meshed.result = result;
+      EXPECT_THAT(atria::testing::checkAsWritten(meshed).failures, ::testing::IsEmpty());
+    }
+  }
+  if (!atria::testing::haveCheckMesh())
+  {
+    GTEST_SKIP() << atria::testing::withoutCheckMesh;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(SideCounts, TurnedHouses,
+                         ::testing::Combine(::testing::Values(3, 4, 5, 16), ::testing::Bool(),
+                                            ::testing::Values(0, 1, 5)));
 
 } // namespace

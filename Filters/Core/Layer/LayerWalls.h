@@ -9,6 +9,14 @@
 
 namespace atria {
 
+/// Layers that nobody asked for, without which elements are not valid.
+enum class SupportingLayer : std::uint8_t
+{
+  none,
+  whereNeeded, ///< on the whole of a surface that has an element which cannot be valid without
+  everywhere
+};
+
 struct LayerOptions
 {
   /// By tag: see resolveLayerRules.
@@ -21,11 +29,11 @@ struct LayerOptions
   double relativeThickness = 0.3;
   /// The same for more layers than one, which else would be very thin.
   double dividedThickness = 0.6;
-  /// By tag: whether no layer was asked for, and one is there only at elements that cannot be valid without. Empty:
-  /// none is like that.
-  std::vector<char> supporting;
+  /// By tag. Empty: none has such a layer.
+  std::vector<SupportingLayer> supporting;
 
-  bool isSupporting(Index tag) const { return !supporting.empty() && supporting[tag] != 0; }
+  SupportingLayer supportOf(Index tag) const { return supporting.empty() ? SupportingLayer::none : supporting[tag]; }
+  bool isSupporting(Index tag) const { return supportOf(tag) != SupportingLayer::none; }
   /// Whether a layer was asked for somewhere.
   bool isAsked() const
   {

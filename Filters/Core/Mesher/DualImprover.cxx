@@ -57,16 +57,19 @@ bool hasGround(const DualMesh& mesh, const LayerOptions& options)
 }
 
 /// Surfaces without layers may have one where elements cannot be valid without, and so may the bottom beside a site:
-/// where sizes change at the domain's edges, elements may have two neighbors only.
-void support(const DualMesh& mesh, LayerOptions& options)
+/// where sizes change at the domain's edges, elements may have two neighbors only. The sides of a turned domain have
+/// one everywhere: they cut the grid as walls do.
+void support(const DualMesh& mesh, bool isTurned, LayerOptions& options)
 {
   const Index bottom = hasGround(mesh, options) ? options.surfaceCount() + zMin : noIndex;
-  options.supporting.assign(options.ofTag.size(), 0);
+  options.supporting.assign(options.ofTag.size(), SupportingLayer::none);
   for (Index tag = 0; tag < options.ofTag.size(); ++tag)
   {
-    if (options.ofTag[tag].layers == 0 && (tag < options.surfaceCount() || tag == bottom))
+    const bool isSurface = tag < options.surfaceCount();
+    const bool isTurnedSide = isTurned && !isSurface && isUprightSide(tag - options.surfaceCount());
+    if (options.ofTag[tag].layers == 0 && (isSurface || isTurnedSide || tag == bottom))
     {
-      options.supporting[tag] = 1;
+      options.supporting[tag] = isTurnedSide ? SupportingLayer::everywhere : SupportingLayer::whereNeeded;
       options.ofTag[tag] = {.layers = 1};
     }
   }
@@ -110,7 +113,7 @@ ImprovedMesh growLayers(ClassifiedMesh given, const WallOptions& wallOptions, co
   options.ofTag = resolveLayerRules(wallOptions.layers, context.model.names);
   if (wallOptions.supportElements)
   {
-    support(given.mesh, options);
+    support(given.mesh, context.octree.frame().turnedDomain.has_value(), options);
   }
   options.sideNormals = sideNormalsOf(context.octree.frame());
   LayerWalls walls = findLayerWalls(given.mesh, options, context);

@@ -15,7 +15,7 @@ MeshTraits traitsOf(const DualMesh& plain, const LayerOptions& options)
 {
   return {.layered = std::ranges::any_of(options.ofTag, [](const WallLayers& wall) { return wall.layers > 0; }),
           .asked = options.isAsked(),
-          .supported = std::ranges::find(options.supporting, 1) != options.supporting.end(),
+          .supported = std::ranges::find(options.supporting, SupportingLayer::whereNeeded) != options.supporting.end(),
           .hasHeights = options.hasHeights(),
           .divided = options.isDivided(),
           .uniform = std::ranges::adjacent_find(plain.levels, std::not_equal_to()) == plain.levels.end()};
@@ -33,7 +33,7 @@ ImproverState::ImproverState(const MeshingContext& meshingContext, const VertexC
 {
   for (const BoundaryFace& face : plain.boundaryFaces)
   {
-    for (int i = 0; i < 4 && options.isSupporting(face.tag); ++i)
+    for (int i = 0; i < 4 && options.supportOf(face.tag) == SupportingLayer::whereNeeded; ++i)
     {
       excluded[cornerOf(plain, face, i)] = 1;
     }
