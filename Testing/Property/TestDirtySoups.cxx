@@ -167,6 +167,25 @@ TEST(DoubledWall, KeepsItsRoomClosed)
   }
 }
 
+/// Faces in one plane that cannot be made one, as they have a waist, are brought into shape: of these soups one element
+/// each was concave.
+TEST(WaistsOfFaces, LeaveNoConcaveElement)
+{
+  if (!haveCheckMesh())
+  {
+    GTEST_SKIP() << withoutCheckMesh;
+  }
+  for (const unsigned seed : {8140u, 6786u})
+  {
+    SCOPED_TRACE(seed);
+    const DirtySoup soup = dirtySoup(seed);
+    DualMeshOptions options;
+    options.zoneRule = ZoneRule::all;
+    options.layers = {{"*", {1}}};
+    EXPECT_THAT(checkAsWritten(meshIt(soup.surface, soup.grid, options)).failures, ::testing::IsEmpty());
+  }
+}
+
 class DirtySoups : public ::testing::TestWithParam<int>
 {
 };

@@ -112,7 +112,10 @@ struct Retreat
 };
 inline constexpr std::array retreats{Retreat{1, true}, Retreat{1, false}, Retreat{2, true}, Retreat{2, false}};
 
-/// 9. Crease sheets begin flat; what does not come right at once gets more room. Then limits rise, as cells far from
+/// 9. Faces in one plane that cannot be made one are brought into a better shape, in so many rounds.
+inline constexpr int mostWaistRounds = 3;
+
+/// 10. Crease sheets begin flat; what does not come right at once gets more room. Then limits rise, as cells far from
 /// the last ones find no way there. The stages after the first few are for what is still short of
 /// `wantedOfCreaseSheets`.
 std::vector<ImproverStage> soundCreaseStages(const MeshTraits& traits);

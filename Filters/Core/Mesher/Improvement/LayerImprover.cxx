@@ -6,6 +6,7 @@
 #include "Mesher/Improvement/LayerCreases.h"
 #include "Mesher/Improvement/LayerDivision.h"
 #include "Mesher/Improvement/SupportingLayer.h"
+#include "Mesher/Improvement/Waists.h"
 
 #include <optional>
 
@@ -214,6 +215,7 @@ ImprovedLayer improveLayer(const MeshingContext& context, const VertexClassifica
     supportMore(state, detachment);
     retreat(state, detachment);
   }
+  widenWaists(state, detachment);
   if (traits.isSingle() && traits.uniform)
   {
     enter(0.9, 1.0, "Adding crease sheets");
