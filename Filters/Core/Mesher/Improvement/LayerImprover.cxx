@@ -156,6 +156,41 @@ void straightenDivided(LayerDivision division, ImproverState& state, VertexDetac
   state.focus.clear();
 }
 
+/// Begins a phase, a part of the whole's progress.
+void enter(ImproverState& state, const RunContext& whole, double begin, double end, const char* phase)
+{
+  state.context.progress = whole.progress.part(begin, end);
+  state.context.progress.report(0.0, phase);
+}
+
+/// What follows where layers are several.
+void finishDivided(ImproverState& state, VertexDetachment& detachment, const RunContext& whole)
+{
+  enter(state, whole, 0.5, 0.7, "Dividing layers");
+  supportMore(state, detachment);
+  retreat(state, detachment);
+  LayerDivision division = divide(state, detachment);
+  if (!state.traits.hasHeights)
+  {
+    enter(state, whole, 0.7, 0.9, "Straightening elements");
+    straightenDivided(std::move(division), state, detachment);
+  }
+}
+
+/// What follows where they are single, or none.
+void finishWhole(ImproverState& state, VertexDetachment& detachment, CurvedWalls* curved, const RunContext& whole)
+{
+  if (curved)
+  {
+    enter(state, whole, 0.5, 0.7, "Improving elements at curved walls");
+    curved->improve();
+  }
+  enter(state, whole, 0.7, 0.9, "Straightening elements");
+  straighten(state, detachment);
+  supportMore(state, detachment);
+  retreat(state, detachment);
+}
+
 } // namespace
 
 ImprovedLayer improveLayer(const MeshingContext& context, const VertexClassification& classification,
@@ -166,13 +201,9 @@ ImprovedLayer improveLayer(const MeshingContext& context, const VertexClassifica
   const MeshTraits& traits = state.traits;
   VertexDetachment detachment(state);
   std::optional<CurvedWalls> curved;
-  const auto enter = [&](double begin, double end, const char* phase) {
-    state.context.progress = context.progress.part(begin, end);
-    state.context.progress.report(0.0, phase);
-  };
-  enter(0.0, 0.1, "Growing layers");
+  enter(state, context, 0.0, 0.1, "Growing layers");
   state.grow();
-  enter(0.1, 0.4, "Improving elements at walls");
+  enter(state, context, 0.1, 0.4, "Improving elements at walls");
   if (traits.isSingle())
   {
     curved.emplace(state, curvedWalls);
@@ -189,36 +220,20 @@ ImprovedLayer improveLayer(const MeshingContext& context, const VertexClassifica
     state.focus.clear();
   }
   detachment.improveAndMend();
-  enter(0.4, 0.5, "Putting vertices back");
+  enter(state, context, 0.4, 0.5, "Putting vertices back");
   detachment.putBack();
   if (traits.divided)
   {
-    enter(0.5, 0.7, "Dividing layers");
-    supportMore(state, detachment);
-    retreat(state, detachment);
-    LayerDivision division = divide(state, detachment);
-    if (!traits.hasHeights)
-    {
-      enter(0.7, 0.9, "Straightening elements");
-      straightenDivided(std::move(division), state, detachment);
-    }
+    finishDivided(state, detachment, context);
   }
-  if (isCurved)
+  else
   {
-    enter(0.5, 0.7, "Improving elements at curved walls");
-    curved->improve();
-  }
-  if (!traits.divided)
-  {
-    enter(0.7, 0.9, "Straightening elements");
-    straighten(state, detachment);
-    supportMore(state, detachment);
-    retreat(state, detachment);
+    finishWhole(state, detachment, isCurved ? &*curved : nullptr, context);
   }
   widenWaists(state, detachment);
   if (traits.isSingle() && traits.uniform)
   {
-    enter(0.9, 1.0, "Adding crease sheets");
+    enter(state, context, 0.9, 1.0, "Adding crease sheets");
     addCreaseSheets(state);
   }
   return {std::move(state.layer), detachment.detached()};
