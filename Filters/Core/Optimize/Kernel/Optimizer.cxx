@@ -2,7 +2,6 @@
 #include "Optimize/Kernel/Optimizer.h"
 
 #include "Optimize/Kernel/Coloring.h"
-#include "Optimize/Kernel/PointSearch.h"
 #include "Support/Buckets.h"
 #include "Support/Pieces.h"
 
@@ -98,13 +97,6 @@ public:
     {
       floor = leastOf(judge, context);
     }
-    rules = {options.keepWorst ? &floor : nullptr,
-             options.tryMiddle,
-             options.leastPenalty,
-             options.leastGain,
-             options.leastWorst,
-             options.tries,
-             options.leastChange};
   }
 
   /// The number of points moved.
@@ -162,7 +154,7 @@ private:
     const std::scoped_lock lock(searchMutex);
     if (searches.empty())
     {
-      return std::make_unique<PointSearch>(judge, constraints, rules);
+      return std::make_unique<PointSearch>(judge, constraints, options, options.keepWorst ? &floor : nullptr);
     }
     std::unique_ptr<PointSearch> search = std::move(searches.back());
     searches.pop_back();
@@ -213,7 +205,6 @@ private:
   const RunContext& context;
   /// Of the cells as they were at first.
   LeastMetrics floor;
-  SearchRules rules;
   std::mutex searchMutex;
   std::vector<std::unique_ptr<PointSearch>> searches;
   Colors colors;

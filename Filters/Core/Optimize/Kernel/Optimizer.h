@@ -3,11 +3,11 @@
 #pragma once
 
 #include "Optimize/Kernel/MeasuredCells.h"
-#include "Optimize/Kernel/VertexConstraints.h"
+#include "Optimize/Kernel/PointSearch.h"
 
 namespace atria {
 
-struct OptimizerOptions
+struct OptimizerOptions : SearchRules
 {
   QualityTargets targets;
   /// By which share of the way from limit to target to aim beyond the targets: points are not moved for what is within
@@ -24,20 +24,8 @@ struct OptimizerOptions
   bool keepWorst = false;
   /// Whether progress from 0 to 1 is told.
   bool tellProgress = false;
-  /// Whether points of bad cells are tried in the middle of the points about them first.
-  bool tryMiddle = false;
-  /// Points whose cells have less of a penalty stay, and those that would lose less than this share of it.
-  double leastPenalty = 1e-4;
-  double leastGain = 0.01;
-  /// No cell whose least measure is above this falls below it for the good of others. Without it, what is bad by one
-  /// measure may become worse by others for what is gained in the whole.
-  double leastWorst = -std::numeric_limits<double>::infinity();
   /// How far a point is moved at first, as a part of the cells' size.
   double firstReach = 0.1;
-  /// Steps that are tried for a point, each 0.4 of the one before, and by which share of itself the penalty has to
-  /// change before a point that found no better place is looked at again.
-  int tries = 2;
-  double leastChange = 0.3;
 };
 
 /// Improves cells that fall short of the targets by moving points, those of the cells and of `rings` of cells about

@@ -43,14 +43,14 @@ bool PointSearch::isBetter(const Score& there, const Score& now) const
 /// Of the place where the point is now.
 bool PointSearch::noMetricIsWorse() const
 {
-  if (!rules_.floor)
+  if (!floor_)
   {
     return true;
   }
   const LeastMetrics metrics = judge.metricsOf(star);
   for (std::size_t m = 0; m < LeastMetrics::count; ++m)
   {
-    if (metrics.values[m] < rules_.floor->values[m])
+    if (metrics.values[m] < floor_->values[m])
     {
       return false;
     }

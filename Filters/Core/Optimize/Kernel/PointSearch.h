@@ -6,16 +6,19 @@
 
 namespace atria {
 
+/// How better places are looked for.
 struct SearchRules
 {
-  /// Below this no metric of the cells about a point may get; null for no such rule.
-  const LeastMetrics* floor = nullptr;
-  /// Whether a point of bad cells is tried in the middle of the points about it first.
+  /// Whether points of bad cells are tried in the middle of the points about them first.
   bool tryMiddle = false;
-  /// See OptimizerOptions, which have the defaults.
-  double leastPenalty = 0.0;
-  double leastGain = 0.0;
+  /// Points whose cells have less of a penalty stay, and those that would lose less than this share of it.
+  double leastPenalty = 1e-4;
+  double leastGain = 0.01;
+  /// No cell whose least measure is above this falls below it for the good of others. Without it, what is bad by one
+  /// measure may become worse by others for what is gained in the whole.
   double leastWorst = -std::numeric_limits<double>::infinity();
+  /// Steps that are tried for a point, each 0.4 of the one before, and by which share of itself the penalty has to
+  /// change before a point that found no better place is looked at again.
   int tries = 2;
   double leastChange = 0.3;
 };
@@ -33,8 +36,10 @@ struct SearchState
 class PointSearch
 {
 public:
-  PointSearch(QualityEvaluator& qualities, const VertexConstraints& vertexConstraints, const SearchRules& rules = {})
-      : judge(qualities), constraints(vertexConstraints), rules_(rules)
+  /// Below `floor`, if it is given, no metric of the cells about a point may get; it must outlive the search.
+  PointSearch(QualityEvaluator& qualities, const VertexConstraints& vertexConstraints, const SearchRules& rules = {},
+              const LeastMetrics* floor = nullptr)
+      : judge(qualities), constraints(vertexConstraints), rules_(rules), floor_(floor)
   {
   }
 
@@ -66,6 +71,7 @@ private:
   QualityEvaluator& judge;
   const VertexConstraints& constraints;
   SearchRules rules_;
+  const LeastMetrics* floor_;
   VertexStar star;
   Residuals residuals;
   std::vector<double> beside;
