@@ -52,7 +52,7 @@ struct Layered
     options.ofTag = resolveLayerRules(rules, meshed.model.names);
     options.sideNormals = sideNormalsOf(meshed.frame);
     walls = findLayerWalls(plain(), options, context());
-    one = growLayer(plain(), walls, options, {}, context());
+    one = LayerGrower(walls, options).grow(plain(), {}, context());
   }
 
   const DualMesh& plain() const { return meshed.mesh(); }

@@ -130,7 +130,7 @@ TEST(LayerTopology, GrownLayersAreSoundOnRandomSoups)
     std::mt19937 random(seed);
     std::vector<char> excluded(plain.points.size());
     std::generate(excluded.begin(), excluded.end(), [&] { return random() % (2 + seed) == 0; });
-    const LayerMesh one = growLayer(plain, walls, options, excluded, context());
+    const LayerMesh one = LayerGrower(walls, options).grow(plain, excluded, context());
     const LayerMesh divided = divideLayer(plain, walls, one, options, layersWanted(plain, walls, one, options));
     for (const LayerMesh* layer : {&one, &divided})
     {

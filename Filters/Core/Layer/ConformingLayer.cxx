@@ -2,6 +2,7 @@
 #include "Layer/ConformingLayer.h"
 
 #include "Layer/ElementShape.h"
+#include "Support/Pieces.h"
 
 #include <algorithm>
 #include <atomic>
@@ -25,17 +26,18 @@ constexpr std::array<std::array<std::uint8_t, 2>, 12> hexahedronEdge{
     {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
 
 /// Takes the layer from points of faces on which it would lie flat, and again as others lose their last support.
-void dropFlat(const DualMesh& mesh, const LayerWalls& walls, const std::vector<Vec3>& normals,
-              const std::vector<LayerDirection>& directions, std::vector<Index>& counts)
+void dropFlat(const DualMesh& mesh, const LayerWalls& walls, const LayerDirections& directions,
+              std::vector<Index>& counts)
 {
   const auto isFlat = [&](Index f) {
-    const double area = normals[f].norm();
+    const Vec3& normal = directions.normal(f);
+    const double area = normal.norm();
     bool doubled = false;
     for (int i = 0; i < 4; ++i)
     {
       const Index p = cornerOf(mesh, mesh.boundaryFaces[f], i);
       doubled = doubled || counts[p] > 0;
-      if (counts[p] > 0 && directions[p].direction.dot(normals[f]) > liftingCosine * area)
+      if (counts[p] > 0 && directions.at(p).direction.dot(normal) > liftingCosine * area)
       {
         return false;
       }
@@ -94,11 +96,12 @@ template <typename IsBetter> void replaceIf(double& value, double candidate, IsB
   }
 }
 
-/// The least that any wall about a point asks for.
+/// The least that any wall about a point asks for, at the points of some elements.
 std::vector<double> thicknesses(const DualMesh& mesh, const LayerWalls& walls, const std::vector<Index>& counts,
-                                const LayerOptions& options, const RunContext& context)
+                                const std::vector<Index>& elements, const LayerOptions& options,
+                                const RunContext& context)
 {
-  const std::vector<double> sizes = findWallSizes(mesh, walls, counts, context);
+  const std::vector<double> sizes = findWallSizes(mesh, walls, counts, elements, context);
   std::vector<double> out(counts.size(), std::numeric_limits<double>::infinity());
   for (Index f = 0; f < walls.roles.size(); ++f)
   {
@@ -111,20 +114,20 @@ std::vector<double> thicknesses(const DualMesh& mesh, const LayerWalls& walls, c
   return out;
 }
 
-/// Moves copies off the wall and draws them back in where they cluster.
+/// Moves the copies of some points off the wall and draws them back in where they cluster.
 class Spacing
 {
 public:
-  Spacing(const DualMesh& p, LayerMesh& l, const std::vector<LayerDirection>& d, const std::vector<double>& t,
-          const RunContext& c)
-      : plain(p), layer(l), directions(d), heights(l.copies.size(), 0.0), context(c)
+  Spacing(const DualMesh& p, LayerMesh& l, const LayerDirections& d, const std::vector<double>& t,
+          const std::vector<char>& o, const RunContext& c)
+      : plain(p), layer(l), directions(d), open(o), heights(l.copies.size(), 0.0), context(c)
   {
     for (Index point = 0; point < heights.size(); ++point)
     {
-      if (layer.copies[point] != noIndex)
+      if (open[point])
       {
         // The thickness is meant across the wall.
-        const double cosine = directions[point].cosine;
+        const double cosine = directions.at(point).cosine;
         heights[point] = cosine > 0.1 ? t[point] / std::max(cosine, 0.5) : t[point];
       }
     }
@@ -148,25 +151,24 @@ public:
   }
 
 private:
+  bool isOpen(Index p) const { return layer.isNew(p) && open[layer.wallPointOf(p)]; }
+
   std::vector<Index> touched() const
   {
-    std::vector<Index> out;
-    for (Index e = 0; e < layer.mesh.elementCount(); ++e)
-    {
-      const auto& corners = layer.mesh.corners[e];
-      if (std::any_of(corners.begin(), corners.end(), [&](Index p) { return layer.isNew(p); }))
-      {
-        out.push_back(e);
-      }
-    }
-    return out;
+    const auto& corners = layer.mesh.corners;
+    return chosenNumbers(corners.size(), context.executor, [&](std::size_t e) {
+      return std::ranges::any_of(corners[e], [&](Index p) { return isOpen(p); });
+    });
   }
 
   void place()
   {
     context.executor.forEach(layer.wallPoints.size(), 8192, [&](std::size_t i) {
       const Index p = layer.wallPoints[i];
-      layer.mesh.points[layer.plainPoints + i] = plain.points[p] + heights[p] * directions[p].direction;
+      if (open[p])
+      {
+        layer.mesh.points[layer.plainPoints + i] = plain.points[p] + heights[p] * directions.at(p).direction;
+      }
     });
   }
 
@@ -186,7 +188,7 @@ private:
     {
       for (const Index p : layer.mesh.corners[active[i]])
       {
-        if (crowded[i] && layer.isNew(p) && !changed[layer.wallPointOf(p)])
+        if (crowded[i] && isOpen(p) && !changed[layer.wallPointOf(p)])
         {
           changed[layer.wallPointOf(p)] = 1;
           heights[layer.wallPointOf(p)] *= shrinkFactor;
@@ -198,10 +200,32 @@ private:
 
   const DualMesh& plain;
   LayerMesh& layer;
-  const std::vector<LayerDirection>& directions;
+  const LayerDirections& directions;
+  const std::vector<char>& open;
   std::vector<double> heights;
   const RunContext& context;
 };
+
+/// Marks points as far around those marked as their heights can depend on: each round of drawing in looks one element
+/// further.
+void widen(std::vector<char>& marked, const DualMesh& plain, const LayerMesh& layer, const Executor& executor)
+{
+  const std::vector<Index> touched = chosenNumbers(plain.elementCount(), executor, [&](std::size_t e) {
+    return std::ranges::any_of(plain.corners[e], [&](Index p) { return layer.copies[p] != noIndex; });
+  });
+  for (int ring = 0; ring <= shrinkRounds; ++ring)
+  {
+    const std::vector<Index> about = chosenNumbers(
+        touched.size(), executor, [&](std::size_t i) { return hasMarked(plain.corners[touched[i]], marked); });
+    for (const Index i : about)
+    {
+      for (const Index p : plain.corners[touched[i]])
+      {
+        marked[p] = layer.copies[p] != noIndex ? 1 : 0;
+      }
+    }
+  }
+}
 
 } // namespace
 
@@ -215,18 +239,20 @@ double thicknessAsked(const WallLayers& layers, double wallSize, const LayerOpti
   return layers.firstHeight * (g == 1.0 ? layers.layers : (std::pow(g, layers.layers) - 1.0) / (g - 1.0));
 }
 
+std::vector<Index> elementsAt(const DualMesh& mesh, const std::vector<char>& marked, const Executor& executor)
+{
+  return chosenNumbers(mesh.elementCount(), executor,
+                       [&](std::size_t e) { return hasMarked(mesh.corners[e], marked); });
+}
+
 std::vector<double> findWallSizes(const DualMesh& mesh, const LayerWalls& walls, const std::vector<Index>& counts,
-                                  const RunContext& context)
+                                  const std::vector<Index>& elements, const RunContext& context)
 {
   constexpr double none = std::numeric_limits<double>::infinity();
   std::vector<double> off(mesh.points.size(), 0.0);
   std::vector<double> along(mesh.points.size(), none);
-  context.executor.forEach(mesh.elementCount(), 4096, [&](std::size_t e) {
-    const auto& corners = mesh.corners[e];
-    if (std::ranges::none_of(corners, [&](Index p) { return counts[p] > 0; }))
-    {
-      return;
-    }
+  context.executor.forEach(elements.size(), 4096, [&](std::size_t i) {
+    const auto& corners = mesh.corners[elements[i]];
     for (const auto& [c, d] : hexahedronEdge)
     {
       const Index p = corners[c];
@@ -253,28 +279,56 @@ std::vector<double> findWallSizes(const DualMesh& mesh, const LayerWalls& walls,
   return sizes;
 }
 
-LayerMesh growLayer(const DualMesh& plain, const LayerWalls& walls, const LayerOptions& options,
-                    const std::vector<char>& excluded, const RunContext& context)
+/// 1 for points that have a layer.
+std::vector<Index> LayerGrower::countsOf(const DualMesh& plain, const std::vector<char>& excluded,
+                                         const RunContext& context)
 {
-  std::vector<Index> counts(walls.counts.size());
+  std::vector<Index> counts(walls_.counts.size());
   for (std::size_t p = 0; p < counts.size(); ++p)
   {
-    counts[p] = walls.counts[p] > 0 && (excluded.empty() || !excluded[p]) ? 1 : 0;
+    counts[p] = walls_.counts[p] > 0 && (excluded.empty() || !excluded[p]) ? 1 : 0;
   }
-  if (std::ranges::find(counts, 1) == counts.end())
+  directions_.update(plain, counts, context);
+  for (Index p = 0; p < counts.size(); ++p)
   {
-    return buildLayer(plain, walls, counts, context.executor);
+    counts[p] = counts[p] > 0 && directions_.at(p).cosine < feasibleCosine ? 0 : counts[p];
   }
-  const std::vector<Vec3> normals = wallNormals(plain, context);
-  std::vector<LayerDirection> directions = findDirections(plain, walls, normals, counts, options, context);
-  for (std::size_t p = 0; p < counts.size(); ++p)
+  dropFlat(plain, walls_, directions_, counts);
+  return counts;
+}
+
+LayerMesh LayerGrower::grow(const DualMesh& plain, const std::vector<char>& excluded, const RunContext& context)
+{
+  LayerMesh none;
+  none.copies.assign(plain.points.size(), noIndex);
+  return growAgain(plain, excluded, none, {}, context);
+}
+
+LayerMesh LayerGrower::growAgain(const DualMesh& plain, const std::vector<char>& excluded, const LayerMesh& before,
+                                 const std::vector<char>& fresh, const RunContext& context)
+{
+  const std::vector<Index> counts = countsOf(plain, excluded, context);
+  LayerMesh layer = buildLayer(plain, walls_, counts, context.executor);
+  const auto stays = [&](Index p) { return layer.copies[p] != noIndex && before.copies[p] != noIndex && !fresh[p]; };
+  std::vector<char> open(counts.size(), 0);
+  for (Index p = 0; p < open.size(); ++p)
   {
-    counts[p] = directions[p].cosine < feasibleCosine ? 0 : counts[p];
+    open[p] = layer.copies[p] != noIndex && !stays(p) ? 1 : 0;
   }
-  leanFromStraight(plain, walls, normals, directions);
-  dropFlat(plain, walls, normals, directions, counts);
-  LayerMesh layer = buildLayer(plain, walls, counts, context.executor);
-  Spacing(plain, layer, directions, thicknesses(plain, walls, counts, options, context), context).run();
+  if (std::ranges::find(open, 1) != open.end())
+  {
+    widen(open, plain, layer, context.executor);
+    const std::vector<Index> elements = elementsAt(plain, open, context.executor);
+    Spacing(plain, layer, directions_, thicknesses(plain, walls_, counts, elements, options_, context), open, context)
+        .run();
+  }
+  for (Index p = 0; p < open.size(); ++p)
+  {
+    if (stays(p))
+    {
+      layer.mesh.points[layer.copies[p]] = before.mesh.points[before.copies[p]];
+    }
+  }
   return layer;
 }
 

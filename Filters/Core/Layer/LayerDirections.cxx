@@ -136,82 +136,6 @@ private:
   double bestLeast = -2.0;
 };
 
-/// Whether a side's faces about a point lie in its plane. Where a surface is close to a turned side their other points
-/// may be on the surface, and copies that slide along the side would change the space inside.
-bool liesInSides(const DualMesh& mesh, const LayerWalls& walls, const std::vector<Vec3>& normals, Index point,
-                 const LayerOptions& options)
-{
-  const auto star = walls.graph.facesAt(point);
-  return std::all_of(star.begin(), star.end(), [&](Index f) {
-    return walls.roles[f] != FaceRole::slide ||
-           normals[f].cross(sideNormal(mesh.boundaryFaces[f], options)).norm() <= sideSlope * normals[f].norm();
-  });
-}
-
-/// What the faces about a point ask for.
-DirectionProblem problemAt(const DualMesh& mesh, const LayerWalls& walls, const std::vector<Vec3>& normals, Index point,
-                           const LayerOptions& options)
-{
-  DirectionProblem problem;
-  const auto star = walls.graph.facesAt(point);
-  for (const Index f : star)
-  {
-    const BoundaryFace& face = mesh.boundaryFaces[f];
-    const double area = normals[f].norm();
-    if (walls.roles[f] == FaceRole::slide)
-    {
-      problem.sides.push_back(sideNormal(face, options));
-    }
-    if (walls.roles[f] != FaceRole::wall || area == 0.0)
-    {
-      continue;
-    }
-    const Vec3 normal = normals[f] / area;
-    const Index behind = faceBehind(mesh, face);
-    if (behind == noIndex || std::find(star.begin(), star.end(), behind) == star.end())
-    {
-      problem.walls.push_back(normal);
-      continue;
-    }
-    problem.sheets.push_back(normal);
-    for (int i = 0; i < 4; ++i)
-    {
-      const Index a = cornerOf(mesh, face, i);
-      const Index b = cornerOf(mesh, face, i + 1);
-      const Index code = walls.graph.across[f][i];
-      const bool boundaryEdge = BoundaryGraph::isEdge(code) && BoundaryGraph::faceOf(code) == behind;
-      if (boundaryEdge && (a == point || b == point))
-      {
-        // The face runs round the normal out of the fluid.
-        const Vec3 out = normal.cross(mesh.points[b] - mesh.points[a]);
-        appendDistinct(problem.ways, out.norm() > 0.0 ? Vec3(out.normalized()) : Vec3(Vec3::Zero()));
-      }
-    }
-  }
-  return problem;
-}
-
-/// Ways out of the wall faces that have an angle of nearly 180 degrees, by the point where it is.
-std::vector<Vec3> waysFromStraight(const DualMesh& mesh, const LayerWalls& walls, const std::vector<Vec3>& normals)
-{
-  std::vector<Vec3> ways(mesh.points.size(), Vec3::Zero());
-  for (Index f = 0; f < walls.roles.size(); ++f)
-  {
-    const std::array<Index, 4> corners = cornersOf(mesh, mesh.boundaryFaces[f]);
-    for (std::size_t i = 0; i < 4 && walls.roles[f] == FaceRole::wall; ++i)
-    {
-      const Vec3 before = mesh.points[corners[(i + 3) % 4]] - mesh.points[corners[i]];
-      const Vec3 after = mesh.points[corners[(i + 1) % 4]] - mesh.points[corners[i]];
-      const double length = before.norm() * after.norm();
-      if (before.dot(after) < 0.0 && before.cross(after).norm() < straightSine * length)
-      {
-        ways[corners[i]] += normals[f].cross(after - before).normalized();
-      }
-    }
-  }
-  return ways;
-}
-
 double leastCosine(const Vec3& direction, std::span<const Index> faces, const std::vector<Vec3>& normals)
 {
   double least = 1.0;
@@ -259,52 +183,140 @@ LayerDirection solveDirection(const DirectionProblem& problem)
   return out;
 }
 
-std::vector<Vec3> wallNormals(const DualMesh& mesh, const RunContext& context)
+/// Whether a side's faces about a point lie in its plane. Where a surface is close to a turned side their other points
+/// may be on the surface, and copies that slide along the side would change the space inside.
+bool LayerDirections::liesInSides(const DualMesh& mesh, Index point) const
 {
-  std::vector<Vec3> normals(mesh.boundaryFaces.size());
-  context.executor.forEach(normals.size(), 4096,
-                           [&](std::size_t f) { normals[f] = wallNormal(mesh, mesh.boundaryFaces[f]); });
-  return normals;
+  return std::ranges::all_of(walls_.graph.facesAt(point), [&](Index f) {
+    return walls_.roles[f] != FaceRole::slide ||
+           normals_[f].cross(sideNormal(mesh.boundaryFaces[f], options_)).norm() <= sideSlope * normals_[f].norm();
+  });
 }
 
-std::vector<LayerDirection> findDirections(const DualMesh& mesh, const LayerWalls& walls,
-                                           const std::vector<Vec3>& normals, const std::vector<Index>& counts,
-                                           const LayerOptions& options, const RunContext& context)
+/// What the faces about a point ask for.
+DirectionProblem LayerDirections::problemAt(const DualMesh& mesh, Index point) const
 {
-  std::vector<LayerDirection> out(counts.size());
+  DirectionProblem problem;
+  const auto star = walls_.graph.facesAt(point);
+  for (const Index f : star)
+  {
+    const BoundaryFace& face = mesh.boundaryFaces[f];
+    const double area = normals_[f].norm();
+    if (walls_.roles[f] == FaceRole::slide)
+    {
+      problem.sides.push_back(sideNormal(face, options_));
+    }
+    if (walls_.roles[f] != FaceRole::wall || area == 0.0)
+    {
+      continue;
+    }
+    const Vec3 normal = normals_[f] / area;
+    const Index behind = faceBehind(mesh, face);
+    if (behind == noIndex || std::find(star.begin(), star.end(), behind) == star.end())
+    {
+      problem.walls.push_back(normal);
+      continue;
+    }
+    problem.sheets.push_back(normal);
+    for (int i = 0; i < 4; ++i)
+    {
+      const Index a = cornerOf(mesh, face, i);
+      const Index b = cornerOf(mesh, face, i + 1);
+      const Index code = walls_.graph.across[f][i];
+      const bool boundaryEdge = BoundaryGraph::isEdge(code) && BoundaryGraph::faceOf(code) == behind;
+      if (boundaryEdge && (a == point || b == point))
+      {
+        // The face runs round the normal out of the fluid.
+        const Vec3 out = normal.cross(mesh.points[b] - mesh.points[a]);
+        appendDistinct(problem.ways, out.norm() > 0.0 ? Vec3(out.normalized()) : Vec3(Vec3::Zero()));
+      }
+    }
+  }
+  return problem;
+}
+
+/// The way out of the wall faces that have an angle of nearly 180 degrees at a point; zero without such a face.
+Vec3 LayerDirections::wayFromStraight(const DualMesh& mesh, Index point) const
+{
+  Vec3 way = Vec3::Zero();
+  for (const Index f : walls_.graph.facesAt(point))
+  {
+    const std::array<Index, 4> corners = cornersOf(mesh, mesh.boundaryFaces[f]);
+    for (std::size_t i = 0; i < 4 && walls_.roles[f] == FaceRole::wall; ++i)
+    {
+      const Vec3 before = mesh.points[corners[(i + 3) % 4]] - mesh.points[corners[i]];
+      const Vec3 after = mesh.points[corners[(i + 1) % 4]] - mesh.points[corners[i]];
+      const double length = before.norm() * after.norm();
+      if (corners[i] == point && before.dot(after) < 0.0 && before.cross(after).norm() < straightSine * length)
+      {
+        way += normals_[f].cross(after - before).normalized();
+      }
+    }
+  }
+  return way;
+}
+
+LayerDirection LayerDirections::find(const DualMesh& mesh, Index point) const
+{
+  if (!liesInSides(mesh, point))
+  {
+    return {};
+  }
+  LayerDirection upright = solveDirection(problemAt(mesh, point));
+  const auto star = walls_.graph.facesAt(point);
+  if (upright.cosine < feasibleCosine ||
+      std::ranges::any_of(star, [&](Index f) { return walls_.roles[f] != FaceRole::wall; }))
+  {
+    return upright;
+  }
+  const Vec3 out = wayFromStraight(mesh, point);
+  const Vec3 way = out - upright.direction.dot(out) * upright.direction;
+  if (way.isZero())
+  {
+    return upright;
+  }
+  const Vec3 leaning = (upright.direction + lean / std::max(1.0, way.norm()) * way).normalized();
+  const double cosine = leastCosine(leaning, star, normals_);
+  return cosine >= feasibleCosine ? LayerDirection{leaning, cosine} : upright;
+}
+
+/// Measures faces of points that moved, and forgets the directions at their points.
+void LayerDirections::forgetMoved(const DualMesh& mesh, const RunContext& context)
+{
+  const bool isFirst = points_.empty();
+  normals_.resize(mesh.boundaryFaces.size());
+  directions_.resize(mesh.points.size());
+  isKnown_.resize(mesh.points.size(), 0);
+  std::vector<char> isOutdated(normals_.size());
+  context.executor.forEach(normals_.size(), 4096, [&](std::size_t f) {
+    const std::array<Index, 4> corners = cornersOf(mesh, mesh.boundaryFaces[f]);
+    isOutdated[f] = isFirst || std::ranges::any_of(corners, [&](Index p) { return points_[p] != mesh.points[p]; });
+    normals_[f] = isOutdated[f] ? wallNormal(mesh, mesh.boundaryFaces[f]) : normals_[f];
+  });
+  for (std::size_t f = 0; f < isOutdated.size(); ++f)
+  {
+    for (int i = 0; i < 4 && isOutdated[f]; ++i)
+    {
+      isKnown_[cornerOf(mesh, mesh.boundaryFaces[f], i)] = 0;
+    }
+  }
+  points_ = mesh.points;
+}
+
+void LayerDirections::update(const DualMesh& mesh, const std::vector<Index>& counts, const RunContext& context)
+{
+  forgetMoved(mesh, context);
   context.executor.forRanges(counts.size(), 1024, [&](std::size_t begin, std::size_t end) {
     context.progress.check();
     for (std::size_t p = begin; p < end; ++p)
     {
-      if (counts[p] > 0 && liesInSides(mesh, walls, normals, static_cast<Index>(p), options))
+      if (counts[p] > 0 && !isKnown_[p])
       {
-        out[p] = solveDirection(problemAt(mesh, walls, normals, static_cast<Index>(p), options));
+        directions_[p] = find(mesh, static_cast<Index>(p));
+        isKnown_[p] = 1;
       }
     }
   });
-  return out;
-}
-
-void leanFromStraight(const DualMesh& mesh, const LayerWalls& walls, const std::vector<Vec3>& normals,
-                      std::vector<LayerDirection>& directions)
-{
-  const std::vector<Vec3> ways = waysFromStraight(mesh, walls, normals);
-  for (Index p = 0; p < directions.size(); ++p)
-  {
-    const Vec3& direction = directions[p].direction;
-    const Vec3 way = ways[p] - direction.dot(ways[p]) * direction;
-    const auto star = walls.graph.facesAt(p);
-    if (way.isZero() || std::ranges::any_of(star, [&](Index f) { return walls.roles[f] != FaceRole::wall; }))
-    {
-      continue;
-    }
-    const Vec3 leaning = (direction + lean / std::max(1.0, way.norm()) * way).normalized();
-    const double cosine = leastCosine(leaning, star, normals);
-    if (cosine >= feasibleCosine)
-    {
-      directions[p] = {leaning, cosine};
-    }
-  }
 }
 
 } // namespace atria

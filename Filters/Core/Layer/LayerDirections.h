@@ -40,18 +40,37 @@ struct LayerDirection
 /// is exact where some direction is inside all of them). Sheets themselves do not count, as they lie along it.
 LayerDirection solveDirection(const DirectionProblem& problem);
 
-/// Area vectors of boundary faces, into the fluid.
-std::vector<Vec3> wallNormals(const DualMesh& mesh, const RunContext& context);
+/// Directions at the points of one mesh, while these move. Of few of them much is kept from before.
+class LayerDirections
+{
+public:
+  /// Both must outlive this.
+  LayerDirections(const LayerWalls& walls, const LayerOptions& options) : walls_(walls), options_(options) {}
 
-/// For each point with a count the direction; zero for others, and where faces of the domain's sides are off their
-/// planes.
-std::vector<LayerDirection> findDirections(const DualMesh& mesh, const LayerWalls& walls,
-                                           const std::vector<Vec3>& normals, const std::vector<Index>& counts,
-                                           const LayerOptions& options, const RunContext& context);
+  /// Finds directions at the points with a count, of which those about points that moved since the last time are found
+  /// anew. There is none where faces of the domain's sides are off their planes. Where a wall face has two edges on a
+  /// crease, the prism on it would have two faces in one plane: directions lean away from that face, if they stay off
+  /// all walls.
+  void update(const DualMesh& mesh, const std::vector<Index>& counts, const RunContext& context);
 
-/// Where a wall face has two edges on a crease, the prism on it would have two faces in one plane. Directions there
-/// lean away from that face, if they stay off all walls.
-void leanFromStraight(const DualMesh& mesh, const LayerWalls& walls, const std::vector<Vec3>& normals,
-                      std::vector<LayerDirection>& directions);
+  /// At a point that had a count.
+  const LayerDirection& at(Index point) const { return directions_[point]; }
+  /// The area vector of a boundary face, into the fluid.
+  const Vec3& normal(Index face) const { return normals_[face]; }
+
+private:
+  void forgetMoved(const DualMesh& mesh, const RunContext& context);
+  bool liesInSides(const DualMesh& mesh, Index point) const;
+  DirectionProblem problemAt(const DualMesh& mesh, Index point) const;
+  Vec3 wayFromStraight(const DualMesh& mesh, Index point) const;
+  LayerDirection find(const DualMesh& mesh, Index point) const;
+
+  const LayerWalls& walls_;
+  const LayerOptions& options_;
+  std::vector<Vec3> points_; ///< where they were
+  std::vector<Vec3> normals_;
+  std::vector<LayerDirection> directions_;
+  std::vector<char> isKnown_; ///< by point, whether its direction is that of the mesh as it was
+};
 
 } // namespace atria

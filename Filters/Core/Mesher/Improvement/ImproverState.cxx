@@ -27,9 +27,9 @@ ImproverState::ImproverState(const MeshingContext& meshingContext, const VertexC
                              const std::vector<Index>& vertices, DualMesh& plainMesh, const LayerWalls& layerWalls,
                              const LayerOptions& layerOptions)
     : context(meshingContext), wanted(given), classification(given), vertexOf(vertices), plain(plainMesh),
-      walls(layerWalls), options(layerOptions), traits(traitsOf(plain, options)), mayLeave(vertexOf.size(), 1),
-      letGo(vertexOf.size(), 0), excluded(vertexOf.size(), 0), suspect(vertexOf.size(), 0),
-      measured(baseTargets(traits))
+      walls(layerWalls), options(layerOptions), traits(traitsOf(plain, options)), grower(walls, options),
+      mayLeave(vertexOf.size(), 1), letGo(vertexOf.size(), 0), excluded(vertexOf.size(), 0),
+      suspect(vertexOf.size(), 0), measured(baseTargets(traits))
 {
   for (const BoundaryFace& face : plain.boundaryFaces)
   {
@@ -123,7 +123,7 @@ void ImproverState::outdateAt(const std::vector<char>& points)
 void ImproverState::grow()
 {
   context.progress.check();
-  layer = traits.layered ? growLayer(plain, walls, options, excluded, context) : withoutLayer(std::move(plain));
+  layer = traits.layered ? grower.grow(plain, excluded, context) : withoutLayer(std::move(plain));
   context.progress.check();
 }
 
@@ -134,9 +134,7 @@ void ImproverState::growAgain(const std::vector<char>& fresh)
     return;
   }
   std::copy_n(layer.mesh.points.begin(), layer.plainPoints, plain.points.begin());
-  LayerMesh again = growLayer(plain, walls, options, excluded, context);
-  takeCopies(layer, fresh, again);
-  replaceLayer(std::move(again));
+  replaceLayer(grower.growAgain(plain, excluded, layer, fresh, context));
 }
 
 void ImproverState::replaceLayer(LayerMesh other)

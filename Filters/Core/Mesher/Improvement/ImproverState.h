@@ -53,6 +53,7 @@ struct ImproverState
   const LayerWalls& walls;
   const LayerOptions& options;
   MeshTraits traits;
+  LayerGrower grower;
   LayerMesh layer;
   /// By point of the plain mesh: whether it may leave its surface, whether its copy need not stay on a side of the
   /// domain, whether it has no layer, whether cells there fell short after a pass, also in the second row from the
