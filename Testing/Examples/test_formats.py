@@ -5,6 +5,7 @@ Usage: test_formats.py ATRIA MODEL.wrl [MODEL…]
 Models that are not there are skipped.
 """
 
+import json
 import os
 import pathlib
 import re
@@ -14,6 +15,10 @@ import sys
 import tempfile
 
 import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkCompositeDataSet
+from vtkmodules.vtkIOCGNSReader import vtkCGNSReader
+from vtkmodules.vtkIOGeometry import vtkFLUENTReader, vtkOpenFOAMReader
 from vtkmodules.vtkIOXML import vtkXMLPartitionedDataSetCollectionReader
 
 ATRIA = pathlib.Path(sys.argv[1]).resolve()
@@ -38,22 +43,115 @@ def area_of(points):
     return np.linalg.norm(np.cross(points - center, following - center).sum(axis=0)) / 2
 
 
+def area_of_cells(data):
+    points = vtk_to_numpy(data.GetPoints().GetData())
+    total = 0.0
+    for c in range(data.GetNumberOfCells()):
+        ids = data.GetCell(c).GetPointIds() # of a cell that VTK uses again
+        total += area_of(points[[ids.GetId(k) for k in range(ids.GetNumberOfIds())]])
+    return total
+
+
 def areas_of_patches(file):
     reader = vtkXMLPartitionedDataSetCollectionReader()
     reader.SetFileName(str(file))
     reader.Update()
     collection = reader.GetOutputDataObject(0)
-    areas = {}
-    for i in range(collection.GetNumberOfPartitionedDataSets()):
-        data = collection.GetPartition(i, 0)
-        points = np.array([data.GetPoint(p) for p in range(data.GetNumberOfPoints())])
-        cells = []
-        for c in range(data.GetNumberOfCells()):
-            ids = data.GetCell(c).GetPointIds() # of a cell that VTK uses again
-            cells.append([ids.GetId(k) for k in range(ids.GetNumberOfIds())])
-        name = collection.GetMetaData(i).Get(collection.NAME())
-        areas[name] = sum(area_of(points[cell]) for cell in cells)
-    return areas
+    return {collection.GetMetaData(i).Get(collection.NAME()): area_of_cells(collection.GetPartition(i, 0))
+            for i in range(collection.GetNumberOfPartitionedDataSets())}
+
+
+def faces_of_polyhedra(grid):
+    stream, places = vtk_to_numpy(grid.GetFaces()).tolist(), vtk_to_numpy(grid.GetFaceLocations())
+    for at in places[places >= 0].tolist():
+        count, at = stream[at], at + 1
+        for _ in range(count):
+            yield stream[at + 1:at + 1 + stream[at]]
+            at += stream[at] + 1
+
+
+def sum_over_faces(points, faces):
+    """The volume within, positive where they look outwards."""
+    by_corners = {}
+    for face in faces:
+        by_corners.setdefault(len(face), []).append(face)
+    total = 0.0
+    for listed in by_corners.values():
+        p = points[np.array(listed)]
+        normals = np.cross(p, np.roll(p, -1, axis=1)).sum(axis=1)
+        total += (normals * p.mean(axis=1)).sum() / 6
+    return total
+
+
+def volume_of(grid):
+    """Of a closed mesh. VTK's readers do not turn faces of all polyhedra alike, but those of one file."""
+    points = vtk_to_numpy(grid.GetPoints().GetData()).astype(float)
+    points -= points.mean(axis=0)
+    types, starts = vtk_to_numpy(grid.GetCellTypesArray()), vtk_to_numpy(grid.GetCells().GetOffsetsArray())
+    corners = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
+    volume = abs(sum_over_faces(points, faces_of_polyhedra(grid))) if grid.GetFaces() else 0.0
+    for kind, faces in FACES.items():
+        cells = corners[starts[:-1][types == kind][:, None] + np.arange(CORNERS[kind])]
+        volume += abs(sum(sum_over_faces(points, cells[:, face]) for face in faces if len(cells)))
+    assert set(types.tolist()) <= {*FACES, 42}, set(types.tolist())
+    return volume
+
+
+def leaves_of(data):
+    """(name, dataset) of all that a reader gives."""
+    for i in range(data.GetNumberOfBlocks()):
+        block = data.GetBlock(i)
+        if block is None:
+            continue
+        if block.IsA("vtkMultiBlockDataSet"):
+            yield from leaves_of(block)
+        else:
+            yield data.GetMetaData(i).Get(vtkCompositeDataSet.NAME()) if data.HasMetaData(i) else None, block
+
+
+def expect_read(reader, table, volume, expected, what, tolerance):
+    """VTK's reader finds all cells, their volume, and every patch with its name and area."""
+    inside, areas = [], {}
+    reader.Update()
+    for name, data in leaves_of(reader.GetOutput()):
+        if data.GetCell(0).GetCellDimension() == 3:
+            inside.append(data)
+        else:
+            areas[name] = area_of_cells(data)
+    assert sum(data.GetNumberOfCells() for data in inside) == int(table["cells"]), what
+    found = sum(map(volume_of, inside))
+    assert abs(found - volume) < tolerance * volume, (what, found, volume)
+    same(areas, expected, what, tolerance)
+    kept = {name for name in expected if re.fullmatch(r"\w{1,28}", name)}
+    assert kept <= areas.keys(), (what, kept - areas.keys())
+    for name in kept:
+        assert abs(areas[name] - expected[name]) <= tolerance * expected[name], (what, name)
+
+
+def check_vtk_reads(folder, table, volume, expected):
+    """All formats that VTK has readers of; of a Fluent mesh it takes the cells only, polyhedra as sets of points."""
+    assert run(ATRIA, "convert", "m.vtu", "--openfoam", "binary", cwd=folder).returncode in (0, 5)
+    for name in ("case", "binary"):
+        reader = vtkOpenFOAMReader()
+        (folder / name / "case.foam").touch()
+        reader.SetFileName(str(folder / name / "case.foam"))
+        reader.DecomposePolyhedraOff()
+        reader.UpdateInformation()
+        reader.EnableAllPatchArrays()
+        expect_read(reader, table, volume, expected, f"VTK of {name}", 1e-5) # its points have single precision
+    reader = vtkCGNSReader()
+    reader.SetFileName(str(folder / "m.cgns"))
+    reader.LoadBndPatchOn()
+    reader.UpdateInformation()
+    reader.EnableAllBases()
+    reader.EnableAllFamilies()
+    expect_read(reader, table, volume, expected, "VTK of CGNS", 1e-6)
+    reader = vtkFLUENTReader()
+    reader.SetFileName(str(folder / "m.msh"))
+    reader.AddObserver("ErrorEvent", lambda *_: None) # it asks for results, too
+    reader.AddObserver("WarningEvent", lambda *_: None)
+    reader.Update()
+    assert sum(data.GetNumberOfCells() for _, data in leaves_of(reader.GetOutput())) == int(table["cells"])
 
 
 def check_mesh(folder):
@@ -124,9 +222,11 @@ def same(found, expected, what, tolerance=1e-6):
 
 def check(model, folder, options):
     made = run(ATRIA, "mesh", model, *options, "-o", "m.vtu", "--patches", "p.vtpc", "--openfoam", "case", "--ascii",
-               "--fluent", "m.msh", "--cgns", "m.cgns", "--su2", "m.su2", cwd=folder)
+               "--fluent", "m.msh", "--cgns", "m.cgns", "--su2", "m.su2", "--report", "report.json", cwd=folder)
     assert made.returncode in (0, 4, 5), made.stderr
-    expected = areas_of_patches(folder / "p.vtpc")
+    report = json.loads((folder / "report.json").read_text())
+    openings = {opening["name"] for opening in report.get("openings", [])}
+    expected = {name: area for name, area in areas_of_patches(folder / "p.vtpc").items() if name not in openings}
     table, volume, failed = check_mesh(folder / "case")
     same(areas_of_case(folder / "case"), expected, "OpenFOAM")
     shutil.copytree(folder / "case" / "system", folder / "fluent" / "system")
@@ -134,15 +234,19 @@ def check(model, folder, options):
     assert converted.returncode == 0, converted.stdout + converted.stderr
     its_table, its_volume, its_failed = check_mesh(folder / "fluent")
     assert (its_table, its_failed) == (table, failed), (its_table, its_failed, table, failed)
+    for written in ("case", "fluent"):
+        for file, zones in (("faceZones", openings), ("cellZones", {room["name"] for room in report.get("rooms", [])})):
+            assert zones <= (names_in(folder / written, file) if zones else set()), (written, zones)
     assert abs(its_volume - volume) < 1e-6 * volume
     same(areas_of_case(folder / "fluent"), expected, "Fluent")
     for name in expected:
         word = re.sub("_back$", "-shadow", re.sub("_front$", "", name))
         if re.fullmatch(r"\w+", name) and name.replace("_front", "_back") in expected and name != word:
-            assert word in names_of_fluent(folder), word
+            assert word in names_in(folder / "fluent", "boundary"), word
     su2_volume, areas, common = read_su2(folder / "m.su2")
     assert abs(su2_volume - volume) < 1e-6 * volume, (su2_volume, volume)
     same(areas, expected, "SU2")
+    check_vtk_reads(folder, table, volume, expected)
     if shutil.which("cgnscheck"):
         said = run("cgnscheck", folder / "m.cgns", cwd=folder).stdout
         # It tells faces apart by their points, which those of a sheet one face wide have in common.
@@ -152,8 +256,9 @@ def check(model, folder, options):
     print(f"{model.name}: {table['cells']} cells, {len(expected)} patches, {common} faces with common points, {failed} failed checks")
 
 
-def names_of_fluent(folder):
-    return set(re.findall(r"^    ([^\s/]+)\n    \{", foam_body(folder / "fluent", "boundary"), re.MULTILINE))
+def names_in(folder, file):
+    """Of the entries of a list of patches or zones."""
+    return set(re.findall(r"^ *([^\s/{}();]+)\n *\{", foam_body(folder, file), re.MULTILINE))
 
 
 def main():
