@@ -69,7 +69,10 @@ void writeSchemes(const std::filesystem::path& folder, const CaseOfDirection& fl
     text.entry("div(phi,age)", "bounded Gauss upwind");
   }
   text.entry("div((nuEff*dev2(T(grad(U)))))", "Gauss linear").close().blank();
-  text.open("laplacianSchemes").entry("default", "Gauss linear " + rule.correction).close().blank();
+  text.open("laplacianSchemes").entry("default", "Gauss linear " + rule.correction);
+  text.entry("\"laplacian\\(.*,(k|" + turbulence + ")\\)\"", "Gauss linear " + rule.turbulenceCorrection)
+      .close()
+      .blank();
   text.open("interpolationSchemes").entry("default", "linear").close().blank();
   text.open("snGradSchemes").entry("default", rule.correction).close().blank();
   text.open("wallDist").entry("method", "meshWave").close();
@@ -113,13 +116,13 @@ OrthogonalityRule ruleForAngle(double worst)
 {
   if (worst <= 60.0)
   {
-    return {"corrected", 0, 0.9, 0.8, 0.7};
+    return {"corrected", "limited corrected 0.3", 0, 0.9, 0.8, 0.7};
   }
   if (worst <= 70.0)
   {
-    return {"limited corrected 0.5", 1, 0.9, 0.8, 0.7};
+    return {"limited corrected 0.5", "limited corrected 0.3", 1, 0.9, 0.8, 0.7};
   }
-  return {"limited corrected 0.333", 2, 0.7, 0.7, 0.5};
+  return {"limited corrected 0.333", "limited corrected 0.333", 2, 0.7, 0.7, 0.5};
 }
 
 void writeConstant(const std::filesystem::path& folder, const CaseOfDirection& flow)

@@ -10,7 +10,12 @@ namespace atria {
 struct OrthogonalityRule
 {
   std::string correction; ///< of Laplacians and normal gradients
-  int correctors;         ///< solutions of the pressure more
+  /// Of k, epsilon and omega. Limited to the share c, it is at most c / (1 - c) of what is solved for. With c of 1 - r
+  /// at most, for a relaxation r, it takes less from a cell than relaxation keeps there, (1 - r) / r of what it had:
+  /// values stay positive, unless those beside fall by half in one iteration. Where epsilon gets negative, OpenFOAM
+  /// makes it next to nothing, so that the viscosity has no limit and the wind blows up.
+  std::string turbulenceCorrection;
+  int correctors; ///< solutions of the pressure more
   double pressureRelaxation;
   double equationRelaxation;   ///< of U
   double turbulenceRelaxation; ///< of k, epsilon, omega

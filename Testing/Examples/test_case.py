@@ -179,6 +179,21 @@ class Case(BoxCase):
             self.assertRegex((folder / "system/fvSolution").read_text(),
                              rf"consistent +yes;\n +nNonOrthogonalCorrectors {correctors};")
 
+    def test_turbulence_is_corrected_less(self):
+        """Its scheme is found by OpenFOAM, which would take the default for a name that it does not know."""
+        for model, field in (("k-epsilon", "epsilon"), ("realizable", "epsilon"), ("k-omega-sst", "omega")):
+            folder = self.case(self.box, f"less_{model}", "--turbulence", model, "--iterations", "1")
+            schemes = folder / "system/fvSchemes"
+            text = schemes.read_text()
+            self.assertIn(f'"laplacian\\(.*,(k|{field})\\)" Gauss linear limited corrected 0.3;', text)
+            parts = text.partition("laplacianSchemes\n{\n    default         Gauss linear corrected;\n")
+            self.assertTrue(parts[1])
+            schemes.write_text(parts[0] + 'laplacianSchemes\n{\n    default none;\n    "laplacian\\(.*,(U|p)\\)" Gauss linear corrected;\n' +
+                               parts[2])
+            if HAVE_OPENFOAM:
+                self.run_case(folder)
+                self.assertIn("\nTime = 1\n", (folder / "log.simpleFoam").read_text())
+
     def test_one_prism_serves_all_directions(self):
         """Each side is what the wind makes of it; what comes in goes out."""
         run = self.atria("mesh", DATA / "house.wrl", "-o", self.folder / "prism.vtu", "--size-max", "16", "--size-mid", "4",

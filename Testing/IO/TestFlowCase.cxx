@@ -130,6 +130,17 @@ TEST(OrthogonalityRule, CorrectsLessWhereAnglesAreWorse)
   EXPECT_LT(atria::ruleForAngle(80.0).pressureRelaxation, atria::ruleForAngle(65.0).pressureRelaxation);
 }
 
+TEST(OrthogonalityRule, CorrectsTurbulenceByNoMoreThanRelaxationKeeps)
+{
+  for (const double angle : {20.0, 65.0, 80.0})
+  {
+    const atria::OrthogonalityRule rule = atria::ruleForAngle(angle);
+    const std::string limited = "limited corrected ";
+    ASSERT_TRUE(rule.turbulenceCorrection.starts_with(limited));
+    EXPECT_LE(std::stod(rule.turbulenceCorrection.substr(limited.size())), 1.0 - rule.turbulenceRelaxation + 1e-12);
+  }
+}
+
 class PolyMeshFiles : public testing::Test
 {
 protected:
