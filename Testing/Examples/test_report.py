@@ -16,6 +16,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import warnings
 from html.parser import HTMLParser
 
 import numpy
@@ -295,6 +296,15 @@ class Runs(Folder):
             self.assertIn(text, doubts)
         self.file("made/log.simpleFoam", "Time = 1\nsmoothSolver:  Solving for Ux, Initial residual = nan, Final residual = nan\n")
         self.assertIn("blew up", "\n".join(Case(self.folder / "made").runs[0].failures()))
+
+    def test_places_that_openfoam_did_not_find_are_left_out(self):
+        folder = self.measured()
+        rows = "".join(f"{i} (3 4 0) (-1e+300 -1e+300 -1e+300) (0 0 {2 * i})\n" for i in range(1, 11))
+        self.file("made/postProcessing/pedestrians/0/U", "# Time\n" + rows)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            speed = Case(folder).runs[0].speed()
+        self.assertEqual(speed.values.tolist(), [(5 + 2 * i) / 2 for i in range(1, 11)])
 
     def solved(self, fastest, **patches):
         """A case with made results: 2 m/s, 4 m/s at the inlet, and `fastest` in the cell about (52.5, 7.5, 22.5)."""

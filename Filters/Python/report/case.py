@@ -110,9 +110,10 @@ class Run:
         table = results.read_table(self.folder / "postProcessing" / "pedestrians", "U")
         if not table.size:
             return None
-        speeds = numpy.linalg.norm(table[:, 1:].reshape(len(table), -1, 3), axis=2)
-        there = (speeds < _NOWHERE).all(axis=0)
-        return History(table[:, 0], speeds[:, there].mean(axis=1)) if there.any() else None
+        velocities = table[:, 1:].reshape(len(table), -1, 3)
+        there = (abs(velocities) < _NOWHERE).all(axis=(0, 2))
+        speeds = numpy.linalg.norm(velocities[:, there], axis=2)
+        return History(table[:, 0], speeds.mean(axis=1)) if there.any() else None
 
     def judged(self):
         """What must have settled, the answers first."""
