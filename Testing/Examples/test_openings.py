@@ -126,6 +126,22 @@ class Openings(unittest.TestCase):
                                  env=os.environ | {"WM_PROJECT_DIR": "/usr/share/openfoam"})
             self.assertIn("Mesh OK", run.stdout, run.stderr)
 
+    def test_face_zones_leave_a_mesh_sound(self):
+        """Elements on both sides of one are judged, mended and united as all others are, but not across it."""
+        runs = [(DATA / f"{model}.wrl", 15000, [zone]) for model in ("house", "house_turned17") for zone in ("Wall*", "Roof*")]
+        fan_room = pathlib.Path(os.environ.get("ATRIA_CORPUS", "absent")) / "d22_rotating_fan_room.wrl"
+        runs += [(fan_room, 20000, ["*oor*", "*utlet*"])] if fan_room.exists() else []
+        for model, most, zones in runs:
+            options = [word for zone in zones for word in ("--face-zone", zone)]
+            report = self.folder / "report.json"
+            run = self.atria("mesh", model, "-o", self.folder / "mesh.vtu", "--max-elements", most, *options, "--openfoam",
+                             self.folder / "case", "--ascii", "--report", report)
+            self.assertEqual(run.returncode, 0, f"{model} {zones}: {run.stdout}")  # 5 where it fails a check of checkMesh's
+            mesh = Mesh(self.folder / "case")
+            self.assertEqual(mesh.face_zones.keys(), {opening["name"] for opening in json.loads(report.read_text())["openings"]})
+            for name, (faces, _) in mesh.face_zones.items():
+                self.assertLess(faces.max(), len(mesh.neighbor), f"{model}: {name} has faces that are not within the mesh")
+
     def test_inspect_lists_them_when_asked(self):
         found = json.loads(self.atria("inspect", DATA / "house.wrl", "--openings", "--json").stdout)
         self.assertEqual([opening["rooms"] for opening in found["openings"]].count(["room_1", "outside"]), 7)
