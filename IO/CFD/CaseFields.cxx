@@ -80,7 +80,7 @@ public:
              turbulent(text, patch, choice, "atmBoundaryLayerInletEpsilon", "epsilonWallFunction", epsilon);
            }});
     }
-    if (flow.settings.ageOfAir)
+    if (flow.settings.ageOfAir && flow.settings.dialect != OpenFOAMDialect::Foundation) // whose function makes its own
     {
       fields.push_back({"age", "volScalarField", "[0 0 1 0 0 0 0]", "0",
                         [](auto& text, auto&, auto& choice) { age(text, choice); }});

@@ -102,9 +102,18 @@ void addProbes(FoamText& text, const CaseOfDirection& flow)
   text.line(");").close();
 }
 
-/// The transport of a scalar that grows by one second a second.
-void addAge(FoamText& text)
+/// The transport of a scalar that grows by one second a second. The Foundation has a function of its own, which begins
+/// at zero where it writes; later releases have it in another library.
+void addAge(FoamText& text, OpenFOAMDialect dialect)
 {
+  if (dialect == OpenFOAMDialect::Foundation)
+  {
+    text.open("age").entry("type", "age");
+    text.entry("libs", "(\"libfieldFunctionObjects.so\" \"libsolverFunctionObjects.so\")");
+    text.entry("diffusion", "yes").entry("nCorr", "200").entry("tolerance", "1e-06");
+    text.entry("executeControl", "writeTime").entry("writeControl", "writeTime").close();
+    return;
+  }
   text.open("age").entry("type", "scalarTransport").entry("libs", "(\"libsolverFunctionObjects.so\")");
   text.entry("field", "age").entry("nut", "nut").entry("resetOnStartUp", "no");
   text.entry("writeControl", "writeTime");
@@ -146,7 +155,7 @@ void addFunctions(FoamText& text, const CaseOfDirection& flow)
   text.entry("writeControl", "writeTime").close();
   if (flow.settings.ageOfAir)
   {
-    addAge(text);
+    addAge(text, flow.settings.dialect);
   }
   text.close();
 }

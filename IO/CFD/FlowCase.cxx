@@ -265,10 +265,6 @@ std::vector<std::string> foldersOf(const FlowCaseSettings& settings)
 
 std::vector<std::string> writeFlowCase(const fs::path& caseFolder, FlowCaseSettings settings, const RunContext& context)
 {
-  if (settings.ageOfAir && settings.dialect == OpenFOAMDialect::Foundation)
-  {
-    throw Error("the age of air is computed in OpenCFD's OpenFOAM only");
-  }
   PolyMesh poly = readPolyMesh(caseFolder);
   const CaseMesh mesh = describeMesh(poly, context);
   if (settings.directions.empty())

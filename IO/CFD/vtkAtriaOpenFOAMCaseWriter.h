@@ -114,7 +114,7 @@ public:
   {
     OpenCFD1912, ///< v1912, which Debian 12 has
     OpenCFD,     ///< v2006 and later
-    Foundation   ///< 11 and later; measures forces and speeds only, and no age of air
+    Foundation   ///< 11 and later
   };
   ///@{
   /**

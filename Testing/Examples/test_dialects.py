@@ -138,17 +138,22 @@ class Dialects(BoxCase):
         self.assertEqual(found, wanted)
         self.assertIn("run foamRun foamRun\n", (self.case("foundation") / "Allrun").read_text())
 
-    def test_the_foundation_has_no_age_of_air(self):
-        run = subprocess.run([ATRIA, "case", self.box, "-o", self.folder / "aged", "--dialect", "foundation", "--age-of-air"],
-                             capture_output=True, text=True, check=False)
-        self.assertEqual(run.returncode, 3)
-        self.assertIn("OpenCFD", run.stderr)
+    def test_the_foundation_has_a_function_for_the_age_of_air(self):
+        """Of 11's library of fields, of 13's of solvers. It has conditions of its own, and takes schemes of the field's name."""
+        folder = self.case("foundation", "--age-of-air")
+        files = dictionaries(folder)
+        wanted = {"type": "age", "libs": '( "libfieldFunctionObjects.so" "libsolverFunctionObjects.so" )', "diffusion": "yes",
+                  "nCorr": "200", "tolerance": "1e-06", "executeControl": "writeTime", "writeControl": "writeTime"}
+        age = {key[2]: value for key, value in files["system/controlDict"].items() if key[:2] == ("functions", "age")}
+        self.assertEqual(age, wanted)
+        self.assertNotIn("0/age", files)
+        self.assertRegex((folder / "system/fvSchemes").read_text(), r"div\(phi,age\) +bounded Gauss upwind;")
 
     @unittest.skipUnless(shutil.which("foamDictionary"), "OpenFOAM is not installed")
     def test_openfoam_reads_all_dictionaries(self):
         environment = os.environ | {"WM_PROJECT_DIR": "/usr/share/openfoam"}
         for dialect in ("opencfd-1912", "opencfd", "foundation"):
-            folder = self.case(dialect, "--processors", "2")
+            folder = self.case(dialect, "--processors", "2", "--age-of-air")
             for file in dictionaries(folder):
                 run = subprocess.run(["foamDictionary", folder / file], capture_output=True, text=True, check=False, env=environment)
                 self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
