@@ -46,6 +46,32 @@ def check_lost(source, name):
     assert LOST in said, said
 
 
+def check_formats(mesher):
+    """Every kind of file that Save Data offers for a mesh has the patches."""
+    for file, name in (("mesh.msh", b" wall WallSouth)"), ("mesh.msh", b" wall WallSouth-shadow)"),
+                       ("mesh.su2", b"MARKER_TAG= WallSouth_back"), ("mesh.cgns", b"WallSouth_back"),
+                       ("wind.windcase/0/U", b"zGround"), ("wind.windcase/case.json", b"WallSouth_back"),
+                       ("wind.windcase/constant/polyMesh/boundary", b"WallSouth_back")):
+        target = FOLDER / file.partition("/")[0]
+        if not target.exists():
+            simple.SaveData(str(target), proxy=mesher)
+        assert name in (FOLDER / file).read_bytes(), (file, name)
+
+
+def check_openings(mesher, patches):
+    """Openings are seen among the patches, and are saved as face zones that part rooms."""
+    mesher.FindOpenings = 1
+    patches.UpdatePipeline()
+    shown = mesher.GetClientSideObject().GetOutputDataObject(1)
+    seen = {shown.GetMetaData(i).Get(shown.NAME()) for i in range(shown.GetNumberOfPartitionedDataSets())}
+    files, said = save(mesher, "rooms")
+    assert said == "", said
+    for opening in ("WallSouth_opening_1", "PartitionA_opening_1"):
+        assert opening in seen, seen
+        assert opening.encode() in files["faceZones"], opening
+    assert {b"room_1", b"outside"} <= set(files["cellZones"].split()), files["cellZones"][:400]
+
+
 def main():
     shutil.rmtree(FOLDER, ignore_errors=True)
     FOLDER.mkdir(parents=True)
@@ -77,6 +103,8 @@ def main():
     clip = simple.Clip(Input=threshold, Invert=0)
     clip.ClipType.Origin, clip.ClipType.Normal = [0.0, 0.0, 40.0], [0.0, 0.0, 1.0]
     check_lost(clip, "clip")
+    check_formats(pipeline.mesher)
+    check_openings(pipeline.mesher, pipeline.patches)
     print(f"{len(names(given))} patches, {faces(given)} faces")
 
 
