@@ -37,8 +37,8 @@ void divideFace(std::span<const Vec3> points, std::span<const Index> face,
 /// `mesh` are the faces of `cells`, `cellFaces` those of each; `newPoint` has for each point of `cells` the one of
 /// `mesh`, empty where these are the same. Voxels become hexahedra, polyhedra pyramids over quadrilaterals and
 /// tetrahedra over triangles of their faces, divided by divideFace(), about an apex: the cell's centroid where it sees
-/// all of them, else the mean of its points where that does, else the centroid. Parts of a polyhedron stand in its
-/// place. The result is conformal as the mesh is. Throws Aborted when asked to.
+/// all of them, else a place near it that does where one is found, else the centroid. Parts of a polyhedron stand in
+/// its place. The result is conformal as the mesh is. Throws Aborted when asked to.
 NativeCells makeNativeCells(const FaceMesh& mesh, const CellFaces& cellFaces, const CellArrays& cells,
                             std::span<const Index> newPoint, const ProgressRange& progress);
 
