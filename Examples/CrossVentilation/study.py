@@ -53,6 +53,8 @@ def mesh(atria, row, model, folder):
     command = [atria, "mesh", model, "-o", folder / "mesh.vtu", "--openings", "--domain", *bounds, "--size-min", finest,
                "--size-mid", finest, "--size-max", FAR * finest if row.adaptive else finest, "--layers", row.layers,
                "--start-level", 3, "--threads", 1]
+    if not row.layers:
+        command += ["--no-support"]  # nor where elements cannot be valid without: these rows tell what a layer changes
     if row.adaptive:
         command += ["--size", "Ground", GROUND * finest, "--refine-box", *near, finest]
     return run(command, folder, "mesh")

@@ -36,6 +36,7 @@ class Row:
     turbulence: str = "realizable"
     inflow: str = "measured"  # or logarithmic, as the case has it by itself
     most_iterations: int = 400
+    starts_from_adaptive: bool = False  # from the flow in the adaptive mesh of this size, as from rest it takes too long
 
     @property
     def finest(self):
@@ -46,14 +47,20 @@ KINDS = {"uniform": (6, 8, 12, 16), "adaptive": (8, 12, 16, 24), "layered": (8, 
 # By elements across. From these on the drag of adaptive meshes changes by some 1e-4 of itself; uniform ones settle later.
 ITERATIONS = {6: 300, 8: 300, 12: 300, 16: 400, 24: 500}
 UNIFORM_ITERATIONS = 500
+SETTLED_ITERATIONS = 220  # of uniform meshes that start from another's flow
+FROM_ADAPTIVE = 16  # the size from which on they do
 
 
 def family_of(kind, sizes):
-    return [Row(f"{kind}{across}", kind, across, most_iterations=UNIFORM_ITERATIONS if kind == "uniform" else ITERATIONS[across])
-            for across in sizes]
+    return [Row(f"{kind}{across}", kind, across, most_iterations=ITERATIONS[across]) for across in sizes]
 
 
-FAMILIES = {kind: family_of(kind, sizes) for kind, sizes in KINDS.items()}
+def uniform_family(sizes):
+    return [Row(f"uniform{across}", "uniform", across, most_iterations=UNIFORM_ITERATIONS if across < FROM_ADAPTIVE else
+                SETTLED_ITERATIONS, starts_from_adaptive=across >= FROM_ADAPTIVE) for across in sizes]
+
+
+FAMILIES = {kind: uniform_family(sizes) if kind == "uniform" else family_of(kind, sizes) for kind, sizes in KINDS.items()}
 OTHERS = [FAMILIES["layered"][2], Row("k-epsilon", "layered", 16, turbulence="k-epsilon"),
           Row("k-omega-sst", "layered", 16, turbulence="k-omega-sst"), Row("logarithmic", "layered", 16, inflow="logarithmic")]
 EMPTY = family_of("empty", (8, 16))
@@ -72,6 +79,8 @@ def mesh_by_atria(atria, row, model, folder):
     command = [atria, "mesh", model, "-o", folder / "mesh.vtu", "--domain", *bounds, "--size-min", row.finest, "--size-mid",
                row.finest, "--size-max", FAR * row.finest if adaptive else row.finest, "--layers", layers,
                "--start-level", 3, "--threads", 1]
+    if not layers:
+        command += ["--no-support"]  # nor where elements cannot be valid without: these rows tell what a layer changes
     if adaptive:
         near = [c for pair in make_building.NEAR for c in pair]
         command += ["--size", "Ground", GROUND * row.finest, "--refine-box", *near, row.finest]
@@ -84,9 +93,8 @@ def mesh_by_snappy(row, folder):
     return case, sum(run(command, folder, name) for name, command in commands.items())
 
 
-def make(atria, row, folder):
-    from measures import measure
-
+def make_case(atria, row, folder):
+    """The case, and the seconds that its mesh took."""
     model = folder / "tower.wrl"
     make_building.main(model, row.kind != "empty")
     mesh, seconds = mesh_by_snappy(row, folder) if row.kind == "snappy" else mesh_by_atria(atria, row, model, folder)
@@ -96,6 +104,23 @@ def make(atria, row, folder):
         wind += reference.inflow_conditions("xMin", row.turbulence == "k-omega-sst")
     run([atria, "case", mesh, "-o", case, *wind, "--turbulence", row.turbulence, "--iterations", row.most_iterations], folder,
         "case")
+    return case, seconds
+
+
+def start_from_adaptive(atria, row, case, folder):
+    """Solves the adaptive mesh of the row's size, and gives its flow to the case."""
+    folder.mkdir()
+    other, _ = make_case(atria, next(one for one in FAMILIES["adaptive"] if one.across == row.across), folder)
+    run([other / "Allrun"], folder, "run")
+    run(["mapFields", other, "-case", case, "-sourceTime", "latestTime", "-consistent"], folder, "map")
+
+
+def make(atria, row, folder):
+    from measures import measure
+
+    case, seconds = make_case(atria, row, folder)
+    if row.starts_from_adaptive:
+        start_from_adaptive(atria, row, case, folder / "start")
     run([case / "Allrun"], folder, "run")
     run(["simpleFoam", "-postProcess", "-func", "wallShearStress", "-latestTime", "-case", case], folder, "friction")
     return {"mesh_seconds": seconds, **measure(case)}
