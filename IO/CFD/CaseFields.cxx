@@ -221,6 +221,7 @@ private:
 void checkFieldNames(const std::vector<ConditionRule>& rules, const std::vector<Field>& fields)
 {
   std::vector<std::string> names;
+  names.reserve(fields.size());
   for (const Field& field : fields)
   {
     names.emplace_back(field.name);
