@@ -16,16 +16,15 @@ public:
       : plain(p), walls(w), layer(l), options(o)
   {
     std::vector<Index> onWall(plain.points.size(), 0);
-    std::vector<char> marked(plain.points.size(), 0);
     for (Index f = 0; f < walls.roles.size(); ++f)
     {
       for (int i = 0; i < 4 && walls.roles[f] == FaceRole::wall; ++i)
       {
         onWall[cornerOf(plain, plain.boundaryFaces[f], i)] = 1;
-        marked[cornerOf(plain, plain.boundaryFaces[f], i)] = 1;
       }
     }
-    sizes = findWallSizes(plain, walls, onWall, elementsAt(plain, marked, context.executor), context);
+    sizes = findWallSizes(plain, walls, onWall, elementsAt(plain, {onWall.begin(), onWall.end()}, context.executor),
+                          context);
     out.counts.assign(layer.mesh.boundaryFaces.size(), 0);
     out.thicknesses.assign(layer.mesh.boundaryFaces.size(), 0.0);
   }

@@ -40,7 +40,7 @@ struct LayerDirection
 /// is exact where some direction is inside all of them). Sheets themselves do not count, as they lie along it.
 LayerDirection solveDirection(const DirectionProblem& problem);
 
-/// Directions at the points of one mesh, while these move. Of few of them much is kept from before.
+/// Directions at the points of one mesh while these move: those that stand where nothing moved are kept.
 class LayerDirections
 {
 public:

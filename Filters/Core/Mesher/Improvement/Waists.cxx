@@ -2,6 +2,7 @@
 #include "Mesher/Improvement/Waists.h"
 
 #include "Mesher/Improvement/ConcaveElements.h"
+#include "Quality/Unions/MergeFaces.h"
 
 #include <Eigen/Geometry>
 
@@ -14,9 +15,6 @@ namespace atria {
 
 namespace {
 
-/// The sine between normals of faces that are as good as in one plane.
-constexpr double flatSine = 1e-3;
-
 /// A boundary face of an element.
 struct Side
 {
@@ -24,15 +22,16 @@ struct Side
   ReducedFace points;
   Vec3 normal; ///< unit, outward
 
+  /// Of a point among those of the face; their count where it is none.
+  int placeOf(Index point) const
+  {
+    const auto first = points.points.begin();
+    return static_cast<int>(std::find(first, first + points.count, point) - first);
+  }
+  bool has(Index point) const { return placeOf(point) < points.count; }
   Index next(Index point, int step) const
   {
-    const auto at = std::find(points.points.begin(), points.points.begin() + points.count, point);
-    return points.points[(at - points.points.begin() + step + points.count) % points.count];
-  }
-  bool has(Index point) const
-  {
-    return std::find(points.points.begin(), points.points.begin() + points.count, point) !=
-           points.points.begin() + points.count;
+    return points.points[(placeOf(point) + step + points.count) % points.count];
   }
 };
 
@@ -54,7 +53,7 @@ std::vector<Side> sidesOf(const DualMesh& mesh, Index element)
 bool areInOnePlane(const Side& a, const Side& b)
 {
   return a.face->tag == b.face->tag && a.face->side == b.face->side && a.normal.dot(b.normal) > 0.0 &&
-         a.normal.cross(b.normal).norm() < flatSine;
+         a.normal.cross(b.normal).norm() < mergedPlanarSine;
 }
 
 /// Notes where points of the common edge of two faces ought to be.
