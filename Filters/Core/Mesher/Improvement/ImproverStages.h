@@ -46,7 +46,6 @@ ImproverStage firstStage(const MeshTraits& traits);
 /// Where no layers are asked for, elements that fall short of these have one too few neighbors wherever their points
 /// are: they get a layer, as those do that are concave at walls. Some more do once points have moved.
 QualityTargets targetsOfSupport(const MeshTraits& traits);
-inline constexpr int mostSupportRounds = 8;
 /// Divided layers are divided anew so often where more elements need one then.
 inline constexpr int mostDividedAgain = 3;
 
@@ -102,15 +101,17 @@ std::vector<ImproverStage> straighteningStages(const MeshTraits& traits);
 QualityTargets targetsOfLargestAngle(const MeshTraits& traits);
 inline constexpr std::array reachesForAngles{0.4, 0.75};
 
-/// 8. What checkMesh objects to by its own limits begins anew in turn, with so many rows of cells about it, until
-/// nothing is left.
+/// 8. What checkMesh objects to by its own limits begins anew, with so many rows of cells about it, and goes back, with
+/// a layer or without; what still fails then stays at the centers of its octants.
 QualityTargets targetsOfChecks(const MeshTraits& traits);
 struct Retreat
 {
   int rows;
   bool layered;
+  bool goesBack;
 };
-inline constexpr std::array retreats{Retreat{1, true}, Retreat{1, false}, Retreat{2, true}, Retreat{2, false}};
+inline constexpr std::array retreats{Retreat{1, true, true},  Retreat{1, false, true},  Retreat{2, true, true},
+                                     Retreat{2, false, true}, Retreat{1, false, false}, Retreat{2, false, false}};
 
 /// 9. Faces in one plane that cannot be made one are brought into a better shape, in so many rounds.
 inline constexpr int mostWaistRounds = 3;

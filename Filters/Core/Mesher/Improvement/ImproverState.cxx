@@ -137,6 +137,39 @@ void ImproverState::growAgain(const std::vector<char>& fresh)
   replaceLayer(grower.growAgain(plain, excluded, layer, fresh, context));
 }
 
+void ImproverState::takeLayerAgain(const std::vector<Vec3>& points, const std::vector<Index>& copies,
+                                   const std::vector<char>& leaders)
+{
+  const auto isTaken = [&](Index p) { return leaders[vertexOf[p]] != 0; };
+  std::vector<char> taken(vertexOf.size(), 0);
+  std::vector<Vec3>& places = traits.layered ? plain.points : layer.mesh.points;
+  for (Index p = 0; p < taken.size(); ++p)
+  {
+    taken[p] = isTaken(p) ? 1 : 0;
+    places[p] = isTaken(p) ? points[p] : layer.mesh.points[p];
+  }
+  if (!traits.layered)
+  {
+    outdateAt(taken);
+    return;
+  }
+  const auto copyOf = [&](Index p) { return isTaken(p) ? copies[p] : layer.copies[p]; };
+  std::vector<Index> counts(vertexOf.size());
+  for (Index p = 0; p < counts.size(); ++p)
+  {
+    counts[p] = copyOf(p) == noIndex ? 0 : 1;
+  }
+  LayerMesh next = buildLayer(plain, walls, counts, context.executor);
+  for (Index p = 0; p < counts.size(); ++p)
+  {
+    if (counts[p] > 0)
+    {
+      next.mesh.points[next.copies[p]] = (isTaken(p) ? points : layer.mesh.points)[copyOf(p)];
+    }
+  }
+  replaceLayer(std::move(next));
+}
+
 void ImproverState::replaceLayer(LayerMesh other)
 {
   const LayerMesh before = std::exchange(layer, std::move(other));

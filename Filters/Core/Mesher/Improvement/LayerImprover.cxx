@@ -5,6 +5,8 @@
 #include "Mesher/Improvement/CurvedWalls.h"
 #include "Mesher/Improvement/LayerCreases.h"
 #include "Mesher/Improvement/LayerDivision.h"
+#include "Mesher/Improvement/Retreat.h"
+#include "Mesher/Improvement/Straightening.h"
 #include "Mesher/Improvement/SupportingLayer.h"
 #include "Mesher/Improvement/Waists.h"
 
@@ -14,112 +16,13 @@ namespace atria {
 
 namespace {
 
-/// Vertices at faces that stay beyond the largest angle leave their curves, and their surfaces by a little.
-void straighten(ImproverState& state, VertexDetachment& detachment)
-{
-  const std::vector<ImproverStage> stages = straighteningStages(state.traits);
-  const auto runAll = [&] { std::ranges::for_each(stages, [&](const ImproverStage& stage) { state.run(stage); }); };
-  runAll();
-  for (const double reach : reachesForAngles)
-  {
-    const std::vector<ShortCell> beyond = state.findShort(targetsOfLargestAngle(state.traits), 0.0F);
-    if (beyond.empty())
-    {
-      break;
-    }
-    detachment.detach(beyond, reach);
-    runAll();
-  }
-  detachment.keepThoseAway();
-}
-
-/// The same where single layers have such faces.
-void straightenWhereNeeded(ImproverState& state, VertexDetachment& detachment)
-{
-  if (!state.traits.divided && !state.findShort(targetsOfLargestAngle(state.traits), 0.0F).empty())
-  {
-    straighten(state, detachment);
-  }
-}
-
-/// Elements at some points get a layer, and what is about it is improved again.
-void supportAt(const std::vector<char>& points, ImproverState& state, VertexDetachment& detachment)
-{
-  addSupport(state, points);
-  if (detachment.improveAndMend())
-  {
-    detachment.putBack();
-  }
-  straightenWhereNeeded(state, detachment);
-  state.focus.clear();
-}
-
-/// Those that came to need one as points moved.
-void supportMore(ImproverState& state, VertexDetachment& detachment)
-{
-  for (int round = 0; round < mostSupportRounds; ++round)
-  {
-    const std::vector<char> points = pointsToSupport(state);
-    if (points.empty())
-    {
-      return;
-    }
-    supportAt(points, state, detachment);
-  }
-}
-
-/// Elements that checkMesh would object to, and those that are concave at walls.
-std::size_t countFailing(ImproverState& state)
-{
-  return state.findShort(targetsOfChecks(state.traits), 0.0F).size() +
-         findConcaveAtWalls(state.layer.mesh, state.context).size();
-}
-
-/// One attempt at the elements of one place. What is no better for it stays as it was.
-void tryAnew(const std::vector<ShortCell>& cells, const Retreat& attempt, ImproverState& state,
-             VertexDetachment& detachment)
-{
-  const std::size_t before = countFailing(state);
-  VertexDetachment::Kept kept = detachment.keep();
-  state.focus.assign(state.layer.plainPoints, 0);
-  detachment.beginAnew(cells, attempt.rows, attempt.layered);
-  straightenWhereNeeded(state, detachment);
-  state.focus.clear();
-  supportMore(state, detachment);
-  if (countFailing(state) >= before)
-  {
-    detachment.takeAgain(std::move(kept));
-  }
-}
-
-/// Where elements are not valid in spite of all room, they and those about them begin anew from the centers of their
-/// octants, where the plain mesh is valid, place by place.
-void retreat(ImproverState& state, VertexDetachment& detachment)
-{
-  QualityTargets targets = targetsOfChecks(state.traits);
-  targets.leastOfDeterminant = std::numeric_limits<double>::infinity(); // mended by a layer, if at all
-  for (const Retreat& attempt : retreats)
-  {
-    std::vector<char> tried(state.layer.plainPoints, 0);
-    for (;;)
-    {
-      const std::vector<ShortCell> place = detachment.takePlace(state.findShort(targets, 0.0F), attempt.rows, tried);
-      if (place.empty())
-      {
-        break;
-      }
-      tryAnew(place, attempt, state, detachment);
-    }
-  }
-}
-
 /// Divides layers. Where elements need a layer that was not asked for as points have moved, they get it before, and all
 /// are divided again.
 LayerDivision divide(ImproverState& state, VertexDetachment& detachment)
 {
   for (int round = 0; state.traits.supported && round < mostDividedAgain; ++round)
   {
-    VertexDetachment::Kept whole = detachment.keep();
+    const VertexDetachment::Kept whole = detachment.keep();
     LayerDivision division(state);
     division.run();
     const std::vector<char> points = pointsToSupport(state);
@@ -127,7 +30,7 @@ LayerDivision divide(ImproverState& state, VertexDetachment& detachment)
     {
       return division;
     }
-    detachment.takeAgain(std::move(whole));
+    detachment.takeAgain(whole);
     supportAt(points, state, detachment);
   }
   LayerDivision division(state);

@@ -3,6 +3,7 @@
 
 #include "Mesher/Improvement/ConcaveElements.h"
 #include "Mesher/Improvement/LayerCells.h"
+#include "Mesher/Improvement/Straightening.h"
 
 #include <algorithm>
 #include <iterator>
@@ -84,6 +85,35 @@ void addSupport(ImproverState& state, const std::vector<char>& points)
     state.excluded[p] = points[p] ? 0 : state.excluded[p];
   }
   state.growAgain(std::vector<char>(state.layer.plainPoints, 0));
+}
+
+void supportAt(const std::vector<char>& points, ImproverState& state, VertexDetachment& detachment)
+{
+  addSupport(state, points);
+  if (detachment.improveAndMend())
+  {
+    detachment.putBack();
+  }
+  straightenWhereNeeded(state, detachment);
+  state.focus.clear();
+}
+
+void supportMore(ImproverState& state, VertexDetachment& detachment)
+{
+  std::vector<char> given(state.layer.plainPoints, 0);
+  for (auto last = std::numeric_limits<std::ptrdiff_t>::max();;)
+  {
+    const std::vector<char> points = pointsToSupport(state);
+    const std::ptrdiff_t count = std::ranges::count(points, 1);
+    const bool isAgain = std::ranges::equal(points, given, [](char now, char before) { return now <= before; });
+    if (count == 0 || (isAgain && count >= last))
+    {
+      return;
+    }
+    last = count;
+    std::ranges::transform(points, given, given.begin(), [](char now, char before) { return now | before; });
+    supportAt(points, state, detachment);
+  }
 }
 
 } // namespace atria

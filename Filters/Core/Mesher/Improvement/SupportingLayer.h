@@ -2,7 +2,7 @@
 /// The layer where none was asked for, on surfaces that have elements that cannot be valid without.
 #pragma once
 
-#include "Mesher/Improvement/ImproverState.h"
+#include "Mesher/Improvement/VertexDetachment.h"
 
 namespace atria {
 
@@ -13,5 +13,11 @@ std::vector<char> pointsToSupport(ImproverState& state);
 
 /// Gives them the layer. The state's focus is on what this changes then.
 void addSupport(ImproverState& state, const std::vector<char>& points);
+
+/// The same, and improves what is about it. The state's focus is on nothing then.
+void supportAt(const std::vector<char>& points, ImproverState& state, VertexDetachment& detachment);
+
+/// Elements that came to need it as points moved get it, as long as they are others than before, or fewer.
+void supportMore(ImproverState& state, VertexDetachment& detachment);
 
 } // namespace atria

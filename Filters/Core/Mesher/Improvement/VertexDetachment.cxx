@@ -9,6 +9,19 @@
 
 namespace atria {
 
+namespace {
+
+/// Those with a marked point are replaced by those of another list; in rising order of points then.
+template <typename Entry>
+void takeThoseAt(const std::vector<char>& marked, const std::vector<Entry>& from, std::vector<Entry>& to)
+{
+  std::erase_if(to, [&](const Entry& entry) { return marked[entry.point] != 0; });
+  std::ranges::copy_if(from, std::back_inserter(to), [&](const Entry& entry) { return marked[entry.point] != 0; });
+  std::ranges::sort(to, {}, &Entry::point);
+}
+
+} // namespace
+
 VertexDetachment::VertexDetachment(ImproverState& state)
     : state_(state), isOnSide_(state.vertexOf.size(), 0), isLeft_(state.vertexOf.size(), 0)
 {
@@ -241,35 +254,13 @@ std::vector<char> VertexDetachment::leadersAbout(const std::vector<ShortCell>& c
   return leaders;
 }
 
-std::vector<ShortCell> VertexDetachment::takePlace(std::vector<ShortCell> cells, int rows,
-                                                   std::vector<char>& tried) const
+void VertexDetachment::beginAnew(const std::vector<ShortCell>& cells, const Retreat& attempt)
 {
-  const auto countOf = [&](const ShortCell& cell, const std::vector<char>& leaders) {
-    int count = 0;
-    eachLeaderOf({cell}, [&](Index leader) { count += leaders[leader]; });
-    return count;
-  };
-  std::erase_if(cells, [&](const ShortCell& cell) { return countOf(cell, tried) == 8; });
-  std::vector<ShortCell> place(cells.begin(), cells.begin() + (cells.empty() ? 0 : 1));
-  for (std::size_t before = 0; before < place.size();)
-  {
-    before = place.size();
-    const std::vector<char> about = leadersAbout(place, 2 * rows);
-    place.clear();
-    std::ranges::copy_if(cells, std::back_inserter(place),
-                         [&](const ShortCell& cell) { return countOf(cell, about) > 0; });
-  }
-  eachLeaderOf(place, [&](Index leader) { tried[leader] = 1; });
-  return place;
-}
-
-void VertexDetachment::beginAnew(const std::vector<ShortCell>& cells, int rows, bool layered)
-{
-  const std::vector<char> leaders = leadersAbout(cells, rows);
+  const std::vector<char> leaders = leadersAbout(cells, attempt.rows);
   for (Index p = 0; p < state_.layer.plainPoints; ++p)
   {
     const Index leader = state_.vertexOf[p];
-    state_.excluded[p] = leaders[leader] ? (layered ? 0 : 1) : state_.excluded[p];
+    state_.excluded[p] = leaders[leader] ? (attempt.layered ? 0 : 1) : state_.excluded[p];
     if (leaders[p])
     {
       state_.letGo[p] = 1;
@@ -279,29 +270,48 @@ void VertexDetachment::beginAnew(const std::vector<ShortCell>& cells, int rows, 
   }
   takeToCenters(leaders, 1.0);
   improve(badOf(state_.findShort(first_.options.targets)));
-  putBack();
+  if (attempt.goesBack)
+  {
+    putBack();
+  }
+  keepThoseAway();
 }
 
 VertexDetachment::Kept VertexDetachment::keep() const
 {
-  return {state_.layer, state_.classification, state_.mayLeave, state_.letGo, state_.excluded, left_, isLeft_,
-          detached_};
+  const LayerMesh& layer = state_.layer;
+  return {layer.mesh.points, layer.copies, state_.classification, state_.mayLeave, state_.letGo, state_.excluded, left_,
+          isLeft_,           detached_};
 }
 
-void VertexDetachment::takeAgain(Kept kept)
+void VertexDetachment::takeAgain(const Kept& kept) { takeAgain(kept, std::vector<char>(state_.vertexOf.size(), 1)); }
+
+void VertexDetachment::takeAgain(const Kept& kept, const std::vector<char>& leaders)
 {
-  state_.replaceLayer(std::move(kept.layer));
-  if (state_.traits.layered) // else the layer's mesh is the plain one itself
+  state_.takeLayerAgain(kept.points, kept.copies, leaders);
+  VertexClassification& classification = state_.classification;
+  std::erase_if(classification.displacementLimits, [&](const auto& limit) { return leaders[limit.first] != 0; });
+  std::ranges::copy_if(kept.classification.displacementLimits,
+                       std::inserter(classification.displacementLimits, classification.displacementLimits.end()),
+                       [&](const auto& limit) { return leaders[limit.first] != 0; });
+  for (Index p = 0; p < leaders.size(); ++p)
   {
-    std::copy_n(state_.layer.mesh.points.begin(), state_.layer.plainPoints, state_.plain.points.begin());
+    state_.excluded[p] = leaders[state_.vertexOf[p]] ? kept.excluded[p] : state_.excluded[p];
+    if (!leaders[p] || state_.vertexOf[p] != p)
+    {
+      continue;
+    }
+    classification.classes[p] = kept.classification.classes[p];
+    if (!classification.turnedSides.empty())
+    {
+      classification.turnedSides[p] = kept.classification.turnedSides[p];
+    }
+    state_.mayLeave[p] = kept.mayLeave[p];
+    state_.letGo[p] = kept.letGo[p];
+    isLeft_[p] = kept.isLeft[p];
   }
-  state_.classification = std::move(kept.classification);
-  state_.mayLeave = std::move(kept.mayLeave);
-  state_.letGo = std::move(kept.letGo);
-  state_.excluded = std::move(kept.excluded);
-  left_ = std::move(kept.left);
-  isLeft_ = std::move(kept.isLeft);
-  detached_ = std::move(kept.detached);
+  takeThoseAt(leaders, kept.left, left_);
+  takeThoseAt(leaders, kept.detached, detached_);
 }
 
 /// Leaves the layer out at the points of cells that have it; gives it back to those that are bad without it.

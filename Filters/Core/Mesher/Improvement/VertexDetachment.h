@@ -30,17 +30,16 @@ public:
   void letGoOn(Index leader, double reach);
   /// Forgets the points that are back; the others stay where they are.
   void keepThoseAway();
-  /// The first of the cells that has a leader not tried yet, with those near enough for the same rows about them to
-  /// meet; their leaders count as tried then. None: all were tried.
-  std::vector<ShortCell> takePlace(std::vector<ShortCell> cells, int rows, std::vector<char>& tried) const;
-  /// Takes the vertices of cells, and of so many rows about them, to the centers of their octants, and as far back as
-  /// elements stay valid, with a layer or without.
-  void beginAnew(const std::vector<ShortCell>& cells, int rows, bool layered);
+  /// Takes the vertices of cells, and of rows about them, to the centers of their octants, and, if the attempt says so,
+  /// as far back as elements stay valid.
+  void beginAnew(const std::vector<ShortCell>& cells, const Retreat& attempt);
 
   /// What this changes, here and in the state.
   struct Kept
   {
-    LayerMesh layer;
+    /// Of a layer that is not divided, as in LayerMesh.
+    std::vector<Vec3> points;
+    std::vector<Index> copies;
     VertexClassification classification;
     std::vector<char> mayLeave;
     std::vector<char> letGo;
@@ -50,7 +49,11 @@ public:
     std::vector<DetachedVertex> detached;
   };
   Kept keep() const;
-  void takeAgain(Kept kept);
+  /// All as it was.
+  void takeAgain(const Kept& kept);
+  /// The same at marked leaders only. Where an element has one of which something changed, all of its leaders must be
+  /// marked, or none.
+  void takeAgain(const Kept& kept, const std::vector<char>& leaders);
   /// Those that did not get back, in rising order of points.
   const std::vector<DetachedVertex>& detached() const { return detached_; }
 
