@@ -119,7 +119,7 @@ std::string repairText(const Json& repair)
   return text.empty() ? "nothing" : text;
 }
 
-std::string leftOutText(const Json& zones, const Json& withoutFaces)
+std::string leftOutText(const Json& zones, const Json& diagnostics)
 {
   constexpr std::array words{std::pair{"open", "open spaces"}, std::pair{"room", "closed rooms"},
                              std::pair{"solid", "insides of solids"}, std::pair{"narrow", "narrow spaces"}};
@@ -131,7 +131,11 @@ std::string leftOutText(const Json& zones, const Json& withoutFaces)
     });
     text += count == 0 ? "" : std::string(text.empty() ? "" : ", ") + word + " " + std::to_string(count);
   }
-  if (!withoutFaces.empty())
+  if (const auto count = diagnostics["LeftOutElement"].get<long long>(); count > 0)
+  {
+    text += std::string(text.empty() ? "" : ", ") + "elements at walls that would not be valid " + std::to_string(count);
+  }
+  if (const Json& withoutFaces = diagnostics["SurfaceWithoutFaces"]; !withoutFaces.empty())
   {
     text += std::string(text.empty() ? "" : ", ") + "surfaces without faces " + namesText(withoutFaces);
   }
@@ -208,7 +212,7 @@ std::string summaryOf(const Json& report, const std::vector<std::string>& files)
   }
   line(out, "repaired", repairText(report["repair"]));
   line(out, "too fine", hiddenText(report["hidden_detail"]));
-  line(out, "left out", leftOutText(report["zones"], report["diagnostics"]["SurfaceWithoutFaces"]));
+  line(out, "left out", leftOutText(report["zones"], report["diagnostics"]));
   line(out, "time", timeText(report["seconds"]));
   line(out, "memory",
        bytesText(report["peak_memory_bytes"].get<double>()) + " at most, " +

@@ -4,7 +4,9 @@
 #include "Dual/Mesh/Sheets.h"
 #include "Dual/Vertices/TurnedDomain.h"
 #include "Mesher/Improvement/CurveJogs.h"
+#include "Mesher/Improvement/ElementsToLeaveOut.h"
 #include "Mesher/Improvement/UnfoldFaces.h"
+#include "Mesher/LeaveOut.h"
 #include "Optimize/Constraints/ModelConstraints.h"
 
 #include <algorithm>
@@ -105,7 +107,6 @@ ImprovedMesh growLayers(ClassifiedMesh given, const WallOptions& wallOptions, co
   ImprovedMesh out;
   if (wallOptions.layers.empty())
   {
-    out.plainElements = given.mesh.elementCount();
     out.mesh = std::move(given.mesh);
     return out;
   }
@@ -122,12 +123,15 @@ ImprovedMesh growLayers(ClassifiedMesh given, const WallOptions& wallOptions, co
     walls = findLayerWalls(given.mesh, options, context);
   }
   context.progress.check();
-  auto [layer, detached] =
+  auto [layer, detached, failing] =
       improveLayer(context, given.classification, given.vertexOf, given.mesh, walls, options, wallOptions.curvedWalls);
   out.layers = reportLayers(given.mesh, walls, layer, options, context.model.names, context);
   out.mesh = std::move(layer.mesh);
-  out.plainElements = layer.plainElements;
   out.detached = std::move(detached);
+  if (options.isAsked() || wallOptions.supportElements)
+  {
+    leaveOut(findElementsToLeaveOut(out.mesh, failing, context), out);
+  }
   return out;
 }
 

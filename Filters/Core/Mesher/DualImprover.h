@@ -40,19 +40,28 @@ struct WallOptions
   CurvedWallTargets curvedWalls = {};
 };
 
+/// An element that is not in the mesh, as it could not be made valid.
+struct LeftOutElement
+{
+  Vec3 middle;
+  Index beside; ///< an element that is in the mesh; noIndex where there is none
+};
+
 struct ImprovedMesh
 {
   DualMesh mesh;
-  /// Elements before this one are those of the mesh that was given; those of layers follow.
-  std::size_t plainElements = 0;
   /// Empty without rules.
   LayerReport layers;
   /// Points that are not where the model wants them, in rising order.
   std::vector<DetachedVertex> detached;
+  std::vector<LeftOutElement> leftOut;
+  /// By element before these were left out its number now, or noIndex; empty where none was.
+  std::vector<Index> numbers;
 };
 
 /// Grows layers on walls and makes the elements at the boundary valid (see improveLayer), also where rules ask for no
-/// layer. Without rules the mesh is returned as it is.
+/// layer. Without rules the mesh is returned as it is. Elements at walls that stay invalid however they are written are
+/// left out, but where neither layers are asked for nor elements are to be supported.
 ImprovedMesh growLayers(ClassifiedMesh given, const WallOptions& wallOptions, const MeshingContext& context);
 
 } // namespace atria

@@ -354,15 +354,41 @@ void appendDetached(const DualMesh& mesh, const std::vector<DetachedVertex>& det
   }
 }
 
+/// Diagnostics follow their elements.
+void appendLeftOut(const ImprovedMesh& improved, std::vector<Diagnostic>& diagnostics)
+{
+  for (Diagnostic& diagnostic : diagnostics)
+  {
+    if (!improved.numbers.empty() && diagnostic.element != noIndex)
+    {
+      diagnostic.element = improved.numbers[diagnostic.element];
+    }
+  }
+  for (const LeftOutElement& element : improved.leftOut)
+  {
+    diagnostics.push_back({Diagnostic::leftOutElement, element.middle, element.middle, element.beside});
+  }
+}
+
+void countElements(const DualMesh& mesh, const std::vector<char>& keptZones, std::vector<ZoneSummary>& zones)
+{
+  for (std::size_t zone = 0; zone < zones.size(); ++zone)
+  {
+    zones[zone].elements = keptZones[zone] ? 0 : zones[zone].elements;
+  }
+  for (const std::int32_t zone : mesh.zones)
+  {
+    ++zones[zone].elements;
+  }
+}
+
 void takeImproved(ImprovedMesh improved, DualMeshResult& result)
 {
+  appendLeftOut(improved, result.diagnostics);
   result.mesh = std::move(improved.mesh);
   result.layers = std::move(improved.layers);
   appendDetached(result.mesh, improved.detached, result.diagnostics);
-  for (std::size_t e = improved.plainElements; e < result.mesh.elementCount(); ++e)
-  {
-    ++result.zones[result.mesh.zones[e]].elements;
-  }
+  countElements(result.mesh, result.keptZones, result.zones);
 }
 
 void placeAll(std::vector<Vec3>& points, const Placement& placement)

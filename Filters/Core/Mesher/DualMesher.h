@@ -47,8 +47,9 @@ struct Diagnostic
     closedCrack,       ///< a gap beside a boundary edge, narrower than an octant, that no octree edge passes
     openCrack,         ///< one that octree edges pass
     detachedVertex,    ///< a vertex that is not where the model wants it, as no valid element could be there
-    cluster            ///< an octant with more pieces of the model than it can show; of its merged sheets and features
+    cluster,           ///< an octant with more pieces of the model than it can show; of its merged sheets and features
                        ///< nothing else is told
+    leftOutElement     ///< an element at a wall that is not in the mesh, as it could not be made valid: its middle
   };
   Kind kind;
   Vec3 begin;
@@ -60,8 +61,9 @@ struct Diagnostic
   /// The points of a line between its begin and end, in order.
   std::vector<Vec3> between = {};
 };
-inline constexpr std::array<const char*, 7> diagnosticNames{
-    "MergedSheets", "UnresolvedFeature", "LeakPath", "ClosedCrack", "OpenCrack", "DetachedVertex", "Cluster"};
+inline constexpr std::array<const char*, 8> diagnosticNames{"MergedSheets", "UnresolvedFeature", "LeakPath",
+                                                            "ClosedCrack",  "OpenCrack",         "DetachedVertex",
+                                                            "Cluster",      "LeftOutElement"};
 
 struct DualMeshResult
 {

@@ -7,6 +7,7 @@
 #include "Support/Types.h"
 
 #include <atomic>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -105,6 +106,8 @@ struct ReducedFace
 {
   std::array<Index, 4> points;
   int count = 0;
+
+  std::span<const Index> loop() const { return {points.data(), static_cast<std::size_t>(count)}; }
 };
 
 inline ReducedFace faceOf(const std::array<Index, 8>& corners, int direction)

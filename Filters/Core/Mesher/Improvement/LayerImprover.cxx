@@ -139,7 +139,14 @@ ImprovedLayer improveLayer(const MeshingContext& context, const VertexClassifica
     enter(state, context, 0.9, 1.0, "Adding crease sheets");
     addCreaseSheets(state);
   }
-  return {std::move(state.layer), detachment.detached()};
+  ImprovedLayer out;
+  for (const ShortCell& cell : findFailing(state, targetsOfChecks(traits)))
+  {
+    out.failing.push_back(cell.cell);
+  }
+  out.layer = std::move(state.layer);
+  out.detached = detachment.detached();
+  return out;
 }
 
 } // namespace atria

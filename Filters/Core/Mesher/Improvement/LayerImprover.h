@@ -11,6 +11,8 @@ struct ImprovedLayer
   LayerMesh layer;
   /// Vertices that are not where the model wants them, in rising order of points.
   std::vector<DetachedVertex> detached;
+  /// Elements that checkMesh objects to unless they are made one with others, in order.
+  std::vector<Index> failing;
 };
 
 /// The layers asked for; fewer at points where elements would not be valid. Without any asked for, the plain mesh made

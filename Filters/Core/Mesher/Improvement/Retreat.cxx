@@ -23,21 +23,6 @@ std::array<Index, 8> leadersOf(const ImproverState& state, Index element)
   return leaders;
 }
 
-/// Elements that fall short of targets, and those that are concave at walls, in order.
-std::vector<ShortCell> findFailing(ImproverState& state, const QualityTargets& targets)
-{
-  std::vector<ShortCell> failing = state.findShort(targets, 0.0F);
-  std::ranges::transform(findConcaveAtWalls(state.layer.mesh, state.context), std::back_inserter(failing),
-                         [](Index cell) {
-                           return ShortCell{cell, 0.0F};
-                         });
-  std::ranges::sort(failing, {}, &ShortCell::cell);
-  failing.erase(std::unique(failing.begin(), failing.end(),
-                            [](const ShortCell& a, const ShortCell& b) { return a.cell == b.cell; }),
-                failing.end());
-  return failing;
-}
-
 /// Of those that checkMesh would object to.
 std::vector<std::array<Index, 8>> leadersOfFailing(ImproverState& state)
 {
@@ -153,6 +138,24 @@ std::vector<ShortCell> takeUntried(std::vector<ShortCell> cells, const ImproverS
 }
 
 } // namespace
+
+std::vector<ShortCell> findFailing(ImproverState& state, const QualityTargets& targets)
+{
+  std::vector<ShortCell> failing = state.findShort(targets, 0.0F);
+  if (!state.traits.layered)
+  {
+    return failing;
+  }
+  for (const Index cell : findConcaveAtWalls(state.layer.mesh, state.context))
+  {
+    failing.push_back({cell, 0.0F});
+  }
+  std::ranges::sort(failing, {}, &ShortCell::cell);
+  failing.erase(std::unique(failing.begin(), failing.end(),
+                            [](const ShortCell& a, const ShortCell& b) { return a.cell == b.cell; }),
+                failing.end());
+  return failing;
+}
 
 void retreat(ImproverState& state, VertexDetachment& detachment)
 {

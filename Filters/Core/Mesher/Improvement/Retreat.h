@@ -11,4 +11,7 @@ namespace atria {
 /// its time does not depend on how many there are; a place at which no fewer elements fail then stays as it was.
 void retreat(ImproverState& state, VertexDetachment& detachment);
 
+/// Elements that fall short of targets, and, where there may be layers, those that are concave at walls, in order.
+std::vector<ShortCell> findFailing(ImproverState& state, const QualityTargets& targets);
+
 } // namespace atria

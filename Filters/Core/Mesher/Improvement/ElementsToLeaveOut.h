@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// The last resort: elements that no place of their points makes valid.
+#pragma once
+
+#include "Dual/Mesh/DualMesh.h"
+#include "Support/RunContext.h"
+
+namespace atria {
+
+/// Of elements that fail, in order, those at walls that checkMesh objects to as they are written, too (see
+/// uniteAndJudge), and what else has to go with them for less to fail, in order. Such are the tips of wedges between
+/// two walls: whatever is in them has neighbors on two axes only, or is concave. O(elements that fail).
+std::vector<Index> findElementsToLeaveOut(const DualMesh& mesh, const std::vector<Index>& failing,
+                                          const RunContext& context);
+
+} // namespace atria

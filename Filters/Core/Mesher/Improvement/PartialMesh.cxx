@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Mesher/Improvement/PartialMesh.h"
+
+#include "Quality/Faces/Geometry.h"
+
+#include <algorithm>
+#include <map>
+
+namespace atria {
+
+namespace {
+
+class PartMaker
+{
+public:
+  PartMaker(const DualMesh& whole, const std::vector<Index>& leftOut) : mesh_(whole), leftOut_(leftOut) {}
+
+  PartialMesh make(const std::vector<Index>& elements)
+  {
+    for (const Index e : elements)
+    {
+      number(e);
+    }
+    for (const Index e : elements)
+    {
+      for (const std::int32_t next : mesh_.neighbors[e])
+      {
+        if (next >= 0 && !isLeftOut(static_cast<Index>(next)))
+        {
+          number(static_cast<Index>(next));
+        }
+      }
+    }
+    PartialMesh part;
+    part.mesh.cellCount = elements_.size();
+    for (const OrderedFace& face : facesInOrder())
+    {
+      append(part, face);
+    }
+    return part;
+  }
+
+private:
+  void number(Index element)
+  {
+    if (cellOf_.emplace(element, static_cast<Index>(elements_.size())).second)
+    {
+      elements_.push_back(element);
+    }
+  }
+
+  Index cellOf(std::int32_t code) const
+  {
+    const auto found = code >= 0 ? cellOf_.find(static_cast<Index>(code)) : cellOf_.end();
+    return found == cellOf_.end() ? noIndex : found->second;
+  }
+
+  /// Numbered by cell and direction.
+  std::vector<OrderedFace> facesInOrder() const
+  {
+    std::vector<OrderedFace> order;
+    for (Index cell = 0; cell < elements_.size(); ++cell)
+    {
+      for (int direction = 0; direction < 6; ++direction)
+      {
+        const std::int32_t code = mesh_.neighbors[elements_[cell]][direction];
+        const Index across = cellOf(code);
+        if (code != DualMesh::noFace && (across == noIndex || cell < across))
+        {
+          order.push_back(orderFace(6 * cell + static_cast<Index>(direction), cell, across));
+        }
+      }
+    }
+    std::sort(order.begin(), order.end());
+    return order;
+  }
+
+  void append(PartialMesh& part, const OrderedFace& face)
+  {
+    const Index element = elements_[face.owner];
+    const auto direction = static_cast<int>(face.face % 6);
+    std::vector<Index> loop;
+    for (const Index p : faceOf(mesh_.corners[element], direction).loop())
+    {
+      const auto [at, isNew] = pointOf_.emplace(p, static_cast<Index>(part.mesh.points.size()));
+      if (isNew)
+      {
+        part.mesh.points.push_back(mesh_.points[p]);
+      }
+      loop.push_back(at->second);
+    }
+    appendFace(part.mesh, face, loop);
+    if (face.onBoundary)
+    {
+      part.patchOf.push_back(beyond(mesh_.neighbors[element][direction]));
+    }
+  }
+
+  bool isLeftOut(Index element) const { return std::ranges::binary_search(leftOut_, element); }
+
+  /// A number for each side of each surface, and another one for each element.
+  Index beyond(std::int32_t code) const
+  {
+    if (code >= 0 && !isLeftOut(static_cast<Index>(code)))
+    {
+      return noIndex - 1 - static_cast<Index>(code);
+    }
+    const Index wall = code < 0 ? DualMesh::boundaryFaceOf(code) : wallOf(mesh_, static_cast<Index>(code));
+    const BoundaryFace& face = mesh_.boundaryFaces[wall];
+    return 2 * face.tag + (face.side == SheetSide::back ? 1 : 0);
+  }
+
+  const DualMesh& mesh_;
+  const std::vector<Index>& leftOut_;
+  std::vector<Index> elements_;
+  std::map<Index, Index> cellOf_;
+  std::map<Index, Index> pointOf_;
+};
+
+} // namespace
+
+PartialMesh makePartialMesh(const DualMesh& mesh, const std::vector<Index>& elements, const std::vector<Index>& leftOut)
+{
+  return PartMaker(mesh, leftOut).make(elements);
+}
+
+Index wallOf(const DualMesh& mesh, Index element)
+{
+  Index wall = noIndex;
+  double largest = 0.0;
+  for (int direction = 0; direction < 6; ++direction)
+  {
+    const std::int32_t code = mesh.neighbors[element][direction];
+    if (!DualMesh::isBoundary(code) || mesh.boundaryFaces[DualMesh::boundaryFaceOf(code)].onDomainSide)
+    {
+      continue;
+    }
+    const double area = measurePolygon(mesh.points, faceOf(mesh.corners[element], direction).loop()).area.norm();
+    if (area > largest)
+    {
+      largest = area;
+      wall = DualMesh::boundaryFaceOf(code);
+    }
+  }
+  return wall;
+}
+
+} // namespace atria

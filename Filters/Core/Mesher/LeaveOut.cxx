@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Mesher/LeaveOut.h"
+
+#include "Mesher/Improvement/PartialMesh.h"
+
+#include <algorithm>
+
+namespace atria {
+
+namespace {
+
+/// The numbers of what stays, in order; noIndex for what does not.
+std::vector<Index> numbersOfKept(const std::vector<char>& stays)
+{
+  std::vector<Index> numbers(stays.size(), noIndex);
+  Index next = 0;
+  for (std::size_t i = 0; i < stays.size(); ++i)
+  {
+    if (stays[i])
+    {
+      numbers[i] = next++;
+    }
+  }
+  return numbers;
+}
+
+/// Moves what stays to its new places; nothing where a list is empty.
+template <typename List> void compact(List& list, const std::vector<Index>& numbers)
+{
+  if (list.empty())
+  {
+    return;
+  }
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+  {
+    if (numbers[i] != noIndex)
+    {
+      list[numbers[i]] = list[i];
+      ++count;
+    }
+  }
+  list.resize(count);
+}
+
+/// Gives what was beside elements boundary faces in their place.
+void closeBeside(const std::vector<Index>& elements, ImprovedMesh& improved)
+{
+  DualMesh& mesh = improved.mesh;
+  for (const Index e : elements)
+  {
+    const BoundaryFace wall = mesh.boundaryFaces[wallOf(mesh, e)];
+    for (const std::int32_t code : mesh.neighbors[e])
+    {
+      if (code < 0 || std::ranges::binary_search(elements, static_cast<Index>(code)))
+      {
+        continue;
+      }
+      std::array<std::int32_t, 6>& beside = mesh.neighbors[code];
+      for (std::uint8_t direction = 0; direction < 6; ++direction)
+      {
+        if (beside[direction] == static_cast<std::int32_t>(e))
+        {
+          beside[direction] = ~static_cast<std::int32_t>(mesh.boundaryFaces.size());
+          mesh.boundaryFaces.push_back(
+              {static_cast<Index>(code), wall.tag, noIndex, direction, wall.side, false, wall.chart});
+          improved.layers.counts.push_back(0);
+          improved.layers.thicknesses.push_back(0.0);
+        }
+      }
+    }
+  }
+}
+
+void compactFaces(const std::vector<Index>& elementNumbers, ImprovedMesh& improved)
+{
+  DualMesh& mesh = improved.mesh;
+  std::vector<char> stays(mesh.boundaryFaces.size());
+  std::ranges::transform(mesh.boundaryFaces, stays.begin(),
+                         [&](const BoundaryFace& face) { return elementNumbers[face.element] != noIndex ? 1 : 0; });
+  const std::vector<Index> numbers = numbersOfKept(stays);
+  compact(mesh.boundaryFaces, numbers);
+  compact(improved.layers.counts, numbers);
+  compact(improved.layers.thicknesses, numbers);
+  for (BoundaryFace& face : mesh.boundaryFaces)
+  {
+    face.element = elementNumbers[face.element];
+    face.opposite = face.opposite == noIndex ? noIndex : elementNumbers[face.opposite];
+  }
+  for (ZoneFace& face : mesh.zoneFaces)
+  {
+    face.element = elementNumbers[face.element];
+  }
+  for (std::array<std::int32_t, 6>& neighbors : mesh.neighbors)
+  {
+    for (std::int32_t& code : neighbors)
+    {
+      if (code >= 0)
+      {
+        code = static_cast<std::int32_t>(elementNumbers[code]);
+      }
+      else if (DualMesh::isBoundary(code))
+      {
+        code = ~static_cast<std::int32_t>(numbers[DualMesh::boundaryFaceOf(code)]);
+      }
+    }
+  }
+}
+
+void compactPoints(ImprovedMesh& improved)
+{
+  DualMesh& mesh = improved.mesh;
+  std::vector<char> stays(mesh.points.size(), 0);
+  for (const auto& corners : mesh.corners)
+  {
+    for (const Index p : corners)
+    {
+      stays[p] = 1;
+    }
+  }
+  const std::vector<Index> numbers = numbersOfKept(stays);
+  compact(mesh.points, numbers);
+  for (auto& corners : mesh.corners)
+  {
+    std::ranges::transform(corners, corners.begin(), [&](Index p) { return numbers[p]; });
+  }
+  for (DetachedVertex& vertex : improved.detached)
+  {
+    vertex.point = numbers[vertex.point];
+  }
+  std::erase_if(improved.detached, [](const DetachedVertex& vertex) { return vertex.point == noIndex; });
+}
+
+/// Where an element is, and one beside it that stays.
+LeftOutElement describe(const DualMesh& mesh, Index element, const std::vector<Index>& numbers)
+{
+  LeftOutElement out{Vec3::Zero(), noIndex};
+  for (const Index p : mesh.corners[element])
+  {
+    out.middle += mesh.points[p] / 8.0;
+  }
+  for (const std::int32_t code : mesh.neighbors[element])
+  {
+    if (code >= 0 && out.beside == noIndex)
+    {
+      out.beside = numbers[code];
+    }
+  }
+  return out;
+}
+
+} // namespace
+
+void leaveOut(const std::vector<Index>& elements, ImprovedMesh& improved)
+{
+  if (elements.empty())
+  {
+    return;
+  }
+  DualMesh& mesh = improved.mesh;
+  std::vector<char> stays(mesh.elementCount(), 1);
+  for (const Index e : elements)
+  {
+    stays[e] = 0;
+  }
+  const std::vector<Index> numbers = numbersOfKept(stays);
+  for (const Index e : elements)
+  {
+    improved.leftOut.push_back(describe(mesh, e, numbers));
+  }
+  closeBeside(elements, improved);
+  compact(mesh.corners, numbers);
+  compact(mesh.neighbors, numbers);
+  compact(mesh.levels, numbers);
+  compact(mesh.zones, numbers);
+  compact(mesh.rooms, numbers);
+  compact(mesh.cellZones, numbers);
+  compactFaces(numbers, improved);
+  compactPoints(improved);
+  improved.numbers = numbers;
+}
+
+} // namespace atria
