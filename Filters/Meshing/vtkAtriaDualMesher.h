@@ -38,8 +38,9 @@
  * valid, with the way to where it should be; Cluster, a vertex in an octant with more pieces of the model than it can
  * show; LeftOutElement, the middle of an element at a wall that is not in the mesh, as it could not be made valid. Cell
  * arrays: `Diagnostic` (int, index into the field array `DiagnosticName`), `CellId` (vtkIdType; -1 for a leak that is
- * not in the mesh), `Width` (double, of leaks and cracks). Field array `SurfaceWithoutFaces`: names of surfaces that got no face. Field arrays `Zone...` have an entry
- * for each zone, those left out included, by ZoneId; `Leak...` one for each leak: see docs/arrays.md. Field arrays
+ * not in the mesh), `Width` (double, of leaks and cracks; of elements left out, the edge of a cube of their volume).
+ * Field array `SurfaceWithoutFaces`: names of surfaces that got no face. Field arrays `Zone...` have an entry for each
+ * zone, those left out included, by ZoneId; `Leak...` one for each leak: see docs/arrays.md. Field arrays
  * `LayerSurface`, `LayersAsked`, `LayerArea`, `LayerCoverage`, `LayerFullCoverage`, `LayerThicknessRatio`: what became
  * of layers, an entry for each surface that was to have some. Field array `SizingWarning`: what MaxElements left out,
  * if anything. Field arrays `RepairName` and `RepairValue`: what was changed to make the surfaces sound, and

@@ -81,8 +81,8 @@ TEST(LeaveOut, KeepsWhatIsLeftSound)
     EXPECT_TRUE(isConformal(mesh, 0));
     EXPECT_TRUE(elementsAreClosed(mesh));
     EXPECT_TRUE(boundaryIsWatertight(mesh));
-    const double gone = std::transform_reduce(elements.begin(), elements.end(), 0.0, std::plus(),
-                                              [&](Index e) { return before[e]; });
+    const double gone =
+        std::transform_reduce(elements.begin(), elements.end(), 0.0, std::plus(), [&](Index e) { return before[e]; });
     EXPECT_NEAR(totalVolume(mesh) + gone, totalVolume(meshed.mesh()), 1e-9);
     EXPECT_EQ(improved.layers.counts.size(), mesh.boundaryFaces.size());
     EXPECT_EQ(improved.leftOut.size(), elements.size());
@@ -145,8 +145,7 @@ TEST(LeaveOut, LeavesLessThatFails)
     SCOPED_TRACE(seed);
     ImprovedMesh improved = improvedOf(meshed);
     leaveOut(someAtWalls(meshed.mesh(), 40 + seed), improved);
-    const std::vector<Index> byThemselves =
-        failingAsWritten(improved.mesh, {.mergeCells = false, .mergeFaces = true});
+    const std::vector<Index> byThemselves = failingAsWritten(improved.mesh, {.mergeCells = false, .mergeFaces = true});
     const std::vector<Index> failing = failingAsWritten(improved.mesh);
     const std::vector<Index> found = findElementsToLeaveOut(improved.mesh, byThemselves, context());
     for (const Index e : found)

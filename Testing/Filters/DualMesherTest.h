@@ -8,10 +8,15 @@
 #include "SurfaceInput.h"
 #include "vtkAtriaDualMesher.h"
 
+#include <vtkCellData.h>
+#include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPartitionedDataSetCollection.h>
 #include <vtkPolyData.h>
+#include <vtkStringArray.h>
 #include <vtkUnstructuredGrid.h>
+
+#include <cmath>
 
 namespace atria::testing {
 
@@ -31,6 +36,19 @@ protected:
 
   std::map<std::string, vtkPolyData*> namedPatches() { return patchesByName(patches()); }
   double meshVolume() { return totalVolume(volume(), patches()); }
+  /// Of elements that are not in the mesh, as they could not be made valid.
+  double volumeLeftOut()
+  {
+    auto* names = vtkStringArray::SafeDownCast(diagnostics()->GetFieldData()->GetAbstractArray("DiagnosticName"));
+    vtkCellData* cells = diagnostics()->GetCellData();
+    double sum = 0.0;
+    for (vtkIdType i = 0; i < diagnostics()->GetNumberOfCells(); ++i)
+    {
+      const auto kind = static_cast<vtkIdType>(cells->GetArray("Diagnostic")->GetTuple1(i));
+      sum += names->GetValue(kind) == "LeftOutElement" ? std::pow(cells->GetArray("Width")->GetTuple1(i), 3) : 0.0;
+    }
+    return sum;
+  }
 
   /// Copies of the three outputs, brought up to date.
   std::array<vtkSmartPointer<vtkDataObject>, 3> copiesOfOutputs()

@@ -44,6 +44,7 @@ struct WallOptions
 struct LeftOutElement
 {
   Vec3 middle;
+  double size;  ///< the edge of a cube of its volume
   Index beside; ///< an element that is in the mesh; noIndex where there is none
 };
 

@@ -366,7 +366,7 @@ void appendLeftOut(const ImprovedMesh& improved, std::vector<Diagnostic>& diagno
   }
   for (const LeftOutElement& element : improved.leftOut)
   {
-    diagnostics.push_back({Diagnostic::leftOutElement, element.middle, element.middle, element.beside});
+    diagnostics.push_back({Diagnostic::leftOutElement, element.middle, element.middle, element.beside, element.size});
   }
 }
 

@@ -56,7 +56,8 @@ struct Diagnostic
   Vec3 end;
   /// An element beside it; noIndex for a leak of a zone that is not meshed.
   Index element;
-  /// How wide a gap is: a leak at its narrowest place, a crack at its widest. 0 for the other kinds.
+  /// How wide a gap is: a leak at its narrowest place, a crack at its widest. Of an element left out, the edge of a
+  /// cube of its volume. 0 for the other kinds.
   double width = 0.0;
   /// The points of a line between its begin and end, in order.
   std::vector<Vec3> between = {};

@@ -3,7 +3,10 @@
 
 #include "Mesher/Improvement/PartialMesh.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <cmath>
 
 namespace atria {
 
@@ -131,14 +134,36 @@ void compactPoints(ImprovedMesh& improved)
   std::erase_if(improved.detached, [](const DetachedVertex& vertex) { return vertex.point == noIndex; });
 }
 
-/// Where an element is, and one beside it that stays.
+/// Of an element, its faces as triangles about the mean of their points.
+double volumeOf(const DualMesh& mesh, Index element, const Vec3& origin)
+{
+  double volume = 0.0;
+  for (int direction = 0; direction < 6; ++direction)
+  {
+    const ReducedFace face = faceOf(mesh.corners[element], direction);
+    Vec3 center = Vec3::Zero();
+    for (const Index p : face.loop())
+    {
+      center += (mesh.points[p] - origin) / face.count;
+    }
+    for (int i = 0; face.count > 2 && i < face.count; ++i)
+    {
+      const Vec3 to = mesh.points[face.points[i]] - origin;
+      const Vec3 next = mesh.points[face.points[(i + 1) % face.count]] - origin;
+      volume += center.dot(to.cross(next)) / 6.0;
+    }
+  }
+  return volume;
+}
+
 LeftOutElement describe(const DualMesh& mesh, Index element, const std::vector<Index>& numbers)
 {
-  LeftOutElement out{Vec3::Zero(), noIndex};
+  LeftOutElement out{Vec3::Zero(), 0.0, noIndex};
   for (const Index p : mesh.corners[element])
   {
     out.middle += mesh.points[p] / 8.0;
   }
+  out.size = std::cbrt(std::max(0.0, volumeOf(mesh, element, out.middle)));
   for (const std::int32_t code : mesh.neighbors[element])
   {
     if (code >= 0 && out.beside == noIndex)
