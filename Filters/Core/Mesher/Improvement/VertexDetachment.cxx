@@ -332,18 +332,31 @@ void VertexDetachment::exclude(const std::vector<ShortCell>& bad)
   state_.growAgain(std::vector<char>(state_.layer.plainPoints, 0));
 }
 
-/// Where the points that left their pieces of the model ought to be, seen from where they are.
-std::vector<WantedPlace> VertexDetachment::wantedPlaces() const
+/// Where the vertices that left their pieces of the model ought to be, seen from where they are.
+std::vector<WantedPlace> VertexDetachment::findWantedPlaces()
 {
-  ModelConstraints constraints(state_.context, state_.wanted, state_.layer.mesh.points, state_.vertexOf);
-  std::vector<Index> points;
-  std::ranges::transform(left_, std::back_inserter(points), &WantedPlace::point);
-  constraints.prepare(points, state_.context);
+  const std::vector<Vec3>& points = state_.layer.mesh.points;
+  ModelConstraints constraints(state_.context, state_.wanted, points, state_.vertexOf);
+  const auto isFixed = [&](Index p) { return state_.wanted.classes[state_.vertexOf[p]] == VertexClass::fixed; };
+  std::vector<LeftVertex*> sought;
+  std::vector<Index> ids;
+  for (LeftVertex& vertex : left_)
+  {
+    if (!isFixed(vertex.point) && vertex.from != points[vertex.point])
+    {
+      sought.push_back(&vertex);
+      ids.push_back(vertex.point);
+    }
+  }
+  constraints.prepare(ids, state_.context);
+  state_.context.executor.forEach(sought.size(), 64, [&](std::size_t i) {
+    LeftVertex& vertex = *sought[i];
+    vertex.from = points[vertex.point];
+    vertex.wanted = constraints.nearest(vertex.point, vertex.from, vertex.wanted);
+  });
   std::vector<WantedPlace> places(left_.size());
-  state_.context.executor.forEach(left_.size(), 64, [&](std::size_t i) {
-    const Index p = left_[i].point;
-    const bool was = state_.wanted.classes[state_.vertexOf[p]] == VertexClass::fixed;
-    places[i] = {p, was ? left_[i].place : constraints.nearest(p, state_.layer.mesh.points[p])};
+  std::ranges::transform(left_, places.begin(), [](const LeftVertex& vertex) {
+    return WantedPlace{vertex.point, vertex.wanted};
   });
   return places;
 }
@@ -354,19 +367,19 @@ void VertexDetachment::putBack()
   {
     return;
   }
-  std::vector<WantedPlace> elsewhere; // than cells are looked for
+  std::vector<LeftVertex> elsewhere; // than cells are looked for
   std::ranges::copy_if(left_, std::back_inserter(elsewhere),
-                       [&](const WantedPlace& place) { return !state_.focus.empty() && !state_.focus[place.point]; });
-  std::erase_if(left_, [&](const WantedPlace& place) { return !state_.focus.empty() && !state_.focus[place.point]; });
-  std::ranges::sort(left_, {}, &WantedPlace::point); // as approach() asks
+                       [&](const LeftVertex& vertex) { return !state_.focus.empty() && !state_.focus[vertex.point]; });
+  std::erase_if(left_, [&](const LeftVertex& vertex) { return !state_.focus.empty() && !state_.focus[vertex.point]; });
+  std::ranges::sort(left_, {}, &LeftVertex::point); // as approach() asks
   const QualityTargets targets = targetsBack(state_.traits);
   for (int round = 1; round <= roundsBack && !left_.empty(); ++round)
   {
     state_.context.progress.check();
     std::vector<Index> changed;
     const std::vector<ShortCell> cells =
-        approach(DualSource(state_.layer.mesh), state_.layer.mesh.points, wantedPlaces(), LayerFreedom(state_).layer,
-                 leastPutBack, targets, state_.context, changed);
+        approach(DualSource(state_.layer.mesh), state_.layer.mesh.points, findWantedPlaces(),
+                 LayerFreedom(state_).layer, leastPutBack, targets, state_.context, changed);
     state_.outdate(changed);
     const std::size_t before = left_.size();
     keepThoseAway();
@@ -384,10 +397,10 @@ void VertexDetachment::putBack()
 void VertexDetachment::keepThoseAway()
 {
   constexpr double nearlyThere = 1e-6;
-  std::vector<WantedPlace> away;
+  std::vector<LeftVertex> away;
   detached_.clear();
-  std::ranges::sort(left_, {}, &WantedPlace::point);
-  const std::vector<WantedPlace> wanted = wantedPlaces();
+  std::ranges::sort(left_, {}, &LeftVertex::point);
+  const std::vector<WantedPlace> wanted = findWantedPlaces();
   for (std::size_t i = 0; i < left_.size(); ++i)
   {
     const Index p = left_[i].point;

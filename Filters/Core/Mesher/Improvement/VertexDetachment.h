@@ -13,6 +13,16 @@ struct DetachedVertex
   Vec3 wanted;
 };
 
+/// A vertex that left its pieces of the model, by its leader.
+struct LeftVertex
+{
+  Index point;
+  Vec3 before; ///< where it was then
+  /// Where it ought to be, seen from a place. Looked up again where it is at another one.
+  Vec3 from = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+  Vec3 wanted = before;
+};
+
 /// Vertices leave curves for the surfaces that meet there; they leave surfaces; they start again from the centers of
 /// their octants, where the plain mesh is valid; the layer is left out. Then each goes back as far as it can.
 class VertexDetachment
@@ -44,7 +54,7 @@ public:
     std::vector<char> mayLeave;
     std::vector<char> letGo;
     std::vector<char> excluded;
-    std::vector<WantedPlace> left;
+    std::vector<LeftVertex> left;
     std::vector<char> isLeft;
     std::vector<DetachedVertex> detached;
   };
@@ -70,15 +80,15 @@ private:
   void takeToCenters(const std::vector<char>& leaders, double share);
   std::vector<char> leadersAbout(const std::vector<ShortCell>& cells, int rows) const;
   void exclude(const std::vector<ShortCell>& bad);
-  std::vector<WantedPlace> wantedPlaces() const;
+  std::vector<WantedPlace> findWantedPlaces();
   template <typename Visit> void eachLeaderOf(const std::vector<ShortCell>& cells, Visit&& visit) const;
 
   ImproverState& state_;
   ImproverStage first_ = firstStage(state_.traits);
   /// By leader: whether it is on a side of the domain that is bare there.
   std::vector<char> isOnSide_;
-  /// Leaders that were detached, each once, and where they were.
-  std::vector<WantedPlace> left_;
+  /// Each once.
+  std::vector<LeftVertex> left_;
   std::vector<char> isLeft_;
   std::vector<DetachedVertex> detached_;
 };

@@ -163,7 +163,10 @@ Vec3 ModelConstraints::place(Index point, const Vec3& p) const
   return strays ? targets_[slotOf_[point]].start : q;
 }
 
-Vec3 ModelConstraints::nearest(Index point, const Vec3& p) const
+/// Where it starts a vertex is on its pieces, mostly.
+Vec3 ModelConstraints::nearest(Index point, const Vec3& p) const { return nearest(point, p, targetOf(point).start); }
+
+Vec3 ModelConstraints::nearest(Index point, const Vec3& p, const Vec3& known) const
 {
   Target& target = targetOf(point);
   if (target.pieces.empty())
@@ -174,12 +177,12 @@ Vec3 ModelConstraints::nearest(Index point, const Vec3& p) const
   Vec3 q = p;
   for (int i = 0; i < (isOnSide ? projectionTurns : 1); ++i)
   {
-    q = onSides(point, nearestOf(target, q));
+    q = onSides(point, nearestOf(target, q, known));
   }
   return q;
 }
 
-Vec3 ModelConstraints::nearestOf(Target& target, const Vec3& p) const
+Vec3 ModelConstraints::nearestOf(Target& target, const Vec3& p, const Vec3& known) const
 {
   const GridFrame& frame = octree_.frame();
   if (target.kind == Kind::charts)
@@ -187,8 +190,7 @@ Vec3 ModelConstraints::nearestOf(Target& target, const Vec3& p) const
     const TriangleTree::AnyPlaceOn onCharts(
         [&](Index t) { return std::ranges::binary_search(target.pieces, model_.charts[t]); });
     const Vec3 wanted = (p - frame.origin) / frame.latticeUnit();
-    // Where it starts a vertex is on its charts, mostly: what is farther away than that is not nearest.
-    const double atMost = 1.001 * (target.start - p).norm() / frame.latticeUnit() + 1.0;
+    const double atMost = 1.001 * (known - p).norm() / frame.latticeUnit() + 1.0;
     auto found = tree_.get().nearest(wanted, atMost, onCharts);
     found = found ? found : tree_.get().nearest(wanted, std::numeric_limits<double>::infinity(), onCharts);
     return found ? frame.toModel(found->at) : p;

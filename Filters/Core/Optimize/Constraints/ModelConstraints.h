@@ -23,6 +23,8 @@ public:
   Ways waysFrom(Index point, const Vec3& p, double step) const override;
   /// The place nearest to p on the pieces of the model the point is for, on the domain's planes. After prepare.
   Vec3 nearest(Index point, const Vec3& p) const;
+  /// The same; `known` is a place on these pieces, mostly: what is farther away is not looked at.
+  Vec3 nearest(Index point, const Vec3& p, const Vec3& known) const;
   /// The center of the point's octant, on the domain's planes through it.
   Vec3 centerOf(Index point) const;
 
@@ -60,7 +62,7 @@ private:
   std::array<Vec3, 3> cornersOf(Index triangle) const;
   Vec3 nearestOn(const Target& target, Index piece, const Vec3& p) const;
   OnPiece nearestPiece(Target& target, const Vec3& p) const;
-  Vec3 nearestOf(Target& target, const Vec3& p) const;
+  Vec3 nearestOf(Target& target, const Vec3& p, const Vec3& known) const;
   bool isBeyond(const Target& target, Index piece, const Vec3& wanted, double reach) const;
   Vec3 onSides(Index point, Vec3 p) const;
   unsigned planesOf(Index point) const;
