@@ -2,6 +2,7 @@
 #include "Domain/WindDomain.h"
 
 #include "Support/Error.h"
+#include "Support/Sorting.h"
 
 #include <algorithm>
 #include <cmath>
@@ -81,10 +82,10 @@ double covered(std::vector<Span>& spans, double floor)
   return length;
 }
 
-/// Ends of the strips to integrate over.
+/// Ends of the strips to integrate over: equal ones, and, where they are not many, the projected points.
 std::vector<double> stripsOf(const std::vector<Shadow>& shadows)
 {
-  constexpr int most = 2048;
+  constexpr std::size_t equalStrips = 2048;
   std::vector<double> stops;
   for (const Shadow& shadow : shadows)
   {
@@ -93,15 +94,18 @@ std::vector<double> stripsOf(const std::vector<Shadow>& shadows)
       stops.push_back(p[0]);
     }
   }
-  const auto [low, high] = std::minmax_element(stops.begin(), stops.end());
-  const double first = *low;
-  const double step = (*high - *low) / most;
-  for (int i = 1; i < most; ++i)
+  sortUnique(stops);
+  const double low = stops.front();
+  const double high = stops.back();
+  if (stops.size() > equalStrips)
   {
-    stops.push_back(first + i * step);
+    stops = {low, high};
   }
-  std::sort(stops.begin(), stops.end());
-  stops.erase(std::unique(stops.begin(), stops.end()), stops.end());
+  for (std::size_t i = 1; i < equalStrips; ++i)
+  {
+    stops.push_back(low + static_cast<double>(i) * (high - low) / equalStrips);
+  }
+  sortUnique(stops);
   return stops;
 }
 

@@ -48,8 +48,8 @@ Box3 boundsOfBuildings(const TriangleSurface& surface, const SurfaceFlags& isGro
 double heightOfBuildings(const TriangleSurface& surface, const SurfaceFlags& isGround);
 
 /// Area of the buildings' projection along `axes`' x, above the height `floor`: each place counts once, however
-/// many walls stand behind each other. Integrated along y between the projected points; exact where projected edges
-/// do not cross between those, else to about 1/2048 of the width.
+/// many walls stand behind each other. Integrated along y in 2048 strips and, of a model without more of them, between
+/// the projected points: exact then where projected edges do not cross between these.
 double frontalArea(const TriangleSurface& surface, const SurfaceFlags& isGround, const Placement& axes, double floor);
 
 } // namespace atria
