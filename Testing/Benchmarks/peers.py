@@ -37,6 +37,15 @@ def available():
     return {"snappyHexMesh": bool(shutil.which("snappyHexMesh")), "gmsh": bool(shutil.which("gmsh"))}
 
 
+def checked(case):
+    """Names of checkMesh's checks that a case fails."""
+    run = subprocess.run(["checkMesh", "-case", case, "-allGeometry", "-allTopology", "-constant"], env=os.environ | FOAM,
+                         capture_output=True, text=True)
+    if "Mesh OK" in run.stdout:
+        return []
+    return [line.strip(" *").split(",")[0][:60] for line in run.stdout.splitlines() if line.startswith(" ***")] or ["not read"]
+
+
 def snappy_case(folder: pathlib.Path, case, threads):
     """Makes the case, and returns the commands whose time counts."""
     levels = case.levels

@@ -30,7 +30,7 @@ from vtkmodules.vtkIOGeometry import vtkSTLWriter
 
 from compare import machine, measure, write_sphere
 from fingerprints import DATA, building
-from peers import FOAM, SIDES
+from peers import FOAM, SIDES, checked
 from snappy_dictionaries import begin, block_mesh, controls, words, write, write_feature_extraction
 from tables import row
 
@@ -114,15 +114,6 @@ def box_about(bounds, sizes):
     margin = 0.25 * max(bounds[i + 1] - bounds[i] for i in (0, 2, 4))
     return [(sizes[0] * math.floor((bounds[i] - margin) / sizes[0]), sizes[0] * math.ceil((bounds[i + 1] + margin) / sizes[0]))
             for i in (0, 2, 4)]
-
-
-def checked(case):
-    """Names of the checks that fail."""
-    run = subprocess.run(["checkMesh", "-case", case, "-allGeometry", "-allTopology", "-constant"], env=os.environ | FOAM,
-                         capture_output=True, text=True)
-    if "Mesh OK" in run.stdout:
-        return []
-    return [line.strip(" *").split(",")[0][:60] for line in run.stdout.splitlines() if line.startswith(" ***")] or ["not read"]
 
 
 def run_atria(program, model, work, sizes, box, folder):
