@@ -101,17 +101,15 @@ std::vector<ImproverStage> straighteningStages(const MeshTraits& traits);
 QualityTargets targetsOfLargestAngle(const MeshTraits& traits);
 inline constexpr std::array reachesForAngles{0.4, 0.75};
 
-/// 8. What checkMesh objects to by its own limits begins anew, with so many rows of cells about it, and goes back, with
-/// a layer or without; what still fails then stays at the centers of its octants.
+/// 8. What checkMesh objects to by its own limits begins anew, with so many rows of cells about it, with a layer and
+/// without.
 QualityTargets targetsOfChecks(const MeshTraits& traits);
 struct Retreat
 {
   int rows;
   bool layered;
-  bool goesBack;
 };
-inline constexpr std::array retreats{Retreat{1, true, true},  Retreat{1, false, true},  Retreat{2, true, true},
-                                     Retreat{2, false, true}, Retreat{1, false, false}, Retreat{2, false, false}};
+inline constexpr std::array retreats{Retreat{1, true}, Retreat{1, false}, Retreat{2, true}, Retreat{2, false}};
 
 /// 9. Faces in one plane that cannot be made one are brought into a better shape, in so many rounds.
 inline constexpr int mostWaistRounds = 3;

@@ -159,14 +159,11 @@ std::vector<ShortCell> findFailing(ImproverState& state, const QualityTargets& t
 
 void retreat(ImproverState& state, VertexDetachment& detachment)
 {
+  QualityTargets targets = targetsOfChecks(state.traits);
+  // No place of its points helps an element with too few neighbors.
+  targets.leastOfDeterminant = std::numeric_limits<double>::infinity();
   for (const Retreat& attempt : retreats)
   {
-    QualityTargets targets = targetsOfChecks(state.traits);
-    if (attempt.goesBack)
-    {
-      // No place of its points helps an element with too few neighbors, where their surfaces are.
-      targets.leastOfDeterminant = std::numeric_limits<double>::infinity();
-    }
     std::vector<char> tried(state.layer.plainPoints, 0);
     for (;;)
     {

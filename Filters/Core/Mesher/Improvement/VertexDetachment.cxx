@@ -270,11 +270,7 @@ void VertexDetachment::beginAnew(const std::vector<ShortCell>& cells, const Retr
   }
   takeToCenters(leaders, 1.0);
   improve(badOf(state_.findShort(first_.options.targets)));
-  if (attempt.goesBack)
-  {
-    putBack();
-  }
-  keepThoseAway();
+  putBack();
 }
 
 VertexDetachment::Kept VertexDetachment::keep() const

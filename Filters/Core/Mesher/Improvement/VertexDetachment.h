@@ -40,8 +40,8 @@ public:
   void letGoOn(Index leader, double reach);
   /// Forgets the points that are back; the others stay where they are.
   void keepThoseAway();
-  /// Takes the vertices of cells, and of rows about them, to the centers of their octants, and, if the attempt says so,
-  /// as far back as elements stay valid.
+  /// Takes the vertices of cells, and of rows about them, to the centers of their octants, and as far back as elements
+  /// stay valid.
   void beginAnew(const std::vector<ShortCell>& cells, const Retreat& attempt);
 
   /// What this changes, here and in the state.
