@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesher/Improvement/LayerImprover.h"
 
-#include "Mesher/Improvement/ConcaveElements.h"
 #include "Mesher/Improvement/CurvedWalls.h"
 #include "Mesher/Improvement/LayerCreases.h"
 #include "Mesher/Improvement/LayerDivision.h"
@@ -44,11 +43,7 @@ void straightenDivided(LayerDivision division, ImproverState& state, VertexDetac
   straighten(state, detachment);
   for (int round = 0; round < mostGivenWay; ++round)
   {
-    std::vector<ShortCell> failing = state.findShort(targetsOfLargestAngle(state.traits), 0.0F);
-    std::ranges::transform(findConcaveAtWalls(state.layer.mesh, state.context), std::back_inserter(failing),
-                           [](Index cell) {
-                             return ShortCell{cell, 0.0F};
-                           });
+    const std::vector<ShortCell> failing = findFailing(state, targetsOfLargestAngle(state.traits));
     state.focus.assign(state.layer.plainPoints, 0);
     if (failing.empty() || !division.giveWay(failing))
     {
