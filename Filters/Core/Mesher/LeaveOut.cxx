@@ -50,9 +50,11 @@ template <typename List> void compact(List& list, const std::vector<Index>& numb
 void closeBeside(const std::vector<Index>& elements, ImprovedMesh& improved)
 {
   DualMesh& mesh = improved.mesh;
-  for (const Index e : elements)
+  const std::vector<Index> walls = wallsOf(mesh, elements);
+  for (std::size_t i = 0; i < elements.size(); ++i)
   {
-    const BoundaryFace wall = mesh.boundaryFaces[wallOf(mesh, e)];
+    const Index e = elements[i];
+    const BoundaryFace wall = mesh.boundaryFaces[walls[i]];
     for (const std::int32_t code : mesh.neighbors[e])
     {
       if (code < 0 || std::ranges::binary_search(elements, static_cast<Index>(code)))

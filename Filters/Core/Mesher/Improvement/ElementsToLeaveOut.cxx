@@ -172,7 +172,7 @@ private:
     std::vector<Index> others;
     for (const Index e : failing)
     {
-      if (canBeLeftOut(e))
+      if (canBeLeftOut(e, leftOut))
       {
         (std::ranges::binary_search(failing_, e) ? own : others).push_back(e);
       }
@@ -188,7 +188,11 @@ private:
     });
   }
 
-  bool canBeLeftOut(Index element) const { return wallOf(mesh_, element) != noIndex && !zones_.contains(element); }
+  /// At a wall, or at what is the wall without these.
+  bool canBeLeftOut(Index element, const std::vector<Index>& leftOut) const
+  {
+    return !zones_.contains(element) && (wallOf(mesh_, element) != noIndex || isBeside(element, leftOut));
+  }
 
   const DualMesh& mesh_;
   const std::vector<Index>& failing_;

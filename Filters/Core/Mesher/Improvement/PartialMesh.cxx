@@ -10,10 +10,19 @@ namespace atria {
 
 namespace {
 
+/// Where a number is in an ordered list that has it.
+std::size_t placeIn(const std::vector<Index>& ordered, Index number)
+{
+  return static_cast<std::size_t>(std::ranges::lower_bound(ordered, number) - ordered.begin());
+}
+
 class PartMaker
 {
 public:
-  PartMaker(const DualMesh& whole, const std::vector<Index>& leftOut) : mesh_(whole), leftOut_(leftOut) {}
+  PartMaker(const DualMesh& whole, const std::vector<Index>& leftOut)
+      : mesh_(whole), leftOut_(leftOut), walls_(wallsOf(whole, leftOut))
+  {
+  }
 
   PartialMesh make(const std::vector<Index>& elements)
   {
@@ -105,13 +114,15 @@ private:
     {
       return noIndex - 1 - static_cast<Index>(code);
     }
-    const Index wall = code < 0 ? DualMesh::boundaryFaceOf(code) : wallOf(mesh_, static_cast<Index>(code));
+    const Index wall =
+        code < 0 ? DualMesh::boundaryFaceOf(code) : walls_[placeIn(leftOut_, static_cast<Index>(code))];
     const BoundaryFace& face = mesh_.boundaryFaces[wall];
     return 2 * face.tag + (face.side == SheetSide::back ? 1 : 0);
   }
 
   const DualMesh& mesh_;
   const std::vector<Index>& leftOut_;
+  std::vector<Index> walls_;
   std::vector<Index> elements_;
   std::map<Index, Index> cellOf_;
   std::map<Index, Index> pointOf_;
@@ -143,6 +154,37 @@ Index wallOf(const DualMesh& mesh, Index element)
     }
   }
   return wall;
+}
+
+std::vector<Index> wallsOf(const DualMesh& mesh, const std::vector<Index>& elements)
+{
+  std::vector<Index> walls;
+  std::vector<Index> reached; // places in `elements`
+  for (const Index e : elements)
+  {
+    walls.push_back(wallOf(mesh, e));
+    if (walls.back() != noIndex)
+    {
+      reached.push_back(static_cast<Index>(walls.size() - 1));
+    }
+  }
+  for (std::size_t i = 0; i < reached.size(); ++i)
+  {
+    for (const std::int32_t code : mesh.neighbors[elements[reached[i]]])
+    {
+      if (code < 0 || !std::ranges::binary_search(elements, static_cast<Index>(code)))
+      {
+        continue;
+      }
+      const std::size_t next = placeIn(elements, static_cast<Index>(code));
+      if (walls[next] == noIndex)
+      {
+        walls[next] = walls[reached[i]];
+        reached.push_back(static_cast<Index>(next));
+      }
+    }
+  }
+  return walls;
 }
 
 } // namespace atria

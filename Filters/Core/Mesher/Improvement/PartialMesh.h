@@ -14,13 +14,16 @@ struct PartialMesh
 };
 
 /// The elements given are the first cells, in this order; those beside them follow. Faces to elements that are not
-/// there are on the boundary, each in a patch of its own. Those to elements that are `leftOut`, rising, are of the
-/// patch that wallOf() says.
+/// there are on the boundary, each in a patch of its own. Those to elements that are `leftOut`, in order, are of the
+/// patch that wallsOf() says.
 PartialMesh makePartialMesh(const DualMesh& mesh, const std::vector<Index>& elements,
                             const std::vector<Index>& leftOut = {});
 
-/// The largest of an element's boundary faces that are on no side of the domain: of its surface is the mesh's boundary
-/// where the element is left out. noIndex where there is none.
+/// The largest of an element's boundary faces that are on no side of the domain; noIndex where there is none.
 Index wallOf(const DualMesh& mesh, Index element);
+
+/// For each of some elements, in order, that are left out: the boundary face of whose surface the mesh's boundary is
+/// then. That is wallOf() the element, or of the nearest of these from face to face. noIndex where none is at a wall.
+std::vector<Index> wallsOf(const DualMesh& mesh, const std::vector<Index>& elements);
 
 } // namespace atria
