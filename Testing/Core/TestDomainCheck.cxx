@@ -82,6 +82,13 @@ TEST(DomainCheck, ADomainBesideOrAboveTheModelIsRefused)
   EXPECT_THAT(check({}, within(around)), IsEmpty()) << "a domain without a model is one";
 }
 
+TEST(DomainCheck, AModelWithoutAreaIsRefused)
+{
+  TriangleSurface lines;
+  addSheet(lines, "Line", Vec3(1, 1, 1), Vec3(2, 0, 0), Vec3(1, 0, 0));
+  EXPECT_THAT(errorOf(lines, within(around)), HasSubstr("no face of the model has an area"));
+}
+
 TEST(DomainCheck, TellsWhichSidesCutWhichSurfaces)
 {
   const auto found = check(house(), within({Vec3(-20, -20, 0), Vec3(4, 20, 4)}));

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -138,6 +139,15 @@ TriangleSurface sphereInCube(int subdivisions)
   return surface;
 }
 
+/// Sheets along one axis have none.
+bool hasArea(const TriangleSurface& surface)
+{
+  return std::ranges::any_of(surface.triangles, [&](const std::array<Index, 3>& t) {
+    const Vec3& a = surface.points[t[0]];
+    return !(surface.points[t[1]] - a).cross(surface.points[t[2]] - a).isZero();
+  });
+}
+
 TriangleSurface randomSoup(unsigned seed)
 {
   std::mt19937 random(seed);
@@ -173,6 +183,10 @@ TriangleSurface randomSoup(unsigned seed)
   if (random() % 3 == 0)
   {
     turn(soup, random() % 2 ? 90.0 : 17.0);
+  }
+  if (!hasArea(soup))
+  {
+    addBox(soup, "Solid", {Vec3::Constant(-1.0), Vec3::Constant(1.0)});
   }
   return soup;
 }
