@@ -114,12 +114,14 @@ bool CurvedWalls::hasCurved(Index cell) const
                              [&](Index p) { return (curved_[state_.layer.wallPointOf(p)] & curved) != 0; });
 }
 
-/// Whether it is a hexahedron at a curved wall, and all its points on walls are away from creases and boundary edges.
-bool CurvedWalls::isAtCurved(Index cell) const
+/// Whether it is at a curved wall, and all its points on walls are away from creases and boundary edges.
+bool CurvedWalls::isAtCurved(Index cell) const { return hasCurved(cell) && isAwayFromCreases(cell); }
+
+bool CurvedWalls::isHexahedronAtCurved(Index cell) const
 {
   std::array<Index, 8> corners = state_.layer.mesh.corners[cell];
   std::ranges::sort(corners);
-  return hasCurved(cell) && std::ranges::adjacent_find(corners) == corners.end() && isAwayFromCreases(cell);
+  return isAtCurved(cell) && std::ranges::adjacent_find(corners) == corners.end();
 }
 
 /// Whether none of its points are on walls that are curved but not smooth.
@@ -129,14 +131,14 @@ bool CurvedWalls::isAtSmooth(Index cell) const
                              [&](Index p) { return (curved_[state_.layer.wallPointOf(p)] & edged) == 0; });
 }
 
-/// Points with a copy, of which all cells with it are at curved walls.
+/// Points with a copy, of which all cells with it are hexahedra at curved walls.
 std::vector<Index> CurvedWalls::pointsAtCurved() const
 {
   std::vector<char> others(state_.layer.plainPoints, 0);
   for (Index e = 0; e < state_.layer.mesh.elementCount(); ++e)
   {
     const auto& corners = state_.layer.mesh.corners[e];
-    if (std::ranges::any_of(corners, [&](Index p) { return state_.layer.isNew(p); }) && !isAtCurved(e))
+    if (std::ranges::any_of(corners, [&](Index p) { return state_.layer.isNew(p); }) && !isHexahedronAtCurved(e))
     {
       for (const Index p : corners)
       {
@@ -195,7 +197,7 @@ void CurvedWalls::thicken()
   takeBack(std::move(thick));
 }
 
-/// Hexahedra at smooth walls that are below a share of targets.
+/// Elements at smooth walls that are below a share of targets.
 std::vector<ShortCell> CurvedWalls::farAtSmooth(const QualityTargets& wanted, float share)
 {
   QualityTargets by = wanted;
@@ -213,7 +215,8 @@ void CurvedWalls::improve()
   }
   const ImproverStage stage = curvedStage(state_.traits, wanted_);
   std::vector<ShortCell> cells = state_.findShort(stage.options.targets, stage.below);
-  std::erase_if(cells, [&](const ShortCell& cell) { return !isAtCurved(cell.cell) || !isAtSmooth(cell.cell); });
+  std::erase_if(cells,
+                [&](const ShortCell& cell) { return !isHexahedronAtCurved(cell.cell) || !isAtSmooth(cell.cell); });
   state_.run(stage, cells);
   if (std::ranges::none_of(curved_, [](std::uint8_t bend) { return (bend & edged) != 0; }))
   {

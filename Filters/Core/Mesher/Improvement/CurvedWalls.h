@@ -17,7 +17,7 @@ public:
   bool isEmpty() const { return curved_.empty(); }
   /// Makes the layer thicker there as far as no cell falls short by it.
   void thicken();
-  /// Brings hexahedra there to what is wanted.
+  /// Brings elements there to what is wanted: all hexahedra, and what else is far from it where all walls are smooth.
   void improve();
 
 private:
@@ -32,6 +32,7 @@ private:
   bool isAwayFromCreases(Index cell) const;
   bool hasCurved(Index cell) const;
   bool isAtCurved(Index cell) const;
+  bool isHexahedronAtCurved(Index cell) const;
   bool isAtSmooth(Index cell) const;
   std::vector<Index> pointsAtCurved() const;
   void takeBack(std::vector<WantedPlace> thick);

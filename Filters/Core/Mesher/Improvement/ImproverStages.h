@@ -85,7 +85,7 @@ inline constexpr int mostGivenWay = 6;
 std::vector<ImproverStage> divisionStages(const MeshTraits& traits);
 
 /// 6. At curved walls, hexahedra are brought to what is asked for: all at smooth walls that fall short, but not for
-/// long; then in stages the few that are far from it, where all walls are smooth.
+/// long; then in stages the few elements of any shape that are far from it, where all walls are smooth.
 QualityTargets targetsAtCurved(const MeshTraits& traits, const CurvedWallTargets& wanted);
 ImproverStage curvedStage(const MeshTraits& traits, const CurvedWallTargets& wanted);
 /// The limits rise. By the last one cells are moved that have 1.6 degrees less than what is asked for.
