@@ -114,8 +114,7 @@ private:
     {
       return noIndex - 1 - static_cast<Index>(code);
     }
-    const Index wall =
-        code < 0 ? DualMesh::boundaryFaceOf(code) : walls_[placeIn(leftOut_, static_cast<Index>(code))];
+    const Index wall = code < 0 ? DualMesh::boundaryFaceOf(code) : walls_[placeIn(leftOut_, static_cast<Index>(code))];
     const BoundaryFace& face = mesh_.boundaryFaces[wall];
     return 2 * face.tag + (face.side == SheetSide::back ? 1 : 0);
   }
