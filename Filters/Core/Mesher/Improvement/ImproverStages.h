@@ -101,20 +101,10 @@ std::vector<ImproverStage> straighteningStages(const MeshTraits& traits);
 QualityTargets targetsOfLargestAngle(const MeshTraits& traits);
 inline constexpr std::array reachesForAngles{0.4, 0.75};
 
-/// 8. What checkMesh objects to by its own limits begins anew, with so many rows of cells about it, with a layer and
-/// without.
-QualityTargets targetsOfChecks(const MeshTraits& traits);
-struct Retreat
-{
-  int rows;
-  bool layered;
-};
-inline constexpr std::array retreats{Retreat{1, true}, Retreat{1, false}, Retreat{2, true}, Retreat{2, false}};
-
-/// 9. Faces in one plane that cannot be made one are brought into a better shape, in so many rounds.
+/// 8. Faces in one plane that cannot be made one are brought into a better shape, in so many rounds.
 inline constexpr int mostWaistRounds = 3;
 
-/// 10. Crease sheets begin flat; what does not come right at once gets more room. Then limits rise, as cells far from
+/// 9. Crease sheets begin flat; what does not come right at once gets more room. Then limits rise, as cells far from
 /// the last ones find no way there. The stages after the first few are for what is still short of
 /// `wantedOfCreaseSheets`.
 std::vector<ImproverStage> soundCreaseStages(const MeshTraits& traits);
@@ -123,6 +113,9 @@ inline constexpr std::size_t firstCreaseStages = 4;
 QualityTargets wantedOfCreaseSheets(const MeshTraits& traits);
 /// Widths of crease sheets, tried in turn until one comes to what is wanted.
 inline constexpr std::array creaseWidths{0.35, 0.25, 0.45, 0.3, 0.4};
+
+/// What falls short of these in the end checkMesh objects to by its own limits, unless it is made one with others.
+QualityTargets targetsOfChecks(const MeshTraits& traits);
 
 /// What no stage from here on asks more than: before layers are divided, and after.
 QualityTargets strictestTargets(const MeshTraits& traits, const CurvedWallTargets* curvedWalls);

@@ -137,34 +137,17 @@ void ImproverState::growAgain(const std::vector<char>& fresh)
   replaceLayer(grower.growAgain(plain, excluded, layer, fresh, context));
 }
 
-void ImproverState::takeLayerAgain(const std::vector<Vec3>& points, const std::vector<Index>& copies,
-                                   const std::vector<char>& leaders)
+void ImproverState::takeLayerAgain(const std::vector<Vec3>& points, const std::vector<Index>& copies)
 {
-  const auto isTaken = [&](Index p) { return leaders[vertexOf[p]] != 0; };
-  std::vector<char> taken(vertexOf.size(), 0);
-  std::vector<Vec3>& places = traits.layered ? plain.points : layer.mesh.points;
-  for (Index p = 0; p < taken.size(); ++p)
-  {
-    taken[p] = isTaken(p) ? 1 : 0;
-    places[p] = isTaken(p) ? points[p] : layer.mesh.points[p];
-  }
-  if (!traits.layered)
-  {
-    outdateAt(taken);
-    return;
-  }
-  const auto copyOf = [&](Index p) { return isTaken(p) ? copies[p] : layer.copies[p]; };
-  std::vector<Index> counts(vertexOf.size());
-  for (Index p = 0; p < counts.size(); ++p)
-  {
-    counts[p] = copyOf(p) == noIndex ? 0 : 1;
-  }
+  std::copy_n(points.begin(), plain.points.size(), plain.points.begin());
+  std::vector<Index> counts(copies.size());
+  std::ranges::transform(copies, counts.begin(), [](Index copy) { return copy == noIndex ? 0 : 1; });
   LayerMesh next = buildLayer(plain, walls, counts, context.executor);
-  for (Index p = 0; p < counts.size(); ++p)
+  for (Index p = 0; p < copies.size(); ++p)
   {
-    if (counts[p] > 0)
+    if (copies[p] != noIndex)
     {
-      next.mesh.points[next.copies[p]] = (isTaken(p) ? points : layer.mesh.points)[copyOf(p)];
+      next.mesh.points[next.copies[p]] = points[copies[p]];
     }
   }
   replaceLayer(std::move(next));

@@ -43,10 +43,8 @@ struct ImproverState
   /// Takes another layer of the same plain mesh instead. Elements that are as they were need not be measured.
   void replaceLayer(LayerMesh other);
 
-  /// Puts the points of marked leaders where they were, by points and copies of a single layer, and gives them the
-  /// copies that they had.
-  void takeLayerAgain(const std::vector<Vec3>& points, const std::vector<Index>& copies,
-                      const std::vector<char>& leaders);
+  /// Takes a single layer again that was there before, by its points and copies.
+  void takeLayerAgain(const std::vector<Vec3>& points, const std::vector<Index>& copies);
 
   /// Its progress is that of the phase that runs.
   MeshingContext context;

@@ -1,19 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesher/Improvement/LayerImprover.h"
 
+#include "Mesher/Improvement/ConcaveElements.h"
 #include "Mesher/Improvement/CurvedWalls.h"
 #include "Mesher/Improvement/LayerCreases.h"
 #include "Mesher/Improvement/LayerDivision.h"
-#include "Mesher/Improvement/Retreat.h"
 #include "Mesher/Improvement/Straightening.h"
 #include "Mesher/Improvement/SupportingLayer.h"
 #include "Mesher/Improvement/Waists.h"
 
+#include <algorithm>
 #include <optional>
 
 namespace atria {
 
 namespace {
+
+/// Elements that fall short of targets, and, where there may be layers, those that are concave at walls, in order.
+std::vector<ShortCell> findFailing(ImproverState& state, const QualityTargets& targets)
+{
+  std::vector<ShortCell> failing = state.findShort(targets, 0.0F);
+  if (!state.traits.layered)
+  {
+    return failing;
+  }
+  for (const Index cell : findConcaveAtWalls(state.layer.mesh, state.context))
+  {
+    failing.push_back({cell, 0.0F});
+  }
+  std::ranges::sort(failing, {}, &ShortCell::cell);
+  failing.erase(std::unique(failing.begin(), failing.end(),
+                            [](const ShortCell& a, const ShortCell& b) { return a.cell == b.cell; }),
+                failing.end());
+  return failing;
+}
 
 /// Divides layers. Where elements need a layer that was not asked for as points have moved, they get it before, and all
 /// are divided again.
@@ -66,7 +86,6 @@ void finishDivided(ImproverState& state, VertexDetachment& detachment, const Run
 {
   enter(state, whole, 0.5, 0.7, "Dividing layers");
   supportMore(state, detachment);
-  retreat(state, detachment);
   LayerDivision division = divide(state, detachment);
   if (!state.traits.hasHeights)
   {
@@ -86,7 +105,6 @@ void finishWhole(ImproverState& state, VertexDetachment& detachment, CurvedWalls
   enter(state, whole, 0.7, 0.9, "Straightening elements");
   straighten(state, detachment);
   supportMore(state, detachment);
-  retreat(state, detachment);
 }
 
 } // namespace

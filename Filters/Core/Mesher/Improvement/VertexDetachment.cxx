@@ -9,19 +9,6 @@
 
 namespace atria {
 
-namespace {
-
-/// Those with a marked point are replaced by those of another list; in rising order of points then.
-template <typename Entry>
-void takeThoseAt(const std::vector<char>& marked, const std::vector<Entry>& from, std::vector<Entry>& to)
-{
-  std::erase_if(to, [&](const Entry& entry) { return marked[entry.point] != 0; });
-  std::ranges::copy_if(from, std::back_inserter(to), [&](const Entry& entry) { return marked[entry.point] != 0; });
-  std::ranges::sort(to, {}, &Entry::point);
-}
-
-} // namespace
-
 VertexDetachment::VertexDetachment(ImproverState& state)
     : state_(state), isOnSide_(state.vertexOf.size(), 0), isLeft_(state.vertexOf.size(), 0)
 {
@@ -231,48 +218,6 @@ void VertexDetachment::takeToCenters(const std::vector<char>& leaders, double sh
   state_.growAgain(fresh);
 }
 
-/// Marks the leaders of all points of the cells that have one of the points of these.
-std::vector<char> VertexDetachment::leadersAbout(const std::vector<ShortCell>& cells, int rows) const
-{
-  std::vector<char> leaders(state_.layer.plainPoints, 0);
-  eachLeaderOf(cells, [&](Index leader) { leaders[leader] = 1; });
-  std::vector<char> marked(state_.layer.mesh.points.size());
-  for (int row = 0; row < rows; ++row)
-  {
-    for (Index p = 0; p < marked.size(); ++p)
-    {
-      marked[p] = leaders[state_.vertexOf[state_.layer.wallPointOf(p)]];
-    }
-    for (const Index cell : cellsWithMarked(DualSource(state_.layer.mesh), marked, state_.context))
-    {
-      for (const Index p : state_.layer.mesh.corners[cell])
-      {
-        leaders[state_.vertexOf[state_.layer.wallPointOf(p)]] = 1;
-      }
-    }
-  }
-  return leaders;
-}
-
-void VertexDetachment::beginAnew(const std::vector<ShortCell>& cells, const Retreat& attempt)
-{
-  const std::vector<char> leaders = leadersAbout(cells, attempt.rows);
-  for (Index p = 0; p < state_.layer.plainPoints; ++p)
-  {
-    const Index leader = state_.vertexOf[p];
-    state_.excluded[p] = leaders[leader] ? (attempt.layered ? 0 : 1) : state_.excluded[p];
-    if (leaders[p])
-    {
-      state_.letGo[p] = 1;
-      leaveCurve(p);
-      leaveSurface(p, anOctant);
-    }
-  }
-  takeToCenters(leaders, 1.0);
-  improve(badOf(state_.findShort(first_.options.targets)));
-  putBack();
-}
-
 VertexDetachment::Kept VertexDetachment::keep() const
 {
   const LayerMesh& layer = state_.layer;
@@ -280,34 +225,16 @@ VertexDetachment::Kept VertexDetachment::keep() const
           isLeft_,           detached_};
 }
 
-void VertexDetachment::takeAgain(const Kept& kept) { takeAgain(kept, std::vector<char>(state_.vertexOf.size(), 1)); }
-
-void VertexDetachment::takeAgain(const Kept& kept, const std::vector<char>& leaders)
+void VertexDetachment::takeAgain(const Kept& kept)
 {
-  state_.takeLayerAgain(kept.points, kept.copies, leaders);
-  VertexClassification& classification = state_.classification;
-  std::erase_if(classification.displacementLimits, [&](const auto& limit) { return leaders[limit.first] != 0; });
-  std::ranges::copy_if(kept.classification.displacementLimits,
-                       std::inserter(classification.displacementLimits, classification.displacementLimits.end()),
-                       [&](const auto& limit) { return leaders[limit.first] != 0; });
-  for (Index p = 0; p < leaders.size(); ++p)
-  {
-    state_.excluded[p] = leaders[state_.vertexOf[p]] ? kept.excluded[p] : state_.excluded[p];
-    if (!leaders[p] || state_.vertexOf[p] != p)
-    {
-      continue;
-    }
-    classification.classes[p] = kept.classification.classes[p];
-    if (!classification.turnedSides.empty())
-    {
-      classification.turnedSides[p] = kept.classification.turnedSides[p];
-    }
-    state_.mayLeave[p] = kept.mayLeave[p];
-    state_.letGo[p] = kept.letGo[p];
-    isLeft_[p] = kept.isLeft[p];
-  }
-  takeThoseAt(leaders, kept.left, left_);
-  takeThoseAt(leaders, kept.detached, detached_);
+  state_.takeLayerAgain(kept.points, kept.copies);
+  state_.classification = kept.classification;
+  state_.mayLeave = kept.mayLeave;
+  state_.letGo = kept.letGo;
+  state_.excluded = kept.excluded;
+  left_ = kept.left;
+  isLeft_ = kept.isLeft;
+  detached_ = kept.detached;
 }
 
 /// Leaves the layer out at the points of cells that have it; gives it back to those that are bad without it.

@@ -40,9 +40,6 @@ public:
   void letGoOn(Index leader, double reach);
   /// Forgets the points that are back; the others stay where they are.
   void keepThoseAway();
-  /// Takes the vertices of cells, and of rows about them, to the centers of their octants, and as far back as elements
-  /// stay valid.
-  void beginAnew(const std::vector<ShortCell>& cells, const Retreat& attempt);
 
   /// What this changes, here and in the state.
   struct Kept
@@ -61,9 +58,6 @@ public:
   Kept keep() const;
   /// All as it was.
   void takeAgain(const Kept& kept);
-  /// The same at marked leaders only. Where an element has one of which something changed, all of its leaders must be
-  /// marked, or none.
-  void takeAgain(const Kept& kept, const std::vector<char>& leaders);
   /// Those that did not get back, in rising order of points.
   const std::vector<DetachedVertex>& detached() const { return detached_; }
 
@@ -78,7 +72,6 @@ private:
   void leaveSides();
   void startAgain(const std::vector<ShortCell>& bad, double share);
   void takeToCenters(const std::vector<char>& leaders, double share);
-  std::vector<char> leadersAbout(const std::vector<ShortCell>& cells, int rows) const;
   void exclude(const std::vector<ShortCell>& bad);
   std::vector<WantedPlace> findWantedPlaces();
   template <typename Visit> void eachLeaderOf(const std::vector<ShortCell>& cells, Visit&& visit) const;
