@@ -93,7 +93,7 @@ public:
   /// Elements at `zones` have a face of a face zone, which has elements on both sides.
   Place(const DualMesh& mesh, const std::vector<Index>& failing, const std::set<Index>& zones,
         const RunContext& context)
-      : mesh_(mesh), failing_(failing), zones_(zones), rowOf_(rowsAbout(mesh, failing)), context_(context)
+      : mesh_(mesh), failing_(failing), zones_(zones), context_(context)
   {
   }
 
@@ -110,7 +110,7 @@ public:
         fewest = judged.count;
         best = leftOut;
       }
-      const std::vector<Index> next = toLeaveOut(judged.failing, leftOut);
+      const std::vector<Index> next = toLeaveOut(judged, leftOut);
       if (next.empty())
       {
         break;
@@ -125,14 +125,18 @@ private:
   struct Judged
   {
     std::size_t count = 0;      ///< of written cells that fail
-    std::vector<Index> failing; ///< elements in these
+    std::vector<Index> failing; ///< elements in these, in order
+    std::vector<Index> alone;   ///< those of them that fail by themselves, too
   };
 
   /// As the elements are written without some of them.
   Judged judge(const std::vector<Index>& leftOut) const
   {
+    std::vector<Index> changed = failing_;
+    changed.insert(changed.end(), leftOut.begin(), leftOut.end());
+    const Rows rowOf = rowsAbout(mesh_, changed);
     std::vector<Index> elements;
-    for (const auto& [element, row] : rowOf_)
+    for (const auto& [element, row] : rowOf)
     {
       if (!std::ranges::binary_search(leftOut, element))
       {
@@ -140,45 +144,59 @@ private:
       }
     }
     const PartialMesh part = makePartialMesh(mesh_, elements, leftOut);
-    SilentMonitor silent;
-    const RunContext quiet{context_.executor, ProgressRange(silent)};
-    const JudgedMesh written = uniteAndJudge([&] { return part.mesh; }, part.patchOf, {}, quiet);
-    context_.progress.check();
-    const MeasuredMesh measured = measureMesh(written.mesh, quiet);
-    std::vector<std::uint32_t> fails = failedErrorsOfCells(measured, written.verdict);
-    for (std::size_t i = 0; i < written.added.size(); ++i)
-    {
-      fails[written.added[i]] |= fails[written.pyramid(i)];
-    }
+    const std::vector<Index> written = failingCells(part, {});
+    const std::vector<Index> single = failingCells(part, {.mergeCells = false, .mergeFaces = true});
     Judged judged;
     std::set<Index> cells;
     for (Index i = 0; i < elements.size(); ++i)
     {
-      const Index cell = written.cellOf.empty() ? i : written.cellOf[i];
-      if (fails[cell] != 0 && rowOf_.at(elements[i]) <= judgedRows)
+      if (written[i] != noIndex && rowOf.at(elements[i]) <= judgedRows)
       {
         judged.failing.push_back(elements[i]);
-        cells.insert(cell);
+        cells.insert(written[i]);
+        if (single[i] != noIndex)
+        {
+          judged.alone.push_back(elements[i]);
+        }
       }
     }
     judged.count = cells.size();
     return judged;
   }
 
-  /// Those of them that fail by themselves; where there are none, all that are at a wall.
-  std::vector<Index> toLeaveOut(const std::vector<Index>& failing, const std::vector<Index>& leftOut) const
+  /// By element of a part, the written cell it is in where that fails; noIndex where it does not.
+  std::vector<Index> failingCells(const PartialMesh& part, const UnionOptions& options) const
   {
-    std::vector<Index> own;
-    std::vector<Index> others;
-    for (const Index e : failing)
+    SilentMonitor silent;
+    const RunContext quiet{context_.executor, ProgressRange(silent)};
+    const JudgedMesh written = uniteAndJudge([&] { return part.mesh; }, part.patchOf, options, quiet);
+    context_.progress.check();
+    std::vector<std::uint32_t> fails = failedErrorsOfCells(measureMesh(written.mesh, quiet), written.verdict);
+    for (std::size_t i = 0; i < written.added.size(); ++i)
     {
-      if (canBeLeftOut(e, leftOut))
-      {
-        (std::ranges::binary_search(failing_, e) ? own : others).push_back(e);
-      }
+      fails[written.added[i]] |= fails[written.pyramid(i)];
     }
-    std::erase_if(others, [&](Index e) { return !isBeside(e, leftOut); });
-    return own.empty() ? others : own;
+    std::vector<Index> cells(part.mesh.cellCount);
+    for (Index i = 0; i < cells.size(); ++i)
+    {
+      const Index cell = written.cellOf.empty() ? i : written.cellOf[i];
+      cells[i] = fails[cell] != 0 ? cell : noIndex;
+    }
+    return cells;
+  }
+
+  /// Those that fail by themselves; where there are none, all that are beside what is left out.
+  std::vector<Index> toLeaveOut(const Judged& judged, const std::vector<Index>& leftOut) const
+  {
+    std::vector<Index> alone = judged.alone;
+    std::erase_if(alone, [&](Index e) { return !canBeLeftOut(e, leftOut); });
+    if (!alone.empty())
+    {
+      return alone;
+    }
+    std::vector<Index> beside = judged.failing;
+    std::erase_if(beside, [&](Index e) { return !canBeLeftOut(e, leftOut) || !isBeside(e, leftOut); });
+    return beside;
   }
 
   bool isBeside(Index element, const std::vector<Index>& leftOut) const
@@ -197,7 +215,6 @@ private:
   const DualMesh& mesh_;
   const std::vector<Index>& failing_;
   const std::set<Index>& zones_;
-  Rows rowOf_;
   const RunContext& context_;
 };
 
