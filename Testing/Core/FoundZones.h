@@ -7,6 +7,7 @@
 #include "Dual/Zones/Cracks.h"
 #include "Dual/Zones/Leaks.h"
 #include "Octree/Sizing/Refinement.h"
+#include "Support/QuietContext.h"
 #include "Support/Shapes.h"
 
 #include <Eigen/Geometry>
@@ -50,7 +51,7 @@ struct FoundZones
     zones = findZones(crossings, model.names.size(), context());
   }
 
-  MeshingContext context() { return {{executor, ProgressRange(silent)}, octree, model, tree}; }
+  MeshingContext context() { return {quietContext(executor), octree, model, tree}; }
   std::int32_t zoneAt(const Vec3& seed) const { return zones.ofPoint[pointOfSeed(seed, "seed", grid, model)]; }
   std::vector<char> kept(ZoneRule rule, const std::vector<Vec3>& seeds = {}) const
   {
@@ -67,7 +68,6 @@ struct FoundZones
   Vec3 position(Index point) const { return octree.frame().toModel(grid.place(point)); }
 
   ThreadExecutor executor;
-  SilentMonitor silent;
   SurfaceModel model;
   TriangleTreeOnDemand tree{model};
   Octree octree;

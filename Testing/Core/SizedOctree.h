@@ -6,6 +6,7 @@
 #include "Octree/Sizing/Refinement.h"
 #include "Octree/Sizing/SizeRules.h"
 #include "Support/MeshIt.h"
+#include "Support/QuietContext.h"
 #include "Support/Shapes.h"
 
 namespace atria::testing {
@@ -18,12 +19,7 @@ struct Sized
   SizedOctants octants;
   Octree octree;
 
-  std::size_t elements() const
-  {
-    const SerialExecutor executor;
-    SilentMonitor silent;
-    return countElements(octants.refined, frame, {executor, ProgressRange(silent)});
-  }
+  std::size_t elements() const { return countElements(octants.refined, frame, quietContext()); }
 };
 
 inline GridOptions gridOf(double length, double sizeMin, double sizeMid, double sizeMax)
@@ -40,8 +36,7 @@ inline GridOptions gridOf(double length, double sizeMin, double sizeMid, double 
 inline Sized sized(const TriangleSurface& surface, GridOptions grid, const SizingOptions& sizing, int threads = 1)
 {
   const ThreadExecutor executor(threads);
-  SilentMonitor silent;
-  const RunContext context{executor, ProgressRange(silent)};
+  const RunContext context = quietContext(executor);
   Box3 extent;
   for (const Vec3& p : surface.points)
   {

@@ -4,6 +4,7 @@
 #include "Quality/Checks/CheckQuantities.h"
 #include "Quality/Checks/Metrics.h"
 #include "Quality/Faces/CellShapes.h"
+#include "Support/QuietContext.h"
 #include "Support/SampleMesh.h"
 #include "Surface/Search/Distance.h"
 
@@ -25,22 +26,19 @@ using atria::QualityMetrics;
 using atria::Vec3;
 using atria::testing::SampleMesh;
 
-atria::SilentMonitor silent;
-
 MeshOptimizerReport improve(SampleMesh& sample, const MeshOptimizerOptions& options = {},
                             const atria::Executor& executor = atria::SerialExecutor())
 {
   FaceMesh mesh = makeFaceMesh(sample.points, sample.view());
   const MeshOptimizerReport report =
-      optimizeMesh(mesh, sample.view(), {}, options, {executor, atria::ProgressRange(silent)});
+      optimizeMesh(mesh, sample.view(), {}, options, atria::testing::quietContext(executor));
   sample.points = mesh.points;
   return report;
 }
 
 QualityMetrics measure(const SampleMesh& sample)
 {
-  return computeQuality(makeFaceMesh(sample.points, sample.view()), sample.view(),
-                        {atria::SerialExecutor(), atria::ProgressRange(silent)});
+  return computeQuality(makeFaceMesh(sample.points, sample.view()), sample.view(), atria::testing::quietContext());
 }
 
 double least(std::span<const double> values)
@@ -77,8 +75,7 @@ void expectWorstNoWorse(const QualityMetrics& before, const QualityMetrics& afte
 /// The least of what checkMesh judges, too.
 std::array<double, 3> leastQuantities(const SampleMesh& sample)
 {
-  const atria::SerialExecutor serial;
-  const atria::RunContext context{serial, atria::ProgressRange(silent)};
+  const atria::RunContext context = atria::testing::quietContext();
   const FaceMesh mesh = makeFaceMesh(sample.points, sample.view());
   const atria::MeasuredMesh measured = measureMesh(mesh, context);
   std::array<double, 3> out;
@@ -303,8 +300,8 @@ TEST(MeshOptimizer, KeepsPointsOfASheetWithinIt)
   sample.points[moved] = {5.4, 4.3, 4.0};
   FaceMesh mesh = makeFaceMesh(sample.points, sample.view(), sheet.keys);
   const std::vector<Vec3> before = mesh.points;
-  const MeshOptimizerReport report = optimizeMesh(mesh, sample.view(), {}, MeshOptimizerOptions(),
-                                                  {atria::SerialExecutor(), atria::ProgressRange(silent)});
+  const MeshOptimizerReport report =
+      optimizeMesh(mesh, sample.view(), {}, MeshOptimizerOptions(), atria::testing::quietContext());
   EXPECT_GT(report.shortBefore, 0u);
   EXPECT_EQ(report.shortAfter, 0u);
   EXPECT_NE(mesh.points[moved], before[moved]);
@@ -369,8 +366,8 @@ TEST(MeshOptimizer, KeepsEdgesBetweenPatches)
     patches.push_back(sum < 16.0 ? 0 : 1);
   }
   const std::vector<Vec3> before = mesh.points;
-  const MeshOptimizerReport report = optimizeMesh(mesh, sample.view(), patches, MeshOptimizerOptions(),
-                                                  {atria::SerialExecutor(), atria::ProgressRange(silent)});
+  const MeshOptimizerReport report =
+      optimizeMesh(mesh, sample.view(), patches, MeshOptimizerOptions(), atria::testing::quietContext());
   EXPECT_EQ(report.shortAfter, 0u);
   EXPECT_GT(report.movedPoints, 0u);
   for (Index p = 0; p < before.size(); ++p)

@@ -3,6 +3,7 @@
 #include "Quality/Checks/BoxQuality.h"
 #include "Quality/Checks/Statistics.h"
 #include "Quality/Faces/CellShapes.h"
+#include "Support/QuietContext.h"
 #include "Support/SampleMesh.h"
 
 #include <gtest/gtest.h>
@@ -141,15 +142,12 @@ std::optional<QualityByBoxes> byBoxes(const SampleMesh& mesh, const AskedFaces& 
                                       const atria::Executor& executor = atria::SerialExecutor(),
                                       std::size_t length = atria::measuredAtOnce)
 {
-  atria::SilentMonitor silent;
-  return computeQualityByBoxes(mesh.points, mesh.view(), asked, {executor, atria::ProgressRange(silent)}, length);
+  return computeQualityByBoxes(mesh.points, mesh.view(), asked, atria::testing::quietContext(executor), length);
 }
 
 QualityMetrics whole(const SampleMesh& mesh, std::span<const BoundaryFaceKey> patches = {})
 {
-  atria::SilentMonitor silent;
-  return computeQuality(makeFaceMesh(mesh.points, mesh.view(), patches), mesh.view(),
-                        {atria::SerialExecutor(), atria::ProgressRange(silent)});
+  return computeQuality(makeFaceMesh(mesh.points, mesh.view(), patches), mesh.view(), atria::testing::quietContext());
 }
 
 void expectNear(double a, double b, double scale, const char* what, std::size_t cell)

@@ -5,6 +5,7 @@
 #include "Quality/Checks/MeshChecks.h"
 #include "Quality/Checks/Metrics.h"
 #include "Support/Error.h"
+#include "Support/QuietContext.h"
 #include "Support/SampleMesh.h"
 
 #include <gmock/gmock.h>
@@ -33,7 +34,7 @@ public:
   {
   }
 
-  RunContext context() { return {threads, ProgressRange(silent)}; }
+  RunContext context() { return atria::testing::quietContext(threads); }
   std::vector<double> values(CheckQuantity quantity) { return measure(measured, quantity, context()); }
   std::vector<double> ofCells(CheckQuantity quantity)
   {
@@ -41,7 +42,6 @@ public:
   }
   MeshVerdict verdict() { return checkMesh(measured, context()); }
 
-  SilentMonitor silent;
   ThreadExecutor threads;
   FaceMesh mesh;
   MeasuredMesh measured;

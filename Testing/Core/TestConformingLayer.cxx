@@ -7,6 +7,7 @@
 #include "Support/DualMeshChecks.h"
 #include "Support/Error.h"
 #include "Support/MeshIt.h"
+#include "Support/QuietContext.h"
 #include "Support/Shapes.h"
 
 #include <Eigen/Geometry>
@@ -21,10 +22,6 @@ namespace {
 
 using namespace atria;
 using namespace atria::testing;
-
-const SerialExecutor serial;
-SilentMonitor silent;
-RunContext context() { return {serial, ProgressRange(silent)}; }
 
 /// Octants of one size in a cube of 4 about the origin.
 GridOptions gridOf(double size)
@@ -51,8 +48,8 @@ struct Layered
   {
     options.ofTag = resolveLayerRules(rules, meshed.model.names);
     options.sideNormals = sideNormalsOf(meshed.frame);
-    walls = findLayerWalls(plain(), options, context());
-    one = LayerGrower(walls, options).grow(plain(), {}, context());
+    walls = findLayerWalls(plain(), options, quietContext());
+    one = LayerGrower(walls, options).grow(plain(), {}, quietContext());
   }
 
   const DualMesh& plain() const { return meshed.mesh(); }
@@ -127,7 +124,7 @@ TEST(ConformingLayer, CoversASphereAndABoxWhole)
     EXPECT_EQ(layered.copyCount(0), layered.pointsOf(0).size());
     expectValid(layered.one, layered.plain());
     const LayerReport report = reportLayers(layered.plain(), layered.walls, layered.one, layered.options,
-                                            layered.meshed.model.names, context());
+                                            layered.meshed.model.names, quietContext());
     ASSERT_EQ(report.surfaces.size(), 1u);
     EXPECT_DOUBLE_EQ(report.surfaces[0].full, report.surfaces[0].area);
     EXPECT_GT(report.surfaces[0].thickness, 0.5);
@@ -353,8 +350,8 @@ TEST(BoundaryLayers, DivideTheLayerAtGeometricHeights)
         (divided.mesh.points[divided.plainPoints + i] - divided.mesh.points[divided.wallPoints[i]]).norm();
     EXPECT_NEAR(height, expected[divided.places[i] - 1], 1e-9);
   }
-  const LayerReport report =
-      reportLayers(layered.plain(), layered.walls, divided, layered.options, layered.meshed.model.names, context());
+  const LayerReport report = reportLayers(layered.plain(), layered.walls, divided, layered.options,
+                                          layered.meshed.model.names, quietContext());
   EXPECT_NEAR(report.surfaces.at(0).thickness, 1.0, 1e-9);
   for (std::size_t f = 0; f < layered.walls.roles.size(); ++f)
   {

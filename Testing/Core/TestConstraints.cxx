@@ -3,6 +3,7 @@
 #include "Optimize/Constraints/ChainConstraints.h"
 #include "Optimize/Constraints/ModelConstraints.h"
 #include "SizedOctree.h"
+#include "Support/QuietContext.h"
 
 #include <gtest/gtest.h>
 
@@ -91,10 +92,8 @@ protected:
   }
 
   const Sized box = octreeAboutBox();
-  const SerialExecutor executor;
-  SilentMonitor silent;
   const TriangleTreeOnDemand tree{box.model};
-  const MeshingContext context{{executor, ProgressRange(silent)}, box.octree, box.model, tree};
+  const MeshingContext context{quietContext(), box.octree, box.model, tree};
   std::mt19937 random{1};
   std::vector<Vec3> start;
   const std::vector<Index> vertexOf{0};

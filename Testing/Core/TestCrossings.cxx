@@ -3,6 +3,7 @@
 #include "Dual/Grid/Crossings.h"
 #include "Octree/Sizing/Refinement.h"
 #include "Support/MeshIt.h"
+#include "Support/QuietContext.h"
 #include "Support/Shapes.h"
 
 #include <gtest/gtest.h>
@@ -75,9 +76,7 @@ TEST(Crossings, AreTheSameUpdatedAndFoundAnew)
   {
     SCOPED_TRACE(seed);
     const atria::testing::Meshed meshed = atria::testing::meshIt(atria::testing::randomSoup(seed), options);
-    const SerialExecutor executor;
-    SilentMonitor silent;
-    const RunContext context{executor, ProgressRange(silent)};
+    const RunContext context = atria::testing::quietContext();
     const GridPoints points = findGridPoints(meshed.octree, context);
     GridPlaces grid(meshed.octree, points);
     const Crossings undisplaced = findCrossings(grid, meshed.model, context);

@@ -3,6 +3,7 @@
 #include "Mesher/DualMesher.h"
 #include "Octree/Tree/Octree.h"
 #include "Support/DualMeshChecks.h"
+#include "Support/QuietContext.h"
 
 #include <gtest/gtest.h>
 
@@ -54,10 +55,8 @@ DualMesh meshWith(const GridFrame& frame, const std::vector<GridCell>& refinedCe
   }
   DualMeshOptions options;
   options.zoneRule = ZoneRule::all;
-  const SerialExecutor executor;
-  SilentMonitor silent;
   StageClock clock;
-  return makeDualMesh(Octree(frame, refined), {}, options, clock, {executor, ProgressRange(silent)}).mesh;
+  return makeDualMesh(Octree(frame, refined), {}, options, clock, atria::testing::quietContext()).mesh;
 }
 
 std::vector<Index> elementsOfLevel(const DualMesh& mesh, int level)

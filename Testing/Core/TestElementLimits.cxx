@@ -2,6 +2,7 @@
 /// How many elements a mesh will have, limits on them, and rules that cannot be met.
 #include "SizedOctree.h"
 #include "Support/Error.h"
+#include "Support/QuietContext.h"
 
 #include <gmock/gmock.h>
 
@@ -19,9 +20,7 @@ TEST(Estimate, CountsExactlyWhatAMeshOfAllZonesHas)
     SCOPED_TRACE(seed);
     const Sized s =
         sized(randomSoup(seed), gridOf(8.0 + 0.37 * seed, 0.25, 0.5, 1.0), seed % 2 ? everything() : SizingOptions{});
-    const SerialExecutor executor;
-    SilentMonitor silent;
-    const RunContext context{executor, ProgressRange(silent)};
+    const RunContext context = quietContext();
     StageClock clock;
     DualMeshOptions options;
     options.zoneRule = ZoneRule::all;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Grid points against their definition: every corner of a leaf that lies inside the domain, with the leaves about it.
 #include "Support/MeshIt.h"
+#include "Support/QuietContext.h"
 #include "Support/Shapes.h"
 
 #include <gtest/gtest.h>
@@ -15,8 +16,7 @@ using atria::testing::Meshed;
 GridPoints pointsOf(const Octree& octree, int threads)
 {
   const ThreadExecutor executor(threads);
-  SilentMonitor silent;
-  return findGridPoints(octree, {executor, ProgressRange(silent)});
+  return findGridPoints(octree, atria::testing::quietContext(executor));
 }
 
 std::array<Index, 8> leavesAbout(const Octree& octree, const LatticePoint& p)

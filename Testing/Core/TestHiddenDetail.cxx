@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "Support/QuietContext.h"
 #include "Support/Shapes.h"
 #include "Surface/Model/SurfaceModel.h"
 
@@ -32,8 +33,7 @@ SurfaceModel modelOf(const TriangleSurface& surface, const atria::FeatureOptions
     extent.extend(p);
   }
   const atria::ThreadExecutor executor(threads);
-  atria::SilentMonitor silent;
-  return makeSurfaceModel(surface, makeGridFrame(grid, extent), options, {executor, atria::ProgressRange(silent)});
+  return makeSurfaceModel(surface, makeGridFrame(grid, extent), options, atria::testing::quietContext(executor));
 }
 
 atria::FeatureOptions withSmallParts(double size)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Unions of cells and faces keep what was sound sound, on meshes of all types of cells.
 #include "Quality/Unions/JudgedUnions.h"
+#include "Support/QuietContext.h"
 #include "Support/SampleMesh.h"
 
 #include <gtest/gtest.h>
@@ -19,8 +20,7 @@ FaceMesh meshOf(unsigned seed)
 template <typename F> auto withThreads(int threads, F&& use)
 {
   const ThreadExecutor executor(threads);
-  SilentMonitor silent;
-  return use(RunContext{executor, ProgressRange(silent)});
+  return use(atria::testing::quietContext(executor));
 }
 
 JudgedMesh judged(unsigned seed, const UnionOptions& options = {}, int threads = 1)

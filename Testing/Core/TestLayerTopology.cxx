@@ -3,6 +3,7 @@
 #include "Layer/BoundaryLayers.h"
 #include "Support/DualMeshChecks.h"
 #include "Support/MeshIt.h"
+#include "Support/QuietContext.h"
 #include "Support/Shapes.h"
 
 #include <Eigen/Geometry>
@@ -16,10 +17,6 @@ namespace {
 
 using namespace atria;
 using namespace atria::testing;
-
-const SerialExecutor serial;
-SilentMonitor silent;
-RunContext context() { return {serial, ProgressRange(silent)}; }
 
 unsigned campaign(unsigned usual, unsigned full) { return std::getenv("ATRIA_TEST_FULL") ? full : usual; }
 
@@ -89,7 +86,7 @@ TEST(LayerTopology, IsConformalOnRandomSoupsForAnyCounts)
     const Meshed meshed = meshSoup(randomSoup(seed), seed);
     const DualMesh& plain = meshed.mesh();
     const auto surfaceCount = static_cast<Index>(meshed.model.names.size());
-    const LayerWalls walls = findLayerWalls(plain, layersEverywhere(meshed, 3), context());
+    const LayerWalls walls = findLayerWalls(plain, layersEverywhere(meshed, 3), quietContext());
     std::mt19937 random(seed);
     for (const unsigned share : {0u, 1u, 2u, 8u})
     {
@@ -126,11 +123,11 @@ TEST(LayerTopology, GrownLayersAreSoundOnRandomSoups)
     const Meshed meshed = meshSoup(randomSoup(seed), seed);
     const DualMesh& plain = meshed.mesh();
     const LayerOptions options = layersEverywhere(meshed, 3);
-    const LayerWalls walls = findLayerWalls(plain, options, context());
+    const LayerWalls walls = findLayerWalls(plain, options, quietContext());
     std::mt19937 random(seed);
     std::vector<char> excluded(plain.points.size());
     std::generate(excluded.begin(), excluded.end(), [&] { return random() % (2 + seed) == 0; });
-    const LayerMesh one = LayerGrower(walls, options).grow(plain, excluded, context());
+    const LayerMesh one = LayerGrower(walls, options).grow(plain, excluded, quietContext());
     const LayerMesh divided = divideLayer(plain, walls, one, options, layersWanted(plain, walls, one, options));
     for (const LayerMesh* layer : {&one, &divided})
     {

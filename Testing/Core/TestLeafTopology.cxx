@@ -4,6 +4,7 @@
 #include "Dual/Grid/Crossings.h"
 #include "Dual/Leaf/LeafTopology.h"
 #include "SizedOctree.h"
+#include "Support/QuietContext.h"
 
 #include <gtest/gtest.h>
 
@@ -68,9 +69,7 @@ public:
   }
 
 private:
-  SerialExecutor serial;
-  SilentMonitor silent;
-  RunContext context{serial, ProgressRange(silent)};
+  RunContext context = quietContext();
   Sized octants;
   GridPoints points;
   GridPlaces places;

@@ -6,6 +6,7 @@
 #include "Quality/Unions/JudgedUnions.h"
 #include "Support/DualMeshChecks.h"
 #include "Support/MeshIt.h"
+#include "Support/QuietContext.h"
 #include "Support/Shapes.h"
 
 #include <gmock/gmock.h>
@@ -20,10 +21,6 @@ using namespace atria;
 using namespace atria::testing;
 using ::testing::Each;
 using ::testing::Ne;
-
-const SerialExecutor serial;
-SilentMonitor silent;
-RunContext context() { return {serial, ProgressRange(silent)}; }
 
 /// A turned sheet and a turned box in air, with a layer.
 Meshed sample()
@@ -134,8 +131,9 @@ std::vector<Index> allOf(const DualMesh& mesh)
 std::vector<Index> failingAsWritten(const DualMesh& mesh, const UnionOptions& options = {})
 {
   const PartialMesh whole = makePartialMesh(mesh, allOf(mesh));
-  const JudgedMesh written = uniteAndJudge([&] { return whole.mesh; }, whole.patchOf, options, context());
-  const std::vector<std::uint32_t> fails = failedErrorsOfCells(measureMesh(written.mesh, context()), written.verdict);
+  const JudgedMesh written = uniteAndJudge([&] { return whole.mesh; }, whole.patchOf, options, quietContext());
+  const std::vector<std::uint32_t> fails =
+      failedErrorsOfCells(measureMesh(written.mesh, quietContext()), written.verdict);
   std::vector<Index> failing;
   for (Index e = 0; e < mesh.elementCount(); ++e)
   {
@@ -153,7 +151,7 @@ TEST(LeaveOut, FindsNothingInAMeshThatPasses)
   EXPECT_TRUE(failingAsWritten(meshed.mesh()).empty());
   std::vector<Index> some;
   std::ranges::sample(allOf(meshed.mesh()), std::back_inserter(some), 50, std::mt19937(1));
-  EXPECT_TRUE(findElementsToLeaveOut(meshed.mesh(), some, context()).empty());
+  EXPECT_TRUE(findElementsToLeaveOut(meshed.mesh(), some, quietContext()).empty());
 }
 
 /// Holes at walls leave elements with too few neighbors, and concave ones.
@@ -169,7 +167,7 @@ TEST(LeaveOut, LeavesLessThatFails)
     leaveOut(someAtWalls(meshed.mesh(), 40 + seed), improved);
     const std::vector<Index> byThemselves = failingAsWritten(improved.mesh, {.mergeCells = false, .mergeFaces = true});
     const std::vector<Index> failing = failingAsWritten(improved.mesh);
-    const std::vector<Index> found = findElementsToLeaveOut(improved.mesh, byThemselves, context());
+    const std::vector<Index> found = findElementsToLeaveOut(improved.mesh, byThemselves, quietContext());
     EXPECT_THAT(wallsOf(improved.mesh, found), Each(Ne(noIndex)));
     leaveOut(found, improved);
     const std::size_t left = failingAsWritten(improved.mesh).size();

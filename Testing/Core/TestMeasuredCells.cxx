@@ -2,6 +2,7 @@
 /// What cells fall short by is kept while points move: it is as if all were measured again.
 #include "Optimize/Kernel/MeasuredCells.h"
 #include "Support/MeshIt.h"
+#include "Support/QuietContext.h"
 #include "Support/Shapes.h"
 
 #include <gtest/gtest.h>
@@ -12,10 +13,6 @@ namespace {
 
 using namespace atria;
 using namespace atria::testing;
-
-const SerialExecutor serial;
-SilentMonitor silent;
-RunContext context() { return {serial, ProgressRange(silent)}; }
 
 /// Octants of two sizes about a box that is not along the axes.
 DualMesh aMesh()
@@ -88,16 +85,16 @@ TEST(MeasuredCells, AreAsIfAllWereMeasuredAgain)
   strictest.scaledJacobian = 0.6;
   MeasuredCells measured(strictest);
   const std::vector<char> all(mesh.points.size(), 1);
-  measured.outdate(cellsWithMarked(source, all, context()));
+  measured.outdate(cellsWithMarked(source, all, quietContext()));
   std::mt19937 random(7);
   for (const double share : {0.5, 0.02, 0.001, 0.1})
   {
     const std::vector<char> moved = shake(mesh, random, share);
-    measured.outdate(withNeighbors(source, cellsWithMarked(source, moved, context()), context()));
-    measured.update(source, context());
+    measured.outdate(withNeighbors(source, cellsWithMarked(source, moved, quietContext()), quietContext()));
+    measured.update(source, quietContext());
     for (const QualityTargets& targets : lesserTargets(strictest))
     {
-      const std::vector<ShortCell> found = findShortCells(source, all, targets, context());
+      const std::vector<ShortCell> found = findShortCells(source, all, targets, quietContext());
       EXPECT_GT(found.size(), 100u);
       expectSame(measured.shortOf(targets), found);
     }
@@ -111,8 +108,8 @@ TEST(MeasuredCells, GiveThoseBelowAShareOnly)
   shake(mesh, random, 0.3);
   const DualSource source(mesh);
   MeasuredCells measured{QualityTargets()};
-  measured.outdate(cellsWithMarked(source, std::vector<char>(mesh.points.size(), 1), context()));
-  measured.update(source, context());
+  measured.outdate(cellsWithMarked(source, std::vector<char>(mesh.points.size(), 1), quietContext()));
+  measured.update(source, quietContext());
   std::vector<ShortCell> expected = measured.shortOf(QualityTargets());
   std::erase_if(expected, [](const ShortCell& cell) { return cell.worst >= 0.5F; });
   expectSame(measured.shortOf(QualityTargets(), 0.5F), expected);
@@ -126,8 +123,8 @@ TEST(MeasuredCells, FollowCellsToOtherNumbers)
   shake(mesh, random, 0.3);
   const DualSource source(mesh);
   MeasuredCells measured{QualityTargets()};
-  measured.outdate(cellsWithMarked(source, std::vector<char>(mesh.points.size(), 1), context()));
-  measured.update(source, context());
+  measured.outdate(cellsWithMarked(source, std::vector<char>(mesh.points.size(), 1), quietContext()));
+  measured.update(source, quietContext());
   const std::vector<ShortCell> before = measured.shortOf(QualityTargets());
   const auto count = static_cast<Index>(mesh.elementCount());
   std::vector<Index> numbers(count); // turned round, every third is lost

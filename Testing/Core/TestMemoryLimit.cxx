@@ -3,6 +3,7 @@
 #include "Layer/LayerBudget.h"
 #include "Octree/Sizing/ElementBudget.h"
 #include "SizedOctree.h"
+#include "Support/QuietContext.h"
 
 #include <gmock/gmock.h>
 
@@ -19,7 +20,7 @@ constexpr std::size_t gigabyte = 1'000'000'000;
 class MemoryLimit : public ::testing::Test
 {
 protected:
-  RunContext context() { return {executor, ProgressRange(silent)}; }
+  RunContext context() { return quietContext(executor); }
 
   /// Of the refusal; empty where there is none.
   std::string refusal(const TriangleSurface& surface, const GridOptions& grid, const SizingOptions& sizing)
@@ -36,7 +37,6 @@ protected:
   }
 
   const ThreadExecutor executor{2};
-  SilentMonitor silent;
 };
 
 TEST_F(MemoryLimit, WhatWouldTakeForEverIsRefusedAtOnce)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Quality/Checks/MeshChecks.h"
 #include "Quality/Unions/MergeCells.h"
+#include "Support/QuietContext.h"
 #include "Support/SampleMesh.h"
 
 #include <gtest/gtest.h>
@@ -21,8 +22,7 @@ FaceMesh facesOf(const SampleMesh& sample) { return makeFaceMesh(sample.points, 
 template <typename F> auto withThreads(int threads, F&& use)
 {
   const ThreadExecutor executor(threads);
-  SilentMonitor silent;
-  return use(RunContext{executor, ProgressRange(silent)});
+  return use(atria::testing::quietContext(executor));
 }
 
 MergedCells merge(FaceMesh& mesh, int threads = 1)

@@ -5,6 +5,7 @@
 #include "Quality/Unions/MergeFaces.h"
 #include "Quality/Unions/PolygonUnion.h"
 #include "Support/MeshIt.h"
+#include "Support/QuietContext.h"
 #include "Support/SampleMesh.h"
 #include "Support/Shapes.h"
 
@@ -26,8 +27,7 @@ using Loop = std::vector<Index>;
 MergedFaces merge(FaceMesh& mesh, std::span<const Index> patchOf = {}, int threads = 1)
 {
   const ThreadExecutor executor(threads);
-  SilentMonitor silent;
-  return mergeCoplanarFaces(mesh, patchOf, {executor, ProgressRange(silent)});
+  return mergeCoplanarFaces(mesh, patchOf, atria::testing::quietContext(executor));
 }
 
 FaceMesh facesOf(const SampleMesh& sample) { return makeFaceMesh(sample.points, sample.view()); }
@@ -269,9 +269,7 @@ SampleMesh cellsInATip()
 
 std::size_t concaveCells(const FaceMesh& mesh)
 {
-  const SerialExecutor executor;
-  SilentMonitor silent;
-  const RunContext context{executor, ProgressRange(silent)};
+  const RunContext context = atria::testing::quietContext();
   const std::vector<double> cosines = measure(measureMesh(mesh, context), CheckQuantity::Concavity, context);
   return static_cast<std::size_t>(
       std::count_if(cosines.begin(), cosines.end(), [](double cosine) { return cosine > -1e-6; }));
@@ -432,8 +430,7 @@ void expectStarShaped(const FaceMesh& before, const FaceMesh& after, const Merge
   {
     ++parts[merged.nowOf(static_cast<Index>(f))];
   }
-  SilentMonitor silent;
-  const MeshGeometry geometry = computeGeometry(after, makeCellFaces(after), {SerialExecutor(), ProgressRange(silent)});
+  const MeshGeometry geometry = computeGeometry(after, makeCellFaces(after), atria::testing::quietContext());
   for (std::size_t f = after.internalFaceCount(); f < after.faceCount(); ++f)
   {
     const auto face = after.face(f);

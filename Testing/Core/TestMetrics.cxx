@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Quality/Checks/Metrics.h"
 #include "Quality/Faces/CellShapes.h"
+#include "Support/QuietContext.h"
 #include "Support/SampleMesh.h"
 
 #include <Eigen/Geometry>
@@ -22,9 +23,8 @@ using atria::testing::singleCell;
 
 QualityMetrics measure(const SampleMesh& sample, const atria::Executor& executor = atria::SerialExecutor())
 {
-  atria::SilentMonitor silent;
   const FaceMesh mesh = makeFaceMesh(sample.points, sample.view());
-  return computeQuality(mesh, sample.view(), {executor, atria::ProgressRange(silent)});
+  return computeQuality(mesh, sample.view(), atria::testing::quietContext(executor));
 }
 
 const double root2 = std::sqrt(2.0);

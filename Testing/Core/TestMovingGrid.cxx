@@ -9,6 +9,7 @@
 #include "Dual/Displacement/ZonesApart.h"
 #include "Dual/Grid/Crossings.h"
 #include "Support/MeshIt.h"
+#include "Support/QuietContext.h"
 #include "Support/Shapes.h"
 #include "Surface/Model/TriangleTree.h"
 
@@ -101,8 +102,7 @@ protected:
   }
 
   ThreadExecutor executor{3};
-  SilentMonitor silent;
-  RunContext context{executor, ProgressRange(silent)};
+  RunContext context = atria::testing::quietContext(executor);
   atria::testing::Meshed meshed;
   GridPoints points;
   Crossings undisplaced;

@@ -4,6 +4,7 @@
 
 #include "Mesher/ModelOptions.h"
 #include "Support/Error.h"
+#include "Support/QuietContext.h"
 
 #include <Eigen/Geometry>
 #include <gmock/gmock.h>
@@ -38,9 +39,8 @@ std::map<std::string, double> openingsOf(TriangleSurface surface, double degrees
   options.findOpenings = true;
   options.withoutOpenings = without;
   const ThreadExecutor executor(threads);
-  SilentMonitor silent;
   const PlacedModel placed = placeModel(surface, options);
-  const SurfaceModel model = makeSurfaceModel(placed, options, {executor, ProgressRange(silent)});
+  const SurfaceModel model = makeSurfaceModel(placed, options, atria::testing::quietContext(executor));
   std::map<std::string, double> areas;
   const double unit = placed.frame.latticeUnit();
   for (Index t = 0; t < model.triangles.size(); ++t)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// What is told before a mesh is made.
 #include "Mesher/Preflight.h"
+#include "Support/QuietContext.h"
 #include "Support/Shapes.h"
 
 #include <gmock/gmock.h>
@@ -42,9 +43,7 @@ Preflight reportOn(const TriangleSurface& surface, const atria::SiteOptions& opt
   all.sizes.sizeMin = sizeMin;
   all.sizes.sizeMid = 2.0 * sizeMin;
   all.sizes.sizeMax = 8.0 * sizeMin;
-  const atria::SerialExecutor executor;
-  atria::SilentMonitor silent;
-  return atria::preflight(surface, all, {executor, atria::ProgressRange(silent)});
+  return atria::preflight(surface, all, atria::testing::quietContext());
 }
 
 atria::SiteOptions within(const Box3& box, double angle = 0.0)

@@ -5,6 +5,7 @@
 #include "Optimize/Kernel/PointSearch.h"
 #include "Quality/Checks/CheckQuantities.h"
 #include "Quality/Checks/Metrics.h"
+#include "Support/QuietContext.h"
 #include "Support/SampleMesh.h"
 
 #include <gtest/gtest.h>
@@ -20,9 +21,7 @@ using atria::testing::SampleMesh;
 
 constexpr std::array<int, 3> size{4, 4, 3};
 
-SilentMonitor silent;
-const SerialExecutor serial;
-const RunContext context{serial, ProgressRange(silent)};
+const RunContext context = atria::testing::quietContext();
 
 bool isInside(const Vec3& p)
 {

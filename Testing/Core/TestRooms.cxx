@@ -6,6 +6,7 @@
 
 #include "Mesher/MeshModel.h"
 #include "Support/Error.h"
+#include "Support/QuietContext.h"
 
 #include <Eigen/Geometry>
 #include <gmock/gmock.h>
@@ -47,8 +48,7 @@ MesherOptions optionsOf(int layers)
 MeshedModel meshed(const TriangleSurface& surface, const MesherOptions& options, int threads = 2)
 {
   const ThreadExecutor executor(threads);
-  SilentMonitor silent;
-  return meshModel(surface, options, {executor, ProgressRange(silent)});
+  return meshModel(surface, options, atria::testing::quietContext(executor));
 }
 
 const Room& roomOf(const MeshedModel& mesh, const std::string& name)

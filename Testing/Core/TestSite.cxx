@@ -5,6 +5,7 @@
 #include "Domain/PlacedModel.h"
 #include "Support/Error.h"
 #include "Support/NamePattern.h"
+#include "Support/QuietContext.h"
 #include "Support/Shapes.h"
 #include "Surface/Model/SurfaceModel.h"
 
@@ -325,9 +326,7 @@ TEST(TurnedSides, CloseTheDomainAndShareEdgesWithWhatTheyCut)
   const double height = placed.frame.domain.size()[2] + 2 * 4.0;
   EXPECT_NEAR(sideArea[0], 6.0 * height, 1e-6);
   EXPECT_NEAR(sideArea[3], 8.0 * height, 1e-6);
-  const atria::SerialExecutor executor;
-  atria::SilentMonitor silent;
-  const atria::RunContext context{executor, atria::ProgressRange(silent)};
+  const atria::RunContext context = atria::testing::quietContext();
   const atria::SurfaceModel model = atria::makeSurfaceModel(placed.surface, placed.frame, {}, context);
   // Around the terrain's edge three or more triangles meet; nothing but the sides' ends is open.
   for (const atria::FeatureEdge& edge : model.featureEdges)

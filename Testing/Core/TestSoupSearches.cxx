@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// What is looked for among many boxes, points and edges, against looking at all of them.
+#include "Support/QuietContext.h"
 #include "Support/Sorting.h"
 #include "Surface/Repair/Autorefine.h"
 #include "Surface/Repair/SmoothCells.h"
@@ -58,13 +59,12 @@ bool areTouching(const NumberedBox& a, const NumberedBox& b)
 TEST(BoxTree, FindsTheBoxesThatTouch)
 {
   std::mt19937 random(1);
-  SilentMonitor silent;
   for (const std::size_t count : {1, 7, 8, 9, 64, 65, 700})
   {
     SCOPED_TRACE(count);
     const std::vector<NumberedBox> boxes = randomBoxes(random, count);
     const ThreadExecutor executor(3);
-    const BoxTree tree(boxes, {executor, ProgressRange(silent)});
+    const BoxTree tree(boxes, atria::testing::quietContext(executor));
     ASSERT_EQ(tree.size(), count);
     for (const NumberedBox& box : boxes)
     {
@@ -89,12 +89,10 @@ TEST(BoxTree, FindsTheBoxesThatTouch)
 TEST(BoxTree, IsTheSameForAnyThreads)
 {
   std::mt19937 random(2);
-  SilentMonitor silent;
   const std::vector<NumberedBox> boxes = randomBoxes(random, 60000);
-  const SerialExecutor one;
   const ThreadExecutor several(3);
-  const BoxTree tree(boxes, {one, ProgressRange(silent)});
-  const BoxTree other(boxes, {several, ProgressRange(silent)});
+  const BoxTree tree(boxes, atria::testing::quietContext());
+  const BoxTree other(boxes, atria::testing::quietContext(several));
   for (std::size_t place = 0; place < boxes.size(); ++place)
   {
     ASSERT_EQ(tree.box(place).id, other.box(place).id);
@@ -104,8 +102,6 @@ TEST(BoxTree, IsTheSameForAnyThreads)
 TEST(BoxPairs, AreThoseThatTouchOnceEach)
 {
   std::mt19937 random(3);
-  const SerialExecutor executor;
-  SilentMonitor silent;
   const std::vector<NumberedBox> boxes = randomBoxes(random, 300);
   const std::vector<NumberedBox> some(boxes.begin(), boxes.begin() + 100);
   std::multiset<std::pair<Index, Index>> expected;
@@ -120,7 +116,7 @@ TEST(BoxPairs, AreThoseThatTouchOnceEach)
     }
   }
   std::multiset<std::pair<Index, Index>> found;
-  forBoxPairs(some, boxes, {executor, ProgressRange(silent)}, [&](Index a, Index b) { found.emplace(a, b); });
+  forBoxPairs(some, boxes, atria::testing::quietContext(), [&](Index a, Index b) { found.emplace(a, b); });
   EXPECT_EQ(found, expected);
 }
 
@@ -231,9 +227,8 @@ TEST(LoneTriangles, AreMostOfSheetsThatCrossAndChangeNothing)
   TriangleSoup soup;
   addSheet(soup, 120, size, size / 2, false);
   addSheet(soup, 90, size, size / 3, true);
-  SilentMonitor silent;
   const SerialExecutor executor;
-  const RunContext context{executor, ProgressRange(silent)};
+  const RunContext context = atria::testing::quietContext(executor);
   const std::vector<SoupEdgeUse> uses = sortedEdgeUses(soup, executor);
   const SmoothPieces smooth(soup, uses, 30.0, executor);
   const AutorefineOptions options;
@@ -292,7 +287,6 @@ TEST(EdgeUses, AreSortedByEdgeAndTriangle)
 TEST(Sorting, OnThreadsSorts)
 {
   std::mt19937 random(6);
-  SilentMonitor silent;
   for (const std::size_t count : {0, 1, 16384, 100001})
   {
     for (const int threads : {1, 2, 5})
@@ -302,7 +296,7 @@ TEST(Sorting, OnThreadsSorts)
       std::ranges::generate(list, [&] { return static_cast<std::uint32_t>(random()); });
       std::vector<std::uint32_t> expected = list;
       std::ranges::sort(expected);
-      sortOnThreads(list, {executor, ProgressRange(silent)});
+      sortOnThreads(list, atria::testing::quietContext(executor));
       ASSERT_EQ(list, expected);
     }
   }

@@ -3,6 +3,7 @@
 #include "Mesher/Improvement/ConcaveElements.h"
 #include "Support/DualMeshChecks.h"
 #include "Support/MeshIt.h"
+#include "Support/QuietContext.h"
 #include "Support/Shapes.h"
 
 #include <algorithm>
@@ -11,10 +12,6 @@ namespace {
 
 using namespace atria;
 using namespace atria::testing;
-
-const SerialExecutor serial;
-SilentMonitor silent;
-RunContext context() { return {serial, ProgressRange(silent)}; }
 
 constexpr double half = 2.0;
 
@@ -72,8 +69,8 @@ TEST(SupportedElements, AreNotConcaveAtWalls)
   {
     const Meshed bare = meshOf(surface, false);
     const Meshed supported = meshOf(surface, true);
-    EXPECT_FALSE(findConcaveAtWalls(bare.mesh(), context()).empty());
-    EXPECT_TRUE(findConcaveAtWalls(supported.mesh(), context()).empty());
+    EXPECT_FALSE(findConcaveAtWalls(bare.mesh(), quietContext()).empty());
+    EXPECT_TRUE(findConcaveAtWalls(supported.mesh(), quietContext()).empty());
     EXPECT_GT(supported.mesh().elementCount(), bare.mesh().elementCount());
     EXPECT_NEAR(totalVolume(supported.mesh()), totalVolume(bare.mesh()), 2e-3 * totalVolume(bare.mesh()));
     expectSound(supported.mesh());
@@ -85,7 +82,7 @@ TEST(SupportedElements, HaveALayerOnNoMoreThanTheyNeed)
   TriangleSurface box;
   addBox(box, "Solid", {Vec3(-0.9, -0.7, -0.8), Vec3(1.0, 0.8, 0.9)});
   const Meshed bare = meshOf(box, false);
-  EXPECT_TRUE(findConcaveAtWalls(bare.mesh(), context()).empty());
+  EXPECT_TRUE(findConcaveAtWalls(bare.mesh(), quietContext()).empty());
   const Meshed supported = meshOf(box, true);
   EXPECT_EQ(supported.mesh().elementCount(), bare.mesh().elementCount());
   EXPECT_TRUE(supported.result.layers.surfaces.empty());
@@ -119,7 +116,7 @@ TEST(SupportedElements, StandBesideLayersThatAreAskedFor)
   for (const int layers : {1, 3})
   {
     const Meshed mixed = meshOf(turnedSheets(), true, {{"*", {layers}}, {"Floor", {0}}, {"Between", {0}}});
-    EXPECT_TRUE(findConcaveAtWalls(mixed.mesh(), context()).empty()) << layers;
+    EXPECT_TRUE(findConcaveAtWalls(mixed.mesh(), quietContext()).empty()) << layers;
     expectSound(mixed.mesh());
   }
 }

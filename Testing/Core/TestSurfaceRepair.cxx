@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "Support/QuietContext.h"
 #include "Support/Shapes.h"
 #include "Surface/Model/SurfaceModel.h"
 
@@ -37,8 +38,7 @@ SurfaceModel repaired(const TriangleSurface& surface, const atria::Box3& in = do
   atria::FeatureOptions options;
   options.gapTolerance = gapTolerance;
   const atria::ThreadExecutor executor(threads);
-  atria::SilentMonitor silent;
-  const atria::RunContext context{executor, atria::ProgressRange(silent)};
+  const atria::RunContext context = atria::testing::quietContext(executor);
   return makeSurfaceModel(surface, frame, options, context);
 }
 

@@ -2,6 +2,7 @@
 #include "MeshOutput.h"
 
 #include "Quality/Faces/Geometry.h"
+#include "Support/QuietContext.h"
 #include "VtkFaceMesh.h"
 #include "vtkAtriaGridAlgorithm.h"
 
@@ -123,10 +124,7 @@ double enclosedVolume(vtkPartitionedDataSetCollection* patches)
 std::vector<double> volumesOf(vtkUnstructuredGrid* mesh, vtkPartitionedDataSetCollection* patches)
 {
   const VtkFaceMesh faces = faceMeshFromVtk(mesh, patches);
-  SilentMonitor silent;
-  const SerialExecutor executor;
-  const MeshGeometry geometry =
-      computeGeometry(faces.mesh, makeCellFaces(faces.mesh), {executor, ProgressRange(silent)});
+  const MeshGeometry geometry = computeGeometry(faces.mesh, makeCellFaces(faces.mesh), quietContext());
   return {geometry.cellVolumes.begin(), geometry.cellVolumes.end()};
 }
 

@@ -2,6 +2,7 @@
 /// Meshes with one layer about simple shapes: checkMesh has nothing to object to, and they are good.
 #include "CheckWritten.h"
 #include "Quality/Checks/Metrics.h"
+#include "Support/QuietContext.h"
 #include "Support/Shapes.h"
 #include "VtkDualMesh.h"
 #include "VtkFaceMesh.h"
@@ -91,8 +92,7 @@ QualityMetrics measure(const DualMesh& mesh)
   vtkNew<vtkUnstructuredGrid> volume;
   volumeToVtk(mesh, volume, SerialExecutor());
   const VtkFaceMesh faces = faceMeshFromVtk(volume, nullptr);
-  SilentMonitor silent;
-  return computeQuality(faces.mesh, faces.cells.view(), {SerialExecutor(), ProgressRange(silent)});
+  return computeQuality(faces.mesh, faces.cells.view(), quietContext());
 }
 
 class LayeredShapes : public ::testing::TestWithParam<Shape>

@@ -6,6 +6,7 @@
 #include "Quality/Checks/MeshChecks.h"
 #include "Support/CheckMesh.h"
 #include "Support/CheckWarnings.h"
+#include "Support/QuietContext.h"
 #include "Support/SampleGrid.h"
 #include "Support/TestPaths.h"
 #include "VtkFaceMesh.h"
@@ -90,9 +91,7 @@ protected:
     EXPECT_TRUE(report.completed) << report.log;
 
     const atria::FaceMesh mesh = atria::faceMeshFromVtk(grid, patches).mesh;
-    atria::SilentMonitor silent;
-    const atria::SerialExecutor serial;
-    const atria::RunContext context{serial, atria::ProgressRange(silent)};
+    const atria::RunContext context = atria::testing::quietContext();
     const MeshVerdict verdict = checkMesh(measureMesh(mesh, context), context);
     for (const MeshCheck& check : verdict.checks)
     {

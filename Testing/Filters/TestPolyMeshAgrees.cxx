@@ -4,6 +4,7 @@
 #include "Quality/Faces/Geometry.h"
 #include "Support/CheckMesh.h"
 #include "Support/CheckWarnings.h"
+#include "Support/QuietContext.h"
 #include "Support/TestPaths.h"
 #include "VtkFaceMesh.h"
 #include "vtkAtriaMeshQuality.h"
@@ -164,10 +165,7 @@ void PolyMeshAgrees::expectCheckMeshCountsTheSame(const CheckMeshReport& report)
 long PolyMeshAgrees::facesWithPyramidsBelow(double smallest)
 {
   const atria::FaceMesh mesh = atria::faceMeshFromVtk(volume(), patches()).mesh;
-  atria::SilentMonitor silent;
-  const atria::SerialExecutor executor;
-  const atria::MeshGeometry geometry =
-      computeGeometry(mesh, makeCellFaces(mesh), {executor, atria::ProgressRange(silent)});
+  const atria::MeshGeometry geometry = computeGeometry(mesh, makeCellFaces(mesh), atria::testing::quietContext());
   const auto pyramid = [&](std::size_t face, Index cell) {
     return geometry.faceAreas[face].dot(geometry.faceCentroids[face] - geometry.cellCentroids[cell]) / 3.0;
   };

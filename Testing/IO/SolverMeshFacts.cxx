@@ -2,6 +2,7 @@
 #include "SolverMeshFacts.h"
 
 #include "Quality/Faces/Geometry.h"
+#include "Support/QuietContext.h"
 #include "VtkFaceMesh.h"
 
 #include <vtkCompositeDataSet.h>
@@ -36,8 +37,7 @@ double areaOf(std::span<const Vec3> points)
 
 double volumeOf(const FaceMesh& mesh)
 {
-  SilentMonitor silent;
-  const MeasuredMesh measured = measureMesh(mesh, {SerialExecutor(), ProgressRange(silent)});
+  const MeasuredMesh measured = measureMesh(mesh, quietContext());
   double sum = 0.0;
   double sizes = 0.0;
   for (const double volume : measured.geometry.cellVolumes)

@@ -4,6 +4,7 @@
 #include "Quality/Checks/Metrics.h"
 #include "Quality/Faces/Geometry.h"
 #include "Support/CheckMesh.h"
+#include "Support/QuietContext.h"
 
 #include <gmock/gmock.h>
 
@@ -28,8 +29,7 @@ constexpr std::array<int, 3> size{5, 4, 4};
 
 atria::QualityMetrics qualityOf(const SampleMesh& sample, const FaceMesh& mesh)
 {
-  atria::SilentMonitor silent;
-  return computeQuality(mesh, sample.view(), {atria::SerialExecutor(), atria::ProgressRange(silent)});
+  return computeQuality(mesh, sample.view(), atria::testing::quietContext());
 }
 
 /// To the digits that checkMesh prints, but for the last, which it may round the other way.

@@ -3,6 +3,7 @@
 #include "Quality/Checks/Metrics.h"
 #include "Quality/Faces/Geometry.h"
 #include "Support/CheckMesh.h"
+#include "Support/QuietContext.h"
 #include "Support/SampleGrid.h"
 #include "VtkFaceMesh.h"
 #include "vtkAtriaOpenFOAMWriter.h"
@@ -159,9 +160,7 @@ std::map<std::string, vtkDataSet*> blocksOf(vtkMultiBlockDataSet* data)
 void expectSameCells(vtkUnstructuredGrid* a, vtkUnstructuredGrid* b)
 {
   const atria::VtkFaceMesh meshes[]{atria::faceMeshFromVtk(a, nullptr), atria::faceMeshFromVtk(b, nullptr)};
-  atria::SilentMonitor silent;
-  const atria::SerialExecutor executor;
-  const atria::RunContext context{executor, atria::ProgressRange(silent)};
+  const atria::RunContext context = atria::testing::quietContext();
   const atria::QualityMetrics qa = computeQuality(meshes[0].mesh, meshes[0].cells.view(), context);
   const atria::QualityMetrics qb = computeQuality(meshes[1].mesh, meshes[1].cells.view(), context);
   EXPECT_EQ(qa.invalidCells, 0u);

@@ -4,6 +4,7 @@
 #include "Octree/Tree/Balance.h"
 #include "Support/DualMeshChecks.h"
 #include "Support/MeshIt.h"
+#include "Support/QuietContext.h"
 #include "Support/Shapes.h"
 
 #include <gtest/gtest.h>
@@ -101,9 +102,7 @@ TEST(RandomOctrees, DualsAreConformalClosedAndFillTheDomain)
     std::mt19937 random(static_cast<unsigned>(seed));
     const GridFrame frame = frameOfDepth(5, {31.0, 20.0 + 0.37 * (seed % 7), 17.0});
     RefinedSets sets = randomSets(frame, random);
-    const SerialExecutor executor;
-    SilentMonitor silent;
-    const RunContext context{executor, ProgressRange(silent)};
+    const RunContext context = quietContext();
     balance(sets, frame, context);
     RefinedSets again = sets;
     balance(again, frame, context);
@@ -156,9 +155,7 @@ TEST(RandomOctrees, DualIsABall)
   {
     std::mt19937 random(seed);
     RefinedSets sets = randomSets(frame, random);
-    const SerialExecutor executor;
-    SilentMonitor silent;
-    const RunContext context{executor, ProgressRange(silent)};
+    const RunContext context = quietContext();
     balance(sets, frame, context);
     StageClock clock;
     DualMeshOptions options;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// What must hold of every repaired surface, whatever went in.
+#include "Support/QuietContext.h"
 #include "Surface/Repair/SurfaceRepair.h"
 
 #include "Grid/GridFrame.h"
@@ -68,9 +69,7 @@ Repaired repair(TriangleSoup soup, const atria::GridFrame& frame, std::int64_t w
   atria::SurfaceRepairOptions options;
   options.weldDistance = weldDistance;
   options.gapTolerance = gapTolerance;
-  const atria::SerialExecutor executor;
-  atria::SilentMonitor silent;
-  const atria::RunContext context{executor, atria::ProgressRange(silent)};
+  const atria::RunContext context = atria::testing::quietContext();
   repairSurface(out.soup, frame, options, out.report, context);
   return out;
 }

@@ -3,6 +3,7 @@
 #include "CheckWritten.h"
 #include "Quality/Checks/Metrics.h"
 #include "Support/DualMeshChecks.h"
+#include "Support/QuietContext.h"
 #include "Support/Shapes.h"
 #include "Support/Watchdog.h"
 #include "VtkDualMesh.h"
@@ -79,8 +80,7 @@ QualityMetrics measure(const DualMesh& mesh)
   vtkNew<vtkUnstructuredGrid> volume;
   volumeToVtk(mesh, volume, SerialExecutor());
   const VtkFaceMesh faces = faceMeshFromVtk(volume, nullptr);
-  SilentMonitor silent;
-  return computeQuality(faces.mesh, faces.cells.view(), {SerialExecutor(), ProgressRange(silent)});
+  return computeQuality(faces.mesh, faces.cells.view(), quietContext());
 }
 
 /// Those whose worst hexahedron has less than 0.3, 0.26 to 0.28: in a row along a crease, or where one is lost on the

@@ -4,6 +4,7 @@
 #include "Domain/PlacedModel.h"
 #include "Mesher/MeshModel.h"
 #include "Support/DualMeshChecks.h"
+#include "Support/QuietContext.h"
 #include "Support/Shapes.h"
 
 #include <Eigen/Geometry>
@@ -103,14 +104,13 @@ Case randomCase(unsigned seed)
 DualMeshResult meshOf(const Case& c, int threads, int layers = 0)
 {
   const atria::ThreadExecutor executor(threads);
-  atria::SilentMonitor silent;
   atria::MesherOptions options;
   options.site = c.options;
   options.sizes = c.sizes;
   options.mesh.zoneRule = atria::ZoneRule::all;
   options.mesh.layers = {{"*", {layers}}};
   options.mesh.supportElements = false;
-  return atria::meshModel(c.surface, options, {executor, atria::ProgressRange(silent)});
+  return atria::meshModel(c.surface, options, atria::testing::quietContext(executor));
 }
 
 constexpr unsigned usualSeeds = 20;
@@ -410,9 +410,8 @@ TEST_P(TurnedHouses, HaveNothingToObjectTo)
     options.site = c.options;
     options.sizes = c.sizes;
     options.mesh.layers = {{"*", {layers}}};
-    atria::SilentMonitor silent;
     const atria::ThreadExecutor executor(2);
-    const atria::MeshedModel result = atria::meshModel(c.surface, options, {executor, atria::ProgressRange(silent)});
+    const atria::MeshedModel result = atria::meshModel(c.surface, options, atria::testing::quietContext(executor));
     EXPECT_TRUE(atria::testing::elementsAreClosed(result.mesh));
     EXPECT_TRUE(atria::testing::boundaryIsWatertight(result.mesh));
     for (const atria::LayerCoverage& surface : result.layers.surfaces)

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Support/MeshIt.h"
+#include "Support/QuietContext.h"
 
 namespace atria::testing {
 
 Meshed meshIt(const TriangleSurface& surface, const GridOptions& grid, const DualMeshOptions& options, int threads)
 {
   const ThreadExecutor executor(threads);
-  SilentMonitor silent;
-  return meshIt(surface, grid, options, {executor, ProgressRange(silent)});
+  return meshIt(surface, grid, options, quietContext(executor));
 }
 
 Meshed meshIt(const TriangleSurface& surface, const GridOptions& grid, const DualMeshOptions& options,
