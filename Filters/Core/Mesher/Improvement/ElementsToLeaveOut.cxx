@@ -18,8 +18,9 @@ namespace {
 /// Rows of elements about those that fail: unions reach one row, and what they are judged by another one.
 constexpr int judgedRows = 2;
 constexpr int rows = judgedRows + 1;
-/// How often what comes to fail beside elements that are left out is left out, too.
-constexpr int mostRounds = 4;
+/// How often what comes to fail beside elements that are left out is left out, too: rows of elements along an edge go
+/// one after the other.
+constexpr int mostRounds = 12;
 
 /// By element, how many rows away from some elements it is.
 using Rows = std::map<Index, int>;
