@@ -6,10 +6,6 @@
 
 namespace atria {
 
-namespace {
-
-} // namespace
-
 double weightOf(const FaceMeasure& face, const CellMeasure& own, const CellMeasure& other)
 {
   const double nearer = std::abs(face.normal.dot(face.centroid - own.centroid));

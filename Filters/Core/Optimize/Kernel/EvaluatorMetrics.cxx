@@ -9,10 +9,6 @@
 
 namespace atria {
 
-namespace {
-
-} // namespace
-
 LeastMetrics QualityEvaluator::metricsOf(const VertexStar& star) const
 {
   LeastMetrics least;
