@@ -12,8 +12,17 @@ namespace atria {
 
 namespace {
 
-/// On the model's surfaces, and in the open: a mesh of one to a few hundred thousand elements, which takes seconds.
+/// On the model's surfaces, and in the open: a mesh of some hundred thousand elements, at most a million.
 constexpr double octantsAtMost = 50000.0;
+constexpr double elementsEach = 20.0;
+
+/// Fewer where a mesh may not have as many elements: it would lose the sizes at edges otherwise, and the model be
+/// repaired for sizes that the mesh does not have.
+double octantsFor(const SizingOptions& sizing)
+{
+  const auto most = static_cast<double>(sizing.maxElements);
+  return most > 0.0 ? std::min(octantsAtMost, most / elementsEach) : octantsAtMost;
+}
 
 double areaOf(const TriangleSurface& surface)
 {
@@ -45,11 +54,12 @@ GridOptions suggestSizes(const TriangleSurface& surface, const ModelOptions& opt
                            : "the model has no area: check its scale");
   }
   const GridOptions standard;
+  const double octants = octantsFor(options.sizing);
   GridOptions sizes;
-  sizes.sizeMid = roundNumber(std::sqrt(area / octantsAtMost));
+  sizes.sizeMid = roundNumber(std::sqrt(area / octants));
   const double volume = planSite(surface, options).domain.volume();
   sizes.sizeMax =
-      std::max(sizes.sizeMid * standard.sizeMax / standard.sizeMid, roundNumber(std::cbrt(volume / octantsAtMost)));
+      std::max(sizes.sizeMid * standard.sizeMax / standard.sizeMid, roundNumber(std::cbrt(volume / octants)));
   sizes.sizeMin = sizes.sizeMid * standard.sizeMin / standard.sizeMid;
   return sizes;
 }
