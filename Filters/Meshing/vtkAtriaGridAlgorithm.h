@@ -59,7 +59,8 @@ public:
   /**
    * Sets the three sizes for a first mesh of the model: SizeMid so that its surfaces take some fifty thousand octants,
    * or a twentieth of MaxElements where that is less, SizeMin half as large, SizeMax four times as large, or more so
-   * that the domain, which is to be set before, takes no more octants. Brings the input up to date. False, with an error, where the model has no area or there is no domain.
+   * that the domain, which is to be set before, takes no more octants. Brings the input up to date. False, with an
+   * error, where the model has no area or there is no domain.
    */
   bool SuggestSizes();
 
