@@ -146,6 +146,10 @@ private:
     }
     const PartialMesh part = makePartialMesh(mesh_, elements, leftOut);
     const std::vector<Index> written = failingCells(part, {});
+    if (std::ranges::all_of(written, [](Index cell) { return cell == noIndex; }))
+    {
+      return {};
+    }
     const std::vector<Index> single = failingCells(part, {.mergeCells = false, .mergeFaces = true});
     Judged judged;
     std::set<Index> cells;

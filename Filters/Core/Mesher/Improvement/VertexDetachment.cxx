@@ -192,11 +192,6 @@ void VertexDetachment::startAgain(const std::vector<ShortCell>& bad, double shar
 {
   std::vector<char> leaders(state_.layer.plainPoints, 0);
   eachLeaderOf(bad, [&](Index leader) { leaders[leader] = 1; });
-  takeToCenters(leaders, share);
-}
-
-void VertexDetachment::takeToCenters(const std::vector<char>& leaders, double share)
-{
   std::vector<char> fresh(state_.layer.plainPoints, 0);
   const LayerFreedom freedom(state_);
   for (Index p = 0; p < fresh.size(); ++p)

@@ -71,7 +71,6 @@ private:
   void leaveSurface(Index leader, double reach);
   void leaveSides();
   void startAgain(const std::vector<ShortCell>& bad, double share);
-  void takeToCenters(const std::vector<char>& leaders, double share);
   void exclude(const std::vector<ShortCell>& bad);
   std::vector<WantedPlace> findWantedPlaces();
   template <typename Visit> void eachLeaderOf(const std::vector<ShortCell>& cells, Visit&& visit) const;
