@@ -269,9 +269,9 @@ private:
   {
     constexpr std::int64_t reach = 4; // of rounding
     leaveOut(findClusters(soup, reach, maximumPairs(), context));
-    const Contacts found =
-        findContacts(soup, std::vector<char>(soup.triangles.size(), 1), {}, reach, {}, context.part(0.3, 0.7))
-            .sorted(soup);
+    const Contacts found = findContacts(soup, {std::vector<Change>(soup.triangles.size(), Change::moved), {}, {}},
+                                        reach, {}, context.part(0.3, 0.7))
+                               .sorted(soup);
     SurfacesAtPoints atPoints;
     for (const FaceContact& contact : found.faces)
     {

@@ -19,7 +19,7 @@ namespace atria {
 namespace {
 
 /// Keeps the triangles that `keep` accepts, and what goes with them.
-template <typename Predicate> void filter(TriangleSoup& soup, std::vector<char>* changed, const Predicate& keep)
+template <typename Predicate> void filter(TriangleSoup& soup, std::vector<Change>* changes, const Predicate& keep)
 {
   std::size_t size = 0;
   for (std::size_t t = 0; t < soup.triangles.size(); ++t)
@@ -29,9 +29,9 @@ template <typename Predicate> void filter(TriangleSoup& soup, std::vector<char>*
       soup.triangles[size] = soup.triangles[t];
       soup.surfaceIds[size] = soup.surfaceIds[t];
       soup.sources[size] = soup.sources[t];
-      if (changed)
+      if (changes)
       {
-        (*changed)[size] = (*changed)[t];
+        (*changes)[size] = (*changes)[t];
       }
       ++size;
     }
@@ -39,21 +39,21 @@ template <typename Predicate> void filter(TriangleSoup& soup, std::vector<char>*
   soup.triangles.resize(size);
   soup.surfaceIds.resize(size);
   soup.sources.resize(size);
-  if (changed)
+  if (changes)
   {
-    changed->resize(size);
+    changes->resize(size);
   }
 }
 
-/// Where triangles changed, only these can be the same as others.
-std::size_t dropRepeated(TriangleSoup& soup, std::vector<char>* changed)
+/// Where changes are known, only what changed can be the same as others.
+std::size_t dropRepeated(TriangleSoup& soup, std::vector<Change>* changes)
 {
-  filter(soup, changed, [](const auto& t) { return !hasRepeatedPoint(t); });
+  filter(soup, changes, [](const auto& t) { return !hasRepeatedPoint(t); });
   const std::size_t before = soup.triangles.size();
-  std::vector<char> isAsked(soup.points.size(), changed ? 0 : 1);
-  for (Index t = 0; changed && t < before; ++t)
+  std::vector<char> isAsked(soup.points.size(), changes ? 0 : 1);
+  for (Index t = 0; changes && t < before; ++t)
   {
-    isAsked[std::ranges::min(soup.triangles[t])] |= (*changed)[t];
+    isAsked[std::ranges::min(soup.triangles[t])] |= (*changes)[t] != Change::none ? 1 : 0;
   }
   const Buckets byLeast = fillBuckets(soup.points.size(), SerialExecutor(), [&](auto&& use) {
     for (Index t = 0; t < before; ++t)
@@ -84,18 +84,18 @@ std::size_t dropRepeated(TriangleSoup& soup, std::vector<char>* changed)
       repeated[sorted[i].second] = sorted[i].first == sorted[i - 1].first ? 1 : 0;
     }
   }
-  filter(soup, changed, [&](const auto& t) { return !repeated[&t - soup.triangles.data()]; });
+  filter(soup, changes, [&](const auto& t) { return !repeated[&t - soup.triangles.data()]; });
   return before - soup.triangles.size();
 }
 
-/// Every point becomes what the list says. Triangles with one that did are marked as changed.
-void replacePoints(TriangleSoup& soup, const std::vector<Index>& became, std::vector<char>& changed)
+/// Every point becomes what the list says. Triangles with one that did moved.
+void replacePoints(TriangleSoup& soup, const std::vector<Index>& became, std::vector<Change>& changes)
 {
   for (std::size_t t = 0; t < soup.triangles.size(); ++t)
   {
     for (Index& p : soup.triangles[t])
     {
-      changed[t] = became[p] != p ? 1 : changed[t];
+      changes[t] = became[p] != p ? Change::moved : changes[t];
       p = became[p];
     }
   }
@@ -225,14 +225,14 @@ public:
   {
   }
 
-  void run(std::vector<char> changed)
+  void run(std::vector<Change> changes)
   {
     std::size_t foundBefore = std::numeric_limits<std::size_t>::max();
     for (int round = 0;; ++round)
     {
-      tidy(changed, round == 0);
+      tidy(changes, round == 0);
       const bool isLast = round == options.maximumRounds;
-      Contacts contacts = isLast ? find(changed).sorted(soup) : findHopeful(changed);
+      Contacts contacts = isLast ? find(changes).sorted(soup) : findHopeful(changes);
       const std::size_t found = contacts.edges.size() + contacts.faces.size();
       // Slivers with a corner on their own edge may stay that.
       if (isLast || found == 0 || (contacts.pairs.empty() && found >= foundBefore))
@@ -248,25 +248,28 @@ public:
         knots = pointsOf(soup, contacts);
       }
       alignSlivers(soup, contacts.edges);
-      cutTriangles(soup, contacts, static_cast<double>(options.reach), changed, report.isSplit, report.meetings,
+      cutTriangles(soup, contacts, static_cast<double>(options.reach), changes, report.isSplit, report.meetings,
                    context);
     }
   }
 
 private:
-  FoundContacts find(const std::vector<char>& changed) const
+  FoundContacts find(const std::vector<Change>& changes) const
   {
-    return searchSeen(soup, options.reach, clusters, context,
-                      [&] { return findContacts(soup, changed, report.isLeft, options.reach, clusters, context); });
+    return searchSeen(soup, options.reach, clusters, context, [&] {
+      return findContacts(soup, {changes, met, report.isLeft}, options.reach, clusters, context);
+    });
   }
 
   /// Once hopeless triangles are left, and tangled ones hidden.
-  Contacts findHopeful(const std::vector<char>& changed)
+  Contacts findHopeful(const std::vector<Change>& changes)
   {
-    const FoundContacts found = find(changed);
+    const FoundContacts found = find(changes);
+    met.add(soup, found.pairs);
     leaveHopeless(found.pairs);
+    report.leftContacts += found.countLeft(soup, report.isLeft);
     Contacts contacts = found.sorted(soup, report.isLeft);
-    return hideTangles(soup, contacts.pairs, clusters) ? find(changed).sorted(soup) : contacts;
+    return hideTangles(soup, contacts.pairs, clusters) ? find(changes).sorted(soup) : contacts;
   }
 
   /// Leaves triangles that have more contacts than two rounds before, or as many where points do not become one
@@ -289,12 +292,12 @@ private:
   }
 
   /// Points close to each other become one, and triangles that are there no longer or twice are dropped.
-  void tidy(std::vector<char>& changed, bool isFirst)
+  void tidy(std::vector<Change>& changes, bool isFirst)
   {
     const std::size_t usedBefore = isFirst ? countUsed(soup) : 0;
     if (const std::vector<Index> became = weldRest(); !became.empty())
     {
-      merge(became, changed);
+      merge(became, changes);
     }
     if (isFirst)
     {
@@ -304,10 +307,10 @@ private:
     }
     if (!knots.empty())
     {
-      merge(weldSome(soup, std::move(knots), width), changed);
+      merge(weldSome(soup, std::move(knots), width), changes);
       knots.clear();
     }
-    report.overlappingTriangles += dropRepeated(soup, &changed);
+    report.overlappingTriangles += dropRepeated(soup, &changes);
   }
 
   /// For each point what it becomes; empty where none was added since points were asked about last.
@@ -324,9 +327,9 @@ private:
     return became;
   }
 
-  void merge(const std::vector<Index>& became, std::vector<char>& changed)
+  void merge(const std::vector<Index>& became, std::vector<Change>& changes)
   {
-    replacePoints(soup, became, changed);
+    replacePoints(soup, became, changes);
     renumber(report.meetings, became);
     std::transform(knots.begin(), knots.end(), knots.begin(), [&](Index p) { return became[p]; });
   }
@@ -339,6 +342,7 @@ private:
   /// Of all points.
   PointWelder welder;
   std::vector<Index> knots;
+  MetSources met; ///< in all rounds so far
   /// Of the two rounds before, by source the pairs of touching triangles that it has pieces in.
   std::array<std::vector<Index>, 2> countsBefore;
   AutorefineReport& report;
@@ -346,25 +350,6 @@ private:
 };
 
 } // namespace
-
-std::size_t countLeftContacts(const TriangleSoup& soup, const AutorefineOptions& options, ClusterCells& clusters,
-                              const AutorefineReport& report, const RunContext& context)
-{
-  TriangleSoup left;
-  left.points = soup.points;
-  for (Index t = 0; t < soup.triangles.size(); ++t)
-  {
-    if (report.isLeft[soup.sources[t]])
-    {
-      left.add(soup.triangles[t], soup.surfaceIds[t], soup.sources[t]);
-    }
-  }
-  const std::vector<char> all(left.triangles.size(), 1);
-  const Contacts contacts = searchSeen(left, options.reach, clusters, context, [&] {
-                              return findContacts(left, all, {}, options.reach, clusters, context);
-                            }).sorted(left);
-  return contacts.edges.size() + contacts.faces.size();
-}
 
 std::size_t dropRepeated(TriangleSoup& soup) { return dropRepeated(soup, nullptr); }
 
@@ -374,16 +359,16 @@ AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options
   AutorefineReport report;
   report.isSplit.resize(soup.sources.empty() ? 0 : soup.sources.back() + 1, 0);
   report.isLeft.resize(report.isSplit.size(), 0);
-  std::vector<char> asked(soup.triangles.size(), 1);
-  std::ranges::transform(isLone, asked.begin(), [](char lone) { return lone ? 0 : 1; });
+  std::vector<Change> asked(soup.triangles.size(), Change::moved);
+  std::ranges::transform(isLone, asked.begin(), [](char lone) { return lone ? Change::none : Change::moved; });
   refineAgain(soup, options, clusters, std::move(asked), report, context);
   return report;
 }
 
 void refineAgain(TriangleSoup& soup, const AutorefineOptions& options, ClusterCells& clusters,
-                 std::vector<char> changed, AutorefineReport& report, const RunContext& context)
+                 std::vector<Change> changes, AutorefineReport& report, const RunContext& context)
 {
-  Rounds(soup, options, clusters, report, context).run(std::move(changed));
+  Rounds(soup, options, clusters, report, context).run(std::move(changes));
   const std::size_t before = soup.triangles.size();
   filter(soup, nullptr, [&](const auto& t) { return hasArea(soup, t); });
   report.degenerateTriangles += before - soup.triangles.size();

@@ -3,6 +3,7 @@
 
 #include "Support/RunContext.h"
 #include "Surface/Repair/ClusterCells.h"
+#include "Surface/Repair/Contacts.h"
 #include "Surface/Triangles/TriangleSoup.h"
 
 #include <cstddef>
@@ -33,8 +34,9 @@ struct AutorefineReport
   std::size_t splitTriangles = 0;
   /// Edges on which triangles now meet that only touched or cut each other before.
   std::size_t intersectionEdges = 0;
-  /// Contacts left after the last round, but for those among triangles that are left.
+  /// Contacts left after the last round, and those among triangles that are left, as they were then.
   std::size_t unresolvedContacts = 0;
+  std::size_t leftContacts = 0;
   /// What the counts are of: per source, whether it was cut, and whether its contacts with others so marked are left,
   /// as cuts only made more of them; the edges on which triangles now meet.
   std::vector<char> isSplit;
@@ -47,24 +49,19 @@ struct AutorefineReport
 /// In rounds: points on edges and faces are found, and points where edges cut edges or faces are added; the triangles
 /// they lie on are triangulated anew with these points, and with the segments that two triangles have in common as
 /// edges; points closer than the reach allows become one; of triangles with the same points the first is kept. New
-/// points are rounded to the lattice, which can make new contacts; the next round looks at the cut triangles only.
-/// From the second on, points at contacts become one within a distance that grows to the widest weld, as what is left
-/// then lies closer together than cuts can tell apart. A triangle with more contacts than two rounds before, or as many
-/// once the distance no longer grows, is left: its contacts with others that are left are only counted. Pieces take the
-/// place of their triangle, with its winding, surface and source; those of one triangle are not compared with each
-/// other. O(n log n) where little is cut. Nothing is cut in clusters; what touches too
-/// many others is hidden as if it were in one. Triangles in `isLone` are known to meet no others; it may be empty.
+/// points are rounded to the lattice, which can make new contacts; the next round looks at the pieces, each with those
+/// of what its triangle has touched. From the second on, points at contacts become one within a distance that grows to
+/// the widest weld, as what is left then lies closer together than cuts can tell apart. A triangle with more contacts
+/// than two rounds before, or as many once the distance no longer grows, is left: its contacts with others that are
+/// left are only counted. Pieces take the place of their triangle, with its winding, surface and source; those of one
+/// triangle are not compared with each other. O(n log n) where little is cut. Nothing is cut in clusters; what touches
+/// too many others is hidden as if it were in one. Triangles in `isLone` are known to meet no others; it may be empty.
 AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options, ClusterCells& clusters,
                             const RunContext& context, std::span<const char> isLone = {});
 
-/// The same for a soup that was cut before and in which triangles marked in `changed` were changed since; goes on with
-/// the report.
+/// The same for a soup that was cut before and in which triangles changed since; goes on with the report.
 void refineAgain(TriangleSoup& soup, const AutorefineOptions& options, ClusterCells& clusters,
-                 std::vector<char> changed, AutorefineReport& report, const RunContext& context);
-
-/// Contacts among triangles that were left, as they are now.
-std::size_t countLeftContacts(const TriangleSoup& soup, const AutorefineOptions& options, ClusterCells& clusters,
-                              const AutorefineReport& report, const RunContext& context);
+                 std::vector<Change> changes, AutorefineReport& report, const RunContext& context);
 
 /// Drops triangles with repeated points, and those with the same points as an earlier one. Returns how many of the
 /// second sort.

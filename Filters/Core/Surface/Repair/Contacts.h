@@ -58,19 +58,58 @@ struct FoundContacts
 
   /// All but those of pairs of which the sources of both are in `isLeft`; sorted, without repeats.
   Contacts sorted(const TriangleSoup& soup, const std::vector<char>& isLeft = {}) const;
+  /// How many these are.
+  std::size_t countLeft(const TriangleSoup& soup, const std::vector<char>& isLeft) const;
+
+private:
+  void add(Contacts& to, std::size_t edgesBegin, std::size_t edgesEnd, std::size_t facesBegin,
+           std::size_t facesEnd) const;
+  void sort(Contacts& contacts, Index base) const;
 };
 
-/// Whether the sources of both triangles are in `isLeft`, which may be empty.
-inline bool areLeft(const TriangleSoup& soup, Index first, Index second, const std::vector<char>& isLeft)
+/// Pairs of sources that touched each other.
+class MetSources
 {
-  return !isLeft.empty() && isLeft[soup.sources[first]] && isLeft[soup.sources[second]];
-}
+public:
+  void add(const TriangleSoup& soup, const std::vector<FoundContacts::Pair>& pairs);
+  bool contains(Index a, Index b) const;
 
-/// Finds all contacts outside of clusters of triangles of which one is marked in `changed`, but for those of which the
-/// sources of both are in `isLeft`, which may be empty. A point within `reach`
-/// lattice units of an edge or a triangle lies on it. Sides are decided exactly, distances in double precision. Throws
-/// TooManyPairs (Clusters.h). O(n log n + pairs of triangles whose boxes touch).
-FoundContacts findContacts(const TriangleSoup& soup, const std::vector<char>& changed, const std::vector<char>& isLeft,
-                           std::int64_t reach, const ClusterCells& clusters, const RunContext& context);
+private:
+  /// Sorted, the lower first; those of a lower one begin at begins_[it].
+  std::vector<std::pair<Index, Index>> pairs_;
+  std::vector<Index> begins_;
+};
+
+/// What became of a triangle since contacts were looked for.
+enum class Change : char
+{
+  none,
+  cut, ///< it is a piece of what was there
+  moved
+};
+
+/// Which pairs of triangles to look at: those of which one moved, or one was cut and their sources have met. A piece
+/// lies in what it was cut from, so it meets nothing else.
+struct AskedPairs
+{
+  const std::vector<Change>& changes;
+  const MetSources& met;
+  /// By source; not pairs of which both are. May be empty.
+  const std::vector<char>& isLeft;
+
+  bool contains(const TriangleSoup& soup, Index a, Index b) const
+  {
+    const Index first = soup.sources[a];
+    const Index second = soup.sources[b];
+    return first != second && !(!isLeft.empty() && isLeft[first] && isLeft[second]) &&
+           (changes[a] == Change::moved || changes[b] == Change::moved || met.contains(first, second));
+  }
+};
+
+/// Finds all contacts of these pairs outside of clusters. A point within `reach` lattice units of an edge or a triangle
+/// lies on it. Sides are decided exactly, distances in double precision. Throws TooManyPairs (Clusters.h).
+/// O(n log n + pairs of triangles whose boxes touch).
+FoundContacts findContacts(const TriangleSoup& soup, const AskedPairs& asked, std::int64_t reach,
+                           const ClusterCells& clusters, const RunContext& context);
 
 } // namespace atria

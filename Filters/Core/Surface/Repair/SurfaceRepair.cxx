@@ -60,14 +60,14 @@ void dropTriangles(TriangleSoup& soup, const std::vector<char>& isOut)
 }
 
 /// Triangles with a point that was moved.
-std::vector<char> trianglesAt(const TriangleSoup& soup, const std::vector<char>& isMoved)
+std::vector<Change> changesOf(const TriangleSoup& soup, const std::vector<char>& isMoved)
 {
-  std::vector<char> changed;
+  std::vector<Change> changes;
   for (const auto& t : soup.triangles)
   {
-    changed.push_back(isMoved[t[0]] | isMoved[t[1]] | isMoved[t[2]]);
+    changes.push_back(isMoved[t[0]] || isMoved[t[1]] || isMoved[t[2]] ? Change::moved : Change::none);
   }
-  return changed;
+  return changes;
 }
 
 /// Closes gaps and cuts what moved, in turn, until nothing moves.
@@ -102,10 +102,10 @@ void closeAllGaps(TriangleSoup& soup, const GridFrame& frame, const GapOptions& 
     }
     report.overlappingTriangles += dropRepeated(soup);
   }
-  std::vector<char> changed = trianglesAt(soup, everMoved);
-  if (std::find(changed.begin(), changed.end(), 1) != changed.end())
+  std::vector<Change> changes = changesOf(soup, everMoved);
+  if (std::ranges::find(changes, Change::moved) != changes.end())
   {
-    refineAgain(soup, refining, options.clusters, std::move(changed), refined, context);
+    refineAgain(soup, refining, options.clusters, std::move(changes), refined, context);
   }
   report.closedGaps = static_cast<std::size_t>(std::count(everMoved.begin(), everMoved.end(), 1));
 }
@@ -180,8 +180,7 @@ void repairOutside(ClusterCells& clusters, const std::vector<char>& isLone, Tria
   report.overlappingTriangles += refined.overlappingTriangles;
   report.splitTriangles = refined.splitTriangles;
   report.intersectionEdges = refined.intersectionEdges;
-  report.unresolvedContacts =
-      refined.unresolvedContacts + countLeftContacts(soup, refining, clusters, refined, context);
+  report.unresolvedContacts = refined.unresolvedContacts + refined.leftContacts;
   if (soup.triangles != drawnTriangles)
   {
     report.flippedTriangles += orientTriangles(soup, context.executor);

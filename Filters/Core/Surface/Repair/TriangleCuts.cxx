@@ -38,15 +38,15 @@ public:
     }
   }
 
-  /// The triangles after the cuts; `changed` marks the pieces of those that were cut.
-  void apply(std::vector<char>& changed, std::vector<char>& sourceIsSplit, const RunContext& context)
+  /// The triangles after the cuts; `changes` tells the pieces of those that were cut.
+  void apply(std::vector<Change>& changes, std::vector<char>& sourceIsSplit, const RunContext& context)
   {
     TriangleSoup next;
     next.points = std::move(soup.points);
-    changed.clear();
-    const auto add = [&](Index t, const std::array<Index, 3>& triangle, char isPiece) {
+    changes.clear();
+    const auto add = [&](Index t, const std::array<Index, 3>& triangle, Change change) {
       next.add(triangle, soup.surfaceIds[t], soup.sources[t]);
-      changed.push_back(isPiece);
+      changes.push_back(change);
     };
     std::vector<std::array<Index, 3>> pieces;
     for (Index t = 0; t < soup.triangles.size(); ++t)
@@ -57,7 +57,7 @@ public:
       }
       if (!isCut(t))
       {
-        add(t, soup.triangles[t], 0);
+        add(t, soup.triangles[t], Change::none);
         continue;
       }
       DividedFace face = dividedFace(t);
@@ -66,7 +66,7 @@ public:
       sourceIsSplit[soup.sources[t]] = 1;
       for (const auto& piece : pieces)
       {
-        add(t, piece, 1);
+        add(t, piece, Change::cut);
       }
     }
     soup = std::move(next);
@@ -341,12 +341,12 @@ private:
 
 } // namespace
 
-void cutTriangles(TriangleSoup& soup, const Contacts& contacts, double reach, std::vector<char>& changed,
+void cutTriangles(TriangleSoup& soup, const Contacts& contacts, double reach, std::vector<Change>& changes,
                   std::vector<char>& sourceIsSplit, std::set<EdgeKey>& meetings, const RunContext& context)
 {
   Cutter cutter(soup, contacts, reach);
   cutter.updateEdges(meetings);
-  cutter.apply(changed, sourceIsSplit, context);
+  cutter.apply(changes, sourceIsSplit, context);
 }
 
 } // namespace atria

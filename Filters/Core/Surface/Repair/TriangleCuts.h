@@ -9,10 +9,10 @@
 namespace atria {
 
 /// Divides the triangles that have points on them into pieces, with the segments that two triangles have in common as
-/// edges. The contacts' points are points of the soup. Afterwards `changed` marks the pieces of triangles that were
+/// edges. The contacts' points are points of the soup. Afterwards `changes` tells the pieces of triangles that were
 /// cut, and `sourceIsSplit` their sources; edges of `meetings` that were cut are replaced by their pieces, and the
 /// segments are added.
-void cutTriangles(TriangleSoup& soup, const Contacts& contacts, double reach, std::vector<char>& changed,
+void cutTriangles(TriangleSoup& soup, const Contacts& contacts, double reach, std::vector<Change>& changes,
                   std::vector<char>& sourceIsSplit, std::set<EdgeKey>& meetings, const RunContext& context);
 
 } // namespace atria
