@@ -129,24 +129,43 @@ private:
     }
   }
 
+  /// Of triangles that are equally near the first. That of the nearest box is looked at first, as it rules out most.
   std::optional<Nearest> nearestOn(Index chart, const Vec3& p) const
   {
-    NearestPlace best{p};
-    Index on = noIndex;
-    const auto first = std::lower_bound(triangles.begin(), triangles.end(), std::pair(chart, Index{0}));
+    const auto first = std::ranges::lower_bound(triangles, std::pair(chart, Index{0}));
+    const auto begin = static_cast<std::size_t>(first - triangles.begin());
+    reaches.clear();
     for (auto entry = first; entry != triangles.end() && entry->first == chart; ++entry)
     {
-      const Index triangle = entry->second;
-      const Box3& box = boxes[static_cast<std::size_t>(entry - triangles.begin())];
-      if (box.squaredDistance(p) >= best.squaredDistance)
-      {
-        continue;
-      }
-      const Vec3 q = nearestOnTriangle(p, toVector(model().corner(triangle, 0)), toVector(model().corner(triangle, 1)),
-                                       toVector(model().corner(triangle, 2)));
-      on = best.offer(q) ? triangle : on;
+      reaches.push_back(boxes[begin + reaches.size()].squaredDistance(p));
     }
-    return best.found() ? std::optional(Nearest{best.at, on}) : std::nullopt;
+    if (reaches.empty())
+    {
+      return std::nullopt;
+    }
+    NearestPlace best{p};
+    std::size_t on = 0;
+    const auto offer = [&](std::size_t i) {
+      const Index t = triangles[begin + i].second;
+      const Vec3 q = nearestOnTriangle(p, toVector(model().corner(t, 0)), toVector(model().corner(t, 1)),
+                                       toVector(model().corner(t, 2)));
+      const double squared = (q - p).squaredNorm();
+      if (squared < best.squaredDistance || (squared == best.squaredDistance && i < on))
+      {
+        best = {p, q, squared};
+        on = i;
+      }
+    };
+    const auto nearest = static_cast<std::size_t>(std::ranges::min_element(reaches) - reaches.begin());
+    offer(nearest);
+    for (std::size_t i = 0; i < reaches.size(); ++i)
+    {
+      if (i != nearest && (reaches[i] < best.squaredDistance || (reaches[i] == best.squaredDistance && i < on)))
+      {
+        offer(i);
+      }
+    }
+    return Nearest{best.at, triangles[begin + on].second};
   }
 
   /// The nearest points of the charts about a point, by chart.
@@ -410,6 +429,7 @@ private:
   std::vector<Index> near;
   std::vector<std::pair<Index, Index>> triangles;
   std::vector<Box3> boxes;
+  mutable std::vector<double> reaches; ///< of the boxes of a chart
 };
 
 /// Moves corners of these leaves into gaps. Returns the leaves about them, sorted: nowhere else is anything new.

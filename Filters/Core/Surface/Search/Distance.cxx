@@ -19,19 +19,20 @@ Vec3 nearestOnTriangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& 
 {
   const Vec3 normal = (b - a).cross(c - a);
   const double squared = normal.squaredNorm();
-  if (squared > 0.0)
-  {
-    const Vec3 q = p - normal * (normal.dot(p - a) / squared);
-    const bool inside = normal.dot((b - a).cross(q - a)) >= 0.0 && normal.dot((c - b).cross(q - b)) >= 0.0 &&
-                        normal.dot((a - c).cross(q - c)) >= 0.0;
-    if (inside)
+  const bool hasArea = squared > 0.0;
+  const Vec3 q = hasArea ? Vec3(p - normal * (normal.dot(p - a) / squared)) : p;
+  // On edges beyond which it lies, and of a triangle without area on all.
+  NearestPlace best{p};
+  const auto offer = [&](const Vec3& from, const Vec3& to) {
+    if (!hasArea || !(normal.dot((to - from).cross(q - from)) >= 0.0))
     {
-      return q;
+      best.offer(nearestOnSegment(p, from, to));
     }
-  }
-  const std::array<Vec3, 3> candidates{nearestOnSegment(p, a, b), nearestOnSegment(p, b, c), nearestOnSegment(p, c, a)};
-  return *std::min_element(candidates.begin(), candidates.end(),
-                           [&](const Vec3& l, const Vec3& r) { return (l - p).squaredNorm() < (r - p).squaredNorm(); });
+  };
+  offer(a, b);
+  offer(b, c);
+  offer(c, a);
+  return best.found() ? best.at : q;
 }
 
 NearestPair nearestOfSegments(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b)
