@@ -190,18 +190,38 @@ private:
     return cells;
   }
 
-  /// Those that fail by themselves; where there are none, all that are beside what is left out.
+  /// Those that fail by themselves; where there are none at a wall, all that are beside what is left out; and where
+  /// there are none of these, what is at a wall beside those that fail: then these are at it.
   std::vector<Index> toLeaveOut(const Judged& judged, const std::vector<Index>& leftOut) const
   {
-    std::vector<Index> alone = judged.alone;
-    std::erase_if(alone, [&](Index e) { return !canBeLeftOut(e, leftOut); });
-    if (!alone.empty())
+    const auto onlyThat = [&](std::vector<Index> elements, auto&& isWanted) {
+      std::erase_if(elements, [&](Index e) { return !canBeLeftOut(e, leftOut) || !isWanted(e); });
+      return elements;
+    };
+    std::vector<Index> found = onlyThat(judged.alone, [](Index) { return true; });
+    if (found.empty())
     {
-      return alone;
+      found = onlyThat(judged.failing, [&](Index e) { return isBeside(e, leftOut); });
     }
-    std::vector<Index> beside = judged.failing;
-    std::erase_if(beside, [&](Index e) { return !canBeLeftOut(e, leftOut) || !isBeside(e, leftOut); });
-    return beside;
+    if (found.empty())
+    {
+      // Unions that fail where nothing is left out are the writer's to undo.
+      found = onlyThat(neighborsOf(leftOut.empty() ? judged.alone : judged.failing),
+                       [&](Index e) { return !std::ranges::binary_search(leftOut, e); });
+    }
+    return found;
+  }
+
+  std::vector<Index> neighborsOf(const std::vector<Index>& elements) const
+  {
+    std::vector<Index> neighbors;
+    for (const Index e : elements)
+    {
+      std::ranges::copy_if(mesh_.neighbors[e], std::back_inserter(neighbors),
+                           [](std::int32_t code) { return code >= 0; });
+    }
+    sortUnique(neighbors);
+    return neighbors;
   }
 
   bool isBeside(Index element, const std::vector<Index>& leftOut) const

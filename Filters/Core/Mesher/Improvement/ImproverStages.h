@@ -46,8 +46,6 @@ ImproverStage firstStage(const MeshTraits& traits);
 /// Where no layers are asked for, elements that fall short of these have one too few neighbors wherever their points
 /// are: they get a layer, as those do that are concave at walls. Some more do once points have moved.
 QualityTargets targetsOfSupport(const MeshTraits& traits);
-/// Divided layers are divided anew so often where more elements need one then.
-inline constexpr int mostDividedAgain = 3;
 
 /// 2. What stays bad gets more room, step by step.
 enum class RoomStep : std::uint8_t

@@ -39,22 +39,19 @@ std::vector<ShortCell> findFailing(ImproverState& state, const QualityTargets& t
 /// are divided again.
 LayerDivision divide(ImproverState& state, VertexDetachment& detachment)
 {
-  for (int round = 0; state.traits.supported && round < mostDividedAgain; ++round)
+  for (auto last = std::numeric_limits<std::ptrdiff_t>::max();;)
   {
     const VertexDetachment::Kept whole = detachment.keep();
     LayerDivision division(state);
     division.run();
-    const std::vector<char> points = pointsToSupport(state);
-    if (points.empty())
+    const std::vector<char> points = state.traits.supported ? pointsToSupport(state) : std::vector<char>();
+    if (!isFewer(points, last))
     {
       return division;
     }
     detachment.takeAgain(whole);
     supportAt(points, state, detachment);
   }
-  LayerDivision division(state);
-  division.run();
-  return division;
 }
 
 /// Elements that stay beyond the largest angle, or bad, lose layers.

@@ -73,6 +73,14 @@ std::vector<char> pointsToSupport(ImproverState& state)
   return points;
 }
 
+bool isFewer(const std::vector<char>& points, std::ptrdiff_t& last)
+{
+  const std::ptrdiff_t count = std::ranges::count(points, 1);
+  const bool fewer = count > 0 && count < last;
+  last = count;
+  return fewer;
+}
+
 void addSupport(ImproverState& state, const std::vector<char>& points)
 {
   if (points.empty())
@@ -100,18 +108,9 @@ void supportAt(const std::vector<char>& points, ImproverState& state, VertexDeta
 
 void supportMore(ImproverState& state, VertexDetachment& detachment)
 {
-  std::vector<char> given(state.layer.plainPoints, 0);
-  for (auto last = std::numeric_limits<std::ptrdiff_t>::max();;)
+  std::ptrdiff_t last = std::numeric_limits<std::ptrdiff_t>::max();
+  for (std::vector<char> points = pointsToSupport(state); isFewer(points, last); points = pointsToSupport(state))
   {
-    const std::vector<char> points = pointsToSupport(state);
-    const std::ptrdiff_t count = std::ranges::count(points, 1);
-    const bool isAgain = std::ranges::equal(points, given, [](char now, char before) { return now <= before; });
-    if (count == 0 || (isAgain && count >= last))
-    {
-      return;
-    }
-    last = count;
-    std::ranges::transform(points, given, given.begin(), [](char now, char before) { return now | before; });
     supportAt(points, state, detachment);
   }
 }

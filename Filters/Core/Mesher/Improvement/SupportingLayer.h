@@ -11,6 +11,9 @@ namespace atria {
 /// In patches the layer would taper on all sides. Empty where there are none that can have one.
 std::vector<char> pointsToSupport(ImproverState& state);
 
+/// Whether there are some, and fewer than the last ones were.
+bool isFewer(const std::vector<char>& points, std::ptrdiff_t& last);
+
 /// Gives them the layer. The state's focus is on what this changes then.
 void addSupport(ImproverState& state, const std::vector<char>& points);
 
