@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Quality/Faces/CellShapes.h"
 #include "Quality/Faces/NativeCells.h"
+#include "Support/QuietContext.h"
 #include "Support/SampleMesh.h"
 
 #include <Eigen/Geometry>
@@ -46,8 +47,7 @@ SampleMesh prismOver(const std::vector<Vec3>& plan)
 NativeCells cut(const SampleMesh& sample)
 {
   const FaceMesh mesh = makeFaceMesh(sample.points, sample.view());
-  SilentMonitor silent;
-  return makeNativeCells(mesh, makeCellFaces(mesh), sample.view(), {}, ProgressRange(silent));
+  return makeNativeCells(mesh, makeCellFaces(mesh), sample.view(), {}, atria::testing::quietContext().progress);
 }
 
 /// Of tetrahedra and of pyramids over flat bases; negative ones count as such.

@@ -418,20 +418,9 @@ constexpr const char* otherDomains =
     "make the domain larger (DomainBounds, --domain), or take the one that follows from the buildings (DomainMode "
     "Automatic, --automatic)";
 
-bool hasAnyArea(const TriangleSurface& surface)
-{
-  return std::ranges::any_of(surface.triangles, [&](const std::array<Index, 3>& t) {
-    const Vec3& a = surface.points[t[0]];
-    return (surface.points[t[1]] - a).cross(surface.points[t[2]] - a).squaredNorm() > 0.0;
-  });
-}
-
 void refuseEmpty(const TriangleSurface& surface, const SitePlan& plan)
 {
-  if (!hasAnyArea(surface))
-  {
-    throw Error("no face of the model has an area: all its triangles are lines or points. Export it with its faces");
-  }
+  areaOf(surface); // throws where there is none
   const bool turned = plan.domain.axes.angle() != 0.0;
   throw Error("the domain holds nothing of the model: it reaches " + textOf(plan.domain.bounds) + ", the model " +
               textOf(boundsOf(surface, plan.domain.axes)) + (turned ? ", along the domain's axes" : "") +

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesher/SuggestedSizes.h"
 
-#include "Support/Error.h"
-
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 
@@ -24,17 +20,6 @@ double octantsFor(const SizingOptions& sizing)
   return most > 0.0 ? std::min(octantsAtMost, most / elementsEach) : octantsAtMost;
 }
 
-double areaOf(const TriangleSurface& surface)
-{
-  double area = 0.0;
-  for (const auto& t : surface.triangles)
-  {
-    const Vec3& p = surface.points[t[0]];
-    area += 0.5 * (surface.points[t[1]] - p).cross(surface.points[t[2]] - p).norm();
-  }
-  return area;
-}
-
 /// The next of 1, 2 and 5 times a power of ten, as ratios go.
 double roundNumber(double x)
 {
@@ -48,11 +33,6 @@ double roundNumber(double x)
 GridOptions suggestSizes(const TriangleSurface& surface, const ModelOptions& options)
 {
   const double area = areaOf(surface);
-  if (!(area > 0.0) || !std::isfinite(area))
-  {
-    throw Error(area > 0.0 ? "the model is so large that its area is not finite: check its unit and coordinates"
-                           : "the model has no area: check its scale");
-  }
   const GridOptions standard;
   const double octants = octantsFor(options.sizing);
   GridOptions sizes;

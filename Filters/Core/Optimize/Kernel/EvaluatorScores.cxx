@@ -37,11 +37,6 @@ bool isBehindOrFlat(double inside, double length, const Vec3& normal, const Vec3
          (inside >= -flatSine * length && (normal - other).squaredNorm() < planarSine * planarSine);
 }
 
-Vec3 cross(const Vec3& u, const Vec3& v)
-{
-  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-}
-
 } // namespace
 
 void QualityEvaluator::judgeAll(const RunContext& context)
@@ -149,37 +144,6 @@ template <typename Shapes> double QualityEvaluator::measureOf(const Measure& mea
       break;
   }
   return 1.0;
-}
-
-/// Of a face's edge and its centroid.
-Vec3 QualityEvaluator::fanTriangle(Index face, std::size_t i) const
-{
-  const auto points = region_.face(face);
-  const Vec3& centroid = faces[face].centroid;
-  return cross(region_.points[points[i]] - centroid,
-               region_.points[points[i + 1 < points.size() ? i + 1 : 0]] - centroid);
-}
-
-/// Of a quadrilateral.
-std::array<Vec3, 4> QualityEvaluator::fanOf(Index face) const
-{
-  const auto points = region_.face(face);
-  std::array<Vec3, 4> to;
-  for (int i = 0; i < 4; ++i)
-  {
-    to[i] = region_.points[points[i]] - faces[face].centroid;
-  }
-  return {cross(to[0], to[1]), cross(to[1], to[2]), cross(to[2], to[3]), cross(to[3], to[0])};
-}
-
-/// Of a quadrilateral.
-std::array<Vec3, 4> QualityEvaluator::halvesOf(Index face) const
-{
-  const auto points = region_.face(face);
-  const auto way = [&](int a, int b) -> Vec3 { return region_.points[points[b]] - region_.points[points[a]]; };
-  const Vec3 diagonal = way(0, 2);
-  const Vec3 other = way(1, 3);
-  return {cross(way(0, 1), diagonal), cross(diagonal, way(0, 3)), cross(way(1, 2), other), cross(other, way(1, 0))};
 }
 
 template <typename Shapes, typename Sink>

@@ -62,4 +62,41 @@ private:
   const Index* slots_;
 };
 
+inline Vec3 crossOf(const Vec3& u, const Vec3& v)
+{
+  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+}
+
+/// Of a face's edge and its centroid.
+inline Vec3 QualityEvaluator::fanTriangle(Index face, std::size_t i) const
+{
+  const auto points = region_.face(face);
+  const Vec3& centroid = faces[face].centroid;
+  return crossOf(region_.points[points[i]] - centroid,
+                 region_.points[points[i + 1 < points.size() ? i + 1 : 0]] - centroid);
+}
+
+/// Of a quadrilateral.
+inline std::array<Vec3, 4> QualityEvaluator::fanOf(Index face) const
+{
+  const auto points = region_.face(face);
+  std::array<Vec3, 4> to;
+  for (int i = 0; i < 4; ++i)
+  {
+    to[i] = region_.points[points[i]] - faces[face].centroid;
+  }
+  return {crossOf(to[0], to[1]), crossOf(to[1], to[2]), crossOf(to[2], to[3]), crossOf(to[3], to[0])};
+}
+
+/// Of a quadrilateral.
+inline std::array<Vec3, 4> QualityEvaluator::halvesOf(Index face) const
+{
+  const auto points = region_.face(face);
+  const auto way = [&](int a, int b) -> Vec3 { return region_.points[points[b]] - region_.points[points[a]]; };
+  const Vec3 diagonal = way(0, 2);
+  const Vec3 other = way(1, 3);
+  return {crossOf(way(0, 1), diagonal), crossOf(diagonal, way(0, 3)), crossOf(way(1, 2), other),
+          crossOf(other, way(1, 0))};
+}
+
 } // namespace atria

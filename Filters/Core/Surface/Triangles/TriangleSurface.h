@@ -19,4 +19,7 @@ struct TriangleSurface
   std::vector<std::string> names;
 };
 
+/// The sum of the triangles' areas. Throws Error where it is not finite, or no triangle has one.
+double areaOf(const TriangleSurface& surface);
+
 } // namespace atria
