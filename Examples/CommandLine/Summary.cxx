@@ -133,8 +133,7 @@ std::string leftOutText(const Json& zones, const Json& diagnostics)
   }
   if (const auto count = diagnostics["LeftOutElement"].get<long long>(); count > 0)
   {
-    text +=
-        std::string(text.empty() ? "" : ", ") + "elements at walls that would not be valid " + std::to_string(count);
+    text += std::string(text.empty() ? "" : ", ") + "elements that would not be valid " + std::to_string(count);
   }
   if (const Json& withoutFaces = diagnostics["SurfaceWithoutFaces"]; !withoutFaces.empty())
   {

@@ -36,14 +36,14 @@
  * sealed seed reaches the outside; ClosedCrack, a gap beside a boundary edge, narrower than an octant, that the mesh
  * closes; OpenCrack, one that stays open; DetachedVertex, a vertex that had to leave the model for elements to be
  * valid, with the way to where it should be; Cluster, a vertex in an octant with more pieces of the model than it can
- * show; LeftOutElement, the middle of an element at a wall that is not in the mesh, as it could not be made valid. Cell
- * arrays: `Diagnostic` (int, index into the field array `DiagnosticName`), `CellId` (vtkIdType; -1 for a leak that is
- * not in the mesh), `Width` (double, of leaks and cracks; of elements left out, the edge of a cube of their volume).
- * Field array `SurfaceWithoutFaces`: names of surfaces that got no face. Field arrays `Zone...` have an entry for each
- * zone, those left out included, by ZoneId; `Leak...` one for each leak: see docs/arrays.md. Field arrays
- * `LayerSurface`, `LayersAsked`, `LayerArea`, `LayerCoverage`, `LayerFullCoverage`, `LayerThicknessRatio`: what became
- * of layers, an entry for each surface that was to have some. Field array `SizingWarning`: what MaxElements left out,
- * if anything. Field arrays `RepairName` and `RepairValue`: what was changed to make the surfaces sound, and
+ * show; LeftOutElement, the middle of an element at a wall or a side of the domain that is not in the mesh, as it could
+ * not be made valid. Cell arrays: `Diagnostic` (int, index into the field array `DiagnosticName`), `CellId` (vtkIdType;
+ * -1 for a leak that is not in the mesh), `Width` (double, of leaks and cracks; of elements left out, the edge of a
+ * cube of their volume). Field array `SurfaceWithoutFaces`: names of surfaces that got no face. Field arrays `Zone...`
+ * have an entry for each zone, those left out included, by ZoneId; `Leak...` one for each leak: see docs/arrays.md.
+ * Field arrays `LayerSurface`, `LayersAsked`, `LayerArea`, `LayerCoverage`, `LayerFullCoverage`, `LayerThicknessRatio`:
+ * what became of layers, an entry for each surface that was to have some. Field array `SizingWarning`: what MaxElements
+ * left out, if anything. Field arrays `RepairName` and `RepairValue`: what was changed to make the surfaces sound, and
  * `HiddenDetailSurface` with what of which surfaces is too fine for the mesh; see docs/arrays.md.
  *
  * Elements may still be inverted where the model is finer than the octants: vtkAtriaMeshQuality tells which.

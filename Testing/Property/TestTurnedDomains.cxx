@@ -211,14 +211,15 @@ double offSide(const Vec3& point, int number, const atria::PlacedPrism& domain)
   return (onSide(point, number, domain) - point).norm();
 }
 
-/// Calls visit(point, side) for the points of faces named after sides of the domain.
+/// Calls visit(point, side) for the points of faces on sides of the domain. What has the name of a side, but is on
+/// none, is about an element that is left out.
 template <typename Visit> void eachPointOfSides(const atria::DualMesh& mesh, atria::Index names, Visit&& visit)
 {
   for (const atria::BoundaryFace& face : mesh.boundaryFaces)
   {
     const int side = static_cast<int>(face.tag) - static_cast<int>(names);
     const atria::ReducedFace reduced = atria::faceOf(mesh.corners[face.element], face.direction);
-    for (int i = 0; i < reduced.count && side >= 0; ++i)
+    for (int i = 0; i < reduced.count && side >= 0 && face.onDomainSide; ++i)
     {
       visit(reduced.points[i], side);
     }

@@ -130,7 +130,9 @@ ImprovedMesh growLayers(ClassifiedMesh given, const WallOptions& wallOptions, co
   out.detached = std::move(detached);
   if (options.isAsked() || wallOptions.supportElements)
   {
-    leaveOut(findElementsToLeaveOut(out.mesh, failing, context), out);
+    // Those of turned domains have layers that hold vertices of bad elements away from them.
+    const bool sidesToo = !context.octree.frame().turnedDomain;
+    leaveOut(findElementsToLeaveOut(out.mesh, failing, sidesToo, context), out);
   }
   return out;
 }

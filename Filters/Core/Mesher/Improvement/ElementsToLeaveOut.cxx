@@ -98,18 +98,36 @@ public:
   {
   }
 
-  std::vector<Index> leaveOut()
+  /// Those at sides of the domain go only where others do not help, if at all.
+  std::vector<Index> leaveOut(bool sidesToo)
   {
+    Found found = search(false);
+    if (found.fails > 0 && sidesToo)
+    {
+      Found more = search(true);
+      found = more.fails < found.fails ? std::move(more) : std::move(found);
+    }
+    return found.elements;
+  }
+
+private:
+  struct Found
+  {
+    std::vector<Index> elements;
+    std::size_t fails = noIndex; ///< written cells that still do
+  };
+
+  Found search(bool atSides)
+  {
+    atSides_ = atSides;
+    Found best;
     std::vector<Index> leftOut;
-    std::vector<Index> best;
-    std::size_t fewest = noIndex;
     for (int round = 0; round <= mostRounds; ++round)
     {
       const Judged judged = judge(leftOut);
-      if (judged.count < fewest)
+      if (judged.count < best.fails)
       {
-        fewest = judged.count;
-        best = leftOut;
+        best = {leftOut, judged.count};
       }
       const std::vector<Index> next = toLeaveOut(judged, leftOut);
       if (next.empty())
@@ -122,7 +140,6 @@ public:
     return best;
   }
 
-private:
   struct Judged
   {
     std::size_t count = 0;      ///< of written cells that fail
@@ -234,25 +251,28 @@ private:
   /// At a wall, or at what is the wall without these.
   bool canBeLeftOut(Index element, const std::vector<Index>& leftOut) const
   {
-    return !zones_.contains(element) && (wallOf(mesh_, element) != noIndex || isBeside(element, leftOut));
+    const Index wall = wallOf(mesh_, element);
+    const bool isAtWall = wall != noIndex && (atSides_ || !mesh_.boundaryFaces[wall].onDomainSide);
+    return !zones_.contains(element) && (isAtWall || isBeside(element, leftOut));
   }
 
   const DualMesh& mesh_;
   const std::vector<Index>& failing_;
   const std::set<Index>& zones_;
   const RunContext& context_;
+  bool atSides_ = false;
 };
 
 } // namespace
 
-std::vector<Index> findElementsToLeaveOut(const DualMesh& mesh, const std::vector<Index>& failing,
+std::vector<Index> findElementsToLeaveOut(const DualMesh& mesh, const std::vector<Index>& failing, bool sidesToo,
                                           const RunContext& context)
 {
   std::vector<Index> found;
   const std::set<Index> zones = failing.empty() ? std::set<Index>() : elementsAtZoneFaces(mesh);
   for (const std::vector<Index>& place : placesOf(mesh, failing))
   {
-    const std::vector<Index> leftOut = Place(mesh, place, zones, context).leaveOut();
+    const std::vector<Index> leftOut = Place(mesh, place, zones, context).leaveOut(sidesToo);
     found.insert(found.end(), leftOut.begin(), leftOut.end());
   }
   sortUnique(found);

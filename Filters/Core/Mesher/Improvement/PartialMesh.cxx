@@ -137,18 +137,21 @@ PartialMesh makePartialMesh(const DualMesh& mesh, const std::vector<Index>& elem
 Index wallOf(const DualMesh& mesh, Index element)
 {
   Index wall = noIndex;
+  bool onSide = true;
   double largest = 0.0;
   for (int direction = 0; direction < 6; ++direction)
   {
     const std::int32_t code = mesh.neighbors[element][direction];
-    if (!DualMesh::isBoundary(code) || mesh.boundaryFaces[DualMesh::boundaryFaceOf(code)].onDomainSide)
+    if (!DualMesh::isBoundary(code))
     {
       continue;
     }
     const double area = measurePolygon(mesh.points, faceOf(mesh.corners[element], direction).loop()).area.norm();
-    if (area > largest)
+    const BoundaryFace& face = mesh.boundaryFaces[DualMesh::boundaryFaceOf(code)];
+    if ((onSide && !face.onDomainSide) || (onSide == face.onDomainSide && area > largest))
     {
       largest = area;
+      onSide = face.onDomainSide;
       wall = DualMesh::boundaryFaceOf(code);
     }
   }

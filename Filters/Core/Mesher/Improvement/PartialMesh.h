@@ -19,7 +19,8 @@ struct PartialMesh
 PartialMesh makePartialMesh(const DualMesh& mesh, const std::vector<Index>& elements,
                             const std::vector<Index>& leftOut = {});
 
-/// The largest of an element's boundary faces that are on no side of the domain; noIndex where there is none.
+/// The largest of an element's boundary faces that are on no side of the domain, or of all where there are none;
+/// noIndex where it has none.
 Index wallOf(const DualMesh& mesh, Index element);
 
 /// For each of some elements, in order, that are left out: the boundary face of whose surface the mesh's boundary is
