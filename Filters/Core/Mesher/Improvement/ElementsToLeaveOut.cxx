@@ -102,7 +102,7 @@ public:
   std::vector<Index> leaveOut(bool sidesToo)
   {
     Found found = search(false);
-    if (found.fails > 0 && sidesToo)
+    if (found.fails > 0 && found.isAtSides && sidesToo)
     {
       Found more = search(true);
       found = more.fails < found.fails ? std::move(more) : std::move(found);
@@ -115,6 +115,7 @@ private:
   {
     std::vector<Index> elements;
     std::size_t fails = noIndex; ///< written cells that still do
+    bool isAtSides = false;      ///< whether elements at sides of the domain failed by themselves
   };
 
   Found search(bool atSides)
@@ -125,9 +126,11 @@ private:
     for (int round = 0; round <= mostRounds; ++round)
     {
       const Judged judged = judge(leftOut);
+      best.isAtSides = best.isAtSides || std::ranges::any_of(judged.alone, [&](Index e) { return isAtSide(e); });
       if (judged.count < best.fails)
       {
-        best = {leftOut, judged.count};
+        best.elements = leftOut;
+        best.fails = judged.count;
       }
       const std::vector<Index> next = toLeaveOut(judged, leftOut);
       if (next.empty())
@@ -248,11 +251,17 @@ private:
     });
   }
 
+  /// At no wall, but at a side of the domain.
+  bool isAtSide(Index element) const
+  {
+    const Index wall = wallOf(mesh_, element);
+    return wall != noIndex && mesh_.boundaryFaces[wall].onDomainSide;
+  }
+
   /// At a wall, or at what is the wall without these.
   bool canBeLeftOut(Index element, const std::vector<Index>& leftOut) const
   {
-    const Index wall = wallOf(mesh_, element);
-    const bool isAtWall = wall != noIndex && (atSides_ || !mesh_.boundaryFaces[wall].onDomainSide);
+    const bool isAtWall = wallOf(mesh_, element) != noIndex && (atSides_ || !isAtSide(element));
     return !zones_.contains(element) && (isAtWall || isBeside(element, leftOut));
   }
 
