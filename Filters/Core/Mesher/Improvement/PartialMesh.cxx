@@ -160,29 +160,36 @@ Index wallOf(const DualMesh& mesh, Index element)
 
 std::vector<Index> wallsOf(const DualMesh& mesh, const std::vector<Index>& elements)
 {
-  std::vector<Index> walls;
+  std::vector<Index> own(elements.size());
+  std::ranges::transform(elements, own.begin(), [&](Index e) { return wallOf(mesh, e); });
+  std::vector<Index> walls(elements.size(), noIndex);
   std::vector<Index> reached; // places in `elements`
-  for (const Index e : elements)
+  std::size_t next = 0;
+  // Sides of the domain last, so that a wall goes round what is left out.
+  for (const bool onSide : {false, true})
   {
-    walls.push_back(wallOf(mesh, e));
-    if (walls.back() != noIndex)
+    for (Index i = 0; i < elements.size(); ++i)
     {
-      reached.push_back(static_cast<Index>(walls.size() - 1));
-    }
-  }
-  for (std::size_t i = 0; i < reached.size(); ++i)
-  {
-    for (const std::int32_t code : mesh.neighbors[elements[reached[i]]])
-    {
-      if (code < 0 || !std::ranges::binary_search(elements, static_cast<Index>(code)))
+      if (walls[i] == noIndex && own[i] != noIndex && mesh.boundaryFaces[own[i]].onDomainSide == onSide)
       {
-        continue;
+        walls[i] = own[i];
+        reached.push_back(i);
       }
-      const std::size_t next = placeIn(elements, static_cast<Index>(code));
-      if (walls[next] == noIndex)
+    }
+    for (; next < reached.size(); ++next)
+    {
+      for (const std::int32_t code : mesh.neighbors[elements[reached[next]]])
       {
-        walls[next] = walls[reached[i]];
-        reached.push_back(static_cast<Index>(next));
+        if (code < 0 || !std::ranges::binary_search(elements, static_cast<Index>(code)))
+        {
+          continue;
+        }
+        const std::size_t beside = placeIn(elements, static_cast<Index>(code));
+        if (walls[beside] == noIndex)
+        {
+          walls[beside] = walls[reached[next]];
+          reached.push_back(static_cast<Index>(beside));
+        }
       }
     }
   }

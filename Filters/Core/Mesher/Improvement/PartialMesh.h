@@ -24,7 +24,8 @@ PartialMesh makePartialMesh(const DualMesh& mesh, const std::vector<Index>& elem
 Index wallOf(const DualMesh& mesh, Index element);
 
 /// For each of some elements, in order, that are left out: the boundary face of whose surface the mesh's boundary is
-/// then. That is wallOf() the element, or of the nearest of these from face to face. noIndex where none is at a wall.
+/// then. That is wallOf() the element, or of the nearest of these from face to face; one on a side of the domain only
+/// where no other is. noIndex where none is at a wall.
 std::vector<Index> wallsOf(const DualMesh& mesh, const std::vector<Index>& elements);
 
 } // namespace atria
