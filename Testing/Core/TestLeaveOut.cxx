@@ -180,28 +180,33 @@ TEST(LeaveOut, LeavesLessThatFails)
   EXPECT_LT(after, before);
 }
 
-/// By point, whether an element for which `isOne` holds has it.
-template <typename IsOne> std::vector<char> pointsOf(const DualMesh& mesh, IsOne&& isOne)
+/// Whether an element has a face on a wall, or on sides of the domain alone.
+bool isAt(bool side, const DualMesh& mesh, Index element)
+{
+  const Index wall = wallOf(mesh, element);
+  return wall != noIndex && mesh.boundaryFaces[wall].onDomainSide == side;
+}
+
+/// By point, whether an element at a wall, or at a side alone, has it.
+std::vector<char> pointsAt(bool side, const DualMesh& mesh)
 {
   std::vector<char> marked(mesh.points.size(), 0);
   for (Index e = 0; e < mesh.elementCount(); ++e)
   {
-    for (const Index p : mesh.corners[e])
+    if (isAt(side, mesh, e))
     {
-      marked[p] |= isOne(e) ? 1 : 0;
+      std::ranges::for_each(mesh.corners[e], [&](Index p) { marked[p] = 1; });
     }
   }
   return marked;
 }
 
-/// Turns over elements about a point that no element at a wall has, but one beside some of these points. Returns those
-/// that fail.
-std::vector<Index> turnOver(DualMesh& mesh, const std::vector<char>& beside, unsigned seed)
+/// Turns over elements about a point that no element at a wall has, but one beside those at a wall, or at a side.
+/// Returns those that fail.
+std::vector<Index> turnOver(DualMesh& mesh, bool atSide, unsigned seed)
 {
-  const std::vector<char> atWalls = pointsOf(mesh, [&](Index e) {
-    const Index wall = wallOf(mesh, e);
-    return wall != noIndex && !mesh.boundaryFaces[wall].onDomainSide;
-  });
+  const std::vector<char> atWalls = pointsAt(false, mesh);
+  const std::vector<char> beside = pointsAt(atSide, mesh);
   std::vector<char> onBoundary(mesh.points.size(), 0);
   for (const BoundaryFace& face : mesh.boundaryFaces)
   {
@@ -230,62 +235,64 @@ std::vector<Index> turnOver(DualMesh& mesh, const std::vector<char>& beside, uns
   return failingAsWritten(mesh, {.mergeCells = false, .mergeFaces = true});
 }
 
-TEST(LeaveOut, ReachesWhatFailsBehindWalls)
+/// Leaves elements out, and returns how many fail then.
+std::size_t failingWithout(const std::vector<Index>& elements, ImprovedMesh improved)
+{
+  EXPECT_THAT(wallsOf(improved.mesh, elements), Each(Ne(noIndex)));
+  const std::vector<double> before = volumes(improved.mesh);
+  const double gone =
+      std::transform_reduce(elements.begin(), elements.end(), 0.0, std::plus(), [&](Index e) { return before[e]; });
+  const double whole = totalVolume(improved.mesh);
+  leaveOut(elements, improved);
+  EXPECT_TRUE(elementsAreClosed(improved.mesh));
+  EXPECT_TRUE(boundaryIsWatertight(improved.mesh));
+  EXPECT_NEAR(totalVolume(improved.mesh) + gone, whole, 1e-9);
+  return failingAsWritten(improved.mesh).size();
+}
+
+/// How many elements fail where some are turned over in meshes, and without what is left out then: at walls, and at
+/// sides of the domain, too.
+struct FailingSums
 {
   std::size_t before = 0;
-  std::size_t after = 0;
+  std::size_t atWalls = 0;
+  std::size_t withSides = 0;
+};
+
+FailingSums failingWhereTurnedOver(bool atSide)
+{
+  FailingSums sums;
   for (unsigned seed = 0; seed < 6; ++seed)
   {
     SCOPED_TRACE(seed);
     ImprovedMesh improved = improvedOf(sample());
-    const std::vector<char> atWalls = pointsOf(improved.mesh, [&](Index e) {
-      const Index wall = wallOf(improved.mesh, e);
-      return wall != noIndex && !improved.mesh.boundaryFaces[wall].onDomainSide;
-    });
-    const std::vector<Index> byThemselves = turnOver(improved.mesh, atWalls, seed);
-    EXPECT_FALSE(byThemselves.empty());
-    const std::size_t failing = failingAsWritten(improved.mesh).size();
-    const std::vector<Index> found = findElementsToLeaveOut(improved.mesh, byThemselves, false, quietContext());
-    EXPECT_THAT(wallsOf(improved.mesh, found), Each(Ne(noIndex)));
-    leaveOut(found, improved);
-    const std::size_t left = failingAsWritten(improved.mesh).size();
-    EXPECT_LE(left, failing);
-    EXPECT_TRUE(elementsAreClosed(improved.mesh));
-    before += failing;
-    after += left;
+    const std::vector<Index> alone = turnOver(improved.mesh, atSide, seed);
+    EXPECT_FALSE(alone.empty());
+    const std::size_t before = failingAsWritten(improved.mesh).size();
+    const std::vector<Index> found = findElementsToLeaveOut(improved.mesh, alone, false, quietContext());
+    EXPECT_TRUE(!atSide || found.empty());
+    const std::size_t atWalls = failingWithout(found, improved);
+    const std::size_t withSides =
+        failingWithout(findElementsToLeaveOut(improved.mesh, alone, true, quietContext()), improved);
+    EXPECT_LE(atWalls, before);
+    EXPECT_LE(withSides, atWalls);
+    sums.before += before;
+    sums.atWalls += atWalls;
+    sums.withSides += withSides;
   }
-  EXPECT_LT(after, before);
+  return sums;
+}
+
+TEST(LeaveOut, ReachesWhatFailsBehindWalls)
+{
+  const FailingSums failing = failingWhereTurnedOver(false);
+  EXPECT_LT(failing.atWalls, failing.before);
 }
 
 TEST(LeaveOut, TakesElementsAtSidesIfNothingElseHelps)
 {
-  std::size_t before = 0;
-  std::size_t after = 0;
-  for (unsigned seed = 0; seed < 6; ++seed)
-  {
-    SCOPED_TRACE(seed);
-    ImprovedMesh improved = improvedOf(sample());
-    const std::vector<char> atSides = pointsOf(improved.mesh, [&](Index e) {
-      const Index wall = wallOf(improved.mesh, e);
-      return wall != noIndex && improved.mesh.boundaryFaces[wall].onDomainSide;
-    });
-    const std::vector<Index> byThemselves = turnOver(improved.mesh, atSides, seed);
-    const std::size_t failing = failingAsWritten(improved.mesh).size();
-    EXPECT_TRUE(findElementsToLeaveOut(improved.mesh, byThemselves, false, quietContext()).empty());
-    const std::vector<Index> found = findElementsToLeaveOut(improved.mesh, byThemselves, true, quietContext());
-    const double whole = totalVolume(improved.mesh);
-    const std::vector<double> parts = volumes(improved.mesh);
-    leaveOut(found, improved);
-    EXPECT_LE(failingAsWritten(improved.mesh).size(), failing);
-    EXPECT_TRUE(elementsAreClosed(improved.mesh));
-    EXPECT_TRUE(boundaryIsWatertight(improved.mesh));
-    const double gone =
-        std::transform_reduce(found.begin(), found.end(), 0.0, std::plus(), [&](Index e) { return parts[e]; });
-    EXPECT_NEAR(totalVolume(improved.mesh) + gone, whole, 1e-9);
-    before += failing;
-    after += failingAsWritten(improved.mesh).size();
-  }
-  EXPECT_LT(after, before);
+  const FailingSums failing = failingWhereTurnedOver(true);
+  EXPECT_LT(failing.withSides, failing.before);
 }
 
 } // namespace

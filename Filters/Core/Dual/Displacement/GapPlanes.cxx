@@ -143,29 +143,28 @@ private:
     {
       return std::nullopt;
     }
-    NearestPlace best{p};
-    std::size_t on = 0;
+    std::pair best(std::numeric_limits<double>::infinity(), std::size_t{0}); // squared distance, triangle
+    Vec3 at = p;
     const auto offer = [&](std::size_t i) {
       const Index t = triangles[begin + i].second;
       const Vec3 q = nearestOnTriangle(p, toVector(model().corner(t, 0)), toVector(model().corner(t, 1)),
                                        toVector(model().corner(t, 2)));
-      const double squared = (q - p).squaredNorm();
-      if (squared < best.squaredDistance || (squared == best.squaredDistance && i < on))
+      if (const std::pair found((q - p).squaredNorm(), i); found < best)
       {
-        best = {p, q, squared};
-        on = i;
+        best = found;
+        at = q;
       }
     };
     const auto nearest = static_cast<std::size_t>(std::ranges::min_element(reaches) - reaches.begin());
     offer(nearest);
     for (std::size_t i = 0; i < reaches.size(); ++i)
     {
-      if (i != nearest && (reaches[i] < best.squaredDistance || (reaches[i] == best.squaredDistance && i < on)))
+      if (i != nearest && std::pair(reaches[i], i) < best)
       {
         offer(i);
       }
     }
-    return Nearest{best.at, triangles[begin + on].second};
+    return Nearest{at, triangles[begin + best.second].second};
   }
 
   /// The nearest points of the charts about a point, by chart.

@@ -105,7 +105,10 @@ public:
     if (found.fails > 0 && found.isAtSides && sidesToo)
     {
       Found more = search(true);
-      found = more.fails < found.fails ? std::move(more) : std::move(found);
+      if (more.fails < found.fails)
+      {
+        return more.elements;
+      }
     }
     return found.elements;
   }

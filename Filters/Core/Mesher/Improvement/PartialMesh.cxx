@@ -137,8 +137,7 @@ PartialMesh makePartialMesh(const DualMesh& mesh, const std::vector<Index>& elem
 Index wallOf(const DualMesh& mesh, Index element)
 {
   Index wall = noIndex;
-  bool onSide = true;
-  double largest = 0.0;
+  std::pair largest(false, 0.0); // on no side, area
   for (int direction = 0; direction < 6; ++direction)
   {
     const std::int32_t code = mesh.neighbors[element][direction];
@@ -148,10 +147,9 @@ Index wallOf(const DualMesh& mesh, Index element)
     }
     const double area = measurePolygon(mesh.points, faceOf(mesh.corners[element], direction).loop()).area.norm();
     const BoundaryFace& face = mesh.boundaryFaces[DualMesh::boundaryFaceOf(code)];
-    if ((onSide && !face.onDomainSide) || (onSide == face.onDomainSide && area > largest))
+    if (const std::pair size(!face.onDomainSide, area); size > largest)
     {
-      largest = area;
-      onSide = face.onDomainSide;
+      largest = size;
       wall = DualMesh::boundaryFaceOf(code);
     }
   }
