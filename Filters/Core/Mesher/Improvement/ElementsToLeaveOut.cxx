@@ -9,7 +9,9 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <numeric>
 #include <set>
+#include <tuple>
 
 namespace atria {
 
@@ -21,6 +23,13 @@ constexpr int rows = judgedRows + 1;
 /// How often what comes to fail beside elements that are left out is left out, too: rows of elements along an edge go
 /// one after the other.
 constexpr int mostRounds = 12;
+
+/// To a list in order.
+void add(const std::vector<Index>& elements, std::vector<Index>& list)
+{
+  list.insert(list.end(), elements.begin(), elements.end());
+  sortUnique(list);
+}
 
 /// By element, how many rows away from some elements it is.
 using Rows = std::map<Index, int>;
@@ -87,18 +96,118 @@ std::set<Index> elementsAtZoneFaces(const DualMesh& mesh)
   return elements;
 }
 
+/// Elements with several faces on one side of a surface: what lies in one plane is written as one.
+std::vector<Index> elementsWithUnions(const DualMesh& mesh)
+{
+  std::vector<std::tuple<Index, Index, SheetSide>> patches; // of faces, after their elements
+  for (const BoundaryFace& face : mesh.boundaryFaces)
+  {
+    patches.emplace_back(face.element, face.tag, face.side);
+  }
+  std::ranges::sort(patches);
+  std::vector<Index> elements;
+  for (std::size_t i = 1; i < patches.size(); ++i)
+  {
+    if (patches[i] == patches[i - 1])
+    {
+      elements.push_back(std::get<0>(patches[i]));
+    }
+  }
+  return elements;
+}
+
+/// What fails of a part of a mesh as it is written.
+struct JudgedPart
+{
+  std::size_t count = 0;      ///< of written cells
+  std::vector<Index> failing; ///< elements in these, in order
+  std::vector<Index> alone;   ///< those of them that fail by themselves, too
+};
+
+/// Judges elements as they are written without some of them.
+class PartJudge
+{
+public:
+  PartJudge(const DualMesh& whole, const RunContext& within) : mesh(whole), context(within) {}
+
+  /// What is about some elements, when these are left out.
+  JudgedPart judge(const std::vector<Index>& about, const std::vector<Index>& leftOut) const
+  {
+    const Rows rowOf = rowsAbout(mesh, about);
+    std::vector<Index> elements;
+    for (const auto& [element, row] : rowOf)
+    {
+      if (!std::ranges::binary_search(leftOut, element))
+      {
+        elements.push_back(element);
+      }
+    }
+    const PartialMesh part = makePartialMesh(mesh, elements, leftOut);
+    // What is beyond is not whole.
+    std::vector<Index> beyond(part.mesh.cellCount - elements.size());
+    std::iota(beyond.begin(), beyond.end(), static_cast<Index>(elements.size()));
+    const std::vector<Index> written = failingCells(part, {.keptCells = beyond});
+    if (std::ranges::all_of(written, [](Index cell) { return cell == noIndex; }))
+    {
+      return {};
+    }
+    const std::vector<Index> single = failingCells(part, {.mergeCells = false});
+    JudgedPart judged;
+    std::set<Index> cells;
+    for (Index i = 0; i < elements.size(); ++i)
+    {
+      if (written[i] != noIndex && rowOf.at(elements[i]) <= judgedRows)
+      {
+        judged.failing.push_back(elements[i]);
+        cells.insert(written[i]);
+        if (single[i] != noIndex)
+        {
+          judged.alone.push_back(elements[i]);
+        }
+      }
+    }
+    judged.count = cells.size();
+    return judged;
+  }
+
+private:
+  /// By element of a part, the written cell it is in where that fails; noIndex where it does not.
+  std::vector<Index> failingCells(const PartialMesh& part, const UnionOptions& options) const
+  {
+    SilentMonitor silent;
+    const RunContext quiet{context.executor, ProgressRange(silent)};
+    const JudgedMesh written = uniteAndJudge([&] { return part.mesh; }, part.patchOf, options, quiet);
+    context.progress.check();
+    std::vector<std::uint32_t> fails = failedErrorsOfCells(measureMesh(written.mesh, quiet), written.verdict);
+    for (std::size_t i = 0; i < written.added.size(); ++i)
+    {
+      fails[written.added[i]] |= fails[written.pyramid(i)];
+    }
+    std::vector<Index> cells(part.mesh.cellCount);
+    for (Index i = 0; i < cells.size(); ++i)
+    {
+      const Index cell = written.cellOf.empty() ? i : written.cellOf[i];
+      cells[i] = fails[cell] != 0 ? cell : noIndex;
+    }
+    return cells;
+  }
+
+  const DualMesh& mesh;
+  const RunContext& context;
+};
+
 /// Elements of a place at which something is to be left out.
 class Place
 {
 public:
-  /// Elements at `zones` have a face of a face zone, which has elements on both sides.
-  Place(const DualMesh& mesh, const std::vector<Index>& failing, const std::set<Index>& zones,
-        const RunContext& context)
-      : mesh_(mesh), failing_(failing), zones_(zones), context_(context)
+  /// Some are left out already. Elements at `zones` have a face of a face zone, which has elements on both sides.
+  Place(const DualMesh& mesh, const std::vector<Index>& failing, const std::vector<Index>& leftOut,
+        const std::set<Index>& zones, const PartJudge& judge)
+      : mesh_(mesh), failing_(failing), leftOutBefore_(leftOut), zones_(zones), judge_(judge)
   {
   }
 
-  /// Those at sides of the domain go only where others do not help, if at all.
+  /// What is to be left out then, in order. Those at sides of the domain go only where others do not help, if at all.
   std::vector<Index> leaveOut(bool sidesToo)
   {
     Found found = search(false);
@@ -125,10 +234,11 @@ private:
   {
     atSides_ = atSides;
     Found best;
-    std::vector<Index> leftOut;
+    std::vector<Index> leftOut = leftOutBefore_;
+    std::vector<Index> about = failing_;
     for (int round = 0; round <= mostRounds; ++round)
     {
-      const Judged judged = judge(leftOut);
+      const JudgedPart judged = judge_.judge(about, leftOut);
       best.isAtSides = best.isAtSides || std::ranges::any_of(judged.alone, [&](Index e) { return isAtSide(e); });
       if (judged.count < best.fails)
       {
@@ -140,82 +250,15 @@ private:
       {
         break;
       }
-      leftOut.insert(leftOut.end(), next.begin(), next.end());
-      sortUnique(leftOut);
+      add(next, leftOut);
+      add(next, about);
     }
     return best;
   }
 
-  struct Judged
-  {
-    std::size_t count = 0;      ///< of written cells that fail
-    std::vector<Index> failing; ///< elements in these, in order
-    std::vector<Index> alone;   ///< those of them that fail by themselves, too
-  };
-
-  /// As the elements are written without some of them.
-  Judged judge(const std::vector<Index>& leftOut) const
-  {
-    std::vector<Index> changed = failing_;
-    changed.insert(changed.end(), leftOut.begin(), leftOut.end());
-    const Rows rowOf = rowsAbout(mesh_, changed);
-    std::vector<Index> elements;
-    for (const auto& [element, row] : rowOf)
-    {
-      if (!std::ranges::binary_search(leftOut, element))
-      {
-        elements.push_back(element);
-      }
-    }
-    const PartialMesh part = makePartialMesh(mesh_, elements, leftOut);
-    const std::vector<Index> written = failingCells(part, {});
-    if (std::ranges::all_of(written, [](Index cell) { return cell == noIndex; }))
-    {
-      return {};
-    }
-    const std::vector<Index> single = failingCells(part, {.mergeCells = false, .mergeFaces = true});
-    Judged judged;
-    std::set<Index> cells;
-    for (Index i = 0; i < elements.size(); ++i)
-    {
-      if (written[i] != noIndex && rowOf.at(elements[i]) <= judgedRows)
-      {
-        judged.failing.push_back(elements[i]);
-        cells.insert(written[i]);
-        if (single[i] != noIndex)
-        {
-          judged.alone.push_back(elements[i]);
-        }
-      }
-    }
-    judged.count = cells.size();
-    return judged;
-  }
-
-  /// By element of a part, the written cell it is in where that fails; noIndex where it does not.
-  std::vector<Index> failingCells(const PartialMesh& part, const UnionOptions& options) const
-  {
-    SilentMonitor silent;
-    const RunContext quiet{context_.executor, ProgressRange(silent)};
-    const JudgedMesh written = uniteAndJudge([&] { return part.mesh; }, part.patchOf, options, quiet);
-    context_.progress.check();
-    std::vector<std::uint32_t> fails = failedErrorsOfCells(measureMesh(written.mesh, quiet), written.verdict);
-    for (std::size_t i = 0; i < written.added.size(); ++i)
-    {
-      fails[written.added[i]] |= fails[written.pyramid(i)];
-    }
-    std::vector<Index> cells(part.mesh.cellCount);
-    for (Index i = 0; i < cells.size(); ++i)
-    {
-      const Index cell = written.cellOf.empty() ? i : written.cellOf[i];
-      cells[i] = fails[cell] != 0 ? cell : noIndex;
-    }
-    return cells;
-  }
-
   /// Those that fail by themselves; where there are none at a wall, all that are beside what is left out; and where
-  /// there are none of these, what is at a wall beside those that fail: then these are at it.
-  std::vector<Index> toLeaveOut(const Judged& judged, const std::vector<Index>& leftOut) const
+  /// there are none of these, what is at a wall nearest to those that fail: then these come to be at it.
+  std::vector<Index> toLeaveOut(const JudgedPart& judged, const std::vector<Index>& leftOut) const
   {
     const auto onlyThat = [&](std::vector<Index> elements, auto&& isWanted) {
       std::erase_if(elements, [&](Index e) { return !canBeLeftOut(e, leftOut) || !isWanted(e); });
@@ -226,11 +269,13 @@ private:
     {
       found = onlyThat(judged.failing, [&](Index e) { return isBeside(e, leftOut); });
     }
-    if (found.empty())
+    std::vector<Index> ring = judged.failing;
+    for (int row = 1; row <= judgedRows && found.empty(); ++row)
     {
-      // Unions that fail where nothing is left out are the writer's to undo.
-      found = onlyThat(neighborsOf(leftOut.empty() ? judged.alone : judged.failing),
-                       [&](Index e) { return !std::ranges::binary_search(leftOut, e); });
+      ring = neighborsOf(ring);
+      found = onlyThat(ring, [&](Index e) { return !std::ranges::binary_search(leftOut, e); });
+      // From farther away one way to those that fail is enough.
+      found.resize(row == 1 ? found.size() : std::min<std::size_t>(found.size(), 1));
     }
     return found;
   }
@@ -270,8 +315,9 @@ private:
 
   const DualMesh& mesh_;
   const std::vector<Index>& failing_;
+  const std::vector<Index>& leftOutBefore_;
   const std::set<Index>& zones_;
-  const RunContext& context_;
+  const PartJudge& judge_;
   bool atSides_ = false;
 };
 
@@ -280,15 +326,32 @@ private:
 std::vector<Index> findElementsToLeaveOut(const DualMesh& mesh, const std::vector<Index>& failing, bool sidesToo,
                                           const RunContext& context)
 {
-  std::vector<Index> found;
-  const std::set<Index> zones = failing.empty() ? std::set<Index>() : elementsAtZoneFaces(mesh);
-  for (const std::vector<Index>& place : placesOf(mesh, failing))
+  const PartJudge judge(mesh, context);
+  std::vector<Index> about = failing;
+  add(elementsWithUnions(mesh), about);
+  std::vector<Index> best;
+  if (about.empty())
   {
-    const std::vector<Index> leftOut = Place(mesh, place, zones, context).leaveOut(sidesToo);
-    found.insert(found.end(), leftOut.begin(), leftOut.end());
+    return best;
   }
-  sortUnique(found);
-  return found;
+  const std::set<Index> zones = elementsAtZoneFaces(mesh);
+  std::size_t least = noIndex;
+  for (std::vector<Index> leftOut;;)
+  {
+    const JudgedPart judged = judge.judge(about, leftOut);
+    if (judged.count >= least)
+    {
+      return best;
+    }
+    best = leftOut;
+    least = judged.count;
+    // Each place is looked at by itself. What is left out at two of them may make fail what is between.
+    for (const std::vector<Index>& place : placesOf(mesh, judged.failing))
+    {
+      add(Place(mesh, place, best, zones, judge).leaveOut(sidesToo), leftOut);
+    }
+    add(leftOut, about);
+  }
 }
 
 } // namespace atria

@@ -35,7 +35,8 @@ class UnionJudge
 public:
   UnionJudge(const std::function<FaceMesh()>& meshSource, std::span<const Index> patchOfFace,
              const UnionOptions& unionOptions, const RunContext& within)
-      : makeMesh(meshSource), patchOf(patchOfFace), options(unionOptions), context(within)
+      : makeMesh(meshSource), patchOf(patchOfFace), options(unionOptions), context(within),
+        keptCells(unionOptions.keptCells.begin(), unionOptions.keptCells.end())
   {
   }
 

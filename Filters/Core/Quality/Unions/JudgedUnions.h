@@ -20,6 +20,8 @@ struct UnionOptions
   bool mergeFaces = true; ///< see mergeCoplanarFaces()
   /// For each internal face the number of its zone or noIndex, as in KeptParts.
   std::span<const Index> zoneOf = {};
+  /// Cells that are not made one with others, nor cut, rising.
+  std::span<const Index> keptCells = {};
 };
 
 struct JudgedMesh
