@@ -168,8 +168,8 @@ TEST(DoubledWall, KeepsItsRoomClosed)
   }
 }
 
-/// Faces in one plane that cannot be made one, as they have a waist, are brought into shape: of these soups one element
-/// each was concave.
+/// Of these soups an element each has two faces in one plane that cannot be made one: their common edge is a waist of the
+/// union.
 TEST(WaistsOfFaces, LeaveNoConcaveElement)
 {
   if (!haveCheckMesh())

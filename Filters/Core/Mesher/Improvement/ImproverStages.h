@@ -99,10 +99,7 @@ std::vector<ImproverStage> straighteningStages(const MeshTraits& traits);
 QualityTargets targetsOfLargestAngle(const MeshTraits& traits);
 inline constexpr std::array reachesForAngles{0.4, 0.75};
 
-/// 8. Faces in one plane that cannot be made one are brought into a better shape, in so many rounds.
-inline constexpr int mostWaistRounds = 3;
-
-/// 9. Crease sheets begin flat; what does not come right at once gets more room. Then limits rise, as cells far from
+/// 8. Crease sheets begin flat; what does not come right at once gets more room. Then limits rise, as cells far from
 /// the last ones find no way there. The stages after the first few are for what is still short of
 /// `wantedOfCreaseSheets`.
 std::vector<ImproverStage> soundCreaseStages(const MeshTraits& traits);

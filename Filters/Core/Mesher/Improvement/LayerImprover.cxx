@@ -7,7 +7,6 @@
 #include "Mesher/Improvement/LayerDivision.h"
 #include "Mesher/Improvement/Straightening.h"
 #include "Mesher/Improvement/SupportingLayer.h"
-#include "Mesher/Improvement/Waists.h"
 
 #include <algorithm>
 #include <optional>
@@ -143,7 +142,6 @@ ImprovedLayer improveLayer(const MeshingContext& context, const VertexClassifica
   {
     finishWhole(state, detachment, isCurved ? &*curved : nullptr, context);
   }
-  widenWaists(state, detachment);
   if (traits.isSingle() && traits.uniform)
   {
     enter(state, context, 0.9, 1.0, "Adding crease sheets");

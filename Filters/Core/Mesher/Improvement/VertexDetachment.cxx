@@ -179,14 +179,6 @@ void VertexDetachment::detach(const std::vector<ShortCell>& cells, double reach)
   });
 }
 
-void VertexDetachment::letGoOn(Index leader, double reach)
-{
-  if (isLeft_[leader])
-  {
-    leaveSurface(leader, reach);
-  }
-}
-
 /// Takes the points of cells towards the centers of their octants.
 void VertexDetachment::startAgain(const std::vector<ShortCell>& bad, double share)
 {

@@ -36,8 +36,6 @@ public:
   void putBack();
   /// Lets the points of cells leave their curves, and their surfaces by `reach` octants.
   void detach(const std::vector<ShortCell>& cells, double reach);
-  /// Lets a vertex that is away from the model go on by `reach` octants.
-  void letGoOn(Index leader, double reach);
   /// Forgets the points that are back; the others stay where they are.
   void keepThoseAway();
 
