@@ -2,7 +2,7 @@
 #include "Dual/Zones/CrackClosing.h"
 
 #include "Octree/Tree/GeometryLists.h"
-#include "Support/Sorting.h"
+#include "Support/Numbering.h"
 
 #include <algorithm>
 
@@ -18,29 +18,26 @@ bool isUncut(Index point, int direction, const Crossings& crossings)
                    : DualMesh::isBoundary(code) && crossings.boundaryFaces[DualMesh::boundaryFaceOf(code)].onDomainSide;
 }
 
-/// Grid points of the leaves about a bridge.
-std::vector<Index> pointsAbout(const BridgeTriangle& bridge, const GridPlaces& grid)
+LatticeBox boundsOf(const BridgeTriangle& bridge)
 {
   const auto& [a, b, c] = bridge;
-  const Octree& octree = grid.octree();
-  const GridFrame& frame = octree.frame();
-  // Edges with an end that was moved lie off their leaves, by up to an octant.
-  const std::int64_t margin =
-      grid.displacedCount() == 0 || !frame.inDomain(a) ? 0 : frame.latticeSize(octree.level(octree.leafAt(a)));
   LatticeBox box;
   for (int axis = 0; axis < 3; ++axis)
   {
-    box.low[axis] = std::min({a[axis], b[axis], c[axis]}) - margin;
-    box.high[axis] = std::max({a[axis], b[axis], c[axis]}) + margin;
+    box.low[axis] = std::min({a[axis], b[axis], c[axis]});
+    box.high[axis] = std::max({a[axis], b[axis], c[axis]});
   }
-  std::vector<Index> points;
-  for (const Index leaf : leavesTouching(octree, box))
+  return box;
+}
+
+LatticeBox grown(LatticeBox box, std::int64_t by)
+{
+  for (int axis = 0; axis < 3; ++axis)
   {
-    const auto& corners = grid.points().atCorner[leaf];
-    std::ranges::copy_if(corners, std::back_inserter(points), [](Index point) { return point != noIndex; });
+    box.low[axis] -= by;
+    box.high[axis] += by;
   }
-  sortUnique(points);
-  return points;
+  return box;
 }
 
 /// Puts the cut of an edge on record, as findCrossings does.
@@ -74,11 +71,12 @@ std::vector<PassingEdge> passingEdgesOf(Index edge, const BoundaryGaps& gaps, co
                                         const GridPlaces& grid, double tolerance, const SurfaceModel& model)
 {
   const Index triangle = gaps.boundary.edges()[edge].triangle;
+  PassageFinder finder(crossings, grid);
   std::vector<PassingEdge> found;
   const auto look = [&](const std::vector<BridgeTriangle>& bridges) {
     for (const BridgeTriangle& bridge : bridges)
     {
-      const std::vector<PassingEdge> passages = passingEdgesOf(bridge, triangle, crossings, grid);
+      const std::vector<PassingEdge>& passages = finder.through(bridge, triangle);
       found.insert(found.end(), passages.begin(), passages.end());
     }
   };
@@ -100,26 +98,57 @@ std::vector<PassingEdge> passingEdgesOf(Index edge, const BoundaryGaps& gaps, co
 
 } // namespace
 
-std::vector<PassingEdge> passingEdgesOf(const BridgeTriangle& bridge, Index triangle, const Crossings& crossings,
-                                        const GridPlaces& grid)
+const std::vector<PassingEdge>& PassageFinder::through(const BridgeTriangle& bridge, Index triangle)
 {
-  std::vector<PassingEdge> passages;
-  for (const Index point : pointsAbout(bridge, grid))
+  const GridFrame& frame = grid_.octree().frame();
+  const LatticePoint& at = bridge.front();
+  const std::int64_t size =
+      frame.inDomain(at) ? frame.latticeSize(grid_.octree().level(grid_.octree().leafAt(at))) : 0;
+  // Edges with an end that was moved lie off their leaves, by up to an octant.
+  const LatticeBox about = grown(boundsOf(bridge), grid_.displacedCount() == 0 ? 0 : size);
+  if (!gathered_ || !gathered_->contains(about.low) || !gathered_->contains(about.high))
   {
-    for (int direction = 0; direction < 6; ++direction)
+    gather(grown(about, size / 2)); // the next bridges are near
+  }
+  found_.clear();
+  for (const UncutEdge& edge : edges_)
+  {
+    if (const auto cut = crossingOf(edge.segment, bridge[0], bridge[1], bridge[2], triangle))
     {
-      if (!isUncut(point, direction, crossings))
+      found_.push_back({edge.point, edge.direction, *cut});
+    }
+  }
+  return found_;
+}
+
+/// The uncut edges at the corners of the leaves about a box.
+void PassageFinder::gather(const LatticeBox& box)
+{
+  gathered_ = box;
+  const std::vector<Index> leaves = leavesTouching(grid_.octree(), box);
+  std::vector<Index> points;
+  Numbering numbers(2 * leaves.size());
+  for (const Index leaf : leaves)
+  {
+    for (const Index point : grid_.points().atCorner[leaf])
+    {
+      if (point != noIndex)
       {
-        continue;
-      }
-      const EdgeSegment segment = grid.segment(point, direction, grid.edge(point, direction));
-      if (const auto cut = crossingOf(segment, bridge[0], bridge[1], bridge[2], triangle))
-      {
-        passages.push_back({point, static_cast<std::uint8_t>(direction), *cut});
+        numbers.findOrAdd(point, points);
       }
     }
   }
-  return passages;
+  edges_.clear();
+  for (const Index point : points)
+  {
+    for (std::uint8_t direction = 0; direction < 6; ++direction)
+    {
+      if (isUncut(point, direction, crossings_))
+      {
+        edges_.push_back({point, direction, grid_.segment(point, direction, grid_.edge(point, direction))});
+      }
+    }
+  }
 }
 
 Crossings closeCracks(Crossings crossings, const BoundaryGaps& gaps, const GridPlaces& grid, double tolerance,

@@ -4,7 +4,9 @@
 #include "Dual/Grid/Crossings.h"
 #include "Dual/Zones/BoundaryGaps.h"
 
+#include <optional>
 #include <tuple>
+#include <vector>
 
 namespace atria {
 
@@ -23,10 +25,31 @@ struct PassingEdge
   }
 };
 
-/// Edges of the grid that nothing cuts and that pass a bridge: exact as all crossings are, so that edges round a place
-/// agree. `triangle` is what cuts them.
-std::vector<PassingEdge> passingEdgesOf(const BridgeTriangle& bridge, Index triangle, const Crossings& crossings,
-                                        const GridPlaces& grid);
+/// Finds edges of the grid that nothing cuts and that pass bridges: exact as all crossings are, so that edges round a
+/// place agree. Bridges near the one before cost little. Not for several threads at once.
+class PassageFinder
+{
+public:
+  PassageFinder(const Crossings& crossings, const GridPlaces& grid) : crossings_(crossings), grid_(grid) {}
+
+  /// Those that pass a bridge, each with the cut that `triangle` makes there. They hold until the next call.
+  const std::vector<PassingEdge>& through(const BridgeTriangle& bridge, Index triangle);
+
+private:
+  struct UncutEdge
+  {
+    Index point;
+    std::uint8_t direction;
+    EdgeSegment segment;
+  };
+  void gather(const LatticeBox& box);
+
+  const Crossings& crossings_;
+  const GridPlaces& grid_;
+  std::optional<LatticeBox> gathered_; ///< about which the edges are
+  std::vector<UncutEdge> edges_;
+  std::vector<PassingEdge> found_;
+};
 
 /// Closes gaps ahead of boundary edges that are no wider than `tolerance` times the octants there: edges of the grid
 /// that pass their bridges, and those between the bridges of edges that meet, are cut by the boundary edges' triangles.

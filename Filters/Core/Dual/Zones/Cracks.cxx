@@ -53,15 +53,16 @@ public:
   {
     const std::size_t count = gaps.stations[edge].size();
     std::vector<CrackStep> steps(std::max<std::size_t>(count, 2) - 1);
+    PassageFinder passages(crossings, grid);
     for (std::size_t i = 0; i + 1 < count; ++i)
     {
-      steps[i] = stepOf(edge, i);
+      steps[i] = stepOf(edge, i, passages);
     }
     return steps;
   }
 
 private:
-  CrackStep stepOf(Index edge, std::size_t i) const
+  CrackStep stepOf(Index edge, std::size_t i, PassageFinder& passages) const
   {
     const BoundaryStation& from = gaps.stations[edge][i];
     const BoundaryStation& to = gaps.stations[edge][i + 1];
@@ -75,7 +76,7 @@ private:
       return {};
     }
     const bool isOpen = std::ranges::any_of(bridge, [&](const BridgeTriangle& triangle) {
-      return !passingEdgesOf(triangle, gaps.boundary.edges()[edge].triangle, crossings, grid).empty();
+      return !passages.through(triangle, gaps.boundary.edges()[edge].triangle).empty();
     });
     const double unit = frame.latticeUnit();
     return {isOpen ? StepKind::open : StepKind::closed,

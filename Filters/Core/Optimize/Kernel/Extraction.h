@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "Optimize/Kernel/Numbering.h"
+#include "Support/Numbering.h"
 #include "Optimize/Kernel/Region.h"
 
 namespace atria {
