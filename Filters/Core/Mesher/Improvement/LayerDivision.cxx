@@ -157,9 +157,8 @@ void LayerDivision::improveUntilSound(std::vector<char> marked)
 
 /// Takes layers away at cells, and those that have one only go back to where they were before they were divided.
 /// Returns the points that this changes; nothing where there is nothing to take away.
-std::optional<std::vector<char>> LayerDivision::takeAway(std::vector<ShortCell> cells)
+std::optional<std::vector<char>> LayerDivision::takeAway(const std::vector<ShortCell>& cells)
 {
-  addAroundHeld(cells);
   if (std::ranges::all_of(cells, [&](const ShortCell& cell) { return isHeld(cell); }))
   {
     return {};
@@ -201,24 +200,6 @@ bool LayerDivision::isHeld(const ShortCell& cell) const
 {
   return std::ranges::all_of(state_.layer.mesh.corners[cell.cell],
                              [&](Index p) { return held_[state_.layer.wallPointOf(p)] != 0; });
-}
-
-/// Where all points of a cell are back already, what is beside it is in its way.
-void LayerDivision::addAroundHeld(std::vector<ShortCell>& cells) const
-{
-  const LayerMesh& layer = state_.layer;
-  std::vector<char> marked(layer.mesh.points.size(), 0);
-  for (const ShortCell& cell : cells)
-  {
-    for (std::size_t i = 0; i < 8 && isHeld(cell); ++i)
-    {
-      marked[layer.mesh.corners[cell.cell][i]] = 1;
-    }
-  }
-  for (const Index cell : cellsWithMarked(DualSource(layer.mesh), marked, state_.context))
-  {
-    cells.push_back({cell, 0.0F});
-  }
 }
 
 /// Improves the poor cells at marked points. Returns those that are bad then.

@@ -23,10 +23,9 @@ private:
   void flattenTops();
   void improveUntilSound(std::vector<char> marked);
   std::vector<ShortCell> improve(const std::vector<char>& marked);
-  std::optional<std::vector<char>> takeAway(std::vector<ShortCell> cells);
+  std::optional<std::vector<char>> takeAway(const std::vector<ShortCell>& cells);
   void lower(const std::vector<ShortCell>& cells);
   bool isHeld(const ShortCell& cell) const;
-  void addAroundHeld(std::vector<ShortCell>& cells) const;
   void restore(const std::vector<ShortCell>& cells, const std::vector<Index>& counts, std::vector<char>& changed);
   void divideEvenly();
 
