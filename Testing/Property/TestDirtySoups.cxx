@@ -168,8 +168,7 @@ TEST(DoubledWall, KeepsItsRoomClosed)
   }
 }
 
-/// Of these soups an element each has two faces in one plane that cannot be made one: their common edge is a waist of the
-/// union.
+/// Of these soups an element each has two faces in one plane that cannot be made one: their common edge is a waist.
 TEST(WaistsOfFaces, LeaveNoConcaveElement)
 {
   if (!haveCheckMesh())
