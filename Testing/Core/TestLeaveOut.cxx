@@ -210,8 +210,8 @@ std::vector<char> pointsNear(bool side, const DualMesh& mesh, int rows)
   return marked;
 }
 
-/// Turns over elements about a point that no element less than so many rows from a wall has, but one beside those, or at
-/// a side. Returns those that fail.
+/// Turns over elements about a point that no element less than so many rows from a wall has, but one beside those, or
+/// at a side. Returns those that fail.
 std::vector<Index> turnOver(DualMesh& mesh, bool atSide, int rows, unsigned seed)
 {
   const std::vector<char> atWalls = pointsNear(false, mesh, rows - 1);
