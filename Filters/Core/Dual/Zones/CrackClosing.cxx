@@ -102,8 +102,7 @@ const std::vector<PassingEdge>& PassageFinder::through(const BridgeTriangle& bri
 {
   const GridFrame& frame = grid_.octree().frame();
   const LatticePoint& at = bridge.front();
-  const std::int64_t size =
-      frame.inDomain(at) ? frame.latticeSize(grid_.octree().level(grid_.octree().leafAt(at))) : 0;
+  const std::int64_t size = frame.inDomain(at) ? frame.latticeSize(grid_.octree().level(grid_.octree().leafAt(at))) : 0;
   // Edges with an end that was moved lie off their leaves, by up to an octant.
   const LatticeBox about = grown(boundsOf(bridge), grid_.displacedCount() == 0 ? 0 : size);
   if (!gathered_ || !gathered_->contains(about.low) || !gathered_->contains(about.high))
