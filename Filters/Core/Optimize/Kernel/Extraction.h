@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "Support/Numbering.h"
 #include "Optimize/Kernel/Region.h"
+#include "Support/Numbering.h"
 
 namespace atria {
 
