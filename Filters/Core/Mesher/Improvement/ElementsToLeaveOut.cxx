@@ -210,16 +210,26 @@ public:
   /// What is to be left out then, in order. Those at sides of the domain go only where others do not help, if at all.
   std::vector<Index> leaveOut(bool sidesToo)
   {
-    Found found = search(false);
-    if (found.fails > 0 && found.isAtSides && sidesToo)
+    Found best;
+    for (const bool atSides : {false, true})
     {
-      Found more = search(true);
-      if (more.fails < found.fails)
+      for (const bool wholeUnions : {false, true})
       {
-        return more.elements;
+        const bool isAllowed = !atSides || (sidesToo && best.isAtSides);
+        if (best.fails == 0 || !isAllowed)
+        {
+          return best.elements;
+        }
+        Found found = search(atSides, wholeUnions);
+        best.isAtSides = best.isAtSides || found.isAtSides;
+        if (found.fails < best.fails)
+        {
+          std::swap(found.elements, best.elements);
+          best.fails = found.fails;
+        }
       }
     }
-    return found.elements;
+    return best.elements;
   }
 
 private:
@@ -230,7 +240,8 @@ private:
     bool isAtSides = false;      ///< whether elements at sides of the domain failed by themselves
   };
 
-  Found search(bool atSides)
+  /// Leaves out what fails, and what comes to fail by that; of unions the elements that fail by themselves, or all.
+  Found search(bool atSides, bool wholeUnions)
   {
     atSides_ = atSides;
     Found best;
@@ -245,7 +256,7 @@ private:
         best.elements = leftOut;
         best.fails = judged.count;
       }
-      const std::vector<Index> next = toLeaveOut(judged, leftOut);
+      const std::vector<Index> next = toLeaveOut(judged, wholeUnions, leftOut);
       if (next.empty())
       {
         break;
@@ -256,15 +267,15 @@ private:
     return best;
   }
 
-  /// Those that fail by themselves; where there are none at a wall, all that are beside what is left out; and where
-  /// there are none of these, what is at a wall nearest to those that fail: then these come to be at it.
-  std::vector<Index> toLeaveOut(const JudgedPart& judged, const std::vector<Index>& leftOut) const
+  /// Those that fail by themselves, or all that fail; where there are none at a wall, all that are beside what is left
+  /// out; and where there are none of these, what is at a wall nearest to those that fail: then these come to be at it.
+  std::vector<Index> toLeaveOut(const JudgedPart& judged, bool wholeUnions, const std::vector<Index>& leftOut) const
   {
     const auto onlyThat = [&](std::vector<Index> elements, auto&& isWanted) {
       std::erase_if(elements, [&](Index e) { return !canBeLeftOut(e, leftOut) || !isWanted(e); });
       return elements;
     };
-    std::vector<Index> found = onlyThat(judged.alone, [](Index) { return true; });
+    std::vector<Index> found = onlyThat(wholeUnions ? judged.failing : judged.alone, [](Index) { return true; });
     if (found.empty())
     {
       found = onlyThat(judged.failing, [&](Index e) { return isBeside(e, leftOut); });
