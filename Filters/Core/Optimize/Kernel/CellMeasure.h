@@ -22,6 +22,12 @@ struct CellMeasure
   Vec3 mean;
 };
 
+/// Eigen's is not inlined everywhere.
+inline Vec3 crossOf(const Vec3& u, const Vec3& v)
+{
+  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
+}
+
 /// `pointOf(i)` is the face's i-th corner. Where `size` is a constant this is faster.
 template <typename PointOf> FaceMeasure measureFace(std::size_t size, PointOf&& pointOf)
 {
@@ -35,9 +41,7 @@ template <typename PointOf> FaceMeasure measureFace(std::size_t size, PointOf&& 
   Vec3 moment = Vec3::Zero();
   double magnitude = 0.0;
   const auto addTriangle = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
-    const Vec3 ab = b - a;
-    const Vec3 ac = c - a;
-    const Vec3 twice(ab[1] * ac[2] - ab[2] * ac[1], ab[2] * ac[0] - ab[0] * ac[2], ab[0] * ac[1] - ab[1] * ac[0]);
+    const Vec3 twice = crossOf(b - a, c - a);
     const double size2 = twice.norm();
     area += twice;
     magnitude += size2;

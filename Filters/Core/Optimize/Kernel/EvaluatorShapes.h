@@ -62,11 +62,6 @@ private:
   const Index* slots_;
 };
 
-inline Vec3 crossOf(const Vec3& u, const Vec3& v)
-{
-  return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
-}
-
 /// Of a face's edge and its centroid.
 inline Vec3 QualityEvaluator::fanTriangle(Index face, std::size_t i) const
 {
