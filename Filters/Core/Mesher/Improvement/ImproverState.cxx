@@ -137,22 +137,6 @@ void ImproverState::growAgain(const std::vector<char>& fresh)
   replaceLayer(grower.growAgain(plain, excluded, layer, fresh, context));
 }
 
-void ImproverState::takeLayerAgain(const std::vector<Vec3>& points, const std::vector<Index>& copies)
-{
-  std::copy_n(points.begin(), plain.points.size(), plain.points.begin());
-  std::vector<Index> counts(copies.size());
-  std::ranges::transform(copies, counts.begin(), [](Index copy) { return copy == noIndex ? 0 : 1; });
-  LayerMesh next = buildLayer(plain, walls, counts, context.executor);
-  for (Index p = 0; p < copies.size(); ++p)
-  {
-    if (copies[p] != noIndex)
-    {
-      next.mesh.points[next.copies[p]] = points[copies[p]];
-    }
-  }
-  replaceLayer(std::move(next));
-}
-
 void ImproverState::replaceLayer(LayerMesh other)
 {
   const LayerMesh before = std::exchange(layer, std::move(other));

@@ -43,9 +43,6 @@ struct ImproverState
   /// Takes another layer of the same plain mesh instead. Elements that are as they were need not be measured.
   void replaceLayer(LayerMesh other);
 
-  /// Takes a single layer again that was there before, by its points and copies.
-  void takeLayerAgain(const std::vector<Vec3>& points, const std::vector<Index>& copies);
-
   /// Its progress is that of the phase that runs.
   MeshingContext context;
   /// What the model wants, and what is allowed now.

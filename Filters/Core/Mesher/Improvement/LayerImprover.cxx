@@ -34,25 +34,6 @@ std::vector<ShortCell> findFailing(ImproverState& state, const QualityTargets& t
   return failing;
 }
 
-/// Divides layers. Where elements need a layer that was not asked for as points have moved, they get it before, and all
-/// are divided again.
-LayerDivision divide(ImproverState& state, VertexDetachment& detachment)
-{
-  for (auto last = std::numeric_limits<std::ptrdiff_t>::max();;)
-  {
-    const VertexDetachment::Kept whole = detachment.keep();
-    LayerDivision division(state);
-    division.run();
-    const std::vector<char> points = state.traits.supported ? pointsToSupport(state) : std::vector<char>();
-    if (!isFewer(points, last))
-    {
-      return division;
-    }
-    detachment.takeAgain(whole);
-    supportAt(points, state, detachment);
-  }
-}
-
 /// Elements that stay beyond the largest angle, or bad, lose layers.
 void straightenDivided(LayerDivision division, ImproverState& state, VertexDetachment& detachment)
 {
@@ -82,7 +63,8 @@ void finishDivided(ImproverState& state, VertexDetachment& detachment, const Run
 {
   enter(state, whole, 0.5, 0.7, "Dividing layers");
   supportMore(state, detachment);
-  LayerDivision division = divide(state, detachment);
+  LayerDivision division(state);
+  division.run();
   if (!state.traits.hasHeights)
   {
     enter(state, whole, 0.7, 0.9, "Straightening elements");

@@ -73,14 +73,6 @@ std::vector<char> pointsToSupport(ImproverState& state)
   return points;
 }
 
-bool isFewer(const std::vector<char>& points, std::ptrdiff_t& last)
-{
-  const std::ptrdiff_t count = std::ranges::count(points, 1);
-  const bool fewer = count > 0 && count < last;
-  last = count;
-  return fewer;
-}
-
 void addSupport(ImproverState& state, const std::vector<char>& points)
 {
   if (points.empty())
@@ -95,23 +87,21 @@ void addSupport(ImproverState& state, const std::vector<char>& points)
   state.growAgain(std::vector<char>(state.layer.plainPoints, 0));
 }
 
-void supportAt(const std::vector<char>& points, ImproverState& state, VertexDetachment& detachment)
-{
-  addSupport(state, points);
-  if (detachment.improveAndMend())
-  {
-    detachment.putBack();
-  }
-  straightenWhereNeeded(state, detachment);
-  state.focus.clear();
-}
-
 void supportMore(ImproverState& state, VertexDetachment& detachment)
 {
+  const auto count = [](const std::vector<char>& points) { return std::ranges::count(points, 1); };
   std::ptrdiff_t last = std::numeric_limits<std::ptrdiff_t>::max();
-  for (std::vector<char> points = pointsToSupport(state); isFewer(points, last); points = pointsToSupport(state))
+  for (std::vector<char> points = pointsToSupport(state); count(points) > 0 && count(points) < last;
+       points = pointsToSupport(state))
   {
-    supportAt(points, state, detachment);
+    last = count(points);
+    addSupport(state, points);
+    if (detachment.improveAndMend())
+    {
+      detachment.putBack();
+    }
+    straightenWhereNeeded(state, detachment);
+    state.focus.clear();
   }
 }
 

@@ -11,16 +11,11 @@ namespace atria {
 /// In patches the layer would taper on all sides. Empty where there are none that can have one.
 std::vector<char> pointsToSupport(ImproverState& state);
 
-/// Whether there are some, and fewer than the last ones were.
-bool isFewer(const std::vector<char>& points, std::ptrdiff_t& last);
-
 /// Gives them the layer. The state's focus is on what this changes then.
 void addSupport(ImproverState& state, const std::vector<char>& points);
 
-/// The same, and improves what is about it. The state's focus is on nothing then.
-void supportAt(const std::vector<char>& points, ImproverState& state, VertexDetachment& detachment);
-
-/// Elements that came to need it as points moved get it, as long as they are others than before, or fewer.
+/// Elements that came to need it as points moved get it, and what is about it is improved, as long as fewer points ask
+/// for it each time. The state's focus is on nothing then.
 void supportMore(ImproverState& state, VertexDetachment& detachment);
 
 } // namespace atria

@@ -205,25 +205,6 @@ void VertexDetachment::startAgain(const std::vector<ShortCell>& bad, double shar
   state_.growAgain(fresh);
 }
 
-VertexDetachment::Kept VertexDetachment::keep() const
-{
-  const LayerMesh& layer = state_.layer;
-  return {layer.mesh.points, layer.copies, state_.classification, state_.mayLeave, state_.letGo, state_.excluded, left_,
-          isLeft_,           detached_};
-}
-
-void VertexDetachment::takeAgain(const Kept& kept)
-{
-  state_.takeLayerAgain(kept.points, kept.copies);
-  state_.classification = kept.classification;
-  state_.mayLeave = kept.mayLeave;
-  state_.letGo = kept.letGo;
-  state_.excluded = kept.excluded;
-  left_ = kept.left;
-  isLeft_ = kept.isLeft;
-  detached_ = kept.detached;
-}
-
 /// Leaves the layer out at the points of cells that have it; gives it back to those that are bad without it.
 void VertexDetachment::exclude(const std::vector<ShortCell>& bad)
 {

@@ -38,24 +38,6 @@ public:
   void detach(const std::vector<ShortCell>& cells, double reach);
   /// Forgets the points that are back; the others stay where they are.
   void keepThoseAway();
-
-  /// What this changes, here and in the state.
-  struct Kept
-  {
-    /// Of a layer that is not divided, as in LayerMesh.
-    std::vector<Vec3> points;
-    std::vector<Index> copies;
-    VertexClassification classification;
-    std::vector<char> mayLeave;
-    std::vector<char> letGo;
-    std::vector<char> excluded;
-    std::vector<LeftVertex> left;
-    std::vector<char> isLeft;
-    std::vector<DetachedVertex> detached;
-  };
-  Kept keep() const;
-  /// All as it was.
-  void takeAgain(const Kept& kept);
   /// Those that did not get back, in rising order of points.
   const std::vector<DetachedVertex>& detached() const { return detached_; }
 
