@@ -30,16 +30,6 @@ LatticeBox boundsOf(const BridgeTriangle& bridge)
   return box;
 }
 
-LatticeBox grown(LatticeBox box, std::int64_t by)
-{
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    box.low[axis] -= by;
-    box.high[axis] += by;
-  }
-  return box;
-}
-
 /// Puts the cut of an edge on record, as findCrossings does.
 void cut(Crossings& crossings, const GridPlaces& grid, const SurfaceModel& model, const PassingEdge& passage)
 {

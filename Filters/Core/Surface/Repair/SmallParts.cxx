@@ -32,17 +32,6 @@ void extend(LatticeBox& box, const LatticeBox& by)
   }
 }
 
-LatticeBox grown(LatticeBox box, double margin)
-{
-  const auto by = static_cast<std::int64_t>(std::ceil(margin));
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    box.low[axis] -= by;
-    box.high[axis] += by;
-  }
-  return box;
-}
-
 /// Groups of small parts.
 class SmallParts
 {
@@ -117,7 +106,7 @@ private:
       {
         continue;
       }
-      const LatticeBox box = grown(boxes[part], options.gapTolerance);
+      const LatticeBox box = grown(boxes[part], static_cast<std::int64_t>(std::ceil(options.gapTolerance)));
       for (std::int64_t x = cellOf(box.low[0]); x <= cellOf(box.high[0]); ++x)
       {
         for (std::int64_t y = cellOf(box.low[1]); y <= cellOf(box.high[1]); ++y)
@@ -155,7 +144,7 @@ private:
     {
       if (isOut[part])
       {
-        const LatticeBox box = grown(boxes[part], options.gapTolerance);
+        const LatticeBox box = grown(boxes[part], static_cast<std::int64_t>(std::ceil(options.gapTolerance)));
         small.push_back({box.low, box.high, part});
       }
     }

@@ -22,6 +22,17 @@ struct LatticeBox
   }
 };
 
+/// By so much on all sides.
+inline LatticeBox grown(LatticeBox box, std::int64_t by)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    box.low[axis] -= by;
+    box.high[axis] += by;
+  }
+  return box;
+}
+
 inline bool overlap(const LatticeBox& a, const LatticeBox& b)
 {
   bool apart = false;
