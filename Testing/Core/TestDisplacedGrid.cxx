@@ -352,6 +352,62 @@ TEST_P(Table, HasAirBetweenItselfAndTheFloor)
   }
 }
 
+/// A board with rods for edges, surfaces of their own, as modelers draw round ones: they touch its planes, and leave
+/// them little by little.
+TriangleSurface roundedBoard(double thickness)
+{
+  constexpr Index facets = 36;
+  constexpr double length = 7.0;
+  constexpr double width = 5.0;
+  const double radius = 0.5 * thickness;
+  TriangleSurface surface;
+  addSheet(surface, "Bottom", {0, 0, 0}, {0, width, 0}, {length, 0, 0});
+  addSheet(surface, "Top", {0, 0, thickness}, {length, 0, 0}, {0, width, 0});
+  addSheet(surface, "Left", {0, 0, 0}, {0, 0, thickness}, {0, width, 0});
+  addSheet(surface, "Right", {length, 0, 0}, {0, width, 0}, {0, 0, thickness});
+  for (const double y : {0.0, width})
+  {
+    std::vector<Vec3> points;
+    std::vector<std::array<Index, 3>> triangles;
+    for (Index i = 0; i < facets; ++i)
+    {
+      const double angle = 2.0 * std::numbers::pi * i / facets;
+      const Vec3 p(0.0, y + radius * std::cos(angle), radius + radius * std::sin(angle));
+      points.insert(points.end(), {p, p + Vec3(length, 0.0, 0.0)});
+      const Index next = (i + 1) % facets;
+      triangles.insert(triangles.end(), {{2 * i, 2 * i + 1, 2 * next + 1}, {2 * i, 2 * next + 1, 2 * next}});
+    }
+    addSurface(surface, y == 0.0 ? "Front" : "Back", points, triangles);
+  }
+  return surface;
+}
+
+class RoundedBoard : public ::testing::TestWithParam<Pose>
+{
+};
+
+TEST_P(RoundedBoard, HasItsPlanes)
+{
+  for (const double thickness : {0.2, 0.4, 0.7})
+  {
+    const TriangleSurface surface = roundedBoard(thickness);
+    for (const Vec3& offset : offsets)
+    {
+      SCOPED_TRACE(traceOf(offset) + ", " + std::to_string(thickness) + " thick");
+      const Posed posed(surface, GetParam(), offset);
+      posed.expectSound();
+      for (const Index plane : {0, 1})
+      {
+        const NameCoverage cover = posed.cover({plane, {1.5, 1.5, plane * thickness}, {4, 0, 0}, {0, 2, 0}}, 0.05);
+        EXPECT_GE(cover.front, 0.9) << plane;
+      }
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Poses, RoundedBoard, ::testing::ValuesIn(poses),
+                         [](const auto& test) { return test.param.name; });
+
 TEST(TableOnTheSite, HasAirBelow)
 {
   for (const double height : {0.25, 0.4, 0.7})

@@ -389,11 +389,11 @@ private:
     }
     const Vec3 q = toVector(grid.places().place(point)) + *way;
     const LatticePoint at{std::llround(q[0]), std::llround(q[1]), std::llround(q[2])};
-    if (!isInDomain(at))
+    // A point that is there already would be asked again for ever.
+    if (isInDomain(at) && at != grid.places().place(point))
     {
-      return;
+      out.push_back({point, std::abs(step), at});
     }
-    out.push_back({point, std::abs(step), at});
   }
 
   /// A way that leads `step` along the normal. It is as near to the normal as can be with no component above the size
