@@ -31,7 +31,7 @@ std::vector<NumberedBox> randomBoxes(std::mt19937& random, std::size_t count)
   std::vector<NumberedBox> boxes;
   for (Index i = 0; i < count; ++i)
   {
-    NumberedBox box{randomPoint(random, std::int64_t{1} << 38), {}, i};
+    NumberedBox box{{randomPoint(random, std::int64_t{1} << 38), {}}, i};
     for (int axis = 0; axis < 3; ++axis)
     {
       box.high[axis] = box.low[axis] + (random() % 8 == 0 ? 0 : std::llround(std::exp2(38.0 * part(random))));
@@ -39,7 +39,7 @@ std::vector<NumberedBox> randomBoxes(std::mt19937& random, std::size_t count)
     if (i > 0 && random() % 4 == 0)
     {
       const NumberedBox& other = boxes[random() % i];
-      box = {random() % 2 == 0 ? other.low : other.high, other.high, i};
+      box = {{random() % 2 == 0 ? other.low : other.high, other.high}, i};
     }
     boxes.push_back(box);
   }

@@ -8,22 +8,6 @@ namespace atria {
 
 namespace {
 
-LatticeBox joined(const LatticeBox& box, const LatticePoint& p)
-{
-  LatticeBox all = box;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    all.low[axis] = std::min(box.low[axis], p[axis]);
-    all.high[axis] = std::max(box.high[axis], p[axis]);
-  }
-  return all;
-}
-
-LatticeBox boxAbout(const LatticePoint& p, std::int64_t reach)
-{
-  return {{p[0] - reach, p[1] - reach, p[2] - reach}, {p[0] + reach, p[1] + reach, p[2] + reach}};
-}
-
 void addUnique(std::vector<Index>& list, std::span<const Index> more)
 {
   for (const Index one : more)
@@ -86,7 +70,8 @@ void MovingGrid::beginTrial(Index point, const LatticePoint& place, Look& look) 
   trial.point = point;
   look.version = version;
   trial.undisplaced = grid.undisplaced(point);
-  trial.reach = joined(boxAbout(trial.undisplaced, shortestEdge(point)), place);
+  trial.reach = grown({trial.undisplaced, trial.undisplaced}, shortestEdge(point));
+  trial.reach.extend({place, place});
   trial.near.clear();
   addUnique(trial.near, grid.points().leaves[point]);
   trial.leafCount = trial.near.size();
@@ -107,7 +92,7 @@ void MovingGrid::beginTrial(Index point, const LatticePoint& place, Look& look) 
     spoke.leavesDomain = edge->edge.other == noIndex;
     spoke.ways.clear();
     trial.setWay(spoke.id == noIndex ? std::span<const SurfaceCrossing>() : at(spoke.id).cuts, surfaces, spoke);
-    all = joined(all, spoke.startsHere ? spoke.segment.end : spoke.segment.start);
+    all.extend(boundsOf(spoke.segment));
     if (!spoke.leavesDomain)
     {
       addUnique(trial.near, grid.points().leaves[spoke.startsHere ? edge->edge.other : edge->start]);
@@ -117,13 +102,13 @@ void MovingGrid::beginTrial(Index point, const LatticePoint& place, Look& look) 
   std::vector<PointTrial::BoundedTriangle>& bounded = trial.bounded;
   bounded.clear();
   std::ranges::transform(trial.triangles, std::back_inserter(bounded), [&](Index triangle) {
-    const LatticePoint& a = surfaces.corner(triangle, 0);
     return PointTrial::BoundedTriangle{
-        joined(joined({a, a}, surfaces.corner(triangle, 1)), surfaces.corner(triangle, 2)), triangle};
+        boundsOf(surfaces.corner(triangle, 0), surfaces.corner(triangle, 1), surfaces.corner(triangle, 2)), triangle};
   });
   for (PointTrial::Spoke& spoke : std::span(trial.spokes).first(trial.spokeCount))
   {
-    const LatticeBox box = joined(trial.reach, spoke.startsHere ? spoke.segment.end : spoke.segment.start);
+    LatticeBox box = trial.reach;
+    box.extend(boundsOf(spoke.segment));
     spoke.triangles.clear();
     std::ranges::copy_if(bounded, std::back_inserter(spoke.triangles),
                          [&](const PointTrial::BoundedTriangle& one) { return overlap(box, one.bounds); });

@@ -22,33 +22,13 @@ const double foldCosine = cosOfDegrees(30.01);
 /// Pieces in a leaf beyond which a tree finds those near an edge sooner.
 constexpr std::size_t longList = 64;
 
-bool boundsTouch(const LatticeBox& box, const LatticePoint& p, const LatticePoint& q, const LatticePoint& r)
-{
-  for (int a = 0; a < 3; ++a)
-  {
-    if (box.high[a] < std::min({p[a], q[a], r[a]}) || box.low[a] > std::max({p[a], q[a], r[a]}))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
 } // namespace
 
-LatticeBox boundsOf(const EdgeSegment& edge)
-{
-  LatticeBox box;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    std::tie(box.low[axis], box.high[axis]) = std::minmax({edge.start[axis], edge.end[axis]});
-  }
-  return box;
-}
+LatticeBox boundsOf(const EdgeSegment& edge) { return boundsOf(edge.start, edge.end); }
 
 bool touchesBounds(const LatticeBox& box, const SurfaceModel& model, Index triangle)
 {
-  return boundsTouch(box, model.corner(triangle, 0), model.corner(triangle, 1), model.corner(triangle, 2));
+  return overlap(box, boundsOf(model.corner(triangle, 0), model.corner(triangle, 1), model.corner(triangle, 2)));
 }
 
 Vec3 pointOn(const EdgeSegment& edge, double parameter)
@@ -59,7 +39,7 @@ Vec3 pointOn(const EdgeSegment& edge, double parameter)
 std::optional<SurfaceCrossing> crossingOf(const EdgeSegment& edge, const LatticePoint& a, const LatticePoint& b,
                                           const LatticePoint& c, Index triangle)
 {
-  if (!boundsTouch(boundsOf(edge), a, b, c))
+  if (!overlap(boundsOf(edge), boundsOf(a, b, c)))
   {
     return std::nullopt;
   }

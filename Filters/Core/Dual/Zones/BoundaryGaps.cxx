@@ -61,9 +61,7 @@ private:
     };
     const LatticePoint there = moved({}, place.at);
     const auto margin = static_cast<std::int64_t>(latticeRounding) + 1;
-    const LatticeBox box{{there[0] - margin, there[1] - margin, there[2] - margin},
-                         {there[0] + margin, there[1] + margin, there[2] + margin}};
-    return std::ranges::any_of(tree.touching(box), [&](Index t) {
+    return std::ranges::any_of(tree.touching(grown({there, there}, margin)), [&](Index t) {
       return (tree.nearestOn(t, place.at) - place.at).norm() <= latticeRounding && isNearer(t);
     });
   }

@@ -18,18 +18,6 @@ bool isUncut(Index point, int direction, const Crossings& crossings)
                    : DualMesh::isBoundary(code) && crossings.boundaryFaces[DualMesh::boundaryFaceOf(code)].onDomainSide;
 }
 
-LatticeBox boundsOf(const BridgeTriangle& bridge)
-{
-  const auto& [a, b, c] = bridge;
-  LatticeBox box;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    box.low[axis] = std::min({a[axis], b[axis], c[axis]});
-    box.high[axis] = std::max({a[axis], b[axis], c[axis]});
-  }
-  return box;
-}
-
 /// Puts the cut of an edge on record, as findCrossings does.
 void cut(Crossings& crossings, const GridPlaces& grid, const SurfaceModel& model, const PassingEdge& passage)
 {
@@ -94,7 +82,7 @@ const std::vector<PassingEdge>& PassageFinder::through(const BridgeTriangle& bri
   const LatticePoint& at = bridge.front();
   const std::int64_t size = frame.inDomain(at) ? frame.latticeSize(grid_.octree().level(grid_.octree().leafAt(at))) : 0;
   // Edges with an end that was moved lie off their leaves, by up to an octant.
-  const LatticeBox about = grown(boundsOf(bridge), grid_.displacedCount() == 0 ? 0 : size);
+  const LatticeBox about = grown(boundsOf(bridge[0], bridge[1], bridge[2]), grid_.displacedCount() == 0 ? 0 : size);
   if (!gathered_ || !gathered_->contains(about.low) || !gathered_->contains(about.high))
   {
     gather(grown(about, size / 2)); // the next bridges are near

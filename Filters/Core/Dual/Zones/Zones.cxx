@@ -207,13 +207,7 @@ bool seesPlace(const LatticePoint& from, Index point, const GridPlaces& grid, co
   {
     return true;
   }
-  LatticeBox box{from, from};
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    box.low[axis] = std::min(sight.start[axis], sight.end[axis]);
-    box.high[axis] = std::max(sight.start[axis], sight.end[axis]);
-  }
-  return EdgeProbe(octree, model).cut(sight, leavesTouching(octree, box)).empty();
+  return EdgeProbe(octree, model).cut(sight, leavesTouching(octree, boundsOf(sight))).empty();
 }
 
 void nameSurfaces(std::vector<ZoneSummary>& summaries, const Zones& zones, const Crossings& crossings,

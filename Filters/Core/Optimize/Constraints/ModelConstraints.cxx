@@ -59,13 +59,9 @@ std::vector<Index> ModelConstraints::wantedPieces(Index vertex) const
 std::vector<ModelItem> ModelConstraints::findPieces(Index point, const std::vector<Index>& wanted) const
 {
   const Index leaf = classification_.leaves[vertexOf_[point]];
-  LatticeBox box{octree_.lowCorner(leaf), octree_.highCorner(leaf)};
-  const std::int64_t reach = (box.high[0] - box.low[0]) / 2;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    box.low[axis] -= reach;
-    box.high[axis] += reach;
-  }
+  const LatticePoint low = octree_.lowCorner(leaf);
+  const LatticePoint high = octree_.highCorner(leaf);
+  const LatticeBox box = grown({low, high}, (high[0] - low[0]) / 2);
   const bool isOnCurve = classOf(point) == VertexClass::curve;
   const auto fits = [&](ModelItem item) {
     return std::ranges::binary_search(wanted,

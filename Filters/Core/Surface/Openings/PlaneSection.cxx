@@ -21,16 +21,7 @@ std::vector<NumberedBox> boxesOfWalls(const SurfaceModel& model)
   {
     if (!model.isPermeable(t) && !model.isTurnedSide(t))
     {
-      NumberedBox box{model.corner(t, 0), model.corner(t, 0), t};
-      for (int i = 1; i < 3; ++i)
-      {
-        for (int axis = 0; axis < 3; ++axis)
-        {
-          box.low[axis] = std::min(box.low[axis], model.corner(t, i)[axis]);
-          box.high[axis] = std::max(box.high[axis], model.corner(t, i)[axis]);
-        }
-      }
-      boxes.push_back(box);
+      boxes.push_back({boundsOf(model.corner(t, 0), model.corner(t, 1), model.corner(t, 2)), t});
     }
   }
   return boxes;
@@ -180,7 +171,7 @@ private:
 
   void addCrossing()
   {
-    NumberedBox box{{}, {}, noIndex};
+    LatticeBox box;
     const double reach = 0.5 * (plane.bounds.max - plane.bounds.min).norm();
     for (int axis = 0; axis < 3; ++axis)
     {

@@ -23,17 +23,6 @@ struct Search
   std::vector<std::pair<Index, Index>> later;
 };
 
-LatticeBox common(const NumberedBox& a, const NumberedBox& b)
-{
-  LatticeBox box;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    box.low[axis] = std::max(a.low[axis], b.low[axis]);
-    box.high[axis] = std::min(a.high[axis], b.high[axis]);
-  }
-  return box;
-}
-
 /// Looks at pairs as they are met: of those in the tree, and of the others with them. Where boxes cluster pairs are
 /// counted first, as looking at them takes far longer.
 std::vector<Search> searchContacts(const TriangleSoup& soup, const BoxTree& tree,

@@ -138,7 +138,7 @@ private:
       {
         const Index p = places[i];
         std::size_t touching = 0;
-        tree.eachTouching({soup.points[p], soup.points[p], noIndex}, 0, [&](std::size_t place) {
+        tree.eachTouching({soup.points[p], soup.points[p]}, 0, [&](std::size_t place) {
           const Index t = tree.box(place).id;
           if (isOnBoundary(p) || isForeign(p, t))
           {

@@ -17,21 +17,6 @@ namespace {
 /// Edge, against the octants at features, of the cells in which small parts count as one.
 constexpr double cellRatio = 0.25;
 
-LatticeBox boxOfTriangle(const TriangleSoup& soup, Index t)
-{
-  const NumberedBox box = boxOf(soup, t, 0);
-  return {box.low, box.high};
-}
-
-void extend(LatticeBox& box, const LatticeBox& by)
-{
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    box.low[axis] = std::min(box.low[axis], by.low[axis]);
-    box.high[axis] = std::max(box.high[axis], by.high[axis]);
-  }
-}
-
 /// Groups of small parts.
 class SmallParts
 {
@@ -47,7 +32,7 @@ public:
       {
         boxes.resize(part + 1, noBox);
       }
-      extend(boxes[part], boxOfTriangle(soup, t));
+      boxes[part].extend(boxOf(soup, t, 0));
     }
     isOut.resize(boxes.size());
     std::ranges::transform(boxes, isOut.begin(), [&](const LatticeBox& box) { return isSmall(box); });
@@ -127,7 +112,7 @@ private:
     {
       if (isOut[part])
       {
-        extend(ofGroup[groups.find(part)], boxes[part]);
+        ofGroup[groups.find(part)].extend(boxes[part]);
       }
     }
     for (Index part = 0; part < boxes.size(); ++part)
@@ -144,8 +129,7 @@ private:
     {
       if (isOut[part])
       {
-        const LatticeBox box = grown(boxes[part], static_cast<std::int64_t>(std::ceil(options.gapTolerance)));
-        small.push_back({box.low, box.high, part});
+        small.push_back({grown(boxes[part], static_cast<std::int64_t>(std::ceil(options.gapTolerance))), part});
       }
     }
     if (small.empty())
@@ -158,9 +142,7 @@ private:
     std::vector<char> isPatch(boxes.size(), 0);
     for (const BoundaryEdge& edge : boundary.edges())
     {
-      LatticeBox box{soup.points[edge.a], soup.points[edge.a]};
-      extend(box, {soup.points[edge.b], soup.points[edge.b]});
-      tree.eachTouching({box.low, box.high, noIndex}, 0,
+      tree.eachTouching(boundsOf(soup.points[edge.a], soup.points[edge.b]), 0,
                         [&](std::size_t place) { isPatch[groups.find(tree.box(place).id)] = 1; });
     }
     for (Index part = 0; part < boxes.size(); ++part)

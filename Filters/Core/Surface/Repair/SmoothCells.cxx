@@ -177,7 +177,7 @@ private:
     {
       return;
     }
-    const NumberedBox box = boxOf(soup, t, reach);
+    const LatticeBox box = boxOf(soup, t, reach);
     const GridCell low = gridCellOf(box.low);
     const GridCell high = gridCellOf(box.high);
     if (low == high)

@@ -5,34 +5,17 @@
 
 namespace atria {
 
-NumberedBox boundsOf(const std::vector<NumberedBox>& boxes)
+LatticeBox boundsOf(const std::vector<NumberedBox>& boxes)
 {
-  NumberedBox all = boxes.front();
-  for (const NumberedBox& box : boxes)
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      all.low[axis] = std::min(all.low[axis], box.low[axis]);
-      all.high[axis] = std::max(all.high[axis], box.high[axis]);
-    }
-  }
+  LatticeBox all = boxes.front();
+  std::ranges::for_each(boxes, [&](const LatticeBox& box) { all.extend(box); });
   return all;
 }
 
 NumberedBox boxOf(const TriangleSoup& soup, Index triangle, std::int64_t margin)
 {
-  NumberedBox box{soup.corner(triangle, 0), soup.corner(triangle, 0), triangle};
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    for (int i = 1; i < 3; ++i)
-    {
-      box.low[axis] = std::min(box.low[axis], soup.corner(triangle, i)[axis]);
-      box.high[axis] = std::max(box.high[axis], soup.corner(triangle, i)[axis]);
-    }
-    box.low[axis] -= margin;
-    box.high[axis] += margin;
-  }
-  return box;
+  const LatticeBox box = boundsOf(soup.corner(triangle, 0), soup.corner(triangle, 1), soup.corner(triangle, 2));
+  return {grown(box, margin), triangle};
 }
 
 std::vector<NumberedBox> boxesOf(const TriangleSoup& soup, const std::vector<Index>& triangles, std::int64_t margin,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "Grid/LatticeBox.h"
 #include "Support/RunContext.h"
 #include "Surface/Triangles/TriangleSoup.h"
 
@@ -8,26 +9,14 @@
 
 namespace atria {
 
-struct NumberedBox
+struct NumberedBox : LatticeBox
 {
-  LatticePoint low;
-  LatticePoint high;
   /// What the caller knows the box by. Boxes of equal ids are taken for one box, and make no pair.
   Index id;
 };
 
-inline bool touch(const NumberedBox& a, const NumberedBox& b)
-{
-  bool apart = false;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    apart |= a.low[axis] > b.high[axis] || b.low[axis] > a.high[axis];
-  }
-  return !apart;
-}
-
 /// About some boxes. There is one at least.
-NumberedBox boundsOf(const std::vector<NumberedBox>& boxes);
+LatticeBox boundsOf(const std::vector<NumberedBox>& boxes);
 
 /// The box of a triangle, `margin` wider on every side.
 NumberedBox boxOf(const TriangleSoup& soup, Index triangle, std::int64_t margin);
@@ -36,9 +25,8 @@ NumberedBox boxOf(const TriangleSoup& soup, Index triangle, std::int64_t margin)
 std::vector<NumberedBox> boxesOf(const TriangleSoup& soup, const std::vector<Index>& triangles, std::int64_t margin,
                                  const RunContext& context);
 
-/// Calls `visit` once for every pair of a box of `first` and a box of `second` that touch, in no certain order. O(n log
-/// n
-/// + pairs) where boxes of one size do not cluster (BoxTree).
+/// Calls `visit` once for every pair of a box of `first` and a box of `second` that touch, in no certain order.
+/// O(n log n + pairs) where boxes of one size do not cluster (BoxTree).
 void forBoxPairs(const std::vector<NumberedBox>& first, const std::vector<NumberedBox>& second,
                  const RunContext& context, const std::function<void(Index, Index)>& visit);
 

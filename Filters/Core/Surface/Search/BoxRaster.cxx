@@ -16,7 +16,7 @@ BoxRaster::BoxRaster(const std::vector<NumberedBox>& boxes) : bounds(boundsOf(bo
   {
     ++shift;
   }
-  for (const NumberedBox& box : boxes)
+  for (const LatticeBox& box : boxes)
   {
     const Cells cells = cellsOf(box);
     for (std::int64_t z = cells.low[2]; z <= cells.high[2]; ++z)
@@ -29,9 +29,9 @@ BoxRaster::BoxRaster(const std::vector<NumberedBox>& boxes) : bounds(boundsOf(bo
   }
 }
 
-bool BoxRaster::mayTouch(const NumberedBox& box) const
+bool BoxRaster::mayTouch(const LatticeBox& box) const
 {
-  if (!touch(box, bounds))
+  if (!overlap(box, bounds))
   {
     return false;
   }
@@ -48,7 +48,7 @@ bool BoxRaster::mayTouch(const NumberedBox& box) const
 }
 
 /// Of the part of a box within the bounds.
-BoxRaster::Cells BoxRaster::cellsOf(const NumberedBox& box) const
+BoxRaster::Cells BoxRaster::cellsOf(const LatticeBox& box) const
 {
   Cells cells;
   for (int axis = 0; axis < 3; ++axis)

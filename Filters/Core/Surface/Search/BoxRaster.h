@@ -14,7 +14,7 @@ public:
   explicit BoxRaster(const std::vector<NumberedBox>& boxes);
 
   /// False for most boxes that touch none, and for no other.
-  bool mayTouch(const NumberedBox& box) const;
+  bool mayTouch(const LatticeBox& box) const;
 
 private:
   /// Along each axis. A row along x is the bits of a word.
@@ -26,10 +26,10 @@ private:
     LatticePoint high;
     std::uint64_t row;
   };
-  Cells cellsOf(const NumberedBox& box) const;
+  Cells cellsOf(const LatticeBox& box) const;
   std::uint64_t& rowAt(std::int64_t y, std::int64_t z) { return rows[static_cast<std::size_t>(z * width + y)]; }
 
-  NumberedBox bounds;
+  LatticeBox bounds;
   int shift = 0;
   std::vector<std::uint64_t> rows;
 };

@@ -125,9 +125,7 @@ bool touches(const LatticeBox& box, const LatticePoint& a, const LatticePoint& b
 bool touches(const LatticeBox& box, const LatticePoint& a, const LatticePoint& b)
 {
   constexpr auto margin = static_cast<std::int64_t>(roundingUnits);
-  const LatticeBox wider{{box.low[0] - margin, box.low[1] - margin, box.low[2] - margin},
-                         {box.high[0] + margin, box.high[1] + margin, box.high[2] + margin}};
-  return !clipSegment(wider, a, b).empty();
+  return !clipSegment(grown(box, margin), a, b).empty();
 }
 
 SegmentRange clipSegment(const LatticeBox& box, const LatticePoint& a, const LatticePoint& b)

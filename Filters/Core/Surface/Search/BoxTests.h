@@ -3,45 +3,11 @@
 /// than rounding (some lattice units) is never found.
 #pragma once
 
-#include "Grid/GridFrame.h"
+#include "Grid/LatticeBox.h"
 
 #include <array>
 
 namespace atria {
-
-/// Closed box on the lattice.
-struct LatticeBox
-{
-  LatticePoint low;
-  LatticePoint high;
-
-  bool empty() const { return low[0] > high[0] || low[1] > high[1] || low[2] > high[2]; }
-  bool contains(const LatticePoint& p) const
-  {
-    return p[0] >= low[0] && p[0] <= high[0] && p[1] >= low[1] && p[1] <= high[1] && p[2] >= low[2] && p[2] <= high[2];
-  }
-};
-
-/// By so much on all sides.
-inline LatticeBox grown(LatticeBox box, std::int64_t by)
-{
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    box.low[axis] -= by;
-    box.high[axis] += by;
-  }
-  return box;
-}
-
-inline bool overlap(const LatticeBox& a, const LatticeBox& b)
-{
-  bool apart = false;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    apart |= a.low[axis] > b.high[axis] || b.low[axis] > a.high[axis];
-  }
-  return !apart;
-}
 
 /// A triangle to test against several boxes: what does not depend on the box is found once, and not before it is
 /// needed. Separating axes (Akenine-Möller 2001).

@@ -39,7 +39,7 @@ struct SortKey
 };
 
 /// Sizes are powers of four.
-unsigned sizeClassOf(const NumberedBox& box)
+unsigned sizeClassOf(const LatticeBox& box)
 {
   std::uint64_t length = 0;
   for (int axis = 0; axis < 3; ++axis)
@@ -51,7 +51,7 @@ unsigned sizeClassOf(const NumberedBox& box)
 
 } // namespace
 
-BoxTree::Query::Query(const BoxTree& tree, const NumberedBox& of) : box(of)
+BoxTree::Query::Query(const BoxTree& tree, const LatticeBox& of) : box(of)
 {
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -70,10 +70,10 @@ BoxTree::BoxTree(std::vector<NumberedBox> boxes, const RunContext& context)
   for (std::size_t begin = 0, end = 0; begin < boxes_.size(); begin = end)
   {
     const unsigned size = sizeClassOf(boxes_[begin]);
-    end = static_cast<std::size_t>(
-        std::partition_point(boxes_.begin() + static_cast<std::ptrdiff_t>(begin), boxes_.end(),
-                             [&](const NumberedBox& box) { return sizeClassOf(box) == size; }) -
-        boxes_.begin());
+    end =
+        static_cast<std::size_t>(std::partition_point(boxes_.begin() + static_cast<std::ptrdiff_t>(begin), boxes_.end(),
+                                                      [&](const LatticeBox& box) { return sizeClassOf(box) == size; }) -
+                                 boxes_.begin());
     addHierarchy(begin, end, context);
   }
 }
@@ -82,7 +82,7 @@ void BoxTree::sortBoxes(std::vector<NumberedBox> boxes, const RunContext& contex
 {
   constexpr int keyBits = 19;
   constexpr std::size_t grain = 16384;
-  const NumberedBox all = boundsOf(boxes);
+  const LatticeBox all = boundsOf(boxes);
   origin_ = all.low;
   std::uint64_t length = 1;
   for (int axis = 0; axis < 3; ++axis)

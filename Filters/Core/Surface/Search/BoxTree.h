@@ -25,7 +25,7 @@ public:
   const NumberedBox& box(std::size_t place) const { return boxes_[place]; }
 
   /// Calls visit(place) for each box from the place `first` on that touches this one.
-  template <typename Visit> void eachTouching(const NumberedBox& box, std::size_t first, Visit&& visit) const
+  template <typename Visit> void eachTouching(const LatticeBox& box, std::size_t first, Visit&& visit) const
   {
     const Query query(*this, box);
     for (const Hierarchy& hierarchy : hierarchies_)
@@ -57,9 +57,9 @@ private:
 
   struct Query
   {
-    Query(const BoxTree& tree, const NumberedBox& of);
+    Query(const BoxTree& tree, const LatticeBox& of);
 
-    const NumberedBox& box;
+    const LatticeBox& box;
     std::array<float, 3> low;
     std::array<float, 3> high;
   };
@@ -123,7 +123,7 @@ private:
             open[count++] = {step.level - 1, child};
           }
         }
-        else if (hierarchy.begin + child >= first && touch(boxes_[hierarchy.begin + child], query.box))
+        else if (hierarchy.begin + child >= first && overlap(boxes_[hierarchy.begin + child], query.box))
         {
           visit(hierarchy.begin + child);
         }
