@@ -81,7 +81,7 @@ Vec3 placeAt(Index point, const GridPlaces& grid)
 {
   const Octree& octree = grid.octree();
   const GridFrame& frame = octree.frame();
-  const Vec3 at = frame.toModel(grid.place(point));
+  Vec3 at = frame.toModel(grid.place(point));
   if (grid.isDisplaced(point))
   {
     return at;
@@ -93,7 +93,7 @@ Vec3 placeAt(Index point, const GridPlaces& grid)
   {
     for (unsigned slot = 0; slot < 8; ++slot)
     {
-      const Vec3 place = at + part * (octree.center(leaves[slot]) - at);
+      Vec3 place = at + part * (octree.center(leaves[slot]) - at);
       if (grid.points().atCorner[leaves[slot]][7 - slot] == point && frame.inDomain(frame.toLattice(place)) &&
           (part < 0.01 || octree.items(leaves[slot]).empty()))
       {
