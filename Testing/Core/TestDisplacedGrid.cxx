@@ -356,7 +356,6 @@ TEST_P(Table, HasAirBetweenItselfAndTheFloor)
 /// them little by little.
 TriangleSurface roundedBoard(double thickness)
 {
-  constexpr Index facets = 36;
   constexpr double length = 7.0;
   constexpr double width = 5.0;
   const double radius = 0.5 * thickness;
@@ -365,20 +364,8 @@ TriangleSurface roundedBoard(double thickness)
   addSheet(surface, "Top", {0, 0, thickness}, {length, 0, 0}, {0, width, 0});
   addSheet(surface, "Left", {0, 0, 0}, {0, 0, thickness}, {0, width, 0});
   addSheet(surface, "Right", {length, 0, 0}, {0, width, 0}, {0, 0, thickness});
-  for (const double y : {0.0, width})
-  {
-    std::vector<Vec3> points;
-    std::vector<std::array<Index, 3>> triangles;
-    for (Index i = 0; i < facets; ++i)
-    {
-      const double angle = 2.0 * std::numbers::pi * i / facets;
-      const Vec3 p(0.0, y + radius * std::cos(angle), radius + radius * std::sin(angle));
-      points.insert(points.end(), {p, p + Vec3(length, 0.0, 0.0)});
-      const Index next = (i + 1) % facets;
-      triangles.insert(triangles.end(), {{2 * i, 2 * i + 1, 2 * next + 1}, {2 * i, 2 * next + 1, 2 * next}});
-    }
-    addSurface(surface, y == 0.0 ? "Front" : "Back", points, triangles);
-  }
+  addTube(surface, "Front", {0, 0, radius}, {length, 0, radius}, radius, 36);
+  addTube(surface, "Back", {0, width, radius}, {length, width, radius}, radius, 36);
   return surface;
 }
 

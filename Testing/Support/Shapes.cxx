@@ -87,6 +87,25 @@ std::vector<Eigen::Vector2d> regularPolygon(int corners, double radius)
   return out;
 }
 
+void addTube(TriangleSurface& to, const std::string& name, const Vec3& begin, const Vec3& end, double radius,
+             Index facets)
+{
+  const Vec3 along = (end - begin).normalized();
+  const Vec3 u = along.unitOrthogonal();
+  const Vec3 v = along.cross(u);
+  std::vector<Vec3> points;
+  std::vector<std::array<Index, 3>> triangles;
+  for (Index i = 0; i < facets; ++i)
+  {
+    const double angle = 2.0 * std::numbers::pi * i / facets;
+    const Vec3 out = radius * (std::cos(angle) * u + std::sin(angle) * v);
+    points.insert(points.end(), {begin + out, end + out});
+    const Index next = (i + 1) % facets;
+    triangles.insert(triangles.end(), {{2 * i, 2 * next, 2 * next + 1}, {2 * i, 2 * next + 1, 2 * i + 1}});
+  }
+  addSurface(to, name, points, triangles);
+}
+
 void addSphere(TriangleSurface& to, const std::string& name, const Vec3& center, double radius, int subdivisions)
 {
   const double g = std::numbers::phi;

@@ -26,6 +26,11 @@ void addPrism(TriangleSurface& to, const std::string& name, const std::vector<Ei
 /// The first corner is on the x axis.
 std::vector<Eigen::Vector2d> regularPolygon(int corners, double radius);
 
+/// Open cylinder about the way from one point to another, normals outwards. With a multiple of four facets one of a
+/// level way touches the planes below and above it.
+void addTube(TriangleSurface& to, const std::string& name, const Vec3& begin, const Vec3& end, double radius,
+             Index facets);
+
 /// Subdivided icosahedron, normals outwards; 20 * 4^subdivisions triangles with all points at `radius`.
 void addSphere(TriangleSurface& to, const std::string& name, const Vec3& center, double radius, int subdivisions);
 
