@@ -100,6 +100,23 @@ def measure(command, folder, environment=None, accepted=(0,)):
     return {"wall": wall, "processor": usage.ru_utime + usage.ru_stime, "bytes": 1024 * usage.ru_maxrss}, text
 
 
+def length_of(bounds):
+    return max(bounds[i + 1] - bounds[i] for i in (0, 2, 4))
+
+
+def sizes_along(bounds, octants):
+    """Away from surfaces, at them and at edges; of the last so many along a model."""
+    size = length_of(bounds) / octants
+    return 4 * size, 2 * size, size
+
+
+def box_about(bounds, sizes):
+    """A quarter of the model's length on all sides, in whole octants of the largest size."""
+    margin = 0.25 * length_of(bounds)
+    return [(sizes[0] * math.floor((bounds[i] - margin) / sizes[0]), sizes[0] * math.ceil((bounds[i + 1] + margin) / sizes[0]))
+            for i in (0, 2, 4)]
+
+
 def run_atria(program, model, case, threads, folder):
     command = [program, model, *case.sizes, case.layers, threads, case.site, *case.curved]
     result, text = measure(command, folder)

@@ -18,7 +18,7 @@ import subprocess
 import sys
 import tempfile
 
-from compare import measure
+from compare import box_about, measure, sizes_along
 from peers import checked
 from tables import row
 
@@ -33,11 +33,9 @@ def sizes_and_domain(program, model, octants):
     if not boxes:
         return []
     bounds = [(max if i % 2 else min)(box[i] for box in boxes) for i in range(6)]
-    size = max(bounds[i + 1] - bounds[i] for i in (0, 2, 4)) / octants
-    domain = []
-    for low, high in zip(bounds[::2], bounds[1::2]):
-        domain += [4 * size * math.floor((low / size - octants / 4) / 4), 4 * size * math.ceil((high / size + octants / 4) / 4)]
-    return ["--domain", *map(repr, domain), "--size-max", 4 * size, "--size-mid", 2 * size, "--size-min", size]
+    sizes = sizes_along(bounds, octants)
+    domain = [repr(bound) for pair in box_about(bounds, sizes) for bound in pair]
+    return ["--domain", *domain, "--size-max", sizes[0], "--size-mid", sizes[1], "--size-min", sizes[2]]
 
 
 def run(program, model, options):

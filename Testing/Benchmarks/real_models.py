@@ -28,7 +28,7 @@ from vtkmodules.vtkCommonCore import vtkObject
 from vtkmodules.vtkFiltersCore import vtkTriangleFilter
 from vtkmodules.vtkIOGeometry import vtkSTLWriter
 
-from compare import machine, measure, write_sphere
+from compare import box_about, machine, measure, sizes_along, write_sphere
 from fingerprints import DATA, building
 from peers import FOAM, SIDES, checked
 from snappy_dictionaries import begin, block_mesh, controls, words, write, write_feature_extraction
@@ -109,13 +109,6 @@ def surface_of(model, without):
     return triangles.GetOutput()
 
 
-def box_about(bounds, sizes):
-    """A quarter of the model's length on all sides, in whole octants of the largest size."""
-    margin = 0.25 * max(bounds[i + 1] - bounds[i] for i in (0, 2, 4))
-    return [(sizes[0] * math.floor((bounds[i] - margin) / sizes[0]), sizes[0] * math.ceil((bounds[i + 1] + margin) / sizes[0]))
-            for i in (0, 2, 4)]
-
-
 def run_atria(program, model, work, sizes, box, folder):
     options = [*work.options, "--domain", *(repr(bound) for pair in box for bound in pair), "--layers", work.layers,
                "--size-max", sizes[0], "--size-mid", sizes[1], "--size-min", sizes[2]]
@@ -167,8 +160,7 @@ def compared(program, work, known):
         model = work.make(pathlib.Path(folder))
         surface = surface_of(model, work.options[1:])
         bounds = surface.GetBounds()
-        size = max(bounds[i + 1] - bounds[i] for i in (0, 2, 4)) / ACROSS
-        sizes = work.sizes or (4 * size, 2 * size, size)
+        sizes = work.sizes or sizes_along(bounds, ACROSS)
         box = box_about(bounds, sizes)
         meshers = {"Atria": lambda place: run_atria(program, model, work, sizes, box, place),
                    "snappyHexMesh": lambda place: run_snappy(surface, work, sizes, box, place)}
