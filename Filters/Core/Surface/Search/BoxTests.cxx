@@ -40,25 +40,14 @@ constexpr double roundingUnits = 4.0;
 } // namespace
 
 TriangleBoxTest::TriangleBoxTest(const LatticePoint& a, const LatticePoint& b, const LatticePoint& c)
-    : corners_{a, b, c}
+    : corners_{a, b, c}, bounds_(boundsOf(a, b, c))
 {
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    low_[axis] = std::min({a[axis], b[axis], c[axis]});
-    high_[axis] = std::max({a[axis], b[axis], c[axis]});
-  }
 }
 
 bool TriangleBoxTest::touches(const LatticeBox& box)
 {
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    if (low_[axis] > box.high[axis] || high_[axis] < box.low[axis])
-    {
-      return false;
-    }
-  }
-  return std::ranges::any_of(corners_, [&](const LatticePoint& p) { return box.contains(p); }) || !isSeparate(box);
+  return overlap(bounds_, box) &&
+         (std::ranges::any_of(corners_, [&](const LatticePoint& p) { return box.contains(p); }) || !isSeparate(box));
 }
 
 /// Lattice coordinates have some 40 bits, so that edges are exact.

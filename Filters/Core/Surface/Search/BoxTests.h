@@ -22,8 +22,7 @@ private:
   bool isSeparate(const LatticeBox& box);
 
   std::array<LatticePoint, 3> corners_;
-  LatticePoint low_;
-  LatticePoint high_;
+  LatticeBox bounds_;
   /// The normal and those normal to an edge and an axis of the grid; 0 until they are found.
   std::size_t count_ = 0;
   std::array<Vec3, 10> axes_;
