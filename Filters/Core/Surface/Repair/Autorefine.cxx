@@ -211,7 +211,8 @@ std::vector<Index> pointsOf(const TriangleSoup& soup, const Contacts& contacts)
 }
 
 /// From the second round on points at contacts become one within a distance that grows by this factor: what rounding
-/// makes anew in every round lies a few lattice units apart, and what is left after three rounds is folded.
+/// makes anew in every round lies a few lattice units apart, and what is left after three rounds is folded. Where
+/// contacts grow as fast, it does not help.
 constexpr std::int64_t loosening = 16;
 
 /// Cuts in rounds until nothing is found but contacts of triangles that are left.
@@ -272,8 +273,8 @@ private:
     return hideTangles(soup, contacts.pairs, clusters) ? find(changes).sorted(soup) : contacts;
   }
 
-  /// Leaves triangles that have more contacts than two rounds before, or as many where points do not become one
-  /// farther apart any more.
+  /// Leaves triangles whose contacts grew in two rounds as fast as the distance in which points become one, or are no
+  /// fewer where that does not grow any more.
   void leaveHopeless(const std::vector<FoundContacts::Pair>& pairs)
   {
     std::vector<Index> counts(report.isLeft.size(), 0);
@@ -282,11 +283,11 @@ private:
       ++counts[soup.sources[pair.first]];
       ++counts[soup.sources[pair.second]];
     }
-    const Index enough = width >= options.widestWeld ? 0 : 1;
+    const std::int64_t growth = width < options.widestWeld ? loosening : 1;
     for (std::size_t s = 0; s < countsBefore[0].size(); ++s)
     {
       const Index before = countsBefore[0][s];
-      report.isLeft[s] |= before > 0 && counts[s] >= before + enough ? 1 : 0;
+      report.isLeft[s] |= before > 0 && counts[s] >= growth * before ? 1 : 0;
     }
     countsBefore = {std::move(countsBefore[1]), std::move(counts)};
   }
