@@ -258,7 +258,8 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(reports[0]["repair"], reports[1]["repair"])
         for here, there in zip(reports[0]["patches"], reports[1]["patches"]):
             self.assertEqual((here["name"], here["faces"]), (there["name"], there["faces"]))
-            self.assertAlmostEqual(there["area"] / here["area"], 1, places=6)
+            # Points are rounded to nanometers there: those that slide to make elements better end elsewhere.
+            self.assertAlmostEqual(there["area"] / here["area"], 1, delta=1e-3)
 
     def test_round_solids(self):
         model = self.folder / "round.wrl"

@@ -241,7 +241,7 @@ void CurvedWalls::bringClose()
       return;
     }
     before = beyond;
-    run(loweredStage(state_.traits, wanted_));
+    run(stages.front());
     run(stages.back());
   }
 }

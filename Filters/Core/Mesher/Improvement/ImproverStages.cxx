@@ -25,10 +25,13 @@ constexpr double soundShare = 0.6;
 /// The least targets at curved walls.
 constexpr double leastDegrees = 1.0;
 constexpr double leastSkewness = 0.01;
+/// How far beyond what is asked for there the first limits are, and how much better aims are.
+constexpr CurvedWallTargets farthestBeyond{4.0, 0.1};
+constexpr CurvedWallTargets better{6.0, 0.07};
 /// Limit of pyramid cosines, a cell squish of 0.93: well above what is valid, so that cells come below 0.9.
 constexpr double leastPyramidCosine = 0.07;
-/// Degrees of non-orthogonality: 60, beyond which vertices leave where the model wants them, to 55.9.
-constexpr QualityRange acceptable{0.5, 0.56};
+/// Degrees of non-orthogonality: 60, beyond which vertices leave where the model wants them, to 56.6.
+constexpr QualityRange acceptable{0.5, 0.55};
 /// 71.9 to 66.4.
 constexpr QualityRange acceptableOfDivided{0.31, 0.4};
 
@@ -37,9 +40,9 @@ constexpr QualityRange acceptableOfDivided{0.31, 0.4};
 constexpr QualityRange creaseJacobian{0.3, 0.31};
 /// And the cosine of non-orthogonality: 60 degrees.
 constexpr QualityRange creaseFaceCosine{0.5, 0.51};
-/// How far below these the first limits are, each next one half of that; and how far beyond them aims are at least.
+/// How far below these the first limits are, each next one half of that; and how far beyond them aims are.
 constexpr double farthestBelow = 0.2;
-constexpr double leastBeyond = 0.03;
+constexpr double wantedBeyond = 0.03;
 /// What is aimed at first.
 constexpr double goodCreaseJacobian = 0.45;
 
@@ -83,12 +86,13 @@ ImproverStage straighteningStage(const MeshTraits& traits, const QualityRange& f
   return stage;
 }
 
-/// How far the limits and the aims of a stage lie beyond what is asked for, in degrees and in skewness.
-ImproverStage closeStage(const MeshTraits& traits, const CurvedWallTargets& wanted, const QualityRange& degrees,
-                         const QualityRange& skewness, float below)
+/// Limits are a share of `farthestBeyond` worse than what is asked for; aims are `better` in all stages.
+ImproverStage closeStage(const MeshTraits& traits, const CurvedWallTargets& wanted, double share)
 {
+  const auto cosineAt = [&](double beyond) { return cosineOf(wanted.nonOrthogonality + beyond); };
+  const auto skewnessAt = [&](double beyond) { return std::max(wanted.skewness + beyond, leastSkewness); };
   ImproverStage stage;
-  stage.below = below;
+  stage.below = clearlyShort;
   stage.options.rings = 1;
   stage.options.sweeps = 12;
   stage.options.patient = true;
@@ -96,12 +100,10 @@ ImproverStage closeStage(const MeshTraits& traits, const CurvedWallTargets& want
   stage.options.leastWorst = leastOfOthers;
   QualityTargets& targets = stage.options.targets;
   targets = baseTargets(traits);
-  const auto cosineAt = [&](double beyond) { return cosineOf(wanted.nonOrthogonality + beyond); };
-  targets.faceCosine = {std::max(targets.faceCosine.limit, cosineAt(degrees.limit)),
-                        std::max(targets.faceCosine.target, cosineAt(degrees.target))};
-  const auto skewnessAt = [&](double beyond) { return std::max(wanted.skewness + beyond, leastSkewness); };
-  targets.skewness = {std::min(targets.skewness.limit, skewnessAt(skewness.limit)),
-                      std::min(targets.skewness.target, skewnessAt(skewness.target))};
+  targets.faceCosine = {std::max(targets.faceCosine.limit, cosineAt(share * farthestBeyond.nonOrthogonality)),
+                        std::max(targets.faceCosine.target, cosineAt(-better.nonOrthogonality))};
+  targets.skewness = {std::min(targets.skewness.limit, skewnessAt(share * farthestBeyond.skewness)),
+                      std::min(targets.skewness.target, skewnessAt(-better.skewness))};
   targets.scaledJacobian = std::min(targets.scaledJacobian, curvedJacobian);
   targets.jacobianLimit = std::min(leastCurvedJacobian, targets.scaledJacobian);
   targets.leastOfFaceCosine = targets.leastOfSkewness = leastOfOthers;
@@ -219,14 +221,7 @@ ImproverStage curvedStage(const MeshTraits& traits, const CurvedWallTargets& wan
 
 std::vector<ImproverStage> closeStages(const MeshTraits& traits, const CurvedWallTargets& wanted)
 {
-  return {closeStage(traits, wanted, {4.0, -2.0}, {0.1, 0.0}, 0.5F),
-          closeStage(traits, wanted, {1.0, -5.0}, {0.05, -0.05}, 0.4F),
-          closeStage(traits, wanted, {0.0, -6.0}, {0.03, -0.07}, 0.3F)};
-}
-
-ImproverStage loweredStage(const MeshTraits& traits, const CurvedWallTargets& wanted)
-{
-  return closeStage(traits, wanted, {4.0, -6.0}, {0.1, -0.07}, 0.5F);
+  return {closeStage(traits, wanted, 1.0), closeStage(traits, wanted, 0.25), closeStage(traits, wanted, 0.0)};
 }
 
 std::vector<ImproverStage> straighteningStages(const MeshTraits& traits)
@@ -237,9 +232,9 @@ std::vector<ImproverStage> straighteningStages(const MeshTraits& traits)
     return {straighteningStage(traits, {0.2, 0.4}, true), straighteningStage(traits, {0.2, 0.4}),
             straighteningStage(traits, {0.35, 0.5}, true), straighteningStage(traits, {0.35, 0.5})};
   }
-  // 72.5 to 60, 66.4 to 57.3, 59.3 to 55.9.
-  return {straighteningStage(traits, {0.3, 0.5}), straighteningStage(traits, {0.4, 0.54}),
-          straighteningStage(traits, {0.51, acceptable.target}), straighteningStage(traits, {0.51, acceptable.target})};
+  // 72.5, 66.4 and 59.3 to 56.6.
+  const auto stage = [&](double limit) { return straighteningStage(traits, {limit, acceptable.target}); };
+  return {stage(0.3), stage(0.4), stage(0.51), stage(0.51)};
 }
 
 QualityTargets targetsOfLargestAngle(const MeshTraits& traits)
@@ -281,7 +276,7 @@ std::vector<ImproverStage> creaseStages(const MeshTraits& traits)
 {
   const auto stage = [&](double below, bool isFirst) {
     const auto about = [&](const QualityRange& wanted, double beyond) {
-      return QualityRange{wanted.limit - below, wanted.limit + std::max(leastBeyond, beyond)};
+      return QualityRange{wanted.limit - below, wanted.limit + std::max(wantedBeyond, beyond)};
     };
     ImproverStage out{thorough()};
     OptimizerOptions& options = out.options;
@@ -301,8 +296,8 @@ std::vector<ImproverStage> creaseStages(const MeshTraits& traits)
   // What is just above a limit may not fall below it, and holds others back: in the last ones limits go down and up.
   for (int i = 0; i < 4; ++i)
   {
-    stages.push_back(stage(0.03, false));
-    stages.push_back(stage(0.01, false));
+    stages.push_back(stage(2.0 * below, false));
+    stages.push_back(stage(below, false));
   }
   return stages;
 }

@@ -86,10 +86,10 @@ std::vector<ImproverStage> divisionStages(const MeshTraits& traits);
 /// long; then in stages the few elements of any shape that are far from it, where all walls are smooth.
 QualityTargets targetsAtCurved(const MeshTraits& traits, const CurvedWallTargets& wanted);
 ImproverStage curvedStage(const MeshTraits& traits, const CurvedWallTargets& wanted);
-/// The limits rise. By the last one cells are moved that have 1.6 degrees less than what is asked for.
+/// The limits rise. By the last one cells are moved that have three degrees less than what is asked for.
 std::vector<ImproverStage> closeStages(const MeshTraits& traits, const CurvedWallTargets& wanted);
-/// What is just at a limit is hard to move on, as what is above may not fall below: the limit is lowered, then raised.
-ImproverStage loweredStage(const MeshTraits& traits, const CurvedWallTargets& wanted);
+/// What is just at a limit is hard to move on, as what is above may not fall below: the limit is the first one again,
+/// then the last one, so often.
 inline constexpr int mostLowered = 4;
 
 /// 7. What is valid is brought within the angles that solvers do well with. The limit rises in stages: held to the last
