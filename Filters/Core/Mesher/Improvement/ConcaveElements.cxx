@@ -2,6 +2,7 @@
 #include "Mesher/Improvement/ConcaveElements.h"
 
 #include "Mesher/Improvement/PartialMesh.h"
+#include "Quality/Checks/CheckLimits.h"
 #include "Quality/Faces/Geometry.h"
 #include "Quality/Unions/MergeFaces.h"
 #include "Support/Sorting.h"
@@ -12,14 +13,11 @@ namespace atria {
 
 namespace {
 
-/// The sine from which on checkMesh takes a cell for convex.
-constexpr double leastSine = 1e-6;
-
 /// Whether one of two faces, outward, has the other behind its plane or in it.
 bool areConcave(const PolygonMeasure& a, const PolygonMeasure& b)
 {
   const Vec3 way = b.centroid - a.centroid;
-  const double least = leastSine * way.norm();
+  const double least = checkLimits::concaveSine * way.norm();
   return way.dot(a.area) > -least * a.area.norm() || -way.dot(b.area) > -least * b.area.norm();
 }
 

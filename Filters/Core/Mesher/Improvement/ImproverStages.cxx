@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesher/Improvement/ImproverStages.h"
 
+#include "Quality/Checks/CheckLimits.h"
+
 #include <cmath>
 #include <numbers>
 
@@ -248,11 +250,11 @@ QualityTargets targetsOfChecks(const MeshTraits& traits)
 {
   QualityTargets targets = baseTargets(traits);
   targets.pyramidCosine.limit = targets.faceCosine.limit = 0.0;
-  targets.convexity.limit = 1e-6;
-  targets.skewness.limit = 4.0;
-  targets.weight.limit = traits.hasHeights ? 0.0 : 0.05;
-  targets.volumeRatio.limit = traits.hasHeights ? 0.0 : 0.01;
-  targets.determinantRoot.limit = std::sqrt(std::sqrt(0.001));
+  targets.convexity.limit = checkLimits::concaveSine;
+  targets.skewness.limit = checkLimits::skewness;
+  targets.weight.limit = traits.hasHeights ? 0.0 : checkLimits::faceWeight;
+  targets.volumeRatio.limit = traits.hasHeights ? 0.0 : checkLimits::volumeRatio;
+  targets.determinantRoot.limit = std::sqrt(std::sqrt(checkLimits::determinant));
   return targets;
 }
 

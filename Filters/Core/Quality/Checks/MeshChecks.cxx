@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Quality/Checks/MeshChecks.h"
 
+#include "Quality/Checks/CheckLimits.h"
 #include "Quality/Checks/CheckQuantities.h"
 #include "Quality/Checks/Metrics.h"
 #include "Quality/Faces/InOrder.h"
@@ -51,10 +52,12 @@ public:
     judgeNearPoints();
     judgeQuantity({"FaceConcaveAngle", "concaveFaces", false, true, 0.0}, CheckQuantity::FaceConcaveAngle);
     judgeQuantity({"FaceFlatness", "warpedFaces", false, false, 0.8}, CheckQuantity::FaceFlatness);
-    judgeQuantity({"Determinant", "underdeterminedCells", true, false, 1e-3}, CheckQuantity::Determinant);
-    judgeQuantity({"Concavity", "concaveCells", true, true, -1e-6}, CheckQuantity::Concavity);
-    judgeQuantity({"FaceWeight", "lowWeightFaces", true, false, 0.05}, CheckQuantity::FaceWeight);
-    judgeQuantity({"VolumeRatio", "lowVolRatioFaces", true, false, 0.01}, CheckQuantity::VolumeRatio);
+    judgeQuantity({"Determinant", "underdeterminedCells", true, false, checkLimits::determinant},
+                  CheckQuantity::Determinant);
+    judgeQuantity({"Concavity", "concaveCells", true, true, -checkLimits::concaveSine}, CheckQuantity::Concavity);
+    judgeQuantity({"FaceWeight", "lowWeightFaces", true, false, checkLimits::faceWeight}, CheckQuantity::FaceWeight);
+    judgeQuantity({"VolumeRatio", "lowVolRatioFaces", true, false, checkLimits::volumeRatio},
+                  CheckQuantity::VolumeRatio);
     context.progress.report(1.0, "Mesh checked");
     return std::move(verdict);
   }
@@ -163,7 +166,8 @@ private:
   void judgeSkewness()
   {
     const auto skewness = [this](std::size_t f) { return faceSkewness(m, f); };
-    judge({"Skewness", "skewFaces", true, true, 4.0}, MeshPart::Faces, valuesOf(m.mesh.faceCount(), skewness));
+    judge({"Skewness", "skewFaces", true, true, checkLimits::skewness}, MeshPart::Faces,
+          valuesOf(m.mesh.faceCount(), skewness));
   }
 
   double leastDistanceSquared()
