@@ -3,12 +3,16 @@
 #pragma once
 
 #include "Dual/Mesh/DualMesh.h"
+#include "Support/Angles.h"
 #include "Support/Buckets.h"
 #include "Support/RunContext.h"
 
 #include <span>
 
 namespace atria {
+
+/// Two edges on a curve or crease are in line beyond this angle.
+inline const double inLineCosine = cosOfDegrees(149.99);
 
 /// Edge i of a boundary face runs from corner i to corner i + 1 of hexahedronFace[direction]; where both are one point
 /// there is no edge.

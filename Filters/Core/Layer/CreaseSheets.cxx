@@ -2,7 +2,6 @@
 #include "Layer/CreaseSheets.h"
 
 #include "Layer/PrismAxes.h"
-#include "Support/Angles.h"
 #include "Support/UnionFind.h"
 
 #include <algorithm>
@@ -12,9 +11,6 @@
 namespace atria {
 
 namespace {
-
-/// The angle between two edges on creases beyond which a face's piece gets crease sheets.
-const double widestCosine = cosOfDegrees(149.99);
 
 /// Walls and the pieces they are of. Corner k of a face comes after edge k - 1 and before edge k.
 class PiecedWalls
@@ -131,7 +127,7 @@ private:
         const Vec3& p = layer.mesh.points[pointAt(f, k)];
         const Vec3 before = (layer.mesh.points[pointAt(f, k + 3)] - p).normalized();
         const Vec3 after = (layer.mesh.points[pointAt(f, k + 1)] - p).normalized();
-        if (before.dot(after) < widestCosine)
+        if (before.dot(after) < inLineCosine)
         {
           return true;
         }

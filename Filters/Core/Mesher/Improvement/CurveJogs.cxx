@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesher/Improvement/CurveJogs.h"
 
-#include "Support/Angles.h"
 #include "Support/Sorting.h"
 
 #include <algorithm>
@@ -9,9 +8,6 @@
 namespace atria {
 
 namespace {
-
-/// The angle between two edges on a curve beyond which they are in line.
-const double widestCosine = cosOfDegrees(149.99);
 
 class JogRemover
 {
@@ -107,7 +103,7 @@ private:
     const Vec3& p = mesh.points[pointAt(f, k)];
     const Vec3 before = (mesh.points[pointAt(f, k + 3)] - p).normalized();
     const Vec3 after = (mesh.points[pointAt(f, k + 1)] - p).normalized();
-    return before.dot(after) < widestCosine;
+    return before.dot(after) < inLineCosine;
   }
 
   void join(Index f, int inner, std::vector<Index>& freed)
