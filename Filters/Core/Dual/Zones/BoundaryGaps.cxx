@@ -17,8 +17,6 @@ namespace {
 constexpr double stepLength = 0.25;
 /// In steps: how far from the ends of a boundary edge its first and last places are. At the end itself others begin.
 constexpr double beforeEnd = 0.01;
-/// What is this near, in octants, touches.
-constexpr double touchDistance = 1e-4;
 
 LatticePoint moved(const LatticePoint& p, const Vec3& by)
 {
@@ -112,12 +110,13 @@ private:
     const std::optional<Vec3> side = sideAhead(p, narrow, outward);
     const double reach = side ? side->norm() : narrow;
     const Vec3 from = toVector(p);
-    const auto place = tree.nearest(from, reach, AheadRule(model, tree, triangle, from, outward, touchDistance * size));
+    const auto place =
+        tree.nearest(from, reach, AheadRule(model, tree, triangle, from, outward, coincidentRatio * size));
     if (!place)
     {
       return {p, side, size};
     }
-    const bool touches = place->squaredDistance <= std::pow(touchDistance * size, 2);
+    const bool touches = place->squaredDistance <= std::pow(coincidentRatio * size, 2);
     return {p, touches ? Vec3(Vec3::Zero()) : Vec3(place->at - from), size};
   }
 
