@@ -18,10 +18,8 @@ namespace {
 /// The part of a face's area that each of its triangles should have.
 constexpr double leastPart = 0.05;
 constexpr int mostSweeps = 30;
-/// Steps that are tried, against the size of the faces about a point.
+/// Steps that are tried, against the size of the faces about a point; it slides by no more than that in all.
 constexpr std::array<double, 4> steps{0.4, 0.15, 0.05, 0.02};
-/// How far a point may slide in all.
-constexpr double farthest = 1.0;
 /// What a step has to gain, against what there is.
 constexpr double leastGain = 1e-3;
 
@@ -197,7 +195,7 @@ private:
       {
         const Vec3 way = (isUpper(direction) ? step : -step) * size * Vec3::Unit(axisOf(direction));
         mesh.points[p] = constraints.place(p, from + way);
-        const double there = (at(p) - start[p]).norm() <= farthest * size ? penaltyAt(p, areas) : before;
+        const double there = (at(p) - start[p]).norm() <= size ? penaltyAt(p, areas) : before;
         if (there < least)
         {
           least = there;
