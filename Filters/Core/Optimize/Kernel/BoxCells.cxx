@@ -9,18 +9,16 @@ namespace atria {
 namespace {
 
 constexpr std::size_t grain = 2048;
-/// By how much lengths have to be above what targets ask for: far more than boxes may be out of square.
+/// By how much boxes have to be better than what targets ask for: far more than boxes may be out of square.
 constexpr double clearly = 1.01;
-/// Boxes have no angles and no skewness but by rounding. Targets that ask for more than this share of that are not
-/// looked at.
-constexpr double nearlyAll = 0.9999;
-constexpr double hardlySkew = 1e-3;
 
+/// Boxes have no angles and no skewness but by rounding.
 bool asksForMoreThanBoxes(const QualityTargets& targets)
 {
-  return std::max({targets.pyramidCosine.target, targets.faceCosine.target, targets.boundaryShape.target,
-                   targets.scaledJacobian}) > nearlyAll ||
-         targets.skewness.target < hardlySkew;
+  return clearly * std::max({targets.pyramidCosine.target, targets.faceCosine.target, targets.boundaryShape.target,
+                             targets.scaledJacobian}) >
+             1.0 ||
+         1.0 + targets.skewness.target < clearly;
 }
 
 double volumeOf(const Vec3& lengths) { return lengths[0] * lengths[1] * lengths[2]; }

@@ -2,6 +2,7 @@
 // How the measures of cells and faces are judged.
 #include "Optimize/Kernel/EvaluatorShapes.h"
 #include "Optimize/Kernel/QualityEvaluator.h"
+#include "Quality/Checks/CheckLimits.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,14 +16,8 @@ constexpr std::size_t grain = 256;
 constexpr double flatVolume = 0.004;
 /// Of what is flat but for rounding.
 constexpr double flatSine = 1e-7;
-/// Boundary faces in one plane are written as one, where the sine between their normals is below this; from the same
-/// sine on checkMesh takes a face to lie behind the plane of another. See mergedPlanarSine.
-constexpr double planarSine = 1e-6;
 /// Skewness is not more than this, so that one wild face does not drown the others.
 constexpr double wild = 8.0;
-/// Most measures are far above their target. What is above it by more than rounding can make is not divided, and no
-/// root is taken.
-constexpr double clearly = 1.0001;
 
 /// Whether a component along a unit vector is above this share of the vector's length.
 bool isAbove(double along, double share, const Vec3& vector)
@@ -30,11 +25,12 @@ bool isAbove(double along, double share, const Vec3& vector)
   return along > 0.0 && along * along >= share * share * vector.squaredNorm();
 }
 
-/// Whether one boundary face of a cell is far enough behind the plane of another, or in it with its whole plane.
+/// Whether one boundary face of a cell is far enough behind the plane of another, or in it with its whole plane: such
+/// faces are written as one. See mergedPlanarSine.
 bool isBehindOrFlat(double inside, double length, const Vec3& normal, const Vec3& other)
 {
-  return inside > 2.0 * planarSine * length ||
-         (inside >= -flatSine * length && (normal - other).squaredNorm() < planarSine * planarSine);
+  return inside > 2.0 * checkLimits::concaveSine * length ||
+         (inside >= -flatSine * length && (normal - other).norm() < checkLimits::concaveSine);
 }
 
 } // namespace
@@ -386,19 +382,19 @@ double QualityEvaluator::straightnessOf(Index face) const
   return targets_.skewness.of(std::min(skewness, wild));
 }
 
-/// Interpolation weight and ratio of volumes.
+/// Interpolation weight and ratio of volumes. Most are far above their target, and are not divided.
 template <typename Sink>
 void QualityEvaluator::judgeSizes(const FaceMeasure& face, const Measure& of, const CellMeasure& own,
                                   const CellMeasure& other, Sink& score) const
 {
   const double here = std::abs(face.normal.dot(face.centroid - own.centroid));
   const double there = std::abs(face.normal.dot(other.centroid - face.centroid));
-  if (std::min(here, there) <= clearly * targets_.weight.target * (here + there + rootVSmall))
+  if (std::min(here, there) <= Score::farAbove * targets_.weight.target * (here + there + rootVSmall))
   {
     score.add(of, targets_.weight.of(weightOf(face, own, other)));
   }
   const double larger = std::max(std::abs(own.volume), std::abs(other.volume));
-  if (std::min(own.volume, other.volume) <= clearly * targets_.volumeRatio.target * (larger + rootVSmall))
+  if (std::min(own.volume, other.volume) <= Score::farAbove * targets_.volumeRatio.target * (larger + rootVSmall))
   {
     score.add({Measure::volumeRatio, 0, noIndex, of.face}, targets_.volumeRatio.of(volumeRatioOf(own, other)));
   }
@@ -428,15 +424,13 @@ double QualityEvaluator::boundaryShapeOf(Index face, std::size_t part, const Sha
 /// Whether the skewness is below its target, as far as that can be seen without roots and division.
 bool QualityEvaluator::isClearlyStraight(Index face, const Vec3& d) const
 {
-  constexpr double notAlong = 1e-3;
   const FaceMeasure& f = faces[face];
   const Vec3 toFace = f.centroid - cells[region_.owner[face]].centroid;
   const double along = f.normal.dot(d);
   const double square = along * along;
   const double length = d.squaredNorm();
   const double least = (region_.neighbor[face] != noIndex ? 0.2 : 0.4) * targets_.skewness.target;
-  return square > notAlong * notAlong * length &&
-         clearly * (along * toFace - f.normal.dot(toFace) * d).squaredNorm() < least * least * length * square;
+  return Score::farAbove * (along * toFace - f.normal.dot(toFace) * d).squaredNorm() < least * least * length * square;
 }
 
 /// As in Quality/Metrics.h; what is below `good` is not computed to the end.
