@@ -2,7 +2,6 @@
 #include "Dual/Grid/EdgeProbe.h"
 
 #include "Grid/Predicates.h"
-#include "Support/Angles.h"
 #include "Support/Sorting.h"
 #include "Surface/Search/Distance.h"
 
@@ -15,9 +14,6 @@ namespace {
 
 /// How far beyond an edge, against the edge's length, the tip of a crease may reach for the edge to count as uncut.
 constexpr double nickDepth = 0.3;
-
-/// Creases more acute than this are sheets side by side.
-const double foldCosine = cosOfDegrees(30.01);
 
 /// Pieces in a leaf beyond which a tree finds those near an edge sooner.
 constexpr std::size_t longList = 64;
@@ -151,11 +147,6 @@ bool EdgeProbe::isBulge(const EdgeSegment& edge, const SurfaceCrossing& l, const
 /// in different zones.
 bool EdgeProbe::isNick(const EdgeSegment& edge, const SurfaceCrossing& l, const SurfaceCrossing& r) const
 {
-  // The two sides of a fold, such as a wall that is there twice, are no tip.
-  if (std::abs(model.normal(l.triangle).normalized().dot(model.normal(r.triangle).normalized())) > foldCosine)
-  {
-    return false;
-  }
   const auto [low, high] = std::minmax(model.charts[l.triangle], model.charts[r.triangle]);
   const Vec3 middle = pointOn(edge, 0.5 * (l.parameter + r.parameter));
   const double reach = nickDepth * static_cast<double>(edge.size);
