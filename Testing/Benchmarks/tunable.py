@@ -27,7 +27,7 @@ TYPES = "double|float|int|std::size_t|std::int64_t"
 DEFINITION = re.compile(r"^(?P<head>\s*(?:inline |static )*)(?:constexpr|const(?= double \w+ = cosOfDegrees\()) "
                         rf"(?P<type>{TYPES}) (?P<name>\w+) = "
                         r"(?P<value>[^;]*\d[^;]*);", re.MULTILINE)
-TABLE = re.compile(r"^(?P<head>\s*(?:inline |static )*)constexpr (?P<type>QualityRange|std::array) (?P<name>\w+)"
+TABLE = re.compile(r"^(?P<head>\s*(?:inline |static )*)constexpr (?P<type>QualityRange|CurvedWallTargets|std::array) (?P<name>\w+)"
                    r"(?P<value>\{[^;]*\d\.\d[^;]*\});", re.MULTILINE)
 MEMBER = re.compile(r"^(?P<head>  )(?P<type>double|int) (?P<name>\w+) = (?P<value>[\d.e-]*[1-9][\d.e-]*);", re.MULTILINE)
 RANGE = re.compile(r"^(?P<head>  )(?P<type>QualityRange) (?P<name>\w+)(?P<value>\{[^;]*\d\.\d[^;]*\});", re.MULTILINE)
