@@ -8,9 +8,15 @@ namespace atria {
 
 namespace {
 
-/// How many moves follow those that begin a chain. Buildings need no chains. Without them eight of nine models of
-/// others have 1 to 18 % more unresolved features, and 24 fans of sheets in random poses 0.5 % more.
+/// Of a chain of moves: how many points begin it, what there may be more unresolved meanwhile, how many follow, and
+/// what must be gained in all. Of 3,660 chains in seven models 57 gained something, of which 56 were within these
+/// limits, and 2,500 were not. Buildings need no chains. Without them eight of nine models of others have 1 to 18 %
+/// more unresolved features, and 24 fans of sheets in random poses 0.5 % more. The limit of what may be lost saves
+/// time.
+constexpr std::size_t mostReturns = 6;
+constexpr double greatestLoss = 5.0;
 constexpr std::size_t longestChain = 4;
+constexpr double leastChainGain = 0.5;
 /// Where more octants than these are unresolved about a chain, sheets are in each other's way: moves there mend one
 /// octant at the cost of the next, and there are many to try.
 constexpr std::size_t mostAbout = 6;
@@ -80,7 +86,7 @@ std::vector<PlaceMoves::Places> MoveChains::returnsToPlanes(Index leaf) const
         places.emplace_back(point, found->second);
       }
     }
-    if (!places.empty())
+    if (!places.empty() && places.size() <= mostReturns)
     {
       returns.push_back(std::move(places));
     }
@@ -94,7 +100,7 @@ PlaceMoves::Places MoveChains::follow(const Places& start)
 {
   MovingGrid::Trail trail;
   double gained = -moves.make(start, trail);
-  for (std::size_t i = 0; gained <= smallestGain && i < longestChain; ++i)
+  for (std::size_t i = 0; gained <= leastChainGain && gained > -greatestLoss && i < longestChain; ++i)
   {
     const PlaceMove next = bestBeside(trail.places);
     if (next.gain <= 0.0)
@@ -103,7 +109,7 @@ PlaceMoves::Places MoveChains::follow(const Places& start)
     }
     gained -= moves.make({{next.point, next.place}}, trail);
   }
-  if (gained > smallestGain)
+  if (gained > leastChainGain)
   {
     return trail.places;
   }
