@@ -211,9 +211,11 @@ std::vector<Index> pointsOf(const TriangleSoup& soup, const Contacts& contacts)
 }
 
 /// From the second round on points at contacts become one within a distance that grows by this factor: what rounding
-/// makes anew in every round lies a few lattice units apart, and what is left after three rounds is folded. Where
-/// contacts grow as fast, it does not help.
+/// makes anew in every round lies a few lattice units apart, and what is left after three rounds is folded.
 constexpr std::int64_t loosening = 16;
+/// Where a triangle's contacts grow by this in two rounds meanwhile, that will not mend it: with more, places that hold
+/// on to all others take as long as all else.
+constexpr std::int64_t hopelessGrowth = 4;
 
 /// Cuts in rounds until nothing is found but contacts of triangles that are left.
 class Rounds
@@ -273,8 +275,8 @@ private:
     return hideTangles(soup, contacts.pairs, clusters) ? find(changes).sorted(soup) : contacts;
   }
 
-  /// Leaves triangles whose contacts grew in two rounds as fast as the distance in which points become one, or are no
-  /// fewer where that does not grow any more.
+  /// Leaves triangles whose contacts grew much in two rounds, or are no fewer where the distance in which points become
+  /// one does not grow any more.
   void leaveHopeless(const std::vector<FoundContacts::Pair>& pairs)
   {
     std::vector<Index> counts(report.isLeft.size(), 0);
@@ -283,7 +285,7 @@ private:
       ++counts[soup.sources[pair.first]];
       ++counts[soup.sources[pair.second]];
     }
-    const std::int64_t growth = width < options.widestWeld ? loosening : 1;
+    const std::int64_t growth = width < options.widestWeld ? hopelessGrowth : 1;
     for (std::size_t s = 0; s < countsBefore[0].size(); ++s)
     {
       const Index before = countsBefore[0][s];
