@@ -8,7 +8,7 @@ changes by one at least. A cosine, by its name, stands for an angle, and it is t
 5 % of 1 it is the rest.
 
 Numbers that the compiler needs (sizes of arrays) stay as they are, and so do those that only divide work among threads
-or guard against rounding, and rooms that judge or report: none of these steers a mesh.
+or guard against rounding, limits of what users may ask for, and rooms that judge or report: none of these steers a mesh.
 """
 
 import itertools
@@ -39,7 +39,8 @@ NO_MESH = ("Quality", "Support", "Surface/Inspection", "Domain/DomainCheck", "Me
            "Layer/LayerBudget", "Octree/Sizing/Sizing.h", "Domain/WindDomain")
 NO_TUNING = re.compile(r"grain|tiny|rounding|noise|partLength|leastPiece|few|many|width|keyBits|latticeBits|perDegree|"
                        r"rounder|roundingUnits|leafSize|unset|maximumDepth|octreeShare|far|length|largest|slack|quarter|"
-                       r"square|surely|mostNumbers|longList|enough|manyEach|mostWays|smallestGain|tie|noArea")
+                       r"square|surely|mostNumbers|longList|enough|manyEach|mostWays|smallestGain|tie|noArea|anything|"
+                       r"cellsAcross|fewestPrismSides|mostPrismSides|maximumGrowth|straight")
 HEADER = """#pragma once
 #include <cmath>
 #include <cstdlib>

@@ -42,9 +42,9 @@ constexpr QualityRange acceptableOfDivided{0.31, 0.4};
 constexpr QualityRange creaseJacobian{0.3, 0.31};
 /// And the cosine of non-orthogonality: 60 degrees.
 constexpr QualityRange creaseFaceCosine{0.5, 0.51};
-/// How far below these the first limits are, each next one half of that; and how far beyond them aims are.
+/// How far below these the first limits are, each next one half of that; and how far beyond them aims are at least.
 constexpr double farthestBelow = 0.2;
-constexpr double wantedBeyond = 0.03;
+constexpr double leastBeyond = 0.03;
 /// What is aimed at first.
 constexpr double goodCreaseJacobian = 0.45;
 
@@ -278,7 +278,7 @@ std::vector<ImproverStage> creaseStages(const MeshTraits& traits)
 {
   const auto stage = [&](double below, bool isFirst) {
     const auto about = [&](const QualityRange& wanted, double beyond) {
-      return QualityRange{wanted.limit - below, wanted.limit + std::max(wantedBeyond, beyond)};
+      return QualityRange{wanted.limit - below, wanted.limit + std::max(leastBeyond, beyond)};
     };
     ImproverStage out{thorough()};
     OptimizerOptions& options = out.options;
