@@ -18,7 +18,7 @@ namespace {
 /// The part of a face's area that each of its triangles should have.
 constexpr double leastPart = 0.05;
 constexpr int mostSweeps = 30;
-/// Steps that are tried, against the size of the faces about a point; it slides by no more than that in all.
+/// Steps that are tried, against the size of the faces about a point; it slides by no more than that size in all.
 constexpr std::array<double, 4> steps{0.4, 0.15, 0.05, 0.02};
 /// What a step has to gain, against what there is.
 constexpr double leastGain = 1e-3;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Quality/Unions/CellUnion.h"
 
+#include "Quality/Checks/CheckLimits.h"
 #include "Quality/Checks/MeshChecks.h"
 #include "Quality/Checks/Metrics.h"
 #include "Quality/Unions/MergeFaces.h"
@@ -165,11 +166,10 @@ bool isBall(const FaceMesh& mesh, std::span<const Index> faces)
 double worstPenalty(const MeasuredMesh& m, std::span<const Index> faces)
 {
   constexpr double severeDegrees = 70.0;
-  constexpr double severeSkewness = 4.0;
   double worst = 0.0;
   for (const Index f : faces)
   {
-    worst = std::max(worst, faceSkewness(m, f) / severeSkewness);
+    worst = std::max(worst, faceSkewness(m, f) / checkLimits::skewness);
     if (f < m.mesh.internalFaceCount())
     {
       worst = std::max(worst, degreesOfCosine(faceCosine(m, f)) / severeDegrees);

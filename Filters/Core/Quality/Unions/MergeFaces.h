@@ -3,6 +3,7 @@
 /// that know polyhedra.
 #pragma once
 
+#include "Quality/Checks/CheckLimits.h"
 #include "Quality/Faces/FaceMesh.h"
 #include "Support/RunContext.h"
 
@@ -16,7 +17,7 @@ namespace atria {
 /// further from their common plane than this share of their longest edge. At 1e-6, the sine to which OpenFOAM's
 /// checkMesh tells concave cells, the area of a patch changes by less than 2e-13 of it. The merged face's triangles
 /// have to have angles with a greater sine than this.
-inline constexpr double mergedPlanarSine = 1e-6;
+inline constexpr double mergedPlanarSine = checkLimits::concaveSine;
 
 /// What unions of cells, or of faces, leave as it is.
 struct KeptParts

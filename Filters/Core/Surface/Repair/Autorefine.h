@@ -51,9 +51,9 @@ struct AutorefineReport
 /// edges; points closer than the reach allows become one; of triangles with the same points the first is kept. New
 /// points are rounded to the lattice, which can make new contacts; the next round looks at the pieces, each with those
 /// of what its triangle has touched. From the second on, points at contacts become one within a distance that grows to
-/// the widest weld, as what is left then lies closer together than cuts can tell apart. A triangle that
-/// has four times the contacts of two rounds before, or no fewer once that distance no longer grows, is left: its
-/// contacts with others that are left are only counted. Pieces take the place of their triangle, with its winding,
+/// the widest weld, as what is left then lies closer together than cuts can tell apart. A triangle that has four times
+/// the contacts of two rounds before, or no fewer once that distance no longer grows, is left: its contacts with others
+/// that are left are only counted. Pieces take the place of their triangle, with its winding,
 /// surface and source; those of one triangle are not compared with each other. O(n log n) where little is cut. Nothing
 /// is cut in clusters; what touches too many others is hidden as if it were in one. Triangles in `isLone` are known to
 /// meet no others; it may be empty.
