@@ -3,6 +3,7 @@
 
 #include "Domain/Domain.h"
 #include "Support/Error.h"
+#include "Surface/Search/Distance.h"
 
 #include <Eigen/Geometry>
 
@@ -85,7 +86,7 @@ class ContactSearch
 {
 public:
   ContactSearch(const TriangleSurface& model, const SitePlan& sitePlan, double size)
-      : surface(model), plan(sitePlan), box(plan.domain.bounds), onSide(sideRatio * size), near(0.5 * size),
+      : surface(model), plan(sitePlan), box(plan.domain.bounds), onSide(coincidentRatio * size), near(0.5 * size),
         leastArea(1e-6 * onSide * onSide), meetings(model.names.size())
   {
   }
@@ -454,7 +455,7 @@ std::vector<std::string> checkDomain(const TriangleSurface& surface, const SiteP
                        ", the buildings " + textOf(boundsOfBuildings(surface, plan.isGround, plan.domain.axes)) + ": " +
                        otherDomains);
   }
-  const std::string cut = textOfCuts(surface, plan, contacts, sideRatio * sizeMin);
+  const std::string cut = textOfCuts(surface, plan, contacts, coincidentRatio * sizeMin);
   if (!cut.empty())
   {
     warnings.push_back("the domain cuts through surfaces at " + cut + ", and leaves out what lies beyond: " +

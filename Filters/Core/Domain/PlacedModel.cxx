@@ -6,6 +6,7 @@
 #include "Domain/TurnedSides.h"
 #include "Support/Angles.h"
 #include "Support/Error.h"
+#include "Surface/Search/Distance.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,7 +75,7 @@ Placement gridAxes(const TriangleSurface& surface, GridAlignment alignment, cons
   const double wanted = domain.axes.angle();
   const Placement grid(angle + 90.0 * std::round((wanted - angle) / 90.0));
   const double difference = std::remainder(grid.angle() - wanted, 360.0);
-  const bool along = radians(std::abs(difference)) * domain.bounds.size().norm() <= sideRatio * sizeMin;
+  const bool along = radians(std::abs(difference)) * domain.bounds.size().norm() <= coincidentRatio * sizeMin;
   return along ? domain.axes : grid;
 }
 
@@ -102,7 +103,7 @@ PlacedModel inGrid(const TriangleSurface& surface, const SitePlan& plan, const G
   }
   if (plan.hasSheetSides())
   {
-    cutToSides(out.surface, plan.domain, beyond, sideRatio * sizes.sizeMin);
+    cutToSides(out.surface, plan.domain, beyond, coincidentRatio * sizes.sizeMin);
     turnAll(out.surface, Placement(plan.grid.angle() - plan.domain.axes.angle()));
   }
   return out;
@@ -113,7 +114,7 @@ PlacedModel inGrid(const TriangleSurface& surface, const SitePlan& plan, const G
 SitePlan groundOf(const TriangleSurface& surface, const SiteOptions& options, double sizeMin)
 {
   SitePlan plan;
-  plan.isTerrain = terrainSurfaces(surface, options.terrain, options.site, sideRatio * sizeMin);
+  plan.isTerrain = terrainSurfaces(surface, options.terrain, options.site, coincidentRatio * sizeMin);
   plan.isGround = plan.isTerrain;
   for (std::size_t i = 0; i < plan.isGround.size(); ++i)
   {

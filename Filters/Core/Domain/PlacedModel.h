@@ -46,9 +46,8 @@ struct SiteOptions
   GridAlignment alignment = GridAlignment::axes;
 };
 
-/// How exactly points are taken for one, and for lying on a side, against the finest octant.
+/// How exactly points are taken for one, against the finest octant.
 inline constexpr double weldRatio = 1e-5;
-inline constexpr double sideRatio = 1e-4;
 
 /// Domain and ground of a model.
 struct SitePlan

@@ -6,6 +6,7 @@
 #include "Octree/Sizing/SizeRules.h"
 #include "Support/Error.h"
 #include "Support/NamePattern.h"
+#include "Surface/Search/Distance.h"
 
 #include <algorithm>
 #include <limits>
@@ -121,7 +122,7 @@ SurfaceModel makeSurfaceModel(const PlacedModel& placed, const ModelOptions& opt
   FeatureOptions features;
   features.featureAngle = options.featureAngle;
   features.weldDistance = weldRatio * size;
-  features.sideDistance = sideRatio * size;
+  features.sideDistance = coincidentRatio * size;
   features.gapTolerance = options.gapTolerance.value_or(gapRatio * size);
   features.smallPartSize = options.smallPartSize;
   features.keptSurfaces = surfacesOfRules(placed.surface.names, options.sizing);
