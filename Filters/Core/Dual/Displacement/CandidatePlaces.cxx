@@ -10,8 +10,6 @@ namespace {
 
 /// Curves of an octant between which places are looked for; with more there are too many pairs to try.
 constexpr std::size_t mostCurves = 6;
-/// Where an edge passes a curve nearer to its other end than this part of it, its end is not moved for that.
-constexpr double leastPart = 0.2;
 /// How far beyond a single cut a point is put, against the edge, if nothing else limits it.
 constexpr double stepBeyond = 0.1;
 
@@ -110,7 +108,7 @@ private:
         const NearestPair way =
             nearestOfSegments(p, q, toVector(model.points[curve.a]), toVector(model.points[curve.b]));
         const double part = (way.first - q).norm() / (p - q).norm();
-        if (part > leastPart && way.distance() > 1.0)
+        if (way.distance() > 1.0 && way.distance() < part * static_cast<double>(found.reach))
         {
           found.add(p + (1.0 + step / way.distance()) / part * (way.second - way.first));
         }
