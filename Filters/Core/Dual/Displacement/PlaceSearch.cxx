@@ -19,7 +19,6 @@ namespace {
 
 /// The tenth sweep gains a hundredth of what the first does.
 constexpr int mostSweeps = 10;
-constexpr int mostChainRounds = 4;
 
 /// The points in rounds. Of two with a leaf in common the first in order is in the earlier round, and those of a round
 /// have none. As a move changes nothing beyond the leaves about the point, all points of a round may be asked at once:
@@ -81,7 +80,7 @@ public:
     sweep(turnAboutCurves());
     const std::vector<Index> all = grid.unresolvedLeaves(context);
     std::set<Index> unresolved(all.begin(), all.end());
-    for (int round = 0; round < mostChainRounds && !unresolved.empty(); ++round)
+    while (!unresolved.empty())
     {
       const std::set<Index> changed = chains.run(unresolved, context);
       sweep(changed);
