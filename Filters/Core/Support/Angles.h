@@ -11,6 +11,8 @@ namespace atria {
 
 inline double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
 inline double cosOfDegrees(double degrees) { return std::cos(radians(degrees)); }
+/// Above, a direction runs along another one rather than across it.
+inline const double alongCosine = cosOfDegrees(45.01);
 /// 0 to 180; what rounding takes beyond 1 or -1 counts as these.
 inline double degreesOfCosine(double cosine)
 {

@@ -20,9 +20,7 @@ constexpr double thinnestClearance = 0.1;
 /// Where more pairs of sheets are side by side than those of four, an octant and those about it have no planes for all.
 constexpr std::size_t mostPairs = 6;
 
-/// A sheet runs along a gap, up to this between its normal and the way across.
-const double alongCosine = cosOfDegrees(45.01);
-/// It is in the stack of a gap beside it.
+/// Between the normal of a sheet in the stack of a gap beside it and the way across.
 const double stackCosine = cosOfDegrees(35.01);
 
 /// Finds places in gaps for the corners of leaves. Not for several threads at once.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Surface/Openings/Openings.h"
 
+#include "Support/Angles.h"
 #include "Surface/Openings/PlaneSection.h"
 #include "Surface/Search/Distance.h"
 
@@ -159,7 +160,6 @@ private:
 
   void measureEdge(Index a, Index b)
   {
-    constexpr double steep = 0.7;
     const Vec2 along = at(b) - at(a);
     const double own = along.norm();
     length += own;
@@ -174,7 +174,7 @@ private:
       front += own * (model.normal(end->triangle).dot(plane.normal) > 0.0 ? 1.0 : -1.0);
       reveals.insert(reveals.end(), end->reveals.begin(), end->reveals.end());
     }
-    else if (std::abs((along[0] * plane.u + along[1] * plane.v)[2]) > steep * own)
+    else if (std::abs((along[0] * plane.u + along[1] * plane.v)[2]) > alongCosine * own)
     {
       upright += own;
     }

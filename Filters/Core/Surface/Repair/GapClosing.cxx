@@ -31,8 +31,6 @@ constexpr double sideways = 2.0;
 constexpr double detailReach = 3.0;
 /// Points of what was drawn with shorter edges than this many tolerances stay, as it could fold.
 constexpr double finestEdge = 2.0;
-/// A move that turns a triangle farther folds it.
-const double foldCosine = cosOfDegrees(60.0);
 
 /// One pass over a soup.
 class GapCloser
@@ -347,7 +345,6 @@ private:
   /// Nothing where it would leave the side.
   std::optional<LatticePoint> keptOnSides(Index p, const Target& target) const
   {
-    constexpr double slope = 0.1;
     const LatticePoint& from = soup.points[p];
     LatticePoint place = target.place;
     for (int axis = 0; axis < 3; ++axis)
@@ -356,7 +353,7 @@ private:
       {
         continue;
       }
-      if (static_cast<double>(std::abs(place[axis] - from[axis])) > slope * target.distance)
+      if (static_cast<double>(std::abs(place[axis] - from[axis])) > alongCosine * target.distance)
       {
         return std::nullopt;
       }
@@ -388,7 +385,7 @@ private:
       return (hasA && hasB) || (hasA && to == soup.points[a]) || (hasB && to == soup.points[b]) ||
              !(isBoundaryEdge(p, a) || isBoundaryEdge(p, b) || isBoundaryEdge(a, b));
     }
-    return std::abs(after.dot(before)) >= foldCosine * after.norm() * before.norm();
+    return std::abs(after.dot(before)) >= alongCosine * after.norm() * before.norm();
   }
 
   TriangleSoup& soup;

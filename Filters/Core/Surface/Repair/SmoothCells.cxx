@@ -17,9 +17,6 @@ namespace atria {
 
 namespace {
 
-/// Of normals of a patch and their mean.
-const double leastCosine = cosOfDegrees(45.0);
-
 /// The two triangles of an edge where they are of one smooth piece.
 bool isSmooth(std::span<const SoupEdgeUse> uses, const TriangleSoup& soup, const std::vector<Vec3>& normals,
               double cosine)
@@ -135,7 +132,7 @@ private:
       const Index s = of.front().triangle;
       const Index t = of.back().triangle;
       if (cellOf[s] == cellOf[t] && smooth.pieces[s] == smooth.pieces[t] &&
-          isSmooth(of, soup, smooth.unitNormals, leastCosine))
+          isSmooth(of, soup, smooth.unitNormals, alongCosine))
       {
         patches.join(s, t);
       }
@@ -153,7 +150,7 @@ private:
     }
   }
 
-  bool isAlong(const Cell& cell, Index t) const { return cell.mean.dot(smooth.unitNormals[t]) >= leastCosine; }
+  bool isAlong(const Cell& cell, Index t) const { return cell.mean.dot(smooth.unitNormals[t]) >= alongCosine; }
 
   /// Nor are those into which something else reaches from beside them.
   void lookAcrossBorders()

@@ -2,12 +2,12 @@
 /// Boundary edges: edges of one triangle alone, at which a sheet ends.
 #pragma once
 
+#include "Support/Angles.h"
 #include "Support/Buckets.h"
 #include "Surface/Triangles/TriangleSoup.h"
 
 #include <cmath>
 #include <functional>
-#include <numbers>
 
 namespace atria {
 
@@ -72,11 +72,9 @@ inline Vec3 outwardOf(const BoundaryEdge& edge, std::span<const LatticePoint> po
   return (along.dot(inward) * along - inward).normalized();
 }
 
-/// Of 45 degrees: the two sides of an opening's corner are that far from being ahead of each other, also of a gable's.
-inline constexpr double aheadCosine = std::numbers::sqrt2 / 2.0;
-
-/// Whether a way leads ahead: within 45 degrees of where a sheet would go on.
-inline bool isAhead(const Vec3& outward, const Vec3& way) { return way.dot(outward) >= aheadCosine * way.norm(); }
+/// Whether a way leads ahead: within 45 degrees of where a sheet would go on. The two sides of an opening's corner are
+/// that far from being ahead of each other, also of a gable's.
+inline bool isAhead(const Vec3& outward, const Vec3& way) { return way.dot(outward) >= alongCosine * way.norm(); }
 
 /// How far a box reaches from p in a direction.
 inline double reachOf(const Box3& box, const Vec3& p, const Vec3& direction)
@@ -88,7 +86,7 @@ inline double reachOf(const Box3& box, const Vec3& p, const Vec3& direction)
 /// False for a box of which nothing is ahead of p.
 inline bool reachesAhead(const Vec3& outward, const Vec3& p, const Box3& box)
 {
-  return reachOf(box, p, outward) >= aheadCosine * std::sqrt(box.squaredDistance(p));
+  return reachOf(box, p, outward) >= alongCosine * std::sqrt(box.squaredDistance(p));
 }
 
 } // namespace atria
