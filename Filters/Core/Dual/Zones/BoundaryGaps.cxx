@@ -15,8 +15,6 @@ namespace {
 
 /// Steps along a boundary edge, in finest octants: no grid edge passes a bridge's chord unseen.
 constexpr double stepLength = 0.25;
-/// In steps: how far from the ends of a boundary edge its first and last places are. At the end itself others begin.
-constexpr double beforeEnd = 0.01;
 
 LatticePoint moved(const LatticePoint& p, const Vec3& by)
 {
@@ -87,7 +85,8 @@ public:
     bool any = false;
     for (std::uint32_t i = 0; i <= count; ++i)
     {
-      const double inside = std::clamp(static_cast<double>(i), beforeEnd, count - beforeEnd) / count;
+      // At the end itself other edges begin.
+      const double inside = std::clamp(static_cast<double>(i), coincidentRatio, count - coincidentRatio) / count;
       BoundaryStation station = look(moved(a, along * inside), edge.triangle, outward);
       station.at = i == count ? b : moved(a, along * (static_cast<double>(i) / count));
       any |= station.across.has_value();

@@ -153,10 +153,9 @@ struct Ball
 /// leads farther than `reach`: the plane is not that of a gap then.
 Ball largestBall(const Surroundings& about, const Vec3& place, const Plane& plane, double size, double reach)
 {
-  constexpr double finestStep = 1e-3;
   const Vec3 start = place - plane.normal * plane.normal.dot(place - plane.origin);
   Ball ball{start, about.clearance(start)};
-  for (double step = 0.5 * size; step > finestStep * size;)
+  for (double step = 0.5 * size; step > coincidentRatio * size;)
   {
     bool moved = false;
     for (int i = 0; i < 8; ++i)
@@ -346,8 +345,8 @@ Passage passageBetween(const Vec3& p, const Vec3& q, double size, const Octree& 
       passage.width = 2.0 * ball.radius;
     }
   }
-  constexpr double allButTouches = 1.05;
-  passage.surfaces = about.within(passage.center, 0.5 * allButTouches * passage.width);
+  // As far as where the ball is may be off its place.
+  passage.surfaces = about.within(passage.center, 0.5 * passage.width + 2.0 * coincidentRatio * size);
   return passage;
 }
 

@@ -3,6 +3,7 @@
 
 #include "Mesher/Improvement/LayerCells.h"
 #include "Mesher/Improvement/SupportingLayer.h"
+#include "Surface/Search/Distance.h"
 
 #include <algorithm>
 #include <iterator>
@@ -287,7 +288,6 @@ void VertexDetachment::putBack()
 
 void VertexDetachment::keepThoseAway()
 {
-  constexpr double nearlyThere = 1e-6;
   std::vector<LeftVertex> away;
   detached_.clear();
   std::ranges::sort(left_, {}, &LeftVertex::point);
@@ -298,7 +298,7 @@ void VertexDetachment::keepThoseAway()
     const Index vertex = state_.vertexOf[p];
     const Octree& octree = state_.context.octree;
     const double size = octree.frame().sizeOf(octree.level(state_.wanted.leaves[vertex]));
-    const bool back = (state_.layer.mesh.points[p] - wanted[i].place).norm() <= nearlyThere * size;
+    const bool back = (state_.layer.mesh.points[p] - wanted[i].place).norm() <= coincidentRatio * size;
     state_.classification.classes[vertex] = back ? state_.wanted.classes[vertex] : VertexClass::fixed;
     isLeft_[p] = back ? 0 : 1;
     if (back && !state_.wanted.turnedSides.empty())

@@ -92,10 +92,9 @@ void GapSizer::findFrom(const LatticeBox& box, Index triangle, double sense, std
   if (narrowest.triangle != noIndex)
   {
     // A little short on all sides, so that octants which only touch the gap are none of it.
-    constexpr double shorter = 1e-3;
     const Vec3 along = narrowest.distance * direction;
-    lines.push_back({bounds.center() + shorter * along, bounds.center() + (1.0 - shorter) * along,
-                     0.5 * (1.0 - shorter) * bounds.size(),
+    lines.push_back({bounds.center() + coincidentRatio * along, bounds.center() + (1.0 - coincidentRatio) * along,
+                     0.5 * (1.0 - coincidentRatio) * bounds.size(),
                      levelFor(narrowest.distance, triangle, narrowest.triangle)});
   }
 }
