@@ -10,9 +10,6 @@ namespace atria {
 
 namespace {
 
-/// Where there are too many pairs, every so manieth box is asked, and every so manieth of these.
-constexpr std::size_t coarser = 4;
-
 /// Of triangles that meet, as boundOfTriples has it: about the pieces they are cut into.
 constexpr std::size_t mostTriples = 5'000'000;
 
@@ -111,13 +108,14 @@ std::vector<char> findClusters(const TriangleSoup& soup, std::int64_t margin, st
         boxes.push_back(boxOf(soup, t, margin));
       }
     }
-    // Pairs are seen from both sides. A sample is counted where all would be too many.
+    // Pairs are seen from both sides. A sample is counted where all would be too many: every second box, or every
+    // second of these.
     std::size_t step = 1;
     std::vector<std::size_t> counts = countTouching(boxes, isOut.size(), step, 2 * limit, context);
     while (counts.empty() && !boxes.empty())
     {
       context.progress.check();
-      step *= coarser;
+      step *= 2;
       counts = countTouching(boxes, isOut.size(), step, 2 * limit, context);
     }
     if (step == 1)
