@@ -19,8 +19,6 @@ constexpr double crowdedCosine = 0.05;
 /// What a crowded element's copies keep of their height in a round, and how many rounds there are.
 constexpr double shrinkFactor = 0.7;
 constexpr int shrinkRounds = 8;
-/// A copy lifts a prism off its wall if its direction's cosine to the wall's normal is above this.
-constexpr double liftingCosine = 0.02;
 
 constexpr std::array<std::array<std::uint8_t, 2>, 12> hexahedronEdge{
     {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6}, {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}}};
@@ -37,7 +35,7 @@ void dropFlat(const DualMesh& mesh, const LayerWalls& walls, const LayerDirectio
     {
       const Index p = cornerOf(mesh, mesh.boundaryFaces[f], i);
       doubled = doubled || counts[p] > 0;
-      if (counts[p] > 0 && directions.at(p).direction.dot(normal) > liftingCosine * area)
+      if (counts[p] > 0 && directions.at(p).direction.dot(normal) > feasibleCosine * area)
       {
         return false;
       }

@@ -21,6 +21,7 @@ struct DirectionProblem
 
 /// A copy whose direction has a cosine to a wall's normal below this is not made. So the layer tapers to nothing at
 /// boundary edges, where the cosine is 0: wrapped round them, a prism would have two faces in the plane of the sheet.
+/// Nor does one lift a prism off a wall to which its direction has less.
 inline constexpr double feasibleCosine = 0.1;
 
 /// Sheets whose normals spread over a boundary edge point by less than this share of their squares are one plane (37
