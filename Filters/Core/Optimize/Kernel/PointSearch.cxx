@@ -10,12 +10,11 @@ namespace atria {
 
 namespace {
 
-constexpr double difference = 1e-3; ///< of the cells' size, for derivatives
+/// How far to go, as parts of the cells' size: for derivatives, and at least; and at most.
 constexpr double leastTrust = 1e-3;
 constexpr double mostTrust = 0.5;
 /// Of measures that are nothing but rounding.
 constexpr double noise = 1e-6;
-constexpr double badAnyway = 0.3;
 /// Of the trace of the normal equations: where residuals hardly depend on a direction, steps along it stay short.
 constexpr double damping = 0.03;
 
@@ -27,10 +26,10 @@ Score PointSearch::scoreAt(const Vec3& p, const LookLimits& limits)
   return judge.look(star, constraints.place(pointId, p), limits);
 }
 
-/// Beyond these no place is better: the worst may not get worse, unless it stays good or was bad already.
+/// Beyond these no place is better: the worst may not get worse, unless it stays good or was poor already.
 LookLimits PointSearch::limitsOf(const Score& now) const
 {
-  const double enough = now.worst < badAnyway ? rules_.leastWorst : 1.0;
+  const double enough = now.worst < poor ? rules_.leastWorst : 1.0;
   return {now.penalty * (1.0 - rules_.leastGain), std::min(now.worst - noise, enough)};
 }
 
@@ -92,7 +91,7 @@ bool PointSearch::improve(Index movable, SearchState& state)
 /// Moves the point entered, if there is a better place.
 bool PointSearch::move(const Score& now, double& trust)
 {
-  if (rules_.tryMiddle && now.worst < badAnyway)
+  if (rules_.tryMiddle && now.worst < poor)
   {
     const Vec3 way = middle() - origin;
     if (moveIfBetter(origin + way, now) || moveIfBetter(origin + 0.5 * way, now))
@@ -205,7 +204,7 @@ void PointSearch::derive(const Vec3& way, double h, std::vector<double>& along)
 PointSearch::Step PointSearch::gaussNewtonStep(double reach)
 {
   judge.residualsOf(star, residuals);
-  const double h = difference * star.size;
+  const double h = leastTrust * star.size;
   const Ways ways = constraints.waysFrom(pointId, origin, h);
   // Of ways there are not, nothing.
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();

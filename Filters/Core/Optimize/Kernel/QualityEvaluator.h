@@ -8,11 +8,13 @@
 
 namespace atria {
 
-/// By how much a measure falls short: 0 at the target. What is hardly valid or not at all counts for more, so that it
-/// is not left for the good of others.
+/// Measures below this are hardly valid or not at all.
+inline constexpr double poor = 0.3;
+
+/// By how much a measure falls short: 0 at the target. What is poor counts for more, so that it is not left for the
+/// good of others.
 inline double shortfallOf(double q)
 {
-  constexpr double poor = 0.3;
   constexpr double stress = 3.0;
   return q >= 1.0 ? 0.0 : 1.0 - q + stress * std::max(0.0, poor - q);
 }
