@@ -3,6 +3,7 @@
 
 #include "Mesher/Improvement/LayerCells.h"
 #include "Support/Angles.h"
+#include "Surface/Search/Distance.h"
 
 #include <algorithm>
 #include <array>
@@ -19,15 +20,13 @@ constexpr double flatCosine = 1.0 - 1e-5;
 /// are coarse or a wall stands on the ground, do not come to be as good, and trying to takes long for little: half of
 /// the whole time for one degree in the mean.
 const double smoothCosine = cosOfDegrees(12.01);
-/// Beyond this it is an edge, though none of one surface, as where a wall stands on the ground.
-const double edgeCosine = cosOfDegrees(60.0);
 /// How much thicker a layer of no asked height may be on curved walls, where nothing beside it needs the room.
 constexpr double thicker = 5.0 / 3.0;
 
-/// By chart whether it is not flat. Triangles that are thinner than rounding may turn them are not looked at.
+/// By chart whether it is not flat. Triangles so thin that rounding may turn them are not looked at.
 std::vector<char> findBent(const SurfaceModel& model)
 {
-  constexpr double leastHeight = 1e3; // lattice units
+  const double leastHeight = latticeRounding / std::sqrt(2.0 * (1.0 - flatCosine));
   std::vector<Index> widest;
   std::vector<double> areas;
   for (Index t = 0; t < model.triangles.size(); ++t)
@@ -84,11 +83,11 @@ CurvedWalls::CurvedWalls(ImproverState& state, const CurvedWallTargets& wanted) 
       const double cosine = normal.dot(normalOfFirst);
       const bool onSides = face.chart == noIndex && first->chart == noIndex;
       const bool isBent = cosine < flatCosine && face.chart != noIndex && bent[face.chart];
-      if (isBent || (cosine < edgeCosine && onSides))
+      if (isBent || (cosine < smoothCosine && onSides))
       {
         curved_[p] |= cosine > smoothCosine || onSides ? curved : curved | edged;
       }
-      else if (cosine < edgeCosine)
+      else if (cosine < smoothCosine)
       {
         curved_[p] |= edged;
       }
@@ -224,26 +223,21 @@ void CurvedWalls::improve()
   }
 }
 
-/// Lowering the limit is repeated as long as a third of those beyond it gets in by that.
+/// Goes on as long as a third of those beyond the last limit gets in by that.
 void CurvedWalls::bringClose()
 {
-  const auto run = [&](const ImproverStage& stage) {
-    state_.run(stage, farAtSmooth(stage.options.targets, stage.below));
-  };
-  const std::vector<ImproverStage> stages = closeStages(state_.traits, wanted_);
-  std::ranges::for_each(stages, run);
-  std::size_t before = std::numeric_limits<std::size_t>::max() / 3;
-  for (int i = 0; i < mostLowered; ++i)
+  const std::array<ImproverStage, 2> stages = closeStages(state_.traits, wanted_);
+  std::size_t before;
+  std::size_t beyond = std::numeric_limits<std::size_t>::max() / 3;
+  do
   {
-    const std::size_t beyond = farAtSmooth(stages.back().options.targets, 0.0F).size();
-    if (beyond == 0 || 3 * beyond > 2 * before)
-    {
-      return;
-    }
     before = beyond;
-    run(stages.front());
-    run(stages.back());
-  }
+    for (const ImproverStage& stage : stages)
+    {
+      state_.run(stage, farAtSmooth(stage.options.targets, stage.below));
+    }
+    beyond = farAtSmooth(stages.back().options.targets, 0.0F).size();
+  } while (beyond > 0 && 3 * beyond <= 2 * before);
 }
 
 } // namespace atria

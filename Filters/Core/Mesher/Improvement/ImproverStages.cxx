@@ -14,9 +14,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Cells with less than this share of the way to a target are improved.
 constexpr float clearlyShort = 0.5F;
-/// What hexahedra of a uniform mesh should have, and what they keep where angles are made better.
+/// What hexahedra of a uniform mesh should have, and what they keep at curved walls where angles are made better.
 constexpr double goodJacobian = 0.6;
-constexpr double curvedJacobian = 0.52;
 constexpr double leastCurvedJacobian = 0.5;
 /// The least cosine of non-orthogonality of what vertices go back by, 65 degrees: solvers need corrections beyond it.
 constexpr double leastFaceCosine = 0.4226;
@@ -28,8 +27,7 @@ constexpr double soundShare = 0.6;
 constexpr double leastDegrees = 1.0;
 constexpr double leastSkewness = 0.01;
 /// How far beyond what is asked for there the first limits are, and how much better aims are.
-constexpr CurvedWallTargets farthestBeyond{4.0, 0.1};
-constexpr CurvedWallTargets better{6.0, 0.07};
+constexpr CurvedWallTargets beyond{4.0, 0.1};
 /// Limit of pyramid cosines, a cell squish of 0.93: well above what is valid, so that cells come below 0.9.
 constexpr double leastPyramidCosine = 0.07;
 /// Degrees of non-orthogonality: 60, beyond which vertices leave where the model wants them, to 56.6.
@@ -50,11 +48,14 @@ constexpr double goodCreaseJacobian = 0.45;
 
 double cosineOf(double degrees) { return std::cos(std::max(degrees, leastDegrees) * std::numbers::pi / 180.0); }
 
-/// What falls short is made sound quickly: points do not creep, and what is within a tenth of a target stays.
+/// What is within a tenth of a target stays.
+constexpr double quickPenalty = 0.01;
+
+/// What falls short is made sound quickly: points do not creep.
 OptimizerOptions quick(double leastGain)
 {
   OptimizerOptions options;
-  options.leastPenalty = 0.01;
+  options.leastPenalty = quickPenalty;
   options.leastGain = leastGain;
   options.firstReach = 0.2;
   return options;
@@ -88,25 +89,31 @@ ImproverStage straighteningStage(const MeshTraits& traits, const QualityRange& f
   return stage;
 }
 
-/// Limits are a share of `farthestBeyond` worse than what is asked for; aims are `better` in all stages.
+/// At curved walls.
+OptimizerOptions atCurved()
+{
+  OptimizerOptions options;
+  options.rings = 1;
+  options.leastPenalty = 1e-3;
+  options.leastWorst = leastOfOthers;
+  return options;
+}
+
+/// Limits are a share of `beyond` worse than what is asked for.
 ImproverStage closeStage(const MeshTraits& traits, const CurvedWallTargets& wanted, double share)
 {
-  const auto cosineAt = [&](double beyond) { return cosineOf(wanted.nonOrthogonality + beyond); };
-  const auto skewnessAt = [&](double beyond) { return std::max(wanted.skewness + beyond, leastSkewness); };
-  ImproverStage stage;
-  stage.below = clearlyShort;
-  stage.options.rings = 1;
-  stage.options.sweeps = 12;
+  const auto cosineAt = [&](double part) { return cosineOf(wanted.nonOrthogonality + part * beyond.nonOrthogonality); };
+  const auto skewnessAt = [&](double part) {
+    return std::max(wanted.skewness + part * beyond.skewness, leastSkewness);
+  };
+  ImproverStage stage{atCurved(), clearlyShort};
   stage.options.patient = true;
-  stage.options.leastPenalty = 0.002;
-  stage.options.leastWorst = leastOfOthers;
   QualityTargets& targets = stage.options.targets;
   targets = baseTargets(traits);
-  targets.faceCosine = {std::max(targets.faceCosine.limit, cosineAt(share * farthestBeyond.nonOrthogonality)),
-                        std::max(targets.faceCosine.target, cosineAt(-better.nonOrthogonality))};
-  targets.skewness = {std::min(targets.skewness.limit, skewnessAt(share * farthestBeyond.skewness)),
-                      std::min(targets.skewness.target, skewnessAt(-better.skewness))};
-  targets.scaledJacobian = std::min(targets.scaledJacobian, curvedJacobian);
+  targets.faceCosine = {std::max(targets.faceCosine.limit, cosineAt(share)),
+                        std::max(targets.faceCosine.target, cosineAt(-1.0))};
+  targets.skewness = {std::min(targets.skewness.limit, skewnessAt(share)),
+                      std::min(targets.skewness.target, skewnessAt(-1.0))};
   targets.jacobianLimit = std::min(leastCurvedJacobian, targets.scaledJacobian);
   targets.leastOfFaceCosine = targets.leastOfSkewness = leastOfOthers;
   return stage;
@@ -148,13 +155,13 @@ QualityTargets baseTargets(const MeshTraits& traits)
 
 ImproverStage firstStage(const MeshTraits& traits)
 {
-  ImproverStage stage{quick(0.05), traits.layered && !traits.uniform ? clearlyShort : 1.0F};
+  ImproverStage stage{quick(0.05), clearlyShort};
   if (!traits.layered || traits.uniform)
   {
     // By short ways more vertices stay where the model wants them where no layer gives way to them, and hexahedra of
     // uniform meshes come to be better.
-    stage.options.leastGain = 0.01;
-    stage.options.firstReach = 0.1;
+    stage = {};
+    stage.options.leastPenalty = quickPenalty;
   }
   stage.options.targets = baseTargets(traits);
   return stage;
@@ -204,26 +211,19 @@ QualityTargets targetsAtCurved(const MeshTraits& traits, const CurvedWallTargets
   QualityTargets targets = baseTargets(traits);
   targets.faceCosine.target = std::max(targets.faceCosine.target, cosineOf(wanted.nonOrthogonality));
   targets.skewness.target = std::min(targets.skewness.target, wanted.skewness);
-  targets.scaledJacobian = std::min(targets.scaledJacobian, curvedJacobian);
   return targets;
 }
 
 ImproverStage curvedStage(const MeshTraits& traits, const CurvedWallTargets& wanted)
 {
-  ImproverStage stage;
-  stage.options.rings = 1;
-  stage.options.sweeps = 8;
-  stage.options.leastPenalty = 5e-4;
-  stage.options.leastGain = 0.02;
-  stage.options.firstReach = 0.15;
-  stage.options.leastWorst = leastOfOthers;
+  ImproverStage stage{atCurved()};
   stage.options.targets = targetsAtCurved(traits, wanted);
   return stage;
 }
 
-std::vector<ImproverStage> closeStages(const MeshTraits& traits, const CurvedWallTargets& wanted)
+std::array<ImproverStage, 2> closeStages(const MeshTraits& traits, const CurvedWallTargets& wanted)
 {
-  return {closeStage(traits, wanted, 1.0), closeStage(traits, wanted, 0.25), closeStage(traits, wanted, 0.0)};
+  return {closeStage(traits, wanted, 1.0), closeStage(traits, wanted, 0.0)};
 }
 
 std::vector<ImproverStage> straighteningStages(const MeshTraits& traits)
@@ -231,12 +231,15 @@ std::vector<ImproverStage> straighteningStages(const MeshTraits& traits)
   if (traits.divided)
   {
     // Degrees of non-orthogonality: 78.5 to 66.4, 69.5 to 60. A limit as high as with one layer would take long.
-    return {straighteningStage(traits, {0.2, 0.4}, true), straighteningStage(traits, {0.2, 0.4}),
-            straighteningStage(traits, {0.35, 0.5}, true), straighteningStage(traits, {0.35, 0.5})};
+    constexpr QualityRange first{0.2, 0.4};
+    constexpr QualityRange last{0.35, 0.5};
+    return {straighteningStage(traits, first, true), straighteningStage(traits, first),
+            straighteningStage(traits, last, true), straighteningStage(traits, last)};
   }
   // 72.5, 66.4 and 59.3 to 56.6.
   const auto stage = [&](double limit) { return straighteningStage(traits, {limit, acceptable.target}); };
-  return {stage(0.3), stage(0.4), stage(0.51), stage(0.51)};
+  const ImproverStage last = stage(0.51);
+  return {stage(0.3), stage(0.4), last, last};
 }
 
 QualityTargets targetsOfLargestAngle(const MeshTraits& traits)
@@ -282,7 +285,7 @@ std::vector<ImproverStage> creaseStages(const MeshTraits& traits)
     };
     ImproverStage out{thorough()};
     OptimizerOptions& options = out.options;
-    options.targets = targetsOfCreases(traits, about(creaseJacobian, 0.75 * below), about(creaseFaceCosine, 0.0));
+    options.targets = targetsOfCreases(traits, about(creaseJacobian, below), about(creaseFaceCosine, 0.0));
     options.targets.leastOfJacobian = options.targets.leastOfFaceCosine = options.leastWorst = leastOfOthers;
     options.rings = isFirst ? 2 : 3;
     options.sweeps = isFirst ? 20 : 60;
@@ -313,7 +316,6 @@ QualityTargets strictestTargets(const MeshTraits& traits, const CurvedWallTarget
 {
   QualityTargets targets = curvedWalls ? targetsAtCurved(traits, *curvedWalls) : baseTargets(traits);
   targets.faceCosine.target = std::max(targets.faceCosine.target, acceptable.target);
-  targets.scaledJacobian = baseTargets(traits).scaledJacobian;
   return targets;
 }
 

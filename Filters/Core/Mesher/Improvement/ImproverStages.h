@@ -86,18 +86,17 @@ std::vector<ImproverStage> divisionStages(const MeshTraits& traits);
 /// long; then in stages the few elements of any shape that are far from it, where all walls are smooth.
 QualityTargets targetsAtCurved(const MeshTraits& traits, const CurvedWallTargets& wanted);
 ImproverStage curvedStage(const MeshTraits& traits, const CurvedWallTargets& wanted);
-/// The limits rise. By the last one cells are moved that have three degrees less than what is asked for.
-std::vector<ImproverStage> closeStages(const MeshTraits& traits, const CurvedWallTargets& wanted);
-/// What is just at a limit is hard to move on, as what is above may not fall below: the limit is the first one again,
-/// then the last one, so often.
-inline constexpr int mostLowered = 4;
+/// By the last one cells are moved that have two degrees less than what is asked for. What is just at a limit is hard
+/// to move on, as what is above may not fall below: so it is first a lower one, in turn as long as that wins a good
+/// part.
+std::array<ImproverStage, 2> closeStages(const MeshTraits& traits, const CurvedWallTargets& wanted);
 
 /// 7. What is valid is brought within the angles that solvers do well with. The limit rises in stages: held to the last
 /// one at once, cells that are far from it find no way there.
 std::vector<ImproverStage> straighteningStages(const MeshTraits& traits);
 /// Where faces stay beyond the largest angle, below its limit, vertices leave their surfaces by so many octants.
 QualityTargets targetsOfLargestAngle(const MeshTraits& traits);
-inline constexpr std::array reachesForAngles{0.4, 0.75};
+inline constexpr std::array reachesForAngles{aLittle, anOctant};
 
 /// 8. Crease sheets begin flat; what does not come right at once gets more room. Then limits rise, as cells far from
 /// the last ones find no way there. The stages after the first few are for what is still short of
