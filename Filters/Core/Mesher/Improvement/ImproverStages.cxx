@@ -280,8 +280,8 @@ std::vector<ImproverStage> soundCreaseStages(const MeshTraits& traits)
 std::vector<ImproverStage> creaseStages(const MeshTraits& traits)
 {
   const auto stage = [&](double below, bool isFirst) {
-    const auto about = [&](const QualityRange& wanted, double beyond) {
-      return QualityRange{wanted.limit - below, wanted.limit + std::max(leastBeyond, beyond)};
+    const auto about = [&](const QualityRange& wanted, double above) {
+      return QualityRange{wanted.limit - below, wanted.limit + std::max(leastBeyond, above)};
     };
     ImproverStage out{thorough()};
     OptimizerOptions& options = out.options;

@@ -16,11 +16,8 @@ constexpr double facingAngle = std::numbers::pi / 6.0;
 /// The part of a triangle in a box (Sutherland and Hodgman 1974).
 std::vector<Vec3> clipTriangle(const LatticeBox& box, const SurfaceModel& model, Index triangle)
 {
-  std::vector<Vec3> polygon;
-  for (int i = 0; i < 3; ++i)
-  {
-    polygon.push_back(toVector(model.corner(triangle, i)));
-  }
+  std::vector<Vec3> polygon{toVector(model.corner(triangle, 0)), toVector(model.corner(triangle, 1)),
+                            toVector(model.corner(triangle, 2))};
   for (int side = 0; side < 6; ++side)
   {
     const int axis = axisOf(side);
