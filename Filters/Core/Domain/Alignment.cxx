@@ -81,7 +81,7 @@ double dominantWallAngle(const TriangleSurface& surface)
     return 0.0;
   }
   const double peak = peakOf(walls);
-  constexpr double reach = 0.5;
+  constexpr double reach = 0.5; // degrees: what is as drawn by hand, and no other direction of walls
   double total = 0.0;
   for (Wall& wall : walls)
   {

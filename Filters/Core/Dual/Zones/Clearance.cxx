@@ -182,6 +182,7 @@ Ball largestBall(const Surroundings& about, const Vec3& place, const Plane& plan
 /// the place itself.
 Ball gapAt(const Surroundings& about, const Vec3& place, const Vec3& along, double size, double reach)
 {
+  // A smaller ball is in a crevice beside the place, not in its gap.
   constexpr double leastPart = 0.7;
   const double here = about.clearance(place);
   Ball least{place, std::numeric_limits<double>::infinity()};
@@ -328,7 +329,9 @@ Clearance::OfEdge Clearance::ofEdge(Index from, Index to) const
 
 Passage passageBetween(const Vec3& p, const Vec3& q, double size, const Octree& octree, const SurfaceModel& model)
 {
+  // In octants: what is farther away is another gap.
   constexpr double farthestMove = 2.0;
+  // Places along the way: a gap is passed at any of them.
   constexpr int samples = 5;
   const double clearance = Surroundings(p, 2.0 * size, octree, model).clearance(p);
   const double reach = std::min(clearance, octree.frame().rootSize()) + (q - p).norm();

@@ -19,6 +19,7 @@ namespace {
 
 /// Of the border of an opening, what is within rounding of ends of walls to be all of it.
 constexpr double allOfIt = 0.98;
+/// Of the border of a door, ends of walls, and with them walls that stand up to it: less has each table in a room.
 constexpr double leastEnds = 0.25;
 constexpr double leastUpright = 0.5;
 
@@ -277,7 +278,7 @@ private:
 /// Whether two openings are those at both ends of one reveal, or as near to each other as if they were.
 bool areOne(const Candidate& a, const Candidate& b, double near)
 {
-  constexpr double parallel = 0.99;
+  constexpr double parallel = 0.99; // cosine: both ends of one reveal, as walls are drawn
   const Vec3 between = b.center - a.center;
   const double apart = std::abs(between.dot(a.normal));
   const double beside = (between - a.normal * between.dot(a.normal)).norm();

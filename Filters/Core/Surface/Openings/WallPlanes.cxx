@@ -91,7 +91,7 @@ private:
   using Key = std::array<std::int64_t, 3>;
   static Key keyOf(const Vec3& normal)
   {
-    constexpr double steps = 200.0;
+    constexpr double steps = 200.0; // charts of one plane differ by less than one, for all that rounding turns them
     return {std::llround(steps * normal[0]), std::llround(steps * normal[1]), std::llround(steps * normal[2])};
   }
 

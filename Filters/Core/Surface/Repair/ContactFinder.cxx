@@ -170,6 +170,7 @@ Index ContactFinder::addPoint(const LatticePoint& p)
 
 bool ContactFinder::isSteep(Index t, int i, const PlaneSides& side) const
 {
+  // At a smaller angle all edges near the line in which the planes meet are close, and cuts would make ever new ones.
   constexpr double slope = 0.02;
   const double rise = side.distance(i) - side.distance((i + 1) % 3);
   return std::abs(rise) > slope * between(soup.corner(t, i), soup.corner(t, (i + 1) % 3)).norm();

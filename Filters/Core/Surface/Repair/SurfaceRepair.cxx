@@ -17,6 +17,7 @@ namespace {
 
 /// Against the gap tolerance: what is this near may become one point where cuts do not end otherwise.
 constexpr double widestWeld = 0.5;
+/// Of closing gaps; what still moves after so many goes to and fro.
 constexpr int maximumPasses = 6;
 
 void dropUnusedPoints(TriangleSoup& soup)
