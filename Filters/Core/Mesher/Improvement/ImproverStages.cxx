@@ -2,9 +2,9 @@
 #include "Mesher/Improvement/ImproverStages.h"
 
 #include "Quality/Checks/CheckLimits.h"
+#include "Support/Angles.h"
 
 #include <cmath>
-#include <numbers>
 
 namespace atria {
 
@@ -23,9 +23,6 @@ constexpr double leastFaceCosine = 0.4226;
 constexpr double volumeToDivide = 0.15;
 /// Of divided layers, the share of the way to targets that is aimed at.
 constexpr double soundShare = 0.6;
-/// The least targets at curved walls.
-constexpr double leastDegrees = 1.0;
-constexpr double leastSkewness = 0.01;
 /// How far beyond what is asked for there the first limits are, and how much better aims are.
 constexpr CurvedWallTargets beyond{4.0, 0.1};
 /// Limit of pyramid cosines, a cell squish of 0.93: well above what is valid, so that cells come below 0.9.
@@ -46,7 +43,8 @@ constexpr double leastBeyond = 0.03;
 /// What is aimed at first.
 constexpr double goodCreaseJacobian = 0.45;
 
-double cosineOf(double degrees) { return std::cos(std::max(degrees, leastDegrees) * std::numbers::pi / 180.0); }
+/// What is asked for beyond 0 degrees is 0.
+double cosineOf(double degrees) { return cosOfDegrees(std::max(degrees, 0.0)); }
 
 /// What is within a tenth of a target stays.
 constexpr double quickPenalty = 0.01;
@@ -103,9 +101,7 @@ OptimizerOptions atCurved()
 ImproverStage closeStage(const MeshTraits& traits, const CurvedWallTargets& wanted, double share)
 {
   const auto cosineAt = [&](double part) { return cosineOf(wanted.nonOrthogonality + part * beyond.nonOrthogonality); };
-  const auto skewnessAt = [&](double part) {
-    return std::max(wanted.skewness + part * beyond.skewness, leastSkewness);
-  };
+  const auto skewnessAt = [&](double part) { return std::max(wanted.skewness + part * beyond.skewness, 0.0); };
   ImproverStage stage{atCurved(), clearlyShort};
   stage.options.patient = true;
   QualityTargets& targets = stage.options.targets;
