@@ -48,9 +48,11 @@ double cosineOf(double degrees) { return cosOfDegrees(std::max(degrees, 0.0)); }
 
 /// What is within a tenth of a target stays.
 constexpr double quickPenalty = 0.01;
+/// What a move has to win of a penalty where there are many cells to improve.
+constexpr double quickGain = 0.02;
 
 /// What falls short is made sound quickly: points do not creep.
-OptimizerOptions quick(double leastGain)
+OptimizerOptions quick(double leastGain = quickGain)
 {
   OptimizerOptions options;
   options.leastPenalty = quickPenalty;
@@ -93,6 +95,7 @@ OptimizerOptions atCurved()
   OptimizerOptions options;
   options.rings = 1;
   options.leastPenalty = 1e-3;
+  options.leastGain = quickGain;
   options.leastWorst = leastOfOthers;
   return options;
 }
@@ -182,7 +185,7 @@ QualityTargets targetsBack(const MeshTraits& traits)
 
 ImproverStage flatteningStage(const MeshTraits& traits)
 {
-  ImproverStage stage{quick(0.02), clearlyShort};
+  ImproverStage stage{quick(), clearlyShort};
   stage.options.targets = baseTargets(traits);
   stage.options.targets.cornerVolume.target = volumeToDivide;
   stage.options.leastWorst = leastOfOthers;
@@ -193,7 +196,7 @@ ImproverStage flatteningStage(const MeshTraits& traits)
 std::vector<ImproverStage> divisionStages(const MeshTraits& traits)
 {
   const auto stage = [&](float below, int sweeps, bool byChains) {
-    ImproverStage out{quick(0.02), below, byChains};
+    ImproverStage out{quick(), below, byChains};
     out.options.targets = baseTargets(traits).within(soundShare);
     out.options.sweeps = sweeps;
     return out;
