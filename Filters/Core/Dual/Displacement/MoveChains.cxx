@@ -9,10 +9,10 @@ namespace atria {
 namespace {
 
 /// Of a chain of moves: what there may be more unresolved meanwhile, how many points follow, and what must be gained in
-/// all. Of 3,660 chains in seven models 57 gained something, of which 56 were within these
-/// limits, and 2,500 were not. Buildings need no chains. Without them eight of nine models of others have 1 to 18 %
-/// more unresolved features, and 24 fans of sheets in random poses 0.5 % more. Without the limits of how many begin
-/// and what may be lost meshes are the same, and the whole search takes a tenth longer.
+/// all. Of 3,660 chains in seven models 57 gained something, of which 56 were within these limits, and 2,500 were not.
+/// Buildings need no chains. Without them eight of nine models of others have 1 to 18 % more unresolved features, and
+/// 24 fans of sheets in random poses 0.5 % more. Without the limits of how many begin and what may be lost meshes are
+/// the same, and the whole search takes a tenth longer.
 constexpr double greatestLoss = 5.0;
 constexpr std::size_t longestChain = 4;
 constexpr double leastChainGain = 0.5;

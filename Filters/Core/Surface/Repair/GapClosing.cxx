@@ -385,6 +385,7 @@ private:
       return (hasA && hasB) || (hasA && to == soup.points[a]) || (hasB && to == soup.points[b]) ||
              !(isBoundaryEdge(p, a) || isBoundaryEdge(p, b) || isBoundaryEdge(a, b));
     }
+    // Turned farther, the triangle would fold.
     return std::abs(after.dot(before)) >= alongCosine * after.norm() * before.norm();
   }
 
