@@ -253,6 +253,16 @@ TEST(SurfaceRepair, ClosesGapsAlongTheGroundToWallsThatAreNotQuiteUpright)
   }
 }
 
+TEST(SurfaceRepair, CountsNoGapWhereACornerOfTheDomainCannotMove)
+{
+  TriangleSurface surface;
+  addSurface(surface, "Across", {{-4, -13, -12.95}, {-13, -4, -12.95}, {-13, -12.95, -4}}, {{0, 1, 2}});
+  addSurface(surface, "Beyond", {{-10, -10, -10}, {-14, -9, -11}, {-14, -11, -9}}, {{0, 1, 2}});
+  const SurfaceModel model = repaired(surface);
+  EXPECT_EQ(model.repair.closedGaps, 0u);
+  EXPECT_EQ(model.repair.largestGap, 0.0);
+}
+
 TEST(SurfaceRepair, ClosesGapsBetweenWallsOnSlopes)
 {
   TriangleSurface surface;

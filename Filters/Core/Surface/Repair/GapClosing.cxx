@@ -342,7 +342,7 @@ private:
   }
 
   /// The foot on a wall that is not quite upright is a little off the side: the point slides along its side instead.
-  /// Nothing where it would leave the side.
+  /// Nothing where it would leave the side, or where it is at a corner of the domain and cannot slide.
   std::optional<LatticePoint> keptOnSides(Index p, const Target& target) const
   {
     const LatticePoint& from = soup.points[p];
@@ -359,7 +359,7 @@ private:
       }
       place[axis] = from[axis];
     }
-    return place;
+    return place != from ? std::optional(place) : std::nullopt;
   }
 
   bool mayMove(Index p, const LatticePoint& to, Index onto) const
