@@ -94,7 +94,7 @@ OptimizerOptions atCurved()
 {
   OptimizerOptions options;
   options.rings = 1;
-  options.leastPenalty = 1e-3;
+  options.leastPenalty = 0.001;
   options.leastGain = quickGain;
   options.leastWorst = leastOfOthers;
   return options;
@@ -154,14 +154,14 @@ QualityTargets baseTargets(const MeshTraits& traits)
 
 ImproverStage firstStage(const MeshTraits& traits)
 {
-  ImproverStage stage{quick(0.05), clearlyShort};
-  if (!traits.layered || traits.uniform)
+  // By short ways more vertices stay where the model wants them where no layer gives way to them, and hexahedra of
+  // uniform meshes come to be better.
+  ImproverStage stage;
+  if (traits.layered && !traits.uniform)
   {
-    // By short ways more vertices stay where the model wants them where no layer gives way to them, and hexahedra of
-    // uniform meshes come to be better.
-    stage = {};
-    stage.options.leastPenalty = quickPenalty;
+    stage = {quick(0.05), clearlyShort};
   }
+  stage.options.leastPenalty = quickPenalty;
   stage.options.targets = baseTargets(traits);
   return stage;
 }
