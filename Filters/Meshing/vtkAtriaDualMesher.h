@@ -123,8 +123,8 @@ public:
   ///@{
   /**
    * Layers of elements along all surfaces. 1, the default, is the conforming layer alone, which lets elements at
-   * creases and on sheets be convex; more are made by dividing it; 0 gives the plain dual, but for SupportElements.
-   * From 0 to 100.
+   * creases and on sheets be convex; more are made by dividing it, but for details smaller than an octant, as leaves
+   * of trees, which have one; 0 gives the plain dual, but for SupportElements. From 0 to 100.
    */
   vtkAtriaSetInRangeMacro(NumberOfLayers, int, 0, 100);
   vtkGetMacro(NumberOfLayers, int);

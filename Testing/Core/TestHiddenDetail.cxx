@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "Support/MeshIt.h"
 #include "Support/QuietContext.h"
 #include "Support/Shapes.h"
 #include "Surface/Model/SurfaceModel.h"
@@ -193,6 +194,25 @@ TEST(HiddenDetail, GapToleranceDoesNotFoldWhatIsFiner)
   const SurfaceModel model = modelOf(surface, options);
   EXPECT_NEAR(areaOf(model, 1), 4 * 10 * 0.2 + 2 * 0.04, 1e-6);
   EXPECT_EQ(model.repair.closedGaps, 0u);
+}
+
+/// Several layers are for walls that the mesh shows.
+TEST(HiddenDetail, HasOneLayer)
+{
+  const Box3 filled = cube(Vec3::Constant(-2.49), 4.98);
+  TriangleSurface clutter;
+  addClutter(clutter, "Clutter", filled, 4000, 3); // of boxes smaller than an octant
+  TriangleSurface box;
+  addBox(box, "Box", filled);
+  const auto elementsWith = [](const TriangleSurface& surface, int layers) {
+    atria::GridOptions grid;
+    grid.domain = domain;
+    atria::DualMeshOptions options;
+    options.layers = {{"*", {.layers = layers}}};
+    return atria::testing::meshIt(surface, grid, options).mesh().elementCount();
+  };
+  EXPECT_EQ(elementsWith(clutter, 5), elementsWith(clutter, 1));
+  EXPECT_GT(elementsWith(box, 5), elementsWith(box, 1));
 }
 
 } // namespace

@@ -58,6 +58,42 @@ bool hasGround(const DualMesh& mesh, const LayerOptions& options)
   });
 }
 
+/// How far charts reach, in lattice units: the longest diagonal of their boxes.
+std::vector<double> extentsOfCharts(const SurfaceModel& model)
+{
+  std::vector<Box3> boxes(model.charts.empty() ? 0 : *std::ranges::max_element(model.charts) + 1);
+  for (Index t = 0; t < model.triangles.size(); ++t)
+  {
+    const Box3 own = model.bounds(t);
+    boxes[model.charts[t]].extend(own.min);
+    boxes[model.charts[t]].extend(own.max);
+  }
+  std::vector<double> extents(boxes.size());
+  std::ranges::transform(boxes, extents.begin(), [](const Box3& box) { return box.size().norm(); });
+  return extents;
+}
+
+/// Where all walls of a point are smaller than its octant, the mesh shows an outline of what is there: it gets one
+/// layer, as several on leaves of trees would cost more than all else.
+void keepOneOnDetails(const ClassifiedMesh& given, const MeshingContext& context, LayerWalls& walls)
+{
+  const std::vector<double> extents = extentsOfCharts(context.model);
+  const GridFrame& frame = context.octree.frame();
+  for (Index p = 0; p < walls.counts.size(); ++p)
+  {
+    const Index leaf = given.classification.leaves[given.vertexOf[p]];
+    const auto size = static_cast<double>(frame.latticeSize(context.octree.level(leaf)));
+    const auto isDetail = [&](Index f) {
+      const Index chart = given.mesh.boundaryFaces[f].chart;
+      return chart != noIndex && extents[chart] < size;
+    };
+    if (walls.counts[p] > 1 && std::ranges::all_of(walls.graph.facesAt(p), isDetail))
+    {
+      walls.counts[p] = 1;
+    }
+  }
+}
+
 /// Surfaces without layers may have one where elements cannot be valid without, and so may the bottom beside a site:
 /// where sizes change at the domain's edges, elements may have two neighbors only. The sides of a turned domain have
 /// one everywhere: they cut the grid as walls do.
@@ -121,6 +157,10 @@ ImprovedMesh growLayers(ClassifiedMesh given, const WallOptions& wallOptions, co
   if (straightenCurves(given, walls.graph, context))
   {
     walls = findLayerWalls(given.mesh, options, context);
+  }
+  if (options.isDivided())
+  {
+    keepOneOnDetails(given, context, walls);
   }
   context.progress.check();
   auto [layer, detached, failing] =
