@@ -45,11 +45,10 @@ void cut(Crossings& crossings, const GridPlaces& grid, const SurfaceModel& model
 }
 
 /// The passages of an edge's bridges, and of those to the next edge at its ends.
-std::vector<PassingEdge> passingEdgesOf(Index edge, const BoundaryGaps& gaps, const Crossings& crossings,
-                                        const GridPlaces& grid, double tolerance, const SurfaceModel& model)
+std::vector<PassingEdge> passingEdgesOf(Index edge, const BoundaryGaps& gaps, double tolerance,
+                                        const SurfaceModel& model, PassageFinder& finder)
 {
   const Index triangle = gaps.boundary.edges()[edge].triangle;
-  PassageFinder finder(crossings, grid);
   std::vector<PassingEdge> found;
   const auto look = [&](const std::vector<BridgeTriangle>& bridges) {
     for (const BridgeTriangle& bridge : bridges)
@@ -136,11 +135,13 @@ Crossings closeCracks(Crossings crossings, const BoundaryGaps& gaps, const GridP
     return crossings;
   }
   std::vector<std::vector<PassingEdge>> found(gaps.stations.size());
-  context.executor.forEach(found.size(), 16, [&](std::size_t edge) {
+  const std::vector<Index> order = gaps.edgesByLeaf(grid.octree());
+  context.executor.forRanges(order.size(), edgesAtOnce, [&](std::size_t begin, std::size_t end) {
     context.progress.check();
-    if (!gaps.stations[edge].empty())
+    PassageFinder finder(crossings, grid);
+    for (std::size_t i = begin; i < end; ++i)
     {
-      found[edge] = passingEdgesOf(static_cast<Index>(edge), gaps, crossings, grid, tolerance, context.model);
+      found[order[i]] = passingEdgesOf(order[i], gaps, tolerance, context.model, finder);
     }
   });
   std::vector<PassingEdge> passages;

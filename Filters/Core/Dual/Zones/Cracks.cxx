@@ -42,18 +42,16 @@ struct CrackStep
 class StepFinder
 {
 public:
-  StepFinder(const BoundaryGaps& g, const Zones& z, const std::vector<char>& k, const Crossings& c,
-             const GridPlaces& places)
-      : gaps(g), zones(z), kept(k), crossings(c), grid(places), frame(places.octree().frame())
+  StepFinder(const BoundaryGaps& g, const Zones& z, const std::vector<char>& k, const GridPlaces& places)
+      : gaps(g), zones(z), kept(k), grid(places), frame(places.octree().frame())
   {
   }
 
   /// Those of an edge from a to b, one at least.
-  std::vector<CrackStep> stepsOf(Index edge) const
+  std::vector<CrackStep> stepsOf(Index edge, PassageFinder& passages) const
   {
     const std::size_t count = gaps.stations[edge].size();
     std::vector<CrackStep> steps(std::max<std::size_t>(count, 2) - 1);
-    PassageFinder passages(crossings, grid);
     for (std::size_t i = 0; i + 1 < count; ++i)
     {
       steps[i] = stepOf(edge, i, passages);
@@ -98,7 +96,6 @@ private:
   const BoundaryGaps& gaps;
   const Zones& zones;
   const std::vector<char>& kept;
-  const Crossings& crossings;
   const GridPlaces& grid;
   const GridFrame& frame;
 };
@@ -261,10 +258,15 @@ std::vector<Crack> findCracks(const BoundaryGaps& gaps, const Zones& zones, cons
                               const Crossings& crossings, const GridPlaces& grid, const MeshingContext& context)
 {
   std::vector<std::vector<CrackStep>> steps(gaps.stations.size());
-  const StepFinder finder(gaps, zones, kept, crossings, grid);
-  context.executor.forEach(steps.size(), 16, [&](std::size_t edge) {
+  const StepFinder finder(gaps, zones, kept, grid);
+  const std::vector<Index> order = gaps.edgesByLeaf(grid.octree());
+  context.executor.forRanges(order.size(), edgesAtOnce, [&](std::size_t begin, std::size_t end) {
     context.progress.check();
-    steps[edge] = finder.stepsOf(static_cast<Index>(edge));
+    PassageFinder passages(crossings, grid);
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      steps[order[i]] = finder.stepsOf(order[i], passages);
+    }
   });
   std::vector<LongCrack> found;
   for (const BoundaryEdges::Run& run : gaps.boundary.runs())
