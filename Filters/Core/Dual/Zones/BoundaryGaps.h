@@ -33,7 +33,7 @@ struct BoundaryGaps
   /// Per boundary edge, from a to b, ends included; empty where nothing is ahead.
   std::vector<std::vector<BoundaryStation>> stations;
 
-  /// In the order of the leaves of their first stations, so that neighbors are near each other.
+  /// All boundary edges by the leaf of their first station: those that are near each other follow each other.
   std::vector<Index> edgesByLeaf(const Octree& octree) const;
   /// The bridge over the step between two stations; nothing where either is wider than `widest` octants.
   std::vector<BridgeTriangle> bridge(Index edge, std::size_t step, double widest) const;

@@ -135,8 +135,9 @@ Crossings closeCracks(Crossings crossings, const BoundaryGaps& gaps, const GridP
     return crossings;
   }
   std::vector<std::vector<PassingEdge>> found(gaps.stations.size());
+  constexpr std::size_t grain = 64; // that one PassageFinder is for
   const std::vector<Index> order = gaps.edgesByLeaf(grid.octree());
-  context.executor.forRanges(order.size(), edgesAtOnce, [&](std::size_t begin, std::size_t end) {
+  context.executor.forRanges(order.size(), grain, [&](std::size_t begin, std::size_t end) {
     context.progress.check();
     PassageFinder finder(crossings, grid);
     for (std::size_t i = begin; i < end; ++i)

@@ -25,9 +25,6 @@ struct PassingEdge
   }
 };
 
-/// Boundary edges that are looked at with one PassageFinder: neighbors are mostly one after the other.
-inline constexpr std::size_t edgesAtOnce = 64;
-
 /// Finds edges of the grid that nothing cuts and that pass bridges: exact as all crossings are, so that edges round a
 /// place agree. Bridges near the one before cost little. Not for several threads at once.
 class PassageFinder

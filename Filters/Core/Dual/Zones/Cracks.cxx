@@ -259,8 +259,9 @@ std::vector<Crack> findCracks(const BoundaryGaps& gaps, const Zones& zones, cons
 {
   std::vector<std::vector<CrackStep>> steps(gaps.stations.size());
   const StepFinder finder(gaps, zones, kept, grid);
+  constexpr std::size_t grain = 64; // that one PassageFinder is for
   const std::vector<Index> order = gaps.edgesByLeaf(grid.octree());
-  context.executor.forRanges(order.size(), edgesAtOnce, [&](std::size_t begin, std::size_t end) {
+  context.executor.forRanges(order.size(), grain, [&](std::size_t begin, std::size_t end) {
     context.progress.check();
     PassageFinder passages(crossings, grid);
     for (std::size_t i = begin; i < end; ++i)
