@@ -115,9 +115,16 @@ TEST(SizingErrors, SayWhatIsWrong)
                 s.boxes = {{{Vec3::Constant(50.0), Vec3::Constant(60.0)}, 1.0}};
               }),
               HasSubstr("outside of the domain"));
-  EXPECT_THAT(with([](auto& s) { s.maxElements = 10; }), AllOf(HasSubstr("MaxElements 10"), HasSubstr("StartLevel")));
+  EXPECT_THAT(with([](auto& s) { s.maxElements = 10; }),
+              AllOf(HasSubstr("MaxElements 10"), HasSubstr("shortest side"), HasSubstr("24 wide")));
   EXPECT_THAT(with([](auto& s) { s.surfaceSizes = {{"*", 1e-9, {}}}; }), HasSubstr("finer size"));
   EXPECT_THAT(with([](auto& s) { s.cellsPerLevel = 0; }), HasSubstr("cells of a level"));
+
+  GridOptions fine = grid;
+  fine.startLevel = 4; // more than the domain's sides need
+  SizingOptions few;
+  few.maxElements = 10;
+  EXPECT_THAT(errorOf([&] { sized(twoBoxes(), fine, few); }), HasSubstr("lower StartLevel"));
 }
 
 } // namespace

@@ -92,10 +92,20 @@ void OctantSets::leaveOutMore(const RunContext& context)
   kept_ = std::min(kept_, 2 * static_cast<int>(levels.size())) - 1;
   if (kept_ < 2 * frame_.startLevel)
   {
+    const double thinnest = frame_.domain.size().minCoeff();
+    const bool isThin = frame_.startLevel > 0 && 2.0 * frame_.sizeOf(frame_.startLevel - 1) > thinnest;
     std::ostringstream text;
-    text << "octants of level " << frame_.startLevel
-         << ", which StartLevel or the domain's shortest side ask for, make more than MaxElements " << limit
-         << ": raise it, or lower StartLevel";
+    text << "octants of level " << frame_.startLevel << ", which "
+         << (isThin ? "the domain's shortest side" : "StartLevel") << " asks for, make more than MaxElements " << limit
+         << ": raise it, or ";
+    if (isThin)
+    {
+      text << "make the domain larger where it is " << thinnest << " wide";
+    }
+    else
+    {
+      text << "lower StartLevel";
+    }
     throw Error(text.str());
   }
   const int level = kept_ / 2;
