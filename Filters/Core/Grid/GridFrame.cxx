@@ -58,18 +58,6 @@ int levelClosestTo(double size, const GridFrame& frame)
   return best;
 }
 
-/// Octants so large that both domain planes of an axis pass through one have no valid vertex.
-int coarsestLevelFor(const GridFrame& frame)
-{
-  const double thinnest = frame.domain.size().minCoeff();
-  int level = 0;
-  while (level < frame.depth && 2.0 * frame.sizeOf(level) > thinnest)
-  {
-    ++level;
-  }
-  return level;
-}
-
 /// How often sizeMin is halved to reach the finest size asked for.
 int levelsBelow(const GridOptions& o)
 {
@@ -98,6 +86,17 @@ double marginOf(double octants, double rootOctants, int below)
 }
 
 } // namespace
+
+int coarsestLevelFor(const GridFrame& frame)
+{
+  const double thinnest = frame.domain.size().minCoeff();
+  int level = 0;
+  while (level < frame.depth && 2.0 * frame.sizeOf(level) > thinnest)
+  {
+    ++level;
+  }
+  return level;
+}
 
 LatticePoint GridFrame::toLattice(const Vec3& p) const
 {

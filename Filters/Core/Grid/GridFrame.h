@@ -85,6 +85,9 @@ struct GridFrame
   }
 };
 
+/// The coarsest level at which octants have a valid vertex: larger ones have both domain planes of an axis in them.
+int coarsestLevelFor(const GridFrame& frame);
+
 /// Chooses the lattice of a frame whose root and domain are set, so that it holds `extent` too. Throws Error where that
 /// is too far for it. The octree's keys do not depend on the lattice.
 void fitLattice(GridFrame& frame, const Box3& extent);

@@ -92,15 +92,14 @@ void OctantSets::leaveOutMore(const RunContext& context)
   kept_ = std::min(kept_, 2 * static_cast<int>(levels.size())) - 1;
   if (kept_ < 2 * frame_.startLevel)
   {
-    const double thinnest = frame_.domain.size().minCoeff();
-    const bool isThin = frame_.startLevel > 0 && 2.0 * frame_.sizeOf(frame_.startLevel - 1) > thinnest;
+    const bool isThin = coarsestLevelFor(frame_) == frame_.startLevel;
     std::ostringstream text;
     text << "octants of level " << frame_.startLevel << ", which "
          << (isThin ? "the domain's shortest side" : "StartLevel") << " asks for, make more than MaxElements " << limit
          << ": raise it, or ";
     if (isThin)
     {
-      text << "make the domain larger where it is " << thinnest << " wide";
+      text << "make the domain larger where it is " << frame_.domain.size().minCoeff() << " wide";
     }
     else
     {
