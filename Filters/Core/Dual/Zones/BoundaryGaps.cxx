@@ -154,20 +154,6 @@ void addTriangle(std::vector<BridgeTriangle>& out, const BridgeTriangle& corners
 
 } // namespace
 
-std::vector<Index> BoundaryGaps::edgesByLeaf(const Octree& octree) const
-{
-  std::vector<std::pair<Index, Index>> sorted;
-  for (Index edge = 0; edge < stations.size(); ++edge)
-  {
-    const bool isInside = !stations[edge].empty() && octree.frame().inDomain(stations[edge].front().at);
-    sorted.emplace_back(isInside ? octree.leafAt(stations[edge].front().at) : noIndex, edge);
-  }
-  std::ranges::sort(sorted);
-  std::vector<Index> edges(sorted.size());
-  std::ranges::transform(sorted, edges.begin(), &std::pair<Index, Index>::second);
-  return edges;
-}
-
 std::vector<BridgeTriangle> BoundaryGaps::bridge(Index edge, std::size_t step, double widest) const
 {
   std::vector<BridgeTriangle> out;

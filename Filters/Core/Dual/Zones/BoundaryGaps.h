@@ -33,8 +33,6 @@ struct BoundaryGaps
   /// Per boundary edge, from a to b, ends included; empty where nothing is ahead.
   std::vector<std::vector<BoundaryStation>> stations;
 
-  /// All boundary edges by the leaf of their first station: those that are near each other follow each other.
-  std::vector<Index> edgesByLeaf(const Octree& octree) const;
   /// The bridge over the step between two stations; nothing where either is wider than `widest` octants.
   std::vector<BridgeTriangle> bridge(Index edge, std::size_t step, double widest) const;
   /// Between the bridges of two boundary edges at the point in which they meet.

@@ -73,7 +73,38 @@ std::vector<PassingEdge> passingEdgesOf(Index edge, const BoundaryGaps& gaps, do
   return found;
 }
 
+/// All boundary edges, by the leaf of their first station.
+std::vector<Index> edgesInOrderOfLeaves(const BoundaryGaps& gaps, const Octree& octree)
+{
+  std::vector<std::pair<Index, Index>> sorted;
+  for (Index edge = 0; edge < gaps.stations.size(); ++edge)
+  {
+    const std::vector<BoundaryStation>& stations = gaps.stations[edge];
+    const bool isInside = !stations.empty() && octree.frame().inDomain(stations.front().at);
+    sorted.emplace_back(isInside ? octree.leafAt(stations.front().at) : noIndex, edge);
+  }
+  std::ranges::sort(sorted);
+  std::vector<Index> edges(sorted.size());
+  std::ranges::transform(sorted, edges.begin(), &std::pair<Index, Index>::second);
+  return edges;
+}
+
 } // namespace
+
+void forBoundaryEdges(const BoundaryGaps& gaps, const Crossings& crossings, const GridPlaces& grid,
+                      const RunContext& context, const std::function<void(Index, PassageFinder&)>& use)
+{
+  constexpr std::size_t grain = 64;
+  const std::vector<Index> edges = edgesInOrderOfLeaves(gaps, grid.octree());
+  context.executor.forRanges(edges.size(), grain, [&](std::size_t begin, std::size_t end) {
+    context.progress.check();
+    PassageFinder finder(crossings, grid);
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      use(edges[i], finder);
+    }
+  });
+}
 
 const std::vector<PassingEdge>& PassageFinder::through(const BridgeTriangle& bridge, Index triangle)
 {
@@ -135,15 +166,8 @@ Crossings closeCracks(Crossings crossings, const BoundaryGaps& gaps, const GridP
     return crossings;
   }
   std::vector<std::vector<PassingEdge>> found(gaps.stations.size());
-  constexpr std::size_t grain = 64; // that one PassageFinder is for
-  const std::vector<Index> order = gaps.edgesByLeaf(grid.octree());
-  context.executor.forRanges(order.size(), grain, [&](std::size_t begin, std::size_t end) {
-    context.progress.check();
-    PassageFinder finder(crossings, grid);
-    for (std::size_t i = begin; i < end; ++i)
-    {
-      found[order[i]] = passingEdgesOf(order[i], gaps, tolerance, context.model, finder);
-    }
+  forBoundaryEdges(gaps, crossings, grid, context, [&](Index edge, PassageFinder& finder) {
+    found[edge] = passingEdgesOf(edge, gaps, tolerance, context.model, finder);
   });
   std::vector<PassingEdge> passages;
   for (const auto& part : found)

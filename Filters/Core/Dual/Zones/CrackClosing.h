@@ -4,6 +4,7 @@
 #include "Dual/Grid/Crossings.h"
 #include "Dual/Zones/BoundaryGaps.h"
 
+#include <functional>
 #include <optional>
 #include <tuple>
 #include <vector>
@@ -50,6 +51,10 @@ private:
   std::vector<UncutEdge> edges_;
   std::vector<PassingEdge> found_;
 };
+
+/// Calls use(edge, finder) for each boundary edge, from several threads. Edges at the same leaf share a finder.
+void forBoundaryEdges(const BoundaryGaps& gaps, const Crossings& crossings, const GridPlaces& grid,
+                      const RunContext& context, const std::function<void(Index, PassageFinder&)>& use);
 
 /// Closes gaps ahead of boundary edges that are no wider than `tolerance` times the octants there: edges of the grid
 /// that pass their bridges, and those between the bridges of edges that meet, are cut by the boundary edges' triangles.

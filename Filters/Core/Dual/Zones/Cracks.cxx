@@ -259,16 +259,8 @@ std::vector<Crack> findCracks(const BoundaryGaps& gaps, const Zones& zones, cons
 {
   std::vector<std::vector<CrackStep>> steps(gaps.stations.size());
   const StepFinder finder(gaps, zones, kept, grid);
-  constexpr std::size_t grain = 64; // that one PassageFinder is for
-  const std::vector<Index> order = gaps.edgesByLeaf(grid.octree());
-  context.executor.forRanges(order.size(), grain, [&](std::size_t begin, std::size_t end) {
-    context.progress.check();
-    PassageFinder passages(crossings, grid);
-    for (std::size_t i = begin; i < end; ++i)
-    {
-      steps[order[i]] = finder.stepsOf(order[i], passages);
-    }
-  });
+  forBoundaryEdges(gaps, crossings, grid, context,
+                   [&](Index edge, PassageFinder& passages) { steps[edge] = finder.stepsOf(edge, passages); });
   std::vector<LongCrack> found;
   for (const BoundaryEdges::Run& run : gaps.boundary.runs())
   {
