@@ -52,7 +52,8 @@ private:
   std::vector<PassingEdge> found_;
 };
 
-/// Calls use(edge, finder) for each boundary edge, from several threads. Edges at the same leaf share a finder.
+/// Calls use(edge, finder) for each boundary edge, from several threads. Edges near each other mostly share a finder,
+/// and what it has gathered.
 void forBoundaryEdges(const BoundaryGaps& gaps, const Crossings& crossings, const GridPlaces& grid,
                       const RunContext& context, const std::function<void(Index, PassageFinder&)>& use);
 
