@@ -42,7 +42,7 @@ rooms=(Support Grid
   Layer
   Quality/Faces Quality/Checks Quality/Unions
   Optimize/Kernel Optimize/Constraints Optimize/AnyMesh
-  Mesher/Improvement Mesher)
+  Mesher/Improvement Mesher/Blocks Mesher/Shares Mesher)
 earlier=
 for room in "${rooms[@]}"; do
   earlier+="${earlier:+|}$room"

@@ -43,6 +43,7 @@ void declareLayerOptions(CLI::App& command, LayerOptions& options)
   options.growth = filter->GetLayerGrowth();
   options.nonOrthogonality = filter->GetTargetNonOrthogonality();
   options.skewness = filter->GetTargetSkewness();
+  options.blockSize = filter->GetBlockSize();
   command
       .add_option("--layers", options.layers,
                   "Layers of elements on all surfaces, or on those whose name matches the pattern (* and ? stand for "
@@ -69,6 +70,13 @@ void declareLayerOptions(CLI::App& command, LayerOptions& options)
       ->capture_default_str()
       ->check(numberIn(filter->GetTargetSkewnessMinValue(), filter->GetTargetSkewnessMaxValue()))
       ->type_name("X");
+  command
+      .add_option(
+          "--block-size", options.blockSize,
+          "Octants of a block, where the mesh is improved in blocks, as MPI ranks of ParaView make it; 0 for none")
+      ->capture_default_str()
+      ->check(atLeast(0.0))
+      ->type_name("N");
 }
 
 void configureLayers(vtkAtriaDualMesher* mesher, const LayerOptions& options)
@@ -78,6 +86,7 @@ void configureLayers(vtkAtriaDualMesher* mesher, const LayerOptions& options)
   mesher->SetLayerGrowth(options.growth);
   mesher->SetTargetNonOrthogonality(options.nonOrthogonality);
   mesher->SetTargetSkewness(options.skewness);
+  mesher->SetBlockSize(options.blockSize);
   for (const std::string& text : options.layers)
   {
     const auto equals = text.rfind('=');

@@ -21,6 +21,7 @@ struct LayerOptions
   double growth = 0.0;
   double nonOrthogonality = 0.0;
   double skewness = 0.0;
+  int blockSize = 0;
 };
 
 void declareLayerOptions(CLI::App& command, LayerOptions& options);

@@ -52,6 +52,7 @@ constexpr std::array optionOf{
     std::pair{"LayerGrowth", "--layer-growth"},
     std::pair{"TargetNonOrthogonality", "--non-orthogonality"},
     std::pair{"TargetSkewness", "--skewness"},
+    std::pair{"BlockSize", "--block-size"},
     std::pair{"TargetCellSquish", "--squish"},
     std::pair{"TargetScaledJacobian", "--scaled-jacobian"},
     std::pair{"FixBoundary", "--fix-boundary"},

@@ -5,6 +5,8 @@
 #include "Mesher/DualMesher.h"
 #include "Surface/Repair/SurfaceRepair.h"
 
+#include <optional>
+
 class vtkFieldData;
 class vtkPartitionedDataSetCollection;
 class vtkPolyData;
@@ -22,14 +24,23 @@ void roomsToVtk(const RoomReport& report, vtkUnstructuredGrid* out);
 void cellZonesToVtk(const DualMesh& mesh, const std::vector<std::string>& surfaceNames,
                     const std::vector<SurfaceKind>& kinds, vtkUnstructuredGrid* out, const Executor& executor);
 
+/// Numbers of a piece's elements and points in the mesh that it is of.
+struct NumbersOfAll
+{
+  const std::vector<std::uint64_t>& elements;
+  const std::vector<std::uint64_t>& points;
+};
+
 /// One polydata a patch: surfaces in order of their ids, then bare domain sides. A surface that has elements of the
 /// mesh on its front and on its back, somewhere on both at once, is two patches, `<name>_front` and `<name>_back`.
 /// Faces are seen counter-clockwise from outside of the mesh. LayerCount and LayerThickness are from the report; zero
 /// where that is empty. Then one for each face zone, whose faces are within the mesh, between OwnerCellId, at the back
 /// of the surface, and NeighborCellId.
-void patchesToVtk(const DualMesh& mesh, const std::vector<std::string>& surfaceNames,
+/// `met` is of the whole mesh, where this is a piece, and the piece has a patch, maybe without faces, for all that the
+/// whole has.
+void patchesToVtk(const DualMesh& mesh, const std::vector<MetSides>& met, const std::vector<std::string>& surfaceNames,
                   const std::vector<SurfaceKind>& kinds, const LayerReport& layers,
-                  vtkPartitionedDataSetCollection* out);
+                  vtkPartitionedDataSetCollection* out, const std::optional<NumbersOfAll>& numbers = {});
 
 /// What became of the layers on each surface, as field arrays Layer…, an entry for each.
 void layersToVtk(const LayerReport& layers, vtkPolyData* out);

@@ -32,27 +32,6 @@ struct Patch
   std::vector<Index> faces;
 };
 
-/// Surfaces with elements on both sides at once somewhere, on the front and on the back. The front alone can have them
-/// where a solid is thinner than the octants and became a sheet.
-std::vector<char> twoSidedSurfaces(const DualMesh& mesh, std::size_t surfaceCount)
-{
-  constexpr char both = 1, front = 2, back = 4;
-  std::vector<char> met(surfaceCount, 0);
-  for (const BoundaryFace& face : mesh.boundaryFaces)
-  {
-    if (face.tag < surfaceCount)
-    {
-      met[face.tag] |= face.side == SheetSide::front ? front : back;
-      met[face.tag] |= face.opposite != noIndex ? both : 0;
-    }
-  }
-  for (char& surface : met)
-  {
-    surface = surface == (both | front | back);
-  }
-  return met;
-}
-
 /// Makes a name its own by a number, should a surface be called like another's side or like a side of the domain.
 std::string uniqueName(std::string name, std::set<std::string>& taken)
 {
@@ -65,27 +44,28 @@ std::string uniqueName(std::string name, std::set<std::string>& taken)
 }
 
 /// Two slots a tag, front and back; one-sided surfaces and domain sides use the first.
-std::vector<Patch> sortFaces(const DualMesh& mesh, const std::vector<std::string>& names, std::set<std::string>& taken)
+std::vector<Patch> sortFaces(const DualMesh& mesh, const std::vector<MetSides>& met,
+                             const std::vector<std::string>& names, std::set<std::string>& taken)
 {
-  const std::vector<char> twoSided = twoSidedSurfaces(mesh, names.size());
-  std::vector<Patch> patches(2 * (names.size() + sideNumbers));
+  const auto isTwoSided = [&](std::size_t tag) { return tag < names.size() && met[tag].isTwoSided(); };
+  std::vector<Patch> patches(2 * met.size());
   for (Index f = 0; f < mesh.boundaryFaces.size(); ++f)
   {
     const BoundaryFace& face = mesh.boundaryFaces[f];
-    const bool second = face.tag < names.size() && twoSided[face.tag] && face.side == SheetSide::back;
+    const bool second = isTwoSided(face.tag) && face.side == SheetSide::back;
     patches[2 * face.tag + (second ? 1 : 0)].faces.push_back(f);
   }
   for (std::size_t i = 0; i < patches.size(); ++i)
   {
     const std::size_t tag = i / 2;
-    if (!patches[i].faces.empty())
+    if (met[tag].hasBoundary() && (i % 2 == 0 || isTwoSided(tag)))
     {
       const std::string name = tag < names.size() ? names[tag] : sideName(static_cast<Index>(tag - names.size()));
-      const char* side = tag < names.size() && twoSided[tag] ? (i % 2 == 0 ? "_front" : "_back") : "";
+      const char* side = isTwoSided(tag) ? (i % 2 == 0 ? "_front" : "_back") : "";
       patches[i].name = uniqueName(name + side, taken);
     }
   }
-  std::erase_if(patches, [](const Patch& p) { return p.faces.empty(); });
+  std::erase_if(patches, [](const Patch& p) { return p.name.empty(); });
   return patches;
 }
 
@@ -113,8 +93,9 @@ std::vector<Patch> sortZones(const DualMesh& mesh, const std::vector<std::string
 class PatchWriter
 {
 public:
-  PatchWriter(const DualMesh& source, std::size_t surfaceCount, const LayerReport& report)
-      : mesh(source), surfaces(surfaceCount), layers(report), local(source.points.size(), noIndex)
+  PatchWriter(const DualMesh& source, std::size_t surfaceCount, const LayerReport& report,
+              const std::optional<NumbersOfAll>& all)
+      : mesh(source), surfaces(surfaceCount), layers(report), numbers(all), local(source.points.size(), noIndex)
   {
   }
 
@@ -189,12 +170,13 @@ private:
         polys->InsertCellPoint(localPoint(corners.points[i], points, ids));
       }
       surfaceIds->InsertNextValue(face.tag < surfaces ? static_cast<int>(face.tag) : -1);
-      owners->InsertNextValue(face.element);
+      owners->InsertNextValue(numbers ? static_cast<vtkIdType>(numbers->elements[face.element]) : face.element);
     }
-    for (vtkIdType i = 0; i < ids->GetNumberOfValues(); ++i)
+    for (const Index p : used)
     {
-      local[ids->GetValue(i)] = noIndex;
+      local[p] = noIndex;
     }
+    used.clear();
     out->SetPoints(points);
     out->SetPolys(polys);
   }
@@ -204,7 +186,8 @@ private:
     if (local[p] == noIndex)
     {
       local[p] = static_cast<Index>(points->InsertNextPoint(mesh.points[p].data()));
-      ids->InsertNextValue(p);
+      used.push_back(p);
+      ids->InsertNextValue(numbers ? static_cast<vtkIdType>(numbers->points[p]) : p);
     }
     return local[p];
   }
@@ -212,18 +195,20 @@ private:
   const DualMesh& mesh;
   std::size_t surfaces;
   const LayerReport& layers;
+  const std::optional<NumbersOfAll>& numbers;
   std::vector<Index> local;
+  std::vector<Index> used; ///< points with a local number
 };
 
 } // namespace
 
-void patchesToVtk(const DualMesh& mesh, const std::vector<std::string>& surfaceNames,
+void patchesToVtk(const DualMesh& mesh, const std::vector<MetSides>& met, const std::vector<std::string>& surfaceNames,
                   const std::vector<SurfaceKind>& kinds, const LayerReport& layers,
-                  vtkPartitionedDataSetCollection* out)
+                  vtkPartitionedDataSetCollection* out, const std::optional<NumbersOfAll>& numbers)
 {
-  PatchWriter writer(mesh, surfaceNames.size(), layers);
+  PatchWriter writer(mesh, surfaceNames.size(), layers, numbers);
   std::set<std::string> taken;
-  const std::vector<Patch> patches = sortFaces(mesh, surfaceNames, taken);
+  const std::vector<Patch> patches = sortFaces(mesh, met, surfaceNames, taken);
   const std::vector<Patch> zones = sortZones(mesh, surfaceNames, kinds, taken);
   out->SetNumberOfPartitionedDataSets(static_cast<unsigned>(patches.size() + zones.size()));
   const auto add = [&](std::size_t i, const Patch& patch, auto&& write) {
@@ -323,22 +308,10 @@ void diagnosticsToVtk(const DualMeshResult& result, const std::vector<std::strin
   out->SetLines(lines);
   out->GetCellData()->SetActiveScalars("Diagnostic"); // what programs color by unless told otherwise
   addArrayOf<vtkStringArray>(out->GetFieldData(), "DiagnosticName", diagnosticNames);
-  std::vector<char> met(surfaceNames.size(), 0);
-  for (const BoundaryFace& face : result.mesh.boundaryFaces)
-  {
-    if (face.tag < met.size())
-    {
-      met[face.tag] = 1;
-    }
-  }
-  for (const ZoneFace& face : result.mesh.zoneFaces)
-  {
-    met[face.tag] = 1;
-  }
   auto* lost = addArray<vtkStringArray>(out->GetFieldData(), "SurfaceWithoutFaces");
-  for (std::size_t i = 0; i + result.rooms.found < met.size(); ++i)
+  for (std::size_t i = 0; i + result.rooms.found < surfaceNames.size(); ++i)
   {
-    if (!met[i])
+    if (!result.metSides[i].hasBoundary() && !result.metSides[i].within)
     {
       lost->InsertNextValue(surfaceNames[i]);
     }

@@ -89,6 +89,7 @@ atria::MesherOptions mesherOptionsOf(vtkAtriaDualMesher& filter, const Points& s
   options.mesh.supportElements = filter.GetSupportElements();
   options.mesh.curvedWalls = {filter.GetTargetNonOrthogonality(), filter.GetTargetSkewness()};
   options.mesh.crackTolerance = filter.GetCrackTolerance();
+  options.mesh.blockSize = static_cast<std::size_t>(filter.GetBlockSize());
   return options;
 }
 
@@ -255,6 +256,7 @@ void vtkAtriaDualMesher::CheckProperties()
   atriaCheckRange(TargetNonOrthogonality);
   atriaCheckRange(TargetSkewness);
   atriaCheckRange(CrackTolerance);
+  atriaCheckRange(BlockSize);
 }
 
 atria::DealtOutputs vtkAtriaDualMesher::GetDealtOutputs() const
@@ -320,7 +322,7 @@ int vtkAtriaDualMesher::RequestData(vtkInformation*, vtkInformationVector** inpu
     atria::roomsToVtk(result.rooms, volume);
     atria::cellZonesToVtk(result.mesh, result.names, result.kinds, volume, context.executor);
     context.progress.report(0.95, "Converting patches");
-    atria::patchesToVtk(result.mesh, result.names, result.kinds, result.layers, patches);
+    atria::patchesToVtk(result.mesh, result.metSides, result.names, result.kinds, result.layers, patches);
     atria::recordPatches(patches, volume);
     atria::diagnosticsToVtk(result, result.names, diagnostics);
     atria::addTo(warnings, result.inputWarnings);
@@ -353,6 +355,7 @@ void vtkAtriaDualMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfLayers: " << this->NumberOfLayers << "\n";
   os << indent << "CacheStages: " << (this->CacheStages ? "on" : "off") << "\n";
   os << indent << "DistributeOutput: " << (this->DistributeOutput ? "on" : "off") << "\n";
+  os << indent << "BlockSize: " << this->BlockSize << "\n";
   os << indent << "SupportElements: " << (this->SupportElements ? "on" : "off") << "\n";
   os << indent << "FirstLayerHeight: " << this->FirstLayerHeight << "\n";
   os << indent << "LayerGrowth: " << this->LayerGrowth << "\n";

@@ -224,6 +224,16 @@ public:
 
   ///@{
   /**
+   * How many octants a block has at most, where the mesh is improved in blocks; 0 improves it as a whole. Blocks are
+   * octants of the octree, so that the mesh is the same for any number of threads, and a little different from that of
+   * other block sizes. They take up to twice as long. Not negative; default 0.
+   */
+  vtkAtriaSetInRangeMacro(BlockSize, int, 0, VTK_INT_MAX);
+  vtkGetMacro(BlockSize, int);
+  ///@}
+
+  ///@{
+  /**
    * Name and wall time, in seconds, of the stages of the last run that came to its end, but for those that it took from
    * the run before. They are not in the output, which does not differ from run to run. An index out of range gives an
    * empty name and 0.
@@ -265,6 +275,7 @@ protected:
   std::vector<std::pair<std::string, double>> Stages;
   bool CacheStages = true;
   bool DistributeOutput = true;
+  int BlockSize = 0;
 
 private:
   std::unique_ptr<atria::StageCache> Cache;

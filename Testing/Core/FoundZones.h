@@ -55,7 +55,7 @@ struct FoundZones
   std::int32_t zoneAt(const Vec3& seed) const { return zones.ofPoint[pointOfSeed(seed, "seed", grid, model)]; }
   std::vector<char> kept(ZoneRule rule, const std::vector<Vec3>& seeds = {}) const
   {
-    return keptZones(zones, rule, seeds, grid, model);
+    return keptZones(zones, rule, zonesOfSeeds(zones, seeds, grid, model));
   }
   std::vector<Leak> leaks(const std::vector<Vec3>& sealed)
   {

@@ -56,7 +56,7 @@ struct Layered
   LayerMesh divided() const
   {
     std::vector<Index> counts = layersWanted(plain(), walls, one, options);
-    limitSteps(plain(), one, counts);
+    limitSteps(plain(), one, {}, counts);
     return divideLayer(plain(), walls, one, options, counts);
   }
   Vec3 wayOf(Index point) const { return one.mesh.points[one.copies[point]] - plain().points[point]; }
@@ -492,7 +492,7 @@ TEST(BoundaryLayers, TaperOffOneAtATime)
   std::vector<Index> wanted = layersWanted(layered.plain(), layered.walls, layered.one, layered.options);
   std::ranges::for_each(wanted, [&](Index& count) { count = random() % 20 == 0 ? std::min(count, 1U) : count; });
   std::vector<Index> counts = wanted;
-  limitSteps(layered.plain(), layered.one, counts);
+  limitSteps(layered.plain(), layered.one, {}, counts);
   for (const Index f : layered.one.wallFaces)
   {
     for (int i = 0; i < 4; ++i)
@@ -508,7 +508,7 @@ TEST(BoundaryLayers, TaperOffOneAtATime)
     EXPECT_EQ(counts[p] == 0, wanted[p] == 0);
   }
   std::vector<Index> again = counts;
-  limitSteps(layered.plain(), layered.one, again);
+  limitSteps(layered.plain(), layered.one, {}, again);
   EXPECT_EQ(again, counts);
   expectValid(divideLayer(layered.plain(), layered.walls, layered.one, layered.options, counts), layered.plain());
 }

@@ -2,7 +2,7 @@
 /// Which zones are kept, and what is said of them.
 #include "FoundZones.h"
 
-#include "Dual/Zones/ZoneKinds.h"
+#include "Dual/Zones/ZoneSummary.h"
 
 #include <gmock/gmock.h>
 
@@ -152,9 +152,8 @@ TEST(Zones, RoomsAreToldFromSolidsAndGaps)
   addBox(surface, "Slot", {Vec3(-3.1, 2.2, 2.1), Vec3(3.2, 2.9, 4.2)});
   addSheet(surface, "Across", Vec3(0, 2.2, 2.1), Vec3(0, 0.7, 0), Vec3(0, 0, 2.1));
   FoundZones found(surface, uniformGrid(domain, 0.5));
-  auto zones = summarizeZones(found.zones, found.kept(ZoneRule::outside), found.crossings, found.grid,
-                              found.model.names.size(), found.context());
-  describeZones(zones, found.zones, found.crossings, found.grid, found.model.names.size(), found.context());
+  const auto zones = summarizeZones(found.zones, found.kept(ZoneRule::outside), found.crossings, found.grid,
+                                    found.model.names.size(), found.context());
   const auto at = [&](const Vec3& p) { return zones[found.zoneAt(p)]; };
   EXPECT_EQ(at(sky).kind, ZoneKind::open);
   EXPECT_EQ(at(Vec3(0, 0, 0.3)).kind, ZoneKind::open) << "below the ground";
@@ -180,9 +179,8 @@ TEST(Zones, SolidsMayStandOnTheGround)
   addSheet(surface, "Ground", Vec3(-8, -8, 0.6), Vec3(16, 0, 0), Vec3(0, 16, 0));
   addBox(surface, "Solid", {Vec3(-4.1, -3.2, -0.3), Vec3(-0.6, 0.2, 4.4)});
   FoundZones found(surface, uniformGrid(domain, 0.5));
-  auto zones = summarizeZones(found.zones, found.kept(ZoneRule::outside), found.crossings, found.grid,
-                              found.model.names.size(), found.context());
-  describeZones(zones, found.zones, found.crossings, found.grid, found.model.names.size(), found.context());
+  const auto zones = summarizeZones(found.zones, found.kept(ZoneRule::outside), found.crossings, found.grid,
+                                    found.model.names.size(), found.context());
   EXPECT_EQ(zones[found.zoneAt(Vec3(-2, -1, 3))].kind, ZoneKind::solid);
 }
 

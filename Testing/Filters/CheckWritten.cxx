@@ -18,7 +18,8 @@ CheckMeshReport checkAsWritten(const Meshed& meshed)
   vtkNew<vtkUnstructuredGrid> volume;
   volumeToVtk(meshed.mesh(), volume, SerialExecutor());
   vtkNew<vtkPartitionedDataSetCollection> patches;
-  patchesToVtk(meshed.mesh(), meshed.model.names, meshed.model.kinds, meshed.result.layers, patches);
+  patchesToVtk(meshed.mesh(), meshed.result.metSides, meshed.model.names, meshed.model.kinds, meshed.result.layers,
+               patches);
   const ScratchFolder scratch;
   vtkNew<vtkAtriaOpenFOAMWriter> writer;
   writer->SetInputDataObject(0, volume);

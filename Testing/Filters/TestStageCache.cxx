@@ -141,6 +141,7 @@ std::vector<Change> changesOfMesh()
       {"SetTargetNonOrthogonality", [](M& m) { m.SetTargetNonOrthogonality(5.0); }, fineDome},
       {"SetTargetSkewness", [](M& m) { m.SetTargetSkewness(0.05); }, fineDome},
       {"SetCrackTolerance", [](M& m) { m.SetCrackTolerance(0.0); }},
+      {"SetBlockSize", [](M& m) { m.SetBlockSize(200); }},
   };
 }
 

@@ -124,12 +124,14 @@ std::vector<Index> layersWanted(const DualMesh& plain, const LayerWalls& walls, 
   std::vector<Index> counts(one.copies.size());
   for (std::size_t p = 0; p < counts.size(); ++p)
   {
-    counts[p] = one.copies[p] == noIndex ? 0 : static_cast<Index>(asked[p].layers);
+    counts[p] = one.copies[p] == noIndex        ? 0
+                : walls.settled.stays(Index(p)) ? walls.settled.counts[p]
+                                                : static_cast<Index>(asked[p].layers);
   }
   return counts;
 }
 
-void limitSteps(const DualMesh& plain, const LayerMesh& one, std::vector<Index>& counts)
+void limitSteps(const DualMesh& plain, const LayerMesh& one, const SettledPoints& settled, std::vector<Index>& counts)
 {
   for (bool changed = true; changed;)
   {
@@ -140,8 +142,11 @@ void limitSteps(const DualMesh& plain, const LayerMesh& one, std::vector<Index>&
       const Index most = 1 + counts[std::ranges::min(points, {}, [&](Index p) { return counts[p]; })];
       for (const Index p : points)
       {
-        changed = changed || counts[p] > most;
-        counts[p] = std::min(counts[p], most);
+        if (counts[p] > most && !settled.stays(p))
+        {
+          counts[p] = most;
+          changed = true;
+        }
       }
     }
   }
@@ -152,6 +157,13 @@ LayerMesh divideLayer(const DualMesh& plain, const LayerWalls& walls, const Laye
 {
   LayerMesh out = buildLayer(plain, walls, counts);
   placeChains(out, one, layersOfPoints(plain, walls, options), besideFewer(plain, one, counts));
+  for (std::size_t i = 0; i < out.wallPoints.size(); ++i)
+  {
+    if (const Index p = out.wallPoints[i]; walls.settled.stays(p))
+    {
+      out.mesh.points[out.plainPoints + i] = walls.settled.aboveOf(p)[out.places[i] - 1];
+    }
+  }
   return out;
 }
 

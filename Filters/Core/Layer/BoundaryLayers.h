@@ -13,7 +13,7 @@ std::vector<Index> layersWanted(const DualMesh& plain, const LayerWalls& walls, 
 
 /// Lowers counts until those of neighbors on a wall differ by one at most, so that layers taper off one at a time, the
 /// outermost and thickest first.
-void limitSteps(const DualMesh& plain, const LayerMesh& one, std::vector<Index>& counts);
+void limitSteps(const DualMesh& plain, const LayerMesh& one, const SettledPoints& settled, std::vector<Index>& counts);
 
 /// Divides the conforming layer: each copy's way from its wall point becomes a chain of `counts` layers, with the least
 /// of the first heights and of the growths that the walls about the point ask for. The points of `one` are kept, those

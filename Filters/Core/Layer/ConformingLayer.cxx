@@ -305,13 +305,21 @@ LayerMesh LayerGrower::grow(const DualMesh& plain, const std::vector<char>& excl
 LayerMesh LayerGrower::growAgain(const DualMesh& plain, const std::vector<char>& excluded, const LayerMesh& before,
                                  const std::vector<char>& fresh, const RunContext& context)
 {
-  const std::vector<Index> counts = countsOf(plain, excluded, context);
+  const bool isFirst = fresh.empty();
+  const auto isSettled = [&](Index p) { return isFirst ? walls_.settled.has(p) : walls_.settled.stays(p); };
+  std::vector<Index> counts = countsOf(plain, excluded, context);
+  for (Index p = 0; p < counts.size(); ++p)
+  {
+    counts[p] = isSettled(p) ? std::min<Index>(walls_.settled.counts[p], 1) : counts[p];
+  }
   LayerMesh layer = buildLayer(plain, walls_, counts, context.executor);
-  const auto stays = [&](Index p) { return layer.copies[p] != noIndex && before.copies[p] != noIndex && !fresh[p]; };
+  const auto stays = [&](Index p) {
+    return layer.copies[p] != noIndex && !isSettled(p) && before.copies[p] != noIndex && !fresh[p];
+  };
   std::vector<char> open(counts.size(), 0);
   for (Index p = 0; p < open.size(); ++p)
   {
-    open[p] = layer.copies[p] != noIndex && !stays(p) ? 1 : 0;
+    open[p] = layer.copies[p] != noIndex && !stays(p) && !isSettled(p) ? 1 : 0;
   }
   if (std::ranges::find(open, 1) != open.end())
   {
@@ -325,6 +333,10 @@ LayerMesh LayerGrower::growAgain(const DualMesh& plain, const std::vector<char>&
     if (stays(p))
     {
       layer.mesh.points[layer.copies[p]] = before.mesh.points[before.copies[p]];
+    }
+    else if (layer.copies[p] != noIndex && isSettled(p))
+    {
+      layer.mesh.points[layer.copies[p]] = walls_.settled.aboveOf(p).back();
     }
   }
   return layer;

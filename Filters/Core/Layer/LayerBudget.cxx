@@ -10,7 +10,7 @@
 namespace atria {
 
 std::size_t elementsWithLayers(const Octree& octree, const SurfaceModel& model, const std::vector<LayerRule>& rules,
-                               const RunContext& context)
+                               const RunContext& context, const std::function<bool(Index leaf)>& isCounted)
 {
   const std::vector<WallLayers> layers = resolveLayerRules(rules, model.names);
   const auto elementsAt = [&](Index leaf) {
@@ -27,28 +27,31 @@ std::size_t elementsWithLayers(const Octree& octree, const SurfaceModel& model, 
     for (std::size_t leaf = pieces.begin(piece); leaf < pieces.end(piece); ++leaf)
     {
       const auto i = static_cast<Index>(leaf);
-      counts[piece] += octree.inDomain(i) ? elementsAt(i) : 0;
+      counts[piece] += octree.inDomain(i) && (!isCounted || isCounted(i)) ? elementsAt(i) : 0;
     }
   });
   return std::accumulate(counts.begin(), counts.end(), std::size_t{0});
 }
 
-void checkLayerBudget(const Octree& octree, const SurfaceModel& model, const std::vector<LayerRule>& rules,
-                      std::size_t memoryLimit, const RunContext& context)
+void checkLayerBudget(std::size_t elements, std::size_t memoryLimit)
 {
-  const std::size_t most = memoryLimit / bytesPerElement;
-  constexpr std::size_t mostLayers = 100;
-  if (memoryLimit == 0 || octree.leafCount() <= most / (1 + mostLayers))
-  {
-    return;
-  }
-  if (const std::size_t elements = elementsWithLayers(octree, model, rules, context); elements > most)
+  if (memoryLimit > 0 && elements > memoryLimit / bytesPerElement)
   {
     throw Error("with the layers on walls there are about " + inWords(static_cast<double>(elements)) +
                 " elements or more, which take " + inGigabytes(static_cast<double>(elements) * bytesPerElement) +
                 " of memory; there are " + inGigabytes(static_cast<double>(memoryLimit)) +
                 ": ask for fewer layers (NumberOfLayers, LayerRules; --layers), or raise the sizes at surfaces. "
                 "MemoryLimit (--memory-limit) says that there is more memory");
+  }
+}
+
+void checkLayerBudget(const Octree& octree, const SurfaceModel& model, const std::vector<LayerRule>& rules,
+                      std::size_t memoryLimit, const RunContext& context)
+{
+  constexpr std::size_t mostLayers = 100;
+  if (memoryLimit > 0 && octree.leafCount() > memoryLimit / bytesPerElement / (1 + mostLayers))
+  {
+    checkLayerBudget(elementsWithLayers(octree, model, rules, context), memoryLimit);
   }
 }
 

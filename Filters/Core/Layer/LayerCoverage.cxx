@@ -4,6 +4,7 @@
 #include "Layer/ConformingLayer.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace atria {
 
@@ -29,15 +30,21 @@ public:
     out.thicknesses.assign(layer.mesh.boundaryFaces.size(), 0.0);
   }
 
-  LayerReport report(const std::vector<std::string>& names)
+  LayerReport report(const std::vector<std::string>& names, const CoverageShare& share)
   {
     std::vector<LayerCoverage> ofTag(options.ofTag.size());
     for (Index f = 0; f < walls.roles.size(); ++f)
     {
       if (walls.roles[f] == FaceRole::wall)
       {
-        add(f, ofTag[plain.boundaryFaces[f].tag]);
+        LayerCoverage uncounted;
+        const bool isCounted = !share.isCounted || share.isCounted(f);
+        add(f, isCounted ? ofTag[plain.boundaryFaces[f].tag] : uncounted);
       }
+    }
+    if (share.sum)
+    {
+      sumUp(share, ofTag);
     }
     for (LayerCoverage& surface : ofTag)
     {
@@ -59,10 +66,33 @@ public:
   }
 
 private:
+  static void sumUp(const CoverageShare& share, std::vector<LayerCoverage>& ofTag)
+  {
+    std::vector<double> values;
+    for (const LayerCoverage& surface : ofTag)
+    {
+      values.insert(values.end(), {surface.area, surface.layered, surface.full, surface.thickness});
+    }
+    const std::vector<double> sums = share.sum(values);
+    for (std::size_t tag = 0; tag < ofTag.size(); ++tag)
+    {
+      LayerCoverage& surface = ofTag[tag];
+      surface.area = sums[4 * tag];
+      surface.layered = sums[4 * tag + 1];
+      surface.full = sums[4 * tag + 2];
+      surface.thickness = sums[4 * tag + 3];
+    }
+  }
+
   Index countAt(Index point) const
   {
     const Index copy = layer.copies[point];
     return copy == noIndex ? 0 : layer.places[copy - layer.plainPoints];
+  }
+
+  double inUnits(double area) const
+  {
+    return options.areaUnit > 0.0 ? options.areaUnit * std::round(area / options.areaUnit) : area;
   }
 
   void add(Index f, LayerCoverage& surface)
@@ -88,12 +118,12 @@ private:
     }
     out.counts[f] = static_cast<std::int32_t>(most);
     out.thicknesses[f] = got;
-    surface.area += area;
+    surface.area += inUnits(area);
     if (most > 0)
     {
-      surface.layered += area;
-      surface.full += most >= static_cast<Index>(asked.layers) ? area : 0.0;
-      surface.thickness += wanted > 0.0 ? area * got / wanted : 0.0;
+      surface.layered += inUnits(area);
+      surface.full += most >= static_cast<Index>(asked.layers) ? inUnits(area) : 0.0;
+      surface.thickness += wanted > 0.0 ? inUnits(area * got / wanted) : 0.0;
     }
   }
 
@@ -130,9 +160,9 @@ private:
 
 LayerReport reportLayers(const DualMesh& plain, const LayerWalls& walls, const LayerMesh& layer,
                          const LayerOptions& options, const std::vector<std::string>& surfaceNames,
-                         const RunContext& context)
+                         const RunContext& context, const CoverageShare& share)
 {
-  return Reporter(plain, walls, layer, options, context).report(surfaceNames);
+  return Reporter(plain, walls, layer, options, context).report(surfaceNames, share);
 }
 
 } // namespace atria

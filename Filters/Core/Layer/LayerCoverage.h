@@ -4,6 +4,8 @@
 
 #include "Layer/LayerTopology.h"
 
+#include <functional>
+
 namespace atria {
 
 /// Of one surface, both sides together.
@@ -31,10 +33,17 @@ struct LayerReport
   std::vector<LayerCoverage> surfaces;
 };
 
+/// Where the mesh is one of several parts: which boundary faces are counted, and what sums up over all parts.
+struct CoverageShare
+{
+  std::function<bool(Index face)> isCounted;
+  std::function<std::vector<double>(const std::vector<double>&)> sum;
+};
+
 /// `plain` is the mesh the layers were grown from; its sizes beside the walls say how thick layers should be that have
 /// no height of their own.
 LayerReport reportLayers(const DualMesh& plain, const LayerWalls& walls, const LayerMesh& layer,
                          const LayerOptions& options, const std::vector<std::string>& surfaceNames,
-                         const RunContext& context);
+                         const RunContext& context, const CoverageShare& share = {});
 
 } // namespace atria

@@ -4,6 +4,7 @@
 
 #include "Layer/BoundaryGraph.h"
 #include "Layer/LayerRules.h"
+#include "Layer/SettledPoints.h"
 
 #include <algorithm>
 
@@ -29,6 +30,9 @@ struct LayerOptions
   double relativeThickness = 0.3;
   /// The same for more layers than one, which else would be very thin.
   double dividedThickness = 0.6;
+  /// Areas told of surfaces are sums of multiples of this, a power of two, so that they are the same in any order; 0
+  /// leaves them as they are. Square model units.
+  double areaUnit = 0.0;
   /// By tag. Empty: none has such a layer.
   std::vector<SupportingLayer> supporting;
 
@@ -68,6 +72,7 @@ struct LayerWalls
   std::vector<FaceRole> roles;
   /// Per point: the layers that its walls ask for, the least of them; 0 where no layer can be.
   std::vector<Index> counts;
+  SettledPoints settled;
 };
 
 /// A point has layers if the faces about it are one closed fan and the walls in it one run, so that every edge of a

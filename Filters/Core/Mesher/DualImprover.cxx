@@ -3,6 +3,7 @@
 
 #include "Dual/Mesh/Sheets.h"
 #include "Dual/Vertices/TurnedDomain.h"
+#include "Mesher/Blocks/BlockImprover.h"
 #include "Mesher/Improvement/CurveJogs.h"
 #include "Mesher/Improvement/ElementsToLeaveOut.h"
 #include "Mesher/Improvement/UnfoldFaces.h"
@@ -10,7 +11,9 @@
 #include "Optimize/Constraints/ModelConstraints.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <optional>
 
 namespace atria {
 
@@ -48,14 +51,6 @@ bool straightenCurves(ClassifiedMesh& plain, const BoundaryGraph& graph, const M
     last = p;
   }
   return faces > 0;
-}
-
-/// Whether a surface, as a site, lies on the domain's bottom.
-bool hasGround(const DualMesh& mesh, const LayerOptions& options)
-{
-  return std::ranges::any_of(mesh.boundaryFaces, [&](const BoundaryFace& face) {
-    return face.onDomainSide && face.tag < options.surfaceCount() && face.direction == zMin;
-  });
 }
 
 /// How far charts reach, in lattice units: the longest diagonal of their boxes.
@@ -97,9 +92,9 @@ void keepOneOnDetails(const ClassifiedMesh& given, const MeshingContext& context
 /// Surfaces without layers may have one where elements cannot be valid without, and so may the bottom beside a site:
 /// where sizes change at the domain's edges, elements may have two neighbors only. The sides of a turned domain have
 /// one everywhere: they cut the grid as walls do.
-void support(const DualMesh& mesh, bool isTurned, LayerOptions& options)
+void support(bool onGround, bool isTurned, LayerOptions& options)
 {
-  const Index bottom = hasGround(mesh, options) ? options.surfaceCount() + zMin : noIndex;
+  const Index bottom = onGround ? options.surfaceCount() + zMin : noIndex;
   options.supporting.assign(options.ofTag.size(), SupportingLayer::none);
   for (Index tag = 0; tag < options.ofTag.size(); ++tag)
   {
@@ -112,6 +107,39 @@ void support(const DualMesh& mesh, bool isTurned, LayerOptions& options)
     }
   }
 }
+
+/// Where the mesh is to be improved in several.
+std::optional<OctreeBlocks> blocksFor(const WallOptions& wallOptions, const Octree& octree)
+{
+  std::optional<OctreeBlocks> blocks;
+  if (wallOptions.blockSize > 0)
+  {
+    blocks = findBlocks(octree.refinedSets(), octree.frame(), wallOptions.blockSize);
+  }
+  return blocks && blocks->count() > 1 ? blocks : std::nullopt;
+}
+
+/// As a whole, or in blocks.
+ImprovedLayer improve(ClassifiedMesh& given, const LayerWalls& walls, const LayerOptions& options,
+                      const CurvedWallTargets& curvedWalls, const std::optional<OctreeBlocks>& all,
+                      const MeshingContext& context)
+{
+  if (!all)
+  {
+    return improveLayer(context, given.classification, given.vertexOf, given.mesh, walls, options, curvedWalls);
+  }
+  const MeshBlocks blocks =
+      blocksOf(context.octree, given.classification.leaves, *all, 0, static_cast<Index>(all->count()),
+               findNearBoundary(given.mesh, given.vertexOf, given.classification.classes.size()));
+  MeshTraits traits = traitsOf(given.mesh, options);
+  traits.uniform = false; // no crease sheets
+  NoExchange alone;
+  return improveBlocks(context, given.classification, given.vertexOf, given.mesh, walls, options, curvedWalls, traits,
+                       blocks, alone);
+}
+
+/// So fine that sums of some hundred times the square of the domain's longest side have no rounding.
+double areaUnitOf(const Vec3& domain) { return std::exp2(std::ceil(2.0 * std::log2(domain.maxCoeff())) - 44.0); }
 
 } // namespace
 
@@ -138,33 +166,73 @@ ClassifiedMesh splitPoints(ClassifiedMesh given, const MeshingContext& context)
   return given;
 }
 
+bool hasGround(const DualMesh& mesh, Index surfaceCount)
+{
+  return std::ranges::any_of(mesh.boundaryFaces, [&](const BoundaryFace& face) {
+    return face.onDomainSide && face.tag < surfaceCount && face.direction == zMin;
+  });
+}
+
+LayerOptions layerOptionsOf(const WallOptions& wallOptions, bool onGround, const MeshingContext& context)
+{
+  LayerOptions options;
+  options.ofTag = resolveLayerRules(wallOptions.layers, context.model.names);
+  if (wallOptions.supportElements)
+  {
+    support(onGround, context.octree.frame().turnedDomain.has_value(), options);
+  }
+  options.sideNormals = sideNormalsOf(context.octree.frame());
+  options.areaUnit = areaUnitOf(context.octree.frame().domain.size());
+  return options;
+}
+
+LayerWalls prepareWalls(ClassifiedMesh& plain, const LayerOptions& options, const MeshingContext& context)
+{
+  LayerWalls walls = findLayerWalls(plain.mesh, options, context);
+  if (straightenCurves(plain, walls.graph, context))
+  {
+    walls = findLayerWalls(plain.mesh, options, context);
+  }
+  if (options.isDivided())
+  {
+    keepOneOnDetails(plain, context, walls);
+  }
+  context.progress.check();
+  return walls;
+}
+
+void orderFaces(ImprovedMesh& improved)
+{
+  const std::vector<Index> order = orderBoundaryFaces(improved.mesh);
+  const auto reorder = [&](auto& list) {
+    auto ordered = list;
+    for (std::size_t f = 0; f < list.size(); ++f)
+    {
+      ordered[f] = list[order[f]];
+    }
+    list = std::move(ordered);
+  };
+  reorder(improved.layers.counts);
+  reorder(improved.layers.thicknesses);
+}
+
 ImprovedMesh growLayers(ClassifiedMesh given, const WallOptions& wallOptions, const MeshingContext& context)
 {
   ImprovedMesh out;
+  const std::optional<OctreeBlocks> blocks = blocksFor(wallOptions, context.octree);
+  if (blocks)
+  {
+    orderBoundaryFaces(given.mesh);
+  }
   if (wallOptions.layers.empty())
   {
     out.mesh = std::move(given.mesh);
     return out;
   }
-  LayerOptions options;
-  options.ofTag = resolveLayerRules(wallOptions.layers, context.model.names);
-  if (wallOptions.supportElements)
-  {
-    support(given.mesh, context.octree.frame().turnedDomain.has_value(), options);
-  }
-  options.sideNormals = sideNormalsOf(context.octree.frame());
-  LayerWalls walls = findLayerWalls(given.mesh, options, context);
-  if (straightenCurves(given, walls.graph, context))
-  {
-    walls = findLayerWalls(given.mesh, options, context);
-  }
-  if (options.isDivided())
-  {
-    keepOneOnDetails(given, context, walls);
-  }
-  context.progress.check();
-  auto [layer, detached, failing] =
-      improveLayer(context, given.classification, given.vertexOf, given.mesh, walls, options, wallOptions.curvedWalls);
+  const auto surfaceCount = static_cast<Index>(context.model.names.size());
+  const LayerOptions options = layerOptionsOf(wallOptions, hasGround(given.mesh, surfaceCount), context);
+  const LayerWalls walls = prepareWalls(given, options, context);
+  auto [layer, detached, failing] = improve(given, walls, options, wallOptions.curvedWalls, blocks, context);
   out.layers = reportLayers(given.mesh, walls, layer, options, context.model.names, context);
   out.mesh = std::move(layer.mesh);
   out.detached = std::move(detached);
@@ -173,6 +241,10 @@ ImprovedMesh growLayers(ClassifiedMesh given, const WallOptions& wallOptions, co
     // Those of turned domains have layers that hold vertices of bad elements away from them.
     const bool sidesToo = !context.octree.frame().turnedDomain;
     leaveOut(findElementsToLeaveOut(out.mesh, failing, sidesToo, context), out);
+  }
+  if (blocks)
+  {
+    orderFaces(out); // of elements left out
   }
   return out;
 }

@@ -38,14 +38,18 @@ struct WallOptions
   bool supportElements = true;
   /// Where walls have a layer.
   CurvedWallTargets curvedWalls = {};
+  /// Where it is not 0, vertices of blocks of about so many octants at most are improved together; see improveBlocks.
+  std::size_t blockSize = 0;
 };
 
 /// An element that is not in the mesh, as it could not be made valid.
 struct LeftOutElement
 {
   Vec3 middle;
-  double size;  ///< the edge of a cube of its volume
-  Index beside; ///< an element that is in the mesh; noIndex where there is none
+  double size;        ///< the edge of a cube of its volume
+  Index beside;       ///< an element that is in the mesh; noIndex where there is none
+  Index number;       ///< its own, before it was left out
+  Index besideBefore; ///< that of the element beside it then
 };
 
 struct ImprovedMesh
@@ -56,9 +60,21 @@ struct ImprovedMesh
   /// Points that are not where the model wants them, in rising order.
   std::vector<DetachedVertex> detached;
   std::vector<LeftOutElement> leftOut;
-  /// By element before these were left out its number now, or noIndex; empty where none was.
+  /// By element before these were left out its number now, or noIndex; empty where none was. The same by point.
   std::vector<Index> numbers;
+  std::vector<Index> pointNumbers;
 };
+
+/// What walls are to have, by rule and where elements need it. `onGround`: whether a surface lies on the domain's
+/// bottom anywhere.
+LayerOptions layerOptionsOf(const WallOptions& wallOptions, bool onGround, const MeshingContext& context);
+bool hasGround(const DualMesh& mesh, Index surfaceCount);
+
+/// Removes jogs, and finds the walls of the mesh then.
+LayerWalls prepareWalls(ClassifiedMesh& plain, const LayerOptions& options, const MeshingContext& context);
+
+/// Puts the boundary faces of a mesh in the order that they have in any part of it.
+void orderFaces(ImprovedMesh& improved);
 
 /// Grows layers on walls and makes the elements at the boundary valid (see improveLayer), also where rules ask for no
 /// layer. Without rules the mesh is returned as it is. Elements at walls that stay invalid however they are written are

@@ -134,6 +134,7 @@ void compactPoints(ImprovedMesh& improved)
     vertex.point = numbers[vertex.point];
   }
   std::erase_if(improved.detached, [](const DetachedVertex& vertex) { return vertex.point == noIndex; });
+  improved.pointNumbers = numbers;
 }
 
 /// Of an element, its faces as triangles about the mean of their points.
@@ -160,7 +161,7 @@ double volumeOf(const DualMesh& mesh, Index element, const Vec3& origin)
 
 LeftOutElement describe(const DualMesh& mesh, Index element, const std::vector<Index>& numbers)
 {
-  LeftOutElement out{Vec3::Zero(), 0.0, noIndex};
+  LeftOutElement out{Vec3::Zero(), 0.0, noIndex, element, noIndex};
   for (const Index p : mesh.corners[element])
   {
     out.middle += mesh.points[p] / 8.0;
@@ -171,6 +172,7 @@ LeftOutElement describe(const DualMesh& mesh, Index element, const std::vector<I
     if (code >= 0 && out.beside == noIndex)
     {
       out.beside = numbers[code];
+      out.besideBefore = static_cast<Index>(code);
     }
   }
   return out;

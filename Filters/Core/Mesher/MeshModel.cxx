@@ -4,11 +4,11 @@
 #include "Domain/DomainCheck.h"
 #include "Dual/Zones/CellZones.h"
 #include "Layer/LayerBudget.h"
+#include "Mesher/LostModel.h"
 #include "Mesher/StageOptions.h"
 #include "Octree/Tree/Balance.h"
 
 #include <algorithm>
-#include <sstream>
 
 namespace atria {
 
@@ -104,25 +104,6 @@ void prepareOctree(const TriangleSurface& surface, const OctreeSets* octants, co
   cache.stages().octree = std::move(made);
 }
 
-/// Where no surface but the ground has a face in the mesh, though there are others.
-std::vector<std::string> warningsOfLostModel(const TriangleSurface& surface, const ModelOptions& options,
-                                             const Octree& octree, const DualMesh& mesh)
-{
-  const double sizeMin = octree.frame().sizeOf(octree.frame().featureLevel);
-  const SurfaceFlags isGround = groundOf(surface, options.site, sizeMin).isGround;
-  const auto isOther = [&](const auto& face) { return face.tag < isGround.size() && !isGround[face.tag]; };
-  if (std::ranges::find(isGround, 0) == isGround.end() || std::ranges::any_of(mesh.boundaryFaces, isOther) ||
-      std::ranges::any_of(mesh.zoneFaces, isOther))
-  {
-    return {};
-  }
-  std::ostringstream text;
-  text << "no surface of the model has a face in the mesh, but for ground: all are finer than its elements; lower "
-          "SizeMin (--size-min), which is "
-       << sizeMin;
-  return {text.str()};
-}
-
 MeshedModel mesh(const TriangleSurface& surface, const OctreeSets* octants, const MesherOptions& options,
                  const RunContext& context, StageCache* kept)
 {
@@ -145,8 +126,8 @@ MeshedModel mesh(const TriangleSurface& surface, const OctreeSets* octants, cons
   static_cast<DualMeshResult&>(out) =
       makeDualMesh(octree, model, dual, clock, context.part(octreeShare, 1.0), kept ? &cache.stages().dual : nullptr);
   out.inputWarnings = inputWarnings;
-  for (const std::vector<std::string>& warnings :
-       {warningsOfEmptyCellZones(out.mesh.cellZones, model), warningsOfLostModel(surface, options, octree, out.mesh)})
+  for (const std::vector<std::string>& warnings : {warningsOfEmptyCellZones(out.mesh.cellZones, model),
+                                                   warningsOfLostModel(surface, options, octree.frame(), out.metSides)})
   {
     out.inputWarnings.insert(out.inputWarnings.end(), warnings.begin(), warnings.end());
   }

@@ -40,4 +40,7 @@ template <typename T> struct UninitializedAllocator : std::allocator<T>
 /// A vector whose entries are not set by `resize`.
 template <typename T> using Buffer = std::vector<T, UninitializedAllocator<T>>;
 
+/// Gives back the memory of a list that is not needed any more, which assigning {} would keep.
+template <typename List> void release(List& list) { List().swap(list); }
+
 } // namespace atria

@@ -9,16 +9,37 @@
 
 namespace atria {
 
-/// Numbers by identity, in a hash table with linear probing.
+/// Numbers by identity, in a hash table with linear probing; or in a list of all where that is no larger.
 class Numbering
 {
 public:
   /// There is room for as many as are expected.
   explicit Numbering(std::size_t expected) { makeRoom(expected); }
+  /// The same for identities below `end`.
+  Numbering(std::size_t expected, std::size_t end)
+  {
+    if (end * sizeof(Index) <= slotsFor(expected) * sizeof(Slot))
+    {
+      numbers.resize(end, noIndex);
+    }
+    else
+    {
+      makeRoom(expected);
+    }
+  }
 
   /// Its number, which is its place in the list: where it was not known, it is appended.
   Index findOrAdd(Index id, std::vector<Index>& list)
   {
+    if (!numbers.empty())
+    {
+      if (numbers[id] == noIndex)
+      {
+        numbers[id] = static_cast<Index>(list.size());
+        list.push_back(id);
+      }
+      return numbers[id];
+    }
     if (2 * (list.size() + 1) > slots.size())
     {
       makeRoom(2 * list.size());
@@ -32,9 +53,19 @@ public:
     return slot.number;
   }
   /// Of one that is not known, where there is room.
-  void add(Index id, Index number) { slotOf(id) = {id, number}; }
+  void add(Index id, Index number)
+  {
+    if (numbers.empty())
+    {
+      slotOf(id) = {id, number};
+    }
+    else
+    {
+      numbers[id] = number;
+    }
+  }
   /// noIndex where it is not known.
-  Index of(Index id) const { return slotOf(id).number; }
+  Index of(Index id) const { return numbers.empty() ? slotOf(id).number : numbers[id]; }
 
 private:
   struct Slot
@@ -42,6 +73,8 @@ private:
     Index id = noIndex;
     Index number = noIndex;
   };
+
+  static std::size_t slotsFor(std::size_t expected) { return std::bit_ceil(2 * expected + 16); }
 
   const Slot& slotOf(Index id) const
   {
@@ -57,7 +90,7 @@ private:
 
   void makeRoom(std::size_t expected)
   {
-    const std::vector<Slot> before = std::exchange(slots, std::vector<Slot>(std::bit_ceil(2 * expected + 16)));
+    const std::vector<Slot> before = std::exchange(slots, std::vector<Slot>(slotsFor(expected)));
     for (const Slot& slot : before)
     {
       if (slot.id != noIndex)
@@ -68,6 +101,7 @@ private:
   }
 
   std::vector<Slot> slots;
+  std::vector<Index> numbers; ///< by identity
 };
 
 } // namespace atria

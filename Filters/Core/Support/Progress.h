@@ -46,9 +46,11 @@ public:
     check();
   }
 
+  bool isAborted() const { return monitor->aborted(); }
+
   void check() const
   {
-    if (monitor->aborted())
+    if (isAborted())
     {
       throw Aborted();
     }
@@ -58,6 +60,18 @@ private:
   ProgressMonitor* monitor;
   double begin;
   double end;
+};
+
+/// Says of another monitor only whether to stop: for work that is one of many at the same time.
+class StopMonitor : public ProgressMonitor
+{
+public:
+  explicit StopMonitor(const ProgressRange& progress) : progress_(progress) {}
+  void report(double, const char*) override {}
+  bool aborted() const override { return progress_.isAborted(); }
+
+private:
+  ProgressRange progress_;
 };
 
 } // namespace atria

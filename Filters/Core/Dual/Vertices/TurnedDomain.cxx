@@ -136,22 +136,23 @@ Crossings markTurnedSides(Crossings crossings, std::size_t surfaceCount)
   return crossings;
 }
 
-std::vector<char> zonesWithinSides(std::vector<char> kept, const Zones& zones, const GridPlaces& grid)
+std::vector<double> farthestFromSides(const Zones& zones, const GridPlaces& grid, Index begin, Index end)
 {
   const GridFrame& frame = grid.octree().frame();
-  if (!frame.turnedDomain)
-  {
-    return kept;
-  }
   const Placement relative = turnOf(frame);
   std::vector<double> farthest(zones.count(), 0.0);
-  for (Index point = 0; point < grid.points().size(); ++point)
+  for (Index point = begin; point < end; ++point)
   {
     const Vec3 p = relative.fromModel(frame.toModel(grid.place(point)));
     const double beyond = frame.turnedDomain->beyond(p.head<2>());
     double& known = farthest[zones.ofPoint[point]];
     known = std::abs(beyond) > std::abs(known) ? beyond : known;
   }
+  return farthest;
+}
+
+std::vector<char> zonesWithinSides(std::vector<char> kept, const std::vector<double>& farthest)
+{
   for (std::size_t zone = 0; zone < kept.size(); ++zone)
   {
     kept[zone] = kept[zone] && farthest[zone] < 0.0;

@@ -11,9 +11,13 @@ namespace atria {
 /// Marks faces of turned sides as sides of the domain, as faces on the planes of a box are.
 Crossings markTurnedSides(Crossings crossings, std::size_t surfaceCount);
 
-/// Those of the kept zones that are within the turned sides, if the frame has any. The sides part zones, so each lies
-/// wholly inside or beyond; its point farthest from the sides tells which. Throws Error where none is left.
-std::vector<char> zonesWithinSides(std::vector<char> kept, const Zones& zones, const GridPlaces& grid);
+/// How far beyond the turned sides the point of each zone is that is farthest from them, negative inside: the sides
+/// part zones, so each lies wholly inside or beyond. Of points from `begin` up to `end`; 0 for zones that have none of
+/// these.
+std::vector<double> farthestFromSides(const Zones& zones, const GridPlaces& grid, Index begin, Index end);
+
+/// Those of the kept zones that are inside. Throws Error where none is left.
+std::vector<char> zonesWithinSides(std::vector<char> kept, const std::vector<double>& farthest);
 
 /// Puts the vertices where faces of two turned sides meet on the domain's upright edges. An edge may lie in octants of
 /// which no corner is inside the domain; without this the mesh would cut it off there. O(n log n) in boundary faces.

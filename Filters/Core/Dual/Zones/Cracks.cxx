@@ -17,50 +17,35 @@ constexpr double sameDistance = 0.3;
 /// In octants, half of a diagonal: how far the dual face of an edge that passes a gap reaches along it.
 constexpr double dualFaceReach = 0.87;
 
-enum class StepKind
-{
-  none,
-  closed,
-  open
-};
-
-/// A step along a boundary edge.
-struct CrackStep
-{
-  StepKind kind = StepKind::none;
-  /// Half way across the gap.
-  Vec3 begin = Vec3::Zero();
-  Vec3 end = Vec3::Zero();
-  double width = 0.0;
-  double octantSize = 0.0;
-  Index point = noIndex;
-
-  double length() const { return (end - begin).norm(); }
-};
-
 /// Finds the steps of boundary edges that are gaps.
 class StepFinder
 {
 public:
-  StepFinder(const BoundaryGaps& g, const Zones& z, const std::vector<char>& k, const GridPlaces& places)
-      : gaps(g), zones(z), kept(k), grid(places), frame(places.octree().frame())
+  StepFinder(const BoundaryGaps& g, const Zones& z, const std::vector<char>& k, const GridPlaces& places,
+             const std::function<bool(Index leaf)>& seen)
+      : gaps(g), zones(z), kept(k), grid(places), isSeen(seen), frame(places.octree().frame())
   {
   }
 
-  /// Those of an edge from a to b, one at least.
+  /// Those of an edge from a to b.
   std::vector<CrackStep> stepsOf(Index edge, PassageFinder& passages) const
   {
-    const std::size_t count = gaps.stations[edge].size();
-    std::vector<CrackStep> steps(std::max<std::size_t>(count, 2) - 1);
-    for (std::size_t i = 0; i + 1 < count; ++i)
+    const auto count = static_cast<Index>(std::max<std::size_t>(gaps.stations[edge].size(), 1) - 1);
+    std::vector<CrackStep> steps;
+    for (Index i = 0; i < count; ++i)
     {
-      steps[i] = stepOf(edge, i, passages);
+      CrackStep step = stepOf(edge, i, passages);
+      if (step.kind != CrackStep::none)
+      {
+        step.count = count;
+        steps.push_back(step);
+      }
     }
     return steps;
   }
 
 private:
-  CrackStep stepOf(Index edge, std::size_t i, PassageFinder& passages) const
+  CrackStep stepOf(Index edge, Index i, PassageFinder& passages) const
   {
     const BoundaryStation& from = gaps.stations[edge][i];
     const BoundaryStation& to = gaps.stations[edge][i + 1];
@@ -77,16 +62,24 @@ private:
       return !passages.through(triangle, gaps.boundary.edges()[edge].triangle).empty();
     });
     const double unit = frame.latticeUnit();
-    return {isOpen ? StepKind::open : StepKind::closed,
-            begin + 0.5 * unit * *from.across,
-            end + 0.5 * unit * *to.across,
-            unit * std::max(from.across->norm(), to.across->norm()),
-            unit * std::max(from.octantSize, to.octantSize),
-            point};
+    CrackStep step;
+    step.kind = isOpen ? CrackStep::open : CrackStep::closed;
+    step.edge = edge;
+    step.place = i;
+    step.begin = begin + 0.5 * unit * *from.across;
+    step.end = end + 0.5 * unit * *to.across;
+    step.width = unit * std::max(from.across->norm(), to.across->norm());
+    step.octantSize = unit * std::max(from.octantSize, to.octantSize);
+    step.point = point;
+    return step;
   }
 
   Index keptCorner(Index leaf) const
   {
+    if (!isSeen(leaf))
+    {
+      return noIndex;
+    }
     const auto& corners = grid.points().atCorner[leaf];
     const auto found =
         std::ranges::find_if(corners, [&](Index point) { return point != noIndex && kept[zones.ofPoint[point]] != 0; });
@@ -97,6 +90,7 @@ private:
   const Zones& zones;
   const std::vector<char>& kept;
   const GridPlaces& grid;
+  const std::function<bool(Index leaf)>& isSeen;
   const GridFrame& frame;
 };
 
@@ -112,14 +106,14 @@ void spreadOpenness(std::vector<CrackStep>& steps, bool isRing)
     {
       const std::size_t i = backwards ? steps.size() - 1 - k % steps.size() : k % steps.size();
       const CrackStep& step = steps[i];
-      sinceOpen = step.kind == StepKind::open ? 0.0 : sinceOpen + step.length();
-      sinceOpen = step.kind == StepKind::none ? std::numeric_limits<double>::infinity() : sinceOpen;
+      sinceOpen = step.kind == CrackStep::open ? 0.0 : sinceOpen + step.length();
+      sinceOpen = step.kind == CrackStep::none ? std::numeric_limits<double>::infinity() : sinceOpen;
       isNear[i] |= sinceOpen <= dualFaceReach * step.octantSize ? 1 : 0;
     }
   }
   for (std::size_t i = 0; i < steps.size(); ++i)
   {
-    steps[i].kind = isNear[i] ? StepKind::open : steps[i].kind;
+    steps[i].kind = isNear[i] ? CrackStep::open : steps[i].kind;
   }
 }
 
@@ -162,14 +156,14 @@ void addCracks(const BoundaryEdges::Run& run, const std::vector<std::vector<Crac
     // Clang 14 cannot compile std::ranges::rotate of this library.
     std::rotate(steps.begin(), change == steps.end() ? steps.begin() : std::next(change), steps.end());
   }
-  StepKind last = StepKind::none;
+  CrackStep::Kind last = CrackStep::none;
   for (const CrackStep& step : steps)
   {
-    if (step.kind != StepKind::none)
+    if (step.kind != CrackStep::none)
     {
       if (step.kind != last)
       {
-        cracks.push_back({{{step.begin}, step.width, step.point, step.kind == StepKind::open}});
+        cracks.push_back({{{step.begin}, step.width, step.point, step.kind == CrackStep::open}});
       }
       cracks.back().add(step);
     }
@@ -254,17 +248,34 @@ private:
 
 } // namespace
 
-std::vector<Crack> findCracks(const BoundaryGaps& gaps, const Zones& zones, const std::vector<char>& kept,
-                              const Crossings& crossings, const GridPlaces& grid, const MeshingContext& context)
+std::vector<CrackStep> findCrackSteps(const BoundaryGaps& gaps, const Zones& zones, const std::vector<char>& kept,
+                                      const Crossings& crossings, const GridPlaces& grid,
+                                      const std::function<bool(Index leaf)>& isSeen, const MeshingContext& context)
 {
-  std::vector<std::vector<CrackStep>> steps(gaps.stations.size());
-  const StepFinder finder(gaps, zones, kept, grid);
+  std::vector<std::vector<CrackStep>> stepsOfEdge(gaps.stations.size());
+  const StepFinder finder(gaps, zones, kept, grid, isSeen);
   forBoundaryEdges(gaps, crossings, grid, context,
-                   [&](Index edge, PassageFinder& passages) { steps[edge] = finder.stepsOf(edge, passages); });
-  std::vector<LongCrack> found;
-  for (const BoundaryEdges::Run& run : gaps.boundary.runs())
+                   [&](Index edge, PassageFinder& passages) { stepsOfEdge[edge] = finder.stepsOf(edge, passages); });
+  std::vector<CrackStep> steps;
+  for (const std::vector<CrackStep>& some : stepsOfEdge)
   {
-    addCracks(run, steps, found);
+    steps.insert(steps.end(), some.begin(), some.end());
+  }
+  return steps;
+}
+
+std::vector<Crack> joinCracks(const BoundaryEdges& boundary, const std::vector<CrackStep>& steps)
+{
+  std::vector<std::vector<CrackStep>> stepsOfEdge(boundary.edges().size(), std::vector<CrackStep>(1));
+  for (const CrackStep& step : steps)
+  {
+    stepsOfEdge[step.edge].resize(step.count);
+    stepsOfEdge[step.edge][step.place] = step;
+  }
+  std::vector<LongCrack> found;
+  for (const BoundaryEdges::Run& run : boundary.runs())
+  {
+    addCracks(run, stepsOfEdge, found);
   }
   std::ranges::stable_sort(found, [](const LongCrack& l, const LongCrack& r) {
     return std::tuple(l.crack.open, -l.length) < std::tuple(r.crack.open, -r.length);
@@ -282,6 +293,13 @@ std::vector<Crack> findCracks(const BoundaryGaps& gaps, const Zones& zones, cons
     }
   }
   return cracks;
+}
+
+std::vector<Crack> findCracks(const BoundaryGaps& gaps, const Zones& zones, const std::vector<char>& kept,
+                              const Crossings& crossings, const GridPlaces& grid, const MeshingContext& context)
+{
+  const auto anywhere = [](Index) { return true; };
+  return joinCracks(gaps.boundary, findCrackSteps(gaps, zones, kept, crossings, grid, anywhere, context));
 }
 
 } // namespace atria

@@ -4,6 +4,8 @@
 #include "Dual/Zones/BoundaryGaps.h"
 #include "Dual/Zones/Zones.h"
 
+#include <functional>
+
 namespace atria {
 
 /// A gap ahead of a boundary edge, narrower than the octants there.
@@ -19,6 +21,38 @@ struct Crack
   /// closes it.
   bool open;
 };
+
+/// A step along a boundary edge, of as many as the edge has, and the gap there.
+struct CrackStep
+{
+  enum Kind : std::uint8_t
+  {
+    none,
+    closed,
+    open
+  };
+
+  Kind kind = none;
+  Index edge = noIndex;
+  Index place = 0;
+  Index count = 1;
+  /// Half way across the gap.
+  Vec3 begin = Vec3::Zero();
+  Vec3 end = Vec3::Zero();
+  double width = 0.0;
+  double octantSize = 0.0;
+  Index point = noIndex;
+
+  double length() const { return (end - begin).norm(); }
+};
+
+/// The steps that are gaps in zones that are kept and have their middle in a leaf that `isSeen`; see findCracks.
+std::vector<CrackStep> findCrackSteps(const BoundaryGaps& gaps, const Zones& zones, const std::vector<char>& kept,
+                                      const Crossings& crossings, const GridPlaces& grid,
+                                      const std::function<bool(Index leaf)>& isSeen, const MeshingContext& context);
+
+/// The cracks that these steps are, in any order. Points are as they are in the steps.
+std::vector<Crack> joinCracks(const BoundaryEdges& boundary, const std::vector<CrackStep>& steps);
 
 /// Lists the gaps of a model's boundary edges in zones that are kept. One is open where an uncut octree edge passes its
 /// bridge, also so near along the boundary edge that the edge's dual face reaches there.

@@ -2,7 +2,7 @@
 /// What face zones part: rooms.
 #pragma once
 
-#include "Dual/Zones/Zones.h"
+#include "Dual/Zones/ZoneSummary.h"
 
 namespace atria {
 

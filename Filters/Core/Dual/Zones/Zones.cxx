@@ -70,103 +70,6 @@ void keepOutside(const Zones& zones, std::vector<char>& kept)
   }
 }
 
-/// Whether nothing of the model is in any leaf about a point.
-bool isFree(const Octree& octree, const std::array<Index, 8>& leaves)
-{
-  return std::all_of(leaves.begin(), leaves.end(), [&](Index leaf) { return octree.items(leaf).empty(); });
-}
-
-/// A place near a grid point from which pointOfSeed finds that point again.
-Vec3 placeAt(Index point, const GridPlaces& grid)
-{
-  const Octree& octree = grid.octree();
-  const GridFrame& frame = octree.frame();
-  Vec3 at = frame.toModel(grid.place(point));
-  if (grid.isDisplaced(point))
-  {
-    return at;
-  }
-  const std::array<Index, 8>& leaves = grid.points().leaves[point];
-  // Well inside an octant that has the point as its corner; nearer to the point where surfaces or the domain's sides
-  // pass.
-  for (const double part : {0.25, 1e-3})
-  {
-    for (unsigned slot = 0; slot < 8; ++slot)
-    {
-      Vec3 place = at + part * (octree.center(leaves[slot]) - at);
-      if (grid.points().atCorner[leaves[slot]][7 - slot] == point && frame.inDomain(frame.toLattice(place)) &&
-          (part < 0.01 || octree.items(leaves[slot]).empty()))
-      {
-        return place;
-      }
-    }
-  }
-  return at;
-}
-
-/// A point of a zone and the level of the finest octant about it, where nothing of the model is in any; else the
-/// greatest number.
-struct RoomyPoint
-{
-  std::int32_t zone;
-  Index point;
-  int finest;
-};
-
-/// For the zones of some points, in a row, the point with the largest octants about it; else the first one.
-std::vector<RoomyPoint> roomiestOf(const Zones& zones, std::size_t begin, std::size_t end, const Octree& octree,
-                                   const GridPoints& points)
-{
-  std::vector<RoomyPoint> best;
-  for (auto point = static_cast<Index>(begin); point < end; ++point)
-  {
-    const std::int32_t zone = zones.ofPoint[point];
-    const auto& leaves = points.leaves[point];
-    const bool first = best.empty() || best.back().zone != zone;
-    if (!first && octree.level(leaves.front()) >= best.back().finest)
-    {
-      continue;
-    }
-    int finest = std::numeric_limits<int>::max();
-    if (isFree(octree, leaves))
-    {
-      finest = octree.level(std::ranges::max(leaves, {}, [&](Index leaf) { return octree.level(leaf); }));
-    }
-    if (first)
-    {
-      best.push_back({zone, point, finest});
-    }
-    else if (finest < best.back().finest)
-    {
-      best.back() = {zone, point, finest};
-    }
-  }
-  return best;
-}
-
-/// By zone.
-std::vector<Index> roomiestPoints(const Zones& zones, const Octree& octree, const GridPoints& points,
-                                  const RunContext& context)
-{
-  const Pieces pieces(zones.ofPoint.size());
-  std::vector<std::vector<RoomyPoint>> found(pieces.count);
-  context.executor.forEach(pieces.count, 1, [&](std::size_t piece) {
-    found[piece] = roomiestOf(zones, pieces.begin(piece), pieces.end(piece), octree, points);
-  });
-  std::vector<RoomyPoint> best(zones.count(), {0, noIndex, 0});
-  for (const std::vector<RoomyPoint>& piece : found)
-  {
-    for (const RoomyPoint& one : piece)
-    {
-      RoomyPoint& least = best[static_cast<std::size_t>(one.zone)];
-      least = least.point == noIndex || one.finest < least.finest ? one : least;
-    }
-  }
-  std::vector<Index> out;
-  std::ranges::transform(best, std::back_inserter(out), &RoomyPoint::point);
-  return out;
-}
-
 /// The grid points of a leaf and of those that touch it, by distance from p; only those inside a turned domain.
 std::vector<std::pair<double, Index>> pointsAround(Index leaf, const Vec3& p, const GridPlaces& grid)
 {
@@ -208,40 +111,6 @@ bool seesPlace(const LatticePoint& from, Index point, const GridPlaces& grid, co
     return true;
   }
   return EdgeProbe(octree, model).cut(sight, leavesTouching(octree, boundsOf(sight))).empty();
-}
-
-void nameSurfaces(std::vector<ZoneSummary>& summaries, const Zones& zones, const Crossings& crossings,
-                  std::size_t surfaceCount)
-{
-  std::vector<std::pair<std::int32_t, Index>> uses;
-  for (const BoundaryFace& face : crossings.boundaryFaces)
-  {
-    if (face.tag < surfaceCount)
-    {
-      uses.emplace_back(zones.ofPoint[face.element], face.tag);
-    }
-  }
-  std::sort(uses.begin(), uses.end());
-  struct Count
-  {
-    std::int32_t zone;
-    std::size_t faces;
-    Index surface;
-  };
-  std::vector<Count> counts;
-  for (const auto& [zone, surface] : uses)
-  {
-    if (counts.empty() || counts.back().zone != zone || counts.back().surface != surface)
-    {
-      counts.push_back({zone, 0, surface});
-    }
-    ++counts.back().faces;
-  }
-  std::stable_sort(counts.begin(), counts.end(), [](const Count& l, const Count& r) { return l.faces > r.faces; });
-  for (const Count& count : counts)
-  {
-    summaries[count.zone].surfaces.push_back(count.surface);
-  }
 }
 
 } // namespace
@@ -360,8 +229,16 @@ Zones findZones(const Crossings& crossings, std::size_t surfaceCount, const RunC
   return zones;
 }
 
-std::vector<char> keptZones(const Zones& zones, ZoneRule rule, const std::vector<Vec3>& seeds, const GridPlaces& grid,
-                            const SurfaceModel& model)
+std::vector<std::int32_t> zonesOfSeeds(const Zones& zones, const std::vector<Vec3>& seeds, const GridPlaces& grid,
+                                       const SurfaceModel& model)
+{
+  std::vector<std::int32_t> out;
+  std::ranges::transform(seeds, std::back_inserter(out),
+                         [&](const Vec3& seed) { return zones.ofPoint[pointOfSeed(seed, "seed", grid, model)]; });
+  return out;
+}
+
+std::vector<char> keptZones(const Zones& zones, ZoneRule rule, const std::vector<std::int32_t>& seedZones)
 {
   std::vector<char> kept(zones.count(), rule == ZoneRule::all ? 1 : 0);
   if (rule == ZoneRule::outside)
@@ -370,14 +247,11 @@ std::vector<char> keptZones(const Zones& zones, ZoneRule rule, const std::vector
   }
   else if (rule == ZoneRule::seeds)
   {
-    if (seeds.empty())
+    if (seedZones.empty())
     {
       throw Error("zones are to be kept by seeds, but there is no seed: give at least one point inside a zone");
     }
-    for (const Vec3& seed : seeds)
-    {
-      kept[zones.ofPoint[pointOfSeed(seed, "seed", grid, model)]] = 1;
-    }
+    std::ranges::for_each(seedZones, [&](std::int32_t zone) { kept[zone] = 1; });
   }
   if (std::find(kept.begin(), kept.end(), 1) == kept.end())
   {
@@ -386,22 +260,6 @@ std::vector<char> keptZones(const Zones& zones, ZoneRule rule, const std::vector
                                         "zones, or give seeds");
   }
   return kept;
-}
-
-std::vector<ZoneSummary> summarizeZones(const Zones& zones, const std::vector<char>& kept, const Crossings& crossings,
-                                        const GridPlaces& grid, std::size_t surfaceCount, const RunContext& context)
-{
-  std::vector<ZoneSummary> summaries(zones.count());
-  const std::vector<Index> roomiest = roomiestPoints(zones, grid.octree(), grid.points(), context);
-  for (std::size_t i = 0; i < zones.count(); ++i)
-  {
-    summaries[i].elements = zones.sizes[i];
-    summaries[i].kept = kept[i] != 0;
-    summaries[i].sides = zones.sides[i];
-    summaries[i].inside = placeAt(roomiest[i], grid);
-  }
-  nameSurfaces(summaries, zones, crossings, surfaceCount);
-  return summaries;
 }
 
 } // namespace atria

@@ -5,8 +5,6 @@
 #include "Support/RunContext.h"
 #include "Support/UnionFind.h"
 
-#include <string>
-
 namespace atria {
 
 /// Which zones are kept.
@@ -41,35 +39,11 @@ Zones findZones(const Crossings& crossings, std::size_t surfaceCount, const RunC
 /// that leaf. Throws Error for a seed outside the domain; `kind` names it there, such as "seed".
 Index pointOfSeed(const Vec3& seed, const char* kind, const GridPlaces& grid, const SurfaceModel& model);
 
-/// Whether each zone is kept. Throws Error for a seed outside the domain, and where no zone is left.
-std::vector<char> keptZones(const Zones& zones, ZoneRule rule, const std::vector<Vec3>& seeds, const GridPlaces& grid,
-                            const SurfaceModel& model);
+/// Whether each zone is kept; `seedZones` are those that hold seeds. Throws Error where no zone is left.
+std::vector<char> keptZones(const Zones& zones, ZoneRule rule, const std::vector<std::int32_t>& seedZones);
 
-enum class ZoneKind : std::uint8_t
-{
-  open,   ///< reaches a side of the domain other than the bottom
-  room,   ///< closed
-  solid,  ///< closed by one surface, whose back it sees: the inside of a solid, as far as one can tell
-  narrow, ///< closed, and all of its elements are at its border
-  beyond  ///< behind the sides of a domain that does not stand along the grid
-};
-
-/// What there is to say of a zone, kept or not.
-struct ZoneSummary
-{
-  std::size_t elements = 0;
-  bool kept = false;
-  /// The domain sides it reaches.
-  SideBits sides = 0;
-  /// A point that, as a seed, means this zone; in a large octant, away from surfaces where the zone has such a place.
-  Vec3 inside;
-  /// Surfaces on its border, those with most faces first.
-  std::vector<Index> surfaces;
-  /// See describeZones.
-  double volume = 0.0;
-  ZoneKind kind = ZoneKind::open;
-};
-std::vector<ZoneSummary> summarizeZones(const Zones& zones, const std::vector<char>& kept, const Crossings& crossings,
-                                        const GridPlaces& grid, std::size_t surfaceCount, const RunContext& context);
+/// The zones that hold seeds. Throws Error for a seed outside the domain.
+std::vector<std::int32_t> zonesOfSeeds(const Zones& zones, const std::vector<Vec3>& seeds, const GridPlaces& grid,
+                                       const SurfaceModel& model);
 
 } // namespace atria

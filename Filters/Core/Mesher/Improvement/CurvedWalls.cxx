@@ -148,7 +148,7 @@ std::vector<Index> CurvedWalls::pointsAtCurved() const
   std::vector<Index> points;
   for (Index p = 0; p < state_.layer.plainPoints; ++p)
   {
-    if (state_.layer.copies[p] != noIndex && !others[p])
+    if (state_.layer.copies[p] != noIndex && !others[p] && !state_.walls.settled.has(p))
     {
       points.push_back(p);
     }

@@ -120,6 +120,7 @@ std::vector<Index> elementsWithUnions(const DualMesh& mesh)
 struct JudgedPart
 {
   std::size_t count = 0;      ///< of written cells
+  std::vector<Index> firsts;  ///< the first element in each of these
   std::vector<Index> failing; ///< elements in these, in order
   std::vector<Index> alone;   ///< those of them that fail by themselves, too
 };
@@ -159,7 +160,10 @@ public:
       if (written[i] != noIndex && rowOf.at(elements[i]) <= judgedRows)
       {
         judged.failing.push_back(elements[i]);
-        cells.insert(written[i]);
+        if (cells.insert(written[i]).second)
+        {
+          judged.firsts.push_back(elements[i]);
+        }
         if (single[i] != noIndex)
         {
           judged.alone.push_back(elements[i]);
@@ -332,16 +336,34 @@ private:
   bool atSides_ = false;
 };
 
+/// Of a mesh without others.
+class WholeMesh : public LeaveOutExchange
+{
+public:
+  bool isSeen(Index) const override { return true; }
+  bool isOwn(Index) const override { return true; }
+  std::size_t sum(std::size_t own) override { return own; }
+  std::vector<Index> all(const std::vector<Index>& own) override { return own; }
+};
+
 } // namespace
 
 std::vector<Index> findElementsToLeaveOut(const DualMesh& mesh, const std::vector<Index>& failing, bool sidesToo,
                                           const RunContext& context)
 {
+  WholeMesh whole;
+  return findElementsToLeaveOut(mesh, failing, sidesToo, whole, context);
+}
+
+std::vector<Index> findElementsToLeaveOut(const DualMesh& mesh, const std::vector<Index>& failing, bool sidesToo,
+                                          LeaveOutExchange& exchange, const RunContext& context)
+{
   const PartJudge judge(mesh, context);
   std::vector<Index> about = failing;
   add(elementsWithUnions(mesh), about);
+  std::erase_if(about, [&](Index e) { return !exchange.isSeen(e); });
   std::vector<Index> best;
-  if (about.empty())
+  if (exchange.sum(about.size()) == 0)
   {
     return best;
   }
@@ -350,17 +372,21 @@ std::vector<Index> findElementsToLeaveOut(const DualMesh& mesh, const std::vecto
   for (std::vector<Index> leftOut;;)
   {
     const JudgedPart judged = judge.judge(about, leftOut);
-    if (judged.count >= least)
+    const std::size_t count = exchange.sum(
+        static_cast<std::size_t>(std::ranges::count_if(judged.firsts, [&](Index e) { return exchange.isOwn(e); })));
+    if (count >= least)
     {
       return best;
     }
     best = leftOut;
-    least = judged.count;
+    least = count;
     // Each place is looked at by itself. What is left out at two of them may make fail what is between.
     for (const std::vector<Index>& place : placesOf(mesh, judged.failing))
     {
       add(Place(mesh, place, best, zones, judge).leaveOut(sidesToo), leftOut);
     }
+    std::erase_if(leftOut, [&](Index e) { return !exchange.isOwn(e); });
+    leftOut = exchange.all(leftOut);
     add(leftOut, about);
   }
 }

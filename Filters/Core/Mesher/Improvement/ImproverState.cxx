@@ -9,8 +9,6 @@
 
 namespace atria {
 
-namespace {
-
 MeshTraits traitsOf(const DualMesh& plain, const LayerOptions& options)
 {
   return {.layered = std::ranges::any_of(options.ofTag, [](const WallLayers& wall) { return wall.layers > 0; }),
@@ -21,13 +19,11 @@ MeshTraits traitsOf(const DualMesh& plain, const LayerOptions& options)
           .uniform = std::ranges::adjacent_find(plain.levels, std::not_equal_to()) == plain.levels.end()};
 }
 
-} // namespace
-
 ImproverState::ImproverState(const MeshingContext& meshingContext, const VertexClassification& given,
                              const std::vector<Index>& vertices, DualMesh& plainMesh, const LayerWalls& layerWalls,
-                             const LayerOptions& layerOptions)
+                             const LayerOptions& layerOptions, const MeshTraits& meshTraits)
     : context(meshingContext), wanted(given), classification(given), vertexOf(vertices), plain(plainMesh),
-      walls(layerWalls), options(layerOptions), traits(traitsOf(plain, options)), grower(walls, options),
+      walls(layerWalls), options(layerOptions), traits(meshTraits), grower(walls, options),
       mayLeave(vertexOf.size(), 1), letGo(vertexOf.size(), 0), excluded(vertexOf.size(), 0),
       suspect(vertexOf.size(), 0), measured(baseTargets(traits))
 {
@@ -37,6 +33,11 @@ ImproverState::ImproverState(const MeshingContext& meshingContext, const VertexC
     {
       excluded[cornerOf(plain, face, i)] = 1;
     }
+  }
+  for (Index p = 0; p < vertexOf.size() && !walls.settled.isEmpty(); ++p)
+  {
+    mayLeave[vertexOf[p]] = mayLeave[vertexOf[p]] && !walls.settled.stays(p);
+    excluded[p] = walls.settled.has(p) ? walls.settled.counts[p] == 0 : excluded[p];
   }
   if (!context.octree.frame().turnedDomain)
   {
@@ -59,6 +60,10 @@ std::vector<ShortCell> ImproverState::findShort(const QualityTargets& targets, f
   context.progress.check();
   measured.update(DualSource(layer.mesh), context);
   std::vector<ShortCell> cells = measured.shortOf(targets, below);
+  if (!walls.settled.isEmpty())
+  {
+    std::erase_if(cells, [&](const ShortCell& cell) { return isOutside(cell.cell); });
+  }
   if (!focus.empty())
   {
     std::erase_if(cells, [&](const ShortCell& cell) {
@@ -87,6 +92,13 @@ std::vector<ShortCell> ImproverState::run(const OptimizerOptions& optimizerOptio
       optimize(DualSource(layer.mesh), layer.mesh.points, cells, constraints, optimizerOptions, context, &changed);
   outdate(changed);
   return left;
+}
+
+bool ImproverState::isOutside(Index cell) const
+{
+  const auto& corners = layer.mesh.corners[cell];
+  return std::ranges::any_of(corners, [&](Index p) { return walls.settled.isAtCut(layer.wallPointOf(p)); }) ||
+         std::ranges::all_of(corners, [&](Index p) { return walls.settled.stays(layer.wallPointOf(p)); });
 }
 
 void ImproverState::measureBy(const QualityTargets& strictest)

@@ -10,6 +10,8 @@
 
 namespace atria {
 
+MeshTraits traitsOf(const DualMesh& plain, const LayerOptions& options);
+
 /// A mesh with the layer on its walls, where its points may go, and what its cells fall short by. Stages move points by
 /// `run`; what else changes the mesh says which cells are outdated.
 struct ImproverState
@@ -17,10 +19,12 @@ struct ImproverState
   /// See improveLayer.
   ImproverState(const MeshingContext& context, const VertexClassification& classification,
                 const std::vector<Index>& vertexOf, DualMesh& plain, const LayerWalls& walls,
-                const LayerOptions& options);
+                const LayerOptions& options, const MeshTraits& traits);
 
   /// Of the cells measured those that fall short; `below` as in MeasuredCells. Cells that are outdated are measured.
   std::vector<ShortCell> findShort(const QualityTargets& targets, float below = 1.0F);
+  /// Whether it is at a cut, or all of its points are settled.
+  bool isOutside(Index cell) const;
   /// Runs a stage on some cells. Returns those of them and of the cells about moved points that fall short then.
   std::vector<ShortCell> run(const ImproverStage& stage, const std::vector<ShortCell>& cells);
   /// The same with constraints of one's own.

@@ -12,18 +12,26 @@ namespace atria {
 
 namespace {
 
-/// Marks the points of cells that are to lose layers: where they have different numbers, those with more.
+/// Marks the points of cells that are to lose layers: where they have different numbers, those with more. Settled
+/// points lose none.
 std::vector<char> pointsWithMost(const LayerMesh& layer, const std::vector<ShortCell>& cells,
-                                 const std::vector<Index>& counts)
+                                 const std::vector<Index>& counts, const SettledPoints& settled)
 {
   std::vector<char> marked(counts.size(), 0);
+  std::vector<Index> open;
   for (const ShortCell& cell : cells)
   {
-    const auto countOf = [&](Index p) { return counts[layer.wallPointOf(p)]; };
-    const auto [fewest, most] = std::ranges::minmax(layer.mesh.corners[cell.cell], {}, countOf);
-    for (const Index p : layer.mesh.corners[cell.cell])
+    open.clear();
+    std::ranges::transform(layer.mesh.corners[cell.cell], std::back_inserter(open),
+                           [&](Index p) { return layer.wallPointOf(p); });
+    std::erase_if(open, [&](Index p) { return settled.stays(p); });
+    const auto countOf = [&](Index p) { return counts[p]; };
+    const auto [fewest, most] = open.empty() ? std::pair(noIndex, noIndex)
+                                             : std::pair(countOf(std::ranges::min(open, {}, countOf)),
+                                                         countOf(std::ranges::max(open, {}, countOf)));
+    for (const Index p : open)
     {
-      marked[layer.wallPointOf(p)] |= countOf(p) > countOf(fewest) || countOf(fewest) == countOf(most) ? 1 : 0;
+      marked[p] |= countOf(p) > fewest || fewest == most ? 1 : 0;
     }
   }
   return marked;
@@ -112,7 +120,11 @@ void LayerDivision::run()
   flattenTops();
   given_ = one_ = state_.layer;
   wanted_ = counts_ = layersWanted(state_.plain, state_.walls, one_, state_.options);
-  held_.assign(one_.plainPoints, 0);
+  held_.resize(one_.plainPoints);
+  for (Index p = 0; p < one_.plainPoints; ++p)
+  {
+    held_[p] = state_.walls.settled.stays(p) ? 1 : 0;
+  }
   state_.layer = divideLayer(state_.plain, state_.walls, one_, state_.options, counts_);
   state_.measureBy(strictestOfDivided(state_.traits));
   improveUntilSound(pointsToEvaluate(state_.layer, state_.context.executor));
@@ -185,7 +197,7 @@ std::optional<std::vector<char>> LayerDivision::takeAway(const std::vector<Short
 /// where one is not enough, most often none but the last is left in the end.
 void LayerDivision::lower(const std::vector<ShortCell>& cells)
 {
-  const std::vector<char> lowered = pointsWithMost(state_.layer, cells, counts_);
+  const std::vector<char> lowered = pointsWithMost(state_.layer, cells, counts_, state_.walls.settled);
   for (Index p = 0; p < counts_.size(); ++p)
   {
     if (lowered[p] && counts_[p] > 1)
@@ -260,7 +272,7 @@ void LayerDivision::divideEvenly()
   std::vector<char> marked;
   while (counts != before)
   {
-    limitSteps(state_.plain, one, counts);
+    limitSteps(state_.plain, one, state_.walls.settled, counts);
     state_.layer = divideLayer(state_.plain, state_.walls, one, state_.options, counts);
     marked = before.empty() ? pointsToEvaluate(state_.layer, state_.context.executor)
                             : pointsBesideChange(state_.plain, state_.layer, before, counts);
@@ -268,7 +280,7 @@ void LayerDivision::divideEvenly()
     const DualSource source(state_.layer.mesh);
     const std::vector<ShortCell> cells =
         badOf(findShortCells(source, marked, baseTargets(state_.traits), state_.context));
-    const std::vector<char> lowered = pointsWithMost(state_.layer, cells, counts);
+    const std::vector<char> lowered = pointsWithMost(state_.layer, cells, counts, state_.walls.settled);
     for (Index p = 0; p < counts.size(); ++p)
     {
       counts[p] -= lowered[p] && counts[p] > 1 ? 1 : 0;

@@ -2,14 +2,13 @@
 #include "Mesher/Improvement/LayerImprover.h"
 
 #include "Mesher/Improvement/ConcaveElements.h"
-#include "Mesher/Improvement/CurvedWalls.h"
 #include "Mesher/Improvement/LayerCreases.h"
 #include "Mesher/Improvement/LayerDivision.h"
 #include "Mesher/Improvement/Straightening.h"
 #include "Mesher/Improvement/SupportingLayer.h"
 
 #include <algorithm>
-#include <optional>
+#include <iterator>
 
 namespace atria {
 
@@ -87,56 +86,75 @@ void finishWhole(ImproverState& state, VertexDetachment& detachment, CurvedWalls
 
 } // namespace
 
+std::vector<Index> findFailing(ImproverState& state)
+{
+  std::vector<Index> cells;
+  std::ranges::transform(findFailing(state, targetsOfChecks(state.traits)), std::back_inserter(cells),
+                         &ShortCell::cell);
+  return cells;
+}
+
+LayerImprover::LayerImprover(ImproverState& state, const CurvedWallTargets& curvedWalls,
+                             const std::vector<DetachedVertex>& away)
+    : state_(state), whole_(state.context), wanted_(curvedWalls), detachment_(state, away)
+{
+  enter(state_, whole_, 0.0, 0.1, "Growing layers");
+  state_.grow();
+  if (state_.traits.isSingle())
+  {
+    curved_.emplace(state_, wanted_);
+  }
+  if (curved_ && curved_->isEmpty())
+  {
+    curved_.reset();
+  }
+  state_.measureBy(strictestTargets(state_.traits, curved_ ? &wanted_ : nullptr));
+}
+
+void LayerImprover::improveWhole()
+{
+  enter(state_, whole_, 0.1, 0.4, "Improving elements at walls");
+  if (curved_)
+  {
+    curved_->thicken();
+  }
+  if (state_.traits.supported)
+  {
+    addSupport(state_, pointsToSupport(state_));
+    state_.focus.clear();
+  }
+  detachment_.improveAndMend();
+  enter(state_, whole_, 0.4, 0.5, "Putting vertices back");
+  detachment_.putBack();
+}
+
+void LayerImprover::finish()
+{
+  if (state_.traits.divided)
+  {
+    finishDivided(state_, detachment_, whole_);
+  }
+  else
+  {
+    finishWhole(state_, detachment_, curved_ ? &*curved_ : nullptr, whole_);
+  }
+}
+
 ImprovedLayer improveLayer(const MeshingContext& context, const VertexClassification& classification,
                            const std::vector<Index>& vertexOf, DualMesh& plain, const LayerWalls& walls,
                            const LayerOptions& options, const CurvedWallTargets& curvedWalls)
 {
-  ImproverState state(context, classification, vertexOf, plain, walls, options);
-  const MeshTraits& traits = state.traits;
-  VertexDetachment detachment(state);
-  std::optional<CurvedWalls> curved;
-  enter(state, context, 0.0, 0.1, "Growing layers");
-  state.grow();
-  enter(state, context, 0.1, 0.4, "Improving elements at walls");
-  if (traits.isSingle())
+  ImproverState state(context, classification, vertexOf, plain, walls, options, traitsOf(plain, options));
+  LayerImprover improver(state, curvedWalls);
+  improver.improveWhole();
+  improver.finish();
+  if (state.traits.isSingle() && state.traits.uniform)
   {
-    curved.emplace(state, curvedWalls);
-  }
-  const bool isCurved = curved && !curved->isEmpty();
-  state.measureBy(strictestTargets(traits, isCurved ? &curvedWalls : nullptr));
-  if (isCurved)
-  {
-    curved->thicken();
-  }
-  if (traits.supported)
-  {
-    addSupport(state, pointsToSupport(state));
-    state.focus.clear();
-  }
-  detachment.improveAndMend();
-  enter(state, context, 0.4, 0.5, "Putting vertices back");
-  detachment.putBack();
-  if (traits.divided)
-  {
-    finishDivided(state, detachment, context);
-  }
-  else
-  {
-    finishWhole(state, detachment, isCurved ? &*curved : nullptr, context);
-  }
-  if (traits.isSingle() && traits.uniform)
-  {
-    enter(state, context, 0.9, 1.0, "Adding crease sheets");
+    enter(state, MeshingContext(state.context), 0.9, 1.0, "Adding crease sheets");
     addCreaseSheets(state);
   }
-  ImprovedLayer out;
-  for (const ShortCell& cell : findFailing(state, targetsOfChecks(traits)))
-  {
-    out.failing.push_back(cell.cell);
-  }
-  out.layer = std::move(state.layer);
-  out.detached = detachment.detached();
-  return out;
+  std::vector<Index> failing = findFailing(state);
+  return {std::move(state.layer), improver.detached(), std::move(failing)};
 }
 
 } // namespace atria

@@ -22,7 +22,7 @@ std::vector<char> pointsToDouble(const ImproverState& state, const std::vector<I
     {
       if (!state.layer.isNew(p))
       {
-        chosen[p] = state.excluded[p] && state.walls.counts[p] > 0 ? 1 : 0;
+        chosen[p] = state.excluded[p] && state.walls.counts[p] > 0 && !state.walls.settled.stays(p) ? 1 : 0;
       }
     }
   }
@@ -35,7 +35,7 @@ void markWholeSurfaces(const ImproverState& state, std::vector<char>& points)
 {
   std::vector<char> wanted(state.options.surfaceCount(), 0);
   std::vector<char> given(wanted);
-  const auto mayHave = [&](Index p) { return state.walls.counts[p] > 0; };
+  const auto mayHave = [&](Index p) { return state.walls.counts[p] > 0 && !state.walls.settled.stays(p); };
   const auto eachFace = [&](auto&& visit) {
     for (const BoundaryFace& face : state.plain.boundaryFaces)
     {

@@ -10,9 +10,14 @@
 
 namespace atria {
 
-VertexDetachment::VertexDetachment(ImproverState& state)
-    : state_(state), isOnSide_(state.vertexOf.size(), 0), isLeft_(state.vertexOf.size(), 0)
+VertexDetachment::VertexDetachment(ImproverState& state, const std::vector<DetachedVertex>& away)
+    : state_(state), isOnSide_(state.vertexOf.size(), 0), isLeft_(state.vertexOf.size(), 0), detached_(away)
 {
+  for (const DetachedVertex& vertex : away)
+  {
+    isLeft_[vertex.point] = 1;
+    left_.push_back({vertex.point, vertex.wanted});
+  }
   for (const BoundaryFace& face : state.plain.boundaryFaces)
   {
     for (int i = 0; i < 4 && face.tag >= state.options.surfaceCount(); ++i)
@@ -147,8 +152,11 @@ void VertexDetachment::leaveSides()
   valid.weight.limit = valid.volumeRatio.limit = 0.0;
   valid.leastOfFaceCosine = valid.leastOfSkewness = valid.leastOfDeterminant = std::numeric_limits<double>::infinity();
   eachLeaderOf(badOf(state_.findShort(valid)), [&](Index leader) {
-    state_.classification.turnedSides[leader] = 0;
-    state_.mayLeave[leader] = 1;
+    if (!state_.walls.settled.stays(leader))
+    {
+      state_.classification.turnedSides[leader] = 0;
+      state_.mayLeave[leader] = 1;
+    }
   });
 }
 
@@ -215,7 +223,7 @@ void VertexDetachment::exclude(const std::vector<ShortCell>& bad)
     const bool has = std::ranges::any_of(corners, [&](Index p) { return state_.layer.isNew(p); });
     for (const Index p : corners)
     {
-      if (!has || state_.layer.isNew(p))
+      if ((!has || state_.layer.isNew(p)) && !state_.walls.settled.stays(state_.layer.wallPointOf(p)))
       {
         state_.excluded[state_.layer.wallPointOf(p)] = has ? 1 : 0;
       }

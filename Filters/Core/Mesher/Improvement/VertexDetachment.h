@@ -28,7 +28,8 @@ struct LeftVertex
 class VertexDetachment
 {
 public:
-  explicit VertexDetachment(ImproverState& state);
+  /// Some vertices are not where the model wants them yet, in rising order.
+  explicit VertexDetachment(ImproverState& state, const std::vector<DetachedVertex>& away = {});
 
   /// Improves cells by the first stage, and takes all room steps that bad ones need. Whether vertices left.
   bool improveAndMend();

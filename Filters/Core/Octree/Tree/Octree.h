@@ -70,6 +70,8 @@ public:
   int level(Index leaf) const { return levels_[leaf]; }
   /// Morton key in the grid of the leaf's own level.
   MortonKey key(Index leaf) const { return keys_[leaf] >> (3 * (frame_.depth - levels_[leaf])); }
+  /// That of its first cell in the finest grid.
+  MortonKey finestKey(Index leaf) const { return keys_[leaf]; }
   int maximumLevel() const;
   Node root() const { return root_; }
   /// Children of a refined octant, in Morton order.

@@ -6,7 +6,8 @@ namespace atria {
 LayerConstraints::LayerConstraints(const LayerMesh& layer, const LayerWalls& walls, const LayerOptions& options,
                                    const std::vector<Index>& leaders, const std::vector<char>& letGo,
                                    VertexConstraints& plain)
-    : layer_(layer), options_(options), plain_(plain), leaders_(leaders), sides_(layer.wallPoints.size(), 0)
+    : layer_(layer), settled_(walls.settled), options_(options), plain_(plain), leaders_(leaders),
+      sides_(layer.wallPoints.size(), 0)
 {
   const DualMesh& mesh = layer.mesh;
   for (std::size_t f = 0; f < mesh.boundaryFaces.size() && !sides_.empty(); ++f)
@@ -64,6 +65,10 @@ void LayerConstraints::prepare(std::span<const Index> points, const RunContext& 
 
 bool LayerConstraints::isMovable(Index point) const
 {
+  if (settled_.stays(layer_.wallPointOf(point)))
+  {
+    return false;
+  }
   return point < layer_.plainPoints ? !isPinned(point) && plain_.isMovable(point)
                                     : !isPinned(layer_.wallPoints[point - layer_.plainPoints]);
 }

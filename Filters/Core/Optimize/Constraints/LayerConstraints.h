@@ -29,6 +29,7 @@ private:
   SideBits sidesOf(Index wallPoint) const { return sides_[layer_.copies[wallPoint] - layer_.plainPoints]; }
 
   const LayerMesh& layer_;
+  const SettledPoints& settled_;
   const LayerOptions& options_;
   VertexConstraints& plain_;
   const std::vector<Index>& leaders_;

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Which surfaces a mesh has faces on.
+#pragma once
+
+#include "Dual/Mesh/DualMesh.h"
+
+namespace atria {
+
+/// Of a surface or a bare side of the domain.
+struct MetSides
+{
+  bool front = false;
+  bool back = false;
+  /// Somewhere on the front and on the back of one face.
+  bool atOnce = false;
+  /// Within the mesh.
+  bool within = false;
+
+  bool hasBoundary() const { return front || back; }
+  /// Whether what is on its front and on its back is told apart. The front alone can have faces at once where a solid
+  /// is thinner than the octants and became a sheet.
+  bool isTwoSided() const { return front && back && atOnce; }
+  void add(const MetSides& more)
+  {
+    front = front || more.front;
+    back = back || more.back;
+    atOnce = atOnce || more.atOnce;
+    within = within || more.within;
+  }
+};
+
+/// By tag of boundary faces: surfaces, then `sideNumbers` sides of the domain. `hasOpposite`, if given, says of each
+/// boundary face whether there is an element on the other side of the sheet, which may not be in this part of a mesh.
+std::vector<MetSides> findMetSides(const DualMesh& mesh, std::size_t surfaceCount,
+                                   const std::vector<char>& hasOpposite = {});
+
+} // namespace atria

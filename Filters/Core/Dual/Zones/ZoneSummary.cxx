@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Dual/Zones/ZoneSummary.h"
+
+#include "Support/Pieces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace atria {
+
+namespace {
+
+/// Whether nothing of the model is in any leaf about a point.
+bool isFree(const Octree& octree, const std::array<Index, 8>& leaves)
+{
+  return std::all_of(leaves.begin(), leaves.end(), [&](Index leaf) { return octree.items(leaf).empty(); });
+}
+
+/// A place near a grid point from which pointOfSeed finds that point again.
+Vec3 placeAt(Index point, const GridPlaces& grid)
+{
+  const Octree& octree = grid.octree();
+  const GridFrame& frame = octree.frame();
+  Vec3 at = frame.toModel(grid.place(point));
+  if (grid.isDisplaced(point))
+  {
+    return at;
+  }
+  const std::array<Index, 8>& leaves = grid.points().leaves[point];
+  // Well inside an octant that has the point as its corner; nearer to the point where surfaces or the domain's sides
+  // pass.
+  for (const double part : {0.25, 1e-3})
+  {
+    for (unsigned slot = 0; slot < 8; ++slot)
+    {
+      Vec3 place = at + part * (octree.center(leaves[slot]) - at);
+      if (grid.points().atCorner[leaves[slot]][7 - slot] == point && frame.inDomain(frame.toLattice(place)) &&
+          (part < 0.01 || octree.items(leaves[slot]).empty()))
+      {
+        return place;
+      }
+    }
+  }
+  return at;
+}
+
+/// A point of a zone and the level of the finest octant about it, where nothing of the model is in any; else the
+/// greatest number.
+struct RoomyPoint
+{
+  std::int32_t zone;
+  Index point;
+  int finest;
+};
+
+/// For the zones of some points, in a row, the point with the largest octants about it; else the first one.
+std::vector<RoomyPoint> roomiestOf(const Zones& zones, Index begin, Index end, const GridPlaces& grid)
+{
+  const Octree& octree = grid.octree();
+  std::vector<RoomyPoint> best;
+  for (Index point = begin; point < end; ++point)
+  {
+    const std::int32_t zone = zones.ofPoint[point];
+    const auto& leaves = grid.points().leaves[point];
+    const bool first = best.empty() || best.back().zone != zone;
+    if (!first && octree.level(leaves.front()) >= best.back().finest)
+    {
+      continue;
+    }
+    int finest = std::numeric_limits<int>::max();
+    if (isFree(octree, leaves))
+    {
+      finest = octree.level(std::ranges::max(leaves, {}, [&](Index leaf) { return octree.level(leaf); }));
+    }
+    if (first)
+    {
+      best.push_back({zone, point, finest});
+    }
+    else if (finest < best.back().finest)
+    {
+      best.back() = {zone, point, finest};
+    }
+  }
+  return best;
+}
+
+void findPlaces(const Zones& zones, const GridPlaces& grid, const GridPart& part, const RunContext& context,
+                ZoneFacts& facts)
+{
+  const Pieces pieces(part.endPoint - part.firstPoint);
+  std::vector<std::vector<RoomyPoint>> found(pieces.count);
+  context.executor.forEach(pieces.count, 1, [&](std::size_t piece) {
+    found[piece] = roomiestOf(zones, part.firstPoint + static_cast<Index>(pieces.begin(piece)),
+                              part.firstPoint + static_cast<Index>(pieces.end(piece)), grid);
+  });
+  std::vector<Index> best(zones.count(), noIndex);
+  for (const std::vector<RoomyPoint>& piece : found)
+  {
+    for (const RoomyPoint& one : piece)
+    {
+      Index& point = best[static_cast<std::size_t>(one.zone)];
+      int& finest = facts.zones[static_cast<std::size_t>(one.zone)].finest;
+      if (point == noIndex || one.finest < finest)
+      {
+        point = one.point;
+        finest = one.finest;
+      }
+    }
+  }
+  for (std::size_t zone = 0; zone < best.size(); ++zone)
+  {
+    if (best[zone] != noIndex)
+    {
+      facts.zones[zone].hasPlace = true;
+      facts.zones[zone].inside = placeAt(best[zone], grid);
+    }
+  }
+}
+
+using CountList = std::vector<ZoneFacts::Count>;
+
+/// Puts counts in order and adds up those of the same.
+void addUp(CountList& list)
+{
+  std::ranges::sort(list,
+                    [](const auto& l, const auto& r) { return std::pair(l.zone, l.of) < std::pair(r.zone, r.of); });
+  CountList sums;
+  for (const ZoneFacts::Count& some : list)
+  {
+    if (sums.empty() || sums.back().zone != some.zone || sums.back().of != some.of)
+    {
+      sums.push_back({some.zone, some.of, 0});
+    }
+    sums.back().count += some.count;
+  }
+  list = std::move(sums);
+}
+
+/// What zones see, and how many faces of which surfaces they have.
+void lookAtFaces(const Zones& zones, const Crossings& crossings, std::size_t surfaceCount, const GridPart& part,
+                 ZoneFacts& facts)
+{
+  for (const BoundaryFace& face : crossings.boundaryFaces)
+  {
+    if (face.element < part.firstPoint || face.element >= part.endPoint)
+    {
+      continue;
+    }
+    const std::int32_t number = zones.ofPoint[face.element];
+    ZoneFacts::Zone& zone = facts.zones[static_cast<std::size_t>(number)];
+    if (face.tag >= surfaceCount)
+    {
+      // Sides of a turned domain are sheets.
+      zone.isBeyond = zone.isBeyond || (face.opposite != noIndex && face.side == SheetSide::front);
+      continue;
+    }
+    facts.faces.push_back({number, face.tag, 1});
+    if (face.direction != zMin) // what is below is not looked at: solids stand on the ground
+    {
+      zone.seesBacksOfOne =
+          zone.seesBacksOfOne && face.side == SheetSide::back && (zone.surface == noIndex || zone.surface == face.tag);
+      zone.surface = face.tag;
+    }
+  }
+  addUp(facts.faces);
+}
+
+void findWideZones(const Zones& zones, const Crossings& crossings, const GridPart& part, ZoneFacts& facts)
+{
+  for (Index point = part.firstPoint; point < part.endPoint; ++point)
+  {
+    bool& isWide = facts.zones[static_cast<std::size_t>(zones.ofPoint[point])].isWide;
+    if (!isWide)
+    {
+      const auto& neighbors = crossings.neighbors[point];
+      isWide = std::all_of(neighbors.begin(), neighbors.end(), [](std::int32_t code) { return code >= 0; });
+    }
+  }
+}
+
+CountList cornersOf(const Zones& zones, const GridPlaces& grid, const GridPart& part, const RunContext& context)
+{
+  const Octree& octree = grid.octree();
+  const Pieces pieces(part.endLeaf - part.firstLeaf);
+  std::vector<CountList> found(pieces.count);
+  context.executor.forEach(pieces.count, 1, [&](std::size_t piece) {
+    CountList& list = found[piece];
+    for (std::size_t i = pieces.begin(piece); i < pieces.end(piece); ++i)
+    {
+      const Index leaf = part.firstLeaf + static_cast<Index>(i);
+      const auto level = static_cast<Index>(octree.level(leaf));
+      for (const Index point : grid.points().atCorner[leaf])
+      {
+        if (point == noIndex)
+        {
+          continue;
+        }
+        if (list.empty() || list.back().zone != zones.ofPoint[point] || list.back().of != level)
+        {
+          list.push_back({zones.ofPoint[point], level, 0});
+        }
+        ++list.back().count;
+      }
+    }
+    addUp(list);
+  });
+  CountList all;
+  for (const CountList& some : found)
+  {
+    all.insert(all.end(), some.begin(), some.end());
+  }
+  addUp(all);
+  return all;
+}
+
+/// \pre Both are of the same zone.
+void append(const ZoneFacts::Zone& more, ZoneFacts::Zone& zone)
+{
+  if (more.hasPlace && (!zone.hasPlace || more.finest < zone.finest))
+  {
+    zone.hasPlace = true;
+    zone.finest = more.finest;
+    zone.inside = more.inside;
+  }
+  zone.isWide = zone.isWide || more.isWide;
+  zone.isBeyond = zone.isBeyond || more.isBeyond;
+  const bool areSame = zone.surface == noIndex || more.surface == noIndex || zone.surface == more.surface;
+  zone.seesBacksOfOne = zone.seesBacksOfOne && more.seesBacksOfOne && areSame;
+  zone.surface = more.surface == noIndex ? zone.surface : more.surface;
+}
+
+ZoneKind kindOf(const ZoneFacts::Zone& zone, SideBits sides)
+{
+  constexpr SideBits bottom = SideBits{1} << zMin;
+  return zone.isBeyond            ? ZoneKind::beyond
+         : (sides & ~bottom) != 0 ? ZoneKind::open
+         : zone.seesBacksOfOne    ? ZoneKind::solid
+         : zone.isWide            ? ZoneKind::room
+                                  : ZoneKind::narrow;
+}
+
+} // namespace
+
+ZoneFacts findZoneFacts(const Zones& zones, const Crossings& crossings, const GridPlaces& grid,
+                        std::size_t surfaceCount, const GridPart& part, const RunContext& context)
+{
+  ZoneFacts facts;
+  facts.zones.resize(zones.count());
+  findPlaces(zones, grid, part, context, facts);
+  facts.corners = cornersOf(zones, grid, part, context);
+  context.progress.check();
+  findWideZones(zones, crossings, part, facts);
+  lookAtFaces(zones, crossings, surfaceCount, part, facts);
+  return facts;
+}
+
+void append(const ZoneFacts& more, ZoneFacts& facts)
+{
+  facts.zones.resize(std::max(facts.zones.size(), more.zones.size()));
+  for (std::size_t zone = 0; zone < more.zones.size(); ++zone)
+  {
+    append(more.zones[zone], facts.zones[zone]);
+  }
+  facts.corners.insert(facts.corners.end(), more.corners.begin(), more.corners.end());
+  addUp(facts.corners);
+  facts.faces.insert(facts.faces.end(), more.faces.begin(), more.faces.end());
+  addUp(facts.faces);
+}
+
+std::vector<ZoneSummary> summarizeZones(const Zones& zones, const std::vector<char>& kept, const ZoneFacts& facts,
+                                        const GridFrame& frame)
+{
+  std::vector<ZoneSummary> summaries(zones.count());
+  for (std::size_t i = 0; i < zones.count(); ++i)
+  {
+    summaries[i].elements = zones.sizes[i];
+    summaries[i].kept = kept[i] != 0;
+    summaries[i].sides = zones.sides[i];
+    summaries[i].inside = facts.zones[i].inside;
+    summaries[i].kind = kindOf(facts.zones[i], zones.sides[i]);
+  }
+  for (const ZoneFacts::Count& some : facts.corners)
+  {
+    const double octant = std::pow(frame.sizeOf(static_cast<int>(some.of)), 3);
+    summaries[static_cast<std::size_t>(some.zone)].volume += octant / 8.0 * static_cast<double>(some.count);
+  }
+  std::vector<ZoneFacts::Count> faces = facts.faces;
+  std::stable_sort(faces.begin(), faces.end(), [](const auto& l, const auto& r) { return l.count > r.count; });
+  for (const ZoneFacts::Count& some : faces)
+  {
+    summaries[static_cast<std::size_t>(some.zone)].surfaces.push_back(some.of);
+  }
+  return summaries;
+}
+
+std::vector<ZoneSummary> summarizeZones(const Zones& zones, const std::vector<char>& kept, const Crossings& crossings,
+                                        const GridPlaces& grid, std::size_t surfaceCount, const RunContext& context)
+{
+  const GridPart whole{0, static_cast<Index>(grid.points().size()), 0, static_cast<Index>(grid.octree().leafCount())};
+  return summarizeZones(zones, kept, findZoneFacts(zones, crossings, grid, surfaceCount, whole, context),
+                        grid.octree().frame());
+}
+
+} // namespace atria

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// What there is to say of zones, kept or not.
+#pragma once
+
+#include "Dual/Zones/Zones.h"
+
+#include <limits>
+
+namespace atria {
+
+enum class ZoneKind : std::uint8_t
+{
+  open,   ///< reaches a side of the domain other than the bottom
+  room,   ///< closed
+  solid,  ///< closed by one surface, whose back it sees: the inside of a solid, as far as one can tell
+  narrow, ///< closed, and all of its elements are at its border
+  beyond  ///< behind the sides of a domain that does not stand along the grid
+};
+
+struct ZoneSummary
+{
+  std::size_t elements = 0;
+  bool kept = false;
+  /// The domain sides it reaches.
+  SideBits sides = 0;
+  /// A point that, as a seed, means this zone; in a large octant, away from surfaces where the zone has such a place.
+  Vec3 inside = Vec3::Zero();
+  /// Surfaces on its border, those with most faces first.
+  std::vector<Index> surfaces;
+  /// That of the octants, shared out among their corners, and so right to about half an octant at the border. Cubic
+  /// model units.
+  double volume = 0.0;
+  ZoneKind kind = ZoneKind::open;
+};
+
+/// Grid points and leaves in a row.
+struct GridPart
+{
+  Index firstPoint;
+  Index endPoint;
+  Index firstLeaf;
+  Index endLeaf;
+};
+
+/// What is known of zones from a part of the grid.
+struct ZoneFacts
+{
+  struct Zone
+  {
+    /// In octants as large as there are, a place of the zone; the level of the finest octant about it, the greatest
+    /// number where the model is in one of these.
+    bool hasPlace = false;
+    int finest = std::numeric_limits<int>::max();
+    Vec3 inside = Vec3::Zero();
+    /// Whether an element has elements on all of its sides.
+    bool isWide = false;
+    /// Whether it sees sides of a turned domain from outside.
+    bool isBeyond = false;
+    /// Whether it sees nothing but backs of one surface, and this surface.
+    bool seesBacksOfOne = true;
+    Index surface = noIndex;
+  };
+  struct Count
+  {
+    std::int32_t zone;
+    Index of;
+    std::size_t count;
+  };
+
+  std::vector<Zone> zones;
+  /// Faces of surfaces, in order.
+  std::vector<Count> faces;
+  /// Corners of leaves of a level, in order.
+  std::vector<Count> corners;
+};
+
+/// The result does not depend on threads. O(points + faces · log faces).
+ZoneFacts findZoneFacts(const Zones& zones, const Crossings& crossings, const GridPlaces& grid,
+                        std::size_t surfaceCount, const GridPart& part, const RunContext& context);
+
+/// Adds what is known from the part after those before: the facts of all parts are those of the whole.
+void append(const ZoneFacts& more, ZoneFacts& facts);
+
+std::vector<ZoneSummary> summarizeZones(const Zones& zones, const std::vector<char>& kept, const ZoneFacts& facts,
+                                        const GridFrame& frame);
+
+/// Of the whole grid.
+std::vector<ZoneSummary> summarizeZones(const Zones& zones, const std::vector<char>& kept, const Crossings& crossings,
+                                        const GridPlaces& grid, std::size_t surfaceCount, const RunContext& context);
+
+} // namespace atria

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// From the octree to its dual as it is.
+#pragma once
+
+#include "Dual/Displacement/DisplacedGrid.h"
+#include "Dual/Zones/BoundaryGaps.h"
+#include "Dual/Zones/Rooms.h"
+#include "Mesher/Diagnostic.h"
+#include "Mesher/DualImprover.h"
+#include "Support/StageClock.h"
+
+namespace atria {
+
+/// What the grid's crossings depend on beyond octree and model.
+struct CrossingOptions
+{
+  /// Cracks beside boundary edges that are no wider than this part of the octants there are closed; 0 closes none.
+  /// Wider ones are open where an edge of the grid passes.
+  double crackTolerance = 0.5;
+};
+
+/// The octree's grid: its points, what is ahead of boundary edges, and what cuts its edges.
+struct CrossedGrid
+{
+  CrossedGrid(const CrossingOptions& options, StageClock& clock, const MeshingContext& context);
+
+  GridPoints points;
+  BoundaryGaps gaps;
+  DisplacedGrid displaced; ///< of these points
+};
+
+/// What permeable surfaces make of the grid points: face zones, rooms and cell zones.
+struct Labels
+{
+  std::vector<ZoneFace> zoneFaces;
+  Rooms rooms;
+  std::vector<std::int32_t> cellZones;
+};
+
+/// New numbers of the grid points that become elements; noIndex for the others.
+std::vector<Index> numberElements(const Zones& zones, const std::vector<char>& kept, const RunContext& context);
+
+/// Places the vertices and makes the elements of numbered grid points.
+ClassifiedMesh makeElements(const CrossedGrid& grid, const Zones& zones, const std::vector<Index>& elements,
+                            Labels labels, std::vector<Diagnostic>& diagnostics, StageClock& clock,
+                            const MeshingContext& context);
+
+} // namespace atria
