@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Mesher/SharedMesher.h"
+
+#include "Mesher/Blocks/BlockImprover.h"
+#include "Mesher/LeaveOut.h"
+#include "Mesher/SharedReport.h"
+#include "Mesher/Shares/SharedBlocks.h"
+#include "Mesher/Shares/SharedZones.h"
+
+#include <algorithm>
+#include <functional>
+#include <optional>
+#include <utility>
+
+namespace atria {
+
+namespace {
+
+/// Of elements, those of the grid points they stand for.
+std::vector<PointKey> keysOf(const std::vector<Index>& elements, const SharedPoints& points)
+{
+  std::vector<PointKey> keys;
+  keys.reserve(elements.size());
+  for (Index point = 0; point < elements.size(); ++point)
+  {
+    if (elements[point] != noIndex)
+    {
+      keys.push_back(points.key(point));
+    }
+  }
+  return keys;
+}
+
+/// What of a plain mesh tells which elements stand on which.
+DualMesh connectionsOf(ClassifiedMesh plain)
+{
+  DualMesh out;
+  out.neighbors = std::move(plain.mesh.neighbors);
+  out.boundaryFaces = std::move(plain.mesh.boundaryFaces);
+  return out;
+}
+
+bool isAnywhere(bool here, RankExchange& exchange) { return countBefore(here ? 1 : 0, exchange).all > 0; }
+
+std::vector<double> sumOverRanks(const std::vector<double>& own, RankExchange& exchange)
+{
+  std::vector<double> sums(own.size(), 0.0);
+  for (const std::vector<double>& some : gatherAll(exchange, own))
+  {
+    std::ranges::transform(some, sums, sums.begin(), std::plus<>());
+  }
+  return sums;
+}
+
+class SharedMesher
+{
+public:
+  SharedMesher(const MeshingContext& surroundings, const DualMeshOptions& meshOptions, const RankShare& rankShare,
+               StageClock& stageClock)
+      : context(surroundings), options(meshOptions), share(rankShare), clock(stageClock),
+        surfaceCount(static_cast<Index>(context.model.names.size())), report(share)
+  {
+  }
+
+  SharedDual run(int ghostLevels)
+  {
+    SharedDual out;
+    SharedWindow window = makePlain(out.found);
+    ClassifiedMesh plain{std::move(window.mesh.mesh), std::move(window.mesh.classification),
+                         std::move(window.mesh.vertexOf)};
+    ImprovedMesh improved;
+    LayerMesh layer = options.layers.empty() ? withoutLayer(std::move(plain.mesh)) : grow(plain, window, improved);
+    improved.mesh = std::move(layer.mesh);
+    const DualMesh below = connectionsOf(std::move(plain));
+    const SharedLayers layers(window, below, layer);
+    leaveOutWhatFails(layers, improved);
+    clock.lap("layers");
+    release(improved.mesh.neighbors);
+    out.piece = takePiece(improved.mesh, {improved.numbers, improved.pointNumbers}, layers, layer, share, ghostLevels,
+                          report.elements());
+    report.addDetached(improved, out.piece);
+    out.found.diagnostics = report.finish(out.piece.askedNumbers);
+    removeCutTag(out.piece.mesh);
+    takeLayers(improved.layers, out);
+    countElements(out);
+    placeInModel(out);
+    clock.lap("numbers");
+    return out;
+  }
+
+private:
+  /// The rank's window of the dual as it is.
+  SharedWindow makePlain(DualMeshResult& found)
+  {
+    std::optional<CrossedGrid> grid(std::in_place, options, clock, context.part(0.0, 0.3));
+    const auto& [places, crossings] = grid->displaced;
+    std::optional<SharedPoints> points(std::in_place, share, context.octree, grid->points, context);
+    context.progress.report(0.3, "Finding zones");
+    Zones zones = findSharedZones(crossings, *points, surfaceCount, share, context);
+    found.keptZones = keptSharedZones(zones, options.zoneRule, seedsOf(options), places, *points, share, context.model);
+    found.zones = report.summarize(zones, found.keptZones, *grid, *points, surfaceCount, context);
+    std::vector<char> kept = found.keptZones;
+    kept.push_back(1); // what is elsewhere is cut off later
+    report.addCracks(*grid, zones, kept, *points, context);
+    std::vector<Index> elements = numberElements(zones, kept, context);
+    clock.lap("zones");
+    release(grid->points.atCorner); // only crossings and zones ask for these
+    std::vector<Diagnostic> diagnostics;
+    ClassifiedMesh plain = makeElements(*grid, zones, elements, {}, diagnostics, clock, context.part(0.3, 0.5));
+    grid.reset(); // it is larger than the mesh
+    zones = {};
+    const std::vector<PointKey> keys = keysOf(elements, *points);
+    points.reset();
+    report.addPlain(diagnostics, keys);
+    release(elements);
+    plain = splitPoints(unfoldWalls(std::move(plain), context), context);
+    SharedWindow window =
+        keepShare(plain.mesh, plain.classification, plain.vertexOf, keys, surfaceCount, context.octree, share, context);
+    clock.lap("elements");
+    return window;
+  }
+
+  LayerMesh grow(ClassifiedMesh& plain, const SharedWindow& window, ImprovedMesh& improved)
+  {
+    layerOptions = optionsOfWindows(
+        layerOptionsOf(options, isAnywhere(hasGround(plain.mesh, surfaceCount), share.exchange()), context));
+    const LayerWalls walls = prepareWalls(plain, layerOptions, context);
+    MeshTraits traits = traitsOf(plain.mesh, layerOptions);
+    traits.uniform = false; // there are several blocks, and no crease sheets
+    const MeshBlocks blocks = blocksOf(context.octree, plain.classification.leaves, share.blocks(), share.firstBlock(),
+                                       share.endBlock(), window.near);
+    SharedBlocks exchange(window, plain.mesh, share);
+    exchange.takePlaces(plain.mesh.points);
+    auto [layer, detached, failing] =
+        improveBlocks(context.part(0.5, 0.95), plain.classification, plain.vertexOf, plain.mesh, walls, layerOptions,
+                      options.curvedWalls, traits, blocks, exchange);
+    std::vector<std::string> names = context.model.names;
+    names.emplace_back(); // of where the window is cut
+    improved.layers =
+        reportLayers(plain.mesh, walls, layer, layerOptions, names, context,
+                     {[&](Index face) { return window.isOwn(plain.mesh.boundaryFaces[face].element); },
+                      [&](const std::vector<double>& own) { return sumOverRanks(own, share.exchange()); }});
+    improved.detached = std::move(detached);
+    failingElements = std::move(failing);
+    return std::move(layer);
+  }
+
+  void leaveOutWhatFails(const SharedLayers& layers, ImprovedMesh& improved)
+  {
+    if (!options.layers.empty() && (layerOptions.isAsked() || options.supportElements))
+    {
+      SharedLeaveOut exchange(improved.mesh, layers, share.exchange());
+      const bool sidesToo = !context.octree.frame().turnedDomain;
+      leaveOut(findElementsToLeaveOut(improved.mesh, failingElements, sidesToo, exchange, context), improved);
+      report.addLeftOut(improved, layers);
+      orderFaces(improved);
+    }
+  }
+
+  /// Own elements have no faces where the window was cut; tags of sides were one higher.
+  void removeCutTag(DualMesh& mesh) const
+  {
+    for (BoundaryFace& face : mesh.boundaryFaces)
+    {
+      face.tag -= face.tag > surfaceCount ? 1 : 0;
+    }
+  }
+
+  /// By face of the piece what is by face of the rank's mesh.
+  static void takeLayers(const LayerReport& improved, SharedDual& out)
+  {
+    const auto take = [&](const auto& all, auto& own) {
+      for (std::size_t f = 0; f < out.piece.facesBefore.size() && !all.empty(); ++f)
+      {
+        own.push_back(all[out.piece.facesBefore[f]]);
+      }
+    };
+    take(improved.counts, out.found.layers.counts);
+    take(improved.thicknesses, out.found.layers.thicknesses);
+    out.found.layers.surfaces = improved.surfaces;
+  }
+
+  void countElements(SharedDual& out) const
+  {
+    std::vector<std::size_t> counts(out.found.zones.size(), 0);
+    for (Index e = 0; e < out.piece.mesh.elementCount(); ++e)
+    {
+      counts[static_cast<std::size_t>(out.piece.mesh.zones[e])] += out.piece.elementRanks[e] == share.rank() ? 1 : 0;
+    }
+    const std::vector<std::vector<std::size_t>> all = gatherAll(share.exchange(), counts);
+    for (std::size_t zone = 0; zone < counts.size(); ++zone)
+    {
+      std::size_t sum = 0;
+      std::ranges::for_each(all, [&](const auto& some) { sum += some[zone]; });
+      out.found.zones[zone].elements = out.found.keptZones[zone] ? sum : out.found.zones[zone].elements;
+    }
+  }
+
+  void placeInModel(SharedDual& out) const
+  {
+    std::swap(out.found.mesh.points, out.piece.mesh.points);
+    atria::placeInModel(out.found, context.octree.frame().placement, context);
+    std::swap(out.found.mesh.points, out.piece.mesh.points);
+  }
+
+  const MeshingContext& context;
+  const DualMeshOptions& options;
+  const RankShare& share;
+  StageClock& clock;
+  Index surfaceCount;
+  LayerOptions layerOptions;
+  std::vector<Index> failingElements;
+  SharedReport report;
+};
+
+} // namespace
+
+SharedDual makeSharedMesh(const Octree& octree, const SurfaceModel& model, const DualMeshOptions& options,
+                          const RankShare& share, int ghostLevels, StageClock& clock, const RunContext& run)
+{
+  const TriangleTreeOnDemand tree(model);
+  const MeshingContext context{run, octree, model, tree};
+  return SharedMesher(context, options, share, clock).run(ghostLevels);
+}
+
+} // namespace atria

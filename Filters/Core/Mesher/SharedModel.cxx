@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Mesher/SharedModel.h"
+
+#include "Layer/LayerBudget.h"
+#include "Mesher/LostModel.h"
+#include "Mesher/SharedMesher.h"
+
+#include <algorithm>
+
+namespace atria {
+
+namespace {
+
+/// The part of the run that is over when there are octrees.
+constexpr double octreeShare = 0.4;
+
+bool needsWhole(const SurfaceModel& model, const ZoneOptions& options)
+{
+  const auto isOther = [](SurfaceKind kind) { return kind != SurfaceKind::wall; };
+  return !options.sealedSeeds.empty() || std::ranges::any_of(model.kinds, isOther) || !model.walls.empty();
+}
+
+std::vector<MetSides> metOnRanks(const SharedPiece& piece, std::size_t surfaceCount, RankExchange& exchange)
+{
+  std::vector<MetSides> met(surfaceCount + sideNumbers);
+  for (const std::vector<MetSides>& some :
+       gatherAll(exchange, findMetSides(piece.mesh, surfaceCount, piece.hasOpposite)))
+  {
+    for (std::size_t tag = 0; tag < met.size(); ++tag)
+    {
+      met[tag].add(some[tag]);
+    }
+  }
+  return met;
+}
+
+int finestLevel(const RefinedSets& refined)
+{
+  int level = 0;
+  for (std::size_t above = 0; above < refined.size(); ++above)
+  {
+    level = refined[above].empty() ? level : static_cast<int>(above) + 1;
+  }
+  return level;
+}
+
+std::size_t elementsOnRanks(const Octree& octree, const SurfaceModel& model, const std::vector<LayerRule>& rules,
+                            const RankShare& share, const RunContext& context)
+{
+  const auto isOwn = [&](Index leaf) { return share.isOwn(octree.finestKey(leaf)); };
+  return countBefore(elementsWithLayers(octree, model, rules, context, isOwn), share.exchange()).all;
+}
+
+} // namespace
+
+std::optional<SharedModel> meshSharedModel(const TriangleSurface& surface, const MesherOptions& options,
+                                           int ghostLevels, RankExchange& exchange, const RunContext& run)
+{
+  if (options.mesh.blockSize == 0)
+  {
+    return std::nullopt;
+  }
+  StageClock clock;
+  const RunContext context = run.part(0.0, octreeShare);
+  const SitePlan plan = planSite(surface, options);
+  std::optional<SharedModel> out(std::in_place);
+  MeshedModel& meshed = out->meshed;
+  meshed.inputWarnings = checkDomain(surface, plan, options);
+  context.progress.report(0.0, "Repairing surfaces");
+  const PlacedModel placed = placeModel(surface, plan, options);
+  const SurfaceModel model = makeSurfaceModel(placed, options, context.part(0.0, 0.125));
+  if (needsWhole(model, options.mesh))
+  {
+    return std::nullopt;
+  }
+  clock.lap("surface");
+  SizedOctants sized = sizeOctants(model, placed.frame, options, context.part(0.125, 0.625));
+  const RankShare share(sized.refined, placed.frame, options.mesh.blockSize, exchange);
+  if (share.blocks().count() < static_cast<std::size_t>(std::max(2, exchange.ranks())))
+  {
+    return std::nullopt;
+  }
+  const Octree octree = share.makeOctree(model, context.part(0.625, 1.0));
+  clock.lap("octree");
+  checkLayerBudget(elementsOnRanks(octree, model, options.mesh.layers, share, context), options.sizing.memoryLimit);
+  DualMeshOptions dual = options.mesh;
+  dual.rooms.sidesAreWalls = options.site.mode == DomainMode::surfaces;
+  SharedDual made = makeSharedMesh(octree, model, dual, share, ghostLevels, clock, run.part(octreeShare, 1.0));
+  static_cast<DualMeshResult&>(meshed) = std::move(made.found);
+  out->piece = std::move(made.piece);
+  meshed.metSides = metOnRanks(out->piece, model.names.size(), exchange);
+  for (const std::string& warning : warningsOfLostModel(surface, options, placed.frame, meshed.metSides))
+  {
+    meshed.inputWarnings.push_back(warning);
+  }
+  meshed.sizingWarning = sized.warning;
+  meshed.names = model.names;
+  meshed.kinds = model.kinds;
+  meshed.repair = model.repair;
+  meshed.maximumLevel = finestLevel(sized.refined);
+  meshed.stages = clock.stages();
+  return out;
+}
+
+} // namespace atria

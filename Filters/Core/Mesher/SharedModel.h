@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// From the surfaces of a model to a mesh that several ranks make together.
+#pragma once
+
+#include "Mesher/MeshModel.h"
+#include "Mesher/Shares/SharedPiece.h"
+
+namespace atria {
+
+/// What a rank has of it.
+struct SharedModel
+{
+  /// Without a mesh; what is by boundary face is by those of the piece. All else is of the whole, and the same on all
+  /// ranks, but for diagnostics, which the first one has.
+  MeshedModel meshed;
+  SharedPiece piece;
+};
+
+/// The mesh of meshModel() with the same options, in pieces, each with so many ghost levels: the same elements,
+/// numbers, names and bits of points for any number of ranks. All ranks call it at the same time, with the same
+/// arguments. Returns nothing, on all ranks, where only one can make the mesh, as a whole: without a block size, where
+/// that leaves fewer blocks than ranks, or one, and where there are sealed seeds, face zones, cell zones or openings.
+/// Throws as meshModel(), and RanksDisagree.
+std::optional<SharedModel> meshSharedModel(const TriangleSurface& surface, const MesherOptions& options,
+                                           int ghostLevels, RankExchange& exchange, const RunContext& context);
+
+} // namespace atria

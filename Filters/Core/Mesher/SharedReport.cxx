@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Mesher/SharedReport.h"
+
+#include "Mesher/Shares/SharedNumbers.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+namespace atria {
+
+namespace {
+
+constexpr std::size_t root = 0;
+
+/// What each rank has, on the first one; nothing on others.
+template <typename T> std::vector<std::vector<T>> gatherOnRoot(const std::vector<T>& own, RankExchange& exchange)
+{
+  std::vector<std::vector<T>> toRanks(static_cast<std::size_t>(exchange.ranks()));
+  toRanks[root] = own;
+  return exchangeLists(exchange, toRanks);
+}
+
+struct SharedStep
+{
+  CrackStep step;
+  PointKey point;
+};
+
+bool isOwn(PointKey key, const RankShare& share) { return key != SharedPoints::noKey && share.isOwn(key >> 3); }
+
+} // namespace
+
+std::vector<ZoneSummary> SharedReport::summarize(const Zones& zones, const std::vector<char>& kept,
+                                                 const CrossedGrid& grid, const SharedPoints& points,
+                                                 std::size_t surfaceCount, const MeshingContext& context) const
+{
+  const auto& [places, crossings] = grid.displaced;
+  const auto firstFrom = [&](MortonKey key) {
+    const auto leaves = context.octree.leafCount();
+    Index first = 0;
+    for (auto end = static_cast<Index>(leaves); first < end;)
+    {
+      const Index middle = first + (end - first) / 2;
+      const bool isBefore = context.octree.finestKey(middle) < key;
+      first = isBefore ? middle + 1 : first;
+      end = isBefore ? end : middle;
+    }
+    return first;
+  };
+  const MortonRange own = share_.own();
+  const GridPart part{points.firstOwn(), points.endOwn(), firstFrom(own.begin), firstFrom(own.end)};
+  const ZoneFacts facts = findZoneFacts(zones, crossings, places, surfaceCount, part, context);
+  ZoneFacts all;
+  for (const Bytes& bytes : share_.exchange().gather(bytesOf(facts.zones, facts.faces, facts.corners)))
+  {
+    ZoneFacts some;
+    readBytes(bytes, some.zones, some.faces, some.corners);
+    append(some, all);
+  }
+  return summarizeZones(zones, kept, all, context.octree.frame());
+}
+
+void SharedReport::addCracks(const CrossedGrid& grid, const Zones& zones, const std::vector<char>& kept,
+                             const SharedPoints& points, const MeshingContext& context)
+{
+  const auto isOwnLeaf = [&](Index leaf) { return share_.isOwn(context.octree.finestKey(leaf)); };
+  std::vector<SharedStep> own;
+  for (const CrackStep& step :
+       findCrackSteps(grid.gaps, zones, kept, grid.displaced.crossings, grid.displaced.places, isOwnLeaf, context))
+  {
+    own.push_back({step, points.key(step.point)});
+  }
+  std::vector<CrackStep> steps;
+  std::vector<PointKey> keys;
+  for (const std::vector<SharedStep>& some : gatherOnRoot(own, share_.exchange()))
+  {
+    for (const SharedStep& shared : some)
+    {
+      steps.push_back(shared.step);
+      steps.back().point = static_cast<Index>(keys.size());
+      keys.push_back(shared.point);
+    }
+  }
+  for (const Crack& crack : joinCracks(grid.gaps.boundary, steps))
+  {
+    entries_.push_back({Group::cracks,
+                        crack.open ? Diagnostic::openCrack : Diagnostic::closedCrack,
+                        crack.path.front(),
+                        crack.path.back(),
+                        crack.width,
+                        paths_.size(),
+                        0,
+                        {keys[crack.point], noIndex, 0}});
+    paths_.push_back(crack.path);
+  }
+}
+
+void SharedReport::addPlain(const std::vector<Diagnostic>& found, const std::vector<PointKey>& keys)
+{
+  for (const Diagnostic& diagnostic : found)
+  {
+    if (isOwn(keys[diagnostic.element], share_))
+    {
+      const Group group = diagnostic.kind == Diagnostic::mergedSheets ? Group::merged : Group::unresolved;
+      entries_.push_back({group,
+                          diagnostic.kind,
+                          diagnostic.begin,
+                          diagnostic.end,
+                          diagnostic.width,
+                          0,
+                          0,
+                          {keys[diagnostic.element], noIndex, 0}});
+    }
+  }
+}
+
+void SharedReport::addLeftOut(const ImprovedMesh& improved, const SharedLayers& layers)
+{
+  for (const LeftOutElement& element : improved.leftOut)
+  {
+    if (layers.isOwn(element.number))
+    {
+      const SharedElement beside = element.beside == noIndex ? noElement : layers.elementOf(element.besideBefore);
+      // Those on walls come after all others.
+      entries_.push_back({Group::leftOut, Diagnostic::leftOutElement, element.middle, element.middle, element.size,
+                          layers.elementOf(element.number).isPlain() ? 0U : 1U, 0, beside});
+    }
+  }
+}
+
+void SharedReport::addDetached(const ImprovedMesh& improved, const SharedPiece& piece)
+{
+  std::vector<std::uint64_t> firstElements(piece.pointsBefore.size(), ~std::uint64_t{0});
+  for (Index e = 0; e < piece.mesh.elementCount(); ++e)
+  {
+    for (const Index p : piece.mesh.corners[e])
+    {
+      firstElements[p] = std::min(firstElements[p], piece.elementNumbers[e]);
+    }
+  }
+  for (const DetachedVertex& vertex : improved.detached)
+  {
+    const auto found = std::ranges::lower_bound(piece.pointsBefore, vertex.point);
+    const auto p = static_cast<std::size_t>(found - piece.pointsBefore.begin());
+    if (p < piece.pointsBefore.size() && *found == vertex.point && piece.pointRanks[p] == share_.rank())
+    {
+      entries_.push_back({Group::detached, Diagnostic::detachedVertex, piece.mesh.points[p], vertex.wanted, 0.0,
+                          piece.pointNumbers[p], firstElements[p], noElement});
+    }
+  }
+}
+
+std::vector<SharedElement> SharedReport::elements() const
+{
+  std::vector<SharedElement> elements;
+  for (const Entry& entry : entries_)
+  {
+    if (entry.beside != noElement)
+    {
+      elements.push_back(entry.beside);
+    }
+  }
+  return elements;
+}
+
+Diagnostic SharedReport::diagnosticOf(const Entry& entry)
+{
+  const Index element = entry.element < noIndex ? static_cast<Index>(entry.element) : noIndex;
+  return {entry.kind, entry.begin, entry.end, element, entry.width};
+}
+
+std::vector<Diagnostic> SharedReport::finish(const std::vector<std::uint64_t>& numbers) const
+{
+  std::vector<Entry> own = entries_;
+  std::size_t next = 0;
+  for (Entry& entry : own)
+  {
+    if (entry.beside != noElement)
+    {
+      entry.element = numbers[next++];
+    }
+    else if (entry.group == Group::leftOut)
+    {
+      entry.element = noNumber;
+    }
+  }
+  std::vector<Entry> all;
+  for (const std::vector<Entry>& some : gatherOnRoot(own, share_.exchange()))
+  {
+    all.insert(all.end(), some.begin(), some.end());
+  }
+  std::stable_sort(all.begin(), all.end(), [](const Entry& l, const Entry& r) {
+    return std::tuple(l.group, l.place) < std::tuple(r.group, r.place);
+  });
+  std::vector<Diagnostic> out;
+  for (const Entry& entry : all)
+  {
+    Diagnostic& diagnostic = out.emplace_back(diagnosticOf(entry));
+    if (entry.group == Group::cracks)
+    {
+      const std::vector<Vec3>& path = paths_[entry.place];
+      diagnostic.between.assign(path.begin() + 1, path.end() - 1);
+    }
+  }
+  return out;
+}
+
+} // namespace atria

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Mesher/Shares/RankShare.h"
+
+#include "Octree/Tree/Balance.h"
+#include "Octree/Tree/LeafRows.h"
+
+#include <algorithm>
+#include <functional>
+
+namespace atria {
+
+namespace {
+
+/// The first leaf that has a point as a corner, and the point's key.
+PointKey keyOf(const Octree& octree, const std::array<Index, 8>& leaves)
+{
+  Index owner = noIndex;
+  unsigned corner = 0;
+  for (unsigned slot = 0; slot < 8; ++slot)
+  {
+    if (leaves[slot] < owner && std::ranges::count(leaves, leaves[slot]) == 1)
+    {
+      owner = leaves[slot];
+      corner = 7 - slot;
+    }
+  }
+  return octree.finestKey(owner) << 3 | corner;
+}
+
+/// Rows of leaves that are those of the whole, about a rank's own: to walls beside these, from there along the walls,
+/// and off them, as blocks are improved among; and elsewhere, as far as stages up to the vertices reach.
+constexpr int rowsAlong = 10;
+constexpr int rowsOff = 10;
+constexpr int rowsElsewhere = 4;
+constexpr int rowsBeside = 7;
+
+LeafMasks both(LeafMasks a, const LeafMasks& b)
+{
+  std::ranges::transform(a, b, a.begin(), std::bit_and<>());
+  return a;
+}
+
+LeafMasks any(LeafMasks a, const LeafMasks& b)
+{
+  std::ranges::transform(a, b, a.begin(), std::bit_or<>());
+  return a;
+}
+
+} // namespace
+
+RankShare::RankShare(const RefinedSets& refined, const GridFrame& frame, std::size_t blockSize, RankExchange& exchange)
+    : whole_(refined), frame_(frame), exchange_(exchange), blocks_(findBlocks(refined, frame, blockSize)),
+      firstBlocks_(divideBlocks(blocks_, static_cast<std::size_t>(exchange.ranks()))), own_{
+                                                                                           blocks_.begins[firstBlock()],
+                                                                                           blocks_.begins[endBlock()]}
+{
+}
+
+int RankShare::rankOfBlock(Index block) const
+{
+  return static_cast<int>(std::ranges::upper_bound(firstBlocks_, block) - firstBlocks_.begin()) - 1;
+}
+
+Octree RankShare::makeOctree(const SurfaceModel& model, const RunContext& context) const
+{
+  RefinedSets refined = setsNeeded(model, context);
+  balance(refined, frame_, context);
+  Octree octree(frame_, refined, context.executor);
+  release(refined);
+  locateModel(octree, model, context);
+  return octree;
+}
+
+/// Of the own leaves and those about them that are to be as in the whole.
+RefinedSets RankShare::setsNeeded(const SurfaceModel& model, const RunContext& context) const
+{
+  if (blocks_.count() < 2)
+  {
+    return whole_; // it is small, and its root may be a leaf
+  }
+  const LeafRows rows(whole_, frame_);
+  const LeafMasks& anywhere = rows.inDomain();
+  const LeafMasks own = rows.in(own_);
+  const LeafMasks withSurfaces = rows.withSurfaces(model, context);
+  // The walls that own leaves are beside may be of other ranks.
+  const LeafMasks wallsAbout = both(withSurfaces, rows.grow(own, 2 * rowsBeside, anywhere));
+  const LeafMasks start = rows.grow(own, rowsBeside, rows.grow(wallsAbout, rowsBeside, anywhere));
+  const LeafMasks along = rows.grow(start, rowsAlong, rows.grow(withSurfaces, 1, anywhere));
+  // Surfaces farther away are beside nothing that is off those.
+  const LeafMasks about = rows.grow(along, rowsOff + rowsBeside, anywhere);
+  const LeafMasks beside = rows.grow(both(withSurfaces, about), rowsBeside, about);
+  return rows.setsOf(any(rows.grow(along, rowsOff, beside), rows.grow(own, rowsElsewhere, anywhere)));
+}
+
+bool RankShare::isExact(const Octree& octree, Index leaf) const
+{
+  const auto level = static_cast<std::size_t>(octree.level(leaf));
+  return level >= whole_.size() || !std::ranges::binary_search(whole_[level], octree.key(leaf));
+}
+
+SharedPoints::SharedPoints(const RankShare& share, const Octree& octree, const GridPoints& points,
+                           const RunContext& context)
+    : share_(share), keys_(points.size())
+{
+  std::vector<char> isExact(octree.leafCount());
+  context.executor.forEach(isExact.size(), 4096, [&](std::size_t leaf) {
+    isExact[leaf] = share.isExact(octree, static_cast<Index>(leaf)) ? 1 : 0;
+  });
+  context.executor.forEach(keys_.size(), 4096, [&](std::size_t i) {
+    const std::array<Index, 8>& leaves = points.leaves[i];
+    const bool isOfWhole = std::ranges::all_of(leaves, [&](Index leaf) { return isExact[leaf] != 0; });
+    keys_[i] = isOfWhole ? keyOf(octree, leaves) : noKey;
+  });
+  const auto isOwnKey = [&](PointKey key) { return key != noKey && share.isOwn(key >> 3); };
+  const auto first = std::ranges::find_if(keys_, isOwnKey);
+  firstOwn_ = static_cast<Index>(first - keys_.begin());
+  endOwn_ = static_cast<Index>(std::find_if_not(first, keys_.end(), isOwnKey) - keys_.begin());
+  if (std::find_if(keys_.begin() + endOwn_, keys_.end(), isOwnKey) != keys_.end())
+  {
+    throw RanksDisagree("a rank's octree ends within its share");
+  }
+}
+
+Index SharedPoints::find(PointKey key) const
+{
+  const auto begin = keys_.begin() + firstOwn_;
+  const auto end = keys_.begin() + endOwn_;
+  const auto found = std::lower_bound(begin, end, key);
+  return found != end && *found == key ? static_cast<Index>(found - keys_.begin()) : noIndex;
+}
+
+} // namespace atria

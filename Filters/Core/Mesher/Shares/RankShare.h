@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// What one of several ranks makes of a mesh.
+#pragma once
+
+#include "Dual/Grid/GridPoints.h"
+#include "Octree/Sizing/Refinement.h"
+#include "Octree/Tree/OctreeBlocks.h"
+#include "Support/RankExchange.h"
+
+namespace atria {
+
+/// A grid point by the first leaf that has it as a corner, and which: the same on all ranks, in the order of points.
+using PointKey = std::uint64_t;
+
+/// Each rank has blocks of the octree in a row, and makes its own octree: the whole's there and so many rows about it,
+/// coarser elsewhere.
+class RankShare
+{
+public:
+  /// Of the balanced sets of a whole octree, which must outlive this; so must `exchange`.
+  RankShare(const RefinedSets& refined, const GridFrame& frame, std::size_t blockSize, RankExchange& exchange);
+
+  RankExchange& exchange() const { return exchange_; }
+  int rank() const { return exchange_.rank(); }
+  int ranks() const { return exchange_.ranks(); }
+  const OctreeBlocks& blocks() const { return blocks_; }
+  /// The first of this rank, and the one after its last.
+  Index firstBlock() const { return firstBlocks_[static_cast<std::size_t>(rank())]; }
+  Index endBlock() const { return firstBlocks_[static_cast<std::size_t>(rank()) + 1]; }
+  /// The rank's octree, whose leaves know their pieces of the model.
+  Octree makeOctree(const SurfaceModel& model, const RunContext& context) const;
+
+  int rankOfBlock(Index block) const;
+  /// Of a leaf, by its key in the finest grid.
+  int rankOf(MortonKey key) const { return rankOfBlock(blocks_.blockOf(key)); }
+  const MortonRange& own() const { return own_; }
+  bool isOwn(MortonKey key) const { return key >= own_.begin && key < own_.end; }
+
+  /// Whether a leaf of this rank's octree is one of the whole.
+  bool isExact(const Octree& octree, Index leaf) const;
+
+private:
+  RefinedSets setsNeeded(const SurfaceModel& model, const RunContext& context) const;
+
+  const RefinedSets& whole_;
+  const GridFrame& frame_;
+  RankExchange& exchange_;
+  OctreeBlocks blocks_;
+  std::vector<Index> firstBlocks_;
+  MortonRange own_;
+};
+
+/// The grid points of a rank's octree as parts of the whole's.
+class SharedPoints
+{
+public:
+  SharedPoints(const RankShare& share, const Octree& octree, const GridPoints& points, const RunContext& context);
+
+  /// Of points whose leaves are all those of the whole; noKey for others.
+  static constexpr PointKey noKey = ~PointKey{0};
+  PointKey key(Index point) const { return keys_[point]; }
+  bool isShared(Index point) const { return keys_[point] != noKey; }
+  bool isOwn(Index point) const { return point >= firstOwn_ && point < endOwn_; }
+  Index firstOwn() const { return firstOwn_; }
+  Index endOwn() const { return endOwn_; }
+  /// Throws RanksDisagree for points that are not shared.
+  int rankOf(Index point) const
+  {
+    if (!isShared(point))
+    {
+      throw RanksDisagree("a rank's octree ends beside its share");
+    }
+    return share_.rankOf(keys_[point] >> 3);
+  }
+  /// An own point; noIndex if there is none of that key.
+  Index find(PointKey key) const;
+
+private:
+  const RankShare& share_;
+  Buffer<PointKey> keys_;
+  Index firstOwn_ = 0;
+  Index endOwn_ = 0;
+};
+
+} // namespace atria

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Zones that reach over several ranks.
+#pragma once
+
+#include "Dual/Zones/Zones.h"
+#include "Mesher/Shares/RankShare.h"
+
+namespace atria {
+
+/// The zones of the whole, numbered as findZones does. Of the points of a rank's octree those that are not the whole's
+/// are of a zone more, the last one, which `sizes` and sides do not count. Every rank joins what it has, and all join
+/// the sets of all: borders are sent once, and a few numbers for each set. Throws Error where ranks do not have the
+/// same points.
+Zones findSharedZones(const Crossings& crossings, const SharedPoints& points, std::size_t surfaceCount,
+                      const RankShare& share, const RunContext& context);
+
+/// As keptZones and zonesWithinSides; the last zone, which findSharedZones adds, has no entry.
+std::vector<char> keptSharedZones(const Zones& zones, ZoneRule rule, const std::vector<Vec3>& seeds,
+                                  const GridPlaces& grid, const SharedPoints& points, const RankShare& share,
+                                  const SurfaceModel& model);
+
+} // namespace atria

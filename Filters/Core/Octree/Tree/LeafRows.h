@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Leaves about others, found without numbers of leaves or grid points.
+#pragma once
+
+#include "Octree/Tree/OctreeBlocks.h"
+#include "Support/RunContext.h"
+#include "Surface/Model/SurfaceModel.h"
+
+namespace atria {
+
+/// Leaves by refined octants, which are in the order of levels and keys: bits of those of its children.
+using LeafMasks = std::vector<std::uint8_t>;
+
+/// Rows of the leaves of a balanced octree whose root is refined. About 140 bytes a refined octant.
+/// Throws Error for 2^28 of these or more.
+class LeafRows
+{
+public:
+  /// `refined` must outlive this; so must `frame`.
+  LeafRows(const RefinedSets& refined, const GridFrame& frame);
+
+  /// The leaves that share volume with the domain.
+  const LeafMasks& inDomain() const { return inDomain_; }
+  /// Those of a range, also outside of the domain.
+  LeafMasks in(const MortonRange& range) const;
+  /// Those with pieces of the model or sides of the domain.
+  LeafMasks withSurfaces(const SurfaceModel& model, const RunContext& context) const;
+  /// Adds so many rows of leaves that touch what is there, of those `within`.
+  LeafMasks grow(LeafMasks leaves, int rows, const LeafMasks& within) const;
+  /// Of an octree that has these leaves; it is to be balanced. Octants above the start level are all refined.
+  RefinedSets setsOf(const LeafMasks& leaves) const;
+
+private:
+  /// A refined octant by its number; a leaf by that of its parent and which child it is, with a bit; or noIndex where
+  /// the root ends.
+  using Node = Index;
+  /// The octants of one level about one, itself in the middle, or leaves that hold them.
+  using Neighbors = std::array<Node, 27>;
+
+  void link();
+  void findNeighbors();
+  template <typename Visit> void eachTouching(Index octant, unsigned children, Visit&& visit) const;
+  template <typename Visit>
+  void eachFiner(unsigned children, int direction, Index octant, unsigned touched, Visit&& visit) const;
+
+  const RefinedSets& refined_;
+  const GridFrame& frame_;
+  std::vector<std::array<Node, 8>> children_;
+  Buffer<Neighbors> neighbors_;
+  LeafMasks all_;
+  LeafMasks inDomain_;
+};
+
+} // namespace atria

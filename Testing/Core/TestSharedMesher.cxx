@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Meshes that several ranks make together.
+#include "Mesher/SharedMesher.h"
+#include "Support/DualMeshChecks.h"
+#include "Support/MeshIt.h"
+#include "Support/QuietContext.h"
+#include "Support/Shapes.h"
+#include "Support/ThreadRanks.h"
+
+#include <algorithm>
+#include <atomic>
+
+namespace {
+
+using namespace atria;
+using namespace atria::testing;
+
+constexpr std::size_t blockSize = 1000;
+
+GridOptions gridOf(double sizeMin, double sizeMid)
+{
+  GridOptions grid;
+  grid.domain = {Vec3::Constant(-4.3), Vec3::Constant(4.1)};
+  grid.sizeMin = sizeMin;
+  grid.sizeMid = sizeMid;
+  grid.sizeMax = 0.8;
+  return grid;
+}
+
+class SharedMesher : public ::testing::TestWithParam<int>
+{
+};
+
+/// That the elements of a piece are those of the whole of their numbers, with the same points, bit by bit.
+void expectPiece(const DualMesh& whole, const SharedPiece& piece, int rank)
+{
+  ASSERT_EQ(piece.elementCount, whole.elementCount());
+  ASSERT_EQ(piece.pointCount, whole.points.size());
+  std::size_t wrongCorners = 0;
+  std::size_t wrongPlaces = 0;
+  std::size_t wrongLabels = 0;
+  for (Index e = 0; e < piece.mesh.elementCount(); ++e)
+  {
+    const auto global = static_cast<Index>(piece.elementNumbers[e]);
+    for (int c = 0; c < 8; ++c)
+    {
+      const Index p = piece.mesh.corners[e][c];
+      wrongCorners += piece.pointNumbers[p] != whole.corners[global][c];
+      wrongPlaces += piece.mesh.points[p] != whole.points[whole.corners[global][c]];
+    }
+    wrongLabels += piece.mesh.zones[e] != whole.zones[global] || piece.mesh.levels[e] != whole.levels[global];
+  }
+  EXPECT_EQ(wrongCorners, 0U);
+  EXPECT_EQ(wrongPlaces, 0U);
+  EXPECT_EQ(wrongLabels, 0U);
+  for (std::size_t f = 0; f < piece.mesh.boundaryFaces.size(); ++f)
+  {
+    const BoundaryFace& face = piece.mesh.boundaryFaces[f];
+    const std::int32_t code = whole.neighbors[piece.elementNumbers[face.element]][face.direction];
+    ASSERT_TRUE(DualMesh::isBoundary(code));
+    const BoundaryFace& other = whole.boundaryFaces[DualMesh::boundaryFaceOf(code)];
+    EXPECT_EQ(face.tag, other.tag);
+    EXPECT_EQ(face.side, other.side);
+    EXPECT_EQ(face.onDomainSide, other.onDomainSide);
+    EXPECT_EQ(piece.hasOpposite[f] != 0, other.opposite != noIndex);
+    EXPECT_EQ(piece.elementRanks[face.element], rank);
+  }
+}
+
+void expectLayers(const DualMeshResult& whole, const SharedDual& dual)
+{
+  ASSERT_EQ(dual.found.layers.counts.size(), whole.layers.counts.empty() ? 0U : dual.piece.mesh.boundaryFaces.size());
+  std::size_t wrong = 0;
+  for (std::size_t f = 0; f < dual.found.layers.counts.size(); ++f)
+  {
+    const BoundaryFace& face = dual.piece.mesh.boundaryFaces[f];
+    const std::int32_t code = whole.mesh.neighbors[dual.piece.elementNumbers[face.element]][face.direction];
+    const Index other = DualMesh::boundaryFaceOf(code);
+    wrong += dual.found.layers.counts[f] != whole.layers.counts[other];
+    wrong += dual.found.layers.thicknesses[f] != whole.layers.thicknesses[other];
+  }
+  EXPECT_EQ(wrong, 0U);
+  ASSERT_EQ(dual.found.layers.surfaces.size(), whole.layers.surfaces.size());
+  for (std::size_t i = 0; i < whole.layers.surfaces.size(); ++i)
+  {
+    const LayerCoverage& own = dual.found.layers.surfaces[i];
+    const LayerCoverage& other = whole.layers.surfaces[i];
+    EXPECT_EQ(own.surface, other.surface);
+    EXPECT_EQ(own.area, other.area);
+    EXPECT_EQ(own.layered, other.layered);
+    EXPECT_EQ(own.full, other.full);
+    EXPECT_EQ(own.thickness, other.thickness);
+  }
+}
+
+void expectZones(const std::vector<ZoneSummary>& whole, const std::vector<ZoneSummary>& shared)
+{
+  ASSERT_EQ(shared.size(), whole.size());
+  for (std::size_t i = 0; i < whole.size(); ++i)
+  {
+    EXPECT_EQ(shared[i].elements, whole[i].elements);
+    EXPECT_EQ(shared[i].kept, whole[i].kept);
+    EXPECT_EQ(shared[i].sides, whole[i].sides);
+    EXPECT_EQ(shared[i].inside, whole[i].inside);
+    EXPECT_EQ(shared[i].surfaces, whole[i].surfaces);
+    EXPECT_EQ(shared[i].volume, whole[i].volume);
+    EXPECT_EQ(shared[i].kind, whole[i].kind);
+  }
+}
+
+void expectDiagnostics(const std::vector<Diagnostic>& whole, const std::vector<Diagnostic>& shared)
+{
+  ASSERT_EQ(shared.size(), whole.size());
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < whole.size(); ++i)
+  {
+    const Diagnostic& own = shared[i];
+    const Diagnostic& other = whole[i];
+    const bool isSame = own.kind == other.kind && own.begin == other.begin && own.end == other.end &&
+                        own.element == other.element && own.width == other.width && own.between == other.between;
+    wrong += isSame ? 0 : 1;
+  }
+  EXPECT_EQ(wrong, 0U);
+}
+
+void expectSameOnRanks(const TriangleSurface& surface, const GridOptions& grid, DualMeshOptions options, int ranks)
+{
+  options.blockSize = blockSize;
+  const Meshed whole = meshIt(surface, grid, options);
+  const RefinedSets sets = whole.octree.refinedSets();
+  std::atomic<std::size_t> faces = 0;
+  std::atomic<std::size_t> elements = 0;
+  onRanks(ranks, [&](RankExchange& exchange) {
+    const RankShare share(sets, whole.frame, blockSize, exchange);
+    ASSERT_GT(share.blocks().count(), 1U);
+    const Octree octree = share.makeOctree(whole.model, quietContext());
+    StageClock clock;
+    const SharedDual dual = makeSharedMesh(octree, whole.model, options, share, 1, clock, quietContext());
+    expectPiece(whole.mesh(), dual.piece, exchange.rank());
+    expectLayers(whole.result, dual);
+    expectZones(whole.result.zones, dual.found.zones);
+    expectDiagnostics(exchange.rank() == 0 ? whole.result.diagnostics : std::vector<Diagnostic>(),
+                      dual.found.diagnostics);
+    faces += dual.piece.mesh.boundaryFaces.size();
+    elements += static_cast<std::size_t>(std::ranges::count(dual.piece.elementRanks, exchange.rank()));
+  });
+  EXPECT_EQ(faces, whole.mesh().boundaryFaces.size());
+  EXPECT_EQ(elements, whole.mesh().elementCount());
+}
+
+TEST_P(SharedMesher, MeshIsThatOfOneRank)
+{
+  for (unsigned seed = 1; seed <= 3; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    const TriangleSurface surface = randomSoup(seed);
+    DualMeshOptions options;
+    options.zoneRule = seed % 2 == 0 ? ZoneRule::all : ZoneRule::outside;
+    expectSameOnRanks(surface, gridOf(0.1, 0.2), options, GetParam());
+    for (const int layers : {0, 1, 3})
+    {
+      SCOPED_TRACE(layers);
+      options.layers = {{"*", {.layers = layers}}};
+      expectSameOnRanks(surface, gridOf(0.1, 0.2), options, GetParam());
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Ranks, SharedMesher, ::testing::Values(1, 2, 3, 5),
+                         [](const auto& one) { return std::to_string(one.param); });
+
+} // namespace
