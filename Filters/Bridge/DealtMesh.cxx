@@ -27,20 +27,6 @@ constexpr int root = 0;
 
 constexpr int tag = 27184;
 
-int ghostLevelsAsked(vtkInformationVector* outputs, vtkMultiProcessController& controller)
-{
-  int own = 1;
-  for (int i = 0; i < outputs->GetNumberOfInformationObjects(); ++i)
-  {
-    vtkInformation* info = outputs->GetInformationObject(i);
-    auto* key = vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS();
-    own = std::max(own, info->Has(key) ? info->Get(key) : 0);
-  }
-  int levels = own;
-  controller.AllReduce(&own, &levels, 1, vtkCommunicator::MAX_OP);
-  return levels;
-}
-
 /// The outputs that are dealt out, of one rank.
 class Hand
 {
@@ -133,6 +119,20 @@ bool deal(vtkAlgorithm& algorithm, const Hand& hand, std::vector<Index> rankOf, 
 }
 
 } // namespace
+
+int ghostLevelsAsked(vtkInformationVector* outputs, vtkMultiProcessController& controller)
+{
+  int own = 1;
+  for (int i = 0; i < outputs->GetNumberOfInformationObjects(); ++i)
+  {
+    vtkInformation* info = outputs->GetInformationObject(i);
+    auto* key = vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS();
+    own = std::max(own, info->Has(key) ? info->Get(key) : 0);
+  }
+  int levels = own;
+  controller.AllReduce(&own, &levels, 1, vtkCommunicator::MAX_OP);
+  return levels;
+}
 
 int dealMesh(vtkAlgorithm& algorithm, vtkInformationVector* outputs, const DealtOutputs& dealt,
              std::vector<Index> rankOf, vtkMultiProcessController& controller)

@@ -9,6 +9,9 @@
 
 namespace atria {
 
+/// How many ghost levels any rank asks for, but one at least; of all ranks.
+int ghostLevelsAsked(vtkInformationVector* outputs, vtkMultiProcessController& controller);
+
 /// Deals out the outputs of an algorithm that has done its work on the first rank; the others' are empty. `rankOf`, on
 /// the first rank, has the rank of each cell, if that is known. The first rank makes one piece after the other, so that
 /// it holds the whole and one piece at most. Returns what RequestData does: 0, on all ranks, where the first one cannot

@@ -240,6 +240,12 @@ int shareResult(int result, vtkInformationVector* outputs, vtkMultiProcessContro
 
 } // namespace
 
+vtkSmartPointer<vtkDataObject> gatherWhole(vtkDataObject* own, vtkMultiProcessController& controller)
+{
+  Pieces found = gather(own, controller);
+  return found.data.empty() ? nullptr : joinFound(found, nullptr);
+}
+
 Ranks::Ranks(int piece_, int pieces_) : piece(piece_), pieces(pieces_)
 {
   auto* global = vtkMultiProcessController::GetGlobalController();

@@ -13,6 +13,7 @@
 
 #include "Support/Types.h"
 
+#include <vtkSmartPointer.h>
 #include <vtkType.h>
 
 #include <functional>
@@ -20,6 +21,7 @@
 #include <span>
 
 class vtkAlgorithm;
+class vtkDataObject;
 class vtkInformation;
 class vtkInformationVector;
 class vtkMultiProcessController;
@@ -42,6 +44,10 @@ using WorkOnWhole = std::function<int(std::span<const Index>)>;
 
 /// Does the work of a filter on pieces, if it can.
 using WorkOnPieces = std::function<std::optional<int>(vtkMultiProcessController&)>;
+
+/// What there is of something on all ranks in one, on the first rank; null on others. Throws there what is said of
+/// joinPieces(), when all has been sent.
+vtkSmartPointer<vtkDataObject> gatherWhole(vtkDataObject* own, vtkMultiProcessController& controller);
 
 /// One piece of a number of them, and the ranks that are asked for the others.
 class Ranks

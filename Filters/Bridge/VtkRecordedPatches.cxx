@@ -134,6 +134,8 @@ void recordPatches(vtkPartitionedDataSetCollection* patches, vtkUnstructuredGrid
   }
 }
 
+void recordPatches(const VtkPatches& patches, vtkUnstructuredGrid* volume) { record(patches, patchArrays, volume); }
+
 bool hasRecordedPatches(vtkUnstructuredGrid* volume)
 {
   return volume->GetFieldData()->GetAbstractArray(patchArrays.faces) != nullptr;

@@ -14,6 +14,9 @@ namespace atria {
 /// more than four points, and as patchesFromVtk() does.
 void recordPatches(vtkPartitionedDataSetCollection* patches, vtkUnstructuredGrid* volume);
 
+/// The same of patches alone, whose cells and points may be those of the mesh that `volume` is a piece of.
+void recordPatches(const VtkPatches& patches, vtkUnstructuredGrid* volume);
+
 /// Whether patches were recorded in the mesh, or in what it was made of by other filters.
 bool hasRecordedPatches(vtkUnstructuredGrid* volume);
 

@@ -10,8 +10,10 @@
 #include "VtkSurface.h"
 #include "vtkAtriaGridAlgorithm.h"
 
+#include <vtkDataArray.h>
 #include <vtkDataObject.h>
 #include <vtkFieldData.h>
+#include <vtkMultiProcessController.h>
 #include <vtkStringArray.h>
 
 #include <algorithm>
@@ -183,6 +185,41 @@ TriangleSurface readSurfaces(vtkDataObject* data, std::vector<std::string>& warn
     warnings.push_back(text.str());
   }
   return std::move(read.surface);
+}
+
+SharedSurfaces readSurfacesOnRanks(vtkDataObject* own, vtkMultiProcessController& controller, RankExchange& exchange)
+{
+  const vtkSmartPointer<vtkDataObject> whole = gatherWhole(own, controller);
+  SharedSurfaces out{{}, modelOffsetOf(whole), {}};
+  Bytes told; // by the first rank
+  if (exchange.rank() == 0)
+  {
+    out.surface = readSurfaces(whole, out.warnings);
+    std::string names;
+    for (const std::string& name : out.surface.names)
+    {
+      names += name + '\0';
+    }
+    told = bytesOf(out.surface.points, out.surface.triangles, out.surface.surfaceIds, names, out.offset);
+  }
+  const std::vector<Bytes> received = exchange.gather(told);
+  if (exchange.rank() > 0)
+  {
+    std::string names;
+    readBytes(received.front(), out.surface.points, out.surface.triangles, out.surface.surfaceIds, names, out.offset);
+    for (std::size_t first = 0; first < names.size(); first = names.find('\0', first) + 1)
+    {
+      out.surface.names.emplace_back(names.c_str() + first);
+    }
+  }
+  return out;
+}
+
+Vec3 modelOffsetOf(vtkDataObject* surfaces)
+{
+  vtkDataArray* given = surfaces ? surfaces->GetFieldData()->GetArray("ModelOffset") : nullptr;
+  const bool isGiven = given && given->GetNumberOfValues() == 3;
+  return isGiven ? Vec3(given->GetTuple3(0)) : Vec3(Vec3::Zero());
 }
 
 void addTo(std::vector<std::string>& warnings, const std::vector<std::string>& more)

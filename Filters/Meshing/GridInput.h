@@ -3,12 +3,14 @@
 #pragma once
 
 #include "Mesher/ModelOptions.h"
+#include "Support/RankExchange.h"
 
 #include <functional>
 #include <span>
 
 class vtkAtriaGridAlgorithm;
 class vtkDataObject;
+class vtkMultiProcessController;
 
 namespace atria {
 
@@ -23,6 +25,22 @@ bool onCurrentInput(vtkAtriaGridAlgorithm& filter, std::span<double> values,
 
 /// `data` may be null: a domain without surfaces. Adds what a user should know of it.
 TriangleSurface readSurfaces(vtkDataObject* data, std::vector<std::string>& warnings);
+
+struct SharedSurfaces
+{
+  TriangleSurface surface;
+  /// What a reader subtracted from its points, model units.
+  Vec3 offset;
+  /// What a user should know of it, on the first rank.
+  std::vector<std::string> warnings;
+};
+
+/// The surfaces that ranks have together, on all of them, which call it at the same time, right after an exchange.
+/// Throws as readSurfaces().
+SharedSurfaces readSurfacesOnRanks(vtkDataObject* own, vtkMultiProcessController& controller, RankExchange& exchange);
+
+/// What a reader subtracted from the model's points, so that writers can add it again; zero where nothing is said.
+Vec3 modelOffsetOf(vtkDataObject* surfaces);
 
 void addTo(std::vector<std::string>& warnings, const std::vector<std::string>& more);
 

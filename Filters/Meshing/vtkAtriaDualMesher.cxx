@@ -3,6 +3,8 @@
 
 #include "AddArray.h"
 #include "AlgorithmProgress.h"
+#include "ControllerExchange.h"
+#include "DealtMesh.h"
 #include "GridInput.h"
 #include "Mesher/MeshModel.h"
 #include "PropertyRange.h"
@@ -11,6 +13,7 @@
 #include "VtkDualMesh.h"
 #include "VtkOctree.h"
 #include "VtkRecordedPatches.h"
+#include "VtkSharedMesh.h"
 
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
@@ -56,14 +59,26 @@ std::vector<atria::Vec3> toCore(const Points& points)
   return out;
 }
 
-/// What a reader subtracted from the model's points, so that writers can add it again.
-void addModelOffset(vtkUnstructuredGrid* out, vtkDataObject* surfaces)
+/// What is of the whole mesh, beside cells and patches.
+void addFields(const atria::MeshedModel& result, const atria::Vec3& offset, vtkUnstructuredGrid* volume)
 {
-  constexpr const char* name = "ModelOffset";
-  vtkDataArray* given = surfaces->GetFieldData()->GetArray(name);
-  const bool isGiven = given && given->GetNumberOfValues() == 3;
-  const atria::Vec3 offset = isGiven ? atria::Vec3(given->GetTuple3(0)) : atria::Vec3(atria::Vec3::Zero());
-  atria::addArray<vtkDoubleArray>(out->GetFieldData(), name, 3)->InsertNextTuple(offset.data());
+  vtkFieldData* data = volume->GetFieldData();
+  atria::addArrayOf<vtkIntArray>(data, "MaxLevel", std::array{result.maximumLevel});
+  atria::addArray<vtkDoubleArray>(data, "ModelOffset", 3)->InsertNextTuple(offset.data());
+}
+
+/// Warns, too. `warnings` are those of the input.
+void reportTo(vtkPolyData* diagnostics, const atria::MeshedModel& result, std::vector<std::string> warnings,
+              vtkAtriaDualMesher& filter)
+{
+  atria::diagnosticsToVtk(result, result.names, diagnostics);
+  atria::addTo(warnings, result.inputWarnings);
+  atria::addInputWarnings(warnings, filter, diagnostics);
+  atria::addSizingWarning(result.sizingWarning, filter, diagnostics);
+  atria::repairToVtk(result.repair, diagnostics);
+  atria::hiddenDetailToVtk(result.repair.hidden, result.names, diagnostics->GetFieldData());
+  atria::layersToVtk(result.layers, diagnostics);
+  atria::roomsToVtk(result.rooms, result.names, diagnostics->GetFieldData());
 }
 
 /// What holds for all surfaces, then the rules.
@@ -313,9 +328,10 @@ int vtkAtriaDualMesher::RequestData(vtkInformation*, vtkInformationVector** inpu
     const atria::MesherOptions options = mesherOptionsOf(*this, this->SeedPoints, this->SealedSeedPoints);
     vtkDataObject* octree = vtkDataObject::GetData(inputs[1]);
     atria::StageCache* cache = this->CacheStages ? this->Cache.get() : nullptr;
+    const atria::RunContext meshing = context.part(0.01, 0.9);
     const atria::MeshedModel result =
-        octree ? atria::meshModel(surface, atria::octreeFromVtk(octree), options, context.part(0.01, 0.9), cache)
-               : atria::meshModel(surface, options, context.part(0.01, 0.9), cache);
+        octree ? atria::meshModel(surface, atria::octreeFromVtk(octree), options, meshing, cache)
+               : atria::meshModel(surface, options, meshing, cache);
     atria::StageClock clock;
     context.progress.report(0.9, "Converting elements");
     atria::volumeToVtk(result.mesh, volume, context.executor);
@@ -324,21 +340,54 @@ int vtkAtriaDualMesher::RequestData(vtkInformation*, vtkInformationVector** inpu
     context.progress.report(0.95, "Converting patches");
     atria::patchesToVtk(result.mesh, result.metSides, result.names, result.kinds, result.layers, patches);
     atria::recordPatches(patches, volume);
-    atria::diagnosticsToVtk(result, result.names, diagnostics);
-    atria::addTo(warnings, result.inputWarnings);
-    atria::addInputWarnings(warnings, *this, diagnostics);
-    atria::addSizingWarning(result.sizingWarning, *this, diagnostics);
-    atria::repairToVtk(result.repair, diagnostics);
-    atria::hiddenDetailToVtk(result.repair.hidden, result.names, diagnostics->GetFieldData());
-    atria::layersToVtk(result.layers, diagnostics);
-    atria::roomsToVtk(result.rooms, result.names, diagnostics->GetFieldData());
+    reportTo(diagnostics, result, std::move(warnings), *this);
     clock.lap("output");
-    atria::addArrayOf<vtkIntArray>(volume->GetFieldData(), "MaxLevel", std::array{result.maximumLevel});
-    addModelOffset(volume, vtkDataObject::GetData(inputs[0]));
+    addFields(result, atria::modelOffsetOf(vtkDataObject::GetData(inputs[0])), volume);
     this->Stages = result.stages;
     this->Stages.push_back(clock.stages().back());
     context.progress.report(1.0, "Mesh made");
   });
+}
+
+std::optional<int> vtkAtriaDualMesher::RequestDataOnRanks(vtkMultiProcessController& controller,
+                                                          vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  if (this->BlockSize == 0 || !this->DistributeOutput || inputs[1]->GetNumberOfInformationObjects() > 0)
+  {
+    return std::nullopt;
+  }
+  this->Stages.clear();
+  const int ghostLevels = atria::ghostLevelsAsked(outputs, controller);
+  return atria::runOnRanks(
+      *this, outputs, controller, [&](atria::RankExchange& ranks, const atria::RunContext& context) {
+        this->CheckProperties();
+        atria::MesherOptions options = mesherOptionsOf(*this, this->SeedPoints, this->SealedSeedPoints);
+        // Machines of ranks may have less or more. It also tells all of errors up to here.
+        options.sizing.memoryLimit = atria::gatherAll(ranks, options.sizing.memoryLimit).front();
+        const atria::SharedSurfaces input =
+            atria::readSurfacesOnRanks(vtkDataObject::GetData(inputs[0]), controller, ranks);
+        const std::optional<atria::SharedModel> made =
+            atria::meshSharedModel(input.surface, options, ghostLevels, ranks, context.part(0.01, 0.9));
+        if (!made)
+        {
+          return false;
+        }
+        atria::StageClock clock;
+        context.progress.report(0.9, "Converting elements");
+        auto* volume = vtkUnstructuredGrid::GetData(outputs, 0);
+        atria::sharedMeshToVtk(*made, ranks, context.executor, volume,
+                               vtkPartitionedDataSetCollection::GetData(outputs, 1));
+        addFields(made->meshed, input.offset, volume);
+        if (ranks.rank() == 0)
+        {
+          reportTo(vtkPolyData::GetData(outputs, 2), made->meshed, input.warnings, *this);
+        }
+        clock.lap("output");
+        this->Stages = made->meshed.stages;
+        this->Stages.push_back(clock.stages().back());
+        context.progress.report(1.0, "Mesh made");
+        return true;
+      });
 }
 
 void vtkAtriaDualMesher::PrintSelf(ostream& os, vtkIndent indent)

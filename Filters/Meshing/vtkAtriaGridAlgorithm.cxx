@@ -51,7 +51,14 @@ vtkTypeBool vtkAtriaGridAlgorithm::ProcessRequest(vtkInformation* request, vtkIn
 {
   return atria::processOnRanks(
       *this, request, inputs, outputs, [&] { return this->ProcessRequestHere(request, inputs, outputs); },
-      this->GetDealtOutputs());
+      this->GetDealtOutputs(),
+      [&](vtkMultiProcessController& controller) { return this->RequestDataOnRanks(controller, inputs, outputs); });
+}
+
+std::optional<int> vtkAtriaGridAlgorithm::RequestDataOnRanks(vtkMultiProcessController&, vtkInformationVector**,
+                                                             vtkInformationVector*)
+{
+  return std::nullopt;
 }
 
 atria::DealtOutputs vtkAtriaGridAlgorithm::GetDealtOutputs() const { return {}; }

@@ -16,10 +16,12 @@
 #include "vtkAlgorithm.h"
 #include "vtkAtriaRangeMacros.h" // For properties with a range
 
-#include <array>  // for RefinementBoxes
-#include <string> // for names
-#include <vector> // for SurfaceSizeRules
+#include <array>    // for RefinementBoxes
+#include <optional> // for RequestDataOnRanks
+#include <string>   // for names
+#include <vector>   // for SurfaceSizeRules
 
+class vtkMultiProcessController;
 namespace atria {
 struct DealtOutputs;
 }
@@ -388,6 +390,9 @@ protected:
   virtual atria::DealtOutputs GetDealtOutputs() const;
   virtual int RequestDataObject(vtkInformation*, vtkInformationVector**, vtkInformationVector*) { return 1; }
   virtual int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) = 0;
+  // The same by all ranks together, each with its piece of the inputs, unless it returns nothing.
+  virtual std::optional<int> RequestDataOnRanks(vtkMultiProcessController&, vtkInformationVector**,
+                                                vtkInformationVector*);
   vtkTypeBool ProcessRequestHere(vtkInformation*, vtkInformationVector**, vtkInformationVector*);
 
   double SizeMax = 8.0;

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Four ranks make large meshes, and those of models that others wrote, bit for bit as one process does.
+"""Four ranks have large meshes, and those of models that others wrote, bit for bit as one process does: made by the
+first rank, and by all in blocks.
 
-Usage: python3 test_ranks_large.py MPIEXEC PVBATCH DATA [NAME ...]
+Usage: python3 test_ranks_large.py MPIEXEC PVBATCH DATA [NAME ...]; names are as in the table.
 
 DATA is the folder of the example models; the others are looked for in ATRIA_CORPUS. Prints rows of a table: seconds of
 the first rank, and the most memory of each. checkMesh has to be content with the processors that the ranks write.
@@ -104,8 +105,10 @@ def main(mpiexec, pvbatch, data, *names):
     shutil.rmtree(FOLDER, ignore_errors=True)
     FOLDER.mkdir(parents=True)
     for name, model, properties in models(pathlib.Path(data)):
-        if not names or name in names:
-            compare(mpiexec, pvbatch, name, model, properties)
+        for block in (0, 1000 if "octants" in properties or name == "building" else 20000):
+            full_name = f"{name}, blocks of {block:,}" if block else name
+            if not names or full_name in names:
+                compare(mpiexec, pvbatch, full_name, model, properties | {"BlockSize": block})
     print("four ranks make what one process makes")
 
 

@@ -111,8 +111,9 @@ TEST_F(OnRanks, QualityIsMeasuredWherePiecesAre)
   observer->SetClientData(&works);
   observer->SetCallback([](vtkObject*, unsigned long, void* flag, void*) { *static_cast<bool*>(flag) = true; });
   quality->AddObserver(vtkCommand::ProgressEvent, observer);
-  for (const bool withPatches : {true, false})
+  for (const auto& [blockSize, withPatches] : {std::pair(0, true), {0, false}, {1000, true}, {1000, false}})
   {
+    mesher->SetBlockSize(blockSize); // made by the first rank, or by all
     if (withPatches)
     {
       quality->SetPatchesConnection(mesher->GetOutputPort(1));

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "VtkSharedMesh.h"
+
+#include "VtkDualMesh.h"
+#include "VtkRecordedPatches.h"
+#include "VtkSubset.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkCompositeDataSet.h>
+#include <vtkIdList.h>
+#include <vtkIdTypeArray.h>
+#include <vtkInformation.h>
+#include <vtkNew.h>
+#include <vtkPartitionedDataSetCollection.h>
+#include <vtkPointData.h>
+#include <vtkPolyData.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkUnstructuredGrid.h>
+
+#include <algorithm>
+#include <tuple>
+#include <unordered_map>
+
+namespace atria {
+
+namespace {
+
+/// A face of a patch, by numbers of the whole mesh.
+struct SharedFace
+{
+  unsigned int patch;
+  std::uint64_t owner;
+  std::array<std::uint64_t, 4> points;
+  std::size_t count;
+  int rank;
+};
+
+VtkIds idsOf(const std::vector<std::uint64_t>& numbers) { return {numbers.begin(), numbers.end()}; }
+
+void addGhosts(vtkDataSetAttributes* data, const std::vector<char>& isGhost, unsigned char mark)
+{
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  ghosts->SetNumberOfValues(static_cast<vtkIdType>(isGhost.size()));
+  std::ranges::transform(isGhost, ghosts->GetPointer(0), [mark](char ghost) { return ghost ? mark : 0; });
+  data->AddArray(ghosts);
+}
+
+/// A point is that of the first rank that has an element at it.
+std::vector<char> findGhostPoints(const SharedPiece& piece, int rank)
+{
+  std::vector<int> first(piece.mesh.points.size(), rank);
+  std::vector<char> isOwn(first.size(), 0);
+  for (Index e = 0; e < piece.mesh.elementCount(); ++e)
+  {
+    for (const Index p : piece.mesh.corners[e])
+    {
+      first[p] = std::min(first[p], piece.elementRanks[e]);
+      isOwn[p] |= piece.elementRanks[e] == rank ? 1 : 0;
+    }
+  }
+  std::vector<char> isGhost(first.size());
+  for (std::size_t p = 0; p < first.size(); ++p)
+  {
+    isGhost[p] = isOwn[p] && first[p] == rank ? 0 : 1;
+  }
+  return isGhost;
+}
+
+void numberPiece(const SharedPiece& piece, int rank, vtkUnstructuredGrid* volume)
+{
+  volume->GetCellData()->SetGlobalIds(idArray("GlobalCellIds", idsOf(piece.elementNumbers)));
+  volume->GetPointData()->SetGlobalIds(idArray("GlobalPointIds", idsOf(piece.pointNumbers)));
+  std::vector<char> isGhost(piece.elementRanks.size());
+  std::ranges::transform(piece.elementRanks, isGhost.begin(), [rank](int its) { return its == rank ? 0 : 1; });
+  addGhosts(volume->GetCellData(), isGhost, vtkDataSetAttributes::DUPLICATECELL);
+  addGhosts(volume->GetPointData(), findGhostPoints(piece, rank), vtkDataSetAttributes::DUPLICATEPOINT);
+}
+
+vtkPolyData* patchOf(vtkPartitionedDataSetCollection* patches, unsigned int i)
+{
+  return vtkPolyData::SafeDownCast(patches->GetPartitionAsDataObject(i, 0));
+}
+
+std::vector<SharedFace> facesOf(vtkPartitionedDataSetCollection* patches, int rank)
+{
+  std::vector<SharedFace> faces;
+  vtkNew<vtkIdList> corners;
+  for (unsigned int i = 0; i < patches->GetNumberOfPartitionedDataSets(); ++i)
+  {
+    vtkPolyData* patch = patchOf(patches, i);
+    auto* owners = vtkIdTypeArray::SafeDownCast(patch->GetCellData()->GetArray("OwnerCellId"));
+    auto* points = vtkIdTypeArray::SafeDownCast(patch->GetPointData()->GetArray("VolumePointId"));
+    for (vtkIdType face = 0; face < patch->GetNumberOfCells(); ++face)
+    {
+      patch->GetPolys()->GetCellAtId(face, corners);
+      SharedFace& shared = faces.emplace_back();
+      shared = {i, static_cast<std::uint64_t>(owners->GetValue(face)), {}, 0, rank};
+      for (const vtkIdType corner : *corners)
+      {
+        shared.points[shared.count++] = static_cast<std::uint64_t>(points->GetValue(corner));
+      }
+    }
+  }
+  return faces;
+}
+
+/// Those of all ranks, in the order of one process: by elements, and those of an element as its rank has them.
+std::vector<SharedFace> gatherFaces(const std::vector<SharedFace>& own, RankExchange& exchange)
+{
+  std::vector<SharedFace> all;
+  for (const std::vector<SharedFace>& some : gatherAll(exchange, own))
+  {
+    all.insert(all.end(), some.begin(), some.end());
+  }
+  std::stable_sort(all.begin(), all.end(), [](const SharedFace& l, const SharedFace& r) {
+    return std::tuple(l.patch, l.owner) < std::tuple(r.patch, r.owner);
+  });
+  return all;
+}
+
+/// Gives faces and points of patches global ids, which go on from patch to patch in the order of all faces.
+void numberPatches(const std::vector<SharedFace>& all, int rank, vtkPartitionedDataSetCollection* patches)
+{
+  auto next = all.begin();
+  vtkIdType firstPoint = 0;
+  for (unsigned int i = 0; i < patches->GetNumberOfPartitionedDataSets(); ++i)
+  {
+    VtkIds faceIds;
+    std::unordered_map<std::uint64_t, vtkIdType> pointIds;
+    for (; next != all.end() && next->patch == i; ++next)
+    {
+      for (std::size_t corner = 0; corner < next->count; ++corner)
+      {
+        pointIds.try_emplace(next->points[corner], firstPoint + static_cast<vtkIdType>(pointIds.size()));
+      }
+      if (next->rank == rank)
+      {
+        faceIds.push_back(static_cast<vtkIdType>(next - all.begin()));
+      }
+    }
+    firstPoint += static_cast<vtkIdType>(pointIds.size());
+    vtkPolyData* patch = patchOf(patches, i);
+    auto* points = vtkIdTypeArray::SafeDownCast(patch->GetPointData()->GetArray("VolumePointId"));
+    VtkIds ownIds(static_cast<std::size_t>(points->GetNumberOfValues()));
+    std::transform(points->Begin(), points->End(), ownIds.begin(),
+                   [&](vtkIdType point) { return pointIds.at(static_cast<std::uint64_t>(point)); });
+    patch->GetCellData()->SetGlobalIds(idArray("GlobalCellIds", faceIds));
+    patch->GetPointData()->SetGlobalIds(idArray("GlobalPointIds", ownIds));
+  }
+}
+
+void recordFaces(const std::vector<SharedFace>& all, vtkPartitionedDataSetCollection* patches,
+                 vtkUnstructuredGrid* volume)
+{
+  VtkPatches record;
+  auto next = all.begin();
+  for (unsigned int i = 0; i < patches->GetNumberOfPartitionedDataSets(); ++i)
+  {
+    const std::size_t first = record.owners.size();
+    for (; next != all.end() && next->patch == i; ++next)
+    {
+      record.owners.push_back(static_cast<Index>(next->owner));
+      std::copy_n(next->points.begin(), next->count, std::back_inserter(record.points));
+      record.offsets.push_back(static_cast<std::int64_t>(record.points.size()));
+    }
+    record.patches.push_back(
+        {patches->GetMetaData(i)->Get(vtkCompositeDataSet::NAME()), first, record.owners.size() - first});
+  }
+  recordPatches(record, volume);
+}
+
+} // namespace
+
+void sharedMeshToVtk(const SharedModel& model, RankExchange& exchange, const Executor& executor,
+                     vtkUnstructuredGrid* volume, vtkPartitionedDataSetCollection* patches)
+{
+  const SharedPiece& piece = model.piece;
+  const MeshedModel& meshed = model.meshed;
+  if (std::max(piece.elementCount, piece.pointCount) >= noIndex)
+  {
+    throw Error("the mesh has " + std::to_string(piece.elementCount) + " elements and " +
+                std::to_string(piece.pointCount) +
+                " points, of which there can be 4.2e9; raise the sizes (SizeMax, SizeMid, SizeMin)");
+  }
+  volumeToVtk(piece.mesh, volume, executor);
+  numberPiece(piece, exchange.rank(), volume);
+  patchesToVtk(piece.mesh, meshed.metSides, meshed.names, meshed.kinds, meshed.layers, patches,
+               NumbersOfAll{piece.elementNumbers, piece.pointNumbers});
+  const std::vector<SharedFace> faces = gatherFaces(facesOf(patches, exchange.rank()), exchange);
+  numberPatches(faces, exchange.rank(), patches);
+  recordFaces(faces, patches, volume);
+}
+
+} // namespace atria
