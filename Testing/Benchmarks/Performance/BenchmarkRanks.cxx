@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// A mesh on MPI ranks: seconds and memory by rank, and what MPI is given to carry, counted.
 ///
-/// Usage: mpiexec -n RANKS benchmark_ranks MODEL SIZE_MAX SIZE_MID SIZE_MIN [LAYERS]
-/// The domain is the model's bounds; every rank has one thread. Prints a row of a table: model, ranks, elements, most
-/// elements of a rank; seconds of the first rank's processor for meshing, dealing out and quality; the most memory of
-/// the first rank and of any other, in megabytes; messages and megabytes that all ranks send until each has its piece,
-/// and megabytes for quality.
+/// Usage: mpiexec -n RANKS benchmark_ranks MODEL SIZE_MAX SIZE_MID SIZE_MIN [LAYERS [BLOCK_SIZE]]
+/// The domain is the model's bounds; every rank has one thread. With a block size ranks make the mesh together, and
+/// nothing is dealt out. Prints a row of a table: model, ranks, elements, most elements of a rank; seconds of the first
+/// rank's processor for meshing, dealing out and quality; the most memory of the first rank and of any other, in
+/// megabytes; messages and megabytes that all ranks send until each has its piece, and megabytes for quality.
 #include "MemoryPeak.h"
 #include "Support/Memory.h"
 #include "vtkAtriaDualMesher.h"
@@ -118,6 +118,7 @@ void measure(int argc, char** argv, int rank, int ranks)
   mesher->SetSizeMid(std::atof(argv[3]));
   mesher->SetSizeMin(std::atof(argv[4]));
   mesher->SetNumberOfLayers(argc > 5 ? std::atoi(argv[5]) : 1);
+  mesher->SetBlockSize(argc > 6 ? std::atoi(argv[6]) : 0);
   mesher->SetInputConnection(reader->GetOutputPort());
   reader->UpdatePiece(rank, ranks, 0);
   std::array<double, 3> seconds{processorSeconds(), 0.0, 0.0};
@@ -162,7 +163,7 @@ int main(int argc, char* argv[])
   mpi->Initialize(&argc, &argv);
   if (argc < 5)
   {
-    std::fprintf(stderr, "usage: %s MODEL SIZE_MAX SIZE_MID SIZE_MIN [LAYERS]\n", argv[0]);
+    std::fprintf(stderr, "usage: %s MODEL SIZE_MAX SIZE_MID SIZE_MIN [LAYERS [BLOCK_SIZE]]\n", argv[0]);
     mpi->Finalize();
     return 2;
   }
