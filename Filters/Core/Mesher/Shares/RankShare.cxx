@@ -50,9 +50,8 @@ LeafMasks any(LeafMasks a, const LeafMasks& b)
 
 RankShare::RankShare(const RefinedSets& refined, const GridFrame& frame, std::size_t blockSize, RankExchange& exchange)
     : whole_(refined), frame_(frame), exchange_(exchange), blocks_(findBlocks(refined, frame, blockSize)),
-      firstBlocks_(divideBlocks(blocks_, static_cast<std::size_t>(exchange.ranks()))), own_{
-                                                                                           blocks_.begins[firstBlock()],
-                                                                                           blocks_.begins[endBlock()]}
+      firstBlocks_(divideBlocks(blocks_, static_cast<std::size_t>(exchange.ranks()))),
+      own_(MortonRange{blocks_.begins[firstBlock()], blocks_.begins[endBlock()]})
 {
 }
 
