@@ -227,11 +227,11 @@ public:
    * How many octants a block has at most, where the mesh is improved in blocks; 0 improves it as a whole. Several MPI
    * ranks then make the mesh together, each its blocks from the octree on, if DistributeOutput is on: no rank holds the
    * whole, which may be larger than the memory of one. The mesh is the same for any number of ranks and threads, and a
-   * little different from that of other block sizes; 20,000 to 100,000 are good, and with several layers less than
-   * 5,000 leaves elements bad where blocks meet. One rank takes up to twice as long with blocks. The first rank alone
-   * makes, as a whole, what has sealed seeds, face zones, cell zones or openings, fewer blocks than there are ranks, or
-   * the octree of port 1; and, with a warning, a mesh of which ranks find something else where their parts meet. Not
-   * negative; default 0.
+   * little different from that of other block sizes; 20,000 to 100,000 are good. With several layers, elements where
+   * blocks meet may be bad or left out: look at their quality. One rank may take twice as long with blocks. The first
+   * rank alone makes, as a whole, what has sealed seeds, face zones, cell zones or openings, fewer blocks than there
+   * are ranks, or the octree of port 1; and, with a warning, a mesh of which ranks find something else where their
+   * parts meet. Not negative; default 0.
    */
   vtkAtriaSetInRangeMacro(BlockSize, int, 0, VTK_INT_MAX);
   vtkGetMacro(BlockSize, int);
