@@ -228,6 +228,13 @@ private:
 
 } // namespace
 
+Index LayerMesh::prismOn(Index face, Index height) const
+{
+  const auto first = static_cast<std::size_t>(std::ranges::lower_bound(wallFaces, face) - wallFaces.begin());
+  const std::size_t place = first + height;
+  return place < wallFaces.size() && wallFaces[place] == face ? plainElements + static_cast<Index>(place) : noIndex;
+}
+
 LayerMesh withoutLayer(DualMesh plain)
 {
   LayerMesh out;

@@ -39,7 +39,8 @@ struct LayerMesh
   /// 1 and up.
   std::vector<Index> wallPoints;
   std::vector<Index> places;
-  /// Per new element, from plainElements on: the boundary face it stands on, and its place in the stack, 0 and up.
+  /// Per new element, from plainElements on: the boundary face it stands on, in rising order, and its place in the
+  /// stack, 0 and up.
   std::vector<Index> wallFaces;
   std::vector<Index> heights;
   /// These are no part of the stacks.
@@ -48,6 +49,8 @@ struct LayerMesh
   bool isNew(Index point) const { return point >= plainPoints; }
   /// The point of the wall that a new point stands above; a plain one is its own.
   Index wallPointOf(Index point) const { return isNew(point) ? wallPoints[point - plainPoints] : point; }
+  /// The element at a place of the stack on a boundary face; noIndex where there is none. O(log n).
+  Index prismOn(Index face, Index height) const;
 };
 
 /// A mesh that gets no layer.

@@ -345,25 +345,14 @@ private:
 
   std::vector<Index> failingIn(const LayerMesh& layer) const
   {
-    std::map<Index, Index> firstOn; // of prisms on boundary faces
-    for (std::size_t i = layer.wallFaces.size(); i > 0; --i)
-    {
-      firstOn[layer.wallFaces[i - 1]] = layer.plainElements + static_cast<Index>(i - 1);
-    }
     std::vector<Index> failing;
     for (const PoorElement& element : poor)
     {
-      const auto first = element.isPlain() ? firstOn.end() : firstOn.find(element.place);
-      if (element.fails && element.isPlain())
+      // Where this part of a mesh ends stacks may be lower.
+      const Index e = element.isPlain() ? element.place : layer.prismOn(element.place, element.height);
+      if (element.fails && e != noIndex)
       {
-        failing.push_back(element.place);
-      }
-      else if (element.fails && first != firstOn.end())
-      {
-        // Where this part of a mesh ends stacks may be lower.
-        const std::size_t place = first->second + element.height - layer.plainElements;
-        const bool isThere = place < layer.wallFaces.size() && layer.wallFaces[place] == element.place;
-        failing.insert(failing.end(), isThere ? 1 : 0, first->second + element.height);
+        failing.push_back(e);
       }
     }
     sortUnique(failing);

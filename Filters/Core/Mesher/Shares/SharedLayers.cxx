@@ -18,10 +18,6 @@ constexpr int leaveOutRows = 6;
 SharedLayers::SharedLayers(const SharedWindow& window, const DualMesh& plain, const LayerMesh& layer)
     : window_(window), plain_(plain), layer_(layer)
 {
-  for (std::size_t i = layer.wallFaces.size(); i > 0; --i)
-  {
-    firstOn_[layer.wallFaces[i - 1]] = layer.plainElements + static_cast<Index>(i - 1);
-  }
 }
 
 Index SharedLayers::plainElementOf(Index element) const
@@ -55,14 +51,7 @@ Index SharedLayers::find(const SharedElement& element) const
     return plain;
   }
   const std::int32_t code = plain_.neighbors[plain][element.direction];
-  const auto first = DualMesh::isBoundary(code) ? firstOn_.find(DualMesh::boundaryFaceOf(code)) : firstOn_.end();
-  if (first == firstOn_.end())
-  {
-    return noIndex;
-  }
-  const Index prism = first->second + element.height;
-  const Index place = prism - layer_.plainElements;
-  return place < layer_.wallFaces.size() && layer_.wallFaces[place] == first->first ? prism : noIndex;
+  return DualMesh::isBoundary(code) ? layer_.prismOn(DualMesh::boundaryFaceOf(code), element.height) : noIndex;
 }
 
 SharedLeaveOut::SharedLeaveOut(const DualMesh& mesh, const SharedLayers& layers, RankExchange& exchange)

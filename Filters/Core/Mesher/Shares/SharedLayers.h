@@ -6,8 +6,6 @@
 #include "Mesher/Improvement/ElementsToLeaveOut.h"
 #include "Mesher/Shares/SharedWindow.h"
 
-#include <map>
-
 namespace atria {
 
 /// An element of a mesh with layers: the grid point it stands for, or the grid point, direction and height of the
@@ -44,7 +42,6 @@ private:
   const SharedWindow& window_;
   const DualMesh& plain_;
   const LayerMesh& layer_;
-  std::map<Index, Index> firstOn_; ///< of prisms on boundary faces
 };
 
 /// See findElementsToLeaveOut. Elements are looked at up to so many rows from own ones.
