@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Meshes that are improved block by block.
+#include "Mesher/Improvement/ConcaveElements.h"
+#include "Mesher/Improvement/ImproverStages.h"
+#include "Optimize/Kernel/MeasuredCells.h"
 #include "Support/DualMeshChecks.h"
 #include "Support/MeshIt.h"
+#include "Support/QuietContext.h"
 #include "Support/Shapes.h"
 
 #include <algorithm>
@@ -35,6 +39,16 @@ std::size_t leftOut(const Meshed& meshed)
       std::ranges::count(meshed.result.diagnostics, Diagnostic::leftOutElement, &Diagnostic::kind));
 }
 
+/// Elements that checkMesh objects to. Measured all anew: an improver measures those only that it has looked at.
+std::size_t failing(const DualMesh& mesh, bool layered)
+{
+  const std::vector<char> everywhere(mesh.points.size(), 1);
+  const MeshTraits traits{layered, false, false, false, false, false};
+  const auto cells = findShortCells(DualSource(mesh), everywhere, targetsOfChecks(traits), quietContext());
+  const auto bad = std::ranges::count_if(cells, [](const ShortCell& cell) { return cell.worst < 0.0F; });
+  return static_cast<std::size_t>(bad) + (layered ? findConcaveAtWalls(mesh, quietContext()).size() : 0);
+}
+
 /// What holds of every mesh; elements that could not be made valid are told.
 void expectSound(const Meshed& meshed)
 {
@@ -66,10 +80,14 @@ TEST_P(BlockImprover, BlocksMakeASoundMesh)
     const TriangleSurface surface = randomSoup(seed);
     DualMeshOptions options = optionsOf(GetParam().layers, GetParam().firstHeight);
     const Meshed whole = meshIt(surface, gridOf(0.2, 0.2), options);
-    options.blockSize = 2000;
+    options.blockSize = 1000;
     const Meshed blocks = meshIt(surface, gridOf(0.2, 0.2), options);
     expectSound(blocks);
-    EXPECT_LE(leftOut(blocks), leftOut(whole) + blocks.mesh().elementCount() / 500);
+    const bool layered = GetParam().layers > 0;
+    // Layers keep their heights where elements are not sound so.
+    const std::size_t accepted = GetParam().firstHeight > 0.0 ? failing(whole.mesh(), layered) * 6 / 5 : 0;
+    EXPECT_LE(failing(blocks.mesh(), layered), accepted);
+    EXPECT_LE(leftOut(blocks), leftOut(whole));
     EXPECT_NEAR(totalVolume(blocks.mesh()), totalVolume(whole.mesh()), 1e-3 * totalVolume(whole.mesh()));
   }
 }
@@ -88,7 +106,7 @@ TEST_P(BlockImprover, ThreadsDoNotMatter)
 }
 
 INSTANTIATE_TEST_SUITE_P(Layers, BlockImprover,
-                         ::testing::Values(Case{"None", 0, 0.0}, Case{"One", 1, 0.0}, Case{"Three", 3, 0.0},
+                         ::testing::Values(Case{"None", 0, 0.0}, Case{"One", 1, 0.0}, Case{"Five", 5, 0.0},
                                            Case{"OfAHeight", 2, 0.02}),
                          [](const auto& one) { return std::string(one.param.name); });
 

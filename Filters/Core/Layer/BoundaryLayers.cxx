@@ -124,9 +124,9 @@ std::vector<Index> layersWanted(const DualMesh& plain, const LayerWalls& walls, 
   std::vector<Index> counts(one.copies.size());
   for (std::size_t p = 0; p < counts.size(); ++p)
   {
-    counts[p] = one.copies[p] == noIndex        ? 0
-                : walls.settled.stays(Index(p)) ? walls.settled.counts[p]
-                                                : static_cast<Index>(asked[p].layers);
+    counts[p] = one.copies[p] == noIndex              ? 0
+                : walls.settled.keepsLayers(Index(p)) ? walls.settled.counts[p]
+                                                      : static_cast<Index>(asked[p].layers);
   }
   return counts;
 }
@@ -159,7 +159,7 @@ LayerMesh divideLayer(const DualMesh& plain, const LayerWalls& walls, const Laye
   placeChains(out, one, layersOfPoints(plain, walls, options), besideFewer(plain, one, counts));
   for (std::size_t i = 0; i < out.wallPoints.size(); ++i)
   {
-    if (const Index p = out.wallPoints[i]; walls.settled.stays(p))
+    if (const Index p = out.wallPoints[i]; walls.settled.keepsLayers(p) && counts[p] == walls.settled.counts[p])
     {
       out.mesh.points[out.plainPoints + i] = walls.settled.aboveOf(p)[out.places[i] - 1];
     }

@@ -21,10 +21,13 @@ struct SettledPoints
   std::vector<char> fixed;
   /// Per point, whether it is where the mesh was cut from a larger one: elements there are not what they seem.
   std::vector<char> atCut;
+  /// Whether layers begin as they are above these points, and not with one that is as high as all of them.
+  bool areDivided = false;
 
   bool isEmpty() const { return counts.empty(); }
   bool has(Index point) const { return !isEmpty() && counts[point] != noIndex; }
   bool stays(Index point) const { return !fixed.empty() && fixed[point] != 0; }
+  bool keepsLayers(Index point) const { return stays(point) || (areDivided && has(point)); }
   bool isAtCut(Index point) const { return !atCut.empty() && atCut[point] != 0; }
   std::span<const Vec3> aboveOf(Index point) const { return {above.data() + firsts[point], counts[point]}; }
 

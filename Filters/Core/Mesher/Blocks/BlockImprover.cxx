@@ -1,25 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesher/Blocks/BlockImprover.h"
 
-#include "Mesher/Blocks/ElementRows.h"
 #include "Mesher/Blocks/PointStates.h"
+#include "Mesher/Blocks/PoorPlaces.h"
 #include "Support/Sorting.h"
-#include "Support/UnionFind.h"
 
 #include <algorithm>
 #include <array>
 #include <functional>
 #include <iterator>
-#include <map>
+#include <utility>
 
 namespace atria {
 
 namespace {
 
-/// Rows about elements that fail where blocks meet that are opened and improved again, one try after the other; and
-/// rows about these, where all points stay.
+/// Rows about elements that fail where blocks meet that are opened and improved again, one try after the other.
 constexpr std::array openedRows{4, 6, 8};
-constexpr int rowsBesideOpened = 3;
 
 /// Some vertices, and the elements they are improved among, in order.
 struct Block
@@ -47,7 +44,6 @@ public:
   {
     settleOthers();
     improveAll(ImproverPart::whole, context.part(0.0, 0.45));
-    between = states;
     improveAll(ImproverPart::finish, context.part(0.45, 0.9));
     poor = exchange.allPoor(poor);
     improvePoor();
@@ -154,51 +150,55 @@ private:
     std::ranges::for_each(changes.points, [&](Index p) { done[p] = 1; });
   }
 
-  std::vector<Index> wallPointsOf(const PoorElement& element) const
-  {
-    if (element.isPlain())
-    {
-      return {plain.corners[element.place].begin(), plain.corners[element.place].end()};
-    }
-    const std::array<Index, 4> corners = cornersOf(plain, plain.boundaryFaces[element.place]);
-    return {corners.begin(), corners.end()};
-  }
-
-  Index plainElementOf(const PoorElement& element) const
-  {
-    return element.isPlain() ? element.place : plain.boundaryFaces[element.place].element;
-  }
-  Index blockAt(Index element) const { return blocks.ofVertex[vertexOf[plain.corners[element][0]]]; }
-
   /// What is about poor elements where blocks meet is opened and improved again, each place by itself.
   void improvePoor()
   {
-    std::vector<char> isNear(plain.elementCount());
-    for (Index e = 0; e < isNear.size(); ++e)
-    {
-      isNear[e] = blocks.near.isNear(e) ? 1 : 0;
-    }
-    ElementRows rows(plain, isNear);
+    PoorPlaces places(plain, vertexOf, blocks);
     for (const int reach : openedRows)
     {
       for (const std::vector<Index>& members : classes)
       {
-        std::vector<Index> changed;
-        std::vector<PoorElement> gone;
-        std::vector<PoorElement> found;
-        for (const Index block : ownOf(members))
-        {
-          for (const std::vector<Index>& place : placesOf(poorWhereBlocksMeet(block, reach, rows), reach, rows))
-          {
-            improvePlace(block, place, reach, rows, changed, gone, found);
-          }
-        }
-        sortUnique(changed); // places of a block may have points of each other
-        take(exchange.allChanges(copyStates(states, changed, vertexOf)));
-        const std::vector<PoorElement> allGone = exchange.allPoor(gone);
-        replacePoor(allGone, exchange.allPoor(found));
+        improvePlaces(ownOf(members), reach, places);
       }
     }
+  }
+
+  void improvePlaces(const std::vector<Index>& members, int reach, PoorPlaces& places)
+  {
+    std::vector<Index> changed;
+    std::vector<PoorElement> gone;
+    std::vector<PoorElement> found;
+    for (const Index block : members)
+    {
+      for (const std::vector<Index>& elements : places.find(block, poor, reach))
+      {
+        // Within the window of the block, so that places of other blocks of its class may be improved at the same time.
+        const OpenedPlace place = places.open(elements, reach, windows.elements[block - blocks.first]);
+        std::vector<PoorElement> before;
+        std::ranges::copy_if(poor, std::back_inserter(before), [&](const PoorElement& one) {
+          return std::ranges::any_of(places.wallPointsOf(one), [&](Index p) { return place.hasVertex(vertexOf[p]); });
+        });
+        WindowResult result = mend(place);
+        if (countPoor(result.poor) < countPoor(before))
+        {
+          take(result.changes);
+          changed.insert(changed.end(), place.points.begin(), place.points.end());
+          gone.insert(gone.end(), before.begin(), before.end());
+          found.insert(found.end(), result.poor.begin(), result.poor.end());
+          replacePoor(before, result.poor);
+        }
+      }
+    }
+    sortUnique(changed); // places of a block may have points of each other
+    take(exchange.allChanges(copyStates(states, changed, vertexOf)));
+    const std::vector<PoorElement> allGone = exchange.allPoor(gone);
+    replacePoor(allGone, exchange.allPoor(found));
+  }
+
+  /// Those that fail, and all.
+  static std::pair<std::ptrdiff_t, std::size_t> countPoor(const std::vector<PoorElement>& some)
+  {
+    return {std::ranges::count(some, true, &PoorElement::fails), some.size()};
   }
 
   void replacePoor(const std::vector<PoorElement>& gone, const std::vector<PoorElement>& found)
@@ -208,119 +208,16 @@ private:
                          [&](const PoorElement& one) { return std::ranges::find(poor, one) == poor.end(); });
   }
 
-  /// Elements of a block that are poor, or have such on them, in order.
-  std::vector<Index> poorWhereBlocksMeet(Index block, int reach, ElementRows& rows) const
+  WindowResult mend(const OpenedPlace& place)
   {
-    std::vector<Index> elements;
-    std::ranges::transform(poor, std::back_inserter(elements),
-                           [&](const PoorElement& one) { return plainElementOf(one); });
-    sortUnique(elements);
-    std::erase_if(elements, [&](Index e) { return blockAt(e) != block || !isWhereBlocksMeet(rows.grow({e}, reach)); });
-    return elements;
-  }
-
-  bool isWhereBlocksMeet(const std::vector<Index>& elements) const
-  {
-    const Index first = blockAt(elements.front());
-    return std::ranges::any_of(elements, [&](Index e) {
-      return std::ranges::any_of(plain.corners[e], [&](Index p) { return blocks.ofVertex[vertexOf[p]] != first; });
-    });
-  }
-
-  /// Elements that are near each other.
-  static std::vector<std::vector<Index>> placesOf(const std::vector<Index>& elements, int reach, ElementRows& rows)
-  {
-    UnionFind sets(elements.size());
-    std::map<Index, Index> holders;
-    for (Index i = 0; i < elements.size(); ++i)
-    {
-      for (const Index e : rows.grow({elements[i]}, reach))
-      {
-        sets.join(holders.emplace(e, i).first->second, i);
-      }
-    }
-    std::map<Index, std::vector<Index>> places;
-    for (Index i = 0; i < elements.size(); ++i)
-    {
-      places[sets.find(i)].push_back(elements[i]);
-    }
-    std::vector<std::vector<Index>> out;
-    std::ranges::transform(places, std::back_inserter(out), [](const auto& entry) { return entry.second; });
-    return out;
-  }
-
-  /// Those of the elements' points that may move, in order.
-  std::vector<Index> movingPointsOf(const std::vector<Index>& elements) const
-  {
-    std::vector<Index> points;
-    for (const Index e : elements)
-    {
-      std::ranges::copy_if(plain.corners[e], std::back_inserter(points),
-                           [&](Index p) { return blocks.near.mayMove[vertexOf[p]] != 0; });
-    }
-    sortUnique(points);
-    return points;
-  }
-
-  /// Within the window of the block, so that those of other blocks of its class may be improved at the same time.
-  void improvePlace(Index block, const std::vector<Index>& elements, int reach, ElementRows& rows,
-                    std::vector<Index>& changed, std::vector<PoorElement>& gone, std::vector<PoorElement>& found)
-  {
-    const std::vector<Index> opened = rows.grow(elements, reach);
-    std::vector<Index> window;
-    std::ranges::set_intersection(rows.grow(opened, rowsBesideOpened), windows.elements[block - blocks.first],
-                                  std::back_inserter(window));
-    std::vector<Index> vertices;
-    const std::vector<Index> all = movingPointsOf(opened);
-    const std::vector<char> isAtCut = pointsWhereCut(window);
-    std::ranges::transform(all, std::back_inserter(vertices), [&](Index p) { return vertexOf[p]; });
-    std::erase_if(vertices, [&](Index vertex) { return isAtCut[vertex] != 0; });
-    sortUnique(vertices);
-    const auto isOwn = [&](Index vertex) { return std::ranges::binary_search(vertices, vertex); };
-    std::vector<Index> points;
-    std::ranges::copy_if(all, std::back_inserter(points), [&](Index p) { return isOwn(vertexOf[p]); });
-    const PointChanges before = copyStates(states, points, vertexOf);
-    apply(copyStates(between, points, vertexOf), states);
-    std::ranges::for_each(points, [&](Index p) { done[p] = 0; });
+    std::ranges::for_each(place.points, [&](Index p) { done[p] = 0; });
+    const Block block{place.window, [&](Index vertex) { return place.hasVertex(vertex); }};
     StopMonitor monitor(context.progress);
     WindowResult result =
-        improveWindow(taskOf({window, isOwn}, ImproverPart::finish), settings,
+        improveWindow(taskOf(block, ImproverPart::mend), settings,
                       {{context.executor, ProgressRange(monitor)}, context.octree, context.model, context.tree});
-    std::vector<PoorElement> poorBefore;
-    std::ranges::copy_if(poor, std::back_inserter(poorBefore), [&](const PoorElement& one) {
-      return std::ranges::any_of(wallPointsOf(one), [&](Index p) { return isOwn(vertexOf[p]); });
-    });
-    if (result.changes.points.size() == points.size() && result.poor.size() < poorBefore.size())
-    {
-      take(result.changes);
-      changed.insert(changed.end(), points.begin(), points.end());
-      gone.insert(gone.end(), poorBefore.begin(), poorBefore.end());
-      found.insert(found.end(), result.poor.begin(), result.poor.end());
-      replacePoor(poorBefore, result.poor);
-    }
-    else
-    {
-      apply(before, states);
-    }
-    std::ranges::for_each(points, [&](Index p) { done[p] = 1; });
-  }
-
-  /// Marks the vertices of some elements that have others, too.
-  std::vector<char> pointsWhereCut(const std::vector<Index>& window) const
-  {
-    std::vector<char> isAtCut(classification.classes.size(), 0);
-    for (const Index e : window)
-    {
-      for (std::uint8_t direction = 0; direction < 6; ++direction)
-      {
-        const std::int32_t code = plain.neighbors[e][direction];
-        for (int i = 0; i < 4 && code >= 0 && !std::ranges::binary_search(window, static_cast<Index>(code)); ++i)
-        {
-          isAtCut[vertexOf[plain.corners[e][hexahedronFace[direction][i]]]] = 1;
-        }
-      }
-    }
-    return isAtCut;
+    std::ranges::for_each(place.points, [&](Index p) { done[p] = 1; });
+    return result;
   }
 
   LayerMesh assembleLayer()
@@ -372,8 +269,6 @@ private:
   BlockWindows windows;
   std::vector<std::vector<Index>> classes;
   PointStates states;
-  /// After the first part.
-  PointStates between;
   /// By point, whether it was an own one of a block that has taken this part.
   std::vector<char> done;
   std::vector<PoorElement> poor;

@@ -11,7 +11,7 @@ namespace atria {
 /// its own points stay where they are, with the layers above them, and blocks beside it begin from there. So what
 /// becomes of a block depends on nothing but its window. All blocks take the first part of the improver, and then all
 /// the second: where blocks meet, what layers are divided from is whole, and few elements fail. What does is opened and
-/// improved once more.
+/// improved once more, from where it is.
 ///
 /// Blocks whose windows do not touch are improved at the same time, here and on other ranks. There are no crease
 /// sheets, which are as long as creases. `traits` are those of the whole mesh.

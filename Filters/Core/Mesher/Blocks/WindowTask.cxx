@@ -55,7 +55,7 @@ public:
         result.changes.detached.push_back({task.window.pointIds[vertex.point], vertex.wanted});
       }
     }
-    if (task.part == ImproverPart::finish)
+    if (task.part != ImproverPart::whole)
     {
       result.poor = findPoor();
     }
@@ -68,6 +68,7 @@ private:
     LayerWalls out = findLayerWalls(task.window.mesh, settings.options, context);
     out.counts = task.counts;
     out.settled = task.settled;
+    out.settled.areDivided = task.part == ImproverPart::mend;
     return out;
   }
 

@@ -7,11 +7,12 @@
 
 namespace atria {
 
-/// The two parts of the improver.
+/// The two parts of the improver, and another one for what has taken these.
 enum class ImproverPart
 {
   whole, ///< LayerImprover::improveWhole
-  finish
+  finish,
+  mend ///< as finish, but layers begin as they are
 };
 
 /// What is the same for all windows of a mesh.
@@ -80,7 +81,7 @@ struct PoorElement
 struct WindowResult
 {
   PointChanges changes;
-  /// After the last part: of elements with own points, all others of which are fixed.
+  /// After the last parts: of elements with own points, all others of which are fixed.
   std::vector<PoorElement> poor;
 };
 

@@ -117,7 +117,10 @@ void LayerDivision::run()
     divideEvenly();
     return;
   }
-  flattenTops();
+  if (!state_.walls.settled.areDivided)
+  {
+    flattenTops();
+  }
   given_ = one_ = state_.layer;
   wanted_ = counts_ = layersWanted(state_.plain, state_.walls, one_, state_.options);
   held_.resize(one_.plainPoints);
