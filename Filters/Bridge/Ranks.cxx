@@ -246,6 +246,24 @@ vtkSmartPointer<vtkDataObject> gatherWhole(vtkDataObject* own, vtkMultiProcessCo
   return found.data.empty() ? nullptr : joinFound(found, nullptr);
 }
 
+void moveToRoot(vtkDataObject* output, vtkMultiProcessController& controller)
+{
+  const vtkSmartPointer<vtkDataObject> whole = gatherWhole(output, controller);
+  auto* sets = vtkPartitionedDataSetCollection::SafeDownCast(output);
+  if (whole)
+  {
+    output->ShallowCopy(whole);
+  }
+  else if (!sets)
+  {
+    output->Initialize();
+  }
+  for (unsigned int i = 0; sets && !whole && i < sets->GetNumberOfPartitionedDataSets(); ++i)
+  {
+    sets->SetNumberOfPartitions(i, 0);
+  }
+}
+
 Ranks::Ranks(int piece_, int pieces_) : piece(piece_), pieces(pieces_)
 {
   auto* global = vtkMultiProcessController::GetGlobalController();

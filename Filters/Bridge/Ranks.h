@@ -49,6 +49,9 @@ using WorkOnPieces = std::function<std::optional<int>(vtkMultiProcessController&
 /// joinPieces(), when all has been sent.
 vtkSmartPointer<vtkDataObject> gatherWhole(vtkDataObject* own, vtkMultiProcessController& controller);
 
+/// Puts what all ranks have of an output into the first one's; others are left with its structure. Of all ranks.
+void moveToRoot(vtkDataObject* output, vtkMultiProcessController& controller);
+
 /// One piece of a number of them, and the ranks that are asked for the others.
 class Ranks
 {

@@ -352,7 +352,7 @@ int vtkAtriaDualMesher::RequestData(vtkInformation*, vtkInformationVector** inpu
 std::optional<int> vtkAtriaDualMesher::RequestDataOnRanks(vtkMultiProcessController& controller,
                                                           vtkInformationVector** inputs, vtkInformationVector* outputs)
 {
-  if (this->BlockSize == 0 || !this->DistributeOutput || inputs[1]->GetNumberOfInformationObjects() > 0)
+  if (this->BlockSize == 0 || inputs[1]->GetNumberOfInformationObjects() > 0)
   {
     return std::nullopt;
   }
@@ -375,9 +375,17 @@ std::optional<int> vtkAtriaDualMesher::RequestDataOnRanks(vtkMultiProcessControl
         atria::StageClock clock;
         context.progress.report(0.9, "Converting elements");
         auto* volume = vtkUnstructuredGrid::GetData(outputs, 0);
-        atria::sharedMeshToVtk(*made, ranks, context.executor, volume,
-                               vtkPartitionedDataSetCollection::GetData(outputs, 1));
+        auto* patches = vtkPartitionedDataSetCollection::GetData(outputs, 1);
+        atria::sharedMeshToVtk(*made, ranks, context.executor, volume, patches);
         addFields(made->meshed, input.offset, volume);
+        for (vtkDataObject* output : {static_cast<vtkDataObject*>(volume), static_cast<vtkDataObject*>(patches)})
+        {
+          if (!this->DistributeOutput)
+          {
+            ranks.gather({}); // none has failed
+            atria::moveToRoot(output, controller);
+          }
+        }
         if (ranks.rank() == 0)
         {
           reportTo(vtkPolyData::GetData(outputs, 2), made->meshed, input.warnings, *this);

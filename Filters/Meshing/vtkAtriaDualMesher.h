@@ -215,7 +215,7 @@ public:
    * On several MPI ranks, whether each gets a piece of the mesh, with a ring of ghost cells, and of each patch the
    * faces whose owners are its own; else the first one has it all and the others nothing. `OwnerCellId`,
    * `VolumePointId` and the field arrays keep the numbers of the whole mesh, which are the global ids of cells and
-   * points. The mesh is made on the first rank in any case. Default on.
+   * points. Default on.
    */
   vtkSetMacro(DistributeOutput, bool);
   vtkGetMacro(DistributeOutput, bool);
@@ -225,13 +225,12 @@ public:
   ///@{
   /**
    * How many octants a block has at most, where the mesh is improved in blocks; 0 improves it as a whole. Several MPI
-   * ranks then make the mesh together, each its blocks from the octree on, if DistributeOutput is on: no rank holds the
-   * whole, which may be larger than the memory of one. The mesh is the same for any number of ranks and threads, and a
-   * little different from that of other block sizes; 20,000 to 100,000 are good. With several layers, elements where
-   * blocks meet may be bad or left out: look at their quality. One rank may take twice as long with blocks. The first
-   * rank alone makes, as a whole, what has sealed seeds, face zones, cell zones or openings, fewer blocks than there
-   * are ranks, or the octree of port 1; and, with a warning, a mesh of which ranks find something else where their
-   * parts meet. Not negative; default 0.
+   * ranks then make the mesh together, each its blocks from the octree on: no rank holds the whole, which may be larger
+   * than the memory of one, unless DistributeOutput is off. The mesh is the same for any number of ranks and threads,
+   * and a little different from that of other block sizes; 20,000 to 100,000 are good. One rank may take twice as long
+   * with blocks. The first rank alone makes, as a whole, what has sealed seeds, face zones, cell zones or openings,
+   * fewer blocks than there are ranks, or the octree of port 1; and, with a warning, a mesh of which ranks find
+   * something else where their parts meet. Not negative; default 0.
    */
   vtkAtriaSetInRangeMacro(BlockSize, int, 0, VTK_INT_MAX);
   vtkGetMacro(BlockSize, int);

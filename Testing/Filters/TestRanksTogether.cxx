@@ -69,6 +69,36 @@ TEST_F(TogetherOnRanks, PiecesMakeTheMeshOfOneProcess)
   }
 }
 
+TEST_F(TogetherOnRanks, TheFirstHasItAllWhereThatIsAskedFor)
+{
+  for (const int layers : {0, 2})
+  {
+    SCOPED_TRACE(layers);
+    mesher->SetNumberOfLayers(layers);
+    const auto alone = whole();
+    mesher->DistributeOutputOff();
+    update(mesher);
+    if (ranks() > 1)
+    {
+      EXPECT_TRUE(isMadeTogether());
+    }
+    if (rank() == 0)
+    {
+      EXPECT_TRUE(identical(alone[0], volume()));
+      EXPECT_TRUE(identical(alone[1], patches()));
+      EXPECT_TRUE(identical(alone[2], diagnostics()));
+    }
+    else
+    {
+      EXPECT_EQ(volume()->GetNumberOfCells(), 0);
+      EXPECT_EQ(patches()->GetNumberOfPartitionedDataSets(),
+                vtkPartitionedDataSetCollection::SafeDownCast(alone[1])->GetNumberOfPartitionedDataSets());
+    }
+    mesher->DistributeOutputOn();
+    setSceneEverywhere();
+  }
+}
+
 TEST_F(TogetherOnRanks, EveryCellAndPointIsOfOneRank)
 {
   const auto alone = whole();
