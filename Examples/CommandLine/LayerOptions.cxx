@@ -73,7 +73,8 @@ void declareLayerOptions(CLI::App& command, LayerOptions& options)
   command
       .add_option(
           "--block-size", options.blockSize,
-          "Octants of a block, where the mesh is improved in blocks, as MPI ranks of ParaView make it; 0 for none")
+          "Octants of a block, where the mesh is improved in blocks: MPI ranks (mpiexec -n N) then make it together; 0 "
+          "for none")
       ->capture_default_str()
       ->check(atLeast(0.0))
       ->type_name("N");

@@ -5,10 +5,12 @@
 #include "Console.h"
 #include "Files.h"
 #include "LeftOut.h"
+#include "MeshOnRanks.h"
 #include "MeshOptions.h"
 #include "Report.h"
 #include "Summary.h"
 #include "Threads.h"
+#include "Workers.h"
 
 #include <vtkAtriaDualMesher.h>
 #include <vtkAtriaMeshQuality.h>
@@ -193,14 +195,22 @@ bool checksFail(const Json& report)
 }
 
 /// Mesh, quality and files of a model that was read.
-ExitStatus makeMesh(const MeshOptions& options, vtkAtriaSurfaceReader* reader, double readSeconds,
-                    const Stopwatch& total, Console& console, const Workers& workers)
+ExitStatus makeMesh(const MeshOptions& options, const CLI::App& command, vtkAtriaSurfaceReader* reader,
+                    double readSeconds, const Stopwatch& total, Console& console, const Workers& workers)
 {
   vtkNew<vtkAtriaDualMesher> mesher;
   configure(mesher, options);
   mesher->SetInputConnection(0, reader->GetOutputPort());
   console.follow(mesher, 0.05, 0.75);
-  updateOrFail(mesher, options.input, console);
+  if (workers && options.layers.blockSize > 0)
+  {
+    updateOnRanks(mesher, command, options, workers);
+    throwIfErrors(console, BadInput, options.input);
+  }
+  else
+  {
+    updateOrFail(mesher, options.input, console);
+  }
   auto* plainMesh = vtkUnstructuredGrid::SafeDownCast(mesher->GetOutputDataObject(0));
   if (!plainMesh || plainMesh->GetNumberOfCells() == 0)
   {
@@ -208,8 +218,8 @@ ExitStatus makeMesh(const MeshOptions& options, vtkAtriaSurfaceReader* reader, d
   }
   const Stopwatch measuring;
   vtkNew<vtkAtriaMeshQuality> quality;
-  quality->SetInputConnection(0, mesher->GetOutputPort(0));
-  quality->SetInputConnection(1, mesher->GetOutputPort(1));
+  quality->SetInputDataObject(0, plainMesh); // not connected: it has been made as ranks ask for it
+  quality->SetInputDataObject(1, mesher->GetOutputDataObject(1));
   console.follow(quality, 0.75, 0.9);
   updateOrFail(quality, options.input, console);
   const double qualitySeconds = measuring.seconds();
@@ -285,7 +295,7 @@ ExitStatus runMesh(MeshOptions options, const CLI::App& command, Console& consol
   }
   return options.preflight  ? runPreflight(options, reader, console)
          : options.estimate ? printEstimate(options, reader, console)
-                            : makeMesh(options, reader, readSeconds, total, console, workers);
+                            : makeMesh(options, command, reader, readSeconds, total, console, workers);
 }
 
 } // namespace

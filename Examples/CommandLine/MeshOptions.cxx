@@ -327,7 +327,7 @@ void completeMeshOptions(MeshOptions& options)
     throw Failure(Usage, "--domain-angle needs --domain, --domain-cylinder, --site or --model-bounds: the automatic "
                          "domain stands along --wind");
   }
-  options.corners = cornersIn(options.polygon);
+  completeDomain(options);
   if (!options.heights.empty() && options.heights[0] >= options.heights[1])
   {
     throw Failure(Usage, "--domain-heights: Z0 must be less than Z1");
@@ -344,6 +344,8 @@ void completeMeshOptions(MeshOptions& options)
     }
   }
 }
+
+void completeDomain(MeshOptions& options) { options.corners = cornersIn(options.polygon); }
 
 void checkSite(const std::string& site, vtkPolyData* model)
 {

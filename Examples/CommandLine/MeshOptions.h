@@ -72,6 +72,9 @@ void declareMeshOptions(CLI::App& command, MeshOptions& options);
 /// are. Throws Failure(Usage) for what does not go together.
 void completeMeshOptions(MeshOptions& options);
 
+/// The part of that which a mesher needs, sizes apart.
+void completeDomain(MeshOptions& options);
+
 /// Throws Failure(Usage) where the model has no surface of that name.
 void checkSite(const std::string& site, vtkPolyData* model);
 

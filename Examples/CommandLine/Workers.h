@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// The MPI ranks that mpiexec has started the program on. The first one does what the program does alone and talks to
-/// people; the others wait for it, asleep, for files to write together, and end with its status. Without mpiexec, or in
-/// a build without VTK's MPI, there is one rank, and MPI is not started.
+/// people; the others wait for it, asleep, for meshes to make and files to write together, and end with its status.
+/// Without mpiexec, or in a build without VTK's MPI, there is one rank, and MPI is not started.
 #pragma once
 
 #include <functional>

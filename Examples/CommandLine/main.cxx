@@ -4,6 +4,7 @@
 #include "Documents.h"
 #include "ExportOptions.h"
 #include "Files.h"
+#include "MeshOnRanks.h"
 #include "Numbers.h"
 #include "Support/Memory.h"
 #include "Usage.h"
@@ -97,11 +98,12 @@ int runProgram(int argc, char** argv, const atria::tool::Workers& workers)
 }
 
 /// What a worker does for the first rank.
-void writeWithOthers(const std::string& text, vtkMultiProcessController& controller)
+void workWithOthers(const std::string& text, vtkMultiProcessController& controller)
 {
   const atria::tool::Json task = atria::tool::Json::parse(text);
-  task.contains("case") ? atria::tool::writeCaseWithOthers(task, controller)
-                        : atria::tool::writePiecesWithOthers(task, controller);
+  task.contains("make")   ? atria::tool::makeMeshWithOthers(task, controller)
+  : task.contains("case") ? atria::tool::writeCaseWithOthers(task, controller)
+                          : atria::tool::writePiecesWithOthers(task, controller);
 }
 
 } // namespace
@@ -110,5 +112,5 @@ int main(int argc, char** argv)
 {
   atria::keepFreedMemory();
   atria::tool::Workers workers(&argc, &argv);
-  return workers.isWorker() ? workers.serve(writeWithOthers) : workers.end(runProgram(argc, argv, workers));
+  return workers.isWorker() ? workers.serve(workWithOthers) : workers.end(runProgram(argc, argv, workers));
 }

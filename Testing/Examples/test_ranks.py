@@ -5,6 +5,7 @@
 Usage: test_ranks.py MPIEXEC ATRIA FOLDER_OF_MODELS
 """
 
+import json
 import os
 import pathlib
 import re
@@ -106,6 +107,30 @@ class Ranks(unittest.TestCase):
             for name, data in files.items():
                 self.assertEqual(data, results[0][2][name], (ranks, name))
 
+    def expect_that_of_one_process(self, *options):
+        """With blocks the ranks make the mesh, and not the first one alone."""
+        outputs = ["-o", "mesh.vtu", "--patches", "mesh.vtpc", "--openfoam", "case", "--processors", "1", "--report", "r.json"]
+        results = {}
+        for ranks in (0, 2, 3, 5, 8):
+            folder = self.folder(str(ranks) + "-".join(options).replace("/", "_"))
+            result = run(ranks, "mesh", HOUSE, *options, *outputs, "--block-size", "300", "--threads", "1", cwd=folder)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            report = json.loads((folder / "r.json").read_text())
+            stages = report.pop("seconds")
+            del report["peak_memory_bytes"]
+            (folder / "r.json").unlink()
+            results[ranks] = (said(result), report, self.contents(folder))
+            self.assertEqual("numbers" in stages, bool(ranks))  # a stage that one process does not have
+            self.assertEqual(results[ranks], results[0])
+
+    def test_ranks_make_a_mesh_together(self):
+        self.expect_that_of_one_process(*COARSE, "--layers", "2")
+
+    def test_all_ranks_know_the_options(self):
+        (self.folder("given") / "options.toml").write_text("[mesh]\nlayers = \"*=1\"\nsize-mid = 4\n")
+        self.expect_that_of_one_process("--domain-polygon", "-30,-30 50,-30 60,20 10,60 -30,40", "--domain-heights", "0", "30",
+                                        "--seed", "-20", "-20", "20", "--config", f"{self.scratch.name}/given/options.toml")
+
     @unittest.skipUnless(HAVE_OPENFOAM, "OpenFOAM is not installed")
     def test_each_rank_writes_the_processor_of_its_number(self):
         options = [*OPEN, "--layers", "2", "-o", "mesh.vtu", "--openfoam", "case", "--ascii"]
@@ -154,7 +179,8 @@ class Ranks(unittest.TestCase):
             self.assertEqual(len(list((folder / "case").glob("processor*"))), there)
 
     def test_an_error_ends_all_with_its_status(self):
-        for arguments in (["mesh", "missing.wrl"], ["mesh", HOUSE, "--size-mni", "1"], ["mesh", HOUSE, "--site", "Nowhere"]):
+        for arguments in (["mesh", "missing.wrl"], ["mesh", HOUSE, "--size-mni", "1"], ["mesh", HOUSE, "--site", "Nowhere"],
+                          ["mesh", HOUSE, *COARSE, "--seed", "0", "0", "900", "--block-size", "300"]):
             alone = run(0, *arguments, cwd=self.scratch.name)
             together = run(3, *arguments, cwd=self.scratch.name)
             self.assertNotEqual(alone.returncode, 0)
@@ -163,10 +189,10 @@ class Ranks(unittest.TestCase):
     def test_other_commands_run_once(self):
         self.assertEqual(run(3, "inspect", HOUSE).stdout, run(0, "inspect", HOUSE).stdout)
 
-    def signaled(self, send):
+    def signaled(self, send, *options):
         """Status and messages of a run of three ranks that is signaled while it meshes; nothing may be left of it."""
-        folder = self.folder(send.__name__)
-        launcher = subprocess.Popen(launched(3, "mesh", HOUSE, *FINE, "-o", "mesh.vtu", "--openfoam", "case"),
+        folder = self.folder("-".join([send.__name__, *options]))
+        launcher = subprocess.Popen(launched(3, "mesh", HOUSE, *FINE, *options, "-o", "mesh.vtu", "--openfoam", "case"),
                                     env=ENVIRONMENT, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         for _ in range(100):
             time.sleep(0.1)
@@ -189,23 +215,26 @@ class Ranks(unittest.TestCase):
         def interrupt_first(launcher, processes):
             os.kill(processes[0], signal.SIGINT)
 
-        status, messages = self.signaled(interrupt_first)
-        self.assertEqual(status, 130, messages)
-        self.assertEqual(messages.count("atria: error: interrupted"), 1, messages)
+        for options in ([], ["--block-size", "5000"]):
+            status, messages = self.signaled(interrupt_first, *options)
+            self.assertEqual(status, 130, messages)
+            self.assertEqual(messages.count("atria: error: interrupted"), 1, messages)
 
     def test_control_c_on_mpiexec_ends_all(self):
         def interrupt_all(launcher, processes):
             launcher.send_signal(signal.SIGINT)
 
-        status, _ = self.signaled(interrupt_all)
-        self.assertNotEqual(status, 0)
+        for options in ([], ["--block-size", "5000"]):
+            status, _ = self.signaled(interrupt_all, *options)
+            self.assertNotEqual(status, 0)
 
     def test_a_rank_that_dies_ends_all(self):
         def kill_last(launcher, processes):
             os.kill(processes[2], signal.SIGKILL)
 
-        status, _ = self.signaled(kill_last)
-        self.assertNotEqual(status, 0)
+        for options in ([], ["--block-size", "5000"]):
+            status, _ = self.signaled(kill_last, *options)
+            self.assertNotEqual(status, 0)
 
     def test_a_rank_that_dies_as_files_are_written_leaves_none_half_written(self):
         whole, folder = self.folder("whole"), self.folder("killed")
