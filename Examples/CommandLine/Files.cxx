@@ -2,9 +2,11 @@
 #include "Files.h"
 
 #include "Console.h"
+#include "MeshSums.h"
 #include "Report.h"
 #include "Workers.h"
 
+#include <vtkAppendFilter.h>
 #include <vtkAtriaMeshDivider.h>
 #include <vtkAtriaModelReader.h>
 #include <vtkAtriaVRMLReader.h>
@@ -12,6 +14,7 @@
 #include <vtkCommand.h>
 #include <vtkCommunicator.h>
 #include <vtkDummyController.h>
+#include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPartitionedDataSetCollection.h>
 #include <vtkPolyData.h>
@@ -289,14 +292,27 @@ vtkSmartPointer<vtkAtriaSurfaceReader> readModel(const std::string& file, const 
 
 namespace {
 
-/// As it was before it was divided.
+/// As it was before it was divided. Pieces are read one by one: at once, VTK 9.1 takes the faces of polyhedra for those
+/// of other elements where some pieces have none.
 vtkSmartPointer<vtkUnstructuredGrid> readPieces(const std::string& file, Console& console)
 {
   vtkNew<vtkXMLPUnstructuredGridReader> reader;
   reader->SetFileName(file.c_str());
   console.follow(reader, 0.0, 0.5, "Reading the mesh");
+  reader->UpdateInformation();
+  vtkNew<vtkAppendFilter> pieces;
+  for (int piece = 0; piece < reader->GetNumberOfPieces(); ++piece)
+  {
+    reader->UpdatePiece(piece, reader->GetNumberOfPieces(), 0);
+    vtkNew<vtkUnstructuredGrid> read;
+    read->ShallowCopy(reader->GetOutput());
+    pieces->AddInputData(read);
+  }
+  throwIfErrors(console, BadInput, file);
+  pieces->Update();
+  pieces->GetOutput()->GetFieldData()->PassData(reader->GetOutput()->GetFieldData());
   vtkNew<vtkAtriaMeshDivider> divider;
-  divider->SetInputConnection(reader->GetOutputPort());
+  divider->SetInputDataObject(0, pieces->GetOutput());
   divider->Update();
   throwIfErrors(console, BadInput, file);
   return divider->GetOutput();
@@ -370,18 +386,24 @@ bool isInPieces(const std::string& file) { return fs::path(file).extension() == 
 
 namespace {
 
-/// Writes what is this rank's of a mesh and patches that the first rank holds, on all ranks. Whether all could.
-bool writeOwnPieces(const Json& task, vtkUnstructuredGrid* mesh, vtkPartitionedDataSetCollection* patches,
-                    vtkMultiProcessController& controller)
+/// What is this rank's of a mesh that the first rank holds.
+MeshPiece ownPart(const MeshPiece& whole, vtkMultiProcessController& controller)
+{
+  vtkNew<vtkAtriaMeshDivider> divider;
+  divider->SetInputDataObject(0, whole.mesh ? whole.mesh : vtkNew<vtkUnstructuredGrid>());
+  divider->SetInputDataObject(1, whole.patches ? whole.patches : vtkNew<vtkPartitionedDataSetCollection>());
+  divider->UpdatePiece(controller.GetLocalProcessId(), controller.GetNumberOfProcesses(), 1);
+  return {divider->GetOutput(), divider->GetPatches()};
+}
+
+/// Writes what is this rank's, on all ranks. Whether all could.
+bool writeOwnPieces(const Json& task, const MeshPiece& held, vtkMultiProcessController& controller)
 {
   const int rank = controller.GetLocalProcessId();
   const int ranks = controller.GetNumberOfProcesses();
-  vtkNew<vtkAtriaMeshDivider> divider;
-  divider->SetInputDataObject(0, mesh);
-  divider->SetInputDataObject(1, patches);
-  divider->UpdatePiece(rank, ranks, 1);
+  const MeshPiece own = task["divided"].get<bool>() ? held : ownPart(held, controller);
   vtkNew<vtkXMLPUnstructuredGridWriter> meshWriter;
-  prepare(meshWriter.Get(), task["mesh"].get<std::string>(), divider->GetOutput());
+  prepare(meshWriter.Get(), task["mesh"].get<std::string>(), own.mesh);
   meshWriter->SetController(&controller);
   meshWriter->SetNumberOfPieces(ranks);
   meshWriter->SetStartPiece(rank);
@@ -390,7 +412,7 @@ bool writeOwnPieces(const Json& task, vtkUnstructuredGrid* mesh, vtkPartitionedD
   if (const auto file = task["patches"].get<std::string>(); !file.empty())
   {
     vtkNew<vtkXMLPartitionedDataSetCollectionWriter> patchesWriter;
-    prepare(patchesWriter.Get(), file, divider->GetPatches());
+    prepare(patchesWriter.Get(), file, own.patches);
     patchesWriter->SetController(&controller);
     done = std::min(patchesWriter->Write(), done);
   }
@@ -401,20 +423,18 @@ bool writeOwnPieces(const Json& task, vtkUnstructuredGrid* mesh, vtkPartitionedD
 
 } // namespace
 
-void writePieces(const std::string& meshFile, const std::string& patchesFile, vtkUnstructuredGrid* mesh,
-                 vtkPartitionedDataSetCollection* patches, Console& console, const Workers& workers)
+void writePieces(const std::string& meshFile, const std::string& patchesFile, const MeshPiece& own, bool isDivided,
+                 Console& console, const Workers& workers)
 {
   const Unfinished unfinishedMesh(meshFile);
   std::optional<Unfinished> unfinishedPatches;
-  Json task = {{"mesh", unfinishedMesh.file()}, {"patches", ""}};
+  Json task = {{"mesh", unfinishedMesh.file()}, {"patches", ""}, {"divided", isDivided}};
   if (!patchesFile.empty())
   {
     task["patches"] = unfinishedPatches.emplace(patchesFile).file();
   }
   bool written = false;
-  const auto write = [&](vtkMultiProcessController& controller) {
-    written = writeOwnPieces(task, mesh, patches, controller);
-  };
+  const auto write = [&](vtkMultiProcessController& controller) { written = writeOwnPieces(task, own, controller); };
   if (workers)
   {
     workers.doTogether(task.dump(), write);
@@ -435,9 +455,9 @@ void writePieces(const std::string& meshFile, const std::string& patchesFile, vt
   }
 }
 
-void writePiecesWithOthers(const Json& task, vtkMultiProcessController& controller)
+void writePiecesWithOthers(const Json& task, const MeshPiece& own, vtkMultiProcessController& controller)
 {
-  writeOwnPieces(task, vtkNew<vtkUnstructuredGrid>(), vtkNew<vtkPartitionedDataSetCollection>(), controller);
+  writeOwnPieces(task, own, controller);
 }
 
 void writeText(const std::string& file, const std::string& text)

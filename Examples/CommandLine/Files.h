@@ -42,12 +42,19 @@ void writeMesh(const std::string& file, vtkUnstructuredGrid* mesh, Console& cons
 void writePolyData(const std::string& file, vtkPolyData* data, Console& console);
 void writePatches(const std::string& file, vtkPartitionedDataSetCollection* patches, Console& console);
 void writeText(const std::string& file, const std::string& text);
+/// What a rank has of a mesh; nothing at first.
+struct MeshPiece
+{
+  vtkSmartPointer<vtkUnstructuredGrid> mesh;
+  vtkSmartPointer<vtkPartitionedDataSetCollection> patches;
+};
+
 /// A mesh (.pvtu) and, unless their file's name is empty, its patches (.vtpc) in pieces, one for each rank, that these
-/// write.
-void writePieces(const std::string& meshFile, const std::string& patchesFile, vtkUnstructuredGrid* mesh,
-                 vtkPartitionedDataSetCollection* patches, Console& console, const Workers& workers);
+/// write: what each has, or parts of what the first one has.
+void writePieces(const std::string& meshFile, const std::string& patchesFile, const MeshPiece& own, bool isDivided,
+                 Console& console, const Workers& workers);
 /// A worker's part of that.
-void writePiecesWithOthers(const Json& task, vtkMultiProcessController& controller);
+void writePiecesWithOthers(const Json& task, const MeshPiece& own, vtkMultiProcessController& controller);
 /// Whether a file holds a mesh in pieces, by its name.
 bool isInPieces(const std::string& file);
 

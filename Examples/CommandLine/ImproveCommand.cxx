@@ -4,6 +4,7 @@
 #include "Console.h"
 #include "ExportOptions.h"
 #include "Files.h"
+#include "MeshSums.h"
 #include "Numbers.h"
 #include "Report.h"
 #include "Threads.h"

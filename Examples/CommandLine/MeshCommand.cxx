@@ -7,10 +7,10 @@
 #include "LeftOut.h"
 #include "MeshOnRanks.h"
 #include "MeshOptions.h"
+#include "MeshSums.h"
 #include "Report.h"
 #include "Summary.h"
 #include "Threads.h"
-#include "Workers.h"
 
 #include <vtkAtriaDualMesher.h>
 #include <vtkAtriaMeshQuality.h>
@@ -49,17 +49,17 @@ private:
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
 };
 
-Json makeReport(vtkAtriaDualMesher* mesher, vtkAtriaMeshQuality* quality, const Json& seconds)
+Json makeReport(vtkAtriaDualMesher* mesher, vtkAtriaMeshQuality* quality, const Json& sums, const Json& seconds)
 {
   auto* mesh = vtkUnstructuredGrid::SafeDownCast(quality->GetOutputDataObject(0));
   auto* diagnostics = vtkPolyData::SafeDownCast(mesher->GetOutputDataObject(2));
   Json report;
-  report["counts"] = countsOf(mesh);
-  report["zones"] = zonesOf(mesh, diagnostics);
+  report["counts"] = sums["counts"];
+  report["zones"] = zonesOf(sums["zone_volumes"], diagnostics);
   report["rooms"] = roomsOf(diagnostics);
   report["openings"] = openingsOf(diagnostics);
   report["leaks"] = leaksOf(diagnostics);
-  report["patches"] = patchesOf(vtkPartitionedDataSetCollection::SafeDownCast(mesher->GetOutputDataObject(1)));
+  report["patches"] = patchesOf(sums);
   report["quality"] = qualityOf(vtkTable::SafeDownCast(quality->GetOutputDataObject(1)));
   report["invalid_elements"] = quality->GetNumberOfInvalidCells();
   report["max_level"] = maxLevelOf(mesh);
@@ -79,7 +79,7 @@ Json writeOutputs(const MeshOptions& options, vtkUnstructuredGrid* mesh, vtkPart
 {
   if (isInPieces(options.output))
   {
-    writePieces(options.output, options.patches, mesh, patches, console, workers);
+    writePieces(options.output, options.patches, {mesh, patches}, staysInPieces(options, workers), console, workers);
   }
   else
   {
@@ -194,34 +194,57 @@ bool checksFail(const Json& report)
   return !report["openfoam"].is_null() && !failedIn(report["openfoam"]["checks"]).empty();
 }
 
+void makeElements(vtkAtriaDualMesher* mesher, const CLI::App& command, const MeshOptions& options, Console& console,
+                  const Workers& workers)
+{
+  vtkIdType elements = 0;
+  if (isMadeTogether(options, workers))
+  {
+    elements = makeTogether(mesher, command, options, workers);
+  }
+  else
+  {
+    mesher->Update();
+    elements = mesher->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::CELL);
+  }
+  throwIfErrors(console, BadInput, options.input);
+  if (elements == 0)
+  {
+    throw Failure(BadInput, options.input + ": no element of the domain is fluid; check --domain, --zone and --seed");
+  }
+}
+
+/// Returns the sums over all that was made.
+Json measure(vtkAtriaMeshQuality* quality, vtkAtriaDualMesher* mesher, const MeshOptions& options, Console& console,
+             const Workers& workers)
+{
+  quality->SetInputDataObject(0, mesher->GetOutputDataObject(0));
+  quality->SetInputDataObject(1, mesher->GetOutputDataObject(1));
+  if (staysInPieces(options, workers))
+  {
+    Json sums = measureTogether(quality, workers);
+    throwIfErrors(console, BadInput, options.input);
+    return sums;
+  }
+  updateOrFail(quality, options.input, console);
+  return sumsOf(vtkUnstructuredGrid::SafeDownCast(quality->GetOutputDataObject(0)),
+                vtkPartitionedDataSetCollection::SafeDownCast(mesher->GetOutputDataObject(1)));
+}
+
 /// Mesh, quality and files of a model that was read.
 ExitStatus makeMesh(const MeshOptions& options, const CLI::App& command, vtkAtriaSurfaceReader* reader,
                     double readSeconds, const Stopwatch& total, Console& console, const Workers& workers)
 {
   vtkNew<vtkAtriaDualMesher> mesher;
   configure(mesher, options);
-  mesher->SetInputConnection(0, reader->GetOutputPort());
+  mesher->SetInputDataObject(0,
+                             reader->GetOutput()); // not connected: ranks ask for pieces, and the others read nothing
   console.follow(mesher, 0.05, 0.75);
-  if (workers && options.layers.blockSize > 0)
-  {
-    updateOnRanks(mesher, command, options, workers);
-    throwIfErrors(console, BadInput, options.input);
-  }
-  else
-  {
-    updateOrFail(mesher, options.input, console);
-  }
-  auto* plainMesh = vtkUnstructuredGrid::SafeDownCast(mesher->GetOutputDataObject(0));
-  if (!plainMesh || plainMesh->GetNumberOfCells() == 0)
-  {
-    throw Failure(BadInput, options.input + ": no element of the domain is fluid; check --domain, --zone and --seed");
-  }
+  makeElements(mesher, command, options, console, workers);
   const Stopwatch measuring;
   vtkNew<vtkAtriaMeshQuality> quality;
-  quality->SetInputDataObject(0, plainMesh); // not connected: it has been made as ranks ask for it
-  quality->SetInputDataObject(1, mesher->GetOutputDataObject(1));
   console.follow(quality, 0.75, 0.9);
-  updateOrFail(quality, options.input, console);
+  const Json sums = measure(quality, mesher, options, console, workers);
   const double qualitySeconds = measuring.seconds();
 
   const Stopwatch writing;
@@ -233,7 +256,7 @@ ExitStatus makeMesh(const MeshOptions& options, const CLI::App& command, vtkAtri
   seconds["Quality"] = qualitySeconds;
   seconds["Write"] = writing.seconds();
   seconds["Total"] = total.seconds();
-  Json report = makeReport(mesher, quality, seconds);
+  Json report = makeReport(mesher, quality, sums, seconds);
   report["openfoam"] = openfoam;
   if (!options.report.empty())
   {

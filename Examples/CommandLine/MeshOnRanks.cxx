@@ -4,13 +4,18 @@
 #include "ConfigFile.h"
 #include "Console.h"
 #include "MeshOptions.h"
+#include "MeshSums.h"
 #include "Threads.h"
 #include "Workers.h"
 
 #include <vtkAtriaDualMesher.h>
+#include <vtkAtriaMeshQuality.h>
 #include <vtkMultiProcessController.h>
+#include <vtkMultiProcessStream.h>
 #include <vtkNew.h>
+#include <vtkPartitionedDataSetCollection.h>
 #include <vtkPolyData.h>
+#include <vtkUnstructuredGrid.h>
 
 #include <CLI/CLI.hpp>
 
@@ -20,24 +25,71 @@ namespace atria::tool {
 
 namespace {
 
-/// The first rank gets the whole: reports and most formats need it.
-void updatePiece(vtkAtriaDualMesher* mesher, vtkMultiProcessController& controller)
+constexpr int first = 0;
+constexpr int sumsTag = 2;
+
+/// Returns how many elements all ranks have.
+vtkIdType make(vtkAtriaDualMesher* mesher, bool inPieces, vtkMultiProcessController& controller)
 {
-  mesher->DistributeOutputOff();
+  mesher->SetDistributeOutput(inPieces);
   mesher->UpdatePiece(controller.GetLocalProcessId(), controller.GetNumberOfProcesses(), 0);
+  const vtkIdType own = mesher->GetOutputDataObject(0)->GetNumberOfElements(vtkDataObject::CELL);
+  vtkIdType all = 0;
+  controller.AllReduce(&own, &all, 1, vtkCommunicator::SUM_OP);
+  return all;
+}
+
+/// Returns this rank's sums.
+Json measure(vtkAtriaMeshQuality* quality, vtkMultiProcessController& controller)
+{
+  quality->UpdatePiece(controller.GetLocalProcessId(), controller.GetNumberOfProcesses(), 0);
+  return sumsOf(vtkUnstructuredGrid::SafeDownCast(quality->GetOutputDataObject(0)),
+                vtkPartitionedDataSetCollection::SafeDownCast(quality->GetInputDataObject(1, 0)));
 }
 
 } // namespace
 
-void updateOnRanks(vtkAtriaDualMesher* mesher, const CLI::App& command, const MeshOptions& options,
-                   const Workers& workers)
+bool isMadeTogether(const MeshOptions& options, const Workers& workers)
 {
-  const Json task = {{"make", configFileOf(command)},
-                     {"sizes", {options.sizeMax.value(), options.sizeMid.value(), options.sizeMin.value()}}};
-  workers.doTogether(task.dump(), [&](vtkMultiProcessController& controller) { updatePiece(mesher, controller); });
+  return workers && options.layers.blockSize > 0;
 }
 
-void makeMeshWithOthers(const Json& task, vtkMultiProcessController& controller)
+bool staysInPieces(const MeshOptions& options, const Workers& workers)
+{
+  return isMadeTogether(options, workers) && isInPieces(options.output) && options.exports.targets().empty();
+}
+
+vtkIdType makeTogether(vtkAtriaDualMesher* mesher, const CLI::App& command, const MeshOptions& options,
+                       const Workers& workers)
+{
+  const bool inPieces = staysInPieces(options, workers);
+  const Json task = {{"make", configFileOf(command)},
+                     {"sizes", {options.sizeMax.value(), options.sizeMid.value(), options.sizeMin.value()}},
+                     {"pieces", inPieces}};
+  vtkIdType elements = 0;
+  workers.doTogether(task.dump(),
+                     [&](vtkMultiProcessController& controller) { elements = make(mesher, inPieces, controller); });
+  return elements;
+}
+
+Json measureTogether(vtkAtriaMeshQuality* quality, const Workers& workers)
+{
+  Json sums;
+  workers.doTogether(Json{{"measure", true}}.dump(), [&](vtkMultiProcessController& controller) {
+    sums = measure(quality, controller);
+    for (int rank = first + 1; rank < controller.GetNumberOfProcesses(); ++rank)
+    {
+      vtkMultiProcessStream message;
+      controller.Receive(message, rank, sumsTag);
+      std::string text;
+      message >> text;
+      addSums(Json::parse(text), sums);
+    }
+  });
+  return sums;
+}
+
+void makeWithOthers(const Json& task, MeshPiece& piece, vtkMultiProcessController& controller)
 {
   MeshOptions options;
   CLI::App app;
@@ -54,8 +106,23 @@ void makeMeshWithOthers(const Json& task, vtkMultiProcessController& controller)
   configure(mesher, options);
   mesher->SetInputDataObject(0, vtkNew<vtkPolyData>()); // the first rank has the model
   Console console;
-  updatePiece(mesher, controller);
+  make(mesher, task["pieces"].get<bool>(), controller);
+  piece.mesh = vtkUnstructuredGrid::SafeDownCast(mesher->GetOutputDataObject(0));
+  piece.patches = vtkPartitionedDataSetCollection::SafeDownCast(mesher->GetOutputDataObject(1));
   console.takeErrors(); // the first rank tells what was wrong
+}
+
+void measureWithOthers(MeshPiece& piece, vtkMultiProcessController& controller)
+{
+  Console console;
+  vtkNew<vtkAtriaMeshQuality> quality;
+  quality->SetInputDataObject(0, piece.mesh);
+  quality->SetInputDataObject(1, piece.patches);
+  vtkMultiProcessStream message;
+  message << measure(quality, controller).dump();
+  controller.Send(message, first, sumsTag);
+  piece.mesh = vtkUnstructuredGrid::SafeDownCast(quality->GetOutputDataObject(0));
+  console.takeErrors();
 }
 
 } // namespace atria::tool

@@ -3,6 +3,7 @@
 #include "Commands.h"
 #include "Console.h"
 #include "Files.h"
+#include "MeshSums.h"
 #include "Numbers.h"
 #include "QualityPlot.h"
 #include "Report.h"

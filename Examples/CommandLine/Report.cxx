@@ -35,25 +35,6 @@ namespace atria::tool {
 
 namespace {
 
-/// Length of the polygon's area vector, by triangles about its first point; exact for planar faces.
-double polygonArea(vtkPoints* points, vtkIdType count, const vtkIdType* ids)
-{
-  double origin[3], p[3], q[3];
-  double sum[3] = {0, 0, 0};
-  points->GetPoint(ids[0], origin);
-  for (vtkIdType i = 1; i + 1 < count; ++i)
-  {
-    points->GetPoint(ids[i], p);
-    points->GetPoint(ids[i + 1], q);
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const int j = (axis + 1) % 3, k = (axis + 2) % 3;
-      sum[axis] += (p[j] - origin[j]) * (q[k] - origin[k]) - (p[k] - origin[k]) * (q[j] - origin[j]);
-    }
-  }
-  return 0.5 * std::hypot(sum[0], sum[1], sum[2]);
-}
-
 vtkStringArray* stringsOf(vtkDataObject* data, const char* name)
 {
   return vtkStringArray::SafeDownCast(data->GetFieldData()->GetAbstractArray(name));
@@ -82,68 +63,8 @@ Json linesOf(const std::string& text)
 
 } // namespace
 
-double areaOf(vtkPolyData* surface)
+Json zonesOf(const Json& volumes, vtkPolyData* diagnostics)
 {
-  double area = 0.0;
-  auto faces = vtk::TakeSmartPointer(surface->GetPolys()->NewIterator());
-  for (faces->GoToFirstCell(); !faces->IsDoneWithTraversal(); faces->GoToNextCell())
-  {
-    vtkIdType count = 0;
-    const vtkIdType* ids = nullptr;
-    faces->GetCurrentCell(count, ids);
-    if (count > 2)
-    {
-      area += polygonArea(surface->GetPoints(), count, ids);
-    }
-  }
-  return area;
-}
-
-Json countsOf(vtkUnstructuredGrid* mesh)
-{
-  vtkIdType hexahedra = 0, wedges = 0, pyramids = 0, tetrahedra = 0, polyhedra = 0;
-  for (vtkIdType i = 0; i < mesh->GetNumberOfCells(); ++i)
-  {
-    switch (mesh->GetCellType(i))
-    {
-      case VTK_HEXAHEDRON:
-      case VTK_VOXEL:
-        ++hexahedra;
-        break;
-      case VTK_WEDGE:
-        ++wedges;
-        break;
-      case VTK_PYRAMID:
-        ++pyramids;
-        break;
-      case VTK_TETRA:
-        ++tetrahedra;
-        break;
-      case VTK_POLYHEDRON:
-        ++polyhedra;
-        break;
-      default:
-        break;
-    }
-  }
-  return {{"vertices", mesh->GetNumberOfPoints()},
-          {"elements", mesh->GetNumberOfCells()},
-          {"hexahedra", hexahedra},
-          {"wedges", wedges},
-          {"pyramids", pyramids},
-          {"tetrahedra", tetrahedra},
-          {"polyhedra", polyhedra}};
-}
-
-Json zonesOf(vtkUnstructuredGrid* meshWithQuality, vtkPolyData* diagnostics)
-{
-  vtkDataArray* ids = meshWithQuality->GetCellData()->GetArray("ZoneId");
-  vtkDataArray* cellVolumes = ids ? meshWithQuality->GetCellData()->GetArray("Volume") : nullptr;
-  std::map<int, double> volumes;
-  for (vtkIdType i = 0; cellVolumes && i < meshWithQuality->GetNumberOfCells(); ++i)
-  {
-    volumes[static_cast<int>(ids->GetTuple1(i))] += cellVolumes->GetTuple1(i);
-  }
   vtkFieldData* zones = diagnostics->GetFieldData();
   vtkDataArray* elements = zones->GetArray("ZoneElements");
   Json list = Json::array();
@@ -154,7 +75,7 @@ Json zonesOf(vtkUnstructuredGrid* meshWithQuality, vtkPolyData* diagnostics)
                     {"elements", static_cast<vtkIdType>(elements->GetTuple1(i))},
                     {"kept", kept},
                     {"kind", stringsOf(diagnostics, "ZoneKind")->GetValue(i)},
-                    {"volume", kept && cellVolumes ? Json(volumes[i]) : Json()},
+                    {"volume", kept && !volumes.is_null() ? Json(volumes.value(std::to_string(i), 0.0)) : Json()},
                     {"rough_volume", zones->GetArray("ZoneVolume")->GetTuple1(i)},
                     {"inside", tupleOf(zones->GetArray("ZonePoint"), i)},
                     {"sides", linesOf(stringsOf(diagnostics, "ZoneSides")->GetValue(i))},
@@ -218,34 +139,6 @@ Json leaksOf(vtkPolyData* diagnostics)
                     {"width", widths->GetTuple1(cell)},
                     {"surfaces", linesOf(stringsOf(diagnostics, "LeakSurfaces")->GetValue(i))},
                     {"message", inOptions(stringsOf(diagnostics, "LeakMessage")->GetValue(i))}});
-  }
-  return list;
-}
-
-Json patchesOf(vtkPartitionedDataSetCollection* patches)
-{
-  Json list = Json::array();
-  for (unsigned int i = 0; i < patches->GetNumberOfPartitionedDataSets(); ++i)
-  {
-    vtkIdType faces = 0;
-    double area = 0.0;
-    bool isFaceZone = false;
-    for (unsigned int j = 0; j < patches->GetNumberOfPartitions(i); ++j)
-    {
-      if (auto* part = vtkPolyData::SafeDownCast(patches->GetPartition(i, j)))
-      {
-        faces += part->GetNumberOfCells();
-        area += areaOf(part);
-        isFaceZone = isFaceZone || part->GetCellData()->HasArray("NeighborCellId") != 0;
-      }
-    }
-    if (isFaceZone)
-    {
-      continue;
-    }
-    const bool named = patches->HasMetaData(i) && patches->GetMetaData(i)->Has(vtkCompositeDataSet::NAME());
-    const char* name = named ? patches->GetMetaData(i)->Get(vtkCompositeDataSet::NAME()) : "";
-    list.push_back({{"name", name}, {"faces", faces}, {"area", area}});
   }
   return list;
 }

@@ -21,15 +21,9 @@ namespace atria::tool {
 /// Keeps the order in which keys are added.
 using Json = nlohmann::ordered_json;
 
-/// Of all polygons.
-double areaOf(vtkPolyData* surface);
-
-/// vertices, elements, and elements by shape.
-Json countsOf(vtkUnstructuredGrid* mesh);
-
 /// [{id, elements, kept, kind, volume, rough_volume, inside, sides, surfaces}]: all zones there are, from the mesher's
-/// diagnostics. The volume is from the cell arrays ZoneId and Volume, and null for zones that are not in the mesh.
-Json zonesOf(vtkUnstructuredGrid* meshWithQuality, vtkPolyData* diagnostics);
+/// diagnostics. `volumes` are those of sumsOf(); the volume is null for zones that are not in the mesh.
+Json zonesOf(const Json& volumes, vtkPolyData* diagnostics);
 
 /// [{name, volume, floor_area, openings}] and [{name, surface, area, rooms}] from the field arrays Room… and Opening…
 /// of the mesher's diagnostics; empty without face zones.
@@ -38,9 +32,6 @@ Json openingsOf(vtkPolyData* diagnostics);
 
 /// [{seed, side, place, width, surfaces, message}] from the field arrays Leak… of the mesher's diagnostics.
 Json leaksOf(vtkPolyData* diagnostics);
-
-/// [{name, faces, area}], area in square model units. Face zones are no patches.
-Json patchesOf(vtkPartitionedDataSetCollection* patches);
 
 /// {metric: {min, max, mean, std}} from the summary table of vtkAtriaMeshQuality.
 Json qualityOf(vtkTable* summary);

@@ -98,13 +98,34 @@ int runProgram(int argc, char** argv, const atria::tool::Workers& workers)
 }
 
 /// What a worker does for the first rank.
-void workWithOthers(const std::string& text, vtkMultiProcessController& controller)
+class Worker
 {
-  const atria::tool::Json task = atria::tool::Json::parse(text);
-  task.contains("make")   ? atria::tool::makeMeshWithOthers(task, controller)
-  : task.contains("case") ? atria::tool::writeCaseWithOthers(task, controller)
-                          : atria::tool::writePiecesWithOthers(task, controller);
-}
+public:
+  void operator()(const std::string& text, vtkMultiProcessController& controller)
+  {
+    using namespace atria::tool;
+    const Json task = Json::parse(text);
+    if (task.contains("make"))
+    {
+      makeWithOthers(task, piece, controller);
+    }
+    else if (task.contains("measure"))
+    {
+      measureWithOthers(piece, controller);
+    }
+    else if (task.contains("case"))
+    {
+      writeCaseWithOthers(task, controller);
+    }
+    else
+    {
+      writePiecesWithOthers(task, piece, controller);
+    }
+  }
+
+private:
+  atria::tool::MeshPiece piece;
+};
 
 } // namespace
 
@@ -112,5 +133,5 @@ int main(int argc, char** argv)
 {
   atria::keepFreedMemory();
   atria::tool::Workers workers(&argc, &argv);
-  return workers.isWorker() ? workers.serve(workWithOthers) : workers.end(runProgram(argc, argv, workers));
+  return workers.isWorker() ? workers.serve(Worker()) : workers.end(runProgram(argc, argv, workers));
 }

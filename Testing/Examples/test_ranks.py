@@ -154,21 +154,46 @@ class Ranks(unittest.TestCase):
             self.assertIn("Mesh OK.", said)
 
     def test_each_rank_writes_its_piece_and_pieces_are_the_mesh(self):
-        whole = self.folder("whole")
+        self.expect_pieces_of_the_mesh("dealt")
+
+    def test_each_rank_writes_the_piece_that_it_has_made(self):
+        self.expect_pieces_of_the_mesh("made", "--block-size", "300", "--threads", "1")
+
+    def expect_pieces_of_the_mesh(self, name, *options):
+        options = [*COARSE, *options, "--layers", "2", "--report", "r.json"]
+        whole = self.folder(name)
         files = ["--patches", "patches.vtpc"]
-        run(0, "mesh", HOUSE, *COARSE, *files, "-o", "mesh.vtu", "--openfoam", "case", cwd=whole)
+        run(0, "mesh", HOUSE, *options, *files, "-o", "mesh.vtu", "--openfoam", "case", cwd=whole)
         wanted = self.contents(whole / "case")
+        told = json.loads((whole / "r.json").read_text())
         for ranks in (0, 2, 3, 5, 8):
-            folder = self.folder(f"pieces{ranks}")
-            result = run(ranks, "mesh", HOUSE, *COARSE, *files, "-o", "mesh.pvtu", cwd=folder)
+            folder = self.folder(f"{name}{ranks}")
+            result = run(ranks, "mesh", HOUSE, *options, *files, "-o", "mesh.pvtu", cwd=folder)
             self.assertEqual(result.returncode, 0, result.stderr)
             self.assertEqual(sorted(path.name for path in folder.glob("*.vtu")), [f"mesh_{i}.vtu" for i in range(max(ranks, 1))])
             self.assertEqual([path.name for path in folder.glob(".*")], [])
-            for name, given in (("recorded", []), ("given", files)):
-                (folder / name).mkdir()
-                convert = run(0, "convert", "mesh.pvtu", *given, "--openfoam", f"{name}/case", cwd=folder)
+            self.expect_alike(json.loads((folder / "r.json").read_text()), told)
+            for kind, given in (("recorded", []), ("given", files)):
+                (folder / kind).mkdir()
+                convert = run(0, "convert", "mesh.pvtu", *given, "--openfoam", f"{kind}/case", cwd=folder)
                 self.assertEqual(convert.returncode, 0, convert.stderr)
-                self.assertEqual(self.contents(folder / name / "case"), wanted)
+                self.assertEqual(self.contents(folder / kind / "case"), wanted)
+
+    def expect_alike(self, got, wanted):
+        """Reports but for what differs from run to run, and for sums, which are rounded in another order."""
+        if isinstance(wanted, dict):
+            run_by_run = {"seconds", "peak_memory_bytes", "threads", "openfoam"}
+            self.assertEqual(list(got), list(wanted))
+            for key in wanted.keys() - run_by_run:
+                self.expect_alike(got[key], wanted[key])
+        elif isinstance(wanted, list):
+            self.assertEqual(len(got), len(wanted))
+            for one, other in zip(got, wanted):
+                self.expect_alike(one, other)
+        elif isinstance(wanted, float):
+            self.assertAlmostEqual(got, wanted, delta=1e-9 * abs(wanted) + 1e-12)
+        else:
+            self.assertEqual(got, wanted)
 
     def test_one_rank_or_a_number_of_processors_leaves_ranks_out(self):
         options = [*COARSE, "-o", "mesh.vtu", "--openfoam", "case"]

@@ -27,10 +27,7 @@ std::vector<char> marksOfNear(const NearBoundary& near)
 
 } // namespace
 
-bool OpenedPlace::hasVertex(Index vertex) const
-{
-  return std::ranges::binary_search(vertices, vertex);
-}
+bool OpenedPlace::hasVertex(Index vertex) const { return std::ranges::binary_search(vertices, vertex); }
 
 PoorPlaces::PoorPlaces(const DualMesh& mesh, const std::vector<Index>& vertexOf, const MeshBlocks& blocks)
     : mesh_(mesh), vertexOf_(vertexOf), blocks_(blocks), rows_(mesh, marksOfNear(blocks.near))
@@ -48,7 +45,8 @@ PoorPlaces::PoorPlaces(const DualMesh& mesh, const std::vector<Index>& vertexOf,
 std::vector<std::vector<Index>> PoorPlaces::find(Index block, const std::vector<PoorElement>& all, int reach)
 {
   std::vector<Index> elements;
-  std::ranges::transform(all, std::back_inserter(elements), [&](const PoorElement& one) { return plainElementOf(one); });
+  std::ranges::transform(all, std::back_inserter(elements),
+                         [&](const PoorElement& one) { return plainElementOf(one); });
   sortUnique(elements);
   std::erase_if(elements, [&](Index e) { return blockAt(e) != block || !isWhereBlocksMeet(rows_.grow({e}, reach)); });
   UnionFind sets(elements.size());
@@ -85,7 +83,8 @@ OpenedPlace PoorPlaces::open(const std::vector<Index>& elements, int reach, cons
   out.points = out.vertices;
   for (const Index vertex : out.vertices)
   {
-    std::ranges::transform(othersOf(vertex), std::back_inserter(out.points), [](const auto& pair) { return pair.second; });
+    std::ranges::transform(othersOf(vertex), std::back_inserter(out.points),
+                           [](const auto& pair) { return pair.second; });
   }
   std::ranges::sort(out.points);
   return out;
@@ -106,10 +105,7 @@ Index PoorPlaces::plainElementOf(const PoorElement& element) const
   return element.isPlain() ? element.place : mesh_.boundaryFaces[element.place].element;
 }
 
-Index PoorPlaces::blockAt(Index element) const
-{
-  return blocks_.ofVertex[vertexOf_[mesh_.corners[element][0]]];
-}
+Index PoorPlaces::blockAt(Index element) const { return blocks_.ofVertex[vertexOf_[mesh_.corners[element][0]]]; }
 
 bool PoorPlaces::isWhereBlocksMeet(const std::vector<Index>& elements) const
 {
