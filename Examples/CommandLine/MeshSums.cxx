@@ -166,8 +166,8 @@ Json countsOf(vtkUnstructuredGrid* mesh)
   {
     vertices += isGhost(mesh->GetPointGhostArray(), i) ? 0 : 1;
   }
-  return {{"vertices", vertices},     {"elements", elements},     {"hexahedra", hexahedra}, {"wedges", wedges},
-          {"pyramids", pyramids},     {"tetrahedra", tetrahedra}, {"polyhedra", polyhedra}};
+  return {{"vertices", vertices}, {"elements", elements},     {"hexahedra", hexahedra}, {"wedges", wedges},
+          {"pyramids", pyramids}, {"tetrahedra", tetrahedra}, {"polyhedra", polyhedra}};
 }
 
 Json sumsOf(vtkUnstructuredGrid* mesh, vtkPartitionedDataSetCollection* patches)

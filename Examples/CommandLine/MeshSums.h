@@ -16,8 +16,8 @@ double areaOf(vtkPolyData* surface);
 /// vertices, elements, and elements by shape; without ghosts.
 Json countsOf(vtkUnstructuredGrid* mesh);
 
-/// {counts, zone_volumes, patches} of a mesh with quality, or of a rank's piece of it. Volumes of zones are from the cell
-/// arrays ZoneId and Volume, and null without these.
+/// {counts, zone_volumes, patches} of a mesh with quality, or of a rank's piece of it. Volumes of zones are from the
+/// cell arrays ZoneId and Volume, and null without these.
 Json sumsOf(vtkUnstructuredGrid* mesh, vtkPartitionedDataSetCollection* patches);
 /// Adds those of another piece.
 void addSums(const Json& piece, Json& sums);

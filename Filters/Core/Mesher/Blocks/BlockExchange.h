@@ -16,6 +16,8 @@ public:
   virtual PointChanges allChanges(const PointChanges& own) = 0;
   /// The same of poor elements.
   virtual std::vector<PoorElement> allPoor(const std::vector<PoorElement>& own) = 0;
+  /// Whether something is so on any of them.
+  virtual bool isAny(bool own) = 0;
 };
 
 /// Of a mesh that is on one.
@@ -25,6 +27,7 @@ public:
   std::vector<std::vector<Index>> allTouching(const std::vector<std::vector<Index>>& own) override { return own; }
   PointChanges allChanges(const PointChanges& own) override { return own; }
   std::vector<PoorElement> allPoor(const std::vector<PoorElement>& own) override { return own; }
+  bool isAny(bool own) override { return own; }
 };
 
 } // namespace atria

@@ -158,7 +158,12 @@ private:
     {
       for (const std::vector<Index>& members : classes)
       {
-        improvePlaces(ownOf(members), reach, places);
+        std::vector<Index> own;
+        std::ranges::set_intersection(ownOf(members), places.blocksOf(poor), std::back_inserter(own));
+        if (exchange.isAny(!own.empty()))
+        {
+          improvePlaces(own, reach, places);
+        }
       }
     }
   }

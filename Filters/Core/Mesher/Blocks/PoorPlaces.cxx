@@ -42,6 +42,15 @@ PoorPlaces::PoorPlaces(const DualMesh& mesh, const std::vector<Index>& vertexOf,
   std::ranges::sort(others_);
 }
 
+std::vector<Index> PoorPlaces::blocksOf(const std::vector<PoorElement>& all) const
+{
+  std::vector<Index> blocks;
+  std::ranges::transform(all, std::back_inserter(blocks),
+                         [&](const PoorElement& one) { return blockAt(plainElementOf(one)); });
+  sortUnique(blocks);
+  return blocks;
+}
+
 std::vector<std::vector<Index>> PoorPlaces::find(Index block, const std::vector<PoorElement>& all, int reach)
 {
   std::vector<Index> elements;

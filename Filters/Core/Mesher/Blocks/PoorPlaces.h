@@ -27,6 +27,8 @@ class PoorPlaces
 public:
   PoorPlaces(const DualMesh& mesh, const std::vector<Index>& vertexOf, const MeshBlocks& blocks);
 
+  /// The blocks with poor elements, in order.
+  std::vector<Index> blocksOf(const std::vector<PoorElement>& all) const;
   /// The elements of a block that are poor, or have such on them, less than so many rows away from another block:
   /// those that are near each other together.
   std::vector<std::vector<Index>> find(Index block, const std::vector<PoorElement>& all, int reach);

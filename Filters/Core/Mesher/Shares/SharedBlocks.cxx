@@ -5,6 +5,7 @@
 #include "Support/Sorting.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace atria {
@@ -89,7 +90,7 @@ SharedBlocks::SharedBlocks(const SharedWindow& window, const DualMesh& plain, co
     if (!share.isOwn(point.leaf))
     {
       const auto rank = static_cast<std::size_t>(share.rankOf(point.leaf));
-      theirs_[rank].push_back(p);
+      theirs_[rank].points.push_back(p);
       wanted[rank].push_back(point);
     }
   }
@@ -98,13 +99,28 @@ SharedBlocks::SharedBlocks(const SharedWindow& window, const DualMesh& plain, co
   {
     for (const SharedPoint& point : asked[rank])
     {
-      ours_[rank].push_back(window.find(point));
-      if (ours_[rank].back() == noIndex)
+      ours_[rank].points.push_back(window.find(point));
+      if (ours_[rank].points.back() == noIndex)
       {
         throw RanksDisagree("ranks do not have the same points where their shares meet");
       }
     }
   }
+  std::ranges::for_each(theirs_, &SharedList::sortPlaces);
+  std::ranges::for_each(ours_, &SharedList::sortPlaces);
+}
+
+void SharedBlocks::SharedList::sortPlaces()
+{
+  places.resize(points.size());
+  std::iota(places.begin(), places.end(), Index{0});
+  std::ranges::sort(places, {}, [this](Index place) { return points[place]; });
+}
+
+Index SharedBlocks::SharedList::placeOf(Index point) const
+{
+  const auto found = std::ranges::lower_bound(places, point, {}, [this](Index place) { return points[place]; });
+  return found != places.end() && points[*found] == point ? *found : noIndex;
 }
 
 void SharedBlocks::takePlaces(std::vector<Vec3>& points) const
@@ -112,14 +128,14 @@ void SharedBlocks::takePlaces(std::vector<Vec3>& points) const
   std::vector<std::vector<Vec3>> sent;
   for (const SharedList& list : ours_)
   {
-    std::ranges::transform(list, std::back_inserter(sent.emplace_back()), [&](Index p) { return points[p]; });
+    std::ranges::transform(list.points, std::back_inserter(sent.emplace_back()), [&](Index p) { return points[p]; });
   }
   const auto received = exchangeLists(exchange_, sent);
   for (std::size_t rank = 0; rank < received.size(); ++rank)
   {
     for (std::size_t i = 0; i < received[rank].size(); ++i)
     {
-      points[theirs_[rank][i]] = received[rank][i];
+      points[theirs_[rank].points[i]] = received[rank][i];
     }
   }
 }
@@ -150,24 +166,14 @@ std::vector<PointChanges> SharedBlocks::sendChanges(const PointChanges& changes,
                                                     const std::vector<SharedList>& from) const
 {
   std::vector<Bytes> messages;
-  for (const SharedList& list : to)
-  {
-    std::vector<std::pair<Index, Index>> places;
-    for (Index i = 0; i < list.size(); ++i)
-    {
-      places.emplace_back(list[i], i);
-    }
-    std::ranges::sort(places);
-    messages.push_back(bytesOfChanges(renumbered(changes, [&](Index point) {
-      const auto found = std::ranges::lower_bound(places, point, {}, [](const auto& place) { return place.first; });
-      return found != places.end() && found->first == point ? found->second : noIndex;
-    })));
-  }
+  std::ranges::transform(to, std::back_inserter(messages), [&](const SharedList& list) {
+    return bytesOfChanges(renumbered(changes, [&](Index point) { return list.placeOf(point); }));
+  });
   std::vector<PointChanges> received;
   const std::vector<Bytes> all = exchange_.exchange(std::move(messages));
   for (std::size_t rank = 0; rank < all.size(); ++rank)
   {
-    received.push_back(renumbered(changesFrom(all[rank]), [&](Index place) { return from[rank][place]; }));
+    received.push_back(renumbered(changesFrom(all[rank]), [&](Index place) { return from[rank].points[place]; }));
   }
   return received;
 }
@@ -210,6 +216,12 @@ std::vector<PoorElement> SharedBlocks::allPoor(const std::vector<PoorElement>& o
     }
   }
   return out;
+}
+
+bool SharedBlocks::isAny(bool own)
+{
+  const std::vector<char> all = gatherAll(exchange_, static_cast<char>(own));
+  return std::ranges::find(all, 1) != all.end();
 }
 
 } // namespace atria

@@ -19,10 +19,20 @@ public:
   std::vector<std::vector<Index>> allTouching(const std::vector<std::vector<Index>>& own) override;
   PointChanges allChanges(const PointChanges& own) override;
   std::vector<PoorElement> allPoor(const std::vector<PoorElement>& own) override;
+  bool isAny(bool own) override;
 
 private:
-  /// Points that this rank and another one have, in the same order on both.
-  using SharedList = std::vector<Index>;
+  /// Points that this rank and another one have, in the same order on both; and the places in this list by rising
+  /// point.
+  struct SharedList
+  {
+    std::vector<Index> points;
+    std::vector<Index> places;
+
+    void sortPlaces();
+    /// noIndex for points that are not in it.
+    Index placeOf(Index point) const;
+  };
 
   std::vector<PointChanges> sendChanges(const PointChanges& changes, const std::vector<SharedList>& to,
                                         const std::vector<SharedList>& from) const;
