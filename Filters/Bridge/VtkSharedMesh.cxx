@@ -21,18 +21,19 @@
 #include <algorithm>
 #include <tuple>
 #include <unordered_map>
+#include <utility>
 
 namespace atria {
 
 namespace {
 
-/// A face of a patch, by numbers of the whole mesh.
+/// A face of a patch, by numbers of the whole mesh. All ranks see all of them: 32 bytes each.
 struct SharedFace
 {
-  unsigned int patch;
-  std::uint64_t owner;
-  std::array<std::uint64_t, 4> points;
-  std::size_t count;
+  Index patch;
+  Index owner;
+  std::array<Index, 4> points;
+  std::uint32_t count;
   int rank;
 };
 
@@ -96,10 +97,10 @@ std::vector<SharedFace> facesOf(vtkPartitionedDataSetCollection* patches, int ra
     {
       patch->GetPolys()->GetCellAtId(face, corners);
       SharedFace& shared = faces.emplace_back();
-      shared = {i, static_cast<std::uint64_t>(owners->GetValue(face)), {}, 0, rank};
+      shared = {i, static_cast<Index>(owners->GetValue(face)), {}, 0, rank};
       for (const vtkIdType corner : *corners)
       {
-        shared.points[shared.count++] = static_cast<std::uint64_t>(points->GetValue(corner));
+        shared.points[shared.count++] = static_cast<Index>(points->GetValue(corner));
       }
     }
   }
@@ -110,10 +111,13 @@ std::vector<SharedFace> facesOf(vtkPartitionedDataSetCollection* patches, int ra
 std::vector<SharedFace> gatherFaces(const std::vector<SharedFace>& own, RankExchange& exchange)
 {
   std::vector<SharedFace> all;
-  for (const std::vector<SharedFace>& some : gatherAll(exchange, own))
+  std::vector<SharedFace> some;
+  for (Bytes& bytes : exchange.gather(bytesOf(own)))
   {
+    readBytes(std::exchange(bytes, {}), some);
     all.insert(all.end(), some.begin(), some.end());
   }
+  release(some);
   std::stable_sort(all.begin(), all.end(), [](const SharedFace& l, const SharedFace& r) {
     return std::tuple(l.patch, l.owner) < std::tuple(r.patch, r.owner);
   });
@@ -128,7 +132,7 @@ void numberPatches(const std::vector<SharedFace>& all, int rank, vtkPartitionedD
   for (unsigned int i = 0; i < patches->GetNumberOfPartitionedDataSets(); ++i)
   {
     VtkIds faceIds;
-    std::unordered_map<std::uint64_t, vtkIdType> pointIds;
+    std::unordered_map<Index, vtkIdType> pointIds;
     for (; next != all.end() && next->patch == i; ++next)
     {
       for (std::size_t corner = 0; corner < next->count; ++corner)
@@ -145,7 +149,7 @@ void numberPatches(const std::vector<SharedFace>& all, int rank, vtkPartitionedD
     auto* points = vtkIdTypeArray::SafeDownCast(patch->GetPointData()->GetArray("VolumePointId"));
     VtkIds ownIds(static_cast<std::size_t>(points->GetNumberOfValues()));
     std::transform(points->Begin(), points->End(), ownIds.begin(),
-                   [&](vtkIdType point) { return pointIds.at(static_cast<std::uint64_t>(point)); });
+                   [&](vtkIdType point) { return pointIds.at(static_cast<Index>(point)); });
     patch->GetCellData()->SetGlobalIds(idArray("GlobalCellIds", faceIds));
     patch->GetPointData()->SetGlobalIds(idArray("GlobalPointIds", ownIds));
   }
@@ -161,7 +165,7 @@ void recordFaces(const std::vector<SharedFace>& all, vtkPartitionedDataSetCollec
     const std::size_t first = record.owners.size();
     for (; next != all.end() && next->patch == i; ++next)
     {
-      record.owners.push_back(static_cast<Index>(next->owner));
+      record.owners.push_back(next->owner);
       std::copy_n(next->points.begin(), next->count, std::back_inserter(record.points));
       record.offsets.push_back(static_cast<std::int64_t>(record.points.size()));
     }
