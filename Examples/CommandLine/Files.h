@@ -42,6 +42,7 @@ void writeMesh(const std::string& file, vtkUnstructuredGrid* mesh, Console& cons
 void writePolyData(const std::string& file, vtkPolyData* data, Console& console);
 void writePatches(const std::string& file, vtkPartitionedDataSetCollection* patches, Console& console);
 void writeText(const std::string& file, const std::string& text);
+
 /// What a rank has of a mesh; nothing at first.
 struct MeshPiece
 {

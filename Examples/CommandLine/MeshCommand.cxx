@@ -237,8 +237,8 @@ ExitStatus makeMesh(const MeshOptions& options, const CLI::App& command, vtkAtri
 {
   vtkNew<vtkAtriaDualMesher> mesher;
   configure(mesher, options);
-  mesher->SetInputDataObject(0,
-                             reader->GetOutput()); // not connected: ranks ask for pieces, and the others read nothing
+  // The reader is not connected: ranks ask for pieces, and the others read nothing.
+  mesher->SetInputDataObject(0, reader->GetOutput());
   console.follow(mesher, 0.05, 0.75);
   makeElements(mesher, command, options, console, workers);
   const Stopwatch measuring;

@@ -93,9 +93,10 @@ Json allPatchesOf(vtkPartitionedDataSetCollection* patches)
   return list;
 }
 
-/// Adds the numbers of one object to those of another, key by key.
+/// Adds the numbers of one object to those of another, key by key. Either may be null.
 void addNumbers(const Json& from, Json& to)
 {
+  to = to.is_null() && !from.is_null() ? Json::object() : to;
   for (const auto& [key, value] : from.items())
   {
     if (value.is_number_float())
