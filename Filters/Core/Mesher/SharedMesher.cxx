@@ -40,8 +40,6 @@ DualMesh connectionsOf(ClassifiedMesh plain)
   return out;
 }
 
-bool isAnywhere(bool here, RankExchange& exchange) { return countBefore(here ? 1 : 0, exchange).all > 0; }
-
 std::vector<double> sumOverRanks(const std::vector<double>& own, RankExchange& exchange)
 {
   std::vector<double> sums(own.size(), 0.0);

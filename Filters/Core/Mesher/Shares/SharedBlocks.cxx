@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesher/Shares/SharedBlocks.h"
 
+#include "Mesher/Shares/SharedNumbers.h"
 #include "Support/Error.h"
 #include "Support/Sorting.h"
 
@@ -218,10 +219,6 @@ std::vector<PoorElement> SharedBlocks::allPoor(const std::vector<PoorElement>& o
   return out;
 }
 
-bool SharedBlocks::isAny(bool own)
-{
-  const std::vector<char> all = gatherAll(exchange_, static_cast<char>(own));
-  return std::ranges::find(all, 1) != all.end();
-}
+bool SharedBlocks::isAny(bool own) { return isAnywhere(own, exchange_); }
 
 } // namespace atria
