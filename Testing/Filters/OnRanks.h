@@ -36,6 +36,21 @@ protected:
   /// What one process makes, here on each rank by itself.
   std::array<vtkSmartPointer<vtkDataObject>, 3> whole() { return copiesOfOutputs(); }
 
+  /// That the outputs of all ranks are a mesh that one process has made, with its diagnostics on the first.
+  void expectPiecesOf(const std::array<vtkSmartPointer<vtkDataObject>, 3>& alone)
+  {
+    expectGathered(volume(), alone[0]);
+    expectGathered(patches(), alone[1]);
+    if (rank() == 0)
+    {
+      EXPECT_TRUE(identical(alone[2], diagnostics()));
+    }
+    else
+    {
+      EXPECT_EQ(diagnostics()->GetNumberOfPoints(), 0);
+    }
+  }
+
   /// The first rank has the model.
   void update(vtkAlgorithm* algorithm, int ghostLevels = 0);
   /// Gives every rank the model again.

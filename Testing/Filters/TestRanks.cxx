@@ -25,16 +25,7 @@ TEST_F(OnRanks, PiecesMakeTheMeshOfOneProcess)
 {
   const auto alone = whole();
   update(mesher);
-  expectGathered(volume(), alone[0]);
-  expectGathered(patches(), alone[1]);
-  if (rank() == 0)
-  {
-    EXPECT_TRUE(identical(alone[2], diagnostics()));
-  }
-  else
-  {
-    EXPECT_EQ(diagnostics()->GetNumberOfPoints(), 0);
-  }
+  expectPiecesOf(alone);
 }
 
 TEST_F(OnRanks, PiecesAreEquallyLarge)

@@ -45,16 +45,7 @@ protected:
     {
       EXPECT_EQ(isMadeTogether(), isTogether);
     }
-    expectGathered(volume(), alone[0]);
-    expectGathered(patches(), alone[1]);
-    if (rank() == 0)
-    {
-      EXPECT_TRUE(identical(alone[2], diagnostics()));
-    }
-    else
-    {
-      EXPECT_EQ(diagnostics()->GetNumberOfPoints(), 0);
-    }
+    expectPiecesOf(alone);
   }
 };
 
