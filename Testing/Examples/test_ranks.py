@@ -45,6 +45,7 @@ def run(ranks, *arguments, **options):
 def said(result):
     """What the program told, without what differs from run to run and what mpiexec says of a status other than 0."""
     lines = [line for line in result.stdout.splitlines() if not line.startswith(("time ", "memory "))]
+    lines = [re.sub(r"(\.json) \(.*\)$", r"\1", line) for line in lines]  # reports have seconds in them
     return lines, [line for line in result.stderr.splitlines() if line.startswith("atria: ")]
 
 

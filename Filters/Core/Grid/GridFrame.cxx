@@ -70,19 +70,32 @@ int levelsBelow(const GridOptions& o)
   return levels;
 }
 
-/// Finest octants between the root's and the domain's lower plane: half of those to spare. With levels below SizeMin
-/// they are chosen, where there is room, such that the plane is next to the centers of octants of SizeMin.
+/// Finest octants between the root's and the domain's lower plane: half of what is to spare in the smallest octant at
+/// the root's lower end that is as long as the domain. So planes between large octants do not cut through a flat one,
+/// whose parts then are next to each other in the Morton order. With levels below SizeMin they are chosen, where there
+/// is room, such that the plane is next to the centers of octants of SizeMin.
 double marginOf(double octants, double rootOctants, int below)
 {
-  const double spare = rootOctants - octants - 1.0;
-  double margin = std::max(0.0, std::floor(0.5 * spare + 1e-9));
-  if (below > 0)
+  const double period = std::ldexp(1.0, below);
+  double room = rootOctants;
+  while (0.5 * room >= octants + 1.0)
   {
-    const double period = std::ldexp(1.0, below);
-    const double centered = period * std::floor(margin / period) + 0.5 * period;
-    margin = centered <= spare + 1e-9 ? centered : margin;
+    room *= 0.5;
   }
-  return margin;
+  for (;; room *= 2.0)
+  {
+    const double spare = room - octants - 1.0;
+    const double half = std::max(0.0, std::floor(0.5 * spare + 1e-9));
+    const double margin = below > 0 ? period * std::floor(half / period) + 0.5 * period : half;
+    if (margin <= spare + 1e-9)
+    {
+      return margin;
+    }
+    if (room >= rootOctants)
+    {
+      return half;
+    }
+  }
 }
 
 } // namespace
