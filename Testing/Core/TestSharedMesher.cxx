@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <iterator>
+#include <string>
 
 namespace {
 
@@ -123,17 +125,20 @@ void expectDiagnostics(const std::vector<Diagnostic>& whole, const std::vector<D
   EXPECT_EQ(wrong, 0U);
 }
 
-void expectSameOnRanks(const TriangleSurface& surface, const GridOptions& grid, DualMeshOptions options, int ranks)
+/// Returns how much of the octree a rank has on average.
+double expectSameOnRanks(const TriangleSurface& surface, const GridOptions& grid, DualMeshOptions options, int ranks)
 {
   options.blockSize = blockSize;
   const Meshed whole = meshIt(surface, grid, options);
   const RefinedSets sets = whole.octree.refinedSets();
+  std::atomic<std::size_t> leaves = 0;
   std::atomic<std::size_t> faces = 0;
   std::atomic<std::size_t> elements = 0;
   onRanks(ranks, [&](RankExchange& exchange) {
     const RankShare share(sets, whole.frame, blockSize, exchange);
     ASSERT_GT(share.blocks().count(), 1U);
     const Octree octree = share.makeOctree(whole.model, quietContext());
+    leaves += octree.leafCount();
     StageClock clock;
     const SharedDual dual = makeSharedMesh(octree, whole.model, options, share, 1, clock, quietContext());
     expectPiece(whole.mesh(), dual.piece, exchange.rank());
@@ -146,6 +151,7 @@ void expectSameOnRanks(const TriangleSurface& surface, const GridOptions& grid, 
   });
   EXPECT_EQ(faces, whole.mesh().boundaryFaces.size());
   EXPECT_EQ(elements, whole.mesh().elementCount());
+  return static_cast<double>(leaves) / static_cast<double>(ranks) / static_cast<double>(whole.octree.leafCount());
 }
 
 TEST_P(SharedMesher, MeshIsThatOfOneRank)
@@ -163,6 +169,48 @@ TEST_P(SharedMesher, MeshIsThatOfOneRank)
       options.layers = {{"*", {.layers = layers}}};
       expectSameOnRanks(surface, gridOf(0.1, 0.2), options, GetParam());
     }
+  }
+}
+
+/// Scenes in a row, with names of their own.
+TriangleSurface rowOfSoups(unsigned seed, int count, double distance)
+{
+  TriangleSurface row;
+  for (int i = 0; i < count; ++i)
+  {
+    const TriangleSurface soup = randomSoup(100 * seed + static_cast<unsigned>(i));
+    const auto firstPoint = static_cast<Index>(row.points.size());
+    const auto firstName = static_cast<Index>(row.names.size());
+    std::ranges::transform(soup.points, std::back_inserter(row.points),
+                           [&](const Vec3& p) { return Vec3(p + Vec3(i * distance, 0.0, 0.0)); });
+    for (const auto& [a, b, c] : soup.triangles)
+    {
+      row.triangles.push_back({a + firstPoint, b + firstPoint, c + firstPoint});
+    }
+    std::ranges::transform(soup.surfaceIds, std::back_inserter(row.surfaceIds),
+                           [&](Index id) { return id + firstName; });
+    std::ranges::transform(soup.names, std::back_inserter(row.names),
+                           [&](const std::string& name) { return name + "_" + std::to_string(i); });
+  }
+  return row;
+}
+
+/// In the scenes above ranks need all of the octree; here they have parts of it.
+TEST(SharedSite, RanksThatHavePartsOfTheOctreeMakeTheSameMesh)
+{
+  constexpr int scenes = 7;
+  constexpr double distance = 8.0;
+  for (unsigned seed = 1; seed <= 2; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    GridOptions grid = gridOf(0.25, 0.25);
+    grid.sizeMax = seed % 2 == 0 ? 0.5 : 0.25;
+    grid.domain.max[0] += (scenes - 1) * distance;
+    DualMeshOptions options;
+    options.zoneRule = ZoneRule::all;
+    options.layers = {{"*", {.layers = seed % 2 == 0 ? 3 : 1}}};
+    const double part = expectSameOnRanks(rowOfSoups(seed, scenes, distance), grid, options, 4);
+    EXPECT_LT(part, 0.75);
   }
 }
 

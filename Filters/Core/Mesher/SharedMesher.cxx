@@ -5,6 +5,7 @@
 #include "Mesher/LeaveOut.h"
 #include "Mesher/SharedReport.h"
 #include "Mesher/Shares/SharedBlocks.h"
+#include "Mesher/Shares/SharedElements.h"
 #include "Mesher/Shares/SharedZones.h"
 
 #include <algorithm>
@@ -114,6 +115,7 @@ private:
     plain = splitPoints(unfoldWalls(std::move(plain), context), context);
     SharedWindow window =
         keepShare(plain.mesh, plain.classification, plain.vertexOf, keys, surfaceCount, context.octree, share, context);
+    expectSameElements(window, surfaceCount, share);
     clock.lap("elements");
     return window;
   }

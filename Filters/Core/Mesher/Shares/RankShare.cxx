@@ -27,16 +27,22 @@ PointKey keyOf(const Octree& octree, const std::array<Index, 8>& leaves)
   return octree.finestKey(owner) << 3 | corner;
 }
 
-/// Rows of leaves that are those of the whole, about a rank's own: to walls beside these, from there along the walls,
-/// and off them, as blocks are improved among; and elsewhere, as far as stages up to the vertices reach.
-constexpr int rowsAlong = 10;
-constexpr int rowsOff = 10;
-constexpr int rowsElsewhere = 4;
-constexpr int rowsBeside = 7;
+/// Rows of leaves that are those of the whole, about a rank's own: from these to walls below them, along the walls and
+/// off them again, as blocks are improved among; and about all that, so that elements there are those of the whole.
+constexpr int rowsAbout = 6;
+constexpr int rowsOff = 6;
+constexpr int rowsAlong = 11;
+constexpr int rowsBeside = 2;
 
 LeafMasks both(LeafMasks a, const LeafMasks& b)
 {
   std::ranges::transform(a, b, a.begin(), std::bit_and<>());
+  return a;
+}
+
+LeafMasks without(LeafMasks a, const LeafMasks& b)
+{
+  std::ranges::transform(a, b, a.begin(), [](std::uint8_t one, std::uint8_t other) { return one & ~other; });
   return a;
 }
 
@@ -79,16 +85,26 @@ RefinedSets RankShare::setsNeeded(const SurfaceModel& model, const RunContext& c
   }
   const LeafRows rows(whole_, frame_);
   const LeafMasks& anywhere = rows.inDomain();
+  std::vector<LeafMasks> off{rows.grow(rows.withSurfaces(model, context), 1, anywhere)};
+  LeafMasks near = off.front();
+  for (int row = 1; row <= rowsOff; ++row)
+  {
+    LeafMasks more = rows.grow(near, 1, anywhere);
+    off.push_back(without(more, near));
+    near = std::move(more);
+  }
   const LeafMasks own = rows.in(own_);
-  const LeafMasks withSurfaces = rows.withSurfaces(model, context);
-  // The walls that own leaves are beside may be of other ranks.
-  const LeafMasks wallsAbout = both(withSurfaces, rows.grow(own, 2 * rowsBeside, anywhere));
-  const LeafMasks start = rows.grow(own, rowsBeside, rows.grow(wallsAbout, rowsBeside, anywhere));
-  const LeafMasks along = rows.grow(start, rowsAlong, rows.grow(withSurfaces, 1, anywhere));
-  // Surfaces farther away are beside nothing that is off those.
-  const LeafMasks about = rows.grow(along, rowsOff + rowsBeside, anywhere);
-  const LeafMasks beside = rows.grow(both(withSurfaces, about), rowsBeside, about);
-  return rows.setsOf(any(rows.grow(along, rowsOff, beside), rows.grow(own, rowsElsewhere, anywhere)));
+  LeafMasks window = rows.grow(both(own, near), rowsAbout, anywhere);
+  for (std::size_t row = rowsOff; row-- > 0;)
+  {
+    window = rows.grow(std::move(window), 1, off[row]);
+  }
+  window = rows.grow(std::move(window), rowsAlong, off.front());
+  for (std::size_t row = 1; row < off.size(); ++row)
+  {
+    window = rows.grow(std::move(window), 1, off[row]);
+  }
+  return rows.setsOf(rows.grow(any(std::move(window), rows.grow(own, rowsBeside, anywhere)), rowsBeside, anywhere));
 }
 
 bool RankShare::isExact(const Octree& octree, Index leaf) const
