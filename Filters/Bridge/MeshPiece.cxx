@@ -218,45 +218,14 @@ std::vector<Index> MeshPiece::ownCells() const
   return list;
 }
 
-std::optional<FaceMesh> MeshPiece::faces(const VtkCells& itsCells, const Executor& executor) const
+std::optional<QualityByBoxes> MeshPiece::measure(const RunContext& context) const
 {
+  const VtkCells itsCells(grid);
+  const VtkPoints itsPoints(grid->GetPoints(), context.executor);
   const std::vector<BoundaryFaceKey> keys = patches.keys();
-  FaceMesh mesh = makeFaceMesh(pointsFromVtk(grid->GetPoints(), executor), itsCells.view(), keys, executor);
-  std::vector<char> isOfPatch(mesh.faceCount(), 0);
-  for (const Index face : findBoundaryFaces(mesh, keys, executor))
-  {
-    if (face == noIndex)
-    {
-      return std::nullopt;
-    }
-    isOfPatch[face] = 1;
-  }
-  for (std::size_t face = mesh.internalFaceCount(); face < mesh.faceCount(); ++face)
-  {
-    if (isOwn(mesh.owner[face]) && !isOfPatch[face])
-    {
-      return std::nullopt;
-    }
-  }
-  return mesh;
-}
-
-std::vector<Index> MeshPiece::ownFaces(const FaceMesh& mesh) const
-{
-  std::vector<Index> list;
-  for (Index face = 0; face < mesh.faceCount(); ++face)
-  {
-    Index cell = mesh.owner[face];
-    if (face < mesh.internalFaceCount() && cellIds[mesh.neighbor[face]] < cellIds[cell])
-    {
-      cell = mesh.neighbor[face];
-    }
-    if (isOwn(cell))
-    {
-      list.push_back(face);
-    }
-  }
-  return list;
+  const CountedPart part{own,
+                         [this](Index one, Index other) { return isOwn(cellIds[one] < cellIds[other] ? one : other); }};
+  return computeQualityByBoxes(itsPoints.view(), itsCells.view(), {keys, true, {}, {}}, context, measuredAtOnce, &part);
 }
 
 /// Where the cell is among those asked for, then its values.

@@ -2,6 +2,7 @@
 /// What a rank holds of a mesh that was dealt out, to be worked on where it is.
 #pragma once
 
+#include "Quality/Checks/BoxQuality.h"
 #include "Quality/Checks/Statistics.h"
 #include "VtkArrays.h"
 
@@ -47,11 +48,9 @@ public:
   bool isOwn(std::size_t cell) const { return own[cell] != 0; }
   std::vector<Index> ownCells() const;
 
-  /// The faces of the piece: those of its own cells are as in the whole mesh. Nothing where the faces of patches are
-  /// not all of the boundary of its own cells.
-  std::optional<FaceMesh> faces(const VtkCells& cells, const Executor& executor) const;
-  /// Those that this rank counts, so that each face of the whole mesh is counted once.
-  std::vector<Index> ownFaces(const FaceMesh& mesh) const;
+  /// The metrics of its own cells, and of faces such that each one of the whole mesh is counted once. Nothing where the
+  /// faces of patches are not all of the boundary of its own cells.
+  std::optional<QualityByBoxes> measure(const RunContext& context) const;
 
   /// Gives ghost cells the values that their ranks have; of all.
   void fillGhosts(const std::vector<vtkSmartPointer<vtkDataArray>>& arrays) const;

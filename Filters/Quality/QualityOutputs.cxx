@@ -19,17 +19,10 @@ namespace atria {
 
 namespace {
 
-/// Those there are values for: some metrics have none for faces on the boundary, which come last.
 std::vector<double> chosen(std::span<const double> values, std::span<const Index> numbers)
 {
-  std::vector<double> out;
-  for (const Index i : numbers)
-  {
-    if (i < values.size())
-    {
-      out.push_back(values[i]);
-    }
-  }
+  std::vector<double> out(numbers.size());
+  std::ranges::transform(numbers, out.begin(), [&](Index i) { return values[i]; });
   return out;
 }
 
@@ -59,10 +52,11 @@ void QualityOutputs::addCells(const char* name, std::span<const double> values)
 
 void QualityOutputs::addSample(const QualitySample& sample)
 {
+  const bool isPart = piece && !sample.ofFaces;
   const std::vector<double> own =
-      piece ? chosen(sample.values, sample.ofFaces ? piece->faces : piece->cells) : std::vector<double>();
-  const Distribution distribution = distributionOf(piece ? std::span<const double>(own) : sample.values, bins, executor,
-                                                   sample.repeated, piece ? &piece->together : nullptr);
+      isPart ? chosen(sample.values, sample.ofOthers ? piece->others : piece->cells) : std::vector<double>();
+  const Distribution distribution = distributionOf(isPart ? std::span<const double>(own) : sample.values, bins,
+                                                   executor, sample.repeated, piece ? &piece->together : nullptr);
   metrics.push_back({sample.name, sample.ofFaces ? "faces" : "cells", distribution.statistics});
   const std::string name = sample.name;
   const Histogram& h = distribution.histogram;
@@ -95,7 +89,7 @@ void QualityOutputs::addBoth(const char* name, const QualityByBoxes& boxes, Buff
   spread(name, boxes, values, [ofBoxes](std::size_t) { return ofBoxes; });
   if (withSample)
   {
-    addSample({name, false, values, {ofBoxes, boxes.regularCount}});
+    addSample({name, false, values, {ofBoxes, boxes.regularCount}, true});
   }
   Buffer<double>().swap(values);
 }

@@ -25,13 +25,15 @@ struct QualitySample
   bool ofFaces;
   std::span<const double> values;
   Repeated repeated = {};
+  bool ofOthers = false; ///< of cells, those that are no regular boxes
 };
 
-/// The part of a mesh that a rank holds: what of its cells and faces counts there, and how all are one sample.
+/// The part of a mesh that a rank holds: which of its cells count there, and how all are one sample. All faces do of
+/// which there are values.
 struct SampledPiece
 {
   std::vector<Index> cells;
-  std::vector<Index> faces;
+  std::vector<Index> others; ///< those among the cells that are no regular boxes
   const Reduction& together;
 };
 

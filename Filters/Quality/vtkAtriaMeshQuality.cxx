@@ -176,18 +176,11 @@ Verdict measureAll(QualityOutputs& outputs, vtkUnstructuredGrid* volume, vtkPart
   return verdict;
 }
 
-/// What a rank knows of its piece before all look at it together.
-struct MeasuredPiece
-{
-  atria::QualityMetrics quality;
-  std::vector<atria::Index> faces; ///< that count here
-};
-
 /// How measuring ended; over all ranks the greatest holds.
 constexpr double wasMeasured = 0.0, wasAborted = 1.0, cannotMeasure = 2.0;
 
-double measurePiece(const atria::MeshPiece& piece, vtkUnstructuredGrid* volume, std::optional<MeasuredPiece>& out,
-                    const atria::RunContext& context)
+double measurePiece(const atria::MeshPiece& piece, vtkUnstructuredGrid* volume,
+                    std::optional<atria::QualityByBoxes>& out, const atria::RunContext& context)
 {
   out.emplace();
   if (volume->GetNumberOfCells() == 0)
@@ -196,17 +189,8 @@ double measurePiece(const atria::MeshPiece& piece, vtkUnstructuredGrid* volume, 
   }
   try
   {
-    context.progress.report(0.0, "Finding faces");
-    const atria::VtkCells cells(volume);
-    const std::optional<atria::FaceMesh> mesh = piece.faces(cells, context.executor);
-    if (!mesh)
-    {
-      return cannotMeasure;
-    }
-    const atria::MeasuredMesh measured = atria::measureMesh(*mesh, context.part(0.3, 0.5));
-    out->quality = atria::computeQuality(measured, cells.view(), context.part(0.5, 0.95));
-    out->faces = piece.ownFaces(*mesh);
-    return wasMeasured;
+    out = piece.measure(context.part(0.0, 0.95));
+    return out ? wasMeasured : cannotMeasure;
   }
   catch (const atria::Aborted&)
   {
@@ -216,6 +200,20 @@ double measurePiece(const atria::MeshPiece& piece, vtkUnstructuredGrid* volume, 
   {
     return cannotMeasure;
   }
+}
+
+/// Where in a list of cells own ones are.
+std::vector<atria::Index> ownPlaces(const atria::MeshPiece& piece, const std::vector<atria::Index>& cells)
+{
+  std::vector<atria::Index> places;
+  for (atria::Index i = 0; i < cells.size(); ++i)
+  {
+    if (piece.isOwn(cells[i]))
+    {
+      places.push_back(i);
+    }
+  }
+  return places;
 }
 
 } // namespace
@@ -270,7 +268,7 @@ std::optional<int> vtkAtriaMeshQuality::MeasurePieces(vtkInformationVector** inp
   }
   const atria::AlgorithmRun run(*this);
   const atria::RankReduction together(controller);
-  std::optional<MeasuredPiece> measured;
+  std::optional<atria::QualityByBoxes> measured;
   double state = measurePiece(*piece, volume, measured, run.context);
   together.greatest({&state, 1});
   if (state == cannotMeasure)
@@ -286,12 +284,11 @@ std::optional<int> vtkAtriaMeshQuality::MeasurePieces(vtkInformationVector** inp
   try
   {
     atriaCheckRange(NumberOfBins);
-    const atria::SampledPiece sampled{piece->ownCells(), std::move(measured->faces), together};
-    double invalid = static_cast<double>(
-        std::ranges::count_if(sampled.cells, [&](atria::Index cell) { return measured->quality.valid[cell] == 0; }));
+    const atria::SampledPiece sampled{piece->ownCells(), ownPlaces(*piece, measured->others), together};
+    auto invalid = static_cast<double>(measured->metrics.invalidCells);
     together.sum({&invalid, 1});
     QualityOutputs collected(this->NumberOfBins, this->HistogramMetric, run.context.executor, &sampled);
-    addMetrics(collected, measured->quality);
+    addMetrics(collected, *measured);
     collected.checkShown();
     piece->fillGhosts(collected.arrays);
     vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs, 0);

@@ -84,24 +84,6 @@ TEST_F(OnRanks, QualityIsThatOfOneProcess)
   }
 }
 
-TEST_F(OnRanks, FacesOfPiecesAreThoseOfTheMesh)
-{
-  const auto alone = whole();
-  auto* grid = vtkUnstructuredGrid::SafeDownCast(alone[0]);
-  const atria::FaceMesh all =
-      atria::faceMeshFromVtk(grid, vtkPartitionedDataSetCollection::SafeDownCast(alone[1])).mesh;
-  update(mesher);
-  const auto piece = atria::MeshPiece::of(volume(), patches(), *controller());
-  ASSERT_EQ(piece.has_value(), ranks() > 1); // one has no ghosts, and is measured as ever
-  if (piece)
-  {
-    const auto faces = piece->faces(atria::VtkCells(volume()), atria::SerialExecutor());
-    ASSERT_TRUE(faces.has_value());
-    EXPECT_EQ(sumOverRanks(static_cast<vtkIdType>(piece->ownFaces(*faces).size())),
-              static_cast<vtkIdType>(all.faceCount()));
-  }
-}
-
 TEST_F(OnRanks, QualityIsMeasuredWherePiecesAre)
 {
   vtkNew<vtkAtriaMeshQuality> quality;

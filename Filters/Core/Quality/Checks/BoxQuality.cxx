@@ -59,11 +59,24 @@ std::vector<std::int64_t> pointsOf(const AskedFaces& asked)
   return points;
 }
 
+/// Of cells that are not own ones.
+void addPointsOfOthers(const CellArrays& cells, const CountedPart& part, std::vector<std::int64_t>& points)
+{
+  for (std::size_t c = 0; c < cells.types.size(); ++c)
+  {
+    for (std::int64_t i = cells.offsets[c]; !part.isOwn[c] && i < cells.offsets[c + 1]; ++i)
+    {
+      points.push_back(cells.connectivity[static_cast<std::size_t>(i)]);
+    }
+  }
+}
+
 /// Measures the cells of one window after the other and collects what is told of them.
 class WindowMetrics
 {
 public:
-  WindowMetrics(const RegularBoxes& regularBoxes, QualityMetrics& target) : boxes(regularBoxes), out(target)
+  WindowMetrics(const RegularBoxes& regularBoxes, const CountedPart* countedPart, QualityMetrics& target)
+      : boxes(regularBoxes), part(countedPart), out(target)
   {
     const auto others = static_cast<std::size_t>(std::ranges::count(boxes.isRegular, 0));
     std::ranges::for_each(cellMetrics, [&](CellMetric metric) { (out.*metric).reserve(others); });
@@ -82,19 +95,20 @@ public:
     const QualityMetrics some = computeQuality(mesh, window.arrays(), context);
     for (std::size_t i = 0; i < window.cells().size(); ++i)
     {
-      if (window.isOwn(i) && !boxes.isRegular[window.cells()[i]])
+      const Index cell = window.cells()[i];
+      if (window.isOwn(i) && !boxes.isRegular[cell])
       {
         for (const CellMetric metric : cellMetrics)
         {
           (out.*metric).push_back((some.*metric)[i]);
         }
         out.valid.push_back(some.valid[i]);
-        out.invalidCells += some.valid[i] ? 0 : 1;
+        out.invalidCells += some.valid[i] || !isOwn(cell) ? 0 : 1;
       }
     }
     for (std::size_t f = 0; f < mesh.faceCount(); ++f)
     {
-      if (!window.isOwn(mesh.owner[f]) || !isMeasured(window, f))
+      if (!window.isOwn(mesh.owner[f]) || !isMeasured(window, f) || !isCounted(window, f))
       {
         continue;
       }
@@ -110,9 +124,24 @@ public:
     return true;
   }
 
-  std::size_t boundaryFaces = 0;
+  /// Whether those that were counted are as many as the faces of patches that are to be counted.
+  bool patchesAreTheBoundary(const AskedFaces& asked) const
+  {
+    return boundaryFaces == static_cast<std::size_t>(std::ranges::count_if(
+                                asked.patches, [&](const BoundaryFaceKey& face) { return isOwn(face.cell); }));
+  }
 
 private:
+  bool isOwn(std::size_t cell) const { return !part || part->isOwn[cell]; }
+
+  bool isCounted(const CellWindow& window, std::size_t f) const
+  {
+    const FaceMesh& mesh = window.mesh();
+    const Index owner = window.cells()[mesh.owner[f]];
+    return !part ||
+           (f < mesh.internalFaceCount() ? part->countsFace(owner, window.cells()[mesh.neighbor[f]]) : isOwn(owner));
+  }
+
   /// Whether a face is not among those that are counted as ideal.
   bool isMeasured(const CellWindow& window, std::size_t f) const
   {
@@ -124,14 +153,16 @@ private:
   }
 
   const RegularBoxes& boxes;
+  const CountedPart* part;
   QualityMetrics& out;
+  std::size_t boundaryFaces = 0;
 };
 
 /// False where something is wrong.
-bool measure(CellWindows& windows, const AskedFaces& asked, const RegularBoxes& boxes, QualityMetrics& out,
-             const RunContext& context)
+bool measure(CellWindows& windows, const AskedFaces& asked, const RegularBoxes& boxes, const CountedPart* part,
+             QualityMetrics& out, const RunContext& context)
 {
-  WindowMetrics metrics(boxes, out);
+  WindowMetrics metrics(boxes, part, out);
   const double share = 1.0 / static_cast<double>(std::max<std::size_t>(windows.count(), 1));
   for (std::size_t i = 0; i < windows.count(); ++i)
   {
@@ -143,22 +174,28 @@ bool measure(CellWindows& windows, const AskedFaces& asked, const RegularBoxes& 
       return false;
     }
   }
-  return !asked.patchesAreTheBoundary || metrics.boundaryFaces == asked.patches.size();
+  return !asked.patchesAreTheBoundary || metrics.patchesAreTheBoundary(asked);
 }
 
 } // namespace
 
 std::optional<QualityByBoxes> computeQualityByBoxes(std::span<const Vec3> points, const CellArrays& cells,
                                                     const AskedFaces& asked, const RunContext& context,
-                                                    std::size_t length)
+                                                    std::size_t length, const CountedPart* part)
 {
   if (!areSound(cells))
   {
     return std::nullopt;
   }
   context.progress.report(0.0, "Finding boxes");
-  RegularBoxes boxes = findRegularBoxes(points, cells, pointsOf(asked), context.executor);
-  if (2 * boxes.measured.size() > cells.types.size() && boxes.measured.size() < 2 * length)
+  std::vector<std::int64_t> apart = pointsOf(asked);
+  if (part)
+  {
+    addPointsOfOthers(cells, *part, apart);
+  }
+  RegularBoxes boxes = findRegularBoxes(points, cells, apart, context.executor);
+  release(apart);
+  if (!part && 2 * boxes.measured.size() > cells.types.size() && boxes.measured.size() < 2 * length)
   {
     return std::nullopt;
   }
@@ -166,7 +203,7 @@ std::optional<QualityByBoxes> computeQualityByBoxes(std::span<const Vec3> points
   try
   {
     CellWindows windows(points, cells, boxes.measured, asked, length, context.executor);
-    if (!measure(windows, asked, boxes, out.metrics, context.part(0.2, 1.0)))
+    if (!measure(windows, asked, boxes, part, out.metrics, context.part(0.2, 1.0)))
     {
       return std::nullopt;
     }
