@@ -11,6 +11,7 @@
 #include <atomic>
 #include <iterator>
 #include <string>
+#include <utility>
 
 namespace {
 
@@ -172,33 +173,43 @@ TEST_P(SharedMesher, MeshIsThatOfOneRank)
   }
 }
 
-/// Scenes in a row, with names of their own.
-TriangleSurface rowOfSoups(unsigned seed, int count, double distance)
+/// Surfaces in a row, with names of their own.
+TriangleSurface rowOf(const std::vector<TriangleSurface>& surfaces, double distance)
 {
   TriangleSurface row;
-  for (int i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < surfaces.size(); ++i)
   {
-    const TriangleSurface soup = randomSoup(100 * seed + static_cast<unsigned>(i));
+    const Vec3 offset(static_cast<double>(i) * distance, 0.0, 0.0);
     const auto firstPoint = static_cast<Index>(row.points.size());
     const auto firstName = static_cast<Index>(row.names.size());
-    std::ranges::transform(soup.points, std::back_inserter(row.points),
-                           [&](const Vec3& p) { return Vec3(p + Vec3(i * distance, 0.0, 0.0)); });
-    for (const auto& [a, b, c] : soup.triangles)
+    std::ranges::transform(surfaces[i].points, std::back_inserter(row.points),
+                           [&](const Vec3& p) { return Vec3(p + offset); });
+    for (const auto& [a, b, c] : surfaces[i].triangles)
     {
       row.triangles.push_back({a + firstPoint, b + firstPoint, c + firstPoint});
     }
-    std::ranges::transform(soup.surfaceIds, std::back_inserter(row.surfaceIds),
+    std::ranges::transform(surfaces[i].surfaceIds, std::back_inserter(row.surfaceIds),
                            [&](Index id) { return id + firstName; });
-    std::ranges::transform(soup.names, std::back_inserter(row.names),
+    std::ranges::transform(surfaces[i].names, std::back_inserter(row.names),
                            [&](const std::string& name) { return name + "_" + std::to_string(i); });
   }
   return row;
 }
 
+TriangleSurface rowOfSoups(unsigned seed, unsigned count, double distance)
+{
+  std::vector<TriangleSurface> soups;
+  for (unsigned i = 0; i < count; ++i)
+  {
+    soups.push_back(randomSoup(100 * seed + i));
+  }
+  return rowOf(soups, distance);
+}
+
 /// In the scenes above ranks need all of the octree; here they have parts of it.
 TEST(SharedSite, RanksThatHavePartsOfTheOctreeMakeTheSameMesh)
 {
-  constexpr int scenes = 7;
+  constexpr unsigned scenes = 7;
   constexpr double distance = 8.0;
   for (unsigned seed = 1; seed <= 2; ++seed)
   {
@@ -211,6 +222,40 @@ TEST(SharedSite, RanksThatHavePartsOfTheOctreeMakeTheSameMesh)
     options.layers = {{"*", {.layers = seed % 2 == 0 ? 3 : 1}}};
     const double part = expectSameOnRanks(rowOfSoups(seed, scenes, distance), grid, options, 4);
     EXPECT_LT(part, 0.75);
+  }
+}
+
+/// Of the mesh, in order. Ranks do not know what is far from their shares.
+std::vector<Vec3> pointsBefore(double x, const DualMesh& mesh)
+{
+  std::vector<Vec3> points;
+  std::ranges::copy_if(mesh.points, std::back_inserter(points), [x](const Vec3& p) { return p[0] < x; });
+  return points;
+}
+
+TEST(SharedSite, WhatIsFarAwayChangesNothing)
+{
+  constexpr double distance = 20.0;
+  // Of the first two, moves of grid points about the one were made only while there were some about the other.
+  std::vector<std::pair<unsigned, unsigned>> pairs{{21014, 21004}, {21014, 21012}};
+  for (unsigned seed = 1; seed <= 30; ++seed)
+  {
+    pairs.emplace_back(seed, seed + 1);
+  }
+  for (const auto& [near, far] : pairs)
+  {
+    SCOPED_TRACE(near);
+    GridOptions grid = gridOf(near % 2 == 0 ? 0.1 : 0.15, near % 2 == 0 ? 0.2 : 0.3);
+    grid.domain.max[0] += distance;
+    DualMeshOptions options;
+    options.zoneRule = ZoneRule::all;
+    // The lattice depends on how far a model reaches, so both have the same box about what is far.
+    TriangleSurface frame;
+    addBox(frame, "Frame", {Vec3(distance - 9.0, -9.0, -9.0), Vec3(distance + 9.0, 9.0, 9.0)});
+    const Meshed alone = meshIt(rowOf({randomSoup(near), frame}, 0.0), grid, options);
+    const TriangleSurface pair = rowOf({randomSoup(near), randomSoup(far)}, distance);
+    const Meshed both = meshIt(rowOf({pair, frame}, 0.0), grid, options);
+    EXPECT_EQ(pointsBefore(0.5 * distance, both.mesh()), pointsBefore(0.5 * distance, alone.mesh()));
   }
 }
 

@@ -17,8 +17,8 @@ namespace atria {
 
 namespace {
 
-/// The tenth sweep gains a hundredth of what the first does.
-constexpr int mostSweeps = 10;
+/// With ten, 2.5 % more features are unresolved in models of others; with forty as many.
+constexpr int mostSweeps = 20;
 
 /// The points in rounds. Of two with a leaf in common the first in order is in the earlier round, and those of a round
 /// have none. As a move changes nothing beyond the leaves about the point, all points of a round may be asked at once:
@@ -91,10 +91,12 @@ public:
 private:
   using Places = PlaceMoves::Places;
 
-  /// Moves points one by one until nothing is gained.
+  /// Moves points one by one until nothing is gained. Moves that are left over are those of this sweep, and are made
+  /// whether or not others are elsewhere: what becomes of a place depends on what is about it alone.
   void sweep(std::set<Index> dirty)
   {
-    for (int round = 0; round < mostSweeps && !dirty.empty(); ++round)
+    open.clear();
+    for (int round = 0; round < mostSweeps && !(dirty.empty() && open.empty()); ++round)
     {
       context.progress.check();
       std::erase_if(dirty, [&](Index point) { return isHopeless(point); });
