@@ -216,12 +216,12 @@ void fixMoved(const std::vector<Vec3>& before, const std::vector<Vec3>& points, 
 
 /// Displaces grid points and closes cracks.
 DisplacedGrid findBoundary(const GridPoints& points, const BoundaryGaps& gaps, double crackTolerance,
-                           const MeshingContext& context)
+                           const WideZoneFinder& findZones, const MeshingContext& context)
 {
   context.progress.report(0.3, "Finding crossings");
   Crossings undisplaced = findCrossings(GridPlaces(context.octree, points), context.model, context);
   context.progress.report(0.45, "Moving grid points");
-  DisplacedGrid grid = displaceGrid(points, std::move(undisplaced), context);
+  DisplacedGrid grid = displaceGrid(points, std::move(undisplaced), context, findZones);
   grid.crossings = closeCracks(std::move(grid.crossings), gaps, grid.places, crackTolerance, context);
   grid.crossings = markTurnedSides(std::move(grid.crossings), context.model.names.size());
   return grid;
@@ -273,9 +273,10 @@ ClassifiedMesh makeElements(const CrossedGrid& grid, const Zones& zones, const s
   return classified(std::move(mesh), std::move(placed.classification));
 }
 
-CrossedGrid::CrossedGrid(const CrossingOptions& options, StageClock& clock, const MeshingContext& context)
+CrossedGrid::CrossedGrid(const CrossingOptions& options, StageClock& clock, const MeshingContext& context,
+                         const WideZoneFinder& findZones)
     : points(pointsOf(clock, context)), gaps(findBoundaryGaps(context)),
-      displaced(findBoundary(points, gaps, options.crackTolerance, context))
+      displaced(findBoundary(points, gaps, options.crackTolerance, findZones, context))
 {
   clock.lap("crossings");
 }

@@ -22,7 +22,9 @@ struct CrossingOptions
 /// The octree's grid: its points, what is ahead of boundary edges, and what cuts its edges.
 struct CrossedGrid
 {
-  CrossedGrid(const CrossingOptions& options, StageClock& clock, const MeshingContext& context);
+  /// Ranks have a way of their own to find zones.
+  CrossedGrid(const CrossingOptions& options, StageClock& clock, const MeshingContext& context,
+              const WideZoneFinder& findZones = {});
 
   GridPoints points;
   BoundaryGaps gaps;

@@ -91,9 +91,13 @@ private:
   /// The rank's window of the dual as it is.
   SharedWindow makePlain(DualMeshResult& found)
   {
-    std::optional<CrossedGrid> grid(std::in_place, options, clock, context.part(0.0, 0.3));
+    std::optional<SharedPoints> points;
+    const auto findWideZones = [&](const GridPoints& gridPoints, const Crossings& undisplaced) {
+      points.emplace(share, context.octree, gridPoints, context);
+      return sharedWideZones(gridPoints, undisplaced, *points, surfaceCount, share, context);
+    };
+    std::optional<CrossedGrid> grid(std::in_place, options, clock, context.part(0.0, 0.3), findWideZones);
     const auto& [places, crossings] = grid->displaced;
-    std::optional<SharedPoints> points(std::in_place, share, context.octree, grid->points, context);
     context.progress.report(0.3, "Finding zones");
     Zones zones = findSharedZones(crossings, *points, surfaceCount, share, context);
     found.keptZones = keptSharedZones(zones, options.zoneRule, seedsOf(options), places, *points, share, context.model);

@@ -3,7 +3,6 @@
 
 #include "Dual/Displacement/GapPlanes.h"
 #include "Dual/Displacement/PlaceSearch.h"
-#include "Dual/Displacement/ZonesApart.h"
 
 #include <algorithm>
 
@@ -22,15 +21,19 @@ GridPlaces displacedPlaces(const GridPoints& points, const Crossings& undisplace
 
 } // namespace
 
-DisplacedGrid displaceGrid(const GridPoints& points, Crossings undisplaced, const MeshingContext& context)
+DisplacedGrid displaceGrid(const GridPoints& points, Crossings undisplaced, const MeshingContext& context,
+                           const WideZoneFinder& findZones)
 {
   const SurfaceModel& model = context.model;
   GridPlaces places = displacedPlaces(points, undisplaced, context);
-  if (places.displacedCount() == 0)
+  const bool isAny = places.displacedCount() > 0;
+  const std::vector<Index> apart = findZones ? findZones(points, undisplaced)
+                                   : isAny   ? wideZones(points, undisplaced, context)
+                                             : std::vector<Index>();
+  if (!isAny)
   {
     return {std::move(places), std::move(undisplaced)};
   }
-  const std::vector<Index> apart = wideZones(points, undisplaced, context);
   Crossings crossings = updateCrossings(places, model, std::move(undisplaced), places.displacedPoints(), context);
   // Each round takes back displaced points, so that there is a last one.
   for (std::vector<Index> joining = joiningPoints(places, crossings, apart); !joining.empty();

@@ -12,6 +12,8 @@ namespace atria {
 
 namespace {
 
+constexpr std::size_t grain = 4096;
+
 /// Zones are followed, breadth first, from points that keep theirs through those that were moved and those of no zone.
 class JoiningPoints
 {
@@ -57,6 +59,10 @@ private:
 
   void visit(Index from, Index point)
   {
+    if (apart[from] == zoneElsewhere || apart[point] == zoneElsewhere)
+    {
+      return;
+    }
     const Index zone = isFixed(from) ? apart[from] : reached.at(from).zone;
     if (!isFixed(point) && reached.try_emplace(point, Reached{zone, from}).second)
     {
@@ -94,9 +100,23 @@ private:
 
 } // namespace
 
+std::vector<char> pointsInTheOpen(const GridPoints& points, const Crossings& crossings, const RunContext& context)
+{
+  std::vector<char> isCut(points.atCorner.size(), 0);
+  for (const CrossedEdge& edge : crossings.crossedEdges)
+  {
+    std::for_each(edge.segment.about.begin(), edge.segment.about.end(), [&](Index leaf) { isCut[leaf] = 1; });
+  }
+  std::vector<char> isOpen(points.size());
+  context.executor.forEach(isOpen.size(), grain, [&](std::size_t point) {
+    const auto& leaves = points.leaves[point];
+    isOpen[point] = std::none_of(leaves.begin(), leaves.end(), [&](Index leaf) { return isCut[leaf] != 0; }) ? 1 : 0;
+  });
+  return isOpen;
+}
+
 std::vector<Index> wideZones(const GridPoints& points, const Crossings& crossings, const RunContext& context)
 {
-  constexpr std::size_t grain = 4096;
   const std::size_t count = crossings.neighbors.size();
   UnionFind sets = joinPoints(crossings, context);
   std::vector<Index> zones(count);
@@ -104,17 +124,10 @@ std::vector<Index> wideZones(const GridPoints& points, const Crossings& crossing
   {
     zones[point] = sets.find(point);
   }
-  std::vector<char> isCut(points.atCorner.size(), 0);
-  for (const CrossedEdge& edge : crossings.crossedEdges)
-  {
-    std::for_each(edge.segment.about.begin(), edge.segment.about.end(), [&](Index leaf) { isCut[leaf] = 1; });
-  }
+  const std::vector<char> isOpen = pointsInTheOpen(points, crossings, context);
   std::vector<char> isWide(count, 0);
   context.executor.forEach(count, grain, [&](std::size_t point) {
-    const std::atomic_ref wide(isWide[zones[point]]);
-    const auto& leaves = points.leaves[point];
-    if (wide.load(std::memory_order_relaxed) == 0 &&
-        std::none_of(leaves.begin(), leaves.end(), [&](Index leaf) { return isCut[leaf] != 0; }))
+    if (const std::atomic_ref wide(isWide[zones[point]]); isOpen[point] && wide.load(std::memory_order_relaxed) == 0)
     {
       wide.store(1, std::memory_order_relaxed);
     }

@@ -269,6 +269,28 @@ Zones findSharedZones(const Crossings& crossings, const SharedPoints& points, st
   return SharedZoneFinder(crossings, points, surfaceCount, share).run();
 }
 
+std::vector<Index> sharedWideZones(const GridPoints& grid, const Crossings& crossings, const SharedPoints& points,
+                                   std::size_t surfaceCount, const RankShare& share, const RunContext& context)
+{
+  const Zones zones = findSharedZones(crossings, points, surfaceCount, share, context);
+  const std::vector<char> isOpen = pointsInTheOpen(grid, crossings, context);
+  std::vector<char> isWide(zones.count(), 0);
+  for (Index point = points.firstOwn(); point < points.endOwn(); ++point)
+  {
+    isWide[static_cast<std::size_t>(zones.ofPoint[point])] |= isOpen[point];
+  }
+  for (const std::vector<char>& some : gatherAll(share.exchange(), isWide))
+  {
+    std::ranges::transform(some, isWide, isWide.begin(), [](char a, char b) { return a | b; });
+  }
+  std::vector<Index> out(zones.ofPoint.size());
+  std::ranges::transform(zones.ofPoint, out.begin(), [&](std::int32_t zone) {
+    const auto number = static_cast<std::size_t>(zone);
+    return number >= isWide.size() ? zoneElsewhere : isWide[number] ? static_cast<Index>(number) : noIndex;
+  });
+  return out;
+}
+
 std::vector<char> keptSharedZones(const Zones& zones, ZoneRule rule, const std::vector<Vec3>& seeds,
                                   const GridPlaces& grid, const SharedPoints& points, const RankShare& share,
                                   const SurfaceModel& model)

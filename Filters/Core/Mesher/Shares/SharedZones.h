@@ -2,6 +2,7 @@
 /// Zones that reach over several ranks.
 #pragma once
 
+#include "Dual/Displacement/ZonesApart.h"
 #include "Dual/Zones/Zones.h"
 #include "Mesher/Shares/RankShare.h"
 
@@ -13,6 +14,10 @@ namespace atria {
 /// same points.
 Zones findSharedZones(const Crossings& crossings, const SharedPoints& points, std::size_t surfaceCount,
                       const RankShare& share, const RunContext& context);
+
+/// As wideZones, of the whole.
+std::vector<Index> sharedWideZones(const GridPoints& grid, const Crossings& crossings, const SharedPoints& points,
+                                   std::size_t surfaceCount, const RankShare& share, const RunContext& context);
 
 /// As keptZones and zonesWithinSides; the last zone, which findSharedZones adds, has no entry.
 std::vector<char> keptSharedZones(const Zones& zones, ZoneRule rule, const std::vector<Vec3>& seeds,
