@@ -30,7 +30,7 @@ PointKey keyOf(const Octree& octree, const std::array<Index, 8>& leaves)
 /// Rows of leaves that are those of the whole, about a rank's own: from these to walls below them, along the walls and
 /// off them again, as blocks are improved among; and about all that, so that elements there are those of the whole.
 constexpr int rowsAbout = 6;
-constexpr int rowsOff = 6;
+constexpr int rowsOff = 8;
 constexpr int rowsAlong = 11;
 constexpr int rowsBeside = 2;
 
