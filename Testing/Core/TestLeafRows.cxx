@@ -68,8 +68,8 @@ std::vector<char> leavesIn(const LeafMasks& masks, const RandomOctree& of)
     {
       octant += of.refined[level].size();
     }
-    octant += static_cast<std::size_t>(std::ranges::lower_bound(of.refined[parent], key >> 3) -
-                                       of.refined[parent].begin());
+    octant +=
+        static_cast<std::size_t>(std::ranges::lower_bound(of.refined[parent], key >> 3) - of.refined[parent].begin());
     isIn[leaf] = masks[octant] >> (key & 7) & 1;
   }
   return isIn;
