@@ -58,7 +58,7 @@ def check(folder, said):
     for option in ("--unit", "--up", "--surfaces-by group"):
         assert re.search(rf"warning: sketchup_house.wrl: .*{option}\b", said[0]), said[0]
     assert "warning" not in said[1] and "WallSouth" in said[1], said[1]
-    assert re.search(r"warning: .*narrowest opening, 1 wide, between 'Partition[AB]'.* 2 octants", said[2]), said[2]
+    assert re.search(r"warning: .*narrowest opening, 1 wide, between 'PartitionB'.* 2 octants", said[2]), said[2]
     for line in (r"^not valid +none$", r"^left out +insides of solids 1$", r"^patches .*WallSouth_front, WallSouth_back"):
         assert re.search(line, everything, re.MULTILINE), f"no {line} in\n{everything}"
     quality = {row[0]: float(row[2]) for row in map(str.split, said[5].splitlines()) if len(row) == 5 and row[0] != "metric"}

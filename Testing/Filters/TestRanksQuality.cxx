@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Quality on ranks.
-#include "MeshPiece.h"
 #include "OnRanks.h"
-#include "VtkFaceMesh.h"
 #include "vtkAtriaMeshQuality.h"
 
 #include <vtkCallbackCommand.h>
