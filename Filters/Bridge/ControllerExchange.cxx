@@ -43,8 +43,8 @@ void receive(Bytes& bytes, int rank, vtkMultiProcessController& controller)
 int ControllerExchange::rank() const { return controller_.GetLocalProcessId(); }
 int ControllerExchange::ranks() const { return controller_.GetNumberOfProcesses(); }
 
-std::vector<long long> ControllerExchange::agree(Status status, const std::string& message,
-                                                 const std::vector<long long>& sizes)
+std::vector<long long> ControllerExchange::ask(Status status, const std::string& message,
+                                               const std::vector<long long>& sizes)
 {
   std::vector<long long> own = sizes;
   own.resize(static_cast<std::size_t>(ranks()), 0);
@@ -94,7 +94,7 @@ std::vector<Bytes> ControllerExchange::pass(const std::function<const Bytes&(int
   {
     sizes[static_cast<std::size_t>(other)] = static_cast<long long>(bytesTo(other).size());
   }
-  const std::vector<long long> all = agree(fine, {}, sizes);
+  const std::vector<long long> all = ask(fine, {}, sizes);
   std::vector<Bytes> received(sizes.size());
   try
   {
@@ -106,9 +106,9 @@ std::vector<Bytes> ControllerExchange::pass(const std::function<const Bytes&(int
   }
   catch (const std::bad_alloc&)
   {
-    agree(failed, "a rank has no memory for what others send", {});
+    ask(failed, "a rank has no memory for what others send", {});
   }
-  agree(fine, {}, {}); // nobody stops from here on
+  ask(fine, {}, {}); // nobody stops from here on
   std::ranges::copy(bytesTo(rank()), received[static_cast<std::size_t>(rank())].begin());
   // Of two ranks the lower one sends first, and each goes through the others in order: none waits for one that waits
   // for it.
@@ -137,7 +137,7 @@ void ControllerExchange::run(const std::function<void()>& work)
     {
       throw; // another rank has told it
     }
-    agree(status, message, {});
+    ask(status, message, {});
   };
   try
   {
@@ -159,7 +159,21 @@ void ControllerExchange::run(const std::function<void()>& work)
   {
     tell(failed, "a rank has failed for a reason that it does not know");
   }
-  agree(fine, {}, {});
+  ask(fine, {}, {});
+}
+
+bool ControllerExchange::agreeOn(const std::function<void()>& work)
+{
+  try
+  {
+    run(work);
+    return true;
+  }
+  catch (const RanksDisagree&)
+  {
+    isOver_ = false;
+    return false;
+  }
 }
 
 std::optional<int> runOnRanks(vtkAlgorithm& algorithm, vtkInformationVector* outputs,

@@ -23,6 +23,7 @@ public:
   int ranks() const override;
   std::vector<Bytes> exchange(std::vector<Bytes> toRanks) override;
   std::vector<Bytes> gather(const Bytes& own) override;
+  bool agreeOn(const std::function<void()>& work) override;
 
   /// Does what all ranks do together. Where one fails, all others do at their next exchange, at the latest at the end
   /// of the work, and throw what exchange() says. Of all ranks. Work that calls the controller itself does so right
@@ -41,7 +42,7 @@ private:
   /// Sends each rank what is for it, without a copy.
   std::vector<Bytes> pass(const std::function<const Bytes&(int other)>& bytesTo);
   /// What is for which rank, by rank and then by receiver. Throws where a rank is not fine.
-  std::vector<long long> agree(Status status, const std::string& message, const std::vector<long long>& sizes);
+  std::vector<long long> ask(Status status, const std::string& message, const std::vector<long long>& sizes);
 
   vtkMultiProcessController& controller_;
   bool isOver_ = false; ///< as a rank has failed

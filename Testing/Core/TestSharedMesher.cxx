@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Meshes that several ranks make together.
 #include "Mesher/SharedMesher.h"
+#include "Mesher/SharedModel.h"
 #include "Support/DualMeshChecks.h"
 #include "Support/MeshIt.h"
 #include "Support/QuietContext.h"
@@ -138,7 +139,7 @@ double expectSameOnRanks(const TriangleSurface& surface, const GridOptions& grid
   onRanks(ranks, [&](RankExchange& exchange) {
     const RankShare share(sets, whole.frame, blockSize, exchange);
     ASSERT_GT(share.blocks().count(), 1U);
-    const Octree octree = share.makeOctree(whole.model, quietContext());
+    const Octree octree = share.makeOctree(whole.model, {}, quietContext());
     leaves += octree.leafCount();
     StageClock clock;
     const SharedDual dual = makeSharedMesh(octree, whole.model, options, share, 1, clock, quietContext());
@@ -223,6 +224,33 @@ TEST(SharedSite, RanksThatHavePartsOfTheOctreeMakeTheSameMesh)
     const double part = expectSameOnRanks(rowOfSoups(seed, scenes, distance), grid, options, 4);
     EXPECT_LT(part, 0.75);
   }
+}
+
+TEST(SharedSite, RanksTakeMoreRowsUntilTheyAgree)
+{
+  constexpr ShareRows few{1, 1, 1, 1};
+  constexpr double distance = 8.0;
+  GridOptions grid = gridOf(0.25, 0.25);
+  grid.sizeMax = 0.25;
+  grid.domain.max[0] += 6.0 * distance;
+  DualMeshOptions options;
+  options.zoneRule = ZoneRule::all;
+  options.layers = {{"*", {.layers = 1}}};
+  options.blockSize = blockSize;
+  const TriangleSurface surface = rowOfSoups(1, 7, distance);
+  const Meshed whole = meshIt(surface, grid, options);
+  const RefinedSets sets = whole.octree.refinedSets();
+  const auto makeWithFew = [&](RankExchange& exchange) {
+    const RankShare share(sets, whole.frame, blockSize, exchange);
+    const Octree octree = share.makeOctree(whole.model, few, quietContext());
+    StageClock clock;
+    makeSharedMesh(octree, whole.model, options, share, 1, clock, quietContext());
+  };
+  EXPECT_THROW(onRanks(4, makeWithFew), RanksDisagree);
+  onRanks(4, [&](RankExchange& exchange) {
+    const auto made = meshSharedModel(surface, optionsIn(grid, options), 1, exchange, quietContext(), few);
+    expectPiece(whole.mesh(), made.value().piece, exchange.rank());
+  });
 }
 
 /// Of the mesh, in order. Ranks do not know what is far from their shares.

@@ -192,4 +192,27 @@ TEST_F(TogetherOnRanks, WhatOneRankThrowsEndsAll)
   EXPECT_EQ(run([] { throw atria::Aborted(); }), 1);
 }
 
+TEST_F(TogetherOnRanks, AfterADisagreementAllGoOn)
+{
+  update(mesher);
+  std::vector<bool> agreed;
+  const auto result =
+      atria::runOnRanks(*mesher, mesher->GetExecutive()->GetOutputInformation(), *controller(),
+                        [&](atria::RankExchange& exchange, const atria::RunContext&) {
+                          for (const bool isTwoOfIt : {true, false})
+                          {
+                            agreed.push_back(exchange.agreeOn([&] {
+                              if (isTwoOfIt && rank() == ranks() - 1)
+                              {
+                                throw atria::RanksDisagree("ranks have two of it");
+                              }
+                              EXPECT_EQ(atria::gatherAll(exchange, rank()).size(), static_cast<std::size_t>(ranks()));
+                            }));
+                          }
+                          return true;
+                        });
+  EXPECT_EQ(result, 1);
+  EXPECT_EQ(agreed, (std::vector<bool>{false, true}));
+}
+
 } // namespace

@@ -13,18 +13,23 @@ Meshed meshIt(const TriangleSurface& surface, const GridOptions& grid, const Dua
 Meshed meshIt(const TriangleSurface& surface, const GridOptions& grid, const DualMeshOptions& options,
               const RunContext& context)
 {
+  StageCache cache;
+  Meshed out;
+  out.result = meshModel(surface, optionsIn(grid, options), context, &cache);
+  out.frame = cache.sources()->octree.frame();
+  out.model = cache.sources()->model;
+  out.octree = cache.sources()->octree;
+  return out;
+}
+
+MesherOptions optionsIn(const GridOptions& grid, const DualMeshOptions& options)
+{
   MesherOptions all;
   all.site.mode = DomainMode::bounds;
   all.site.bounds = grid.domain;
   all.sizes = grid;
   all.mesh = options;
-  StageCache cache;
-  Meshed out;
-  out.result = meshModel(surface, all, context, &cache);
-  out.frame = cache.sources()->octree.frame();
-  out.model = cache.sources()->model;
-  out.octree = cache.sources()->octree;
-  return out;
+  return all;
 }
 
 } // namespace atria::testing

@@ -20,4 +20,7 @@ Meshed meshIt(const TriangleSurface& surface, const GridOptions& grid, const Dua
 Meshed meshIt(const TriangleSurface& surface, const GridOptions& grid, const DualMeshOptions& options,
               const RunContext& context);
 
+/// Those of such a run.
+MesherOptions optionsIn(const GridOptions& grid, const DualMeshOptions& options);
+
 } // namespace atria::testing

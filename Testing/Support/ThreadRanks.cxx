@@ -3,7 +3,7 @@
 
 #include "Support/Error.h"
 
-#include <atomic>
+#include <algorithm>
 #include <barrier>
 #include <exception>
 #include <thread>
@@ -14,14 +14,16 @@ namespace atria::testing {
 
 namespace {
 
-class Mailboxes
+struct Mailboxes
 {
-public:
-  explicit Mailboxes(int ranks) : barrier(ranks), boxes(static_cast<std::size_t>(ranks)) {}
+  explicit Mailboxes(int ranks)
+      : barrier(ranks), boxes(static_cast<std::size_t>(ranks)), failures(static_cast<std::size_t>(ranks))
+  {
+  }
 
   std::barrier<> barrier;
-  std::vector<std::vector<Bytes>> boxes; ///< by sender, then by receiver
-  std::atomic<bool> failed = false;
+  std::vector<std::vector<Bytes>> boxes;    ///< by sender, then by receiver
+  std::vector<std::exception_ptr> failures; ///< by rank
 };
 
 class ThreadRank : public RankExchange
@@ -34,11 +36,7 @@ public:
   std::vector<Bytes> exchange(std::vector<Bytes> toRanks) override
   {
     mail.boxes[static_cast<std::size_t>(own)] = std::move(toRanks);
-    mail.barrier.arrive_and_wait();
-    if (mail.failed)
-    {
-      throw Error("another rank failed");
-    }
+    expectNoFailure(nullptr);
     std::vector<Bytes> received;
     for (std::vector<Bytes>& box : mail.boxes)
     {
@@ -48,9 +46,57 @@ public:
     return received;
   }
 
+  bool agreeOn(const std::function<void()>& work) override
+  {
+    try
+    {
+      run(work);
+      return true;
+    }
+    catch (const RanksDisagree&)
+    {
+      isOver = false;
+      return false;
+    }
+  }
+
+  /// Throws on all ranks what the first of those that throw does.
+  void run(const std::function<void()>& work)
+  {
+    std::exception_ptr failure;
+    try
+    {
+      work();
+    }
+    catch (...)
+    {
+      if (isOver)
+      {
+        throw; // all have heard of it
+      }
+      failure = std::current_exception();
+    }
+    expectNoFailure(failure);
+  }
+
 private:
+  void expectNoFailure(const std::exception_ptr& ownFailure)
+  {
+    mail.failures[static_cast<std::size_t>(own)] = ownFailure;
+    mail.barrier.arrive_and_wait();
+    const auto found = std::ranges::find_if(mail.failures, [](const auto& failure) { return failure != nullptr; });
+    const std::exception_ptr first = found == mail.failures.end() ? nullptr : *found;
+    mail.barrier.arrive_and_wait();
+    if (first)
+    {
+      isOver = true;
+      std::rethrow_exception(first);
+    }
+  }
+
   Mailboxes& mail;
   int own;
+  bool isOver = false; ///< as a rank has failed
 };
 
 } // namespace
@@ -58,23 +104,20 @@ private:
 void onRanks(int ranks, const std::function<void(RankExchange&)>& work)
 {
   Mailboxes mail(ranks);
-  std::exception_ptr first;
+  std::vector<std::exception_ptr> failures(static_cast<std::size_t>(ranks));
   std::vector<std::thread> threads;
+  threads.reserve(failures.size());
   for (int rank = 0; rank < ranks; ++rank)
   {
     threads.emplace_back([&, rank] {
       ThreadRank own(mail, rank);
       try
       {
-        work(own);
+        own.run([&] { work(own); });
       }
       catch (...)
       {
-        if (!mail.failed.exchange(true))
-        {
-          first = std::current_exception();
-        }
-        mail.barrier.arrive_and_drop();
+        failures[static_cast<std::size_t>(rank)] = std::current_exception();
       }
     });
   }
@@ -82,9 +125,9 @@ void onRanks(int ranks, const std::function<void(RankExchange&)>& work)
   {
     thread.join();
   }
-  if (first)
+  if (failures.front()) // all have the same
   {
-    std::rethrow_exception(first);
+    std::rethrow_exception(failures.front());
   }
 }
 

@@ -8,8 +8,8 @@
 
 namespace atria::testing {
 
-/// Runs `work` on so many ranks at the same time, and returns when all are done. Throws what the first one threw that
-/// was not told by another.
+/// Runs `work` on so many ranks at the same time, and returns when all are done. Throws what the first of those threw
+/// that failed.
 void onRanks(int ranks, const std::function<void(RankExchange&)>& work);
 
 } // namespace atria::testing

@@ -11,8 +11,8 @@ namespace atria {
 
 namespace {
 
-/// The part of the run that is over when there are octrees.
-constexpr double octreeShare = 0.4;
+/// The part of the run that is over when octants have their sizes.
+constexpr double sizingShare = 0.25;
 
 bool needsWhole(const SurfaceModel& model, const ZoneOptions& options)
 {
@@ -51,41 +51,83 @@ std::size_t elementsOnRanks(const Octree& octree, const SurfaceModel& model, con
   return countBefore(elementsWithLayers(octree, model, rules, context, isOwn), share.exchange()).all;
 }
 
+/// Makes the mesh of a share, with more and more rows about it until ranks agree.
+class ShareMaker
+{
+public:
+  ShareMaker(const SurfaceModel& surfaceModel, const MesherOptions& meshOptions, const RankShare& rankShare, int levels,
+             const RunContext& within)
+      : model(surfaceModel), options(meshOptions), share(rankShare), ghostLevels(levels), context(within)
+  {
+  }
+
+  SharedDual make(ShareRows rows, StageClock& clock) const
+  {
+    std::optional<SharedDual> made;
+    for (int tries = 1; tries < mostTries; ++tries)
+    {
+      StageClock tried = clock;
+      if (share.exchange().agreeOn([&] { made = makeWith(rows, tried); }))
+      {
+        clock = std::move(tried);
+        return std::move(*made);
+      }
+      rows = rows.times(2);
+    }
+    return makeWith(rows, clock);
+  }
+
+private:
+  static constexpr int mostTries = 3;
+
+  SharedDual makeWith(const ShareRows& rows, StageClock& clock) const
+  {
+    const Octree octree = share.makeOctree(model, rows, context.part(0.0, 0.25));
+    clock.lap("octree");
+    checkLayerBudget(elementsOnRanks(octree, model, options.mesh.layers, share, context), options.sizing.memoryLimit);
+    DualMeshOptions dual = options.mesh;
+    dual.rooms.sidesAreWalls = options.site.mode == DomainMode::surfaces;
+    return makeSharedMesh(octree, model, dual, share, ghostLevels, clock, context.part(0.25, 1.0));
+  }
+
+  const SurfaceModel& model;
+  const MesherOptions& options;
+  const RankShare& share;
+  int ghostLevels;
+  const RunContext& context;
+};
+
 } // namespace
 
 std::optional<SharedModel> meshSharedModel(const TriangleSurface& surface, const MesherOptions& options,
-                                           int ghostLevels, RankExchange& exchange, const RunContext& run)
+                                           int ghostLevels, RankExchange& exchange, const RunContext& run,
+                                           const ShareRows& rows)
 {
   if (options.mesh.blockSize == 0)
   {
     return std::nullopt;
   }
   StageClock clock;
-  const RunContext context = run.part(0.0, octreeShare);
+  const RunContext context = run.part(0.0, sizingShare);
   const SitePlan plan = planSite(surface, options);
   std::optional<SharedModel> out(std::in_place);
   MeshedModel& meshed = out->meshed;
   meshed.inputWarnings = checkDomain(surface, plan, options);
   context.progress.report(0.0, "Repairing surfaces");
   const PlacedModel placed = placeModel(surface, plan, options);
-  const SurfaceModel model = makeSurfaceModel(placed, options, context.part(0.0, 0.125));
+  const SurfaceModel model = makeSurfaceModel(placed, options, context.part(0.0, 0.2));
   if (needsWhole(model, options.mesh))
   {
     return std::nullopt;
   }
   clock.lap("surface");
-  SizedOctants sized = sizeOctants(model, placed.frame, options, context.part(0.125, 0.625));
+  SizedOctants sized = sizeOctants(model, placed.frame, options, context.part(0.2, 1.0));
   const RankShare share(sized.refined, placed.frame, options.mesh.blockSize, exchange);
   if (share.blocks().count() < static_cast<std::size_t>(std::max(2, exchange.ranks())))
   {
     return std::nullopt;
   }
-  const Octree octree = share.makeOctree(model, context.part(0.625, 1.0));
-  clock.lap("octree");
-  checkLayerBudget(elementsOnRanks(octree, model, options.mesh.layers, share, context), options.sizing.memoryLimit);
-  DualMeshOptions dual = options.mesh;
-  dual.rooms.sidesAreWalls = options.site.mode == DomainMode::surfaces;
-  SharedDual made = makeSharedMesh(octree, model, dual, share, ghostLevels, clock, run.part(octreeShare, 1.0));
+  SharedDual made = ShareMaker(model, options, share, ghostLevels, run.part(sizingShare, 1.0)).make(rows, clock);
   static_cast<DualMeshResult&>(meshed) = std::move(made.found);
   out->piece = std::move(made.piece);
   meshed.metSides = metOnRanks(out->piece, model.names.size(), exchange);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Mesher/MeshModel.h"
+#include "Mesher/Shares/RankShare.h"
 #include "Mesher/Shares/SharedPiece.h"
 
 namespace atria {
@@ -20,8 +21,10 @@ struct SharedModel
 /// numbers, names and bits of points for any number of ranks. All ranks call it at the same time, with the same
 /// arguments. Returns nothing, on all ranks, where only one can make the mesh, as a whole: without a block size, where
 /// that leaves fewer blocks than ranks, or one, and where there are sealed seeds, face zones, cell zones or openings.
-/// Throws as meshModel(), and RanksDisagree.
+/// Octrees of ranks have so many `rows` about their shares, and twice and four times as many where ranks disagree.
+/// Throws as meshModel(), and RanksDisagree where they do even then.
 std::optional<SharedModel> meshSharedModel(const TriangleSurface& surface, const MesherOptions& options,
-                                           int ghostLevels, RankExchange& exchange, const RunContext& context);
+                                           int ghostLevels, RankExchange& exchange, const RunContext& context,
+                                           const ShareRows& rows = {});
 
 } // namespace atria

@@ -6,6 +6,7 @@
 #include "Support/Error.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace atria {
 
@@ -30,6 +31,9 @@ public:
   {
     return exchange(std::vector<Bytes>(static_cast<std::size_t>(ranks()), own));
   }
+  /// Does what all ranks do together. False, on all of them, where any throws RanksDisagree: they may try something
+  /// else then. Throws on all what else any throws, as exchange() says.
+  virtual bool agreeOn(const std::function<void()>& work) = 0;
 };
 
 /// The values that an archive takes of something, as bytes; see ByteWriter.

@@ -27,13 +27,6 @@ PointKey keyOf(const Octree& octree, const std::array<Index, 8>& leaves)
   return octree.finestKey(owner) << 3 | corner;
 }
 
-/// Rows of leaves that are those of the whole, about a rank's own: from these to walls below them, along the walls and
-/// off them again, as blocks are improved among; and about all that, so that elements there are those of the whole.
-constexpr int rowsAbout = 6;
-constexpr int rowsOff = 8;
-constexpr int rowsAlong = 11;
-constexpr int rowsBeside = 2;
-
 LeafMasks both(LeafMasks a, const LeafMasks& b)
 {
   std::ranges::transform(a, b, a.begin(), std::bit_and<>());
@@ -66,9 +59,9 @@ int RankShare::rankOfBlock(Index block) const
   return static_cast<int>(std::ranges::upper_bound(firstBlocks_, block) - firstBlocks_.begin()) - 1;
 }
 
-Octree RankShare::makeOctree(const SurfaceModel& model, const RunContext& context) const
+Octree RankShare::makeOctree(const SurfaceModel& model, const ShareRows& rows, const RunContext& context) const
 {
-  RefinedSets refined = setsNeeded(model, context);
+  RefinedSets refined = setsNeeded(model, rows, context);
   balance(refined, frame_, context);
   Octree octree(frame_, refined, context.executor);
   release(refined);
@@ -77,34 +70,35 @@ Octree RankShare::makeOctree(const SurfaceModel& model, const RunContext& contex
 }
 
 /// Of the own leaves and those about them that are to be as in the whole.
-RefinedSets RankShare::setsNeeded(const SurfaceModel& model, const RunContext& context) const
+RefinedSets RankShare::setsNeeded(const SurfaceModel& model, const ShareRows& rows, const RunContext& context) const
 {
   if (blocks_.count() < 2)
   {
     return whole_; // it is small, and its root may be a leaf
   }
-  const LeafRows rows(whole_, frame_);
-  const LeafMasks& anywhere = rows.inDomain();
-  std::vector<LeafMasks> off{rows.grow(rows.withSurfaces(model, context), 1, anywhere)};
+  const LeafRows leaves(whole_, frame_);
+  const LeafMasks& anywhere = leaves.inDomain();
+  std::vector<LeafMasks> off{leaves.grow(leaves.withSurfaces(model, context), 1, anywhere)};
   LeafMasks near = off.front();
-  for (int row = 1; row <= rowsOff; ++row)
+  for (int row = 1; row <= rows.off; ++row)
   {
-    LeafMasks more = rows.grow(near, 1, anywhere);
+    LeafMasks more = leaves.grow(near, 1, anywhere);
     off.push_back(without(more, near));
     near = std::move(more);
   }
-  const LeafMasks own = rows.in(own_);
-  LeafMasks window = rows.grow(both(own, near), rowsAbout, anywhere);
-  for (std::size_t row = rowsOff; row-- > 0;)
+  const LeafMasks own = leaves.in(own_);
+  LeafMasks window = leaves.grow(both(own, near), rows.about, anywhere);
+  for (std::size_t row = off.size() - 1; row-- > 0;)
   {
-    window = rows.grow(std::move(window), 1, off[row]);
+    window = leaves.grow(std::move(window), 1, off[row]);
   }
-  window = rows.grow(std::move(window), rowsAlong, off.front());
+  window = leaves.grow(std::move(window), rows.along, off.front());
   for (std::size_t row = 1; row < off.size(); ++row)
   {
-    window = rows.grow(std::move(window), 1, off[row]);
+    window = leaves.grow(std::move(window), 1, off[row]);
   }
-  return rows.setsOf(rows.grow(any(std::move(window), rows.grow(own, rowsBeside, anywhere)), rowsBeside, anywhere));
+  const LeafMasks beside = leaves.grow(own, rows.beside, anywhere);
+  return leaves.setsOf(leaves.grow(any(std::move(window), beside), rows.beside, anywhere));
 }
 
 bool RankShare::isExact(const Octree& octree, Index leaf) const

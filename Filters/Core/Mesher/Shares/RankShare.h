@@ -12,6 +12,20 @@ namespace atria {
 /// A grid point by the first leaf that has it as a corner, and which: the same on all ranks, in the order of points.
 using PointKey = std::uint64_t;
 
+/// Rows of leaves that a rank's octree has as the whole does: about the rank's own near walls, from there down to
+/// these, along them and off them again, as blocks are improved among; and about all that, so that elements there are
+/// those of the whole. Walls are followed off them as far as they are approached. Found by trying; where they are too
+/// few, ranks tell.
+struct ShareRows
+{
+  int about = 6;
+  int off = 8;
+  int along = 11;
+  int beside = 2;
+
+  ShareRows times(int factor) const { return {factor * about, factor * off, factor * along, factor * beside}; }
+};
+
 /// Each rank has blocks of the octree in a row, and makes its own octree: the whole's there and so many rows about it,
 /// coarser elsewhere.
 class RankShare
@@ -28,7 +42,7 @@ public:
   Index firstBlock() const { return firstBlocks_[static_cast<std::size_t>(rank())]; }
   Index endBlock() const { return firstBlocks_[static_cast<std::size_t>(rank()) + 1]; }
   /// The rank's octree, whose leaves know their pieces of the model.
-  Octree makeOctree(const SurfaceModel& model, const RunContext& context) const;
+  Octree makeOctree(const SurfaceModel& model, const ShareRows& rows, const RunContext& context) const;
 
   int rankOfBlock(Index block) const;
   /// Of a leaf, by its key in the finest grid.
@@ -40,7 +54,7 @@ public:
   bool isExact(const Octree& octree, Index leaf) const;
 
 private:
-  RefinedSets setsNeeded(const SurfaceModel& model, const RunContext& context) const;
+  RefinedSets setsNeeded(const SurfaceModel& model, const ShareRows& rows, const RunContext& context) const;
 
   const RefinedSets& whole_;
   const GridFrame& frame_;
