@@ -22,7 +22,7 @@ void checksToVtk(const MeshVerdict& verdict, vtkTable* table)
   addArrayOf<vtkDoubleArray>(rows, "Worst", verdict.checks, &MeshCheck::worst);
   addArrayOf<vtkDoubleArray>(rows, "Mean", verdict.checks, &MeshCheck::mean);
   addArrayOf<vtkIdTypeArray>(rows, "Failing", verdict.checks,
-                             [](const MeshCheck& check) { return check.failing.size(); });
+                             [](const MeshCheck& check) { return check.failingCount; });
   addArrayOf<vtkUnsignedCharArray>(rows, "IsError", verdict.checks, &MeshCheck::isError);
   addArrayOf<vtkStringArray>(rows, "Set", verdict.checks, &MeshCheck::set);
   addArrayOf<vtkStringArray>(rows, "Advice", verdict.checks, adviceFor);

@@ -91,7 +91,7 @@ std::vector<std::string> failureTexts(const MeasuredMesh& mesh, const MeshVerdic
     if (check.part == MeshPart::Cells || check.part == MeshPart::Faces)
     {
       const Vec3 place = placeOf(mesh, check.part, check.failing.front());
-      text << " at " << check.failing.size() << ' ' << nameOf(check.part) << ", the first at (" << place[0] << ' '
+      text << " at " << check.failingCount << ' ' << nameOf(check.part) << ", the first at (" << place[0] << ' '
            << place[1] << ' ' << place[2] << ')';
     }
     text << ": " << adviceFor(check);

@@ -4,6 +4,7 @@
 #include "Quality/Checks/CheckLimits.h"
 #include "Quality/Checks/CheckQuantities.h"
 #include "Quality/Checks/Metrics.h"
+#include "Quality/Checks/PartCounts.h"
 #include "Quality/Faces/InOrder.h"
 #include "Support/Angles.h"
 #include "Support/Error.h"
@@ -35,7 +36,10 @@ struct Limit
 class MeshChecker
 {
 public:
-  MeshChecker(const MeasuredMesh& measured, const RunContext& within) : m(measured), context(within) {}
+  MeshChecker(const MeasuredMesh& measured, const RunContext& within, const CheckedPart* checkedPart)
+      : m(measured), context(within), counts(measured.mesh, checkedPart)
+  {
+  }
 
   MeshVerdict run()
   {
@@ -79,22 +83,28 @@ private:
   MeshCheck& judge(const Limit& limit, MeshPart part, std::span<const double> values, std::size_t judged)
   {
     step();
-    const auto end = values.begin() + static_cast<std::ptrdiff_t>(judged);
-    MeshCheck check{limit.name, limit.set,  part, limit.isError, limit.greaterFails, limit.limit,
-                    notANumber, notANumber, {}};
-    if (judged > 0)
-    {
-      check.worst =
-          limit.greaterFails ? *std::max_element(values.begin(), end) : *std::min_element(values.begin(), end);
-      check.mean = std::accumulate(values.begin(), end, 0.0) / static_cast<double>(judged);
-    }
+    MeshCheck check{limit.name, limit.set, part, limit.isError, limit.greaterFails, limit.limit, notANumber,
+                    notANumber, {},        0};
+    CountedValues counted{limit.greaterFails};
     for (std::size_t i = 0; i < judged; ++i)
     {
-      if (limit.greaterFails ? values[i] > limit.limit : values[i] < limit.limit)
+      const bool fails = limit.greaterFails ? values[i] > limit.limit : values[i] < limit.limit;
+      if (fails)
       {
         check.failing.push_back(static_cast<Index>(i));
       }
+      if (counts(part, i))
+      {
+        counted.add(values[i], fails);
+      }
     }
+    counts.addOthers(counted);
+    if (counted.count > 0)
+    {
+      check.worst = counted.worst;
+      check.mean = counted.sum / static_cast<double>(counted.count);
+    }
+    check.failingCount = counted.failing;
     verdict.checks.push_back(std::move(check));
     return verdict.checks.back();
   }
@@ -118,9 +128,13 @@ private:
     double size = 0.0;
     for (std::size_t f = m.mesh.internalFaceCount(); f < m.mesh.faceCount(); ++f)
     {
-      sum += m.geometry.faceAreas[f];
-      size += lengthInOrder(m.geometry.faceAreas[f]);
+      if (counts(MeshPart::Faces, f))
+      {
+        sum += m.geometry.faceAreas[f];
+        size += lengthInOrder(m.geometry.faceAreas[f]);
+      }
     }
+    counts.addOthers(sum, size);
     const double openness = (sum / (size + vSmall)).cwiseAbs().maxCoeff();
     judge({"BoundaryOpenness", "", true, true, 1e-6}, MeshPart::Mesh, {&openness, 1});
   }
@@ -177,6 +191,7 @@ private:
     {
       box.extend(p);
     }
+    counts.addOthers(box);
     const Vec3 least = 1e-6 * box.size();
     return dotInOrder(least, least);
   }
@@ -185,8 +200,9 @@ private:
   {
     std::sort(points.begin(), points.end());
     points.erase(std::unique(points.begin(), points.end()), points.end());
+    const std::size_t count = counts.countPoints(points);
     verdict.checks.push_back({limit.name, limit.set, MeshPart::Points, limit.isError, limit.greaterFails, limit.limit,
-                              worst, notANumber, std::move(points)});
+                              worst, notANumber, std::move(points), count});
   }
 
   void judgeEdges()
@@ -203,7 +219,16 @@ private:
         addShortEdges(m.mesh.face(f), limit, ends);
       }
     }
-    const double least = lengths.empty() ? notANumber : *std::min_element(lengths.begin(), lengths.end());
+    CountedValues counted;
+    for (std::size_t f = 0; f < lengths.size(); ++f)
+    {
+      if (counts(MeshPart::Faces, f))
+      {
+        counted.add(lengths[f], false);
+      }
+    }
+    counts.addOthers(counted);
+    const double least = counted.count == 0 ? notANumber : counted.worst;
     addNote({"EdgeLength", "shortEdges", false, false, std::sqrt(limit)}, least, std::move(ends));
   }
 
@@ -226,8 +251,11 @@ private:
   {
     step();
     const double limit = leastDistanceSquared();
-    const std::vector<double> squares = valuesOf(
-        m.mesh.points.size(), [this](std::size_t i) { return dotInOrder(m.mesh.points[i], m.mesh.points[i]); });
+    const std::vector<Vec3> guests = counts.pointsOfOthers(std::sqrt(limit));
+    const std::size_t own = m.mesh.points.size();
+    const auto place = [&](std::size_t i) -> const Vec3& { return i < own ? m.mesh.points[i] : guests[i - own]; };
+    const std::vector<double> squares =
+        valuesOf(own + guests.size(), [&](std::size_t i) { return dotInOrder(place(i), place(i)); });
     std::vector<Index> order(squares.size());
     std::iota(order.begin(), order.end(), 0);
     std::sort(order.begin(), order.end(),
@@ -238,7 +266,7 @@ private:
     {
       for (std::size_t j = i; j-- > 0 && squares[order[j]] > squares[order[i]] - limit;)
       {
-        const Vec3 way = m.mesh.points[order[i]] - m.mesh.points[order[j]];
+        const Vec3 way = place(order[i]) - place(order[j]);
         const double square = dotInOrder(way, way);
         if (square < limit)
         {
@@ -247,12 +275,20 @@ private:
         }
       }
     }
-    const double worst = near.empty() ? notANumber : std::sqrt(least);
+    std::erase_if(near, [own](Index point) { return point >= own; });
+    CountedValues counted;
+    if (!near.empty())
+    {
+      counted.add(least, false);
+    }
+    counts.addOthers(counted);
+    const double worst = counted.count == 0 ? notANumber : std::sqrt(counted.worst);
     addNote({"PointDistance", "nearPoints", false, false, std::sqrt(limit)}, worst, std::move(near));
   }
 
   const MeasuredMesh& m;
   const RunContext& context;
+  PartCounts counts;
   MeshVerdict verdict;
   int done = 0;
 };
@@ -274,12 +310,15 @@ const MeshCheck& MeshVerdict::operator[](const std::string& name) const
 int MeshVerdict::failedChecks() const
 {
   const auto failed = std::count_if(checks.begin(), checks.end(),
-                                    [](const MeshCheck& check) { return check.isError && !check.failing.empty(); });
-  const bool both = !(*this)["Openness"].failing.empty() && !(*this)["AreaAspectRatio"].failing.empty();
+                                    [](const MeshCheck& check) { return check.isError && check.failingCount > 0; });
+  const bool both = (*this)["Openness"].failingCount > 0 && (*this)["AreaAspectRatio"].failingCount > 0;
   return static_cast<int>(failed) - (both ? 1 : 0);
 }
 
-MeshVerdict checkMesh(const MeasuredMesh& mesh, const RunContext& context) { return MeshChecker(mesh, context).run(); }
+MeshVerdict checkMesh(const MeasuredMesh& mesh, const RunContext& context, const CheckedPart* part)
+{
+  return MeshChecker(mesh, context, part).run();
+}
 
 std::vector<std::uint32_t> failedChecksOfCells(const MeasuredMesh& mesh, const MeshVerdict& verdict)
 {
