@@ -228,6 +228,27 @@ std::optional<QualityByBoxes> MeshPiece::measure(const RunContext& context) cons
   return computeQualityByBoxes(itsPoints.view(), itsCells.view(), {keys, true, {}, {}}, context, measuredAtOnce, &part);
 }
 
+WidePiece MeshPiece::widen(int rings, RankExchange& exchange, const Executor& executor) const
+{
+  const VtkCells itsCells(grid);
+  const VtkPoints itsPoints(grid->GetPoints(), executor);
+  const std::vector<vtkIdType> itsPointIds = idsOf(grid->GetPointData(), "GlobalPointIds");
+  const std::vector<std::int64_t> cellNumbers(cellIds.begin(), cellIds.end());
+  const std::vector<std::int64_t> pointNumbers(itsPointIds.begin(), itsPointIds.end());
+  const std::vector<BoundaryFaceKey> keys = patches.keys();
+  const std::vector<Index> noPatches(keys.size(), 0);
+  return atria::widen({itsPoints.view(), itsCells.view(), cellNumbers, pointNumbers, own, keys, noPatches}, rings,
+                      exchange);
+}
+
+std::vector<Index> MeshPiece::numbersOf(const WidePiece& wide) const
+{
+  std::vector<Index> numbers;
+  std::ranges::transform(wide.cellIds, std::back_inserter(numbers),
+                         [this](std::int64_t id) { return find(cells, id); });
+  return numbers;
+}
+
 /// Where the cell is among those asked for, then its values.
 std::vector<double> MeshPiece::answer(std::span<const vtkIdType> asked,
                                       const std::vector<vtkSmartPointer<vtkDataArray>>& arrays) const

@@ -4,6 +4,7 @@
 
 #include "Quality/Checks/BoxQuality.h"
 #include "Quality/Checks/Statistics.h"
+#include "Quality/Faces/WidePiece.h"
 #include "VtkArrays.h"
 
 #include <vtkSmartPointer.h>
@@ -47,10 +48,16 @@ public:
 
   bool isOwn(std::size_t cell) const { return own[cell] != 0; }
   std::vector<Index> ownCells() const;
+  std::size_t cellCount() const { return own.size(); }
 
   /// The metrics of its own cells, and of faces such that each one of the whole mesh is counted once. Nothing where the
   /// faces of patches are not all of the boundary of its own cells.
   std::optional<QualityByBoxes> measure(const RunContext& context) const;
+
+  /// With so many rings of cells about its own, and without numbers of patches and labels; of all.
+  WidePiece widen(int rings, RankExchange& exchange, const Executor& executor) const;
+  /// By cell of a wide piece, its number here, or noIndex if it is not there.
+  std::vector<Index> numbersOf(const WidePiece& wide) const;
 
   /// Gives ghost cells the values that their ranks have; of all.
   void fillGhosts(const std::vector<vtkSmartPointer<vtkDataArray>>& arrays) const;

@@ -10,6 +10,7 @@
 #include <vtkIdTypeArray.h>
 #include <vtkStringArray.h>
 #include <vtkUnsignedCharArray.h>
+#include <vtkUnsignedIntArray.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
@@ -92,6 +93,15 @@ void QualityOutputs::addBoth(const char* name, const QualityByBoxes& boxes, Buff
     addSample({name, false, values, {ofBoxes, boxes.regularCount}, true});
   }
   Buffer<double>().swap(values);
+}
+
+void QualityOutputs::addFailedChecks(const std::vector<std::uint32_t>& bits)
+{
+  vtkNew<vtkUnsignedIntArray> array;
+  array->SetName("FailedChecks");
+  array->SetNumberOfValues(static_cast<vtkIdType>(bits.size()));
+  std::ranges::copy(bits, array->GetPointer(0));
+  arrays.emplace_back(array);
 }
 
 void QualityOutputs::addValid(std::size_t cellCount, std::span<const unsigned char> values,

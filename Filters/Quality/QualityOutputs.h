@@ -10,6 +10,7 @@
 #include <vtkSmartPointer.h>
 #include <vtkTable.h>
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -60,6 +61,8 @@ public:
     addSample({name, false, all});
     Buffer<double>().swap(values);
   }
+  /// Bits as failedChecksOfCells() has them.
+  void addFailedChecks(const std::vector<std::uint32_t>& bits);
   void addValid(std::size_t cellCount, std::span<const unsigned char> values, std::span<const Index> cells);
 
   void fill(vtkUnstructuredGrid* grid, vtkTable* summary, vtkTable* histograms);

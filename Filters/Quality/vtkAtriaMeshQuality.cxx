@@ -2,7 +2,9 @@
 #include "vtkAtriaMeshQuality.h"
 
 #include "AlgorithmProgress.h"
+#include "ControllerExchange.h"
 #include "MeshPiece.h"
+#include "PieceChecks.h"
 #include "PropertyRange.h"
 #include "Quality/Checks/BoxQuality.h"
 #include "Quality/Checks/CheckQuantities.h"
@@ -23,11 +25,11 @@
 #include <vtkObjectFactory.h>
 #include <vtkPartitionedDataSetCollection.h>
 #include <vtkTable.h>
-#include <vtkUnsignedIntArray.h>
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
 #include <exception>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -104,15 +106,6 @@ void addCheckQuantities(QualityOutputs& outputs, const atria::MeasuredMesh& mesh
   }
 }
 
-vtkSmartPointer<vtkDataArray> failedChecksArray(const std::vector<std::uint32_t>& bits)
-{
-  auto array = vtkSmartPointer<vtkUnsignedIntArray>::New();
-  array->SetName("FailedChecks");
-  array->SetNumberOfValues(static_cast<vtkIdType>(bits.size()));
-  std::copy(bits.begin(), bits.end(), array->GetPointer(0));
-  return array;
-}
-
 /// Where most cells are boxes, the metrics without finding all faces; see computeQualityByBoxes.
 std::optional<Verdict> measureByBoxes(QualityOutputs& outputs, vtkUnstructuredGrid* volume,
                                       vtkPartitionedDataSetCollection* given, const atria::RunContext& context)
@@ -169,36 +162,68 @@ Verdict measureAll(QualityOutputs& outputs, vtkUnstructuredGrid* volume, vtkPart
   {
     addCheckQuantities(outputs, measured, context.part(metricsEnd, 0.8));
     const atria::MeshVerdict found = atria::checkMesh(measured, context.part(0.8, 0.98));
-    outputs.arrays.push_back(failedChecksArray(atria::failedChecksOfCells(measured, found)));
+    outputs.addFailedChecks(atria::failedChecksOfCells(measured, found));
     atria::checksToVtk(found, checks);
     verdict.failedChecks = found.failedChecks();
   }
   return verdict;
 }
 
-/// How measuring ended; over all ranks the greatest holds.
-constexpr double wasMeasured = 0.0, wasAborted = 1.0, cannotMeasure = 2.0;
-
-double measurePiece(const atria::MeshPiece& piece, vtkUnstructuredGrid* volume,
-                    std::optional<atria::QualityByBoxes>& out, const atria::RunContext& context)
+/// What a rank finds in its piece.
+struct MeasuredPiece
 {
-  out.emplace();
-  if (volume->GetNumberOfCells() == 0)
-  {
-    return wasMeasured;
-  }
+  std::optional<atria::QualityByBoxes> metrics;
+  std::unique_ptr<atria::PieceChecks> checks; ///< if they are asked for
+};
+
+/// How measuring ended, on all ranks.
+enum class Outcome
+{
+  Measured,
+  Aborted,
+  Impossible
+};
+
+Outcome measurePiece(const atria::MeshPiece& piece, bool withChecks, vtkMultiProcessController& controller,
+                     MeasuredPiece& out, const atria::RunContext& context)
+{
+  const double metricsEnd = withChecks ? 0.4 : 0.95;
   try
   {
-    out = piece.measure(context.part(0.0, 0.95));
-    return out ? wasMeasured : cannotMeasure;
+    atria::ControllerExchange ranks(controller);
+    ranks.run([&] {
+      out.metrics.emplace();
+      out.metrics = piece.cellCount() > 0 ? piece.measure(context.part(0.0, metricsEnd)) : out.metrics;
+      if (!out.metrics)
+      {
+        throw atria::Error("a piece cannot be measured by itself");
+      }
+      if (withChecks)
+      {
+        out.checks = std::make_unique<atria::PieceChecks>(piece, ranks, context.part(metricsEnd, 0.95));
+      }
+    });
+    return Outcome::Measured;
   }
   catch (const atria::Aborted&)
   {
-    return wasAborted;
+    return Outcome::Aborted;
   }
   catch (const std::exception&)
   {
-    return cannotMeasure;
+    return Outcome::Impossible;
+  }
+}
+
+/// Of all ranks, and none of them leaves it.
+void addPiece(QualityOutputs& outputs, MeasuredPiece& measured, vtkTable* checks, const atria::Executor& executor)
+{
+  addMetrics(outputs, *measured.metrics);
+  if (measured.checks)
+  {
+    atria::SilentMonitor silent;
+    measured.checks->addTo(outputs, {executor, atria::ProgressRange(silent)});
+    atria::checksToVtk(measured.checks->verdict(), checks);
   }
 }
 
@@ -261,21 +286,19 @@ std::optional<int> vtkAtriaMeshQuality::MeasurePieces(vtkInformationVector** inp
 {
   vtkUnstructuredGrid* volume = vtkUnstructuredGrid::GetData(inputs[0], 0);
   vtkPartitionedDataSetCollection* patches = vtkPartitionedDataSetCollection::GetData(inputs[1], 0);
-  const auto piece = this->CheckMesh ? std::nullopt : atria::MeshPiece::of(volume, patches, controller);
+  const auto piece = atria::MeshPiece::of(volume, patches, controller);
   if (!piece)
   {
     return std::nullopt;
   }
   const atria::AlgorithmRun run(*this);
-  const atria::RankReduction together(controller);
-  std::optional<atria::QualityByBoxes> measured;
-  double state = measurePiece(*piece, volume, measured, run.context);
-  together.greatest({&state, 1});
-  if (state == cannotMeasure)
+  MeasuredPiece measured;
+  const Outcome outcome = measurePiece(*piece, this->CheckMesh, controller, measured, run.context);
+  if (outcome == Outcome::Impossible)
   {
     return std::nullopt; // the first rank will say why
   }
-  if (state == wasAborted)
+  if (outcome == Outcome::Aborted)
   {
     atria::clearOutputs(outputs);
     atria::markAborted(outputs);
@@ -284,11 +307,13 @@ std::optional<int> vtkAtriaMeshQuality::MeasurePieces(vtkInformationVector** inp
   try
   {
     atriaCheckRange(NumberOfBins);
-    const atria::SampledPiece sampled{piece->ownCells(), ownPlaces(*piece, measured->others), together};
-    auto invalid = static_cast<double>(measured->metrics.invalidCells);
+    const atria::RankReduction together(controller);
+    const atria::SampledPiece sampled{piece->ownCells(), ownPlaces(*piece, measured.metrics->others), together};
+    auto invalid = static_cast<double>(measured.metrics->metrics.invalidCells);
     together.sum({&invalid, 1});
     QualityOutputs collected(this->NumberOfBins, this->HistogramMetric, run.context.executor, &sampled);
-    addMetrics(collected, *measured);
+    vtkNew<vtkTable> checks;
+    addPiece(collected, measured, checks, run.context.executor);
     collected.checkShown();
     piece->fillGhosts(collected.arrays);
     vtkUnstructuredGrid* output = vtkUnstructuredGrid::GetData(outputs, 0);
@@ -299,12 +324,13 @@ std::optional<int> vtkAtriaMeshQuality::MeasurePieces(vtkInformationVector** inp
     {
       summary->Initialize();
       histogram->Initialize();
+      checks->Initialize();
     }
     vtkTable::GetData(outputs, 1)->ShallowCopy(summary);
     vtkTable::GetData(outputs, 2)->ShallowCopy(histogram);
-    vtkTable::GetData(outputs, 3)->Initialize();
+    vtkTable::GetData(outputs, 3)->ShallowCopy(checks);
     this->NumberOfInvalidCells = static_cast<vtkIdType>(invalid);
-    this->NumberOfFailedChecks = 0;
+    this->NumberOfFailedChecks = measured.checks ? measured.checks->verdict().failedChecks() : 0;
   }
   catch (const atria::Error&)
   {

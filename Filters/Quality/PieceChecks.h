@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// checkMesh's checks of a mesh where ranks have its pieces.
+#pragma once
+
+#include "MeshPiece.h"
+#include "Quality/Checks/MeshChecks.h"
+#include "QualityOutputs.h"
+
+namespace atria {
+
+/// A piece with what is about it, judged together with those of all ranks, who make theirs at the same time.
+class PieceChecks
+{
+public:
+  /// Both pieces and what they were made of must outlive this. Throws Error as makeFaceMesh() does, with numbers of
+  /// cells that the whole has not.
+  PieceChecks(const MeshPiece& piece, RankExchange& exchange, const RunContext& context);
+  PieceChecks(const PieceChecks&) = delete;
+  PieceChecks& operator=(const PieceChecks&) = delete;
+
+  /// Of the whole, but for `failing`.
+  const MeshVerdict& verdict() const { return verdict_; }
+
+  /// Adds what checkMesh measures, one quantity after the other, and the checks that cells fail; ghosts are to be
+  /// filled then. Of all ranks.
+  void addTo(QualityOutputs& outputs, const RunContext& context) const;
+
+private:
+  std::vector<char> ownCells() const;
+  /// Of own cells, by the numbers that they have in the piece; others are 0.
+  std::vector<double> byCell(std::span<const double> values) const;
+  std::vector<double> countedFaces(const std::vector<double>& values, bool needsTwoCells) const;
+
+  std::size_t cellCount_;
+  WidePiece wide_;
+  std::vector<Index> numbers_;
+  FaceMesh mesh_;
+  MeasuredMesh measured_;
+  MeshVerdict verdict_;
+};
+
+} // namespace atria
