@@ -16,7 +16,7 @@ constexpr int rings = 2;
 MeshVerdict judge(const MeasuredMesh& measured, const WidePiece& wide, const std::vector<char>& isOwn,
                   RankExchange& exchange, const RunContext& context)
 {
-  const CheckedPart part{isOwn, wide.pointIds, exchange};
+  const CheckedPart part{isOwn, wide.cellIds, wide.pointIds, exchange};
   return checkMesh(measured, context, &part);
 }
 

@@ -1,14 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Unions of cells and faces keep what was sound sound, on meshes of all types of cells.
 #include "Quality/Unions/JudgedUnions.h"
+#include "Support/DividedMesh.h"
 #include "Support/QuietContext.h"
 #include "Support/SampleMesh.h"
+#include "Support/ThreadRanks.h"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <utility>
 
 namespace {
 
 using namespace atria;
+using namespace atria::testing;
 
 FaceMesh meshOf(unsigned seed)
 {
@@ -158,6 +166,109 @@ TEST(JudgedUnions, TheSameForAnyNumberOfThreads)
     EXPECT_EQ(one.faceOf, three.faceOf);
     EXPECT_EQ(one.failures, three.failures);
   }
+}
+
+/// Cells as they are now, by the lowest of those they were made of: all of these, and their faces, each with its points
+/// and the cell across. What is new has the numbers of UnitedCells.
+struct DescribedCell
+{
+  std::vector<std::int64_t> members;
+  std::vector<std::pair<std::vector<std::int64_t>, std::int64_t>> faces;
+
+  bool operator==(const DescribedCell&) const = default;
+};
+
+std::map<std::int64_t, DescribedCell> describe(const JudgedMesh& now, const WidePiece& piece, const UnitedCells& united)
+{
+  std::vector<DescribedCell> cells(now.mesh.cellCount);
+  for (std::size_t cell = 0; cell < piece.cellIds.size(); ++cell)
+  {
+    cells[now.cellOf.empty() ? cell : now.cellOf[cell]].members.push_back(piece.cellIds[cell]);
+  }
+  for (std::size_t f = 0; f < now.mesh.faceCount(); ++f)
+  {
+    const bool isInternal = f < now.mesh.internalFaceCount();
+    const Index owner = now.mesh.owner[f];
+    const Index neighbor = isInternal ? now.mesh.neighbor[f] : noIndex;
+    std::vector<std::int64_t> points;
+    std::ranges::transform(now.mesh.face(f), std::back_inserter(points), [&](Index p) { return united.pointIds[p]; });
+    cells[owner].faces.push_back({points, isInternal ? united.cellIds[neighbor] : -1});
+    if (isInternal)
+    {
+      cells[neighbor].faces.push_back({points, united.cellIds[owner]});
+    }
+  }
+  std::map<std::int64_t, DescribedCell> out;
+  for (std::size_t cell = 0; cell < cells.size(); ++cell)
+  {
+    if (united.isOwn[cell])
+    {
+      out[united.cellIds[cell]] = std::move(cells[cell]);
+    }
+  }
+  return out;
+}
+
+/// Unions that a rank makes, or none where ranks do not agree.
+struct RankUnions
+{
+  std::map<std::int64_t, DescribedCell> cells;
+  std::vector<std::string> failures;
+  int failedChecks = 0;
+  std::size_t cellsLookedAt = 0;
+};
+
+std::vector<RankUnions> unionsOnRanks(const DividedSample& sample, int ranks)
+{
+  std::vector<RankUnions> out(static_cast<std::size_t>(ranks));
+  try
+  {
+    onRanks(ranks, [&](RankExchange& exchange) {
+      const PieceOfSample piece(sample, static_cast<Index>(exchange.rank()));
+      const WidePiece wide = widen(piece.view(), unionRings, exchange);
+      const PieceOnRanks part{wide, exchange};
+      const JudgedMesh now = uniteAndJudge([&] { return makeFaceMesh(wide.points, wide.cells(), wide.faceKeys()); }, {},
+                                           {}, quietContext(), &part);
+      out[static_cast<std::size_t>(exchange.rank())] = {describe(now, wide, unitedCells(now, part)), now.failures,
+                                                        now.verdict.failedChecks(), wide.types.size()};
+    });
+  }
+  catch (const RanksDisagree&)
+  {
+    return {};
+  }
+  return out;
+}
+
+TEST(JudgedUnions, OnRanksAreThoseOfTheWhole)
+{
+  constexpr std::array<int, 3> size{3, 4, 40};
+  std::size_t agreed = 0;
+  std::size_t united = 0;
+  double leastPart = 1.0;
+  for (unsigned seed = 0; seed < seeds; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    const double distance = 0.05 + 0.01 * (seed % 25);
+    const RankUnions whole = unionsOnRanks(DividedSample(seed, 1, size, distance), 1).at(0);
+    std::map<std::int64_t, DescribedCell> cells;
+    const std::vector<RankUnions> all = unionsOnRanks(DividedSample(seed, 3, size, distance), 3);
+    agreed += all.empty() ? 0 : 1;
+    for (const RankUnions& own : all)
+    {
+      leastPart =
+          std::min(leastPart, static_cast<double>(own.cellsLookedAt) / static_cast<double>(whole.cellsLookedAt));
+      cells.insert(own.cells.begin(), own.cells.end());
+      EXPECT_EQ(own.failures, whole.failures);
+      EXPECT_EQ(own.failedChecks, whole.failedChecks);
+    }
+    EXPECT_TRUE(all.empty() || cells == whole.cells);
+    united += static_cast<std::size_t>(
+        std::ranges::count_if(cells, [](const auto& cell) { return cell.second.members.size() != 1; }));
+  }
+  EXPECT_GT(united, 100U);
+  EXPECT_LT(leastPart, 0.6);
+  EXPECT_EQ(agreed, seeds);
 }
 
 } // namespace

@@ -102,7 +102,7 @@ TEST_P(WidePieces, AreJudgedAsTheWhole)
       const MeasuredMesh measured = measureMesh(mesh, quietContext());
       std::vector<char> isOwn;
       std::ranges::transform(wide.rings, std::back_inserter(isOwn), [](Index ring) { return ring == 0 ? 1 : 0; });
-      const CheckedPart part{isOwn, wide.pointIds, exchange};
+      const CheckedPart part{isOwn, wide.cellIds, wide.pointIds, exchange};
       const MeshVerdict verdict = checkMesh(measured, quietContext(), &part);
       EXPECT_EQ(verdict.failedChecks(), wanted.failedChecks());
       for (std::size_t i = 0; i < wanted.checks.size(); ++i)
@@ -111,6 +111,7 @@ TEST_P(WidePieces, AreJudgedAsTheWhole)
         const MeshCheck& other = wanted.checks[i];
         EXPECT_EQ(check.failingCount, other.failing.size()) << other.name;
         EXPECT_EQ(other.failingCount, other.failing.size()) << other.name;
+        EXPECT_EQ(check.first, other.first) << other.name;
         const bool isSum = std::strcmp(other.name, "BoundaryOpenness") == 0;
         expectSame(check.worst, other.worst, isSum ? 1e-15 : 0.0, other.name);
         expectSame(check.mean, other.mean, 1e-12 * std::max(1.0, std::abs(other.mean)), other.name);

@@ -50,17 +50,17 @@ template <typename PointOf> void addCell(const SampleMesh& from, std::size_t cel
 
 } // namespace
 
-DividedSample::DividedSample(unsigned seed, std::size_t ranks)
+DividedSample::DividedSample(unsigned seed, std::size_t ranks, std::array<int, 3> size, double distance)
 {
   std::mt19937 random(seed);
   const auto oneIn = [&](int n) { return std::uniform_int_distribution(1, n)(random) == 1; };
-  mesh = mixedCells({7, 6, 5}, seed, 0.25);
-  const SampleMesh above = hexahedra({7, 6, 4});
+  mesh = mixedCells(size, seed, distance);
+  const SampleMesh above = hexahedra({size[0], size[1], 4});
   const auto firstPoint = static_cast<std::int64_t>(mesh.points.size());
   const std::size_t firstCube = mesh.types.size();
   for (const Vec3& point : above.points)
   {
-    mesh.points.push_back(point + Vec3(0.0, 0.0, 5.0));
+    mesh.points.push_back(point + Vec3(0.0, 0.0, size[2]));
   }
   for (std::size_t cell = 0; cell < above.types.size(); ++cell)
   {

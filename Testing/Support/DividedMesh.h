@@ -5,6 +5,7 @@
 #include "Quality/Faces/WidePiece.h"
 #include "Support/SampleMesh.h"
 
+#include <array>
 #include <vector>
 
 namespace atria::testing {
@@ -13,7 +14,7 @@ namespace atria::testing {
 /// sides of a sheet; some of the faces between cubes are sheets without thickness.
 struct DividedSample
 {
-  DividedSample(unsigned seed, std::size_t ranks);
+  DividedSample(unsigned seed, std::size_t ranks, std::array<int, 3> size = {7, 6, 5}, double distance = 0.25);
 
   SampleMesh mesh;
   std::vector<BoundaryFaceKey> faces() const;

@@ -43,11 +43,6 @@ constexpr std::array advices{
     Advice{"VolumeRatio", thin},
 };
 
-Vec3 placeOf(const MeasuredMesh& mesh, MeshPart part, Index id)
-{
-  return part == MeshPart::Cells ? mesh.geometry.cellCentroids[id] : mesh.geometry.faceCentroids[id];
-}
-
 } // namespace
 
 const char* nameOf(MeshPart part)
@@ -77,12 +72,12 @@ const char* adviceFor(const MeshCheck& check)
   return "";
 }
 
-std::vector<std::string> failureTexts(const MeasuredMesh& mesh, const MeshVerdict& verdict)
+std::vector<std::string> failureTexts(const MeshVerdict& verdict)
 {
   std::vector<std::string> texts;
   for (const MeshCheck& check : verdict.checks)
   {
-    if (!check.isError || check.failing.empty())
+    if (!check.isError || check.failingCount == 0)
     {
       continue;
     }
@@ -90,9 +85,8 @@ std::vector<std::string> failureTexts(const MeasuredMesh& mesh, const MeshVerdic
     text << "check " << check.name << " fails";
     if (check.part == MeshPart::Cells || check.part == MeshPart::Faces)
     {
-      const Vec3 place = placeOf(mesh, check.part, check.failing.front());
-      text << " at " << check.failingCount << ' ' << nameOf(check.part) << ", the first at (" << place[0] << ' '
-           << place[1] << ' ' << place[2] << ')';
+      text << " at " << check.failingCount << ' ' << nameOf(check.part) << ", the first at (" << check.first[0] << ' '
+           << check.first[1] << ' ' << check.first[2] << ')';
     }
     text << ": " << adviceFor(check);
     texts.push_back(text.str());

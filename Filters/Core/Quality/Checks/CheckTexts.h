@@ -16,7 +16,7 @@ const char* nameOf(MeshPart part);
 const char* adviceFor(const MeshCheck& check);
 
 /// For each check that counts as failed: its name, how many cells or faces fail it, the place of the first of them, and
-/// what to do. `mesh` is the one that was judged.
-std::vector<std::string> failureTexts(const MeasuredMesh& mesh, const MeshVerdict& verdict);
+/// what to do.
+std::vector<std::string> failureTexts(const MeshVerdict& verdict);
 
 } // namespace atria

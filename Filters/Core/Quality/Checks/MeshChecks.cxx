@@ -84,7 +84,8 @@ private:
   {
     step();
     MeshCheck check{limit.name, limit.set, part, limit.isError, limit.greaterFails, limit.limit, notANumber,
-                    notANumber, {},        0};
+                    notANumber, {},        0,    Vec3::Zero()};
+    std::size_t first = noIndex;
     CountedValues counted{limit.greaterFails};
     for (std::size_t i = 0; i < judged; ++i)
     {
@@ -96,9 +97,14 @@ private:
       if (counts(part, i))
       {
         counted.add(values[i], fails);
+        first = fails && first == noIndex ? i : first;
       }
     }
     counts.addOthers(counted);
+    if (counted.failing > 0)
+    {
+      check.first = counts.first(part, first, placeOf(part, first));
+    }
     if (counted.count > 0)
     {
       check.worst = counted.worst;
@@ -107,6 +113,15 @@ private:
     check.failingCount = counted.failing;
     verdict.checks.push_back(std::move(check));
     return verdict.checks.back();
+  }
+
+  Vec3 placeOf(MeshPart part, std::size_t number) const
+  {
+    if (number == noIndex || (part != MeshPart::Cells && part != MeshPart::Faces))
+    {
+      return Vec3::Zero();
+    }
+    return part == MeshPart::Cells ? m.geometry.cellCentroids[number] : m.geometry.faceCentroids[number];
   }
 
   MeshCheck& judge(const Limit& limit, MeshPart part, std::span<const double> values)
@@ -202,7 +217,7 @@ private:
     points.erase(std::unique(points.begin(), points.end()), points.end());
     const std::size_t count = counts.countPoints(points);
     verdict.checks.push_back({limit.name, limit.set, MeshPart::Points, limit.isError, limit.greaterFails, limit.limit,
-                              worst, notANumber, std::move(points), count});
+                              worst, notANumber, std::move(points), count, Vec3::Zero()});
   }
 
   void judgeEdges()

@@ -34,6 +34,7 @@ struct MeshCheck
   double mean;                ///< likewise; of the cosine, in degrees, for angles between A and d
   std::vector<Index> failing; ///< rising
   std::size_t failingCount;   ///< how many these are; of a part of a mesh, how many of the whole
+  Vec3 first;                 ///< centroid of the first of them, if they are cells or faces; of a part, of the whole
 };
 
 /// A part of a mesh whose other parts are with other ranks: its own cells and at least two rings of cells about them,
@@ -41,6 +42,7 @@ struct MeshCheck
 struct CheckedPart
 {
   std::span<const char> isOwn;            ///< by cell
+  std::span<const std::int64_t> cellIds;  ///< numbers that put cells in the order of the whole, rising
   std::span<const std::int64_t> pointIds; ///< numbers of points in the whole, rising
   RankExchange& exchange;
 };

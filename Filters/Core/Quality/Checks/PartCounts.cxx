@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <tuple>
 #include <utility>
 
 namespace atria {
@@ -16,6 +17,17 @@ struct NumberedPoint
 {
   std::int64_t id;
   Vec3 place;
+};
+
+/// Where a cell or face is in the order of the whole: behind all others if there is none.
+struct First
+{
+  int isBoundary = 2;
+  std::int64_t owner = 0;
+  std::int64_t neighbor = 0;
+  Vec3 place = Vec3::Zero();
+
+  auto key() const { return std::tuple(isBoundary, owner, neighbor); }
 };
 
 /// Whether the lowest cell of each point is its own.
@@ -56,6 +68,28 @@ void PartCounts::addOthers(CountedValues& values) const
     all.add(some);
   }
   values = all;
+}
+
+Vec3 PartCounts::first(MeshPart kind, std::size_t own, const Vec3& place) const
+{
+  if (!part_)
+  {
+    return place;
+  }
+  First least;
+  if (own != noIndex)
+  {
+    const bool isFace = kind == MeshPart::Faces;
+    const bool isInternal = isFace && own < mesh_.internalFaceCount();
+    const auto idOf = [&](std::size_t cell) { return kind == MeshPart::Mesh ? 0 : part_->cellIds[cell]; };
+    least = {isFace && !isInternal ? 1 : 0, idOf(isFace ? mesh_.owner[own] : own),
+             isInternal ? idOf(mesh_.neighbor[own]) : 0, place};
+  }
+  for (const First& other : gatherAll(part_->exchange, least))
+  {
+    least = other.key() < least.key() ? other : least;
+  }
+  return least.place;
 }
 
 void PartCounts::addOthers(Vec3& sum, double& size) const

@@ -42,6 +42,8 @@ public:
   }
 
   void addOthers(CountedValues& values) const;
+  /// The place of the first thing in the order of the whole, where this one gives the first of its own, or noIndex.
+  Vec3 first(MeshPart kind, std::size_t own, const Vec3& place) const;
   void addOthers(Vec3& sum, double& size) const;
   void addOthers(Box3& box) const;
   /// How many of these count, those of others included.

@@ -389,7 +389,9 @@ WidePiece widen(const NarrowPiece& piece, int rings, RankExchange& exchange)
     sortUnique(asked);
     mergeUnique(known, asked);
   }
-  return Joiner(received, piece.labels.size()).run();
+  WidePiece out = Joiner(received, piece.labels.size()).run();
+  out.ringCount = static_cast<Index>(rings);
+  return out;
 }
 
 } // namespace atria

@@ -37,6 +37,7 @@ struct WidePiece
   std::vector<std::int64_t> pointIds;
   std::vector<std::int64_t> cellIds;
   std::vector<Index> ranks; ///< by cell, whose it is
+  Index ringCount = 0;      ///< that were asked for; there may be fewer cells
   std::vector<Index> rings; ///< by cell: 0 for own ones, 1 for those that share a point with these, and so on
   std::vector<unsigned char> types;
   std::vector<std::int64_t> offsets{0};

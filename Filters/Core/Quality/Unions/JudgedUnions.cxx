@@ -34,9 +34,9 @@ class UnionJudge
 {
 public:
   UnionJudge(const std::function<FaceMesh()>& meshSource, std::span<const Index> patchOfFace,
-             const UnionOptions& unionOptions, const RunContext& within)
-      : makeMesh(meshSource), patchOf(patchOfFace), options(unionOptions), context(within),
-        keptCells(unionOptions.keptCells.begin(), unionOptions.keptCells.end())
+             const UnionOptions& unionOptions, const RunContext& within, const PieceOnRanks* part)
+      : makeMesh(meshSource), patchOf(patchOfFace), options(unionOptions), context(within), ranks(part),
+        atEnd(ranks.cellsAtEnd()), keptCells(unionOptions.keptCells.begin(), unionOptions.keptCells.end())
   {
   }
 
@@ -48,11 +48,12 @@ public:
       const RunContext round = context.part(1.0 - left, 1.0 - 0.5 * left);
       JudgedMesh now = unite(std::move(start), round);
       const MeasuredMesh measured = measureMesh(now.mesh, round.part(0.5, 0.6));
-      now.verdict = checkMesh(measured, round.part(0.6, 0.8));
-      if ((now.cellOf.empty() && now.faceOf.empty()) || now.verdict.ok() ||
+      now.verdict = checkMesh(measured, round.part(0.6, 0.8), ranks.after(now));
+      if (!ranks.isAnywhere(!now.cellOf.empty() || !now.faceOf.empty()) || now.verdict.ok() ||
           !keepSound(measured, now, round.part(0.8, 1.0)))
       {
-        now.failures = failureTexts(measured, now.verdict);
+        ranks.expectSame(now);
+        now.failures = failureTexts(now.verdict);
         return now;
       }
       start = source;
@@ -67,8 +68,9 @@ private:
     const std::size_t internalBefore = now.mesh.internalFaceCount();
     if (options.mergeCells)
     {
+      const std::vector<Index> kept = withEnd(keptCells);
       MergedCells cells =
-          mergeUnderdeterminedCells(now.mesh, patchOf, round.part(0.0, 0.3), {keptCells, options.zoneOf});
+          mergeUnderdeterminedCells(now.mesh, patchOf, round.part(0.0, 0.3), {kept, options.zoneOf, ranks.before()});
       now.cellOf = std::move(cells.cellOf);
       now.added = std::move(cells.added);
       now.faceOf = std::move(cells.faceOf);
@@ -76,7 +78,7 @@ private:
     }
     if (options.mergeFaces)
     {
-      std::vector<Index> kept = keptFaces;
+      std::vector<Index> kept = withEnd(keptFaces);
       std::ranges::transform(kept, kept.begin(),
                              [&](Index cell) { return now.cellOf.empty() ? cell : now.cellOf[cell]; });
       sortUnique(kept);
@@ -87,6 +89,12 @@ private:
       follow(now.faceOf, faces);
     }
     return now;
+  }
+
+  std::vector<Index> withEnd(std::vector<Index> cells) const
+  {
+    mergeUnique(cells, atEnd);
+    return cells;
   }
 
   /// `patchOf` once cells were merged.
@@ -155,11 +163,12 @@ private:
   /// Of the mesh without unions.
   void judgeSource(const RunContext& within)
   {
-    if (failedBefore.empty())
+    if (!isSourceJudged)
     {
       source = makeMesh();
       const MeasuredMesh measured = measureMesh(source, within.part(0.0, 0.3));
-      failedBefore = failingCells(measured, checkMesh(measured, within.part(0.3, 1.0)));
+      failedBefore = failingCells(measured, checkMesh(measured, within.part(0.3, 1.0), ranks.before()));
+      isSourceJudged = true;
     }
   }
 
@@ -255,15 +264,18 @@ private:
         ((parts[at] & ofCells) != 0 ? keptCells : keptFaces).push_back(cell);
       }
     }
-    sortUnique(keptCells);
-    sortUnique(keptFaces);
-    return keptCells.size() + keptFaces.size() > keptBefore;
+    ranks.share(keptCells);
+    ranks.share(keptFaces);
+    return ranks.isAnywhere(keptCells.size() + keptFaces.size() > keptBefore);
   }
 
   const std::function<FaceMesh()>& makeMesh;
   std::span<const Index> patchOf;
   const UnionOptions& options;
   const RunContext& context;
+  UnionRanks ranks;
+  std::vector<Index> atEnd; ///< cells that no union has
+  bool isSourceJudged = false;
   FaceMesh source;                ///< without unions, once they have to be judged
   std::vector<bool> failedBefore; ///< cell by cell of it
   std::vector<Index> keptCells;   ///< that are not made one with others, nor cut; rising
@@ -273,9 +285,9 @@ private:
 } // namespace
 
 JudgedMesh uniteAndJudge(const std::function<FaceMesh()>& makeMesh, std::span<const Index> patchOf,
-                         const UnionOptions& options, const RunContext& context)
+                         const UnionOptions& options, const RunContext& context, const PieceOnRanks* part)
 {
-  return UnionJudge(makeMesh, patchOf, options, context).run();
+  return UnionJudge(makeMesh, patchOf, options, context, part).run();
 }
 
 } // namespace atria

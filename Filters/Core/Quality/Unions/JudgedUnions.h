@@ -4,6 +4,7 @@
 
 #include "Quality/Checks/MeshChecks.h"
 #include "Quality/Faces/FaceMesh.h"
+#include "Quality/Unions/UnionRanks.h"
 #include "Support/RunContext.h"
 
 #include <cstddef>
@@ -47,7 +48,11 @@ struct JudgedMesh
 /// stay: mostly they trade a cell with too few neighbors for a concave one, which solvers rather take. `makeMesh` gives
 /// the mesh; it is called once more where a union may have to be undone. `patchOf` is as for mergeCoplanarFaces(). The
 /// result does not depend on threads. Throws Aborted when asked to.
+///
+/// Of a part the mesh is that of its piece: of own cells, and of those that have faces with these, the result is that
+/// of the whole, as are verdict and failures; counts are those of the part. All ranks call it at the same time. Throws
+/// RanksDisagree where unions reach farther than the pieces.
 JudgedMesh uniteAndJudge(const std::function<FaceMesh()>& makeMesh, std::span<const Index> patchOf,
-                         const UnionOptions& options, const RunContext& context);
+                         const UnionOptions& options, const RunContext& context, const PieceOnRanks* part = nullptr);
 
 } // namespace atria

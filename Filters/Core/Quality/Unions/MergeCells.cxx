@@ -9,6 +9,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <set>
@@ -57,16 +58,19 @@ struct Directions
 };
 
 /// Whether all faces within the mesh look along one plane, as where it is one cell thick: no union of cells helps then.
-bool areInOnePlane(const std::vector<Directions>& all)
+/// `areas` is the sum over all cells at its boundary.
+bool areInOnePlane(const Mat3& areas)
 {
   constexpr double flat = 1e-12;
-  Mat3 areas = Mat3::Zero();
-  for (const Directions& one : all)
-  {
-    areas += one.areas;
-  }
   const double mean = areas.trace() / 3.0;
   return mean <= 0.0 || std::abs((areas / mean).determinant()) < flat;
+}
+
+std::array<double, 9> valuesOf(const Mat3& matrix)
+{
+  std::array<double, 9> values{};
+  std::copy_n(matrix.data(), values.size(), values.begin());
+  return values;
 }
 
 class CellMerger
@@ -109,7 +113,7 @@ private:
     sortUnique(cells);
     const std::vector<Directions> directions = directionsOf(cells);
     std::vector<Index> found;
-    if (areInOnePlane(directions))
+    if (areInOnePlane(sumOf(cells, directions)))
     {
       return found;
     }
@@ -121,6 +125,28 @@ private:
       }
     }
     return found;
+  }
+
+  Mat3 sumOf(const std::vector<Index>& cells, const std::vector<Directions>& directions) const
+  {
+    Mat3 own = Mat3::Zero();
+    for (std::size_t i = 0; i < cells.size(); ++i)
+    {
+      if (!kept.part || kept.part->isOwn[cells[i]])
+      {
+        own += directions[i].areas;
+      }
+    }
+    if (!kept.part)
+    {
+      return own;
+    }
+    Mat3 sum = Mat3::Zero();
+    for (const std::array<double, 9>& some : gatherAll(kept.part->exchange, valuesOf(own)))
+    {
+      sum += Eigen::Map<const Mat3>(some.data());
+    }
+    return sum;
   }
 
   std::vector<Directions> directionsOf(const std::vector<Index>& cells) const

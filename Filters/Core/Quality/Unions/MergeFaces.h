@@ -4,6 +4,7 @@
 #pragma once
 
 #include "Quality/Checks/CheckLimits.h"
+#include "Quality/Checks/MeshChecks.h"
 #include "Quality/Faces/FaceMesh.h"
 #include "Support/RunContext.h"
 
@@ -27,6 +28,8 @@ struct KeptParts
   /// For each internal face the number of its zone or noIndex; empty, none is in one. Faces of different zones are not
   /// merged, nor cells on either side of a face of a zone.
   std::span<const Index> zoneOf = {};
+  /// Where the mesh is a part of one.
+  const CheckedPart* part = nullptr;
 };
 
 struct MergedFaces

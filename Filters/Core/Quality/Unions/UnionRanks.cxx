@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Quality/Unions/UnionRanks.h"
+
+#include "Quality/Unions/JudgedUnions.h"
+#include "Support/Sorting.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace atria {
+
+namespace {
+
+/// Above all numbers of cells and points in a whole.
+constexpr std::int64_t beyond = std::int64_t{1} << 60;
+
+/// What is told of a cell and compared.
+struct ToldCell
+{
+  std::int64_t id;
+  std::uint64_t hash;
+};
+
+/// As Fowler, Noll and Vo do, of 64 bits at once.
+class Hash
+{
+public:
+  void add(std::int64_t value)
+  {
+    sum = (sum ^ static_cast<std::uint64_t>(value)) * 1099511628211U;
+    sum ^= sum >> 29U;
+  }
+  std::uint64_t value() const { return sum; }
+
+private:
+  std::uint64_t sum = 14695981039346656037U;
+};
+
+/// By cell as it is now, of its cells before and its faces.
+std::vector<std::uint64_t> hashesOf(const JudgedMesh& now, const WidePiece& piece, const UnitedCells& united)
+{
+  const FaceMesh& mesh = now.mesh;
+  std::vector<Hash> hashes(mesh.cellCount);
+  for (std::size_t cell = 0; cell < piece.cellIds.size(); ++cell)
+  {
+    hashes[now.cellOf.empty() ? cell : now.cellOf[cell]].add(piece.cellIds[cell]);
+  }
+  for (std::size_t f = 0; f < mesh.faceCount(); ++f)
+  {
+    const bool isInternal = f < mesh.internalFaceCount();
+    for (const Index cell : {mesh.owner[f], isInternal ? mesh.neighbor[f] : noIndex})
+    {
+      if (cell != noIndex)
+      {
+        hashes[cell].add(united.cellIds[mesh.owner[f]]);
+        hashes[cell].add(isInternal ? united.cellIds[mesh.neighbor[f]] : -1);
+        std::ranges::for_each(mesh.face(f), [&](Index point) { hashes[cell].add(united.pointIds[point]); });
+      }
+    }
+  }
+  std::vector<std::uint64_t> values;
+  std::ranges::transform(hashes, std::back_inserter(values), &Hash::value);
+  return values;
+}
+
+} // namespace
+
+UnitedCells unitedCells(const JudgedMesh& now, const PieceOnRanks& part)
+{
+  const WidePiece& piece = part.piece;
+  UnitedCells out;
+  out.ranks.resize(now.mesh.cellCount);
+  out.cellIds.assign(now.mesh.cellCount, -1);
+  for (std::size_t before = 0; before < piece.cellIds.size(); ++before)
+  {
+    const std::size_t cell = now.cellOf.empty() ? before : now.cellOf[before];
+    out.ranks[cell] = piece.ranks[before]; // that of the last counts
+    out.cellIds[cell] = out.cellIds[cell] < 0 ? piece.cellIds[before] : out.cellIds[cell];
+  }
+  out.pointIds = piece.pointIds;
+  for (std::size_t i = 0; i < now.added.size(); ++i)
+  {
+    const Index cut = now.added[i];
+    out.ranks[now.pyramid(i)] = out.ranks[cut];
+    out.cellIds[now.pyramid(i)] = i == 0 ? beyond : out.cellIds[now.pyramid(i) - 1] + 1;
+    if (i == 0 || now.added[i - 1] != cut)
+    {
+      out.cellIds[now.pyramid(i)] = beyond + 4096 * out.cellIds[cut]; // no cell has as many faces
+      out.pointIds.push_back(beyond + out.cellIds[cut]);
+    }
+  }
+  const auto self = static_cast<Index>(part.exchange.rank());
+  std::ranges::transform(out.ranks, std::back_inserter(out.isOwn), [&](Index rank) { return rank == self ? 1 : 0; });
+  return out;
+}
+
+UnionRanks::UnionRanks(const PieceOnRanks* piece) : part(piece)
+{
+  if (part)
+  {
+    std::ranges::transform(part->piece.rings, std::back_inserter(isOwn), [](Index ring) { return ring == 0 ? 1 : 0; });
+    whole.emplace(CheckedPart{isOwn, part->piece.cellIds, part->piece.pointIds, part->exchange});
+  }
+}
+
+std::vector<Index> UnionRanks::cellsAtEnd() const
+{
+  std::vector<Index> cells;
+  for (Index cell = 0; part && cell < part->piece.rings.size(); ++cell)
+  {
+    if (part->piece.rings[cell] == part->piece.ringCount)
+    {
+      cells.push_back(cell);
+    }
+  }
+  return cells;
+}
+
+bool UnionRanks::isAnywhere(bool here) const
+{
+  if (!part)
+  {
+    return here;
+  }
+  const std::vector<char> all = gatherAll(part->exchange, static_cast<char>(here ? 1 : 0));
+  return std::ranges::find(all, 1) != all.end();
+}
+
+void UnionRanks::share(std::vector<Index>& cells) const
+{
+  if (part)
+  {
+    std::vector<std::int64_t> own;
+    for (const Index cell : cells)
+    {
+      if (part->piece.rings[cell] == 0)
+      {
+        own.push_back(part->piece.cellIds[cell]);
+      }
+    }
+    cells.clear();
+    for (const std::vector<std::int64_t>& some : gatherAll(part->exchange, own))
+    {
+      std::ranges::transform(some, std::back_inserter(cells), [&](std::int64_t id) { return part->piece.findCell(id); });
+    }
+    std::erase(cells, noIndex);
+  }
+  sortUnique(cells);
+}
+
+const CheckedPart* UnionRanks::after(const JudgedMesh& now)
+{
+  if (!part)
+  {
+    return nullptr;
+  }
+  united = unitedCells(now, *part);
+  current.emplace(united.part(part->exchange));
+  return &*current;
+}
+
+void UnionRanks::expectSame(const JudgedMesh& now) const
+{
+  if (!part)
+  {
+    return;
+  }
+  const WidePiece& piece = part->piece;
+  const std::vector<std::uint64_t> hashes = hashesOf(now, piece, unitedCells(now, *part));
+  const auto hashOf = [&](Index cell) { return hashes[now.cellOf.empty() ? cell : now.cellOf[cell]]; };
+  std::vector<std::vector<ToldCell>> told(static_cast<std::size_t>(part->exchange.ranks()));
+  for (Index cell = 0; cell < piece.rings.size(); ++cell)
+  {
+    if (piece.rings[cell] == 1)
+    {
+      told[piece.ranks[cell]].push_back({piece.cellIds[cell], hashOf(cell)});
+    }
+  }
+  for (const std::vector<ToldCell>& some : exchangeLists(part->exchange, told))
+  {
+    for (const ToldCell& other : some)
+    {
+      if (hashOf(piece.findCell(other.id)) != other.hash)
+      {
+        throw RanksDisagree("ranks do not make the same unions of cells");
+      }
+    }
+  }
+}
+
+} // namespace atria
