@@ -288,6 +288,7 @@ private:
   void split(const std::set<Index>& cells, MergedCells& merged)
   {
     std::vector<Index> now;
+    now.reserve(cells.size());
     for (const Index cell : cells)
     {
       now.push_back(merged.cellOf[cell]);

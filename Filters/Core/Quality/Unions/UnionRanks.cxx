@@ -141,7 +141,8 @@ void UnionRanks::share(std::vector<Index>& cells) const
     cells.clear();
     for (const std::vector<std::int64_t>& some : gatherAll(part->exchange, own))
     {
-      std::ranges::transform(some, std::back_inserter(cells), [&](std::int64_t id) { return part->piece.findCell(id); });
+      std::ranges::transform(some, std::back_inserter(cells),
+                             [&](std::int64_t id) { return part->piece.findCell(id); });
     }
     std::erase(cells, noIndex);
   }
