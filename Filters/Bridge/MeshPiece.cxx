@@ -170,38 +170,56 @@ template <typename IdOf> void MeshPiece::takeFace(vtkIdType owner, std::size_t c
 
 void MeshPiece::takePatches(const VtkPatches& all)
 {
-  for (std::size_t f = 0; f < all.owners.size(); ++f)
+  for (const VtkPatches::Patch& patch : all.patches)
   {
-    const auto first = static_cast<std::size_t>(all.offsets[f]);
-    takeFace(all.owners[f], static_cast<std::size_t>(all.offsets[f + 1]) - first,
-             [&](std::size_t i) { return static_cast<vtkIdType>(all.points[first + i]); });
+    const std::size_t before = patches.owners.size();
+    for (std::size_t f = patch.firstFace; f < patch.firstFace + patch.faceCount; ++f)
+    {
+      const auto first = static_cast<std::size_t>(all.offsets[f]);
+      takeFace(all.owners[f], static_cast<std::size_t>(all.offsets[f + 1]) - first,
+               [&](std::size_t i) { return static_cast<vtkIdType>(all.points[first + i]); });
+    }
+    patches.patches.push_back({patch.name, before, patches.owners.size() - before});
   }
+  isWithZones = recordedFaceZones(grid).has_value();
 }
 
 void MeshPiece::takePatches(vtkPartitionedDataSetCollection* given)
 {
-  vtkNew<vtkIdList> corners;
   for (unsigned int i = 0; i < given->GetNumberOfPartitionedDataSets(); ++i)
   {
+    const std::size_t before = patches.owners.size();
+    bool isZone = false;
     for (unsigned int j = 0; j < given->GetNumberOfPartitions(i); ++j)
     {
       auto* patch = vtkPolyData::SafeDownCast(given->GetPartitionAsDataObject(i, j));
-      vtkDataArray* owners = patch ? patch->GetCellData()->GetArray("OwnerCellId") : nullptr;
-      vtkDataArray* ids = patch ? patch->GetPointData()->GetArray("VolumePointId") : nullptr;
-      if (!owners || !ids || patch->GetCellData()->GetArray("NeighborCellId")) // the last has face zones
+      isZone = isZone || (patch && patch->GetCellData()->GetArray("NeighborCellId"));
+      if (patch && !isZone)
       {
-        continue;
-      }
-      for (vtkIdType face = 0; face < patch->GetNumberOfCells(); ++face)
-      {
-        patch->GetCellPoints(face, corners);
-        takeFace(static_cast<vtkIdType>(owners->GetComponent(face, 0)),
-                 static_cast<std::size_t>(corners->GetNumberOfIds()), [&](std::size_t corner) {
-                   const vtkIdType point = corners->GetId(static_cast<vtkIdType>(corner));
-                   return static_cast<vtkIdType>(ids->GetComponent(point, 0));
-                 });
+        takePatch(patch);
       }
     }
+    isWithZones = isWithZones || isZone;
+    if (!isZone)
+    {
+      patches.patches.push_back({patchNameOf(given, i), before, patches.owners.size() - before});
+    }
+  }
+}
+
+void MeshPiece::takePatch(vtkPolyData* patch)
+{
+  vtkDataArray* owners = patch->GetCellData()->GetArray("OwnerCellId");
+  vtkDataArray* ids = patch->GetPointData()->GetArray("VolumePointId");
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType face = 0; owners && ids && face < patch->GetNumberOfCells(); ++face)
+  {
+    patch->GetCellPoints(face, corners);
+    takeFace(static_cast<vtkIdType>(owners->GetComponent(face, 0)), static_cast<std::size_t>(corners->GetNumberOfIds()),
+             [&](std::size_t corner) {
+               const vtkIdType point = corners->GetId(static_cast<vtkIdType>(corner));
+               return static_cast<vtkIdType>(ids->GetComponent(point, 0));
+             });
   }
 }
 
@@ -228,7 +246,8 @@ std::optional<QualityByBoxes> MeshPiece::measure(const RunContext& context) cons
   return computeQualityByBoxes(itsPoints.view(), itsCells.view(), {keys, true, {}, {}}, context, measuredAtOnce, &part);
 }
 
-WidePiece MeshPiece::widen(int rings, RankExchange& exchange, const Executor& executor) const
+WidePiece MeshPiece::widen(int rings, RankExchange& exchange, const Executor& executor,
+                           const std::vector<IdView>& labels) const
 {
   const VtkCells itsCells(grid);
   const VtkPoints itsPoints(grid->GetPoints(), executor);
@@ -236,8 +255,12 @@ WidePiece MeshPiece::widen(int rings, RankExchange& exchange, const Executor& ex
   const std::vector<std::int64_t> cellNumbers(cellIds.begin(), cellIds.end());
   const std::vector<std::int64_t> pointNumbers(itsPointIds.begin(), itsPointIds.end());
   const std::vector<BoundaryFaceKey> keys = patches.keys();
-  const std::vector<Index> noPatches(keys.size(), 0);
-  return atria::widen({itsPoints.view(), itsCells.view(), cellNumbers, pointNumbers, own, keys, noPatches}, rings,
+  std::vector<Index> patchOf;
+  for (Index p = 0; p < patches.patches.size(); ++p)
+  {
+    patchOf.resize(patchOf.size() + patches.patches[p].faceCount, p);
+  }
+  return atria::widen({itsPoints.view(), itsCells.view(), cellNumbers, pointNumbers, own, keys, patchOf, labels}, rings,
                       exchange);
 }
 

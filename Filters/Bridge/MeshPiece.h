@@ -17,6 +17,7 @@
 class vtkDataArray;
 class vtkMultiProcessController;
 class vtkPartitionedDataSetCollection;
+class vtkPolyData;
 class vtkUnstructuredGrid;
 
 namespace atria {
@@ -54,8 +55,14 @@ public:
   /// faces of patches are not all of the boundary of its own cells.
   std::optional<QualityByBoxes> measure(const RunContext& context) const;
 
-  /// With so many rings of cells about its own, and without numbers of patches and labels; of all.
-  WidePiece widen(int rings, RankExchange& exchange, const Executor& executor) const;
+  /// Faces of patches, ghosts' among them where patches are recorded, with the numbers of the piece. A rank without
+  /// cells may have no patches.
+  const VtkPatches& facesOfPatches() const { return patches; }
+  bool hasFaceZones() const { return isWithZones; }
+
+  /// With so many rings of cells about its own, and what cells bear; of all.
+  WidePiece widen(int rings, RankExchange& exchange, const Executor& executor,
+                  const std::vector<IdView>& labels = {}) const;
   /// By cell of a wide piece, its number here, or noIndex if it is not there.
   std::vector<Index> numbersOf(const WidePiece& wide) const;
 
@@ -66,6 +73,7 @@ private:
   MeshPiece(vtkUnstructuredGrid* piece, vtkMultiProcessController& ranks);
   void takePatches(const VtkPatches& all);
   void takePatches(vtkPartitionedDataSetCollection* given);
+  void takePatch(vtkPolyData* patch);
   template <typename IdOf> void takeFace(vtkIdType owner, std::size_t corners, IdOf&& idOf);
   std::vector<double> answer(std::span<const vtkIdType> asked,
                              const std::vector<vtkSmartPointer<vtkDataArray>>& arrays) const;
@@ -80,7 +88,8 @@ private:
   std::vector<vtkIdType> cellIds;
   Places cells;
   Places points;
-  VtkPatches patches; ///< faces alone, with the numbers of the piece
+  VtkPatches patches;
+  bool isWithZones = false;
 };
 
 } // namespace atria

@@ -83,22 +83,13 @@ void appendPatch(VtkPatches& out, const std::string& name, vtkPolyData* patch, v
   }
 }
 
-std::string nameOf(vtkPartitionedDataSetCollection* patches, unsigned int i)
-{
-  if (patches->HasMetaData(i) && patches->GetMetaData(i)->Has(vtkCompositeDataSet::NAME()))
-  {
-    return patches->GetMetaData(i)->Get(vtkCompositeDataSet::NAME());
-  }
-  return "patch" + std::to_string(i);
-}
-
 /// The blocks that are face zones, or those that are not.
 VtkPatches blocksFromVtk(vtkPartitionedDataSetCollection* patches, vtkUnstructuredGrid* volume, bool zones)
 {
   VtkPatches out;
   for (unsigned int i = 0; i < patches->GetNumberOfPartitionedDataSets(); ++i)
   {
-    const std::string name = nameOf(patches, i);
+    const std::string name = patchNameOf(patches, i);
     const std::size_t first = out.owners.size();
     bool isZone = false;
     vtkPartitionedDataSet* parts = patches->GetPartitionedDataSet(i);
@@ -120,6 +111,15 @@ VtkPatches blocksFromVtk(vtkPartitionedDataSetCollection* patches, vtkUnstructur
 }
 
 } // namespace
+
+std::string patchNameOf(vtkPartitionedDataSetCollection* patches, unsigned int i)
+{
+  if (patches->HasMetaData(i) && patches->GetMetaData(i)->Has(vtkCompositeDataSet::NAME()))
+  {
+    return patches->GetMetaData(i)->Get(vtkCompositeDataSet::NAME());
+  }
+  return "patch" + std::to_string(i);
+}
 
 std::vector<Vec3> pointsFromVtk(vtkPoints* points, const Executor& executor)
 {

@@ -9,6 +9,7 @@
 #include <vtkSmartPointer.h>
 
 #include <span>
+#include <string>
 #include <vector>
 
 class vtkDataArray;
@@ -74,6 +75,9 @@ struct VtkPatches
 
   std::vector<BoundaryFaceKey> keys() const;
 };
+
+/// The name of a patch, by its place if it has none.
+std::string patchNameOf(vtkPartitionedDataSetCollection* patches, unsigned int i);
 
 /// Reads the mesher's patches by their arrays OwnerCellId (cells) and VolumePointId (points), and leaves out its face
 /// zones. Throws Error naming the patch that lacks them or refers to cells or points that the volume mesh does not

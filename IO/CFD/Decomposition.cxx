@@ -204,12 +204,8 @@ private:
     }
     for (const auto& [other, shared] : faces[part].shared)
     {
-      const std::string own = std::to_string(part);
-      const std::string to = std::to_string(other);
-      const std::string name = std::string("procBoundary").append(own).append("to").append(to);
-      add(name, shared.size(), -1).entries = {
-          {"type", "processor"}, {"inGroups", "1(processor)"}, {"matchTolerance", "0.0001"}, {"transform", "unknown"},
-          {"myProcNo", own},     {"neighbProcNo", to}};
+      const PatchEntry entry = processorPatch(part, other);
+      add(entry.name, shared.size(), -1).entries = entry.entries;
     }
   }
 
@@ -315,6 +311,19 @@ ProcessorMeshes decompose(const PolyMesh& poly, std::span<const Index> partOf, s
   return [maker](std::size_t part) { return maker->make(part); };
 }
 
+PatchEntry processorPatch(std::size_t part, std::size_t other)
+{
+  const std::string own = std::to_string(part);
+  const std::string to = std::to_string(other);
+  return {std::string("procBoundary").append(own).append("to").append(to),
+          {{"type", "processor"},
+           {"inGroups", "1(processor)"},
+           {"matchTolerance", "0.0001"},
+           {"transform", "unknown"},
+           {"myProcNo", own},
+           {"neighbProcNo", to}}};
+}
+
 void writeProcessor(const fs::path& folder, std::size_t part, const ProcessorMesh& mesh, OpenFOAMFormat format,
                     const ProgressRange& progress)
 {
@@ -328,22 +337,31 @@ void writeProcessor(const fs::path& folder, std::size_t part, const ProcessorMes
   writer.writeBoundary(mesh.patches);
   writer.writeFaceZones(mesh.faceZones);
   writer.writeCellZones(mesh.cellZones);
+  if (mesh.cells.empty())
+  {
+    return;
+  }
   writer.writeLabelFile("cellProcAddressing", mesh.cells);
   writer.writeLabelFile("faceProcAddressing", mesh.faces);
   writer.writeLabelFile("pointProcAddressing", mesh.points);
   writer.writeLabelFile("boundaryProcAddressing", mesh.ofPatches);
 }
 
+Vec3 sizeOf(const FaceMesh& mesh)
+{
+  Box3 bounds;
+  std::ranges::for_each(mesh.points, [&](const Vec3& point) { bounds.extend(point); });
+  return bounds.size();
+}
+
 fs::path unfinishedProcessors(const fs::path& caseFolder) { return caseFolder / ".processors.unfinished"; }
 
-void placeProcessors(const fs::path& caseFolder, const PolyMesh& poly, std::size_t parts)
+void placeProcessors(const fs::path& caseFolder, std::size_t parts, const Vec3& size)
 {
   refuseProcessorResults(caseFolder);
   removeProcessors(caseFolder);
   moveFiles(unfinishedProcessors(caseFolder), caseFolder);
-  Box3 bounds;
-  std::for_each(poly.mesh.points.begin(), poly.mesh.points.end(), [&](const Vec3& point) { bounds.extend(point); });
-  writeDecomposition(caseFolder, parts, bounds.size());
+  writeDecomposition(caseFolder, parts, size);
 }
 
 void refuseProcessorResults(const fs::path& caseFolder)
@@ -411,7 +429,7 @@ void writeProcessors(const fs::path& caseFolder, const PolyMesh& poly, std::size
   context.executor.forEach(parts, 1, [&](std::size_t part) {
     writeProcessor(unfinished.path, part, meshes(part), format, context.progress);
   });
-  placeProcessors(caseFolder, poly, parts);
+  placeProcessors(caseFolder, parts, sizeOf(poly.mesh));
   context.progress.report(1.0, "Processors' meshes written");
 }
 

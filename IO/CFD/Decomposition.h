@@ -27,7 +27,7 @@ struct ProcessorMesh
   std::vector<PatchEntry> patches;
   std::vector<FaceZone> faceZones; ///< all of the whole mesh, some of them empty
   std::vector<CellZone> cellZones; ///< the same
-  // What belongs to what in the whole mesh.
+  // What belongs to what in the whole mesh; empty where that has more than a label of 32 bits can tell.
   std::vector<std::int32_t> cells;
   std::vector<std::int32_t> points;
   std::vector<std::int32_t> faces;     ///< counted from 1; negative where the face is turned around
@@ -41,16 +41,23 @@ using ProcessorMeshes = std::function<ProcessorMesh(std::size_t)>;
 /// type.
 ProcessorMeshes decompose(const PolyMesh& poly, std::span<const Index> partOf, std::size_t parts);
 
-/// Writes processor<part>/constant/polyMesh into a folder, with cellProcAddressing and so on.
+/// The patch of a processor's faces that another one has, too.
+PatchEntry processorPatch(std::size_t part, std::size_t other);
+
+/// Writes processor<part>/constant/polyMesh into a folder, with cellProcAddressing and so on, unless there are no
+/// numbers of a whole.
 void writeProcessor(const std::filesystem::path& folder, std::size_t part, const ProcessorMesh& mesh,
                     OpenFOAMFormat format, const ProgressRange& progress);
+
+/// Along the axes.
+Vec3 sizeOf(const FaceMesh& mesh);
 
 /// Where the folders of processors stand until all are complete: a hidden one in the case's.
 std::filesystem::path unfinishedProcessors(const std::filesystem::path& caseFolder);
 
-/// Puts the complete folders in place of all processor folders there are, and writes system/decomposeParDict. Throws
-/// Error as refuseProcessorResults() does.
-void placeProcessors(const std::filesystem::path& caseFolder, const PolyMesh& poly, std::size_t parts);
+/// Puts the complete folders in place of all processor folders there are, and writes system/decomposeParDict for a mesh
+/// of that size. Throws Error as refuseProcessorResults() does.
+void placeProcessors(const std::filesystem::path& caseFolder, std::size_t parts, const Vec3& size);
 
 /// Throws Error where the case has processor folders with more than a mesh and the folder 0: results of a run.
 void refuseProcessorResults(const std::filesystem::path& caseFolder);

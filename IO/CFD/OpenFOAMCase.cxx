@@ -32,15 +32,6 @@ void removeEarlierMesh(const fs::path& folder)
   removeFiles(files);
 }
 
-void checkLabels(const FaceMesh& mesh)
-{
-  constexpr std::size_t most = std::numeric_limits<std::int32_t>::max();
-  if (mesh.facePoints.size() > most || mesh.faceCount() >= most || mesh.points.size() > most)
-  {
-    throw Error("the mesh is too large for OpenFOAM's 32-bit labels");
-  }
-}
-
 /// A name as it may stand in a comment of one line.
 std::string comment(std::string name)
 {
@@ -49,31 +40,8 @@ std::string comment(std::string name)
   return '"' + name + '"';
 }
 
-std::vector<PatchEntry> patchEntries(const SolverMesh& mesh)
-{
-  const std::vector<PatchName> names = namesOf(mesh.patches, openFOAMNames);
-  std::vector<PatchEntry> patches;
-  for (std::size_t p = 0; p < names.size(); ++p)
-  {
-    const SolverPatch& patch = mesh.patches[p];
-    const std::string& group = names[p].group;
-    PatchEntry entry{names[p].word,
-                     {{"type", patch.isWall() ? "wall" : "patch"}},
-                     patch.firstFace,
-                     patch.faceCount,
-                     comment(patch.name)};
-    if (!group.empty())
-    {
-      // OpenFOAM puts a wall into the group `wall` only where no other groups are given.
-      entry.entries.emplace_back("inGroups", (patch.isWall() && group != "wall" ? "2(wall " : "1(") + group + ")");
-    }
-    patches.push_back(std::move(entry));
-  }
-  return patches;
-}
-
 /// With names that OpenFOAM takes.
-template <typename Zone> std::vector<Zone> namedZones(std::vector<Zone> zones)
+template <typename Zone> std::vector<Zone> withNames(std::vector<Zone> zones)
 {
   std::vector<std::string> names;
   std::ranges::transform(zones, std::back_inserter(names), &Zone::name);
@@ -103,6 +71,42 @@ bool isLaterTime(const std::string& name)
 
 } // namespace
 
+void checkLabels(const FaceMesh& mesh)
+{
+  constexpr std::size_t most = std::numeric_limits<std::int32_t>::max();
+  if (mesh.facePoints.size() > most || mesh.faceCount() >= most || mesh.points.size() > most)
+  {
+    throw Error("the mesh is too large for OpenFOAM's 32-bit labels");
+  }
+}
+
+std::vector<PatchEntry> patchEntries(std::span<const SolverPatch> of)
+{
+  const std::vector<PatchName> names = namesOf(of, openFOAMNames);
+  std::vector<PatchEntry> patches;
+  for (std::size_t p = 0; p < names.size(); ++p)
+  {
+    const SolverPatch& patch = of[p];
+    const std::string& group = names[p].group;
+    PatchEntry entry{names[p].word,
+                     {{"type", patch.isWall() ? "wall" : "patch"}},
+                     patch.firstFace,
+                     patch.faceCount,
+                     comment(patch.name)};
+    if (!group.empty())
+    {
+      // OpenFOAM puts a wall into the group `wall` only where no other groups are given.
+      entry.entries.emplace_back("inGroups", (patch.isWall() && group != "wall" ? "2(wall " : "1(") + group + ")");
+    }
+    patches.push_back(std::move(entry));
+  }
+  return patches;
+}
+
+std::vector<CellZone> namedZones(std::vector<CellZone> zones) { return withNames(std::move(zones)); }
+
+void removeMesh(const fs::path& caseFolder) { removeEarlierMesh(caseFolder / "constant" / "polyMesh"); }
+
 void writePolyMesh(const fs::path& caseFolder, const SolverMesh& mesh, OpenFOAMFormat format, const RunContext& context)
 {
   checkLabels(mesh.mesh);
@@ -115,8 +119,8 @@ void writePolyMesh(const fs::path& caseFolder, const SolverMesh& mesh, OpenFOAMF
                          &PolyMeshWriter::writeNeighbors};
   context.executor.forEach(files.size(), 1, [&](std::size_t i) { (writer.*files[i])(); });
   context.progress.report(0.9, "Writing patches");
-  writer.writeBoundary(patchEntries(mesh));
-  writer.writeFaceZones(namedZones(mesh.faceZones));
+  writer.writeBoundary(patchEntries(mesh.patches));
+  writer.writeFaceZones(withNames(mesh.faceZones));
   writer.writeCellZones(namedZones(mesh.cellZones));
   context.progress.report(1.0, "Mesh written");
   removeEarlierMesh(folder);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "OpenFOAMFile.h"
+#include "PolyMeshWriter.h"
 #include "SolverMesh.h"
 #include "Support/RunContext.h"
 
@@ -20,6 +21,18 @@ namespace atria {
 /// Throws Error for a folder or file that cannot be written, and for a mesh too large for 32-bit labels.
 void writePolyMesh(const std::filesystem::path& caseFolder, const SolverMesh& mesh, OpenFOAMFormat format,
                    const RunContext& context);
+
+/// Patches as they stand in `boundary`, with names that OpenFOAM takes.
+std::vector<PatchEntry> patchEntries(std::span<const SolverPatch> patches);
+
+/// Zones with names that OpenFOAM takes.
+std::vector<CellZone> namedZones(std::vector<CellZone> zones);
+
+/// Takes away a mesh that a case has, with all that goes with it.
+void removeMesh(const std::filesystem::path& caseFolder);
+
+/// Throws Error for a mesh too large for 32-bit labels.
+void checkLabels(const FaceMesh& mesh);
 
 /// Adds the least that OpenFOAM's utilities ask for, where it is not there: system/controlDict, fvSchemes and
 /// fvSolution, and an empty <case>.foam by which ParaView opens it. Throws Error for a file that cannot be

@@ -233,7 +233,7 @@ void sendAndWrite(const fs::path& caseFolder, const DividedMesh& mesh, OpenFOAMF
   {
     std::rethrow_exception(failure);
   }
-  placeProcessors(caseFolder, mesh.poly, static_cast<std::size_t>(ranks));
+  placeProcessors(caseFolder, static_cast<std::size_t>(ranks), sizeOf(mesh.poly.mesh));
 }
 
 } // namespace

@@ -71,20 +71,21 @@ void orderBoundary(FaceMesh& mesh, const std::vector<Index>& order)
 void layOutPatches(SolverMesh& out, std::span<const BoundaryPatch> patches)
 {
   std::vector<Index> order;
-  const auto add = [&](std::vector<Index> faces, const std::string& name, SolverPatch::Kind kind) {
+  const auto add = [&](std::vector<Index> faces, SolverPatch patch) {
     std::ranges::sort(faces);
-    out.patches.push_back({name, kind, out.mesh.internalFaceCount() + order.size(), faces.size()});
+    patch.firstFace = out.mesh.internalFaceCount() + order.size();
+    patch.faceCount = faces.size();
+    out.patches.push_back(std::move(patch));
     order.insert(order.end(), faces.begin(), faces.end());
   };
   std::vector<Index> rest = unclaimedFaces(out.mesh, patches);
   for (const BoundaryPatch& patch : patches)
   {
-    const bool isSide = isSideName(patch.name);
-    add(patch.faces, patch.name, isSide ? SolverPatch::DomainSide : SolverPatch::Wall);
+    add(patch.faces, solverPatch(patch.name));
   }
   if (!rest.empty())
   {
-    add(std::move(rest), defaultPatchName, SolverPatch::Unclaimed);
+    add(std::move(rest), unclaimedPatch());
   }
   orderBoundary(out.mesh, order);
 }
@@ -113,12 +114,6 @@ std::vector<Index> dropUnusedPoints(FaceMesh& mesh, const Executor& executor)
   return newPoint;
 }
 
-std::string zoneName(std::int64_t id)
-{
-  const std::string sign = id < 0 ? "_" : ""; // a word such as zone-1 reads badly in expressions
-  return "zone" + sign + std::to_string(id < 0 ? -id : id);
-}
-
 std::vector<CellZone> numberedZones(std::span<const std::int64_t> zoneIds)
 {
   if (std::ranges::adjacent_find(zoneIds, std::not_equal_to()) == zoneIds.end())
@@ -145,6 +140,19 @@ std::vector<CellZone> numberedZones(std::span<const std::int64_t> zoneIds)
 }
 
 } // namespace
+
+SolverPatch solverPatch(const std::string& name)
+{
+  return {name, isSideName(name) ? SolverPatch::DomainSide : SolverPatch::Wall};
+}
+
+SolverPatch unclaimedPatch() { return {defaultPatchName, SolverPatch::Unclaimed}; }
+
+std::string zoneName(std::int64_t id)
+{
+  const std::string sign = id < 0 ? "_" : ""; // a word such as zone-1 reads badly in expressions
+  return "zone" + sign + std::to_string(id < 0 ? -id : id);
+}
 
 std::vector<BoundaryPatch> boundaryPatchesOf(const VtkFaceMesh& source)
 {

@@ -43,6 +43,13 @@ struct SolverPatch
   bool isWall() const { return kind == Wall; }
 };
 
+/// Of that name, without faces; and the one of those in no patch.
+SolverPatch solverPatch(const std::string& name);
+SolverPatch unclaimedPatch();
+
+/// What a zone of that number is called.
+std::string zoneName(std::int64_t id);
+
 struct SolverMesh
 {
   /// Boundary faces come patch by patch, in each by owner. All points have faces.

@@ -73,13 +73,24 @@ vtkTypeBool vtkAtriaMeshWriter::ProcessRequest(vtkInformation* request, vtkInfor
   {
     return process();
   }
-  const int result = ranks.run(*this, inputs, outputs, [&](std::span<const atria::Index> rankOf) {
+  bool isInPieces = false;
+  const auto writeWhole = [&](std::span<const atria::Index> rankOf) {
     if (ranks)
     {
       this->TakeRanks(*ranks.getController(), rankOf);
     }
     return process();
-  });
+  };
+  const auto writePieces = [&](vtkMultiProcessController& controller) {
+    const std::optional<int> written = this->WritePieces(controller);
+    isInPieces = written.has_value();
+    return written;
+  };
+  const int result = ranks.run(*this, inputs, outputs, writeWhole, {}, writePieces);
+  if (isInPieces)
+  {
+    return result;
+  }
   double code = static_cast<double>(this->GetErrorCode());
   ranks.share({&code, 1});
   this->SetErrorCode(static_cast<unsigned long>(code));

@@ -27,6 +27,7 @@
 #include <cstdint>    // For numbers of ranks
 #include <exception>  // For what went wrong
 #include <functional> // For what is written
+#include <optional>   // For what is written in pieces
 #include <span>       // For numbers of ranks
 #include <string>     // For where it goes
 
@@ -107,6 +108,12 @@ protected:
   virtual void TakeRanks(vtkMultiProcessController&, std::span<const std::uint32_t>) {}
 
   /**
+   * On all of several ranks, with what each of them holds: writes it and returns what RequestData is to, or returns
+   * nothing, on all, where the first is to write the whole.
+   */
+  virtual std::optional<int> WritePieces(vtkMultiProcessController&) { return std::nullopt; }
+
+  /**
    * On all of several ranks, once the first has written what it has to. Throws as WriteMesh(), on the first rank for
    * all of them. Returns whether all went well.
    */
@@ -116,6 +123,11 @@ protected:
    * On all of several ranks in the end, whether all went well or not.
    */
   virtual void LeaveRanks() {}
+
+  /**
+   * Makes of what `write` throws an error of the writer.
+   */
+  void WriteAndTell(const std::function<void()>& write);
 
   /**
    * Writes the mesh, once it is put in its place by Place(). Throws atria::Error or atria::Aborted.
@@ -136,7 +148,6 @@ private:
   vtkAtriaMeshWriter(const vtkAtriaMeshWriter&) = delete;
   void operator=(const vtkAtriaMeshWriter&) = delete;
 
-  void WriteAndTell(const std::function<void()>& write);
   void WriteTarget(vtkUnstructuredGrid* volume, vtkPartitionedDataSetCollection* patches);
 
   bool RestoreOffset = false;

@@ -2,16 +2,23 @@
 #include "vtkAtriaOpenFOAMWriter.h"
 
 #include "AlgorithmProgress.h"
+#include "ControllerExchange.h"
 #include "Decomposition.h"
+#include "MeshPiece.h"
 #include "OpenFOAMCase.h"
 #include "OutputFolders.h"
+#include "PieceCase.h"
 #include "PropertyRange.h"
 #include "RankProcessors.h"
 #include "VtkShares.h"
 
+#include <vtkErrorCode.h>
 #include <vtkMultiProcessController.h>
 #include <vtkObjectFactory.h>
+#include <vtkUnstructuredGrid.h>
 
+#include <algorithm>
+#include <exception>
 #include <filesystem>
 #include <utility>
 
@@ -35,11 +42,7 @@ void vtkAtriaOpenFOAMWriter::WriteSolverMesh(const atria::SolverMesh& mesh, cons
     atria::refuseProcessorResults(this->CaseDirectory);
   }
   const std::filesystem::path folder = this->CaseDirectory;
-  if (const std::string result = atria::resultIn(folder); !result.empty())
-  {
-    vtkWarningMacro("'" << folder.string() << "' holds results of a run with an earlier mesh (" << result
-                        << "), which are of no use with this one");
-  }
+  this->WarnOfResults();
   auto made = std::make_unique<atria::NewFolders>(
       std::vector<std::filesystem::path>{folder / "constant" / "polyMesh", folder / "system"});
   atria::completeCase(folder);
@@ -52,6 +55,15 @@ void vtkAtriaOpenFOAMWriter::WriteSolverMesh(const atria::SolverMesh& mesh, cons
   else
   {
     made->keep();
+  }
+}
+
+void vtkAtriaOpenFOAMWriter::WarnOfResults()
+{
+  if (const std::string result = atria::resultIn(this->CaseDirectory); !result.empty())
+  {
+    vtkWarningMacro("'" << this->CaseDirectory << "' holds results of a run with an earlier mesh (" << result
+                        << "), which are of no use with this one");
   }
 }
 
@@ -85,6 +97,80 @@ void vtkAtriaOpenFOAMWriter::WriteProcessors(const std::vector<std::uint32_t>& p
   {
     atria::writeProcessors(this->CaseDirectory, atria::readPolyMesh(this->CaseDirectory),
                            static_cast<std::size_t>(this->NumberOfProcessors), this->GetFormat(), context);
+  }
+}
+
+std::optional<int> vtkAtriaOpenFOAMWriter::WritePieces(vtkMultiProcessController& controller)
+{
+  if (!this->UseRanksAsProcessors || this->WriteWholeMesh || this->GetTarget().empty())
+  {
+    return std::nullopt;
+  }
+  auto* volume = vtkUnstructuredGrid::SafeDownCast(this->GetInputDataObject(0, 0));
+  const std::optional<atria::MeshPiece> piece = atria::MeshPiece::of(volume, this->GetPatches(), controller);
+  atria::ControllerExchange ranks(controller);
+  const bool isFirst = ranks.rank() == 0;
+  std::string hindrance = "its pieces have no ghost cells, global ids or patches";
+  if (piece)
+  {
+    this->SetErrorCode(vtkErrorCode::NoError);
+    try
+    {
+      ranks.run([&] { this->WritePiece(*piece, volume, ranks); });
+      return 1;
+    }
+    catch (const atria::RanksDisagree& error)
+    {
+      hindrance = error.what();
+    }
+    catch (...)
+    {
+      const std::exception_ptr error = std::current_exception();
+      isFirst ? this->WriteAndTell([&] { std::rethrow_exception(error); })
+              : this->SetErrorCode(vtkErrorCode::UnknownError);
+      return 1;
+    }
+  }
+  if (isFirst)
+  {
+    vtkWarningMacro("'" << this->GetTarget() << "': the whole mesh is written, too: " << hindrance);
+  }
+  return std::nullopt;
+}
+
+void vtkAtriaOpenFOAMWriter::WritePiece(const atria::MeshPiece& piece, vtkUnstructuredGrid* volume,
+                                        atria::RankExchange& ranks)
+{
+  this->CheckProperties();
+  if (const std::vector<char> zones = atria::gatherAll(ranks, static_cast<char>(piece.hasFaceZones()));
+      std::ranges::find(zones, 1) != zones.end())
+  {
+    throw atria::RanksDisagree("it has face zones");
+  }
+  if (ranks.rank() == 0)
+  {
+    atria::refuseProcessorResults(this->CaseDirectory);
+    this->WarnOfResults();
+  }
+  const atria::AlgorithmRun run(*this);
+  const atria::PieceCase target{this->CaseDirectory, this->GetFormat(), this->GetMergeUnderdeterminedCells(),
+                                this->GetMergeCoplanarFaces(),
+                                [&](atria::FaceMesh& mesh) { this->Place(volume, mesh); }};
+  const atria::WrittenCase written = atria::writePieces(target, piece, volume, ranks, run.context);
+  this->Tell(written.verdict, written.mergedCells, written.addedCells, written.mergedFaces);
+  if (ranks.rank() > 0)
+  {
+    return;
+  }
+  for (const std::string& failure : written.failures)
+  {
+    vtkWarningMacro("'" << this->GetTarget() << "': " << failure);
+  }
+  if (!written.hasNumbers)
+  {
+    vtkWarningMacro("'" << this->GetTarget()
+                        << "': the mesh is too large for labels of 32 bits to tell what processors "
+                        << "have of it: reconstructPar cannot be used");
   }
 }
 
@@ -123,4 +209,5 @@ void vtkAtriaOpenFOAMWriter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "WriteBinary: " << (this->WriteBinary ? "on" : "off") << "\n";
   os << indent << "NumberOfProcessors: " << this->NumberOfProcessors << "\n";
   os << indent << "UseRanksAsProcessors: " << (this->UseRanksAsProcessors ? "on" : "off") << "\n";
+  os << indent << "WriteWholeMesh: " << (this->WriteWholeMesh ? "on" : "off") << "\n";
 }

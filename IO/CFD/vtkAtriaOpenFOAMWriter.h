@@ -29,7 +29,9 @@
 
 namespace atria {
 struct DividedMesh;
+class MeshPiece;
 class NewFolders;
+class RankExchange;
 enum class OpenFOAMFormat;
 } // namespace atria
 
@@ -83,6 +85,19 @@ public:
   vtkBooleanMacro(UseRanksAsProcessors, bool);
   ///@}
 
+  ///@{
+  /**
+   * With UseRanksAsProcessors on several ranks: write the whole mesh, too. Without it no rank needs memory for it: each
+   * makes its processor of what it has, and there is no constant/polyMesh in the case. The folders are the same. Of a
+   * mesh with face zones, or whose pieces have no ghost cells or global ids without gaps, the whole is written all the
+   * same, with a warning; in one process always. Where the whole has more than labels of 32 bits can number, processors
+   * do not tell what their cells, faces and points are in it, with a warning. On by default.
+   */
+  vtkSetMacro(WriteWholeMesh, bool);
+  vtkGetMacro(WriteWholeMesh, bool);
+  vtkBooleanMacro(WriteWholeMesh, bool);
+  ///@}
+
 protected:
   vtkAtriaOpenFOAMWriter();
   ~vtkAtriaOpenFOAMWriter() override;
@@ -93,6 +108,7 @@ protected:
   void WriteSolverMesh(const atria::SolverMesh& mesh, const atria::RunContext& context) override;
   void TakeRanks(vtkMultiProcessController& controller, std::span<const std::uint32_t> rankOf) override;
   std::vector<std::uint32_t> DivideCells(vtkUnstructuredGrid* volume, const atria::Executor& executor) override;
+  std::optional<int> WritePieces(vtkMultiProcessController& controller) override;
   bool WriteOnRanks(vtkMultiProcessController& controller) override;
   void LeaveRanks() override;
   /**
@@ -109,10 +125,14 @@ private:
   vtkAtriaOpenFOAMWriter(const vtkAtriaOpenFOAMWriter&) = delete;
   void operator=(const vtkAtriaOpenFOAMWriter&) = delete;
 
+  void WarnOfResults();
+  void WritePiece(const atria::MeshPiece& piece, vtkUnstructuredGrid* volume, atria::RankExchange& ranks);
+
   char* CaseDirectory = nullptr;
   bool WriteBinary = false;
   int NumberOfProcessors = 1;
   bool UseRanksAsProcessors = false;
+  bool WriteWholeMesh = true;
   int Ranks = 1;                             ///< that write together now
   std::vector<std::uint32_t> RankOfCells;    ///< of the input, if known
   std::unique_ptr<atria::DividedMesh> Parts; ///< that the ranks are to write

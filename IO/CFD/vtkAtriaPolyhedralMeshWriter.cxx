@@ -31,7 +31,7 @@ void vtkAtriaPolyhedralMeshWriter::WriteMesh(vtkUnstructuredGrid* volume, atria:
   atria::JudgedMesh written = atria::uniteAndJudge(
       makeMesh, patchOf, {this->MergeUnderdeterminedCells, this->MergeCoplanarFaces, zoneOf}, context.part(0.0, 0.3));
   atria::followUnions(parts, written);
-  this->Tell(written);
+  this->Tell(written.verdict, written.mergedCells, written.added.size(), written.mergedFaces);
   this->Place(volume, written.mesh);
   const atria::SolverMesh mesh = atria::solverMeshFrom(std::move(parts), std::move(written.mesh), context.executor);
   context.progress.report(0.3, "Writing the mesh");
@@ -42,14 +42,15 @@ void vtkAtriaPolyhedralMeshWriter::WriteMesh(vtkUnstructuredGrid* volume, atria:
   }
 }
 
-void vtkAtriaPolyhedralMeshWriter::Tell(const atria::JudgedMesh& written)
+void vtkAtriaPolyhedralMeshWriter::Tell(const atria::MeshVerdict& verdict, std::size_t mergedCells,
+                                        std::size_t addedCells, std::size_t mergedFaces)
 {
-  this->NumberOfMergedCells = static_cast<vtkIdType>(written.mergedCells);
-  this->NumberOfAddedCells = static_cast<vtkIdType>(written.added.size());
-  this->NumberOfMergedFaces = static_cast<vtkIdType>(written.mergedFaces);
-  this->NumberOfFailedChecks = written.verdict.failedChecks();
+  this->NumberOfMergedCells = static_cast<vtkIdType>(mergedCells);
+  this->NumberOfAddedCells = static_cast<vtkIdType>(addedCells);
+  this->NumberOfMergedFaces = static_cast<vtkIdType>(mergedFaces);
+  this->NumberOfFailedChecks = verdict.failedChecks();
   this->Checks->Initialize();
-  atria::checksToVtk(written.verdict, this->Checks);
+  atria::checksToVtk(verdict, this->Checks);
 }
 
 vtkTable* vtkAtriaPolyhedralMeshWriter::GetChecks() { return this->Checks; }

@@ -25,13 +25,14 @@
 #include "vtkAtriaMeshWriter.h"
 #include "vtkNew.h" // For Checks
 
-#include <vector> // For parts
+#include <cstddef> // For numbers of cells
+#include <vector>  // For parts
 
 class vtkTable;
 
 namespace atria {
 class Executor;
-struct JudgedMesh;
+struct MeshVerdict;
 struct SolverMesh;
 } // namespace atria
 
@@ -107,11 +108,15 @@ protected:
    */
   virtual void WriteSolverMesh(const atria::SolverMesh& mesh, const atria::RunContext& context) = 0;
 
+  /**
+   * What came of unions, for the properties that tell it.
+   */
+  void Tell(const atria::MeshVerdict& verdict, std::size_t mergedCells, std::size_t addedCells,
+            std::size_t mergedFaces);
+
 private:
   vtkAtriaPolyhedralMeshWriter(const vtkAtriaPolyhedralMeshWriter&) = delete;
   void operator=(const vtkAtriaPolyhedralMeshWriter&) = delete;
-
-  void Tell(const atria::JudgedMesh& written);
 
   vtkNew<vtkTable> Checks;
   int NumberOfFailedChecks = 0;

@@ -64,7 +64,8 @@ def main(folder, model, properties, *rest):
     where = {"folder": folder, "here": str(HERE)}
     run_everywhere(outputs, NOTE.format(**where))
     if "case" in rest:
-        simple.SaveData(os.path.join(folder, "case.openfoam"), proxy=mesher, UseRanksAsProcessors=1)
+        simple.SaveData(os.path.join(folder, "case.openfoam"), proxy=mesher, UseRanksAsProcessors=1,
+                        WriteWholeMesh=0)
         run_everywhere(outputs, PEAK.format(**where))
     (pathlib.Path(folder) / "time.json").write_text(json.dumps(seconds))
 

@@ -193,6 +193,42 @@ TEST_F(WrittenProcessors, AreTheSameWhereOneRankHoldsTheMesh)
   EXPECT_EQ(processorFiles(file("pieces")).empty(), ranks() == 1);
 }
 
+TEST_F(WrittenProcessors, AreTheSameWithoutTheWholeMesh)
+{
+  int count = 0;
+  for (const int blockSize : {0, 1000})
+  {
+    mesher->SetBlockSize(blockSize);
+    for (const bool allZones : {false, true})
+    {
+      mesher->SetZoneRule(allZones ? vtkAtriaDualMesher::All : vtkAtriaDualMesher::Outside);
+      writer->SetWriteBinary(allZones);
+      update(mesher);
+      const std::string name = file("case") + std::to_string(count++);
+      writer->WriteWholeMeshOn();
+      ASSERT_EQ(write(name), 1);
+      const auto processors = processorFiles(name);
+      const int failed = writer->GetNumberOfFailedChecks();
+      const vtkIdType merged = writer->GetNumberOfMergedCells(), added = writer->GetNumberOfAddedCells(),
+                      mergedFaces = writer->GetNumberOfMergedFaces();
+      writer->WriteWholeMeshOff();
+      for (vtkPartitionedDataSetCollection* given : {patches(), static_cast<vtkPartitionedDataSetCollection*>(nullptr)})
+      {
+        ASSERT_EQ(write(volume(), given, name), 1);
+        EXPECT_EQ(processorFiles(name), processors);
+        EXPECT_EQ(fs::exists(fs::path(name) / "constant" / "polyMesh" / "points"), ranks() == 1);
+        if (rank() == 0)
+        {
+          EXPECT_EQ(writer->GetNumberOfFailedChecks(), failed);
+          EXPECT_EQ(writer->GetNumberOfMergedCells(), merged);
+          EXPECT_EQ(writer->GetNumberOfAddedCells(), added);
+          EXPECT_EQ(writer->GetNumberOfMergedFaces(), mergedFaces);
+        }
+      }
+    }
+  }
+}
+
 TEST_F(WrittenProcessors, AreAllThereOrNone)
 {
   if (ranks() == 1)
@@ -203,19 +239,24 @@ TEST_F(WrittenProcessors, AreAllThereOrNone)
   std::ofstream(file("file").c_str()) << "no folder";
   controller()->Barrier();
   const bool isLast = rank() == ranks() - 1;
-  EXPECT_EQ(write(isLast ? file("file") : file("case")), 0);
-  const auto errors = messages.takeErrors();
-  if (rank() == 0)
+  for (const bool withWhole : {true, false})
   {
-    EXPECT_THAT(firstOf(errors), ::testing::HasSubstr("rank " + std::to_string(ranks() - 1) + ": cannot make"));
+    writer->SetWriteWholeMesh(withWhole);
+    const std::string name = file(withWhole ? "case" : "pieces");
+    EXPECT_EQ(write(isLast ? file("file") : name), 0);
+    const auto errors = messages.takeErrors();
+    if (rank() == 0)
+    {
+      EXPECT_THAT(firstOf(errors), ::testing::HasSubstr("rank " + std::to_string(ranks() - 1) + ": cannot make"));
+    }
+    else
+    {
+      EXPECT_TRUE(errors.empty());
+    }
+    EXPECT_FALSE(fs::exists(name)); // and no mesh without them
+    EXPECT_EQ(write(name), 1);      // all go on
+    EXPECT_FALSE(processorFiles(name).empty());
   }
-  else
-  {
-    EXPECT_TRUE(errors.empty());
-  }
-  EXPECT_FALSE(fs::exists(file("case"))); // and no mesh without them
-  EXPECT_EQ(write(file("case")), 1);      // all go on
-  EXPECT_FALSE(processorFiles(file("case")).empty());
 }
 
 TEST_F(WrittenProcessors, HaveCellsEach)

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "PieceCase.h"
+
+#include "OpenFOAMCase.h"
+#include "OutputFolders.h"
+#include "PieceLabels.h"
+#include "PieceProcessor.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <optional>
+#include <utility>
+
+namespace atria {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Sums over all ranks.
+template <std::size_t count>
+std::array<std::size_t, count> sumsOf(const std::array<std::size_t, count>& own, RankExchange& exchange)
+{
+  std::array<std::size_t, count> sums{};
+  for (const std::array<std::size_t, count>& some : gatherAll(exchange, own))
+  {
+    std::ranges::transform(some, sums, sums.begin(), std::plus<>());
+  }
+  return sums;
+}
+
+/// Throws Error where a rank has no cells.
+void checkCells(std::size_t own, RankExchange& exchange)
+{
+  const auto [cells, empty] = sumsOf<2>({own, own == 0 ? std::size_t{1} : 0}, exchange);
+  if (empty > 0)
+  {
+    throw Error("a mesh of " + std::to_string(cells) + " cells cannot be divided among " +
+                std::to_string(exchange.ranks()) + " ranks so that each has some");
+  }
+}
+
+/// Makes and writes the processor of a rank.
+class PieceCaseWriter
+{
+public:
+  PieceCaseWriter(const PieceCase& pieceCase, const MeshPiece& meshPiece, vtkUnstructuredGrid* volume,
+                  RankExchange& rankExchange, const RunContext& within)
+      : target(pieceCase), piece(meshPiece), exchange(rankExchange), context(within), labels(volume, rankExchange),
+        wide(piece.widen(unionRings, exchange, context.executor, labels.views()))
+  {
+  }
+
+  WrittenCase run()
+  {
+    const FaceMesh before = makeMesh();
+    const std::vector<Index> patchBefore = patchOfFaces(before);
+    const std::vector<Index> zoneOf = labels.zoneOfFaces(wide, before);
+    const PieceOnRanks part{wide, exchange};
+    const JudgedMesh now = uniteAndJudge([this] { return makeMesh(); }, patchBefore,
+                                         {target.mergeCells, target.mergeFaces, zoneOf}, context.part(0.1, 0.6), &part);
+    const UnitedCells cells = unitedCells(now, part);
+    UnitedPiece united{now, cells, patchNow(now, before, patchBefore), {}, {}};
+    united.patches = namePatches(united);
+    united.zones = namedZones(labels.zonesOf(wide, now, cells, exchange));
+    const PieceNumbers numbers = numberPiece(now, cells, part);
+    const FaceNumbers faces = numberFaces(now.mesh, cells, numbers, united.patchOf, exchange);
+    context.progress.report(0.7, "Writing the processors' meshes");
+    ProcessorMesh made = makeProcessor(united, numbers, faces, static_cast<std::size_t>(exchange.rank()));
+    target.place(made.mesh);
+    write(made);
+    return report(now, cells, before, !made.cells.empty());
+  }
+
+private:
+  FaceMesh makeMesh() const { return makeFaceMesh(wide.points, wide.cells(), wide.faceKeys(), context.executor); }
+
+  /// By boundary face, noIndex where it is in none.
+  std::vector<Index> patchOfFaces(const FaceMesh& mesh) const
+  {
+    const std::vector<Index> faces = findBoundaryFaces(mesh, wide.faceKeys(), context.executor);
+    std::vector<Index> patchOf(mesh.faceCount() - mesh.internalFaceCount(), noIndex);
+    for (std::size_t f = 0; f < faces.size(); ++f)
+    {
+      if (faces[f] == noIndex || patchOf[faces[f] - mesh.internalFaceCount()] != noIndex)
+      {
+        throw RanksDisagree("a face of a patch is no face of its cell, or in two patches");
+      }
+      patchOf[faces[f] - mesh.internalFaceCount()] = wide.patchOf[f];
+    }
+    return patchOf;
+  }
+
+  static std::vector<Index> patchNow(const JudgedMesh& now, const FaceMesh& before, const std::vector<Index>& patchOf)
+  {
+    if (now.faceOf.empty())
+    {
+      return patchOf;
+    }
+    const std::size_t internal = now.mesh.internalFaceCount();
+    std::vector<Index> patches(now.mesh.faceCount() - internal, noIndex);
+    for (std::size_t i = 0; i < patchOf.size(); ++i)
+    {
+      patches[now.faceOf[before.internalFaceCount() + i] - internal] = patchOf[i];
+    }
+    return patches;
+  }
+
+  /// Also gives own faces in no patch a patch of theirs, the last one.
+  std::vector<PatchEntry> namePatches(UnitedPiece& united) const
+  {
+    std::vector<SolverPatch> patches;
+    for (const VtkPatches::Patch& patch : piece.facesOfPatches().patches)
+    {
+      patches.push_back(solverPatch(patch.name));
+    }
+    const auto rest = static_cast<Index>(patches.size());
+    const FaceMesh& mesh = united.now.mesh;
+    std::size_t unclaimed = 0;
+    for (std::size_t i = 0; i < united.patchOf.size(); ++i)
+    {
+      const bool isRest = united.patchOf[i] == noIndex;
+      unclaimed += isRest && united.cells.isOwn[mesh.owner[mesh.internalFaceCount() + i]] ? 1 : 0;
+      united.patchOf[i] = isRest ? rest : united.patchOf[i];
+    }
+    const auto [all, names] = sumsOf<2>({unclaimed, patches.size()}, exchange);
+    if (names != patches.size() * static_cast<std::size_t>(exchange.ranks()))
+    {
+      throw RanksDisagree("ranks do not have the same patches");
+    }
+    if (all > 0)
+    {
+      patches.push_back(unclaimedPatch());
+    }
+    return patchEntries(patches);
+  }
+
+  void write(const ProcessorMesh& made) const
+  {
+    checkLabels(made.mesh);
+    const fs::path unfinished = unfinishedProcessors(target.folder);
+    const bool isFirst = exchange.rank() == 0;
+    std::optional<NewFolders> folders;
+    std::optional<UnfinishedFolder> files;
+    if (isFirst)
+    {
+      folders.emplace(std::vector<fs::path>{target.folder / "system"});
+      completeCase(target.folder);
+      files.emplace(unfinished);
+    }
+    exchange.gather({}); // the folder is there
+    try
+    {
+      writeProcessor(unfinished, static_cast<std::size_t>(exchange.rank()), made, target.format, context.progress);
+    }
+    catch (const OutputError& error)
+    {
+      throw OutputError("rank " + std::to_string(exchange.rank()) + ": " + error.what());
+    }
+    Box3 bounds;
+    std::ranges::for_each(made.mesh.points, [&](const Vec3& point) { bounds.extend(point); });
+    for (const Box3& other : gatherAll(exchange, bounds)) // all are written
+    {
+      bounds.extend(other.min);
+      bounds.extend(other.max);
+    }
+    if (isFirst)
+    {
+      placeProcessors(target.folder, static_cast<std::size_t>(exchange.ranks()), bounds.size());
+      removeMesh(target.folder);
+      folders->keep();
+    }
+  }
+
+  WrittenCase report(const JudgedMesh& now, const UnitedCells& cells, const FaceMesh& before, bool hasNumbers) const
+  {
+    std::size_t cellsBefore = 0;
+    std::size_t cellsNow = 0;
+    std::size_t added = 0;
+    for (const Index ring : wide.rings)
+    {
+      cellsBefore += ring == 0 ? 1 : 0;
+    }
+    for (std::size_t cell = 0; cell < cells.isOwn.size(); ++cell)
+    {
+      cellsNow += cells.isOwn[cell] ? 1 : 0;
+      added += cells.isOwn[cell] && cell >= now.pyramid(0) ? 1 : 0;
+    }
+    std::size_t facesBefore = 0;
+    std::vector<char> isMade(now.mesh.faceCount(), 0);
+    for (std::size_t f = 0; f < before.faceCount(); ++f)
+    {
+      const Index face = now.faceOf.empty() ? static_cast<Index>(f) : now.faceOf[f];
+      if (face != noIndex)
+      {
+        facesBefore += wide.rings[before.owner[f]] == 0 ? 1 : 0;
+        isMade[face] = 1;
+      }
+    }
+    std::size_t facesNow = 0;
+    for (std::size_t f = 0; f < isMade.size(); ++f)
+    {
+      facesNow += isMade[f] && cells.isOwn[now.mesh.owner[f]] ? 1 : 0;
+    }
+    const std::array<std::size_t, 5> all = sumsOf<5>({cellsBefore, cellsNow, added, facesBefore, facesNow}, exchange);
+    return {now.verdict, now.failures, all[0] + all[2] - all[1], all[2], all[3] - all[4], hasNumbers};
+  }
+
+  const PieceCase& target;
+  const MeshPiece& piece;
+  RankExchange& exchange;
+  const RunContext& context;
+  PieceLabels labels;
+  WidePiece wide;
+};
+
+} // namespace
+
+WrittenCase writePieces(const PieceCase& target, const MeshPiece& piece, vtkUnstructuredGrid* grid,
+                        RankExchange& exchange, const RunContext& context)
+{
+  checkCells(piece.ownCells().size(), exchange);
+  return PieceCaseWriter(target, piece, grid, exchange, context).run();
+}
+
+} // namespace atria
