@@ -36,7 +36,7 @@ ExitStatus runConvert(const Options& options, Console& console, const Workers& w
   {
     patches = readPatches(options.patches, console);
   }
-  writeExports(options.exports, mesh, patches, console, workers);
+  writeExports(options.exports, {mesh, patches}, false, console, workers);
   console.clearBar();
   return Done;
 }

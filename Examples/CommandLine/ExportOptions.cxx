@@ -33,6 +33,11 @@ std::vector<std::string> ExportOptions::targets() const
   return all;
 }
 
+bool ExportOptions::needNoWhole() const
+{
+  return targets().empty() || (processorsOnly && !saysProcessors && targets().size() == 1 && !openfoam.empty());
+}
+
 void declareExportOptions(CLI::App& command, ExportOptions& options)
 {
   command.add_option("--openfoam", options.openfoam, "Also write an OpenFOAM case with the mesh")->type_name("DIR");
@@ -47,6 +52,9 @@ void declareExportOptions(CLI::App& command, ExportOptions& options)
       ->capture_default_str()
       ->check(numberIn(standard->GetNumberOfProcessorsMinValue(), standard->GetNumberOfProcessorsMaxValue()))
       ->type_name("N");
+  command.add_flag(
+      "--processors-only", options.processorsOnly,
+      "Write these without the whole mesh, under mpiexec: of a mesh in pieces no rank needs memory for it");
   command.add_option("--fluent", options.fluent, "Also write a Fluent mesh")->type_name("OUT.msh");
   command.add_option("--cgns", options.cgns, "Also write a CGNS file")->type_name("OUT.cgns");
   command.add_option("--su2", options.su2, "Also write an SU2 mesh, with polyhedra divided")->type_name("OUT.su2");
@@ -105,9 +113,22 @@ void writeFile(const ExportOptions& options, const std::string& file, vtkUnstruc
 }
 
 /// What workers need to know of a case.
-Json caseTask(const ExportOptions& options, bool hasPatches)
+Json caseTask(const ExportOptions& options, bool hasPatches, bool isDivided)
 {
-  return {{"case", options.openfoam}, {"binary", !options.ascii}, {"patches", hasPatches}};
+  return {{"case", options.openfoam},         {"binary", !options.ascii}, {"offset", options.restoreOffset},
+          {"whole", !options.processorsOnly}, {"patches", hasPatches},    {"divided", isDivided}};
+}
+
+/// The part of a rank, of what it has or of what the first one has.
+MeshPiece partOf(const Json& task, const MeshPiece& held, vtkMultiProcessController& controller)
+{
+  const bool staysWhole = task["whole"].get<bool>();
+  MeshPiece own = task["divided"].get<bool>() || staysWhole ? held : ownPart(held, controller);
+  own.mesh = own.mesh ? own.mesh : vtkSmartPointer<vtkUnstructuredGrid>::New();
+  const bool hasPatches = task["patches"].get<bool>();
+  const auto none = hasPatches ? vtkSmartPointer<vtkPartitionedDataSetCollection>::New() : nullptr;
+  own.patches = own.patches && hasPatches ? own.patches : none;
+  return own;
 }
 
 /// `controller` is null for one rank.
@@ -115,6 +136,8 @@ void configure(vtkAtriaOpenFOAMWriter* writer, const Json& task, vtkMultiProcess
 {
   writer->SetCaseDirectory(task["case"].get<std::string>().c_str());
   writer->SetWriteBinary(task["binary"].get<bool>());
+  writer->SetRestoreOffset(task["offset"].get<bool>());
+  writer->SetWriteWholeMesh(task["whole"].get<bool>());
   if (controller)
   {
     writer->UseRanksAsProcessorsOn();
@@ -125,30 +148,31 @@ void configure(vtkAtriaOpenFOAMWriter* writer, const Json& task, vtkMultiProcess
 
 } // namespace
 
-void writeCaseWithOthers(const Json& task, vtkMultiProcessController& controller)
+void writeCaseWithOthers(const Json& task, const MeshPiece& own, vtkMultiProcessController& controller)
 {
+  const MeshPiece part = partOf(task, own, controller);
   vtkNew<vtkAtriaOpenFOAMWriter> writer;
   configure(writer, task, &controller);
-  writer->SetInputDataObject(0, vtkNew<vtkUnstructuredGrid>());
-  if (task["patches"].get<bool>())
-  {
-    writer->SetInputDataObject(1, vtkNew<vtkPartitionedDataSetCollection>());
-  }
+  writer->SetInputDataObject(0, part.mesh);
+  writer->SetInputDataObject(1, part.patches);
   writer->Write(); // the first rank tells what was wrong
 }
 
-Json writeExports(const ExportOptions& options, vtkUnstructuredGrid* mesh, vtkPartitionedDataSetCollection* patches,
-                  Console& console, const Workers& workers)
+Json writeExports(const ExportOptions& options, const MeshPiece& own, bool isDivided, Console& console,
+                  const Workers& workers)
 {
+  vtkUnstructuredGrid* const mesh = own.mesh;
+  vtkPartitionedDataSetCollection* const patches = own.patches;
   Json openfoam;
   if (!options.openfoam.empty())
   {
     vtkNew<vtkAtriaOpenFOAMWriter> writer;
     writer->SetNumberOfProcessors(options.processors);
-    const Json task = caseTask(options, patches != nullptr);
+    const Json task = caseTask(options, patches != nullptr, isDivided);
     const auto writeCase = [&](vtkMultiProcessController* controller) {
+      const MeshPiece part = controller ? partOf(task, own, *controller) : own;
       configure(writer, task, controller);
-      write(writer, options, options.openfoam, mesh, patches, console);
+      write(writer, options, options.openfoam, part.mesh, part.patches, console);
     };
     if (workers && !options.saysProcessors)
     {

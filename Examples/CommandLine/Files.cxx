@@ -384,9 +384,6 @@ void writePatches(const std::string& file, vtkPartitionedDataSetCollection* patc
 
 bool isInPieces(const std::string& file) { return fs::path(file).extension() == ".pvtu"; }
 
-namespace {
-
-/// What is this rank's of a mesh that the first rank holds.
 MeshPiece ownPart(const MeshPiece& whole, vtkMultiProcessController& controller)
 {
   vtkNew<vtkAtriaMeshDivider> divider;
@@ -395,6 +392,8 @@ MeshPiece ownPart(const MeshPiece& whole, vtkMultiProcessController& controller)
   divider->UpdatePiece(controller.GetLocalProcessId(), controller.GetNumberOfProcesses(), 1);
   return {divider->GetOutput(), divider->GetPatches()};
 }
+
+namespace {
 
 /// Writes what is this rank's, on all ranks. Whether all could.
 bool writeOwnPieces(const Json& task, const MeshPiece& held, vtkMultiProcessController& controller)

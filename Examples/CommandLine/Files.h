@@ -50,6 +50,9 @@ struct MeshPiece
   vtkSmartPointer<vtkPartitionedDataSetCollection> patches;
 };
 
+/// What is this rank's of a mesh that the first rank holds; of all ranks.
+MeshPiece ownPart(const MeshPiece& whole, vtkMultiProcessController& controller);
+
 /// A mesh (.pvtu) and, unless their file's name is empty, its patches (.vtpc) in pieces, one for each rank, that these
 /// write: what each has, or parts of what the first one has.
 void writePieces(const std::string& meshFile, const std::string& patchesFile, const MeshPiece& own, bool isDivided,

@@ -108,7 +108,7 @@ Json writeFiles(vtkAtriaMeshOptimizer* optimizer, const Options& options, Consol
   }
   // Without patches those recorded in the mesh are written.
   vtkPartitionedDataSetCollection* patches = options.patches.empty() ? nullptr : optimizer->GetPatches();
-  return writeExports(options.exports, optimizer->GetOutput(), patches, console, workers);
+  return writeExports(options.exports, {optimizer->GetOutput(), patches}, false, console, workers);
 }
 
 ExitStatus runImprove(const Options& options, Console& console, const Workers& workers)

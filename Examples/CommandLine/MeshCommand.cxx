@@ -77,9 +77,10 @@ Json makeReport(vtkAtriaDualMesher* mesher, vtkAtriaMeshQuality* quality, const 
 Json writeOutputs(const MeshOptions& options, vtkUnstructuredGrid* mesh, vtkPartitionedDataSetCollection* patches,
                   Console& console, const Workers& workers)
 {
+  const bool isDivided = staysInPieces(options, workers);
   if (isInPieces(options.output))
   {
-    writePieces(options.output, options.patches, {mesh, patches}, staysInPieces(options, workers), console, workers);
+    writePieces(options.output, options.patches, {mesh, patches}, isDivided, console, workers);
   }
   else
   {
@@ -89,7 +90,7 @@ Json writeOutputs(const MeshOptions& options, vtkUnstructuredGrid* mesh, vtkPart
       writePatches(options.patches, patches, console);
     }
   }
-  return writeExports(options.exports, mesh, patches, console, workers);
+  return writeExports(options.exports, {mesh, patches}, isDivided, console, workers);
 }
 
 /// What layers add, which the estimate of octants does not know.

@@ -56,7 +56,7 @@ bool isMadeTogether(const MeshOptions& options, const Workers& workers)
 
 bool staysInPieces(const MeshOptions& options, const Workers& workers)
 {
-  return isMadeTogether(options, workers) && isInPieces(options.output) && options.exports.targets().empty();
+  return isMadeTogether(options, workers) && isInPieces(options.output) && options.exports.needNoWhole();
 }
 
 vtkIdType makeTogether(vtkAtriaDualMesher* mesher, const CLI::App& command, const MeshOptions& options,

@@ -115,7 +115,7 @@ public:
     }
     else if (task.contains("case"))
     {
-      writeCaseWithOthers(task, controller);
+      writeCaseWithOthers(task, piece, controller);
     }
     else
     {

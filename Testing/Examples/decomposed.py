@@ -46,7 +46,7 @@ def run_in(test, folder, *command):
     return run.stdout
 
 
-def expect_decompose_par(test, case, other, parts):
+def expect_decompose_par(test, case, other, parts, zones=("faceZones", "cellZones")):
     """The processors of an ascii case hold what decomposePar makes of the same division, in the folder `other`."""
     shutil.copytree(case, other, ignore=shutil.ignore_patterns("processor*"))
     part_of = {}
@@ -63,7 +63,7 @@ def expect_decompose_par(test, case, other, parts):
     for part in range(parts):
         own, theirs = all_of(part, (case, other))
         for name in ("faces", "owner", "neighbour", "cellProcAddressing", "faceProcAddressing", "pointProcAddressing",
-                     "boundaryProcAddressing", "faceZones", "cellZones"):
+                     "boundaryProcAddressing", *zones):
             test.assertEqual(content(own / name), content(theirs / name), f"{part} {name}")
         for a, b in itertools.zip_longest(content(own / "points"), content(theirs / "points")):
             test.assertAlmostEqual(a, b, delta=1e-9)

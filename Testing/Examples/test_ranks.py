@@ -9,6 +9,7 @@ import json
 import os
 import pathlib
 import re
+import shutil
 import signal
 import subprocess
 import sys
@@ -153,6 +154,36 @@ class Ranks(unittest.TestCase):
             expect_decompose_par(self, folder / "case", folder / "decomposed", ranks)
             said = run_in(self, folder / "case", "mpirun", "-np", ranks, "checkMesh", "-parallel", "-allTopology", "-allGeometry")
             self.assertIn("Mesh OK.", said)
+
+    # Without the whole mesh, of a mesh that the first rank deals out.
+    def test_processors_are_the_same_without_the_whole_mesh(self):
+        options = [*COARSE, "--layers", "2", "--recenter", "--openfoam", "case", "--restore-offset"]
+        for name, more in (("pieces", ["-o", "mesh.pvtu", "--ascii"]), ("whole", ["-o", "mesh.vtu"])):
+            folders = self.folder(name), self.folder(name + "-only")
+            results = [run(3, "mesh", HOUSE, *options, *more, *only, cwd=folder)
+                       for folder, only in zip(folders, ([], ["--processors-only"]))]
+            for result in results:
+                self.assertEqual(result.returncode, 0, result.stderr)
+            self.assertEqual(*[re.sub(r"case \(.*?\)", "case", str(said(result))) for result in results])  # the sizes differ
+            with_whole, only = map(self.contents, folders)
+            self.assertEqual(list(only), [file for file in with_whole if "case/constant/" not in file])
+            self.assertEqual([file for file in only if only[file] != with_whole[file]], [])
+
+    # Of a mesh in the pieces that ranks have made.
+    @unittest.skipUnless(HAVE_OPENFOAM, "OpenFOAM is not installed")
+    def test_processors_need_no_whole_mesh(self):
+        options = [*COARSE, "--layers", "2", "--block-size", "300", "--openfoam", "case", "--ascii"]
+        alone = self.folder("alone")
+        self.assertEqual(run(0, "mesh", HOUSE, *options, cwd=alone).returncode, 0)
+        for ranks in (2, 5):
+            folder = self.folder(f"on{ranks}")
+            result = run(ranks, "mesh", HOUSE, *options, "-o", "mesh.pvtu", "--processors-only", cwd=folder)
+            self.assertEqual(result.returncode, 0, result.stderr)
+            found = run_in(self, folder / "case", "mpirun", "-np", ranks, "checkMesh", "-parallel", "-allTopology", "-allGeometry")
+            self.assertIn("Mesh OK.", found)
+            self.assertFalse((folder / "case/constant").exists())
+            shutil.copytree(alone / "case/constant", folder / "case/constant")
+            expect_decompose_par(self, folder / "case", folder / "decomposed", ranks, zones=())
 
     def test_each_rank_writes_its_piece_and_pieces_are_the_mesh(self):
         self.expect_pieces_of_the_mesh("dealt")
