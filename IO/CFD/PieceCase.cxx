@@ -18,6 +18,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Where ranks do not agree among so many rings, the whole has to be written.
+constexpr int mostRings = 4 * unionRings;
+
 /// Sums over all ranks.
 template <std::size_t count>
 std::array<std::size_t, count> sumsOf(const std::array<std::size_t, count>& own, RankExchange& exchange)
@@ -46,22 +49,21 @@ class PieceCaseWriter
 {
 public:
   PieceCaseWriter(const PieceCase& pieceCase, const MeshPiece& meshPiece, vtkUnstructuredGrid* volume,
-                  RankExchange& rankExchange, const RunContext& within)
+                  RankExchange& rankExchange, const RunContext& within, int rings)
       : target(pieceCase), piece(meshPiece), exchange(rankExchange), context(within), labels(volume, rankExchange),
-        wide(piece.widen(unionRings, exchange, context.executor, labels.views()))
+        wide(piece.widen(rings, exchange, context.executor, labels.views()))
   {
   }
 
   WrittenCase run()
   {
-    const FaceMesh before = makeMesh();
-    const std::vector<Index> patchBefore = patchOfFaces(before);
-    const std::vector<Index> zoneOf = labels.zoneOfFaces(wide, before);
+    const FacesBefore before = describe(makeMesh());
     const PieceOnRanks part{wide, exchange};
-    const JudgedMesh now = uniteAndJudge([this] { return makeMesh(); }, patchBefore,
-                                         {target.mergeCells, target.mergeFaces, zoneOf}, context.part(0.1, 0.6), &part);
+    const JudgedMesh now =
+        uniteAndJudge([this] { return makeMesh(); }, before.patchOf,
+                      {target.mergeCells, target.mergeFaces, before.zoneOf}, context.part(0.1, 0.6), &part);
     const UnitedCells cells = unitedCells(now, part);
-    UnitedPiece united{now, cells, patchNow(now, before, patchBefore), {}, {}};
+    UnitedPiece united{now, cells, patchNow(now, before), {}, {}};
     united.patches = namePatches(united);
     united.zones = namedZones(labels.zonesOf(wide, now, cells, exchange));
     const PieceNumbers numbers = numberPiece(now, cells, part);
@@ -74,9 +76,24 @@ public:
   }
 
 private:
+  /// What has to be known of faces once some of them were united.
+  struct FacesBefore
+  {
+    std::size_t internal;
+    Buffer<Index> owner;
+    std::vector<Index> patchOf; ///< by boundary face, noIndex where it is in none
+    std::vector<Index> zoneOf;  ///< by internal face
+  };
+
+  FacesBefore describe(FaceMesh mesh) const
+  {
+    FacesBefore out{mesh.internalFaceCount(), {}, patchOfFaces(mesh), labels.zoneOfFaces(wide, mesh)};
+    out.owner = std::move(mesh.owner);
+    return out;
+  }
+
   FaceMesh makeMesh() const { return makeFaceMesh(wide.points, wide.cells(), wide.faceKeys(), context.executor); }
 
-  /// By boundary face, noIndex where it is in none.
   std::vector<Index> patchOfFaces(const FaceMesh& mesh) const
   {
     const std::vector<Index> faces = findBoundaryFaces(mesh, wide.faceKeys(), context.executor);
@@ -92,17 +109,17 @@ private:
     return patchOf;
   }
 
-  static std::vector<Index> patchNow(const JudgedMesh& now, const FaceMesh& before, const std::vector<Index>& patchOf)
+  static std::vector<Index> patchNow(const JudgedMesh& now, const FacesBefore& before)
   {
     if (now.faceOf.empty())
     {
-      return patchOf;
+      return before.patchOf;
     }
     const std::size_t internal = now.mesh.internalFaceCount();
     std::vector<Index> patches(now.mesh.faceCount() - internal, noIndex);
-    for (std::size_t i = 0; i < patchOf.size(); ++i)
+    for (std::size_t i = 0; i < before.patchOf.size(); ++i)
     {
-      patches[now.faceOf[before.internalFaceCount() + i] - internal] = patchOf[i];
+      patches[now.faceOf[before.internal + i] - internal] = before.patchOf[i];
     }
     return patches;
   }
@@ -173,7 +190,7 @@ private:
     }
   }
 
-  WrittenCase report(const JudgedMesh& now, const UnitedCells& cells, const FaceMesh& before, bool hasNumbers) const
+  WrittenCase report(const JudgedMesh& now, const UnitedCells& cells, const FacesBefore& before, bool hasNumbers) const
   {
     std::size_t cellsBefore = 0;
     std::size_t cellsNow = 0;
@@ -189,7 +206,7 @@ private:
     }
     std::size_t facesBefore = 0;
     std::vector<char> isMade(now.mesh.faceCount(), 0);
-    for (std::size_t f = 0; f < before.faceCount(); ++f)
+    for (std::size_t f = 0; f < before.owner.size(); ++f)
     {
       const Index face = now.faceOf.empty() ? static_cast<Index>(f) : now.faceOf[f];
       if (face != noIndex)
@@ -221,7 +238,18 @@ WrittenCase writePieces(const PieceCase& target, const MeshPiece& piece, vtkUnst
                         RankExchange& exchange, const RunContext& context)
 {
   checkCells(piece.ownCells().size(), exchange);
-  return PieceCaseWriter(target, piece, grid, exchange, context).run();
+  std::optional<WrittenCase> written;
+  const auto write = [&](int rings) { written = PieceCaseWriter(target, piece, grid, exchange, context, rings).run(); };
+  int rings = unionRings;
+  while (rings < mostRings && !exchange.agreeOn([&] { write(rings); }))
+  {
+    rings *= 2;
+  }
+  if (!written)
+  {
+    write(rings);
+  }
+  return std::move(*written);
 }
 
 } // namespace atria

@@ -12,9 +12,9 @@ namespace atria {
 
 struct JudgedMesh;
 
-/// Rings of cells about those of a rank as far as which unions mostly reach: six cells become one at most, and what
-/// becomes of cells beside them counts.
-inline constexpr int unionRings = 6;
+/// Rings of cells about those of a rank as far as which unions mostly reach. Where they reach farther ranks do not
+/// agree, and more rings may do: six cells become one at most, and what becomes of cells beside them counts.
+inline constexpr int unionRings = 3;
 
 /// What a rank makes unions of, together with all others. Both must outlive it.
 struct PieceOnRanks
