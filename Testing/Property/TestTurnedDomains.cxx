@@ -340,7 +340,11 @@ TEST_P(TurnedDomains, HaveLayersThatEndOnTheirSides)
   // does not depend on how much of the bounds the domain fills.
   const double filled = domain.volume() / domain.bounds.size().prod();
   const double volume = volumeWithinSides(mesh, domain, names) + std::reduce(leftOut.begin(), leftOut.end());
-  EXPECT_NEAR(volume / volumeWithinSides(plain, domain, names), 1.0, 2e-3 / filled);
+  const double wanted = volumeWithinSides(plain, domain, names);
+  // Volumes of elements that are left out are of their points where these are, not on the sides: they are less, or what
+  // is beside them reaches into them, by no more than there is between the mesh and its sides.
+  const double offSides = leftOut.empty() ? 0.0 : std::abs(wanted - atria::testing::totalVolume(plain));
+  EXPECT_NEAR(volume, wanted, 2e-3 / filled * wanted + offSides);
 }
 
 INSTANTIATE_TEST_SUITE_P(Seeds, TurnedDomains, ::testing::Range(0u, 160u));
