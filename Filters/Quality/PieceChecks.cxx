@@ -3,8 +3,11 @@
 
 #include "Quality/Checks/CheckQuantities.h"
 
+#include "Support/Error.h"
+
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 namespace atria {
 
@@ -29,6 +32,7 @@ PieceChecks::PieceChecks(const MeshPiece& piece, RankExchange& exchange, const R
       measured_(measureMesh(mesh_, context.part(0.0, 0.5))),
       verdict_(judge(measured_, wide_, ownCells(), exchange, context.part(0.5, 1.0)))
 {
+  checkPatches();
 }
 
 std::vector<char> PieceChecks::ownCells() const
@@ -38,9 +42,29 @@ std::vector<char> PieceChecks::ownCells() const
   return isOwn;
 }
 
-std::vector<double> PieceChecks::byCell(std::span<const double> values) const
+void PieceChecks::checkPatches() const
 {
-  std::vector<double> out(cellCount_, 0.0);
+  const std::vector<Index> faces = findBoundaryFaces(mesh_, wide_.faceKeys());
+  std::vector<char> isNamed(mesh_.faceCount(), 0);
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    if (faces[i] == noIndex || std::exchange(isNamed[faces[i]], char{1}))
+    {
+      throw Error("a face of a patch is no face of its cell, or in two patches");
+    }
+  }
+  for (std::size_t f = mesh_.internalFaceCount(); f < mesh_.faceCount(); ++f)
+  {
+    if (wide_.rings[mesh_.owner[f]] == 0 && !isNamed[f])
+    {
+      throw Error("a face of the boundary is in no patch");
+    }
+  }
+}
+
+template <typename T> Buffer<T> PieceChecks::byCell(std::span<const T> values, T ofOthers) const
+{
+  Buffer<T> out(cellCount_, ofOthers);
   for (std::size_t cell = 0; cell < values.size(); ++cell)
   {
     if (wide_.rings[cell] == 0)
@@ -51,10 +75,10 @@ std::vector<double> PieceChecks::byCell(std::span<const double> values) const
   return out;
 }
 
-std::vector<double> PieceChecks::countedFaces(const std::vector<double>& values, bool needsTwoCells) const
+Buffer<double> PieceChecks::countedFaces(std::span<const double> values) const
 {
-  std::vector<double> counted;
-  for (std::size_t f = 0; f < (needsTwoCells ? mesh_.internalFaceCount() : mesh_.faceCount()); ++f)
+  Buffer<double> counted;
+  for (std::size_t f = 0; f < values.size(); ++f)
   {
     if (wide_.rings[mesh_.owner[f]] == 0)
     {
@@ -64,17 +88,37 @@ std::vector<double> PieceChecks::countedFaces(const std::vector<double>& values,
   return counted;
 }
 
+QualityMetrics PieceChecks::metrics(const RunContext& context) const
+{
+  QualityMetrics out = computeQuality(measured_, wide_.cells(), context);
+  for (const QualityList metric : cellMetrics)
+  {
+    out.*metric = byCell(std::span<const double>(out.*metric), 0.0);
+  }
+  for (const QualityList metric : faceMetrics)
+  {
+    out.*metric = countedFaces(out.*metric);
+  }
+  out.valid = byCell(std::span<const unsigned char>(out.valid), static_cast<unsigned char>(1));
+  out.invalidCells = static_cast<std::size_t>(std::ranges::count(out.valid, 0));
+  return out;
+}
+
 void PieceChecks::addTo(QualityOutputs& outputs, const RunContext& context) const
 {
   for (const CheckQuantityInfo& info : checkQuantities())
   {
     const std::vector<double> values = measure(measured_, info.quantity, context);
-    const std::vector<double> cells =
-        byCell(info.ofFaces ? worstOverFaces(measured_, values, info.greaterIsWorse, context) : values);
+    const Buffer<double> cells =
+        byCell(std::span<const double>(info.ofFaces ? worstOverFaces(measured_, values, info.greaterIsWorse, context)
+                                                    : values),
+               0.0);
     outputs.addCells(info.name, cells);
     if (info.ofFaces)
     {
-      outputs.addSample({info.name, true, countedFaces(values, info.needsTwoCells)});
+      const std::span<const double> all(values);
+      outputs.addSample(
+          {info.name, true, countedFaces(info.needsTwoCells ? all.first(mesh_.internalFaceCount()) : all)});
     }
     else
     {

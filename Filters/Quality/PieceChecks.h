@@ -13,10 +13,14 @@ class PieceChecks
 {
 public:
   /// Both pieces and what they were made of must outlive this. Throws Error as makeFaceMesh() does, with numbers of
-  /// cells that the whole has not.
+  /// cells that the whole has not, and where faces of patches are not the boundary of own cells.
   PieceChecks(const MeshPiece& piece, RankExchange& exchange, const RunContext& context);
   PieceChecks(const PieceChecks&) = delete;
   PieceChecks& operator=(const PieceChecks&) = delete;
+
+  /// The metrics of own cells, by the numbers that they have in the piece; others have 0, and are valid. Those of faces
+  /// are such that each face of the whole is counted once.
+  QualityMetrics metrics(const RunContext& context) const;
 
   /// Of the whole, but for `failing`.
   const MeshVerdict& verdict() const { return verdict_; }
@@ -28,8 +32,10 @@ public:
 private:
   std::vector<char> ownCells() const;
   /// Of own cells, by the numbers that they have in the piece; others are 0.
-  std::vector<double> byCell(std::span<const double> values) const;
-  std::vector<double> countedFaces(const std::vector<double>& values, bool needsTwoCells) const;
+  template <typename T> Buffer<T> byCell(std::span<const T> values, T ofOthers) const;
+  /// Of all faces, or of internal ones alone where there are no more values.
+  Buffer<double> countedFaces(std::span<const double> values) const;
+  void checkPatches() const;
 
   std::size_t cellCount_;
   WidePiece wide_;

@@ -169,11 +169,14 @@ Verdict measureAll(QualityOutputs& outputs, vtkUnstructuredGrid* volume, vtkPart
   return verdict;
 }
 
-/// What a rank finds in its piece.
+/// What a rank finds in its piece: one of these.
 struct MeasuredPiece
 {
-  std::optional<atria::QualityByBoxes> metrics;
-  std::unique_ptr<atria::PieceChecks> checks; ///< if they are asked for
+  std::optional<atria::QualityByBoxes> boxes;
+  std::unique_ptr<atria::PieceChecks> checks; ///< if checks are asked for
+  atria::QualityMetrics metrics;              ///< with them
+
+  std::size_t invalidCells() const { return boxes ? boxes->metrics.invalidCells : metrics.invalidCells; }
 };
 
 /// How measuring ended, on all ranks.
@@ -187,20 +190,21 @@ enum class Outcome
 Outcome measurePiece(const atria::MeshPiece& piece, bool withChecks, vtkMultiProcessController& controller,
                      MeasuredPiece& out, const atria::RunContext& context)
 {
-  const double metricsEnd = withChecks ? 0.4 : 0.95;
   try
   {
     atria::ControllerExchange ranks(controller);
     ranks.run([&] {
-      out.metrics.emplace();
-      out.metrics = piece.cellCount() > 0 ? piece.measure(context.part(0.0, metricsEnd)) : out.metrics;
-      if (!out.metrics)
-      {
-        throw atria::Error("a piece cannot be measured by itself");
-      }
       if (withChecks)
       {
-        out.checks = std::make_unique<atria::PieceChecks>(piece, ranks, context.part(metricsEnd, 0.95));
+        out.checks = std::make_unique<atria::PieceChecks>(piece, ranks, context.part(0.0, 0.7));
+        out.metrics = out.checks->metrics(context.part(0.7, 0.95));
+        return;
+      }
+      out.boxes.emplace();
+      out.boxes = piece.cellCount() > 0 ? piece.measure(context.part(0.0, 0.95)) : out.boxes;
+      if (!out.boxes)
+      {
+        throw atria::Error("a piece cannot be measured by itself");
       }
     });
     return Outcome::Measured;
@@ -218,9 +222,13 @@ Outcome measurePiece(const atria::MeshPiece& piece, bool withChecks, vtkMultiPro
 /// Of all ranks, and none of them leaves it.
 void addPiece(QualityOutputs& outputs, MeasuredPiece& measured, vtkTable* checks, const atria::Executor& executor)
 {
-  addMetrics(outputs, *measured.metrics);
-  if (measured.checks)
+  if (measured.boxes)
   {
+    addMetrics(outputs, *measured.boxes);
+  }
+  else
+  {
+    addMetrics(outputs, measured.metrics);
     atria::SilentMonitor silent;
     measured.checks->addTo(outputs, {executor, atria::ProgressRange(silent)});
     atria::checksToVtk(measured.checks->verdict(), checks);
@@ -308,8 +316,10 @@ std::optional<int> vtkAtriaMeshQuality::MeasurePieces(vtkInformationVector** inp
   {
     atriaCheckRange(NumberOfBins);
     const atria::RankReduction together(controller);
-    const atria::SampledPiece sampled{piece->ownCells(), ownPlaces(*piece, measured.metrics->others), together};
-    auto invalid = static_cast<double>(measured.metrics->metrics.invalidCells);
+    const atria::SampledPiece sampled{
+        piece->ownCells(), measured.boxes ? ownPlaces(*piece, measured.boxes->others) : std::vector<atria::Index>(),
+        together};
+    auto invalid = static_cast<double>(measured.invalidCells());
     together.sum({&invalid, 1});
     QualityOutputs collected(this->NumberOfBins, this->HistogramMetric, run.context.executor, &sampled);
     vtkNew<vtkTable> checks;

@@ -80,10 +80,16 @@ def hashes(data):
 
 
 def tables(source):
-    """Hashes of the tables of quality, which the first rank has whatever is divided."""
+    """The columns of the tables of quality, which the first rank has whatever is divided."""
     for port in range(4):
         simple.UpdatePipeline(proxy=simple.OutputPort(source, port))
-    return [hashes(source.GetClientSideObject().GetOutputDataObject(port)) for port in (1, 2, 3)]
+    columns = {}
+    for port in (1, 2, 3):
+        table = source.GetClientSideObject().GetOutputDataObject(port)
+        for i in range(table.GetNumberOfColumns()):
+            column = table.GetColumn(i)
+            columns[f"{port} {column.GetName()}"] = [column.GetValue(j) for j in range(column.GetNumberOfValues())]
+    return columns
 
 
 def check_pieces(mesher):

@@ -6,23 +6,11 @@
 #include "Support/Error.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace atria {
 
 namespace {
-
-using CellMetric = Buffer<double> QualityMetrics::*;
-
-constexpr std::array<CellMetric, 10> cellMetrics{
-    &QualityMetrics::cellSquish,        &QualityMetrics::faceSquish,
-    &QualityMetrics::aspectRatio,       &QualityMetrics::inverseAspectRatio,
-    &QualityMetrics::orthogonalQuality, &QualityMetrics::nonOrthogonality,
-    &QualityMetrics::skewness,          &QualityMetrics::volume,
-    &QualityMetrics::facePyramids,      &QualityMetrics::scaledJacobian};
-constexpr std::array<CellMetric, 3> faceMetrics{
-    &QualityMetrics::squishOfFaces, &QualityMetrics::nonOrthogonalityOfFaces, &QualityMetrics::skewnessOfFaces};
 
 /// Of a hexahedron, and one with neighbors that are larger; what memory is reserved for and not used is not taken.
 constexpr std::size_t facesOfCell = 4;
@@ -79,8 +67,8 @@ public:
       : boxes(regularBoxes), part(countedPart), out(target)
   {
     const auto others = static_cast<std::size_t>(std::ranges::count(boxes.isRegular, 0));
-    std::ranges::for_each(cellMetrics, [&](CellMetric metric) { (out.*metric).reserve(others); });
-    std::ranges::for_each(faceMetrics, [&](CellMetric metric) { (out.*metric).reserve(facesOfCell * others); });
+    std::ranges::for_each(cellMetrics, [&](QualityList metric) { (out.*metric).reserve(others); });
+    std::ranges::for_each(faceMetrics, [&](QualityList metric) { (out.*metric).reserve(facesOfCell * others); });
     out.valid.reserve(others);
   }
 
@@ -98,7 +86,7 @@ public:
       const Index cell = window.cells()[i];
       if (window.isOwn(i) && !boxes.isRegular[cell])
       {
-        for (const CellMetric metric : cellMetrics)
+        for (const QualityList metric : cellMetrics)
         {
           (out.*metric).push_back((some.*metric)[i]);
         }
@@ -112,7 +100,7 @@ public:
       {
         continue;
       }
-      for (const CellMetric metric : faceMetrics)
+      for (const QualityList metric : faceMetrics)
       {
         if (f < (some.*metric).size())
         {

@@ -6,6 +6,8 @@
 #include "Support/Buffer.h"
 #include "Support/RunContext.h"
 
+#include <array>
+
 namespace atria {
 
 /// Below, A is the outward area vector of a face, r goes from the cell's centroid to the face's, d from the
@@ -49,6 +51,17 @@ struct QualityMetrics
   /// along A, and the factor 0.4 (OpenFOAM).
   Buffer<double> skewnessOfFaces;
 };
+
+/// All that is by cell, but for `valid`, and all that is by face.
+using QualityList = Buffer<double> QualityMetrics::*;
+inline constexpr std::array<QualityList, 10> cellMetrics{
+    &QualityMetrics::cellSquish,        &QualityMetrics::faceSquish,
+    &QualityMetrics::aspectRatio,       &QualityMetrics::inverseAspectRatio,
+    &QualityMetrics::orthogonalQuality, &QualityMetrics::nonOrthogonality,
+    &QualityMetrics::skewness,          &QualityMetrics::volume,
+    &QualityMetrics::facePyramids,      &QualityMetrics::scaledJacobian};
+inline constexpr std::array<QualityList, 3> faceMetrics{
+    &QualityMetrics::squishOfFaces, &QualityMetrics::nonOrthogonalityOfFaces, &QualityMetrics::skewnessOfFaces};
 
 /// What skewnessOfFaces holds, for one face.
 double faceSkewness(const MeasuredMesh& mesh, std::size_t face);
