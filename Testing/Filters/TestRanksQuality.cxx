@@ -106,8 +106,14 @@ TEST_F(OnRanks, QualityIsMeasuredWherePiecesAre)
   observer->SetClientData(&works);
   observer->SetCallback([](vtkObject*, unsigned long, void* flag, void*) { *static_cast<bool*>(flag) = true; });
   quality->AddObserver(vtkCommand::ProgressEvent, observer);
-  for (const auto& [blockSize, withPatches, checkMesh] :
-       {std::tuple(0, true, false), {0, false, true}, {1000, true, true}, {1000, false, false}})
+  for (const auto& [blockSize, withPatches, checkMesh] : {std::tuple(0, true, false),
+                                                          {0, true, true},
+                                                          {0, false, false},
+                                                          {0, false, true},
+                                                          {1000, true, false},
+                                                          {1000, true, true},
+                                                          {1000, false, false},
+                                                          {1000, false, true}})
   {
     mesher->SetBlockSize(blockSize); // made by the first rank, or by all
     quality->SetCheckMesh(checkMesh);
