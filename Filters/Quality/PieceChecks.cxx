@@ -2,11 +2,9 @@
 #include "PieceChecks.h"
 
 #include "Quality/Checks/CheckQuantities.h"
-
 #include "Support/Error.h"
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 namespace atria {
@@ -16,9 +14,10 @@ namespace {
 /// Of cells beside own ones all neighbors are there then, so that their centroids are those of the whole to the bit.
 constexpr int rings = 2;
 
-MeshVerdict judge(const MeasuredMesh& measured, const WidePiece& wide, const std::vector<char>& isOwn,
-                  RankExchange& exchange, const RunContext& context)
+MeshVerdict judge(const MeasuredMesh& measured, const WidePiece& wide, RankExchange& exchange,
+                  const RunContext& context)
 {
+  const std::vector<char> isOwn = wide.ownCells();
   const CheckedPart part{isOwn, wide.cellIds, wide.pointIds, exchange};
   return checkMesh(measured, context, &part);
 }
@@ -30,16 +29,9 @@ PieceChecks::PieceChecks(const MeshPiece& piece, RankExchange& exchange, const R
       numbers_(piece.numbersOf(wide_)),
       mesh_(makeFaceMesh(wide_.points, wide_.cells(), wide_.faceKeys(), context.executor)),
       measured_(measureMesh(mesh_, context.part(0.0, 0.5))),
-      verdict_(judge(measured_, wide_, ownCells(), exchange, context.part(0.5, 1.0)))
+      verdict_(judge(measured_, wide_, exchange, context.part(0.5, 1.0)))
 {
   checkPatches();
-}
-
-std::vector<char> PieceChecks::ownCells() const
-{
-  std::vector<char> isOwn;
-  std::ranges::transform(wide_.rings, std::back_inserter(isOwn), [](Index ring) { return ring == 0 ? 1 : 0; });
-  return isOwn;
 }
 
 void PieceChecks::checkPatches() const

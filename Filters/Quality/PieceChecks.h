@@ -30,7 +30,6 @@ public:
   void addTo(QualityOutputs& outputs, const RunContext& context) const;
 
 private:
-  std::vector<char> ownCells() const;
   /// Of own cells, by the numbers that they have in the piece; others are 0.
   template <typename T> Buffer<T> byCell(std::span<const T> values, T ofOthers) const;
   /// Of all faces, or of internal ones alone where there are no more values.

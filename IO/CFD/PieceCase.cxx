@@ -21,22 +21,10 @@ namespace fs = std::filesystem;
 /// Where ranks do not agree among so many rings, the whole has to be written.
 constexpr int mostRings = 4 * unionRings;
 
-/// Sums over all ranks.
-template <std::size_t count>
-std::array<std::size_t, count> sumsOf(const std::array<std::size_t, count>& own, RankExchange& exchange)
-{
-  std::array<std::size_t, count> sums{};
-  for (const std::array<std::size_t, count>& some : gatherAll(exchange, own))
-  {
-    std::ranges::transform(some, sums, sums.begin(), std::plus<>());
-  }
-  return sums;
-}
-
 /// Throws Error where a rank has no cells.
 void checkCells(std::size_t own, RankExchange& exchange)
 {
-  const auto [cells, empty] = sumsOf<2>({own, own == 0 ? std::size_t{1} : 0}, exchange);
+  const auto [cells, empty] = sumOverRanks(exchange, std::array{own, own == 0 ? std::size_t{1} : 0});
   if (empty > 0)
   {
     throw Error("a mesh of " + std::to_string(cells) + " cells cannot be divided among " +
@@ -141,7 +129,7 @@ private:
       unclaimed += isRest && united.cells.isOwn[mesh.owner[mesh.internalFaceCount() + i]] ? 1 : 0;
       united.patchOf[i] = isRest ? rest : united.patchOf[i];
     }
-    const auto [all, names] = sumsOf<2>({unclaimed, patches.size()}, exchange);
+    const auto [all, names] = sumOverRanks(exchange, std::array{unclaimed, patches.size()});
     if (names != patches.size() * static_cast<std::size_t>(exchange.ranks()))
     {
       throw RanksDisagree("ranks do not have the same patches");
@@ -220,7 +208,7 @@ private:
     {
       facesNow += isMade[f] && cells.isOwn[now.mesh.owner[f]] ? 1 : 0;
     }
-    const std::array<std::size_t, 5> all = sumsOf<5>({cellsBefore, cellsNow, added, facesBefore, facesNow}, exchange);
+    const auto all = sumOverRanks(exchange, std::array{cellsBefore, cellsNow, added, facesBefore, facesNow});
     return {now.verdict, now.failures, all[0] + all[2] - all[1], all[2], all[3] - all[4], hasNumbers};
   }
 

@@ -17,7 +17,6 @@
 #include <vtkObjectFactory.h>
 #include <vtkUnstructuredGrid.h>
 
-#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <utility>
@@ -142,8 +141,7 @@ void vtkAtriaOpenFOAMWriter::WritePiece(const atria::MeshPiece& piece, vtkUnstru
                                         atria::RankExchange& ranks)
 {
   this->CheckProperties();
-  if (const std::vector<char> zones = atria::gatherAll(ranks, static_cast<char>(piece.hasFaceZones()));
-      std::ranges::find(zones, 1) != zones.end())
+  if (atria::isAnywhere(piece.hasFaceZones(), ranks))
   {
     throw atria::RanksDisagree("it has face zones");
   }

@@ -100,8 +100,7 @@ TEST_P(WidePieces, AreJudgedAsTheWhole)
       const WidePiece wide = widen(piece.view(), 2, exchange);
       const FaceMesh mesh = makeFaceMesh(wide.points, wide.cells(), wide.faceKeys());
       const MeasuredMesh measured = measureMesh(mesh, quietContext());
-      std::vector<char> isOwn;
-      std::ranges::transform(wide.rings, std::back_inserter(isOwn), [](Index ring) { return ring == 0 ? 1 : 0; });
+      const std::vector<char> isOwn = wide.ownCells();
       const CheckedPart part{isOwn, wide.cellIds, wide.pointIds, exchange};
       const MeshVerdict verdict = checkMesh(measured, quietContext(), &part);
       EXPECT_EQ(verdict.failedChecks(), wanted.failedChecks());

@@ -9,7 +9,6 @@
 #include "Mesher/Shares/SharedZones.h"
 
 #include <algorithm>
-#include <functional>
 #include <optional>
 #include <utility>
 
@@ -39,16 +38,6 @@ DualMesh connectionsOf(ClassifiedMesh plain)
   out.neighbors = std::move(plain.mesh.neighbors);
   out.boundaryFaces = std::move(plain.mesh.boundaryFaces);
   return out;
-}
-
-std::vector<double> sumOverRanks(const std::vector<double>& own, RankExchange& exchange)
-{
-  std::vector<double> sums(own.size(), 0.0);
-  for (const std::vector<double>& some : gatherAll(exchange, own))
-  {
-    std::ranges::transform(some, sums, sums.begin(), std::plus<>());
-  }
-  return sums;
 }
 
 class SharedMesher
@@ -143,7 +132,7 @@ private:
     improved.layers =
         reportLayers(plain.mesh, walls, layer, layerOptions, names, context,
                      {[&](Index face) { return window.isOwn(plain.mesh.boundaryFaces[face].element); },
-                      [&](const std::vector<double>& own) { return sumOverRanks(own, share.exchange()); }});
+                      [&](const std::vector<double>& own) { return sumOverRanks(share.exchange(), own); }});
     improved.detached = std::move(detached);
     failingElements = std::move(failing);
     return std::move(layer);

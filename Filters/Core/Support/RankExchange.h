@@ -6,6 +6,7 @@
 #include "Support/Error.h"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 
 namespace atria {
@@ -58,6 +59,24 @@ template <typename T> std::vector<T> gatherAll(RankExchange& ranks, const T& own
     readBytes(bytes, out.emplace_back());
   }
   return out;
+}
+
+/// The sums over all ranks of lists that are equally long.
+template <typename List> List sumOverRanks(RankExchange& ranks, const List& own)
+{
+  List sums = own;
+  std::ranges::fill(sums, typename List::value_type{});
+  for (const List& some : gatherAll(ranks, own))
+  {
+    std::ranges::transform(some, sums, sums.begin(), std::plus<>());
+  }
+  return sums;
+}
+
+/// Whether something is so on any rank.
+inline bool isAnywhere(bool here, RankExchange& ranks)
+{
+  return sumOverRanks(ranks, std::array{here ? std::size_t{1} : 0})[0] > 0;
 }
 
 /// Lists of values, one for each rank, for those lists that are for this one.

@@ -23,8 +23,6 @@ struct GlobalCount
   std::size_t all;
 };
 GlobalCount countBefore(std::size_t own, RankExchange& exchange);
-/// Whether something is so on any rank.
-inline bool isAnywhere(bool here, RankExchange& exchange) { return countBefore(here ? 1 : 0, exchange).all > 0; }
 
 /// Asks ranks for what they know of points: `rankOf` gives the rank of each point asked for, and `answer` what a rank
 /// says of one of its own.

@@ -4,6 +4,7 @@
 #include "Support/Sorting.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <map>
 #include <tuple>
@@ -129,12 +130,7 @@ std::size_t PartCounts::countPoints(const std::vector<Index>& points) const
   }
   const auto own =
       static_cast<std::size_t>(std::ranges::count_if(points, [&](Index point) { return countsPoint_[point] != 0; }));
-  std::size_t sum = 0;
-  for (const std::size_t some : gatherAll(part_->exchange, own))
-  {
-    sum += some;
-  }
-  return sum;
+  return sumOverRanks(part_->exchange, std::array{own})[0];
 }
 
 std::vector<Index> PartCounts::boundaryPoints() const

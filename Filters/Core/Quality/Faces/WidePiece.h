@@ -54,6 +54,8 @@ struct WidePiece
 
   CellArrays cells() const { return {types, offsets, connectivity, faceStream, faceLocations}; }
   std::vector<BoundaryFaceKey> faceKeys() const;
+  /// By cell, whether it is the rank's own.
+  std::vector<char> ownCells() const;
   /// noIndex where it is not there.
   Index findCell(std::int64_t id) const;
 };

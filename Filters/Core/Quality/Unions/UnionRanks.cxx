@@ -98,7 +98,7 @@ UnionRanks::UnionRanks(const PieceOnRanks* piece) : part(piece)
 {
   if (part)
   {
-    std::ranges::transform(part->piece.rings, std::back_inserter(isOwn), [](Index ring) { return ring == 0 ? 1 : 0; });
+    isOwn = part->piece.ownCells();
     whole.emplace(CheckedPart{isOwn, part->piece.cellIds, part->piece.pointIds, part->exchange});
   }
 }
@@ -116,15 +116,7 @@ std::vector<Index> UnionRanks::cellsAtEnd() const
   return cells;
 }
 
-bool UnionRanks::isAnywhere(bool here) const
-{
-  if (!part)
-  {
-    return here;
-  }
-  const std::vector<char> all = gatherAll(part->exchange, static_cast<char>(here ? 1 : 0));
-  return std::ranges::find(all, 1) != all.end();
-}
+bool UnionRanks::isAnywhere(bool here) const { return part ? atria::isAnywhere(here, part->exchange) : here; }
 
 void UnionRanks::share(std::vector<Index>& cells) const
 {
