@@ -288,7 +288,7 @@ void CellUnions::unite(std::span<const Index> cells)
   membersOf[lowest] = std::move(members);
 }
 
-bool canBeSplit(const CellUnions& unions, Index cell, const Executor& executor)
+std::optional<double> splitPenalty(const CellUnions& unions, Index cell, const Executor& executor)
 {
   SilentMonitor silent;
   const RunContext context{executor, ProgressRange(silent)};
@@ -305,16 +305,17 @@ bool canBeSplit(const CellUnions& unions, Index cell, const Executor& executor)
   const std::vector<std::uint32_t> before = errorsOf(measureMesh(whole.mesh, context));
   const MeasuredMesh measured = measureMesh(cut.mesh, context);
   const std::vector<std::uint32_t> after = errorsOf(measured);
+  double worst = 0.0;
   for (Index c = 0; c < after.size(); ++c)
   {
     const bool isPyramid = c == 0 || c >= before.size();
-    if ((after[c] & ~(isPyramid ? 0U : before[c])) != 0 ||
-        (isPyramid && worstPenalty(measured, measured.cellFaces.of(c)) > greatestPenalty))
+    if ((after[c] & ~(isPyramid ? 0U : before[c])) != 0)
     {
-      return false;
+      return std::nullopt;
     }
+    worst = isPyramid ? std::max(worst, worstPenalty(measured, measured.cellFaces.of(c))) : worst;
   }
-  return true;
+  return worst <= greatestPenalty ? std::optional(worst) : std::nullopt;
 }
 
 UnionVerdict judgeUnion(const CellUnions& unions, std::span<const Index> cells, const Executor& executor)

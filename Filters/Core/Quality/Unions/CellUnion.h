@@ -6,6 +6,7 @@
 #include "Support/RunContext.h"
 
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
 #include <utility>
@@ -71,8 +72,9 @@ struct UnionVerdict
 /// Judges the union of cells that are connected over faces, as it is and once its coplanar faces are merged.
 UnionVerdict judgeUnion(const CellUnions& unions, std::span<const Index> cells, const Executor& executor);
 
-/// Whether the pyramids of a cell would pass all of checkMesh()'s checks, with 69 degrees of non-orthogonality and a
-/// skewness of 3.9 at most, and its neighbors all they pass now, once coplanar faces are merged.
-bool canBeSplit(const CellUnions& unions, Index cell, const Executor& executor);
+/// The greatest penalty of the pyramids of a cell, as UnionVerdict has it. Nothing unless these would pass all of
+/// checkMesh()'s checks, with 69 degrees of non-orthogonality and a skewness of 3.9 at most, and the cell's neighbors
+/// all they pass now, once coplanar faces are merged.
+std::optional<double> splitPenalty(const CellUnions& unions, Index cell, const Executor& executor);
 
 } // namespace atria

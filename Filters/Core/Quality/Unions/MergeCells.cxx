@@ -193,8 +193,9 @@ private:
       return false; // another cell has become one with it
     }
     const std::optional<Group> group = findGroup(unions, {{alone[0]}, verdict});
-    const bool isGood = group && !group->verdict.concave;
-    if (!isGood && !unions.isUnited(alone[0]) && canBeSplit(unions, alone[0], context.executor))
+    const std::optional<double> split =
+        unions.isUnited(alone[0]) ? std::nullopt : splitPenalty(unions, alone[0], context.executor);
+    if (split && (!group || group->verdict.concave || *split < group->verdict.penalty))
     {
       unions.split(alone[0]);
       return true;
