@@ -142,7 +142,7 @@ double expectSameOnRanks(const TriangleSurface& surface, const GridOptions& grid
     const Octree octree = share.makeOctree(whole.model, {}, quietContext());
     leaves += octree.leafCount();
     StageClock clock;
-    const SharedDual dual = makeSharedMesh(octree, whole.model, options, share, 1, clock, quietContext());
+    const SharedDual dual = makeSharedMesh(octree, whole.model, options, share, 1, clock, quietContext()).value();
     expectPiece(whole.mesh(), dual.piece, exchange.rank());
     expectLayers(whole.result, dual);
     expectZones(whole.result.zones, dual.found.zones);
@@ -251,6 +251,32 @@ TEST(SharedSite, RanksTakeMoreRowsUntilTheyAgree)
     const auto made = meshSharedModel(surface, optionsIn(grid, options), 1, exchange, quietContext(), few);
     expectPiece(whole.mesh(), made.value().piece, exchange.rank());
   });
+}
+
+TEST(SharedSite, RanksMakeWhatIsSealedTogether)
+{
+  TriangleSurface room;
+  addBox(room, "Room", {Vec3(-2.1, -3.0, -1.4), Vec3(2.2, 3.1, 1.6)});
+  const GridOptions grid = gridOf(0.1, 0.2);
+  DualMeshOptions options;
+  options.zoneRule = ZoneRule::all;
+  options.blockSize = blockSize;
+  options.sealedSeeds = {Vec3(0.0, 2.0, 0.0), Vec3(0.0, -2.0, 0.0)};
+  const Meshed whole = meshIt(room, grid, options);
+  ASSERT_TRUE(whole.result.leaks.empty());
+  const auto makeOnRanks = [&](RankExchange& exchange, const TriangleSurface& surface) {
+    return meshSharedModel(surface, optionsIn(grid, options), 1, exchange, quietContext());
+  };
+  onRanks(3, [&](RankExchange& exchange) {
+    expectPiece(whole.mesh(), makeOnRanks(exchange, room).value().piece, exchange.rank());
+  });
+  TriangleSurface open = room;
+  open.triangles.pop_back();
+  open.surfaceIds.pop_back();
+  ASSERT_EQ(meshIt(open, grid, options).result.leaks.size(), options.sealedSeeds.size());
+  onRanks(3, [&](RankExchange& exchange) { EXPECT_FALSE(makeOnRanks(exchange, open).has_value()); });
+  options.sealedSeeds = {Vec3(0.0, 0.0, 9.0)};
+  onRanks(3, [&](RankExchange& exchange) { EXPECT_THROW(makeOnRanks(exchange, room), Error); });
 }
 
 /// Of the mesh, in order. Ranks do not know what is far from their shares.

@@ -50,10 +50,16 @@ public:
   {
   }
 
-  SharedDual run(int ghostLevels)
+  std::optional<SharedDual> run(int ghostLevels)
   {
-    SharedDual out;
-    SharedWindow window = makePlain(out.found);
+    std::optional<SharedDual> made(std::in_place);
+    SharedDual& out = *made;
+    std::optional<SharedWindow> ofRank = makePlain(out.found);
+    if (!ofRank)
+    {
+      return std::nullopt;
+    }
+    SharedWindow& window = *ofRank;
     ClassifiedMesh plain{std::move(window.mesh.mesh), std::move(window.mesh.classification),
                          std::move(window.mesh.vertexOf)};
     ImprovedMesh improved;
@@ -73,12 +79,12 @@ public:
     countElements(out);
     placeInModel(out);
     clock.lap("numbers");
-    return out;
+    return made;
   }
 
 private:
-  /// The rank's window of the dual as it is.
-  SharedWindow makePlain(DualMeshResult& found)
+  /// The rank's window of the dual as it is; nothing where zones that should be sealed are not.
+  std::optional<SharedWindow> makePlain(DualMeshResult& found)
   {
     std::optional<SharedPoints> points;
     const auto findWideZones = [&](const GridPoints& gridPoints, const Crossings& undisplaced) {
@@ -90,6 +96,10 @@ private:
     context.progress.report(0.3, "Finding zones");
     Zones zones = findSharedZones(crossings, *points, surfaceCount, share, context);
     found.keptZones = keptSharedZones(zones, options.zoneRule, seedsOf(options), places, *points, share, context.model);
+    if (isAnyLeaking(options.sealedSeeds, zones, places, share, context.model))
+    {
+      return std::nullopt;
+    }
     found.zones = report.summarize(zones, found.keptZones, *grid, *points, surfaceCount, context);
     std::vector<char> kept = found.keptZones;
     kept.push_back(1); // what is elsewhere is cut off later
@@ -208,8 +218,9 @@ private:
 
 } // namespace
 
-SharedDual makeSharedMesh(const Octree& octree, const SurfaceModel& model, const DualMeshOptions& options,
-                          const RankShare& share, int ghostLevels, StageClock& clock, const RunContext& run)
+std::optional<SharedDual> makeSharedMesh(const Octree& octree, const SurfaceModel& model,
+                                         const DualMeshOptions& options, const RankShare& share, int ghostLevels,
+                                         StageClock& clock, const RunContext& run)
 {
   const TriangleTreeOnDemand tree(model);
   const MeshingContext context{run, octree, model, tree};

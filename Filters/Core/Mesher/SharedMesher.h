@@ -5,6 +5,8 @@
 #include "Mesher/DualMesher.h"
 #include "Mesher/Shares/SharedPiece.h"
 
+#include <optional>
+
 namespace atria {
 
 /// What a rank has of a mesh that it makes with others. What was found is of this rank's share, but for zones and the
@@ -16,10 +18,12 @@ struct SharedDual
   SharedPiece piece;
 };
 
-/// `octree` is that of the rank's share, whose leaves know their pieces of the model. There are no seeds that are to be
-/// sealed, and no permeable surfaces. The blocks of the share are those of `options`. All ranks call it at the same
-/// time. Throws as makeDualMesh, and where ranks find something else where their shares meet: see RankExchange.
-SharedDual makeSharedMesh(const Octree& octree, const SurfaceModel& model, const DualMeshOptions& options,
-                          const RankShare& share, int ghostLevels, StageClock& clock, const RunContext& context);
+/// `octree` is that of the rank's share, whose leaves know their pieces of the model. There are no permeable surfaces.
+/// The blocks of the share are those of `options`. All ranks call it at the same time. Nothing, on all ranks, where a
+/// zone that should be sealed is not: its way out is to be found in the whole. Throws as makeDualMesh, and where ranks
+/// find something else where their shares meet: see RankExchange.
+std::optional<SharedDual> makeSharedMesh(const Octree& octree, const SurfaceModel& model,
+                                         const DualMeshOptions& options, const RankShare& share, int ghostLevels,
+                                         StageClock& clock, const RunContext& context);
 
 } // namespace atria

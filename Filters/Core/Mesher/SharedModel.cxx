@@ -14,10 +14,10 @@ namespace {
 /// The part of the run that is over when octants have their sizes.
 constexpr double sizingShare = 0.25;
 
-bool needsWhole(const SurfaceModel& model, const ZoneOptions& options)
+bool isPermeable(const SurfaceModel& model)
 {
   const auto isOther = [](SurfaceKind kind) { return kind != SurfaceKind::wall; };
-  return !options.sealedSeeds.empty() || std::ranges::any_of(model.kinds, isOther) || !model.walls.empty();
+  return std::ranges::any_of(model.kinds, isOther) || !model.walls.empty();
 }
 
 std::vector<MetSides> metOnRanks(const SharedPiece& piece, std::size_t surfaceCount, RankExchange& exchange)
@@ -61,7 +61,7 @@ public:
   {
   }
 
-  SharedDual make(ShareRows rows, StageClock& clock) const
+  std::optional<SharedDual> make(ShareRows rows, StageClock& clock) const
   {
     std::optional<SharedDual> made;
     for (int tries = 1; tries < mostTries; ++tries)
@@ -70,7 +70,7 @@ public:
       if (share.exchange().agreeOn([&] { made = makeWith(rows, tried); }))
       {
         clock = std::move(tried);
-        return std::move(*made);
+        return made;
       }
       rows = rows.times(2);
     }
@@ -80,7 +80,7 @@ public:
 private:
   static constexpr int mostTries = 3;
 
-  SharedDual makeWith(const ShareRows& rows, StageClock& clock) const
+  std::optional<SharedDual> makeWith(const ShareRows& rows, StageClock& clock) const
   {
     const Octree octree = share.makeOctree(model, rows, context.part(0.0, 0.25));
     clock.lap("octree");
@@ -116,7 +116,7 @@ std::optional<SharedModel> meshSharedModel(const TriangleSurface& surface, const
   context.progress.report(0.0, "Repairing surfaces");
   const PlacedModel placed = placeModel(surface, plan, options);
   const SurfaceModel model = makeSurfaceModel(placed, options, context.part(0.0, 0.2));
-  if (needsWhole(model, options.mesh))
+  if (isPermeable(model))
   {
     return std::nullopt;
   }
@@ -127,9 +127,14 @@ std::optional<SharedModel> meshSharedModel(const TriangleSurface& surface, const
   {
     return std::nullopt;
   }
-  SharedDual made = ShareMaker(model, options, share, ghostLevels, run.part(sizingShare, 1.0)).make(rows, clock);
-  static_cast<DualMeshResult&>(meshed) = std::move(made.found);
-  out->piece = std::move(made.piece);
+  std::optional<SharedDual> made =
+      ShareMaker(model, options, share, ghostLevels, run.part(sizingShare, 1.0)).make(rows, clock);
+  if (!made)
+  {
+    return std::nullopt;
+  }
+  static_cast<DualMeshResult&>(meshed) = std::move(made->found);
+  out->piece = std::move(made->piece);
   meshed.metSides = metOnRanks(out->piece, model.names.size(), exchange);
   for (const std::string& warning : warningsOfLostModel(surface, options, placed.frame, meshed.metSides))
   {

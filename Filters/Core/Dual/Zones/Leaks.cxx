@@ -315,6 +315,11 @@ Leak leakFrom(Index start, const Clearance& clearance, const Crossings& crossing
 
 } // namespace
 
+bool isLeaking(std::int32_t zone, const Zones& zones)
+{
+  return (zones.openSides[static_cast<std::size_t>(zone)] & ~(SideBits{1} << zMin)) != 0;
+}
+
 std::vector<Leak> findLeaks(const std::vector<Vec3>& sealedSeeds, const Zones& zones, const Crossings& crossings,
                             const GridPlaces& grid, const SurfaceModel& model, const RunContext& context)
 {
@@ -325,7 +330,7 @@ std::vector<Leak> findLeaks(const std::vector<Vec3>& sealedSeeds, const Zones& z
   {
     const Index start = pointOfSeed(sealedSeeds[i], "sealed seed", grid, model);
     const std::int32_t zone = zones.ofPoint[start];
-    if ((zones.openSides[zone] & ~(SideBits{1} << zMin)) == 0)
+    if (!isLeaking(zone, zones))
     {
       continue;
     }

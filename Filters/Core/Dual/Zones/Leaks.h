@@ -27,9 +27,12 @@ struct Leak
   Index point;
 };
 
-/// For each seed whose zone reaches an open side of the domain other than its bottom, the widest way there: the one
-/// whose narrowest edge is as far from surfaces as possible (maximum capacity path; Pollack 1960). Throws Error for a
-/// seed outside the domain. Cost where there is a leak: O(n log n) in the points of its zone.
+/// Whether a zone reaches an open side of the domain other than its bottom.
+bool isLeaking(std::int32_t zone, const Zones& zones);
+
+/// For each seed whose zone is leaking, the widest way to such a side: the one whose narrowest edge is as far from
+/// surfaces as possible (maximum capacity path; Pollack 1960). Throws Error for a seed outside the domain. Cost where
+/// there is a leak: O(n log n) in the points of its zone.
 std::vector<Leak> findLeaks(const std::vector<Vec3>& sealedSeeds, const Zones& zones, const Crossings& crossings,
                             const GridPlaces& grid, const SurfaceModel& model, const RunContext& context);
 

@@ -230,11 +230,11 @@ Zones findZones(const Crossings& crossings, std::size_t surfaceCount, const RunC
 }
 
 std::vector<std::int32_t> zonesOfSeeds(const Zones& zones, const std::vector<Vec3>& seeds, const GridPlaces& grid,
-                                       const SurfaceModel& model)
+                                       const SurfaceModel& model, const char* kind)
 {
   std::vector<std::int32_t> out;
   std::ranges::transform(seeds, std::back_inserter(out),
-                         [&](const Vec3& seed) { return zones.ofPoint[pointOfSeed(seed, "seed", grid, model)]; });
+                         [&](const Vec3& seed) { return zones.ofPoint[pointOfSeed(seed, kind, grid, model)]; });
   return out;
 }
 

@@ -42,8 +42,8 @@ Index pointOfSeed(const Vec3& seed, const char* kind, const GridPlaces& grid, co
 /// Whether each zone is kept; `seedZones` are those that hold seeds. Throws Error where no zone is left.
 std::vector<char> keptZones(const Zones& zones, ZoneRule rule, const std::vector<std::int32_t>& seedZones);
 
-/// The zones that hold seeds. Throws Error for a seed outside the domain.
+/// The zones that hold seeds. Throws as pointOfSeed().
 std::vector<std::int32_t> zonesOfSeeds(const Zones& zones, const std::vector<Vec3>& seeds, const GridPlaces& grid,
-                                       const SurfaceModel& model);
+                                       const SurfaceModel& model, const char* kind = "seed");
 
 } // namespace atria

@@ -2,7 +2,7 @@
 #include "Mesher/Shares/SharedZones.h"
 
 #include "Dual/Vertices/TurnedDomain.h"
-
+#include "Dual/Zones/Leaks.h"
 #include "Support/Error.h"
 #include "Support/Sorting.h"
 
@@ -242,7 +242,7 @@ private:
 
 /// Each rank knows the zones of seeds in its share.
 std::vector<std::int32_t> zonesOfSharedSeeds(const Zones& zones, const std::vector<Vec3>& seeds, const GridPlaces& grid,
-                                             const RankShare& share, const SurfaceModel& model)
+                                             const RankShare& share, const SurfaceModel& model, const char* kind)
 {
   const Octree& octree = grid.octree();
   const GridFrame& frame = octree.frame();
@@ -253,7 +253,7 @@ std::vector<std::int32_t> zonesOfSharedSeeds(const Zones& zones, const std::vect
     return !seed.allFinite() || !frame.inDomain(at) || share.isOwn(octree.finestKey(octree.leafAt(at)));
   });
   std::vector<std::int32_t> all;
-  for (const auto& some : gatherAll(share.exchange(), zonesOfSeeds(zones, own, grid, model)))
+  for (const auto& some : gatherAll(share.exchange(), zonesOfSeeds(zones, own, grid, model, kind)))
   {
     all.insert(all.end(), some.begin(), some.end());
   }
@@ -295,7 +295,7 @@ std::vector<char> keptSharedZones(const Zones& zones, ZoneRule rule, const std::
                                   const GridPlaces& grid, const SharedPoints& points, const RankShare& share,
                                   const SurfaceModel& model)
 {
-  std::vector<char> kept = keptZones(zones, rule, zonesOfSharedSeeds(zones, seeds, grid, share, model));
+  std::vector<char> kept = keptZones(zones, rule, zonesOfSharedSeeds(zones, seeds, grid, share, model, "seed"));
   if (!grid.octree().frame().turnedDomain)
   {
     return kept;
@@ -308,6 +308,13 @@ std::vector<char> keptSharedZones(const Zones& zones, ZoneRule rule, const std::
                            [](double a, double b) { return std::abs(a) > std::abs(b) ? a : b; });
   }
   return zonesWithinSides(kept, farthest);
+}
+
+bool isAnyLeaking(const std::vector<Vec3>& sealedSeeds, const Zones& zones, const GridPlaces& grid,
+                  const RankShare& share, const SurfaceModel& model)
+{
+  return std::ranges::any_of(zonesOfSharedSeeds(zones, sealedSeeds, grid, share, model, "sealed seed"),
+                             [&](std::int32_t zone) { return isLeaking(zone, zones); });
 }
 
 } // namespace atria

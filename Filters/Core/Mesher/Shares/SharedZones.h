@@ -24,4 +24,8 @@ std::vector<char> keptSharedZones(const Zones& zones, ZoneRule rule, const std::
                                   const GridPlaces& grid, const SharedPoints& points, const RankShare& share,
                                   const SurfaceModel& model);
 
+/// Whether the zone of one of these seeds is leaking (isLeaking); on all ranks.
+bool isAnyLeaking(const std::vector<Vec3>& sealedSeeds, const Zones& zones, const GridPlaces& grid,
+                  const RankShare& share, const SurfaceModel& model);
+
 } // namespace atria
