@@ -17,7 +17,8 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
-#include <array>
+#include <numeric>
+#include <utility>
 
 namespace atria {
 
@@ -25,36 +26,19 @@ namespace {
 
 constexpr int tag = 27185;
 
-std::vector<vtkIdType> idsOf(vtkDataSetAttributes* data, const char* name)
+std::vector<std::int64_t> idsOf(vtkDataSetAttributes* data, const char* name)
 {
   vtkDataArray* ids = data->GetGlobalIds() ? data->GetGlobalIds() : data->GetArray(name);
   if (!ids)
   {
     return {};
   }
-  std::vector<vtkIdType> out(static_cast<std::size_t>(ids->GetNumberOfTuples()));
+  std::vector<std::int64_t> out(static_cast<std::size_t>(ids->GetNumberOfTuples()));
   for (std::size_t i = 0; i < out.size(); ++i)
   {
-    out[i] = static_cast<vtkIdType>(ids->GetComponent(static_cast<vtkIdType>(i), 0)); // exact up to 2^53
+    out[i] = static_cast<std::int64_t>(ids->GetComponent(static_cast<vtkIdType>(i), 0)); // exact up to 2^53
   }
   return out;
-}
-
-std::vector<std::pair<vtkIdType, Index>> placesOf(const std::vector<vtkIdType>& ids)
-{
-  std::vector<std::pair<vtkIdType, Index>> places;
-  for (std::size_t i = 0; i < ids.size(); ++i)
-  {
-    places.emplace_back(ids[i], static_cast<Index>(i));
-  }
-  std::ranges::sort(places);
-  return places;
-}
-
-Index find(const std::vector<std::pair<vtkIdType, Index>>& places, vtkIdType id)
-{
-  const auto found = std::ranges::lower_bound(places, id, {}, [](const auto& place) { return place.first; });
-  return found != places.end() && found->first == id ? found->second : noIndex;
 }
 
 bool hasGhosts(vtkUnstructuredGrid* grid)
@@ -105,6 +89,18 @@ void RankReduction::sum(std::span<double> values) const { reduce(values, vtkComm
 void RankReduction::least(std::span<double> values) const { reduce(values, vtkCommunicator::MIN_OP); }
 void RankReduction::greatest(std::span<double> values) const { reduce(values, vtkCommunicator::MAX_OP); }
 
+MeshPiece::Ids::Ids(std::vector<std::int64_t> numbers) : ids(std::move(numbers)), order(ids.size())
+{
+  std::iota(order.begin(), order.end(), Index{0});
+  std::ranges::sort(order, {}, [this](Index i) { return std::pair(ids[i], i); });
+}
+
+Index MeshPiece::Ids::find(std::int64_t id) const
+{
+  const auto found = std::ranges::lower_bound(order, id, {}, [this](Index i) { return ids[i]; });
+  return found != order.end() && ids[*found] == id ? *found : noIndex;
+}
+
 MeshPiece::MeshPiece(vtkUnstructuredGrid* piece, vtkMultiProcessController& ranks)
     : grid(piece), controller(&ranks), own(static_cast<std::size_t>(piece->GetNumberOfCells()), 1)
 {
@@ -121,9 +117,8 @@ MeshPiece::MeshPiece(vtkUnstructuredGrid* piece, vtkMultiProcessController& rank
       ghosts.push_back(cell);
     }
   }
-  cellIds = idsOf(grid->GetCellData(), "GlobalCellIds");
-  cells = placesOf(cellIds);
-  points = placesOf(idsOf(grid->GetPointData(), "GlobalPointIds"));
+  cells = Ids(idsOf(grid->GetCellData(), "GlobalCellIds"));
+  points = Ids(idsOf(grid->GetPointData(), "GlobalPointIds"));
 }
 
 std::optional<MeshPiece> MeshPiece::of(vtkUnstructuredGrid* grid, vtkPartitionedDataSetCollection* given,
@@ -153,11 +148,11 @@ std::optional<MeshPiece> MeshPiece::of(vtkUnstructuredGrid* grid, vtkPartitioned
 
 template <typename IdOf> void MeshPiece::takeFace(vtkIdType owner, std::size_t corners, IdOf&& idOf)
 {
-  const Index cell = find(cells, owner);
+  const Index cell = cells.find(owner);
   std::vector<std::int64_t> face;
   for (std::size_t i = 0; i < corners && cell != noIndex; ++i)
   {
-    face.push_back(find(points, idOf(i)));
+    face.push_back(points.find(idOf(i)));
   }
   if (face.empty() || std::ranges::find(face, std::int64_t{noIndex}) != face.end())
   {
@@ -241,8 +236,8 @@ std::optional<QualityByBoxes> MeshPiece::measure(const RunContext& context) cons
   const VtkCells itsCells(grid);
   const VtkPoints itsPoints(grid->GetPoints(), context.executor);
   const std::vector<BoundaryFaceKey> keys = patches.keys();
-  const CountedPart part{own,
-                         [this](Index one, Index other) { return isOwn(cellIds[one] < cellIds[other] ? one : other); }};
+  const CountedPart part{
+      own, [this](Index one, Index other) { return isOwn(cells.ids[one] < cells.ids[other] ? one : other); }};
   return computeQualityByBoxes(itsPoints.view(), itsCells.view(), {keys, true, {}, {}}, context, measuredAtOnce, &part);
 }
 
@@ -251,24 +246,20 @@ WidePiece MeshPiece::widen(int rings, RankExchange& exchange, const Executor& ex
 {
   const VtkCells itsCells(grid);
   const VtkPoints itsPoints(grid->GetPoints(), executor);
-  const std::vector<vtkIdType> itsPointIds = idsOf(grid->GetPointData(), "GlobalPointIds");
-  const std::vector<std::int64_t> cellNumbers(cellIds.begin(), cellIds.end());
-  const std::vector<std::int64_t> pointNumbers(itsPointIds.begin(), itsPointIds.end());
   const std::vector<BoundaryFaceKey> keys = patches.keys();
   std::vector<Index> patchOf;
   for (Index p = 0; p < patches.patches.size(); ++p)
   {
     patchOf.resize(patchOf.size() + patches.patches[p].faceCount, p);
   }
-  return atria::widen({itsPoints.view(), itsCells.view(), cellNumbers, pointNumbers, own, keys, patchOf, labels}, rings,
+  return atria::widen({itsPoints.view(), itsCells.view(), cells.ids, points.ids, own, keys, patchOf, labels}, rings,
                       exchange);
 }
 
 std::vector<Index> MeshPiece::numbersOf(const WidePiece& wide) const
 {
   std::vector<Index> numbers;
-  std::ranges::transform(wide.cellIds, std::back_inserter(numbers),
-                         [this](std::int64_t id) { return find(cells, id); });
+  std::ranges::transform(wide.cellIds, std::back_inserter(numbers), [this](std::int64_t id) { return cells.find(id); });
   return numbers;
 }
 
@@ -279,7 +270,7 @@ std::vector<double> MeshPiece::answer(std::span<const vtkIdType> asked,
   std::vector<double> values;
   for (std::size_t i = 0; i < asked.size(); ++i)
   {
-    const Index cell = find(cells, asked[i]);
+    const Index cell = cells.find(asked[i]);
     if (cell != noIndex && isOwn(cell))
     {
       values.push_back(static_cast<double>(i));
@@ -307,7 +298,7 @@ void MeshPiece::fillGhosts(const std::vector<vtkSmartPointer<vtkDataArray>>& arr
   const auto ranks = static_cast<std::size_t>(controller->GetNumberOfProcesses());
   const int self = controller->GetLocalProcessId();
   std::vector<vtkIdType> wanted;
-  std::ranges::transform(ghosts, std::back_inserter(wanted), [this](Index cell) { return cellIds[cell]; });
+  std::ranges::transform(ghosts, std::back_inserter(wanted), [this](Index cell) { return vtkIdType{cells.ids[cell]}; });
   const auto count = static_cast<vtkIdType>(wanted.size());
   std::vector<vtkIdType> counts(ranks);
   controller->AllGather(&count, counts.data(), 1);

@@ -10,8 +10,8 @@
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
 
+#include <cstdint>
 #include <optional>
-#include <utility>
 #include <vector>
 
 class vtkDataArray;
@@ -79,15 +79,23 @@ private:
                              const std::vector<vtkSmartPointer<vtkDataArray>>& arrays) const;
   void take(const std::vector<double>& answers, const std::vector<vtkSmartPointer<vtkDataArray>>& arrays) const;
 
-  using Places = std::vector<std::pair<vtkIdType, Index>>; ///< by global id the number in the piece
+  /// Numbers of things in the whole, and which one here has a number.
+  struct Ids
+  {
+    std::vector<std::int64_t> ids;
+    std::vector<Index> order; ///< in which they rise
+
+    Ids() = default;
+    explicit Ids(std::vector<std::int64_t> numbers);
+    Index find(std::int64_t id) const; ///< noIndex where it is not here
+  };
 
   vtkUnstructuredGrid* grid;
   vtkMultiProcessController* controller;
   std::vector<char> own;
   std::vector<Index> ghosts;
-  std::vector<vtkIdType> cellIds;
-  Places cells;
-  Places points;
+  Ids cells;
+  Ids points;
   VtkPatches patches;
   bool isWithZones = false;
 };

@@ -5,10 +5,12 @@
 #include "OutputFolders.h"
 #include "PieceLabels.h"
 #include "PieceProcessor.h"
+#include "Quality/Checks/PartCounts.h"
 
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -37,54 +39,76 @@ class PieceCaseWriter
 {
 public:
   PieceCaseWriter(const PieceCase& pieceCase, const MeshPiece& meshPiece, vtkUnstructuredGrid* volume,
-                  RankExchange& rankExchange, const RunContext& within, int rings)
-      : target(pieceCase), piece(meshPiece), exchange(rankExchange), context(within), labels(volume, rankExchange),
-        wide(piece.widen(rings, exchange, context.executor, labels.views()))
+                  RankExchange& rankExchange, const RunContext& within, int ringCount)
+      : target(pieceCase), piece(meshPiece), exchange(rankExchange), context(within), rings(ringCount),
+        labels(volume, rankExchange)
   {
   }
 
   WrittenCase run()
   {
-    const FacesBefore before = describe(makeMesh());
+    FaceMesh first = begin();
+    const auto makeMesh = [&] { return first.points.empty() ? makeAgain() : std::exchange(first, FaceMesh()); };
     const PieceOnRanks part{wide, exchange};
-    const JudgedMesh now =
-        uniteAndJudge([this] { return makeMesh(); }, before.patchOf,
-                      {target.mergeCells, target.mergeFaces, before.zoneOf}, context.part(0.1, 0.6), &part);
+    const JudgedMesh now = uniteAndJudge(
+        makeMesh, before.patchOf, {target.mergeCells, target.mergeFaces, before.zoneOf}, context.part(0.1, 0.6), &part);
     const UnitedCells cells = unitedCells(now, part);
-    UnitedPiece united{now, cells, patchNow(now, before), {}, {}};
+    UnitedPiece united{now, cells, patchNow(now), {}, {}};
     united.patches = namePatches(united);
     united.zones = namedZones(labels.zonesOf(wide, now, cells, exchange));
-    const PieceNumbers numbers = numberPiece(now, cells, part);
+    const PieceNumbers numbers = numberPiece(now, cells, part, before.ownPoints);
     const FaceNumbers faces = numberFaces(now.mesh, cells, numbers, united.patchOf, exchange);
     context.progress.report(0.7, "Writing the processors' meshes");
     ProcessorMesh made = makeProcessor(united, numbers, faces, static_cast<std::size_t>(exchange.rank()));
     target.place(made.mesh);
     write(made);
-    return report(now, cells, before, !made.cells.empty());
+    return report(now, cells, !made.cells.empty());
   }
 
 private:
-  /// What has to be known of faces once some of them were united.
-  struct FacesBefore
+  /// What has to be known of the mesh once some of it was united.
+  struct MeshBefore
   {
-    std::size_t internal;
-    Buffer<Index> owner;
-    std::vector<Index> patchOf; ///< by boundary face, noIndex where it is in none
-    std::vector<Index> zoneOf;  ///< by internal face
+    std::size_t internal = 0;
+    std::vector<bool> isOwnFace;
+    std::vector<Index> patchOf;  ///< by boundary face, noIndex where it is in none
+    std::vector<Index> zoneOf;   ///< by internal face
+    std::vector<char> ownPoints; ///< by point, whether it is that of an own cell
   };
 
-  FacesBefore describe(FaceMesh mesh) const
+  WidePiece widen() const { return piece.widen(rings, exchange, context.executor, labels.views()); }
+
+  /// Takes the points.
+  FaceMesh meshOf(WidePiece& cells) const
   {
-    FacesBefore out{mesh.internalFaceCount(), {}, patchOfFaces(mesh), labels.zoneOfFaces(wide, mesh)};
-    out.owner = std::move(mesh.owner);
-    return out;
+    return makeFaceMesh(std::move(cells.points), cells.cells(), cells.faceKeys(), context.executor);
   }
 
-  FaceMesh makeMesh() const { return makeFaceMesh(wide.points, wide.cells(), wide.faceKeys(), context.executor); }
-
-  std::vector<Index> patchOfFaces(const FaceMesh& mesh) const
+  FaceMesh makeAgain() const
   {
-    const std::vector<Index> faces = findBoundaryFaces(mesh, wide.faceKeys(), context.executor);
+    WidePiece cells = widen();
+    return meshOf(cells);
+  }
+
+  /// Of the wide piece no more than its numbers is kept: it is made again where the mesh is, which is seldom.
+  FaceMesh begin()
+  {
+    WidePiece cells = widen();
+    FaceMesh mesh = meshOf(cells);
+    before = {mesh.internalFaceCount(),
+              {},
+              patchOfFaces(mesh, cells),
+              labels.zoneOfFaces(cells, mesh),
+              pointsOfOwn(mesh, cells.ownCells())};
+    std::ranges::transform(mesh.owner, std::back_inserter(before.isOwnFace),
+                           [&](Index cell) { return cells.rings[cell] == 0; });
+    wide = std::move(cells);
+    return mesh;
+  }
+
+  std::vector<Index> patchOfFaces(const FaceMesh& mesh, const WidePiece& cells) const
+  {
+    const std::vector<Index> faces = findBoundaryFaces(mesh, cells.faceKeys(), context.executor);
     std::vector<Index> patchOf(mesh.faceCount() - mesh.internalFaceCount(), noIndex);
     for (std::size_t f = 0; f < faces.size(); ++f)
     {
@@ -92,12 +116,12 @@ private:
       {
         throw RanksDisagree("a face of a patch is no face of its cell, or in two patches");
       }
-      patchOf[faces[f] - mesh.internalFaceCount()] = wide.patchOf[f];
+      patchOf[faces[f] - mesh.internalFaceCount()] = cells.patchOf[f];
     }
     return patchOf;
   }
 
-  static std::vector<Index> patchNow(const JudgedMesh& now, const FacesBefore& before)
+  std::vector<Index> patchNow(const JudgedMesh& now) const
   {
     if (now.faceOf.empty())
     {
@@ -178,7 +202,7 @@ private:
     }
   }
 
-  WrittenCase report(const JudgedMesh& now, const UnitedCells& cells, const FacesBefore& before, bool hasNumbers) const
+  WrittenCase report(const JudgedMesh& now, const UnitedCells& cells, bool hasNumbers) const
   {
     std::size_t cellsBefore = 0;
     std::size_t cellsNow = 0;
@@ -194,12 +218,12 @@ private:
     }
     std::size_t facesBefore = 0;
     std::vector<char> isMade(now.mesh.faceCount(), 0);
-    for (std::size_t f = 0; f < before.owner.size(); ++f)
+    for (std::size_t f = 0; f < before.isOwnFace.size(); ++f)
     {
       const Index face = now.faceOf.empty() ? static_cast<Index>(f) : now.faceOf[f];
       if (face != noIndex)
       {
-        facesBefore += wide.rings[before.owner[f]] == 0 ? 1 : 0;
+        facesBefore += before.isOwnFace[f] ? 1 : 0;
         isMade[face] = 1;
       }
     }
@@ -216,8 +240,10 @@ private:
   const MeshPiece& piece;
   RankExchange& exchange;
   const RunContext& context;
+  int rings;
   PieceLabels labels;
-  WidePiece wide;
+  WideNumbers wide;
+  MeshBefore before;
 };
 
 } // namespace

@@ -99,7 +99,7 @@ std::vector<IdView> PieceLabels::views() const
   return out;
 }
 
-std::vector<Index> PieceLabels::zoneOfFaces(const WidePiece& piece, const FaceMesh& mesh) const
+std::vector<Index> PieceLabels::zoneOfFaces(const WideNumbers& piece, const FaceMesh& mesh) const
 {
   const auto hasNames = [](const List& list) { return !list.names.empty(); };
   if (std::ranges::none_of(lists, hasNames))
@@ -116,10 +116,11 @@ std::vector<Index> PieceLabels::zoneOfFaces(const WidePiece& piece, const FaceMe
       zoneOf[f] = differ ? 0 : zoneOf[f];
     }
   }
-  return zoneOf;
+  const bool isAny = std::ranges::any_of(zoneOf, [](Index zone) { return zone != noIndex; });
+  return isAny ? zoneOf : std::vector<Index>();
 }
 
-std::vector<CellZone> PieceLabels::zonesOf(const WidePiece& piece, const JudgedMesh& now, const UnitedCells& cells,
+std::vector<CellZone> PieceLabels::zonesOf(const WideNumbers& piece, const JudgedMesh& now, const UnitedCells& cells,
                                            RankExchange& exchange) const
 {
   std::vector<CellZone> named;

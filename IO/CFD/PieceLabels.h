@@ -23,11 +23,11 @@ public:
   /// The lists, as widen() takes them.
   std::vector<IdView> views() const;
 
-  /// By internal face, as zoneOfFaces() of SolverSource.h.
-  std::vector<Index> zoneOfFaces(const WidePiece& piece, const FaceMesh& mesh) const;
+  /// By internal face, as zoneOfFaces() of SolverSource.h; empty where no face is one of a zone.
+  std::vector<Index> zoneOfFaces(const WideNumbers& piece, const FaceMesh& mesh) const;
 
   /// Those of the whole that have cells, with the cells that are here now. Of all ranks.
-  std::vector<CellZone> zonesOf(const WidePiece& piece, const JudgedMesh& now, const UnitedCells& cells,
+  std::vector<CellZone> zonesOf(const WideNumbers& piece, const JudgedMesh& now, const UnitedCells& cells,
                                 RankExchange& exchange) const;
 
 private:

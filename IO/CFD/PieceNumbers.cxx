@@ -71,7 +71,7 @@ std::vector<CutCell> ownCutCells(const JudgedMesh& now, const UnitedCells& unite
 void numberCells(const JudgedMesh& now, const UnitedCells& united, const PieceOnRanks& on,
                  const std::vector<CutCell>& cut, PieceNumbers& out)
 {
-  const WidePiece& piece = on.piece;
+  const WideNumbers& piece = on.piece;
   Numbers leftOut;
   std::int64_t count = 0;
   std::int64_t greatest = -1;
@@ -109,30 +109,12 @@ void numberCells(const JudgedMesh& now, const UnitedCells& united, const PieceOn
   }
 }
 
-/// By point, whether the lowest of the cells that had it is an own one.
-std::vector<char> ownPoints(const WidePiece& piece)
-{
-  std::vector<char> isMet(piece.points.size(), 0);
-  std::vector<char> isOwn(piece.points.size(), 0);
-  for (std::size_t cell = 0; cell < piece.types.size(); ++cell)
-  {
-    for (std::int64_t i = piece.offsets[cell]; i < piece.offsets[cell + 1]; ++i)
-    {
-      const auto point = static_cast<std::size_t>(piece.connectivity[static_cast<std::size_t>(i)]);
-      isOwn[point] = isMet[point] ? isOwn[point] : static_cast<char>(piece.rings[cell] == 0);
-      isMet[point] = 1;
-    }
-  }
-  return isOwn;
-}
-
-void numberPoints(const JudgedMesh& now, const UnitedCells& united, const PieceOnRanks& on,
+void numberPoints(const JudgedMesh& now, const UnitedCells& united, const PieceOnRanks& on, std::span<const char> isOwn,
                   const std::vector<CutCell>& cut, PieceNumbers& out)
 {
-  const WidePiece& piece = on.piece;
+  const WideNumbers& piece = on.piece;
   std::vector<char> isUsed(now.mesh.points.size(), 0);
   std::ranges::for_each(now.mesh.facePoints, [&](Index point) { isUsed[point] = 1; });
-  const std::vector<char> isOwn = ownPoints(piece);
   Numbers leftOut;
   std::int64_t count = 0;
   std::int64_t greatest = -1;
@@ -237,12 +219,13 @@ private:
 
 } // namespace
 
-PieceNumbers numberPiece(const JudgedMesh& now, const UnitedCells& united, const PieceOnRanks& piece)
+PieceNumbers numberPiece(const JudgedMesh& now, const UnitedCells& united, const PieceOnRanks& piece,
+                         std::span<const char> ownPoints)
 {
   PieceNumbers out;
   const std::vector<CutCell> cut = gatherSorted(ownCutCells(now, united), piece.exchange);
   numberCells(now, united, piece, cut, out);
-  numberPoints(now, united, piece, cut, out);
+  numberPoints(now, united, piece, ownPoints, cut, out);
   return out;
 }
 

@@ -5,6 +5,7 @@
 #include "Quality/Unions/JudgedUnions.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace atria {
@@ -19,8 +20,10 @@ struct PieceNumbers
   std::int64_t pointCount = 0;
 };
 
-/// Of all ranks. Throws RanksDisagree where numbers of cells or points of the whole have gaps.
-PieceNumbers numberPiece(const JudgedMesh& now, const UnitedCells& united, const PieceOnRanks& piece);
+/// `ownPoints` is pointsOfOwn() of the mesh before unions. Of all ranks. Throws RanksDisagree where numbers of cells or
+/// points of the whole have gaps.
+PieceNumbers numberPiece(const JudgedMesh& now, const UnitedCells& united, const PieceOnRanks& piece,
+                         std::span<const char> ownPoints);
 
 /// Faces of the whole as they are on file: internal ones, then patch by patch.
 struct FaceNumbers

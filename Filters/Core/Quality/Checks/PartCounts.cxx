@@ -31,8 +31,9 @@ struct First
   auto key() const { return std::tuple(isBoundary, owner, neighbor); }
 };
 
-/// Whether the lowest cell of each point is its own.
-std::vector<char> countedPoints(const FaceMesh& mesh, std::span<const char> isOwn)
+} // namespace
+
+std::vector<char> pointsOfOwn(const FaceMesh& mesh, std::span<const char> isOwn)
 {
   std::vector<Index> lowest(mesh.points.size(), noIndex);
   for (std::size_t f = 0; f < mesh.faceCount(); ++f)
@@ -47,13 +48,11 @@ std::vector<char> countedPoints(const FaceMesh& mesh, std::span<const char> isOw
   return counted;
 }
 
-} // namespace
-
 PartCounts::PartCounts(const FaceMesh& mesh, const CheckedPart* part) : mesh_(mesh), part_(part)
 {
   if (part_)
   {
-    countsPoint_ = countedPoints(mesh_, part_->isOwn);
+    countsPoint_ = pointsOfOwn(mesh_, part_->isOwn);
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "Quality/Checks/MeshChecks.h"
 
+#include <span>
 #include <vector>
 
 namespace atria {
@@ -27,6 +28,9 @@ struct CountedValues
   std::size_t count = 0;
   std::size_t failing = 0;
 };
+
+/// By point, whether the cell of the lowest number that has it is one of these.
+std::vector<char> pointsOfOwn(const FaceMesh& mesh, std::span<const char> isOwn);
 
 /// Without a part all counts, and there are no others. Faces count where their owner does, points where the cell of the
 /// lowest number that has them does: once over all ranks. Of all ranks are those functions that say "others".

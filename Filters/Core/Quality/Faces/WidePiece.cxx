@@ -355,14 +355,14 @@ std::vector<BoundaryFaceKey> WidePiece::faceKeys() const
   return keys;
 }
 
-std::vector<char> WidePiece::ownCells() const
+std::vector<char> WideNumbers::ownCells() const
 {
   std::vector<char> isOwn(rings.size());
   std::ranges::transform(rings, isOwn.begin(), [](Index ring) { return ring == 0 ? 1 : 0; });
   return isOwn;
 }
 
-Index WidePiece::findCell(std::int64_t id) const
+Index WideNumbers::findCell(std::int64_t id) const
 {
   const auto found = std::ranges::lower_bound(cellIds, id);
   return found != cellIds.end() && *found == id ? static_cast<Index>(found - cellIds.begin()) : noIndex;

@@ -29,22 +29,32 @@ struct NarrowPiece
   std::vector<IdView> labels = {};
 };
 
+/// Which cells and points of the whole a wide piece has: what is left to be known of it once its faces are made.
+struct WideNumbers
+{
+  std::vector<std::int64_t> pointIds; ///< rising
+  std::vector<std::int64_t> cellIds;  ///< rising
+  std::vector<Index> ranks;           ///< by cell, whose it is
+  Index ringCount = 0;                ///< that were asked for; there may be fewer cells
+  std::vector<Index> rings;           ///< by cell: 0 for own ones, 1 for those that share a point with these, and so on
+  std::vector<std::vector<std::int64_t>> labels; ///< list by list, each by cell
+
+  /// By cell, whether it is the rank's own.
+  std::vector<char> ownCells() const;
+  /// noIndex where it is not there.
+  Index findCell(std::int64_t id) const;
+};
+
 /// Cells and points are in the order of their numbers in the whole, so that faces of the rank's own cells, and of all
 /// that are not in the last ring, are in the order of the whole, with the same geometry to the bit.
-struct WidePiece
+struct WidePiece : WideNumbers
 {
   std::vector<Vec3> points;
-  std::vector<std::int64_t> pointIds;
-  std::vector<std::int64_t> cellIds;
-  std::vector<Index> ranks; ///< by cell, whose it is
-  Index ringCount = 0;      ///< that were asked for; there may be fewer cells
-  std::vector<Index> rings; ///< by cell: 0 for own ones, 1 for those that share a point with these, and so on
   std::vector<unsigned char> types;
   std::vector<std::int64_t> offsets{0};
   std::vector<std::int32_t> connectivity;
   std::vector<std::int64_t> faceStream;
   std::vector<std::int64_t> faceLocations; ///< by cell, as in CellArrays
-  std::vector<std::vector<std::int64_t>> labels;
 
   /// Faces of patches.
   std::vector<Index> faceCells;
@@ -54,10 +64,6 @@ struct WidePiece
 
   CellArrays cells() const { return {types, offsets, connectivity, faceStream, faceLocations}; }
   std::vector<BoundaryFaceKey> faceKeys() const;
-  /// By cell, whether it is the rank's own.
-  std::vector<char> ownCells() const;
-  /// noIndex where it is not there.
-  Index findCell(std::int64_t id) const;
 };
 
 /// Adds rings of cells that share a point with those before. All ranks call it at the same time, with as many rings.

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <iterator>
 #include <utility>
 
 namespace atria {
@@ -23,11 +24,40 @@ enum UnionPart : std::uint8_t
   ofFaces = 2
 };
 
-/// The cells that fail a check which is an error, or have faces that do.
+/// By cell, whether it fails a check which is an error, or has faces that do.
 std::vector<bool> failingCells(const MeasuredMesh& mesh, const MeshVerdict& verdict)
 {
   const std::vector<std::uint32_t> failed = failedErrorsOfCells(mesh, verdict);
   return {failed.begin(), failed.end()};
+}
+
+/// A cell that fails, and those that have faces with it.
+struct FailingCell
+{
+  Index cell;
+  std::vector<Index> beside;
+};
+
+std::vector<FailingCell> withCellsBeside(const std::vector<bool>& fails, const MeasuredMesh& measured)
+{
+  const FaceMesh& mesh = measured.mesh;
+  std::vector<FailingCell> out;
+  for (Index cell = 0; cell < fails.size(); ++cell)
+  {
+    if (!fails[cell])
+    {
+      continue;
+    }
+    out.push_back({cell, {}});
+    for (const Index face : measured.cellFaces.of(cell))
+    {
+      if (face < mesh.internalFaceCount())
+      {
+        out.back().beside.push_back(mesh.owner[face] == cell ? mesh.neighbor[face] : mesh.owner[face]);
+      }
+    }
+  }
+  return out;
 }
 
 class UnionJudge
@@ -47,10 +77,9 @@ public:
     {
       const RunContext round = context.part(1.0 - left, 1.0 - 0.5 * left);
       JudgedMesh now = unite(std::move(start), round);
-      const MeasuredMesh measured = measureMesh(now.mesh, round.part(0.5, 0.6));
-      now.verdict = checkMesh(measured, round.part(0.6, 0.8), ranks.after(now));
+      const std::vector<FailingCell> failing = judge(now, round.part(0.5, 0.8));
       if (!ranks.isAnywhere(!now.cellOf.empty() || !now.faceOf.empty()) || now.verdict.ok() ||
-          !keepSound(measured, now, round.part(0.8, 1.0)))
+          !keepSound(failing, now, round.part(0.8, 1.0)))
       {
         ranks.expectSame(now);
         now.failures = failureTexts(now.verdict);
@@ -89,6 +118,13 @@ private:
       follow(now.faceOf, faces);
     }
     return now;
+  }
+
+  std::vector<FailingCell> judge(JudgedMesh& now, const RunContext& within)
+  {
+    const MeasuredMesh measured = measureMesh(now.mesh, within.part(0.0, 0.3));
+    now.verdict = checkMesh(measured, within.part(0.3, 1.0), ranks.after(now));
+    return withCellsBeside(failingCells(measured, now.verdict), measured);
   }
 
   std::vector<Index> withEnd(std::vector<Index> cells) const
@@ -141,18 +177,21 @@ private:
   }
 
   /// Has sound cells whose union, or what is beside it, fails kept as they were in the next round; whether there are.
-  bool keepSound(const MeasuredMesh& measured, const JudgedMesh& now, const RunContext& within)
+  bool keepSound(const std::vector<FailingCell>& failing, const JudgedMesh& now, const RunContext& within)
   {
     judgeSource(within);
-    const std::vector<bool> fails = failingCells(measured, now.verdict);
     const std::vector<bool> sound = soundBefore(now);
     const std::vector<std::uint8_t> parts = partsOf(now);
     std::vector<Index> undone;
-    for (Index cell = 0; cell < fails.size(); ++cell)
+    for (const auto& [cell, beside] : failing)
     {
-      if (fails[cell] && sound[cell])
+      if (sound[cell] && parts[cell] != noUnion)
       {
-        parts[cell] != noUnion ? undone.push_back(cell) : addUnionsBeside(measured, cell, parts, undone);
+        undone.push_back(cell);
+      }
+      else if (sound[cell])
+      {
+        std::ranges::copy_if(beside, std::back_inserter(undone), [&](Index other) { return parts[other] != noUnion; });
       }
     }
     std::erase_if(undone, [&](Index cell) { return !sound[cell]; });
@@ -221,22 +260,6 @@ private:
     {
       parts[now.added[i]] |= ofCells;
       parts[now.pyramid(i)] |= ofCells;
-    }
-  }
-
-  static void addUnionsBeside(const MeasuredMesh& measured, Index cell, const std::vector<std::uint8_t>& parts,
-                              std::vector<Index>& found)
-  {
-    const FaceMesh& mesh = measured.mesh;
-    for (const Index face : measured.cellFaces.of(cell))
-    {
-      for (const Index beside : {mesh.owner[face], face < mesh.internalFaceCount() ? mesh.neighbor[face] : cell})
-      {
-        if (parts[beside] != noUnion)
-        {
-          found.push_back(beside);
-        }
-      }
     }
   }
 

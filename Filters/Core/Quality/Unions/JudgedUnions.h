@@ -46,8 +46,8 @@ struct JudgedMesh
 /// Merges cells and faces of a mesh, judges what comes of it, and undoes unions of sound cells about cells that fail a
 /// check though they were sound before. Sound cells fail no check that is an error. Unions of cells that failed already
 /// stay: mostly they trade a cell with too few neighbors for a concave one, which solvers rather take. `makeMesh` gives
-/// the mesh; it is called once more where a union may have to be undone. `patchOf` is as for mergeCoplanarFaces(). The
-/// result does not depend on threads. Throws Aborted when asked to.
+/// the mesh; it is called once more where a union may have to be undone, of a part on all ranks. `patchOf` is as for
+/// mergeCoplanarFaces(). The result does not depend on threads. Throws Aborted when asked to.
 ///
 /// Of a part the mesh is that of its piece: of own cells, and of those that have faces with these, the result is that
 /// of the whole, as are verdict and failures; counts are those of the part. All ranks call it at the same time. Throws

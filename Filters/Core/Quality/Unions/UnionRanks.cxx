@@ -37,7 +37,7 @@ private:
 };
 
 /// By cell as it is now, of its cells before and its faces.
-std::vector<std::uint64_t> hashesOf(const JudgedMesh& now, const WidePiece& piece, const UnitedCells& united)
+std::vector<Hash> hashesOf(const JudgedMesh& now, const WideNumbers& piece, const UnitedCells& united)
 {
   const FaceMesh& mesh = now.mesh;
   std::vector<Hash> hashes(mesh.cellCount);
@@ -58,16 +58,14 @@ std::vector<std::uint64_t> hashesOf(const JudgedMesh& now, const WidePiece& piec
       }
     }
   }
-  std::vector<std::uint64_t> values;
-  std::ranges::transform(hashes, std::back_inserter(values), &Hash::value);
-  return values;
+  return hashes;
 }
 
 } // namespace
 
 UnitedCells unitedCells(const JudgedMesh& now, const PieceOnRanks& part)
 {
-  const WidePiece& piece = part.piece;
+  const WideNumbers& piece = part.piece;
   UnitedCells out;
   out.ranks.resize(now.mesh.cellCount);
   out.cellIds.assign(now.mesh.cellCount, -1);
@@ -158,9 +156,9 @@ void UnionRanks::expectSame(const JudgedMesh& now) const
   {
     return;
   }
-  const WidePiece& piece = part->piece;
-  const std::vector<std::uint64_t> hashes = hashesOf(now, piece, unitedCells(now, *part));
-  const auto hashOf = [&](Index cell) { return hashes[now.cellOf.empty() ? cell : now.cellOf[cell]]; };
+  const WideNumbers& piece = part->piece;
+  const std::vector<Hash> hashes = hashesOf(now, piece, united);
+  const auto hashOf = [&](Index cell) { return hashes[now.cellOf.empty() ? cell : now.cellOf[cell]].value(); };
   std::vector<std::vector<ToldCell>> told(static_cast<std::size_t>(part->exchange.ranks()));
   for (Index cell = 0; cell < piece.rings.size(); ++cell)
   {

@@ -19,7 +19,7 @@ inline constexpr int unionRings = 3;
 /// What a rank makes unions of, together with all others. Both must outlive it.
 struct PieceOnRanks
 {
-  const WidePiece& piece;
+  const WideNumbers& piece;
   RankExchange& exchange;
 };
 
@@ -53,9 +53,10 @@ public:
   void share(std::vector<Index>& cells) const;
   /// Before unions; null without a part.
   const CheckedPart* before() const { return whole ? &*whole : nullptr; }
-  /// What became of it. Null likewise.
+  /// What became of it, until this is called again. Null likewise.
   const CheckedPart* after(const JudgedMesh& now);
-  /// Throws RanksDisagree where ranks have made other unions of the same cells, or given these other faces.
+  /// Of the mesh that after() was called for last. Throws RanksDisagree where ranks have made other unions of the same
+  /// cells, or given these other faces.
   void expectSame(const JudgedMesh& now) const;
 
 private:
