@@ -78,10 +78,11 @@ private:
 
   WidePiece widen() const { return piece.widen(rings, exchange, context.executor, labels.views()); }
 
-  /// Takes the points.
+  /// Takes points and cells.
   FaceMesh meshOf(WidePiece& cells) const
   {
-    return makeFaceMesh(std::move(cells.points), cells.cells(), cells.faceKeys(), context.executor);
+    return makeFaceMesh(std::move(cells.points), cells.cells(), cells.faceKeys(), context.executor,
+                        [&] { cells.releaseCells(); });
   }
 
   FaceMesh makeAgain() const

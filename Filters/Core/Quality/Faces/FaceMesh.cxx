@@ -356,13 +356,18 @@ private:
 } // namespace
 
 FaceMesh makeFaceMesh(std::vector<Vec3> points, const CellArrays& cells, std::span<const BoundaryFaceKey> boundaryFaces,
-                      const Executor& executor)
+                      const Executor& executor, const std::function<void()>& whenRead)
 {
+  const std::size_t cellCount = cells.types.size();
   const HalfFaces halves = takeApart(cells, points.size(), executor);
+  if (whenRead)
+  {
+    whenRead();
+  }
   const Buffer<Index> mates = findMates(halves, points.size(), boundaryFaces, executor);
   FaceMesh mesh;
   mesh.points = std::move(points);
-  mesh.cellCount = cells.types.size();
+  mesh.cellCount = cellCount;
   Assembler(halves, mates, mesh).run(executor);
   return mesh;
 }

@@ -9,6 +9,7 @@
 #include <compare>
 #include <concepts>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -81,9 +82,11 @@ struct BoundaryFaceKey
 /// Derives the faces of a mesh. Throws Error for an unknown cell type, for a point that does not exist, for a
 /// face that more than two cells share and for one that a cell has twice; names the cells. O(n log n) in the
 /// number of faces; the same bits, and the same error, for any number of threads. A key that is no face of its cell has
-/// no effect here; findBoundaryFaces() finds such keys.
+/// no effect here; findBoundaryFaces() finds such keys. `whenRead` is called when `cells` are not looked at any more,
+/// so that their memory may be given up for what comes then.
 FaceMesh makeFaceMesh(std::vector<Vec3> points, const CellArrays& cells,
-                      std::span<const BoundaryFaceKey> boundaryFaces = {}, const Executor& executor = SerialExecutor());
+                      std::span<const BoundaryFaceKey> boundaryFaces = {}, const Executor& executor = SerialExecutor(),
+                      const std::function<void()>& whenRead = {});
 
 /// Per key the boundary face of its cell that has its points, or noIndex.
 std::vector<Index> findBoundaryFaces(const FaceMesh& mesh, std::span<const BoundaryFaceKey> keys,

@@ -3,6 +3,7 @@
 
 #include "Quality/Faces/CellShapes.h"
 #include "Support/Buckets.h"
+#include "Support/Buffer.h"
 #include "Support/Sorting.h"
 
 #include <algorithm>
@@ -159,6 +160,7 @@ private:
   {
     Parcel out;
     const std::vector<Index> newPoint = takePoints(cells, out);
+    reserve(cells, out);
     for (const Index cell : cells)
     {
       out.ids.push_back(piece.cellIds[cell]);
@@ -172,11 +174,28 @@ private:
     return out;
   }
 
+  /// Lists that grow leave holes in memory as large as themselves.
+  void reserve(const std::vector<Index>& cells, Parcel& out) const
+  {
+    std::size_t corners = 0;
+    std::ranges::for_each(cells, [&](Index cell) { forCorners(cell, [&](std::size_t) { ++corners; }); });
+    out.ids.reserve(cells.size());
+    out.types.reserve(cells.size());
+    out.corners.reserve(corners);
+    out.offsets.reserve(cells.size() + 1);
+    out.streamOffsets.reserve(cells.size() + 1);
+    out.labels.reserve(cells.size() * piece.labels.size());
+    out.faceCounts.reserve(cells.size());
+  }
+
   /// Their points; returns the number that each point of the piece has among them.
   std::vector<Index> takePoints(const std::vector<Index>& cells, Parcel& out) const
   {
     std::vector<Index> newPoint(piece.points.size(), noIndex);
     std::ranges::for_each(cells, [&](Index cell) { forCorners(cell, [&](std::size_t p) { newPoint[p] = 0; }); });
+    const std::size_t count = newPoint.size() - static_cast<std::size_t>(std::ranges::count(newPoint, noIndex));
+    out.pointIds.reserve(count);
+    out.points.reserve(count);
     for (const Index p : placeOf)
     {
       if (newPoint[p] != noIndex)
@@ -245,7 +264,9 @@ public:
 
   WidePiece run()
   {
+    reserve();
     std::vector<Place> order;
+    order.reserve(cellCount());
     for (Index i = 0; i < received.size(); ++i)
     {
       const Parcel& parcel = received[i].parcel;
@@ -278,9 +299,40 @@ private:
     std::size_t facePoint;
   };
 
+  std::size_t cellCount() const
+  {
+    std::size_t count = 0;
+    std::ranges::for_each(received, [&](const Received& some) { count += some.parcel.ids.size(); });
+    return count;
+  }
+
+  void reserve()
+  {
+    const std::size_t cells = cellCount();
+    std::size_t corners = 0;
+    std::size_t stream = 0;
+    for (const Received& some : received)
+    {
+      corners += some.parcel.corners.size();
+      stream += some.parcel.stream.size();
+    }
+    out.cellIds.reserve(cells);
+    out.ranks.reserve(cells);
+    out.rings.reserve(cells);
+    out.types.reserve(cells);
+    out.connectivity.reserve(corners);
+    out.offsets.reserve(cells + 1);
+    out.faceLocations.reserve(cells);
+    out.faceStream.reserve(stream);
+    std::ranges::for_each(out.labels, [&](std::vector<std::int64_t>& label) { label.reserve(cells); });
+  }
+
   void joinPoints()
   {
+    std::size_t count = 0;
+    std::ranges::for_each(received, [&](const Received& some) { count += some.parcel.pointIds.size(); });
     std::vector<std::pair<std::int64_t, std::pair<Index, Index>>> all;
+    all.reserve(count);
     for (Index i = 0; i < received.size(); ++i)
     {
       const std::vector<std::int64_t>& ids = received[i].parcel.pointIds;
@@ -291,6 +343,8 @@ private:
       newPoint.emplace_back(ids.size());
     }
     std::ranges::sort(all);
+    out.pointIds.reserve(count);
+    out.points.reserve(count);
     for (const auto& [id, at] : all)
     {
       if (out.pointIds.empty() || out.pointIds.back() != id)
@@ -353,6 +407,15 @@ std::vector<BoundaryFaceKey> WidePiece::faceKeys() const
     keys.push_back({faceCells[f], std::span(facePoints).subspan(faceOffsets[f], faceOffsets[f + 1] - faceOffsets[f])});
   }
   return keys;
+}
+
+void WidePiece::releaseCells()
+{
+  release(types);
+  release(offsets);
+  release(connectivity);
+  release(faceStream);
+  release(faceLocations);
 }
 
 std::vector<char> WideNumbers::ownCells() const

@@ -64,6 +64,8 @@ struct WidePiece : WideNumbers
 
   CellArrays cells() const { return {types, offsets, connectivity, faceStream, faceLocations}; }
   std::vector<BoundaryFaceKey> faceKeys() const;
+  /// Gives up what cells() shows.
+  void releaseCells();
 };
 
 /// Adds rings of cells that share a point with those before. All ranks call it at the same time, with as many rings.

@@ -141,9 +141,9 @@ void UnionRanks::share(std::vector<Index>& cells) const
 
 const CheckedPart* UnionRanks::after(const JudgedMesh& now)
 {
-  if (!part)
+  if (!part || now.cellOf.empty())
   {
-    return nullptr;
+    return before();
   }
   united = unitedCells(now, *part);
   current.emplace(united.part(part->exchange));
@@ -157,7 +157,7 @@ void UnionRanks::expectSame(const JudgedMesh& now) const
     return;
   }
   const WideNumbers& piece = part->piece;
-  const std::vector<Hash> hashes = hashesOf(now, piece, united);
+  const std::vector<Hash> hashes = hashesOf(now, piece, unitedCells(now, *part));
   const auto hashOf = [&](Index cell) { return hashes[now.cellOf.empty() ? cell : now.cellOf[cell]].value(); };
   std::vector<std::vector<ToldCell>> told(static_cast<std::size_t>(part->exchange.ranks()));
   for (Index cell = 0; cell < piece.rings.size(); ++cell)

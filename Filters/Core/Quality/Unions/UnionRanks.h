@@ -55,8 +55,7 @@ public:
   const CheckedPart* before() const { return whole ? &*whole : nullptr; }
   /// What became of it, until this is called again. Null likewise.
   const CheckedPart* after(const JudgedMesh& now);
-  /// Of the mesh that after() was called for last. Throws RanksDisagree where ranks have made other unions of the same
-  /// cells, or given these other faces.
+  /// Throws RanksDisagree where ranks have made other unions of the same cells, or given these other faces.
   void expectSame(const JudgedMesh& now) const;
 
 private:
