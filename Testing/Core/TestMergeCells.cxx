@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Quality/Checks/MeshChecks.h"
+#include "Quality/Unions/CellUnion.h"
 #include "Quality/Unions/MergeCells.h"
 #include "Support/QuietContext.h"
 #include "Support/SampleMesh.h"
@@ -9,7 +10,11 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
+#include <random>
 #include <set>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -182,6 +187,58 @@ TEST(MergeCells, ADuctOfCubesIsCutIntoPyramids)
     FaceMesh again = after;
     EXPECT_TRUE(merge(again).cellOf.empty());
   }
+}
+
+/// A duct of one cell into a room, with points moved by up to `most`.
+FaceMesh movedDuct(unsigned seed, double height, double most)
+{
+  SampleMesh sample = roomWithDuct(1, height);
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> move(-most, most);
+  for (Vec3& p : sample.points)
+  {
+    p += Vec3(move(random), move(random), move(random));
+  }
+  return facesOf(sample);
+}
+
+/// The least penalty of convex unions of a cell and one other that serve.
+std::optional<double> unionPenalty(const CellUnions& unions, Index cell)
+{
+  std::optional<double> least;
+  for (const Index other : unions.neighborsOf(std::array{cell}))
+  {
+    const UnionVerdict verdict = judgeUnion(unions, std::array{cell, other}, SerialExecutor());
+    if (verdict.sound && verdict.determined && !verdict.concave)
+    {
+      least = std::min(least.value_or(verdict.penalty), verdict.penalty);
+    }
+  }
+  return least;
+}
+
+TEST(MergeCells, TheLessSkewOfUnionAndPyramidsIsTaken)
+{
+  int united = 0;
+  int cut = 0;
+  for (unsigned seed = 1; seed <= 400; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    FaceMesh mesh = movedDuct(seed, seed % 2 == 0 ? 0.3 : 0.6, 0.1);
+    const CellUnions unions(mesh, {}, SerialExecutor());
+    const std::optional<double> whole = unionPenalty(unions, 0);
+    const std::optional<double> pyramids = splitPenalty(unions, 0, SerialExecutor());
+    if (!whole || !pyramids || verdictOf(mesh)["Determinant"].failing != std::vector<Index>{0})
+    {
+      continue;
+    }
+    const bool isCut = *pyramids < *whole;
+    FaceMesh after = mesh;
+    EXPECT_EQ(merge(after).added.empty(), !isCut);
+    (isCut ? cut : united) += 1;
+  }
+  EXPECT_GT(united, 0);
+  EXPECT_GT(cut, 0);
 }
 
 TEST(MergeCells, NothingChangesWhereNoNeighborHelps)
