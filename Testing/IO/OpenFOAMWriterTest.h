@@ -42,11 +42,12 @@ protected:
       expectWarnings(writer, !patches);
     }
     mergedCells = writer->GetNumberOfMergedCells();
+    addedCells = writer->GetNumberOfAddedCells();
     mergedFaces = writer->GetNumberOfMergedFaces();
     return written;
   }
 
-  std::filesystem::path folder(const char* name) const { return scratch.path() / name; }
+  std::filesystem::path folder(const std::string& name) const { return scratch.path() / name; }
 
   /// One for each check that fails, and no other.
   void expectWarnings(vtkAtriaOpenFOAMWriter* writer, bool lacksPatches)
@@ -61,6 +62,7 @@ protected:
   bool mergeCells = false;
   bool mergeFaces = false;
   vtkIdType mergedCells = 0;
+  vtkIdType addedCells = 0;
   vtkIdType mergedFaces = 0;
   int failedChecks = 0; ///< of what was written last
 };
