@@ -130,12 +130,16 @@ SharedPoints::SharedPoints(const RankShare& share, const Octree& octree, const G
   }
 }
 
-Index SharedPoints::find(PointKey key) const
+Index SharedPoints::ownOf(PointKey key) const
 {
   const auto begin = keys_.begin() + firstOwn_;
   const auto end = keys_.begin() + endOwn_;
   const auto found = std::lower_bound(begin, end, key);
-  return found != end && *found == key ? static_cast<Index>(found - keys_.begin()) : noIndex;
+  if (found == end || *found != key)
+  {
+    throw RanksDisagree("ranks do not have the same octree where their shares meet");
+  }
+  return static_cast<Index>(found - keys_.begin());
 }
 
 } // namespace atria

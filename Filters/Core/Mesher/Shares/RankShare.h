@@ -86,8 +86,8 @@ public:
     }
     return share_.rankOf(keys_[point] >> 3);
   }
-  /// An own point; noIndex if there is none of that key.
-  Index find(PointKey key) const;
+  /// The own point of a key. Throws RanksDisagree if there is none.
+  Index ownOf(PointKey key) const;
 
 private:
   const RankShare& share_;
