@@ -126,8 +126,9 @@ MeshedModel mesh(const TriangleSurface& surface, const OctreeSets* octants, cons
   static_cast<DualMeshResult&>(out) =
       makeDualMesh(octree, model, dual, clock, context.part(octreeShare, 1.0), kept ? &cache.stages().dual : nullptr);
   out.inputWarnings = inputWarnings;
-  for (const std::vector<std::string>& warnings : {warningsOfEmptyCellZones(out.mesh.cellZones, model),
-                                                   warningsOfLostModel(surface, options, octree.frame(), out.metSides)})
+  for (const std::vector<std::string>& warnings :
+       {warningsOfEmptyCellZones(metCellZones(out.mesh.cellZones, model), model),
+        warningsOfLostModel(surface, options, octree.frame(), out.metSides)})
   {
     out.inputWarnings.insert(out.inputWarnings.end(), warnings.begin(), warnings.end());
   }
