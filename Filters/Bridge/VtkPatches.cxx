@@ -70,8 +70,9 @@ std::vector<Patch> sortFaces(const DualMesh& mesh, const std::vector<MetSides>& 
 }
 
 /// The faces within the mesh of each face zone, in the order of surfaces.
-std::vector<Patch> sortZones(const DualMesh& mesh, const std::vector<std::string>& names,
-                             const std::vector<SurfaceKind>& kinds, std::set<std::string>& taken)
+std::vector<Patch> sortZones(const DualMesh& mesh, const std::vector<MetSides>& met,
+                             const std::vector<std::string>& names, const std::vector<SurfaceKind>& kinds,
+                             std::set<std::string>& taken)
 {
   std::vector<Patch> zones(names.size());
   for (Index f = 0; f < mesh.zoneFaces.size(); ++f)
@@ -84,9 +85,10 @@ std::vector<Patch> sortZones(const DualMesh& mesh, const std::vector<std::string
   }
   for (std::size_t tag = 0; tag < zones.size(); ++tag)
   {
-    zones[tag].name = zones[tag].faces.empty() ? std::string() : uniqueName(names[tag], taken);
+    const bool isMet = !kinds.empty() && kinds[tag] == SurfaceKind::faceZone && met[tag].within;
+    zones[tag].name = isMet ? uniqueName(names[tag], taken) : std::string();
   }
-  std::erase_if(zones, [](const Patch& zone) { return zone.faces.empty(); });
+  std::erase_if(zones, [](const Patch& zone) { return zone.name.empty(); });
   return zones;
 }
 
@@ -101,8 +103,7 @@ public:
 
   void write(const Patch& patch, vtkPolyData* out)
   {
-    writeFaces(
-        patch, mesh.boundaryFaces, [](const BoundaryFace& face) { return face; }, out);
+    writeFaces(patch, mesh.boundaryFaces, out);
     vtkCellData* data = out->GetCellData();
     addArrayOf<vtkIntArray>(data, "Side", patch.faces,
                             [&](Index f) { return static_cast<int>(mesh.boundaryFaces[f].side); });
@@ -112,47 +113,23 @@ public:
                                [&](Index f) { return f < layers.thicknesses.size() ? layers.thicknesses[f] : 0.0; });
   }
 
-  /// Seen from the elements at the back of the surface.
   void writeZone(const Patch& zone, vtkPolyData* out)
   {
-    writeFaces(
-        zone, mesh.zoneFaces, [&](const ZoneFace& face) { return atBack(face); }, out);
+    writeFaces(zone, mesh.zoneFaces, out);
     addArrayOf<vtkIdTypeArray>(out->GetCellData(), "NeighborCellId", zone.faces, [&](Index f) {
-      const ZoneFace face = atBack(mesh.zoneFaces[f]);
-      return mesh.neighbors[face.element][face.direction];
+      const ZoneFace& face = mesh.zoneFaces[f];
+      return numberOf(static_cast<Index>(mesh.neighbors[face.element][face.direction]));
     });
   }
 
 private:
-  /// The same face, from the element at the back.
-  ZoneFace atBack(ZoneFace face) const
+  vtkIdType numberOf(Index element) const
   {
-    if (face.side == SheetSide::back)
-    {
-      return face;
-    }
-    const auto other = static_cast<Index>(mesh.neighbors[face.element][face.direction]);
-    const auto code = static_cast<std::int32_t>(face.element);
-    const ReducedFace wanted = faceOf(mesh.corners[face.element], face.direction);
-    for (std::uint8_t direction = 0; direction < 6; ++direction)
-    {
-      // Two elements may share two faces.
-      const ReducedFace candidate = faceOf(mesh.corners[other], direction);
-      if (mesh.neighbors[other][direction] == code &&
-          std::is_permutation(wanted.points.begin(), wanted.points.begin() + wanted.count, candidate.points.begin(),
-                              candidate.points.begin() + candidate.count))
-      {
-        face.direction = direction;
-      }
-    }
-    face.element = other;
-    face.side = SheetSide::back;
-    return face;
+    return numbers ? static_cast<vtkIdType>(numbers->elements[element]) : vtkIdType{element};
   }
 
-  /// Points, polygons and what patches and zones have in common. seen(face) is the face as it is to be seen.
-  template <typename Faces, typename Seen>
-  void writeFaces(const Patch& patch, const Faces& faces, Seen&& seen, vtkPolyData* out)
+  /// Points, polygons and what patches and zones have in common.
+  template <typename Faces> void writeFaces(const Patch& patch, const Faces& faces, vtkPolyData* out)
   {
     vtkNew<vtkPoints> points;
     points->SetDataTypeToDouble();
@@ -162,7 +139,7 @@ private:
     auto* owners = addArray<vtkIdTypeArray>(out->GetCellData(), "OwnerCellId");
     for (const Index f : patch.faces)
     {
-      const auto face = seen(faces[f]);
+      const auto& face = faces[f];
       const ReducedFace corners = faceOf(mesh.corners[face.element], face.direction);
       polys->InsertNextCell(corners.count);
       for (int i = 0; i < corners.count; ++i)
@@ -170,7 +147,7 @@ private:
         polys->InsertCellPoint(localPoint(corners.points[i], points, ids));
       }
       surfaceIds->InsertNextValue(face.tag < surfaces ? static_cast<int>(face.tag) : -1);
-      owners->InsertNextValue(numbers ? static_cast<vtkIdType>(numbers->elements[face.element]) : face.element);
+      owners->InsertNextValue(numberOf(face.element));
     }
     for (const Index p : used)
     {
@@ -209,7 +186,7 @@ void patchesToVtk(const DualMesh& mesh, const std::vector<MetSides>& met, const 
   PatchWriter writer(mesh, surfaceNames.size(), layers, numbers);
   std::set<std::string> taken;
   const std::vector<Patch> patches = sortFaces(mesh, met, surfaceNames, taken);
-  const std::vector<Patch> zones = sortZones(mesh, surfaceNames, kinds, taken);
+  const std::vector<Patch> zones = sortZones(mesh, met, surfaceNames, kinds, taken);
   out->SetNumberOfPartitionedDataSets(static_cast<unsigned>(patches.size() + zones.size()));
   const auto add = [&](std::size_t i, const Patch& patch, auto&& write) {
     vtkNew<vtkPolyData> polyData;

@@ -2,9 +2,7 @@
 #include "Mesher/DualMesher.h"
 
 #include "Dual/Vertices/TurnedDomain.h"
-#include "Dual/Zones/CellZones.h"
 #include "Dual/Zones/Cracks.h"
-#include "Dual/Zones/ZoneFaces.h"
 #include "Mesher/StageOptions.h"
 
 #include <algorithm>
@@ -20,9 +18,7 @@ Labels findLabels(const GridPlaces& grid, const Crossings& crossings, const Zone
   labels.zoneFaces = findZoneFaces(crossings, context.model);
   labels.rooms = findRooms(zones, result.zones, crossings, labels.zoneFaces, context.model, options.rooms, context);
   labels.cellZones = findCellZones(crossings, grid, context.model, context);
-  result.rooms.rooms.resize(labels.rooms.count);
-  result.rooms.found = context.model.walls.size();
-  result.rooms.hasOutside = labels.rooms.hasOutside;
+  result.rooms = reportOf(labels.rooms, context.model);
   return labels;
 }
 
@@ -215,9 +211,10 @@ DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, con
   DualMeshResult result = std::move(plain.found);
   context.progress.report(0.55, "Growing layers");
   takeImproved(growLayers(std::move(plain.mesh), options, context.part(0.55, 0.98)), result);
+  orderZoneFaces(result.mesh);
+  measureRooms(result.mesh, model, octree.frame().domain, {}, result.rooms);
   context.progress.report(0.98, "Placing the mesh in the model");
   placeInModel(result, octree.frame().placement, context);
-  measureRooms(result.mesh, model, result.rooms);
   result.metSides = findMetSides(result.mesh, model.names.size());
   clock.lap("layers");
   context.progress.report(1.0, "Meshed");

@@ -4,7 +4,7 @@
 
 #include "Dual/Displacement/DisplacedGrid.h"
 #include "Dual/Zones/BoundaryGaps.h"
-#include "Dual/Zones/Rooms.h"
+#include "Dual/Zones/Labels.h"
 #include "Mesher/Diagnostic.h"
 #include "Mesher/DualImprover.h"
 #include "Support/StageClock.h"
@@ -29,14 +29,6 @@ struct CrossedGrid
   GridPoints points;
   BoundaryGaps gaps;
   DisplacedGrid displaced; ///< of these points
-};
-
-/// What permeable surfaces make of the grid points: face zones, rooms and cell zones.
-struct Labels
-{
-  std::vector<ZoneFace> zoneFaces;
-  Rooms rooms;
-  std::vector<std::int32_t> cellZones;
 };
 
 /// New numbers of the grid points that become elements; noIndex for the others.

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesher/RoomReport.h"
 
+#include "Support/ExactSum.h"
+#include "Support/Sorting.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <map>
 #include <numbers>
 #include <set>
@@ -19,10 +24,10 @@ struct Flux
   double volume = 0.0;
 };
 
-Flux fluxOf(const DualMesh& mesh, Index element, int direction)
+Flux fluxOf(const DualMesh& mesh, Index element, int direction, const Vec3& origin)
 {
   const ReducedFace face = faceOf(mesh.corners[element], direction);
-  const auto at = [&](int i) -> const Vec3& { return mesh.points[face.points[i % face.count]]; };
+  const auto at = [&](int i) { return Vec3(mesh.points[face.points[i % face.count]] - origin); };
   Vec3 middle = Vec3::Zero();
   for (int i = 0; i < face.count; ++i)
   {
@@ -38,22 +43,56 @@ Flux fluxOf(const DualMesh& mesh, Index element, int direction)
   return flux;
 }
 
-class Reporter
+/// What is summed up, and of what.
+enum class Measure : std::int32_t
+{
+  volume,     ///< of a room
+  floorArea,  ///< of a room
+  groupArea,  ///< of a room, in surfaces of a group
+  openings,   ///< of a surface, between two rooms
+  openingAxis ///< of a surface, one axis of its area vector
+};
+using MeasureKey = std::array<std::int32_t, 4>;
+
+class Measurer
 {
 public:
-  Reporter(const DualMesh& m, const SurfaceModel& s, RoomReport& r)
-      : mesh(m), model(s), groupAreas(r.rooms.size()), report(r)
+  Measurer(const DualMesh& m, const SurfaceModel& s, const Box3& domain, const RoomShare& whose)
+      : mesh(m), model(s), share(whose), origin(domain.center()),
+        areas(std::exp2(2.0 * std::log2(domain.size().maxCoeff()))),
+        volumes(std::exp2(3.0 * std::log2(domain.size().maxCoeff())))
   {
+    std::ranges::transform(model.names, std::back_inserter(groups), &Measurer::groupOf);
+    sortUnique(groups);
   }
 
   void run()
   {
     measureElements();
     measureOpenings();
-    nameRooms();
+    if (share.exchange)
+    {
+      sumUp();
+    }
   }
 
+  static std::string groupOf(const std::string& surface)
+  {
+    const std::size_t slash = surface.rfind('/');
+    return slash == std::string::npos ? std::string() : surface.substr(0, slash);
+  }
+
+  std::vector<std::string> groups;
+  std::map<MeasureKey, ExactSum> sums;
+
 private:
+  static MeasureKey keyOf(Measure what, std::int32_t a, std::int32_t b = 0, std::int32_t c = 0)
+  {
+    return {static_cast<std::int32_t>(what), a, b, c};
+  }
+
+  bool isCounted(Index element) const { return !share.isCounted || share.isCounted(element); }
+
   void measureElements()
   {
     for (Index e = 0; e < mesh.elementCount(); ++e)
@@ -61,72 +100,149 @@ private:
       for (int direction = 0; direction < 6 && mesh.rooms[e] >= 0; ++direction)
       {
         const std::int32_t code = mesh.neighbors[e][direction];
-        if (DualMesh::isBoundary(code) || (code >= 0 && mesh.rooms[code] != mesh.rooms[e]))
+        if ((DualMesh::isBoundary(code) || (code >= 0 && mesh.rooms[code] != mesh.rooms[e])) && isCounted(e))
         {
-          add(static_cast<std::size_t>(mesh.rooms[e]), fluxOf(mesh, e, direction), code);
+          add(mesh.rooms[e], fluxOf(mesh, e, direction, origin), code);
         }
       }
     }
   }
 
   /// Adds a face at the border of a room.
-  void add(std::size_t room, const Flux& flux, std::int32_t code)
+  void add(std::int32_t room, const Flux& flux, std::int32_t code)
   {
-    report.rooms[room].volume += flux.volume;
+    sums[keyOf(Measure::volume, room)].add(flux.volume, volumes);
     if (!DualMesh::isBoundary(code))
     {
       return;
     }
     const double area = flux.area.norm();
-    report.rooms[room].floorArea += -flux.area[2] * std::numbers::sqrt2 > area ? -flux.area[2] : 0.0;
+    if (-flux.area[2] * std::numbers::sqrt2 > area)
+    {
+      sums[keyOf(Measure::floorArea, room)].add(-flux.area[2], areas);
+    }
     const Index tag = mesh.boundaryFaces[DualMesh::boundaryFaceOf(code)].tag;
     if (tag < model.names.size())
     {
-      const std::string& name = model.names[tag];
-      const std::size_t slash = name.rfind('/');
-      groupAreas[room][slash == std::string::npos ? std::string() : name.substr(0, slash)] += area;
+      const auto group = std::ranges::lower_bound(groups, groupOf(model.names[tag])) - groups.begin();
+      sums[keyOf(Measure::groupArea, room, static_cast<std::int32_t>(group))].add(area, areas);
     }
   }
 
   void measureOpenings()
   {
-    std::map<Index, std::map<std::array<std::int32_t, 2>, double>> areas;
-    std::map<Index, Vec3> vectors;
     for (const ZoneFace& face : mesh.zoneFaces)
     {
-      if (model.kinds[face.tag] == SurfaceKind::faceZone)
+      if (model.kinds[face.tag] != SurfaceKind::faceZone || !isCounted(face.element))
       {
-        std::array between{mesh.rooms[face.element], mesh.rooms[mesh.neighbors[face.element][face.direction]]};
-        if (face.side == SheetSide::front)
-        {
-          std::swap(between[0], between[1]);
-        }
-        const Vec3 area = fluxOf(mesh, face.element, face.direction).area;
-        areas[face.tag][between] += area.norm();
-        vectors.try_emplace(face.tag, Vec3::Zero()).first->second += face.side == SheetSide::back ? area : -area;
+        continue;
+      }
+      std::array between{mesh.rooms[face.element], mesh.rooms[mesh.neighbors[face.element][face.direction]]};
+      if (face.side == SheetSide::front)
+      {
+        std::swap(between[0], between[1]);
+      }
+      const auto tag = static_cast<std::int32_t>(face.tag);
+      const Vec3 area = fluxOf(mesh, face.element, face.direction, origin).area;
+      sums[keyOf(Measure::openings, tag, between[0], between[1])].add(area.norm(), areas);
+      for (int axis = 0; axis < 3; ++axis)
+      {
+        sums[keyOf(Measure::openingAxis, tag, axis)].add(face.side == SheetSide::back ? area[axis] : -area[axis],
+                                                         areas);
       }
     }
-    for (const auto& [surface, between] : areas)
+  }
+
+  void sumUp()
+  {
+    struct Entry
     {
-      RoomOpening opening{surface, model.wallOf(surface)};
-      double most = 0.0;
-      for (const auto& [rooms, area] : between)
-      {
-        opening.area += area;
-        opening.rooms = area > most ? rooms : opening.rooms;
-        most = std::max(most, area);
-      }
-      // Those found by rule are plane, though layers may bend the faces at their border.
-      opening.area = opening.wall != surface ? vectors.at(surface).norm() : opening.area;
-      for (const std::int32_t room : std::set(opening.rooms.begin(), opening.rooms.end()))
-      {
-        if (room >= 0)
-        {
-          report.rooms[room].openings.push_back(static_cast<Index>(report.openings.size()));
-        }
-      }
-      report.openings.push_back(opening);
+      MeasureKey key;
+      ExactSum sum;
+    };
+    std::vector<Entry> own;
+    for (const auto& [key, sum] : sums)
+    {
+      own.push_back({key, sum});
     }
+    sums.clear();
+    for (const std::vector<Entry>& some : gatherAll(*share.exchange, own))
+    {
+      std::ranges::for_each(some, [this](const Entry& entry) { sums[entry.key].add(entry.sum); });
+    }
+  }
+
+  const DualMesh& mesh;
+  const SurfaceModel& model;
+  const RoomShare& share;
+  Vec3 origin;
+  SumUnits areas;
+  SumUnits volumes;
+};
+
+class Reporter
+{
+public:
+  Reporter(const Measurer& m, const SurfaceModel& s, RoomReport& r)
+      : measured(m), model(s), groupAreas(r.rooms.size()), report(r)
+  {
+  }
+
+  void run()
+  {
+    std::map<Index, std::map<std::array<std::int32_t, 2>, double>> openings;
+    std::map<Index, Vec3> vectors;
+    for (const auto& [key, sum] : measured.sums)
+    {
+      const auto& [what, of, b, c] = key;
+      const double value = sum.value();
+      switch (static_cast<Measure>(what))
+      {
+        case Measure::volume:
+          report.rooms[of].volume = value;
+          break;
+        case Measure::floorArea:
+          report.rooms[of].floorArea = value;
+          break;
+        case Measure::groupArea:
+          groupAreas[of][measured.groups[b]] = value;
+          break;
+        case Measure::openings:
+          openings[static_cast<Index>(of)][{b, c}] = value;
+          break;
+        case Measure::openingAxis:
+          vectors[static_cast<Index>(of)][b] = value;
+          break;
+      }
+    }
+    for (const auto& [surface, between] : openings)
+    {
+      addOpening(surface, between, vectors.at(surface));
+    }
+    nameRooms();
+  }
+
+private:
+  void addOpening(Index surface, const std::map<std::array<std::int32_t, 2>, double>& between, const Vec3& vector)
+  {
+    RoomOpening opening{surface, model.wallOf(surface)};
+    double most = 0.0;
+    for (const auto& [rooms, area] : between)
+    {
+      opening.area += area;
+      opening.rooms = area > most ? rooms : opening.rooms;
+      most = std::max(most, area);
+    }
+    // Those found by rule are plane, though layers may bend the faces at their border.
+    opening.area = opening.wall != surface ? vector.norm() : opening.area;
+    for (const std::int32_t room : std::set(opening.rooms.begin(), opening.rooms.end()))
+    {
+      if (room >= 0)
+      {
+        report.rooms[room].openings.push_back(static_cast<Index>(report.openings.size()));
+      }
+    }
+    report.openings.push_back(opening);
   }
 
   /// The group that most of a room's surfaces are of by area; empty without one.
@@ -167,7 +283,7 @@ private:
     }
   }
 
-  const DualMesh& mesh;
+  const Measurer& measured;
   const SurfaceModel& model;
   /// Per room, by group.
   std::vector<std::map<std::string, double>> groupAreas;
@@ -176,12 +292,25 @@ private:
 
 } // namespace
 
-void measureRooms(const DualMesh& mesh, const SurfaceModel& model, RoomReport& report)
+RoomReport reportOf(const Rooms& rooms, const SurfaceModel& model)
 {
-  if (!mesh.rooms.empty())
+  RoomReport report;
+  report.rooms.resize(rooms.count);
+  report.hasOutside = rooms.hasOutside;
+  report.found = model.walls.size();
+  return report;
+}
+
+void measureRooms(const DualMesh& mesh, const SurfaceModel& model, const Box3& domain, const RoomShare& share,
+                  RoomReport& report)
+{
+  if (!hasRooms(model))
   {
-    Reporter(mesh, model, report).run();
+    return;
   }
+  Measurer measurer(mesh, model, domain, share);
+  measurer.run();
+  Reporter(measurer, model, report).run();
 }
 
 } // namespace atria

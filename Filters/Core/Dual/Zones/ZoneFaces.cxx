@@ -2,6 +2,7 @@
 #include "Dual/Zones/ZoneFaces.h"
 
 #include <algorithm>
+#include <tuple>
 
 namespace atria {
 
@@ -18,7 +19,44 @@ int senseOf(std::span<const SurfaceCrossing> cuts, Index surface, const SurfaceM
   return sum;
 }
 
+/// The same face, of the element at the back.
+ZoneFace atBack(ZoneFace face, const DualMesh& mesh)
+{
+  if (face.side == SheetSide::back)
+  {
+    return face;
+  }
+  const auto other = static_cast<Index>(mesh.neighbors[face.element][face.direction]);
+  const auto code = static_cast<std::int32_t>(face.element);
+  const ReducedFace wanted = faceOf(mesh.corners[face.element], face.direction);
+  for (std::uint8_t direction = 0; direction < 6; ++direction)
+  {
+    // Two elements may share two faces.
+    const ReducedFace candidate = faceOf(mesh.corners[other], direction);
+    if (mesh.neighbors[other][direction] == code &&
+        std::is_permutation(wanted.points.begin(), wanted.points.begin() + wanted.count, candidate.points.begin(),
+                            candidate.points.begin() + candidate.count))
+    {
+      face.direction = direction;
+    }
+  }
+  face.element = other;
+  face.side = SheetSide::back;
+  return face;
+}
+
 } // namespace
+
+void orderZoneFaces(DualMesh& mesh)
+{
+  for (ZoneFace& face : mesh.zoneFaces)
+  {
+    face = atBack(face, mesh);
+  }
+  std::ranges::sort(mesh.zoneFaces, [](const ZoneFace& l, const ZoneFace& r) {
+    return std::tuple(l.element, l.direction, l.tag) < std::tuple(r.element, r.direction, r.tag);
+  });
+}
 
 std::vector<ZoneFace> findZoneFaces(const Crossings& crossings, const SurfaceModel& model)
 {

@@ -9,4 +9,7 @@ namespace atria {
 /// crosses several surfaces, its face is on the first one that it does not pass back through.
 std::vector<ZoneFace> findZoneFaces(const Crossings& crossings, const SurfaceModel& model);
 
+/// Makes them faces of the elements at the backs of their surfaces, in the order of these and their directions.
+void orderZoneFaces(DualMesh& mesh);
+
 } // namespace atria
