@@ -127,14 +127,17 @@ std::optional<VtkPatches> recorded(vtkUnstructuredGrid* volume, const Arrays& ar
 
 void recordPatches(vtkPartitionedDataSetCollection* patches, vtkUnstructuredGrid* volume)
 {
-  record(patchesFromVtk(patches, volume), patchArrays, volume);
-  if (const VtkPatches zones = faceZonesFromVtk(patches, volume); !zones.patches.empty())
-  {
-    record(zones, zoneArrays, volume);
-  }
+  recordPatches(patchesFromVtk(patches, volume), faceZonesFromVtk(patches, volume), volume);
 }
 
-void recordPatches(const VtkPatches& patches, vtkUnstructuredGrid* volume) { record(patches, patchArrays, volume); }
+void recordPatches(const VtkPatches& patches, const VtkPatches& faceZones, vtkUnstructuredGrid* volume)
+{
+  record(patches, patchArrays, volume);
+  if (!faceZones.patches.empty())
+  {
+    record(faceZones, zoneArrays, volume);
+  }
+}
 
 bool hasRecordedPatches(vtkUnstructuredGrid* volume)
 {

@@ -14,8 +14,8 @@ namespace atria {
 /// more than four points, and as patchesFromVtk() does.
 void recordPatches(vtkPartitionedDataSetCollection* patches, vtkUnstructuredGrid* volume);
 
-/// The same of patches alone, whose cells and points may be those of the mesh that `volume` is a piece of.
-void recordPatches(const VtkPatches& patches, vtkUnstructuredGrid* volume);
+/// The same of patches and face zones whose cells and points may be those of the mesh that `volume` is a piece of.
+void recordPatches(const VtkPatches& patches, const VtkPatches& faceZones, vtkUnstructuredGrid* volume);
 
 /// Whether patches were recorded in the mesh, or in what it was made of by other filters.
 bool hasRecordedPatches(vtkUnstructuredGrid* volume);

@@ -27,11 +27,12 @@ namespace atria {
 
 namespace {
 
-/// A face of a patch, by numbers of the whole mesh. All ranks see all of them: 32 bytes each.
+/// A face of a patch or a face zone, by numbers of the whole mesh. All ranks see all of them: 36 bytes each.
 struct SharedFace
 {
   Index patch;
   Index owner;
+  Index neighbor; ///< of a face zone; else noIndex
   std::array<Index, 4> points;
   std::uint32_t count;
   int rank;
@@ -92,12 +93,18 @@ std::vector<SharedFace> facesOf(vtkPartitionedDataSetCollection* patches, int ra
   {
     vtkPolyData* patch = patchOf(patches, i);
     auto* owners = vtkIdTypeArray::SafeDownCast(patch->GetCellData()->GetArray("OwnerCellId"));
+    auto* neighbors = vtkIdTypeArray::SafeDownCast(patch->GetCellData()->GetArray("NeighborCellId"));
     auto* points = vtkIdTypeArray::SafeDownCast(patch->GetPointData()->GetArray("VolumePointId"));
     for (vtkIdType face = 0; face < patch->GetNumberOfCells(); ++face)
     {
       patch->GetPolys()->GetCellAtId(face, corners);
       SharedFace& shared = faces.emplace_back();
-      shared = {i, static_cast<Index>(owners->GetValue(face)), {}, 0, rank};
+      shared = {i,
+                static_cast<Index>(owners->GetValue(face)),
+                neighbors ? static_cast<Index>(neighbors->GetValue(face)) : noIndex,
+                {},
+                0,
+                rank};
       for (const vtkIdType corner : *corners)
       {
         shared.points[shared.count++] = static_cast<Index>(points->GetValue(corner));
@@ -158,21 +165,28 @@ void numberPatches(const std::vector<SharedFace>& all, int rank, vtkPartitionedD
 void recordFaces(const std::vector<SharedFace>& all, vtkPartitionedDataSetCollection* patches,
                  vtkUnstructuredGrid* volume)
 {
-  VtkPatches record;
+  VtkPatches ofPatches;
+  VtkPatches ofZones;
   auto next = all.begin();
   for (unsigned int i = 0; i < patches->GetNumberOfPartitionedDataSets(); ++i)
   {
+    const bool isZone = patchOf(patches, i)->GetCellData()->HasArray("NeighborCellId") != 0;
+    VtkPatches& record = isZone ? ofZones : ofPatches;
     const std::size_t first = record.owners.size();
     for (; next != all.end() && next->patch == i; ++next)
     {
       record.owners.push_back(next->owner);
+      if (isZone)
+      {
+        record.neighbors.push_back(next->neighbor);
+      }
       std::copy_n(next->points.begin(), next->count, std::back_inserter(record.points));
       record.offsets.push_back(static_cast<std::int64_t>(record.points.size()));
     }
     record.patches.push_back(
         {patches->GetMetaData(i)->Get(vtkCompositeDataSet::NAME()), first, record.owners.size() - first});
   }
-  recordPatches(record, volume);
+  recordPatches(ofPatches, ofZones, volume);
 }
 
 } // namespace
@@ -189,6 +203,8 @@ void sharedMeshToVtk(const SharedModel& model, RankExchange& exchange, const Exe
                 " points, of which there can be 4.2e9; raise the sizes (SizeMax, SizeMid, SizeMin)");
   }
   volumeToVtk(piece.mesh, volume, executor);
+  roomsToVtk(meshed.rooms, volume);
+  cellZonesToVtk(piece.mesh, meshed.names, meshed.kinds, volume, executor);
   numberPiece(piece, exchange.rank(), volume);
   patchesToVtk(piece.mesh, meshed.metSides, meshed.names, meshed.kinds, meshed.layers, patches,
                NumbersOfAll{piece.elementNumbers, piece.pointNumbers});

@@ -228,9 +228,9 @@ public:
    * ranks then make the mesh together, each its blocks from the octree on: no rank holds the whole, which may be larger
    * than the memory of one, unless DistributeOutput is off. The mesh is the same for any number of ranks and threads,
    * and a little different from that of other block sizes; 20,000 to 100,000 are good. One rank may take twice as long
-   * with blocks. The first rank alone makes, as a whole, what has face zones, cell zones, openings or leaks of sealed
-   * seeds, fewer blocks than there are ranks, or the octree of port 1; and, with a warning, a mesh of which ranks find
-   * something else where their parts meet. Not negative; default 0.
+   * with blocks. The first rank alone makes, as a whole, what has leaks of sealed seeds, fewer blocks than there are
+   * ranks, or the octree of port 1; and, with a warning, a mesh of which ranks find something else where their parts
+   * meet. Not negative; default 0.
    */
   vtkAtriaSetInRangeMacro(BlockSize, int, 0, VTK_INT_MAX);
   vtkGetMacro(BlockSize, int);

@@ -4,6 +4,7 @@
 #include "Mesher/SharedModel.h"
 #include "Support/DualMeshChecks.h"
 #include "Support/MeshIt.h"
+#include "Support/PieceOf.h"
 #include "Support/QuietContext.h"
 #include "Support/Shapes.h"
 #include "Support/ThreadRanks.h"
@@ -34,42 +35,6 @@ GridOptions gridOf(double sizeMin, double sizeMid)
 class SharedMesher : public ::testing::TestWithParam<int>
 {
 };
-
-/// That the elements of a piece are those of the whole of their numbers, with the same points, bit by bit.
-void expectPiece(const DualMesh& whole, const SharedPiece& piece, int rank)
-{
-  ASSERT_EQ(piece.elementCount, whole.elementCount());
-  ASSERT_EQ(piece.pointCount, whole.points.size());
-  std::size_t wrongCorners = 0;
-  std::size_t wrongPlaces = 0;
-  std::size_t wrongLabels = 0;
-  for (Index e = 0; e < piece.mesh.elementCount(); ++e)
-  {
-    const auto global = static_cast<Index>(piece.elementNumbers[e]);
-    for (int c = 0; c < 8; ++c)
-    {
-      const Index p = piece.mesh.corners[e][c];
-      wrongCorners += piece.pointNumbers[p] != whole.corners[global][c];
-      wrongPlaces += piece.mesh.points[p] != whole.points[whole.corners[global][c]];
-    }
-    wrongLabels += piece.mesh.zones[e] != whole.zones[global] || piece.mesh.levels[e] != whole.levels[global];
-  }
-  EXPECT_EQ(wrongCorners, 0U);
-  EXPECT_EQ(wrongPlaces, 0U);
-  EXPECT_EQ(wrongLabels, 0U);
-  for (std::size_t f = 0; f < piece.mesh.boundaryFaces.size(); ++f)
-  {
-    const BoundaryFace& face = piece.mesh.boundaryFaces[f];
-    const std::int32_t code = whole.neighbors[piece.elementNumbers[face.element]][face.direction];
-    ASSERT_TRUE(DualMesh::isBoundary(code));
-    const BoundaryFace& other = whole.boundaryFaces[DualMesh::boundaryFaceOf(code)];
-    EXPECT_EQ(face.tag, other.tag);
-    EXPECT_EQ(face.side, other.side);
-    EXPECT_EQ(face.onDomainSide, other.onDomainSide);
-    EXPECT_EQ(piece.hasOpposite[f] != 0, other.opposite != noIndex);
-    EXPECT_EQ(piece.elementRanks[face.element], rank);
-  }
-}
 
 void expectLayers(const DualMeshResult& whole, const SharedDual& dual)
 {

@@ -113,10 +113,19 @@ TEST_F(TogetherOnRanks, TheFirstMakesWhatNeedsTheWhole)
 {
   mesher->SetBlockSize(1000000); // one block
   expectThatOfOneProcess(false);
-  mesher->SetBlockSize(blockSize);
-  setSceneEverywhere();
+}
+
+TEST_F(TogetherOnRanks, FaceZonesAndCellZonesMayReachOverRanks)
+{
   mesher->AddFaceZone("Canopy");
-  expectThatOfOneProcess(false);
+  mesher->AddCellZone("Dome");
+  for (const int layers : {0, 1})
+  {
+    SCOPED_TRACE(layers);
+    setSceneEverywhere();
+    mesher->SetNumberOfLayers(layers);
+    expectThatOfOneProcess();
+  }
 }
 
 TEST_F(TogetherOnRanks, AnErrorOfAllIsToldOnce)

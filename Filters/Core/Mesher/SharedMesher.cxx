@@ -6,6 +6,7 @@
 #include "Mesher/SharedReport.h"
 #include "Mesher/Shares/SharedBlocks.h"
 #include "Mesher/Shares/SharedElements.h"
+#include "Mesher/Shares/SharedLabels.h"
 #include "Mesher/Shares/SharedZones.h"
 
 #include <algorithm>
@@ -68,8 +69,13 @@ public:
     const DualMesh below = connectionsOf(std::move(plain));
     const SharedLayers layers(window, below, layer);
     leaveOutWhatFails(layers, improved);
+    orderZoneFaces(improved.mesh);
+    measure(layers, improved, out.found.rooms);
     clock.lap("layers");
-    release(improved.mesh.neighbors);
+    if (improved.mesh.zoneFaces.empty())
+    {
+      release(improved.mesh.neighbors);
+    }
     out.piece = takePiece(improved.mesh, {improved.numbers, improved.pointNumbers}, layers, layer, share, ghostLevels,
                           report.elements());
     report.addDetached(improved, out.piece);
@@ -101,6 +107,8 @@ private:
       return std::nullopt;
     }
     found.zones = report.summarize(zones, found.keptZones, *grid, *points, surfaceCount, context);
+    Labels labels = findSharedLabels(zones, found.zones, grid->displaced, *points, options.rooms, share, context);
+    found.rooms = reportOf(labels.rooms, context.model);
     std::vector<char> kept = found.keptZones;
     kept.push_back(1); // what is elsewhere is cut off later
     report.addCracks(*grid, zones, kept, *points, context);
@@ -108,7 +116,8 @@ private:
     clock.lap("zones");
     release(grid->points.atCorner); // only crossings and zones ask for these
     std::vector<Diagnostic> diagnostics;
-    ClassifiedMesh plain = makeElements(*grid, zones, elements, {}, diagnostics, clock, context.part(0.3, 0.5));
+    ClassifiedMesh plain =
+        makeElements(*grid, zones, elements, std::move(labels), diagnostics, clock, context.part(0.3, 0.5));
     grid.reset(); // it is larger than the mesh
     zones = {};
     const std::vector<PointKey> keys = keysOf(elements, *points);
@@ -158,6 +167,21 @@ private:
       report.addLeftOut(improved, layers);
       orderFaces(improved);
     }
+  }
+
+  /// Rooms, by own elements, which are not placed in the model yet.
+  void measure(const SharedLayers& layers, const ImprovedMesh& improved, RoomReport& rooms) const
+  {
+    std::vector<Index> before;
+    for (Index e = 0; e < improved.numbers.size(); ++e)
+    {
+      if (improved.numbers[e] != noIndex)
+      {
+        before.push_back(e);
+      }
+    }
+    const auto isOwn = [&](Index e) { return layers.isOwn(before.empty() ? e : before[e]); };
+    measureRooms(improved.mesh, context.model, context.octree.frame().domain, {isOwn, &share.exchange()}, rooms);
   }
 
   /// Own elements have no faces where the window was cut; tags of sides were one higher.

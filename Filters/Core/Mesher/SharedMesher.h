@@ -18,10 +18,10 @@ struct SharedDual
   SharedPiece piece;
 };
 
-/// `octree` is that of the rank's share, whose leaves know their pieces of the model. There are no permeable surfaces.
-/// The blocks of the share are those of `options`. All ranks call it at the same time. Nothing, on all ranks, where a
-/// zone that should be sealed is not: its way out is to be found in the whole. Throws as makeDualMesh, and where ranks
-/// find something else where their shares meet: see RankExchange.
+/// `octree` is that of the rank's share, whose leaves know their pieces of the model. The blocks of the share are those
+/// of `options`. All ranks call it at the same time. Nothing, on all ranks, where a zone that should be sealed is not:
+/// its way out is to be found in the whole. Throws as makeDualMesh, and where ranks find something else where their
+/// shares meet: see RankExchange.
 std::optional<SharedDual> makeSharedMesh(const Octree& octree, const SurfaceModel& model,
                                          const DualMeshOptions& options, const RankShare& share, int ghostLevels,
                                          StageClock& clock, const RunContext& context);

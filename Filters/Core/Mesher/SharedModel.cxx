@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesher/SharedModel.h"
 
+#include "Dual/Zones/CellZones.h"
 #include "Layer/LayerBudget.h"
 #include "Mesher/LostModel.h"
 #include "Mesher/SharedMesher.h"
@@ -14,10 +15,14 @@ namespace {
 /// The part of the run that is over when octants have their sizes.
 constexpr double sizingShare = 0.25;
 
-bool isPermeable(const SurfaceModel& model)
+std::vector<char> cellZonesOnRanks(const SharedPiece& piece, const SurfaceModel& model, RankExchange& exchange)
 {
-  const auto isOther = [](SurfaceKind kind) { return kind != SurfaceKind::wall; };
-  return std::ranges::any_of(model.kinds, isOther) || !model.walls.empty();
+  std::vector<char> isMet(model.names.size(), 0);
+  for (const std::vector<char>& some : gatherAll(exchange, metCellZones(piece.mesh.cellZones, model)))
+  {
+    std::ranges::transform(some, isMet, isMet.begin(), [](char a, char b) { return a | b; });
+  }
+  return isMet;
 }
 
 std::vector<MetSides> metOnRanks(const SharedPiece& piece, std::size_t surfaceCount, RankExchange& exchange)
@@ -116,10 +121,6 @@ std::optional<SharedModel> meshSharedModel(const TriangleSurface& surface, const
   context.progress.report(0.0, "Repairing surfaces");
   const PlacedModel placed = placeModel(surface, plan, options);
   const SurfaceModel model = makeSurfaceModel(placed, options, context.part(0.0, 0.2));
-  if (isPermeable(model))
-  {
-    return std::nullopt;
-  }
   clock.lap("surface");
   SizedOctants sized = sizeOctants(model, placed.frame, options, context.part(0.2, 1.0));
   const RankShare share(sized.refined, placed.frame, options.mesh.blockSize, exchange);
@@ -136,9 +137,11 @@ std::optional<SharedModel> meshSharedModel(const TriangleSurface& surface, const
   static_cast<DualMeshResult&>(meshed) = std::move(made->found);
   out->piece = std::move(made->piece);
   meshed.metSides = metOnRanks(out->piece, model.names.size(), exchange);
-  for (const std::string& warning : warningsOfLostModel(surface, options, placed.frame, meshed.metSides))
+  for (const std::vector<std::string>& warnings :
+       {warningsOfEmptyCellZones(cellZonesOnRanks(out->piece, model, exchange), model),
+        warningsOfLostModel(surface, options, placed.frame, meshed.metSides)})
   {
-    meshed.inputWarnings.push_back(warning);
+    meshed.inputWarnings.insert(meshed.inputWarnings.end(), warnings.begin(), warnings.end());
   }
   meshed.sizingWarning = sized.warning;
   meshed.names = model.names;

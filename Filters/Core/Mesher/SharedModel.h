@@ -20,8 +20,7 @@ struct SharedModel
 /// The mesh of meshModel() with the same options, in pieces, each with so many ghost levels: the same elements,
 /// numbers, names and bits of points for any number of ranks. All ranks call it at the same time, with the same
 /// arguments. Returns nothing, on all ranks, where only one can make the mesh, as a whole: without a block size, where
-/// that leaves fewer blocks than ranks, or one, where there are face zones, cell zones or openings, and where the zone
-/// of a sealed seed leaks.
+/// that leaves fewer blocks than ranks, or one, and where the zone of a sealed seed leaks.
 /// Octrees of ranks have so many `rows` about their shares, and twice and four times as many where ranks disagree.
 /// Throws as meshModel(), and RanksDisagree where they do even then.
 std::optional<SharedModel> meshSharedModel(const TriangleSurface& surface, const MesherOptions& options,

@@ -27,6 +27,8 @@ public:
     sum_ = 0;
     add(static_cast<std::uint64_t>(mesh.levels[element]));
     add(static_cast<std::uint64_t>(mesh.zones[element]));
+    add(mesh.rooms.empty() ? 0 : static_cast<std::uint64_t>(mesh.rooms[element]));
+    add(mesh.cellZones.empty() ? 0 : static_cast<std::uint64_t>(mesh.cellZones[element]));
     std::ranges::for_each(mesh.corners[element], [this](Index point) { addPoint(point); });
     std::ranges::for_each(mesh.neighbors[element], [this](std::int32_t code) { addFace(code); });
     return sum_;

@@ -173,6 +173,8 @@ private:
     out.mesh.neighbors.reserve(count);
     out.mesh.levels.reserve(count);
     out.mesh.zones.reserve(count);
+    out.mesh.rooms.reserve(mesh.rooms.empty() ? 0 : count);
+    out.mesh.cellZones.reserve(mesh.cellZones.empty() ? 0 : count);
   }
 
   void takeFaces()
@@ -187,6 +189,16 @@ private:
         face.opposite = face.opposite == noIndex ? noIndex : newElements[face.opposite];
         out.mesh.boundaryFaces.push_back(face);
         out.facesBefore.push_back(f);
+      }
+    }
+    for (ZoneFace face : mesh.zoneFaces)
+    {
+      if (isOwn(face.element))
+      {
+        const auto other = static_cast<Index>(mesh.neighbors[face.element][face.direction]);
+        face.element = newElements[face.element];
+        out.mesh.neighbors[face.element][face.direction] = static_cast<std::int32_t>(newElements[other]);
+        out.mesh.zoneFaces.push_back(face);
       }
     }
   }

@@ -9,7 +9,7 @@ namespace atria {
 /// What stays of a rank's mesh with layers once it is done: its own elements and those about them.
 struct SharedPiece
 {
-  /// Without neighbors. Boundary faces are those of own elements.
+  /// Boundary faces, and those of zones, are those of own elements. Without neighbors but those across faces of zones.
   DualMesh mesh;
   /// Where they were before.
   std::vector<Index> elementsBefore;

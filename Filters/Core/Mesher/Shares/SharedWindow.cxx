@@ -124,6 +124,8 @@ SharedWindow keepShare(const DualMesh& mesh, const VertexClassification& classif
   const std::vector<Index> kept = elementsToKeep(mesh, std::move(ownPoints), near, isOwn);
   out.mesh = extractWindow(mesh, mesh.points, classification, vertexOf, kept, cutTag);
   orderBoundaryFaces(out.mesh.mesh);
+  out.mesh.mesh.rooms = mesh.rooms.empty() ? mesh.rooms : chosenOf(mesh.rooms, kept);
+  out.mesh.mesh.cellZones = mesh.cellZones.empty() ? mesh.cellZones : chosenOf(mesh.cellZones, kept);
   out.elementKeys = chosenOf(elementKeys, kept);
   if (std::ranges::find(out.elementKeys, SharedPoints::noKey) != out.elementKeys.end())
   {
