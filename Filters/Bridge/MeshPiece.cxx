@@ -144,6 +144,7 @@ std::optional<MeshPiece> MeshPiece::of(vtkUnstructuredGrid* grid, vtkPartitioned
   else if (count > 0 && !areGiven)
   {
     piece.takePatches(recordedPatches(grid).value_or(VtkPatches()));
+    piece.takeZones(recordedFaceZones(grid).value_or(VtkPatches()));
   }
   return piece;
 }
@@ -178,7 +179,46 @@ void MeshPiece::takePatches(const VtkPatches& all)
     }
     patches.patches.push_back({patch.name, before, patches.owners.size() - before});
   }
-  isWithZones = recordedFaceZones(grid).has_value();
+}
+
+void MeshPiece::takeZones(const VtkPatches& all)
+{
+  for (const VtkPatches::Patch& zone : all.patches)
+  {
+    const std::size_t before = zones.owners.size();
+    for (std::size_t f = zone.firstFace; f < zone.firstFace + zone.faceCount; ++f)
+    {
+      const Index cell = cells.find(all.owners[f]);
+      if (cell != noIndex && isOwn(cell))
+      {
+        zones.owners.push_back(all.owners[f]);
+        zones.neighbors.push_back(all.neighbors[f]);
+        zones.points.insert(zones.points.end(), all.points.begin() + all.offsets[f],
+                            all.points.begin() + all.offsets[f + 1]);
+        zones.offsets.push_back(static_cast<std::int64_t>(zones.points.size()));
+      }
+    }
+    zones.patches.push_back({zone.name, before, zones.owners.size() - before});
+  }
+}
+
+void MeshPiece::takeZone(vtkPolyData* zone)
+{
+  vtkDataArray* owners = zone->GetCellData()->GetArray("OwnerCellId");
+  vtkDataArray* neighbors = zone->GetCellData()->GetArray("NeighborCellId");
+  vtkDataArray* ids = zone->GetPointData()->GetArray("VolumePointId");
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType face = 0; owners && neighbors && ids && face < zone->GetNumberOfCells(); ++face)
+  {
+    zone->GetCellPoints(face, corners);
+    zones.owners.push_back(static_cast<Index>(owners->GetComponent(face, 0)));
+    zones.neighbors.push_back(static_cast<Index>(neighbors->GetComponent(face, 0)));
+    for (const vtkIdType corner : *corners)
+    {
+      zones.points.push_back(static_cast<std::int64_t>(ids->GetComponent(corner, 0)));
+    }
+    zones.offsets.push_back(static_cast<std::int64_t>(zones.points.size()));
+  }
 }
 
 void MeshPiece::takePatches(vtkPartitionedDataSetCollection* given)
@@ -186,18 +226,22 @@ void MeshPiece::takePatches(vtkPartitionedDataSetCollection* given)
   for (unsigned int i = 0; i < given->GetNumberOfPartitionedDataSets(); ++i)
   {
     const std::size_t before = patches.owners.size();
+    const std::size_t zonesBefore = zones.owners.size();
     bool isZone = false;
     for (unsigned int j = 0; j < given->GetNumberOfPartitions(i); ++j)
     {
       auto* patch = vtkPolyData::SafeDownCast(given->GetPartitionAsDataObject(i, j));
       isZone = isZone || (patch && patch->GetCellData()->GetArray("NeighborCellId"));
-      if (patch && !isZone)
+      if (patch)
       {
-        takePatch(patch);
+        isZone ? takeZone(patch) : takePatch(patch);
       }
     }
-    isWithZones = isWithZones || isZone;
-    if (!isZone)
+    if (isZone)
+    {
+      zones.patches.push_back({patchNameOf(given, i), zonesBefore, zones.owners.size() - zonesBefore});
+    }
+    else
     {
       patches.patches.push_back({patchNameOf(given, i), before, patches.owners.size() - before});
     }

@@ -58,7 +58,8 @@ public:
   /// Faces of patches, ghosts' among them where patches are recorded, with the numbers of the piece. A rank without
   /// cells may have no patches.
   const VtkPatches& facesOfPatches() const { return patches; }
-  bool hasFaceZones() const { return isWithZones; }
+  /// Faces of face zones that are of its own cells, with numbers of the whole.
+  const VtkPatches& facesOfZones() const { return zones; }
 
   /// With so many rings of cells about its own, and what cells bear; of all.
   WidePiece widen(int rings, RankExchange& exchange, const Executor& executor,
@@ -75,6 +76,8 @@ private:
   void takePatches(vtkPartitionedDataSetCollection* given);
   void takePatch(vtkPolyData* patch);
   template <typename IdOf> void takeFace(vtkIdType owner, std::size_t corners, IdOf&& idOf);
+  void takeZones(const VtkPatches& all);
+  void takeZone(vtkPolyData* zone);
   std::vector<double> answer(std::span<const vtkIdType> asked,
                              const std::vector<vtkSmartPointer<vtkDataArray>>& arrays) const;
   void take(const std::vector<double>& answers, const std::vector<vtkSmartPointer<vtkDataArray>>& arrays) const;
@@ -97,7 +100,7 @@ private:
   Ids cells;
   Ids points;
   VtkPatches patches;
-  bool isWithZones = false;
+  VtkPatches zones;
 };
 
 } // namespace atria

@@ -104,6 +104,7 @@ std::vector<PatchEntry> patchEntries(std::span<const SolverPatch> of)
 }
 
 std::vector<CellZone> namedZones(std::vector<CellZone> zones) { return withNames(std::move(zones)); }
+std::vector<FaceZone> namedZones(std::vector<FaceZone> zones) { return withNames(std::move(zones)); }
 
 void removeMesh(const fs::path& caseFolder) { removeEarlierMesh(caseFolder / "constant" / "polyMesh"); }
 
@@ -120,7 +121,7 @@ void writePolyMesh(const fs::path& caseFolder, const SolverMesh& mesh, OpenFOAMF
   context.executor.forEach(files.size(), 1, [&](std::size_t i) { (writer.*files[i])(); });
   context.progress.report(0.9, "Writing patches");
   writer.writeBoundary(patchEntries(mesh.patches));
-  writer.writeFaceZones(withNames(mesh.faceZones));
+  writer.writeFaceZones(namedZones(mesh.faceZones));
   writer.writeCellZones(namedZones(mesh.cellZones));
   context.progress.report(1.0, "Mesh written");
   removeEarlierMesh(folder);

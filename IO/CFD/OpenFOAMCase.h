@@ -27,6 +27,7 @@ std::vector<PatchEntry> patchEntries(std::span<const SolverPatch> patches);
 
 /// Zones with names that OpenFOAM takes.
 std::vector<CellZone> namedZones(std::vector<CellZone> zones);
+std::vector<FaceZone> namedZones(std::vector<FaceZone> zones);
 
 /// Takes away a mesh that a case has, with all that goes with it.
 void removeMesh(const std::filesystem::path& caseFolder);

@@ -5,6 +5,7 @@
 #include "OutputFolders.h"
 #include "PieceLabels.h"
 #include "PieceProcessor.h"
+#include "PieceZones.h"
 #include "Quality/Checks/PartCounts.h"
 
 #include <algorithm>
@@ -41,7 +42,7 @@ public:
   PieceCaseWriter(const PieceCase& pieceCase, const MeshPiece& meshPiece, vtkUnstructuredGrid* volume,
                   RankExchange& rankExchange, const RunContext& within, int ringCount)
       : target(pieceCase), piece(meshPiece), exchange(rankExchange), context(within), rings(ringCount),
-        labels(volume, rankExchange)
+        labels(volume, rankExchange), zones(meshPiece, rankExchange)
   {
   }
 
@@ -53,9 +54,13 @@ public:
     const JudgedMesh now = uniteAndJudge(
         makeMesh, before.patchOf, {target.mergeCells, target.mergeFaces, before.zoneOf}, context.part(0.1, 0.6), &part);
     const UnitedCells cells = unitedCells(now, part);
-    UnitedPiece united{now, cells, patchNow(now), {}, {}};
+    UnitedPiece united{now,
+                       cells,
+                       patchNow(now),
+                       {},
+                       namedZones(zones.zonesOf(now)),
+                       namedZones(labels.zonesOf(wide, now, cells, exchange))};
     united.patches = namePatches(united);
-    united.zones = namedZones(labels.zonesOf(wide, now, cells, exchange));
     const PieceNumbers numbers = numberPiece(now, cells, part, before.ownPoints);
     const FaceNumbers faces = numberFaces(now.mesh, cells, numbers, united.patchOf, exchange);
     context.progress.report(0.7, "Writing the processors' meshes");
@@ -99,12 +104,25 @@ private:
     before = {mesh.internalFaceCount(),
               {},
               patchOfFaces(mesh, cells),
-              labels.zoneOfFaces(cells, mesh),
+              zoneOfFaces(mesh, cells),
               pointsOfOwn(mesh, cells.ownCells())};
     std::ranges::transform(mesh.owner, std::back_inserter(before.isOwnFace),
                            [&](Index cell) { return cells.rings[cell] == 0; });
     wide = std::move(cells);
     return mesh;
+  }
+
+  /// As zoneOfFaces() of SolverSource.h.
+  std::vector<Index> zoneOfFaces(const FaceMesh& mesh, const WideNumbers& cells)
+  {
+    std::vector<Index> zoneOf = labels.zoneOfFaces(cells, mesh, static_cast<Index>(zones.count()));
+    if (zones.count() > 0)
+    {
+      zoneOf.resize(mesh.internalFaceCount(), noIndex);
+      zones.find(cells, mesh, context.executor);
+      zones.mark(zoneOf);
+    }
+    return zoneOf;
   }
 
   std::vector<Index> patchOfFaces(const FaceMesh& mesh, const WidePiece& cells) const
@@ -243,6 +261,7 @@ private:
   const RunContext& context;
   int rings;
   PieceLabels labels;
+  PieceZones zones;
   WideNumbers wide;
   MeshBefore before;
 };

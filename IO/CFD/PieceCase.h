@@ -37,8 +37,8 @@ struct WrittenCase
 
 /// Has each rank write the folder of the processor of its number, with the cells that it has of the mesh: as
 /// writeProcessors() writes it of the same division, bit by bit. Folders are put in place when all are complete. `grid`
-/// is what `piece` was made of, without face zones. Throws Error for a rank without cells and for what cannot be
-/// written, RanksDisagree where only the whole mesh can be written. Of all ranks.
+/// is what `piece` was made of. Throws Error for a rank without cells and for what cannot be written, RanksDisagree
+/// where only the whole mesh can be written. Of all ranks.
 WrittenCase writePieces(const PieceCase& target, const MeshPiece& piece, vtkUnstructuredGrid* grid,
                         RankExchange& exchange, const RunContext& context);
 

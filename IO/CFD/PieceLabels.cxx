@@ -99,7 +99,7 @@ std::vector<IdView> PieceLabels::views() const
   return out;
 }
 
-std::vector<Index> PieceLabels::zoneOfFaces(const WideNumbers& piece, const FaceMesh& mesh) const
+std::vector<Index> PieceLabels::zoneOfFaces(const WideNumbers& piece, const FaceMesh& mesh, Index between) const
 {
   const auto hasNames = [](const List& list) { return !list.names.empty(); };
   if (std::ranges::none_of(lists, hasNames))
@@ -113,7 +113,7 @@ std::vector<Index> PieceLabels::zoneOfFaces(const WideNumbers& piece, const Face
     {
       const std::vector<std::int64_t>& labels = piece.labels[i];
       const bool differ = hasNames(lists[i]) && labels[mesh.owner[f]] != labels[mesh.neighbor[f]];
-      zoneOf[f] = differ ? 0 : zoneOf[f];
+      zoneOf[f] = differ ? between : zoneOf[f];
     }
   }
   const bool isAny = std::ranges::any_of(zoneOf, [](Index zone) { return zone != noIndex; });

@@ -23,8 +23,8 @@ public:
   /// The lists, as widen() takes them.
   std::vector<IdView> views() const;
 
-  /// By internal face, as zoneOfFaces() of SolverSource.h; empty where no face is one of a zone.
-  std::vector<Index> zoneOfFaces(const WideNumbers& piece, const FaceMesh& mesh) const;
+  /// By internal face `between` where zones with names meet, noIndex elsewhere; empty where none do.
+  std::vector<Index> zoneOfFaces(const WideNumbers& piece, const FaceMesh& mesh, Index between) const;
 
   /// Those of the whole that have cells, with the cells that are here now. Of all ranks.
   std::vector<CellZone> zonesOf(const WideNumbers& piece, const JudgedMesh& now, const UnitedCells& cells,

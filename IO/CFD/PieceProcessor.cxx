@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <utility>
 
 namespace atria {
 
@@ -129,7 +130,31 @@ private:
 
   void addZones()
   {
-    for (const CellZone& zone : piece.zones)
+    std::vector<Index> placeOf(mesh.faceCount(), noIndex);
+    for (Index i = 0; i < faces.size(); ++i)
+    {
+      placeOf[faces[i]] = i;
+    }
+    for (const FaceZone& zone : piece.faceZones)
+    {
+      FaceZone& own = out.faceZones.emplace_back(FaceZone{zone.name, {}, {}});
+      std::vector<std::pair<Index, char>> its;
+      for (std::size_t i = 0; i < zone.faces.size(); ++i)
+      {
+        const Index face = zone.faces[i];
+        if (placeOf[face] != noIndex)
+        {
+          its.emplace_back(placeOf[face], (zone.flips[i] != 0) != isTurned(face) ? 1 : 0);
+        }
+      }
+      std::ranges::sort(its);
+      for (const auto& [place, flip] : its)
+      {
+        own.faces.push_back(place);
+        own.flips.push_back(flip);
+      }
+    }
+    for (const CellZone& zone : piece.cellZones)
     {
       CellZone& own = out.cellZones.emplace_back(CellZone{zone.name, {}});
       for (const Index cell : zone.cells)

@@ -17,7 +17,8 @@ struct UnitedPiece
   const UnitedCells& cells;
   std::vector<Index> patchOf;      ///< by boundary face
   std::vector<PatchEntry> patches; ///< those of the whole
-  std::vector<CellZone> zones;     ///< those of the whole, with cells by their number here
+  std::vector<FaceZone> faceZones; ///< those of the whole, with faces by their numbers here
+  std::vector<CellZone> cellZones; ///< the same of cells
 };
 
 /// As decompose() makes it of the whole mesh that one process writes. Without numbers of the whole where these are more

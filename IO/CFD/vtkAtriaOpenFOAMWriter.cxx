@@ -141,10 +141,6 @@ void vtkAtriaOpenFOAMWriter::WritePiece(const atria::MeshPiece& piece, vtkUnstru
                                         atria::RankExchange& ranks)
 {
   this->CheckProperties();
-  if (atria::isAnywhere(piece.hasFaceZones(), ranks))
-  {
-    throw atria::RanksDisagree("it has face zones");
-  }
   if (ranks.rank() == 0)
   {
     atria::refuseProcessorResults(this->CaseDirectory);

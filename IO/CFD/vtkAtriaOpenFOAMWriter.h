@@ -89,10 +89,9 @@ public:
   /**
    * With UseRanksAsProcessors on several ranks: write the whole mesh, too. Without it no rank needs memory for it: each
    * makes its processor of what it has, and there is no constant/polyMesh in the case: that of an earlier mesh is
-   * removed. The folders are the same. Of a mesh with face zones, or whose pieces have no ghost cells or global ids
-   * without gaps, the whole is written all the same, with a warning; in one process always. Where the whole has more
-   * than labels of 32 bits can number, processors do not tell what their cells, faces and points are in it, with a
-   * warning. On by default.
+   * removed. The folders are the same. Of a mesh whose pieces have no ghost cells or global ids without gaps, the whole
+   * is written all the same, with a warning; in one process always. Where the whole has more than labels of 32 bits can
+   * number, processors do not tell what their cells, faces and points are in it, with a warning. On by default.
    */
   vtkSetMacro(WriteWholeMesh, bool);
   vtkGetMacro(WriteWholeMesh, bool);

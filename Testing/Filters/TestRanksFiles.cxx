@@ -164,6 +164,32 @@ protected:
     return written;
   }
 
+  /// Writes the mesh with and without the whole.
+  void expectSameWithoutTheWhole(const std::string& name)
+  {
+    update(mesher);
+    writer->WriteWholeMeshOn();
+    ASSERT_EQ(write(name), 1);
+    const auto processors = processorFiles(name);
+    const int failed = writer->GetNumberOfFailedChecks();
+    const vtkIdType merged = writer->GetNumberOfMergedCells(), added = writer->GetNumberOfAddedCells(),
+                    mergedFaces = writer->GetNumberOfMergedFaces();
+    writer->WriteWholeMeshOff();
+    for (vtkPartitionedDataSetCollection* given : {patches(), static_cast<vtkPartitionedDataSetCollection*>(nullptr)})
+    {
+      ASSERT_EQ(write(volume(), given, name), 1);
+      EXPECT_EQ(processorFiles(name), processors);
+      EXPECT_EQ(fs::exists(fs::path(name) / "constant" / "polyMesh" / "points"), ranks() == 1);
+      if (rank() == 0)
+      {
+        EXPECT_EQ(writer->GetNumberOfFailedChecks(), failed);
+        EXPECT_EQ(writer->GetNumberOfMergedCells(), merged);
+        EXPECT_EQ(writer->GetNumberOfAddedCells(), added);
+        EXPECT_EQ(writer->GetNumberOfMergedFaces(), mergedFaces);
+      }
+    }
+  }
+
   vtkNew<vtkAtriaOpenFOAMWriter> writer;
 };
 
@@ -203,28 +229,31 @@ TEST_F(WrittenProcessors, AreTheSameWithoutTheWholeMesh)
     {
       mesher->SetZoneRule(allZones ? vtkAtriaDualMesher::All : vtkAtriaDualMesher::Outside);
       writer->SetWriteBinary(allZones);
-      update(mesher);
+      expectSameWithoutTheWhole(file("case") + std::to_string(count++));
+    }
+  }
+}
+
+TEST_F(WrittenProcessors, HaveFaceZonesAndCellZonesWithoutTheWholeMesh)
+{
+  int count = 0;
+  mesher->AddFaceZone("Canopy");
+  mesher->AddCellZone("Dome");
+  mesher->SetZoneRule(vtkAtriaDualMesher::All);
+  for (const int blockSize : {0, 1000})
+  {
+    for (const int layers : {0, 2})
+    {
+      mesher->SetBlockSize(blockSize);
+      mesher->SetNumberOfLayers(layers);
       const std::string name = file("case") + std::to_string(count++);
-      writer->WriteWholeMeshOn();
-      ASSERT_EQ(write(name), 1);
-      const auto processors = processorFiles(name);
-      const int failed = writer->GetNumberOfFailedChecks();
-      const vtkIdType merged = writer->GetNumberOfMergedCells(), added = writer->GetNumberOfAddedCells(),
-                      mergedFaces = writer->GetNumberOfMergedFaces();
-      writer->WriteWholeMeshOff();
-      for (vtkPartitionedDataSetCollection* given : {patches(), static_cast<vtkPartitionedDataSetCollection*>(nullptr)})
+      expectSameWithoutTheWhole(name);
+      std::size_t faces = 0;
+      for (const auto& [path, text] : processorFiles(name))
       {
-        ASSERT_EQ(write(volume(), given, name), 1);
-        EXPECT_EQ(processorFiles(name), processors);
-        EXPECT_EQ(fs::exists(fs::path(name) / "constant" / "polyMesh" / "points"), ranks() == 1);
-        if (rank() == 0)
-        {
-          EXPECT_EQ(writer->GetNumberOfFailedChecks(), failed);
-          EXPECT_EQ(writer->GetNumberOfMergedCells(), merged);
-          EXPECT_EQ(writer->GetNumberOfAddedCells(), added);
-          EXPECT_EQ(writer->GetNumberOfMergedFaces(), mergedFaces);
-        }
+        faces += path.find("faceZones") != std::string::npos && text.find("Canopy") != std::string::npos ? 1 : 0;
       }
+      EXPECT_EQ(faces, ranks() == 1 ? 0U : static_cast<std::size_t>(ranks()));
     }
   }
 }

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "PieceZones.h"
+
+#include "Quality/Faces/Geometry.h"
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace atria {
+
+namespace {
+
+/// By zone, what ranks have of it, as one.
+class ZoneGatherer
+{
+public:
+  void add(const VtkPatches& some)
+  {
+    for (const VtkPatches::Patch& zone : some.patches)
+    {
+      const auto [known, isNew] = numbers.try_emplace(zone.name, names.size());
+      if (isNew)
+      {
+        names.push_back(zone.name);
+        faces.emplace_back();
+      }
+      VtkPatches& to = faces[known->second];
+      for (std::size_t f = zone.firstFace; f < zone.firstFace + zone.faceCount; ++f)
+      {
+        append(some, f, to);
+      }
+    }
+  }
+
+  VtkPatches take()
+  {
+    VtkPatches out;
+    for (std::size_t zone = 0; zone < names.size(); ++zone)
+    {
+      const std::size_t first = out.owners.size();
+      for (std::size_t f = 0; f < faces[zone].owners.size(); ++f)
+      {
+        append(faces[zone], f, out);
+      }
+      out.patches.push_back({names[zone], first, out.owners.size() - first});
+    }
+    return out;
+  }
+
+private:
+  static void append(const VtkPatches& from, std::size_t f, VtkPatches& to)
+  {
+    to.owners.push_back(from.owners[f]);
+    to.neighbors.push_back(from.neighbors[f]);
+    to.points.insert(to.points.end(), from.points.begin() + from.offsets[f], from.points.begin() + from.offsets[f + 1]);
+    to.offsets.push_back(static_cast<std::int64_t>(to.points.size()));
+  }
+
+  std::map<std::string, std::size_t> numbers;
+  std::vector<std::string> names;
+  std::vector<VtkPatches> faces;
+};
+
+VtkPatches gatherZones(const VtkPatches& own, RankExchange& exchange)
+{
+  std::vector<char> names; // each with a zero after it
+  std::vector<std::size_t> counts;
+  for (const VtkPatches::Patch& zone : own.patches)
+  {
+    names.insert(names.end(), zone.name.c_str(), zone.name.c_str() + zone.name.size() + 1);
+    counts.push_back(zone.faceCount);
+  }
+  ZoneGatherer gatherer;
+  for (const Bytes& bytes : exchange.gather(bytesOf(names, counts, own.owners, own.neighbors, own.offsets, own.points)))
+  {
+    VtkPatches some;
+    readBytes(bytes, names, counts, some.owners, some.neighbors, some.offsets, some.points);
+    const char* name = names.data();
+    std::size_t first = 0;
+    for (const std::size_t count : counts)
+    {
+      some.patches.push_back({name, first, count});
+      name += some.patches.back().name.size() + 1;
+      first += count;
+    }
+    gatherer.add(some);
+  }
+  return gatherer.take();
+}
+
+Vec3 areaOf(const FaceMesh& mesh, Index face) { return measurePolygon(mesh.points, mesh.face(face)).area; }
+
+/// noIndex where it is not there.
+Index placeOf(std::int64_t id, const std::vector<std::int64_t>& rising)
+{
+  const auto found = std::ranges::lower_bound(rising, id);
+  return found != rising.end() && *found == id ? static_cast<Index>(found - rising.begin()) : noIndex;
+}
+
+} // namespace
+
+PieceZones::PieceZones(const MeshPiece& piece, RankExchange& exchange)
+    : all(gatherZones(piece.facesOfZones(), exchange))
+{
+}
+
+void PieceZones::find(const WideNumbers& piece, const FaceMesh& mesh, const Executor& executor)
+{
+  VtkPatches here;
+  std::vector<Index> zoneOf;
+  for (Index zone = 0; zone < all.patches.size(); ++zone)
+  {
+    const VtkPatches::Patch& its = all.patches[zone];
+    for (std::size_t f = its.firstFace; f < its.firstFace + its.faceCount; ++f)
+    {
+      const Index owner = piece.findCell(all.owners[f]);
+      const Index neighbor = piece.findCell(all.neighbors[f]);
+      if (owner == noIndex || neighbor == noIndex)
+      {
+        continue;
+      }
+      std::transform(all.points.begin() + all.offsets[f], all.points.begin() + all.offsets[f + 1],
+                     std::back_inserter(here.points),
+                     [&](std::int64_t id) { return std::int64_t{placeOf(id, piece.pointIds)}; });
+      here.offsets.push_back(static_cast<std::int64_t>(here.points.size()));
+      here.owners.push_back(owner);
+      here.neighbors.push_back(neighbor);
+      zoneOf.push_back(zone);
+    }
+  }
+  found.assign(all.patches.size(), {});
+  const std::vector<BoundaryFaceKey> keys = here.keys();
+  const std::vector<Index> faces = findInternalFaces(mesh, keys, here.neighbors, executor);
+  for (std::size_t f = 0; f < faces.size(); ++f)
+  {
+    if (faces[f] == noIndex)
+    {
+      throw RanksDisagree("a face of face zone '" + all.patches[zoneOf[f]].name + "' is no face between its cells");
+    }
+    const double sign = mesh.owner[faces[f]] == here.owners[f] ? 1.0 : -1.0;
+    found[zoneOf[f]].push_back({faces[f], sign * areaOf(mesh, faces[f])});
+  }
+}
+
+void PieceZones::mark(std::vector<Index>& zoneOf) const
+{
+  for (Index zone = 0; zone < found.size(); ++zone)
+  {
+    std::ranges::for_each(found[zone], [&](const ZonedFace& face) { zoneOf[face.face] = zone; });
+  }
+}
+
+std::vector<FaceZone> PieceZones::zonesOf(const JudgedMesh& now) const
+{
+  std::vector<FaceZone> zones;
+  for (std::size_t z = 0; z < found.size(); ++z)
+  {
+    FaceZone& zone = zones.emplace_back(FaceZone{all.patches[z].name, {}, {}});
+    std::map<Index, Vec3> normals; // faces that were merged are there more than once
+    for (const auto& [face, normal] : found[z])
+    {
+      const Index at = now.faceOf.empty() ? face : now.faceOf[face];
+      if (at != noIndex)
+      {
+        normals.try_emplace(at, Vec3::Zero()).first->second += normal;
+      }
+    }
+    for (const auto& [face, normal] : normals)
+    {
+      zone.faces.push_back(face);
+      zone.flips.push_back(areaOf(now.mesh, face).dot(normal) < 0.0 ? 1 : 0);
+    }
+  }
+  return zones;
+}
+
+} // namespace atria
