@@ -41,6 +41,8 @@ def models(data):
     site = {"DomainMode": "Site", "SiteName": "Site"}
     yield "building", made(data, "make_building.py", "building.wrl"), {
         **site, "SizeMax": 8, "SizeMid": 2, "SizeMin": 1, "NumberOfLayers": 5}
+    yield "building with openings", FOLDER / "building.wrl", {
+        **site, "SizeMax": 8, "SizeMid": 2, "SizeMin": 1, "NumberOfLayers": 1, "FindOpenings": 1}
     yield "kilometer", made(data, "make_site.py", "site.wrl"), {
         **site, "SizeMax": 16, "SizeMid": 4, "SizeMin": 1, "NumberOfLayers": 1}
     for layers in (0, 1):
@@ -105,7 +107,7 @@ def main(mpiexec, pvbatch, data, *names):
     shutil.rmtree(FOLDER, ignore_errors=True)
     FOLDER.mkdir(parents=True)
     for name, model, properties in models(pathlib.Path(data)):
-        for block in (0, 1000 if "octants" in properties or name == "building" else 20000):
+        for block in (0, 1000 if "octants" in properties or name.startswith("building") else 20000):
             full_name = f"{name}, blocks of {block:,}" if block else name
             if not names or full_name in names:
                 compare(mpiexec, pvbatch, full_name, model, properties | {"BlockSize": block})
