@@ -32,7 +32,8 @@ public:
   {
     addPoints();
     addFaces();
-    addZones();
+    addFaceZones();
+    addCellZones();
     constexpr std::int64_t most = std::numeric_limits<Label>::max();
     if (faceNumbers.faceCount < most && numbers.pointCount <= most)
     {
@@ -128,7 +129,7 @@ private:
     }
   }
 
-  void addZones()
+  void addFaceZones()
   {
     std::vector<Index> placeOf(mesh.faceCount(), noIndex);
     for (Index i = 0; i < faces.size(); ++i)
@@ -137,7 +138,6 @@ private:
     }
     for (const FaceZone& zone : piece.faceZones)
     {
-      FaceZone& own = out.faceZones.emplace_back(FaceZone{zone.name, {}, {}});
       std::vector<std::pair<Index, char>> its;
       for (std::size_t i = 0; i < zone.faces.size(); ++i)
       {
@@ -148,12 +148,17 @@ private:
         }
       }
       std::ranges::sort(its);
+      FaceZone& own = out.faceZones.emplace_back(FaceZone{zone.name, {}, {}});
       for (const auto& [place, flip] : its)
       {
         own.faces.push_back(place);
         own.flips.push_back(flip);
       }
     }
+  }
+
+  void addCellZones()
+  {
     for (const CellZone& zone : piece.cellZones)
     {
       CellZone& own = out.cellZones.emplace_back(CellZone{zone.name, {}});

@@ -142,12 +142,12 @@ public:
 private:
   bool isInRow(Index point) const { return point >= firstPoint && point < endPoint; }
 
-  void meet(const PointDepth& met, bool isUncut)
+  void meet(const PointDepth& met, bool isOpen)
   {
     if (isBeyond(met.point))
     {
       DepthPart beyond;
-      (isUncut ? beyond.beyond : beyond.beyondWalls) = met.depth;
+      (isOpen ? beyond.beyond : beyond.beyondWalls) = met.depth;
       out.isClosed = add(beyond, 0, out.parts[met.part]) && out.isClosed;
     }
     else if (!isInRow(met.point))
