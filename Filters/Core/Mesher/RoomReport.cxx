@@ -58,9 +58,8 @@ class Measurer
 {
 public:
   Measurer(const DualMesh& m, const SurfaceModel& s, const Box3& domain, const RoomShare& whose)
-      : mesh(m), model(s), share(whose), origin(domain.center()),
-        areas(std::exp2(2.0 * std::log2(domain.size().maxCoeff()))),
-        volumes(std::exp2(3.0 * std::log2(domain.size().maxCoeff())))
+      : mesh(m), model(s), share(whose), origin(domain.center()), areas(std::pow(domain.size().maxCoeff(), 2)),
+        volumes(std::pow(domain.size().maxCoeff(), 3))
   {
     std::ranges::transform(model.names, std::back_inserter(groups), &Measurer::groupOf);
     sortUnique(groups);

@@ -7,9 +7,17 @@
 
 namespace atria {
 
-bool hasCellZones(const SurfaceModel& model)
+std::vector<Index> cellZonesOf(const SurfaceModel& model)
 {
-  return std::ranges::find(model.kinds, SurfaceKind::cellZone) != model.kinds.end();
+  std::vector<Index> zones;
+  for (Index surface = 0; surface < model.kinds.size(); ++surface)
+  {
+    if (model.kinds[surface] == SurfaceKind::cellZone)
+    {
+      zones.push_back(surface);
+    }
+  }
+  return zones;
 }
 
 void failOpenCellZone(const std::string& surface)
@@ -37,14 +45,15 @@ bool fillCellZone(Index surface, const SurfaceDepths& depths, std::span<const in
 std::vector<std::int32_t> findCellZones(const Crossings& crossings, const GridPlaces& grid, const SurfaceModel& model,
                                         const RunContext& context)
 {
-  if (!hasCellZones(model))
+  const std::vector<Index> zones = cellZonesOf(model);
+  if (zones.empty())
   {
     return {};
   }
   const auto count = static_cast<Index>(crossings.neighbors.size());
   std::vector<std::int32_t> zoneOf(count, noCellZone);
   const DepthFinder finder(crossings, grid, model, 0, count);
-  for (Index surface = 0; surface < model.names.size(); ++surface)
+  for (const Index surface : zones)
   {
     context.progress.check();
     const SurfaceDepths depths = finder.find(surface);
@@ -73,9 +82,9 @@ std::vector<char> metCellZones(std::span<const std::int32_t> zones, const Surfac
 std::vector<std::string> warningsOfEmptyCellZones(const std::vector<char>& isMet, const SurfaceModel& model)
 {
   std::vector<std::string> warnings;
-  for (std::size_t surface = 0; surface < model.kinds.size(); ++surface)
+  for (const Index surface : cellZonesOf(model))
   {
-    if (model.kinds[surface] == SurfaceKind::cellZone && !isMet[surface])
+    if (!isMet[surface])
     {
       warnings.push_back("cell zone '" + model.names[surface] +
                          "' holds no element: it is outside of the mesh, within another zone, or smaller than elements "

@@ -12,8 +12,8 @@ namespace atria {
 /// Of grid points that are in no cell zone.
 inline constexpr std::int32_t noCellZone = -1;
 
-/// Whether some surface is of kind SurfaceKind::cellZone.
-bool hasCellZones(const SurfaceModel& model);
+/// The surfaces of kind SurfaceKind::cellZone.
+std::vector<Index> cellZonesOf(const SurfaceModel& model);
 
 /// Per grid point the surface of kind SurfaceKind::cellZone that encloses it, the first if there are several, or
 /// noCellZone; empty where no surface is of that kind. Throws Error for a surface that is not closed.

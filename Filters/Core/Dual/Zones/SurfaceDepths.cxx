@@ -199,10 +199,6 @@ DepthFinder::DepthFinder(const Crossings& found, const GridPlaces& places, const
 
 SurfaceDepths DepthFinder::find(Index surface) const
 {
-  if (bounds[surface].empty())
-  {
-    return {};
-  }
   const Senses senses = sensesOf(surface, edges[surface], crossings, model);
   Flood flood(bounds[surface], senses, crossings, grid, firstPoint, endPoint);
   for (const auto& [edge, sense] : senses)

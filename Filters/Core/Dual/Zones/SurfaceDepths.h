@@ -43,7 +43,7 @@ struct SurfaceDepths
   bool isClosed = true; ///< no two ways lead to different depths
 };
 
-/// For each surface that is a cell zone, from points of a row; others have nothing.
+/// For surfaces that are cell zones, from points of a row.
 class DepthFinder
 {
 public:

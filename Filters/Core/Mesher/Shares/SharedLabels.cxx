@@ -144,14 +144,14 @@ std::vector<std::int32_t> findSharedCellZones(const Crossings& crossings, const 
                                               const MeshingContext& context)
 {
   const SurfaceModel& model = context.model;
-  if (!hasCellZones(model))
+  if (cellZonesOf(model).empty())
   {
     return {};
   }
   const Index first = points.firstOwn();
   const DepthFinder finder(crossings, grid, model, first, points.endOwn());
   std::vector<std::int32_t> zoneOf(points.endOwn() - first, noCellZone);
-  for (Index surface = 0; surface < model.names.size(); ++surface)
+  for (const Index surface : cellZonesOf(model))
   {
     context.progress.check();
     const SurfaceDepths depths = finder.find(surface);
