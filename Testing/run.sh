@@ -22,6 +22,7 @@ Testing/check-layers.sh
 Testing/check-format.sh
 if [ -z "${ATRIA_COMPILER_LAUNCHER+set}" ]; then export ATRIA_COMPILER_LAUNCHER=ccache; fi
 export CCACHE_BASEDIR=${CCACHE_BASEDIR:-$root} # builds of several presets share the core's objects
+export CTEST_PARALLEL_LEVEL=${CTEST_PARALLEL_LEVEL:-2} # a test has more than one thread only some of the time
 
 failed=()
 for preset in vtk paraview; do
