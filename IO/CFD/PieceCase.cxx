@@ -58,7 +58,7 @@ public:
                        cells,
                        patchNow(now),
                        {},
-                       namedZones(zones.zonesOf(now)),
+                       namedZones(faceZonesOf(zones.faces(), now.faceOf, now.mesh)),
                        namedZones(labels.zonesOf(wide, now, cells, exchange))};
     united.patches = namePatches(united);
     const PieceNumbers numbers = numberPiece(now, cells, part, before.ownPoints);
@@ -120,7 +120,7 @@ private:
     {
       zoneOf.resize(mesh.internalFaceCount(), noIndex);
       zones.find(cells, mesh, context.executor);
-      zones.mark(zoneOf);
+      markZones(zones.faces(), zoneOf);
     }
     return zoneOf;
   }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "PieceZones.h"
 
-#include "Quality/Faces/Geometry.h"
-
 #include <algorithm>
 #include <iterator>
 #include <map>
@@ -91,8 +89,6 @@ VtkPatches gatherZones(const VtkPatches& own, RankExchange& exchange)
   return gatherer.take();
 }
 
-Vec3 areaOf(const FaceMesh& mesh, Index face) { return measurePolygon(mesh.points, mesh.face(face)).area; }
-
 /// noIndex where it is not there.
 Index placeOf(std::int64_t id, const std::vector<std::int64_t>& rising)
 {
@@ -131,7 +127,10 @@ void PieceZones::find(const WideNumbers& piece, const FaceMesh& mesh, const Exec
       zoneOf.push_back(zone);
     }
   }
-  found.assign(all.patches.size(), {});
+  found.clear();
+  std::ranges::transform(all.patches, std::back_inserter(found), [](const VtkPatches::Patch& zone) {
+    return ZonedFaces{zone.name, {}};
+  });
   const std::vector<BoundaryFaceKey> keys = here.keys();
   const std::vector<Index> faces = findInternalFaces(mesh, keys, here.neighbors, executor);
   for (std::size_t f = 0; f < faces.size(); ++f)
@@ -140,41 +139,8 @@ void PieceZones::find(const WideNumbers& piece, const FaceMesh& mesh, const Exec
     {
       throw RanksDisagree("a face of face zone '" + all.patches[zoneOf[f]].name + "' is no face between its cells");
     }
-    const double sign = mesh.owner[faces[f]] == here.owners[f] ? 1.0 : -1.0;
-    found[zoneOf[f]].push_back({faces[f], sign * areaOf(mesh, faces[f])});
+    found[zoneOf[f]].faces.push_back(zonedFace(mesh, faces[f], here.owners[f]));
   }
-}
-
-void PieceZones::mark(std::vector<Index>& zoneOf) const
-{
-  for (Index zone = 0; zone < found.size(); ++zone)
-  {
-    std::ranges::for_each(found[zone], [&](const ZonedFace& face) { zoneOf[face.face] = zone; });
-  }
-}
-
-std::vector<FaceZone> PieceZones::zonesOf(const JudgedMesh& now) const
-{
-  std::vector<FaceZone> zones;
-  for (std::size_t z = 0; z < found.size(); ++z)
-  {
-    FaceZone& zone = zones.emplace_back(FaceZone{all.patches[z].name, {}, {}});
-    std::map<Index, Vec3> normals; // faces that were merged are there more than once
-    for (const auto& [face, normal] : found[z])
-    {
-      const Index at = now.faceOf.empty() ? face : now.faceOf[face];
-      if (at != noIndex)
-      {
-        normals.try_emplace(at, Vec3::Zero()).first->second += normal;
-      }
-    }
-    for (const auto& [face, normal] : normals)
-    {
-      zone.faces.push_back(face);
-      zone.flips.push_back(areaOf(now.mesh, face).dot(normal) < 0.0 ? 1 : 0);
-    }
-  }
-  return zones;
 }
 
 } // namespace atria

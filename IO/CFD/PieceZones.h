@@ -3,8 +3,8 @@
 #pragma once
 
 #include "MeshPiece.h"
-#include "MeshZones.h"
 #include "Quality/Unions/JudgedUnions.h"
+#include "ZonedFaces.h"
 
 #include <vector>
 
@@ -22,22 +22,12 @@ public:
   /// Finds them in the mesh of a wide piece. Throws RanksDisagree where one is no face between its cells.
   void find(const WideNumbers& piece, const FaceMesh& mesh, const Executor& executor);
 
-  /// Gives internal faces the numbers of their zones.
-  void mark(std::vector<Index>& zoneOf) const;
-
-  /// With the faces that are here now, as solverMeshFrom() makes them.
-  std::vector<FaceZone> zonesOf(const JudgedMesh& now) const;
+  /// By zone of the whole, in the mesh before unions.
+  const std::vector<ZonedFaces>& faces() const { return found; }
 
 private:
-  /// A face of the mesh before unions, and its area along the normal of its zone.
-  struct ZonedFace
-  {
-    Index face;
-    Vec3 normal;
-  };
-
-  VtkPatches all;                            ///< with numbers of the whole
-  std::vector<std::vector<ZonedFace>> found; ///< by zone
+  VtkPatches all; ///< with numbers of the whole
+  std::vector<ZonedFaces> found;
 };
 
 } // namespace atria

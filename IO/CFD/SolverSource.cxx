@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SolverSource.h"
 
-#include "Quality/Faces/Geometry.h"
-
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
@@ -11,7 +9,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <map>
 #include <utility>
 
 namespace atria {
@@ -44,24 +41,19 @@ void addNamedZones(SolverSource& source, vtkUnstructuredGrid* volume, const char
   }
 }
 
-Vec3 areaOf(const FaceMesh& mesh, Index face) { return measurePolygon(mesh.points, mesh.face(face)).area; }
-
-void addFaceZones(SolverSource& source, const VtkFaceMesh& from)
+std::vector<ZonedFaces> zonedFacesOf(const VtkFaceMesh& from)
 {
   const VtkPatches& zones = from.zones;
+  std::vector<ZonedFaces> out;
   for (const VtkPatches::Patch& zone : zones.patches)
   {
-    FaceZone& out = source.faceZones.emplace_back();
-    std::vector<Vec3>& normals = source.zoneNormals.emplace_back();
-    out.name = zone.name;
+    ZonedFaces& zoned = out.emplace_back(ZonedFaces{zone.name, {}});
     for (std::size_t f = zone.firstFace; f < zone.firstFace + zone.faceCount; ++f)
     {
-      const Index face = from.zoneFaces[f];
-      const bool isOwner = from.mesh.owner[face] == zones.owners[f];
-      out.faces.push_back(face);
-      normals.push_back((isOwner ? 1.0 : -1.0) * areaOf(from.mesh, face));
+      zoned.faces.push_back(zonedFace(from.mesh, from.zoneFaces[f], zones.owners[f]));
     }
   }
+  return out;
 }
 
 /// Gives labels to the cells there are now: where some became one, that of the last.
@@ -87,39 +79,15 @@ void renumberFaces(SolverSource& source, const std::vector<Index>& faceOf)
   {
     return;
   }
-  const auto renumber = [&](std::vector<Index>& faces) {
-    std::ranges::transform(faces, faces.begin(), [&](Index face) { return faceOf[face]; });
-  };
   for (BoundaryPatch& patch : source.patches)
   {
-    renumber(patch.faces);
+    std::ranges::transform(patch.faces, patch.faces.begin(), [&](Index face) { return faceOf[face]; });
     std::sort(patch.faces.begin(), patch.faces.end());
     patch.faces.erase(std::unique(patch.faces.begin(), patch.faces.end()), patch.faces.end());
   }
-  for (FaceZone& zone : source.faceZones)
+  for (ZonedFaces& zone : source.faceZones)
   {
-    renumber(zone.faces);
-  }
-}
-
-/// Of each face of a zone, whether its owner is on the side that the zone's normal points to.
-void flipZones(SolverSource& source, const FaceMesh& mesh)
-{
-  for (std::size_t z = 0; z < source.faceZones.size(); ++z)
-  {
-    FaceZone& zone = source.faceZones[z];
-    std::map<Index, Vec3> normals; // faces that were merged are there more than once
-    for (std::size_t i = 0; i < zone.faces.size(); ++i)
-    {
-      normals.try_emplace(zone.faces[i], Vec3::Zero()).first->second += source.zoneNormals[z][i];
-    }
-    zone.faces.clear();
-    zone.flips.clear();
-    for (const auto& [face, normal] : normals)
-    {
-      zone.faces.push_back(face);
-      zone.flips.push_back(areaOf(mesh, face).dot(normal) < 0.0 ? 1 : 0);
-    }
+    std::ranges::for_each(zone.faces, [&](ZonedFace& zoned) { zoned.face = faceOf[zoned.face]; });
   }
 }
 
@@ -150,8 +118,7 @@ std::vector<CellZone> cellZonesOf(const SolverSource& source)
 
 SolverSource solverSourceOf(vtkUnstructuredGrid* volume, const VtkFaceMesh& faces, const Executor& executor)
 {
-  SolverSource source{boundaryPatchesOf(faces), {}, {}, {{}, idsOf(volume, "ZoneId", executor)}, {}, {}};
-  addFaceZones(source, faces);
+  SolverSource source{boundaryPatchesOf(faces), zonedFacesOf(faces), {{}, idsOf(volume, "ZoneId", executor)}, {}, {}};
   addNamedZones(source, volume, "RoomId", "RoomName", executor);
   addNamedZones(source, volume, "CellZoneId", "CellZoneName", executor);
   return source;
@@ -185,10 +152,7 @@ std::vector<Index> zoneOfFaces(const SolverSource& source, const FaceMesh& mesh,
     });
     zoneOf[f] = differ ? between : noIndex;
   });
-  for (std::size_t z = 0; z < source.faceZones.size(); ++z)
-  {
-    std::ranges::for_each(source.faceZones[z].faces, [&](Index face) { zoneOf[face] = static_cast<Index>(z); });
-  }
+  markZones(source.faceZones, zoneOf);
   return zoneOf;
 }
 
@@ -205,9 +169,9 @@ void followUnions(SolverSource& source, const JudgedMesh& written)
 
 SolverMesh solverMeshFrom(SolverSource source, FaceMesh mesh, const Executor& executor)
 {
-  flipZones(source, mesh);
+  std::vector<FaceZone> faceZones = faceZonesOf(source.faceZones, {}, mesh);
   SolverMesh out = makeSolverMesh(std::move(mesh), source.patches, source.zones.ofCell, executor);
-  out.faceZones = std::move(source.faceZones);
+  out.faceZones = std::move(faceZones);
   if (std::vector<CellZone> named = cellZonesOf(source); !named.empty())
   {
     out.cellZones = std::move(named); // which tell more than numbers

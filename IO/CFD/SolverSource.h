@@ -7,6 +7,7 @@
 #include "Support/Buffer.h"
 #include "Support/Executor.h"
 #include "VtkFaceMesh.h"
+#include "ZonedFaces.h"
 
 namespace atria {
 
@@ -21,10 +22,7 @@ struct CellLabels
 struct SolverSource
 {
   std::vector<BoundaryPatch> patches;
-  /// Without flips, which the faces that are written decide.
-  std::vector<FaceZone> faceZones;
-  /// Per face of `faceZones`, zone by zone: its area vector, along the zone's normal.
-  std::vector<std::vector<Vec3>> zoneNormals;
+  std::vector<ZonedFaces> faceZones;
   /// By ZoneId, without names; and those that have names, one after the other.
   CellLabels zones;
   std::vector<CellLabels> cellZones;
