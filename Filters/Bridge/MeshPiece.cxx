@@ -17,7 +17,9 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
+#include <iterator>
 #include <numeric>
+#include <span>
 #include <utility>
 
 namespace atria {
@@ -161,9 +163,7 @@ template <typename IdOf> void MeshPiece::takeFace(vtkIdType owner, std::size_t c
   {
     return;
   }
-  patches.owners.push_back(cell);
-  patches.points.insert(patches.points.end(), face.begin(), face.end());
-  patches.offsets.push_back(static_cast<std::int64_t>(patches.points.size()));
+  patches.append(cell, std::nullopt, face);
 }
 
 void MeshPiece::takePatches(const VtkPatches& all)
@@ -173,11 +173,10 @@ void MeshPiece::takePatches(const VtkPatches& all)
     const std::size_t before = patches.owners.size();
     for (std::size_t f = patch.firstFace; f < patch.firstFace + patch.faceCount; ++f)
     {
-      const auto first = static_cast<std::size_t>(all.offsets[f]);
-      takeFace(all.owners[f], static_cast<std::size_t>(all.offsets[f + 1]) - first,
-               [&](std::size_t i) { return static_cast<vtkIdType>(all.points[first + i]); });
+      const std::span<const std::int64_t> face = all.face(f);
+      takeFace(all.owners[f], face.size(), [face](std::size_t i) { return static_cast<vtkIdType>(face[i]); });
     }
-    patches.patches.push_back({patch.name, before, patches.owners.size() - before});
+    patches.close(patch.name, before);
   }
 }
 
@@ -191,14 +190,10 @@ void MeshPiece::takeZones(const VtkPatches& all)
       const Index cell = cells.find(all.owners[f]);
       if (cell != noIndex && isOwn(cell))
       {
-        zones.owners.push_back(all.owners[f]);
-        zones.neighbors.push_back(all.neighbors[f]);
-        zones.points.insert(zones.points.end(), all.points.begin() + all.offsets[f],
-                            all.points.begin() + all.offsets[f + 1]);
-        zones.offsets.push_back(static_cast<std::int64_t>(zones.points.size()));
+        zones.append(all.owners[f], all.neighbors[f], all.face(f));
       }
     }
-    zones.patches.push_back({zone.name, before, zones.owners.size() - before});
+    zones.close(zone.name, before);
   }
 }
 
@@ -211,13 +206,11 @@ void MeshPiece::takeZone(vtkPolyData* zone)
   for (vtkIdType face = 0; owners && neighbors && ids && face < zone->GetNumberOfCells(); ++face)
   {
     zone->GetCellPoints(face, corners);
-    zones.owners.push_back(static_cast<Index>(owners->GetComponent(face, 0)));
-    zones.neighbors.push_back(static_cast<Index>(neighbors->GetComponent(face, 0)));
-    for (const vtkIdType corner : *corners)
-    {
-      zones.points.push_back(static_cast<std::int64_t>(ids->GetComponent(corner, 0)));
-    }
-    zones.offsets.push_back(static_cast<std::int64_t>(zones.points.size()));
+    std::vector<std::int64_t> ofFace;
+    std::transform(corners->begin(), corners->end(), std::back_inserter(ofFace),
+                   [ids](vtkIdType corner) { return static_cast<std::int64_t>(ids->GetComponent(corner, 0)); });
+    zones.append(static_cast<Index>(owners->GetComponent(face, 0)),
+                 static_cast<Index>(neighbors->GetComponent(face, 0)), ofFace);
   }
 }
 
@@ -237,14 +230,8 @@ void MeshPiece::takePatches(vtkPartitionedDataSetCollection* given)
         isZone ? takeZone(patch) : takePatch(patch);
       }
     }
-    if (isZone)
-    {
-      zones.patches.push_back({patchNameOf(given, i), zonesBefore, zones.owners.size() - zonesBefore});
-    }
-    else
-    {
-      patches.patches.push_back({patchNameOf(given, i), before, patches.owners.size() - before});
-    }
+    const std::string name = patchNameOf(given, i);
+    isZone ? zones.close(name, zonesBefore) : patches.close(name, before);
   }
 }
 

@@ -20,6 +20,7 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace atria {
 
@@ -60,15 +61,15 @@ void appendPatch(VtkPatches& out, const std::string& name, vtkPolyData* patch, v
                 "patches must come from the mesher");
   }
   const Buffer<std::int64_t> ids = integers(pointIds);
+  vtkDataArray* neighbors = neighborsOf(patch);
   vtkNew<vtkIdList> face;
+  std::vector<std::int64_t> corners;
   for (vtkIdType cell = 0; cell < patch->GetNumberOfCells(); ++cell)
   {
-    out.owners.push_back(cellOf(owners, cell, name, volume));
-    if (vtkDataArray* neighbors = neighborsOf(patch))
-    {
-      out.neighbors.push_back(cellOf(neighbors, cell, name, volume));
-    }
+    const Index owner = cellOf(owners, cell, name, volume);
+    const auto neighbor = neighbors ? std::optional(cellOf(neighbors, cell, name, volume)) : std::nullopt;
     patch->GetCellPoints(cell, face);
+    corners.clear();
     for (vtkIdType i = 0; i < face->GetNumberOfIds(); ++i)
     {
       const std::int64_t id = ids[face->GetId(i)];
@@ -77,9 +78,9 @@ void appendPatch(VtkPatches& out, const std::string& name, vtkPolyData* patch, v
         throw Error("patch '" + name + "': face " + std::to_string(cell) + " has point " + std::to_string(id) +
                     ", which the volume mesh does not have");
       }
-      out.points.push_back(id);
+      corners.push_back(id);
     }
-    out.offsets.push_back(static_cast<std::int64_t>(out.points.size()));
+    out.append(owner, neighbor, corners);
   }
 }
 
@@ -104,7 +105,7 @@ VtkPatches blocksFromVtk(vtkPartitionedDataSetCollection* patches, vtkUnstructur
     }
     if (isZone == zones)
     {
-      out.patches.push_back({name, first, out.owners.size() - first});
+      out.close(name, first);
     }
   }
   return out;
@@ -201,12 +202,22 @@ VtkCells::VtkCells(vtkUnstructuredGrid* grid)
   arrays.faceLocations = viewOrCopy(grid->GetFaceLocations());
 }
 
+std::span<const std::int64_t> VtkPatches::face(std::size_t f) const
+{
+  return {points.data() + offsets[f], points.data() + offsets[f + 1]};
+}
+
+void VtkPatches::close(std::string name, std::size_t firstFace)
+{
+  patches.push_back({std::move(name), firstFace, owners.size() - firstFace});
+}
+
 std::vector<BoundaryFaceKey> VtkPatches::keys() const
 {
   std::vector<BoundaryFaceKey> out(owners.size());
   for (std::size_t f = 0; f < owners.size(); ++f)
   {
-    out[f] = {owners[f], {points.data() + offsets[f], points.data() + offsets[f + 1]}};
+    out[f] = {owners[f], face(f)};
   }
   return out;
 }

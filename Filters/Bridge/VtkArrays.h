@@ -8,6 +8,8 @@
 
 #include <vtkSmartPointer.h>
 
+#include <iterator>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -73,7 +75,22 @@ struct VtkPatches
   std::vector<std::int64_t> offsets{0}; ///< per face, into points
   std::vector<std::int64_t> points;     ///< ids of the volume mesh's points
 
+  std::span<const std::int64_t> face(std::size_t f) const;
   std::vector<BoundaryFaceKey> keys() const;
+
+  /// Appends a face of `corners`, ids of points; with a neighbor if it is one of a zone.
+  template <typename Corners> void append(Index owner, std::optional<Index> neighbor, const Corners& corners)
+  {
+    owners.push_back(owner);
+    if (neighbor)
+    {
+      neighbors.push_back(*neighbor);
+    }
+    points.insert(points.end(), std::begin(corners), std::end(corners));
+    offsets.push_back(static_cast<std::int64_t>(points.size()));
+  }
+  /// Appends the faces from that one on under a name.
+  void close(std::string name, std::size_t firstFace);
 };
 
 /// The name of a patch, by its place if it has none.

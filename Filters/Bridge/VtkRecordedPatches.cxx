@@ -36,17 +36,16 @@ static_assert(sizeof(Index) == sizeof(vtkTypeUInt32));
 
 RecordedFace recordOf(const VtkPatches& patches, std::size_t f, int cells)
 {
-  const auto begin = patches.points.begin() + patches.offsets[f];
-  const auto end = patches.points.begin() + patches.offsets[f + 1];
-  if (end - begin < 3 || end - begin > 4)
+  const std::span<const std::int64_t> face = patches.face(f);
+  if (face.size() < 3 || face.size() > 4)
   {
-    throw Error("a face of a patch has " + std::to_string(end - begin) + " points; three or four can be recorded");
+    throw Error("a face of a patch has " + std::to_string(face.size()) + " points; three or four can be recorded");
   }
   RecordedFace record;
-  record.fill(static_cast<Index>(*(end - 1)));
+  record.fill(static_cast<Index>(face.back()));
   record[0] = patches.owners[f];
   record[1] = cells > 1 ? patches.neighbors[f] : 0;
-  std::transform(begin, end, record.begin() + cells, [](std::int64_t p) { return static_cast<Index>(p); });
+  std::ranges::transform(face, record.begin() + cells, [](std::int64_t p) { return static_cast<Index>(p); });
   return record;
 }
 
@@ -60,15 +59,10 @@ bool appendRecord(vtkDataArray* faces, vtkIdType f, const Arrays& arrays, VtkPat
   {
     return false;
   }
-  out.owners.push_back(static_cast<Index>(record[0]));
-  if (arrays.cells > 1)
-  {
-    out.neighbors.push_back(static_cast<Index>(record[1]));
-  }
   const auto last = *(end - 1) == *(end - 2) ? end - 1 : end;
-  std::for_each(record.begin() + arrays.cells, last,
-                [&](double id) { out.points.push_back(static_cast<std::int64_t>(id)); });
-  out.offsets.push_back(static_cast<std::int64_t>(out.points.size()));
+  out.append(static_cast<Index>(record[0]),
+             arrays.cells > 1 ? std::optional(static_cast<Index>(record[1])) : std::nullopt,
+             std::vector<std::int64_t>(record.begin() + arrays.cells, last));
   return true;
 }
 

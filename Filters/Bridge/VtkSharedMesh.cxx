@@ -175,16 +175,10 @@ void recordFaces(const std::vector<SharedFace>& all, vtkPartitionedDataSetCollec
     const std::size_t first = record.owners.size();
     for (; next != all.end() && next->patch == i; ++next)
     {
-      record.owners.push_back(next->owner);
-      if (isZone)
-      {
-        record.neighbors.push_back(next->neighbor);
-      }
-      std::copy_n(next->points.begin(), next->count, std::back_inserter(record.points));
-      record.offsets.push_back(static_cast<std::int64_t>(record.points.size()));
+      record.append(next->owner, isZone ? std::optional(next->neighbor) : std::nullopt,
+                    std::span(next->points).first(next->count));
     }
-    record.patches.push_back(
-        {patches->GetMetaData(i)->Get(vtkCompositeDataSet::NAME()), first, record.owners.size() - first});
+    record.close(patches->GetMetaData(i)->Get(vtkCompositeDataSet::NAME()), first);
   }
   recordPatches(ofPatches, ofZones, volume);
 }

@@ -28,7 +28,7 @@ public:
       VtkPatches& to = faces[known->second];
       for (std::size_t f = zone.firstFace; f < zone.firstFace + zone.faceCount; ++f)
       {
-        append(some, f, to);
+        to.append(some.owners[f], some.neighbors[f], some.face(f));
       }
     }
   }
@@ -41,22 +41,14 @@ public:
       const std::size_t first = out.owners.size();
       for (std::size_t f = 0; f < faces[zone].owners.size(); ++f)
       {
-        append(faces[zone], f, out);
+        out.append(faces[zone].owners[f], faces[zone].neighbors[f], faces[zone].face(f));
       }
-      out.patches.push_back({names[zone], first, out.owners.size() - first});
+      out.close(names[zone], first);
     }
     return out;
   }
 
 private:
-  static void append(const VtkPatches& from, std::size_t f, VtkPatches& to)
-  {
-    to.owners.push_back(from.owners[f]);
-    to.neighbors.push_back(from.neighbors[f]);
-    to.points.insert(to.points.end(), from.points.begin() + from.offsets[f], from.points.begin() + from.offsets[f + 1]);
-    to.offsets.push_back(static_cast<std::int64_t>(to.points.size()));
-  }
-
   std::map<std::string, std::size_t> numbers;
   std::vector<std::string> names;
   std::vector<VtkPatches> faces;
@@ -118,12 +110,10 @@ void PieceZones::find(const WideNumbers& piece, const FaceMesh& mesh, const Exec
       {
         continue;
       }
-      std::transform(all.points.begin() + all.offsets[f], all.points.begin() + all.offsets[f + 1],
-                     std::back_inserter(here.points),
-                     [&](std::int64_t id) { return std::int64_t{placeOf(id, piece.pointIds)}; });
-      here.offsets.push_back(static_cast<std::int64_t>(here.points.size()));
-      here.owners.push_back(owner);
-      here.neighbors.push_back(neighbor);
+      std::vector<std::int64_t> corners;
+      std::ranges::transform(all.face(f), std::back_inserter(corners),
+                             [&](std::int64_t id) { return std::int64_t{placeOf(id, piece.pointIds)}; });
+      here.append(owner, neighbor, corners);
       zoneOf.push_back(zone);
     }
   }
