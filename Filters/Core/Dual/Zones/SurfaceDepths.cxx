@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Dual/Zones/SurfaceDepths.h"
 
+#include "Dual/Zones/ZoneFaces.h"
+
 #include <algorithm>
 #include <map>
 #include <unordered_map>
@@ -63,11 +65,7 @@ Senses sensesOf(Index surface, const std::vector<Index>& edges, const Crossings&
   for (const Index e : edges)
   {
     const CrossedEdge& edge = crossings.crossedEdges[e];
-    int sense = 0;
-    for (const SurfaceCrossing& cut : crossings.of(edge))
-    {
-      sense += model.surfaceIds[cut.triangle] == surface ? cut.orientation : 0;
-    }
+    const int sense = senseOf(crossings.of(edge), surface, model);
     if (sense != 0 && edge.other != noIndex)
     {
       senses[{edge.point, edge.direction}] = sense;

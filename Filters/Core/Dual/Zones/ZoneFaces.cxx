@@ -8,17 +8,6 @@ namespace atria {
 
 namespace {
 
-/// How often crossings pass a surface along its normal, less those against it.
-int senseOf(std::span<const SurfaceCrossing> cuts, Index surface, const SurfaceModel& model)
-{
-  int sum = 0;
-  for (const SurfaceCrossing& cut : cuts)
-  {
-    sum += model.surfaceIds[cut.triangle] == surface ? cut.orientation : 0;
-  }
-  return sum;
-}
-
 /// The same face, of the element at the back.
 ZoneFace atBack(ZoneFace face, const DualMesh& mesh)
 {
@@ -46,6 +35,16 @@ ZoneFace atBack(ZoneFace face, const DualMesh& mesh)
 }
 
 } // namespace
+
+int senseOf(std::span<const SurfaceCrossing> cuts, Index surface, const SurfaceModel& model)
+{
+  int sum = 0;
+  for (const SurfaceCrossing& cut : cuts)
+  {
+    sum += model.surfaceIds[cut.triangle] == surface ? cut.orientation : 0;
+  }
+  return sum;
+}
 
 void orderZoneFaces(DualMesh& mesh)
 {

@@ -5,6 +5,9 @@
 
 namespace atria {
 
+/// How often crossings pass a surface along its normal, less those against it.
+int senseOf(std::span<const SurfaceCrossing> cuts, Index surface, const SurfaceModel& model);
+
 /// The faces between grid points that lie on permeable surfaces, in the order of the crossed edges. Where an edge
 /// crosses several surfaces, its face is on the first one that it does not pass back through.
 std::vector<ZoneFace> findZoneFaces(const Crossings& crossings, const SurfaceModel& model);
