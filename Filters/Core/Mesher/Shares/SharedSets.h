@@ -2,7 +2,7 @@
 /// Sets of grid points that reach over several ranks.
 #pragma once
 
-#include "Mesher/Shares/RankShare.h"
+#include "Mesher/Shares/SharedNumbers.h"
 #include "Support/UnionFind.h"
 
 #include <utility>
@@ -15,10 +15,9 @@ template <typename T, typename ValueOf>
 std::vector<T> fillFromRanks(std::size_t count, const SharedPoints& points, const RankShare& share, T elsewhere,
                              ValueOf&& valueOf)
 {
-  const auto ranks = static_cast<std::size_t>(share.ranks());
-  std::vector<std::vector<PointKey>> wanted(ranks);
-  std::vector<std::vector<Index>> wantedPoints(ranks);
   std::vector<T> values(count, elsewhere);
+  std::vector<Index> asked;
+  std::vector<PointKey> keys;
   for (Index point = 0; point < count; ++point)
   {
     if (points.isOwn(point))
@@ -27,28 +26,16 @@ std::vector<T> fillFromRanks(std::size_t count, const SharedPoints& points, cons
     }
     else if (points.isShared(point))
     {
-      const auto rank = static_cast<std::size_t>(points.rankOf(point));
-      wanted[rank].push_back(points.key(point));
-      wantedPoints[rank].push_back(point);
+      asked.push_back(point);
+      keys.push_back(points.key(point));
     }
   }
-  std::vector<std::vector<T>> answers;
-  for (const std::vector<PointKey>& keys : exchangeLists(share.exchange(), wanted))
+  const auto rankOf = [&](PointKey key) { return share.rankOf(key >> 3); };
+  const auto answer = [&](PointKey key) { return valueOf(points.ownOf(key)); };
+  const auto answers = askRanks<PointKey, T>(share.exchange(), keys, rankOf, answer);
+  for (std::size_t i = 0; i < asked.size(); ++i)
   {
-    std::vector<T>& out = answers.emplace_back();
-    out.reserve(keys.size());
-    for (const PointKey key : keys)
-    {
-      out.push_back(valueOf(points.ownOf(key)));
-    }
-  }
-  const auto received = exchangeLists(share.exchange(), answers);
-  for (std::size_t rank = 0; rank < ranks; ++rank)
-  {
-    for (std::size_t i = 0; i < wantedPoints[rank].size(); ++i)
-    {
-      values[wantedPoints[rank][i]] = received[rank][i];
-    }
+    values[asked[i]] = answers[i];
   }
   return values;
 }
