@@ -82,9 +82,8 @@ RefinedSets RankShare::setsNeeded(const SurfaceModel& model, const ShareRows& ro
   LeafMasks near = off.front();
   for (int row = 1; row <= rows.off; ++row)
   {
-    LeafMasks more = leaves.grow(near, 1, anywhere);
-    off.push_back(without(more, near));
-    near = std::move(more);
+    off.push_back(without(leaves.grow(off.back(), 1, anywhere), near));
+    near = any(std::move(near), off.back());
   }
   const LeafMasks own = leaves.in(own_);
   LeafMasks window = leaves.grow(both(own, near), rows.about, anywhere);

@@ -5,6 +5,8 @@
 #include "Support/Error.h"
 
 #include <algorithm>
+#include <bit>
+#include <functional>
 
 namespace atria {
 
@@ -92,6 +94,8 @@ std::array<std::array<Beside, directions>, 8> makeBesideTable()
   return table;
 }
 
+const std::array<std::array<Beside, directions>, 8> besides = makeBesideTable();
+
 unsigned childrenInDomain(const GridFrame& frame, int level, MortonKey key)
 {
   unsigned bits = 0;
@@ -102,20 +106,21 @@ unsigned childrenInDomain(const GridFrame& frame, int level, MortonKey key)
   return bits;
 }
 
+} // namespace
+
 /// Marks leaves that hold pieces of the model or sides of the domain.
-class SurfaceDescent
+class LeafRows::SurfaceDescent
 {
 public:
-  SurfaceDescent(const SurfaceModel& model, const GridFrame& frame, const std::vector<std::array<Index, 8>>& children)
-      : frame_(frame), children_(children), dividers_(frame.depth, PieceDivider(model, frame)),
-        marks_(children.size(), 0)
+  SurfaceDescent(const SurfaceModel& model, const LeafRows& rows)
+      : rows_(rows), dividers_(rows.frame_.depth, PieceDivider(model, rows.frame_)), marks_(rows.octants_.size(), 0)
   {
   }
 
   void descend(Index octant, int level, MortonKey key, std::span<const ModelItem> pieces)
   {
     dividers_[level].divide(level, key, pieces, [&](unsigned k, const LatticeBox&, std::span<const ModelItem> some) {
-      const Index child = children_[octant][k];
+      const Node child = rows_.childOf(octant, k);
       if (some.empty() && !hasSide(level + 1, key << 3 | k))
       {
         return;
@@ -137,7 +142,7 @@ private:
   bool hasSide(int level, MortonKey key) const
   {
     const GridCell cell = gridCell(key);
-    const std::int64_t size = frame_.latticeSize(level);
+    const std::int64_t size = rows_.frame_.latticeSize(level);
     LatticePoint low;
     LatticePoint high;
     for (int axis = 0; axis < 3; ++axis)
@@ -145,16 +150,60 @@ private:
       low[axis] = cell[axis] * size;
       high[axis] = low[axis] + size;
     }
-    return frame_.domainPlanes(low, high) != 0;
+    return rows_.frame_.domainPlanes(low, high) != 0;
   }
 
-  const GridFrame& frame_;
-  const std::vector<std::array<Index, 8>>& children_;
+  const LeafRows& rows_;
   std::vector<PieceDivider> dividers_; ///< by level
   LeafMasks marks_;
 };
 
-} // namespace
+/// Octants about others, found from the root down: what is beside a child is a child of what is beside its parent. What
+/// is about the last one of each level is kept, as octants that come one after the other are near each other.
+class LeafRows::NeighborFinder
+{
+public:
+  explicit NeighborFinder(const LeafRows& rows) : rows_(rows), last_(rows.levels_.size())
+  {
+    last_[0].octant = 0;
+    last_[0].neighbors.fill(noIndex);
+    last_[0].neighbors[middle] = 0;
+  }
+
+  const Neighbors& of(Index octant)
+  {
+    return of(octant,
+              static_cast<std::size_t>(std::ranges::upper_bound(rows_.levels_, octant) - rows_.levels_.begin()) - 1);
+  }
+
+private:
+  struct Known
+  {
+    Index octant = noIndex;
+    Neighbors neighbors;
+  };
+
+  const Neighbors& of(Index octant, std::size_t level)
+  {
+    Known& known = last_[level];
+    if (known.octant != octant)
+    {
+      const Index place = rows_.octants_[octant].place;
+      const Neighbors& above = of(place >> 3, level - 1);
+      for (int direction = 0; direction < directions; ++direction)
+      {
+        const Beside& beside = besides[place & 7][direction];
+        const Node node = above[beside.direction];
+        known.neighbors[direction] = isLeaf(node) ? node : rows_.childOf(node, beside.child);
+      }
+      known.octant = octant;
+    }
+    return known.neighbors;
+  }
+
+  const LeafRows& rows_;
+  std::vector<Known> last_; ///< by level
+};
 
 LeafRows::LeafRows(const RefinedSets& refined, const GridFrame& frame) : refined_(refined), frame_(frame)
 {
@@ -164,28 +213,31 @@ LeafRows::LeafRows(const RefinedSets& refined, const GridFrame& frame) : refined
   {
     throw Error("the octree has 2^28 refined octants or more: raise the sizes or shrink the domain");
   }
+  octants_.reserve(count);
+  all_.reserve(count);
+  inDomain_.reserve(count);
   link();
-  findNeighbors();
 }
 
 void LeafRows::link()
 {
+  octants_.push_back({0, noIndex});
   for (std::size_t level = 0; level < refined_.size(); ++level)
   {
     const bool isLast = level + 1 == refined_.size();
     const std::span<const MortonKey> next = isLast ? std::span<const MortonKey>() : std::span(refined_[level + 1]);
-    const Index nextBegin = static_cast<Index>(children_.size() + refined_[level].size());
-    Index j = 0;
+    levels_.push_back(static_cast<Index>(all_.size()));
+    std::size_t j = 0;
     for (const MortonKey key : refined_[level])
     {
-      const auto octant = static_cast<Index>(children_.size());
-      std::array<Node, 8>& family = children_.emplace_back();
-      unsigned leaves = 0;
-      for (unsigned k = 0; k < 8; ++k)
+      const auto octant = static_cast<Index>(all_.size());
+      octants_[octant].firstRefined = static_cast<Index>(octants_.size());
+      unsigned leaves = 0xff;
+      for (; j < next.size() && next[j] >> 3 == key; ++j)
       {
-        const bool isRefined = j < next.size() && next[j] == (key << 3 | k);
-        family[k] = isRefined ? nextBegin + j++ : leafNode(octant, k);
-        leaves |= isRefined ? 0u : 1u << k;
+        const auto child = static_cast<unsigned>(next[j] & 7);
+        octants_.push_back({octant << 3 | child, noIndex});
+        leaves &= ~(1u << child);
       }
       all_.push_back(static_cast<std::uint8_t>(leaves));
       inDomain_.push_back(static_cast<std::uint8_t>(leaves & childrenInDomain(frame_, static_cast<int>(level), key)));
@@ -193,26 +245,12 @@ void LeafRows::link()
   }
 }
 
-/// From the root down: what is beside a child is a child of what is beside its parent.
-void LeafRows::findNeighbors()
+LeafRows::Node LeafRows::childOf(Index octant, unsigned child) const
 {
-  const auto table = makeBesideTable();
-  neighbors_.resize(children_.size());
-  neighbors_[0].fill(noIndex);
-  neighbors_[0][middle] = 0;
-  for (Index octant = 0; octant < children_.size(); ++octant)
-  {
-    for (unsigned k = 0; k < 8; ++k)
-    {
-      const Node child = children_[octant][k];
-      for (int direction = 0; !isLeaf(child) && direction < directions; ++direction)
-      {
-        const Beside& beside = table[k][direction];
-        const Node node = neighbors_[octant][beside.direction];
-        neighbors_[child][direction] = isLeaf(node) ? node : children_[node][beside.child];
-      }
-    }
-  }
+  const unsigned refined = ~unsigned{all_[octant]};
+  const unsigned before = refined & ((1u << child) - 1);
+  return (refined >> child & 1) != 0 ? octants_[octant].firstRefined + static_cast<Index>(std::popcount(before))
+                                     : leafNode(octant, child);
 }
 
 LeafMasks LeafRows::in(const MortonRange& range) const
@@ -239,7 +277,7 @@ LeafMasks LeafRows::in(const MortonRange& range) const
 LeafMasks LeafRows::withSurfaces(const SurfaceModel& model, const RunContext& context) const
 {
   context.progress.check();
-  SurfaceDescent descent(model, frame_, children_);
+  SurfaceDescent descent(model, *this);
   descent.descend(0, 0, 0, rootLists(model, frame_).items);
   return descent.take();
 }
@@ -258,19 +296,20 @@ void LeafRows::eachFiner(unsigned children, int direction, Index octant, unsigne
     }
     if (bits != 0)
     {
-      visit(children_[octant][k], bits);
+      visit(childOf(octant, k), bits);
     }
   }
 }
 
-/// Calls visit(octant, bits) for leaves that touch some children of an octant; among them may be octants that are no
-/// leaves.
-template <typename Visit> void LeafRows::eachTouching(Index octant, unsigned children, Visit&& visit) const
+/// Calls visit(octant, bits) for leaves that touch some children of an octant with these neighbors; among them may be
+/// octants that are no leaves.
+template <typename Visit>
+void LeafRows::eachTouching(unsigned children, const Neighbors& neighbors, Visit&& visit) const
 {
   for (int direction = 0; direction < directions; ++direction)
   {
     const unsigned touched = touching[direction][children];
-    const Node node = neighbors_[octant][direction];
+    const Node node = neighbors[direction];
     if (touched == 0 || node == noIndex)
     {
       continue;
@@ -300,6 +339,7 @@ LeafMasks LeafRows::grow(LeafMasks leaves, int rows, const LeafMasks& within) co
     }
   }
   LeafMasks next(leaves.size(), 0);
+  NeighborFinder finder(*this);
   for (int row = 0; row < rows; ++row)
   {
     std::vector<Index> nextFront;
@@ -316,7 +356,7 @@ LeafMasks LeafRows::grow(LeafMasks leaves, int rows, const LeafMasks& within) co
     };
     for (const Index octant : front)
     {
-      eachTouching(octant, added[octant], add);
+      eachTouching(added[octant], finder.of(octant), add);
       added[octant] = 0;
     }
     std::swap(added, next);
@@ -330,8 +370,9 @@ RefinedSets LeafRows::setsOf(const LeafMasks& leaves) const
   std::vector<char> kept(leaves.size());
   for (std::size_t octant = leaves.size(); octant-- > 0;)
   {
-    const auto isKept = [&](Node child) { return !isLeaf(child) && kept[child] != 0; };
-    kept[octant] = leaves[octant] != 0 || std::ranges::any_of(children_[octant], isKept) ? 1 : 0;
+    const auto refined = kept.begin() + octants_[octant].firstRefined;
+    const bool hasKept = std::any_of(refined, refined + std::popcount(0xffu & ~all_[octant]), std::identity());
+    kept[octant] = leaves[octant] != 0 || hasKept ? 1 : 0;
   }
   RefinedSets sets(refined_.size());
   std::size_t octant = 0;

@@ -11,7 +11,7 @@ namespace atria {
 /// Leaves by refined octants, which are in the order of levels and keys: bits of those of its children.
 using LeafMasks = std::vector<std::uint8_t>;
 
-/// Rows of the leaves of a balanced octree whose root is refined. About 140 bytes a refined octant.
+/// Rows of the leaves of a balanced octree whose root is refined. 10 bytes a refined octant, and one for each mask.
 /// Throws Error for 2^28 of these or more.
 class LeafRows
 {
@@ -31,22 +31,30 @@ public:
   RefinedSets setsOf(const LeafMasks& leaves) const;
 
 private:
+  class SurfaceDescent;
+  class NeighborFinder;
+
   /// A refined octant by its number; a leaf by that of its parent and which child it is, with a bit; or noIndex where
   /// the root ends.
   using Node = Index;
   /// The octants of one level about one, itself in the middle, or leaves that hold them.
   using Neighbors = std::array<Node, 27>;
+  struct Octant
+  {
+    Index place;        ///< eight times its parent, and which child it is
+    Index firstRefined; ///< of its children, which come one after the other
+  };
 
   void link();
-  void findNeighbors();
-  template <typename Visit> void eachTouching(Index octant, unsigned children, Visit&& visit) const;
+  Node childOf(Index octant, unsigned child) const;
+  template <typename Visit> void eachTouching(unsigned children, const Neighbors& neighbors, Visit&& visit) const;
   template <typename Visit>
   void eachFiner(unsigned children, int direction, Index octant, unsigned touched, Visit&& visit) const;
 
   const RefinedSets& refined_;
   const GridFrame& frame_;
-  std::vector<std::array<Node, 8>> children_;
-  Buffer<Neighbors> neighbors_;
+  std::vector<Octant> octants_;
+  std::vector<Index> levels_; ///< the first octant of each
   LeafMasks all_;
   LeafMasks inDomain_;
 };
