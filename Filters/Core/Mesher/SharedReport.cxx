@@ -29,6 +29,22 @@ struct SharedStep
 
 bool isOwn(PointKey key, const RankShare& share) { return key != SharedPoints::noKey && share.isOwn(key >> 3); }
 
+/// By point, the element with the lowest number of all in the mesh that have it, where that is an own one: all elements
+/// at a point of an own one are in the piece. Otherwise one of another rank.
+std::vector<Index> firstElementsOf(const SharedPiece& piece)
+{
+  std::vector<Index> first(piece.pointsBefore.size(), noIndex);
+  for (Index e = 0; e < piece.mesh.elementCount(); ++e)
+  {
+    for (const Index p : piece.mesh.corners[e])
+    {
+      const bool isFirst = first[p] == noIndex || piece.elementNumbers[e] < piece.elementNumbers[first[p]];
+      first[p] = isFirst ? e : first[p];
+    }
+  }
+  return first;
+}
+
 } // namespace
 
 std::vector<ZoneSummary> SharedReport::summarize(const Zones& zones, const std::vector<char>& kept,
@@ -131,22 +147,21 @@ void SharedReport::addLeftOut(const ImprovedMesh& improved, const SharedLayers& 
 
 void SharedReport::addDetached(const ImprovedMesh& improved, const SharedPiece& piece)
 {
-  std::vector<std::uint64_t> firstElements(piece.pointsBefore.size(), ~std::uint64_t{0});
-  for (Index e = 0; e < piece.mesh.elementCount(); ++e)
-  {
-    for (const Index p : piece.mesh.corners[e])
-    {
-      firstElements[p] = std::min(firstElements[p], piece.elementNumbers[e]);
-    }
-  }
+  const std::vector<Index> firstElements = firstElementsOf(piece);
   for (const DetachedVertex& vertex : improved.detached)
   {
     const auto found = std::ranges::lower_bound(piece.pointsBefore, vertex.point);
+    if (found == piece.pointsBefore.end() || *found != vertex.point)
+    {
+      continue;
+    }
     const auto p = static_cast<std::size_t>(found - piece.pointsBefore.begin());
-    if (p < piece.pointsBefore.size() && *found == vertex.point && piece.pointRanks[p] == share_.rank())
+    const Index e = firstElements[p];
+    // The rank that has the point may have none of its elements.
+    if (piece.elementRanks[e] == share_.rank())
     {
       entries_.push_back({Group::detached, Diagnostic::detachedVertex, piece.mesh.points[p], vertex.wanted, 0.0,
-                          piece.pointNumbers[p], firstElements[p], noElement});
+                          piece.pointNumbers[p], piece.elementNumbers[e], noElement});
     }
   }
 }
