@@ -152,6 +152,24 @@ TEST(LeafRows, AreLeavesOfAnOctreeThatHasThem)
   }
 }
 
+TEST(LeafRows, AreCountedByRangeOfKeys)
+{
+  for (unsigned seed = 1; seed <= 40; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    const RandomOctree of = randomOctree(seed);
+    const LeafRows rows(of.refined, of.frame);
+    const OctreeBlocks blocks = findBlocks(of.refined, of.frame, 8 << seed % 4);
+    const std::vector<char> inDomain = leavesIn(rows.inDomain(), of);
+    std::vector<std::size_t> expected(blocks.count(), 0);
+    for (Index leaf = 0; leaf < inDomain.size(); ++leaf)
+    {
+      expected[blocks.blockOf(of.octree.finestKey(leaf))] += inDomain[leaf] ? 1 : 0;
+    }
+    EXPECT_EQ(rows.countBetween(blocks.begins, rows.inDomain()), expected);
+  }
+}
+
 TEST(OctreeBlocks, HaveAllLeavesAndNoMoreThanAsked)
 {
   for (unsigned seed = 1; seed <= 40; ++seed)
@@ -174,7 +192,7 @@ TEST(OctreeBlocks, HaveAllLeavesAndNoMoreThanAsked)
     }
     for (const std::size_t ranks : {1U, 2U, 5U})
     {
-      const std::vector<Index> firsts = divideBlocks(blocks, ranks);
+      const std::vector<Index> firsts = divideBlocks(blocks.leaves, ranks);
       ASSERT_EQ(firsts.size(), ranks + 1);
       EXPECT_EQ(firsts.front(), 0U);
       EXPECT_EQ(firsts.back(), blocks.count());

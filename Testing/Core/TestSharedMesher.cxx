@@ -100,7 +100,7 @@ double expectSameOnRanks(const Meshed& whole, const DualMeshOptions& options, in
   std::atomic<std::size_t> faces = 0;
   std::atomic<std::size_t> elements = 0;
   onRanks(ranks, [&](RankExchange& exchange) {
-    const RankShare share(sets, whole.frame, blockSize, exchange);
+    const RankShare share(sets, whole.model, whole.frame, blockSize, exchange, quietContext());
     ASSERT_GT(share.blocks().count(), 1U);
     const Octree octree = share.makeOctree(whole.model, {}, quietContext());
     leaves += octree.leafCount();
@@ -213,7 +213,7 @@ TEST(SharedSite, RanksTakeMoreRowsUntilTheyAgree)
   const Meshed whole = meshIt(surface, grid, options);
   const RefinedSets sets = whole.octree.refinedSets();
   const auto makeWithFew = [&](RankExchange& exchange) {
-    const RankShare share(sets, whole.frame, blockSize, exchange);
+    const RankShare share(sets, whole.model, whole.frame, blockSize, exchange, quietContext());
     const Octree octree = share.makeOctree(whole.model, few, quietContext());
     StageClock clock;
     makeSharedMesh(octree, whole.model, options, share, 1, clock, quietContext());

@@ -123,7 +123,7 @@ std::optional<SharedModel> meshSharedModel(const TriangleSurface& surface, const
   const SurfaceModel model = makeSurfaceModel(placed, options, context.part(0.0, 0.2));
   clock.lap("surface");
   SizedOctants sized = sizeOctants(model, placed.frame, options, context.part(0.2, 1.0));
-  const RankShare share(sized.refined, placed.frame, options.mesh.blockSize, exchange);
+  const RankShare share(sized.refined, model, placed.frame, options.mesh.blockSize, exchange, context);
   if (share.blocks().count() < static_cast<std::size_t>(std::max(2, exchange.ranks())))
   {
     return std::nullopt;

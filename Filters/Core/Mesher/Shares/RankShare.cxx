@@ -45,11 +45,29 @@ LeafMasks any(LeafMasks a, const LeafMasks& b)
   return a;
 }
 
+/// What blocks cost, in leaves that are not at the model.
+std::vector<std::size_t> costsOf(const OctreeBlocks& blocks, const RefinedSets& refined, const SurfaceModel& model,
+                                 const GridFrame& frame, const RunContext& context)
+{
+  if (blocks.count() < 2)
+  {
+    return blocks.leaves; // the root may be a leaf
+  }
+  const LeafRows leaves(refined, frame);
+  std::vector<std::size_t> costs = leaves.countBetween(blocks.begins, leaves.inDomain());
+  const std::vector<std::size_t> atWalls = leaves.countBetween(blocks.begins, leaves.withModel(model, context));
+  std::ranges::transform(costs, atWalls, costs.begin(),
+                         [](std::size_t all, std::size_t some) { return all + (RankShare::wallCost - 1) * some; });
+  return costs;
+}
+
 } // namespace
 
-RankShare::RankShare(const RefinedSets& refined, const GridFrame& frame, std::size_t blockSize, RankExchange& exchange)
+RankShare::RankShare(const RefinedSets& refined, const SurfaceModel& model, const GridFrame& frame,
+                     std::size_t blockSize, RankExchange& exchange, const RunContext& context)
     : whole_(refined), frame_(frame), exchange_(exchange), blocks_(findBlocks(refined, frame, blockSize)),
-      firstBlocks_(divideBlocks(blocks_, static_cast<std::size_t>(exchange.ranks()))),
+      firstBlocks_(
+          divideBlocks(costsOf(blocks_, refined, model, frame, context), static_cast<std::size_t>(exchange.ranks()))),
       own_(MortonRange{blocks_.begins[firstBlock()], blocks_.begins[endBlock()]})
 {
 }

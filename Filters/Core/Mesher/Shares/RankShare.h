@@ -26,13 +26,17 @@ struct ShareRows
   ShareRows times(int factor) const { return {factor * about, factor * off, factor * along, factor * beside}; }
 };
 
-/// Each rank has blocks of the octree in a row, and makes its own octree: the whole's there and so many rows about it,
-/// coarser elsewhere.
+/// Each rank has blocks of the octree in a row that cost as much as those of others, and makes its own octree: the
+/// whole's there and so many rows about it, coarser elsewhere.
 class RankShare
 {
 public:
+  /// What a leaf at the model costs, in those that are not: elements of its layers, and places for its vertices.
+  static constexpr std::size_t wallCost = 8;
+
   /// Of the balanced sets of a whole octree, which must outlive this; so must `exchange`.
-  RankShare(const RefinedSets& refined, const GridFrame& frame, std::size_t blockSize, RankExchange& exchange);
+  RankShare(const RefinedSets& refined, const SurfaceModel& model, const GridFrame& frame, std::size_t blockSize,
+            RankExchange& exchange, const RunContext& context);
 
   RankExchange& exchange() const { return exchange_; }
   int rank() const { return exchange_.rank(); }

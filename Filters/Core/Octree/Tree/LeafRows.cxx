@@ -108,12 +108,13 @@ unsigned childrenInDomain(const GridFrame& frame, int level, MortonKey key)
 
 } // namespace
 
-/// Marks leaves that hold pieces of the model or sides of the domain.
+/// Marks leaves that hold pieces of the model, or sides of the domain if these count.
 class LeafRows::SurfaceDescent
 {
 public:
-  SurfaceDescent(const SurfaceModel& model, const LeafRows& rows)
-      : rows_(rows), dividers_(rows.frame_.depth, PieceDivider(model, rows.frame_)), marks_(rows.octants_.size(), 0)
+  SurfaceDescent(const SurfaceModel& model, const LeafRows& rows, bool sides)
+      : rows_(rows), dividers_(rows.frame_.depth, PieceDivider(model, rows.frame_)), sides_(sides),
+        marks_(rows.octants_.size(), 0)
   {
   }
 
@@ -121,7 +122,7 @@ public:
   {
     dividers_[level].divide(level, key, pieces, [&](unsigned k, const LatticeBox&, std::span<const ModelItem> some) {
       const Node child = rows_.childOf(octant, k);
-      if (some.empty() && !hasSide(level + 1, key << 3 | k))
+      if (some.empty() && (!sides_ || !hasSide(level + 1, key << 3 | k)))
       {
         return;
       }
@@ -155,6 +156,7 @@ private:
 
   const LeafRows& rows_;
   std::vector<PieceDivider> dividers_; ///< by level
+  bool sides_;
   LeafMasks marks_;
 };
 
@@ -253,9 +255,9 @@ LeafRows::Node LeafRows::childOf(Index octant, unsigned child) const
                                      : leafNode(octant, child);
 }
 
-LeafMasks LeafRows::in(const MortonRange& range) const
+/// Calls visit(octant, k, key) for the children of all octants, with their keys in the finest grid.
+template <typename Visit> void LeafRows::eachChild(Visit&& visit) const
 {
-  LeafMasks leaves(all_.size(), 0);
   std::size_t octant = 0;
   for (std::size_t level = 0; level < refined_.size(); ++level)
   {
@@ -264,20 +266,38 @@ LeafMasks LeafRows::in(const MortonRange& range) const
     {
       for (unsigned k = 0; k < 8; ++k)
       {
-        const MortonKey first = (key << 3 | k) << shift;
-        leaves[octant] |= first >= range.begin && first < range.end ? 1u << k : 0u;
+        visit(octant, k, (key << 3 | k) << shift);
       }
-      leaves[octant] &= all_[octant];
       ++octant;
     }
   }
+}
+
+LeafMasks LeafRows::in(const MortonRange& range) const
+{
+  LeafMasks leaves(all_.size(), 0);
+  eachChild([&](std::size_t octant, unsigned k, MortonKey key) {
+    leaves[octant] |= key >= range.begin && key < range.end ? all_[octant] & 1u << k : 0u;
+  });
   return leaves;
 }
 
-LeafMasks LeafRows::withSurfaces(const SurfaceModel& model, const RunContext& context) const
+std::vector<std::size_t> LeafRows::countBetween(const std::vector<MortonKey>& begins, const LeafMasks& leaves) const
+{
+  std::vector<std::size_t> counts(begins.size() - 1, 0);
+  eachChild([&](std::size_t octant, unsigned k, MortonKey key) {
+    if ((leaves[octant] >> k & 1) != 0)
+    {
+      ++counts[static_cast<std::size_t>(std::ranges::upper_bound(begins, key) - begins.begin()) - 1];
+    }
+  });
+  return counts;
+}
+
+LeafMasks LeafRows::marked(const SurfaceModel& model, bool sides, const RunContext& context) const
 {
   context.progress.check();
-  SurfaceDescent descent(model, *this);
+  SurfaceDescent descent(model, *this, sides);
   descent.descend(0, 0, 0, rootLists(model, frame_).items);
   return descent.take();
 }

@@ -23,8 +23,18 @@ public:
   const LeafMasks& inDomain() const { return inDomain_; }
   /// Those of a range, also outside of the domain.
   LeafMasks in(const MortonRange& range) const;
+  /// Those with pieces of the model.
+  LeafMasks withModel(const SurfaceModel& model, const RunContext& context) const
+  {
+    return marked(model, false, context);
+  }
   /// Those with pieces of the model or sides of the domain.
-  LeafMasks withSurfaces(const SurfaceModel& model, const RunContext& context) const;
+  LeafMasks withSurfaces(const SurfaceModel& model, const RunContext& context) const
+  {
+    return marked(model, true, context);
+  }
+  /// How many there are from each of these keys of the finest grid to the next one; the last is the end.
+  std::vector<std::size_t> countBetween(const std::vector<MortonKey>& begins, const LeafMasks& leaves) const;
   /// Adds so many rows of leaves that touch what is there, of those `within`.
   LeafMasks grow(LeafMasks leaves, int rows, const LeafMasks& within) const;
   /// Of an octree that has these leaves; it is to be balanced. Octants above the start level are all refined.
@@ -46,6 +56,8 @@ private:
   };
 
   void link();
+  LeafMasks marked(const SurfaceModel& model, bool sides, const RunContext& context) const;
+  template <typename Visit> void eachChild(Visit&& visit) const;
   Node childOf(Index octant, unsigned child) const;
   template <typename Visit> void eachTouching(unsigned children, const Neighbors& neighbors, Visit&& visit) const;
   template <typename Visit>

@@ -85,21 +85,21 @@ OctreeBlocks findBlocks(const RefinedSets& refined, const GridFrame& frame, std:
   return Divider(refined, frame, most).run();
 }
 
-std::vector<Index> divideBlocks(const OctreeBlocks& blocks, std::size_t ranks)
+std::vector<Index> divideBlocks(const std::vector<std::size_t>& costs, std::size_t ranks)
 {
-  const auto all = std::accumulate(blocks.leaves.begin(), blocks.leaves.end(), std::size_t{0});
+  const auto all = std::accumulate(costs.begin(), costs.end(), std::size_t{0});
   std::vector<Index> firsts{0};
   std::size_t before = 0;
-  for (Index block = 0; block < blocks.count(); ++block)
+  for (Index block = 0; block < costs.size(); ++block)
   {
     // A block is of the rank in whose share its middle lies.
-    while (firsts.size() < ranks && (2 * before + blocks.leaves[block]) * ranks > 2 * all * firsts.size())
+    while (firsts.size() < ranks && (2 * before + costs[block]) * ranks > 2 * all * firsts.size())
     {
       firsts.push_back(block);
     }
-    before += blocks.leaves[block];
+    before += costs[block];
   }
-  const auto count = static_cast<Index>(blocks.count());
+  const auto count = static_cast<Index>(costs.size());
   firsts.resize(ranks, count);
   for (std::size_t rank = 1; count >= ranks && rank < ranks; ++rank)
   {

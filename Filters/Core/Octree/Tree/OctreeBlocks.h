@@ -32,8 +32,8 @@ struct OctreeBlocks
 /// on the sets alone.
 OctreeBlocks findBlocks(const RefinedSets& refined, const GridFrame& frame, std::size_t most);
 
-/// The first block of each rank, and after the last one their number: ranks have blocks in a row, with as many leaves
-/// as that allows, and one at least where there are so many.
-std::vector<Index> divideBlocks(const OctreeBlocks& blocks, std::size_t ranks);
+/// The first block of each rank, and after the last one their number: ranks have blocks in a row, that cost as much as
+/// this allows, and one at least where there are so many.
+std::vector<Index> divideBlocks(const std::vector<std::size_t>& costs, std::size_t ranks);
 
 } // namespace atria
