@@ -55,8 +55,8 @@ std::vector<char> keptOf(const Zones& zones, const ZoneOptions& options, const G
 }
 
 /// Zones, and from them elements and vertices.
-ClassifiedMesh fillMesh(DualMeshResult& result, const CrossedGrid& grid, const ZoneOptions& options, StageClock& clock,
-                        const MeshingContext& context)
+ClassifiedMesh fillMesh(DualMeshResult& result, CrossedGrid& grid, bool keepGrid, const ZoneOptions& options,
+                        StageClock& clock, const MeshingContext& context)
 {
   const auto& [places, crossings] = grid.displaced;
   context.progress.report(0.6, "Finding zones");
@@ -66,7 +66,7 @@ ClassifiedMesh fillMesh(DualMeshResult& result, const CrossedGrid& grid, const Z
   inspectZones(grid, zones, elements, options, result, context);
   Labels labels = findLabels(places, crossings, zones, options, result, context);
   clock.lap("zones");
-  return makeElements(grid, zones, elements, std::move(labels), result.diagnostics, clock, context);
+  return makeElements(grid, keepGrid, zones, elements, std::move(labels), result.diagnostics, clock, context);
 }
 
 /// Each detached vertex with an element that has it.
@@ -158,7 +158,7 @@ void makePlain(DualStages& stages, bool keep, const DualMeshOptions& options, St
   }
   stages.plain = {};
   auto plain = std::make_unique<PlainDual>();
-  ClassifiedMesh mesh = fillMesh(plain->found, *stages.grid.result, options, clock, context);
+  ClassifiedMesh mesh = fillMesh(plain->found, *stages.grid.result, keep, options, clock, context);
   if (!keep)
   {
     stages.grid = {};

@@ -116,23 +116,13 @@ void takeLabels(DualMesh& mesh, Labels labels, const std::vector<Index>& element
   mesh.zoneFaces = zoneFacesOf(std::move(labels.zoneFaces), elements);
 }
 
-void fillElements(DualMesh& mesh, const Octree& octree, const GridPoints& points, const Crossings& crossings,
-                  const Zones& zones, const std::vector<Index>& elements, const std::vector<Index>& vertices,
-                  const RunContext& context)
+void fillCorners(DualMesh& mesh, const Octree& octree, const GridPoints& points, const std::vector<Index>& elements,
+                 const std::vector<Index>& vertices, const RunContext& context)
 {
-  const std::vector<std::int32_t> boundary = fillBoundary(mesh, crossings, elements, context);
-  context.progress.check();
   const auto last = std::find_if(elements.rbegin(), elements.rend(), [](Index e) { return e != noIndex; });
   const std::size_t count = last == elements.rend() ? 0 : *last + std::size_t{1};
   mesh.corners.resize(count);
-  mesh.neighbors.resize(count);
   mesh.levels.resize(count);
-  mesh.zones.resize(count);
-  const auto codeOf = [&](std::int32_t code) {
-    return code >= 0                    ? static_cast<std::int32_t>(elements[code])
-           : DualMesh::isBoundary(code) ? boundary[DualMesh::boundaryFaceOf(code)]
-                                        : code;
-  };
   context.executor.forEach(elements.size(), 8192, [&](std::size_t i) {
     const Index e = elements[i];
     if (e == noIndex)
@@ -146,9 +136,29 @@ void fillElements(DualMesh& mesh, const Octree& octree, const GridPoints& points
       mesh.corners[e][c] = vertices[leaf];
       finest = std::max(finest, octree.level(leaf));
     }
-    std::ranges::transform(crossings.neighbors[i], mesh.neighbors[e].begin(), codeOf);
     mesh.levels[e] = static_cast<std::uint8_t>(finest);
-    mesh.zones[e] = zones.ofPoint[i];
+  });
+}
+
+void fillNeighbors(DualMesh& mesh, const Crossings& crossings, const Zones& zones, const std::vector<Index>& elements,
+                   const RunContext& context)
+{
+  const std::vector<std::int32_t> boundary = fillBoundary(mesh, crossings, elements, context);
+  context.progress.check();
+  mesh.neighbors.resize(mesh.corners.size());
+  mesh.zones.resize(mesh.corners.size());
+  const auto codeOf = [&](std::int32_t code) {
+    return code >= 0                    ? static_cast<std::int32_t>(elements[code])
+           : DualMesh::isBoundary(code) ? boundary[DualMesh::boundaryFaceOf(code)]
+                                        : code;
+  };
+  context.executor.forEach(elements.size(), 8192, [&](std::size_t i) {
+    const Index e = elements[i];
+    if (e != noIndex)
+    {
+      std::ranges::transform(crossings.neighbors[i], mesh.neighbors[e].begin(), codeOf);
+      mesh.zones[e] = zones.ofPoint[i];
+    }
   });
 }
 
@@ -244,13 +254,19 @@ std::vector<Index> numberElements(const Zones& zones, const std::vector<char>& k
   return numbers;
 }
 
-ClassifiedMesh makeElements(const CrossedGrid& grid, const Zones& zones, const std::vector<Index>& elements,
+ClassifiedMesh makeElements(CrossedGrid& grid, bool keepGrid, const Zones& zones, const std::vector<Index>& elements,
                             Labels labels, std::vector<Diagnostic>& diagnostics, StageClock& clock,
                             const MeshingContext& context)
 {
   const Octree& octree = context.octree;
   const SurfaceModel& model = context.model;
-  const Crossings& crossings = grid.displaced.crossings;
+  Crossings& crossings = grid.displaced.crossings;
+  const auto dispose = [keepGrid](auto& list) {
+    if (!keepGrid)
+    {
+      release(list);
+    }
+  };
   context.progress.report(0.7, "Placing vertices");
   std::vector<Index> vertexOfLeaf;
   const std::vector<Index> leaves = numberVertices(grid.points, elements, octree.leafCount(), vertexOfLeaf, context);
@@ -260,12 +276,18 @@ ClassifiedMesh makeElements(const CrossedGrid& grid, const Zones& zones, const s
   clock.lap("vertices");
   context.progress.report(0.9, "Making elements");
   context.progress.check();
-  fillElements(mesh, octree, grid.points, crossings, zones, elements, vertexOfLeaf, context);
+  appendMerged(crossings, elements, octree, diagnostics);
+  dispose(crossings.crossedEdges);
+  dispose(crossings.cuts);
+  fillCorners(mesh, octree, grid.points, elements, vertexOfLeaf, context);
+  release(vertexOfLeaf);
+  dispose(grid.points.leaves);
+  fillNeighbors(mesh, crossings, zones, elements, context);
+  dispose(crossings.neighbors);
   takeLabels(mesh, std::move(labels), elements, context);
   context.progress.check();
   const std::vector<Vec3> before = octree.frame().turnedDomain ? mesh.points : std::vector<Vec3>();
   sharpenTurnedEdges(mesh, octree.frame(), model.names.size());
-  appendMerged(crossings, elements, octree, diagnostics);
   appendUnresolved(mesh, octree, leaves, std::move(placed.compromised), diagnostics);
   keepWithinSides(mesh.points, octree.frame());
   fixMoved(before, mesh.points, placed.classification);

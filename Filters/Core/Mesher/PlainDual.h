@@ -34,8 +34,9 @@ struct CrossedGrid
 /// New numbers of the grid points that become elements; noIndex for the others.
 std::vector<Index> numberElements(const Zones& zones, const std::vector<char>& kept, const RunContext& context);
 
-/// Places the vertices and makes the elements of numbered grid points.
-ClassifiedMesh makeElements(const CrossedGrid& grid, const Zones& zones, const std::vector<Index>& elements,
+/// Places the vertices and makes the elements of numbered grid points. Unless the grid is kept, what of it is not
+/// needed any more is freed step by step: it is as large as the mesh.
+ClassifiedMesh makeElements(CrossedGrid& grid, bool keepGrid, const Zones& zones, const std::vector<Index>& elements,
                             Labels labels, std::vector<Diagnostic>& diagnostics, StageClock& clock,
                             const MeshingContext& context);
 

@@ -117,8 +117,8 @@ private:
     release(grid->points.atCorner); // only crossings and zones ask for these
     std::vector<Diagnostic> diagnostics;
     ClassifiedMesh plain =
-        makeElements(*grid, zones, elements, std::move(labels), diagnostics, clock, context.part(0.3, 0.5));
-    grid.reset(); // it is larger than the mesh
+        makeElements(*grid, false, zones, elements, std::move(labels), diagnostics, clock, context.part(0.3, 0.5));
+    grid.reset();
     zones = {};
     const std::vector<PointKey> keys = keysOf(elements, *points);
     points.reset();
