@@ -159,7 +159,9 @@ ClassifiedMesh unfoldWalls(ClassifiedMesh given, const MeshingContext& context)
 
 ClassifiedMesh splitPoints(ClassifiedMesh given, const MeshingContext& context)
 {
-  for (const Index source : splitSheets(given.mesh, context))
+  const std::vector<Index> sources = splitSheets(given.mesh, context);
+  given.vertexOf.reserve(given.vertexOf.size() + sources.size());
+  for (const Index source : sources)
   {
     given.vertexOf.push_back(given.vertexOf[source]);
   }

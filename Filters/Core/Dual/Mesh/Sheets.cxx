@@ -99,6 +99,7 @@ std::vector<Index> splitSheets(DualMesh& mesh, const RunContext& context)
   const Index count = scan(copies);
   context.progress.check();
   const auto before = static_cast<Index>(mesh.points.size());
+  mesh.points.reserve(before + count); // they are few, and without it there would be room for twice as many
   mesh.points.resize(before + count);
   std::vector<Index> sources(count);
   for (const Index i : split)
