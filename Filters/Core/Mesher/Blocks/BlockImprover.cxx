@@ -175,10 +175,11 @@ private:
     std::vector<PoorElement> found;
     for (const Index block : members)
     {
-      for (const std::vector<Index>& elements : places.find(block, poor, reach))
+      // Within the window of the block, so that places of other blocks of its class may be improved at the same time.
+      const std::vector<Index>& window = windows.elements[block - blocks.first];
+      for (const std::vector<Index>& elements : places.find(block, poor, reach, window))
       {
-        // Within the window of the block, so that places of other blocks of its class may be improved at the same time.
-        const OpenedPlace place = places.open(elements, reach, windows.elements[block - blocks.first]);
+        const OpenedPlace place = places.open(elements, reach, window);
         std::vector<PoorElement> before;
         std::ranges::copy_if(poor, std::back_inserter(before), [&](const PoorElement& one) {
           return std::ranges::any_of(places.wallPointsOf(one), [&](Index p) { return place.hasVertex(vertexOf[p]); });

@@ -4,6 +4,8 @@
 #include "Dual/Mesh/DualMesh.h"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace atria {
 
@@ -16,19 +18,20 @@ inline Index beyond(const DualMesh& mesh, std::int32_t code)
 }
 
 /// Finds elements about others. A mark for each element is kept, so that this takes no more time than there are
-/// elements found.
+/// elements found. Of a mesh there have to be neighbors and boundary faces.
 class ElementRows
 {
 public:
-  /// Only elements marked in `within` are found; where that is empty, any are.
-  explicit ElementRows(const DualMesh& mesh, const std::vector<char>& within = {})
-      : mesh_(mesh), within_(within), marks_(mesh.elementCount(), 0)
-  {
-  }
+  explicit ElementRows(const DualMesh& mesh) : mesh_(mesh), marks_(mesh.neighbors.size(), 0) {}
 
   /// Elements, which are different, and so many rows about them: what shares faces with them, or is on the other side
   /// of a sheet. In order.
   std::vector<Index> grow(std::vector<Index> elements, int rows)
+  {
+    return grow(std::move(elements), rows, [](Index) { return true; });
+  }
+  /// The same of those for which `isWithin` says true.
+  template <typename IsWithin> std::vector<Index> grow(std::vector<Index> elements, int rows, IsWithin&& isWithin)
   {
     ++last_;
     std::ranges::for_each(elements, [&](Index e) { marks_[e] = last_; });
@@ -39,7 +42,12 @@ public:
       {
         for (const std::int32_t code : mesh_.neighbors[elements[begin]])
         {
-          add(beyond(mesh_, code), elements);
+          const Index other = beyond(mesh_, code);
+          if (other != noIndex && marks_[other] != last_ && isWithin(other))
+          {
+            marks_[other] = last_;
+            elements.push_back(other);
+          }
         }
       }
     }
@@ -48,17 +56,7 @@ public:
   }
 
 private:
-  void add(Index element, std::vector<Index>& elements)
-  {
-    if (element != noIndex && marks_[element] != last_ && (within_.empty() || within_[element]))
-    {
-      marks_[element] = last_;
-      elements.push_back(element);
-    }
-  }
-
   const DualMesh& mesh_;
-  std::vector<char> within_;
   std::vector<Index> marks_;
   Index last_ = 0;
 };

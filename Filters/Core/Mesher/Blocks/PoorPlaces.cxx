@@ -15,22 +15,12 @@ namespace {
 /// Rows about what is opened, where all points stay: elements at points that move have no points where a window ends.
 constexpr int rowsBesideOpened = 6;
 
-std::vector<char> marksOfNear(const NearBoundary& near)
-{
-  std::vector<char> marks(near.rows.size());
-  for (Index e = 0; e < marks.size(); ++e)
-  {
-    marks[e] = near.isNear(e) ? 1 : 0;
-  }
-  return marks;
-}
-
 } // namespace
 
 bool OpenedPlace::hasVertex(Index vertex) const { return std::ranges::binary_search(vertices, vertex); }
 
 PoorPlaces::PoorPlaces(const DualMesh& mesh, const std::vector<Index>& vertexOf, const MeshBlocks& blocks)
-    : mesh_(mesh), vertexOf_(vertexOf), blocks_(blocks), rows_(mesh, marksOfNear(blocks.near))
+    : mesh_(mesh), vertexOf_(vertexOf), blocks_(blocks), rows_(mesh)
 {
   for (Index p = 0; p < vertexOf.size(); ++p)
   {
@@ -51,18 +41,22 @@ std::vector<Index> PoorPlaces::blocksOf(const std::vector<PoorElement>& all) con
   return blocks;
 }
 
-std::vector<std::vector<Index>> PoorPlaces::find(Index block, const std::vector<PoorElement>& all, int reach)
+std::vector<std::vector<Index>> PoorPlaces::find(Index block, const std::vector<PoorElement>& all, int reach,
+                                                 const std::vector<Index>& within)
 {
   std::vector<Index> elements;
   std::ranges::transform(all, std::back_inserter(elements),
                          [&](const PoorElement& one) { return plainElementOf(one); });
   sortUnique(elements);
-  std::erase_if(elements, [&](Index e) { return blockAt(e) != block || !isWhereBlocksMeet(rows_.grow({e}, reach)); });
+  std::erase_if(elements, [&](Index e) {
+    return blockAt(e) != block || !std::ranges::binary_search(within, e) ||
+           !isWhereBlocksMeet(grow({e}, reach, within));
+  });
   UnionFind sets(elements.size());
   std::map<Index, Index> holders;
   for (Index i = 0; i < elements.size(); ++i)
   {
-    for (const Index e : rows_.grow({elements[i]}, reach))
+    for (const Index e : grow({elements[i]}, reach, within))
     {
       sets.join(holders.emplace(e, i).first->second, i);
     }
@@ -79,9 +73,9 @@ std::vector<std::vector<Index>> PoorPlaces::find(Index block, const std::vector<
 
 OpenedPlace PoorPlaces::open(const std::vector<Index>& elements, int reach, const std::vector<Index>& within)
 {
-  const std::vector<Index> opened = rows_.grow(elements, reach);
+  const std::vector<Index> opened = grow(elements, reach, within);
   OpenedPlace out;
-  std::ranges::set_intersection(rows_.grow(opened, rowsBesideOpened), within, std::back_inserter(out.window));
+  out.window = grow(opened, rowsBesideOpened, within);
   const std::vector<char> stays = verticesThatStay(out.window);
   for (const Index e : opened)
   {
@@ -107,6 +101,11 @@ std::vector<Index> PoorPlaces::wallPointsOf(const PoorElement& element) const
   }
   const std::array<Index, 4> corners = cornersOf(mesh_, mesh_.boundaryFaces[element.place]);
   return {corners.begin(), corners.end()};
+}
+
+std::vector<Index> PoorPlaces::grow(const std::vector<Index>& elements, int rows, const std::vector<Index>& within)
+{
+  return rows_.grow(elements, rows, [&](Index e) { return std::ranges::binary_search(within, e); });
 }
 
 Index PoorPlaces::plainElementOf(const PoorElement& element) const

@@ -30,16 +30,18 @@ public:
   /// The blocks with poor elements, in order.
   std::vector<Index> blocksOf(const std::vector<PoorElement>& all) const;
   /// The elements of a block that are poor, or have such on them, less than so many rows away from another block:
-  /// those that are near each other together.
-  std::vector<std::vector<Index>> find(Index block, const std::vector<PoorElement>& all, int reach);
-  /// What is so many rows about elements, within a window of all elements that a block is improved among. O(elements
-  /// found · log of them) but for a mark for each vertex.
+  /// those that are near each other together. Rows are of the window of all elements that the block is improved among.
+  std::vector<std::vector<Index>> find(Index block, const std::vector<PoorElement>& all, int reach,
+                                       const std::vector<Index>& within);
+  /// What is so many rows about elements in that window. O(elements found · log of the window) but for a mark for each
+  /// vertex.
   OpenedPlace open(const std::vector<Index>& elements, int reach, const std::vector<Index>& within);
 
   /// The points of the plain mesh that an element has, or is above.
   std::vector<Index> wallPointsOf(const PoorElement& element) const;
 
 private:
+  std::vector<Index> grow(const std::vector<Index>& elements, int rows, const std::vector<Index>& within);
   Index plainElementOf(const PoorElement& element) const;
   Index blockAt(Index element) const;
   bool isWhereBlocksMeet(const std::vector<Index>& elements) const;
