@@ -103,6 +103,27 @@ std::vector<char> grown(std::vector<char> leaves, int rows, const std::vector<ch
   return leaves;
 }
 
+TEST(LeafRows, FindsLeavesByTheirKeys)
+{
+  for (unsigned seed = 1; seed <= 40; ++seed)
+  {
+    SCOPED_TRACE(seed);
+    const RandomOctree of = randomOctree(seed);
+    std::mt19937 random(seed);
+    std::vector<char> chosen(of.octree.leafCount());
+    std::vector<MortonKey> keys;
+    for (Index leaf = 0; leaf < chosen.size(); ++leaf)
+    {
+      chosen[leaf] = random() % 3 == 0 ? 1 : 0;
+      if (chosen[leaf])
+      {
+        keys.push_back(of.octree.finestKey(leaf));
+      }
+    }
+    EXPECT_EQ(leavesIn(LeafRows(of.refined, of.frame).of(keys), of), chosen);
+  }
+}
+
 TEST(LeafRows, AreThoseOfLeavesThatTouch)
 {
   for (unsigned seed = 1; seed <= 40; ++seed)

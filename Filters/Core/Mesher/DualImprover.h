@@ -2,21 +2,12 @@
 /// Makes the mesh of a model valid and good at its boundary.
 #pragma once
 
-#include "Dual/Vertices/DualVertices.h"
 #include "Layer/LayerCoverage.h"
+#include "Mesher/Blocks/ClassifiedMesh.h"
 #include "Mesher/Improvement/LayerImprover.h"
 #include "Octree/Tree/MeshingContext.h"
 
 namespace atria {
-
-/// A mesh that knows what its points stand for.
-struct ClassifiedMesh
-{
-  DualMesh mesh;
-  VertexClassification classification;
-  /// For each point of the mesh the vertex of the anchors that it is.
-  std::vector<Index> vertexOf;
-};
 
 /// A mesh whose points are the vertices of `anchors`.
 ClassifiedMesh classified(DualMesh mesh, VertexClassification classification);

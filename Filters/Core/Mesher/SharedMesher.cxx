@@ -5,7 +5,6 @@
 #include "Mesher/LeaveOut.h"
 #include "Mesher/SharedReport.h"
 #include "Mesher/Shares/SharedBlocks.h"
-#include "Mesher/Shares/SharedElements.h"
 #include "Mesher/Shares/SharedLabels.h"
 #include "Mesher/Shares/SharedZones.h"
 
@@ -44,9 +43,9 @@ DualMesh connectionsOf(ClassifiedMesh plain)
 class SharedMesher
 {
 public:
-  SharedMesher(const MeshingContext& surroundings, const DualMeshOptions& meshOptions, const RankShare& rankShare,
-               StageClock& stageClock)
-      : context(surroundings), options(meshOptions), share(rankShare), clock(stageClock),
+  SharedMesher(const MeshingContext& surroundings, Octree& octreeOfRank, const DualMeshOptions& meshOptions,
+               const RankShare& rankShare, StageClock& stageClock)
+      : context(surroundings), octree(octreeOfRank), options(meshOptions), share(rankShare), clock(stageClock),
         surfaceCount(static_cast<Index>(context.model.names.size())), report(share)
   {
   }
@@ -61,8 +60,7 @@ public:
       return std::nullopt;
     }
     SharedWindow& window = *ofRank;
-    ClassifiedMesh plain{std::move(window.mesh.mesh), std::move(window.mesh.classification),
-                         std::move(window.mesh.vertexOf)};
+    ClassifiedMesh plain = std::move(window.plain);
     ImprovedMesh improved;
     LayerMesh layer = options.layers.empty() ? withoutLayer(std::move(plain.mesh)) : grow(plain, window, improved);
     improved.mesh = std::move(layer.mesh);
@@ -120,14 +118,13 @@ private:
         makeElements(*grid, false, zones, elements, std::move(labels), diagnostics, clock, context.part(0.3, 0.5));
     grid.reset();
     zones = {};
-    const std::vector<PointKey> keys = keysOf(elements, *points);
+    std::vector<PointKey> keys = keysOf(elements, *points);
     points.reset();
     report.addPlain(diagnostics, keys);
     release(elements);
     plain = splitPoints(unfoldWalls(std::move(plain), context), context);
-    SharedWindow window =
-        keepShare(plain.mesh, plain.classification, plain.vertexOf, keys, surfaceCount, context.octree, share, context);
-    expectSameElements(window, surfaceCount, share);
+    SharedWindow window = makeWindow(shareOf(std::move(plain), std::move(keys), octree, share), surfaceCount, share,
+                                     context.model, octree, context);
     clock.lap("elements");
     return window;
   }
@@ -142,7 +139,7 @@ private:
     const MeshBlocks blocks = blocksOf(context.octree, plain.classification.leaves, share.blocks(), share.firstBlock(),
                                        share.endBlock(), window.near);
     SharedBlocks exchange(window, plain.mesh, share);
-    exchange.takePlaces(plain.mesh.points);
+    exchange.takePlaces(plain.mesh.points, plain.classification.displacementLimits);
     auto [layer, detached, failing] =
         improveBlocks(context.part(0.5, 0.95), plain.classification, plain.vertexOf, plain.mesh, walls, layerOptions,
                       options.curvedWalls, traits, blocks, exchange);
@@ -231,6 +228,7 @@ private:
   }
 
   const MeshingContext& context;
+  Octree& octree; ///< of the context
   const DualMeshOptions& options;
   const RankShare& share;
   StageClock& clock;
@@ -242,13 +240,13 @@ private:
 
 } // namespace
 
-std::optional<SharedDual> makeSharedMesh(const Octree& octree, const SurfaceModel& model,
-                                         const DualMeshOptions& options, const RankShare& share, int ghostLevels,
-                                         StageClock& clock, const RunContext& run)
+std::optional<SharedDual> makeSharedMesh(Octree octree, const SurfaceModel& model, const DualMeshOptions& options,
+                                         const RankShare& share, int ghostLevels, StageClock& clock,
+                                         const RunContext& run)
 {
   const TriangleTreeOnDemand tree(model);
   const MeshingContext context{run, octree, model, tree};
-  return SharedMesher(context, options, share, clock).run(ghostLevels);
+  return SharedMesher(context, octree, options, share, clock).run(ghostLevels);
 }
 
 } // namespace atria

@@ -22,8 +22,8 @@ struct SharedDual
 /// of `options`. All ranks call it at the same time. Nothing, on all ranks, where a zone that should be sealed is not:
 /// its way out is to be found in the whole. Throws as makeDualMesh, and where ranks find something else where their
 /// shares meet: see RankExchange.
-std::optional<SharedDual> makeSharedMesh(const Octree& octree, const SurfaceModel& model,
-                                         const DualMeshOptions& options, const RankShare& share, int ghostLevels,
-                                         StageClock& clock, const RunContext& context);
+std::optional<SharedDual> makeSharedMesh(Octree octree, const SurfaceModel& model, const DualMeshOptions& options,
+                                         const RankShare& share, int ghostLevels, StageClock& clock,
+                                         const RunContext& context);
 
 } // namespace atria

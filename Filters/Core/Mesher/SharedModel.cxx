@@ -7,6 +7,7 @@
 #include "Mesher/SharedMesher.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace atria {
 
@@ -87,12 +88,12 @@ private:
 
   std::optional<SharedDual> makeWith(const ShareRows& rows, StageClock& clock) const
   {
-    const Octree octree = share.makeOctree(model, rows, context.part(0.0, 0.25));
+    Octree octree = share.makeOctree(model, rows, context.part(0.0, 0.25));
     clock.lap("octree");
     checkLayerBudget(elementsOnRanks(octree, model, options.mesh.layers, share, context), options.sizing.memoryLimit);
     DualMeshOptions dual = options.mesh;
     dual.rooms.sidesAreWalls = options.site.mode == DomainMode::surfaces;
-    return makeSharedMesh(octree, model, dual, share, ghostLevels, clock, context.part(0.25, 1.0));
+    return makeSharedMesh(std::move(octree), model, dual, share, ghostLevels, clock, context.part(0.25, 1.0));
   }
 
   const SurfaceModel& model;

@@ -43,6 +43,105 @@ std::vector<Index> elementsAtBoundary(const DualMesh& mesh)
   return elements;
 }
 
+/// Works row by row, so that parts of a mesh find together what the whole would.
+class NearFinder
+{
+public:
+  NearFinder(const DualMesh& mesh, const std::vector<Index>& vertexOf, const NearExchange& exchange)
+      : mesh_(mesh), vertexOf_(vertexOf), exchange_(exchange)
+  {
+  }
+
+  NearBoundary find(std::size_t vertices) const
+  {
+    NearBoundary out{std::vector<char>(vertices, 0),
+                     std::vector<std::uint8_t>(mesh_.elementCount(), NearBoundary::far)};
+    const std::vector<Index> atBoundary = ownOf(elementsAtBoundary(mesh_));
+    for (const Index e : grow(atBoundary, movingRows))
+    {
+      std::ranges::for_each(mesh_.corners[e], [&](Index p) { out.mayMove[vertexOf_[p]] = 1; });
+    }
+    exchange_.takeVertices(out.mayMove);
+    std::vector<Index> seen;
+    for (Index e = 0; e < mesh_.elementCount(); ++e)
+    {
+      if (exchange_.isOwn(e) &&
+          std::ranges::any_of(mesh_.corners[e], [&](Index p) { return out.mayMove[vertexOf_[p]] != 0; }))
+      {
+        seen.push_back(e);
+      }
+    }
+    std::vector<char> isNear(mesh_.elementCount(), 0);
+    std::ranges::for_each(grow(seen, seenRows), [&](Index e) { isNear[e] = 1; });
+    countRows(atBoundary, isNear, out);
+    return out;
+  }
+
+private:
+  std::vector<Index> ownOf(std::vector<Index> elements) const
+  {
+    std::erase_if(elements, [&](Index e) { return !exchange_.isOwn(e); });
+    return elements;
+  }
+
+  /// Own elements and so many rows about them, and about those of other parts: own ones, and those beside them.
+  std::vector<Index> grow(const std::vector<Index>& own, int rows) const
+  {
+    std::vector<std::uint8_t> marks(mesh_.elementCount(), 0);
+    std::ranges::for_each(own, [&](Index e) { marks[e] = 1; });
+    std::vector<Index> all = own;
+    for (std::size_t begin = 0, row = 0;; ++row)
+    {
+      const std::vector<Index> theirs = exchange_.takeElements(marks);
+      all.insert(all.end(), theirs.begin(), theirs.end());
+      if (row == static_cast<std::size_t>(rows))
+      {
+        return all;
+      }
+      for (const std::size_t end = all.size(); begin < end; ++begin)
+      {
+        for (const std::int32_t code : mesh_.neighbors[all[begin]])
+        {
+          const Index other = beyond(mesh_, code);
+          if (other != noIndex && marks[other] == 0 && exchange_.isOwn(other))
+          {
+            marks[other] = 1;
+            all.push_back(other);
+          }
+        }
+      }
+    }
+  }
+
+  void countRows(std::vector<Index> row, const std::vector<char>& isNear, NearBoundary& out) const
+  {
+    for (std::uint8_t number = 0; exchange_.isAny(!row.empty()); ++number)
+    {
+      std::ranges::for_each(row, [&](Index e) { out.rows[e] = number; });
+      const std::vector<Index> theirs = exchange_.takeElements(out.rows);
+      row.insert(row.end(), theirs.begin(), theirs.end());
+      std::vector<Index> next;
+      for (const Index e : row)
+      {
+        for (const std::int32_t code : mesh_.neighbors[e])
+        {
+          const auto other = static_cast<Index>(code);
+          if (code >= 0 && isNear[code] && !out.isNear(other) && exchange_.isOwn(other))
+          {
+            next.push_back(other);
+          }
+        }
+      }
+      sortUnique(next);
+      row = std::move(next);
+    }
+  }
+
+  const DualMesh& mesh_;
+  const std::vector<Index>& vertexOf_;
+  const NearExchange& exchange_;
+};
+
 /// The elements with vertices of each block that may move, in order.
 std::vector<std::vector<Index>> elementsOfBlocks(const DualMesh& mesh, const std::vector<Index>& vertexOf,
                                                  const MeshBlocks& blocks)
@@ -96,43 +195,10 @@ MeshBlocks blocksOf(const Octree& octree, const std::vector<Index>& leaves, cons
   return out;
 }
 
-NearBoundary findNearBoundary(const DualMesh& mesh, const std::vector<Index>& vertexOf, std::size_t vertices)
+NearBoundary findNearBoundary(const DualMesh& mesh, const std::vector<Index>& vertexOf, std::size_t vertices,
+                              const NearExchange& exchange)
 {
-  NearBoundary out{std::vector<char>(vertices, 0), std::vector<std::uint8_t>(mesh.elementCount(), NearBoundary::far)};
-  std::vector<Index> row = elementsAtBoundary(mesh);
-  ElementRows rows(mesh);
-  for (const Index e : rows.grow(row, movingRows))
-  {
-    std::ranges::for_each(mesh.corners[e], [&](Index p) { out.mayMove[vertexOf[p]] = 1; });
-  }
-  std::vector<Index> seen;
-  for (Index e = 0; e < mesh.elementCount(); ++e)
-  {
-    if (std::ranges::any_of(mesh.corners[e], [&](Index p) { return out.mayMove[vertexOf[p]] != 0; }))
-    {
-      seen.push_back(e);
-    }
-  }
-  std::vector<char> isNear(mesh.elementCount(), 0);
-  std::ranges::for_each(rows.grow(std::move(seen), seenRows), [&](Index e) { isNear[e] = 1; });
-  for (std::uint8_t number = 0; !row.empty(); ++number)
-  {
-    std::vector<Index> next;
-    std::ranges::for_each(row, [&](Index e) { out.rows[e] = number; });
-    for (const Index e : row)
-    {
-      for (const std::int32_t code : mesh.neighbors[e])
-      {
-        if (code >= 0 && isNear[code] && !out.isNear(static_cast<Index>(code)))
-        {
-          next.push_back(static_cast<Index>(code));
-        }
-      }
-    }
-    sortUnique(next);
-    row = std::move(next);
-  }
-  return out;
+  return NearFinder(mesh, vertexOf, exchange).find(vertices);
 }
 
 /// Adds neighbors from the elements on that are `first` in the list, and from those added.

@@ -21,7 +21,24 @@ struct NearBoundary
 
   bool isNear(Index element) const { return rows[element] != far; }
 };
-NearBoundary findNearBoundary(const DualMesh& mesh, const std::vector<Index>& vertexOf, std::size_t vertices);
+
+/// What parts of a mesh tell each other of what is near its boundary; by itself, of a mesh that has no other parts.
+class NearExchange
+{
+public:
+  virtual ~NearExchange() = default;
+  /// Whether an element is of this part, which finds what is so of it.
+  virtual bool isOwn(Index) const { return true; }
+  /// Sets values of elements beside own ones as their parts have them, and returns those that changed.
+  virtual std::vector<Index> takeElements(std::vector<std::uint8_t>&) const { return {}; }
+  /// The same of vertices of own elements.
+  virtual void takeVertices(std::vector<char>&) const {}
+  virtual bool isAny(bool own) const { return own; }
+};
+
+/// Of own elements and those beside them, and of vertices of own elements; all else is far and stays.
+NearBoundary findNearBoundary(const DualMesh& mesh, const std::vector<Index>& vertexOf, std::size_t vertices,
+                              const NearExchange& exchange = {});
 
 /// Which block each vertex of a mesh is of, and which blocks are improved here.
 struct MeshBlocks
@@ -49,11 +66,13 @@ struct BlockWindows
 };
 
 /// Adds to elements near the boundary those among which their points are improved: what is below them at the boundary,
-/// rows along it from there, and what is above all that. O(elements found).
+/// rows along it from there, and what is above all that. O(elements found). Of a mesh there have to be neighbors and
+/// boundary faces.
 class WindowRows
 {
 public:
-  WindowRows(const DualMesh& mesh, const NearBoundary& near) : mesh_(mesh), near_(near), marks_(mesh.elementCount(), 0)
+  WindowRows(const DualMesh& mesh, const NearBoundary& near)
+      : mesh_(mesh), near_(near), marks_(mesh.neighbors.size(), 0)
   {
   }
   /// In order.

@@ -11,6 +11,10 @@ namespace atria {
 
 namespace {
 
+/// Pieces of the model are looked for half the size of a leaf about it: in leaves that touch it, which may be half as
+/// large, and in those that touch these.
+constexpr int rowsLookedAt = 2;
+
 /// The first leaf that has a point as a corner, and the point's key.
 PointKey keyOf(const Octree& octree, const std::array<Index, 8>& leaves)
 {
@@ -30,12 +34,6 @@ PointKey keyOf(const Octree& octree, const std::array<Index, 8>& leaves)
 LeafMasks both(LeafMasks a, const LeafMasks& b)
 {
   std::ranges::transform(a, b, a.begin(), std::bit_and<>());
-  return a;
-}
-
-LeafMasks without(LeafMasks a, const LeafMasks& b)
-{
-  std::ranges::transform(a, b, a.begin(), [](std::uint8_t one, std::uint8_t other) { return one & ~other; });
   return a;
 }
 
@@ -79,7 +77,22 @@ int RankShare::rankOfBlock(Index block) const
 
 Octree RankShare::makeOctree(const SurfaceModel& model, const ShareRows& rows, const RunContext& context) const
 {
-  RefinedSets refined = setsNeeded(model, rows, context);
+  return octreeOf(setsNeeded(model, rows, context), model, context);
+}
+
+Octree RankShare::makeOctree(const std::vector<MortonKey>& leaves, const SurfaceModel& model,
+                             const RunContext& context) const
+{
+  if (blocks_.count() < 2)
+  {
+    return octreeOf(whole_, model, context);
+  }
+  const LeafRows rows(whole_, frame_);
+  return octreeOf(rows.setsOf(rows.grow(rows.of(leaves), rowsLookedAt, rows.inDomain())), model, context);
+}
+
+Octree RankShare::octreeOf(RefinedSets refined, const SurfaceModel& model, const RunContext& context) const
+{
   balance(refined, frame_, context);
   Octree octree(frame_, refined, context.executor);
   release(refined);
@@ -96,26 +109,11 @@ RefinedSets RankShare::setsNeeded(const SurfaceModel& model, const ShareRows& ro
   }
   const LeafRows leaves(whole_, frame_);
   const LeafMasks& anywhere = leaves.inDomain();
-  std::vector<LeafMasks> off{leaves.grow(leaves.withSurfaces(model, context), 1, anywhere)};
-  LeafMasks near = off.front();
-  for (int row = 1; row <= rows.off; ++row)
-  {
-    off.push_back(without(leaves.grow(off.back(), 1, anywhere), near));
-    near = any(std::move(near), off.back());
-  }
   const LeafMasks own = leaves.in(own_);
-  LeafMasks window = leaves.grow(both(own, near), rows.about, anywhere);
-  for (std::size_t row = off.size() - 1; row-- > 0;)
-  {
-    window = leaves.grow(std::move(window), 1, off[row]);
-  }
-  window = leaves.grow(std::move(window), rows.along, off.front());
-  for (std::size_t row = 1; row < off.size(); ++row)
-  {
-    window = leaves.grow(std::move(window), 1, off[row]);
-  }
+  const LeafMasks atWalls = leaves.grow(leaves.withSurfaces(model, context), 1, anywhere);
+  const LeafMasks window = leaves.grow(both(own, atWalls), rows.atWalls, anywhere);
   const LeafMasks beside = leaves.grow(own, rows.beside, anywhere);
-  return leaves.setsOf(leaves.grow(any(std::move(window), beside), rows.beside, anywhere));
+  return leaves.setsOf(leaves.grow(any(window, beside), rows.beside, anywhere));
 }
 
 bool RankShare::isExact(const Octree& octree, Index leaf) const

@@ -12,18 +12,15 @@ namespace atria {
 /// A grid point by the first leaf that has it as a corner, and which: the same on all ranks, in the order of points.
 using PointKey = std::uint64_t;
 
-/// Rows of leaves that a rank's octree has as the whole does: about the rank's own near walls, from there down to
-/// these, along them and off them again, as blocks are improved among; and about all that, so that elements there are
-/// those of the whole. Walls are followed off them as far as they are approached. Found by trying; where they are too
-/// few, ranks tell.
+/// Rows of leaves that a rank's octree has as the whole does: about the rank's own at walls, and about all of its own;
+/// and about all that as many as beside. So elements at its leaves are those of the whole. Found by trying; where they
+/// are too few, ranks tell.
 struct ShareRows
 {
-  int about = 6;
-  int off = 8;
-  int along = 11;
+  int atWalls = 4;
   int beside = 2;
 
-  ShareRows times(int factor) const { return {factor * about, factor * off, factor * along, factor * beside}; }
+  ShareRows times(int factor) const { return {factor * atWalls, factor * beside}; }
 };
 
 /// Each rank has blocks of the octree in a row that cost as much as those of others, and makes its own octree: the
@@ -47,6 +44,9 @@ public:
   Index endBlock() const { return firstBlocks_[static_cast<std::size_t>(rank()) + 1]; }
   /// The rank's octree, whose leaves know their pieces of the model.
   Octree makeOctree(const SurfaceModel& model, const ShareRows& rows, const RunContext& context) const;
+  /// One in which these leaves of the whole, by their keys in the finest grid, and those about them are as there, so
+  /// far as vertices of these leaves look for pieces of the model.
+  Octree makeOctree(const std::vector<MortonKey>& leaves, const SurfaceModel& model, const RunContext& context) const;
 
   int rankOfBlock(Index block) const;
   /// Of a leaf, by its key in the finest grid.
@@ -59,6 +59,7 @@ public:
 
 private:
   RefinedSets setsNeeded(const SurfaceModel& model, const ShareRows& rows, const RunContext& context) const;
+  Octree octreeOf(RefinedSets refined, const SurfaceModel& model, const RunContext& context) const;
 
   const RefinedSets& whole_;
   const GridFrame& frame_;

@@ -124,20 +124,39 @@ Index SharedBlocks::SharedList::placeOf(Index point) const
   return found != places.end() && points[*found] == point ? *found : noIndex;
 }
 
-void SharedBlocks::takePlaces(std::vector<Vec3>& points) const
+void SharedBlocks::takePlaces(std::vector<Vec3>& points, std::unordered_map<Index, DisplacementLimit>& limits) const
 {
-  std::vector<std::vector<Vec3>> sent;
-  for (const SharedList& list : ours_)
+  struct PlaceLimit
   {
-    std::ranges::transform(list.points, std::back_inserter(sent.emplace_back()), [&](Index p) { return points[p]; });
+    Index place;
+    DisplacementLimit limit;
+  };
+  std::vector<std::vector<Vec3>> positions(ours_.size());
+  std::vector<std::vector<PlaceLimit>> limitsOf(ours_.size());
+  for (std::size_t rank = 0; rank < ours_.size(); ++rank)
+  {
+    for (const Index p : ours_[rank].points)
+    {
+      const auto found = limits.find(p);
+      if (found != limits.end())
+      {
+        limitsOf[rank].push_back({static_cast<Index>(positions[rank].size()), found->second});
+      }
+      positions[rank].push_back(points[p]);
+    }
   }
-  const auto received = exchangeLists(exchange_, sent);
+  const auto received = exchangeLists(exchange_, positions);
+  const auto receivedLimits = exchangeLists(exchange_, limitsOf);
   for (std::size_t rank = 0; rank < received.size(); ++rank)
   {
-    for (std::size_t i = 0; i < received[rank].size(); ++i)
+    const std::vector<Index>& theirs = theirs_[rank].points;
+    for (std::size_t i = 0; i < theirs.size(); ++i)
     {
-      points[theirs_[rank].points[i]] = received[rank][i];
+      points[theirs[i]] = received[rank][i];
+      limits.erase(theirs[i]);
     }
+    std::ranges::for_each(receivedLimits[rank],
+                          [&](const PlaceLimit& one) { limits.emplace(theirs[one.place], one.limit); });
   }
 }
 

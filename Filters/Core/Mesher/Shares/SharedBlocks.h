@@ -14,8 +14,9 @@ public:
   /// `plain` is the window's mesh. All must outlive this.
   SharedBlocks(const SharedWindow& window, const DualMesh& plain, const RankShare& share);
 
-  /// Puts points of other ranks where these have them: stages before may reach farther than what is about a share.
-  void takePlaces(std::vector<Vec3>& points) const;
+  /// Puts points of other ranks where these have them, with how far they may go from there: stages before may reach
+  /// farther than what is about a share.
+  void takePlaces(std::vector<Vec3>& points, std::unordered_map<Index, DisplacementLimit>& limits) const;
   std::vector<std::vector<Index>> allTouching(const std::vector<std::vector<Index>>& own) override;
   PointChanges allChanges(const PointChanges& own) override;
   std::vector<PoorElement> allPoor(const std::vector<PoorElement>& own) override;

@@ -1,87 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesher/Shares/SharedWindow.h"
 
-#include "Support/Error.h"
-#include "Support/Sorting.h"
+#include "Mesher/Shares/SharedNear.h"
+#include "Mesher/Shares/WindowParts.h"
+#include "Mesher/Shares/WindowSearch.h"
 
 #include <algorithm>
-#include <map>
+#include <numeric>
 #include <utility>
 
 namespace atria {
 
 namespace {
 
-/// Of the points of a mesh, by the vertices that they are and the leaves of these, the points `chosen`.
-std::vector<SharedPoint> sharedPointsOf(const std::vector<Index>& vertexOf, const std::vector<Index>& leaves,
-                                        const Octree& octree, const std::vector<Index>& chosen)
+/// By rank, the own elements that are in its window.
+std::vector<std::vector<Index>> elementsFor(const PlainShare& own, const NearBoundary& near, const RankShare& share)
 {
-  std::vector<Index> copies(vertexOf.size() - leaves.size());
-  std::map<Index, Index> last;
-  for (std::size_t i = 0; i < copies.size(); ++i)
+  std::vector<std::vector<PointKey>> wanted(static_cast<std::size_t>(share.ranks()));
+  for (const PointKey key : WindowSearch(own, near, share).run())
   {
-    copies[i] = ++last[vertexOf[leaves.size() + i]];
+    wanted[static_cast<std::size_t>(share.rankOf(key >> 3))].push_back(key);
   }
-  std::vector<SharedPoint> points(chosen.size());
-  std::ranges::transform(chosen, points.begin(), [&](Index p) {
-    return SharedPoint{octree.finestKey(leaves[vertexOf[p]]), p < leaves.size() ? 0 : copies[p - leaves.size()]};
-  });
-  return points;
-}
-
-/// In order.
-std::vector<Index> elementsAtPoints(const DualMesh& mesh, const std::vector<char>& marked)
-{
-  std::vector<Index> elements;
-  for (Index e = 0; e < mesh.elementCount(); ++e)
+  std::vector<std::vector<Index>> out;
+  for (const std::vector<PointKey>& some : exchangeLists(share.exchange(), wanted))
   {
-    if (hasMarked(mesh.corners[e], marked))
-    {
-      elements.push_back(e);
-    }
+    std::ranges::transform(some, std::back_inserter(out.emplace_back()), [&](PointKey key) { return own.find(key); });
   }
-  return elements;
-}
-
-/// Own elements, all at own points, which are marked, and all that share points with own ones; and what shares points
-/// with those of them that are near the boundary, so that all is known of what grows on them.
-std::vector<Index> elementsAbout(const DualMesh& mesh, std::vector<char> marked, const NearBoundary& near,
-                                 const std::vector<char>& isOwn)
-{
-  const auto mark = [&](Index e) { std::ranges::for_each(mesh.corners[e], [&](Index p) { marked[p] = 1; }); };
-  for (Index e = 0; e < mesh.elementCount(); ++e)
-  {
-    if (isOwn[e])
-    {
-      mark(e);
-    }
-  }
-  for (const Index e : elementsAtPoints(mesh, marked))
-  {
-    if (near.isNear(e))
-    {
-      mark(e);
-    }
-  }
-  return elementsAtPoints(mesh, marked);
-}
-
-std::vector<Index> elementsToKeep(const DualMesh& mesh, std::vector<char> ownPoints, const NearBoundary& near,
-                                  const std::vector<char>& isOwn)
-{
-  std::vector<Index> all = elementsAbout(mesh, std::move(ownPoints), near, isOwn);
-  std::vector<Index> nearOwn;
-  std::ranges::copy_if(all, std::back_inserter(nearOwn), [&](Index e) { return near.isNear(e); });
-  // With a row of elements more no window of a block ends where this one does.
-  mergeUnique(all, ElementRows(mesh).grow(WindowRows(mesh, near).grow(std::move(nearOwn)), 1));
-  return all;
-}
-
-template <typename List> List chosenOf(const List& list, const std::vector<Index>& chosen)
-{
-  List out(chosen.size());
-  std::ranges::transform(chosen, out.begin(), [&](Index i) { return list[i]; });
+  std::vector<Index>& ofOwn = out[static_cast<std::size_t>(share.rank())];
+  ofOwn.resize(own.ownCount());
+  std::iota(ofOwn.begin(), ofOwn.end(), own.firstOwn);
   return out;
+}
+
+std::vector<WindowPart> partsOfWindow(const PlainShare& own, Index cutTag, const RankShare& share)
+{
+  const NearBoundary near = findNearBoundary(own.plain.mesh, own.plain.vertexOf,
+                                             own.plain.classification.classes.size(), SharedNear(own, share));
+  const std::vector<std::vector<Index>> elements = elementsFor(own, near, share);
+  return exchangeParts([&](std::size_t rank) { return partOf(own, near, elements[rank], cutTag); }, share.exchange());
 }
 
 } // namespace
@@ -107,37 +63,26 @@ Index SharedWindow::find(const SharedPoint& point) const
   return found != end && *found == point ? static_cast<Index>(found - points.begin()) : noIndex;
 }
 
-SharedWindow keepShare(const DualMesh& mesh, const VertexClassification& classification,
-                       const std::vector<Index>& vertexOf, const std::vector<PointKey>& elementKeys, Index cutTag,
-                       const Octree& octree, const RankShare& share, const RunContext& context)
+SharedWindow makeWindow(PlainShare own, Index cutTag, const RankShare& share, const SurfaceModel& model, Octree& octree,
+                        const RunContext& context)
 {
   context.progress.check();
-  SharedWindow out;
-  const std::vector<Index>& leaves = classification.leaves;
-  std::vector<char> ownPoints(vertexOf.size());
-  std::ranges::transform(vertexOf, ownPoints.begin(),
-                         [&](Index v) { return share.isOwn(octree.finestKey(leaves[v])) ? 1 : 0; });
-  std::vector<char> isOwn(elementKeys.size());
-  std::ranges::transform(elementKeys, isOwn.begin(),
-                         [&](PointKey key) { return key != SharedPoints::noKey && share.isOwn(key >> 3) ? 1 : 0; });
-  const NearBoundary near = findNearBoundary(mesh, vertexOf, classification.classes.size());
-  const std::vector<Index> kept = elementsToKeep(mesh, std::move(ownPoints), near, isOwn);
-  out.mesh = extractWindow(mesh, mesh.points, classification, vertexOf, kept, cutTag);
-  orderBoundaryFaces(out.mesh.mesh);
-  out.mesh.mesh.rooms = mesh.rooms.empty() ? mesh.rooms : chosenOf(mesh.rooms, kept);
-  out.mesh.mesh.cellZones = mesh.cellZones.empty() ? mesh.cellZones : chosenOf(mesh.cellZones, kept);
-  out.elementKeys = chosenOf(elementKeys, kept);
-  if (std::ranges::find(out.elementKeys, SharedPoints::noKey) != out.elementKeys.end())
-  {
-    throw RanksDisagree("a rank's octree ends where its share still needs it");
-  }
-  const std::vector<char> keptOwn = chosenOf(isOwn, kept);
-  out.firstOwn = static_cast<Index>(std::ranges::find(keptOwn, 1) - keptOwn.begin());
-  out.endOwn = out.firstOwn + static_cast<Index>(std::ranges::count(keptOwn, 1));
-  out.points = sharedPointsOf(vertexOf, leaves, octree, out.mesh.pointIds);
-  out.vertexCount = static_cast<Index>(out.mesh.vertexCount());
-  const std::vector<Index> vertices(out.mesh.pointIds.begin(), out.mesh.pointIds.begin() + out.vertexCount);
-  out.near = {chosenOf(near.mayMove, vertices), chosenOf(near.rows, kept)};
+  octree = {};
+  expectSameElements(own, share);
+  std::vector<WindowPart> parts = partsOfWindow(own, cutTag, share);
+  own = {};
+  SharedWindow out = joinParts(std::move(parts), cutTag);
+  const auto first = std::ranges::find_if(out.elementKeys, [&](PointKey key) { return share.isOwn(key >> 3); });
+  const auto end = std::find_if_not(first, out.elementKeys.end(), [&](PointKey key) { return share.isOwn(key >> 3); });
+  out.firstOwn = static_cast<Index>(first - out.elementKeys.begin());
+  out.endOwn = static_cast<Index>(end - out.elementKeys.begin());
+  std::vector<MortonKey> leaves(out.vertexCount);
+  std::transform(out.points.begin(), out.points.begin() + out.vertexCount, leaves.begin(),
+                 [](const SharedPoint& point) { return point.leaf; });
+  octree = share.makeOctree(leaves, model, context);
+  out.plain.classification.leaves.resize(leaves.size());
+  std::ranges::transform(leaves, out.plain.classification.leaves.begin(),
+                         [&](MortonKey leaf) { return Octree::leafOf(octree.nodeAt(leaf, octree.frame().depth)); });
   return out;
 }
 

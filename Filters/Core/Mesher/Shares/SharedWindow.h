@@ -1,26 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// The part of a plain mesh that a rank keeps.
 #pragma once
 
 #include "Mesher/Blocks/MeshBlocks.h"
-#include "Mesher/Blocks/MeshWindow.h"
-#include "Mesher/Shares/SharedNumbers.h"
+#include "Mesher/Shares/PlainShare.h"
 
 namespace atria {
 
-/// A rank's own elements, and those about them that it needs to improve them and as ghosts.
+/// A rank's own elements, and those of other ranks about them that it needs to improve them and as ghosts, as these
+/// have them.
 struct SharedWindow
 {
-  /// Numbers of the whole mesh in it are those of the rank's octree.
-  MeshWindow mesh;
+  /// Where neighbors are missing it ends in faces of a tag of its own; tags of the domain's sides are one higher.
+  ClassifiedMesh plain;
   /// Own elements are from `firstOwn` up to `endOwn`.
-  Index firstOwn;
-  Index endOwn;
-  /// By element of the window, in rising order, the grid point it stands for.
+  Index firstOwn = 0;
+  Index endOwn = 0;
+  /// By element, in rising order, the grid point it stands for.
   std::vector<PointKey> elementKeys;
-  /// By point of the window: vertices first, and then the others, each in rising order.
+  /// By point: vertices first, and then the others, each in rising order.
   std::vector<SharedPoint> points;
-  Index vertexCount;
+  Index vertexCount = 0;
   /// As in the mesh of all ranks.
   NearBoundary near;
   bool isOwn(Index element) const { return element >= firstOwn && element < endOwn; }
@@ -28,9 +27,8 @@ struct SharedWindow
   Index find(const SharedPoint& point) const;
 };
 
-/// Of the plain mesh of a rank's octree; `elementKeys` has the grid points of its elements, in order.
-SharedWindow keepShare(const DualMesh& mesh, const VertexClassification& classification,
-                       const std::vector<Index>& vertexOf, const std::vector<PointKey>& elementKeys, Index cutTag,
-                       const Octree& octree, const RankShare& share, const RunContext& context);
+/// Of the plain meshes of all ranks. Leaves of vertices are numbered in `octree`, which becomes that of the window.
+SharedWindow makeWindow(PlainShare own, Index cutTag, const RankShare& share, const SurfaceModel& model, Octree& octree,
+                        const RunContext& context);
 
 } // namespace atria

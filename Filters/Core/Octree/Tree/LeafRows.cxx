@@ -282,6 +282,21 @@ LeafMasks LeafRows::in(const MortonRange& range) const
   return leaves;
 }
 
+LeafMasks LeafRows::of(const std::vector<MortonKey>& leaves) const
+{
+  LeafMasks masks(all_.size(), 0);
+  for (const MortonKey key : leaves)
+  {
+    Node node = 0;
+    for (int shift = 3 * (frame_.depth - 1); !isLeaf(node); shift -= 3)
+    {
+      node = childOf(node, static_cast<unsigned>(key >> shift & 7));
+    }
+    masks[parentOf(node)] |= bitOf(node);
+  }
+  return masks;
+}
+
 std::vector<std::size_t> LeafRows::countBetween(const std::vector<MortonKey>& begins, const LeafMasks& leaves) const
 {
   std::vector<std::size_t> counts(begins.size() - 1, 0);

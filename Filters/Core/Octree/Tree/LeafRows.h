@@ -23,6 +23,8 @@ public:
   const LeafMasks& inDomain() const { return inDomain_; }
   /// Those of a range, also outside of the domain.
   LeafMasks in(const MortonRange& range) const;
+  /// Those with such keys in the finest grid.
+  LeafMasks of(const std::vector<MortonKey>& leaves) const;
   /// Those with pieces of the model.
   LeafMasks withModel(const SurfaceModel& model, const RunContext& context) const
   {

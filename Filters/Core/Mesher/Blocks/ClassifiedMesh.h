@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Dual/Mesh/DualMesh.h"
+#include "Dual/Vertices/DualVertices.h"
+
+namespace atria {
+
+/// A mesh that knows what its points stand for.
+struct ClassifiedMesh
+{
+  DualMesh mesh;
+  VertexClassification classification;
+  /// For each point of the mesh the vertex of the anchors that it is.
+  std::vector<Index> vertexOf;
+};
+
+} // namespace atria

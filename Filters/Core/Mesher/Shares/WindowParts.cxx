@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Mesher/Shares/WindowParts.h"
+
+#include "Mesher/Blocks/MeshWindow.h"
+#include "Support/Sorting.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace atria {
+
+namespace {
+
+template <typename To, typename List> To chosenOf(const List& list, const std::vector<Index>& chosen)
+{
+  To out(chosen.size());
+  std::ranges::transform(chosen, out.begin(), [&](Index i) { return list[i]; });
+  return out;
+}
+
+/// Those of the elements, also where a neighbor is not among them.
+std::vector<ZoneFace> zoneFacesOf(const DualMesh& mesh, const std::vector<Index>& elements)
+{
+  std::vector<ZoneFace> faces;
+  for (ZoneFace face : mesh.zoneFaces)
+  {
+    const auto found = std::ranges::lower_bound(elements, face.element);
+    if (found != elements.end() && *found == face.element)
+    {
+      face.element = static_cast<Index>(found - elements.begin());
+      faces.push_back(face);
+    }
+  }
+  return faces;
+}
+
+using LimitOf = std::pair<Index, DisplacementLimit>;
+
+/// Calls an archive with all of a part but its displacement limits.
+template <typename Archive, typename Part> void visit(Archive& archive, Part& part)
+{
+  auto& mesh = part.plain.mesh;
+  archive(mesh.points);
+  archive(mesh.corners);
+  archive(mesh.neighbors);
+  archive(mesh.boundaryFaces);
+  archive(mesh.zoneFaces);
+  archive(mesh.levels);
+  archive(mesh.zones);
+  archive(mesh.rooms);
+  archive(mesh.cellZones);
+  auto& classification = part.plain.classification;
+  archive(classification.classes);
+  archive(classification.offsets);
+  archive(classification.pieces);
+  archive(classification.turnedSides);
+  archive(part.plain.vertexOf);
+  archive(part.elementKeys);
+  archive(part.points);
+  archive(part.near.mayMove);
+  archive(part.near.rows);
+  archive(part.beyond);
+}
+
+Bytes bytesOf(const WindowPart& part)
+{
+  const auto& limits = part.plain.classification.displacementLimits;
+  ByteWriter writer;
+  writer(std::vector<LimitOf>(limits.begin(), limits.end()));
+  visit(writer, part);
+  return writer.take();
+}
+
+WindowPart partFrom(const Bytes& bytes)
+{
+  WindowPart part;
+  std::vector<LimitOf> limits;
+  ByteReader reader(bytes);
+  reader(limits);
+  visit(reader, part);
+  part.plain.classification.displacementLimits.insert(limits.begin(), limits.end());
+  return part;
+}
+
+class WindowJoiner
+{
+public:
+  WindowJoiner(std::vector<WindowPart> parts, Index cutTag) : parts_(std::move(parts)), cutTag_(cutTag) {}
+
+  SharedWindow join()
+  {
+    takePoints();
+    makeRoom();
+    for (const WindowPart& part : parts_)
+    {
+      out_.elementKeys.insert(out_.elementKeys.end(), part.elementKeys.begin(), part.elementKeys.end());
+    }
+    for (WindowPart& part : parts_)
+    {
+      addElements(part);
+      part = {};
+    }
+    dropLooseZoneFaces();
+    orderBoundaryFaces(out_.plain.mesh);
+    return std::move(out_);
+  }
+
+private:
+  struct Source
+  {
+    const WindowPart* part = nullptr;
+    Index vertex = noIndex;
+  };
+
+  /// Vertices, and then others. Parts have the same of a point that several have.
+  void takePoints()
+  {
+    std::vector<SharedPoint> vertices;
+    std::vector<SharedPoint> others;
+    for (const WindowPart& part : parts_)
+    {
+      const auto middle = part.points.begin() + static_cast<std::ptrdiff_t>(part.near.mayMove.size());
+      vertices.insert(vertices.end(), part.points.begin(), middle);
+      others.insert(others.end(), middle, part.points.end());
+    }
+    sortUnique(vertices);
+    sortUnique(others);
+    out_.vertexCount = static_cast<Index>(vertices.size());
+    out_.points.reserve(vertices.size() + others.size());
+    out_.points.insert(out_.points.end(), vertices.begin(), vertices.end());
+    out_.points.insert(out_.points.end(), others.begin(), others.end());
+    release(vertices);
+    out_.plain.mesh.points.resize(out_.points.size());
+    out_.plain.vertexOf.resize(out_.points.size());
+    std::vector<Source> sources(out_.vertexCount);
+    for (const WindowPart& part : parts_)
+    {
+      takePlaces(part, sources);
+    }
+    classify(sources);
+  }
+
+  void takePlaces(const WindowPart& part, std::vector<Source>& sources)
+  {
+    for (Index p = 0; p < part.points.size(); ++p)
+    {
+      const Index point = out_.find(part.points[p]);
+      out_.plain.mesh.points[point] = part.plain.mesh.points[p];
+      out_.plain.vertexOf[point] = point < out_.vertexCount ? point : out_.find({part.points[p].leaf, 0});
+      if (point < out_.vertexCount)
+      {
+        sources[point] = {&part, p};
+      }
+    }
+  }
+
+  void classify(const std::vector<Source>& sources)
+  {
+    VertexClassification& to = out_.plain.classification;
+    to.classes.reserve(sources.size());
+    to.offsets.reserve(sources.size() + 1);
+    to.offsets.push_back(0);
+    out_.near.mayMove.reserve(sources.size());
+    for (const auto& [part, vertex] : sources)
+    {
+      const VertexClassification& from = part->plain.classification;
+      const auto pieces = from.piecesOf(vertex);
+      to.pieces.insert(to.pieces.end(), pieces.begin(), pieces.end());
+      to.offsets.push_back(static_cast<Index>(to.pieces.size()));
+      if (!from.turnedSides.empty())
+      {
+        to.turnedSides.push_back(from.turnedSides[vertex]);
+      }
+      const auto found = from.displacementLimits.find(vertex);
+      if (found != from.displacementLimits.end())
+      {
+        to.displacementLimits.emplace(static_cast<Index>(to.classes.size()), found->second);
+      }
+      to.classes.push_back(from.classes[vertex]);
+      out_.near.mayMove.push_back(part->near.mayMove[vertex]);
+    }
+  }
+
+  /// Lists would else have some for twice as many.
+  void makeRoom()
+  {
+    std::size_t elements = 0;
+    std::size_t faces = 0;
+    bool hasRooms = false;
+    bool hasCellZones = false;
+    for (const WindowPart& part : parts_)
+    {
+      elements += part.elementKeys.size();
+      faces += part.beyond.size();
+      hasRooms = hasRooms || !part.plain.mesh.rooms.empty();
+      hasCellZones = hasCellZones || !part.plain.mesh.cellZones.empty();
+    }
+    DualMesh& mesh = out_.plain.mesh;
+    mesh.corners.reserve(elements);
+    mesh.neighbors.reserve(elements);
+    mesh.levels.reserve(elements);
+    mesh.zones.reserve(elements);
+    mesh.rooms.reserve(hasRooms ? elements : 0);
+    mesh.cellZones.reserve(hasCellZones ? elements : 0);
+    mesh.boundaryFaces.reserve(faces);
+    out_.elementKeys.reserve(elements);
+    out_.near.rows.reserve(elements);
+  }
+
+  void addElements(const WindowPart& part)
+  {
+    const DualMesh& from = part.plain.mesh;
+    DualMesh& to = out_.plain.mesh;
+    const auto first = static_cast<Index>(to.elementCount());
+    std::vector<Index> numbers(part.points.size());
+    std::ranges::transform(part.points, numbers.begin(), [&](const SharedPoint& point) { return out_.find(point); });
+    for (Index e = 0; e < from.elementCount(); ++e)
+    {
+      std::array<Index, 8> corners;
+      std::ranges::transform(from.corners[e], corners.begin(), [&](Index p) { return numbers[p]; });
+      std::array<std::int32_t, 6> neighbors = from.neighbors[e];
+      for (std::int32_t& code : neighbors)
+      {
+        code += code >= 0 ? static_cast<std::int32_t>(first) : 0;
+      }
+      appendElement(to, corners, neighbors, from, e);
+    }
+    out_.near.rows.insert(out_.near.rows.end(), part.near.rows.begin(), part.near.rows.end());
+    addFaces(part, first);
+    for (ZoneFace face : from.zoneFaces)
+    {
+      face.element += first;
+      to.zoneFaces.push_back(face);
+    }
+  }
+
+  void addFaces(const WindowPart& part, Index first)
+  {
+    DualMesh& mesh = out_.plain.mesh;
+    for (std::size_t f = 0; f < part.beyond.size(); ++f)
+    {
+      BoundaryFace face = part.plain.mesh.boundaryFaces[f];
+      face.element += first;
+      const Index beyond = find(part.beyond[f]);
+      if (face.tag == cutTag_ && beyond != noIndex)
+      {
+        mesh.neighbors[face.element][face.direction] = static_cast<std::int32_t>(beyond);
+        continue;
+      }
+      face.opposite = face.tag == cutTag_ ? noIndex : beyond;
+      mesh.boundaryFaces.push_back(face);
+    }
+  }
+
+  Index find(PointKey key) const
+  {
+    const auto found = std::ranges::lower_bound(out_.elementKeys, key);
+    return found != out_.elementKeys.end() && *found == key ? static_cast<Index>(found - out_.elementKeys.begin())
+                                                            : noIndex;
+  }
+
+  /// Of those where the window ends.
+  void dropLooseZoneFaces()
+  {
+    DualMesh& mesh = out_.plain.mesh;
+    std::erase_if(mesh.zoneFaces,
+                  [&](const ZoneFace& face) { return mesh.neighbors[face.element][face.direction] < 0; });
+  }
+
+  std::vector<WindowPart> parts_;
+  Index cutTag_;
+  SharedWindow out_;
+};
+
+} // namespace
+
+WindowPart partOf(const PlainShare& own, const NearBoundary& near, const std::vector<Index>& elements, Index cutTag)
+{
+  const DualMesh& mesh = own.plain.mesh;
+  MeshWindow window = extractWindow(mesh, mesh.points, own.plain.classification, own.plain.vertexOf, elements, cutTag);
+  WindowPart part;
+  part.elementKeys = chosenOf<std::vector<PointKey>>(own.keys, elements);
+  part.points = chosenOf<std::vector<SharedPoint>>(own.points, window.pointIds);
+  const std::vector<Index> vertices(window.pointIds.begin(),
+                                    window.pointIds.begin() + static_cast<std::ptrdiff_t>(window.vertexCount()));
+  part.near = {chosenOf<std::vector<char>>(near.mayMove, vertices),
+               chosenOf<std::vector<std::uint8_t>>(near.rows, elements)};
+  for (const BoundaryFace& face : window.mesh.boundaryFaces)
+  {
+    const Index other = beyond(mesh, mesh.neighbors[elements[face.element]][face.direction]);
+    part.beyond.push_back(other == noIndex ? SharedPoints::noKey : own.keys[other]);
+  }
+  using Numbers = Buffer<std::int32_t>;
+  window.mesh.rooms = mesh.rooms.empty() ? Numbers() : chosenOf<Numbers>(mesh.rooms, elements);
+  window.mesh.cellZones = mesh.cellZones.empty() ? Numbers() : chosenOf<Numbers>(mesh.cellZones, elements);
+  window.mesh.zoneFaces = zoneFacesOf(mesh, elements);
+  part.plain = {std::move(window.mesh), std::move(window.classification), std::move(window.vertexOf)};
+  return part;
+}
+
+std::vector<WindowPart> exchangeParts(const std::function<WindowPart(std::size_t rank)>& partFor,
+                                      RankExchange& exchange)
+{
+  std::vector<Bytes> messages(static_cast<std::size_t>(exchange.ranks()));
+  const auto rank = static_cast<std::size_t>(exchange.rank());
+  for (std::size_t other = 0; other < messages.size(); ++other)
+  {
+    messages[other] = other == rank ? Bytes() : bytesOf(partFor(other));
+  }
+  std::vector<WindowPart> parts;
+  for (const Bytes& bytes : exchange.exchange(std::move(messages)))
+  {
+    parts.push_back(parts.size() == rank ? partFor(rank) : partFrom(bytes));
+  }
+  return parts;
+}
+
+SharedWindow joinParts(std::vector<WindowPart> parts, Index cutTag)
+{
+  return WindowJoiner(std::move(parts), cutTag).join();
+}
+
+} // namespace atria

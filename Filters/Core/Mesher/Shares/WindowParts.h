@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "Mesher/Shares/SharedWindow.h"
+
+namespace atria {
+
+/// Elements that one rank has in the window of another, or in its own.
+struct WindowPart
+{
+  /// Ends in faces with a tag of their own where elements are not in it.
+  ClassifiedMesh plain;
+  std::vector<PointKey> elementKeys;
+  std::vector<SharedPoint> points;
+  NearBoundary near;
+  /// By boundary face, the element where the part ends, or on the other side of the sheet; SharedPoints::noKey where
+  /// there is none.
+  std::vector<PointKey> beyond;
+};
+
+/// Of some own elements, in order.
+WindowPart partOf(const PlainShare& own, const NearBoundary& near, const std::vector<Index>& elements, Index cutTag);
+
+/// Sends each rank the part that is for it, and returns what came from each.
+std::vector<WindowPart> exchangeParts(const std::function<WindowPart(std::size_t rank)>& partFor,
+                                      RankExchange& exchange);
+
+/// Of parts from all ranks, with elements in the order of the whole. Its leaves have no numbers yet.
+SharedWindow joinParts(std::vector<WindowPart> parts, Index cutTag);
+
+} // namespace atria
