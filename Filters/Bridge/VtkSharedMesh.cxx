@@ -19,6 +19,7 @@
 #include <vtkUnstructuredGrid.h>
 
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 #include <unordered_map>
 #include <utility>
@@ -119,7 +120,11 @@ std::vector<SharedFace> gatherFaces(const std::vector<SharedFace>& own, RankExch
 {
   std::vector<SharedFace> all;
   std::vector<SharedFace> some;
-  for (Bytes& bytes : exchange.gather(bytesOf(own)))
+  std::vector<Bytes> received = exchange.gather(bytesOf(own));
+  all.reserve(std::accumulate(received.begin(), received.end(), std::size_t{0},
+                              [](std::size_t sum, const Bytes& bytes) { return sum + bytes.size(); }) /
+              sizeof(SharedFace));
+  for (Bytes& bytes : received)
   {
     readBytes(std::exchange(bytes, {}), some);
     all.insert(all.end(), some.begin(), some.end());
@@ -185,10 +190,10 @@ void recordFaces(const std::vector<SharedFace>& all, vtkPartitionedDataSetCollec
 
 } // namespace
 
-void sharedMeshToVtk(const SharedModel& model, RankExchange& exchange, const Executor& executor,
-                     vtkUnstructuredGrid* volume, vtkPartitionedDataSetCollection* patches)
+void sharedMeshToVtk(SharedModel& model, RankExchange& exchange, const Executor& executor, vtkUnstructuredGrid* volume,
+                     vtkPartitionedDataSetCollection* patches)
 {
-  const SharedPiece& piece = model.piece;
+  SharedPiece& piece = model.piece;
   const MeshedModel& meshed = model.meshed;
   if (std::max(piece.elementCount, piece.pointCount) >= noIndex)
   {
@@ -202,6 +207,7 @@ void sharedMeshToVtk(const SharedModel& model, RankExchange& exchange, const Exe
   numberPiece(piece, exchange.rank(), volume);
   patchesToVtk(piece.mesh, meshed.metSides, meshed.names, meshed.kinds, meshed.layers, patches,
                NumbersOfAll{piece.elementNumbers, piece.pointNumbers});
+  piece = {};
   const std::vector<SharedFace> faces = gatherFaces(facesOf(patches, exchange.rank()), exchange);
   numberPatches(faces, exchange.rank(), patches);
   recordFaces(faces, patches, volume);

@@ -366,7 +366,7 @@ std::optional<int> vtkAtriaDualMesher::RequestDataOnRanks(vtkMultiProcessControl
         options.sizing.memoryLimit = atria::gatherAll(ranks, options.sizing.memoryLimit).front();
         const atria::SharedSurfaces input =
             atria::readSurfacesOnRanks(vtkDataObject::GetData(inputs[0]), controller, ranks);
-        const std::optional<atria::SharedModel> made =
+        std::optional<atria::SharedModel> made =
             atria::meshSharedModel(input.surface, options, ghostLevels, ranks, context.part(0.01, 0.9));
         if (!made)
         {

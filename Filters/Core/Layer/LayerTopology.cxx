@@ -91,13 +91,42 @@ private:
     out.mesh.zones.reserve(total);
     out.mesh.rooms.reserve(plain.rooms.empty() ? 0 : total);
     out.mesh.cellZones.reserve(plain.cellZones.empty() ? 0 : total);
+    out.wallFaces.reserve(firstPrism.back());
+    out.heights.reserve(firstPrism.back());
+    out.mesh.boundaryFaces.reserve(plain.boundaryFaces.size() + countSides());
+  }
+
+  /// Boundary faces beside prisms.
+  std::size_t countSides() const
+  {
+    std::size_t count = 0;
+    for (Index f = 0; f < plain.boundaryFaces.size(); ++f)
+    {
+      for (int edge = 0; edge < 4 && stackOf(f) > 0; ++edge)
+      {
+        count += isSide(walls.graph.across[f][edge]) ? highestAt(f, edge) : 0;
+      }
+    }
+    return count;
+  }
+
+  bool isSide(Index code) const
+  {
+    return BoundaryGraph::isEdge(code) && walls.roles[BoundaryGraph::faceOf(code)] != FaceRole::wall;
+  }
+
+  /// How many prisms of a wall's face reach an edge of it.
+  Index highestAt(Index f, int edge) const
+  {
+    const BoundaryFace& face = plain.boundaryFaces[f];
+    return std::max(counts[cornerOf(plain, face, edge)], counts[cornerOf(plain, face, edge + 1)]);
   }
 
   /// Those of the plain mesh; their corners become the copies.
   void copyElements()
   {
     out.plainElements = static_cast<Index>(plain.elementCount());
-    out.mesh.boundaryFaces = plain.boundaryFaces;
+    out.mesh.boundaryFaces.insert(out.mesh.boundaryFaces.end(), plain.boundaryFaces.begin(), plain.boundaryFaces.end());
     out.mesh.zoneFaces = plain.zoneFaces;
     out.mesh.corners.resize(out.plainElements);
     out.mesh.neighbors.resize(out.plainElements);
@@ -161,14 +190,13 @@ private:
   std::int32_t lateral(Index f, int edge, Index height, Index prism)
   {
     const BoundaryFace& face = plain.boundaryFaces[f];
-    const Index most = std::max(counts[cornerOf(plain, face, edge)], counts[cornerOf(plain, face, edge + 1)]);
     const Index code = walls.graph.across[f][edge];
-    if (code == BoundaryGraph::noEdge || height >= most)
+    if (!BoundaryGraph::isEdge(code) || height >= highestAt(f, edge))
     {
       return DualMesh::noFace;
     }
     const Index other = BoundaryGraph::faceOf(code);
-    if (walls.roles[other] == FaceRole::wall)
+    if (!isSide(code))
     {
       return static_cast<std::int32_t>(prismAt(other, height));
     }
@@ -205,13 +233,11 @@ private:
     }
     for (const ZoneEdge& zone : findZoneEdges(plain, walls))
     {
-      const BoundaryFace& face = plain.boundaryFaces[zone.face];
-      const Index most =
-          std::max(counts[cornerOf(plain, face, zone.edge)], counts[cornerOf(plain, face, zone.edge + 1)]);
-      for (Index height = 0; height < most; ++height)
+      const std::uint8_t direction = plain.boundaryFaces[zone.face].direction;
+      for (Index height = 0; height < highestAt(zone.face, zone.edge); ++height)
       {
         out.mesh.zoneFaces.push_back({prismAt(zone.face, height), zone.tag,
-                                      static_cast<std::uint8_t>(besideEdge(face.direction, zone.edge)), zone.side});
+                                      static_cast<std::uint8_t>(besideEdge(direction, zone.edge)), zone.side});
       }
     }
   }

@@ -3,6 +3,7 @@
 
 #include "Support/Types.h"
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -39,6 +40,11 @@ struct SettledPoints
   }
   void settle(Index point, std::span<const Vec3> places)
   {
+    if (has(point) && counts[point] == places.size())
+    {
+      std::ranges::copy(places, above.begin() + firsts[point]);
+      return;
+    }
     counts[point] = static_cast<Index>(places.size());
     firsts[point] = static_cast<Index>(above.size());
     above.insert(above.end(), places.begin(), places.end());

@@ -7,6 +7,7 @@
 #include "Mesher/Shares/SharedBlocks.h"
 #include "Mesher/Shares/SharedLabels.h"
 #include "Mesher/Shares/SharedZones.h"
+#include "Support/FreedMemory.h"
 
 #include <algorithm>
 #include <optional>
@@ -65,6 +66,7 @@ public:
     LayerMesh layer = options.layers.empty() ? withoutLayer(std::move(plain.mesh)) : grow(plain, window, improved);
     improved.mesh = std::move(layer.mesh);
     const DualMesh below = connectionsOf(std::move(plain));
+    giveBackFreedMemory();
     const SharedLayers layers(window, below, layer);
     leaveOutWhatFails(layers, improved);
     orderZoneFaces(improved.mesh);

@@ -5,6 +5,7 @@
 #include "Layer/LayerBudget.h"
 #include "Mesher/LostModel.h"
 #include "Mesher/SharedMesher.h"
+#include "Support/FreedMemory.h"
 
 #include <algorithm>
 #include <utility>
@@ -135,6 +136,7 @@ std::optional<SharedModel> meshSharedModel(const TriangleSurface& surface, const
   {
     return std::nullopt;
   }
+  giveBackFreedMemory();
   static_cast<DualMeshResult&>(meshed) = std::move(made->found);
   out->piece = std::move(made->piece);
   meshed.metSides = metOnRanks(out->piece, model.names.size(), exchange);

@@ -3,6 +3,7 @@
 
 #include "Mesher/Blocks/PointStates.h"
 #include "Mesher/Blocks/PoorPlaces.h"
+#include "Support/FreedMemory.h"
 #include "Support/Sorting.h"
 
 #include <algorithm>
@@ -47,7 +48,9 @@ public:
     improveAll(ImproverPart::finish, context.part(0.45, 0.9));
     poor = exchange.allPoor(poor);
     improvePoor();
-    plain.points = states.points;
+    plain.points = std::move(states.points);
+    windows = {};
+    giveBackFreedMemory(); // what is made now is as large as the mesh
     ImprovedLayer out{assembleLayer(), {}, {}};
     std::ranges::transform(states.detached, std::back_inserter(out.detached), [](const auto& entry) {
       return DetachedVertex{entry.first, entry.second};

@@ -105,6 +105,10 @@ public:
   {
     takeElements(ghostLevels);
     takeFaces();
+    if (out.mesh.zoneFaces.empty())
+    {
+      release(out.mesh.neighbors);
+    }
     numberElements(asked);
     numberPoints();
     return std::move(out);
@@ -140,6 +144,9 @@ private:
       }
     }
     std::vector<Index> newPoints(mesh.points.size(), noIndex);
+    const auto pointCount = static_cast<std::size_t>(std::ranges::count(hasPoint, 1));
+    out.pointsBefore.reserve(pointCount);
+    out.mesh.points.reserve(pointCount);
     for (Index p = 0; p < newPoints.size(); ++p)
     {
       if (hasPoint[p])

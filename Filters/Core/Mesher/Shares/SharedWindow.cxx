@@ -4,6 +4,7 @@
 #include "Mesher/Shares/SharedNear.h"
 #include "Mesher/Shares/WindowParts.h"
 #include "Mesher/Shares/WindowSearch.h"
+#include "Support/FreedMemory.h"
 
 #include <algorithm>
 #include <numeric>
@@ -71,7 +72,9 @@ SharedWindow makeWindow(PlainShare own, Index cutTag, const RankShare& share, co
   expectSameElements(own, share);
   std::vector<WindowPart> parts = partsOfWindow(own, cutTag, share);
   own = {};
+  giveBackFreedMemory();
   SharedWindow out = joinParts(std::move(parts), cutTag);
+  giveBackFreedMemory();
   const auto first = std::ranges::find_if(out.elementKeys, [&](PointKey key) { return share.isOwn(key >> 3); });
   const auto end = std::find_if_not(first, out.elementKeys.end(), [&](PointKey key) { return share.isOwn(key >> 3); });
   out.firstOwn = static_cast<Index>(first - out.elementKeys.begin());
