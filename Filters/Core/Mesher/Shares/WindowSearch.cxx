@@ -17,51 +17,43 @@ WindowSearch::WindowSearch(const PlainShare& own, const NearBoundary& near, cons
 
 std::vector<PointKey> WindowSearch::run()
 {
-  fetch(keysOf(own_.beside));
-  const std::vector<Index> improved = improvedElements();
+  const std::vector<PointKey> about = keysAbout();
+  fetch(about);
+  std::vector<Index> near;
+  for (Index e = 0; e < keys_.size(); ++e)
+  {
+    if (near_.isNear(e))
+    {
+      near.push_back(e);
+    }
+  }
   for (;;)
   {
-    const std::vector<Index> grown = WindowRows(graph_, near_).grow(improved);
+    const std::vector<Index> grown = WindowRows(graph_, near_).grow(near);
     const std::vector<PointKey> missing = missingBeside(grown);
     if (!isAnywhere(!missing.empty(), share_.exchange()))
     {
-      return wantedOf(grown);
+      return wantedOf(grown, about);
     }
     fetch(missing);
   }
 }
 
-std::vector<PointKey> WindowSearch::keysOf(const std::vector<Index>& elements) const
+/// What is beside own elements, and all of what grows on that.
+std::vector<PointKey> WindowSearch::keysAbout() const
 {
+  std::vector<Index> near = own_.beside;
+  std::erase_if(near, [&](Index e) { return !ofOwn_.isNear(e); });
+  std::vector<Index> elements = own_.besideThese(near);
+  elements.insert(elements.end(), own_.beside.begin(), own_.beside.end());
   std::vector<PointKey> keys;
   std::ranges::transform(elements, std::back_inserter(keys), [&](Index e) { return own_.keys[e]; });
   sortUnique(keys);
   return keys;
 }
 
-/// At own points that may move.
-std::vector<Index> WindowSearch::improvedElements() const
-{
-  const ClassifiedMesh& plain = own_.plain;
-  std::vector<Index> elements;
-  const auto add = [&](Index e, Index number) {
-    if (std::ranges::any_of(plain.mesh.corners[e], [&](Index p) {
-          return share_.isOwn(own_.points[p].leaf) && ofOwn_.mayMove[plain.vertexOf[p]] != 0;
-        }))
-    {
-      elements.push_back(number);
-    }
-  };
-  for (Index e = own_.firstOwn; e < own_.endOwn; ++e)
-  {
-    add(e, e - own_.firstOwn);
-  }
-  std::ranges::for_each(own_.beside, [&](Index e) { add(e, numberOf(own_.keys[e])); });
-  return elements;
-}
-
-/// With what is beside all these, and all of what grows on elements beside own ones.
-std::vector<PointKey> WindowSearch::wantedOf(const std::vector<Index>& grown) const
+/// With what is beside elements found.
+std::vector<PointKey> WindowSearch::wantedOf(const std::vector<Index>& grown, const std::vector<PointKey>& about) const
 {
   std::vector<PointKey> keys;
   for (const Index e : ElementRows(graph_).grow(grown, 1))
@@ -72,10 +64,7 @@ std::vector<PointKey> WindowSearch::wantedOf(const std::vector<Index>& grown) co
     }
   }
   sortUnique(keys);
-  mergeUnique(keys, keysOf(own_.beside));
-  std::vector<Index> near = own_.beside;
-  std::erase_if(near, [&](Index e) { return !ofOwn_.isNear(e); });
-  mergeUnique(keys, keysOf(own_.besideThese(near)));
+  mergeUnique(keys, about);
   return keys;
 }
 

@@ -9,8 +9,9 @@
 namespace atria {
 
 /// Finds the elements of other ranks that a rank needs to improve its own and as ghosts: those beside them, and all
-/// among which points of these are improved (WindowRows), with a row about all that, so that no window of a block ends
-/// where this one does. Asks ranks for how theirs are connected, row by row, 64 bytes an element.
+/// among which points of these are improved (WindowRows), with a row about all that. So no window of a block ends where
+/// this one does, and what is left out near own elements is judged among all that is there. Asks ranks for how theirs
+/// are connected, row by row, 64 bytes an element.
 class WindowSearch
 {
 public:
@@ -28,9 +29,8 @@ private:
     std::uint8_t sheets; ///< faces on sheets, as bits
   };
 
-  std::vector<PointKey> keysOf(const std::vector<Index>& elements) const;
-  std::vector<Index> improvedElements() const;
-  std::vector<PointKey> wantedOf(const std::vector<Index>& grown) const;
+  std::vector<PointKey> keysAbout() const;
+  std::vector<PointKey> wantedOf(const std::vector<Index>& grown, const std::vector<PointKey>& about) const;
   Connections connectionsOf(Index own) const;
   void addOwn();
   void addFaces(const Connections& connections);
