@@ -160,7 +160,7 @@ private:
   {
     if (!options.layers.empty() && (layerOptions.isAsked() || options.supportElements))
     {
-      SharedLeaveOut exchange(improved.mesh, layers, share.exchange());
+      SharedLeaveOut exchange(improved.mesh, layers, surfaceCount, share.exchange());
       const bool sidesToo = !context.octree.frame().turnedDomain;
       leaveOut(findElementsToLeaveOut(improved.mesh, failingElements, sidesToo, exchange, context), improved);
       report.addLeftOut(improved, layers);

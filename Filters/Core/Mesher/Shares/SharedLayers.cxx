@@ -54,7 +54,7 @@ Index SharedLayers::find(const SharedElement& element) const
   return DualMesh::isBoundary(code) ? layer_.prismOn(DualMesh::boundaryFaceOf(code), element.height) : noIndex;
 }
 
-SharedLeaveOut::SharedLeaveOut(const DualMesh& mesh, const SharedLayers& layers, RankExchange& exchange)
+SharedLeaveOut::SharedLeaveOut(const DualMesh& mesh, const SharedLayers& layers, Index cutTag, RankExchange& exchange)
     : layers_(layers), exchange_(exchange), seen_(mesh.elementCount(), 0)
 {
   std::vector<Index> own;
@@ -66,6 +66,11 @@ SharedLeaveOut::SharedLeaveOut(const DualMesh& mesh, const SharedLayers& layers,
     }
   }
   std::ranges::for_each(ElementRows(mesh).grow(std::move(own), leaveOutRows), [&](Index e) { seen_[e] = 1; });
+  // Where the window ends elements would be judged without their neighbors.
+  for (const BoundaryFace& face : mesh.boundaryFaces)
+  {
+    seen_[face.element] = face.tag == cutTag ? 0 : seen_[face.element];
+  }
 }
 
 std::vector<Index> SharedLeaveOut::all(const std::vector<Index>& own)

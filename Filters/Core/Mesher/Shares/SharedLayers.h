@@ -44,11 +44,12 @@ private:
   const LayerMesh& layer_;
 };
 
-/// See findElementsToLeaveOut. Elements are looked at up to so many rows from own ones.
+/// See findElementsToLeaveOut. Elements are looked at up to so many rows from own ones, but for those where the window
+/// ends, in faces with the tag `cutTag`.
 class SharedLeaveOut : public LeaveOutExchange
 {
 public:
-  SharedLeaveOut(const DualMesh& mesh, const SharedLayers& layers, RankExchange& exchange);
+  SharedLeaveOut(const DualMesh& mesh, const SharedLayers& layers, Index cutTag, RankExchange& exchange);
   bool isSeen(Index element) const override { return seen_[element] != 0; }
   bool isOwn(Index element) const override { return layers_.isOwn(element); }
   std::size_t sum(std::size_t own) override { return countBefore(own, exchange_).all; }
