@@ -123,8 +123,9 @@ TEST(ConformingLayer, CoversASphereAndABoxWhole)
     const Layered layered(meshAll(surface, gridOf(0.2)), single);
     EXPECT_EQ(layered.copyCount(0), layered.pointsOf(0).size());
     expectValid(layered.one, layered.plain());
-    const LayerReport report = reportLayers(layered.plain(), layered.walls, layered.one, layered.options,
-                                            layered.meshed.model.names, quietContext());
+    const LayerReport report =
+        reportLayers(layered.one, layered.walls, sizesBesideWalls(layered.plain(), layered.walls, quietContext()),
+                     layered.options, layered.meshed.model.names);
     ASSERT_EQ(report.surfaces.size(), 1u);
     EXPECT_DOUBLE_EQ(report.surfaces[0].full, report.surfaces[0].area);
     EXPECT_GT(report.surfaces[0].thickness, 0.5);
@@ -350,8 +351,9 @@ TEST(BoundaryLayers, DivideTheLayerAtGeometricHeights)
         (divided.mesh.points[divided.plainPoints + i] - divided.mesh.points[divided.wallPoints[i]]).norm();
     EXPECT_NEAR(height, expected[divided.places[i] - 1], 1e-9);
   }
-  const LayerReport report = reportLayers(layered.plain(), layered.walls, divided, layered.options,
-                                          layered.meshed.model.names, quietContext());
+  const LayerReport report =
+      reportLayers(divided, layered.walls, sizesBesideWalls(layered.plain(), layered.walls, quietContext()),
+                   layered.options, layered.meshed.model.names);
   EXPECT_NEAR(report.surfaces.at(0).thickness, 1.0, 1e-9);
   for (std::size_t f = 0; f < layered.walls.roles.size(); ++f)
   {

@@ -77,6 +77,23 @@ void expectSound(const LayerMesh& layer, const DualMesh& plain, Index surfaceCou
   }
 }
 
+void expectSame(const LayerMesh& a, const LayerMesh& b)
+{
+  EXPECT_EQ(a.mesh.points, b.mesh.points);
+  EXPECT_EQ(a.mesh.corners, b.mesh.corners);
+  EXPECT_EQ(a.mesh.neighbors, b.mesh.neighbors);
+  EXPECT_EQ(a.mesh.levels, b.mesh.levels);
+  EXPECT_EQ(a.mesh.zones, b.mesh.zones);
+  EXPECT_EQ(a.mesh.rooms, b.mesh.rooms);
+  EXPECT_EQ(a.mesh.cellZones, b.mesh.cellZones);
+  EXPECT_EQ(a.mesh.zoneFaces.size(), b.mesh.zoneFaces.size());
+  EXPECT_TRUE(std::ranges::equal(a.mesh.boundaryFaces, b.mesh.boundaryFaces, {}, &BoundaryFace::element,
+                                 &BoundaryFace::element));
+  EXPECT_EQ(a.copies, b.copies);
+  EXPECT_EQ(a.wallPoints, b.wallPoints);
+  EXPECT_EQ(a.wallFaces, b.wallFaces);
+}
+
 TEST(LayerTopology, IsConformalOnRandomSoupsForAnyCounts)
 {
   std::size_t prisms = 0;
@@ -101,6 +118,10 @@ TEST(LayerTopology, IsConformalOnRandomSoupsForAnyCounts)
       }
       LayerMesh layer = buildLayer(plain, walls, counts);
       expectSound(layer, plain, surfaceCount);
+      DualMesh given = plain;
+      expectSame(takeLayer(given, walls, counts), layer);
+      EXPECT_EQ(given.neighbors, plain.neighbors);
+      EXPECT_EQ(given.boundaryFaces.size(), plain.boundaryFaces.size());
       prisms += layer.wallFaces.size();
       std::uniform_real_distribution<double> shift(-0.05, 0.05);
       for (std::size_t i = layer.plainPoints; i < layer.mesh.points.size(); ++i)

@@ -13,19 +13,9 @@ namespace {
 class Reporter
 {
 public:
-  Reporter(const DualMesh& p, const LayerWalls& w, const LayerMesh& l, const LayerOptions& o, const RunContext& context)
-      : plain(p), walls(w), layer(l), options(o)
+  Reporter(const LayerMesh& l, const LayerWalls& w, const std::vector<double>& s, const LayerOptions& o)
+      : layer(l), walls(w), sizes(s), options(o)
   {
-    std::vector<Index> onWall(plain.points.size(), 0);
-    for (Index f = 0; f < walls.roles.size(); ++f)
-    {
-      for (int i = 0; i < 4 && walls.roles[f] == FaceRole::wall; ++i)
-      {
-        onWall[cornerOf(plain, plain.boundaryFaces[f], i)] = 1;
-      }
-    }
-    sizes = findWallSizes(plain, walls, onWall, elementsAt(plain, {onWall.begin(), onWall.end()}, context.executor),
-                          context);
     out.counts.assign(layer.mesh.boundaryFaces.size(), 0);
     out.thicknesses.assign(layer.mesh.boundaryFaces.size(), 0.0);
   }
@@ -39,7 +29,7 @@ public:
       {
         LayerCoverage uncounted;
         const bool isCounted = !share.isCounted || share.isCounted(f);
-        add(f, isCounted ? ofTag[plain.boundaryFaces[f].tag] : uncounted);
+        add(f, isCounted ? ofTag[layer.mesh.boundaryFaces[f].tag] : uncounted);
       }
     }
     if (share.sum)
@@ -97,18 +87,18 @@ private:
 
   void add(Index f, LayerCoverage& surface)
   {
-    const BoundaryFace& face = plain.boundaryFaces[f];
+    const BoundaryFace& face = layer.mesh.boundaryFaces[f];
     const WallLayers& asked = options.ofTag[face.tag];
-    const ReducedFace reduced = faceOf(plain.corners[face.element], face.direction);
+    const ReducedFace reduced = faceOf(layer.mesh.corners[face.element], face.direction);
     const std::vector<Vec3>& points = layer.mesh.points;
-    Vec3 areaVector = wallNormal(layer.mesh, layer.mesh.boundaryFaces[f]);
+    const Vec3 areaVector = wallNormal(layer.mesh, face);
     const double area = areaVector.norm();
     Index most = 0;
     double got = 0.0;
     double wanted = 0.0;
     for (int i = 0; i < reduced.count; ++i)
     {
-      const Index p = reduced.points[i];
+      const Index p = layer.creaseSheets.sourceOf(reduced.points[i]);
       most = std::max(most, countAt(p));
       wanted += thicknessAsked(asked, sizes[p], options) / reduced.count;
       if (layer.copies[p] != noIndex && area > 0.0)
@@ -140,7 +130,7 @@ private:
       }
       out.counts[f] = out.counts[like];
       out.thicknesses[f] = out.thicknesses[like];
-      LayerCoverage& surface = ofTag[plain.boundaryFaces[like].tag];
+      LayerCoverage& surface = ofTag[layer.mesh.boundaryFaces[like].tag];
       const double area = wallNormal(layer.mesh, layer.mesh.boundaryFaces[f]).norm();
       surface.area += area;
       surface.layered += area;
@@ -148,21 +138,34 @@ private:
     }
   }
 
-  const DualMesh& plain;
-  const LayerWalls& walls;
   const LayerMesh& layer;
+  const LayerWalls& walls;
+  const std::vector<double>& sizes;
   const LayerOptions& options;
-  std::vector<double> sizes;
   LayerReport out;
 };
 
 } // namespace
 
-LayerReport reportLayers(const DualMesh& plain, const LayerWalls& walls, const LayerMesh& layer,
-                         const LayerOptions& options, const std::vector<std::string>& surfaceNames,
-                         const RunContext& context, const CoverageShare& share)
+std::vector<double> sizesBesideWalls(const DualMesh& plain, const LayerWalls& walls, const RunContext& context)
 {
-  return Reporter(plain, walls, layer, options, context).report(surfaceNames, share);
+  std::vector<Index> onWall(plain.points.size(), 0);
+  for (Index f = 0; f < walls.roles.size(); ++f)
+  {
+    for (int i = 0; i < 4 && walls.roles[f] == FaceRole::wall; ++i)
+    {
+      onWall[cornerOf(plain, plain.boundaryFaces[f], i)] = 1;
+    }
+  }
+  return findWallSizes(plain, walls, onWall, elementsAt(plain, {onWall.begin(), onWall.end()}, context.executor),
+                       context);
+}
+
+LayerReport reportLayers(const LayerMesh& layer, const LayerWalls& walls, const std::vector<double>& sizes,
+                         const LayerOptions& options, const std::vector<std::string>& surfaceNames,
+                         const CoverageShare& share)
+{
+  return Reporter(layer, walls, sizes, options).report(surfaceNames, share);
 }
 
 } // namespace atria

@@ -40,10 +40,13 @@ struct CoverageShare
   std::function<std::vector<double>(const std::vector<double>&)> sum;
 };
 
-/// `plain` is the mesh the layers were grown from; its sizes beside the walls say how thick layers should be that have
-/// no height of their own.
-LayerReport reportLayers(const DualMesh& plain, const LayerWalls& walls, const LayerMesh& layer,
+/// By point of the mesh that layers were grown from, how large its elements are beside the walls there: this says how
+/// thick layers should be that have no height of their own.
+std::vector<double> sizesBesideWalls(const DualMesh& plain, const LayerWalls& walls, const RunContext& context);
+
+/// `walls` and `sizes` are those of the mesh the layers were grown from.
+LayerReport reportLayers(const LayerMesh& layer, const LayerWalls& walls, const std::vector<double>& sizes,
                          const LayerOptions& options, const std::vector<std::string>& surfaceNames,
-                         const RunContext& context, const CoverageShare& share = {});
+                         const CoverageShare& share = {});
 
 } // namespace atria

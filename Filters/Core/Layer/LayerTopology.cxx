@@ -10,32 +10,44 @@ namespace atria {
 
 namespace {
 
+/// Adds to the lists of the plain mesh, which are copied or taken over. Elements keep their plain corners until all
+/// prisms are there.
 class Builder
 {
 public:
   Builder(const DualMesh& p, const LayerWalls& w, const std::vector<Index>& c, const Executor& e)
       : plain(p), walls(w), counts(c), executor(e)
   {
+    out.plainPoints = static_cast<Index>(plain.points.size());
+    out.plainElements = static_cast<Index>(plain.elementCount());
+    numberPoints();
+    countPrisms();
+    sideCount = countSides();
+    zoneEdges = plain.zoneFaces.empty() ? std::vector<ZoneEdge>() : findZoneEdges(plain, walls);
   }
 
-  LayerMesh build()
+  LayerMesh copyAndBuild()
   {
-    addPoints();
-    countPrisms();
-    copyElements();
-    for (Index f = 0; f < plain.boundaryFaces.size(); ++f)
-    {
-      for (Index height = 0; height < stackOf(f); ++height)
-      {
-        addPrism(f, height);
-      }
-    }
-    for (Index f = 0; f < plain.boundaryFaces.size(); ++f)
-    {
-      moveBoundary(f);
-    }
-    extendZones();
-    return std::move(out);
+    forLists(plain, [this](const auto& from, auto& to, std::size_t room) {
+      to.reserve(room);
+      to.resize(from.size());
+      executor.forRanges(from.size(), 16384, [&](std::size_t begin, std::size_t end) {
+        std::copy(from.begin() + static_cast<std::ptrdiff_t>(begin), from.begin() + static_cast<std::ptrdiff_t>(end),
+                  to.begin() + static_cast<std::ptrdiff_t>(begin));
+      });
+    });
+    out.mesh.zoneFaces = plain.zoneFaces;
+    return build();
+  }
+
+  LayerMesh takeAndBuild(DualMesh& given)
+  {
+    forLists(given, [](auto& from, auto& to, std::size_t room) {
+      to = std::move(from);
+      to.reserve(room);
+    });
+    out.mesh.zoneFaces = std::move(given.zoneFaces);
+    return build();
   }
 
 private:
@@ -49,9 +61,8 @@ private:
     return reached == 0 ? point : firstNew[point] + reached - 1;
   }
 
-  void addPoints()
+  void numberPoints()
   {
-    out.plainPoints = static_cast<Index>(plain.points.size());
     out.copies.assign(out.plainPoints, noIndex);
     firstNew.assign(out.plainPoints, noIndex);
     for (Index p = 0; p < out.plainPoints; ++p)
@@ -67,9 +78,6 @@ private:
         out.copies[p] = chainPoint(p, counts[p]);
       }
     }
-    out.mesh.points.resize(out.plainPoints + out.wallPoints.size());
-    executor.forEach(out.mesh.points.size(), 16384,
-                     [&](std::size_t p) { out.mesh.points[p] = plain.points[out.wallPointOf(static_cast<Index>(p))]; });
   }
 
   void countPrisms()
@@ -84,16 +92,71 @@ private:
       }
       firstPrism[f + 1] = firstPrism[f] + most;
     }
-    const std::size_t total = plain.elementCount() + firstPrism.back();
-    out.mesh.corners.reserve(total);
-    out.mesh.neighbors.reserve(total);
-    out.mesh.levels.reserve(total);
-    out.mesh.zones.reserve(total);
-    out.mesh.rooms.reserve(plain.rooms.empty() ? 0 : total);
-    out.mesh.cellZones.reserve(plain.cellZones.empty() ? 0 : total);
+  }
+
+  /// Calls `each` with what points and elements of a mesh have, what it becomes, and the entries that this will have.
+  template <typename Mesh, typename Each> void forLists(Mesh& from, Each&& each)
+  {
+    DualMesh& to = out.mesh;
+    const auto ofElements = [&](auto& list, auto& become) {
+      each(list, become, list.empty() ? 0 : out.plainElements + firstPrism.back());
+    };
+    each(from.points, to.points, out.plainPoints + out.wallPoints.size());
+    ofElements(from.corners, to.corners);
+    ofElements(from.levels, to.levels);
+    ofElements(from.zones, to.zones);
+    ofElements(from.rooms, to.rooms);
+    ofElements(from.cellZones, to.cellZones);
+  }
+
+  LayerMesh build()
+  {
+    addPoints();
+    addNeighbors();
+    for (Index f = 0; f < plain.boundaryFaces.size(); ++f)
+    {
+      for (Index height = 0; height < stackOf(f); ++height)
+      {
+        addPrism(f, height);
+      }
+    }
+    for (Index f = 0; f < plain.boundaryFaces.size(); ++f)
+    {
+      moveBoundary(f);
+    }
+    extendZones();
+    moveToCopies();
+    return std::move(out);
+  }
+
+  void addPoints()
+  {
+    std::vector<Vec3>& points = out.mesh.points;
+    points.resize(out.plainPoints + out.wallPoints.size());
+    executor.forEach(out.wallPoints.size(), 16384,
+                     [&](std::size_t i) { points[out.plainPoints + i] = points[out.wallPoints[i]]; });
+  }
+
+  void addNeighbors()
+  {
+    out.mesh.neighbors.reserve(out.plainElements + firstPrism.back());
+    out.mesh.neighbors.resize(out.plainElements);
+    executor.forEach(out.plainElements, 16384, [&](std::size_t e) { out.mesh.neighbors[e] = plain.neighbors[e]; });
+    out.mesh.boundaryFaces.reserve(plain.boundaryFaces.size() + sideCount);
+    out.mesh.boundaryFaces = plain.boundaryFaces;
     out.wallFaces.reserve(firstPrism.back());
     out.heights.reserve(firstPrism.back());
-    out.mesh.boundaryFaces.reserve(plain.boundaryFaces.size() + countSides());
+  }
+
+  /// Corners of those of the plain mesh.
+  void moveToCopies()
+  {
+    executor.forEach(out.wallPoints.empty() ? 0 : out.plainElements, 16384, [&](std::size_t e) {
+      for (Index& p : out.mesh.corners[e])
+      {
+        p = out.copies[p] == noIndex ? p : out.copies[p];
+      }
+    });
   }
 
   /// Boundary faces beside prisms.
@@ -104,7 +167,7 @@ private:
     {
       for (int edge = 0; edge < 4 && stackOf(f) > 0; ++edge)
       {
-        count += isSide(walls.graph.across[f][edge]) ? highestAt(f, edge) : 0;
+        count += isSide(walls.graph.across[f][edge]) ? highestAt(plain, f, edge) : 0;
       }
     }
     return count;
@@ -116,49 +179,10 @@ private:
   }
 
   /// How many prisms of a wall's face reach an edge of it.
-  Index highestAt(Index f, int edge) const
+  Index highestAt(const DualMesh& mesh, Index f, int edge) const
   {
     const BoundaryFace& face = plain.boundaryFaces[f];
-    return std::max(counts[cornerOf(plain, face, edge)], counts[cornerOf(plain, face, edge + 1)]);
-  }
-
-  /// Those of the plain mesh; their corners become the copies.
-  void copyElements()
-  {
-    out.plainElements = static_cast<Index>(plain.elementCount());
-    out.mesh.boundaryFaces.insert(out.mesh.boundaryFaces.end(), plain.boundaryFaces.begin(), plain.boundaryFaces.end());
-    out.mesh.zoneFaces = plain.zoneFaces;
-    out.mesh.corners.resize(out.plainElements);
-    out.mesh.neighbors.resize(out.plainElements);
-    out.mesh.levels.resize(out.plainElements);
-    out.mesh.zones.resize(out.plainElements);
-    out.mesh.rooms.resize(plain.rooms.size());
-    out.mesh.cellZones.resize(plain.cellZones.size());
-    executor.forRanges(out.plainElements, 16384, [&](std::size_t begin, std::size_t end) {
-      const auto copy = [&](const auto& from, auto& to) {
-        std::copy_n(from.begin() + static_cast<std::ptrdiff_t>(begin), end - begin,
-                    to.begin() + static_cast<std::ptrdiff_t>(begin));
-      };
-      copy(plain.neighbors, out.mesh.neighbors);
-      copy(plain.levels, out.mesh.levels);
-      copy(plain.zones, out.mesh.zones);
-      if (!plain.rooms.empty())
-      {
-        copy(plain.rooms, out.mesh.rooms);
-      }
-      if (!plain.cellZones.empty())
-      {
-        copy(plain.cellZones, out.mesh.cellZones);
-      }
-      copy(plain.corners, out.mesh.corners);
-      for (std::size_t e = begin; e < end && !out.wallPoints.empty(); ++e)
-      {
-        for (Index& p : out.mesh.corners[e])
-        {
-          p = out.copies[p] == noIndex ? p : out.copies[p];
-        }
-      }
-    });
+    return std::max(counts[cornerOf(mesh, face, edge)], counts[cornerOf(mesh, face, edge + 1)]);
   }
 
   void addPrism(Index f, Index height)
@@ -170,7 +194,7 @@ private:
     neighbors.fill(DualMesh::noFace);
     for (const std::uint8_t c : hexahedronFace[face.direction])
     {
-      const Index p = plain.corners[face.element][c];
+      const Index p = out.mesh.corners[face.element][c];
       corners[c] = chainPoint(p, height);
       corners[acrossAxis(c, axisOf(face.direction))] = chainPoint(p, height + 1);
     }
@@ -181,7 +205,7 @@ private:
     {
       neighbors[besideEdge(face.direction, edge)] = lateral(f, edge, height, prism);
     }
-    appendElement(out.mesh, corners, neighbors, plain, face.element);
+    appendElement(out.mesh, corners, neighbors, out.mesh, face.element);
     out.wallFaces.push_back(f);
     out.heights.push_back(height);
   }
@@ -191,7 +215,7 @@ private:
   {
     const BoundaryFace& face = plain.boundaryFaces[f];
     const Index code = walls.graph.across[f][edge];
-    if (!BoundaryGraph::isEdge(code) || height >= highestAt(f, edge))
+    if (!BoundaryGraph::isEdge(code) || height >= highestAt(out.mesh, f, edge))
     {
       return DualMesh::noFace;
     }
@@ -227,14 +251,10 @@ private:
   /// Faces between the prisms on either side of a zone's faces are the zone's.
   void extendZones()
   {
-    if (plain.zoneFaces.empty())
-    {
-      return;
-    }
-    for (const ZoneEdge& zone : findZoneEdges(plain, walls))
+    for (const ZoneEdge& zone : zoneEdges)
     {
       const std::uint8_t direction = plain.boundaryFaces[zone.face].direction;
-      for (Index height = 0; height < highestAt(zone.face, zone.edge); ++height)
+      for (Index height = 0; height < highestAt(out.mesh, zone.face, zone.edge); ++height)
       {
         out.mesh.zoneFaces.push_back({prismAt(zone.face, height), zone.tag,
                                       static_cast<std::uint8_t>(besideEdge(direction, zone.edge)), zone.side});
@@ -250,6 +270,8 @@ private:
   /// Per point the first of its chain, per boundary face the first of its stack.
   std::vector<Index> firstNew;
   std::vector<Index> firstPrism;
+  std::size_t sideCount;
+  std::vector<ZoneEdge> zoneEdges;
 };
 
 } // namespace
@@ -274,7 +296,13 @@ LayerMesh withoutLayer(DualMesh plain)
 LayerMesh buildLayer(const DualMesh& plain, const LayerWalls& walls, const std::vector<Index>& counts,
                      const Executor& executor)
 {
-  return Builder(plain, walls, counts, executor).build();
+  return Builder(plain, walls, counts, executor).copyAndBuild();
+}
+
+LayerMesh takeLayer(DualMesh& plain, const LayerWalls& walls, const std::vector<Index>& counts,
+                    const Executor& executor)
+{
+  return Builder(plain, walls, counts, executor).takeAndBuild(plain);
 }
 
 } // namespace atria

@@ -128,14 +128,17 @@ ImprovedLayer improve(ClassifiedMesh& given, const LayerWalls& walls, const Laye
   {
     return improveLayer(context, given.classification, given.vertexOf, given.mesh, walls, options, curvedWalls);
   }
-  const MeshBlocks blocks =
-      blocksOf(context.octree, given.classification.leaves, *all, 0, static_cast<Index>(all->count()),
-               findNearBoundary(given.mesh, given.vertexOf, given.classification.classes.size()));
   MeshTraits traits = traitsOf(given.mesh, options);
   traits.uniform = false; // no crease sheets
-  NoExchange alone;
-  return improveBlocks(context, given.classification, given.vertexOf, given.mesh, walls, options, curvedWalls, traits,
-                       blocks, alone);
+  const ImprovedBlocks improved = [&] {
+    const MeshBlocks blocks =
+        blocksOf(context.octree, given.classification.leaves, *all, 0, static_cast<Index>(all->count()),
+                 findNearBoundary(given.mesh, given.vertexOf, given.classification.classes.size()));
+    NoExchange alone;
+    return improveBlocks(context, given.classification, given.vertexOf, given.mesh, walls, options, curvedWalls, traits,
+                         blocks, alone);
+  }();
+  return layersOfBlocks(improved, given.mesh, walls, traits, context);
 }
 
 /// So fine that sums of some hundred times the square of the domain's longest side have no rounding.
@@ -234,8 +237,8 @@ ImprovedMesh growLayers(ClassifiedMesh given, const WallOptions& wallOptions, co
   const auto surfaceCount = static_cast<Index>(context.model.names.size());
   const LayerOptions options = layerOptionsOf(wallOptions, hasGround(given.mesh, surfaceCount), context);
   const LayerWalls walls = prepareWalls(given, options, context);
-  auto [layer, detached, failing] = improve(given, walls, options, wallOptions.curvedWalls, blocks, context);
-  out.layers = reportLayers(given.mesh, walls, layer, options, context.model.names, context);
+  auto [layer, detached, failing, sizes] = improve(given, walls, options, wallOptions.curvedWalls, blocks, context);
+  out.layers = reportLayers(layer, walls, sizes, options, context.model.names);
   out.mesh = std::move(layer.mesh);
   out.detached = std::move(detached);
   if (options.isAsked() || wallOptions.supportElements)

@@ -138,22 +138,33 @@ private:
     const LayerWalls walls = prepareWalls(plain, layerOptions, context);
     MeshTraits traits = traitsOf(plain.mesh, layerOptions);
     traits.uniform = false; // there are several blocks, and no crease sheets
-    const MeshBlocks blocks = blocksOf(context.octree, plain.classification.leaves, share.blocks(), share.firstBlock(),
-                                       share.endBlock(), window.near);
-    SharedBlocks exchange(window, plain.mesh, share);
-    exchange.takePlaces(plain.mesh.points, plain.classification.displacementLimits);
-    auto [layer, detached, failing] =
-        improveBlocks(context.part(0.5, 0.95), plain.classification, plain.vertexOf, plain.mesh, walls, layerOptions,
-                      options.curvedWalls, traits, blocks, exchange);
+    const ImprovedBlocks blocks = improve(plain, walls, traits, window);
+    // All but the frame, and what elements were improved by: nothing asks for these any more.
+    octree = Octree(context.octree.frame(), {});
+    plain.classification = {};
+    release(plain.vertexOf);
+    giveBackFreedMemory();
+    auto [layer, detached, failing, sizes] = layersOfBlocks(blocks, plain.mesh, walls, traits, context);
     std::vector<std::string> names = context.model.names;
     names.emplace_back(); // of where the window is cut
     improved.layers =
-        reportLayers(plain.mesh, walls, layer, layerOptions, names, context,
+        reportLayers(layer, walls, sizes, layerOptions, names,
                      {[&](Index face) { return window.isOwn(plain.mesh.boundaryFaces[face].element); },
                       [&](const std::vector<double>& own) { return sumOverRanks(share.exchange(), own); }});
     improved.detached = std::move(detached);
     failingElements = std::move(failing);
     return std::move(layer);
+  }
+
+  ImprovedBlocks improve(ClassifiedMesh& plain, const LayerWalls& walls, const MeshTraits& traits,
+                         const SharedWindow& window) const
+  {
+    const MeshBlocks blocks = blocksOf(context.octree, plain.classification.leaves, share.blocks(), share.firstBlock(),
+                                       share.endBlock(), window.near);
+    SharedBlocks exchange(window, plain.mesh, share);
+    exchange.takePlaces(plain.mesh.points, plain.classification.displacementLimits);
+    return improveBlocks(context.part(0.5, 0.95), plain.classification, plain.vertexOf, plain.mesh, walls, layerOptions,
+                         options.curvedWalls, traits, blocks, exchange);
   }
 
   void leaveOutWhatFails(const SharedLayers& layers, ImprovedMesh& improved)

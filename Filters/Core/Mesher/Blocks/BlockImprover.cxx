@@ -3,7 +3,6 @@
 
 #include "Mesher/Blocks/PointStates.h"
 #include "Mesher/Blocks/PoorPlaces.h"
-#include "Support/FreedMemory.h"
 #include "Support/Sorting.h"
 
 #include <algorithm>
@@ -41,7 +40,7 @@ public:
   {
   }
 
-  ImprovedLayer run()
+  ImprovedBlocks run()
   {
     settleOthers();
     improveAll(ImproverPart::whole, context.part(0.0, 0.45));
@@ -49,13 +48,10 @@ public:
     poor = exchange.allPoor(poor);
     improvePoor();
     plain.points = std::move(states.points);
-    windows = {};
-    giveBackFreedMemory(); // what is made now is as large as the mesh
-    ImprovedLayer out{assembleLayer(), {}, {}};
+    ImprovedBlocks out{std::move(states.layers), {}, std::move(poor)};
     std::ranges::transform(states.detached, std::back_inserter(out.detached), [](const auto& entry) {
       return DetachedVertex{entry.first, entry.second};
     });
-    out.failing = failingIn(out.layer);
     return out;
   }
 
@@ -229,42 +225,6 @@ private:
     return result;
   }
 
-  LayerMesh assembleLayer()
-  {
-    if (!settings.traits.layered)
-    {
-      return withoutLayer(std::move(plain));
-    }
-    std::vector<Index> counts(plain.points.size());
-    for (Index p = 0; p < counts.size(); ++p)
-    {
-      // Where this part of a mesh ends walls may have none.
-      counts[p] = states.layers.has(p) ? std::min(states.layers.counts[p], walls.counts[p]) : 0;
-    }
-    LayerMesh layer = buildLayer(plain, walls, counts, context.executor);
-    for (std::size_t i = 0; i < layer.wallPoints.size(); ++i)
-    {
-      layer.mesh.points[layer.plainPoints + i] = states.layers.aboveOf(layer.wallPoints[i])[layer.places[i] - 1];
-    }
-    return layer;
-  }
-
-  std::vector<Index> failingIn(const LayerMesh& layer) const
-  {
-    std::vector<Index> failing;
-    for (const PoorElement& element : poor)
-    {
-      // Where this part of a mesh ends stacks may be lower.
-      const Index e = element.isPlain() ? element.place : layer.prismOn(element.place, element.height);
-      if (element.fails && e != noIndex)
-      {
-        failing.push_back(e);
-      }
-    }
-    sortUnique(failing);
-    return failing;
-  }
-
   const MeshingContext& context;
   const VertexClassification& classification;
   const std::vector<Index>& vertexOf;
@@ -283,15 +243,57 @@ private:
   std::vector<PoorElement> poor;
 };
 
+LayerMesh assembleLayer(const SettledPoints& layers, DualMesh& plain, const LayerWalls& walls, const Executor& executor)
+{
+  std::vector<Index> counts(plain.points.size());
+  for (Index p = 0; p < counts.size(); ++p)
+  {
+    // Where this part of a mesh ends walls may have none.
+    counts[p] = layers.has(p) ? std::min(layers.counts[p], walls.counts[p]) : 0;
+  }
+  LayerMesh layer = takeLayer(plain, walls, counts, executor);
+  for (std::size_t i = 0; i < layer.wallPoints.size(); ++i)
+  {
+    layer.mesh.points[layer.plainPoints + i] = layers.aboveOf(layer.wallPoints[i])[layer.places[i] - 1];
+  }
+  return layer;
+}
+
+std::vector<Index> failingIn(const LayerMesh& layer, const std::vector<PoorElement>& poor)
+{
+  std::vector<Index> failing;
+  for (const PoorElement& element : poor)
+  {
+    // Where this part of a mesh ends stacks may be lower.
+    const Index e = element.isPlain() ? element.place : layer.prismOn(element.place, element.height);
+    if (element.fails && e != noIndex)
+    {
+      failing.push_back(e);
+    }
+  }
+  sortUnique(failing);
+  return failing;
+}
+
 } // namespace
 
-ImprovedLayer improveBlocks(const MeshingContext& context, const VertexClassification& classification,
-                            const std::vector<Index>& vertexOf, DualMesh& plain, const LayerWalls& walls,
-                            const LayerOptions& options, const CurvedWallTargets& curvedWalls, const MeshTraits& traits,
-                            const MeshBlocks& blocks, BlockExchange& exchange)
+ImprovedBlocks improveBlocks(const MeshingContext& context, const VertexClassification& classification,
+                             const std::vector<Index>& vertexOf, DualMesh& plain, const LayerWalls& walls,
+                             const LayerOptions& options, const CurvedWallTargets& curvedWalls,
+                             const MeshTraits& traits, const MeshBlocks& blocks, BlockExchange& exchange)
 {
   return BlockImprover(context, classification, vertexOf, plain, walls, options, curvedWalls, traits, blocks, exchange)
       .run();
+}
+
+ImprovedLayer layersOfBlocks(const ImprovedBlocks& improved, DualMesh& plain, const LayerWalls& walls,
+                             const MeshTraits& traits, const RunContext& context)
+{
+  std::vector<double> sizes = sizesBesideWalls(plain, walls, context);
+  LayerMesh layer =
+      traits.layered ? assembleLayer(improved.layers, plain, walls, context.executor) : withoutLayer(std::move(plain));
+  std::vector<Index> failing = failingIn(layer, improved.poor);
+  return {std::move(layer), improved.detached, std::move(failing), std::move(sizes)};
 }
 
 } // namespace atria

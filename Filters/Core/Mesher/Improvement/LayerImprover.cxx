@@ -154,7 +154,8 @@ ImprovedLayer improveLayer(const MeshingContext& context, const VertexClassifica
     addCreaseSheets(state);
   }
   std::vector<Index> failing = findFailing(state);
-  return {std::move(state.layer), improver.detached(), std::move(failing)};
+  std::vector<double> wallSizes = sizesBesideWalls(plain, walls, context);
+  return {std::move(state.layer), improver.detached(), std::move(failing), std::move(wallSizes)};
 }
 
 } // namespace atria

@@ -2,6 +2,7 @@
 /// Grows the layer on walls and sees to it that every element at the boundary is valid and good.
 #pragma once
 
+#include "Layer/LayerCoverage.h"
 #include "Mesher/Improvement/CurvedWalls.h"
 #include "Mesher/Improvement/VertexDetachment.h"
 
@@ -16,6 +17,8 @@ struct ImprovedLayer
   std::vector<DetachedVertex> detached;
   /// Elements that checkMesh objects to unless they are made one with others, in order.
   std::vector<Index> failing;
+  /// Of the plain mesh as it is in the end; see sizesBesideWalls.
+  std::vector<double> wallSizes;
 };
 
 /// The stages of a mesh, but for crease sheets, in two parts. Between them another improver may take over what is known
