@@ -7,14 +7,13 @@
 #include "Support/FreedMemory.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace atria {
 
 namespace {
 
-/// By rank, the own elements that are in its window.
+/// By other rank, the own elements that are in its window, counted from the first own one.
 std::vector<std::vector<Index>> elementsFor(const PlainShare& own, const NearBoundary& near, const RankShare& share)
 {
   std::vector<std::vector<PointKey>> wanted(static_cast<std::size_t>(share.ranks()));
@@ -25,20 +24,20 @@ std::vector<std::vector<Index>> elementsFor(const PlainShare& own, const NearBou
   std::vector<std::vector<Index>> out;
   for (const std::vector<PointKey>& some : exchangeLists(share.exchange(), wanted))
   {
-    std::ranges::transform(some, std::back_inserter(out.emplace_back()), [&](PointKey key) { return own.find(key); });
+    std::ranges::transform(some, std::back_inserter(out.emplace_back()),
+                           [&](PointKey key) { return own.find(key) - own.firstOwn; });
   }
-  std::vector<Index>& ofOwn = out[static_cast<std::size_t>(share.rank())];
-  ofOwn.resize(own.ownCount());
-  std::iota(ofOwn.begin(), ofOwn.end(), own.firstOwn);
   return out;
 }
 
-std::vector<WindowPart> partsOfWindow(const PlainShare& own, Index cutTag, const RankShare& share)
+std::vector<WindowPart> partsOfWindow(PlainShare own, Index cutTag, const RankShare& share)
 {
-  const NearBoundary near = findNearBoundary(own.plain.mesh, own.plain.vertexOf,
-                                             own.plain.classification.classes.size(), SharedNear(own, share));
+  NearBoundary near = findNearBoundary(own.plain.mesh, own.plain.vertexOf, own.plain.classification.classes.size(),
+                                       SharedNear(own, share));
   const std::vector<std::vector<Index>> elements = elementsFor(own, near, share);
-  return exchangeParts([&](std::size_t rank) { return partOf(own, near, elements[rank], cutTag); }, share.exchange());
+  WindowPart part = ownPart(std::move(own), std::move(near), cutTag);
+  giveBackFreedMemory();
+  return exchangeParts(std::move(part), elements, cutTag, share.exchange());
 }
 
 } // namespace
@@ -70,10 +69,7 @@ SharedWindow makeWindow(PlainShare own, Index cutTag, const RankShare& share, co
   context.progress.check();
   octree = {};
   expectSameElements(own, share);
-  std::vector<WindowPart> parts = partsOfWindow(own, cutTag, share);
-  own = {};
-  giveBackFreedMemory();
-  SharedWindow out = joinParts(std::move(parts), cutTag);
+  SharedWindow out = joinParts(partsOfWindow(std::move(own), cutTag, share), cutTag);
   giveBackFreedMemory();
   const auto first = std::ranges::find_if(out.elementKeys, [&](PointKey key) { return share.isOwn(key >> 3); });
   const auto end = std::find_if_not(first, out.elementKeys.end(), [&](PointKey key) { return share.isOwn(key >> 3); });

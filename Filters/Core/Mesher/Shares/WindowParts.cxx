@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 #include <utility>
 
 namespace atria {
@@ -273,23 +274,26 @@ private:
   SharedWindow out_;
 };
 
-} // namespace
-
-WindowPart partOf(const PlainShare& own, const NearBoundary& near, const std::vector<Index>& elements, Index cutTag)
+/// Of some elements of another part, in order.
+WindowPart partOf(const WindowPart& whole, const std::vector<Index>& elements, Index cutTag)
 {
-  const DualMesh& mesh = own.plain.mesh;
-  MeshWindow window = extractWindow(mesh, mesh.points, own.plain.classification, own.plain.vertexOf, elements, cutTag);
+  const DualMesh& mesh = whole.plain.mesh;
+  MeshWindow window =
+      extractWindow(mesh, mesh.points, whole.plain.classification, whole.plain.vertexOf, elements, cutTag);
   WindowPart part;
-  part.elementKeys = chosenOf<std::vector<PointKey>>(own.keys, elements);
-  part.points = chosenOf<std::vector<SharedPoint>>(own.points, window.pointIds);
+  part.elementKeys = chosenOf<std::vector<PointKey>>(whole.elementKeys, elements);
+  part.points = chosenOf<std::vector<SharedPoint>>(whole.points, window.pointIds);
   const std::vector<Index> vertices(window.pointIds.begin(),
                                     window.pointIds.begin() + static_cast<std::ptrdiff_t>(window.vertexCount()));
-  part.near = {chosenOf<std::vector<char>>(near.mayMove, vertices),
-               chosenOf<std::vector<std::uint8_t>>(near.rows, elements)};
-  for (const BoundaryFace& face : window.mesh.boundaryFaces)
+  part.near = {chosenOf<std::vector<char>>(whole.near.mayMove, vertices),
+               chosenOf<std::vector<std::uint8_t>>(whole.near.rows, elements)};
+  part.beyond.reserve(window.faceIds.size());
+  for (Index f = 0; f < window.faceIds.size(); ++f)
   {
-    const Index other = beyond(mesh, mesh.neighbors[elements[face.element]][face.direction]);
-    part.beyond.push_back(other == noIndex ? SharedPoints::noKey : own.keys[other]);
+    const BoundaryFace& face = window.mesh.boundaryFaces[f];
+    const bool isCut = window.faceIds[f] == noIndex;
+    part.beyond.push_back(isCut ? whole.elementKeys[mesh.neighbors[elements[face.element]][face.direction]]
+                                : whole.beyond[window.faceIds[f]]);
   }
   using Numbers = Buffer<std::int32_t>;
   window.mesh.rooms = mesh.rooms.empty() ? Numbers() : chosenOf<Numbers>(mesh.rooms, elements);
@@ -299,20 +303,49 @@ WindowPart partOf(const PlainShare& own, const NearBoundary& near, const std::ve
   return part;
 }
 
-std::vector<WindowPart> exchangeParts(const std::function<WindowPart(std::size_t rank)>& partFor,
+/// The same of a part that is cut itself. Where it ends then is of one tag.
+WindowPart partOfCut(const WindowPart& cut, const std::vector<Index>& elements, Index cutTag)
+{
+  WindowPart part = partOf(cut, elements, cutTag + 1);
+  for (BoundaryFace& face : part.plain.mesh.boundaryFaces)
+  {
+    face.tag -= face.tag > cutTag ? 1 : 0;
+  }
+  return part;
+}
+
+} // namespace
+
+WindowPart ownPart(PlainShare own, NearBoundary near, Index cutTag)
+{
+  WindowPart whole{std::move(own.plain), std::move(own.keys), std::move(own.points), std::move(near), {}};
+  whole.beyond.reserve(whole.plain.mesh.boundaryFaces.size());
+  for (const BoundaryFace& face : whole.plain.mesh.boundaryFaces)
+  {
+    whole.beyond.push_back(face.opposite == noIndex ? SharedPoints::noKey : whole.elementKeys[face.opposite]);
+  }
+  std::vector<Index> elements(own.ownCount());
+  std::iota(elements.begin(), elements.end(), own.firstOwn);
+  return partOf(whole, elements, cutTag);
+}
+
+std::vector<WindowPart> exchangeParts(WindowPart own, const std::vector<std::vector<Index>>& elements, Index cutTag,
                                       RankExchange& exchange)
 {
-  std::vector<Bytes> messages(static_cast<std::size_t>(exchange.ranks()));
-  const auto rank = static_cast<std::size_t>(exchange.rank());
-  for (std::size_t other = 0; other < messages.size(); ++other)
+  std::vector<Bytes> messages;
+  messages.reserve(elements.size());
+  for (const std::vector<Index>& some : elements)
   {
-    messages[other] = other == rank ? Bytes() : bytesOf(partFor(other));
+    messages.push_back(some.empty() ? Bytes() : bytesOf(partOfCut(own, some, cutTag)));
   }
   std::vector<WindowPart> parts;
-  for (const Bytes& bytes : exchange.exchange(std::move(messages)))
+  parts.reserve(elements.size());
+  for (Bytes& bytes : exchange.exchange(std::move(messages)))
   {
-    parts.push_back(parts.size() == rank ? partFor(rank) : partFrom(bytes));
+    parts.push_back(bytes.empty() ? WindowPart() : partFrom(bytes));
+    release(bytes);
   }
+  parts[static_cast<std::size_t>(exchange.rank())] = std::move(own);
   return parts;
 }
 

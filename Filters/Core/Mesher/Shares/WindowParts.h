@@ -18,11 +18,12 @@ struct WindowPart
   std::vector<PointKey> beyond;
 };
 
-/// Of some own elements, in order.
-WindowPart partOf(const PlainShare& own, const NearBoundary& near, const std::vector<Index>& elements, Index cutTag);
+/// All own elements.
+WindowPart ownPart(PlainShare own, NearBoundary near, Index cutTag);
 
-/// Sends each rank the part that is for it, and returns what came from each.
-std::vector<WindowPart> exchangeParts(const std::function<WindowPart(std::size_t rank)>& partFor,
+/// Sends each other rank those of the own elements that are for it, in order, and returns what came from each; with
+/// `own` from this one.
+std::vector<WindowPart> exchangeParts(WindowPart own, const std::vector<std::vector<Index>>& elements, Index cutTag,
                                       RankExchange& exchange);
 
 /// Of parts from all ranks, with elements in the order of the whole. Its leaves have no numbers yet.
