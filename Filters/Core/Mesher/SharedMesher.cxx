@@ -66,7 +66,6 @@ public:
     LayerMesh layer = options.layers.empty() ? withoutLayer(std::move(plain.mesh)) : grow(plain, window, improved);
     improved.mesh = std::move(layer.mesh);
     const DualMesh below = connectionsOf(std::move(plain));
-    giveBackFreedMemory();
     const SharedLayers layers(window, below, layer);
     leaveOutWhatFails(layers, improved);
     orderZoneFaces(improved.mesh);
@@ -76,6 +75,7 @@ public:
     {
       release(improved.mesh.neighbors);
     }
+    giveBackFreedMemory();
     out.piece = takePiece(improved.mesh, {improved.numbers, improved.pointNumbers}, layers, layer, share, ghostLevels,
                           report.elements());
     report.addDetached(improved, out.piece);

@@ -83,12 +83,9 @@ struct DualMesh
   std::size_t elementCount() const { return corners.size(); }
 };
 
-/// Appends an element that is for all but its place as element `like` of a mesh, which may be the same.
-inline void appendElement(DualMesh& to, const std::array<Index, 8>& corners,
-                          const std::array<std::int32_t, 6>& neighbors, const DualMesh& from, Index like)
+/// Appends what an element has but for its place, like element `like` of a mesh, which may be the same.
+inline void appendLabels(DualMesh& to, const DualMesh& from, Index like)
 {
-  to.corners.push_back(corners);
-  to.neighbors.push_back(neighbors);
   to.levels.push_back(std::uint8_t(from.levels[like]));
   to.zones.push_back(std::int32_t(from.zones[like]));
   if (!from.rooms.empty())
@@ -99,6 +96,15 @@ inline void appendElement(DualMesh& to, const std::array<Index, 8>& corners,
   {
     to.cellZones.push_back(std::int32_t(from.cellZones[like]));
   }
+}
+
+/// Appends an element that is for all but its place as element `like`.
+inline void appendElement(DualMesh& to, const std::array<Index, 8>& corners,
+                          const std::array<std::int32_t, 6>& neighbors, const DualMesh& from, Index like)
+{
+  to.corners.push_back(corners);
+  to.neighbors.push_back(neighbors);
+  appendLabels(to, from, like);
 }
 
 /// A face with coinciding corners taken out; `count` is below 3 where there is no face.

@@ -166,9 +166,8 @@ private:
         out.elementsBefore.push_back(e);
         std::array<Index, 8> corners;
         std::ranges::transform(mesh.corners[e], corners.begin(), [&](Index p) { return newPoints[p]; });
-        std::array<std::int32_t, 6> none;
-        none.fill(DualMesh::noFace);
-        appendElement(out.mesh, corners, none, mesh, e);
+        out.mesh.corners.push_back(corners);
+        appendLabels(out.mesh, mesh, e);
       }
     }
   }
@@ -177,7 +176,6 @@ private:
   {
     out.elementsBefore.reserve(count);
     out.mesh.corners.reserve(count);
-    out.mesh.neighbors.reserve(count);
     out.mesh.levels.reserve(count);
     out.mesh.zones.reserve(count);
     out.mesh.rooms.reserve(mesh.rooms.empty() ? 0 : count);
@@ -186,6 +184,11 @@ private:
 
   void takeFaces()
   {
+    const auto count = static_cast<std::size_t>(
+        std::ranges::count_if(mesh.boundaryFaces, [&](const BoundaryFace& face) { return isOwn(face.element); }));
+    out.hasOpposite.reserve(count);
+    out.mesh.boundaryFaces.reserve(count);
+    out.facesBefore.reserve(count);
     for (Index f = 0; f < mesh.boundaryFaces.size(); ++f)
     {
       BoundaryFace face = mesh.boundaryFaces[f];
@@ -198,6 +201,9 @@ private:
         out.facesBefore.push_back(f);
       }
     }
+    std::array<std::int32_t, 6> none;
+    none.fill(DualMesh::noFace);
+    out.mesh.neighbors.assign(mesh.zoneFaces.empty() ? 0 : out.mesh.elementCount(), none);
     for (ZoneFace face : mesh.zoneFaces)
     {
       if (isOwn(face.element))
@@ -218,6 +224,7 @@ private:
     });
     const auto keyOf = [&](Index i) { return layers.elementOf(elements[out.elementsBefore[i]]); };
     const auto rankOf = [&](const SharedElement& element) { return share.rankOf(element.point >> 3); };
+    out.elementRanks.reserve(out.elementsBefore.size());
     for (Index i = 0; i < out.elementsBefore.size(); ++i)
     {
       out.elementRanks.push_back(isOwn(out.elementsBefore[i]) ? share.rank() : rankOf(keyOf(i)));
@@ -250,6 +257,7 @@ private:
     });
     const auto keyOf = [&](Index i) { return ChainPoint{wallOf(out.pointsBefore[i]), placeOf(out.pointsBefore[i])}; };
     const auto rankOf = [&](const ChainPoint& point) { return share.rankOf(point.wall.leaf); };
+    out.pointRanks.reserve(out.pointsBefore.size());
     for (Index i = 0; i < out.pointsBefore.size(); ++i)
     {
       out.pointRanks.push_back(rankOf(keyOf(i)));
