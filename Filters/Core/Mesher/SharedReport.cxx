@@ -27,8 +27,6 @@ struct SharedStep
   PointKey point;
 };
 
-bool isOwn(PointKey key, const RankShare& share) { return key != SharedPoints::noKey && share.isOwn(key >> 3); }
-
 /// By point, the element with the lowest number of all in the mesh that have it, where that is an own one: all elements
 /// at a point of an own one are in the piece. Otherwise one of another rank.
 std::vector<Index> firstElementsOf(const SharedPiece& piece)

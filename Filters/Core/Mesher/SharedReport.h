@@ -56,7 +56,7 @@ private:
     std::uint64_t element; ///< its number in the mesh of all, where it is known already
     SharedElement beside;  ///< else noElement where there is none
   };
-  static constexpr SharedElement noElement{SharedPoints::noKey, noIndex, 0};
+  static constexpr SharedElement noElement{noKey, noIndex, 0};
   static Diagnostic diagnosticOf(const Entry& entry);
 
   const RankShare& share_;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <map>
+#include <tuple>
 #include <utility>
 
 namespace atria {
@@ -37,7 +38,7 @@ std::vector<Index> othersAtPoints(const PlainShare& own, const std::vector<char>
   {
     if (!own.isOwn(e) && hasMarked(own.plain.mesh.corners[e], marked))
     {
-      if (own.keys[e] == SharedPoints::noKey)
+      if (own.keys[e] == noKey)
       {
         throw RanksDisagree("a rank's octree ends beside its share");
       }
@@ -119,18 +120,6 @@ private:
 
 } // namespace
 
-Index PlainShare::find(PointKey key) const
-{
-  const auto begin = keys.begin() + firstOwn;
-  const auto end = keys.begin() + endOwn;
-  const auto found = std::lower_bound(begin, end, key);
-  if (found == end || *found != key)
-  {
-    throw RanksDisagree("ranks do not have the same elements where their shares meet");
-  }
-  return static_cast<Index>(found - keys.begin());
-}
-
 Index PlainShare::vertexOf(MortonKey leaf) const
 {
   const auto end = points.begin() + static_cast<std::ptrdiff_t>(plain.classification.classes.size());
@@ -152,10 +141,7 @@ std::vector<Index> PlainShare::besideThese(const std::vector<Index>& elements) c
 PlainShare shareOf(ClassifiedMesh plain, std::vector<PointKey> keys, const Octree& octree, const RankShare& share)
 {
   PlainShare out{std::move(plain), std::move(keys), 0, 0, {}, {}};
-  const auto isOwn = [&](PointKey key) { return key != SharedPoints::noKey && share.isOwn(key >> 3); };
-  const auto first = std::ranges::find_if(out.keys, isOwn);
-  out.firstOwn = static_cast<Index>(first - out.keys.begin());
-  out.endOwn = static_cast<Index>(std::find_if_not(first, out.keys.end(), isOwn) - out.keys.begin());
+  std::tie(out.firstOwn, out.endOwn) = ownRange(out.keys, share);
   out.points = sharedPointsOf(out.plain.vertexOf, out.plain.classification.leaves, octree);
   out.beside = elementsBeside(out, share);
   return out;

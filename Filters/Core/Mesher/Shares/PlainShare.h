@@ -11,8 +11,8 @@ namespace atria {
 struct PlainShare
 {
   ClassifiedMesh plain;
-  /// By element, in rising order where they are own ones, the grid point it stands for; SharedPoints::noKey for what is
-  /// not of the whole.
+  /// By element, in rising order where they are own ones, the grid point it stands for; noKey for what is not of the
+  /// whole.
   std::vector<PointKey> keys;
   /// Own elements are from `firstOwn` up to `endOwn`.
   Index firstOwn = 0;
@@ -25,7 +25,7 @@ struct PlainShare
   bool isOwn(Index element) const { return element >= firstOwn && element < endOwn; }
   std::size_t ownCount() const { return endOwn - firstOwn; }
   /// The own element of a grid point. Throws RanksDisagree if there is none.
-  Index find(PointKey key) const;
+  Index find(PointKey key) const { return findOwn(keys, firstOwn, endOwn, key); }
   /// The vertex of a leaf. Throws RanksDisagree if there is none.
   Index vertexOf(MortonKey leaf) const;
   /// Elements of other ranks that share points with some of those beside, in order. Throws RanksDisagree where the

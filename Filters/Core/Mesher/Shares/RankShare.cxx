@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <tuple>
 
 namespace atria {
 
@@ -135,26 +136,11 @@ SharedPoints::SharedPoints(const RankShare& share, const Octree& octree, const G
     const bool isOfWhole = std::ranges::all_of(leaves, [&](Index leaf) { return isExact[leaf] != 0; });
     keys_[i] = isOfWhole ? keyOf(octree, leaves) : noKey;
   });
-  const auto isOwnKey = [&](PointKey key) { return key != noKey && share.isOwn(key >> 3); };
-  const auto first = std::ranges::find_if(keys_, isOwnKey);
-  firstOwn_ = static_cast<Index>(first - keys_.begin());
-  endOwn_ = static_cast<Index>(std::find_if_not(first, keys_.end(), isOwnKey) - keys_.begin());
-  if (std::find_if(keys_.begin() + endOwn_, keys_.end(), isOwnKey) != keys_.end())
+  std::tie(firstOwn_, endOwn_) = ownRange(keys_, share);
+  if (std::any_of(keys_.begin() + endOwn_, keys_.end(), [&](PointKey key) { return atria::isOwn(key, share); }))
   {
     throw RanksDisagree("a rank's octree ends within its share");
   }
-}
-
-Index SharedPoints::ownOf(PointKey key) const
-{
-  const auto begin = keys_.begin() + firstOwn_;
-  const auto end = keys_.begin() + endOwn_;
-  const auto found = std::lower_bound(begin, end, key);
-  if (found == end || *found != key)
-  {
-    throw RanksDisagree("ranks do not have the same octree where their shares meet");
-  }
-  return static_cast<Index>(found - keys_.begin());
 }
 
 } // namespace atria

@@ -7,6 +7,9 @@
 #include "Octree/Tree/OctreeBlocks.h"
 #include "Support/RankExchange.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace atria {
 
 /// A grid point by the first leaf that has it as a corner, and which: the same on all ranks, in the order of points.
@@ -69,6 +72,33 @@ private:
   MortonRange own_;
 };
 
+/// Of what is not of the whole.
+inline constexpr PointKey noKey = ~PointKey{0};
+
+inline bool isOwn(PointKey key, const RankShare& share) { return key != noKey && share.isOwn(key >> 3); }
+
+/// Where own keys are in a list that has them in a row: the first, and the one after the last.
+template <typename Keys> std::pair<Index, Index> ownRange(const Keys& keys, const RankShare& share)
+{
+  const auto isOfShare = [&](PointKey key) { return isOwn(key, share); };
+  const auto first = std::ranges::find_if(keys, isOfShare);
+  const auto end = std::find_if_not(first, keys.end(), isOfShare);
+  return {static_cast<Index>(first - keys.begin()), static_cast<Index>(end - keys.begin())};
+}
+
+/// The number of a key in a list that has own ones from `first` up to `end`, rising. Throws RanksDisagree if it is none
+/// of these.
+template <typename Keys> Index findOwn(const Keys& keys, Index first, Index end, PointKey key)
+{
+  const auto last = keys.begin() + end;
+  const auto found = std::lower_bound(keys.begin() + first, last, key);
+  if (found == last || *found != key)
+  {
+    throw RanksDisagree("ranks do not have the same mesh where their shares meet");
+  }
+  return static_cast<Index>(found - keys.begin());
+}
+
 /// The grid points of a rank's octree as parts of the whole's.
 class SharedPoints
 {
@@ -76,7 +106,6 @@ public:
   SharedPoints(const RankShare& share, const Octree& octree, const GridPoints& points, const RunContext& context);
 
   /// Of points whose leaves are all those of the whole; noKey for others.
-  static constexpr PointKey noKey = ~PointKey{0};
   PointKey key(Index point) const { return keys_[point]; }
   bool isShared(Index point) const { return keys_[point] != noKey; }
   bool isOwn(Index point) const { return point >= firstOwn_ && point < endOwn_; }
@@ -92,7 +121,7 @@ public:
     return share_.rankOf(keys_[point] >> 3);
   }
   /// The own point of a key. Throws RanksDisagree if there is none.
-  Index ownOf(PointKey key) const;
+  Index ownOf(PointKey key) const { return findOwn(keys_, firstOwn_, endOwn_, key); }
 
 private:
   const RankShare& share_;

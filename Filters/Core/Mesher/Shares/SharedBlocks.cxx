@@ -84,28 +84,25 @@ SharedBlocks::SharedBlocks(const SharedWindow& window, const DualMesh& plain, co
     : window_(window), plain_(plain), exchange_(share.exchange()), theirs_(static_cast<std::size_t>(share.ranks())),
       ours_(theirs_.size())
 {
-  std::vector<std::vector<SharedPoint>> wanted(theirs_.size());
+  std::vector<std::vector<Index>> theirs(theirs_.size());
   for (Index p = 0; p < window.points.size(); ++p)
   {
-    const SharedPoint& point = window.points[p];
-    if (!share.isOwn(point.leaf))
+    if (const MortonKey leaf = window.points[p].leaf; !share.isOwn(leaf))
     {
-      const auto rank = static_cast<std::size_t>(share.rankOf(point.leaf));
-      theirs_[rank].points.push_back(p);
-      wanted[rank].push_back(point);
+      theirs[static_cast<std::size_t>(share.rankOf(leaf))].push_back(p);
     }
   }
-  const auto asked = exchangeLists(exchange_, wanted);
-  for (std::size_t rank = 0; rank < asked.size(); ++rank)
+  std::vector<std::vector<Index>> ours = askedOf<SharedPoint>(
+      theirs, exchange_, [&](Index p) { return window.points[p]; },
+      [&](const SharedPoint& point) {
+        const Index found = window.find(point);
+        return found != noIndex ? found
+                                : throw RanksDisagree("ranks do not have the same points where their shares meet");
+      });
+  for (std::size_t rank = 0; rank < theirs.size(); ++rank)
   {
-    for (const SharedPoint& point : asked[rank])
-    {
-      ours_[rank].points.push_back(window.find(point));
-      if (ours_[rank].points.back() == noIndex)
-      {
-        throw RanksDisagree("ranks do not have the same points where their shares meet");
-      }
-    }
+    theirs_[rank].points = std::move(theirs[rank]);
+    ours_[rank].points = std::move(ours[rank]);
   }
   std::ranges::for_each(theirs_, &SharedList::sortPlaces);
   std::ranges::for_each(ours_, &SharedList::sortPlaces);

@@ -7,28 +7,6 @@
 
 namespace atria {
 
-namespace {
-
-/// Of what this rank has of others, by their keys what is asked of them; and what others ask of this one.
-template <typename Key, typename KeyOf, typename NumberOf>
-std::vector<std::vector<Index>> askedOf(const std::vector<std::vector<Index>>& theirs, RankExchange& exchange,
-                                        KeyOf&& keyOf, NumberOf&& numberOf)
-{
-  std::vector<std::vector<Key>> asked(theirs.size());
-  for (std::size_t rank = 0; rank < theirs.size(); ++rank)
-  {
-    std::ranges::transform(theirs[rank], std::back_inserter(asked[rank]), keyOf);
-  }
-  std::vector<std::vector<Index>> ours;
-  for (const std::vector<Key>& some : exchangeLists(exchange, asked))
-  {
-    std::ranges::transform(some, std::back_inserter(ours.emplace_back()), numberOf);
-  }
-  return ours;
-}
-
-} // namespace
-
 SharedNear::SharedNear(const PlainShare& own, const RankShare& share)
     : own_(own), exchange_(share.exchange()), theirElements_(static_cast<std::size_t>(share.ranks())),
       theirVertices_(theirElements_.size())

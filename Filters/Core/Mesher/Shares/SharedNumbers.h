@@ -4,6 +4,9 @@
 
 #include "Mesher/Shares/RankShare.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace atria {
 
 /// A point of a plain mesh: the finest key of its vertex's leaf, and which of the points it is that the vertex became
@@ -57,6 +60,25 @@ std::vector<Answer> askRanks(RankExchange& exchange, const std::vector<Key>& key
     }
   }
   return result;
+}
+
+/// Asks each rank for what this one has of it, by lists of numbers here and a key for each; and finds by `numberOf`
+/// what others ask of this one. What ranks have of each other then is in the same order on both.
+template <typename Key, typename KeyOf, typename NumberOf>
+std::vector<std::vector<Index>> askedOf(const std::vector<std::vector<Index>>& theirs, RankExchange& exchange,
+                                        KeyOf&& keyOf, NumberOf&& numberOf)
+{
+  std::vector<std::vector<Key>> asked(theirs.size());
+  for (std::size_t rank = 0; rank < theirs.size(); ++rank)
+  {
+    std::ranges::transform(theirs[rank], std::back_inserter(asked[rank]), keyOf);
+  }
+  std::vector<std::vector<Index>> ours;
+  for (const std::vector<Key>& some : exchangeLists(exchange, asked))
+  {
+    std::ranges::transform(some, std::back_inserter(ours.emplace_back()), numberOf);
+  }
+  return ours;
 }
 
 } // namespace atria

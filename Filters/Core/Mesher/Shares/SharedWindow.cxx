@@ -7,6 +7,7 @@
 #include "Support/FreedMemory.h"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 namespace atria {
@@ -71,10 +72,7 @@ SharedWindow makeWindow(PlainShare own, Index cutTag, const RankShare& share, co
   expectSameElements(own, share);
   SharedWindow out = joinParts(partsOfWindow(std::move(own), cutTag, share), cutTag);
   giveBackFreedMemory();
-  const auto first = std::ranges::find_if(out.elementKeys, [&](PointKey key) { return share.isOwn(key >> 3); });
-  const auto end = std::find_if_not(first, out.elementKeys.end(), [&](PointKey key) { return share.isOwn(key >> 3); });
-  out.firstOwn = static_cast<Index>(first - out.elementKeys.begin());
-  out.endOwn = static_cast<Index>(end - out.elementKeys.begin());
+  std::tie(out.firstOwn, out.endOwn) = ownRange(out.elementKeys, share);
   std::vector<MortonKey> leaves(out.vertexCount);
   std::transform(out.points.begin(), out.points.begin() + out.vertexCount, leaves.begin(),
                  [](const SharedPoint& point) { return point.leaf; });

@@ -97,10 +97,10 @@ public:
     {
       out_.elementKeys.insert(out_.elementKeys.end(), part.elementKeys.begin(), part.elementKeys.end());
     }
-    for (WindowPart& part : parts_)
+    for (std::size_t i = 0; i < parts_.size(); ++i)
     {
-      addElements(part);
-      part = {};
+      addElements(parts_[i], numbers_[i]);
+      parts_[i] = {};
     }
     dropLooseZoneFaces();
     orderBoundaryFaces(out_.plain.mesh);
@@ -144,9 +144,11 @@ private:
 
   void takePlaces(const WindowPart& part, std::vector<Source>& sources)
   {
+    std::vector<Index>& numbers = numbers_.emplace_back();
+    numbers.reserve(part.points.size());
     for (Index p = 0; p < part.points.size(); ++p)
     {
-      const Index point = out_.find(part.points[p]);
+      const Index point = numbers.emplace_back(out_.find(part.points[p]));
       out_.plain.mesh.points[point] = part.plain.mesh.points[p];
       out_.plain.vertexOf[point] = point < out_.vertexCount ? point : out_.find({part.points[p].leaf, 0});
       if (point < out_.vertexCount)
@@ -209,13 +211,12 @@ private:
     out_.near.rows.reserve(elements);
   }
 
-  void addElements(const WindowPart& part)
+  /// `numbers` are those of its points here.
+  void addElements(const WindowPart& part, const std::vector<Index>& numbers)
   {
     const DualMesh& from = part.plain.mesh;
     DualMesh& to = out_.plain.mesh;
     const auto first = static_cast<Index>(to.elementCount());
-    std::vector<Index> numbers(part.points.size());
-    std::ranges::transform(part.points, numbers.begin(), [&](const SharedPoint& point) { return out_.find(point); });
     for (Index e = 0; e < from.elementCount(); ++e)
     {
       std::array<Index, 8> corners;
@@ -270,6 +271,7 @@ private:
   }
 
   std::vector<WindowPart> parts_;
+  std::vector<std::vector<Index>> numbers_;
   Index cutTag_;
   SharedWindow out_;
 };
@@ -322,7 +324,7 @@ WindowPart ownPart(PlainShare own, NearBoundary near, Index cutTag)
   whole.beyond.reserve(whole.plain.mesh.boundaryFaces.size());
   for (const BoundaryFace& face : whole.plain.mesh.boundaryFaces)
   {
-    whole.beyond.push_back(face.opposite == noIndex ? SharedPoints::noKey : whole.elementKeys[face.opposite]);
+    whole.beyond.push_back(face.opposite == noIndex ? noKey : whole.elementKeys[face.opposite]);
   }
   std::vector<Index> elements(own.ownCount());
   std::iota(elements.begin(), elements.end(), own.firstOwn);

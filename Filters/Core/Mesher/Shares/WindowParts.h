@@ -13,7 +13,7 @@ struct WindowPart
   std::vector<PointKey> elementKeys;
   std::vector<SharedPoint> points;
   NearBoundary near;
-  /// By boundary face, the element where the part ends, or on the other side of the sheet; SharedPoints::noKey where
+  /// By boundary face, the element where the part ends, or on the other side of the sheet; noKey where
   /// there is none.
   std::vector<PointKey> beyond;
 };

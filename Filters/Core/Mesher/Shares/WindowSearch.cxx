@@ -76,7 +76,7 @@ WindowSearch::Connections WindowSearch::connectionsOf(Index own) const
   {
     const std::int32_t code = mesh.neighbors[own][direction];
     const Index other = beyond(mesh, code);
-    out.beyond[direction] = other == noIndex ? SharedPoints::noKey : own_.keys[other];
+    out.beyond[direction] = other == noIndex ? noKey : own_.keys[other];
     out.sheets |= other != noIndex && code < 0 ? 1u << direction : 0u;
   }
   return out;
@@ -157,7 +157,7 @@ void WindowSearch::fetch(const std::vector<PointKey>& keys)
     for (std::size_t direction = 0; direction < 6; ++direction)
     {
       const PointKey key = fetched[i].beyond[direction];
-      const Index other = key == SharedPoints::noKey ? noIndex : numberOf(key);
+      const Index other = key == noKey ? noIndex : numberOf(key);
       if (other != noIndex)
       {
         link(element, direction, other);
@@ -189,7 +189,7 @@ std::vector<PointKey> WindowSearch::missingBeside(const std::vector<Index>& elem
     for (std::size_t direction = 0; e >= own_.ownCount() && direction < 6; ++direction)
     {
       const PointKey key = fetched_[e - own_.ownCount()].beyond[direction];
-      if (key != SharedPoints::noKey && beyond(graph_, graph_.neighbors[e][direction]) == noIndex)
+      if (key != noKey && beyond(graph_, graph_.neighbors[e][direction]) == noIndex)
       {
         if (numberOf(key) != noIndex)
         {
