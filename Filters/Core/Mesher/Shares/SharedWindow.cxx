@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesher/Shares/SharedWindow.h"
 
+#include "Mesher/Shares/OwnPart.h"
 #include "Mesher/Shares/SharedNear.h"
-#include "Mesher/Shares/WindowParts.h"
 #include "Mesher/Shares/WindowSearch.h"
 #include "Support/FreedMemory.h"
 

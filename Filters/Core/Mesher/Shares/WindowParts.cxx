@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <numeric>
 #include <utility>
 
 namespace atria {
@@ -84,6 +83,7 @@ WindowPart partFrom(const Bytes& bytes)
   return part;
 }
 
+/// Joins one list after the other, of which each part's is freed then: all together would be there twice.
 class WindowJoiner
 {
 public:
@@ -92,16 +92,8 @@ public:
   SharedWindow join()
   {
     takePoints();
-    makeRoom();
-    for (const WindowPart& part : parts_)
-    {
-      out_.elementKeys.insert(out_.elementKeys.end(), part.elementKeys.begin(), part.elementKeys.end());
-    }
-    for (std::size_t i = 0; i < parts_.size(); ++i)
-    {
-      addElements(parts_[i], numbers_[i]);
-      parts_[i] = {};
-    }
+    takeElements();
+    takeFaces();
     dropLooseZoneFaces();
     orderBoundaryFaces(out_.plain.mesh);
     return std::move(out_);
@@ -110,7 +102,7 @@ public:
 private:
   struct Source
   {
-    const WindowPart* part = nullptr;
+    std::uint32_t part = 0;
     Index vertex = noIndex;
   };
 
@@ -128,22 +120,31 @@ private:
     sortUnique(vertices);
     sortUnique(others);
     out_.vertexCount = static_cast<Index>(vertices.size());
-    out_.points.reserve(vertices.size() + others.size());
-    out_.points.insert(out_.points.end(), vertices.begin(), vertices.end());
+    out_.points = std::move(vertices);
+    out_.points.reserve(out_.points.size() + others.size());
     out_.points.insert(out_.points.end(), others.begin(), others.end());
-    release(vertices);
+    release(others);
     out_.plain.mesh.points.resize(out_.points.size());
     out_.plain.vertexOf.resize(out_.points.size());
     std::vector<Source> sources(out_.vertexCount);
-    for (const WindowPart& part : parts_)
+    for (std::size_t i = 0; i < parts_.size(); ++i)
     {
-      takePlaces(part, sources);
+      takePlaces(i, sources);
+      release(parts_[i].points);
+      release(parts_[i].plain.mesh.points);
+      release(parts_[i].plain.vertexOf);
     }
     classify(sources);
+    for (WindowPart& part : parts_)
+    {
+      part.plain.classification = {};
+      release(part.near.mayMove);
+    }
   }
 
-  void takePlaces(const WindowPart& part, std::vector<Source>& sources)
+  void takePlaces(std::size_t i, std::vector<Source>& sources)
   {
+    const WindowPart& part = parts_[i];
     std::vector<Index>& numbers = numbers_.emplace_back();
     numbers.reserve(part.points.size());
     for (Index p = 0; p < part.points.size(); ++p)
@@ -153,7 +154,7 @@ private:
       out_.plain.vertexOf[point] = point < out_.vertexCount ? point : out_.find({part.points[p].leaf, 0});
       if (point < out_.vertexCount)
       {
-        sources[point] = {&part, p};
+        sources[point] = {static_cast<std::uint32_t>(i), p};
       }
     }
   }
@@ -165,9 +166,10 @@ private:
     to.offsets.reserve(sources.size() + 1);
     to.offsets.push_back(0);
     out_.near.mayMove.reserve(sources.size());
-    for (const auto& [part, vertex] : sources)
+    for (const auto& [number, vertex] : sources)
     {
-      const VertexClassification& from = part->plain.classification;
+      const WindowPart& part = parts_[number];
+      const VertexClassification& from = part.plain.classification;
       const auto pieces = from.piecesOf(vertex);
       to.pieces.insert(to.pieces.end(), pieces.begin(), pieces.end());
       to.offsets.push_back(static_cast<Index>(to.pieces.size()));
@@ -181,60 +183,76 @@ private:
         to.displacementLimits.emplace(static_cast<Index>(to.classes.size()), found->second);
       }
       to.classes.push_back(from.classes[vertex]);
-      out_.near.mayMove.push_back(part->near.mayMove[vertex]);
+      out_.near.mayMove.push_back(part.near.mayMove[vertex]);
     }
   }
 
-  /// Lists would else have some for twice as many.
-  void makeRoom()
+  /// `listOf` gives the list of a part, and of the window; `convert` makes an entry of part i one of the window.
+  template <typename ListOf, typename Convert> void joinLists(ListOf&& listOf, Convert&& convert)
   {
-    std::size_t elements = 0;
-    std::size_t faces = 0;
-    bool hasRooms = false;
-    bool hasCellZones = false;
+    auto& to = listOf(out_);
+    std::size_t count = 0;
+    std::ranges::for_each(parts_, [&](WindowPart& part) { count += listOf(part).size(); });
+    to.reserve(count);
+    for (std::size_t i = 0; i < parts_.size(); ++i)
+    {
+      auto& from = listOf(parts_[i]);
+      std::ranges::transform(from, std::back_inserter(to), [&](const auto& entry) { return convert(i, entry); });
+      release(from);
+    }
+  }
+  template <typename ListOf> void joinLists(ListOf&& listOf)
+  {
+    joinLists(listOf, [](std::size_t, const auto& entry) { return entry; });
+  }
+
+  void takeElements()
+  {
     for (const WindowPart& part : parts_)
     {
-      elements += part.elementKeys.size();
-      faces += part.beyond.size();
-      hasRooms = hasRooms || !part.plain.mesh.rooms.empty();
-      hasCellZones = hasCellZones || !part.plain.mesh.cellZones.empty();
+      firsts_.push_back(firsts_.back() + static_cast<Index>(part.elementKeys.size()));
     }
-    DualMesh& mesh = out_.plain.mesh;
-    mesh.corners.reserve(elements);
-    mesh.neighbors.reserve(elements);
-    mesh.levels.reserve(elements);
-    mesh.zones.reserve(elements);
-    mesh.rooms.reserve(hasRooms ? elements : 0);
-    mesh.cellZones.reserve(hasCellZones ? elements : 0);
-    mesh.boundaryFaces.reserve(faces);
-    out_.elementKeys.reserve(elements);
-    out_.near.rows.reserve(elements);
+    joinLists([](auto& of) -> auto& { return of.elementKeys; });
+    joinLists(
+        [](auto& of) -> auto& { return of.plain.mesh.corners; },
+        [&](std::size_t i, std::array<Index, 8> corners) {
+          std::ranges::transform(corners, corners.begin(), [&](Index p) { return numbers_[i][p]; });
+          return corners;
+        });
+    release(numbers_);
+    joinLists(
+        [](auto& of) -> auto& { return of.plain.mesh.neighbors; },
+        [&](std::size_t i, std::array<std::int32_t, 6> neighbors) {
+          for (std::int32_t& code : neighbors)
+          {
+            code += code >= 0 ? static_cast<std::int32_t>(firsts_[i]) : 0;
+          }
+          return neighbors;
+        });
+    joinLists([](auto& of) -> auto& { return of.plain.mesh.levels; });
+    joinLists([](auto& of) -> auto& { return of.plain.mesh.zones; });
+    joinLists([](auto& of) -> auto& { return of.plain.mesh.rooms; });
+    joinLists([](auto& of) -> auto& { return of.plain.mesh.cellZones; });
+    joinLists([](auto& of) -> auto& { return of.near.rows; });
   }
 
-  /// `numbers` are those of its points here.
-  void addElements(const WindowPart& part, const std::vector<Index>& numbers)
+  void takeFaces()
   {
-    const DualMesh& from = part.plain.mesh;
-    DualMesh& to = out_.plain.mesh;
-    const auto first = static_cast<Index>(to.elementCount());
-    for (Index e = 0; e < from.elementCount(); ++e)
+    std::size_t count = 0;
+    std::ranges::for_each(parts_, [&](const WindowPart& part) { count += part.beyond.size(); });
+    out_.plain.mesh.boundaryFaces.reserve(count);
+    for (std::size_t i = 0; i < parts_.size(); ++i)
     {
-      std::array<Index, 8> corners;
-      std::ranges::transform(from.corners[e], corners.begin(), [&](Index p) { return numbers[p]; });
-      std::array<std::int32_t, 6> neighbors = from.neighbors[e];
-      for (std::int32_t& code : neighbors)
-      {
-        code += code >= 0 ? static_cast<std::int32_t>(first) : 0;
-      }
-      appendElement(to, corners, neighbors, from, e);
+      addFaces(parts_[i], firsts_[i]);
+      release(parts_[i].beyond);
+      release(parts_[i].plain.mesh.boundaryFaces);
     }
-    out_.near.rows.insert(out_.near.rows.end(), part.near.rows.begin(), part.near.rows.end());
-    addFaces(part, first);
-    for (ZoneFace face : from.zoneFaces)
-    {
-      face.element += first;
-      to.zoneFaces.push_back(face);
-    }
+    joinLists(
+        [](auto& of) -> auto& { return of.plain.mesh.zoneFaces; },
+        [&](std::size_t i, ZoneFace face) {
+          face.element += firsts_[i];
+          return face;
+        });
   }
 
   void addFaces(const WindowPart& part, Index first)
@@ -271,7 +289,9 @@ private:
   }
 
   std::vector<WindowPart> parts_;
+  /// By part: the numbers of its points in the window, and that of its first element.
   std::vector<std::vector<Index>> numbers_;
+  std::vector<Index> firsts_{0};
   Index cutTag_;
   SharedWindow out_;
 };
@@ -317,19 +337,6 @@ WindowPart partOfCut(const WindowPart& cut, const std::vector<Index>& elements, 
 }
 
 } // namespace
-
-WindowPart ownPart(PlainShare own, NearBoundary near, Index cutTag)
-{
-  WindowPart whole{std::move(own.plain), std::move(own.keys), std::move(own.points), std::move(near), {}};
-  whole.beyond.reserve(whole.plain.mesh.boundaryFaces.size());
-  for (const BoundaryFace& face : whole.plain.mesh.boundaryFaces)
-  {
-    whole.beyond.push_back(face.opposite == noIndex ? noKey : whole.elementKeys[face.opposite]);
-  }
-  std::vector<Index> elements(own.ownCount());
-  std::iota(elements.begin(), elements.end(), own.firstOwn);
-  return partOf(whole, elements, cutTag);
-}
 
 std::vector<WindowPart> exchangeParts(WindowPart own, const std::vector<std::vector<Index>>& elements, Index cutTag,
                                       RankExchange& exchange)

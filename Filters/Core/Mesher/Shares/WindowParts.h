@@ -13,13 +13,9 @@ struct WindowPart
   std::vector<PointKey> elementKeys;
   std::vector<SharedPoint> points;
   NearBoundary near;
-  /// By boundary face, the element where the part ends, or on the other side of the sheet; noKey where
-  /// there is none.
+  /// By boundary face, the element where the part ends, or on the other side of the sheet; noKey where there is none.
   std::vector<PointKey> beyond;
 };
-
-/// All own elements.
-WindowPart ownPart(PlainShare own, NearBoundary near, Index cutTag);
 
 /// Sends each other rank those of the own elements that are for it, in order, and returns what came from each; with
 /// `own` from this one.
