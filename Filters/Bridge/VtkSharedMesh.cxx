@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "VtkSharedMesh.h"
 
+#include "Support/FreedMemory.h"
 #include "VtkDualMesh.h"
 #include "VtkRecordedPatches.h"
 #include "VtkSubset.h"
@@ -208,6 +209,7 @@ void sharedMeshToVtk(SharedModel& model, RankExchange& exchange, const Executor&
   patchesToVtk(piece.mesh, meshed.metSides, meshed.names, meshed.kinds, meshed.layers, patches,
                NumbersOfAll{piece.elementNumbers, piece.pointNumbers});
   piece = {};
+  giveBackFreedMemory(); // filters that follow would have it beside the outputs
   const std::vector<SharedFace> faces = gatherFaces(facesOf(patches, exchange.rank()), exchange);
   numberPatches(faces, exchange.rank(), patches);
   recordFaces(faces, patches, volume);
