@@ -2,6 +2,7 @@
 #include "Mesher/LeaveOut.h"
 
 #include "Mesher/Improvement/PartialMesh.h"
+#include "Support/Numbering.h"
 
 #include <Eigen/Geometry>
 
@@ -11,40 +12,6 @@
 namespace atria {
 
 namespace {
-
-/// The numbers of what stays, in order; noIndex for what does not.
-std::vector<Index> numbersOfKept(const std::vector<char>& stays)
-{
-  std::vector<Index> numbers(stays.size(), noIndex);
-  Index next = 0;
-  for (std::size_t i = 0; i < stays.size(); ++i)
-  {
-    if (stays[i])
-    {
-      numbers[i] = next++;
-    }
-  }
-  return numbers;
-}
-
-/// Moves what stays to its new places; nothing where a list is empty.
-template <typename List> void compact(List& list, const std::vector<Index>& numbers)
-{
-  if (list.empty())
-  {
-    return;
-  }
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < numbers.size(); ++i)
-  {
-    if (numbers[i] != noIndex)
-    {
-      list[numbers[i]] = list[i];
-      ++count;
-    }
-  }
-  list.resize(count);
-}
 
 /// Gives what was beside elements boundary faces in their place.
 void closeBeside(const std::vector<Index>& elements, ImprovedMesh& improved)

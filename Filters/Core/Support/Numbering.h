@@ -104,4 +104,34 @@ private:
   std::vector<Index> numbers; ///< by identity
 };
 
+/// The numbers of what stays, in order; noIndex for what does not.
+inline std::vector<Index> numbersOfKept(const std::vector<char>& stays)
+{
+  std::vector<Index> numbers(stays.size(), noIndex);
+  Index next = 0;
+  for (std::size_t i = 0; i < stays.size(); ++i)
+  {
+    if (stays[i])
+    {
+      numbers[i] = next++;
+    }
+  }
+  return numbers;
+}
+
+/// Moves what stays of a list to its new places, by such numbers of all of its entries at least.
+template <typename List> void compact(List& list, const std::vector<Index>& numbers)
+{
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < list.size(); ++i)
+  {
+    if (numbers[i] != noIndex)
+    {
+      list[numbers[i]] = list[i];
+      ++count;
+    }
+  }
+  list.resize(count);
+}
+
 } // namespace atria

@@ -1,27 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesher/Shares/OwnPart.h"
 
+#include "Support/Numbering.h"
+
 #include <algorithm>
 #include <utility>
 
 namespace atria {
 
 namespace {
-
-/// Entries of a list that have a number go there. Numbers rise, from 0 on.
-template <typename List> void keepNumbered(List& list, const std::vector<Index>& numbers)
-{
-  std::size_t count = 0;
-  for (std::size_t i = 0; i < list.size(); ++i)
-  {
-    if (numbers[i] != noIndex)
-    {
-      list[numbers[i]] = list[i];
-      ++count;
-    }
-  }
-  list.resize(count);
-}
 
 class OwnPartTaker
 {
@@ -77,7 +64,7 @@ private:
         face.tag += face.tag < cutTag ? 0 : 1;
       }
     }
-    keepNumbered(faces, faceNumbers);
+    compact(faces, faceNumbers);
     std::erase_if(mesh.zoneFaces, [&](const ZoneFace& face) { return !isOwn(face.element); });
     std::ranges::for_each(mesh.zoneFaces, [&](ZoneFace& face) { face.element -= first; });
   }
@@ -111,27 +98,22 @@ private:
   /// Those of own elements, and the vertices these stand for.
   void keepPoints()
   {
-    constexpr Index marked = 0;
     std::vector<Index>& vertexOf = part.plain.vertexOf;
-    std::vector<Index> numbers(mesh.points.size(), noIndex);
+    std::vector<char> stays(mesh.points.size(), 0);
     for (const std::array<Index, 8>& corners : mesh.corners)
     {
-      std::ranges::for_each(corners, [&](Index p) { numbers[p] = numbers[vertexOf[p]] = marked; });
+      std::ranges::for_each(corners, [&](Index p) { stays[p] = stays[vertexOf[p]] = 1; });
     }
-    Index next = 0;
-    for (Index& number : numbers)
-    {
-      number = number == marked ? next++ : noIndex;
-    }
+    const std::vector<Index> numbers = numbersOfKept(stays);
     for (std::array<Index, 8>& corners : mesh.corners)
     {
       std::ranges::transform(corners, corners.begin(), [&](Index p) { return numbers[p]; });
     }
-    keepNumbered(mesh.points, numbers);
-    keepNumbered(part.points, numbers);
+    compact(mesh.points, numbers);
+    compact(part.points, numbers);
     std::ranges::transform(vertexOf, vertexOf.begin(), [&](Index vertex) { return numbers[vertex]; });
-    keepNumbered(vertexOf, numbers);
-    keepNumbered(part.near.mayMove, numbers);
+    compact(vertexOf, numbers);
+    compact(part.near.mayMove, numbers);
     keepClassification(numbers);
   }
 
@@ -153,9 +135,9 @@ private:
       begin = endOfOld;
     }
     of.pieces.resize(to);
-    keepNumbered(of.classes, numbers);
-    keepNumbered(of.leaves, numbers);
-    keepNumbered(of.turnedSides, numbers);
+    compact(of.classes, numbers);
+    compact(of.leaves, numbers);
+    compact(of.turnedSides, numbers);
     of.offsets.resize(of.classes.size() + 1);
     std::unordered_map<Index, DisplacementLimit> limits;
     for (const auto& [vertex, limit] : of.displacementLimits)
