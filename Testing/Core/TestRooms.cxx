@@ -373,6 +373,19 @@ double enclosedVolume(const TriangleSurface& surface, Index id)
   return volume;
 }
 
+/// Volumes by name, "" for elements in no cell zone.
+std::map<std::string, double> volumesOfCellZones(const MeshedModel& mesh)
+{
+  std::map<std::string, double> inside;
+  const std::vector<double> all = volumes(mesh.mesh);
+  for (std::size_t e = 0; e < all.size(); ++e)
+  {
+    const std::int32_t zone = mesh.mesh.cellZones[e];
+    inside[zone < 0 ? "" : mesh.names[static_cast<std::size_t>(zone)]] += all[e];
+  }
+  return inside;
+}
+
 /// A round tree, and a hedge that stands on the ground and touches a house.
 TEST(CellZones, AreWhatTheirSurfacesEnclose)
 {
@@ -386,20 +399,46 @@ TEST(CellZones, AreWhatTheirSurfacesEnclose)
     options.cellZones = {"Tree", "Hedge"};
     options.sizing.surfaceSizes = {{"Tree", 0.25, {}}};
     const MeshedModel mesh = meshed(surface, options);
-    const std::vector<double> all = volumes(mesh.mesh);
-    std::map<std::int32_t, double> inside;
-    double total = 0.0;
-    for (std::size_t e = 0; e < all.size(); ++e)
-    {
-      inside[mesh.mesh.cellZones[e]] += all[e];
-      total += all[e];
-    }
+    const std::map<std::string, double> inside = volumesOfCellZones(mesh);
     // Square faces with corners on a sphere are at most size^2 / 4 radius inside of it.
-    EXPECT_NEAR(inside[1], enclosedVolume(surface, 1), std::numbers::pi * 1.4 * size * size);
-    EXPECT_NEAR(inside[2], 7.2, 0.1);
-    EXPECT_NEAR(total, 14.0 * 14.0 * 7.0 - 30.0, 0.3);
+    EXPECT_NEAR(inside.at("Tree"), enclosedVolume(surface, 1), std::numbers::pi * 1.4 * size * size);
+    EXPECT_NEAR(inside.at("Hedge"), 7.2, 0.1);
+    EXPECT_NEAR(atria::testing::totalVolume(mesh.mesh), 14.0 * 14.0 * 7.0 - 30.0, 0.3);
     EXPECT_TRUE(mesh.rooms.rooms.empty());
     expectSound(mesh);
+  }
+}
+
+/// A rack and a tank, of which each has a part of a face in common with the other and with a house that is not meshed.
+TEST(CellZones, ShareFacesWithWallsAndWithEachOther)
+{
+  for (const double degrees : {0.0, 17.0})
+  {
+    for (const int houseAt : {0, 1, 2})
+    {
+      SCOPED_TRACE("turned by " + std::to_string(degrees) + ", house at " + std::to_string(houseAt));
+      TriangleSurface surface;
+      const std::vector<std::pair<const char*, Box3>> zones{{"Rack", {Vec3(-1, -1.6, 0), Vec3(0.1, 1.2, 1.2)}},
+                                                            {"Tank", {Vec3(-2.3, 1.2, 0.5), Vec3(1.3, 2.4, 2.1)}}};
+      for (int i = 0; i < 3; ++i)
+      {
+        const auto zone = static_cast<std::size_t>(i < houseAt ? i : i - 1);
+        i == houseAt ? addBox(surface, "House", {Vec3(-4, -2, 0), Vec3(-1, 1.2, 2.5)})
+                     : addBox(surface, zones[zone].first, zones[zone].second);
+      }
+      atria::testing::turn(surface, degrees);
+      MesherOptions options = optionsOf(houseAt == 1 ? 1 : 0);
+      options.cellZones = {"Rack", "Tank"};
+      const MeshedModel mesh = meshed(surface, options);
+      const std::map<std::string, double> inside = volumesOfCellZones(mesh);
+      for (const auto& [name, box] : zones)
+      {
+        const double volume = box.size().prod();
+        EXPECT_NEAR(inside.at(name), volume, 0.03 * volume) << name;
+      }
+      EXPECT_NEAR(atria::testing::totalVolume(mesh.mesh), 14.0 * 14.0 * 7.0 - 24.0, 0.3);
+      expectSound(mesh);
+    }
   }
 }
 

@@ -170,6 +170,28 @@ TEST_P(SharedRooms, AndCellZonesAreThoseOfOneRank)
   }
 }
 
+TEST_P(SharedRooms, AndCellZonesThatShareFacesAreThoseOfOneRank)
+{
+  for (const double degrees : {0.0, 17.0})
+  {
+    SCOPED_TRACE("turned by " + std::to_string(degrees));
+    TriangleSurface surface;
+    addBox(surface, "Tank", {Vec3(-2.3, 1.2, 0.5), Vec3(1.3, 2.4, 2.1)});
+    addBox(surface, "House", {Vec3(-4, -2, 0), Vec3(-1, 1.2, 2.5)});
+    addBox(surface, "Rack", {Vec3(-1, -1.6, 0), Vec3(0.1, 1.2, 1.2)});
+    turn(surface, degrees);
+    MesherOptions options = optionsOf({Vec3(-7, -7, 0), Vec3(7, 7, 7)}, 0.25, 0);
+    options.mesh.zoneRule = ZoneRule::all; // the house, too, in which nothing of the zones is
+    options.cellZones = {"Rack", "Tank"};
+    const auto whole = expectSameOnRanks(surface, options, GetParam());
+    ASSERT_TRUE(whole.has_value());
+    for (const Index zone : {0, 2})
+    {
+      EXPECT_GT(std::ranges::count(whole->mesh.cellZones, static_cast<std::int32_t>(zone)), 100);
+    }
+  }
+}
+
 TEST_P(SharedRooms, OfSoupsAreThoseOfOneRank)
 {
   std::size_t meshes = 0;

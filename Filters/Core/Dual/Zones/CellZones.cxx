@@ -57,7 +57,7 @@ std::vector<std::int32_t> findCellZones(const Crossings& crossings, const GridPl
   {
     context.progress.check();
     const SurfaceDepths depths = finder.find(surface);
-    const auto outside = depths.isClosed ? depthsOutside(depths.parts, {}) : std::nullopt;
+    const auto outside = depths.isClosed ? depthsOutside(depths.parts, depths.links) : std::nullopt;
     if (!outside || (!fillCellZone(surface, depths, *outside, 0, zoneOf) && depths.isMet))
     {
       failOpenCellZone(model.names[surface]);

@@ -2,10 +2,11 @@
 #include "Dual/Zones/SurfaceDepths.h"
 
 #include "Dual/Zones/ZoneFaces.h"
+#include "Support/Sorting.h"
 
 #include <algorithm>
 #include <map>
-#include <unordered_map>
+#include <span>
 
 namespace atria {
 
@@ -47,6 +48,27 @@ std::vector<std::vector<Index>> edgesOfZones(const Crossings& crossings, const S
   return edges;
 }
 
+std::uint64_t keyOf(Index point, int direction) { return 6 * static_cast<std::uint64_t>(point) + direction; }
+
+OpenEdges findOpenEdges(const Crossings& crossings, const SurfaceModel& model)
+{
+  OpenEdges surfaces;
+  for (const CrossedEdge& edge : crossings.crossedEdges)
+  {
+    const std::span<const SurfaceCrossing> cuts = crossings.of(edge);
+    if (edge.other == noIndex || crossings.neighbors[edge.point][edge.direction] < 0)
+    {
+      continue;
+    }
+    const Index first = model.surfaceIds[cuts.front().triangle];
+    const bool isOne =
+        std::ranges::all_of(cuts, [&](const SurfaceCrossing& cut) { return model.surfaceIds[cut.triangle] == first; });
+    surfaces[keyOf(edge.point, edge.direction)] = isOne ? first : noIndex;
+    surfaces[keyOf(edge.other, opposite(edge.direction))] = isOne ? first : noIndex;
+  }
+  return surfaces;
+}
+
 /// The point at the other end of an edge, whatever is between.
 Index across(const Crossings& crossings, Index point, int direction)
 {
@@ -80,41 +102,35 @@ bool add(const DepthPart& other, int more, DepthPart& part)
 {
   const auto less = [more](int depth) { return depth == DepthPart::none ? depth : depth - more; };
   part.least = std::min(part.least, less(other.least));
-  part.beyondWalls = std::min(part.beyondWalls, less(other.beyondWalls));
+  part.beyondOthers = std::min(part.beyondOthers, less(other.beyondOthers));
   const bool agree =
       part.beyond == DepthPart::none || other.beyond == DepthPart::none || part.beyond == less(other.beyond);
   part.beyond = std::min(part.beyond, less(other.beyond));
   return agree;
 }
 
-/// Follows edges from point to point.
+/// Follows edges from point to point, and begins another part behind those that cross other surfaces.
 class Flood
 {
 public:
-  Flood(const Box3& box, const Senses& ofEdges, const Crossings& found, const GridPlaces& gridPlaces, Index first,
-        Index end)
-      : bounds(box), senses(ofEdges), crossings(found), grid(gridPlaces), firstPoint(first), endPoint(end)
+  Flood(Index ofSurface, const Box3& box, const Senses& ofEdges, const OpenEdges& open, const Crossings& found,
+        const GridPlaces& gridPlaces, Index first, Index end)
+      : surface(ofSurface), bounds(box), senses(ofEdges), openEdges(open), crossings(found), grid(gridPlaces),
+        firstPoint(first), endPoint(end)
   {
-  }
-
-  bool isBeyond(Index point) const
-  {
-    const Vec3 p = toVector(grid.place(point));
-    return (p.array() < bounds.min.array()).any() || (p.array() > bounds.max.array()).any();
   }
 
   void run(Index start)
   {
-    if (!isInRow(start) || isBeyond(start) || depths.contains(start))
+    if (!isInRow(start) || isBeyond(start) || places.contains(start))
     {
       return;
     }
     const auto part = static_cast<Index>(out.parts.size());
     out.parts.emplace_back();
-    depths[start] = 0;
-    const std::size_t first = out.points.size();
-    out.points.push_back({start, part, 0});
-    for (std::size_t i = first; i < out.points.size(); ++i)
+    const auto first = static_cast<Index>(out.points.size());
+    add({start, part, 0});
+    for (Index i = first; i < out.points.size(); ++i)
     {
       const PointDepth at = out.points[i];
       out.parts[part].least = std::min(out.parts[part].least, at.depth);
@@ -124,8 +140,7 @@ public:
         {
           // Along the normal the way leads out.
           const auto sense = senses.find({at.point, direction});
-          meet({other, part, at.depth - (sense == senses.end() ? 0 : sense->second)},
-               crossings.neighbors[at.point][direction] >= 0);
+          meet({other, part, at.depth - (sense == senses.end() ? 0 : sense->second)}, isSure(at.point, direction));
         }
       }
     }
@@ -133,6 +148,18 @@ public:
 
   SurfaceDepths take()
   {
+    for (std::size_t i = 0; i < behindOthers.size(); ++i)
+    {
+      run(behindOthers[i].point);
+    }
+    for (const PointDepth& seen : behindOthers)
+    {
+      if (const PointDepth& at = out.points[places.at(seen.point)]; at.part != seen.part)
+      {
+        out.links.push_back({seen.part, at.part, at.depth - seen.depth, false});
+      }
+    }
+    sortUnique(out.links);
     std::ranges::sort(out.points, {}, &PointDepth::point);
     return std::move(out);
   }
@@ -140,36 +167,170 @@ public:
 private:
   bool isInRow(Index point) const { return point >= firstPoint && point < endPoint; }
 
-  void meet(const PointDepth& met, bool isOpen)
+  bool isBeyond(Index point) const
+  {
+    const Vec3 p = toVector(grid.place(point));
+    return (p.array() < bounds.min.array()).any() || (p.array() > bounds.max.array()).any();
+  }
+
+  /// Whether an edge crosses no other surface.
+  bool isSure(Index point, int direction) const
+  {
+    const auto found = openEdges.find(keyOf(point, direction));
+    return crossings.neighbors[point][direction] >= 0 && (found == openEdges.end() || found->second == surface);
+  }
+
+  void add(const PointDepth& met)
+  {
+    places[met.point] = static_cast<Index>(out.points.size());
+    out.points.push_back(met);
+  }
+
+  void meet(const PointDepth& met, bool sure)
   {
     if (isBeyond(met.point))
     {
       DepthPart beyond;
-      (isOpen ? beyond.beyond : beyond.beyondWalls) = met.depth;
-      out.isClosed = add(beyond, 0, out.parts[met.part]) && out.isClosed;
+      (sure ? beyond.beyond : beyond.beyondOthers) = met.depth;
+      out.isClosed = atria::add(beyond, 0, out.parts[met.part]) && out.isClosed;
     }
     else if (!isInRow(met.point))
     {
-      out.joints.push_back(met);
+      out.joints.push_back({met, sure});
     }
-    else if (const auto [known, isNew] = depths.try_emplace(met.point, met.depth); isNew)
+    else if (!sure)
     {
-      out.points.push_back(met);
+      behindOthers.push_back(met);
+    }
+    else if (const auto known = places.find(met.point); known == places.end())
+    {
+      add(met);
     }
     else
     {
-      out.isClosed = out.isClosed && known->second == met.depth;
+      out.isClosed = out.isClosed && out.points[known->second].depth == met.depth;
     }
   }
 
+  Index surface;
   const Box3& bounds;
   const Senses& senses;
+  const OpenEdges& openEdges;
   const Crossings& crossings;
   const GridPlaces& grid;
   Index firstPoint;
   Index endPoint;
-  std::unordered_map<Index, int> depths; ///< of the points met
+  std::unordered_map<Index, Index> places; ///< in the list of points, of those met
+  std::vector<PointDepth> behindOthers;    ///< in the row, as seen from a part
   SurfaceDepths out;
+};
+
+/// Parts that sure links join, which have one depth outside.
+class JoinedParts
+{
+public:
+  JoinedParts(const std::vector<DepthPart>& given, const std::vector<DepthLink>& givenLinks)
+      : parts(given), links(givenLinks), zero(given.size()), groupOf(given.size(), noIndex)
+  {
+  }
+
+  /// False where ways lead to different depths.
+  bool join()
+  {
+    std::vector<std::vector<std::pair<Index, int>>> beside(parts.size());
+    for (const DepthLink& link : links)
+    {
+      if (link.isSure)
+      {
+        beside[link.part].emplace_back(link.other, link.depth);
+        beside[link.other].emplace_back(link.part, -link.depth);
+      }
+    }
+    bool agree = true;
+    for (Index first = 0; first < parts.size() && agree; ++first)
+    {
+      agree = groupOf[first] != noIndex || joinFrom(first, beside);
+    }
+    return agree;
+  }
+
+  std::vector<int> depthsOutside() const
+  {
+    std::vector<int> outside(groups.size());
+    std::ranges::transform(groups, outside.begin(), &DepthPart::beyond);
+    while (settleMore(outside))
+    {
+    }
+    std::vector<int> out(parts.size());
+    for (Index part = 0; part < parts.size(); ++part)
+    {
+      const Index group = groupOf[part];
+      out[part] = zero[part] + (outside[group] == DepthPart::none ? groups[group].least : outside[group]);
+    }
+    return out;
+  }
+
+private:
+  bool joinFrom(Index first, const std::vector<std::vector<std::pair<Index, int>>>& beside)
+  {
+    const auto group = static_cast<Index>(groups.size());
+    DepthPart& all = groups.emplace_back(parts[first]);
+    std::vector<Index> joined{first};
+    groupOf[first] = group;
+    bool agree = true;
+    for (std::size_t i = 0; i < joined.size() && agree; ++i)
+    {
+      const Index at = joined[i];
+      agree = add(parts[at], zero[at], all);
+      for (const auto& [other, depth] : beside[at])
+      {
+        if (groupOf[other] == noIndex)
+        {
+          groupOf[other] = group;
+          zero[other] = zero[at] + depth;
+          joined.push_back(other);
+        }
+        agree = agree && zero[other] == zero[at] + depth;
+      }
+    }
+    return agree;
+  }
+
+  /// What has no depth outside takes the least of those beyond other surfaces, of which more are known each time.
+  bool settleMore(std::vector<int>& outside) const
+  {
+    std::vector<int> next = outside;
+    const auto lower = [&](Index group, int depth) {
+      next[group] = outside[group] == DepthPart::none ? std::min(next[group], depth) : next[group];
+    };
+    for (Index group = 0; group < groups.size(); ++group)
+    {
+      lower(group, groups[group].beyondOthers);
+    }
+    for (const DepthLink& link : links)
+    {
+      const Index one = groupOf[link.part];
+      const Index other = groupOf[link.other];
+      const int more = zero[link.part] + link.depth - zero[link.other]; // of the other's depths
+      if (outside[other] != DepthPart::none)
+      {
+        lower(one, outside[other] - more);
+      }
+      if (outside[one] != DepthPart::none)
+      {
+        lower(other, outside[one] + more);
+      }
+    }
+    const bool isMore = next != outside;
+    outside = std::move(next);
+    return isMore;
+  }
+
+  const std::vector<DepthPart>& parts;
+  const std::vector<DepthLink>& links;
+  std::vector<int> zero; ///< by part, the depth that is 0 in its group
+  std::vector<Index> groupOf;
+  std::vector<DepthPart> groups;
 };
 
 } // namespace
@@ -177,7 +338,7 @@ private:
 DepthFinder::DepthFinder(const Crossings& found, const GridPlaces& places, const SurfaceModel& surfaces, Index first,
                          Index end)
     : crossings(found), grid(places), model(surfaces), firstPoint(first), endPoint(end),
-      bounds(boundsOfZones(surfaces)), edges(edgesOfZones(found, surfaces))
+      bounds(boundsOfZones(surfaces)), edges(edgesOfZones(found, surfaces)), openEdges(findOpenEdges(found, surfaces))
 {
   const auto isElsewhere = [&](Index point) { return point != noIndex && (point < firstPoint || point >= endPoint); };
   const bool isWhole = firstPoint == 0 && endPoint == crossings.neighbors.size();
@@ -198,7 +359,7 @@ DepthFinder::DepthFinder(const Crossings& found, const GridPlaces& places, const
 SurfaceDepths DepthFinder::find(Index surface) const
 {
   const Senses senses = sensesOf(surface, edges[surface], crossings, model);
-  Flood flood(bounds[surface], senses, crossings, grid, firstPoint, endPoint);
+  Flood flood(surface, bounds[surface], senses, openEdges, crossings, grid, firstPoint, endPoint);
   for (const auto& [edge, sense] : senses)
   {
     flood.run(edge.first);
@@ -212,51 +373,8 @@ SurfaceDepths DepthFinder::find(Index surface) const
 
 std::optional<std::vector<int>> depthsOutside(const std::vector<DepthPart>& parts, const std::vector<DepthLink>& links)
 {
-  std::vector<std::vector<std::pair<Index, int>>> beside(parts.size());
-  for (const DepthLink& link : links)
-  {
-    beside[link.part].emplace_back(link.other, link.depth);
-    beside[link.other].emplace_back(link.part, -link.depth);
-  }
-  std::vector<int> outside(parts.size());
-  std::vector<int> zero(parts.size()); // the depth that is 0 in the first part of those joined
-  std::vector<char> isKnown(parts.size(), 0);
-  for (Index first = 0; first < parts.size(); ++first)
-  {
-    if (isKnown[first])
-    {
-      continue;
-    }
-    std::vector<Index> joined{first};
-    isKnown[first] = 1;
-    DepthPart all;
-    for (std::size_t i = 0; i < joined.size(); ++i)
-    {
-      const Index at = joined[i];
-      if (!add(parts[at], zero[at], all))
-      {
-        return std::nullopt;
-      }
-      for (const auto& [other, depth] : beside[at])
-      {
-        if (!isKnown[other])
-        {
-          isKnown[other] = 1;
-          zero[other] = zero[at] + depth;
-          joined.push_back(other);
-        }
-        else if (zero[other] != zero[at] + depth)
-        {
-          return std::nullopt;
-        }
-      }
-    }
-    const int depth = all.beyond != DepthPart::none        ? all.beyond
-                      : all.beyondWalls != DepthPart::none ? all.beyondWalls
-                                                           : all.least;
-    std::ranges::for_each(joined, [&](Index at) { outside[at] = depth + zero[at]; });
-  }
-  return outside;
+  JoinedParts joined(parts, links);
+  return joined.join() ? std::optional(joined.depthsOutside()) : std::nullopt;
 }
 
 } // namespace atria

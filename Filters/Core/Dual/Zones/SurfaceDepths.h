@@ -5,22 +5,36 @@
 #include "Dual/Grid/Crossings.h"
 #include "Dual/Grid/GridPlaces.h"
 
+#include <compare>
 #include <limits>
 #include <optional>
+#include <unordered_map>
 
 namespace atria {
 
-/// Grid points within the bounds of a surface that edges join, whatever they cross. Depths, how often the surface lies
+/// Grid points within the bounds of a surface that edges join, but those that cross other surfaces: where two coincide
+/// the faces are one's alone, so that such edges may cross this one, too, unseen. Depths, how often the surface lies
 /// about a point, are counted from one of the points.
 struct DepthPart
 {
   static constexpr int none = std::numeric_limits<int>::max();
 
-  /// Of points beyond the bounds that uncut edges lead to, if there are any: that of all of them.
+  /// Of points beyond the bounds, if there are any: that of all of them.
   int beyond = none;
-  /// The least of those beyond walls, which may have taken faces of the surface; and of the part's own points.
-  int beyondWalls = none;
+  /// The least of those beyond other surfaces, and of the part's own points.
+  int beyondOthers = none;
   int least = 0;
+};
+
+/// Two parts that edges join: what is `depth` in the other one is 0 in the first.
+struct DepthLink
+{
+  Index part;
+  Index other;
+  int depth;
+  bool isSure; ///< no other surface is between them
+
+  auto operator<=>(const DepthLink&) const = default;
 };
 
 /// A grid point, and its depth in its part.
@@ -31,17 +45,29 @@ struct PointDepth
   int depth;
 };
 
+/// A point of another row as seen from a part.
+struct DepthJoint
+{
+  PointDepth seen;
+  bool isSure; ///< as in DepthLink
+};
+
 /// Of one surface, what points in a row tell.
 struct SurfaceDepths
 {
   std::vector<DepthPart> parts;
-  /// Those within the bounds, by point: all in parts that edges cross the surface in, or that lead out of the row.
+  /// Those within the bounds, by point: all that edges lead to from where they cross the surface or leave the row.
   std::vector<PointDepth> points;
+  /// Between parts: over other surfaces.
+  std::vector<DepthLink> links;
   /// Points within the bounds, but not in the row, beside such points, with the depth they have from there.
-  std::vector<PointDepth> joints;
+  std::vector<DepthJoint> joints;
   bool isMet = false;   ///< an edge crosses the surface
-  bool isClosed = true; ///< no two ways lead to different depths
+  bool isClosed = true; ///< no two ways within a part lead to different depths
 };
+
+/// By point and direction, of edges that no wall cuts, the surface that does; noIndex where these are several.
+using OpenEdges = std::unordered_map<std::uint64_t, Index>;
 
 /// For surfaces that are cell zones, from points of a row.
 class DepthFinder
@@ -60,22 +86,13 @@ private:
   /// By surface, its bounds and the crossed edges that it cuts.
   std::vector<Box3> bounds;
   std::vector<std::vector<Index>> edges;
+  OpenEdges openEdges;
   /// Points of the row beside others.
   std::vector<Index> atEnds;
 };
 
-/// Two parts that edges join: what is `depth` in the other one is 0 in the first.
-struct DepthLink
-{
-  Index part;
-  Index other;
-  int depth;
-
-  auto operator<=>(const DepthLink&) const = default;
-};
-
-/// By part the depth of what is not enclosed, if it is one: that beyond the bounds, else beyond walls there, else the
-/// least. Parts that links join have it together.
+/// By part the depth of what is not enclosed. That is what is beyond the bounds; a part that does not lead there has it
+/// of those beyond other surfaces, the least, or else of its own points. Nothing where there is none that all agree on.
 std::optional<std::vector<int>> depthsOutside(const std::vector<DepthPart>& parts, const std::vector<DepthLink>& links);
 
 } // namespace atria

@@ -58,11 +58,12 @@ Rooms findSharedRooms(const Zones& zones, const std::vector<ZoneSummary>& summar
 }
 
 /// A point of another rank within a surface's bounds, and the depth that it has as seen from a part.
-struct DepthJoint
+struct SharedJoint
 {
   PointKey key;
   Index part;
   int depth;
+  bool isSure; ///< as in DepthLink
 };
 
 /// What ranks have of one surface, joined. Parts are numbered by rank.
@@ -98,19 +99,24 @@ private:
 
   std::vector<DepthLink> links() const
   {
-    std::vector<std::vector<DepthJoint>> toRanks(static_cast<std::size_t>(share.ranks()));
-    for (const PointDepth& joint : depths.joints)
+    const Index first = firstPart(share.rank());
+    std::vector<std::vector<SharedJoint>> toRanks(static_cast<std::size_t>(share.ranks()));
+    for (const auto& [seen, isSure] : depths.joints)
     {
-      toRanks[static_cast<std::size_t>(points.rankOf(joint.point))].push_back(
-          {points.key(joint.point), firstPart(share.rank()) + joint.part, joint.depth});
+      toRanks[static_cast<std::size_t>(points.rankOf(seen.point))].push_back(
+          {points.key(seen.point), first + seen.part, seen.depth, isSure});
     }
     std::vector<DepthLink> own;
-    for (const std::vector<DepthJoint>& some : exchangeLists(share.exchange(), toRanks))
+    for (const DepthLink& link : depths.links)
     {
-      for (const DepthJoint& joint : some)
+      own.push_back({first + link.part, first + link.other, link.depth, link.isSure});
+    }
+    for (const std::vector<SharedJoint>& some : exchangeLists(share.exchange(), toRanks))
+    {
+      for (const SharedJoint& joint : some)
       {
         const PointDepth& at = depthAt(points.ownOf(joint.key));
-        own.push_back({joint.part, firstPart(share.rank()) + at.part, at.depth - joint.depth});
+        own.push_back({joint.part, first + at.part, at.depth - joint.depth, joint.isSure});
       }
     }
     sortUnique(own);

@@ -18,7 +18,7 @@ struct TriangleSoup
   std::vector<std::array<Index, 3>> triangles;
   /// Per triangle: the surface it belongs to.
   std::vector<Index> surfaceIds;
-  /// Per triangle: the triangle of the input it is, or is a piece of; ascending.
+  /// Per triangle: the triangle it was first, or is a piece of; ascending.
   std::vector<Index> sources;
 
   const LatticePoint& corner(Index triangle, int i) const { return points[triangles[triangle][i]]; }
