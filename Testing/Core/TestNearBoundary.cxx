@@ -3,7 +3,6 @@
 #include "Mesher/Blocks/MeshBlocks.h"
 #include "Mesher/Shares/SharedNumbers.h"
 #include "Support/MeshIt.h"
-#include "Support/Shapes.h"
 #include "Support/ThreadRanks.h"
 
 #include <gtest/gtest.h>
@@ -72,14 +71,7 @@ TEST(NearBoundary, PartsFindWhatTheWholeDoes)
   for (unsigned seed = 1; seed <= 6; ++seed)
   {
     SCOPED_TRACE(seed);
-    GridOptions grid;
-    grid.domain = {Vec3::Constant(-6.3), Vec3::Constant(6.1)};
-    grid.sizeMin = 0.25;
-    grid.sizeMid = seed % 2 == 0 ? 0.25 : 0.5;
-    grid.sizeMax = 0.5;
-    DualMeshOptions options;
-    options.zoneRule = ZoneRule::all;
-    const Meshed whole = meshIt(randomSoup(seed), grid, options);
+    const Meshed whole = meshSoup(seed, seed % 2 == 0 ? 0.25 : 0.5);
     const DualMesh& mesh = whole.mesh();
     std::vector<Index> vertices(mesh.points.size());
     std::iota(vertices.begin(), vertices.end(), Index{0});

@@ -2,7 +2,6 @@
 /// Own elements of ranks that are brought together again.
 #include "Mesher/Shares/OwnPart.h"
 #include "Support/MeshIt.h"
-#include "Support/Shapes.h"
 
 #include <gtest/gtest.h>
 
@@ -76,13 +75,7 @@ TEST(WindowParts, OfAllRanksAreTheWhole)
   for (unsigned seed = 1; seed <= 12; ++seed)
   {
     SCOPED_TRACE(seed);
-    GridOptions grid;
-    grid.domain = {Vec3::Constant(-6.3), Vec3::Constant(6.1)};
-    grid.sizeMin = 0.25;
-    grid.sizeMid = grid.sizeMax = 0.5;
-    DualMeshOptions options;
-    options.zoneRule = ZoneRule::all;
-    const Meshed meshed = meshIt(randomSoup(seed), grid, options);
+    const Meshed meshed = meshSoup(seed, 0.5);
     const DualMesh& mesh = meshed.mesh();
     const auto count = static_cast<Index>(mesh.elementCount());
     const auto cutTag = static_cast<Index>(meshed.model.names.size());

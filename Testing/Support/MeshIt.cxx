@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Support/MeshIt.h"
 #include "Support/QuietContext.h"
+#include "Support/Shapes.h"
 
 namespace atria::testing {
 
@@ -20,6 +21,18 @@ Meshed meshIt(const TriangleSurface& surface, const GridOptions& grid, const Dua
   out.model = cache.sources()->model;
   out.octree = cache.sources()->octree;
   return out;
+}
+
+Meshed meshSoup(unsigned seed, double sizeMid)
+{
+  GridOptions grid;
+  grid.domain = {Vec3::Constant(-6.3), Vec3::Constant(6.1)};
+  grid.sizeMin = 0.25;
+  grid.sizeMid = sizeMid;
+  grid.sizeMax = 0.5;
+  DualMeshOptions options;
+  options.zoneRule = ZoneRule::all;
+  return meshIt(randomSoup(seed), grid, options);
 }
 
 MesherOptions optionsIn(const GridOptions& grid, const DualMeshOptions& options)

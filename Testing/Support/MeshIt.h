@@ -20,6 +20,9 @@ Meshed meshIt(const TriangleSurface& surface, const GridOptions& grid, const Dua
 Meshed meshIt(const TriangleSurface& surface, const GridOptions& grid, const DualMeshOptions& options,
               const RunContext& context);
 
+/// A randomSoup, all zones of it, in elements of 0.25 to 0.5 m.
+Meshed meshSoup(unsigned seed, double sizeMid);
+
 /// Those of such a run.
 MesherOptions optionsIn(const GridOptions& grid, const DualMeshOptions& options);
 
