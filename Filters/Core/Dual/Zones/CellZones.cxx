@@ -86,9 +86,10 @@ std::vector<std::string> warningsOfEmptyCellZones(const std::vector<char>& isMet
   {
     if (!isMet[surface])
     {
-      warnings.push_back("cell zone '" + model.names[surface] +
-                         "' holds no element: it is outside of the mesh, within another zone, or smaller than elements "
-                         "there; if so, give its surface a size");
+      warnings.push_back(
+          "cell zone '" + model.names[surface] +
+          "' holds no element: it is outside of the mesh, within another zone, has all of its faces in "
+          "common with other surfaces, or is smaller than elements there; if so, give its surface a size");
     }
   }
   return warnings;
