@@ -21,6 +21,19 @@ struct HiddenDetail
   double leftOutArea = 0.0;
 };
 
+/// Area in which two surfaces lie upon each other: one keeps its faces there, the other gives them up.
+struct SharedArea
+{
+  Index keeps;
+  Index gives;
+  /// All areas in square model units.
+  double area = 0.0;
+  /// The part in which neither is smaller than the other, so that the order in the file decides.
+  double equalArea = 0.0;
+  /// The part within the domain in which a wall gives way to a face zone, so that the wall has an opening.
+  double openedArea = 0.0;
+};
+
 /// What was changed to make a model sound.
 struct SurfaceRepairReport
 {
@@ -28,9 +41,9 @@ struct SurfaceRepairReport
   std::size_t weldedPoints = 0;
   /// Triangles without area that were dropped.
   std::size_t degenerateTriangles = 0;
-  /// Triangles dropped because an earlier one has the same points.
+  /// Triangles dropped because another one has the same points.
   std::size_t duplicateTriangles = 0;
-  /// Pieces of triangles dropped because they fall on a piece of an earlier one.
+  /// Pieces of triangles dropped because they fall on a piece of another one.
   std::size_t overlappingTriangles = 0;
   /// Triangles that were cut where others touch them or pass through them.
   std::size_t splitTriangles = 0;
@@ -45,6 +58,9 @@ struct SurfaceRepairReport
   std::size_t unresolvedContacts = 0;
   /// Of surfaces that have any, in their order.
   std::vector<HiddenDetail> hidden;
+  /// One entry for each two named surfaces that lie upon each other, by `gives` and then by `keeps`. What is in
+  /// clusters does not count.
+  std::vector<SharedArea> shared;
 };
 
 /// Distances in lattice units.
