@@ -84,6 +84,37 @@ TEST(CoincidentFaces, AreNotThoseThatShareSomeCorners)
   EXPECT_EQ(findCoincidentFaces(square, triangles, std::vector<Index>{0, 1, 2, 3}).faces, 0u);
 }
 
+TEST(CoincidentFaces, LeaveTheSmallerSurfaceItsFacesWhateverTheOrder)
+{
+  // A wall of two squares, and a window on one of them, wound either way.
+  const std::vector<Vec3> points{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {2, 0, 0}, {2, 1, 0}};
+  const Triangles wall{{0, 1, 2}, {0, 2, 3}, {1, 4, 5}, {1, 5, 2}};
+  for (const Triangles& window : {Triangles{{0, 1, 2}, {0, 2, 3}}, Triangles{{1, 0, 3}, {1, 3, 2}}})
+  {
+    for (const bool isFirst : {false, true})
+    {
+      Triangles triangles = isFirst ? window : wall;
+      triangles.insert(triangles.end(), isFirst ? wall.begin() : window.begin(), isFirst ? wall.end() : window.end());
+      const std::vector<Index> faces = {0, 0, 1, 1, 2, 2};
+      const std::vector<Index> surfaces =
+          isFirst ? std::vector<Index>{0, 0, 1, 1, 1, 1} : std::vector<Index>{0, 0, 0, 0, 1, 1};
+      const auto found = findCoincidentFaces(points, triangles, faces, surfaces);
+      EXPECT_EQ(found.kept, isFirst ? (std::vector<Index>{0, 1, 0, 0, 4, 5}) : (std::vector<Index>{4, 4, 2, 3, 4, 5}));
+      EXPECT_EQ(found.faces, 1u);
+      EXPECT_TRUE(found.isByOrder.empty());
+    }
+  }
+}
+
+TEST(CoincidentFaces, LeaveTheFirstOfEqualSurfacesItsFaces)
+{
+  const Triangles triangles{{0, 1, 2}, {0, 2, 3}, {3, 1, 0}, {3, 2, 1}, {0, 1, 2}, {0, 2, 3}};
+  const auto found = findCoincidentFaces(square, triangles, std::vector<Index>{0, 0, 1, 1, 2, 2},
+                                         std::vector<Index>{1, 1, 0, 0, 0, 0});
+  EXPECT_EQ(found.kept, (std::vector<Index>{0, 1, 0, 0, 0, 0})) << "what surface 0 repeats counts once";
+  EXPECT_EQ(found.isByOrder, (std::vector<char>{0, 0, 1, 1, 1, 1}));
+}
+
 TEST(SmoothPieces, EndAtAnglesAndGroups)
 {
   // Three strips about the x axis, 20 and 40 degrees apart.

@@ -5,6 +5,7 @@
 #include "Dual/Zones/CellZones.h"
 #include "Layer/LayerBudget.h"
 #include "Mesher/LostModel.h"
+#include "Mesher/OverlapWarnings.h"
 #include "Mesher/StageOptions.h"
 #include "Octree/Tree/Balance.h"
 
@@ -128,6 +129,7 @@ MeshedModel mesh(const TriangleSurface& surface, const OctreeSets* octants, cons
   out.inputWarnings = inputWarnings;
   for (const std::vector<std::string>& warnings :
        {warningsOfEmptyCellZones(metCellZones(out.mesh.cellZones, model), model),
+        warningsOfOverlaps(model, octree.frame().sizeOf(octree.frame().featureLevel)),
         warningsOfLostModel(surface, options, octree.frame(), out.metSides)})
   {
     out.inputWarnings.insert(out.inputWarnings.end(), warnings.begin(), warnings.end());

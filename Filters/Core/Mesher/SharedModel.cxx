@@ -4,6 +4,7 @@
 #include "Dual/Zones/CellZones.h"
 #include "Layer/LayerBudget.h"
 #include "Mesher/LostModel.h"
+#include "Mesher/OverlapWarnings.h"
 #include "Mesher/SharedMesher.h"
 #include "Support/FreedMemory.h"
 
@@ -142,6 +143,7 @@ std::optional<SharedModel> meshSharedModel(const TriangleSurface& surface, const
   meshed.metSides = metOnRanks(out->piece, model.names.size(), exchange);
   for (const std::vector<std::string>& warnings :
        {warningsOfEmptyCellZones(cellZonesOnRanks(out->piece, model, exchange), model),
+        warningsOfOverlaps(model, placed.frame.sizeOf(placed.frame.featureLevel)),
         warningsOfLostModel(surface, options, placed.frame, meshed.metSides)})
   {
     meshed.inputWarnings.insert(meshed.inputWarnings.end(), warnings.begin(), warnings.end());

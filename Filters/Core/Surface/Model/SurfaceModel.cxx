@@ -4,12 +4,12 @@
 #include "Grid/Predicates.h"
 #include "Surface/Model/FeatureGraph.h"
 #include "Surface/Repair/Autorefine.h"
+#include "Surface/Repair/Overlaps.h"
 #include "Surface/Triangles/Weld.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <numeric>
 
 namespace atria {
 
@@ -68,23 +68,9 @@ std::size_t countWelded(const std::vector<LatticePoint>& points, const std::vect
   return static_cast<std::size_t>(std::unique(left.begin(), left.end()) - left.begin());
 }
 
-/// As drawn, but what bounds a cell zone after all other surfaces, and sides of the domain last: where triangles
-/// coincide the first stays, and a wall without it would have a hole.
-std::vector<Index> orderOfTriangles(const TriangleSurface& surface, const std::vector<SurfaceKind>& kinds)
-{
-  const auto precedence = [&](Index triangle) {
-    const Index surfaceId = surface.surfaceIds[triangle];
-    return surfaceId >= kinds.size() ? 2 : kinds[surfaceId] == SurfaceKind::cellZone ? 1 : 0;
-  };
-  std::vector<Index> order(surface.triangles.size());
-  std::iota(order.begin(), order.end(), Index{0});
-  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return precedence(a) < precedence(b); });
-  return order;
-}
-
-/// The triangles on the lattice, without those that have no area or repeat an earlier one.
-TriangleSoup weldedSoup(const TriangleSurface& surface, const std::vector<SurfaceKind>& kinds, const GridFrame& frame,
-                        std::int64_t weldDistance, std::int64_t sideDistance, SurfaceRepairReport& report)
+/// The triangles on the lattice, without those that have no area.
+TriangleSoup weldedSoup(const TriangleSurface& surface, const GridFrame& frame, std::int64_t weldDistance,
+                        std::int64_t sideDistance, SurfaceRepairReport& report)
 {
   TriangleSoup soup;
   soup.points.resize(surface.points.size());
@@ -93,18 +79,16 @@ TriangleSoup weldedSoup(const TriangleSurface& surface, const std::vector<Surfac
   const std::vector<Index> pointOf = weldPoints(soup.points, weldDistance);
   report.weldedPoints = countWelded(soup.points, pointOf);
   snapToSides(soup.points, frame, sideDistance);
-  const std::vector<Index> order = orderOfTriangles(surface, kinds);
-  for (Index i = 0; i < order.size(); ++i)
+  for (Index i = 0; i < surface.triangles.size(); ++i)
   {
-    std::array<Index, 3> t = surface.triangles[order[i]];
+    std::array<Index, 3> t = surface.triangles[i];
     std::transform(t.begin(), t.end(), t.begin(), [&](Index p) { return pointOf[p]; });
     if (hasArea(soup, t))
     {
-      soup.add(t, surface.surfaceIds[order[i]], i);
+      soup.add(t, surface.surfaceIds[i], i);
     }
   }
   report.degenerateTriangles = surface.triangles.size() - soup.triangles.size();
-  report.duplicateTriangles = dropRepeated(soup);
   return soup;
 }
 
@@ -131,9 +115,12 @@ SurfaceModel makeSurfaceModel(const TriangleSurface& surface, const GridFrame& f
   repair.clusters = {options.featureAngle, options.finerPlaces};
   repair.smallPartSize = options.smallPartSize;
   repair.keptSurfaces = options.keptSurfaces;
-  TriangleSoup soup =
-      weldedSoup(surface, options.kinds, frame, repair.weldDistance, units(options.sideDistance), model.repair);
+  TriangleSoup soup = weldedSoup(surface, frame, repair.weldDistance, units(options.sideDistance), model.repair);
+  Overlaps overlaps(soup, surface.names.size(), options.kinds, frame);
+  repair.overlaps = &overlaps;
+  model.repair.duplicateTriangles = dropRepeated(soup, &overlaps);
   repairSurface(soup, frame, repair, model.repair, context);
+  model.repair.shared = overlaps.shared();
   model.points = std::move(soup.points);
   model.triangles = std::move(soup.triangles);
   model.surfaceIds = std::move(soup.surfaceIds);

@@ -4,6 +4,7 @@
 
 #include "Grid/GridFrame.h"
 #include "Surface/Repair/SurfaceRepair.h"
+#include "Surface/Triangles/SurfaceKind.h"
 #include "Surface/Triangles/TriangleSurface.h"
 
 #include <string>
@@ -18,14 +19,6 @@ enum class CurveKind : std::uint8_t
   crease,   ///< two triangles meet at more than the feature angle
   junction, ///< three or more triangles meet
   border    ///< two named surfaces meet
-};
-
-/// What a surface is to the air.
-enum class SurfaceKind : std::uint8_t
-{
-  wall,
-  faceZone, ///< one can look through it: the faces on it are within the mesh, under its name
-  cellZone  ///< one can look through it, and what it encloses has its name
 };
 
 /// An edge of the model on a feature curve.
@@ -126,9 +119,9 @@ struct FeatureOptions
 };
 
 /// Puts a surface on the lattice: welds points, drops triangles without area and repeated ones (whatever their winding;
-/// the first is kept), leaves out small parts, makes the model sound (repairSurface), finds what lies on the domain's
-/// sides, charts, curves and corners. Edges of the domain box are not features: the mesh has them anyway. The result
-/// does not depend on threads. Throws Aborted on demand.
+/// FacePrecedence says which stays), leaves out small parts, makes the model sound (repairSurface), finds what lies on
+/// the domain's sides, charts, curves and corners. Edges of the domain box are not features: the mesh has them anyway.
+/// The result does not depend on threads. Throws Aborted on demand.
 SurfaceModel makeSurfaceModel(const TriangleSurface& surface, const GridFrame& frame, const FeatureOptions& options,
                               const RunContext& context);
 

@@ -6,6 +6,7 @@
 #include "Support/Sorting.h"
 #include "Surface/Repair/Clusters.h"
 #include "Surface/Repair/Contacts.h"
+#include "Surface/Repair/Overlaps.h"
 #include "Surface/Repair/Slivers.h"
 #include "Surface/Repair/TriangleCuts.h"
 #include "Surface/Triangles/Weld.h"
@@ -45,8 +46,28 @@ template <typename Predicate> void filter(TriangleSoup& soup, std::vector<Change
   }
 }
 
+/// Marks all but one of the triangles with the same corners; `sorted` has the sorted corners of each.
+void markRepeated(const TriangleSoup& soup, std::span<const std::pair<std::array<Index, 3>, Index>> sorted,
+                  Overlaps* overlaps, std::vector<char>& repeated)
+{
+  std::vector<Index> equal;
+  for (std::size_t i = 0, next = 0; i < sorted.size(); i = next)
+  {
+    equal.clear();
+    for (next = i; next < sorted.size() && sorted[next].first == sorted[i].first; ++next)
+    {
+      equal.push_back(sorted[next].second);
+    }
+    const std::size_t kept = equal.size() > 1 && overlaps ? overlaps->settle(soup, equal) : 0;
+    for (std::size_t k = 0; k < equal.size(); ++k)
+    {
+      repeated[equal[k]] = k != kept ? 1 : 0;
+    }
+  }
+}
+
 /// Where changes are known, only what changed can be the same as others.
-std::size_t dropRepeated(TriangleSoup& soup, std::vector<Change>* changes)
+std::size_t dropRepeated(TriangleSoup& soup, std::vector<Change>* changes, Overlaps* overlaps)
 {
   filter(soup, changes, [](const auto& t) { return !hasRepeatedPoint(t); });
   const std::size_t before = soup.triangles.size();
@@ -79,10 +100,7 @@ std::size_t dropRepeated(TriangleSoup& soup, std::vector<Change>* changes)
       std::ranges::sort(sorted.back().first);
     }
     std::ranges::sort(sorted);
-    for (std::size_t i = 1; i < sorted.size(); ++i)
-    {
-      repeated[sorted[i].second] = sorted[i].first == sorted[i - 1].first ? 1 : 0;
-    }
+    markRepeated(soup, sorted, overlaps, repeated);
   }
   filter(soup, changes, [&](const auto& t) { return !repeated[&t - soup.triangles.data()]; });
   return before - soup.triangles.size();
@@ -313,7 +331,7 @@ private:
       merge(weldSome(soup, std::move(knots), width), changes);
       knots.clear();
     }
-    report.overlappingTriangles += dropRepeated(soup, &changes);
+    report.overlappingTriangles += dropRepeated(soup, &changes, options.overlaps);
   }
 
   /// For each point what it becomes; empty where none was added since points were asked about last.
@@ -354,7 +372,7 @@ private:
 
 } // namespace
 
-std::size_t dropRepeated(TriangleSoup& soup) { return dropRepeated(soup, nullptr); }
+std::size_t dropRepeated(TriangleSoup& soup, Overlaps* overlaps) { return dropRepeated(soup, nullptr, overlaps); }
 
 AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options, ClusterCells& clusters,
                             const RunContext& context, std::span<const char> isLone)

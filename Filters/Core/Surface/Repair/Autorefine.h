@@ -12,6 +12,8 @@
 
 namespace atria {
 
+class Overlaps;
+
 struct AutorefineOptions
 {
   /// A point this close to an edge or a triangle, in lattice units, lies on it. At least 3, as points are rounded.
@@ -20,13 +22,15 @@ struct AutorefineOptions
   std::int64_t widestWeld = 0;
   /// Rounds after which what is still found is left and counted.
   int maximumRounds = 16;
+  /// Settles which of triangles with the same points stays, and learns of the others; the first stays without.
+  Overlaps* overlaps = nullptr;
 };
 
 struct AutorefineReport
 {
   /// Points that became one with an earlier one because it was within four times the reach.
   std::size_t mergedPoints = 0;
-  /// Triangles that fell together with an earlier one, after both were cut.
+  /// Triangles that fell together with another one, after both were cut, and were dropped.
   std::size_t overlappingTriangles = 0;
   /// Triangles without area that were dropped.
   std::size_t degenerateTriangles = 0;
@@ -48,7 +52,7 @@ struct AutorefineReport
 ///
 /// In rounds: points on edges and faces are found, and points where edges cut edges or faces are added; the triangles
 /// they lie on are triangulated anew with these points, and with the segments that two triangles have in common as
-/// edges; points closer than the reach allows become one; of triangles with the same points the first is kept. New
+/// edges; points closer than the reach allows become one; of triangles with the same points one is kept. New
 /// points are rounded to the lattice, which can make new contacts; the next round looks at the pieces, each with those
 /// of what its triangle has touched. From the second on, points at contacts become one within a distance that grows to
 /// the widest weld, as what is left then lies closer together than cuts can tell apart. A triangle that has four times
@@ -64,8 +68,8 @@ AutorefineReport autorefine(TriangleSoup& soup, const AutorefineOptions& options
 void refineAgain(TriangleSoup& soup, const AutorefineOptions& options, ClusterCells& clusters,
                  std::vector<Change> changes, AutorefineReport& report, const RunContext& context);
 
-/// Drops triangles with repeated points, and those with the same points as an earlier one. Returns how many of the
-/// second sort.
-std::size_t dropRepeated(TriangleSoup& soup);
+/// Drops triangles with repeated points, and of those with the same points all but one: the one that `overlaps` settles
+/// on, else the first. Returns how many of the second sort.
+std::size_t dropRepeated(TriangleSoup& soup, Overlaps* overlaps = nullptr);
 
 } // namespace atria

@@ -101,7 +101,7 @@ void closeAllGaps(TriangleSoup& soup, const GridFrame& frame, const GapOptions& 
     {
       everMoved[became[p]] |= everMoved[p];
     }
-    report.overlappingTriangles += dropRepeated(soup);
+    report.overlappingTriangles += dropRepeated(soup, refining.overlaps);
   }
   std::vector<Change> changes = changesOf(soup, everMoved);
   if (std::ranges::find(changes, Change::moved) != changes.end())
@@ -206,6 +206,7 @@ void repairSurface(TriangleSoup& soup, const GridFrame& frame, const SurfaceRepa
   dropUnusedPoints(soup);
   AutorefineOptions refining;
   refining.reach = std::max(refining.reach, options.weldDistance / 4);
+  refining.overlaps = options.overlaps;
   refining.widestWeld = static_cast<std::int64_t>(widestWeld * options.gapTolerance);
   ClusterCells clusters;
   std::vector<char> isLone;

@@ -63,6 +63,8 @@ struct SurfaceRepairReport
   std::vector<SharedArea> shared;
 };
 
+class Overlaps;
+
 /// Distances in lattice units.
 struct SurfaceRepairOptions
 {
@@ -73,10 +75,12 @@ struct SurfaceRepairOptions
   /// See SmallPartOptions.
   double smallPartSize = 0.0;
   std::vector<char> keptSurfaces;
+  /// As AutorefineOptions::overlaps.
+  Overlaps* overlaps = nullptr;
 };
 
 /// Makes a soup sound: leaves out small parts, closes gaps, cuts triangles where they touch or pass through each other,
-/// drops all but the first of pieces that overlap, makes the winding consistent. Afterwards triangles meet in common
+/// drops all but one of pieces that overlap, makes the winding consistent. Afterwards triangles meet in common
 /// edges and points only, but in clusters and for the contacts that the report counts. Surfaces and sources of pieces
 /// are those of their triangles; points not used are dropped, and the others keep their order. The result does not
 /// depend on threads. Throws Aborted on demand.

@@ -4,10 +4,14 @@
 #include "Support/Buckets.h"
 #include "Support/IndexTable.h"
 #include "Support/Memory.h"
+#include "Surface/Triangles/FacePrecedence.h"
 #include "Surface/Triangles/PointPlaces.h"
+
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 
 namespace atria {
 
@@ -31,8 +35,9 @@ bool isFlat(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == 
 class Search
 {
 public:
-  Search(std::span<const Vec3> points, std::span<const Triangle> triangles, std::span<const Index> faceIds)
-      : soup(triangles), faces(faceIds), places(placesOfModel(points)), numberOfPoints(points.size())
+  Search(std::span<const Vec3> givenPoints, std::span<const Triangle> triangles, std::span<const Index> faceIds,
+         std::span<const Index> surfaceIds)
+      : points(givenPoints), soup(triangles), faces(faceIds), surfaces(surfaceIds), places(placesOfModel(givenPoints))
   {
     reserveLarge(out.kept, soup.size());
     out.kept.resize(soup.size());
@@ -42,7 +47,9 @@ public:
   CoincidentFaces run()
   {
     comparePolygons();
+    settle(true);
     compareTriangles();
+    settle(false);
     return std::move(out);
   }
 
@@ -164,13 +171,26 @@ private:
       candidates.emplace_back(endsOf(outlineOf(start)), start);
     }
     std::sort(candidates.begin(), candidates.end());
-    for (std::size_t i = 1, first = 0; i < candidates.size(); ++i)
+    for (std::size_t i = 0, next = 0; i < candidates.size(); i = next)
     {
-      first = candidates[i].first == candidates[first].first ? first : i;
-      if (first != i && !candidates[i].first.empty())
+      for (next = i; next < candidates.size() && candidates[next].first == candidates[i].first; ++next)
       {
-        replace(candidates[i].second, candidates[first].second);
+        alikeFaces.push_back(candidates[next].second);
       }
+      endAlike(candidates[i].first.empty() ? 1 : next - i);
+    }
+  }
+
+  /// Ends a list of faces that coincide, the last `count` of those found.
+  void endAlike(std::size_t count)
+  {
+    if (count > 1)
+    {
+      alikeEnds.push_back(alikeFaces.size());
+    }
+    else
+    {
+      alikeFaces.resize(alikeEnds.empty() ? 0 : alikeEnds.back());
     }
   }
 
@@ -178,13 +198,13 @@ private:
   /// of its set only, and sets are small and mostly of neighbors: this takes a fraction of the time of hashing.
   template <class Visit> void forBuckets(const std::vector<Index>& lowest, Visit&& visit) const
   {
-    const Buckets items = fillBuckets(numberOfPoints, SerialExecutor(), [&](auto&& use) {
+    const Buckets items = fillBuckets(points.size(), SerialExecutor(), [&](auto&& use) {
       for (Index i = 0; i < lowest.size(); ++i)
       {
         use(lowest[i], i);
       }
     });
-    for (std::size_t i = 0; i < numberOfPoints; ++i)
+    for (std::size_t i = 0; i < points.size(); ++i)
     {
       if (items.of(i).size() > 1)
       {
@@ -214,14 +234,108 @@ private:
     return true;
   }
 
-  void replace(Index first, Index by)
+  /// Says of faces that coincide which stays, and empties the lists of them. They are polygons by their first
+  /// triangles, or triangles.
+  void settle(bool arePolygons)
   {
-    for (std::size_t i = first; i < soup.size() && faces[i] == faces[first]; ++i)
+    for (std::size_t list = 0, begin = 0; list < alikeEnds.size(); begin = alikeEnds[list], ++list)
+    {
+      const std::span alike = std::span(alikeFaces).subspan(begin, alikeEnds[list] - begin);
+      const bool isOneSurface = surfaces.empty() || std::ranges::all_of(alike, [&](Index face) {
+                                  return surfaces[face] == surfaces[alike[0]];
+                                });
+      if (!isOneSurface && !precedence)
+      {
+        findPrecedence(arePolygons);
+      }
+      const std::vector<Index> compared =
+          isOneSurface ? std::vector<Index>(alike.size(), alike[0]) : comparedOf(alike, arePolygons);
+      const std::size_t kept = isOneSurface ? 0 : precedence->keptOf(compared);
+      for (std::size_t k = 0; k < alike.size(); ++k)
+      {
+        if (k != kept)
+        {
+          const bool isByOrder = !isOneSurface && precedence->areEqual(compared[k], compared[kept]);
+          replace(alike[k], alike[kept], arePolygons, isByOrder);
+        }
+      }
+    }
+    alikeFaces.clear();
+    alikeEnds.clear();
+  }
+
+  /// For each face a triangle to compare: one of the first face of its surface, as only that was counted.
+  std::vector<Index> comparedOf(std::span<const Index> alike, bool arePolygons) const
+  {
+    std::vector<Index> compared;
+    for (const Index face : alike)
+    {
+      const Index first = *std::ranges::find_if(alike, [&](Index other) { return surfaces[other] == surfaces[face]; });
+      compared.push_back(arePolygons ? largestOf(first) : first);
+    }
+    return compared;
+  }
+
+  /// What polygons of one surface repeat counts once; so does what triangles repeat.
+  void findPrecedence(bool arePolygons)
+  {
+    std::vector<Triangle> counted(soup.size());
+    for (std::size_t i = 0; i < soup.size(); ++i)
+    {
+      counted[i] = out.kept[i] == i ? corners(i) : Triangle{};
+    }
+    std::vector<Index> seen; // surfaces
+    for (std::size_t list = 0, begin = 0; arePolygons && list < alikeEnds.size(); begin = alikeEnds[list], ++list)
+    {
+      seen.clear();
+      for (std::size_t k = begin; k < alikeEnds[list]; ++k)
+      {
+        const Index first = alikeFaces[k];
+        const bool isRepeat = std::ranges::find(seen, surfaces[first]) != seen.end();
+        seen.push_back(surfaces[first]);
+        for (std::size_t i = first; isRepeat && i < soup.size() && faces[i] == faces[first]; ++i)
+        {
+          counted[i] = Triangle{};
+        }
+      }
+    }
+    const std::size_t count = *std::ranges::max_element(surfaces) + std::size_t{1};
+    precedence.emplace(findPlanarPatches(points, counted, surfaces), surfaces, count);
+  }
+
+  /// Of a polygon's triangles, as those without area are in no patch.
+  Index largestOf(Index first) const
+  {
+    Index largest = first;
+    double most = 0.0;
+    for (Index i = first; i < soup.size() && faces[i] == faces[first]; ++i)
+    {
+      const Vec3& p = points[soup[i][0]];
+      const double area = (points[soup[i][1]] - p).cross(points[soup[i][2]] - p).norm();
+      largest = area > most ? i : largest;
+      most = std::max(area, most);
+    }
+    return largest;
+  }
+
+  void replace(Index face, Index by, bool arePolygons, bool isByOrder)
+  {
+    if (isByOrder && out.isByOrder.empty())
+    {
+      out.isByOrder.resize(soup.size(), 0);
+    }
+    for (std::size_t i = face; i < soup.size() && (arePolygons ? faces[i] == faces[face] : i == face); ++i)
     {
       out.kept[i] = by;
+      if (isByOrder)
+      {
+        out.isByOrder[i] = 1;
+      }
     }
     ++out.faces;
-    out.opposite += outlineOf(by).front() != outlineOf(first).front() ? 1 : 0;
+    const bool isOpposite =
+        arePolygons ? outlineOf(by).front() != outlineOf(face).front() : isTurned(corners(face), corners(by));
+    out.opposite += isOpposite ? 1 : 0;
   }
 
   void compareTriangles()
@@ -254,17 +368,13 @@ private:
         return;
       }
       std::sort(candidates.begin(), candidates.end());
-      for (std::size_t i = 1, first = 0; i < candidates.size(); ++i)
+      for (std::size_t i = 0, next = 0; i < candidates.size(); i = next)
       {
-        first = candidates[i].first == candidates[first].first ? first : i;
-        if (first != i)
+        for (next = i; next < candidates.size() && candidates[next].first == candidates[i].first; ++next)
         {
-          const Index same = candidates[first].second;
-          const Index triangle = candidates[i].second;
-          out.kept[triangle] = same;
-          ++out.faces;
-          out.opposite += isTurned(corners(triangle), corners(same)) ? 1 : 0;
+          alikeFaces.push_back(candidates[next].second);
         }
+        endAlike(next - i);
       }
     });
   }
@@ -276,19 +386,24 @@ private:
     return a[1] != b[(at + 1) % 3];
   }
 
+  std::span<const Vec3> points;
   std::span<const Triangle> soup;
   std::span<const Index> faces;
+  std::span<const Index> surfaces;
   std::vector<Index> places; ///< of the points
-  std::size_t numberOfPoints;
+  /// Faces that coincide, list by list, and where the lists end.
+  std::vector<Index> alikeFaces;
+  std::vector<std::size_t> alikeEnds;
+  std::optional<FacePrecedence> precedence; ///< once it was needed
   CoincidentFaces out;
 };
 
 } // namespace
 
 CoincidentFaces findCoincidentFaces(std::span<const Vec3> points, std::span<const Triangle> triangles,
-                                    std::span<const Index> faceIds)
+                                    std::span<const Index> faceIds, std::span<const Index> surfaceIds)
 {
-  return Search(points, triangles, faceIds).run();
+  return Search(points, triangles, faceIds, surfaceIds).run();
 }
 
 } // namespace atria
