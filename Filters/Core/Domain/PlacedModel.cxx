@@ -103,7 +103,7 @@ PlacedModel inGrid(const TriangleSurface& surface, const SitePlan& plan, const G
   }
   if (plan.hasSheetSides())
   {
-    cutToSides(out.surface, plan.domain, beyond, coincidentRatio * sizes.sizeMin);
+    out.sharedOnSides = cutToSides(out.surface, plan.domain, beyond, coincidentRatio * sizes.sizeMin);
     turnAll(out.surface, Placement(plan.grid.angle() - plan.domain.axes.angle()));
   }
   return out;

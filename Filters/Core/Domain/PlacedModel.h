@@ -5,6 +5,7 @@
 #include "Domain/Terrain.h"
 #include "Domain/WindDomain.h"
 #include "Grid/GridFrame.h"
+#include "Surface/Repair/SurfaceRepair.h"
 
 namespace atria {
 
@@ -76,6 +77,8 @@ struct PlacedModel
   TriangleSurface surface;
   GridFrame frame;
   TerrainOutline terrain;
+  /// What surfaces share on sides of the domain that are no planes of the grid.
+  std::vector<SharedArea> sharedOnSides;
 };
 
 /// `sizes.domain` is not used.

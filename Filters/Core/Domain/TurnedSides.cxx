@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Domain/TurnedSides.h"
 
+#include "Surface/Triangles/FacePrecedence.h"
+#include "Surface/Triangles/PointPlaces.h"
 #include "Surface/Triangulation/PlanarTriangulation.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
 #include <tuple>
 
 namespace atria {
@@ -81,6 +86,66 @@ Polygon clipped(const Polygon& polygon, const PlacedPrism& domain, const PrismSi
   return out;
 }
 
+/// Chooses among triangles that cover the same part of a side, and sums up what surfaces share.
+class CoverChoice
+{
+public:
+  explicit CoverChoice(const TriangleSurface& drawn) : surface(drawn) {}
+
+  /// The surface that keeps its faces where `sources` cover so much area; noIndex without any.
+  Index surfaceOf(std::span<const Index> sources, double area)
+  {
+    if (sources.size() < 2)
+    {
+      return sources.empty() ? noIndex : surface.surfaceIds[sources[0]];
+    }
+    if (!precedence)
+    {
+      findPrecedence();
+    }
+    const Index kept = sources[precedence->keptOf(sources)];
+    const Index keeps = surface.surfaceIds[kept];
+    for (const Index source : sources)
+    {
+      if (const Index gives = surface.surfaceIds[source]; gives != keeps)
+      {
+        SharedArea& entry = byPair[{gives, keeps}];
+        entry.keeps = keeps;
+        entry.gives = gives;
+        entry.area += area;
+        entry.equalArea += precedence->areEqual(source, kept) ? area : 0.0;
+      }
+    }
+    return keeps;
+  }
+
+  std::vector<SharedArea> shared() const
+  {
+    std::vector<SharedArea> all;
+    std::ranges::transform(byPair, std::back_inserter(all), [](const auto& entry) { return entry.second; });
+    return all;
+  }
+
+private:
+  void findPrecedence()
+  {
+    Box3 bounds;
+    std::ranges::for_each(surface.points, [&](const Vec3& p) { bounds.extend(p); });
+    const std::vector<Index> places = placesOf(surface.points, placeStep(bounds));
+    std::vector<std::array<Index, 3>> triangles = surface.triangles;
+    for (auto& triangle : triangles)
+    {
+      std::ranges::transform(triangle, triangle.begin(), [&](Index p) { return places[p]; });
+    }
+    precedence.emplace(findPlanarPatches(surface.points, triangles, surface.surfaceIds), surface.surfaceIds,
+                       surface.names.size());
+  }
+
+  const TriangleSurface& surface;
+  std::optional<FacePrecedence> precedence; ///< once it is asked for
+  std::map<std::pair<Index, Index>, SharedArea> byPair;
+};
+
 /// One side of the domain: the outline, what surfaces draw on it, and triangles of surfaces that lie in it. Seen from
 /// outside, counterclockwise is counterclockwise in (along, z).
 class Side
@@ -111,12 +176,17 @@ public:
     return std::ranges::all_of(polygon, [&](const Corner& corner) { return isOn(corner, prismSide); });
   }
 
-  void cover(const Polygon& triangle, Index surface)
+  /// `source` is the triangle's number.
+  void cover(const Polygon& triangle, Index source)
   {
-    covers.push_back({{flat(triangle[0].at), flat(triangle[1].at), flat(triangle[2].at)}, surface});
+    const Cover cover{{flat(triangle[0].at), flat(triangle[1].at), flat(triangle[2].at)}, source};
+    if (areaOf(cover.triangle) > 0.0)
+    {
+      covers.push_back(cover);
+    }
   }
 
-  void append(TriangleSurface& to, double bottom, double top)
+  void append(TriangleSurface& to, double bottom, double top, CoverChoice& choice)
   {
     for (const auto& [corner, height] : {std::pair(prismSide.start, bottom), std::pair(prismSide.end, bottom),
                                          std::pair(prismSide.end, top), std::pair(prismSide.start, top)})
@@ -136,7 +206,9 @@ public:
     {
       to.triangles.push_back({base + a, base + b, base + c});
       const Vec2 middle = (triangulation.points[a] + triangulation.points[b] + triangulation.points[c]) / 3.0;
-      to.surfaceIds.push_back(coveredBy(middle, static_cast<Index>(to.names.size()) + prismSide.number));
+      const double area = areaOf({triangulation.points[a], triangulation.points[b], triangulation.points[c]});
+      const Index covering = choice.surfaceOf(coversAt(middle), area);
+      to.surfaceIds.push_back(covering != noIndex ? covering : static_cast<Index>(to.names.size()) + prismSide.number);
     }
   }
 
@@ -147,8 +219,15 @@ private:
   struct Cover
   {
     std::array<Vec2, 3> triangle;
-    Index surface;
+    Index source;
   };
+
+  static double areaOf(const std::array<Vec2, 3>& triangle)
+  {
+    const Vec2 u = triangle[1] - triangle[0];
+    const Vec2 v = triangle[2] - triangle[0];
+    return 0.5 * std::abs(u[0] * v[1] - u[1] * v[0]);
+  }
 
   Vec2 flat(const Vec3& p) const { return {prismSide.tangent().dot(p.head<2>()), p[2]}; }
 
@@ -158,9 +237,10 @@ private:
     return {at[0], at[1], p[1]};
   }
 
-  Index coveredBy(const Vec2& p, Index otherwise) const
+  std::vector<Index> coversAt(const Vec2& p) const
   {
-    for (const auto& [triangle, surface] : covers)
+    std::vector<Index> sources;
+    for (const auto& [triangle, source] : covers)
     {
       int signs[3];
       for (int i = 0; i < 3; ++i)
@@ -170,10 +250,10 @@ private:
       }
       if (signs[0] == signs[1] && signs[1] == signs[2])
       {
-        return surface;
+        sources.push_back(source);
       }
     }
-    return otherwise;
+    return sources;
   }
 
   PrismSide prismSide;
@@ -197,7 +277,7 @@ void appendPolygon(TriangleSurface& to, const Polygon& polygon, Index surface)
 
 } // namespace
 
-void cutToSides(TriangleSurface& surface, const PlacedPrism& domain, double reach, double tolerance)
+std::vector<SharedArea> cutToSides(TriangleSurface& surface, const PlacedPrism& domain, double reach, double tolerance)
 {
   std::vector<Corner> corners(surface.points.size());
   std::ranges::transform(surface.points, corners.begin(),
@@ -231,7 +311,7 @@ void cutToSides(TriangleSurface& surface, const PlacedPrism& domain, double reac
       side.draw(polygon);
       if (side.holds(polygon))
       {
-        side.cover(whole, surface.surfaceIds[t]);
+        side.cover(whole, static_cast<Index>(t));
         onSide = true;
       }
     }
@@ -245,11 +325,14 @@ void cutToSides(TriangleSurface& surface, const PlacedPrism& domain, double reac
     bottom = std::min(bottom, side.bottom());
     top = std::max(top, side.top());
   }
+  CoverChoice choice(surface);
   for (Side& side : sides)
   {
-    side.append(out, bottom, top);
+    side.append(out, bottom, top, choice);
   }
+  std::vector<SharedArea> shared = choice.shared();
   surface = std::move(out);
+  return shared;
 }
 
 } // namespace atria

@@ -74,6 +74,24 @@ double narrowestSide(const PlacedPrism& domain)
   return narrowest;
 }
 
+/// Adds to the entries of the same two surfaces; by `gives` and then by `keeps`.
+void addShared(const std::vector<SharedArea>& some, std::vector<SharedArea>& to)
+{
+  const auto pairOf = [](const SharedArea& shared) { return std::pair(shared.gives, shared.keeps); };
+  for (const SharedArea& shared : some)
+  {
+    const auto at = std::ranges::lower_bound(to, pairOf(shared), {}, pairOf);
+    if (at == to.end() || pairOf(*at) != pairOf(shared))
+    {
+      to.insert(at, shared);
+      continue;
+    }
+    at->area += shared.area;
+    at->equalArea += shared.equalArea;
+    at->openedArea += shared.openedArea;
+  }
+}
+
 SizingOptions alongGrid(SizingOptions sizing, const Placement& grid)
 {
   for (RefinementBox& box : sizing.boxes)
@@ -130,8 +148,12 @@ SurfaceModel makeSurfaceModel(const PlacedModel& placed, const ModelOptions& opt
   features.finerPlaces = finerPlaces(placed.surface, placed.frame, alongGrid(options.sizing, placed.frame.placement));
   SurfaceModel model =
       makeSurfaceModel(placed.surface, placed.frame, features, options.findOpenings ? context.part(0.0, 0.5) : context);
-  return options.findOpenings ? withOpenings(std::move(model), placed, features, options, context.part(0.5, 1.0))
-                              : model;
+  if (options.findOpenings)
+  {
+    model = withOpenings(std::move(model), placed, features, options, context.part(0.5, 1.0));
+  }
+  addShared(placed.sharedOnSides, model.repair.shared);
+  return model;
 }
 
 SizedOctants sizeOctants(const SurfaceModel& model, const GridFrame& frame, const ModelOptions& options,
