@@ -262,7 +262,9 @@ void printProblems(std::vector<Problem> problems, const TriangleSurface& surface
         "clusters: triangles among too many others in one place; crossings, contacts and gaps were looked for among "
         "the first of them only, so there are more\n");
   }
-  std::printf("size: length of edges, area of duplicates, height of the thinnest sliver, width of the widest gap\n");
+  std::printf(
+      "size: length of edges, area of duplicates and overlaps, height of the thinnest sliver, width of the widest "
+      "gap; of surfaces that have duplicates or overlaps the first keeps its faces there\n");
 }
 
 /// Shows the progress of the core, and stops it at Ctrl-C.

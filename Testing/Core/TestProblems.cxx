@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace {
 
@@ -115,7 +116,32 @@ TEST(Problems, FindsDuplicatesAndTheirSurfaces)
   ASSERT_EQ(duplicates.size(), 1u);
   EXPECT_EQ(duplicates[0].count, 1u);
   EXPECT_NEAR(duplicates[0].size, 0.5, 1e-12);
-  EXPECT_EQ(duplicates[0].surfaces, (std::vector<Index>{0, copy}));
+  EXPECT_EQ(duplicates[0].surfaces, (std::vector<Index>{copy, 0})) << "the smaller keeps its faces";
+  EXPECT_TRUE(ofKind(problemsOf(m), ProblemKind::overlaps).empty());
+}
+
+TEST(Problems, FindsWhatLiesUponOthersInPart)
+{
+  for (const double gap : {0.01, 0.0})
+  {
+    Model m = box(true);
+    const Index window = m.name("Window");
+    const Index sign = m.name("Sign");
+    m.quad({0.25, 0, 0.25}, {0.75, 0, 0.25}, {0.75, 0, 0.75}, {0.25, 0, 0.75}, window);
+    m.quad({0.5, 0, 0.5}, {2, 0, 0.5}, {2, 0, 2}, {0.5, 0, 2}, sign); // beyond the box
+    const auto overlaps = ofKind(problemsOf(m, gap), ProblemKind::overlaps);
+    std::map<std::vector<Index>, double> areas;
+    for (const Problem& overlap : overlaps)
+    {
+      areas[overlap.surfaces] = overlap.size;
+      EXPECT_GT(overlap.count, 0u);
+      EXPECT_NEAR(overlap.place.y(), 0.0, 1e-9);
+    }
+    ASSERT_EQ(areas.size(), 3u);
+    EXPECT_NEAR((areas[{window, 0}]), 0.25, 1e-6);
+    EXPECT_NEAR((areas[{window, sign}]), 0.0625, 1e-6);
+    EXPECT_NEAR((areas[{0, sign}]), 0.1875, 1e-6) << "the sign is larger than the box's side";
+  }
 }
 
 TEST(Problems, FindsTheThinnestSliver)

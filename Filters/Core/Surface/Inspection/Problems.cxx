@@ -8,6 +8,7 @@
 #include "Surface/Repair/Clusters.h"
 #include "Surface/Repair/Contacts.h"
 #include "Surface/Repair/GapClosing.h"
+#include "Surface/Repair/Overlaps.h"
 #include "Surface/Triangles/CoincidentFaces.h"
 #include "Surface/Triangles/EachEdge.h"
 #include "Surface/Triangles/PointPlaces.h"
@@ -28,11 +29,7 @@ namespace {
 
 using Surfaces = std::vector<Index>;
 
-Surfaces sortedUnique(Surfaces ids)
-{
-  sortUnique(ids);
-  return ids;
-}
+Surfaces keptFirst(Index keeps, Index gives) { return keeps == gives ? Surfaces{keeps} : Surfaces{keeps, gives}; }
 
 /// Problems of one kind that go by their surfaces, in the order in which these came up.
 class Groups
@@ -155,12 +152,17 @@ public:
     context.progress.report(0.0, "Looking for problems");
     findSlivers();
     findDuplicates();
-    dropRepeated(soup);
+    // Of all triangles: duplicates decide nothing.
+    Overlaps overlaps(soup, surface.names.size(), {}, frame);
+    dropRepeated(soup, &overlaps);
     findEdges();
     context.progress.report(0.3, "Looking for contacts");
     findContactsOfTriangles();
     context.progress.report(0.7, "Looking for gaps");
-    findGaps();
+    const SoupAsDrawn drawn(soup);
+    overlaps.forget();
+    findOverlaps(overlaps);
+    findGaps(drawn);
     clusters.moveTo(problems);
     std::stable_sort(problems.begin(), problems.end(),
                      [](const Problem& a, const Problem& b) { return a.kind < b.kind; });
@@ -201,7 +203,7 @@ private:
   {
     std::vector<Index> faces(surface.triangles.size());
     std::iota(faces.begin(), faces.end(), Index{0});
-    const CoincidentFaces found = findCoincidentFaces(surface.points, surface.triangles, faces);
+    const CoincidentFaces found = findCoincidentFaces(surface.points, surface.triangles, faces, surface.surfaceIds);
     Groups groups(ProblemKind::duplicates);
     for (Index i = 0; i < found.kept.size(); ++i)
     {
@@ -210,7 +212,7 @@ private:
         continue;
       }
       const auto [a, b, c] = cornersOf(i);
-      Problem& problem = groups.of(sortedUnique({soup.surfaceIds[i], soup.surfaceIds[found.kept[i]]}));
+      Problem& problem = groups.of(keptFirst(soup.surfaceIds[found.kept[i]], soup.surfaceIds[i]));
       problem.place = problem.count++ == 0 ? Vec3((a + b + c) / 3.0) : problem.place;
       problem.size += 0.5 * (b - a).cross(c - a).norm();
     }
@@ -267,10 +269,9 @@ private:
 
   void findContactsOfTriangles()
   {
-    constexpr std::int64_t reach = 4; // of rounding
-    leaveOut(findClusters(soup, reach, maximumPairs(), context));
+    leaveOut(findClusters(soup, contactReach, maximumPairs(), context));
     const Contacts found = findContacts(soup, {std::vector<Change>(soup.triangles.size(), Change::moved), {}, {}},
-                                        reach, {}, context.part(0.3, 0.7))
+                                        contactReach, {}, context.part(0.3, 0.7))
                                .sorted(soup);
     SurfacesAtPoints atPoints;
     for (const FaceContact& contact : found.faces)
@@ -350,20 +351,39 @@ private:
     }
   }
 
-  /// What the repair would move.
-  void findGaps()
+  double gapTolerance() const { return options.gapTolerance / frame.latticeUnit(); }
+
+  /// Cuts what touches, as the repair does, and finds pieces that lie upon each other.
+  void findOverlaps(Overlaps& overlaps)
   {
-    const double tolerance = options.gapTolerance / frame.latticeUnit();
+    leaveOut(tangled);
+    const double tolerance = gapTolerance();
+    leaveOut(findClusters(soup, tolerance >= 1.0 ? static_cast<std::int64_t>(std::ceil(tolerance)) : contactReach,
+                          maximumPairs(), context));
+    AutorefineOptions refining;
+    refining.overlaps = &overlaps;
+    autorefine(soup, refining, hidden, context.part(0.7, 0.9));
+    constexpr double roundedAway = 1e-9; // of the square of the model's extent
+    const double extent = frame.rootSize();
+    for (const Overlap& overlap : overlaps.all())
+    {
+      if (overlap.shared.area < roundedAway * extent * extent)
+      {
+        continue;
+      }
+      problems.push_back({ProblemKind::overlaps, overlap.pieces, overlap.shared.area, frame.toModel(overlap.place),
+                          keptFirst(overlap.shared.keeps, overlap.shared.gives)});
+    }
+  }
+
+  /// What the repair would move.
+  void findGaps(const SoupAsDrawn& drawn)
+  {
+    const double tolerance = gapTolerance();
     if (!(tolerance >= 1.0))
     {
       return;
     }
-    const SoupAsDrawn drawn(soup);
-    leaveOut(tangled);
-    const auto margin = static_cast<std::int64_t>(std::ceil(tolerance));
-    leaveOut(findClusters(soup, margin, maximumPairs(), context));
-    ClusterCells hidden;
-    autorefine(soup, {}, hidden, context.part(0.7, 0.9));
     const std::vector<LatticePoint> start = soup.points;
     const std::vector<char> isMoved = closeGaps(soup, frame, {tolerance, drawn, hidden}, context);
     SurfacesAtPoints atPoints;
@@ -390,10 +410,13 @@ private:
     groups.moveTo(problems);
   }
 
+  static constexpr std::int64_t contactReach = 4; ///< of rounding
+
   const TriangleSurface& surface;
   const ProblemOptions& options;
   const RunContext& context;
   GridFrame frame;
+  ClusterCells hidden;      ///< none
   std::vector<Vec3> points; ///< places that triangles use
   TriangleSoup soup;        ///< with these points
   std::vector<Problem> problems;

@@ -12,14 +12,15 @@ enum class ProblemKind : std::uint8_t
 {
   openEdges,        ///< edges that one triangle uses: boundary edges, and holes that should be none
   nonManifoldEdges, ///< edges that three triangles use or more
-  duplicates,       ///< triangles with the corners of an earlier one
+  duplicates,       ///< triangles with the corners of another one
+  overlaps,         ///< places where triangles in one plane lie upon each other in part
   slivers,          ///< triangles whose height is less than a hundredth of their longest side
   crossings,        ///< places where an edge passes through a triangle or another edge
   contacts,         ///< points on an edge or triangle that does not have them as a corner
   gaps,             ///< points that fall short of what they nearly touch
   clusters          ///< triangles among too many others in one place, not looked at for the three above
 };
-inline constexpr const char* problemNames[]{"open edges", "non-manifold edges", "duplicates", "slivers",
+inline constexpr const char* problemNames[]{"open edges", "non-manifold edges", "duplicates", "overlaps", "slivers",
                                             "crossings",  "contacts",           "gaps",       "clusters"};
 
 /// Problems of one kind in one place: connected edges, else what the same surfaces are part of.
@@ -27,11 +28,12 @@ struct Problem
 {
   ProblemKind kind = ProblemKind::openEdges;
   std::size_t count = 0;
-  /// Length of edges together, area of duplicates together, least height of slivers, width of the widest gap, in model
-  /// units or their square; zero of crossings, contacts and clusters.
+  /// Length of edges together, area of duplicates and of overlaps together, least height of slivers, width of the
+  /// widest gap, in model units or their square; zero of crossings, contacts and clusters.
   double size = 0.0;
-  Vec3 place = Vec3::Zero();   ///< of the first one, of the thinnest sliver, of the widest gap
-  std::vector<Index> surfaces; ///< ascending
+  Vec3 place = Vec3::Zero(); ///< of the first one, of the thinnest sliver, of the widest gap
+  /// Ascending; of duplicates and overlaps first the one that keeps its faces (see FacePrecedence).
+  std::vector<Index> surfaces;
 };
 
 struct ProblemOptions
