@@ -305,6 +305,9 @@ ExitStatus runMesh(MeshOptions options, const CLI::App& command, Console& consol
     throw Failure(Usage, "MODEL is required: name the file of the model");
   }
   completeMeshOptions(options);
+  // Where zones have faces in common with walls, the mesher knows which to keep; a reader does not know zones.
+  options.model.keepDuplicates =
+      options.model.keepDuplicates || !options.faceZones.empty() || !options.cellZones.empty();
   setThreads(options.threads);
   const Stopwatch total;
   const auto reader = readModel(options.input, options.model, console);

@@ -42,8 +42,10 @@ void declareModelOptions(CLI::App& command, ModelOptions& options)
       ->type_name("y|z");
   command.add_flag("--recenter,--recentre", options.recenter,
                    "Move a model that is far from the origin there, by whole hundreds of meters");
-  command.add_flag("--keep-duplicates", options.keepDuplicates,
-                   "Keep faces that coincide with earlier ones, such as the backs of sheets");
+  command.add_flag(
+      "--keep-duplicates", options.keepDuplicates,
+      "Keep faces that coincide with those of a smaller surface or with earlier ones, such as the backs of "
+      "sheets; so it is for a mesh with face zones or cell zones");
   command.add_option("--surfaces-by", options.surfacesBy, "What makes a named surface")
       ->capture_default_str()
       ->check(oneOf({"shape", "group", "material", "connected"}))

@@ -4,12 +4,15 @@
 
 #include "Diagnostics.h"
 #include "Scene.h"
+#include "Surfaces.h"
 
 namespace atria::vrml {
 
-/// Takes out faces that coincide with earlier ones, within a shape or of another, whichever way they face, and notes
-/// how many and which shapes are gone for it. Returns their number.
-std::size_t mergeDuplicateFaces(Scene& scene, Diagnostics& diagnostics);
+/// Takes out faces that coincide with others, within a surface or of another one, whichever way they face: the smaller
+/// surface keeps its faces (see FacePrecedence). Notes how many, and which surfaces lose how much to which; warns of
+/// surfaces that are equally large and face the same way. Surfaces go by `by`, or by shape where that needs the merged
+/// faces. Returns the number of faces that were taken out.
+std::size_t mergeDuplicateFaces(Scene& scene, SurfaceBy by, Diagnostics& diagnostics);
 
 struct Placement
 {

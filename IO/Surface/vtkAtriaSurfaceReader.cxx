@@ -231,7 +231,8 @@ bool vtkAtriaSurfaceReader::ReadModel(vtkPolyData* output, atria::vrml::Diagnost
   const atria::Vec3 offset = vrml::place(scene, {upAxis, scale, this->Recenter});
   if (this->MergeDuplicateFaces)
   {
-    this->NumberOfMergedFaces = static_cast<vtkIdType>(vrml::mergeDuplicateFaces(scene, diagnostics));
+    this->NumberOfMergedFaces = static_cast<vtkIdType>(
+        vrml::mergeDuplicateFaces(scene, static_cast<vrml::SurfaceBy>(this->SurfaceBy), diagnostics));
   }
   const vrml::Stated stated{source.unitKnown || this->LengthUnit != UnstatedUnit || this->Scale != 1.0,
                             source.axisKnown || this->UpAxis != UnstatedUp, this->Recenter};

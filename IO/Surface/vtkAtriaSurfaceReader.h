@@ -85,9 +85,10 @@ public:
 
   ///@{
   /**
-   * Whether a face that coincides with an earlier one, of the same shape or of another, is left out, whichever way it
-   * faces. The first one keeps its name; in SketchUp's exports that is the front. GetNotes tells what was merged.
-   * Default on.
+   * Whether of faces that coincide, of the same surface or of several, only one stays, whichever way they face. The
+   * smaller surface keeps its faces: a window keeps those that an uncut wall has there too. Of equal ones the first
+   * keeps them; in SketchUp's exports that is the front of a sheet. GetNotes tells which surface lost how much to
+   * which. Default on.
    */
   vtkSetMacro(MergeDuplicateFaces, bool);
   vtkGetMacro(MergeDuplicateFaces, bool);

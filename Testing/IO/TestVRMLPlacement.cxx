@@ -73,12 +73,60 @@ TEST_F(VRMLPlacement, MergesTheBackOfASheetIntoItsFront)
   EXPECT_EQ(model.names(), (Names{"Front", "Other"}));
   EXPECT_NEAR(model.area(), 1.5, 1e-12);
   ASSERT_EQ(model.notes().size(), 2u);
-  EXPECT_NE(model.notes()[0].find("1 faces coincide with earlier ones and were merged with them, 1 of them facing"),
+  EXPECT_NE(model.notes()[0].find("1 faces coincide with others and were merged with them, 1 of them facing"),
             std::string::npos)
       << model.notes()[0];
-  EXPECT_NE(model.notes()[1].find("all faces of 'Back' coincide with others, first with those of 'Front'"),
-            std::string::npos);
+  EXPECT_NE(model.notes()[1].find("all faces of 'Back' coincide with those of others and are left out: 1 square meters "
+                                  "with 'Front', which is as large and comes first"),
+            std::string::npos)
+      << model.notes()[1];
   EXPECT_TRUE(model.warnings().empty());
+}
+
+TEST_F(VRMLPlacement, LeavesTheSmallerSurfaceItsFacesWhateverTheOrder)
+{
+  const std::string building = faceSet("Building", square + ", 1 0 1, 1 1 1", "0 1 2 3 -1 1 4 5 2 -1");
+  for (const char* corners : {"0 1 2 3", "3 2 1 0"}) // either side out
+  {
+    const std::string glass = faceSet("Glass", square, corners);
+    for (const std::string& text : {building + glass, glass + building})
+    {
+      const VRMLModel model = merged(text);
+      EXPECT_NEAR(model.area("Building"), 1.0, 1e-12);
+      EXPECT_NEAR(model.area("Glass"), 1.0, 1e-12);
+      ASSERT_EQ(model.notes().size(), 2u);
+      EXPECT_NE(model.notes()[1].find("faces of 'Building' coincide with those of others and are left out: 1 square "
+                                      "meters with 'Glass', which is smaller"),
+                std::string::npos)
+          << model.notes()[1];
+      EXPECT_TRUE(model.warnings().empty());
+    }
+  }
+}
+
+TEST_F(VRMLPlacement, WarnsOfEqualSurfacesThatFaceTheSameWay)
+{
+  const VRMLModel model = merged(faceSet("A", square, "0 1 2 3") + faceSet("B", square, "1 2 3 0"));
+  EXPECT_EQ(model.names(), (Names{"A"}));
+  ASSERT_EQ(model.warnings().size(), 1u);
+  EXPECT_NE(model.warnings()[0].find("'A' and 'B' have 1 square meters in common and neither is smaller"),
+            std::string::npos)
+      << model.warnings()[0];
+  messages.takeWarnings("in common");
+}
+
+TEST_F(VRMLPlacement, NotesOfMergedFacesUseTheNamesOfTheTable)
+{
+  const auto wall = [](const std::string& material, const std::string& points) {
+    return "Shape { appearance Appearance { material " + material +
+           " } geometry IndexedFaceSet { coord Coordinate { point [" + points + "] } coordIndex [0 1 2 3] } }\n";
+  };
+  const VRMLModel model = merged(wall("DEF WALL Material { }", "0 0 0, 0 4 0, 0 4 3, 0 0 3") +
+                                 wall("USE WALL", square) + wall("USE WALL", "0 1 0, 1 1 0, 1 0 0, 0 0 0"));
+  ASSERT_EQ(model.names(), (Names{"WALL", "WALL_2"}));
+  ASSERT_EQ(model.notes().size(), 2u);
+  EXPECT_NE(model.notes()[1].find("all faces of 'WALL_3'"), std::string::npos) << model.notes()[1];
+  EXPECT_NE(model.notes()[1].find("with 'WALL_2'"), std::string::npos) << model.notes()[1];
 }
 
 TEST_F(VRMLPlacement, KeepsDuplicatesWhereAsked)
