@@ -101,7 +101,9 @@ public:
     }
     if (!precedence)
     {
-      findPrecedence();
+      Box3 bounds;
+      std::ranges::for_each(surface.points, [&](const Vec3& p) { bounds.extend(p); });
+      precedence.emplace(surface, placesOf(surface.points, placeStep(bounds)));
     }
     const Index kept = sources[precedence->keptOf(sources)];
     const Index keeps = surface.surfaceIds[kept];
@@ -127,20 +129,6 @@ public:
   }
 
 private:
-  void findPrecedence()
-  {
-    Box3 bounds;
-    std::ranges::for_each(surface.points, [&](const Vec3& p) { bounds.extend(p); });
-    const std::vector<Index> places = placesOf(surface.points, placeStep(bounds));
-    std::vector<std::array<Index, 3>> triangles = surface.triangles;
-    for (auto& triangle : triangles)
-    {
-      std::ranges::transform(triangle, triangle.begin(), [&](Index p) { return places[p]; });
-    }
-    precedence.emplace(findPlanarPatches(surface.points, triangles, surface.surfaceIds), surface.surfaceIds,
-                       surface.names.size());
-  }
-
   const TriangleSurface& surface;
   std::optional<FacePrecedence> precedence; ///< once it is asked for
   std::map<std::pair<Index, Index>, SharedArea> byPair;

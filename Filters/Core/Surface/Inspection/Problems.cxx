@@ -152,8 +152,7 @@ public:
     context.progress.report(0.0, "Looking for problems");
     findSlivers();
     findDuplicates();
-    // Of all triangles: duplicates decide nothing.
-    Overlaps overlaps(soup, surface.names.size(), {}, frame);
+    Overlaps overlaps(surface, {}, frame);
     dropRepeated(soup, &overlaps);
     findEdges();
     context.progress.report(0.3, "Looking for contacts");

@@ -116,7 +116,7 @@ SurfaceModel makeSurfaceModel(const TriangleSurface& surface, const GridFrame& f
   repair.smallPartSize = options.smallPartSize;
   repair.keptSurfaces = options.keptSurfaces;
   TriangleSoup soup = weldedSoup(surface, frame, repair.weldDistance, units(options.sideDistance), model.repair);
-  Overlaps overlaps(soup, surface.names.size(), options.kinds, frame);
+  Overlaps overlaps(surface, options.kinds, frame);
   repair.overlaps = &overlaps;
   model.repair.duplicateTriangles = dropRepeated(soup, &overlaps);
   repairSurface(soup, frame, repair, model.repair, context);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Surface/Repair/Overlaps.h"
 
+#include "Surface/Search/Distance.h"
+#include "Surface/Triangles/Weld.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -8,23 +11,6 @@
 namespace atria {
 
 namespace {
-
-FacePrecedence precedenceIn(const TriangleSoup& drawn, std::size_t surfaceCount, std::vector<SurfaceKind> kinds)
-{
-  std::vector<Vec3> points(drawn.points.size());
-  std::ranges::transform(drawn.points, points.begin(), toVector);
-  // Sources ascend, and some may be missing.
-  const std::size_t count = drawn.sources.empty() ? 0 : drawn.sources.back() + 1;
-  const PlanarPatches found = findPlanarPatches(points, drawn.triangles, drawn.surfaceIds);
-  PlanarPatches bySource{std::vector<double>(count, 0.0), found.surfaceAreas, found.isClosed};
-  std::vector<Index> surfaceIds(count, 0);
-  for (Index t = 0; t < drawn.triangles.size(); ++t)
-  {
-    bySource.areas[drawn.sources[t]] = found.areas[t];
-    surfaceIds[drawn.sources[t]] = drawn.surfaceIds[t];
-  }
-  return {std::move(bySource), surfaceIds, surfaceCount, std::move(kinds)};
-}
 
 /// Of triangles with the same corners, whether they are wound in opposite directions.
 bool areOpposite(const std::array<Index, 3>& a, const std::array<Index, 3>& b)
@@ -35,24 +21,36 @@ bool areOpposite(const std::array<Index, 3>& a, const std::array<Index, 3>& b)
 
 } // namespace
 
-Overlaps::Overlaps(const TriangleSoup& drawn, std::size_t surfaceCount, std::vector<SurfaceKind> kinds,
-                   const GridFrame& frame)
-    : precedence_(precedenceIn(drawn, surfaceCount, std::move(kinds))),
-      areaUnit_(0.5 * frame.latticeUnit() * frame.latticeUnit())
+Overlaps::Overlaps(const TriangleSurface& drawn, std::vector<SurfaceKind> kinds, const GridFrame& frame)
+    : drawn_(drawn), kinds_(std::move(kinds)), frame_(frame)
 {
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    sides_[axis] = {frame.domainLow[axis], frame.domainHigh[axis]};
-  }
+}
+
+/// Points are the same for patches where they are nearly so: exporters round neighbors apart.
+void Overlaps::findPrecedence()
+{
+  std::vector<LatticePoint> points(drawn_.points.size());
+  std::ranges::transform(drawn_.points, points.begin(), [&](const Vec3& p) { return frame_.toLattice(p); });
+  const auto size = static_cast<double>(frame_.latticeSize(frame_.featureLevel));
+  precedence_.emplace(drawn_, weldPoints(points, static_cast<std::int64_t>(coincidentRatio * size)), kinds_);
 }
 
 std::size_t Overlaps::settle(const TriangleSoup& soup, std::span<const Index> equal)
 {
-  sources_.clear();
-  std::ranges::transform(equal, std::back_inserter(sources_), [&](Index t) { return soup.sources[t]; });
-  const std::size_t kept = precedence_.keptOf(sources_);
-  const bool isWithin = !isOnSide(soup, equal[0]) &&
-                        std::ranges::none_of(equal, [&](Index t) { return precedence_.isSide(soup.surfaceIds[t]); });
+  const auto surfaceOf = [&](Index t) { return soup.surfaceIds[t]; };
+  std::size_t kept = 0;
+  if (std::ranges::any_of(equal, [&](Index t) { return surfaceOf(t) != surfaceOf(equal[0]); }))
+  {
+    if (!precedence_)
+    {
+      findPrecedence();
+    }
+    sources_.clear();
+    std::ranges::transform(equal, std::back_inserter(sources_), [&](Index t) { return soup.sources[t]; });
+    kept = precedence_->keptOf(sources_);
+  }
+  const bool isWithin =
+      !isOnSide(soup, equal[0]) && std::ranges::none_of(equal, [&](Index t) { return isSide(surfaceOf(t)); });
   for (std::size_t i = 0; i < equal.size(); ++i)
   {
     if (i != kept)
@@ -70,22 +68,25 @@ void Overlaps::add(const TriangleSoup& soup, Index kept, Index dropped, bool isW
   Overlap& overlap = byPair_[{gives, keeps}];
   const Vec3 u = between(soup.corner(dropped, 0), soup.corner(dropped, 1));
   const Vec3 v = between(soup.corner(dropped, 0), soup.corner(dropped, 2));
-  const double area = areaUnit_ * u.cross(v).norm();
+  const double area = 0.5 * frame_.latticeUnit() * frame_.latticeUnit() * u.cross(v).norm();
   if (overlap.pieces++ == 0)
   {
     overlap.place = toVector(soup.corner(dropped, 0)) + (u + v) / 3.0;
   }
-  const Index source = soup.sources[kept];
-  const Index other = soup.sources[dropped];
-  const bool doSolidsTouch =
-      precedence_.areOfClosedSurfaces(source, other) && areOpposite(soup.triangles[kept], soup.triangles[dropped]);
-  const bool isOpened =
-      isWithin && precedence_.kindOf(keeps) == SurfaceKind::faceZone && precedence_.kindOf(gives) == SurfaceKind::wall;
   overlap.shared.keeps = keeps;
   overlap.shared.gives = gives;
   overlap.shared.area += area;
-  overlap.shared.equalArea += precedence_.areEqual(source, other) && !doSolidsTouch ? area : 0.0;
-  overlap.shared.openedArea += isOpened ? area : 0.0;
+  if (keeps != gives)
+  {
+    const Index source = soup.sources[kept];
+    const Index other = soup.sources[dropped];
+    const bool doSolidsTouch =
+        precedence_->areOfClosedSurfaces(source, other) && areOpposite(soup.triangles[kept], soup.triangles[dropped]);
+    const bool isOpened = isWithin && precedence_->kindOf(keeps) == SurfaceKind::faceZone &&
+                          precedence_->kindOf(gives) == SurfaceKind::wall;
+    overlap.shared.equalArea += precedence_->areEqual(source, other) && !doSolidsTouch ? area : 0.0;
+    overlap.shared.openedArea += isOpened ? area : 0.0;
+  }
 }
 
 bool Overlaps::isOnSide(const TriangleSoup& soup, Index triangle) const
@@ -93,7 +94,7 @@ bool Overlaps::isOnSide(const TriangleSoup& soup, Index triangle) const
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const std::int64_t at = soup.corner(triangle, 0)[axis];
-    if ((at == sides_[axis][0] || at == sides_[axis][1]) && soup.corner(triangle, 1)[axis] == at &&
+    if ((at == frame_.domainLow[axis] || at == frame_.domainHigh[axis]) && soup.corner(triangle, 1)[axis] == at &&
         soup.corner(triangle, 2)[axis] == at)
     {
       return true;
@@ -118,7 +119,7 @@ std::vector<SharedArea> Overlaps::shared() const
   for (const auto& [pair, overlap] : byPair_)
   {
     const auto& [gives, keeps] = pair;
-    if (gives != keeps && !precedence_.isSide(gives) && !precedence_.isSide(keeps))
+    if (gives != keeps && !isSide(gives) && !isSide(keeps))
     {
       out.push_back(overlap.shared);
     }

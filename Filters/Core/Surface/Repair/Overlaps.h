@@ -6,6 +6,7 @@
 #include "Surface/Triangles/FacePrecedence.h"
 
 #include <map>
+#include <optional>
 
 namespace atria {
 
@@ -21,9 +22,8 @@ struct Overlap
 class Overlaps
 {
 public:
-  /// Precedence is by the triangles of `drawn`, which are its sources. Sides of a turned domain are numbered from
-  /// `surfaceCount` on.
-  Overlaps(const TriangleSoup& drawn, std::size_t surfaceCount, std::vector<SurfaceKind> kinds, const GridFrame& frame);
+  /// Sources of pieces are triangles of `drawn`, which is referred to, as is the frame. `kinds` is as in FacePrecedence.
+  Overlaps(const TriangleSurface& drawn, std::vector<SurfaceKind> kinds, const GridFrame& frame);
 
   /// Returns the position in `equal` of the piece that stays, and adds the area of the others.
   std::size_t settle(const TriangleSoup& soup, std::span<const Index> equal);
@@ -37,12 +37,15 @@ public:
   std::vector<SharedArea> shared() const;
 
 private:
+  void findPrecedence();
   void add(const TriangleSoup& soup, Index kept, Index dropped, bool isWithin);
   bool isOnSide(const TriangleSoup& soup, Index triangle) const;
+  bool isSide(Index surface) const { return surface >= drawn_.names.size(); }
 
-  FacePrecedence precedence_;
-  std::array<std::array<std::int64_t, 2>, 3> sides_; ///< of the domain, by axis
-  double areaUnit_;
+  const TriangleSurface& drawn_;
+  std::vector<SurfaceKind> kinds_;
+  const GridFrame& frame_;
+  std::optional<FacePrecedence> precedence_; ///< once different surfaces coincide
   std::vector<Index> sources_;
   std::map<std::pair<Index, Index>, Overlap> byPair_;
 };

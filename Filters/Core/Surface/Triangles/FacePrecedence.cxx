@@ -192,6 +192,18 @@ FacePrecedence::FacePrecedence(PlanarPatches patches, std::span<const Index> sur
 {
 }
 
+FacePrecedence::FacePrecedence(const TriangleSurface& surface, std::span<const Index> pointOf,
+                               std::vector<SurfaceKind> kinds)
+    : FacePrecedence({}, surface.surfaceIds, surface.names.size(), std::move(kinds))
+{
+  std::vector<Triangle> triangles = surface.triangles;
+  for (Triangle& triangle : triangles)
+  {
+    std::ranges::transform(triangle, triangle.begin(), [&](Index p) { return pointOf[p]; });
+  }
+  patches_ = findPlanarPatches(surface.points, triangles, surface.surfaceIds);
+}
+
 std::size_t FacePrecedence::keptOf(std::span<const Index> triangles) const
 {
   std::vector<std::size_t> candidates(triangles.size());

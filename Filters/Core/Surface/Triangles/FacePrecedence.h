@@ -5,6 +5,7 @@
 
 #include "Support/Types.h"
 #include "Surface/Triangles/SurfaceKind.h"
+#include "Surface/Triangles/TriangleSurface.h"
 
 #include <span>
 #include <vector>
@@ -43,6 +44,8 @@ public:
   /// surface; empty where all are walls.
   FacePrecedence(PlanarPatches patches, std::span<const Index> surfaceIds, std::size_t surfaceCount,
                  std::vector<SurfaceKind> kinds = {});
+  /// Of a surface's triangles; `pointOf` has for each point the one that stands for it.
+  FacePrecedence(const TriangleSurface& surface, std::span<const Index> pointOf, std::vector<SurfaceKind> kinds = {});
 
   /// The position in `triangles` of the one that stays.
   std::size_t keptOf(std::span<const Index> triangles) const;
