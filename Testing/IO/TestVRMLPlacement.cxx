@@ -157,6 +157,7 @@ TEST_F(VRMLPlacement, MergesWhatTransformsBringTogether)
              "} Transform { scale 0.1 0.1 0.1 translation 0.1 0 0 children Transform { translation 2 0 "
              "0 children USE A } }");
   EXPECT_NEAR(model.area(), 0.01, 1e-12);
+  messages.takeWarnings("'A' and 'A_2' have 0.01 square meters in common");
 }
 
 TEST_F(VRMLPlacement, LosesNothingFarFromTheOrigin)
