@@ -39,7 +39,7 @@ rooms=(Support Grid
   Domain
   Octree/Tree Octree/Sizing
   Dual/Mesh Dual/Grid Dual/Leaf Dual/Zones Dual/Displacement Dual/Vertices
-  Layer
+  Layer Audit
   Quality/Faces Quality/Checks Quality/Unions
   Optimize/Kernel Optimize/Constraints Optimize/AnyMesh
   Mesher/Improvement Mesher/Blocks Mesher/Shares Mesher)

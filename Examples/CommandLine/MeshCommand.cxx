@@ -69,6 +69,7 @@ Json makeReport(vtkAtriaDualMesher* mesher, vtkAtriaMeshQuality* quality, const 
   report["repair"] = repairOf(diagnostics);
   report["hidden_detail"] = hiddenDetailOf(diagnostics);
   report["layers"] = layersOf(diagnostics);
+  report["audit"] = auditOf(diagnostics);
   report["diagnostics"] = diagnosticsOf(diagnostics);
   return report;
 }

@@ -312,6 +312,45 @@ Json layersOf(vtkPolyData* diagnostics)
   return list;
 }
 
+Json auditOf(vtkPolyData* diagnostics)
+{
+  vtkFieldData* fields = diagnostics->GetFieldData();
+  vtkStringArray* names = stringsOf(diagnostics, "AuditSurface");
+  Json surfaces = Json::array();
+  for (vtkIdType i = 0; names && i < names->GetNumberOfValues(); ++i)
+  {
+    const auto number = [&](const std::string& name) {
+      return fields->GetArray(("Audit" + name).c_str())->GetTuple1(i);
+    };
+    const auto distance = [&](const std::string& name) {
+      return Json{{"distance", number(name + "Distance")},
+                  {"in_elements", number(name + "DistanceInElements")},
+                  {"place", tupleOf(fields->GetArray(("Audit" + name + "Place").c_str()), i)}};
+    };
+    surfaces.push_back({{"surface", names->GetValue(i)},
+                        {"drawn_area", number("DrawnArea")},
+                        {"mesh_area", number("MeshArea")},
+                        {"under_ground", number("UnderGround")},
+                        {"in_solid", number("InSolid")},
+                        {"in_room", number("InRoom")},
+                        {"shared", number("Shared")},
+                        {"left_out", number("LeftOut")},
+                        {"lost", number("Lost")},
+                        {"mean_size", number("MeanSize")},
+                        {"largest_size", number("LargestSize")},
+                        {"requested_size", number("RequestedSize")},
+                        {"faces_from_model", distance("Faces")},
+                        {"model_from_faces", distance("Model")}});
+  }
+  Json volumes = Json::object();
+  vtkStringArray* kinds = stringsOf(diagnostics, "AuditVolumeName");
+  for (vtkIdType i = 0; kinds && i < kinds->GetNumberOfValues(); ++i)
+  {
+    volumes[kinds->GetValue(i)] = fields->GetArray("AuditVolume")->GetTuple1(i);
+  }
+  return {{"surfaces", surfaces}, {"volumes", volumes}};
+}
+
 void printLayers(vtkPolyData* diagnostics)
 {
   const Json list = layersOf(diagnostics);

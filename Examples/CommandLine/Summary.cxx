@@ -156,6 +156,57 @@ std::string hiddenText(const Json& hidden)
                               " in clusters, of surfaces " + std::to_string(hidden.size());
 }
 
+std::string areasText(const Json& surfaces)
+{
+  constexpr std::array words{std::pair{"in_solid", "inside solids"},  std::pair{"under_ground", "under the ground"},
+                             std::pair{"in_room", "in closed rooms"}, std::pair{"shared", "shared"},
+                             std::pair{"left_out", "in small parts"}, std::pair{"lost", "too fine"}};
+  const auto sum = [&](const char* what) {
+    double all = 0.0;
+    for (const Json& surface : surfaces)
+    {
+      all += surface[what].get<double>();
+    }
+    return all;
+  };
+  const double drawn = sum("drawn_area");
+  std::string text = number(sum("mesh_area"), 5) + " m² in the mesh, " + number(drawn, 5) + " m² drawn";
+  for (const auto& [what, word] : words)
+  {
+    const double area = sum(what);
+    text += area > 1e-3 * drawn ? ", " + number(area) + " m² " + word : "";
+  }
+  return text;
+}
+
+std::string volumesText(const Json& volumes)
+{
+  const auto volume = [&](const char* name) { return number(volumes[name].get<double>(), 5) + " m³"; };
+  return volume("Air") + " of air in " + volume("Domain") + "; displaced " + volume("Displaced") + ", by the model " +
+         volume("DisplacedByModel");
+}
+
+/// The surface that is farthest from its faces, or these from it, in elements.
+std::string distanceText(const Json& surfaces)
+{
+  double most = 0.0;
+  std::string text = "none";
+  for (const Json& surface : surfaces)
+  {
+    for (const char* which : {"faces_from_model", "model_from_faces"})
+    {
+      const Json& place = surface[which];
+      if (const auto inElements = place["in_elements"].get<double>(); inElements > most && inElements >= 1e-3)
+      {
+        most = inElements;
+        text = number(place["distance"].get<double>()) + " m at most, " + number(inElements, 2) + " elements, " +
+               surface["surface"].get<std::string>();
+      }
+    }
+  }
+  return text;
+}
+
 std::string timeText(const Json& seconds)
 {
   std::string text = number(seconds["Total"].get<double>()) + " s";
@@ -210,6 +261,10 @@ std::string summaryOf(const Json& report, const std::vector<std::string>& files)
       line(out, kind, namesText(report[kind]));
     }
   }
+  const Json& audit = report["audit"];
+  line(out, "areas", areasText(audit["surfaces"]));
+  line(out, "volumes", volumesText(audit["volumes"]));
+  line(out, "off the model", distanceText(audit["surfaces"]));
   line(out, "repaired", repairText(report["repair"]));
   line(out, "too fine", hiddenText(report["hidden_detail"]));
   line(out, "left out", leftOutText(report["zones"], report["diagnostics"]));

@@ -54,9 +54,20 @@ std::vector<char> keptOf(const Zones& zones, const ZoneOptions& options, const G
              : kept;
 }
 
+SeenModel seeModel(const CrossedGrid& crossed, const Zones& zones, const DualMeshResult& result,
+                   const MeshingContext& context)
+{
+  const auto& [grid, crossings] = crossed.displaced;
+  SeenModel seen;
+  seen.views = findModelViews(crossings, grid, zones, viewsOfZones(result.zones), context.model,
+                              {0, static_cast<Index>(grid.points().size())}, context);
+  seen.samples = sampleSurfaces(seen.views, {}, context);
+  return seen;
+}
+
 /// Zones, and from them elements and vertices.
-ClassifiedMesh fillMesh(DualMeshResult& result, CrossedGrid& grid, bool keepGrid, const ZoneOptions& options,
-                        StageClock& clock, const MeshingContext& context)
+ClassifiedMesh fillMesh(DualMeshResult& result, SeenModel& seen, CrossedGrid& grid, bool keepGrid,
+                        const ZoneOptions& options, StageClock& clock, const MeshingContext& context)
 {
   const auto& [places, crossings] = grid.displaced;
   context.progress.report(0.6, "Finding zones");
@@ -66,6 +77,8 @@ ClassifiedMesh fillMesh(DualMeshResult& result, CrossedGrid& grid, bool keepGrid
   inspectZones(grid, zones, elements, options, result, context);
   Labels labels = findLabels(places, crossings, zones, options, result, context);
   clock.lap("zones");
+  seen = seeModel(grid, zones, result, context);
+  clock.lap("audit");
   return makeElements(grid, keepGrid, zones, elements, std::move(labels), result.diagnostics, clock, context);
 }
 
@@ -158,7 +171,7 @@ void makePlain(DualStages& stages, bool keep, const DualMeshOptions& options, St
   }
   stages.plain = {};
   auto plain = std::make_unique<PlainDual>();
-  ClassifiedMesh mesh = fillMesh(plain->found, *stages.grid.result, keep, options, clock, context);
+  ClassifiedMesh mesh = fillMesh(plain->found, plain->seen, *stages.grid.result, keep, options, clock, context);
   if (!keep)
   {
     stages.grid = {};
@@ -194,6 +207,7 @@ void placeInModel(DualMeshResult& result, const Placement& placement, const RunC
     placeAll(leak.path, placement);
     leak.place = placement.toModel(leak.place);
   }
+  placeInModel(result.audit, placement);
 }
 
 DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, const DualMeshOptions& options,
@@ -213,6 +227,9 @@ DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, con
   takeImproved(growLayers(std::move(plain.mesh), options, context.part(0.55, 0.98)), result);
   orderZoneFaces(result.mesh);
   measureRooms(result.mesh, model, octree.frame().domain, {}, result.rooms);
+  clock.lap("layers");
+  result.audit = auditMesh(result.mesh, plain.seen, {}, context);
+  clock.lap("audit");
   context.progress.report(0.98, "Placing the mesh in the model");
   placeInModel(result, octree.frame().placement, context);
   result.metSides = findMetSides(result.mesh, model.names.size());

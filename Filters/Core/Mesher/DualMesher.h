@@ -2,6 +2,7 @@
 /// From octree and model to mesh.
 #pragma once
 
+#include "Audit/MeshAudit.h"
 #include "Dual/Mesh/MetSides.h"
 #include "Dual/Zones/Leaks.h"
 #include "Mesher/KeptStage.h"
@@ -46,6 +47,8 @@ struct DualMeshResult
   LayerReport layers = {};
   /// Empty where no surface is a face zone. `rooms` of the mesh are indices into its rooms.
   RoomReport rooms = {};
+  /// Without what was drawn, until it is completed: see Mesher/AuditReport.h.
+  MeshAudit audit = {};
 };
 
 /// The dual before walls are improved and have layers, and what was found on the way.
@@ -54,6 +57,7 @@ struct PlainDual
   /// Without a mesh.
   DualMeshResult found;
   ClassifiedMesh mesh;
+  SeenModel seen;
 };
 
 /// What runs leave for later ones on the same octree and model, where they are.

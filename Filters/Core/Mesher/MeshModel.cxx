@@ -4,6 +4,7 @@
 #include "Domain/DomainCheck.h"
 #include "Dual/Zones/CellZones.h"
 #include "Layer/LayerBudget.h"
+#include "Mesher/AuditReport.h"
 #include "Mesher/LostModel.h"
 #include "Mesher/OverlapWarnings.h"
 #include "Mesher/StageOptions.h"
@@ -127,10 +128,12 @@ MeshedModel mesh(const TriangleSurface& surface, const OctreeSets* octants, cons
   static_cast<DualMeshResult&>(out) =
       makeDualMesh(octree, model, dual, clock, context.part(octreeShare, 1.0), kept ? &cache.stages().dual : nullptr);
   out.inputWarnings = inputWarnings;
+  completeAudit(surface, model, octree.frame(), options, out.audit);
   for (const std::vector<std::string>& warnings :
        {warningsOfEmptyCellZones(metCellZones(out.mesh.cellZones, model), model),
         warningsOfOverlaps(model, octree.frame().sizeOf(octree.frame().featureLevel)),
-        warningsOfLostModel(surface, options, octree.frame(), out.metSides)})
+        warningsOfLostModel(surface, options, octree.frame(), out.metSides),
+        warningsOf(out.audit, model.names, octree.frame())})
   {
     out.inputWarnings.insert(out.inputWarnings.end(), warnings.begin(), warnings.end());
   }
@@ -139,6 +142,7 @@ MeshedModel mesh(const TriangleSurface& surface, const OctreeSets* octants, cons
   out.kinds = model.kinds;
   out.repair = model.repair;
   out.maximumLevel = octree.maximumLevel();
+  clock.lap("audit");
   out.stages = clock.stages();
   return out;
 }

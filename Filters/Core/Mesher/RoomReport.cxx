@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Mesher/RoomReport.h"
 
-#include "Support/ExactSum.h"
+#include "Dual/Mesh/FaceFlux.h"
 #include "Support/Sorting.h"
-
-#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <array>
@@ -16,32 +14,6 @@
 namespace atria {
 
 namespace {
-
-/// Of a face: its area vector, and a third of its points' product with it, integrated: volumes are sums of these.
-struct Flux
-{
-  Vec3 area = Vec3::Zero();
-  double volume = 0.0;
-};
-
-Flux fluxOf(const DualMesh& mesh, Index element, int direction, const Vec3& origin)
-{
-  const ReducedFace face = faceOf(mesh.corners[element], direction);
-  const auto at = [&](int i) { return Vec3(mesh.points[face.points[i % face.count]] - origin); };
-  Vec3 middle = Vec3::Zero();
-  for (int i = 0; i < face.count; ++i)
-  {
-    middle += at(i) / face.count;
-  }
-  Flux flux;
-  for (int i = 0; i < face.count; ++i)
-  {
-    const Vec3 area = 0.5 * (at(i) - middle).cross(at(i + 1) - middle);
-    flux.area += area;
-    flux.volume += area.dot(middle + at(i) + at(i + 1)) / 9.0;
-  }
-  return flux;
-}
 
 /// What is summed up, and of what.
 enum class Measure : std::int32_t
@@ -57,7 +29,7 @@ using MeasureKey = std::array<std::int32_t, 4>;
 class Measurer
 {
 public:
-  Measurer(const DualMesh& m, const SurfaceModel& s, const Box3& domain, const RoomShare& whose)
+  Measurer(const DualMesh& m, const SurfaceModel& s, const Box3& domain, const MeshShare& whose)
       : mesh(m), model(s), share(whose), origin(domain.center()), areas(std::pow(domain.size().maxCoeff(), 2)),
         volumes(std::pow(domain.size().maxCoeff(), 3))
   {
@@ -90,8 +62,6 @@ private:
     return {static_cast<std::int32_t>(what), a, b, c};
   }
 
-  bool isCounted(Index element) const { return !share.isCounted || share.isCounted(element); }
-
   void measureElements()
   {
     for (Index e = 0; e < mesh.elementCount(); ++e)
@@ -99,7 +69,7 @@ private:
       for (int direction = 0; direction < 6 && mesh.rooms[e] >= 0; ++direction)
       {
         const std::int32_t code = mesh.neighbors[e][direction];
-        if ((DualMesh::isBoundary(code) || (code >= 0 && mesh.rooms[code] != mesh.rooms[e])) && isCounted(e))
+        if ((DualMesh::isBoundary(code) || (code >= 0 && mesh.rooms[code] != mesh.rooms[e])) && share.counts(e))
         {
           add(mesh.rooms[e], fluxOf(mesh, e, direction, origin), code);
         }
@@ -108,7 +78,7 @@ private:
   }
 
   /// Adds a face at the border of a room.
-  void add(std::int32_t room, const Flux& flux, std::int32_t code)
+  void add(std::int32_t room, const FaceFlux& flux, std::int32_t code)
   {
     sums[keyOf(Measure::volume, room)].add(flux.volume, volumes);
     if (!DualMesh::isBoundary(code))
@@ -132,7 +102,7 @@ private:
   {
     for (const ZoneFace& face : mesh.zoneFaces)
     {
-      if (model.kinds[face.tag] != SurfaceKind::faceZone || !isCounted(face.element))
+      if (model.kinds[face.tag] != SurfaceKind::faceZone || !share.counts(face.element))
       {
         continue;
       }
@@ -173,7 +143,7 @@ private:
 
   const DualMesh& mesh;
   const SurfaceModel& model;
-  const RoomShare& share;
+  const MeshShare& share;
   Vec3 origin;
   SumUnits areas;
   SumUnits volumes;
@@ -300,7 +270,7 @@ RoomReport reportOf(const Rooms& rooms, const SurfaceModel& model)
   return report;
 }
 
-void measureRooms(const DualMesh& mesh, const SurfaceModel& model, const Box3& domain, const RoomShare& share,
+void measureRooms(const DualMesh& mesh, const SurfaceModel& model, const Box3& domain, const MeshShare& share,
                   RoomReport& report)
 {
   if (!hasRooms(model))

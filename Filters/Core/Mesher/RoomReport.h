@@ -2,11 +2,9 @@
 /// Rooms and openings as the mesh has them.
 #pragma once
 
+#include "Dual/Mesh/MeshShare.h"
 #include "Dual/Zones/Rooms.h"
-#include "Support/RankExchange.h"
 #include "Surface/Model/SurfaceModel.h"
-
-#include <functional>
 
 namespace atria {
 
@@ -46,17 +44,9 @@ struct RoomReport
 /// With rooms that are neither measured nor named.
 RoomReport reportOf(const Rooms& rooms, const SurfaceModel& model);
 
-/// What a rank counts of a mesh that several have; one process counts all.
-struct RoomShare
-{
-  std::function<bool(Index element)> isCounted;
-  /// All ranks measure at the same time then.
-  RankExchange* exchange = nullptr;
-};
-
 /// Measures and names the rooms that the elements of a mesh are in, and their openings, of which the report knows the
 /// number of rooms alone. `domain` is about the mesh. All ranks get the same, whatever part of it each has.
-void measureRooms(const DualMesh& mesh, const SurfaceModel& model, const Box3& domain, const RoomShare& share,
+void measureRooms(const DualMesh& mesh, const SurfaceModel& model, const Box3& domain, const MeshShare& share,
                   RoomReport& report);
 
 } // namespace atria

@@ -69,8 +69,9 @@ public:
     const SharedLayers layers(window, below, layer);
     leaveOutWhatFails(layers, improved);
     orderZoneFaces(improved.mesh);
-    measure(layers, improved, out.found.rooms);
     clock.lap("layers");
+    measure(layers, improved, out.found);
+    clock.lap("audit");
     if (improved.mesh.zoneFaces.empty())
     {
       release(improved.mesh.neighbors);
@@ -114,6 +115,8 @@ private:
     report.addCracks(*grid, zones, kept, *points, context);
     std::vector<Index> elements = numberElements(zones, kept, context);
     clock.lap("zones");
+    seen = seeModel(grid->displaced, zones, found.zones, *points);
+    clock.lap("audit");
     release(grid->points.atCorner); // only crossings and zones ask for these
     std::vector<Diagnostic> diagnostics;
     ClassifiedMesh plain =
@@ -129,6 +132,17 @@ private:
                                      context.model, octree, context);
     clock.lap("elements");
     return window;
+  }
+
+  SeenModel seeModel(const DisplacedGrid& displaced, const Zones& zones, const std::vector<ZoneSummary>& summaries,
+                     const SharedPoints& points) const
+  {
+    SeenModel out;
+    out.views = findModelViews(displaced.crossings, displaced.places, zones, viewsOfZones(summaries), context.model,
+                               {points.firstOwn(), points.endOwn(), &share.exchange()}, context);
+    const auto isOwnLeaf = [&](Index leaf) { return share.isOwn(context.octree.finestKey(leaf)); };
+    out.samples = sampleSurfaces(out.views, isOwnLeaf, context);
+    return out;
   }
 
   LayerMesh grow(ClassifiedMesh& plain, const SharedWindow& window, ImprovedMesh& improved)
@@ -179,8 +193,8 @@ private:
     }
   }
 
-  /// Rooms, by own elements, which are not placed in the model yet.
-  void measure(const SharedLayers& layers, const ImprovedMesh& improved, RoomReport& rooms) const
+  /// Rooms and audit, by own elements, which are not placed in the model yet.
+  void measure(const SharedLayers& layers, const ImprovedMesh& improved, DualMeshResult& found) const
   {
     std::vector<Index> before;
     for (Index e = 0; e < improved.numbers.size(); ++e)
@@ -191,7 +205,9 @@ private:
       }
     }
     const auto isOwn = [&](Index e) { return layers.isOwn(before.empty() ? e : before[e]); };
-    measureRooms(improved.mesh, context.model, context.octree.frame().domain, {isOwn, &share.exchange()}, rooms);
+    const MeshShare own{isOwn, &share.exchange()};
+    measureRooms(improved.mesh, context.model, context.octree.frame().domain, own, found.rooms);
+    found.audit = auditMesh(improved.mesh, seen, own, context);
   }
 
   /// Own elements have no faces where the window was cut; tags of sides were one higher.
@@ -246,6 +262,7 @@ private:
   const RankShare& share;
   StageClock& clock;
   Index surfaceCount;
+  SeenModel seen;
   LayerOptions layerOptions;
   std::vector<Index> failingElements;
   SharedReport report;

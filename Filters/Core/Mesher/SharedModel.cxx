@@ -3,6 +3,7 @@
 
 #include "Dual/Zones/CellZones.h"
 #include "Layer/LayerBudget.h"
+#include "Mesher/AuditReport.h"
 #include "Mesher/LostModel.h"
 #include "Mesher/OverlapWarnings.h"
 #include "Mesher/SharedMesher.h"
@@ -141,10 +142,12 @@ std::optional<SharedModel> meshSharedModel(const TriangleSurface& surface, const
   static_cast<DualMeshResult&>(meshed) = std::move(made->found);
   out->piece = std::move(made->piece);
   meshed.metSides = metOnRanks(out->piece, model.names.size(), exchange);
+  completeAudit(surface, model, placed.frame, options, meshed.audit);
   for (const std::vector<std::string>& warnings :
        {warningsOfEmptyCellZones(cellZonesOnRanks(out->piece, model, exchange), model),
         warningsOfOverlaps(model, placed.frame.sizeOf(placed.frame.featureLevel)),
-        warningsOfLostModel(surface, options, placed.frame, meshed.metSides)})
+        warningsOfLostModel(surface, options, placed.frame, meshed.metSides),
+        warningsOf(meshed.audit, model.names, placed.frame)})
   {
     meshed.inputWarnings.insert(meshed.inputWarnings.end(), warnings.begin(), warnings.end());
   }
@@ -153,6 +156,7 @@ std::optional<SharedModel> meshSharedModel(const TriangleSurface& surface, const
   meshed.kinds = model.kinds;
   meshed.repair = model.repair;
   meshed.maximumLevel = finestLevel(sized.refined);
+  clock.lap("audit");
   meshed.stages = clock.stages();
   return out;
 }

@@ -12,12 +12,21 @@ namespace atria {
 class StageClock
 {
 public:
-  /// Ends a stage that began at the last call, or when the clock was made.
-  void lap(std::string stage)
+  /// Ends a stage that began at the last call, or when the clock was made. A stage that ended before goes on.
+  void lap(const std::string& stage)
   {
     const auto now = std::chrono::steady_clock::now();
-    stages_.emplace_back(std::move(stage), std::chrono::duration<double>(now - last).count());
+    const double seconds = std::chrono::duration<double>(now - last).count();
     last = now;
+    for (auto& [name, sum] : stages_)
+    {
+      if (name == stage)
+      {
+        sum += seconds;
+        return;
+      }
+    }
+    stages_.emplace_back(stage, seconds);
   }
   const std::vector<std::pair<std::string, double>>& stages() const { return stages_; }
 

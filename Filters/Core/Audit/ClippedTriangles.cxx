@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Audit/ClippedTriangles.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+
+namespace atria {
+
+ConvexRegion::ConvexRegion(const Box3& box) : bounds_(box)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    planes_.push_back({-Vec3::Unit(axis), -box.min[axis]});
+    planes_.push_back({Vec3::Unit(axis), box.max[axis]});
+  }
+}
+
+ConvexRegion::ConvexRegion(const PlacedPrism& prism)
+{
+  planes_.push_back({-Vec3::UnitZ(), -prism.bounds.min[2]});
+  planes_.push_back({Vec3::UnitZ(), prism.bounds.max[2]});
+  for (const PrismSide& side : prism.sides())
+  {
+    planes_.push_back({{side.normal[0], side.normal[1], 0.0}, side.offset});
+  }
+  bounds_ = prism.isBox() ? prism.bounds : Box3{};
+}
+
+ConvexRegion::Part ConvexRegion::within(const Vec3& a, const Vec3& b, const Vec3& c, double level) const
+{
+  std::vector<Vec3> polygon{a, b, c};
+  const auto isInside = [&](const Vec3& p) {
+    return (p.array() >= bounds_.min.array()).all() && (p.array() <= bounds_.max.array()).all();
+  };
+  if (!std::ranges::all_of(polygon, isInside))
+  {
+    std::vector<Vec3> kept;
+    for (const Plane& plane : planes_)
+    {
+      kept.clear();
+      for (std::size_t i = 0; i < polygon.size(); ++i)
+      {
+        const Vec3& p = polygon[i];
+        const Vec3& q = polygon[(i + 1) % polygon.size()];
+        const double here = plane.beyond(p);
+        const double there = plane.beyond(q);
+        if (here <= 0.0)
+        {
+          kept.push_back(p);
+        }
+        if ((here < 0.0 && there > 0.0) || (here > 0.0 && there < 0.0))
+        {
+          kept.push_back(p + here / (here - there) * (q - p));
+        }
+      }
+      polygon.swap(kept);
+    }
+  }
+  Part part;
+  for (std::size_t i = 2; i < polygon.size(); ++i)
+  {
+    const double area = 0.5 * (polygon[i - 1] - polygon[0]).cross(polygon[i] - polygon[0]).norm();
+    part.area += area;
+    part.heightTimesArea += area * ((polygon[0][2] + polygon[i - 1][2] + polygon[i][2]) / 3.0 - level);
+  }
+  return part;
+}
+
+std::vector<double> areasWithin(const TriangleSurface& surface, const PlacedPrism& domain)
+{
+  const ConvexRegion region(domain);
+  std::vector<double> areas(surface.names.size(), 0.0);
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    const auto at = [&](int i) { return domain.axes.fromModel(surface.points[surface.triangles[t][i]]); };
+    if (surface.surfaceIds[t] < areas.size())
+    {
+      areas[surface.surfaceIds[t]] += region.within(at(0), at(1), at(2), 0.0).area;
+    }
+  }
+  return areas;
+}
+
+} // namespace atria

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Measures the part of triangles that lies in a domain.
+#pragma once
+
+#include "Grid/Prism.h"
+#include "Surface/Triangles/TriangleSurface.h"
+
+namespace atria {
+
+/// A convex region between planes.
+class ConvexRegion
+{
+public:
+  explicit ConvexRegion(const Box3& box);
+  /// Along the prism's axes.
+  explicit ConvexRegion(const PlacedPrism& prism);
+
+  /// Of the part of a triangle within the region: its area, and the integral over it of the height above `level`. Both
+  /// are 0 where nothing of it lies within.
+  struct Part
+  {
+    double area = 0.0;
+    double heightTimesArea = 0.0;
+  };
+  Part within(const Vec3& a, const Vec3& b, const Vec3& c, double level) const;
+
+private:
+  struct Plane
+  {
+    Vec3 normal; ///< outwards, a unit vector
+    double offset;
+    double beyond(const Vec3& p) const { return normal.dot(p) - offset; }
+  };
+  Box3 bounds_; ///< what lies in this box lies in the region; empty if that is not known
+  std::vector<Plane> planes_;
+};
+
+/// Returns the area of each surface within a domain, in square model units. Faces that are there twice count twice.
+std::vector<double> areasWithin(const TriangleSurface& surface, const PlacedPrism& domain);
+
+} // namespace atria

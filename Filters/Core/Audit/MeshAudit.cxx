@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Audit/MeshAudit.h"
+
+#include "Audit/ClippedTriangles.h"
+#include "Dual/Mesh/FaceFlux.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace atria {
+
+namespace {
+
+/// Sums of a surface over all ranks.
+enum SurfaceSum : std::uint8_t
+{
+  wetArea,       ///< of faces on either side
+  zoneArea,      ///< of faces within the mesh
+  sizeTimesArea, ///< of elements at these
+  surfaceSums
+};
+
+/// What the model says of one surface.
+struct ModelAreas
+{
+  /// What sees air on one side, and on both.
+  double oneSide = 0.0;
+  double bothSides = 0.0;
+  /// By View, what sees no air.
+  std::array<double, viewCount> hidden{};
+};
+
+class Auditor
+{
+public:
+  Auditor(const DualMesh& m, const std::vector<TriangleViews>& v, const MeshShare& s, const MeshingContext& c)
+      : mesh(m), views(v), share(s), context(c), frame(c.octree.frame()), count(c.model.names.size()),
+        areas(std::pow(frame.domain.size().maxCoeff(), 2)), volumes(std::pow(frame.domain.size().maxCoeff(), 3))
+  {
+  }
+
+  MeshAudit run(const std::vector<SurfaceSample>& samples)
+  {
+    out.surfaces.resize(count);
+    measureFaces();
+    measureModel();
+    const std::vector<SurfaceDistances> distances = measureDistances(mesh, samples, share, context);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      out.surfaces[i].distances = distances[i];
+    }
+    return std::move(out);
+  }
+
+private:
+  void measureFaces()
+  {
+    std::vector<ExactSum> sums(count * surfaceSums + 1);
+    std::vector<std::uint8_t> coarsest(count, std::numeric_limits<std::uint8_t>::max());
+    const Vec3 origin = frame.domain.center();
+    const auto add = [&](const auto& face, const FaceFlux& flux, SurfaceSum what) {
+      const double area = flux.area.norm();
+      const std::uint8_t level = mesh.levels[face.element];
+      sums[face.tag * surfaceSums + what].add(area, areas);
+      sums[face.tag * surfaceSums + sizeTimesArea].add(area * frame.sizeOf(level), areas);
+      coarsest[face.tag] = std::min(coarsest[face.tag], level);
+    };
+    for (const BoundaryFace& face : mesh.boundaryFaces)
+    {
+      if (share.counts(face.element))
+      {
+        const FaceFlux flux = fluxOf(mesh, face.element, face.direction, origin);
+        sums.back().add(flux.volume, volumes);
+        if (face.tag < count)
+        {
+          add(face, flux, wetArea);
+        }
+      }
+    }
+    for (const ZoneFace& face : mesh.zoneFaces)
+    {
+      if (share.counts(face.element))
+      {
+        add(face, fluxOf(mesh, face.element, face.direction, origin), zoneArea);
+      }
+    }
+    takeSums(sumOverRanks(share, std::move(sums)), coarsest);
+  }
+
+  void takeSums(const std::vector<ExactSum>& sums, std::vector<std::uint8_t> coarsest)
+  {
+    if (share.exchange)
+    {
+      for (const std::vector<std::uint8_t>& some : gatherAll(*share.exchange, coarsest))
+      {
+        std::ranges::transform(some, coarsest, coarsest.begin(), [](auto l, auto r) { return std::min(l, r); });
+      }
+    }
+    out.volumes.air = sums.back().value();
+    wet.resize(count);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      SurfaceAudit& surface = out.surfaces[i];
+      wet[i] = sums[i * surfaceSums + wetArea].value();
+      surface.meshArea = sums[i * surfaceSums + zoneArea].value();
+      if (const double all = wet[i] + surface.meshArea; all > 0.0)
+      {
+        surface.meanSize = sums[i * surfaceSums + sizeTimesArea].value() / all;
+        surface.largestSize = frame.sizeOf(coarsest[i]);
+      }
+    }
+  }
+
+  /// Areas by what sees them; the mesh's area with both sides counted once; the volume enclosed.
+  void measureModel()
+  {
+    const SurfaceModel& model = context.model;
+    const ConvexRegion region(frame.domain);
+    const double bottom = frame.domain.min[2];
+    const Vec3 size = frame.domain.size();
+    std::vector<ModelAreas> ofSurface(count);
+    for (Index t = 0; t < model.triangles.size(); ++t)
+    {
+      const auto at = [&](int i) { return frame.toModel(model.corner(t, i)); };
+      const ConvexRegion::Part part = region.within(at(0), at(1), at(2), bottom);
+      if (part.area > 0.0)
+      {
+        addVolume(t, part);
+        if (!model.isTurnedSide(t))
+        {
+          addArea(t, part.area, ofSurface[model.surfaceIds[t]]);
+        }
+      }
+    }
+    const auto& turned = frame.turnedDomain;
+    out.volumes.domain = turned ? turned->volume() : size.prod();
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      takeAreas(ofSurface[i], wet[i], out.surfaces[i]);
+    }
+  }
+
+  void addArea(Index triangle, double area, ModelAreas& of) const
+  {
+    const auto [front, back] = views[triangle];
+    if (front == View::air && back == View::air)
+    {
+      of.bothSides += area;
+    }
+    else if (front == View::air || back == View::air)
+    {
+      of.oneSide += area;
+    }
+    else
+    {
+      // What is in a room on one side and in a solid on the other is in the room.
+      of.hidden[static_cast<std::size_t>(std::max(front, back))] += area;
+    }
+  }
+
+  static void takeAreas(const ModelAreas& of, double wet, SurfaceAudit& surface)
+  {
+    const double airArea = of.oneSide + of.bothSides;
+    const double wetArea = of.oneSide + 2.0 * of.bothSides;
+    surface.meshArea += wetArea > 0.0 ? wet * airArea / wetArea : wet;
+    const auto hidden = [&](View view) { return of.hidden[static_cast<std::size_t>(view)]; };
+    surface.underGround = hidden(View::ground);
+    surface.inSolid = hidden(View::solid);
+    surface.inRoom = hidden(View::room);
+  }
+
+  /// Heights above the bottom integrate to the volume: sides add nothing, and the bottom has none.
+  void addVolume(Index triangle, const ConvexRegion::Part& part)
+  {
+    const auto [front, back] = views[triangle];
+    const Vec3 normal = context.model.normal(triangle);
+    if ((front == View::air) != (back == View::air) && !context.model.isPermeable(triangle))
+    {
+      const double up = normal[2] / normal.norm();
+      out.volumes.displacedByModel += (front == View::air ? up : -up) * part.heightTimesArea;
+    }
+  }
+
+  const DualMesh& mesh;
+  const std::vector<TriangleViews>& views;
+  const MeshShare& share;
+  const MeshingContext& context;
+  const GridFrame& frame;
+  std::size_t count;
+  SumUnits areas;
+  SumUnits volumes;
+  std::vector<double> wet;
+  MeshAudit out;
+};
+
+} // namespace
+
+double SurfaceAudit::coverage() const
+{
+  const double wanted = drawnArea - underGround - inSolid - inRoom - shared;
+  return wanted > 0.0 ? std::min(1.0, meshArea / wanted) : 1.0;
+}
+
+MeshAudit auditMesh(const DualMesh& mesh, const SeenModel& seen, const MeshShare& share, const MeshingContext& context)
+{
+  return Auditor(mesh, seen.views, share, context).run(seen.samples);
+}
+
+void finishAudit(const TriangleSurface& drawn, const PlacedPrism& domain, const SurfaceRepairReport& repair,
+                 MeshAudit& audit)
+{
+  const std::vector<double> areas = areasWithin(drawn, domain);
+  std::vector<Box3> bounds(areas.size());
+  for (std::size_t t = 0; t < drawn.triangles.size(); ++t)
+  {
+    for (const Index p : drawn.triangles[t])
+    {
+      bounds[drawn.surfaceIds[t]].extend(drawn.points[p]);
+    }
+  }
+  for (const HiddenDetail& detail : repair.hidden)
+  {
+    audit.surfaces[detail.surface].leftOut = detail.leftOutArea;
+  }
+  for (const SharedArea& shared : repair.shared)
+  {
+    audit.surfaces[shared.gives].shared += shared.area;
+  }
+  for (std::size_t i = 0; i < audit.surfaces.size(); ++i)
+  {
+    SurfaceAudit& surface = audit.surfaces[i];
+    // Openings that were found by rule are not drawn.
+    surface.drawnArea = i < areas.size() ? areas[i] : surface.meshArea;
+    surface.extent = i < areas.size() && !bounds[i].empty() ? bounds[i].size().norm() : 0.0;
+    surface.lost = std::max(0.0, surface.drawnArea - surface.meshArea - surface.underGround - surface.inSolid -
+                                     surface.inRoom - surface.shared - surface.leftOut);
+  }
+}
+
+void placeInModel(MeshAudit& audit, const Placement& placement)
+{
+  for (SurfaceAudit& surface : audit.surfaces)
+  {
+    for (FarthestPlace* place : {&surface.distances.ofFaces, &surface.distances.ofSurface})
+    {
+      place->at = placement.toModel(place->at);
+    }
+  }
+}
+
+} // namespace atria

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Audit/MeshDistances.h"
+
+#include "Support/Pieces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+namespace atria {
+
+namespace {
+
+/// Of the elements there: what a surface is nearer to its faces counts as on them.
+constexpr double nearRatio = 0.1;
+
+/// How far away the nearest place is looked for first, in elements there.
+constexpr double firstReach = 4.0;
+
+struct Measured
+{
+  Vec3 at = Vec3::Zero();
+  double distance = 0.0;
+  float size = 1.0F;
+  Index surface = noIndex;
+};
+
+bool isFarther(const FarthestPlace& l, const FarthestPlace& r)
+{
+  return std::tuple(l.inElements, l.distance, l.at[0], l.at[1], l.at[2]) >
+         std::tuple(r.inElements, r.distance, r.at[0], r.at[1], r.at[2]);
+}
+
+void take(const FarthestPlace& place, FarthestPlace& farthest)
+{
+  farthest = isFarther(place, farthest) ? place : farthest;
+}
+
+FarthestPlace placeOf(const Measured& measured)
+{
+  return {measured.distance, measured.distance / static_cast<double>(measured.size), measured.at};
+}
+
+/// The nearest place on one surface, in model units; infinite where the tree has nothing of it.
+double distanceTo(const TriangleTree& tree, const SurfaceModel& of, Index surface, const Vec3& at, double size,
+                  const GridFrame& frame)
+{
+  const TriangleTree::AnyPlaceOn onSurface([&](Index t) { return of.surfaceIds[t] == surface; });
+  const double unit = frame.latticeUnit();
+  const Vec3 p = (at - frame.origin) / unit;
+  auto found = tree.nearest(p, firstReach * size / unit, onSurface);
+  if (!found)
+  {
+    found = tree.nearest(p, std::numeric_limits<double>::infinity(), onSurface);
+  }
+  return found ? unit * std::sqrt(found->squaredDistance) : std::numeric_limits<double>::infinity();
+}
+
+/// Faces of own elements on surfaces, those within the mesh among them.
+struct OwnFaces
+{
+  OwnFaces(const DualMesh& mesh, std::size_t surfaceCount, const MeshShare& share)
+  {
+    const auto add = [&](const auto& face) {
+      if (face.tag < surfaceCount && share.counts(face.element))
+      {
+        elements.push_back(face.element);
+        directions.push_back(face.direction);
+        tags.push_back(face.tag);
+      }
+    };
+    std::ranges::for_each(mesh.boundaryFaces, add);
+    std::ranges::for_each(mesh.zoneFaces, add);
+  }
+
+  std::vector<Index> elements;
+  std::vector<std::uint8_t> directions;
+  std::vector<Index> tags;
+};
+
+class DistanceFinder
+{
+public:
+  DistanceFinder(const DualMesh& m, const MeshShare& s, const MeshingContext& c)
+      : mesh(m), share(s), context(c), frame(c.octree.frame()), faces(m, c.model.names.size(), s),
+        out(c.model.names.size())
+  {
+  }
+
+  std::vector<SurfaceDistances> run(const std::vector<SurfaceSample>& samples)
+  {
+    measureFaces();
+    if (share.exchange)
+    {
+      joinFaces();
+    }
+    measureSamples(samples);
+    return std::move(out);
+  }
+
+private:
+  float sizeOf(std::size_t face) const { return static_cast<float>(frame.sizeOf(mesh.levels[faces.elements[face]])); }
+
+  /// The first face of each point measures it; others measure their middle alone.
+  void measureFaces()
+  {
+    std::vector<Index> firstFace(mesh.points.size(), noIndex);
+    for (std::size_t f = faces.elements.size(); f-- > 0;)
+    {
+      for (const Index p : faceOf(mesh.corners[faces.elements[f]], faces.directions[f]).loop())
+      {
+        firstFace[p] = static_cast<Index>(f);
+      }
+    }
+    std::vector<FarthestPlace> ofFace(faces.elements.size());
+    context.executor.forEach(ofFace.size(), 1024, [&](std::size_t f) {
+      const ReducedFace face = faceOf(mesh.corners[faces.elements[f]], faces.directions[f]);
+      Vec3 middle = Vec3::Zero();
+      for (const Index p : face.loop())
+      {
+        middle += mesh.points[p] / face.count;
+        if (firstFace[p] == f)
+        {
+          take(measure(mesh.points[p], f), ofFace[f]);
+        }
+      }
+      take(measure(middle, f), ofFace[f]);
+    });
+    for (std::size_t f = 0; f < ofFace.size(); ++f)
+    {
+      take(ofFace[f], out[faces.tags[f]].ofFaces);
+    }
+  }
+
+  FarthestPlace measure(const Vec3& at, std::size_t face) const
+  {
+    const float size = sizeOf(face);
+    const double distance =
+        distanceTo(context.tree.get(), context.model, faces.tags[face], at, static_cast<double>(size), frame);
+    // Parts of a surface that the repair put on another one are no place to measure from.
+    return std::isfinite(distance) ? placeOf({at, distance, size}) : FarthestPlace{};
+  }
+
+  void joinFaces()
+  {
+    for (const std::vector<SurfaceDistances>& some : gatherAll(*share.exchange, out))
+    {
+      for (std::size_t surface = 0; surface < out.size(); ++surface)
+      {
+        take(some[surface].ofFaces, out[surface].ofFaces);
+      }
+    }
+  }
+
+  /// The faces as a model, to be searched.
+  SurfaceModel surfaceOfFaces() const
+  {
+    SurfaceModel made;
+    std::vector<Index> numbers(mesh.points.size(), noIndex);
+    const auto numberOf = [&](Index p) {
+      if (numbers[p] == noIndex)
+      {
+        numbers[p] = static_cast<Index>(made.points.size());
+        made.points.push_back(frame.toLattice(mesh.points[p]));
+      }
+      return numbers[p];
+    };
+    for (std::size_t f = 0; f < faces.elements.size(); ++f)
+    {
+      const ReducedFace face = faceOf(mesh.corners[faces.elements[f]], faces.directions[f]);
+      for (int i = 2; i < face.count; ++i)
+      {
+        made.triangles.push_back({numberOf(face.points[0]), numberOf(face.points[i - 1]), numberOf(face.points[i])});
+        made.surfaceIds.push_back(faces.tags[f]);
+      }
+    }
+    return made;
+  }
+
+  void measureSamples(const std::vector<SurfaceSample>& samples)
+  {
+    const SurfaceModel ofFaces = surfaceOfFaces();
+    const TriangleTree tree(ofFaces);
+    std::vector<char> hasFaces(out.size(), 0);
+    std::ranges::for_each(faces.tags, [&](Index tag) { hasFaces[tag] = 1; });
+    std::vector<double> distances(samples.size());
+    const auto distanceOf = [&](const Vec3& at, Index surface, double size) {
+      return hasFaces[surface] ? distanceTo(tree, ofFaces, surface, at, size, frame)
+                               : std::numeric_limits<double>::infinity();
+    };
+    context.executor.forEach(samples.size(), 1024, [&](std::size_t i) {
+      distances[i] = distanceOf(samples[i].at, samples[i].surface, static_cast<double>(samples[i].size));
+    });
+    std::vector<Measured> far;
+    for (std::size_t i = 0; i < samples.size(); ++i)
+    {
+      const SurfaceSample& sample = samples[i];
+      if (distances[i] > nearRatio * static_cast<double>(sample.size))
+      {
+        far.push_back({sample.at, distances[i], sample.size, sample.surface});
+      }
+    }
+    if (share.exchange)
+    {
+      far = nearestOfRanks(far, distanceOf);
+    }
+    for (const Measured& one : far)
+    {
+      if (std::isfinite(one.distance) && one.distance > nearRatio * static_cast<double>(one.size))
+      {
+        take(placeOf(one), out[one.surface].ofSurface);
+      }
+    }
+  }
+
+  /// Faces of other ranks may be nearer.
+  template <typename DistanceOf>
+  std::vector<Measured> nearestOfRanks(const std::vector<Measured>& own, DistanceOf&& distanceOf) const
+  {
+    std::vector<Measured> all;
+    for (const std::vector<Measured>& some : gatherAll(*share.exchange, own))
+    {
+      all.insert(all.end(), some.begin(), some.end());
+    }
+    std::vector<double> here(all.size());
+    context.executor.forEach(all.size(), 256, [&](std::size_t i) {
+      here[i] = distanceOf(all[i].at, all[i].surface, static_cast<double>(all[i].size));
+    });
+    for (const std::vector<double>& some : gatherAll(*share.exchange, here))
+    {
+      for (std::size_t i = 0; i < all.size(); ++i)
+      {
+        all[i].distance = std::min(all[i].distance, some[i]);
+      }
+    }
+    return all;
+  }
+
+  const DualMesh& mesh;
+  const MeshShare& share;
+  const MeshingContext& context;
+  const GridFrame& frame;
+  OwnFaces faces;
+  std::vector<SurfaceDistances> out;
+};
+
+} // namespace
+
+std::vector<SurfaceDistances> measureDistances(const DualMesh& mesh, const std::vector<SurfaceSample>& samples,
+                                               const MeshShare& share, const MeshingContext& context)
+{
+  return DistanceFinder(mesh, share, context).run(samples);
+}
+
+} // namespace atria

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Dual/Zones/ModelViews.h"
+
+#include "Surface/Triangles/EachEdge.h"
+
+#include <algorithm>
+#include <atomic>
+
+namespace atria {
+
+namespace {
+
+/// How often the two sides of a piece were seen beside each view.
+using Votes = std::array<std::array<std::uint32_t, viewCount>, 2>;
+
+int sideIndex(SheetSide side) { return side == SheetSide::front ? 0 : 1; }
+
+/// Numbers of the pieces that triangles belong to.
+std::vector<Index> piecesOf(const SurfaceModel& model, Index& count, const Executor& executor)
+{
+  UnionFind sets(model.triangles.size());
+  const std::vector<SoupEdgeUse> uses = sortedEdgeUses(model.triangles, model.points.size(), executor);
+  eachEdge(uses, [&](std::span<const SoupEdgeUse> edge) {
+    if (edge.size() != 2)
+    {
+      return;
+    }
+    const Index a = edge[0].triangle;
+    const Index b = edge[1].triangle;
+    if (model.domainSides[a] == model.domainSides[b] && model.kindOf(a) == model.kindOf(b) &&
+        edge[0].forward != edge[1].forward)
+    {
+      sets.join(a, b);
+    }
+  });
+  std::vector<Index> pieces(model.triangles.size());
+  count = 0;
+  for (Index t = 0; t < pieces.size(); ++t)
+  {
+    const Index root = sets.find(t);
+    pieces[t] = root == t ? count++ : pieces[root];
+  }
+  return pieces;
+}
+
+class ViewFinder
+{
+public:
+  ViewFinder(const Crossings& c, const GridPlaces& g, const Zones& z, const std::vector<View>& o, const SurfaceModel& m,
+             const ViewShare& s, const RunContext& r)
+      : crossings(c), grid(g), zones(z), ofZone(o), model(m), share(s), context(r)
+  {
+  }
+
+  std::vector<TriangleViews> run()
+  {
+    Index count = 0;
+    pieceOf = piecesOf(model, count, context.executor);
+    views.assign(count, {View::nothing, View::nothing});
+    votes.resize(count);
+    voteOfSides();
+    eachOwnEdge([&](const CrossedEdge& edge) { voteOfEnds(edge); });
+    while (decide())
+    {
+      eachOwnEdge([&](const CrossedEdge& edge) { voteOfNeighbors(edge); });
+    }
+    std::vector<TriangleViews> out(pieceOf.size());
+    std::ranges::transform(pieceOf, out.begin(), [&](Index piece) { return views[piece]; });
+    return out;
+  }
+
+private:
+  View viewAt(Index point) const
+  {
+    const auto zone = static_cast<std::size_t>(zones.ofPoint[point]);
+    return zone < ofZone.size() ? ofZone[zone] : View::nothing;
+  }
+
+  bool isOwn(Index point) const { return point >= share.begin && point < share.end; }
+
+  template <typename Visit> void eachOwnEdge(Visit&& visit) const
+  {
+    context.executor.forEach(crossings.crossedEdges.size(), 2048, [&](std::size_t e) {
+      if (isOwn(crossings.crossedEdges[e].point))
+      {
+        visit(crossings.crossedEdges[e]);
+      }
+    });
+  }
+
+  void vote(Index triangle, SheetSide side, View view)
+  {
+    if (view != View::nothing)
+    {
+      std::uint32_t& count = votes[pieceOf[triangle]][sideIndex(side)][static_cast<std::size_t>(view)];
+      std::atomic_ref(count).fetch_add(1, std::memory_order_relaxed);
+    }
+  }
+
+  /// Triangles on sides of the domain are no obstacle: the faces they name tell.
+  void voteOfSides()
+  {
+    EdgeProbe probe(grid.octree(), model);
+    for (const BoundaryFace& face : crossings.boundaryFaces)
+    {
+      if (!face.onDomainSide || face.tag >= model.names.size() || !isOwn(face.element))
+      {
+        continue;
+      }
+      const GridPlaces::Edge edge = grid.edge(face.element, face.direction);
+      const EdgeSegment segment = grid.segment(face.element, face.direction, edge);
+      const Index triangle = probe.sideTriangle(edge.at.leaf, segment.end, face.direction);
+      if (triangle != noIndex)
+      {
+        const bool pointsUp = model.normal(triangle)[axisOf(face.direction)] > 0.0;
+        vote(triangle, pointsUp != isUpper(face.direction) ? SheetSide::front : SheetSide::back, viewAt(face.element));
+      }
+    }
+  }
+
+  void voteOfEnds(const CrossedEdge& edge)
+  {
+    const std::span<const SurfaceCrossing> cuts = crossings.of(edge);
+    const auto isWall = [&](const SurfaceCrossing& cut) { return !model.isPermeable(cut.triangle); };
+    const View start = viewAt(edge.point);
+    const auto first = std::ranges::find_if(cuts, isWall);
+    std::for_each(cuts.begin(), first, [&](const SurfaceCrossing& cut) { voteOfBoth(cut.triangle, start); });
+    if (first == cuts.end())
+    {
+      return;
+    }
+    vote(first->triangle, seenFromStart(*first), start);
+    if (edge.other == noIndex)
+    {
+      return;
+    }
+    const View end = viewAt(edge.other);
+    const auto last = std::find_if(cuts.rbegin(), cuts.rend(), isWall);
+    vote(last->triangle, seenFromEnd(*last), end);
+    std::for_each(cuts.rbegin(), last, [&](const SurfaceCrossing& cut) { voteOfBoth(cut.triangle, end); });
+  }
+
+  void voteOfBoth(Index triangle, View view)
+  {
+    vote(triangle, SheetSide::front, view);
+    vote(triangle, SheetSide::back, view);
+  }
+
+  /// Between two cuts that follow each other there is one space.
+  void voteOfNeighbors(const CrossedEdge& edge)
+  {
+    const SurfaceCrossing* before = nullptr;
+    for (const SurfaceCrossing& cut : crossings.of(edge))
+    {
+      if (model.isPermeable(cut.triangle))
+      {
+        continue;
+      }
+      if (before)
+      {
+        const View here = viewOf(before->triangle, seenFromEnd(*before));
+        const View there = viewOf(cut.triangle, seenFromStart(cut));
+        if (here == View::nothing)
+        {
+          vote(before->triangle, seenFromEnd(*before), there);
+        }
+        if (there == View::nothing)
+        {
+          vote(cut.triangle, seenFromStart(cut), here);
+        }
+      }
+      before = &cut;
+    }
+  }
+
+  View viewOf(Index triangle, SheetSide side) const { return views[pieceOf[triangle]][sideIndex(side)]; }
+
+  /// Gives sides without a view that of most votes, of equally many the first. Returns whether there was any.
+  bool decide()
+  {
+    if (share.exchange)
+    {
+      votes = sumOfRanks();
+    }
+    bool any = false;
+    for (std::size_t piece = 0; piece < votes.size(); ++piece)
+    {
+      for (std::size_t side = 0; side < 2; ++side)
+      {
+        const auto& counts = votes[piece][side];
+        const auto most = std::ranges::max_element(counts);
+        if (views[piece][side] == View::nothing && *most > 0)
+        {
+          views[piece][side] = static_cast<View>(most - counts.begin());
+          any = true;
+        }
+      }
+    }
+    std::ranges::fill(votes, Votes{});
+    return any;
+  }
+
+  std::vector<Votes> sumOfRanks() const
+  {
+    std::vector<Votes> sums(votes.size());
+    for (const std::vector<Votes>& some : gatherAll(*share.exchange, votes))
+    {
+      for (std::size_t piece = 0; piece < sums.size(); ++piece)
+      {
+        for (std::size_t i = 0; i < 2 * viewCount; ++i)
+        {
+          sums[piece][i / viewCount][i % viewCount] += some[piece][i / viewCount][i % viewCount];
+        }
+      }
+    }
+    return sums;
+  }
+
+  const Crossings& crossings;
+  const GridPlaces& grid;
+  const Zones& zones;
+  const std::vector<View>& ofZone;
+  const SurfaceModel& model;
+  const ViewShare& share;
+  const RunContext& context;
+  std::vector<Index> pieceOf;
+  std::vector<TriangleViews> views; ///< by piece
+  std::vector<Votes> votes;         ///< by piece
+};
+
+} // namespace
+
+std::vector<View> viewsOfZones(const std::vector<ZoneSummary>& zones)
+{
+  std::vector<View> views;
+  std::ranges::transform(zones, std::back_inserter(views), [](const ZoneSummary& zone) {
+    switch (zone.kind)
+    {
+      case ZoneKind::beyond:
+        return View::beyond;
+      case ZoneKind::open:
+        return zone.kept ? View::air : View::ground;
+      case ZoneKind::room:
+        return zone.kept ? View::air : View::room;
+      default:
+        return zone.kept ? View::air : View::solid;
+    }
+  });
+  return views;
+}
+
+std::vector<TriangleViews> findModelViews(const Crossings& crossings, const GridPlaces& grid, const Zones& zones,
+                                          const std::vector<View>& ofZone, const SurfaceModel& model,
+                                          const ViewShare& share, const RunContext& context)
+{
+  return ViewFinder(crossings, grid, zones, ofZone, model, share, context).run();
+}
+
+} // namespace atria

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Finds what each side of the model's triangles sees: air that is meshed, or what is not.
+#pragma once
+
+#include "Dual/Zones/ZoneSummary.h"
+#include "Support/RankExchange.h"
+
+namespace atria {
+
+/// What is in front of one side of a triangle.
+enum class View : std::uint8_t
+{
+  nothing, ///< no edge of the grid tells: the piece is finer than the grid
+  air,     ///< a zone that is meshed
+  ground,  ///< an open zone that is not meshed: under the ground
+  solid,   ///< the inside of a solid, or a narrow space in one
+  room,    ///< a closed room that is not meshed
+  beyond   ///< what is outside of the domain
+};
+inline constexpr std::size_t viewCount = 6;
+
+/// By SheetSide: the front of a triangle, then its back.
+using TriangleViews = std::array<View, 2>;
+
+/// True if elements of the mesh can have a face on the triangle.
+inline bool seesAir(const TriangleViews& views) { return views[0] == View::air || views[1] == View::air; }
+
+/// Returns what each zone is to the triangles beside it.
+std::vector<View> viewsOfZones(const std::vector<ZoneSummary>& zones);
+
+/// The grid points that a process counts the edges of, [begin, end), and the ranks it shares the grid with, if any.
+struct ViewShare
+{
+  Index begin;
+  Index end;
+  RankExchange* exchange = nullptr;
+};
+
+/// Returns the views of each triangle of the model.
+///
+/// Triangles joined across edges that two of them share see the same, as the repair cuts triangles wherever others pass
+/// through. The edges of the grid that cut such a piece vote: the first triangle on an edge sees the zone of its first
+/// point, the last one that of its other point, and neighbors between them see each other's zone. The majority decides.
+/// \param zones  The zones of `crossings`.
+/// \param ofZone  By zone; zones beyond its end are nothing.
+/// The result depends neither on threads nor on ranks. O(triangles · log triangles + crossings).
+std::vector<TriangleViews> findModelViews(const Crossings& crossings, const GridPlaces& grid, const Zones& zones,
+                                          const std::vector<View>& ofZone, const SurfaceModel& model,
+                                          const ViewShare& share, const RunContext& context);
+
+} // namespace atria

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Mesher/AuditReport.h"
+
+#include "Octree/Sizing/SizeRules.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace atria {
+
+namespace {
+
+/// Of a surface's area, what must be in the mesh or explained.
+constexpr double leastCoverage = 0.95;
+/// How far the volume of the mesh may be from that of the model, over the latter.
+constexpr double volumeTolerance = 0.01;
+/// How far a mesh may be from its model, in elements and over the extent of a surface.
+constexpr double mostElements = 0.5;
+constexpr double mostOfExtent = 0.02;
+
+/// A surface with what there is to say of it; the gravest have the largest weight.
+struct Finding
+{
+  double weight;
+  Index surface;
+  std::string text;
+};
+
+template <typename... T> std::string textOf(const T&... parts)
+{
+  std::ostringstream text;
+  text.precision(3);
+  (text << ... << parts);
+  return text.str();
+}
+
+/// `3 surfaces` and the first of them; empty without any.
+std::string listOf(std::vector<Finding> findings, const std::vector<std::string>& names, const char* what)
+{
+  constexpr std::size_t most = 6;
+  std::ranges::stable_sort(findings, [](const Finding& l, const Finding& r) { return l.weight > r.weight; });
+  std::string text = textOf(findings.size(), findings.size() == 1 ? " surface " : " surfaces ", what);
+  for (std::size_t i = 0; i < std::min(most, findings.size()); ++i)
+  {
+    text += (i == 0 ? ": " : ", ") + names[findings[i].surface] + " (" + findings[i].text + ")";
+  }
+  return text + (findings.size() > most ? textOf(" and ", findings.size() - most, " more") : "");
+}
+
+/// Where most of what is missing of a surface went.
+std::string reasonOf(const SurfaceAudit& surface)
+{
+  struct Reason
+  {
+    double area;
+    const char* text;
+  };
+  const std::array reasons{Reason{surface.lost, "finer than the mesh"},
+                           Reason{surface.leftOut, "small parts left out"},
+                           Reason{surface.shared, "another surface lies there"},
+                           Reason{surface.inSolid, "inside a solid"},
+                           Reason{surface.underGround, "under the ground"},
+                           Reason{surface.inRoom, "in a closed room that is not meshed"}};
+  return std::ranges::max_element(reasons, {}, &Reason::area)->text;
+}
+
+std::vector<Finding> withoutFaces(const MeshAudit& audit)
+{
+  std::vector<Finding> found;
+  for (Index i = 0; i < audit.surfaces.size(); ++i)
+  {
+    const SurfaceAudit& surface = audit.surfaces[i];
+    if (surface.meshArea == 0.0 && surface.drawnArea > 0.0)
+    {
+      found.push_back({surface.drawnArea, i, textOf(surface.drawnArea, " m², ", reasonOf(surface))});
+    }
+  }
+  return found;
+}
+
+/// What is smaller than a face of the mesh can show nothing.
+std::vector<Finding> withPartsMissing(const MeshAudit& audit)
+{
+  std::vector<Finding> found;
+  for (Index i = 0; i < audit.surfaces.size(); ++i)
+  {
+    const SurfaceAudit& surface = audit.surfaces[i];
+    const double missing = surface.lost + surface.leftOut;
+    if (surface.meshArea > 0.0 && missing > (1.0 - leastCoverage) * surface.drawnArea &&
+        missing > std::pow(surface.meanSize, 2))
+    {
+      found.push_back({missing, i,
+                       textOf(missing, " of ", surface.drawnArea, " m² missing, most of it ",
+                              surface.lost >= surface.leftOut ? "finer than the mesh" : "in small parts left out")});
+    }
+  }
+  return found;
+}
+
+std::vector<Finding> farAway(const MeshAudit& audit)
+{
+  std::vector<Finding> found;
+  for (Index i = 0; i < audit.surfaces.size(); ++i)
+  {
+    const SurfaceAudit& surface = audit.surfaces[i];
+    const auto& [faces, model] = surface.distances;
+    const FarthestPlace& place = faces.inElements > model.inElements ? faces : model;
+    if (place.inElements > mostElements || place.distance > mostOfExtent * surface.extent)
+    {
+      found.push_back({place.inElements, i,
+                       textOf(place.distance, " m, ", place.inElements, " elements, at ", place.at.transpose())});
+    }
+  }
+  return found;
+}
+
+std::string volumeWarning(const VolumeAudit& volumes)
+{
+  return textOf("the mesh leaves out ", volumes.displaced(), " m³ of the domain, but the model encloses ",
+                volumes.displacedByModel,
+                " m³: something is meshed hollow, or closed by the mesh alone; look at the zones, and for open bodies "
+                "with inspect");
+}
+
+} // namespace
+
+void completeAudit(const TriangleSurface& drawn, const SurfaceModel& model, const GridFrame& frame,
+                   const ModelOptions& options, MeshAudit& audit)
+{
+  finishAudit(drawn, frame.turnedDomain.value_or(PlacedBox{frame.placement, frame.domain}), model.repair, audit);
+  const ModelLevels levels = modelLevels(model, frame, options.sizing);
+  for (std::size_t i = 0; i < audit.surfaces.size(); ++i)
+  {
+    audit.surfaces[i].requestedSize = frame.sizeOf(levels.ofSurface[i]);
+  }
+}
+
+std::vector<std::string> warningsOf(const MeshAudit& audit, const std::vector<std::string>& names,
+                                    const GridFrame& frame)
+{
+  std::vector<std::string> warnings;
+  const auto add = [&](std::vector<Finding> findings, const char* what, const std::string& advice) {
+    if (!findings.empty())
+    {
+      warnings.push_back(listOf(std::move(findings), names, what) + "; " + advice);
+    }
+  };
+  const std::string sizes = textOf("lower SizeMin (--size-min), which is ", frame.sizeOf(frame.featureLevel),
+                                   ", or give these surfaces a size of their own (--size)");
+  add(withoutFaces(audit), "without a face in the mesh", "if boundary conditions are to stand on them, " + sizes);
+  add(withPartsMissing(audit), "of which parts are missing", sizes);
+  const VolumeAudit& volumes = audit.volumes;
+  const double difference = std::abs(volumes.displaced() - volumes.displacedByModel);
+  if (difference > volumeTolerance * std::abs(volumes.displacedByModel) &&
+      difference > std::pow(frame.sizeOf(frame.featureLevel), 3))
+  {
+    warnings.push_back(volumeWarning(volumes));
+  }
+  add(farAway(audit), "farther from the mesh than half an element or a fiftieth of their extent", sizes);
+  return warnings;
+}
+
+} // namespace atria

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Completes the audit of a mesh, and says what a user should know of it.
+#pragma once
+
+#include "Audit/MeshAudit.h"
+#include "Mesher/ModelOptions.h"
+
+namespace atria {
+
+/// Adds to an audit what was drawn and which sizes were requested.
+/// \param drawn  The model as read.
+/// \param model  The same, repaired, in the grid of `frame`.
+void completeAudit(const TriangleSurface& drawn, const SurfaceModel& model, const GridFrame& frame,
+                   const ModelOptions& options, MeshAudit& audit);
+
+/// Returns a sentence for each kind of difference between a mesh and its model that a user should know of:
+/// - surfaces without a face in the mesh;
+/// - surfaces of which more than a twentieth is missing, and is neither hidden from the air nor another surface's;
+/// - a volume that differs by more than a hundredth from what the model encloses;
+/// - surfaces that are farther from their faces, or faces from their surface, than half an element or a fiftieth of the
+///   surface's extent.
+/// Each names surfaces, the worst first, and says what to do.
+std::vector<std::string> warningsOf(const MeshAudit& audit, const std::vector<std::string>& names,
+                                    const GridFrame& frame);
+
+} // namespace atria

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Meshes compared with models whose areas and volumes are known.
+#include "Mesher/AuditReport.h"
+#include "Mesher/MeshModel.h"
+#include "Support/QuietContext.h"
+#include "Support/Shapes.h"
+
+#include <gmock/gmock.h>
+
+#include <numbers>
+
+namespace {
+
+using namespace atria;
+using atria::testing::addBox;
+using atria::testing::addSheet;
+using atria::testing::addSphere;
+using atria::testing::turn;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+constexpr double size = 0.5;
+/// Of areas and volumes.
+constexpr double tolerance = 0.005;
+
+MesherOptions optionsIn(const Box3& domain)
+{
+  MesherOptions options;
+  options.site.mode = DomainMode::bounds;
+  options.site.bounds = domain;
+  options.sizes.sizeMin = size;
+  options.sizes.sizeMid = size;
+  options.sizes.sizeMax = 2.0;
+  options.mesh.layers = {{"*", {1}}};
+  return options;
+}
+
+const Box3 domain{Vec3(-10, -10, 0), Vec3(10, 10, 10)};
+
+MeshedModel meshed(const TriangleSurface& surface, const MesherOptions& options, int threads = 2)
+{
+  const ThreadExecutor executor(threads);
+  return meshModel(surface, options, atria::testing::quietContext(executor));
+}
+
+const SurfaceAudit& auditOf(const MeshedModel& mesh, const std::string& name)
+{
+  const auto found = std::find(mesh.names.begin(), mesh.names.end(), name);
+  return mesh.audit.surfaces.at(static_cast<std::size_t>(found - mesh.names.begin()));
+}
+
+void expectNear(double value, double wanted, const char* what)
+{
+  EXPECT_NEAR(value, wanted, tolerance * std::max(1.0, wanted)) << what;
+}
+
+class TurnedAudit : public ::testing::TestWithParam<double>
+{
+};
+
+TEST_P(TurnedAudit, FindsAllOfASolid)
+{
+  TriangleSurface model;
+  addBox(model, "House", {Vec3(-3, -2, 0), Vec3(3, 2, 4)});
+  turn(model, GetParam());
+  const MeshedModel mesh = meshed(model, optionsIn(domain));
+  const SurfaceAudit& house = auditOf(mesh, "House");
+  expectNear(house.drawnArea, 2 * 24 + 80, "drawn");
+  expectNear(house.meshArea, 24 + 80, "in the mesh");
+  expectNear(house.inSolid, 24, "the base, which sees the inside alone");
+  expectNear(house.lost, 0, "lost");
+  expectNear(mesh.audit.volumes.domain, 4000, "domain");
+  expectNear(mesh.audit.volumes.displaced(), 96, "displaced");
+  expectNear(mesh.audit.volumes.displacedByModel, 96, "displaced by the model");
+  EXPECT_LT(house.distances.ofFaces.inElements, 0.05);
+  EXPECT_LT(house.distances.ofSurface.inElements, 0.1);
+  EXPECT_NEAR(house.meanSize, size, 1e-9);
+  EXPECT_NEAR(house.requestedSize, size, 1e-9);
+  EXPECT_THAT(mesh.inputWarnings, IsEmpty());
+}
+
+TEST_P(TurnedAudit, CountsBothSidesOfASheetOnce)
+{
+  TriangleSurface model;
+  addSheet(model, "Wall", Vec3(-3, 0, 2), Vec3(6, 0, 0), Vec3(0, 0, 4));
+  addSheet(model, "Other", Vec3(-3, 4, 2), Vec3(6, 0, 0), Vec3(0, 0, 4));
+  turn(model, GetParam());
+  const MeshedModel mesh = meshed(model, optionsIn(domain));
+  for (const char* name : {"Wall", "Other"})
+  {
+    expectNear(auditOf(mesh, name).meshArea, 24, name);
+    expectNear(auditOf(mesh, name).drawnArea, 24, name);
+  }
+  expectNear(mesh.audit.volumes.displaced(), 0, "displaced");
+}
+
+TEST_P(TurnedAudit, TellsWhatNoAirReaches)
+{
+  TriangleSurface model;
+  addBox(model, "House", {Vec3(-4, -4, 0), Vec3(4, 4, 6)});
+  addBox(model, "Core", {Vec3(-1, -1, 2), Vec3(1, 1, 4)});
+  turn(model, GetParam());
+  const MeshedModel mesh = meshed(model, optionsIn(domain));
+  EXPECT_EQ(auditOf(mesh, "Core").meshArea, 0.0);
+  expectNear(auditOf(mesh, "Core").inSolid + auditOf(mesh, "Core").inRoom, 24, "in the house");
+  expectNear(mesh.audit.volumes.displaced(), 384, "displaced");
+  EXPECT_THAT(mesh.inputWarnings, ElementsAre(HasSubstr("Core")));
+}
+
+INSTANTIATE_TEST_SUITE_P(Angles, TurnedAudit, ::testing::Values(0.0, 17.0, 30.0, 45.0));
+
+TEST(MeshAudit, TellsWhatIsUnderTheGround)
+{
+  TriangleSurface model;
+  addSheet(model, "Terrain", Vec3(-20, -20, 2), Vec3(40, 0, 0), Vec3(0, 40, 0));
+  addBox(model, "House", {Vec3(-3, -2, 0), Vec3(3, 2, 6)});
+  MesherOptions options = optionsIn(domain);
+  options.site.terrain = "Terrain";
+  const MeshedModel mesh = meshed(model, options);
+  const SurfaceAudit& house = auditOf(mesh, "House");
+  expectNear(house.meshArea, 80 + 24, "in the mesh");
+  expectNear(house.underGround + house.inSolid + house.inRoom, 24 + 40, "under the ground, or in the house");
+  expectNear(auditOf(mesh, "Terrain").meshArea, 400 - 24, "terrain");
+  const SurfaceAudit& terrain = auditOf(mesh, "Terrain");
+  expectNear(terrain.inSolid + terrain.inRoom, 24, "terrain in the house");
+  const VolumeAudit& volumes = mesh.audit.volumes;
+  expectNear(volumes.displaced() - volumes.displacedByModel, 0, "displaced as the model says");
+  EXPECT_THAT(mesh.inputWarnings, IsEmpty());
+}
+
+TEST(MeshAudit, WarnsOfSurfacesThatAreTooFine)
+{
+  TriangleSurface model;
+  addBox(model, "House", {Vec3(-3, -2, 0), Vec3(3, 2, 4)});
+  addBox(model, "Handle", {Vec3(-3.2, 0, 1), Vec3(-3.05, 0.1, 1.1)});
+  const MeshedModel mesh = meshed(model, optionsIn(domain));
+  const SurfaceAudit& handle = auditOf(mesh, "Handle");
+  EXPECT_EQ(handle.meshArea, 0.0);
+  EXPECT_NEAR(handle.leftOut + handle.lost, handle.drawnArea, 1e-6);
+  EXPECT_THAT(mesh.inputWarnings, ElementsAre(HasSubstr("1 surface without a face in the mesh: Handle")));
+}
+
+TEST(MeshAudit, LooksAtWhatIsInTheDomainAlone)
+{
+  TriangleSurface model;
+  addSheet(model, "Road", Vec3(-30, -1, 1), Vec3(60, 0, 0), Vec3(0, 2, 0));
+  const MeshedModel mesh = meshed(model, optionsIn(domain));
+  expectNear(auditOf(mesh, "Road").drawnArea, 40, "drawn");
+  expectNear(auditOf(mesh, "Road").meshArea, 40, "in the mesh");
+}
+
+TEST(MeshAudit, MeasuresHowFarAwayFacesAre)
+{
+  // Facets that are finer than the mesh: it is inside of the sphere by the sagitta of a face's diagonal.
+  TriangleSurface model;
+  addSphere(model, "Ball", Vec3(0, 0, 5), 3.0, 4);
+  const MeshedModel mesh = meshed(model, optionsIn(domain));
+  const FarthestPlace& place = auditOf(mesh, "Ball").distances.ofFaces;
+  const double sagitta = 3.0 - std::sqrt(9.0 - 0.5 * size * size);
+  EXPECT_GT(place.distance, 0.1 * sagitta);
+  EXPECT_LT(place.distance, 3.0 * sagitta);
+  EXPECT_NEAR(place.inElements, place.distance / size, 1e-6);
+  EXPECT_NEAR((place.at - Vec3(0, 0, 5)).norm(), 3.0, 3.0 * sagitta);
+  expectNear(mesh.audit.volumes.displacedByModel, 4.0 / 3.0 * std::numbers::pi * 27.0 * 0.997, "enclosed");
+}
+
+TEST(MeshAudit, FindsMovedPointsAndMissingFaces)
+{
+  TriangleSurface model;
+  addBox(model, "House", {Vec3(-3, -2, 0), Vec3(3, 2, 4)});
+  const MesherOptions options = optionsIn(domain);
+  StageCache cache;
+  const ThreadExecutor executor(2);
+  const RunContext run = atria::testing::quietContext(executor);
+  MeshedModel mesh = meshModel(model, options, run, &cache);
+  const auto& [placed, octree, inputWarnings, sizingWarning] = *cache.sources();
+  const TriangleTreeOnDemand tree(placed);
+  const MeshingContext context{run, octree, placed, tree};
+  SeenModel seen;
+  seen.views.assign(placed.triangles.size(), {View::air, View::solid});
+  seen.samples = sampleSurfaces(seen.views, {}, context);
+
+  Index roof = noIndex;
+  for (Index f = 0; f < mesh.mesh.boundaryFaces.size(); ++f)
+  {
+    const BoundaryFace& face = mesh.mesh.boundaryFaces[f];
+    const Vec3& p = mesh.mesh.points[faceOf(mesh.mesh.corners[face.element], face.direction).points[0]];
+    const bool isInside = std::abs(p[0]) < 2.0 && std::abs(p[1]) < 1.0;
+    roof = face.tag == 0 && isInside && p[2] > 3.9 ? f : roof;
+  }
+  ASSERT_NE(roof, noIndex);
+  const BoundaryFace face = mesh.mesh.boundaryFaces[roof];
+  const Index moved = faceOf(mesh.mesh.corners[face.element], face.direction).points[0];
+
+  DualMesh pulled = mesh.mesh;
+  pulled.points[moved][2] += 0.4;
+  const SurfaceDistances distances = auditMesh(pulled, seen, {}, context).surfaces[0].distances;
+  EXPECT_NEAR(distances.ofFaces.distance, 0.4, 1e-6);
+  EXPECT_NEAR((distances.ofFaces.at - pulled.points[moved]).norm(), 0.0, 1e-9);
+
+  DualMesh torn = mesh.mesh;
+  std::erase_if(torn.boundaryFaces, [&](const BoundaryFace& one) {
+    const ReducedFace loop = faceOf(torn.corners[one.element], one.direction);
+    return one.tag == 0 && std::ranges::any_of(loop.loop(), [&](Index p) {
+             return (torn.points[p] - mesh.mesh.points[moved]).norm() < 1.2;
+           });
+  });
+  EXPECT_GT(auditMesh(torn, seen, {}, context).surfaces[0].distances.ofSurface.distance, 0.8);
+}
+
+TEST(MeshAudit, IsTheSameOnAnyNumberOfThreads)
+{
+  const TriangleSurface model = atria::testing::randomSoup(7);
+  MesherOptions options = optionsIn({Vec3(-6, -6, -6), Vec3(6, 6, 6)});
+  options.mesh.zoneRule = ZoneRule::all;
+  const MeshedModel one = meshed(model, options, 1);
+  const MeshedModel three = meshed(model, options, 3);
+  EXPECT_EQ(one.inputWarnings, three.inputWarnings);
+  EXPECT_EQ(one.audit.volumes.air, three.audit.volumes.air);
+  for (std::size_t i = 0; i < one.audit.surfaces.size(); ++i)
+  {
+    EXPECT_EQ(one.audit.surfaces[i].meshArea, three.audit.surfaces[i].meshArea);
+    EXPECT_EQ(one.audit.surfaces[i].distances.ofFaces.distance, three.audit.surfaces[i].distances.ofFaces.distance);
+    EXPECT_EQ(one.audit.surfaces[i].distances.ofSurface.distance, three.audit.surfaces[i].distances.ofSurface.distance);
+  }
+}
+
+} // namespace
