@@ -20,15 +20,20 @@ enum SurfaceSum : std::uint8_t
   surfaceSums
 };
 
-/// What the model says of one surface.
+/// What the model says of one surface, in square model units.
 struct ModelAreas
 {
   /// What sees air on one side, and on both.
   double oneSide = 0.0;
   double bothSides = 0.0;
-  /// By View, what sees no air.
-  std::array<double, viewCount> hidden{};
+  ViewAreas hidden{};
 };
+
+/// What a part that sees no air counts as: in a room on one side and in a solid on the other it is in the room.
+double& hiddenArea(ViewAreas& areas, const TriangleViews& views)
+{
+  return areas[static_cast<std::size_t>(std::max(views[0], views[1]))];
+}
 
 class Auditor
 {
@@ -39,12 +44,12 @@ public:
   {
   }
 
-  MeshAudit run(const std::vector<SurfaceSample>& samples)
+  MeshAudit run(const SeenModel& seen)
   {
     out.surfaces.resize(count);
     measureFaces();
-    measureModel();
-    const std::vector<SurfaceDistances> distances = measureDistances(mesh, samples, share, context);
+    measureModel(seen.unreached);
+    const std::vector<SurfaceDistances> distances = measureDistances(mesh, seen.samples, share, context);
     for (std::size_t i = 0; i < count; ++i)
     {
       out.surfaces[i].distances = distances[i];
@@ -112,7 +117,7 @@ private:
   }
 
   /// Areas by what sees them; the mesh's area with both sides counted once; the volume enclosed.
-  void measureModel()
+  void measureModel(const std::vector<ViewAreas>& unreached)
   {
     const SurfaceModel& model = context.model;
     const ConvexRegion region(frame.domain);
@@ -136,6 +141,10 @@ private:
     out.volumes.domain = turned ? turned->volume() : size.prod();
     for (std::size_t i = 0; i < count; ++i)
     {
+      for (std::size_t view = 0; view < viewCount && !unreached.empty(); ++view)
+      {
+        ofSurface[i].hidden[view] += unreached[i][view];
+      }
       takeAreas(ofSurface[i], wet[i], out.surfaces[i]);
     }
   }
@@ -153,8 +162,7 @@ private:
     }
     else
     {
-      // What is in a room on one side and in a solid on the other is in the room.
-      of.hidden[static_cast<std::size_t>(std::max(front, back))] += area;
+      hiddenArea(of.hidden, views[triangle]) += area;
     }
   }
 
@@ -165,7 +173,7 @@ private:
     surface.meshArea += wetArea > 0.0 ? wet * airArea / wetArea : wet;
     const auto hidden = [&](View view) { return of.hidden[static_cast<std::size_t>(view)]; };
     surface.underGround = hidden(View::ground);
-    surface.inSolid = hidden(View::solid);
+    surface.inSolid = hidden(View::solid) + hidden(View::narrow);
     surface.inRoom = hidden(View::room);
   }
 
@@ -203,7 +211,26 @@ double SurfaceAudit::coverage() const
 
 MeshAudit auditMesh(const DualMesh& mesh, const SeenModel& seen, const MeshShare& share, const MeshingContext& context)
 {
-  return Auditor(mesh, seen.views, share, context).run(seen.samples);
+  return Auditor(mesh, seen.views, share, context).run(seen);
+}
+
+std::vector<ViewAreas> areasOf(const UnreachedParts& parts, const SurfaceModel& whole, const GridFrame& frame)
+{
+  std::vector<ViewAreas> areas;
+  if (parts.any())
+  {
+    const ConvexRegion region(frame.domain);
+    areas.resize(whole.names.size());
+    for (Index t = 0; t < whole.triangles.size(); ++t)
+    {
+      if (parts.isUnreached[t])
+      {
+        const auto at = [&](int i) { return frame.toModel(whole.corner(t, i)); };
+        hiddenArea(areas[whole.surfaceIds[t]], parts.views[t]) += region.within(at(0), at(1), at(2), 0.0).area;
+      }
+    }
+  }
+  return areas;
 }
 
 void finishAudit(const TriangleSurface& drawn, const PlacedPrism& domain, const SurfaceRepairReport& repair,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Audit/MeshDistances.h"
+#include "Dual/Zones/UnreachedParts.h"
 #include "Grid/Prism.h"
 
 namespace atria {
@@ -53,6 +54,9 @@ struct MeshAudit
   std::vector<SurfaceAudit> surfaces;
   VolumeAudit volumes;
 };
+
+/// Returns the areas, by surface and within the domain, of what was left aside of a model.
+std::vector<ViewAreas> areasOf(const UnreachedParts& parts, const SurfaceModel& whole, const GridFrame& frame);
 
 /// Measures a mesh along the grid's axes: all but the drawn areas and what follows from them, for which see
 /// finishAudit().

@@ -14,9 +14,6 @@ namespace {
 /// Of the elements there: what a surface is nearer to its faces counts as on them.
 constexpr double nearRatio = 0.1;
 
-/// How far away the nearest place is looked for first, in elements there.
-constexpr double firstReach = 4.0;
-
 struct Measured
 {
   Vec3 at = Vec3::Zero();
@@ -48,7 +45,7 @@ double distanceTo(const TriangleTree& tree, const SurfaceModel& of, Index surfac
   const TriangleTree::AnyPlaceOn onSurface([&](Index t) { return of.surfaceIds[t] == surface; });
   const double unit = frame.latticeUnit();
   const Vec3 p = (at - frame.origin) / unit;
-  auto found = tree.nearest(p, firstReach * size / unit, onSurface);
+  auto found = tree.nearest(p, nearRatio * size / unit, onSurface); // nearly always, and at once
   if (!found)
   {
     found = tree.nearest(p, std::numeric_limits<double>::infinity(), onSurface);

@@ -9,6 +9,9 @@
 
 namespace atria {
 
+/// Areas of parts that see no air, by View, in square model units.
+using ViewAreas = std::array<double, viewCount>;
+
 /// A place on a surface.
 struct SurfaceSample
 {
@@ -24,6 +27,8 @@ struct SeenModel
 {
   std::vector<TriangleViews> views; ///< by triangle
   std::vector<SurfaceSample> samples;
+  /// By surface, what was left aside as no air reaches it; see UnreachedParts.
+  std::vector<ViewAreas> unreached = {};
 };
 
 /// Returns one place for each leaf and each surface in it, the nearest to the leaf's center, in the order of leaves and

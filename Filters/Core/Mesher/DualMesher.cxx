@@ -54,15 +54,36 @@ std::vector<char> keptOf(const Zones& zones, const ZoneOptions& options, const G
              : kept;
 }
 
-SeenModel seeModel(const CrossedGrid& crossed, const Zones& zones, const DualMeshResult& result,
-                   const MeshingContext& context)
+/// Of the whole grid.
+ViewShare allOf(const GridPoints& points) { return {0, static_cast<Index>(points.size())}; }
+
+void seeModel(const CrossedGrid& crossed, const Zones& zones, const DualMeshResult& result, SeenModel& seen,
+              const MeshingContext& context)
 {
   const auto& [grid, crossings] = crossed.displaced;
-  SeenModel seen;
-  seen.views = findModelViews(crossings, grid, zones, viewsOfZones(result.zones), context.model,
-                              {0, static_cast<Index>(grid.points().size())}, context);
+  seen.views =
+      findModelViews(crossings, grid, zones, viewsOfZones(result.zones), context.model, allOf(grid.points()), context);
   seen.samples = sampleSurfaces(seen.views, {}, context);
-  return seen;
+}
+
+/// The zones of the octree's own grid tell what of the model air may reach. If that is not all of it, the crossings
+/// become those of the rest.
+ReachedStage findReached(OctreeGrid& own, const ZoneOptions& options, const MeshingContext& context)
+{
+  const GridPlaces grid(context.octree, own.points);
+  const std::size_t surfaceCount = context.model.names.size();
+  const Zones zones = findZones(own.crossings, surfaceCount, context);
+  const std::vector<char> kept = keptOf(zones, options, grid, context.model);
+  const std::vector<View> ofZone =
+      viewsOfZones(summarizeZones(zones, kept, own.crossings, grid, surfaceCount, context));
+  ReachedStage out;
+  out.parts = findUnreachedParts(own.crossings, grid, zones, ofZone, context.model, allOf(own.points), context);
+  if (out.parts.any())
+  {
+    out.model = std::make_unique<ReachedModel>(out.parts, context);
+    own.findAnew(out.in(context));
+  }
+  return out;
 }
 
 /// Zones, and from them elements and vertices.
@@ -77,7 +98,7 @@ ClassifiedMesh fillMesh(DualMeshResult& result, SeenModel& seen, CrossedGrid& gr
   inspectZones(grid, zones, elements, options, result, context);
   Labels labels = findLabels(places, crossings, zones, options, result, context);
   clock.lap("zones");
-  seen = seeModel(grid, zones, result, context);
+  seeModel(grid, zones, result, seen, context);
   clock.lap("audit");
   return makeElements(grid, keepGrid, zones, elements, std::move(labels), result.diagnostics, clock, context);
 }
@@ -155,14 +176,46 @@ void placeAll(std::vector<Vec3>& points, const Placement& placement)
 
 /// The stages up to the plain mesh, as far as they are not there; what only they need is freed unless it is kept: it is
 /// larger than the mesh.
-void makePlain(DualStages& stages, bool keep, const DualMeshOptions& options, StageClock& clock,
-               const MeshingContext& context)
+/// Returns the octree's own grid where it had to be made, for the model that air may reach.
+std::optional<OctreeGrid> makeReached(DualStages& stages, const ZoneOptions& options, StageClock& clock,
+                                      const MeshingContext& context)
 {
+  if (stages.reached.isOf(options))
+  {
+    return std::nullopt;
+  }
+  OctreeGrid grid(clock, context.part(0.0, 0.3));
+  ReachedStage found = findReached(grid, options, context.part(0.3, 0.45));
+  clock.lap("crossings");
+  stages.plain = {};
+  stages.reached.options = options;
+  if (stages.reached.result && stages.reached.result->parts.isUnreached == found.parts.isUnreached)
+  {
+    stages.reached.result->parts = std::move(found.parts); // what was made for this model may stay
+  }
+  else
+  {
+    stages.grid = {};
+    stages.reached.result = std::make_unique<ReachedStage>(std::move(found));
+  }
+  return grid;
+}
+
+void makePlain(DualStages& stages, bool keep, const DualMeshOptions& options, StageClock& clock,
+               const MeshingContext& whole)
+{
+  std::optional<OctreeGrid> octreeGrid = makeReached(stages, options, clock, whole);
+  const ReachedStage& reached = *stages.reached.result;
+  const MeshingContext context = reached.in(whole);
   if (!stages.grid.isOf(options))
   {
     stages.plain = {};
     stages.grid = {};
-    stages.grid.result = std::make_unique<CrossedGrid>(options, clock, context);
+    if (!octreeGrid)
+    {
+      octreeGrid.emplace(clock, context.part(0.0, 0.3));
+    }
+    stages.grid.result = std::make_unique<CrossedGrid>(std::move(*octreeGrid), options, clock, context);
     stages.grid.options = options;
   }
   if (stages.plain.isOf(options))
@@ -171,6 +224,7 @@ void makePlain(DualStages& stages, bool keep, const DualMeshOptions& options, St
   }
   stages.plain = {};
   auto plain = std::make_unique<PlainDual>();
+  plain->seen.unreached = areasOf(reached.parts, whole.model, whole.octree.frame());
   ClassifiedMesh mesh = fillMesh(plain->found, plain->seen, *stages.grid.result, keep, options, clock, context);
   if (!keep)
   {
@@ -219,14 +273,15 @@ DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, con
   {
     stages.tree.emplace(model);
   }
-  const MeshingContext context{run, octree, model, *stages.tree};
-  makePlain(stages, kept != nullptr, options, clock, context.part(0.0, 0.55));
+  const MeshingContext whole{run, octree, model, *stages.tree};
+  makePlain(stages, kept != nullptr, options, clock, whole.part(0.0, 0.55));
+  const MeshingContext context = stages.reached.result->in(whole);
   PlainDual plain = kept ? *kept->plain.result : std::move(*own.plain.result);
   DualMeshResult result = std::move(plain.found);
   context.progress.report(0.55, "Growing layers");
   takeImproved(growLayers(std::move(plain.mesh), options, context.part(0.55, 0.98)), result);
   orderZoneFaces(result.mesh);
-  measureRooms(result.mesh, model, octree.frame().domain, {}, result.rooms);
+  measureRooms(result.mesh, context.model, octree.frame().domain, {}, result.rooms);
   clock.lap("layers");
   result.audit = auditMesh(result.mesh, plain.seen, {}, context);
   clock.lap("audit");

@@ -5,6 +5,7 @@
 #include "Audit/MeshAudit.h"
 #include "Dual/Mesh/MetSides.h"
 #include "Dual/Zones/Leaks.h"
+#include "Dual/Zones/UnreachedParts.h"
 #include "Mesher/KeptStage.h"
 #include "Mesher/PlainDual.h"
 #include "Mesher/RoomReport.h"
@@ -60,10 +61,22 @@ struct PlainDual
   SeenModel seen;
 };
 
+/// What of the model air may reach.
+struct ReachedStage
+{
+  UnreachedParts parts;
+  /// Null where that is all of it.
+  std::unique_ptr<ReachedModel> model;
+
+  /// `whole` is of all of the model.
+  MeshingContext in(const MeshingContext& whole) const { return model ? model->in(whole) : whole; }
+};
+
 /// What runs leave for later ones on the same octree and model, where they are.
 struct DualStages
 {
   std::optional<TriangleTreeOnDemand> tree;
+  KeptStage<ZoneOptions, ReachedStage> reached;
   KeptStage<CrossingOptions, CrossedGrid> grid;
   KeptStage<ZoneOptions, PlainDual> plain;
 };

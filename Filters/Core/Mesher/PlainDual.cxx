@@ -225,11 +225,9 @@ void fixMoved(const std::vector<Vec3>& before, const std::vector<Vec3>& points, 
 }
 
 /// Displaces grid points and closes cracks.
-DisplacedGrid findBoundary(const GridPoints& points, const BoundaryGaps& gaps, double crackTolerance,
-                           const WideZoneFinder& findZones, const MeshingContext& context)
+DisplacedGrid findBoundary(const GridPoints& points, Crossings undisplaced, const BoundaryGaps& gaps,
+                           double crackTolerance, const WideZoneFinder& findZones, const MeshingContext& context)
 {
-  context.progress.report(0.3, "Finding crossings");
-  Crossings undisplaced = findCrossings(GridPlaces(context.octree, points), context.model, context);
   context.progress.report(0.45, "Moving grid points");
   DisplacedGrid grid = displaceGrid(points, std::move(undisplaced), context, findZones);
   grid.crossings = closeCracks(std::move(grid.crossings), gaps, grid.places, crackTolerance, context);
@@ -295,10 +293,23 @@ ClassifiedMesh makeElements(CrossedGrid& grid, bool keepGrid, const Zones& zones
   return classified(std::move(mesh), std::move(placed.classification));
 }
 
-CrossedGrid::CrossedGrid(const CrossingOptions& options, StageClock& clock, const MeshingContext& context,
-                         const WideZoneFinder& findZones)
-    : points(pointsOf(clock, context)), gaps(findBoundaryGaps(context)),
-      displaced(findBoundary(points, gaps, options.crackTolerance, findZones, context))
+void OctreeGrid::findAnew(const MeshingContext& context)
+{
+  crossings = findCrossings(GridPlaces(context.octree, points), context.model, context);
+  crossings = markTurnedSides(std::move(crossings), context.model.names.size());
+}
+
+OctreeGrid::OctreeGrid(StageClock& clock, const MeshingContext& context) : points(pointsOf(clock, context))
+{
+  context.progress.report(0.3, "Finding crossings");
+  findAnew(context);
+  clock.lap("crossings");
+}
+
+CrossedGrid::CrossedGrid(OctreeGrid grid, const CrossingOptions& options, StageClock& clock,
+                         const MeshingContext& context, const WideZoneFinder& findZones)
+    : points(std::move(grid.points)), gaps(findBoundaryGaps(context)),
+      displaced(findBoundary(points, std::move(grid.crossings), gaps, options.crackTolerance, findZones, context))
 {
   clock.lap("crossings");
 }

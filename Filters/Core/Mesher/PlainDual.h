@@ -19,11 +19,24 @@ struct CrossingOptions
   double crackTolerance = 0.5;
 };
 
-/// The octree's grid: its points, what is ahead of boundary edges, and what cuts its edges.
+/// The octree's own grid: its points, and what cuts its edges.
+struct OctreeGrid
+{
+  OctreeGrid(StageClock& clock, const MeshingContext& context);
+
+  /// Finds the crossings with another model, whose octree has the same leaves.
+  void findAnew(const MeshingContext& context);
+
+  GridPoints points;
+  Crossings crossings;
+};
+
+/// The grid that is meshed: the octree's points, what is ahead of boundary edges, and what cuts the edges of the
+/// displaced grid.
 struct CrossedGrid
 {
   /// Ranks have a way of their own to find zones.
-  CrossedGrid(const CrossingOptions& options, StageClock& clock, const MeshingContext& context,
+  CrossedGrid(OctreeGrid grid, const CrossingOptions& options, StageClock& clock, const MeshingContext& context,
               const WideZoneFinder& findZones = {});
 
   GridPoints points;

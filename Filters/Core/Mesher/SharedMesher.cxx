@@ -41,14 +41,48 @@ DualMesh connectionsOf(ClassifiedMesh plain)
   return out;
 }
 
+/// The octree's own grid of a rank, and what of the model air may reach.
+struct SharedStart
+{
+  OctreeGrid grid;
+  SharedPoints points;
+  ReachedStage reached;
+};
+
+SharedStart startOf(const DualMeshOptions& options, const RankShare& share, StageClock& clock,
+                    const MeshingContext& context)
+{
+  OctreeGrid grid(clock, context);
+  const SharedPoints points(share, context.octree, grid.points, context);
+  const std::size_t surfaceCount = context.model.names.size();
+  const GridPlaces places(context.octree, grid.points);
+  const Zones zones = findSharedZones(grid.crossings, points, surfaceCount, share, context);
+  const std::vector<char> kept =
+      keptSharedZones(zones, options.zoneRule, seedsOf(options), places, points, share, context.model);
+  const std::vector<View> ofZone =
+      viewsOfZones(SharedReport(share).summarize(zones, kept, places, grid.crossings, points, surfaceCount, context));
+  ReachedStage reached;
+  reached.parts = findUnreachedParts(grid.crossings, places, zones, ofZone, context.model,
+                                     {points.firstOwn(), points.endOwn(), &share.exchange()}, context);
+  if (reached.parts.any())
+  {
+    reached.model = std::make_unique<ReachedModel>(reached.parts, context);
+    grid.findAnew(reached.in(context));
+  }
+  clock.lap("crossings");
+  return {std::move(grid), points, std::move(reached)};
+}
+
 class SharedMesher
 {
 public:
-  SharedMesher(const MeshingContext& surroundings, Octree& octreeOfRank, const DualMeshOptions& meshOptions,
-               const RankShare& rankShare, StageClock& stageClock)
-      : context(surroundings), octree(octreeOfRank), options(meshOptions), share(rankShare), clock(stageClock),
-        surfaceCount(static_cast<Index>(context.model.names.size())), report(share)
+  /// `whole` is of all of the model; `octreeOfRank` is that of the start's model.
+  SharedMesher(const MeshingContext& whole, SharedStart& startOfRank, Octree& octreeOfRank,
+               const DualMeshOptions& meshOptions, const RankShare& rankShare, StageClock& stageClock)
+      : context(startOfRank.reached.in(whole)), start(startOfRank), octree(octreeOfRank), options(meshOptions),
+        share(rankShare), clock(stageClock), surfaceCount(static_cast<Index>(context.model.names.size())), report(share)
   {
+    seen.unreached = areasOf(start.reached.parts, whole.model, whole.octree.frame());
   }
 
   std::optional<SharedDual> run(int ghostLevels)
@@ -93,12 +127,12 @@ private:
   /// The rank's window of the dual as it is; nothing where zones that should be sealed are not.
   std::optional<SharedWindow> makePlain(DualMeshResult& found)
   {
-    std::optional<SharedPoints> points;
+    std::optional<SharedPoints> points = std::move(start.points);
     const auto findWideZones = [&](const GridPoints& gridPoints, const Crossings& undisplaced) {
-      points.emplace(share, context.octree, gridPoints, context);
       return sharedWideZones(gridPoints, undisplaced, *points, surfaceCount, share, context);
     };
-    std::optional<CrossedGrid> grid(std::in_place, options, clock, context.part(0.0, 0.3), findWideZones);
+    std::optional<CrossedGrid> grid(std::in_place, std::move(start.grid), options, clock, context.part(0.0, 0.3),
+                                    findWideZones);
     const auto& [places, crossings] = grid->displaced;
     context.progress.report(0.3, "Finding zones");
     Zones zones = findSharedZones(crossings, *points, surfaceCount, share, context);
@@ -107,7 +141,7 @@ private:
     {
       return std::nullopt;
     }
-    found.zones = report.summarize(zones, found.keptZones, *grid, *points, surfaceCount, context);
+    found.zones = report.summarize(zones, found.keptZones, places, crossings, *points, surfaceCount, context);
     Labels labels = findSharedLabels(zones, found.zones, grid->displaced, *points, options.rooms, share, context);
     found.rooms = reportOf(labels.rooms, context.model);
     std::vector<char> kept = found.keptZones;
@@ -115,7 +149,7 @@ private:
     report.addCracks(*grid, zones, kept, *points, context);
     std::vector<Index> elements = numberElements(zones, kept, context);
     clock.lap("zones");
-    seen = seeModel(grid->displaced, zones, found.zones, *points);
+    seeModel(grid->displaced, zones, found.zones, *points);
     clock.lap("audit");
     release(grid->points.atCorner); // only crossings and zones ask for these
     std::vector<Diagnostic> diagnostics;
@@ -134,15 +168,13 @@ private:
     return window;
   }
 
-  SeenModel seeModel(const DisplacedGrid& displaced, const Zones& zones, const std::vector<ZoneSummary>& summaries,
-                     const SharedPoints& points) const
+  void seeModel(const DisplacedGrid& displaced, const Zones& zones, const std::vector<ZoneSummary>& summaries,
+                const SharedPoints& points)
   {
-    SeenModel out;
-    out.views = findModelViews(displaced.crossings, displaced.places, zones, viewsOfZones(summaries), context.model,
-                               {points.firstOwn(), points.endOwn(), &share.exchange()}, context);
+    seen.views = findModelViews(displaced.crossings, displaced.places, zones, viewsOfZones(summaries), context.model,
+                                {points.firstOwn(), points.endOwn(), &share.exchange()}, context);
     const auto isOwnLeaf = [&](Index leaf) { return share.isOwn(context.octree.finestKey(leaf)); };
-    out.samples = sampleSurfaces(out.views, isOwnLeaf, context);
-    return out;
+    seen.samples = sampleSurfaces(seen.views, isOwnLeaf, context);
   }
 
   LayerMesh grow(ClassifiedMesh& plain, const SharedWindow& window, ImprovedMesh& improved)
@@ -256,7 +288,8 @@ private:
     std::swap(out.found.mesh.points, out.piece.mesh.points);
   }
 
-  const MeshingContext& context;
+  MeshingContext context;
+  SharedStart& start;
   Octree& octree; ///< of the context
   const DualMeshOptions& options;
   const RankShare& share;
@@ -275,8 +308,14 @@ std::optional<SharedDual> makeSharedMesh(Octree octree, const SurfaceModel& mode
                                          const RunContext& run)
 {
   const TriangleTreeOnDemand tree(model);
-  const MeshingContext context{run, octree, model, tree};
-  return SharedMesher(context, octree, options, share, clock).run(ghostLevels);
+  const MeshingContext whole{run, octree, model, tree};
+  SharedStart start = startOf(options, share, clock, whole.part(0.0, 0.1));
+  if (start.reached.model)
+  {
+    octree = Octree(octree.frame(), {});
+  }
+  return SharedMesher(whole, start, start.reached.model ? start.reached.model->octree() : octree, options, share, clock)
+      .run(ghostLevels);
 }
 
 } // namespace atria

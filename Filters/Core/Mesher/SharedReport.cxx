@@ -46,10 +46,10 @@ std::vector<Index> firstElementsOf(const SharedPiece& piece)
 } // namespace
 
 std::vector<ZoneSummary> SharedReport::summarize(const Zones& zones, const std::vector<char>& kept,
-                                                 const CrossedGrid& grid, const SharedPoints& points,
-                                                 std::size_t surfaceCount, const MeshingContext& context) const
+                                                 const GridPlaces& places, const Crossings& crossings,
+                                                 const SharedPoints& points, std::size_t surfaceCount,
+                                                 const MeshingContext& context) const
 {
-  const auto& [places, crossings] = grid.displaced;
   const auto firstFrom = [&](MortonKey key) {
     const auto leaves = context.octree.leafCount();
     Index first = 0;

@@ -17,8 +17,8 @@ public:
   explicit SharedReport(const RankShare& share) : share_(share) {}
 
   /// Of the zones of all ranks; on all of them.
-  std::vector<ZoneSummary> summarize(const Zones& zones, const std::vector<char>& kept, const CrossedGrid& grid,
-                                     const SharedPoints& points, std::size_t surfaceCount,
+  std::vector<ZoneSummary> summarize(const Zones& zones, const std::vector<char>& kept, const GridPlaces& places,
+                                     const Crossings& crossings, const SharedPoints& points, std::size_t surfaceCount,
                                      const MeshingContext& context) const;
   /// See findCracks. `kept` has an entry more, for points of no zone that is known here.
   void addCracks(const CrossedGrid& grid, const Zones& zones, const std::vector<char>& kept, const SharedPoints& points,

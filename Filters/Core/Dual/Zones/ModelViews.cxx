@@ -15,34 +15,6 @@ using Votes = std::array<std::array<std::uint32_t, viewCount>, 2>;
 
 int sideIndex(SheetSide side) { return side == SheetSide::front ? 0 : 1; }
 
-/// Numbers of the pieces that triangles belong to.
-std::vector<Index> piecesOf(const SurfaceModel& model, Index& count, const Executor& executor)
-{
-  UnionFind sets(model.triangles.size());
-  const std::vector<SoupEdgeUse> uses = sortedEdgeUses(model.triangles, model.points.size(), executor);
-  eachEdge(uses, [&](std::span<const SoupEdgeUse> edge) {
-    if (edge.size() != 2)
-    {
-      return;
-    }
-    const Index a = edge[0].triangle;
-    const Index b = edge[1].triangle;
-    if (model.domainSides[a] == model.domainSides[b] && model.kindOf(a) == model.kindOf(b) &&
-        edge[0].forward != edge[1].forward)
-    {
-      sets.join(a, b);
-    }
-  });
-  std::vector<Index> pieces(model.triangles.size());
-  count = 0;
-  for (Index t = 0; t < pieces.size(); ++t)
-  {
-    const Index root = sets.find(t);
-    pieces[t] = root == t ? count++ : pieces[root];
-  }
-  return pieces;
-}
-
 class ViewFinder
 {
 public:
@@ -55,7 +27,7 @@ public:
   std::vector<TriangleViews> run()
   {
     Index count = 0;
-    pieceOf = piecesOf(model, count, context.executor);
+    pieceOf = piecesBetweenEdges(model, count, context.executor);
     views.assign(count, {View::nothing, View::nothing});
     votes.resize(count);
     voteOfSides();
@@ -230,6 +202,33 @@ private:
 
 } // namespace
 
+std::vector<Index> piecesBetweenEdges(const SurfaceModel& model, Index& count, const Executor& executor)
+{
+  UnionFind sets(model.triangles.size());
+  const std::vector<SoupEdgeUse> uses = sortedEdgeUses(model.triangles, model.points.size(), executor);
+  eachEdge(uses, [&](std::span<const SoupEdgeUse> edge) {
+    if (edge.size() != 2)
+    {
+      return;
+    }
+    const Index a = edge[0].triangle;
+    const Index b = edge[1].triangle;
+    if (model.domainSides[a] == model.domainSides[b] && model.kindOf(a) == model.kindOf(b) &&
+        model.isTurnedSide(a) == model.isTurnedSide(b) && edge[0].forward != edge[1].forward)
+    {
+      sets.join(a, b);
+    }
+  });
+  std::vector<Index> pieces(model.triangles.size());
+  count = 0;
+  for (Index t = 0; t < pieces.size(); ++t)
+  {
+    const Index root = sets.find(t);
+    pieces[t] = root == t ? count++ : pieces[root];
+  }
+  return pieces;
+}
+
 std::vector<View> viewsOfZones(const std::vector<ZoneSummary>& zones)
 {
   std::vector<View> views;
@@ -242,6 +241,8 @@ std::vector<View> viewsOfZones(const std::vector<ZoneSummary>& zones)
         return zone.kept ? View::air : View::ground;
       case ZoneKind::room:
         return zone.kept ? View::air : View::room;
+      case ZoneKind::narrow:
+        return zone.kept ? View::air : View::narrow;
       default:
         return zone.kept ? View::air : View::solid;
     }

@@ -13,11 +13,12 @@ enum class View : std::uint8_t
   nothing, ///< no edge of the grid tells: the piece is finer than the grid
   air,     ///< a zone that is meshed
   ground,  ///< an open zone that is not meshed: under the ground
-  solid,   ///< the inside of a solid, or a narrow space in one
+  solid,   ///< the inside of a solid
+  narrow,  ///< a closed space without an element that has elements on all of its sides
   room,    ///< a closed room that is not meshed
   beyond   ///< what is outside of the domain
 };
-inline constexpr std::size_t viewCount = 6;
+inline constexpr std::size_t viewCount = 7;
 
 /// By SheetSide: the front of a triangle, then its back.
 using TriangleViews = std::array<View, 2>;
@@ -36,9 +37,13 @@ struct ViewShare
   RankExchange* exchange = nullptr;
 };
 
+/// Returns, by triangle, the number of the piece of the model that it belongs to, and sets their count. Triangles of a
+/// piece are joined across edges that no third one has, and are wound alike.
+std::vector<Index> piecesBetweenEdges(const SurfaceModel& model, Index& count, const Executor& executor);
+
 /// Returns the views of each triangle of the model.
 ///
-/// Triangles joined across edges that two of them share see the same, as the repair cuts triangles wherever others pass
+/// The triangles of a piece see the same, as the repair cuts triangles wherever others pass
 /// through. The edges of the grid that cut such a piece vote: the first triangle on an edge sees the zone of its first
 /// point, the last one that of its other point, and neighbors between them see each other's zone. The majority decides.
 /// \param zones  The zones of `crossings`.

@@ -195,9 +195,9 @@ BoundaryEdges boundaryOf(const SurfaceModel& model, const Executor& executor)
           }};
 }
 
-void findFeatures(SurfaceModel& model, const GridFrame& frame, const FeatureOptions& options, const Executor& executor)
+void findFeatures(SurfaceModel& model, const GridFrame& frame, const Executor& executor)
 {
-  const double minimumCosine = cosOfDegrees(options.featureAngle);
+  const double minimumCosine = cosOfDegrees(model.featureAngle);
   const std::vector<SoupEdgeUse> uses = sortedEdgeUses(model.triangles, model.points.size(), executor);
   std::vector<Index> begins =
       chosenNumbers(uses.size(), executor, [&](std::size_t i) { return i == 0 || uses[i].edge != uses[i - 1].edge; });

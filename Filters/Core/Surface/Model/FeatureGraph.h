@@ -6,9 +6,9 @@
 
 namespace atria {
 
-/// Fills `charts`, `featureEdges`, `curves` and `corners` of a model whose points, triangles, surface ids and domain
-/// sides are set.
-void findFeatures(SurfaceModel& model, const GridFrame& frame, const FeatureOptions& options, const Executor& executor);
+/// Fills `charts`, `featureEdges`, `curves` and `corners` of a model whose points, triangles, surface ids, domain sides
+/// and feature angle are set.
+void findFeatures(SurfaceModel& model, const GridFrame& frame, const Executor& executor);
 
 /// The boundary edges of a model's walls, but for those of triangles on sides of the domain.
 BoundaryEdges boundaryOf(const SurfaceModel& model, const Executor& executor);

@@ -128,7 +128,8 @@ SurfaceModel makeSurfaceModel(const TriangleSurface& surface, const GridFrame& f
   {
     model.domainSides.push_back(sideOf(model, t, frame));
   }
-  findFeatures(model, frame, options, context.executor);
+  model.featureAngle = options.featureAngle;
+  findFeatures(model, frame, context.executor);
   return model;
 }
 

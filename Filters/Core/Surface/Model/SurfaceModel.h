@@ -66,6 +66,8 @@ struct SurfaceModel
 
   /// What of the model was changed.
   SurfaceRepairReport repair;
+  /// As FeatureOptions::featureAngle.
+  double featureAngle = 30.0;
 
   /// Whether a triangle is a side of a domain that stands turned in the grid (see TurnedSides.h).
   bool isTurnedSide(Index triangle) const { return surfaceIds[triangle] >= names.size(); }
