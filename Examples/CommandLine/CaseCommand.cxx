@@ -32,6 +32,10 @@ using Words = std::vector<std::string>;
 /// In the order of vtkAtriaOpenFOAMCaseWriter's numbers.
 const Words turbulenceModels{"k-epsilon", "realizable", "k-omega-sst"};
 const Words dialects{"opencfd-1912", "opencfd", "foundation"};
+const Words kinds{"automatic", "wind", "room"};
+/// What one kind takes and the other does not.
+const Words windOptions{"--speed", "--height", "--roughness", "--north"};
+const Words roomOptions{"--inlet-speed", "--inlet-flow"};
 
 struct Options
 {
@@ -43,7 +47,8 @@ struct Options
   std::vector<double> wind;
   std::vector<double> from;
   int rose = 0, iterations = 0, processors = 0;
-  std::string turbulence, dialect;
+  double inletSpeed = 0.0, inletFlow = 0.0;
+  std::string kind, turbulence, dialect;
   bool age = false;
   std::vector<std::pair<std::string, std::string>> patchRules;
   std::vector<std::tuple<std::string, std::string, std::string>> conditions;
@@ -56,9 +61,10 @@ constexpr const char* examples = R"(Examples:
       twelve directions, which share the mesh; each runs on four processors
   atria case openfoam -o case --from 225 --turbulence k-omega-sst --patch 'Glass*' slip
       the mesh of an OpenFOAM case, wind from the southwest, another model of turbulence, walls without friction
-  atria case room.vtu -o case --patch Supply inlet --patch Exhaust outlet --condition Supply U
-      'type flowRateInletVelocity; volumetricFlowRate 0.05; value uniform (0 0 0);'
-      a room that air is blown into)";
+  atria case room.vtu -o case --inlet-flow 0.05 --age-of-air
+      a room, whose openings are called Inlet and Outlet, or Supply_1 and Exhaust: 50 l/s through each inlet
+  atria case room.vtu -o case --patch East inlet:0.5m/s --patch West outlet
+      a room whose openings have other names))";
 
 void declareWind(CLI::App& command, Options& options)
 {
@@ -96,13 +102,40 @@ void declareWind(CLI::App& command, Options& options)
       ->type_name("DEG");
 }
 
+void declareRoom(CLI::App& command, Options& options)
+{
+  vtkNew<vtkAtriaOpenFOAMCaseWriter> standard;
+  options.kind = kinds[static_cast<std::size_t>(standard->GetKind())];
+  options.inletSpeed = standard->GetInletSpeed();
+  options.inletFlow = standard->GetInletFlowRate();
+  command
+      .add_option("--kind", options.kind,
+                  "What moves the air: wind, or inlets of a room; automatic: a room where no wind direction is given, "
+                  "patches are inlets and outlets by name or by --patch, and all others are walls")
+      ->capture_default_str()
+      ->check(oneOf(kinds))
+      ->type_name("automatic|wind|room");
+  auto* speed = command
+                    .add_option("--inlet-speed", options.inletSpeed,
+                                "Speed of the air from each inlet of a room, along the inlet's normal, m/s")
+                    ->capture_default_str()
+                    ->check(numberIn(standard->GetInletSpeedMinValue(), standard->GetInletSpeedMaxValue()))
+                    ->type_name("M/S");
+  command
+      .add_option("--inlet-flow", options.inletFlow, "Air from each inlet of a room, m3/s, instead of --inlet-speed")
+      ->check(numberIn(standard->GetInletFlowRateMinValue(), standard->GetInletFlowRateMaxValue()))
+      ->excludes(speed)
+      ->type_name("M3/S");
+}
+
 void declarePatches(CLI::App& command, Options& options)
 {
   command
       .add_option(
           "--patch", options.patchRules,
-          "What the patches are whose name matches: inlet, outlet, inletOutlet (by the flow), slip, ground, wall "
-          "or rough:SIZE (sand grains, meters); may be repeated, the last holds")
+          "What the patches are whose name matches: inlet, inlet:AMOUNT (which blows along its normal; m/s, m3/s, m3/h "
+          "or l/s, such as inlet:0.5m/s), outlet, inletOutlet (by the flow), slip, ground, wall or rough:SIZE (sand "
+          "grains, meters); may be repeated, the last holds")
       ->allow_extra_args(false)
       ->type_name("PATTERN ROLE");
   command
@@ -153,8 +186,13 @@ int numberOf(const Words& words, const std::string& word)
   return static_cast<int>(std::find(words.begin(), words.end(), word) - words.begin());
 }
 
-void configure(vtkAtriaOpenFOAMCaseWriter* writer, const Options& options)
+void configure(vtkAtriaOpenFOAMCaseWriter* writer, const Options& options, const CLI::App& command)
 {
+  writer->SetKind(numberOf(kinds, options.kind));
+  writer->SetInletQuantity(command.count("--inlet-flow") > 0 ? vtkAtriaOpenFOAMCaseWriter::ByFlowRate
+                                                             : vtkAtriaOpenFOAMCaseWriter::BySpeed);
+  writer->SetInletSpeed(options.inletSpeed);
+  writer->SetInletFlowRate(options.inletFlow);
   writer->WriteBinaryOn();
   writer->SetCaseDirectory(options.output.c_str());
   writer->SetReferenceSpeed(options.speed);
@@ -207,6 +245,22 @@ bool writeCase(vtkAtriaOpenFOAMCaseWriter* writer, const Options& options, Conso
   return writer->Write() != 0;
 }
 
+/// Options that the case has no use for are no mistake in a file for --config, but worth a word.
+void warnOfUnused(vtkAtriaOpenFOAMCaseWriter* writer, const CLI::App& command, Console& console)
+{
+  const bool isRoom = writer->GetWrittenKind() == vtkAtriaOpenFOAMCaseWriter::Room;
+  for (const std::string& option : isRoom ? windOptions : roomOptions)
+  {
+    if (command.count(option) > 0)
+    {
+      console.warning(
+          option + (isRoom
+                        ? " is for wind, and this is a room: see --inlet-speed, --inlet-flow and --kind"
+                        : " is for rooms, and this is a case of wind: see --patch PATTERN inlet:AMOUNT, and --kind"));
+    }
+  }
+}
+
 ExitStatus runCase(const Options& options, const CLI::App& command, Console& console)
 {
   if (!options.writeConfig.empty())
@@ -222,7 +276,7 @@ ExitStatus runCase(const Options& options, const CLI::App& command, Console& con
   }
   checkFolder("--output", options.output);
   vtkNew<vtkAtriaOpenFOAMCaseWriter> writer;
-  configure(writer, options);
+  configure(writer, options, command);
   const bool written = writeCase(writer, options, console);
   Console::throwIfInterrupted();
   const bool isFull = writer->GetErrorCode() == vtkErrorCode::CannotOpenFileError;
@@ -232,6 +286,11 @@ ExitStatus runCase(const Options& options, const CLI::App& command, Console& con
   {
     throw Failure(Failed, options.output + ": the case could not be written; check permissions and space");
   }
+  warnOfUnused(writer, command, console);
+  if (!writer->GetSummary().empty())
+  {
+    std::cout << writer->GetSummary() << "\n";
+  }
   std::cout << "Run it: " << (fs::path(options.output) / "Allrun").string() << "\n";
   return Done;
 }
@@ -240,7 +299,8 @@ ExitStatus runCase(const Options& options, const CLI::App& command, Console& con
 
 void addCaseCommand(CLI::App& app, Console& console, ExitStatus& status)
 {
-  CLI::App* command = app.add_subcommand("case", "Make a case of OpenFOAM for wind, which runs, of a mesh");
+  CLI::App* command =
+      app.add_subcommand("case", "Make a case of OpenFOAM for wind or for a room, which runs, of a mesh");
   command->fallthrough(); // to --config
   auto options = std::make_shared<Options>();
   const auto group = [&](const char* name) { command->option_defaults()->group(name); };
@@ -251,6 +311,8 @@ void addCaseCommand(CLI::App& app, Console& console, ExitStatus& status)
   command->add_option("-o,--output", options->output, "Folder of the case; may be that of MESH")->type_name("DIR");
   group("Wind");
   declareWind(*command, *options);
+  group("Room");
+  declareRoom(*command, *options);
   group("Patches");
   declarePatches(*command, *options);
   group("Run");

@@ -13,6 +13,54 @@ namespace atria {
 
 namespace {
 
+/// Of air from a duct or a diffuser: speeds vary by a twentieth of their mean, and eddies have this share of the
+/// opening's hydraulic diameter.
+constexpr double supplyIntensity = 0.05;
+constexpr double eddyShare = 0.07;
+
+/// What the turbulence model starts from and what comes back in at outlets.
+struct Turbulence
+{
+  double k = 0.0;       ///< m2/s2
+  double epsilon = 0.0; ///< m2/s3
+  double omega = 0.0;   ///< 1/s
+};
+
+/// Four areas over the perimeter of a rectangle with the patch's area and diagonal, meters.
+double hydraulicDiameter(const CasePatch& patch)
+{
+  return 2.0 * patch.area / std::sqrt(patch.bounds.size().squaredNorm() + 2.0 * patch.area);
+}
+
+Turbulence turbulenceOf(const Supply& supply, const CasePatch& patch)
+{
+  const double speed = supplyIntensity * supply.speed(patch.area);
+  const double k = 1.5 * speed * speed;
+  const double length = eddyShare * hydraulicDiameter(patch);
+  return {k, std::pow(turbulenceCmu, 0.75) * std::pow(k, 1.5) / length,
+          std::sqrt(k) / (std::pow(turbulenceCmu, 0.25) * length)};
+}
+
+/// Of the wind at its reference height, or in a room of the inlet through which most air comes.
+Turbulence typicalTurbulence(const CaseOfDirection& flow)
+{
+  double most = 0.0;
+  Turbulence found;
+  for (std::size_t i = 0; flow.isRoom() && i < flow.choices.size(); ++i)
+  {
+    const auto& supply = flow.choices[i].supply;
+    const CasePatch& patch = flow.mesh.patches[i];
+    if (supply && patch.area > 0.0 && supply->flowRate(patch.area) > most)
+    {
+      most = supply->flowRate(patch.area);
+      found = turbulenceOf(*supply, patch);
+    }
+  }
+  const WindProfile& wind = flow.settings.wind;
+  const double z = wind.referenceHeight;
+  return flow.isRoom() ? found : Turbulence{wind.kineticEnergy(), wind.dissipation(z), wind.specificDissipation(z)};
+}
+
 /// One field's boundaryField entry for a patch.
 using Condition = std::function<void(FoamText&, const CasePatch&, const PatchChoice&)>;
 
@@ -46,10 +94,10 @@ class Fields
 public:
   explicit Fields(const CaseOfDirection& source) : flow(source), wind(source.settings.wind)
   {
-    const double z = wind.referenceHeight;
-    k = foamNumber(wind.kineticEnergy());
-    epsilon = foamNumber(wind.dissipation(z));
-    omega = foamNumber(wind.specificDissipation(z));
+    const Turbulence typical = typicalTurbulence(source);
+    k = foamNumber(typical.k);
+    epsilon = foamNumber(typical.epsilon);
+    omega = foamNumber(typical.omega);
   }
 
   std::vector<Field> all() const
@@ -59,7 +107,7 @@ public:
     std::vector<Field> fields{{"U", "volVectorField", "[0 1 -1 0 0 0 0]", foamVector(Vec3::Zero()),
                                [this](auto& text, auto& patch, auto& choice) { velocity(text, patch, choice); }},
                               {"p", "volScalarField", "[0 2 -2 0 0 0 0]", "0",
-                               [](auto& text, auto&, auto& choice) { pressure(text, choice); }},
+                               [this](auto& text, auto&, auto& choice) { pressure(text, choice); }},
                               {"k", "volScalarField", "[0 2 -2 0 0 0 0]", k,
                                [this](auto& text, auto& patch, auto& choice) {
                                  turbulent(text, patch, choice, "atmBoundaryLayerInletK", "kqRWallFunction", k);
@@ -121,8 +169,32 @@ private:
     text.entry("profile", table + ")").entry("direction", "(0 0 1)").entry("origin", patch.bounds.min[2]);
   }
 
+  /// Along the inward normal of each face, with the same speed.
+  static void blow(FoamText& text, const Supply& supply)
+  {
+    if (supply.quantity == Supply::Speed)
+    {
+      type(text, "surfaceNormalFixedValue");
+      text.entry("refValue", "uniform " + foamNumber(-supply.amount));
+    }
+    else
+    {
+      type(text, "flowRateInletVelocity");
+      text.entry("volumetricFlowRate", supply.amount);
+    }
+    text.entry("value", "uniform (0 0 0)"); // follows from the above
+  }
+
   void velocity(FoamText& text, const CasePatch& patch, const PatchChoice& choice) const
   {
+    if (choice.supply)
+    {
+      return blow(text, *choice.supply);
+    }
+    if (isRoomOpening(choice))
+    {
+      return valued(text, "pressureInletOutletVelocity", "(0 0 0)");
+    }
     switch (choice.role)
     {
       case PatchRole::Inlet:
@@ -139,8 +211,17 @@ private:
     }
   }
 
-  static void pressure(FoamText& text, const PatchChoice& choice)
+  /// An opening of a room to still air, which air passes either way.
+  bool isRoomOpening(const PatchChoice& choice) const { return flow.isRoom() && choice.role == PatchRole::InletOutlet; }
+
+  void pressure(FoamText& text, const PatchChoice& choice) const
   {
+    if (isRoomOpening(choice))
+    {
+      type(text, "totalPressure");
+      text.entry("p0", "uniform 0").entry("value", "uniform 0");
+      return;
+    }
     switch (choice.role)
     {
       case PatchRole::Outlet:
@@ -156,9 +237,32 @@ private:
     }
   }
 
+  /// What comes with the air of a supply; OpenFOAM takes it from the velocity, also from one that is edited.
+  void supplied(FoamText& text, const CasePatch& patch, const Supply& supply, const std::string& wallFunction) const
+  {
+    const Turbulence its = turbulenceOf(supply, patch);
+    if (wallFunction == "kqRWallFunction")
+    {
+      type(text, "turbulentIntensityKineticEnergyInlet");
+      text.entry("intensity", supplyIntensity).entry("value", "uniform " + foamNumber(its.k));
+      return;
+    }
+    type(text, flow.usesOmega() ? "turbulentMixingLengthFrequencyInlet" : "turbulentMixingLengthDissipationRateInlet");
+    text.entry("mixingLength", eddyShare * hydraulicDiameter(patch));
+    text.entry("value", "uniform " + foamNumber(flow.usesOmega() ? its.omega : its.epsilon));
+  }
+
   void turbulent(FoamText& text, const CasePatch& patch, const PatchChoice& choice, const char* inlet,
                  const char* wallFunction, const std::string& value) const
   {
+    if (choice.supply)
+    {
+      return supplied(text, patch, *choice.supply, wallFunction);
+    }
+    if (isRoomOpening(choice))
+    {
+      return inletOutlet(text, value);
+    }
     switch (choice.role)
     {
       case PatchRole::Inlet:
@@ -236,16 +340,6 @@ void checkFieldNames(const std::vector<ConditionRule>& rules, const std::vector<
   }
 }
 
-/// The last rule for a patch in a field, or null.
-const ConditionRule* ruleFor(const CaseOfDirection& flow, const Field& field, const CasePatch& patch)
-{
-  const auto& rules = flow.settings.conditionRules;
-  const auto found = std::find_if(rules.rbegin(), rules.rend(), [&](const ConditionRule& rule) {
-    return rule.field == field.name && matchesPatchName(rule.pattern, patch.name, openFOAMNames);
-  });
-  return found == rules.rend() ? nullptr : &*found;
-}
-
 void writeField(const std::filesystem::path& folder, const Field& field, const CaseOfDirection& flow)
 {
   FoamText text;
@@ -260,7 +354,7 @@ void writeField(const std::filesystem::path& folder, const Field& field, const C
   {
     const CasePatch& patch = flow.mesh.patches[i];
     const PatchChoice& choice = flow.choices[i];
-    const ConditionRule* rule = ruleFor(flow, field, patch);
+    const ConditionRule* rule = conditionOf(flow.settings, field.name, patch.name);
     if (!rule && choice.role == PatchRole::Wall)
     {
       continue;

@@ -6,16 +6,17 @@
 
 namespace atria {
 
-/// What the files of one wind direction are written from.
+/// What the files of one wind direction, or of a room, are written from.
 struct CaseOfDirection
 {
   const CaseMesh& mesh;
   const FlowCaseSettings& settings;
-  Vec3 wind;                        ///< of length 1
+  Vec3 wind;                        ///< of length 1; zero in a room
   std::vector<PatchChoice> choices; ///< by patch
   std::vector<Vec3> probes;
 
   std::vector<std::string> namesOf(PatchRole role) const;
+  bool isRoom() const { return settings.kind == FlowKind::Room; }
   bool usesOmega() const { return settings.turbulence == TurbulenceModel::KOmegaSST; }
 };
 

@@ -162,6 +162,10 @@ CaseMesh describeMesh(const PolyMesh& poly, const RunContext& context)
     described.bounds.extend(point);
   }
   const MeasuredMesh measured = measureMesh(poly.mesh, context.part(0.0, 0.4));
+  for (const double volume : measured.geometry.cellVolumes)
+  {
+    described.volume += volume;
+  }
   const MeshVerdict verdict = checkMesh(measured, context.part(0.4, 1.0));
   described.worstNonOrthogonality = verdict["NonOrthogonality"].worst;
   described.meanNonOrthogonality = verdict["NonOrthogonality"].mean;

@@ -47,6 +47,7 @@ struct CaseMesh
   std::size_t cells = 0;
   std::size_t faces = 0;
   Box3 bounds;
+  double volume = 0.0;                ///< cubic meters
   double worstNonOrthogonality = 0.0; ///< degrees
   double meanNonOrthogonality = 0.0;  ///< degrees
   double worstSkewness = 0.0;

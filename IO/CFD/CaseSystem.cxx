@@ -47,7 +47,10 @@ void writeControl(const std::filesystem::path& folder, const CaseOfDirection& fl
   text.entry("purgeWrite", "2").entry("writeFormat", "binary").entry("writePrecision", "10");
   text.entry("writeCompression", "off").entry("timeFormat", "general").entry("timePrecision", "6");
   text.entry("runTimeModifiable", "yes").blank();
-  text.entry("libs", "(\"libatmosphericModels.so\")").blank();
+  if (!flow.isRoom())
+  {
+    text.entry("libs", "(\"libatmosphericModels.so\")").blank();
+  }
   addFunctions(text, flow);
   writeFoamFile(folder, "system", "controlDict", "dictionary", text);
 }

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "FlowCase.h"
 
+#include "CaseDescription.h"
 #include "CaseSystem.h"
 #include "Decomposition.h"
 #include "Grid/Prism.h"
 #include "OutputFolders.h"
 #include "Support/Error.h"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <set>
 
@@ -19,17 +19,10 @@ namespace atria {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::ordered_json;
 
 constexpr std::size_t mostProbes = 100;
 /// Probes stand as far from buildings as these are high, in this many heights.
 constexpr double probeHeights = 1.5;
-
-const char* roleName(PatchRole role)
-{
-  constexpr const char* names[] = {"inlet", "outlet", "inletOutlet", "slip", "ground", "wall", "rough", "constraint"};
-  return names[static_cast<std::size_t>(role)];
-}
 
 /// From the domain's xMin to its xMax, or against its first side, where there is such a side.
 double directionOfDomain(const CaseMesh& mesh)
@@ -161,57 +154,6 @@ void linkMesh(const fs::path& folder, const fs::path& other)
   }
 }
 
-Json describeSettings(const FlowCaseSettings& settings)
-{
-  constexpr const char* models[] = {"kEpsilon", "realizableKE", "kOmegaSST"};
-  const WindProfile& wind = settings.wind;
-  return {{"reference_speed", wind.speed},
-          {"reference_height", wind.referenceHeight},
-          {"roughness_length", wind.roughness},
-          {"friction_velocity", wind.frictionVelocity()},
-          {"turbulence", models[static_cast<std::size_t>(settings.turbulence)]},
-          {"iterations", settings.iterations},
-          {"pedestrian_height", settings.pedestrianHeight},
-          {"age_of_air", settings.ageOfAir}};
-}
-
-Json describeCase(const CaseMesh& mesh, const FlowCaseSettings& settings)
-{
-  Json report = describeSettings(settings);
-  report["mesh"] = {{"cells", mesh.cells},
-                    {"faces", mesh.faces},
-                    {"bounds",
-                     {mesh.bounds.min[0], mesh.bounds.max[0], mesh.bounds.min[1], mesh.bounds.max[1],
-                      mesh.bounds.min[2], mesh.bounds.max[2]}},
-                    {"worst_non_orthogonality", mesh.worstNonOrthogonality},
-                    {"mean_non_orthogonality", mesh.meanNonOrthogonality},
-                    {"worst_skewness", mesh.worstSkewness},
-                    {"failed_checks", mesh.failedChecks}};
-  report["openings"] = Json::array();
-  for (const CaseOpening& opening : mesh.openings)
-  {
-    report["openings"].push_back({{"name", opening.name}, {"area", opening.area}, {"rooms", opening.rooms}});
-  }
-  report["rooms"] = Json::array();
-  for (const CaseRoom& room : mesh.rooms)
-  {
-    report["rooms"].push_back({{"name", room.name}, {"volume", room.volume}});
-  }
-  report["directions"] = Json::array();
-  return report;
-}
-
-Json describeDirection(const CaseOfDirection& flow, double towards, const std::string& folder)
-{
-  Json patches = Json::object();
-  for (std::size_t i = 0; i < flow.choices.size(); ++i)
-  {
-    patches[flow.mesh.patches[i].name] = roleName(flow.choices[i].role);
-  }
-  return {
-      {"folder", folder}, {"towards", towards}, {"from", windFrom(towards, flow.settings.north)}, {"patches", patches}};
-}
-
 void setTypes(const fs::path& caseFolder, PolyMesh& poly, const std::map<std::string, std::string>& types)
 {
   setPatchTypes(caseFolder, types);
@@ -261,32 +203,86 @@ std::vector<std::string> foldersOf(const FlowCaseSettings& settings)
   return folders;
 }
 
+void writeFiles(const fs::path& folder, const CaseOfDirection& flow)
+{
+  writeFields(folder, flow);
+  writeConstant(folder, flow);
+  writeSystem(folder, flow);
+  writeScript(folder / "Allrun", runScript(flow));
+  writeScript(folder / "Allclean", cleanScript());
+}
+
+/// Makes walls of inlets and outlets without faces, as conditions and functions of OpenFOAM divide by their areas.
+/// Returns a warning for each.
+std::vector<std::string> closeEmptyOpenings(CaseOfDirection& flow)
+{
+  std::vector<std::string> warnings;
+  for (std::size_t i = 0; i < flow.choices.size(); ++i)
+  {
+    PatchChoice& choice = flow.choices[i];
+    const bool isOpening =
+        choice.role == PatchRole::Inlet || choice.role == PatchRole::Outlet || choice.role == PatchRole::InletOutlet;
+    if (isOpening && flow.mesh.patches[i].area <= 0.0)
+    {
+      warnings.push_back("no air passes '" + flow.mesh.patches[i].name + "': the mesh has no faces of it");
+      choice = {};
+    }
+  }
+  return warnings;
+}
+
+/// Settles the kind and, for wind, the directions. A room has one "direction" of no length.
+void settleKind(const CaseMesh& mesh, FlowCaseSettings& settings)
+{
+  settings.kind = isRoom(mesh, settings) ? FlowKind::Room : FlowKind::Wind;
+  if (settings.kind == FlowKind::Room && !settings.directions.empty())
+  {
+    throw Error("a room has no wind: give no wind directions, or make a case of wind");
+  }
+  if (settings.directions.empty())
+  {
+    settings.directions = {settings.kind == FlowKind::Room ? 0.0 : directionOfDomain(mesh)};
+  }
+}
+
+CaseOfDirection chosen(const CaseMesh& mesh, const FlowCaseSettings& settings, double towards)
+{
+  CaseOfDirection flow{mesh, settings, Vec3::Zero(), {}, {}};
+  if (flow.isRoom())
+  {
+    flow.choices = chooseRoomPatches(mesh, settings);
+    return flow;
+  }
+  flow.wind = windVector(towards);
+  flow.choices = choosePatches(mesh, settings, flow.wind);
+  return flow;
+}
+
 } // namespace
 
-std::vector<std::string> writeFlowCase(const fs::path& caseFolder, FlowCaseSettings settings, const RunContext& context)
+WrittenCase writeFlowCase(const fs::path& caseFolder, FlowCaseSettings settings, const RunContext& context)
 {
   PolyMesh poly = readPolyMesh(caseFolder);
   const CaseMesh mesh = describeMesh(poly, context);
-  if (settings.directions.empty())
-  {
-    settings.directions = {directionOfDomain(mesh)};
-  }
+  settleKind(mesh, settings);
   const std::vector<std::string> folders = foldersOf(settings);
-  Json report = describeCase(mesh, settings);
-  std::vector<std::string> notes;
+  nlohmann::ordered_json report;
+  WrittenCase written{settings.kind, {}, {}};
+  Windless windless;
   removeProcessors(caseFolder); // of another mesh, and of another number
   for (std::size_t d = 0; d < folders.size(); ++d)
   {
     const fs::path folder = folders[d] == "." ? caseFolder : caseFolder / folders[d];
-    CaseOfDirection flow{mesh, settings, windVector(settings.directions[d]), {}, {}};
-    flow.choices = choosePatches(mesh, settings, flow.wind);
+    CaseOfDirection flow = chosen(mesh, settings, settings.directions[d]);
+    std::vector<std::string> warnings = closeEmptyOpenings(flow);
+    std::ranges::copy(warnOfSheets(flow), std::back_inserter(warnings));
+    for (const std::string& name : inletsWithoutWind(mesh, settings, flow.choices, flow.wind))
+    {
+      windless[name].push_back(folders[d]);
+    }
     flow.probes = probePlaces(poly, flow.namesOf(PatchRole::Ground), surroundings(mesh, flow.choices),
                               settings.pedestrianHeight, mostProbes);
-    writeFields(folder, flow);
-    writeConstant(folder, flow);
-    writeSystem(folder, flow);
-    writeScript(folder / "Allrun", runScript(flow));
-    writeScript(folder / "Allclean", cleanScript());
+    writeFiles(folder, flow);
     if (folders[d] != ".")
     {
       removeProcessors(folder);
@@ -295,6 +291,9 @@ std::vector<std::string> writeFlowCase(const fs::path& caseFolder, FlowCaseSetti
     }
     if (d == 0)
     {
+      report = describeCase(flow);
+      written.summary = flow.isRoom() ? summaryOfRoom(flow) : "";
+      written.warnings = std::move(warnings);
       setTypes(caseFolder, poly, changedTypes(mesh, flow.choices));
       if (settings.processors > 1)
       {
@@ -310,7 +309,8 @@ std::vector<std::string> writeFlowCase(const fs::path& caseFolder, FlowCaseSetti
     writeScript(caseFolder / "Allclean", scriptOfAll(folders, "Allclean"));
   }
   writePlainFile(caseFolder / "case.json", report.dump(2) + "\n");
-  return notes;
+  std::ranges::copy(warnOfWindless(windless, folders), std::back_inserter(written.warnings));
+  return written;
 }
 
 } // namespace atria

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "FlowCase.h"
 
+#include "OpeningNames.h"
 #include "PatchNames.h"
 #include "Support/Error.h"
 #include "Support/NamePattern.h"
+#include "Support/Text.h"
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <iomanip>
+#include <iterator>
 #include <numbers>
 #include <sstream>
 
@@ -19,10 +22,26 @@ namespace {
 /// Share of its area that a patch must turn one way to be the sky, the ground or a plane side.
 constexpr double oneWay = 0.99;
 constexpr double mostlyOneWay = 0.5;
+/// The same for an inlet whose faces the wind enters all or not at all; a half cylinder has 0.64.
+constexpr double nearlyPlane = 0.9;
 /// Air that slips along a side is turned by no more than this, degrees.
 constexpr double alongSide = 1.0;
 
-const std::vector<std::string> roleNames{"inlet", "outlet", "inletOutlet", "slip", "ground", "wall", "rough:SIZE"};
+/// The roles that have no number come first, in the order of PatchRole.
+const std::vector<std::string> roleNames{"inlet",  "outlet", "inletOutlet", "slip",
+                                         "ground", "wall",   "rough:SIZE",  "inlet:AMOUNTm/s"};
+constexpr std::size_t plainRoles = 6;
+
+struct SupplyUnit
+{
+  std::string_view name;
+  Supply::Quantity quantity;
+  double inSi;
+};
+constexpr SupplyUnit supplyUnits[] = {{"m/s", Supply::Speed, 1.0},
+                                      {"m3/s", Supply::FlowRate, 1.0},
+                                      {"m3/h", Supply::FlowRate, 1.0 / 3600.0},
+                                      {"l/s", Supply::FlowRate, 1e-3}};
 
 bool isConstraint(const std::string& type) { return type != "patch" && type != "wall" && !type.starts_with("mapped"); }
 
@@ -51,13 +70,32 @@ PatchRole roleOf(const CasePatch& patch, const Vec3& wind)
   return up > mostlyOneWay ? PatchRole::Slip : up < -mostlyOneWay ? PatchRole::Ground : roleOfUpright(patch, wind);
 }
 
-void applyRules(const CaseMesh& mesh, const std::vector<PatchRule>& rules, std::vector<PatchChoice>& choices)
+/// Refuses a speed and a flow rate for the same patches: neither rule is meant to correct the other.
+void refuseTwoSupplies(const std::vector<PatchRule>& rules)
 {
+  for (const PatchRule& a : rules)
+  {
+    for (const PatchRule& b : rules)
+    {
+      if (a.pattern == b.pattern && a.choice.supply && b.choice.supply &&
+          a.choice.supply->quantity != b.choice.supply->quantity)
+      {
+        throw Error("inlet '" + a.pattern + "' has both a speed and a flow rate: give one of them");
+      }
+    }
+  }
+}
+
+/// By patch the last rule that matches it, or null.
+std::vector<const PatchRule*> rulesOf(const CaseMesh& mesh, const std::vector<PatchRule>& rules)
+{
+  refuseTwoSupplies(rules);
   std::vector<std::string> names;
   for (const CasePatch& patch : mesh.patches)
   {
     names.push_back(patch.name);
   }
+  std::vector<const PatchRule*> found(names.size(), nullptr);
   for (const PatchRule& rule : rules)
   {
     bool isUsed = false;
@@ -65,7 +103,7 @@ void applyRules(const CaseMesh& mesh, const std::vector<PatchRule>& rules, std::
     {
       if (matchesPatchName(rule.pattern, names[i], openFOAMNames))
       {
-        choices[i] = rule.choice;
+        found[i] = &rule;
         isUsed = true;
       }
     }
@@ -74,6 +112,84 @@ void applyRules(const CaseMesh& mesh, const std::vector<PatchRule>& rules, std::
       throw Error("no patch matches '" + rule.pattern + "'; " + namesInstead(rule.pattern, names));
     }
   }
+  return found;
+}
+
+PatchRole roleInRoom(const CasePatch& patch)
+{
+  if (isConstraint(patch.type))
+  {
+    return PatchRole::Constraint;
+  }
+  const auto opening = ventilationOpeningOf(patch.name);
+  return !opening ? PatchRole::Wall : *opening == VentilationOpening::Inlet ? PatchRole::Inlet : PatchRole::Outlet;
+}
+
+/// Before inlets have their supplies.
+std::vector<PatchChoice> rolesInRoom(const CaseMesh& mesh, const std::vector<const PatchRule*>& rules)
+{
+  std::vector<PatchChoice> choices;
+  for (std::size_t i = 0; i < mesh.patches.size(); ++i)
+  {
+    choices.push_back(rules[i] ? rules[i]->choice : PatchChoice{roleInRoom(mesh.patches[i]), 0.0});
+  }
+  return choices;
+}
+
+bool letsAirThrough(PatchRole role)
+{
+  return role == PatchRole::Inlet || role == PatchRole::Outlet || role == PatchRole::InletOutlet;
+}
+
+std::vector<std::string> namesOf(const CaseMesh& mesh, const std::vector<PatchChoice>& choices, PatchRole role)
+{
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < choices.size(); ++i)
+  {
+    if (choices[i].role == role && mesh.patches[i].area > 0.0)
+    {
+      names.push_back("'" + mesh.patches[i].name + "'");
+    }
+  }
+  return names;
+}
+
+/// Of a room.
+void requireInletAndOutlet(const CaseMesh& mesh, const std::vector<PatchChoice>& choices)
+{
+  const std::vector<std::string> inlets = namesOf(mesh, choices, PatchRole::Inlet);
+  std::vector<std::string> outlets = namesOf(mesh, choices, PatchRole::Outlet);
+  std::ranges::copy(namesOf(mesh, choices, PatchRole::InletOutlet), std::back_inserter(outlets));
+  if (inlets.empty() && outlets.empty())
+  {
+    throw Error(
+        "no patch lets air into the room, and none out. Name them, such as --patch NAME inlet --patch NAME outlet");
+  }
+  if (outlets.empty())
+  {
+    throw Error("no patch lets air out of the room: it has inlets only (" + joined(inlets) +
+                "). Name an outlet, such as --patch NAME outlet");
+  }
+  if (inlets.empty())
+  {
+    throw Error("no patch blows air into the room: it has outlets only (" + joined(outlets) +
+                "), and nothing would flow. Name an inlet, such as --patch NAME inlet");
+  }
+}
+
+PatchChoice supplyFrom(const std::string& text, std::string_view amount)
+{
+  double number = 0.0;
+  const auto [end, error] = std::from_chars(amount.data(), amount.data() + amount.size(), number);
+  const std::string_view unit(end, static_cast<std::size_t>(amount.data() + amount.size() - end));
+  const auto* const found = std::ranges::find(supplyUnits, unit, &SupplyUnit::name);
+  if (error != std::errc() || found == std::end(supplyUnits) || !(number > 0.0) || !std::isfinite(number))
+  {
+    throw Error("'" + text +
+                "': behind inlet: stands how air is blown in, as a speed or a flow rate with its unit (m/s, " +
+                "m3/s, m3/h, l/s), such as inlet:0.5m/s or inlet:50l/s");
+  }
+  return {PatchRole::Inlet, 0.0, Supply{found->quantity, number * found->inSi}};
 }
 
 } // namespace
@@ -93,10 +209,17 @@ PatchChoice patchChoiceFrom(const std::string& text)
     }
     return {PatchRole::RoughWall, size};
   }
+  constexpr std::string_view inlet = "inlet:";
+  if (text.starts_with(inlet))
+  {
+    return supplyFrom(text, std::string_view(text).substr(inlet.size()));
+  }
   constexpr PatchRole roles[] = {PatchRole::Inlet, PatchRole::Outlet, PatchRole::InletOutlet,
                                  PatchRole::Slip,  PatchRole::Ground, PatchRole::Wall};
-  const auto found = std::find(roleNames.begin(), roleNames.end() - 1, text);
-  if (found == roleNames.end() - 1)
+  static_assert(std::size(roles) == plainRoles);
+  const auto last = roleNames.begin() + plainRoles;
+  const auto found = std::find(roleNames.begin(), last, text);
+  if (found == last)
   {
     throw Error("'" + text + "' is not what a patch can be; " + namesInstead(text, roleNames));
   }
@@ -132,12 +255,12 @@ ConditionRule conditionRuleFrom(const std::string& text)
 
 std::vector<PatchChoice> choosePatches(const CaseMesh& mesh, const FlowCaseSettings& settings, const Vec3& wind)
 {
+  const std::vector<const PatchRule*> rules = rulesOf(mesh, settings.patchRules);
   std::vector<PatchChoice> choices;
-  for (const CasePatch& patch : mesh.patches)
+  for (std::size_t i = 0; i < mesh.patches.size(); ++i)
   {
-    choices.push_back({roleOf(patch, wind), 0.0});
+    choices.push_back(rules[i] ? rules[i]->choice : PatchChoice{roleOf(mesh.patches[i], wind), 0.0});
   }
-  applyRules(mesh, settings.patchRules, choices);
   const auto has = [&](PatchRole role) {
     return std::any_of(choices.begin(), choices.end(), [&](const PatchChoice& choice) {
       return choice.role == role || choice.role == PatchRole::InletOutlet;
@@ -152,6 +275,78 @@ std::vector<PatchChoice> choosePatches(const CaseMesh& mesh, const FlowCaseSetti
     }
   }
   return choices;
+}
+
+bool isRoom(const CaseMesh& mesh, const FlowCaseSettings& settings)
+{
+  if (settings.kind != FlowKind::Automatic || !settings.directions.empty())
+  {
+    return settings.kind == FlowKind::Room;
+  }
+  const std::vector<const PatchRule*> rules = rulesOf(mesh, settings.patchRules);
+  const std::vector<PatchChoice> choices = rolesInRoom(mesh, rules);
+  bool hasOpening = false;
+  for (std::size_t i = 0; i < choices.size(); ++i)
+  {
+    const CasePatch& patch = mesh.patches[i];
+    const PatchRole role = choices[i].role;
+    const bool isSide = patch.type != "wall" && patch.area > 0.0;
+    const bool isFloor = patch.areaVector[2] < -oneWay * patch.area;
+    const bool isOpenSide = isSide && (role == PatchRole::Slip || (role == PatchRole::Wall && !rules[i] && !isFloor));
+    if (isOpenSide || role == PatchRole::Ground || role == PatchRole::Constraint)
+    {
+      return false;
+    }
+    hasOpening = hasOpening || (letsAirThrough(role) && patch.area > 0.0);
+  }
+  return hasOpening;
+}
+
+std::vector<PatchChoice> chooseRoomPatches(const CaseMesh& mesh, const FlowCaseSettings& settings)
+{
+  std::vector<PatchChoice> choices = rolesInRoom(mesh, rulesOf(mesh, settings.patchRules));
+  for (std::size_t i = 0; i < choices.size(); ++i)
+  {
+    if (choices[i].role == PatchRole::Ground)
+    {
+      throw Error("a room has no ground with the roughness of the wind's profile: make '" + mesh.patches[i].name +
+                  "' wall or rough:SIZE");
+    }
+    if (choices[i].role == PatchRole::Inlet && !choices[i].supply)
+    {
+      choices[i].supply = settings.supply;
+    }
+  }
+  requireInletAndOutlet(mesh, choices);
+  return choices;
+}
+
+const ConditionRule* conditionOf(const FlowCaseSettings& settings, const std::string& field, const std::string& patch)
+{
+  const auto& rules = settings.conditionRules;
+  const auto found = std::find_if(rules.rbegin(), rules.rend(), [&](const ConditionRule& rule) {
+    return rule.field == field && matchesPatchName(rule.pattern, patch, openFOAMNames);
+  });
+  return found == rules.rend() ? nullptr : &*found;
+}
+
+std::vector<std::string> inletsWithoutWind(const CaseMesh& mesh, const FlowCaseSettings& settings,
+                                           const std::vector<PatchChoice>& choices, const Vec3& wind)
+{
+  std::vector<std::string> names;
+  const double limit = std::sin(alongSide * std::numbers::pi / 180.0);
+  for (std::size_t i = 0; i < choices.size(); ++i)
+  {
+    const CasePatch& patch = mesh.patches[i];
+    const bool takesWind = choices[i].role == PatchRole::Inlet && !choices[i].supply;
+    const bool hasOneNormal = patch.flatness() > nearlyPlane;
+    if (takesWind && hasOneNormal && patch.areaVector.dot(wind) > -limit * patch.areaVector.norm() &&
+        !conditionOf(settings, "U", patch.name))
+    {
+      names.push_back(patch.name);
+    }
+  }
+  return names;
 }
 
 } // namespace atria

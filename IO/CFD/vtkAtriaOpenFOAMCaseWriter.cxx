@@ -112,6 +112,10 @@ void vtkAtriaOpenFOAMCaseWriter::CheckProperties()
   {
     throw atria::Error("UseRanksAsProcessors is for the mesh alone: divide a case by NumberOfProcessors");
   }
+  atriaCheckRange(Kind);
+  atriaCheckRange(InletQuantity);
+  atriaCheckRange(InletSpeed);
+  atriaCheckRange(InletFlowRate);
   atriaCheckRange(ReferenceSpeed);
   atriaCheckRange(ReferenceHeight);
   atriaCheckRange(RoughnessLength);
@@ -130,6 +134,9 @@ void vtkAtriaOpenFOAMCaseWriter::CheckProperties()
 atria::FlowCaseSettings vtkAtriaOpenFOAMCaseWriter::GetSettings()
 {
   atria::FlowCaseSettings settings;
+  settings.kind = static_cast<atria::FlowKind>(this->Kind);
+  settings.supply = this->InletQuantity == ByFlowRate ? atria::Supply{atria::Supply::FlowRate, this->InletFlowRate}
+                                                      : atria::Supply{atria::Supply::Speed, this->InletSpeed};
   settings.wind = {this->ReferenceSpeed, this->ReferenceHeight, this->RoughnessLength};
   settings.north = this->NorthAngle;
   settings.directions = this->WindAngles;
@@ -182,7 +189,10 @@ void vtkAtriaOpenFOAMCaseWriter::WriteFlow(const char* source)
     if (this->GetErrorCode() == vtkErrorCode::NoError)
     {
       const atria::AlgorithmRun run(*this);
-      for (const std::string& warning : atria::writeFlowCase(folder, settings, run.context))
+      const atria::WrittenCase written = atria::writeFlowCase(folder, settings, run.context);
+      this->WrittenKind = static_cast<int>(written.kind);
+      this->Summary = written.summary;
+      for (const std::string& warning : written.warnings)
       {
         vtkWarningMacro("'" << folder.string() << "': " << warning);
       }
@@ -212,6 +222,13 @@ int vtkAtriaOpenFOAMCaseWriter::WriteForMesh(const char* source)
 void vtkAtriaOpenFOAMCaseWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  constexpr const char* kinds[] = {"automatic", "wind", "room"};
+  os << indent << "Kind: " << kinds[this->Kind] << "\n";
+  os << indent << "InletQuantity: " << (this->InletQuantity == ByFlowRate ? "flow rate" : "speed") << "\n";
+  os << indent << "InletSpeed: " << this->InletSpeed << "\n";
+  os << indent << "InletFlowRate: " << this->InletFlowRate << "\n";
+  os << indent << "WrittenKind: " << kinds[this->WrittenKind] << "\n";
+  os << indent << "Summary: " << this->Summary << "\n";
   os << indent << "ReferenceSpeed: " << this->ReferenceSpeed << "\n";
   os << indent << "ReferenceHeight: " << this->ReferenceHeight << "\n";
   os << indent << "RoughnessLength: " << this->RoughnessLength << "\n";

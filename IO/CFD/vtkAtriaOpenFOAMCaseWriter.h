@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class   vtkAtriaOpenFOAMCaseWriter
- * @brief   writes an OpenFOAM case of wind about and through buildings that runs as it is
+ * @brief   writes an OpenFOAM case of wind around and through buildings, or of a ventilated room, that runs as it is
  *
  * Inputs are those of vtkAtriaOpenFOAMWriter, which writes the mesh. Beside it are written the folders 0, constant and
  * system for steady Reynolds-averaged flow by simpleFoam (incompressible, turbulent), the scripts Allrun and Allclean,
@@ -14,12 +14,20 @@
  * - ground: what closes the domain below, also a wall that reaches its sides;
  * - walls: all others. PatchRules say otherwise by name, ConditionRules give entries of one field.
  *
+ * A mesh whose sides are all walls, and whose openings are inlets and outlets by name or by PatchRules, becomes a room:
+ * each inlet blows along its own inward normal, by InletSpeed or InletFlowRate or what its rule says; outlets have the
+ * pressure 0, and air that comes back in there starts at rest; all else are walls. A room has no wind. Words in names
+ * that make a patch an inlet are inlet, inflow, supply and diffuser, and of outlets outlet, outflow, exhaust, extract
+ * and return, whatever their capitals, such as Inlet_1; names that also have a word such as wall, duct, frame or power
+ * are neither. Kind says otherwise.
+ *
  * With several wind directions each has a folder `wind_<degrees it comes from>` of its own, which shares the mesh by a
  * link. Schemes and relaxation follow from the worst non-orthogonality of the mesh. While the case runs it measures the
  * flow through every face zone and every open side, forces on walls, and speeds at pedestrian height.
  *
  * What is refused, beside what vtkAtriaOpenFOAMWriter refuses: a rule that matches no patch, a mesh no patch of which
- * lets air in or out, and a folder that holds results of a run. Write() returns 0 then.
+ * lets air in or out, a room with wind angles, and a folder that holds results of a run. Write() returns 0 then.
+ * Warnings tell of inlets that the wind does not enter, and of sheets that blow from both sides.
  *
  * @sa vtkAtriaOpenFOAMWriter
  */
@@ -42,6 +50,60 @@ public:
   static vtkAtriaOpenFOAMCaseWriter* New();
   vtkTypeMacro(vtkAtriaOpenFOAMCaseWriter, vtkAtriaOpenFOAMWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum Kinds
+  {
+    Automatic,
+    Wind,
+    Room
+  };
+  ///@{
+  /**
+   * What moves the air: Wind, or the inlets of a Room. Automatic, the default, is Room if no wind angles are given, a
+   * patch is an inlet or an outlet by its name or by a rule, and all others are walls, but for a missing floor.
+   */
+  vtkAtriaSetInRangeMacro(Kind, int, Automatic, Room);
+  vtkGetMacro(Kind, int);
+  ///@}
+
+  enum InletQuantities
+  {
+    BySpeed,
+    ByFlowRate
+  };
+  ///@{
+  /**
+   * Whether inlets of a room blow by InletSpeed (the default) or by InletFlowRate. PatchRules say otherwise for single
+   * inlets.
+   */
+  vtkAtriaSetInRangeMacro(InletQuantity, int, BySpeed, ByFlowRate);
+  vtkGetMacro(InletQuantity, int);
+  ///@}
+
+  ///@{
+  /**
+   * Speed of the air from each inlet of a room, m/s. Default 1.
+   */
+  vtkAtriaSetInRangeMacro(InletSpeed, double, 1e-6, 1000.0);
+  vtkGetMacro(InletSpeed, double);
+  ///@}
+
+  ///@{
+  /**
+   * Air from each inlet of a room, m3/s. Default 0.05.
+   */
+  vtkAtriaSetInRangeMacro(InletFlowRate, double, 1e-9, 1e6);
+  vtkGetMacro(InletFlowRate, double);
+  ///@}
+
+  ///@{
+  /**
+   * Of the case that was written last: Wind or Room; Automatic before the first. Summary is a sentence about what flows
+   * in and out of a room, and empty for wind.
+   */
+  vtkGetMacro(WrittenKind, int);
+  vtkGetMacro(Summary, std::string);
+  ///@}
 
   ///@{
   /**
@@ -152,8 +214,9 @@ public:
   ///@{
   /**
    * What patches are, as `PATTERN ROLE`: the pattern (* and ? stand for text) in double quotes where it holds blanks,
-   * and inlet, outlet, inletOutlet (by the flow), slip, ground, wall or rough:SIZE (a wall with sand grains of that
-   * height, meters). Of several rules for a patch the last holds. None by default.
+   * and inlet, inlet:AMOUNT (which blows along its normal; m/s, m3/s, m3/h or l/s, such as inlet:0.5m/s), outlet,
+   * inletOutlet (by the flow), slip, ground, wall or rough:SIZE (a wall with sand grains of that height, meters). Of
+   * several rules for a patch the last holds. None by default.
    */
   void AddPatchRule(const char* rule);
   void RemoveAllPatchRules();
@@ -194,6 +257,12 @@ private:
   void WriteFlow(const char* source);
   atria::FlowCaseSettings GetSettings();
 
+  int Kind = Automatic;
+  int InletQuantity = BySpeed;
+  double InletSpeed = 1.0;
+  double InletFlowRate = 0.05;
+  int WrittenKind = Automatic;
+  std::string Summary;
   double ReferenceSpeed = 5.0;
   double ReferenceHeight = 10.0;
   double RoughnessLength = 0.1;

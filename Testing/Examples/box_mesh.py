@@ -14,12 +14,14 @@ def header(name, of):
     return (f"FoamFile {{ version 2.0; format ascii; class {of}; location \"constant/polyMesh\"; object {name}; }}\n")
 
 
-def write_box(case, counts, bounds, *, zone_at=None, turned=None):
+def write_box(case, counts, bounds, *, zone_at=None, turned=None, patch_of=None):
     """A box of counts[0] × counts[1] × counts[2] cells between `bounds` ((x0, x1), (y0, y1), (z0, z1)).
 
     zone_at  the face zone `Wall_opening_1` lies between cells i = zone_at - 1 and zone_at; cells before it are the zone
              `hall`, of those behind it none
     turned   a function of a point, such as a rotation
+    patch_of a function of a side's name and a cell (i, j, k) at it: the patch of the face, its side by itself. Patches
+             with other names than sides are walls
     """
     nx, ny, nz = counts
     cell = lambda i, j, k: i + nx * (j + ny * k)
@@ -37,21 +39,23 @@ def write_box(case, counts, bounds, *, zone_at=None, turned=None):
             return [point(i, j, k), point(i, j, k + 1), point(i + 1, j, k + 1), point(i + 1, j, k)]
         return [point(i, j, k), point(i + 1, j, k), point(i + 1, j + 1, k), point(i, j + 1, k)]
 
-    internal, sides = [], {name: [] for name in SIDES}
+    internal, sides = [], {} if patch_of else {name: [] for name in SIDES}
+    named = lambda side, place: sides.setdefault(patch_of(side, tuple(place)) if patch_of else side, [])
     for k, j, i in itertools.product(range(nz), range(ny), range(nx)):
         here = cell(i, j, k)
         for axis, count in enumerate(counts):
             place = [i, j, k]
             if place[axis] == 0:
-                sides[SIDES[2 * axis]].append((here, None, face(axis, i, j, k)[::-1], None))
+                named(SIDES[2 * axis], place).append((here, None, face(axis, i, j, k)[::-1], None))
+            inside = list(place)
             place[axis] += 1
             there = face(axis, *place)
             if place[axis] == count:
-                sides[SIDES[2 * axis + 1]].append((here, None, there, None))
+                named(SIDES[2 * axis + 1], inside).append((here, None, there, None))
             else:
                 internal.append((here, cell(*place), there, place[0] if axis == 0 else None))
     internal.sort(key=lambda f: f[:2])
-    faces = internal + [f for name in SIDES for f in sides[name]]
+    faces = internal + [f for name in sides for f in sides[name]]
     folder = case / "constant" / "polyMesh"
     folder.mkdir(parents=True)
     listed = lambda rows: f"{len(rows)}\n(\n" + "\n".join(rows) + "\n)\n"
@@ -61,8 +65,9 @@ def write_box(case, counts, bounds, *, zone_at=None, turned=None):
     write("owner", "labelList", listed([str(f[0]) for f in faces]))
     write("neighbour", "labelList", listed([str(f[1]) for f in internal]))
     start, patches = len(internal), []
-    for name in SIDES:
-        patches.append(f"// a comment\n{name} {{ type patch; nFaces {len(sides[name])}; startFace {start}; }}")
+    for name in sides:
+        kind = "patch" if name in SIDES else "wall"
+        patches.append(f"// a comment\n{name} {{ type {kind}; nFaces {len(sides[name])}; startFace {start}; }}")
         start += len(sides[name])
     write("boundary", "polyBoundaryMesh", listed(patches))
     if zone_at is not None:

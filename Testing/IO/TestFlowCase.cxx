@@ -2,6 +2,7 @@
 #include "CaseSystem.h"
 #include "FlowCase.h"
 #include "FoamText.h"
+#include "OpeningNames.h"
 #include "PolyMesh.h"
 #include "Support/Error.h"
 #include "Support/TestPaths.h"
@@ -121,6 +122,145 @@ TEST(PatchRules, OfSeveralTheLastHolds)
   {
     EXPECT_THAT(messageOf([&] { atria::patchChoiceFrom(wrong); }), HasSubstr("rough:0.02")) << wrong;
   }
+}
+
+TEST(OpeningNames, AreWordsOfNames)
+{
+  using atria::VentilationOpening;
+  for (const char* inlet : {"inlet", "INLET", "Inlet_1", "inlet2", "WestInlet", "air-supply", "HVACSupply_front",
+                            "Inlets", "SUPPLY.3", "Diffuser_12", "inflow"})
+  {
+    EXPECT_EQ(atria::ventilationOpeningOf(inlet), VentilationOpening::Inlet) << inlet;
+  }
+  for (const char* outlet : {"outlet", "Outlet_B", "ExhaustGrille", "exhaust1", "extractAir", "Return_2", "outflow"})
+  {
+    EXPECT_EQ(atria::ventilationOpeningOf(outlet), VentilationOpening::Outlet) << outlet;
+  }
+  for (const char* neither : {"", "_1", "Walls", "inletoutlet", "Inlet_Outlet", "SupplyDuct", "wall_outlet",
+                              "PowerOutlet", "inlet-frame", "supplying", "Window_1"})
+  {
+    EXPECT_FALSE(atria::ventilationOpeningOf(neither)) << neither;
+  }
+}
+
+/// A room with all roles that rules and names give.
+atria::CaseMesh roomMesh()
+{
+  atria::CaseMesh mesh;
+  mesh.patches = {patch("Walls", "wall", {0, 0, 0}, 90), patch("Inlet_1", "wall", {0, 0, 2}, 2),
+                  patch("Exhaust", "wall", {0, 1, 0}, 1), patch("East", "wall", {3, 0, 0}, 3)};
+  return mesh;
+}
+
+std::vector<atria::PatchRule> rules(const std::vector<std::string>& texts)
+{
+  std::vector<atria::PatchRule> made;
+  for (const std::string& text : texts)
+  {
+    made.push_back(atria::patchRuleFrom(text));
+  }
+  return made;
+}
+
+TEST(Supplies, HaveAUnit)
+{
+  using atria::Supply;
+  for (const auto& [text, quantity, amount] :
+       {std::tuple("inlet:0.5m/s", Supply::Speed, 0.5), std::tuple("inlet:2m3/s", Supply::FlowRate, 2.0),
+        std::tuple("inlet:180m3/h", Supply::FlowRate, 0.05), std::tuple("inlet:5e1l/s", Supply::FlowRate, 0.05)})
+  {
+    const atria::PatchChoice choice = atria::patchChoiceFrom(text);
+    EXPECT_EQ(choice.role, PatchRole::Inlet);
+    ASSERT_TRUE(choice.supply) << text;
+    EXPECT_EQ(choice.supply->quantity, quantity);
+    EXPECT_DOUBLE_EQ(choice.supply->amount, amount);
+  }
+  for (const char* wrong : {"inlet:", "inlet:1", "inlet:m/s", "inlet:-1m/s", "inlet:0l/s", "inlet:1 m/s",
+                            "inlet:infm/s", "inlet:1m/s,2l/s", "inlet:1ft/s"})
+  {
+    EXPECT_THAT(messageOf([&] { atria::patchChoiceFrom(wrong); }), HasSubstr("inlet:50l/s")) << wrong;
+  }
+  const Supply speed{Supply::Speed, 0.5};
+  const Supply flow{Supply::FlowRate, 0.5};
+  EXPECT_DOUBLE_EQ(speed.flowRate(4.0), 2.0);
+  EXPECT_DOUBLE_EQ(flow.speed(4.0), 0.125);
+}
+
+TEST(Rooms, FollowFromNamesAndRules)
+{
+  const atria::CaseMesh mesh = roomMesh();
+  atria::FlowCaseSettings settings;
+  settings.supply = {atria::Supply::FlowRate, 0.1};
+  settings.patchRules = rules({"East inlet:2m/s"});
+  EXPECT_TRUE(atria::isRoom(mesh, settings));
+  const auto choices = atria::chooseRoomPatches(mesh, settings);
+  EXPECT_EQ(choices[0].role, PatchRole::Wall);
+  EXPECT_EQ(choices[2].role, PatchRole::Outlet);
+  ASSERT_TRUE(choices[1].supply && choices[3].supply);
+  EXPECT_EQ(choices[1].supply->quantity, atria::Supply::FlowRate);
+  EXPECT_EQ(choices[3].supply->amount, 2.0);
+  settings.patchRules = rules({"Exhaust wall", "East outlet"}); // a name is overruled
+  EXPECT_EQ(atria::chooseRoomPatches(mesh, settings)[2].role, PatchRole::Wall);
+}
+
+TEST(Rooms, HaveWallsAllAround)
+{
+  const auto isRoom = [](const atria::CasePatch& side, const std::vector<std::string>& texts,
+                         const std::vector<double>& directions = {}) {
+    atria::CaseMesh mesh = roomMesh();
+    mesh.patches.push_back(side);
+    atria::FlowCaseSettings settings;
+    settings.patchRules = rules(texts);
+    settings.directions = directions;
+    return atria::isRoom(mesh, settings);
+  };
+  const atria::CasePatch west = patch("xMin", "patch", {-9, 0, 0}, 9);
+  EXPECT_FALSE(isRoom(west, {}));
+  EXPECT_FALSE(isRoom(west, {"xMin slip"}));
+  EXPECT_TRUE(isRoom(west, {"xMin wall"}));
+  EXPECT_TRUE(isRoom(west, {"xMin outlet"}));
+  EXPECT_FALSE(isRoom(patch("zMax", "patch", {0, 0, 9}, 9), {})); // the sky
+  EXPECT_TRUE(isRoom(patch("zMin", "patch", {0, 0, -9}, 9), {})); // a floor that the model lacks
+  EXPECT_FALSE(isRoom(patch("zMin", "patch", {0, 0, -9}, 9), {"zMin ground"}));
+  EXPECT_FALSE(isRoom(patch("half", "symmetryPlane", {9, 0, 0}, 9), {}));
+  const atria::CasePatch empty = patch("xMin", "patch", {0, 0, 0}, 0);
+  EXPECT_TRUE(isRoom(empty, {}));
+  EXPECT_FALSE(isRoom(empty, {}, {90.0}));
+  EXPECT_FALSE(isRoom(empty, {"Inlet_1 wall", "Exhaust wall"})); // no opening is left
+}
+
+TEST(Rooms, NeedAirInAndOut)
+{
+  const auto complaint = [](const std::vector<std::string>& texts) {
+    atria::FlowCaseSettings settings;
+    settings.kind = atria::FlowKind::Room;
+    settings.patchRules = rules(texts);
+    return messageOf([&] { atria::chooseRoomPatches(roomMesh(), settings); });
+  };
+  EXPECT_THAT(complaint({"Exhaust wall"}), HasSubstr("out of the room: it has inlets only ('Inlet_1')"));
+  EXPECT_THAT(complaint({"Inlet_1 outlet"}), HasSubstr("into the room: it has outlets only ('Inlet_1', 'Exhaust')"));
+  EXPECT_THAT(complaint({"* wall"}), HasSubstr("--patch NAME inlet --patch NAME outlet"));
+  EXPECT_THAT(complaint({"Walls ground"}), HasSubstr("make 'Walls' wall or rough:SIZE"));
+  EXPECT_THAT(complaint({"East inlet:1m/s", "East inlet:1l/s"}), HasSubstr("'East' has both a speed and a flow rate"));
+  EXPECT_EQ(complaint({"Exhaust inletOutlet"}), "");
+}
+
+TEST(Inlets, MustFaceTheWind)
+{
+  atria::CaseMesh mesh;
+  mesh.patches = {patch("west", "patch", {-1, 0, 0}, 1), patch("east", "patch", {1, 0, 0}, 1),
+                  patch("side", "patch", {0, 1, 0}, 1),  patch("top", "patch", {0, 0, 1}, 1),
+                  patch("box", "wall", {0, 0, 0.1}, 6),  patch("fan", "wall", {1, 0, 0}, 1),
+                  patch("blower", "wall", {1, 0, 0}, 1), patch("out", "patch", {1, 0, 0}, 1)};
+  atria::FlowCaseSettings settings;
+  settings.patchRules = rules({"* inlet", "blower inlet:1m/s", "out outlet"});
+  settings.conditionRules = {atria::conditionRuleFrom("fan U type fixedValue; value uniform (1 0 0);")};
+  const auto without = [&](const atria::Vec3& wind) {
+    return atria::inletsWithoutWind(mesh, settings, atria::choosePatches(mesh, settings, wind), wind);
+  };
+  EXPECT_EQ(without({1, 0, 0}), (std::vector<std::string>{"east", "side", "top"}));
+  EXPECT_EQ(without({-1, 0, 0}), (std::vector<std::string>{"west", "side", "top"}));
+  EXPECT_EQ(without({0, -1, 0}), (std::vector<std::string>{"west", "east", "top"}));
 }
 
 TEST(OrthogonalityRule, CorrectsLessWhereAnglesAreWorse)

@@ -1,0 +1,303 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""atria case of ventilated rooms: which meshes are rooms, what blows how, that OpenFOAM runs it, and what the page says.
+
+Usage: test_room.py ATRIA
+"""
+
+import json
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from atria.report import Case
+from box_mesh import write_box
+from test_dialects import dictionaries, differences
+
+ATRIA = pathlib.Path(sys.argv[1])
+HAVE_OPENFOAM = shutil.which("simpleFoam") is not None
+BOUNDS = ((0.0, 5.0), (0.0, 4.0), (0.0, 3.0))
+COUNTS = (10, 8, 6)  # cells of half a meter
+
+
+def openings(**places):
+    """For `write_box`: patches {name: (side, range of i, j, k)}; all else are walls."""
+    def patch_of(side, place):
+        for name, (where, *ranges) in places.items():
+            if side == where and all(index in inside for index, inside in zip(place, ranges)):
+                return name
+        return "Walls"
+    return patch_of
+
+
+ANY = range(1000)
+# Inlets of 1 and 0.5 m² high on one side and in the ceiling, outlets of 1 and 0.25 m².
+SEVERAL = {"Supply_1": ("xMin", ANY, range(2, 4), range(4, 6)), "Supply_2": ("zMax", range(4, 6), range(5, 6), ANY),
+           "Exhaust_1": ("xMax", ANY, range(1, 3), range(0, 2)), "Return": ("yMax", range(8, 9), ANY, range(5, 6))}
+
+
+def wall(name, points, faces):
+    return f"o {name}\n" + "".join("v {} {} {}\n".format(*p) for p in points) + "".join(
+        "f {}\n".format(" ".join(str(i - len(points)) for i in face)) for face in faces)
+
+
+def box(name, low, high):
+    """A closed box as a group of an OBJ file."""
+    points = [tuple((low, high)[i >> axis & 1][axis] for axis in range(3)) for i in range(8)]
+    return wall(name, points, [(0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5)])
+
+
+def rectangle(name, points):
+    return wall(name, points, [(0, 1, 2, 3)])
+
+
+def open_room(inlet, outlet):
+    """A room of 5 m × 4 m × 3 m whose sides at x = 0 and x = 5 are patches of their own."""
+    points = [(x, y, z) for z in (0, 3) for x, y in ((0, 0), (5, 0), (5, 4), (0, 4))]
+    return (wall("Walls", points, [(3, 2, 1, 0), (4, 5, 6, 7), (0, 1, 5, 4), (2, 3, 7, 6)]) +
+            wall(outlet, points, [(0, 4, 7, 3)]) + wall(inlet, points, [(1, 2, 6, 5)]))
+
+
+class Room(unittest.TestCase):
+    def setUp(self):
+        scratch = tempfile.TemporaryDirectory()
+        self.addCleanup(scratch.cleanup)
+        self.folder = pathlib.Path(scratch.name)
+
+    def atria(self, *arguments):
+        return subprocess.run([ATRIA, *map(str, arguments)], capture_output=True, text=True, check=False)
+
+    def mesh(self, model, *arguments, name="model"):
+        file = self.folder / f"{name}.obj"
+        file.write_text(model)
+        target = file.with_suffix(".vtu")
+        run = self.atria("mesh", file, "--model-bounds", "-o", target, *arguments)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        return target
+
+    def box(self, places, name="box"):
+        write_box(self.folder / name, COUNTS, BOUNDS, patch_of=openings(**places))
+        return self.folder / name
+
+    def case(self, mesh, *arguments, stderr="", name="case"):
+        folder = self.folder / name
+        run = self.atria("case", mesh, "-o", folder, *arguments)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertEqual(run.stderr, "") if not stderr else self.assertRegex(run.stderr, stderr)
+        self.said = run.stdout
+        return folder
+
+    def refuses(self, status, text, *arguments):
+        run = self.atria("case", *arguments, "-o", self.folder / "refused")
+        self.assertEqual(run.returncode, status, run.stderr)
+        self.assertIn(text, run.stderr)
+
+    def described(self, folder):
+        return json.loads((folder / "case.json").read_text())
+
+    def roles(self, folder):
+        return self.described(folder)["directions"][0]["patches"]
+
+    def condition(self, folder, field, patch):
+        text = (folder / "0" / field).read_text()
+        block = re.search(r"^    " + re.escape(patch) + r"\n    \{\n(.*?)^    \}", text, re.DOTALL | re.MULTILINE)
+        return dict(re.findall(r"^\s*(\w+)\s+(.*);$", block[1], re.MULTILINE)) if block else None
+
+    def run_case(self, folder):
+        run = subprocess.run([folder / "Allrun"], capture_output=True, text=True, check=False)
+        self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
+
+    def flow(self, folder, patch):
+        """Out of the domain, m3/s."""
+        return float((folder / f"postProcessing/flow_{patch}/0/surfaceFieldValue.dat").read_text().split()[-1])
+
+    def report(self, folder, status=0):
+        run = self.atria("report", folder)
+        self.assertEqual(run.returncode, status, run.stderr)
+        return run.stderr
+
+    def test_rooms_are_known_by_names_and_walls(self):
+        folder = self.case(self.box(SEVERAL))
+        self.assertEqual(self.roles(folder), {"Walls": "wall", "Supply_1": "inlet", "Supply_2": "inlet", "Exhaust_1": "outlet",
+                                              "Return": "outlet"})
+        described = self.described(folder)
+        self.assertEqual(described["kind"], "room")
+        self.assertAlmostEqual(described["mesh"]["volume"], 60.0)
+        self.assertNotIn("towards", described["directions"][0])
+        self.assertRegex(self.said, r"Room of 60 m3, 90 air changes per hour: in through Supply_1 \(1 m/s, 1 m3/s\), "
+                                    r"Supply_2 \(1 m/s, 0.5 m3/s\); out through Exhaust_1, Return\n")
+        boundary = (folder / "constant/polyMesh/boundary").read_text()
+        self.assertEqual(dict(re.findall(r"^(\w+) \{ type (\w+);", boundary, re.MULTILINE)),
+                         {"Walls": "wall"} | dict.fromkeys(SEVERAL, "patch"))
+        for file in (folder / "0").iterdir():
+            self.assertNotRegex(file.read_text(), r"atm|Atm|z0|flowDir", file.name)
+        self.assertNotIn("atmospheric", (folder / "system/controlDict").read_text())
+
+    def test_a_side_that_is_no_wall_makes_wind(self):
+        for side in ("xMin", "zMax"):
+            patch_of = lambda s, place: s if s == side else "Inlet" if s == "xMax" else "Outlet" if s == "yMin" else "Walls"
+            write_box(self.folder / side, COUNTS, BOUNDS, patch_of=patch_of)
+            run = self.atria("case", self.folder / side, "-o", self.folder / f"{side}case")
+            if run.returncode == 0:
+                self.assertEqual(self.described(self.folder / f"{side}case")["kind"], "wind")
+            else:  # the names say nothing in the wind
+                self.assertIn("no patch lets air", run.stderr)
+            folder = self.case(self.folder / side, "--kind", "room", name=f"{side}room")
+            self.assertEqual(self.roles(folder)[side], "wall")
+
+    def test_how_inlets_blow(self):
+        mesh = self.box(SEVERAL)
+        folder = self.case(mesh, "--inlet-speed", "0.3", "--patch", "Supply_2", "inlet:180m3/h")
+        self.assertEqual(self.condition(folder, "U", "Supply_1"),
+                         {"type": "surfaceNormalFixedValue", "refValue": "uniform -0.3", "value": "uniform (0 0 0)"})
+        self.assertEqual(self.condition(folder, "U", "Supply_2"),
+                         {"type": "flowRateInletVelocity", "volumetricFlowRate": "0.05", "value": "uniform (0 0 0)"})
+        self.assertEqual(self.condition(folder, "U", "Exhaust_1")["type"], "inletOutlet")
+        self.assertEqual(self.condition(folder, "p", "Exhaust_1"), {"type": "fixedValue", "value": "uniform 0"})
+        self.assertEqual(self.condition(folder, "p", "Supply_1"), {"type": "zeroGradient"})
+        k = self.condition(folder, "k", "Supply_1")
+        self.assertEqual((k["type"], k["intensity"]), ("turbulentIntensityKineticEnergyInlet", "0.05"))
+        self.assertAlmostEqual(float(k["value"].split()[1]), 1.5 * (0.05 * 0.3) ** 2)
+        length = float(self.condition(folder, "epsilon", "Supply_1")["mixingLength"])
+        self.assertAlmostEqual(length, 0.07)  # of a square of 1 m
+        length = float(self.condition(folder, "epsilon", "Supply_2")["mixingLength"])
+        self.assertAlmostEqual(length, 0.07 * 4 * 0.5 / 3)  # 1 m by 0.5 m
+        folder = self.case(mesh, "--inlet-flow", "0.1", "--turbulence", "k-omega-sst", name="flow")
+        self.assertEqual(self.condition(folder, "U", "Supply_1")["volumetricFlowRate"], "0.1")
+        self.assertEqual(self.condition(folder, "omega", "Supply_1")["type"], "turbulentMixingLengthFrequencyInlet")
+        self.assertEqual(self.described(folder)["directions"][0]["supplies"], {"Supply_1": 0.1, "Supply_2": 0.1})
+        folder = self.case(mesh, "--condition", "Supply*", "U", "type fixedValue; value uniform (1 0 0);", name="condition")
+        self.assertIn("Room of 60 m3: in through Supply_1, Supply_2;", self.said)
+
+    def test_what_is_refused(self):
+        mesh = self.box(SEVERAL)
+        self.refuses(3, "out of the room: it has inlets only", mesh, "--patch", "Exhaust_1", "wall", "--patch", "Return", "wall")
+        self.refuses(3, "into the room: it has outlets only", mesh, "--patch", "Supply*", "outlet")
+        self.refuses(3, "both a speed and a flow rate", mesh, "--patch", "Supply_1", "inlet:1m/s", "--patch", "Supply_1", "inlet:1l/s")
+        self.refuses(2, "--inlet-speed", mesh, "--inlet-speed", "1", "--inlet-flow", "1")
+        self.refuses(2, "--inlet-flow", mesh, "--inlet-flow", "0")
+        self.refuses(2, "room", mesh, "--kind", "rooms")
+        self.refuses(3, "a room has no wind", mesh, "--kind", "room", "--wind", "90")
+        self.refuses(3, "inlet:50l/s", mesh, "--patch", "Supply_1", "inlet:0.5")
+        self.refuses(3, "no ground", mesh, "--kind", "room", "--patch", "Walls", "ground")
+        self.refuses(3, "--patch NAME inlet --patch NAME outlet", mesh, "--kind", "room", "--patch", "*", "wall")
+
+    def test_options_without_use_are_told(self):
+        self.case(self.box(SEVERAL), "--speed", "2", stderr="--speed is for wind, and this is a room")
+        write_box(self.folder / "wind", COUNTS, BOUNDS)
+        self.case(self.folder / "wind", "--inlet-flow", "2", stderr="--inlet-flow is for rooms, and this is a case of wind",
+                  name="wind_case")
+
+    def test_inlets_that_the_wind_does_not_enter_are_told(self):
+        """Whether it blows out of them, along them, or along the top; not those that blow by themselves."""
+        write_box(self.folder / "wind", COUNTS, BOUNDS)
+        for side in ("xMax", "yMin", "zMax"):
+            self.case(self.folder / "wind", "--patch", side, "inlet", "--patch", "yMax", "outlet", name=side,
+                      stderr=f"the wind does not enter at inlet '{side}':.* --patch {side} inlet:1m/s")
+        self.case(self.folder / "wind", "--patch", "xMax", "inlet:1m/s", "--patch", "yMax", "outlet", name="blows")
+        self.case(self.folder / "wind", "--patch", "yMin", "inlet", "--rose", "4", "--patch", "zMax", "outlet", name="rose",
+                  stderr="at inlet 'yMin' in wind_000, wind_090, wind_270: ")
+
+    def test_both_sides_of_a_sheet_blow(self):
+        sides = {"Inlet_front": SEVERAL["Supply_1"], "Inlet_back": SEVERAL["Supply_2"], "Outlet": SEVERAL["Return"]}
+        mesh = self.box(sides)
+        self.case(mesh, "--inlet-flow", "0.5", stderr="sides of one sheet.* 1 m3/s in all.*--patch Inlet_back wall")
+        self.case(mesh, "--patch", "Inlet_back", "wall", name="one")
+
+    def test_dialects_differ_by_what_measures_alone(self):
+        mesh = self.box(SEVERAL)
+        arguments = ("--patch", "Supply_2", "inlet:1l/s", "--patch", "Return", "inletOutlet")
+        first = dictionaries(self.case(mesh, *arguments))
+        for dialect in ("opencfd", "foundation"):
+            found = differences(first, dictionaries(self.case(mesh, *arguments, "--dialect", dialect, name=dialect)))
+            self.assertFalse([key for key in found if key[0].startswith("0/")], found)
+            self.assertEqual(bool(found), dialect == "foundation")
+
+    @unittest.skipUnless(HAVE_OPENFOAM, "OpenFOAM is not installed")
+    def test_an_inlet_against_the_wind_blows_into_the_room(self):
+        """Along its own normal, where the wind of a case of wind would leave."""
+        mesh = self.mesh(open_room("East", "West"), "--size-min", "0.5")
+        folder = self.case(mesh, "--patch", "East", "inlet", "--patch", "West", "outlet", "--iterations", "60")
+        self.run_case(folder)
+        self.assertAlmostEqual(self.flow(folder, "East"), -12.0, delta=1e-6)
+        self.assertAlmostEqual(self.flow(folder, "West"), 12.0, delta=1e-3)
+        fields = Case(folder).runs[0].fields
+        velocity = fields.mesh.GetCellData().GetArray("U")
+        self.assertLess(max(velocity.GetTuple3(i)[0] for i in range(velocity.GetNumberOfTuples())), 0.1)
+        self.assertEqual(self.report(folder), "")
+        page = (folder / "report.html").read_text()
+        self.assertIn("<b>720</b> air changes per hour", page)
+        self.assertIn("Speed 1.5 m above the floor", page)
+
+    @unittest.skipUnless(HAVE_OPENFOAM, "OpenFOAM is not installed")
+    def test_where_nothing_flows_the_report_fails(self):
+        """As a case of wind the same room has still air; so has a room whose inlet a condition closes."""
+        mesh = self.mesh(open_room("East", "West"), "--size-min", "0.5")
+        roles = ("--patch", "East", "inlet", "--patch", "West", "outlet", "--iterations", "5")
+        folder = self.case(mesh, "--kind", "wind", *roles, stderr="the wind does not enter at inlet 'East'")
+        self.run_case(folder)
+        said = self.report(folder, 6)
+        self.assertIn("nothing flows: the air is at rest everywhere. The wind enters at none of the inlets (East)", said)
+        self.assertNotIn("ERROR", said)
+        folder = self.case(mesh, *roles, "--condition", "East", "U", "type noSlip;", name="closed")
+        self.run_case(folder)
+        self.assertIn("room: nothing flows: the air is at rest everywhere", self.report(folder, 6))
+        shutil.rmtree(folder / "5")
+        self.assertIn("no fields of a run", self.report(folder, 3))
+
+    @unittest.skipUnless(HAVE_OPENFOAM, "OpenFOAM is not installed")
+    def test_several_inlets_and_outlets(self):
+        """Each inlet blows what it was given, all goes out, and air is as old at the outlets as the room's air lasts."""
+        for model in ("realizable", "k-omega-sst"):
+            folder = self.case(self.box(SEVERAL, name=f"box_{model}"), "--inlet-speed", "0.4", "--patch", "Supply_2", "inlet:100l/s",
+                               "--age-of-air", "--iterations", "400", "--turbulence", model, name=model)
+            self.run_case(folder)
+            self.assertAlmostEqual(self.flow(folder, "Supply_1"), -0.4, delta=1e-6)
+            self.assertAlmostEqual(self.flow(folder, "Supply_2"), -0.1, delta=1e-6)
+            out = {name: self.flow(folder, name) for name in ("Exhaust_1", "Return")}
+            self.assertAlmostEqual(sum(out.values()), 0.5, delta=1e-3)
+            self.assertGreater(min(out.values()), 0.01)
+            run = Case(folder).runs[0]
+            self.assertAlmostEqual(run.supplied_changes().last(), 30.0, delta=0.05)
+            age = sum(out[name] * self.mean_age(run.fields.patches[name]) for name in out) / 0.5
+            self.assertAlmostEqual(age, 120.0, delta=12.0, msg=model)
+            self.report(folder)
+
+    def mean_age(self, patch):
+        array = patch.GetCellData().GetArray("age")
+        return sum(array.GetValue(i) for i in range(array.GetNumberOfTuples())) / array.GetNumberOfTuples()
+
+    @unittest.skipUnless(HAVE_OPENFOAM, "OpenFOAM is not installed")
+    def test_rooms_run_on_processors(self):
+        folder = self.case(self.box(SEVERAL), "--inlet-flow", "0.2", "--processors", "2", "--iterations", "20")
+        self.run_case(folder)
+        for name in ("Supply_1", "Supply_2"):
+            self.assertAlmostEqual(self.flow(folder, name), -0.2, delta=1e-6)
+
+    @unittest.skipUnless(HAVE_OPENFOAM, "OpenFOAM is not installed")
+    def test_a_diffuser_and_a_sheet_in_the_middle(self):
+        """A closed box blows from all its faces, a sheet from both sides."""
+        model = (open_room("Outlet_E", "Outlet_W") + box("Diffuser", (2.0, 1.5, 2.0), (3.0, 2.5, 2.5)) +
+                 rectangle("SupplyPanel", [(1.5, 1, 0.5), (3.5, 1, 0.5), (3.5, 3, 0.5), (1.5, 3, 0.5)]))
+        mesh = self.mesh(model, "--size-min", "0.25", "--size-max", "0.5")
+        folder = self.case(mesh, "--patch", "SupplyPanel_back", "inlet:200l/s", "--inlet-flow", "0.3", "--iterations", "40",
+                           stderr="'SupplyPanel_front' and 'SupplyPanel_back' are the sides of one sheet")
+        self.assertEqual({name: role for name, role in self.roles(folder).items() if role != "wall"},
+                         {"Diffuser": "inlet", "SupplyPanel_front": "inlet", "SupplyPanel_back": "inlet", "Outlet_E": "outlet",
+                          "Outlet_W": "outlet"})
+        self.run_case(folder)
+        for name, wanted in (("Diffuser", 0.3), ("SupplyPanel_front", 0.3), ("SupplyPanel_back", 0.2)):
+            self.assertAlmostEqual(self.flow(folder, name), -wanted, delta=1e-6)
+        self.assertAlmostEqual(self.flow(folder, "Outlet_E") + self.flow(folder, "Outlet_W"), 0.8, delta=0.01)
+        fields = Case(folder).runs[0].fields
+        for name in ("Diffuser", "SupplyPanel_front"):  # blown along the faces' own normals
+            velocity = fields.patches[name].GetCellData().GetArray("U")
+            speeds = [sum(x * x for x in velocity.GetTuple3(i)) ** 0.5 for i in range(velocity.GetNumberOfTuples())]
+            self.assertAlmostEqual(min(speeds), max(speeds), delta=1e-6)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
