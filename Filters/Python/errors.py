@@ -24,6 +24,19 @@ _RUN = (
 _ACCESS = ("Set", "Get", "Add", "Remove")
 
 
+def plain(message):
+    """An error of VTK without source lines and addresses: what reported it, and the text."""
+    parts = _MESSAGE.fullmatch(message)
+    name, text = parts.groups() if parts else (None, message)
+    return (f"{name}: " if name else "") + text.strip()
+
+
+def is_echo(message):
+    """Whether the pipeline repeats an error that an algorithm has explained."""
+    parts = _MESSAGE.fullmatch(message)
+    return bool(_ECHO.match(parts[2] if parts else message))
+
+
 class Error(RuntimeError):
     """What algorithms of VTK, Atria's or others, reported as errors while they ran."""
 
@@ -55,10 +68,8 @@ def _errors_of(objects):
         failed.append(caller)
         if message is None:
             message = f"{caller.GetClassName()}: an error whose text is not UTF-8, as of a file with such a name"
-        parts = _MESSAGE.fullmatch(message)
-        name, text = parts.groups() if parts else (None, message)
-        if not (errors and _ECHO.match(text)):
-            errors.append((f"{name}: " if name else "") + text.strip())
+        if not (errors and is_echo(message)):
+            errors.append(plain(message))
 
     note.CallDataType = VTK_STRING
     observed = [(one, one.AddObserver("ErrorEvent", note)) for one in objects]

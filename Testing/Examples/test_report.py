@@ -20,9 +20,11 @@ import warnings
 from html.parser import HTMLParser
 
 import numpy
+from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
 
 from atria import Error
 from atria.report import Case, charts, comfort, page_of, read_climate, results
+from atria.report.__main__ import noted
 from atria.report.pictures import levels
 from box_mesh import BOX, header, write_box
 
@@ -251,7 +253,10 @@ class Runs(Folder):
 
     def test_a_case_that_has_not_run_says_so(self):
         folder = self.case(self.box(), "case")
-        page = self.report(folder)
+        run = self.atria("report", folder)
+        self.assertEqual(run.returncode, 6)
+        self.assertIn("run its Allrun", run.stderr)
+        page = Page((folder / "report.html").read_text(encoding="utf-8"))
         self.assertTrue(any("run its Allrun" in item for item in page.items), page.items)
         self.assertEqual(page.addresses, [])
 
@@ -347,6 +352,28 @@ class Runs(Folder):
         self.assertFalse(failures(19.0, xMin="(-4 0 0)", xMax="(0 0 0)"))
         self.assertTrue(failures(20.0, xMin="(-4 0 0)", xMax="(0 0 0)"))
         self.assertIn("no number", failures(math.nan)[0])
+
+    def test_still_air_is_a_failure(self):
+        """Also where the air moves within, and none comes in."""
+        folder = self.solved(3.0)
+        for name in ("xMin", "xMax"):
+            self.file(f"{folder.name}/postProcessing/flow_{name}/0/surfaceFieldValue.dat", "# Time\tsum(phi)\n1\t-1e-9\n2\t1e-4\n")
+        run = self.atria("report", folder)
+        self.assertEqual(run.returncode, 6)
+        self.assertIn("wind from 270°: nothing flows through xMin, xMax. The wind enters at none of the inlets (xMin)", run.stderr)
+        self.file(f"{folder.name}/postProcessing/flow_xMin/0/surfaceFieldValue.dat", "# Time\tsum(phi)\n1\t-9\n2\t-9\n")
+        self.report(folder)
+        velocity = folder / "1/U"
+        velocity.write_bytes(velocity.read_bytes().replace(numpy.float64(2.0).tobytes(), numpy.float64(1e-7).tobytes())
+                             .replace(numpy.float64(3.0).tobytes(), numpy.float64(0.0).tobytes()))
+        self.assertIn("the air is at rest everywhere", Case(folder).runs[0].failures()[0])
+
+    def test_errors_of_vtk_are_kept(self):
+        with noted() as errors:
+            reader = vtkXMLPolyDataReader()
+            reader.SetFileName(str(self.folder / "absent.vtp"))
+            reader.Update()
+        self.assertIn("absent.vtp", errors[0])
 
     def test_results_without_fields_are_refused(self):
         run = self.atria("report", self.measured())

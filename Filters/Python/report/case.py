@@ -21,6 +21,9 @@ OUTSIDE = "outside"
 KAPPA = 0.41
 # Wall functions of smooth walls hold up to here, roughly.
 MOST_Y_PLUS = 300.0
+# Speeds are nothing below this share of the reference speed, and flows below the same share of what it drives through the
+# patches that let air in and out.
+_NOTHING = 1e-6
 # Where no place of a probe is, OpenFOAM writes a number larger than this.
 _NOWHERE = 1e100
 
@@ -41,21 +44,31 @@ class Judged:
 
 @dataclass(frozen=True)
 class Direction:
-    """Where the wind comes from (degrees clockwise from north) and blows to (counterclockwise from x), and what patches are."""
+    """Where the wind comes from (degrees clockwise from north) and blows to (counterclockwise from x), and what patches are.
+
+    A room has one, without wind. `areas` are those of patches, square meters.
+    """
 
     folder: str
-    origin: float
-    towards: float
+    origin: float | None
+    towards: float | None
     roles: dict[str, str]
+    areas: dict[str, float]
+
+    @classmethod
+    def read(cls, entry):
+        numbers = [None if entry.get(key) is None else float(entry[key]) for key in ("from", "towards")]
+        return cls(entry["folder"], *numbers, dict(entry["patches"]), dict(entry.get("areas", {})))
 
 
 class Run:
-    """One direction of the wind."""
+    """One direction of the wind, or a room."""
 
     def __init__(self, case, direction):
         self.case = case
         self.folder = case.folder / direction.folder
         self.origin, self.towards, self.roles = direction.origin, direction.towards, direction.roles
+        self.areas = direction.areas
         log = next((self.folder / name for name in ("log.simpleFoam", "log.foamRun") if (self.folder / name).exists()), None)
         self.log = results.read_log(log) if log else None
         sides = [patch for patch, role in self.roles.items() if role in ("inlet", "outlet", "inletOutlet")]
@@ -67,7 +80,7 @@ class Run:
 
     @property
     def title(self):
-        return f"wind from {self.origin:g}°"
+        return "room" if self.case.is_room else f"wind from {self.origin:g}°"
 
     @property
     def ran(self):
@@ -77,6 +90,20 @@ class Run:
     def fields(self):
         """Of the last time; Error where there are none."""
         return Fields(self.folder)
+
+    @functools.cached_property
+    def way(self):
+        """Where the wind blows to, or most of the air of a room's inlets; level, of length 1."""
+        if not self.case.is_room:
+            return numpy.array([math.cos(math.radians(self.towards)), math.sin(math.radians(self.towards)), 0.0])
+        way = sum((speeds.driven(self.fields.patches[name]) for name in self.inlets()), numpy.zeros(3))
+        way[2] = 0.0
+        size = numpy.linalg.norm(way)
+        return way / size if size > _NOTHING * self.case.speed else numpy.array([1.0, 0.0, 0.0])
+
+    def inlets(self):
+        """Inlets whose faces the fields have."""
+        return [name for name in self.patches_of("inlet") if name in self.fields.patches]
 
     def patches_of(self, *roles):
         return [name for name, role in self.roles.items() if role in roles]
@@ -97,9 +124,19 @@ class Run:
         volume = sum(self.case.volumes[room] for room in self.case.ventilated)
         return into.times_factor(3600.0 / volume) if into and volume > 0 else None
 
+    def supplied(self):
+        """Air that comes into a room through its inlets and outlets, m3/s, as a History; None where nothing is measured."""
+        flows = list(self.flows.values())
+        return results.summed([results.inwards(flow) for flow in flows]) if self.case.is_room and flows else None
+
+    def supplied_changes(self):
+        """Of a room as a whole, per hour, as a History."""
+        supplied, volume = self.supplied(), self.case.mesh.get("volume", 0.0)
+        return supplied.times_factor(3600.0 / volume) if supplied and volume > 0 else None
+
     def unbalanced(self):
         """Rooms that do not lose as much air through their openings as they get: (room, share that is missing)."""
-        for room in self.case.ventilated:
+        for room in () if self.case.is_room else self.case.ventilated:  # inlets are no openings
             into, net = results.inflow(room, self.openings), results.net_inflow(room, self.openings)
             passing = max(into.last(), into.last() - net.last()) if into else 0.0
             if passing > 0 and abs(net.last()) / passing > results.NEARLY:
@@ -118,6 +155,8 @@ class Run:
     def judged(self):
         """What must have settled, the answers first."""
         rows = []
+        if (changes := self.supplied_changes()) is not None:
+            rows.append(Judged("air changes", changes, changes.last(), "1/h"))
         if (whole := self.all_air_changes()) is not None:
             rows.append(Judged("air changes of the building", whole, whole.last(), "1/h"))
         for room in self.case.ventilated:
@@ -142,19 +181,38 @@ class Run:
         """Averages on walls where wall functions no longer hold."""
         return [value for patch, value in self.y_plus.items() if value > MOST_Y_PLUS and self.roles.get(patch) == "wall"]
 
+    def stillness(self):
+        """That no air flows, in words; None where it does."""
+        velocity = speeds.greatest(self.fields, "U")
+        through = sum(self.areas.get(name, 0.0) for name in self.flows)
+        most = max((abs(flow.last()) for flow in self.flows.values()), default=None)
+        if velocity <= _NOTHING * self.case.speed:
+            found = "nothing flows: the air is at rest everywhere"
+        elif most is not None and most <= _NOTHING * self.case.speed * through:
+            found = f"nothing flows through {', '.join(self.flows)}"
+        else:
+            return None
+        inlets = self.patches_of("inlet")
+        if self.case.is_room or not inlets:
+            return f"{found}. Look at the conditions in {self.folder}/0/U, and at {self.log.file}"
+        return (f"{found}. The wind enters at none of the inlets ({', '.join(inlets)}): turn it, or let an inlet blow by itself, "
+                f"such as atria case --patch {inlets[0]} inlet:1m/s")
+
     def failures(self):
         """Why nothing of the run is to be believed, in words."""
         if not self.ran:
-            return []
+            return [f"no results: there is no log of a solver in {self.folder}; run its Allrun"]
         if any(not numpy.isfinite(h.values).all() for h in self.log.residuals.values()):
             return ["the run blew up: residuals are no numbers"]
+        if still := self.stillness():
+            return [still]
         found = speeds.impossible(self.fields, self.roles, self.case.top_speed)
         return [found] if found else []
 
     def doubts(self):
         """What has not settled or is missing, in words."""
         if not self.ran:
-            return [f"no results: there is no log of a solver in {self.folder}; run its Allrun"]
+            return []
         found = [] if self.log.ended else [f"the run did not end: see {self.log.file}"]
         unsettled = [judged.name for judged in self.judged() if judged.verdict == results.UNSETTLED]
         if unsettled:
@@ -186,15 +244,19 @@ class Case:
             self.mesh = self.described["mesh"]
             self.speed = float(self.described["reference_speed"])
             self.pedestrian_height = float(self.described["pedestrian_height"])
-            directions = [Direction(d["folder"], float(d["from"]), float(d["towards"]), dict(d["patches"]))
-                          for d in self.described["directions"]]
-        except (KeyError, TypeError, ValueError) as error:
+            directions = [Direction.read(entry) for entry in self.described["directions"]]
+            self.is_room = self.described.get("kind", "wind") == "room"
+            if not self.is_room and any(direction.origin is None or direction.towards is None for direction in directions):
+                raise KeyError("from, towards")
+        except (AttributeError, KeyError, TypeError, ValueError) as error:
             raise Error(f"{file}: {error!r} is missing or wrong; make the case anew with `atria case`") from None
         self.runs = [Run(self, direction) for direction in directions]
 
     @property
     def top_speed(self):
-        """Of the wind at the domain's top."""
+        """Of the wind at the domain's top, or of the air from a room's inlets."""
+        if self.is_room:
+            return self.speed
         roughness = self.described["roughness_length"]
         height = self.mesh["bounds"][5] - self.mesh["bounds"][4]
         return self.described["friction_velocity"] / KAPPA * math.log((height + roughness) / roughness)

@@ -78,7 +78,14 @@ class Fields:
 
     def mean(self, zone, array):
         """Over the air of a cell zone; None where either is not there."""
-        grid = self.cell_zones.get(zone)
+        return self._mean_over(self.cell_zones.get(zone), array)
+
+    def mean_everywhere(self, array):
+        """Over all air; None where the array is not there."""
+        return self._mean_over(self.mesh, array)
+
+    @staticmethod
+    def _mean_over(grid, array):
         if grid is None or not grid.GetCellData().HasArray(array):
             return None
         sizes = vtkCellSizeFilter()
@@ -98,6 +105,9 @@ class Fields:
 
 
 def appended(parts):
+    """One surface of many, an empty one of none."""
+    if not parts:
+        return vtkPolyData()
     append = vtkAppendPolyData()
     for part in parts:
         append.AddInputData(part)
@@ -162,6 +172,17 @@ class Section:
             return []
         ways = ways / longest / across * 1.3
         return [(p, w) for p, w in zip(self._shares(places), ways) if math.hypot(*w) > 0.06 / across]
+
+
+class LevelView(Section):
+    """Places at one height."""
+
+    flat = True
+
+    def __init__(self, bounds, height, columns=300):
+        """`bounds` are x0, x1, y0, y1, meters."""
+        x0, x1, y0, y1 = bounds
+        super().__init__((x0, y0, height), (1, 0, 0), (0, 1, 0), (x1 - x0, y1 - y0), columns)
 
 
 class PlanView(Section):

@@ -7,6 +7,7 @@ import html
 
 import numpy
 
+from ..errors import Error
 from . import charts, comfort, pictures, results
 from .case import MOST_Y_PLUS, OUTSIDE
 
@@ -82,8 +83,16 @@ def doubts(case, climate):
         found += [prefix + doubt for doubt in [*run.failures(), *run.doubts()]]
     found += ["mesh: " + doubt for doubt in _doubts_of_mesh(case)]
     found += ["comfort: " + doubt for doubt in _doubts_of_comfort(case, climate)] if climate else []
+    if case.is_room:
+        found.append("model: the air has one temperature. Warm and cold air, which often moves more in a room than inlets do, is "
+                     "left out; and steady Reynolds-averaged flow smooths jets that swing")
+        return _doubts_as_list(found)
     found.append("model: steady Reynolds-averaged flow has the speeds of wakes and of lee sides too low, whatever the mesh, and "
                  "knows no exchange through an opening by turbulence alone: single-sided ventilation comes out too small")
+    return _doubts_as_list(found)
+
+
+def _doubts_as_list(found):
     return "<h2>What to doubt</h2><ul>" + "".join(f"<li>{html.escape(text)}</li>" for text in found) + "</ul>"
 
 
@@ -129,7 +138,38 @@ def _opening_row(opening):
     return (html.escape(opening.name), f"{opening.area:.3g}", way, _number(most), _number(least), _number(speed))
 
 
+def _passage_rows(run):
+    for name, flow in run.flows.items():
+        area = run.areas.get(name, 0.0)
+        net = flow.last()
+        yield [html.escape(name), run.roles[name], f"{area:.3g}", _number(max(-net, 0.0)), _number(max(net, 0.0)),
+               _number(abs(net) / area if area > 0 else None)]
+
+
+def ventilation(case, fields_of):
+    """What comes into a room and leaves it, and how often the air changes."""
+    run = case.runs[0]
+    text = "<h2>Inlets and outlets</h2>"
+    changes = run.supplied_changes()
+    if changes is None or changes.last() <= 0.0:
+        return text + "<p>No flow through inlets and outlets is measured.</p>"
+    text += _table(("patch", "role", "area, m²", "air in, m³/s", "air out, m³/s", "mean speed through it, m/s"), _passage_rows(run))
+    facts = [f"{case.mesh['volume']:.4g} m³ of air",
+             f"<b>{changes.last():.3g}</b> air changes per hour, one in {60.0 / changes.last():.3g} min"]
+    if case.described.get("age_of_air") and run in fields_of:
+        age = fields_of[run].mean_everywhere("age")
+        facts += [f"its mean age is {age / 60.0:.3g} min"] if age is not None else []
+    return text + f"<p>{'; '.join(facts)}.</p>"
+
+
 def rooms(case, fields_of):
+    text = ventilation(case, fields_of) if case.is_room else ""
+    if case.is_room and not case.openings:
+        return text
+    return text + _rooms_and_openings(case, fields_of)
+
+
+def _rooms_and_openings(case, fields_of):
     if not case.openings and not case.volumes:
         return ("<h2>Rooms and openings</h2><p>The mesh has no openings (face zones) and no rooms (cell zones). "
                 "<code>atria mesh --openings</code> finds them.</p>")
@@ -148,13 +188,16 @@ def pictures_of(case, view, ratios, fields_of):
         return ""
     known = ratios[numpy.isfinite(ratios)]
     high = float(numpy.percentile(known, 99.5)) if known.size else 1.0
-    text = [f'<h2>Speed {case.pedestrian_height:g} m above the ground</h2><div class="row">']
+    above = f"{view.corner[2] - case.mesh['bounds'][4]:.3g} m above the floor" if case.is_room else (
+        f"{case.pedestrian_height:g} m above the ground")
+    text = [f'<h2>Speed {above}</h2><div class="row">']
     for (run, fields), ratio in zip(fields_of.items(), ratios):
         walls = pictures.walls_of(run, fields)
         lines = view.lines(walls) if view.flat and walls else ()
         arrows = view.arrows(fields.mesh, fields.velocity) if view.flat and len(case.runs) == 1 else ()
         text.append(charts.figure(charts.plot(charts.colored(view.image(ratio), 0.0, high), lines, arrows), run.title))
-    unit = f"of the reference speed, {case.speed:g} m/s at {case.described['reference_height']:g} m"
+    unit = (f"of the mean speed at the inlets, {case.speed:.3g} m/s" if case.is_room else
+            f"of the reference speed, {case.speed:g} m/s at {case.described['reference_height']:g} m")
     text += ["</div>", charts.color_bar(0.0, high, unit), "<h2>The flow</h2>"]
     several = len(case.runs) > 1
     return "\n".join(text + [_folded(run.title, _flow(case, run, fields), several) for run, fields in fields_of.items()])
@@ -164,6 +207,8 @@ def _flow(case, run, fields):
     high = pictures.fastest_near(run, fields, case)
     text = ['<div class="row">', *pictures.level_plots(run, fields, high), *pictures.wind_plot(run, fields, case, high), "</div>",
             charts.color_bar(0.0, high, "m/s; arrows are the flow in the section")]
+    if case.is_room:  # walls hide what is in it
+        return "\n".join(text)
     picture = pictures.in_space(run, fields, high)
     if picture is None:
         text.append("<p>A picture in space is missing: it needs walls and, without a display, the command xvfb-run.</p>")
@@ -183,6 +228,8 @@ def _class_figure(title, words, found, view, lines):
 
 
 def comfort_of(case, view, ratios, fields_of, climate):
+    if case.is_room:
+        return ""
     text = "<h2>Wind comfort</h2>"
     if climate is None:
         return text + ("<p>Classes of comfort need the wind's statistics: give a table of the climate with "
@@ -208,8 +255,10 @@ def mesh_and_wind(case):
     mesh, described = case.mesh, case.described
     rows = [("cells", f"{mesh['cells']:,}"), ("worst non-orthogonality", f"{mesh['worst_non_orthogonality']:.1f}°"),
             ("mean non-orthogonality", f"{mesh['mean_non_orthogonality']:.1f}°"), ("worst skewness", f"{mesh['worst_skewness']:.2f}"),
-            ("failed checks of checkMesh", mesh["failed_checks"]), ("turbulence", html.escape(described["turbulence"])),
-            ("wind", f"{case.speed:g} m/s at {described['reference_height']:g} m"),
+            ("failed checks of checkMesh", mesh["failed_checks"]), ("turbulence", html.escape(described["turbulence"]))]
+    if case.is_room:
+        return "<h2>Mesh</h2>" + _table(("", ""), rows)
+    rows += [("wind", f"{case.speed:g} m/s at {described['reference_height']:g} m"),
             ("roughness length", f"{described['roughness_length']:g} m"),
             ("friction velocity", f"{described['friction_velocity']:.3g} m/s")]
     return "<h2>Mesh and wind</h2>" + _table(("", ""), rows)
@@ -254,8 +303,10 @@ def _sampled(case):
 
 def page_of(case, climate=None) -> str:
     """HTML that needs no other file. `climate` are sectors at the case's reference height, as `comfort` reads them."""
+    if case.is_room and climate:
+        raise Error(f"{case.folder} is a room, which has no wind: leave the climate out")
     fields_of, view, ratios = _sampled(case)
-    title = html.escape(f"Wind case {case.folder.resolve().name}")
+    title = html.escape(f"{'Room' if case.is_room else 'Wind case'} {case.folder.resolve().name}")
     return "\n".join([
         f'<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>{title}</title><style>{_STYLE}</style></head>',
         f"<body><h1>{title}</h1>",

@@ -3,14 +3,12 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkPolyData
 
-from . import charts, scene
-from .fields import PlanView, Section, appended
+from . import charts, scene, speeds
+from .fields import LevelView, PlanView, Section, appended
 
 MOST_LEVELS = 3
 # How far pictures show what is about the walls, in heights of the walls.
@@ -41,8 +39,12 @@ def surroundings(run, fields, domain):
 
 
 def plan(run, fields, case):
-    """The places above the ground whose speeds tell comfort."""
+    """The places above the ground whose speeds tell comfort; without a ground those above the lowest place, as in rooms."""
     ground = [fields.patches[name] for name in run.patches_of("ground") if name in fields.patches]
+    if not ground:
+        low, high = case.mesh["bounds"][4:]
+        height = low + min(case.pedestrian_height, 0.5 * (high - low))
+        return LevelView(surroundings(run, fields, case.mesh["bounds"]), height)
     return PlanView(ground, surroundings(run, fields, case.mesh["bounds"]), case.pedestrian_height)
 
 
@@ -69,8 +71,8 @@ def fastest_near(run, fields, case):
     z0, z1 = box_of(walls)[4:] if walls else case.mesh["bounds"][4:]
     heights = z0 + (numpy.arange(4) + 0.5) / 4 * (z1 - z0)
     sections = [Section((x0, y0, z), (1, 0, 0), (0, 1, 0), (x1 - x0, y1 - y0), columns=60) for z in heights]
-    speeds = [numpy.linalg.norm(section.sample(fields.mesh, fields.velocity), axis=1) for section in sections]
-    return float(numpy.nanpercentile(numpy.concatenate(speeds), 99.0))
+    found = [numpy.linalg.norm(section.sample(fields.mesh, fields.velocity), axis=1) for section in sections]
+    return float(numpy.nanpercentile(numpy.concatenate(found), 99.0))
 
 
 def speed_plot(section, fields, walls, high, arrows=True):
@@ -99,25 +101,35 @@ def level_plots(run, fields, high):
                           f"speed at {section.corner[2]:.3g} m, through the openings") for section in level_sections(run, fields)]
 
 
+def _largest(run, fields):
+    """What an upright section goes through: the largest opening to the outside, in a room the inlet with most air; its name
+    and surface, or None."""
+    if run.case.is_room:
+        name = max(run.inlets(), key=lambda inlet: numpy.linalg.norm(speeds.driven(fields.patches[inlet])), default=None)
+        return (name, fields.patches[name]) if name else None
+    to_outside = [o for o in run.openings if "outside" in o.rooms and o.name in fields.face_zones]
+    largest = max(to_outside, key=lambda o: o.area, default=None)
+    return (largest.name, fields.face_zones[largest.name]) if largest else None
+
+
 def wind_plot(run, fields, case, high):
-    """The upright section along the wind, through the largest opening to the outside or the middle of the walls."""
+    """The upright section along the wind, or along the air from a room's inlets."""
     walls = walls_of(run, fields)
     if not walls:
         return []
-    to_outside = [o for o in run.openings if "outside" in o.rooms and o.name in fields.face_zones]
-    largest = max(to_outside, key=lambda o: o.area, default=None)
-    place = box_of([fields.face_zones[largest.name]] if largest else walls)
+    largest = _largest(run, fields)
+    place = box_of([largest[1]] if largest else walls)
     middle = numpy.array([(place[0] + place[1]) / 2, (place[2] + place[3]) / 2, 0.0])
-    box = box_of(walls)
-    way = numpy.array([math.cos(math.radians(run.towards)), math.sin(math.radians(run.towards)), 0.0])
-    corners = numpy.array([(x, y, 0.0) for x in box[:2] for y in box[2:4]]) @ way
+    box, margin = box_of(walls), 0.0 if case.is_room else MARGIN
+    corners = numpy.array([(x, y, 0.0) for x in box[:2] for y in box[2:4]]) @ run.way
     height = box[5] - box[4]
-    first, last = corners.min() - MARGIN * height, corners.max() + 2 * MARGIN * height
-    corner = middle + (first - middle @ way) * way
+    first, last = corners.min() - margin * height, corners.max() + 2 * margin * height
+    corner = middle + (first - middle @ run.way) * run.way
     corner[2] = case.mesh["bounds"][4]
-    top = min(box[5] + MARGIN * height, case.mesh["bounds"][5])
-    section = Section(corner, way, (0, 0, 1), (last - first, top - corner[2]))
-    caption = "speed along the wind, through " + (largest.name if largest else "the middle of the walls")
+    top = min(box[5] + margin * height, case.mesh["bounds"][5])
+    section = Section(corner, run.way, (0, 0, 1), (last - first, top - corner[2]))
+    along = "along the air from the inlets" if case.is_room else "along the wind"
+    caption = f"speed {along}, through " + (largest[0] if largest else "the middle of the walls")
     return [charts.figure(speed_plot(section, fields, walls, high), caption)]
 
 
@@ -148,11 +160,12 @@ def _ground_about(run, fields, box):
 
 
 def in_space(run, fields, high):
-    """Walls by pressure with the paths of air through openings, or past the walls; None where it cannot be drawn."""
+    """Walls by pressure with the paths of air through openings, or past the walls; None where it cannot be drawn. For rooms
+    it shows nothing: their walls are seen from outside."""
     walls, openings = walls_of(run, fields), _openings(run, fields)
     if not walls:
         return None
-    way = numpy.array([math.cos(math.radians(run.towards)), math.sin(math.radians(run.towards)), 0.0])
+    way = run.way
     box = box_of(openings or walls)
     reach = max(box[1] - box[0], box[3] - box[2])
     seeds = scene.seeds_in(openings) if openings else scene.seeds_before(box, way)

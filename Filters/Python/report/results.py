@@ -179,8 +179,8 @@ def read_openings(case, described) -> list[Opening]:
     return openings
 
 
-def _summed(parts) -> History | None:
-    """Of histories of one run, which are measured together."""
+def summed(parts) -> History | None:
+    """The sum of histories of one run, which are measured together; None of none."""
     parts = list(parts)
     if not parts:
         return None
@@ -188,9 +188,14 @@ def _summed(parts) -> History | None:
     return History(parts[0].times[:length], numpy.sum([part.values[:length] for part in parts], axis=0))
 
 
+def inwards(flow: History) -> History:
+    """What comes in of a flow out of the domain, m3/s."""
+    return History(flow.times, numpy.maximum(-flow.values, 0.0))
+
+
 def _parted(opening, inwards):
     """The flow one way through an opening: half of the sum of both ways and the net flow."""
-    return _summed([opening.both.times_factor(0.5), opening.net.times_factor(0.5 if inwards else -0.5)])
+    return summed([opening.both.times_factor(0.5), opening.net.times_factor(0.5 if inwards else -0.5)])
 
 
 def _joining(room, openings):
@@ -200,21 +205,23 @@ def _joining(room, openings):
 
 def inflow(room: str, openings) -> History | None:
     """Air that comes into a room, m3/s. None where no opening of it was measured."""
-    return _summed(_parted(opening, second) for opening, second in _joining(room, openings))
+    return summed(_parted(opening, second) for opening, second in _joining(room, openings))
 
 
 def inflow_from(room: str, openings) -> History | None:
     """Air that leaves a room, m3/s."""
-    return _summed(_parted(opening, not second) for opening, second in _joining(room, openings))
+    return summed(_parted(opening, not second) for opening, second in _joining(room, openings))
 
 
 def net_inflow(room: str, openings) -> History | None:
     """What comes into a room less what leaves it, m3/s: 0 but for what has not settled, or is not measured."""
-    return _summed(opening.net.times_factor(1.0 if second else -1.0) for opening, second in _joining(room, openings))
+    return summed(opening.net.times_factor(1.0 if second else -1.0) for opening, second in _joining(room, openings))
 
 
 def imbalance(flows) -> float:
-    """Of flows out of the domain, m3/s: what is missing, relative to what comes in."""
+    """Of flows out of the domain, m3/s: what is missing, relative to what comes in; 0 where nothing flows."""
     values = numpy.array(list(flows), dtype=float)
     incoming = -values[values < 0].sum()
+    if not values.any():
+        return 0.0
     return float(abs(values.sum()) / incoming) if incoming > 0 else float("inf")

@@ -35,6 +35,20 @@ def _through(patch):
     return velocity, outwards, vtk_to_numpy(data.GetArray("Area"))
 
 
+def driven(patch):
+    """The flow through a patch as a vector along its velocity, m/s times square meters."""
+    if not patch.GetNumberOfCells() or not patch.GetCellData().HasArray("U"):
+        return numpy.zeros(3)
+    velocity, _, areas = _through(patch)
+    return velocity.T.astype(float) @ areas
+
+
+def greatest(fields, name) -> float:
+    """The greatest speed in cells, m/s; no number where one of them is none."""
+    array = fields.mesh.GetCellData().GetArray(name)
+    return float(numpy.linalg.norm(vtk_to_numpy(array), axis=1).max(initial=0.0))
+
+
 def driving(fields, roles) -> float:
     """The greatest speed that conditions at the boundary give: of what comes in, or is drawn out, m/s."""
     greatest = 0.0
