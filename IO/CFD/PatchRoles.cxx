@@ -177,6 +177,14 @@ void requireInletAndOutlet(const CaseMesh& mesh, const std::vector<PatchChoice>&
   }
 }
 
+/// Whether a mesh that is to be a case of wind is taken for a room by itself.
+bool wouldBeRoom(const CaseMesh& mesh, FlowCaseSettings settings)
+{
+  settings.kind = FlowKind::Automatic;
+  settings.directions.clear();
+  return isRoom(mesh, settings);
+}
+
 PatchChoice supplyFrom(const std::string& text, std::string_view amount)
 {
   double number = 0.0;
@@ -271,7 +279,8 @@ std::vector<PatchChoice> choosePatches(const CaseMesh& mesh, const FlowCaseSetti
     if (!has(role))
     {
       throw Error(std::string("no patch lets air ") + what + ": the mesh has no plane, upright side across the wind. " +
-                  "Name one, such as --patch NAME " + (role == PatchRole::Inlet ? "inlet" : "outlet"));
+                  "Name one, such as --patch NAME " + (role == PatchRole::Inlet ? "inlet" : "outlet") +
+                  (wouldBeRoom(mesh, settings) ? "; without wind it is a room" : ""));
     }
   }
   return choices;

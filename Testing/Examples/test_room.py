@@ -5,6 +5,7 @@ Usage: test_room.py ATRIA
 """
 
 import json
+import os
 import pathlib
 import re
 import shutil
@@ -15,6 +16,7 @@ import unittest
 
 from atria.report import Case
 from box_mesh import write_box
+from decomposed import MPI
 from test_dialects import dictionaries, differences
 
 ATRIA = pathlib.Path(sys.argv[1])
@@ -107,7 +109,7 @@ class Room(unittest.TestCase):
         return dict(re.findall(r"^\s*(\w+)\s+(.*);$", block[1], re.MULTILINE)) if block else None
 
     def run_case(self, folder):
-        run = subprocess.run([folder / "Allrun"], capture_output=True, text=True, check=False)
+        run = subprocess.run([folder / "Allrun"], capture_output=True, text=True, check=False, env=os.environ | MPI)
         self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
 
     def flow(self, folder, patch):
@@ -181,6 +183,7 @@ class Room(unittest.TestCase):
         self.refuses(2, "--inlet-flow", mesh, "--inlet-flow", "0")
         self.refuses(2, "room", mesh, "--kind", "rooms")
         self.refuses(3, "a room has no wind", mesh, "--kind", "room", "--wind", "90")
+        self.refuses(3, "without wind it is a room", mesh, "--wind", "90")
         self.refuses(3, "inlet:50l/s", mesh, "--patch", "Supply_1", "inlet:0.5")
         self.refuses(3, "no ground", mesh, "--kind", "room", "--patch", "Walls", "ground")
         self.refuses(3, "--patch NAME inlet --patch NAME outlet", mesh, "--kind", "room", "--patch", "*", "wall")
