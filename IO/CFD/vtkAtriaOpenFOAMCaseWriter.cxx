@@ -222,12 +222,11 @@ int vtkAtriaOpenFOAMCaseWriter::WriteForMesh(const char* source)
 void vtkAtriaOpenFOAMCaseWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  constexpr const char* kinds[] = {"automatic", "wind", "room"};
-  os << indent << "Kind: " << kinds[this->Kind] << "\n";
-  os << indent << "InletQuantity: " << (this->InletQuantity == ByFlowRate ? "flow rate" : "speed") << "\n";
+  os << indent << "Kind: " << this->Kind << "\n";
+  os << indent << "InletQuantity: " << this->InletQuantity << "\n";
   os << indent << "InletSpeed: " << this->InletSpeed << "\n";
   os << indent << "InletFlowRate: " << this->InletFlowRate << "\n";
-  os << indent << "WrittenKind: " << kinds[this->WrittenKind] << "\n";
+  os << indent << "WrittenKind: " << this->WrittenKind << "\n";
   os << indent << "Summary: " << this->Summary << "\n";
   os << indent << "ReferenceSpeed: " << this->ReferenceSpeed << "\n";
   os << indent << "ReferenceHeight: " << this->ReferenceHeight << "\n";
