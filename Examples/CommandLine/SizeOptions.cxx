@@ -87,8 +87,10 @@ void declareSizeOptions(CLI::App& command, SizeOptions& options)
       ->check(numberIn(filter->GetCellsPerLevelMinValue(), filter->GetCellsPerLevelMaxValue()))
       ->type_name("N");
   command
-      .add_option("--max-elements", options.maxElements,
-                  "Leave out the finest sizes where there would be more elements; 0 for no limit")
+      .add_option(
+          "--max-elements", options.maxElements,
+          "Take coarser sizes where there would be more elements, first away from the model and last at edges; 0 "
+          "for no limit")
       ->capture_default_str()
       ->check(atLeast(0.0))
       ->type_name("N");

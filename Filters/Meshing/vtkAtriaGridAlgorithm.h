@@ -156,8 +156,9 @@ public:
 
   ///@{
   /**
-   * Where the mesh would have more elements (those of all zones counted, those of layers not), the finest octants are
-   * left out, level by level, those at features last; a warning says so. Default 0: no limit; at least 0.
+   * Where the mesh would have more elements (those of all zones counted, those of layers not), coarser sizes are taken:
+   * first a larger SizeMax, then fewer CellsPerLevel, then coarser boxes, distances and gaps away from surfaces, then
+   * coarser surfaces, and features last. A warning names the sizes that were taken. Default 0: no limit; at least 0.
    */
   vtkAtriaSetInRangeMacro(MaxElements, int, 0, VTK_INT_MAX);
   vtkGetMacro(MaxElements, int);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// How many elements a mesh will have, limits on them, and rules that cannot be met.
+/// How many elements a mesh will have, and rules that cannot be met.
 #include "SizedOctree.h"
 #include "Support/Error.h"
 #include "Support/QuietContext.h"
@@ -33,51 +33,6 @@ TEST(Estimate, CountsExactlyWhatAMeshOfAllZonesHas)
     eachLeaf(s.octree, [&](Index leaf) { ++octants[s.octree.level(leaf)]; });
     EXPECT_EQ(estimate.octants, octants);
   }
-}
-
-TEST(MaxElements, IsKeptToAndSaid)
-{
-  for (unsigned seed = 0; seed < 10; ++seed)
-  {
-    SCOPED_TRACE(seed);
-    const TriangleSurface soup = randomSoup(seed);
-    const GridOptions grid = gridOf(8.0, 0.25, 0.5, 1.0);
-    const std::size_t unlimited = sized(soup, grid, everything()).elements();
-    std::size_t before = 0;
-    for (const double part : {0.02, 0.1, 0.3, 0.7, 0.99, 1.0, 1.5})
-    {
-      SizingOptions sizing = everything();
-      sizing.maxElements = static_cast<std::size_t>(part * static_cast<double>(unlimited));
-      const Sized s = sized(soup, grid, sizing);
-      EXPECT_LE(s.elements(), sizing.maxElements);
-      EXPECT_GE(s.elements(), before) << "a higher limit gives no less";
-      EXPECT_EQ(s.elements() < unlimited, !s.octants.warning.empty());
-      EXPECT_TRUE(s.octants.warning.empty() ||
-                  s.octants.warning.find("MaxElements " + std::to_string(sizing.maxElements)) != std::string::npos);
-      before = s.elements();
-    }
-    EXPECT_EQ(before, unlimited);
-  }
-}
-
-TEST(MaxElements, FeaturesAreTheLastToGo)
-{
-  TriangleSurface surface;
-  addBox(surface, "Building", {Vec3(-3.1, -2.2, -4.1), Vec3(2.9, 3.3, 1.2)});
-  const GridOptions grid = gridOf(16.0, 0.25, 1.0, 2.0);
-  const std::size_t plain = sized(surface, grid, {}).elements();
-  SizingOptions sizing;
-  sizing.surfaceSizes = {{"Building", 0.25, 0.25}};
-  sizing.maxElements = plain + plain / 2;
-  const Sized s = sized(surface, grid, sizing);
-  EXPECT_THAT(s.octants.warning, HasSubstr("for feature curves"));
-  int curves = 0;
-  eachLeaf(s.octree, [&](Index leaf) {
-    const bool feature = s.octree.featureType(leaf) == FeatureType::curve;
-    curves += feature ? 1 : 0;
-    EXPECT_TRUE(!feature || sizeOf(s.octree, leaf) == 0.25);
-  });
-  EXPECT_GT(curves, 100);
 }
 
 template <typename Call> std::string errorOf(Call&& call)

@@ -599,6 +599,34 @@ class CommandLine(unittest.TestCase):
         self.assertLessEqual(estimated, limit)
         self.assertIn(f"--max-elements {limit}", run.stderr)
 
+    def test_a_budget_keeps_the_tower_and_coarsens_the_far_field(self):
+        """Sizes on the tower are as requested; the warning gives options that make the same mesh."""
+        model = self.folder / "tower.obj"
+        corners = [(x, y, z) for z in (0, 100) for y in (0, 20) for x in (0, 20)]
+        faces = [(1, 3, 4, 2), (5, 6, 8, 7), (1, 2, 6, 5), (3, 7, 8, 4), (1, 5, 7, 3), (2, 4, 8, 6)]
+        model.write_text("o Tower\n" + "".join("v %g %g %g\n" % c for c in corners) + "".join("f %d %d %d %d\n" % f for f in faces))
+        sizes = ["--size-min", "1", "--size-mid", "2", "--layers", "0"]
+
+        def made(*options):
+            out, report = self.folder / "tower.vtu", self.folder / "tower.json"
+            run = self.atria("mesh", model, *sizes, *options, "-o", out, "--report", report)
+            self.assertEqual(run.returncode, 0, run.stderr)
+            written = json.loads(report.read_text())
+            faces = {patch["name"]: patch["faces"] for patch in written["patches"]}
+            return written["counts"]["elements"], faces["Tower"], run.stderr
+
+        elements, faces, told = made("--size-max", "8", "--max-elements", 300000)
+        self.assertLessEqual(elements, 300000)
+        self.assertGreater(faces, 2000)
+        options = re.search(r"--size-max (\S+) instead of 8;", told)
+        self.assertIsNotNone(options, told)
+        again = made("--size-max", options.group(1))
+        self.assertEqual((elements, faces), again[:2])
+        self.assertNotIn("--max-elements", again[2])
+        fewest = made("--size-max", "8", "--max-elements", 30000)
+        self.assertLessEqual(fewest[0], 30000)
+        self.assertIn("--size-mid 4 instead of 2", fewest[2])
+
     def test_sizes_beyond_the_memory_are_refused_at_once(self):
         """Either would run for hours, and fill any machine."""
         fine = ["--size-max", "8", "--size-mid", "0.001", "--size-min", "0.001", "--site", "Site"]

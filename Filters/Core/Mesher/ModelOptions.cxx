@@ -9,7 +9,6 @@
 #include "Surface/Search/Distance.h"
 
 #include <algorithm>
-#include <limits>
 #include <numbers>
 #include <sstream>
 
@@ -61,17 +60,6 @@ std::vector<SurfaceKind> kindsOf(const std::vector<std::string>& names, const Mo
   setKind(SurfaceKind::faceZone, options.faceZones, names, kinds);
   setKind(SurfaceKind::cellZone, options.cellZones, names, kinds);
   return kinds;
-}
-
-/// Width of the narrowest side of a prism that is no box; else infinite.
-double narrowestSide(const PlacedPrism& domain)
-{
-  double narrowest = std::numeric_limits<double>::infinity();
-  for (const PrismSide& side : domain.sides())
-  {
-    narrowest = domain.isBox() ? narrowest : std::min(narrowest, (side.end - side.start).norm());
-  }
-  return narrowest;
 }
 
 /// Adds to the entries of the same two surfaces; by `gives` and then by `keeps`.

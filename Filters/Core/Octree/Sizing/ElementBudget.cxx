@@ -117,7 +117,8 @@ std::string ElementBudget::textFor(double elements) const
        << (most == mostNumbers ? "2.1 billion are the most there can be"
                                : "there are " + inGigabytes(static_cast<double>(options_.memoryLimit)))
        << ". " << adviceFor()
-       << " MaxElements (--max-elements) leaves out the finest sizes, MemoryLimit (--memory-limit) says that there is "
+       << " MaxElements (--max-elements) takes coarser sizes, first away from the model, MemoryLimit (--memory-limit) "
+          "says that there is "
           "more memory. The domain measures "
        << domain[0] << " by " << domain[1] << " by " << domain[2] << " m";
   if (!box.empty())

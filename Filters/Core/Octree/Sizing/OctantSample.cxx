@@ -18,10 +18,13 @@ public:
   explicit SampledSets(const GridFrame& frame) : frame_(frame) {}
 
   const GridFrame& frame() const override { return frame_; }
-  bool takes(int level) const override { return level < frame_.depth; }
-  bool wantsFeatures() const override { return false; }
+  bool takes(int level, OctantNeed need) const override
+  {
+    return level < (need == OctantNeed::open ? std::max(frame_.topLevel, frame_.startLevel) : frame_.depth);
+  }
+  bool isLimited() const override { return false; }
 
-  void add(int level, const std::vector<MortonKey>& keys, const std::vector<char>& /*forFeatures*/,
+  void add(int level, const std::vector<MortonKey>& keys, const std::vector<OctantNeed>& /*needs*/,
            const RunContext& context) override
   {
     // With four thousand kept, chance changes the counts below by less than two parts in a hundred.
@@ -101,7 +104,7 @@ OctantCounts sampleOctants(const SurfaceModel& model, const GridFrame& frame, co
     takeLarger(counts, sets.counts());
   };
   sample([&](OctantSink& sets) { sizeForModel(sets, model, levels, withoutGaps, context); });
-  sample([&](OctantSink& sets) { sizeForBoxes(sets, options, context); });
+  sample([&](OctantSink& sets) { sizeForBoxes(sets, model, options, context); });
   sample([&](OctantSink& sets) { sizeForDistances(sets, model, options, context); });
   return counts;
 }

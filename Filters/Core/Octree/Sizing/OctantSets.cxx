@@ -11,12 +11,13 @@
 
 namespace atria {
 
-OctantSets::OctantSets(const GridFrame& frame, std::size_t maxElements, ElementBudget& budget)
-    : frame_(frame), limit(maxElements), budget_(budget), kept_(2 * frame.depth)
+OctantSets::OctantSets(const GridFrame& frame, const KeptSizes& requested, const SizingOptions& options,
+                       ElementBudget& budget)
+    : frame_(frame), options_(options), limit(options.maxElements), budget_(budget), steps_(frame, requested)
 {
 }
 
-void OctantSets::add(int level, const std::vector<MortonKey>& keys, const std::vector<char>& forFeatures,
+void OctantSets::add(int level, const std::vector<MortonKey>& keys, const std::vector<OctantNeed>& needs,
                      const RunContext& context)
 {
   if (keys.empty())
@@ -27,25 +28,25 @@ void OctantSets::add(int level, const std::vector<MortonKey>& keys, const std::v
   Level& target = levels[level];
   Level merged;
   merged.keys.reserve(std::max(keys.size(), target.keys.size()));
-  merged.forFeatures.reserve(merged.keys.capacity());
+  merged.needs.reserve(merged.keys.capacity());
   for (std::size_t i = 0, j = 0; i < keys.size() || j < target.keys.size();)
   {
     const bool fromNew = j == target.keys.size() || (i < keys.size() && keys[i] <= target.keys[j]);
     const bool fromOld = i == keys.size() || (j < target.keys.size() && target.keys[j] <= keys[i]);
     merged.keys.push_back(fromNew ? keys[i] : target.keys[j]);
-    const bool feature = (fromNew && !forFeatures.empty() && forFeatures[i]) || (fromOld && target.forFeatures[j]);
-    merged.forFeatures.push_back(feature);
-    asked_ = std::max(asked_, 2 * level + (feature ? 1 : 2));
+    merged.needs.push_back(
+        std::max(fromNew ? needs[i] : OctantNeed::open, fromOld ? target.needs[j] : OctantNeed::open));
     i += fromNew ? 1 : 0;
     j += fromOld ? 1 : 0;
   }
   target = std::move(merged);
   if (limit > 0)
   {
-    prune(level, context);
+    prune(level);
+    countPoints(level, context);
     while (pointsSoFar() > limit)
     {
-      leaveOutMore(context);
+      leaveOutMore(false, context);
     }
   }
   checkBudget(context);
@@ -68,54 +69,86 @@ std::size_t OctantSets::pointsSoFar() const
   return points;
 }
 
-void OctantSets::prune(int level, const RunContext& context)
+/// Leaves out octants that are not kept, and those whose parents are not. Whether there were any.
+bool OctantSets::prune(int level)
 {
   Level& target = levels[level];
+  static const std::vector<MortonKey> none;
+  const std::vector<MortonKey>& parents = level > 0 ? levels[level - 1].keys : none;
   std::size_t count = 0;
+  std::size_t parent = 0;
   for (std::size_t i = 0; i < target.keys.size(); ++i)
   {
-    if (2 * level + (target.forFeatures[i] ? 0 : 1) < kept_)
+    const MortonKey above = target.keys[i] >> 3;
+    while (parent < parents.size() && parents[parent] < above)
+    {
+      ++parent;
+    }
+    const bool hasParent = level == 0 || (parent < parents.size() && parents[parent] == above);
+    if (hasParent && steps_.kept().keeps(level, target.needs[i]))
     {
       target.keys[count] = target.keys[i];
-      target.forFeatures[count] = target.forFeatures[i];
+      target.needs[count] = target.needs[i];
       ++count;
     }
   }
+  const bool isChanged = count < target.keys.size();
   target.keys.resize(count);
-  target.forFeatures.resize(count);
-  target.newPoints = countNewPoints(target.keys, level, frame_, context);
+  target.needs.resize(count);
+  return isChanged;
 }
 
-void OctantSets::leaveOutMore(const RunContext& context)
+void OctantSets::countPoints(int level, const RunContext& context)
 {
-  // Ranks at which nothing is there leave nothing out.
-  kept_ = std::min(kept_, 2 * static_cast<int>(levels.size())) - 1;
-  if (kept_ < 2 * frame_.startLevel)
+  levels[level].newPoints = countNewPoints(levels[level].keys, level, frame_, context);
+}
+
+void OctantSets::leaveOutMore(bool withGrowth, const RunContext& context)
+{
+  std::array<int, needCount> ends{};
+  for (std::size_t level = 0; level < levels.size(); ++level)
   {
-    const bool isThin = coarsestLevelFor(frame_) == frame_.startLevel;
-    std::ostringstream text;
-    text << "octants of level " << frame_.startLevel << ", which "
-         << (isThin ? "the domain's shortest side" : "StartLevel") << " asks for, make more than MaxElements " << limit
-         << ": raise it, or ";
-    if (isThin)
+    for (const OctantNeed need : levels[level].needs)
     {
-      text << "make the domain larger where it is " << frame_.domain.size().minCoeff() << " wide";
+      ends[static_cast<std::size_t>(need)] = static_cast<int>(level) + 1;
     }
-    else
-    {
-      text << "lower StartLevel";
-    }
-    throw Error(text.str());
   }
-  const int level = kept_ / 2;
-  prune(level, context);
+  if (!steps_.giveUpMore(ends, withGrowth))
+  {
+    refuse();
+  }
+  for (int level = 0; level < static_cast<int>(levels.size()); ++level)
+  {
+    if (prune(level))
+    {
+      countPoints(level, context);
+    }
+  }
   while (!levels.empty() && levels.back().keys.empty())
   {
     levels.pop_back();
   }
 }
 
-RefinedSets OctantSets::balanced(int cellsPerLevel, const RunContext& context)
+void OctantSets::refuse() const
+{
+  const bool isThin = coarsestLevelFor(frame_) == frame_.startLevel;
+  std::ostringstream text;
+  text << "octants of level " << frame_.startLevel << ", which "
+       << (isThin ? "the domain's shortest side" : "StartLevel") << " asks for, make more than MaxElements " << limit
+       << ": raise it, or ";
+  if (isThin)
+  {
+    text << "make the domain larger where it is " << frame_.domain.size().minCoeff() << " wide";
+  }
+  else
+  {
+    text << "lower StartLevel";
+  }
+  throw Error(text.str());
+}
+
+RefinedSets OctantSets::balanced(const RunContext& context)
 {
   for (;;)
   {
@@ -124,39 +157,27 @@ RefinedSets OctantSets::balanced(int cellsPerLevel, const RunContext& context)
     {
       sets.push_back(level.keys);
     }
-    balance(sets, frame_, context, cellsPerLevel);
+    balance(sets, frame_, context, steps_.kept().cellsPerLevel);
     elements_ = limit > 0 ? countElements(sets, frame_, context) : 0;
     if (elements_ <= limit)
     {
       budget_.check(std::vector<std::span<const MortonKey>>(sets.begin(), sets.end()), context);
       return sets;
     }
-    leaveOutMore(context);
+    leaveOutMore(true, context);
   }
 }
 
 std::string OctantSets::warning() const
 {
-  if (kept_ >= asked_)
+  if (!steps_.isReduced())
   {
     return {};
   }
-  // Refined octants of this level are the finest that may be kept, if at all; their children are one level finer.
-  const int level = kept_ / 2;
-  const bool featuresOnly = kept_ % 2 != 0;
-  const double finest = frame_.sizeOf(featuresOnly ? level + 1 : level);
   std::ostringstream text;
-  text << "the sizes asked for make more elements than MaxElements " << limit << ": ";
-  if (featuresOnly)
-  {
-    text << "octants of " << finest << " were made for feature curves, corners and close surfaces only, finer ones not "
-         << "at all";
-  }
-  else
-  {
-    text << "octants finer than " << finest << " were left out";
-  }
-  text << "; there are up to " << elements_ << " elements";
+  text << "the sizes requested make more elements than MaxElements " << limit
+       << ", so these were taken: " << steps_.text(frame_, options_) << "; there are up to " << elements_
+       << " elements";
   return text.str();
 }
 

@@ -2,7 +2,7 @@
 /// Octants to refine, collected from several sources under a limit on elements.
 #pragma once
 
-#include "Octree/Sizing/OctantSink.h"
+#include "Octree/Sizing/KeptSizes.h"
 
 namespace atria {
 
@@ -12,50 +12,51 @@ class ElementBudget;
 /// parent.
 ///
 /// Octants that are refined add elements only. So where what has been added makes too many already, the rest would too,
-/// and the finest octants are left out at once: of the finest level first those that are not refined for features, then
-/// those that are, then the next level. What is left out does not depend on the order in which sources add.
+/// and coarser sizes are taken at once, by the steps of SizeSteps. What is left out does not depend on the order in
+/// which sources add.
 class OctantSets final : public OctantSink
 {
 public:
-  /// `maxElements` 0 is no limit. `budget` is asked whatever is added.
-  OctantSets(const GridFrame& frame, std::size_t maxElements, ElementBudget& budget);
+  /// A `maxElements` of 0 in the options is no limit. `budget` is asked whatever is added. Keeps references to options
+  /// and budget.
+  OctantSets(const GridFrame& frame, const KeptSizes& requested, const SizingOptions& options, ElementBudget& budget);
 
   const GridFrame& frame() const override { return frame_; }
-  bool takes(int level) const override { return 2 * level < kept_; }
-  bool wantsFeatures() const override { return limit > 0; }
-  void add(int level, const std::vector<MortonKey>& keys, const std::vector<char>& forFeatures,
+  bool takes(int level, OctantNeed need) const override { return steps_.kept().keeps(level, need); }
+  bool isLimited() const override { return limit > 0; }
+  void add(int level, const std::vector<MortonKey>& keys, const std::vector<OctantNeed>& needs,
            const RunContext& context) override;
   bool goesOn(int /*level*/, MortonKey /*key*/) const override { return true; }
 
   /// Balances what is there, and leaves out more until the balanced sets keep to the limit. Throws Error if not even
   /// the start level does, or the budget is exceeded. Returns the balanced sets.
-  RefinedSets balanced(int cellsPerLevel, const RunContext& context);
+  RefinedSets balanced(const RunContext& context);
 
-  /// What was left out, in words; empty if nothing.
+  /// Which sizes were taken instead of those requested, in words; empty if these were.
   std::string warning() const;
 
 private:
   struct Level
   {
     std::vector<MortonKey> keys;
-    std::vector<char> forFeatures;
+    std::vector<OctantNeed> needs;
     std::size_t newPoints = 0;
   };
 
-  void leaveOutMore(const RunContext& context);
-  void prune(int level, const RunContext& context);
+  void leaveOutMore(bool withGrowth, const RunContext& context);
+  bool prune(int level);
+  void countPoints(int level, const RunContext& context);
   std::size_t pointsSoFar() const;
+  [[noreturn]] void refuse() const;
 
   void checkBudget(const RunContext& context);
 
   GridFrame frame_;
+  const SizingOptions& options_;
   std::size_t limit;
   ElementBudget& budget_;
   std::vector<Level> levels;
-  /// Octants of level l refined for features have rank 2l, others 2l + 1; those of a rank below this one are kept.
-  int kept_;
-  /// The rank above all that was asked for.
-  int asked_ = 0;
+  SizeSteps steps_;
   /// Of the balanced sets; counted only where they are limited.
   std::size_t elements_ = 0;
 };

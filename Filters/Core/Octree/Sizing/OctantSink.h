@@ -1,10 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// What sources of sizes hand octants to.
 #pragma once
 
 #include "Octree/Tree/Octree.h"
 #include "Support/RunContext.h"
 
 namespace atria {
+
+/// What an octant is refined for. A limit on elements gives up the first of these first.
+enum class OctantNeed : std::uint8_t
+{
+  open,    ///< the size in the open, SizeMax
+  region,  ///< a box, a distance or a gap, away from surfaces
+  surface, ///< a surface, or a box or distance where a surface is
+  feature  ///< a feature curve, a corner or close surfaces
+};
+inline constexpr std::size_t needCount = 4;
 
 /// What sources of sizes add octants to, level by level from the root. A source adds an octant only if it has added its
 /// parent, and the sink goes on from that.
@@ -14,15 +25,23 @@ public:
   virtual ~OctantSink() = default;
 
   virtual const GridFrame& frame() const = 0;
-  /// Whether octants of `level` may still be refined, at least for features.
-  virtual bool takes(int level) const = 0;
-  /// Whether a source must say which octants it refines for features.
-  virtual bool wantsFeatures() const = 0;
-  /// Octants of `level` to refine: `keys`, sorted; `forFeatures` by key, or empty if none is.
-  virtual void add(int level, const std::vector<MortonKey>& keys, const std::vector<char>& forFeatures,
+  /// Whether octants of `level` may still be refined for `need`.
+  virtual bool takes(int level, OctantNeed need) const = 0;
+  /// Whether a source must say what it refines octants for.
+  virtual bool isLimited() const = 0;
+  /// Octants of `level` to refine: `keys`, sorted, and what each is refined for. A source that need not say it may say
+  /// anything.
+  virtual void add(int level, const std::vector<MortonKey>& keys, const std::vector<OctantNeed>& needs,
                    const RunContext& context) = 0;
-  /// Whether a source is to look at the children of an octant it has added.
+  /// Whether a source is to look at the children of an octant it has added, if its level takes what it is refined for.
   virtual bool goesOn(int level, MortonKey key) const = 0;
 };
+
+/// Whether octants of `level` may still be refined for anything.
+inline bool takesAny(const OctantSink& sink, int level)
+{
+  return sink.takes(level, OctantNeed::open) || sink.takes(level, OctantNeed::region) ||
+         sink.takes(level, OctantNeed::surface) || sink.takes(level, OctantNeed::feature);
+}
 
 } // namespace atria

@@ -3,6 +3,7 @@
 #include "Octree/Sizing/SizeSources.h"
 #include "Octree/Tree/GeometryLists.h"
 #include "Support/Error.h"
+#include "Surface/Model/TriangleTree.h"
 #include "Surface/Search/Slabs.h"
 
 #include <algorithm>
@@ -25,6 +26,8 @@ struct AskLists
   std::vector<MortonKey> keys;
   std::vector<std::size_t> offsets{0};
   std::vector<Index> asks;
+  /// What each octant is refined for.
+  std::vector<OctantNeed> needs;
 
   std::span<const Index> of(std::size_t i) const
   {
@@ -35,17 +38,41 @@ struct AskLists
     const std::size_t shift = asks.size();
     keys.insert(keys.end(), other.keys.begin(), other.keys.end());
     asks.insert(asks.end(), other.asks.begin(), other.asks.end());
+    needs.insert(needs.end(), other.needs.begin(), other.needs.end());
     std::transform(other.offsets.begin() + 1, other.offsets.end(), std::back_inserter(offsets),
                    [&](std::size_t offset) { return offset + shift; });
   }
 };
 
+/// Finds the octants that triangles touch.
+class SurfaceSearch
+{
+public:
+  explicit SurfaceSearch(const SurfaceModel& model) : model_(model), tree_(model) {}
+
+  bool touches(const LatticeBox& box) const
+  {
+    return std::ranges::any_of(tree_.get().touching(box), [&](Index t) {
+      return !model_.isTurnedSide(t) &&
+             atria::touches(box, model_.corner(t, 0), model_.corner(t, 1), model_.corner(t, 2));
+    });
+  }
+
+private:
+  const SurfaceModel& model_;
+  TriangleTreeOnDemand tree_;
+};
+
 /// Refines the octants that asks reach. `levelOf(ask)` is the level an ask goes down to, `reachOf(ask, box)` how far it
-/// fills an octant (cut to the domain); a child holds none of what its parent does not.
+/// fills an octant (cut to the domain); a child holds none of what its parent does not. Octants with triangles that
+/// `surfaces` finds are refined for these where the sink is limited; without, all are refined for a region.
 template <typename LevelOf, typename ReachOf> class AskDescent
 {
 public:
-  AskDescent(OctantSink& sets, LevelOf levelOf, ReachOf reachOf) : sets_(sets), levelOf_(levelOf), reachOf_(reachOf) {}
+  AskDescent(OctantSink& sets, LevelOf levelOf, ReachOf reachOf, const SurfaceSearch* surfaces)
+      : sets_(sets), levelOf_(levelOf), reachOf_(reachOf), surfaces_(sets.isLimited() ? surfaces : nullptr)
+  {
+  }
 
   void run(std::size_t count, const RunContext& context)
   {
@@ -58,17 +85,18 @@ public:
     }
     root.offsets = {0, count};
     AskLists lists;
-    appendOctant(lists, 0, 0, root.of(0));
-    for (int level = 0; !lists.keys.empty() && sets_.takes(level); ++level)
+    appendOctant(lists, 0, 0, root.of(0), surfaces_ ? OctantNeed::surface : OctantNeed::region);
+    for (int level = 0; !lists.keys.empty() && takesAny(sets_, level); ++level)
     {
-      sets_.add(level, lists.keys, {}, context);
-      lists = sets_.takes(level + 1) ? childrenOf(lists, level, context) : AskLists{};
+      sets_.add(level, lists.keys, lists.needs, context);
+      lists = takesAny(sets_, level + 1) ? childrenOf(lists, level, context) : AskLists{};
     }
   }
 
 private:
   /// Adds an octant if an ask that reaches it goes below its level. What fills it stands for all that ask for no more.
-  void appendOctant(AskLists& out, MortonKey key, int level, std::span<const Index> asks) const
+  /// `parentNeed` is what its parent is refined for.
+  void appendOctant(AskLists& out, MortonKey key, int level, std::span<const Index> asks, OctantNeed parentNeed) const
   {
     const LatticeBox box = domainBoxOf(sets_.frame(), level, key);
     if (box.empty())
@@ -104,6 +132,8 @@ private:
     {
       out.keys.push_back(key);
       out.offsets.push_back(out.asks.size());
+      const bool atSurface = parentNeed == OctantNeed::surface && surfaces_->touches(box);
+      out.needs.push_back(atSurface ? OctantNeed::surface : OctantNeed::region);
     }
   }
 
@@ -116,9 +146,11 @@ private:
       context.progress.check();
       for (std::size_t i = part * grain; i < std::min((part + 1) * grain, parents.keys.size()); ++i)
       {
-        for (MortonKey k = 0; k < 8 && sets_.goesOn(level, parents.keys[i]); ++k)
+        const OctantNeed need = parents.needs[i];
+        const bool goesOn = sets_.takes(level, need) && sets_.goesOn(level, parents.keys[i]);
+        for (MortonKey k = 0; k < 8 && goesOn; ++k)
         {
-          appendOctant(parts[part], parents.keys[i] << 3 | k, level + 1, parents.of(i));
+          appendOctant(parts[part], parents.keys[i] << 3 | k, level + 1, parents.of(i), need);
         }
       }
     });
@@ -134,6 +166,7 @@ private:
   OctantSink& sets_;
   LevelOf levelOf_;
   ReachOf reachOf_;
+  const SurfaceSearch* surfaces_;
 };
 
 struct LevelledBox
@@ -175,7 +208,7 @@ Reach reachOf(const NearTriangle& near, const LatticeBox& box, const SurfaceMode
 
 } // namespace
 
-void sizeForBoxes(OctantSink& sets, const SizingOptions& options, const RunContext& context)
+void sizeForBoxes(OctantSink& sets, const SurfaceModel& model, const SizingOptions& options, const RunContext& context)
 {
   const GridFrame& frame = sets.frame();
   std::vector<LevelledBox> boxes;
@@ -196,9 +229,10 @@ void sizeForBoxes(OctantSink& sets, const SizingOptions& options, const RunConte
     }
     boxes.push_back({{frame.toLattice(low), frame.toLattice(high)}, levelNotAbove(asked.size, frame)});
   }
+  const SurfaceSearch surfaces(model);
   AskDescent(
       sets, [&](Index i) { return boxes[i].level; },
-      [&](Index i, const LatticeBox& octant) { return reachOf(boxes[i].box, octant); })
+      [&](Index i, const LatticeBox& octant) { return reachOf(boxes[i].box, octant); }, &surfaces)
       .run(boxes.size(), context);
 }
 
@@ -224,9 +258,10 @@ void sizeForDistances(OctantSink& sets, const SurfaceModel& model, const SizingO
       }
     }
   }
+  const SurfaceSearch surfaces(model);
   AskDescent(
       sets, [&](Index i) { return near[i].level; },
-      [&](Index i, const LatticeBox& octant) { return reachOf(near[i], octant, model); })
+      [&](Index i, const LatticeBox& octant) { return reachOf(near[i], octant, model); }, &surfaces)
       .run(near.size(), context);
 }
 
@@ -239,7 +274,8 @@ void sizeForGaps(OctantSink& sets, const std::vector<GapLine>& lines, const RunC
         const Vec3 low = toVector(octant.low) - line.half - line.from;
         const Vec3 high = toVector(octant.high) + line.half - line.from;
         return clipLine(low, high, line.to - line.from, 1.0).empty() ? Reach::none : Reach::part;
-      })
+      },
+      nullptr)
       .run(lines.size(), context);
 }
 

@@ -143,6 +143,16 @@ int levelNotAbove(double size, const GridFrame& frame)
   return level;
 }
 
+double narrowestSide(const PlacedPrism& domain)
+{
+  double narrowest = std::numeric_limits<double>::infinity();
+  for (const PrismSide& side : domain.sides())
+  {
+    narrowest = domain.isBox() ? narrowest : std::min(narrowest, (side.end - side.start).norm());
+  }
+  return narrowest;
+}
+
 ModelLevels modelLevels(const SurfaceModel& model, const GridFrame& frame, const SizingOptions& options)
 {
   constexpr int unset = -1;

@@ -20,6 +20,10 @@ std::string textOf(const DistanceSize& rule);
 /// The level of the largest octants that are not above `size`.
 int levelNotAbove(double size, const GridFrame& frame);
 
+/// Width of the narrowest side of a prism that is no box; else infinite. A side that is narrower than the diagonal of
+/// an octant's face may lie between elements and have no face.
+double narrowestSide(const PlacedPrism& domain);
+
 /// The level down to which each piece of the model refines the octants that hold it.
 struct ModelLevels
 {

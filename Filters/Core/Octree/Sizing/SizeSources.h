@@ -25,7 +25,7 @@ std::vector<GapLine> sizeForModel(OctantSink& sets, const SurfaceModel& model, c
                                   const SizingOptions& options, const RunContext& context);
 
 /// Octants that share volume with refinement boxes.
-void sizeForBoxes(OctantSink& sets, const SizingOptions& options, const RunContext& context);
+void sizeForBoxes(OctantSink& sets, const SurfaceModel& model, const SizingOptions& options, const RunContext& context);
 
 /// Octants near surfaces.
 void sizeForDistances(OctantSink& sets, const SurfaceModel& model, const SizingOptions& options,

@@ -30,15 +30,15 @@ SizedOctants sizeOctants(const SurfaceModel& model, const GridFrame& frame, cons
   checkCounts(options);
   const ModelLevels levels = modelLevels(model, frame, options);
   ElementBudget budget(model, frame, options);
-  OctantSets sets(frame, options.maxElements, budget);
+  OctantSets sets(frame, requestedSizes(frame, levels, options), options, budget);
   const std::vector<GapLine> gaps = sizeForModel(sets, model, levels, options, context.part(0.0, 0.6));
   context.progress.report(0.6, "Sizing octants");
-  sizeForBoxes(sets, options, context);
+  sizeForBoxes(sets, model, options, context);
   sizeForDistances(sets, model, options, context);
   sizeForGaps(sets, gaps, context);
   context.progress.report(0.8, "Balancing");
   SizedOctants sized;
-  sized.refined = sets.balanced(options.cellsPerLevel, context);
+  sized.refined = sets.balanced(context);
   sized.warning = sets.warning();
   return sized;
 }

@@ -57,7 +57,8 @@ struct SizingOptions
   int cellsAcrossGap = 0;
   /// Layers of octants of each size between the next finer and the next coarser ones; 1 is the 2:1 balance alone.
   int cellsPerLevel = 1;
-  /// Where the mesh would have more elements, the finest octants are left out; 0 is no limit.
+  /// Where the mesh would have more elements, coarser sizes are taken, first of all in the open and last at features
+  /// (see SizeSteps in KeptSizes.h); 0 is no limit.
   std::size_t maxElements = 0;
   /// Bytes of memory that meshing may take; 0 is no limit.
   std::size_t memoryLimit = 0;
@@ -71,7 +72,7 @@ struct SizedOctants
 {
   /// Balanced.
   RefinedSets refined;
-  /// What had to be left out to keep to `maxElements`; empty if nothing.
+  /// Which sizes were taken instead of those requested to keep to `maxElements`; empty if these were.
   std::string warning;
 };
 

@@ -15,7 +15,7 @@ namespace {
 struct Decision
 {
   bool refine = false;
-  bool forFeatures = false;
+  OctantNeed need = OctantNeed::open;
   std::vector<GapLine> gaps;
 };
 
@@ -66,12 +66,13 @@ public:
     }
   }
 
-  /// `limited`: whether what is refined for features must be told, and gaps noted even where octants get finer.
+  /// `limited`: whether it must be told what an octant is refined for, and gaps noted even where octants get finer.
   Decision decide(MortonKey key, int level, std::span<const ModelItem> pieces, bool limited) const
   {
     Decision decision;
     const bool always = level < frame_.startLevel || level < frame_.topLevel;
-    const bool passed = always || passesThrough(pieces, level);
+    const bool passesHere = (limited || !always) && passesThrough(pieces, level);
+    const bool passed = always || passesHere;
     const bool early = passed && !limited;
     if (pieces.empty() || early)
     {
@@ -79,11 +80,17 @@ public:
       return decision;
     }
     const LatticeBox box = domainBoxOf(frame_, level, key);
-    decision.forFeatures = hasFeature(box, pieces, level, passed);
-    decision.refine = passed || decision.forFeatures || turns(pieces, level);
+    decision.need = hasFeature(box, pieces, level)       ? OctantNeed::feature
+                    : passesHere || turns(pieces, level) ? OctantNeed::surface
+                                                         : OctantNeed::open;
+    decision.refine = passed || decision.need != OctantNeed::open;
     if (gaps && !passed && level <= finestFeature)
     {
-      decision.refine = gaps->find(box, pieces, decision.gaps) > level || decision.refine;
+      if (gaps->find(box, pieces, decision.gaps) > level)
+      {
+        decision.refine = true;
+        decision.need = std::max(decision.need, OctantNeed::surface);
+      }
       if (decision.refine && level < finestFeature && !limited)
       {
         decision.gaps.clear(); // its children find them again
@@ -100,9 +107,8 @@ private:
     });
   }
 
-  /// A curve, a corner or several surfaces ask for finer octants. Surfaces are not told apart in octants they refine
-  /// anyway.
-  bool hasFeature(const LatticeBox& box, std::span<const ModelItem> pieces, int level, bool passed) const
+  /// A curve, a corner or several surfaces ask for finer octants.
+  bool hasFeature(const LatticeBox& box, std::span<const ModelItem> pieces, int level) const
   {
     int finest = 0;
     for (const ModelItem piece : pieces)
@@ -117,7 +123,7 @@ private:
       }
       finest = std::max(finest, levels_.featureOfSurface[model_.surfaceIds[piece.index]]);
     }
-    return !passed && level < finest && severalSurfaces(box, pieces, model_);
+    return level < finest && severalSurfaces(box, pieces, model_);
   }
 
   /// Normals of one smooth piece differ by more than the curvature angle.
@@ -176,11 +182,11 @@ std::vector<GapLine> sizeForModel(OctantSink& sets, const SurfaceModel& model, c
     context.progress.report(static_cast<double>(level) / (frame.depth + 1), "Sizing octants");
     std::vector<Decision> decisions(lists.size());
     context.executor.forEach(lists.size(), 1024, [&](std::size_t i) {
-      decisions[i] = rules.decide(lists.keys[i], level, lists.of(i), sets.wantsFeatures());
+      decisions[i] = rules.decide(lists.keys[i], level, lists.of(i), sets.isLimited());
     });
     std::vector<char> chosen(lists.size());
     std::vector<MortonKey> keys;
-    std::vector<char> forFeatures;
+    std::vector<OctantNeed> needs;
     for (std::size_t i = 0; i < lists.size(); ++i)
     {
       chosen[i] = decisions[i].refine;
@@ -188,19 +194,20 @@ std::vector<GapLine> sizeForModel(OctantSink& sets, const SurfaceModel& model, c
       if (chosen[i])
       {
         keys.push_back(lists.keys[i]);
-        forFeatures.push_back(decisions[i].forFeatures);
+        needs.push_back(decisions[i].need);
       }
     }
-    if (keys.empty() || !sets.takes(level))
+    if (keys.empty() || !takesAny(sets, level))
     {
       break;
     }
-    sets.add(level, keys, forFeatures, context);
+    sets.add(level, keys, needs, context);
     for (std::size_t i = 0; i < lists.size(); ++i)
     {
-      chosen[i] = chosen[i] != 0 && sets.goesOn(level, lists.keys[i]) ? 1 : 0;
+      const bool isTaken = !sets.isLimited() || sets.takes(level, decisions[i].need);
+      chosen[i] = chosen[i] != 0 && isTaken && sets.goesOn(level, lists.keys[i]) ? 1 : 0;
     }
-    const bool onlyOccupied = level + 1 >= std::max(frame.topLevel, frame.startLevel);
+    const bool onlyOccupied = !sets.takes(level + 1, OctantNeed::open);
     lists = level == last ? GeometryLists{} : childLists(lists, level, chosen, onlyOccupied, model, frame, context);
   }
   return gaps;

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Which of the requested sizes a limit on elements leaves.
+#pragma once
+
+#include "Octree/Sizing/OctantSink.h"
+#include "Octree/Sizing/SizeRules.h"
+
+#include <array>
+#include <string>
+
+namespace atria {
+
+/// Octants are refined for each need down to a level of its own.
+struct KeptSizes
+{
+  /// By need.
+  std::array<int, needCount> levels{};
+  int cellsPerLevel = 1;
+  /// Down to this one octants are refined whatever they are for.
+  int startLevel = 0;
+
+  bool keeps(int level, OctantNeed need) const
+  {
+    return level < startLevel || level < levels[static_cast<std::size_t>(need)];
+  }
+  bool operator==(const KeptSizes&) const = default;
+};
+
+/// What the frame and the options request.
+KeptSizes requestedSizes(const GridFrame& frame, const ModelLevels& levels, const SizingOptions& options);
+
+/// The steps down from the requested sizes. Each gives up one level, or one layer of growth:
+///
+/// 1. in the open, as long as sides of the domain keep their faces (see narrowestSide);
+/// 2. layers of octants of each size (`cellsPerLevel`);
+/// 3. in boxes, distances and gaps away from surfaces;
+/// 4. at surfaces away from features;
+/// 5. at features;
+/// 6. in the open, down to the start level.
+///
+/// A step leaves no octants that the step before it does not. So a higher limit gives no coarser octant anywhere.
+class SizeSteps
+{
+public:
+  SizeSteps(const GridFrame& frame, const KeptSizes& requested);
+
+  const KeptSizes& kept() const { return kept_; }
+  bool isReduced() const { return kept_ != requested_; }
+
+  /// Takes the next step that leaves out some of the octants there are, whose levels end at `ends` (by need). Whether
+  /// there was one. `withGrowth`: fewer layers of each size leave out some, too.
+  bool giveUpMore(const std::array<int, needCount>& ends, bool withGrowth);
+
+  /// The sizes that are kept instead of others, as text.
+  std::string text(const GridFrame& frame, const SizingOptions& options) const;
+
+private:
+  bool lower(OctantNeed need, int end, int floor);
+
+  KeptSizes requested_;
+  KeptSizes kept_;
+  int openFloor_;
+};
+
+} // namespace atria
