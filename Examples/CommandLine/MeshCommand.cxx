@@ -276,20 +276,26 @@ ExitStatus makeMesh(const MeshOptions& options, const CLI::App& command, vtkAtri
   return statusOf(report["invalid_elements"].get<long long>(), checksFail(report));
 }
 
-/// Sizes for a model of which nothing is said.
-void suggestSizes(MeshOptions& options, vtkAtriaSurfaceReader* reader, Console& console)
+/// Completes the sizes that are not given, and tells them.
+void completeSizes(MeshOptions& options, vtkAtriaSurfaceReader* reader, Console& console)
 {
   vtkNew<vtkAtriaOctreeSource> source;
   configureGrid(source, options);
   source->SetInputConnection(reader->GetOutputPort());
-  source->SuggestSizes();
+  source->CompleteSizes();
   throwIfErrors(console, BadInput, options.input);
-  options.sizeMax = source->GetSizeMax();
-  options.sizeMid = source->GetSizeMid();
-  options.sizeMin = source->GetSizeMin();
   std::ostringstream text;
-  text << options.input << ": sizes from the model's area: --size-max " << *options.sizeMax << " --size-mid "
-       << *options.sizeMid << " --size-min " << *options.sizeMin;
+  text << options.input << (options.hasSize() ? ": sizes that are not given:" : ": sizes from the model's area:");
+  const auto take = [&](const char* name, std::optional<double>& size, double completed) {
+    if (!size)
+    {
+      text << ' ' << name << ' ' << completed;
+    }
+    size = size.value_or(completed);
+  };
+  take("--size-max", options.sizeMax, source->GetSizeMax());
+  take("--size-mid", options.sizeMid, source->GetSizeMid());
+  take("--size-min", options.sizeMin, source->GetSizeMin());
   console.note(text.str());
 }
 
@@ -317,9 +323,9 @@ ExitStatus runMesh(MeshOptions options, const CLI::App& command, Console& consol
   {
     checkSite(options.site, reader->GetOutput());
   }
-  if (!options.hasSize())
+  if (!options.hasAllSizes())
   {
-    suggestSizes(options, reader, console);
+    completeSizes(options, reader, console);
   }
   return options.preflight  ? runPreflight(options, reader, console)
          : options.estimate ? printEstimate(options, reader, console)

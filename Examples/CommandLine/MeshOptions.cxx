@@ -32,7 +32,7 @@ constexpr const char* examples = R"(Examples:
       half a meter at surfaces, finer at chimneys, five layers on walls; a case for OpenFOAM, too
   atria mesh house.wrl --unit in --up y --without 'Tree*' -o case.vtu --write-config case.toml
       a file of all options to go on from, then: atria mesh --config case.toml
-Sizes that are not given are in the ratio 8 : 2 : 1 to those that are. Options of a file that --config FILE.toml names,
+Sizes that are not given follow from those that are, --size-max from the domain. Options of a file that --config FILE.toml names,
 in its section [mesh], hold where they are not on the command line.)";
 
 void declareSizes(CLI::App& command, MeshOptions& options)
@@ -40,7 +40,7 @@ void declareSizes(CLI::App& command, MeshOptions& options)
   const auto size = [&](const char* name, std::optional<double>& value, const char* text) {
     command.add_option(name, value, text)->check(positive())->type_name("M");
   };
-  size("--size-max", options.sizeMax, "Element size away from surfaces, meters");
+  size("--size-max", options.sizeMax, "Element size away from surfaces, meters (default: from the domain)");
   size("--size-mid", options.sizeMid, "Element size at surfaces, meters (default: from the model's area)");
   size("--size-min", options.sizeMin, "Element size at edges, corners and close surfaces, meters; the grid's unit");
 }
@@ -260,6 +260,20 @@ std::vector<std::array<double, 2>> cornersIn(const std::string& text)
   return corners;
 }
 
+/// From the smallest to the largest.
+void checkSizes(const std::array<std::optional<double>, 3>& sizes)
+{
+  double least = 0.0;
+  for (const std::optional<double>& size : sizes)
+  {
+    if (size.value_or(least) < least)
+    {
+      throw Failure(Usage, "sizes must not fall from --size-min over --size-mid to --size-max");
+    }
+    least = size.value_or(least);
+  }
+}
+
 } // namespace
 
 void declareMeshOptions(CLI::App& command, MeshOptions& options)
@@ -307,20 +321,7 @@ void completeMeshOptions(MeshOptions& options)
     checkOutput("--report", options.report, ".json");
   }
   checkExportOptions(options.exports);
-  if (options.hasSize())
-  {
-    vtkNew<vtkAtriaDualMesher> standard;
-    const double mid = options.sizeMid   ? *options.sizeMid
-                       : options.sizeMin ? *options.sizeMin * standard->GetSizeMid() / standard->GetSizeMin()
-                                         : *options.sizeMax * standard->GetSizeMid() / standard->GetSizeMax();
-    options.sizeMid = mid;
-    options.sizeMin = options.sizeMin.value_or(*options.sizeMid * standard->GetSizeMin() / standard->GetSizeMid());
-    options.sizeMax = options.sizeMax.value_or(*options.sizeMid * standard->GetSizeMax() / standard->GetSizeMid());
-    if (mid < *options.sizeMin || *options.sizeMax < mid)
-    {
-      throw Failure(Usage, "sizes must not fall from --size-min over --size-mid to --size-max");
-    }
-  }
+  checkSizes({options.sizeMin, options.sizeMid, options.sizeMax});
   if (options.domainAngle != 0.0 && options.domain.empty() && options.cylinder.empty() && options.site.empty() &&
       !options.modelBounds)
   {
@@ -406,12 +407,9 @@ void configureDomain(vtkAtriaGridAlgorithm* filter, const MeshOptions& options)
 
 void configureGrid(vtkAtriaGridAlgorithm* filter, const MeshOptions& options)
 {
-  if (options.hasSize())
-  {
-    filter->SetSizeMax(*options.sizeMax);
-    filter->SetSizeMid(*options.sizeMid);
-    filter->SetSizeMin(*options.sizeMin);
-  }
+  filter->SetSizeMax(options.sizeMax.value_or(0.0));
+  filter->SetSizeMid(options.sizeMid.value_or(0.0));
+  filter->SetSizeMin(options.sizeMin.value_or(0.0));
   configureSizes(filter, options.sizes);
   for (const std::string& pattern : options.faceZones)
   {

@@ -64,12 +64,12 @@ struct MeshOptions
 
   bool makesMesh() const { return !preflight && !estimate; }
   bool hasSize() const { return sizeMax || sizeMid || sizeMin; }
+  bool hasAllSizes() const { return sizeMax && sizeMid && sizeMin; }
 };
 
 void declareMeshOptions(CLI::App& command, MeshOptions& options);
 
-/// Names the output after the model where it has no name, and gives sizes that are not given their ratio to those that
-/// are. Throws Failure(Usage) for what does not go together.
+/// Names the output after the model where it has no name. Throws Failure(Usage) for what does not go together.
 void completeMeshOptions(MeshOptions& options);
 
 /// The part of that which a mesher needs, sizes apart.
@@ -78,7 +78,7 @@ void completeDomain(MeshOptions& options);
 /// Throws Failure(Usage) where the model has no surface of that name.
 void checkSite(const std::string& site, vtkPolyData* model);
 
-/// Without an option the domain is the filter's default, the automatic one; without sizes the filter keeps its own.
+/// Without an option the domain is the filter's default, the automatic one; sizes that are not given are 0.
 void configureGrid(vtkAtriaGridAlgorithm* filter, const MeshOptions& options);
 void configure(vtkAtriaDualMesher* mesher, const MeshOptions& options);
 

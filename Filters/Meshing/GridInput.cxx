@@ -2,6 +2,7 @@
 #include "GridInput.h"
 
 #include "AddArray.h"
+#include "Mesher/SuggestedSizes.h"
 #include "Octree/Sizing/SizeRules.h"
 #include "Ranks.h"
 #include "Support/Error.h"
@@ -137,6 +138,13 @@ ModelOptions modelOptionsOf(vtkAtriaGridAlgorithm& filter)
   {
     options.cellZones.push_back(filter.GetCellZone(i));
   }
+  return options;
+}
+
+ModelOptions modelOptionsOf(vtkAtriaGridAlgorithm& filter, const TriangleSurface& surface)
+{
+  ModelOptions options = modelOptionsOf(filter);
+  options.sizes = completeSizes(surface, options);
   return options;
 }
 

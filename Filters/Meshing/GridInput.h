@@ -14,8 +14,12 @@ class vtkMultiProcessController;
 
 namespace atria {
 
-/// The properties of the filter. Throws Error for rules that are none.
+/// The properties of the filter. Sizes of 0 are to be completed. Throws Error for rules that are none.
 ModelOptions modelOptionsOf(vtkAtriaGridAlgorithm& filter);
+
+/// The same, with sizes that follow from the model in place of those that are 0; see completeSizes in
+/// Mesher/SuggestedSizes.h.
+ModelOptions modelOptionsOf(vtkAtriaGridAlgorithm& filter, const TriangleSurface& surface);
 
 /// Runs `work` on the data of input port 0, up to date, or null without a connection: on the rank that has it all, see
 /// Ranks.h. What `work` throws is an error of the filter. Returns whether it was done, and gives all ranks `values` as

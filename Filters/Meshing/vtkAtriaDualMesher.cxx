@@ -7,6 +7,7 @@
 #include "DealtMesh.h"
 #include "GridInput.h"
 #include "Mesher/MeshModel.h"
+#include "Mesher/SuggestedSizes.h"
 #include "PropertyRange.h"
 #include "Ranks.h"
 #include "Support/PatternRule.h"
@@ -94,6 +95,7 @@ std::vector<atria::LayerRule> layerRulesOf(vtkAtriaDualMesher& filter)
   return rules;
 }
 
+/// Sizes of 0 are to be completed.
 atria::MesherOptions mesherOptionsOf(vtkAtriaDualMesher& filter, const Points& seeds, const Points& sealedSeeds)
 {
   atria::MesherOptions options;
@@ -255,9 +257,10 @@ vtkIdType vtkAtriaDualMesher::EstimateLayerElements()
     this->SetAbortExecute(0);
     const atria::AlgorithmRun run(*this);
     std::vector<std::string> warnings; // the run repeats them
-    elements = static_cast<double>(
-        atria::estimateLayerElements(atria::readSurfaces(input, warnings),
-                                     mesherOptionsOf(*this, this->SeedPoints, this->SealedSeedPoints), run.context));
+    const atria::TriangleSurface surface = atria::readSurfaces(input, warnings);
+    atria::MesherOptions options = mesherOptionsOf(*this, this->SeedPoints, this->SealedSeedPoints);
+    options.sizes = atria::completeSizes(surface, options);
+    elements = static_cast<double>(atria::estimateLayerElements(surface, options, run.context));
   });
   return estimated ? static_cast<vtkIdType>(elements) : -1;
 }
@@ -326,8 +329,9 @@ int vtkAtriaDualMesher::RequestData(vtkInformation*, vtkInformationVector** inpu
     context.progress.report(0.0, "Reading surfaces");
     std::vector<std::string> warnings;
     const atria::TriangleSurface surface = atria::readSurfaces(vtkDataObject::GetData(inputs[0]), warnings);
-    const atria::MesherOptions options = mesherOptionsOf(*this, this->SeedPoints, this->SealedSeedPoints);
+    atria::MesherOptions options = mesherOptionsOf(*this, this->SeedPoints, this->SealedSeedPoints);
     vtkDataObject* octree = vtkDataObject::GetData(inputs[1]);
+    options.sizes = octree ? options.sizes : atria::completeSizes(surface, options);
     atria::StageCache* cache = this->CacheStages ? this->Cache.get() : nullptr;
     const atria::RunContext meshing = context.part(0.01, 0.9);
     const atria::MeshedModel result =
@@ -367,6 +371,7 @@ std::optional<int> vtkAtriaDualMesher::RequestDataOnRanks(vtkMultiProcessControl
         options.sizing.memoryLimit = atria::gatherAll(ranks, options.sizing.memoryLimit).front();
         const atria::SharedSurfaces input =
             atria::readSurfacesOnRanks(vtkDataObject::GetData(inputs[0]), controller, ranks);
+        options.sizes = atria::completeSizes(input.surface, options);
         std::optional<atria::SharedModel> made =
             atria::meshSharedModel(input.surface, options, ghostLevels, ranks, context.part(0.01, 0.9));
         if (!made)

@@ -28,22 +28,29 @@ void vtkAtriaGridAlgorithm::SetInputData(vtkDataObject* data) { this->SetInputDa
 
 void vtkAtriaGridAlgorithm::SetInputData(int port, vtkDataObject* data) { this->SetInputDataInternal(port, data); }
 
-bool vtkAtriaGridAlgorithm::SuggestSizes()
+bool vtkAtriaGridAlgorithm::CompleteSizes() { return this->FillSizes(this->SizeMax, this->SizeMid, this->SizeMin); }
+
+bool vtkAtriaGridAlgorithm::SuggestSizes() { return this->FillSizes(0.0, 0.0, 0.0); }
+
+bool vtkAtriaGridAlgorithm::FillSizes(double sizeMax, double sizeMid, double sizeMin)
 {
   std::array<double, 3> sizes{};
-  const bool suggested = atria::onCurrentInput(*this, sizes, [&](vtkDataObject* input) {
+  const bool completed = atria::onCurrentInput(*this, sizes, [&](vtkDataObject* input) {
     std::vector<std::string> warnings; // the run repeats them
-    const atria::GridOptions options =
-        atria::suggestSizes(atria::readSurfaces(input, warnings), atria::modelOptionsOf(*this));
-    sizes = {options.sizeMax, options.sizeMid, options.sizeMin};
+    atria::ModelOptions options = atria::modelOptionsOf(*this);
+    options.sizes.sizeMax = sizeMax;
+    options.sizes.sizeMid = sizeMid;
+    options.sizes.sizeMin = sizeMin;
+    const atria::GridOptions found = atria::completeSizes(atria::readSurfaces(input, warnings), options);
+    sizes = {found.sizeMax, found.sizeMid, found.sizeMin};
   });
-  if (suggested)
+  if (completed)
   {
     this->SetSizeMax(sizes[0]);
     this->SetSizeMid(sizes[1]);
     this->SetSizeMin(sizes[2]);
   }
-  return suggested;
+  return completed;
 }
 
 vtkTypeBool vtkAtriaGridAlgorithm::ProcessRequest(vtkInformation* request, vtkInformationVector** inputs,

@@ -34,37 +34,43 @@ public:
 
   ///@{
   /**
-   * Edge length of the largest octants, those in the open. The level whose octants come closest to it is taken.
-   * Default 8; at least 1e-9.
+   * Edge length of the largest octants, those in the open. The level whose octants come closest to it is taken. With 0
+   * it follows from the domain: four times SizeMid, or more so that the domain takes some fifty thousand octants at
+   * most, or a twentieth of MaxElements where that is less. Default 8; at least 0.
    */
-  vtkAtriaSetInRangeMacro(SizeMax, double, 1e-9, VTK_DOUBLE_MAX);
+  vtkAtriaSetInRangeMacro(SizeMax, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SizeMax, double);
   ///@}
 
   ///@{
   /**
-   * Edge length of octants that a surface passes through. Default 2; at least 1e-9.
+   * Edge length of octants that a surface passes through. With 0 it follows: twice SizeMin, or a quarter of SizeMax,
+   * or, where these are 0 too, from the model, whose surfaces take some fifty thousand octants, or a twentieth of
+   * MaxElements where that is less. Default 2; at least 0.
    */
-  vtkAtriaSetInRangeMacro(SizeMid, double, 1e-9, VTK_DOUBLE_MAX);
+  vtkAtriaSetInRangeMacro(SizeMid, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SizeMid, double);
   ///@}
 
   ///@{
   /**
    * Edge length of octants with a feature curve, a corner, or surfaces that do not meet inside them, and the grid's
-   * unit: the finest octants unless a rule below asks for finer ones. Default 1; at least 1e-9.
+   * unit: the finest octants unless a rule below asks for finer ones. With 0 it is half of SizeMid. Default 1; at least
+   * 0.
    */
-  vtkAtriaSetInRangeMacro(SizeMin, double, 1e-9, VTK_DOUBLE_MAX);
+  vtkAtriaSetInRangeMacro(SizeMin, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(SizeMin, double);
   ///@}
 
+  ///@{
   /**
-   * Sets the three sizes for a first mesh of the model: SizeMid so that its surfaces take some fifty thousand octants,
-   * or a twentieth of MaxElements where that is less, SizeMin half as large, SizeMax four times as large, or more so
-   * that the domain, which is to be set before, takes no more octants. Brings the input up to date. False, with an
-   * error, where the model has no area or there is no domain.
+   * CompleteSizes sets the sizes that are 0 to those that follow from the others, the model and the domain, which is to
+   * be set before; a run with sizes of 0 takes the same. SuggestSizes does so with all three sizes, whatever they are.
+   * Both bring the input up to date. False, with an error, where the model has no area or there is no domain.
    */
+  bool CompleteSizes();
   bool SuggestSizes();
+  ///@}
 
   ///@{
   /**
@@ -426,6 +432,9 @@ protected:
   int AlignGrid = ToAxes;
 
 private:
+  /// Sets the three sizes to these, completed.
+  bool FillSizes(double sizeMax, double sizeMid, double sizeMin);
+
   vtkAtriaGridAlgorithm(const vtkAtriaGridAlgorithm&) = delete;
   void operator=(const vtkAtriaGridAlgorithm&) = delete;
 };

@@ -66,9 +66,9 @@ int vtkAtriaOctreeSource::RequestData(vtkInformation*, vtkInformationVector** in
   atria::clearOutputs(outputs);
   return atria::runFilter(*this, outputs, "", [&](const atria::RunContext& context) {
     context.progress.report(0.0, "Reading surfaces");
-    const atria::ModelOptions options = atria::modelOptionsOf(*this);
     std::vector<std::string> warnings;
     const atria::TriangleSurface surface = atria::readSurfaces(vtkDataObject::GetData(inputs[0]), warnings);
+    const atria::ModelOptions options = atria::modelOptionsOf(*this, surface);
     const atria::SitePlan plan = atria::planSite(surface, options);
     atria::addTo(warnings, atria::checkDomain(surface, plan, options));
     const atria::PlacedModel placed = atria::placeModel(surface, plan, options);
@@ -104,9 +104,9 @@ bool vtkAtriaOctreeSource::Estimate()
     const atria::AlgorithmRun run(*this);
     const atria::RunContext& context = run.context;
     context.progress.report(0.0, "Estimating");
-    const atria::ModelOptions options = atria::modelOptionsOf(*this);
     std::vector<std::string> warnings;
     const atria::TriangleSurface surface = atria::readSurfaces(surfaces, warnings);
+    const atria::ModelOptions options = atria::modelOptionsOf(*this, surface);
     const atria::SitePlan plan = atria::planSite(surface, options);
     atria::addTo(warnings, atria::checkDomain(surface, plan, options));
     const atria::PlacedModel placed = atria::placeModel(surface, plan, options);

@@ -102,10 +102,14 @@ void addBySide(const atria::Preflight& report, TableWriter& table)
   }
 }
 
-void preflightToVtk(const atria::Preflight& report, const std::vector<std::string>& names, vtkTable* out)
+void preflightToVtk(const atria::Preflight& report, const atria::GridOptions& sizes,
+                    const std::vector<std::string>& names, vtkTable* out)
 {
   static const char* const sides[6] = {"XMin", "XMax", "YMin", "YMax", "ZMin", "ZMax"};
   TableWriter table(out);
+  table.add("SizeMax", sizes.sizeMax, "m");
+  table.add("SizeMid", sizes.sizeMid, "m");
+  table.add("SizeMin", sizes.sizeMin, "m");
   table.add("DomainAngle", report.domain.axes.angle(), "degrees");
   table.add("DomainSides", static_cast<double>(report.domain.sides().size()), "");
   for (int direction = 0; direction < 6; ++direction)
@@ -158,13 +162,17 @@ int vtkAtriaPreflight::RequestData(vtkInformation*, vtkInformationVector** input
 {
   vtkTable* output = vtkTable::GetData(outputs);
   atria::clearOutputs(outputs);
+  std::ranges::fill(this->SizesTaken, 0.0);
   return atria::runFilter(*this, outputs, "", [&](const atria::RunContext& context) {
     context.progress.report(0.0, "Reading surfaces");
     std::vector<std::string> warnings;
     const atria::TriangleSurface surface = atria::readSurfaces(vtkDataObject::GetData(inputs[0]), warnings);
-    atria::Preflight report = atria::preflight(surface, atria::modelOptionsOf(*this), context);
+    const atria::ModelOptions options = atria::modelOptionsOf(*this, surface);
+    atria::Preflight report = atria::preflight(surface, options, context);
     report.warnings.insert(report.warnings.begin(), warnings.begin(), warnings.end());
-    preflightToVtk(report, surface.names, output);
+    const double taken[3] = {options.sizes.sizeMax, options.sizes.sizeMid, options.sizes.sizeMin};
+    std::ranges::copy(taken, this->SizesTaken);
+    preflightToVtk(report, options.sizes, surface.names, output);
     for (const std::string& warning : report.warnings)
     {
       vtkWarningMacro(<< warning);
@@ -173,4 +181,9 @@ int vtkAtriaPreflight::RequestData(vtkInformation*, vtkInformationVector** input
   });
 }
 
-void vtkAtriaPreflight::PrintSelf(ostream& os, vtkIndent indent) { this->Superclass::PrintSelf(os, indent); }
+void vtkAtriaPreflight::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "SizesTaken: " << this->SizesTaken[0] << " " << this->SizesTaken[1] << " " << this->SizesTaken[2]
+     << "\n";
+}

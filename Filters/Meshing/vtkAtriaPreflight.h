@@ -26,6 +26,12 @@ public:
 
   vtkTable* GetOutput();
 
+  /**
+   * SizeMax, SizeMid and SizeMin of the last run: those that were 0 follow from the model. With them the mesher makes
+   * the mesh that was looked at. 0 before a run.
+   */
+  vtkGetVector3Macro(SizesTaken, double);
+
 protected:
   vtkAtriaPreflight();
   ~vtkAtriaPreflight() override;
@@ -35,6 +41,8 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
+  double SizesTaken[3] = {0.0, 0.0, 0.0};
+
   vtkAtriaPreflight(const vtkAtriaPreflight&) = delete;
   void operator=(const vtkAtriaPreflight&) = delete;
 };

@@ -19,7 +19,7 @@ _ECHO = re.compile(r"Algorithm \w+ ?\(.*\) returned failure for request")
 
 _RUN = (
     "Update", "UpdateInformation", "UpdateDataObject", "UpdateWholeExtent", "UpdateExtent", "UpdatePiece",
-    "UpdateTimeStep", "PropagateUpdateExtent", "Write", "Estimate", "EstimateLayerElements", "SuggestSizes",
+    "UpdateTimeStep", "PropagateUpdateExtent", "Write", "Estimate", "EstimateLayerElements", "CompleteSizes", "SuggestSizes",
 )
 _ACCESS = ("Set", "Get", "Add", "Remove")
 

@@ -179,19 +179,13 @@ def _connect(mesher, model, unit, up, surfaces_by, without):
 
 
 def _set_sizes(mesher, size, size_max, size_min):
-    """Those that are not given are in the ratio of the defaults to those that are; without any they are suggested."""
-    for name, value in (("size", size), ("size_max", size_max), ("size_min", size_min)):
+    """Those that are not given follow from those that are, and from the model and its domain."""
+    for name, value, set_size in (("size", size, mesher.SetSizeMid), ("size_max", size_max, mesher.SetSizeMax),
+                                  ("size_min", size_min, mesher.SetSizeMin)):
         if value is not None and not (isinstance(value, numbers.Real) and 0 < value < math.inf):
             raise Error(f"{name} is {value!r}; it must be a number more than 0")
-    mid, low, high = mesher.GetSizeMid(), mesher.GetSizeMin(), mesher.GetSizeMax()
-    if size is None and size_max is None and size_min is None:
-        mesher.SuggestSizes()
-        return
-    if size is None:
-        size = size_min * mid / low if size_min is not None else size_max * mid / high
-    mesher.SetSizeMid(size)
-    mesher.SetSizeMin(size_min if size_min is not None else size * low / mid)
-    mesher.SetSizeMax(size_max if size_max is not None else size * high / mid)
+        set_size(0.0 if value is None else value)
+    mesher.CompleteSizes()
 
 
 def _set_domain(mesher, domain):
@@ -345,8 +339,8 @@ def mesh(
 
     model       a file (VRML, OBJ, STL, PLY, glTF, COLLADA, IFC, DXF, FBX, 3DS, CityJSON, .vtp), a vtkPolyData or composite,
                 also as PyVista wraps it, or an algorithm that makes one
-    size        of elements at surfaces; half as large at edges (size_min), four times in the open (size_max). Without
-                any of the three they follow from the model
+    size        of elements at surfaces; half as large at edges (size_min); four times as large in the open, or more in
+                a large domain (size_max). Without any of the three they follow from the model
     sizes       {"Chimney*": 0.1}: at surfaces by name, * and ? stand for text
     layers      of elements on walls: a number, or by name {"*": 1, "Wall*": 5, "Floor": (3, 0.01, 1.2)} with the first
                 height and the growth

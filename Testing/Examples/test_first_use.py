@@ -80,12 +80,26 @@ class FirstUse(unittest.TestCase):
         self.assertAlmostEqual(mids[2] / mids[1], 100)
 
     def test_sizes_that_are_not_given_follow_those_that_are(self):
-        sizes = {}
-        for given in ("--size-max", "--size-mid", "--size-min"):
-            text = self.atria("mesh", HOUSE, given, {"--size-max": 8, "--size-mid": 2, "--size-min": 1}[given], "--estimate")
-            self.assertEqual((text.returncode, text.stderr), (0, ""))
-            sizes[given] = text.stdout
-        self.assertEqual(len(set(sizes.values())), 1)
+        house = {"--size-max": 8, "--size-mid": 2, "--size-min": 1}
+        estimates = set()
+        for given in ([], ["--size-max"], ["--size-mid"], ["--size-min"], ["--size-mid", "--size-min"], list(house)):
+            run = self.atria("mesh", HOUSE, *(word for name in given for word in (name, house[name])), "--estimate")
+            self.assertEqual(run.returncode, 0, run.stderr)
+            if given:
+                told = " ".join(f"{name} {size}" for name, size in house.items() if name not in given)
+                self.assertRegex(run.stderr, rf"^[^\n]*house.wrl: sizes that are not given: {told}\n$" if told else "^$")
+                estimates.add(run.stdout)
+        self.assertEqual(len(estimates), 1)
+
+    def test_the_largest_size_follows_the_domain(self):
+        highs = []
+        for half in (30, 300, 3000):
+            run = self.atria("mesh", HOUSE, "--size-min", "1", "--size-mid", "2", "--estimate", "--domain", -half, half,
+                             -half, half, 0, half)
+            self.assertEqual(run.returncode, 0, run.stderr)
+            highs.append(float(re.search(r"--size-max (\S+)", run.stderr).group(1)))
+        self.assertEqual(highs[0], 8)
+        self.assertTrue(highs[0] < highs[1] < highs[2] < 1000, highs)
 
     def test_the_summary_is_that_of_the_report(self):
         run = self.atria("mesh", HOUSE, *COARSE, "-o", "mesh.vtu", "--patches", "patches.vtpc", "--openfoam", "case",

@@ -13,6 +13,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <limits>
 #include <sstream>
@@ -90,6 +91,31 @@ TEST_F(DualMesherRuns, AnOctreeWithSizesOfItsOwnGivesTheSameMeshAsThoseSizes)
   mesher->SetCellsPerLevel(1);
   mesher->SetInputConnection(1, source->GetOutputPort());
   expectOutputs(own);
+}
+
+TEST_F(DualMesherRuns, SizesOfZeroFollowFromTheModel)
+{
+  mesher->SetMaxElements(20000); // for few octants
+  for (const std::array<double, 3>& sizes :
+       {std::array{0.0, 0.0, 0.0}, {0.0, 0.0, 0.4}, {0.0, 0.8, 0.4}, {2.0, 0.0, 0.5}})
+  {
+    SCOPED_TRACE(sizes[1]);
+    const auto set = [&] {
+      mesher->SetSizeMax(sizes[0]);
+      mesher->SetSizeMid(sizes[1]);
+      mesher->SetSizeMin(sizes[2]);
+    };
+    set();
+    const auto followed = copiesOfOutputs();
+    EXPECT_GT(volume()->GetNumberOfCells(), 0);
+    EXPECT_EQ(mesher->GetSizeMax(), sizes[0]) << "a property keeps its value";
+    ASSERT_TRUE(mesher->CompleteSizes());
+    EXPECT_GT(mesher->GetSizeMin(), 0.0);
+    EXPECT_TRUE(sizes[2] == 0.0 || mesher->GetSizeMin() == sizes[2]);
+    EXPECT_GE(mesher->GetSizeMax(), mesher->GetSizeMid());
+    expectOutputs(followed);
+    messages.takeWarnings();
+  }
 }
 
 TEST_F(DualMesherRuns, MaxElementsIsKeptToAndSaid)
@@ -256,11 +282,11 @@ TEST_F(DualMesherError, SizesThatAreNotPositiveOrNoNumbers)
 {
   const auto whole = copiesOfOutputs();
   mesher->SetSizeMin(-5.0);
-  expectError(HasSubstr("SizeMin is -5; it must be a number of at least 1e-09"));
+  expectError(HasSubstr("SizeMin is -5; it must be a number of at least 0"));
   EXPECT_EQ(mesher->GetSizeMin(), -5.0);
   mesher->SetSizeMin(0.5);
-  mesher->SetSizeMid(0.0);
-  expectError(HasSubstr("SizeMid is 0;"));
+  mesher->SetSizeMid(-0.5);
+  expectError(HasSubstr("SizeMid is -0.5;"));
   mesher->SetSizeMid(1.0);
   mesher->SetSizeMax(std::numeric_limits<double>::quiet_NaN());
   expectError(HasSubstr("SizeMax is nan;"));

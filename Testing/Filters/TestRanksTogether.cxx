@@ -109,6 +109,15 @@ TEST_F(TogetherOnRanks, DomainsMayBeTurnedAndHaveSeeds)
   expectThatOfOneProcess();
 }
 
+TEST_F(TogetherOnRanks, SizesThatFollowAndABudgetAreThoseOfOneProcess)
+{
+  mesher->SetSizeMax(0.0);
+  mesher->SetSizeMid(0.0);
+  mesher->SetMaxElements(5000);
+  expectThatOfOneProcess();
+  messages.takeWarnings();
+}
+
 TEST_F(TogetherOnRanks, TheFirstMakesWhatNeedsTheWhole)
 {
   mesher->SetBlockSize(1000000); // one block

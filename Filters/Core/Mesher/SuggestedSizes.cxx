@@ -30,17 +30,31 @@ double roundNumber(double x)
 
 } // namespace
 
-GridOptions suggestSizes(const TriangleSurface& surface, const ModelOptions& options)
+GridOptions completeSizes(const TriangleSurface& surface, const ModelOptions& options)
 {
-  const double area = areaOf(surface);
   const GridOptions standard;
   const double octants = octantsFor(options.sizing);
-  GridOptions sizes;
-  sizes.sizeMid = roundNumber(std::sqrt(area / octants));
-  const double volume = planSite(surface, options).domain.volume();
-  sizes.sizeMax =
-      std::max(sizes.sizeMid * standard.sizeMax / standard.sizeMid, roundNumber(std::cbrt(volume / octants)));
-  sizes.sizeMin = sizes.sizeMid * standard.sizeMin / standard.sizeMid;
+  GridOptions sizes = options.sizes;
+  if (sizes.sizeMid == 0.0)
+  {
+    sizes.sizeMid = sizes.sizeMin != 0.0   ? sizes.sizeMin * standard.sizeMid / standard.sizeMin
+                    : sizes.sizeMax != 0.0 ? sizes.sizeMax * standard.sizeMid / standard.sizeMax
+                                           : roundNumber(std::sqrt(areaOf(surface) / octants));
+    // A SizeMax that is given between SizeMin and twice that.
+    sizes.sizeMid = sizes.sizeMax != 0.0 ? std::min(sizes.sizeMid, sizes.sizeMax) : sizes.sizeMid;
+  }
+  if (sizes.sizeMin == 0.0)
+  {
+    sizes.sizeMin = sizes.sizeMid * standard.sizeMin / standard.sizeMid;
+  }
+  if (sizes.sizeMax == 0.0)
+  {
+    sizes.sizeMax = sizes.sizeMid * standard.sizeMax / standard.sizeMid;
+    ModelOptions planned = options;
+    planned.sizes = sizes;
+    const double volume = planSite(surface, planned).domain.volume();
+    sizes.sizeMax = std::max(sizes.sizeMax, roundNumber(std::cbrt(volume / octants)));
+  }
   return sizes;
 }
 
