@@ -73,8 +73,19 @@ def check_left_out(window, reader):
 def preflight(window, reader):
     window.select(reader)
     window.step("AtriaPreflight")
+    simple.GetActiveSource().WindAngle = 20.0
     window.apply()
     window.picture("preflight")
+    return simple.GetActiveSource()
+
+
+def check_hand_over(preflight, reader):
+    """The mesher stands behind the model, with the sizes of the preflight, which the model has led to."""
+    mesher = simple.GetActiveSource()
+    assert mesher.Input.SMProxy == reader.SMProxy, mesher.Input
+    sizes = [mesher.SizeMax, mesher.SizeMid, mesher.SizeMin]
+    assert sizes == list(preflight.SizesTaken) and min(sizes) > 0.0, (sizes, list(preflight.SizesTaken))
+    assert mesher.WindAngle == preflight.WindAngle == 20.0, mesher.WindAngle
 
 
 def check_panel(window):
@@ -170,9 +181,12 @@ def check_box(window):
     window.settle()
 
 
-def mesh(window, reader):
-    window.select(reader)
+def mesh(window, reader, preflight):
+    """The table of the preflight is selected; the step finds the model upstream."""
+    window.select(preflight)
     window.step("AtriaDualMesher")
+    check_hand_over(preflight, reader)
+    simple.GetActiveSource().WindAngle = 0.0
     expected = check_panel(window)
     window.apply()
     mesher = simple.GetActiveSource()
@@ -274,8 +288,7 @@ def session():
     window = Window("gui")
     check_toolbar(window)
     reader = open_model(window)
-    preflight(window, reader)
-    mesher = mesh(window, reader)
+    mesher = mesh(window, reader, preflight(window, reader))
     quality(window, mesher)
     check_help(window)
     patches = save(window, mesher)

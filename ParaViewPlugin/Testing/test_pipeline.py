@@ -49,6 +49,22 @@ def check_octree(octree):
     octree.OutputType = "Unstructured Grid"
 
 
+def check_sizes(reader):
+    """Without sizes they follow from the model, as a preflight tells them; entered, they hold."""
+    preflight = simple.AtriaPreflight(Input=reader)
+    preflight.UpdatePipeline()
+    preflight.UpdatePropertyInformation()
+    high, mid, low = preflight.SizesTaken
+    assert 0.0 < 2 * low == mid <= high / 4, (low, mid, high)
+    octree = simple.AtriaOctreeSource(Input=reader)
+    assert [octree.SizeMax, octree.SizeMid, octree.SizeMin] == [0.0] * 3
+    leaves = fetch(octree).GetNumberOfCells()
+    octree.SizeMax, octree.SizeMid, octree.SizeMin = high, mid, low
+    assert fetch(octree).GetNumberOfCells() == leaves
+    octree.SizeMid = octree.SizeMin = 4 * low
+    assert fetch(octree).GetNumberOfCells() < leaves
+
+
 def check_mesh(mesher):
     mesh = fetch(mesher)
     assert mesh.GetNumberOfCells() > 1000
@@ -110,6 +126,7 @@ def main():
     pipeline = house()
     check_surfaces(pipeline.reader)
     check_octree(pipeline.octree)
+    check_sizes(pipeline.reader)
     check_mesh(pipeline.mesher)
     check_quality(pipeline.quality)
     check_checks(pipeline.quality)

@@ -7,19 +7,26 @@
 #include <pqFiltersMenuReaction.h>
 #include <pqLoadDataReaction.h>
 #include <pqOutputPort.h>
+#include <pqPipelineFilter.h>
 #include <pqPipelineSource.h>
 #include <pqRenderView.h>
 #include <pqSaveDataReaction.h>
 #include <pqServer.h>
 #include <pqServerManagerModel.h>
 #include <vtkSMInputProperty.h>
+#include <vtkSMPropertyHelper.h>
+#include <vtkSMPropertyIterator.h>
 #include <vtkSMSessionProxyManager.h>
 #include <vtkSMSourceProxy.h>
+#include <vtkSMVectorProperty.h>
+#include <vtkSmartPointer.h>
 
 #include <QAction>
 #include <QIcon>
 #include <QMainWindow>
 #include <QTimer>
+
+#include <utility>
 
 namespace {
 
@@ -42,6 +49,75 @@ bool accepts(const QString& filter, pqOutputPort* port)
   const bool accepted = input->IsInDomains() != 0;
   input->RemoveAllUncheckedProxies();
   return accepted;
+}
+
+/// The filter's first input, null for a source.
+pqOutputPort* upstreamOf(pqOutputPort* port)
+{
+  auto* filter = qobject_cast<pqPipelineFilter*>(port->getSource());
+  const QList<pqOutputPort*> inputs = filter ? filter->getInputs() : QList<pqOutputPort*>();
+  return inputs.isEmpty() ? nullptr : inputs.first();
+}
+
+/// The nearest port, from this one upstream, that the filter takes; null where there is none. So the mesher finds the
+/// model behind the table of a preflight, or behind a mesh.
+pqOutputPort* inputOf(const QString& filter, pqOutputPort* port)
+{
+  while (port && !accepts(filter, port))
+  {
+    port = upstreamOf(port);
+  }
+  return port;
+}
+
+/// Gives a mesher what a preflight was made with, and the sizes that it found.
+void handOver(vtkSMProxy* preflight, vtkSMProxy* mesher)
+{
+  vtkSmartPointer<vtkSMPropertyIterator> it;
+  it.TakeReference(preflight->NewPropertyIterator());
+  for (it->Begin(); !it->IsAtEnd(); it->Next())
+  {
+    vtkSMProperty* source = it->GetProperty();
+    vtkSMProperty* target = mesher->GetProperty(it->GetKey());
+    if (target && !source->GetInformationOnly() && vtkSMVectorProperty::SafeDownCast(source))
+    {
+      target->Copy(source);
+    }
+  }
+  preflight->UpdatePropertyInformation();
+  const vtkSMPropertyHelper taken(preflight, "SizesTaken");
+  for (const auto& [i, name] : {std::pair(0u, "SizeMax"), std::pair(1u, "SizeMid"), std::pair(2u, "SizeMin")})
+  {
+    if (taken.GetNumberOfElements() == 3 && taken.GetAsDouble(i) > 0.0)
+    {
+      vtkSMPropertyHelper(mesher, name).Set(taken.GetAsDouble(i));
+    }
+  }
+  mesher->UpdateVTKObjects();
+}
+
+/// Makes the filter behind what is selected, or behind what is nearest upstream of it.
+void createStep(const QString& filter)
+{
+  pqActiveObjects& active = pqActiveObjects::instance();
+  pqOutputPort* selected = active.activePort();
+  pqOutputPort* input = inputOf(filter, selected);
+  if (!input)
+  {
+    return;
+  }
+  vtkSMProxy* before = selected->getSource()->getProxy();
+  const bool isPreflight = QString(before->GetXMLName()) == "AtriaPreflight";
+  activateRenderView();
+  if (input != selected)
+  {
+    active.setActivePort(input);
+  }
+  pqPipelineSource* made = pqFiltersMenuReaction::createFilter("filters", filter);
+  if (made && isPreflight && filter == "AtriaDualMesher")
+  {
+    handOver(before, made->getProxy());
+  }
 }
 
 /// Data is shown in the active view, and a table takes anything.
@@ -71,7 +147,8 @@ pqAtriaToolBar::pqAtriaToolBar(QWidget* parent) : QToolBar(tr("Atria: From Model
   new pqLoadDataReaction(open);
   this->addFilter(tr("2 Preflight"), "AtriaPreflight",
                   tr("Tells domain, blockage, narrow places and number of elements of the model that is selected."));
-  this->addFilter(tr("3 Mesh"), "AtriaDualMesher", tr("Meshes the space around the model that is selected."));
+  this->addFilter(tr("3 Mesh"), "AtriaDualMesher",
+                  tr("Meshes the space around the model that is selected, after a preflight with its values."));
   this->addFilter(tr("4 Quality"), "AtriaMeshQuality", tr("Measures the mesh that is selected."));
   QAction* save = this->addAction(QIcon(":/pqWidgets/Icons/pqSave.svg"), tr("5 Case"));
   save->setObjectName("AtriaSave");
@@ -98,10 +175,7 @@ void pqAtriaToolBar::addFilter(const QString& text, const QString& name, const Q
   action->setObjectName(name);
   action->setToolTip(tip);
   action->setProperty("filter", name);
-  this->connect(action, &QAction::triggered, [name] {
-    activateRenderView();
-    pqFiltersMenuReaction::createFilter("filters", name);
-  });
+  this->connect(action, &QAction::triggered, [name] { createStep(name); });
 }
 
 void pqAtriaToolBar::updateSteps()
@@ -112,7 +186,7 @@ void pqAtriaToolBar::updateSteps()
     const QString filter = action->property("filter").toString();
     if (!filter.isEmpty())
     {
-      action->setEnabled(accepts(filter, port));
+      action->setEnabled(inputOf(filter, port) != nullptr);
     }
   }
 }

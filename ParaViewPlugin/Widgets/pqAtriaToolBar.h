@@ -18,6 +18,7 @@ private Q_SLOTS:
 private:
   Q_DISABLE_COPY(pqAtriaToolBar)
 
-  /// An action that puts the filter behind what is selected.
+  /// An action that puts the filter behind what is selected, or where it does not take that, behind the nearest
+  /// upstream that it takes.
   void addFilter(const QString& text, const QString& name, const QString& tip);
 };
