@@ -120,7 +120,7 @@ MeshedModel mesh(const TriangleSurface& surface, const OctreeSets* octants, cons
       cache.stages().input = {surface, octants ? std::optional(*octants) : std::nullopt, options};
     }
   }
-  const auto& [model, octree, inputWarnings, sizingWarning] = *cache.sources();
+  const auto& [model, octree, inputWarnings, sizingWarning, ground] = *cache.sources();
   checkLayerBudget(octree, model, options.mesh.layers, options.sizing.memoryLimit, context);
   MeshedModel out;
   DualMeshOptions dual = options.mesh;
@@ -138,6 +138,7 @@ MeshedModel mesh(const TriangleSurface& surface, const OctreeSets* octants, cons
     out.inputWarnings.insert(out.inputWarnings.end(), warnings.begin(), warnings.end());
   }
   out.sizingWarning = sizingWarning;
+  out.ground = ground;
   out.names = model.names;
   out.kinds = model.kinds;
   out.repair = model.repair;

@@ -2,6 +2,7 @@
 /// From the surfaces of a model to its mesh: all stages in a row.
 #pragma once
 
+#include "Domain/GroundReport.h"
 #include "Mesher/DualMesher.h"
 #include "Mesher/ModelOptions.h"
 
@@ -22,6 +23,7 @@ struct ModelOctree
   /// As in MeshedModel.
   std::vector<std::string> inputWarnings;
   std::string sizingWarning;
+  GroundReport ground;
 };
 
 /// What runs leave for later ones: the stages up to layers. A later run takes from it those whose input and options are
@@ -57,6 +59,8 @@ struct MeshedModel : DualMeshResult
   std::vector<std::string> inputWarnings;
   /// What sizes had to be left out to keep to the limit of elements; empty if nothing.
   std::string sizingWarning;
+  /// How bodies stand on the ground; what there is to warn of is among `inputWarnings`.
+  GroundReport ground;
   /// The level of the finest octants.
   int maximumLevel = 0;
   /// Names of the stages and the seconds that each took.
