@@ -207,7 +207,7 @@ TEST(WindDomain, ForWindFromAllAroundKeepsItsDistanceOnAllSides)
     atria::testing::addBox(surface, "House", house);
     for (const int count : {5, 16})
     {
-      const atria::WindDomain wind = atria::windDomain(surface, {0}, 33.0, count);
+      const atria::WindDomain wind = atria::windDomain(surface, {{0}}, 33.0, count);
       const PlacedPrism prism(wind.box, count);
       double nearest = 1e9;
       for (const Vec3& p : surface.points)

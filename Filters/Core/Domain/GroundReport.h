@@ -18,6 +18,8 @@ struct BodyAtGround
   double distance = 0.0;
   /// A place of its base as drawn, along the model's axes.
   Vec3 place = Vec3::Zero();
+  /// It hovers by less than an element or a quarter of its height, so that it may have been meant to stand.
+  bool isDoubtful = false;
 };
 
 struct GroundReport

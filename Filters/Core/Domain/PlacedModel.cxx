@@ -36,7 +36,7 @@ PlacedBox boundsOfDomain(const TriangleSurface& surface, const SiteOptions& opti
       return domain;
     case DomainMode::automatic: {
       checkSurfaces(surface);
-      const WindDomain wind = windDomain(surface, plan.isGround, options.windAngle, options.domainSides);
+      const WindDomain wind = windDomain(surface, {plan.isGround, plan.floor}, options.windAngle, options.domainSides);
       plan.widened = wind.widened;
       return wind.box;
     }
@@ -57,7 +57,7 @@ PlacedPrism prismOfPolygon(const TriangleSurface& surface, const SiteOptions& op
   if (options.mode == DomainMode::automatic)
   {
     checkSurfaces(surface);
-    const auto [bottom, top] = windHeights(surface, plan.isGround);
+    const auto [bottom, top] = windHeights(surface, {plan.isGround, plan.floor});
     return {Placement(), options.polygon, bottom, top};
   }
   const Box3 bounds = boundsOfDomain(surface, options, plan).bounds;
@@ -87,6 +87,24 @@ void turnAll(TriangleSurface& surface, const Placement& axes)
   }
 }
 
+/// Ground that is not level and covers so much of the model's rectangle that the rest may follow from it.
+bool isTerrain(const TriangleSurface& surface, const SurfaceFlags& isGround, double sizeMin)
+{
+  constexpr double leastCover = 0.5;
+  double area = 0.0;
+  for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+  {
+    const auto& [a, b, c] = surface.triangles[t];
+    const Vec3 u = surface.points[b] - surface.points[a];
+    const Vec3 v = surface.points[c] - surface.points[a];
+    area += isGround[surface.surfaceIds[t]] ? 0.5 * std::abs(u[0] * v[1] - u[1] * v[0]) : 0.0;
+  }
+  const Ground ground(surface, isGround, 0.0);
+  const Vec3 size = boundsOf(surface).size();
+  return !ground.empty() && ground.bounds().size()[2] > coincidentRatio * sizeMin &&
+         area >= leastCover * size[0] * size[1];
+}
+
 /// Terrain, turn and sides, in this order; all but the frame.
 PlacedModel inGrid(const TriangleSurface& surface, const SitePlan& plan, const GridOptions& sizes)
 {
@@ -114,13 +132,19 @@ PlacedModel inGrid(const TriangleSurface& surface, const SitePlan& plan, const G
 SitePlan groundOf(const TriangleSurface& surface, const SiteOptions& options, double sizeMin)
 {
   SitePlan plan;
+  plan.floor = options.floor;
   plan.isTerrain = terrainSurfaces(surface, options.terrain, options.site, coincidentRatio * sizeMin);
   plan.isGround = plan.isTerrain;
   for (std::size_t i = 0; i < plan.isGround.size(); ++i)
   {
-    plan.hasTerrain = plan.hasTerrain || plan.isTerrain[i];
-    plan.isGround[i] |= surface.names[i] == options.site ? 1 : 0;
+    const bool isNamed = std::ranges::find(options.grounds, surface.names[i]) != options.grounds.end();
+    plan.isGround[i] |= isNamed || surface.names[i] == options.site ? 1 : 0;
   }
+  if (options.terrain.empty() && !options.grounds.empty() && isTerrain(surface, plan.isGround, sizeMin))
+  {
+    plan.isTerrain = plan.isGround;
+  }
+  plan.hasTerrain = std::ranges::find(plan.isTerrain, 1) != plan.isTerrain.end();
   return plan;
 }
 

@@ -7,6 +7,8 @@
 #include "Grid/GridFrame.h"
 #include "Surface/Repair/SurfaceRepair.h"
 
+#include <optional>
+
 namespace atria {
 
 enum class DomainMode : std::uint8_t
@@ -45,6 +47,12 @@ struct SiteOptions
   /// Pattern; see terrainSurfaces.
   std::string terrain;
   GridAlignment alignment = GridAlignment::axes;
+  /// Names of more surfaces that are ground, as the model's file says; see groundOf.
+  std::vector<std::string> grounds;
+  /// Part of its height that a body may be above the ground to be let down to it; see groundModel. 0 lets down none.
+  double groundSnapRatio = 0.25;
+  /// Height of the ground; that of the lowest ground surface, or of the lowest point, where nothing is given.
+  std::optional<double> floor;
 };
 
 /// How exactly points are taken for one, against the finest octant.
@@ -61,6 +69,8 @@ struct SitePlan
   bool hasTerrain = false;
   /// As WindDomain; 1 in other modes.
   double widened = 1.0;
+  /// As in SiteOptions.
+  std::optional<double> floor;
 
   /// Whether the domain's upright sides are surfaces, not planes of the grid.
   bool hasSheetSides() const { return !domain.isBox() || grid.angle() != domain.axes.angle(); }
@@ -87,7 +97,8 @@ PlacedModel placeModel(const TriangleSurface& surface, const SitePlan& plan, con
 /// For a frame that is given, such as that of an octree made before: its lattice is fitted to the surface.
 PlacedModel placeModel(const TriangleSurface& surface, const SiteOptions& options, const GridFrame& frame);
 
-/// Ground surfaces by the options; those that fit no name are none.
+/// Ground surfaces by the options; those that fit no name are none. Those of `grounds` are terrain where they are not
+/// level and cover half of the model's rectangle.
 SitePlan groundOf(const TriangleSurface& surface, const SiteOptions& options, double sizeMin);
 
 } // namespace atria

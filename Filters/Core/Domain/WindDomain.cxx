@@ -127,14 +127,25 @@ Box3 boundsOfBuildings(const TriangleSurface& surface, const SurfaceFlags& isGro
   return box;
 }
 
-double heightOfBuildings(const TriangleSurface& surface, const SurfaceFlags& isGround)
+double lowestGround(const TriangleSurface& surface, const WindGround& wind)
 {
+  const Box3 buildings = boundsOfBuildings(surface, wind.isGround, {});
+  const Ground ground(surface, wind.isGround, 0.0);
+  return wind.floor           ? *wind.floor
+         : !ground.empty()    ? ground.bounds().min[2]
+         : !buildings.empty() ? buildings.min[2]
+                              : 0.0;
+}
+
+double heightOfBuildings(const TriangleSurface& surface, const WindGround& wind)
+{
+  const SurfaceFlags& isGround = wind.isGround;
   const Box3 box = boundsOfBuildings(surface, isGround, {});
   if (box.empty())
   {
     return 0.0;
   }
-  const Ground ground(surface, isGround, box.min[2]);
+  const Ground ground(surface, isGround, wind.floor.value_or(box.min[2]));
   std::vector<char> seen(surface.points.size(), 0);
   double height = 0.0;
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
@@ -226,9 +237,9 @@ double radiusAbout(const TriangleSurface& surface, const SurfaceFlags& isGround,
 }
 
 /// The largest height of the buildings, of which there must be some.
-double neededHeight(const TriangleSurface& surface, const SurfaceFlags& isGround)
+double neededHeight(const TriangleSurface& surface, const WindGround& ground)
 {
-  const double height = heightOfBuildings(surface, isGround);
+  const double height = heightOfBuildings(surface, ground);
   if (!(height > 0.0))
   {
     throw Error("there are no buildings to take the domain from: every surface is ground or lies flat; connect the "
@@ -239,30 +250,24 @@ double neededHeight(const TriangleSurface& surface, const SurfaceFlags& isGround
   return height;
 }
 
-/// The lowest ground; without ground the buildings stand on their lowest point.
-double floorOf(const TriangleSurface& surface, const SurfaceFlags& isGround, const Box3& buildings)
-{
-  const Ground ground(surface, isGround, buildings.min[2]);
-  return ground.empty() ? buildings.min[2] : ground.bounds().min[2];
-}
-
 } // namespace
 
-std::array<double, 2> windHeights(const TriangleSurface& surface, const SurfaceFlags& isGround, const WindRules& rules)
+std::array<double, 2> windHeights(const TriangleSurface& surface, const WindGround& ground, const WindRules& rules)
 {
-  const double height = neededHeight(surface, isGround);
-  const Box3 buildings = boundsOfBuildings(surface, isGround, {});
-  return {floorOf(surface, isGround, buildings), buildings.max[2] + rules.topHeights * height};
+  const double height = neededHeight(surface, ground);
+  const Box3 buildings = boundsOfBuildings(surface, ground.isGround, {});
+  return {lowestGround(surface, ground), buildings.max[2] + rules.topHeights * height};
 }
 
-WindDomain windDomain(const TriangleSurface& surface, const SurfaceFlags& isGround, double windAngle, int sideCount,
+WindDomain windDomain(const TriangleSurface& surface, const WindGround& ground, double windAngle, int sideCount,
                       const WindRules& rules)
 {
+  const SurfaceFlags& isGround = ground.isGround;
   WindDomain out;
   out.box.axes = Placement(windAngle);
   out.buildings = boundsOfBuildings(surface, isGround, out.box.axes);
-  out.height = neededHeight(surface, isGround);
-  const double floor = floorOf(surface, isGround, out.buildings);
+  out.height = neededHeight(surface, ground);
+  const double floor = lowestGround(surface, ground);
   const Box3& b = out.buildings;
   const double rise = b.max[2] - floor;
   if (sideCount != 4)

@@ -29,11 +29,15 @@ void checkHoldsModel(const TriangleSurface& surface, const SiteOptions& options,
   checkDomain(surface, plan, DomainMode::bounds, sizeMin);
 }
 
-void makeOctree(const TriangleSurface& surface, const ModelOptions& options, ModelOctree& out, StageClock& clock,
+void makeOctree(const TriangleSurface& model, const ModelOptions& asked, ModelOctree& out, StageClock& clock,
                 const RunContext& context)
 {
+  context.progress.report(0.0, "Finding the ground");
+  GroundedInput grounded = groundModel(model, asked);
+  const auto& [surface, options, ground] = grounded;
   const SitePlan plan = planSite(surface, options);
   out.inputWarnings = checkDomain(surface, plan, options);
+  out.inputWarnings.insert(out.inputWarnings.end(), ground.warnings.begin(), ground.warnings.end());
   context.progress.report(0.0, "Repairing surfaces");
   const PlacedModel placed = placeModel(surface, plan, options);
   out.model = makeSurfaceModel(placed, options, context.part(0.0, 0.125));
@@ -41,12 +45,18 @@ void makeOctree(const TriangleSurface& surface, const ModelOptions& options, Mod
   SizedOctants sized = sizeOctants(out.model, placed.frame, options, context.part(0.125, 0.625));
   out.octree = buildOctree(out.model, placed.frame, sized, context.part(0.625, 1.0));
   out.sizingWarning = std::move(sized.warning);
+  out.ground = std::move(grounded.report);
   clock.lap("octree");
 }
 
-void takeOctree(const TriangleSurface& surface, const OctreeSets& octants, const ModelOptions& options,
-                ModelOctree& out, StageClock& clock, const RunContext& context)
+void takeOctree(const TriangleSurface& model, const OctreeSets& octants, const ModelOptions& asked, ModelOctree& out,
+                StageClock& clock, const RunContext& context)
 {
+  context.progress.report(0.0, "Finding the ground");
+  ModelOptions sized = asked;
+  sized.sizes.sizeMin = octants.frame.sizeOf(octants.frame.featureLevel);
+  GroundedInput grounded = groundModel(model, sized, octants.frame.domain.min[2]);
+  const auto& [surface, options, ground] = grounded;
   context.progress.report(0.0, "Repairing surfaces");
   checkHoldsModel(surface, options.site, octants.frame);
   const PlacedModel placed = placeModel(surface, options.site, octants.frame);
@@ -57,6 +67,7 @@ void takeOctree(const TriangleSurface& surface, const OctreeSets& octants, const
   balance(refined, placed.frame, context.part(0.25, 0.5));
   out.octree = Octree(placed.frame, refined);
   locateModel(out.octree, out.model, context.part(0.5, 1.0));
+  out.ground = std::move(grounded.report);
   clock.lap("octree");
 }
 

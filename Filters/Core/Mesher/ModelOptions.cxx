@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <numbers>
 #include <sstream>
+#include <utility>
 
 namespace atria {
 
@@ -91,6 +92,23 @@ SizingOptions alongGrid(SizingOptions sizing, const Placement& grid)
 
 } // namespace
 
+GroundedInput groundModel(const TriangleSurface& surface, const ModelOptions& options, std::optional<double> bottom)
+{
+  GroundRules rules{options.sizes.sizeMin, bottom, SurfaceFlags(surface.names.size(), 0)};
+  for (const std::vector<std::string>* patterns : {&options.faceZones, &options.cellZones})
+  {
+    for (std::size_t i = 0; i < surface.names.size(); ++i)
+    {
+      rules.asDrawn[i] |= std::ranges::any_of(
+          *patterns, [&](const std::string& pattern) { return matchesPattern(pattern, surface.names[i]); });
+    }
+  }
+  GroundedModel grounded = groundModel(surface, options.site, rules);
+  GroundedInput out{std::move(grounded.surface), options, std::move(grounded.report)};
+  out.options.site = std::move(grounded.site);
+  return out;
+}
+
 SitePlan planSite(const TriangleSurface& surface, const ModelOptions& options)
 {
   return planSite(surface, options.site, sizesOf(options));
@@ -119,7 +137,8 @@ PlacedModel placeModel(const TriangleSurface& surface, const SitePlan& plan, con
 
 PlacedModel placeModel(const TriangleSurface& surface, const ModelOptions& options)
 {
-  return placeModel(surface, planSite(surface, options), options);
+  const GroundedInput grounded = groundModel(surface, options);
+  return placeModel(grounded.surface, planSite(grounded.surface, grounded.options), grounded.options);
 }
 
 SurfaceModel makeSurfaceModel(const PlacedModel& placed, const ModelOptions& options, const RunContext& context)

@@ -2,7 +2,7 @@
 /// What users say of a model and of the octree it is meshed in, and the first stages that follow from it.
 #pragma once
 
-#include "Domain/PlacedModel.h"
+#include "Domain/GroundedModel.h"
 #include "Octree/Sizing/Estimate.h"
 #include "Octree/Sizing/Refinement.h"
 
@@ -34,6 +34,18 @@ struct ModelOptions
   std::vector<std::string> withoutOpenings;
 };
 
+/// A model on its ground: what all that follows takes in place of the model and the options.
+struct GroundedInput
+{
+  TriangleSurface surface;
+  ModelOptions options;
+  GroundReport report;
+};
+
+/// See groundModel in Domain/GroundedModel.h. Zones stay as drawn. `bottom` is that of octants that are given.
+GroundedInput groundModel(const TriangleSurface& surface, const ModelOptions& options,
+                          std::optional<double> bottom = {});
+
 /// Domain and ground; see planSite.
 SitePlan planSite(const TriangleSurface& surface, const ModelOptions& options);
 
@@ -44,7 +56,7 @@ std::vector<std::string> checkDomain(const TriangleSurface& surface, const SiteP
 /// The model in the grid that a plan says. Throws Error where sizes and domain do not fit.
 PlacedModel placeModel(const TriangleSurface& surface, const SitePlan& plan, const ModelOptions& options);
 
-/// The model in its grid. Throws Error where the options cannot be met.
+/// The model, on its ground, in its grid. Throws Error where the options cannot be met.
 PlacedModel placeModel(const TriangleSurface& surface, const ModelOptions& options);
 
 /// The model on the lattice, repaired, with its features; see makeSurfaceModel. Throws Error for patterns that match no

@@ -81,15 +81,14 @@ void measureBlockages(const TriangleSurface& surface, const SitePlan& plan, doub
 void measureSite(const TriangleSurface& surface, const SitePlan& plan, Preflight& out)
 {
   const Box3 buildings = boundsOfBuildings(surface, plan.isGround, plan.domain.axes);
-  out.buildingHeight = heightOfBuildings(surface, plan.isGround);
+  out.buildingHeight = heightOfBuildings(surface, {plan.isGround, plan.floor});
   if (buildings.empty() || !(out.buildingHeight > 0.0))
   {
     out.buildingHeight = 0.0;
     return;
   }
   measureDistances(surface, plan, buildings, out);
-  const Ground ground(surface, plan.isGround, buildings.min[2]);
-  const double lowest = ground.empty() ? buildings.min[2] : ground.bounds().min[2];
+  const double lowest = lowestGround(surface, {plan.isGround, plan.floor});
   measureBlockages(surface, plan, std::max(lowest, plan.domain.bounds.min[2]), out);
 }
 
@@ -215,8 +214,10 @@ void estimate(const SurfaceModel& model, const GridFrame& frame, const ModelOpti
 
 } // namespace
 
-Preflight preflight(const TriangleSurface& surface, const ModelOptions& options, const RunContext& context)
+Preflight preflight(const TriangleSurface& asRead, const ModelOptions& asked, const RunContext& context)
 {
+  GroundedInput grounded = groundModel(asRead, asked);
+  const auto& [surface, options, ground] = grounded;
   const SitePlan plan = planSite(surface, options);
   const PlacedModel placed = placeModel(surface, plan, options);
   context.progress.report(0.02, "Repairing surfaces");
@@ -225,6 +226,7 @@ Preflight preflight(const TriangleSurface& surface, const ModelOptions& options,
   const SurfaceModel model = makeSurfaceModel(placed, asDrawn, context.part(0.02, 0.1));
   Preflight out;
   out.warnings = checkDomain(surface, plan, options);
+  out.warnings.insert(out.warnings.end(), ground.warnings.begin(), ground.warnings.end());
   out.hidden = model.repair.hidden;
   estimate(model, placed.frame, options, out, context.part(0.1, 0.7));
   context.progress.report(0.7, "Measuring narrow places");
@@ -248,6 +250,7 @@ Preflight preflight(const TriangleSurface& surface, const ModelOptions& options,
   warnOfNarrow("opening", out.narrow.opening, out.octantsAcrossOpening, surface.names, out.warnings);
   warnOfNarrow("gap or wall", out.narrow.gap, out.octantsAcrossGap, surface.names, out.warnings);
   warnOfTerrain(placed.terrain, out.warnings);
+  out.ground = std::move(grounded.report);
   return out;
 }
 

@@ -37,6 +37,8 @@ struct Preflight
   /// What is too fine for the mesh; see SurfaceRepairReport.
   std::vector<HiddenDetail> hidden;
   std::vector<std::string> warnings;
+  /// Its warnings are among `warnings`.
+  GroundReport ground;
 };
 
 /// Makes domain, model and octree, and measures them; the octree is not kept. Throws Error where the options cannot be

@@ -108,20 +108,26 @@ private:
 
 } // namespace
 
-std::optional<SharedModel> meshSharedModel(const TriangleSurface& surface, const MesherOptions& options,
-                                           int ghostLevels, RankExchange& exchange, const RunContext& run,
-                                           const ShareRows& rows)
+std::optional<SharedModel> meshSharedModel(const TriangleSurface& asRead, const MesherOptions& asked, int ghostLevels,
+                                           RankExchange& exchange, const RunContext& run, const ShareRows& rows)
 {
-  if (options.mesh.blockSize == 0)
+  if (asked.mesh.blockSize == 0)
   {
     return std::nullopt;
   }
   StageClock clock;
   const RunContext context = run.part(0.0, sizingShare);
+  context.progress.report(0.0, "Finding the ground");
+  GroundedInput grounded = groundModel(asRead, asked);
+  const TriangleSurface& surface = grounded.surface;
+  MesherOptions options = asked;
+  static_cast<ModelOptions&>(options) = grounded.options;
   const SitePlan plan = planSite(surface, options);
   std::optional<SharedModel> out(std::in_place);
   MeshedModel& meshed = out->meshed;
   meshed.inputWarnings = checkDomain(surface, plan, options);
+  meshed.inputWarnings.insert(meshed.inputWarnings.end(), grounded.report.warnings.begin(),
+                              grounded.report.warnings.end());
   context.progress.report(0.0, "Repairing surfaces");
   const PlacedModel placed = placeModel(surface, plan, options);
   const SurfaceModel model = makeSurfaceModel(placed, options, context.part(0.0, 0.2));
@@ -152,6 +158,7 @@ std::optional<SharedModel> meshSharedModel(const TriangleSurface& surface, const
     meshed.inputWarnings.insert(meshed.inputWarnings.end(), warnings.begin(), warnings.end());
   }
   meshed.sizingWarning = sized.warning;
+  meshed.ground = std::move(grounded.report);
   meshed.names = model.names;
   meshed.kinds = model.kinds;
   meshed.repair = model.repair;

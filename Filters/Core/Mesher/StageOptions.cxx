@@ -28,8 +28,9 @@ auto membersOf(const TriangleSurface& of)
 
 auto membersOf(const SiteOptions& of)
 {
-  const auto& [mode, bounds, sides, polygon, domainAngle, windAngle, site, terrain, alignment] = of;
-  return std::tie(mode, bounds, sides, polygon, domainAngle, windAngle, site, terrain, alignment);
+  const auto& [mode, bounds, sides, polygon, domainAngle, windAngle, site, terrain, alignment, grounds, snap, floor] =
+      of;
+  return std::tie(mode, bounds, sides, polygon, domainAngle, windAngle, site, terrain, alignment, grounds, snap, floor);
 }
 
 auto membersOf(const GridOptions& of)

@@ -52,7 +52,8 @@ GridOptions completeSizes(const TriangleSurface& surface, const ModelOptions& op
     sizes.sizeMax = sizes.sizeMid * standard.sizeMax / standard.sizeMid;
     ModelOptions planned = options;
     planned.sizes = sizes;
-    const double volume = planSite(surface, planned).domain.volume();
+    const GroundedInput grounded = groundModel(surface, planned);
+    const double volume = planSite(grounded.surface, grounded.options).domain.volume();
     sizes.sizeMax = std::max(sizes.sizeMax, roundNumber(std::cbrt(volume / octants)));
   }
   return sizes;

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// What holds bodies up besides the ground.
+#pragma once
+
+#include "Domain/ModelBodies.h"
+
+#include <optional>
+
+namespace atria {
+
+/// The ground: surfaces, a level floor, or the higher one of both.
+struct GroundBelow
+{
+  Ground surface;
+  std::optional<double> floor;
+  bool isTerrain = false;
+  bool useSurface = false;
+
+  double heightAt(const Vec3& p) const;
+};
+
+enum class BaseSupport : std::uint8_t
+{
+  none,
+  beside, ///< the body touches what reaches as low, or reaches lower itself
+  below   ///< another body lies between the base and the ground
+};
+
+/// Bodies by place.
+class SupportSearch
+{
+public:
+  /// Keeps references to all of these. Bodies closer than `reach` touch. Heights within `tolerance` are equal.
+  SupportSearch(const TriangleSurface& surface, const ModelBodies& bodies, const PlumbLines& lines,
+                const std::vector<BodyBase>& bases, double reach, double tolerance);
+
+  /// `base` is the number of a base, and `ground` the height of the lowest ground below it.
+  BaseSupport find(Index base, double ground) const;
+  /// Whether a body touches one that reaches as low as `low`, or lower.
+  bool isBesideOther(Index body, double low, double ground) const;
+
+private:
+  bool mayHold(Index other, const BodyBase& base, double ground) const;
+  bool hasBodyBelow(const BodyBase& base, double ground) const;
+  bool hasPointsBelow(Index number, double ground) const;
+  bool isWithin(Index number, const Vec3& p) const;
+
+  const TriangleSurface& surface;
+  const ModelBodies& bodies;
+  const PlumbLines& lines;
+  const std::vector<BodyBase>& bases;
+  double reach;
+  double tolerance;
+  PlanBins bodyBins;
+  std::vector<Index> bodyOfPlace;
+  PlanBins placeBins;
+  std::vector<Index> baseOfTriangle;
+};
+
+} // namespace atria
