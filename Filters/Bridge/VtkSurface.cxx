@@ -281,4 +281,21 @@ std::vector<std::string> surfaceNamesFromVtk(vtkDataObject* input)
   return std::move(found.names);
 }
 
+std::vector<std::string> groundNamesFromVtk(vtkDataObject* input)
+{
+  std::vector<std::string> grounds;
+  visitLeaves(input, withoutName, [&](vtkDataObject* leaf, const std::string&) {
+    vtkDataArray* isGround = leaf->GetFieldData()->GetArray("IsGround");
+    auto* names = vtkStringArray::SafeDownCast(leaf->GetFieldData()->GetAbstractArray("SurfaceName"));
+    for (vtkIdType i = 0; isGround && names && i < names->GetNumberOfValues(); ++i)
+    {
+      if (i < isGround->GetNumberOfTuples() && isGround->GetComponent(i, 0) != 0.0)
+      {
+        grounds.push_back(names->GetValue(i));
+      }
+    }
+  });
+  return grounds;
+}
+
 } // namespace atria

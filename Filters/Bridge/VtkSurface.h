@@ -34,4 +34,7 @@ VtkSurface surfaceFromVtk(const std::vector<vtkDataObject*>& inputs);
 /// The names of the surfaces that surfaceFromVtk finds, without reading points and triangles.
 std::vector<std::string> surfaceNamesFromVtk(vtkDataObject* input);
 
+/// The names of those surfaces that the field array IsGround, by SurfaceId, marks as ground.
+std::vector<std::string> groundNamesFromVtk(vtkDataObject* input);
+
 } // namespace atria

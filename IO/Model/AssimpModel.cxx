@@ -230,6 +230,7 @@ Model readAssimp(const std::string& file, const ProgressRange& progress)
                              " are left out; export it as IFC2X3 if some are missing");
   }
   model.head = headOf(bytes);
+  model.groundNames = ending == ".ifc" ? std::vector<std::string>{"IfcSite"} : std::vector<std::string>();
   return model;
 }
 

@@ -322,6 +322,19 @@ Model CityReader::finish()
   faces.giveTo(model, keepTree(model, parts), "surfaces");
   model.unitKnown = true; // of the reference systems that are in use for buildings
   model.axisKnown = true;
+  // Types of objects, and classes of their surfaces.
+  model.groundMaterials = {"LandUse",
+                           "Road",
+                           "Railway",
+                           "TransportSquare",
+                           "Waterway",
+                           "WaterBody",
+                           "TINRelief",
+                           "TrafficArea",
+                           "AuxiliaryTrafficArea",
+                           "WaterSurface",
+                           "WaterGroundSurface",
+                           "WaterClosureSurface"};
   return std::move(model);
 }
 

@@ -35,16 +35,18 @@ struct PartGroup
 struct Model
 {
   vtkSmartPointer<vtkDataObject> data;
-  std::map<std::string, Part> parts; ///< by name of the surface; those of which nothing more is known are left out
-  std::vector<PartGroup> groups;     ///< where the format has them: parts of one name are then told apart by these
-  std::vector<std::string> warnings; ///< without the file's name
-  std::vector<std::string> notes;    ///< what was done that nobody need worry about
-  std::string head;                  ///< the first characters of a text file, where programs say who they are
-  int upAxis = 2;                    ///< 1 y, 2 z
-  bool unitKnown = false;            ///< lengths are meters, as the format or the file says
-  bool unitConverted = false;        ///< they were something else in the file
-  bool axisKnown = false;            ///< the format or the file says what is up
-  bool singlePrecision = false;      ///< coordinates went through 32 bits on the way
+  std::map<std::string, Part> parts;    ///< by name of the surface; those of which nothing more is known are left out
+  std::vector<PartGroup> groups;        ///< where the format has them: parts of one name are then told apart by these
+  std::vector<std::string> warnings;    ///< without the file's name
+  std::vector<std::string> notes;       ///< what was done that nobody need worry about
+  std::string head;                     ///< the first characters of a text file, where programs say who they are
+  int upAxis = 2;                       ///< 1 y, 2 z
+  bool unitKnown = false;               ///< lengths are meters, as the format or the file says
+  bool unitConverted = false;           ///< they were something else in the file
+  bool axisKnown = false;               ///< the format or the file says what is up
+  std::vector<std::string> groundNames; ///< beginnings of parts' names that say ground
+  std::vector<std::string> groundMaterials; ///< materials that do
+  bool singlePrecision = false;             ///< coordinates went through 32 bits on the way
 };
 
 /// The parts' names, made unique: `Wall`; `Wall_Brick` and `Wall_Glass` where an owner has several parts of different

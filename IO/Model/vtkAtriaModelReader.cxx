@@ -163,6 +163,8 @@ atria::vrml::ModelSource vtkAtriaModelReader::ReadSource(atria::vrml::Diagnostic
   source.axisKnown = model.axisKnown;
   source.unitKnown = model.unitKnown;
   source.unitConverted = model.unitConverted;
+  source.groundNames = model.groundNames;
+  source.groundMaterials = model.groundMaterials;
   const auto warn = [&](const std::string& text) { diagnostics.warn(source.name + ": " + text); };
   std::for_each(model.warnings.begin(), model.warnings.end(), warn);
   std::for_each(model.notes.begin(), model.notes.end(), [&](const std::string& text) { diagnostics.note(text); });

@@ -4,6 +4,7 @@
 #include "Scene.h"
 
 #include <string>
+#include <vector>
 
 namespace atria::vrml {
 
@@ -17,6 +18,9 @@ struct ModelSource
   bool unitKnown = false;     ///< lengths are meters, as the format or the file says
   bool unitConverted = false; ///< they were something else in the file
   bool axisKnown = false;     ///< the format defines what is up
+  /// What ground is in the format: the beginning of surfaces' names, behind those of groups, and names of materials.
+  std::vector<std::string> groundNames;
+  std::vector<std::string> groundMaterials;
 };
 
 } // namespace atria::vrml

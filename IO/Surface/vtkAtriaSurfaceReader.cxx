@@ -26,6 +26,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkStringArray.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -86,6 +87,31 @@ void addSurfaces(vtkFieldData* data, const std::vector<atria::vrml::Surface>& su
   }
   atria::addArrayOf<vtkDoubleArray>(data, "Transparency", surfaces,
                                     [](const Surface& s) { return s.material.transparency; });
+}
+
+/// Behind the names of groups a surface's name begins as that of ground, or its material is that of ground.
+bool isGround(const atria::vrml::Surface& surface, const atria::vrml::ModelSource& source)
+{
+  const std::string name = surface.name.substr(surface.name.rfind('/') + 1);
+  const auto begins = [&](const std::string& start) { return name.compare(0, start.size(), start) == 0; };
+  const std::vector<std::string>& materials = source.groundMaterials;
+  return std::any_of(source.groundNames.begin(), source.groundNames.end(), begins) ||
+         std::find(materials.begin(), materials.end(), surface.material.name) != materials.end();
+}
+
+/// Adds the array IsGround where there is ground.
+void addGround(vtkFieldData* data, const std::vector<atria::vrml::Surface>& surfaces,
+               const atria::vrml::ModelSource& source)
+{
+  std::vector<unsigned char> flags;
+  for (const atria::vrml::Surface& surface : surfaces)
+  {
+    flags.push_back(isGround(surface, source) ? 1 : 0);
+  }
+  if (std::find(flags.begin(), flags.end(), 1) != flags.end())
+  {
+    atria::addArrayOf<vtkUnsignedCharArray>(data, "IsGround", flags);
+  }
 }
 
 /// What has been copied goes at once.
@@ -251,6 +277,7 @@ bool vtkAtriaSurfaceReader::ReadModel(vtkPolyData* output, atria::vrml::Diagnost
   {
     vrml::excludeSurfaces(scene, surfaces, this->ExcludedSurfaces, diagnostics);
   }
+  addGround(output->GetFieldData(), surfaces.surfaces, source);
   fill(output, std::move(scene), surfaces);
   atria::addArray<vtkDoubleArray>(output->GetFieldData(), "ModelOffset", 3)->InsertNextTuple(offset.data());
   progress.report(1.0, "Model read");
