@@ -156,6 +156,10 @@ ExitStatus printEstimate(const MeshOptions& options, vtkAtriaSurfaceReader* read
 /// What the mesher could not do as it was asked, or did on its own account.
 void warn(vtkAtriaDualMesher* mesher, const Json& report, const MeshOptions& options, Console& console)
 {
+  for (const Json& note : report["diagnostics"]["InputNote"])
+  {
+    console.note(options.input + ": " + note.get<std::string>());
+  }
   if (mesher->GetZoneRule() == vtkAtriaDualMesher::Outside) // with seeds it was chosen what is left out
   {
     tellLeftOut(report["zones"], options.input, console);

@@ -125,6 +125,14 @@ void declareGround(CLI::App& command, MeshOptions& options)
       .add_option("--terrain", options.terrain,
                   "Names of terrain surfaces, with * and ?; extended to the domain's sides")
       ->type_name("PATTERN");
+  options.groundSnap = standard->GetGroundSnapRatio();
+  command
+      .add_option("--ground-snap", options.groundSnap,
+                  "Bodies that hover above the ground by less than this part of their height are let down to it; 0 "
+                  "leaves them as drawn; not with --domain and --model-bounds")
+      ->capture_default_str()
+      ->check(numberIn(standard->GetGroundSnapRatioMinValue(), standard->GetGroundSnapRatioMaxValue()))
+      ->type_name("PART");
   command.add_option("--align", options.align, "What the grid stands along")
       ->capture_default_str()
       ->check(oneOf({"axes", "walls", "domain"}))
@@ -430,6 +438,7 @@ void configureGrid(vtkAtriaGridAlgorithm* filter, const MeshOptions& options)
   filter->SetWindAngle(options.wind);
   filter->SetDomainAngle(options.domainAngle);
   filter->SetTerrainName(options.terrain);
+  filter->SetGroundSnapRatio(options.groundSnap);
   filter->SetAlignGrid(options.align == "walls"    ? vtkAtriaGridAlgorithm::ToWalls
                        : options.align == "domain" ? vtkAtriaGridAlgorithm::ToDomain
                                                    : vtkAtriaGridAlgorithm::ToAxes);

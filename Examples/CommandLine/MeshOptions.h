@@ -47,6 +47,7 @@ struct MeshOptions
   std::vector<double> heights;
   double wind = 0.0;
   std::string terrain;
+  double groundSnap = 0.0;
   std::string align = "axes";
   bool preflight = false;
   std::string zone = "outside";

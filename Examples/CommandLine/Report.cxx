@@ -219,7 +219,7 @@ Json diagnosticsOf(vtkPolyData* diagnostics)
     missing.push_back(without->GetValue(i));
   }
   counts["SurfaceWithoutFaces"] = missing;
-  for (const char* name : {"InputWarning", "SizingWarning"})
+  for (const char* name : {"InputWarning", "SizingWarning", "InputNote"})
   {
     Json warnings = Json::array();
     vtkStringArray* texts = stringsOf(diagnostics, name);

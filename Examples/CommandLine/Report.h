@@ -47,7 +47,7 @@ std::vector<std::string> failedIn(const Json& checks);
 Json stageSecondsOf(vtkAtriaDualMesher* mesher);
 
 /// {name: cells} from the cell array Diagnostic and the field array DiagnosticName, and the names in the field arrays
-/// SurfaceWithoutFaces, InputWarning and SizingWarning.
+/// SurfaceWithoutFaces, InputWarning, SizingWarning and InputNote.
 Json diagnosticsOf(vtkPolyData* diagnostics);
 
 /// {name: number} from the field arrays RepairName and RepairValue: what of the surfaces was changed.

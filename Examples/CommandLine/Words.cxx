@@ -23,6 +23,7 @@ constexpr std::array optionOf{
     std::pair{"WindAngle", "--wind"},
     std::pair{"SiteName", "--ground"},
     std::pair{"TerrainName", "--terrain"},
+    std::pair{"GroundSnapRatio", "--ground-snap"},
     std::pair{"AlignGrid", "--align"},
     std::pair{"SizeMax", "--size-max"},
     std::pair{"SizeMid", "--size-mid"},

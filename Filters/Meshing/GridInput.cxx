@@ -97,6 +97,7 @@ SiteOptions siteOptionsOf(vtkAtriaGridAlgorithm& filter)
   options.windAngle = filter.GetWindAngle();
   options.site = filter.GetSiteName();
   options.terrain = filter.GetTerrainName();
+  options.groundSnapRatio = filter.GetGroundSnapRatio();
   options.alignment = static_cast<GridAlignment>(filter.GetAlignGrid());
   return options;
 }
@@ -113,10 +114,11 @@ GridOptions sizesOf(vtkAtriaGridAlgorithm& filter)
 
 } // namespace
 
-ModelOptions modelOptionsOf(vtkAtriaGridAlgorithm& filter)
+ModelOptions modelOptionsOf(vtkAtriaGridAlgorithm& filter, vtkDataObject* surfaces)
 {
   ModelOptions options;
   options.site = siteOptionsOf(filter);
+  options.site.grounds = surfaces ? groundNamesFromVtk(surfaces) : std::vector<std::string>();
   options.sizes = sizesOf(filter);
   options.sizing = sizingOf(filter);
   options.featureAngle = filter.GetFeatureAngle();
@@ -141,9 +143,9 @@ ModelOptions modelOptionsOf(vtkAtriaGridAlgorithm& filter)
   return options;
 }
 
-ModelOptions modelOptionsOf(vtkAtriaGridAlgorithm& filter, const TriangleSurface& surface)
+ModelOptions modelOptionsOf(vtkAtriaGridAlgorithm& filter, vtkDataObject* surfaces, const TriangleSurface& surface)
 {
-  ModelOptions options = modelOptionsOf(filter);
+  ModelOptions options = modelOptionsOf(filter, surfaces);
   options.sizes = completeSizes(surface, options);
   return options;
 }
@@ -195,30 +197,52 @@ TriangleSurface readSurfaces(vtkDataObject* data, std::vector<std::string>& warn
   return std::move(read.surface);
 }
 
+namespace {
+
+/// Each with a zero behind it.
+std::string joined(const std::vector<std::string>& names)
+{
+  std::string text;
+  for (const std::string& name : names)
+  {
+    text += name + '\0';
+  }
+  return text;
+}
+
+std::vector<std::string> parted(const std::string& text)
+{
+  std::vector<std::string> names;
+  for (std::size_t first = 0; first < text.size(); first = text.find('\0', first) + 1)
+  {
+    names.emplace_back(text.c_str() + first);
+  }
+  return names;
+}
+
+} // namespace
+
 SharedSurfaces readSurfacesOnRanks(vtkDataObject* own, vtkMultiProcessController& controller, RankExchange& exchange)
 {
   const vtkSmartPointer<vtkDataObject> whole = gatherWhole(own, controller);
-  SharedSurfaces out{{}, modelOffsetOf(whole), {}};
+  SharedSurfaces out{{}, {}, modelOffsetOf(whole), {}};
   Bytes told; // by the first rank
   if (exchange.rank() == 0)
   {
     out.surface = readSurfaces(whole, out.warnings);
-    std::string names;
-    for (const std::string& name : out.surface.names)
-    {
-      names += name + '\0';
-    }
-    told = bytesOf(out.surface.points, out.surface.triangles, out.surface.surfaceIds, names, out.offset);
+    out.grounds = whole ? groundNamesFromVtk(whole) : std::vector<std::string>();
+    told = bytesOf(out.surface.points, out.surface.triangles, out.surface.surfaceIds, joined(out.surface.names),
+                   joined(out.grounds), out.offset);
   }
   const std::vector<Bytes> received = exchange.gather(told);
   if (exchange.rank() > 0)
   {
     std::string names;
-    readBytes(received.front(), out.surface.points, out.surface.triangles, out.surface.surfaceIds, names, out.offset);
-    for (std::size_t first = 0; first < names.size(); first = names.find('\0', first) + 1)
-    {
-      out.surface.names.emplace_back(names.c_str() + first);
-    }
+    std::string grounds;
+    readBytes(received.front(), out.surface.points, out.surface.triangles, out.surface.surfaceIds, names, grounds,
+              out.offset);
+    out.surface.names = parted(names);
+    out.grounds = parted(grounds);
   }
   return out;
 }
@@ -238,6 +262,11 @@ void addTo(std::vector<std::string>& warnings, const std::vector<std::string>& m
 void addSizingWarning(const std::string& warning, vtkAtriaGridAlgorithm& filter, vtkDataObject* out)
 {
   addWarnings("SizingWarning", warning.empty() ? std::vector<std::string>() : std::vector{warning}, filter, out);
+}
+
+void addInputNotes(const std::vector<std::string>& notes, vtkDataObject* out)
+{
+  addArrayOf<vtkStringArray>(out->GetFieldData(), "InputNote", notes);
 }
 
 void addInputWarnings(const std::vector<std::string>& warnings, vtkAtriaGridAlgorithm& filter, vtkDataObject* out)

@@ -14,12 +14,13 @@ class vtkMultiProcessController;
 
 namespace atria {
 
-/// The properties of the filter. Sizes of 0 are to be completed. Throws Error for rules that are none.
-ModelOptions modelOptionsOf(vtkAtriaGridAlgorithm& filter);
+/// The properties of the filter, and what surfaces the data say is ground. Sizes of 0 are to be completed. Throws Error
+/// for rules that are none.
+ModelOptions modelOptionsOf(vtkAtriaGridAlgorithm& filter, vtkDataObject* surfaces);
 
 /// The same, with sizes that follow from the model in place of those that are 0; see completeSizes in
 /// Mesher/SuggestedSizes.h.
-ModelOptions modelOptionsOf(vtkAtriaGridAlgorithm& filter, const TriangleSurface& surface);
+ModelOptions modelOptionsOf(vtkAtriaGridAlgorithm& filter, vtkDataObject* surfaces, const TriangleSurface& surface);
 
 /// Runs `work` on the data of input port 0, up to date, or null without a connection: on the rank that has it all, see
 /// Ranks.h. What `work` throws is an error of the filter. Returns whether it was done, and gives all ranks `values` as
@@ -33,6 +34,8 @@ TriangleSurface readSurfaces(vtkDataObject* data, std::vector<std::string>& warn
 struct SharedSurfaces
 {
   TriangleSurface surface;
+  /// Names of surfaces that are ground.
+  std::vector<std::string> grounds;
   /// What a reader subtracted from its points, model units.
   Vec3 offset;
   /// What a user should know of it, on the first rank.
@@ -53,5 +56,8 @@ void addSizingWarning(const std::string& warning, vtkAtriaGridAlgorithm& filter,
 
 /// Adds the field array InputWarning, and warns of each.
 void addInputWarnings(const std::vector<std::string>& warnings, vtkAtriaGridAlgorithm& filter, vtkDataObject* out);
+
+/// Adds the field array InputNote.
+void addInputNotes(const std::vector<std::string>& notes, vtkDataObject* out);
 
 } // namespace atria

@@ -75,6 +75,7 @@ void reportTo(vtkPolyData* diagnostics, const atria::MeshedModel& result, std::v
   atria::diagnosticsToVtk(result, result.names, diagnostics);
   atria::addTo(warnings, result.inputWarnings);
   atria::addInputWarnings(warnings, filter, diagnostics);
+  atria::addInputNotes(result.ground.notes, diagnostics);
   atria::addSizingWarning(result.sizingWarning, filter, diagnostics);
   atria::repairToVtk(result.repair, diagnostics);
   atria::hiddenDetailToVtk(result.repair.hidden, result.names, diagnostics->GetFieldData());
@@ -96,10 +97,11 @@ std::vector<atria::LayerRule> layerRulesOf(vtkAtriaDualMesher& filter)
 }
 
 /// Sizes of 0 are to be completed.
-atria::MesherOptions mesherOptionsOf(vtkAtriaDualMesher& filter, const Points& seeds, const Points& sealedSeeds)
+atria::MesherOptions mesherOptionsOf(vtkAtriaDualMesher& filter, vtkDataObject* surfaces, const Points& seeds,
+                                     const Points& sealedSeeds)
 {
   atria::MesherOptions options;
-  static_cast<atria::ModelOptions&>(options) = atria::modelOptionsOf(filter);
+  static_cast<atria::ModelOptions&>(options) = atria::modelOptionsOf(filter, surfaces);
   options.mesh.zoneRule = static_cast<atria::ZoneRule>(filter.GetZoneRule());
   options.mesh.seeds = toCore(seeds);
   options.mesh.sealedSeeds = toCore(sealedSeeds);
@@ -258,7 +260,7 @@ vtkIdType vtkAtriaDualMesher::EstimateLayerElements()
     const atria::AlgorithmRun run(*this);
     std::vector<std::string> warnings; // the run repeats them
     const atria::TriangleSurface surface = atria::readSurfaces(input, warnings);
-    atria::MesherOptions options = mesherOptionsOf(*this, this->SeedPoints, this->SealedSeedPoints);
+    atria::MesherOptions options = mesherOptionsOf(*this, input, this->SeedPoints, this->SealedSeedPoints);
     options.sizes = atria::completeSizes(surface, options);
     elements = static_cast<double>(atria::estimateLayerElements(surface, options, run.context));
   });
@@ -329,7 +331,8 @@ int vtkAtriaDualMesher::RequestData(vtkInformation*, vtkInformationVector** inpu
     context.progress.report(0.0, "Reading surfaces");
     std::vector<std::string> warnings;
     const atria::TriangleSurface surface = atria::readSurfaces(vtkDataObject::GetData(inputs[0]), warnings);
-    atria::MesherOptions options = mesherOptionsOf(*this, this->SeedPoints, this->SealedSeedPoints);
+    atria::MesherOptions options =
+        mesherOptionsOf(*this, vtkDataObject::GetData(inputs[0]), this->SeedPoints, this->SealedSeedPoints);
     vtkDataObject* octree = vtkDataObject::GetData(inputs[1]);
     options.sizes = octree ? options.sizes : atria::completeSizes(surface, options);
     atria::StageCache* cache = this->CacheStages ? this->Cache.get() : nullptr;
@@ -366,11 +369,12 @@ std::optional<int> vtkAtriaDualMesher::RequestDataOnRanks(vtkMultiProcessControl
   return atria::runOnRanks(
       *this, outputs, controller, [&](atria::RankExchange& ranks, const atria::RunContext& context) {
         this->CheckProperties();
-        atria::MesherOptions options = mesherOptionsOf(*this, this->SeedPoints, this->SealedSeedPoints);
+        atria::MesherOptions options = mesherOptionsOf(*this, nullptr, this->SeedPoints, this->SealedSeedPoints);
         // Machines of ranks may have less or more. It also tells all of errors up to here.
         options.sizing.memoryLimit = atria::gatherAll(ranks, options.sizing.memoryLimit).front();
         const atria::SharedSurfaces input =
             atria::readSurfacesOnRanks(vtkDataObject::GetData(inputs[0]), controller, ranks);
+        options.site.grounds = input.grounds;
         options.sizes = atria::completeSizes(input.surface, options);
         std::optional<atria::SharedModel> made =
             atria::meshSharedModel(input.surface, options, ghostLevels, ranks, context.part(0.01, 0.9));

@@ -45,7 +45,7 @@ int vtkAtriaFeatureGraph::RequestData(vtkInformation*, vtkInformationVector** in
     // Not checked: features are those of the model wherever the domain is.
     std::vector<std::string> warnings; // not shown: the mesher tells them
     const atria::TriangleSurface surface = atria::readSurfaces(vtkDataObject::GetData(inputs[0]), warnings);
-    const atria::ModelOptions options = atria::modelOptionsOf(*this, surface);
+    const atria::ModelOptions options = atria::modelOptionsOf(*this, vtkDataObject::GetData(inputs[0]), surface);
     const atria::PlacedModel placed = atria::placeModel(surface, options);
     range.report(0.3, "Finding features");
     const atria::SurfaceModel model = atria::makeSurfaceModel(placed, options, context.part(0.3, 0.8));

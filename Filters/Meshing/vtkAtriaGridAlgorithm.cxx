@@ -37,7 +37,7 @@ bool vtkAtriaGridAlgorithm::FillSizes(double sizeMax, double sizeMid, double siz
   std::array<double, 3> sizes{};
   const bool completed = atria::onCurrentInput(*this, sizes, [&](vtkDataObject* input) {
     std::vector<std::string> warnings; // the run repeats them
-    atria::ModelOptions options = atria::modelOptionsOf(*this);
+    atria::ModelOptions options = atria::modelOptionsOf(*this, input);
     options.sizes.sizeMax = sizeMax;
     options.sizes.sizeMid = sizeMid;
     options.sizes.sizeMin = sizeMin;
@@ -112,6 +112,7 @@ void vtkAtriaGridAlgorithm::CheckProperties()
   atriaCheckRange(DomainSides);
   atriaCheckRange(WindAngle);
   atriaCheckRange(AlignGrid);
+  atriaCheckRange(GroundSnapRatio);
 }
 
 int vtkAtriaGridAlgorithm::FillInputPortInformation(int port, vtkInformation* info)
@@ -359,4 +360,5 @@ void vtkAtriaGridAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SiteName: " << this->SiteName << "\n";
   os << indent << "TerrainName: " << this->TerrainName << "\n";
   os << indent << "AlignGrid: " << this->AlignGrid << "\n";
+  os << indent << "GroundSnapRatio: " << this->GroundSnapRatio << "\n";
 }

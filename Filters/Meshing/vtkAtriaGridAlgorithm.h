@@ -5,7 +5,8 @@
  *
  * Lengths are in the model's units; defaults suit a building in meters. Input port 0 takes the surface model: a
  * vtkPolyData, or a composite of named vtkPolyData blocks. A vtkPolyData names its surfaces by the cell array
- * `SurfaceId` and the field array `SurfaceName`, as vtkAtriaVRMLReader writes them.
+ * `SurfaceId` and the field array `SurfaceName`, as vtkAtriaVRMLReader writes them. Surfaces that the field array
+ * `IsGround` marks, by SurfaceId, are ground without being named.
  *
  * A property outside of its range, or that is no number, is an error of the run that names it.
  */
@@ -350,6 +351,17 @@ public:
   vtkGetMacro(TerrainName, std::string);
   ///@}
 
+  ///@{
+  /**
+   * Part of its height by which a body may hover above the ground to be let down to it: the points of its base are
+   * moved to the ground. Bases beside lower parts of the model are let down only where the gap is less than 2 m and
+   * half as high as wide. Not used where DomainMode is Explicit or FromSurfaces. Default 0.25; from 0, all stays as
+   * drawn, to 1.
+   */
+  vtkAtriaSetInRangeMacro(GroundSnapRatio, double, 0.0, 1.0);
+  vtkGetMacro(GroundSnapRatio, double);
+  ///@}
+
   /**
    * What the grid stands along.
    */
@@ -430,6 +442,7 @@ protected:
   std::string SiteName = "Site";
   std::string TerrainName;
   int AlignGrid = ToAxes;
+  double GroundSnapRatio = 0.25;
 
 private:
   /// Sets the three sizes to these, completed.

@@ -17,6 +17,17 @@
 
 vtkStandardNewMacro(vtkAtriaOctreeSource);
 
+namespace {
+
+atria::GroundedInput groundedInput(vtkAtriaGridAlgorithm& filter, vtkDataObject* surfaces,
+                                   std::vector<std::string>& warnings)
+{
+  const atria::TriangleSurface surface = atria::readSurfaces(surfaces, warnings);
+  return atria::groundModel(surface, atria::modelOptionsOf(filter, surfaces, surface));
+}
+
+} // namespace
+
 vtkAtriaOctreeSource::vtkAtriaOctreeSource() = default;
 vtkAtriaOctreeSource::~vtkAtriaOctreeSource() = default;
 
@@ -67,10 +78,11 @@ int vtkAtriaOctreeSource::RequestData(vtkInformation*, vtkInformationVector** in
   return atria::runFilter(*this, outputs, "", [&](const atria::RunContext& context) {
     context.progress.report(0.0, "Reading surfaces");
     std::vector<std::string> warnings;
-    const atria::TriangleSurface surface = atria::readSurfaces(vtkDataObject::GetData(inputs[0]), warnings);
-    const atria::ModelOptions options = atria::modelOptionsOf(*this, surface);
+    const atria::GroundedInput grounded = groundedInput(*this, vtkDataObject::GetData(inputs[0]), warnings);
+    const auto& [surface, options, ground] = grounded;
     const atria::SitePlan plan = atria::planSite(surface, options);
     atria::addTo(warnings, atria::checkDomain(surface, plan, options));
+    atria::addTo(warnings, ground.warnings);
     const atria::PlacedModel placed = atria::placeModel(surface, plan, options);
     context.progress.report(0.02, "Repairing surfaces");
     const atria::SurfaceModel model = atria::makeSurfaceModel(placed, options, context.part(0.02, 0.1));
@@ -105,10 +117,11 @@ bool vtkAtriaOctreeSource::Estimate()
     const atria::RunContext& context = run.context;
     context.progress.report(0.0, "Estimating");
     std::vector<std::string> warnings;
-    const atria::TriangleSurface surface = atria::readSurfaces(surfaces, warnings);
-    const atria::ModelOptions options = atria::modelOptionsOf(*this, surface);
+    const atria::GroundedInput grounded = groundedInput(*this, surfaces, warnings);
+    const auto& [surface, options, ground] = grounded;
     const atria::SitePlan plan = atria::planSite(surface, options);
     atria::addTo(warnings, atria::checkDomain(surface, plan, options));
+    atria::addTo(warnings, ground.warnings);
     const atria::PlacedModel placed = atria::placeModel(surface, plan, options);
     const atria::GridFrame& frame = placed.frame;
     const atria::MeshEstimate estimate =

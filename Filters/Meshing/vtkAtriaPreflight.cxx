@@ -132,6 +132,7 @@ void preflightToVtk(const atria::Preflight& report, const atria::GridOptions& si
   atria::hiddenDetailToVtk(report.hidden, names, out->GetFieldData());
   vtkFieldData* data = out->GetFieldData();
   atria::addArrayOf<vtkStringArray>(data, "Warning", report.warnings);
+  atria::addArrayOf<vtkStringArray>(data, "InputNote", report.ground.notes);
   atria::addArrayOf<vtkStringArray>(data, "OpeningSurface", surfacesOf(report.narrow.opening, names));
   atria::addArrayOf<vtkStringArray>(data, "GapSurface", surfacesOf(report.narrow.gap, names));
 }
@@ -167,7 +168,7 @@ int vtkAtriaPreflight::RequestData(vtkInformation*, vtkInformationVector** input
     context.progress.report(0.0, "Reading surfaces");
     std::vector<std::string> warnings;
     const atria::TriangleSurface surface = atria::readSurfaces(vtkDataObject::GetData(inputs[0]), warnings);
-    const atria::ModelOptions options = atria::modelOptionsOf(*this, surface);
+    const atria::ModelOptions options = atria::modelOptionsOf(*this, vtkDataObject::GetData(inputs[0]), surface);
     atria::Preflight report = atria::preflight(surface, options, context);
     report.warnings.insert(report.warnings.begin(), warnings.begin(), warnings.end());
     const double taken[3] = {options.sizes.sizeMax, options.sizes.sizeMid, options.sizes.sizeMin};

@@ -102,6 +102,13 @@ std::vector<Change> changesOfGrid()
          automatic(m);
          m.SetSiteName("Canopy");
        }},
+      {"SetGroundSnapRatio", [](M& m) { m.SetGroundSnapRatio(0.0); },
+       [](M& m) {
+         automatic(m);
+         TriangleSurface hovering = scene();
+         atria::testing::addBox(hovering, "Kiosk", {Vec3(-4.5, -3.4, 0.2), Vec3(-3.0, -2.1, 1.6)});
+         m.SetInputDataObject(atria::testing::toPolyData(hovering));
+       }},
       {"SetDomainAngle", [](M& m) { m.SetDomainAngle(10.0); }},
       {"SetDomainSides", [](M& m) { m.SetDomainSides(12); }},
       {"AddDomainCorner",
@@ -283,7 +290,7 @@ TEST_F(StageCacheTest, ChangesInARowGiveWhatAFreshFilterDoes)
     // with others these ask for what cannot be, or leave less to be seen of others
     return c.command == "SetMaxElements" || c.command == "AddDomainCorner" || c.command == "SetSiteName" ||
            c.command == "SetTerrainName" || c.command == "SetWindAngle" || c.command == "SetSmallPartSize" ||
-           c.command == "SetGapTolerance";
+           c.command == "SetGapTolerance" || c.command == "SetGroundSnapRatio";
   });
   std::shuffle(changes.begin(), changes.end(), random);
   std::vector<Set> sets;
