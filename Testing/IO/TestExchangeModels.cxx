@@ -116,6 +116,35 @@ TEST_F(ExchangeModels, CityJsonCallsSurfacesBySemanticsAndObjects)
   EXPECT_THAT(names(), UnorderedElementsAre("House", "Hall"));
 }
 
+TEST_F(ExchangeModels, TellWhatIsGround)
+{
+  const auto grounds = [&] {
+    std::vector<std::string> found;
+    vtkDataArray* isGround = reader->GetOutput()->GetFieldData()->GetArray("IsGround");
+    for (std::size_t i = 0; isGround && i < names().size(); ++i)
+    {
+      if (isGround->GetComponent(static_cast<vtkIdType>(i), 0) != 0.0)
+      {
+        found.push_back(names()[i]);
+      }
+    }
+    return found;
+  };
+  const std::string house = object("House", surface("2", square));
+  read("a.json", city(house));
+  EXPECT_FALSE(reader->GetOutput()->GetFieldData()->HasArray("IsGround"));
+  const std::string road =
+      surface("2", R"("boundaries":[[[0,1,2,3]],[[4,5,6,7]]],"semantics":{"surfaces":[{"type":"TrafficArea"}],)"
+                   R"("values":[0,null]})");
+  read("a.json", city(house + "," + replaced(object("Street", road), "Building", "Road") + "," +
+                      replaced(object("Lawn", surface("1", square)), "Building", "LandUse") + "," +
+                      replaced(object("Wood", surface("1", square)), "Building", "PlantCover")));
+  EXPECT_THAT(grounds(), UnorderedElementsAre("Street/TrafficArea", "Street", "Lawn"))
+      << ::testing::PrintToString(names());
+  read("a.ifc", bytesOf(atria::testing::dataFolder() / "Ground" / "ifc-site-is-a-block.ifc"));
+  EXPECT_THAT(grounds(), ElementsAre("IfcSite_Ground")) << ::testing::PrintToString(names());
+}
+
 TEST_F(ExchangeModels, CityJsonSurfacesHaveHoles)
 {
   read("a.json", city(object("House", surface("2", R"("boundaries":[[[0,1,2,3],[4,7,6,5]]])"))));
