@@ -248,33 +248,31 @@ TEST(MaxElements, SidesOfAPrismKeepTheirFaces)
 {
   ModelOptions options;
   options.site.mode = DomainMode::automatic;
-  options.site.domainSides = 16;
+  options.site.domainSides = 48;
   options.sizes.sizeMin = 1.0;
   options.sizes.sizeMid = 2.0;
-  options.sizes.sizeMax = 4.0;
+  options.sizes.sizeMax = 2.0;
   options.sizes.startLevel = 2;
-  options.sizing.maxElements = 100'000;
   TriangleSurface surface;
-  addBox(surface, "Hut", {Vec3(0, 0, 0), Vec3(5, 4, 3)});
+  addBox(surface, "Hut", {Vec3(0, 0, 0), Vec3(5, 4, 3.5)});
   const PlacedModel placed = placeModel(surface, options);
   const RunContext context = quietContext();
   const SurfaceModel model = makeSurfaceModel(placed, options, context);
-  const auto coarsestWith = [&](std::size_t most) {
+  const double narrowest = narrowestSide(*placed.frame.turnedDomain);
+  ASSERT_GT(narrowest, 4.0 * std::numbers::sqrt2);
+  ASSERT_LT(narrowest, 8.0 * std::numbers::sqrt2) << "the next size would be too large";
+  options.sizing.maxElements = 0;
+  const SizedOctants free = sizeOctants(model, placed.frame, options, context);
+  const std::size_t all = countElements(free.refined, placed.frame, context);
+  for (const std::size_t most : {all - 1, all * 3 / 4, all / 2})
+  {
+    SCOPED_TRACE(most);
     options.sizing.maxElements = most;
     const SizedOctants octants = sizeOctants(model, placed.frame, options, context);
     const Octree octree(placed.frame, octants.refined);
     double coarsest = 0.0;
     eachLeaf(octree, [&](Index leaf) { coarsest = std::max(coarsest, sizeOf(octree, leaf)); });
-    return coarsest;
-  };
-  const double narrowest = narrowestSide(*placed.frame.turnedDomain);
-  ASSERT_GT(narrowest, 8.0 * std::numbers::sqrt2);
-  ASSERT_LT(narrowest, 16.0 * std::numbers::sqrt2) << "the next size would be too large";
-  for (std::size_t most = 30000; most > 5000; most /= 2)
-  {
-    const double coarsest = coarsestWith(most);
-    EXPECT_GT(coarsest, 4.0) << "the open gave";
-    EXPECT_LE(coarsest * std::numbers::sqrt2, narrowest);
+    EXPECT_EQ(coarsest, 4.0) << "as coarse as the sides allow";
   }
 }
 
