@@ -174,7 +174,8 @@ TEST(MeshAudit, FindsMovedPointsAndMissingFaces)
   const ThreadExecutor executor(2);
   const RunContext run = atria::testing::quietContext(executor);
   MeshedModel mesh = meshModel(model, options, run, &cache);
-  const auto& [placed, octree, inputWarnings, sizingWarning] = *cache.sources();
+  const SurfaceModel& placed = cache.sources()->model;
+  const Octree& octree = cache.sources()->octree;
   const TriangleTreeOnDemand tree(placed);
   const MeshingContext context{run, octree, placed, tree};
   SeenModel seen;

@@ -67,19 +67,25 @@ ConvexRegion::Part ConvexRegion::within(const Vec3& a, const Vec3& b, const Vec3
   return part;
 }
 
-std::vector<double> areasWithin(const TriangleSurface& surface, const PlacedPrism& domain)
+DrawnSurfaces measureDrawn(const TriangleSurface& surface, const PlacedPrism& domain)
 {
   const ConvexRegion region(domain);
   std::vector<double> areas(surface.names.size(), 0.0);
+  std::vector<Box3> bounds(surface.names.size());
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
   {
     const auto at = [&](int i) { return domain.axes.fromModel(surface.points[surface.triangles[t][i]]); };
     if (surface.surfaceIds[t] < areas.size())
     {
       areas[surface.surfaceIds[t]] += region.within(at(0), at(1), at(2), 0.0).area;
+      std::ranges::for_each(surface.triangles[t],
+                            [&](Index p) { bounds[surface.surfaceIds[t]].extend(surface.points[p]); });
     }
   }
-  return areas;
+  DrawnSurfaces drawn{std::move(areas), {}};
+  std::ranges::transform(bounds, std::back_inserter(drawn.extents),
+                         [](const Box3& box) { return box.empty() ? 0.0 : box.size().norm(); });
+  return drawn;
 }
 
 } // namespace atria

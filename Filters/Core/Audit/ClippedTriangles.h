@@ -35,7 +35,16 @@ private:
   std::vector<Plane> planes_;
 };
 
-/// Returns the area of each surface within a domain, in square model units. Faces that are there twice count twice.
-std::vector<double> areasWithin(const TriangleSurface& surface, const PlacedPrism& domain);
+/// What was drawn of each surface, by surface.
+struct DrawnSurfaces
+{
+  /// Within the domain, in square model units. Faces that are there twice count twice.
+  std::vector<double> areas;
+  /// The diagonals of the surfaces' bounds, in model units.
+  std::vector<double> extents;
+};
+
+/// Measures the surfaces of a model. O(triangles).
+DrawnSurfaces measureDrawn(const TriangleSurface& surface, const PlacedPrism& domain);
 
 } // namespace atria

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Audit/MeshAudit.h"
 
-#include "Audit/ClippedTriangles.h"
 #include "Dual/Mesh/FaceFlux.h"
 
 #include <algorithm>
@@ -233,18 +232,8 @@ std::vector<ViewAreas> areasOf(const UnreachedParts& parts, const SurfaceModel& 
   return areas;
 }
 
-void finishAudit(const TriangleSurface& drawn, const PlacedPrism& domain, const SurfaceRepairReport& repair,
-                 MeshAudit& audit)
+void finishAudit(const DrawnSurfaces& drawn, const SurfaceRepairReport& repair, MeshAudit& audit)
 {
-  const std::vector<double> areas = areasWithin(drawn, domain);
-  std::vector<Box3> bounds(areas.size());
-  for (std::size_t t = 0; t < drawn.triangles.size(); ++t)
-  {
-    for (const Index p : drawn.triangles[t])
-    {
-      bounds[drawn.surfaceIds[t]].extend(drawn.points[p]);
-    }
-  }
   for (const HiddenDetail& detail : repair.hidden)
   {
     audit.surfaces[detail.surface].leftOut = detail.leftOutArea;
@@ -257,8 +246,9 @@ void finishAudit(const TriangleSurface& drawn, const PlacedPrism& domain, const 
   {
     SurfaceAudit& surface = audit.surfaces[i];
     // Openings that were found by rule are not drawn.
-    surface.drawnArea = i < areas.size() ? areas[i] : surface.meshArea;
-    surface.extent = i < areas.size() && !bounds[i].empty() ? bounds[i].size().norm() : 0.0;
+    const bool isDrawn = i < drawn.areas.size();
+    surface.drawnArea = isDrawn ? drawn.areas[i] : surface.meshArea;
+    surface.extent = isDrawn ? drawn.extents[i] : 0.0;
     surface.lost = std::max(0.0, surface.drawnArea - surface.meshArea - surface.underGround - surface.inSolid -
                                      surface.inRoom - surface.shared - surface.leftOut);
   }

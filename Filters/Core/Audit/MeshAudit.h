@@ -2,9 +2,9 @@
 /// Compares a mesh with the model it was made of.
 #pragma once
 
+#include "Audit/ClippedTriangles.h"
 #include "Audit/MeshDistances.h"
 #include "Dual/Zones/UnreachedParts.h"
-#include "Grid/Prism.h"
 
 namespace atria {
 
@@ -65,9 +65,7 @@ std::vector<ViewAreas> areasOf(const UnreachedParts& parts, const SurfaceModel& 
 MeshAudit auditMesh(const DualMesh& mesh, const SeenModel& seen, const MeshShare& share, const MeshingContext& context);
 
 /// Adds what was drawn, and what the repair did with it.
-/// \param domain  The domain of the mesh, where it stands in the model.
-void finishAudit(const TriangleSurface& drawn, const PlacedPrism& domain, const SurfaceRepairReport& repair,
-                 MeshAudit& audit);
+void finishAudit(const DrawnSurfaces& drawn, const SurfaceRepairReport& repair, MeshAudit& audit);
 
 /// Puts the audit's places along the model's axes.
 void placeInModel(MeshAudit& audit, const Placement& placement);

@@ -125,10 +125,10 @@ std::string volumeWarning(const VolumeAudit& volumes)
 
 } // namespace
 
-void completeAudit(const TriangleSurface& drawn, const SurfaceModel& model, const GridFrame& frame,
+void completeAudit(const DrawnSurfaces& drawn, const SurfaceModel& model, const GridFrame& frame,
                    const ModelOptions& options, MeshAudit& audit)
 {
-  finishAudit(drawn, frame.turnedDomain.value_or(PlacedBox{frame.placement, frame.domain}), model.repair, audit);
+  finishAudit(drawn, model.repair, audit);
   const ModelLevels levels = modelLevels(model, frame, options.sizing);
   for (std::size_t i = 0; i < audit.surfaces.size(); ++i)
   {

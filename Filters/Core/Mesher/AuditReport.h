@@ -8,9 +8,9 @@
 namespace atria {
 
 /// Adds to an audit what was drawn and which sizes were requested.
-/// \param drawn  The model as read.
+/// \param drawn  The model as it stands on its ground.
 /// \param model  The same, repaired, in the grid of `frame`.
-void completeAudit(const TriangleSurface& drawn, const SurfaceModel& model, const GridFrame& frame,
+void completeAudit(const DrawnSurfaces& drawn, const SurfaceModel& model, const GridFrame& frame,
                    const ModelOptions& options, MeshAudit& audit);
 
 /// Returns a sentence for each kind of difference between a mesh and its model that a user should know of:

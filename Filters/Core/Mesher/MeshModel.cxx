@@ -19,13 +19,18 @@ namespace {
 /// The part of the run that is over when there is an octree.
 constexpr double octreeShare = 0.4;
 
+PlacedPrism domainOf(const GridFrame& frame)
+{
+  return frame.turnedDomain.value_or(PlacedBox{frame.placement, frame.domain});
+}
+
 /// Throws Error where the domain of a frame holds nothing of the model. What else there is to say of it whoever made
 /// the octants has been told.
 void checkHoldsModel(const TriangleSurface& surface, const SiteOptions& options, const GridFrame& frame)
 {
   const double sizeMin = frame.sizeOf(frame.featureLevel);
   SitePlan plan = groundOf(surface, options, sizeMin);
-  plan.domain = frame.turnedDomain.value_or(PlacedBox{frame.placement, frame.domain});
+  plan.domain = domainOf(frame);
   checkDomain(surface, plan, DomainMode::bounds, sizeMin);
 }
 
@@ -45,6 +50,7 @@ void makeOctree(const TriangleSurface& model, const ModelOptions& asked, ModelOc
   SizedOctants sized = sizeOctants(out.model, placed.frame, options, context.part(0.125, 0.625));
   out.octree = buildOctree(out.model, placed.frame, sized, context.part(0.625, 1.0));
   out.sizingWarning = std::move(sized.warning);
+  out.drawn = measureDrawn(surface, plan.domain);
   out.ground = std::move(grounded.report);
   clock.lap("octree");
 }
@@ -67,6 +73,7 @@ void takeOctree(const TriangleSurface& model, const OctreeSets& octants, const M
   balance(refined, placed.frame, context.part(0.25, 0.5));
   out.octree = Octree(placed.frame, refined);
   locateModel(out.octree, out.model, context.part(0.5, 1.0));
+  out.drawn = measureDrawn(surface, domainOf(placed.frame));
   out.ground = std::move(grounded.report);
   clock.lap("octree");
 }
@@ -131,7 +138,7 @@ MeshedModel mesh(const TriangleSurface& surface, const OctreeSets* octants, cons
       cache.stages().input = {surface, octants ? std::optional(*octants) : std::nullopt, options};
     }
   }
-  const auto& [model, octree, inputWarnings, sizingWarning, ground] = *cache.sources();
+  const auto& [model, octree, inputWarnings, sizingWarning, ground, drawn] = *cache.sources();
   checkLayerBudget(octree, model, options.mesh.layers, options.sizing.memoryLimit, context);
   MeshedModel out;
   DualMeshOptions dual = options.mesh;
@@ -139,7 +146,7 @@ MeshedModel mesh(const TriangleSurface& surface, const OctreeSets* octants, cons
   static_cast<DualMeshResult&>(out) =
       makeDualMesh(octree, model, dual, clock, context.part(octreeShare, 1.0), kept ? &cache.stages().dual : nullptr);
   out.inputWarnings = inputWarnings;
-  completeAudit(surface, model, octree.frame(), options, out.audit);
+  completeAudit(drawn, model, octree.frame(), options, out.audit);
   for (const std::vector<std::string>& warnings :
        {warningsOfEmptyCellZones(metCellZones(out.mesh.cellZones, model), model),
         warningsOfOverlaps(model, octree.frame().sizeOf(octree.frame().featureLevel)),

@@ -24,6 +24,8 @@ struct ModelOctree
   std::vector<std::string> inputWarnings;
   std::string sizingWarning;
   GroundReport ground;
+  /// Of the model as it stands on its ground.
+  DrawnSurfaces drawn;
 };
 
 /// What runs leave for later ones: the stages up to layers. A later run takes from it those whose input and options are

@@ -148,7 +148,7 @@ std::optional<SharedModel> meshSharedModel(const TriangleSurface& asRead, const 
   static_cast<DualMeshResult&>(meshed) = std::move(made->found);
   out->piece = std::move(made->piece);
   meshed.metSides = metOnRanks(out->piece, model.names.size(), exchange);
-  completeAudit(surface, model, placed.frame, options, meshed.audit);
+  completeAudit(measureDrawn(surface, plan.domain), model, placed.frame, options, meshed.audit);
   for (const std::vector<std::string>& warnings :
        {warningsOfEmptyCellZones(cellZonesOnRanks(out->piece, model, exchange), model),
         warningsOfOverlaps(model, placed.frame.sizeOf(placed.frame.featureLevel)),
