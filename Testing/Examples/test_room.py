@@ -77,7 +77,7 @@ class Room(unittest.TestCase):
         file.write_text(model)
         target = file.with_suffix(".vtu")
         run = self.atria("mesh", file, "--model-bounds", "-o", target, *arguments)
-        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIn(run.returncode, (0, 5), run.stderr)
         return target
 
     def box(self, places, name="box"):
