@@ -6,6 +6,8 @@
 #include "Report.h"
 #include "Workers.h"
 
+#include <Support/Warning.h>
+
 #include <vtkAppendFilter.h>
 #include <vtkAtriaMeshDivider.h>
 #include <vtkAtriaModelReader.h>
@@ -34,6 +36,7 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
+#include <ranges>
 #include <sstream>
 #include <string_view>
 #include <system_error>
@@ -65,15 +68,22 @@ void checkReadable(const std::string& file)
 
 void printWarnings(vtkAtriaSurfaceReader* reader, const std::string& file, Console& console)
 {
-  constexpr vtkIdType most = 20;
-  vtkStringArray* warnings = reader->GetWarnings();
-  for (vtkIdType i = 0; i < std::min(most, warnings->GetNumberOfValues()); ++i)
+  constexpr std::size_t most = 20;
+  vtkStringArray* texts = reader->GetWarnings();
+  std::vector<Warning> warnings;
+  for (vtkIdType i = 0; i < texts->GetNumberOfValues(); ++i)
   {
-    console.warning(warnings->GetValue(i)); // names file and line
+    warnings.push_back({texts->GetValue(i)}); // the gravest are first
   }
-  if (const vtkIdType all = reader->GetNumberOfWarnings(); all > most)
+  vtkIdType more = reader->GetNumberOfWarnings();
+  for (const Warning& warning : counted(warnings) | std::views::take(most))
   {
-    console.warning(file + ": and " + std::to_string(all - most) + " more; see atria inspect --json");
+    console.warning(warning.text); // names file and line
+    more -= static_cast<vtkIdType>(warning.count);
+  }
+  if (more > 0)
+  {
+    console.warning(file + ": and " + std::to_string(more) + " more; see atria inspect --json");
   }
 }
 

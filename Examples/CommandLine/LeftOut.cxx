@@ -3,10 +3,21 @@
 
 #include "Console.h"
 
+#include <Mesher/Diagnostic.h>
+
+#include <vtkCell.h>
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iomanip>
+#include <limits>
 #include <sstream>
+#include <utility>
 #include <vector>
 
 namespace atria::tool {
@@ -47,14 +58,16 @@ std::string surfacesText(const Json& names)
   return text + (names.size() > most ? " and others" : "");
 }
 
-/// Zones of a kind that are not in the mesh, largest first.
+/// Zones of a kind that are not in the mesh, largest first: those of at least so many cubic meters, and less than
+/// `end`.
 struct LeftOut
 {
-  LeftOut(const Json& zones, const char* kind)
+  LeftOut(const Json& zones, const char* kind, double begin = 0.0, double end = std::numeric_limits<double>::infinity())
   {
     for (const Json& zone : zones)
     {
-      if (!zone["kept"].get<bool>() && zone["kind"] == kind)
+      const double volume = zone["rough_volume"].get<double>();
+      if (!zone["kept"].get<bool>() && zone["kind"] == kind && volume >= begin && volume < end)
       {
         list.push_back(&zone);
       }
@@ -94,6 +107,19 @@ void tellRooms(const LeftOut& rooms, const std::string& model, Console& console)
   }
 }
 
+/// What is a room to people, though no element of it is away from its border.
+void tellLargeNarrow(const LeftOut& spaces, const std::string& model, Console& console)
+{
+  if (!spaces.list.empty())
+  {
+    const Json& largest = *spaces.list.front();
+    console.warning(model + ": closed spaces left out that are at most two elements wide, but as large as rooms: " +
+                    std::to_string(spaces.list.size()) + " (" + spaces.sizeFrom(0) + "), the largest within " +
+                    surfacesText(largest["surfaces"]) + "; to mesh it give " + seedText(largest) +
+                    ", and a smaller --size-min to see it as it is; --report lists them");
+  }
+}
+
 /// They are left out as what is under terrain; they may be under a roof.
 void tellLateral(const LeftOut& spaces, const std::string& model, Console& console)
 {
@@ -119,11 +145,56 @@ void tellLeftOut(const Json& zones, const std::string& model, Console& console)
                  solids.sizeFrom(0) + "), the largest of " + surfacesText((*solids.list.front())["surfaces"]) +
                  "; if that is a room, " + seedText(*solids.list.front()) + " means it");
   }
-  if (const LeftOut narrow(zones, "narrow"); !narrow.list.empty())
+  constexpr double smallRoom = 10.0; // cubic meters
+  tellLargeNarrow(LeftOut(zones, "narrow", smallRoom), model, console);
+  if (const LeftOut narrow(zones, "narrow", 0.0, smallRoom); !narrow.list.empty())
   {
     console.note(model + ": closed spaces left out that are at most two elements wide: " +
                  std::to_string(narrow.list.size()) + " (" + narrow.sizeFrom(0) + "); --report lists them");
   }
+}
+
+Json leftOutElementsOf(vtkPolyData* diagnostics)
+{
+  vtkDataArray* kinds = diagnostics->GetCellData()->GetArray("Diagnostic");
+  vtkDataArray* widths = diagnostics->GetCellData()->GetArray("Width");
+  std::vector<std::pair<double, Vec3>> found;
+  for (vtkIdType i = 0; kinds && widths && i < diagnostics->GetNumberOfCells(); ++i)
+  {
+    if (static_cast<int>(kinds->GetTuple1(i)) == Diagnostic::leftOutElement)
+    {
+      found.emplace_back(widths->GetTuple1(i), Vec3(diagnostics->GetCell(i)->GetPoints()->GetPoint(0)));
+    }
+  }
+  std::ranges::stable_sort(found, std::ranges::greater(), &std::pair<double, Vec3>::first);
+  Json list = Json::array();
+  for (const auto& [size, place] : found)
+  {
+    list.push_back({{"place", {place[0], place[1], place[2]}}, {"size", size}});
+  }
+  return list;
+}
+
+void tellLeftOutElements(const Json& elements, const std::string& mesh, Console& console)
+{
+  constexpr std::size_t most = 3;
+  if (elements.empty())
+  {
+    return;
+  }
+  std::ostringstream text;
+  text.precision(6);
+  text << mesh << ": elements left out, as they could not be made valid: " << elements.size() << ", at ";
+  for (std::size_t i = 0; i < std::min(most, elements.size()); ++i)
+  {
+    const Json& place = elements[i]["place"];
+    text << (i == 0 ? "(" : ", (") << place[0].get<double>() << ", " << place[1].get<double>() << ", "
+         << place[2].get<double>() << ")";
+  }
+  text << (elements.size() > most ? " and elsewhere" : "") << ", the largest " << elements.front()["size"].get<double>()
+       << " m wide; smaller elements there (--refine-box) or fewer layers may keep "
+       << "them; --report lists them";
+  console.note(text.str());
 }
 
 } // namespace atria::tool

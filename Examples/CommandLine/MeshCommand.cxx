@@ -70,6 +70,7 @@ Json makeReport(vtkAtriaDualMesher* mesher, vtkAtriaMeshQuality* quality, const 
   report["hidden_detail"] = hiddenDetailOf(diagnostics);
   report["layers"] = layersOf(diagnostics);
   report["audit"] = auditOf(diagnostics);
+  report["left_out_elements"] = leftOutElementsOf(diagnostics);
   report["diagnostics"] = diagnosticsOf(diagnostics);
   return report;
 }
@@ -164,6 +165,7 @@ void warn(vtkAtriaDualMesher* mesher, const Json& report, const MeshOptions& opt
   {
     tellLeftOut(report["zones"], options.input, console);
   }
+  tellLeftOutElements(report["left_out_elements"], options.input, console);
   for (const Json& leak : report["leaks"])
   {
     console.warning(options.input + ": " + leak["message"].get<std::string>());

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkAtriaPolyhedralMeshWriter.h"
 
+#include "AlgorithmProgress.h"
 #include "Quality/Unions/JudgedUnions.h"
 #include "SolverSource.h"
+#include "Support/Error.h"
 #include "VtkChecks.h"
 
+#include <vtkAlgorithmOutput.h>
+#include <vtkErrorCode.h>
 #include <vtkPartitionedDataSetCollection.h>
 #include <vtkTable.h>
 #include <vtkUnstructuredGrid.h>
@@ -16,12 +20,11 @@ vtkAtriaPolyhedralMeshWriter::vtkAtriaPolyhedralMeshWriter() = default;
 
 vtkAtriaPolyhedralMeshWriter::~vtkAtriaPolyhedralMeshWriter() = default;
 
-void vtkAtriaPolyhedralMeshWriter::WriteMesh(vtkUnstructuredGrid* volume, atria::VtkFaceMesh& source,
-                                             const atria::RunContext& context)
+/// Unites cells and faces, and tells how that is judged.
+atria::JudgedMesh vtkAtriaPolyhedralMeshWriter::Unite(vtkUnstructuredGrid* volume, atria::VtkFaceMesh& source,
+                                                      const atria::SolverSource& parts,
+                                                      const atria::RunContext& context)
 {
-  atria::SolverSource parts = atria::solverSourceOf(volume, source, context.executor);
-  const std::vector<atria::Index> partOf = this->DivideCells(volume, context.executor);
-  parts.partOf = {partOf.begin(), partOf.end()};
   const std::vector<atria::Index> patchOf = atria::patchOfFaces(parts, source.mesh);
   const std::vector<atria::Index> zoneOf = atria::zoneOfFaces(parts, source.mesh, context.executor);
   const auto makeMesh = [&, isFirst = true]() mutable {
@@ -29,9 +32,44 @@ void vtkAtriaPolyhedralMeshWriter::WriteMesh(vtkUnstructuredGrid* volume, atria:
                                          : atria::faceMeshFromVtk(volume, this->GetPatches(), context.executor).mesh;
   };
   atria::JudgedMesh written = atria::uniteAndJudge(
-      makeMesh, patchOf, {this->MergeUnderdeterminedCells, this->MergeCoplanarFaces, zoneOf}, context.part(0.0, 0.3));
-  atria::followUnions(parts, written);
+      makeMesh, patchOf, {this->MergeUnderdeterminedCells, this->MergeCoplanarFaces, zoneOf}, context);
   this->Tell(written.verdict, written.mergedCells, written.added.size(), written.mergedFaces);
+  return written;
+}
+
+bool vtkAtriaPolyhedralMeshWriter::Judge()
+{
+  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
+  {
+    if (vtkAlgorithm* from = this->GetInputAlgorithm(port, 0))
+    {
+      from->Update(this->GetInputConnection(port, 0)->GetIndex());
+    }
+  }
+  auto* volume = vtkUnstructuredGrid::SafeDownCast(this->GetInputDataObject(0, 0));
+  this->SetErrorCode(vtkErrorCode::NoError);
+  this->WriteAndTell([&] {
+    if (!volume)
+    {
+      throw atria::Error("there is no mesh: set the input");
+    }
+    const atria::AlgorithmRun run(*this);
+    run.context.progress.report(0.0, "Finding faces");
+    atria::VtkFaceMesh source = atria::faceMeshFromVtk(volume, this->GetPatches(), run.context.executor);
+    const atria::SolverSource parts = atria::solverSourceOf(volume, source, run.context.executor);
+    this->Unite(volume, source, parts, run.context.part(0.3, 1.0));
+  });
+  return this->GetErrorCode() == vtkErrorCode::NoError;
+}
+
+void vtkAtriaPolyhedralMeshWriter::WriteMesh(vtkUnstructuredGrid* volume, atria::VtkFaceMesh& source,
+                                             const atria::RunContext& context)
+{
+  atria::SolverSource parts = atria::solverSourceOf(volume, source, context.executor);
+  const std::vector<atria::Index> partOf = this->DivideCells(volume, context.executor);
+  parts.partOf = {partOf.begin(), partOf.end()};
+  atria::JudgedMesh written = this->Unite(volume, source, parts, context.part(0.0, 0.3));
+  atria::followUnions(parts, written);
   this->Place(volume, written.mesh);
   const atria::SolverMesh mesh = atria::solverMeshFrom(std::move(parts), std::move(written.mesh), context.executor);
   context.progress.report(0.3, "Writing the mesh");

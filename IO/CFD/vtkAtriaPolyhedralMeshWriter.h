@@ -32,7 +32,9 @@ class vtkTable;
 
 namespace atria {
 class Executor;
+struct JudgedMesh;
 struct MeshVerdict;
+struct SolverSource;
 struct SolverMesh;
 } // namespace atria
 
@@ -64,6 +66,12 @@ public:
   vtkGetMacro(MergeCoplanarFaces, bool);
   vtkBooleanMacro(MergeCoplanarFaces, bool);
   ///@}
+
+  /**
+   * Judge what Write() would write, with cells and faces merged, and write nothing. The properties below tell what came
+   * of it, as after a Write(). Returns false where the input cannot be judged, after an error. In one process only.
+   */
+  bool Judge();
 
   /**
    * Number of checks that fail in what was written last, as checkMesh counts them. 0 before the first Write().
@@ -115,6 +123,9 @@ protected:
             std::size_t mergedFaces);
 
 private:
+  atria::JudgedMesh Unite(vtkUnstructuredGrid* volume, atria::VtkFaceMesh& source, const atria::SolverSource& parts,
+                          const atria::RunContext& context);
+
   vtkAtriaPolyhedralMeshWriter(const vtkAtriaPolyhedralMeshWriter&) = delete;
   void operator=(const vtkAtriaPolyhedralMeshWriter&) = delete;
 

@@ -143,12 +143,26 @@ bool judgeWalls(const Scene& scene, const Vec3& size, bool axisKnown, const std:
   return true;
 }
 
+/// The length below which a model has no rooms.
+constexpr double shortest = 0.5;
+
+/// By the file lengths are meters, which its program may have got wrong.
+void judgeUnitOfFile(const Scene& scene, const Vec3& size, const Stated& stated, std::vector<std::string>& hints)
+{
+  const std::string advice =
+      std::string("; by its file lengths are meters: if they are not, ") +
+      (stated.unitConverted ? "correct them by a factor (Scale, --scale)" : "state the unit (LengthUnit, --unit)");
+  if (!judgeWalls(scene, size, true, advice, hints) && size.maxCoeff() < shortest)
+  {
+    hints.push_back("the model would measure " + lengths(size, 1.0) + ", less than anything with rooms" + advice);
+  }
+}
+
 void judgeUnit(const Scene& scene, const std::string& head, const std::vector<std::string_view>& words,
                const Vec3& size, bool axisKnown, std::vector<std::string>& hints)
 {
   constexpr double tallest = 1000.0; // no building is
   constexpr double longest = 20000.0;
-  constexpr double shortest = 0.5;
   const std::string advice = "; lengths are taken to be meters: state the unit (LengthUnit, --unit), if only meters";
   const std::string unit = mentionedUnit(words);
   if (!unit.empty())
@@ -216,6 +230,50 @@ bool looksYUp(const Scene& scene, const Box3& box)
   return area.y() > 0.4 * all && area.x() > least && area.z() > least && area.y() > 1.5 * std::max(area.x(), area.z());
 }
 
+/// Bounds of the faces across an axis that lie at one end of the box.
+Box3 endOf(const Scene& scene, const Box3& box, int axis, bool isUpper)
+{
+  const double level = isUpper ? box.max[axis] : box.min[axis];
+  const double near = 1e-3 * box.size()[axis];
+  Box3 end;
+  for (const auto& t : scene.triangles)
+  {
+    if (std::ranges::all_of(t, [&](Index p) { return std::abs(scene.points[p][axis] - level) <= near; }))
+    {
+      std::ranges::for_each(t, [&](Index p) { end.extend(scene.points[p]); });
+    }
+  }
+  return end;
+}
+
+/// How much of the box a part of it spans across an axis, in the direction in which it spans less.
+double spanAcross(const Box3& part, const Box3& box, int axis)
+{
+  double least = part.empty() ? 0.0 : 1.0;
+  for (int other = 0; other < 3 && !part.empty(); ++other)
+  {
+    least = other == axis ? least : std::min(least, part.size()[other] / box.size()[other]);
+  }
+  return least;
+}
+
+/// What stands has a base under all of it, and towers taper off. Where there is such a base at an end along y, and less
+/// at the other one, and the lowest faces along z are under a part only, the model lies on its side.
+bool liesOnSide(const Scene& scene, const Box3& box)
+{
+  constexpr double all = 0.9;
+  constexpr double part = 0.5;
+  const Box3 lowest = endOf(scene, box, 2, false);
+  if (!(box.size().minCoeff() > 0.0) || lowest.empty() || spanAcross(lowest, box, 2) > part ||
+      spanAcross(endOf(scene, box, 2, true), box, 2) > part)
+  {
+    return false;
+  }
+  const double low = spanAcross(endOf(scene, box, 1, false), box, 1);
+  const double high = spanAcross(endOf(scene, box, 1, true), box, 1);
+  return std::max(low, high) > all && std::min(low, high) < part;
+}
+
 /// id and a number, as SketchUp names what is in its groups.
 bool isNumbered(const std::string& name)
 {
@@ -223,6 +281,8 @@ bool isNumbered(const std::string& name)
   return text.size() > 2 && text.compare(0, 2, "id") == 0 &&
          std::all_of(text.begin() + 2, text.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
 }
+
+const std::string lyingText = "the model would lie on its side: all of it has a base along y, and along z only a part";
 
 void judgeUpAxis(const Scene& scene, const std::vector<std::string_view>& words, const Box3& box,
                  std::vector<std::string>& hints)
@@ -235,6 +295,10 @@ void judgeUpAxis(const Scene& scene, const std::vector<std::string_view>& words,
   else if (looksYUp(scene, box))
   {
     hints.push_back("most horizontal faces would be walls, as if y were up" + advice);
+  }
+  else if (liesOnSide(scene, box))
+  {
+    hints.push_back(lyingText + advice);
   }
 }
 
@@ -250,11 +314,22 @@ std::vector<std::string> hintsOf(const Scene& scene, std::string_view head, cons
   }
   const std::string text = lowered(head);
   const std::vector<std::string_view> words = wordsOf(text);
-  if (!stated.unit)
+  if (!stated.unit && stated.unitByFile)
   {
-    judgeUnit(scene, text, words, box.size(), stated.upAxis, hints);
+    judgeUnitOfFile(scene, box.size(), stated, hints);
   }
-  if (!stated.upAxis)
+  else if (!stated.unit)
+  {
+    judgeUnit(scene, text, words, box.size(), stated.upAxis || stated.axisByFile, hints);
+  }
+  if (!stated.upAxis && stated.axisByFile)
+  {
+    if (liesOnSide(scene, box))
+    {
+      hints.push_back(lyingText + "; if another axis is up than its file says, state it (UpAxis, --up)");
+    }
+  }
+  else if (!stated.upAxis)
   {
     judgeUpAxis(scene, words, box, hints);
   }

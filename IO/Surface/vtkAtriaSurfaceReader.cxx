@@ -4,6 +4,7 @@
 #include "Hints.h"
 #include "ModelSource.h"
 #include "SceneChanges.h"
+#include "Support/Warning.h"
 #include "Surfaces.h"
 
 #include "AddArray.h"
@@ -30,15 +31,17 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <new>
+#include <ranges>
 #include <string>
 #include <system_error>
 #include <utility>
 
 namespace {
 
-/// Warnings shown in VTK's message; GetWarnings has more.
-constexpr vtkIdType shownWarnings = 20;
+/// Kinds of warnings shown in VTK's message; GetWarnings has more.
+constexpr std::size_t shownWarnings = 20;
 
 vtkNew<vtkStringArray> toStrings(const std::vector<std::string>& texts, const char* name)
 {
@@ -177,25 +180,37 @@ void vtkAtriaSurfaceReader::RemoveAllExcludedSurfaces()
   this->Modified();
 }
 
-/// Keeps the messages of a run, and shows warnings.
-void vtkAtriaSurfaceReader::Report(const atria::vrml::Diagnostics& diagnostics)
+/// Keeps the messages of a run, and shows warnings: grave ones first, which put the whole model in doubt.
+void vtkAtriaSurfaceReader::Report(const atria::vrml::Diagnostics& diagnostics, const std::vector<std::string>& grave)
 {
-  this->NumberOfWarnings = static_cast<vtkIdType>(diagnostics.count());
-  this->Warnings = toStrings(diagnostics.texts(), "Warnings").Get();
+  this->NumberOfWarnings = static_cast<vtkIdType>(diagnostics.count() + grave.size());
+  std::vector<atria::Warning> warnings;
+  for (const std::string& text : grave)
+  {
+    warnings.push_back({text, atria::Gravity::grave});
+  }
+  for (const std::string& text : diagnostics.texts())
+  {
+    warnings.push_back({text});
+  }
+  std::vector<std::string> texts;
+  std::ranges::transform(warnings, std::back_inserter(texts), &atria::Warning::text);
+  this->Warnings = toStrings(texts, "Warnings").Get();
   this->Notes = toStrings(diagnostics.notes(), "Notes").Get();
   if (this->NumberOfWarnings == 0)
   {
     return;
   }
   std::string text;
-  const vtkIdType shown = std::min(shownWarnings, this->Warnings->GetNumberOfValues());
-  for (vtkIdType i = 0; i < shown; ++i)
+  vtkIdType more = this->NumberOfWarnings;
+  for (const atria::Warning& warning : atria::counted(warnings) | std::views::take(shownWarnings))
   {
-    text += "\n  " + this->Warnings->GetValue(i);
+    text += "\n  " + warning.text;
+    more -= static_cast<vtkIdType>(warning.count);
   }
-  if (this->NumberOfWarnings > shown)
+  if (more > 0)
   {
-    text += "\n  and " + std::to_string(this->NumberOfWarnings - shown) + " more";
+    text += "\n  and " + std::to_string(more) + " more";
   }
   vtkWarningMacro("'" << this->FileName << "' was read with " << this->NumberOfWarnings
                       << (this->NumberOfWarnings == 1 ? " warning:" : " warnings:") << text);
@@ -227,8 +242,9 @@ void vtkAtriaSurfaceReader::CheckProperties()
   atriaCheckRange(Scale);
 }
 
-/// False where the file has no surfaces.
-bool vtkAtriaSurfaceReader::ReadModel(vtkPolyData* output, atria::vrml::Diagnostics& diagnostics)
+/// False where the file has no surfaces. `grave` gets the warnings that put the whole model in doubt.
+bool vtkAtriaSurfaceReader::ReadModel(vtkPolyData* output, atria::vrml::Diagnostics& diagnostics,
+                                      std::vector<std::string>& grave)
 {
   namespace vrml = atria::vrml;
   this->CheckProperties();
@@ -260,11 +276,15 @@ bool vtkAtriaSurfaceReader::ReadModel(vtkPolyData* output, atria::vrml::Diagnost
     this->NumberOfMergedFaces = static_cast<vtkIdType>(
         vrml::mergeDuplicateFaces(scene, static_cast<vrml::SurfaceBy>(this->SurfaceBy), diagnostics));
   }
-  const vrml::Stated stated{source.unitKnown || this->LengthUnit != UnstatedUnit || this->Scale != 1.0,
-                            source.axisKnown || this->UpAxis != UnstatedUp, this->Recenter};
+  const vrml::Stated stated{this->LengthUnit != UnstatedUnit || this->Scale != 1.0,
+                            this->UpAxis != UnstatedUp,
+                            this->Recenter,
+                            source.unitKnown,
+                            source.unitConverted,
+                            source.axisKnown};
   for (const std::string& hint : vrml::hintsOf(scene, source.head, stated))
   {
-    diagnostics.warn(source.name + ": " + hint);
+    grave.push_back(source.name + ": " + hint);
   }
   progress.report(0.95, "Naming surfaces");
   scene.faceIds = {};
@@ -319,11 +339,12 @@ int vtkAtriaSurfaceReader::RequestData(vtkInformation*, vtkInformationVector**, 
     return 0;
   }
   atria::vrml::Diagnostics diagnostics;
+  std::vector<std::string> grave;
   try
   {
     checkNotEmpty(this->FileName);
-    const bool found = this->ReadModel(output, diagnostics);
-    this->Report(diagnostics);
+    const bool found = this->ReadModel(output, diagnostics, grave);
+    this->Report(diagnostics, grave);
     if (!found)
     {
       vtkErrorMacro("'" << this->FileName << "' holds no surfaces: " << describe(this->SkippedNodes)
@@ -344,7 +365,7 @@ int vtkAtriaSurfaceReader::RequestData(vtkInformation*, vtkInformationVector**, 
   }
   catch (const std::exception& error)
   {
-    this->Report(diagnostics);
+    this->Report(diagnostics, grave);
     vtkErrorMacro(<< error.what());
   }
   output->Initialize();

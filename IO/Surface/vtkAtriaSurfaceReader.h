@@ -28,7 +28,7 @@
 #include "vtkSmartPointer.h" // For arrays of strings
 
 #include <string> // for patterns
-#include <vector> // for ExcludedSurfaces
+#include <vector> // for ExcludedSurfaces and warnings
 
 class vtkPolyData;
 class vtkStringArray;
@@ -233,8 +233,8 @@ protected:
   vtkSmartPointer<vtkStringArray> SkippedNodes;
 
 private:
-  bool ReadModel(vtkPolyData* output, atria::vrml::Diagnostics& diagnostics);
-  void Report(const atria::vrml::Diagnostics& diagnostics);
+  bool ReadModel(vtkPolyData* output, atria::vrml::Diagnostics& diagnostics, std::vector<std::string>& grave);
+  void Report(const atria::vrml::Diagnostics& diagnostics, const std::vector<std::string>& grave);
 
   vtkAtriaSurfaceReader(const vtkAtriaSurfaceReader&) = delete;
   void operator=(const vtkAtriaSurfaceReader&) = delete;

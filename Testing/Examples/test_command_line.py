@@ -23,7 +23,7 @@ COARSE = ["--size-max", "16", "--size-mid", "4", "--size-min", "2", "--site", "S
 FINE = ["--size-max", "16", "--size-mid", "2", "--size-min", "1", "--site", "Site"]
 REPORT_KEYS = [
     "counts", "zones", "rooms", "openings", "leaks", "patches", "quality", "invalid_elements", "max_level", "seconds",
-    "peak_memory_bytes", "threads", "repair", "hidden_detail", "layers", "diagnostics", "openfoam",
+    "peak_memory_bytes", "threads", "repair", "hidden_detail", "layers", "left_out_elements", "diagnostics", "openfoam",
 ]
 
 

@@ -3,6 +3,7 @@
 
 #include "Dual/Vertices/TurnedDomain.h"
 #include "Dual/Zones/Cracks.h"
+#include "Dual/Zones/ZoneEnclosures.h"
 #include "Mesher/StageOptions.h"
 
 #include <algorithm>
@@ -27,12 +28,11 @@ Diagnostic lineOf(Diagnostic::Kind kind, const std::vector<Vec3>& path, Index el
   return {kind, path.front(), path.back(), element, width, {path.begin() + 1, path.end() - 1}};
 }
 
-/// Sums up the zones and looks for ways through which they leak, and for gaps through which they do not.
+/// Looks for ways through which they leak, and for gaps through which they do not.
 void inspectZones(const CrossedGrid& crossed, const Zones& zones, const std::vector<Index>& elements,
                   const ZoneOptions& options, DualMeshResult& result, const MeshingContext& context)
 {
   const auto& [grid, crossings] = crossed.displaced;
-  result.zones = summarizeZones(zones, result.keptZones, crossings, grid, context.model.names.size(), context);
   result.leaks = findLeaks(options.sealedSeeds, zones, crossings, grid, context.model, context);
   for (const Leak& leak : result.leaks)
   {
@@ -45,13 +45,20 @@ void inspectZones(const CrossedGrid& crossed, const Zones& zones, const std::vec
   }
 }
 
-std::vector<char> keptOf(const Zones& zones, const ZoneOptions& options, const GridPlaces& grid,
-                         const SurfaceModel& model)
+/// Decides which zones are kept, and sums them up.
+void chooseZones(const Zones& zones, const GridPlaces& grid, const Crossings& crossings, const ZoneOptions& options,
+                 const DrawnModel* drawn, DualMeshResult& result, const MeshingContext& context)
 {
-  const std::vector<char> kept = keptZones(zones, options.zoneRule, zonesOfSeeds(zones, seedsOf(options), grid, model));
-  return grid.octree().frame().turnedDomain
-             ? zonesWithinSides(kept, farthestFromSides(zones, grid, 0, static_cast<Index>(grid.points().size())))
-             : kept;
+  const GridFrame& frame = context.octree.frame();
+  const SurfaceModel& model = context.model;
+  const ZoneFacts facts = findZoneFacts(zones, crossings, grid, model.names.size(), wholeOf(grid), context,
+                                        drawn ? drawn->isGround : std::vector<char>());
+  const ZoneEnclosures enclosures = drawn ? ZoneEnclosures(*drawn, facts, model, frame, context) : ZoneEnclosures();
+  const auto farthest = frame.turnedDomain ? farthestFromSides(zones, grid, 0, static_cast<Index>(grid.points().size()))
+                                           : std::vector<double>();
+  result.keptZones = chooseZones(zones, options.zoneRule, zonesOfSeeds(zones, seedsOf(options), grid, model), farthest,
+                                 facts, enclosures, frame);
+  result.zones = summarizeZones(zones, result.keptZones, facts, enclosures.kinds(result.keptZones), frame);
 }
 
 /// Of the whole grid.
@@ -68,16 +75,16 @@ void seeModel(const CrossedGrid& crossed, const Zones& zones, const DualMeshResu
 
 /// The zones of the octree's own grid tell what of the model air may reach. If that is not all of it, the crossings
 /// become those of the rest.
-ReachedStage findReached(OctreeGrid& own, const ZoneOptions& options, const MeshingContext& context)
+ReachedStage findReached(OctreeGrid& own, const ZoneOptions& options, const DrawnModel* drawn,
+                         const MeshingContext& context)
 {
   const GridPlaces grid(context.octree, own.points);
-  const std::size_t surfaceCount = context.model.names.size();
-  const Zones zones = findZones(own.crossings, surfaceCount, context);
-  const std::vector<char> kept = keptOf(zones, options, grid, context.model);
-  const std::vector<View> ofZone =
-      viewsOfZones(summarizeZones(zones, kept, own.crossings, grid, surfaceCount, context));
+  const Zones zones = findZones(own.crossings, context.model.names.size(), context);
+  DualMeshResult found;
+  chooseZones(zones, grid, own.crossings, options, drawn, found, context);
   ReachedStage out;
-  out.parts = findUnreachedParts(own.crossings, grid, zones, ofZone, context.model, allOf(own.points), context);
+  out.parts = findUnreachedParts(own.crossings, grid, zones, viewsOfZones(found.zones), context.model,
+                                 allOf(own.points), context);
   if (out.parts.any())
   {
     out.model = std::make_unique<ReachedModel>(out.parts, context);
@@ -88,12 +95,13 @@ ReachedStage findReached(OctreeGrid& own, const ZoneOptions& options, const Mesh
 
 /// Zones, and from them elements and vertices.
 ClassifiedMesh fillMesh(DualMeshResult& result, SeenModel& seen, CrossedGrid& grid, bool keepGrid,
-                        const ZoneOptions& options, StageClock& clock, const MeshingContext& context)
+                        const ZoneOptions& options, const DrawnModel* drawn, StageClock& clock,
+                        const MeshingContext& context)
 {
   const auto& [places, crossings] = grid.displaced;
   context.progress.report(0.6, "Finding zones");
   const Zones zones = findZones(crossings, context.model.names.size(), context);
-  result.keptZones = keptOf(zones, options, places, context.model);
+  chooseZones(zones, places, crossings, options, drawn, result, context);
   const std::vector<Index> elements = numberElements(zones, result.keptZones, context);
   inspectZones(grid, zones, elements, options, result, context);
   Labels labels = findLabels(places, crossings, zones, options, result, context);
@@ -174,18 +182,16 @@ void placeAll(std::vector<Vec3>& points, const Placement& placement)
   std::transform(points.begin(), points.end(), points.begin(), [&](const Vec3& p) { return placement.toModel(p); });
 }
 
-/// The stages up to the plain mesh, as far as they are not there; what only they need is freed unless it is kept: it is
-/// larger than the mesh.
 /// Returns the octree's own grid where it had to be made, for the model that air may reach.
-std::optional<OctreeGrid> makeReached(DualStages& stages, const ZoneOptions& options, StageClock& clock,
-                                      const MeshingContext& context)
+std::optional<OctreeGrid> makeReached(DualStages& stages, const ZoneOptions& options, const DrawnModel* drawn,
+                                      StageClock& clock, const MeshingContext& context)
 {
   if (stages.reached.isOf(options))
   {
     return std::nullopt;
   }
   OctreeGrid grid(clock, context.part(0.0, 0.3));
-  ReachedStage found = findReached(grid, options, context.part(0.3, 0.45));
+  ReachedStage found = findReached(grid, options, drawn, context.part(0.3, 0.45));
   clock.lap("crossings");
   stages.plain = {};
   stages.reached.options = options;
@@ -201,10 +207,12 @@ std::optional<OctreeGrid> makeReached(DualStages& stages, const ZoneOptions& opt
   return grid;
 }
 
-void makePlain(DualStages& stages, bool keep, const DualMeshOptions& options, StageClock& clock,
-               const MeshingContext& whole)
+/// The stages up to the plain mesh, as far as they are not there; what only they need is freed unless it is kept: it is
+/// larger than the mesh.
+void makePlain(DualStages& stages, bool keep, const DualMeshOptions& options, const DrawnModel* drawn,
+               StageClock& clock, const MeshingContext& whole)
 {
-  std::optional<OctreeGrid> octreeGrid = makeReached(stages, options, clock, whole);
+  std::optional<OctreeGrid> octreeGrid = makeReached(stages, options, drawn, clock, whole);
   const ReachedStage& reached = *stages.reached.result;
   const MeshingContext context = reached.in(whole);
   if (!stages.grid.isOf(options))
@@ -225,7 +233,7 @@ void makePlain(DualStages& stages, bool keep, const DualMeshOptions& options, St
   stages.plain = {};
   auto plain = std::make_unique<PlainDual>();
   plain->seen.unreached = areasOf(reached.parts, whole.model, whole.octree.frame());
-  ClassifiedMesh mesh = fillMesh(plain->found, plain->seen, *stages.grid.result, keep, options, clock, context);
+  ClassifiedMesh mesh = fillMesh(plain->found, plain->seen, *stages.grid.result, keep, options, drawn, clock, context);
   if (!keep)
   {
     stages.grid = {};
@@ -265,7 +273,7 @@ void placeInModel(DualMeshResult& result, const Placement& placement, const RunC
 }
 
 DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, const DualMeshOptions& options,
-                            StageClock& clock, const RunContext& run, DualStages* kept)
+                            StageClock& clock, const RunContext& run, DualStages* kept, const DrawnModel* drawn)
 {
   DualStages own;
   DualStages& stages = kept ? *kept : own;
@@ -274,7 +282,7 @@ DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, con
     stages.tree.emplace(model);
   }
   const MeshingContext whole{run, octree, model, *stages.tree};
-  makePlain(stages, kept != nullptr, options, clock, whole.part(0.0, 0.55));
+  makePlain(stages, kept != nullptr, options, drawn, clock, whole.part(0.0, 0.55));
   const MeshingContext context = stages.reached.result->in(whole);
   PlainDual plain = kept ? *kept->plain.result : std::move(*own.plain.result);
   DualMeshResult result = std::move(plain.found);

@@ -12,6 +12,8 @@
 
 namespace atria {
 
+struct DrawnModel;
+
 /// What is meshed of it.
 struct ZoneOptions
 {
@@ -86,9 +88,11 @@ void placeInModel(DualMeshResult& result, const Placement& placement, const RunC
 
 /// The dual of an octree whose leaves know their pieces of the model. The octree and its model are along the grid's
 /// axes (`GridFrame::placement`), the mesh is along the model's. Stages whose options are those of the run before are
-/// taken from `kept`, if that is given, and the others left there; else each is freed as soon as it is used. Throws
-/// Error where no zone is left, Aborted on demand.
+/// taken from `kept`, if that is given, and the others left there; else each is freed as soon as it is used. `drawn`
+/// tells which zones are inside of closed bodies; without it only their faces do. Throws Error where no zone is left,
+/// Aborted on demand.
 DualMeshResult makeDualMesh(const Octree& octree, const SurfaceModel& model, const DualMeshOptions& options,
-                            StageClock& clock, const RunContext& context, DualStages* kept = nullptr);
+                            StageClock& clock, const RunContext& context, DualStages* kept = nullptr,
+                            const DrawnModel* drawn = nullptr);
 
 } // namespace atria

@@ -5,6 +5,7 @@
 #include "Dual/Zones/CellZones.h"
 #include "Layer/LayerBudget.h"
 #include "Mesher/AuditReport.h"
+#include "Mesher/DrawnModel.h"
 #include "Mesher/LostModel.h"
 #include "Mesher/OverlapWarnings.h"
 #include "Mesher/StageOptions.h"
@@ -50,8 +51,7 @@ void makeOctree(const TriangleSurface& model, const ModelOptions& asked, ModelOc
   SizedOctants sized = sizeOctants(out.model, placed.frame, options, context.part(0.125, 0.625));
   out.octree = buildOctree(out.model, placed.frame, sized, context.part(0.625, 1.0));
   out.sizingWarning = std::move(sized.warning);
-  out.drawn = measureDrawn(surface, plan.domain);
-  out.ground = std::move(grounded.report);
+  out.grounded = std::move(grounded);
   clock.lap("octree");
 }
 
@@ -73,8 +73,7 @@ void takeOctree(const TriangleSurface& model, const OctreeSets& octants, const M
   balance(refined, placed.frame, context.part(0.25, 0.5));
   out.octree = Octree(placed.frame, refined);
   locateModel(out.octree, out.model, context.part(0.5, 1.0));
-  out.drawn = measureDrawn(surface, domainOf(placed.frame));
-  out.ground = std::move(grounded.report);
+  out.grounded = std::move(grounded);
   clock.lap("octree");
 }
 
@@ -138,25 +137,27 @@ MeshedModel mesh(const TriangleSurface& surface, const OctreeSets* octants, cons
       cache.stages().input = {surface, octants ? std::optional(*octants) : std::nullopt, options};
     }
   }
-  const auto& [model, octree, inputWarnings, sizingWarning, ground, drawn] = *cache.sources();
+  const auto& [model, octree, inputWarnings, sizingWarning, grounded] = *cache.sources();
   checkLayerBudget(octree, model, options.mesh.layers, options.sizing.memoryLimit, context);
   MeshedModel out;
   DualMeshOptions dual = options.mesh;
   dual.rooms.sidesAreWalls = options.site.mode == DomainMode::surfaces;
-  static_cast<DualMeshResult&>(out) =
-      makeDualMesh(octree, model, dual, clock, context.part(octreeShare, 1.0), kept ? &cache.stages().dual : nullptr);
+  const DrawnModel drawn = drawnModel(grounded.surface, grounded.options.site, octree.frame());
+  static_cast<DualMeshResult&>(out) = makeDualMesh(octree, model, dual, clock, context.part(octreeShare, 1.0),
+                                                   kept ? &cache.stages().dual : nullptr, &drawn);
   out.inputWarnings = inputWarnings;
-  completeAudit(drawn, model, octree.frame(), options, out.audit);
+  completeAudit(measureDrawn(grounded.surface, domainOf(octree.frame())), model, octree.frame(), grounded.options,
+                out.audit);
   for (const std::vector<std::string>& warnings :
        {warningsOfEmptyCellZones(metCellZones(out.mesh.cellZones, model), model),
         warningsOfOverlaps(model, octree.frame().sizeOf(octree.frame().featureLevel)),
-        warningsOfLostModel(surface, options, octree.frame(), out.metSides),
+        warningsOfLostModel(grounded.surface, grounded.options, octree.frame(), out.metSides),
         warningsOf(out.audit, model.names, octree.frame())})
   {
     out.inputWarnings.insert(out.inputWarnings.end(), warnings.begin(), warnings.end());
   }
   out.sizingWarning = sizingWarning;
-  out.ground = ground;
+  out.ground = grounded.report;
   out.names = model.names;
   out.kinds = model.kinds;
   out.repair = model.repair;

@@ -23,9 +23,8 @@ struct ModelOctree
   /// As in MeshedModel.
   std::vector<std::string> inputWarnings;
   std::string sizingWarning;
-  GroundReport ground;
-  /// Of the model as it stands on its ground.
-  DrawnSurfaces drawn;
+  /// What the model was made of: as drawn, but standing on its ground.
+  GroundedInput grounded;
 };
 
 /// What runs leave for later ones: the stages up to layers. A later run takes from it those whose input and options are

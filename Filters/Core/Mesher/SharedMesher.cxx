@@ -49,20 +49,32 @@ struct SharedStart
   ReachedStage reached;
 };
 
-SharedStart startOf(const DualMeshOptions& options, const RankShare& share, StageClock& clock,
+/// Decides which zones are kept, and sums them up; on all ranks.
+void chooseZones(const Zones& zones, const GridPlaces& places, const Crossings& crossings, const SharedPoints& points,
+                 const ZoneOptions& options, const DrawnModel* drawn, const RankShare& share, DualMeshResult& found,
+                 const MeshingContext& context)
+{
+  const GridFrame& frame = context.octree.frame();
+  const ZoneFacts facts = SharedReport(share).findFacts(zones, places, crossings, points, context.model.names.size(),
+                                                        drawn ? drawn->isGround : std::vector<char>(), context);
+  const ZoneEnclosures enclosures =
+      drawn ? ZoneEnclosures(*drawn, facts, context.model, frame, context) : ZoneEnclosures();
+  found.keptZones = keptSharedZones(zones, options.zoneRule, seedsOf(options), places, points, share, context.model,
+                                    facts, enclosures);
+  found.zones = summarizeZones(zones, found.keptZones, facts, enclosures.kinds(found.keptZones), frame);
+}
+
+SharedStart startOf(const DualMeshOptions& options, const DrawnModel* drawn, const RankShare& share, StageClock& clock,
                     const MeshingContext& context)
 {
   OctreeGrid grid(clock, context);
   const SharedPoints points(share, context.octree, grid.points, context);
-  const std::size_t surfaceCount = context.model.names.size();
   const GridPlaces places(context.octree, grid.points);
-  const Zones zones = findSharedZones(grid.crossings, points, surfaceCount, share, context);
-  const std::vector<char> kept =
-      keptSharedZones(zones, options.zoneRule, seedsOf(options), places, points, share, context.model);
-  const std::vector<View> ofZone =
-      viewsOfZones(SharedReport(share).summarize(zones, kept, places, grid.crossings, points, surfaceCount, context));
+  const Zones zones = findSharedZones(grid.crossings, points, context.model.names.size(), share, context);
+  DualMeshResult found;
+  chooseZones(zones, places, grid.crossings, points, options, drawn, share, found, context);
   ReachedStage reached;
-  reached.parts = findUnreachedParts(grid.crossings, places, zones, ofZone, context.model,
+  reached.parts = findUnreachedParts(grid.crossings, places, zones, viewsOfZones(found.zones), context.model,
                                      {points.firstOwn(), points.endOwn(), &share.exchange()}, context);
   if (reached.parts.any())
   {
@@ -78,9 +90,11 @@ class SharedMesher
 public:
   /// `whole` is of all of the model; `octreeOfRank` is that of the start's model.
   SharedMesher(const MeshingContext& whole, SharedStart& startOfRank, Octree& octreeOfRank,
-               const DualMeshOptions& meshOptions, const RankShare& rankShare, StageClock& stageClock)
+               const DualMeshOptions& meshOptions, const RankShare& rankShare, StageClock& stageClock,
+               const DrawnModel* drawnModel)
       : context(startOfRank.reached.in(whole)), start(startOfRank), octree(octreeOfRank), options(meshOptions),
-        share(rankShare), clock(stageClock), surfaceCount(static_cast<Index>(context.model.names.size())), report(share)
+        share(rankShare), clock(stageClock), drawn(drawnModel),
+        surfaceCount(static_cast<Index>(context.model.names.size())), report(share)
   {
     seen.unreached = areasOf(start.reached.parts, whole.model, whole.octree.frame());
   }
@@ -136,12 +150,11 @@ private:
     const auto& [places, crossings] = grid->displaced;
     context.progress.report(0.3, "Finding zones");
     Zones zones = findSharedZones(crossings, *points, surfaceCount, share, context);
-    found.keptZones = keptSharedZones(zones, options.zoneRule, seedsOf(options), places, *points, share, context.model);
+    chooseZones(zones, places, crossings, *points, options, drawn, share, found, context);
     if (isAnyLeaking(options.sealedSeeds, zones, places, share, context.model))
     {
       return std::nullopt;
     }
-    found.zones = report.summarize(zones, found.keptZones, places, crossings, *points, surfaceCount, context);
     Labels labels = findSharedLabels(zones, found.zones, grid->displaced, *points, options.rooms, share, context);
     found.rooms = reportOf(labels.rooms, context.model);
     std::vector<char> kept = found.keptZones;
@@ -294,6 +307,7 @@ private:
   const DualMeshOptions& options;
   const RankShare& share;
   StageClock& clock;
+  const DrawnModel* drawn;
   Index surfaceCount;
   SeenModel seen;
   LayerOptions layerOptions;
@@ -305,16 +319,17 @@ private:
 
 std::optional<SharedDual> makeSharedMesh(Octree octree, const SurfaceModel& model, const DualMeshOptions& options,
                                          const RankShare& share, int ghostLevels, StageClock& clock,
-                                         const RunContext& run)
+                                         const RunContext& run, const DrawnModel* drawn)
 {
   const TriangleTreeOnDemand tree(model);
   const MeshingContext whole{run, octree, model, tree};
-  SharedStart start = startOf(options, share, clock, whole.part(0.0, 0.1));
+  SharedStart start = startOf(options, drawn, share, clock, whole.part(0.0, 0.1));
   if (start.reached.model)
   {
     octree = Octree(octree.frame(), {});
   }
-  return SharedMesher(whole, start, start.reached.model ? start.reached.model->octree() : octree, options, share, clock)
+  return SharedMesher(whole, start, start.reached.model ? start.reached.model->octree() : octree, options, share, clock,
+                      drawn)
       .run(ghostLevels);
 }
 

@@ -24,6 +24,6 @@ struct SharedDual
 /// shares meet: see RankExchange.
 std::optional<SharedDual> makeSharedMesh(Octree octree, const SurfaceModel& model, const DualMeshOptions& options,
                                          const RankShare& share, int ghostLevels, StageClock& clock,
-                                         const RunContext& context);
+                                         const RunContext& context, const DrawnModel* drawn = nullptr);
 
 } // namespace atria

@@ -4,6 +4,7 @@
 #include "Dual/Zones/CellZones.h"
 #include "Layer/LayerBudget.h"
 #include "Mesher/AuditReport.h"
+#include "Mesher/DrawnModel.h"
 #include "Mesher/LostModel.h"
 #include "Mesher/OverlapWarnings.h"
 #include "Mesher/SharedMesher.h"
@@ -64,9 +65,10 @@ std::size_t elementsOnRanks(const Octree& octree, const SurfaceModel& model, con
 class ShareMaker
 {
 public:
-  ShareMaker(const SurfaceModel& surfaceModel, const MesherOptions& meshOptions, const RankShare& rankShare, int levels,
-             const RunContext& within)
-      : model(surfaceModel), options(meshOptions), share(rankShare), ghostLevels(levels), context(within)
+  ShareMaker(const SurfaceModel& surfaceModel, const DrawnModel& drawnModel, const MesherOptions& meshOptions,
+             const RankShare& rankShare, int levels, const RunContext& within)
+      : model(surfaceModel), drawn(drawnModel), options(meshOptions), share(rankShare), ghostLevels(levels),
+        context(within)
   {
   }
 
@@ -96,10 +98,11 @@ private:
     checkLayerBudget(elementsOnRanks(octree, model, options.mesh.layers, share, context), options.sizing.memoryLimit);
     DualMeshOptions dual = options.mesh;
     dual.rooms.sidesAreWalls = options.site.mode == DomainMode::surfaces;
-    return makeSharedMesh(std::move(octree), model, dual, share, ghostLevels, clock, context.part(0.25, 1.0));
+    return makeSharedMesh(std::move(octree), model, dual, share, ghostLevels, clock, context.part(0.25, 1.0), &drawn);
   }
 
   const SurfaceModel& model;
+  const DrawnModel& drawn;
   const MesherOptions& options;
   const RankShare& share;
   int ghostLevels;
@@ -138,8 +141,9 @@ std::optional<SharedModel> meshSharedModel(const TriangleSurface& asRead, const 
   {
     return std::nullopt;
   }
+  const DrawnModel drawn = drawnModel(surface, options.site, placed.frame);
   std::optional<SharedDual> made =
-      ShareMaker(model, options, share, ghostLevels, run.part(sizingShare, 1.0)).make(rows, clock);
+      ShareMaker(model, drawn, options, share, ghostLevels, run.part(sizingShare, 1.0)).make(rows, clock);
   if (!made)
   {
     return std::nullopt;

@@ -45,10 +45,9 @@ std::vector<Index> firstElementsOf(const SharedPiece& piece)
 
 } // namespace
 
-std::vector<ZoneSummary> SharedReport::summarize(const Zones& zones, const std::vector<char>& kept,
-                                                 const GridPlaces& places, const Crossings& crossings,
-                                                 const SharedPoints& points, std::size_t surfaceCount,
-                                                 const MeshingContext& context) const
+ZoneFacts SharedReport::findFacts(const Zones& zones, const GridPlaces& places, const Crossings& crossings,
+                                  const SharedPoints& points, std::size_t surfaceCount,
+                                  const std::vector<char>& isGround, const MeshingContext& context) const
 {
   const auto firstFrom = [&](MortonKey key) {
     const auto leaves = context.octree.leafCount();
@@ -64,7 +63,7 @@ std::vector<ZoneSummary> SharedReport::summarize(const Zones& zones, const std::
   };
   const MortonRange own = share_.own();
   const GridPart part{points.firstOwn(), points.endOwn(), firstFrom(own.begin), firstFrom(own.end)};
-  const ZoneFacts facts = findZoneFacts(zones, crossings, places, surfaceCount, part, context);
+  const ZoneFacts facts = findZoneFacts(zones, crossings, places, surfaceCount, part, context, isGround);
   ZoneFacts all;
   for (const Bytes& bytes : share_.exchange().gather(bytesOf(facts.zones, facts.faces, facts.corners)))
   {
@@ -72,7 +71,7 @@ std::vector<ZoneSummary> SharedReport::summarize(const Zones& zones, const std::
     readBytes(bytes, some.zones, some.faces, some.corners);
     append(some, all);
   }
-  return summarizeZones(zones, kept, all, context.octree.frame());
+  return all;
 }
 
 void SharedReport::addCracks(const CrossedGrid& grid, const Zones& zones, const std::vector<char>& kept,

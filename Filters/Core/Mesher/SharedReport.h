@@ -16,10 +16,10 @@ class SharedReport
 public:
   explicit SharedReport(const RankShare& share) : share_(share) {}
 
-  /// Of the zones of all ranks; on all of them.
-  std::vector<ZoneSummary> summarize(const Zones& zones, const std::vector<char>& kept, const GridPlaces& places,
-                                     const Crossings& crossings, const SharedPoints& points, std::size_t surfaceCount,
-                                     const MeshingContext& context) const;
+  /// Of the zones of all ranks; on all of them. See findZoneFacts.
+  ZoneFacts findFacts(const Zones& zones, const GridPlaces& places, const Crossings& crossings,
+                      const SharedPoints& points, std::size_t surfaceCount, const std::vector<char>& isGround,
+                      const MeshingContext& context) const;
   /// See findCracks. `kept` has an entry more, for points of no zone that is known here.
   void addCracks(const CrossedGrid& grid, const Zones& zones, const std::vector<char>& kept, const SharedPoints& points,
                  const MeshingContext& context);

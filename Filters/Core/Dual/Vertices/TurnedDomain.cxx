@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Dual/Vertices/TurnedDomain.h"
 
-#include "Support/Error.h"
-
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -149,19 +147,6 @@ std::vector<double> farthestFromSides(const Zones& zones, const GridPlaces& grid
     known = std::abs(beyond) > std::abs(known) ? beyond : known;
   }
   return farthest;
-}
-
-std::vector<char> zonesWithinSides(std::vector<char> kept, const std::vector<double>& farthest)
-{
-  for (std::size_t zone = 0; zone < kept.size(); ++zone)
-  {
-    kept[zone] = kept[zone] && farthest[zone] < 0.0;
-  }
-  if (std::find(kept.begin(), kept.end(), 1) == kept.end())
-  {
-    throw Error("no zone is left to mesh inside the domain: keep all zones, or give seeds inside it");
-  }
-  return kept;
 }
 
 Vec3 onTurnedSides(const Vec3& position, SideBits sides, const GridFrame& frame)

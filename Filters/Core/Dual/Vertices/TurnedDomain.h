@@ -16,9 +16,6 @@ Crossings markTurnedSides(Crossings crossings, std::size_t surfaceCount);
 /// these.
 std::vector<double> farthestFromSides(const Zones& zones, const GridPlaces& grid, Index begin, Index end);
 
-/// Those of the kept zones that are inside. Throws Error where none is left.
-std::vector<char> zonesWithinSides(std::vector<char> kept, const std::vector<double>& farthest);
-
 /// Puts the vertices where faces of two turned sides meet on the domain's upright edges. An edge may lie in octants of
 /// which no corner is inside the domain; without this the mesh would cut it off there. O(n log n) in boundary faces.
 void sharpenTurnedEdges(DualMesh& mesh, const GridFrame& frame, std::size_t surfaceCount);

@@ -139,7 +139,7 @@ void addUp(CountList& list)
 
 /// What zones see, and how many faces of which surfaces they have.
 void lookAtFaces(const Zones& zones, const Crossings& crossings, std::size_t surfaceCount, const GridPart& part,
-                 ZoneFacts& facts)
+                 const std::vector<char>& isGround, ZoneFacts& facts)
 {
   for (const BoundaryFace& face : crossings.boundaryFaces)
   {
@@ -161,6 +161,10 @@ void lookAtFaces(const Zones& zones, const Crossings& crossings, std::size_t sur
       zone.seesBacksOfOne =
           zone.seesBacksOfOne && face.side == SheetSide::back && (zone.surface == noIndex || zone.surface == face.tag);
       zone.surface = face.tag;
+      if (!face.onDomainSide && (face.tag >= isGround.size() || !isGround[face.tag]))
+      {
+        ++(face.side == SheetSide::back ? zone.faces.backs : zone.faces.fronts);
+      }
     }
   }
   addUp(facts.faces);
@@ -228,22 +232,38 @@ void append(const ZoneFacts::Zone& more, ZoneFacts::Zone& zone)
   const bool areSame = zone.surface == noIndex || more.surface == noIndex || zone.surface == more.surface;
   zone.seesBacksOfOne = zone.seesBacksOfOne && more.seesBacksOfOne && areSame;
   zone.surface = more.surface == noIndex ? zone.surface : more.surface;
+  zone.faces.add(more.faces);
 }
 
-ZoneKind kindOf(const ZoneFacts::Zone& zone, SideBits sides)
+/// The part of the faces that a zone sees from the front up to which it is the inside of a solid, where no closed body
+/// tells: one of a house's walls may be a neighbor's, or wound the wrong way.
+constexpr double fewFronts = 0.25;
+
+/// Whether a zone that is closed is the inside of a solid. Of one that is kept only few things tell so.
+bool isSolid(const ZoneFacts::Zone& zone, Enclosure enclosure, bool kept)
+{
+  const auto& [fronts, backs] = zone.faces;
+  const bool seesBacks = backs > 0 && static_cast<double>(fronts) <= fewFronts * static_cast<double>(fronts + backs);
+  return enclosure == Enclosure::solid || (enclosure == Enclosure::none && (kept ? zone.seesBacksOfOne : seesBacks));
+}
+
+ZoneKind kindOf(const ZoneFacts::Zone& zone, SideBits sides, Enclosure enclosure, bool kept)
 {
   constexpr SideBits bottom = SideBits{1} << zMin;
-  return zone.isBeyond            ? ZoneKind::beyond
-         : (sides & ~bottom) != 0 ? ZoneKind::open
-         : zone.seesBacksOfOne    ? ZoneKind::solid
-         : zone.isWide            ? ZoneKind::room
-                                  : ZoneKind::narrow;
+  const bool isShell = enclosure == Enclosure::solid && !kept; // whether or not it touches sides
+  return zone.isBeyond                    ? ZoneKind::beyond
+         : isShell                        ? ZoneKind::solid
+         : (sides & ~bottom) != 0         ? ZoneKind::open
+         : isSolid(zone, enclosure, kept) ? ZoneKind::solid
+         : zone.isWide                    ? ZoneKind::room
+                                          : ZoneKind::narrow;
 }
 
 } // namespace
 
 ZoneFacts findZoneFacts(const Zones& zones, const Crossings& crossings, const GridPlaces& grid,
-                        std::size_t surfaceCount, const GridPart& part, const RunContext& context)
+                        std::size_t surfaceCount, const GridPart& part, const RunContext& context,
+                        const std::vector<char>& isGround)
 {
   ZoneFacts facts;
   facts.zones.resize(zones.count());
@@ -251,7 +271,7 @@ ZoneFacts findZoneFacts(const Zones& zones, const Crossings& crossings, const Gr
   facts.corners = cornersOf(zones, grid, part, context);
   context.progress.check();
   findWideZones(zones, crossings, part, facts);
-  lookAtFaces(zones, crossings, surfaceCount, part, facts);
+  lookAtFaces(zones, crossings, surfaceCount, part, isGround, facts);
   return facts;
 }
 
@@ -268,22 +288,40 @@ void append(const ZoneFacts& more, ZoneFacts& facts)
   addUp(facts.faces);
 }
 
+GridPart wholeOf(const GridPlaces& grid)
+{
+  return {0, static_cast<Index>(grid.points().size()), 0, static_cast<Index>(grid.octree().leafCount())};
+}
+
+std::vector<double> zoneVolumes(const ZoneFacts& facts, std::size_t zoneCount, const GridFrame& frame)
+{
+  std::vector<double> volumes(zoneCount, 0.0);
+  for (const ZoneFacts::Count& some : facts.corners)
+  {
+    // Points that are no rank's own are in a zone more.
+    if (static_cast<std::size_t>(some.zone) < zoneCount)
+    {
+      const double octant = std::pow(frame.sizeOf(static_cast<int>(some.of)), 3);
+      volumes[static_cast<std::size_t>(some.zone)] += octant / 8.0 * static_cast<double>(some.count);
+    }
+  }
+  return volumes;
+}
+
 std::vector<ZoneSummary> summarizeZones(const Zones& zones, const std::vector<char>& kept, const ZoneFacts& facts,
-                                        const GridFrame& frame)
+                                        const std::vector<Enclosure>& enclosures, const GridFrame& frame)
 {
   std::vector<ZoneSummary> summaries(zones.count());
+  const std::vector<double> volumes = zoneVolumes(facts, zones.count(), frame);
   for (std::size_t i = 0; i < zones.count(); ++i)
   {
     summaries[i].elements = zones.sizes[i];
     summaries[i].kept = kept[i] != 0;
     summaries[i].sides = zones.sides[i];
     summaries[i].inside = facts.zones[i].inside;
-    summaries[i].kind = kindOf(facts.zones[i], zones.sides[i]);
-  }
-  for (const ZoneFacts::Count& some : facts.corners)
-  {
-    const double octant = std::pow(frame.sizeOf(static_cast<int>(some.of)), 3);
-    summaries[static_cast<std::size_t>(some.zone)].volume += octant / 8.0 * static_cast<double>(some.count);
+    summaries[i].volume = volumes[i];
+    const Enclosure enclosure = i < enclosures.size() ? enclosures[i] : Enclosure::none;
+    summaries[i].kind = kindOf(facts.zones[i], zones.sides[i], enclosure, summaries[i].kept);
   }
   std::vector<ZoneFacts::Count> faces = facts.faces;
   std::stable_sort(faces.begin(), faces.end(), [](const auto& l, const auto& r) { return l.count > r.count; });
@@ -297,8 +335,7 @@ std::vector<ZoneSummary> summarizeZones(const Zones& zones, const std::vector<ch
 std::vector<ZoneSummary> summarizeZones(const Zones& zones, const std::vector<char>& kept, const Crossings& crossings,
                                         const GridPlaces& grid, std::size_t surfaceCount, const RunContext& context)
 {
-  const GridPart whole{0, static_cast<Index>(grid.points().size()), 0, static_cast<Index>(grid.octree().leafCount())};
-  return summarizeZones(zones, kept, findZoneFacts(zones, crossings, grid, surfaceCount, whole, context),
+  return summarizeZones(zones, kept, findZoneFacts(zones, crossings, grid, surfaceCount, wholeOf(grid), context), {},
                         grid.octree().frame());
 }
 

@@ -10,11 +10,19 @@ namespace atria {
 
 enum class ZoneKind : std::uint8_t
 {
-  open,   ///< reaches a side of the domain other than the bottom
+  open,   ///< reaches a side of the domain other than the bottom, and is not the inside of a closed body
   room,   ///< closed
-  solid,  ///< closed by one surface, whose back it sees: the inside of a solid, as far as one can tell
+  solid,  ///< the inside of a solid: of a closed body, or what sees backs of surfaces, as far as one can tell
   narrow, ///< closed, and all of its elements are at its border
   beyond  ///< behind the sides of a domain that does not stand along the grid
+};
+
+/// What closed bodies of the model say of a zone.
+enum class Enclosure : std::uint8_t
+{
+  none,  ///< it is in none
+  solid, ///< it is inside of one
+  hollow ///< it is in a hollow of one
 };
 
 struct ZoneSummary
@@ -45,6 +53,18 @@ struct GridPart
 /// What is known of zones from a part of the grid.
 struct ZoneFacts
 {
+  /// Faces that a zone sees but looking down, on ground and on sides of the domain.
+  struct Faces
+  {
+    std::size_t fronts = 0;
+    std::size_t backs = 0;
+
+    void add(const Faces& other)
+    {
+      fronts += other.fronts;
+      backs += other.backs;
+    }
+  };
   struct Zone
   {
     /// In octants as large as there are, a place of the zone; the level of the finest octant about it, the greatest
@@ -59,6 +79,7 @@ struct ZoneFacts
     /// Whether it sees nothing but backs of one surface, and this surface.
     bool seesBacksOfOne = true;
     Index surface = noIndex;
+    Faces faces;
   };
   struct Count
   {
@@ -74,15 +95,24 @@ struct ZoneFacts
   std::vector<Count> corners;
 };
 
-/// The result does not depend on threads. O(points + faces · log faces).
+/// The result does not depend on threads. `isGround` is by surface; nothing is where it is empty.
+/// O(points + faces · log faces).
 ZoneFacts findZoneFacts(const Zones& zones, const Crossings& crossings, const GridPlaces& grid,
-                        std::size_t surfaceCount, const GridPart& part, const RunContext& context);
+                        std::size_t surfaceCount, const GridPart& part, const RunContext& context,
+                        const std::vector<char>& isGround = {});
+
+/// Of the whole grid.
+GridPart wholeOf(const GridPlaces& grid);
 
 /// Adds what is known from the part after those before: the facts of all parts are those of the whole.
 void append(const ZoneFacts& more, ZoneFacts& facts);
 
+/// By zone, that of the octants, shared out among their corners; cubic model units.
+std::vector<double> zoneVolumes(const ZoneFacts& facts, std::size_t zoneCount, const GridFrame& frame);
+
+/// `enclosures` is by zone; nothing is enclosed where it is empty.
 std::vector<ZoneSummary> summarizeZones(const Zones& zones, const std::vector<char>& kept, const ZoneFacts& facts,
-                                        const GridFrame& frame);
+                                        const std::vector<Enclosure>& enclosures, const GridFrame& frame);
 
 /// Of the whole grid.
 std::vector<ZoneSummary> summarizeZones(const Zones& zones, const std::vector<char>& kept, const Crossings& crossings,

@@ -238,7 +238,7 @@ std::vector<std::int32_t> zonesOfSeeds(const Zones& zones, const std::vector<Vec
   return out;
 }
 
-std::vector<char> keptZones(const Zones& zones, ZoneRule rule, const std::vector<std::int32_t>& seedZones)
+std::vector<char> zonesByRule(const Zones& zones, ZoneRule rule, const std::vector<std::int32_t>& seedZones)
 {
   std::vector<char> kept(zones.count(), rule == ZoneRule::all ? 1 : 0);
   if (rule == ZoneRule::outside)
@@ -253,12 +253,23 @@ std::vector<char> keptZones(const Zones& zones, ZoneRule rule, const std::vector
     }
     std::ranges::for_each(seedZones, [&](std::int32_t zone) { kept[zone] = 1; });
   }
+  return kept;
+}
+
+void checkKept(const std::vector<char>& kept, ZoneRule rule)
+{
   if (std::find(kept.begin(), kept.end(), 1) == kept.end())
   {
     throw Error(rule == ZoneRule::all ? "there is nothing to mesh: no grid point is inside the domain"
                                       : "no zone is left to mesh: none reaches a side of the domain; keep all "
                                         "zones, or give seeds");
   }
+}
+
+std::vector<char> keptZones(const Zones& zones, ZoneRule rule, const std::vector<std::int32_t>& seedZones)
+{
+  std::vector<char> kept = zonesByRule(zones, rule, seedZones);
+  checkKept(kept, rule);
   return kept;
 }
 

@@ -39,7 +39,14 @@ Zones findZones(const Crossings& crossings, std::size_t surfaceCount, const RunC
 /// that leaf. Throws Error for a seed outside the domain; `kind` names it there, such as "seed".
 Index pointOfSeed(const Vec3& seed, const char* kind, const GridPlaces& grid, const SurfaceModel& model);
 
-/// Whether each zone is kept; `seedZones` are those that hold seeds. Throws Error where no zone is left.
+/// Whether a rule keeps each zone; `seedZones` are those that hold seeds. It may keep none. Throws Error where seeds
+/// are missing.
+std::vector<char> zonesByRule(const Zones& zones, ZoneRule rule, const std::vector<std::int32_t>& seedZones);
+
+/// Throws Error where no zone is kept.
+void checkKept(const std::vector<char>& kept, ZoneRule rule);
+
+/// The zones that a rule keeps. Throws Error where no zone is left.
 std::vector<char> keptZones(const Zones& zones, ZoneRule rule, const std::vector<std::int32_t>& seedZones);
 
 /// The zones that hold seeds. Throws as pointOfSeed().

@@ -122,12 +122,13 @@ std::vector<Index> sharedWideZones(const GridPoints& grid, const Crossings& cros
 
 std::vector<char> keptSharedZones(const Zones& zones, ZoneRule rule, const std::vector<Vec3>& seeds,
                                   const GridPlaces& grid, const SharedPoints& points, const RankShare& share,
-                                  const SurfaceModel& model)
+                                  const SurfaceModel& model, const ZoneFacts& facts, const ZoneEnclosures& enclosures)
 {
-  std::vector<char> kept = keptZones(zones, rule, zonesOfSharedSeeds(zones, seeds, grid, share, model, "seed"));
-  if (!grid.octree().frame().turnedDomain)
+  const GridFrame& frame = grid.octree().frame();
+  const std::vector<std::int32_t> seedZones = zonesOfSharedSeeds(zones, seeds, grid, share, model, "seed");
+  if (!frame.turnedDomain)
   {
-    return kept;
+    return chooseZones(zones, rule, seedZones, {}, facts, enclosures, frame);
   }
   std::vector<double> farthest(zones.count(), 0.0);
   for (const std::vector<double>& some :
@@ -136,7 +137,7 @@ std::vector<char> keptSharedZones(const Zones& zones, ZoneRule rule, const std::
     std::ranges::transform(some, farthest, farthest.begin(),
                            [](double a, double b) { return std::abs(a) > std::abs(b) ? a : b; });
   }
-  return zonesWithinSides(kept, farthest);
+  return chooseZones(zones, rule, seedZones, farthest, facts, enclosures, frame);
 }
 
 bool isAnyLeaking(const std::vector<Vec3>& sealedSeeds, const Zones& zones, const GridPlaces& grid,

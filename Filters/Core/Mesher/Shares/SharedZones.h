@@ -3,7 +3,7 @@
 #pragma once
 
 #include "Dual/Displacement/ZonesApart.h"
-#include "Dual/Zones/Zones.h"
+#include "Dual/Zones/ZoneEnclosures.h"
 #include "Mesher/Shares/RankShare.h"
 
 namespace atria {
@@ -19,10 +19,10 @@ Zones findSharedZones(const Crossings& crossings, const SharedPoints& points, st
 std::vector<Index> sharedWideZones(const GridPoints& grid, const Crossings& crossings, const SharedPoints& points,
                                    std::size_t surfaceCount, const RankShare& share, const RunContext& context);
 
-/// As keptZones and zonesWithinSides; the last zone, which findSharedZones adds, has no entry.
+/// As chooseZones; the last zone, which findSharedZones adds, has no entry.
 std::vector<char> keptSharedZones(const Zones& zones, ZoneRule rule, const std::vector<Vec3>& seeds,
                                   const GridPlaces& grid, const SharedPoints& points, const RankShare& share,
-                                  const SurfaceModel& model);
+                                  const SurfaceModel& model, const ZoneFacts& facts, const ZoneEnclosures& enclosures);
 
 /// Whether the zone of one of these seeds is leaking (isLeaking); on all ranks.
 bool isAnyLeaking(const std::vector<Vec3>& sealedSeeds, const Zones& zones, const GridPlaces& grid,

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// What zones are told of the model as it was drawn.
+#pragma once
+
+#include "Domain/PlacedModel.h"
+#include "Dual/Zones/ZoneEnclosures.h"
+
+namespace atria {
+
+/// Refers to the surface.
+DrawnModel drawnModel(const TriangleSurface& surface, const SiteOptions& site, const GridFrame& frame);
+
+} // namespace atria

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Surface/Search/ClosedBodies.h"
+
+#include "Support/UnionFind.h"
+#include "Surface/Triangles/EachEdge.h"
+#include "Surface/Triangles/Weld.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <tuple>
+
+namespace atria {
+
+namespace {
+
+/// Lattice units along the longest edge of the bounds: products of two coordinates fit 64 bits.
+constexpr double latticeUnits = 1 << 28;
+
+/// Twice the area of the triangle a, b, p seen from above: positive where p is to the left of the way from a to b.
+std::int64_t areaAbove(const LatticePoint& a, const LatticePoint& b, const LatticePoint& p)
+{
+  return (b[0] - a[0]) * (p[1] - a[1]) - (b[1] - a[1]) * (p[0] - a[0]);
+}
+
+/// Whether p is to the left of the way from a to b seen from above. A point on the way counts as moved by very little
+/// along x, and by even less along y, so that the triangles around an edge or a point agree.
+bool isLeftOf(const LatticePoint& a, const LatticePoint& b, const LatticePoint& p)
+{
+  const std::int64_t area = areaAbove(a, b, p);
+  return area != 0 ? area > 0 : a[1] != b[1] ? a[1] > b[1] : b[0] > a[0];
+}
+
+/// Joins triangles at an edge: those of each surface that has an even number of them, and all others.
+void joinAtEdge(std::span<const SoupEdgeUse> uses, const TriangleSoup& soup, UnionFind& parts)
+{
+  if (uses.size() <= 2)
+  {
+    parts.join(uses.front().triangle, uses.back().triangle);
+    return;
+  }
+  std::map<Index, std::vector<Index>> bySurface;
+  for (const SoupEdgeUse& use : uses)
+  {
+    bySurface[soup.surfaceIds[use.triangle]].push_back(use.triangle);
+  }
+  Index other = noIndex;
+  for (const auto& [surface, triangles] : bySurface)
+  {
+    const bool isEven = triangles.size() % 2 == 0;
+    const Index with = isEven || other == noIndex ? triangles.front() : other;
+    std::ranges::for_each(triangles, [&](Index triangle) { parts.join(with, triangle); });
+    other = isEven ? other : with;
+  }
+}
+
+/// The triangles of parts with an edge that an odd number of their triangles have.
+std::set<Index> openParts(std::span<const SoupEdgeUse> uses, UnionFind& parts)
+{
+  std::set<Index> open;
+  eachEdge(uses, [&](std::span<const SoupEdgeUse> edge) {
+    std::vector<Index> roots;
+    std::ranges::transform(edge, std::back_inserter(roots),
+                           [&](const SoupEdgeUse& use) { return parts.find(use.triangle); });
+    std::ranges::sort(roots);
+    for (auto begin = roots.begin(); begin != roots.end();)
+    {
+      const auto end = std::ranges::upper_bound(begin, roots.end(), *begin);
+      if ((end - begin) % 2 != 0)
+      {
+        open.insert(*begin);
+      }
+      begin = end;
+    }
+  });
+  return open;
+}
+
+} // namespace
+
+ClosedBodies::ClosedBodies(const TriangleSurface& surface, const std::function<bool(Index)>& wants, double weldDistance,
+                           const RunContext& context)
+{
+  weld(surface, wants, weldDistance);
+  context.progress.check();
+  findBodies(context);
+}
+
+LatticePoint ClosedBodies::latticeOf(const Vec3& point) const
+{
+  LatticePoint p;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    // Places far away are as good as those just beyond.
+    const double at = std::clamp((point[axis] - origin_[axis]) / unit_, -latticeUnits, 2.0 * latticeUnits);
+    p[axis] = std::llround(at);
+  }
+  return p;
+}
+
+/// Makes the soup: points that are one have one number, and triangles that are there twice are there once.
+void ClosedBodies::weld(const TriangleSurface& surface, const std::function<bool(Index)>& wants, double weldDistance)
+{
+  Box3 bounds;
+  std::ranges::for_each(surface.points, [&](const Vec3& p) { bounds.extend(p); });
+  if (bounds.empty() || !bounds.min.allFinite() || !bounds.max.allFinite())
+  {
+    return;
+  }
+  origin_ = bounds.min;
+  unit_ = std::max(bounds.size().maxCoeff() / latticeUnits, std::numeric_limits<double>::min());
+  std::ranges::transform(surface.points, std::back_inserter(soup_.points), [&](const Vec3& p) { return latticeOf(p); });
+  const auto distance = std::max<std::int64_t>(1, std::llround(weldDistance / unit_));
+  const std::vector<Index> first = weldPoints(soup_.points, distance);
+  struct Wound
+  {
+    std::array<Index, 3> corners; ///< from the first one on, as they are wound
+    Index surface;
+    Index triangle;
+  };
+  std::vector<Wound> all;
+  for (Index t = 0; t < surface.triangles.size(); ++t)
+  {
+    std::array<Index, 3> triangle = surface.triangles[t];
+    std::ranges::transform(triangle, triangle.begin(), [&](Index p) { return first[p]; });
+    if (!hasRepeatedPoint(triangle) && wants(t))
+    {
+      std::ranges::rotate(triangle, std::ranges::min_element(triangle));
+      all.push_back({triangle, surface.surfaceIds[t], t});
+    }
+  }
+  std::ranges::sort(all, [](const Wound& l, const Wound& r) {
+    return std::tie(l.corners, l.surface, l.triangle) < std::tie(r.corners, r.surface, r.triangle);
+  });
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    if (i == 0 || all[i].corners != all[i - 1].corners || all[i].surface != all[i - 1].surface)
+    {
+      soup_.add(all[i].corners, all[i].surface, all[i].triangle);
+    }
+  }
+}
+
+void ClosedBodies::findBodies(const RunContext& context)
+{
+  const auto count = static_cast<Index>(soup_.triangles.size());
+  const std::vector<SoupEdgeUse> uses = sortedEdgeUses(soup_, context.executor);
+  UnionFind parts(count);
+  eachEdge(uses, [&](std::span<const SoupEdgeUse> edge) { joinAtEdge(edge, soup_, parts); });
+  const std::set<Index> open = openParts(uses, parts);
+  bodyOf_.assign(count, noIndex);
+  std::vector<NumberedBox> boxes;
+  for (Index t = 0; t < count; ++t)
+  {
+    const Index root = parts.find(t); // the first of its part
+    if (open.contains(root))
+    {
+      continue;
+    }
+    const auto& [a, b, c] = soup_.triangles[t];
+    const LatticeBox box = boundsOf(soup_.points[a], soup_.points[b], soup_.points[c]);
+    if (root == t)
+    {
+      bodyOf_[t] = static_cast<Index>(bodies_.size());
+      bodies_.push_back({box, 0.0, {}});
+    }
+    bodyOf_[t] = bodyOf_[root];
+    ClosedBody& body = bodies_[bodyOf_[t]];
+    const LatticePoint& origin = soup_.points[soup_.triangles[root][0]];
+    body.bounds.extend(box);
+    body.triangles.push_back(t);
+    body.volume +=
+        between(origin, soup_.points[a]).dot(between(origin, soup_.points[b]).cross(between(origin, soup_.points[c]))) /
+        6.0;
+    boxes.push_back({box, t});
+  }
+  if (!boxes.empty())
+  {
+    tree_ = std::make_unique<BoxTree>(std::move(boxes), context);
+  }
+}
+
+bool ClosedBodies::isBelow(const LatticePoint& p, const std::array<Index, 3>& triangle) const
+{
+  const auto& [a, b, c] = triangle;
+  const std::vector<LatticePoint>& points = soup_.points;
+  const bool isLeft = isLeftOf(points[a], points[b], p);
+  if (isLeftOf(points[b], points[c], p) != isLeft || isLeftOf(points[c], points[a], p) != isLeft)
+  {
+    return false;
+  }
+  const Vec3 normal = between(points[a], points[b]).cross(between(points[a], points[c]));
+  const double above = normal.dot(between(points[a], p));
+  return normal[2] > 0.0 ? above < 0.0 : above > 0.0;
+}
+
+std::vector<Index> ClosedBodies::aroundLattice(const LatticePoint& p) const
+{
+  std::vector<Index> crossed;
+  if (tree_)
+  {
+    const LatticePoint top{p[0], p[1], std::numeric_limits<std::int32_t>::max()};
+    tree_->eachTouching({p, top}, 0, [&](std::size_t place) {
+      const Index triangle = tree_->box(place).id;
+      if (isBelow(p, soup_.triangles[triangle]))
+      {
+        crossed.push_back(bodyOf_[triangle]);
+      }
+    });
+  }
+  std::ranges::sort(crossed);
+  std::vector<Index> around;
+  for (auto begin = crossed.begin(); begin != crossed.end();)
+  {
+    const auto end = std::ranges::upper_bound(begin, crossed.end(), *begin);
+    if ((end - begin) % 2 != 0)
+    {
+      around.push_back(*begin);
+    }
+    begin = end;
+  }
+  std::ranges::stable_sort(around, std::ranges::greater{}, [&](Index body) { return std::abs(bodies_[body].volume); });
+  return around;
+}
+
+bool ClosedBodies::isInside(Index inner, Index outer) const
+{
+  constexpr std::size_t most = 64; // points that are looked at
+  const LatticeBox& in = bodies_[inner].bounds;
+  const LatticeBox& out = bodies_[outer].bounds;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    if (in.low[axis] <= out.low[axis] || in.high[axis] >= out.high[axis])
+    {
+      return false;
+    }
+  }
+  const std::vector<Index>& triangles = bodies_[inner].triangles;
+  const std::size_t step = (triangles.size() + most - 1) / most;
+  for (std::size_t i = 0; i < triangles.size(); i += step)
+  {
+    const std::vector<Index> around = aroundLattice(soup_.corner(triangles[i], 0));
+    if (std::ranges::find(around, outer) == around.end())
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+} // namespace atria
