@@ -22,7 +22,8 @@ struct Overlap
 class Overlaps
 {
 public:
-  /// Sources of pieces are triangles of `drawn`, which is referred to, as is the frame. `kinds` is as in FacePrecedence.
+  /// Sources of pieces are triangles of `drawn`, which is referred to, as is the frame. `kinds` is as in
+  /// FacePrecedence.
   Overlaps(const TriangleSurface& drawn, std::vector<SurfaceKind> kinds, const GridFrame& frame);
 
   /// Returns the position in `equal` of the piece that stays, and adds the area of the others.
