@@ -14,6 +14,9 @@ namespace {
 /// A few USEs of USEs can stand for more nodes than any machine has memory for.
 constexpr std::size_t mostVisits = 5'000'000;
 constexpr std::size_t visitsBetweenReports = 1024;
+/// How far facets of small round solids may be off, as a share of the model's diagonal. With 1° between points a ball
+/// that is the whole model is off by more, so that this leaves large solids to the angle.
+constexpr double negligibleShare = 1e-5;
 
 } // namespace
 
@@ -41,6 +44,7 @@ Scene Evaluator::run(const Document& document)
     }
     perform(next());
   }
+  makeRoundSolids();
   if (library.routes() > 0)
   {
     scene.skip("ROUTE", library.routes());
@@ -320,7 +324,7 @@ Index Evaluator::materialOf(const NodeRef& node, std::string_view name)
 void Evaluator::setStretch(const NodeRef& geometry, const Transform& transform)
 {
   stretch = 1.0;
-  if (geometries.dependsOnStretch(geometry))
+  if (Geometry::isRound(geometry))
   {
     const double longest = transform.linear().jacobiSvd().singularValues().x();
     stretch = std::isfinite(longest) && longest > 0.0 ? longest : 1.0;
@@ -332,15 +336,34 @@ void Evaluator::setStretch(const NodeRef& geometry, const Transform& transform)
 const LocalSurface& Evaluator::localSurface(const NodeRef& geometry, const Transform& transform)
 {
   setStretch(geometry, transform);
+  const auto make = [&] {
+    return isCoarse && Geometry::isRound(geometry) ? geometries.makeCoarse(geometry) : geometries.make(geometry);
+  };
   if (!geometry.node->shared || geometry.context)
   {
     geometries.recycle(std::move(current));
-    current = geometries.make(geometry);
+    current = make();
     return current;
   }
   const std::pair key(geometry.node, stretch);
   const auto found = cache.find(key);
-  return found != cache.end() ? found->second : cache.emplace(key, geometries.make(geometry)).first->second;
+  return found != cache.end() ? found->second : cache.emplace(key, make()).first->second;
+}
+
+/// Puts round solids in the place of the coarse ones.
+void Evaluator::makeRoundSolids()
+{
+  if (roundSolids.empty())
+  {
+    return;
+  }
+  isCoarse = false;
+  cache.clear();
+  geometries.setNegligible(negligibleShare * scene.bounds().size().norm());
+  scene.replace(coarseSolids, [&](std::size_t i) {
+    const RoundSolid& solid = roundSolids[i];
+    scene.addTriangles(localSurface(solid.geometry, solid.transform), solid.transform, solid.shape);
+  });
 }
 
 void Evaluator::addGeometry(const Visit& at, const NodeRef& geometry, std::string_view name, Index material)
@@ -359,6 +382,11 @@ void Evaluator::add(const NodeRef& geometry, const LocalSurface& surface, const 
   if (!scene.add(surface, transform, shape))
   {
     warn(*geometry.node, "its coordinates grow beyond all numbers; skipped");
+  }
+  else if (Geometry::isRound(geometry))
+  {
+    roundSolids.push_back({geometry, transform, scene.lastShape()});
+    coarseSolids.push_back(scene.lastAddition());
   }
 }
 

@@ -72,6 +72,7 @@ private:
   Index materialOf(const NodeRef& node, std::string_view name);
   const LocalSurface& localSurface(const NodeRef& geometry, const Transform& transform);
   void setStretch(const NodeRef& geometry, const Transform& transform);
+  void makeRoundSolids();
   void warn(const Node& node, const std::string& text);
 
   // VRML 1.0, in StateNodes.cxx
@@ -90,6 +91,16 @@ private:
   /// Geometry used more than once, by its stretch where that matters.
   std::map<std::pair<const Node*, double>, LocalSurface> cache;
   double stretch = 1.0;
+  /// A round solid as it was met. Its facets are made when the size of the whole model is known.
+  struct RoundSolid
+  {
+    NodeRef geometry;
+    Transform transform;
+    Index shape;
+  };
+  std::vector<RoundSolid> roundSolids;
+  std::vector<SceneBuilder::Addition> coarseSolids; ///< what stands in for them
+  bool isCoarse = true;
   LocalSurface current;
   SceneBuilder scene;
 };

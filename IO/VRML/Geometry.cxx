@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <unordered_map>
+#include <utility>
 
 namespace atria::vrml {
 
@@ -115,10 +116,19 @@ Geometry::Geometry(Instances& access, Diagnostics& messages, const Tessellation&
 {
 }
 
-bool Geometry::dependsOnStretch(const NodeRef& node) const
+bool Geometry::isRound(const NodeRef& node)
 {
   const std::string_view type = node.node->type->name;
-  return wanted.error > 0.0 && (type == "Sphere" || type == "Cylinder" || type == "Cone");
+  return type == "Sphere" || type == "Cylinder" || type == "Cone";
+}
+
+LocalSurface Geometry::makeCoarse(const NodeRef& node)
+{
+  constexpr double angle = 360.0 / fewestSegments;
+  const Tessellation kept = std::exchange(wanted, Tessellation{std::max(wanted.angle, angle)});
+  LocalSurface surface = make(node);
+  wanted = kept;
+  return surface;
 }
 
 LocalSurface Geometry::make(const NodeRef& node)

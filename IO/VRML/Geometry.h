@@ -23,8 +23,12 @@ public:
   void setStretch(double factor) { stretch = factor; }
   /// What the surface made next goes by in messages, where its node has no name.
   void setName(std::string_view shown) { name = shown; }
-  /// Whether what a node looks like depends on the stretch.
-  bool dependsOnStretch(const NodeRef& node) const;
+  /// Whether a node is a round solid, whose facets depend on the stretch and on the size of the model.
+  static bool isRound(const NodeRef& node);
+  /// The distance in the scene's units by which facets of small round solids may be off.
+  void setNegligible(double distance) { wanted.negligible = distance; }
+  /// The round solid with as few facets as there can be.
+  LocalSurface makeCoarse(const NodeRef& node);
 
   /// The triangles of a node of kind `surface`; none, with a warning, where its fields make no sense.
   LocalSurface make(const NodeRef& node);
@@ -66,8 +70,9 @@ private:
 
   Instances& instances;
   Diagnostics& diagnostics;
-  int segments(double radius) const { return segmentsOf({wanted.angle, wanted.error / stretch}, radius); }
-  int segmentsOfBall(double radius) const { return segmentsOfSphere({wanted.angle, wanted.error / stretch}, radius); }
+  Tessellation unstretched() const { return {wanted.angle, wanted.error / stretch, wanted.negligible / stretch}; }
+  int segments(double radius) const { return segmentsOf(unstretched(), radius); }
+  int segmentsOfBall(double radius) const { return segmentsOfSphere(unstretched(), radius); }
 
   Tessellation wanted;
   double stretch = 1.0;

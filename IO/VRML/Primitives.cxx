@@ -66,28 +66,34 @@ int segmentsOf(double degrees)
 namespace {
 
 /// So many points around that neighbors are no more than twice the half angle apart whose cosine this is.
-int segmentsOfCosine(const Tessellation& wanted, double cosine)
+int segmentsOfCosine(double cosine)
 {
-  const int byAngle = segmentsOf(wanted.angle);
-  if (!(wanted.error > 0.0) || cosine <= 0.5) // three points will do
-  {
-    return byAngle;
-  }
-  const double half = cosine < 1.0 ? std::acos(cosine) : 0.0;
+  const double half = cosine < 1.0 ? std::acos(std::max(cosine, 0.5)) : 0.0; // three points at least
   const double enough = half > 0.0 ? std::ceil(std::numbers::pi / half - 1e-9) : mostSegments;
-  return std::max(byAngle, static_cast<int>(std::min<double>(enough, mostSegments)));
+  return static_cast<int>(std::min<double>(enough, mostSegments));
+}
+
+/// `cosineOf` takes a distance between facets and the true surface, as a share of the radius.
+template <typename CosineOf> int segmentsBy(const Tessellation& wanted, double radius, const CosineOf& cosineOf)
+{
+  int segments = segmentsOf(wanted.angle);
+  if (wanted.negligible > 0.0)
+  {
+    segments = std::min(segments, std::max(fewestSegments, segmentsOfCosine(cosineOf(wanted.negligible / radius))));
+  }
+  return wanted.error > 0.0 ? std::max(segments, segmentsOfCosine(cosineOf(wanted.error / radius))) : segments;
 }
 
 } // namespace
 
 int segmentsOf(const Tessellation& wanted, double radius)
 {
-  return segmentsOfCosine(wanted, 1.0 - wanted.error / radius);
+  return segmentsBy(wanted, radius, [](double share) { return 1.0 - share; });
 }
 
 int segmentsOfSphere(const Tessellation& wanted, double radius)
 {
-  return segmentsOfCosine(wanted, std::sqrt(std::max(0.0, 1.0 - wanted.error / radius)));
+  return segmentsBy(wanted, radius, [](double share) { return std::sqrt(std::max(0.0, 1.0 - share)); });
 }
 
 LocalSurface makeBox(const Vec3& size)

@@ -12,6 +12,9 @@ struct Tessellation
 {
   double angle = 10.0; ///< degrees between neighboring points, at most
   double error = 0.0;  ///< distance between facets and the true surface, at most; any with 0
+  /// Distance between facets and the true surface that is negligible: small solids get no more points than it takes,
+  /// though at least `fewestSegments`, unless `error` is stricter.
+  double negligible = 0.0;
 };
 
 /// Points around a full turn so that none is further than `degrees` from the next; at least three.
@@ -25,6 +28,7 @@ int segmentsOf(const Tessellation& wanted, double radius);
 int segmentsOfSphere(const Tessellation& wanted, double radius);
 
 inline constexpr int mostSegments = 3600;
+inline constexpr int fewestSegments = 6;
 
 LocalSurface makeBox(const Vec3& size);
 LocalSurface makeSphere(double radius, int segments);

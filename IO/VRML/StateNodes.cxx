@@ -95,7 +95,7 @@ void Evaluator::addGeometry1(const Visit& at)
   setStretch(at.ref, state.transform);
   geometries.setName(at.ref.node->name.empty() ? scene.groupName(at.group) : at.ref.node->name);
   geometries.recycle(std::move(current));
-  current = geometries.make(at.ref, local);
+  current = Geometry::isRound(at.ref) ? geometries.makeCoarse(at.ref) : geometries.make(at.ref, local);
   add(at.ref, current, state.transform, {toUtf8(at.ref.node->name), at.group, material});
 }
 

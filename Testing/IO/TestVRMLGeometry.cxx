@@ -171,6 +171,38 @@ TEST_F(VRMLGeometry, TakesPointsForTheLargestUseOfARoundSolid)
   EXPECT_EQ(model.triangles(), 2 * 36 - 2 + 2 * 71 - 2);
 }
 
+TEST_F(VRMLGeometry, TakesFewPointsForRoundSolidsThatAreSmallInTheModel)
+{
+  std::string balls;
+  for (int i = 0; i < 200; ++i)
+  {
+    balls += "Transform { translation " + std::to_string(i) + " 0 0 children " +
+             (i == 0 ? "DEF Ball Shape { geometry Sphere { radius 0.02 } }" : "USE Ball") + " }\n";
+  }
+  const auto readWith = [&](const std::string& more, double error = 0.0) {
+    return VRMLModel(writeFile(scratch.path(), "small.wrl", "#VRML V2.0 utf8\n" + balls + more),
+                     [&](vtkAtriaVRMLReader& reader) { reader.SetTessellationError(error); });
+  };
+  const VRMLModel model = readWith("");
+  EXPECT_EQ(model.brokenPromise(), "");
+  EXPECT_LT(model.triangles(), 200 * 80) << "not 1224 for each";
+  EXPECT_GE(model.triangles(), 200 * 6 * 4);
+  for (int axis = 1; axis < 3; ++axis)
+  {
+    EXPECT_NEAR(model.output()->GetBounds()[2 * axis + 1], 0.02, 0.002 + 1e-5 * 200);
+  }
+  const auto names = model.names();
+  ASSERT_EQ(names.size(), 200u);
+  EXPECT_NEAR(model.area(names[100]), 4 * pi * 0.02 * 0.02, 0.25 * 4 * pi * 0.02 * 0.02);
+  // One that is large has what the angle asks for, also among small ones, and each keeps its place in the file.
+  const VRMLModel mixed = readWith("Shape { geometry Cylinder { radius 30 } }\nShape { geometry Box {} }\n" + balls);
+  EXPECT_EQ(mixed.brokenPromise(), "");
+  EXPECT_EQ(mixed.triangles(), 2 * model.triangles() + 2 * 36 + 2 * 34 + 12);
+  EXPECT_EQ(mixed.names().size(), 402u);
+  // An error that is asked for holds.
+  EXPECT_GT(readWith("", 1e-6).triangles(), 200 * 1224);
+}
+
 TEST_F(VRMLGeometry, LeavesOutPartsSwitchedOff)
 {
   const double disc = 36.0 / 2.0 * std::sin(2 * pi / 36);
