@@ -19,8 +19,8 @@ std::vector<std::string> namesOf(const Surfaces& surfaces)
   return names;
 }
 
-/// Per surface, whether a pattern matches it.
-std::vector<char> matching(const Surfaces& surfaces, const std::vector<std::string>& patterns)
+/// Returns per surface whether a pattern matches it. Warns of patterns that match none.
+std::vector<char> matching(const Surfaces& surfaces, const std::vector<std::string>& patterns, Diagnostics& diagnostics)
 {
   const std::vector<std::string> names = namesOf(surfaces);
   std::vector<char> matches(names.size(), 0);
@@ -35,7 +35,8 @@ std::vector<char> matching(const Surfaces& surfaces, const std::vector<std::stri
     }
     if (!met)
     {
-      throw Error("no surface matches '" + pattern + "', which is to be left out; " + namesInstead(pattern, names));
+      diagnostics.warn("no surface matches '" + pattern + "', which is to be left out; " +
+                       namesInstead(pattern, names));
     }
   }
   return matches;
@@ -87,7 +88,11 @@ void dropUnusedPoints(Scene& scene)
 void excludeSurfaces(Scene& scene, Surfaces& surfaces, const std::vector<std::string>& patterns,
                      Diagnostics& diagnostics)
 {
-  const std::vector<char> out = matching(surfaces, patterns);
+  const std::vector<char> out = matching(surfaces, patterns, diagnostics);
+  if (std::ranges::find(out, 1) == out.end())
+  {
+    return;
+  }
   std::vector<Index> newIds(out.size(), noIndex);
   std::vector<Surface> kept;
   std::vector<std::string> gone;

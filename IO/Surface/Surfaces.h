@@ -36,8 +36,8 @@ struct Surfaces
 /// SurfaceBy::connected parts them.
 Surfaces makeSurfaces(const Scene& scene, SurfaceBy by, double splitAngle);
 
-/// Takes out the surfaces whose names match one of the patterns, with their points, and notes which. Throws Error for a
-/// pattern that matches none, and where nothing is left.
+/// Takes out the surfaces whose names match one of the patterns, with their points, and notes which. Warns of a pattern
+/// that matches none. Throws Error where nothing is left.
 void excludeSurfaces(Scene& scene, Surfaces& surfaces, const std::vector<std::string>& patterns,
                      Diagnostics& diagnostics);
 

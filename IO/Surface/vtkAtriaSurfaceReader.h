@@ -159,7 +159,7 @@ public:
   ///@{
   /**
    * Surfaces whose name matches the pattern (`*` any text, `?` any one character) are left out, such as furniture and
-   * trees. A pattern that matches none is an error of the run. None by default.
+   * trees. A pattern that matches none is a warning. None by default.
    */
   void AddExcludedSurface(const char* pattern);
   int GetNumberOfExcludedSurfaces();

@@ -176,8 +176,7 @@ class FirstUse(unittest.TestCase):
         self.refuses(2, "no subcommand msh; did you mean mesh?", "msh", HOUSE)
         self.refuses(2, "did you mean 'walls'?", "mesh", HOUSE, "--align", "wals")
         self.refuses(2, "did you mean 'Site'?", "mesh", HOUSE, "--site", "Sitr")
-        for option in (["--size", "WallSuoth", "1"], ["--layers", "wallsouth=1"], ["--refine-near", "Wallsouth", "1", "1"],
-                       ["--without", "WallSouth2"]):
+        for option in (["--size", "WallSuoth", "1"], ["--layers", "wallsouth=1"], ["--refine-near", "Wallsouth", "1", "1"]):
             self.refuses(3, "did you mean 'WallSouth'?", "mesh", HOUSE, *COARSE, *option)
 
     def test_numbers_that_are_none_are_usage_errors(self):
@@ -230,6 +229,12 @@ class FirstUse(unittest.TestCase):
         names = {surface["name"] for surface in json.loads(run.stdout)["surfaces"]}
         whole = {surface["name"] for surface in json.loads(self.atria("inspect", HOUSE, "--json").stdout)["surfaces"]}
         self.assertEqual(whole - names, {"PartitionA", "PartitionB", "Neighbor"})
+
+    def test_patterns_that_match_no_surface_are_warned_of(self):
+        run = self.atria("inspect", HOUSE, "--json", "--without", "WallSouth2")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIn("no surface matches 'WallSouth2', which is to be left out", run.stderr)
+        self.assertIn("did you mean 'WallSouth'?", run.stderr)
 
     def test_estimates_count_layers(self):
         def estimated(layers):
