@@ -13,6 +13,7 @@
 
 #include <Eigen/Geometry>
 
+#include <map>
 #include <numeric>
 #include <set>
 
@@ -64,6 +65,13 @@ private:
     std::string name; ///< of the nearest node around it that has one
     Transform transform;
   };
+  /// The points of an accessor, which many primitives may share.
+  struct Points
+  {
+    gltf::Values<double> read;
+    std::vector<std::size_t> placeOf; ///< among the faces' points, of those that a primitive uses; else `nowhere`
+  };
+  static constexpr auto nowhere = static_cast<std::size_t>(-1);
 
   void visit(const Visit& at);
   void addMesh(const Json& mesh, const Visit& at, const std::string& nodeName);
@@ -71,6 +79,7 @@ private:
   void addTriangles(const Json& primitive, std::size_t mode, std::size_t position, const Visit& at,
                     const std::string& name);
   std::string materialOf(const Json& primitive, const std::string& name);
+  Points& pointsOf(std::size_t accessor);
   std::vector<std::size_t> roots();
   std::vector<std::size_t> nodesIn(const Json& object, const char* key);
   Transform transformOf(const Json& node) const;
@@ -84,6 +93,8 @@ private:
   std::set<std::size_t> seen;
   std::vector<Part> parts;
   ModelFaces faces;
+  std::map<std::size_t, Points> pointsRead; ///< by accessor
+  std::size_t valuesRead = 0;               ///< in all of these
   std::size_t notSurfaces = 0;
   std::vector<std::string> complaints;
 };
@@ -144,44 +155,77 @@ std::string NodeWalk::materialOf(const Json& primitive, const std::string& name)
   }
 }
 
-/// For the part added next.
+/// Kept for other primitives, so that each accessor is read once, but for more than memory should hold.
+NodeWalk::Points& NodeWalk::pointsOf(std::size_t accessor)
+{
+  constexpr std::size_t mostKept = 30'000'000; // coordinates
+  if (const auto found = pointsRead.find(accessor); found != pointsRead.end())
+  {
+    return found->second;
+  }
+  if (valuesRead > mostKept)
+  {
+    pointsRead.clear();
+    valuesRead = 0;
+  }
+  Points points{file.floats(accessor, 3), {}};
+  points.placeOf.assign(points.read.values.size() / 3, nowhere);
+  valuesRead += points.read.values.size();
+  return pointsRead.emplace(accessor, std::move(points)).first->second;
+}
+
+/// For the part added next. Points that no triangle uses are left out.
 void NodeWalk::addTriangles(const Json& primitive, std::size_t mode, std::size_t position, const Visit& at,
                             const std::string& name)
 {
-  const auto accept = [&](auto read) {
-    if (!read.fault.empty())
+  const auto complain = [&](const std::string& fault) {
+    if (!fault.empty())
     {
-      complaints.push_back("a primitive of '" + name + "' is read in part: " + read.fault);
+      complaints.push_back("a primitive of '" + name + "' is read in part: " + fault);
     }
-    return std::move(read.values);
   };
-  const std::vector<double> points = accept(file.floats(position, 3));
+  Points& points = pointsOf(position);
+  complain(points.read.fault);
   std::vector<std::size_t> ids;
   if (const auto accessor = file.index(primitive, "indices"))
   {
-    ids = accept(file.indices(*accessor));
+    gltf::Values<std::size_t> read = file.indices(*accessor);
+    complain(read.fault);
+    ids = std::move(read.values);
   }
   else
   {
-    ids.resize(points.size() / 3);
+    ids.resize(points.placeOf.size());
     std::iota(ids.begin(), ids.end(), std::size_t{0});
   }
-  const std::size_t first = faces.numberOfPoints();
-  for (std::size_t i = 0; i + 2 < points.size(); i += 3)
-  {
-    const Vec3 p = at.transform * Vec3(points[i], points[i + 1], points[i + 2]);
-    faces.addPoint({p.x(), p.y(), p.z()});
-  }
+  // A number beyond the points of this primitive may be one of another.
+  const auto placeOf = [&](std::size_t id) {
+    if (id >= points.placeOf.size())
+    {
+      return nowhere;
+    }
+    std::size_t& place = points.placeOf[id];
+    if (place == nowhere)
+    {
+      place = faces.numberOfPoints();
+      const Vec3 p = at.transform * Eigen::Map<const Vec3>(points.read.values.data() + 3 * id);
+      faces.addPoint({p.x(), p.y(), p.z()});
+    }
+    return place;
+  };
   // glTF asks for triangles to be turned over where they are mirrored.
   const bool mirrored = at.transform.linear().determinant() < 0.0;
   const int part = static_cast<int>(parts.size());
   forTriangles(mode, ids, [&](std::size_t a, std::size_t b, std::size_t c) {
-    // A number beyond the points of this primitive may be one of another.
-    const std::size_t own = points.size() / 3;
-    const std::size_t beyond = static_cast<std::size_t>(-1);
-    const auto idOf = [&](std::size_t id) { return id < own ? first + id : beyond; };
-    faces.add(std::array{idOf(a), idOf(mirrored ? c : b), idOf(mirrored ? b : c)}, part);
+    faces.add(std::array{placeOf(a), placeOf(mirrored ? c : b), placeOf(mirrored ? b : c)}, part);
   });
+  for (const std::size_t id : ids)
+  {
+    if (id < points.placeOf.size())
+    {
+      points.placeOf[id] = nowhere; // the next use has another transform
+    }
+  }
 }
 
 void NodeWalk::addMesh(const Json& mesh, const Visit& at, const std::string& nodeName)
