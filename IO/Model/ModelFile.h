@@ -20,7 +20,9 @@ Model readStl(const std::string& file);
 Model readPly(const std::string& file);
 /// glTF 2.0 or GLB: a part for each primitive of each node of the scene, Y up.
 Model readGltf(const std::string& file);
-/// COLLADA, 3DS, FBX, DXF or IFC, by assimp: a part for each material of each node. An abort ends it.
+/// DXF in text form: a part for each layer. In double precision.
+Model readDxf(const std::string& file);
+/// COLLADA, 3DS, FBX or IFC, by assimp: a part for each material of each node. An abort ends it.
 Model readAssimp(const std::string& file, const ProgressRange& progress);
 /// CityJSON, or CityJSON text sequences: a part for each semantic class of each city object.
 Model readCityJson(const std::string& file);

@@ -38,13 +38,20 @@ model::Model quick(const std::string& file, const atria::ProgressRange&)
 }
 
 constexpr Format formats[] = {
-    {".obj", quick<model::readObj>},       {".stl", quick<model::readStl>},
-    {".ply", quick<model::readPly>},       {".gltf", quick<model::readGltf>},
-    {".glb", quick<model::readGltf>},      {".vtp", quick<model::readXml>},
-    {".vtm", quick<model::readXml>},       {".vtpc", quick<model::readXml>},
-    {".json", quick<model::readCityJson>}, {".jsonl", quick<model::readCityJson>},
-    {".dae", model::readAssimp},           {".3ds", model::readAssimp},
-    {".fbx", model::readAssimp},           {".dxf", model::readAssimp},
+    {".obj", quick<model::readObj>},
+    {".stl", quick<model::readStl>},
+    {".ply", quick<model::readPly>},
+    {".gltf", quick<model::readGltf>},
+    {".glb", quick<model::readGltf>},
+    {".vtp", quick<model::readXml>},
+    {".vtm", quick<model::readXml>},
+    {".vtpc", quick<model::readXml>},
+    {".json", quick<model::readCityJson>},
+    {".jsonl", quick<model::readCityJson>},
+    {".dae", model::readAssimp},
+    {".3ds", model::readAssimp},
+    {".fbx", model::readAssimp},
+    {".dxf", quick<model::readDxf>},
     {".ifc", model::readAssimp},
 };
 
