@@ -69,7 +69,7 @@ else ()
   set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS "xvfb, xauth") # for pictures without a display
   if (TARGET atria-assimp)
     atria_debian_package(assimp NAME atria-assimp SECTION science
-      TEXT "The program by which the library reads COLLADA, 3DS, FBX, DXF and IFC.")
+      TEXT "The program by which the library reads COLLADA, 3DS, FBX and IFC.")
     set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "atria-assimp")
   endif ()
   atria_debian_package(python NAME python3-atria SECTION python CONFLICTS python3-atria-paraview

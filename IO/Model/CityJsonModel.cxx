@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// CityJSON 1.0 to 2.0, one document or a text sequence of features.
+#include "ClosedShell.h"
 #include "JsonText.h"
 #include "ModelFaces.h"
 #include "ModelFile.h"
 #include "ModelText.h"
+#include "NameList.h"
 
 #include "Support/Error.h"
 #include "Support/Types.h"
@@ -76,6 +78,7 @@ private:
   void addObject(const Json& objects, const std::string& id, const Points& points);
   void addGeometry(const Json& geometry, const Points& points, const Place& place);
   void addInstance(const Json& geometry, const Points& points, const Place& place);
+  bool isClosed(const Json& solid, const Points& points) const;
   void addSurfaces(const Json& boundaries, const Json& values, int depth, const Json& semantics, const Points& points,
                    const Place& place);
   void addSurface(const Json& rings, const std::string& semantic, const Points& points, const Place& place);
@@ -91,6 +94,7 @@ private:
   Json templates;
   std::size_t lowerLevels = 0;
   std::size_t noSurfaces = 0;
+  NameList openSolids; ///< identifiers of objects
 };
 
 void CityReader::add(const Json& document)
@@ -228,8 +232,45 @@ void CityReader::addGeometry(const Json& geometry, const Points& points, const P
     return;
   }
   const Json& semantics = entryOf(geometry, "semantics");
-  addSurfaces(entryOf(geometry, "boundaries"), entryOf(semantics, "values"), depth, entryOf(semantics, "surfaces"),
-              points, place);
+  const Json& boundaries = entryOf(geometry, "boundaries");
+  addSurfaces(boundaries, entryOf(semantics, "values"), depth, entryOf(semantics, "surfaces"), points, place);
+  const auto isOpen = [&](const Json& solid) { return !solid.empty() && !isClosed(solid, points); };
+  const bool open = depth == 2   ? isOpen(boundaries)
+                    : depth == 3 ? std::any_of(boundaries.begin(), boundaries.end(), isOpen)
+                                 : false;
+  if (open)
+  {
+    openSolids.add(place.id);
+  }
+}
+
+/// Whether the shells of a solid close it.
+bool CityReader::isClosed(const Json& solid, const Points& points) const
+{
+  ClosedShell all;
+  std::map<std::size_t, std::size_t> placeOf;
+  const auto addRing = [&](const Json& ring) {
+    std::vector<std::size_t> corners;
+    for (const Json& corner : ring)
+    {
+      const std::size_t id = corner.is_number_unsigned() ? corner.get<std::size_t>() : points.count;
+      if (id < points.count)
+      {
+        const auto [found, isNew] = placeOf.try_emplace(id, placeOf.size());
+        const auto& p = faces.point(points.first + id);
+        corners.push_back(isNew ? all.addPoint({p[0], p[1], p[2]}) : found->second);
+      }
+    }
+    all.addPolygon(corners);
+  };
+  for (const Json& shell : solid)
+  {
+    for (const Json& surface : shell)
+    {
+      std::for_each(surface.begin(), surface.end(), addRing);
+    }
+  }
+  return all.isClosed();
 }
 
 /// A template at a place: a matrix, row by row, about one of the document's vertices.
@@ -318,6 +359,12 @@ Model CityReader::finish()
   {
     model.notes.push_back(std::to_string(lowerLevels) +
                           " geometries are left out for those of a higher level of detail");
+  }
+  if (!openSolids.empty())
+  {
+    model.warnings.push_back(
+        openSolids.counted("city object") +
+        " not closed, though given as a solid, so that the inside may be taken for air: " + openSolids.text());
   }
   faces.giveTo(model, keepTree(model, parts), "surfaces");
   model.unitKnown = true; // of the reference systems that are in use for buildings

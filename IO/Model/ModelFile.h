@@ -22,8 +22,10 @@ Model readPly(const std::string& file);
 Model readGltf(const std::string& file);
 /// DXF in text form: a part for each layer. In double precision.
 Model readDxf(const std::string& file);
-/// COLLADA, 3DS, FBX or IFC, by assimp: a part for each material of each node. An abort ends it.
+/// COLLADA, 3DS or FBX, by assimp: a part for each material of each node. An abort ends it.
 Model readAssimp(const std::string& file, const ProgressRange& progress);
+/// IFC, by assimp: a part for each material of each element. An abort ends it.
+Model readIfc(const std::string& file, const ProgressRange& progress);
 /// CityJSON, or CityJSON text sequences: a part for each semantic class of each city object.
 Model readCityJson(const std::string& file);
 /// VTK's XML polydata, multiblock datasets and partitioned dataset collections.

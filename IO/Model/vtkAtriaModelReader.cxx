@@ -52,7 +52,7 @@ constexpr Format formats[] = {
     {".3ds", model::readAssimp},
     {".fbx", model::readAssimp},
     {".dxf", quick<model::readDxf>},
-    {".ifc", model::readAssimp},
+    {".ifc", model::readIfc},
 };
 
 const Format* formatOf(const char* fileName)

@@ -17,7 +17,7 @@
  * | .dae | COLLADA | a node, in one material |
  * | .3ds | 3D Studio | an object, in one material |
  * | .fbx | FBX, ASCII or binary | a node, in one material |
- * | .dxf | DXF: faces and meshes | a layer |
+ * | .dxf | DXF in text form: faces, meshes, what has a thickness | a layer |
  * | .ifc | IFC 2x3 | an element by class and name, `IfcWall_South`, in one material |
  *
  * The strings are UTF-8. An object or node of several materials is as many surfaces, `Wall_Brick` and `Wall_Glass`.
@@ -35,8 +35,10 @@
  * where it is set as well. 3DS and DXF are Z up. CityJSON is Z up and in meters. Binary STL, glTF and what assimp reads
  * have single precision; a warning says so where that is coarse for the model, as far from the origin.
  *
- * COLLADA, 3DS, FBX, DXF and IFC are read by assimp, in the program atria-assimp, which runs for as long as it reads.
- * It crashes on many damaged files: this is an error of the run that names the file. Nothing is left of such files.
+ * COLLADA, 3DS, FBX and IFC are read by assimp, in the program atria-assimp, which runs for as long as it reads.
+ * It crashes on many damaged files: this is an error of the run that names the file. Nothing is left of such files. Of IFC
+ * the elements that it fails on are left out. A warning names them, those of later schemas than IFC 2x3, and those that
+ * are solids in the file and are not closed as they are read. Solids of CityJSON that are not closed are named, too.
  *
  * Of the levels of detail of a city object the highest is read; an object whose children have a higher one is left out.
  *
@@ -44,8 +46,8 @@
  * wrong with the rest; an error is reported where none can be, and where JSON is damaged: it names line and column.
  * VTK's own formats are read by VTK, which asks for sound files.
  *
- * Limits: IFC 4 is read as far as its shapes are those of 2x3; solids of DXF (ACIS) are not read; OBJ's free-form
- * surfaces, glTF's skins, animations and compressed meshes, and PLY's strips are not read.
+ * Limits: IFC 4 is read as far as IFC 2x3 has its elements and shapes, and its face sets; solids of DXF (ACIS) are not
+ * read; OBJ's free-form surfaces, glTF's skins, animations and compressed meshes, and PLY's strips are not read.
  */
 #ifndef vtkAtriaModelReader_h
 #define vtkAtriaModelReader_h

@@ -1,78 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// What the formats have of their own that architects' programs exchange: units, axes, trees of names, damage.
 /// TestModelReader compares one house in all of them. ATRIA_MUTATIONS sets the number of damaged copies of each file.
+#include "ExchangeModels.h"
 #include "SurfacePromises.h"
-#include "VRMLModel.h"
-#include "vtkAtriaModelReader.h"
 
-#include "Support/TestPaths.h"
-#include "Support/VtkErrorGuard.h"
 #include "Support/Watchdog.h"
 
-#include <vtkFieldData.h>
 #include <vtkMassProperties.h>
-#include <vtkNew.h>
-#include <vtkPolyData.h>
-#include <vtkStringArray.h>
 
 #include <gmock/gmock.h>
 
 #include <cstdlib>
 #include <random>
 
+#include <sys/resource.h>
+
 namespace {
 
-namespace fs = std::filesystem;
-using atria::testing::bytesOf;
+using atria::testing::ExchangeModels;
+using atria::testing::houseAs;
+using atria::testing::replaced;
+using atria::testing::sample;
 using atria::testing::writeFile;
 using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::UnorderedElementsAre;
-
-std::string houseAs(const std::string& ending)
-{
-  return bytesOf(atria::testing::dataFolder() / "Models" / ("house." + ending));
-}
-
-std::string replaced(std::string text, const std::string& old, const std::string& with)
-{
-  EXPECT_NE(text.find(old), text.npos) << old;
-  return text.replace(text.find(old), old.size(), with);
-}
-
-class ExchangeModels : public atria::testing::VtkTest
-{
-protected:
-  ExchangeModels() { reader->MergeDuplicateFacesOff(); }
-
-  void read(const std::string& name, const std::string& bytes)
-  {
-    reader->SetFileName(writeFile(scratch.path(), name, bytes).c_str());
-    reader->Modified();
-    reader->Update();
-    warned = atria::testing::joined(messages.takeWarnings());
-    errors = messages.takeErrors();
-  }
-  vtkIdType triangles() const { return reader->GetOutput()->GetNumberOfCells(); }
-  std::vector<std::string> names() const
-  {
-    auto* array = vtkStringArray::SafeDownCast(reader->GetOutput()->GetFieldData()->GetAbstractArray("SurfaceName"));
-    std::vector<std::string> all;
-    for (vtkIdType i = 0; array && i < array->GetNumberOfValues(); ++i)
-    {
-      all.push_back(array->GetValue(i));
-    }
-    return all;
-  }
-  std::string error() const { return errors.empty() ? "" : errors.front(); }
-  double height() const { return reader->GetOutput()->GetBounds()[5] - reader->GetOutput()->GetBounds()[4]; }
-
-  atria::testing::ScratchFolder scratch;
-  vtkNew<vtkAtriaModelReader> reader;
-  std::string warned;
-  std::vector<std::string> errors;
-};
 
 /// CityJSON of one square of two units for each boundary: `"0": [[0,1,2,3]]` of a MultiSurface and the like.
 std::string city(const std::string& objects, const std::string& more = "")
@@ -218,25 +171,96 @@ TEST_F(ExchangeModels, CityJsonSaysWhatIsWrong)
   EXPECT_EQ(triangles(), 2) << "parents in a circle";
 }
 
+TEST_F(ExchangeModels, CityJsonNamesSolidsThatAreNotClosed)
+{
+  const std::string whole = R"([[0,3,2,1]],[[0,1,5,4]],[[1,2,6,5]],[[2,3,7,6]],[[3,0,4,7]],[[4,5,6,7]])";
+  const auto solid = [](const std::string& type, const std::string& boundaries) {
+    return R"({"type":")" + type + R"(","lod":"2","boundaries":)" + boundaries + "}";
+  };
+  const auto read2 = [&](const std::string& objects) {
+    read("a.json", R"({"type":"CityJSON","version":"2.0","transform":{"scale":[1,1,1],"translate":[0,0,0]},)"
+                   R"("CityObjects":{)" +
+                       objects +
+                       R"(},"vertices":[[0,0,0],[4,0,0],[4,4,0],[0,4,0],[0,0,3],[4,0,3],[4,4,3],[0,4,3],[2,0,0]]})");
+  };
+  read2(object("House", solid("Solid", "[[" + whole + "]]")) + "," +
+        object("Hall", solid("MultiSolid", "[[[" + whole + "]]]")));
+  EXPECT_EQ(warned, "");
+  // Two edges along one of a neighbor close it as well.
+  read2(object("House", solid("Solid", "[[" + replaced(whole, "[[0,1,5,4]]", "[[0,8,1,5,4]]") + "]]")));
+  EXPECT_EQ(warned, "");
+  const std::string open = replaced(whole, "[[3,0,4,7]],", "");
+  read2(object("House", solid("Solid", "[[" + open + "]]")) + "," +
+        object("Hall", solid("CompositeSolid", "[[[" + open + "]]]")) + "," +
+        object("Shed", solid("MultiSurface", "[" + open + "]")));
+  EXPECT_THAT(warned, AllOf(HasSubstr("2 city objects are not closed"), HasSubstr("Hall, House")));
+  EXPECT_THAT(warned, Not(HasSubstr("Shed"))) << "which need not be closed";
+}
+
+TEST_F(ExchangeModels, GltfPrimitivesThatSharePointsTakeWhatTheyUse)
+{
+  constexpr int parts = 500;
+  constexpr int corners = 90; // of each
+  std::string nodes;
+  std::string list;
+  std::string meshes;
+  std::string accessors = R"({"bufferView":0,"componentType":5126,"count":45000,"type":"VEC3"})";
+  std::string bytes;
+  const auto add = [&](auto value) { bytes.append(reinterpret_cast<const char*>(&value), sizeof value); };
+  for (int i = 0; i < parts * corners; ++i)
+  {
+    add(static_cast<float>(i / 3));
+    add(static_cast<float>(i % 3 == 1 ? 1 : 0));
+    add(static_cast<float>(i % 3 == 2 ? 1 : 0));
+  }
+  for (int i = 0; i < parts * corners; ++i)
+  {
+    add(static_cast<std::uint32_t>(i));
+  }
+  for (int i = 0; i < parts; ++i)
+  {
+    const std::string n = std::to_string(i);
+    const std::string comma = i == 0 ? "" : ",";
+    list += comma + n;
+    nodes += comma + R"({"mesh":)" + n + R"(,"name":"N)" + n + R"(","translation":[0,)" + n + ",0]}";
+    meshes += comma + R"({"primitives":[{"attributes":{"POSITION":0},"indices":)" + std::to_string(i + 1) + "}]}";
+    accessors += R"(,{"bufferView":1,"byteOffset":)" + std::to_string(4 * corners * i) +
+                 R"(,"componentType":5125,"count":90,"type":"SCALAR"})";
+  }
+  writeFile(scratch.path(), "a.bin", bytes);
+  rusage before{};
+  getrusage(RUSAGE_SELF, &before);
+  read("a.gltf", R"({"asset":{"version":"2.0"},"scenes":[{"nodes":[)" + list + R"(]}],"nodes":[)" + nodes +
+                     R"(],"meshes":[)" + meshes + R"(],"accessors":[)" + accessors +
+                     R"(],"bufferViews":[{"buffer":0,"byteLength":540000},{"buffer":0,"byteOffset":540000,)" +
+                     R"("byteLength":180000}],"buffers":[{"uri":"a.bin","byteLength":720000}]})");
+  rusage after{};
+  getrusage(RUSAGE_SELF, &after);
+  EXPECT_EQ(error(), "");
+  EXPECT_EQ(triangles(), parts * corners / 3);
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), parts * corners);
+  EXPECT_NEAR(area(), 0.5 * parts * corners / 3, 1e-6);
+  EXPECT_EQ(reader->GetOutput()->GetBounds()[5], parts - 1 + 1.0) << "each at the place of its node";
+  EXPECT_LT(after.ru_maxrss - before.ru_maxrss, 200'000) << "kilobytes; points of all times primitives were 1 GB";
+}
+
 #ifdef ATRIA_WITH_ASSIMP
 
-TEST_F(ExchangeModels, IfcKeepsClassesNamesAndStoreys)
+TEST_F(ExchangeModels, ColladaPolygonsHaveHoles)
 {
-  read("house.ifc", houseAs("ifc"));
+  read("a.dae", sample("dae-polygon-with-hole.dae"));
   EXPECT_EQ(error(), "");
-  EXPECT_EQ(warned, "");
-  EXPECT_THAT(names(), UnorderedElementsAre("IfcWall_Front", "IfcWall_Back", "IfcSlab_Floor", "IfcRoof_Roof",
-                                            "IfcBuildingStorey_Groundfloor/IfcWall_Gable",
-                                            "IfcBuildingStorey_Attic/IfcWall_Gable"));
-  double bounds[6];
-  reader->GetOutput()->GetBounds(bounds);
-  const double expected[] = {0, 8, 0, 6, 0, 6}; // of millimeters, with z up
-  for (int i = 0; i < 6; ++i)
-  {
-    EXPECT_NEAR(bounds[i], expected[i], 1e-5);
-  }
-  read("house.ifc", replaced(houseAs("ifc"), "IFC2X3", "IFC4"));
-  EXPECT_THAT(warned, AllOf(HasSubstr("house.ifc"), HasSubstr("IFC4")));
+  EXPECT_NEAR(areas()["WallWithWindow"], 26.129, 1e-3);
+  EXPECT_NEAR(areas()["SecondWall"], 26.129, 1e-3);
+  // Two holes, corners of two numbers, and a polygon without holes beside it.
+  const std::string input = R"(<input semantic="VERTEX" source="#v" offset="0"/>)";
+  std::string two =
+      replaced(sample("dae-polygon-with-hole.dae"), input, R"(<input semantic="VERTEX" source="#v" offset="1"/>)");
+  two = replaced(two, "<p>0 1 2 3</p><h>4 7 6 5</h>", "<p>9 0 9 1 9 2 9 3</p><h>9 4 9 7 9 6</h><h>9 4 9 6 9 5</h>");
+  two = replaced(two, "<ph>", "<p>9 4 9 5 9 6</p><ph>");
+  read("a.dae", two);
+  EXPECT_EQ(error(), "");
+  EXPECT_NEAR(areas()["SecondWall"], 26.129 + 0.5 * 3.871, 1e-3);
 }
 
 TEST_F(ExchangeModels, UnitsAndAxesOfTheFileAreHonored)

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// An IFC file as text, made such that assimp can read it.
+///
+/// assimp knows IFC 2x3 alone, and ends with a crash where an entity that it needs is missing or of a later schema. It
+/// reads what is below sites, or below buildings where there is no site.
+#pragma once
+
+#include "StepText.h"
+
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace atria::model::ifc {
+
+/// An element, a part of the site, or whatever else has a place and perhaps a shape.
+struct Product
+{
+  std::uint64_t id = 0;
+  std::string type;       ///< in capitals
+  std::string guid;       ///< by which assimp's nodes can be found
+  std::string name;       ///< in UTF-8; may be empty
+  bool isSolid = false;   ///< all of its shapes are solids, which are closed
+  bool isLossy = false;   ///< some of its shapes are of a later schema than 2x3
+  bool isDropped = false; ///< it is of a later schema itself, or was taken out
+};
+
+class Document
+{
+public:
+  explicit Document(std::string_view text);
+
+  const std::string& schema() const { return schemaName; }
+  /// What assimp takes a unit of length for, in meters; other than 1 where the file's unit is one it does not know.
+  double lengthScale() const { return unitScale; }
+
+  /// Those with a shape that stands in the model, in the order of the file: no openings, spaces and annotations.
+  const std::vector<Product>& products() const { return found; }
+  /// Openings by the element they are cut from.
+  const std::multimap<std::uint64_t, std::uint64_t>& openings() const { return openingsOf; }
+
+  step::File& file() { return content; }
+  /// The file without some elements and their openings.
+  std::string textWithout(const std::set<std::uint64_t>& left) const;
+
+private:
+  void readUnits();
+  void findProducts();
+  bool hasSolidsAlone(const step::Instance& shape) const;
+  void visitItems(const step::Instance& shape, const std::function<void(const step::Instance&)>& visit) const;
+  void dropOthers();
+  void dropUnknown();
+  void dropReferences(step::Instance& from, std::uint64_t to, std::vector<std::uint64_t>& removed);
+  void markLossy();
+  void putUnderOneSite();
+  std::vector<std::uint64_t> rootsOfAssimp(std::uint64_t project) const;
+
+  step::File content;
+  std::string schemaName;
+  double unitScale = 1.0;
+  std::vector<Product> found;
+  std::multimap<std::uint64_t, std::uint64_t> openingsOf;
+  std::set<std::uint64_t> lossyRepresentations;
+};
+
+} // namespace atria::model::ifc
