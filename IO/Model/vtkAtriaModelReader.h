@@ -36,9 +36,10 @@
  * have single precision; a warning says so where that is coarse for the model, as far from the origin.
  *
  * COLLADA, 3DS, FBX and IFC are read by assimp, in the program atria-assimp, which runs for as long as it reads.
- * It crashes on many damaged files: this is an error of the run that names the file. Nothing is left of such files. Of IFC
- * the elements that it fails on are left out. A warning names them, those of later schemas than IFC 2x3, and those that
- * are solids in the file and are not closed as they are read. Solids of CityJSON that are not closed are named, too.
+ * It crashes on many damaged files: this is an error of the run that names the file. Nothing is left of such files. Of
+ * IFC the elements that it fails on are left out. A warning names them, those of later schemas than IFC 2x3, and those
+ * that are solids in the file and are not closed as they are read. Solids of CityJSON that are not closed are named,
+ * too.
  *
  * Of the levels of detail of a city object the highest is read; an object whose children have a higher one is left out.
  *
