@@ -91,7 +91,7 @@ void File::readGroups()
     std::size_t next = at;
     const std::string_view line = nextLine(text, next);
     const std::size_t second = next;
-    group.value = trimmed(nextLine(text, next));
+    group.value = next < text.size() ? trimmed(nextLine(text, next)) : std::string_view();
     const bool lost = !groups.empty() && groups.back().code == noCode;
     const bool good = isCode(line, group.code) && (!lost || (group.code == 0 && isKeyword(group.value)));
     if (good)
