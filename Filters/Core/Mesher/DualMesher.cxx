@@ -83,8 +83,7 @@ ReachedStage findReached(OctreeGrid& own, const ZoneOptions& options, const Draw
   DualMeshResult found;
   chooseZones(zones, grid, own.crossings, options, drawn, found, context);
   ReachedStage out;
-  out.parts = findUnreachedParts(own.crossings, grid, zones, viewsOfZones(found.zones), context.model,
-                                 allOf(own.points), context);
+  out.parts = findUnreachedParts(own.crossings, grid, zones, viewsOfZones(found.zones), allOf(own.points), context);
   if (out.parts.any())
   {
     out.model = std::make_unique<ReachedModel>(out.parts, context);

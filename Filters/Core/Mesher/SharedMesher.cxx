@@ -74,7 +74,7 @@ SharedStart startOf(const DualMeshOptions& options, const DrawnModel* drawn, con
   DualMeshResult found;
   chooseZones(zones, places, grid.crossings, points, options, drawn, share, found, context);
   ReachedStage reached;
-  reached.parts = findUnreachedParts(grid.crossings, places, zones, viewsOfZones(found.zones), context.model,
+  reached.parts = findUnreachedParts(grid.crossings, places, zones, viewsOfZones(found.zones),
                                      {points.firstOwn(), points.endOwn(), &share.exchange()}, context);
   if (reached.parts.any())
   {

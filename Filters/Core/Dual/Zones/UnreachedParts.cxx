@@ -3,9 +3,14 @@
 
 #include "Octree/Sizing/Refinement.h"
 #include "Surface/Model/FeatureGraph.h"
+#include "Surface/Search/Distance.h"
 #include "Surface/Triangles/EachEdge.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace atria {
 
@@ -15,6 +20,145 @@ bool isHidden(const TriangleViews& views)
 {
   return std::ranges::all_of(views, [](View view) { return view == View::solid || view == View::ground; });
 }
+
+/// Sides that no edge of the grid sees, as the insides of beams thinner than an octant, looked at by rays.
+class UnseenSides
+{
+public:
+  UnseenSides(const MeshingContext& c, std::vector<TriangleViews>& v)
+      : model(c.model), tree(c.tree.get()), executor(c.executor), views(v),
+        pieceOf(piecesBetweenEdges(model, count, executor)), largest(count, noIndex), sets(2 * std::size_t{count}),
+        facts(2 * std::size_t{count})
+  {
+  }
+
+  /// Gives them the view of the space that rays find before them: that of any other side of it, or the inside of a
+  /// solid where all of its walls are in one. Spaces that rays leave, or that air is in, stay unseen.
+  void run()
+  {
+    findLargest();
+    std::vector<Index> unseen;
+    for (Index side = 0; side < facts.size(); ++side)
+    {
+      if (viewOf(side) == View::nothing)
+      {
+        unseen.push_back(side);
+      }
+    }
+    std::vector<std::vector<Index>> seen(unseen.size());
+    executor.forEach(unseen.size(), 16, [&](std::size_t i) { seen[i] = sidesBefore(unseen[i]); });
+    for (std::size_t i = 0; i < unseen.size(); ++i)
+    {
+      for (const Index side : seen[i])
+      {
+        sets.join(unseen[i], side == noIndex || viewOf(side) != View::nothing ? unseen[i] : side);
+      }
+    }
+    for (std::size_t i = 0; i < unseen.size(); ++i)
+    {
+      gather(unseen[i], seen[i]);
+    }
+    for (Index t = 0; t < views.size(); ++t)
+    {
+      for (Index side = 0; side < 2; ++side)
+      {
+        if (views[t][side] == View::nothing)
+        {
+          views[t][side] = facts[sets.find(2 * pieceOf[t] + side)].view();
+        }
+      }
+    }
+  }
+
+private:
+  /// Of a space.
+  struct Space
+  {
+    bool isOpen = false;  ///< air may be in it
+    bool isWithin = true; ///< all of its walls are in solids
+    View seen = View::nothing;
+
+    View view() const
+    {
+      return isOpen ? View::nothing : seen != View::nothing ? seen : isWithin ? View::solid : View::nothing;
+    }
+  };
+
+  View viewOf(Index side) const { return views[largest[side / 2]][side % 2]; }
+
+  void findLargest()
+  {
+    std::vector<double> areas(largest.size(), -1.0);
+    for (Index t = 0; t < pieceOf.size(); ++t)
+    {
+      const double area = model.normal(t).squaredNorm();
+      if (area > areas[pieceOf[t]])
+      {
+        areas[pieceOf[t]] = area;
+        largest[pieceOf[t]] = t;
+      }
+    }
+  }
+
+  /// The sides that rays from the middle of a piece's largest triangle meet first; noIndex for a ray that meets none,
+  /// or what is no wall.
+  std::vector<Index> sidesBefore(Index side) const
+  {
+    const Index from = largest[side / 2];
+    const Vec3 corner = toVector(model.corner(from, 0));
+    const Vec3 origin = (corner + toVector(model.corner(from, 1)) + toVector(model.corner(from, 2))) / 3.0;
+    const Vec3 ahead = (side % 2 == 0 ? 1.0 : -1.0) * model.normal(from).normalized();
+    const Vec3 across = (toVector(model.corner(from, 1)) - corner).normalized();
+    const Vec3 along = ahead.cross(across);
+    std::vector<Index> out{sideMet(origin, ahead)};
+    constexpr int around = 7; // an odd number, so that no two rays go along one line of a plan
+    for (const double lean : {1.0, 6.0})
+    {
+      for (int i = 0; i < around; ++i)
+      {
+        const double angle = 2.0 * std::numbers::pi * i / around;
+        const Vec3 direction = ahead + lean * (std::cos(angle) * across + std::sin(angle) * along);
+        out.push_back(sideMet(origin, direction.normalized()));
+      }
+    }
+    return out;
+  }
+
+  Index sideMet(const Vec3& origin, const Vec3& direction) const
+  {
+    const TriangleTree::Hit hit =
+        tree.firstHit(origin, direction, latticeRounding, std::numeric_limits<double>::infinity());
+    if (hit.triangle == noIndex || model.isPermeable(hit.triangle) || model.isTurnedSide(hit.triangle))
+    {
+      return noIndex;
+    }
+    const Index side = model.normal(hit.triangle).dot(direction) < 0.0 ? 0 : 1;
+    return 2 * pieceOf[hit.triangle] + side;
+  }
+
+  void gather(Index side, const std::vector<Index>& seen)
+  {
+    Space& space = facts[sets.find(side)];
+    const View behind = viewOf(side ^ 1u);
+    space.isWithin = space.isWithin && (behind == View::solid || behind == View::ground);
+    for (const Index other : seen)
+    {
+      const View view = other == noIndex ? View::air : viewOf(other);
+      space.isOpen = space.isOpen || view == View::air;
+      space.seen = std::max(space.seen, view);
+    }
+  }
+
+  const SurfaceModel& model;
+  const TriangleTree& tree;
+  const Executor& executor;
+  std::vector<TriangleViews>& views;
+  Index count = 0;
+  std::vector<Index> pieceOf;
+  std::vector<Index> largest; ///< triangle of each piece
+  UnionFind sets;             ///< of sides, two for each piece
+  std::vector<Space> facts;   ///< by the first side of a space
+};
 
 /// Takes back pieces that leave an edge with one triangle where there were several.
 void keepEdgesClosed(const SurfaceModel& model, std::vector<char>& isUnreached, const Executor& executor)
@@ -85,15 +229,17 @@ SurfaceModel withoutParts(const SurfaceModel& model, const std::vector<char>& is
 } // namespace
 
 UnreachedParts findUnreachedParts(const Crossings& crossings, const GridPlaces& grid, const Zones& zones,
-                                  const std::vector<View>& ofZone, const SurfaceModel& model, const ViewShare& share,
-                                  const RunContext& context)
+                                  const std::vector<View>& ofZone, const ViewShare& share,
+                                  const MeshingContext& context)
 {
+  const SurfaceModel& model = context.model;
   UnreachedParts out;
   if (std::ranges::none_of(ofZone, [](View view) { return view == View::solid || view == View::ground; }))
   {
     return out;
   }
   out.views = findModelViews(crossings, grid, zones, ofZone, model, share, context);
+  UnseenSides(context, out.views).run();
   out.isUnreached.resize(model.triangles.size());
   for (Index t = 0; t < model.triangles.size(); ++t)
   {
