@@ -94,7 +94,7 @@ TEST_F(ExchangeModels, TellWhatIsGround)
                       replaced(object("Wood", surface("1", square)), "Building", "PlantCover")));
   EXPECT_THAT(grounds(), UnorderedElementsAre("Street/TrafficArea", "Street", "Lawn"))
       << ::testing::PrintToString(names());
-  read("a.ifc", bytesOf(atria::testing::dataFolder() / "Ground" / "ifc-site-is-a-block.ifc"));
+  read("a.ifc", atria::testing::bytesOf(atria::testing::dataFolder() / "Ground" / "ifc-site-is-a-block.ifc"));
   EXPECT_THAT(grounds(), ElementsAre("IfcSite_Ground")) << ::testing::PrintToString(names());
 }
 

@@ -19,6 +19,14 @@ enum SurfaceSum : std::uint8_t
   surfaceSums
 };
 
+/// Sums of the mesh over all ranks.
+enum WholeSum : std::uint8_t
+{
+  airVolume,
+  topArea, ///< of faces on the domain's top
+  wholeSums
+};
+
 /// What the model says of one surface, in square model units.
 struct ModelAreas
 {
@@ -59,7 +67,8 @@ public:
 private:
   void measureFaces()
   {
-    std::vector<ExactSum> sums(count * surfaceSums + 1);
+    std::vector<ExactSum> sums(count * surfaceSums + wholeSums);
+    ExactSum* const whole = sums.data() + count * surfaceSums;
     std::vector<std::uint8_t> coarsest(count, std::numeric_limits<std::uint8_t>::max());
     const Vec3 origin = frame.domain.center();
     const auto add = [&](const auto& face, const FaceFlux& flux, SurfaceSum what) {
@@ -74,7 +83,8 @@ private:
       if (share.counts(face.element))
       {
         const FaceFlux flux = fluxOf(mesh, face.element, face.direction, origin);
-        sums.back().add(flux.volume, volumes);
+        whole[airVolume].add(flux.volume, volumes);
+        whole[topArea].add(face.onDomainSide && face.direction == zMax ? flux.area.norm() : 0.0, areas);
         if (face.tag < count)
         {
           add(face, flux, wetArea);
@@ -100,7 +110,8 @@ private:
         std::ranges::transform(some, coarsest, coarsest.begin(), [](auto l, auto r) { return std::min(l, r); });
       }
     }
-    out.volumes.air = sums.back().value();
+    out.volumes.air = sums[count * surfaceSums + airVolume].value();
+    top = sums[count * surfaceSums + topArea].value();
     wet.resize(count);
     for (std::size_t i = 0; i < count; ++i)
     {
@@ -138,6 +149,8 @@ private:
     }
     const auto& turned = frame.turnedDomain;
     out.volumes.domain = turned ? turned->volume() : size.prod();
+    // Where air does not reach the top, solids do.
+    out.volumes.displacedByModel += out.volumes.domain - top * size[2];
     for (std::size_t i = 0; i < count; ++i)
     {
       for (std::size_t view = 0; view < viewCount && !unreached.empty(); ++view)
@@ -161,7 +174,9 @@ private:
     }
     else
     {
-      hiddenArea(of.hidden, views[triangle]) += area;
+      // Without air behind it, what lies on a side of the domain is the side of a solid.
+      const bool isOnSide = context.model.domainSides[triangle] != SurfaceModel::noSide;
+      hiddenArea(of.hidden, isOnSide ? TriangleViews{View::solid, View::solid} : views[triangle]) += area;
     }
   }
 
@@ -176,12 +191,13 @@ private:
     surface.inRoom = hidden(View::room);
   }
 
-  /// Heights above the bottom integrate to the volume: sides add nothing, and the bottom has none.
+  /// Heights above the bottom integrate to the volume: upright sides add nothing, and the bottom has none.
   void addVolume(Index triangle, const ConvexRegion::Part& part)
   {
     const auto [front, back] = views[triangle];
     const Vec3 normal = context.model.normal(triangle);
-    if ((front == View::air) != (back == View::air) && !context.model.isPermeable(triangle))
+    if ((front == View::air) != (back == View::air) && !context.model.isPermeable(triangle) &&
+        context.model.domainSides[triangle] == SurfaceModel::noSide)
     {
       const double up = normal[2] / normal.norm();
       out.volumes.displacedByModel += (front == View::air ? up : -up) * part.heightTimesArea;
@@ -197,6 +213,7 @@ private:
   SumUnits areas;
   SumUnits volumes;
   std::vector<double> wet;
+  double top = 0.0;
   MeshAudit out;
 };
 

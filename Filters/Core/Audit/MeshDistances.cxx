@@ -38,20 +38,49 @@ FarthestPlace placeOf(const Measured& measured)
   return {measured.distance, measured.distance / static_cast<double>(measured.size), measured.at};
 }
 
-/// The nearest place on one surface, in model units; infinite where the tree has nothing of it.
-double distanceTo(const TriangleTree& tree, const SurfaceModel& of, Index surface, const Vec3& at, double size,
-                  const GridFrame& frame)
+/// Searches a surface, place after place. Most places lie on the triangle on which the one before lay.
+class SurfaceSearch
 {
-  const TriangleTree::AnyPlaceOn onSurface([&](Index t) { return of.surfaceIds[t] == surface; });
-  const double unit = frame.latticeUnit();
-  const Vec3 p = (at - frame.origin) / unit;
-  auto found = tree.nearest(p, nearRatio * size / unit, onSurface); // nearly always, and at once
-  if (!found)
+public:
+  SurfaceSearch(const TriangleTree& searched, const SurfaceModel& of, const GridFrame& gridFrame)
+      : tree(searched), model(of), frame(gridFrame), unit(frame.latticeUnit())
   {
-    found = tree.nearest(p, std::numeric_limits<double>::infinity(), onSurface);
   }
-  return found ? unit * std::sqrt(found->squaredDistance) : std::numeric_limits<double>::infinity();
-}
+
+  /// The distance to the nearest place on one surface, in model units; infinite where the tree has nothing of it, and 0
+  /// for a place that is on it as far as rounding goes.
+  double distanceTo(Index surface, const Vec3& at, double size)
+  {
+    const Vec3 p = (at - frame.origin) / unit;
+    const double nothing = rounding * size / unit;
+    if (last != noIndex && model.surfaceIds[last] == surface && (tree.nearestOn(last, p) - p).norm() <= nothing)
+    {
+      return 0.0;
+    }
+    const TriangleTree::AnyPlaceOn onSurface([&](Index t) { return model.surfaceIds[t] == surface; });
+    auto found = tree.nearest(p, nearRatio * size / unit, onSurface); // nearly always, and at once
+    if (!found)
+    {
+      found = tree.nearest(p, std::numeric_limits<double>::infinity(), onSurface);
+    }
+    if (!found)
+    {
+      return std::numeric_limits<double>::infinity();
+    }
+    last = found->triangle;
+    const double distance = std::sqrt(found->squaredDistance);
+    return distance <= nothing ? 0.0 : unit * distance;
+  }
+
+private:
+  static constexpr double rounding = 1e-6; ///< of an element
+
+  const TriangleTree& tree;
+  const SurfaceModel& model;
+  const GridFrame& frame;
+  double unit;
+  Index last = noIndex;
+};
 
 /// Faces of own elements on surfaces, those within the mesh among them.
 struct OwnFaces
@@ -110,18 +139,23 @@ private:
       }
     }
     std::vector<FarthestPlace> ofFace(faces.elements.size());
-    context.executor.forEach(ofFace.size(), 1024, [&](std::size_t f) {
-      const ReducedFace face = faceOf(mesh.corners[faces.elements[f]], faces.directions[f]);
-      Vec3 middle = Vec3::Zero();
-      for (const Index p : face.loop())
+    const TriangleTree& tree = context.tree.get();
+    context.executor.forRanges(ofFace.size(), 1024, [&](std::size_t begin, std::size_t end) {
+      SurfaceSearch search(tree, context.model, frame);
+      for (std::size_t f = begin; f < end; ++f)
       {
-        middle += mesh.points[p] / face.count;
-        if (firstFace[p] == f)
+        const ReducedFace face = faceOf(mesh.corners[faces.elements[f]], faces.directions[f]);
+        Vec3 middle = Vec3::Zero();
+        for (const Index p : face.loop())
         {
-          take(measure(mesh.points[p], f), ofFace[f]);
+          middle += mesh.points[p] / face.count;
+          if (firstFace[p] == f)
+          {
+            take(measure(mesh.points[p], f, search), ofFace[f]);
+          }
         }
+        take(measure(middle, f, search), ofFace[f]);
       }
-      take(measure(middle, f), ofFace[f]);
     });
     for (std::size_t f = 0; f < ofFace.size(); ++f)
     {
@@ -129,11 +163,10 @@ private:
     }
   }
 
-  FarthestPlace measure(const Vec3& at, std::size_t face) const
+  FarthestPlace measure(const Vec3& at, std::size_t face, SurfaceSearch& search) const
   {
     const float size = sizeOf(face);
-    const double distance =
-        distanceTo(context.tree.get(), context.model, faces.tags[face], at, static_cast<double>(size), frame);
+    const double distance = search.distanceTo(faces.tags[face], at, static_cast<double>(size));
     // Parts of a surface that the repair put on another one are no place to measure from.
     return std::isfinite(distance) ? placeOf({at, distance, size}) : FarthestPlace{};
   }
@@ -181,13 +214,18 @@ private:
     std::vector<char> hasFaces(out.size(), 0);
     std::ranges::for_each(faces.tags, [&](Index tag) { hasFaces[tag] = 1; });
     std::vector<double> distances(samples.size());
-    const auto distanceOf = [&](const Vec3& at, Index surface, double size) {
-      return hasFaces[surface] ? distanceTo(tree, ofFaces, surface, at, size, frame)
-                               : std::numeric_limits<double>::infinity();
+    const auto measureAll = [&](const auto& places, std::vector<double>& to) {
+      context.executor.forRanges(places.size(), 1024, [&](std::size_t begin, std::size_t end) {
+        SurfaceSearch search(tree, ofFaces, frame);
+        for (std::size_t i = begin; i < end; ++i)
+        {
+          const auto& place = places[i];
+          to[i] = hasFaces[place.surface] ? search.distanceTo(place.surface, place.at, static_cast<double>(place.size))
+                                          : std::numeric_limits<double>::infinity();
+        }
+      });
     };
-    context.executor.forEach(samples.size(), 1024, [&](std::size_t i) {
-      distances[i] = distanceOf(samples[i].at, samples[i].surface, static_cast<double>(samples[i].size));
-    });
+    measureAll(samples, distances);
     std::vector<Measured> far;
     for (std::size_t i = 0; i < samples.size(); ++i)
     {
@@ -199,7 +237,7 @@ private:
     }
     if (share.exchange)
     {
-      far = nearestOfRanks(far, distanceOf);
+      far = nearestOfRanks(far, measureAll);
     }
     for (const Measured& one : far)
     {
@@ -211,8 +249,8 @@ private:
   }
 
   /// Faces of other ranks may be nearer.
-  template <typename DistanceOf>
-  std::vector<Measured> nearestOfRanks(const std::vector<Measured>& own, DistanceOf&& distanceOf) const
+  template <typename MeasureAll>
+  std::vector<Measured> nearestOfRanks(const std::vector<Measured>& own, MeasureAll&& measureAll) const
   {
     std::vector<Measured> all;
     for (const std::vector<Measured>& some : gatherAll(*share.exchange, own))
@@ -220,9 +258,7 @@ private:
       all.insert(all.end(), some.begin(), some.end());
     }
     std::vector<double> here(all.size());
-    context.executor.forEach(all.size(), 256, [&](std::size_t i) {
-      here[i] = distanceOf(all[i].at, all[i].surface, static_cast<double>(all[i].size));
-    });
+    measureAll(all, here);
     for (const std::vector<double>& some : gatherAll(*share.exchange, here))
     {
       for (std::size_t i = 0; i < all.size(); ++i)
