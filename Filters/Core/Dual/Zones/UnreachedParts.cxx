@@ -26,7 +26,7 @@ class UnseenSides
 {
 public:
   UnseenSides(const MeshingContext& c, std::vector<TriangleViews>& v)
-      : model(c.model), tree(c.tree.get()), executor(c.executor), views(v),
+      : model(c.model), octree(c.octree), tree(c.tree.get()), executor(c.executor), views(v),
         pieceOf(piecesBetweenEdges(model, count, executor)), largest(count, noIndex), sets(2 * std::size_t{count}),
         facts(2 * std::size_t{count})
   {
@@ -100,19 +100,23 @@ private:
     }
   }
 
-  /// The sides that rays from the middle of a piece's largest triangle meet first; noIndex for a ray that meets none,
-  /// or what is no wall.
+  /// The sides that rays from the middle of a piece's largest triangle meet first; noIndex for a ray that meets none
+  /// within reach, or what is no wall.
   std::vector<Index> sidesBefore(Index side) const
   {
     const Index from = largest[side / 2];
     const Vec3 corner = toVector(model.corner(from, 0));
     const Vec3 origin = (corner + toVector(model.corner(from, 1)) + toVector(model.corner(from, 2))) / 3.0;
+    if (isInCluster(origin))
+    {
+      return {noIndex};
+    }
     const Vec3 ahead = (side % 2 == 0 ? 1.0 : -1.0) * model.normal(from).normalized();
     const Vec3 across = (toVector(model.corner(from, 1)) - corner).normalized();
     const Vec3 along = ahead.cross(across);
     std::vector<Index> out{sideMet(origin, ahead)};
     constexpr int around = 7; // an odd number, so that no two rays go along one line of a plan
-    for (const double lean : {1.0, 6.0})
+    for (const double lean : {1.0, 4.0})
     {
       for (int i = 0; i < around; ++i)
       {
@@ -124,10 +128,18 @@ private:
     return out;
   }
 
+  /// What is in a cluster is not resolved in any case.
+  bool isInCluster(const Vec3& p) const
+  {
+    const LatticePoint at{std::llround(p[0]), std::llround(p[1]), std::llround(p[2])};
+    return octree.frame().inDomain(at) && octree.featureType(octree.leafAt(at)) == FeatureType::cluster;
+  }
+
   Index sideMet(const Vec3& origin, const Vec3& direction) const
   {
     const TriangleTree::Hit hit =
-        tree.firstHit(origin, direction, latticeRounding, std::numeric_limits<double>::infinity());
+        tree.firstHit(origin, direction, latticeRounding,
+                      reach * static_cast<double>(octree.frame().latticeSize(octree.frame().featureLevel)));
     if (hit.triangle == noIndex || model.isPermeable(hit.triangle) || model.isTurnedSide(hit.triangle))
     {
       return noIndex;
@@ -149,7 +161,11 @@ private:
     }
   }
 
+  /// How far rays go, in octants at features: a space that no point of the grid is in is narrower.
+  static constexpr double reach = 4.0;
+
   const SurfaceModel& model;
+  const Octree& octree;
   const TriangleTree& tree;
   const Executor& executor;
   std::vector<TriangleViews>& views;
