@@ -92,6 +92,25 @@ void expectDiagnostics(const std::vector<Diagnostic>& whole, const std::vector<D
   EXPECT_EQ(wrong, 0U);
 }
 
+/// As far as it is made with the mesh.
+void expectAudit(const MeshAudit& whole, const MeshAudit& shared)
+{
+  EXPECT_EQ(shared.volumes.air, whole.volumes.air);
+  EXPECT_EQ(shared.volumes.displacedByModel, whole.volumes.displacedByModel);
+  ASSERT_EQ(shared.surfaces.size(), whole.surfaces.size());
+  for (std::size_t i = 0; i < whole.surfaces.size(); ++i)
+  {
+    const SurfaceAudit& one = shared.surfaces[i];
+    const SurfaceAudit& other = whole.surfaces[i];
+    EXPECT_EQ(one.meshArea, other.meshArea);
+    EXPECT_EQ(one.inSolid, other.inSolid);
+    EXPECT_EQ(one.meanSize, other.meanSize);
+    EXPECT_EQ(one.largestSize, other.largestSize);
+    EXPECT_EQ(one.distances.ofFaces.distance, other.distances.ofFaces.distance);
+    EXPECT_EQ(one.distances.ofSurface.distance, other.distances.ofSurface.distance);
+  }
+}
+
 /// Returns how much of the octree a rank has on average.
 double expectSameOnRanks(const Meshed& whole, const DualMeshOptions& options, int ranks, const ShareRows& rows = {})
 {
@@ -105,11 +124,13 @@ double expectSameOnRanks(const Meshed& whole, const DualMeshOptions& options, in
     Octree octree = share.makeOctree(whole.model, rows, quietContext());
     leaves += octree.leafCount();
     StageClock clock;
+    const DrawnModel drawn = whole.drawn();
     const SharedDual dual =
-        makeSharedMesh(std::move(octree), whole.model, options, share, 1, clock, quietContext()).value();
+        makeSharedMesh(std::move(octree), whole.model, options, share, 1, clock, quietContext(), &drawn).value();
     expectPiece(whole.mesh(), dual.piece, exchange.rank());
     expectLayers(whole.result, dual);
     expectZones(whole.result.zones, dual.found.zones);
+    expectAudit(whole.result.audit, dual.found.audit);
     expectDiagnostics(exchange.rank() == 0 ? whole.result.diagnostics : std::vector<Diagnostic>(),
                       dual.found.diagnostics);
     faces += dual.piece.mesh.boundaryFaces.size();
@@ -252,8 +273,9 @@ TEST(SharedSite, RanksTakeMoreRowsUntilTheyAgree)
   const auto makeWithFew = [&](RankExchange& exchange) {
     const RankShare share(sets, whole.model, whole.frame, blockSize, exchange, quietContext());
     StageClock clock;
+    const DrawnModel drawn = whole.drawn();
     makeSharedMesh(share.makeOctree(whole.model, few, quietContext()), whole.model, options, share, 1, clock,
-                   quietContext());
+                   quietContext(), &drawn);
   };
   EXPECT_THROW(onRanks(4, makeWithFew), RanksDisagree);
   onRanks(4, [&](RankExchange& exchange) {

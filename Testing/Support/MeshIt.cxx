@@ -20,6 +20,7 @@ Meshed meshIt(const TriangleSurface& surface, const GridOptions& grid, const Dua
   out.frame = cache.sources()->octree.frame();
   out.model = cache.sources()->model;
   out.octree = cache.sources()->octree;
+  out.grounded = cache.sources()->grounded;
   return out;
 }
 

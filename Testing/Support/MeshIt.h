@@ -2,6 +2,7 @@
 /// A model meshed in a given domain.
 #pragma once
 
+#include "Mesher/DrawnModel.h"
 #include "Mesher/MeshModel.h"
 
 namespace atria::testing {
@@ -12,7 +13,10 @@ struct Meshed
   SurfaceModel model;
   Octree octree;
   DualMeshResult result;
+  /// What the model was made of.
+  GroundedInput grounded;
   const DualMesh& mesh() const { return result.mesh; }
+  DrawnModel drawn() const { return drawnModel(grounded.surface, grounded.options.site, frame); }
 };
 
 Meshed meshIt(const TriangleSurface& surface, const GridOptions& grid, const DualMeshOptions& options = {},
