@@ -157,6 +157,10 @@ ExitStatus printEstimate(const MeshOptions& options, vtkAtriaSurfaceReader* read
 /// What the mesher could not do as it was asked, or did on its own account.
 void warn(vtkAtriaDualMesher* mesher, const Json& report, const MeshOptions& options, Console& console)
 {
+  for (const Json& warning : report["audit"]["warnings"])
+  {
+    console.warning(options.input + ": " + warning.get<std::string>());
+  }
   for (const Json& note : report["diagnostics"]["InputNote"])
   {
     console.note(options.input + ": " + note.get<std::string>());

@@ -348,7 +348,13 @@ Json auditOf(vtkPolyData* diagnostics)
   {
     volumes[kinds->GetValue(i)] = fields->GetArray("AuditVolume")->GetTuple1(i);
   }
-  return {{"surfaces", surfaces}, {"volumes", volumes}};
+  Json warnings = Json::array();
+  vtkStringArray* texts = stringsOf(diagnostics, "AuditWarning");
+  for (vtkIdType i = 0; texts && i < texts->GetNumberOfValues(); ++i)
+  {
+    warnings.push_back(inOptions(texts->GetValue(i)));
+  }
+  return {{"surfaces", surfaces}, {"volumes", volumes}, {"warnings", warnings}};
 }
 
 void printLayers(vtkPolyData* diagnostics)

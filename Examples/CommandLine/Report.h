@@ -64,7 +64,7 @@ std::string hiddenDetailText(const Json& hidden, const std::string& before);
 /// [{surface, layers, area, covered, covered_in_full, thickness}] from the field arrays Layer… of the mesher's
 /// diagnostics: shares of the area, and the thickness got relative to that asked for.
 Json layersOf(vtkPolyData* diagnostics);
-/// The comparison of mesh and model: `surfaces` and `volumes`.
+/// The comparison of mesh and model: `surfaces`, `volumes` and `warnings`.
 Json auditOf(vtkPolyData* diagnostics);
 /// As a table; nothing where no layers were asked for.
 void printLayers(vtkPolyData* diagnostics);

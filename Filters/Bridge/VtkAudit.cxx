@@ -32,8 +32,10 @@ void farthestToVtk(const std::vector<SurfaceAudit>& surfaces, FarthestPlace Surf
 
 } // namespace
 
-void auditToVtk(const MeshAudit& audit, const std::vector<std::string>& surfaceNames, vtkFieldData* out)
+void auditToVtk(const MeshAudit& audit, const std::vector<std::string>& warnings,
+                const std::vector<std::string>& surfaceNames, vtkFieldData* out)
 {
+  addArrayOf<vtkStringArray>(out, "AuditWarning", warnings);
   const std::vector<SurfaceAudit>& surfaces = audit.surfaces;
   addArrayOf<vtkStringArray>(out, "AuditSurface", surfaces,
                              [&](const SurfaceAudit& surface) { return surfaceNames[&surface - surfaces.data()]; });

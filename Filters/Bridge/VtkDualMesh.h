@@ -45,9 +45,10 @@ void patchesToVtk(const DualMesh& mesh, const std::vector<MetSides>& met, const 
 /// What became of the layers on each surface, as field arrays Layer…, an entry for each.
 void layersToVtk(const LayerReport& layers, vtkPolyData* out);
 
-/// Adds the comparison of mesh and model as field arrays Audit…: an entry for each surface, and `AuditVolumeName` with
-/// `AuditVolume`.
-void auditToVtk(const MeshAudit& audit, const std::vector<std::string>& surfaceNames, vtkFieldData* out);
+/// Adds the comparison of mesh and model as field arrays Audit…: an entry for each surface, `AuditVolumeName` with
+/// `AuditVolume`, and `AuditWarning`.
+void auditToVtk(const MeshAudit& audit, const std::vector<std::string>& warnings,
+                const std::vector<std::string>& surfaceNames, vtkFieldData* out);
 
 /// What the repair of the surfaces changed, as field arrays `RepairName` and `RepairValue`: a name and a number each.
 void repairToVtk(const SurfaceRepairReport& report, vtkPolyData* out);

@@ -79,7 +79,7 @@ void reportTo(vtkPolyData* diagnostics, const atria::MeshedModel& result, std::v
   atria::addSizingWarning(result.sizingWarning, filter, diagnostics);
   atria::repairToVtk(result.repair, diagnostics);
   atria::hiddenDetailToVtk(result.repair.hidden, result.names, diagnostics->GetFieldData());
-  atria::auditToVtk(result.audit, result.names, diagnostics->GetFieldData());
+  atria::auditToVtk(result.audit, result.auditWarnings, result.names, diagnostics->GetFieldData());
   atria::layersToVtk(result.layers, diagnostics);
   atria::roomsToVtk(result.rooms, result.names, diagnostics->GetFieldData());
 }

@@ -96,6 +96,21 @@ void handOver(vtkSMProxy* preflight, vtkSMProxy* mesher)
   mesher->UpdateVTKObjects();
 }
 
+/// Data is shown in the active view, and a table takes anything.
+void activateRenderView()
+{
+  pqActiveObjects& active = pqActiveObjects::instance();
+  if (!qobject_cast<pqRenderView*>(active.activeView()))
+  {
+    const QList<pqRenderView*> views =
+        pqApplicationCore::instance()->getServerManagerModel()->findItems<pqRenderView*>(active.activeServer());
+    if (!views.isEmpty())
+    {
+      active.setActiveView(views.first());
+    }
+  }
+}
+
 /// Makes the filter behind what is selected, or behind what is nearest upstream of it.
 void createStep(const QString& filter)
 {
@@ -117,21 +132,6 @@ void createStep(const QString& filter)
   if (made && isPreflight && filter == "AtriaDualMesher")
   {
     handOver(before, made->getProxy());
-  }
-}
-
-/// Data is shown in the active view, and a table takes anything.
-void activateRenderView()
-{
-  pqActiveObjects& active = pqActiveObjects::instance();
-  if (!qobject_cast<pqRenderView*>(active.activeView()))
-  {
-    const QList<pqRenderView*> views =
-        pqApplicationCore::instance()->getServerManagerModel()->findItems<pqRenderView*>(active.activeServer());
-    if (!views.isEmpty())
-    {
-      active.setActiveView(views.first());
-    }
   }
 }
 

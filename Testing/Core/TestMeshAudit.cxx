@@ -77,7 +77,7 @@ TEST_P(TurnedAudit, FindsAllOfASolid)
   EXPECT_LT(house.distances.ofSurface.inElements, 0.1);
   EXPECT_NEAR(house.meanSize, size, 1e-9);
   EXPECT_NEAR(house.requestedSize, size, 1e-9);
-  EXPECT_THAT(mesh.inputWarnings, IsEmpty());
+  EXPECT_THAT(mesh.auditWarnings, IsEmpty());
 }
 
 TEST_P(TurnedAudit, CountsBothSidesOfASheetOnce)
@@ -105,7 +105,7 @@ TEST_P(TurnedAudit, TellsWhatNoAirReaches)
   EXPECT_EQ(auditOf(mesh, "Core").meshArea, 0.0);
   expectNear(auditOf(mesh, "Core").inSolid + auditOf(mesh, "Core").inRoom, 24, "in the house");
   expectNear(mesh.audit.volumes.displaced(), 384, "displaced");
-  EXPECT_THAT(mesh.inputWarnings, ElementsAre(HasSubstr("Core")));
+  EXPECT_THAT(mesh.auditWarnings, ElementsAre(HasSubstr("Core")));
 }
 
 INSTANTIATE_TEST_SUITE_P(Angles, TurnedAudit, ::testing::Values(0.0, 17.0, 30.0, 45.0));
@@ -126,7 +126,7 @@ TEST(MeshAudit, TellsWhatIsUnderTheGround)
   expectNear(terrain.inSolid + terrain.inRoom, 24, "terrain in the house");
   const VolumeAudit& volumes = mesh.audit.volumes;
   expectNear(volumes.displaced() - volumes.displacedByModel, 0, "displaced as the model says");
-  EXPECT_THAT(mesh.inputWarnings, IsEmpty());
+  EXPECT_THAT(mesh.auditWarnings, IsEmpty());
 }
 
 TEST(MeshAudit, WarnsOfSurfacesThatAreTooFine)
@@ -138,7 +138,7 @@ TEST(MeshAudit, WarnsOfSurfacesThatAreTooFine)
   const SurfaceAudit& handle = auditOf(mesh, "Handle");
   EXPECT_EQ(handle.meshArea, 0.0);
   EXPECT_NEAR(handle.leftOut + handle.lost, handle.drawnArea, 1e-6);
-  EXPECT_THAT(mesh.inputWarnings, ElementsAre(HasSubstr("1 surface without a face in the mesh: Handle")));
+  EXPECT_THAT(mesh.auditWarnings, ElementsAre(HasSubstr("1 surface without a face in the mesh: Handle")));
 }
 
 TEST(MeshAudit, LooksAtWhatIsInTheDomainAlone)
@@ -217,7 +217,7 @@ TEST(MeshAudit, IsTheSameOnAnyNumberOfThreads)
   options.mesh.zoneRule = ZoneRule::all;
   const MeshedModel one = meshed(model, options, 1);
   const MeshedModel three = meshed(model, options, 3);
-  EXPECT_EQ(one.inputWarnings, three.inputWarnings);
+  EXPECT_EQ(one.auditWarnings, three.auditWarnings);
   EXPECT_EQ(one.audit.volumes.air, three.audit.volumes.air);
   for (std::size_t i = 0; i < one.audit.surfaces.size(); ++i)
   {

@@ -87,6 +87,7 @@ ReachedStage findReached(OctreeGrid& own, const ZoneOptions& options, const Draw
   if (out.parts.any())
   {
     out.model = std::make_unique<ReachedModel>(out.parts, context);
+    out.zones = {zones.ofPoint, std::move(found.keptZones), std::move(found.zones)};
     own.findAnew(out.in(context));
   }
   return out;
@@ -94,20 +95,30 @@ ReachedStage findReached(OctreeGrid& own, const ZoneOptions& options, const Draw
 
 /// Zones, and from them elements and vertices.
 ClassifiedMesh fillMesh(DualMeshResult& result, SeenModel& seen, CrossedGrid& grid, bool keepGrid,
-                        const ZoneOptions& options, const DrawnModel* drawn, StageClock& clock,
-                        const MeshingContext& context)
+                        const ZoneOptions& options, const DrawnModel* drawn, const ReachedStage& reached,
+                        StageClock& clock, const MeshingContext& context)
 {
   const auto& [places, crossings] = grid.displaced;
   context.progress.report(0.6, "Finding zones");
   const Zones zones = findZones(crossings, context.model.names.size(), context);
   chooseZones(zones, places, crossings, options, drawn, result, context);
+  if (reached.model)
+  {
+    keepAs(reached.zones, zones, places, allOf(places.points()), result.keptZones, result.zones);
+  }
   const std::vector<Index> elements = numberElements(zones, result.keptZones, context);
   inspectZones(grid, zones, elements, options, result, context);
   Labels labels = findLabels(places, crossings, zones, options, result, context);
   clock.lap("zones");
   seeModel(grid, zones, result, seen, context);
   clock.lap("audit");
-  return makeElements(grid, keepGrid, zones, elements, std::move(labels), result.diagnostics, clock, context);
+  ClassifiedMesh made =
+      makeElements(grid, keepGrid, zones, elements, std::move(labels), result.diagnostics, clock, context);
+  if (reached.model)
+  {
+    listAs(reached.zones, made.mesh.zones, result.keptZones, result.zones);
+  }
+  return made;
 }
 
 /// Each detached vertex with an element that has it.
@@ -197,6 +208,7 @@ std::optional<OctreeGrid> makeReached(DualStages& stages, const ZoneOptions& opt
   if (stages.reached.result && stages.reached.result->parts.isUnreached == found.parts.isUnreached)
   {
     stages.reached.result->parts = std::move(found.parts); // what was made for this model may stay
+    stages.reached.result->zones = std::move(found.zones);
   }
   else
   {
@@ -232,7 +244,8 @@ void makePlain(DualStages& stages, bool keep, const DualMeshOptions& options, co
   stages.plain = {};
   auto plain = std::make_unique<PlainDual>();
   plain->seen.unreached = areasOf(reached.parts, whole.model, whole.octree.frame());
-  ClassifiedMesh mesh = fillMesh(plain->found, plain->seen, *stages.grid.result, keep, options, drawn, clock, context);
+  ClassifiedMesh mesh =
+      fillMesh(plain->found, plain->seen, *stages.grid.result, keep, options, drawn, reached, clock, context);
   if (!keep)
   {
     stages.grid = {};

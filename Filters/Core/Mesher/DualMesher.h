@@ -6,6 +6,7 @@
 #include "Dual/Mesh/MetSides.h"
 #include "Dual/Zones/Leaks.h"
 #include "Dual/Zones/UnreachedParts.h"
+#include "Dual/Zones/WholeZones.h"
 #include "Mesher/KeptStage.h"
 #include "Mesher/PlainDual.h"
 #include "Mesher/RoomReport.h"
@@ -69,6 +70,8 @@ struct ReachedStage
   UnreachedParts parts;
   /// Null where that is all of it.
   std::unique_ptr<ReachedModel> model;
+  /// Empty there.
+  WholeZones zones;
 
   /// `whole` is of all of the model.
   MeshingContext in(const MeshingContext& whole) const { return model ? model->in(whole) : whole; }

@@ -151,11 +151,11 @@ MeshedModel mesh(const TriangleSurface& surface, const OctreeSets* octants, cons
   for (const std::vector<std::string>& warnings :
        {warningsOfEmptyCellZones(metCellZones(out.mesh.cellZones, model), model),
         warningsOfOverlaps(model, octree.frame().sizeOf(octree.frame().featureLevel)),
-        warningsOfLostModel(grounded.surface, grounded.options, octree.frame(), out.metSides),
-        warningsOf(out.audit, model.names, octree.frame())})
+        warningsOfLostModel(grounded.surface, grounded.options, octree.frame(), out.metSides)})
   {
     out.inputWarnings.insert(out.inputWarnings.end(), warnings.begin(), warnings.end());
   }
+  out.auditWarnings = warningsOf(out.audit, model.names, octree.frame());
   out.sizingWarning = sizingWarning;
   out.ground = grounded.report;
   out.names = model.names;

@@ -58,6 +58,8 @@ struct MeshedModel : DualMeshResult
   SurfaceRepairReport repair;
   /// What a user should know of the domain and of cell zones, a sentence each; see checkDomain.
   std::vector<std::string> inputWarnings;
+  /// How the mesh differs from the model, a sentence each; see warningsOf() in Mesher/AuditReport.h.
+  std::vector<std::string> auditWarnings;
   /// What sizes had to be left out to keep to the limit of elements; empty if nothing.
   std::string sizingWarning;
   /// How bodies stand on the ground; what there is to warn of is among `inputWarnings`.

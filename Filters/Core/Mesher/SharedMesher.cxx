@@ -79,6 +79,7 @@ SharedStart startOf(const DualMeshOptions& options, const DrawnModel* drawn, con
   if (reached.parts.any())
   {
     reached.model = std::make_unique<ReachedModel>(reached.parts, context);
+    reached.zones = {zones.ofPoint, std::move(found.keptZones), std::move(found.zones)};
     grid.findAnew(reached.in(context));
   }
   clock.lap("crossings");
@@ -151,6 +152,11 @@ private:
     context.progress.report(0.3, "Finding zones");
     Zones zones = findSharedZones(crossings, *points, surfaceCount, share, context);
     chooseZones(zones, places, crossings, *points, options, drawn, share, found, context);
+    if (start.reached.model)
+    {
+      keepAs(start.reached.zones, zones, places, {points->firstOwn(), points->endOwn(), &share.exchange()},
+             found.keptZones, found.zones);
+    }
     if (isAnyLeaking(options.sealedSeeds, zones, places, share, context.model))
     {
       return std::nullopt;
@@ -168,6 +174,10 @@ private:
     std::vector<Diagnostic> diagnostics;
     ClassifiedMesh plain =
         makeElements(*grid, false, zones, elements, std::move(labels), diagnostics, clock, context.part(0.3, 0.5));
+    if (start.reached.model)
+    {
+      listAs(start.reached.zones, plain.mesh.zones, found.keptZones, found.zones);
+    }
     grid.reset();
     zones = {};
     std::vector<PointKey> keys = keysOf(elements, *points);

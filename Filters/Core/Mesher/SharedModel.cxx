@@ -156,11 +156,11 @@ std::optional<SharedModel> meshSharedModel(const TriangleSurface& asRead, const 
   for (const std::vector<std::string>& warnings :
        {warningsOfEmptyCellZones(cellZonesOnRanks(out->piece, model, exchange), model),
         warningsOfOverlaps(model, placed.frame.sizeOf(placed.frame.featureLevel)),
-        warningsOfLostModel(surface, options, placed.frame, meshed.metSides),
-        warningsOf(meshed.audit, model.names, placed.frame)})
+        warningsOfLostModel(surface, options, placed.frame, meshed.metSides)})
   {
     meshed.inputWarnings.insert(meshed.inputWarnings.end(), warnings.begin(), warnings.end());
   }
+  meshed.auditWarnings = warningsOf(meshed.audit, model.names, placed.frame);
   meshed.sizingWarning = sized.warning;
   meshed.ground = std::move(grounded.report);
   meshed.names = model.names;

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// Keeps and lists the zones of a mesh as those of the whole model, where parts of that were left aside.
+#pragma once
+
+#include "Dual/Zones/ModelViews.h"
+
+namespace atria {
+
+/// Zones of the octree's own grid, which has all of the model. Solids that lie in each other, and rooms below the
+/// ground, are told apart there.
+struct WholeZones
+{
+  std::vector<std::int32_t> ofPoint;
+  std::vector<char> kept;
+  std::vector<ZoneSummary> summaries;
+};
+
+/// Keeps each zone of the displaced grid if most of its points that were not moved are in zones that the whole keeps. A
+/// zone without such points stays as it is.
+void keepAs(const WholeZones& whole, const Zones& zones, const GridPlaces& grid, const ViewShare& share,
+            std::vector<char>& kept, std::vector<ZoneSummary>& summaries);
+
+/// Lists the zones that are kept, in their order, and then those that the whole does not keep, as it has them.
+/// `ofElement` gets the numbers in that list.
+void listAs(const WholeZones& whole, Buffer<std::int32_t>& ofElement, std::vector<char>& kept,
+            std::vector<ZoneSummary>& summaries);
+
+} // namespace atria
