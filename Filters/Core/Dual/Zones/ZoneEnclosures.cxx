@@ -103,8 +103,10 @@ private:
     const auto isClear = [](std::size_t part, std::size_t other) {
       return static_cast<double>(part) >= clearPart * static_cast<double>(part + other);
     };
-    return isClear(ofWalls.backs, ofWalls.fronts) && isClear(ofRooms.fronts, ofRooms.backs) ? leastRoomsWound
-                                                                                            : leastRooms;
+    // The repair turns closed bodies outwards; as drawn, hollows are told by their winding.
+    const bool areHollows = std::ranges::all_of(rooms, [&](std::size_t zone) { return enclosures.isHollow(zone); });
+    const bool areClear = isClear(ofWalls.backs, ofWalls.fronts) && isClear(ofRooms.fronts, ofRooms.backs);
+    return areHollows || areClear ? leastRoomsWound : leastRooms;
   }
 
   const Zones& zones;
@@ -170,6 +172,17 @@ bool ZoneEnclosures::isChain(const std::vector<Index>& bodies) const
 bool ZoneEnclosures::isWithinBody(std::size_t zone) const
 {
   return depth(zone) > 0 && (depth(zone) % 2 != 0 || !isChain(around_[zone]));
+}
+
+bool ZoneEnclosures::isHollow(std::size_t zone) const
+{
+  if (depth(zone) < 2)
+  {
+    return false;
+  }
+  const Index inner = around_[zone].back();
+  const Index outer = around_[zone][depth(zone) - 2];
+  return isInside(inner, outer) && (volumes_[inner] < 0.0) != (volumes_[outer] < 0.0);
 }
 
 std::vector<Enclosure> ZoneEnclosures::kinds(const std::vector<char>& kept) const

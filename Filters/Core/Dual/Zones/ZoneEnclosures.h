@@ -34,6 +34,8 @@ public:
   /// Whether an odd number of bodies that lie in each other is around a zone, or bodies that cross: what is between a
   /// closed body and those within it is its inside, and what is within those is not.
   bool isWithinBody(std::size_t zone) const;
+  /// Whether the innermost body around a zone lies in another one and is drawn the other way round.
+  bool isHollow(std::size_t zone) const;
   /// What each zone is, where bodies tell. A body around a zone that is kept holds air, unless the zone is in a hollow
   /// of it. A hollow is a body within another one that is wound the other way.
   std::vector<Enclosure> kinds(const std::vector<char>& kept) const;

@@ -149,6 +149,8 @@ void lookAtFaces(const Zones& zones, const Crossings& crossings, std::size_t sur
     }
     const std::int32_t number = zones.ofPoint[face.element];
     ZoneFacts::Zone& zone = facts.zones[static_cast<std::size_t>(number)];
+    zone.seesGround = zone.seesGround || (face.onDomainSide && face.direction == zMin) ||
+                      (face.tag < isGround.size() && isGround[face.tag]);
     if (face.tag >= surfaceCount)
     {
       // Sides of a turned domain are sheets.
@@ -229,6 +231,7 @@ void append(const ZoneFacts::Zone& more, ZoneFacts::Zone& zone)
   }
   zone.isWide = zone.isWide || more.isWide;
   zone.isBeyond = zone.isBeyond || more.isBeyond;
+  zone.seesGround = zone.seesGround || more.seesGround;
   const bool areSame = zone.surface == noIndex || more.surface == noIndex || zone.surface == more.surface;
   zone.seesBacksOfOne = zone.seesBacksOfOne && more.seesBacksOfOne && areSame;
   zone.surface = more.surface == noIndex ? zone.surface : more.surface;
@@ -244,7 +247,8 @@ bool isSolid(const ZoneFacts::Zone& zone, Enclosure enclosure, bool kept)
 {
   const auto& [fronts, backs] = zone.faces;
   const bool seesBacks = backs > 0 && static_cast<double>(fronts) <= fewFronts * static_cast<double>(fronts + backs);
-  return enclosure == Enclosure::solid || (enclosure == Enclosure::none && (kept ? zone.seesBacksOfOne : seesBacks));
+  const bool isLikeOne = zone.seesBacksOfOne || (!kept && seesBacks && zone.seesGround);
+  return enclosure == Enclosure::solid || (enclosure == Enclosure::none && isLikeOne);
 }
 
 ZoneKind kindOf(const ZoneFacts::Zone& zone, SideBits sides, Enclosure enclosure, bool kept)

@@ -79,6 +79,8 @@ struct ZoneFacts
     /// Whether it sees nothing but backs of one surface, and this surface.
     bool seesBacksOfOne = true;
     Index surface = noIndex;
+    /// Whether it stands on ground, or on the bottom of the domain.
+    bool seesGround = false;
     Faces faces;
   };
   struct Count
