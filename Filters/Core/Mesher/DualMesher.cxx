@@ -102,9 +102,10 @@ ClassifiedMesh fillMesh(DualMeshResult& result, SeenModel& seen, CrossedGrid& gr
   context.progress.report(0.6, "Finding zones");
   const Zones zones = findZones(crossings, context.model.names.size(), context);
   chooseZones(zones, places, crossings, options, drawn, result, context);
+  std::vector<std::int32_t> ofWhole;
   if (reached.model)
   {
-    keepAs(reached.zones, zones, places, allOf(places.points()), result.keptZones, result.zones);
+    ofWhole = keepAs(reached.zones, zones, places, allOf(places.points()), result.keptZones, result.zones);
   }
   const std::vector<Index> elements = numberElements(zones, result.keptZones, context);
   inspectZones(grid, zones, elements, options, result, context);
@@ -116,7 +117,7 @@ ClassifiedMesh fillMesh(DualMeshResult& result, SeenModel& seen, CrossedGrid& gr
       makeElements(grid, keepGrid, zones, elements, std::move(labels), result.diagnostics, clock, context);
   if (reached.model)
   {
-    listAs(reached.zones, made.mesh.zones, result.keptZones, result.zones);
+    listAs(reached.zones, ofWhole, made.mesh.zones, result.keptZones, result.zones);
   }
   return made;
 }

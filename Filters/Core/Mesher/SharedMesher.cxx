@@ -152,10 +152,11 @@ private:
     context.progress.report(0.3, "Finding zones");
     Zones zones = findSharedZones(crossings, *points, surfaceCount, share, context);
     chooseZones(zones, places, crossings, *points, options, drawn, share, found, context);
+    std::vector<std::int32_t> ofWhole;
     if (start.reached.model)
     {
-      keepAs(start.reached.zones, zones, places, {points->firstOwn(), points->endOwn(), &share.exchange()},
-             found.keptZones, found.zones);
+      ofWhole = keepAs(start.reached.zones, zones, places, {points->firstOwn(), points->endOwn(), &share.exchange()},
+                       found.keptZones, found.zones);
     }
     if (isAnyLeaking(options.sealedSeeds, zones, places, share, context.model))
     {
@@ -176,7 +177,7 @@ private:
         makeElements(*grid, false, zones, elements, std::move(labels), diagnostics, clock, context.part(0.3, 0.5));
     if (start.reached.model)
     {
-      listAs(start.reached.zones, plain.mesh.zones, found.keptZones, found.zones);
+      listAs(start.reached.zones, ofWhole, plain.mesh.zones, found.keptZones, found.zones);
     }
     grid.reset();
     zones = {};

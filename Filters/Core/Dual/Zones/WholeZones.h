@@ -16,13 +16,14 @@ struct WholeZones
 };
 
 /// Keeps each zone of the displaced grid if most of its points that were not moved are in zones that the whole keeps. A
-/// zone without such points stays as it is.
-void keepAs(const WholeZones& whole, const Zones& zones, const GridPlaces& grid, const ViewShare& share,
-            std::vector<char>& kept, std::vector<ZoneSummary>& summaries);
+/// zone without such points stays as it is. Returns, by zone, the zone of the whole in which most of these points are;
+/// -1 for zones without any. The result is the same on all ranks.
+std::vector<std::int32_t> keepAs(const WholeZones& whole, const Zones& zones, const GridPlaces& grid,
+                                 const ViewShare& share, std::vector<char>& kept, std::vector<ZoneSummary>& summaries);
 
-/// Lists the zones that are kept, in their order, and then those that the whole does not keep, as it has them.
-/// `ofElement` gets the numbers in that list.
-void listAs(const WholeZones& whole, Buffer<std::int32_t>& ofElement, std::vector<char>& kept,
-            std::vector<ZoneSummary>& summaries);
+/// Lists the zones as the whole has them, those that are kept as they are now. Kept zones that the whole does not have
+/// follow. `ofWhole` is from keepAs(); `ofElement` gets the numbers in that list.
+void listAs(const WholeZones& whole, const std::vector<std::int32_t>& ofWhole, Buffer<std::int32_t>& ofElement,
+            std::vector<char>& kept, std::vector<ZoneSummary>& summaries);
 
 } // namespace atria
