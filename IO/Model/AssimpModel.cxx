@@ -62,7 +62,6 @@ Model readAssimp(const std::string& file, const ProgressRange& progress)
   const Placing placing = placingOf(ending, bytes.substr(0, headLength), run.tree.at("metadata"));
   Model model = assimp::modelOf(run.tree, file, placing);
   model.head = headOf(bytes);
-  model.groundNames = ending == ".ifc" ? std::vector<std::string>{"IfcSite"} : std::vector<std::string>();
   return model;
 }
 

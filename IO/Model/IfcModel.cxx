@@ -302,6 +302,7 @@ Model readIfc(const std::string& file, const ProgressRange& progress)
   IfcReader reader(file, bytes, progress);
   Model model = reader.read();
   model.head = headOf(bytes);
+  model.groundNames = {"IfcSite"};
   return model;
 }
 

@@ -357,7 +357,7 @@ TEST_F(ModelReader, WarnsWhereSinglePrecisionIsTooCoarse)
     if (isShort)
     {
       EXPECT_THAT(said,
-                  ElementsAre(AllOf(HasSubstr("read in single precision"), HasSubstr("0.32")), HasSubstr("Recenter")))
+                  ElementsAre(HasSubstr("Recenter"), AllOf(HasSubstr("read in single precision"), HasSubstr("0.32"))))
           << ending;
     }
     else
