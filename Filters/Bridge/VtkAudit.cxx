@@ -13,17 +13,24 @@ namespace atria {
 
 namespace {
 
-/// Distance, the same in elements, and where it is.
-void farthestToVtk(const std::vector<SurfaceAudit>& surfaces, FarthestPlace SurfaceDistances::*which,
-                   const std::string& name, vtkFieldData* out)
+/// The names of three arrays: a distance, the same in elements, and where it is.
+struct DistanceNames
 {
-  const auto add = [&](const char* what, auto&& valueOf) {
-    addArrayOf<vtkDoubleArray>(out, (name + what).c_str(), surfaces,
-                               [&](const SurfaceAudit& surface) { return valueOf(surface.distances.*which); });
+  const char* distance;
+  const char* inElements;
+  const char* place;
+};
+
+void farthestToVtk(const std::vector<SurfaceAudit>& surfaces, FarthestPlace SurfaceDistances::*which,
+                   const DistanceNames& names, vtkFieldData* out)
+{
+  const auto add = [&](const char* name, double FarthestPlace::*value) {
+    addArrayOf<vtkDoubleArray>(out, name, surfaces,
+                               [&](const SurfaceAudit& surface) { return (surface.distances.*which).*value; });
   };
-  add("Distance", [](const FarthestPlace& place) { return place.distance; });
-  add("DistanceInElements", [](const FarthestPlace& place) { return place.inElements; });
-  auto* places = addArray<vtkDoubleArray>(out, (name + "Place").c_str(), 3);
+  add(names.distance, &FarthestPlace::distance);
+  add(names.inElements, &FarthestPlace::inElements);
+  auto* places = addArray<vtkDoubleArray>(out, names.place, 3);
   for (const SurfaceAudit& surface : surfaces)
   {
     places->InsertNextTuple((surface.distances.*which).at.data());
@@ -55,8 +62,10 @@ void auditToVtk(const MeshAudit& audit, const std::vector<std::string>& warnings
   {
     addArrayOf<vtkDoubleArray>(out, name, surfaces, member);
   }
-  farthestToVtk(surfaces, &SurfaceDistances::ofFaces, "AuditFaces", out);
-  farthestToVtk(surfaces, &SurfaceDistances::ofSurface, "AuditModel", out);
+  farthestToVtk(surfaces, &SurfaceDistances::ofFaces,
+                {"AuditFacesDistance", "AuditFacesDistanceInElements", "AuditFacesPlace"}, out);
+  farthestToVtk(surfaces, &SurfaceDistances::ofSurface,
+                {"AuditModelDistance", "AuditModelDistanceInElements", "AuditModelPlace"}, out);
   const VolumeAudit& volumes = audit.volumes;
   const std::pair<const char*, double> entries[] = {{"Domain", volumes.domain},
                                                     {"Air", volumes.air},
