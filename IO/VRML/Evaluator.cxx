@@ -14,9 +14,9 @@ namespace {
 /// A few USEs of USEs can stand for more nodes than any machine has memory for.
 constexpr std::size_t mostVisits = 5'000'000;
 constexpr std::size_t visitsBetweenReports = 1024;
-/// How far facets of small round solids may be off, as a share of the model's diagonal. With 1° between points a ball
-/// that is the whole model is off by more, so that this leaves large solids to the angle.
-constexpr double negligibleShare = 1e-5;
+/// Round solids with a smaller radius, as a share of the model's diagonal, have facets that are off by no less than those
+/// of a solid with this radius.
+constexpr double smallRadius = 0.01;
 
 } // namespace
 
@@ -359,7 +359,7 @@ void Evaluator::makeRoundSolids()
   }
   isCoarse = false;
   cache.clear();
-  geometries.setNegligible(negligibleShare * scene.bounds().size().norm());
+  geometries.setSmall(smallRadius * scene.bounds().size().norm());
   scene.replace(coarseSolids, [&](std::size_t i) {
     const RoundSolid& solid = roundSolids[i];
     scene.addTriangles(localSurface(solid.geometry, solid.transform), solid.transform, solid.shape);

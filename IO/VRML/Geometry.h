@@ -25,8 +25,8 @@ public:
   void setName(std::string_view shown) { name = shown; }
   /// Whether a node is a round solid, whose facets depend on the stretch and on the size of the model.
   static bool isRound(const NodeRef& node);
-  /// The distance in the scene's units by which facets of small round solids may be off.
-  void setNegligible(double distance) { wanted.negligible = distance; }
+  /// Facets of solids with smaller radii, in the scene's units, are to be off by no less than those of one with this.
+  void setSmall(double radius) { wanted.negligible = sagittaOf(wanted.angle, radius); }
   /// The round solid with as few facets as there can be.
   LocalSurface makeCoarse(const NodeRef& node);
 

@@ -57,6 +57,11 @@ void addCap(SurfaceBuilder& builder, std::vector<Index> ring, bool upwards)
 
 } // namespace
 
+double sagittaOf(double degrees, double radius)
+{
+  return radius * (1.0 - std::cos(degrees * std::numbers::pi / 360.0));
+}
+
 int segmentsOf(double degrees)
 {
   // Not one more segment because 360 / 7.2 came out as 50.000000000000007.

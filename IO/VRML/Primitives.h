@@ -17,6 +17,9 @@ struct Tessellation
   double negligible = 0.0;
 };
 
+/// Distance between the middle of an arc of so many degrees and its chord.
+double sagittaOf(double degrees, double radius);
+
 /// Points around a full turn so that none is further than `degrees` from the next; at least three.
 int segmentsOf(double degrees);
 

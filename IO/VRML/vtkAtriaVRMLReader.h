@@ -56,8 +56,8 @@ public:
   ///@{
   /**
    * Angle in degrees between neighboring points of spheres, cones and cylinders; the number of points around
-   * is rounded up. Solids that are small in the model have fewer, though six at least, where facets are then off by no
-   * more than 1e-5 of the model's diagonal. Default 10 (36 points around), from 1 to 90.
+   * is rounded up. Solids whose radius is less than a hundredth of the model's diagonal have fewer, though six at least:
+   * their facets are as far off as those of a solid with that radius. Default 10 (36 points around), from 1 to 90.
    */
   vtkAtriaSetInRangeMacro(TessellationAngle, double, 1.0, 90.0);
   vtkGetMacro(TessellationAngle, double);

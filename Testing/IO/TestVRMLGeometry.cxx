@@ -161,14 +161,14 @@ TEST_F(VRMLGeometry, TakesPointsForTheLargestUseOfARoundSolid)
 {
   const VRMLModel model(
       writeFile(scratch.path(), "uses.wrl",
-                "#VRML V2.0 utf8\nShape { geometry DEF C Cone {} }\nTransform { scale 1 1 100 children Shape { "
+                "#VRML V2.0 utf8\nShape { geometry DEF C Cone {} }\nTransform { scale 1 1 40 children Shape { "
                 "geometry USE C } }\n"),
       [&](vtkAtriaVRMLReader& reader) { reader.SetTessellationError(0.1); });
   const auto names = model.names();
   ASSERT_EQ(names.size(), 2u);
   EXPECT_NEAR(model.area(names[0]), pi * (1 + std::sqrt(5.0)), 0.1);
-  // As an ellipse of 1 by 100; its chords are nowhere further than 0.1 from it.
-  EXPECT_EQ(model.triangles(), 2 * 36 - 2 + 2 * 71 - 2);
+  // As an ellipse of 1 by 40; its chords are nowhere further than 0.1 from it.
+  EXPECT_EQ(model.triangles(), 2 * 36 - 2 + 2 * 45 - 2);
 }
 
 TEST_F(VRMLGeometry, TakesFewPointsForRoundSolidsThatAreSmallInTheModel)
