@@ -120,15 +120,15 @@ void tellLargeNarrow(const LeftOut& spaces, const std::string& model, Console& c
   }
 }
 
-/// They are left out as what is under terrain; they may be under a roof.
+/// They reach the sides like what is under terrain, but no ground says that they are.
 void tellLateral(const LeftOut& spaces, const std::string& model, Console& console)
 {
   for (std::size_t i = 0; i < std::min(mostLines, spaces.list.size()); ++i)
   {
     const Json& zone = *spaces.list[i];
     console.warning(model + ": a space (" + sizeText(zone["elements"], zone["rough_volume"]) +
-                    ") reaches lateral sides of the domain but not its top, and is left out as under terrain; if it "
-                    "is not, give " +
+                    ") reaches lateral sides of the domain but not its top, and is left out as under terrain; name "
+                    "the terrain (--terrain), or to mesh the space give " +
                     seedText(zone));
   }
 }

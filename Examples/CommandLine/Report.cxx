@@ -348,13 +348,32 @@ Json auditOf(vtkPolyData* diagnostics)
   {
     volumes[kinds->GetValue(i)] = fields->GetArray("AuditVolume")->GetTuple1(i);
   }
+  Json bodies = Json::array();
+  vtkStringArray* bodyNames = stringsOf(diagnostics, "AuditBody");
+  for (vtkIdType i = 0; bodyNames && i < bodyNames->GetNumberOfValues(); ++i)
+  {
+    bodies.push_back({{"body", bodyNames->GetValue(i)},
+                      {"state", stringsOf(diagnostics, "AuditBodyState")->GetValue(i)},
+                      {"distance", fields->GetArray("AuditBodyDistance")->GetTuple1(i)},
+                      {"volume", fields->GetArray("AuditBodyVolume")->GetTuple1(i)},
+                      {"place", tupleOf(fields->GetArray("AuditBodyPlace"), i)}});
+  }
+  const auto count = [&](const char* name) {
+    vtkDataArray* array = fields->GetArray(name);
+    return array ? static_cast<long long>(array->GetTuple1(0)) : 0;
+  };
   Json warnings = Json::array();
   vtkStringArray* texts = stringsOf(diagnostics, "AuditWarning");
   for (vtkIdType i = 0; texts && i < texts->GetNumberOfValues(); ++i)
   {
     warnings.push_back(inOptions(texts->GetValue(i)));
   }
-  return {{"surfaces", surfaces}, {"volumes", volumes}, {"warnings", warnings}};
+  return {{"surfaces", surfaces},
+          {"volumes", volumes},
+          {"closed_bodies", count("AuditClosedBodies")},
+          {"standing_bodies", count("AuditStandingBodies")},
+          {"bodies", bodies},
+          {"warnings", warnings}};
 }
 
 void printLayers(vtkPolyData* diagnostics)

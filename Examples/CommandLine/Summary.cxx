@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <iomanip>
 #include <sstream>
+#include <string_view>
 #include <utility>
 
 namespace atria::tool {
@@ -121,8 +122,9 @@ std::string repairText(const Json& repair)
 
 std::string leftOutText(const Json& zones, const Json& diagnostics)
 {
-  constexpr std::array words{std::pair{"open", "open spaces"}, std::pair{"room", "closed rooms"},
-                             std::pair{"solid", "insides of solids"}, std::pair{"narrow", "narrow spaces"}};
+  constexpr std::array words{std::pair{"open", "open spaces"}, std::pair{"ground", "spaces under the ground"},
+                             std::pair{"room", "closed rooms"}, std::pair{"solid", "insides of solids"},
+                             std::pair{"narrow", "narrow spaces"}};
   std::string text;
   for (const auto& [kind, word] : words)
   {
@@ -184,6 +186,42 @@ std::string volumesText(const Json& volumes)
   const auto volume = [&](const char* name) { return number(volumes[name].get<double>(), 5) + " m³"; };
   return volume("Air") + " of air in " + volume("Domain") + "; displaced " + volume("Displaced") + ", by the model " +
          volume("DisplacedByModel");
+}
+
+/// How many bodies there are of each state, with the first of them.
+std::string bodiesText(const Json& audit)
+{
+  const Json& volumes = audit["volumes"];
+  std::string text = std::to_string(audit["closed_bodies"].get<long long>()) + " closed, " +
+                     number(volumes["ClosedBodies"].get<double>(), 5) + " m³";
+  const auto overlap = volumes["Overlap"].get<double>();
+  text += overlap > 1e-3 * volumes["ClosedBodies"].get<double>() ? " and " + number(overlap) + " m³ that overlap" : "";
+  text += "; " + std::to_string(audit["standing_bodies"].get<long long>()) + " on the ground";
+  constexpr std::array states{std::pair{"let down", "let down to it"}, std::pair{"hovering", "hovering"},
+                              std::pair{"below ground", "reaching below it"}, std::pair{"hollow", "with air inside"},
+                              std::pair{"open", "open, with air inside"}};
+  for (const auto& [state, words] : states)
+  {
+    std::vector<const Json*> some;
+    double volume = 0.0;
+    for (const Json& body : audit["bodies"])
+    {
+      if (body["state"] == state)
+      {
+        some.push_back(&body);
+        volume += body["volume"].get<double>();
+      }
+    }
+    if (some.empty())
+    {
+      continue;
+    }
+    const auto distance = (*some.front())["distance"].get<double>();
+    text += ", " + std::to_string(some.size()) + " " + words + " (" + (*some.front())["body"].get<std::string>() +
+            (some.size() > 1 ? " and others" : "") + (distance > 0.0 ? ", " + number(distance) + " m" : "") +
+            (std::string_view(state) == "hovering" ? " over " + number(volume) + " m³ of air" : "") + ")";
+  }
+  return text;
 }
 
 /// The surface that is farthest from its faces, or these from it, in elements.
@@ -264,6 +302,7 @@ std::string summaryOf(const Json& report, const std::vector<std::string>& files)
   const Json& audit = report["audit"];
   line(out, "areas", areasText(audit["surfaces"]));
   line(out, "volumes", volumesText(audit["volumes"]));
+  line(out, "bodies", bodiesText(audit));
   line(out, "off the model", distanceText(audit["surfaces"]));
   line(out, "repaired", repairText(report["repair"]));
   line(out, "too fine", hiddenText(report["hidden_detail"]));

@@ -4,6 +4,7 @@
 
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
+#include <vtkIntArray.h>
 #include <vtkPolyData.h>
 #include <vtkStringArray.h>
 
@@ -37,15 +38,65 @@ void farthestToVtk(const std::vector<SurfaceAudit>& surfaces, FarthestPlace Surf
   }
 }
 
+/// What there is to say of a body.
+struct BodyRow
+{
+  const char* state;
+  std::string name;
+  double distance;
+  double volume;
+  Vec3 place;
+};
+
+std::vector<BodyRow> rowsOf(const MeshedModel& result)
+{
+  std::vector<BodyRow> rows;
+  const GroundReport& ground = result.ground;
+  const auto addAtGround = [&](const char* state, const std::vector<BodyAtGround>& bodies) {
+    for (const BodyAtGround& body : bodies)
+    {
+      rows.push_back({state, body.name, body.distance, body.airBelow, body.place});
+    }
+  };
+  const auto addAired = [&](const char* state, const std::vector<AiredBody>& bodies) {
+    for (const AiredBody& body : bodies)
+    {
+      rows.push_back({state, result.names[body.surface], 0.0, body.volume, body.place});
+    }
+  };
+  addAtGround("let down", ground.letDown);
+  addAtGround("hovering", ground.hovering);
+  addAtGround("below ground", ground.belowGround);
+  addAired("hollow", result.audit.bodies.hollow);
+  addAired("open", result.audit.bodies.open);
+  return rows;
+}
+
+void bodiesToVtk(const MeshedModel& result, vtkFieldData* out)
+{
+  addArrayOf<vtkIntArray>(out, "AuditClosedBodies", std::array{static_cast<int>(result.audit.bodies.closed)});
+  addArrayOf<vtkIntArray>(out, "AuditStandingBodies", std::array{static_cast<int>(result.ground.standing)});
+  const std::vector<BodyRow> rows = rowsOf(result);
+  addArrayOf<vtkStringArray>(out, "AuditBody", rows, &BodyRow::name);
+  addArrayOf<vtkStringArray>(out, "AuditBodyState", rows, &BodyRow::state);
+  addArrayOf<vtkDoubleArray>(out, "AuditBodyDistance", rows, &BodyRow::distance);
+  addArrayOf<vtkDoubleArray>(out, "AuditBodyVolume", rows, &BodyRow::volume);
+  auto* places = addArray<vtkDoubleArray>(out, "AuditBodyPlace", 3);
+  for (const BodyRow& row : rows)
+  {
+    places->InsertNextTuple(row.place.data());
+  }
+}
+
 } // namespace
 
-void auditToVtk(const MeshAudit& audit, const std::vector<std::string>& warnings,
-                const std::vector<std::string>& surfaceNames, vtkFieldData* out)
+void auditToVtk(const MeshedModel& result, vtkFieldData* out)
 {
-  addArrayOf<vtkStringArray>(out, "AuditWarning", warnings);
+  const MeshAudit& audit = result.audit;
+  addArrayOf<vtkStringArray>(out, "AuditWarning", result.auditWarnings);
   const std::vector<SurfaceAudit>& surfaces = audit.surfaces;
   addArrayOf<vtkStringArray>(out, "AuditSurface", surfaces,
-                             [&](const SurfaceAudit& surface) { return surfaceNames[&surface - surfaces.data()]; });
+                             [&](const SurfaceAudit& surface) { return result.names[&surface - surfaces.data()]; });
   constexpr std::pair<const char*, double SurfaceAudit::*> columns[] = {
       {"AuditDrawnArea", &SurfaceAudit::drawnArea},
       {"AuditMeshArea", &SurfaceAudit::meshArea},
@@ -70,9 +121,12 @@ void auditToVtk(const MeshAudit& audit, const std::vector<std::string>& warnings
   const std::pair<const char*, double> entries[] = {{"Domain", volumes.domain},
                                                     {"Air", volumes.air},
                                                     {"Displaced", volumes.displaced()},
-                                                    {"DisplacedByModel", volumes.displacedByModel}};
+                                                    {"DisplacedByModel", volumes.displacedByModel},
+                                                    {"ClosedBodies", audit.bodies.volume},
+                                                    {"Overlap", audit.bodies.overlap}};
   addArrayOf<vtkStringArray>(out, "AuditVolumeName", entries, &std::pair<const char*, double>::first);
   addArrayOf<vtkDoubleArray>(out, "AuditVolume", entries, &std::pair<const char*, double>::second);
+  bodiesToVtk(result, out);
 }
 
 } // namespace atria

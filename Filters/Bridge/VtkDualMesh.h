@@ -2,7 +2,7 @@
 /// Meshes from the core to VTK; docs/arrays.md lists the arrays.
 #pragma once
 
-#include "Mesher/DualMesher.h"
+#include "Mesher/MeshModel.h"
 #include "Surface/Repair/SurfaceRepair.h"
 
 #include <optional>
@@ -46,9 +46,8 @@ void patchesToVtk(const DualMesh& mesh, const std::vector<MetSides>& met, const 
 void layersToVtk(const LayerReport& layers, vtkPolyData* out);
 
 /// Adds the comparison of mesh and model as field arrays Audit…: an entry for each surface, `AuditVolumeName` with
-/// `AuditVolume`, and `AuditWarning`.
-void auditToVtk(const MeshAudit& audit, const std::vector<std::string>& warnings,
-                const std::vector<std::string>& surfaceNames, vtkFieldData* out);
+/// `AuditVolume`, bodies that are not plain solids on the ground, and `AuditWarning`.
+void auditToVtk(const MeshedModel& result, vtkFieldData* out);
 
 /// What the repair of the surfaces changed, as field arrays `RepairName` and `RepairValue`: a name and a number each.
 void repairToVtk(const SurfaceRepairReport& report, vtkPolyData* out);

@@ -39,7 +39,7 @@ void addFrame(const GridFrame& f, vtkDataObject* out)
   {
     values->InsertNextValue(v);
   }
-  const PlacedPrism turned = f.turnedDomain.value_or(PlacedBox{f.placement, f.domain});
+  const PlacedPrism turned = f.prism();
   for (const double v :
        {f.placement.angle(), f.turnedDomain ? 1.0 : 0.0, turned.axes.angle(), turned.bounds.min[0],
         turned.bounds.max[0], turned.bounds.min[1], turned.bounds.max[1], double(turned.sides().size())})

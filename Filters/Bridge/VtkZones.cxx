@@ -22,7 +22,7 @@ namespace atria {
 namespace {
 
 /// By ZoneKind.
-constexpr std::array<const char*, 5> zoneKindNames{"open", "room", "solid", "narrow", "beyond"};
+constexpr std::array<const char*, 6> zoneKindNames{"open", "room", "solid", "narrow", "beyond", "ground"};
 
 std::string nameOf(Index surface, const std::vector<std::string>& names)
 {

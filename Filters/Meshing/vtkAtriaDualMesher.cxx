@@ -75,11 +75,11 @@ void reportTo(vtkPolyData* diagnostics, const atria::MeshedModel& result, std::v
   atria::diagnosticsToVtk(result, result.names, diagnostics);
   atria::addTo(warnings, result.inputWarnings);
   atria::addInputWarnings(warnings, filter, diagnostics);
-  atria::addInputNotes(result.ground.notes, diagnostics);
+  atria::addInputNotes(result.notes, diagnostics);
   atria::addSizingWarning(result.sizingWarning, filter, diagnostics);
   atria::repairToVtk(result.repair, diagnostics);
   atria::hiddenDetailToVtk(result.repair.hidden, result.names, diagnostics->GetFieldData());
-  atria::auditToVtk(result.audit, result.auditWarnings, result.names, diagnostics->GetFieldData());
+  atria::auditToVtk(result, diagnostics->GetFieldData());
   atria::layersToVtk(result.layers, diagnostics);
   atria::roomsToVtk(result.rooms, result.names, diagnostics->GetFieldData());
 }

@@ -14,8 +14,8 @@ namespace {
 /// A few USEs of USEs can stand for more nodes than any machine has memory for.
 constexpr std::size_t mostVisits = 5'000'000;
 constexpr std::size_t visitsBetweenReports = 1024;
-/// Round solids with a smaller radius, as a share of the model's diagonal, have facets that are off by no less than those
-/// of a solid with this radius.
+/// Round solids with a smaller radius, as a share of the model's diagonal, have facets that are off by no less than
+/// those of a solid with this radius.
 constexpr double smallRadius = 0.01;
 
 } // namespace

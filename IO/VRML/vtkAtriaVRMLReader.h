@@ -56,8 +56,9 @@ public:
   ///@{
   /**
    * Angle in degrees between neighboring points of spheres, cones and cylinders; the number of points around
-   * is rounded up. Solids whose radius is less than a hundredth of the model's diagonal have fewer, though six at least:
-   * their facets are as far off as those of a solid with that radius. Default 10 (36 points around), from 1 to 90.
+   * is rounded up. Solids whose radius is less than a hundredth of the model's diagonal have fewer, though six at
+   * least: their facets are as far off as those of a solid with that radius. Default 10 (36 points around), from 1
+   * to 90.
    */
   vtkAtriaSetInRangeMacro(TessellationAngle, double, 1.0, 90.0);
   vtkGetMacro(TessellationAngle, double);

@@ -180,7 +180,7 @@ TEST(MeshAudit, FindsMovedPointsAndMissingFaces)
   const MeshingContext context{run, octree, placed, tree};
   SeenModel seen;
   seen.views.assign(placed.triangles.size(), {View::air, View::solid});
-  seen.samples = sampleSurfaces(seen.views, {}, context);
+  seen.samples = sampleSurfaces(seen.views, {}, {}, context);
 
   Index roof = noIndex;
   for (Index f = 0; f < mesh.mesh.boundaryFaces.size(); ++f)
@@ -208,6 +208,69 @@ TEST(MeshAudit, FindsMovedPointsAndMissingFaces)
            });
   });
   EXPECT_GT(auditMesh(torn, seen, {}, context).surfaces[0].distances.ofSurface.distance, 0.8);
+}
+
+TEST_P(TurnedAudit, CountsWhatBodiesHaveInCommonOnce)
+{
+  TriangleSurface model;
+  addBox(model, "House", {Vec3(-3, -2, 0), Vec3(3, 2, 4)});
+  addBox(model, "Porch", {Vec3(2, -1, 0), Vec3(5, 1, 3)});
+  addBox(model, "Stove", {Vec3(-2, -1, 1), Vec3(-1, 1, 2)});
+  turn(model, GetParam());
+  const MeshedModel mesh = meshed(model, optionsIn(domain));
+  const BodyAudit& bodies = mesh.audit.bodies;
+  EXPECT_EQ(bodies.closed, 3U);
+  EXPECT_NEAR(bodies.overlap, 6 + 2, 0.1);
+  EXPECT_NEAR(bodies.volume, 96 + 12, 0.1);
+  EXPECT_NEAR(mesh.audit.volumes.displaced(), 96 + 12, tolerance * 108);
+  EXPECT_THAT(bodies.hollow, IsEmpty());
+  EXPECT_THAT(bodies.open, IsEmpty());
+  EXPECT_THAT(mesh.auditWarnings, IsEmpty());
+}
+
+TEST(MeshAudit, TellsOfBodiesWithAirInside)
+{
+  TriangleSurface model;
+  addBox(model, "Hall", {Vec3(-8, -3, 0), Vec3(-2, 3, 4)});
+  addBox(model, "Shed", {Vec3(2, -3, 0), Vec3(8, 3, 4)});
+  addSheet(model, "Fence", Vec3(0, -3, 0), Vec3(0, 6, 0), Vec3(0, 0, 3));
+  const auto endOfShed = [&](std::size_t t) {
+    return std::ranges::all_of(model.triangles[t], [&](Index p) { return model.points[p][0] == 8.0; });
+  };
+  for (std::size_t t = model.triangles.size(); t-- > 0;)
+  {
+    if (endOfShed(t))
+    {
+      model.triangles.erase(model.triangles.begin() + static_cast<std::ptrdiff_t>(t));
+      model.surfaceIds.erase(model.surfaceIds.begin() + static_cast<std::ptrdiff_t>(t));
+    }
+  }
+  MesherOptions options = optionsIn(domain);
+  options.mesh.zoneRule = ZoneRule::all;
+  const MeshedModel mesh = meshed(model, options);
+  const BodyAudit& bodies = mesh.audit.bodies;
+  EXPECT_EQ(bodies.closed, 1U);
+  EXPECT_NEAR(bodies.volume, 144, 1e-6);
+  ASSERT_EQ(bodies.hollow.size(), 1U);
+  EXPECT_EQ(mesh.names[bodies.hollow[0].surface], "Hall");
+  EXPECT_NEAR(bodies.hollow[0].volume, 144, 15) << "in octants";
+  ASSERT_EQ(bodies.open.size(), 1U) << "a fence encloses nothing";
+  EXPECT_EQ(mesh.names[bodies.open[0].surface], "Shed");
+  EXPECT_NEAR(bodies.open[0].volume, 144, 1e-6);
+  EXPECT_THAT(mesh.notes, ::testing::Contains(HasSubstr("1 body is open, and air is meshed inside of it: Shed")));
+}
+
+TEST(MeshAudit, WarnsOfClosedBodiesThatAreTooThin)
+{
+  TriangleSurface model;
+  addBox(model, "Plate", {Vec3(-5, -5, 2), Vec3(5, 5, 2.02)});
+  addBox(model, "House", {Vec3(-1, -1, 0), Vec3(1, 1, 1)});
+  const MeshedModel mesh = meshed(model, optionsIn(domain));
+  EXPECT_NEAR(mesh.audit.bodies.volume, 2 + 4, 1e-6);
+  EXPECT_EQ(mesh.audit.volumes.displaced() < 0.99 * mesh.audit.bodies.volume,
+            std::ranges::any_of(mesh.auditWarnings, [](const std::string& text) {
+              return text.find("but the closed bodies of the model have 6 m³ there") != text.npos;
+            }));
 }
 
 TEST(MeshAudit, IsTheSameOnAnyNumberOfThreads)

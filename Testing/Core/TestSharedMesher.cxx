@@ -124,7 +124,7 @@ double expectSameOnRanks(const Meshed& whole, const DualMeshOptions& options, in
     Octree octree = share.makeOctree(whole.model, rows, quietContext());
     leaves += octree.leafCount();
     StageClock clock;
-    const DrawnModel drawn = whole.drawn();
+    const DrawnModel drawn = whole.drawn(quietContext());
     const SharedDual dual =
         makeSharedMesh(std::move(octree), whole.model, options, share, 1, clock, quietContext(), &drawn).value();
     expectPiece(whole.mesh(), dual.piece, exchange.rank());
@@ -273,7 +273,7 @@ TEST(SharedSite, RanksTakeMoreRowsUntilTheyAgree)
   const auto makeWithFew = [&](RankExchange& exchange) {
     const RankShare share(sets, whole.model, whole.frame, blockSize, exchange, quietContext());
     StageClock clock;
-    const DrawnModel drawn = whole.drawn();
+    const DrawnModel drawn = whole.drawn(quietContext());
     makeSharedMesh(share.makeOctree(whole.model, few, quietContext()), whole.model, options, share, 1, clock,
                    quietContext(), &drawn);
   };

@@ -59,9 +59,44 @@ class Warnings(unittest.TestCase):
     def test_a_solid_in_a_slope_is_no_closed_room(self):
         run, report = self.mesh("solid-sunk-in-slope.obj", "--terrain", "Terrain*")
         self.assertNotIn("closed space", run.stderr)
-        self.assertEqual(run.stderr.count("warning"), 1, "that of the space under the terrain")
+        self.assertNotIn("warning", run.stderr)
         self.assertIn("insides of solids", run.stderr)
-        self.assertNotIn("room", [zone["kind"] for zone in report["zones"]])
+        self.assertEqual({zone["kind"] for zone in report["zones"]}, {"open", "ground", "solid"})
+        self.assertIn("spaces under the ground 1", run.stdout)
+        self.assertEqual(report["audit"]["closed_bodies"], 1)
+        self.assertEqual([body["state"] for body in report["audit"]["bodies"]], ["below ground"])
+
+    def test_a_house_without_a_wall_is_said_to_be_open(self):
+        run, report = self.mesh("house-open-to-the-side.obj")
+        self.assertNotIn("warning", run.stderr)
+        self.assertIn("1 body is open, and air is meshed inside of it: House (about 5 4 3)", run.stderr)
+        self.assertIn("1 open, with air inside (House)", run.stdout)
+        (body,) = report["audit"]["bodies"]
+        self.assertEqual((body["body"], body["state"]), ("House", "open"))
+        self.assertAlmostEqual(body["volume"], 480)
+
+    def test_notes_name_what_the_table_names(self):
+        run = self.atria("inspect", DATA / "note-names-no-surface.wrl")
+        self.assertIn("all faces of 'WALL_3' coincide", run.stderr)
+        self.assertIn("18 square meters with 'WALL_2'", run.stderr)
+        self.assertIn("\nWALL_2 ", run.stdout)
+        self.assertNotIn("Shape", run.stderr)
+
+    def test_a_wall_of_a_newer_schema_is_read(self):
+        (warning,) = self.warnings(DATA / "ifc4-wall-only.ifc")
+        self.assertIn("its schema is IFC4", warning)
+        found = json.loads(self.atria("inspect", DATA / "ifc4-wall-only.ifc", "--json").stdout)
+        self.assertEqual([surface["name"] for surface in found["surfaces"]], ["IfcWallStandardCase_Wall"])
+        self.assertAlmostEqual(found["surfaces"][0]["area"], 2 * (6 * 3 + 6 * 0.3 + 3 * 0.3), delta=1e-4)
+
+    def test_small_balls_have_few_facets(self):
+        model = self.folder / "balls.wrl"
+        balls = "".join(f"Transform {{ translation {0.5 * (i % 40)} {0.5 * (i // 40)} 0 children USE Leg }}\n"
+                        for i in range(1, 1000))
+        model.write_text("#VRML V2.0 utf8\nDEF Leg Shape { geometry Sphere { radius 0.025 } }\n" + balls)
+        found = json.loads(self.atria("inspect", model, "--json", "--no-problems").stdout)
+        self.assertEqual(len(found["surfaces"]), 1000)
+        self.assertLess(max(surface["triangles"] for surface in found["surfaces"]), 300)
 
     def test_a_room_with_thick_walls_is_meshed(self):
         run, report = self.mesh("room-thick-walls.obj", "--model-bounds", "--size-min", "0.1")

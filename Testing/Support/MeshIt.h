@@ -16,7 +16,10 @@ struct Meshed
   /// What the model was made of.
   GroundedInput grounded;
   const DualMesh& mesh() const { return result.mesh; }
-  DrawnModel drawn() const { return drawnModel(grounded.surface, grounded.options.site, frame); }
+  DrawnModel drawn(const RunContext& context) const
+  {
+    return drawnModel(grounded.surface, grounded.options.site, model.kinds, frame, context);
+  }
 };
 
 Meshed meshIt(const TriangleSurface& surface, const GridOptions& grid, const DualMeshOptions& options = {},

@@ -45,9 +45,10 @@ double& hiddenArea(ViewAreas& areas, const TriangleViews& views)
 class Auditor
 {
 public:
-  Auditor(const DualMesh& m, const std::vector<TriangleViews>& v, const MeshShare& s, const MeshingContext& c)
-      : mesh(m), views(v), share(s), context(c), frame(c.octree.frame()), count(c.model.names.size()),
-        areas(std::pow(frame.domain.size().maxCoeff(), 2)), volumes(std::pow(frame.domain.size().maxCoeff(), 3))
+  Auditor(const DualMesh& m, const SeenModel& seen, const MeshShare& s, const MeshingContext& c)
+      : mesh(m), views(seen.views), airParts(seen.airParts), share(s), context(c), frame(c.octree.frame()),
+        count(c.model.names.size()), areas(std::pow(frame.domain.size().maxCoeff(), 2)),
+        volumes(std::pow(frame.domain.size().maxCoeff(), 3))
   {
   }
 
@@ -143,7 +144,7 @@ private:
         addVolume(t, part);
         if (!model.isTurnedSide(t))
         {
-          addArea(t, part.area, ofSurface[model.surfaceIds[t]]);
+          addArea(t, part.area, airParts.empty() ? 1.0 : airParts[t], ofSurface[model.surfaceIds[t]]);
         }
       }
     }
@@ -161,7 +162,7 @@ private:
     }
   }
 
-  void addArea(Index triangle, double area, ModelAreas& of) const
+  void addArea(Index triangle, double area, double airPart, ModelAreas& of) const
   {
     const auto [front, back] = views[triangle];
     if (front == View::air && back == View::air)
@@ -170,7 +171,8 @@ private:
     }
     else if (front == View::air || back == View::air)
     {
-      of.oneSide += area;
+      of.oneSide += airPart * area;
+      of.hidden[static_cast<std::size_t>(View::narrow)] += (1.0 - airPart) * area;
     }
     else
     {
@@ -206,6 +208,7 @@ private:
 
   const DualMesh& mesh;
   const std::vector<TriangleViews>& views;
+  const std::vector<float>& airParts;
   const MeshShare& share;
   const MeshingContext& context;
   const GridFrame& frame;
@@ -227,7 +230,7 @@ double SurfaceAudit::coverage() const
 
 MeshAudit auditMesh(const DualMesh& mesh, const SeenModel& seen, const MeshShare& share, const MeshingContext& context)
 {
-  return Auditor(mesh, seen.views, share, context).run(seen);
+  return Auditor(mesh, seen, share, context).run(seen);
 }
 
 std::vector<ViewAreas> areasOf(const UnreachedParts& parts, const SurfaceModel& whole, const GridFrame& frame)

@@ -2,6 +2,7 @@
 /// Compares a mesh with the model it was made of.
 #pragma once
 
+#include "Audit/BodyAudit.h"
 #include "Audit/ClippedTriangles.h"
 #include "Audit/MeshDistances.h"
 #include "Dual/Zones/UnreachedParts.h"
@@ -53,6 +54,7 @@ struct MeshAudit
   /// By surface.
   std::vector<SurfaceAudit> surfaces;
   VolumeAudit volumes;
+  BodyAudit bodies;
 };
 
 /// Returns the areas, by surface and within the domain, of what was left aside of a model.

@@ -13,7 +13,10 @@ namespace {
 class Sampler
 {
 public:
-  Sampler(const std::vector<TriangleViews>& v, const MeshingContext& c) : views(v), context(c) {}
+  Sampler(const std::vector<TriangleViews>& v, const std::vector<float>& a, const MeshingContext& c)
+      : views(v), airParts(a), context(c)
+  {
+  }
 
   void sample(Index leaf, std::vector<SurfaceSample>& out)
   {
@@ -55,7 +58,8 @@ private:
   bool isWanted(Index t) const
   {
     constexpr TriangleViews unseen{View::nothing, View::nothing};
-    return !context.model.isTurnedSide(t) && (seesAir(views[t]) || views[t] == unseen);
+    const bool isInGap = !airParts.empty() && airParts[t] < 1.0F;
+    return !context.model.isTurnedSide(t) && ((seesAir(views[t]) && !isInGap) || views[t] == unseen);
   }
 
   NearestPlace& placeOf(Index surface, const Vec3& center)
@@ -65,25 +69,27 @@ private:
   }
 
   const std::vector<TriangleViews>& views;
+  const std::vector<float>& airParts;
   const MeshingContext& context;
   std::vector<Nearest> nearest;
 };
 
 } // namespace
 
-std::vector<SurfaceSample> sampleSurfaces(const std::vector<TriangleViews>& views,
-                                          const std::function<bool(Index leaf)>& isOwn, const MeshingContext& context)
+std::vector<SurfaceSample> sampleSurfaces(const std::vector<TriangleViews>& views, const std::vector<float>& airParts,
+                                          const std::function<bool(Index leaf)>& isAsked, const MeshingContext& context)
 {
   const Octree& octree = context.octree;
   const Pieces pieces(octree.leafCount());
   std::vector<std::vector<SurfaceSample>> found(pieces.count);
   context.executor.forEach(pieces.count, 1, [&](std::size_t piece) {
     context.progress.check();
-    Sampler sampler(views, context);
+    Sampler sampler(views, airParts, context);
     for (std::size_t i = pieces.begin(piece); i < pieces.end(piece); ++i)
     {
       const auto leaf = static_cast<Index>(i);
-      if (!octree.items(leaf).empty() && octree.featureType(leaf) != FeatureType::cluster && (!isOwn || isOwn(leaf)))
+      if (!octree.items(leaf).empty() && octree.featureType(leaf) != FeatureType::cluster &&
+          (!isAsked || isAsked(leaf)))
       {
         sampler.sample(leaf, found[piece]);
       }

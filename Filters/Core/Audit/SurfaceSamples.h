@@ -26,16 +26,18 @@ struct SurfaceSample
 struct SeenModel
 {
   std::vector<TriangleViews> views; ///< by triangle
+  std::vector<float> airParts = {}; ///< by triangle; all of it where this is empty. See findAirParts()
   std::vector<SurfaceSample> samples;
   /// By surface, what was left aside as no air reaches it; see UnreachedParts.
   std::vector<ViewAreas> unreached = {};
 };
 
 /// Returns one place for each leaf and each surface in it, the nearest to the leaf's center, in the order of leaves and
-/// surfaces. Triangles that see neither air nor nothing are not asked, and leaves that are clusters have none.
-/// \param isOwn  Which leaves are asked; all of them where it is empty.
-/// O(leaves + pieces of the model in them).
-std::vector<SurfaceSample> sampleSurfaces(const std::vector<TriangleViews>& views,
-                                          const std::function<bool(Index leaf)>& isOwn, const MeshingContext& context);
+/// surfaces. Triangles that see neither air nor nothing are not asked, nor those that see air in part, and leaves that
+/// are clusters have none. \param airParts  As SeenModel::airParts. \param isAsked  Which leaves are asked; all of them
+/// where it is empty. O(leaves + pieces of the model in them).
+std::vector<SurfaceSample> sampleSurfaces(const std::vector<TriangleViews>& views, const std::vector<float>& airParts,
+                                          const std::function<bool(Index leaf)>& isAsked,
+                                          const MeshingContext& context);
 
 } // namespace atria

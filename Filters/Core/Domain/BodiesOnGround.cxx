@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Domain/BodiesOnGround.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace atria {
 
@@ -179,8 +182,21 @@ private:
     const double by = isFree ? gap.least : gap.most;
     if ((isFree || isDoubtful) && (state.hovers.distance == 0.0 || by < state.hovers.distance))
     {
-      state.hovers = {surface.names[base.surface], by, base.lowest, isDoubtful};
+      state.hovers = {surface.names[base.surface], by, airBelow(base), base.lowest, isDoubtful};
     }
+  }
+
+  double airBelow(const BodyBase& base) const
+  {
+    double volume = 0.0;
+    for (const Index t : base.triangles)
+    {
+      const auto& [i, j, k] = surface.triangles[t];
+      const auto& [a, b, c] = std::tie(surface.points[i], surface.points[j], surface.points[k]);
+      const Vec3 center = (a + b + c) / 3.0;
+      volume += 0.5 * std::abs((b - a).cross(c - a)[2]) * std::max(0.0, center[2] - ground.heightAt(center));
+    }
+    return volume;
   }
 
   void letDown(const BodyBase& base, const Gap& gap, BodyState& state)
@@ -193,7 +209,7 @@ private:
     }
     if (gap.most > state.letDown.distance)
     {
-      state.letDown = {surface.names[base.surface], gap.most, base.lowest};
+      state.letDown = {surface.names[base.surface], gap.most, 0.0, base.lowest};
     }
   }
 
@@ -205,7 +221,7 @@ private:
     state.touches = gap <= options.tolerance;
     if (!state.touches && !supports.isBesideOther(body, state.lowest[2], height))
     {
-      state.hovers = {surface.names[surface.surfaceIds[state.triangles.front()]], gap, state.lowest};
+      state.hovers = {surface.names[surface.surfaceIds[state.triangles.front()]], gap, 0.0, state.lowest};
     }
   }
 
@@ -217,7 +233,7 @@ private:
     const bool isDeep = ground.isTerrain ? depth > doubtfulRatio * bodies.height(body) : depth > options.tolerance;
     if (isDeep)
     {
-      out.report.belowGround.push_back({nameOf(state), depth, state.lowest});
+      out.report.belowGround.push_back({nameOf(state), depth, 0.0, state.lowest});
     }
     if (state.letDown.distance > 0.0)
     {

@@ -16,6 +16,8 @@ struct BodyAtGround
   std::string name;
   /// Between its base and the ground, in model units; positive.
   double distance = 0.0;
+  /// Of the air below a base that hovers; cubic model units.
+  double airBelow = 0.0;
   /// A place of its base as drawn, along the model's axes.
   Vec3 place = Vec3::Zero();
   /// It hovers by less than an element or a quarter of its height, so that it may have been meant to stand.

@@ -190,7 +190,7 @@ PlacedModel placeModel(const TriangleSurface& surface, const SiteOptions& option
 {
   SitePlan plan = groundOf(surface, options, frame.sizeOf(frame.featureLevel));
   plan.grid = frame.placement;
-  plan.domain = frame.turnedDomain.value_or(PlacedBox{frame.placement, frame.domain});
+  plan.domain = frame.prism();
   GridOptions sizes;
   sizes.sizeMin = frame.sizeOf(frame.featureLevel);
   sizes.sizeMax = frame.sizeOf(frame.topLevel);

@@ -61,6 +61,8 @@ struct GridFrame
   /// the grid about it, with the same bottom and top.
   std::optional<PlacedPrism> turnedDomain;
 
+  /// The domain proper, whether it is a box along the grid or not.
+  PlacedPrism prism() const { return turnedDomain.value_or(PlacedBox{placement, domain}); }
   double rootSize() const { return finestSize * static_cast<double>(std::int64_t{1} << depth); }
   double latticeUnit() const { return finestSize / static_cast<double>(std::int64_t{1} << subBits); }
   /// Edge length of an octant of `level` in lattice units.

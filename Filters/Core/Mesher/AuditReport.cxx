@@ -35,17 +35,24 @@ template <typename... T> std::string textOf(const T&... parts)
   return text.str();
 }
 
-/// `3 surfaces` and the first of them; empty without any.
-std::string listOf(std::vector<Finding> findings, const std::vector<std::string>& names, const char* what)
+/// The first of the surfaces with what there is to say of them.
+std::string namesOf(std::vector<Finding> findings, const std::vector<std::string>& names)
 {
   constexpr std::size_t most = 6;
   std::ranges::stable_sort(findings, [](const Finding& l, const Finding& r) { return l.weight > r.weight; });
-  std::string text = textOf(findings.size(), findings.size() == 1 ? " surface " : " surfaces ", what);
+  std::string text;
   for (std::size_t i = 0; i < std::min(most, findings.size()); ++i)
   {
-    text += (i == 0 ? ": " : ", ") + names[findings[i].surface] + " (" + findings[i].text + ")";
+    text += (i == 0 ? "" : ", ") + names[findings[i].surface] + " (" + findings[i].text + ")";
   }
   return text + (findings.size() > most ? textOf(" and ", findings.size() - most, " more") : "");
+}
+
+/// `3 surfaces` and the first of them.
+std::string listOf(std::vector<Finding> findings, const std::vector<std::string>& names, const char* what)
+{
+  const std::size_t count = findings.size();
+  return textOf(count, count == 1 ? " surface " : " surfaces ", what, ": ") + namesOf(std::move(findings), names);
 }
 
 /// Where most of what is missing of a surface went.
@@ -65,13 +72,15 @@ std::string reasonOf(const SurfaceAudit& surface)
   return std::ranges::max_element(reasons, {}, &Reason::area)->text;
 }
 
-std::vector<Finding> withoutFaces(const MeshAudit& audit)
+/// What would be in the mesh if elements were finer, or what no air that is meshed reaches.
+std::vector<Finding> withoutFaces(const MeshAudit& audit, bool isFiner)
 {
   std::vector<Finding> found;
   for (Index i = 0; i < audit.surfaces.size(); ++i)
   {
     const SurfaceAudit& surface = audit.surfaces[i];
-    if (surface.meshArea == 0.0 && surface.drawnArea > 0.0)
+    const bool isMissing = surface.lost + surface.leftOut > (1.0 - leastCoverage) * surface.drawnArea;
+    if (surface.meshArea == 0.0 && surface.drawnArea > 0.0 && isMissing == isFiner)
     {
       found.push_back({surface.drawnArea, i, textOf(surface.drawnArea, " m², ", reasonOf(surface))});
     }
@@ -115,6 +124,13 @@ std::vector<Finding> farAway(const MeshAudit& audit)
   return found;
 }
 
+std::string bodiesWarning(const MeshAudit& audit)
+{
+  return textOf("the mesh leaves out ", audit.volumes.displaced(),
+                " m³ of the domain, but the closed bodies of the model have ", audit.bodies.volume,
+                " m³ there: some are too thin for the mesh, or meshed hollow");
+}
+
 std::string volumeWarning(const VolumeAudit& volumes)
 {
   return textOf("the mesh leaves out ", volumes.displaced(), " m³ of the domain, but the model encloses ",
@@ -125,10 +141,11 @@ std::string volumeWarning(const VolumeAudit& volumes)
 
 } // namespace
 
-void completeAudit(const DrawnSurfaces& drawn, const SurfaceModel& model, const GridFrame& frame,
-                   const ModelOptions& options, MeshAudit& audit)
+void completeAudit(const DrawnModel& drawn, const std::vector<ZoneSummary>& zones, const SurfaceModel& model,
+                   const GridFrame& frame, const ModelOptions& options, MeshAudit& audit)
 {
-  finishAudit(drawn, model.repair, audit);
+  finishAudit(measureDrawn(drawn.surface, frame.prism()), model.repair, audit);
+  audit.bodies = auditBodies(drawn, frame.prism(), zones, frame.sizeOf(frame.featureLevel));
   const ModelLevels levels = modelLevels(model, frame, options.sizing);
   for (std::size_t i = 0; i < audit.surfaces.size(); ++i)
   {
@@ -148,17 +165,43 @@ std::vector<std::string> warningsOf(const MeshAudit& audit, const std::vector<st
   };
   const std::string sizes = textOf("lower SizeMin (--size-min), which is ", frame.sizeOf(frame.featureLevel),
                                    ", or give these surfaces a size of their own (--size)");
-  add(withoutFaces(audit), "without a face in the mesh", "if boundary conditions are to stand on them, " + sizes);
+  add(withoutFaces(audit, true), "without a face in the mesh", "if boundary conditions are to stand on them, " + sizes);
+  add(withoutFaces(audit, false), "without a face in the mesh",
+      "finer elements do not change that; where there should be air, look for what closes it in, or give a seed there "
+      "(Seeds, --seed)");
   add(withPartsMissing(audit), "of which parts are missing", sizes);
   const VolumeAudit& volumes = audit.volumes;
+  const double element = std::pow(frame.sizeOf(frame.featureLevel), 3);
   const double difference = std::abs(volumes.displaced() - volumes.displacedByModel);
-  if (difference > volumeTolerance * std::abs(volumes.displacedByModel) &&
-      difference > std::pow(frame.sizeOf(frame.featureLevel), 3))
+  if (difference > volumeTolerance * std::abs(volumes.displacedByModel) && difference > element)
   {
     warnings.push_back(volumeWarning(volumes));
   }
+  const BodyAudit& bodies = audit.bodies;
+  const double missing = bodies.volume - volumes.displaced();
+  if (bodies.isOnFlatGround && bodies.hollow.empty() && missing > volumeTolerance * bodies.volume && missing > element)
+  {
+    warnings.push_back(bodiesWarning(audit) + "; " + sizes);
+  }
   add(farAway(audit), "farther from the mesh than half an element or a fiftieth of their extent", sizes);
   return warnings;
+}
+
+std::vector<std::string> notesOf(const BodyAudit& bodies, const std::vector<std::string>& names)
+{
+  if (bodies.open.empty())
+  {
+    return {};
+  }
+  std::vector<Finding> found;
+  for (const AiredBody& body : bodies.open)
+  {
+    found.push_back({body.volume, body.surface, textOf("about ", body.place.transpose())});
+  }
+  const std::size_t count = bodies.open.size();
+  return {textOf(count, count == 1 ? " body is" : " bodies are", " open, and air is meshed inside of ",
+                 count == 1 ? "it: " : "them: ") +
+          namesOf(std::move(found), names) + "; close what is meant to be solid"};
 }
 
 } // namespace atria

@@ -3,10 +3,16 @@
 
 namespace atria {
 
-DrawnModel drawnModel(const TriangleSurface& surface, const SiteOptions& site, const GridFrame& frame)
+DrawnModel drawnModel(const TriangleSurface& surface, const SiteOptions& site, const std::vector<SurfaceKind>& kinds,
+                      const GridFrame& frame, const RunContext& context)
 {
   const double sizeMin = frame.sizeOf(frame.featureLevel);
-  return {surface, groundOf(surface, site, sizeMin).isGround, weldRatio * sizeMin};
+  const auto isWall = [&](Index triangle) {
+    const Index of = surface.surfaceIds[triangle];
+    return of >= kinds.size() || kinds[of] == SurfaceKind::wall;
+  };
+  return {surface, groundOf(surface, site, sizeMin).isGround,
+          ClosedBodies(surface, isWall, weldRatio * sizeMin, context)};
 }
 
 } // namespace atria

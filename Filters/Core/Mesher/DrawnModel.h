@@ -7,7 +7,9 @@
 
 namespace atria {
 
-/// Refers to the surface.
-DrawnModel drawnModel(const TriangleSurface& surface, const SiteOptions& site, const GridFrame& frame);
+/// Refers to the surface. O(triangles · log triangles).
+/// \param kinds  By surface; empty where all are walls.
+DrawnModel drawnModel(const TriangleSurface& surface, const SiteOptions& site, const std::vector<SurfaceKind>& kinds,
+                      const GridFrame& frame, const RunContext& context);
 
 } // namespace atria

@@ -45,20 +45,22 @@ void inspectZones(const CrossedGrid& crossed, const Zones& zones, const std::vec
   }
 }
 
-/// Decides which zones are kept, and sums them up.
-void chooseZones(const Zones& zones, const GridPlaces& grid, const Crossings& crossings, const ZoneOptions& options,
-                 const DrawnModel* drawn, DualMeshResult& result, const MeshingContext& context)
+/// Decides which zones are kept, and sums them up. Returns where solids are.
+SolidPlaces chooseZones(const Zones& zones, const GridPlaces& grid, const Crossings& crossings,
+                        const ZoneOptions& options, const DrawnModel* drawn, DualMeshResult& result,
+                        const MeshingContext& context)
 {
   const GridFrame& frame = context.octree.frame();
   const SurfaceModel& model = context.model;
-  const ZoneFacts facts = findZoneFacts(zones, crossings, grid, model.names.size(), wholeOf(grid), context,
-                                        drawn ? drawn->isGround : std::vector<char>());
-  const ZoneEnclosures enclosures = drawn ? ZoneEnclosures(*drawn, facts, model, frame, context) : ZoneEnclosures();
+  const std::vector<char> isGround = drawn ? drawn->isGround : std::vector<char>();
+  const ZoneFacts facts = findZoneFacts(zones, crossings, grid, model.names.size(), wholeOf(grid), context, isGround);
+  const ZoneEnclosures enclosures = drawn ? ZoneEnclosures(drawn->bodies, facts, frame, context) : ZoneEnclosures();
   const auto farthest = frame.turnedDomain ? farthestFromSides(zones, grid, 0, static_cast<Index>(grid.points().size()))
                                            : std::vector<double>();
   result.keptZones = chooseZones(zones, options.zoneRule, zonesOfSeeds(zones, seedsOf(options), grid, model), farthest,
                                  facts, enclosures, frame);
-  result.zones = summarizeZones(zones, result.keptZones, facts, enclosures.kinds(result.keptZones), frame);
+  result.zones = summarizeZones(zones, result.keptZones, facts, enclosures.kinds(result.keptZones), isGround, frame);
+  return drawn ? SolidPlaces(drawn->bodies, enclosures.holdsAir(result.keptZones), frame.placement) : SolidPlaces();
 }
 
 /// Of the whole grid.
@@ -68,9 +70,12 @@ void seeModel(const CrossedGrid& crossed, const Zones& zones, const DualMeshResu
               const MeshingContext& context)
 {
   const auto& [grid, crossings] = crossed.displaced;
-  seen.views =
-      findModelViews(crossings, grid, zones, viewsOfZones(result.zones), context.model, allOf(grid.points()), context);
-  seen.samples = sampleSurfaces(seen.views, {}, context);
+  const std::vector<View> ofZone = viewsOfZones(result.zones);
+  const ViewShare all = allOf(grid.points());
+  seen.views = findModelViews(crossings, grid, zones, ofZone, context.model, all, context);
+  seen.airParts = findAirParts(crossings, grid, zones, ofZone, context.model, all, context);
+  const auto isAsked = [&, &points = grid.points()](Index leaf) { return touchesAir(leaf, points, zones, ofZone); };
+  seen.samples = sampleSurfaces(seen.views, seen.airParts, isAsked, context);
 }
 
 /// The zones of the octree's own grid tell what of the model air may reach. If that is not all of it, the crossings
@@ -81,9 +86,10 @@ ReachedStage findReached(OctreeGrid& own, const ZoneOptions& options, const Draw
   const GridPlaces grid(context.octree, own.points);
   const Zones zones = findZones(own.crossings, context.model.names.size(), context);
   DualMeshResult found;
-  chooseZones(zones, grid, own.crossings, options, drawn, found, context);
+  const SolidPlaces solids = chooseZones(zones, grid, own.crossings, options, drawn, found, context);
   ReachedStage out;
-  out.parts = findUnreachedParts(own.crossings, grid, zones, viewsOfZones(found.zones), allOf(own.points), context);
+  out.parts =
+      findUnreachedParts(own.crossings, grid, zones, viewsOfZones(found.zones), solids, allOf(own.points), context);
   if (out.parts.any())
   {
     out.model = std::make_unique<ReachedModel>(out.parts, context);

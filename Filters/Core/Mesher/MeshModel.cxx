@@ -4,10 +4,7 @@
 #include "Domain/DomainCheck.h"
 #include "Dual/Zones/CellZones.h"
 #include "Layer/LayerBudget.h"
-#include "Mesher/AuditReport.h"
-#include "Mesher/DrawnModel.h"
-#include "Mesher/LostModel.h"
-#include "Mesher/OverlapWarnings.h"
+#include "Mesher/MeshReport.h"
 #include "Mesher/StageOptions.h"
 #include "Octree/Tree/Balance.h"
 
@@ -20,18 +17,13 @@ namespace {
 /// The part of the run that is over when there is an octree.
 constexpr double octreeShare = 0.4;
 
-PlacedPrism domainOf(const GridFrame& frame)
-{
-  return frame.turnedDomain.value_or(PlacedBox{frame.placement, frame.domain});
-}
-
 /// Throws Error where the domain of a frame holds nothing of the model. What else there is to say of it whoever made
 /// the octants has been told.
 void checkHoldsModel(const TriangleSurface& surface, const SiteOptions& options, const GridFrame& frame)
 {
   const double sizeMin = frame.sizeOf(frame.featureLevel);
   SitePlan plan = groundOf(surface, options, sizeMin);
-  plan.domain = domainOf(frame);
+  plan.domain = frame.prism();
   checkDomain(surface, plan, DomainMode::bounds, sizeMin);
 }
 
@@ -142,25 +134,12 @@ MeshedModel mesh(const TriangleSurface& surface, const OctreeSets* octants, cons
   MeshedModel out;
   DualMeshOptions dual = options.mesh;
   dual.rooms.sidesAreWalls = options.site.mode == DomainMode::surfaces;
-  const DrawnModel drawn = drawnModel(grounded.surface, grounded.options.site, octree.frame());
+  const DrawnModel drawn = drawnModel(grounded.surface, grounded.options.site, model.kinds, octree.frame(), context);
   static_cast<DualMeshResult&>(out) = makeDualMesh(octree, model, dual, clock, context.part(octreeShare, 1.0),
                                                    kept ? &cache.stages().dual : nullptr, &drawn);
   out.inputWarnings = inputWarnings;
-  completeAudit(measureDrawn(grounded.surface, domainOf(octree.frame())), model, octree.frame(), grounded.options,
-                out.audit);
-  for (const std::vector<std::string>& warnings :
-       {warningsOfEmptyCellZones(metCellZones(out.mesh.cellZones, model), model),
-        warningsOfOverlaps(model, octree.frame().sizeOf(octree.frame().featureLevel)),
-        warningsOfLostModel(grounded.surface, grounded.options, octree.frame(), out.metSides)})
-  {
-    out.inputWarnings.insert(out.inputWarnings.end(), warnings.begin(), warnings.end());
-  }
-  out.auditWarnings = warningsOf(out.audit, model.names, octree.frame());
   out.sizingWarning = sizingWarning;
-  out.ground = grounded.report;
-  out.names = model.names;
-  out.kinds = model.kinds;
-  out.repair = model.repair;
+  reportMesh({grounded, drawn, model, octree.frame()}, metCellZones(out.mesh.cellZones, model), out);
   out.maximumLevel = octree.maximumLevel();
   clock.lap("audit");
   out.stages = clock.stages();

@@ -62,8 +62,10 @@ struct MeshedModel : DualMeshResult
   std::vector<std::string> auditWarnings;
   /// What sizes had to be left out to keep to the limit of elements; empty if nothing.
   std::string sizingWarning;
-  /// How bodies stand on the ground; what there is to warn of is among `inputWarnings`.
+  /// How bodies stand on the ground; what there is to say of it is among `inputWarnings` and `notes`.
   GroundReport ground;
+  /// What was done with the model, or is as it was drawn, a sentence each.
+  std::vector<std::string> notes;
   /// The level of the finest octants.
   int maximumLevel = 0;
   /// Names of the stages and the seconds that each took.

@@ -49,19 +49,20 @@ struct SharedStart
   ReachedStage reached;
 };
 
-/// Decides which zones are kept, and sums them up; on all ranks.
-void chooseZones(const Zones& zones, const GridPlaces& places, const Crossings& crossings, const SharedPoints& points,
-                 const ZoneOptions& options, const DrawnModel* drawn, const RankShare& share, DualMeshResult& found,
-                 const MeshingContext& context)
+/// Decides which zones are kept, and sums them up; on all ranks. Returns where solids are.
+SolidPlaces chooseZones(const Zones& zones, const GridPlaces& places, const Crossings& crossings,
+                        const SharedPoints& points, const ZoneOptions& options, const DrawnModel* drawn,
+                        const RankShare& share, DualMeshResult& found, const MeshingContext& context)
 {
   const GridFrame& frame = context.octree.frame();
-  const ZoneFacts facts = SharedReport(share).findFacts(zones, places, crossings, points, context.model.names.size(),
-                                                        drawn ? drawn->isGround : std::vector<char>(), context);
-  const ZoneEnclosures enclosures =
-      drawn ? ZoneEnclosures(*drawn, facts, context.model, frame, context) : ZoneEnclosures();
+  const std::vector<char> isGround = drawn ? drawn->isGround : std::vector<char>();
+  const ZoneFacts facts =
+      SharedReport(share).findFacts(zones, places, crossings, points, context.model.names.size(), isGround, context);
+  const ZoneEnclosures enclosures = drawn ? ZoneEnclosures(drawn->bodies, facts, frame, context) : ZoneEnclosures();
   found.keptZones = keptSharedZones(zones, options.zoneRule, seedsOf(options), places, points, share, context.model,
                                     facts, enclosures);
-  found.zones = summarizeZones(zones, found.keptZones, facts, enclosures.kinds(found.keptZones), frame);
+  found.zones = summarizeZones(zones, found.keptZones, facts, enclosures.kinds(found.keptZones), isGround, frame);
+  return drawn ? SolidPlaces(drawn->bodies, enclosures.holdsAir(found.keptZones), frame.placement) : SolidPlaces();
 }
 
 SharedStart startOf(const DualMeshOptions& options, const DrawnModel* drawn, const RankShare& share, StageClock& clock,
@@ -72,9 +73,9 @@ SharedStart startOf(const DualMeshOptions& options, const DrawnModel* drawn, con
   const GridPlaces places(context.octree, grid.points);
   const Zones zones = findSharedZones(grid.crossings, points, context.model.names.size(), share, context);
   DualMeshResult found;
-  chooseZones(zones, places, grid.crossings, points, options, drawn, share, found, context);
+  const SolidPlaces solids = chooseZones(zones, places, grid.crossings, points, options, drawn, share, found, context);
   ReachedStage reached;
-  reached.parts = findUnreachedParts(grid.crossings, places, zones, viewsOfZones(found.zones),
+  reached.parts = findUnreachedParts(grid.crossings, places, zones, viewsOfZones(found.zones), solids,
                                      {points.firstOwn(), points.endOwn(), &share.exchange()}, context);
   if (reached.parts.any())
   {
@@ -195,10 +196,15 @@ private:
   void seeModel(const DisplacedGrid& displaced, const Zones& zones, const std::vector<ZoneSummary>& summaries,
                 const SharedPoints& points)
   {
-    seen.views = findModelViews(displaced.crossings, displaced.places, zones, viewsOfZones(summaries), context.model,
-                                {points.firstOwn(), points.endOwn(), &share.exchange()}, context);
-    const auto isOwnLeaf = [&](Index leaf) { return share.isOwn(context.octree.finestKey(leaf)); };
-    seen.samples = sampleSurfaces(seen.views, isOwnLeaf, context);
+    const auto& [grid, crossings] = displaced;
+    const std::vector<View> ofZone = viewsOfZones(summaries);
+    const ViewShare own{points.firstOwn(), points.endOwn(), &share.exchange()};
+    seen.views = findModelViews(crossings, grid, zones, ofZone, context.model, own, context);
+    seen.airParts = findAirParts(crossings, grid, zones, ofZone, context.model, own, context);
+    const auto isAsked = [&](Index leaf) {
+      return share.isOwn(context.octree.finestKey(leaf)) && touchesAir(leaf, grid.points(), zones, ofZone);
+    };
+    seen.samples = sampleSurfaces(seen.views, seen.airParts, isAsked, context);
   }
 
   LayerMesh grow(ClassifiedMesh& plain, const SharedWindow& window, ImprovedMesh& improved)

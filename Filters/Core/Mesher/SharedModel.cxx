@@ -3,10 +3,7 @@
 
 #include "Dual/Zones/CellZones.h"
 #include "Layer/LayerBudget.h"
-#include "Mesher/AuditReport.h"
-#include "Mesher/DrawnModel.h"
-#include "Mesher/LostModel.h"
-#include "Mesher/OverlapWarnings.h"
+#include "Mesher/MeshReport.h"
 #include "Mesher/SharedMesher.h"
 #include "Support/FreedMemory.h"
 
@@ -141,7 +138,7 @@ std::optional<SharedModel> meshSharedModel(const TriangleSurface& asRead, const 
   {
     return std::nullopt;
   }
-  const DrawnModel drawn = drawnModel(surface, options.site, placed.frame);
+  const DrawnModel drawn = drawnModel(surface, options.site, model.kinds, placed.frame, context);
   std::optional<SharedDual> made =
       ShareMaker(model, drawn, options, share, ghostLevels, run.part(sizingShare, 1.0)).make(rows, clock);
   if (!made)
@@ -152,20 +149,8 @@ std::optional<SharedModel> meshSharedModel(const TriangleSurface& asRead, const 
   static_cast<DualMeshResult&>(meshed) = std::move(made->found);
   out->piece = std::move(made->piece);
   meshed.metSides = metOnRanks(out->piece, model.names.size(), exchange);
-  completeAudit(measureDrawn(surface, plan.domain), model, placed.frame, options, meshed.audit);
-  for (const std::vector<std::string>& warnings :
-       {warningsOfEmptyCellZones(cellZonesOnRanks(out->piece, model, exchange), model),
-        warningsOfOverlaps(model, placed.frame.sizeOf(placed.frame.featureLevel)),
-        warningsOfLostModel(surface, options, placed.frame, meshed.metSides)})
-  {
-    meshed.inputWarnings.insert(meshed.inputWarnings.end(), warnings.begin(), warnings.end());
-  }
-  meshed.auditWarnings = warningsOf(meshed.audit, model.names, placed.frame);
   meshed.sizingWarning = sized.warning;
-  meshed.ground = std::move(grounded.report);
-  meshed.names = model.names;
-  meshed.kinds = model.kinds;
-  meshed.repair = model.repair;
+  reportMesh({grounded, drawn, model, placed.frame}, cellZonesOnRanks(out->piece, model, exchange), meshed);
   meshed.maximumLevel = finestLevel(sized.refined);
   clock.lap("audit");
   meshed.stages = clock.stages();

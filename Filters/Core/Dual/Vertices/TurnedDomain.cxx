@@ -219,7 +219,7 @@ std::vector<Vec3> sideNormalsOf(const GridFrame& frame)
   std::vector<Vec3> normals(sideNumbers, Vec3::Zero());
   normals[zMin] = -Vec3::UnitZ();
   normals[zMax] = Vec3::UnitZ();
-  const PlacedPrism domain = frame.turnedDomain.value_or(PlacedBox{frame.placement, frame.domain});
+  const PlacedPrism domain = frame.prism();
   const Placement relative(domain.axes.angle() - frame.placement.angle());
   for (const PrismSide& side : domain.sides())
   {

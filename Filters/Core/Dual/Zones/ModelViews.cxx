@@ -239,6 +239,8 @@ std::vector<View> viewsOfZones(const std::vector<ZoneSummary>& zones)
         return View::beyond;
       case ZoneKind::open:
         return zone.kept ? View::air : View::ground;
+      case ZoneKind::ground:
+        return View::ground;
       case ZoneKind::room:
         return zone.kept ? View::air : View::room;
       case ZoneKind::narrow:
@@ -255,6 +257,53 @@ std::vector<TriangleViews> findModelViews(const Crossings& crossings, const Grid
                                           const ViewShare& share, const RunContext& context)
 {
   return ViewFinder(crossings, grid, zones, ofZone, model, share, context).run();
+}
+
+std::vector<float> findAirParts(const Crossings& crossings, const GridPlaces& grid, const Zones& zones,
+                                const std::vector<View>& ofZone, const SurfaceModel& model, const ViewShare& share,
+                                const RunContext& context)
+{
+  constexpr std::uint32_t fewest = 3; // edges that can tell
+  constexpr float nearlyAll = 0.75F;  // where walls meet, an edge may cut both
+  std::vector<std::uint32_t> cut(model.triangles.size(), 0);
+  std::vector<std::uint32_t> aired(model.triangles.size(), 0);
+  const auto isAir = [&](Index point) {
+    const auto zone = point == noIndex ? ofZone.size() : static_cast<std::size_t>(zones.ofPoint[point]);
+    return zone < ofZone.size() && ofZone[zone] == View::air;
+  };
+  const auto count = [](std::vector<std::uint32_t>& counts, Index triangle) {
+    std::atomic_ref(counts[triangle]).fetch_add(1, std::memory_order_relaxed);
+  };
+  context.executor.forEach(crossings.crossedEdges.size(), 2048, [&](std::size_t e) {
+    const CrossedEdge& edge = crossings.crossedEdges[e];
+    if (edge.point < share.begin || edge.point >= share.end)
+    {
+      return;
+    }
+    const std::span<const SurfaceCrossing> cuts = crossings.of(edge);
+    for (const SurfaceCrossing& one : cuts)
+    {
+      count(cut, one.triangle);
+      const bool isFirst = &one == &cuts.front();
+      const bool isLast = &one == &cuts.back();
+      if ((isFirst && isAir(edge.point)) || (isLast && isAir(edge.other)))
+      {
+        count(aired, one.triangle);
+      }
+    }
+  });
+  if (share.exchange)
+  {
+    cut = sumOverRanks(*share.exchange, cut);
+    aired = sumOverRanks(*share.exchange, aired);
+  }
+  std::vector<float> parts(cut.size(), 1.0F);
+  for (std::size_t t = 0; t < parts.size(); ++t)
+  {
+    const float part = cut[t] < fewest ? 1.0F : static_cast<float>(aired[t]) / static_cast<float>(cut[t]);
+    parts[t] = part < nearlyAll ? part : 1.0F;
+  }
+  return parts;
 }
 
 } // namespace atria

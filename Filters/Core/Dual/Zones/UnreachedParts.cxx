@@ -21,12 +21,12 @@ bool isHidden(const TriangleViews& views)
   return std::ranges::all_of(views, [](View view) { return view == View::solid || view == View::ground; });
 }
 
-/// Sides that no edge of the grid sees, as the insides of beams thinner than an octant, looked at by rays.
+/// Sides that no edge of the grid sees, as the insides of beams thinner than an octant: closed bodies tell, or rays.
 class UnseenSides
 {
 public:
-  UnseenSides(const MeshingContext& c, std::vector<TriangleViews>& v)
-      : model(c.model), octree(c.octree), tree(c.tree.get()), executor(c.executor), views(v),
+  UnseenSides(const MeshingContext& c, const SolidPlaces& s, std::vector<TriangleViews>& v)
+      : model(c.model), octree(c.octree), tree(c.tree.get()), executor(c.executor), solids(s), views(v),
         pieceOf(piecesBetweenEdges(model, count, executor)), largest(count, noIndex), sets(2 * std::size_t{count}),
         facts(2 * std::size_t{count})
   {
@@ -37,14 +37,16 @@ public:
   void run()
   {
     findLargest();
-    std::vector<Index> unseen;
-    for (Index side = 0; side < facts.size(); ++side)
+    std::vector<Index> unseen = findUnseen();
+    std::vector<char> isSolid(unseen.size(), 0);
+    executor.forEach(unseen.size(), 16, [&](std::size_t i) { isSolid[i] = isInSolid(unseen[i]) ? 1 : 0; });
+    std::vector<char> isSolidSide(facts.size(), 0);
+    for (std::size_t i = 0; i < unseen.size(); ++i)
     {
-      if (viewOf(side) == View::nothing)
-      {
-        unseen.push_back(side);
-      }
+      isSolidSide[unseen[i]] = isSolid[i];
     }
+    giveViews([&](Index side) { return isSolidSide[side] ? View::solid : View::nothing; });
+    unseen = findUnseen();
     std::vector<std::vector<Index>> seen(unseen.size());
     executor.forEach(unseen.size(), 16, [&](std::size_t i) { seen[i] = sidesBefore(unseen[i]); });
     for (std::size_t i = 0; i < unseen.size(); ++i)
@@ -58,16 +60,7 @@ public:
     {
       gather(unseen[i], seen[i]);
     }
-    for (Index t = 0; t < views.size(); ++t)
-    {
-      for (Index side = 0; side < 2; ++side)
-      {
-        if (views[t][side] == View::nothing)
-        {
-          views[t][side] = facts[sets.find(2 * pieceOf[t] + side)].view();
-        }
-      }
-    }
+    giveViews([&](Index side) { return facts[sets.find(side)].view(); });
   }
 
 private:
@@ -85,6 +78,56 @@ private:
   };
 
   View viewOf(Index side) const { return views[largest[side / 2]][side % 2]; }
+
+  /// To sides that have none.
+  template <typename ViewOf> void giveViews(ViewOf&& viewBefore)
+  {
+    for (Index t = 0; t < views.size(); ++t)
+    {
+      for (Index side = 0; side < 2; ++side)
+      {
+        if (views[t][side] == View::nothing)
+        {
+          views[t][side] = viewBefore(2 * pieceOf[t] + side);
+        }
+      }
+    }
+  }
+
+  std::vector<Index> findUnseen() const
+  {
+    std::vector<Index> unseen;
+    for (Index side = 0; side < facts.size(); ++side)
+    {
+      if (viewOf(side) == View::nothing)
+      {
+        unseen.push_back(side);
+      }
+    }
+    return unseen;
+  }
+
+  Vec3 middleOf(Index triangle) const
+  {
+    return (toVector(model.corner(triangle, 0)) + toVector(model.corner(triangle, 1)) +
+            toVector(model.corner(triangle, 2))) /
+           3.0;
+  }
+
+  Vec3 aheadOf(Index side) const { return (side % 2 == 0 ? 1.0 : -1.0) * model.normal(largest[side / 2]).normalized(); }
+
+  /// Just before the middle of a piece's largest triangle, and no farther than half the way to what is next.
+  bool isInSolid(Index side) const
+  {
+    constexpr double before = 0.05; // octants
+    const Vec3 origin = middleOf(largest[side / 2]);
+    const Vec3 ahead = aheadOf(side);
+    const GridFrame& frame = octree.frame();
+    const double octant = static_cast<double>(frame.latticeSize(frame.featureLevel));
+    const TriangleTree::Hit hit = tree.firstHit(origin, ahead, latticeRounding, 2.0 * before * octant);
+    const double distance = hit.triangle == noIndex ? before * octant : 0.5 * hit.distance;
+    return solids.contains(frame.toModel(Vec3(origin + distance * ahead)));
+  }
 
   void findLargest()
   {
@@ -106,12 +149,12 @@ private:
   {
     const Index from = largest[side / 2];
     const Vec3 corner = toVector(model.corner(from, 0));
-    const Vec3 origin = (corner + toVector(model.corner(from, 1)) + toVector(model.corner(from, 2))) / 3.0;
+    const Vec3 origin = middleOf(from);
     if (isInCluster(origin))
     {
       return {noIndex};
     }
-    const Vec3 ahead = (side % 2 == 0 ? 1.0 : -1.0) * model.normal(from).normalized();
+    const Vec3 ahead = aheadOf(side);
     const Vec3 across = (toVector(model.corner(from, 1)) - corner).normalized();
     const Vec3 along = ahead.cross(across);
     std::vector<Index> out{sideMet(origin, ahead)};
@@ -168,6 +211,7 @@ private:
   const Octree& octree;
   const TriangleTree& tree;
   const Executor& executor;
+  const SolidPlaces& solids;
   std::vector<TriangleViews>& views;
   Index count = 0;
   std::vector<Index> pieceOf;
@@ -245,7 +289,7 @@ SurfaceModel withoutParts(const SurfaceModel& model, const std::vector<char>& is
 } // namespace
 
 UnreachedParts findUnreachedParts(const Crossings& crossings, const GridPlaces& grid, const Zones& zones,
-                                  const std::vector<View>& ofZone, const ViewShare& share,
+                                  const std::vector<View>& ofZone, const SolidPlaces& solids, const ViewShare& share,
                                   const MeshingContext& context)
 {
   const SurfaceModel& model = context.model;
@@ -255,7 +299,7 @@ UnreachedParts findUnreachedParts(const Crossings& crossings, const GridPlaces& 
     return out;
   }
   out.views = findModelViews(crossings, grid, zones, ofZone, model, share, context);
-  UnseenSides(context, out.views).run();
+  UnseenSides(context, solids, out.views).run();
   out.isUnreached.resize(model.triangles.size());
   for (Index t = 0; t < model.triangles.size(); ++t)
   {

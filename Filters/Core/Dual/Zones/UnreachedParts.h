@@ -3,6 +3,7 @@
 #pragma once
 
 #include "Dual/Zones/ModelViews.h"
+#include "Dual/Zones/ZoneEnclosures.h"
 #include "Octree/Tree/MeshingContext.h"
 
 namespace atria {
@@ -19,14 +20,14 @@ struct UnreachedParts
 };
 
 /// Finds the walls that see the inside of solids, or what is under the ground, on both of their sides. Sides that no
-/// edge of the grid sees, as the insides of thin beams, are looked at by rays.
+/// edge of the grid sees, as the insides of thin beams, are so inside of closed bodies; others are looked at by rays.
 ///
 /// Walls of closed rooms are not among them: a room may be wanted by a seed. Nor is what lies on sides of the domain,
 /// or what leaves an edge of other triangles open without it. \param crossings  Of the octree's own grid: moves of grid
 /// points open no way into solids. \param ofZone     Views of zones, see viewsOfZones(). Parameters otherwise as of
 /// findModelViews().
 UnreachedParts findUnreachedParts(const Crossings& crossings, const GridPlaces& grid, const Zones& zones,
-                                  const std::vector<View>& ofZone, const ViewShare& share,
+                                  const std::vector<View>& ofZone, const SolidPlaces& solids, const ViewShare& share,
                                   const MeshingContext& context);
 
 /// A model without its unreached parts, the octree whose leaves hold it, and a tree to search it.

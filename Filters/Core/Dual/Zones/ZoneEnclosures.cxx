@@ -120,19 +120,14 @@ private:
 
 } // namespace
 
-ZoneEnclosures::ZoneEnclosures(const DrawnModel& drawn, const ZoneFacts& facts, const SurfaceModel& model,
-                               const GridFrame& frame, const RunContext& context)
+ZoneEnclosures::ZoneEnclosures(const ClosedBodies& bodies, const ZoneFacts& facts, const GridFrame& frame,
+                               const RunContext& context)
 {
   if (facts.zones.size() < 2)
   {
     return;
   }
-  const std::vector<Index>& surfaces = drawn.surface.surfaceIds;
-  const auto isWall = [&](Index triangle) {
-    return surfaces[triangle] >= model.kinds.size() || model.kinds[surfaces[triangle]] == SurfaceKind::wall;
-  };
-  const ClosedBodies bodies(drawn.surface, isWall, drawn.weldDistance, context);
-  std::ranges::transform(bodies.bodies(), std::back_inserter(volumes_), &ClosedBody::volume);
+  std::ranges::transform(bodies.bodies(), std::back_inserter(volumes_), &DrawnBody::volume);
   around_.resize(facts.zones.size());
   context.executor.forEach(around_.size(), 16, [&](std::size_t zone) {
     if (facts.zones[zone].hasPlace)
@@ -185,7 +180,7 @@ bool ZoneEnclosures::isHollow(std::size_t zone) const
   return isInside(inner, outer) && (volumes_[inner] < 0.0) != (volumes_[outer] < 0.0);
 }
 
-std::vector<Enclosure> ZoneEnclosures::kinds(const std::vector<char>& kept) const
+std::vector<char> ZoneEnclosures::holdsAir(const std::vector<char>& kept) const
 {
   std::vector<char> holdsAir(volumes_.size(), 0);
   for (std::size_t zone = 0; zone < around_.size(); ++zone)
@@ -195,13 +190,30 @@ std::vector<Enclosure> ZoneEnclosures::kinds(const std::vector<char>& kept) cons
       std::ranges::for_each(around_[zone], [&](Index body) { holdsAir[body] = 1; });
     }
   }
+  return holdsAir;
+}
+
+bool SolidPlaces::contains(const Vec3& place) const
+{
+  if (!bodies_)
+  {
+    return false;
+  }
+  const std::vector<Index> around = bodies_->around(placement_.toModel(place));
+  return !around.empty() &&
+         std::ranges::none_of(around, [&](Index body) { return body < holdsAir_.size() && holdsAir_[body] != 0; });
+}
+
+std::vector<Enclosure> ZoneEnclosures::kinds(const std::vector<char>& kept) const
+{
+  const std::vector<char> airs = holdsAir(kept);
   std::vector<Enclosure> out(kept.size(), Enclosure::none);
   for (std::size_t zone = 0; zone < around_.size(); ++zone)
   {
     Index before = noIndex;
     for (const Index body : around_[zone])
     {
-      if (!holdsAir[body])
+      if (!airs[body])
       {
         const bool isHollow = out[zone] == Enclosure::solid && isInside(body, before) &&
                               (volumes_[body] < 0.0) != (volumes_[before] < 0.0);

@@ -15,8 +15,8 @@ struct DrawnModel
   const TriangleSurface& surface;
   /// By surface.
   std::vector<char> isGround;
-  /// Points that are closer are one; model units.
-  double weldDistance;
+  /// Of its walls.
+  ClosedBodies bodies;
 };
 
 /// The closed bodies around a place of each zone. Bodies of one zone lie in each other, or cross.
@@ -25,9 +25,8 @@ class ZoneEnclosures
 public:
   /// Without bodies nothing is enclosed.
   ZoneEnclosures() = default;
-  /// Surfaces that are not walls are left out. O(triangles · log triangles) where there are several zones.
-  ZoneEnclosures(const DrawnModel& drawn, const ZoneFacts& facts, const SurfaceModel& model, const GridFrame& frame,
-                 const RunContext& context);
+  /// O(log triangles) for each zone.
+  ZoneEnclosures(const ClosedBodies& bodies, const ZoneFacts& facts, const GridFrame& frame, const RunContext& context);
 
   /// How many bodies lie around a zone's place.
   std::size_t depth(std::size_t zone) const { return zone < around_.size() ? around_[zone].size() : 0; }
@@ -36,6 +35,8 @@ public:
   bool isWithinBody(std::size_t zone) const;
   /// Whether the innermost body around a zone lies in another one and is drawn the other way round.
   bool isHollow(std::size_t zone) const;
+  /// By closed body, whether a zone around which it lies is kept.
+  std::vector<char> holdsAir(const std::vector<char>& kept) const;
   /// What each zone is, where bodies tell. A body around a zone that is kept holds air, unless the zone is in a hollow
   /// of it. A hollow is a body within another one that is wound the other way.
   std::vector<Enclosure> kinds(const std::vector<char>& kept) const;
@@ -47,6 +48,26 @@ private:
   std::vector<std::vector<Index>> around_; ///< by zone, the largest first
   std::vector<double> volumes_;            ///< by body, signed
   std::map<std::pair<Index, Index>, bool> isInside_;
+};
+
+/// Tells places inside of solids, whether or not a point of the grid is there.
+class SolidPlaces
+{
+public:
+  /// Nowhere.
+  SolidPlaces() = default;
+  SolidPlaces(const ClosedBodies& bodies, std::vector<char> holdsAir, const Placement& placement)
+      : bodies_(&bodies), holdsAir_(std::move(holdsAir)), placement_(placement)
+  {
+  }
+
+  /// Of a place along the grid's axes, in model units: whether bodies lie around it, and none of these holds air.
+  bool contains(const Vec3& place) const;
+
+private:
+  const ClosedBodies* bodies_ = nullptr;
+  std::vector<char> holdsAir_;
+  Placement placement_;
 };
 
 /// Which zones are kept. Those that a rule keeps, where the domain is turned only those inside: `farthest` is from

@@ -251,6 +251,14 @@ bool isSolid(const ZoneFacts::Zone& zone, Enclosure enclosure, bool kept)
   return enclosure == Enclosure::solid || (enclosure == Enclosure::none && isLikeOne);
 }
 
+bool isUnderGround(const ZoneSummary& zone, const std::vector<char>& isGround)
+{
+  constexpr SideBits bottom = SideBits{1} << zMin;
+  const bool seesMostOfGround =
+      !zone.surfaces.empty() && zone.surfaces.front() < isGround.size() && isGround[zone.surfaces.front()];
+  return zone.kind == ZoneKind::open && !zone.kept && (zone.sides & bottom) != 0 && seesMostOfGround;
+}
+
 ZoneKind kindOf(const ZoneFacts::Zone& zone, SideBits sides, Enclosure enclosure, bool kept)
 {
   constexpr SideBits bottom = SideBits{1} << zMin;
@@ -313,7 +321,8 @@ std::vector<double> zoneVolumes(const ZoneFacts& facts, std::size_t zoneCount, c
 }
 
 std::vector<ZoneSummary> summarizeZones(const Zones& zones, const std::vector<char>& kept, const ZoneFacts& facts,
-                                        const std::vector<Enclosure>& enclosures, const GridFrame& frame)
+                                        const std::vector<Enclosure>& enclosures, const std::vector<char>& isGround,
+                                        const GridFrame& frame)
 {
   std::vector<ZoneSummary> summaries(zones.count());
   const std::vector<double> volumes = zoneVolumes(facts, zones.count(), frame);
@@ -333,6 +342,10 @@ std::vector<ZoneSummary> summarizeZones(const Zones& zones, const std::vector<ch
   {
     summaries[static_cast<std::size_t>(some.zone)].surfaces.push_back(some.of);
   }
+  for (ZoneSummary& zone : summaries)
+  {
+    zone.kind = isUnderGround(zone, isGround) ? ZoneKind::ground : zone.kind;
+  }
   return summaries;
 }
 
@@ -340,7 +353,7 @@ std::vector<ZoneSummary> summarizeZones(const Zones& zones, const std::vector<ch
                                         const GridPlaces& grid, std::size_t surfaceCount, const RunContext& context)
 {
   return summarizeZones(zones, kept, findZoneFacts(zones, crossings, grid, surfaceCount, wholeOf(grid), context), {},
-                        grid.octree().frame());
+                        {}, grid.octree().frame());
 }
 
 } // namespace atria

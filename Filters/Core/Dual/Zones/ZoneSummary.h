@@ -14,7 +14,8 @@ enum class ZoneKind : std::uint8_t
   room,   ///< closed
   solid,  ///< the inside of a solid: of a closed body, or what sees backs of surfaces, as far as one can tell
   narrow, ///< closed, and all of its elements are at its border
-  beyond  ///< behind the sides of a domain that does not stand along the grid
+  beyond, ///< behind the sides of a domain that does not stand along the grid
+  ground  ///< not kept, reaches the bottom and other sides, and most of its faces are on ground: what is under it
 };
 
 /// What closed bodies of the model say of a zone.
@@ -112,9 +113,10 @@ void append(const ZoneFacts& more, ZoneFacts& facts);
 /// By zone, that of the octants, shared out among their corners; cubic model units.
 std::vector<double> zoneVolumes(const ZoneFacts& facts, std::size_t zoneCount, const GridFrame& frame);
 
-/// `enclosures` is by zone; nothing is enclosed where it is empty.
+/// `enclosures` is by zone; nothing is enclosed where it is empty. `isGround` is as of findZoneFacts().
 std::vector<ZoneSummary> summarizeZones(const Zones& zones, const std::vector<char>& kept, const ZoneFacts& facts,
-                                        const std::vector<Enclosure>& enclosures, const GridFrame& frame);
+                                        const std::vector<Enclosure>& enclosures, const std::vector<char>& isGround,
+                                        const GridFrame& frame);
 
 /// Of the whole grid.
 std::vector<ZoneSummary> summarizeZones(const Zones& zones, const std::vector<char>& kept, const Crossings& crossings,

@@ -144,43 +144,69 @@ void ClosedBodies::weld(const TriangleSurface& surface, const std::function<bool
   }
 }
 
+void ClosedBodies::add(Index triangle, DrawnBody& body)
+{
+  const auto& [a, b, c] = soup_.triangles[triangle];
+  const LatticeBox box = boundsOf(soup_.points[a], soup_.points[b], soup_.points[c]);
+  if (body.triangles.empty())
+  {
+    body.bounds = box;
+    body.surface = soup_.surfaceIds[triangle];
+  }
+  body.bounds.extend(box);
+  body.triangles.push_back(triangle);
+}
+
+double ClosedBodies::volumeOf(const DrawnBody& body) const
+{
+  const LatticePoint& origin = soup_.corner(body.triangles.front(), 0);
+  double volume = 0.0;
+  for (const Index t : body.triangles)
+  {
+    const Vec3 a = between(origin, soup_.corner(t, 0));
+    volume += a.dot(between(origin, soup_.corner(t, 1)).cross(between(origin, soup_.corner(t, 2)))) / 6.0;
+  }
+  return volume * std::pow(unit_, 3);
+}
+
 void ClosedBodies::findBodies(const RunContext& context)
 {
   const auto count = static_cast<Index>(soup_.triangles.size());
   const std::vector<SoupEdgeUse> uses = sortedEdgeUses(soup_, context.executor);
   UnionFind parts(count);
   eachEdge(uses, [&](std::span<const SoupEdgeUse> edge) { joinAtEdge(edge, soup_, parts); });
-  const std::set<Index> open = openParts(uses, parts);
+  const std::set<Index> isOpen = openParts(uses, parts);
   bodyOf_.assign(count, noIndex);
+  std::vector<Index> openOf(count, noIndex);
   std::vector<NumberedBox> boxes;
   for (Index t = 0; t < count; ++t)
   {
     const Index root = parts.find(t); // the first of its part
-    if (open.contains(root))
-    {
-      continue;
-    }
-    const auto& [a, b, c] = soup_.triangles[t];
-    const LatticeBox box = boundsOf(soup_.points[a], soup_.points[b], soup_.points[c]);
+    const bool isClosed = !isOpen.contains(root);
+    std::vector<DrawnBody>& bodies = isClosed ? bodies_ : open_;
+    std::vector<Index>& numbers = isClosed ? bodyOf_ : openOf;
     if (root == t)
     {
-      bodyOf_[t] = static_cast<Index>(bodies_.size());
-      bodies_.push_back({box, 0.0, {}});
+      numbers[t] = static_cast<Index>(bodies.size());
+      bodies.emplace_back();
     }
-    bodyOf_[t] = bodyOf_[root];
-    ClosedBody& body = bodies_[bodyOf_[t]];
-    const LatticePoint& origin = soup_.points[soup_.triangles[root][0]];
-    body.bounds.extend(box);
-    body.triangles.push_back(t);
-    body.volume +=
-        between(origin, soup_.points[a]).dot(between(origin, soup_.points[b]).cross(between(origin, soup_.points[c]))) /
-        6.0;
-    boxes.push_back({box, t});
+    numbers[t] = numbers[root];
+    add(t, bodies[numbers[t]]);
+    if (isClosed)
+    {
+      boxes.push_back({boundsOf(soup_.corner(t, 0), soup_.corner(t, 1), soup_.corner(t, 2)), t});
+    }
   }
+  std::ranges::for_each(bodies_, [&](DrawnBody& body) { body.volume = volumeOf(body); });
   if (!boxes.empty())
   {
     tree_ = std::make_unique<BoxTree>(std::move(boxes), context);
   }
+}
+
+std::array<Vec3, 3> ClosedBodies::corners(Index triangle) const
+{
+  return {toModel(soup_.corner(triangle, 0)), toModel(soup_.corner(triangle, 1)), toModel(soup_.corner(triangle, 2))};
 }
 
 bool ClosedBodies::isBelow(const LatticePoint& p, const std::array<Index, 3>& triangle) const
@@ -195,6 +221,42 @@ bool ClosedBodies::isBelow(const LatticePoint& p, const std::array<Index, 3>& tr
   const Vec3 normal = between(points[a], points[b]).cross(between(points[a], points[c]));
   const double above = normal.dot(between(points[a], p));
   return normal[2] > 0.0 ? above < 0.0 : above > 0.0;
+}
+
+double ClosedBodies::commonLength(double x, double y, Index one, Index other) const
+{
+  const LatticePoint place = latticeOf({x, y, origin_[2]});
+  // Heights at which the way goes into a body or out of it.
+  std::vector<std::pair<double, bool>> heights;
+  for (const Index body : {one, other})
+  {
+    const LatticeBox& box = bodies_[body].bounds;
+    const LatticeBox way{{place[0], place[1], box.low[2]}, {place[0], place[1], box.high[2]}};
+    tree_->eachTouching(way, 0, [&](std::size_t at) {
+      const Index triangle = tree_->box(at).id;
+      if (bodyOf_[triangle] == body && isBelow({place[0], place[1], box.low[2] - 1}, soup_.triangles[triangle]))
+      {
+        const auto [a, b, c] = corners(triangle);
+        const Vec3 normal = (b - a).cross(c - a);
+        const double rise = normal[0] * (x - a[0]) + normal[1] * (y - a[1]);
+        heights.emplace_back(
+            std::clamp(a[2] - rise / normal[2], std::min({a[2], b[2], c[2]}), std::max({a[2], b[2], c[2]})),
+            body == one);
+      }
+    });
+  }
+  std::ranges::sort(heights);
+  double length = 0.0;
+  double before = 0.0;
+  bool inOne = false;
+  bool inOther = false;
+  for (const auto& [height, isOfOne] : heights)
+  {
+    length += inOne && inOther ? height - before : 0.0;
+    (isOfOne ? inOne : inOther) = !(isOfOne ? inOne : inOther);
+    before = height;
+  }
+  return length;
 }
 
 std::vector<Index> ClosedBodies::aroundLattice(const LatticePoint& p) const

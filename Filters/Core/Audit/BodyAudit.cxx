@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Audit/BodyAudit.h"
+
+#include "Audit/ClippedTriangles.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace atria {
+
+namespace {
+
+/// Places, in all, at which overlaps are measured; along each axis of one, at least and at most.
+constexpr double samples = 50'000.0;
+constexpr double fewestSamples = 4.0;
+constexpr double mostSamples = 24.0;
+/// The part of the directions, level and up, in which an open body is met from within.
+constexpr double enclosing = 0.7;
+/// The part of an open body's box that is left out of the mesh where its inside is.
+constexpr double leastLeftOut = 0.25;
+
+std::vector<Vec3> levelAndUp()
+{
+  std::vector<Vec3> directions{Vec3::UnitZ()};
+  for (int i = 0; i < 8; ++i)
+  {
+    // Not along walls, nor through the edges between them.
+    const double angle = 0.1 + i * std::atan(1.0);
+    directions.emplace_back(std::cos(angle), std::sin(angle), 0.013);
+    directions.emplace_back(std::cos(angle), std::sin(angle), 1.02);
+  }
+  return directions;
+}
+
+bool isMet(const Vec3& from, const Vec3& direction, const std::array<Vec3, 3>& triangle)
+{
+  const Vec3 u = triangle[1] - triangle[0];
+  const Vec3 v = triangle[2] - triangle[0];
+  const Vec3 across = direction.cross(v);
+  const double determinant = u.dot(across);
+  if (determinant == 0.0)
+  {
+    return false;
+  }
+  const Vec3 to = from - triangle[0];
+  const double alongU = to.dot(across) / determinant;
+  const Vec3 other = to.cross(u);
+  const double alongV = direction.dot(other) / determinant;
+  return alongU >= 0.0 && alongV >= 0.0 && alongU + alongV <= 1.0 && v.dot(other) > 0.0 == determinant > 0.0;
+}
+
+bool isWithin(const Vec3& p, const Box3& box)
+{
+  return (p.array() >= box.min.array()).all() && (p.array() <= box.max.array()).all();
+}
+
+class BodyAuditor
+{
+public:
+  BodyAuditor(const DrawnModel& drawnModel, const PlacedPrism& prism, const std::vector<ZoneSummary>& zoneSummaries,
+              double finest)
+      : drawn(drawnModel), bodies(drawnModel.bodies), domain(prism), region(prism), zones(zoneSummaries),
+        sizeMin(finest)
+  {
+  }
+
+  BodyAudit run()
+  {
+    out.isOnFlatGround = isOnFlatGround();
+    measureClosed();
+    measureOverlaps();
+    findHollow();
+    findOpen();
+    return std::move(out);
+  }
+
+private:
+  double bottom() const { return domain.bounds.min[2]; }
+
+  bool isOnFlatGround() const
+  {
+    for (std::size_t t = 0; t < drawn.surface.triangles.size(); ++t)
+    {
+      if (drawn.isGround[drawn.surface.surfaceIds[t]])
+      {
+        for (const Index p : drawn.surface.triangles[t])
+        {
+          if (drawn.surface.points[p][2] > bottom() + 0.5 * sizeMin)
+          {
+            return false;
+          }
+        }
+      }
+    }
+    return true;
+  }
+
+  bool isLarge(const DrawnBody& body) const
+  {
+    return !drawn.isGround[body.surface] && bodies.bounds(body).size().norm() >= sizeMin;
+  }
+
+  void measureClosed()
+  {
+    within.assign(bodies.bodies().size(), 0.0);
+    for (std::size_t i = 0; i < within.size(); ++i)
+    {
+      if (const DrawnBody& body = bodies.bodies()[i]; isLarge(body))
+      {
+        within[i] = std::abs(volumeWithin(body));
+        out.closed += within[i] > 0.0 ? 1 : 0;
+        out.volume += within[i];
+      }
+    }
+  }
+
+  /// Heights above the domain's bottom integrate to the volume.
+  double volumeWithin(const DrawnBody& body) const
+  {
+    double volume = 0.0;
+    for (const Index t : body.triangles)
+    {
+      std::array<Vec3, 3> at = bodies.corners(t);
+      std::ranges::transform(at, at.begin(), [&](const Vec3& p) { return domain.axes.fromModel(p); });
+      const auto& [a, b, c] = at;
+      const Vec3 normal = (b - a).cross(c - a);
+      if (const double length = normal.norm(); length > 0.0)
+      {
+        volume += normal[2] / length * region.within(a, b, c, bottom()).heightTimesArea;
+      }
+    }
+    return volume;
+  }
+
+  /// Pairs of bodies whose boxes meet within the domain.
+  std::vector<std::array<Index, 2>> pairs() const
+  {
+    std::vector<Index> order;
+    for (Index i = 0; i < within.size(); ++i)
+    {
+      if (within[i] > 0.0)
+      {
+        order.push_back(i);
+      }
+    }
+    const std::vector<DrawnBody>& all = bodies.bodies();
+    std::ranges::stable_sort(order, {}, [&](Index i) { return all[i].bounds.low[0]; });
+    std::vector<std::array<Index, 2>> found;
+    for (std::size_t i = 0; i < order.size(); ++i)
+    {
+      const LatticeBox& one = all[order[i]].bounds;
+      for (std::size_t k = i + 1; k < order.size() && all[order[k]].bounds.low[0] < one.high[0]; ++k)
+      {
+        const LatticeBox& other = all[order[k]].bounds;
+        if (one.low[1] < other.high[1] && other.low[1] < one.high[1] && one.low[2] < other.high[2] &&
+            other.low[2] < one.high[2])
+        {
+          found.push_back({order[i], order[k]});
+        }
+      }
+    }
+    return found;
+  }
+
+  void measureOverlaps()
+  {
+    const std::vector<std::array<Index, 2>> all = pairs();
+    const double perPair = std::sqrt(samples / std::max<double>(1.0, static_cast<double>(all.size())));
+    const auto side = static_cast<int>(std::clamp(perPair, fewestSamples, mostSamples));
+    double most = 0.0;
+    for (const auto& [one, other] : all)
+    {
+      const double common = commonVolume(one, other, side);
+      out.overlap += common;
+      if (common > most)
+      {
+        most = common;
+        out.overlapping = {bodies.bodies()[one].surface, bodies.bodies()[other].surface};
+      }
+    }
+    out.volume -= out.overlap;
+  }
+
+  double commonVolume(Index one, Index other, int side) const
+  {
+    for (const auto& [inner, outer] : {std::pair(one, other), std::pair(other, one)})
+    {
+      if (bodies.isInside(inner, outer))
+      {
+        return within[inner];
+      }
+    }
+    const Box3 a = bodies.bounds(bodies.bodies()[one]);
+    const Box3 b = bodies.bounds(bodies.bodies()[other]);
+    const Vec3 low = a.min.cwiseMax(b.min);
+    const Vec3 size = a.max.cwiseMin(b.max) - low;
+    double length = 0.0;
+    for (int i = 0; i < side; ++i)
+    {
+      for (int k = 0; k < side; ++k)
+      {
+        length += bodies.commonLength(low[0] + (i + 0.5) / side * size[0], low[1] + (k + 0.5) / side * size[1], one, other);
+      }
+    }
+    return length * size[0] * size[1] / (side * side);
+  }
+
+  void findHollow()
+  {
+    for (const ZoneSummary& zone : zones)
+    {
+      if (zone.kept)
+      {
+        const std::vector<Index> around = bodies.around(zone.inside);
+        if (!around.empty() && isLarge(bodies.bodies()[around.back()]))
+        {
+          out.hollow.push_back({bodies.bodies()[around.back()].surface, zone.volume, zone.inside});
+        }
+      }
+    }
+  }
+
+  void findOpen()
+  {
+    for (const DrawnBody& body : bodies.open())
+    {
+      const Box3 box = bodies.bounds(body);
+      if (!drawn.isGround[body.surface] && box.size().minCoeff() > 2.0 * sizeMin && !holdsLeftOut(box) &&
+          encloses(body, box.center()))
+      {
+        out.open.push_back({body.surface, box.size().prod(), box.center()});
+      }
+    }
+  }
+
+  bool holdsLeftOut(const Box3& box) const
+  {
+    double leftOut = 0.0;
+    for (const ZoneSummary& zone : zones)
+    {
+      leftOut += !zone.kept && isWithin(zone.inside, box) ? zone.volume : 0.0;
+    }
+    return leftOut > leastLeftOut * box.size().prod();
+  }
+
+  bool encloses(const DrawnBody& body, const Vec3& middle) const
+  {
+    const std::vector<Vec3> directions = levelAndUp();
+    const auto met = std::ranges::count_if(directions, [&](const Vec3& direction) {
+      return std::ranges::any_of(body.triangles,
+                                 [&](Index t) { return isMet(middle, direction, bodies.corners(t)); });
+    });
+    return static_cast<double>(met) >= enclosing * static_cast<double>(directions.size());
+  }
+
+  const DrawnModel& drawn;
+  const ClosedBodies& bodies;
+  const PlacedPrism& domain;
+  const ConvexRegion region;
+  const std::vector<ZoneSummary>& zones;
+  double sizeMin;
+  std::vector<double> within; ///< by closed body
+  BodyAudit out;
+};
+
+} // namespace
+
+BodyAudit auditBodies(const DrawnModel& drawn, const PlacedPrism& domain, const std::vector<ZoneSummary>& zones,
+                      double sizeMin)
+{
+  return BodyAuditor(drawn, domain, zones, sizeMin).run();
+}
+
+} // namespace atria

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Mesher/MeshReport.h"
+
+#include "Dual/Zones/CellZones.h"
+#include "Mesher/AuditReport.h"
+#include "Mesher/LostModel.h"
+#include "Mesher/OverlapWarnings.h"
+
+namespace atria {
+
+void reportMesh(const MeshSources& sources, const std::vector<char>& metCellZones, MeshedModel& out)
+{
+  const auto& [grounded, drawn, model, frame] = sources;
+  for (const std::vector<std::string>& warnings :
+       {warningsOfEmptyCellZones(metCellZones, model), warningsOfOverlaps(model, frame.sizeOf(frame.featureLevel)),
+        warningsOfLostModel(grounded.surface, grounded.options, frame, out.metSides)})
+  {
+    out.inputWarnings.insert(out.inputWarnings.end(), warnings.begin(), warnings.end());
+  }
+  completeAudit(drawn, out.zones, model, frame, grounded.options, out.audit);
+  out.auditWarnings = warningsOf(out.audit, model.names, frame);
+  out.ground = grounded.report;
+  out.notes = grounded.report.notes;
+  const std::vector<std::string> ofBodies = notesOf(out.audit.bodies, model.names);
+  out.notes.insert(out.notes.end(), ofBodies.begin(), ofBodies.end());
+  out.names = model.names;
+  out.kinds = model.kinds;
+  out.repair = model.repair;
+}
+
+} // namespace atria
