@@ -233,6 +233,26 @@ TEST(ThickWallsOf, FurnishedRoomAndItsFurnitureAreNotMeshed)
   EXPECT_VOLUME(meshedVolume(surface, withinBounds(0.1)), volumeOf(room) - volumeOf(table) - volumeOf(wardrobe));
 }
 
+/// The part of a wardrobe in the wall is in two bodies, as a hollow is.
+TEST(ThickWallsOf, RoomWithFurnitureBuiltInAreNotMeshed)
+{
+  const Box3 room = shrunk(house, 0.3);
+  const Box3 outside{Vec3(0.3, 1.0, 0.3), Vec3(1.2, 2.5, 2.3)};
+  for (const bool isWoundWell : {true, false})
+  {
+    SCOPED_TRACE(isWoundWell);
+    TriangleSurface surface;
+    addBox(surface, "Outside", house);
+    addBox(surface, "Inside", room);
+    if (isWoundWell)
+    {
+      flipLast(surface);
+    }
+    addBox(surface, "Wardrobe", {outside.min - Vec3(0.2, 0, 0), outside.max});
+    EXPECT_VOLUME(meshedVolume(surface, withinBounds(0.1)), volumeOf(room) - volumeOf(outside));
+  }
+}
+
 TEST(ThickWallsOf, NoRoomAreLeftOutInRoomsWithoutThickness)
 {
   const Box3 table{Vec3(2, 2, 0.8), Vec3(4, 3, 1.2)};

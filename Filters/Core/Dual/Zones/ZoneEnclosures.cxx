@@ -146,6 +146,11 @@ ZoneEnclosures::ZoneEnclosures(const ClosedBodies& bodies, const ZoneFacts& fact
       }
     }
   }
+  crossesLarger_.assign(volumes_.size(), 0);
+  for (const auto& [pair, isInside] : isInside_)
+  {
+    crossesLarger_[pair.first] |= isInside ? 0 : 1;
+  }
 }
 
 bool ZoneEnclosures::isInside(Index inner, Index outer) const
@@ -166,7 +171,12 @@ bool ZoneEnclosures::isChain(const std::vector<Index>& bodies) const
 
 bool ZoneEnclosures::isWithinBody(std::size_t zone) const
 {
-  return depth(zone) > 0 && (depth(zone) % 2 != 0 || !isChain(around_[zone]));
+  if (depth(zone) == 0)
+  {
+    return false;
+  }
+  const bool isHollowByDepth = depth(zone) % 2 == 0 && isChain(around_[zone]);
+  return !isHollowByDepth || (crossesLarger_[around_[zone].back()] && !isHollow(zone));
 }
 
 bool ZoneEnclosures::isHollow(std::size_t zone) const

@@ -31,7 +31,8 @@ public:
   /// How many bodies lie around a zone's place.
   std::size_t depth(std::size_t zone) const { return zone < around_.size() ? around_[zone].size() : 0; }
   /// Whether an odd number of bodies that lie in each other is around a zone, or bodies that cross: what is between a
-  /// closed body and those within it is its inside, and what is within those is not.
+  /// closed body and those within it is its inside, and what is within those is not. A body that crosses a larger one
+  /// has an inside everywhere, such as furniture partly in a wall, unless its winding makes it a hollow.
   bool isWithinBody(std::size_t zone) const;
   /// Whether the innermost body around a zone lies in another one and is drawn the other way round.
   bool isHollow(std::size_t zone) const;
@@ -48,6 +49,7 @@ private:
   std::vector<std::vector<Index>> around_; ///< by zone, the largest first
   std::vector<double> volumes_;            ///< by body, signed
   std::map<std::pair<Index, Index>, bool> isInside_;
+  std::vector<char> crossesLarger_; ///< by body, as far as zones tell
 };
 
 /// Tells places inside of solids, whether or not a point of the grid is there.
