@@ -129,6 +129,25 @@ TEST(MeshAudit, TellsWhatIsUnderTheGround)
   EXPECT_THAT(mesh.auditWarnings, IsEmpty());
 }
 
+/// On the lattice bases may be below the bottom by rounding.
+TEST(MeshAudit, CountsBasesOnTheBottomAtAnyHeight)
+{
+  for (int i = 0; i < 20; ++i)
+  {
+    const double bottom = -1.0 + 0.1234567 * i;
+    SCOPED_TRACE(bottom);
+    TriangleSurface model;
+    addBox(model, "House", {Vec3(-3, -2, bottom), Vec3(3, 2, bottom + 4)});
+    turn(model, 30.0);
+    Box3 box = domain;
+    box.min[2] = bottom;
+    const MeshedModel mesh = meshed(model, optionsIn(box));
+    expectNear(auditOf(mesh, "House").inSolid, 24, "the base");
+    expectNear(auditOf(mesh, "House").lost, 0, "lost");
+    EXPECT_THAT(mesh.auditWarnings, IsEmpty());
+  }
+}
+
 TEST(MeshAudit, WarnsOfSurfacesThatAreTooFine)
 {
   TriangleSurface model;

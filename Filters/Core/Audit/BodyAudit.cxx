@@ -61,7 +61,7 @@ class BodyAuditor
 public:
   BodyAuditor(const DrawnModel& drawnModel, const PlacedPrism& prism, const std::vector<ZoneSummary>& zoneSummaries,
               double finest)
-      : drawn(drawnModel), bodies(drawnModel.bodies), domain(prism), region(prism), zones(zoneSummaries),
+      : drawn(drawnModel), bodies(drawnModel.bodies), domain(prism), region(prism, 1e-9 * prism.bounds.size().maxCoeff()), zones(zoneSummaries),
         sizeMin(finest)
   {
   }

@@ -7,24 +7,30 @@
 
 namespace atria {
 
-ConvexRegion::ConvexRegion(const Box3& box) : bounds_(box)
+namespace {
+
+Box3 widened(const Box3& box, double by) { return {box.min.array() - by, box.max.array() + by}; }
+
+} // namespace
+
+ConvexRegion::ConvexRegion(const Box3& box, double tolerance) : bounds_(widened(box, tolerance))
 {
   for (int axis = 0; axis < 3; ++axis)
   {
-    planes_.push_back({-Vec3::Unit(axis), -box.min[axis]});
-    planes_.push_back({Vec3::Unit(axis), box.max[axis]});
+    planes_.push_back({-Vec3::Unit(axis), -bounds_.min[axis]});
+    planes_.push_back({Vec3::Unit(axis), bounds_.max[axis]});
   }
 }
 
-ConvexRegion::ConvexRegion(const PlacedPrism& prism)
+ConvexRegion::ConvexRegion(const PlacedPrism& prism, double tolerance)
 {
-  planes_.push_back({-Vec3::UnitZ(), -prism.bounds.min[2]});
-  planes_.push_back({Vec3::UnitZ(), prism.bounds.max[2]});
+  planes_.push_back({-Vec3::UnitZ(), tolerance - prism.bounds.min[2]});
+  planes_.push_back({Vec3::UnitZ(), prism.bounds.max[2] + tolerance});
   for (const PrismSide& side : prism.sides())
   {
-    planes_.push_back({{side.normal[0], side.normal[1], 0.0}, side.offset});
+    planes_.push_back({{side.normal[0], side.normal[1], 0.0}, side.offset + tolerance});
   }
-  bounds_ = prism.isBox() ? prism.bounds : Box3{};
+  bounds_ = prism.isBox() ? widened(prism.bounds, tolerance) : Box3{};
 }
 
 ConvexRegion::Part ConvexRegion::within(const Vec3& a, const Vec3& b, const Vec3& c, double level) const
@@ -67,9 +73,9 @@ ConvexRegion::Part ConvexRegion::within(const Vec3& a, const Vec3& b, const Vec3
   return part;
 }
 
-DrawnSurfaces measureDrawn(const TriangleSurface& surface, const PlacedPrism& domain)
+DrawnSurfaces measureDrawn(const TriangleSurface& surface, const PlacedPrism& domain, double tolerance)
 {
-  const ConvexRegion region(domain);
+  const ConvexRegion region(domain, tolerance);
   std::vector<double> areas(surface.names.size(), 0.0);
   std::vector<Box3> bounds(surface.names.size());
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)

@@ -11,9 +11,10 @@ namespace atria {
 class ConvexRegion
 {
 public:
-  explicit ConvexRegion(const Box3& box);
+  /// What is beyond a plane by no more than `tolerance` counts as within, such as a base on the domain's bottom.
+  ConvexRegion(const Box3& box, double tolerance);
   /// Along the prism's axes.
-  explicit ConvexRegion(const PlacedPrism& prism);
+  ConvexRegion(const PlacedPrism& prism, double tolerance);
 
   /// Of the part of a triangle within the region: its area, and the integral over it of the height above `level`. Both
   /// are 0 where nothing of it lies within.
@@ -44,7 +45,7 @@ struct DrawnSurfaces
   std::vector<double> extents;
 };
 
-/// Measures the surfaces of a model. O(triangles).
-DrawnSurfaces measureDrawn(const TriangleSurface& surface, const PlacedPrism& domain);
+/// Measures the surfaces of a model. `tolerance` is that of ConvexRegion. O(triangles).
+DrawnSurfaces measureDrawn(const TriangleSurface& surface, const PlacedPrism& domain, double tolerance);
 
 } // namespace atria

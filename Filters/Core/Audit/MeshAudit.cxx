@@ -131,7 +131,7 @@ private:
   void measureModel(const std::vector<ViewAreas>& unreached)
   {
     const SurfaceModel& model = context.model;
-    const ConvexRegion region(frame.domain);
+    const ConvexRegion region(frame.domain, frame.latticeUnit());
     const double bottom = frame.domain.min[2];
     const Vec3 size = frame.domain.size();
     std::vector<ModelAreas> ofSurface(count);
@@ -238,7 +238,7 @@ std::vector<ViewAreas> areasOf(const UnreachedParts& parts, const SurfaceModel& 
   std::vector<ViewAreas> areas;
   if (parts.any())
   {
-    const ConvexRegion region(frame.domain);
+    const ConvexRegion region(frame.domain, frame.latticeUnit());
     areas.resize(whole.names.size());
     for (Index t = 0; t < whole.triangles.size(); ++t)
     {

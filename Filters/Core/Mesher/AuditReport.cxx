@@ -144,7 +144,7 @@ std::string volumeWarning(const VolumeAudit& volumes)
 void completeAudit(const DrawnModel& drawn, const std::vector<ZoneSummary>& zones, const SurfaceModel& model,
                    const GridFrame& frame, const ModelOptions& options, MeshAudit& audit)
 {
-  finishAudit(measureDrawn(drawn.surface, frame.prism()), model.repair, audit);
+  finishAudit(measureDrawn(drawn.surface, frame.prism(), frame.latticeUnit()), model.repair, audit);
   audit.bodies = auditBodies(drawn, frame.prism(), zones, frame.sizeOf(frame.featureLevel));
   const ModelLevels levels = modelLevels(model, frame, options.sizing);
   for (std::size_t i = 0; i < audit.surfaces.size(); ++i)
