@@ -12,9 +12,6 @@ namespace atria {
 
 namespace {
 
-/// How far beyond an edge, against the edge's length, the tip of a crease may reach for the edge to count as uncut.
-constexpr double nickDepth = 0.3;
-
 /// Pieces in a leaf beyond which a tree finds those near an edge sooner.
 constexpr std::size_t longList = 64;
 

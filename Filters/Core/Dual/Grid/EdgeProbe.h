@@ -11,6 +11,9 @@
 
 namespace atria {
 
+/// How far beyond an edge, against the edge's length, the tip of a crease may reach for the edge to count as uncut.
+inline constexpr double nickDepth = 0.3;
+
 /// Where a surface cuts an edge of the grid.
 struct SurfaceCrossing
 {

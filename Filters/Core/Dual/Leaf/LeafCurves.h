@@ -9,8 +9,10 @@
 
 namespace atria {
 
-/// The feature curves that pass through each leaf, by the charts that meet there. Where surfaces cross each other many
-/// times over, a leaf has thousands of curves, and few of them are of any two charts.
+/// The feature curves that pass through each leaf, by the charts that meet there. Curves that pass close beyond a leaf,
+/// by at most nickDepth of its size, are among them: where EdgeProbe drops the tip of a crease, the leaf before the
+/// edge has the vertex on that crease. Where surfaces cross each other many times over, a leaf has thousands of curves,
+/// and few of them are of any two charts.
 class LeafCurves
 {
 public:
