@@ -23,7 +23,7 @@ from peers import checked
 from tables import row
 
 WRITTEN_BUT_FAILS_CHECKS = 5
-STAGES = ("surface", "octree", "crossings", "layers")
+STAGES = ("surface", "octree", "crossings", "layers", "audit")
 
 
 def sizes_and_domain(program, model, octants):
@@ -71,7 +71,7 @@ def main():
             continue
         made.append(one)
         print(row(model.name, f"{one['elements']:,}", f"{one['s']:.1f}", f"{one['speed']:,.0f}",
-                  *(f"{seconds:.1f}" for seconds in one["stages"]), one["left out"], ", ".join(one["failed"]) or "Mesh OK"), flush=True)
+                  *(f"{seconds:.2f}" for seconds in one["stages"]), one["left out"], ", ".join(one["failed"]) or "Mesh OK"), flush=True)
     if made:
         speeds = sorted(one["speed"] for one in made)
         print(f"\n{sum(not one['failed'] for one in made)} of {len(made)} pass. Elements a second: geometric mean "

@@ -48,7 +48,7 @@ TEST_P(Nicks, KeepTheirEdgesAndAreas)
   {
     for (const double along : {0.2, 0.4, 0.6})
     {
-      SCOPED_TRACE(testing::Message() << beyond << " beyond, " << along << " along");
+      SCOPED_TRACE(::testing::Message() << beyond << " beyond, " << along << " along");
       const Eigen::Vector2d tip(2.5 * size + along * size, gridLine + beyond);
       const MeshedModel meshed = meshModel(postWithTipAt(tip, GetParam()), options, atria::testing::quietContext());
       const SurfaceAudit& post = meshed.audit.surfaces.front();

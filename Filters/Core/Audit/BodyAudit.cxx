@@ -61,8 +61,8 @@ class BodyAuditor
 public:
   BodyAuditor(const DrawnModel& drawnModel, const PlacedPrism& prism, const std::vector<ZoneSummary>& zoneSummaries,
               double finest)
-      : drawn(drawnModel), bodies(drawnModel.bodies), domain(prism), region(prism, 1e-9 * prism.bounds.size().maxCoeff()), zones(zoneSummaries),
-        sizeMin(finest)
+      : drawn(drawnModel), bodies(drawnModel.bodies), domain(prism),
+        region(prism, 1e-9 * prism.bounds.size().maxCoeff()), zones(zoneSummaries), sizeMin(finest)
   {
   }
 
@@ -201,7 +201,8 @@ private:
     {
       for (int k = 0; k < side; ++k)
       {
-        length += bodies.commonLength(low[0] + (i + 0.5) / side * size[0], low[1] + (k + 0.5) / side * size[1], one, other);
+        length +=
+            bodies.commonLength(low[0] + (i + 0.5) / side * size[0], low[1] + (k + 0.5) / side * size[1], one, other);
       }
     }
     return length * size[0] * size[1] / (side * side);
@@ -249,8 +250,7 @@ private:
   {
     const std::vector<Vec3> directions = levelAndUp();
     const auto met = std::ranges::count_if(directions, [&](const Vec3& direction) {
-      return std::ranges::any_of(body.triangles,
-                                 [&](Index t) { return isMet(middle, direction, bodies.corners(t)); });
+      return std::ranges::any_of(body.triangles, [&](Index t) { return isMet(middle, direction, bodies.corners(t)); });
     });
     return static_cast<double>(met) >= enclosing * static_cast<double>(directions.size());
   }
