@@ -39,7 +39,7 @@ TriangleSurface turnedBox()
 {
   TriangleSurface surface;
   addBox(surface, "Solid", {Vec3(-0.9, -0.7, -0.8), Vec3(1.0, 0.8, 0.9)});
-  turn(surface, 23.0);
+  turn(surface, 15.0);
   return surface;
 }
 
