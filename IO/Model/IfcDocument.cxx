@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "IfcDocument.h"
 
+#include "IfcArguments.h"
 #include "IfcLater.h"
 #include "IfcSchema.h"
 
@@ -51,12 +52,22 @@ bool losesOne(const std::string& type)
 
 bool standsInModel(const std::string& type)
 {
-  static const std::unordered_set<std::string_view> others{
-      "IFCOPENINGELEMENT", "IFCOPENINGSTANDARDCASE", "IFCVOIDINGFEATURE",
-      "IFCSPACE",          "IFCSPATIALZONE",         "IFCANNOTATION",
-      "IFCGRID",           "IFCVIRTUALELEMENT",      "IFCDISTRIBUTIONPORT",
-      "IFCPROXY"};
-  return others.count(type) == 0;
+  static const std::unordered_set<std::string_view> others{"IFCOPENINGELEMENT",
+                                                           "IFCOPENINGSTANDARDCASE",
+                                                           "IFCVOIDINGFEATURE",
+                                                           "IFCSPACE",
+                                                           "IFCSPATIALZONE",
+                                                           "IFCANNOTATION",
+                                                           "IFCGRID",
+                                                           "IFCVIRTUALELEMENT",
+                                                           "IFCDISTRIBUTIONPORT",
+                                                           "IFCALIGNMENT",
+                                                           "IFCREFERENT",
+                                                           "IFCEXTERNALSPATIALELEMENT",
+                                                           "IFCPOSITIONINGELEMENT",
+                                                           "IFCLINEARPOSITIONINGELEMENT",
+                                                           "IFCPROXY"};
+  return others.count(type) == 0 && !type.starts_with("IFCSTRUCTURAL");
 }
 
 bool isSolidType(const std::string& type)
@@ -66,14 +77,6 @@ bool isSolidType(const std::string& type)
       "IFCFACETEDBREPWITHVOIDS", "IFCBOOLEANRESULT",     "IFCBOOLEANCLIPPINGRESULT", "IFCCSGSOLID",
       "IFCADVANCEDBREP"};
   return types.count(type) > 0;
-}
-
-/// Shapes that stand for an element without being its body.
-bool isBody(std::string_view identifier)
-{
-  static const std::unordered_set<std::string> others{"Axis",    "Box",       "FootPrint", "Annotation", "Plan",
-                                                      "Profile", "Reference", "CoG",       "Clearance",  "Lighting"};
-  return others.count(step::stringIn(identifier)) == 0;
 }
 
 } // namespace
@@ -88,9 +91,11 @@ Document::Document(std::string_view text) : content(text)
   }
   readUnits();
   writeAs2x3(content);
+  readLaterProducts();
   findProducts();
   dropOthers();
   dropUnknown();
+  fitArguments(content);
   markLossy();
   putUnderOneSite();
 }
@@ -176,6 +181,39 @@ bool Document::hasSolidsAlone(const Instance& shape) const
   return any && all;
 }
 
+/// Products that 2x3 does not know become proxies, openings where they void something, and storeys where they contain
+/// something. Their first arguments are the same.
+void Document::readLaterProducts()
+{
+  constexpr std::size_t count = 8;
+  std::unordered_map<std::uint64_t, const char*> uses;
+  for (const Instance& relation : content.instances())
+  {
+    const bool voids = relation.type == "IFCRELVOIDSELEMENT";
+    if (voids || relation.type == "IFCRELCONTAINEDINSPATIALSTRUCTURE")
+    {
+      uses.emplace(referenceIn(argument(relation, 5)).value_or(0), voids ? "IFCOPENINGELEMENT" : "IFCBUILDINGSTOREY");
+    }
+  }
+  for (Instance& instance : content.instances())
+  {
+    if (isIn2x3(instance.type) || !isRoot(instance) || instance.type.starts_with("IFCREL"))
+    {
+      continue;
+    }
+    std::vector<std::string_view> arguments = argumentsOf(instance.arguments);
+    const Instance* placement = arguments.size() > shapeOf ? content.find(arguments[shapeOf - 1]) : nullptr;
+    const auto use = uses.find(instance.id);
+    if ((placement && placement->type == "IFCLOCALPLACEMENT" && standsInModel(instance.type)) || use != uses.end())
+    {
+      laterTypes[instance.id] = instance.type;
+      instance.type = use == uses.end() ? "IFCBUILDINGELEMENTPROXY" : use->second;
+      arguments.resize(std::min(count, arguments.size()));
+      instance.arguments = std::string(step::joinedArguments(arguments));
+    }
+  }
+}
+
 void Document::findProducts()
 {
   for (const Instance& instance : content.instances())
@@ -199,8 +237,9 @@ void Document::findProducts()
     visitItems(*shape, [&](const Instance&) { hasBody = true; });
     if (hasBody)
     {
-      Product product{instance.id, instance.type, step::stringIn(argument(instance, 0)),
-                      step::stringIn(argument(instance, 2))};
+      const auto later = laterTypes.find(instance.id);
+      Product product{instance.id, classNameOf(later == laterTypes.end() ? instance.type : later->second),
+                      step::stringIn(argument(instance, 0)), step::stringIn(argument(instance, 2))};
       product.isSolid = hasSolidsAlone(*shape);
       found.push_back(product);
     }

@@ -18,7 +18,7 @@ namespace atria::model::ifc {
 struct Product
 {
   std::uint64_t id = 0;
-  std::string type;       ///< in capitals
+  std::string type;       ///< its class in the file, such as IfcWallStandardCase
   std::string guid;       ///< by which assimp's nodes can be found
   std::string name;       ///< in UTF-8; may be empty
   bool isSolid = false;   ///< all of its shapes are solids, which are closed
@@ -47,6 +47,7 @@ public:
 private:
   void readUnits();
   void findProducts();
+  void readLaterProducts();
   bool hasSolidsAlone(const step::Instance& shape) const;
   void visitItems(const step::Instance& shape, const std::function<void(const step::Instance&)>& visit) const;
   void dropOthers();
@@ -61,6 +62,7 @@ private:
   double unitScale = 1.0;
   std::vector<Product> found;
   std::multimap<std::uint64_t, std::uint64_t> openingsOf;
+  std::map<std::uint64_t, std::string> laterTypes; ///< in capitals, of products that 2x3 does not know
   std::set<std::uint64_t> lossyRepresentations;
 };
 

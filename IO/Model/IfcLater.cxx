@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "IfcLater.h"
 
+#include "IfcProfiles.h"
 #include "IfcSchema.h"
 #include "IfcTessellation.h"
 
@@ -110,6 +111,7 @@ void writeAs2x3(step::File& content)
   giveOwners(content);
   wrapStyles(content);
   givePlacements(content);
+  writeProfilesAsOutlines(content);
 }
 
 } // namespace atria::model::ifc

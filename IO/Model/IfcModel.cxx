@@ -5,7 +5,6 @@
 #include "IfcDocument.h"
 #include "IfcOpenings.h"
 #include "ModelFile.h"
-#include "NameList.h"
 #include "TemporaryFile.h"
 
 #include "Support/Error.h"
@@ -33,8 +32,11 @@ using Ids = std::set<std::uint64_t>;
 struct Shape
 {
   bool hasFaces = false;
-  bool isClosed = true; ///< each of its meshes
+  bool isClosed = true;  ///< each of its meshes
+  std::size_t group = 0; ///< node of its first mesh that is not closed, else of the first
 };
+
+constexpr std::size_t guidLength = 22; ///< of a global identifier
 
 bool isClosed(const Json& mesh)
 {
@@ -56,6 +58,14 @@ bool isClosed(const Json& mesh)
   return shell.isClosed();
 }
 
+/// What assimp calls an element: its class and its name, without blanks.
+std::string nameOf(const Product& product)
+{
+  std::string name = product.name.empty() ? "Unnamed" : product.name;
+  std::erase(name, ' ');
+  return product.type + "_" + name;
+}
+
 class IfcReader
 {
 public:
@@ -71,7 +81,9 @@ private:
   /// All elements but some.
   Ids others(const Ids& kept) const;
   Ids findCulprits() const;
+  std::vector<const Product*> productsOfGroups(const Json& tree) const;
   std::map<std::uint64_t, Shape> shapesIn(const Json& tree) const;
+  void nameLaterProducts(Json& tree) const;
   Ids openSolids(const Json& tree) const;
   bool turnOpenings(const Ids& elements);
   void warnOf(Model& model, const Json& tree) const;
@@ -139,10 +151,10 @@ Ids IfcReader::findCulprits() const
   return found;
 }
 
-/// By element. Nodes have its global identifier at the end of their names, and meshes are in them or in nodes below.
-std::map<std::uint64_t, Shape> IfcReader::shapesIn(const Json& tree) const
+/// The element that each node belongs to, null for those of none. Nodes have its global identifier at the end of their
+/// names, or are below one that has.
+std::vector<const Product*> IfcReader::productsOfGroups(const Json& tree) const
 {
-  constexpr std::size_t length = 22;
   std::unordered_map<std::string, const Product*> byGuid;
   for (const Product& product : document.products())
   {
@@ -152,12 +164,18 @@ std::map<std::uint64_t, Shape> IfcReader::shapesIn(const Json& tree) const
   for (const Json& group : tree.at("groups"))
   {
     const std::string& name = group.at("name").get_ref<const std::string&>();
-    const auto found = name.size() > length ? byGuid.find(name.substr(name.size() - length)) : byGuid.end();
+    const auto found = name.size() > guidLength ? byGuid.find(name.substr(name.size() - guidLength)) : byGuid.end();
     const auto parent = group.find("parent");
     productOf.push_back(found != byGuid.end()   ? found->second
                         : parent != group.end() ? productOf.at(parent->get<std::size_t>())
                                                 : nullptr);
   }
+  return productOf;
+}
+
+std::map<std::uint64_t, Shape> IfcReader::shapesIn(const Json& tree) const
+{
+  const std::vector<const Product*> productOf = productsOfGroups(tree);
   std::map<std::uint64_t, Shape> shapes;
   for (const Json& mesh : tree.at("parts"))
   {
@@ -165,11 +183,28 @@ std::map<std::uint64_t, Shape> IfcReader::shapesIn(const Json& tree) const
     if (product && !mesh.at("sizes").get_binary().empty())
     {
       Shape& shape = shapes[product->id];
+      const bool opens = shape.isClosed && product->isSolid && !isClosed(mesh);
+      shape.group = opens || !shape.hasFaces ? mesh.at("group").get<std::size_t>() : shape.group;
       shape.hasFaces = true;
-      shape.isClosed = shape.isClosed && (!product->isSolid || isClosed(mesh));
+      shape.isClosed = shape.isClosed && !opens;
     }
   }
   return shapes;
+}
+
+/// Gives nodes of elements that assimp takes for proxies the names of their classes.
+void IfcReader::nameLaterProducts(Json& tree) const
+{
+  const std::string proxy = "IfcBuildingElementProxy_";
+  const std::vector<const Product*> productOf = productsOfGroups(tree);
+  for (std::size_t i = 0; i < productOf.size(); ++i)
+  {
+    const std::string name = tree.at("groups")[i].at("name").get<std::string>();
+    if (productOf[i] && name.starts_with(proxy) && name.ends_with(productOf[i]->guid))
+    {
+      tree.at("groups")[i]["name"] = productOf[i]->type + name.substr(proxy.size() - 1);
+    }
+  }
 }
 
 Ids IfcReader::openSolids(const Json& tree) const
@@ -228,31 +263,33 @@ bool IfcReader::turnOpenings(const Ids& elements)
 void IfcReader::warnOf(Model& model, const Json& tree) const
 {
   const std::map<std::uint64_t, Shape> shapes = shapesIn(tree);
-  NameList later;
-  NameList partly;
-  NameList failed;
-  NameList empty;
-  NameList open;
+  using Members = std::vector<PartsWarning::Member>;
+  Members later;
+  Members partly;
+  Members failed;
+  Members empty;
+  Members open;
   for (const Product& product : document.products())
   {
     const auto found = shapes.find(product.id);
     const bool hasFaces = found != shapes.end();
-    NameList* list = culprits.count(product.id) > 0                        ? &failed
-                     : !hasFaces && (product.isLossy || product.isDropped) ? &later
-                     : !hasFaces                                           ? &empty
-                     : product.isLossy                                     ? &partly
-                     : !found->second.isClosed                             ? &open
-                                                                           : nullptr;
+    Members* list = culprits.count(product.id) > 0                        ? &failed
+                    : !hasFaces && (product.isLossy || product.isDropped) ? &later
+                    : !hasFaces                                           ? &empty
+                    : product.isLossy                                     ? &partly
+                    : !found->second.isClosed                             ? &open
+                                                                          : nullptr;
     if (list)
     {
-      list->add(product.type + (product.name.empty() ? " " + product.guid : " '" + product.name + "'"));
+      list->push_back({hasFaces ? std::optional(found->second.group) : std::nullopt, nameOf(product)});
     }
   }
   const std::string schema = document.schema();
-  const auto warn = [&](const NameList& list, const std::string& text) {
+  const auto warn = [&](const Members& list, const std::string& text) {
     if (!list.empty())
     {
-      model.warnings.push_back(list.counted("element") + text + ": " + list.text());
+      model.partsWarnings.push_back(
+          {std::to_string(list.size()) + (list.size() == 1 ? " element is" : " elements are") + text, list});
     }
   };
   if (!schema.empty() && schema != "IFC2X3" && later.empty() && partly.empty())
@@ -287,6 +324,7 @@ Model IfcReader::read()
   {
     run = runWithout(culprits);
   }
+  nameLaterProducts(run.tree);
   assimp::Placing placing;
   placing.scale = document.lengthScale();
   Model model = assimp::modelOf(run.tree, file, placing);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "IfcOpenings.h"
 
+#include "IfcPlacement.h"
+#include "IfcSchema.h"
+
 #include "Support/Types.h"
 
 #include <Eigen/Geometry>
@@ -30,75 +33,26 @@ struct Box
   std::array<double, 3> sizes;
 };
 
-std::optional<Vec3> coordinatesIn(const Instance* instance)
-{
-  const Arguments list = instance ? argumentsOf(insideOf(argumentsOf(instance->arguments).front())) : Arguments();
-  Vec3 out = Vec3::Zero();
-  for (std::size_t i = 0; i < list.size() && i < 3; ++i)
-  {
-    const auto number = step::numberIn(list[i]);
-    if (!number)
-    {
-      return std::nullopt;
-    }
-    out[static_cast<Eigen::Index>(i)] = *number;
-  }
-  return list.size() < 2 || list.size() > 3 ? std::nullopt : std::optional(out);
-}
-
-/// The vector that an optional reference leads to.
-std::optional<Vec3> directionAt(const step::File& file, std::string_view at, const Vec3& fallback)
-{
-  if (at == "$" || at.empty())
-  {
-    return fallback;
-  }
-  const auto found = coordinatesIn(file.find(at));
-  return found && found->norm() > 0.0 ? std::optional<Vec3>(found->normalized()) : std::nullopt;
-}
-
-struct Frame
-{
-  Vec3 origin = Vec3::Zero();
-  std::array<Vec3, 3> axes{Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ()};
-};
-
-std::optional<Frame> frameAt(const step::File& file, std::string_view at)
-{
-  const Instance* placement = file.find(at);
-  if (!placement)
-  {
-    return at == "$" ? std::optional(Frame{}) : std::nullopt;
-  }
-  const Arguments arguments = argumentsOf(placement->arguments);
-  const bool isPlane = placement->type == "IFCAXIS2PLACEMENT2D";
-  if (arguments.size() != (isPlane ? 2 : 3))
-  {
-    return std::nullopt;
-  }
-  const auto origin = coordinatesIn(file.find(arguments[0]));
-  const auto up = directionAt(file, isPlane ? "$" : arguments[1], Vec3::UnitZ());
-  const auto across = directionAt(file, arguments.back(), Vec3::UnitX());
-  if (!origin || !up || !across || up->cross(*across).norm() < 1e-6)
-  {
-    return std::nullopt;
-  }
-  const Vec3 x = (*across - across->dot(*up) * *up).normalized();
-  return Frame{*origin, {x, up->cross(x), *up}};
-}
-
-/// The one solid of an opening; null where there are others.
+/// The one solid of an opening; null where there are others. An opening may have an axis and the like beside its body.
 const Instance* solidOf(const step::File& file, std::uint64_t opening)
 {
   const Instance* product = file.find(opening);
-  const Arguments own = product ? argumentsOf(product->arguments) : Arguments();
-  const Instance* shape = own.size() > 6 ? file.find(own[6]) : nullptr;
-  const Arguments ofShape = shape ? argumentsOf(shape->arguments) : Arguments();
-  const Arguments representations = ofShape.size() == 3 ? argumentsOf(insideOf(ofShape[2])) : Arguments();
-  const Instance* representation = representations.size() == 1 ? file.find(representations[0]) : nullptr;
-  const Arguments ofRepresentation = representation ? argumentsOf(representation->arguments) : Arguments();
-  const Arguments items = ofRepresentation.size() == 4 ? argumentsOf(insideOf(ofRepresentation[3])) : Arguments();
-  const Instance* solid = items.size() == 1 ? file.find(items[0]) : nullptr;
+  const Instance* shape = product ? file.find(step::argument(*product, 6)) : nullptr;
+  const Instance* solid = nullptr;
+  for (const std::string_view each : argumentsOf(insideOf(shape ? step::argument(*shape, 2) : "")))
+  {
+    const Instance* representation = file.find(each);
+    if (!representation || !isBody(step::argument(*representation, 1)))
+    {
+      continue;
+    }
+    const Arguments items = argumentsOf(insideOf(step::argument(*representation, 3)));
+    if (solid || items.size() != 1)
+    {
+      return nullptr;
+    }
+    solid = file.find(items[0]);
+  }
   return solid && solid->type == "IFCEXTRUDEDAREASOLID" ? solid : nullptr;
 }
 
@@ -164,22 +118,12 @@ std::optional<Box> boxOf(const step::File& file, const Instance& solid)
   }
   box->center.z() += 0.5 * direction->z() * *depth;
   box->sizes[2] = *depth;
-  const auto placed = [&](const Vec3& v) -> Vec3 {
-    return v.x() * frame->axes[0] + v.y() * frame->axes[1] + v.z() * frame->axes[2];
-  };
-  box->center = frame->origin + placed(box->center);
+  box->center = frame->placed(box->center);
   for (Vec3& axis : box->axes)
   {
-    axis = placed(axis);
+    axis = frame->placed(axis) - frame->origin;
   }
   return box;
-}
-
-std::string textOf(double value)
-{
-  std::array<char, 40> text{};
-  const int length = std::snprintf(text.data(), text.size(), "%.15E", value);
-  return {text.data(), static_cast<std::size_t>(length)};
 }
 
 std::string listOf(const Vec3& v) { return "(" + textOf(v.x()) + "," + textOf(v.y()) + "," + textOf(v.z()) + ")"; }

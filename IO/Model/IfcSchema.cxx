@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "IfcSchema.h"
 
+#include <algorithm>
+#include <cctype>
+#include <unordered_map>
 #include <unordered_set>
 
 namespace atria::model::ifc {
@@ -132,6 +135,26 @@ constexpr std::string_view entities =
     "WALLTYPE WASTETERMINALTYPE WATERPROPERTIES WINDOW WINDOWLININGPROPERTIES WINDOWPANELPROPERTIES WINDOWSTYLE "
     "WORKCONTROL WORKPLAN WORKSCHEDULE ZONE ZSHAPEPROFILEDEF ";
 
+/// Elements whose names consist of several words, also of later schemas.
+constexpr std::string_view elementNames =
+    "AirTerminal AirTerminalBox AirToAirHeatRecovery AudioVisualAppliance BuildingElementPart BuildingElementProxy "
+    "BuiltElement BuildingStorey CableCarrierFitting CableCarrierSegment CableFitting CableSegment "
+    "ChamferEdgeFeature CivilElement CommunicationsAppliance ConveyorSegment CooledBeam CoolingTower CurtainWall "
+    "DeepFoundation DiscreteAccessory DistributionBoard DistributionChamberElement DistributionControlElement "
+    "DistributionElement DistributionFlowElement DuctFitting DuctSegment DuctSilencer EarthworksCut "
+    "EarthworksElement EarthworksFill ElectricAppliance ElectricDistributionBoard ElectricDistributionPoint "
+    "ElectricFlowStorageDevice ElectricFlowTreatmentDevice ElectricGenerator ElectricMotor ElectricTimeControl "
+    "ElectricalElement ElementAssembly EnergyConversionDevice EquipmentElement EvaporativeCooler "
+    "FireSuppressionTerminal FlowController FlowFitting FlowInstrument FlowMeter FlowMovingDevice FlowSegment "
+    "FlowStorageDevice FlowTerminal FlowTreatmentDevice FurnishingElement GeographicElement GeotechnicalElement "
+    "GeotechnicalStratum HeatExchanger ImpactProtectionDevice JunctionBox LightFixture LiquidTerminal "
+    "MechanicalFastener MedicalDevice MobileTelecommunicationsAppliance MooringDevice MotorConnection "
+    "NavigationElement PipeFitting PipeSegment ProjectionElement ProtectiveDevice ProtectiveDeviceTrippingUnit "
+    "RampFlight ReinforcedSoil ReinforcingBar ReinforcingMesh RoundedEdgeFeature SanitaryTerminal ShadingDevice "
+    "SolarDevice SpaceHeater StackTerminal StairFlight SurfaceFeature SwitchingDevice SystemFurnitureElement "
+    "TendonAnchor TendonConduit TrackElement TransportElement TransportationDevice TubeBundle "
+    "UnitaryControlElement UnitaryEquipment VibrationDamper VibrationIsolator WallStandardCase WasteTerminal ";
+
 std::unordered_set<std::string_view> wordsOf(std::string_view text)
 {
   std::unordered_set<std::string_view> words;
@@ -150,6 +173,38 @@ bool isIn2x3(std::string_view type)
 {
   static const std::unordered_set<std::string_view> known = wordsOf(entities);
   return type.starts_with("IFC") && known.count(type.substr(3)) > 0;
+}
+
+std::string classNameOf(std::string_view type)
+{
+  const auto capitals = [](std::string_view word) {
+    std::string out(word);
+    std::ranges::transform(out, out.begin(), [](unsigned char c) { return std::toupper(c); });
+    return out;
+  };
+  static const std::unordered_map<std::string, std::string_view> known = [&] {
+    std::unordered_map<std::string, std::string_view> out;
+    for (const std::string_view word : wordsOf(elementNames))
+    {
+      out.emplace(capitals(word), word);
+    }
+    return out;
+  }();
+  std::string own(type.substr(std::min<std::size_t>(3, type.size())));
+  if (const auto found = known.find(own); found != known.end())
+  {
+    return "Ifc" + std::string(found->second);
+  }
+  std::transform(own.begin() + (own.empty() ? 0 : 1), own.end(), own.begin() + (own.empty() ? 0 : 1),
+                 [](unsigned char c) { return std::tolower(c); });
+  return "Ifc" + own;
+}
+
+bool isBody(std::string_view identifier)
+{
+  static const std::unordered_set<std::string> others{"Axis",    "Box",       "FootPrint", "Annotation", "Plan",
+                                                      "Profile", "Reference", "CoG",       "Clearance",  "Lighting"};
+  return others.count(step::stringIn(identifier)) == 0;
 }
 
 bool isRoot(const step::Instance& instance)

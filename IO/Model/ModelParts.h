@@ -30,21 +30,34 @@ struct PartGroup
   std::optional<std::size_t> parent = {}; ///< an earlier one
 };
 
+/// A warning of parts, behind which their names follow.
+struct PartsWarning
+{
+  std::string text;
+  struct Member
+  {
+    std::optional<std::size_t> group; ///< its first surface is that of this node; nothing where it has no surface
+    std::string name;                 ///< what it is called without
+  };
+  std::vector<Member> members;
+};
+
 /// A model as polygons of named surfaces, as surfaceFromVtk takes it: polydata with SurfaceId and SurfaceName, or a
 /// composite whose blocks have names.
 struct Model
 {
   vtkSmartPointer<vtkDataObject> data;
-  std::map<std::string, Part> parts;    ///< by name of the surface; those of which nothing more is known are left out
-  std::vector<PartGroup> groups;        ///< where the format has them: parts of one name are then told apart by these
-  std::vector<std::string> warnings;    ///< without the file's name
-  std::vector<std::string> notes;       ///< what was done that nobody need worry about
-  std::string head;                     ///< the first characters of a text file, where programs say who they are
-  int upAxis = 2;                       ///< 1 y, 2 z
-  bool unitKnown = false;               ///< lengths are meters, as the format or the file says
-  bool unitConverted = false;           ///< they were something else in the file
-  bool axisKnown = false;               ///< the format or the file says what is up
-  std::vector<std::string> groundNames; ///< beginnings of parts' names that say ground
+  std::map<std::string, Part> parts; ///< by name of the surface; those of which nothing more is known are left out
+  std::vector<PartGroup> groups;     ///< where the format has them: parts of one name are then told apart by these
+  std::vector<std::string> warnings; ///< without the file's name
+  std::vector<PartsWarning> partsWarnings;
+  std::vector<std::string> notes;           ///< what was done that nobody need worry about
+  std::string head;                         ///< the first characters of a text file, where programs say who they are
+  int upAxis = 2;                           ///< 1 y, 2 z
+  bool unitKnown = false;                   ///< lengths are meters, as the format or the file says
+  bool unitConverted = false;               ///< they were something else in the file
+  bool axisKnown = false;                   ///< the format or the file says what is up
+  std::vector<std::string> groundNames;     ///< beginnings of parts' names that say ground
   std::vector<std::string> groundMaterials; ///< materials that do
   bool singlePrecision = false;             ///< coordinates went through 32 bits on the way
 };

@@ -5,6 +5,8 @@
 #include "ForeignFormats.h"
 #include "ModelFile.h"
 #include "ModelSource.h"
+#include "NameList.h"
+#include "Surfaces.h"
 
 #include "Support/Error.h"
 #include "Support/Progress.h"
@@ -127,6 +129,22 @@ atria::vrml::Scene sceneOf(const atria::model::Model& model, atria::VtkSurface r
   return scene;
 }
 
+/// A warning with the names that surfaces have where each shape is one.
+std::string textOf(const model::PartsWarning& warning, const atria::vrml::Scene& scene,
+                   const atria::vrml::Surfaces& surfaces)
+{
+  model::NameList names;
+  for (const model::PartsWarning::Member& member : warning.members)
+  {
+    const auto shape = std::ranges::find_if(scene.shapes, [&](const atria::vrml::Shape& each) {
+      return member.group && each.group == static_cast<atria::Index>(*member.group);
+    });
+    const auto at = static_cast<std::size_t>(shape - scene.shapes.begin());
+    names.add("'" + (at < surfaces.surfaces.size() ? surfaces.surfaces[at].name : member.name) + "'");
+  }
+  return warning.text + ": " + names.text();
+}
+
 } // namespace
 
 bool vtkAtriaModelReader::CanReadFile(const char* fileName) { return formatOf(fileName) != nullptr; }
@@ -188,6 +206,14 @@ atria::vrml::ModelSource vtkAtriaModelReader::ReadSource(atria::vrml::Diagnostic
     warn(text.str());
   }
   source.scene = sceneOf(model, std::move(read));
+  if (!model.partsWarnings.empty())
+  {
+    const atria::vrml::Surfaces surfaces = atria::vrml::makeSurfaces(source.scene, atria::vrml::SurfaceBy::shape, 0.0);
+    for (const model::PartsWarning& warning : model.partsWarnings)
+    {
+      warn(textOf(warning, source.scene, surfaces));
+    }
+  }
   progress.report(1.0, "File read");
   return source;
 }

@@ -4,6 +4,8 @@
 #include "Diagnostics.h"
 #include "Scene.h"
 
+#include "AtriaIOSurfaceModule.h"
+
 namespace atria::vrml {
 
 /// What makes a surface.
@@ -34,7 +36,7 @@ struct Surfaces
 /// `East/Wall` and `West/Wall`; those that still repeat are numbered in the order of the file: `Wall`, `Wall_2`.
 /// Made-up names keep clear of the file's own. `splitAngle`, in degrees, is the angle between neighbors above which
 /// SurfaceBy::connected parts them.
-Surfaces makeSurfaces(const Scene& scene, SurfaceBy by, double splitAngle);
+ATRIAIOSURFACE_EXPORT Surfaces makeSurfaces(const Scene& scene, SurfaceBy by, double splitAngle);
 
 /// Takes out the surfaces whose names match one of the patterns, with their points, and notes which. Warns of a pattern
 /// that matches none. Throws Error where nothing is left.
