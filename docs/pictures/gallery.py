@@ -123,8 +123,29 @@ def worst():
     return view
 
 
+def audit():
+    """Where each surface is farthest from its faces, in elements."""
+    _, folder = mesh("house.wrl", "--size-min", "0.5", "--size-mid", "1", "--size-max", "8")
+    view = new_view((-14.0, -34.0, 23.0), (15.0, 7.0, 4.0))
+    for name, patch in patches_in(folder / "patches.vtpc"):
+        if name.startswith(("Wall", "Roof", "Gable", "Partition")) and not name.endswith("_back"):
+            show(patch, view, [0.75, 0.75, 0.78], opacity=0.25)
+    surfaces = json.loads((folder / "report.json").read_text())["audit"]["surfaces"]
+    places = [max((surface["faces_from_model"], surface["model_from_faces"]), key=lambda place: place["in_elements"])
+              for surface in surfaces]
+    places = [place for place in places if place["in_elements"] > 1e-3]
+    table = folder / "places.csv"
+    table.write_text("x,y,z,elements\n" + "".join(
+        ",".join(map(repr, (*place["place"], place["in_elements"]))) + "\n" for place in places))
+    points = simple.TableToPoints(Input=simple.CSVReader(FileName=[str(table)]), XColumn="x", YColumn="y", ZColumn="z")
+    balls = simple.Glyph(Input=points, GlyphType="Sphere", GlyphMode="All Points", ScaleArray=["POINTS", "No scale array"],
+                         ScaleFactor=0.6)
+    color_by(show(balls, view), view, "POINTS", "elements", "elements", (0.0, 0.5), preset="Viridis (matplotlib)")
+    return view
+
+
 PICTURES = {"patches": patches, "indoors": slice_through, "turned": turned, "layers": layers, "sphere": sphere,
-            "building": building, "worst": worst}
+            "building": building, "worst": worst, "audit": audit}
 
 
 def main():
