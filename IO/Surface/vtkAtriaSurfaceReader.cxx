@@ -134,14 +134,16 @@ void fill(vtkPolyData* output, atria::vrml::Scene scene, const atria::vrml::Surf
 }
 
 /// What a file without surfaces holds instead.
-std::string describe(vtkStringArray* skipped)
+std::string describe(vtkStringArray* skipped, bool isWarnedOf)
 {
   std::string text;
   for (vtkIdType i = 0; i < skipped->GetNumberOfValues(); ++i)
   {
     text += (i == 0 ? "" : ", ") + skipped->GetValue(i);
   }
-  return text.empty() ? "it is empty" : "it holds " + text;
+  return !text.empty() ? "it holds " + text
+         : isWarnedOf  ? "what it holds cannot be read, as the warnings say"
+                       : "it is empty";
 }
 
 } // namespace
@@ -347,7 +349,8 @@ int vtkAtriaSurfaceReader::RequestData(vtkInformation*, vtkInformationVector**, 
     this->Report(diagnostics, grave);
     if (!found)
     {
-      vtkErrorMacro("'" << this->FileName << "' holds no surfaces: " << describe(this->SkippedNodes)
+      vtkErrorMacro("'" << this->FileName
+                        << "' holds no surfaces: " << describe(this->SkippedNodes, diagnostics.count() > 0)
                         << "; export the model with its faces");
       return 0;
     }

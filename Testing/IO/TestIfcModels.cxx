@@ -125,6 +125,10 @@ TEST_F(ExchangeModels, IfcElementsThatAssimpFailsOnAreLeftOutByName)
   EXPECT_NEAR(areas()[ifcWall], 41.4, 1e-4);
   EXPECT_THAT(warned, AllOf(HasSubstr("1 element is left out, as assimp fails"),
                             HasSubstr("'IfcBuildingElementProxy_Table'"), HasSubstr("IFC4")));
+  // The one element of a file.
+  read("a.ifc", replaced(ifcOfWall(), "IFCEXTRUDEDAREASOLID", "IFCFIXEDREFERENCESWEPTAREASOLID"));
+  EXPECT_THAT(error(), AllOf(HasSubstr("a.ifc"), HasSubstr("as the warnings say"), Not(HasSubstr("empty"))));
+  EXPECT_THAT(warned, HasSubstr("left out"));
 }
 
 TEST_F(ExchangeModels, IfcValuesThatAreOptionalInIfc4MayBeMissing)
