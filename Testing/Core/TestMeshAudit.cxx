@@ -15,6 +15,7 @@ using namespace atria;
 using atria::testing::addBox;
 using atria::testing::addSheet;
 using atria::testing::addSphere;
+using atria::testing::addSurface;
 using atria::testing::turn;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -194,12 +195,14 @@ TEST(MeshAudit, FindsMovedPointsAndMissingFaces)
   const RunContext run = atria::testing::quietContext(executor);
   MeshedModel mesh = meshModel(model, options, run, &cache);
   const SurfaceModel& placed = cache.sources()->model;
-  const Octree& octree = cache.sources()->octree;
   const TriangleTreeOnDemand tree(placed);
-  const MeshingContext context{run, octree, placed, tree};
+  const MeshingContext context{run, cache.sources()->octree, placed, tree};
   SeenModel seen;
   seen.views.assign(placed.triangles.size(), {View::air, View::solid});
-  seen.samples = sampleSurfaces(seen.views, {}, {}, context);
+  for (double x = -2.75; x < 3.0; x += 0.5)
+  {
+    seen.samples.push_back({Vec3(x, 0.0, 4.0), 0, static_cast<float>(size)});
+  }
 
   Index roof = noIndex;
   for (Index f = 0; f < mesh.mesh.boundaryFaces.size(); ++f)
@@ -227,6 +230,78 @@ TEST(MeshAudit, FindsMovedPointsAndMissingFaces)
            });
   });
   EXPECT_GT(auditMesh(torn, seen, {}, context).surfaces[0].distances.ofSurface.distance, 0.8);
+}
+
+TEST(MeshAudit, WarnsOfMoreFacesThanDrawn)
+{
+  TriangleSurface model;
+  addBox(model, "House", {Vec3(-3, -2, 0), Vec3(3, 2, 4)});
+  const MesherOptions options = optionsIn(domain);
+  StageCache cache;
+  const ThreadExecutor executor(2);
+  MeshedModel mesh = meshModel(model, options, atria::testing::quietContext(executor), &cache);
+  const GridFrame& frame = cache.sources()->octree.frame();
+  EXPECT_THAT(warningsOf(mesh.audit, mesh.names, frame), IsEmpty());
+  mesh.audit.surfaces[0].meshArea *= 1.4;
+  EXPECT_THAT(warningsOf(mesh.audit, mesh.names, frame),
+              ElementsAre(AllOf(HasSubstr("1 surface with more faces than drawn: House (146 m² for 128 m²)"),
+                                HasSubstr("--size-min"))));
+}
+
+TEST_P(TurnedAudit, MeasuresPartyWallsWhereAirSeesThem)
+{
+  // A row of gabled houses, each a little higher: of the party walls air sees a strip below the valley.
+  TriangleSurface model;
+  const auto nameOf = [](const char* what, int i) { return what + std::to_string(i); };
+  for (int i = 0; i < 4; ++i)
+  {
+    const double x = 3.0 * i - 6.0;
+    const double eaves = 5.0 + 0.05 * i;
+    std::vector<Vec3> points;
+    for (const double y : {-4.0, 4.0})
+    {
+      points.insert(points.end(), {Vec3(x, y, 0), Vec3(x + 3, y, 0), Vec3(x + 3, y, eaves), Vec3(x, y, eaves),
+                                   Vec3(x + 1.5, y, eaves + 2)});
+    }
+    addSurface(
+        model, nameOf("Wall", i), points,
+        {{0, 1, 2}, {0, 2, 3}, {3, 2, 4}, {7, 6, 5}, {8, 7, 5}, {9, 7, 8}, {0, 3, 8}, {0, 8, 5}, {1, 6, 7}, {1, 7, 2}});
+    addSurface(model, nameOf("Roof", i), points, {{2, 7, 9}, {2, 9, 4}, {3, 4, 9}, {3, 9, 8}, {0, 5, 6}, {0, 6, 1}});
+  }
+  turn(model, GetParam());
+  const MeshedModel mesh = meshed(model, optionsIn(domain));
+  for (int i = 0; i < 4; ++i)
+  {
+    EXPECT_LT(auditOf(mesh, nameOf("Wall", i)).distances.ofSurface.inElements, 1.0) << i;
+  }
+}
+
+TEST_P(TurnedAudit, CountsWallsThatASurfaceHasTwiceAsSuch)
+{
+  // Houses of one surface that touch, one of them lower.
+  TriangleSurface model;
+  std::vector<Vec3> points;
+  std::vector<std::array<Index, 3>> triangles;
+  for (const Box3& box : {Box3{Vec3(-4, -2, 0), Vec3(0, 2, 5)}, Box3{Vec3(0, -2, 0), Vec3(4, 2, 3)}})
+  {
+    TriangleSurface one;
+    addBox(one, "House", box);
+    const auto first = static_cast<Index>(points.size());
+    points.insert(points.end(), one.points.begin(), one.points.end());
+    for (const auto& [a, b, c] : one.triangles)
+    {
+      triangles.push_back({first + a, first + b, first + c});
+    }
+  }
+  addSurface(model, "Houses", points, triangles);
+  turn(model, GetParam());
+  const MeshedModel mesh = meshed(model, optionsIn(domain));
+  const SurfaceAudit& houses = auditOf(mesh, "Houses");
+  expectNear(houses.drawnArea, 112 + 80, "drawn");
+  expectNear(houses.meshArea, 16 + 40 + 20 + 8 + 16 + 24 + 12, "in the mesh");
+  expectNear(houses.shared, 12, "of the party wall, the one that was dropped");
+  expectNear(houses.inSolid, 12 + 32, "the other one, and bases");
+  expectNear(houses.lost, 0, "lost");
 }
 
 TEST_P(TurnedAudit, CountsWhatBodiesHaveInCommonOnce)

@@ -300,7 +300,7 @@ TEST(Overlaps, ThatCloseAGapCountToo)
   }
 }
 
-TEST(Overlaps, WithinOneSurfaceAreNotReported)
+TEST(Overlaps, WithinOneSurfaceAreCountedButNoReasonToWarn)
 {
   TriangleSurface surface;
   addSheet(surface, "Wall", {0, 0, 0}, {3, 0, 0}, {0, 0, 3});
@@ -309,7 +309,8 @@ TEST(Overlaps, WithinOneSurfaceAreNotReported)
   surface.names.pop_back();
   const SurfaceModel model = repaired(surface);
   expectNear(areasOf(model), {{"Wall", 9.0}}, 1e-6);
-  EXPECT_TRUE(model.repair.shared.empty());
+  expectNear(sharedOf(model), {{{"Wall", "Wall"}, 1.0}}, 1e-6);
+  EXPECT_TRUE(warningsOfOverlaps(model, size).empty());
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace atria {
 
@@ -191,6 +192,7 @@ private:
     surface.underGround = hidden(View::ground);
     surface.inSolid = hidden(View::solid) + hidden(View::narrow);
     surface.inRoom = hidden(View::room);
+    surface.placedArea = std::accumulate(of.hidden.begin(), of.hidden.end(), airArea);
   }
 
   /// Heights above the bottom integrate to the volume: upright sides add nothing, and the bottom has none.

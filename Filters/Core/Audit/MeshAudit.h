@@ -14,13 +14,15 @@ struct SurfaceAudit
 {
   /// As drawn, within the domain.
   double drawnArea = 0.0;
+  /// Of the model that is meshed: with terrain that was extended, without what another surface has.
+  double placedArea = 0.0;
   /// Of the surface's faces; what has elements on both of its sides counts once.
   double meshArea = 0.0;
   /// Of parts that see no air: under the ground, in solids, in closed rooms that are not meshed.
   double underGround = 0.0;
   double inSolid = 0.0;
   double inRoom = 0.0;
-  /// Of parts that the repair gave to a surface that lies there, too; of small parts that it left out.
+  /// Of parts that lie upon others, where one is dropped; of small parts that it left out.
   double shared = 0.0;
   double leftOut = 0.0;
   /// The rest: finer than the mesh.

@@ -2,7 +2,6 @@
 #include "Audit/SurfaceSamples.h"
 
 #include "Support/Pieces.h"
-#include "Surface/Search/Distance.h"
 
 #include <algorithm>
 
@@ -13,85 +12,83 @@ namespace {
 class Sampler
 {
 public:
-  Sampler(const std::vector<TriangleViews>& v, const std::vector<float>& a, const MeshingContext& c)
-      : views(v), airParts(a), context(c)
+  Sampler(const Crossings& c, const Zones& z, const std::vector<View>& o, const MeshingContext& m)
+      : crossings(c), zones(z), ofZone(o), context(m), frame(m.octree.frame())
   {
   }
 
-  void sample(Index leaf, std::vector<SurfaceSample>& out)
+  void sample(const CrossedEdge& edge, std::vector<SurfaceSample>& out) const
   {
-    const SurfaceModel& model = context.model;
-    const GridFrame& frame = context.octree.frame();
-    const LatticePoint low = context.octree.lowCorner(leaf);
-    const LatticePoint high = context.octree.highCorner(leaf);
-    const Vec3 center = 0.5 * (toVector(low) + toVector(high));
-    nearest.clear();
-    for (const ModelItem piece : context.octree.items(leaf, ModelItem::triangle))
+    const Octree& octree = context.octree;
+    if (std::ranges::any_of(edge.segment.about, [&](Index leaf) {
+          return leaf != noIndex && octree.featureType(leaf) == FeatureType::cluster;
+        }))
     {
-      const Index t = piece.index;
-      if (isWanted(t))
+      return;
+    }
+    const std::span<const SurfaceCrossing> cuts = crossings.of(edge);
+    const SurfaceCrossing* last = nullptr; // that is seen from the start
+    if (isAir(edge.point))
+    {
+      for (const SurfaceCrossing& cut : cuts)
       {
-        const Vec3 at = nearestOnTriangle(center, toVector(model.corner(t, 0)), toVector(model.corner(t, 1)),
-                                          toVector(model.corner(t, 2)));
-        placeOf(model.surfaceIds[t], center).offer(at);
+        take(edge, cut, out);
+        last = &cut;
+        if (isWall(cut))
+        {
+          break;
+        }
       }
     }
-    const auto size = static_cast<float>(frame.sizeOf(context.octree.level(leaf)));
-    std::ranges::sort(nearest, {}, &Nearest::surface);
-    for (const Nearest& one : nearest)
+    if (isAir(edge.other))
     {
-      const Vec3 at = frame.toModel(one.place.at);
-      if ((at.array() >= frame.domain.min.array()).all() && (at.array() <= frame.domain.max.array()).all())
+      for (auto cut = cuts.rbegin(); cut != cuts.rend() && &*cut != last; ++cut)
       {
-        out.push_back({at, one.surface, size});
+        take(edge, *cut, out);
+        if (isWall(*cut))
+        {
+          break;
+        }
       }
     }
   }
 
 private:
-  struct Nearest
-  {
-    Index surface;
-    NearestPlace place;
-  };
+  bool isAir(Index point) const { return viewAt(point, zones, ofZone) == View::air; }
+  bool isWall(const SurfaceCrossing& cut) const { return !context.model.isPermeable(cut.triangle); }
 
-  bool isWanted(Index t) const
+  void take(const CrossedEdge& edge, const SurfaceCrossing& cut, std::vector<SurfaceSample>& out) const
   {
-    constexpr TriangleViews unseen{View::nothing, View::nothing};
-    const bool isInGap = !airParts.empty() && airParts[t] < 1.0F;
-    return !context.model.isTurnedSide(t) && ((seesAir(views[t]) && !isInGap) || views[t] == unseen);
+    const Vec3 start = toVector(edge.segment.start);
+    const Vec3 at = start + cut.parameter * (toVector(edge.segment.end) - start);
+    const double size = static_cast<double>(edge.segment.size) * frame.latticeUnit();
+    out.push_back({frame.toModel(at), context.model.surfaceIds[cut.triangle], static_cast<float>(size)});
   }
 
-  NearestPlace& placeOf(Index surface, const Vec3& center)
-  {
-    const auto found = std::ranges::find(nearest, surface, &Nearest::surface);
-    return found != nearest.end() ? found->place : nearest.emplace_back(surface, NearestPlace{center}).place;
-  }
-
-  const std::vector<TriangleViews>& views;
-  const std::vector<float>& airParts;
+  const Crossings& crossings;
+  const Zones& zones;
+  const std::vector<View>& ofZone;
   const MeshingContext& context;
-  std::vector<Nearest> nearest;
+  const GridFrame& frame;
 };
 
 } // namespace
 
-std::vector<SurfaceSample> sampleSurfaces(const std::vector<TriangleViews>& views, const std::vector<float>& airParts,
-                                          const std::function<bool(Index leaf)>& isAsked, const MeshingContext& context)
+std::vector<SurfaceSample> sampleSurfaces(const Crossings& crossings, const Zones& zones,
+                                          const std::vector<View>& ofZone, const ViewShare& share,
+                                          const MeshingContext& context)
 {
-  const Octree& octree = context.octree;
-  const Pieces pieces(octree.leafCount());
+  const Sampler sampler(crossings, zones, ofZone, context);
+  const Pieces pieces(crossings.crossedEdges.size());
   std::vector<std::vector<SurfaceSample>> found(pieces.count);
   context.executor.forEach(pieces.count, 1, [&](std::size_t piece) {
     context.progress.check();
-    Sampler sampler(views, airParts, context);
-    for (std::size_t i = pieces.begin(piece); i < pieces.end(piece); ++i)
+    for (std::size_t e = pieces.begin(piece); e < pieces.end(piece); ++e)
     {
-      const auto leaf = static_cast<Index>(i);
-      if (!octree.items(leaf).empty() && octree.featureType(leaf) != FeatureType::cluster &&
-          (!isAsked || isAsked(leaf)))
+      const CrossedEdge& edge = crossings.crossedEdges[e];
+      if (edge.point >= share.begin && edge.point < share.end)
       {
-        sampler.sample(leaf, found[piece]);
+        sampler.sample(edge, found[piece]);
       }
     }
   });

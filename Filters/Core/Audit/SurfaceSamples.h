@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// Takes places on the model's surfaces, as dense as the octree is fine there.
+/// Takes places on the model's surfaces, as dense as the grid is fine there.
 #pragma once
 
 #include "Dual/Zones/ModelViews.h"
 #include "Octree/Tree/MeshingContext.h"
-
-#include <functional>
 
 namespace atria {
 
@@ -18,7 +16,7 @@ struct SurfaceSample
   /// Along the grid's axes, in model units.
   Vec3 at;
   Index surface;
-  /// Edge length of the leaf it was taken in, in model units.
+  /// Length of the grid's edge it was taken on, in model units.
   float size;
 };
 
@@ -32,12 +30,11 @@ struct SeenModel
   std::vector<ViewAreas> unreached = {};
 };
 
-/// Returns one place for each leaf and each surface in it, the nearest to the leaf's center, in the order of leaves and
-/// surfaces. Triangles that see neither air nor nothing are not asked, nor those that see air in part, and leaves that
-/// are clusters have none. \param airParts  As SeenModel::airParts. \param isAsked  Which leaves are asked; all of them
-/// where it is empty. O(leaves + pieces of the model in them).
-std::vector<SurfaceSample> sampleSurfaces(const std::vector<TriangleViews>& views, const std::vector<float>& airParts,
-                                          const std::function<bool(Index leaf)>& isAsked,
+/// Returns a place on each surface for each edge of the grid that leads to it from air past no other wall, in the order
+/// of edges: the mesh has a face there. None are about leaves that are clusters.
+/// \param share  Whose edges. \param ofZone  By zone of `zones`. O(crossings).
+std::vector<SurfaceSample> sampleSurfaces(const Crossings& crossings, const Zones& zones,
+                                          const std::vector<View>& ofZone, const ViewShare& share,
                                           const MeshingContext& context);
 
 } // namespace atria

@@ -11,7 +11,7 @@ namespace atria {
 
 namespace {
 
-/// Of a surface's area, what must be in the mesh or explained.
+/// Of a surface's area, what must be in the mesh or explained. What is more than that is too much likewise.
 constexpr double leastCoverage = 0.95;
 /// How far the volume of the mesh may be from that of the model, over the latter.
 constexpr double volumeTolerance = 0.01;
@@ -63,12 +63,10 @@ std::string reasonOf(const SurfaceAudit& surface)
     double area;
     const char* text;
   };
-  const std::array reasons{Reason{surface.lost, "finer than the mesh"},
-                           Reason{surface.leftOut, "small parts left out"},
-                           Reason{surface.shared, "another surface lies there"},
-                           Reason{surface.inSolid, "inside a solid"},
-                           Reason{surface.underGround, "under the ground"},
-                           Reason{surface.inRoom, "in a closed room that is not meshed"}};
+  const std::array reasons{
+      Reason{surface.lost, "finer than the mesh"},       Reason{surface.leftOut, "small parts left out"},
+      Reason{surface.shared, "another face lies there"}, Reason{surface.inSolid, "inside a solid"},
+      Reason{surface.underGround, "under the ground"},   Reason{surface.inRoom, "in a closed room that is not meshed"}};
   return std::ranges::max_element(reasons, {}, &Reason::area)->text;
 }
 
@@ -102,6 +100,23 @@ std::vector<Finding> withPartsMissing(const MeshAudit& audit)
       found.push_back({missing, i,
                        textOf(missing, " of ", surface.drawnArea, " m² missing, most of it ",
                               surface.lost >= surface.leftOut ? "finer than the mesh" : "in small parts left out")});
+    }
+  }
+  return found;
+}
+
+/// Faces that stand in folds, or on both sides of what has air on one side.
+std::vector<Finding> largerThanDrawn(const MeshAudit& audit)
+{
+  std::vector<Finding> found;
+  for (Index i = 0; i < audit.surfaces.size(); ++i)
+  {
+    const SurfaceAudit& surface = audit.surfaces[i];
+    const double most = std::max(surface.drawnArea, surface.placedArea);
+    const double excess = surface.meshArea - most;
+    if (excess > (1.0 - leastCoverage) * most && excess > std::pow(surface.meanSize, 2))
+    {
+      found.push_back({excess, i, textOf(surface.meshArea, " m² for ", most, " m²")});
     }
   }
   return found;
@@ -170,6 +185,7 @@ std::vector<std::string> warningsOf(const MeshAudit& audit, const std::vector<st
       "finer elements do not change that; where there should be air, look for what closes it in, or give a seed there "
       "(Seeds, --seed)");
   add(withPartsMissing(audit), "of which parts are missing", sizes);
+  add(largerThanDrawn(audit), "with more faces than drawn", sizes);
   const VolumeAudit& volumes = audit.volumes;
   const double element = std::pow(frame.sizeOf(frame.featureLevel), 3);
   const double difference = std::abs(volumes.displaced() - volumes.displacedByModel);

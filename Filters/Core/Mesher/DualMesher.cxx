@@ -73,9 +73,8 @@ void seeModel(const CrossedGrid& crossed, const Zones& zones, const DualMeshResu
   const std::vector<View> ofZone = viewsOfZones(result.zones);
   const ViewShare all = allOf(grid.points());
   seen.views = findModelViews(crossings, grid, zones, ofZone, context.model, all, context);
-  seen.airParts = findAirParts(crossings, grid, zones, ofZone, context.model, all, context);
-  const auto isAsked = [&, &points = grid.points()](Index leaf) { return touchesAir(leaf, points, zones, ofZone); };
-  seen.samples = sampleSurfaces(seen.views, seen.airParts, isAsked, context);
+  seen.airParts = findAirParts(crossings, zones, ofZone, context.model, all, context);
+  seen.samples = sampleSurfaces(crossings, zones, ofZone, all, context);
 }
 
 /// The zones of the octree's own grid tell what of the model air may reach. If that is not all of it, the crossings

@@ -200,11 +200,8 @@ private:
     const std::vector<View> ofZone = viewsOfZones(summaries);
     const ViewShare own{points.firstOwn(), points.endOwn(), &share.exchange()};
     seen.views = findModelViews(crossings, grid, zones, ofZone, context.model, own, context);
-    seen.airParts = findAirParts(crossings, grid, zones, ofZone, context.model, own, context);
-    const auto isAsked = [&](Index leaf) {
-      return share.isOwn(context.octree.finestKey(leaf)) && touchesAir(leaf, grid.points(), zones, ofZone);
-    };
-    seen.samples = sampleSurfaces(seen.views, seen.airParts, isAsked, context);
+    seen.airParts = findAirParts(crossings, zones, ofZone, context.model, own, context);
+    seen.samples = sampleSurfaces(crossings, zones, ofZone, own, context);
   }
 
   LayerMesh grow(ClassifiedMesh& plain, const SharedWindow& window, ImprovedMesh& improved)

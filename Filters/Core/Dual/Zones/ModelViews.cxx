@@ -42,11 +42,7 @@ public:
   }
 
 private:
-  View viewAt(Index point) const
-  {
-    const auto zone = static_cast<std::size_t>(zones.ofPoint[point]);
-    return zone < ofZone.size() ? ofZone[zone] : View::nothing;
-  }
+  View viewAt(Index point) const { return atria::viewAt(point, zones, ofZone); }
 
   bool isOwn(Index point) const { return point >= share.begin && point < share.end; }
 
@@ -259,18 +255,14 @@ std::vector<TriangleViews> findModelViews(const Crossings& crossings, const Grid
   return ViewFinder(crossings, grid, zones, ofZone, model, share, context).run();
 }
 
-std::vector<float> findAirParts(const Crossings& crossings, const GridPlaces& grid, const Zones& zones,
-                                const std::vector<View>& ofZone, const SurfaceModel& model, const ViewShare& share,
-                                const RunContext& context)
+std::vector<float> findAirParts(const Crossings& crossings, const Zones& zones, const std::vector<View>& ofZone,
+                                const SurfaceModel& model, const ViewShare& share, const RunContext& context)
 {
   constexpr std::uint32_t fewest = 3; // edges that can tell
   constexpr float nearlyAll = 0.75F;  // where walls meet, an edge may cut both
   std::vector<std::uint32_t> cut(model.triangles.size(), 0);
   std::vector<std::uint32_t> aired(model.triangles.size(), 0);
-  const auto isAir = [&](Index point) {
-    const auto zone = point == noIndex ? ofZone.size() : static_cast<std::size_t>(zones.ofPoint[point]);
-    return zone < ofZone.size() && ofZone[zone] == View::air;
-  };
+  const auto isAir = [&](Index point) { return viewAt(point, zones, ofZone) == View::air; };
   const auto count = [](std::vector<std::uint32_t>& counts, Index triangle) {
     std::atomic_ref(counts[triangle]).fetch_add(1, std::memory_order_relaxed);
   };

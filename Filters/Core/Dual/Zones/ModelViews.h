@@ -5,8 +5,6 @@
 #include "Dual/Zones/ZoneSummary.h"
 #include "Support/RankExchange.h"
 
-#include <algorithm>
-
 namespace atria {
 
 /// What is in front of one side of a triangle.
@@ -43,6 +41,13 @@ struct ViewShare
 /// piece are joined across edges that no third one has, and are wound alike.
 std::vector<Index> piecesBetweenEdges(const SurfaceModel& model, Index& count, const Executor& executor);
 
+/// What is at a grid point; nothing beyond the domain.
+inline View viewAt(Index point, const Zones& zones, const std::vector<View>& ofZone)
+{
+  const auto zone = point == noIndex ? ofZone.size() : static_cast<std::size_t>(zones.ofPoint[point]);
+  return zone < ofZone.size() ? ofZone[zone] : View::nothing;
+}
+
 /// Returns the views of each triangle of the model.
 ///
 /// The triangles of a piece see the same, as the repair cuts triangles wherever others pass
@@ -55,20 +60,10 @@ std::vector<TriangleViews> findModelViews(const Crossings& crossings, const Grid
                                           const std::vector<View>& ofZone, const SurfaceModel& model,
                                           const ViewShare& share, const RunContext& context);
 
-/// Whether a corner of a leaf is in air: what else is in it is in gaps that are finer than the grid.
-inline bool touchesAir(Index leaf, const GridPoints& points, const Zones& zones, const std::vector<View>& ofZone)
-{
-  return std::ranges::any_of(points.atCorner[leaf], [&](Index point) {
-    const auto zone = point == noIndex ? ofZone.size() : static_cast<std::size_t>(zones.ofPoint[point]);
-    return zone < ofZone.size() && ofZone[zone] == View::air;
-  });
-}
-
 /// Returns, by triangle, the part of the edges of the grid through it that see air: 1 where nearly all of them do, or
 /// where too few of them cut it to tell. In the rest air is behind another surface that is nearer than the next point
 /// of the grid, as between walls with a thin gap.
-std::vector<float> findAirParts(const Crossings& crossings, const GridPlaces& grid, const Zones& zones,
-                                const std::vector<View>& ofZone, const SurfaceModel& model, const ViewShare& share,
-                                const RunContext& context);
+std::vector<float> findAirParts(const Crossings& crossings, const Zones& zones, const std::vector<View>& ofZone,
+                                const SurfaceModel& model, const ViewShare& share, const RunContext& context);
 
 } // namespace atria

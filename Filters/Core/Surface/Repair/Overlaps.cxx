@@ -119,7 +119,7 @@ std::vector<SharedArea> Overlaps::shared() const
   for (const auto& [pair, overlap] : byPair_)
   {
     const auto& [gives, keeps] = pair;
-    if (gives != keeps && !isSide(gives) && !isSide(keeps))
+    if (!isSide(gives) && !isSide(keeps))
     {
       out.push_back(overlap.shared);
     }

@@ -34,7 +34,7 @@ public:
 
   /// By the surface that gives and the one that keeps; those of one surface are the same.
   std::vector<Overlap> all() const;
-  /// What different surfaces share that have names.
+  /// What surfaces that have names share with each other, or have twice.
   std::vector<SharedArea> shared() const;
 
 private:

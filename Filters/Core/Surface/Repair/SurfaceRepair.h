@@ -21,7 +21,8 @@ struct HiddenDetail
   double leftOutArea = 0.0;
 };
 
-/// Area in which two surfaces lie upon each other: one keeps its faces there, the other gives them up.
+/// Area in which two surfaces lie upon each other, or one upon itself: one keeps its faces there, the other gives them
+/// up.
 struct SharedArea
 {
   Index keeps;
@@ -58,8 +59,8 @@ struct SurfaceRepairReport
   std::size_t unresolvedContacts = 0;
   /// Of surfaces that have any, in their order.
   std::vector<HiddenDetail> hidden;
-  /// One entry for each two named surfaces that lie upon each other, by `gives` and then by `keeps`. What is in
-  /// clusters does not count.
+  /// One entry for each two named surfaces that lie upon each other, and for each that does upon itself, by `gives` and
+  /// then by `keeps`. What is in clusters does not count.
   std::vector<SharedArea> shared;
 };
 
