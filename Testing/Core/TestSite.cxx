@@ -358,4 +358,21 @@ TEST(Site, NonsenseIsRefused)
   EXPECT_THROW(atria::placeModel(towerAndHut(), atria::planSite(towerAndHut(), thin, grid), grid), atria::Error);
 }
 
+TEST(Site, NamesWhatLiesTooFarAway)
+{
+  TriangleSurface surface = towerAndHut();
+  addBox(surface, "Tree", {Vec3(0, 9e6, 0), Vec3(3, 9e6 + 3, 5)});
+  const GridOptions grid = sizes(1, 8);
+  try
+  {
+    atria::placeModel(surface, atria::planSite(surface, {}, grid), grid);
+    FAIL();
+  }
+  catch (const atria::Error& error)
+  {
+    EXPECT_THAT(error.what(), ::testing::AllOf(::testing::HasSubstr("'Hut' and 'Tree' lie 8.99997e+06 m apart along y"),
+                                               ::testing::HasSubstr("ExcludedSurfaces")));
+  }
+}
+
 } // namespace

@@ -59,6 +59,10 @@ private:
 
   void take(const CrossedEdge& edge, const SurfaceCrossing& cut, std::vector<SurfaceSample>& out) const
   {
+    if (context.model.isTurnedSide(cut.triangle))
+    {
+      return;
+    }
     const Vec3 start = toVector(edge.segment.start);
     const Vec3 at = start + cut.parameter * (toVector(edge.segment.end) - start);
     const double size = static_cast<double>(edge.segment.size) * frame.latticeUnit();

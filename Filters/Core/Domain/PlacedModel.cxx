@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace atria {
 
@@ -148,6 +149,48 @@ SitePlan groundOf(const TriangleSurface& surface, const SiteOptions& options, do
   return plan;
 }
 
+namespace {
+
+/// Says which part lies far from the others if more than half of the model's length is empty.
+std::string farApart(const TriangleSurface& surface)
+{
+  struct Extent
+  {
+    double low;
+    double high;
+    Index surface;
+  };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    std::vector<Extent> extents;
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+    {
+      const auto& [a, b, c] = surface.triangles[t];
+      const auto [low, high] = std::minmax({surface.points[a][axis], surface.points[b][axis], surface.points[c][axis]});
+      extents.push_back({low, high, surface.surfaceIds[t]});
+    }
+    std::ranges::stable_sort(extents, {}, &Extent::low);
+    const double half = 0.5 * boundsOf(surface).size()[axis];
+    Extent before = extents.empty() ? Extent() : extents.front();
+    for (const Extent& next : extents)
+    {
+      if (next.low - before.high > half)
+      {
+        std::ostringstream text;
+        text << "; '" << surface.names[before.surface] << "' and '" << surface.names[next.surface] << "' lie "
+             << next.low - before.high << " m apart along "
+             << "xyz"[axis]
+             << " with nothing between them: leave one of them out (ExcludedSurfaces) or correct its place";
+        return text.str();
+      }
+      before = next.high > before.high ? next : before;
+    }
+  }
+  return "";
+}
+
+} // namespace
+
 SitePlan planSite(const TriangleSurface& surface, const SiteOptions& options, const GridOptions& sizes)
 {
   SitePlan plan = groundOf(surface, options, sizes.sizeMin);
@@ -169,7 +212,14 @@ PlacedModel placeModel(const TriangleSurface& surface, const SitePlan& plan, con
   const bool turned = plan.hasSheetSides();
   GridOptions upright = sizes;
   upright.domain = plan.domain.bounds;
-  makeGridFrame(upright, {}); // checks
+  try
+  {
+    makeGridFrame(upright, {}); // checks
+  }
+  catch (const Error& error)
+  {
+    throw Error(error.what() + farApart(surface));
+  }
   if (turned)
   {
     // No octant at a corner of the domain may reach a plane of the box about it.
