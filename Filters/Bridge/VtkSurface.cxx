@@ -190,9 +190,14 @@ private:
     }
     else if (type == VTK_POLYGON || type == VTK_QUAD)
     {
-      for (const auto& t : triangulatePolygon(points, ids).triangles)
+      const PolygonTriangles made = triangulatePolygon(points, ids);
+      for (const auto& t : made.triangles)
       {
         addTriangle(t[0], t[1], t[2], surface);
+      }
+      if (!made.simple)
+      {
+        out.firstCrossing = out.crossingFaces++ == 0 ? surface : out.firstCrossing;
       }
     }
     else

@@ -15,9 +15,11 @@ namespace atria {
 struct VtkSurface
 {
   TriangleSurface surface;
-  std::vector<Index> faceIds;   ///< per triangle: the polygon it was cut from; ascending
-  std::size_t ignoredCells = 0; ///< lines, vertices, and cells of datasets that are not polydata
-  bool singlePrecision = false; ///< of the points of any polydata with faces
+  std::vector<Index> faceIds;    ///< per triangle: the polygon it was cut from; ascending
+  std::size_t crossingFaces = 0; ///< polygons whose outline crosses itself; what has no area with its sign is left out
+  Index firstCrossing = noIndex; ///< the surface of the first of them
+  std::size_t ignoredCells = 0;  ///< lines, vertices, and cells of datasets that are not polydata
+  bool singlePrecision = false;  ///< of the points of any polydata with faces
 };
 
 /// By how much numbers of 32 bits round the points at most, if that is more than a hundred-thousandth of the model's

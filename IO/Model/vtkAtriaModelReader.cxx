@@ -197,6 +197,14 @@ atria::vrml::ModelSource vtkAtriaModelReader::ReadSource(atria::vrml::Diagnostic
   {
     warn(std::to_string(read.ignoredCells) + " cells are no faces and make no surface");
   }
+  if (read.crossingFaces > 0)
+  {
+    warn(std::to_string(read.crossingFaces) +
+         (read.crossingFaces == 1 ? " face has an outline that crosses itself: in '"
+                                  : " faces have outlines that cross themselves, the first of them in '") +
+         read.surface.names[read.firstCrossing] +
+         "'; what lies between cannot be told, and is missing in part or in whole: correct the order of corners");
+  }
   if (const double rounding = model.singlePrecision ? atria::coarseRounding(read.surface) : 0.0; rounding > 0.0)
   {
     std::ostringstream text;

@@ -139,6 +139,21 @@ TEST_P(Turned, StepsAreLetDown)
   }
 }
 
+TEST_P(Turned, ShellsOfRoomsStayAsDrawn)
+{
+  TriangleSurface surface;
+  addBox(surface, "Outer", {Vec3(0, 0, 0), Vec3(10, 8, 6)});
+  addBox(surface, "Inner", {Vec3(0.3, 0.3, 0.4), Vec3(9.7, 7.7, 5.6)});
+  addBox(surface, "Table", {Vec3(2, 2, 0.4), Vec3(4, 3, 1.2)});
+  addBox(surface, "Neighbor", {Vec3(20, 0, 0.4), Vec3(30, 8, 6)});
+  turn(surface, GetParam());
+  const GroundedModel found = ground(surface);
+  EXPECT_THAT(namesOf(found.report.letDown), ElementsAre("Neighbor"));
+  EXPECT_EQ(boxOf(found.surface, "Inner").min[2], 0.4);
+  EXPECT_EQ(boxOf(found.surface, "Table").min[2], 0.4);
+  EXPECT_THAT(found.report.hovering, IsEmpty());
+}
+
 TEST_P(Turned, WhatHoversHighStaysAsDrawn)
 {
   TriangleSurface surface;

@@ -170,6 +170,16 @@ TEST(MeshAudit, LooksAtWhatIsInTheDomainAlone)
   expectNear(auditOf(mesh, "Road").meshArea, 40, "in the mesh");
 }
 
+TEST(MeshAudit, WarnsOfSurfacesOutsideOfTheDomain)
+{
+  TriangleSurface model;
+  addBox(model, "House", {Vec3(-3, -2, 0), Vec3(3, 2, 4)});
+  addBox(model, "Shed", {Vec3(100, 0, 0), Vec3(104, 3, 2)});
+  EXPECT_THAT(meshed(model, optionsIn(domain)).auditWarnings,
+              ElementsAre(AllOf(HasSubstr("1 surface without a face in the mesh, outside of the domain"),
+                                HasSubstr("Shed (5.39 m across)"))));
+}
+
 TEST(MeshAudit, MeasuresHowFarAwayFacesAre)
 {
   // Facets that are finer than the mesh: it is inside of the sphere by the sagitta of a face's diagonal.

@@ -259,6 +259,13 @@ TEST(PolygonTriangulation, MarksAnOutlineThatCrossesItself)
   EXPECT_FALSE(result.triangles.empty());
 }
 
+TEST(PolygonTriangulation, MarksAQuadWhoseCornersAreInTheWrongOrder)
+{
+  const PolygonTriangles result = triangulateAll({{0, 0, 0}, {4, 0, 3}, {4, 0, 0}, {0, 0, 3}});
+  EXPECT_FALSE(result.simple) << "what it bounds has no area with its sign";
+  EXPECT_TRUE(triangulateAll({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}).simple) << "this has none at all";
+}
+
 TEST(PolygonTriangulation, SurvivesRandomWalksThroughFewPoints)
 {
   std::mt19937 random(11);

@@ -323,6 +323,13 @@ TEST_F(ModelReader, LeavesOutBadObjFacesAndSaysWhere)
                                                HasSubstr("2 lines and points"), HasSubstr("1 free-form")));
 }
 
+TEST_F(ModelReader, NamesTheSurfaceOfAFaceThatCrossesItself)
+{
+  readText("a.obj", square + "g Floor\nf 1 2 3 4\ng Roof\nf 1 3 2 4\n");
+  EXPECT_THAT(namesOf(reader->GetOutput()), ElementsAre("Floor"));
+  EXPECT_THAT(warnings(), ElementsAre(AllOf(HasSubstr("crosses itself: in 'Roof'"), HasSubstr("order of corners"))));
+}
+
 TEST_F(ModelReader, JoinsStlSolidsOfOneNameAndNumbersThoseWithout)
 {
   const auto solid = [](const std::string& name, int z) {

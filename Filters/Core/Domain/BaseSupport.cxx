@@ -119,12 +119,24 @@ bool SupportSearch::hasBodyBelow(const BodyBase& base, double ground) const
 {
   constexpr double leastPart = 0.05; // of the base
   std::vector<PlumbHit> hits;
+  // As the shell of a room is within that of its house.
+  const auto isWithinOther = [&](const Vec3& p) {
+    return std::ranges::any_of(hits, [&](const PlumbHit& one) {
+      const Index other = bodies.ofTriangle[one.triangle];
+      const auto count = [&](bool isAbove) {
+        return std::ranges::count_if(hits, [&](const PlumbHit& hit) {
+          return bodies.ofTriangle[hit.triangle] == other && (hit.height > p[2] + tolerance) == isAbove;
+        });
+      };
+      return mayHold(other, base, ground) && count(true) % 2 == 1 && count(false) % 2 == 1;
+    });
+  };
   const auto isOver = [&](const Vec3& p) {
     lines.find(p[0], p[1], hits);
-    return std::ranges::any_of(hits, [&](const PlumbHit& hit) {
-      return hit.height > ground + tolerance && hit.height <= p[2] + tolerance &&
-             mayHold(bodies.ofTriangle[hit.triangle], base, ground);
-    });
+    return isWithinOther(p) || std::ranges::any_of(hits, [&](const PlumbHit& hit) {
+             return hit.height > ground + tolerance && hit.height <= p[2] + tolerance &&
+                    mayHold(bodies.ofTriangle[hit.triangle], base, ground);
+           });
   };
   double all = 0.0;
   double over = 0.0;

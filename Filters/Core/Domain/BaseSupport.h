@@ -23,7 +23,7 @@ enum class BaseSupport : std::uint8_t
 {
   none,
   beside, ///< the body touches what reaches as low, or reaches lower itself
-  below   ///< another body lies between the base and the ground
+  below   ///< another body lies between the base and the ground, or around the base
 };
 
 /// Bodies by place.

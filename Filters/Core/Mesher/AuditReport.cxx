@@ -86,6 +86,21 @@ std::vector<Finding> withoutFaces(const MeshAudit& audit, bool isFiner)
   return found;
 }
 
+/// What is drawn, but not where the mesh is.
+std::vector<Finding> outsideOfDomain(const MeshAudit& audit)
+{
+  std::vector<Finding> found;
+  for (Index i = 0; i < audit.surfaces.size(); ++i)
+  {
+    const SurfaceAudit& surface = audit.surfaces[i];
+    if (surface.extent > 0.0 && surface.drawnArea == 0.0 && surface.meshArea == 0.0)
+    {
+      found.push_back({surface.extent, i, textOf(surface.extent, " m across")});
+    }
+  }
+  return found;
+}
+
 /// What is smaller than a face of the mesh can show nothing.
 std::vector<Finding> withPartsMissing(const MeshAudit& audit)
 {
@@ -184,6 +199,8 @@ std::vector<std::string> warningsOf(const MeshAudit& audit, const std::vector<st
   add(withoutFaces(audit, false), "without a face in the mesh",
       "finer elements do not change that; where there should be air, look for what closes it in, or give a seed there "
       "(Seeds, --seed)");
+  add(outsideOfDomain(audit), "without a face in the mesh, outside of the domain or below its bottom",
+      "give a larger domain if they belong into it, or leave them out (ExcludedSurfaces, --without)");
   add(withPartsMissing(audit), "of which parts are missing", sizes);
   add(largerThanDrawn(audit), "with more faces than drawn", sizes);
   const VolumeAudit& volumes = audit.volumes;

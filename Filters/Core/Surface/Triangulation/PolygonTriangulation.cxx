@@ -190,6 +190,20 @@ PolygonTriangles triangulateOutline(const Outline& outline)
   return out;
 }
 
+/// Whether corners are not all in a line.
+bool isWide(const Outline& outline)
+{
+  const Vec3& first = outline.points.front();
+  for (std::size_t i = 2; i < outline.points.size(); ++i)
+  {
+    if ((outline.points[i - 1] - first).cross(outline.points[i] - first).norm() > noArea)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// Whether a triangle passes as a polygon does, in a fraction of the time.
 bool hasArea(std::span<const Vec3> points, std::span<const Index> t)
 {
@@ -232,8 +246,13 @@ void triangulatePolygon(std::span<const Vec3> points, std::span<const Index> pol
   static thread_local Outline outline; // asking for memory would take most of the time
   out.triangles.clear();
   out.simple = true;
-  if (!normalize(points, polygon, outline) || !(outline.normal.norm() > noArea))
+  if (!normalize(points, polygon, outline))
   {
+    return;
+  }
+  if (!(outline.normal.norm() > noArea))
+  {
+    out.simple = !isWide(outline);
     return;
   }
   if (outline.ids.size() == 3)
