@@ -43,7 +43,7 @@ class SurfaceSearch
 {
 public:
   SurfaceSearch(const TriangleTree& searched, const SurfaceModel& of, const GridFrame& gridFrame)
-      : tree(searched), model(of), frame(gridFrame), unit(frame.latticeUnit())
+      : tree(searched), model(of), frame(gridFrame), unit(frame.latticeUnit()), whole(frame.rootSize() / unit)
   {
   }
 
@@ -58,10 +58,12 @@ public:
       return 0.0;
     }
     const TriangleTree::AnyPlaceOn onSurface([&](Index t) { return model.surfaceIds[t] == surface; });
-    auto found = tree.nearest(p, nearRatio * size / unit, onSurface); // nearly always, and at once
-    if (!found)
+    double reach = nearRatio * size / unit; // nearly always it is found at once
+    auto found = tree.nearest(p, reach, onSurface);
+    while (!found && reach < whole)
     {
-      found = tree.nearest(p, std::numeric_limits<double>::infinity(), onSurface);
+      reach *= reachGrowth;
+      found = tree.nearest(p, reach < whole ? reach : std::numeric_limits<double>::infinity(), onSurface);
     }
     if (!found)
     {
@@ -74,11 +76,14 @@ public:
 
 private:
   static constexpr double rounding = 1e-6; ///< of an element
+  /// Of how far a surface is searched for next: what lies nearer on others is passed over, one by one.
+  static constexpr double reachGrowth = 4.0;
 
   const TriangleTree& tree;
   const SurfaceModel& model;
   const GridFrame& frame;
   double unit;
+  double whole; ///< how long the domain is, in lattice units
   Index last = noIndex;
 };
 
