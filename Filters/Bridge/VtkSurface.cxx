@@ -197,7 +197,8 @@ private:
       }
       if (!made.simple)
       {
-        out.firstCrossing = out.crossingFaces++ == 0 ? surface : out.firstCrossing;
+        out.firstCrossing = out.crossingFaces == 0 ? surface : out.firstCrossing;
+        ++out.crossingFaces;
       }
     }
     else

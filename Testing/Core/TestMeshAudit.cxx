@@ -195,15 +195,20 @@ TEST(MeshAudit, MeasuresHowFarAwayFacesAre)
   expectNear(mesh.audit.volumes.displacedByModel, 4.0 / 3.0 * std::numbers::pi * 27.0 * 0.997, "enclosed");
 }
 
-TEST(MeshAudit, FindsMovedPointsAndMissingFaces)
+/// A box of 6 by 4 m that is 4 m high.
+MeshedModel meshedHouse(const RunContext& run, StageCache& cache)
 {
   TriangleSurface model;
   addBox(model, "House", {Vec3(-3, -2, 0), Vec3(3, 2, 4)});
-  const MesherOptions options = optionsIn(domain);
+  return meshModel(model, optionsIn(domain), run, &cache);
+}
+
+TEST(MeshAudit, FindsMovedPointsAndMissingFaces)
+{
   StageCache cache;
   const ThreadExecutor executor(2);
   const RunContext run = atria::testing::quietContext(executor);
-  MeshedModel mesh = meshModel(model, options, run, &cache);
+  MeshedModel mesh = meshedHouse(run, cache);
   const SurfaceModel& placed = cache.sources()->model;
   const TriangleTreeOnDemand tree(placed);
   const MeshingContext context{run, cache.sources()->octree, placed, tree};
@@ -244,12 +249,9 @@ TEST(MeshAudit, FindsMovedPointsAndMissingFaces)
 
 TEST(MeshAudit, WarnsOfMoreFacesThanDrawn)
 {
-  TriangleSurface model;
-  addBox(model, "House", {Vec3(-3, -2, 0), Vec3(3, 2, 4)});
-  const MesherOptions options = optionsIn(domain);
   StageCache cache;
   const ThreadExecutor executor(2);
-  MeshedModel mesh = meshModel(model, options, atria::testing::quietContext(executor), &cache);
+  MeshedModel mesh = meshedHouse(atria::testing::quietContext(executor), cache);
   const GridFrame& frame = cache.sources()->octree.frame();
   EXPECT_THAT(warningsOf(mesh.audit, mesh.names, frame), IsEmpty());
   mesh.audit.surfaces[0].meshArea *= 1.4;
@@ -290,20 +292,10 @@ TEST_P(TurnedAudit, CountsWallsThatASurfaceHasTwiceAsSuch)
 {
   // Houses of one surface that touch, one of them lower.
   TriangleSurface model;
-  std::vector<Vec3> points;
-  std::vector<std::array<Index, 3>> triangles;
-  for (const Box3& box : {Box3{Vec3(-4, -2, 0), Vec3(0, 2, 5)}, Box3{Vec3(0, -2, 0), Vec3(4, 2, 3)}})
-  {
-    TriangleSurface one;
-    addBox(one, "House", box);
-    const auto first = static_cast<Index>(points.size());
-    points.insert(points.end(), one.points.begin(), one.points.end());
-    for (const auto& [a, b, c] : one.triangles)
-    {
-      triangles.push_back({first + a, first + b, first + c});
-    }
-  }
-  addSurface(model, "Houses", points, triangles);
+  addBox(model, "Houses", {Vec3(-4, -2, 0), Vec3(0, 2, 5)});
+  addBox(model, "Lower", {Vec3(0, -2, 0), Vec3(4, 2, 3)});
+  std::ranges::fill(model.surfaceIds, 0);
+  model.names.pop_back();
   turn(model, GetParam());
   const MeshedModel mesh = meshed(model, optionsIn(domain));
   const SurfaceAudit& houses = auditOf(mesh, "Houses");

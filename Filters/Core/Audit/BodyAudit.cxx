@@ -48,7 +48,7 @@ bool isMet(const Vec3& from, const Vec3& direction, const std::array<Vec3, 3>& t
   const double alongU = to.dot(across) / determinant;
   const Vec3 other = to.cross(u);
   const double alongV = direction.dot(other) / determinant;
-  return alongU >= 0.0 && alongV >= 0.0 && alongU + alongV <= 1.0 && v.dot(other) > 0.0 == determinant > 0.0;
+  return alongU >= 0.0 && alongV >= 0.0 && alongU + alongV <= 1.0 && (v.dot(other) > 0.0) == (determinant > 0.0);
 }
 
 bool isWithin(const Vec3& p, const Box3& box)

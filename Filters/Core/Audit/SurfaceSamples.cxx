@@ -4,6 +4,7 @@
 #include "Support/Pieces.h"
 
 #include <algorithm>
+#include <ranges>
 
 namespace atria {
 
@@ -27,35 +28,23 @@ public:
       return;
     }
     const std::span<const SurfaceCrossing> cuts = crossings.of(edge);
-    const SurfaceCrossing* last = nullptr; // that is seen from the start
+    std::size_t seen = 0; // from the start
     if (isAir(edge.point))
     {
-      for (const SurfaceCrossing& cut : cuts)
-      {
+      eachSeen(cuts, context.model, [&](const SurfaceCrossing& cut) {
         take(edge, cut, out);
-        last = &cut;
-        if (isWall(cut))
-        {
-          break;
-        }
-      }
+        ++seen;
+      });
     }
     if (isAir(edge.other))
     {
-      for (auto cut = cuts.rbegin(); cut != cuts.rend() && &*cut != last; ++cut)
-      {
-        take(edge, *cut, out);
-        if (isWall(*cut))
-        {
-          break;
-        }
-      }
+      eachSeen(cuts.subspan(seen) | std::views::reverse, context.model,
+               [&](const SurfaceCrossing& cut) { take(edge, cut, out); });
     }
   }
 
 private:
   bool isAir(Index point) const { return viewAt(point, zones, ofZone) == View::air; }
-  bool isWall(const SurfaceCrossing& cut) const { return !context.model.isPermeable(cut.triangle); }
 
   void take(const CrossedEdge& edge, const SurfaceCrossing& cut, std::vector<SurfaceSample>& out) const
   {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <sstream>
 
 namespace atria {
@@ -70,88 +71,82 @@ std::string reasonOf(const SurfaceAudit& surface)
   return std::ranges::max_element(reasons, {}, &Reason::area)->text;
 }
 
+/// Of one surface: a weight and a text, or nothing.
+using Said = std::optional<std::pair<double, std::string>>;
+
+/// What `judge` says of surfaces.
+template <typename Judge> std::vector<Finding> findingsOf(const MeshAudit& audit, Judge&& judge)
+{
+  std::vector<Finding> found;
+  for (Index i = 0; i < audit.surfaces.size(); ++i)
+  {
+    if (Said said = judge(audit.surfaces[i]))
+    {
+      found.push_back({said->first, i, std::move(said->second)});
+    }
+  }
+  return found;
+}
+
 /// What would be in the mesh if elements were finer, or what no air that is meshed reaches.
 std::vector<Finding> withoutFaces(const MeshAudit& audit, bool isFiner)
 {
-  std::vector<Finding> found;
-  for (Index i = 0; i < audit.surfaces.size(); ++i)
-  {
-    const SurfaceAudit& surface = audit.surfaces[i];
+  return findingsOf(audit, [isFiner](const SurfaceAudit& surface) -> Said {
     const bool isMissing = surface.lost + surface.leftOut > (1.0 - leastCoverage) * surface.drawnArea;
     if (surface.meshArea == 0.0 && surface.drawnArea > 0.0 && isMissing == isFiner)
     {
-      found.push_back({surface.drawnArea, i, textOf(surface.drawnArea, " m², ", reasonOf(surface))});
+      return std::pair(surface.drawnArea, textOf(surface.drawnArea, " m², ", reasonOf(surface)));
     }
-  }
-  return found;
+    return std::nullopt;
+  });
 }
 
 /// What is drawn, but not where the mesh is.
-std::vector<Finding> outsideOfDomain(const MeshAudit& audit)
+Said outsideOfDomain(const SurfaceAudit& surface)
 {
-  std::vector<Finding> found;
-  for (Index i = 0; i < audit.surfaces.size(); ++i)
+  if (surface.extent > 0.0 && surface.drawnArea == 0.0 && surface.meshArea == 0.0)
   {
-    const SurfaceAudit& surface = audit.surfaces[i];
-    if (surface.extent > 0.0 && surface.drawnArea == 0.0 && surface.meshArea == 0.0)
-    {
-      found.push_back({surface.extent, i, textOf(surface.extent, " m across")});
-    }
+    return std::pair(surface.extent, textOf(surface.extent, " m across"));
   }
-  return found;
+  return std::nullopt;
 }
 
 /// What is smaller than a face of the mesh can show nothing.
-std::vector<Finding> withPartsMissing(const MeshAudit& audit)
+Said withPartsMissing(const SurfaceAudit& surface)
 {
-  std::vector<Finding> found;
-  for (Index i = 0; i < audit.surfaces.size(); ++i)
+  const double missing = surface.lost + surface.leftOut;
+  if (surface.meshArea > 0.0 && missing > (1.0 - leastCoverage) * surface.drawnArea &&
+      missing > std::pow(surface.meanSize, 2))
   {
-    const SurfaceAudit& surface = audit.surfaces[i];
-    const double missing = surface.lost + surface.leftOut;
-    if (surface.meshArea > 0.0 && missing > (1.0 - leastCoverage) * surface.drawnArea &&
-        missing > std::pow(surface.meanSize, 2))
-    {
-      found.push_back({missing, i,
-                       textOf(missing, " of ", surface.drawnArea, " m² missing, most of it ",
-                              surface.lost >= surface.leftOut ? "finer than the mesh" : "in small parts left out")});
-    }
+    return std::pair(missing,
+                     textOf(missing, " of ", surface.drawnArea, " m² missing, most of it ",
+                            surface.lost >= surface.leftOut ? "finer than the mesh" : "in small parts left out"));
   }
-  return found;
+  return std::nullopt;
 }
 
 /// Faces that stand in folds, or on both sides of what has air on one side.
-std::vector<Finding> largerThanDrawn(const MeshAudit& audit)
+Said largerThanDrawn(const SurfaceAudit& surface)
 {
-  std::vector<Finding> found;
-  for (Index i = 0; i < audit.surfaces.size(); ++i)
+  const double most = std::max(surface.drawnArea, surface.placedArea);
+  const double excess = surface.meshArea - most;
+  if (excess > (1.0 - leastCoverage) * most && excess > std::pow(surface.meanSize, 2))
   {
-    const SurfaceAudit& surface = audit.surfaces[i];
-    const double most = std::max(surface.drawnArea, surface.placedArea);
-    const double excess = surface.meshArea - most;
-    if (excess > (1.0 - leastCoverage) * most && excess > std::pow(surface.meanSize, 2))
-    {
-      found.push_back({excess, i, textOf(surface.meshArea, " m² for ", most, " m²")});
-    }
+    return std::pair(excess, textOf(surface.meshArea, " m² for ", most, " m²"));
   }
-  return found;
+  return std::nullopt;
 }
 
-std::vector<Finding> farAway(const MeshAudit& audit)
+Said farAway(const SurfaceAudit& surface)
 {
-  std::vector<Finding> found;
-  for (Index i = 0; i < audit.surfaces.size(); ++i)
+  const auto& [faces, model] = surface.distances;
+  const FarthestPlace& place = faces.inElements > model.inElements ? faces : model;
+  if (place.inElements > mostElements || place.distance > mostOfExtent * surface.extent)
   {
-    const SurfaceAudit& surface = audit.surfaces[i];
-    const auto& [faces, model] = surface.distances;
-    const FarthestPlace& place = faces.inElements > model.inElements ? faces : model;
-    if (place.inElements > mostElements || place.distance > mostOfExtent * surface.extent)
-    {
-      found.push_back({place.inElements, i,
-                       textOf(place.distance, " m, ", place.inElements, " elements, at ", place.at.transpose())});
-    }
+    return std::pair(place.inElements,
+                     textOf(place.distance, " m, ", place.inElements, " elements, at ", place.at.transpose()));
   }
-  return found;
+  return std::nullopt;
 }
 
 std::string bodiesWarning(const MeshAudit& audit)
@@ -199,10 +194,10 @@ std::vector<std::string> warningsOf(const MeshAudit& audit, const std::vector<st
   add(withoutFaces(audit, false), "without a face in the mesh",
       "finer elements do not change that; where there should be air, look for what closes it in, or give a seed there "
       "(Seeds, --seed)");
-  add(outsideOfDomain(audit), "without a face in the mesh, outside of the domain or below its bottom",
+  add(findingsOf(audit, outsideOfDomain), "without a face in the mesh, outside of the domain or below its bottom",
       "give a larger domain if they belong into it, or leave them out (ExcludedSurfaces, --without)");
-  add(withPartsMissing(audit), "of which parts are missing", sizes);
-  add(largerThanDrawn(audit), "with more faces than drawn", sizes);
+  add(findingsOf(audit, withPartsMissing), "of which parts are missing", sizes);
+  add(findingsOf(audit, largerThanDrawn), "with more faces than drawn", sizes);
   const VolumeAudit& volumes = audit.volumes;
   const double element = std::pow(frame.sizeOf(frame.featureLevel), 3);
   const double difference = std::abs(volumes.displaced() - volumes.displacedByModel);
@@ -216,7 +211,7 @@ std::vector<std::string> warningsOf(const MeshAudit& audit, const std::vector<st
   {
     warnings.push_back(bodiesWarning(audit) + "; " + sizes);
   }
-  add(farAway(audit), "farther from the mesh than half an element or a fiftieth of their extent", sizes);
+  add(findingsOf(audit, farAway), "farther from the mesh than half an element or a fiftieth of their extent", sizes);
   return warnings;
 }
 

@@ -38,6 +38,19 @@ struct Crossings
   }
 };
 
+/// f(cut) for the cuts that one sees from where they begin: up to the first wall, and this.
+template <typename Cuts, typename F> void eachSeen(Cuts&& cuts, const SurfaceModel& model, F&& f)
+{
+  for (const SurfaceCrossing& cut : cuts)
+  {
+    f(cut);
+    if (!model.isPermeable(cut.triangle))
+    {
+      break;
+    }
+  }
+}
+
 /// f(leaf) for each of the leaves about an edge or a point, once.
 template <std::size_t n, typename F> void eachLeaf(const std::array<Index, n>& leaves, F&& f)
 {

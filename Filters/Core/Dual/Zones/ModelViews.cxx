@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <ranges>
 
 namespace atria {
 
@@ -89,29 +90,25 @@ private:
   void voteOfEnds(const CrossedEdge& edge)
   {
     const std::span<const SurfaceCrossing> cuts = crossings.of(edge);
-    const auto isWall = [&](const SurfaceCrossing& cut) { return !model.isPermeable(cut.triangle); };
+    bool hasWall = false;
+    const auto voteOf = [&](const SurfaceCrossing& cut, SheetSide side, View view) {
+      if (model.isPermeable(cut.triangle))
+      {
+        vote(cut.triangle, SheetSide::front, view);
+        vote(cut.triangle, SheetSide::back, view);
+        return;
+      }
+      vote(cut.triangle, side, view);
+      hasWall = true;
+    };
     const View start = viewAt(edge.point);
-    const auto first = std::ranges::find_if(cuts, isWall);
-    std::for_each(cuts.begin(), first, [&](const SurfaceCrossing& cut) { voteOfBoth(cut.triangle, start); });
-    if (first == cuts.end())
+    eachSeen(cuts, model, [&](const SurfaceCrossing& cut) { voteOf(cut, seenFromStart(cut), start); });
+    if (hasWall && edge.other != noIndex)
     {
-      return;
+      const View end = viewAt(edge.other);
+      eachSeen(cuts | std::views::reverse, model,
+               [&](const SurfaceCrossing& cut) { voteOf(cut, seenFromEnd(cut), end); });
     }
-    vote(first->triangle, seenFromStart(*first), start);
-    if (edge.other == noIndex)
-    {
-      return;
-    }
-    const View end = viewAt(edge.other);
-    const auto last = std::find_if(cuts.rbegin(), cuts.rend(), isWall);
-    vote(last->triangle, seenFromEnd(*last), end);
-    std::for_each(cuts.rbegin(), last, [&](const SurfaceCrossing& cut) { voteOfBoth(cut.triangle, end); });
-  }
-
-  void voteOfBoth(Index triangle, View view)
-  {
-    vote(triangle, SheetSide::front, view);
-    vote(triangle, SheetSide::back, view);
   }
 
   /// Between two cuts that follow each other there is one space.

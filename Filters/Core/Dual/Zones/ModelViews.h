@@ -23,9 +23,6 @@ inline constexpr std::size_t viewCount = 7;
 /// By SheetSide: the front of a triangle, then its back.
 using TriangleViews = std::array<View, 2>;
 
-/// True if elements of the mesh can have a face on the triangle.
-inline bool seesAir(const TriangleViews& views) { return views[0] == View::air || views[1] == View::air; }
-
 /// Returns what each zone is to the triangles beside it.
 std::vector<View> viewsOfZones(const std::vector<ZoneSummary>& zones);
 
