@@ -4,7 +4,6 @@
 #include "Support/Pieces.h"
 
 #include <algorithm>
-#include <ranges>
 
 namespace atria {
 
@@ -31,14 +30,15 @@ public:
     std::size_t seen = 0; // from the start
     if (isAir(edge.point))
     {
-      eachSeen(cuts, context.model, [&](const SurfaceCrossing& cut) {
+      eachSeen(cuts.begin(), cuts.end(), context.model, [&](const SurfaceCrossing& cut) {
         take(edge, cut, out);
         ++seen;
       });
     }
     if (isAir(edge.other))
     {
-      eachSeen(cuts.subspan(seen) | std::views::reverse, context.model,
+      const std::span<const SurfaceCrossing> unseen = cuts.subspan(seen);
+      eachSeen(unseen.rbegin(), unseen.rend(), context.model,
                [&](const SurfaceCrossing& cut) { take(edge, cut, out); });
     }
   }

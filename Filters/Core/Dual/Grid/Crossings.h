@@ -38,13 +38,13 @@ struct Crossings
   }
 };
 
-/// f(cut) for the cuts that one sees from where they begin: up to the first wall, and this.
-template <typename Cuts, typename F> void eachSeen(Cuts&& cuts, const SurfaceModel& model, F&& f)
+/// f(cut) for the cuts that one sees from the first of them: up to the first wall, and this.
+template <typename Cut, typename F> void eachSeen(Cut first, Cut last, const SurfaceModel& model, F&& f)
 {
-  for (const SurfaceCrossing& cut : cuts)
+  for (Cut cut = first; cut != last; ++cut)
   {
-    f(cut);
-    if (!model.isPermeable(cut.triangle))
+    f(*cut);
+    if (!model.isPermeable(cut->triangle))
     {
       break;
     }

@@ -102,11 +102,12 @@ private:
       hasWall = true;
     };
     const View start = viewAt(edge.point);
-    eachSeen(cuts, model, [&](const SurfaceCrossing& cut) { voteOf(cut, seenFromStart(cut), start); });
+    eachSeen(cuts.begin(), cuts.end(), model,
+             [&](const SurfaceCrossing& cut) { voteOf(cut, seenFromStart(cut), start); });
     if (hasWall && edge.other != noIndex)
     {
       const View end = viewAt(edge.other);
-      eachSeen(cuts | std::views::reverse, model,
+      eachSeen(cuts.rbegin(), cuts.rend(), model,
                [&](const SurfaceCrossing& cut) { voteOf(cut, seenFromEnd(cut), end); });
     }
   }
