@@ -4,6 +4,7 @@
 #include "Support/UnionFind.h"
 #include "Surface/Triangles/EachEdge.h"
 #include "Surface/Triangles/Weld.h"
+#include "Surface/Triangles/WoundSolids.h"
 
 #include <Eigen/Geometry>
 
@@ -55,6 +56,20 @@ void joinAtEdge(std::span<const SoupEdgeUse> uses, const TriangleSoup& soup, Uni
     std::ranges::for_each(triangles, [&](Index triangle) { parts.join(with, triangle); });
     other = isEven ? other : with;
   }
+}
+
+/// Per triangle its solid, with the fronts on the side that gives more of them one.
+std::vector<Index> solidsOf(const TriangleSoup& soup)
+{
+  std::vector<Vec3> points;
+  std::ranges::transform(soup.points, std::back_inserter(points), [](const LatticePoint& p) { return toVector(p); });
+  std::vector<Index> solids = findWoundSolids(points, soup.triangles, Front::outside);
+  if (const auto without = std::ranges::count(solids, noIndex); 2 * without > std::ssize(solids))
+  {
+    std::vector<Index> turned = findWoundSolids(points, soup.triangles, Front::inside);
+    return std::ranges::count(turned, noIndex) < without ? turned : solids;
+  }
+  return solids;
 }
 
 /// The triangles of parts with an edge that an odd number of their triangles have.
@@ -174,7 +189,21 @@ void ClosedBodies::findBodies(const RunContext& context)
   const auto count = static_cast<Index>(soup_.triangles.size());
   const std::vector<SoupEdgeUse> uses = sortedEdgeUses(soup_, context.executor);
   UnionFind parts(count);
-  eachEdge(uses, [&](std::span<const SoupEdgeUse> edge) { joinAtEdge(edge, soup_, parts); });
+  const std::vector<Index> solids = solidsOf(soup_);
+  for (Index t = 0; t < count; ++t)
+  {
+    parts.join(t, solids[t] == noIndex ? t : solids[t]);
+  }
+  std::vector<SoupEdgeUse> others;
+  eachEdge(uses, [&](std::span<const SoupEdgeUse> edge) {
+    others.clear();
+    std::ranges::copy_if(edge, std::back_inserter(others),
+                         [&](const SoupEdgeUse& use) { return solids[use.triangle] == noIndex; });
+    if (!others.empty())
+    {
+      joinAtEdge(others, soup_, parts);
+    }
+  });
   const std::set<Index> isOpen = openParts(uses, parts);
   bodyOf_.assign(count, noIndex);
   std::vector<Index> openOf(count, noIndex);

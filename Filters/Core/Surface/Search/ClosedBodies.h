@@ -21,9 +21,10 @@ struct DrawnBody
   double volume = 0.0;
 };
 
-/// The bodies of triangles that share edges. A body is closed if each of its edges has an even number of triangles.
-/// Where more than two triangles meet in an edge, those of one surface hold together, so that bodies that only touch
-/// are apart. What encloses what is decided by parity: it does not depend on how triangles are wound.
+/// The solids that triangles bound as they are wound, and of the other triangles those that share edges: closed if each
+/// edge has an even number of them. Where more than two of these meet in an edge, those of one surface hold together,
+/// so that bodies that only touch are apart. What encloses what is decided by parity: it does not depend on how
+/// triangles are wound.
 class ClosedBodies
 {
 public:

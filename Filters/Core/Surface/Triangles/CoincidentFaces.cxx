@@ -6,6 +6,7 @@
 #include "Support/Memory.h"
 #include "Surface/Triangles/FacePrecedence.h"
 #include "Surface/Triangles/PointPlaces.h"
+#include "Surface/Triangles/WoundSolids.h"
 
 #include <Eigen/Geometry>
 
@@ -253,7 +254,7 @@ private:
       const std::size_t kept = isOneSurface ? 0 : precedence->keptOf(compared);
       for (std::size_t k = 0; k < alike.size(); ++k)
       {
-        if (k != kept)
+        if (k != kept && !areOfTouchingSolids(alike[k], alike[kept], arePolygons))
         {
           const bool isByOrder = !isOneSurface && precedence->areEqual(compared[k], compared[kept]);
           replace(alike[k], alike[kept], arePolygons, isByOrder);
@@ -318,6 +319,34 @@ private:
     return largest;
   }
 
+  /// Whether faces that coincide are the sides of two solids that face each other.
+  bool areOfTouchingSolids(Index one, Index other, bool arePolygons)
+  {
+    if (!areOpposite(one, other, arePolygons))
+    {
+      return false;
+    }
+    if (solids.empty())
+    {
+      std::vector<Triangle> placed(soup.size());
+      for (std::size_t i = 0; i < soup.size(); ++i)
+      {
+        placed[i] = corners(i);
+      }
+      solids = {findWoundSolids(points, placed, Front::outside), findWoundSolids(points, placed, Front::inside)};
+    }
+    const Index first = arePolygons ? largestOf(one) : one;
+    const Index second = arePolygons ? largestOf(other) : other;
+    return std::ranges::any_of(solids, [&](const std::vector<Index>& of) {
+      return of[first] != noIndex && of[second] != noIndex && of[first] != of[second];
+    });
+  }
+
+  bool areOpposite(Index one, Index other, bool arePolygons) const
+  {
+    return arePolygons ? outlineOf(one).front() != outlineOf(other).front() : isTurned(corners(one), corners(other));
+  }
+
   void replace(Index face, Index by, bool arePolygons, bool isByOrder)
   {
     if (isByOrder && out.isByOrder.empty())
@@ -333,9 +362,7 @@ private:
       }
     }
     ++out.faces;
-    const bool isOpposite =
-        arePolygons ? outlineOf(by).front() != outlineOf(face).front() : isTurned(corners(face), corners(by));
-    out.opposite += isOpposite ? 1 : 0;
+    out.opposite += areOpposite(face, by, arePolygons) ? 1 : 0;
   }
 
   void compareTriangles()
@@ -395,6 +422,7 @@ private:
   std::vector<Index> alikeFaces;
   std::vector<std::size_t> alikeEnds;
   std::optional<FacePrecedence> precedence; ///< once it was needed
+  std::vector<std::vector<Index>> solids;   ///< once they were needed: by triangle, for either side of fronts
   CoincidentFaces out;
 };
 

@@ -22,8 +22,8 @@ struct CoincidentFaces
 /// Finds triangles that coincide with others, whichever side is their front: polygons of the same outline, however they
 /// were cut into triangles, and triangles of the same corners. `faceIds` says per triangle which polygon it was cut
 /// from, ascending. One of a surface stays where FacePrecedence says so; of one surface, or without `surfaceIds`, the
-/// first. Points are the same where placesOf() with a step of placeStep() says so. Triangles without area stay. O(n) on
-/// average.
+/// first. Faces of two solids that touch both stay, if the solids are closed and wound alike: see WoundSolids. Points
+/// are the same where placesOf() with a step of placeStep() says so. Triangles without area stay. O(n) on average.
 CoincidentFaces findCoincidentFaces(std::span<const Vec3> points, std::span<const std::array<Index, 3>> triangles,
                                     std::span<const Index> faceIds, std::span<const Index> surfaceIds = {});
 
