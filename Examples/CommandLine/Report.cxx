@@ -329,6 +329,7 @@ Json auditOf(vtkPolyData* diagnostics)
     };
     surfaces.push_back({{"surface", names->GetValue(i)},
                         {"drawn_area", number("DrawnArea")},
+                        {"outside", number("Outside")},
                         {"mesh_area", number("MeshArea")},
                         {"under_ground", number("UnderGround")},
                         {"in_solid", number("InSolid")},

@@ -160,9 +160,11 @@ std::string hiddenText(const Json& hidden)
 
 std::string areasText(const Json& surfaces)
 {
-  constexpr std::array words{std::pair{"in_solid", "inside solids"},  std::pair{"under_ground", "under the ground"},
-                             std::pair{"in_room", "in closed rooms"}, std::pair{"shared", "shared"},
-                             std::pair{"left_out", "in small parts"}, std::pair{"lost", "too fine"}};
+  constexpr std::array words{
+      std::pair{"in_solid", "inside solids"},       std::pair{"under_ground", "on or under the ground"},
+      std::pair{"in_room", "in closed rooms"},      std::pair{"shared", "shared"},
+      std::pair{"left_out", "in small parts"},      std::pair{"lost", "too fine"},
+      std::pair{"outside", "outside of the domain"}};
   const auto sum = [&](const char* what) {
     double all = 0.0;
     for (const Json& surface : surfaces)
@@ -188,6 +190,18 @@ std::string volumesText(const Json& volumes)
          volume("DisplacedByModel");
 }
 
+/// The first three.
+std::string namesOf(const std::vector<const Json*>& bodies)
+{
+  constexpr std::size_t most = 3;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, bodies.size()); ++i)
+  {
+    text += (i == 0 ? "" : ", ") + (*bodies[i])["body"].get<std::string>();
+  }
+  return text + (bodies.size() > most ? " and others" : "");
+}
+
 /// How many bodies there are of each state, with the first of them.
 std::string bodiesText(const Json& audit)
 {
@@ -196,7 +210,8 @@ std::string bodiesText(const Json& audit)
                      number(volumes["ClosedBodies"].get<double>(), 5) + " m³";
   const auto overlap = volumes["Overlap"].get<double>();
   text += overlap > 1e-3 * volumes["ClosedBodies"].get<double>() ? " and " + number(overlap) + " m³ that overlap" : "";
-  text += "; " + std::to_string(audit["standing_bodies"].get<long long>()) + " on the ground";
+  const auto standing = audit["standing_bodies"].get<long long>();
+  text += "; " + std::to_string(standing) + (standing == 1 ? " connected part" : " connected parts") + " on the ground";
   constexpr std::array states{std::pair{"let down", "let down to it"}, std::pair{"hovering", "hovering"},
                               std::pair{"below ground", "reaching below it"}, std::pair{"hollow", "with air inside"},
                               std::pair{"open", "open, with air inside"}};
@@ -217,8 +232,8 @@ std::string bodiesText(const Json& audit)
       continue;
     }
     const auto distance = (*some.front())["distance"].get<double>();
-    text += ", " + std::to_string(some.size()) + " " + words + " (" + (*some.front())["body"].get<std::string>() +
-            (some.size() > 1 ? " and others" : "") + (distance > 0.0 ? ", " + number(distance) + " m" : "") +
+    text += ", " + std::to_string(some.size()) + " " + words + " (" + namesOf(some) +
+            (distance > 0.0 ? ", " + number(distance) + " m" : "") +
             (std::string_view(state) == "hovering" ? " over " + number(volume) + " m³ of air" : "") + ")";
   }
   return text;

@@ -99,6 +99,7 @@ void auditToVtk(const MeshedModel& result, vtkFieldData* out)
                              [&](const SurfaceAudit& surface) { return result.names[&surface - surfaces.data()]; });
   constexpr std::pair<const char*, double SurfaceAudit::*> columns[] = {
       {"AuditDrawnArea", &SurfaceAudit::drawnArea},
+      {"AuditOutside", &SurfaceAudit::outside},
       {"AuditMeshArea", &SurfaceAudit::meshArea},
       {"AuditUnderGround", &SurfaceAudit::underGround},
       {"AuditInSolid", &SurfaceAudit::inSolid},

@@ -185,7 +185,7 @@ RefinedSets setsOf(vtkUnstructuredGrid* grid, const GridFrame& frame)
                 std::abs(ratio - std::round(ratio)) < 1e-3;
     for (int axis = 0; axis < 3; ++axis)
     {
-      const double position = (bounds[2 * axis] - frame.origin[axis]) / size;
+      const double position = (bounds[std::size_t{2} * axis] - frame.origin[axis]) / size;
       fits = fits && std::abs(position - std::round(position)) < 1e-3 && position > -0.5 &&
              position < static_cast<double>(std::int64_t{1} << std::clamp(level, 0, 20)) - 0.5;
       cell[axis] = fits ? static_cast<std::uint32_t>(std::llround(position)) : 0;
@@ -230,6 +230,10 @@ public:
   HyperTreeFiller(const Octree& source, vtkHyperTreeGrid* target)
       : octree(source), levels(addArray<vtkUnsignedCharArray>(target->GetCellData(), "Level")),
         types(addArray<vtkUnsignedCharArray>(target->GetCellData(), "FeatureType"))
+  {
+  }
+
+  void fill(vtkHyperTreeGrid* target)
   {
     vtkNew<vtkHyperTreeGridNonOrientedCursor> cursor;
     target->InitializeNonOrientedCursor(cursor, 0, true);
@@ -318,7 +322,7 @@ void octreeToVtk(const Octree& octree, vtkUnstructuredGrid* out)
   // A voxel stands along the axes; turned octants are hexahedra.
   const bool turned = octree.frame().placement.angle() != 0.0;
   vtkNew<vtkCellArray> cells;
-  cells->AllocateExact(static_cast<vtkIdType>(leaves.size()), static_cast<vtkIdType>(8 * leaves.size()));
+  cells->AllocateExact(static_cast<vtkIdType>(leaves.size()), 8 * static_cast<vtkIdType>(leaves.size()));
   auto* levels = addArray<vtkUnsignedCharArray>(out->GetCellData(), "Level");
   auto* types = addArray<vtkUnsignedCharArray>(out->GetCellData(), "FeatureType");
   for (std::size_t i = 0; i < leaves.size(); ++i)
@@ -357,7 +361,7 @@ void octreeToVtk(const Octree& octree, vtkHyperTreeGrid* out)
     : axis == 1 ? out->SetYCoordinates(coordinates)
                 : out->SetZCoordinates(coordinates);
   }
-  HyperTreeFiller(octree, out);
+  HyperTreeFiller(octree, out).fill(out);
   addFrame(frame, out);
 }
 

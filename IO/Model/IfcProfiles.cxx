@@ -6,8 +6,10 @@
 #include "Support/Types.h"
 
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 namespace atria::model::ifc {
@@ -70,95 +72,159 @@ Outline sectionC(double x, double y, double thick, double girth)
           {-x, y, 0.0}};
 }
 
+/// Reads the lengths of a profile, all of which are to be positive.
+class Lengths
+{
+public:
+  explicit Lengths(const Instance& instance) : profile(instance) {}
+
+  double at(std::size_t i)
+  {
+    const auto value = step::numberIn(argument(profile, i));
+    areGood = areGood && value && *value > 0.0;
+    return value.value_or(0.0);
+  }
+  double half(std::size_t i) { return 0.5 * at(i); }
+  /// Of any sign.
+  std::optional<double> optional(std::size_t i) const { return step::numberIn(argument(profile, i)); }
+
+  void require(bool isGood) { areGood = areGood && isGood; }
+  bool good() const { return areGood; }
+
+private:
+  const Instance& profile;
+  bool areGood = true;
+};
+
+Lines asymmetricI(Lengths& of)
+{
+  const double top = of.optional(9) ? of.at(9) : of.at(6);
+  return {sectionI(of.half(3), of.half(8), of.at(4), of.half(5), of.at(6), top), {}};
+}
+
+Lines sectionL(Lengths& of)
+{
+  const double y = of.half(3);
+  const double x = of.optional(4) ? of.half(4) : y;
+  const double thick = of.at(5);
+  return {{{-x, -y, 0.0},
+           {x, -y, 0.0},
+           {x, thick - y, 0.0},
+           {thick - x, thick - y, 0.0},
+           {thick - x, y, 0.0},
+           {-x, y, 0.0}},
+          {}};
+}
+
+Lines sectionT(Lengths& of)
+{
+  const double y = of.half(3);
+  const double x = of.half(4);
+  const double web = of.half(5);
+  const double low = y - of.at(6);
+  return {{{-web, -y, 0.0},
+           {web, -y, 0.0},
+           {web, low, 0.0},
+           {x, low, 0.0},
+           {x, y, 0.0},
+           {-x, y, 0.0},
+           {-x, low, 0.0},
+           {-web, low, 0.0}},
+          {}};
+}
+
+Lines sectionU(Lengths& of)
+{
+  const double y = of.half(3);
+  const double x = of.half(4);
+  const double web = of.at(5) - x;
+  const double thick = of.at(6);
+  return {{{-x, -y, 0.0},
+           {x, -y, 0.0},
+           {x, thick - y, 0.0},
+           {web, thick - y, 0.0},
+           {web, y - thick, 0.0},
+           {x, y - thick, 0.0},
+           {x, y, 0.0},
+           {-x, y, 0.0}},
+          {}};
+}
+
+Lines sectionZ(Lengths& of)
+{
+  const double y = of.half(3);
+  const double web = of.half(5);
+  const double x = of.at(4) - web;
+  const double thick = of.at(6);
+  return {{{-web, -y, 0.0},
+           {x, -y, 0.0},
+           {x, thick - y, 0.0},
+           {web, thick - y, 0.0},
+           {web, y, 0.0},
+           {-x, y, 0.0},
+           {-x, y - thick, 0.0},
+           {-web, y - thick, 0.0}},
+          {}};
+}
+
+Lines trapezium(Lengths& of)
+{
+  const double x = of.half(3);
+  const double y = of.half(5);
+  const double left = of.optional(6).value_or(0.0) - x;
+  return {{{-x, -y, 0.0}, {x, -y, 0.0}, {left + of.at(4), y, 0.0}, {left, y, 0.0}}, {}};
+}
+
+Lines hollowCircle(Lengths& of)
+{
+  const double radius = of.at(3);
+  const double hole = radius - of.at(4);
+  of.require(hole > 0.0);
+  return {ellipse(radius, radius), ellipse(hole, hole)};
+}
+
+Lines hollowRectangle(Lengths& of)
+{
+  const double x = of.half(3);
+  const double y = of.half(4);
+  const double thick = of.at(5);
+  of.require(thick < std::min(x, y));
+  return {rectangle(x, y), rectangle(x - thick, y - thick)};
+}
+
 /// The lines of a profile before it is placed; nothing for other kinds.
 std::optional<Lines> linesOf(const Instance& profile)
 {
-  const std::string& type = profile.type;
-  bool isGood = true;
-  const auto length = [&](std::size_t i) {
-    const auto value = step::numberIn(argument(profile, i));
-    isGood = isGood && value && *value > 0.0;
-    return value.value_or(0.0);
-  };
-  const auto half = [&](std::size_t i) { return 0.5 * length(i); };
-  Lines out;
-  if (type == "IFCISHAPEPROFILEDEF")
+  using Make = Lines (*)(Lengths&);
+  static const std::map<std::string_view, Make> kinds{
+      {"IFCISHAPEPROFILEDEF",
+       [](Lengths& of) -> Lines {
+         return {sectionI(of.half(3), of.half(3), of.at(4), of.half(5), of.at(6), of.at(6)), {}};
+       }},
+      {"IFCASYMMETRICISHAPEPROFILEDEF", asymmetricI},
+      {"IFCLSHAPEPROFILEDEF", sectionL},
+      {"IFCTSHAPEPROFILEDEF", sectionT},
+      {"IFCUSHAPEPROFILEDEF", sectionU},
+      {"IFCCSHAPEPROFILEDEF",
+       [](Lengths& of) -> Lines {
+         return {sectionC(of.half(4), of.half(3), of.at(5), of.at(6)), {}};
+       }},
+      {"IFCZSHAPEPROFILEDEF", sectionZ},
+      {"IFCTRAPEZIUMPROFILEDEF", trapezium},
+      {"IFCELLIPSEPROFILEDEF",
+       [](Lengths& of) -> Lines {
+         return {ellipse(of.at(3), of.at(4)), {}};
+       }},
+      {"IFCCIRCLEHOLLOWPROFILEDEF", hollowCircle},
+      {"IFCRECTANGLEHOLLOWPROFILEDEF", hollowRectangle}};
+  const auto kind = kinds.find(profile.type);
+  if (kind == kinds.end())
   {
-    out.outer = sectionI(half(3), half(3), length(4), half(5), length(6), length(6));
+    return std::nullopt;
   }
-  else if (type == "IFCASYMMETRICISHAPEPROFILEDEF")
-  {
-    const double top = step::numberIn(argument(profile, 9)) ? length(9) : length(6);
-    out.outer = sectionI(half(3), half(8), length(4), half(5), length(6), top);
-  }
-  else if (type == "IFCLSHAPEPROFILEDEF")
-  {
-    const double y = half(3);
-    const double x = step::numberIn(argument(profile, 4)) ? half(4) : y;
-    const double thick = length(5);
-    out.outer = {{-x, -y, 0.0},       {x, -y, 0.0}, {x, thick - y, 0.0}, {thick - x, thick - y, 0.0},
-                 {thick - x, y, 0.0}, {-x, y, 0.0}};
-  }
-  else if (type == "IFCTSHAPEPROFILEDEF")
-  {
-    const double y = half(3);
-    const double x = half(4);
-    const double web = half(5);
-    const double low = y - length(6);
-    out.outer = {{-web, -y, 0.0}, {web, -y, 0.0}, {web, low, 0.0}, {x, low, 0.0},
-                 {x, y, 0.0},     {-x, y, 0.0},   {-x, low, 0.0},  {-web, low, 0.0}};
-  }
-  else if (type == "IFCUSHAPEPROFILEDEF")
-  {
-    const double y = half(3);
-    const double x = half(4);
-    const double web = length(5) - x;
-    const double thick = length(6);
-    out.outer = {{-x, -y, 0.0},         {x, -y, 0.0},        {x, thick - y, 0.0}, {web, thick - y, 0.0},
-                 {web, y - thick, 0.0}, {x, y - thick, 0.0}, {x, y, 0.0},         {-x, y, 0.0}};
-  }
-  else if (type == "IFCCSHAPEPROFILEDEF")
-  {
-    out.outer = sectionC(half(4), half(3), length(5), length(6));
-  }
-  else if (type == "IFCZSHAPEPROFILEDEF")
-  {
-    const double y = half(3);
-    const double web = half(5);
-    const double x = length(4) - web;
-    const double thick = length(6);
-    out.outer = {{-web, -y, 0.0}, {x, -y, 0.0}, {x, thick - y, 0.0},  {web, thick - y, 0.0},
-                 {web, y, 0.0},   {-x, y, 0.0}, {-x, y - thick, 0.0}, {-web, y - thick, 0.0}};
-  }
-  else if (type == "IFCTRAPEZIUMPROFILEDEF")
-  {
-    const double x = half(3);
-    const double y = half(5);
-    const double left = step::numberIn(argument(profile, 6)).value_or(0.0) - x;
-    out.outer = {{-x, -y, 0.0}, {x, -y, 0.0}, {left + length(4), y, 0.0}, {left, y, 0.0}};
-  }
-  else if (type == "IFCELLIPSEPROFILEDEF")
-  {
-    out.outer = ellipse(length(3), length(4));
-  }
-  else if (type == "IFCCIRCLEHOLLOWPROFILEDEF")
-  {
-    const double radius = length(3);
-    const double hole = radius - length(4);
-    out.outer = ellipse(radius, radius);
-    out.inner = ellipse(hole, hole);
-    isGood = isGood && hole > 0.0;
-  }
-  else if (type == "IFCRECTANGLEHOLLOWPROFILEDEF")
-  {
-    const double x = half(3);
-    const double y = half(4);
-    const double thick = length(5);
-    out.outer = rectangle(x, y);
-    out.inner = rectangle(x - thick, y - thick);
-    isGood = isGood && thick < std::min(x, y);
-  }
-  return isGood && !out.outer.empty() ? std::optional(out) : std::nullopt;
+  Lengths lengths(profile);
+  Lines lines = kind->second(lengths);
+  return lengths.good() ? std::optional(std::move(lines)) : std::nullopt;
 }
 
 /// A closed polyline in the file, by reference.

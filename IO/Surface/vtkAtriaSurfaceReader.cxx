@@ -33,7 +33,7 @@
 #include <filesystem>
 #include <iterator>
 #include <new>
-#include <ranges>
+#include <span>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -185,7 +185,8 @@ void vtkAtriaSurfaceReader::RemoveAllExcludedSurfaces()
 /// Keeps the messages of a run, and shows warnings: grave ones first, which put the whole model in doubt.
 void vtkAtriaSurfaceReader::Report(const atria::vrml::Diagnostics& diagnostics, const std::vector<std::string>& grave)
 {
-  this->NumberOfWarnings = static_cast<vtkIdType>(diagnostics.count() + grave.size());
+  const std::size_t count = diagnostics.count() + grave.size();
+  this->NumberOfWarnings = static_cast<vtkIdType>(count);
   std::vector<atria::Warning> warnings;
   for (const std::string& text : grave)
   {
@@ -205,7 +206,8 @@ void vtkAtriaSurfaceReader::Report(const atria::vrml::Diagnostics& diagnostics, 
   }
   std::string text;
   vtkIdType more = this->NumberOfWarnings;
-  for (const atria::Warning& warning : atria::counted(warnings) | std::views::take(shownWarnings))
+  const std::vector<atria::Warning> all = atria::counted(warnings);
+  for (const atria::Warning& warning : std::span(all).first(std::min<std::size_t>(shownWarnings, all.size())))
   {
     text += "\n  " + warning.text;
     more -= static_cast<vtkIdType>(warning.count);

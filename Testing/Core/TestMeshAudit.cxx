@@ -17,9 +17,11 @@ using atria::testing::addSheet;
 using atria::testing::addSphere;
 using atria::testing::addSurface;
 using atria::testing::turn;
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 constexpr double size = 0.5;
 /// Of areas and volumes.
@@ -69,7 +71,7 @@ TEST_P(TurnedAudit, FindsAllOfASolid)
   const SurfaceAudit& house = auditOf(mesh, "House");
   expectNear(house.drawnArea, 2 * 24 + 80, "drawn");
   expectNear(house.meshArea, 24 + 80, "in the mesh");
-  expectNear(house.inSolid, 24, "the base, which sees the inside alone");
+  expectNear(house.underGround, 24, "the base");
   expectNear(house.lost, 0, "lost");
   expectNear(mesh.audit.volumes.domain, 4000, "domain");
   expectNear(mesh.audit.volumes.displaced(), 96, "displaced");
@@ -109,6 +111,31 @@ TEST_P(TurnedAudit, TellsWhatNoAirReaches)
   EXPECT_THAT(mesh.auditWarnings, ElementsAre(HasSubstr("Core")));
 }
 
+/// A base with a name of its own, and a house of which a part is below the bottom.
+TEST_P(TurnedAudit, TellsOfBasesAndOfWhatIsBelowTheBottom)
+{
+  TriangleSurface model;
+  addBox(model, "House", {Vec3(-3, -2, 0), Vec3(3, 2, 4)});
+  addBox(model, "Deep", {Vec3(5, -2, -3), Vec3(8, 2, 4)});
+  const auto base = std::ranges::find_if(model.triangles, [&](const std::array<Index, 3>& t) {
+    return std::ranges::all_of(t, [&](Index p) { return model.points[p][2] == 0.0; });
+  });
+  const auto first = static_cast<std::size_t>(base - model.triangles.begin());
+  ASSERT_EQ(model.surfaceIds[first], model.surfaceIds[first + 1]);
+  model.surfaceIds[first] = model.surfaceIds[first + 1] = static_cast<Index>(model.names.size());
+  model.names.emplace_back("Base");
+  turn(model, GetParam());
+  const MeshedModel mesh = meshed(model, optionsIn(domain));
+  expectNear(auditOf(mesh, "Base").underGround, 24, "base");
+  expectNear(auditOf(mesh, "House").underGround, 0, "house");
+  const SurfaceAudit& deep = auditOf(mesh, "Deep");
+  expectNear(deep.drawnArea, 56 + 12, "drawn within");
+  expectNear(deep.outside, 42 + 12, "below the bottom");
+  expectNear(deep.meshArea, 56 + 12, "in the mesh");
+  EXPECT_THAT(mesh.auditWarnings,
+              ElementsAre(AllOf(HasSubstr("Base (24 m², on or under the ground)"), Not(HasSubstr("closes it in")))));
+}
+
 INSTANTIATE_TEST_SUITE_P(Angles, TurnedAudit, ::testing::Values(0.0, 17.0, 30.0, 45.0));
 
 TEST(MeshAudit, TellsWhatIsUnderTheGround)
@@ -121,7 +148,7 @@ TEST(MeshAudit, TellsWhatIsUnderTheGround)
   const MeshedModel mesh = meshed(model, options);
   const SurfaceAudit& house = auditOf(mesh, "House");
   expectNear(house.meshArea, 80 + 24, "in the mesh");
-  expectNear(house.underGround + house.inSolid + house.inRoom, 24 + 40, "under the ground, or in the house");
+  expectNear(house.underGround, 24 + 40, "base and walls");
   expectNear(auditOf(mesh, "Terrain").meshArea, 400 - 24, "terrain");
   const SurfaceAudit& terrain = auditOf(mesh, "Terrain");
   expectNear(terrain.inSolid + terrain.inRoom, 24, "terrain in the house");
@@ -143,7 +170,7 @@ TEST(MeshAudit, CountsBasesOnTheBottomAtAnyHeight)
     Box3 box = domain;
     box.min[2] = bottom;
     const MeshedModel mesh = meshed(model, optionsIn(box));
-    expectNear(auditOf(mesh, "House").inSolid, 24, "the base");
+    expectNear(auditOf(mesh, "House").underGround, 24, "the base");
     expectNear(auditOf(mesh, "House").lost, 0, "lost");
     EXPECT_THAT(mesh.auditWarnings, IsEmpty());
   }
@@ -177,7 +204,7 @@ TEST(MeshAudit, WarnsOfSurfacesOutsideOfTheDomain)
   addBox(model, "Shed", {Vec3(100, 0, 0), Vec3(104, 3, 2)});
   EXPECT_THAT(meshed(model, optionsIn(domain)).auditWarnings,
               ElementsAre(AllOf(HasSubstr("1 surface without a face in the mesh, outside of the domain"),
-                                HasSubstr("Shed (5.39 m across)"))));
+                                HasSubstr("Shed (52 m², 5.39 m across)"))));
 }
 
 TEST(MeshAudit, MeasuresHowFarAwayFacesAre)
@@ -302,7 +329,9 @@ TEST_P(TurnedAudit, CountsWallsThatASurfaceHasTwiceAsSuch)
   expectNear(houses.drawnArea, 112 + 80, "drawn");
   expectNear(houses.meshArea, 16 + 40 + 20 + 8 + 16 + 24 + 12, "in the mesh");
   expectNear(houses.shared, 12, "of the party wall, the one that was dropped");
-  expectNear(houses.inSolid, 12 + 32, "the other one, and bases");
+  expectNear(houses.inSolid, 12, "the other one");
+  expectNear(houses.underGround, 32, "bases");
+  EXPECT_EQ(mesh.audit.bodies.closed, 2u);
   expectNear(houses.lost, 0, "lost");
 }
 

@@ -39,7 +39,9 @@ public:
 
   void addBox(const Vec3& low, const Vec3& high, Front front = Front::outside)
   {
-    const auto at = [&](int i) { return Vec3((i & 1 ? high : low)[0], (i & 2 ? high : low)[1], (i & 4 ? high : low)[2]); };
+    const auto at = [&](int i) {
+      return Vec3((i & 1 ? high : low)[0], (i & 2 ? high : low)[1], (i & 4 ? high : low)[2]);
+    };
     for (const auto& [a, b, c, d] : std::vector<std::array<int, 4>>{
              {0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}})
     {

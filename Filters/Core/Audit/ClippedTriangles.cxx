@@ -76,19 +76,21 @@ ConvexRegion::Part ConvexRegion::within(const Vec3& a, const Vec3& b, const Vec3
 DrawnSurfaces measureDrawn(const TriangleSurface& surface, const PlacedPrism& domain, double tolerance)
 {
   const ConvexRegion region(domain, tolerance);
-  std::vector<double> areas(surface.names.size(), 0.0);
+  DrawnSurfaces drawn;
+  drawn.areas.resize(surface.names.size(), 0.0);
+  drawn.outside.resize(surface.names.size(), 0.0);
   std::vector<Box3> bounds(surface.names.size());
   for (std::size_t t = 0; t < surface.triangles.size(); ++t)
   {
     const auto at = [&](int i) { return domain.axes.fromModel(surface.points[surface.triangles[t][i]]); };
-    if (surface.surfaceIds[t] < areas.size())
+    if (const Index id = surface.surfaceIds[t]; id < drawn.areas.size())
     {
-      areas[surface.surfaceIds[t]] += region.within(at(0), at(1), at(2), 0.0).area;
-      std::ranges::for_each(surface.triangles[t],
-                            [&](Index p) { bounds[surface.surfaceIds[t]].extend(surface.points[p]); });
+      const double within = region.within(at(0), at(1), at(2), 0.0).area;
+      drawn.areas[id] += within;
+      drawn.outside[id] += std::max(0.0, 0.5 * (at(1) - at(0)).cross(at(2) - at(0)).norm() - within);
+      std::ranges::for_each(surface.triangles[t], [&](Index p) { bounds[id].extend(surface.points[p]); });
     }
   }
-  DrawnSurfaces drawn{std::move(areas), {}};
   std::ranges::transform(bounds, std::back_inserter(drawn.extents),
                          [](const Box3& box) { return box.empty() ? 0.0 : box.size().norm(); });
   return drawn;

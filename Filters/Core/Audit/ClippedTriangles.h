@@ -41,6 +41,8 @@ struct DrawnSurfaces
 {
   /// Within the domain, in square model units. Faces that are there twice count twice.
   std::vector<double> areas;
+  /// Beyond the domain's sides or below its bottom, in square model units.
+  std::vector<double> outside;
   /// The diagonals of the surfaces' bounds, in model units.
   std::vector<double> extents;
 };

@@ -37,10 +37,12 @@ struct ModelAreas
   ViewAreas hidden{};
 };
 
-/// What a part that sees no air counts as: in a room on one side and in a solid on the other it is in the room.
+/// What a part that sees no air counts as: in a room on one side and in a solid on the other it is in the room, and
+/// beside a solid under the ground it is under the ground.
 double& hiddenArea(ViewAreas& areas, const TriangleViews& views)
 {
-  return areas[static_cast<std::size_t>(std::max(views[0], views[1]))];
+  const auto [less, more] = std::minmax(views[0], views[1]);
+  return areas[static_cast<std::size_t>(more == View::solid && less == View::ground ? less : more)];
 }
 
 class Auditor
@@ -177,9 +179,10 @@ private:
     }
     else
     {
-      // Without air behind it, what lies on a side of the domain is the side of a solid.
-      const bool isOnSide = context.model.domainSides[triangle] != SurfaceModel::noSide;
-      hiddenArea(of.hidden, isOnSide ? TriangleViews{View::solid, View::solid} : views[triangle]) += area;
+      // Without air behind it, what lies on a side of the domain is the side of a solid, or its base.
+      const int side = context.model.domainSides[triangle];
+      const View beside = side == zMin ? View::ground : View::solid;
+      hiddenArea(of.hidden, side == SurfaceModel::noSide ? views[triangle] : TriangleViews{beside, beside}) += area;
     }
   }
 
@@ -270,6 +273,7 @@ void finishAudit(const DrawnSurfaces& drawn, const SurfaceRepairReport& repair, 
     // Openings that were found by rule are not drawn.
     const bool isDrawn = i < drawn.areas.size();
     surface.drawnArea = isDrawn ? drawn.areas[i] : surface.meshArea;
+    surface.outside = isDrawn ? drawn.outside[i] : 0.0;
     surface.extent = isDrawn ? drawn.extents[i] : 0.0;
     surface.lost = std::max(0.0, surface.drawnArea - surface.meshArea - surface.underGround - surface.inSolid -
                                      surface.inRoom - surface.shared - surface.leftOut);

@@ -14,6 +14,8 @@ struct SurfaceAudit
 {
   /// As drawn, within the domain.
   double drawnArea = 0.0;
+  /// As drawn, beyond the domain's sides or below its bottom.
+  double outside = 0.0;
   /// Of the model that is meshed: with terrain that was extended, without what another surface has.
   double placedArea = 0.0;
   /// Of the surface's faces; what has elements on both of its sides counts once.

@@ -56,6 +56,8 @@ std::string listOf(std::vector<Finding> findings, const std::vector<std::string>
   return textOf(count, count == 1 ? " surface " : " surfaces ", what, ": ") + namesOf(std::move(findings), names);
 }
 
+constexpr const char* underGround = "on or under the ground";
+
 /// Where most of what is missing of a surface went.
 std::string reasonOf(const SurfaceAudit& surface)
 {
@@ -67,7 +69,7 @@ std::string reasonOf(const SurfaceAudit& surface)
   const std::array reasons{
       Reason{surface.lost, "finer than the mesh"},       Reason{surface.leftOut, "small parts left out"},
       Reason{surface.shared, "another face lies there"}, Reason{surface.inSolid, "inside a solid"},
-      Reason{surface.underGround, "under the ground"},   Reason{surface.inRoom, "in a closed room that is not meshed"}};
+      Reason{surface.underGround, underGround},          Reason{surface.inRoom, "in a closed room that is not meshed"}};
   return std::ranges::max_element(reasons, {}, &Reason::area)->text;
 }
 
@@ -88,16 +90,25 @@ template <typename Judge> std::vector<Finding> findingsOf(const MeshAudit& audit
   return found;
 }
 
-/// What would be in the mesh if elements were finer, or what no air that is meshed reaches.
-std::vector<Finding> withoutFaces(const MeshAudit& audit, bool isFiner)
+/// Why a surface has no face.
+enum class Without : std::uint8_t
 {
-  return findingsOf(audit, [isFiner](const SurfaceAudit& surface) -> Said {
-    const bool isMissing = surface.lost + surface.leftOut > (1.0 - leastCoverage) * surface.drawnArea;
-    if (surface.meshArea == 0.0 && surface.drawnArea > 0.0 && isMissing == isFiner)
+  elements, ///< that are fine enough
+  air,      ///< that is meshed
+  sky       ///< as it is a base on the ground, or under the ground
+};
+
+std::vector<Finding> withoutFaces(const MeshAudit& audit, Without what)
+{
+  return findingsOf(audit, [what](const SurfaceAudit& surface) -> Said {
+    if (surface.meshArea != 0.0 || surface.drawnArea == 0.0)
     {
-      return std::pair(surface.drawnArea, textOf(surface.drawnArea, " m², ", reasonOf(surface)));
+      return std::nullopt;
     }
-    return std::nullopt;
+    const bool isMissing = surface.lost + surface.leftOut > (1.0 - leastCoverage) * surface.drawnArea;
+    const std::string reason = reasonOf(surface);
+    const Without why = isMissing ? Without::elements : reason == underGround ? Without::sky : Without::air;
+    return why == what ? Said({surface.drawnArea, textOf(surface.drawnArea, " m², ", reason)}) : std::nullopt;
   });
 }
 
@@ -106,7 +117,7 @@ Said outsideOfDomain(const SurfaceAudit& surface)
 {
   if (surface.extent > 0.0 && surface.drawnArea == 0.0 && surface.meshArea == 0.0)
   {
-    return std::pair(surface.extent, textOf(surface.extent, " m across"));
+    return std::pair(surface.extent, textOf(surface.outside, " m², ", surface.extent, " m across"));
   }
   return std::nullopt;
 }
@@ -190,8 +201,11 @@ std::vector<std::string> warningsOf(const MeshAudit& audit, const std::vector<st
   };
   const std::string sizes = textOf("lower SizeMin (--size-min), which is ", frame.sizeOf(frame.featureLevel),
                                    ", or give these surfaces a size of their own (--size)");
-  add(withoutFaces(audit, true), "without a face in the mesh", "if boundary conditions are to stand on them, " + sizes);
-  add(withoutFaces(audit, false), "without a face in the mesh",
+  add(withoutFaces(audit, Without::elements), "without a face in the mesh",
+      "if boundary conditions are to stand on them, " + sizes);
+  add(withoutFaces(audit, Without::sky), "without a face in the mesh",
+      "no air is meshed there; leave these surfaces out if nothing else is meant (ExcludedSurfaces, --without)");
+  add(withoutFaces(audit, Without::air), "without a face in the mesh",
       "finer elements do not change that; where there should be air, look for what closes it in, or give a seed there "
       "(Seeds, --seed)");
   add(findingsOf(audit, outsideOfDomain), "without a face in the mesh, outside of the domain or below its bottom",

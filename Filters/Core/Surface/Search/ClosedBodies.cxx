@@ -143,7 +143,7 @@ void ClosedBodies::weld(const TriangleSurface& surface, const std::function<bool
     std::ranges::transform(triangle, triangle.begin(), [&](Index p) { return first[p]; });
     if (!hasRepeatedPoint(triangle) && wants(t))
     {
-      std::ranges::rotate(triangle, std::ranges::min_element(triangle));
+      std::rotate(triangle.begin(), std::ranges::min_element(triangle), triangle.end());
       all.push_back({triangle, surface.surfaceIds[t], t});
     }
   }

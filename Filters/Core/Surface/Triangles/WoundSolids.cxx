@@ -20,7 +20,8 @@ struct EdgeUse
   Index low;
   Index high;
   Index triangle;
-  /// Counterclockwise about the edge, seen from its higher point: whether one comes to the triangle's back or its front.
+  /// Counterclockwise about the edge, seen from its higher point: whether one comes to the triangle's back or its
+  /// front.
   bool showsBack;
   double angle = 0.0; ///< of the triangle about the edge
 };

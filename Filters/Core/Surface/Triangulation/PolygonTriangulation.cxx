@@ -139,6 +139,7 @@ std::vector<std::array<Index, 2>> oddEdges(const std::vector<Vec2>& flat)
 {
   std::map<std::pair<double, double>, Index> places;
   std::vector<Index> placeOf;
+  placeOf.reserve(flat.size());
   for (const Vec2& p : flat)
   {
     placeOf.push_back(places.try_emplace({p[0], p[1]}, static_cast<Index>(placeOf.size())).first->second);
