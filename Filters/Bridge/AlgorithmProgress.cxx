@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "AlgorithmProgress.h"
 
+#include "VtkVersions.h"
+
 #include <vtkAlgorithm.h>
 #include <vtkDataObject.h>
 #include <vtkDemandDrivenPipeline.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
-#include <vtkVersion.h>
 
 #include <algorithm>
 #include <exception>
@@ -40,11 +41,7 @@ void AlgorithmProgress::tell() const
   told = std::chrono::steady_clock::now();
   algorithm.SetProgressText(phase_.c_str());
   algorithm.UpdateProgress(last);
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 20220823)
-  stop = algorithm.CheckAbort() || algorithm.GetAbortExecute();
-#else
-  stop = algorithm.GetAbortExecute() != 0;
-#endif
+  stop = isAskedToStop(algorithm);
 }
 
 bool AlgorithmProgress::aborted() const

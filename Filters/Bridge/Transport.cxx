@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Transport.h"
 
+#include "VtkVersions.h"
+
 #include <vtkAbstractArray.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCompositeDataSet.h>
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
-#include <vtkIdTypeArray.h>
 #include <vtkInformation.h>
 #include <vtkMultiProcessController.h>
 #include <vtkMultiProcessStream.h>
@@ -15,10 +16,11 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkStringArray.h>
-#include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -44,6 +46,18 @@ Kind kindOf(vtkDataObject* data)
          : vtkPolyData::SafeDownCast(data)                     ? surface
          : vtkPartitionedDataSetCollection::SafeDownCast(data) ? collection
                                                                : other;
+}
+
+/// The array, or a copy whose values stand in memory one by one.
+vtkSmartPointer<vtkAbstractArray> plainArray(vtkAbstractArray* array)
+{
+  if (!array || !vtkDataArray::SafeDownCast(array) || array->HasStandardMemoryLayout())
+  {
+    return array;
+  }
+  auto copy = vtkSmartPointer<vtkAbstractArray>::Take(vtkAbstractArray::CreateArray(array->GetDataType()));
+  copy->DeepCopy(array);
+  return copy;
 }
 
 /// The values of an array as they stand in memory.
@@ -124,8 +138,9 @@ vtkSmartPointer<vtkAbstractArray> arrayAsDescribed(vtkMultiProcessStream& in)
 
 using Arrays = std::vector<vtkSmartPointer<vtkAbstractArray>>;
 
-void sendArrays(vtkMultiProcessStream head, const Arrays& arrays, int rank, vtkMultiProcessController& controller)
+void sendArrays(vtkMultiProcessStream head, Arrays arrays, int rank, vtkMultiProcessController& controller)
 {
+  std::ranges::transform(arrays, arrays.begin(), [](vtkAbstractArray* array) { return plainArray(array); });
   head << static_cast<int>(arrays.size());
   for (vtkAbstractArray* array : arrays)
   {
@@ -240,9 +255,8 @@ Arrays structureOf(vtkPointSet* data)
   if (auto* cells = vtkUnstructuredGrid::SafeDownCast(data))
   {
     addCells(cells->GetCells());
-    arrays.emplace_back(cells->GetNumberOfCells() > 0 ? cells->GetCellTypesArray() : nullptr);
-    arrays.emplace_back(cells->GetFaceLocations());
-    arrays.emplace_back(cells->GetFaces());
+    arrays.emplace_back(cellTypesOf(cells));
+    std::ranges::copy(faceArraysOf(cells), std::back_inserter(arrays));
   }
   else
   {
@@ -283,12 +297,13 @@ void takeStructure(const Arrays& arrays, std::size_t& next, vtkPointSet* data)
     return;
   }
   const auto cells = cellsFrom(arrays, next);
-  auto* types = vtkUnsignedCharArray::SafeDownCast(arrays[next++]);
-  auto* locations = vtkIdTypeArray::SafeDownCast(arrays[next++]);
-  auto* faces = vtkIdTypeArray::SafeDownCast(arrays[next++]);
+  auto* types = vtkDataArray::SafeDownCast(arrays[next++]);
+  std::vector<vtkDataArray*> faces;
+  std::generate_n(std::back_inserter(faces), faceArrayCount,
+                  [&] { return vtkDataArray::SafeDownCast(arrays[next++]); });
   if (cells)
   {
-    vtkUnstructuredGrid::SafeDownCast(data)->SetCells(types, cells, locations, faces);
+    setCells(vtkUnstructuredGrid::SafeDownCast(data), types, cells, faces);
   }
 }
 

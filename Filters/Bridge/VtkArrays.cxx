@@ -3,6 +3,7 @@
 
 #include "Support/Error.h"
 #include "Support/Memory.h"
+#include "VtkVersions.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -186,6 +187,19 @@ IdView VtkCells::viewOrCopy(vtkDataArray* array)
   return copies.emplace_back(integers(array));
 }
 
+std::span<const unsigned char> VtkCells::viewOrCopyTypes(vtkDataArray* array)
+{
+  if (auto* types = vtkUnsignedCharArray::FastDownCast(array))
+  {
+    return {types->GetPointer(0), static_cast<std::size_t>(types->GetNumberOfValues())};
+  }
+  for (vtkIdType i = 0; i < array->GetNumberOfValues(); ++i)
+  {
+    typeCopy.push_back(static_cast<unsigned char>(array->GetComponent(i, 0)));
+  }
+  return typeCopy;
+}
+
 VtkCells::VtkCells(vtkUnstructuredGrid* grid)
 {
   static const std::int64_t none[] = {0};
@@ -194,12 +208,13 @@ VtkCells::VtkCells(vtkUnstructuredGrid* grid)
   {
     return;
   }
-  vtkUnsignedCharArray* cellTypes = grid->GetCellTypesArray();
-  arrays.types = {cellTypes->GetPointer(0), static_cast<std::size_t>(cellTypes->GetNumberOfValues())};
+  arrays.types = viewOrCopyTypes(cellTypesOf(grid));
   arrays.offsets = viewOrCopy(grid->GetCells()->GetOffsetsArray());
   arrays.connectivity = viewOrCopy(grid->GetCells()->GetConnectivityArray());
-  arrays.faceStream = viewOrCopy(grid->GetFaces());
-  arrays.faceLocations = viewOrCopy(grid->GetFaceLocations());
+  std::vector<IdView> faces;
+  std::ranges::transform(faceArraysOf(grid), std::back_inserter(faces),
+                         [&](vtkDataArray* array) { return viewOrCopy(array); });
+  arrays.faces = facesIn(faces);
 }
 
 std::span<const std::int64_t> VtkPatches::face(std::size_t f) const

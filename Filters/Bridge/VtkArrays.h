@@ -55,8 +55,10 @@ public:
 
 private:
   IdView viewOrCopy(vtkDataArray* array);
+  std::span<const unsigned char> viewOrCopyTypes(vtkDataArray* array);
 
   CellArrays arrays;
+  std::vector<unsigned char> typeCopy;
   std::vector<Buffer<std::int64_t>> copies;
 };
 

@@ -4,12 +4,12 @@
 #include "AddArray.h"
 #include "Support/Pieces.h"
 #include "VtkArrays.h"
+#include "VtkVersions.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCellType.h>
 #include <vtkFieldData.h>
-#include <vtkIdTypeArray.h>
 #include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
@@ -126,9 +126,9 @@ VtkElement translate(const std::array<Index, 8>& corners)
 struct CellSizes
 {
   vtkIdType points = 0;
-  vtkIdType stream = 0;
+  FaceSizes faces;
 
-  CellSizes operator+(const CellSizes& other) const { return {points + other.points, stream + other.stream}; }
+  CellSizes operator+(const CellSizes& other) const { return {points + other.points, faces + other.faces}; }
 };
 
 bool isHexahedron(const std::array<Index, 8>& corners)
@@ -146,29 +146,34 @@ bool isHexahedron(const std::array<Index, 8>& corners)
   return true;
 }
 
-/// A polyhedron's entries in VTK's face stream; without `stream` they are counted only.
-vtkIdType writeFaces(const VtkElement& element, vtkIdType* stream)
+/// What a cell needs for its faces.
+FaceSizes sizesOf(const VtkElement& element)
 {
-  vtkIdType used = 1;
-  vtkIdType count = 0;
+  FaceSizes sizes;
+  if (element.type == VTK_POLYHEDRON)
+  {
+    sizes.cells = 1;
+    for (const ReducedFace& face : element.faces)
+    {
+      sizes.faces += face.count >= 3 ? 1 : 0;
+      sizes.points += face.count >= 3 ? face.count : 0;
+    }
+  }
+  return sizes;
+}
+
+/// `used` counts those before, and then this one too.
+void writeFaces(const VtkElement& element, vtkIdType cell, FaceSizes& used, FaceLists& lists)
+{
+  lists.begin(cell, used, sizesOf(element).faces);
+  ++used.cells;
   for (const ReducedFace& face : element.faces)
   {
     if (face.count >= 3)
     {
-      ++count;
-      if (stream)
-      {
-        stream[used] = face.count;
-        std::copy_n(face.points.begin(), face.count, stream + used + 1);
-      }
-      used += 1 + face.count;
+      lists.addFace(used, std::span<const Index>(face.points.data(), static_cast<std::size_t>(face.count)));
     }
   }
-  if (stream)
-  {
-    stream[0] = count;
-  }
-  return used;
 }
 
 /// Types of a piece's cells; returns what they need.
@@ -186,7 +191,7 @@ CellSizes countCells(const DualMesh& mesh, std::size_t begin, std::size_t end, u
     const VtkElement element = translate(mesh.corners[e]);
     types[e] = element.type;
     sizes.points += element.pointCount;
-    sizes.stream += element.type == VTK_POLYHEDRON ? writeFaces(element, nullptr) : 0;
+    sizes.faces = sizes.faces + sizesOf(element);
   }
   return sizes;
 }
@@ -196,8 +201,7 @@ template <typename Value> struct CellTarget
 {
   Value* offsets;
   Value* connectivity;
-  vtkIdType* locations; ///< null without polyhedra
-  vtkIdType* stream;
+  FaceLists& faces;
 
   void fill(const DualMesh& mesh, std::size_t begin, std::size_t end, const unsigned char* types, CellSizes used) const
   {
@@ -209,11 +213,13 @@ template <typename Value> struct CellTarget
       const std::array<Index, 8>& points = whole ? mesh.corners[e] : element.points;
       std::copy_n(points.begin(), whole ? 8 : element.pointCount, connectivity + used.points);
       used.points += whole ? 8 : element.pointCount;
-      if (locations)
+      if (types[e] == VTK_POLYHEDRON)
       {
-        const bool polyhedron = types[e] == VTK_POLYHEDRON;
-        locations[e] = polyhedron ? used.stream : -1;
-        used.stream += polyhedron ? writeFaces(element, stream + used.stream) : 0;
+        writeFaces(element, static_cast<vtkIdType>(e), used.faces, faces);
+      }
+      else
+      {
+        faces.skip(static_cast<vtkIdType>(e), used.faces);
       }
     }
   }
@@ -250,19 +256,15 @@ template <typename Array> void fillCells(const DualMesh& mesh, vtkUnstructuredGr
   const CellSizes all = scan(sizes);
   const auto offsets = arrayOf<Array>(count + 1);
   const auto connectivity = arrayOf<Array>(all.points);
-  const auto stream = arrayOf<vtkIdTypeArray>(all.stream);
-  const auto locations = arrayOf<vtkIdTypeArray>(all.stream > 0 ? count : 0);
-  const CellTarget<typename Array::ValueType> target{offsets->GetPointer(0), connectivity->GetPointer(0),
-                                                     all.stream > 0 ? locations->GetPointer(0) : nullptr,
-                                                     stream->GetPointer(0)};
+  FaceLists faces(count, all.faces);
+  const CellTarget<typename Array::ValueType> target{offsets->GetPointer(0), connectivity->GetPointer(0), faces};
   executor.forEach(pieces.count, 1, [&](std::size_t piece) {
     target.fill(mesh, pieces.begin(piece), pieces.end(piece), types->GetPointer(0), sizes[piece]);
   });
   offsets->SetValue(count, static_cast<typename Array::ValueType>(all.points));
   vtkNew<vtkCellArray> cells;
   cells->SetData(offsets, connectivity);
-  const bool polyhedral = all.stream > 0;
-  out->SetCells(types, cells, polyhedral ? locations.Get() : nullptr, polyhedral ? stream.Get() : nullptr);
+  setCells(out, types, cells, faces.arrays());
 }
 
 } // namespace

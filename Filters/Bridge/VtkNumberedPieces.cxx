@@ -242,8 +242,8 @@ NumberedWhole joinNumberedGrids(const std::vector<vtkUnstructuredGrid*>& pieces)
     builder.add(pieces[cell.piece], cell.at, points.newPoint[cell.piece]);
     out.pieceOf.push_back(cell.piece);
   }
-  const auto isNarrow = [](vtkUnstructuredGrid* piece) { return !piece->GetCells()->IsStorage64Bit(); };
-  builder.finish(out.grid, std::ranges::all_of(pieces, isNarrow));
+  builder.finish(out.grid,
+                 std::ranges::all_of(pieces, [](vtkUnstructuredGrid* piece) { return isNarrow(piece->GetCells()); }));
   joinCellData(pieces, order, out.grid->GetCellData());
   out.grid->GetFieldData()->PassData(pieces.front()->GetFieldData());
   return out;
@@ -264,8 +264,8 @@ vtkSmartPointer<vtkPolyData> joinNumberedSurfaces(const std::vector<vtkPolyData*
                    [&](vtkIdType p) { return points.newPoint[cell.piece][static_cast<std::size_t>(p)]; });
     offsets.push_back(static_cast<vtkIdType>(connectivity.size()));
   }
-  const auto isNarrow = [](vtkPolyData* piece) { return !piece->GetPolys()->IsStorage64Bit(); };
-  whole->SetPolys(cellArray(offsets, connectivity, std::ranges::all_of(pieces, isNarrow)));
+  const bool areNarrow = std::ranges::all_of(pieces, [](vtkPolyData* piece) { return isNarrow(piece->GetPolys()); });
+  whole->SetPolys(cellArray(offsets, connectivity, areNarrow));
   joinCellData(pieces, order, whole->GetCellData());
   whole->GetFieldData()->PassData(pieces.front()->GetFieldData());
   return whole;

@@ -102,7 +102,7 @@ vtkSmartPointer<vtkCellArray> polygonsOf(vtkPolyData* patch, const VtkIds& faces
                    [&](vtkIdType p) { return newPoint[static_cast<std::size_t>(p)]; });
     offsets.push_back(static_cast<vtkIdType>(connectivity.size()));
   }
-  return cellArray(offsets, connectivity, !patch->GetPolys()->IsStorage64Bit());
+  return cellArray(offsets, connectivity, isNarrow(patch->GetPolys()));
 }
 
 VtkIds shifted(VtkIds ids, vtkIdType by)
@@ -249,7 +249,7 @@ vtkSmartPointer<vtkUnstructuredGrid> MeshShares::mesh(std::size_t rank)
   const VtkIds itsCells(taken.begin(), taken.end());
   GridBuilder builder;
   std::ranges::for_each(itsCells, [&](vtkIdType cell) { builder.add(whole, cell, newPoint); });
-  builder.finish(piece, !whole->GetCells() || !whole->GetCells()->IsStorage64Bit());
+  builder.finish(piece, !whole->GetCells() || isNarrow(whole->GetCells()));
   takeTuples(whole->GetPointData(), points, piece->GetPointData());
   takeTuples(whole->GetCellData(), itsCells, piece->GetCellData());
   addGlobalIds(piece->GetPointData(), "GlobalPointIds", points);

@@ -5,6 +5,7 @@
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkCellType.h>
+#include <vtkDataArray.h>
 #include <vtkDataSetAttributes.h>
 #include <vtkIdList.h>
 #include <vtkIdTypeArray.h>
@@ -99,26 +100,26 @@ void GridBuilder::add(vtkUnstructuredGrid* from, vtkIdType cell, std::span<const
   std::for_each(points, points + count,
                 [&](vtkIdType p) { connectivity.push_back(newPoint[static_cast<std::size_t>(p)]); });
   offsets.push_back(static_cast<vtkIdType>(connectivity.size()));
-  locations.push_back(-1);
   if (type != VTK_POLYHEDRON)
   {
     return;
   }
-  hasPolyhedra = true;
-  locations.back() = static_cast<vtkIdType>(stream.size());
-  const vtkIdType* face = nullptr;
-  vtkIdType faces = 0;
-  from->GetFaceStream(cell, faces, face);
-  stream.push_back(faces);
-  for (vtkIdType f = 0; f < faces; ++f)
+  // The number of faces, and for each its number of points and they.
+  from->GetFaceStream(cell, faceStream);
+  const vtkIdType* next = faceStream->GetPointer(0);
+  faceCounts.push_back(*next++);
+  for (vtkIdType f = 0; f < faceCounts.back(); ++f)
   {
-    const vtkIdType corners = *face++;
-    stream.push_back(corners);
-    for (vtkIdType i = 0; i < corners; ++i)
-    {
-      stream.push_back(newPoint[static_cast<std::size_t>(*face++)]);
-    }
+    faceSizes.push_back(*next++);
+    const auto take = [&](vtkIdType p) { return newPoint[static_cast<std::size_t>(p)]; };
+    std::transform(next, next + faceSizes.back(), std::back_inserter(facePoints), take);
+    next += faceSizes.back();
   }
+}
+
+bool isNarrow(vtkCellArray* cells)
+{
+  return cells->GetConnectivityArray()->GetDataTypeSize() == static_cast<int>(sizeof(std::int32_t));
 }
 
 vtkSmartPointer<vtkCellArray> cellArray(const VtkIds& offsets, const VtkIds& connectivity, bool narrow)
@@ -143,9 +144,31 @@ void GridBuilder::finish(vtkUnstructuredGrid* out, bool narrow)
   const auto cells = cellArray(offsets, connectivity, narrow);
   VtkIds().swap(connectivity);
   VtkIds().swap(offsets);
-  const auto faceLocations = hasPolyhedra ? idArray(nullptr, locations) : nullptr;
-  const auto faces = hasPolyhedra ? idArray(nullptr, stream) : nullptr;
-  out->SetCells(cellTypes, cells, faceLocations, faces);
+  setCells(out, cellTypes, cells, makeFaces().arrays());
+}
+
+FaceLists GridBuilder::makeFaces() const
+{
+  const auto count = [](const auto& list) { return static_cast<vtkIdType>(list.size()); };
+  FaceLists lists(count(types), {count(faceCounts), count(faceSizes), count(facePoints)});
+  FaceSizes used;
+  for (std::size_t cell = 0; cell < types.size(); ++cell)
+  {
+    if (types[cell] != VTK_POLYHEDRON)
+    {
+      lists.skip(static_cast<vtkIdType>(cell), used);
+      continue;
+    }
+    const vtkIdType faces = faceCounts[static_cast<std::size_t>(used.cells)];
+    lists.begin(static_cast<vtkIdType>(cell), used, faces);
+    ++used.cells;
+    for (vtkIdType f = 0; f < faces; ++f)
+    {
+      const auto size = static_cast<std::size_t>(faceSizes[static_cast<std::size_t>(used.faces)]);
+      lists.addFace(used, std::span(facePoints).subspan(static_cast<std::size_t>(used.points), size));
+    }
+  }
+  return lists;
 }
 
 vtkSmartPointer<vtkUnstructuredGrid> withoutGhostCells(vtkUnstructuredGrid* grid)
@@ -180,7 +203,7 @@ vtkSmartPointer<vtkUnstructuredGrid> withoutGhostCells(vtkUnstructuredGrid* grid
   rest->SetPoints(takePoints(grid->GetPoints(), points));
   GridBuilder builder;
   std::ranges::for_each(cells, [&](vtkIdType cell) { builder.add(grid, cell, newPoint); });
-  builder.finish(rest, !grid->GetCells()->IsStorage64Bit());
+  builder.finish(rest, isNarrow(grid->GetCells()));
   takeTuples(grid->GetPointData(), points, rest->GetPointData());
   takeTuples(grid->GetCellData(), cells, rest->GetCellData());
   rest->GetPointData()->RemoveArray(vtkDataSetAttributes::GhostArrayName());

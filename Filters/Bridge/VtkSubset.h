@@ -2,6 +2,10 @@
 /// Parts of VTK's data objects, cell by cell and point by point, and such parts put together again.
 #pragma once
 
+#include "VtkVersions.h"
+
+#include <vtkIdList.h>
+#include <vtkNew.h>
 #include <vtkSmartPointer.h>
 #include <vtkType.h>
 
@@ -40,17 +44,24 @@ public:
   void finish(vtkUnstructuredGrid* out, bool narrow);
 
 private:
+  FaceLists makeFaces() const;
+
+  vtkNew<vtkIdList> faceStream;
   std::vector<unsigned char> types;
   VtkIds offsets{0};
   VtkIds connectivity;
-  VtkIds stream;
-  VtkIds locations;
-  bool hasPolyhedra = false;
+  /// Of polyhedra, one after the other: per cell how many, per face how many points, and these.
+  VtkIds faceCounts;
+  VtkIds faceSizes;
+  VtkIds facePoints;
 };
 
 /// A grid without its ghost and hidden cells, and without points that these alone have; itself if it has none.
 /// VTK 9.1's RemoveGhostCells takes the points of polyhedra for their faces.
 vtkSmartPointer<vtkUnstructuredGrid> withoutGhostCells(vtkUnstructuredGrid* grid);
+
+/// Whether cells have ids of 32 bits.
+bool isNarrow(vtkCellArray* cells);
 
 /// Cells of the points given, with 32-bit numbers if `narrow` and they suffice.
 vtkSmartPointer<vtkCellArray> cellArray(const VtkIds& offsets, const VtkIds& connectivity, bool narrow);

@@ -14,7 +14,7 @@ import warnings
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, Union
 
-from vtkmodules.vtkCommonCore import VTK_STRING
+from vtkmodules.vtkCommonCore import VTK_STRING, vtkUnsignedCharArray
 from vtkmodules.vtkCommonDataModel import (
     VTK_HEXAHEDRON, VTK_POLYHEDRON, VTK_PYRAMID, VTK_TETRA, VTK_WEDGE, vtkCompositeDataSet, vtkDataObject, vtkPolyData,
     vtkUnstructuredGrid,
@@ -271,9 +271,19 @@ def _counts_of(mesh):
             **{shape: types.get(cell_type, 0) for shape, cell_type in _SHAPES.items()}}
 
 
+def _types_of(mesh):
+    """The type of each cell."""
+    try:
+        types = vtkUnsignedCharArray()
+        types.DeepCopy(mesh.GetCellTypes())  # VTK 9.6 on; they need not stand in memory one by one
+    except TypeError:
+        types = mesh.GetCellTypesArray()
+    return bytes(memoryview(types))
+
+
 def _cells_by_type(mesh):
     """Cells by type."""
-    data = bytes(memoryview(mesh.GetCellTypesArray())) if mesh.GetNumberOfCells() else b""
+    data = _types_of(mesh) if mesh.GetNumberOfCells() else b""
     return {cell_type: data.count(cell_type) for cell_type in _SHAPES.values()}
 
 

@@ -107,7 +107,7 @@ vtkTypeBool vtkAtriaMeshWriter::ProcessRequest(vtkInformation* request, vtkInfor
   return result;
 }
 
-void vtkAtriaMeshWriter::WriteData()
+void vtkAtriaMeshWriter::WriteAll()
 {
   auto* volume = vtkUnstructuredGrid::SafeDownCast(this->GetInputDataObject(0, 0));
   if (this->GetTarget().empty())

@@ -22,6 +22,7 @@
 #define vtkAtriaMeshWriter_h
 
 #include "AtriaIOCFDModule.h" // For export macro
+#include "VtkVersions.h"      // For the hook of writers
 #include "vtkWriter.h"
 
 #include <cstdint>    // For numbers of ranks
@@ -84,7 +85,12 @@ protected:
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   vtkTypeBool ProcessRequest(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
-  void WriteData() override;
+  ATRIA_WRITE_BY(WriteAll)
+
+  /**
+   * Writes the target; sets the error code where that fails.
+   */
+  virtual void WriteAll();
 
   /**
    * Those of input port 1, or null.

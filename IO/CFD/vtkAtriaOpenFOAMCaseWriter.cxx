@@ -184,7 +184,7 @@ void vtkAtriaOpenFOAMCaseWriter::WriteFlow(const char* source)
     }
     else
     {
-      this->Superclass::WriteData();
+      this->Superclass::WriteAll();
     }
     if (this->GetErrorCode() == vtkErrorCode::NoError)
     {
@@ -210,7 +210,7 @@ void vtkAtriaOpenFOAMCaseWriter::WriteFlow(const char* source)
   }
 }
 
-void vtkAtriaOpenFOAMCaseWriter::WriteData() { this->WriteFlow(nullptr); }
+void vtkAtriaOpenFOAMCaseWriter::WriteAll() { this->WriteFlow(nullptr); }
 
 int vtkAtriaOpenFOAMCaseWriter::WriteForMesh(const char* source)
 {

@@ -245,7 +245,7 @@ protected:
   vtkAtriaOpenFOAMCaseWriter();
   ~vtkAtriaOpenFOAMCaseWriter() override;
 
-  void WriteData() override;
+  void WriteAll() override;
   /// Those of the case as a whole, once its patches have their types.
   void WriteProcessors(const std::vector<std::uint32_t>&, const atria::RunContext&) override {}
 

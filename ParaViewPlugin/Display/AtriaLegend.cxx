@@ -200,13 +200,14 @@ bool colorCategories(vtkSMProxy* representation)
   const CategoryHints hints = categoryHintsOf(representation);
   int port = 0;
   vtkSMSourceProxy* source = sourceOf(representation, port);
-  if (!source || !hasArray(source, port, hints.array))
+  auto* shown = vtkSMPVRepresentationProxy::SafeDownCast(representation);
+  if (!source || !shown || !hasArray(source, port, hints.array))
   {
     return false;
   }
-  if (!vtkSMPVRepresentationProxy::GetUsingScalarColoring(representation))
+  if (!shown->GetUsingScalarColoring())
   {
-    vtkSMPVRepresentationProxy::SetScalarColoring(representation, hints.array, vtkDataObject::CELL);
+    shown->SetScalarColoring(hints.array, vtkDataObject::CELL);
   }
   return true;
 }

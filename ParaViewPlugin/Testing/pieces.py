@@ -77,7 +77,7 @@ def of_mesh(mesh):
         return {}
     number = ids_of(mesh.GetPointData(), points)
     own_points, own_cells = owned(mesh.GetPointData(), points), owned(mesh.GetCellData(), cells)
-    types = vtk_to_numpy(mesh.GetCellTypesArray()).astype(numpy.uint64)
+    types = numpy.fromiter(map(mesh.GetCellType, range(cells)), numpy.uint64, cells)
     columns = [of_lists(mesh.GetCells(), number), types, *columns_of(mesh.GetCellData())]
     elements = tuples(ids_of(mesh.GetCellData(), cells), columns)
     return {

@@ -376,7 +376,7 @@ Patched patched(const DualMesh& dual)
     keys.push_back({dual.boundaryFaces[f].element, points[f]});
   }
   Patched out;
-  out.mesh = makeFaceMesh(dual.points, {types, offsets, connectivity, {}, {}}, keys);
+  out.mesh = makeFaceMesh(dual.points, {types, offsets, connectivity, {}}, keys);
   const std::vector<Index> found = findBoundaryFaces(out.mesh, keys);
   out.patchOf.resize(out.mesh.faceCount() - out.mesh.internalFaceCount());
   for (std::size_t f = 0; f < found.size(); ++f)

@@ -62,6 +62,12 @@ def areas_of_patches(file):
 
 
 def faces_of_polyhedra(grid):
+    if hasattr(grid, "GetPolyhedronFaces"):  # VTK 9.4 on
+        faces = grid.GetPolyhedronFaces()
+        points = vtk_to_numpy(faces.GetConnectivityArray()).tolist()
+        starts = vtk_to_numpy(faces.GetOffsetsArray()).tolist()
+        yield from (points[begin:end] for begin, end in zip(starts, starts[1:]))
+        return
     stream, places = vtk_to_numpy(grid.GetFaces()).tolist(), vtk_to_numpy(grid.GetFaceLocations())
     for at in places[places >= 0].tolist():
         count, at = stream[at], at + 1
@@ -87,9 +93,10 @@ def volume_of(grid):
     """Of a closed mesh. VTK's readers do not turn faces of all polyhedra alike, but those of one file."""
     points = vtk_to_numpy(grid.GetPoints().GetData()).astype(float)
     points -= points.mean(axis=0)
-    types, starts = vtk_to_numpy(grid.GetCellTypesArray()), vtk_to_numpy(grid.GetCells().GetOffsetsArray())
+    types = np.array([grid.GetCellType(cell) for cell in range(grid.GetNumberOfCells())])
+    starts = vtk_to_numpy(grid.GetCells().GetOffsetsArray())
     corners = vtk_to_numpy(grid.GetCells().GetConnectivityArray())
-    volume = abs(sum_over_faces(points, faces_of_polyhedra(grid))) if grid.GetFaces() else 0.0
+    volume = abs(sum_over_faces(points, faces_of_polyhedra(grid))) if 42 in types else 0.0
     for kind, faces in FACES.items():
         cells = corners[starts[:-1][types == kind][:, None] + np.arange(CORNERS[kind])]
         volume += abs(sum(sum_over_faces(points, cells[:, face]) for face in faces if len(cells)))

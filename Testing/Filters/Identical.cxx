@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// Comparison of data objects; see MeshOutput.h.
 #include "MeshOutput.h"
+#include "VtkVersions.h"
 
 #include <vtkBitArray.h>
 #include <vtkCellArray.h>
@@ -83,9 +84,13 @@ public:
   {
     points(a, b);
     cells(a->GetCells(), b->GetCells(), "cells");
-    arrays(a->GetCellTypesArray(), b->GetCellTypesArray(), "cell types");
-    arrays(a->GetFaces(), b->GetFaces(), "faces");
-    arrays(a->GetFaceLocations(), b->GetFaceLocations(), "face locations");
+    arrays(atria::cellTypesOf(a), atria::cellTypesOf(b), "cell types");
+    const std::vector<vtkDataArray*> ofA = atria::faceArraysOf(a);
+    const std::vector<vtkDataArray*> ofB = atria::faceArraysOf(b);
+    for (std::size_t i = 0; i < ofA.size(); ++i)
+    {
+      arrays(ofA[i], ofB[i], "faces");
+    }
   }
 
   void surfaces(vtkPolyData* a, vtkPolyData* b)
@@ -145,8 +150,9 @@ public:
 private:
   static bool sameValues(vtkAbstractArray* a, vtkAbstractArray* b)
   {
-    // Bits and strings are not bytes in a row.
-    if (vtkBitArray::SafeDownCast(a) || vtkStringArray::SafeDownCast(a))
+    // Bits, strings and values that follow a rule are not bytes in a row.
+    if (vtkBitArray::SafeDownCast(a) || vtkStringArray::SafeDownCast(a) || !a->HasStandardMemoryLayout() ||
+        !b->HasStandardMemoryLayout())
     {
       for (vtkIdType i = 0; i < a->GetNumberOfValues(); ++i)
       {

@@ -20,7 +20,7 @@ struct SampleMesh
   std::vector<std::int64_t> faceStream;
   std::vector<std::int64_t> faceLocations;
 
-  CellArrays view() const { return {types, offsets, connectivity, faceStream, faceLocations}; }
+  CellArrays view() const { return {types, offsets, connectivity, PolyhedronFaces::Stream(faceStream, faceLocations)}; }
   void addCell(unsigned char type, const std::vector<std::int64_t>& ids);
   void addPolyhedron(const std::vector<std::vector<std::int64_t>>& faces);
 };

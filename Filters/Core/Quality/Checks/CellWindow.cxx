@@ -27,16 +27,6 @@ template <typename F> void forPoints(const CellArrays& cells, std::size_t cell, 
   }
 }
 
-/// A number of the stream of a polyhedron, from `at` on.
-std::int64_t next(const CellArrays& cells, std::int64_t& at)
-{
-  if (at < 0 || at >= static_cast<std::int64_t>(cells.faceStream.size()))
-  {
-    throw Error("a polyhedron has no complete list of faces");
-  }
-  return cells.faceStream[static_cast<std::size_t>(at++)];
-}
-
 Index indexOf(std::span<const Index> sorted, Index value)
 {
   const auto found = std::ranges::lower_bound(sorted, value);
@@ -175,15 +165,9 @@ void CellWindows::renumberPoints(CellWindow& out)
     {
       continue;
     }
-    std::int64_t at = c < cells_.faceLocations.size() ? cells_.faceLocations[c] : -1;
-    const std::int64_t faces = out.faceStream_.emplace_back(next(cells_, at));
-    for (std::int64_t f = 0; f < faces; ++f)
+    if (!appendFaces(cells_.faces, c, numberOf, out.faceStream_))
     {
-      const std::int64_t size = out.faceStream_.emplace_back(next(cells_, at));
-      for (std::int64_t i = 0; i < size; ++i)
-      {
-        out.faceStream_.push_back(numberOf(next(cells_, at)));
-      }
+      throw Error("a polyhedron has no complete list of faces");
     }
   }
 }

@@ -18,7 +18,10 @@ public:
   /// Whether a cell is not one of those that are only about.
   bool isOwn(std::size_t cell) const { return cells_[cell] >= firstOwn_ && cells_[cell] <= lastOwn_; }
   Index pointOf(Index point) const { return points_[point]; }
-  CellArrays arrays() const { return {types_, offsets_, connectivity_, faceStream_, faceLocations_}; }
+  CellArrays arrays() const
+  {
+    return {types_, offsets_, connectivity_, PolyhedronFaces::Stream(faceStream_, faceLocations_)};
+  }
   /// Whether the faces that were asked for of its own cells are there, and none twice.
   bool hasAskedFaces(const Executor& executor) const;
 

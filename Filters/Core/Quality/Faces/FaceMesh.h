@@ -2,12 +2,12 @@
 /// A polyhedral mesh by its faces: what solvers' formats and metrics are made of.
 #pragma once
 
+#include "Quality/Faces/CellArrays.h"
 #include "Support/Buffer.h"
 #include "Support/Executor.h"
 #include "Support/Types.h"
 
 #include <compare>
-#include <concepts>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -35,40 +35,6 @@ struct FaceMesh
   {
     return {facePoints.data() + faceOffsets[f], facePoints.data() + faceOffsets[f + 1]};
   }
-};
-
-/// Integers of 32 or 64 bits, as VTK stores ids; not a copy.
-class IdView
-{
-public:
-  using Wide = std::span<const std::int64_t>;
-  using Narrow = std::span<const std::int32_t>;
-
-  IdView() = default;
-  IdView(Wide ids) : wide(ids.data()), count(ids.size()) {}
-  IdView(Narrow ids) : narrow(ids.data()), count(ids.size()) {}
-  template <std::convertible_to<Wide> Ids> IdView(const Ids& ids) : IdView(Wide(ids)) {}
-  template <std::convertible_to<Narrow> Ids> IdView(const Ids& ids) : IdView(Narrow(ids)) {}
-
-  std::size_t size() const { return count; }
-  std::int64_t operator[](std::size_t i) const { return wide ? wide[i] : narrow[i]; }
-
-private:
-  const std::int64_t* wide = nullptr;
-  const std::int32_t* narrow = nullptr;
-  std::size_t count = 0;
-};
-
-/// Cells as VTK lays them out (vtkCellArray and vtkUnstructuredGrid's face stream), without VTK's types.
-/// Cell types are VTK's numbers; known are tetrahedron 10, voxel 11, hexahedron 12, wedge 13, pyramid 14,
-/// polyhedron 42.
-struct CellArrays
-{
-  std::span<const unsigned char> types;
-  IdView offsets; ///< types.size() + 1
-  IdView connectivity;
-  IdView faceStream;    ///< nFaces, then per face nPoints and its points
-  IdView faceLocations; ///< per cell, where its stream starts; unused for other types
 };
 
 /// A boundary face named by its cell and points: such a face stays on the boundary even where another cell

@@ -112,24 +112,16 @@ private:
 
   template <typename F> void readPolyhedron(F&& use)
   {
-    const auto streamSize = static_cast<std::int64_t>(cells.faceStream.size());
-    std::int64_t at = cell < cells.faceLocations.size() ? cells.faceLocations[cell] : -1;
-    const auto next = [&] {
-      if (at < 0 || at >= streamSize)
+    const bool isComplete = cells.faces.each(cell, [&](const IdView& points) {
+      for (std::size_t i = 0; i < points.size(); ++i)
       {
-        fail("has no complete list of faces");
-      }
-      return cells.faceStream[at++];
-    };
-    const std::int64_t faces = next();
-    for (std::int64_t f = 0; f < faces; ++f)
-    {
-      const std::int64_t size = next();
-      for (std::int64_t i = 0; i < size; ++i)
-      {
-        addPoint(pointOf(next()));
+        addPoint(pointOf(points[i]));
       }
       closeFace(use);
+    });
+    if (!isComplete)
+    {
+      fail("has no complete list of faces");
     }
   }
 

@@ -23,7 +23,7 @@ struct Parcel
   std::vector<std::int64_t> offsets{0};
   std::vector<Index> corners;
   std::vector<std::int64_t> streamOffsets{0};
-  std::vector<std::int64_t> stream; ///< of polyhedra, as in CellArrays
+  std::vector<std::int64_t> stream; ///< of polyhedra, as in PolyhedronFaces
   std::vector<std::int64_t> labels; ///< cell by cell
   std::vector<Index> faceCounts;    ///< of patches, by cell
   std::vector<Index> patchOf;       ///< by face
@@ -58,16 +58,6 @@ template <typename Change> void changeStream(std::span<std::int64_t> stream, Cha
       ++next;
     }
   }
-}
-
-std::size_t streamLength(const CellArrays& cells, std::size_t first)
-{
-  std::size_t next = first + 1;
-  for (std::int64_t faces = cells.faceStream[first]; faces > 0; --faces)
-  {
-    next += static_cast<std::size_t>(cells.faceStream[next]) + 1;
-  }
-  return next - first;
 }
 
 /// The cells of a rank, to be given to others.
@@ -212,15 +202,8 @@ private:
   {
     if (piece.cells.types[cell] == polyhedronCell)
     {
-      const auto first = static_cast<std::size_t>(piece.cells.faceLocations[cell]);
-      const std::size_t length = streamLength(piece.cells, first);
-      const std::size_t begin = out.stream.size();
-      for (std::size_t i = 0; i < length; ++i)
-      {
-        out.stream.push_back(piece.cells.faceStream[first + i]);
-      }
-      changeStream(std::span(out.stream).subspan(begin),
-                   [&](std::int64_t p) { return std::int64_t{newPoint[static_cast<std::size_t>(p)]}; });
+      appendFaces(
+          piece.cells.faces, cell, [&](std::int64_t p) { return newPoint[static_cast<std::size_t>(p)]; }, out.stream);
     }
     out.streamOffsets.push_back(static_cast<std::int64_t>(out.stream.size()));
   }

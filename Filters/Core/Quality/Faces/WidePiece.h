@@ -54,7 +54,7 @@ struct WidePiece : WideNumbers
   std::vector<std::int64_t> offsets{0};
   std::vector<std::int32_t> connectivity;
   std::vector<std::int64_t> faceStream;
-  std::vector<std::int64_t> faceLocations; ///< by cell, as in CellArrays
+  std::vector<std::int64_t> faceLocations; ///< by cell, as in PolyhedronFaces
 
   /// Faces of patches.
   std::vector<Index> faceCells;
@@ -62,7 +62,10 @@ struct WidePiece : WideNumbers
   std::vector<std::int64_t> facePoints;
   std::vector<Index> patchOf;
 
-  CellArrays cells() const { return {types, offsets, connectivity, faceStream, faceLocations}; }
+  CellArrays cells() const
+  {
+    return {types, offsets, connectivity, PolyhedronFaces::Stream(faceStream, faceLocations)};
+  }
   std::vector<BoundaryFaceKey> faceKeys() const;
   /// Gives up what cells() shows.
   void releaseCells();
