@@ -37,7 +37,7 @@ atria_make_stubs(${atria_python_modules})
 file(CONFIGURE OUTPUT "${CMAKE_BINARY_DIR}/${atria_package_dir}/AtriaConfig.cmake" @ONLY CONTENT [=[
 include(CMakeFindDependencyMacro)
 find_dependency(VTK 9.1 COMPONENTS @atria_vtk_components@)
-find_dependency(Eigen3 3.4...5 NO_MODULE) # in the headers of the core
+find_dependency(Eigen3 NO_MODULE) # in the headers of the core
 include("${CMAKE_CURRENT_LIST_DIR}/Atria-targets.cmake")
 include("${CMAKE_CURRENT_LIST_DIR}/Atria-vtk-module-properties.cmake")
 ]=])

@@ -31,7 +31,7 @@ namespace fs = std::filesystem;
 using Words = std::vector<std::string>;
 /// In the order of vtkAtriaOpenFOAMCaseWriter's numbers.
 const Words turbulenceModels{"k-epsilon", "realizable", "k-omega-sst"};
-const Words dialects{"opencfd-1912", "opencfd", "foundation"};
+const Words dialects{"opencfd-1912", "opencfd-2006", "foundation-11", "foundation-14"};
 const Words kinds{"automatic", "wind", "room"};
 /// What one kind takes and the other does not.
 const Words windOptions{"--speed", "--height", "--roughness", "--north"};
@@ -174,11 +174,13 @@ void declareRun(CLI::App& command, Options& options)
       ->check(positive())
       ->type_name("M");
   command
-      .add_option("--dialect", options.dialect,
-                  "Whose OpenFOAM: v1912, which Debian 12 has; OpenCFD's from v2006 on; the Foundation's from 11 on")
+      .add_option(
+          "--dialect", options.dialect,
+          "Whose OpenFOAM, and from which version on: opencfd-1912 is Debian's, opencfd-2006 suits v2006 to v2512, "
+          "foundation-11 11 to 13, foundation-14 14 and later")
       ->capture_default_str()
       ->check(oneOf(dialects))
-      ->type_name("opencfd-1912|opencfd|foundation");
+      ->type_name("opencfd-1912|opencfd-2006|foundation-11|foundation-14");
 }
 
 int numberOf(const Words& words, const std::string& word)

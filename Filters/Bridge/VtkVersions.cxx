@@ -57,13 +57,11 @@ std::vector<vtkDataArray*> faceArraysOf(vtkUnstructuredGrid* grid)
   return arrays;
 }
 
-void setCells(vtkUnstructuredGrid* grid, vtkDataArray* types, vtkCellArray* cells,
-              std::span<vtkDataArray* const> faces)
+void setCells(vtkUnstructuredGrid* grid, vtkDataArray* types, vtkCellArray* cells, std::span<vtkDataArray* const> faces)
 {
   // Up to VTK 9.5 types are vtkUnsignedCharArray.
   constexpr bool takesAnyTypes = VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0);
-  auto* const given =
-      static_cast<std::conditional_t<takesAnyTypes, vtkDataArray, vtkUnsignedCharArray>*>(types);
+  auto* const given = static_cast<std::conditional_t<takesAnyTypes, vtkDataArray, vtkUnsignedCharArray>*>(types);
   vtkSmartPointer<vtkCellArray> lists[2];
   for (std::size_t i = 0; i < 2 && faces[0]; ++i)
   {
@@ -115,8 +113,7 @@ std::vector<vtkDataArray*> faceArraysOf(vtkUnstructuredGrid* grid)
   return {grid->GetFaceLocations(), grid->GetFaces()};
 }
 
-void setCells(vtkUnstructuredGrid* grid, vtkDataArray* types, vtkCellArray* cells,
-              std::span<vtkDataArray* const> faces)
+void setCells(vtkUnstructuredGrid* grid, vtkDataArray* types, vtkCellArray* cells, std::span<vtkDataArray* const> faces)
 {
   grid->SetCells(vtkUnsignedCharArray::SafeDownCast(types), cells, vtkIdTypeArray::SafeDownCast(faces[0]),
                  vtkIdTypeArray::SafeDownCast(faces[1]));

@@ -6,6 +6,7 @@
 #include "Support/NamePattern.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 
@@ -61,6 +62,15 @@ Turbulence typicalTurbulence(const CaseOfDirection& flow)
   return flow.isRoom() ? found : Turbulence{wind.kineticEnergy(), wind.dissipation(z), wind.specificDissipation(z)};
 }
 
+/// What the wind's profile is of.
+enum Profile : std::uint8_t
+{
+  ofVelocity,
+  ofK,
+  ofEpsilon,
+  ofOmega
+};
+
 /// One field's boundaryField entry for a patch.
 using Condition = std::function<void(FoamText&, const CasePatch&, const PatchChoice&)>;
 
@@ -73,7 +83,7 @@ struct Field
   Condition condition;
 };
 
-void type(FoamText& text, const char* name) { text.entry("type", name); }
+void type(FoamText& text, const std::string& name) { text.entry("type", name); }
 
 void zeroGradient(FoamText& text) { type(text, "zeroGradient"); }
 
@@ -104,31 +114,30 @@ public:
   {
     // Runs start with air at rest. potentialFoam makes absurd speeds of its fluxes in flat cells, which take hundreds
     // of iterations to decay; wind throughout must be turned aside by the first pressure. See docs/cases.md.
-    std::vector<Field> fields{{"U", "volVectorField", "[0 1 -1 0 0 0 0]", foamVector(Vec3::Zero()),
-                               [this](auto& text, auto& patch, auto& choice) { velocity(text, patch, choice); }},
-                              {"p", "volScalarField", "[0 2 -2 0 0 0 0]", "0",
-                               [this](auto& text, auto&, auto& choice) { pressure(text, choice); }},
-                              {"k", "volScalarField", "[0 2 -2 0 0 0 0]", k,
-                               [this](auto& text, auto& patch, auto& choice) {
-                                 turbulent(text, patch, choice, "atmBoundaryLayerInletK", "kqRWallFunction", k);
-                               }},
-                              {"nut", "volScalarField", "[0 2 -1 0 0 0 0]", "0",
-                               [this](auto& text, auto&, auto& choice) { viscosity(text, choice); }}};
+    std::vector<Field> fields{
+        {"U", "volVectorField", "[0 1 -1 0 0 0 0]", foamVector(Vec3::Zero()),
+         [this](auto& text, auto& patch, auto& choice) { velocity(text, patch, choice); }},
+        {"p", "volScalarField", "[0 2 -2 0 0 0 0]", "0",
+         [this](auto& text, auto&, auto& choice) { pressure(text, choice); }},
+        {"k", "volScalarField", "[0 2 -2 0 0 0 0]", k,
+         [this](auto& text, auto& patch, auto& choice) { turbulent(text, patch, choice, ofK, "kqRWallFunction", k); }},
+        {"nut", "volScalarField", "[0 2 -1 0 0 0 0]", "0",
+         [this](auto& text, auto&, auto& choice) { viscosity(text, choice); }}};
     if (flow.usesOmega())
     {
       fields.push_back(
           {"omega", "volScalarField", "[0 0 -1 0 0 0 0]", omega, [this](auto& text, auto& patch, auto& choice) {
-             turbulent(text, patch, choice, "atmBoundaryLayerInletOmega", "omegaWallFunction", omega);
+             turbulent(text, patch, choice, ofOmega, "omegaWallFunction", omega);
            }});
     }
     else
     {
       fields.push_back(
           {"epsilon", "volScalarField", "[0 2 -3 0 0 0 0]", epsilon, [this](auto& text, auto& patch, auto& choice) {
-             turbulent(text, patch, choice, "atmBoundaryLayerInletEpsilon", "epsilonWallFunction", epsilon);
+             turbulent(text, patch, choice, ofEpsilon, "epsilonWallFunction", epsilon);
            }});
     }
-    if (flow.settings.ageOfAir && flow.settings.dialect != OpenFOAMDialect::Foundation) // whose function makes its own
+    if (flow.settings.ageOfAir && !isFoundation(flow.settings.dialect)) // whose function makes its own
     {
       fields.push_back({"age", "volScalarField", "[0 0 1 0 0 0 0]", "0",
                         [](auto& text, auto&, auto& choice) { age(text, choice); }});
@@ -137,10 +146,17 @@ public:
   }
 
 private:
-  /// The wind's profile; what these conditions have in common.
-  void profile(FoamText& text, const char* name, const CasePatch& patch) const
+  /// The wind's profile of a field; what these conditions have in common.
+  void profile(FoamText& text, Profile of, const CasePatch& patch) const
   {
-    type(text, name);
+    if (flow.settings.dialect == OpenFOAMDialect::Foundation14)
+    {
+      // The rest is in atmosphericBoundaryLayerProperties.
+      constexpr std::array names{"Velocity", "TurbulentKineticEnergy", "TurbulentEpsilon"};
+      return type(text, std::string("atmosphericBoundaryLayer") + names.at(of));
+    }
+    constexpr std::array names{"Velocity", "K", "Epsilon", "Omega"};
+    type(text, std::string("atmBoundaryLayerInlet") + names.at(of));
     text.entry("flowDir", foamVector(flow.wind)).entry("zDir", "(0 0 1)");
     text.entry("Uref", wind.speed).entry("Zref", wind.referenceHeight);
     text.entry("z0", "uniform " + foamNumber(wind.roughness));
@@ -199,7 +215,7 @@ private:
     {
       case PatchRole::Inlet:
       case PatchRole::InletOutlet:
-        profile(text, "atmBoundaryLayerInletVelocity", patch);
+        profile(text, ofVelocity, patch);
         text.entry("value", "uniform " + foamVector(wind.speed * flow.wind));
         return;
       case PatchRole::Outlet:
@@ -252,7 +268,7 @@ private:
     text.entry("value", "uniform " + foamNumber(flow.usesOmega() ? its.omega : its.epsilon));
   }
 
-  void turbulent(FoamText& text, const CasePatch& patch, const PatchChoice& choice, const char* inlet,
+  void turbulent(FoamText& text, const CasePatch& patch, const PatchChoice& choice, Profile inlet,
                  const char* wallFunction, const std::string& value) const
   {
     if (choice.supply)
@@ -267,7 +283,7 @@ private:
     {
       case PatchRole::Inlet:
       case PatchRole::InletOutlet:
-        if (std::string(inlet) == "atmBoundaryLayerInletOmega" && flow.settings.dialect != OpenFOAMDialect::OpenCFD)
+        if (inlet == ofOmega && flow.settings.dialect != OpenFOAMDialect::OpenCFD)
         {
           return omegaProfile(text, patch);
         }
@@ -283,15 +299,22 @@ private:
     }
   }
 
+  void groundViscosity(FoamText& text) const
+  {
+    if (flow.settings.dialect == OpenFOAMDialect::Foundation14)
+    {
+      return valued(text, "nutAtmosphericBoundaryLayerWallFunction", "0");
+    }
+    type(text, flow.settings.dialect == OpenFOAMDialect::OpenCFD ? "atmNutkWallFunction" : "nutkAtmRoughWallFunction");
+    text.entry("z0", "uniform " + foamNumber(wind.roughness)).entry("value", "uniform 0");
+  }
+
   void viscosity(FoamText& text, const PatchChoice& choice) const
   {
     switch (choice.role)
     {
       case PatchRole::Ground:
-        type(text,
-             flow.settings.dialect == OpenFOAMDialect::OpenCFD ? "atmNutkWallFunction" : "nutkAtmRoughWallFunction");
-        text.entry("z0", "uniform " + foamNumber(wind.roughness)).entry("value", "uniform 0");
-        return;
+        return groundViscosity(text);
       case PatchRole::RoughWall:
         type(text, "nutkRoughWallFunction");
         text.entry("Ks", "uniform " + foamNumber(choice.sandGrain));

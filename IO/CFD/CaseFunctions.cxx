@@ -26,11 +26,11 @@ enum class Flow
 void addFlow(FoamText& text, OpenFOAMDialect dialect, const std::string& function, const char* region,
              const std::string& name, Flow kind)
 {
-  const bool isFoundation = dialect == OpenFOAMDialect::Foundation;
+  const bool isFoundations = isFoundation(dialect);
   text.open(function).entry("type", "surfaceFieldValue").entry("libs", "(\"libfieldFunctionObjects.so\")");
   everyStep(text);
   text.entry("log", "no").entry("writeFields", "no");
-  if (isFoundation)
+  if (isFoundations)
   {
     // As 11 asks for, and as 13 does; each passes over the other's.
     text.entry("select", region).entry("name", name).entry(region, name);
@@ -40,7 +40,7 @@ void addFlow(FoamText& text, OpenFOAMDialect dialect, const std::string& functio
     text.entry("regionType", region).entry("name", name);
   }
   // OpenCFD's sum heeds the orientation of a zone's faces by itself.
-  const char* const net = isFoundation ? "orientedSum" : "sum";
+  const char* const net = isFoundations ? "orientedSum" : "sum";
   text.entry("operation", kind == Flow::Net ? net : "sumMag").entry("fields", "(phi)");
   text.close();
 }
@@ -103,14 +103,14 @@ void addProbes(FoamText& text, const CaseOfDirection& flow)
 }
 
 /// The transport of a scalar that grows by one second a second. The Foundation has a function of its own, which begins
-/// at zero where it writes; later releases have it in another library.
+/// at zero where it writes; 14 has it in another library, and reads nCorr in fvSolution.
 void addAge(FoamText& text, OpenFOAMDialect dialect)
 {
-  if (dialect == OpenFOAMDialect::Foundation)
+  if (isFoundation(dialect))
   {
     text.open("age").entry("type", "age");
     text.entry("libs", "(\"libfieldFunctionObjects.so\" \"libsolverFunctionObjects.so\")");
-    text.entry("diffusion", "yes").entry("nCorr", "200").entry("tolerance", "1e-06");
+    text.entry("diffusion", "yes").entry("nCorr", ageCorrectors).entry("tolerance", "1e-06");
     text.entry("executeControl", "writeTime").entry("writeControl", "writeTime").close();
     return;
   }
@@ -125,11 +125,11 @@ void addAge(FoamText& text, OpenFOAMDialect dialect)
 
 void addAverage(FoamText& text, const CaseOfDirection& flow)
 {
-  const bool isFoundation = flow.settings.dialect == OpenFOAMDialect::Foundation;
+  const bool isFoundations = isFoundation(flow.settings.dialect);
   text.open("average").entry("type", "fieldAverage").entry("libs", "(\"libfieldFunctionObjects.so\")");
-  text.entry(isFoundation ? "startTime" : "timeStart", std::max(1, flow.settings.iterations * 4 / 5));
+  text.entry(isFoundations ? "startTime" : "timeStart", std::max(1, flow.settings.iterations * 4 / 5));
   text.entry("writeControl", "writeTime");
-  if (isFoundation)
+  if (isFoundations)
   {
     text.entry("mean", "yes").entry("prime2Mean", "no").entry("base", "time").entry("fields", "(U p)").close();
     return;

@@ -27,7 +27,7 @@ int iterationsBetweenFields(int iterations)
   return times > 1 && iterations % times == 0 ? iterations / times : std::max(1, iterations);
 }
 
-bool isFoundation(const CaseOfDirection& flow) { return flow.settings.dialect == OpenFOAMDialect::Foundation; }
+bool isFoundation(const CaseOfDirection& flow) { return isFoundation(flow.settings.dialect); }
 
 void writeControl(const std::filesystem::path& folder, const CaseOfDirection& flow)
 {
@@ -82,12 +82,16 @@ void writeSchemes(const std::filesystem::path& folder, const CaseOfDirection& fl
   writeFoamFile(folder, "system", "fvSchemes", "dictionary", text);
 }
 
-void solver(FoamText& text, const char* field, bool isPressure, const char* relative)
+void solver(FoamText& text, const char* field, bool isPressure, const char* relative, int correctors = 0)
 {
   text.open(field);
   text.entry("solver", isPressure ? "GAMG" : "smoothSolver");
   text.entry("smoother", isPressure ? "GaussSeidel" : "symGaussSeidel");
   text.entry("tolerance", isPressure ? "1e-07" : "1e-08").entry("relTol", relative);
+  if (correctors > 0)
+  {
+    text.entry("nCorr", correctors);
+  }
   text.close();
 }
 
@@ -98,7 +102,15 @@ void writeSolution(const std::filesystem::path& folder, const CaseOfDirection& f
   FoamText text;
   text.open("solvers");
   solver(text, "p", true, "0.05");
-  solver(text, "\"(U|k|epsilon|omega|age)\"", false, "0.1");
+  if (flow.settings.dialect == OpenFOAMDialect::Foundation14)
+  {
+    solver(text, "\"(U|k|epsilon|omega)\"", false, "0.1");
+    solver(text, "age", false, "0.1", ageCorrectors);
+  }
+  else
+  {
+    solver(text, "\"(U|k|epsilon|omega|age)\"", false, "0.1");
+  }
   text.close().blank();
   text.open("SIMPLE").entry("consistent", "yes").entry("nNonOrthogonalCorrectors", correctors);
   text.entry("pRefCell", "0").entry("pRefValue", "0"); // for cases that fix no pressure
@@ -139,9 +151,24 @@ void writeConstant(const std::filesystem::path& folder, const CaseOfDirection& f
   FoamText turbulence;
   turbulence.entry("simulationType", "RAS").blank();
   turbulence.open("RAS").entry(isFoundation(flow) ? "model" : "RASModel", modelName(flow.settings.turbulence));
-  turbulence.entry("turbulence", "on").entry("printCoeffs", "on").close();
+  turbulence.entry("turbulence", "on");
+  if (flow.settings.dialect != OpenFOAMDialect::Foundation14)
+  {
+    turbulence.entry("printCoeffs", "on");
+  }
+  turbulence.close();
   writeFoamFile(folder, "constant", isFoundation(flow) ? "momentumTransport" : "turbulenceProperties", "dictionary",
                 turbulence);
+  if (flow.settings.dialect == OpenFOAMDialect::Foundation14 && !flow.isRoom())
+  {
+    FoamText layer;
+    const WindProfile& wind = flow.settings.wind;
+    layer.entry("flowDir", foamVector(flow.wind)).entry("zDir", "(0 0 1)");
+    layer.entry("Uref", wind.speed).entry("Zref", wind.referenceHeight);
+    layer.entry("z0", "constant " + foamNumber(wind.roughness));
+    layer.entry("zGround", "constant " + foamNumber(flow.mesh.bounds.min[2]));
+    writeFoamFile(folder, "constant", "atmosphericBoundaryLayerProperties", "dictionary", layer);
+  }
 }
 
 void writeSystem(const std::filesystem::path& folder, const CaseOfDirection& flow)

@@ -5,6 +5,9 @@
 
 namespace atria {
 
+/// How often the age of air is solved for where it is written, at most.
+inline constexpr int ageCorrectors = 200;
+
 /// Schemes and correctors by the worst angle between a face's normal and the line between its cells, after the rules
 /// that users of OpenFOAM share: to 60 degrees all is corrected, to 70 half of it, beyond a third.
 struct OrthogonalityRule

@@ -88,7 +88,7 @@ const char* const scriptHead = "#!/bin/sh\n"
 std::string runScript(const CaseOfDirection& flow)
 {
   const bool isParallel = flow.settings.processors > 1;
-  const std::string solver = flow.settings.dialect == OpenFOAMDialect::Foundation ? "foamRun" : "simpleFoam";
+  const std::string solver = isFoundation(flow.settings.dialect) ? "foamRun" : "simpleFoam";
   std::string text = scriptHead;
   text += "# Debian's OpenFOAM sets no environment of its own; this much it needs.\n"
           "[ -n \"$WM_PROJECT_DIR\" ] || export WM_PROJECT_DIR=/usr/share/openfoam\n\n"

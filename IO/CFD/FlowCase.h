@@ -27,8 +27,14 @@ enum class OpenFOAMDialect
 {
   OpenCFD1912, ///< as Debian 12 has it
   OpenCFD,     ///< v2006 and later
-  Foundation   ///< 11 and later
+  Foundation,  ///< 11 to 13
+  Foundation14 ///< 14 and later, which keeps the wind in a file of its own
 };
+
+inline bool isFoundation(OpenFOAMDialect dialect)
+{
+  return dialect == OpenFOAMDialect::Foundation || dialect == OpenFOAMDialect::Foundation14;
+}
 
 /// What moves the air.
 enum class FlowKind

@@ -176,13 +176,14 @@ public:
   {
     OpenCFD1912, ///< v1912, which Debian 12 has
     OpenCFD,     ///< v2006 and later
-    Foundation   ///< 11 and later
+    Foundation,  ///< 11 to 13
+    Foundation14 ///< 14 and later
   };
   ///@{
   /**
    * Whose OpenFOAM the case is for. Default OpenCFD1912.
    */
-  vtkAtriaSetInRangeMacro(Dialect, int, OpenCFD1912, Foundation);
+  vtkAtriaSetInRangeMacro(Dialect, int, OpenCFD1912, Foundation14);
   vtkGetMacro(Dialect, int);
   ///@}
 

@@ -219,11 +219,11 @@ class Case(BoxCase):
             self.assertAlmostEqual(sum(flow) / max(flow), 0.0, delta=0.01)
 
     def test_dialects(self):
-        current = self.case(self.box, "opencfd", "--dialect", "opencfd", "--turbulence", "k-omega-sst")
+        current = self.case(self.box, "opencfd", "--dialect", "opencfd-2006", "--turbulence", "k-omega-sst")
         self.assertEqual(entry((current / "0/nut").read_text(), "zMin", "type"), "atmNutkWallFunction")
         self.assertEqual(entry((current / "0/omega").read_text(), "xMin", "type"), "atmBoundaryLayerInletOmega")
         self.assertEqual(entry((current / "0/U").read_text(), "xMin", "d"), "uniform 0")
-        other = self.case(self.box, "foundation", "--dialect", "foundation")
+        other = self.case(self.box, "foundation", "--dialect", "foundation-11")
         self.assertIn("solver          incompressibleFluid;", (other / "system/controlDict").read_text())
         self.assertTrue((other / "constant/momentumTransport").exists())
         self.assertIn("foamRun", (other / "Allrun").read_text())

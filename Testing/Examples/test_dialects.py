@@ -3,8 +3,8 @@
 
 Usage: test_dialects.py ATRIA
 
-The keywords were looked up in the sources of Debian's 1912, OpenCFD's v2206 and current state, and the Foundation's 11
-and 13; only the first can be run here.
+The keywords were looked up in the sources of OpenCFD's 1912 and v2006 to v2512 and of the Foundation's 11 to 14; only
+Debian's 1912 can be run here.
 """
 
 import os
@@ -90,10 +90,10 @@ class Dialects(BoxCase):
             inlet = (f"0/{field}", "boundaryField", "xMin")
             wanted[(*inlet, "zGround")] = ("uniform 0", ABSENT)
             wanted[(*inlet, "d")] = (ABSENT, "uniform 0")
-        self.assertEqual(self.compared("opencfd", "--age-of-air"), wanted)
+        self.assertEqual(self.compared("opencfd-2006", "--age-of-air"), wanted)
 
     def test_opencfd_has_a_condition_for_omega(self):
-        found = self.compared("opencfd", "--turbulence", "k-omega-sst")
+        found = self.compared("opencfd-2006", "--turbulence", "k-omega-sst")
         inlet = ("0/omega", "boundaryField", "xMin")
         self.assertEqual(found.pop((*inlet, "type")), ("fixedProfile", "atmBoundaryLayerInletOmega"))
         self.assertTrue(found.pop((*inlet, "profile"))[0].startswith("table ( ( 0 "))
@@ -132,15 +132,15 @@ class Dialects(BoxCase):
             wanted |= {(*here, "regionType"): (region, ABSENT), (*here, "select"): (ABSENT, region), (*here, region): (ABSENT, name)}
             if not function.startswith("flowBoth"):
                 wanted[(*here, "operation")] = ("sum", "orientedSum")
-        found = self.compared("foundation")
+        found = self.compared("foundation-11")
         fields = found.pop((*average, "fields"))
         self.assertEqual(fields[1], "( U p )")
         self.assertEqual(found, wanted)
-        self.assertIn("run foamRun foamRun\n", (self.case("foundation") / "Allrun").read_text())
+        self.assertIn("run foamRun foamRun\n", (self.case("foundation-11") / "Allrun").read_text())
 
     def test_the_foundation_has_a_function_for_the_age_of_air(self):
         """Of 11's library of fields, of 13's of solvers. It has conditions of its own, and takes schemes of the field's name."""
-        folder = self.case("foundation", "--age-of-air")
+        folder = self.case("foundation-11", "--age-of-air")
         files = dictionaries(folder)
         wanted = {"type": "age", "libs": '( "libfieldFunctionObjects.so" "libsolverFunctionObjects.so" )', "diffusion": "yes",
                   "nCorr": "200", "tolerance": "1e-06", "executeControl": "writeTime", "writeControl": "writeTime"}
@@ -149,10 +149,39 @@ class Dialects(BoxCase):
         self.assertNotIn("0/age", files)
         self.assertRegex((folder / "system/fvSchemes").read_text(), r"div\(phi,age\) +bounded Gauss upwind;")
 
+    def test_the_foundation_keeps_the_wind_in_a_file_since_14(self):
+        """Conditions have other names and take the profile from there; fvSolution says how often age is solved for."""
+        arguments = ("--age-of-air",)
+        one, other = (dictionaries(self.case(dialect, *arguments)) for dialect in ("foundation-11", "foundation-14"))
+        wanted = {("constant/momentumTransport", "RAS", "printCoeffs"): ("on", ABSENT),
+                  ("0/nut", "boundaryField", "zMin", "type"): ("nutkAtmRoughWallFunction", "nutAtmosphericBoundaryLayerWallFunction"),
+                  ("0/nut", "boundaryField", "zMin", "z0"): ("uniform 0.1", ABSENT)}
+        profile = {"flowDir": "( 1 0 0 )", "zDir": "( 0 0 1 )", "Uref": "5", "Zref": "10", "z0": "0.1", "zGround": "0"}
+        names = {"U": ("Velocity", "Velocity"), "k": ("K", "TurbulentKineticEnergy"), "epsilon": ("Epsilon", "TurbulentEpsilon")}
+        for field, (old, new) in names.items():
+            inlet = (f"0/{field}", "boundaryField", "xMin")
+            wanted[(*inlet, "type")] = (f"atmBoundaryLayerInlet{old}", f"atmosphericBoundaryLayer{new}")
+            for key, value in profile.items():
+                wanted[(*inlet, key)] = (f"uniform {value}" if key.startswith("z") and key != "zDir" else value, ABSENT)
+        for key, value in profile.items():
+            wanted[("constant/atmosphericBoundaryLayerProperties", key)] = (
+                ABSENT, f"constant {value}" if key in ("z0", "zGround") else value)
+        found = differences(one, other)
+        solvers = {key: values for key, values in found.items() if key[:2] == ("system/fvSolution", "solvers")}
+        self.assertEqual({key: values for key, values in found.items() if key not in solvers}, wanted)
+        self.assertEqual(solvers[("system/fvSolution", "solvers", "age", "nCorr")], (ABSENT, "200"))
+        self.assertIn(("system/fvSolution", "solvers", '"(U|k|epsilon|omega)"', "solver"), solvers)
+
+    def test_a_room_of_14_has_no_wind(self):
+        folder = self.case("foundation-14", "--kind", "room", "--patch", "xMin", "inlet:1m/s", "--patch", "xMax", "outlet",
+                           "--patch", "y*", "wall", "--patch", "z*", "wall")
+        self.assertFalse((folder / "constant/atmosphericBoundaryLayerProperties").exists())
+        self.assertNotIn("atmospheric", (folder / "0/U").read_text() + (folder / "system/controlDict").read_text())
+
     @unittest.skipUnless(shutil.which("foamDictionary"), "OpenFOAM is not installed")
     def test_openfoam_reads_all_dictionaries(self):
         environment = os.environ | {"WM_PROJECT_DIR": "/usr/share/openfoam"}
-        for dialect in ("opencfd-1912", "opencfd", "foundation"):
+        for dialect in ("opencfd-1912", "opencfd-2006", "foundation-11", "foundation-14"):
             folder = self.case(dialect, "--processors", "2", "--age-of-air")
             for file in dictionaries(folder):
                 run = subprocess.run(["foamDictionary", folder / file], capture_output=True, text=True, check=False, env=environment)
