@@ -30,14 +30,18 @@ void addFlow(FoamText& text, OpenFOAMDialect dialect, const std::string& functio
   text.open(function).entry("type", "surfaceFieldValue").entry("libs", "(\"libfieldFunctionObjects.so\")");
   everyStep(text);
   text.entry("log", "no").entry("writeFields", "no");
-  if (isFoundations)
+  if (!isFoundations)
+  {
+    text.entry("regionType", region).entry("name", name);
+  }
+  else if (dialect == OpenFOAMDialect::Foundation)
   {
     // As 11 asks for, and as 13 does; each passes over the other's.
     text.entry("select", region).entry("name", name).entry(region, name);
   }
   else
   {
-    text.entry("regionType", region).entry("name", name);
+    text.entry(region, name);
   }
   // OpenCFD's sum heeds the orientation of a zone's faces by itself.
   const char* const net = isFoundations ? "orientedSum" : "sum";

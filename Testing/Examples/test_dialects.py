@@ -20,6 +20,8 @@ from box_mesh import BoxCase
 ATRIA = pathlib.Path(sys.argv[1])
 TOKEN = re.compile(r'//[^\n]*|/\*.*?\*/|"[^"]*"|[{};()\[\]]|[^\s{};()\[\]"]+', re.DOTALL)
 ABSENT = None
+MEASURED = (("flow_xMin", "patch", "xMin"), ("flow_xMax", "patch", "xMax"), ("flow_Wall_opening_1", "faceZone", "Wall_opening_1"),
+            ("flowBothWays_Wall_opening_1", "faceZone", "Wall_opening_1"))
 
 
 def entries(text):
@@ -125,9 +127,7 @@ class Dialects(BoxCase):
         average = ("system/controlDict", "functions", "average")
         wanted |= {(*average, "timeStart"): ("800", ABSENT), (*average, "startTime"): (ABSENT, "800"),
                    (*average, "mean"): (ABSENT, "yes"), (*average, "prime2Mean"): (ABSENT, "no"), (*average, "base"): (ABSENT, "time")}
-        for function, region, name in (("flow_xMin", "patch", "xMin"), ("flow_xMax", "patch", "xMax"),
-                                       ("flow_Wall_opening_1", "faceZone", "Wall_opening_1"),
-                                       ("flowBothWays_Wall_opening_1", "faceZone", "Wall_opening_1")):
+        for function, region, name in MEASURED:
             here = ("system/controlDict", "functions", function)
             wanted |= {(*here, "regionType"): (region, ABSENT), (*here, "select"): (ABSENT, region), (*here, region): (ABSENT, name)}
             if not function.startswith("flowBoth"):
@@ -166,6 +166,9 @@ class Dialects(BoxCase):
         for key, value in profile.items():
             wanted[("constant/atmosphericBoundaryLayerProperties", key)] = (
                 ABSENT, f"constant {value}" if key in ("z0", "zGround") else value)
+        for function, region, name in MEASURED:
+            here = ("system/controlDict", "functions", function)
+            wanted |= {(*here, "select"): (region, ABSENT), (*here, "name"): (name, ABSENT)}
         found = differences(one, other)
         solvers = {key: values for key, values in found.items() if key[:2] == ("system/fvSolution", "solvers")}
         self.assertEqual({key: values for key, values in found.items() if key not in solvers}, wanted)
