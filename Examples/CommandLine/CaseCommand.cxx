@@ -227,7 +227,7 @@ void configure(vtkAtriaOpenFOAMCaseWriter* writer, const Options& options, const
   }
   for (const auto& [pattern, field, entries] : options.conditions)
   {
-    writer->AddConditionRule(text(pattern, field + " " + entries).c_str());
+    writer->AddConditionRule(text(pattern, std::string(field).append(" ").append(entries)).c_str());
   }
 }
 

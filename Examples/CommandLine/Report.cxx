@@ -312,6 +312,26 @@ Json layersOf(vtkPolyData* diagnostics)
   return list;
 }
 
+namespace {
+
+Json bodiesOf(vtkPolyData* diagnostics)
+{
+  vtkFieldData* fields = diagnostics->GetFieldData();
+  Json bodies = Json::array();
+  vtkStringArray* names = stringsOf(diagnostics, "AuditBody");
+  for (vtkIdType i = 0; names && i < names->GetNumberOfValues(); ++i)
+  {
+    bodies.push_back({{"body", names->GetValue(i)},
+                      {"state", stringsOf(diagnostics, "AuditBodyState")->GetValue(i)},
+                      {"distance", fields->GetArray("AuditBodyDistance")->GetTuple1(i)},
+                      {"volume", fields->GetArray("AuditBodyVolume")->GetTuple1(i)},
+                      {"place", tupleOf(fields->GetArray("AuditBodyPlace"), i)}});
+  }
+  return bodies;
+}
+
+} // namespace
+
 Json auditOf(vtkPolyData* diagnostics)
 {
   vtkFieldData* fields = diagnostics->GetFieldData();
@@ -349,16 +369,6 @@ Json auditOf(vtkPolyData* diagnostics)
   {
     volumes[kinds->GetValue(i)] = fields->GetArray("AuditVolume")->GetTuple1(i);
   }
-  Json bodies = Json::array();
-  vtkStringArray* bodyNames = stringsOf(diagnostics, "AuditBody");
-  for (vtkIdType i = 0; bodyNames && i < bodyNames->GetNumberOfValues(); ++i)
-  {
-    bodies.push_back({{"body", bodyNames->GetValue(i)},
-                      {"state", stringsOf(diagnostics, "AuditBodyState")->GetValue(i)},
-                      {"distance", fields->GetArray("AuditBodyDistance")->GetTuple1(i)},
-                      {"volume", fields->GetArray("AuditBodyVolume")->GetTuple1(i)},
-                      {"place", tupleOf(fields->GetArray("AuditBodyPlace"), i)}});
-  }
   const auto count = [&](const char* name) {
     vtkDataArray* array = fields->GetArray(name);
     return array ? static_cast<long long>(array->GetTuple1(0)) : 0;
@@ -373,7 +383,7 @@ Json auditOf(vtkPolyData* diagnostics)
           {"volumes", volumes},
           {"closed_bodies", count("AuditClosedBodies")},
           {"standing_bodies", count("AuditStandingBodies")},
-          {"bodies", bodies},
+          {"bodies", bodiesOf(diagnostics)},
           {"warnings", warnings}};
 }
 

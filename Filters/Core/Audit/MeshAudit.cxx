@@ -180,7 +180,7 @@ private:
     else
     {
       // Without air behind it, what lies on a side of the domain is the side of a solid, or its base.
-      const int side = context.model.domainSides[triangle];
+      const std::int8_t side = context.model.domainSides[triangle];
       const View beside = side == zMin ? View::ground : View::solid;
       hiddenArea(of.hidden, side == SurfaceModel::noSide ? views[triangle] : TriangleViews{beside, beside}) += area;
     }
