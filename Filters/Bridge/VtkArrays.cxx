@@ -7,6 +7,7 @@
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
+#include <vtkCellType.h>
 #include <vtkCompositeDataSet.h>
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
@@ -211,9 +212,14 @@ VtkCells::VtkCells(vtkUnstructuredGrid* grid)
   arrays.types = viewOrCopyTypes(cellTypesOf(grid));
   arrays.offsets = viewOrCopy(grid->GetCells()->GetOffsetsArray());
   arrays.connectivity = viewOrCopy(grid->GetCells()->GetConnectivityArray());
+  const std::vector<vtkDataArray*> faceArrays = faceArraysOf(grid);
+  if (!faceArrays.front() && std::ranges::find(arrays.types, VTK_POLYHEDRON) != arrays.types.end())
+  {
+    throw Error("the mesh has polyhedra without faces: VTK 9.4 and later write them to files in a form that earlier "
+                "versions pass over; read such a file where VTK is as new, or write it there in another format");
+  }
   std::vector<IdView> faces;
-  std::ranges::transform(faceArraysOf(grid), std::back_inserter(faces),
-                         [&](vtkDataArray* array) { return viewOrCopy(array); });
+  std::ranges::transform(faceArrays, std::back_inserter(faces), [&](vtkDataArray* array) { return viewOrCopy(array); });
   arrays.faces = facesIn(faces);
 }
 

@@ -106,11 +106,10 @@ bool isGround(const atria::vrml::Surface& surface, const atria::vrml::ModelSourc
 void addGround(vtkFieldData* data, const std::vector<atria::vrml::Surface>& surfaces,
                const atria::vrml::ModelSource& source)
 {
-  std::vector<unsigned char> flags;
-  for (const atria::vrml::Surface& surface : surfaces)
-  {
-    flags.push_back(isGround(surface, source) ? 1 : 0);
-  }
+  std::vector<unsigned char> flags(surfaces.size());
+  std::ranges::transform(surfaces, flags.begin(), [&](const atria::vrml::Surface& surface) {
+    return static_cast<unsigned char>(isGround(surface, source) ? 1 : 0);
+  });
   if (std::find(flags.begin(), flags.end(), 1) != flags.end())
   {
     atria::addArrayOf<vtkUnsignedCharArray>(data, "IsGround", flags);
@@ -188,6 +187,7 @@ void vtkAtriaSurfaceReader::Report(const atria::vrml::Diagnostics& diagnostics, 
   const std::size_t count = diagnostics.count() + grave.size();
   this->NumberOfWarnings = static_cast<vtkIdType>(count);
   std::vector<atria::Warning> warnings;
+  warnings.reserve(count);
   for (const std::string& text : grave)
   {
     warnings.push_back({text, atria::Gravity::grave});
