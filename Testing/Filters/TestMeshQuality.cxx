@@ -5,6 +5,7 @@
 #include "Support/VtkErrorGuard.h"
 #include "vtkAtriaMeshQuality.h"
 
+#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkDoubleArray.h>
 #include <vtkMeshQuality.h>
@@ -13,6 +14,7 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkTable.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkVariant.h>
 
@@ -408,6 +410,20 @@ TEST_F(MeshQualityError, CellsThatAreNotVolumes)
   sample.addCell(VTK_QUAD, {0, 1, 3, 2});
   run(toGrid(sample));
   EXPECT_THAT(messages.takeErrors(), ::testing::Contains(HasSubstr("cell 1 (type 9)")));
+  expectNoOutput();
+}
+
+/// As VTK's readers up to 9.3 make of files of VTK 9.4 and later.
+TEST_F(MeshQualityError, PolyhedraWhoseFacesAReaderPassedOver)
+{
+  const auto grid = toGrid(atria::testing::hexahedra({1, 1, 1}));
+  vtkNew<vtkUnsignedCharArray> types;
+  types->InsertNextValue(VTK_POLYHEDRON);
+  vtkNew<vtkCellArray> cells;
+  cells->ShallowCopy(grid->GetCells());
+  grid->SetCells(types, cells);
+  run(grid);
+  EXPECT_THAT(messages.takeErrors(), ::testing::Contains(HasSubstr("polyhedra without faces")));
   expectNoOutput();
 }
 
