@@ -3,6 +3,7 @@
 #include "Support/ProgressWatch.h"
 #include "Support/SampleGrid.h"
 #include "Support/VtkErrorGuard.h"
+#include "VtkVersions.h"
 #include "vtkAtriaMeshQuality.h"
 
 #include <vtkCellArray.h>
@@ -421,7 +422,7 @@ TEST_F(MeshQualityError, PolyhedraWhoseFacesAReaderPassedOver)
   types->InsertNextValue(VTK_POLYHEDRON);
   vtkNew<vtkCellArray> cells;
   cells->ShallowCopy(grid->GetCells());
-  grid->SetCells(types, cells);
+  atria::setCells(grid, types, cells, std::vector<vtkDataArray*>(atria::faceArrayCount, nullptr));
   run(grid);
   EXPECT_THAT(messages.takeErrors(), ::testing::Contains(HasSubstr("polyhedra without faces")));
   expectNoOutput();
