@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// What differs between the versions of VTK that Atria builds against, 9.1 to 9.7. Nothing else asks for the version.
+/// What differs between the versions of VTK, from 9.1 on. Nothing else asks for the version.
 #pragma once
 
 #include <vtkSmartPointer.h>

@@ -20,7 +20,7 @@ struct SurfaceAudit
   double placedArea = 0.0;
   /// Of the surface's faces; what has elements on both of its sides counts once.
   double meshArea = 0.0;
-  /// Of parts that see no air: under the ground, in solids, in closed rooms that are not meshed.
+  /// Of parts that see no air: on or under the ground, in solids, in closed rooms that are not meshed.
   double underGround = 0.0;
   double inSolid = 0.0;
   double inRoom = 0.0;

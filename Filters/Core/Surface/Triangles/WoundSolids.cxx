@@ -2,23 +2,21 @@
 #include "Surface/Triangles/WoundSolids.h"
 
 #include "Support/UnionFind.h"
-#include "Surface/Triangles/TriangleSoup.h"
+#include "Surface/Triangles/EachEdge.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <tuple>
 
 namespace atria {
 
 namespace {
 
-struct EdgeUse
+/// A triangle at an edge.
+struct Side
 {
-  Index low;
-  Index high;
   Index triangle;
   /// Counterclockwise about the edge, seen from its higher point: whether one comes to the triangle's back or its
   /// front.
@@ -36,86 +34,72 @@ public:
 
   std::vector<Index> find()
   {
-    std::vector<EdgeUse> uses = sortedUses();
-    for (auto begin = uses.begin(); begin != uses.end();)
-    {
-      const auto end = std::find_if(
-          begin, uses.end(), [&](const EdgeUse& use) { return use.low != begin->low || use.high != begin->high; });
-      joinAbout(std::span(begin, end));
-      begin = end;
-    }
+    std::vector<Side> sides;
+    eachEdge(sortedEdgeUses(triangles, points.size(), SerialExecutor()), [&](std::span<const SoupEdgeUse> uses) {
+      sides.clear();
+      for (const SoupEdgeUse& use : uses)
+      {
+        if (!hasRepeatedPoint(triangles[use.triangle]))
+        {
+          sides.push_back({use.triangle, use.forward == (front == Front::outside)});
+        }
+      }
+      joinAbout(uses.front().edge, sides);
+    });
     return numbered();
   }
 
 private:
-  std::vector<EdgeUse> sortedUses() const
-  {
-    std::vector<EdgeUse> uses;
-    uses.reserve(3 * triangles.size());
-    for (Index t = 0; t < triangles.size(); ++t)
-    {
-      const auto& corners = triangles[t];
-      for (int k = 0; k < 3 && !hasRepeatedPoint(corners); ++k)
-      {
-        const Index from = corners[k];
-        const Index to = corners[(k + 1) % 3];
-        uses.push_back({std::min(from, to), std::max(from, to), t, (from < to) == (front == Front::outside)});
-      }
-    }
-    std::ranges::sort(uses, {}, [](const EdgeUse& use) { return std::tuple(use.low, use.high, use.triangle); });
-    return uses;
-  }
-
   /// Joins each triangle at an edge with the next one behind it.
-  void joinAbout(std::span<EdgeUse> uses)
+  void joinAbout(const EdgeKey& edge, std::vector<Side>& sides)
   {
-    if (uses.size() > 2)
+    if (sides.size() > 2)
     {
-      sortAbout(uses);
+      sortAbout(edge, sides);
     }
-    for (std::size_t i = 0; i < uses.size(); ++i)
+    for (std::size_t i = 0; i < sides.size(); ++i)
     {
-      const EdgeUse& use = uses[i];
-      const EdgeUse& next = uses[(i + 1) % uses.size()];
-      if (use.showsBack == next.showsBack)
+      const Side& side = sides[i];
+      const Side& next = sides[(i + 1) % sides.size()];
+      if (side.showsBack == next.showsBack)
       {
-        isOpen[use.showsBack ? next.triangle : use.triangle] = 1;
+        isOpen[side.showsBack ? next.triangle : side.triangle] = 1;
       }
       else if (next.showsBack)
       {
-        parts.join(use.triangle, next.triangle);
+        parts.join(side.triangle, next.triangle);
       }
     }
   }
 
   /// By angle; at one angle a solid ends before the next one begins.
-  void sortAbout(std::span<EdgeUse> uses) const
+  void sortAbout(const EdgeKey& edge, std::vector<Side>& sides) const
   {
     constexpr double sameAngle = 1e-6; // radians
     constexpr double turn = 2.0 * std::numbers::pi;
-    const Vec3& origin = points[uses[0].low];
-    const Vec3 axis = (points[uses[0].high] - origin).normalized();
+    const Vec3& origin = points[edge.first];
+    const Vec3 axis = (points[edge.second] - origin).normalized();
     const Vec3 across = axis.unitOrthogonal();
     const Vec3 along = axis.cross(across);
-    const auto angleOf = [&](const EdgeUse& use) {
-      const auto& corners = triangles[use.triangle];
-      const Index apex = *std::ranges::find_if(corners, [&](Index p) { return p != use.low && p != use.high; });
+    const auto angleOf = [&](const Side& side) {
+      const auto& corners = triangles[side.triangle];
+      const Index apex = *std::ranges::find_if(corners, [&](Index p) { return p != edge.first && p != edge.second; });
       const Vec3 way = points[apex] - origin;
       return std::atan2(way.dot(along), way.dot(across));
     };
-    const double first = angleOf(uses[0]) - sameAngle;
-    for (EdgeUse& use : uses)
+    const double first = angleOf(sides[0]) - sameAngle;
+    for (Side& side : sides)
     {
-      const double angle = angleOf(use);
-      use.angle = angle < first ? angle + turn : angle;
+      const double angle = angleOf(side);
+      side.angle = angle < first ? angle + turn : angle;
     }
-    std::ranges::sort(uses, {}, &EdgeUse::angle);
-    for (auto begin = uses.begin(); begin != uses.end();)
+    std::ranges::stable_sort(sides, {}, &Side::angle);
+    for (auto begin = sides.begin(); begin != sides.end();)
     {
-      const auto end = std::adjacent_find(
-          begin, uses.end(), [&](const EdgeUse& a, const EdgeUse& b) { return b.angle - a.angle > sameAngle; });
-      const auto next = end == uses.end() ? end : end + 1;
-      std::stable_sort(begin, next, [](const EdgeUse& a, const EdgeUse& b) { return a.showsBack > b.showsBack; });
+      const auto end = std::adjacent_find(begin, sides.end(),
+                                          [&](const Side& a, const Side& b) { return b.angle - a.angle > sameAngle; });
+      const auto next = end == sides.end() ? end : end + 1;
+      std::stable_sort(begin, next, [](const Side& a, const Side& b) { return a.showsBack > b.showsBack; });
       begin = next;
     }
   }
