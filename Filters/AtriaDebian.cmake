@@ -33,9 +33,10 @@ set(CPACK_COMPONENTS_ALL)
 set(same_version "(= ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})")
 
 # Changes are in CHANGELOG.md; Debian wants a file of its own form.
+cmake_host_system_information(RESULT suite QUERY DISTRIB_VERSION_CODENAME)
 string(TIMESTAMP now "%a, %d %b %Y %H:%M:%S +0000" UTC)
 file(CONFIGURE OUTPUT "${CMAKE_BINARY_DIR}/changelog.Debian" CONTENT
-"atria (${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}) bookworm; urgency=medium
+"atria (${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE}) ${suite}; urgency=medium
 
   * Release ${PROJECT_VERSION}; CHANGELOG.md in atria-doc lists the changes.
 
@@ -72,8 +73,10 @@ else ()
       TEXT "The program by which the library reads COLLADA, 3DS, FBX and IFC.")
     set(CPACK_DEBIAN_RUNTIME_PACKAGE_RECOMMENDS "atria-assimp")
   endif ()
+  math(EXPR next_minor "${Python3_VERSION_MINOR} + 1")
   atria_debian_package(python NAME python3-atria SECTION python CONFLICTS python3-atria-paraview
-    DEPENDS "${library} ${same_version}" "python3 (>= 3.11~)" "python3 (<< 3.12)" python3-vtk9 python3-numpy
+    DEPENDS "${library} ${same_version}" "python3 (>= ${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}~)"
+      "python3 (<< ${Python3_VERSION_MAJOR}.${next_minor})" python3-vtk9 python3-numpy
     TEXT "The Python package atria.")
   atria_debian_package(documentation NAME atria-doc SECTION doc TEXT "Documents and examples.")
   set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_ARCHITECTURE all)

@@ -18,21 +18,23 @@ vtk_module_build(
   SOVERSION "${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}"
   TEST_DIRECTORY_NAME NONE)
 
-include(Filters/AtriaPython.cmake)
-atria_wrap_python(
-  MODULES ${atria_modules}
-  INSTALL_EXPORT Atria
-  CMAKE_DESTINATION "${atria_package_dir}"
-  LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}")
-find_package(Python3 REQUIRED COMPONENTS Interpreter)
-set(atria_python_modules)
-foreach (module IN LISTS atria_modules)
-  string(REPLACE "::" "" target "${module}Python")
-  if (TARGET ${target}) # modules without classes are not wrapped
-    list(APPEND atria_python_modules ${target})
-  endif ()
-endforeach ()
-atria_make_stubs(${atria_python_modules})
+if (ATRIA_BUILD_PYTHON)
+  include(Filters/AtriaPython.cmake)
+  atria_wrap_python(
+    MODULES ${atria_modules}
+    INSTALL_EXPORT Atria
+    CMAKE_DESTINATION "${atria_package_dir}"
+    LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}")
+  find_package(Python3 REQUIRED COMPONENTS Interpreter)
+  set(atria_python_modules)
+  foreach (module IN LISTS atria_modules)
+    string(REPLACE "::" "" target "${module}Python")
+    if (TARGET ${target}) # modules without classes are not wrapped
+      list(APPEND atria_python_modules ${target})
+    endif ()
+  endforeach ()
+  atria_make_stubs(${atria_python_modules})
+endif ()
 
 file(CONFIGURE OUTPUT "${CMAKE_BINARY_DIR}/${atria_package_dir}/AtriaConfig.cmake" @ONLY CONTENT [=[
 include(CMakeFindDependencyMacro)

@@ -2,6 +2,7 @@
 #include "Console.h"
 
 #include "Commands.h"
+#include "Platform.h"
 #include "Words.h"
 
 #include <vtkAlgorithm.h>
@@ -21,8 +22,6 @@
 #include <sstream>
 #include <string_view>
 #include <utility>
-
-#include <unistd.h>
 
 namespace atria::tool {
 
@@ -46,16 +45,14 @@ bool isPipelineEcho(const std::string& text) { return text.rfind("Algorithm vtk"
 
 volatile std::sig_atomic_t interrupted = 0;
 
-extern "C" void noteInterrupt(int) { interrupted = 1; }
-
-void catchInterrupts(int signal)
+/// The second ends the program.
+extern "C" void noteInterrupt(int signal)
 {
-  struct sigaction action = {};
-  action.sa_handler = noteInterrupt;
-  action.sa_flags = static_cast<int>(SA_RESETHAND); // the second ends the program
-  sigemptyset(&action.sa_mask);
-  sigaction(signal, &action, nullptr);
+  interrupted = 1;
+  std::signal(signal, SIG_DFL);
 }
+
+void catchInterrupts(int signal) { std::signal(signal, noteInterrupt); }
 
 bool isOurs(vtkAlgorithm* algorithm) { return std::string_view(algorithm->GetClassName()).starts_with("vtkAtria"); }
 
@@ -106,7 +103,7 @@ private:
 vtkStandardNewMacro(Console::Window);
 
 Console::Console()
-    : window(vtkSmartPointer<Window>::New()), previous(vtkOutputWindow::GetInstance()), terminal(isatty(STDERR_FILENO))
+    : window(vtkSmartPointer<Window>::New()), previous(vtkOutputWindow::GetInstance()), terminal(errorsGoToTerminal())
 {
   window->console = this;
   vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // VTK also logs what it tells the window

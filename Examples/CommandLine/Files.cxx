@@ -3,6 +3,7 @@
 
 #include "Console.h"
 #include "MeshSums.h"
+#include "Platform.h"
 #include "Report.h"
 #include "Workers.h"
 
@@ -36,13 +37,10 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
-#include <ranges>
 #include <sstream>
 #include <string_view>
 #include <system_error>
 #include <vector>
-
-#include <sys/resource.h>
 
 namespace atria::tool {
 
@@ -76,7 +74,9 @@ void printWarnings(vtkAtriaSurfaceReader* reader, const std::string& file, Conso
     warnings.push_back({texts->GetValue(i)}); // the gravest are first
   }
   vtkIdType more = reader->GetNumberOfWarnings();
-  for (const Warning& warning : counted(warnings) | std::views::take(most))
+  warnings = counted(warnings);
+  warnings.resize(std::min(warnings.size(), most));
+  for (const Warning& warning : warnings)
   {
     console.warning(warning.text); // names file and line
     more -= static_cast<vtkIdType>(warning.count);
@@ -161,15 +161,14 @@ std::string hindrance(const fs::path& folder, double bytes)
   text.precision(3);
   std::error_code error;
   const fs::space_info space = fs::space(folder, error);
-  rlimit most{};
+  const std::optional<double> most = largestFile();
   if (!error && static_cast<double>(space.available) < bytes)
   {
     text << "the disk is full, with " << static_cast<double>(space.available) / 1e6 << " MB left";
   }
-  else if (getrlimit(RLIMIT_FSIZE, &most) == 0 && most.rlim_cur != RLIM_INFINITY &&
-           static_cast<double>(most.rlim_cur) < bytes)
+  else if (most && *most < bytes)
   {
-    text << "files may have " << static_cast<double>(most.rlim_cur) / 1e6 << " MB at most (ulimit -f)";
+    text << "files may have " << *most / 1e6 << " MB at most (ulimit -f)";
   }
   return text.str();
 }

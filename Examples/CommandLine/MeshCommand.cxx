@@ -8,6 +8,7 @@
 #include "MeshOnRanks.h"
 #include "MeshOptions.h"
 #include "MeshSums.h"
+#include "Platform.h"
 #include "Report.h"
 #include "Summary.h"
 #include "Threads.h"

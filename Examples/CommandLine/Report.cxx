@@ -29,8 +29,6 @@
 #include <sstream>
 #include <string>
 
-#include <sys/resource.h>
-
 namespace atria::tool {
 
 namespace {
@@ -455,13 +453,6 @@ void printPreflight(vtkTable* table)
                 isNothing ? 0.0 : value(row), unit(row).c_str());
   }
   std::printf("%s", hiddenDetailText(hiddenDetailOf(table), "HiddenDetail           ").c_str());
-}
-
-long long peakMemoryBytes()
-{
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  return 1024LL * usage.ru_maxrss; // Linux counts kibibytes
 }
 
 } // namespace atria::tool

@@ -76,7 +76,4 @@ Json maxLevelOf(vtkUnstructuredGrid* mesh);
 Json preflightOf(vtkTable* table);
 void printPreflight(vtkTable* table);
 
-/// Largest resident memory of this process so far.
-long long peakMemoryBytes();
-
 } // namespace atria::tool

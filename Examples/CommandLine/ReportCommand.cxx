@@ -3,15 +3,11 @@
 #include "Commands.h"
 #include "Console.h"
 #include "Numbers.h"
+#include "Platform.h"
 
 #include <CLI/CLI.hpp>
 
-#include <unistd.h>
-
-#include <algorithm>
-#include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -64,7 +60,7 @@ fs::path packages()
 std::string interpreter()
 {
   const char* const chosen = std::getenv("ATRIA_PYTHON");
-  return chosen && *chosen ? chosen : "/usr/bin/python3";
+  return chosen && *chosen ? chosen : ATRIA_DEFAULT_PYTHON;
 }
 
 std::vector<std::string> commandOf(const Options& options)
@@ -93,14 +89,9 @@ std::vector<std::string> commandOf(const Options& options)
 /// Goes on as the interpreter, whose exit status is that of the command.
 [[noreturn]] void runReport(const Options& options)
 {
-  const char* const others = std::getenv("PYTHONPATH");
-  const std::string path = packages().string() + (others && *others ? std::string(":") + others : "");
-  ::setenv("PYTHONPATH", path.c_str(), 1);
-  std::vector<std::string> command = commandOf(options);
-  std::vector<char*> words(command.size() + 1, nullptr);
-  std::ranges::transform(command, words.begin(), [](std::string& word) { return word.data(); });
-  ::execvp(words[0], words.data());
-  throw Failure(Failed, "cannot run '" + command[0] + "': " + std::strerror(errno) +
+  prependPath("PYTHONPATH", packages().string());
+  const std::vector<std::string> command = commandOf(options);
+  throw Failure(Failed, "cannot run '" + command[0] + "': " + becomeProgram(command) +
                             "; let ATRIA_PYTHON name the Python that has VTK");
 }
 

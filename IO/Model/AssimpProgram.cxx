@@ -9,6 +9,8 @@
 /// - `parts`: list of `name`, `material`, `group`, `points` (doubles), `corners` and `sizes` of faces (unsigned, 32
 /// bits);
 /// - `metadata`: what assimp says of the whole scene; `skipped`: numbers of faces that are points or lines.
+///
+/// Exit status: 0; 1 where the output cannot be written; 2 for other arguments; 3 where reading takes far too long.
 #include <assimp/DefaultLogger.hpp>
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
@@ -18,14 +20,25 @@
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
+#include <chrono>
 #include <cstdint>
+#include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <filesystem>
 #include <iostream>
+#include <thread>
 #include <vector>
 
+#if __has_include(<sys/resource.h>) && __has_include(<unistd.h>)
 #include <sys/resource.h>
 #include <unistd.h>
+#define ATRIA_HAS_LIMITS
+#endif
+#ifdef _WIN32
+#include <fcntl.h>
+#include <io.h>
+#endif
 
 namespace {
 
@@ -157,22 +170,42 @@ private:
   std::size_t skipped = 0;
 };
 
-/// Memory and time that no sound file of this size needs, so that a damaged one ends. No core is left. Sanitizers take
-/// more memory than there is.
-void limitResources(const std::string& file)
+/// Ends the process when it has computed for longer than a sound file of this size needs.
+void limitTime(const std::string& file)
 {
   std::error_code none;
   const std::uintmax_t bytes = std::filesystem::file_size(file, none);
+  const double seconds = 20.0 + (none ? 0.0 : static_cast<double>(bytes) / 50'000.0);
+  std::thread([seconds] {
+    while (static_cast<double>(std::clock()) < seconds * CLOCKS_PER_SEC)
+    {
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
+    std::_Exit(3);
+  }).detach();
+}
+
+/// No more memory than the machine has, and no core. Windows has no such limits; sanitizers take more than there is.
+void limitMemory()
+{
+#ifdef ATRIA_HAS_LIMITS
   const auto limit = [](auto resource, rlim_t most) {
     const rlimit both{most, most};
     setrlimit(resource, &both);
   };
-  const auto memory = static_cast<rlim_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
 #ifndef __SANITIZE_ADDRESS__
-  limit(RLIMIT_AS, memory);
+  limit(RLIMIT_AS, static_cast<rlim_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)));
 #endif
-  limit(RLIMIT_CPU, 20 + static_cast<rlim_t>(none ? 0 : bytes / 50'000)); // seconds
   limit(RLIMIT_CORE, 0);
+#endif
+}
+
+/// Else Windows would add a byte to each that ends a line.
+void writeBytesAsTheyAre()
+{
+#ifdef _WIN32
+  _setmode(_fileno(stdout), _O_BINARY);
+#endif
 }
 
 Json read(const std::string& file)
@@ -189,25 +222,35 @@ Json read(const std::string& file)
   return Scene(*scene).written();
 }
 
+Json readOrError(const std::string& file)
+{
+  try
+  {
+    return read(file);
+  }
+  catch (const std::exception& error)
+  {
+    return {{"error", error.what()}};
+  }
+}
+
 } // namespace
 
 int main(int argc, char** argv)
+try
 {
   if (argc != 2)
   {
     std::cerr << "usage: atria-assimp FILE\n";
     return 2;
   }
-  limitResources(argv[1]);
-  Json result;
-  try
-  {
-    result = read(argv[1]);
-  }
-  catch (const std::exception& error)
-  {
-    result = {{"error", error.what()}};
-  }
-  Json::to_cbor(result, nlohmann::detail::output_adapter<char>(std::cout));
+  limitMemory();
+  limitTime(argv[1]);
+  writeBytesAsTheyAre();
+  Json::to_cbor(readOrError(argv[1]), nlohmann::detail::output_adapter<char>(std::cout));
   return std::cout.flush() ? 0 : 1;
+}
+catch (...)
+{
+  return 1;
 }

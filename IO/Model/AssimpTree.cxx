@@ -13,8 +13,6 @@
 #include <cstdint>
 #include <filesystem>
 
-#include <signal.h>
-
 namespace atria::model::assimp {
 
 namespace {
@@ -161,9 +159,8 @@ void throwFailed(const std::string& file, const Run& run)
     throw Error("'" + file + "' cannot be read: " + toUtf8(run.tree.at("error").get<std::string>()) +
                 "; export it again, or as OBJ or VRML");
   }
-  const bool tooLong = run.status == -SIGXCPU || run.status == -SIGKILL;
   throw Error("'" + file + "' is damaged, or beyond what assimp can read, which " +
-              (tooLong ? "takes far too long" : "fails") + " on it; export it again, or as OBJ or VRML");
+              (run.tookTooLong() ? "takes far too long" : "fails") + " on it; export it again, or as OBJ or VRML");
 }
 
 } // namespace atria::model::assimp

@@ -18,13 +18,14 @@ namespace atria::model::assimp {
 
 using Json = nlohmann::json;
 
-/// How the process ended, and what it has read.
+/// How the process ended, and what it has read: both as AssimpProgram.cxx says.
 struct Run
 {
-  int status = 0; ///< of its exit; negative: the signal that ended it
-  Json tree;      ///< as AssimpProgram.cxx says
+  int status = 0;
+  Json tree;
 
   bool failed() const { return status != 0 || !tree.is_object() || tree.contains("error"); }
+  bool tookTooLong() const { return status == 3; }
 };
 
 /// Throws Error where the program is not there, or Aborted. `file` is the model in messages, `path` what is read.

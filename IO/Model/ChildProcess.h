@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+/// Runs another program and takes what it writes.
 #pragma once
 
 #include <string>
@@ -13,8 +14,10 @@ namespace atria::model {
 /// How a program ended, and what it wrote to its standard output.
 struct ChildResult
 {
+  static constexpr int crashed = -1;
+
   std::string output;
-  int status = 0; ///< of its exit; negative: the signal that ended it
+  int status = 0; ///< of its exit, or `crashed`
 };
 
 /// Runs a program until it ends. An abort ends it. Throws Error where it cannot be started, or Aborted.

@@ -16,8 +16,6 @@
 #include <iterator>
 #include <unordered_map>
 
-#include <signal.h>
-
 namespace atria::model {
 
 namespace {
@@ -310,7 +308,7 @@ void IfcReader::warnOf(Model& model, const Json& tree) const
 Model IfcReader::read()
 {
   Run run = runWithout({});
-  if (run.failed() && run.status != -SIGXCPU && run.status != -SIGKILL)
+  if (run.failed() && !run.tookTooLong())
   {
     culprits = findCulprits();
     run = culprits.empty() ? std::move(run) : runWithout(culprits);

@@ -3,31 +3,36 @@
 
 #include "Support/Error.h"
 
-#include <algorithm>
+#include <array>
 #include <cerrno>
-#include <cstdlib>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
-
-#include <unistd.h>
+#include <random>
 
 namespace atria::model {
 
 namespace {
 
-/// False where not all of it can be written.
-bool writeAll(int descriptor, std::string_view bytes)
+namespace fs = std::filesystem;
+
+std::string randomName()
 {
-  while (!bytes.empty())
-  {
-    const ssize_t written = write(descriptor, bytes.data(), bytes.size());
-    if (written < 0 && errno != EINTR)
-    {
-      return false;
-    }
-    bytes.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
-  }
-  return true;
+  std::random_device random;
+  std::array<char, 17> digits{};
+  std::snprintf(digits.data(), digits.size(), "%08x%08x", random(), random());
+  return std::string("atria-") + digits.data();
+}
+
+/// The file must not exist yet. Null where it cannot be made.
+std::FILE* openNew(const fs::path& file) { return std::fopen(file.string().c_str(), "wbx"); }
+
+bool writeAll(std::FILE* file, const fs::path& path, std::string_view bytes)
+{
+  std::error_code failure;
+  fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write, failure);
+  const bool good = !failure && std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
+  return std::fclose(file) == 0 && good;
 }
 
 } // namespace
@@ -35,23 +40,27 @@ bool writeAll(int descriptor, std::string_view bytes)
 TemporaryFile::TemporaryFile(std::string_view bytes, const std::string& ending)
 {
   std::error_code none;
-  std::filesystem::path folder = std::filesystem::temp_directory_path(none);
-  name = ((none ? "/tmp" : folder) / ("atria-XXXXXX" + ending)).string();
-  const int descriptor = mkstemps(name.data(), static_cast<int>(ending.size()));
-  if (descriptor < 0)
+  const fs::path told = fs::temp_directory_path(none);
+  const fs::path folder = none ? fs::path("/tmp") : told;
+  const fs::path file = folder / (randomName() + ending);
+  name = file.string();
+  std::FILE* const opened = openNew(file);
+  if (!opened)
   {
     throw Error("no file can be made in " + folder.string() + ": " + std::strerror(errno));
   }
-  const bool good = writeAll(descriptor, bytes);
-  const std::string what = std::strerror(errno);
-  close(descriptor);
-  if (!good)
+  if (!writeAll(opened, file, bytes))
   {
-    unlink(name.c_str());
+    const std::string what = std::strerror(errno);
+    fs::remove(file, none);
     throw Error("'" + name + "' cannot be written: " + what);
   }
 }
 
-TemporaryFile::~TemporaryFile() { unlink(name.c_str()); }
+TemporaryFile::~TemporaryFile()
+{
+  std::error_code ignored;
+  std::filesystem::remove(name, ignored);
+}
 
 } // namespace atria::model

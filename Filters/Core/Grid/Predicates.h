@@ -9,9 +9,17 @@
 
 #include "Grid/GridFrame.h"
 
+#ifndef __SIZEOF_INT128__
+#include <boost/multiprecision/cpp_int.hpp>
+#endif
+
 namespace atria {
 
+#ifdef __SIZEOF_INT128__
 __extension__ using Wide = __int128;
+#else
+using Wide = boost::multiprecision::int128_t;
+#endif
 
 inline int signOf(Wide value) { return value > 0 ? 1 : (value < 0 ? -1 : 0); }
 

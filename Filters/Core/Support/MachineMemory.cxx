@@ -40,12 +40,12 @@ std::size_t limitOf(const fs::path& hierarchy, const std::string& group, const c
 }
 
 #if __has_include(<sys/resource.h>) && __has_include(<unistd.h>)
-std::size_t resourceLimit(int resource)
+/// Of a type that differs from one C library to another.
+template <typename Resource> std::size_t resourceLimit(Resource resource)
 {
   rlimit limit{};
-  return getrlimit(static_cast<__rlimit_resource_t>(resource), &limit) == 0 && limit.rlim_cur != RLIM_INFINITY
-             ? static_cast<std::size_t>(limit.rlim_cur)
-             : unlimitedMemory;
+  return getrlimit(resource, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY ? static_cast<std::size_t>(limit.rlim_cur)
+                                                                             : unlimitedMemory;
 }
 
 std::size_t physicalMemory()

@@ -7,6 +7,13 @@
 #include <algorithm>
 #include <cmath>
 
+/// Calls within a function become part of it.
+#ifdef __GNUC__
+#define ATRIA_FLATTEN [[gnu::flatten]]
+#else
+#define ATRIA_FLATTEN
+#endif
+
 namespace atria {
 
 namespace {
@@ -62,7 +69,7 @@ std::array<double, Measure::kinds> QualityEvaluator::leastOf(Index cell) const
   return least.values;
 }
 
-[[gnu::flatten]] void QualityEvaluator::judgeInOrder(VertexStar& star, Index place) const
+ATRIA_FLATTEN void QualityEvaluator::judgeInOrder(VertexStar& star, Index place) const
 {
   const auto count = static_cast<Index>(star.cells.size());
   if (place < count)
@@ -75,7 +82,7 @@ std::array<double, Measure::kinds> QualityEvaluator::leastOf(Index cell) const
   judgeFace(star.faces[slot], ShapesOfVertexStar(*this, star, &slot), star.scores[place]);
 }
 
-[[gnu::flatten]] void QualityEvaluator::residualsOf(VertexStar& star, Residuals& out) const
+ATRIA_FLATTEN void QualityEvaluator::residualsOf(VertexStar& star, Residuals& out) const
 {
   out.measures.clear();
   out.values.clear();
@@ -95,8 +102,8 @@ std::array<double, Measure::kinds> QualityEvaluator::leastOf(Index cell) const
   }
 }
 
-[[gnu::flatten]] void QualityEvaluator::residualsBeside(VertexStar& star, const Residuals& before,
-                                                        std::vector<double>& out) const
+ATRIA_FLATTEN void QualityEvaluator::residualsBeside(VertexStar& star, const Residuals& before,
+                                                     std::vector<double>& out) const
 {
   const ShapesOfVertexStar shapes(*this, star, nullptr);
   out.clear();
