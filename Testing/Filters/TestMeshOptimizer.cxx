@@ -19,6 +19,7 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
 #include <sstream>
 
 namespace {
@@ -210,7 +211,8 @@ TEST_F(MeshOptimizer, FixBoundaryAndFeatureAngleSayWhatMoves)
     }
     return moved;
   };
-  const auto middle = mesh->FindPoint(3.0, 3.0, 6.0);
+  std::array<double, 3> top{3.0, 3.0, 6.0};
+  const auto middle = mesh->FindPoint(top.data());
   mesh->GetPoints()->SetPoint(middle, 3.8, 3.6, 6.0);
   filter->SetTargetScaledJacobian(0.5);
   EXPECT_GT(movedOnTop(), 0);

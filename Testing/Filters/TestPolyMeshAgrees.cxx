@@ -4,6 +4,7 @@
 #include "Quality/Faces/Geometry.h"
 #include "Support/CheckMesh.h"
 #include "Support/CheckWarnings.h"
+#include "Support/FoamReader.h"
 #include "Support/QuietContext.h"
 #include "Support/TestPaths.h"
 #include "VtkFaceMesh.h"
@@ -14,7 +15,6 @@
 #include <vtkCompositeDataSet.h>
 #include <vtkInformation.h>
 #include <vtkMultiBlockDataSet.h>
-#include <vtkOpenFOAMReader.h>
 
 #include <gmock/gmock.h>
 
@@ -105,13 +105,7 @@ private:
 
 void PolyMeshAgrees::expectReaderAgrees()
 {
-  vtkNew<vtkOpenFOAMReader> reader;
-  reader->SetFileName((scratch.path() / (scratch.path().filename().string() + ".foam")).c_str());
-  reader->SetUse64BitLabels(false);
-  reader->UpdateInformation();
-  reader->EnableAllPatchArrays();
-  reader->DecomposePolyhedraOff();
-  reader->Update();
+  const auto reader = atria::testing::readFoam(scratch.path() / (scratch.path().filename().string() + ".foam"));
   std::map<std::string, vtkDataSet*> blocks;
   collectBlocks(reader->GetOutput(), blocks);
   const auto all = namedPatches();

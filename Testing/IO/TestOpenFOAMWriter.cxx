@@ -3,6 +3,7 @@
 #include "Quality/Checks/Metrics.h"
 #include "Quality/Faces/Geometry.h"
 #include "Support/CheckMesh.h"
+#include "Support/FoamReader.h"
 #include "Support/QuietContext.h"
 #include "Support/SampleGrid.h"
 #include "VtkFaceMesh.h"
@@ -16,7 +17,6 @@
 #include <vtkIntArray.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
-#include <vtkOpenFOAMReader.h>
 #include <vtkPartitionedDataSet.h>
 #include <vtkPartitionedDataSetCollection.h>
 #include <vtkPointData.h>
@@ -309,13 +309,7 @@ TEST_F(OpenFOAMWriter, VtkReadsTheSameMeshBack)
   {
     const fs::path target = folder(binary ? "binary" : "ascii");
     ASSERT_EQ(write(grid, patches, binary, target), 1);
-    vtkNew<vtkOpenFOAMReader> reader;
-    reader->SetFileName((target / (target.filename().string() + ".foam")).c_str());
-    reader->SetUse64BitLabels(false);
-    reader->UpdateInformation();
-    reader->EnableAllPatchArrays();
-    reader->DecomposePolyhedraOff();
-    reader->Update();
+    const auto reader = atria::testing::readFoam(target / (target.filename().string() + ".foam"));
     const auto blocks = blocksOf(reader->GetOutput());
     for (const char* name : atria::sideNames)
     {

@@ -4,6 +4,7 @@
 #include "SolverMeshFacts.h"
 #include "Support/CheckMesh.h"
 #include "Support/CheckWarnings.h"
+#include "Support/FoamReader.h"
 #include "Support/ProgressWatch.h"
 #include "Support/SampleGrid.h"
 #include "Support/TestPaths.h"
@@ -20,7 +21,6 @@
 #include <vtkIntArray.h>
 #include <vtkMultiBlockDataSet.h>
 #include <vtkNew.h>
-#include <vtkOpenFOAMReader.h>
 #include <vtkPartitionedDataSetCollection.h>
 #include <vtkUnstructuredGrid.h>
 
@@ -130,14 +130,8 @@ protected:
 
 MeshFacts factsOfCase(const fs::path& folder)
 {
-  vtkNew<vtkOpenFOAMReader> reader;
   std::ofstream(folder / "case.foam");
-  reader->SetFileName((folder / "case.foam").c_str());
-  reader->DecomposePolyhedraOff();
-  reader->UpdateInformation();
-  reader->EnableAllPatchArrays();
-  reader->Update();
-  return atria::testing::factsOf(reader->GetOutput());
+  return atria::testing::factsOf(atria::testing::readFoam(folder / "case.foam")->GetOutput());
 }
 
 TEST_F(SolverWriters, FluentMeshesComeBackFromOpenFOAMsConverter)

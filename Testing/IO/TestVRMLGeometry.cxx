@@ -352,13 +352,10 @@ TEST_F(VRMLGeometry, ScalesSectionsBeforeItTurnsThem)
   ASSERT_EQ(twisted.output()->GetNumberOfPoints(), 8);
   const Eigen::Vector3d wanted[8] = {{1, 0, 1},   {1, 0, -1},   {-1, 0, -1}, {-1, 0, 1},
                                      {.5, 2, -2}, {-.5, 2, -2}, {-.5, 2, 2}, {.5, 2, 2}};
-  for (const Eigen::Vector3d& p : wanted)
+  for (Eigen::Vector3d p : wanted)
   {
-    EXPECT_NEAR((Eigen::Map<const Eigen::Vector3d>(
-                     twisted.output()->GetPoint(twisted.output()->FindPoint(p.x(), p.y(), p.z()))) -
-                 p)
-                    .norm(),
-                0.0, 1e-12);
+    const double* const found = twisted.output()->GetPoint(twisted.output()->FindPoint(p.data()));
+    EXPECT_NEAR((Eigen::Map<const Eigen::Vector3d>(found) - p).norm(), 0.0, 1e-12);
   }
   // Its sides are no planes, and the standard leaves open which diagonal cuts them. Across the shorter ones their
   // triangles have twice sqrt(17) / 2 + sqrt(5) / 2 and twice sqrt(5) + sqrt(17); across the others 23 + 3 sqrt(13) in
