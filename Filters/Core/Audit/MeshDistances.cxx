@@ -138,7 +138,8 @@ private:
     std::vector<Index> firstFace(mesh.points.size(), noIndex);
     for (std::size_t f = faces.elements.size(); f-- > 0;)
     {
-      for (const Index p : faceOf(mesh.corners[faces.elements[f]], faces.directions[f]).loop())
+      const ReducedFace face = faceOf(mesh.corners[faces.elements[f]], faces.directions[f]);
+      for (const Index p : face.loop())
       {
         firstFace[p] = static_cast<Index>(f);
       }

@@ -113,7 +113,8 @@ struct ReducedFace
   std::array<Index, 4> points;
   int count = 0;
 
-  std::span<const Index> loop() const { return {points.data(), static_cast<std::size_t>(count)}; }
+  std::span<const Index> loop() const& { return {points.data(), static_cast<std::size_t>(count)}; }
+  std::span<const Index> loop() && = delete; // of a face that is gone
 };
 
 inline ReducedFace faceOf(const std::array<Index, 8>& corners, int direction)

@@ -50,7 +50,8 @@ std::vector<Index> findCandidates(const DualMesh& mesh, const Executor& executor
     {
       if (DualMesh::isBoundary(mesh.neighbors[e][direction]))
       {
-        faces.push_back(measurePolygon(mesh.points, faceOf(mesh.corners[e], direction).loop()));
+        const ReducedFace face = faceOf(mesh.corners[e], direction);
+        faces.push_back(measurePolygon(mesh.points, face.loop()));
       }
     }
     chosen[i] = anyConcave(faces) ? 1 : 0;

@@ -89,7 +89,8 @@ private:
     const Index element = elements_[face.owner];
     const auto direction = static_cast<int>(face.face % 6);
     std::vector<Index> loop;
-    for (const Index p : faceOf(mesh_.corners[element], direction).loop())
+    const ReducedFace reduced = faceOf(mesh_.corners[element], direction);
+    for (const Index p : reduced.loop())
     {
       const auto [at, isNew] = pointOf_.emplace(p, static_cast<Index>(part.mesh.points.size()));
       if (isNew)
@@ -145,7 +146,8 @@ Index wallOf(const DualMesh& mesh, Index element)
     {
       continue;
     }
-    const double area = measurePolygon(mesh.points, faceOf(mesh.corners[element], direction).loop()).area.norm();
+    const ReducedFace reduced = faceOf(mesh.corners[element], direction);
+    const double area = measurePolygon(mesh.points, reduced.loop()).area.norm();
     const BoundaryFace& face = mesh.boundaryFaces[DualMesh::boundaryFaceOf(code)];
     if (const std::pair size(!face.onDomainSide, area); size > largest)
     {
