@@ -15,6 +15,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <charconv>
 #include <set>
 
 namespace atria::model {
@@ -49,6 +50,14 @@ int depthOf(const std::string& type)
   return found == depths.end() ? 0 : found->second;
 }
 
+/// Of a version such as 2.0; 0 where there is none.
+int majorOf(const std::string& version)
+{
+  int number = 0;
+  std::from_chars(version.data(), version.data() + version.size(), number);
+  return number;
+}
+
 class CityReader
 {
 public:
@@ -71,6 +80,8 @@ private:
     std::size_t first = 0;
     std::size_t count = 0;
   };
+
+  static constexpr int knownVersion = 2;
 
   Points addPoints(const Json& vertices, const Transform& transform);
   void addObjects(const Json& objects, const Points& points);
@@ -104,6 +115,11 @@ void CityReader::add(const Json& document)
   {
     throw Error("'" + file +
                 "' is no CityJSON: it has no \"type\": \"CityJSON\"; give a city model, or another format");
+  }
+  if (const std::string version = textOf(entryOf(document, "version")); majorOf(version) > knownVersion)
+  {
+    model.warnings.push_back("its version of CityJSON is " + version +
+                             ", and 1 and 2 are known: what is new in it may be missing; export it as 2.0");
   }
   if (const Json& stated = entryOf(document, "transform"); stated.is_object())
   {

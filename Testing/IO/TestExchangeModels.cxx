@@ -170,6 +170,19 @@ TEST_F(ExchangeModels, CityJsonSaysWhatIsWrong)
   EXPECT_EQ(triangles(), 2) << "parents in a circle";
 }
 
+TEST_F(ExchangeModels, CityJsonOfANewerVersionIsReadWithAWarning)
+{
+  for (const char* known : {"1.0", "1.1", "2.0"})
+  {
+    read("a.json", replaced(city(object("House", surface("1", square))), R"("version":"2.0")",
+                            R"("version":")" + std::string(known) + '"'));
+    EXPECT_EQ(warned, "") << known;
+  }
+  read("a.json", replaced(city(object("House", surface("1", square))), R"("version":"2.0")", R"("version":"3.1")"));
+  EXPECT_THAT(warned, HasSubstr("its version of CityJSON is 3.1, and 1 and 2 are known"));
+  EXPECT_EQ(triangles(), 2);
+}
+
 TEST_F(ExchangeModels, CityJsonNamesSolidsThatAreNotClosed)
 {
   const std::string whole = R"([[0,3,2,1]],[[0,1,5,4]],[[1,2,6,5]],[[2,3,7,6]],[[3,0,4,7]],[[4,5,6,7]])";
